@@ -1,0 +1,21 @@
+# Dependencies.cmake -- what we do not write ourselves, one imported target each.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+pkg_check_modules(GMP REQUIRED IMPORTED_TARGET gmp)
+pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
+pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
+pkg_check_modules(LIBXML REQUIRED IMPORTED_TARGET libxml-2.0)
+
+# FLINT 3 holds the fractions of polynomials itself; with FLINT 2.9 they are calcium's.
+find_path(FLINT_INCLUDE_DIR flint/flint.h REQUIRED)
+find_library(FLINT_LIBRARY flint REQUIRED)
+file(STRINGS ${FLINT_INCLUDE_DIR}/flint/flint.h FLINT_MAJOR REGEX "define __FLINT_VERSION ")
+add_library(cagd_flint INTERFACE)
+target_include_directories(cagd_flint SYSTEM INTERFACE ${FLINT_INCLUDE_DIR})
+if(FLINT_MAJOR MATCHES "VERSION +2")
+  find_path(CALCIUM_INCLUDE_DIR calcium/fmpz_mpoly_q.h REQUIRED)
+  find_library(CALCIUM_LIBRARY calcium REQUIRED)
+  find_library(ARB_LIBRARY NAMES arb flint-arb REQUIRED)
+  target_link_libraries(cagd_flint INTERFACE ${CALCIUM_LIBRARY} ${ARB_LIBRARY})
+endif()
+target_link_libraries(cagd_flint INTERFACE ${FLINT_LIBRARY} PkgConfig::MPFR PkgConfig::GMP)

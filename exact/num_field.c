@@ -1,0 +1,222 @@
+#include "exact/num_field.h"
+
+#include "exact/num_field_slot.h"
+
+#include <flint/fmpq.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Lexicographic order keeps the exponent vectors free of a degree field. */
+static _Thread_local struct {
+    fmpz_mpoly_ctx_t ctx;
+    int open, capacity, known;
+    char name[FIELD_MAX_VARIABLES][16];
+} field;
+
+/* Slots are made and cleared with a context of one variable when none is open: FLINT's init and
+ * clear use none of it but its size. */
+const fmpz_mpoly_ctx_struct *field_context(void)
+{
+    if (!field.open)
+        field_open(1);
+    return field.ctx;
+}
+void field_slot_init(void *p) { fmpz_mpoly_q_init(((struct field_element *)p)->x, field_context()); }
+void field_slot_clear(void *p) { fmpz_mpoly_q_clear(((struct field_element *)p)->x, field_context()); }
+
+void field_open(int variables)
+{
+    field_close();
+    fmpz_mpoly_ctx_init(field.ctx, variables, ORD_LEX);
+    field.open = 1;
+    field.capacity = variables;
+    field.known = 0;
+}
+void field_close(void)
+{
+    if (field.open)
+        fmpz_mpoly_ctx_clear(field.ctx);
+    field.open = 0;
+}
+
+static struct field_element *fresh(void) { return region_slot(SLOT_FIELD); }
+
+static num_f zero_f(void) { return (num_f){fresh()}; }
+
+static num_f fault_f(unsigned fault)
+{
+    region_faults |= fault;
+    return zero_f();
+}
+
+num_f variable_f(const char *name)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    int v = 0;
+    while (v < field.known && strcmp(field.name[v], name) != 0)
+        v++;
+    if (v == field.known) {
+        if (field.known == field.capacity)
+            return fault_f(FAULT_CROWDED);
+        snprintf(field.name[field.known++], sizeof field.name[0], "%s", name);
+    }
+    struct field_element *r = fresh();
+    fmpz_mpoly_q_gen(r->x, v, ctx);
+    return (num_f){r};
+}
+
+int field_variable_f(num_f a)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(a.at->x), ctx))
+        return -1;
+    for (int v = 0; v < field.known; v++)
+        if (fmpz_mpoly_is_gen(fmpz_mpoly_q_numref(a.at->x), v, ctx))
+            return v;
+    return -1;
+}
+
+/* After a fault the values mean nothing, so no more work is spent on them. */
+typedef void field_operation(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
+static num_f combine(field_operation *op, num_f a, num_f b)
+{
+    struct field_element *r = fresh();
+    if (region_faults == 0)
+        op(r->x, a.at->x, b.at->x, field.ctx);
+    return (num_f){r};
+}
+num_f add_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_add, a, b); }
+num_f sub_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_sub, a, b); }
+num_f mul_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_mul, a, b); }
+num_f div_f(num_f a, num_f b)
+{
+    return is_zero_f(b) ? fault_f(FAULT_UNDEFINED) : combine(fmpz_mpoly_q_div, a, b);
+}
+num_f neg_f(num_f a)
+{
+    struct field_element *r = fresh();
+    fmpz_mpoly_q_neg(r->x, a.at->x, field.ctx);
+    return (num_f){r};
+}
+
+num_f from_rational_f(num_q a)
+{
+    struct field_element *r = fresh();
+    fmpq_t x;
+    fmpq_init(x);
+    fmpq_set_mpq(x, a.at);
+    fmpz_mpoly_q_set_fmpq(r->x, x, field_context());
+    fmpq_clear(x);
+    return (num_f){r};
+}
+num_f from_int_f(long m)
+{
+    struct field_element *r = fresh();
+    fmpz_mpoly_q_set_si(r->x, m, field_context());
+    return (num_f){r};
+}
+num_f from_ratio_f(long m, long n) { return n == 0 ? fault_f(FAULT_UNDEFINED) : from_rational_f(from_ratio_q(m, n)); }
+
+num_f root_f(int n, num_f a)
+{
+    if (n == 1)
+        return a;
+    struct field_element *r = fresh();
+    if (n != 2 || !fmpz_mpoly_sqrt(fmpz_mpoly_q_numref(r->x), fmpz_mpoly_q_numref(a.at->x), field.ctx) ||
+        !fmpz_mpoly_sqrt(fmpz_mpoly_q_denref(r->x), fmpz_mpoly_q_denref(a.at->x), field.ctx))
+        return fault_f(FAULT_UNABLE);
+    return (num_f){r};
+}
+
+int is_zero_f(num_f a) { return fmpz_mpoly_q_is_zero(a.at->x, field_context()); }
+
+int is_constant_f(num_f a, num_q *value)
+{
+    if (!fmpz_mpoly_q_is_fmpq(a.at->x, field_context()))
+        return 0;
+    if (value != NULL) {
+        fmpz_t n, d;
+        mpq_t x;
+        fmpz_init(n), fmpz_init(d), mpq_init(x);
+        fmpz_mpoly_get_fmpz(n, fmpz_mpoly_q_numref(a.at->x), field.ctx);
+        fmpz_mpoly_get_fmpz(d, fmpz_mpoly_q_denref(a.at->x), field.ctx);
+        fmpz_get_mpz(mpq_numref(x), n), fmpz_get_mpz(mpq_denref(x), d);
+        *value = from_mpq_q(x);
+        fmpz_clear(n), fmpz_clear(d), mpq_clear(x);
+    }
+    return 1;
+}
+
+/* (p/q)' = (p' q - p q')/q^2 */
+num_f derivative_f(num_f a, num_f variable)
+{
+    int v = field_variable_f(variable);
+    if (v < 0)
+        return fault_f(FAULT_UNDEFINED);
+    struct field_element *p = fresh(), *q = fresh(), *dp = fresh(), *dq = fresh();
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(p->x), fmpz_mpoly_q_numref(a.at->x), field.ctx);
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(q->x), fmpz_mpoly_q_denref(a.at->x), field.ctx);
+    fmpz_mpoly_derivative(fmpz_mpoly_q_numref(dp->x), fmpz_mpoly_q_numref(p->x), v, field.ctx);
+    fmpz_mpoly_derivative(fmpz_mpoly_q_numref(dq->x), fmpz_mpoly_q_numref(q->x), v, field.ctx);
+    num_f P = {p}, Q = {q}, dP = {dp}, dQ = {dq};
+    return div_f(sub_f(mul_f(dP, Q), mul_f(P, dQ)), mul_f(Q, Q));
+}
+
+/* p(value) for a polynomial p: its coefficients in powers of the variable, by Horner's rule. */
+static num_f horner(const fmpz_mpoly_t p, int v, num_f value)
+{
+    fmpz_mpoly_univar_t u;
+    fmpz_mpoly_univar_init(u, field.ctx);
+    fmpz_mpoly_to_univar(u, p, v, field.ctx);
+    num_f sum = zero_f();
+    slong k = fmpz_mpoly_univar_length(u, field.ctx), high = 0;
+    for (slong j = 0; j < k; j++) { /* terms come by decreasing exponent */
+        slong e = fmpz_mpoly_univar_get_term_exp_si(u, j, field.ctx);
+        for (slong step = j == 0 ? e : high; step > e; step--)
+            sum = mul_f(sum, value);
+        struct field_element *c = fresh();
+        fmpz_mpoly_univar_get_term_coeff(fmpz_mpoly_q_numref(c->x), u, j, field.ctx);
+        sum = add_f(sum, (num_f){c});
+        high = e;
+    }
+    for (; high > 0; high--)
+        sum = mul_f(sum, value);
+    fmpz_mpoly_univar_clear(u, field.ctx);
+    return sum;
+}
+
+num_f substitute_f(num_f a, num_f variable, num_f value)
+{
+    int v = field_variable_f(variable);
+    if (v < 0)
+        return fault_f(FAULT_UNDEFINED);
+    return div_f(horner(fmpz_mpoly_q_numref(a.at->x), v, value), horner(fmpz_mpoly_q_denref(a.at->x), v, value));
+}
+
+int degree_f(num_f a, num_f variable)
+{
+    return (int)fmpz_mpoly_degree_si(fmpz_mpoly_q_numref(a.at->x), field_variable_f(variable), field.ctx);
+}
+int denominator_degree_f(num_f a, num_f variable)
+{
+    return (int)fmpz_mpoly_degree_si(fmpz_mpoly_q_denref(a.at->x), field_variable_f(variable), field.ctx);
+}
+
+const char *to_string_f(num_f a)
+{
+    const char *names[FIELD_MAX_VARIABLES];
+    for (int v = 0; v < FIELD_MAX_VARIABLES; v++)
+        names[v] = v < field.known ? field.name[v] : "?";
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    char *p = fmpz_mpoly_get_str_pretty(fmpz_mpoly_q_numref(a.at->x), names, ctx);
+    char *q = fmpz_mpoly_get_str_pretty(fmpz_mpoly_q_denref(a.at->x), names, ctx);
+    size_t room = strlen(p) + strlen(q) + 6;
+    char *text = region_bytes(room);
+    if (strcmp(q, "1") == 0)
+        snprintf(text, room, "%s", p);
+    else
+        snprintf(text, room, "(%s)/(%s)", p, q);
+    flint_free(p);
+    flint_free(q);
+    return text;
+}

@@ -1,0 +1,39 @@
+/* num_rational.h -- the number type q: exact rationals (GMP).
+ *
+ * A num_q names an immutable value that lives until its region is dropped.  It is a struct, not a
+ * bare pointer, so that a == b, a < b and a * b do not compile: text that slips out of the generic
+ * vocabulary is caught here. */
+#ifndef CAGD_NUM_RATIONAL_H
+#define CAGD_NUM_RATIONAL_H
+
+#include "exact/region.h"
+
+#include <gmp.h>
+
+typedef struct num_q {
+    mpq_srcptr at;
+} num_q;
+
+num_q add_q(num_q a, num_q b);
+num_q sub_q(num_q a, num_q b);
+num_q mul_q(num_q a, num_q b);
+num_q div_q(num_q a, num_q b); /* UNDEFINED for b = 0                                    */
+num_q neg_q(num_q a);
+num_q from_int_q(long m);
+num_q from_ratio_q(long m, long n); /* n != 0                                            */
+num_q root_q(int n, num_q a);       /* exact; UNABLE unless a >= 0 is an n-th power      */
+
+num_q from_mpq_q(mpq_srcptr x);
+num_q from_double_q(double x);        /* the binary64 itself; UNDEFINED unless finite    */
+num_q from_string_q(const char *text); /* "3", "-3/7", "0.1" (the decimal), "1e-3",
+                                          "0x1.8p-3"; UNDEFINED when it is none of these  */
+
+/* Order, for decisions; generic text never compares. */
+static inline int sign_q(num_q a) { return mpq_sgn(a.at); }
+static inline int compare_q(num_q a, num_q b) { return mpq_cmp(a.at, b.at); }
+static inline int equal_q(num_q a, num_q b) { return mpq_equal(a.at, b.at); }
+static inline int is_zero_q(num_q a) { return mpq_sgn(a.at) == 0; }
+
+double to_double_q(num_q a);          /* correctly rounded, ties to even                 */
+const char *to_string_q(num_q a);     /* "-3/7"; lives in the region                     */
+#endif

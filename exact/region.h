@@ -1,0 +1,34 @@
+/* region.h -- where the values of the exact number types live.
+ *
+ * An operation returns a pointer to a fresh, immutable value.  Values are never freed one by one: a
+ * computation opens a region, computes, and drops the whole region.  Slots of rationals and
+ * intervals keep their limbs, so a warm region allocates nothing.  Each thread has its own region. */
+#ifndef CAGD_REGION_H
+#define CAGD_REGION_H
+
+#include <stddef.h>
+
+/* What the slots hold. */
+enum slot_kind { SLOT_RATIONAL, SLOT_INTERVAL, SLOT_FIELD, SLOT_POLYNOMIAL, SLOT_KINDS };
+
+typedef struct region_mark {
+    size_t used[SLOT_KINDS], bytes, large;
+} region_mark;
+
+region_mark region_open(void);
+void region_drop(region_mark m); /* every value of this thread made since m is dead             */
+void region_free_all(void);      /* gives this thread's memory back; call as the thread ends    */
+
+void *region_slot(enum slot_kind kind); /* a fresh, initialised slot                                */
+void *region_bytes(size_t n);           /* n bytes, aligned for any object; lives as long as a slot */
+
+/* Operations return values, so they report trouble here: bits that stay set until the reader clears
+ * them.  Undefined, unable and false are three answers.  The value returned along with a fault is a
+ * placeholder and means nothing. */
+enum {
+    FAULT_UNDEFINED = 1, /* no such value: division by zero                                       */
+    FAULT_UNABLE = 2,    /* a value may exist; it is not computed here                            */
+    FAULT_CROWDED = 4    /* more named variables than the context has: run again in a larger one  */
+};
+extern _Thread_local unsigned region_faults;
+#endif
