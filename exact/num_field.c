@@ -39,6 +39,15 @@ void field_close(void)
     field.open = 0;
 }
 
+const char *field_variables(void)
+{
+    char *text = region_bytes((size_t)field.known * sizeof field.name[0] + 1), *at = text;
+    *at = '\0';
+    for (int v = 0; v < field.known; v++)
+        at += sprintf(at, v > 0 ? " %s" : "%s", field.name[v]);
+    return text;
+}
+
 static struct field_element *fresh(void) { return region_slot(SLOT_FIELD); }
 
 static num_f zero_f(void) { return (num_f){fresh()}; }
@@ -219,4 +228,22 @@ const char *to_string_f(num_f a)
     flint_free(p);
     flint_free(q);
     return text;
+}
+
+static int coefficients_sign(const fmpz_mpoly_t p)
+{
+    int seen = 0;
+    fmpz_t c;
+    fmpz_init(c);
+    for (slong k = 0; k < fmpz_mpoly_length(p, field.ctx) && seen != 2; k++) {
+        fmpz_mpoly_get_term_coeff_fmpz(c, p, k, field.ctx);
+        seen = seen == 0 || seen == fmpz_sgn(c) ? fmpz_sgn(c) : 2;
+    }
+    fmpz_clear(c);
+    return seen;
+}
+int coefficients_sign_f(num_f a)
+{
+    int p = coefficients_sign(fmpz_mpoly_q_numref(a.at->x)), q = coefficients_sign(fmpz_mpoly_q_denref(a.at->x));
+    return p == 2 || q == 2 ? -2 : p * q;
 }

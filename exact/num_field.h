@@ -19,6 +19,7 @@ enum { FIELD_MAX_VARIABLES = 96 };
 void field_open(int variables);
 void field_close(void);
 
+const char *field_variables(void); /* the names known, separated by blanks; in the region      */
 num_f variable_f(const char *name); /* the variable of that name, new or known             */
 num_f add_f(num_f a, num_f b);
 num_f sub_f(num_f a, num_f b);
@@ -38,5 +39,8 @@ num_f substitute_f(num_f a, num_f variable, num_f value); /* UNDEFINED at a pole
 int degree_f(num_f a, num_f variable);         /* of the numerator; -1 for 0               */
 int denominator_degree_f(num_f a, num_f variable);
 int field_variable_f(num_f variable);          /* its index, or -1 for any other element   */
+/* +1, 0, -1: numerator and denominator have coefficients of one sign each, so a > 0, a = 0, a < 0
+ * wherever all variables are positive.  -2: no such conclusion. */
+int coefficients_sign_f(num_f a);
 const char *to_string_f(num_f a);              /* lives in the region                      */
 #endif

@@ -1,0 +1,11 @@
+/* claims_off.h -- close the text opened by claims_on.h. */
+#undef unknown
+#undef positive
+#undef parameter
+#undef inside
+#undef same
+#undef vanishes
+#undef nonnegative
+#undef show
+#undef show_points
+#include "core/number/generic_off.h"

@@ -1,0 +1,11 @@
+/* claims_on.h -- open the generic text of a chapter: the arithmetic words and the judge's. */
+#include "core/number/generic_on.h"
+#define unknown     G(unknown)
+#define positive    G(positive)
+#define parameter   G(parameter)
+#define inside      G(inside)
+#define same        G(same)
+#define vanishes    G(vanishes)
+#define nonnegative G(nonnegative)
+#define show        G(show)
+#define show_points G(show_points)

@@ -1,0 +1,44 @@
+/* judge.h -- the words in which the bodies of claims are written, besides + - * / : data, comparison,
+ * and what is shown.  Each word has one meaning in every number type.
+ *
+ *   unknown(T, "x", i)    any number: a variable x_i of the field; elsewhere a random dyadic in [-1, 1]
+ *   positive(T, "w", i)   a positive number: a variable; elsewhere a random dyadic in [1/8, 4]
+ *   parameter(T, "t")     any parameter: a variable; elsewhere a random dyadic in (0, 1)
+ *   inside(T, "s")        a number of (0, 1): s/(1+s) in the field with s > 0; elsewhere as parameter
+ *   same(T, a, b)         compare: must be equal
+ *   vanishes(T, a)        compare: must be 0
+ *   nonnegative(T, a)     compare: must be >= 0.  In the field: numerator and denominator have only
+ *                         coefficients of one sign, every variable being positive; otherwise UNABLE
+ *   show(T, "x", a)       exhibit a value;  show_points(T, "R", count, dim, R) exhibits points
+ *
+ * The data are the same dyadic numbers in every arithmetic, so binary64 starts from exact values. */
+#ifndef CAGD_JUDGE_H
+#define CAGD_JUDGE_H
+
+#include "chapters/frame/claim.h"
+#include "core/number/num_measured.h"
+#include "exact/num_field.h"
+#include "exact/num_interval.h"
+#include "exact/num_rational.h"
+
+int pick(trial *T, int low, int high); /* a seeded random integer in [low, high]                     */
+void about(trial *T, const char *what); /* names what the next comparisons are about                  */
+void agree(trial *T, int condition);   /* compare: a condition that was decided exactly               */
+void show_text(trial *T, const char *name, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+#define JUDGE_WORDS(S)                                                                                                 \
+    num_##S unknown_##S(trial *T, const char *name, int index);                                                        \
+    num_##S positive_##S(trial *T, const char *name, int index);                                                       \
+    num_##S parameter_##S(trial *T, const char *name);                                                                 \
+    num_##S inside_##S(trial *T, const char *name);                                                                    \
+    void same_##S(trial *T, num_##S a, num_##S b);                                                                     \
+    void vanishes_##S(trial *T, num_##S a);                                                                            \
+    void nonnegative_##S(trial *T, num_##S a);                                                                         \
+    void show_##S(trial *T, const char *name, num_##S a);                                                              \
+    void show_points_##S(trial *T, const char *name, int count, int dim, const num_##S R[]);
+JUDGE_WORDS(f)
+JUDGE_WORDS(q)
+JUDGE_WORDS(i)
+JUDGE_WORDS(m)
+#undef JUDGE_WORDS
+#endif

@@ -1,0 +1,287 @@
+#include "chapters/frame/run.h"
+
+#include "chapters/frame/judge.h"
+#include "exact/thread_end.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+/* ---- one case --------------------------------------------------------------------------------- */
+
+/* FNV-1a of the claim's name: its data depend on nothing else. */
+static uint64_t seed_of(const char *name)
+{
+    uint64_t h = 14695981039346656037u;
+    for (; *name; name++)
+        h = (h ^ (unsigned char)*name) * 1099511628211u;
+    return h;
+}
+
+static void forget_exhibits(exhibit *shown, int count)
+{
+    for (int k = 0; k < count; k++) {
+        free(shown[k].name);
+        free(shown[k].value);
+    }
+    free(shown);
+}
+
+struct plan {
+    const claim *claim;
+    number_type type;
+    int deep;
+};
+
+/* How many cases a claim has in a number type: every degree once where a case settles its degree,
+ * otherwise as many random instances as the depth asks. */
+static int cases_of(const struct plan *p)
+{
+    int degrees = p->claim->degree_high - p->claim->degree_low + 1;
+    if (p->claim->kind != IDENTITY || p->type == FIELD_TYPE)
+        return degrees;
+    int wanted = p->deep ? 1000 : p->type == INTERVAL_TYPE ? 12 : 24;
+    return wanted > degrees ? wanted : degrees;
+}
+
+static int degree_of(const struct plan *p, int k)
+{
+    const claim *c = p->claim;
+    int high = c->kind != IDENTITY || p->type == FIELD_TYPE ? c->degree_high : c->degree_sampled;
+    return c->degree_low + k % (high - c->degree_low + 1);
+}
+
+/* Run case k.  The faults are returned in region_faults; the field starts small and grows on demand. */
+static trial run_case(const struct plan *p, int k, int planted, char **variables)
+{
+    trial T;
+    for (int room = 12;; room = room * 2 < FIELD_MAX_VARIABLES ? room * 2 : FIELD_MAX_VARIABLES) {
+        uint64_t seed = seed_of(p->claim->name) + (uint64_t)k;
+        T = (trial){.seed = seed, .state = seed, .degree = degree_of(p, k), .planted = planted, .deep = p->deep};
+        region_mark mark = region_open();
+        if (p->type == FIELD_TYPE)
+            field_open(room);
+        region_faults = 0;
+        p->claim->body[p->type](&T);
+        int again = (region_faults & FAULT_CROWDED) && room < FIELD_MAX_VARIABLES;
+        if (variables != NULL && !again)
+            *variables = strdup(p->type == FIELD_TYPE ? field_variables() : "");
+        region_drop(mark);
+        if (!again)
+            return T;
+        forget_exhibits(T.shown, T.exhibits);
+    }
+}
+
+/* Undefined, unable and false are three answers; a case that compared nothing fails. */
+static outcome judged(trial *T)
+{
+    if (region_faults & FAULT_UNDEFINED) {
+        show_text(T, "undefined", "a division by zero");
+        return FAILS;
+    }
+    if (T->compared == 0) {
+        show_text(T, "empty", "nothing was compared");
+        return FAILS;
+    }
+    if (T->outcome == HOLDS && (region_faults & (FAULT_UNABLE | FAULT_CROWDED)))
+        return UNDECIDED;
+    return T->outcome;
+}
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* ---- one claim in one number type --------------------------------------------------------------- */
+
+static type_result judge_type(const struct plan *p)
+{
+    double start = now();
+    int cases = cases_of(p), genuine = 0;
+    type_result r = {.ran = 1, .outcome = HOLDS, .degree_low = p->claim->degree_low};
+    for (int k = 0; k < cases && r.outcome != FAILS; k++) {
+        char *variables = NULL;
+        trial T = run_case(p, k, 0, &variables);
+        outcome o = judged(&T);
+        genuine = o == FAILS && region_faults == 0 && T.compared > 0;
+        r.faults |= region_faults;
+        r.cases++;
+        r.compared += T.compared;
+        if (T.worst > r.worst)
+            r.worst = T.worst;
+        if (T.degree > r.degree_high)
+            r.degree_high = T.degree;
+        free(r.variables);
+        r.variables = variables;
+        if (k == 0 || o == FAILS) {
+            forget_exhibits(r.shown, r.exhibits);
+            r.shown = T.shown, r.exhibits = T.exhibits, r.seed = T.seed;
+        } else {
+            forget_exhibits(T.shown, T.exhibits);
+        }
+        if (o != HOLDS)
+            r.outcome = o;
+    }
+    /* A counterexample must fail by comparison, not by trouble; and its control, the same computation
+     * with the right formula, must hold.  Any other claim's control must fail by comparison. */
+    int refutes = p->claim->kind == COUNTEREXAMPLE;
+    if (refutes && r.outcome == FAILS && !genuine)
+        r.outcome = UNDECIDED;
+    r.control_caught = refutes;
+    for (int k = 0; k < cases; k++) {
+        trial T = run_case(p, k, 1, NULL);
+        outcome o = judged(&T);
+        int by_comparison = region_faults == 0 && T.compared > 0;
+        forget_exhibits(T.shown, T.exhibits);
+        if (refutes && (o == FAILS || !by_comparison))
+            r.control_caught = 0;
+        if (!refutes && o == FAILS && by_comparison) {
+            r.control_caught = 1;
+            break;
+        }
+    }
+    r.seconds = now() - start;
+    return r;
+}
+
+/* ---- all claims, on several threads ------------------------------------------------------------- */
+
+struct task {
+    struct plan plan;
+    type_result *result;
+};
+struct queue {
+    pthread_mutex_t lock;
+    struct task *tasks;
+    int next, done, total;
+    const run_options *options;
+};
+
+static void *work(void *arg)
+{
+    struct queue *q = arg;
+    for (;;) {
+        pthread_mutex_lock(&q->lock);
+        int k = q->next < q->total ? q->next++ : -1;
+        pthread_mutex_unlock(&q->lock);
+        if (k < 0)
+            break;
+        *q->tasks[k].result = judge_type(&q->tasks[k].plan);
+        pthread_mutex_lock(&q->lock);
+        q->done++;
+        if (q->options->progress != NULL)
+            q->options->progress(q->options->context, q->done, q->total, q->tasks[k].plan.claim->name);
+        pthread_mutex_unlock(&q->lock);
+    }
+    exact_thread_end();
+    return NULL;
+}
+
+static evidence evidence_of(const claim *c, number_type t)
+{
+    static const evidence by_type[NUMBER_TYPES] = {PROVED, SAMPLED, ENCLOSED, MEASURED};
+    return c->kind == IDENTITY ? by_type[t] : DECIDED;
+}
+
+static char *scope_of(const claim_result *r)
+{
+    const claim *c = r->claim;
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        const type_result *b = &r->by[t];
+        if (!b->ran || evidence_of(c, t) != r->evidence)
+            continue;
+        size_t room = 160 + strlen(c->scope) + (b->variables != NULL ? strlen(b->variables) : 0);
+        char *s = malloc(room), *at = s;
+        if (s == NULL)
+            abort();
+        *s = '\0';
+        if (c->all_degrees)
+            at += sprintf(at, "all n");
+        else if (b->degree_high > 0)
+            at += sprintf(at, b->degree_low == b->degree_high ? "n = %d" : "n = %d to %d", b->degree_low, b->degree_high);
+        if (c->scope[0] != '\0')
+            at += sprintf(at, "%s%s", at > s ? "; " : "", c->scope);
+        if (r->evidence == PROVED && b->variables != NULL && b->variables[0] != '\0')
+            sprintf(at, "%severy value of %s", at > s ? "; " : "", b->variables);
+        else if (r->evidence == SAMPLED || r->evidence == MEASURED || r->evidence == ENCLOSED)
+            sprintf(at, "%s%d instances", at > s ? "; " : "", b->cases);
+        else if (at == s)
+            sprintf(at, "the stated instance");
+        return s;
+    }
+    return strdup("");
+}
+
+static void conclude(claim_result *r)
+{
+    const claim *c = r->claim;
+    outcome wanted = c->kind == COUNTEREXAMPLE ? FAILS : HOLDS;
+    r->as_expected = 1;
+    r->outcome = UNDECIDED;
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        const type_result *b = &r->by[t];
+        if (!b->ran)
+            continue;
+        int cannot_confirm = t == INTERVAL_TYPE && b->outcome == UNDECIDED && wanted == HOLDS;
+        if ((b->outcome != wanted && !cannot_confirm) || !b->control_caught)
+            r->as_expected = 0;
+        if ((b->outcome == wanted || cannot_confirm) && evidence_of(c, t) > r->evidence)
+            r->evidence = evidence_of(c, t);
+        if (b->outcome == FAILS)
+            r->outcome = FAILS;
+    }
+    if (r->as_expected)
+        r->outcome = wanted;
+    else
+        r->evidence = NO_EVIDENCE;
+    r->scope = scope_of(r);
+}
+
+claim_result *judge_claims(const claim *const list[], int count, const run_options *options)
+{
+    claim_result *results = calloc((size_t)count + 1, sizeof *results);
+    struct task *tasks = calloc((size_t)count * NUMBER_TYPES + 1, sizeof *tasks);
+    int jobs = options->jobs < 1 ? 1 : options->jobs, total = 0;
+    pthread_t *threads = calloc((size_t)jobs, sizeof *threads);
+    if (results == NULL || tasks == NULL || threads == NULL)
+        abort();
+    for (int k = 0; k < count; k++) {
+        results[k].claim = list[k];
+        for (number_type t = 0; t < NUMBER_TYPES; t++)
+            if (list[k]->body[t] != NULL)
+                tasks[total++] = (struct task){{list[k], t, options->deep}, &results[k].by[t]};
+    }
+    struct queue q = {.tasks = tasks, .total = total, .options = options};
+    pthread_mutex_init(&q.lock, NULL);
+    int started = 0;
+    while (started < jobs && pthread_create(&threads[started], NULL, work, &q) == 0)
+        started++;
+    if (started == 0)
+        work(&q);
+    for (int k = 0; k < started; k++)
+        pthread_join(threads[k], NULL);
+    pthread_mutex_destroy(&q.lock);
+    free(threads);
+    free(tasks);
+    for (int k = 0; k < count; k++)
+        conclude(&results[k]);
+    return results;
+}
+
+void free_results(claim_result *results, int count)
+{
+    for (int k = 0; k < count; k++) {
+        for (number_type t = 0; t < NUMBER_TYPES; t++) {
+            forget_exhibits(results[k].by[t].shown, results[k].by[t].exhibits);
+            free(results[k].by[t].variables);
+        }
+        free(results[k].scope);
+    }
+    free(results);
+}
