@@ -78,7 +78,7 @@ typedef struct statement_link {
 typedef struct statement {
     const char *id, *title, *title_zh, *printed, *class, *corrected, *figure, *note;
     const char *chapter, *file;
-    int line, is_definition;
+    int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
     const statement_link *links; /* ends with a link whose claim and text are NULL                       */
 } statement;
 

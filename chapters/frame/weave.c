@@ -254,7 +254,7 @@ static void check_statement(const struct block *b)
 {
     static const char *const known[] = {"title", "zh", "printed", "class", "corrected", "figure", "definition",
                                         "holds-by", "refuted-by", "corrected-by", "hypothesis", "reading",
-                                        "checked-by", NULL};
+                                        "checked-by", "striking", NULL};
     static const char *const needed[] = {"title", "zh", "printed", NULL};
     static const char *const classes[] = {"misprint", "false", "missing-hypothesis", "invalid-proof", NULL};
     check_keys(b, known, needed);
@@ -389,8 +389,9 @@ static void put_statement(FILE *out, const struct block *b, int index)
     put_field(out, "note", b->note);
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
-    fprintf(out, ", .line = %d, .is_definition = %d, .links = links_%d},\n", b->line,
-            value_of(b, "definition") != NULL, index);
+    const char *rank = value_of(b, "striking");
+    fprintf(out, ", .line = %d, .is_definition = %d, .striking = %d, .links = links_%d},\n", b->line,
+            value_of(b, "definition") != NULL, rank != NULL ? atoi(rank) : 0, index);
 }
 
 static void put_register(FILE *out, const struct list *chapters, const struct list *titles)

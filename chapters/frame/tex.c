@@ -1,0 +1,284 @@
+#include "chapters/frame/tex.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A growing string. */
+struct text {
+    char *at;
+    size_t used, room;
+};
+static void put(struct text *t, const char *s, size_t n)
+{
+    if (t->used + n + 1 > t->room) {
+        t->room = 2 * (t->used + n + 1);
+        char *more = realloc(t->at, t->room);
+        if (more == NULL)
+            abort();
+        t->at = more;
+    }
+    memcpy(t->at + t->used, s, n);
+    t->used += n;
+    t->at[t->used] = '\0';
+}
+static void puts_(struct text *t, const char *s) { put(t, s, strlen(s)); }
+
+static const struct {
+    const char *word, *text;
+} symbols[] = {
+    {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"}, {"varepsilon", "ε"},
+    {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"}, {"nu", "ν"}, {"xi", "ξ"}, {"pi", "π"},
+    {"rho", "ρ"}, {"sigma", "σ"}, {"tau", "τ"}, {"phi", "φ"}, {"varphi", "φ"}, {"chi", "χ"}, {"psi", "ψ"},
+    {"omega", "ω"}, {"eta", "η"}, {"zeta", "ζ"}, {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Lambda", "Λ"}, {"Phi", "Φ"},
+    {"Psi", "Ψ"}, {"Omega", "Ω"}, {"Sigma", "Σ"}, {"Pi", "Π"}, {"ell", "ℓ"}, {"infty", "∞"}, {"partial", "∂"},
+    {"nabla", "∇"}, {"cdot", "·"}, {"times", "×"}, {"pm", "±"}, {"mp", "∓"}, {"le", "≤"}, {"leq", "≤"},
+    {"ge", "≥"}, {"geq", "≥"}, {"ne", "≠"}, {"neq", "≠"}, {"equiv", "≡"}, {"approx", "≈"}, {"sim", "∼"},
+    {"in", "∈"}, {"notin", "∉"}, {"subset", "⊂"}, {"subseteq", "⊆"}, {"supseteq", "⊇"}, {"cup", "∪"},
+    {"cap", "∩"}, {"to", "→"}, {"mapsto", "↦"}, {"Rightarrow", "⇒"}, {"Leftrightarrow", "⇔"}, {"iff", "⇔"},
+    {"forall", "∀"}, {"exists", "∃"}, {"dots", "…"}, {"ldots", "…"}, {"cdots", "⋯"}, {"vdots", "⋮"},
+    {"ddots", "⋱"}, {"sum", "∑"}, {"prod", "∏"}, {"int", "∫"}, {"parallel", "∥"}, {"perp", "⊥"},
+    {"angle", "∠"}, {"triangle", "△"}, {"circ", "∘"}, {"oplus", "⊕"}, {"emptyset", "∅"}, {"mid", "|"},
+    {"Vert", "‖"}, {"vert", "|"}, {"lVert", "‖"}, {"rVert", "‖"}, {"lvert", "|"}, {"rvert", "|"},
+    {"langle", "⟨"}, {"rangle", "⟩"}, {"lfloor", "⌊"}, {"rfloor", "⌋"}, {"lceil", "⌈"}, {"rceil", "⌉"},
+    {"prime", "′"}, {"quad", "  "}, {"qquad", "    "}, {"setminus", "∖"}, {"colon", ":"}, {"land", "∧"},
+    {"lor", "∨"}, {"neg", "¬"}, {"ll", "≪"}, {"gg", "≫"}, {"max", "max"}, {"min", "min"}, {"sin", "sin"},
+    {"cos", "cos"}, {"tan", "tan"}, {"csc", "csc"}, {"det", "det"}, {"lim", "lim"}, {"deg", "deg"}, {"ln", "ln"},
+    {"log", "log"}, {"exp", "exp"}, {"sup", "sup"}, {"inf", "inf"}, {"arcsin", "arcsin"}, {"arccos", "arccos"},
+    {"left", ""}, {"right", ""}, {"big", ""}, {"Big", ""}, {"bigl", ""}, {"bigr", ""}, {"Bigl", ""}, {"Bigr", ""},
+    {"displaystyle", ""}, {"limits", ""}, {"nolimits", ""}, {"textstyle", ""}, {"Re", "Re"}, {"bot", "⊥"},
+    {"longrightarrow", "⟶"}, {"rightarrow", "→"}, {"star", "*"}, {"ast", "*"}, {"Longleftrightarrow", "⟺"}};
+
+/* Commands that only change the type face, or put something over a letter after it. */
+static const struct {
+    const char *word, *after;
+} faces[] = {{"mathbf", ""}, {"boldsymbol", ""}, {"mathrm", ""}, {"mathit", ""}, {"text", ""}, {"mathcal", ""},
+             {"mathfrak", ""}, {"operatorname", ""}, {"textbf", ""}, {"mathbb", ""}, {"emph", ""}, {"textit", ""},
+             {"hat", "\xCC\x82"}, {"widehat", "\xCC\x82"}, {"bar", "\xCC\x84"}, {"overline", "\xCC\x84"},
+             {"tilde", "\xCC\x83"}, {"widetilde", "\xCC\x83"}, {"dot", "\xCC\x87"}, {"ddot", "\xCC\x88"},
+             {"vec", "\xE2\x83\x97"}, {"underline", "\xCC\xB2"}};
+
+static const char *formula(const char *s, struct text *out, char stop);
+
+/* The next group: {...} or one token, rendered. */
+static const char *group(const char *s, struct text *out)
+{
+    while (*s == ' ')
+        s++;
+    if (*s == '{')
+        return formula(s + 1, out, '}');
+    if (*s == '\\') {
+        const char *e = s + 1;
+        while (isalpha((unsigned char)*e))
+            e++;
+        char one[64] = {0};
+        size_t n = (size_t)(e - s) < sizeof one - 1 ? (size_t)(e - s) : sizeof one - 1;
+        memcpy(one, s, n);
+        formula(one, out, '\0');
+        return e;
+    }
+    size_t n = *s == '\0' ? 0 : 1;
+    while (n > 0 && ((unsigned char)s[n] & 0xC0) == 0x80)
+        n++;
+    put(out, s, n);
+    return s + n;
+}
+
+/* Whether a rendered numerator or exponent can stand without parentheses. */
+static int is_simple(const char *s)
+{
+    int depth = 0;
+    for (const char *p = s; *p; p++) {
+        if (*p == '(' || *p == '[' || *p == '{')
+            depth++;
+        else if (*p == ')' || *p == ']' || *p == '}')
+            depth--;
+        else if (depth == 0 && (*p == '+' || *p == ' ' || *p == '/' || *p == ',' || *p == '=' ||
+                                strncmp(p, "−", 3) == 0 || strncmp(p, "·", 2) == 0))
+            return 0;
+    }
+    return 1;
+}
+
+static void put_wrapped(struct text *out, const char *s)
+{
+    int simple = is_simple(s);
+    puts_(out, simple ? "" : "(");
+    puts_(out, s);
+    puts_(out, simple ? "" : ")");
+}
+
+static const struct {
+    char c;
+    const char *up, *down;
+} small[] = {{'0', "⁰", "₀"}, {'1', "¹", "₁"}, {'2', "²", "₂"}, {'3', "³", "₃"}, {'4', "⁴", "₄"}, {'5', "⁵", "₅"},
+             {'6', "⁶", "₆"}, {'7', "⁷", "₇"}, {'8', "⁸", "₈"}, {'9', "⁹", "₉"}, {'+', "⁺", "₊"}, {'(', "⁽", "₍"},
+             {')', "⁾", "₎"}, {'n', "ⁿ", NULL}, {'i', "ⁱ", "ᵢ"}, {'j', "ʲ", "ⱼ"}, {'k', "ᵏ", "ₖ"}, {'r', "ʳ", "ᵣ"},
+             {'t', "ᵗ", "ₜ"}, {'m', "ᵐ", "ₘ"}, {'h', "ʰ", "ₕ"}, {'l', "ˡ", "ₗ"}, {'s', "ˢ", "ₛ"}, {'p', "ᵖ", "ₚ"},
+             {'n', NULL, "ₙ"}, {'*', "*", NULL}, {'a', "ᵃ", "ₐ"}, {'x', "ˣ", "ₓ"}, {'\'', "′", NULL}};
+
+/* Raised or lowered letters where Unicode has all of them; otherwise ^(...) or _(...). */
+static void put_script(struct text *out, const char *s, int up)
+{
+    struct text t = {0};
+    puts_(&t, "");
+    const char *p = s;
+    while (*p != '\0') {
+        const char *glyph = NULL;
+        size_t n = 1;
+        if (strncmp(p, "−", 3) == 0) {
+            glyph = up ? "⁻" : "₋";
+            n = 3;
+        } else if (strncmp(p, "′", 3) == 0) {
+            glyph = up ? "′" : NULL;
+            n = 3;
+        } else {
+            for (size_t k = 0; k < sizeof small / sizeof *small && glyph == NULL; k++)
+                if (small[k].c == *p)
+                    glyph = up ? small[k].up : small[k].down;
+        }
+        if (glyph == NULL)
+            break;
+        puts_(&t, glyph);
+        p += n;
+    }
+    if (*p == '\0') {
+        puts_(out, t.at);
+    } else {
+        puts_(out, up ? "^" : "_");
+        put_wrapped(out, s);
+    }
+    free(t.at);
+}
+
+static struct text render_group(const char **s)
+{
+    struct text t = {0};
+    puts_(&t, "");
+    *s = group(*s, &t);
+    return t;
+}
+
+/* \word at s (behind the backslash). */
+static const char *command(const char *s, struct text *out)
+{
+    const char *e = s;
+    while (isalpha((unsigned char)*e))
+        e++;
+    size_t n = (size_t)(e - s);
+    if (n == 0) { /* \, \; \{ \\ ... */
+        if (*s == '\\')
+            puts_(out, ";  ");
+        else if (*s == '{' || *s == '}' || *s == '|' || *s == '%' || *s == '&')
+            *s == '|' ? puts_(out, "‖") : put(out, s, 1);
+        else if (*s == ',' || *s == ';' || *s == ' ' || *s == ':')
+            puts_(out, " ");
+        return *s == '\0' ? s : s + 1;
+    }
+    while (*e == ' ')
+        e++;
+    if (n == 4 && strncmp(s, "frac", 4) == 0) {
+        struct text a = render_group(&e), b = render_group(&e);
+        put_wrapped(out, a.at);
+        puts_(out, "/");
+        put_wrapped(out, b.at);
+        if (isalnum((unsigned char)*e) || *e == '\\')
+            puts_(out, " ");
+        free(a.at), free(b.at);
+        return e;
+    }
+    if ((n == 5 && strncmp(s, "binom", 5) == 0)) {
+        struct text a = render_group(&e), b = render_group(&e);
+        puts_(out, "C("), puts_(out, a.at), puts_(out, ", "), puts_(out, b.at), puts_(out, ")");
+        free(a.at), free(b.at);
+        return e;
+    }
+    if (n == 4 && strncmp(s, "sqrt", 4) == 0) {
+        if (*e == '[') {
+            const char *close = strchr(e, ']');
+            struct text index = {0};
+            puts_(&index, "");
+            put(&index, e + 1, close != NULL ? (size_t)(close - e - 1) : 0);
+            put_script(out, index.at, 1);
+            free(index.at);
+            e = close != NULL ? close + 1 : e + 1;
+        }
+        struct text a = render_group(&e);
+        puts_(out, "√");
+        put_wrapped(out, a.at);
+        free(a.at);
+        return e;
+    }
+    if ((n == 5 && strncmp(s, "begin", 5) == 0) || (n == 3 && strncmp(s, "end", 3) == 0)) {
+        struct text a = render_group(&e);
+        const char *bracket = strstr(a.at, "cases") != NULL ? "{" : strchr(a.at, 'v') == a.at ? "|" : "(";
+        puts_(out, s[0] == 'b' ? bracket : bracket[0] == '{' ? "" : bracket[0] == '(' ? ")" : bracket);
+        free(a.at);
+        return e;
+    }
+    for (size_t k = 0; k < sizeof faces / sizeof *faces; k++)
+        if (strlen(faces[k].word) == n && strncmp(faces[k].word, s, n) == 0) {
+            e = group(e, out);
+            puts_(out, faces[k].after);
+            return e;
+        }
+    for (size_t k = 0; k < sizeof symbols / sizeof *symbols; k++)
+        if (strlen(symbols[k].word) == n && strncmp(symbols[k].word, s, n) == 0) {
+            puts_(out, symbols[k].text);
+            return e;
+        }
+    put(out, s, n);
+    return e;
+}
+
+static const char *formula(const char *s, struct text *out, char stop)
+{
+    while (*s != '\0' && *s != stop) {
+        if (*s == '\\') {
+            s = command(s + 1, out);
+        } else if (*s == '^' || *s == '_') {
+            int up = *s++ == '^';
+            struct text t = render_group(&s);
+            put_script(out, t.at, up);
+            free(t.at);
+        } else if (*s == '{') {
+            s = formula(s + 1, out, '}');
+        } else if (*s == '-') {
+            puts_(out, "−"), s++;
+        } else if (*s == '\'') {
+            puts_(out, "′"), s++;
+        } else if (*s == '~' || *s == '&') {
+            puts_(out, " "), s++;
+        } else if (*s == '}') {
+            s++;
+        } else {
+            put(out, s++, 1);
+        }
+    }
+    return *s == '\0' ? s : s + 1;
+}
+
+char *tex_to_text(const char *tex, int mixed)
+{
+    struct text out = {0};
+    puts_(&out, "");
+    const char *s = tex;
+    if (!mixed) {
+        formula(s, &out, '\0');
+        return out.at;
+    }
+    while (*s != '\0') {
+        if (*s == '$') {
+            const char *close = strchr(s + 1, '$');
+            struct text inner = {0};
+            puts_(&inner, "");
+            put(&inner, s + 1, close != NULL ? (size_t)(close - s - 1) : strlen(s + 1));
+            formula(inner.at, &out, '\0');
+            free(inner.at);
+            s = close != NULL ? close + 1 : s + strlen(s);
+        } else {
+            put(&out, s++, 1);
+        }
+    }
+    return out.at;
+}

@@ -1,0 +1,17 @@
+# bash completion for cagd
+_cagd() {
+    local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]}
+    if [ "$COMP_CWORD" -eq 1 ]; then
+        COMPREPLY=($(compgen -W "verify list show ledger figures --help --version" -- "$word"))
+    elif [[ $word == -* ]]; then
+        case $command in
+        verify) COMPREPLY=($(compgen -W "--json --tap --junit --jobs --deep --shard --help" -- "$word")) ;;
+        ledger) COMPREPLY=($(compgen -W "--json --summary --jobs --help" -- "$word")) ;;
+        figures) COMPREPLY=($(compgen -W "--out --list --help" -- "$word")) ;;
+        *) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
+        esac
+    else
+        COMPREPLY=($(compgen -W "$(cagd list 2>/dev/null | cut -d' ' -f1)" -- "$word"))
+    fi
+}
+complete -F _cagd cagd

@@ -1,0 +1,128 @@
+#include "cli/command.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct arguments {
+    struct patterns patterns;
+    int json, summary, striking, jobs;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    switch (key) {
+    case 'J': a->json = 1; break;
+    case 's': a->summary = 1; break;
+    case 'k': a->striking = whole_number(state, "--striking", arg, 1, 100); break;
+    case 'j': a->jobs = whole_number(state, "--jobs", arg, 1, 64); break;
+    case ARGP_KEY_ARGS:
+        a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
+        break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+static enum style style_of(verdict v)
+{
+    static const enum style by[] = {GOOD, WARN, BAD, WARN, BAD, DIM};
+    return by[v];
+}
+
+static void print_rows(const statement_result *list, int count)
+{
+    int width = 0;
+    for (int k = 0; k < count; k++)
+        if ((int)strlen(list[k].statement->id) > width)
+            width = (int)strlen(list[k].statement->id);
+    for (int k = 0; k < count; k++) {
+        const statement_result *r = &list[k];
+        put_padded(stdout, r->statement->id, width + 2);
+        fputs(style(stdout, style_of(r->verdict)), stdout);
+        put_padded(stdout, verdict_name[r->verdict], 12);
+        fputs(style(stdout, PLAIN), stdout);
+        put_padded(stdout, r->verdict == VERDICT_FAILS ? r->statement->class : evidence_name[r->evidence], 20);
+        printf("%s\n", r->statement->title);
+    }
+}
+
+static void print_tally(const statement_result *list, int count)
+{
+    enum { SOURCES = 16 };
+    struct tally t[SOURCES];
+    int sources = tally_statements(list, count, t, SOURCES);
+    printf("%-18s %10s %6s %12s %6s %10s %5s %11s\n", "source", "statements", "hold", "conditional", "fail", "undecided",
+           "open", "definitions");
+    for (int k = 0; k < sources; k++)
+        printf("%-18s %10d %6d %12d %6d %10d %5d %11d\n", t[k].source, t[k].total, t[k].verdict[VERDICT_HOLDS],
+               t[k].verdict[VERDICT_CONDITIONAL], t[k].verdict[VERDICT_FAILS], t[k].verdict[VERDICT_UNDECIDED],
+               t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
+}
+
+/* Striking statements carry a rank; each line says what is printed and what the counterexample shows. */
+static void print_striking(const statement_result *list, int count, int wanted)
+{
+    for (int rank = 1, shown = 0; rank <= count && shown < wanted; rank++)
+        for (int k = 0; k < count; k++)
+            if (list[k].statement->striking == rank && list[k].verdict == VERDICT_FAILS && shown < wanted) {
+                char *line = exhibits_line(list[k].decided_by);
+                printf("  %s  %s: %.160s%s\n", list[k].statement->id, list[k].decided_by->claim->title, line,
+                       strlen(line) > 160 ? " ..." : "");
+                free(line);
+                shown++;
+            }
+}
+
+int run_ledger(int argc, char **argv)
+{
+    static const struct argp_option options[] = {
+        {"json", 'J', 0, 0, "Print the ledger as JSON", 0},
+        {"summary", 's', 0, 0, "Only the counts by source and verdict", 0},
+        {"striking", 'k', "N", 0, "Only the N most striking false statements, one a line", 0},
+        {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
+        {0}};
+    static const struct argp argp = {options, parse, "[PATTERN...]",
+                                     "Prints every statement of the sources with its verdict, decided anew.\n\nExamples:\n"
+                                     "  cagd ledger --summary\n"
+                                     "  cagd ledger 'wang-ch3:*'\n"
+                                     "  cagd ledger --json\n",
+                                     NULL, NULL, NULL};
+    struct arguments a = {.jobs = processors()};
+    parse_arguments(&argp, argc, argv, &a);
+    int statements, claims, wrong = 0;
+    const statement **list = matching_statements(&a.patterns, &statements);
+    if (statements == 0) {
+        complain_about(a.patterns.count > 0 ? a.patterns.at[0] : "");
+        free(list);
+        return EXIT_USAGE;
+    }
+    const claim **needed = claims_of(list, statements, &claims);
+    claim_result *results = judge_with_progress(needed, claims, a.jobs, 0);
+    statement_result *derived = calloc((size_t)statements, sizeof *derived);
+    if (derived == NULL)
+        abort();
+    for (int k = 0; k < statements; k++) {
+        derived[k] = derive(list[k], results, claims);
+        wrong += !derived[k].as_expected;
+    }
+    if (a.json) {
+        json_t *rows = json_array();
+        for (int k = 0; k < statements; k++)
+            json_array_append_new(rows, statement_json(&derived[k], results, claims));
+        print_json(json_pack("{s:s, s:o}", "schema", "cagd-ledger-1", "statements", rows));
+    } else if (a.striking > 0) {
+        print_striking(derived, statements, a.striking);
+    } else {
+        if (!a.summary) {
+            print_rows(derived, statements);
+            putchar('\n');
+        }
+        print_tally(derived, statements);
+    }
+    free(derived);
+    free_results(results, claims);
+    free(needed);
+    free(list);
+    return wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
+}

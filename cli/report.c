@@ -1,0 +1,197 @@
+/* report.c -- results as JSON, JUnit and one-line texts. */
+#include "cli/command.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The type whose evidence is the claim's, hence whose exhibits speak for it. */
+const type_result *speaking_type(const claim_result *r)
+{
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        if (r->by[t].ran && r->by[t].outcome == FAILS)
+            return &r->by[t];
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        if (r->by[t].ran)
+            return &r->by[t];
+    return NULL;
+}
+
+char *exhibits_line(const claim_result *r)
+{
+    char *text = NULL;
+    size_t room = 0;
+    FILE *out = open_memstream(&text, &room);
+    const type_result *b = speaking_type(r);
+    for (int k = 0; b != NULL && k < b->exhibits; k++)
+        fprintf(out, "%s%s = %s", k > 0 ? "; " : "", b->shown[k].name, b->shown[k].value);
+    fclose(out);
+    return text;
+}
+
+static json_t *exhibits_json(const type_result *b)
+{
+    json_t *list = json_array();
+    for (int k = 0; k < b->exhibits; k++)
+        json_array_append_new(list, json_pack("{s:s, s:s}", "name", b->shown[k].name, "value", b->shown[k].value));
+    return list;
+}
+
+json_t *claim_json(const claim_result *r)
+{
+    static const char *const kind[] = {"identity", "decision", "counterexample"};
+    const claim *c = r->claim;
+    json_t *types = json_object();
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        const type_result *b = &r->by[t];
+        if (!b->ran)
+            continue;
+        char seed[24];
+        snprintf(seed, sizeof seed, "%016llx", (unsigned long long)b->seed);
+        json_t *j = json_pack("{s:s, s:i, s:i, s:b, s:s}", "outcome", outcome_name[b->outcome], "cases", b->cases,
+                              "compared", b->compared, "control_caught", b->control_caught, "seed", seed);
+        if (t == DOUBLE_TYPE)
+            json_object_set_new(j, "largest_error_over_bound", json_real(b->worst));
+        if (t == INTERVAL_TYPE)
+            json_object_set_new(j, "widest_enclosure", json_real(b->worst));
+        json_object_set_new(j, "shown", exhibits_json(b));
+        json_object_set_new(types, number_type_name[t], j);
+    }
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:s, s:s, s:o}", "name", c->name,
+                     "chapter", c->chapter, "title", c->title, "title_zh", c->title_zh, "kind", kind[c->kind], "given",
+                     c->given, "let", c->let, "then", c->then, "method", c->method, "control", c->control, "outcome",
+                     outcome_name[r->outcome], "as_expected", r->as_expected, "evidence", evidence_name[r->evidence],
+                     "scope", r->scope, "types", types);
+}
+
+static json_t *counterexample_json(const claim_result *r)
+{
+    char *line = exhibits_line(r);
+    json_t *j = json_pack("{s:s, s:s, s:o}", "claim", r->claim->name, "text", line, "values",
+                          exhibits_json(speaking_type(r)));
+    free(line);
+    return j;
+}
+
+json_t *statement_json(const statement_result *r, const claim_result *results, int count)
+{
+    const statement *s = r->statement;
+    json_t *hypotheses = json_array(), *readings = json_array(), *claims = json_array();
+    const claim_result *against = NULL;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (c != NULL) {
+            int known = 0;
+            for (size_t k = 0; k < json_array_size(claims); k++)
+                known |= strcmp(json_string_value(json_array_get(claims, k)), l->claim) == 0;
+            if (!known)
+                json_array_append_new(claims, json_string(l->claim));
+            if (against == NULL && (l->role == REFUTED_BY || l->role == HYPOTHESIS) && c->claim->kind == COUNTEREXAMPLE)
+                against = c;
+        }
+        if (l->role == HYPOTHESIS)
+            json_array_append_new(hypotheses, json_pack("{s:s, s:o}", "hypothesis", l->text, "without_it",
+                                                        c != NULL ? counterexample_json(c) : json_null()));
+        if (l->role == READING)
+            json_array_append_new(readings, json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim,
+                                                      "outcome", c != NULL ? outcome_name[c->outcome] : "not decided"));
+    }
+    json_t *printed = json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
+                                evidence_name[r->evidence], "scope", r->decided_by != NULL ? r->decided_by->scope : "",
+                                "class", r->verdict == VERDICT_FAILS ? s->class : "", "hypotheses", hypotheses,
+                                "counterexample", against != NULL ? counterexample_json(against) : json_null(),
+                                "readings", readings);
+    json_t *corrected = json_null();
+    if (s->corrected[0] != '\0')
+        corrected = json_pack("{s:s, s:s, s:s, s:s}", "tex", s->corrected, "verdict", r->corrected ? "holds" : "open",
+                              "evidence", evidence_name[r->corrected_evidence], "scope",
+                              r->corrected_by != NULL ? r->corrected_by->scope : "");
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:b}", "id", s->id, "title", s->title,
+                     "title_zh", s->title_zh, "printed_tex", s->printed, "chapter", s->chapter, "as_printed", printed,
+                     "corrected", corrected, "claims", claims, "figure", s->figure, "note", s->note, "as_expected",
+                     r->as_expected);
+}
+
+void print_json(json_t *document)
+{
+    json_dumpf(document, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
+    fputc('\n', stdout);
+    json_decref(document);
+}
+
+/* ---- JUnit ----------------------------------------------------------------------------------------- */
+
+static void put_xml(FILE *out, const char *s)
+{
+    for (; *s != '\0'; s++)
+        switch (*s) {
+        case '<': fputs("&lt;", out); break;
+        case '>': fputs("&gt;", out); break;
+        case '&': fputs("&amp;", out); break;
+        case '"': fputs("&quot;", out); break;
+        default: fputc(*s, out);
+        }
+}
+
+static double seconds_of(const claim_result *r)
+{
+    double sum = 0;
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        sum += r->by[t].seconds;
+    return sum;
+}
+
+int write_junit(const char *path, const claim_result *results, int count)
+{
+    struct output *o = output_open(path);
+    if (o == NULL)
+        return -1;
+    FILE *out = output_stream(o);
+    int failures = 0;
+    double total = 0;
+    for (int k = 0; k < count; k++) {
+        failures += !results[k].as_expected;
+        total += seconds_of(&results[k]);
+    }
+    fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    fprintf(out, "<testsuite name=\"cagd verify\" tests=\"%d\" failures=\"%d\" errors=\"0\" time=\"%.3f\">\n", count,
+            failures, total);
+    for (int k = 0; k < count; k++) {
+        const claim_result *r = &results[k];
+        fprintf(out, "  <testcase classname=\"%s\" name=\"%s\" time=\"%.3f\"", r->claim->chapter, r->claim->name,
+                seconds_of(r));
+        if (r->as_expected) {
+            fputs("/>\n", out);
+            continue;
+        }
+        char *line = exhibits_line(r);
+        fprintf(out, ">\n    <failure message=\"%s, expected otherwise\">", outcome_name[r->outcome]);
+        put_xml(out, line);
+        fputs("</failure>\n  </testcase>\n", out);
+        free(line);
+    }
+    fputs("</testsuite>\n", out);
+    return output_close(o);
+}
+
+/* ---- tally ------------------------------------------------------------------------------------------ */
+
+int tally_statements(const statement_result *list, int count, struct tally tally[], int room)
+{
+    int sources = 0;
+    for (int k = 0; k < count; k++) {
+        char key[32];
+        snprintf(key, sizeof key, "%.*s", (int)strcspn(list[k].statement->id, ":"), list[k].statement->id);
+        int s = 0;
+        while (s < sources && strcmp(tally[s].source, key) != 0)
+            s++;
+        if (s == sources && sources < room) {
+            tally[sources] = (struct tally){.total = 0};
+            memcpy(tally[sources++].source, key, sizeof key);
+        }
+        if (s < room) {
+            tally[s].verdict[list[k].verdict]++;
+            tally[s].total++;
+        }
+    }
+    return sources;
+}

@@ -1,0 +1,262 @@
+/* show.c -- one statement or one claim as a page. */
+#include "chapters/frame/tex.h"
+#include "cli/command.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 92, INDENT = 4 };
+
+struct arguments {
+    char *id;
+    int json, jobs;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    switch (key) {
+    case 'J': a->json = 1; break;
+    case 'j': a->jobs = whole_number(state, "--jobs", arg, 1, 64); break;
+    case ARGP_KEY_ARG:
+        if (a->id != NULL)
+            argp_error(state, "one id at a time, not also '%s'", arg);
+        a->id = arg;
+        break;
+    case ARGP_KEY_END:
+        if (a->id == NULL)
+            argp_error(state, "which id? for example wang-ch3:thm-3.3.2");
+        break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+static void heading(const char *text)
+{
+    printf("\n%s%s%s\n", style(stdout, BOLD), text, style(stdout, PLAIN));
+}
+
+/* Text with formulas between dollar signs; blank lines separate paragraphs. */
+static void prose(const char *text)
+{
+    for (const char *p = text; *p != '\0';) {
+        const char *end = strstr(p, "\n\n");
+        size_t n = end != NULL ? (size_t)(end - p) : strlen(p);
+        char *paragraph = strndup(p, n), *plain = tex_to_text(paragraph, 1);
+        put_paragraph(stdout, plain, INDENT, WIDTH);
+        free(plain), free(paragraph);
+        p += n;
+        if (end != NULL) {
+            putchar('\n');
+            p += 2;
+        }
+    }
+}
+
+static void formula(const char *tex)
+{
+    char *plain = tex_to_text(tex, strchr(tex, '$') != NULL);
+    put_paragraph(stdout, plain, INDENT, WIDTH);
+    free(plain);
+}
+
+static void labelled(const char *label, const char *text)
+{
+    if (text[0] == '\0')
+        return;
+    char *plain = tex_to_text(text, 1), *whole;
+    size_t room = strlen(plain) + strlen(label) + 4;
+    whole = malloc(room);
+    if (whole == NULL)
+        abort();
+    snprintf(whole, room, "%s  %s", label, plain);
+    put_paragraph(stdout, whole, INDENT, WIDTH);
+    free(whole), free(plain);
+}
+
+static void print_exhibits(const claim_result *r)
+{
+    const type_result *b = speaking_type(r);
+    int width = 0;
+    for (int k = 0; b != NULL && k < b->exhibits; k++)
+        if (columns_of(b->shown[k].name) > width)
+            width = columns_of(b->shown[k].name);
+    for (int k = 0; b != NULL && k < b->exhibits; k++) {
+        printf("%*s", INDENT, "");
+        put_padded(stdout, b->shown[k].name, width);
+        printf(" = %s\n", b->shown[k].value);
+    }
+}
+
+static void print_claim_lines(const claim_result *r)
+{
+    const claim *c = r->claim;
+    printf("%*s%s%s%s: %s\n", INDENT, "", style(stdout, BOLD), c->name, style(stdout, PLAIN), c->title);
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        const type_result *b = &r->by[t];
+        if (!b->ran)
+            continue;
+        printf("%*s  %-9s %s", INDENT, "",  number_type_name[t],
+               t == INTERVAL_TYPE && b->outcome == UNDECIDED ? "not refuted" : outcome_name[b->outcome]);
+        printf(" in %d %s, %d comparisons", b->cases, b->cases == 1 ? "case" : "cases", b->compared);
+        if (t == DOUBLE_TYPE && c->kind == IDENTITY)
+            printf("; largest error %.2g of its bound", b->worst);
+        if (t == INTERVAL_TYPE)
+            printf("; widest enclosure %.1e", b->worst);
+        printf("; control %s\n", b->control_caught ? "caught" : "NOT CAUGHT");
+    }
+}
+
+static void show_claim(const claim_result *r)
+{
+    const claim *c = r->claim;
+    printf("%s%s%s  %s\n", style(stdout, BOLD), c->title, style(stdout, PLAIN), c->title_zh);
+    printf("%s.%s  (%s:%d)\n", c->chapter, c->name, c->file, c->line);
+    heading(c->kind == COUNTEREXAMPLE ? "Against what is printed" : "Claim");
+    labelled("Given", c->given);
+    labelled("let", c->let);
+    labelled("then", c->then);
+    heading("Method");
+    prose(c->method);
+    labelled("Control:", c->control);
+    heading("Result");
+    printf("%*s%s%s\n", INDENT, "", c->kind == COUNTEREXAMPLE && r->as_expected ? "refuted, " : "", evidence_name[r->evidence]);
+    if (r->scope[0] != '\0')
+        labelled("for", r->scope);
+    print_claim_lines(r);
+    const type_result *b = speaking_type(r);
+    if (b != NULL && b->exhibits > 0) {
+        heading("What it shows");
+        print_exhibits(r);
+    }
+    int first = 1;
+    for (const statement *s = all_statements; s->id != NULL; s++)
+        for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
+            if (l->claim != NULL && strcmp(l->claim, c->name) == 0) {
+                if (first)
+                    heading("Decides");
+                first = 0;
+                printf("%*s%s  %s\n", INDENT, "", s->id, s->title);
+                break;
+            }
+}
+
+static const char *class_words(const char *class)
+{
+    return strcmp(class, "misprint") == 0             ? "a misprint"
+           : strcmp(class, "false") == 0              ? "false"
+           : strcmp(class, "missing-hypothesis") == 0 ? "a hypothesis is missing"
+           : strcmp(class, "invalid-proof") == 0      ? "the step does not follow"
+                                                      : "";
+}
+
+static void show_statement(const statement_result *r, const claim_result *results, int count)
+{
+    static const char *const words[] = {"It holds as printed", "It holds under more hypotheses", "It fails as printed",
+                                        "It can be read in several ways", "It is open", "A definition"};
+    const statement *s = r->statement;
+    printf("%s%s%s  %s\n%s  (%s:%d)\n", style(stdout, BOLD), s->title, style(stdout, PLAIN), s->title_zh, s->id,
+           s->file, s->line);
+    heading("Printed");
+    formula(s->printed);
+    heading("Verdict");
+    printf("%*s%s", INDENT, "", words[r->verdict]);
+    if (r->verdict == VERDICT_FAILS)
+        printf(": %s", class_words(s->class));
+    if (r->evidence != NO_EVIDENCE)
+        printf(" (%s)", evidence_name[r->evidence]);
+    puts(".");
+    if (r->decided_by != NULL && r->verdict != VERDICT_FAILS)
+        labelled("Scope:", r->decided_by->scope);
+    int number = 0;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (l->role == REFUTED_BY && c != NULL) {
+            heading(number++ == 0 ? "Counterexample" : "Another");
+            prose(c->claim->then);
+            print_exhibits(c);
+        } else if (l->role == HYPOTHESIS) {
+            heading("Hypothesis to be added");
+            prose(l->text);
+            if (c != NULL) {
+                printf("%*sWithout it:\n", INDENT, "");
+                print_exhibits(c);
+            }
+        } else if (l->role == READING) {
+            heading("A reading");
+            prose(l->text);
+            if (c != NULL)
+                printf("%*sSo read, it %s.\n", INDENT, "",
+                       c->claim->kind == COUNTEREXAMPLE ? "fails" : outcome_name[c->outcome]);
+        }
+    }
+    if (s->corrected[0] != '\0') {
+        heading("Corrected");
+        formula(s->corrected);
+        if (r->corrected_by != NULL) {
+            printf("%*s%s", INDENT, "", evidence_name[r->corrected_evidence]);
+            printf("; %s\n", r->corrected_by->scope);
+        }
+    }
+    if (s->note[0] != '\0') {
+        heading("Remarks");
+        prose(s->note);
+    }
+    heading("Claims");
+    for (int k = 0; k < count; k++)
+        print_claim_lines(&results[k]);
+    if (s->figure[0] != '\0') {
+        heading("Figure");
+        printf("%*sfigures/gallery/%s.svg\n", INDENT, "", s->figure);
+    }
+}
+
+int run_show(int argc, char **argv)
+{
+    static const struct argp_option options[] = {{"json", 'J', 0, 0, "Print the entry as JSON", 0},
+                                                 {"jobs", 'j', "N", 0, "Threads", 0},
+                                                 {0}};
+    static const struct argp argp = {options, parse, "ID",
+                                     "Shows one statement of a source, or one claim, in full.\n\nExamples:\n"
+                                     "  cagd show wang-ch3:thm-3.3.2\n"
+                                     "  cagd show elevation_keeps_rational_curve\n",
+                                     NULL, NULL, NULL};
+    struct arguments a = {.jobs = processors()};
+    parse_arguments(&argp, argc, argv, &a);
+    const statement *s = all_statements;
+    while (s->id != NULL && strcmp(s->id, a.id) != 0)
+        s++;
+    const claim *c = all_claims;
+    const char *bare = strchr(a.id, '.') != NULL && strchr(a.id, ':') == NULL ? strchr(a.id, '.') + 1 : a.id;
+    while (c->name != NULL && strcmp(c->name, bare) != 0)
+        c++;
+    if (s->id == NULL && c->name == NULL) {
+        complain_about(a.id);
+        return EXIT_USAGE;
+    }
+    int count = 1, good;
+    const claim **list = s->id != NULL ? claims_of(&s, 1, &count) : calloc(1, sizeof *list);
+    if (list == NULL)
+        abort();
+    if (s->id == NULL)
+        list[0] = c;
+    claim_result *results = judge_with_progress(list, count, a.jobs, 0);
+    if (s->id != NULL) {
+        statement_result r = derive(s, results, count);
+        good = r.as_expected;
+        if (a.json)
+            print_json(json_pack("{s:s, s:o}", "schema", "cagd-statement-1", "statement", statement_json(&r, results, count)));
+        else
+            show_statement(&r, results, count);
+    } else {
+        good = results[0].as_expected;
+        if (a.json)
+            print_json(json_pack("{s:s, s:o}", "schema", "cagd-claim-1", "claim", claim_json(&results[0])));
+        else
+            show_claim(&results[0]);
+    }
+    free_results(results, count);
+    free(list);
+    return good ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
+}

@@ -1,0 +1,111 @@
+#include "cli/command.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+int is_terminal(FILE *stream) { return isatty(fileno(stream)); }
+
+const char *style(FILE *stream, enum style s)
+{
+    static const char *const sequence[] = {"\x1b[0m", "\x1b[1m", "\x1b[2m", "\x1b[32m", "\x1b[31m", "\x1b[33m"};
+    const char *off = getenv("NO_COLOR");
+    return is_terminal(stream) && (off == NULL || *off == '\0') ? sequence[s] : "";
+}
+
+/* Width of the character at s in columns, by the ranges that occur here: combining marks 0, CJK 2. */
+static int width_of(unsigned long c)
+{
+    if ((c >= 0x300 && c <= 0x36F) || (c >= 0x20D0 && c <= 0x20FF))
+        return 0;
+    return (c >= 0x2E80 && c <= 0x9FFF) || (c >= 0xF900 && c <= 0xFAFF) || (c >= 0xFF00 && c <= 0xFF60) ? 2 : 1;
+}
+
+static const char *next_character(const char *s, unsigned long *c)
+{
+    unsigned char first = (unsigned char)*s++;
+    *c = first < 0x80 ? first : first < 0xE0 ? first & 0x1F : first < 0xF0 ? first & 0x0F : first & 0x07;
+    while (((unsigned char)*s & 0xC0) == 0x80)
+        *c = *c << 6 | ((unsigned char)*s++ & 0x3F);
+    return s;
+}
+
+int columns_of(const char *s)
+{
+    int columns = 0;
+    for (unsigned long c; *s != '\0'; columns += width_of(c))
+        s = next_character(s, &c);
+    return columns;
+}
+
+void put_padded(FILE *out, const char *s, int width)
+{
+    fputs(s, out);
+    for (int k = columns_of(s); k < width; k++)
+        fputc(' ', out);
+}
+
+/* Words separated by blanks; a CJK character may be followed by a break. */
+void put_paragraph(FILE *out, const char *s, int indent, int width)
+{
+    int column = 0;
+    while (*s != '\0') {
+        while (*s == ' ' || *s == '\n')
+            s++;
+        const char *end = s;
+        int columns = 0;
+        for (unsigned long c = 0; *end != '\0' && *end != ' ' && *end != '\n';) {
+            end = next_character(end, &c);
+            columns += width_of(c);
+            if (width_of(c) == 2)
+                break;
+        }
+        if (columns == 0)
+            break;
+        int glued = column > 0 && s[-1] != ' ' && s[-1] != '\n';
+        if (column > 0 && column + !glued + columns > width - indent) {
+            fputc('\n', out);
+            column = 0;
+        }
+        if (column == 0)
+            fprintf(out, "%*s", indent, "");
+        else if (!glued)
+            fputc(' ', out), column++;
+        fwrite(s, 1, (size_t)(end - s), out);
+        column += columns;
+        s = end;
+    }
+    fputc('\n', out);
+}
+
+/* ---- progress ------------------------------------------------------------------------------------ */
+
+void show_progress(void *context, int done, int total, const char *name)
+{
+    (void)context;
+    enum { WIDTH = 24 };
+    int filled = done * WIDTH / total;
+    fprintf(stderr, "\r\x1b[K[");
+    for (int k = 0; k < WIDTH; k++)
+        fputs(k < filled ? "=" : " ", stderr);
+    fprintf(stderr, "] %d/%d %.50s", done, total, name);
+    fflush(stderr);
+}
+void end_progress(void)
+{
+    if (is_terminal(stderr))
+        fputs("\r\x1b[K", stderr);
+}
+
+int processors(void)
+{
+    long n = sysconf(_SC_NPROCESSORS_ONLN);
+    return n < 1 ? 1 : n > 64 ? 64 : (int)n;
+}
+
+claim_result *judge_with_progress(const claim *const list[], int count, int jobs, int deep)
+{
+    run_options options = {.jobs = jobs, .deep = deep, .progress = is_terminal(stderr) ? show_progress : NULL};
+    claim_result *results = judge_claims(list, count, &options);
+    end_progress();
+    return results;
+}

@@ -1,0 +1,189 @@
+#include "cli/command.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct arguments {
+    struct patterns patterns;
+    int json, tap, deep, jobs, shard, shards;
+    const char *junit;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    switch (key) {
+    case 'J': a->json = 1; break;
+    case 'T': a->tap = 1; break;
+    case 'D': a->deep = 1; break;
+    case 'U': a->junit = arg; break;
+    case 'j': a->jobs = whole_number(state, "--jobs", arg, 1, 64); break;
+    case 'S': {
+        char *slash = strchr(arg, '/');
+        if (slash == NULL)
+            argp_error(state, "--shard takes K/N, such as 1/4, not '%s'", arg);
+        *slash = '\0';
+        a->shards = whole_number(state, "--shard K/N: N", slash + 1, 1, 1000);
+        a->shard = whole_number(state, "--shard K/N: K", arg, 1, a->shards);
+        break;
+    }
+    case ARGP_KEY_ARGS:
+        a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
+        break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+/* A long list of variables is cut at a blank. */
+static void put_scope(const char *scope)
+{
+    enum { LONGEST = 24 };
+    const char *values = strstr(scope, "every value of "), *names = values != NULL ? values + 15 : NULL;
+    if (names == NULL || strlen(names) <= LONGEST) {
+        fputs(scope, stdout);
+        return;
+    }
+    const char *cut = names + LONGEST;
+    while (cut > names && *cut != ' ')
+        cut--;
+    printf("%.*s …", (int)(cut - scope), scope);
+}
+
+/* The evidence with what supports it, as in "proved  n = 1 to 6; every value of t w_0 ...". */
+static void put_row(const claim_result *r, int name_width)
+{
+    const char *mark = !r->as_expected ? "!!" : r->claim->kind == COUNTEREXAMPLE ? "✗" : "✓";
+    enum style colour = !r->as_expected ? BAD : r->claim->kind == COUNTEREXAMPLE ? WARN : GOOD;
+    printf("  %s%s%s ", style(stdout, colour), mark, style(stdout, PLAIN));
+    put_padded(stdout, r->claim->name, name_width + 1);
+    put_padded(stdout, r->claim->kind == COUNTEREXAMPLE ? "refuted" : evidence_name[r->evidence], 10);
+    char types[8] = "", *at = types;
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        *at++ = r->by[t].ran ? "fqid"[t] : '-';
+    *at = '\0';
+    printf("%s  ", types);
+    if (!r->as_expected) {
+        for (number_type t = 0; t < NUMBER_TYPES; t++)
+            if (r->by[t].ran)
+                printf("%s: %s%s  ", number_type_name[t], outcome_name[r->by[t].outcome],
+                       r->by[t].control_caught ? "" : ", its control was not caught");
+        char *line = exhibits_line(r);
+        const type_result *b = speaking_type(r);
+        printf("seed %016llx  %.300s", b != NULL ? (unsigned long long)b->seed : 0, line);
+        free(line);
+    } else {
+        put_scope(r->scope);
+        if (r->by[DOUBLE_TYPE].ran && r->claim->kind == IDENTITY)
+            printf("%s  [double: %.2g of the bound]%s", style(stdout, DIM), r->by[DOUBLE_TYPE].worst, style(stdout, PLAIN));
+    }
+    putchar('\n');
+}
+
+static void print_table(const claim_result *results, int count)
+{
+    int width = 0;
+    for (int k = 0; k < count; k++)
+        if ((int)strlen(results[k].claim->name) > width)
+            width = (int)strlen(results[k].claim->name);
+    const char *file = "";
+    for (int k = 0; k < count; k++) {
+        if (strcmp(file, results[k].claim->file) != 0) {
+            file = results[k].claim->file;
+            const char *base = strrchr(file, '/');
+            printf("%s%s%s: %.*s%s\n", k > 0 ? "\n" : "", style(stdout, BOLD), results[k].claim->chapter,
+                   (int)strcspn(base + 1, "."), base + 1, style(stdout, PLAIN));
+        }
+        put_row(&results[k], width);
+    }
+    int by_evidence[PROVED + 1] = {0}, refuted = 0, wrong = 0, compared = 0, controls = 0, runs = 0;
+    for (int k = 0; k < count; k++) {
+        const claim_result *r = &results[k];
+        if (r->as_expected && r->claim->kind == COUNTEREXAMPLE)
+            refuted++;
+        else if (r->as_expected)
+            by_evidence[r->evidence]++;
+        else
+            wrong++;
+        for (number_type t = 0; t < NUMBER_TYPES; t++) {
+            compared += r->by[t].compared;
+            runs += r->by[t].ran;
+            controls += r->by[t].ran && r->by[t].control_caught;
+        }
+    }
+    printf("\n%d claims: %d proved, %d decided, %d sampled, %d printed statements refuted, %d not as expected\n", count,
+           by_evidence[PROVED], by_evidence[DECIDED], by_evidence[SAMPLED] + by_evidence[MEASURED] + by_evidence[ENCLOSED],
+           refuted, wrong);
+    printf("%d comparisons in %d runs; %d of %d controls caught\n", compared, runs, controls, runs);
+}
+
+static void print_tap(const claim_result *results, int count)
+{
+    printf("TAP version 13\n1..%d\n", count);
+    for (int k = 0; k < count; k++) {
+        const claim_result *r = &results[k];
+        printf("%s %d - %s.%s # %s; %s\n", r->as_expected ? "ok" : "not ok", k + 1, r->claim->chapter, r->claim->name,
+               evidence_name[r->evidence], r->scope);
+    }
+}
+
+int run_verify(int argc, char **argv)
+{
+    static const struct argp_option options[] = {
+        {"json", 'J', 0, 0, "Print the results as JSON", 0},
+        {"tap", 'T', 0, 0, "Print the results in the Test Anything Protocol", 0},
+        {"junit", 'U', "FILE", 0, "Also write the results to FILE as JUnit XML", 0},
+        {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
+        {"deep", 'D', 0, 0, "Many more random instances", 0},
+        {"shard", 'S', "K/N", 0, "Only the K-th of N parts of the claims", 0},
+        {0}};
+    static const struct argp argp = {options, parse, "[PATTERN...]",
+                                     "Decides claims and prints a table of the verdicts.\n\n"
+                                     "Examples:\n"
+                                     "  cagd verify                      every claim\n"
+                                     "  cagd verify 'rational-bezier.*'  one chapter\n"
+                                     "  cagd verify wang-ch3:3.2.4       the claims that decide one statement\n"
+                                     "  cagd verify --json --jobs 2      for a program\n"
+                                     "\vA PATTERN is a shell glob over claim names, chapter.name, or statement ids.  "
+                                     "The letters f q i d say in which numbers a claim was run: rational functions, "
+                                     "rationals, intervals, binary64.  Exit status 1 when a verdict is not as expected.",
+                                     NULL, NULL, NULL};
+    struct arguments a = {.jobs = processors(), .shards = 1, .shard = 1};
+    parse_arguments(&argp, argc, argv, &a);
+    for (int k = 0; k < a.patterns.count; k++) {
+        struct patterns one = {a.patterns.at + k, 1};
+        int found;
+        free(matching_claims(&one, &found));
+        if (found == 0) {
+            complain_about(a.patterns.at[k]);
+            return EXIT_USAGE;
+        }
+    }
+    int count, kept = 0;
+    const claim **list = matching_claims(&a.patterns, &count);
+    for (int k = 0; k < count; k++)
+        if (k % a.shards == a.shard - 1)
+            list[kept++] = list[k];
+    count = kept;
+    claim_result *results = judge_with_progress(list, count, a.jobs, a.deep);
+    int wrong = 0;
+    for (int k = 0; k < count; k++)
+        wrong += !results[k].as_expected;
+    if (a.json) {
+        json_t *claims = json_array();
+        for (int k = 0; k < count; k++)
+            json_array_append_new(claims, claim_json(&results[k]));
+        print_json(json_pack("{s:s, s:i, s:i, s:o}", "schema", "cagd-verify-1", "claims_run", count, "not_as_expected",
+                             wrong, "claims", claims));
+    } else if (a.tap) {
+        print_tap(results, count);
+    } else {
+        print_table(results, count);
+    }
+    int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
+    if (a.junit != NULL && write_junit(a.junit, results, count) != 0)
+        code = EXIT_INTERNAL;
+    free_results(results, count);
+    free(list);
+    return code;
+}
