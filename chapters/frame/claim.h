@@ -52,6 +52,7 @@ typedef struct trial {
 
 typedef struct claim {
     const char *name, *title, *title_zh, *given, *let, *then, *method, *control, *scope;
+    const char *defines; /* the kernels whose definitional claim this is: its other side shares no code with them */
     const char *chapter, *file;
     int line;
     claim_kind kind;

@@ -239,7 +239,7 @@ static const char *const role_names[] = {"HOLDS_BY", "REFUTED_BY", "CORRECTED_BY
 static void check_claim(const struct block *b)
 {
     static const char *const known[] = {"title", "zh", "given", "let", "then", "method", "kind", "types",
-                                        "degrees", "scope", "control", NULL};
+                                        "degrees", "scope", "control", "defines", NULL};
     static const char *const needed[] = {"title", "zh", "given", "then", "method", "control", NULL};
     static const char *const kinds[] = {"identity", "decision", "counterexample", NULL};
     check_keys(b, known, needed);
@@ -324,6 +324,7 @@ static void put_claim(FILE *out, const struct block *b)
     put_field(out, "method", value_of(b, "method"));
     put_field(out, "control", value_of(b, "control"));
     put_field(out, "scope", value_of(b, "scope"));
+    put_field(out, "defines", value_of(b, "defines"));
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
     fprintf(out, ", .line = %d, .kind = %s, .degree_low = %d, .degree_high = %d, .degree_sampled = %d, .all_degrees = %d",

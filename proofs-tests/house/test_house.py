@@ -1,0 +1,95 @@
+"""The house: which room may see which, what must stand beside what.
+
+    python3 test_house.py ROOT
+"""
+import pathlib
+import re
+import sys
+import unittest
+
+ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
+ROOMS = ["core", "exact", "figures", "chapters", "cli"]
+SOURCES = [p for room in ROOMS for p in sorted((ROOT / room).rglob("*")) if p.suffix in (".c", ".h", ".cpp")]
+
+
+def includes(path):
+    return re.findall(r'^\s*#\s*include\s*([<"][^>"]+[>"])', path.read_text(), re.M)
+
+
+class Arrows(unittest.TestCase):
+    """core <- exact <- figures <- chapters <- cli"""
+
+    def test_each_room_sees_only_the_rooms_before_it(self):
+        for path in SOURCES:
+            room = path.relative_to(ROOT).parts[0]
+            for inc in includes(path):
+                target = inc[1:-1].split("/")[0]
+                if inc[0] == '"' and target in ROOMS:
+                    self.assertLessEqual(ROOMS.index(target), ROOMS.index(room), f"{path} includes {inc}")
+
+    def test_project_includes_start_at_the_root(self):
+        for path in SOURCES:
+            for inc in includes(path):
+                if inc[0] == '"':
+                    self.assertTrue((ROOT / inc[1:-1]).exists(), f"{path} includes {inc}, which is not there")
+
+    def test_core_is_free_of_exact_libraries(self):
+        for path in SOURCES:
+            if path.relative_to(ROOT).parts[0] == "core":
+                for inc in includes(path):
+                    self.assertNotRegex(inc, "gmp|mpfr|flint|calcium|arb", f"{path}")
+
+    def test_flint_stays_behind_exact(self):
+        for path in SOURCES:
+            if any(re.search("flint|calcium|arb", i) for i in includes(path)):
+                self.assertEqual(path.relative_to(ROOT).parts[0], "exact", f"{path}")
+                self.assertTrue(path.suffix == ".c" or path.name.endswith("_slot.h"), f"{path}")
+
+    def test_chapters_never_include_one_another(self):
+        for path in (ROOT / "chapters").rglob("*.[ch]"):
+            mine = path.relative_to(ROOT).parts[1]
+            for inc in includes(path):
+                parts = inc[1:-1].split("/")
+                if parts[0] == "chapters":
+                    self.assertIn(parts[1], ("frame", mine), f"{path} includes {inc}")
+
+
+class Kernels(unittest.TestCase):
+    """Four parts or it does not exist: kernel, contract comment, claim, register line."""
+
+    TEMPLATES = sorted((ROOT / "core").glob("*.tmpl.h"))
+
+    def kernels(self, path):
+        return re.findall(r"^static inline [\w ]+?\**\s*G\((\w+)\)\(", path.read_text(), re.M)
+
+    def test_every_template_is_in_the_one_list(self):
+        listed = (ROOT / "core" / "kernels.tmpl.h").read_text()
+        for path in self.TEMPLATES:
+            if path.name != "kernels.tmpl.h":
+                self.assertIn(f'"core/{path.name}"', listed)
+
+    def test_every_kernel_has_a_contract(self):
+        for path in self.TEMPLATES:
+            text = path.read_text()
+            for name in self.kernels(path):
+                before = text[: re.search(r"^static inline [^\n]*G\(%s\)\(" % name, text, re.M).start()].rstrip()
+                self.assertTrue(before.endswith("*/"), f"{path.name}: {name} has no comment above it")
+
+    def test_every_kernel_has_a_definitional_claim(self):
+        defined = set()
+        for path in (ROOT / "chapters").rglob("*.claims.h"):
+            for names in re.findall(r"^:defines:((?:.|\n)*?)(?=^:|^$)", path.read_text(), re.M):
+                defined.update(names.split())
+        missing = [n for p in self.TEMPLATES for n in self.kernels(p) if n not in defined]
+        self.assertEqual(missing, [], "kernels without a definitional claim")
+        known = {n for p in self.TEMPLATES for n in self.kernels(p)}
+        self.assertEqual(sorted(defined - known), [], "claims that define what is not there")
+
+    def test_no_kernel_compares_or_leaves_the_vocabulary(self):
+        for path in self.TEMPLATES:
+            text = re.sub(r"/\*.*?\*/", "", path.read_text(), flags=re.S)
+            self.assertNotRegex(text, r"\b(double|float|mpq_|mpfr_|fabs|sqrt)\b", f"{path.name}")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
