@@ -4,6 +4,7 @@
 
 enum {
     MAX_DEGREE = 64, /* of a curve; binomial(MAX_DEGREE, i) fits in a long                     */
-    MAX_DIM = 4      /* coordinates of a point, the homogeneous one included                    */
+    MAX_DIM = 4,     /* coordinates of a point, the homogeneous one included                    */
+    MAX_ORDER = 24   /* rows of a determinant                                                   */
 };
 #endif

@@ -1,0 +1,9 @@
+/* kernels.tmpl.h -- all kernels for one number type, each file after those it stands on. */
+/* clang-format off */
+#include "core/bernstein.tmpl.h"
+#include "core/bezier.tmpl.h"
+#include "core/rational.tmpl.h"
+#include "core/differential.tmpl.h"
+#include "core/conic.tmpl.h"
+#include "core/determinant.tmpl.h"
+/* clang-format on */

@@ -1,0 +1,10 @@
+/* kernels_f.h -- the kernels on rational functions in named variables. */
+#ifndef CAGD_KERNELS_F_H
+#define CAGD_KERNELS_F_H
+
+#include "exact/num_field.h"
+
+#define G(name) name##_f
+#include "core/kernels.tmpl.h"
+#undef G
+#endif

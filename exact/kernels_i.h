@@ -1,0 +1,10 @@
+/* kernels_i.h -- the kernels on intervals. */
+#ifndef CAGD_KERNELS_I_H
+#define CAGD_KERNELS_I_H
+
+#include "exact/num_interval.h"
+
+#define G(name) name##_i
+#include "core/kernels.tmpl.h"
+#undef G
+#endif

@@ -1,0 +1,10 @@
+/* kernels_q.h -- the kernels on rationals. */
+#ifndef CAGD_KERNELS_Q_H
+#define CAGD_KERNELS_Q_H
+
+#include "exact/num_rational.h"
+
+#define G(name) name##_q
+#include "core/kernels.tmpl.h"
+#undef G
+#endif
