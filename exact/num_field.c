@@ -10,7 +10,7 @@
 static _Thread_local struct {
     fmpz_mpoly_ctx_t ctx;
     int open, capacity, known;
-    char name[FIELD_MAX_VARIABLES][16];
+    char name[FIELD_MAX_VARIABLES][FIELD_MAX_NAME + 1];
 } field;
 
 /* Slots are made and cleared with a context of one variable when none is open: FLINT's init and
@@ -27,9 +27,11 @@ void field_slot_clear(void *p) { fmpz_mpoly_q_clear(((struct field_element *)p)-
 void field_open(int variables)
 {
     field_close();
-    fmpz_mpoly_ctx_init(field.ctx, variables, ORD_LEX);
+    if (variables > FIELD_MAX_VARIABLES)
+        region_faults |= FAULT_UNABLE;
+    field.capacity = variables < FIELD_MAX_VARIABLES ? variables : FIELD_MAX_VARIABLES;
+    fmpz_mpoly_ctx_init(field.ctx, field.capacity, ORD_LEX);
     field.open = 1;
-    field.capacity = variables;
     field.known = 0;
 }
 void field_close(void)
@@ -52,15 +54,20 @@ static struct field_element *fresh(void) { return region_slot(SLOT_FIELD); }
 
 static num_f zero_f(void) { return (num_f){fresh()}; }
 
+/* After a fault there are only placeholders: a second one, such as a division by the 0 that stands
+ * for a variable without room, would say nothing, and is not recorded. */
 static num_f fault_f(unsigned fault)
 {
-    region_faults |= fault;
+    if (region_faults == 0)
+        region_faults = fault;
     return zero_f();
 }
 
 num_f variable_f(const char *name)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (strlen(name) > FIELD_MAX_NAME)
+        return fault_f(FAULT_UNABLE);
     int v = 0;
     while (v < field.known && strcmp(field.name[v], name) != 0)
         v++;
@@ -202,14 +209,17 @@ num_f substitute_f(num_f a, num_f variable, num_f value)
     return div_f(horner(fmpz_mpoly_q_numref(a.at->x), v, value), horner(fmpz_mpoly_q_denref(a.at->x), v, value));
 }
 
-int degree_f(num_f a, num_f variable)
+static int degree(const fmpz_mpoly_t p, num_f variable)
 {
-    return (int)fmpz_mpoly_degree_si(fmpz_mpoly_q_numref(a.at->x), field_variable_f(variable), field.ctx);
+    int v = field_variable_f(variable);
+    if (v < 0) {
+        fault_f(FAULT_UNDEFINED);
+        return -1;
+    }
+    return (int)fmpz_mpoly_degree_si(p, v, field.ctx);
 }
-int denominator_degree_f(num_f a, num_f variable)
-{
-    return (int)fmpz_mpoly_degree_si(fmpz_mpoly_q_denref(a.at->x), field_variable_f(variable), field.ctx);
-}
+int degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_numref(a.at->x), variable); }
+int denominator_degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_denref(a.at->x), variable); }
 
 const char *to_string_f(num_f a)
 {

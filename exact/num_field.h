@@ -13,14 +13,16 @@ typedef struct num_f {
     const struct field_element *at;
 } num_f;
 
-enum { FIELD_MAX_VARIABLES = 96 };
+enum { FIELD_MAX_VARIABLES = 96, FIELD_MAX_NAME = 15 };
 
-/* Fix the field of this thread.  No element of an earlier field may be alive. */
+/* Fix the field of this thread.  No element of an earlier field may be alive.  UNABLE when more than
+ * FIELD_MAX_VARIABLES are asked for. */
 void field_open(int variables);
 void field_close(void);
 
 const char *field_variables(void); /* the names known, separated by blanks; in the region      */
-num_f variable_f(const char *name); /* the variable of that name, new or known             */
+num_f variable_f(const char *name); /* the variable of that name, new or known; UNABLE for a name of
+                                       more than FIELD_MAX_NAME bytes                        */
 num_f add_f(num_f a, num_f b);
 num_f sub_f(num_f a, num_f b);
 num_f mul_f(num_f a, num_f b);
@@ -36,7 +38,8 @@ int is_zero_f(num_f a);
 int is_constant_f(num_f a, num_q *value);      /* value may be NULL                        */
 num_f derivative_f(num_f a, num_f variable);   /* formal partial derivative                */
 num_f substitute_f(num_f a, num_f variable, num_f value); /* UNDEFINED at a pole           */
-int degree_f(num_f a, num_f variable);         /* of the numerator; -1 for 0               */
+int degree_f(num_f a, num_f variable);         /* of the numerator; -1 for 0; these four are
+                                                  UNDEFINED unless it is a variable        */
 int denominator_degree_f(num_f a, num_f variable);
 int field_variable_f(num_f variable);          /* its index, or -1 for any other element   */
 /* +1, 0, -1: numerator and denominator have coefficients of one sign each, so a > 0, a = 0, a < 0

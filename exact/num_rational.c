@@ -126,7 +126,7 @@ static int read_exponent(const char **s, long *e)
         return 0;
     *e = strtol(*s, &end, 10);
     *s = end;
-    return labs(*e) <= 99999;
+    return -99999 <= *e && *e <= 99999;
 }
 
 /* [-+] digits [. digits] [exponent]  or  [-+] digits / digits, in base 10 or, after 0x, 16. */

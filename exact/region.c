@@ -52,7 +52,7 @@ void *region_slot(enum slot_kind kind)
 /* A request that does not fit in the current page starts a new one; a large one has its own chunk. */
 void *region_bytes(size_t n)
 {
-    n = (n + 15) & ~(size_t)15;
+    n = n == 0 ? 16 : (n + 15) & ~(size_t)15;
     if (n > PAGE)
         return one_more_chunk(&large, n);
     if (pages.used % PAGE + n > PAGE)
@@ -67,14 +67,14 @@ void *region_bytes(size_t n)
 region_mark region_open(void)
 {
     region_mark m = {.bytes = pages.used, .large = large.chunks};
-    for (int kind = 0; kind < SLOT_KINDS; kind++)
+    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++)
         m.used[kind] = pools[kind].used;
     return m;
 }
 
 void region_drop(region_mark m)
 {
-    for (int kind = 0; kind < SLOT_KINDS; kind++) {
+    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
         struct pool *pool = &pools[kind];
         pool->used = m.used[kind];
         if (!slot_ops[kind].reusable)
@@ -97,7 +97,7 @@ static void free_chunks(struct pool *pool)
 void region_free_all(void)
 {
     region_drop((region_mark){{0}, 0, 0});
-    for (int kind = 0; kind < SLOT_KINDS; kind++) {
+    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
         struct pool *pool = &pools[kind];
         while (pool->made > 0)
             slot_ops[kind].clear(slot_at(kind, --pool->made));

@@ -17,7 +17,9 @@ typedef struct region_mark {
 
 region_mark region_open(void);
 void region_drop(region_mark m); /* every value of this thread made since m is dead             */
-void region_free_all(void);      /* gives this thread's memory back; call as the thread ends    */
+void region_free_all(void);      /* gives the region's memory back                              */
+void exact_thread_end(void);     /* the same, the field closed and the caches of MPFR and FLINT
+                                    freed: a thread that used exact/ calls it as its last act   */
 
 void *region_slot(enum slot_kind kind); /* a fresh, initialised slot                                */
 void *region_bytes(size_t n);           /* n bytes, aligned for any object; lives as long as a slot */

@@ -1,5 +1,6 @@
 #include "exact/slots.h"
 
+#include "exact/num_field.h"
 #include "exact/num_field_slot.h"
 #include "exact/num_interval.h"
 #include "exact/num_rational.h"
@@ -25,3 +26,11 @@ const struct slot_ops slot_ops[SLOT_KINDS] = {
     [SLOT_FIELD] = {sizeof(struct field_element), field_slot_init, field_slot_clear, 0},
     [SLOT_POLYNOMIAL] = {sizeof(struct polynomial), polynomial_slot_init, polynomial_slot_clear, 0},
 };
+
+void exact_thread_end(void)
+{
+    region_free_all();
+    field_close();
+    mpfr_free_cache();
+    flint_cleanup();
+}

@@ -13,6 +13,7 @@
  *
  *     |v - exact| <= e k' u / (k' (1 - k' u)) = e u / (1 - k' u),   k' = 4 k + 4,
  *
+ * as long as no product or quotient underflows: below 2^-1022 a rounding is not relative.  This is
  * the form k u/(1 - k u) of Higham's gamma with the data's own magnitudes in e.  No tolerance is
  * chosen anywhere.  Source: N. J. Higham, Accuracy and Stability of Numerical Algorithms, 3.3. */
 #ifndef CAGD_NUM_MEASURED_H
@@ -28,11 +29,12 @@ typedef struct num_m {
 
 static const double unit_roundoff = 0x1p-53;
 
-/* A bound on |v - exact|, itself rounded upwards by the factor 1/(1 - k' u). */
+/* A bound on |v - exact|, itself rounded upwards by the factor 1/(1 - k' u); infinite when there is none. */
 static inline double error_bound_m(num_m a)
 {
     double k = 4 * a.k + 4;
-    return a.e * unit_roundoff / (1 - k * unit_roundoff) * (1 + 4 * unit_roundoff);
+    double bound = a.e * unit_roundoff / (1 - k * unit_roundoff) * (1 + 4 * unit_roundoff);
+    return bound >= 0 ? bound : HUGE_VAL; /* infinity times 0 on the way is no bound */
 }
 static inline double larger_k(num_m a, num_m b) { return (a.k > b.k ? a.k : b.k) + 1; }
 

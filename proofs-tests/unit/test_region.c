@@ -1,0 +1,158 @@
+/* test_region.c -- where exact values live and when they die. */
+#include "unit_exact.h"
+
+#include "exact/num_field.h"
+#include "exact/num_interval.h"
+#include "exact/polynomial.h"
+
+#include <pthread.h>
+#include <string.h>
+
+static num_q big(int k) /* a number with some 1000 digits of its own */
+{
+    num_q r = from_ratio_q(2 * k + 1, 3);
+    for (int j = 0; j < 9; j++)
+        r = add_q(mul_q(r, r), from_ratio_q(1, 5));
+    return r;
+}
+
+static void older_values_survive_a_drop(void **state)
+{
+    (void)state;
+    enum { KEPT = 40 };
+    num_q kept[KEPT];
+    const char *text[KEPT];
+    for (int k = 0; k < KEPT; k++) {
+        kept[k] = big(k);
+        text[k] = to_string_q(kept[k]);
+        region_mark m = region_open();
+        for (int j = 0; j < 200; j++) /* more than a chunk of slots dies here */
+            to_string_q(big(1000 + j));
+        region_drop(m);
+    }
+    for (int k = 0; k < KEPT; k++) {
+        assert_true(equal_q(kept[k], big(k)));
+        assert_string_equal(text[k], to_string_q(kept[k]));
+    }
+}
+
+static void a_drop_gives_the_slots_back(void **state)
+{
+    (void)state;
+    region_mark m = region_open();
+    num_q first = from_int_q(1);
+    const void *slot = first.at;
+    char *bytes = region_bytes(10);
+    for (int k = 0; k < 5000; k++)
+        from_int_q(k);
+    region_drop(m);
+    assert_ptr_equal(from_int_q(2).at, slot);
+    assert_ptr_equal(region_bytes(10), bytes);
+}
+
+static void marks_nest(void **state)
+{
+    (void)state;
+    num_q a = from_int_q(1);
+    region_mark outer = region_open();
+    num_q b = from_int_q(2);
+    region_mark inner = region_open();
+    from_int_q(3);
+    region_drop(inner);
+    assert_true(equal_q(b, from_int_q(2)));
+    region_drop(outer);
+    assert_true(equal_q(a, from_int_q(1)));
+}
+
+/* Blocks do not overlap, whatever their sizes; 0 bytes and more than a page included. */
+static void blocks_are_apart(void **state)
+{
+    (void)state;
+    enum { BLOCKS = 300 };
+    unsigned char *block[BLOCKS];
+    size_t size[BLOCKS];
+    for (int round = 0; round < 3; round++) {
+        region_mark m = region_open();
+        for (int k = 0; k < BLOCKS; k++) {
+            size[k] = k % 7 == 0 ? 0 : k % 11 == 0 ? (size_t)random_int(60000, 200000) : (size_t)random_int(1, 5000);
+            block[k] = region_bytes(size[k]);
+            assert_int_equal((uintptr_t)block[k] % 16, 0);
+            memset(block[k], k % 251, size[k]);
+        }
+        for (int k = 0; k < BLOCKS; k++)
+            for (size_t j = 0; j < size[k]; j++)
+                assert_true(block[k][j] == k % 251);
+        region_drop(m);
+    }
+}
+
+/* Pages are 2^16 bytes: requests that fill them to the last byte, and nothing after. */
+static void page_boundaries(void **state)
+{
+    (void)state;
+    memset(region_bytes(1 << 16), 1, 1 << 16);
+    assert_non_null(region_bytes(0));
+    memset(region_bytes((1 << 16) - 16), 2, (1 << 16) - 16);
+    memset(region_bytes(16), 3, 16);
+    memset(region_bytes((1 << 16) + 1), 4, (1 << 16) + 1);
+}
+
+static void every_kind_is_freed(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 3; round++) {
+        field_open(3);
+        num_f t = variable_f("t");
+        poly p = poly_variable();
+        num_i x = from_ratio_i(1, 3);
+        for (int k = 0; k < 8; k++) {
+            t = add_f(mul_f(t, t), variable_f("w"));
+            p = poly_add(poly_mul(p, p), poly_constant(big(k)));
+            x = mul_i(x, x);
+            region_bytes(100000);
+        }
+        if (round == 1)
+            region_drop((region_mark){{0}, 0, 0});
+        region_free_all();
+        assert_true(equal_q(from_int_q(7), from_int_q(7))); /* a new life */
+    }
+}
+
+static void *other_thread(void *state)
+{
+    *(int *)state = region_faults == 0;
+    num_q a = big(5);
+    div_q(a, from_int_q(0));
+    field_open(1);
+    num_f t = variable_f("t");
+    *(int *)state &= region_faults == FAULT_UNDEFINED && !is_zero_f(t);
+    exact_thread_end();
+    return NULL;
+}
+
+static void threads_have_their_own_region(void **state)
+{
+    (void)state;
+    pthread_t thread;
+    int good = 0;
+    num_q a = big(3);
+    root_q(2, from_int_q(2));
+    assert_int_equal(pthread_create(&thread, NULL, other_thread, &good), 0);
+    assert_int_equal(pthread_join(thread, NULL), 0);
+    assert_true(good && equal_q(a, big(3)));
+    expect_fault(FAULT_UNABLE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        unit(older_values_survive_a_drop),
+        unit(a_drop_gives_the_slots_back),
+        unit(marks_nest),
+        unit(blocks_are_apart),
+        unit(page_boundaries),
+        unit(every_kind_is_freed),
+        unit(threads_have_their_own_region),
+    };
+    return run_unit_tests(tests);
+}
