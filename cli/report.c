@@ -75,7 +75,7 @@ static json_t *counterexample_json(const claim_result *r)
 json_t *statement_json(const statement_result *r, const claim_result *results, int count)
 {
     const statement *s = r->statement;
-    json_t *hypotheses = json_array(), *readings = json_array(), *claims = json_array();
+    json_t *hypotheses = json_array(), *needed = json_array(), *readings = json_array(), *claims = json_array();
     const claim_result *against = NULL;
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
@@ -88,18 +88,18 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
             if (against == NULL && (l->role == REFUTED_BY || l->role == HYPOTHESIS) && c->claim->kind == COUNTEREXAMPLE)
                 against = c;
         }
-        if (l->role == HYPOTHESIS)
-            json_array_append_new(hypotheses, json_pack("{s:s, s:o}", "hypothesis", l->text, "without_it",
+        if (l->role == HYPOTHESIS || l->role == NEEDS)
+            json_array_append_new(l->role == NEEDS ? needed : hypotheses, json_pack("{s:s, s:o}", "hypothesis", l->text, "without_it",
                                                         c != NULL ? counterexample_json(c) : json_null()));
         if (l->role == READING)
             json_array_append_new(readings, json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim,
                                                       "outcome", c != NULL ? outcome_name[c->outcome] : "not decided"));
     }
-    json_t *printed = json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
+    json_t *printed = json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
                                 evidence_name[r->evidence], "scope", r->decided_by != NULL ? r->decided_by->scope : "",
                                 "class", r->verdict == VERDICT_FAILS ? s->class : "", "hypotheses", hypotheses,
                                 "counterexample", against != NULL ? counterexample_json(against) : json_null(),
-                                "readings", readings);
+                                "readings", readings, "stated_hypotheses_needed", needed);
     json_t *corrected = json_null();
     if (s->corrected[0] != '\0')
         corrected = json_pack("{s:s, s:s, s:s, s:s}", "tex", s->corrected, "verdict", r->corrected ? "holds" : "open",

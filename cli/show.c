@@ -176,8 +176,8 @@ static void show_statement(const statement_result *r, const claim_result *result
             heading(number++ == 0 ? "Counterexample" : "Another");
             prose(c->claim->then);
             print_exhibits(c);
-        } else if (l->role == HYPOTHESIS) {
-            heading("Hypothesis to be added");
+        } else if (l->role == HYPOTHESIS || l->role == NEEDS) {
+            heading(l->role == NEEDS ? "A stated hypothesis that is needed" : "Hypothesis to be added");
             prose(l->text);
             if (c != NULL) {
                 printf("%*sWithout it:\n", INDENT, "");

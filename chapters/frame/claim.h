@@ -67,6 +67,7 @@ typedef enum role {
     REFUTED_BY,   /* the claim exhibits a case where what is printed is false                          */
     CORRECTED_BY, /* the claim decides the corrected statement                                         */
     HYPOTHESIS,   /* text: a hypothesis to be added; claim: what goes wrong without it                 */
+    NEEDS,        /* text: a hypothesis that the source states; claim: what goes wrong without it     */
     READING,      /* text: one way to read the print; claim: what decides that reading                 */
     CHECKED_BY    /* definitions: what is checked about them                                           */
 } role;

@@ -55,6 +55,7 @@ statement_result derive(const statement *s, const claim_result *results, int cou
             correction = weaker(correction, c->evidence);
             break;
         case HYPOTHESIS: conditions++; break;
+        case NEEDS: break;
         case READING: readings++; break;
         }
     }

@@ -55,12 +55,14 @@ static char *copy_of(const char *s, size_t n)
     return r;
 }
 
-/* s without blanks at its ends. */
+/* s itself, the blanks at its ends taken away. */
 static char *trimmed(char *s)
 {
-    while (isspace((unsigned char)*s))
-        s++;
-    size_t n = strlen(s);
+    size_t blanks = 0, n = strlen(s);
+    while (isspace((unsigned char)s[blanks]))
+        blanks++;
+    n -= blanks;
+    memmove(s, s + blanks, n + 1);
     while (n > 0 && isspace((unsigned char)s[n - 1]))
         s[--n] = '\0';
     return s;
@@ -233,8 +235,13 @@ static int is_one_of(const char *word, const char *const words[])
     return 0;
 }
 
-static const char *const roles[] = {"holds-by", "refuted-by", "corrected-by", "hypothesis", "reading", "checked-by", NULL};
-static const char *const role_names[] = {"HOLDS_BY", "REFUTED_BY", "CORRECTED_BY", "HYPOTHESIS", "READING", "CHECKED_BY"};
+static const struct {
+    const char *key, *name;
+    int has_text; /* written claim | text, or text alone; the others list claims */
+} roles[] = {{"holds-by", "HOLDS_BY", 0},     {"refuted-by", "REFUTED_BY", 0}, {"corrected-by", "CORRECTED_BY", 0},
+             {"hypothesis", "HYPOTHESIS", 1}, {"needs", "NEEDS", 1},           {"reading", "READING", 1},
+             {"checked-by", "CHECKED_BY", 0}};
+enum { ROLES = sizeof roles / sizeof *roles };
 
 static void check_claim(const struct block *b)
 {
@@ -253,8 +260,8 @@ static void check_claim(const struct block *b)
 static void check_statement(const struct block *b)
 {
     static const char *const known[] = {"title", "zh", "printed", "class", "corrected", "figure", "definition",
-                                        "holds-by", "refuted-by", "corrected-by", "hypothesis", "reading",
-                                        "checked-by", "striking", NULL};
+                                        "holds-by", "refuted-by", "corrected-by", "hypothesis", "needs",
+                                        "reading", "checked-by", "striking", NULL};
     static const char *const needed[] = {"title", "zh", "printed", NULL};
     static const char *const classes[] = {"misprint", "false", "missing-hypothesis", "invalid-proof", NULL};
     check_keys(b, known, needed);
@@ -337,13 +344,11 @@ static void put_claim(FILE *out, const struct block *b)
     fputs("}},\n", out);
 }
 
-/* One link: role, claim and text.  `holds-by` and its kin list claims; `hypothesis` and `reading` are
- * written claim | text, or text alone. */
 static void put_link(FILE *out, const struct block *b, int role, const char *claim, const char *text)
 {
     if (claim != NULL && block_named(claim, 1) == NULL)
         complain(b->file, b->line, "'%s' names a claim that does not exist: '%s'", b->name, claim);
-    fprintf(out, "    {%s, ", role_names[role]);
+    fprintf(out, "    {%s, ", roles[role].name);
     if (claim == NULL)
         fputs("NULL", out);
     else
@@ -357,11 +362,11 @@ static void put_links(FILE *out, const struct block *b, int index)
 {
     fprintf(out, "static const statement_link links_%d[] = {\n", index);
     for (int k = 0; k < b->options; k++)
-        for (int role = 0; roles[role] != NULL; role++) {
-            if (strcmp(roles[role], b->option[k].key) != 0)
+        for (int role = 0; role < ROLES; role++) {
+            if (strcmp(roles[role].key, b->option[k].key) != 0)
                 continue;
             char *value = copy_of(b->option[k].value, strlen(b->option[k].value));
-            if (role == 3 || role == 4) {
+            if (roles[role].has_text) {
                 char *bar = strchr(value, '|');
                 if (bar == NULL) {
                     put_link(out, b, role, NULL, value);

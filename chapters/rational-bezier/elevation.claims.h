@@ -11,7 +11,7 @@ on the edges of the old one.
 :printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n(t)\omega_i}
   =\frac{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i\hat{\mathbf R}_i}{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i}
 :holds-by: elevation_keeps_rational_curve
-:figure: elevation
+
 :::
 
 :::{claim} elevation_keeps_rational_curve

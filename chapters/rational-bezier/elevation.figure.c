@@ -1,3 +1,0 @@
-#include "chapters/frame/figure.h"
-#include "exact/kernels_q.h"
-#include "figures/svg.h"
