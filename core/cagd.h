@@ -1,0 +1,117 @@
+/* cagd.h -- the double library: Bézier and rational Bézier curves, and conics, in binary64.
+ *
+ * A curve of degree n has n+1 points; coordinate c of point i is points[i*dim + c].  The weights of
+ * a rational curve stand beside its points, not multiplied in.  The parameter t may be any finite
+ * number; the curve segment itself is 0 <= t <= 1.
+ *
+ * Memory.  No pointer may be NULL.  The caller owns every array; nothing is allocated or kept.
+ * Result arrays do not overlap arguments or one another.
+ *
+ * Status.  Every function returns a cagd_status.  It checks its arguments first, and writes nothing when one
+ * is wrong; after CAGD_UNDEFINED and CAGD_RANGE the results have no meaning.  Functions have no state: they
+ * may run in any number of threads. */
+#ifndef CAGD_H
+#define CAGD_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    CAGD_MAX_DEGREE = 64, /* degrees are 0 ... CAGD_MAX_DEGREE unless a function says more */
+    CAGD_MAX_DIM = 3      /* points have 1 ... CAGD_MAX_DIM coordinates                    */
+};
+
+typedef enum cagd_status {
+    CAGD_OK,
+    CAGD_NULL,       /* a pointer is NULL                                                        */
+    CAGD_DEGREE,     /* the degree is outside the range that the function states                 */
+    CAGD_DIMENSION,  /* the dimension is outside the range that the function states              */
+    CAGD_ORDER,      /* the order of derivation is outside 0 ... CAGD_MAX_DEGREE                 */
+    CAGD_NOT_FINITE, /* an argument is infinite or not a number                                  */
+    CAGD_DOMAIN,     /* a number or a weight has a sign, or is a zero, that the function excludes */
+    CAGD_UNDEFINED,  /* there is no such value: a total weight or another divisor is 0           */
+    CAGD_RANGE       /* binary64 overflows on the way to a result, or a weight is lost to underflow      */
+} cagd_status;
+
+/* One English sentence without full stop, never NULL; static storage. */
+const char *cagd_status_text(cagd_status status);
+
+/* "major.minor.patch"; static storage. */
+const char *cagd_version(void);
+
+/* values[i] = B_i^n(t), i = 0, ..., n = degree. */
+cagd_status cagd_bernstein(int degree, double t, double *values);
+
+/* point[dim]: the point of the curve at t. */
+cagd_status cagd_bezier_point(int degree, int dim, const double *points, double t, double *point);
+
+/* derivatives[(order+1)*dim]: row k is the k-th derivative at t, row 0 the point; zeros above the degree. */
+cagd_status cagd_bezier_derivatives(int degree, int dim, const double *points, double t, int order,
+                                    double *derivatives);
+
+/* left and right, degree+1 points each: the curve over [0,t] and over [t,1]. */
+cagd_status cagd_bezier_split(int degree, int dim, const double *points, double t, double *left, double *right);
+
+/* elevated: the degree+2 points of the same curve in degree+1; degree < CAGD_MAX_DEGREE. */
+cagd_status cagd_bezier_elevate(int degree, int dim, const double *points, double *elevated);
+
+/* point[dim]: the point of the rational curve at t.  Weights may have any sign.  UNDEFINED when the total
+ * weight at t, as computed, is 0. */
+cagd_status cagd_rational_point(int degree, int dim, const double *points, const double *weights, double t,
+                                double *point);
+
+/* derivatives[(order+1)*dim]: row k is the k-th derivative at t.  UNDEFINED as for the point. */
+cagd_status cagd_rational_derivatives(int degree, int dim, const double *points, const double *weights, double t,
+                                      int order, double *derivatives);
+
+/* *curvature >= 0 at t; dim 2 or 3.  UNDEFINED as for the point, and where the first derivative is 0. */
+cagd_status cagd_rational_curvature(int degree, int dim, const double *points, const double *weights, double t,
+                                    double *curvature);
+
+/* *torsion at t of a curve in space (dim 3).  UNDEFINED as for the point, and where the first two
+ * derivatives are linearly dependent. */
+cagd_status cagd_rational_torsion(int degree, const double *points, const double *weights, double t, double *torsion);
+
+/* left, right (degree+1 points) and their weights: the curve over [0,t] and over [t,1].  UNDEFINED when a
+ * weight of the result is 0. */
+cagd_status cagd_rational_split(int degree, int dim, const double *points, const double *weights, double t,
+                                double *left, double *left_weights, double *right, double *right_weights);
+
+/* elevated (degree+2 points) and elevated_weights: the same curve in degree+1; degree < CAGD_MAX_DEGREE.
+ * UNDEFINED when a weight of the result is 0. */
+cagd_status cagd_rational_elevate(int degree, int dim, const double *points, const double *weights, double *elevated,
+                                  double *elevated_weights);
+
+/* new_weights[i] = w_i a^i b^{n-i}: the weights of the same curve after t = a u/(a u + b (1-u)).
+ * DOMAIN unless a > 0 and b > 0. */
+cagd_status cagd_rational_reparametrize(int degree, const double *weights, double a, double b, double *new_weights);
+
+/* new_weights: the weights of the same curve whose first and last weight are 1; degree >= 1.
+ * DOMAIN unless the first and the last weight are not 0 and have one sign. */
+cagd_status cagd_rational_standard_form(int degree, const double *weights, double *new_weights);
+
+/* invariants[i-1] = w_i^2/(w_{i-1} w_{i+1}), i = 1, ..., degree-1; degree >= 2.  UNDEFINED when one of those
+ * divisors is 0. */
+cagd_status cagd_rational_invariants(int degree, const double *weights, double *invariants);
+
+/* conic = (A, B, C, D, E, F), A x^2 + 2B xy + C y^2 + 2D x + 2E y + F = 0, of the plane rational quadratic with
+ * 3 points and 3 weights.  The coefficients are rounded. */
+cagd_status cagd_conic_implicit(const double points[6], const double weights[3], double conic[6]);
+
+typedef enum cagd_conic_type { CAGD_ELLIPSE, CAGD_PARABOLA, CAGD_HYPERBOLA } cagd_conic_type;
+
+/* *type: the type of a conic, by the sign of AC - B^2.  The sign is decided exactly for the six numbers given.
+ * Exactness ends there: the six numbers of cagd_conic_implicit are themselves rounded, so that a parabola may
+ * come out as its neighbour; cagd_conic_classify_weights has no such step.  Degenerate conics are not told
+ * apart: they have the type of their AC - B^2.  UNDEFINED when A = B = C = 0. */
+cagd_status cagd_conic_classify(const double conic[6], cagd_conic_type *type);
+
+/* *type: the type of a rational quadratic with three points not on a line, by the sign of w_0 w_2 - w_1^2,
+ * decided exactly.  DOMAIN when a weight is 0. */
+cagd_status cagd_conic_classify_weights(const double weights[3], cagd_conic_type *type);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
