@@ -175,15 +175,16 @@ static int edges_of(int n, const num_q R[], struct vector edge[])
     return count;
 }
 
-/* A closed polygon is convex when it always turns to the same side by less than a half turn, and
- * once round in all: the direction leaves the lower half of the angles once. */
+/* A closed polygon is convex when it always turns to the same side, and once round in all: the
+ * direction leaves the lower half of the angles once.  A half turn needs no test: one more half turn
+ * would have to lead back to the start, and can do so only on one line. */
 static int closed_orientation(int count, const struct vector edge[])
 {
     int side = 0, rounds = 0;
     for (int i = 0; i < count; i++) {
         struct vector u = edge[i], v = edge[(i + 1) % count];
         int s = cross_sign(u, v);
-        if ((s == 0 && dot_sign(u, v) < 0) || s * side < 0)
+        if (s * side < 0)
             return 0;
         side = s != 0 ? s : side;
         rounds += is_below(u) && !is_below(v);

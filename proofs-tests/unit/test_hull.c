@@ -121,6 +121,22 @@ static void extreme_points_are_the_vertices(void **state)
     }
 }
 
+static void false_certificates_are_refused(void **state)
+{
+    (void)state;
+    num_q P[6] = {q(0), q(0), q(4), q(0), q(0), q(4)}, in[2] = {q(1), q(1)}, out[2] = {q(3), q(3)};
+    num_q right[3] = {from_ratio_q(1, 2), from_ratio_q(1, 4), from_ratio_q(1, 4)};
+    num_q affine[3] = {from_ratio_q(-1, 2), from_ratio_q(3, 4), from_ratio_q(3, 4)}; /* sum 1, one < 0 */
+    num_q half[3] = {q(0), from_ratio_q(1, 4), from_ratio_q(1, 4)};                  /* sum 1/2        */
+    num_q normal[2] = {q(1), q(1)};
+    assert_true(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){1, right, NULL, q(0)}));
+    assert_false(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){1, affine, NULL, q(0)}));
+    assert_false(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){1, half, NULL, q(0)}));
+    assert_true(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){0, NULL, normal, q(4)}));
+    assert_false(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){0, NULL, normal, q(6)}));
+    assert_false(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){0, NULL, normal, q(1)}));
+}
+
 /* The definition.  Without its repeated points the polygon Q_0 ... Q_m (closed: and back) must have
  * every edge on a supporting line, and no two of its edges may meet but in the vertex they share. */
 static int segments_meet(const num_q A[], const num_q B[], const num_q C[], const num_q D[])
@@ -201,6 +217,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         unit(plane_membership_is_caratheodory),
         unit(combinations_are_inside_in_every_dimension),
+        unit(false_certificates_are_refused),
         unit(extreme_points_are_the_vertices),
         unit(convexity_is_its_definition),
     };
