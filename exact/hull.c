@@ -153,7 +153,7 @@ static int cross_sign(struct vector u, struct vector v) { return compare_q(mul_q
 static int dot_sign(struct vector u, struct vector v) { return sign_q(add_q(mul_q(u.x, v.x), mul_q(u.y, v.y))); }
 static int is_zero(struct vector u) { return is_zero_q(u.x) && is_zero_q(u.y); }
 
-int turn(const num_q P[2], const num_q Q[2], const num_q R[2])
+int turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2])
 {
     region_mark m = region_open();
     int s = cross_sign(from_to(P, Q), from_to(P, R));
@@ -245,7 +245,7 @@ int convex_hull_2d(int count, const num_q points[], int vertex[])
         for (int j = 0; j < count; j++) {
             struct site next = site[way == 0 ? j : count - 1 - j];
             while (size >= base + 2 &&
-                   turn(points + 2 * vertex[size - 2], points + 2 * vertex[size - 1], next.at) <= 0)
+                   turn_2d(points + 2 * vertex[size - 2], points + 2 * vertex[size - 1], next.at) <= 0)
                 size--;
             vertex[size++] = next.index;
         }
