@@ -156,9 +156,11 @@ static void search(struct findings *all, poly p, struct ordinates f, num_q lo, n
         record(all, middle, middle);
     search(all, p, right, middle, hi);
 }
+
+/* Four bits a degree to begin with: that many are cheap to carry, and making ordinates again is not. */
 static void search_interval(struct findings *all, poly p, num_q lo, num_q hi)
 {
-    mp_bitcnt_t bits = 64 + (mp_bitcnt_t)poly_degree(p);
+    mp_bitcnt_t bits = 64 + 4 * (mp_bitcnt_t)poly_degree(p);
     search(all, p, ordinates_over(p, lo, hi, bits), lo, hi);
 }
 
