@@ -1,7 +1,7 @@
 #include "chapters/frame/run.h"
 
 #include "chapters/frame/judge.h"
-#include "exact/thread_end.h"
+#include "exact/region.h"
 
 #include <pthread.h>
 #include <stdio.h>
