@@ -120,7 +120,7 @@ static void x_axis(svg *s, struct panel *p, num_q y_foot, num_q step, const char
     for (long k = ticks.first; k <= ticks.last; k++) {
         long x = tick_at(s, k, step, kept(p->x0), kept(p->scale_x));
         put(out, "<path class=\"l %s\" d=\"M%h %hV%h\"/>\n", class, x, bottom, bottom + TICK);
-        tick_label(s, p, x, bottom + 1550, SVG_MIDDLE, mul_q(from_int_q(k), step));
+        tick_label(s, p, x, bottom + 1620, SVG_MIDDLE, mul_q(from_int_q(k), step));
     }
     if (name != NULL)
         put_words(s, p, end + 350, y + 420, SVG_START, KIND_LABEL, SVG_AXIS, true, name);

@@ -67,11 +67,12 @@ static void find_signs(struct grid *g)
         }
 }
 
-/* The crossing between an inside point a and an outside point b, which share x or y. */
+/* The crossing between an inside point a and an outside point b, which share x or y: halved until they
+ * are half a hundredth apart. */
 static void find_crossing(const struct grid *g, struct edge *e, svg_point a, svg_point b)
 {
     svg_point A = to_output(g->p, a), B = to_output(g->p, b);
-    long apart = hundredths(g->s, add_q(sub_q(A.x, B.x), sub_q(A.y, B.y)));
+    long apart = 2 * hundredths(g->s, add_q(sub_q(A.x, B.x), sub_q(A.y, B.y)));
     for (; apart != 0; apart /= 2) {
         svg_point m = middle(a, b);
         *(is_inside(g, m) ? &a : &b) = m;
