@@ -35,7 +35,12 @@ build() {
     preset=$1 target=${2:-all}
     [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >"$log" 2>&1 ||
         { cat "$log"; say "Configuration failed"; exit 2; }
-    cmake --build "build/$preset" --target "$target" -j "$(processors)" >"$log" 2>&1 || { tail -60 "$log"; say "The build failed"; exit 3; }
+    if [ -t 1 ]; then
+        cmake --build "build/$preset" --target "$target" -j "$(processors)" || { say "The build failed"; exit 3; }
+    else
+        cmake --build "build/$preset" --target "$target" -j "$(processors)" >"$log" 2>&1 ||
+            { tail -60 "$log"; say "The build failed"; exit 3; }
+    fi
 }
 
 mkdir -p build
