@@ -4,10 +4,7 @@
 
 #include <stdlib.h>
 
-static num_q line_at(struct line l, const num_q R[])
-{
-    return add_q(add_q(mul_q(l.a, R[0]), mul_q(l.b, R[1])), l.c);
-}
+static num_q line_at(struct line l, const num_q R[]) { return add_q(add_q(mul_q(l.a, R[0]), mul_q(l.b, R[1])), l.c); }
 static int no_line(struct line l)
 {
     int fault = is_zero_q(l.a) && is_zero_q(l.b);

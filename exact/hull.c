@@ -153,7 +153,7 @@ static int cross_sign(struct vector u, struct vector v) { return compare_q(mul_q
 static int dot_sign(struct vector u, struct vector v) { return sign_q(add_q(mul_q(u.x, v.x), mul_q(u.y, v.y))); }
 static int is_zero(struct vector u) { return is_zero_q(u.x) && is_zero_q(u.y); }
 
-int turn(const num_q P[2], const num_q Q[2], const num_q R[2])
+int turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2])
 {
     region_mark m = region_open();
     int s = cross_sign(from_to(P, Q), from_to(P, R));
@@ -175,15 +175,16 @@ static int edges_of(int n, const num_q R[], struct vector edge[])
     return count;
 }
 
-/* A closed polygon is convex when it always turns to the same side by less than a half turn, and
- * once round in all: the direction leaves the lower half of the angles once. */
+/* A closed polygon is convex when it always turns to the same side, and once round in all: the
+ * direction leaves the lower half of the angles once.  A half turn needs no test: one more half turn
+ * would have to lead back to the start, and can do so only on one line. */
 static int closed_orientation(int count, const struct vector edge[])
 {
     int side = 0, rounds = 0;
     for (int i = 0; i < count; i++) {
         struct vector u = edge[i], v = edge[(i + 1) % count];
         int s = cross_sign(u, v);
-        if ((s == 0 && dot_sign(u, v) < 0) || s * side < 0)
+        if (s * side < 0)
             return 0;
         side = s != 0 ? s : side;
         rounds += is_below(u) && !is_below(v);
@@ -244,7 +245,7 @@ int convex_hull_2d(int count, const num_q points[], int vertex[])
         for (int j = 0; j < count; j++) {
             struct site next = site[way == 0 ? j : count - 1 - j];
             while (size >= base + 2 &&
-                   turn(points + 2 * vertex[size - 2], points + 2 * vertex[size - 1], next.at) <= 0)
+                   turn_2d(points + 2 * vertex[size - 2], points + 2 * vertex[size - 1], next.at) <= 0)
                 size--;
             vertex[size++] = next.index;
         }

@@ -38,5 +38,5 @@ int polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
 int convex_hull_2d(int count, const num_q points[], int vertex[]);
 
 /* The sign of (Q - P) x (R - P): +1 when P, Q, R turn left. */
-int turn(const num_q P[2], const num_q Q[2], const num_q R[2]);
+int turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2]);
 #endif

@@ -89,18 +89,9 @@ poly poly_sub(poly p, poly q) { return combine(fmpq_poly_sub, p, q); }
 poly poly_mul(poly p, poly q) { return combine(fmpq_poly_mul, p, q); }
 poly poly_compose(poly p, poly q) { return combine(fmpq_poly_compose, p, q); }
 poly poly_gcd(poly p, poly q) { return combine(fmpq_poly_gcd, p, q); }
-poly poly_quotient(poly p, poly q)
-{
-    return poly_is_zero(q) ? fault(FAULT_UNDEFINED) : combine(fmpq_poly_div, p, q);
-}
-poly poly_remainder(poly p, poly q)
-{
-    return poly_is_zero(q) ? fault(FAULT_UNDEFINED) : combine(fmpq_poly_rem, p, q);
-}
-int poly_divides(poly d, poly p)
-{
-    return poly_is_zero(d) ? poly_is_zero(p) : poly_is_zero(poly_remainder(p, d));
-}
+poly poly_quotient(poly p, poly q) { return poly_is_zero(q) ? fault(FAULT_UNDEFINED) : combine(fmpq_poly_div, p, q); }
+poly poly_remainder(poly p, poly q) { return poly_is_zero(q) ? fault(FAULT_UNDEFINED) : combine(fmpq_poly_rem, p, q); }
+int poly_divides(poly d, poly p) { return poly_is_zero(d) ? poly_is_zero(p) : poly_is_zero(poly_remainder(p, d)); }
 poly poly_scale(poly p, num_q c) { return poly_mul(p, poly_constant(c)); }
 poly poly_neg(poly p)
 {

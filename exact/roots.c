@@ -1,29 +1,57 @@
 #include "exact/roots.h"
 
-/* A polynomial over an interval, up to a positive factor: the integers b_0 ... b_n of
- * sum b_i B_i^n(t), t running from 0 to 1 over the interval. */
+/* A polynomial over an interval, up to a positive factor: integers b_0 ... b_n, each within `slack`
+ * of the true ordinate, of sum b_i B_i^n(t), t running from 0 to 1 over the interval.  Large integers
+ * are cut to `bits` bits.  That is safe because means never enlarge an error; and where a sign is lost
+ * in the slack, the ordinates are made again with twice as many bits.  No slack: they are exact. */
 struct ordinates {
     int n;
-    mpz_t *b;
+    mp_bitcnt_t bits;
+    mpz_t *b, slack;
 };
 
-static struct ordinates new_ordinates(int n)
+static struct ordinates new_ordinates(int n, mp_bitcnt_t bits)
 {
-    struct ordinates f = {n, region_bytes((size_t)(n + 1) * sizeof(mpz_t))};
+    struct ordinates f = {.n = n, .bits = bits, .b = region_bytes((size_t)(n + 1) * sizeof(mpz_t))};
     for (int i = 0; i <= n; i++)
         mpz_init(f.b[i]);
+    mpz_init(f.slack);
     return f;
 }
-static void clear_ordinates(struct ordinates f)
+static void clear_ordinates(struct ordinates *f)
 {
-    for (int i = 0; i <= f.n; i++)
-        mpz_clear(f.b[i]);
+    for (int i = 0; i <= f->n; i++)
+        mpz_clear(f->b[i]);
+    mpz_clear(f->slack);
 }
 
-static struct ordinates ordinates_over(poly p, num_q lo, num_q hi)
+/* Divide by a power of two: by the common one while that is exact, and by as much as leaves `bits`
+ * bits, each division rounding by less than 1. */
+static void trim(struct ordinates *f)
+{
+    mp_bitcnt_t common = ~(mp_bitcnt_t)0, longest = 0;
+    for (int i = 0; i <= f->n; i++)
+        if (mpz_sgn(f->b[i]) != 0) {
+            mp_bitcnt_t zeros = mpz_scan1(f->b[i], 0), length = mpz_sizeinbase(f->b[i], 2);
+            common = zeros < common ? zeros : common;
+            longest = length > longest ? length : longest;
+        }
+    int exact = mpz_sgn(f->slack) == 0;
+    mp_bitcnt_t shift = longest > f->bits ? longest - f->bits : 0;
+    if (exact && longest > 0 && common >= shift) {
+        shift = common;
+    } else if (shift > 0) {
+        mpz_cdiv_q_2exp(f->slack, f->slack, shift);
+        mpz_add_ui(f->slack, f->slack, 1);
+    }
+    for (int i = 0; i <= f->n; i++)
+        mpz_fdiv_q_2exp(f->b[i], f->b[i], shift);
+}
+
+static struct ordinates ordinates_over(poly p, num_q lo, num_q hi, mp_bitcnt_t bits)
 {
     int n = poly_degree(p);
-    struct ordinates f = new_ordinates(n);
+    struct ordinates f = new_ordinates(n, bits);
     num_q *b = region_bytes((size_t)(n + 1) * sizeof *b);
     poly_to_bernstein(p, n, lo, hi, b);
     mpz_t common;
@@ -35,49 +63,56 @@ static struct ordinates ordinates_over(poly p, num_q lo, num_q hi)
         mpz_mul(f.b[i], f.b[i], mpq_numref(b[i].at));
     }
     mpz_clear(common);
+    trim(&f);
     return f;
 }
 
-/* Changes of sign in b_0 ... b_n, zeros skipped. */
-static int variations(struct ordinates f)
+/* The sign of b_i as far as it is known: 0 when there is none, or when the slack hides it. */
+static int known_sign(const struct ordinates *f, int i)
+{
+    return mpz_cmpabs(f->b[i], f->slack) > 0 ? mpz_sgn(f->b[i]) : 0;
+}
+
+/* Changes of sign in b_0 ... b_n, zeros and hidden signs skipped: with slack, a lower bound. */
+static int variations(const struct ordinates *f)
 {
     int count = 0, last = 0;
-    for (int i = 0; i <= f.n; i++) {
-        int s = mpz_sgn(f.b[i]);
+    for (int i = 0; i <= f->n; i++) {
+        int s = known_sign(f, i);
         count += s * last < 0;
         last = s != 0 ? s : last;
     }
     return count;
 }
 
-static void remove_common_power_of_two(struct ordinates f)
+static int hides_a_sign(const struct ordinates *f)
 {
-    mp_bitcnt_t least = ~(mp_bitcnt_t)0;
-    for (int i = 0; i <= f.n; i++)
-        if (mpz_sgn(f.b[i]) != 0 && mpz_scan1(f.b[i], 0) < least)
-            least = mpz_scan1(f.b[i], 0);
-    for (int i = 0; i <= f.n; i++)
-        mpz_tdiv_q_2exp(f.b[i], f.b[i], least);
+    int hidden = 0;
+    for (int i = 0; i <= f->n; i++)
+        hidden |= known_sign(f, i) == 0;
+    return hidden && mpz_sgn(f->slack) != 0;
 }
 
 /* De Casteljau at 1/2: f becomes the left half, the right half is returned.  Sums stand for means,
  * so that after r rounds everything is 2^r times too large; at the end, everything 2^n times. */
-static struct ordinates halve(struct ordinates f)
+static struct ordinates halve(struct ordinates *f)
 {
-    int n = f.n;
-    struct ordinates right = new_ordinates(n);
-    mpz_set(right.b[n], f.b[n]);
+    int n = f->n;
+    struct ordinates right = new_ordinates(n, f->bits);
+    mpz_set(right.b[n], f->b[n]);
     for (int r = 1; r <= n; r++) {
         for (int i = n; i >= r; i--)
-            mpz_add(f.b[i], f.b[i], f.b[i - 1]);
-        mpz_set(right.b[n - r], f.b[n]);
+            mpz_add(f->b[i], f->b[i], f->b[i - 1]);
+        mpz_set(right.b[n - r], f->b[n]);
     }
     for (int k = 0; k <= n; k++) {
-        mpz_mul_2exp(f.b[k], f.b[k], (mp_bitcnt_t)(n - k));
+        mpz_mul_2exp(f->b[k], f->b[k], (mp_bitcnt_t)(n - k));
         mpz_mul_2exp(right.b[k], right.b[k], (mp_bitcnt_t)k);
     }
-    remove_common_power_of_two(f);
-    remove_common_power_of_two(right);
+    mpz_mul_2exp(f->slack, f->slack, (mp_bitcnt_t)n);
+    mpz_set(right.slack, f->slack);
+    trim(f);
+    trim(&right);
     return right;
 }
 
@@ -95,33 +130,45 @@ static void record(struct findings *all, num_q lo, num_q hi)
     all->found++;
 }
 
-/* The roots in the open interval (lo,hi) of a squarefree polynomial, from left to right.  The
- * ordinates are used up. */
-static void search(struct findings *all, struct ordinates f, num_q lo, num_q hi)
+static int is_root(poly p, num_q t) { return is_zero_q(poly_value(p, t)); }
+
+/* The roots in the open interval (lo,hi) of a squarefree polynomial, from left to right.  f are its
+ * ordinates there; they are used up. */
+static void search(struct findings *all, poly p, struct ordinates f, num_q lo, num_q hi)
 {
-    int bound = variations(f);
+    while (variations(&f) < 2 && hides_a_sign(&f)) {
+        mp_bitcnt_t more = 2 * f.bits;
+        clear_ordinates(&f);
+        f = ordinates_over(p, lo, hi, more);
+    }
+    int bound = variations(&f);
     if (bound < 2) {
         if (bound == 1)
             record(all, lo, hi);
-        clear_ordinates(f);
+        clear_ordinates(&f);
         return;
     }
-    struct ordinates right = halve(f);
+    struct ordinates right = halve(&f);
     num_q middle = midpoint(lo, hi);
-    int root_at_middle = mpz_sgn(right.b[0]) == 0;
-    search(all, f, lo, middle);
+    int root_at_middle = known_sign(&right, 0) == 0 && is_root(p, middle);
+    search(all, p, f, lo, middle);
     if (root_at_middle)
         record(all, middle, middle);
-    search(all, right, middle, hi);
+    search(all, p, right, middle, hi);
 }
 
-static int is_root(poly p, num_q t) { return is_zero_q(poly_value(p, t)); }
+/* Four bits a degree to begin with: that many are cheap to carry, and making ordinates again is not. */
+static void search_interval(struct findings *all, poly p, num_q lo, num_q hi)
+{
+    mp_bitcnt_t bits = 64 + 4 * (mp_bitcnt_t)poly_degree(p);
+    search(all, p, ordinates_over(p, lo, hi, bits), lo, hi);
+}
 
 static int count_inside(poly squarefree, num_q lo, num_q hi)
 {
     struct findings none = {0};
     region_mark m = region_open();
-    search(&none, ordinates_over(squarefree, lo, hi), lo, hi);
+    search_interval(&none, squarefree, lo, hi);
     region_drop(m);
     return none.found;
 }
@@ -235,7 +282,7 @@ int isolate_roots(poly p, num_q a, num_q b, struct root out[], int room)
     if (is_root(radical, a))
         record(&all, a, a);
     if (compare_q(a, b) < 0) {
-        search(&all, ordinates_over(radical, a, b), a, b);
+        search_interval(&all, radical, a, b);
         if (is_root(radical, b))
             record(&all, b, b);
     }

@@ -11,10 +11,7 @@ struct matrix {
 
 static mpz_ptr entry(struct matrix m, int i, int j) { return m.a[i * m.down + j * m.right]; }
 
-static struct matrix transpose(struct matrix m)
-{
-    return (struct matrix){m.columns, m.rows, m.right, m.down, m.a};
-}
+static struct matrix transpose(struct matrix m) { return (struct matrix){m.columns, m.rows, m.right, m.down, m.a}; }
 
 static struct matrix integer_matrix(int rows, int columns, const num_q A[])
 {

@@ -8,6 +8,8 @@
 struct text {
     char *at;
     size_t used, room;
+    int tight; /* inside an index or an exponent                        */
+    int big;   /* a sum or product sign was the last symbol: room after it */
 };
 static void put(struct text *t, const char *s, size_t n)
 {
@@ -23,6 +25,16 @@ static void put(struct text *t, const char *s, size_t n)
     t->at[t->used] = '\0';
 }
 static void puts_(struct text *t, const char *s) { put(t, s, strlen(s)); }
+
+static int ends_with_blank(const struct text *t) { return t->used > 0 && t->at[t->used - 1] == ' '; }
+
+/* A relation or a binary sign stands between blanks; not in indices, where room is short. */
+static void put_relation(struct text *t, const char *s)
+{
+    puts_(t, t->tight || ends_with_blank(t) || t->used == 0 ? "" : " ");
+    puts_(t, s);
+    puts_(t, t->tight ? "" : " ");
+}
 
 static const struct {
     const char *word, *text;
@@ -58,6 +70,16 @@ static const struct {
              {"tilde", "\xCC\x83"}, {"widetilde", "\xCC\x83"}, {"dot", "\xCC\x87"}, {"ddot", "\xCC\x88"},
              {"vec", "\xE2\x83\x97"}, {"underline", "\xCC\xB2"}};
 
+static int is_relation(const char *text)
+{
+    static const char *const relations[] = {"≤", "≥", "≠", "≡", "≈", "∼", "∈", "∉", "⊂", "⊆", "⊇", "→", "↦", "⇒", "⇔",
+                                            "⟶", "⟺", "±", "∓", "×", "∥", "⊥", "∪", "∩", "⊕", "≪", "≫"};
+    for (size_t k = 0; k < sizeof relations / sizeof *relations; k++)
+        if (strcmp(relations[k], text) == 0)
+            return 1;
+    return 0;
+}
+
 static const char *formula(const char *s, struct text *out, char stop);
 
 /* The next group: {...} or one token, rendered. */
@@ -84,6 +106,14 @@ static const char *group(const char *s, struct text *out)
     return s + n;
 }
 
+/* The three bytes at s as a string: most relations are one such character. */
+static const char *copied(const char *s)
+{
+    static _Thread_local char three[4];
+    memcpy(three, s, 3);
+    return three;
+}
+
 /* Whether a rendered numerator or exponent can stand without parentheses. */
 static int is_simple(const char *s)
 {
@@ -102,7 +132,7 @@ static int is_simple(const char *s)
 
 static void put_wrapped(struct text *out, const char *s)
 {
-    int simple = is_simple(s);
+    int simple = is_simple(s[0] == '-' ? s + 1 : s);
     puts_(out, simple ? "" : "(");
     puts_(out, s);
     puts_(out, simple ? "" : ")");
@@ -112,7 +142,7 @@ static const struct {
     char c;
     const char *up, *down;
 } small[] = {{'0', "⁰", "₀"}, {'1', "¹", "₁"}, {'2', "²", "₂"}, {'3', "³", "₃"}, {'4', "⁴", "₄"}, {'5', "⁵", "₅"},
-             {'6', "⁶", "₆"}, {'7', "⁷", "₇"}, {'8', "⁸", "₈"}, {'9', "⁹", "₉"}, {'+', "⁺", "₊"}, {'(', "⁽", "₍"},
+             {'6', "⁶", "₆"}, {'7', "⁷", "₇"}, {'8', "⁸", "₈"}, {'9', "⁹", "₉"}, {'+', "⁺", "₊"}, {'=', "⁼", "₌"}, {'(', "⁽", "₍"},
              {')', "⁾", "₎"}, {'n', "ⁿ", NULL}, {'i', "ⁱ", "ᵢ"}, {'j', "ʲ", "ⱼ"}, {'k', "ᵏ", "ₖ"}, {'r', "ʳ", "ᵣ"},
              {'t', "ᵗ", "ₜ"}, {'m', "ᵐ", "ₘ"}, {'h', "ʰ", "ₕ"}, {'l', "ˡ", "ₗ"}, {'s', "ˢ", "ₛ"}, {'p', "ᵖ", "ₚ"},
              {'n', NULL, "ₙ"}, {'*', "*", NULL}, {'a', "ᵃ", "ₐ"}, {'x', "ˣ", "ₓ"}, {'\'', "′", NULL}};
@@ -151,12 +181,37 @@ static void put_script(struct text *out, const char *s, int up)
     free(t.at);
 }
 
-static struct text render_group(const char **s)
+static struct text render_group(const char **s, int tight)
 {
-    struct text t = {0};
+    struct text t = {.tight = tight};
     puts_(&t, "");
     *s = group(*s, &t);
     return t;
+}
+
+/* Whether s goes on with a factor, so that a fraction before it wants a dot between. */
+static int begins_factor(const char *s)
+{
+    static const char *const factors[] = {"frac", "omega", "mathbf", "binom", "left", "sum", "sqrt", "hat", "alpha",
+                                          "lambda", "beta", "tau", "prod", "boldsymbol", "det"};
+    if (isalnum((unsigned char)*s) || *s == '(')
+        return 1;
+    for (size_t k = 0; *s == '\\' && k < sizeof factors / sizeof *factors; k++)
+        if (strncmp(s + 1, factors[k], strlen(factors[k])) == 0)
+            return 1;
+    return 0;
+}
+
+/* One character and its indices. */
+static int is_one_symbol(const char *s)
+{
+    size_t n = *s != '\0';
+    while (((unsigned char)s[n] & 0xC0) == 0x80)
+        n++;
+    for (; s[n] != '\0'; n += 3)
+        if (strncmp(s + n, "\xE2\x82", 2) != 0)
+            return strspn(s, "0123456789") == strlen(s);
+    return 1;
 }
 
 /* \word at s (behind the backslash). */
@@ -178,17 +233,17 @@ static const char *command(const char *s, struct text *out)
     while (*e == ' ')
         e++;
     if (n == 4 && strncmp(s, "frac", 4) == 0) {
-        struct text a = render_group(&e), b = render_group(&e);
+        struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         put_wrapped(out, a.at);
         puts_(out, "/");
         put_wrapped(out, b.at);
-        if (isalnum((unsigned char)*e) || *e == '\\')
-            puts_(out, " ");
+        if (begins_factor(e))
+            puts_(out, " · ");
         free(a.at), free(b.at);
         return e;
     }
     if ((n == 5 && strncmp(s, "binom", 5) == 0)) {
-        struct text a = render_group(&e), b = render_group(&e);
+        struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         puts_(out, "C("), puts_(out, a.at), puts_(out, ", "), puts_(out, b.at), puts_(out, ")");
         free(a.at), free(b.at);
         return e;
@@ -203,14 +258,16 @@ static const char *command(const char *s, struct text *out)
             free(index.at);
             e = close != NULL ? close + 1 : e + 1;
         }
-        struct text a = render_group(&e);
+        struct text a = render_group(&e, out->tight);
         puts_(out, "√");
-        put_wrapped(out, a.at);
+        puts_(out, is_one_symbol(a.at) ? "" : "(");
+        puts_(out, a.at);
+        puts_(out, is_one_symbol(a.at) ? "" : ")");
         free(a.at);
         return e;
     }
     if ((n == 5 && strncmp(s, "begin", 5) == 0) || (n == 3 && strncmp(s, "end", 3) == 0)) {
-        struct text a = render_group(&e);
+        struct text a = render_group(&e, out->tight);
         const char *bracket = strstr(a.at, "cases") != NULL ? "{" : strchr(a.at, 'v') == a.at ? "|" : "(";
         puts_(out, s[0] == 'b' ? bracket : bracket[0] == '{' ? "" : bracket[0] == '(' ? ")" : bracket);
         free(a.at);
@@ -224,27 +281,50 @@ static const char *command(const char *s, struct text *out)
         }
     for (size_t k = 0; k < sizeof symbols / sizeof *symbols; k++)
         if (strlen(symbols[k].word) == n && strncmp(symbols[k].word, s, n) == 0) {
-            puts_(out, symbols[k].text);
+            out->big = strcmp(symbols[k].word, "sum") == 0 || strcmp(symbols[k].word, "prod") == 0;
+            if (is_relation(symbols[k].text))
+                put_relation(out, symbols[k].text);
+            else
+                puts_(out, symbols[k].text);
             return e;
         }
     put(out, s, n);
     return e;
 }
 
+/* A sign is binary behind an operand. */
+static int is_binary(const struct text *t)
+{
+    size_t n = t->used;
+    while (n > 0 && t->at[n - 1] == ' ')
+        n--;
+    return n > 0 && strchr("([{=<>,|;/", t->at[n - 1]) == NULL && !(n >= 3 && is_relation(copied(t->at + n - 3)));
+}
+
 static const char *formula(const char *s, struct text *out, char stop)
 {
     while (*s != '\0' && *s != stop) {
+        if (out->big && *s != '_' && *s != '^') {
+            puts_(out, " ");
+            out->big = 0;
+        }
         if (*s == '\\') {
             s = command(s + 1, out);
         } else if (*s == '^' || *s == '_') {
             int up = *s++ == '^';
-            struct text t = render_group(&s);
+            struct text t = render_group(&s, 1);
             put_script(out, t.at, up);
             free(t.at);
         } else if (*s == '{') {
             s = formula(s + 1, out, '}');
+        } else if (*s == '=' || *s == '<' || *s == '>') {
+            put_relation(out, *s == '=' ? "=" : *s == '<' ? "<" : ">"), s++;
+        } else if ((*s == '-' || *s == '+') && is_binary(out)) {
+            put_relation(out, *s++ == '-' ? "−" : "+");
         } else if (*s == '-') {
             puts_(out, "−"), s++;
+        } else if (*s == ' ' && ends_with_blank(out)) {
+            s++;
         } else if (*s == '\'') {
             puts_(out, "′"), s++;
         } else if (*s == '~' || *s == '&') {

@@ -1,6 +1,6 @@
 /* weave.c -- collects the claims and statements from the comments of the chapter files.
  *
- *     weave REGISTER.c CHAPTER_FOLDER...
+ *     weave REGISTER.c TYPES CHAPTER_FOLDER...
  *
  * A chapter folder has an index.md whose toctree lists its sections in reading order; section S is
  * the file S.claims.h and, where it is drawn, S.figure.c.  In the comments of a section stand blocks
@@ -15,7 +15,8 @@
  * An option goes on to the next line that begins with ':' or is blank; the rest of a block is its
  * note.  The register, C tables of what was found, is written to REGISTER.c.  A missing field, an
  * unknown word, a claim without a block or a body, a link to nothing: each is an error that names
- * file and line, and stops the build. */
+ * file and line, and stops the build.  TYPES are the number types that are compiled, such as
+ * "field rational interval double"; a claim that has none of them is left out. */
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -299,14 +300,23 @@ static void put_field(FILE *out, const char *field, const char *s)
     put_string(out, s);
 }
 
+static const char *compiled_types;
+
 /* Whether the claim is run in the type, by its option `types`; decisions are rational unless it says
  * otherwise. */
 static int has_type(const struct block *b, const char *type)
 {
+    if (strstr(compiled_types, type) == NULL)
+        return 0;
     const char *types = value_of(b, "types"), *kind = value_of(b, "kind");
     if (types == NULL)
         types = kind == NULL || strcmp(kind, "identity") == 0 ? "field rational interval double" : "rational";
     return strstr(types, type) != NULL;
+}
+
+static int is_compiled(const struct block *b)
+{
+    return has_type(b, "field") || has_type(b, "rational") || has_type(b, "interval") || has_type(b, "double");
 }
 
 static void put_claim(FILE *out, const struct block *b)
@@ -413,7 +423,7 @@ static void put_register(FILE *out, const struct list *chapters, const struct li
                 fprintf(out, "void claim_%s_%c(trial *T);\n", blocks[k].name, suffix[t]);
     fputs("\nconst claim all_claims[] = {\n", out);
     for (int k = 0; k < block_count; k++)
-        if (blocks[k].is_claim)
+        if (blocks[k].is_claim && is_compiled(&blocks[k]))
             put_claim(out, &blocks[k]);
     fputs("    {.name = NULL}};\n\n", out);
     for (int k = 0; k < block_count; k++)
@@ -442,12 +452,13 @@ static void put_register(FILE *out, const struct list *chapters, const struct li
 
 int main(int argc, char **argv)
 {
-    if (argc < 3) {
-        fputs("usage: weave REGISTER.c CHAPTER_FOLDER...\n", stderr);
+    if (argc < 4) {
+        fputs("usage: weave REGISTER.c TYPES CHAPTER_FOLDER...\n", stderr);
         return 2;
     }
+    compiled_types = argv[2];
     struct list chapters = {0}, titles = {0};
-    for (int k = 2; k < argc; k++) {
+    for (int k = 3; k < argc; k++) {
         char path[512];
         const char *slash = strrchr(argv[k], '/'), *chapter = slash != NULL ? slash + 1 : argv[k];
         snprintf(path, sizeof path, "%s/index.md", argv[k]);

@@ -55,7 +55,8 @@ static void planted_meetings(void **state)
                 int alone = 1;
                 for (int j = 0; j < g.count; j++)
                     alone &= !equal_q(W.at[i], g.at[j]);
-                changes += alone && W.multiplicity[i] % 2 && compare_q(W.at[i], zero) > 0 && compare_q(W.at[i], one) < 0;
+                changes +=
+                    alone && W.multiplicity[i] % 2 && compare_q(W.at[i], zero) > 0 && compare_q(W.at[i], one) < 0;
             }
             assert_int_equal(m.contained, 0);
             assert_int_equal(m.common_closed, closed);

@@ -10,12 +10,12 @@ static int same(const num_q P[], const num_q Q[]) { return equal_q(P[0], Q[0]) &
 static int on_segment(const num_q P[], const num_q Q[], const num_q x[])
 {
     num_q d = add_q(mul_q(sub_q(x[0], P[0]), sub_q(x[0], Q[0])), mul_q(sub_q(x[1], P[1]), sub_q(x[1], Q[1])));
-    return turn(P, Q, x) == 0 && sign_q(d) <= 0;
+    return turn_2d(P, Q, x) == 0 && sign_q(d) <= 0;
 }
 static int in_triangle(const num_q P[], const num_q Q[], const num_q R[], const num_q x[])
 {
-    int a = turn(P, Q, x), b = turn(Q, R, x), c = turn(R, P, x);
-    if (turn(P, Q, R) == 0)
+    int a = turn_2d(P, Q, x), b = turn_2d(Q, R, x), c = turn_2d(R, P, x);
+    if (turn_2d(P, Q, R) == 0)
         return on_segment(P, Q, x) || on_segment(Q, R, x) || on_segment(R, P, x);
     return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
@@ -110,7 +110,8 @@ static void extreme_points_are_the_vertices(void **state)
         for (int i = 0; i < n; i++) {
             corner[2 * i] = P[2 * vertex[i]], corner[2 * i + 1] = P[2 * vertex[i] + 1];
             if (n > 2)
-                assert_int_equal(turn(P + 2 * vertex[i], P + 2 * vertex[(i + 1) % n], P + 2 * vertex[(i + 2) % n]), 1);
+                assert_int_equal(turn_2d(P + 2 * vertex[i], P + 2 * vertex[(i + 1) % n], P + 2 * vertex[(i + 2) % n]),
+                                 1);
         }
         for (int j = 0; j < count; j++)
             assert_true(in_some_triangle(n, corner, P + 2 * j));
@@ -121,11 +122,27 @@ static void extreme_points_are_the_vertices(void **state)
     }
 }
 
+static void false_certificates_are_refused(void **state)
+{
+    (void)state;
+    num_q P[6] = {q(0), q(0), q(4), q(0), q(0), q(4)}, in[2] = {q(1), q(1)}, out[2] = {q(3), q(3)};
+    num_q right[3] = {from_ratio_q(1, 2), from_ratio_q(1, 4), from_ratio_q(1, 4)};
+    num_q affine[3] = {from_ratio_q(-1, 2), from_ratio_q(3, 4), from_ratio_q(3, 4)}; /* sum 1, one < 0 */
+    num_q half[3] = {q(0), from_ratio_q(1, 4), from_ratio_q(1, 4)};                  /* sum 1/2        */
+    num_q normal[2] = {q(1), q(1)};
+    assert_true(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){1, right, NULL, q(0)}));
+    assert_false(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){1, affine, NULL, q(0)}));
+    assert_false(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){1, half, NULL, q(0)}));
+    assert_true(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){0, NULL, normal, q(4)}));
+    assert_false(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){0, NULL, normal, q(6)}));
+    assert_false(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){0, NULL, normal, q(1)}));
+}
+
 /* The definition.  Without its repeated points the polygon Q_0 ... Q_m (closed: and back) must have
  * every edge on a supporting line, and no two of its edges may meet but in the vertex they share. */
 static int segments_meet(const num_q A[], const num_q B[], const num_q C[], const num_q D[])
 {
-    int proper = turn(A, B, C) * turn(A, B, D) < 0 && turn(C, D, A) * turn(C, D, B) < 0;
+    int proper = turn_2d(A, B, C) * turn_2d(A, B, D) < 0 && turn_2d(C, D, A) * turn_2d(C, D, B) < 0;
     return proper || on_segment(A, B, C) || on_segment(A, B, D) || on_segment(C, D, A) || on_segment(C, D, B);
 }
 static int convex_by_definition(int n, const num_q R[], int closed)
@@ -148,8 +165,8 @@ static int convex_by_definition(int n, const num_q R[], int closed)
         const num_q *A = Q + 2 * e, *B = Q + 2 * ((e + 1) % m);
         int left = 0, right = 0;
         for (int j = 0; j < m; j++) {
-            left |= turn(A, B, Q + 2 * j) > 0;
-            right |= turn(A, B, Q + 2 * j) < 0;
+            left |= turn_2d(A, B, Q + 2 * j) > 0;
+            right |= turn_2d(A, B, Q + 2 * j) < 0;
         }
         if (left && right)
             return 0;
@@ -158,8 +175,9 @@ static int convex_by_definition(int n, const num_q R[], int closed)
             int after = f == e + 1, before = closed && (f + 1) % m == e;
             if (after && before) /* a digon goes back */
                 return 0;
-            if (after ? on_segment(A, B, D) || on_segment(C, D, A)
-                      : before ? on_segment(A, B, C) || on_segment(C, D, B) : segments_meet(A, B, C, D))
+            if (after    ? on_segment(A, B, D) || on_segment(C, D, A)
+                : before ? on_segment(A, B, C) || on_segment(C, D, B)
+                         : segments_meet(A, B, C, D))
                 return 0;
         }
     }
@@ -199,9 +217,8 @@ static void convexity_is_its_definition(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(plane_membership_is_caratheodory),
-        unit(combinations_are_inside_in_every_dimension),
-        unit(extreme_points_are_the_vertices),
+        unit(plane_membership_is_caratheodory), unit(combinations_are_inside_in_every_dimension),
+        unit(false_certificates_are_refused),   unit(extreme_points_are_the_vertices),
         unit(convexity_is_its_definition),
     };
     return run_unit_tests(tests);

@@ -295,8 +295,8 @@ static void the_field_calculates(void **state)
     num_f t = variable_f("t"), w = variable_f("w"), value;
     num_f a = div_f(add_f(mul_f(t, t), w), sub_f(t, w)); /* (t^2 + w)/(t - w) */
     /* the quotient rule by hand */
-    num_f slope = div_f(sub_f(sub_f(mul_f(t, t), mul_f(from_int_f(2), mul_f(t, w))), w),
-                        mul_f(sub_f(t, w), sub_f(t, w)));
+    num_f slope =
+        div_f(sub_f(sub_f(mul_f(t, t), mul_f(from_int_f(2), mul_f(t, w))), w), mul_f(sub_f(t, w), sub_f(t, w)));
     assert_true(is_zero_f(sub_f(derivative_f(a, t), slope)));
     assert_int_equal(degree_f(a, t), 2);
     assert_int_equal(denominator_degree_f(a, w), 1);
@@ -319,18 +319,50 @@ static void texts_are_read_exactly(void **state)
     struct {
         const char *text;
         long m, n;
-    } good[] = {{"3", 3, 1},          {"-3/7", -3, 7},    {"+6/4", 3, 2},      {"0.1", 1, 10},     {"-.5", -1, 2},
-                {"5.", 5, 1},         {"1e-3", 1, 1000},  {"2.5E+2", 250, 1},  {"0x1.8p-3", 3, 16}, {"0x10", 16, 1},
-                {"-0X.8P1", -1, 1},   {"0xfF", 255, 1},   {"0", 0, 1},         {"-0", 0, 1},       {"0e99999", 0, 1},
-                {"00012/0008", 3, 2}, {"0x1e2", 482, 1},  {"1e0", 1, 1},       {"0/5", 0, 1},      {"12.50", 25, 2}};
+    } good[] = {{"3", 3, 1},          {"-3/7", -3, 7},   {"+6/4", 3, 2},     {"0.1", 1, 10},      {"-.5", -1, 2},
+                {"5.", 5, 1},         {"1e-3", 1, 1000}, {"2.5E+2", 250, 1}, {"0x1.8p-3", 3, 16}, {"0x10", 16, 1},
+                {"-0X.8P1", -1, 1},   {"0xfF", 255, 1},  {"0", 0, 1},        {"-0", 0, 1},        {"0e99999", 0, 1},
+                {"00012/0008", 3, 2}, {"0x1e2", 482, 1}, {"1e0", 1, 1},      {"0/5", 0, 1},       {"12.50", 25, 2}};
     for (size_t k = 0; k < sizeof good / sizeof good[0]; k++) {
         assert_true(equal_q(from_string_q(good[k].text), from_ratio_q(good[k].m, good[k].n)));
         assert_int_equal(region_faults, 0);
     }
-    const char *bad[] = {"",     "-",    "+",     " 1",   "1 ",     "1/",    "/2",    "1/0",     "1/-2",   "1/2/3",
-                         ".",    "1.2.3", "e5",   "1e",   "1e+",    "1e 5",  "0x",    "0x.",     "0xg",    "0x1p",
-                         "--1",  "+-1",  "1,5",   "nan",  "inf",    "1e100000", "1e-100000", "1e-99999999999999999999",
-                         "1e9223372036854775807", "1p3",  "1.5/2",  "1/2.5", "0x1/2", "1/0x2",   "1_0",    "１"};
+    const char *bad[] = {"",
+                         "-",
+                         "+",
+                         " 1",
+                         "1 ",
+                         "1/",
+                         "/2",
+                         "1/0",
+                         "1/-2",
+                         "1/2/3",
+                         ".",
+                         "1.2.3",
+                         "e5",
+                         "1e",
+                         "1e+",
+                         "1e 5",
+                         "0x",
+                         "0x.",
+                         "0xg",
+                         "0x1p",
+                         "--1",
+                         "+-1",
+                         "1,5",
+                         "nan",
+                         "inf",
+                         "1e100000",
+                         "1e-100000",
+                         "1e-99999999999999999999",
+                         "1e9223372036854775807",
+                         "1p3",
+                         "1.5/2",
+                         "1/2.5",
+                         "0x1/2",
+                         "1/0x2",
+                         "1_0",
+                         "１"};
     for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++) {
         from_string_q(bad[k]);
         expect_fault(FAULT_UNDEFINED);
@@ -384,7 +416,8 @@ static void doubles_are_nearest(void **state)
         num_q a = mul_q(random_q(), power_of_two(k % 3 == 0 ? random_int(-1120, -1000) : random_int(-1150, 1040)));
         assert_nearest(a);
         /* halfway between neighbours, and a hair to either side */
-        double x = ldexp(1 + (double)random_int(0, 999999937) * 0x1p-30, k % 2 ? random_int(-1074, -1015) : random_int(-1074, 1023));
+        double x = ldexp(1 + (double)random_int(0, 999999937) * 0x1p-30,
+                         k % 2 ? random_int(-1074, -1015) : random_int(-1074, 1023));
         double y = nextafter(x, HUGE_VAL);
         num_q upper = isfinite(y) ? from_double_q(y) : power_of_two(1024);
         num_q middle = mul_q(from_ratio_q(1, 2), add_q(from_double_q(x), upper)), hair = power_of_two(-1300);

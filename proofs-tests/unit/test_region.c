@@ -94,7 +94,8 @@ static void page_boundaries(void **state)
     assert_non_null(region_bytes(0));
     memset(region_bytes((1 << 16) - 16), 2, (1 << 16) - 16);
     memset(region_bytes(16), 3, 16);
-    memset(region_bytes((1 << 16) + 1), 4, (1 << 16) + 1);
+    memset(region_bytes(1 << 16), 4, 1 << 16); /* does not fit behind these 16 */
+    memset(region_bytes((1 << 16) + 1), 5, (1 << 16) + 1);
 }
 
 static void every_kind_is_freed(void **state)

@@ -52,7 +52,8 @@ static void determinant_over_the_field(void **state)
             A[i] = add_f(add_f(mul_f(from_int_f(u), t), mul_f(from_int_f(v), mul_f(s, s))), div_f(from_int_f(w), t));
             a[i] = add_q(add_q(mul_q(q(u), t0), mul_q(q(v), mul_q(s0, s0))), div_q(q(w), t0));
         }
-        num_f at = substitute_f(substitute_f(pivoted_determinant_f(n, A), t, from_rational_f(t0)), s, from_rational_f(s0));
+        num_f at =
+            substitute_f(substitute_f(pivoted_determinant_f(n, A), t, from_rational_f(t0)), s, from_rational_f(s0));
         assert_true(is_constant_f(at, &value));
         assert_true(equal_q(value, pivoted_determinant_q(n, a)));
         region_drop(m);
@@ -129,11 +130,8 @@ static void implicit_equation(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(determinant_is_leibniz),
-        unit(determinant_over_the_field),
-        unit(resultant_is_the_product_over_roots),
-        unit(stated_degrees),
-        unit(implicit_equation),
+        unit(determinant_is_leibniz), unit(determinant_over_the_field), unit(resultant_is_the_product_over_roots),
+        unit(stated_degrees),         unit(implicit_equation),
     };
     return run_unit_tests(tests);
 }

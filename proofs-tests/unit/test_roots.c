@@ -57,8 +57,8 @@ static void assert_isolated(poly p, num_q a, num_q b)
         if (equal_q(fine.lo, fine.hi))
             assert_true(is_zero_q(poly_value(p, fine.lo)));
         else
-            assert_int_equal(
-                sturm_count(r[k].factor, fine.lo, fine.hi) - is_zero_q(poly_value(r[k].factor, fine.hi)), 1);
+            assert_int_equal(sturm_count(r[k].factor, fine.lo, fine.hi) - is_zero_q(poly_value(r[k].factor, fine.hi)),
+                             1);
     }
     assert_int_equal(counted, count_roots(p, a, b, CLOSED).counted);
 }
@@ -77,8 +77,7 @@ static void random_polynomials(void **state)
             assert_descartes_is_sturm(p, a, b);
             assert_int_equal(count_roots_line(p).distinct, sturm_count_line(p));
             assert_int_equal(count_roots_above(p, a).distinct, sturm_count_above(p, a));
-            assert_int_equal(count_roots_below(p, b).distinct,
-                             sturm_count_below(p, b) - is_zero_q(poly_value(p, b)));
+            assert_int_equal(count_roots_below(p, b).distinct, sturm_count_below(p, b) - is_zero_q(poly_value(p, b)));
             if (k % 5 == 0)
                 assert_isolated(p, a, b);
         }

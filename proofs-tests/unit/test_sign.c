@@ -27,8 +27,8 @@ static enum sign_pattern planted_pattern(const struct planted *f, num_q a, num_q
     for (int k = 0; k + 1 < count; k++)
         seen[1 + planted_sign(f, mul_q(from_ratio_q(1, 2), add_q(place[k], place[k + 1])))]++;
     for (int k = 0; k < count; k++) {
-        int included = (k > 0 || ends == CLOSED || ends == OPEN_RIGHT) &&
-                       (k + 1 < count || ends == CLOSED || ends == OPEN_LEFT);
+        int included =
+            (k > 0 || ends == CLOSED || ends == OPEN_RIGHT) && (k + 1 < count || ends == CLOSED || ends == OPEN_LEFT);
         seen[1 + planted_sign(f, place[k])] += included;
     }
     return seen[0] && seen[2] ? SIGN_MIXED

@@ -12,7 +12,8 @@ static void planted_roots(void **state)
         num_q a = f.count > 0 && k % 2 ? f.at[random_int(0, f.count - 1)] : coarse_q(3, 7);
         num_q b = f.count > 0 && k % 3 ? f.at[random_int(0, f.count - 1)] : coarse_q(3, 7), far = from_int_q(1000000);
         if (compare_q(a, b) <= 0)
-            assert_int_equal(sturm_count(f.p, a, b), compare_q(a, b) == 0 ? 0 : planted_count(&f, a, b, OPEN_LEFT).distinct);
+            assert_int_equal(sturm_count(f.p, a, b),
+                             compare_q(a, b) == 0 ? 0 : planted_count(&f, a, b, OPEN_LEFT).distinct);
         assert_int_equal(sturm_count_above(f.p, a), planted_count(&f, a, far, OPEN).distinct);
         assert_int_equal(sturm_count_below(f.p, a), planted_count(&f, neg_q(far), a, OPEN_LEFT).distinct);
         assert_int_equal(sturm_count_line(f.p), f.count);

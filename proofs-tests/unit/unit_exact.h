@@ -24,10 +24,7 @@ static inline uint64_t random_bits(void)
 static inline int random_int(int lo, int hi) { return lo + (int)(random_bits() % (uint64_t)(hi - lo + 1)); }
 
 /* Numerators and denominators of about nine digits. */
-static inline num_q random_q(void)
-{
-    return from_ratio_q(random_int(-999999937, 999999937), random_int(1, 999999893));
-}
+static inline num_q random_q(void) { return from_ratio_q(random_int(-999999937, 999999937), random_int(1, 999999893)); }
 /* Few different values, so that coincidences happen. */
 static inline num_q coarse_q(int size, int denominator)
 {

@@ -1,0 +1,276 @@
+"""The command as its users meet it: exit codes, formats, one clear line for every mistake.
+
+    python3 test_cli.py CAGD ROOT
+"""
+import collections
+import json
+import os
+import pathlib
+import pty
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.dom.minidom
+
+ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+
+VERDICTS = {"holds", "conditional", "fails", "undecided", "open", "definition"}
+EVIDENCE = {"proved", "decided", "sampled", "enclosed", "measured", "none"}
+CLASSES = {"misprint", "false", "missing-hypothesis", "invalid-proof"}
+
+
+def run(*args, **options):
+    return subprocess.run([CAGD, *args], capture_output=True, text=True, timeout=300, **options)
+
+
+class Case(unittest.TestCase):
+    def refuses(self, *args, words=()):
+        """Exit 2, nothing on stdout, one line on stderr (and a pointer to --help) that has the words."""
+        r = run(*args)
+        self.assertEqual(r.returncode, 2, r)
+        self.assertEqual(r.stdout, "")
+        self.assertLessEqual(len(r.stderr.strip().splitlines()), 2, r.stderr)
+        for word in words:
+            self.assertIn(word, r.stderr)
+
+
+class Usage(Case):
+    def test_no_command(self):
+        r = run()
+        self.assertEqual(r.returncode, 2)
+        self.assertIn("Examples", r.stderr)
+
+    def test_unknown_command(self):
+        self.refuses("frobnicate", words=["frobnicate", "verify"])
+
+    def test_unknown_option(self):
+        self.refuses("verify", "--frobnicate", words=["frobnicate"])
+
+    def test_help_has_examples_first(self):
+        for command in ["verify", "list", "show", "ledger", "figures"]:
+            r = run(command, "--help")
+            self.assertEqual(r.returncode, 0)
+            self.assertLess(r.stdout.index("Examples"), r.stdout.index("--help"))
+        self.assertIn("Examples", run("--help").stdout)
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"^cagd \d+\.\d+\.\d+\n$")
+
+    def test_numbers_out_of_range(self):
+        self.refuses("verify", "--jobs", "0", words=["--jobs", "from 1 to 64", "'0'"])
+        self.refuses("verify", "--jobs", "many", words=["'many'"])
+        self.refuses("verify", "--shard", "3", words=["K/N"])
+        self.refuses("verify", "--shard", "3/2", words=["from 1 to 2"])
+        self.refuses("verify", "--shard", "0/2", words=["from 1 to 2"])
+
+    def test_mistyped_ids_get_the_nearest(self):
+        self.refuses("show", "wang-ch3:thm-3.3.3", words=["wang-ch3:thm-3.3.2"])
+        self.refuses("show", "elevation_keeps_rational_curv", words=["elevation_keeps_rational_curve"])
+        self.refuses("verify", "no-such-claim")
+        self.refuses("list", "no-such-claim")
+        self.refuses("ledger", "wang-ch9:*")
+        self.refuses("figures", "no-such-figure")
+
+    def test_show_takes_one_id(self):
+        self.refuses("show", words=["which id"])
+        self.refuses("show", "a", "b", words=["one id"])
+
+    def test_output_that_cannot_be_written(self):
+        r = run("verify", "elevation_keeps_rational_curve", "--junit", "/nonexistent/folder/x.xml")
+        self.assertEqual(r.returncode, 3)
+        self.assertIn("/nonexistent/folder/x.xml", r.stderr)
+        r = run("figures", "--out", "/dev/null/x", "elevation")
+        self.assertEqual(r.returncode, 3)
+        r = subprocess.run([CAGD, "list"], stdout=open("/dev/full", "w"), stderr=subprocess.PIPE)
+        self.assertEqual(r.returncode, 3)
+
+
+class Verify(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = run("verify", "--json")
+        cls.doc = json.loads(cls.whole.stdout)
+
+    def test_everything_is_as_expected(self):
+        self.assertEqual(self.whole.returncode, 0, [c["name"] for c in self.doc["claims"] if not c["as_expected"]])
+        self.assertEqual(self.doc["schema"], "cagd-verify-1")
+        self.assertEqual(self.doc["not_as_expected"], 0)
+
+    def test_every_claim_compared_something_and_its_control_was_caught(self):
+        for claim in self.doc["claims"]:
+            self.assertTrue(claim["types"], claim["name"])
+            for name, result in claim["types"].items():
+                self.assertGreater(result["compared"], 0, (claim["name"], name))
+                self.assertTrue(result["control_caught"], (claim["name"], name))
+
+    def test_no_empty_field(self):
+        for claim in self.doc["claims"]:
+            for field in ("name", "title", "title_zh", "given", "then", "method", "control", "scope"):
+                self.assertTrue(claim[field].strip(), (claim["name"], field))
+
+    def test_counterexamples_show_their_numbers(self):
+        for claim in self.doc["claims"]:
+            if claim["kind"] == "counterexample":
+                shown = [s for r in claim["types"].values() for s in r["shown"]]
+                self.assertTrue(shown, claim["name"])
+
+    def test_names_are_unique_and_without_numbers_of_chapters(self):
+        names = [c["name"] for c in self.doc["claims"]]
+        self.assertEqual(len(names), len(set(names)))
+        for name in names:
+            self.assertRegex(name, r"^[a-z][a-z0-9_]*$")
+
+    def test_jobs_do_not_change_the_output(self):
+        self.assertEqual(run("verify", "--jobs", "1").stdout, run("verify", "--jobs", "5").stdout)
+
+    def test_shards_are_a_partition(self):
+        names = []
+        for k in (1, 2, 3):
+            doc = json.loads(run("verify", "--json", "--shard", f"{k}/3").stdout)
+            names += [c["name"] for c in doc["claims"]]
+        self.assertEqual(sorted(names), sorted(c["name"] for c in self.doc["claims"]))
+
+    def test_tap(self):
+        lines = run("verify", "--tap").stdout.splitlines()
+        self.assertEqual(lines[:2], ["TAP version 13", f"1..{len(self.doc['claims'])}"])
+        for k, line in enumerate(lines[2:], 1):
+            self.assertRegex(line, rf"^ok {k} - ")
+
+    def test_junit(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "report.xml")
+            self.assertEqual(run("verify", "--junit", path, "--jobs", "2").returncode, 0)
+            suite = xml.dom.minidom.parse(path).documentElement
+            self.assertEqual(suite.tagName, "testsuite")
+            self.assertEqual(int(suite.getAttribute("tests")), len(self.doc["claims"]))
+            self.assertEqual(len(suite.getElementsByTagName("testcase")), len(self.doc["claims"]))
+            self.assertEqual(os.listdir(folder), ["report.xml"])
+
+    def test_patterns(self):
+        doc = json.loads(run("verify", "--json", "rational-bezier.*").stdout)
+        self.assertTrue(all(c["chapter"] == "rational-bezier" for c in doc["claims"]))
+        doc = json.loads(run("verify", "--json", "wang-ch3:3.2.4").stdout)
+        self.assertTrue(0 < len(doc["claims"]) < 8)
+
+
+class Terminal(Case):
+    def on_terminal(self, *args, **env):
+        master, slave = pty.openpty()
+        process = subprocess.Popen([CAGD, *args], stdout=slave, stderr=slave, env={**os.environ, **env})
+        os.close(slave)
+        text = b""
+        while True:
+            try:
+                block = os.read(master, 65536)
+            except OSError:
+                break
+            if not block:
+                break
+            text += block
+        os.close(master)
+        self.assertEqual(process.wait(), 0)
+        return text.decode()
+
+    def test_progress_and_colour_only_on_a_terminal(self):
+        text = self.on_terminal("verify", "elevation_keeps_rational_curve", NO_COLOR="")
+        self.assertIn("\x1b[32m", text)
+        self.assertIn("1/4", text)
+        piped = run("verify", "elevation_keeps_rational_curve")
+        self.assertNotIn("\x1b", piped.stdout + piped.stderr)
+
+    def test_no_color(self):
+        text = self.on_terminal("verify", "elevation_keeps_rational_curve", NO_COLOR="1")
+        self.assertNotIn("\x1b[3", text)
+
+
+class Ledger(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.result = run("ledger", "--json")
+        cls.rows = json.loads(cls.result.stdout)["statements"]
+
+    def test_exit_code(self):
+        self.assertEqual(self.result.returncode, 0)
+
+    def test_rows_are_complete(self):
+        seen = collections.Counter(row["id"] for row in self.rows)
+        self.assertEqual([i for i, n in seen.items() if n > 1], [])
+        for row in self.rows:
+            printed = row["as_printed"]
+            with self.subTest(row["id"]):
+                self.assertIn(printed["verdict"], VERDICTS)
+                self.assertIn(printed["evidence"], EVIDENCE)
+                for field in ("title", "title_zh", "printed_tex"):
+                    self.assertTrue(row[field].strip(), field)
+                if printed["verdict"] == "fails":
+                    self.assertIn(printed["class"], CLASSES)
+                    self.assertTrue(printed["counterexample"]["values"])
+                    self.assertEqual(row["corrected"]["verdict"], "holds")
+                if printed["verdict"] == "conditional":
+                    self.assertTrue(printed["hypotheses"])
+                if printed["verdict"] == "undecided":
+                    self.assertTrue(printed["readings"])
+                if printed["verdict"] in ("holds", "conditional", "fails"):
+                    self.assertTrue(row["claims"])
+                    self.assertNotEqual(printed["evidence"], "none")
+
+    def test_nothing_is_open(self):
+        self.assertEqual([r["id"] for r in self.rows if r["as_printed"]["verdict"] == "open"], [])
+
+    def test_the_table_counts_what_the_rows_say(self):
+        lines = run("ledger", "--summary").stdout.splitlines()
+        for line in lines[1:]:
+            source, total, *counts = line.split()
+            rows = [r for r in self.rows if r["id"].split(":")[0] == source]
+            self.assertEqual(int(total), len(rows))
+            self.assertEqual(sum(map(int, counts)), len(rows))
+
+    def test_chapter_three_is_covered(self):
+        """Every number that the source prints has an entry."""
+        ids = " ".join(r["id"] for r in self.rows)
+        wanted = [f"3.1.{k}" for k in range(1, 6)] + [f"3.2.{k}" for k in range(1, 15)]
+        wanted += [f"3.3.{k}" for k in range(1, 5)] + [f"3.4.{k}" for k in range(1, 9)]
+        wanted += [f"3.5.{k}" for k in range(1, 7)]
+        wanted += [f"prop-3.2.{k}" for k in range(1, 13)]
+        wanted += ["def-3.2.1", "def-3.2.2", "def-3.4.1", "thm-3.2.1", "thm-3.3.1", "thm-3.3.2", "thm-3.4.1",
+                   "thm-3.4.2", "thm-3.4.3", "thm-3.5.1", "thm-3.5.2", "cor-3.5.1"]
+        missing = [w for w in wanted if not re.search(r"wang-ch3:%s(?![0-9])" % re.escape(w), ids)]
+        self.assertEqual(missing, [])
+
+    def test_show_prints_every_entry(self):
+        for row in self.rows:
+            r = run("show", row["id"])
+            self.assertEqual(r.returncode, 0, row["id"])
+            self.assertIn("Verdict", r.stdout)
+            self.assertNotIn("\\", r.stdout, row["id"])
+
+
+class Figures(Case):
+    def test_the_gallery_is_what_is_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run("figures", "--out", folder).returncode, 0)
+            drawn = {p.name: p.read_bytes() for p in pathlib.Path(folder).iterdir()}
+        kept = {p.name: p.read_bytes() for p in (ROOT / "figures" / "gallery").glob("*.svg")}
+        self.assertEqual(sorted(drawn), sorted(kept))
+        for name in drawn:
+            self.assertEqual(drawn[name], kept[name], name)
+
+    def test_figures_are_accessible(self):
+        for path in (ROOT / "figures" / "gallery").glob("*.svg"):
+            root = xml.dom.minidom.parse(str(path)).documentElement
+            self.assertEqual(root.getAttribute("role"), "img", path)
+            for tag in ("title", "desc"):
+                self.assertTrue(root.getElementsByTagName(tag)[0].firstChild.data.strip(), path)
+
+    def test_every_figure_of_the_ledger_exists(self):
+        names = set(run("figures", "--list").stdout.split())
+        for row in json.loads(run("ledger", "--json").stdout)["statements"]:
+            if row["figure"]:
+                self.assertIn(row["figure"], names)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

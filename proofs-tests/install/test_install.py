@@ -1,0 +1,44 @@
+"""The installed library as a stranger meets it: a ten-line program against a fresh install tree, found once
+by find_package(cagd) and once by pkg-config; the man page, the command and the completion are in place.
+
+    test_install.py BUILD_FOLDER SOURCE_FOLDER
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+build, source = sys.argv[1], pathlib.Path(sys.argv[2])
+
+
+def sh(*command, **options):
+    return subprocess.run(command, check=True, capture_output=True, text=True, **options).stdout
+
+
+with tempfile.TemporaryDirectory() as folder:
+    prefix = pathlib.Path(folder) / "prefix"
+    sh("cmake", "--install", build, "--prefix", str(prefix))
+    lib = next(prefix.glob("lib*/**/cagd.pc")).parent.parent
+    assert (prefix / "include" / "cagd.h").exists()
+    for path in prefix.rglob("*"):
+        if path.suffix in (".pc", ".cmake", ".h"):
+            assert build not in path.read_text() and str(source.parent.parent) not in path.read_text(), f"{path} names a build path"
+    for wanted in ("bin/cagd", "share/man/man1/cagd.1", "share/bash-completion/completions/cagd"):
+        assert (prefix / wanted).exists(), wanted
+    assert sh(str(prefix / "bin" / "cagd"), "--version").startswith("cagd ")
+
+    by_cmake = pathlib.Path(folder) / "by-cmake"
+    sh("cmake", "-S", str(source), "-B", str(by_cmake), f"-DCMAKE_PREFIX_PATH={prefix}")
+    sh("cmake", "--build", str(by_cmake))
+    first = sh(str(by_cmake / "ten_lines"))
+
+    env = {**os.environ, "PKG_CONFIG_PATH": str(lib / "pkgconfig")}
+    flags = sh("pkg-config", "--cflags", "--libs", "--static", "cagd", env=env).split()
+    for compiler, name in (("cc", "ten_lines.c"), ("c++", "ten_lines.c")):
+        program = pathlib.Path(folder) / f"by-{compiler.replace('+', 'p')}"
+        language = ["-x", "c++"] if compiler == "c++" else []
+        sh(compiler, *language, str(source / name), "-x", "none", "-o", str(program), *flags)
+        assert sh(str(program)) == first
+    assert first.split() == ["0.6", "0.8"], first
+    print("installed, found by find_package and pkg-config, from C and C++:", first.strip())
