@@ -25,14 +25,15 @@ When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
 :title: A convex polygon has a convex curve
 :zh: 保凸性
 :printed: a plane rational Bézier curve preserves convexity
-:holds-by: curvature_is_a_sum_over_triangles wronskian_of_three_bernstein_functions curve_turns_like_its_triangles
-  convex_polygons_have_triangles_of_one_sign
+:holds-by: curve_turns_like_its_triangles curvature_is_a_sum_over_triangles wronskian_of_three_bernstein_functions
 :needs: mixed_weights_lose_convexity | positive weights
-:reading: designed_convex_polygons_have_convex_curves | a polygon is convex if it is the boundary of a convex region when
-  its chord is added
+:reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex region; then
+  all its triangles turn to one side
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
-:striking: 7
 
+If all $D_{ijk}\ge0$ and one is positive, any three points of the curve in their order turn left, none are on one line, and the
+curve with its chord bounds a convex region; if all $D_{ijk}$ vanish, polygon and curve are on a line.  The formula is Cauchy's
+and Binet's for every $n$, and the Wronskian is computed for every $n$, so that the curvature has one sign in every degree.
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
 :::
 
@@ -519,7 +520,7 @@ CLAIM(turns_of_one_sign_are_not_enough)
     }
     ones(n, w);
     poly p = turning(n, R, w);
-    int turns_left = turn(R, R + 2, R + 4) > 0 && turn(R + 2, R + 4, R + 6) > 0;
+    int turns_left = turn_2d(R, R + 2, R + 4) > 0 && turn_2d(R + 2, R + 4, R + 6) > 0;
     int simple = sign_q(R[5]) > 0 && sign_q(R[7]) > 0; /* the last edge is above the first */
     show_points(T, "R", n + 1, 2, R);
     show_text(T, "x'y'' - y'x''", "%s", poly_to_string(p, "t"));
@@ -567,7 +568,7 @@ CLAIM(curve_may_be_convex_alone)
     show_points(T, "R", n + 1, 2, R);
     show_text(T, "x'y'' - y'x''", "%s", poly_to_string(p, "t"));
     agree(T, sign_inside(p) == SIGN_NEGATIVE);
-    agree(T, turn(R, R + 2, R + 4) < 0 && turn(R + 2, R + 4, R + 6) > 0);
+    agree(T, turn_2d(R, R + 2, R + 4) < 0 && turn_2d(R + 2, R + 4, R + 6) > 0);
     agree(T, !polygon_is_convex(n, R, 1, NULL));
 }
 #endif

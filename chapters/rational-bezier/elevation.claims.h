@@ -514,11 +514,11 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :title: The elevated polygons converge to the curve
 :zh: 升阶多边形序列收敛到曲线
 :printed: the sequence of elevated polygons converges to $\mathbf R(t)$
-:holds-by: elevated_polygons_converge powers_in_every_degree elevated_polygons_within_their_bound
+:holds-by: elevated_polygons_converge powers_in_every_degree
 :needs: elevation_fails_at_a_pole | positive weights, so that no polygon of the sequence lacks a vertex
 
 The convergence is uniform and of order $1/N$, not better: for the parabola the distance of the $i$-th vertex is exactly
-$x(1-x)/(N-1)$ with $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`).
+$x(1-x)/(N-1)$ with $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` computes it for other curves.
 If $\omega(t)>0$ on $[0,1]$ but some weights are not positive, then the bound for the denominator makes all weights
 positive from some degree on, and the polygons converge from there; see `mixed_weights_become_positive`.
 :::

@@ -14,8 +14,8 @@ computed, and a third time from the cutting of corners for every degree.
 :zh: 变差缩减性
 :printed: for a plane rational Bézier curve and every line $L$ of its plane, $I(\mathbf R,L)\le I(\mathbf B,L)$, where the
   number $I$ of intersections is how often $L$ is crossed
-:holds-by: bernstein_collocation_is_totally_positive elevation_cuts_corners powers_in_every_degree
-  elevated_polygons_converge
+:holds-by: elevation_cuts_corners powers_in_every_degree
+  elevated_polygons_converge bernstein_collocation_is_totally_positive
 :needs: mixed_weights_cross_more | positive weights
 :reading: designed_curves_cross_no_more | crossings, counted along the curve and along the polygon, as the last clause
   says; also when edges, ends or the whole curve are on the line
@@ -23,7 +23,6 @@ computed, and a third time from the cutting of corners for every degree.
   curve is not contained in the line
 :reading: self_crossing_polygon_meets_the_line_once | common points, each point of the plane counted once however often
   curve or polygon run through it
-:striking: 6
 
 Two proofs that use no rule of Descartes.  *For every degree.* Every elevation replaces the values
 $y_0,\dots,y_n$ by means of neighbours, which adds no change of sign: a mean of two numbers may be inserted between
@@ -213,8 +212,9 @@ from those of the vertices with the same weights.  So the signs of the $y_i$ and
 :title: A crossing is a root of the numerator
 :zh: 跨越处是分子的根
 :printed: I(\mathbf R,L)\le Z_{0<t<1}\left[\sum_{i=0}^nB_i^n(t)\omega_iy_i\right]
-:holds-by: sign_of_the_curve_is_that_of_the_numerator designed_curves_cross_no_more
+:holds-by: sign_of_the_curve_is_that_of_the_numerator
 :needs: curve_changes_sides_at_a_pole | positive weights, or only $\omega(t)\ne0$
+:reading: designed_curves_cross_no_more | crossings, which are roots of odd multiplicity
 :reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
   clause of the property
 
@@ -233,7 +233,8 @@ Where $y(t)$ changes its sign the numerator does, and a polynomial that does so 
 :zh: 变换 s=t/(1-t) 保持根数
 :printed: Z_{0<t<1}\left[(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i\right]
   =Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]
-:holds-by: ratio_is_an_increasing_bijection root_counts_survive_the_substitution
+:holds-by: ratio_is_an_increasing_bijection numerator_in_powers_of_the_ratio
+:reading: root_counts_survive_the_substitution | different roots, or roots counted as often as their multiplicity
 
 A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
@@ -257,7 +258,7 @@ The other entries of this section read $Z_{0<t<1}$ and $Z_{0<s<+\infty}$.
 :zh: Descartes 符号法则
 :printed: Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]\le
   V\left[\binom n0\omega_0y_0,\dots,\binom nn\omega_ny_n\right]
-:holds-by: descartes_rule_by_sign_patterns designed_curves_cross_no_more
+:holds-by: descartes_rule_by_sign_patterns
 :hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$, that is, the curve is not contained in $L$
 
 The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
