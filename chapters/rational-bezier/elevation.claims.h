@@ -22,6 +22,7 @@ the products $\omega_iR_i$.
 :holds-by: bernstein_function_in_the_next_degree elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | positive weights; otherwise the new vertices need not exist, though the
   curve has no pole
+:figure: elevation_cuts_corners
 :::
 
 :::{statement} wang-ch3:3.2.7
@@ -128,6 +129,7 @@ and any other numbers would do.
   i=0,1,\dots,n+1;\quad\mathbf R_{-1}=\mathbf R_{n+1}=\mathbf 0
 :holds-by: numbers_outside_the_polygon_do_not_matter elevated_points_as_printed elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | positive weights, so that no denominator vanishes
+:figure: elevation_cuts_corners
 :::
 
 :::{claim} elevated_points_as_printed
@@ -298,6 +300,7 @@ corner $R_i$.
 :printed: geometrically (3.2.9) again cuts the corners of the polygon
 :holds-by: elevation_cuts_corners
 :needs: elevated_vertex_may_leave_the_edge | positive weights; otherwise the new vertex may lie outside the edge
+:figure: elevation_mixed_weights
 :::
 
 :::{statement} wang-ch3:prop-3.2.6-ratios
@@ -317,6 +320,7 @@ exactly those edges whose two weights are equal.
 :printed: elevation can be repeated without end
 :holds-by: elevation_cuts_corners repeated_elevation_in_one_formula repeated_elevation_computed
 :needs: elevated_vertex_may_be_at_infinity | positive weights; with mixed ones already the first step may fail
+:figure: elevation_mixed_weights
 
 Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
 $(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ the degrees $3$ and $4$ have
@@ -516,6 +520,7 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :printed: the sequence of elevated polygons converges to $\mathbf R(t)$
 :holds-by: elevated_polygons_converge powers_in_every_degree
 :needs: elevation_fails_at_a_pole | positive weights, so that no polygon of the sequence lacks a vertex
+:figure: elevation_converges
 
 The convergence is uniform and of order $1/N$, not better: for the parabola the distance of the $i$-th vertex is exactly
 $x(1-x)/(N-1)$ with $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` computes it for other curves.

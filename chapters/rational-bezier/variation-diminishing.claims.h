@@ -23,6 +23,7 @@ computed, and a third time from the cutting of corners for every degree.
   curve is not contained in the line
 :reading: self_crossing_polygon_meets_the_line_once | common points, each point of the plane counted once however often
   curve or polygon run through it
+:figure: line_crossings
 
 Two proofs that use no rule of Descartes.  *For every degree.* Every elevation replaces the values
 $y_0,\dots,y_n$ by means of neighbours, which adds no change of sign: a mean of two numbers may be inserted between
@@ -40,6 +41,7 @@ $(B_j(t_i)\omega_j/\omega(t_i))$ is a minor of $(B_j(t_i))$ times positive numbe
 :definition: yes
 :printed: $I$, the number of intersections, is the number of times that $L$ is crossed
 :checked-by: sign_changes_are_polygon_crossings designed_curves_cross_no_more
+:figure: line_crossings
 
 For the curve: the parameters in $(0,1)$ at which $y(t)$ changes its sign, $L$ being $y=0$; counted along the curve, so
 that a double point on $L$ counts twice.  For the polygon: the changes of sign along it; a piece on $L$ counts once if the
@@ -235,6 +237,7 @@ Where $y(t)$ changes its sign the numerator does, and a polynomial that does so 
   =Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]
 :holds-by: ratio_is_an_increasing_bijection numerator_in_powers_of_the_ratio
 :reading: root_counts_survive_the_substitution | different roots, or roots counted as often as their multiplicity
+:figure: roots_and_the_substitution
 
 A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
@@ -247,6 +250,7 @@ A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive
 :refuted-by: roots_must_be_counted_up_to_one
 :corrected: Z_{0<t<1}[\,\cdot\,]
 :corrected-by: designed_curves_cross_no_more root_counts_survive_the_substitution
+:figure: roots_and_the_substitution
 
 The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three
 times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step is false.
@@ -272,6 +276,7 @@ away one change of sign after the other.
 :printed: V\left[\binom n0\omega_0y_0,\binom n1\omega_1y_1,\dots,\binom nn\omega_ny_n\right]=V[y_0,y_1,\dots,y_n]
 :holds-by: positive_factors_keep_sign_changes
 :needs: mixed_weights_change_sign_changes | positive weights
+:figure: line_crossings
 :::
 
 :::{statement} wang-ch3:prop-3.2.7-step-7
