@@ -14,17 +14,20 @@ static void mark(svg *s, struct polygon p, num_q t) { svg_mark(s, point_at(p, t)
 
 FIGURE(convex_polygon_convex_curve)
 {
-    svg *s = svg_new("convex_polygon_convex_curve", "When a convex polygon has a convex curve",
-                     "Left: a polygon that is convex with its chord, and its convex curve. Middle: a polygon that always turns "
-                     "left but is not convex with its chord; its curve has two inflections, shown again near its end. Right: a square with weights 4, "
-                     "-1, 4, 4, whose curve has two inflections.");
+    svg *s = svg_new(
+        "convex_polygon_convex_curve", "When a convex polygon has a convex curve",
+        "Left: a polygon that is convex with its chord, and its convex curve. Middle: a polygon that always turns "
+        "left but is not convex with its chord; its curve has two inflections, shown again near its end. Right: a "
+        "square with weights 4, "
+        "-1, 4, 4, whose curve has two inflections.");
     static const long round[] = {0, 1, 1, 0, 5, 0, 6, 3, 3, 5}, hook[] = {0, 0, 12, 0, 11, 5, 11, 2};
     static const long square[] = {0, 0, 1, 0, 1, 1, 0, 1};
     static const long round_weights[] = {1, 2, 1, 3, 1}, ones[] = {1, 1, 1, 1}, mixed[] = {4, -1, 4, 4};
     svg_panel(s, svg_integer_window(-1, -1, 7, 6), 220, 0, "convex with its chord,\npositive weights");
     svg_heading(s, SVG_RIGHT, "the curve is convex");
     draw(s, polygon_of(4, round, round_weights));
-    svg_panel(s, svg_integer_window(-1, -2, 13, 6), 220, 0, "always to the left, not convex\nwith its chord: two inflections");
+    svg_panel(s, svg_integer_window(-1, -2, 13, 6), 220, 0,
+              "always to the left, not convex\nwith its chord: two inflections");
     svg_heading(s, SVG_WRONG, "turns of one sign suffice");
     struct polygon p = polygon_of(3, hook, ones);
     draw(s, p);
@@ -38,8 +41,8 @@ FIGURE(convex_polygon_convex_curve)
     mark(s, p, from_ratio_q(10, 11));
     svg_frame(s);
     p = polygon_of(3, square, mixed);
-    svg_panel(s, (svg_window){from_ratio_q(-1, 2), from_ratio_q(-3, 8), from_ratio_q(3, 2), from_ratio_q(11, 8)}, 220, 0,
-              "a square, weights $4, -1, 4, 4$:\ntwo inflections");
+    svg_panel(s, (svg_window){from_ratio_q(-1, 2), from_ratio_q(-3, 8), from_ratio_q(3, 2), from_ratio_q(11, 8)}, 220,
+              0, "a square, weights $4, -1, 4, 4$:\ntwo inflections");
     svg_heading(s, SVG_WRONG, "weights of both signs");
     draw(s, p);
     /* det(P, P', P'') is a positive multiple of -(1-t)^3 - t (1-t)^2 + 4 t^2 (1-t) - t^3. */
@@ -57,9 +60,10 @@ FIGURE(convex_polygon_convex_curve)
 
 FIGURE(convex_halves)
 {
-    svg *s = svg_new("convex_halves", "Subdivision cuts corners and keeps a polygon convex",
-                     "A convex polygon of four points, the polygons of the two halves of its curve, joined, and those of "
-                     "the four quarters.");
+    svg *s =
+        svg_new("convex_halves", "Subdivision cuts corners and keeps a polygon convex",
+                "A convex polygon of four points, the polygons of the two halves of its curve, joined, and those of "
+                "the four quarters.");
     static const long point[] = {0, 0, 1, 4, 5, 4, 6, 0}, weight[] = {1, 1, 3, 1};
     struct polygon p = polygon_of(3, point, weight), half[2], quarter[4];
     num_q middle = from_ratio_q(1, 2);

@@ -14,6 +14,7 @@ hypothesis: no weight is $0$.
 :needs: vertex_of_weight_zero_leaves_the_plane | positive weights; it is enough that no weight is $0$
 :figure: weight_zero_out_of_plane
 
+For every degree the Bernstein functions are independent by `powers_in_every_degree`, and the rest is linear.
 The vertices are in every plane that contains the curve: if the curve is a segment, so is the polygon (on its line).  Up to
 $n=2$ the word coplanar says nothing, for three points always are; that they are in the plane of the curve says something.
 :::

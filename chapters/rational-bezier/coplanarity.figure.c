@@ -28,7 +28,8 @@ static void panel(svg *s, const num_q w[], const char *caption)
             P[c] = from_int_q(corner[3 * i + c]);
         project(P, plane + 2 * i);
     }
-    svg_panel(s, (svg_window){from_ratio_q(-1, 2), from_ratio_q(-1, 2), from_int_q(2), from_ratio_q(3, 2)}, 300, 0, caption);
+    svg_panel(s, (svg_window){from_ratio_q(-1, 2), from_ratio_q(-1, 2), from_int_q(2), from_ratio_q(3, 2)}, 300, 0,
+              caption);
     svg_area(s, 4, plane, SVG_FILL);
     svg_polyline(s, N + 1, R, SVG_POLYGON);
     svg_rational(s, N, R, w, SVG_CURVE);
@@ -41,10 +42,11 @@ static void panel(svg *s, const num_q w[], const char *caption)
 
 FIGURE(weight_zero_out_of_plane)
 {
-    svg *s = svg_new("weight_zero_out_of_plane", "A vertex of weight 0 may be out of the plane of the curve",
-                     "Two cubics of space with the same four vertices, three of them in the plane z = 0. Left: the second "
-                     "vertex, above the plane, has weight 0, and the curve is in the plane. Right: it has weight 1, and the "
-                     "curve rises from the plane.");
+    svg *s =
+        svg_new("weight_zero_out_of_plane", "A vertex of weight 0 may be out of the plane of the curve",
+                "Two cubics of space with the same four vertices, three of them in the plane z = 0. Left: the second "
+                "vertex, above the plane, has weight 0, and the curve is in the plane. Right: it has weight 1, and the "
+                "curve rises from the plane.");
     num_q w[N + 1] = {from_int_q(1), from_int_q(0), from_int_q(1), from_int_q(1)};
     panel(s, w, "weights $1, 0, 1, 1$: a curve in $z = 0$\nwhose vertices are not coplanar");
     svg_heading(s, SVG_WRONG, "the vertices are coplanar");

@@ -20,9 +20,10 @@ static const long arch[] = {0, 0, 1, 4, 5, 4, 6, 0}, arch_weights[] = {1, 1, 3, 
 
 FIGURE(elevation_cuts_corners)
 {
-    svg *s = svg_new("elevation_cuts_corners", "Degree elevation cuts corners",
-                     "A rational cubic with weights 1, 1, 3, 1, its polygon of four points, and the polygon of five points "
-                     "of the same curve in degree 4, each of whose inner vertices divides an edge of the first.");
+    svg *s =
+        svg_new("elevation_cuts_corners", "Degree elevation cuts corners",
+                "A rational cubic with weights 1, 1, 3, 1, its polygon of four points, and the polygon of five points "
+                "of the same curve in degree 4, each of whose inner vertices divides an edge of the first.");
     struct polygon p = polygon_of(3, arch, arch_weights), q = raised(p, 4);
     svg_panel(s, svg_integer_window(-1, -1, 7, 5), 480, 0,
               "weights $1, 1, 3, 1$: the new vertices $R'_i$ on the edges\nof the vertex of weight 3 are drawn to it");
@@ -43,12 +44,14 @@ FIGURE(elevation_cuts_corners)
 
 FIGURE(elevation_converges)
 {
-    svg *s = svg_new("elevation_converges", "The elevated polygons converge to the curve, slowly",
-                     "The polygons of one rational cubic in the degrees 3, 4, 6, 12 and 32; the last still has a visible "
-                     "distance from the curve.");
+    svg *s =
+        svg_new("elevation_converges", "The elevated polygons converge to the curve, slowly",
+                "The polygons of one rational cubic in the degrees 3, 4, 6, 12 and 32; the last still has a visible "
+                "distance from the curve.");
     static const int degree[] = {4, 6, 12};
     struct polygon p = polygon_of(3, arch, arch_weights);
-    svg_panel(s, svg_integer_window(-1, -1, 7, 5), 480, 0, "degrees 3, 4, 6, 12 and 32: the distance is of order $1/N$");
+    svg_panel(s, svg_integer_window(-1, -1, 7, 5), 480, 0,
+              "degrees 3, 4, 6, 12 and 32: the distance is of order $1/N$");
     for (int k = 0; k < 3; k++) {
         struct polygon q = raised(p, degree[k]);
         svg_polyline(s, q.n + 1, q.R, SVG_FAMILY);
@@ -66,13 +69,15 @@ FIGURE(elevation_converges)
 
 FIGURE(elevation_mixed_weights)
 {
-    svg *s = svg_new("elevation_mixed_weights", "Elevation with weights of both signs",
-                     "Left: a quadratic with weights 4, -1, 4; the elevated vertices are on the lines of the edges, but outside "
-                     "the edges. Right: a quadratic with weights 2, -1, 2, whose polygons of degree 3 and 4 have vertices at "
-                     "infinity, and whose polygon of degree 5 exists.");
+    svg *s = svg_new(
+        "elevation_mixed_weights", "Elevation with weights of both signs",
+        "Left: a quadratic with weights 4, -1, 4; the elevated vertices are on the lines of the edges, but outside "
+        "the edges. Right: a quadratic with weights 2, -1, 2, whose polygons of degree 3 and 4 have vertices at "
+        "infinity, and whose polygon of degree 5 exists.");
     static const long point[] = {-1, 0, 0, 1, 1, 0}, outside[] = {4, -1, 4}, infinite[] = {2, -1, 2};
     struct polygon p = polygon_of(2, point, outside), q = raised(p, 3);
-    svg_panel(s, svg_integer_window(-3, -2, 3, 2), 360, 0, "weights $4, -1, 4$: the vertices of degree 3\nare on the lines of the edges, outside them");
+    svg_panel(s, svg_integer_window(-3, -2, 3, 2), 360, 0,
+              "weights $4, -1, 4$: the vertices of degree 3\nare on the lines of the edges, outside them");
     svg_heading(s, SVG_WRONG, "corners are cut");
     draw_triangle(s, p);
     svg_polyline(s, q.n + 1, q.R, SVG_WRONG);
@@ -84,7 +89,8 @@ FIGURE(elevation_mixed_weights)
     p = polygon_of(2, point, infinite);
     struct polygon r = raised(p, 5), far = raised(p, 12);
     svg_panel(s, svg_integer_window(-4, -4, 4, 2), 360, 0,
-              "weights $2, -1, 2$: polygons of degree 3 and 4 do not exist,\ntheir vertices being at infinity; from degree 5 on they do");
+              "weights $2, -1, 2$: polygons of degree 3 and 4 do not exist,\ntheir vertices being at infinity; from "
+              "degree 5 on they do");
     svg_heading(s, SVG_WRONG, "elevation can be repeated for ever");
     draw_triangle(s, p);
     svg_polyline(s, r.n + 1, r.R, SVG_FAMILY);

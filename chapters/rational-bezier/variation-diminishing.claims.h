@@ -362,7 +362,8 @@ away one change of sign after the other.
 :title: Binomial coefficients and positive weights keep the changes of sign
 :zh: 二项系数与正权不改变变号数
 :kind: decision
-:given: all patterns of signs of $y_0,\dots,y_n$; weights $1$; $2^{20}$ and $2^{-20}$ in turn; $10^i$; $10^{-i}$
+:given: all patterns of signs of $y_0,\dots,y_n$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and $1$ at
+  the ends
 :then: $V[\binom ni\omega_iy_i]=V[y_i]$
 :method: The products are computed exactly.  For all positive weights: the sign of a product is the product of the signs.
 :degrees: 1..6
@@ -632,12 +633,9 @@ static num_q designed_weight(int family, int n, int i)
     long power = 1;
     for (int k = 0; k < i; k++)
         power *= 10;
-    switch (family) {
-    case 0: return from_int_q(1);
-    case 1: return from_int_q(i % 2 == 0 ? 1000 : 1);
-    case 2: return from_int_q(power);
-    default: return from_ratio_q(1, i == 0 || i == n ? 1 : 1000);
-    }
+    num_q weight[FAMILIES] = {from_int_q(1), from_int_q(i % 2 == 0 ? 1000 : 1), from_int_q(power),
+                              from_ratio_q(1, i == 0 || i == n ? 1 : 1000)};
+    return weight[family];
 }
 
 CLAIM(positive_factors_keep_sign_changes)
@@ -649,9 +647,7 @@ CLAIM(positive_factors_keep_sign_changes)
             region_mark mark = region_open();
             sign_pattern_of(code, n + 1, y);
             for (int i = 0; i <= n; i++) {
-                num extreme = i % 2 == 0 ? from_int(1L << 20) : from_ratio(1, 1L << 20);
-                num w = family == 1 ? extreme : family == 3 ? div(from_int(1), designed_weight(2, n, i))
-                                                            : designed_weight(family, n, i);
+                num w = designed_weight(family, n, i);
                 w = T->planted && i == n ? neg(w) : w;
                 product[i] = sign_q(mul(mul(from_int(binomial(n, i)), w), from_int(y[i])));
             }

@@ -9,10 +9,11 @@ static void draw(svg *s, struct polygon p)
 
 FIGURE(line_crossings)
 {
-    svg *s = svg_new("line_crossings", "A line crosses the curve no more often than the polygon",
-                     "Left: a curve that a line crosses once, its polygon three times. Middle: a polygon that crosses itself "
-                     "on the line; it has one point there, the curve has two, but both cross the line twice. Right: with "
-                     "weights 2, -1, 2 the curve crosses a line that the polygon does not meet.");
+    svg *s = svg_new(
+        "line_crossings", "A line crosses the curve no more often than the polygon",
+        "Left: a curve that a line crosses once, its polygon three times. Middle: a polygon that crosses itself "
+        "on the line; it has one point there, the curve has two, but both cross the line twice. Right: with "
+        "weights 2, -1, 2 the curve crosses a line that the polygon does not meet.");
     static const long wave[] = {0, -3, 1, 2, 3, -2, 4, 3}, wave_weights[] = {1, 1, 1, 1};
     static const long bow[] = {-1, 1, 1, -1, -1, -1, 1, 1}, bow_weights[] = {2, 1, 1, 2};
     static const long roof[] = {-1, 2, 0, 5, 1, 2}, roof_weights[] = {2, -1, 2};
@@ -70,14 +71,16 @@ static svg_point over_s(num_q s, const void *data)
 
 FIGURE(roots_and_the_substitution)
 {
-    svg *s = svg_new("roots_and_the_substitution", "The roots in 0 < t < 1 and the roots s > 0",
-                     "Left: a cubic polynomial over t from 0 to 1 with the three roots 1/3, 1/2, 2/3. Right: the polynomial of "
-                     "the same coefficients in s = t/(1-t), with the roots 1/2, 1 and 2.");
+    svg *s = svg_new(
+        "roots_and_the_substitution", "The roots in 0 < t < 1 and the roots s > 0",
+        "Left: a cubic polynomial over t from 0 to 1 with the three roots 1/3, 1/2, 2/3. Right: the polynomial of "
+        "the same coefficients in s = t/(1-t), with the roots 1/2, 1 and 2.");
     /* (2s - 1)(s - 1)(s - 2) = 2 s^3 - 7 s^2 + 7 s - 2, divided by the binomial coefficients, times 3 */
     static const long point[] = {0, -6, 0, 7, 0, -7, 0, 6}, weight[] = {1, 1, 1, 1};
     struct polygon p = polygon_of(3, point, weight);
     num_q zero = from_int_q(0), one = from_int_q(1), half = from_ratio_q(1, 2), five_halves = from_ratio_q(5, 2);
-    svg_panel(s, (svg_window){zero, neg_q(one), one, one}, 300, 200, "three roots in $0 < t < 1$; with the range\n$0 < t < l$, $l = 1/2$, only one is left");
+    svg_panel(s, (svg_window){zero, neg_q(one), one, one}, 300, 200,
+              "three roots in $0 < t < 1$; with the range\n$0 < t < l$, $l = 1/2$, only one is left");
     svg_axes(s, from_ratio_q(1, 4), one, "t", "y");
     svg_plot(s, over_t, &p, zero, one, 32, SVG_CURVE);
     static const long root[3][2] = {{1, 3}, {1, 2}, {2, 3}};
