@@ -7,19 +7,19 @@ can say exactly: where the elevated points are, and how far the curve is from it
 ## Elevation
 
 After elevation from degree $n$ to degree $N$ the new points have a closed form; the weight of $b_j$ in $b_i^{(N)}$ is a
-probability of drawing without replacement.  Below $x^{\underline k}=x(x-1)\cdots(x-k+1)$.
+probability of drawing without replacement.  Below $[x]_k=x(x-1)\cdots(x-k+1)$.
 
 :::{claim} elevated_points_in_closed_form
 :title: The points after any number of elevations
 :zh: 多次升阶后的控制顶点
 :given: $n$, $j\le n$; any $N\ge n$ and any $i$, both variables
-:let: $w_j(i,N)=\binom nj\,i^{\underline j}\,(N-i)^{\underline{n-j}}\,/\,N^{\underline n}$
+:let: $w_j(i,N)=\binom nj\,[i]_j\,[N-i]_{n-j}\,/\,[N]_n$ with $[x]_k=x(x-1)\cdots(x-k+1)$
 :then: $b_i^{(N)}=\sum_{j=0}^nw_j(i,N)\,b_j$, $i=0,\dots,N$, are the points of the curve in degree $N$
 :method: $w_j(i,n)$ is $1$ for $i=j$ and $0$ otherwise, and with $i$ and $N$ variables
   $w_j(i,N+1)=\frac i{N+1}w_j(i-1,N)+(1-\frac i{N+1})w_j(i,N)$ in the field, which is one elevation: induction on
   $N$.  `bezier_elevate`, three times over, is compared with it as well.
 :degrees: 0..6 sampled 9
-:control: $(N-i)^{\underline{n-j}}$ taken as $(N-i)^{n-j}$
+:control: $[N-i]_{n-j}$ taken as $(N-i)^{n-j}$
 :::
 */
 #include "chapters/bezier/definition.h"
@@ -118,9 +118,9 @@ multiplies these by $t^2$ and $(1-t)^2$ at most.
 :title: The second differences of the two parts
 :zh: 分割后的二阶差分
 :given: numbers $b_0,\dots,b_n$, any $t$
-:then: the parts over $[0,t]$ and $[t,1]$ have
-  $\Delta^2b^{\text{left}}_k=t^2\sum_{j=0}^kB_j^k(t)\,\Delta^2b_j$ and
-  $\Delta^2b^{\text{right}}_i=(1-t)^2\sum_{j=0}^{n-2-i}B_j^{n-2-i}(t)\,\Delta^2b_{i+j}$: averages of the old ones, times
+:then: the points $\ell_k$ of the part over $[0,t]$ and $r_i$ of the part over $[t,1]$ have
+  $\Delta^2\ell_k=t^2\sum_{j=0}^kB_j^k(t)\,\Delta^2b_j$ and
+  $\Delta^2r_i=(1-t)^2\sum_{j=0}^{n-2-i}B_j^{n-2-i}(t)\,\Delta^2b_{i+j}$: averages of the old ones, times
   $t^2$ and $(1-t)^2$
 :method: The polygons by the kernel, the right sides from the definition, everything a variable.
 :degrees: 2..6 sampled 12

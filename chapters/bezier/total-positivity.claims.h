@@ -182,7 +182,7 @@ powers of $s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of 
 :title: Roots in (0,1), with multiplicity, against changes of sign
 :zh: 开区间内的根数(计重数)不超过系数变号数
 :kind: decision
-:given: every pattern of signs $+,0,-$ of the coefficients $b_0,\dots,b_n$, not all $0$, with the sizes $1,\dots,1$ and with the
+:given: every pattern of the signs $-1,0,1$ of the coefficients $b_0,\dots,b_n$, not all $0$, with the sizes $1,\dots,1$ and with the
   sizes $7,1,9,2,8,3,5$ and their reverse
 :then: the number of roots of $\sum b_iB_i^n$ in $(0,1)$, each as often as its multiplicity, is at most $V(b)$ and differs from
   it by an even number; the different ones are as many as Sturm's theorem counts
