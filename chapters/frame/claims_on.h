@@ -3,6 +3,7 @@
 #define unknown     G(unknown)
 #define positive    G(positive)
 #define parameter   G(parameter)
+#define whole(...)  G(whole)(__VA_ARGS__)
 #define inside      G(inside)
 #define same        G(same)
 #define vanishes    G(vanishes)
