@@ -29,6 +29,8 @@ Besides $\omega>0$ any $\omega\ne0$ will do.
 :control: $\omega_1$ doubled
 :::
 */
+#include "exact/polynomial.h"
+
 #include "chapters/frame/claims_on.h"
 
 CLAIM(equal_weights_give_polynomial_curve)
@@ -52,21 +54,28 @@ CLAIM(equal_weights_give_polynomial_curve)
 :::{claim} polynomial_line_with_unequal_weights
 :title: Unequal weights can give a polynomial curve, without any change of parameter
 :zh: 权不等时曲线亦可为多项式曲线
-:given: $c\ne-1,-2$, the points $0,\frac1{2+c},1$ of the line and the weights $1,\frac{2+c}2,1+c$
-:then: $R(t)=t$ for every $t$
-:method: Numerator and denominator are $t(1+ct)$ and $1+ct$; computed as rational functions of $c$ and $t$.
-:scope: n = 2
-:control: the point $\frac12$ for $\frac1{2+c}$
+:kind: counterexample
+:given: $n=2$, the points $0,\frac13,1$ of the line and the weights $1,\frac32,2$
+:then: $R(t)=t$ for every $t$, a polynomial, but the weights are not equal
+:method: Numerator and denominator are $t(1+t)$ and $1+t$: compared as polynomials before the weights are.
+:control: the points $0,\frac12,1$ with weights $1,1,1$
 :::
 */
+#if RATIONAL
 CLAIM(polynomial_line_with_unequal_weights)
 {
-    num c = positive(T, "c", 0), t = parameter(T, "t"), one = from_int(1), half = from_ratio(1, 2), P;
-    num middle = add(from_int(2), c);
-    num R[] = {from_int(0), T->planted ? half : div(one, middle), one}, w[] = {one, mul(half, middle), add(one, c)};
-    G(rational_point)(2, 1, R, w, t, &P);
-    same(T, P, t);
+    int c = !T->planted; /* numerator t (1 + ct), denominator 1 + ct */
+    num R[] = {from_int(0), from_ratio(1, 2 + c), from_int(1)}, w[] = {from_int(1), from_ratio(2 + c, 2), from_int(1 + c)}, x[3];
+    for (int i = 0; i < 3; i++)
+        x[i] = mul(w[i], R[i]);
+    show_points(T, "R", 3, 1, R);
+    show_points(T, "ω", 3, 1, w);
+    if (!poly_equal(poly_from_bernstein(2, x), poly_mul(poly_variable(), poly_from_bernstein(2, w))))
+        return;
+    about(T, "ω_1 and ω_0");
+    same(T, w[1], w[0]);
 }
+#endif
 
 /*
 :::{statement} wang-ch3:prop-3.2.12
@@ -188,6 +197,8 @@ CLAIM(negative_alpha_has_a_pole)
     nonnegative(T, u);
     nonnegative(T, sub(one, u));
     vanishes(T, add(sub(one, u), mul(alpha, u)));
+    show(T, "α", alpha);
+    show(T, "u_0", u);
     G(geometric_weights)(n, alpha, w);
     vanishes(T, G(rational_weight)(n, w, u));
 }
@@ -213,6 +224,8 @@ CLAIM(zero_alpha_collapses)
     for (int i = 0; i <= n; i++)
         P[i] = unknown(T, "P", i);
     G(rational_point)(n, 1, P, w, u, &value);
+    show_points(T, "ω", n + 1, 1, w);
+    show(T, "the curve at u", value);
     same(T, value, P[0]);
 }
 
@@ -263,12 +276,13 @@ CLAIM(unit_invariants_give_polynomial_curve)
 
 /*
 :::{claim} unit_invariant_is_necessary
-:title: The quadratic with weights 1, 2, 1 comes from no polynomial curve with its points
-:zh: 权 1,2,1 的二次曲线不能由多项式曲线换参得到
-:kind: decision
+:title: The quadratic with weights 1, 2, 1 does not come from its Bézier curve
+:zh: 权 1,2,1 的二次曲线不能由 Bézier 曲线换参得到
+:kind: counterexample
 :given: $n=2$ and $\omega=(1,2,1)$
-:then: $\alpha^i$ has $I_1=1$ for every $\alpha$, also after multiplication by a constant, but $I_1=4$ here
-:method: $\omega_0\alpha^i$ agrees with $\omega$ at $i=0,1$ for $\omega_0=1$, $\alpha=2$ only, and then $\omega_2$ would be $4$.
+:then: the change of parameter leads to $c\,\alpha^i$; this agrees with $\omega$ at $i=0,1$ for $c=1$, $\alpha=2$ only, but then
+  $c\,\alpha^2=4\ne\omega_2$.  Its $I_1$ is $4$, that of geometric weights is $1$
+:method: Computed exactly.
 :control: $\omega_2=4$
 :::
 */
@@ -280,8 +294,9 @@ CLAIM(unit_invariant_is_necessary)
     show_points(T, "ω", 3, 1, w);
     show(T, "I_1", I[0]);
     G(geometric_weights)(2, div(w[1], w[0]), q);
-    agree(T, !equal_q(mul(w[0], q[2]), w[2]));
-    agree(T, !equal_q(I[0], from_int(1)));
+    about(T, "the last weight, as it would be and as it is");
+    same(T, mul(w[0], q[2]), w[2]);
+    same(T, I[0], from_int(1));
 }
 #endif
 #include "chapters/frame/claims_off.h"

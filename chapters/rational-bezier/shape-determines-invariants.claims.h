@@ -18,14 +18,14 @@ set run in the same direction; the same map of the parameter; or congruent curve
   backward_run_flattens_the_first_edges
 :reading: backward_run_flattens_the_first_edges | same point set, the reading of property 3.2.10: holds
 :reading: end_torsion_contains_two_invariants | same point set in the same direction: holds
+:reading: plane_cubic_cannot_run_backwards | same point set, and for $n=3$ nothing asked of the edges: holds as well; three points not
+  collinear at each end suffice, as the curvatures give $I_1$ and $I_2$
 :reading: equal_invariants_other_speed | same map of the parameter: "if" fails, as the parameter is distributed differently;
   the source excludes this reading
-:reading: congruent_curves_with_other_invariants | congruent curves: "only if" fails for $n=3,4,5$; a curve can be congruent to
-  itself run backwards with the weights reversed
+:reading: congruent_cubics_with_other_invariants | congruent curves: "only if" fails; the motion may exchange the ends, and with them
+  the weights (so for $n=4,5$ as well: congruent_curves_beyond_cubics)
 :needs: equal_invariants_reach_the_other_arc | positive weights, for "if"
 :needs: segment_has_two_invariants | $n=2$: the three points not collinear
-:needs: plane_cubic_cannot_run_backwards | $n=3$: edges not coplanar.  This is not needed: three points not collinear at each
-  end suffice, as the curvatures alone give $I_1$ and $I_2$
 :needs: palindromes_of_degree_four | $n=4$: edges not coplanar at one end at least; without it the point set, run backwards, has
   other invariants
 :needs: common_factor_hides_the_weights | $n=5$: edges not coplanar; a plane quintic can be one and the same map for weights with
@@ -240,6 +240,10 @@ CLAIM(common_factor_hides_the_weights)
         G(decasteljau)(m, 1, P, t, &right);
         same(T, left, right);
         G(rational_invariants)(n, w, I);
+        if (m == 2) {
+            show_points(T, "ω, n = 5", n + 1, 1, w);
+            show_points(T, "I, n = 5", n - 1, 1, I);
+        }
         G(rational_invariants)(n, one, J);
         same(T, mul(c, I[m - 1]), J[m - 1]);
         same(T, I[m], mul(c, J[m]));
@@ -408,7 +412,7 @@ CLAIM(space_palindromes_beyond_degree_five)
 :::{claim} equal_invariants_other_speed
 :title: Equal invariants do not mean the same map of the parameter
 :zh: 不变量相等时参数分布可以不同
-:kind: decision
+:kind: counterexample
 :given: $n=2$, the points $(-1,0),(0,1),(1,0)$, $\omega=(1,1,1)$ and $\omega^*=(1,2,4)$
 :then: $I_1=I_1^*=1$, the hypotheses of the theorem hold, and $R(\frac12)\ne R^*(\frac12)$
 :method: Computed exactly.
@@ -423,39 +427,27 @@ CLAIM(equal_invariants_other_speed)
         w[i] = from_int(1);
         v[i] = from_int(T->planted ? 1 : 1L << i);
     }
-    agree(T, !G(invariants_differ)(T, n, w, v));
+    if (G(invariants_differ)(T, n, w, v))
+        return;
     G(rational_point)(n, 2, R, w, from_ratio(1, 2), P);
     G(rational_point)(n, 2, R, v, from_ratio(1, 2), Q);
-    show_points(T, "R(1/2)", 1, 2, P);
-    show_points(T, "R*(1/2)", 1, 2, Q);
-    agree(T, !equal_q(P[0], Q[0]));
+    about(T, "the first coordinates of R(1/2) and R*(1/2)");
+    same(T, P[0], Q[0]);
 }
 
-/*
-:::{claim} congruent_curves_with_other_invariants
-:title: Congruent curves over one polygon with different invariants
-:zh: 同一控制多边形上全等而不变量不同的曲线
-:kind: decision
-:given: $n=3,4,5$; a polygon of space that the half turn $h(x,y,z)=(-x,-y,z)$ maps to itself in reverse order;
-  $\omega=(1,\dots,1,2,1)$ and $\omega^*=(1,2,1,\dots,1)$
-:then: $R^*(t)=h(R(1-t))$, so that the curves are congruent; the first and the last three edges are not coplanar; but the
-  invariants differ
-:method: The polynomials of the two curves are compared; the rest is exact arithmetic.
-:degrees: 3..5
-:control: the weights $\omega_1$ and $\omega_{n-1}$ both $2$
-:::
-*/
-CLAIM(congruent_curves_with_other_invariants)
+/* The polygon of degree 3, 4 or 5 that the half turn (x,y,z) -> (-x,-y,z) maps to itself in reverse order, with the
+ * weights w = (1,...,1,2,1) and v = (1,2,1,...,1), or both (1,2,1,...,1,2,1).  Is R*(t) the half turn of R(1-t), and
+ * are the first and the last three edges not coplanar? */
+static int G(half_turn_pair)(trial *T, int n, int both, num w[], num v[])
 {
     static const int polygon[3][6][3] = {{{1, 0, 0}, {0, 1, 1}, {0, -1, 1}, {-1, 0, 0}},
                                          {{1, 0, 0}, {0, 1, 1}, {0, 0, 2}, {0, -1, 1}, {-1, 0, 0}},
                                          {{1, 0, 0}, {0, 1, 1}, {1, 1, 2}, {-1, -1, 2}, {0, -1, 1}, {-1, 0, 0}}};
-    int n = T->degree;
-    num R[18], S[18], w[6], v[6], back[6];
+    num R[18], S[18], back[6];
     for (int i = 0; i <= n; i++) {
         for (int c = 0; c < 3; c++)
             R[3 * i + c] = from_int(polygon[n - 3][i][c]);
-        w[i] = from_int(i == n - 1 || (i == 1 && T->planted) ? 2 : 1);
+        w[i] = from_int(i == n - 1 || (i == 1 && both) ? 2 : 1);
         v[n - i] = w[i];
     }
     show_points(T, "R", n + 1, 3, R);
@@ -463,9 +455,54 @@ CLAIM(congruent_curves_with_other_invariants)
     for (int i = 0; i <= n; i++)
         for (int c = 0; c < 2; c++)
             S[3 * i + c] = neg(S[3 * i + c]);
-    agree(T, G(one_map)(n, 3, R, v, S, back));
-    agree(T, !is_zero_q(G(edges_det)(R, 1, 2, 3)) && !is_zero_q(G(edges_det)(R, n - 2, n - 1, n)));
-    agree(T, G(invariants_differ)(T, n, w, v));
+    return G(one_map)(n, 3, R, v, S, back) && !is_zero_q(G(edges_det)(R, 1, 2, 3)) &&
+           !is_zero_q(G(edges_det)(R, n - 2, n - 1, n));
+}
+
+/*
+:::{claim} congruent_cubics_with_other_invariants
+:title: Two congruent cubics over one polygon with different invariants
+:zh: 同一控制多边形上全等而不变量不同的三次曲线
+:kind: counterexample
+:given: the points $(1,0,0),(0,1,1),(0,-1,1),(-1,0,0)$, $\omega=(1,1,2,1)$ and $\omega^*=(1,2,1,1)$
+:then: $R^*(t)=h(R(1-t))$ with the half turn $h(x,y,z)=(-x,-y,z)$, so that the curves are congruent; the edges are not
+  coplanar; but $I=(\frac12,4)$ and $I^*=(4,\frac12)$
+:method: That the second curve is the half turn of the first run backwards is decided by comparing polynomials, before the
+  invariants are compared.
+:control: the weights $\omega_1$ and $\omega_2$ both $2$
+:::
+*/
+CLAIM(congruent_cubics_with_other_invariants)
+{
+    num w[4], v[4], I[2], J[2];
+    if (!G(half_turn_pair)(T, 3, T->planted, w, v))
+        return;
+    (void)G(invariants_differ)(T, 3, w, v);
+    G(rational_invariants)(3, w, I);
+    G(rational_invariants)(3, v, J);
+    about(T, "I_1 and I_1^*");
+    same(T, I[0], J[0]);
+}
+
+/*
+:::{claim} congruent_curves_beyond_cubics
+:title: Congruent quartics and quintics over one polygon with different invariants
+:zh: 四、五次的同类例子
+:kind: decision
+:given: $n=4$ with the points $(1,0,0),(0,1,1),(0,0,2),(0,-1,1),(-1,0,0)$; $n=5$ with
+  $(1,0,0),(0,1,1),(1,1,2),(-1,-1,2),(0,-1,1),(-1,0,0)$; $\omega=(1,\dots,1,2,1)$ and $\omega^*=(1,2,1,\dots,1)$
+:then: $R^*(t)=h(R(1-t))$ with the half turn $h(x,y,z)=(-x,-y,z)$; the first and the last three edges are not coplanar; but the
+  invariants differ
+:method: The polynomials of the two curves are compared; the rest is exact arithmetic.
+:degrees: 4..5
+:control: the weights $\omega_1$ and $\omega_{n-1}$ both $2$
+:::
+*/
+CLAIM(congruent_curves_beyond_cubics)
+{
+    num w[6], v[6];
+    agree(T, G(half_turn_pair)(T, T->degree, T->planted, w, v));
+    agree(T, G(invariants_differ)(T, T->degree, w, v));
 }
 #endif
 
@@ -487,7 +524,7 @@ CLAIM(congruent_curves_with_other_invariants)
 :holds-by: backward_run_flattens_the_first_edges
 :reading: backward_run_flattens_the_first_edges | same point set: holds, but that the start of one curve is the start of the other
   is to be shown, by steps (1) and (2) above
-:reading: congruent_curves_with_other_invariants | congruent curves: fails for $n=3,4,5$; the starts need not correspond
+:reading: congruent_cubics_with_other_invariants | congruent curves: fails; the starts need not correspond
 :reading: curvatures_alone_miss_the_middle_invariant | curvature or torsion, either of them: for $n=4,5$ both are needed
 
 The source has "curvature or torsion"; what is used is curvature and torsion.
@@ -496,10 +533,11 @@ The source has "curvature or torsion"; what is used is curvature and torsion.
 :::{claim} curvatures_alone_miss_the_middle_invariant
 :title: The curvatures at both ends do not determine the middle invariant
 :zh: 仅端点曲率不能确定中间的不变量
-:kind: decision
+:kind: counterexample
 :given: $n=4$, the points $(0,0,0),(1,0,0),(1,1,0),(1,1,1),(0,1,1)$, $\omega=(1,1,1,1,1)$ and $\omega^*=(1,1,1,2,4)$
 :then: $\kappa(0)=\kappa^*(0)$ and $\kappa(1)=\kappa^*(1)$, but $I=(1,1,1)$ and $I^*=(1,\frac12,1)$
-:method: The squared curvatures are computed from the derivatives of the curves.
+:method: The squared curvatures are computed from the derivatives of the curves, and are equal; then the invariants are
+  compared.
 :control: $\omega_3^*=\omega_4^*=1$
 :::
 */
@@ -508,7 +546,7 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
 {
     enum { n = 4 };
     static const int point[n + 1][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}};
-    num R[3 * (n + 1)], w[n + 1], v[n + 1];
+    num R[3 * (n + 1)], w[n + 1], v[n + 1], I[n], J[n];
     for (int i = 0; i <= n; i++) {
         for (int c = 0; c < 3; c++)
             R[3 * i + c] = from_int(point[i][c]);
@@ -517,9 +555,14 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
     }
     show_points(T, "R", n + 1, 3, R);
     for (int end = 0; end < 2; end++)
-        same(T, G(rational_curvature_squared)(n, 3, R, v, from_int(end)),
-             G(rational_curvature_squared)(n, 3, R, w, from_int(end)));
-    agree(T, G(invariants_differ)(T, n, w, v));
+        if (!equal_q(G(rational_curvature_squared)(n, 3, R, v, from_int(end)),
+                     G(rational_curvature_squared)(n, 3, R, w, from_int(end))))
+            return;
+    (void)G(invariants_differ)(T, n, w, v);
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    about(T, "I_2 and I_2^*");
+    same(T, I[1], J[1]);
 }
 #endif
 

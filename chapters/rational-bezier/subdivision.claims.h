@@ -355,6 +355,8 @@ CLAIM(cut_at_an_end_is_empty)
     G(free_curve)(T, n, R, w);
     for (int end = 0; end < 2; end++) {
         G(triangle_sides)(n, R, w, T->planted ? from_ratio(1, 2) : from_int(end), P[0], v[0], P[1], v[1]);
+        show_points(T, end ? "c = b: left points" : "c = a: left points", n + 1, 1, P[0]);
+        show_points(T, end ? "c = b: right points" : "c = a: right points", n + 1, 1, P[1]);
         for (int i = 0; i <= n; i++) {
             same(T, P[end][i], R[end ? n : 0]);
             same(T, v[end][i], w[end ? n : 0]);
@@ -542,8 +544,9 @@ CLAIM(negative_weight_breaks_convexity)
 :printed: The cut coefficients depend not only on the parameter $\lambda$ but on the level of cutting, the number $i$ of the edge and
   the weights $\omega_i$
 :holds-by: cut_depends_on_level_edge_and_weights
-:reading: geometric_weights_cut_evenly | as "whatever the weights are": fails for geometric weights $\omega_i=\omega_0q^i$, and for
-  equal ones, which are cut at one ratio on all edges of all levels
+:reading: cut_depends_on_level_edge_and_weights | as "in general": holds, each of the three by itself
+:reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among them, it is as for
+  polynomials: one ratio on all edges of all levels
 :::
 
 :::{claim} cut_depends_on_level_edge_and_weights
@@ -634,7 +637,8 @@ CLAIM(geometric_weights_cut_evenly)
   cut_coefficients_are_convex
 :reading: quarter_circle_error_is_quartered | each piece cut at one fixed ratio, or at ratios kept away from $0$ and $1$: holds, with the
   order $h^2$ in the length $h$ of the longest piece; cut in the middle, the error is divided by 4 each time
-:reading: crowded_cuts_do_not_converge | each piece cut somewhere: fails; the longest piece has to become short
+:needs: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step a piece may stay
+  long for ever
 :needs: linear_weights_of_both_signs_have_a_pole | positive weights
 
 Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the largest of the
@@ -802,6 +806,8 @@ CLAIM(crowded_cuts_do_not_converge)
     num factor = T->planted ? half : sub(one, mul(half, y));
     num margin = sub(mul(add(half, y), factor), add(half, mul(half, y)));
     same(T, margin, div(mul(y, sub(one, add(y, y))), from_int(4)));
+    show(T, "y", y);
+    show(T, "new length less 1/2 + y/2, at least", margin);
     nonnegative(T, margin);
     same(T, sub(one, from_ratio(1, 4)), add(half, from_ratio(1, 4)));
 
@@ -825,6 +831,8 @@ CLAIM(crowded_cuts_do_not_converge)
 CLAIM(linear_weights_of_both_signs_have_a_pole)
 {
     num p = positive(T, "p", 0), q = positive(T, "q", 0), w[] = {p, T->planted ? q : neg(q)}, t = div(p, add(p, q));
+    show_points(T, "ω", 2, 1, w);
+    show(T, "t", t);
     nonnegative(T, t);
     nonnegative(T, sub(from_int(1), t));
     vanishes(T, G(rational_weight)(1, w, t));
