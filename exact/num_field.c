@@ -251,6 +251,12 @@ static int degree(const fmpz_mpoly_t p, num_f variable)
 int degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_numref(a.at->x), variable); }
 int denominator_degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_denref(a.at->x), variable); }
 
+/* Does the printed polynomial need no parentheses above (below) the bar of a fraction? */
+static int stands_alone(const char *text, int below)
+{
+    return strpbrk(text[0] == '-' ? text + 1 : text, below ? "+-*" : "+-") == NULL;
+}
+
 const char *to_string_f(num_f a)
 {
     const char *names[FIELD_MAX_VARIABLES];
@@ -264,7 +270,9 @@ const char *to_string_f(num_f a)
     if (strcmp(q, "1") == 0)
         snprintf(text, room, "%s", p);
     else
-        snprintf(text, room, "(%s)/(%s)", p, q);
+        snprintf(text, room,
+                 stands_alone(p, 0) ? stands_alone(q, 1) ? "%s/%s" : "%s/(%s)"
+                                    : stands_alone(q, 1) ? "(%s)/%s" : "(%s)/(%s)", p, q);
     flint_free(p);
     flint_free(q);
     return text;

@@ -315,6 +315,9 @@ static void the_field_calculates(void **state)
     }
     assert_false(is_constant_f(a, NULL));
     assert_string_equal(to_string_f(sub_f(t, t)), "0");
+    assert_string_equal(to_string_f(div_f(neg_f(t), from_int_f(4))), "-t/4");
+    assert_string_equal(to_string_f(div_f(from_int_f(1), mul_f(from_int_f(4), t))), "1/(4*t)");
+    assert_string_equal(to_string_f(div_f(add_f(t, from_int_f(1)), mul_f(t, t))), "(t+1)/t^2");
     assert_int_equal(field_variable_f(variable_f("w")), 1);
     assert_int_equal(field_variable_f(a), -1);
 }
