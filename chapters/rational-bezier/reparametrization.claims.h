@@ -256,7 +256,7 @@ CLAIM(negated_weights_have_no_real_factors)
 :zh: 不变量相等则曲线相同
 :given: positive weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, and weights $\omega^*$ with $I_i^*=I_i$ for
   $0<i<n$: $\omega_0^*,\omega_1^*$ are free and the others follow from $\omega_{i+1}^*=\omega_i^{*2}/(\omega_{i-1}^*I_i)$
-:let: $q=\frac{\omega_1^*}{\omega_1}\Big/\frac{\omega_0^*}{\omega_0}$ and $t=qu/(qu+1-u)$
+:let: $q=\frac{\omega_0\omega_1^*}{\omega_1\omega_0^*}$ and $t=qu/(qu+1-u)$
 :then: $R^*(u)=R(t)$ for every $u$
 :method: The recursion produces every $\omega^*$ with these quotients.  Formula (3.2.10) depends on $a/b$ alone, and
   $a/b=q$ as positive numbers have one positive root; so nothing but rational functions is left, and both sides are one.

@@ -35,8 +35,8 @@ set run in the same direction; the same map of the parameter; or congruent curve
 The direction "if" is property 3.2.10 and needs nothing but positive weights.  For "only if" let the two curves have one
 point set $T$.
 
-(1) *They are proper.*  For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, so its algebraic curve
-has degree at least $3$; after removal of common factors each parametrization has a degree of at most $5$ that is a
+(1) *They are proper.*  For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, as its points $R_i$
+are in none, so its algebraic curve has degree at least $3$; after removal of common factors each parametrization has a degree of at most $5$ that is a
 multiple of it, hence equal to it: it is run once, and the two differ by a projective map $\varphi$ of the parameter line
 that maps $[0,1]$ onto itself.
 
