@@ -31,8 +31,8 @@ num_f neg_f(num_f a);
 num_f from_int_f(long m);
 num_f from_ratio_f(long m, long n);
 num_f from_rational_f(num_q a);
-num_f root_f(int n, num_f a); /* n = 1, or n = 2 and a a square (one of the two roots);
-                                 otherwise UNABLE                                          */
+num_f root_f(int n, num_f a); /* n >= 1; one of the two roots for even n; UNABLE unless a is
+                                 an n-th power                                             */
 
 int is_zero_f(num_f a);
 int is_constant_f(num_f a, num_q *value);      /* value may be NULL                        */
