@@ -3,7 +3,7 @@
 #define unknown     G(unknown)
 #define positive    G(positive)
 #define parameter   G(parameter)
-#define inside      G(inside)
+#define inside(...) G(inside)(__VA_ARGS__) /* `inside` is also a member of struct hull_certificate */
 #define same        G(same)
 #define vanishes    G(vanishes)
 #define nonnegative G(nonnegative)
