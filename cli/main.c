@@ -9,7 +9,7 @@ static const struct command commands[] = {
     {"list", "the claims, one a line", run_list},
     {"show", "one claim or ledger entry in full, with its counterexample", run_show},
     {"ledger", "every statement of the sources with its verdict", run_ledger},
-
+    {"figures", "write the SVG figures", run_figures},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 

@@ -142,6 +142,24 @@ static void show_claim(const claim_result *r)
             }
 }
 
+/* What the claims of a role compute, and why that suffices. */
+static void print_reasons(const statement *s, role wanted, const claim_result *results, int count)
+{
+    int first = 1;
+    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
+        const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
+        if (c == NULL)
+            continue;
+        if (!first)
+            putchar('\n');
+        first = 0;
+        labelled("Given", c->claim->given);
+        labelled("let", c->claim->let);
+        labelled("then", c->claim->then);
+        prose(c->claim->method);
+    }
+}
+
 static const char *class_words(const char *class)
 {
     return strcmp(class, "misprint") == 0             ? "a misprint"
@@ -167,8 +185,11 @@ static void show_statement(const statement_result *r, const claim_result *result
     if (r->evidence != NO_EVIDENCE)
         printf(" (%s)", evidence_name[r->evidence]);
     puts(".");
-    if (r->decided_by != NULL && r->verdict != VERDICT_FAILS)
+    if (r->decided_by != NULL && r->verdict != VERDICT_FAILS) {
         labelled("Scope:", r->decided_by->scope);
+        heading("Why");
+        print_reasons(s, s->is_definition ? CHECKED_BY : HOLDS_BY, results, count);
+    }
     int number = 0;
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
@@ -194,10 +215,9 @@ static void show_statement(const statement_result *r, const claim_result *result
     if (s->corrected[0] != '\0') {
         heading("Corrected");
         formula(s->corrected);
-        if (r->corrected_by != NULL) {
-            printf("%*s%s", INDENT, "", evidence_name[r->corrected_evidence]);
-            printf("; %s\n", r->corrected_by->scope);
-        }
+        if (r->corrected_by != NULL)
+            printf("%*s%s; %s\n\n", INDENT, "", evidence_name[r->corrected_evidence], r->corrected_by->scope);
+        print_reasons(s, CORRECTED_BY, results, count);
     }
     if (s->note[0] != '\0') {
         heading("Remarks");

@@ -35,21 +35,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-/* A long list of variables is cut at a blank. */
-static void put_scope(const char *scope)
-{
-    enum { LONGEST = 24 };
-    const char *values = strstr(scope, "every value of "), *names = values != NULL ? values + 15 : NULL;
-    if (names == NULL || strlen(names) <= LONGEST) {
-        fputs(scope, stdout);
-        return;
-    }
-    const char *cut = names + LONGEST;
-    while (cut > names && *cut != ' ')
-        cut--;
-    printf("%.*s …", (int)(cut - scope), scope);
-}
-
 /* The evidence with what supports it, as in "proved  n = 1 to 6; every value of t w_0 ...". */
 static void put_row(const claim_result *r, int name_width)
 {
@@ -73,7 +58,7 @@ static void put_row(const claim_result *r, int name_width)
         printf("seed %016llx  %.300s", b != NULL ? (unsigned long long)b->seed : 0, line);
         free(line);
     } else {
-        put_scope(r->scope);
+        fputs(r->scope, stdout);
         if (r->by[DOUBLE_TYPE].ran && r->claim->kind == IDENTITY)
             printf("%s  [double: %.2g of the bound]%s", style(stdout, DIM), r->by[DOUBLE_TYPE].worst, style(stdout, PLAIN));
     }

@@ -24,14 +24,14 @@ enum {
 
 typedef enum cagd_status {
     CAGD_OK,
-    CAGD_NULL,       /* a pointer is NULL                                                        */
-    CAGD_DEGREE,     /* the degree is outside the range that the function states                 */
-    CAGD_DIMENSION,  /* the dimension is outside the range that the function states              */
-    CAGD_ORDER,      /* the order of derivation is outside 0 ... CAGD_MAX_DEGREE                 */
-    CAGD_NOT_FINITE, /* an argument is infinite or not a number                                  */
-    CAGD_DOMAIN,     /* a number or a weight has a sign, or is a zero, that the function excludes */
-    CAGD_UNDEFINED,  /* there is no such value: a total weight or another divisor is 0           */
-    CAGD_RANGE       /* binary64 overflows on the way to a result, or a weight is lost to underflow      */
+    CAGD_NULL,       /* a pointer is NULL                                                                  */
+    CAGD_DEGREE,     /* the degree is outside the range that the function states                           */
+    CAGD_DIMENSION,  /* the dimension is outside the range that the function states                        */
+    CAGD_ORDER,      /* the order of derivation is outside 0 ... CAGD_MAX_DEGREE                           */
+    CAGD_NOT_FINITE, /* an argument is infinite or not a number                                            */
+    CAGD_DOMAIN,     /* a number or a weight has a sign, or is a zero, that the function excludes          */
+    CAGD_UNDEFINED,  /* there is no such value: a total weight or another divisor is 0                     */
+    CAGD_RANGE       /* binary64 overflows on the way to a result, or a weight is lost to underflow        */
 } cagd_status;
 
 /* One English sentence without full stop, never NULL; static storage. */

@@ -1,4 +1,5 @@
 /* kernels.tmpl.h -- all kernels for one number type, each file after those it stands on. */
+
 /* clang-format off */
 #include "core/bernstein.tmpl.h"
 #include "core/bezier.tmpl.h"

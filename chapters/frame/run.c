@@ -189,6 +189,32 @@ static evidence evidence_of(const claim *c, number_type t)
     return c->kind == IDENTITY ? by_type[t] : DECIDED;
 }
 
+/* "t w0 R0 w1 R1" -> "t, w0..w1, R0..R1": the variables by their letters. */
+static void put_variables(char *at, const char *names)
+{
+    char letters[FIELD_MAX_VARIABLES][FIELD_MAX_NAME + 1];
+    int low[FIELD_MAX_VARIABLES], high[FIELD_MAX_VARIABLES], count = 0;
+    while (*names != '\0') {
+        size_t n = strcspn(names, " "), stem = strcspn(names, "0123456789 ");
+        int index = stem < n ? atoi(names + stem) : -1, k = 0;
+        while (k < count && (strlen(letters[k]) != stem || strncmp(letters[k], names, stem) != 0))
+            k++;
+        if (k == count) {
+            snprintf(letters[count], sizeof letters[0], "%.*s", (int)stem, names);
+            low[count] = high[count] = index;
+            count++;
+        }
+        low[k] = index < low[k] ? index : low[k];
+        high[k] = index > high[k] ? index : high[k];
+        names += n + (names[n] == ' ');
+    }
+    for (int k = 0; k < count; k++) {
+        at += sprintf(at, "%s%s", k > 0 ? ", " : "", letters[k]);
+        if (low[k] >= 0)
+            at += low[k] == high[k] ? sprintf(at, "%d", low[k]) : sprintf(at, "%d..%s%d", low[k], letters[k], high[k]);
+    }
+}
+
 static char *scope_of(const claim_result *r)
 {
     const claim *c = r->claim;
@@ -196,7 +222,7 @@ static char *scope_of(const claim_result *r)
         const type_result *b = &r->by[t];
         if (!b->ran || evidence_of(c, t) != r->evidence)
             continue;
-        size_t room = 160 + strlen(c->scope) + (b->variables != NULL ? strlen(b->variables) : 0);
+        size_t room = 160 + strlen(c->scope) + (b->variables != NULL ? 3 * strlen(b->variables) : 0);
         char *s = malloc(room), *at = s;
         if (s == NULL)
             abort();
@@ -208,7 +234,7 @@ static char *scope_of(const claim_result *r)
         if (c->scope[0] != '\0')
             at += sprintf(at, "%s%s", at > s ? "; " : "", c->scope);
         if (r->evidence == PROVED && b->variables != NULL && b->variables[0] != '\0')
-            sprintf(at, "%severy value of %s", at > s ? "; " : "", b->variables);
+            put_variables(at + sprintf(at, "%severy value of ", at > s ? "; " : ""), b->variables);
         else if (r->evidence == SAMPLED || r->evidence == MEASURED || r->evidence == ENCLOSED)
             sprintf(at, "%s%d instances", at > s ? "; " : "", b->cases);
         else if (at == s)

@@ -8,7 +8,8 @@
 struct text {
     char *at;
     size_t used, room;
-    int tight; /* inside an index or an exponent */
+    int tight; /* inside an index or an exponent                        */
+    int big;   /* a sum or product sign was the last symbol: room after it */
 };
 static void put(struct text *t, const char *s, size_t n)
 {
@@ -280,6 +281,7 @@ static const char *command(const char *s, struct text *out)
         }
     for (size_t k = 0; k < sizeof symbols / sizeof *symbols; k++)
         if (strlen(symbols[k].word) == n && strncmp(symbols[k].word, s, n) == 0) {
+            out->big = strcmp(symbols[k].word, "sum") == 0 || strcmp(symbols[k].word, "prod") == 0;
             if (is_relation(symbols[k].text))
                 put_relation(out, symbols[k].text);
             else
@@ -302,6 +304,10 @@ static int is_binary(const struct text *t)
 static const char *formula(const char *s, struct text *out, char stop)
 {
     while (*s != '\0' && *s != stop) {
+        if (out->big && *s != '_' && *s != '^') {
+            puts_(out, " ");
+            out->big = 0;
+        }
         if (*s == '\\') {
             s = command(s + 1, out);
         } else if (*s == '^' || *s == '_') {

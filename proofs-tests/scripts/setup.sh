@@ -1,7 +1,7 @@
 # setup.sh -- sourced by ./run and ./test: installs what is missing, configures, builds.
 #
 #   need PACKAGE...            installs the Debian packages that are missing, or says how and exits 2
-#   build PRESET               configures (once) and builds build/PRESET
+#   build PRESET [TARGET]      configures (once) and builds build/PRESET, or one target of it
 
 say() { printf '%s\n' "$*"; }
 
@@ -32,10 +32,15 @@ need() {
 processors() { nproc 2>/dev/null || echo 2; }
 
 build() {
-    preset=$1
+    preset=$1 target=${2:-all}
     [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >"$log" 2>&1 ||
         { cat "$log"; say "Configuration failed"; exit 2; }
-    cmake --build "build/$preset" -j "$(processors)" >"$log" 2>&1 || { tail -60 "$log"; say "The build failed"; exit 3; }
+    if [ -t 1 ]; then
+        cmake --build "build/$preset" --target "$target" -j "$(processors)" || { say "The build failed"; exit 3; }
+    else
+        cmake --build "build/$preset" --target "$target" -j "$(processors)" >"$log" 2>&1 ||
+            { tail -60 "$log"; say "The build failed"; exit 3; }
+    fi
 }
 
 mkdir -p build

@@ -1,0 +1,363 @@
+/* kernel_runs.tmpl.h -- each kernel once, on given data, for every number type.
+ *
+ * A run of the data D writes results to out and returns how many.  kernel_references.h computes the
+ * same results from definitions. */
+#include "core/number/generic_on.h"
+
+struct G(data) {
+    int n, dim, r;    /* 1 <= n <= MAX_DEGREE, 1 <= dim < MAX_DIM, 0 <= r <= 5 */
+    const num *x, *w; /* x: not 0; w: squares, positive                        */
+    num t, u;         /* in [0,1]                                              */
+};
+typedef int G(runner)(const struct G(data) * D, num out[]);
+
+/* a[0] z^n + ... + a[n] = leading (z - z_1) ... (z - z_n). */
+static inline void G(from_roots)(int n, num leading, const num z[], num a[])
+{
+    a[0] = leading;
+    for (int k = 1; k <= n; k++) {
+        a[k] = from_int(0);
+        for (int i = k; i > 0; i--)
+            a[i] = sub(a[i], mul(z[k - 1], a[i - 1]));
+    }
+}
+
+/* The isosceles triangle M - v, M + k v', M + v, where v' is v turned by a right angle. */
+static inline void G(isosceles)(const num M[], const num v[], num k, num R[])
+{
+    num turned[2] = {neg(v[1]), v[0]};
+    for (int c = 0; c < 2; c++) {
+        R[c] = sub(M[c], v[c]);
+        R[2 + c] = add(M[c], mul(k, turned[c]));
+        R[4 + c] = add(M[c], v[c]);
+    }
+}
+
+#define RUN(name) static int G(run_##name)(const struct G(data) * D, num out[])
+
+RUN(bernstein)
+{
+    G(bernstein)(D->n, D->t, out);
+    return D->n + 1;
+}
+RUN(bernstein_derivatives)
+{
+    G(bernstein_derivatives)(D->n, D->r, D->t, out);
+    return (D->r + 1) * (D->n + 1);
+}
+RUN(bernstein_product)
+{
+    int m = D->n + D->r <= MAX_DEGREE ? D->r : 0;
+    G(bernstein_product)(D->n, D->x, m, D->x + D->n + 1, out);
+    return D->n + m + 1;
+}
+RUN(elevation_matrix)
+{
+    G(elevation_matrix)(D->n, out);
+    return (D->n + 2) * (D->n + 1);
+}
+RUN(bernstein_to_power)
+{
+    G(bernstein_to_power)(D->n, D->x, out);
+    return D->n + 1;
+}
+RUN(power_to_bernstein)
+{
+    G(power_to_bernstein)(D->n, D->x, out);
+    return D->n + 1;
+}
+RUN(bernstein_on_interval)
+{
+    G(bernstein_on_interval)(D->n, D->x[0], add(D->x[0], D->w[0]), D->x + 1, D->t, D->u, out);
+    return D->n + 1;
+}
+RUN(decasteljau)
+{
+    G(decasteljau)(D->n, D->dim, D->x, D->t, out);
+    return D->dim;
+}
+RUN(horner_bernstein)
+{
+    G(horner_bernstein)(D->n, D->dim, D->x, D->t, out);
+    return D->dim;
+}
+RUN(bezier_differences)
+{
+    int r = D->r % (D->n + 1);
+    G(bezier_differences)(D->n, D->dim, D->x, r, out);
+    return (D->n - r + 1) * D->dim;
+}
+RUN(bezier_derivatives)
+{
+    G(bezier_derivatives)(D->n, D->dim, D->x, D->t, D->r, out);
+    return (D->r + 1) * D->dim;
+}
+RUN(bezier_split)
+{
+    int size = (D->n + 1) * D->dim;
+    G(bezier_split)(D->n, D->dim, D->x, D->t, out, out + size);
+    return 2 * size;
+}
+RUN(bezier_elevate)
+{
+    G(bezier_elevate)(D->n, D->dim, D->x, out);
+    return (D->n + 2) * D->dim;
+}
+RUN(blossom)
+{
+    G(blossom)(D->n, D->dim, D->x, D->w, out);
+    return D->dim;
+}
+RUN(bezier_on_interval)
+{
+    G(bezier_on_interval)(D->n, D->dim, D->x, D->t, D->u, out);
+    return (D->n + 1) * D->dim;
+}
+
+RUN(rational_homogenize)
+{
+    G(rational_homogenize)(D->n, D->dim, D->x, D->w, out);
+    return (D->n + 1) * (D->dim + 1);
+}
+RUN(rational_dehomogenize)
+{
+    G(rational_dehomogenize)(D->n, D->dim, D->x, out, out + (D->n + 1) * D->dim);
+    return (D->n + 1) * (D->dim + 1);
+}
+RUN(rational_weight)
+{
+    out[0] = G(rational_weight)(D->n, D->w, D->t);
+    return 1;
+}
+RUN(rational_point)
+{
+    G(rational_point)(D->n, D->dim, D->x, D->w, D->t, out);
+    return D->dim;
+}
+RUN(rational_derivatives)
+{
+    G(rational_derivatives)(D->n, D->dim, D->x, D->w, D->t, D->r, out);
+    return (D->r + 1) * D->dim;
+}
+RUN(rational_decasteljau)
+{
+    int r = D->r % (D->n + 1), count = D->n - r + 1;
+    G(rational_decasteljau)(D->n, D->dim, D->x, D->w, D->t, r, out, out + count * D->dim);
+    return count * (D->dim + 1);
+}
+RUN(rational_split)
+{
+    int points = (D->n + 1) * D->dim, all = (D->n + 1) * (D->dim + 1);
+    G(rational_split)(D->n, D->dim, D->x, D->w, D->t, out, out + points, out + all, out + all + points);
+    return 2 * all;
+}
+RUN(rational_elevate)
+{
+    int n = D->n < MAX_DEGREE ? D->n : MAX_DEGREE - 1;
+    G(rational_elevate)(n, D->dim, D->x, D->w, out, out + (n + 2) * D->dim);
+    return (n + 2) * (D->dim + 1);
+}
+RUN(rational_reparametrize)
+{
+    G(rational_reparametrize)(D->n, D->w, D->x[0], D->x[1], out);
+    return D->n + 1;
+}
+RUN(rational_invariants)
+{
+    G(rational_invariants)(D->n, D->w, out);
+    return D->n - 1;
+}
+/* Degree 2, where q has the root; see test_standard_form for other degrees. */
+RUN(rational_standard_form)
+{
+    G(rational_standard_form)(2, D->w, out);
+    return 3;
+}
+
+RUN(dot)
+{
+    out[0] = G(dot)(D->dim, D->x, D->x + D->dim);
+    return 1;
+}
+RUN(norm_squared)
+{
+    out[0] = G(norm_squared)(D->dim, D->x);
+    return 1;
+}
+RUN(cross2)
+{
+    out[0] = G(cross2)(D->x, D->x + 2);
+    return 1;
+}
+RUN(cross3)
+{
+    G(cross3)(D->x, D->x + 3, out);
+    return 3;
+}
+RUN(det3)
+{
+    out[0] = G(det3)(D->x, D->x + 3, D->x + 6);
+    return 1;
+}
+RUN(gram)
+{
+    out[0] = G(gram)(D->dim, D->x, D->x + D->dim);
+    return 1;
+}
+RUN(curvature_squared)
+{
+    out[0] = G(curvature_squared)(D->dim, D->x, D->x + D->dim);
+    return 1;
+}
+/* d1 = a (1,2,2) and d2 = b (2,1,-2) + c d1 are chosen so that every root is rational. */
+RUN(curvature)
+{
+    num a = D->x[0], b = D->x[1], c = D->x[2], two = from_int(2);
+    num d1[3] = {a, mul(two, a), mul(two, a)}, across[3] = {mul(two, b), b, mul(from_int(-2), b)}, d2[3];
+    for (int i = 0; i < 3; i++)
+        d2[i] = add(across[i], mul(c, d1[i]));
+    out[0] = G(curvature)(3, d1, d2);
+    return 1;
+}
+/* d1 = a (3,4), d2 = b (-4,3) + c d1, a > 0. */
+RUN(signed_curvature)
+{
+    num a = D->w[0], b = D->x[1], c = D->x[2];
+    num d1[2] = {mul(from_int(3), a), mul(from_int(4), a)};
+    num d2[2] = {add(mul(from_int(-4), b), mul(c, d1[0])), add(mul(from_int(3), b), mul(c, d1[1]))};
+    out[0] = G(signed_curvature)(d1, d2);
+    return 1;
+}
+RUN(torsion)
+{
+    out[0] = G(torsion)(D->x, D->x + 3, D->x + 6);
+    return 1;
+}
+RUN(rational_curvature_squared)
+{
+    out[0] = G(rational_curvature_squared)(D->n + (D->n == 1), 3, D->x, D->w, D->t);
+    return 1;
+}
+RUN(rational_torsion)
+{
+    out[0] = G(rational_torsion)(D->n < 3 ? 3 : D->n, D->x, D->w, D->t);
+    return 1;
+}
+
+RUN(line_through)
+{
+    G(line_through)(D->x, D->x + 2, out);
+    return 3;
+}
+RUN(line_pair)
+{
+    G(line_pair)(D->x, D->x + 3, out);
+    return 6;
+}
+RUN(conic_pencil)
+{
+    G(conic_pencil)(D->t, D->x, D->x + 6, out);
+    return 6;
+}
+RUN(liming)
+{
+    G(liming)(D->t, D->x, D->x + 3, D->x + 6, out);
+    return 6;
+}
+RUN(conic_value)
+{
+    out[0] = G(conic_value)(D->x, D->x[6], D->x[7]);
+    return 1;
+}
+RUN(conic_gradient)
+{
+    G(conic_gradient)(D->x, D->x[6], D->x[7], out);
+    return 2;
+}
+RUN(conic_delta)
+{
+    out[0] = G(conic_delta)(D->x);
+    return 1;
+}
+RUN(conic_determinant)
+{
+    out[0] = G(conic_determinant)(D->x);
+    return 1;
+}
+RUN(conic_of_bezier)
+{
+    G(conic_of_bezier)(D->x, D->w, out);
+    return 6;
+}
+RUN(conic_standard_weight)
+{
+    out[0] = G(conic_standard_weight)(D->w);
+    return 1;
+}
+RUN(shoulder_point)
+{
+    G(shoulder_point)(D->x, D->w, out);
+    return 2;
+}
+RUN(circular_arc_invariant)
+{
+    out[0] = G(circular_arc_invariant)(D->x[0], D->x[1]);
+    return 1;
+}
+/* l = p^2 - q^2, h = 2pq with p > q > 0: then l^2 + h^2 is a square. */
+RUN(circular_arc_weights)
+{
+    num q = D->w[0], p = add(q, D->w[1]);
+    G(circular_arc_weights)(sub(mul(p, p), mul(q, q)), mul(from_int(2), mul(p, q)), out);
+    return 3;
+}
+RUN(circle_of_arc)
+{
+    num R[6];
+    G(isosceles)(D->x, D->x + 2, D->w[0], R);
+    out[2] = G(circle_of_arc)(R, out);
+    return 3;
+}
+
+RUN(determinant)
+{
+    out[0] = G(determinant)(matrix_order(D->n), D->x);
+    return 1;
+}
+RUN(sylvester)
+{
+    int order = matrix_order(D->n), m = (order + 1) / 2;
+    G(sylvester)(m, D->x, order - m, D->x + m + 1, out);
+    return order * order;
+}
+RUN(bezout)
+{
+    int n = matrix_order(D->n);
+    G(bezout)(n, D->x, D->x + n + 1, out);
+    return n * n;
+}
+/* a and b with the leading coefficients w[0] and w[1] and the roots x and x + m. */
+RUN(resultant)
+{
+    int order = matrix_order(D->n), m = (order + 1) / 2, n = order - m;
+    num a[MAX_ORDER + 1], b[MAX_ORDER + 1];
+    G(from_roots)(m, D->w[0], D->x, a);
+    G(from_roots)(n, D->w[1], D->x + m, b);
+    out[0] = G(resultant)(m, a, n, b);
+    return 1;
+}
+RUN(bezout_resultant)
+{
+    int n = matrix_order(D->n) / 2 + 1;
+    num a[MAX_ORDER + 1], b[MAX_ORDER + 1];
+    G(from_roots)(n, D->w[0], D->x, a);
+    G(from_roots)(n, D->w[1], D->x + n, b);
+    out[0] = G(bezout_resultant)(n, a, b);
+    return 1;
+}
+
+#define ENTRY(name) G(run_##name),
+static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};
+#undef ENTRY
+#undef RUN
+#include "core/number/generic_off.h"

@@ -1,0 +1,246 @@
+/* test_kernels.c -- every kernel on high-entropy data, in all number types at once:
+ *
+ *     q   equals the reference, which is computed from a definition;
+ *     m   has bit for bit the values of d, and its bound is finite and true;
+ *     i   contains q;
+ *     f   is the constant q.
+ *
+ * The seed is the kernel's name; a failure prints the trial. */
+#include "core/kernels_d.h"
+#include "core/kernels_m.h"
+#include "exact/kernels_f.h"
+#include "exact/kernels_i.h"
+#include "exact/kernels_q.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define ALL_KERNELS(_)                                                                                                 \
+    _(bernstein)                                                                                                       \
+    _(bernstein_derivatives)                                                                                           \
+    _(bernstein_product) _(elevation_matrix) _(bernstein_to_power) _(power_to_bernstein) _(bernstein_on_interval)      \
+        _(decasteljau) _(horner_bernstein) _(bezier_differences) _(bezier_derivatives) _(bezier_split)                 \
+            _(bezier_elevate) _(blossom) _(bezier_on_interval) _(rational_homogenize) _(rational_dehomogenize)         \
+                _(rational_weight) _(rational_point) _(rational_derivatives) _(rational_decasteljau) _(rational_split) \
+                    _(rational_elevate) _(rational_reparametrize) _(rational_invariants) _(rational_standard_form)     \
+                        _(dot) _(norm_squared) _(cross2) _(cross3) _(det3) _(gram) _(curvature_squared) _(curvature)   \
+                            _(signed_curvature) _(torsion) _(rational_curvature_squared) _(rational_torsion)           \
+                                _(line_through) _(line_pair) _(conic_pencil) _(liming) _(conic_value)                  \
+                                    _(conic_gradient) _(conic_delta) _(conic_determinant) _(conic_of_bezier)           \
+                                        _(conic_standard_weight) _(shoulder_point) _(circular_arc_invariant)           \
+                                            _(circular_arc_weights) _(circle_of_arc) _(determinant) _(sylvester)       \
+                                                _(bezout) _(resultant) _(bezout_resultant)
+
+#define ENTRY(name) #name,
+static const char *const names[] = {ALL_KERNELS(ENTRY)};
+#undef ENTRY
+enum {
+    KERNELS = sizeof names / sizeof names[0],
+    NUMBERS = MAX_ORDER * MAX_ORDER,
+    WEIGHTS = MAX_DEGREE + 1,
+    RESULTS = (MAX_DEGREE + 2) * (MAX_DEGREE + 1),
+    TRIALS = 40
+};
+static int matrix_order(int n) { return n < MAX_ORDER ? n : MAX_ORDER; }
+
+#define G(name) name##_d
+#include "proofs-tests/unit/kernel_runs.tmpl.h"
+#undef G
+#define G(name) name##_m
+#include "proofs-tests/unit/kernel_runs.tmpl.h"
+#undef G
+#define G(name) name##_q
+#include "proofs-tests/unit/kernel_runs.tmpl.h"
+#undef G
+#define G(name) name##_i
+#include "proofs-tests/unit/kernel_runs.tmpl.h"
+#undef G
+#define G(name) name##_f
+#include "proofs-tests/unit/kernel_runs.tmpl.h"
+#undef G
+#include "proofs-tests/unit/kernel_references.h"
+
+static uint64_t seed_of(const char *name)
+{
+    uint64_t seed = 1469598103934665603u;
+    while (*name != '\0')
+        seed = (seed ^ (unsigned char)*name++) * 1099511628211u;
+    return seed;
+}
+/* An integer in [low, high] (splitmix64). */
+static int pick(uint64_t *seed, int low, int high)
+{
+    uint64_t z = (*seed += 0x9e3779b97f4a7c15);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return low + (int)((z ^ (z >> 31)) % (uint64_t)(high - low + 1));
+}
+
+/* The data of a trial are short dyadic numbers: the same in every number type.  The first trials have
+ * t = 0, t = 1, and the largest degree. */
+static double x_d[NUMBERS], w_d[WEIGHTS];
+static struct data_d draw(uint64_t seed, int trial)
+{
+    struct data_d D = {.x = x_d, .w = w_d};
+    for (int i = 0; i < NUMBERS; i++)
+        x_d[i] = (2 * pick(&seed, 0, 1) - 1) * pick(&seed, 1, 4095) * 0x1p-10;
+    for (int i = 0; i < WEIGHTS; i++) {
+        double square_root = pick(&seed, 3, 63) * 0x1p-4;
+        w_d[i] = square_root * square_root;
+    }
+    D.n = trial == 2 ? MAX_DEGREE : pick(&seed, 1, 7);
+    D.dim = pick(&seed, 1, MAX_DIM - 1);
+    D.r = pick(&seed, 0, 5);
+    D.t = trial == 0 ? 0 : trial == 1 ? 1 : pick(&seed, 1, 1023) * 0x1p-10;
+    D.u = pick(&seed, 1, 1023) * 0x1p-10;
+    return D;
+}
+static num_i from_double_i(double x) { return from_rational_i(from_double_q(x)); }
+static num_f from_double_f(double x) { return from_rational_f(from_double_q(x)); }
+
+/* The same data and their results in another number type. */
+#define RUN_IN(suffix, from_double, kernel, D, results)                                                                \
+    static int results_in_##suffix(int kernel, struct data_d D, num_##suffix results[])                                \
+    {                                                                                                                  \
+        num_##suffix x[NUMBERS], w[WEIGHTS];                                                                           \
+        for (int i = 0; i < NUMBERS; i++)                                                                              \
+            x[i] = from_double(D.x[i]);                                                                                \
+        for (int i = 0; i < WEIGHTS; i++)                                                                              \
+            w[i] = from_double(D.w[i]);                                                                                \
+        struct data_##suffix E = {D.n, D.dim, D.r, x, w, from_double(D.t), from_double(D.u)};                          \
+        return runs_##suffix[kernel](&E, results);                                                                     \
+    }
+RUN_IN(m, exact_m, kernel, D, results)
+RUN_IN(q, from_double_q, kernel, D, results)
+RUN_IN(i, from_double_i, kernel, D, results)
+RUN_IN(f, from_double_f, kernel, D, results)
+
+static void reference_results(int kernel, struct data_d D, num_q results[])
+{
+    num_q x[NUMBERS], w[WEIGHTS];
+    for (int i = 0; i < NUMBERS; i++)
+        x[i] = from_double_q(D.x[i]);
+    for (int i = 0; i < WEIGHTS; i++)
+        w[i] = from_double_q(D.w[i]);
+    struct data_q E = {D.n, D.dim, D.r, x, w, from_double_q(D.t), from_double_q(D.u)};
+    references[kernel](&E, results);
+}
+
+/* |v - exact| <= bound, decided in rationals. */
+static int within(double v, double bound, num_q exact)
+{
+    num_q gap = sub_q(from_double_q(v), exact);
+    return compare_q(sign_q(gap) < 0 ? neg_q(gap) : gap, from_double_q(bound)) <= 0;
+}
+
+static num_d d[RESULTS];
+static num_m m[RESULTS];
+static num_q q[RESULTS], definition[RESULTS];
+static num_i interval[RESULTS];
+static num_f f[RESULTS];
+
+static void kernel_agrees(void **state)
+{
+    int kernel = (int)(*(const char *const **)state - names), compared = 0;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        region_mark mark = region_open();
+        region_faults = 0;
+        struct data_d D = draw(seed_of(names[kernel]) + (uint64_t)trial, trial);
+        int count = runs_d[kernel](&D, d);
+        assert_int_equal(results_in_m(kernel, D, m), count);
+        assert_int_equal(results_in_q(kernel, D, q), count);
+        assert_int_equal(results_in_f(kernel, D, f), count);
+        reference_results(kernel, D, definition);
+        if (region_faults != 0)
+            fail_msg("%s, trial %d: faults %u", names[kernel], trial, region_faults);
+        assert_int_equal(results_in_i(kernel, D, interval), count);
+
+        for (int k = 0; k < count; k++, compared++) {
+            num_q constant;
+            const char *wrong = !equal_q(q[k], definition[k])              ? "q is not the definition"
+                                : memcmp(&d[k], &m[k].v, sizeof d[k]) != 0 ? "m is not d"
+                                : !isfinite(error_bound_m(m[k]))           ? "no bound in m"
+                                : !within(d[k], error_bound_m(m[k]), q[k]) ? "the bound of m is false"
+                                : !contains_i(interval[k], q[k])           ? "i does not contain q"
+                                : !is_constant_f(f[k], &constant) || !equal_q(constant, q[k]) ? "f is not q"
+                                                                                              : NULL;
+            if (wrong != NULL)
+                fail_msg("%s, trial %d (n %d, dim %d, r %d), result %d: %s", names[kernel], trial, D.n, D.dim, D.r, k,
+                         wrong);
+        }
+        region_drop(mark);
+    }
+    assert_true(compared > 0);
+}
+
+/* In degree n the standard form has a rational root when w_0/w_n is an n-th power. */
+static void standard_form_in_every_degree(void **state)
+{
+    (void)state;
+    for (int n = 1; n <= 7; n++) {
+        region_mark mark = region_open();
+        num_q w[8], out[8], ratio = from_ratio_q(-1, 1);
+        for (int i = 0; i < n; i++)
+            w[i] = from_ratio_q(7 * i + 3, 5 + i);
+        w[n] = w[0];
+        for (int i = 0; i < n; i++)
+            w[n] = mul_q(w[n], from_ratio_q(3, 2));
+        region_faults = 0;
+        rational_standard_form_q(n, w, out);
+        assert_int_equal(region_faults, 0);
+        assert_true(equal_q(out[0], from_int_q(1)) && equal_q(out[n], from_int_q(1)));
+        /* The ratios out_i/w_i are a geometric progression with quotient 2/3. */
+        for (int i = 1; i <= n; i++) {
+            ratio = div_q(mul_q(out[i], w[i - 1]), mul_q(w[i], out[i - 1]));
+            assert_true(equal_q(ratio, from_ratio_q(2, 3)));
+        }
+        region_drop(mark);
+    }
+}
+
+/* What has no value is UNDEFINED; a root that is not rational is UNABLE. */
+static void faults_are_told_apart(void **state)
+{
+    (void)state;
+    num_q R[4] = {from_int_q(0), from_int_q(1), from_int_q(4), from_int_q(2)}, out[2];
+    num_q cancel[2] = {from_int_q(1), from_int_q(-1)}, two[3] = {from_int_q(1), from_int_q(1), from_int_q(2)};
+    region_faults = 0;
+    rational_point_q(1, 2, R, cancel, from_ratio_q(1, 2), out);
+    assert_int_equal(region_faults, FAULT_UNDEFINED);
+    region_faults = 0;
+    conic_standard_weight_q(two);
+    assert_true(region_faults & FAULT_UNABLE);
+    region_faults = 0;
+}
+
+static int open_numbers(void **state)
+{
+    (void)state;
+    field_open(1);
+    return 0;
+}
+static int close_numbers(void **state)
+{
+    (void)state;
+    region_free_all();
+    field_close();
+    mpfr_free_cache();
+    return 0;
+}
+
+int main(void)
+{
+    struct CMUnitTest tests[KERNELS + 2] = {
+        [KERNELS] = cmocka_unit_test(standard_form_in_every_degree),
+        [KERNELS + 1] = cmocka_unit_test(faults_are_told_apart),
+    };
+    for (int k = 0; k < KERNELS; k++)
+        tests[k] = (struct CMUnitTest){names[k], kernel_agrees, NULL, NULL, (void *)&names[k]};
+    return cmocka_run_group_tests(tests, open_numbers, close_numbers);
+}
