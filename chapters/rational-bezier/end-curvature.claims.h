@@ -214,11 +214,13 @@ CLAIM(signed_curvature_is_the_turning_of_the_tangent)
 :::{claim} rational_curvature_and_torsion_belong_to_arc_length
 :title: Curvature and torsion of a rational Bézier curve, at any parameter
 :zh: 有理 Bézier 曲线任意参数处的曲率与挠率
-:given: $n=2,\dots$; weights and a parameter, all free; points of the plane and of space with coordinates drawn at random, integers for the field
+:given: any parameter; weights and points of the plane and of space drawn at random from small integers
 :then: the kernels' $\kappa^2$ and $\tau$ are those of the definition by arc length
 :method: The curve is expanded at $t$ from the definition of the Bernstein basis and divided as power series; nothing is shared with the kernels.
-  Equality in the field of the weights and $t$.
-:degrees: 2..3 sampled 6
+  Equality of rational functions of $t$; that weights and points may be anything is decided where derivatives, curvature and torsion are
+  decided one by one.
+:degrees: 2..5 sampled 8
+:scope: two curves drawn at random for each n
 :defines: rational_curvature_squared rational_torsion
 :control: the weights equal in the denominator of the expansion
 :::
@@ -250,7 +252,7 @@ CLAIM(rational_curvature_and_torsion_belong_to_arc_length)
     int n = T->degree;
     num w[MAX_DEGREE + 1], t = parameter(T, "t");
     for (int i = 0; i <= n; i++)
-        w[i] = positive(T, "w", i);
+        w[i] = from_int(pick(T, 1, 9));
     for (int dim = 2; dim <= 3; dim++) {
         num R[(MAX_DEGREE + 1) * 3], curvature_squared, torsion;
         G(series) curve[3];
