@@ -566,7 +566,7 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :::{statement} wang-ch3:3.2-like-bezier
 :title: Rational Bézier curves have properties like those of Bézier curves
 :zh: 有理 Bézier 曲线具有类似 Bézier 曲线的性质
-:printed: Rational Bézier curves have geometric properties similar to those of Bézier curves.
+:printed: The rational Bézier curves $\mathbf R(t)$ have geometric properties similar to those of Bézier curves.
 :holds-by: equal_weights_give_bezier_curve
 
 The similar properties follow one by one, each with its own entry.  What is decided here is the reason why they cannot differ
@@ -604,7 +604,7 @@ CLAIM(equal_weights_give_bezier_curve)
 :::{statement} wang-ch3:prop-3.2.1
 :title: Geometric and affine invariance
 :zh: 几何不变性与仿射不变性
-:printed: The curve does not depend on the coordinate system, and an affine map of its points maps the curve.
+:printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
 :holds-by: affine_image_of_the_curve_is_the_curve_of_the_images
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$ of definition 3.2.1, to whose
   first three coordinates the map is applied.  A linear map still maps the curve; a translation does not, unless the weights

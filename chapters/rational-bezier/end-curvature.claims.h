@@ -275,7 +275,8 @@ CLAIM(rational_curvature_and_torsion_belong_to_arc_length)
 :zh: 端点曲率与挠率（控制顶点无重点）
 :printed: Let no two control points coincide, $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$, $i=1,\dots,n$.  Then the curvatures and torsions at the ends are
   (3.2.5) and (3.2.6).
-:holds-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
+:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree end_curvature_at_zero end_curvature_at_one
+  end_torsion_at_zero end_torsion_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | $\mathbf a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$, which is all that the formulas of the
   curvature use of the hypothesis; other points may coincide.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | For (3.2.6): $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ at $t=0$ and
