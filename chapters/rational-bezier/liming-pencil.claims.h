@@ -16,6 +16,7 @@ all triangles.
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
 :hypothesis: flat_frame_has_no_tangent | $l_1$, $l_2$, $l_3$ meet in three different points.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted, as in (3.1.2).
+:figure: limings_pencil
 :::
 
 :::{claim} limings_conics_touch_the_lines
@@ -246,6 +247,7 @@ CLAIM(collinear_points_are_no_frame)
   written as determinants of their points.
 :reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter: always true, with one of the two
   signs, mostly with both.
+:figure: limings_pencil
 :::
 
 :::{claim} limings_pencil_in_the_frame
@@ -445,6 +447,7 @@ CLAIM(end_points_leave_lambda_free)
 :printed: With the minus sign in (3.1.4), points $R\in\triangle R_0R_1R_2$ have $\lambda\in(0,1)$.
 :holds-by: lambda_inside_the_triangle
 :hypothesis: lambda_on_the_border | $R$ lies inside the triangle, not on its border.
+:figure: limings_pencil
 :::
 
 :::{claim} lambda_inside_the_triangle
