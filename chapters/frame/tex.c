@@ -119,6 +119,8 @@ static int is_simple(const char *s)
 {
     int depth = 0;
     for (const char *p = s; *p; p++) {
+        if (depth == 0 && *p == '(' && p > s && p[-1] == ')')
+            return 0;
         if (*p == '(' || *p == '[' || *p == '{')
             depth++;
         else if (*p == ')' || *p == ']' || *p == '}')
