@@ -13,7 +13,9 @@ base angle $\angle R_1R_0R_2$ in its derivation.
 :printed: For $I_1<1$ the curve (3.1.5) is an arc of a circle with the central angle $2\theta$ if and only if $B=0$ and
   $A=C$.
 :holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle
-:reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle: true for positive weights.
+:needs: negative_weight_gives_the_other_arc | The weights are positive; otherwise the central angle may be
+  $2\pi-2\theta$.
+:reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle: true.
 :figure: circular_arc
 
 That a conic without the term $xy$ and with equal coefficients of $x^2$ and $y^2$ is a circle needs right angles and

@@ -10,7 +10,8 @@ FIGURE(classification_by_weight)
     static const struct {
         int m, n;
         const char *heading, *caption;
-    } kind[] = {{1, 3, "ellipse", "$ω=1/3$, $I_1=1/9$"}, {1, 1, "parabola", "$ω=1$, $I_1=1$"},
+    } kind[] = {{1, 3, "ellipse", "$ω=1/3$, $I_1=1/9$"},
+                {1, 1, "parabola", "$ω=1$, $I_1=1$"},
                 {3, 1, "hyperbola", "$ω=3$, $I_1=9$"}};
     for (int k = 0; k < 3; k++) {
         num_q w[3] = {q(1), r(kind[k].m, kind[k].n), q(1)}, other[3] = {q(1), r(-kind[k].m, kind[k].n), q(1)};

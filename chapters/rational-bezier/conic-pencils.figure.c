@@ -18,7 +18,8 @@ FIGURE(pencil_of_conics)
     svg_panel(s, svg_integer_window(-2, -2, 2, 2), 430, 0,
               "$(1-λ)(x^2-1)+λ(y^2-1)=0$: at the four points every $λ$ fits");
     svg_frame(s);
-    const num_q lambda[] = {q(-2), r(-1, 2), r(-1, 8), q(0), r(1, 8), r(1, 3), r(2, 3), r(7, 8), q(1), r(9, 8), r(3, 2), q(3)};
+    const num_q lambda[] = {q(-2),   r(-1, 2), r(-1, 8), q(0),    r(1, 8), r(1, 3),
+                            r(2, 3), r(7, 8),  q(1),     r(9, 8), r(3, 2), q(3)};
     for (size_t k = 0; k < sizeof lambda / sizeof *lambda; k++)
         svg_implicit(s, member, &lambda[k], 160, SVG_FAMILY);
     num_q half = r(1, 2);

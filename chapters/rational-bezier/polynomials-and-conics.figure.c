@@ -4,10 +4,11 @@
 /* The quarter circle and the quadratic Bézier curve with the same points; an arc of y = x^2. */
 FIGURE(polynomial_on_conics)
 {
-    svg *s = svg_new("polynomial_on_conics", "Polynomial curves and conics",
-                     "Left, the points (1, 0), (1, 1), (0, 1) give a quarter circle with the weights 1, 1, 2, while the "
-                     "polynomial Bézier curve with these points runs outside the circle.  Right, an arc of the "
-                     "parabola y = x² is a polynomial Bézier curve exactly.");
+    svg *s =
+        svg_new("polynomial_on_conics", "Polynomial curves and conics",
+                "Left, the points (1, 0), (1, 1), (0, 1) give a quarter circle with the weights 1, 1, 2, while the "
+                "polynomial Bézier curve with these points runs outside the circle.  Right, an arc of the "
+                "parabola y = x² is a polynomial Bézier curve exactly.");
     num_q R[6] = {q(1), q(0), q(1), q(1), q(0), q(1)}, w[3] = {q(1), q(1), q(2)};
     svg_window left = {r(-1, 5), r(-1, 5), r(5, 4), r(5, 4)};
     svg_panel(s, left, 330, 0, "no polynomial arc lies on a circle");

@@ -3,10 +3,11 @@
 
 FIGURE(middle_weight_sign)
 {
-    svg *s = svg_new("middle_weight_sign", "One constant, two arcs",
-                     "With the points (1, 0), (0, 0), (0, 1) the weights 2, 1, 2 and 1, 1, 4 give the same arc inside the "
-                     "triangle with different parameters; the weights 2, -1, 2, with the same constant 4, give the rest "
-                     "of the ellipse.");
+    svg *s =
+        svg_new("middle_weight_sign", "One constant, two arcs",
+                "With the points (1, 0), (0, 0), (0, 1) the weights 2, 1, 2 and 1, 1, 4 give the same arc inside the "
+                "triangle with different parameters; the weights 2, -1, 2, with the same constant 4, give the rest "
+                "of the ellipse.");
     num_q R[6] = {q(1), q(0), q(0), q(0), q(0), q(1)}, P[2];
     num_q w[3] = {q(2), q(1), q(2)}, skew[3] = {q(1), q(1), q(4)}, other[3] = {q(2), q(-1), q(2)};
     svg_window window = {r(-1, 4), r(-1, 5), r(7, 5), r(7, 5)};

@@ -3,9 +3,10 @@
 
 FIGURE(shoulder_point)
 {
-    svg *s = svg_new("shoulder_point", "The curve divides the median",
-                     "The curve with the standard weight ω = 1/2 meets the median R1M in the shoulder point, so that R1Rs : "
-                     "RsM = 1 : 1/2.  With ω = 1 and 2 the ratios are 1 : 1 and 1 : 2.");
+    svg *s =
+        svg_new("shoulder_point", "The curve divides the median",
+                "The curve with the standard weight ω = 1/2 meets the median R1M in the shoulder point, so that R1Rs : "
+                "RsM = 1 : 1/2.  With ω = 1 and 2 the ratios are 1 : 1 and 1 : 2.");
     num_q R[6] = {q(-3), q(0), q(1), q(4), q(3), q(0)}, w[3] = {q(1), r(1, 2), q(1)}, P[2];
     svg_window window = {r(-7, 2), r(-3, 4), r(7, 2), r(23, 5)};
     svg_panel(s, window, 520, 0, NULL);

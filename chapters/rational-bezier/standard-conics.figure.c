@@ -11,10 +11,11 @@ static svg_point printed(num_q v, const void *data)
 
 FIGURE(standard_parameter)
 {
-    svg *s = svg_new("standard_parameter", "The change of parameter, printed and right",
-                     "For equal weights the right change of parameter is t = u; the printed one, with roots over the "
-                     "parameter too, gives t = 3/7 at u = 9/25.  Right, the points of these parameters on the curve with "
-                     "the points (-1, 0), (0, 1), (1, 0).");
+    svg *s =
+        svg_new("standard_parameter", "The change of parameter, printed and right",
+                "For equal weights the right change of parameter is t = u; the printed one, with roots over the "
+                "parameter too, gives t = 3/7 at u = 9/25.  Right, the points of these parameters on the curve with "
+                "the points (-1, 0), (0, 1), (1, 0).");
     num_q u = r(9, 25), t = r(3, 7);
     svg_panel(s, svg_integer_window(0, 0, 1, 1), 280, 0, "$t$ as a function of $u$, weights 1, 1, 1");
     svg_axes(s, r(1, 2), r(1, 2), "u", "t");

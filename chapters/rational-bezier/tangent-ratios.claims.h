@@ -337,7 +337,7 @@ CLAIM(lengths_do_not_tell_points_apart)
     num half = from_ratio(1, 2), third = from_ratio(1, 3), one = from_int(1), P[2] = {third, third}, Q[2] = {one, one};
     num S[6], g[2], h[2];
     G(frame_conic)(half, -1, S);
-    show_points(T, "P, Q", 1, 2, P);
+    show_points(T, "P", 1, 2, P);
     show_points(T, "Q", 1, 2, Q);
     int on_curve = is_zero_q(G(form)(S, P[0], P[1])) && is_zero_q(G(form)(S, Q[0], Q[1]));
     ratios(half, -1, P[0], P[1], g);

@@ -5,10 +5,11 @@
  * At t = 1/3: g_1 = 4, g_2 = 1; at t = 3/4: g_1 = 2/3, g_2 = 6. */
 FIGURE(tangent_ratios)
 {
-    svg *s = svg_new("tangent_ratios", "The two ratios of a point",
-                     "The tangent at a point R of the arc inside the triangle cuts the side R1R0 in A and the side R1R2 in "
-                     "B.  The ratios are g1 = R1A : R0A = 4 : 1 and g2 = R1B : R2B = 1 : 1.  At another point they are 2/3 "
-                     "and 6: the product is 4 again.");
+    svg *s =
+        svg_new("tangent_ratios", "The two ratios of a point",
+                "The tangent at a point R of the arc inside the triangle cuts the side R1R0 in A and the side R1R2 in "
+                "B.  The ratios are g1 = R1A : R0A = 4 : 1 and g2 = R1B : R2B = 1 : 1.  At another point they are 2/3 "
+                "and 6: the product is 4 again.");
     num_q R[6] = {q(0), q(0), q(2), q(5), q(8), q(1)}, w[3] = {q(1), r(1, 2), q(1)}, P[2], Q[2];
     rational_point_q(2, 2, R, w, r(1, 3), P);
     rational_point_q(2, 2, R, w, r(3, 4), Q);
@@ -47,10 +48,11 @@ static num_q hyperbola(svg_point at, const void *data)
 
 FIGURE(ratio_product_extra)
 {
-    svg *s = svg_new("ratio_product_extra", "A member whose ratios have a negative product",
-                     "The hyperbola of λ = 4/3 in the frame R0 = (1, 0), R1 = (0, 0), R2 = (0, 1).  Its tangent at R = "
-                     "(2, -2) cuts the first side inside, in A = (4/5, 0), and the second outside, in B = (0, 4/3): g1 = 4 "
-                     "and g2 = -4.");
+    svg *s =
+        svg_new("ratio_product_extra", "A member whose ratios have a negative product",
+                "The hyperbola of λ = 4/3 in the frame R0 = (1, 0), R1 = (0, 0), R2 = (0, 1).  Its tangent at R = "
+                "(2, -2) cuts the first side inside, in A = (4/5, 0), and the second outside, in B = (0, 4/3): g1 = 4 "
+                "and g2 = -4.");
     num_q R[6] = {q(1), q(0), q(0), q(0), q(0), q(1)};
     svg_panel(s, svg_integer_window(-2, -3, 4, 2), 560, 0, "$g_1=4$, $g_2=-4$: their product is not positive");
     svg_area(s, 3, R, SVG_FILL);
