@@ -87,6 +87,7 @@ CLAIM(polynomial_line_with_unequal_weights)
 :needs: negative_alpha_has_a_pole | $\alpha>0$, which positive weights $\alpha^i$ mean: for every $\alpha<0$ the denominator
   $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
 :needs: zero_alpha_collapses | $\alpha>0$: for $\alpha=0$ the curve collapses to $\mathbf P_0$
+:figure: geometric_weights
 
 It is (3.2.10) with $a=\alpha$, $b=1$.
 :::

@@ -17,6 +17,7 @@ proof line by line, and the definition of the $I_i$.
 :checked-by: fractional_change_runs_once projective_change_of_unit_interval_is_fractional
 :needs: linear_curve_with_opposite_ratios_has_a_pole | $a$ and $b$ of one sign, which positive weights give; with
   $a/b<0$ the denominator vanishes inside $[0,1]$
+:figure: reparametrization
 
 Every projective map of the parameter line that fixes $0$ and $1$ has this form, so nothing is lost by it.
 :::
@@ -249,6 +250,7 @@ CLAIM(negated_weights_have_no_real_factors)
   same $I_1$
 :needs: linear_curve_with_opposite_ratios_has_a_pole | positive weights: for $n=1$ there is no condition at all, and the
   curve may even become unbounded
+:figure: equal_invariants_other_arc
 :::
 
 :::{claim} equal_invariants_give_same_curve
@@ -581,6 +583,7 @@ CLAIM(invariants_survive_fractional_change)
   arc of a parabola written as a cubic
 :reading: reversal_exchanges_invariants | belonging to the point set up to its direction: run backwards, the curve has $I_{n-i}$
   for $I_i$
+:figure: same_parabola_two_sets
 
 With the two hypotheses: two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
 projective change of the parameter (a rational curve covered once is birational to its parameter line), which maps the unit
@@ -738,6 +741,7 @@ CLAIM(first_invariant_is_the_tangent_ratio)
   distributed differently along them
 :holds-by: equal_invariants_give_same_curve fractional_change_runs_once
 :needs: equal_invariants_reach_the_other_arc | positive weights
+:figure: reparametrization
 
 The distribution need not differ: for $\omega_i^*=c\,\omega_i$ it is the same, as $q=1$.
 :::

@@ -31,6 +31,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :needs: common_factor_hides_the_weights | $n=5$: edges not coplanar; a plane quintic can be one and the same map for weights with
   different invariants
 :needs: space_palindromes_beyond_degree_five | $n\le5$: for $n\ge6$ the point set, run backwards, can have other invariants
+:figure: shape_and_invariants
 
 The direction "if" is property 3.2.10 and needs nothing but positive weights.  For "only if" let the two curves have one
 point set $T$.
@@ -579,6 +580,7 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
 :corrected: \tau(0)-\tau^*(0)=\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-
   \frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)\frac{(a_1,a_2,a_3)}{\|a_1\times a_2\|^2}=0
 :corrected-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
+:figure: torsion_misprint
 
 One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The source prints the two right sides only, as equal to
 each other and to zero.  When the curves have the same shape that chain is true with the wrong denominator too, since

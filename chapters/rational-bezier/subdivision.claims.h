@@ -148,6 +148,7 @@ CLAIM(intermediate_weight_can_vanish)
 :needs: cut_at_an_end_is_empty | $c\in(a,b)$: for $c=a$ the left formula has the argument $(t-a)/0$, and its points all coincide; for
   $c=b$ likewise the right one
 :needs: cut_outside_can_fail | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may vanish although all $\omega_i>0$
+:figure: subdivision_triangle
 
 The formulas (3.3.1) themselves follow, one branch at a time.
 :::
@@ -252,6 +253,7 @@ CLAIM(subdivision_left_half)
 :corrected-by: subdivision_right_half
 :needs: intermediate_weight_can_vanish | positive weights
 :striking: 6
+:figure: right_half_misprint
 
 Two slips in the numerator, each wrong by itself: the argument $(t-a)/(b-a)$, which should be $(t-c)/(b-c)$; and the
 weight $\omega_i^{n-i}$, which should be $\omega_n^{n-i}$.  The denominator has both right.  For $i<n-i$ the printed weight is
@@ -475,6 +477,7 @@ CLAIM(triangle_ends_on_the_curve)
 :printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf R_i^{r-1}(c)$
 :holds-by: cut_coefficients_are_convex
 :needs: negative_weight_breaks_convexity | positive weights: otherwise, on a perfectly regular curve, a coefficient is negative
+:figure: cut_leaves_the_edge
 :::
 
 :::{claim} cut_coefficients_are_convex
@@ -640,6 +643,7 @@ CLAIM(geometric_weights_cut_evenly)
 :needs: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step a piece may stay
   long for ever
 :needs: linear_weights_of_both_signs_have_a_pole | positive weights
+:figure: polygons_converge
 
 Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the largest of the
 curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as no weight falls below
