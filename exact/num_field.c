@@ -257,6 +257,22 @@ static int stands_alone(const char *text, int below)
     return strpbrk(text[0] == '-' ? text + 1 : text, below ? "+-*" : "+-") == NULL;
 }
 
+num_f coefficient_f(num_f a, num_f variable, int k)
+{
+    if (denominator_degree_f(a, variable) != 0)
+        return fault_f(FAULT_UNDEFINED);
+    struct field_element *p = fresh(), *q = fresh();
+    fmpz_mpoly_univar_t u;
+    fmpz_mpoly_univar_init(u, field.ctx);
+    fmpz_mpoly_to_univar(u, fmpz_mpoly_q_numref(a.at->x), field_variable_f(variable), field.ctx);
+    for (slong j = 0; j < fmpz_mpoly_univar_length(u, field.ctx); j++)
+        if (fmpz_mpoly_univar_get_term_exp_si(u, j, field.ctx) == k)
+            fmpz_mpoly_univar_get_term_coeff(fmpz_mpoly_q_numref(p->x), u, j, field.ctx);
+    fmpz_mpoly_univar_clear(u, field.ctx);
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(q->x), fmpz_mpoly_q_denref(a.at->x), field.ctx);
+    return div_f((num_f){p}, (num_f){q});
+}
+
 const char *to_string_f(num_f a)
 {
     const char *names[FIELD_MAX_VARIABLES];

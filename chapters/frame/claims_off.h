@@ -2,6 +2,7 @@
 #undef unknown
 #undef positive
 #undef parameter
+#undef whole
 #undef inside
 #undef same
 #undef vanishes

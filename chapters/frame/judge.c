@@ -91,6 +91,11 @@ static num_f indexed_variable(const char *name, int index)
 num_f unknown_f(trial *T, const char *name, int index) { (void)T; return indexed_variable(name, index); }
 num_f positive_f(trial *T, const char *name, int index) { (void)T; return indexed_variable(name, index); }
 num_f parameter_f(trial *T, const char *name) { (void)T; return variable_f(name); }
+num_f whole_f(trial *T, const char *name, int low, int high)
+{
+    (void)T, (void)low, (void)high;
+    return variable_f(name);
+}
 num_f inside_f(trial *T, const char *name)
 {
     (void)T;
@@ -116,6 +121,11 @@ static num_m from_rational_m(num_q a) { return exact_m(to_double_q(a)); }
     {                                                                                                                  \
         (void)name;                                                                                                    \
         return from_rational_##S(fraction(T));                                                                         \
+    }                                                                                                                  \
+    num_##S whole_##S(trial *T, const char *name, int low, int high)                                                   \
+    {                                                                                                                  \
+        (void)name;                                                                                                    \
+        return from_int_##S(pick(T, low, high));                                                                       \
     }                                                                                                                  \
     num_##S inside_##S(trial *T, const char *name) { return parameter_##S(T, name); }
 SAMPLED_DATA(q)

@@ -4,6 +4,8 @@
  *   unknown(T, "x", i)    any number: a variable x_i of the field; elsewhere a random dyadic in [-1, 1]
  *   positive(T, "w", i)   a positive number: a variable; elsewhere a random dyadic in [1/8, 4]
  *   parameter(T, "t")     any parameter: a variable; elsewhere a random dyadic in (0, 1)
+ *   whole(T, "n", a, b)   a whole number: a variable, so that what is proved holds for every n;
+ *                         elsewhere a random integer in [a, b]
  *   inside(T, "s")        a number of (0, 1): s/(1+s) in the field with s > 0; elsewhere as parameter
  *   same(T, a, b)         compare: must be equal
  *   vanishes(T, a)        compare: must be 0
@@ -30,6 +32,7 @@ void show_text(trial *T, const char *name, const char *format, ...) __attribute_
     num_##S unknown_##S(trial *T, const char *name, int index);                                                        \
     num_##S positive_##S(trial *T, const char *name, int index);                                                       \
     num_##S parameter_##S(trial *T, const char *name);                                                                 \
+    num_##S whole_##S(trial *T, const char *name, int low, int high);                                                  \
     num_##S inside_##S(trial *T, const char *name);                                                                    \
     void same_##S(trial *T, num_##S a, num_##S b);                                                                     \
     void vanishes_##S(trial *T, num_##S a);                                                                            \

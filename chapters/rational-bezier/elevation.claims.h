@@ -1,19 +1,76 @@
 /*
 # Degree elevation (升阶)
 
-The same curve can be written with one more point.  The numerator and the denominator of the curve are
-each a polynomial in Bernstein form, and each is elevated by itself; the points of the new polygon lie
-on the edges of the old one.
+The same curve can be written with one more point.  Numerator and denominator are polynomials in
+Bernstein form, and each is raised by itself; the points of the new polygon lie on the edges of the old
+one.  Repeated without end the polygons converge to the curve, but slowly, like $1/N$ for degree $N$.
+
+## The formulas
+
+One Bernstein function of degree $n$ is a sum of two of degree $n+1$,
+
+$$B_i^n(t)=\frac{n+1-i}{n+1}B_i^{n+1}(t)+\frac{i+1}{n+1}B_{i+1}^{n+1}(t),$$
+
+and everything below is this line, used for the denominator with the weights and for the numerator with
+the products $\omega_iR_i$.
+
+:::{statement} wang-ch3:prop-3.2.6
+:title: A rational Bézier curve of degree n is one of degree n+1 as well
+:zh: n 次有理 Bézier 曲线也是 n+1 次的
+:printed: the curve of degree $n$ with weights $\omega_i$ and vertices $\mathbf R_i$ is the curve of degree $n+1$
+  with weights $\hat\omega_i$ and vertices $\hat{\mathbf R}_i$
+:holds-by: bernstein_function_in_the_next_degree elevation_keeps_rational_curve
+:needs: elevated_vertex_may_be_at_infinity | positive weights; otherwise the new vertices need not exist, though the
+  curve has no pole
+:::
 
 :::{statement} wang-ch3:3.2.7
 :title: The elevated points and weights give the same curve
-:zh: 升阶公式
+:zh: 升阶前后为同一曲线
 :printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n(t)\omega_i}
   =\frac{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i\hat{\mathbf R}_i}{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i}
-:holds-by: elevation_keeps_rational_curve
-
+:holds-by: bernstein_function_in_the_next_degree elevation_keeps_rational_curve
 :::
 
+:::{claim} bernstein_function_in_the_next_degree
+:title: A Bernstein function of degree n is a sum of two of degree n+1
+:zh: n 次 Bernstein 基函数是两个 n+1 次基函数之和
+:given: $0\le i\le n$, $n=i+k$; any $t$
+:then: $B_i^n(t)=\frac{n+1-i}{n+1}B_i^{n+1}(t)+\frac{i+1}{n+1}B_{i+1}^{n+1}(t)$
+:method: With $C(n,i)=c$ the definition by factorials gives $C(n+1,i)=c\frac{n+1}{n+1-i}$ and
+  $C(n+1,i+1)=c\frac{n+1}{i+1}$; with $t^i(1-t)^{n-i}=u$ the two functions on the right are these times $u(1-t)$ and
+  $ut$.  The numbers $i$, $k$, $c$, $u$, $t$ are variables, so $n$ is any degree.  Outside the field $i$ and $k$ are
+  random integers, and the two binomial coefficients are compared with true ones.
+  Summed with factors $b_i$ the line says $\sum_ib_iB_i^n=\sum_i\hat b_iB_i^{n+1}$ with
+  $\hat b_i=(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$; with $b_i=\omega_i$ and $b_i=\omega_iR_i$ that is formula (3.2.7).
+:degrees: all
+:control: $(i+1)/(n+1)$ taken as $i/(n+1)$
+:::
+*/
+#include "chapters/frame/claims_on.h"
+
+CLAIM(bernstein_function_in_the_next_degree)
+{
+    num one = from_int(1), t = parameter(T, "t"), u = positive(T, "u", 0);
+#if FIELD
+    num i = parameter(T, "i"), k = parameter(T, "k"), c = parameter(T, "c");
+#else
+    int index = pick(T, 0, 9), degree = index + pick(T, 0, 9);
+    num i = from_int(index), k = from_int(degree - index), c = from_int(binomial(degree, index));
+#endif
+    num next = add(add(i, k), one); /* n + 1 */
+    num lower = div(mul(c, next), add(k, one)), upper = div(mul(c, next), add(i, one));
+#if !FIELD
+    same(T, lower, from_int(binomial(degree + 1, index)));
+    same(T, upper, from_int(binomial(degree + 1, index + 1)));
+#endif
+    num left_share = div(add(k, one), next), right_share = div(T->planted ? i : add(i, one), next);
+    num left = mul(mul(left_share, lower), mul(u, sub(one, t))), right = mul(mul(right_share, upper), mul(u, t));
+    same(T, add(left, right), mul(c, u));
+}
+#include "chapters/frame/claims_off.h"
+
+/*
 :::{claim} elevation_keeps_rational_curve
 :title: Degree elevation changes the polygon, not the curve
 :zh: 升阶改变控制多边形而不改变曲线
@@ -23,7 +80,7 @@ on the edges of the old one.
   an index outside $0,\dots,n$ being $0$
 :then: the curves of $(R,\omega)$ and $(\hat R,\hat\omega)$ are one
 :method: Both curves are computed at a variable $t$ as elements of one field of rational functions, with every
-  weight and point a variable; equal elements are equal functions.
+  weight and point a variable; equal elements are equal functions.  A coordinate is any coordinate, so one suffices.
 :degrees: 1..6 sampled 12
 :control: the ratio $i/(n+1)$ taken as $i/(n+2)$ in the weights
 :::
@@ -49,4 +106,650 @@ CLAIM(elevation_keeps_rational_curve)
     G(rational_point)(n + 1, 1, Re, we, t, &after);
     same(T, after, before);
 }
+#include "chapters/frame/claims_off.h"
+
+/*
+:::{statement} wang-ch3:3.2.8
+:title: The elevated weights, and what stands outside the polygon
+:zh: 升阶后的权因子
+:printed: \hat\omega_i=\left(1-\frac i{n+1}\right)\omega_i+\frac i{n+1}\omega_{i-1},\quad i=0,1,\dots,n+1;
+  \quad\omega_{-1}=\omega_{n+1}=0
+:holds-by: numbers_outside_the_polygon_do_not_matter elevation_through_the_power_basis elevated_points_as_printed
+
+The agreement $\omega_{-1}=\omega_{n+1}=0$ only gives the formula a meaning at its two ends: the factor there is $0$,
+and any other numbers would do.
+:::
+
+:::{statement} wang-ch3:3.2.9
+:title: The elevated vertices
+:zh: 升阶后的控制顶点
+:printed: \hat{\mathbf R}_i=\frac{(1-\frac i{n+1})\omega_i}{(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}}\mathbf R_i
+  +\frac{\frac i{n+1}\omega_{i-1}}{(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}}\mathbf R_{i-1},\quad
+  i=0,1,\dots,n+1;\quad\mathbf R_{-1}=\mathbf R_{n+1}=\mathbf 0
+:holds-by: numbers_outside_the_polygon_do_not_matter elevated_points_as_printed elevation_keeps_rational_curve
+:needs: elevated_vertex_may_be_at_infinity | positive weights, so that no denominator vanishes
+:::
+
+:::{claim} elevated_points_as_printed
+:title: The kernels of elevation compute the printed weights and points
+:zh: 升阶程序即所印公式
+:given: weights $\omega_0,\dots,\omega_n$ and points of the plane $R_0,\dots,R_n$
+:then: the kernels give $\hat\omega_i$ and $\hat R_i$ of (3.2.8) and (3.2.9); for equal weights, the polynomial elevation,
+  which is also the product with the matrix $E$, $E_{i,i-1}=\frac i{n+1}$, $E_{ii}=1-\frac i{n+1}$
+:method: The printed fractions are written out for each $i$; the kernels go through homogeneous coordinates and share no
+  code with them.  All weights and coordinates are variables.
+:degrees: 1..6 sampled 12
+:defines: rational_elevate bezier_elevate elevation_matrix
+:control: the weights $\omega_i$ and $\omega_{i-1}$ exchanged in the printed fractions
+:::
+
+:::{claim} elevation_through_the_power_basis
+:title: Elevation of the coefficients leaves the polynomial as it is
+:zh: 系数升阶不改变多项式
+:given: $b_0,\dots,b_n$
+:then: the $n+2$ numbers $\hat b_i=(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$ are the Bernstein coefficients of degree
+  $n+1$ of $\sum b_iB_i^n$, and no others are
+:method: The polynomial is written in powers of $t$, a coefficient $0$ of $t^{n+1}$ is added, and the powers are written in
+  the Bernstein basis of degree $n+1$; that way back is unique.  Applied to the $\omega_i$ and to the $\omega_iR_i$ apart
+  this is formula (3.2.8), and (3.2.9) multiplied by its denominator.
+:degrees: 1..10 sampled 12
+:control: the first of the $n+2$ numbers left out and the others moved up
+:::
+
+:::{claim} numbers_outside_the_polygon_do_not_matter
+:title: Whatever stands for the weights and points before the first and behind the last, the ends stay
+:zh: 首末之外的权与点取何值都不影响端点
+:given: any numbers $\omega_{-1},\omega_{n+1},R_{-1},R_{n+1}$
+:then: $\hat\omega_0=\omega_0$, $\hat R_0=R_0$, $\hat\omega_{n+1}=\omega_n$, $\hat R_{n+1}=R_n$
+:method: Formulas (3.2.8) and (3.2.9) at $i=0$ and $i=n+1$, with $n$, the weights and the points variables.
+:degrees: all
+:control: $n+1$ taken as $n+2$ in the ratios
+:::
+*/
+#include "chapters/frame/claims_on.h"
+
+/* (3.2.8) and (3.2.9) as they are printed, for one coordinate: share is i/(n+1), the index i-1 is `before`. */
+static void G(printed_elevation)(num share, num w_before, num w, num R_before, num R, num *we, num *Re)
+{
+    num rest = sub(from_int(1), share);
+    *we = add(mul(rest, w), mul(share, w_before));
+    *Re = add(mul(div(mul(rest, w), *we), R), mul(div(mul(share, w_before), *we), R_before));
+}
+
+CLAIM(elevated_points_as_printed)
+{
+    enum { dim = 2 };
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[dim * (MAX_DEGREE + 1)], we[MAX_DEGREE + 2], Re[dim * (MAX_DEGREE + 2)];
+    num e[dim * (MAX_DEGREE + 2)], E[(MAX_DEGREE + 2) * (MAX_DEGREE + 1)], weight, point;
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[2 * i] = unknown(T, "x", i);
+        R[2 * i + 1] = unknown(T, "y", i);
+    }
+    G(rational_elevate)(n, dim, R, w, Re, we);
+    G(bezier_elevate)(n, dim, R, e);
+    G(elevation_matrix)(n, E);
+    for (int i = 0; i <= n + 1; i++)
+        for (int c = 0; c < dim; c++) {
+            num zero = from_int(0), one = from_int(1), ratio = from_ratio(i, n + 1);
+            num w_before = i > 0 ? w[i - 1] : zero, w_here = i <= n ? w[i] : zero;
+            num R_before = i > 0 ? R[dim * (i - 1) + c] : zero, R_here = i <= n ? R[dim * i + c] : zero;
+            int exchanged = T->planted && i > 0 && i <= n;
+            G(printed_elevation)(ratio, exchanged ? w_here : w_before, exchanged ? w_before : w_here, R_before, R_here,
+                                 &weight, &point);
+            about(T, "weight and point of the rational curve");
+            same(T, we[i], weight);
+            same(T, Re[dim * i + c], point);
+            about(T, "point of the polynomial curve");
+            G(printed_elevation)(ratio, one, one, R_before, R_here, &weight, &point);
+            same(T, e[dim * i + c], point);
+            num row = zero;
+            for (int j = 0; j <= n; j++)
+                row = add(row, mul(E[i * (n + 1) + j], R[dim * j + c]));
+            same(T, row, point);
+        }
+}
+
+CLAIM(elevation_through_the_power_basis)
+{
+    int n = T->degree;
+    num b[MAX_DEGREE + 1], e[MAX_DEGREE + 2], c[MAX_DEGREE + 2], again[MAX_DEGREE + 2];
+    for (int i = 0; i <= n; i++)
+        b[i] = unknown(T, "b", i);
+    for (int i = 0; i <= n + 1; i++) {
+        num low = i > 0 ? mul(from_ratio(i, n + 1), b[i - 1]) : from_int(0);
+        e[i] = i <= n ? add(low, mul(from_ratio(n + 1 - i, n + 1), b[i])) : low;
+    }
+    G(bernstein_to_power)(n, b, c);
+    c[n + 1] = from_int(0);
+    G(power_to_bernstein)(n + 1, c, again);
+    for (int i = 0; i <= n; i++)
+        same(T, e[i + T->planted], again[i]);
+    if (!T->planted)
+        same(T, e[n + 1], again[n + 1]);
+}
+
+CLAIM(numbers_outside_the_polygon_do_not_matter)
+{
+    num n = whole(T, "n", 1, 20), zero = from_int(0);
+    num last = add(n, from_int(1)), count = add(n, from_int(T->planted ? 2 : 1)), we, Re;
+    num w = positive(T, "w", 0), R = unknown(T, "R", 0), w_outside = unknown(T, "v", 0), R_outside = unknown(T, "S", 0);
+    about(T, "the first weight and point");
+    G(printed_elevation)(div(zero, count), w_outside, w, R_outside, R, &we, &Re);
+    same(T, we, w);
+    same(T, Re, R);
+    about(T, "the last weight and point");
+    G(printed_elevation)(div(last, count), w, w_outside, R, R_outside, &we, &Re);
+    same(T, we, w);
+    same(T, Re, R);
+}
+#include "chapters/frame/claims_off.h"
+
+/*
+:::{statement} wang-ch3:prop-3.2.6-derivation
+:title: The formulas come from raising numerator and denominator apart
+:zh: 对分子分母分别升阶
+:printed: the formulas follow when the operator (1.3.9) is applied to the numerator and to the denominator of (3.2.2)
+:holds-by: elevation_through_the_power_basis elevated_points_as_printed
+
+Chapter 1 of the source is not at hand; the operator is taken to be that of elevation,
+$b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.
+:::
+
+:::{claim} elevated_vertex_may_be_at_infinity
+:title: With weights of both signs an elevated vertex need not exist
+:zh: 权因子变号时升阶顶点可不存在
+:kind: counterexample
+:given: $n=2$ and weights $2,-1,2$, for which $\omega(t)>0$ for all $t\in[0,1]$
+:then: $\hat\omega_1=\hat\omega_2=0$: the two inner vertices of the cubic form of this curve are at infinity
+:method: The weights of degree $3$ are computed exactly and asked to be different from $0$; the sign of $\omega(t)$ is
+  decided by counting roots.  For $n=1$ a denominator without zero in $[0,1]$ has weights of one sign.
+:control: the middle weight taken as $+1$
+:::
+*/
+#include "chapters/frame/claims_on.h"
+#if RATIONAL
+#include "exact/sign.h"
+
+CLAIM(elevated_vertex_may_be_at_infinity)
+{
+    enum { n = 2 };
+    num w[n + 1] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)}, we[n + 2];
+    show_points(T, "ω", n + 1, 1, w);
+    G(bezier_elevate)(n, 1, w, we);
+    show_points(T, "elevated ω", n + 2, 1, we);
+    int regular = sign_on(poly_from_bernstein(n, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+    about(T, "a denominator without zeros in [0,1] has elevated weights that are not 0");
+    agree(T, !regular || (!is_zero_q(we[1]) && !is_zero_q(we[2])));
+}
+#endif
+#include "chapters/frame/claims_off.h"
+
+/*
+## Corners are cut
+
+The new vertex $\hat R_i$ divides the edge $R_{i-1}R_i$, and the new edge from $\hat R_i$ to $\hat R_{i+1}$ cuts off the
+corner $R_i$.
+
+:::{statement} wang-ch3:prop-3.2.6-corner-cutting
+:title: Elevation cuts the corners of the polygon
+:zh: 升阶的几何意义是割角
+:printed: geometrically (3.2.9) again cuts the corners of the polygon
+:holds-by: elevation_cuts_corners
+:needs: elevated_vertex_may_leave_the_edge | positive weights; otherwise the new vertex may lie outside the edge
+:::
+
+:::{statement} wang-ch3:prop-3.2.6-ratios
+:title: The ratios depend on the number of the edge and on the weights
+:zh: 割角系数依赖于边序号与权因子
+:printed: this is more complicated than for polynomial curves: the ratios of cutting depend on the number of the edge and
+  on the weights $\omega_i$ as well
+:holds-by: cutting_ratio_depends_on_edge_and_weights
+
+Of the weights only the quotient of the two at the ends of the edge matters.  The ratio is that of the polynomial case on
+exactly those edges whose two weights are equal.
+:::
+
+:::{statement} wang-ch3:prop-3.2.6-for-ever
+:title: Elevation can be repeated for ever
+:zh: 升阶可无限次进行
+:printed: elevation can be repeated without end
+:holds-by: elevation_cuts_corners repeated_elevation_in_one_formula repeated_elevation_computed
+:needs: elevated_vertex_may_be_at_infinity | positive weights; with mixed ones already the first step may fail
+
+Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
+$(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ the degrees $3$ and $4$ have
+points at infinity and from degree $5$ on there are none.
+:::
+
+:::{claim} elevation_cuts_corners
+:title: The new vertex is a mean of the ends of its edge, the new weight a mean of their weights
+:zh: 新顶点在边上, 新权因子在两权之间
+:given: positive $\omega_{i-1},\omega_i$; $1\le i\le n$, $k=n+1-i$
+:then: $\hat R_i=aR_{i-1}+bR_i$ with $a,b>0$, $a+b=1$; $\hat\omega_i=\frac i{n+1}\omega_{i-1}+\frac k{n+1}\omega_i>0$
+:method: In the field, with $i$, $k$ and the weights variables: $a+b-1=0$, and $a$, $b$, $\hat\omega_i$ are quotients of
+  polynomials all of whose coefficients are positive; so they are positive for all positive values, in every degree.
+  Hence, by induction, all weights of all later polygons are positive, and between the least and the largest of the first.
+:degrees: all
+:control: $\omega_{i-1}$ taken for $\omega_i$ in the numerator of $b$
+:::
+
+:::{claim} cutting_ratio_depends_on_edge_and_weights
+:title: How the ratio of cutting depends on the edge and on the weights
+:zh: 割角系数与边序号及权因子的关系
+:given: positive $\omega'=\omega_{i-1}$, $\omega=\omega_i$; $1\le i\le n$, $k=n+1-i$
+:let: $a(i,k,\omega',\omega)=\frac{i\omega'}{i\omega'+k\omega}$, the coefficient of $R_{i-1}$ in $\hat R_i$
+:then: $a-\frac i{n+1}=\frac{ik(\omega'-\omega)}{(n+1)(i\omega'+k\omega)}$; $a$ grows when $\omega'$ grows, and when the
+  number $i$ of the edge grows in the same degree; $a$ does not change when both weights are multiplied by one number
+:method: Identities in the field with $i$, $k$, $\omega'$, $\omega$ and the increments variables; the differences have only
+  positive coefficients.
+:degrees: all
+:control: $\omega$ and $\omega'$ exchanged in the difference from $i/(n+1)$
+:::
+
+:::{claim} repeated_elevation_in_one_formula
+:title: All elevations at once
+:zh: 多次升阶的统一公式
+:given: $n,m\ge0$, $0\le j\le n$
+:let: $c_j(i,m)=\binom nj\binom m{i-j}/\binom{n+m}i$, $i=0,\dots,n+m$, binomial coefficients outside their range being $0$
+:then: $c_j(i,m+1)=(1-\frac i{n+m+1})\,c_j(i,m)+\frac i{n+m+1}\,c_j(i-1,m)$, and $c_j(i,0)$ is $1$ for $i=j$, else $0$; so
+  after $m$ steps $\hat\omega_i=\sum_jc_j(i,m)\omega_j$ and $\hat\omega_i\hat R_i=\sum_jc_j(i,m)\omega_jR_j$
+:method: Induction on $m$: both sides are divided by $\binom nj$, $p=i-j$, and every binomial coefficient is written as a
+  quotient times $\binom mp$ or $\binom{n+m}i$, by the definition with factorials.  $N=n+m$, $i$, $m$, $p$ are variables.
+  The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves.
+:degrees: all
+:control: $\frac i{n+m+1}$ taken as $\frac i{n+m}$
+:::
+
+:::{claim} repeated_elevation_computed
+:title: Elevation step by step gives the one formula
+:zh: 逐次升阶与统一公式一致
+:given: weights and points of degree $n$; $m=1,2,3,4$ steps
+:then: $\hat\omega_i=\sum_j\binom nj\binom m{i-j}\omega_j/\binom{n+m}i$, and the same for $\hat\omega_i\hat R_i$ with
+  $\omega_jR_j$
+:method: The steps are taken with the weights and points variables and compared with the formula.
+:degrees: 1..5 sampled 8
+:control: $\binom m{i-j}$ taken as $\binom{m+1}{i-j}$
+:::
+
+:::{claim} elevated_vertex_may_leave_the_edge
+:title: With weights of both signs a corner is not cut
+:zh: 权因子变号时不再是割角
+:kind: counterexample
+:given: $n=2$, points $(-1,0),(0,1),(1,0)$ and weights $4,-1,4$, for which $\omega(t)>0$ for all $t\in[0,1]$
+:then: $\hat R_1=2R_0-R_1$ is not between $R_0$ and $R_1$
+:method: $\hat R_1=aR_0+bR_1$ with $a=\frac{\omega_0}{\omega_0+2\omega_1}$, $b=\frac{2\omega_1}{\omega_0+2\omega_1}$; both are
+  computed exactly and asked not to be negative; the kernel gives the same point.
+:control: the middle weight taken as $+1$
+:::
+*/
+#include "chapters/frame/claims_on.h"
+
+CLAIM(elevation_cuts_corners)
+{
+    num i = whole(T, "i", 1, 12), k = whole(T, "k", 1, 12), count = add(i, k);
+    num w_before = positive(T, "v", 0), w = positive(T, "w", 0), we, Re;
+    num R_before = unknown(T, "S", 0), R = unknown(T, "R", 0);
+    num weight = add(mul(i, w_before), mul(k, w));
+    num a = div(mul(i, w_before), weight), b = div(mul(k, T->planted ? w_before : w), weight);
+    G(printed_elevation)(div(i, count), w_before, w, R_before, R, &we, &Re);
+    about(T, "a + b = 1");
+    same(T, add(a, b), from_int(1));
+    about(T, "the printed vertex is a R_(i-1) + b R_i");
+    same(T, Re, add(mul(a, R_before), mul(b, R)));
+    about(T, "the printed weight");
+    same(T, we, div(weight, count));
+    about(T, "signs");
+    nonnegative(T, a);
+    nonnegative(T, b);
+    nonnegative(T, we);
+}
+
+/* a(i, k, w', w) = i w' / (i w' + k w) */
+static num G(cutting_ratio)(num i, num k, num w_before, num w)
+{
+    return div(mul(i, w_before), add(mul(i, w_before), mul(k, w)));
+}
+
+CLAIM(cutting_ratio_depends_on_edge_and_weights)
+{
+    num one = from_int(1), i = whole(T, "i", 1, 12), k = whole(T, "k", 1, 12), count = add(i, k);
+    num v = positive(T, "v", 0), w = positive(T, "w", 0), d = positive(T, "d", 0);
+    num a = G(cutting_ratio)(i, k, v, w), difference = T->planted ? sub(w, v) : sub(v, w);
+    about(T, "difference from the polynomial ratio");
+    same(T, sub(a, div(i, count)), div(mul(mul(i, k), difference), mul(count, add(mul(i, v), mul(k, w)))));
+    about(T, "a larger weight before");
+    nonnegative(T, sub(G(cutting_ratio)(i, k, add(v, d), w), a));
+    about(T, "the next edge: i+1 and k-1, here with k+1 and k");
+    nonnegative(T, sub(G(cutting_ratio)(add(i, one), k, v, w), G(cutting_ratio)(i, add(k, one), v, w)));
+    about(T, "both weights multiplied");
+    same(T, G(cutting_ratio)(i, k, mul(d, v), mul(d, w)), a);
+}
+
+CLAIM(repeated_elevation_in_one_formula)
+{
+    num one = from_int(1), i = whole(T, "i", 1, 9), j = whole(T, "r", 1, 9);
+    num p = whole(T, "p", 1, 6), m = add(p, whole(T, "q", 1, 6));
+    num N = add(i, j), next = add(N, one), count = T->planted ? N : next;
+    num share = div(i, count), rest = sub(one, share);
+    num up = positive(T, "b", 0), down = positive(T, "c", 0); /* C(m,p) and C(N,i) */
+
+    about(T, "inside the range, 0 < p < m + 1");
+    num up_before = div(mul(up, p), sub(add(m, one), p));     /* C(m, p-1)   */
+    num down_before = div(mul(down, i), add(sub(N, i), one)); /* C(N, i-1)   */
+    num up_next = div(mul(up, add(m, one)), sub(add(m, one), p));   /* C(m+1, p) */
+    num down_next = div(mul(down, next), sub(next, i));             /* C(N+1, i) */
+    same(T, add(mul(rest, div(up, down)), mul(share, div(up_before, down_before))), div(up_next, down_next));
+
+    about(T, "p = 0: C(m,-1) = 0");
+    same(T, mul(rest, div(one, down)), div(one, down_next));
+
+    about(T, "p = m + 1: C(m,m+1) = 0");
+    same(T, mul(share, div(one, down_before)), div(one, down_next));
+}
+
+CLAIM(repeated_elevation_computed)
+{
+    enum { STEPS = 4 };
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], we[MAX_DEGREE + 1], Re[MAX_DEGREE + 1];
+    num wn[MAX_DEGREE + 1], Rn[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++) {
+        w[i] = we[i] = positive(T, "w", i);
+        R[i] = Re[i] = unknown(T, "R", i);
+    }
+    for (int m = 1; m <= STEPS; m++) {
+        G(rational_elevate)(n + m - 1, 1, Re, we, Rn, wn);
+        for (int i = 0; i <= n + m; i++) {
+            we[i] = wn[i];
+            Re[i] = Rn[i];
+            num weight = from_int(0), point = from_int(0);
+            for (int j = 0; j <= n; j++) {
+                num c = from_ratio(binomial(n, j) * binomial(m + T->planted, i - j), binomial(n + m, i));
+                weight = add(weight, mul(c, w[j]));
+                point = add(point, mul(c, mul(w[j], R[j])));
+            }
+            same(T, we[i], weight);
+            same(T, mul(we[i], Re[i]), point);
+        }
+    }
+}
+
+#if RATIONAL
+CLAIM(elevated_vertex_may_leave_the_edge)
+{
+    enum { n = 2 };
+    num one = from_int(1), zero = from_int(0), w[n + 1] = {from_int(4), from_int(T->planted ? 1 : -1), from_int(4)};
+    num R[2 * (n + 1)] = {neg(one), zero, zero, one, one, zero}, we[n + 2], Re[2 * (n + 2)];
+    num weight = add(w[0], mul(from_int(2), w[1])), a = div(w[0], weight), b = sub(one, a);
+    show_points(T, "R", n + 1, 2, R);
+    show_points(T, "ω", n + 1, 1, w);
+    G(rational_elevate)(n, 2, R, w, Re, we);
+    show_points(T, "elevated ω", n + 2, 1, we);
+    show_points(T, "elevated R", n + 2, 2, Re);
+    show(T, "a", a);
+    show(T, "b", b);
+    int regular = sign_on(poly_from_bernstein(n, w), zero, one, CLOSED) == SIGN_POSITIVE;
+    for (int c = 0; c < 2; c++)
+        regular &= equal_q(Re[2 + c], add(mul(a, R[c]), mul(b, R[2 + c])));
+    about(T, "for a denominator without zeros in [0,1], elevated R_1 = a R_0 + b R_1 with a, b >= 0");
+    agree(T, !regular || (sign_q(a) >= 0 && sign_q(b) >= 0));
+}
+#endif
+#include "chapters/frame/claims_off.h"
+
+/*
+## The polygons converge
+
+The polygon of degree $N$ is compared with the curve at the parameters $i/N$.  In degree $N$ the power $t^k$ has the
+coefficients $\binom ik/\binom Nk=\prod_{l<k}\frac{i-l}{N-l}$, and each of these factors differs from $i/N$ by at most
+$\frac l{N-l}$.  So for a polynomial $f=\sum_{k\le n}c_kt^k$ with coefficients $f_i^N$ in degree $N$
+
+$$\left|f_i^N-f(i/N)\right|\le\frac{K_f}{N-n+1},\qquad K_f=\sum_{k=2}^n\frac{k(k-1)}2|c_k|,$$
+
+for every $N\ge n$ and every $i$.  For the rational curve this is used in the numerator and in the denominator.
+
+:::{statement} wang-ch3:prop-3.2.6-convergence
+:title: The elevated polygons converge to the curve
+:zh: 升阶多边形序列收敛到曲线
+:printed: the sequence of elevated polygons converges to $\mathbf R(t)$
+:holds-by: elevated_polygons_converge powers_in_every_degree
+:needs: elevation_fails_at_a_pole | positive weights, so that no polygon of the sequence lacks a vertex
+
+The convergence is uniform and of order $1/N$, not better: for the parabola the distance of the $i$-th vertex is exactly
+$x(1-x)/(N-1)$ with $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` computes it for other curves.
+If $\omega(t)>0$ on $[0,1]$ but some weights are not positive, then the bound for the denominator makes all weights
+positive from some degree on, and the polygons converge from there; see `mixed_weights_become_positive`.
+:::
+
+:::{claim} powers_in_every_degree
+:title: The Bernstein coefficients of a power of t in every degree
+:zh: 幂函数在各次 Bernstein 基下的系数
+:given: $0\le k\le N$
+:then: $t^k=\sum_{i=0}^N\binom ik\binom Nk^{-1}B_i^N(t)$
+:method: Induction on $N$.  For $N=k$ the right side is $B_k^k=t^k$.  From $N$ to $N+1$ the coefficients are elevated:
+  $(1-\frac i{N+1})\binom ik+\frac i{N+1}\binom{i-1}k$ must be $\binom ik\binom Nk/\binom{N+1}k$, where
+  $\binom{i-1}k=\frac{i-k}i\binom ik$ and $\binom{N+1}k=\frac{N+1}{N+1-k}\binom Nk$.  Here $i$, $k$, $N$ and $\binom ik$
+  are variables, $i\ge1$; for $i=0$ both sides have the only factor $\binom0k$, which is compared too.
+:degrees: all
+:control: $i-k$ taken as $i-k+1$
+:::
+
+:::{claim} elevated_polygons_converge
+:title: Elevated polygons converge to the curve, with an error of at most a constant over the degree
+:zh: 升阶多边形以 1/N 的阶收敛
+:given: positive weights; $N\ge n$, $x=i/N$, $0\le i\le N$
+:then: the vertex $\hat R_i$ of degree $N$ has
+  $|\hat R_i-R(x)|\le\frac{K_{\omega R}+|R(x)|K_\omega}{(N-n+1)\min_j\omega_j}$ in each coordinate
+:method: In the field, with $i,N,l,k$ variables and positive differences between them:
+  (1) $0\le x-\frac{i-l}{N-l}=\frac{l(N-i)}{N(N-l)}\le\frac l{N-l}$ for $l<i$, and for $i\le l$, where the product is $0$ and its
+  factor is replaced by $0$, $x\le\frac l{N-l}$; (2) $\frac l{N-l}\le\frac l{N-k+1}$ for $l<k$; (3) $Aa-Bb=(A-B)a+B(a-b)$, so
+  that products of $k$ factors of $[0,1]$ differ by at most the sum of the differences of the factors, here
+  $\sum_{l<k}\frac l{N-k+1}$, which is $\frac{k(k-1)}{2(N-k+1)}$; (4) $\frac{\hat P}{\hat\omega}-\frac P\omega=
+  \frac{(\hat P-P)-\frac P\omega(\hat\omega-\omega)}{\hat\omega}$, and $\hat\omega\ge\min\omega_j$ because every elevated weight is
+  a mean of earlier ones.  Between the vertices the polygon is as near, since $R$ has a bounded derivative.
+:degrees: all
+:control: $N(N-l)$ in (1) taken as $N^2$
+:::
+
+:::{claim} elevated_parabola_misses_by_one_over_degree
+:title: The order 1/N is not better for the parabola
+:zh: 抛物线的升阶误差恰为 1/N 阶
+:given: $y=x^2$, all weights $1$, degree $N\ge2$
+:then: the $i$-th vertex is $(x,\,x^2-\frac{x(1-x)}{N-1})$ with $x=i/N$
+:method: The coefficients of $t$ and $t^2$ in degree $N$ are $\frac iN$ and $\frac{i(i-1)}{N(N-1)}$; $i$ and $N$ are variables.
+:degrees: all
+:control: $N-1$ taken as $N$
+:::
+
+:::{claim} elevated_polygons_within_their_bound
+:title: Computed elevations stay within the bound
+:zh: 升阶误差的实际界
+:kind: decision
+:given: quadratics and cubics of the plane with weights $(1,1,2)$, $(1,3,1)$, $(1,100,1)$, $(1,\frac1{100},1)$, $(1,5,\frac15,1)$,
+  $(\frac1{50},1,50,\frac13)$; all degrees $N$ up to $32$
+:then: every vertex is within the bound of `elevated_polygons_converge`
+:method: The curves are elevated step by step with rational numbers; every vertex of every degree is compared with $R(i/N)$.
+  For $(1,3,1)$ the largest error is shown, multiplied by $N$: it tends to a number that is not $0$.
+:scope: the six curves, degrees up to 32
+:control: the bound divided by $10(N-n+1)$, as if the error were of order $1/N^2$
+:::
+
+:::{claim} mixed_weights_become_positive
+:title: A positive denominator has positive weights in high degrees
+:zh: 正分母的权因子在高次时皆正
+:kind: decision
+:given: the weights $2,-1,2$ of degree $2$
+:then: the elevated weights of degrees $3$ and $4$ are not all different from $0$; those of degree $5$ are all positive, and so
+  are then those of every later degree
+:method: Elevated exactly; a mean of positive numbers is positive.
+:scope: the weights 2, -1, 2
+:control: degree $4$ taken for $5$
+:::
+
+:::{claim} elevation_fails_at_a_pole
+:title: If the denominator vanishes, every second polygon lacks a vertex
+:zh: 分母有零点时, 升阶多边形不存在
+:kind: counterexample
+:given: $n=1$ and weights $1,-1$: $\omega(t)=1-2t$ vanishes at $t=\frac12$
+:then: in each even degree $N=2,4,\dots,20$ the vertex number $N/2$ has weight $0$
+:method: The weights are elevated exactly; it is asked that one of these ten polygons have all its vertices.
+:control: the second weight taken as $+1$
+:::
+*/
+#include "chapters/frame/claims_on.h"
+
+CLAIM(powers_in_every_degree)
+{
+    num one = from_int(1), i = whole(T, "i", 1, 9), k = whole(T, "k", 0, 5);
+    num N = add(add(i, k), whole(T, "r", 1, 9)), next = add(N, one);
+    num choose = unknown(T, "c", 0); /* C(i,k), a common factor */
+    num fewer = T->planted ? add(sub(i, k), one) : sub(i, k);
+    num before = div(mul(choose, fewer), i), ratio = div(i, next);
+    num wanted = div(mul(choose, sub(next, k)), next);
+    same(T, add(mul(sub(one, ratio), choose), mul(ratio, before)), wanted);
+    about(T, "i = 0: C(0,k) is 0 unless k = 0, and then both factors are 1");
+    same(T, sub(one, div(from_int(0), next)), div(sub(next, from_int(0)), next));
+}
+
+CLAIM(elevated_polygons_converge)
+{
+    num p = whole(T, "p", 1, 5), r = whole(T, "r", 1, 9), l = whole(T, "l", 1, 4);
+
+    about(T, "(1), l < i");
+    num i = add(l, p), N = add(i, r), x = div(i, N), gap = sub(x, div(sub(i, l), sub(N, l)));
+    same(T, gap, div(mul(l, r), mul(N, T->planted ? N : sub(N, l))));
+    nonnegative(T, gap);
+    nonnegative(T, sub(div(l, sub(N, l)), gap));
+
+    about(T, "(1), i <= l");
+    num early = whole(T, "j", 0, 3), late = add(early, p), M = add(late, r);
+    nonnegative(T, sub(div(late, sub(M, late)), div(early, M)));
+
+    about(T, "(2)");
+    num below = whole(T, "q", 0, 3), k = add(add(l, below), from_int(1)), L = add(sub(k, from_int(1)), r);
+    nonnegative(T, sub(div(l, add(sub(L, k), from_int(1))), div(l, sub(L, l))));
+
+    about(T, "(3)");
+    num A = unknown(T, "A", 0), a = unknown(T, "a", 0), B = unknown(T, "B", 0), b = unknown(T, "b", 0);
+    same(T, sub(mul(A, a), mul(B, b)), add(mul(sub(A, B), a), mul(B, sub(a, b))));
+
+    about(T, "(4)");
+    num w = positive(T, "w", 0), we = positive(T, "we", 0), R = div(A, w);
+    same(T, sub(div(B, we), R), div(sub(sub(B, A), mul(R, sub(we, w))), we));
+}
+
+CLAIM(elevated_parabola_misses_by_one_over_degree)
+{
+    num one = from_int(1), i = whole(T, "i", 0, 9);
+    num N = add(add(i, whole(T, "r", 0, 9)), from_int(2)), x = div(i, N);
+    num y = div(mul(i, sub(i, one)), mul(N, sub(N, one)));
+    same(T, sub(mul(x, x), y), div(mul(x, sub(one, x)), T->planted ? N : sub(N, one)));
+}
+
+#if RATIONAL
+static num_q magnitude(num_q a) { return sign_q(a) < 0 ? neg_q(a) : a; }
+static num_q larger(num_q a, num_q b) { return compare_q(a, b) < 0 ? b : a; }
+
+/* K_f = sum_k k(k-1)/2 |c_k| for f = sum b_i B_i^n = sum c_k t^k. */
+static num_q curving(int n, const num_q b[])
+{
+    num_q c[MAX_DEGREE + 1], sum = from_int_q(0);
+    bernstein_to_power_q(n, b, c);
+    for (int k = 2; k <= n; k++)
+        sum = add_q(sum, mul_q(from_int_q(k * (k - 1) / 2), magnitude(c[k])));
+    return sum;
+}
+
+CLAIM(elevated_polygons_within_their_bound)
+{
+    enum { LAST = 32, CURVES = 6 };
+    static const struct {
+        int n;
+        long w[4], common, R[8];
+    } curve[CURVES] = {{2, {1, 1, 2}, 1, {1, 0, 1, 1, 0, 1}},          {2, {1, 3, 1}, 1, {-1, 0, 0, 1, 1, 0}},
+                       {2, {1, 100, 1}, 1, {0, 0, 3, 1, 1, 4}},        {2, {100, 1, 100}, 100, {0, 0, 3, 1, 1, 4}},
+                       {3, {5, 25, 1, 5}, 5, {0, 0, 0, 3, 3, 3, 3, 0}}, {3, {3, 150, 7500, 50}, 150, {0, 0, 5, 1, -4, 2, 1, 3}}};
+    for (int example = 0; example < CURVES; example++) {
+        int n = curve[example].n;
+        num w[4], R[8], we[LAST + 1], Re[2 * (LAST + 1)], wn[LAST + 1], Rn[2 * (LAST + 1)], K[3], least;
+        for (int i = 0; i <= n; i++) {
+            w[i] = we[i] = from_ratio(curve[example].w[i], curve[example].common);
+            least = i == 0 || compare_q(w[i], least) < 0 ? w[i] : least;
+            for (int c = 0; c < 2; c++)
+                R[2 * i + c] = Re[2 * i + c] = from_int(curve[example].R[2 * i + c]);
+        }
+        for (int c = 0; c < 3; c++) {
+            num b[4];
+            for (int i = 0; i <= n; i++)
+                b[i] = c < 2 ? mul(w[i], R[2 * i + c]) : w[i];
+            K[c] = curving(n, b);
+        }
+        for (int N = n + 1; N <= LAST; N++) {
+            G(rational_elevate)(N - 1, 2, Re, we, Rn, wn);
+            num worst = from_int(0);
+            for (int i = 0; i <= N; i++) {
+                num P[2];
+                we[i] = wn[i];
+                G(rational_point)(n, 2, R, w, from_ratio(i, N), P);
+                for (int c = 0; c < 2; c++) {
+                    Re[2 * i + c] = Rn[2 * i + c];
+                    num error = magnitude(sub(Re[2 * i + c], P[c]));
+                    num bound = div(add(K[c], mul(magnitude(P[c]), K[2])), mul(from_int(N - n + 1), least));
+                    bound = T->planted ? div(bound, from_int(10 * (N - n + 1))) : bound;
+                    agree(T, compare_q(error, bound) <= 0);
+                    worst = larger(worst, error);
+                }
+            }
+            if (example == 1 && (N & (N - 1)) == 0)
+                show_text(T, "N · error", "%.3f for N = %d", N * to_double_q(worst), N);
+        }
+    }
+}
+
+/* The weights w of degree n raised to degree N <= 20. */
+static void raised_weights(int n, const num_q w[], int N, num_q out[])
+{
+    num_q b[21];
+    for (int i = 0; i <= n; i++)
+        out[i] = w[i];
+    for (int k = n; k < N; k++) {
+        for (int i = 0; i <= k; i++)
+            b[i] = out[i];
+        bezier_elevate_q(k, 1, b, out);
+    }
+}
+
+CLAIM(mixed_weights_become_positive)
+{
+    num w[3] = {from_int(2), from_int(-1), from_int(2)}, we[21];
+    for (int N = 3; N <= 5; N++) {
+        raised_weights(2, w, T->planted && N == 5 ? 4 : N, we);
+        int zero = 0, positive_ones = 0;
+        for (int i = 0; i <= N; i++) {
+            zero += is_zero_q(we[i]);
+            positive_ones += sign_q(we[i]) > 0;
+        }
+        show_points(T, "elevated ω", N + 1, 1, we);
+        agree(T, N < 5 ? zero > 0 : positive_ones == N + 1);
+    }
+}
+
+CLAIM(elevation_fails_at_a_pole)
+{
+    num w[2] = {from_int(1), from_int(T->planted ? 1 : -1)}, we[21];
+    int lacking = 0;
+    show_points(T, "ω", 2, 1, w);
+    for (int N = 2; N <= 20; N += 2) {
+        raised_weights(1, w, N, we);
+        if (N <= 4)
+            show_points(T, "elevated ω", N + 1, 1, we);
+        lacking += is_zero_q(we[N / 2]);
+    }
+    show_text(T, "polygons that lack a vertex", "%d of 10", lacking);
+    about(T, "some polygon of even degree has all its vertices");
+    agree(T, lacking < 10);
+}
+#endif
 #include "chapters/frame/claims_off.h"

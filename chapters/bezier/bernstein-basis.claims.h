@@ -1,0 +1,538 @@
+/*
+# The Bernstein basis (Bernstein 基)
+
+The Bernstein polynomials of degree $n$ are the terms of the binomial expansion of $((1-t)+t)^n$,
+
+$$B_i^n(t)=\binom ni(1-t)^{n-i}t^i,\qquad i=0,\dots,n.$$
+
+What a Bézier curve does, it does because of them: it lies in the hull of its points since they are positive with
+sum $1$, it is symmetric since they are, and one can write any polynomial with them.
+
+The library computes them by their recurrence, without a binomial coefficient.
+
+:::{claim} bernstein_is_binomial_form
+:title: The kernel computes the terms of the binomial expansion
+:zh: 内核所算即二项展开式各项
+:given: any $t$
+:then: `bernstein` gives $B_i^n(t)=\binom ni(1-t)^{n-i}t^i$, $i=0,\dots,n$
+:method: The kernel runs through the degrees with $B_i^k=(1-t)B_i^{k-1}+tB_{i-1}^{k-1}$; the other side is
+  $\frac{n!}{i!(n-i)!}$ times powers.  At a variable $t$ both are elements of one field.
+:degrees: 0..8 sampled 20
+:defines: bernstein
+:control: the binomial coefficient taken as $\binom{n+1}i$
+:::
+*/
+#include "chapters/bezier/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+CLAIM(bernstein_is_binomial_form)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), B[MAX_DEGREE + 1];
+    G(bernstein)(n, t, B);
+    for (int i = 0; i <= n; i++) {
+        num term = mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i));
+        same(T, B[i], mul(G(choose)(n + T->planted, i), term));
+    }
+}
+
+/*
+## Relations between neighbours, for every degree
+
+In these the degree itself is a variable.  What makes that possible is the ratio of neighbouring terms: if $c$ is
+one binomial coefficient, the ones beside it are $c$ times a quotient of $n$ and $i$, and the powers of $t$ and of
+$1-t$ that both sides share are two more variables.  An identity in all these variables holds for all integers.
+
+:::{claim} bernstein_recurrence
+:title: The recurrence of the Bernstein polynomials
+:zh: Bernstein 基的递推关系
+:given: integers $1\le i\le n$, any $t$
+:let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$; $U=(1-t)^{n-i}$, $V=t^{i-1}$
+:then: $B_i^n(t)=(1-t)B_i^{n-1}(t)+tB_{i-1}^{n-1}(t)$
+:method: The three terms are $c\frac ni\,UtV$, $c\frac{n-i}i\,UtV$ and $c\,UtV$, compared with $n-i$, $i$, $t$, $c$,
+  $U$, $V$ all variables.  For $i=0$ the relation is $(1-t)^n=(1-t)(1-t)^{n-1}$.
+:degrees: all
+:control: $\binom{n-1}i$ taken as $c\frac{n-i}{i+1}$
+:::
+*/
+CLAIM(bernstein_recurrence)
+{
+    num i = G(integer)(T, "i", 1, 20), rest = G(integer)(T, "n_minus_i", 0, 20), n = add(i, rest);
+    num t = parameter(T, "t"), c = parameter(T, "c"), U = parameter(T, "U"), V = parameter(T, "V");
+    num shared = mul(mul(U, V), t), below = T->planted ? add(i, from_int(1)) : i;
+    num stays = mul(mul(c, div(rest, below)), shared), comes = mul(c, shared);
+    same(T, mul(mul(c, div(n, i)), shared), add(stays, comes));
+}
+
+/*
+:::{claim} bernstein_raised_by_one_degree
+:title: A Bernstein polynomial is a combination of two of the next degree
+:zh: n 次基由两个 n+1 次基表示
+:given: integers $0\le i\le n$, any $t$
+:let: $c=\binom ni$, so that $\binom{n+1}i=c\frac{n+1}{n+1-i}$ and $\binom{n+1}{i+1}=c\frac{n+1}{i+1}$;
+  $U=(1-t)^{n-i}$, $V=t^i$
+:then: $(1-t)B_i^n=\frac{n+1-i}{n+1}B_i^{n+1}$ and $tB_i^n=\frac{i+1}{n+1}B_{i+1}^{n+1}$, hence
+  $B_i^n=(1-\frac i{n+1})B_i^{n+1}+\frac{i+1}{n+1}B_{i+1}^{n+1}$
+:method: With $n-i$, $i$, $t$, $c$, $U$, $V$ variables, both sides of each relation are one element of the field.
+:degrees: all
+:control: the factor $\frac{i+1}{n+1}$ taken as $\frac i{n+1}$
+:::
+*/
+CLAIM(bernstein_raised_by_one_degree)
+{
+    num one = from_int(1), i = G(integer)(T, "i", 0, 20), rest = G(integer)(T, "n_minus_i", 0, 20);
+    num next = add(add(i, rest), one), t = parameter(T, "t"), s = sub(one, t);
+    num c = parameter(T, "c"), U = parameter(T, "U"), V = parameter(T, "V"), B = mul(c, mul(U, V));
+    num lower = mul(mul(c, div(next, add(rest, one))), mul(mul(s, U), V));
+    num upper = mul(mul(c, div(next, add(i, one))), mul(U, mul(t, V)));
+    num left = mul(div(add(rest, one), next), lower);
+    num right = mul(div(T->planted ? i : add(i, one), next), upper);
+    about(T, "(1-t) B_i^n");
+    same(T, left, mul(s, B));
+    about(T, "t B_i^n");
+    same(T, right, mul(t, B));
+    about(T, "B_i^n");
+    same(T, add(left, right), B);
+}
+
+/*
+:::{claim} bernstein_derivative
+:title: The derivative of a Bernstein polynomial
+:zh: Bernstein 基的导数
+:given: integers $0\le i\le n$, any $t$
+:let: $c=\binom ni$, so that $\binom{n-1}{i-1}=c\frac in$ and $\binom{n-1}i=c\frac{n-i}n$; $W=t^{i-1}$, $X=(1-t)^{n-i-1}$
+:then: $(B_i^n)'=n(B_{i-1}^{n-1}-B_i^{n-1})$ and $t(1-t)\,(B_i^n)'=(i-nt)\,B_i^n$
+:method: By the product rule the derivative of $t^i(1-t)^{n-i}$ is $i\,W(1-t)X-(n-i)\,tWX$.  With $n-i$, $i$, $t$,
+  $c$, $W$, $X$ variables both relations are equalities in the field.  For $i=0$ and $i=n$ one term is absent,
+  and its factor $i$ or $n-i$ is $0$.
+:degrees: all
+:control: the sign between the two terms of the derivative
+:::
+*/
+CLAIM(bernstein_derivative)
+{
+    num one = from_int(1), i = G(integer)(T, "i", 1, 20), rest = G(integer)(T, "n_minus_i", 1, 20);
+    num n = add(i, rest), t = parameter(T, "t"), s = sub(one, t);
+    num c = parameter(T, "c"), W = parameter(T, "W"), X = parameter(T, "X");
+    num rising = mul(i, mul(mul(W, s), X)), falling = mul(rest, mul(mul(t, W), X));
+    num D = mul(c, T->planted ? add(rising, falling) : sub(rising, falling));
+    num left = mul(mul(c, div(i, n)), mul(mul(W, s), X));     /* B_{i-1}^{n-1} */
+    num right = mul(mul(c, div(rest, n)), mul(mul(t, W), X)); /* B_i^{n-1} */
+    about(T, "(B_i^n)'");
+    same(T, D, mul(n, sub(left, right)));
+    num B = mul(c, mul(mul(t, W), mul(s, X)));
+    about(T, "t (1-t) (B_i^n)'");
+    same(T, mul(mul(t, s), D), mul(sub(i, mul(n, t)), B));
+}
+
+/*
+The second relation of the last claim says where a Bernstein polynomial is largest: in $(0,1)$ it is positive, so
+its derivative has the sign of $i-nt$.
+
+:::{claim} bernstein_largest_at_its_node
+:title: A Bernstein polynomial increases up to i/n and decreases after it
+:zh: 基函数在 i/n 处取唯一最大值
+:given: integers $0\le i\le n$, $n\ge1$
+:let: $t=\frac in\cdot\frac s{1+s}$ for a point of $(0,\frac in)$, $t=\frac in+\frac{n-i}n\cdot\frac s{1+s}$ for one of
+  $(\frac in,1)$, $s>0$
+:then: $i-nt$ is positive in the first interval and negative in the second, so that $\frac in$ is the only maximum of
+  $B_i^n$ in $[0,1]$
+:method: The numerators and denominators of $\pm(i-nt)$ are polynomials in $i$, $n-i$ and $s$ with positive
+  coefficients.  If $i=0$ or $i=n$ one of the two intervals is empty.
+:degrees: all
+:control: the sign after the node expected as before it
+:::
+*/
+CLAIM(bernstein_largest_at_its_node)
+{
+    num one = from_int(1), i = G(integer)(T, "i", 1, 20), rest = G(integer)(T, "n_minus_i", 1, 20);
+    num n = add(i, rest), share = inside(T, "s");
+    num node = div(i, n), after = add(node, mul(sub(one, node), share));
+    about(T, "i - n t before the node");
+    G(above_zero)(T, sub(i, mul(n, mul(node, share))));
+    about(T, "n t - i after the node");
+    num falling = sub(mul(n, after), i);
+    G(above_zero)(T, T->planted ? neg(falling) : falling);
+    about(T, "i - n t at the node");
+    vanishes(T, sub(i, mul(n, node)));
+}
+
+/*
+## Sum, sign, symmetry
+
+:::{claim} bernstein_sums_to_one
+:title: The Bernstein polynomials of one degree sum to 1
+:zh: 规范性:基函数之和为一
+:given: any $t$
+:then: $\sum_{i=0}^nB_i^n(t)=1$
+:method: The sum of the kernel's values at a variable $t$ is the constant $1$ of the field.  By the recurrence,
+  proved above for every $n$, the sum for $n$ is $(1-t)+t$ times the sum for $n-1$.
+:degrees: 0..12 sampled 24
+:control: $B_0^n$ left out
+:::
+*/
+CLAIM(bernstein_sums_to_one)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), B[MAX_DEGREE + 1], sum = from_int(0);
+    G(bernstein)(n, t, B);
+    for (int i = T->planted; i <= n; i++)
+        sum = add(sum, B[i]);
+    same(T, sum, from_int(1));
+}
+
+/*
+:::{claim} bernstein_positive_inside
+:title: Inside the unit interval every Bernstein polynomial is positive
+:zh: 在开区间内恒正
+:given: $t=\frac s{1+s}$ with $s>0$, that is, any $t\in(0,1)$
+:then: $B_i^n(t)>0$ for $i=0,\dots,n$
+:method: Each value of the kernel, as a quotient of polynomials in $s$, has positive coefficients only.
+:degrees: 0..10 sampled 20
+:control: $t$ taken as $-\frac s{1+s}$
+:::
+*/
+CLAIM(bernstein_positive_inside)
+{
+    int n = T->degree;
+    num t = inside(T, "s"), B[MAX_DEGREE + 1];
+    G(bernstein)(n, T->planted ? neg(t) : t, B);
+    for (int i = 0; i <= n; i++)
+        G(above_zero)(T, B[i]);
+}
+
+/*
+Outside the unit interval the signs alternate, and the sum is still $1$: there a curve may leave the hull of its
+points.
+
+:::{claim} bernstein_alternates_outside
+:title: Outside the unit interval the signs alternate
+:zh: 区间之外基函数符号交错
+:given: any $s>0$
+:then: $(-1)^iB_i^n(-s)>0$ and $(-1)^{n-i}B_i^n(1+s)>0$ for $i=0,\dots,n$
+:method: As polynomials in $s$ these have positive coefficients only.
+:degrees: 0..10 sampled 20
+:control: the sign $(-1)^i$ at $1+s$ as well
+:::
+*/
+CLAIM(bernstein_alternates_outside)
+{
+    int n = T->degree;
+    num s = positive(T, "s", 0), one = from_int(1), before[MAX_DEGREE + 1], after[MAX_DEGREE + 1];
+    G(bernstein)(n, neg(s), before);
+    G(bernstein)(n, add(one, s), after);
+    for (int i = 0; i <= n; i++) {
+        G(above_zero)(T, i % 2 == 0 ? before[i] : neg(before[i]));
+        int exponent = T->planted ? i : n - i;
+        G(above_zero)(T, exponent % 2 == 0 ? after[i] : neg(after[i]));
+    }
+}
+
+/*
+:::{claim} bernstein_at_ends
+:title: At the ends one Bernstein polynomial is 1 and the others are 0
+:zh: 端点处的值
+:given: $t=0$ and $t=1$
+:then: $B_i^n(0)$ is $1$ for $i=0$ and $0$ otherwise; $B_i^n(1)$ is $1$ for $i=n$ and $0$ otherwise
+:method: The kernel's values at the two integers, one case for each $n$.
+:degrees: 0..12 sampled 24
+:control: the values at $1$ expected in the order of those at $0$
+:::
+*/
+CLAIM(bernstein_at_ends)
+{
+    int n = T->degree;
+    num B[MAX_DEGREE + 1];
+    G(bernstein)(n, from_int(0), B);
+    for (int i = 0; i <= n; i++)
+        same(T, B[i], from_int(i == 0));
+    G(bernstein)(n, from_int(1), B);
+    for (int i = 0; i <= n; i++)
+        same(T, B[i], from_int(T->planted ? i == 0 : i == n));
+}
+
+/*
+:::{claim} bernstein_is_symmetric
+:title: Reversing the parameter reverses the basis
+:zh: 对称性
+:given: any $t$
+:then: $B_i^n(1-t)=B_{n-i}^n(t)$
+:method: The kernel at a variable $t$ and at $1-t$.
+:degrees: 0..8 sampled 20
+:control: $B_i^n(t)$ on the right
+:::
+*/
+CLAIM(bernstein_is_symmetric)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), B[MAX_DEGREE + 1], reversed[MAX_DEGREE + 1];
+    G(bernstein)(n, t, B);
+    G(bernstein)(n, sub(from_int(1), t), reversed);
+    for (int i = 0; i <= n; i++)
+        same(T, reversed[i], B[T->planted ? i : n - i]);
+}
+
+/*
+## Derivatives and integrals
+
+:::{claim} bernstein_derivatives_of_every_order
+:title: The kernel computes the derivatives of the basis, of every order
+:zh: 基函数的各阶导数
+:given: any $t$, orders $0,\dots,n+1$
+:then: `bernstein_derivatives` gives $\frac{d^k}{dt^k}B_i^n(t)$, $0$ for $k>n$
+:method: The kernel goes up from degree $n-k$ by differences; the other side differentiates $\binom ni(1-t)^{n-i}t^i$,
+  in the field as a rational function, in the other number types power by power.
+:degrees: 0..6 sampled 10
+:defines: bernstein_derivatives
+:control: the factor $n!/(n-k)!$ short of its factor $n$
+:::
+*/
+CLAIM(bernstein_derivatives_of_every_order)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), B[(MAX_DEGREE + 1) * (MAX_DEGREE + 2)];
+    G(bernstein_derivatives)(n, n + 1, t, B);
+    for (int k = 0; k <= n + 1; k++)
+        for (int i = 0; i <= n; i++) {
+            num D = G(basis_derivative)(n, i, k, t);
+            same(T, B[k * (n + 1) + i], T->planted && k > 0 ? div(D, from_int(n + 1)) : D);
+        }
+}
+
+/*
+:::{claim} bernstein_primitive
+:title: A primitive of a Bernstein polynomial; all of them have the same area
+:zh: 原函数与积分
+:given: any $t$
+:then: $\int_0^tB_i^n=\frac1{n+1}\sum_{j=i+1}^{n+1}B_j^{n+1}(t)$, in particular $\int_0^1B_i^n=\frac1{n+1}$
+:method: The left side is integrated power by power, the right side is the kernel's.
+:degrees: 0..7 sampled 12
+:control: the sum from $j=i$ on
+:::
+*/
+CLAIM(bernstein_primitive)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), B[MAX_DEGREE + 2];
+    G(bernstein)(n + 1, t, B);
+    for (int i = 0; i <= n; i++) {
+        num area = from_int(0), whole = from_int(0), sum = from_int(0);
+        for (int k = i; k <= n; k++) {
+            num c = div(G(basis_coefficient)(n, i, k), from_int(k + 1));
+            area = add(area, mul(c, G(power)(t, k + 1)));
+            whole = add(whole, c);
+        }
+        for (int j = T->planted ? i : i + 1; j <= n + 1; j++)
+            sum = add(sum, B[j]);
+        about(T, "the integral up to t");
+        same(T, div(sum, from_int(n + 1)), area);
+        about(T, "the integral over [0,1]");
+        same(T, from_ratio(1, n + 1), whole);
+    }
+}
+
+/*
+## A basis
+
+Between the Bernstein form and the powers of $t$ one passes by a triangular matrix, without a zero in its diagonal:
+the Bernstein polynomials of degree $n$ are independent and span all polynomials of degree at most $n$.  A
+polynomial that vanishes on an interval therefore has no coefficient different from $0$.
+
+:::{claim} bernstein_to_power_keeps_polynomial
+:title: From the Bernstein form to powers
+:zh: Bernstein 形式化为幂形式
+:given: any coefficients $b_0,\dots,b_n$, any $t$
+:then: the coefficients $c$ of `bernstein_to_power` have $\sum c_kt^k=\sum b_iB_i^n(t)$
+:method: Both sums at a variable $t$, the $b_i$ variables, the right one from the definition.
+:degrees: 0..7 sampled 12
+:defines: bernstein_to_power
+:control: the last coefficient with the other sign
+:::
+*/
+CLAIM(bernstein_to_power_keeps_polynomial)
+{
+    int n = T->degree;
+    num b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], sum = from_int(0), t = parameter(T, "t");
+    G(free_points)(T, n, 1, b);
+    G(bernstein_to_power)(n, b, c);
+    if (T->planted)
+        c[n] = neg(c[n]);
+    for (int k = 0; k <= n; k++)
+        sum = add(sum, mul(c[k], G(power)(t, k)));
+    same(T, sum, G(curve)(n, 1, b, 0, t));
+}
+
+/*
+:::{claim} power_to_bernstein_keeps_polynomial
+:title: From powers to the Bernstein form
+:zh: 幂形式化为 Bernstein 形式
+:given: any coefficients $c_0,\dots,c_n$, any $t$
+:then: the coefficients $b$ of `power_to_bernstein` have $\sum b_iB_i^n(t)=\sum c_kt^k$
+:method: Both sums at a variable $t$, the $c_k$ variables, the left one from the definition.
+:degrees: 0..7 sampled 12
+:defines: power_to_bernstein
+:control: the last coefficient with the other sign
+:::
+*/
+CLAIM(power_to_bernstein_keeps_polynomial)
+{
+    int n = T->degree;
+    num b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], sum = from_int(0), t = parameter(T, "t");
+    G(free_points)(T, n, 1, c);
+    G(power_to_bernstein)(n, c, b);
+    if (T->planted)
+        b[n] = neg(b[n]);
+    for (int k = 0; k <= n; k++)
+        sum = add(sum, mul(c[k], G(power)(t, k)));
+    same(T, G(curve)(n, 1, b, 0, t), sum);
+}
+
+/*
+:::{claim} bernstein_and_power_forms_are_inverse
+:title: The two conversions undo each other
+:zh: 两种转换互逆
+:given: any $n+1$ numbers
+:then: `power_to_bernstein` after `bernstein_to_power`, and the other way round, give them back
+:method: Both compositions on variables; the kernels are also called with their result in place of their argument.
+:degrees: 0..10 sampled 16
+:control: the coefficients reversed between the two conversions
+:::
+*/
+CLAIM(bernstein_and_power_forms_are_inverse)
+{
+    int n = T->degree;
+    num b[MAX_DEGREE + 1], there[MAX_DEGREE + 1], back[MAX_DEGREE + 1];
+    G(free_points)(T, n, 1, b);
+    for (int order = 0; order < 2; order++) {
+        (order == 0 ? G(bernstein_to_power) : G(power_to_bernstein))(n, b, there);
+        for (int i = 0; i <= n; i++)
+            back[i] = there[T->planted ? n - i : i];
+        (order == 0 ? G(power_to_bernstein) : G(bernstein_to_power))(n, back, back);
+        for (int i = 0; i <= n; i++)
+            same(T, back[i], b[i]);
+    }
+}
+
+/*
+:::{claim} bernstein_basis_is_independent
+:title: The Bernstein polynomials of degree n are independent
+:zh: 线性无关性
+:given: the matrix whose row $i$ holds the coefficients of $1,t,\dots,t^n$ in $B_i^n$
+:then: its determinant is $\prod_{i=0}^n\binom ni\ne0$
+:method: The rows are what `bernstein_to_power` makes of unit vectors; the determinant is computed without division.
+:degrees: 0..8 sampled 10
+:control: the second row made equal to the first
+:::
+*/
+CLAIM(bernstein_basis_is_independent)
+{
+    int n = T->degree;
+    num M[MAX_ORDER * MAX_ORDER], unit[MAX_DEGREE + 1], product = from_int(1);
+    for (int i = 0; i <= n; i++) {
+        for (int k = 0; k <= n; k++)
+            unit[k] = from_int(k == (T->planted && i == 1 ? 0 : i));
+        G(bernstein_to_power)(n, unit, M + i * (n + 1));
+        product = mul(product, G(choose)(n, i));
+    }
+    same(T, G(determinant)(n + 1, M), product);
+    G(above_zero)(T, product);
+}
+
+/*
+:::{claim} linear_precision
+:title: Coefficients in arithmetic progression give the linear function
+:zh: 线性精度
+:given: any $t$
+:then: $\sum_{i=0}^n\frac inB_i^n(t)=t$
+:method: The sum at a variable $t$.  For every $n$: $\frac inB_i^n=tB_{i-1}^{n-1}$, which is the second relation of
+  `bernstein_raised_by_one_degree` with $n-1$ and $i-1$, and the $B_{i-1}^{n-1}$ sum to $1$.
+:degrees: 1..12 sampled 24
+:control: the coefficients $\frac{i+1}{n+1}$
+:::
+*/
+CLAIM(linear_precision)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), B[MAX_DEGREE + 1], sum = from_int(0);
+    G(bernstein)(n, t, B);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(from_ratio(i + T->planted, n + T->planted), B[i]));
+    same(T, sum, t);
+}
+
+/*
+## Products and elevation
+
+:::{claim} bernstein_product_is_product
+:title: The coefficients of a product
+:zh: 乘积的系数
+:given: any coefficients $a_0,\dots,a_n$ and $b_0,\dots,b_m$, $m=0,\dots,\min(n,3)$, any $t$
+:then: the coefficients $c$ of `bernstein_product` have
+  $\sum c_kB_k^{n+m}(t)=\sum a_iB_i^n(t)\cdot\sum b_jB_j^m(t)$
+:method: The three sums from the definition, at a variable $t$, all coefficients variables; for every pair of the
+  degrees, and with the factors exchanged.
+:degrees: 0..5 sampled 8
+:defines: bernstein_product
+:control: the factor $\frac1{\binom{n+m}0}$ of $c_0$ taken as $\frac12$
+:::
+*/
+CLAIM(bernstein_product_is_product)
+{
+    int n = T->degree;
+    num a[MAX_DEGREE + 1], b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], t = parameter(T, "t");
+    for (int i = 0; i <= n; i++)
+        a[i] = unknown(T, "a", i);
+    for (int m = 0; m <= n && m <= 3; m++) {
+        b[m] = unknown(T, "b", m);
+        num product = mul(G(curve)(n, 1, a, 0, t), G(curve)(m, 1, b, 0, t));
+        for (int exchanged = 0; exchanged < 2; exchanged++) {
+            if (exchanged)
+                G(bernstein_product)(m, b, n, a, c);
+            else
+                G(bernstein_product)(n, a, m, b, c);
+            if (T->planted)
+                c[0] = div(c[0], from_int(2));
+            same(T, G(curve)(n + m, 1, c, 0, t), product);
+        }
+    }
+}
+
+/*
+:::{claim} elevation_matrix_raises_the_basis
+:title: The elevation matrix writes the basis in the next degree
+:zh: 升阶矩阵
+:given: any $t$
+:then: $B_j^n(t)=\sum_iE_{ij}B_i^{n+1}(t)$ for every column $j$ of `elevation_matrix`; every row of $E$ has entries that
+  are not negative, and sum $1$
+:method: Both sides from the definition at a variable $t$; the relation for every $n$ is
+  `bernstein_raised_by_one_degree`.  The entries are numbers.
+:degrees: 0..8 sampled 16
+:defines: elevation_matrix
+:control: the matrix of degree $n+1$ in the place of that of degree $n$
+:::
+*/
+CLAIM(elevation_matrix_raises_the_basis)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), E[(MAX_DEGREE + 2) * (MAX_DEGREE + 2)];
+    int columns = n + 1 + T->planted;
+    G(elevation_matrix)(columns - 1, E);
+    for (int j = 0; j <= n; j++) {
+        num sum = from_int(0);
+        for (int i = 0; i <= n + 1; i++)
+            sum = add(sum, mul(E[i * columns + j], G(basis)(n + 1, i, t)));
+        about(T, "a column");
+        same(T, sum, G(basis)(n, j, t));
+    }
+    for (int i = 0; i <= n + 1; i++) {
+        num row = from_int(0);
+        about(T, "a row");
+        for (int j = 0; j <= n; j++) {
+            nonnegative(T, E[i * columns + j]);
+            row = add(row, E[i * columns + j]);
+        }
+        same(T, row, from_int(1));
+    }
+}
+#include "chapters/frame/claims_off.h"

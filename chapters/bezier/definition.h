@@ -1,0 +1,130 @@
+/* definition.h -- Bernstein polynomials and Bézier curves, straight from the definitions.
+ *
+ * The other side of this chapter's comparisons.  Nothing here follows a recurrence of the kernels, or
+ * uses their binomial coefficients; nothing is fast.  Generic text, for the sections of this chapter. */
+#include "chapters/frame/claims_on.h"
+
+static inline num G(factorial)(int n)
+{
+    num product = from_int(1);
+    for (int k = 2; k <= n; k++)
+        product = mul(product, from_int(k));
+    return product;
+}
+
+/* n!/(i! (n-i)!), and 0 for i < 0 and i > n */
+static inline num G(choose)(int n, int i)
+{
+    if (i < 0 || i > n)
+        return from_int(0);
+    return div(G(factorial)(n), mul(G(factorial)(i), G(factorial)(n - i)));
+}
+
+static inline num G(power)(num a, int k)
+{
+    num product = from_int(1);
+    for (; k > 0; k--)
+        product = mul(product, a);
+    return product;
+}
+
+/* B_i^n(t) = C(n,i) (1-t)^{n-i} t^i */
+static inline num G(basis)(int n, int i, num t)
+{
+    if (i < 0 || i > n)
+        return from_int(0);
+    return mul(G(choose)(n, i), mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i)));
+}
+
+/* Coordinate c of the curve at t: the sum of b_i B_i^n(t). */
+static inline num G(curve)(int n, int dim, const num b[], int c, num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(b[i * dim + c], G(basis)(n, i, t)));
+    return sum;
+}
+
+/* The coefficient of t^k in B_i^n: the binomial theorem for (1-t)^{n-i}. */
+static inline num G(basis_coefficient)(int n, int i, int k)
+{
+    num size = mul(G(choose)(n, i), G(choose)(n - i, k - i));
+    return (k - i) % 2 == 0 ? size : neg(size);
+}
+
+/* The r-th derivative of B_i^n at t: in the field by differentiating the rational function, in the other
+ * types power by power. */
+static inline num G(basis_derivative)(int n, int i, int r, num t)
+{
+#if FIELD
+    num x = variable_f("x"), D = G(basis)(n, i, x);
+    for (int k = 0; k < r; k++)
+        D = derivative_f(D, x);
+    return substitute_f(D, x, t);
+#else
+    num sum = from_int(0);
+    for (int k = r; k <= n; k++) {
+        num falling = div(G(factorial)(k), G(factorial)(k - r));
+        sum = add(sum, mul(mul(G(basis_coefficient)(n, i, k), falling), G(power)(t, k - r)));
+    }
+    return sum;
+#endif
+}
+
+/* The r-th derivative of coordinate c of the curve at t. */
+static inline num G(curve_derivative)(int n, int dim, const num b[], int c, int r, num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(b[i * dim + c], G(basis_derivative)(n, i, r, t)));
+    return sum;
+}
+
+/* The r-th forward difference of coordinate c at point i: the alternating sum. */
+static inline num G(difference)(int dim, const num b[], int c, int i, int r)
+{
+    num sum = from_int(0);
+    for (int k = 0; k <= r; k++) {
+        num term = mul(G(choose)(r, k), b[(i + k) * dim + c]);
+        sum = (r - k) % 2 == 0 ? add(sum, term) : sub(sum, term);
+    }
+    return sum;
+}
+
+/* n+1 points of dim <= 3 coordinates, every one free. */
+static inline void G(free_points)(trial *T, int n, int dim, num b[])
+{
+    static const char *const name[] = {"x", "y", "z"};
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            b[i * dim + c] = unknown(T, name[c], i);
+}
+
+/* A variable of the field that stands for every integer; elsewhere one of low, ..., high. */
+static inline num G(integer)(trial *T, const char *name, int low, int high)
+{
+#if FIELD
+    (void)T, (void)low, (void)high;
+    return variable_f(name);
+#else
+    (void)name;
+    return from_int(pick(T, low, high));
+#endif
+}
+
+/* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The
+ * inexact types refute only. */
+static inline void G(above_zero)(trial *T, num a)
+{
+    nonnegative(T, a);
+#if FIELD
+    agree(T, !is_zero_f(a));
+#elif RATIONAL
+    agree(T, !is_zero_q(a));
+#elif INTERVAL
+    agree(T, upper_i(a) > 0);
+#else
+    agree(T, a.v + error_bound_m(a) > 0);
+#endif
+}
+#include "chapters/frame/claims_off.h"

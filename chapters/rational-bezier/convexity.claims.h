@@ -1,0 +1,575 @@
+/*
+# Convexity (保凸性)
+
+The source says that a plane rational Bézier curve preserves convexity and points to the proof of theorem 1.4.2, with
+(3.3.1) for the subdivision.  Chapter 1 is not at hand, and what it calls a convex polygon with it.  Two meanings are in
+use, and they are not the same for polygons that turn by more than a half turn:
+
+* the polygon *closed by its chord* $R_nR_0$ is convex;
+* the polygon turns always to the same side.
+
+With the first meaning the property is true, for every degree and all positive weights.  With the second it is false: a
+hook of four points that always turns left can have a curve with two inflections.
+
+The proof is one formula.  Let $D_{ijk}$ be twice the signed area of the triangle $R_iR_jR_k$ and $P=(\omega x,\omega y,\omega)$
+the homogeneous curve.  Then for all $t_1,t_2,t_3$ (Cauchy and Binet)
+
+$$\det\bigl(P(t_1),P(t_2),P(t_3)\bigr)=\sum_{i<j<k}\det\begin{pmatrix}B_i(t_1)&B_j(t_1)&B_k(t_1)\\B_i(t_2)&B_j(t_2)&B_k(t_2)\\
+B_i(t_3)&B_j(t_3)&B_k(t_3)\end{pmatrix}\omega_i\omega_j\omega_k D_{ijk},$$
+
+and the determinants of Bernstein functions are positive for $t_1<t_2<t_3$.  The vertices of a convex polygon, run through
+counterclockwise, have all $D_{ijk}\ge0$; so any three points of the curve turn left as well, unless everything is on one line.
+When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
+
+:::{statement} wang-ch3:prop-3.2.8
+:title: A convex polygon has a convex curve
+:zh: 保凸性
+:printed: a plane rational Bézier curve preserves convexity
+:holds-by: curve_turns_like_its_triangles curvature_is_a_sum_over_triangles wronskian_of_three_bernstein_functions
+:needs: mixed_weights_lose_convexity | positive weights
+:reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex region; then
+  all its triangles turn to one side
+:reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
+
+If all $D_{ijk}\ge0$ and one is positive, any three points of the curve in their order turn left, none are on one line, and the
+curve with its chord bounds a convex region; if all $D_{ijk}$ vanish, polygon and curve are on a line.  The formula is Cauchy's
+and Binet's for every $n$, and the Wronskian is computed for every $n$, so that the curvature has one sign in every degree.
+The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
+:::
+
+:::{statement} wang-ch3:prop-3.2.8-route
+:title: The way of proof: subdivide, and cut corners
+:zh: 证明途径: 离散割角
+:printed: the property is proved by (3.3.1), imitating the proof of theorem 1.4.2
+:holds-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
+:needs: subdivision_fails_for_mixed_weights | positive weights
+
+The imitation: the two polygons of the halves, joined, are the old polygon with corners cut off, hence convex again; repeated,
+the polygons converge to the curve; a limit of convex polygons is convex.  The first of these is decided here, with the
+formulas (3.3.1) as they should read, the convergence in the section on subdivision.
+:::
+
+:::{claim} wronskian_of_three_bernstein_functions
+:title: The Wronskian of three Bernstein functions is positive
+:zh: 三个 Bernstein 基函数的 Wronski 行列式为正
+:given: $0\le i<j<k\le n$, $0<t<1$
+:then: $\det\begin{pmatrix}B_i&B_j&B_k\\B_i'&B_j'&B_k'\\B_i''&B_j''&B_k''\end{pmatrix}
+  =\frac{(j-i)(k-i)(k-j)}{t^3(1-t)^3}B_iB_jB_k>0$
+:method: $\lambda_m=B_m'/B_m=\frac mt-\frac{n-m}{1-t}$ and $B_m''/B_m=\lambda_m'+\lambda_m^2$; the determinant divided by
+  $B_iB_jB_k$ is computed in the field with $i$, $j-i$, $k-j$, $n-k$ and $t$ variables; for the sign $t=\frac s{1+s}$.
+:degrees: all
+:control: $t^3(1-t)^3$ taken as $t^2(1-t)^2$
+:::
+
+:::{claim} curvature_is_a_sum_over_triangles
+:title: The sign of the curvature is that of a sum over the triangles of the polygon
+:zh: 曲率符号由控制三角形有向面积之和决定
+:given: a curve of the plane with weights $\omega_i$ and points $(x_i,y_i)$; $\Delta_{ijk}$ the determinant of
+  $B_i,B_j,B_k$ and their first two derivatives
+:then: $\omega^3(x'y''-y'x'')=\sum_{i<j<k}\Delta_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$
+:method: The sum is $\det(P,P',P'')$, by expansion; in the field with all weights, coordinates and $t$ variables, with derivatives
+  of the Bernstein functions on one side and of the homogeneous curve on the other.  That $\omega^3(x'y''-y'x'')$ is
+  $\det(P,P',P'')$ is proved with the nine values of $P,P',P''$ as variables, hence for any curve.
+:degrees: 2..5 sampled 8
+:control: the triangle $R_0R_1R_2$ left out
+:::
+
+:::{claim} curve_turns_like_its_triangles
+:title: Three points of the curve turn as the triangles of the polygon do
+:zh: 曲线上三点的转向由控制三角形决定
+:given: $0<t_1<t_2<t_3<1$, positive weights
+:then: $\det(P(t_1),P(t_2),P(t_3))=\sum_{i<j<k}M_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$ with the $3\times3$ minors $M_{ijk}$ of
+  $(B_m(t_l))$, and every $M_{ijk}>0$
+:method: The equation, that of Cauchy and Binet, holds for any numbers in the place of the $B_m(t_l)$: in the field they, the
+  weights and the points are variables.  The minors by their coefficients, with $t_l=\frac{s_l}{1+s_l}$, $s_1=p_0$, $s_2=s_1+p_1$, $s_3=s_2+p_2$, row $l$
+  multiplied by $(1+s_l)^n$.
+:degrees: 2..6
+:control: $t_1$ and $t_2$ exchanged in the minors
+:::
+
+:::{claim} convex_polygons_have_triangles_of_one_sign
+:title: All triangles of a convex polygon turn to one side
+:zh: 凸多边形的所有三角形同向
+:kind: decision
+:given: all polygons of $n+1$ points of the grid $\{0,1,2\}^2$ for $n=2,3$; for $n=4,5$ all that run once round the eight
+  points on the border of the grid, stopping or starting anywhere
+:then: if the polygon closed by its chord is convex and counterclockwise, then $D_{ijk}\ge0$ for all $i<j<k$, and not all
+  are $0$
+:method: Convexity is decided by `exact/hull.h`, from the turns of the edges; the areas are computed.  For all: three points taken
+  in order from the boundary of a convex region, counterclockwise, turn left or are collinear.
+:degrees: 2..5
+:scope: the stated polygons
+:control: polygons that need only turn left at each inner vertex
+:::
+
+:::{claim} designed_convex_polygons_have_convex_curves
+:title: Curves of convex polygons, under extreme weights, have curvature of one sign
+:zh: 极端权因子下的保凸性
+:kind: decision
+:given: polygons that are convex when closed, among them a square, a polygon with collinear and one with repeated vertices, one
+  that turns by more than a half turn; all weights from $\frac1{1000},1,1000$
+:then: $\det(P,P',P'')>0$ for $0<t<1$
+:method: The sign of the polynomial is decided by counting its roots, by Descartes' rule and by Sturm's theorem.
+:degrees: 2..4
+:scope: the stated polygons and weights
+:control: the last vertex moved across the first edge
+:::
+
+:::{claim} subdivided_polygon_turns_like_its_triangles
+:title: Subdivision keeps the turn of every triangle
+:zh: 离散后的多边形保持三角形转向
+:given: $0<\lambda<1$; the $2n+1$ points of the two halves, joined, as combinations of the $n+1$ points of the whole
+:then: every $3\times3$ minor of the matrix of these combinations is $\ge0$; so with positive weights, if all $D_{ijk}\ge0$ for the
+  whole, then the same for the joined polygon
+:method: The columns are the subdivisions of the unit vectors.  The minors are computed in the field with $\lambda=\frac s{1+s}$:
+  quotients of polynomials whose coefficients are not negative.  By Cauchy and Binet the determinants of three of the new
+  homogeneous points are sums of the old ones with these minors.
+:degrees: 2..4
+:control: the left half run through backwards
+:::
+
+:::{claim} subdivided_convex_polygons_are_convex
+:title: The polygon of the two halves of a convex polygon is convex
+:zh: 凸多边形离散后仍凸
+:kind: decision
+:given: the polygons and weights of `designed_convex_polygons_have_convex_curves`, $\lambda=\frac13$
+:then: the joined polygons of the two halves, closed by the chord, are convex
+:method: Computed exactly with the rational subdivision; decided by `exact/hull.h`.
+:degrees: 2..4
+:scope: the stated polygons and weights
+:control: the left half run through backwards
+:::
+
+:::{claim} turns_of_one_sign_are_not_enough
+:title: A polygon that always turns left, and a curve with two inflections
+:zh: 处处左转的多边形, 曲线却有两个拐点
+:kind: counterexample
+:given: $n=3$, points $(0,0),(6,0),(5,4),(5,1)$, all weights $1$
+:then: $x'y''-y'x''=54(3t-2)(5t-4)$ is negative between $\frac23$ and $\frac45$, though the polygon turns left at both inner
+  vertices and does not meet itself
+:method: The polynomial is computed and evaluated; its roots are counted.  For $n=2$ there is one turn, and the curve turns as it does.
+:control: the points taken as $(0,0),(6,0),(5,4),(1,4)$, whose polygon is convex when closed
+:::
+
+:::{claim} mixed_weights_lose_convexity
+:title: With weights of both signs a square has a curve with inflections
+:zh: 权因子变号时正方形对应的曲线有拐点
+:kind: counterexample
+:given: $n=3$, the points $(0,0),(1,0),(1,1),(0,1)$, weights $4,-1,4,4$, for which $\omega(t)>0$ on $[0,1]$
+:then: $\det(P,P',P'')$ changes its sign twice in $(0,1)$
+:method: The polynomial is computed, its sign decided by counting roots.  For $n=2$ it has one term, and one sign.
+:control: the second weight taken as $+1$
+:::
+
+:::{claim} subdivision_fails_for_mixed_weights
+:title: With weights of both signs the halves need not exist
+:zh: 权因子变号时离散顶点可不存在
+:kind: counterexample
+:given: $n=2$, weights $2,-1,2$, for which $\omega(t)>0$ on $[0,1]$; $\lambda=\frac23$
+:then: $\omega_1^1=\frac13\omega_0+\frac23\omega_1=0$: the middle point of the left half is at infinity
+:method: The weights of the left half are computed and asked to be different from $0$.
+:control: the middle weight taken as $+1$
+:::
+
+:::{claim} curve_may_be_convex_alone
+:title: A convex curve may have a polygon that is not convex
+:zh: 曲线凸而控制多边形不凸
+:kind: decision
+:given: $n=4$, points $(0,0),(1,2),(2,1),(3,2),(4,0)$, all weights $1$
+:then: $\det(P,P',P'')<0$ for $0<t<1$ and $x=4t$, so that the curve with its chord bounds a convex region; the polygon turns to
+  both sides
+:method: The sign of the polynomial is decided by counting roots; convexity by `exact/hull.h`.
+:scope: this curve
+:control: the middle point taken as $(2,-1)$
+:::
+*/
+#include "chapters/frame/claims_on.h"
+
+/* The determinant of three homogeneous points of the plane. */
+static num G(triple)(const num P[], const num Q[], const num R[]) { return G(det3)(P, Q, R); }
+
+/* D_ijk of three affine points: twice the signed area. */
+static num G(triangle)(const num P[], const num Q[], const num R[])
+{
+    num a[2] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, b[2] = {sub(R[0], P[0]), sub(R[1], P[1])};
+    return G(cross2)(a, b);
+}
+
+CLAIM(wronskian_of_three_bernstein_functions)
+{
+    num one = from_int(1), t = inside(T, "s"), rest = sub(one, t), row[3][3];
+    num index[3], n;
+    index[0] = whole(T, "i", 0, 5);
+    index[1] = add(index[0], whole(T, "p", 1, 5));
+    index[2] = add(index[1], whole(T, "q", 1, 5));
+    n = add(index[2], whole(T, "r", 0, 5));
+    for (int c = 0; c < 3; c++) { /* lambda, and its derivative */
+        num m = index[c], left = div(m, t), right = div(sub(n, m), rest), lambda = sub(left, right);
+        num slope = neg(add(div(left, t), div(right, rest)));
+        row[c][0] = one;
+        row[c][1] = lambda;
+        row[c][2] = add(slope, mul(lambda, lambda));
+    }
+    num det = G(det3)(row[0], row[1], row[2]), both = mul(t, rest);
+    num product = mul(mul(sub(index[1], index[0]), sub(index[2], index[0])), sub(index[2], index[1]));
+    num wanted = div(product, T->planted ? mul(both, both) : mul(both, mul(both, both)));
+    same(T, det, wanted);
+    nonnegative(T, wanted);
+}
+
+/* The determinant of the columns i, j, k of a matrix of three rows of n+1 numbers. */
+static num G(minor_of_columns)(int n, const num M[], int i, int j, int k)
+{
+    num row[3][3];
+    for (int l = 0; l < 3; l++) {
+        row[l][0] = M[l * (n + 1) + i];
+        row[l][1] = M[l * (n + 1) + j];
+        row[l][2] = M[l * (n + 1) + k];
+    }
+    return G(det3)(row[0], row[1], row[2]);
+}
+
+/* Random weights and points of the plane, and the homogeneous points. */
+static void G(plane_curve)(trial *T, int n, num w[], num R[], num H[])
+{
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[2 * i] = unknown(T, "x", i);
+        R[2 * i + 1] = unknown(T, "y", i);
+    }
+    G(rational_homogenize)(n, 2, R, w, H);
+}
+
+/* The sum over i < j < k of the minors of M, three rows of n+1 numbers, times w_i w_j w_k D_ijk. */
+static num G(sum_over_triangles)(int n, const num M[], const num w[], const num R[], int first)
+{
+    num sum = from_int(0);
+    for (int k = 2 + first; k <= n; k++)
+        for (int j = 1; j < k; j++)
+            for (int i = 0; i < j; i++) {
+                num D = G(triangle)(R + 2 * i, R + 2 * j, R + 2 * k);
+                num weight = mul(mul(w[i], w[j]), w[k]);
+                sum = add(sum, mul(G(minor_of_columns)(n, M, i, j, k), mul(weight, D)));
+            }
+    return sum;
+}
+
+CLAIM(curvature_is_a_sum_over_triangles)
+{
+    enum { SIZE = 9 };
+    int n = T->degree;
+    num w[SIZE], R[2 * SIZE], H[3 * SIZE], P[3 * 3], B[3 * SIZE], t = parameter(T, "t");
+    G(plane_curve)(T, n, w, R, H);
+    G(bezier_derivatives)(n, 3, H, t, 2, P);
+    G(bernstein_derivatives)(n, 2, t, B);
+    about(T, "det(P, P', P'') is the sum over the triangles");
+    same(T, G(triple)(P, P + 3, P + 6), G(sum_over_triangles)(n, B, w, R, T->planted));
+
+    about(T, "it is w^3 (x'y'' - y'x'')");
+    num V[9], d1[2], d2[2]; /* X, Y, W, and the first and second derivatives */
+    for (int c = 0; c < 9; c++)
+        V[c] = c == 2 ? positive(T, "v", c) : unknown(T, "v", c);
+    for (int c = 0; c < 2; c++) {
+        num x = div(V[c], V[2]);
+        d1[c] = div(sub(V[3 + c], mul(V[5], x)), V[2]);
+        d2[c] = div(sub(sub(V[6 + c], mul(V[8], x)), mul(from_int(2), mul(V[5], d1[c]))), V[2]);
+    }
+    same(T, mul(mul(V[2], mul(V[2], V[2])), G(cross2)(d1, d2)), G(triple)(V, V + 3, V + 6));
+}
+
+CLAIM(curve_turns_like_its_triangles)
+{
+    enum { SIZE = 7 };
+    int n = T->degree;
+    num w[SIZE], R[2 * SIZE], H[3 * SIZE], M[3 * SIZE], P[3 * 3], s = from_int(0), one = from_int(1);
+    G(plane_curve)(T, n, w, R, H);
+    about(T, "Cauchy and Binet");
+    for (int l = 0; l < 3 * (n + 1); l++)
+        M[l] = unknown(T, "b", l);
+    for (int l = 0; l < 3; l++)
+        for (int c = 0; c < 3; c++) {
+            P[3 * l + c] = from_int(0);
+            for (int m = 0; m <= n; m++)
+                P[3 * l + c] = add(P[3 * l + c], mul(M[l * (n + 1) + m], H[3 * m + c]));
+        }
+    same(T, G(triple)(P, P + 3, P + 6), G(sum_over_triangles)(n, M, w, R, 0));
+
+    about(T, "signs of the minors");
+    for (int l = 0; l < 3; l++) {
+        s = add(s, positive(T, "p", l));
+        num *row = M + (T->planted && l < 2 ? 1 - l : l) * (n + 1);
+        G(bernstein)(n, div(s, add(one, s)), row);
+        for (int m = 0; m <= n; m++)
+            for (int k = 0; k < n; k++)
+                row[m] = mul(row[m], add(one, s));
+    }
+    for (int k = 2; k <= n; k++)
+        for (int j = 1; j < k; j++)
+            for (int i = 0; i < j; i++) {
+                num minor = G(minor_of_columns)(n, M, i, j, k);
+                nonnegative(T, minor);
+#if FIELD || RATIONAL
+                agree(T, !G(is_zero)(minor));
+#endif
+            }
+}
+
+CLAIM(subdivided_polygon_turns_like_its_triangles)
+{
+    enum { SIZE = 5, ROWS = 2 * SIZE - 1 };
+    int n = T->degree;
+    num row[ROWS][SIZE], unit[SIZE], left[SIZE], right[SIZE], s = positive(T, "s", 0);
+    num sum = add(from_int(1), s), lambda = div(s, sum), scale = from_int(1);
+    for (int k = 0; k < n; k++)
+        scale = mul(scale, sum);
+    for (int j = 0; j <= n; j++) {
+        for (int i = 0; i <= n; i++)
+            unit[i] = from_int(i == j);
+        G(bezier_split)(n, 1, unit, lambda, left, right);
+        for (int a = 0; a <= n; a++) {
+            row[n + a][j] = mul(scale, right[a]);
+            row[a][j] = mul(scale, left[T->planted ? n - a : a]);
+        }
+    }
+    for (int c = 2; c <= 2 * n; c++)
+        for (int b = 1; b < c; b++)
+            for (int a = 0; a < b; a++) {
+                num M[3 * SIZE];
+                for (int j = 0; j <= n; j++) {
+                    M[j] = row[a][j];
+                    M[n + 1 + j] = row[b][j];
+                    M[2 * (n + 1) + j] = row[c][j];
+                }
+                for (int k = 2; k <= n; k++)
+                    for (int j = 1; j < k; j++)
+                        for (int i = 0; i < j; i++)
+                            nonnegative(T, G(minor_of_columns)(n, M, i, j, k));
+            }
+}
+
+#if RATIONAL
+#include "exact/hull.h"
+#include "exact/sign.h"
+#include "exact/sturm.h"
+
+static void points_from(int count, const long point[], num_q R[])
+{
+    for (int i = 0; i < 2 * count; i++)
+        R[i] = from_int_q(point[i]);
+}
+
+/* 2 (signed area of the triangle), in integers. */
+static long area(const long P[], const long Q[], const long R[])
+{
+    return (Q[0] - P[0]) * (R[1] - P[1]) - (Q[1] - P[1]) * (R[0] - P[0]);
+}
+
+/* One polygon: if it is convex and counterclockwise, all its triangles are, and one has an area. */
+static void check_triangles(trial *T, int n, const long point[])
+{
+    num_q R[2 * 6];
+    int orientation, least = 0, most = 0, left_turns = 1;
+    region_mark mark = region_open();
+    points_from(n + 1, point, R);
+    int convex = polygon_is_convex(n, R, 1, &orientation) && orientation == 1;
+    region_drop(mark);
+    for (int k = 2; k <= n; k++)
+        for (int j = 1; j < k; j++)
+            for (int i = 0; i < j; i++) {
+                long D = area(point + 2 * i, point + 2 * j, point + 2 * k);
+                least |= D < 0;
+                most |= D > 0;
+                left_turns &= D >= 0 || j != i + 1 || k != j + 1;
+            }
+    if (T->planted ? left_turns && most : convex)
+        agree(T, !least && most);
+}
+
+/* Polygons that go on by step[1], ..., step[n] >= 0, at most 8 in all, among the border points. */
+static void run_round(trial *T, int n, int at, int left, int index, long point[])
+{
+    static const long border[8][2] = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+    point[2 * index] = border[at % 8][0];
+    point[2 * index + 1] = border[at % 8][1];
+    if (index == n)
+        check_triangles(T, n, point);
+    else
+        for (int step = 0; step <= left; step++)
+            run_round(T, n, at + step, left - step, index + 1, point);
+}
+
+CLAIM(convex_polygons_have_triangles_of_one_sign)
+{
+    int n = T->degree, codes = 1;
+    long point[2 * 6];
+    if (n >= 4) {
+        for (int start = 0; start < 8; start++)
+            run_round(T, n, start, 8, 0, point);
+        return;
+    }
+    for (int i = 0; i <= n; i++)
+        codes *= 9;
+    for (int code = 0; code < codes; code++) {
+        for (int i = 0, rest = code; i <= n; i++, rest /= 9) {
+            point[2 * i] = rest % 9 % 3;
+            point[2 * i + 1] = rest % 9 / 3;
+        }
+        check_triangles(T, n, point);
+    }
+}
+
+/* det(P, P', P''), whose sign is that of the curvature where the weight is positive. */
+static poly turning(int n, const num_q R[], const num_q w[])
+{
+    poly P[3][3];
+    num_q b[MAX_DEGREE + 1];
+    for (int c = 0; c < 3; c++) {
+        for (int i = 0; i <= n; i++)
+            b[i] = c < 2 ? mul_q(w[i], R[2 * i + c]) : w[i];
+        P[0][c] = poly_from_bernstein(n, b);
+        P[1][c] = poly_derivative(P[0][c]);
+        P[2][c] = poly_derivative(P[1][c]);
+    }
+    poly sum = poly_constant(from_int_q(0));
+    for (int c = 0; c < 3; c++) {
+        int i = (c + 1) % 3, j = (c + 2) % 3;
+        poly minor = poly_sub(poly_mul(P[1][i], P[2][j]), poly_mul(P[1][j], P[2][i]));
+        sum = poly_add(sum, poly_mul(P[0][c], minor));
+    }
+    return sum;
+}
+
+static enum sign_pattern sign_inside(poly p) { return sign_on(p, from_int_q(0), from_int_q(1), OPEN); }
+
+/* Polygons that are convex and counterclockwise when closed. */
+static const struct {
+    int n;
+    long point[2 * 5];
+} convex_polygon[] = {{2, {0, 0, 3, 0, 1, 2}},
+                      {3, {0, 0, 1, 0, 1, 1, 0, 1}},
+                      {3, {0, 0, 1, 0, 2, 0, 1, 2}},
+                      {3, {0, 0, 2, 0, 2, 0, 1, 2}},
+                      {3, {0, 0, 3, 0, 3, 3, 0, 1}},
+                      {4, {0, 0, 4, 0, 5, 3, 2, 5, 0, 1}},
+                      {4, {0, 0, 1, 0, 2, 0, 2, 2, 0, 2}},
+                      {4, {0, 0, 0, 0, 3, 0, 3, 3, 0, 3}}};
+enum { CONVEX_POLYGONS = sizeof convex_polygon / sizeof *convex_polygon };
+
+/* The weights number `code`, 0 <= code < 3^(n+1), each 1/1000, 1 or 1000. */
+static int weight_codes(int n) { return n < 0 ? 1 : 3 * weight_codes(n - 1); }
+static void extreme_weights(int code, int n, num_q w[])
+{
+    for (int i = 0; i <= n; i++, code /= 3)
+        w[i] = code % 3 == 0 ? from_ratio_q(1, 1000) : from_int_q(code % 3 == 1 ? 1 : 1000);
+}
+
+CLAIM(designed_convex_polygons_have_convex_curves)
+{
+    int n = T->degree;
+    num R[2 * 5], w[5], one = from_int(1);
+    for (int example = 0; example < CONVEX_POLYGONS; example++)
+        for (int code = 0; code < weight_codes(n) && convex_polygon[example].n == n; code++) {
+            region_mark mark = region_open();
+            points_from(n + 1, convex_polygon[example].point, R);
+            extreme_weights(code, n, w);
+            R[2 * n + 1] = T->planted ? sub(neg(one), R[2 * n + 1]) : R[2 * n + 1];
+            agree(T, T->planted || polygon_is_convex(n, R, 1, NULL));
+            poly p = turning(n, R, w);
+            agree(T, sign_inside(p) == SIGN_POSITIVE);
+            agree(T, poly_is_zero(p) || sturm_count(p, from_int(0), one) == is_zero_q(poly_value(p, one)));
+            region_drop(mark);
+        }
+}
+
+CLAIM(subdivided_convex_polygons_are_convex)
+{
+    int n = T->degree;
+    num R[2 * 5], w[5], left[2 * 5], right[2 * 5], wl[5], wr[5], joined[2 * 9];
+    for (int example = 0; example < CONVEX_POLYGONS; example++)
+        for (int code = 0; code < weight_codes(n) && convex_polygon[example].n == n; code++) {
+            int orientation;
+            region_mark mark = region_open();
+            points_from(n + 1, convex_polygon[example].point, R);
+            extreme_weights(code, n, w);
+            G(rational_split)(n, 2, R, w, from_ratio(1, 3), left, wl, right, wr);
+            for (int a = 0; a <= n; a++)
+                for (int c = 0; c < 2; c++) {
+                    joined[2 * (n + a) + c] = right[2 * a + c];
+                    joined[2 * a + c] = left[2 * (T->planted ? n - a : a) + c];
+                }
+            agree(T, polygon_is_convex(2 * n, joined, 1, &orientation) && orientation == 1);
+            region_drop(mark);
+        }
+}
+
+static void ones(int n, num_q w[])
+{
+    for (int i = 0; i <= n; i++)
+        w[i] = from_int_q(1);
+}
+
+CLAIM(turns_of_one_sign_are_not_enough)
+{
+    enum { n = 3 };
+    static const long point[2 * (n + 1)] = {0, 0, 6, 0, 5, 4, 5, 1};
+    num R[2 * (n + 1)], w[n + 1];
+    points_from(n + 1, point, R);
+    if (T->planted) {
+        R[6] = from_int(1);
+        R[7] = from_int(4);
+    }
+    ones(n, w);
+    poly p = turning(n, R, w);
+    int turns_left = turn_2d(R, R + 2, R + 4) > 0 && turn_2d(R + 2, R + 4, R + 6) > 0;
+    int simple = sign_q(R[5]) > 0 && sign_q(R[7]) > 0; /* the last edge is above the first */
+    show_points(T, "R", n + 1, 2, R);
+    show_text(T, "x'y'' - y'x''", "%s", poly_to_string(p, "t"));
+    show_text(T, "inflections in (0,1)", "%d", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
+    about(T, "a polygon that turns left and does not meet itself has a curve that turns left");
+    agree(T, !turns_left || !simple || sign_inside(p) == SIGN_POSITIVE);
+}
+
+CLAIM(mixed_weights_lose_convexity)
+{
+    enum { n = 3 };
+    static const long point[2 * (n + 1)] = {0, 0, 1, 0, 1, 1, 0, 1};
+    num R[2 * (n + 1)], w[n + 1] = {from_int(4), from_int(T->planted ? 1 : -1), from_int(4), from_int(4)};
+    points_from(n + 1, point, R);
+    poly p = turning(n, R, w);
+    int regular = sign_on(poly_from_bernstein(n, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+    show_points(T, "R", n + 1, 2, R);
+    show_points(T, "ω", n + 1, 1, w);
+    show_text(T, "det(P,P',P'')", "%s", poly_to_string(p, "t"));
+    show_text(T, "inflections in (0,1)", "%d", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
+    about(T, "a curve without poles whose polygon is convex turns to one side");
+    agree(T, !regular || !polygon_is_convex(n, R, 1, NULL) || sign_inside(p) != SIGN_MIXED);
+}
+
+CLAIM(subdivision_fails_for_mixed_weights)
+{
+    num w[3] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)}, left[3], right[3];
+    int regular = sign_on(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+    G(bezier_split)(2, 1, w, from_ratio(2, 3), left, right);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "weights of the left half", 3, 1, left);
+    about(T, "a denominator without zeros has halves without points at infinity");
+    agree(T, !regular || !is_zero_q(left[1]));
+}
+
+CLAIM(curve_may_be_convex_alone)
+{
+    enum { n = 4 };
+    static const long point[2 * (n + 1)] = {0, 0, 1, 2, 2, 1, 3, 2, 4, 0};
+    num R[2 * (n + 1)], w[n + 1];
+    points_from(n + 1, point, R);
+    R[5] = T->planted ? from_int(-1) : R[5];
+    ones(n, w);
+    poly p = turning(n, R, w);
+    show_points(T, "R", n + 1, 2, R);
+    show_text(T, "x'y'' - y'x''", "%s", poly_to_string(p, "t"));
+    agree(T, sign_inside(p) == SIGN_NEGATIVE);
+    agree(T, turn_2d(R, R + 2, R + 4) < 0 && turn_2d(R + 2, R + 4, R + 6) > 0);
+    agree(T, !polygon_is_convex(n, R, 1, NULL));
+}
+#endif
+#include "chapters/frame/claims_off.h"
