@@ -576,8 +576,8 @@ CLAIM(invariants_survive_fractional_change)
 :holds-by: invariants_survive_fractional_change projective_change_of_unit_interval_is_fractional fractional_change_keeps_curve
 :hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor: otherwise
   one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
-:hypothesis: segment_has_two_invariants | the curve is covered once: otherwise two curves that have one point set, no common
-  factor and the same points differ in $I_i$
+:hypothesis: segment_has_two_invariants | the parametrization is proper, a general point of the algebraic curve coming from one
+  parameter, complex ones included: otherwise two curves with one point set, the same points and no common factor differ in $I_i$
 :reading: invariants_survive_fractional_change | belonging to the points and weights, up to (3.2.10): holds always
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set: fails, even for a regular
   arc of a parabola written as a cubic
@@ -586,8 +586,8 @@ CLAIM(invariants_survive_fractional_change)
 :figure: same_parabola_two_sets
 
 With the two hypotheses: two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
-projective change of the parameter (a rational curve covered once is birational to its parameter line), which maps the unit
-interval onto itself, hence is (3.2.10); without a common factor the homogeneous coordinates are then proportional, so the
+projective change of the parameter (a proper one is birational, so that the change is birational from line to line), which
+maps the unit interval onto itself, hence is (3.2.10); without a common factor the homogeneous coordinates are then proportional, so the
 points are equal and the weights are those of (3.2.14), with the same $I_i$.  This holds in every degree.
 :::
 

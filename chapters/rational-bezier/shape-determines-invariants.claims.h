@@ -48,7 +48,7 @@ planes of $a_1,a_2$ and of $a_{n-1},a_n$ would be one; each time the first edges
 $n\le5$ these give every invariant.
 
 For $n\ge3$ edges that are not coplanar make the points not collinear by themselves.  For $n=4$ one of the two torsions
-suffices.
+suffices.  What is true in every degree stands after definition 3.2.2.
 :::
 
 :::{claim} end_curvature_contains_one_invariant
