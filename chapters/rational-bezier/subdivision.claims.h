@@ -660,7 +660,7 @@ CLAIM(geometric_weights_cut_evenly)
 :needs: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step
   a piece may stay long for ever
 :needs: linear_weights_of_both_signs_have_a_pole | positive weights
-:figure: polygons_converge
+:figure: cut_polygons_converge
 
 Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
 largest of the curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as

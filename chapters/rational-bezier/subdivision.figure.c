@@ -140,7 +140,7 @@ static void draw_pieces(svg *s, int k, const num_q R[], const num_q w[], num_q l
         draw_pieces(s, k - 1, P[half], v[half], lambda, role);
 }
 
-FIGURE(polygons_converge)
+FIGURE(cut_polygons_converge)
 {
     static const int circle[] = {1, 0, 1, 1, 0, 1}, weight[] = {1, 1, 2}, unit[] = {1, 1, 1};
     num_q R[6], w[3], one[3], zero = from_int_q(0), half = from_ratio_q(1, 2);
@@ -149,7 +149,7 @@ FIGURE(polygons_converge)
     integers(3, weight, w);
     integers(3, unit, one);
     svg *s = svg_new(
-        "polygons_converge", "Polygons that converge, and polygons that do not",
+        "cut_polygons_converge", "Polygons that converge, and polygons that do not",
         "Left, a quarter circle and its polygons after one and two cuts in the middle.  Right, a parabola cut more and "
         "more closely to the beginning of its last piece, which keeps a length above one half.");
     svg_panel(s, (svg_window){low, low, high, high}, 340, 0,
