@@ -237,6 +237,12 @@ num_f coefficient_f(num_f a, num_f variable, int k)
     return div_f((num_f){p}, (num_f){q});
 }
 
+/* Whether a printed polynomial is a sum (a product counts too below the line). */
+static int needs_brackets(const char *p, int below)
+{
+    return strpbrk(p + (p[0] == '-'), below ? "+-*" : "+-") != NULL;
+}
+
 const char *to_string_f(num_f a)
 {
     const char *names[FIELD_MAX_VARIABLES];
@@ -247,10 +253,11 @@ const char *to_string_f(num_f a)
     char *q = fmpz_mpoly_get_str_pretty(fmpz_mpoly_q_denref(a.at->x), names, ctx);
     size_t room = strlen(p) + strlen(q) + 6;
     char *text = region_bytes(room);
+    int above = needs_brackets(p, 0), below = needs_brackets(q, 1);
     if (strcmp(q, "1") == 0)
         snprintf(text, room, "%s", p);
     else
-        snprintf(text, room, "(%s)/(%s)", p, q);
+        snprintf(text, room, "%s%s%s/%s%s%s", above ? "(" : "", p, above ? ")" : "", below ? "(" : "", q, below ? ")" : "");
     flint_free(p);
     flint_free(q);
     return text;

@@ -119,8 +119,6 @@ static int is_simple(const char *s)
 {
     int depth = 0;
     for (const char *p = s; *p; p++) {
-        if (depth == 0 && *p == '(' && p > s && p[-1] == ')')
-            return 0;
         if (*p == '(' || *p == '[' || *p == '{')
             depth++;
         else if (*p == ')' || *p == ']' || *p == '}')
@@ -132,9 +130,10 @@ static int is_simple(const char *s)
     return 1;
 }
 
-static void put_wrapped(struct text *out, const char *s)
+/* Below a line a product of brackets needs one of its own. */
+static void put_wrapped(struct text *out, const char *s, int below)
 {
-    int simple = is_simple(s[0] == '-' ? s + 1 : s);
+    int simple = is_simple(s[0] == '-' ? s + 1 : s) && !(below && strstr(s, ")(") != NULL);
     puts_(out, simple ? "" : "(");
     puts_(out, s);
     puts_(out, simple ? "" : ")");
@@ -178,7 +177,7 @@ static void put_script(struct text *out, const char *s, int up)
         puts_(out, t.at);
     } else {
         puts_(out, up ? "^" : "_");
-        put_wrapped(out, s);
+        put_wrapped(out, s, 0);
     }
     free(t.at);
 }
@@ -236,9 +235,9 @@ static const char *command(const char *s, struct text *out)
         e++;
     if (n == 4 && strncmp(s, "frac", 4) == 0) {
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
-        put_wrapped(out, a.at);
+        put_wrapped(out, a.at, 0);
         puts_(out, "/");
-        put_wrapped(out, b.at);
+        put_wrapped(out, b.at, 1);
         if (begins_factor(e))
             puts_(out, " · ");
         free(a.at), free(b.at);

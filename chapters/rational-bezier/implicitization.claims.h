@@ -673,7 +673,9 @@ equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.
 :title: By the theory of resultants F must be 0 at the points of the curve
 :zh: 由结式理论 F 必为零
 :printed: at the points of the curve the resultant $F(x,y)$ of (3.4.5) is 0
-:holds-by: equation_vanishes_on_the_curve implicit_value_vanishes_on_the_curve
+:holds-by: equation_vanishes_on_the_curve
+
+The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::
 
 :::{claim} common_zero_makes_F_vanish

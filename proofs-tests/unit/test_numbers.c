@@ -309,6 +309,8 @@ static void the_field_calculates(void **state)
     }
     assert_false(is_constant_f(a, NULL));
     assert_string_equal(to_string_f(sub_f(t, t)), "0");
+    assert_string_equal(to_string_f(from_ratio_f(-1, 3)), "-1/3");
+    assert_string_equal(to_string_f(div_f(sub_f(t, w), mul_f(from_int_f(2), t))), "(t-w)/(2*t)");
     assert_int_equal(field_variable_f(variable_f("w")), 1);
     assert_int_equal(field_variable_f(a), -1);
 }
