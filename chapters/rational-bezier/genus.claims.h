@@ -2,26 +2,28 @@
 # Which algebraic curves are rational? (亏格)
 
 Every plane rational curve has an implicit equation; which algebraic curves (代数曲线) are rational?  The answer is a
-theorem of algebraic geometry, quoted by the source.  Part of it is decided here by computation, and part is cited; each
-claim says which.  Cited, for every degree, is: an irreducible plane curve has a rational parametrisation over the complex
-numbers if and only if its genus is 0, and the genus of a curve of degree $n$ is $\frac{(n-1)(n-2)}2-\sum_P\delta_P$, the sum
-over all singular points of the complex projective plane (R. J. Walker, *Algebraic Curves*, 1950; J. R. Sendra, F. Winkler,
-S. Pérez-Díaz, *Rational Algebraic Curves*, 2008).  Here $\delta_P=1$ for a node (结点) and an ordinary cusp (尖点), but 3 for an
-ordinary triple point, and more for points with others infinitely near.
+theorem of algebraic geometry, quoted by the source.  Part of it is decided here by computation, and part is cited;
+each claim says which.  Cited, for every degree, is: an irreducible plane curve has a rational parametrisation over
+the complex numbers if and only if its genus is 0, and the genus of a curve of degree $n$ is
+$\frac{(n-1)(n-2)}2-\sum_P\delta_P$, the sum over all singular points of the complex projective plane (R. J. Walker,
+*Algebraic Curves*, 1950; J. R. Sendra, F. Winkler, S. Pérez-Díaz, *Rational Algebraic Curves*, 2008).  Here
+$\delta_P=1$ for a node (结点) and an ordinary cusp (尖点), but 3 for an ordinary triple point, and more for points with
+others infinitely near.
 
 :::{statement} wang-ch3:def-3.4.1
 :title: A plane algebraic curve of degree n
 :zh: 平面 n 次代数曲线的定义
-:printed: the points with $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane algebraic curve of
-  degree $n$
+:printed: the points with $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane
+  algebraic curve of degree $n$
 :class: misprint
 :refuted-by: hyperbola_has_the_printed_form_for_degree_one
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
 :corrected-by: total_degree_survives_affine_maps
+:figure: degree_of_a_hyperbola
 
 The printed sum has terms up to $x^ny^n$, of degree $2n$; with it a hyperbola would have degree 1 in one system of
-coordinates and not in another, and theorem 3.4.3, whose $n$ this is, would be false at once (`printed_degree_spoils_the_genus`).
-The degree of theorem 3.4.2 is the total degree.
+coordinates and not in another, and theorem 3.4.3, whose $n$ this is, would be false at once
+(`printed_degree_spoils_the_genus`). The degree of theorem 3.4.2 is the total degree.
 :::
 
 :::{statement} wang-ch3:sec-3.4.2-algebraic
@@ -29,21 +31,24 @@ The degree of theorem 3.4.2 is the total degree.
 :zh: n 次有理曲线是 n 次代数曲线
 :printed: theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$
 :holds-by: equation_vanishes_on_the_curve top_form_is_a_resultant
-:hypothesis: elevated_curve_has_no_equation | no base point; else theorem 3.4.2 says nothing, and the degree is less than $n$
-:hypothesis: doubled_parameter_halves_the_degree | the parametrisation is proper, one parameter for almost every point; else
-  $F$ is a power and the degree a proper divisor of $n$
+:hypothesis: elevated_curve_has_no_equation | no base point; else theorem 3.4.2 says nothing, and the degree is less
+  than $n$
+:hypothesis: doubled_parameter_halves_the_degree | the parametrisation is proper, one parameter for almost every
+  point; else $F$ is a power and the degree a proper divisor of $n$
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve: false, it is an arc of it
+:figure: arc_of_a_line
 
-Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is proved.  That $F$ is irreducible
-when the parametrisation is proper is cited.
+Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is proved.  That $F$ is
+irreducible when the parametrisation is proper is cited.
 :::
 
 :::{statement} wang-ch3:sec-3.4.2-converse
 :title: Not every algebraic curve of degree n is a rational Bézier curve
 :zh: 反之未必成立
-:printed: the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$, need not
-  hold
+:printed: the converse, that a plane algebraic curve of degree $n$ is a plane rational Bézier curve of degree $n$,
+  need not hold
 :holds-by: smooth_cubic_has_two_separate_parts
+:figure: smooth_cubic
 :::
 
 :::{claim} hyperbola_has_the_printed_form_for_degree_one
@@ -52,8 +57,8 @@ when the parametrisation is proper is cited.
 :kind: counterexample
 :types: field
 :given: $F=xy-1$, of the printed form with $n=1$: exponents at most 1
-:then: its degree is 2: on the line $y=x$ it has two zeros; in the coordinates $x=p+q$, $y=p-q$ it is $p^2-q^2-1$, which is not
-  of the printed form with $n=1$
+:then: its degree is 2: on the line $y=x$ it has two zeros; in the coordinates $x=p+q$, $y=p-q$ it is $p^2-q^2-1$,
+  which is not of the printed form with $n=1$
 :method: The degree in $s$ of $F(sx,sy)$ is compared with $n=1$.
 :control: the line $x+y-1$
 :::
@@ -78,8 +83,8 @@ when the parametrisation is proper is cited.
 :types: field
 :given: $n=2$, points $(0,0),(0,0),(1,1)$, weights 1: the curve $(t^2,t^2)$, without base point
 :then: $F$ is a constant times $(x-y)^2$, so the curve is on an algebraic curve of degree 1
-:method: The discriminant $\operatorname{Res}_x(F,F_x)$ is 0 exactly if $F$ has a repeated factor (containing $x$); that it is not
-  0 is what is compared.
+:method: The discriminant $\operatorname{Res}_x(F,F_x)$ is 0 exactly if $F$ has a repeated factor (containing $x$);
+  that it is not 0 is what is compared.
 :control: the last point $(1,0)$ and the middle one $(0,1)$
 :::
 */
@@ -153,12 +158,12 @@ CLAIM(doubled_parameter_halves_the_degree)
 /*
 ## Counting singular points
 
-The singular points of a projective curve $F(x,y,z)=0$ are the common zeros of its three derivatives.  They are found by
-elimination and each is verified: the abscissas of the finite ones are the common zeros, for all $\beta$, of
-$\operatorname{Res}_y(F,F_x+\beta F_y)$, and over each abscissa, as over the line at infinity, they are counted by a greatest
-common divisor, complex ones included.  The list of points that a claim states must have just that many.  At each of them the
-terms of second order decide whether it is a node; if they are a square, those of third order on its line decide whether
-it is an ordinary cusp.
+The singular points of a projective curve $F(x,y,z)=0$ are the common zeros of its three derivatives.  They are
+found by elimination and each is verified: the abscissas of the finite ones are the common zeros, for all $\beta$,
+of $\operatorname{Res}_y(F,F_x+\beta F_y)$, and over each abscissa, as over the line at infinity, they are counted
+by a greatest common divisor, complex ones included.  The list of points that a claim states must have just that
+many.  At each of them the terms of second order decide whether it is a node; if they are a square, those of third
+order on its line decide whether it is an ordinary cusp.
 
 :::{statement} wang-ch3:thm-3.4.3
 :title: A curve of degree n is a rational Bézier curve if and only if its genus is 0
@@ -169,20 +174,36 @@ it is an ordinary cusp.
 :class: missing-hypothesis
 :refuted-by: reducible_curve_with_count_zero conic_without_real_points rational_quartic_with_a_triple_point
   rational_quartic_with_a_higher_cusp
-:reading: cuspidal_cubic_at_infinity | only finite points are counted: false already for $y=x^3$; the projective plane has to be
-  meant
-:reading: cusp_counted_twice | a cusp, being a double point, is counted in $d$ and in $s$: false already for $y^2=x^3$; $d$ has to
-  mean nodes
+:reading: cuspidal_cubic_at_infinity | only finite points are counted: false already for $y=x^3$; the projective
+  plane has to be meant
+:reading: cusp_counted_twice | a cusp, being a double point, is counted in $d$ and in $s$: false already for
+  $y^2=x^3$; $d$ has to mean nodes
 :reading: printed_degree_spoils_the_genus | $n$ in the sense of the printed definition 3.4.1: false for $x^2y+xy^2+1=0$
-:reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve: false, an isolated point is on
-  no arc; and with positive weights a Bézier curve is bounded, so that already a line is not one
-:corrected: let a real plane curve of degree $n$ be irreducible over $\mathbb C$ and have a simple real point; its short regular
-  arcs are rational Bézier curves if and only if $\frac{(n-1)(n-2)}2-\sum_P\delta_P=0$, the sum over all singular points of the
-  complex projective plane; if they are all nodes and ordinary cusps the sum is $d+s$
+:reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve: false, an
+  isolated point is on no arc; and with positive weights a Bézier curve is bounded, so that already a line is not
+  one
+:corrected: let a real plane curve of degree $n$ be irreducible over $\mathbb C$ and have a simple real point; its
+  short regular arcs are rational Bézier curves if and only if $\frac{(n-1)(n-2)}2-\sum_P\delta_P=0$, the sum over
+  all singular points of the complex projective plane; if they are all nodes and ordinary cusps the sum is $d+s$
 :corrected-by: curve_with_a_large_point_is_rational rational_cubic_has_one_double_point curves_that_fit_the_theorem
+:figure: genus_extra
+:striking: 3
 
-What is decided: for $n\le3$ both directions, and for every $n$ that curves with a point of multiplicity $n-1$ are rational;
-the examples, with all their singular points, exactly.  What is cited: the theorem for $n\ge4$.
+What is decided: for $n\le3$ both directions, and for every $n$ that curves with a point of multiplicity $n-1$ are
+rational; the examples, with all their singular points, exactly.  What is cited: the theorem for $n\ge4$.
+:::
+
+:::{statement} wang-ch3:thm-3.4.3-genus
+:title: The genus as the count (n-1)(n-2)/2 - d - s
+:zh: 亏格的计数公式
+:printed: g=\frac{(n-1)(n-2)}2-d-s
+:definition: yes
+:checked-by: curves_that_fit_the_theorem
+:figure: genus_zero
+
+$\frac{(n-1)(n-2)}2$ is the number of double points that an irreducible curve of degree $n$ can have; the genus says
+how many are missing.  The imaginary points count, as the source says, and so do those at infinity: the lemniscate
+has only one finite double point.
 :::
 
 :::{claim} curves_that_fit_the_theorem
@@ -190,26 +211,26 @@ the examples, with all their singular points, exactly.  What is cited: the theor
 :zh: 符合定理的四条曲线
 :kind: decision
 :types: field
-:given: the nodal cubic $y^2=x^2(x+1)$, the cuspidal cubic $y^2=x^3$, the lemniscate $(x^2+y^2)^2=x^2-y^2$ and the cardioid
-  $(x^2+y^2)^2+4x(x^2+y^2)=4y^2$
-:then: they have exactly one node; one cusp; three nodes, two of them the imaginary points $(1:\pm\mathrm i:0)$ at infinity;
-  three cusps, two of them these same points; so $g=0$; and they are the curves of rational Bézier points and weights whose
-  determinant (3.4.1) is a constant times their equation
-:method: The singular points are counted by elimination and verified one by one, the imaginary ones modulo $\theta^2+1$.  The
-  determinant is computed from the Bézier points and divided by the equation.
+:given: the nodal cubic $y^2=x^2(x+1)$, the cuspidal cubic $y^2=x^3$, the lemniscate $(x^2+y^2)^2=x^2-y^2$ and the
+  cardioid $(x^2+y^2)^2+4x(x^2+y^2)=4y^2$
+:then: they have exactly one node; one cusp; three nodes, two of them the imaginary points $(1:\pm\mathrm i:0)$ at
+  infinity; three cusps, two of them these same points; so $g=0$; and they are the curves of rational Bézier points
+  and weights whose determinant (3.4.1) is a constant times their equation
+:method: The singular points are counted by elimination and verified one by one, the imaginary ones modulo
+  $\theta^2+1$.  The determinant is computed from the Bézier points and divided by the equation.
 :control: the imaginary points left out
 :::
 
 :::{claim} curve_with_a_large_point_is_rational
 :title: A curve of degree n with a point of multiplicity n-1 is rational, and its genus is 0
 :zh: 含 n-1 重点的 n 次曲线是有理的
-:given: $F=f_{n-1}(x,y)+f_n(x,y)$ with any forms of degrees $n-1$ and $n\ge2$: a curve with a point of multiplicity $n-1$ in the
-  origin
-:then: $x=-f_{n-1}(1,t)/f_n(1,t)$, $y=tx$ satisfies $F=0$; and $\frac{(n-1)(n-2)}2-\frac{r(r-1)}2=0$ for $r=n-1$, which is $\delta$
-  of an ordinary point of multiplicity $r$
-:method: Every coefficient and $t$ are variables.  Where $F$ is irreducible neither form is 0 and all its points but those at the
-  origin and on the line $x=0$ have such a $t=y/x$.  With $n=2$ it is every conic with a real point, with $n=3$ every cubic with a
-  double point.
+:given: $F=f_{n-1}(x,y)+f_n(x,y)$ with any forms of degrees $n-1$ and $n\ge2$: a curve with a point of multiplicity
+  $n-1$ in the origin
+:then: $x=-f_{n-1}(1,t)/f_n(1,t)$, $y=tx$ satisfies $F=0$; and $\frac{(n-1)(n-2)}2-\frac{r(r-1)}2=0$ for $r=n-1$,
+  which is $\delta$ of an ordinary point of multiplicity $r$
+:method: Every coefficient and $t$ are variables.  Where $F$ is irreducible neither form is 0 and all its points but
+  those at the origin and on the line $x=0$ have such a $t=y/x$.  With $n=2$ it is every conic with a real point,
+  with $n=3$ every cubic with a double point.
 :degrees: 2..6 sampled 12
 :control: the sign of $x$
 :::
@@ -221,13 +242,13 @@ the examples, with all their singular points, exactly.  What is cited: the theor
   $(A:B:W)$ with independent $A,B,W$
 :let: $q(t)=(ac-b^2)t^2+(a+bc)t-(b+c^2)$, $s$ and $s'$ its zeros
 :then: the points of the parameters $s$ and $s'$ are one
-:method: The three minors of the two points, divided by $s-s'$, are symmetric; written in $\sigma=s+s'$ and $\pi=ss'$, the
-  coefficients of $q$ inserted, they vanish identically in $a,b,c$.  There is no other pair: a relation
-  $\lambda P(s)+\mu P(s')=0$ is a linear form on cubic polynomials that kills $A,B,W$, so it is a multiple of the one with the values
-  $a,b,c,-1$ at $1,t,t^2,t^3$; its products with $q$ and $tq$ vanish, and $q$ is up to a factor the only such
-  polynomial when the vectors $(a,b,c)$ and $(b,c,-1)$ are independent.  They are dependent exactly for $q=0$, when $1+ct$ divides $A$, $B$ and $W$
-  and the curve is a conic.  For $s=s'$ the divided minors say that $P$ and $P'$ are parallel there: a cusp.  So $d+s=1$, $g=0$,
-  for $n=3$.
+:method: The three minors of the two points, divided by $s-s'$, are symmetric; written in $\sigma=s+s'$ and
+  $\pi=ss'$, the coefficients of $q$ inserted, they vanish identically in $a,b,c$.  There is no other pair: a
+  relation $\lambda P(s)+\mu P(s')=0$ is a linear form on cubic polynomials that kills $A,B,W$, so it is a multiple
+  of the one with the values $a,b,c,-1$ at $1,t,t^2,t^3$; its products with $q$ and $tq$ vanish, and $q$ is up to a
+  factor the only such polynomial when the vectors $(a,b,c)$ and $(b,c,-1)$ are independent.  They are dependent
+  exactly for $q=0$, when $1+ct$ divides $A$, $B$ and $W$ and the curve is a conic.  For $s=s'$ the divided minors
+  say that $P$ and $P'$ are parallel there: a cusp.  So $d+s=1$, $g=0$, for $n=3$.
 :control: the sign of the middle coefficient of $q$
 :::
 
@@ -237,12 +258,12 @@ the examples, with all their singular points, exactly.  What is cited: the theor
 :kind: decision
 :types: field
 :given: $y^2=x^3-x$
-:then: there is no singular point in the complex projective plane; there are real points with $-1<x<0$ and with $x>1$, and none
-  with $0<x<1$ or $x<-1$
-:method: Elimination as above, and the signs of $x^3-x$.  A rational Bézier curve, continued over all parameters, is a connected
-  curve of the projective plane, and cannot contain arcs of both parts.  That no arc of it is rational
-  follows from `rational_cubic_has_one_double_point`: by Lüroth's theorem, which is cited, a rational cubic has a parametrisation
-  of degree 3.
+:then: there is no singular point in the complex projective plane; there are real points with $-1<x<0$ and with
+  $x>1$, and none with $0<x<1$ or $x<-1$
+:method: Elimination as above, and the signs of $x^3-x$.  A rational Bézier curve, continued over all parameters, is
+  a connected curve of the projective plane, and cannot contain arcs of both parts.  That no arc of it is rational
+  follows from `rational_cubic_has_one_double_point`: by Lüroth's theorem, which is cited, a rational cubic has a
+  parametrisation of degree 3.
 :control: the cubic $y^2=x^3+x^2$
 :::
 
@@ -252,10 +273,10 @@ the examples, with all their singular points, exactly.  What is cited: the theor
 :kind: counterexample
 :types: field
 :given: $y(y^2-x^3+x)=0$, $n=4$
-:then: the singular points are exactly the three nodes $(0,0)$ and $(\pm1,0)$, so $g=3-3=0$; but a rational curve lies on one of the
-  two factors
-:method: The singular points as above.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so one factor vanishes on
-  it; the other has points of its own.  Compared is: $g=0$ exactly if the curve is rational.
+:then: the singular points are exactly the three nodes $(0,0)$ and $(\pm1,0)$, so $g=3-3=0$; but a rational curve
+  lies on one of the two factors
+:method: The singular points as above.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so
+  one factor vanishes on it; the other has points of its own.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the factor $y^2-x^3+x$ by itself, whose count is 1
 :::
 
@@ -266,8 +287,8 @@ the examples, with all their singular points, exactly.  What is cited: the theor
 :types: field
 :given: $x^2+y^2+1=0$, $n=2$
 :then: there is no singular point, $g=0$, but $F\ge1$ for real $x,y$, so it is no Bézier curve
-:method: The singular points as above; $F$ has only positive coefficients and even powers.  Compared is: $g=0$ exactly if there is a
-  real parametrisation.
+:method: The singular points as above; $F$ has only positive coefficients and even powers.  Compared is: $g=0$
+  exactly if there is a real parametrisation.
 :control: $x^2+y^2-1=0$, the curve of the points $(1,0),(1,1),(0,1)$ with weights $1,1,2$
 :::
 
@@ -279,8 +300,8 @@ the examples, with all their singular points, exactly.  What is cited: the theor
 :given: $y^3-3x^2y+x^4=0$, $n=4$; the curve $(3t-t^3,3t^2-t^4)$
 :then: the only singular point is the origin, where three real tangents differ, so $d=s=0$ and $g=3$; yet the curve is a
   polynomial Bézier curve of degree 4
-:method: The singular points as above; the equation is the determinant (3.4.1) of the Bézier points of the curve.  Compared is:
-  $g=0$ exactly if the curve is rational.
+:method: The singular points as above; the equation is the determinant (3.4.1) of the Bézier points of the curve.
+  Compared is: $g=0$ exactly if the curve is rational.
 :control: the triple point counted as 3
 :::
 
@@ -290,10 +311,10 @@ the examples, with all their singular points, exactly.  What is cited: the theor
 :kind: counterexample
 :types: field
 :given: $(y-x^2)^2=xy^3$, $n=4$; the curve $(\frac{t^2}{1+t^3},\frac{t^4}{1+t^3})$
-:then: the only singular point is the origin, a double point, neither a node nor an ordinary cusp; counted once it gives $g=2$; yet
-  the curve is a rational Bézier curve of degree 4
-:method: As for the triple point.  On the curve $x$ has order 2 and $y-x^2$ order 7 in $t$, so $\delta=\frac{(2-1)(7-1)}2=3$: two more
-  double points are infinitely near.
+:then: the only singular point is the origin, a double point, neither a node nor an ordinary cusp; counted once it
+  gives $g=2$; yet the curve is a rational Bézier curve of degree 4
+:method: As for the triple point.  On the curve $x$ has order 2 and $y-x^2$ order 7 in $t$, so
+  $\delta=\frac{(2-1)(7-1)}2=3$: two more double points are infinitely near.
 :control: the point counted as 3
 :::
 
@@ -373,7 +394,7 @@ CLAIM(rational_cubic_has_one_double_point)
     q[0] = neg(add(b, mul(c, c)));
     q[1] = T->planted ? neg(middle) : middle;
     q[2] = sub(mul(a, c), mul(b, b));
-    num sigma = neg(q[1]), product = q[0]; /* times q[2] */
+    num sigma = neg(q[1]), product = q[0];                                                      /* times q[2] */
     num h[3] = {mul(q[2], q[2]), mul(q[2], sigma), sub(mul(sigma, sigma), mul(q[2], product))}; /* h_k times q[2]^2 */
     num P[3][4];
     for (int k = 0; k < 3; k++) {
@@ -398,15 +419,16 @@ CLAIM(rational_cubic_has_one_double_point)
 }
 
 #if FIELD
-/* A plane curve given by its homogeneous polynomial F in the variables x, y, z, and the points where it is said to be singular:
- * point k is coordinates in the variable theta modulo modulus[k], that is, as many points as that has zeros. */
+/* A plane curve by its homogeneous polynomial F in the variables x, y, z, and the points where it is said to be
+ * singular: the coordinates of point k may contain theta, which stands for each of the zeros of modulus[k]. */
 struct singular_list {
     num_f F, x, y, z, theta;
     int points;
     num_f point[4][3], modulus[4];
 };
+/* How many singular points there are of each kind; nodes is -1 when the list is not complete and right. */
 struct census {
-    int nodes, cusps, others; /* the sum is the number of singular points; nodes is -1 when the list is not complete and right */
+    int nodes, cusps, others;
 };
 
 static poly in_one_variable(num_f a, num_f variable)
@@ -507,7 +529,8 @@ static int order_at(const struct singular_list *s, int k, int *node, int *cusp)
 static struct census census_of(const struct singular_list *s)
 {
     struct census c = {0, 0, 0};
-    int finite = finite_singular_points(s), infinite = infinite_singular_points(s), listed = 0, wrong = finite < 0 || infinite < 0;
+    int finite = finite_singular_points(s), infinite = infinite_singular_points(s), listed = 0,
+        wrong = finite < 0 || infinite < 0;
     for (int k = 0; k < s->points; k++) {
         int node = 0, cusp = 0, order = order_at(s, k, &node, &cusp), copies = degree_f(s->modulus[k], s->theta);
         wrong |= order == 1;
@@ -522,7 +545,8 @@ static struct census census_of(const struct singular_list *s)
 /* The curve F(x, y) = 0 of total degree n, made homogeneous, with no points listed. */
 static struct singular_list curve_of_degree(int n, num_f F)
 {
-    struct singular_list s = {.x = variable_f("x"), .y = variable_f("y"), .z = variable_f("z"), .theta = variable_f("theta")};
+    struct singular_list s = {
+        .x = variable_f("x"), .y = variable_f("y"), .z = variable_f("z"), .theta = variable_f("theta")};
     s.F = substitute_f(substitute_f(F, s.x, div(s.x, s.z)), s.y, div(s.y, s.z));
     for (int k = 0; k < n; k++)
         s.F = mul(s.F, s.z);
@@ -575,7 +599,8 @@ static num_f plane_polynomial(int terms, const int (*t)[3])
     }
     return sum;
 }
-#define POLYNOMIAL(...) plane_polynomial(sizeof((const int[][3]){__VA_ARGS__}) / sizeof(int[3]), (const int[][3]){__VA_ARGS__})
+#define POLYNOMIAL(...)                                                                                                \
+    plane_polynomial(sizeof((const int[][3]){__VA_ARGS__}) / sizeof(int[3]), (const int[][3]){__VA_ARGS__})
 
 /* The comparison of the counterexamples: the count is 0 exactly if the curve is rational. */
 static void count_against(trial *T, const struct singular_list *s, struct census c, int g, int rational)
@@ -693,7 +718,8 @@ CLAIM(cuspidal_cubic_at_infinity)
     struct census c = census_of(&s);
     static const int X[4] = {0, 1, 2, 3}, Y[4] = {0, 0, 0, 3}, w[4] = {3, 3, 3, 3};
     if (c.nodes == 0 && c.cusps == 1 && c.others == 0)
-        count_against(T, &s, c, genus_count(3, T->planted ? 1 : finite_singular_points(&s)), is_the_curve(3, X, Y, w, F));
+        count_against(T, &s, c, genus_count(3, T->planted ? 1 : finite_singular_points(&s)),
+                      is_the_curve(3, X, Y, w, F));
 }
 
 CLAIM(cusp_counted_twice)
