@@ -57,18 +57,6 @@ polygon changes sides there, and otherwise not at all.
 Different roots, or roots counted as often as their multiplicity: the chain is right with either.
 :::
 
-:::{claim} bernstein_collocation_is_totally_positive
-:title: All minors of the Bernstein functions at increasing parameters are positive
-:zh: Bernstein 配置矩阵全正
-:given: parameters $0<t_0<t_1<\dots<t_n<1$
-:then: every minor of the matrix $(B_j^n(t_i))$, $i,j=0,\dots,n$, is positive
-:method: With $t_i=\frac{s_i}{1+s_i}$ and $s_i=p_0+\dots+p_i$, and row $i$ multiplied by the positive
-  $(1+s_i)^n$, each minor of each order is computed in the field of the positive variables $p_0,\dots,p_n$: a polynomial all
-  of whose coefficients are positive.
-:degrees: 1..4
-:control: the first two parameters exchanged
-:::
-
 :::{claim} corner_cutting_adds_no_sign_change
 :title: Means of neighbours change sign no more often
 :zh: 相邻项的凸组合不增加变号数
@@ -84,61 +72,6 @@ Different roots, or roots counted as often as their multiplicity: the chain is r
 :control: a mean of two positive numbers taken to be possibly negative
 :::
 */
-#include "chapters/frame/claims_on.h"
-
-/* The next choice of `order` increasing numbers below `size`; 0 after the last one. */
-static int G(next_choice)(int order, int size, int choice[])
-{
-    int m = order - 1;
-    while (m >= 0 && choice[m] == size - order + m)
-        m--;
-    if (m < 0)
-        return 0;
-    choice[m]++;
-    for (int k = m + 1; k < order; k++)
-        choice[k] = choice[k - 1] + 1;
-    return 1;
-}
-
-CLAIM(bernstein_collocation_is_totally_positive)
-{
-    enum { SIZE = 5 };
-    int n = T->degree;
-    num B[SIZE * SIZE], s = from_int(0), one = from_int(1), minor[SIZE * SIZE], t[SIZE], scale[SIZE];
-    for (int i = 0; i <= n; i++) {
-        s = add(s, positive(T, "p", i));
-        scale[i] = add(one, s);
-        t[i] = div(s, scale[i]);
-    }
-    for (int i = 0; i <= n; i++) {
-        int from = T->planted && i < 2 ? 1 - i : i;
-        G(bernstein)(n, t[from], B + i * (n + 1));
-        for (int j = 0; j <= n; j++)
-            for (int k = 0; k < n; k++)
-                B[i * (n + 1) + j] = mul(B[i * (n + 1) + j], scale[from]);
-    }
-    for (int order = 1; order <= n + 1; order++) {
-        int row[SIZE], column[SIZE];
-        for (int k = 0; k < order; k++)
-            row[k] = k;
-        do {
-            for (int k = 0; k < order; k++)
-                column[k] = k;
-            do {
-                for (int i = 0; i < order; i++)
-                    for (int j = 0; j < order; j++)
-                        minor[i * order + j] = B[row[i] * (n + 1) + column[j]];
-                num value = G(determinant)(order, minor);
-                nonnegative(T, value);
-#if FIELD || RATIONAL
-                agree(T, !G(is_zero)(value));
-#endif
-            } while (G(next_choice)(order, n + 1, column));
-        } while (G(next_choice)(order, n + 1, row));
-    }
-}
-#include "chapters/frame/claims_off.h"
-
 #include "chapters/frame/claims_on.h"
 #if RATIONAL
 #include "exact/crossings.h"
