@@ -134,11 +134,12 @@ SAMPLED_DATA(m)
 
 /* ---- comparison ------------------------------------------------------------------------------- */
 
-/* Counts one comparison; says whether it is the first that fails, whose sides are to be shown. */
+/* Counts one comparison; says whether it is the first that fails, whose sides are to be shown.  After
+ * UNABLE or CROWDED values may be placeholders: what is compared then decides nothing. */
 static int first_failure(trial *T, int good)
 {
     T->compared++;
-    if (good || T->outcome == FAILS)
+    if (good || T->outcome == FAILS || (region_faults & (FAULT_UNABLE | FAULT_CROWDED)))
         return 0;
     T->outcome = FAILS;
     if (T->about != NULL)
