@@ -433,6 +433,9 @@ static void put_links(FILE *out, const struct block *b, int index)
             char *value = copy_of(b->option[k].value, strlen(b->option[k].value));
             if (roles[role].has_text) {
                 char *bar = strchr(value, '|');
+                if (bar == NULL && strcmp(roles[role].key, "reading") != 0)
+                    complain(b->file, b->option[k].line, "'%s' has a %s that no claim tries: claim | text", b->name,
+                             roles[role].key);
                 if (bar == NULL) {
                     put_link(out, b, role, NULL, value);
                 } else {
