@@ -71,12 +71,20 @@ static inline void G(fails_by_division_only)(trial *T)
     agree(T, 1);
 }
 
-/* Two comparisons, the first about a square root that has no value here. */
+/* Two comparisons after the fault. */
 static inline void G(unable)(trial *T)
 {
     region_faults |= FAULT_UNABLE;
     same(T, from_int(1), from_int(2));
     agree(T, !T->planted);
+}
+
+/* 1 = 2; the control is unable to say anything. */
+static inline void G(control_is_unable)(trial *T)
+{
+    if (T->planted)
+        region_faults |= FAULT_UNABLE;
+    same(T, from_int(1), from_int(2));
 }
 
 /* False before the fault. */

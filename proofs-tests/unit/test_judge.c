@@ -334,6 +334,7 @@ static void test_what_is_no_counterexample(void **state)
         {{IN(RATIONAL_TYPE, _q, nothing), .kind = COUNTEREXAMPLE}, UNDECIDED, 0}, /* nothing was compared    */
         {{IN(RATIONAL_TYPE, _q, control_is_empty), .kind = COUNTEREXAMPLE}, HOLDS, 0},
         {{IN(RATIONAL_TYPE, _q, square_of_sum), .kind = COUNTEREXAMPLE}, HOLDS, 0}, /* what is printed is true */
+        {{IN(RATIONAL_TYPE, _q, control_is_unable), .kind = COUNTEREXAMPLE}, FAILS, 0},
         {{IN(RATIONAL_TYPE, _q, false_then_unable), .kind = COUNTEREXAMPLE}, UNDECIDED, 0},
     };
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
