@@ -207,9 +207,12 @@ static void show_statement(const statement_result *r, const claim_result *result
         } else if (l->role == READING) {
             heading("A reading");
             prose(l->text);
-            if (c != NULL)
-                printf("%*sSo read, it %s.\n", INDENT, "",
-                       c->claim->kind == COUNTEREXAMPLE ? "fails" : outcome_name[c->outcome]);
+            if (c == NULL)
+                continue;
+            int fails = c->claim->kind == COUNTEREXAMPLE;
+            printf("%*sSo read, it %s.\n", INDENT, "", fails ? "fails" : outcome_name[c->outcome]);
+            if (fails)
+                print_exhibits(c);
         }
     }
     if (s->corrected[0] != '\0') {

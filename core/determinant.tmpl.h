@@ -5,7 +5,7 @@
  * Results do not overlap arguments.
  * Source: wang-ch3, 3.4; R. S. Bird, A simple division-free algorithm for computing determinants,
  * Inf. Process. Lett. 111 (2011) 1072-1074. */
-#include "core/number/limits.h"
+#include "core/number/binomial.h"
 
 #include "core/number/generic_on.h"
 
@@ -73,5 +73,23 @@ static inline num G(bezout_resultant)(int n, const num a[], const num b[])
     G(bezout)(n, a, b, M);
     num det = G(determinant)(n, M);
     return n * (n - 1) / 2 % 2 == 0 ? det : neg(det);
+}
+
+/* a[i] = C(n,i) w_i (R_i[axis] - x), i = 0, ..., n: the coefficients of u^n, ..., 1 that formula 3.4.2 gives
+ * to one coordinate of the rational curve (R, w) of the plane, axis 0 or 1. */
+static inline void G(implicit_coefficients)(int n, const num R[], const num w[], int axis, num x, num a[])
+{
+    for (int i = 0; i <= n; i++)
+        a[i] = mul(mul(from_int(binomial(n, i)), w[i]), sub(R[2 * i + axis], x));
+}
+
+/* F(x, y), the determinant (3.4.1) of the rational curve (R, w) of the plane, 1 <= n <= MAX_ORDER, from
+ * Bézout's matrix. */
+static inline num G(implicit_value)(int n, const num R[], const num w[], num x, num y)
+{
+    num a[MAX_ORDER + 1], b[MAX_ORDER + 1];
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    G(implicit_coefficients)(n, R, w, 1, y, b);
+    return G(bezout_resultant)(n, a, b);
 }
 #include "core/number/generic_off.h"

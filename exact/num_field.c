@@ -3,6 +3,7 @@
 #include "exact/num_field_slot.h"
 
 #include <flint/fmpq.h>
+#include <flint/fmpz_mpoly_factor.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -133,13 +134,42 @@ num_f from_int_f(long m)
 }
 num_f from_ratio_f(long m, long n) { return n == 0 ? fault_f(FAULT_UNDEFINED) : from_rational_f(from_ratio_q(m, n)); }
 
+/* root = an n-th root of p; 0 when p has none.  With p = c f_1^e_1 f_2^e_2 ..., the f_i squarefree and
+ * coprime in pairs, it has one exactly when c has one and n divides every e_i. */
+static int polynomial_root(fmpz_mpoly_t root, int n, const fmpz_mpoly_t p)
+{
+    if (fmpz_mpoly_is_zero(p, field.ctx)) {
+        fmpz_mpoly_zero(root, field.ctx);
+        return 1;
+    }
+    fmpz_mpoly_factor_t f;
+    fmpz_mpoly_t power;
+    fmpz_t c, back;
+    fmpz_mpoly_factor_init(f, field.ctx), fmpz_mpoly_init(power, field.ctx), fmpz_init(c), fmpz_init(back);
+    int found = fmpz_mpoly_factor_squarefree(f, p, field.ctx) && (n % 2 == 1 || fmpz_sgn(f->constant) > 0);
+    if (found) {
+        fmpz_root(c, f->constant, n);
+        fmpz_pow_ui(back, c, (ulong)n);
+        found = fmpz_equal(back, f->constant);
+        fmpz_mpoly_set_fmpz(root, c, field.ctx);
+    }
+    for (slong i = 0; found && i < f->num; i++) {
+        found = fmpz_divisible_si(f->exp + i, n);
+        found = found && fmpz_mpoly_pow_ui(power, f->poly + i, fmpz_get_ui(f->exp + i) / (ulong)n, field.ctx);
+        if (found)
+            fmpz_mpoly_mul(root, root, power, field.ctx);
+    }
+    fmpz_mpoly_factor_clear(f, field.ctx), fmpz_mpoly_clear(power, field.ctx), fmpz_clear(c), fmpz_clear(back);
+    return found;
+}
+
 num_f root_f(int n, num_f a)
 {
     if (n == 1)
         return a;
     struct field_element *r = fresh();
-    if (n != 2 || !fmpz_mpoly_sqrt(fmpz_mpoly_q_numref(r->x), fmpz_mpoly_q_numref(a.at->x), field.ctx) ||
-        !fmpz_mpoly_sqrt(fmpz_mpoly_q_denref(r->x), fmpz_mpoly_q_denref(a.at->x), field.ctx))
+    if (n < 1 || !polynomial_root(fmpz_mpoly_q_numref(r->x), n, fmpz_mpoly_q_numref(a.at->x)) ||
+        !polynomial_root(fmpz_mpoly_q_denref(r->x), n, fmpz_mpoly_q_denref(a.at->x)))
         return fault_f(FAULT_UNABLE);
     return (num_f){r};
 }
@@ -221,6 +251,28 @@ static int degree(const fmpz_mpoly_t p, num_f variable)
 int degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_numref(a.at->x), variable); }
 int denominator_degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_denref(a.at->x), variable); }
 
+/* Does the printed polynomial need no parentheses above (below) the bar of a fraction? */
+static int stands_alone(const char *text, int below)
+{
+    return strpbrk(text[0] == '-' ? text + 1 : text, below ? "+-*" : "+-") == NULL;
+}
+
+num_f coefficient_f(num_f a, num_f variable, int k)
+{
+    if (denominator_degree_f(a, variable) != 0)
+        return fault_f(FAULT_UNDEFINED);
+    struct field_element *p = fresh(), *q = fresh();
+    fmpz_mpoly_univar_t u;
+    fmpz_mpoly_univar_init(u, field.ctx);
+    fmpz_mpoly_to_univar(u, fmpz_mpoly_q_numref(a.at->x), field_variable_f(variable), field.ctx);
+    for (slong j = 0; j < fmpz_mpoly_univar_length(u, field.ctx); j++)
+        if (fmpz_mpoly_univar_get_term_exp_si(u, j, field.ctx) == k)
+            fmpz_mpoly_univar_get_term_coeff(fmpz_mpoly_q_numref(p->x), u, j, field.ctx);
+    fmpz_mpoly_univar_clear(u, field.ctx);
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(q->x), fmpz_mpoly_q_denref(a.at->x), field.ctx);
+    return div_f((num_f){p}, (num_f){q});
+}
+
 const char *to_string_f(num_f a)
 {
     const char *names[FIELD_MAX_VARIABLES];
@@ -234,7 +286,9 @@ const char *to_string_f(num_f a)
     if (strcmp(q, "1") == 0)
         snprintf(text, room, "%s", p);
     else
-        snprintf(text, room, "(%s)/(%s)", p, q);
+        snprintf(text, room,
+                 stands_alone(p, 0) ? stands_alone(q, 1) ? "%s/%s" : "%s/(%s)"
+                                    : stands_alone(q, 1) ? "(%s)/%s" : "(%s)/(%s)", p, q);
     flint_free(p);
     flint_free(q);
     return text;

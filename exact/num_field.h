@@ -31,8 +31,8 @@ num_f neg_f(num_f a);
 num_f from_int_f(long m);
 num_f from_ratio_f(long m, long n);
 num_f from_rational_f(num_q a);
-num_f root_f(int n, num_f a); /* n = 1, or n = 2 and a a square (one of the two roots);
-                                 otherwise UNABLE                                          */
+num_f root_f(int n, num_f a); /* n >= 1; one of the two roots for even n; UNABLE unless a is
+                                 an n-th power                                             */
 
 int is_zero_f(num_f a);
 int is_constant_f(num_f a, num_q *value);      /* value may be NULL                        */
@@ -41,6 +41,8 @@ num_f substitute_f(num_f a, num_f variable, num_f value); /* UNDEFINED at a pole
 int degree_f(num_f a, num_f variable);         /* of the numerator; -1 for 0; these four are
                                                   UNDEFINED unless it is a variable        */
 int denominator_degree_f(num_f a, num_f variable);
+num_f coefficient_f(num_f a, num_f variable, int k); /* of variable^k, k >= 0, as it is a polynomial
+                                                  in it: UNDEFINED if the denominator has it  */
 int field_variable_f(num_f variable);          /* its index, or -1 for any other element   */
 /* +1, 0, -1: numerator and denominator have coefficients of one sign each, so a > 0, a = 0, a < 0
  * wherever all variables are positive.  -2: no such conclusion. */

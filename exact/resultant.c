@@ -93,6 +93,21 @@ num_f pivoted_determinant_f(int n, const num_f A[])
 #include "exact/resultant.tmpl.h"
 #undef G
 
+num_f resultant_by_f(num_f p, num_f q, num_f variable)
+{
+    int m = degree_f(p, variable), n = degree_f(q, variable);
+    if (m < 0 || n < 0) {
+        region_faults |= FAULT_UNDEFINED;
+        return from_int_f(0);
+    }
+    num_f *a = region_bytes((size_t)(m + 1) * sizeof *a), *b = region_bytes((size_t)(n + 1) * sizeof *b);
+    for (int k = 0; k <= m; k++)
+        a[k] = coefficient_f(p, variable, k);
+    for (int k = 0; k <= n; k++)
+        b[k] = coefficient_f(q, variable, k);
+    return resultant_sylvester_f(m, a, n, b);
+}
+
 typedef num_q resultant_of_arrays(int, const num_q[], int, const num_q[]);
 static num_q poly_resultant(resultant_of_arrays *resultant, poly p, poly q)
 {

@@ -33,6 +33,10 @@ num_f resultant_sylvester_f(int m, const num_f a[], int n, const num_f b[]);
 num_q resultant_bezout_q(int m, const num_q a[], int n, const num_q b[]);
 num_f resultant_bezout_f(int m, const num_f a[], int n, const num_f b[]);
 
+/* The resultant of two elements of the field as polynomials in one of its variables, m and n their degrees
+ * in it.  UNDEFINED when one of them is 0 or has the variable in its denominator. */
+num_f resultant_by_f(num_f p, num_f q, num_f variable);
+
 /* The same for polynomials, m and n their degrees.  UNDEFINED when one of them is 0. */
 num_q poly_resultant_sylvester(poly p, poly q);
 num_q poly_resultant_bezout(poly p, poly q);

@@ -119,6 +119,8 @@ static int is_simple(const char *s)
 {
     int depth = 0;
     for (const char *p = s; *p; p++) {
+        if (depth == 0 && *p == '(' && p > s && p[-1] == ')')
+            return 0;
         if (*p == '(' || *p == '[' || *p == '{')
             depth++;
         else if (*p == ')' || *p == ']' || *p == '}')
@@ -146,6 +148,52 @@ static const struct {
              {')', "⁾", "₎"}, {'n', "ⁿ", NULL}, {'i', "ⁱ", "ᵢ"}, {'j', "ʲ", "ⱼ"}, {'k', "ᵏ", "ₖ"}, {'r', "ʳ", "ᵣ"},
              {'t', "ᵗ", "ₜ"}, {'m', "ᵐ", "ₘ"}, {'h', "ʰ", "ₕ"}, {'l', "ˡ", "ₗ"}, {'s', "ˢ", "ₛ"}, {'p', "ᵖ", "ₚ"},
              {'n', NULL, "ₙ"}, {'*', "*", NULL}, {'a', "ᵃ", "ₐ"}, {'x', "ˣ", "ₓ"}, {'\'', "′", NULL}};
+
+static size_t character(const char *s)
+{
+    size_t n = *s != '\0';
+    while (((unsigned char)s[n] & 0xC0) == 0x80)
+        n++;
+    return n;
+}
+
+/* Whether the character at s belongs to the one before it: an index, an exponent, a prime, a factorial. */
+static int is_attached(const char *s)
+{
+    static const char *const others[] = {"⁻", "₋", "′", "*", "!"};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (strncmp(s, others[k], strlen(others[k])) == 0)
+            return 1;
+    for (size_t k = 0; k < sizeof small / sizeof *small; k++)
+        if ((small[k].up != NULL && strncmp(s, small[k].up, strlen(small[k].up)) == 0) ||
+            (small[k].down != NULL && strncmp(s, small[k].down, strlen(small[k].down)) == 0))
+            return 1;
+    return 0;
+}
+
+/* Whether s is one factor, a number, a symbol or a group in parentheses, with a root and what is attached
+ * to it: then it can stand below a fraction's stroke as it is. */
+static int is_one_factor(const char *s)
+{
+    int factors = 0;
+    while (*s != '\0' && factors < 2) {
+        if (is_attached(s) || strncmp(s, "√", 3) == 0) {
+            s += character(s);
+            continue;
+        }
+        factors++;
+        if (isdigit((unsigned char)*s)) {
+            s += strspn(s, "0123456789");
+        } else if (*s == '(') {
+            int depth = 1;
+            for (s++; *s != '\0' && depth > 0; s++)
+                depth += (*s == '(') - (*s == ')');
+        } else {
+            s += character(s);
+        }
+    }
+    return factors == 1;
+}
 
 /* Raised or lowered letters where Unicode has all of them; otherwise ^(...) or _(...). */
 static void put_script(struct text *out, const char *s, int up)
@@ -235,8 +283,9 @@ static const char *command(const char *s, struct text *out)
     if (n == 4 && strncmp(s, "frac", 4) == 0) {
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         put_wrapped(out, a.at);
-        puts_(out, "/");
-        put_wrapped(out, b.at);
+        puts_(out, is_one_factor(b.at) ? "/" : "/(");
+        puts_(out, b.at);
+        puts_(out, is_one_factor(b.at) ? "" : ")");
         if (begins_factor(e))
             puts_(out, " · ");
         free(a.at), free(b.at);
@@ -327,8 +376,10 @@ static const char *formula(const char *s, struct text *out, char stop)
             s++;
         } else if (*s == '\'') {
             puts_(out, "′"), s++;
-        } else if (*s == '~' || *s == '&') {
+        } else if (*s == '~') {
             puts_(out, " "), s++;
+        } else if (*s == '&') {
+            puts_(out, ", "), s++;
         } else if (*s == '}') {
             s++;
         } else {

@@ -30,6 +30,7 @@ When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
 :reading: convex_polygons_have_triangles_of_one_sign | a polygon is convex if with its chord it bounds a convex region; then
   all its triangles turn to one side
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
+:figure: convex_polygon_convex_curve
 
 If all $D_{ijk}\ge0$ and one is positive, any three points of the curve in their order turn left, none are on one line, and the
 curve with its chord bounds a convex region; if all $D_{ijk}$ vanish, polygon and curve are on a line.  The formula is Cauchy's
@@ -43,6 +44,7 @@ The property goes one way only: the curve may be convex and the polygon not (`cu
 :printed: the property is proved by (3.3.1), imitating the proof of theorem 1.4.2
 :holds-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
 :needs: subdivision_fails_for_mixed_weights | positive weights
+:figure: convex_halves
 
 The imitation: the two polygons of the halves, joined, are the old polygon with corners cut off, hence convex again; repeated,
 the polygons converge to the curve; a limit of convex polygons is convex.  The first of these is decided here, with the
@@ -144,11 +146,11 @@ formulas (3.3.1) as they should read, the convergence in the section on subdivis
 :title: A polygon that always turns left, and a curve with two inflections
 :zh: 处处左转的多边形, 曲线却有两个拐点
 :kind: counterexample
-:given: $n=3$, points $(0,0),(6,0),(5,4),(5,1)$, all weights $1$
-:then: $x'y''-y'x''=54(3t-2)(5t-4)$ is negative between $\frac23$ and $\frac45$, though the polygon turns left at both inner
+:given: $n=3$, points $(0,0),(12,0),(11,5),(11,2)$, all weights $1$
+:then: $x'y''-y'x''=54(3t-2)(11t-10)$ is negative between $\frac23$ and $\frac{10}{11}$, though the polygon turns left at both inner
   vertices and does not meet itself
 :method: The polynomial is computed and evaluated; its roots are counted.  For $n=2$ there is one turn, and the curve turns as it does.
-:control: the points taken as $(0,0),(6,0),(5,4),(1,4)$, whose polygon is convex when closed
+:control: the points taken as $(0,0),(12,0),(11,5),(1,5)$, whose polygon is convex when closed
 :::
 
 :::{claim} mixed_weights_lose_convexity
@@ -511,12 +513,12 @@ static void ones(int n, num_q w[])
 CLAIM(turns_of_one_sign_are_not_enough)
 {
     enum { n = 3 };
-    static const long point[2 * (n + 1)] = {0, 0, 6, 0, 5, 4, 5, 1};
+    static const long point[2 * (n + 1)] = {0, 0, 12, 0, 11, 5, 11, 2};
     num R[2 * (n + 1)], w[n + 1];
     points_from(n + 1, point, R);
     if (T->planted) {
         R[6] = from_int(1);
-        R[7] = from_int(4);
+        R[7] = from_int(5);
     }
     ones(n, w);
     poly p = turning(n, R, w);

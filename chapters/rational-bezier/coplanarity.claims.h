@@ -12,7 +12,9 @@ hypothesis: no weight is $0$.
 :printed: if a rational Bézier curve is plane, its vertices are coplanar
 :holds-by: plane_function_determines_the_vertices plane_form_of_the_curve powers_span_the_bernstein_functions
 :needs: vertex_of_weight_zero_leaves_the_plane | positive weights; it is enough that no weight is $0$
+:figure: weight_zero_out_of_plane
 
+For every degree the Bernstein functions are independent by `powers_in_every_degree`, and the rest is linear.
 The vertices are in every plane that contains the curve: if the curve is a segment, so is the polygon (on its line).  Up to
 $n=2$ the word coplanar says nothing, for three points always are; that they are in the plane of the curve says something.
 :::
@@ -57,6 +59,7 @@ Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points 
 :printed: \omega_iz_i=0\ \Rightarrow\ z_i=0,\quad i=0,1,\dots,n
 :holds-by: plane_function_determines_the_vertices
 :needs: weight_zero_hides_the_vertex | $\omega_i\ne0$
+:figure: weight_zero_out_of_plane
 :::
 
 :::{claim} plane_form_of_the_curve

@@ -22,6 +22,7 @@ the products $\omega_iR_i$.
 :holds-by: bernstein_function_in_the_next_degree elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | positive weights; otherwise the new vertices need not exist, though the
   curve has no pole
+:figure: elevation_cuts_corners
 :::
 
 :::{statement} wang-ch3:3.2.7
@@ -114,7 +115,8 @@ CLAIM(elevation_keeps_rational_curve)
 :zh: 升阶后的权因子
 :printed: \hat\omega_i=\left(1-\frac i{n+1}\right)\omega_i+\frac i{n+1}\omega_{i-1},\quad i=0,1,\dots,n+1;
   \quad\omega_{-1}=\omega_{n+1}=0
-:holds-by: numbers_outside_the_polygon_do_not_matter elevation_through_the_power_basis elevated_points_as_printed
+:holds-by: bernstein_function_in_the_next_degree elevation_through_the_power_basis elevated_points_as_printed
+  numbers_outside_the_polygon_do_not_matter
 
 The agreement $\omega_{-1}=\omega_{n+1}=0$ only gives the formula a meaning at its two ends: the factor there is $0$,
 and any other numbers would do.
@@ -126,8 +128,10 @@ and any other numbers would do.
 :printed: \hat{\mathbf R}_i=\frac{(1-\frac i{n+1})\omega_i}{(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}}\mathbf R_i
   +\frac{\frac i{n+1}\omega_{i-1}}{(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}}\mathbf R_{i-1},\quad
   i=0,1,\dots,n+1;\quad\mathbf R_{-1}=\mathbf R_{n+1}=\mathbf 0
-:holds-by: numbers_outside_the_polygon_do_not_matter elevated_points_as_printed elevation_keeps_rational_curve
+:holds-by: bernstein_function_in_the_next_degree elevated_points_as_printed elevation_keeps_rational_curve
+  numbers_outside_the_polygon_do_not_matter
 :needs: elevated_vertex_may_be_at_infinity | positive weights, so that no denominator vanishes
+:figure: elevation_cuts_corners
 :::
 
 :::{claim} elevated_points_as_printed
@@ -196,8 +200,8 @@ CLAIM(elevated_points_as_printed)
             num w_before = i > 0 ? w[i - 1] : zero, w_here = i <= n ? w[i] : zero;
             num R_before = i > 0 ? R[dim * (i - 1) + c] : zero, R_here = i <= n ? R[dim * i + c] : zero;
             int exchanged = T->planted && i > 0 && i <= n;
-            G(printed_elevation)(ratio, exchanged ? w_here : w_before, exchanged ? w_before : w_here, R_before, R_here,
-                                 &weight, &point);
+            G(printed_elevation)
+            (ratio, exchanged ? w_here : w_before, exchanged ? w_before : w_here, R_before, R_here, &weight, &point);
             about(T, "weight and point of the rational curve");
             same(T, we[i], weight);
             same(T, Re[dim * i + c], point);
@@ -298,6 +302,7 @@ corner $R_i$.
 :printed: geometrically (3.2.9) again cuts the corners of the polygon
 :holds-by: elevation_cuts_corners
 :needs: elevated_vertex_may_leave_the_edge | positive weights; otherwise the new vertex may lie outside the edge
+:figure: elevation_mixed_weights
 :::
 
 :::{statement} wang-ch3:prop-3.2.6-ratios
@@ -317,6 +322,7 @@ exactly those edges whose two weights are equal.
 :printed: elevation can be repeated without end
 :holds-by: elevation_cuts_corners repeated_elevation_in_one_formula repeated_elevation_computed
 :needs: elevated_vertex_may_be_at_infinity | positive weights; with mixed ones already the first step may fail
+:figure: elevation_mixed_weights
 
 Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
 $(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ the degrees $3$ and $4$ have
@@ -436,10 +442,10 @@ CLAIM(repeated_elevation_in_one_formula)
     num up = positive(T, "b", 0), down = positive(T, "c", 0); /* C(m,p) and C(N,i) */
 
     about(T, "inside the range, 0 < p < m + 1");
-    num up_before = div(mul(up, p), sub(add(m, one), p));     /* C(m, p-1)   */
-    num down_before = div(mul(down, i), add(sub(N, i), one)); /* C(N, i-1)   */
-    num up_next = div(mul(up, add(m, one)), sub(add(m, one), p));   /* C(m+1, p) */
-    num down_next = div(mul(down, next), sub(next, i));             /* C(N+1, i) */
+    num up_before = div(mul(up, p), sub(add(m, one), p));         /* C(m, p-1)   */
+    num down_before = div(mul(down, i), add(sub(N, i), one));     /* C(N, i-1)   */
+    num up_next = div(mul(up, add(m, one)), sub(add(m, one), p)); /* C(m+1, p) */
+    num down_next = div(mul(down, next), sub(next, i));           /* C(N+1, i) */
     same(T, add(mul(rest, div(up, down)), mul(share, div(up_before, down_before))), div(up_next, down_next));
 
     about(T, "p = 0: C(m,-1) = 0");
@@ -516,6 +522,7 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :printed: the sequence of elevated polygons converges to $\mathbf R(t)$
 :holds-by: elevated_polygons_converge powers_in_every_degree
 :needs: elevation_fails_at_a_pole | positive weights, so that no polygon of the sequence lacks a vertex
+:figure: elevation_converges
 
 The convergence is uniform and of order $1/N$, not better: for the parabola the distance of the $i$-th vertex is exactly
 $x(1-x)/(N-1)$ with $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` computes it for other curves.
@@ -540,6 +547,7 @@ positive from some degree on, and the polygons converge from there; see `mixed_w
 :title: Elevated polygons converge to the curve, with an error of at most a constant over the degree
 :zh: 升阶多边形以 1/N 的阶收敛
 :given: positive weights; $N\ge n$, $x=i/N$, $0\le i\le N$
+:let: $K_f=\sum_k\frac{k(k-1)}2|c_k|$ for a polynomial $f=\sum_kc_kt^k$; here of $\omega(t)$ and of a coordinate of $\omega(t)R(t)$
 :then: the vertex $\hat R_i$ of degree $N$ has
   $|\hat R_i-R(x)|\le\frac{K_{\omega R}+|R(x)|K_\omega}{(N-n+1)\min_j\omega_j}$ in each coordinate
 :method: In the field, with $i,N,l,k$ variables and positive differences between them:
@@ -668,9 +676,10 @@ CLAIM(elevated_polygons_within_their_bound)
     static const struct {
         int n;
         long w[4], common, R[8];
-    } curve[CURVES] = {{2, {1, 1, 2}, 1, {1, 0, 1, 1, 0, 1}},          {2, {1, 3, 1}, 1, {-1, 0, 0, 1, 1, 0}},
-                       {2, {1, 100, 1}, 1, {0, 0, 3, 1, 1, 4}},        {2, {100, 1, 100}, 100, {0, 0, 3, 1, 1, 4}},
-                       {3, {5, 25, 1, 5}, 5, {0, 0, 0, 3, 3, 3, 3, 0}}, {3, {3, 150, 7500, 50}, 150, {0, 0, 5, 1, -4, 2, 1, 3}}};
+    } curve[CURVES] = {
+        {2, {1, 1, 2}, 1, {1, 0, 1, 1, 0, 1}},           {2, {1, 3, 1}, 1, {-1, 0, 0, 1, 1, 0}},
+        {2, {1, 100, 1}, 1, {0, 0, 3, 1, 1, 4}},         {2, {100, 1, 100}, 100, {0, 0, 3, 1, 1, 4}},
+        {3, {5, 25, 1, 5}, 5, {0, 0, 0, 3, 3, 3, 3, 0}}, {3, {3, 150, 7500, 50}, 150, {0, 0, 5, 1, -4, 2, 1, 3}}};
     for (int example = 0; example < CURVES; example++) {
         int n = curve[example].n;
         num w[4], R[8], we[LAST + 1], Re[2 * (LAST + 1)], wn[LAST + 1], Rn[2 * (LAST + 1)], K[3], least;

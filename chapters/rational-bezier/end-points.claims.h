@@ -1,75 +1,310 @@
 /*
 # What happens at the ends (端点性质)
 
-A rational Bézier curve starts in its first point and ends in its last.  If the first $k$ points
-coincide, the curve starts with a derivative of order $k$; the source prints that derivative, and
-the one of order $h$ at the other end, side by side.
-
-:::{statement} wang-ch3:3.2.3
-:title: With repeated end points the first derivatives vanish
-:zh: 端点重合时低阶导矢为零
-:printed: \mathbf R(0)=\mathbf R_0,\ \mathbf R(1)=\mathbf R_n,\ \mathbf R^{(l)}(0)=\mathbf R^{(m)}(1)=\mathbf 0,\
-  l=1,\dots,k-1,\ m=1,\dots,h-1
-:holds-by: end_derivatives_with_repeated_points
-:::
-
-:::{statement} wang-ch3:3.2.4
-:title: The first derivative that does not vanish, at both ends
-:zh: 端点处首个非零导矢
-:printed: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0),\quad
-  \mathbf R^{(h)}(1)=\frac{n!}{(n-k)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
-:class: misprint
-:refuted-by: printed_end_derivative_at_one_is_wrong
-:corrected: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0),\quad
-  \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
-:corrected-by: end_derivatives_with_repeated_points
-
-The formula at $t=0$ is right.  The one at $t=1$ carries two slips: the factor is $n!/(n-h)!$, which is
-the printed one only for $h=k$; and the sign $(-1)^{h+1}$ is missing, so that for even $h$ the
-derivative points the other way even when $h=k$.
-:::
-
-:::{claim} end_derivatives_with_repeated_points
-:title: End derivatives when the first k and the last h points coincide
-:zh: 首 k 点、末 h 点重合时的端点导矢
-:given: weights $\omega_0,\dots,\omega_n$, $\omega_0\omega_n\ne0$, and points with $R_0=\dots=R_{k-1}$ and
-  $R_n=\dots=R_{n-h+1}$, for all $k,h\ge1$ with $k\le n$, $h\le n$
-:then: $R^{(l)}(0)=0$ for $0<l<k$, $R^{(m)}(1)=0$ for $0<m<h$,
-  $R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(R_k-R_0)$ and
-  $R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(R_n-R_{n-h})$
-:method: In the field of rational functions of the weights and the points both sides are one element.  The
-  two ends are taken one at a time, so that every other point is free; a coordinate is any coordinate, so
-  one suffices.
-:degrees: 1..6 sampled 10
-:control: the sign $(-1)^{h+1}$ left out
-:::
+A rational Bézier curve starts in its first point, in the direction of the first edge, and ends in its last point, in the
+direction of the last edge.  If the first $k$ points coincide, the derivatives of order $1,\dots,k-1$ vanish at $t=0$ and
+the edge $R_0R_k$ takes over.  The source prints what the derivatives of order $k$ and $h$ are at both ends, side by side; the right
+one carries two slips, both invisible in the usual case $k=h=1$.
 */
 #include "chapters/frame/claims_on.h"
 
 /* n!/(n-k)! */
-static long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
+static inline long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
 
-CLAIM(end_derivatives_with_repeated_points)
+/* dim coordinates of points of which R_0 = ... = R_{k-1}, and nothing else is asked. */
+static inline void G(repeated_at_start)(trial *T, int n, int dim, int k, num R[])
+{
+    static const char *const axis[] = {"x", "y"};
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = i > 0 && i < k ? R[c] : unknown(T, axis[c], i);
+}
+
+/* The polygon and its weights in the opposite order. */
+static inline void G(reverse)(int n, int dim, num R[], num w[])
+{
+    for (int i = 0, j = n; i < j; i++, j--) {
+        num kept = w[i];
+        w[i] = w[j];
+        w[j] = kept;
+        for (int c = 0; c < dim; c++) {
+            kept = R[i * dim + c];
+            R[i * dim + c] = R[j * dim + c];
+            R[j * dim + c] = kept;
+        }
+    }
+}
+
+/*
+## End points and end tangents
+
+:::{statement} wang-ch3:prop-3.2.3
+:title: The curve joins the end points and is tangent to the end edges
+:zh: 端点插值性
+:printed: The curve passes through the end points of its B-net and is tangent to the end edges there.
+:holds-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points end_derivatives_at_one_with_repeated_points
+:needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$ and $\omega_n\ne0$, for the curve to pass through the end points.
+:needs: zero_weight_turns_the_end_tangent | $\omega_1\ne0$ and $\omega_{n-1}\ne0$, for the tangent to be that of the edge.
+:needs: negative_weight_reverses_the_end_tangent | $\omega_1/\omega_0>0$ and $\omega_{n-1}/\omega_n>0$, for the curve to leave towards $R_1$ and to
+  arrive from $R_{n-1}$: otherwise the edge is on the tangent, behind the end point.
+
+The end edge is the first one of positive length, $R_0R_k$.  If all points coincide there is none, and the curve is that point.
+:::
+
+:::{statement} wang-ch3:3.2.3-multiplicities
+:title: How many points coincide at each end
+:zh: 两端的重点数
+:definition: yes
+:printed: \mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k,\quad\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
+:checked-by: multiplicities_fit_into_the_polygon
+
+The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.
+:::
+
+:::{claim} curve_leaves_its_ends_along_the_first_edges
+:title: The first derivative that does not vanish points along the first edge of positive length
+:zh: 首个非零导矢沿首条非零边
+:given: points of the plane with $R_0=\dots=R_{k-1}$ (and in reversed order $R_n=\dots=R_{n-h+1}$), positive weights, all $k,h\ge1$ with
+  $k\le n$, $h\le n$
+:then: $R^{(k)}(0)\times(R_k-R_0)=0$ and $R^{(k)}(0)\cdot(R_k-R_0)/|R_k-R_0|^2>0$; the same for $(-1)^{h+1}R^{(h)}(1)$ and
+  $R_n-R_{n-h}$
+:method: The first is $0$ in the field; the second has positive coefficients in the weights and contains nothing else.  With (3.2.3) the curve is
+  $R_0+\frac{t^k}{k!}R^{(k)}(0)$ up to higher powers of $t$, and $R_n-\frac{(1-t)^h}{h!}(-1)^{h+1}R^{(h)}(1)$ at the other end, so these
+  vectors are the directions in which it leaves and arrives.
+:degrees: 1..5 sampled 10
+:control: the sign $(-1)^{h+1}$ left out
+:::
+*/
+CLAIM(curve_leaves_its_ends_along_the_first_edges)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * 2], D[(MAX_DEGREE + 1) * 2], edge[2];
+    for (int i = 0; i <= n; i++)
+        w[i] = positive(T, "w", i);
+    for (int end = 0; end <= 1; end++)
+        for (int k = 1; k <= n; k++) {
+            G(repeated_at_start)(T, n, 2, k, R);
+            int first = 0, other = k;
+            if (end == 1) {
+                G(reverse)(n, 2, R, w);
+                first = n, other = n - k;
+            }
+            G(rational_derivatives)(n, 2, R, w, from_int(end), k, D);
+            for (int c = 0; c < 2; c++) /* from the end point away, at both ends */
+                edge[c] = sub(R[other * 2 + c], R[first * 2 + c]);
+            num direction[] = {D[2 * k], D[2 * k + 1]}; /* at t = 1 away from the end: (-1)^h R^(h)(1) */
+            for (int c = 0; c < 2 && end == 1 && (k % 2 == 1 || T->planted); c++)
+                direction[c] = neg(direction[c]);
+            about(T, "direction x edge");
+            vanishes(T, G(cross2)(direction, edge));
+            about(T, "direction . edge / edge . edge > 0");
+            nonnegative(T, div(G(norm_squared)(2, edge), G(dot)(2, direction, edge)));
+        }
+}
+
+#if RATIONAL
+/*
+:::{claim} multiplicities_fit_into_the_polygon
+:title: Unless all points coincide, k and h exist and k + h ≤ n + 1
+:zh: 除非全部重合，k 与 h 存在且 k + h ≤ n + 1
+:kind: decision
+:given: every pattern of equal and different neighbours in a polygon of $n+1$ points
+:then: $k$ is the number of points before the first $R_i\ne R_{i-1}$, $h$ the number after the last one; they exist unless the pattern has
+  none, and $k+h\le n+1$
+:method: All $2^n$ patterns are visited.
+:degrees: 1..12
+:scope: all patterns of equal neighbours
+:control: the bound $n$ for $k+h$
+:::
+*/
+CLAIM(multiplicities_fit_into_the_polygon)
+{
+    int n = T->degree;
+    for (int differs = 0; differs < 1 << n; differs++) { /* bit i-1: R_i is not R_{i-1} */
+        int k = 1, h = 1;
+        while (k <= n && !(differs >> (k - 1) & 1))
+            k++;
+        while (h <= n && !(differs >> (n - h) & 1))
+            h++;
+        int exist = k <= n && h <= n;
+        agree(T, exist == (differs != 0));
+        agree(T, !exist || k + h <= (T->planted ? n : n + 1));
+    }
+}
+
+/*
+:::{claim} zero_weight_turns_the_end_tangent
+:title: With ω_1 = 0 the curve is not tangent to its first edge
+:zh: ω_1 = 0 时曲线不切于首边
+:kind: counterexample
+:given: $R_0=(0,0)$, $R_1=(1,2)$, $R_2=(2,0)$ with weights $1,0,1$
+:then: $R'(0)=0$ and $R''(0)=(4,0)$: the curve runs on the chord $R_0R_2$
+:method: The derivatives are computed exactly; the first that is not $0$ is compared with the edge $(1,2)$.
+:control: the weights $1,1,1$, where already $R'(0)$ is along the edge
+:::
+*/
+CLAIM(zero_weight_turns_the_end_tangent)
+{
+    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, D[6];
+    num w[] = {from_int(1), from_int(T->planted), from_int(1)};
+    G(rational_derivatives)(2, 2, R, w, from_int(0), 2, D);
+    int order = is_zero_q(D[2]) && is_zero_q(D[3]) ? 2 : 1;
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "R'(0)", 1, 2, D + 2);
+    show_points(T, "R''(0)", 1, 2, D + 4);
+    about(T, "cross product of the first edge and the first derivative that is not 0");
+    vanishes(T, G(cross2)(R + 2, D + 2 * order)); /* R_0 = 0, so the edge is R_1 */
+}
+
+/*
+:::{claim} negative_weight_reverses_the_end_tangent
+:title: With the weights 1, −1/2, 1 the curve leaves R_0 away from R_1
+:zh: 权为 1, −1/2, 1 时曲线自 R_0 背离 R_1
+:kind: counterexample
+:given: $R_0=(0,0)$, $R_1=(1,2)$, $R_2=(2,0)$ with weights $1,-\frac12,1$, whose $\omega(t)$ has no zero in $[0,1]$
+:then: $R'(0)=(-1,-2)$, opposite to the edge $(1,2)$
+:method: The derivative is computed exactly.
+:control: the weights $1,\frac12,1$
+:::
+*/
+CLAIM(negative_weight_reverses_the_end_tangent)
+{
+    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, D[4];
+    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2), from_int(1)};
+    G(rational_derivatives)(2, 2, R, w, from_int(0), 1, D);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "R'(0)", 1, 2, D + 2);
+    about(T, "scalar product of the first edge and R'(0)");
+    nonnegative(T, G(dot)(2, R + 2, D + 2));
+}
+#endif
+
+#if FIELD
+/*
+:::{claim} zero_end_weight_loses_the_end_point
+:title: With ω_0 = 0 the curve does not pass through R_0
+:zh: ω_0 = 0 时曲线不过 R_0
+:kind: counterexample
+:types: field
+:given: $n=1$, any points $R_0,R_1$, weights $0$ and $\omega_1$
+:then: $R(t)=\omega_1R_1t/(\omega_1t)$ is $R_1$ for every $t$; at $t=0$ this quotient is $0/0$ and its continuation is $R_1$, not $R_0$
+:method: In the field of rational functions $R(t)$ is the constant $R_1$.
+:control: $\omega_0=1$ in place of $0$, and $t=0$ put into the quotient
+:::
+*/
+CLAIM(zero_end_weight_loses_the_end_point)
+{
+    num R[] = {unknown(T, "R", 0), unknown(T, "R", 1)}, w[] = {from_int(T->planted), positive(T, "w", 1)};
+    num t = parameter(T, "t"), point;
+    G(rational_point)(1, 1, R, w, t, &point);
+    show_points(T, "R", 2, 1, R);
+    show_points(T, "ω", 2, 1, w);
+    show(T, "R(t)", point);
+    about(T, "left R(t) for t = 0, right R_0");
+    same(T, substitute_f(point, t, from_int(0)), R[0]);
+}
+#endif
+
+/*
+## End derivatives with repeated points
+
+:::{statement} wang-ch3:3.2.3-left
+:title: At t = 0: the end point, and derivatives that vanish
+:zh: t=0 处的端点与零导矢
+:printed: \mathbf R(0)=\mathbf R_0,\quad\mathbf R^{(l)}(0)=\mathbf 0,\quad l=1,2,\dots,k-1
+:holds-by: end_derivatives_at_zero_with_repeated_points end_derivatives_in_every_degree
+:needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$.
+:::
+
+:::{statement} wang-ch3:3.2.3-right
+:title: At t = 1: the end point, and derivatives that vanish
+:zh: t=1 处的端点与零导矢
+:printed: \mathbf R(1)=\mathbf R_n,\quad\mathbf R^{(m)}(1)=\mathbf 0,\quad m=1,2,\dots,h-1
+:holds-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
+:needs: zero_end_weight_loses_the_end_point | $\omega_n\ne0$; the example is to be read in reversed order.
+:::
+
+:::{statement} wang-ch3:3.2.4-left
+:title: At t = 0: the first derivative that does not vanish
+:zh: t=0 处首个非零导矢
+:printed: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0)
+:holds-by: end_derivatives_at_zero_with_repeated_points end_derivatives_in_every_degree
+:needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$.
+:::
+
+:::{statement} wang-ch3:3.2.4-right
+:title: At t = 1: the first derivative that does not vanish
+:zh: t=1 处首个非零导矢
+:printed: \mathbf R^{(h)}(1)=\frac{n!}{(n-k)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
+:class: misprint
+:refuted-by: printed_end_derivative_at_one_has_the_wrong_sign printed_end_derivative_at_one_has_the_wrong_factor
+:corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
+:corrected-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
+:striking: 2
+
+Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it for the first
+time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way, even when $h=k$.  No choice of the
+parameter saves the sign, for in the parameter $1-t$ it is wrong for all odd $h$.  The print is right for $h=k$ odd, in
+particular for simple end points.
+:::
+
+:::{claim} end_derivatives_at_zero_with_repeated_points
+:title: End derivatives when the first k points coincide
+:zh: 首 k 点重合时的端点导矢
+:given: weights $\omega_0,\dots,\omega_n$, $\omega_0\ne0$, and points with $R_0=\dots=R_{k-1}$, for all $k$ from $1$ to $n$
+:then: $R(0)=R_0$, $R^{(l)}(0)=0$ for $0<l<k$, and $R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(R_k-R_0)$
+:method: In the field of rational functions of the weights and the points both sides are one element.  A coordinate is any coordinate, so
+  one suffices.
+:degrees: 1..6 sampled 10
+:control: the factor $\binom nk$ for $n!/(n-k)!$, a slip that only $k\ge2$ shows
+:::
+*/
+CLAIM(end_derivatives_at_zero_with_repeated_points)
 {
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], D[MAX_DEGREE + 1];
     for (int i = 0; i <= n; i++)
         w[i] = positive(T, "w", i);
-
-    for (int k = 1; k <= n; k++) { /* at t = 0 */
-        for (int i = 0; i <= n; i++)
-            R[i] = i < k && i > 0 ? R[0] : unknown(T, "R", i);
+    for (int k = 1; k <= n; k++) {
+        G(repeated_at_start)(T, n, 1, k, R);
         G(rational_derivatives)(n, 1, R, w, from_int(0), k, D);
+        about(T, "R(0)");
+        same(T, D[0], R[0]);
         about(T, "R^(l)(0)");
         for (int l = 1; l < k; l++)
             vanishes(T, D[l]);
         about(T, "R^(k)(0)");
-        same(T, D[k], mul(mul(from_int(G(falling)(n, k)), div(w[k], w[0])), sub(R[k], R[0])));
+        long factor = G(falling)(n, k) / (T->planted ? G(falling)(k, k) : 1);
+        same(T, D[k], mul(mul(from_int(factor), div(w[k], w[0])), sub(R[k], R[0])));
     }
-    for (int h = 1; h <= n; h++) { /* at t = 1 */
+}
+
+/*
+:::{claim} end_derivatives_at_one_with_repeated_points
+:title: End derivatives when the last h points coincide
+:zh: 末 h 点重合时的端点导矢
+:given: weights $\omega_0,\dots,\omega_n$, $\omega_n\ne0$, and points with $R_n=\dots=R_{n-h+1}$, for all $h$ from $1$ to $n$
+:then: $R(1)=R_n$, $R^{(m)}(1)=0$ for $0<m<h$, and
+  $R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(R_n-R_{n-h})$
+:method: In the field of rational functions of the weights and the points both sides are one element.
+:degrees: 1..6 sampled 10
+:control: the sign $(-1)^{h+1}$ left out
+:::
+*/
+CLAIM(end_derivatives_at_one_with_repeated_points)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], D[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++)
+        w[i] = positive(T, "w", i);
+    for (int h = 1; h <= n; h++) {
         for (int i = n; i >= 0; i--)
-            R[i] = i > n - h && i < n ? R[n] : unknown(T, "R", i);
+            R[i] = i > n - h && i < n ? R[n] : unknown(T, "x", i);
         G(rational_derivatives)(n, 1, R, w, from_int(1), h, D);
+        about(T, "R(1)");
+        same(T, D[0], R[n]);
         about(T, "R^(m)(1)");
         for (int m = 1; m < h; m++)
             vanishes(T, D[m]);
@@ -79,19 +314,84 @@ CLAIM(end_derivatives_with_repeated_points)
     }
 }
 
-#if RATIONAL
 /*
-:::{claim} printed_end_derivative_at_one_is_wrong
-:title: At t = 1 the printed derivative has the wrong factor and the wrong sign
-:zh: t=1 处所印导矢的系数与符号均误
-:kind: counterexample
-:given: the quadratic over the interval $[0,1]$ of the real line with points $0,1,1$ and weights $1$: $k=1$, $h=2$
-:then: the printed $R''(1)=\frac{2!}{1!}\frac{\omega_0}{\omega_2}(R_2-R_0)$ is not the second derivative
-:method: Both sides are computed exactly.
-:control: the factor taken with $h$ for $k$, and the sign $(-1)^{h+1}$ supplied
+### In every degree
+
+At $t=0$ the sum $\sum B_i^n(t)c_i$ has the Taylor coefficients $\binom nj\Delta^jc_0$, which are polynomials in $n$.  So the derivatives
+of low order are rational functions of $n$, too, and $n$ itself can be a variable.
+
+:::{claim} end_derivatives_in_every_degree
+:title: The end derivatives hold for every n
+:zh: 端点导矢公式对任意 n 成立
+:given: any $n$; $k=1,\dots,5$, $k\le n$; weights and points with $R_0=\dots=R_{k-1}$; the same polygon in reversed order
+:then: $R^{(l)}(0)=0$ for $0<l<k$ and $R^{(k)}(0)=n(n-1)\cdots(n-k+1)\frac{\omega_k}{\omega_0}(R_k-R_0)$; for the reversed polygon, whose
+  curve is $R(1-t)$, these are $(-1)^lR^{(l)}(1)$, which gives the sign at $t=1$
+:method: Numerator and denominator are expanded at $t=0$ up to $t^k$, with $\binom nj=n(n-1)\cdots(n-j+1)/j!$ as a polynomial in the variable $n$,
+  and divided as power series.  For an integer $n<j$ that binomial coefficient is $0$, so the points that do not exist do not matter.
+:degrees: all
+:scope: k and h from 1 to 5
+:control: $\binom{n-1}j$ for $\binom nj$ in the numerator
 :::
 */
-CLAIM(printed_end_derivative_at_one_is_wrong)
+/* c_0 ... c_k -> C(n,j) times the j-th forward difference of c at 0, j = 0 ... k, for any number n. */
+static inline void G(series_of_bernstein_sum)(num n, int k, const num c[], num out[])
+{
+    num choose = from_int(1), d[MAX_DEGREE + 1];
+    for (int j = 0; j <= k; j++)
+        d[j] = c[j];
+    for (int j = 0; j <= k; j++) {
+        out[j] = mul(choose, d[0]);
+        choose = mul(choose, div(sub(n, from_int(j)), from_int(j + 1)));
+        for (int i = 0; i < k - j; i++)
+            d[i] = sub(d[i + 1], d[i]);
+    }
+}
+
+CLAIM(end_derivatives_in_every_degree)
+{
+    enum { K = 5 };
+    num n = add(positive(T, "n", 0), from_int(K)), w[K + 1], R[K + 1], b[K + 1], P[K + 1], W[K + 1], Q[K + 1];
+    for (int i = 0; i <= K; i++)
+        w[i] = positive(T, "w", i);
+    for (int k = 1; k <= K; k++) {
+        for (int i = 0; i <= K; i++)
+            R[i] = i > 0 && i < k ? R[0] : unknown(T, "x", i);
+        for (int i = 0; i <= K; i++)
+            b[i] = mul(w[i], R[i]);
+        G(series_of_bernstein_sum)(T->planted ? sub(n, from_int(1)) : n, k, b, P);
+        G(series_of_bernstein_sum)(n, k, w, W);
+        for (int l = 0; l <= k; l++) { /* P = W Q */
+            Q[l] = P[l];
+            for (int j = 1; j <= l; j++)
+                Q[l] = sub(Q[l], mul(W[j], Q[l - j]));
+            Q[l] = div(Q[l], W[0]);
+        }
+        same(T, Q[0], R[0]);
+        for (int l = 1; l < k; l++)
+            vanishes(T, Q[l]);
+        num factor = from_int(1);
+        for (int j = 0; j < k; j++)
+            factor = mul(factor, sub(n, from_int(j)));
+        num wanted = mul(mul(factor, div(w[k], w[0])), sub(R[k], R[0]));
+        same(T, mul(from_int(G(falling)(k, k)), Q[k]), wanted); /* R^(k) = k! Q_k */
+    }
+}
+
+#if RATIONAL
+/*
+### The two slips at t = 1
+
+:::{claim} printed_end_derivative_at_one_has_the_wrong_sign
+:title: At t = 1 the printed derivative of even order has the wrong sign
+:zh: t=1 处所印偶数阶导矢符号有误
+:kind: counterexample
+:given: the quadratic with points $0,1,1$ of the line and weights $1$, $R(t)=2t-t^2$: $k=1$, $h=2$
+:then: $R''(1)=-2$; printed is $\frac{2!}{1!}\frac{\omega_0}{\omega_2}(R_2-R_0)=2$, where $(n-k)!$ and $(n-h)!$ do not differ
+:method: Both sides are computed exactly.
+:control: the sign $(-1)^{h+1}$ supplied
+:::
+*/
+CLAIM(printed_end_derivative_at_one_has_the_wrong_sign)
 {
     enum { n = 2, k = 1, h = 2 };
     num w[n + 1], R[n + 1] = {from_int(0), from_int(1), from_int(1)}, D[h + 1];
@@ -101,8 +401,82 @@ CLAIM(printed_end_derivative_at_one_is_wrong)
     show_points(T, "ω", n + 1, 1, w);
     about(T, "R''(1), left as it is, right as printed");
     G(rational_derivatives)(n, 1, R, w, from_int(1), h, D);
-    long factor = T->planted ? -G(falling)(n, h) : G(falling)(n, k);
+    long factor = (T->planted ? -1 : 1) * G(falling)(n, k);
+    same(T, D[h], mul(mul(from_int(factor), div(w[n - h], w[n])), sub(R[n], R[n - h])));
+}
+
+/*
+:::{claim} printed_end_derivative_at_one_has_the_wrong_factor
+:title: At t = 1 the printed derivative has the wrong factor
+:zh: t=1 处所印导矢系数有误
+:kind: counterexample
+:given: the cubic with points $0,0,1,2$ of the line and weights $1$, $R(t)=3t^2-t^3$: $k=2$, $h=1$
+:then: $R'(1)=3$; printed is $\frac{3!}{1!}\frac{\omega_2}{\omega_3}(R_3-R_2)=6$, with the right sign
+:method: Both sides are computed exactly.  No smaller degree shows this slip: for $n\le2$ and $k+h\le n+1$, $(n-k)!=(n-h)!$.
+:control: the factor $n!/(n-h)!$
+:::
+*/
+CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
+{
+    enum { n = 3, k = 2, h = 1 };
+    num w[n + 1], R[n + 1] = {from_int(0), from_int(0), from_int(1), from_int(2)}, D[h + 1];
+    for (int i = 0; i <= n; i++)
+        w[i] = from_int(1);
+    show_points(T, "R", n + 1, 1, R);
+    show_points(T, "ω", n + 1, 1, w);
+    about(T, "R'(1), left as it is, right as printed");
+    G(rational_derivatives)(n, 1, R, w, from_int(1), h, D);
+    long factor = G(falling)(n, T->planted ? h : k);
     same(T, D[h], mul(mul(from_int(factor), div(w[n - h], w[n])), sub(R[n], R[n - h])));
 }
 #endif
+
+/*
+## The expansion behind it
+
+:::{statement} wang-ch3:3.2.4-expansion
+:title: The curve expanded about its first point
+:zh: 曲线在首点处的展开式
+:printed: \mathbf R(t)=\mathbf R_0+\left\{t^k\left[\binom nk(1-t)^{n-k}\omega_k(\mathbf R_k-\mathbf R_0)\right]
+  +t^{k+1}\sum_{i=k+1}^n\binom ni(1-t)^{n-i}t^{i-k-1}\omega_i(\mathbf R_i-\mathbf R_0)\right\}\Big/\omega(t)
+:holds-by: curve_expands_about_its_first_point
+
+With $\omega(0)=\omega_0$ the factor of $t^k$ gives $R^{(k)}(0)=k!\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$, the left half of (3.2.3) and
+(3.2.4).  The right half is left to the reader; by symmetry it comes with $(1-t)^h$, whose $h$-th derivative brings the factor $(-1)^h$
+that the print lacks.
+:::
+
+:::{claim} curve_expands_about_its_first_point
+:title: R(t) − R_0 begins with the power t^k
+:zh: R(t) − R_0 以 t^k 开始
+:given: weights, points with $R_0=\dots=R_{k-1}$, a parameter $t$, all $k$ from $1$ to $n$
+:then: the printed expansion, in which the sum is empty for $k=n$
+:method: Both sides are one element of the field of rational functions of $t$, the weights and the points.
+:degrees: 1..6 sampled 10
+:control: the power $t^{i-k}$ in the sum
+:::
+*/
+CLAIM(curve_expands_about_its_first_point)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], point, t = parameter(T, "t"), s = sub(from_int(1), t);
+    for (int i = 0; i <= n; i++)
+        w[i] = positive(T, "w", i);
+    for (int k = 1; k <= n; k++) {
+        G(repeated_at_start)(T, n, 1, k, R);
+        G(rational_point)(n, 1, R, w, t, &point);
+        num low = from_int(1), high = from_int(0); /* t^k, the braces */
+        for (int j = 0; j < k; j++)
+            low = mul(low, t);
+        for (int i = k; i <= n; i++) {
+            num term = mul(from_int(binomial(n, i)), mul(w[i], sub(R[i], R[0])));
+            for (int j = 0; j < n - i; j++)
+                term = mul(term, s);
+            for (int j = 0; j < i - k - 1 + T->planted; j++)
+                term = mul(term, t);
+            high = add(high, i == k ? mul(low, term) : mul(mul(low, t), term));
+        }
+        same(T, point, add(R[0], div(high, G(rational_weight)(n, w, t))));
+    }
+}
 #include "chapters/frame/claims_off.h"

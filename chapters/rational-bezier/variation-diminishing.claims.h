@@ -23,6 +23,7 @@ computed, and a third time from the cutting of corners for every degree.
   curve is not contained in the line
 :reading: self_crossing_polygon_meets_the_line_once | common points, each point of the plane counted once however often
   curve or polygon run through it
+:figure: line_crossings
 
 Two proofs that use no rule of Descartes.  *For every degree.* Every elevation replaces the values
 $y_0,\dots,y_n$ by means of neighbours, which adds no change of sign: a mean of two numbers may be inserted between
@@ -40,6 +41,7 @@ $(B_j(t_i)\omega_j/\omega(t_i))$ is a minor of $(B_j(t_i))$ times positive numbe
 :definition: yes
 :printed: $I$, the number of intersections, is the number of times that $L$ is crossed
 :checked-by: sign_changes_are_polygon_crossings designed_curves_cross_no_more
+:figure: line_crossings
 
 For the curve: the parameters in $(0,1)$ at which $y(t)$ changes its sign, $L$ being $y=0$; counted along the curve, so
 that a double point on $L$ counts twice.  For the polygon: the changes of sign along it; a piece on $L$ counts once if the
@@ -168,6 +170,7 @@ Where $y(t)$ changes its sign the numerator does, and a polynomial that does so 
   =Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]
 :holds-by: ratio_is_an_increasing_bijection numerator_in_powers_of_the_ratio
 :reading: root_counts_survive_the_substitution | different roots, or roots counted as often as their multiplicity
+:figure: roots_and_the_substitution
 
 A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
@@ -180,6 +183,7 @@ A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive
 :refuted-by: roots_must_be_counted_up_to_one
 :corrected: Z_{0<t<1}[\,\cdot\,]
 :corrected-by: designed_curves_cross_no_more root_counts_survive_the_substitution
+:figure: roots_and_the_substitution
 
 The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three
 times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step is false.
@@ -205,6 +209,7 @@ away one change of sign after the other.
 :printed: V\left[\binom n0\omega_0y_0,\binom n1\omega_1y_1,\dots,\binom nn\omega_ny_n\right]=V[y_0,y_1,\dots,y_n]
 :holds-by: positive_factors_keep_sign_changes
 :needs: mixed_weights_change_sign_changes | positive weights
+:figure: line_crossings
 :::
 
 :::{statement} wang-ch3:prop-3.2.7-step-7
@@ -290,7 +295,8 @@ away one change of sign after the other.
 :title: Binomial coefficients and positive weights keep the changes of sign
 :zh: 二项系数与正权不改变变号数
 :kind: decision
-:given: all patterns of signs of $y_0,\dots,y_n$; weights $1$; $2^{20}$ and $2^{-20}$ in turn; $10^i$; $10^{-i}$
+:given: all patterns of signs of $y_0,\dots,y_n$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and $1$ at
+  the ends
 :then: $V[\binom ni\omega_iy_i]=V[y_i]$
 :method: The products are computed exactly.  For all positive weights: the sign of a product is the product of the signs.
 :degrees: 1..6
@@ -560,12 +566,9 @@ static num_q designed_weight(int family, int n, int i)
     long power = 1;
     for (int k = 0; k < i; k++)
         power *= 10;
-    switch (family) {
-    case 0: return from_int_q(1);
-    case 1: return from_int_q(i % 2 == 0 ? 1000 : 1);
-    case 2: return from_int_q(power);
-    default: return from_ratio_q(1, i == 0 || i == n ? 1 : 1000);
-    }
+    num_q weight[FAMILIES] = {from_int_q(1), from_int_q(i % 2 == 0 ? 1000 : 1), from_int_q(power),
+                              from_ratio_q(1, i == 0 || i == n ? 1 : 1000)};
+    return weight[family];
 }
 
 CLAIM(positive_factors_keep_sign_changes)
@@ -577,9 +580,7 @@ CLAIM(positive_factors_keep_sign_changes)
             region_mark mark = region_open();
             sign_pattern_of(code, n + 1, y);
             for (int i = 0; i <= n; i++) {
-                num extreme = i % 2 == 0 ? from_int(1L << 20) : from_ratio(1, 1L << 20);
-                num w = family == 1 ? extreme : family == 3 ? div(from_int(1), designed_weight(2, n, i))
-                                                            : designed_weight(family, n, i);
+                num w = designed_weight(family, n, i);
                 w = T->planted && i == n ? neg(w) : w;
                 product[i] = sign_q(mul(mul(from_int(binomial(n, i)), w), from_int(y[i])));
             }

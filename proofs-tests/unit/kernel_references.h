@@ -427,6 +427,29 @@ REFERENCE(bezout_resultant)
     int n = matrix_order(D->n) / 2 + 1;
     out[0] = resultant_of_roots(n, D->w[0], D->x, n, D->w[1], D->x + n);
 }
+static void coordinate_less(const struct data_q *D, int n, int axis, num x, num a[])
+{
+    for (int i = 0; i <= n; i++)
+        a[i] = mul(choose(n, i), sub(mul(D->w[i], D->x[2 * i + axis]), mul(D->w[i], x)));
+}
+REFERENCE(implicit_coefficients) { coordinate_less(D, D->n, 1, D->t, out); }
+
+/* The determinant (3.4.1), entry by entry, by elimination. */
+REFERENCE(implicit_value)
+{
+    int n = (matrix_order(D->n) + 1) / 2;
+    num a[MAX_ORDER + 1], b[MAX_ORDER + 1], M[MAX_ORDER * MAX_ORDER];
+    coordinate_less(D, n, 0, D->t, a);
+    coordinate_less(D, n, 1, D->x[2 * n + 2], b);
+    for (int k = 0; k < 4 * n * n; k++)
+        M[k] = from_int(0);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k <= n; k++) {
+            M[i * 2 * n + i + k] = a[k];
+            M[(n + i) * 2 * n + i + k] = b[k];
+        }
+    out[0] = eliminate(2 * n, M);
+}
 
 /* ## Vectors, curvature, torsion */
 

@@ -355,6 +355,17 @@ RUN(bezout_resultant)
     out[0] = G(bezout_resultant)(n, a, b);
     return 1;
 }
+RUN(implicit_coefficients)
+{
+    G(implicit_coefficients)(D->n, D->x, D->w, 1, D->t, out);
+    return D->n + 1;
+}
+RUN(implicit_value)
+{
+    int n = (matrix_order(D->n) + 1) / 2;
+    out[0] = G(implicit_value)(n, D->x, D->w, D->t, D->x[2 * n + 2]);
+    return 1;
+}
 
 #define ENTRY(name) G(run_##name),
 static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};

@@ -35,7 +35,8 @@
                                     _(conic_gradient) _(conic_delta) _(conic_determinant) _(conic_of_bezier)           \
                                         _(conic_standard_weight) _(shoulder_point) _(circular_arc_invariant)           \
                                             _(circular_arc_weights) _(circle_of_arc) _(determinant) _(sylvester)       \
-                                                _(bezout) _(resultant) _(bezout_resultant)
+                                                _(bezout) _(resultant) _(bezout_resultant)             \
+                                                    _(implicit_coefficients) _(implicit_value)
 
 #define ENTRY(name) #name,
 static const char *const names[] = {ALL_KERNELS(ENTRY)};

@@ -225,8 +225,14 @@ static void roots(void **state)
     field_open(2);
     num_f t = variable_f("t"), u = sub_f(t, from_ratio_f(1, 3)), r = root_f(2, div_f(mul_f(u, u), mul_f(t, t)));
     assert_true(is_zero_f(sub_f(mul_f(r, r), div_f(mul_f(u, u), mul_f(t, t)))));
-    root_f(2, t);
-    expect_fault(FAULT_UNABLE);
+    num_f cube = mul_f(mul_f(t, t), mul_f(t, mul_f(u, mul_f(u, u))));
+    assert_true(is_zero_f(sub_f(root_f(3, mul_f(from_int_f(-8), cube)), mul_f(from_int_f(-2), mul_f(t, u)))));
+    assert_true(is_zero_f(root_f(3, from_int_f(0))));
+    num_f no_power[] = {t, neg_f(mul_f(t, t)), mul_f(from_int_f(2), mul_f(t, t)), mul_f(u, mul_f(t, t))};
+    for (int k = 0; k < 4; k++) {
+        root_f(2, no_power[k]);
+        expect_fault(FAULT_UNABLE);
+    }
     assert_true(error_bound_m(root_m(3, exact_m(2))) > DBL_MAX);
 }
 
@@ -309,6 +315,9 @@ static void the_field_calculates(void **state)
     }
     assert_false(is_constant_f(a, NULL));
     assert_string_equal(to_string_f(sub_f(t, t)), "0");
+    assert_string_equal(to_string_f(div_f(neg_f(t), from_int_f(4))), "-t/4");
+    assert_string_equal(to_string_f(div_f(from_int_f(1), mul_f(from_int_f(4), t))), "1/(4*t)");
+    assert_string_equal(to_string_f(div_f(add_f(t, from_int_f(1)), mul_f(t, t))), "(t+1)/t^2");
     assert_int_equal(field_variable_f(variable_f("w")), 1);
     assert_int_equal(field_variable_f(a), -1);
 }

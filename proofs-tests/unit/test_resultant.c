@@ -127,11 +127,37 @@ static void implicit_equation(void **state)
     assert_true(is_zero_f(add_f(r, expected)) || is_zero_f(sub_f(r, expected)));
 }
 
+/* Res_t(x - t^2, y - (t^3 - t)/2) written with t as one of the variables. */
+static void resultant_by_a_variable(void **state)
+{
+    (void)state;
+    field_open(3);
+    num_f x = variable_f("x"), y = variable_f("y"), t = variable_f("t"), one = from_int_f(1), two = from_int_f(2);
+    num_f p = sub_f(x, mul_f(t, t)), q = sub_f(y, div_f(sub_f(mul_f(t, mul_f(t, t)), t), two));
+    num_f square = mul_f(x, mul_f(sub_f(x, one), sub_f(x, one)));
+    num_f expected = sub_f(mul_f(y, y), div_f(square, from_int_f(4)));
+    num_f ratio = div_f(resultant_by_f(p, q, t), expected);
+    assert_true(is_constant_f(ratio, NULL) && !is_zero_f(ratio));
+    num_f f = div_f(add_f(mul_f(p, p), y), x);
+    assert_true(is_zero_f(sub_f(coefficient_f(f, t, 2), neg_f(two))));
+    assert_true(is_zero_f(sub_f(coefficient_f(f, t, 0), add_f(x, div_f(y, x)))));
+    assert_true(is_zero_f(coefficient_f(f, t, 1)) && is_zero_f(coefficient_f(f, t, 5)));
+    coefficient_f(f, x, 0);
+    expect_fault(FAULT_UNDEFINED);
+    coefficient_f(f, mul_f(t, t), 0);
+    expect_fault(FAULT_UNDEFINED);
+    resultant_by_f(p, from_int_f(0), t);
+    expect_fault(FAULT_UNDEFINED);
+    resultant_by_f(p, div_f(one, t), t);
+    expect_fault(FAULT_UNDEFINED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         unit(determinant_is_leibniz), unit(determinant_over_the_field), unit(resultant_is_the_product_over_roots),
         unit(stated_degrees),         unit(implicit_equation),
+        unit(resultant_by_a_variable),
     };
     return run_unit_tests(tests);
 }

@@ -1,0 +1,347 @@
+/*
+# Circular arcs (圆弧)
+
+Among the ellipses are the circles.  In special coordinates, $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$, the
+conic of the curve is $S$ with the coefficients (3.5.4).  The angle $\theta$, which the source does not define, is the
+base angle $\angle R_1R_0R_2$ in its derivation.
+
+## When the conic is a circle
+
+:::{statement} wang-ch3:3.5-circle-coefficients
+:title: When the curve is an arc of a circle
+:zh: 曲线为圆弧的系数条件
+:printed: For $I_1<1$ the curve (3.1.5) is an arc of a circle with the central angle $2\theta$ if and only if $B=0$ and
+  $A=C$.
+:holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle
+:reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle: true for positive weights.
+
+That a conic without the term $xy$ and with equal coefficients of $x^2$ and $y^2$ is a circle needs right angles and
+equal units on the axes, as the special coordinates have them.
+:::
+
+:::{statement} wang-ch3:3.5-circle-conditions
+:title: The same in terms of the triangle and the weight
+:zh: 等价的几何条件
+:printed: This is equivalent to $x_1=0$, $\omega^2=\frac{l^2}{l^2+y_1^2}=\cos^2\theta$.
+:holds-by: circles_among_the_conics_of_the_curve base_angle_of_the_triangle
+:::
+
+:::{claim} circles_among_the_conics_of_the_curve
+:title: Equal coefficients mean an isosceles triangle with its own weight
+:zh: A=C,B=0 的充要条件
+:given: the triangle in special coordinates, $\omega>0$, $l>0$, $y_1\ne0$, and the conic $S$ of the weights $1,\omega,1$
+:then: $B=-\omega^2y_1x_1$, which is 0 only for $x_1=0$; and for $x_1=0$ it is
+  $A-C=(l^2+y_1^2)\left(\omega^2-\frac{l^2}{l^2+y_1^2}\right)$
+:method: Identities in $l$, $x_1$, $y_1$, $\omega$ for the kernel's conic of the curve.
+:control: $l^2-y_1^2$ for $l^2+y_1^2$ in the quotient
+:::
+*/
+#include "exact/roots.h"
+
+#include "chapters/frame/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/* The conic of R = (-l, 0), (x_1, y_1), (l, 0) and the weights 1, omega, 1. */
+static void G(special_conic)(num l, num x1, num y1, num omega, num S[])
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {neg(l), zero, x1, y1, l, zero}, w[3] = {one, omega, one};
+    G(conic_of_bezier)(R, w, S);
+}
+
+CLAIM(circles_among_the_conics_of_the_curve)
+{
+    num l = positive(T, "l", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1), omega = positive(T, "w", 1), S[6];
+    num oo = mul(omega, omega), ll = mul(l, l), yy = mul(y1, y1), sum = add(ll, yy);
+    G(special_conic)(l, x1, y1, omega, S);
+    about(T, "B");
+    same(T, S[1], neg(mul(oo, mul(y1, x1))));
+    G(special_conic)(l, from_int(0), y1, omega, S);
+    about(T, "A - C");
+    same(T, sub(S[0], S[2]), mul(sum, sub(oo, div(ll, T->planted ? sub(ll, yy) : sum))));
+}
+
+/*
+:::{claim} base_angle_of_the_triangle
+:title: The invariant of a circular arc is the squared cosine of the base angle
+:zh: 圆弧的不变量等于底角余弦的平方
+:given: an isosceles triangle $R_0=M-(p,q)$, $R_2=M+(p,q)$, $R_1=M+k(-q,p)$
+:let: $l^2=p^2+q^2$ and $h=kl$, the height
+:then: the kernel's $\frac{l^2}{l^2+h^2}$ is
+  $\cos^2\angle R_1R_0R_2=\frac{((R_1-R_0)\cdot(R_2-R_0))^2}{\|R_1-R_0\|^2\|R_2-R_0\|^2}$; $\|R_0R_1\|=\|R_2R_1\|$ and
+  $\|R_0R_2\|^2=4l^2$
+:method: The angle is taken from scalar products of the points.  An identity in $M$, $p$, $q$ and $k$; the kernel depends
+  on $h:l$ alone and is given $1$ and $k$, and once more in special coordinates $l$ and $h$.
+:defines: circular_arc_invariant
+:control: the angle at $R_1$ in place of the one at $R_0$
+:::
+*/
+/* R_0 = M - (p, q), R_1 = M + k (-q, p), R_2 = M + (p, q) */
+static void G(isosceles)(const num M[], num p, num q, num k, num R[])
+{
+    const num chord[2] = {p, q}, up[2] = {neg(q), p};
+    for (int c = 0; c < 2; c++) {
+        R[c] = sub(M[c], chord[c]);
+        R[2 + c] = add(M[c], mul(k, up[c]));
+        R[4 + c] = add(M[c], chord[c]);
+    }
+}
+
+/* (a - o) . (b - o) */
+static num G(scalar)(const num o[], const num a[], const num b[])
+{
+    return add(mul(sub(a[0], o[0]), sub(b[0], o[0])), mul(sub(a[1], o[1]), sub(b[1], o[1])));
+}
+
+CLAIM(base_angle_of_the_triangle)
+{
+    num M[2] = {unknown(T, "M", 0), unknown(T, "M", 1)}, p = unknown(T, "p", 0), q = unknown(T, "q", 0), R[6];
+    num k = positive(T, "k", 0), l = positive(T, "l", 0), one = from_int(1), ll = add(mul(p, p), mul(q, q));
+    for (int position = 0; position < 2; position++) {
+        num zero = from_int(0), origin[2] = {zero, zero};
+        if (position == 0)
+            G(isosceles)(M, p, q, k, R);
+        else
+            G(isosceles)(origin, l, zero, k, R);
+        const num *o = T->planted ? R + 2 : R, *a = T->planted ? R : R + 2;
+        num product = G(scalar)(o, a, R + 4), squares = mul(G(scalar)(o, a, a), G(scalar)(o, R + 4, R + 4));
+        num invariant = position == 0 ? G(circular_arc_invariant)(one, k) : G(circular_arc_invariant)(l, mul(k, l));
+        about(T, "cos² of the base angle");
+        same(T, invariant, div(mul(product, product), squares));
+    }
+    G(isosceles)(M, p, q, k, R);
+    about(T, "|R0 R1|² and |R2 R1|²");
+    same(T, G(scalar)(R, R + 2, R + 2), G(scalar)(R + 4, R + 2, R + 2));
+    about(T, "|R0 R2|²");
+    same(T, G(scalar)(R, R + 4, R + 4), mul(from_int(4), ll));
+}
+
+/*
+:::{claim} arc_and_its_central_angle
+:title: The arc, its circle and its central angle
+:zh: 圆弧的圆心、半径与圆心角
+:given: an isosceles triangle with half base $l$ and height $h>0$ in any position, $\theta$ its base angle, and positive
+  weights with $I_1=\cos^2\theta=\frac{l^2}{l^2+h^2}$
+:let: $C$ and $r^2$ be the centre and squared radius that the kernel gives
+:then: $\|R(t)-C\|^2=r^2$; $C$ has the distance $r$ from $R_0$ and $R_2$, and $R_0R_1$ and $R_2R_1$ are tangents;
+  $r^2\sin^2\theta=l^2$, so $r=l\csc\theta$; $\cos\angle R_0CR_2=2\cos^2\theta-1$ and
+  $\sin\angle R_0CR_2=2\sin\theta\cos\theta$; the arc lies on the side of $R_1$ and the centre on the other side
+  of the chord, so the central angle of the arc is $2\theta<\pi$
+:method: Identities in the position, $k=h:l$, $\omega_0$, $\omega_1$ and $t$; $\omega_2$ follows from $I_1$.  The sides of the
+  chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
+:defines: circle_of_arc
+:control: $\omega_2$ doubled
+:::
+*/
+CLAIM(arc_and_its_central_angle)
+{
+    num M[2] = {unknown(T, "M", 0), unknown(T, "M", 1)}, p = unknown(T, "p", 0), q = unknown(T, "q", 0), R[6];
+    num k = positive(T, "k", 0), t = inside(T, "t"), one = from_int(1), two = from_int(2), w[3], C[2], P[2];
+    G(isosceles)(M, p, q, k, R);
+    num kk = mul(k, k), cos2 = div(one, add(one, kk)), sin2 = sub(one, cos2), ll = add(mul(p, p), mul(q, q));
+    w[0] = positive(T, "w", 0);
+    w[1] = positive(T, "w", 1);
+    w[2] = div(mul(w[1], w[1]), mul(w[0], cos2));
+    if (T->planted)
+        w[2] = add(w[2], w[2]);
+    num rr = G(circle_of_arc)(R, C);
+    about(T, "the distance of R(t) from the centre");
+    G(rational_point)(2, 2, R, w, t, P);
+    same(T, G(scalar)(C, P, P), rr);
+    about(T, "the distance of the ends from the centre");
+    same(T, G(scalar)(C, R, R), rr);
+    same(T, G(scalar)(C, R + 4, R + 4), rr);
+    about(T, "radius and tangent");
+    vanishes(T, G(scalar)(R, C, R + 2));
+    vanishes(T, G(scalar)(R + 4, C, R + 2));
+    about(T, "r² sin²θ and l²");
+    same(T, mul(rr, sin2), ll);
+    about(T, "cosine of the central angle");
+    same(T, div(G(scalar)(C, R, R + 4), rr), sub(mul(two, cos2), one));
+    about(T, "sine of the central angle, from R2 to R0");
+    same(T, div(G(area)(C, R + 4, R), rr), mul(two, mul(k, cos2)));
+    about(T, "the sides of the chord");
+    num arc = div(mul(two, mul(w[1], mul(t, sub(one, t)))), G(rational_weight)(2, w, t)), vertex = G(area)(R, R + 4, R + 2);
+    same(T, G(area)(R, R + 4, P), mul(arc, vertex));
+    nonnegative(T, arc);
+    same(T, G(area)(R, R + 4, C), neg(div(vertex, kk)));
+}
+
+/*
+:::{claim} standard_weights_of_the_arc
+:title: The standard weights of a circular arc
+:zh: 圆弧的标准权
+:given: $l>0$, $h>0$ with $l^2+h^2$ a square: $l=2km$, $h=k(1-m^2)$, $0<m<1$, $k>0$
+:then: the kernel's weights are $1,\cos\theta,1$ with $\cos\theta=\frac{2m}{1+m^2}$; the curve with these and the points
+  $(-l,0),(0,h),(l,0)$ lies on the circle with the centre $\left(0,-\frac{l^2}h\right)$ through $(l,0)$
+:method: Identities in $k$, $m$ and $t$; every ratio $l:h$ whose hypotenuse is rational has this form, and for $m$ real
+  every ratio has.
+:defines: circular_arc_weights
+:control: $\cos^2\theta$ for $\cos\theta$
+:::
+*/
+CLAIM(standard_weights_of_the_arc)
+{
+    num k = positive(T, "k", 0), m = inside(T, "m"), t = inside(T, "t"), zero = from_int(0), one = from_int(1), w[3], P[2];
+    num mm = mul(m, m), l = mul(from_int(2), mul(k, m)), h = mul(k, sub(one, mm));
+    G(circular_arc_weights)(l, h, w);
+    if (T->planted)
+        w[1] = mul(w[1], w[1]);
+    about(T, "the weights");
+    same(T, w[0], one);
+    same(T, w[1], div(mul(from_int(2), m), add(one, mm)));
+    same(T, w[2], one);
+    num R[6] = {neg(l), zero, zero, h, l, zero}, C[2] = {zero, neg(div(mul(l, l), h))};
+    G(rational_point)(2, 2, R, w, t, P);
+    about(T, "the squared distances of R(t) and R_2 from the centre");
+    same(T, G(scalar)(C, P, P), G(scalar)(C, R + 4, R + 4));
+}
+
+/*
+## The theorem
+
+:::{statement} wang-ch3:3.5.5
+:title: The lengths in the triangle of a circular arc
+:zh: 圆弧控制三角形的边长
+:printed: If the curve (3.1.5) is an arc of a circle with the central angle $2\theta$, $0<\theta<\frac\pi2$, and the radius
+  $l\csc\theta$, then $\|R_0R_1\|=\|R_2R_1\|$, $\|R_0R_2\|=2l$.
+:holds-by: arcs_satisfy_the_three_equations
+:::
+
+:::{statement} wang-ch3:3.5.6
+:title: The invariant of a circular arc
+:zh: 圆弧的不变量
+:printed: If the curve (3.1.5) is an arc of a circle with the central angle $2\theta$, $0<\theta<\frac\pi2$, and the radius
+  $l\csc\theta$, then $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
+:holds-by: arcs_satisfy_the_three_equations
+:::
+
+:::{claim} arcs_satisfy_the_three_equations
+:title: Every circular arc below a half circle satisfies the three equations
+:zh: 圆弧满足三式
+:given: a circle of radius $r>0$ about the origin and the arc from $-\theta$ to $\theta$ on it, $\cos\theta=\frac{1-m^2}{1+m^2}$,
+  $\sin\theta=\frac{2m}{1+m^2}$, $0<m<1$
+:let: $R_0=r(\cos\theta,-\sin\theta)$, $R_2=r(\cos\theta,\sin\theta)$; the end tangents meet in $R_1=(r\sec\theta,0)$; let
+  $l=r\sin\theta$, and let $S$ be the conic of the curve with any weights $\omega_0,\omega_1,\omega_2$
+:then: $R_0R_1$ and $R_2R_1$ are tangents of the circle; $\|R_0R_1\|^2=\|R_2R_1\|^2=l^2\sec^2\theta$, $\|R_0R_2\|^2=4l^2$; and
+  $C-A=\frac{l^2}{\cos^2\theta}(\omega_1^2-\omega_0\omega_2\cos^2\theta)$ for $S$, so the curve lies on a circle only if
+  $I_1=\cos^2\theta$
+:method: A rational quadratic touches $R_0R_1$ and $R_1R_2$ in its ends (property 3.2.3), so the triangle of an arc is this
+  one up to a motion.  Identities in $r$, $m$ and the weights.
+:control: $\cos\theta$ for $\cos^2\theta$ in the bracket
+:::
+*/
+CLAIM(arcs_satisfy_the_three_equations)
+{
+    num r = positive(T, "r", 0), m = inside(T, "m"), one = from_int(1), zero = from_int(0), w[3], S[6];
+    num mm = mul(m, m), bottom = add(one, mm), cosine = div(sub(one, mm), bottom);
+    num sine = div(add(m, m), bottom), l = mul(r, sine), cc = mul(cosine, cosine), ll = mul(l, l), O[2] = {zero, zero};
+    num R[6] = {mul(r, cosine), neg(l), div(r, cosine), zero, mul(r, cosine), l};
+    G(three_weights)(T, w);
+    about(T, "radius and tangent");
+    vanishes(T, G(scalar)(R, O, R + 2));
+    vanishes(T, G(scalar)(R + 4, O, R + 2));
+    about(T, "|R0 R1|², |R2 R1|² and l²/cos²θ");
+    same(T, G(scalar)(R, R + 2, R + 2), div(ll, cc));
+    same(T, G(scalar)(R + 4, R + 2, R + 2), div(ll, cc));
+    about(T, "|R0 R2|² and 4 l²");
+    same(T, G(scalar)(R, R + 4, R + 4), mul(from_int(4), ll));
+    about(T, "C - A of the curve");
+    G(conic_of_bezier)(R, w, S);
+    num difference = sub(mul(w[1], w[1]), mul(mul(w[0], w[2]), T->planted ? cosine : cc));
+    same(T, sub(S[2], S[0]), mul(div(ll, cc), difference));
+}
+
+/*
+:::{statement} wang-ch3:thm-3.5.2
+:title: When the rational quadratic curve is a circular arc
+:zh: 定理 3.5.2：圆弧的充要条件
+:printed: The rational quadratic Bézier curve (3.1.5) is an arc of a circle with the central angle $2\theta$,
+  $0<\theta<\frac\pi2$, and the radius $l\csc\theta$ if and only if
+  $\|R_0R_1\|=\|R_2R_1\|$, $\|R_0R_2\|=2l$, $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
+:class: missing-hypothesis
+:refuted-by: isosceles_triangle_with_another_angle
+:corrected: The rational quadratic Bézier curve (3.1.5) with positive weights is an arc of a circle with the central angle
+  $2\theta$, $0<\theta<\frac\pi2$, and the radius $l\csc\theta$ if and only if $\|R_0R_1\|=\|R_2R_1\|=l\sec\theta$,
+  $\|R_0R_2\|=2l$, $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
+:corrected-by: arc_and_its_central_angle arcs_satisfy_the_three_equations
+:needs: negative_weight_gives_the_other_arc | The weights are positive.
+:reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
+  has it, or $\arccos\sqrt{I_1}$: nothing ties the height of the triangle to it.
+:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation: true.
+:striking: 5
+
+The conditions are necessary.  They are not sufficient: the three equations do not mention the height of the triangle,
+so an isosceles triangle of any height passes them.  The derivation before the theorem has the missing equation,
+$\omega^2=l^2/(l^2+y_1^2)$.
+:::
+*/
+#if RATIONAL
+/*
+:::{claim} isosceles_triangle_with_another_angle
+:title: An isosceles triangle whose arc is an ellipse
+:zh: 满足三式而为椭圆弧
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$, the weights $1,\frac35,1$, $l=1$, $\cos\theta=\frac35$,
+  $\sin\theta=\frac45$
+:then: the three equations hold, but $A\ne C$: the curve lies on the ellipse $9x^2+16y^2+18y-9=0$
+:method: The three equations are checked, and the conic of the curve is computed.
+:control: $R_1=(0,\frac43)$, whose base angle is $\theta$
+:::
+*/
+CLAIM(isosceles_triangle_with_another_angle)
+{
+    num zero = from_int(0), one = from_int(1), cosine = from_ratio(3, 5), w[3] = {one, cosine, one}, S[6], P[2], I[1];
+    num R[6] = {neg(one), zero, zero, T->planted ? from_ratio(4, 3) : one, one, zero};
+    G(rational_invariants)(2, w, I);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show(T, "l", one);
+    show(T, "cos θ", cosine);
+    show(T, "|R0 R1|²", G(scalar)(R, R + 2, R + 2));
+    show(T, "|R2 R1|²", G(scalar)(R + 4, R + 2, R + 2));
+    show(T, "|R0 R2|²", G(scalar)(R, R + 4, R + 4));
+    show(T, "I_1", I[0]);
+    int conditions = equal_q(G(scalar)(R, R + 2, R + 2), G(scalar)(R + 4, R + 2, R + 2)) &&
+                     equal_q(G(scalar)(R, R + 4, R + 4), from_int(4)) && equal_q(I[0], mul(cosine, cosine));
+    G(conic_of_bezier)(R, w, S);
+    show_points(T, "A ... F", 6, 1, S);
+    for (int k = 2; k < 4; k++) {
+        G(rational_point)(2, 2, R, w, from_ratio(1, k), P);
+        show_points(T, k == 2 ? "R(1/2)" : "R(1/3)", 1, 2, P);
+    }
+    about(T, "A and C");
+    if (conditions)
+        same(T, S[0], S[2]);
+}
+
+/*
+:::{claim} negative_weight_gives_the_other_arc
+:title: With a negative middle weight the curve is the other arc of the circle
+:zh: 中间权为负时得到优弧
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,\frac43)$, $R_2=(1,0)$, the weights $1,-\frac35,1$, $\cos\theta=\frac35$, the base angle
+:then: the curve lies on the circle with the centre $C=(0,-\frac34)$ and $r=\frac54$, but its middle point $(0,-2)$ is seen
+  from $C$ at an angle from $R_0$ with the cosine $-\frac35$: the central angle is $2\pi-2\theta$
+:method: The points are computed, and scalar products are taken.
+:control: the weights $1,\frac35,1$
+:::
+*/
+CLAIM(negative_weight_gives_the_other_arc)
+{
+    num zero = from_int(0), one = from_int(1), cosine = from_ratio(3, 5), C[2], P[2], third[2];
+    num R[6] = {neg(one), zero, zero, from_ratio(4, 3), one, zero}, w[3] = {one, T->planted ? cosine : neg(cosine), one};
+    num rr = G(circle_of_arc)(R, C);
+    G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
+    G(rational_point)(2, 2, R, w, from_ratio(1, 3), third);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "centre", 1, 2, C);
+    show(T, "r²", rr);
+    show_points(T, "R(1/2)", 1, 2, P);
+    show(T, "its squared distance", G(scalar)(C, P, P));
+    about(T, "cosine of the angle from R0 to the middle of the arc, and cos θ");
+    if (equal_q(G(scalar)(C, P, P), rr) && equal_q(G(scalar)(C, third, third), rr))
+        same(T, div(G(scalar)(C, R, P), rr), cosine);
+}
+#endif
+#include "chapters/frame/claims_off.h"

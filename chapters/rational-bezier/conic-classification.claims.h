@@ -1,0 +1,508 @@
+/*
+# Ellipse, parabola or hyperbola (有理二次曲线的分类)
+
+The implicit equation of the rational quadratic tells which conic it is, and the answer is in one number.
+
+## The implicit equation
+
+:::{statement} wang-ch3:3.5-implicit
+:title: Theorem 3.4.1 gives the implicit equation of the curve
+:zh: 用定理 3.4.1 将曲线隐式化
+:printed: By theorem 3.4.1 the curve (3.1.5) can be made implicit.
+:holds-by: implicit_form_is_the_resultant kind_in_any_coordinates
+:hypothesis: determinant_may_vanish_identically | $R_0$, $R_1$, $R_2$ do not lie on a line.
+:needs: determinant_needs_the_middle_weight | The weights are positive, so $\omega_1\ne0$.
+
+For a true triangle and weights different from 0 the determinant is $4\omega_0\omega_2S$, where $S=0$ is no
+degenerate conic.
+:::
+
+:::{statement} wang-ch3:3.5.3
+:title: The determinant of the curve in standard form
+:zh: 标准形的隐式行列式
+:printed: $\begin{vmatrix}-l-x&2\omega(x_1-x)&l-x&0\\0&-l-x&2\omega(x_1-x)&l-x\\-y&2\omega(y_1-y)&-y&0\\
+  0&-y&2\omega(y_1-y)&-y\end{vmatrix}=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$ with the coefficients (3.5.4)
+:class: misprint
+:refuted-by: determinant_is_not_the_printed_form
+:corrected: the determinant is $4(Ax^2+2Bxy+Cy^2+2Dx+2Ey+F)=0$ with the coefficients (3.5.4)
+:corrected-by: determinant_is_four_times_the_form
+:reading: determinant_is_not_the_printed_form | The determinant and the polynomial are equal: a factor 4 is missing.
+:reading: determinant_is_four_times_the_form | The determinant, put to 0, gives the equation with these coefficients: true.
+
+The rows are those of (3.4.1), shifted; the factor is harmless where only the equation counts.
+:::
+
+:::{statement} wang-ch3:3.5.4
+:title: The coefficients of the conic
+:zh: 二次曲线的系数
+:printed: (A,B,C,D,E,F)=(\omega^2y_1^2,\ -\omega^2x_1y_1,\ \omega^2(x_1^2-l^2)+l^2,\ 0,\ \omega^2l^2y_1,\ -\omega^2l^2y_1^2)
+:holds-by: printed_coefficients_are_the_conic_of_the_curve
+:::
+
+:::{claim} implicit_form_is_the_resultant
+:title: The implicit form of a rational quadratic is the resultant
+:zh: 隐式方程即结式
+:given: points $R_0,R_1,R_2$ with coordinates $(x_i,y_i)$, weights $\omega_i$, and a point $(x,y)$
+:let: $a_i=\binom2i\omega_i(x_i-x)$ and $b_i=\binom2i\omega_i(y_i-y)$, as in (3.4.2)
+:then: the determinant of (3.4.1) for $n=2$ is $4\omega_0\omega_2S(x,y)$ with the kernel's conic $S$ of the curve
+:method: Sylvester's determinant of the two polynomials on one side, the conic from three lines on the other; all
+  eleven numbers are variables.
+:defines: conic_of_bezier
+:control: 2 for 4
+:::
+*/
+#include "exact/roots.h"
+#include "exact/sturm.h"
+
+#include "chapters/frame/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/* The determinant (3.4.1) of the rational quadratic (R, w) at (x, y). */
+static num G(implicit_determinant)(const num R[], const num w[], num x, num y)
+{
+    num a[3], b[3];
+    for (int i = 0; i < 3; i++) {
+        num weight = i == 1 ? add(w[1], w[1]) : w[i];
+        a[i] = mul(weight, sub(R[2 * i], x));
+        b[i] = mul(weight, sub(R[2 * i + 1], y));
+    }
+    return G(resultant)(2, a, 2, b);
+}
+
+CLAIM(implicit_form_is_the_resultant)
+{
+    num R[6], w[3], S[6], x = unknown(T, "x", 0), y = unknown(T, "y", 0);
+    G(six)(T, "R", R);
+    G(three_weights)(T, w);
+    G(conic_of_bezier)(R, w, S);
+    num factor = mul(from_int(T->planted ? 2 : 4), mul(w[0], w[2]));
+    same(T, G(implicit_determinant)(R, w, x, y), mul(factor, G(form)(S, x, y)));
+}
+
+#if RATIONAL
+/* Whether the determinant (3.4.1) is a conic that is not degenerate; R in special position with l = 1. */
+static void equation_expected(trial *T, int y1, int omega)
+{
+    num one = from_int(1), R[6] = {neg(one), from_int(0), from_int(0), from_int(y1), one, from_int(0)}, S[6];
+    num w[3] = {one, from_int(omega), one};
+    G(conic_of_bezier)(R, w, S);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "A ... F", 6, 1, S);
+    show(T, "determinant (3.4.1) at (0, 2)", G(implicit_determinant)(R, w, from_int(0), from_int(2)));
+    about(T, "whether the conic is not degenerate");
+    agree(T, !is_zero_q(G(conic_determinant)(S)));
+}
+
+/*
+:::{claim} determinant_may_vanish_identically
+:title: With points on a line the determinant may vanish everywhere
+:zh: 三点共线时行列式可恒为零
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,0)$, $R_2=(1,0)$ and the weights $1,1,1$
+:then: all six coefficients of the conic are 0: the determinant is no equation
+:method: The conic, by its definition the determinant up to a factor, is computed.
+:control: $R_1=(0,1)$
+:::
+*/
+CLAIM(determinant_may_vanish_identically) { equation_expected(T, T->planted, 1); }
+
+/*
+:::{claim} determinant_needs_the_middle_weight
+:title: With the middle weight 0 the determinant is that of a line
+:zh: ω_1=0 时得到直线
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,0,1$
+:then: the conic is $y^2=0$
+:method: The conic, by its definition the determinant up to a factor, is computed.
+:control: $\omega_1=1$
+:::
+*/
+CLAIM(determinant_needs_the_middle_weight) { equation_expected(T, 1, T->planted); }
+#endif
+
+/*
+:::{claim} determinant_is_four_times_the_form
+:title: In special coordinates the determinant is four times the printed form
+:zh: 特殊坐标系下行列式等于所印多项式的四倍
+:given: $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$, the weights $1,\omega,1$, and a point $(x,y)$
+:then: the determinant is $4(Ax^2+2Bxy+Cy^2+2Dx+2Ey+F)$ with the coefficients (3.5.4)
+:method: An identity in $l$, $x_1$, $y_1$, $\omega$, $x$, $y$.
+:control: $C$ without its last term $l^2$
+:::
+*/
+/* The special position: R = (-l, 0, x_1, y_1, l, 0) and w = (1, omega, 1). */
+static void G(special_position)(num l, num x1, num y1, num omega, num R[], num w[])
+{
+    R[0] = neg(l);
+    R[1] = R[5] = from_int(0);
+    R[2] = x1;
+    R[3] = y1;
+    R[4] = l;
+    w[0] = w[2] = from_int(1);
+    w[1] = omega;
+}
+
+/* The coefficients (3.5.4). */
+static void G(printed_form)(num l, num x1, num y1, num omega, num S[])
+{
+    num oo = mul(omega, omega), ll = mul(l, l), yy = mul(y1, y1);
+    S[0] = mul(oo, yy);
+    S[1] = neg(mul(oo, mul(x1, y1)));
+    S[2] = add(mul(oo, sub(mul(x1, x1), ll)), ll);
+    S[3] = from_int(0);
+    S[4] = mul(oo, mul(ll, y1));
+    S[5] = neg(mul(oo, mul(ll, yy)));
+}
+
+CLAIM(determinant_is_four_times_the_form)
+{
+    num l = positive(T, "l", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1), omega = positive(T, "w", 1);
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), R[6], w[3], S[6];
+    G(special_position)(l, x1, y1, omega, R, w);
+    G(printed_form)(l, x1, y1, omega, S);
+    if (T->planted)
+        S[2] = sub(S[2], mul(l, l));
+    same(T, G(implicit_determinant)(R, w, x, y), mul(from_int(4), G(form)(S, x, y)));
+}
+
+#if RATIONAL
+/*
+:::{claim} determinant_is_not_the_printed_form
+:title: The determinant is not the printed polynomial
+:zh: 行列式不等于所印多项式
+:kind: counterexample
+:given: $l=1$, $R_1=(0,1)$, $\omega=1$ and the point $(0,0)$
+:then: the determinant is $-4$, the polynomial with the coefficients (3.5.4) is $-1$
+:method: Both are computed.
+:control: the polynomial multiplied by 4
+:::
+*/
+CLAIM(determinant_is_not_the_printed_form)
+{
+    num zero = from_int(0), one = from_int(1), R[6], w[3], S[6];
+    G(special_position)(one, zero, one, one, R, w);
+    G(printed_form)(one, zero, one, one, S);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "A ... F", 6, 1, S);
+    num value = G(form)(S, zero, zero);
+    about(T, "at (0, 0), left the determinant, right the polynomial");
+    same(T, G(implicit_determinant)(R, w, zero, zero), T->planted ? mul(from_int(4), value) : value);
+}
+#endif
+
+/*
+:::{claim} printed_coefficients_are_the_conic_of_the_curve
+:title: The printed coefficients are those of the conic of the curve
+:zh: 所印系数正确
+:given: the triangle in special position, the weights $1,\omega,1$, and a parameter $u$
+:then: $S(R^*(u))=0$ for the coefficients (3.5.4), and these are what the three lines of the triangle give
+:method: The point of the curve is put into the form; and the six coefficients are compared with the kernel's, whose
+  definition is the resultant.
+:control: $D=\omega^2l^2x_1$ for $D=0$
+:::
+*/
+CLAIM(printed_coefficients_are_the_conic_of_the_curve)
+{
+    num l = positive(T, "l", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1), omega = positive(T, "w", 1);
+    num u = parameter(T, "u"), R[6], w[3], S[6], K[6], P[2];
+    G(special_position)(l, x1, y1, omega, R, w);
+    G(printed_form)(l, x1, y1, omega, S);
+    if (T->planted)
+        S[3] = mul(mul(omega, omega), mul(mul(l, l), x1));
+    G(rational_point)(2, 2, R, w, u, P);
+    about(T, "the form along the curve");
+    vanishes(T, G(form)(S, P[0], P[1]));
+    G(conic_of_bezier)(R, w, K);
+    about(T, "the coefficients");
+    for (int k = 0; k < 6; k++)
+        same(T, S[k], K[k]);
+}
+
+/*
+## The classification
+
+:::{statement} wang-ch3:3.5-discriminant
+:title: The discriminant in special coordinates
+:zh: 判别式
+:printed: AC-B^2=\omega^2l^2y_1^2(1-\omega^2)
+:holds-by: discriminant_in_special_coordinates
+:::
+
+:::{claim} discriminant_in_special_coordinates
+:title: The two determinants of the conic in special coordinates
+:zh: 特殊坐标系下的两个判别式
+:given: the coefficients (3.5.4) for any $l$, $x_1$, $y_1$, $\omega$
+:then: $AC-B^2=\omega^2l^2y_1^2(1-\omega^2)$, and the $3\times3$ determinant is $-\omega^4l^4y_1^4$
+:method: Identities in the four variables.
+:control: $1-\omega$ for $1-\omega^2$
+:::
+*/
+CLAIM(discriminant_in_special_coordinates)
+{
+    num l = positive(T, "l", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1), omega = positive(T, "w", 1), S[6];
+    G(printed_form)(l, x1, y1, omega, S);
+    num oo = mul(omega, omega), product = mul(oo, mul(mul(l, l), mul(y1, y1)));
+    about(T, "AC - B²");
+    same(T, sub(mul(S[0], S[2]), mul(S[1], S[1])), mul(product, sub(from_int(1), T->planted ? omega : oo)));
+    about(T, "the determinant of the conic");
+    num matrix[9] = {S[0], S[1], S[3], S[1], S[2], S[4], S[3], S[4], S[5]};
+    same(T, G(determinant)(3, matrix), neg(mul(product, product)));
+}
+
+/*
+:::{statement} wang-ch3:3.5-classification-omega
+:title: Classification by the standard weight
+:zh: 按 ω 分类
+:printed: By analytic geometry the curve (3.1.5) is an ellipse, a parabola or a hyperbola for $\omega<1$, $\omega=1$ or
+  $\omega>1$.
+:holds-by: sign_of_the_discriminant discriminant_in_special_coordinates directions_at_infinity
+:hypothesis: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line: $l\ne0$, $y_1\ne0$.
+:needs: weight_minus_one_is_a_parabola | The weights are positive, so $\omega>0$.
+:needs: weight_zero_is_a_segment | The weights are positive, so $\omega\ne0$.
+
+With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
+:::
+
+:::{statement} wang-ch3:thm-3.5.1
+:title: Classification of rational quadratic curves
+:zh: 定理 3.5.1：有理二次曲线的分类
+:printed: The class of the rational quadratic Bézier curve (3.1.5) depends on the invariant
+  $I_1=\frac{\omega_1^2}{\omega_0\omega_2}$ of definition 3.2.2: it is an ellipse, a parabola or a hyperbola for $I_1<1$,
+  $I_1=1$ or $I_1>1$.
+:holds-by: sign_of_the_discriminant kind_in_any_coordinates directions_at_infinity
+:hypothesis: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line.
+:needs: opposite_weights_are_a_hyperbola | $\omega_0\omega_2>0$, as for positive weights.
+:needs: weight_zero_is_a_segment | $\omega_1\ne0$, as for positive weights.
+:reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity: true,
+  also where these are counted on the curve itself.
+
+A circle is an ellipse here.  The theorem is better than its proof: it holds for either sign of $\omega_1$, since
+$I_1=\omega^2$, while the proof compares $\omega$ with 1.  In any coordinates
+$AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\left(\frac d2\right)^2$ with $d$ twice the area of the triangle, so neither
+special coordinates nor the standard form are needed, and weights of any signs are covered by the sign of
+$\omega_0\omega_2-\omega_1^2$.
+:::
+
+:::{claim} kind_in_any_coordinates
+:title: The two determinants of the conic for any triangle and weights
+:zh: 任意坐标下的判别式
+:given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2$
+:let: $d=(R_0-R_1)\times(R_2-R_1)$, twice the area of the triangle up to sign
+:then: the conic of the curve has $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\frac{d^2}4$, and its $3\times3$ determinant
+  is $-\omega_0\omega_2\omega_1^4\frac{d^4}{16}$, which is not 0 for a true triangle and weights different from 0
+:method: Identities in the six coordinates and the weights.  The conic has real points, those of the curve, and is not
+  degenerate; so by `directions_at_infinity` it is an ellipse, a parabola or a hyperbola when $AC-B^2$ is positive,
+  zero or negative.
+:control: $\omega_1$ for $\omega_1^2$ in the difference
+:::
+*/
+CLAIM(kind_in_any_coordinates)
+{
+    num R[6], w[3], S[6];
+    G(six)(T, "R", R);
+    G(three_weights)(T, w);
+    G(conic_of_bezier)(R, w, S);
+    num half = mul(from_ratio(1, 2), G(area)(R + 2, R, R + 4)), hh = mul(half, half), outer = mul(w[0], w[2]);
+    num ww = mul(w[1], w[1]), difference = sub(outer, T->planted ? w[1] : ww);
+    about(T, "AC - B²");
+    same(T, G(conic_delta)(S), mul(mul(ww, difference), hh));
+    about(T, "the determinant of the conic");
+    same(T, G(conic_determinant)(S), neg(mul(outer, mul(mul(ww, ww), mul(hh, hh)))));
+}
+
+/*
+:::{claim} directions_at_infinity
+:title: The discriminant counts the directions at infinity
+:zh: 判别式决定无穷远方向的个数
+:given: a conic $S$, $A\ne0$, and a direction $(p,q)$
+:let: $f=Ap^2+2Bpq+Cq^2$, which is 0 for the directions in which the conic goes to infinity
+:then: $Af=(Ap+Bq)^2+(AC-B^2)q^2$: no direction for $AC-B^2>0$, one, $Ap+Bq=0$, for $AC-B^2=0$, and for $AC-B^2=-e^2$ the
+  two of $Af=(Ap+Bq-eq)(Ap+Bq+eq)$
+:method: Identities in $A$, $B$, $p$, $q$ and $C$ or $e$.  Of the conics with real points that are not degenerate, the
+  ellipses, parabolas and hyperbolas are those with no, one and two directions.  For $A=0$ exchange the axes; for $A=C=0$
+  the directions are the axes, and $AC-B^2=-B^2<0$.
+:control: $B$ for $2B$ in $f$
+:::
+*/
+CLAIM(directions_at_infinity)
+{
+    num A = unknown(T, "A", 0), B = unknown(T, "B", 0), C = unknown(T, "C", 0), p = unknown(T, "p", 0);
+    num q = unknown(T, "q", 0), e = unknown(T, "e", 0), S[6], zero = from_int(0);
+    for (int k = 0; k < 2; k++) {
+        if (k == 1) /* AC - B^2 = -e^2 */
+            C = div(sub(mul(B, B), mul(e, e)), A);
+        S[0] = A, S[1] = T->planted ? mul(from_ratio(1, 2), B) : B, S[2] = C, S[3] = S[4] = S[5] = zero;
+        num left = mul(A, G(form)(S, p, q)), sum = add(mul(A, p), mul(B, q)), qq = mul(q, q), eq = mul(e, q);
+        if (k == 0)
+            same(T, left, add(mul(sum, sum), mul(sub(mul(A, C), mul(B, B)), qq)));
+        else
+            same(T, left, mul(sub(sum, eq), add(sum, eq)));
+    }
+}
+
+/*
+:::{claim} sign_of_the_discriminant
+:title: The sign of the discriminant for I1 below, at and above 1
+:zh: I_1 与判别式的符号
+:given: a true triangle, positive weights with $I_1=\frac1{1+s}$, $I_1=1$ or $I_1=1+s$, $s>0$
+:let: $d$ be twice the area of the triangle
+:then: $\frac{4(AC-B^2)}{\omega_1^4d^2}$ is $s>0$, 0, or $\frac{-s}{1+s}<0$
+:method: $\omega_0$, $\omega_1$ and $s$ are variables and $\omega_2$ follows from $I_1$, which is the kernel's invariant of
+  the weights; every value of $I_1$ below or above 1 has one $s$.
+:control: $I_1$ upside down
+:::
+*/
+CLAIM(sign_of_the_discriminant)
+{
+    num R[6], w[3], S[6], I[1], s = positive(T, "s", 0), one = from_int(1), more = add(one, s), half = from_ratio(1, 2);
+    G(six)(T, "R", R);
+    w[0] = positive(T, "w", 0);
+    w[1] = positive(T, "w", 1);
+    num ww = mul(w[1], w[1]), d = G(area)(R + 2, R, R + 4), area = mul(half, d);
+    const num invariant[3] = {div(one, more), one, more}, expected[3] = {s, from_int(0), neg(div(s, more))};
+    for (int k = 0; k < 3; k++) {
+        w[2] = div(ww, mul(w[0], T->planted ? div(one, invariant[k]) : invariant[k]));
+        G(rational_invariants)(2, w, I);
+        about(T, "I_1");
+        same(T, I[0], invariant[k]);
+        G(conic_of_bezier)(R, w, S);
+        about(T, "4 (AC - B²)/(ω_1⁴ d²)");
+        same(T, G(conic_delta)(S), mul(expected[k], mul(mul(ww, ww), mul(area, area))));
+    }
+    about(T, "the signs");
+    nonnegative(T, expected[0]);
+    nonnegative(T, neg(expected[2]));
+}
+
+#if RATIONAL
+/*
+:::{claim} points_at_infinity_tell_the_kind
+:title: The class agrees with the number of points at infinity
+:zh: 分类与无穷远点个数一致
+:kind: decision
+:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and the 512 triples of weights from $\{1,\dots,8\}$
+:then: the denominator has no, one (double) or two real zeros on the projective line of the parameter exactly when
+  $I_1<1$, $I_1=1$ or $I_1>1$, and exactly when $AC-B^2$ of the conic is positive, zero or negative
+:method: An ellipse, parabola or hyperbola has no, one or two real points at infinity; on the curve they are the zeros of
+  the denominator $\omega(t)$, $t=\infty$ among them when its degree drops.  The zeros are counted by Descartes' rule
+  and, independently, by Sturm's theorem.
+:scope: weights 1 to 8
+:control: the zero at $t=\infty$ left out
+:::
+*/
+CLAIM(points_at_infinity_tell_the_kind)
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, S[6];
+    for (int k = 0; k < 512; k++) {
+        num w[3] = {from_int(k / 64 + 1), from_int(k / 8 % 8 + 1), from_int(k % 8 + 1)}, I[1];
+        poly bottom = poly_from_bernstein(2, w);
+        int at_infinity = !T->planted && poly_degree(bottom) < 2, finite = 0;
+        if (poly_degree(bottom) > 0)
+            finite = count_roots_line(bottom).distinct;
+        agree(T, poly_degree(bottom) <= 0 || finite == sturm_count_line(bottom));
+        G(rational_invariants)(2, w, I);
+        G(conic_of_bezier)(R, w, S);
+        int kind = finite + at_infinity - 1, side = compare_q(I[0], one);
+        side = (side > 0) - (side < 0);
+        if (T->outcome == HOLDS && (kind != side || kind != -sign_q(G(conic_delta)(S))))
+            show_points(T, "ω", 3, 1, w);
+        about(T, "the number of points at infinity less 1, and the signs of I_1 - 1 and B² - AC");
+        agree(T, kind == side);
+        agree(T, kind == -sign_q(G(conic_delta)(S)));
+    }
+}
+
+/* Whether the curve in special position is an ellipse, as omega < 1 would have it: AC - B^2 > 0 and the
+ * conic not degenerate. */
+static void ellipse_expected(trial *T, num l, num x1, num y1, num omega)
+{
+    num R[6], w[3], S[6], I[1];
+    G(special_position)(l, x1, y1, omega, R, w);
+    G(conic_of_bezier)(R, w, S);
+    G(rational_invariants)(2, w, I);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show(T, "I_1", I[0]);
+    show_points(T, "A ... F", 6, 1, S);
+    show(T, "AC - B²", G(conic_delta)(S));
+    show(T, "3×3 determinant", G(conic_determinant)(S));
+    about(T, "whether the conic is an ellipse");
+    agree(T, sign_q(G(conic_delta)(S)) > 0 && !is_zero_q(G(conic_determinant)(S)));
+}
+
+/*
+:::{claim} flat_triangle_is_no_conic
+:title: With three points on a line the curve is a segment
+:zh: 三点共线时曲线为线段
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,0)$, $R_2=(1,0)$ and the weights $1,\frac12,1$
+:then: $I_1=\frac14<1$, but the conic is $y^2=0$ counted with a factor: $AC-B^2=0$ and the $3\times3$ determinant is 0
+:method: The conic of the curve is computed.
+:control: $R_1=(0,1)$
+:::
+*/
+CLAIM(flat_triangle_is_no_conic)
+{
+    ellipse_expected(T, from_int(1), from_int(0), from_int(T->planted), from_ratio(1, 2));
+}
+
+/*
+:::{claim} weight_minus_one_is_a_parabola
+:title: The weight -1 gives a parabola although it is less than 1
+:zh: ω=-1 时为抛物线
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,-1,1$
+:then: $\omega=-1<1$, but $AC-B^2=0$: the conic $x^2+2y-1=0$ is a parabola
+:method: The conic of the curve is computed.
+:control: $\omega=-\frac12$, which gives an ellipse
+:::
+*/
+CLAIM(weight_minus_one_is_a_parabola)
+{
+    ellipse_expected(T, from_int(1), from_int(0), from_int(1), T->planted ? from_ratio(-1, 2) : from_int(-1));
+}
+
+/*
+:::{claim} weight_zero_is_a_segment
+:title: The weight 0 gives a segment
+:zh: ω_1=0 时为线段
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,0,1$
+:then: $I_1=0<1$, but the conic is $y^2=0$
+:method: The conic of the curve is computed.
+:control: $\omega_1=\frac12$
+:::
+*/
+CLAIM(weight_zero_is_a_segment)
+{
+    ellipse_expected(T, from_int(1), from_int(0), from_int(1), T->planted ? from_ratio(1, 2) : from_int(0));
+}
+
+/*
+:::{claim} opposite_weights_are_a_hyperbola
+:title: With outer weights of opposite signs the curve is a hyperbola
+:zh: ω_0 ω_2<0 时为双曲线
+:kind: counterexample
+:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and the weights $1,1,-1$
+:then: $I_1=-1<1$, but $AC-B^2<0$
+:method: The conic of the curve is computed.
+:control: the weights $1,1,2$
+:::
+*/
+CLAIM(opposite_weights_are_a_hyperbola)
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, S[6], I[1];
+    num w[3] = {one, one, from_int(T->planted ? 2 : -1)};
+    G(conic_of_bezier)(R, w, S);
+    G(rational_invariants)(2, w, I);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show(T, "I_1", I[0]);
+    show(T, "AC - B²", G(conic_delta)(S));
+    about(T, "whether AC - B² is positive, as for an ellipse");
+    agree(T, compare_q(I[0], one) >= 0 || sign_q(G(conic_delta)(S)) > 0);
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,543 @@
+/*
+# Conics as a pencil (二次曲线束)
+
+Two conics span a family of conics that share their common points.  A conic is $S=(A,B,C,D,E,F)$, a line
+$l=(a,b,c)$; $l_i$ stands for the line and for its left-hand side $ax+by+c$.
+
+## The quadratic equation
+
+:::{statement} wang-ch3:3.1.1
+:title: A conic is a quadratic equation in affine coordinates
+:zh: 二次曲线的隐式方程
+:printed: S=S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0
+:definition: yes
+:checked-by: conic_value_and_gradient conic_invariants_are_determinants
+
+A conic asks for $(A,B,C)\ne(0,0,0)$.  It may be two lines, one line counted twice, a point or nothing.
+:::
+
+:::{claim} conic_value_and_gradient
+:title: The value of a conic and its gradient
+:zh: 二次式的值与梯度
+:given: a conic $S$, a point $(x,y)$ and a step $h$
+:then: the kernel's value is $Ax^2+2Bxy+Cy^2+2Dx+2Ey+F$, and its gradient $(S_x,S_y)$ satisfies
+  $2hS_x=S(x+h,y)-S(x-h,y)$, $2hS_y=S(x,y+h)-S(x,y-h)$
+:method: The other side is the formula written out term by term.  For a quadratic polynomial the central difference
+  is the derivative, so no derivative is taken.
+:defines: conic_value conic_gradient
+:control: the product $xy$ counted once, not twice
+:::
+*/
+#include "exact/roots.h"
+
+#include "chapters/frame/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+CLAIM(conic_value_and_gradient)
+{
+    num S[6], g[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), h = positive(T, "h", 0), twice = add(h, h);
+    G(six)(T, "S", S);
+    num value = G(conic_value)(S, x, y);
+    G(conic_gradient)(S, x, y, g);
+    if (T->planted)
+        S[1] = mul(from_ratio(1, 2), S[1]);
+    about(T, "the value");
+    same(T, value, G(form)(S, x, y));
+    about(T, "the gradient");
+    same(T, mul(twice, g[0]), sub(G(form)(S, add(x, h), y), G(form)(S, sub(x, h), y)));
+    same(T, mul(twice, g[1]), sub(G(form)(S, x, add(y, h)), G(form)(S, x, sub(y, h))));
+}
+
+/*
+:::{claim} conic_invariants_are_determinants
+:title: The two determinants of a conic
+:zh: 二次曲线的两个行列式
+:given: a conic $S$
+:then: the kernels `conic_delta` and `conic_determinant` are the determinants of its $2\times2$ matrix
+  $\begin{pmatrix}A&B\\B&C\end{pmatrix}$ and of its $3\times3$ matrix
+  $\begin{pmatrix}A&B&D\\B&C&E\\D&E&F\end{pmatrix}$
+:method: The other side is Bird's algorithm for determinants of any order.
+:defines: conic_delta conic_determinant
+:control: $E$ taken for $D$ in the last row
+:::
+*/
+CLAIM(conic_invariants_are_determinants)
+{
+    num S[6];
+    G(six)(T, "S", S);
+    num small[4] = {S[0], S[1], S[1], S[2]};
+    num large[9] = {S[0], S[1], S[3], S[1], S[2], S[4], T->planted ? S[4] : S[3], S[4], S[5]};
+    same(T, G(conic_delta)(S), G(determinant)(2, small));
+    same(T, G(conic_determinant)(S), G(determinant)(3, large));
+}
+
+/*
+## Conics through the common points of two
+
+:::{statement} wang-ch3:3.1.2
+:title: The pencil through the common points of two conics
+:zh: 过两条二次曲线交点的曲线束
+:printed: $(1-\lambda)S_1(x,y)+\lambda S_2(x,y)=0$ represents the pencil of the conics through the common points of
+  $S_1=0$ and $S_2=0$.
+:holds-by: pencil_passes_through_common_points conics_through_four_points_are_a_pencil
+:hypothesis: pencil_misses_its_difference | $\lambda=\infty$ is admitted, that is the ratio $(1-\lambda):\lambda=1:(-1)$;
+  otherwise the member $S_1-S_2=0$ is missing.
+:hypothesis: two_common_points_allow_other_conics | $S_1=0$ and $S_2=0$ have four common points, no three on a line;
+  through fewer there are more conics than the members of the pencil.
+:hypothesis: dependent_conics_have_no_pencil | $S_2$ is no multiple of $S_1$.
+:reading: pencil_passes_through_common_points | Every member passes through the common points: true without more
+  hypotheses.
+:reading: pencil_misses_its_difference | The members are all the conics through the common points: only with the
+  hypotheses above.
+:::
+
+:::{claim} pencil_passes_through_common_points
+:title: Every member of the pencil passes through every common point
+:zh: 曲线束的每条曲线都过公共点
+:given: conics $S_1$, $S_2$ with a common point $(x,y)$, and a number $\lambda$
+:then: $S=(1-\lambda)S_1+\lambda S_2$ vanishes there; at any point $(u,v)$ its value is
+  $(1-\lambda)S_1(u,v)+\lambda S_2(u,v)$
+:method: $A,\dots,E$ of both conics, both points and $\lambda$ are variables; $F$ is computed so that $(x,y)$ lies on
+  both.  Values are sums of terms, not the kernel `conic_value`.
+:defines: conic_pencil
+:control: the constant term taken from $S_2$ alone
+:::
+*/
+CLAIM(pencil_passes_through_common_points)
+{
+    num S1[6], S2[6], S[6], lambda = unknown(T, "l", 0), mu = sub(from_int(1), lambda);
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), u = unknown(T, "u", 0), v = unknown(T, "v", 0);
+    G(six)(T, "S", S1);
+    G(six)(T, "Q", S2);
+    S1[5] = S2[5] = from_int(0);
+    S1[5] = neg(G(form)(S1, x, y));
+    S2[5] = neg(G(form)(S2, x, y));
+    G(conic_pencil)(lambda, S1, S2, S);
+    if (T->planted)
+        S[5] = S2[5];
+    about(T, "the value at the common point");
+    vanishes(T, G(form)(S, x, y));
+    about(T, "the value at any point");
+    same(T, G(form)(S, u, v), add(mul(mu, G(form)(S1, u, v)), mul(lambda, G(form)(S2, u, v))));
+}
+
+/*
+:::{claim} conics_through_four_points_are_a_pencil
+:title: The conics through four points in general position are the combinations of two
+:zh: 过四个一般位置点的二次曲线构成二维空间
+:given: points $(0,0)$, $(1,0)$, $(0,1)$ and $(a,b)$, $ab\ne0$, and any conic $S$
+:let: $U=x^2-x-\frac{a-1}bxy$ and $V=y^2-y-\frac{b-1}axy$
+:then: $S$ is $AU+CV$ plus its four values at the points, each multiplied by a fixed conic that is 1 at its own point
+  and 0 at the others; so a conic through the four points is $AU+CV$, and any two independent ones span them all
+:method: An identity of polynomials in $x$ and $y$, with $S$, $a$ and $b$ variables.  Four points of which no three lie
+  on a line are the affine image of such four.
+:control: $U$ with $a$ for $a-1$
+:::
+*/
+CLAIM(conics_through_four_points_are_a_pencil)
+{
+    num S[6], a = unknown(T, "a", 0), b = unknown(T, "b", 0), x = unknown(T, "x", 0), y = unknown(T, "y", 0);
+    num zero = from_int(0), one = from_int(1), xy = mul(x, y);
+    G(six)(T, "S", S);
+    num U = sub(mul(x, sub(x, one)), mul(div(T->planted ? a : sub(a, one), b), xy));
+    num V = sub(mul(y, sub(y, one)), mul(div(sub(b, one), a), xy));
+    num W = div(xy, mul(a, b)); /* 1 at (a, b), 0 at the others; so are the factors of the others below */
+    num sum = add(mul(S[0], U), mul(S[2], V));
+    sum = add(sum, mul(G(form)(S, a, b), W));
+    sum = add(sum, mul(G(form)(S, one, zero), sub(x, mul(a, W))));
+    sum = add(sum, mul(G(form)(S, zero, one), sub(y, mul(b, W))));
+    sum = add(sum, mul(G(form)(S, zero, zero), sub(sub(one, add(x, y)), mul(sub(sub(one, a), b), W))));
+    same(T, G(form)(S, x, y), sum);
+}
+
+#if RATIONAL
+/*
+:::{claim} pencil_misses_its_difference
+:title: One conic through the common points has no lambda
+:zh: 曲线束漏掉一条曲线
+:kind: counterexample
+:given: $S_1=x^2-1$ and $S_2=y^2-1$, with the common points $(\pm1,\pm1)$, and the conic $x^2-y^2=0$ through these
+:then: for no $\lambda$ is $(1-\lambda)S_1+\lambda S_2$ a multiple of it
+:method: The coefficients of $x^2$ and $y^2$ of a member and of the conic form a determinant, a polynomial of degree
+  at most 1 in $\lambda$, whose real zeros are counted.
+:control: the conic $x^2+y^2-2=0$, the member of $\lambda=1/2$
+:::
+*/
+CLAIM(pencil_misses_its_difference)
+{
+    num S1[6], S2[6], M[6];
+    conic_of((int[]){1, 0, 0, 0, 0, -1}, S1);
+    conic_of((int[]){0, 0, 1, 0, 0, -1}, S2);
+    conic_of(T->planted ? (int[]){1, 0, 1, 0, 0, -2} : (int[]){1, 0, -1, 0, 0, 0}, M);
+    show_text(T, "S1, S2", "x² - 1, y² - 1");
+    show_text(T, "the conic", "x² - y² = 0");
+    int fits = 1; /* it passes through the four points */
+    for (int k = 0; k < 4; k++)
+        fits &= is_zero_q(G(form)(M, from_int(k < 2 ? 1 : -1), from_int(k % 2 ? 1 : -1)));
+    int count = members_like(S1, S2, M, 0, 2);
+    show_text(T, "values of λ that give it", "%d", count);
+    about(T, "whether the conic, which passes through the four points, is a member");
+    agree(T, !fits || count > 0);
+}
+
+/*
+:::{claim} two_common_points_allow_other_conics
+:title: Through two common points pass conics that are no members
+:zh: 公共点太少时还有别的二次曲线
+:kind: counterexample
+:given: $S_1=xy$ and $S_2=(x+y-1)^2$, whose only common points are $(1,0)$ and $(0,1)$, and the conic $x(x+y-1)=0$
+  through both
+:then: the three conics are independent
+:method: The determinant of their coefficients of $x^2$, $2xy$ and $y^2$ is 0 for a member of the pencil.
+:control: the member $2S_1+S_2$ in place of the third conic
+:::
+*/
+CLAIM(two_common_points_allow_other_conics)
+{
+    num S[3][6], rows[9];
+    conic_of((int[]){0, 1, 0, 0, 0, 0}, S[0]);
+    conic_of((int[]){1, 2, 1, -2, -2, 1}, S[1]);
+    conic_of(T->planted ? (int[]){1, 4, 1, -2, -2, 1} : (int[]){1, 1, 0, -1, 0, 0}, S[2]);
+    show_text(T, "S1, S2", "x y, (x + y - 1)²; common points (1, 0), (0, 1)");
+    show_text(T, "the conic", "x (x + y - 1) = 0");
+    int fits = is_zero_q(G(form)(S[2], from_int(1), from_int(0))) && is_zero_q(G(form)(S[2], from_int(0), from_int(1)));
+    for (int k = 0; k < 9; k++)
+        rows[k] = S[k / 3][k % 3];
+    about(T, "determinant of the three rows (A, B, C), which is 0 for a member");
+    if (fits)
+        same(T, G(determinant)(3, rows), from_int(0));
+}
+
+/*
+:::{claim} dependent_conics_have_no_pencil
+:title: When one conic is a multiple of the other, a member may be 0 = 0
+:zh: 两条二次曲线相关时
+:kind: counterexample
+:given: $S_1=x^2+y^2-1$, $S_2=-S_1$, $\lambda=1/2$
+:then: the member is $0=0$, which is no conic
+:method: The coefficients of the member.
+:control: $\lambda=1/3$
+:::
+*/
+CLAIM(dependent_conics_have_no_pencil)
+{
+    num S1[6], S2[6], S[6];
+    conic_of((int[]){1, 0, 1, 0, 0, -1}, S1);
+    conic_of((int[]){-1, 0, -1, 0, 0, 1}, S2);
+    show_text(T, "S1, S2", "x² + y² - 1, 1 - x² - y²");
+    G(conic_pencil)(from_ratio(1, T->planted ? 3 : 2), S1, S2, S);
+    show_points(T, "A ... F at λ = 1/2", 6, 1, S);
+    int zero = 1;
+    for (int k = 0; k < 6; k++)
+        zero &= is_zero_q(S[k]);
+    about(T, "whether the member is an equation at all");
+    agree(T, !zero);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.1.2-lambda
+:title: What determines lambda
+:zh: λ 由什么确定
+:printed: The value of $\lambda$ is determined by the coordinates of the common points.
+:class: false
+:refuted-by: common_points_leave_lambda_free
+:corrected: The value of $\lambda$ is determined by one further point $P$ of the curve:
+  $\lambda=\frac{S_1(P)}{S_1(P)-S_2(P)}$, where $S_1(P)\ne S_2(P)$.
+:corrected-by: a_further_point_fixes_lambda
+:striking: 4
+
+At a common point the equation reads $0=0$ whatever $\lambda$ is: that is what makes it a common point.  After (3.1.4)
+the source itself uses one point of the curve to find $\lambda$.
+:::
+*/
+#if RATIONAL
+/*
+:::{claim} common_points_leave_lambda_free
+:title: The common points lie on every member
+:zh: 公共点不能确定 λ
+:kind: counterexample
+:given: $S_1=x^2-1$, $S_2=y^2-1$, the common points $(\pm1,\pm1)$, and $\lambda=1/3$, $1/2$, $2/3$
+:then: all three $\lambda$ satisfy the equation at all four points
+:method: The values $S(x,y)$ of the three members are computed at the points; if the points determined $\lambda$, one
+  $\lambda$ would be left.
+:control: the point $(2,0)$, which is no common point, in place of the four; $\lambda=3/4$ in place of $2/3$
+:::
+*/
+CLAIM(common_points_leave_lambda_free)
+{
+    num S1[6], S2[6], S[6];
+    num lambda[3] = {from_ratio(1, 3), from_ratio(1, 2), T->planted ? from_ratio(3, 4) : from_ratio(2, 3)};
+    conic_of((int[]){1, 0, 0, 0, 0, -1}, S1);
+    conic_of((int[]){0, 0, 1, 0, 0, -1}, S2);
+    show_text(T, "S1, S2", "x² - 1, y² - 1");
+    show_text(T, "points", "(1, 1) (1, -1) (-1, 1) (-1, -1)");
+    int fitting = 0;
+    for (int k = 0; k < 3; k++) {
+        int fits = 1;
+        G(conic_pencil)(lambda[k], S1, S2, S);
+        for (int i = 0; i < 4; i++) {
+            num x = from_int(T->planted ? 2 : i < 2 ? 1 : -1), y = from_int(T->planted ? 0 : i % 2 ? 1 : -1);
+            fits &= is_zero_q(G(form)(S, x, y));
+        }
+        fitting += fits;
+    }
+    show_text(T, "of λ = 1/3, 1/2, 2/3 fit", "%d", fitting);
+    about(T, "whether one value of λ is left");
+    agree(T, fitting == 1);
+}
+#endif
+/*
+:::{claim} a_further_point_fixes_lambda
+:title: One further point of the curve fixes lambda
+:zh: 曲线上另一点确定 λ
+:given: conics $S_1$, $S_2$, a point $P$ with $S_1(P)\ne S_2(P)$, and any number $\kappa$
+:let: $\lambda=S_1(P)/(S_1(P)-S_2(P))$
+:then: the member of $\lambda$ passes through $P$, and the value at $P$ of the member of $\kappa$ is
+  $(\kappa-\lambda)(S_2(P)-S_1(P))$, so no other member does
+:method: Identities in the coefficients of both conics, $P$ and $\kappa$.
+:control: $\lambda=S_1(P)/(S_1(P)+S_2(P))$
+:::
+*/
+CLAIM(a_further_point_fixes_lambda)
+{
+    num S1[6], S2[6], S[6], x = unknown(T, "x", 0), y = unknown(T, "y", 0), kappa = unknown(T, "k", 0);
+    G(six)(T, "S", S1);
+    G(six)(T, "Q", S2);
+    num f1 = G(form)(S1, x, y), f2 = G(form)(S2, x, y), lambda = div(f1, T->planted ? add(f1, f2) : sub(f1, f2));
+    G(conic_pencil)(lambda, S1, S2, S);
+    about(T, "the member of the given λ at P");
+    vanishes(T, G(form)(S, x, y));
+    G(conic_pencil)(kappa, S1, S2, S);
+    about(T, "another member at P");
+    same(T, G(form)(S, x, y), mul(sub(kappa, lambda), sub(f2, f1)));
+}
+
+/*
+:::{statement} wang-ch3:3.1.2-ends
+:title: The members of lambda = 0 and 1
+:zh: λ=0,1 时的曲线
+:printed: $\lambda=0,1$ give $S_1=0$ and $S_2=0$, in this order.
+:holds-by: pencil_begins_and_ends_with_the_two_conics
+:::
+
+:::{claim} pencil_begins_and_ends_with_the_two_conics
+:title: The pencil begins with the first conic and ends with the second
+:zh: 曲线束的两端
+:given: conics $S_1$, $S_2$
+:then: $(1-\lambda)S_1+\lambda S_2$ is $S_1$ for $\lambda=0$ and $S_2$ for $\lambda=1$
+:method: The six coefficients, compared in the field.
+:control: the two ends exchanged
+:::
+*/
+CLAIM(pencil_begins_and_ends_with_the_two_conics)
+{
+    num S1[6], S2[6], S[6];
+    G(six)(T, "S", S1);
+    G(six)(T, "Q", S2);
+    for (int end = 0; end < 2; end++) {
+        G(conic_pencil)(from_int(T->planted ? 1 - end : end), S1, S2, S);
+        for (int k = 0; k < 6; k++)
+            same(T, S[k], end == 0 ? S1[k] : S2[k]);
+    }
+}
+
+/*
+## Two pairs of lines
+
+:::{statement} wang-ch3:3.1.2-degenerate
+:title: A pair of lines is a degenerate conic
+:zh: 直线偶是退化的二次曲线
+:printed: A pair of lines can be regarded as a degenerate conic.
+:holds-by: line_pair_is_a_degenerate_conic
+:::
+
+:::{claim} line_pair_is_a_degenerate_conic
+:title: The product of two linear forms is a conic with determinant 0
+:zh: 两条直线之积
+:given: points $p$, $q$, a line $l$ and a point $(x,y)$
+:then: the line through $p$ and $q$ has at $(x,y)$ the value $(q-p)\times((x,y)-p)$; the product of two lines is a
+  conic $S$ with $S(x,y)=l_1(x,y)l_2(x,y)$, and its $3\times3$ determinant is 0
+:method: The other sides are a determinant of two vectors and the product of two values, every coefficient a variable.
+:defines: line_through line_pair
+:control: the coefficient $B$ doubled
+:::
+*/
+CLAIM(line_pair_is_a_degenerate_conic)
+{
+    num p[2], q[2], l1[3], l2[3], S[6], x = unknown(T, "x", 0), y = unknown(T, "y", 0);
+    for (int c = 0; c < 2; c++) {
+        p[c] = unknown(T, "p", c);
+        q[c] = unknown(T, "q", c);
+    }
+    for (int c = 0; c < 3; c++)
+        l2[c] = unknown(T, "l", c);
+    G(line_through)(p, q, l1);
+    about(T, "the line through p and q");
+    num turn = sub(mul(sub(q[0], p[0]), sub(y, p[1])), mul(sub(q[1], p[1]), sub(x, p[0])));
+    same(T, G(on_line)(l1, x, y), turn);
+    G(line_pair)(l1, l2, S);
+    if (T->planted)
+        S[1] = add(S[1], S[1]);
+    about(T, "the product of two lines");
+    same(T, G(form)(S, x, y), mul(turn, G(on_line)(l2, x, y)));
+    about(T, "its determinant");
+    vanishes(T, G(conic_determinant)(S));
+}
+
+/*
+:::{statement} wang-ch3:3.1.2-line-pairs
+:title: The pencil of two pairs of lines
+:zh: 两对直线确定的曲线束
+:printed: $(1-\lambda)l_1l_2+\lambda l_3l_4=0$ represents the pencil of the conics through the four points where the
+  lines of the pair $(l_1,l_2)$ meet those of the pair $(l_3,l_4)$.
+:holds-by: line_pairs_share_four_points conics_through_four_points_are_a_pencil
+:hypothesis: parallel_lines_meet_in_two_points | Each of $l_1,l_2$ meets each of $l_3,l_4$.
+:hypothesis: concurrent_lines_lose_a_point | The four points are different.
+:hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted, as in (3.1.2).
+:::
+
+:::{claim} line_pairs_share_four_points
+:title: Every member passes through the four points where the pairs meet
+:zh: 直线偶曲线束过四交点
+:given: lines $l_1,l_2,l_3,l_4$ such that $l_i$ and $l_j$ meet for $i=1,2$ and $j=3,4$, and a number $\lambda$
+:then: $(1-\lambda)l_1l_2+\lambda l_3l_4$ vanishes at the four common points
+:method: The points are computed from the lines by Cramer's rule, all twelve coefficients and $\lambda$ being
+  variables.
+:control: the pairs taken as $(l_1,l_3)$ and $(l_2,l_4)$
+:::
+*/
+CLAIM(line_pairs_share_four_points)
+{
+    num l[4][3], S1[6], S2[6], S[6], lambda = unknown(T, "k", 0);
+    for (int i = 0; i < 4; i++)
+        for (int c = 0; c < 3; c++)
+            l[i][c] = unknown(T, "l", 3 * i + c);
+    G(line_pair)(l[0], l[T->planted ? 2 : 1], S1);
+    G(line_pair)(l[T->planted ? 1 : 2], l[3], S2);
+    G(conic_pencil)(lambda, S1, S2, S);
+    for (int i = 0; i < 2; i++)
+        for (int j = 2; j < 4; j++) {
+            num z = sub(mul(l[i][0], l[j][1]), mul(l[i][1], l[j][0]));
+            num x = div(sub(mul(l[i][1], l[j][2]), mul(l[i][2], l[j][1])), z);
+            num y = div(sub(mul(l[i][2], l[j][0]), mul(l[i][0], l[j][2])), z);
+            vanishes(T, G(form)(S, x, y));
+        }
+}
+
+#if RATIONAL
+/* How many different points the lines of two pairs have in common, parallel ones having none. */
+static int meeting_points(num l[4][3])
+{
+    num x[4], y[4];
+    int count = 0;
+    for (int i = 0; i < 2; i++)
+        for (int j = 2; j < 4; j++) {
+            num z = sub(mul(l[i][0], l[j][1]), mul(l[i][1], l[j][0]));
+            if (is_zero_q(z))
+                continue;
+            x[count] = div(sub(mul(l[i][1], l[j][2]), mul(l[i][2], l[j][1])), z);
+            y[count] = div(sub(mul(l[i][2], l[j][0]), mul(l[i][0], l[j][2])), z);
+            int seen = 0;
+            for (int k = 0; k < count; k++)
+                seen |= equal_q(x[k], x[count]) && equal_q(y[k], y[count]);
+            count += !seen;
+        }
+    return count;
+}
+
+static void lines_of(const int c[4][3], num l[4][3])
+{
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            l[i][k] = from_int(c[i][k]);
+}
+
+/*
+:::{claim} parallel_lines_meet_in_two_points
+:title: Parallel lines of the two pairs leave two of the four points
+:zh: 平行时四点只剩两点
+:kind: counterexample
+:given: the pairs $x,y$ and $x-1,y-1$
+:then: only two of the four points exist, $(0,1)$ and $(1,0)$
+:method: The common points of the lines are computed and counted.
+:control: $x+y-3$ and $x-y-1$ as the second pair
+:::
+*/
+CLAIM(parallel_lines_meet_in_two_points)
+{
+    num l[4][3];
+    lines_of(T->planted ? (const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 1, -3}, {1, -1, -1}}
+                        : (const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 0, -1}, {0, 1, -1}}, l);
+    show_text(T, "pairs", "x, y and x - 1, y - 1");
+    show_text(T, "common points", "%d", meeting_points(l));
+    about(T, "whether they are four");
+    agree(T, meeting_points(l) == 4);
+}
+
+/*
+:::{claim} concurrent_lines_lose_a_point
+:title: With three lines through one point there are other conics
+:zh: 三线共点时
+:kind: counterexample
+:given: the pairs $x,y$ and $x-y,x+y-1$, which meet in $(0,0),(1,0),(0,1)$, and the conic $x^2-x+y^2-y=0$ through
+  these
+:then: the conic is no member of the pencil
+:method: The determinant of the coefficients of $x^2$, $2xy$ and $y^2$ of $l_1l_2$, $l_3l_4$ and the conic is 0 for a
+  member.
+:control: $2l_1l_2+l_3l_4$ in place of the conic
+:::
+*/
+CLAIM(concurrent_lines_lose_a_point)
+{
+    num l[4][3], S[3][6], rows[9];
+    lines_of((const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, -1, 0}, {1, 1, -1}}, l);
+    show_text(T, "pairs", "x, y and x - y, x + y - 1");
+    show_text(T, "different common points", "%d", meeting_points(l));
+    show_text(T, "the conic", "x² - x + y² - y = 0");
+    G(line_pair)(l[0], l[1], S[0]);
+    G(line_pair)(l[2], l[3], S[1]);
+    conic_of((int[]){1, 0, 1, -1, -1, 0}, S[2]);
+    for (int k = 0; k < 6 && T->planted; k++)
+        S[2][k] = add(add(S[0][k], S[0][k]), S[1][k]);
+    const int at[3][2] = {{0, 0}, {1, 0}, {0, 1}};
+    int fits = 1;
+    for (int k = 0; k < 3; k++)
+        fits &= is_zero_q(G(form)(S[2], from_int(at[k][0]), from_int(at[k][1])));
+    for (int k = 0; k < 9; k++)
+        rows[k] = S[k / 3][k % 3];
+    about(T, "determinant of the three rows (A, B, C), which is 0 for a member");
+    if (fits)
+        same(T, G(determinant)(3, rows), from_int(0));
+}
+
+/*
+:::{claim} diagonals_are_no_member
+:title: The diagonals of the square pass through its corners and have no lambda
+:zh: 正方形的对角线不在曲线束中
+:kind: counterexample
+:given: the pairs $x,x-1$ and $y,y-1$, which meet in the corners of a square, and its diagonals
+  $(x-y)(x+y-1)=0$
+:then: the diagonals are $l_1l_2-l_3l_4$, and no $\lambda$ gives them
+:method: The real zeros in $\lambda$ of a determinant of coefficients are counted.
+:control: the circle $x^2-x+y^2-y=0$ in place of the diagonals
+:::
+*/
+CLAIM(diagonals_are_no_member)
+{
+    num S1[6], S2[6], M[6];
+    conic_of((int[]){1, 0, 0, -1, 0, 0}, S1);
+    conic_of((int[]){0, 0, 1, 0, -1, 0}, S2);
+    conic_of(T->planted ? (int[]){1, 0, 1, -1, -1, 0} : (int[]){1, 0, -1, -1, 1, 0}, M);
+    show_text(T, "pairs", "x, x - 1 and y, y - 1");
+    show_text(T, "the conic", "(x - y)(x + y - 1) = 0");
+    int fits = 1;
+    for (int k = 0; k < 4; k++)
+        fits &= is_zero_q(G(form)(M, from_int(k / 2), from_int(k % 2)));
+    int count = members_like(S1, S2, M, 0, 2);
+    show_text(T, "values of λ that give it", "%d", count);
+    about(T, "whether the conic, which passes through the four corners, is a member");
+    agree(T, !fits || count > 0);
+}
+#endif
+#include "chapters/frame/claims_off.h"

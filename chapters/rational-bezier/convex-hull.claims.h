@@ -1,0 +1,289 @@
+/*
+# The curve stays in the hull of its points (凸包性)
+
+The share of $R_i$ in the mean $R(t)$ is $B_i^n(t)\,\omega_i/\omega(t)$.  Shares that are not negative and have the sum $1$
+make a point of the convex hull; this is the whole proof, and positive weights are what it rests on.
+*/
+#include "exact/hull.h"
+#include "exact/roots.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* C(n,i) t^i (1-t)^{n-i}. */
+static num G(share_without_weight)(int n, int i, num t)
+{
+    num product = from_int(binomial(n, i)), s = sub(from_int(1), t);
+    for (int k = 0; k < n; k++)
+        product = mul(product, k < i ? t : s);
+    return product;
+}
+
+/*
+:::{statement} wang-ch3:prop-3.2.5
+:title: The convex hull property
+:zh: 凸包性
+:printed: For $0\le t\le1$ the curve lies in the convex hull of its control points.
+:holds-by: curve_points_are_convex_combinations curve_points_have_hull_certificates
+:needs: curve_leaves_hull_with_negative_weight | $\omega_i>0$; that $\omega(t)$ has no zero is not enough.
+:needs: curve_leaves_hull_outside_the_interval | $0\le t\le1$.
+:reading: no_hull_property_with_weights_of_both_signs | Read as "these weights keep the curve in the hull whatever the points are",
+  given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs.
+
+Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common negative sign.
+:::
+
+:::{statement} wang-ch3:prop-3.2.5-nonnegative
+:title: The shares are not negative
+:zh: 各系数非负
+:printed: B_i^n(t)\,\omega_i/\omega(t)\ge0
+:holds-by: curve_points_are_convex_combinations
+:needs: share_with_negative_weight_is_negative | $\omega_i>0$.
+:::
+
+:::{statement} wang-ch3:prop-3.2.5-sum
+:title: The shares have the sum 1
+:zh: 各系数之和为 1
+:printed: \sum_{i=0}^n\left[B_i^n(t)\,\omega_i/\omega(t)\right]=1
+:holds-by: shares_sum_to_one
+
+This needs no sign of the weights, only $\omega(t)\ne0$.
+:::
+
+:::{claim} shares_sum_to_one
+:title: The shares B_i ω_i/ω have the sum 1
+:zh: B_i ω_i/ω 之和为 1
+:given: weights of any sign, a parameter $t$, $\omega(t)\ne0$
+:then: $\sum_iB_i^n(t)\omega_i/\omega(t)=1$
+:method: The sum is $1$ in the field; $\omega(t)$ is computed by the kernel, the $B_i^n(t)$ from their definition.
+:degrees: 1..8 sampled 16
+:control: the last share left out
+:::
+*/
+CLAIM(shares_sum_to_one)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], t = parameter(T, "t"), sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        w[i] = positive(T, "w", i);
+    num total = G(rational_weight)(n, w, t);
+    for (int i = 0; i <= n - T->planted; i++)
+        sum = add(sum, div(mul(G(share_without_weight)(n, i, t), w[i]), total));
+    same(T, sum, from_int(1));
+}
+
+/*
+:::{claim} curve_points_are_convex_combinations
+:title: Every point of the curve is a convex combination of the control points
+:zh: 曲线上每点都是控制点的凸组合
+:given: points, positive weights; $t=0$, $t=1$, and every $t$ between, written $t=s/(1+s)$, $s>0$
+:let: $\lambda_i=B_i^n(t)\omega_i/\omega(t)$
+:then: $R(t)=\sum\lambda_iR_i$, $\sum\lambda_i=1$, $\lambda_i\ge0$
+:method: Two equalities of field elements.  As quotients of polynomials in $s$ and the weights the $\lambda_i$ have no negative
+  coefficient, so they are not negative where these variables are positive.  A coordinate is any coordinate.
+:degrees: 1..6 sampled 12
+:control: $\omega_1$ taken with the opposite sign in $\lambda_1$
+:::
+*/
+CLAIM(curve_points_are_convex_combinations)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], at[] = {from_int(0), from_int(1), inside(T, "s")};
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "R", i);
+    }
+    for (int k = 0; k < 3; k++) {
+        num total = G(rational_weight)(n, w, at[k]), sum = from_int(0), mean = from_int(0), point;
+        for (int i = 0; i <= n; i++) {
+            num weight = i == 1 && T->planted ? neg(w[i]) : w[i];
+            num share = div(mul(G(share_without_weight)(n, i, at[k]), weight), total);
+            nonnegative(T, share);
+            sum = add(sum, share);
+            mean = add(mean, mul(share, R[i]));
+        }
+        G(rational_point)(n, 1, R, w, at[k], &point);
+        same(T, sum, from_int(1));
+        same(T, mean, point);
+    }
+}
+
+#if RATIONAL
+/*
+## Decided by certificates
+
+The same without the formula of the shares: whether a point is in the hull of others is a linear problem, and its answer comes with
+a certificate, either a convex combination or a line (plane) that separates the point from all the others.
+
+:::{claim} curve_points_have_hull_certificates
+:title: Points of the curve pass an independent test of membership in the hull
+:zh: 曲线点通过独立的凸包隶属检验
+:kind: decision
+:given: plane and space polygons that are convex, zigzag, folded on a line, one point, closed with repetitions, on the moment curve, in
+  a plane of space; weights that are equal, of ratios $2^{40}$, one huge, one tiny, with zeros between the ends, mixed;
+  $t=0,\,2^{-30},\,\frac13,\,\frac12,\,1-2^{-30},\,1$
+:then: $R(t)$ is in the convex hull of the points
+:method: A convex combination is found by the simplex method over the rationals and checked by multiplying out; the formula of the shares
+  is not used.
+:degrees: 1..6
+:scope: 7 polygons with 6 sets of weights at 6 parameters for each n
+:control: the weight of the first point counted twice in the denominator
+:::
+*/
+enum { POLYGONS = 7, PLANE_POLYGONS = 5, WEIGHTINGS = 6 };
+
+/* None of the hulls contains the origin. */
+static void G(designed_polygon)(int kind, int n, int *dim, num R[])
+{
+    *dim = kind < PLANE_POLYGONS ? 2 : 3;
+    for (int i = 0; i <= n; i++) {
+        long p[POLYGONS][3] = {{i, (long)i * (n - i)},         /* convex                       */
+                               {i, i % 2 == 0 ? -3 : 5},       /* zigzag                       */
+                               {i * 5 % 7, 2 * (i * 5 % 7)},   /* on a line, to and fro        */
+                               {4, 4},                         /* one point                    */
+                               {i % n == 0 ? 2 : i / 2, i % n == 0 ? 0 : i / 2 * 3}, /* closed, points twice */
+                               {i, (long)i * i, (long)i * i * i},
+                               {i, i % 3, 2 * i - i % 3}};     /* in the plane z = 2 x - y     */
+        for (int c = 0; c < *dim; c++)
+            R[i * *dim + c] = from_int(p[kind][c] + (c == 0 ? 10 : 0));
+    }
+}
+static void G(designed_weights)(trial *T, int kind, int n, num w[])
+{
+    for (int i = 0; i <= n; i++) {
+        int inner = i > 0 && i < n;
+        w[i] = kind == 0                  ? from_int(1)
+               : kind == 1                ? (i % 2 == 0 ? from_int(1L << 20) : from_ratio(1, 1L << 20))
+               : kind == 2                ? from_int(i == n / 2 ? 1L << 40 : 1)
+               : kind == 3                ? (i == n / 2 ? from_ratio(1, 1L << 40) : from_int(1))
+               : kind == 4 && inner       ? from_int(0)
+                                          : positive(T, "w", i);
+    }
+}
+
+CLAIM(curve_points_have_hull_certificates)
+{
+    int n = T->degree, dim;
+    num R[(MAX_DEGREE + 1) * 3], w[MAX_DEGREE + 1], x[3], one = from_int(1), tiny = from_ratio(1, 1L << 30);
+    num at[] = {from_int(0), tiny, from_ratio(1, 3), from_ratio(1, 2), sub(one, tiny), one};
+    for (int polygon = 0; polygon < POLYGONS; polygon++)
+        for (int weighting = 0; weighting < WEIGHTINGS; weighting++)
+            for (int k = 0; k < 6; k++) {
+                G(designed_polygon)(polygon, n, &dim, R);
+                G(designed_weights)(T, weighting, n, w);
+                G(rational_point)(n, dim, R, w, at[k], x);
+                if (T->planted) {
+                    num total = G(rational_weight)(n, w, at[k]);
+                    num twice = add(total, mul(w[0], G(share_without_weight)(n, 0, at[k])));
+                    for (int c = 0; c < dim; c++)
+                        x[c] = mul(x[c], div(total, twice));
+                }
+                struct hull_certificate found = hull_membership(dim, n + 1, R, x);
+                agree(T, found.inside && hull_certificate_holds(dim, n + 1, R, x, found));
+            }
+}
+
+/*
+## Without positive weights, and outside [0,1]
+
+:::{claim} curve_leaves_hull_with_negative_weight
+:title: With the weights 1, −1/2, 1 the curve leaves the triangle
+:zh: 权为 1, −1/2, 1 时曲线越出三角形
+:kind: counterexample
+:given: $R_0=(0,0)$, $R_1=(1,2)$, $R_2=(2,0)$ with weights $1,-\frac12,1$, whose $\omega(t)=3t^2-3t+1$ has no zero in $[0,1]$; $t=\frac12$
+:then: $R(\frac12)=(1,-2)$ is outside the triangle
+:method: A linear function that is at most the offset on the three points and larger at $R(\frac12)$ is found and checked exactly.  No smaller
+  degree will do: a segment ($n=1$) with weights of both signs has a pole.
+:control: the weights $1,\frac12,1$
+:::
+*/
+CLAIM(curve_leaves_hull_with_negative_weight)
+{
+    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, x[2];
+    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2), from_int(1)};
+    G(rational_point)(2, 2, R, w, from_ratio(1, 2), x);
+    struct hull_certificate found = hull_membership(2, 3, R, x);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_text(T, "zeros of ω in [0,1]", "%d", count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct);
+    show_points(T, "R(1/2)", 1, 2, x);
+    if (!found.inside)
+        show_text(T, "separated by", "(%s) x + (%s) y, at most %s on the triangle", to_string_q(found.normal[0]),
+                  to_string_q(found.normal[1]), to_string_q(found.offset));
+    about(T, "R(1/2) is in the hull");
+    agree(T, found.inside || !hull_certificate_holds(2, 3, R, x, found));
+}
+
+/*
+:::{claim} share_with_negative_weight_is_negative
+:title: With the weights 1, −1/2, 1 the share of the middle point is −1
+:zh: 权为 1, −1/2, 1 时中间系数为 −1
+:kind: counterexample
+:given: $n=2$ with weights $1,-\frac12,1$, $t=\frac12$, $\omega(\frac12)=\frac14$
+:then: $B_1^2(t)\,\omega_1/\omega(t)=-1$
+:method: The share is computed exactly.
+:control: the weights $1,\frac12,1$
+:::
+*/
+CLAIM(share_with_negative_weight_is_negative)
+{
+    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2), from_int(1)}, t = from_ratio(1, 2);
+    num share = div(mul(G(share_without_weight)(2, 1, t), w[1]), G(rational_weight)(2, w, t));
+    show_points(T, "ω", 3, 1, w);
+    show(T, "share", share);
+    about(T, "the share of R_1 is not negative");
+    nonnegative(T, share);
+}
+
+/*
+:::{claim} curve_leaves_hull_outside_the_interval
+:title: Beyond t = 1 the curve leaves the hull
+:zh: t > 1 时曲线越出凸包
+:kind: counterexample
+:given: the segment with points $0,1$ of the line and weights $1,1$; $t=2$
+:then: $R(2)=2$ is not in $[0,1]$
+:method: A separating number is found and checked exactly.
+:control: $t=\frac12$
+:::
+*/
+CLAIM(curve_leaves_hull_outside_the_interval)
+{
+    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)}, x;
+    G(rational_point)(1, 1, R, w, T->planted ? from_ratio(1, 2) : from_int(2), &x);
+    struct hull_certificate found = hull_membership(1, 2, R, &x);
+    show_points(T, "R", 2, 1, R);
+    show_points(T, "ω", 2, 1, w);
+    show(T, "R(t)", x);
+    about(T, "R(t) is in the hull");
+    agree(T, found.inside || !hull_certificate_holds(1, 2, R, &x, found));
+}
+#endif
+
+/*
+:::{claim} no_hull_property_with_weights_of_both_signs
+:title: With weights of both signs some polygon does not contain its curve
+:zh: 权有异号时必有多边形不包含其曲线
+:given: weights of which one, $\omega_i=-v$, is negative and the others are any numbers; the points $R_i=1$ and $R_j=0$, $j\ne i$, of the
+  line; $0<t<1$, $t=s/(1+s)$; every $i=0,\dots,n$
+:then: $R(t)\,\omega(t)<0$; if $\omega(t)$ has no zero in $[0,1]$ and some weight is positive, the hull property fails
+:method: $-1/(R(t)\,\omega(t))$ has positive coefficients in $s$ and $v$, and nothing else occurs in it, so $R(t)$ and $\omega(t)$ have opposite
+  signs.  Where $\omega(t)>0$ this puts $R(t)$ below the hull $[0,1]$.  Where $\omega(t)<0$ throughout, a common factor
+  $-1$ turns a positive weight into a negative one and $\omega(t)$ positive.  Conversely, weights without opposite signs make
+  all shares nonnegative.
+:degrees: 1..6 sampled 12
+:control: $\omega_i=v$
+:::
+*/
+CLAIM(no_hull_property_with_weights_of_both_signs)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], t = inside(T, "s"), v = positive(T, "v", 0), point;
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= n; j++) {
+            w[j] = j == i ? (T->planted ? v : neg(v)) : unknown(T, "w", j);
+            R[j] = from_int(j == i);
+        }
+        G(rational_point)(n, 1, R, w, t, &point);
+        nonnegative(T, div(from_int(-1), mul(point, G(rational_weight)(n, w, t))));
+    }
+}
+#include "chapters/frame/claims_off.h"

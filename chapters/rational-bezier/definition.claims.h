@@ -1,0 +1,733 @@
+/*
+# What a rational Bézier curve is (定义)
+
+Give every point $R_i$ of a polygon a number $\omega_i$, its weight.  The curve is the mean of the points in
+which $R_i$ counts $B_i^n(t)\,\omega_i$ times, $B_i^n(t)=\binom ni(1-t)^{n-i}t^i$.  In coordinates $(\omega x,\omega
+y,\omega z,\omega)$ numerator and denominator of that mean are one polynomial Bézier curve, and this is how the
+source defines it.
+*/
+#include "exact/roots.h"
+#include "exact/sturm.h"
+
+#include "chapters/frame/claims_on.h"
+
+static const char *const G(axis)[] = {"x", "y", "z"};
+
+/* n+1 points of dim coordinates, all of them free. */
+static inline void G(free_points)(trial *T, int n, int dim, num R[])
+{
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = unknown(T, G(axis)[c], i);
+}
+static inline void G(free_weights)(trial *T, int n, num w[])
+{
+    for (int i = 0; i <= n; i++)
+        w[i] = positive(T, "w", i);
+}
+
+/* n!/(i! (n-i)!) t^i (1-t)^{n-i}: the definition, sharing nothing with the kernels.  n <= 20. */
+static inline num G(bernstein_by_definition)(int n, int i, num t)
+{
+    long choose = 1;
+    for (int k = 1; k <= n; k++)
+        choose *= k;
+    for (int k = 1; k <= i; k++)
+        choose /= k;
+    for (int k = 1; k <= n - i; k++)
+        choose /= k;
+    num product = from_int(choose), s = sub(from_int(1), t);
+    for (int k = 0; k < n; k++)
+        product = mul(product, k < i ? t : s);
+    return product;
+}
+
+/* sum B_i^n(t) w_i and sum B_i^n(t) w_i R_i by definition. */
+static inline num G(weight_by_definition)(int n, const num w[], num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(G(bernstein_by_definition)(n, i, t), w[i]));
+    return sum;
+}
+static inline void G(numerator_by_definition)(int n, int dim, const num R[], const num w[], num t, num P[])
+{
+    for (int c = 0; c < dim; c++) {
+        P[c] = from_int(0);
+        for (int i = 0; i <= n; i++)
+            P[c] = add(P[c], mul(mul(G(bernstein_by_definition)(n, i, t), w[i]), R[i * dim + c]));
+    }
+}
+
+/*
+## The points and their weights
+
+:::{statement} wang-ch3:def-3.2.1
+:title: Rational Bézier curve, control points, control polygon, weights
+:zh: 有理 Bézier 曲线、控制顶点、控制多边形与权因子
+:definition: yes
+:printed: Given $n+1$ points in homogeneous coordinates
+  $\tilde{\mathbf R}_i=(X_i,Y_i,Z_i,\omega_i)=(\omega_ix_i,\omega_iy_i,\omega_iz_i,\omega_i)$, the curve (3.2.1) is a rational
+  Bézier curve of degree $n$; the $\tilde{\mathbf R}_i$ are its control points, $\tilde{\mathbf R}_0\dots\tilde{\mathbf R}_n$
+  its control polygon or B-net, the $\omega_i$ its weights.
+:checked-by: homogeneous_points_carry_their_weight common_factor_of_weights_is_free
+
+The pair $(R_i,\omega_i)$ and the homogeneous point determine each other as long as $\omega_i\ne0$.  For
+$\omega_i=0$ the printed equality leaves only $(0,0,0,0)$: a point of weight $0$ does not count, and control points at
+infinity, $(X_i,Y_i,Z_i,0)\ne0$, are not part of this definition.  The curve in space depends on the ratios of the
+weights alone.
+:::
+
+:::{claim} homogeneous_points_carry_their_weight
+:title: Points with weights and homogeneous points determine each other
+:zh: 带权点与齐次点互相确定
+:given: weights $\omega_i\ne0$ and points $R_i$ of one, two and three coordinates; homogeneous points $H_i$ of as many and
+  one more
+:then: $(R_i,\omega_i)\mapsto(\omega_iR_i,\omega_i)$ has the quotients $R_i$ by its last coordinate, and
+  $H_i\mapsto(R_i,\omega_i)$ has the products $H_i=(\omega_iR_i,\omega_i)$
+:method: Each map is computed on variables and undone by the other arithmetic operation, written out here.
+:degrees: 1..6 sampled 12
+:defines: rational_homogenize rational_dehomogenize
+:control: two neighbouring weights exchanged
+:::
+*/
+CLAIM(homogeneous_points_carry_their_weight)
+{
+    int n = T->degree;
+    for (int dim = 1; dim <= 3; dim++) {
+        num w[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * 3], H[(MAX_DEGREE + 1) * MAX_DIM];
+        num back[(MAX_DEGREE + 1) * 3], v[MAX_DEGREE + 1];
+        G(free_weights)(T, n, w);
+        G(free_points)(T, n, dim, R);
+        G(rational_homogenize)(n, dim, R, w, H);
+        if (T->planted) {
+            num first = w[0];
+            w[0] = w[1];
+            w[1] = first;
+        }
+        for (int i = 0; i <= n; i++) {
+            same(T, H[i * (dim + 1) + dim], w[i]);
+            for (int c = 0; c < dim; c++)
+                same(T, div(H[i * (dim + 1) + c], w[i]), R[i * dim + c]);
+        }
+        for (int m = 0; m < (n + 1) * (dim + 1); m++)
+            H[m] = m % (dim + 1) == dim ? positive(T, "h", m) : unknown(T, "H", m);
+        G(rational_dehomogenize)(n, dim, H, back, v);
+        for (int i = 0; i <= n; i++) {
+            same(T, v[i], H[i * (dim + 1) + dim]);
+            for (int c = 0; c < dim; c++)
+                same(T, mul(v[i], back[i * dim + c]), H[i * (dim + 1) + c]);
+        }
+    }
+}
+
+/*
+:::{claim} common_factor_of_weights_is_free
+:title: A common factor of all weights does not change the curve
+:zh: 权因子的公因子不影响曲线
+:given: points $R_i$, weights $\omega_i$, a factor $c\ne0$
+:then: the weights $\omega_i$ and $c\,\omega_i$ give the same $R(t)$; so weights that are all negative give the same curve as
+  their absolute values
+:method: Both are one element of the field of rational functions of $t$, $c$, the weights and the points; $c$ is any number.
+:degrees: 1..6 sampled 12
+:control: the last weight left without the factor
+:::
+*/
+CLAIM(common_factor_of_weights_is_free)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], R[MAX_DEGREE + 1], before, after;
+    num t = parameter(T, "t"), c = unknown(T, "c", 0);
+    G(free_weights)(T, n, w);
+    G(free_points)(T, n, 1, R);
+    for (int i = 0; i <= n; i++)
+        v[i] = i == n && T->planted ? w[i] : mul(c, w[i]);
+    G(rational_point)(n, 1, R, w, t, &before);
+    G(rational_point)(n, 1, R, v, t, &after);
+    same(T, after, before);
+}
+
+/*
+## The two formulas of the curve
+
+:::{statement} wang-ch3:3.2.1
+:title: The curve in homogeneous coordinates
+:zh: 齐次坐标下的曲线
+:definition: yes
+:printed: \tilde{\mathbf R}(t)=(X(t),Y(t),Z(t),\omega(t))=\sum_{i=0}^nB_i^n(t)\tilde{\mathbf R}_i,\quad 0\le t\le1
+:checked-by: denominator_is_weighted_bernstein_sum rational_point_is_weighted_mean
+:::
+
+:::{claim} denominator_is_weighted_bernstein_sum
+:title: The kernel's denominator is the sum of B_i ω_i
+:zh: 分母即 Σ B_i ω_i
+:given: weights $\omega_0,\dots,\omega_n$ and a parameter $t$
+:then: $\omega(t)=\sum_i\frac{n!}{i!\,(n-i)!}\,t^i(1-t)^{n-i}\omega_i$
+:method: The kernel's recursion and the sum, written out from the definition, are one element of the field.
+:degrees: 1..8 sampled 16
+:defines: rational_weight
+:control: the weights taken in the opposite order
+:::
+*/
+CLAIM(denominator_is_weighted_bernstein_sum)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], t = parameter(T, "t");
+    G(free_weights)(T, n, w);
+    for (int i = 0; i <= n; i++)
+        v[i] = T->planted ? w[n - i] : w[i];
+    same(T, G(rational_weight)(n, w, t), G(weight_by_definition)(n, v, t));
+}
+
+/*
+:::{statement} wang-ch3:3.2.2
+:title: The curve in affine coordinates
+:zh: 仿射坐标下的曲线
+:printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
+  =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
+:holds-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
+:needs: weights_of_both_signs_make_a_pole | $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
+
+The derivatives of this quotient, which the next sections need, are decided here as well.
+:::
+
+:::{claim} rational_point_is_weighted_mean
+:title: A point of the curve is the mean of the points with weights B_i ω_i
+:zh: 曲线上的点是以 B_i ω_i 为权的平均
+:given: weights, points of one to three coordinates, a parameter $t$
+:then: the point computed through homogeneous coordinates is
+  $\sum_iB_i^n(t)\omega_iR_i/\sum_iB_i^n(t)\omega_i$ with $B_i^n(t)=\frac{n!}{i!\,(n-i)!}t^i(1-t)^{n-i}$
+:method: Both sides are one element of the field of rational functions of $t$, all weights and all coordinates.  The sums are
+  written out from the definition of the Bernstein basis; the kernel runs a recursion on homogeneous points.
+:degrees: 1..6 sampled 12
+:defines: rational_point
+:control: the denominator without the weights
+:::
+*/
+CLAIM(rational_point_is_weighted_mean)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], ones[MAX_DEGREE + 1], t = parameter(T, "t");
+    G(free_weights)(T, n, w);
+    for (int i = 0; i <= n; i++)
+        ones[i] = from_int(1);
+    for (int dim = 1; dim <= 3; dim++) {
+        num R[(MAX_DEGREE + 1) * 3], P[3], out[3];
+        G(free_points)(T, n, dim, R);
+        G(numerator_by_definition)(n, dim, R, w, t, P);
+        num total = G(weight_by_definition)(n, T->planted ? ones : w, t);
+        G(rational_point)(n, dim, R, w, t, out);
+        for (int c = 0; c < dim; c++)
+            same(T, out[c], div(P[c], total));
+    }
+}
+
+#if !FIELD
+/* c[k], the coefficient of t^k in sum B_i^n(t) b_i, each B_i^n expanded by the binomial theorem. */
+static void G(power_coefficients)(int n, const num b[], num c[])
+{
+    for (int k = 0; k <= n; k++)
+        c[k] = from_int(0);
+    for (int i = 0; i <= n; i++) {
+        long choose = 1; /* n!/(i! (n-i)!), then times (n-i)!/(j! (n-i-j)!) */
+        for (int j = 1; j <= i; j++)
+            choose = choose * (n - j + 1) / j;
+        for (int j = 0; j <= n - i; j++) {
+            c[i + j] = add(c[i + j], mul(from_int(j % 2 == 0 ? choose : -choose), b[i]));
+            choose = choose * (n - i - j) / (j + 1);
+        }
+    }
+}
+
+/* The derivatives 0 ... 3 at t of N/D, polynomials of degree n <= MAX_DEGREE/4, by the quotient rule
+ * (N/D^m)' = (N' D - m N D')/D^{m+1} on their coefficients. */
+static void G(quotient_rule)(int n, const num N[], const num D[], num t, num out[])
+{
+    num A[MAX_DEGREE + 1], B[MAX_DEGREE + 1], below = from_int(0);
+    int degree = n;
+    for (int k = 0; k <= n; k++)
+        A[k] = N[k];
+    for (int k = n; k >= 0; k--)
+        below = add(mul(below, t), D[k]);
+    num power = below;
+    for (int m = 1; m <= 4; m++) {
+        num above = from_int(0);
+        for (int k = degree; k >= 0; k--)
+            above = add(mul(above, t), A[k]);
+        out[m - 1] = div(above, power);
+        if (m == 4)
+            break;
+        power = mul(power, below);
+        for (int k = 0; k <= degree + n; k++)
+            B[k] = from_int(0);
+        for (int k = 0; k <= degree; k++)
+            for (int j = 0; j <= n; j++) /* t^k t^j gives (k - m j) t^{k+j-1} */
+                if (k + j > 0)
+                    B[k + j - 1] = add(B[k + j - 1], mul(from_int(k - m * j), mul(A[k], D[j])));
+        degree += n;
+        for (int k = 0; k <= degree; k++)
+            A[k] = B[k];
+    }
+}
+#endif
+
+/*
+:::{claim} rational_derivatives_are_formal_derivatives
+:title: The derivatives computed by Leibniz's rule are those of the quotient
+:zh: 用 Leibniz 法则算出的导矢就是商的导矢
+:given: weights, points of the line, a parameter $t$; orders $0$ to $3$
+:then: $R^{(r)}(t)$ of the kernel is the $r$-th derivative of $\sum B_i^n\omega_iR_i/\sum B_i^n\omega_i$
+:method: In the field the quotient is formed from the definition of the Bernstein basis and differentiated formally, as a rational
+  function of $t$ in which all weights and points are variables.  The other arithmetics use the quotient rule on
+  coefficients of powers of $t$.  Coordinates do not mix, so one suffices; that the kernel keeps several apart is
+  checked on two.
+:degrees: 1..4 sampled 12
+:defines: rational_derivatives
+:control: the term of the first derivative of the denominator taken once where it counts twice, in $R''$
+:::
+*/
+CLAIM(rational_derivatives_are_formal_derivatives)
+{
+    enum { r = 3 };
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], D[r + 1], wanted[r + 1], t = parameter(T, "t");
+    G(free_weights)(T, n, w);
+    G(free_points)(T, n, 1, R);
+    G(rational_derivatives)(n, 1, R, w, t, r, D);
+#if FIELD
+    num P;
+    G(numerator_by_definition)(n, 1, R, w, t, &P);
+    wanted[0] = div(P, G(weight_by_definition)(n, w, t));
+    for (int k = 1; k <= r; k++)
+        wanted[k] = derivative_f(wanted[k - 1], t);
+    num slope = div(derivative_f(G(weight_by_definition)(n, w, t), t), G(weight_by_definition)(n, w, t));
+#else
+    num b[MAX_DEGREE + 1], N[MAX_DEGREE + 1], W[MAX_DEGREE + 1], derivative = from_int(0);
+    for (int i = 0; i <= n; i++)
+        b[i] = mul(w[i], R[i]);
+    G(power_coefficients)(n, b, N);
+    G(power_coefficients)(n, w, W);
+    G(quotient_rule)(n, N, W, t, wanted);
+    for (int k = n; k > 0; k--)
+        derivative = add(mul(derivative, t), mul(from_int(k), W[k]));
+    num slope = div(derivative, G(weight_by_definition)(n, w, t));
+#endif
+    if (T->planted)
+        D[2] = add(D[2], mul(slope, D[1]));
+    for (int k = 0; k <= r; k++)
+        same(T, D[k], wanted[k]);
+
+    num Q[(MAX_DEGREE + 1) * 2], E[(r + 1) * 2], x[MAX_DEGREE + 1], y[MAX_DEGREE + 1], Dx[r + 1], Dy[r + 1];
+    for (int i = 0; i <= n; i++) {
+        x[i] = Q[2 * i] = R[i];
+        y[i] = Q[2 * i + 1] = from_int(pick(T, -9, 9));
+    }
+    G(rational_derivatives)(n, 2, Q, w, t, r, E);
+    G(rational_derivatives)(n, 1, x, w, t, r, Dx);
+    G(rational_derivatives)(n, 1, y, w, t, r, Dy);
+    for (int k = 0; k <= r; k++) {
+        same(T, E[2 * k], Dx[k]);
+        same(T, E[2 * k + 1], Dy[k]);
+    }
+}
+
+/*
+## Positive weights
+
+:::{statement} wang-ch3:3.2-positive-weights
+:title: What positive weights are for
+:zh: 规定权为正的用意
+:printed: To guarantee the convex hull property and to avoid $\omega(t)=0$ one usually prescribes $\omega_i>0$.
+:holds-by: positive_weights_keep_denominator_positive curve_points_are_convex_combinations
+:needs: weights_of_both_signs_make_a_pole | $\omega_i>0$, for $\omega(t)\ne0$.
+:needs: curve_leaves_hull_with_negative_weight | $\omega_i>0$, for the convex hull property.
+:reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The sentence does not
+  say so: it says that they suffice.
+
+From here on the source has $\omega_i>0$, and so have we: where a statement needs it, leaving it out is tried.
+:::
+
+:::{claim} positive_weights_keep_denominator_positive
+:title: With positive weights the denominator is positive on [0,1]
+:zh: 权为正时分母在 [0,1] 上恒正
+:given: $\omega_0,\dots,\omega_n>0$; $t=0$, $t=1$, and every $t$ between, written $t=s/(1+s)$, $s>0$
+:then: $\omega(t)>0$
+:method: As a quotient of polynomials in $s$ and the weights, $1/\omega(t)$ has positive coefficients only; it is therefore positive
+  where all variables are, and so is $\omega(t)$.
+:degrees: 1..8 sampled 16
+:control: the sum taken with the opposite sign
+:::
+*/
+CLAIM(positive_weights_keep_denominator_positive)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], at[] = {from_int(0), from_int(1), inside(T, "s")};
+    G(free_weights)(T, n, w);
+    for (int k = 0; k < 3; k++) {
+        num total = G(rational_weight)(n, w, at[k]);
+        nonnegative(T, div(from_int(1), T->planted ? neg(total) : total));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} weights_of_both_signs_make_a_pole
+:title: With weights 1 and −1 the curve has no point at t = 1/2
+:zh: 权为 1 与 −1 时 t = 1/2 处无点
+:kind: counterexample
+:given: the line segment $n=1$ with weights $1,-1$
+:then: $\omega(t)=1-2t$ vanishes at $t=\frac12$, where the curve of (3.2.2) has no point
+:method: The denominator is evaluated exactly.
+:control: the weights $1,1$, for which it does not vanish
+:::
+*/
+CLAIM(weights_of_both_signs_make_a_pole)
+{
+    num w[] = {from_int(1), from_int(T->planted ? 1 : -1)}, t = from_ratio(1, 2);
+    show_points(T, "ω", 2, 1, w);
+    show(T, "t", t);
+    num total = G(rational_weight)(1, w, t);
+    show(T, "ω(t)", total);
+    about(T, "ω(t) is not 0");
+    agree(T, !is_zero_q(total));
+}
+
+/*
+:::{claim} denominator_may_be_positive_with_negative_weight
+:title: The weights 1, −1/2, 1 have a denominator without zeros
+:zh: 权 1, −1/2, 1 的分母无零点
+:kind: counterexample
+:given: $n=2$ with weights $1,-\frac12,1$, so that $\omega(t)=3t^2-3t+1$
+:then: "a negative weight gives $\omega(t)$ a zero in $[0,1]$" is false
+:method: Descartes' rule in the Bernstein basis finds no root in $[0,1]$, and Sturm's chain none in $(-1,1]$.
+:control: the weights $1,-1,1$, for which $\omega(t)=(1-2t)^2$ has one
+:::
+*/
+CLAIM(denominator_may_be_positive_with_negative_weight)
+{
+    num w[] = {from_int(1), T->planted ? from_int(-1) : from_ratio(-1, 2), from_int(1)};
+    poly p = poly_from_bernstein(2, w);
+    int roots = count_roots(p, from_int(0), from_int(1), CLOSED).distinct;
+    show_points(T, "ω", 3, 1, w);
+    show_text(T, "ω(t)", "%s", poly_to_string(p, "t"));
+    show_text(T, "zeros in [0,1]", "%d", roots);
+    about(T, "the number of zeros is not 0");
+    agree(T, roots > 0 || sturm_count(p, from_int(-1), from_int(1)) > 0);
+}
+#endif
+
+/*
+## What a growing weight does
+
+:::{statement} wang-ch3:3.2-growing-weight
+:title: A growing weight draws the curve to its point
+:zh: 权增大时曲线趋近相应顶点
+:printed: Experiments show that the curve approaches the point $\mathbf R_i$ when $\omega_i$ grows, which can be used to adjust its shape.
+:holds-by: growing_weight_pulls_each_point_straight_to_the_vertex infinite_weight_reaches_the_vertex
+:needs: growing_negative_weight_pushes_away | $\omega_i>0$.
+:reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  The end points do not, unless the weight is theirs:
+  nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
+
+More is true than experiments show: every point $R(t)$, $0<t<1$, moves on the straight line to $R_i$, all the way as
+$\omega_i\to\infty$.  Hence the distance of the curve from $R_i$ never grows.  A segment ($n=1$) stays the same
+segment; its points move in it.
+:::
+
+:::{claim} growing_weight_pulls_each_point_straight_to_the_vertex
+:title: When ω_i grows, R(t) moves straight towards R_i
+:zh: ω_i 增大时 R(t) 沿直线移向 R_i
+:given: points, positive weights, $0<t<1$ written $t=s/(1+s)$; one weight $\omega_i$ replaced by $\omega_i+\delta$, $\delta>0$; every
+  $i=0,\dots,n$
+:let: $q=\omega(t)/(\omega(t)+\delta B_i^n(t))$, $\tilde R$ the new curve
+:then: $\tilde R(t)-R_i=q\,(R(t)-R_i)$ with $0<q<1$
+:method: The equality is one of field elements; $1/q$ and $1/(1-q)$ have positive coefficients only, so both are positive for all positive
+  values of $s$, $\delta$ and the weights.  A coordinate is any coordinate.
+:degrees: 1..6 sampled 12
+:control: the weight of the next point grows instead
+:::
+*/
+CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], R[MAX_DEGREE + 1], before, after;
+    num t = inside(T, "s"), more = positive(T, "d", 0);
+    G(free_weights)(T, n, w);
+    G(free_points)(T, n, 1, R);
+    G(rational_point)(n, 1, R, w, t, &before);
+    num total = G(weight_by_definition)(n, w, t);
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= n; j++)
+            v[j] = j == (i + T->planted) % (n + 1) ? add(w[j], more) : w[j];
+        num share = mul(more, G(bernstein_by_definition)(n, i, t)), q = div(total, add(total, share));
+        G(rational_point)(n, 1, R, v, t, &after);
+        same(T, sub(after, R[i]), mul(q, sub(before, R[i])));
+        nonnegative(T, div(from_int(1), q));
+        nonnegative(T, div(from_int(1), sub(from_int(1), q)));
+    }
+}
+
+/*
+:::{claim} infinite_weight_reaches_the_vertex
+:title: In the limit of an infinite weight the curve is at R_i
+:zh: 权趋于无穷时曲线趋于 R_i
+:given: points, weights, a parameter $0<t<1$; one weight $\omega_i$ replaced by $\omega_i+1/\varepsilon$; every $i=0,\dots,n$
+:then: the curve is that of the weights $\varepsilon\omega_j$ ($j\ne i$) and $\varepsilon\omega_i+1$, and for $\varepsilon=0$ it is at $R_i$
+:method: The first is an equality in the field; the second is computed at $\varepsilon=0$, where the denominator is $B_i^n(t)>0$, so that the
+  quotient is continuous there and its value is the limit for $\omega_i\to\infty$.
+:degrees: 1..6 sampled 12
+:control: the limit taken at the next point
+:::
+*/
+CLAIM(infinite_weight_reaches_the_vertex)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], grown[MAX_DEGREE + 1], scaled[MAX_DEGREE + 1], limit[MAX_DEGREE + 1], R[MAX_DEGREE + 1];
+    num t = inside(T, "s"), e = positive(T, "e", 0), a, b;
+    G(free_weights)(T, n, w);
+    G(free_points)(T, n, 1, R);
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= n; j++) {
+            grown[j] = j == i ? add(w[j], div(from_int(1), e)) : w[j];
+            scaled[j] = j == i ? add(mul(e, w[j]), from_int(1)) : mul(e, w[j]);
+            limit[j] = from_int(j == i);
+        }
+        G(rational_point)(n, 1, R, grown, t, &a);
+        G(rational_point)(n, 1, R, scaled, t, &b);
+        same(T, a, b);
+        G(rational_point)(n, 1, R, limit, t, &a);
+        same(T, a, R[(i + T->planted) % (n + 1)]);
+    }
+}
+
+#if RATIONAL
+/* |a| <= |b|, or |a| < |b|. */
+static int G(not_farther)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) <= 0; }
+static int G(nearer)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) < 0; }
+
+/*
+:::{claim} growing_negative_weight_pushes_away
+:title: Where the denominator is negative, a growing weight pushes the curve away
+:zh: 分母为负处权增大使曲线远离顶点
+:kind: counterexample
+:given: $n=1$, points $0,1$ of the line, weights $-1,-1$; then $\omega_1$ grows to $-\frac12$
+:then: the point of $t=\frac12$ moves from $\frac12$ to $\frac13$, away from $R_1=1$
+:method: Both points are computed exactly.
+:control: the same growth from $1$ to $\frac32$, with $\omega_0=1$
+:::
+*/
+CLAIM(growing_negative_weight_pushes_away)
+{
+    num R[] = {from_int(0), from_int(1)}, t = from_ratio(1, 2), before, after;
+    num w[] = {from_int(T->planted ? 1 : -1), from_int(T->planted ? 1 : -1)};
+    num v[] = {w[0], add(w[1], from_ratio(1, 2))};
+    G(rational_point)(1, 1, R, w, t, &before);
+    G(rational_point)(1, 1, R, v, t, &after);
+    show_points(T, "R", 2, 1, R);
+    show_points(T, "ω", 2, 1, w);
+    show_points(T, "ω, grown", 2, 1, v);
+    show(T, "R(1/2)", before);
+    show(T, "R(1/2), grown", after);
+    about(T, "the point is not farther from R_1 = 1 than before");
+    agree(T, G(not_farther)(sub(after, R[1]), sub(before, R[1])));
+}
+
+/*
+:::{claim} ends_do_not_move_with_inner_weight
+:title: The end points stay where they are when an inner weight grows
+:zh: 内部权增大时端点不动
+:kind: counterexample
+:given: $n=2$, points $0,1,3$ of the line, weights $1,1,1$, $\omega_1$ grown to $2$, $t=0$
+:then: $R(0)=0$ before and after: this point does not come nearer to $R_1$
+:method: Both points are computed exactly.
+:control: $t=\frac13$, whose point does
+:::
+*/
+CLAIM(ends_do_not_move_with_inner_weight)
+{
+    num R[] = {from_int(0), from_int(1), from_int(3)}, one = from_int(1), before, after;
+    num w[] = {one, one, one}, v[] = {one, from_int(2), one}, t = T->planted ? from_ratio(1, 3) : from_int(0);
+    G(rational_point)(2, 1, R, w, t, &before);
+    G(rational_point)(2, 1, R, v, t, &after);
+    show_points(T, "R", 3, 1, R);
+    show(T, "R(t), ω_1 = 1", before);
+    show(T, "R(t), ω_1 = 2", after);
+    about(T, "the point is nearer to R_1 = 1 than before");
+    agree(T, G(nearer)(sub(after, R[1]), sub(before, R[1])));
+}
+#endif
+
+/*
+## Like a Bézier curve
+
+:::{statement} wang-ch3:3.2-like-bezier
+:title: Rational Bézier curves have properties like those of Bézier curves
+:zh: 有理 Bézier 曲线具有类似 Bézier 曲线的性质
+:printed: Rational Bézier curves have geometric properties similar to those of Bézier curves.
+:holds-by: equal_weights_give_bezier_curve
+
+The similar properties follow one by one, each with its own entry.  What is decided here is the reason why they cannot differ
+much: with equal weights the curve is the Bézier curve of its points.
+:::
+
+:::{claim} equal_weights_give_bezier_curve
+:title: With equal weights the curve is the Bézier curve of the points
+:zh: 权相等时即为 Bézier 曲线
+:given: points, and weights all equal to $v\ne0$
+:then: $R(t)=\sum_iB_i^n(t)R_i$
+:method: Both sides are one element of the field; the right one is written out from the definition.
+:degrees: 1..8 sampled 16
+:control: the last weight doubled
+:::
+*/
+CLAIM(equal_weights_give_bezier_curve)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], ones[MAX_DEGREE + 1], R[MAX_DEGREE + 1], point, wanted;
+    num t = parameter(T, "t"), v = positive(T, "v", 0);
+    G(free_points)(T, n, 1, R);
+    for (int i = 0; i <= n; i++) {
+        w[i] = i == n && T->planted ? add(v, v) : v;
+        ones[i] = from_int(1);
+    }
+    G(rational_point)(n, 1, R, w, t, &point);
+    G(numerator_by_definition)(n, 1, R, ones, t, &wanted);
+    same(T, point, wanted);
+}
+
+/*
+## Invariance and symmetry
+
+:::{statement} wang-ch3:prop-3.2.1
+:title: Geometric and affine invariance
+:zh: 几何不变性与仿射不变性
+:printed: The curve does not depend on the coordinate system, and an affine map of its points maps the curve.
+:holds-by: affine_image_of_the_curve_is_the_curve_of_the_images
+:reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$ of definition 3.2.1, to whose
+  first three coordinates the map is applied.  A linear map still maps the curve; a translation does not, unless the weights
+  are $1$.
+
+The map is applied to the points $R_i$; the weights stay.  No sign of the weights is needed, only $\omega(t)\ne0$.
+Geometric invariance is the case of a change of rectangular coordinates.
+:::
+
+:::{claim} affine_image_of_the_curve_is_the_curve_of_the_images
+:title: An affine map of the points maps the curve
+:zh: 对控制点作仿射变换等于对曲线作仿射变换
+:given: points of space, weights, a parameter $t$; $f(x,y,z)=ax+by+cz+d$ with any $a,b,c,d$
+:then: the curve of the values $f(R_i)$ with the same weights is $f(R(t))$
+:method: Both sides are one element of the field of rational functions of everything given.  An affine map of space, of any rank and into
+  any space, is a list of such $f$, one for each coordinate of the image.
+:degrees: 1..6 sampled 12
+:control: $d$ added to the homogeneous points $\omega_iR_i$ without its factor $\omega_i$
+:::
+*/
+CLAIM(affine_image_of_the_curve_is_the_curve_of_the_images)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * 3], image[MAX_DEGREE + 1], P[3], wanted;
+    num t = parameter(T, "t"), d = unknown(T, "d", 0), a[3];
+    G(free_weights)(T, n, w);
+    G(free_points)(T, n, 3, R);
+    for (int c = 0; c < 3; c++)
+        a[c] = unknown(T, "a", c);
+    for (int i = 0; i <= n; i++) {
+        image[i] = T->planted ? div(d, w[i]) : d;
+        for (int c = 0; c < 3; c++)
+            image[i] = add(image[i], mul(a[c], R[3 * i + c]));
+    }
+    G(rational_point)(n, 3, R, w, t, P);
+    G(rational_point)(n, 1, image, w, t, &wanted);
+    same(T, add(add(add(mul(a[0], P[0]), mul(a[1], P[1])), mul(a[2], P[2])), d), wanted);
+}
+
+#if RATIONAL
+/*
+:::{claim} translated_homogeneous_points_give_no_translate
+:title: Translating the homogeneous points does not translate the curve
+:zh: 平移齐次控制点并不平移曲线
+:kind: counterexample
+:given: $n=1$, points $0,1$ of the line, weights $1,2$: $\tilde R_i=(0,1),(2,2)$; $1$ added to the first coordinates, $(1,1),(3,2)$
+:then: the end of the curve moves from $1$ to $\frac32$, not to $1+1$
+:method: Both curves are computed exactly at $t=1$.
+:control: the weights $1,1$
+:::
+*/
+CLAIM(translated_homogeneous_points_give_no_translate)
+{
+    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(T->planted ? 1 : 2)}, H[4], moved[2], v[2], a, b;
+    G(rational_homogenize)(1, 1, R, w, H);
+    show_points(T, "(X, ω)", 2, 2, H);
+    for (int i = 0; i < 2; i++)
+        H[2 * i] = add(H[2 * i], from_int(1));
+    show_points(T, "(X + 1, ω)", 2, 2, H);
+    G(rational_dehomogenize)(1, 1, H, moved, v);
+    G(rational_point)(1, 1, R, w, from_int(1), &a);
+    G(rational_point)(1, 1, moved, v, from_int(1), &b);
+    about(T, "the end of the moved curve, left as it is, right as translated");
+    same(T, b, add(a, from_int(1)));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:prop-3.2.2
+:title: Symmetry in t and 1−t
+:zh: 关于 t 与 1−t 的对称性
+:printed: The curve is symmetric in the parameters $t$ and $1-t$.
+:holds-by: reversed_points_and_weights_reverse_the_curve
+:reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
+
+The control points of the definition carry their weights, and in reversed order, weights included, they give $R(1-t)$: the same
+curve run through the other way.  No sign of the weights is needed.
+:::
+
+:::{claim} reversed_points_and_weights_reverse_the_curve
+:title: Points and weights in reversed order give R(1−t)
+:zh: 点与权同时倒序得 R(1−t)
+:given: points and weights, a parameter $t$
+:then: $R_n,\dots,R_0$ with $\omega_n,\dots,\omega_0$ has at $t$ the point that $R_0,\dots,R_n$ with $\omega_0,\dots,\omega_n$ has at $1-t$
+:method: Both are one element of the field of rational functions of $t$, the weights and the points.
+:degrees: 1..8 sampled 16
+:control: the weights left in their order
+:::
+*/
+CLAIM(reversed_points_and_weights_reverse_the_curve)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Q[MAX_DEGREE + 1], a, b, t = parameter(T, "t");
+    G(free_weights)(T, n, w);
+    G(free_points)(T, n, 1, R);
+    for (int i = 0; i <= n; i++) {
+        Q[i] = R[n - i];
+        v[i] = T->planted ? w[i] : w[n - i];
+    }
+    G(rational_point)(n, 1, Q, v, t, &a);
+    G(rational_point)(n, 1, R, w, sub(from_int(1), t), &b);
+    same(T, a, b);
+}
+
+#if RATIONAL
+/*
+:::{claim} reversed_points_alone_do_not_reverse_the_curve
+:title: The points alone in reversed order give another parametrisation
+:zh: 仅将点倒序得不到 R(1−t)
+:kind: counterexample
+:given: $n=1$, points $0,1$ of the line, weights $1,2$, $t=\frac12$
+:then: the points $1,0$ with the weights $1,2$ have the value $\frac13$ there, and $R(1-t)=\frac23$
+:method: Both are computed exactly.
+:control: the weights reversed as well
+:::
+*/
+CLAIM(reversed_points_alone_do_not_reverse_the_curve)
+{
+    num R[] = {from_int(0), from_int(1)}, Q[] = {R[1], R[0]}, w[] = {from_int(1), from_int(2)}, v[] = {w[1], w[0]};
+    num t = from_ratio(1, 2), a, b;
+    G(rational_point)(1, 1, Q, T->planted ? v : w, t, &a);
+    G(rational_point)(1, 1, R, w, t, &b); /* 1 - t = t */
+    show_points(T, "R", 2, 1, R);
+    show_points(T, "R reversed", 2, 1, Q);
+    show_points(T, "ω of both", 2, 1, T->planted ? v : w);
+    about(T, "t = 1/2: left the reversed points, right R(1 - t)");
+    same(T, a, b);
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,302 @@
+/*
+# Polynomial curves as rational ones (退化与还原)
+
+The polynomial Bézier curves are among the rational ones: equal weights cancel.  In the other direction,
+a change of parameter turns a polynomial curve into one with geometric weights, and no other weights
+arise so.
+
+:::{statement} wang-ch3:prop-3.2.11
+:title: Equal weights give a Bézier curve
+:zh: 可退化性:权相等时为 Bézier 曲线
+:printed: For $\omega_i=\omega$, $i=0,\dots,n$, the curve (3.2.2) degenerates to the Bézier curve (1.3.2)
+:holds-by: equal_weights_give_polynomial_curve
+:reading: polynomial_line_with_unequal_weights | read as "exactly when": the converse, which is not claimed, fails; one
+  polynomial map has other points with unequal weights
+:reading: unit_invariants_give_polynomial_curve | up to a change of parameter the condition is $I_i=1$ for all $i$, not equal
+  weights
+
+Besides $\omega>0$ any $\omega\ne0$ will do.
+:::
+
+:::{claim} equal_weights_give_polynomial_curve
+:title: With equal weights the curve is the Bézier curve of its points
+:zh: 权相等时退化为 Bézier 曲线
+:given: points $R_0,\dots,R_n$ and one weight $\omega\ne0$
+:then: $R(t)=\sum B_i^n(t)R_i$ for every $t$
+:method: The left side is computed as a rational curve, the right side with the Bernstein polynomials; both are rational functions
+  of $t$, $\omega$ and the points.
+:degrees: 1..8 sampled 16
+:control: $\omega_1$ doubled
+:::
+*/
+#include "exact/polynomial.h"
+
+#include "chapters/frame/claims_on.h"
+
+CLAIM(equal_weights_give_polynomial_curve)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], B[MAX_DEGREE + 1], left, right = from_int(0);
+    num t = parameter(T, "t"), weight = unknown(T, "w", 0);
+    G(bernstein)(n, t, B);
+    for (int i = 0; i <= n; i++) {
+        w[i] = weight;
+        R[i] = unknown(T, "R", i);
+        right = add(right, mul(B[i], R[i]));
+    }
+    if (T->planted)
+        w[1] = add(weight, weight);
+    G(rational_point)(n, 1, R, w, t, &left);
+    same(T, left, right);
+}
+
+/*
+:::{claim} polynomial_line_with_unequal_weights
+:title: Unequal weights can give a polynomial curve, without any change of parameter
+:zh: 权不等时曲线亦可为多项式曲线
+:kind: counterexample
+:given: $n=2$, the points $0,\frac13,1$ of the line and the weights $1,\frac32,2$
+:then: $R(t)=t$ for every $t$, a polynomial, but the weights are not equal
+:method: Numerator and denominator are $t(1+t)$ and $1+t$: compared as polynomials before the weights are.
+:control: the points $0,\frac12,1$ with weights $1,1,1$
+:::
+*/
+#if RATIONAL
+CLAIM(polynomial_line_with_unequal_weights)
+{
+    int c = !T->planted; /* numerator t (1 + ct), denominator 1 + ct */
+    num R[] = {from_int(0), from_ratio(1, 2 + c), from_int(1)}, w[] = {from_int(1), from_ratio(2 + c, 2), from_int(1 + c)}, x[3];
+    for (int i = 0; i < 3; i++)
+        x[i] = mul(w[i], R[i]);
+    show_points(T, "R", 3, 1, R);
+    show_points(T, "ω", 3, 1, w);
+    if (!poly_equal(poly_from_bernstein(2, x), poly_mul(poly_variable(), poly_from_bernstein(2, w))))
+        return;
+    about(T, "ω_1 and ω_0");
+    same(T, w[1], w[0]);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:prop-3.2.12
+:title: A change of parameter gives a Bézier curve geometric weights
+:zh: 被还原性:参数变换使 Bézier 曲线带上等比权
+:printed: With $t=\alpha u/(1-u+\alpha u)$, $0\le u\le1$, the Bézier curve (1.3.2) becomes the rational Bézier curve
+  $\sum_{i=0}^nB_i^n(u)\alpha^i\mathbf P_i\Big/\sum_{i=0}^nB_i^n(u)\alpha^i$
+:holds-by: geometric_weights_reparametrize_bezier geometric_weights_term_by_term alpha_runs_the_interval_once
+:needs: negative_alpha_has_a_pole | $\alpha>0$, which positive weights $\alpha^i$ mean: for every $\alpha<0$ the denominator
+  $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
+:needs: zero_alpha_collapses | $\alpha>0$: for $\alpha=0$ the curve collapses to $\mathbf P_0$
+
+It is (3.2.10) with $a=\alpha$, $b=1$.
+:::
+
+:::{claim} geometric_weights_reparametrize_bezier
+:title: The Bézier curve at $t=\alpha u/(1-u+\alpha u)$ is the rational curve with weights $\alpha^i$ at u
+:zh: Bézier 曲线换参后成为等比权有理曲线
+:given: points $P_0,\dots,P_n$, and $\alpha$, $u$
+:let: $t=\alpha u/(1-u+\alpha u)$
+:then: $\sum B_i^n(t)P_i=\sum B_i^n(u)\alpha^iP_i/\sum B_i^n(u)\alpha^i$
+:method: Both sides are rational functions of $\alpha$, $u$ and the points.  The left side is computed as a polynomial curve.
+:degrees: 1..8 sampled 16
+:control: the weights $\alpha^{n-i}$
+:::
+*/
+/* The weights 1, q, q^2, ..., q^n. */
+static void G(geometric_weights)(int n, num q, num w[])
+{
+    w[0] = from_int(1);
+    for (int i = 1; i <= n; i++)
+        w[i] = mul(w[i - 1], q);
+}
+
+/* t = alpha u / (1 - u + alpha u) */
+static num G(alpha_parameter)(num alpha, num u)
+{
+    num share = mul(alpha, u);
+    return div(share, add(sub(from_int(1), u), share));
+}
+
+CLAIM(geometric_weights_reparametrize_bezier)
+{
+    int n = T->degree;
+    num P[MAX_DEGREE + 1], w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], left, right;
+    num alpha = positive(T, "alpha", 0), u = parameter(T, "u");
+    G(geometric_weights)(n, alpha, w);
+    for (int i = 0; i <= n; i++) {
+        P[i] = unknown(T, "P", i);
+        v[i] = w[T->planted ? n - i : i];
+    }
+    G(decasteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &left);
+    G(rational_point)(n, 1, P, v, u, &right);
+    same(T, right, left);
+}
+
+/*
+:::{claim} geometric_weights_term_by_term
+:title: Term by term, in every degree
+:zh: 逐项成立:任意次数
+:given: variables $n,i,\alpha,u$
+:let: $t=\alpha u/D$, $D=1-u+\alpha u$
+:then: $D(1-t)=1-u$ and $\frac{n-i}{i+1}\frac t{1-t}=\alpha\frac{n-i}{i+1}\frac u{1-u}$
+:method: So $D^nB_0^n(t)=B_0^n(u)$, and the quotients $B_{i+1}^n/B_i^n$ at $t$ and $u$ differ by the factor $\alpha$; by induction
+  on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum B_i^n(u)\alpha^i$.
+:degrees: all
+:control: $\alpha^2$ for $\alpha$
+:::
+*/
+CLAIM(geometric_weights_term_by_term)
+{
+    num n = positive(T, "n", 0), i = positive(T, "i", 0), one = from_int(1);
+    num alpha = positive(T, "alpha", 0), u = parameter(T, "u"), t = G(alpha_parameter)(alpha, u);
+    num rest = sub(one, u), choose = div(sub(n, i), add(i, one));
+    same(T, mul(add(rest, mul(alpha, u)), sub(one, t)), rest);
+    num factor = T->planted ? mul(alpha, alpha) : alpha;
+    same(T, mul(choose, div(t, sub(one, t))), mul(factor, mul(choose, div(u, rest))));
+}
+
+/*
+:::{claim} alpha_runs_the_interval_once
+:title: For $\alpha>0$ the parameter t runs once from 0 to 1
+:zh: α>0 时 t 单调地由 0 到 1
+:types: field
+:given: $\alpha>0$, $0<u<1$
+:then: $t(0)=0$, $t(1)=1$, and $dt/du>0$
+:method: With $u=s/(1+s)$ the derivative has positive coefficients only.
+:scope: all α > 0
+:control: $-\alpha$ for $\alpha$
+:::
+*/
+#if FIELD
+CLAIM(alpha_runs_the_interval_once)
+{
+    num alpha = positive(T, "alpha", 0), u = variable_f("u");
+    num t = G(alpha_parameter)(T->planted ? neg(alpha) : alpha, u);
+    vanishes(T, substitute_f(t, u, from_int(0)));
+    same(T, substitute_f(t, u, from_int(1)), from_int(1));
+    agree(T, coefficients_sign_f(substitute_f(derivative_f(t, u), u, inside(T, "s"))) == 1);
+}
+#endif
+
+/*
+:::{claim} negative_alpha_has_a_pole
+:title: For every negative $\alpha$ the denominator vanishes inside the interval
+:zh: α<0 时分母在区间内必有零点
+:given: $\alpha=-\beta$, $\beta>0$
+:then: $u_0=1/(1+\beta)$ is in $(0,1)$, and $\sum B_i^n(u_0)\alpha^i=0$, while $t$ has a pole there
+:method: $u_0$ and $1-u_0$ have positive coefficients only; the sum is the zero function of $\beta$.
+:degrees: 1..6 sampled 12
+:control: $\alpha=+\beta$
+:::
+*/
+CLAIM(negative_alpha_has_a_pole)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], beta = positive(T, "beta", 0), one = from_int(1), u = div(one, add(one, beta));
+    num alpha = T->planted ? beta : neg(beta);
+    nonnegative(T, u);
+    nonnegative(T, sub(one, u));
+    vanishes(T, add(sub(one, u), mul(alpha, u)));
+    show(T, "α", alpha);
+    show(T, "u_0", u);
+    G(geometric_weights)(n, alpha, w);
+    vanishes(T, G(rational_weight)(n, w, u));
+}
+
+/*
+:::{claim} zero_alpha_collapses
+:title: For $\alpha=0$ only the first point is left
+:zh: α=0 时曲线退缩为首点
+:given: points $P_0,\dots,P_n$, the weights $1,0,\dots,0$, and $u\ne1$
+:then: the curve is $P_0$ for every $u$
+:method: Computed as a rational function of $u$ and the points.
+:degrees: 1..6 sampled 12
+:control: $\omega_1=1$
+:::
+*/
+CLAIM(zero_alpha_collapses)
+{
+    int n = T->degree;
+    num P[MAX_DEGREE + 1], w[MAX_DEGREE + 1], u = parameter(T, "u"), value;
+    G(geometric_weights)(n, from_int(0), w);
+    if (T->planted)
+        w[1] = from_int(1);
+    for (int i = 0; i <= n; i++)
+        P[i] = unknown(T, "P", i);
+    G(rational_point)(n, 1, P, w, u, &value);
+    show_points(T, "ω", n + 1, 1, w);
+    show(T, "the curve at u", value);
+    same(T, value, P[0]);
+}
+
+/*
+:::{statement} wang-ch3:prop-3.2.12-restored
+:title: A Bézier curve can be restored to a rational one
+:zh: Bézier 曲线可还原为有理形式
+:printed: Regarded as a degenerate case of (3.2.2), the Bézier curve can also be restored to (3.2.2)
+:holds-by: geometric_weights_reparametrize_bezier
+:reading: geometric_weights_reparametrize_bezier | to a curve of the form (3.2.2), the one displayed: holds
+:reading: unit_invariants_give_polynomial_curve | to which curves (3.2.2) with the same points: exactly to those with
+  $I_1=\dots=I_{n-1}=1$
+:reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter: fails for $n\ge2$
+:::
+
+:::{claim} unit_invariants_give_polynomial_curve
+:title: Weights with all invariants 1 come from a polynomial curve
+:zh: 不变量全为 1 的曲线来自多项式曲线
+:given: points $P_0,\dots,P_n$ and positive weights with $I_i=1$, $0<i<n$: $\omega_0,\omega_1$ are free, the others follow from
+  $\omega_{i+1}=\omega_i^2/\omega_{i-1}$
+:let: $\alpha=\omega_1/\omega_0$, $t=\alpha u/(1-u+\alpha u)$
+:then: $\omega_i=\omega_0\alpha^i$, and the curve at $u$ is the Bézier curve of the points at $t$
+:method: The recursion produces all weights with these invariants; both sides are rational functions.
+:degrees: 1..6 sampled 12
+:control: the last weight doubled
+:::
+*/
+CLAIM(unit_invariants_give_polynomial_curve)
+{
+    int n = T->degree;
+    num P[MAX_DEGREE + 1], w[MAX_DEGREE + 1], q[MAX_DEGREE + 1], left, right, u = parameter(T, "u");
+    w[0] = positive(T, "w", 0);
+    w[1] = positive(T, "w", 1);
+    for (int i = 1; i < n; i++)
+        w[i + 1] = div(mul(w[i], w[i]), w[i - 1]);
+    if (T->planted)
+        w[n] = add(w[n], w[n]);
+    num alpha = div(w[1], w[0]);
+    G(geometric_weights)(n, alpha, q);
+    for (int i = 0; i <= n; i++) {
+        P[i] = unknown(T, "P", i);
+        same(T, w[i], mul(w[0], q[i]));
+    }
+    G(rational_point)(n, 1, P, w, u, &left);
+    G(decasteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &right);
+    same(T, left, right);
+}
+
+/*
+:::{claim} unit_invariant_is_necessary
+:title: The quadratic with weights 1, 2, 1 does not come from its Bézier curve
+:zh: 权 1,2,1 的二次曲线不能由 Bézier 曲线换参得到
+:kind: counterexample
+:given: $n=2$ and $\omega=(1,2,1)$
+:then: the change of parameter leads to $c\,\alpha^i$; this agrees with $\omega$ at $i=0,1$ for $c=1$, $\alpha=2$ only, but then
+  $c\,\alpha^2=4\ne\omega_2$.  Its $I_1$ is $4$, that of geometric weights is $1$
+:method: Computed exactly.
+:control: $\omega_2=4$
+:::
+*/
+#if RATIONAL
+CLAIM(unit_invariant_is_necessary)
+{
+    num w[] = {from_int(1), from_int(2), from_int(T->planted ? 4 : 1)}, q[3], I[1];
+    G(rational_invariants)(2, w, I);
+    show_points(T, "ω", 3, 1, w);
+    show(T, "I_1", I[0]);
+    G(geometric_weights)(2, div(w[1], w[0]), q);
+    about(T, "the last weight, as it would be and as it is");
+    same(T, mul(w[0], q[2]), w[2]);
+    same(T, I[0], from_int(1));
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,499 @@
+/*
+# Liming's pencil (Liming 曲线束)
+
+Liming takes two lines that the conic touches, and the line through the two points where it touches them.  In
+the frame of the triangle of the three lines, $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, the pencil has one equation for
+all triangles.
+
+## Liming's pencil: two tangents and the chord of contact
+
+:::{statement} wang-ch3:3.1.3
+:title: The conics that touch two lines at given points
+:zh: 与两直线切于定点的曲线束
+:printed: $(1-\lambda)l_1l_2+\lambda l_3^2=0$ represents the pencil of the conics through $R_0$ and $R_2$ that touch
+  $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
+:holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings
+:hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
+:hypothesis: flat_frame_has_no_tangent | $l_1$, $l_2$, $l_3$ meet in three different points.
+:hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted, as in (3.1.2).
+:::
+
+:::{claim} limings_conics_touch_the_lines
+:title: Liming's conics pass through the two points and touch the two lines there
+:zh: Liming 曲线束的相切性
+:given: a triangle $R_0R_1R_2$, the lines $l_1=R_1R_0$, $l_2=R_1R_2$, $l_3=R_0R_2$, and a number $\lambda$
+:let: $S=(1-\lambda)l_1l_2+\lambda l_3^2$
+:then: at every point $S$ has this value; $S(R_0)=S(R_2)=0$; the gradient of $S$ is $(1-\lambda)l_2(R_0)$ times that
+  of $l_1$ in $R_0$, and $(1-\lambda)l_1(R_2)$ times that of $l_2$ in $R_2$: for $\lambda\ne1$ and
+  a true triangle it is not zero, and the tangents are $l_1$ and $l_2$
+:method: Identities in the six coordinates, $\lambda$ and the point.
+:defines: liming
+:control: $l_3^2$ replaced by $l_1l_3$
+:::
+*/
+#include "exact/roots.h"
+
+#include "chapters/frame/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+CLAIM(limings_conics_touch_the_lines)
+{
+    num R[6], l1[3], l2[3], l3[3], S[6], g[2], lambda = unknown(T, "k", 0), mu = sub(from_int(1), lambda);
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0);
+    G(six)(T, "R", R);
+    G(line_through)(R + 2, R, l1);
+    G(line_through)(R + 2, R + 4, l2);
+    G(line_through)(R, R + 4, l3);
+    G(liming)(lambda, l1, l2, l3, S);
+    if (T->planted) {
+        num tangents[6], other[6];
+        G(line_pair)(l1, l2, tangents);
+        G(line_pair)(l1, l3, other);
+        G(conic_pencil)(lambda, tangents, other, S);
+    }
+    about(T, "S(x, y)");
+    num third = G(on_line)(l3, x, y), pair = mul(G(on_line)(l1, x, y), G(on_line)(l2, x, y));
+    same(T, G(form)(S, x, y), add(mul(mu, pair), mul(lambda, mul(third, third))));
+    about(T, "S and its gradient at R0");
+    vanishes(T, G(form)(S, R[0], R[1]));
+    G(conic_gradient)(S, R[0], R[1], g);
+    for (int c = 0; c < 2; c++)
+        same(T, g[c], mul(mul(mu, G(on_line)(l2, R[0], R[1])), l1[c]));
+    about(T, "S and its gradient at R2");
+    vanishes(T, G(form)(S, R[4], R[5]));
+    G(conic_gradient)(S, R[4], R[5], g);
+    for (int c = 0; c < 2; c++)
+        same(T, g[c], mul(mul(mu, G(on_line)(l1, R[4], R[5])), l2[c]));
+}
+
+/*
+:::{claim} conics_touching_two_lines_are_limings
+:title: There are no other conics that touch the two lines there
+:zh: 切于两定点的二次曲线都在 Liming 束中
+:given: the frame $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ of a triangle, and any conic $S$
+:let: $c_1=S(R_0)$, $c_2=S_x(R_0)$, $c_3=S(R_2)$, $c_4=S_y(R_2)$, $\kappa=c_1-c_2-c_3+c_4$
+:then: $S=A(x+y-1)^2+2(B-A)xy+\kappa(y^2-2y)+c_2x+c_4y+c_1-c_2$; so a conic through $R_0$ and $R_2$ whose
+  gradient has no component along $l_1$ in $R_0$ and none along $l_2$ in $R_2$, all $c_i$ being 0, is a combination
+  of $l_3^2$ and $l_1l_2$
+:method: An identity of polynomials in $x$ and $y$ with the six coefficients of $S$ variables.
+:control: $B-A$ replaced by $B$
+:::
+*/
+CLAIM(conics_touching_two_lines_are_limings)
+{
+    num S[6], g0[2], g2[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), zero = from_int(0), one = from_int(1);
+    num two = from_int(2), s = sub(add(x, y), one);
+    G(six)(T, "S", S);
+    G(conic_gradient)(S, one, zero, g0);
+    G(conic_gradient)(S, zero, one, g2);
+    num c1 = G(form)(S, one, zero), c2 = g0[0], c3 = G(form)(S, zero, one), c4 = g2[1];
+    num kappa = add(sub(sub(c1, c2), c3), c4);
+    num member = add(mul(S[0], mul(s, s)), mul(mul(two, T->planted ? S[1] : sub(S[1], S[0])), mul(x, y)));
+    num rest = add(mul(kappa, sub(mul(y, y), mul(two, y))), add(mul(c2, x), add(mul(c4, y), sub(c1, c2))));
+    same(T, G(form)(S, x, y), add(member, rest));
+}
+
+#if RATIONAL
+/* Whether the conic (1-lambda) l1 l2 + lambda l3^2 has a gradient at (x, y); l1 = y, l2 = x. */
+static void tangent_at(trial *T, num lambda, const int l3[3], int x, int y)
+{
+    num S[6], g[2], zero = from_int(0), one = from_int(1);
+    num first[3] = {zero, one, zero}, second[3] = {one, zero, zero};
+    num third[3] = {from_int(l3[0]), from_int(l3[1]), from_int(l3[2])};
+    G(liming)(lambda, first, second, third, S);
+    G(conic_gradient)(S, from_int(x), from_int(y), g);
+    show(T, "λ", lambda);
+    show_points(T, "gradient at R0", 1, 2, g);
+    about(T, "whether the conic has a tangent at R0: whether the gradient is not zero");
+    agree(T, !(is_zero_q(g[0]) && is_zero_q(g[1])));
+}
+
+/*
+:::{claim} double_line_has_no_tangent
+:title: The member of lambda = 1 is a double line
+:zh: λ=1 时为重合直线
+:kind: counterexample
+:given: $l_1=y$, $l_2=x$, $l_3=x+y-1$, $R_0=(1,0)$, $\lambda=1$
+:then: the gradient at $R_0$ is zero, so the conic has no tangent there
+:method: The gradient is computed.
+:control: $\lambda=1/2$
+:::
+*/
+CLAIM(double_line_has_no_tangent)
+{
+    show_text(T, "l1, l2, l3", "y, x, x + y - 1");
+    tangent_at(T, from_ratio(1, T->planted ? 2 : 1), (const int[]){1, 1, -1}, 1, 0);
+}
+
+/*
+:::{claim} flat_frame_has_no_tangent
+:title: With three lines through one point nothing is touched
+:zh: 三线共点时无切线
+:kind: counterexample
+:given: $l_1=y$, $l_2=x$, $l_3=x-y$, $R_0=R_2=(0,0)$, $\lambda=1/2$: the conic $x^2-xy+y^2=0$
+:then: the gradient at $R_0$ is zero (the conic is this one point)
+:method: The gradient is computed.
+:control: $l_3=x+y-1$, $R_0=(1,0)$
+:::
+*/
+CLAIM(flat_frame_has_no_tangent)
+{
+    show_text(T, "l1, l2, l3", "y, x, x - y");
+    tangent_at(T, from_ratio(1, 2), T->planted ? (const int[]){1, 1, -1} : (const int[]){1, -1, 0}, T->planted, 0);
+}
+
+/*
+:::{claim} limings_pencil_misses_one_conic
+:title: One ellipse that touches both lines has no lambda
+:zh: Liming 曲线束漏掉一个椭圆
+:kind: counterexample
+:given: $l_1=y$, $l_2=x$, $l_3=x+y-1$ and the ellipse $xy-(x+y-1)^2=0$, which touches $l_1$ and $l_2$ in $(1,0)$ and
+  $(0,1)$
+:then: for no $\lambda$ is $(1-\lambda)l_1l_2+\lambda l_3^2$ a multiple of it
+:method: The real zeros in $\lambda$ of a determinant of coefficients are counted.
+:control: the ellipse $xy-2(x+y-1)^2=0$, the member of $\lambda=2$
+:::
+*/
+CLAIM(limings_pencil_misses_one_conic)
+{
+    num S1[6], S2[6], M[6];
+    conic_of((int[]){0, 1, 0, 0, 0, 0}, S1);
+    conic_of((int[]){1, 2, 1, -2, -2, 1}, S2);
+    num k = from_int(T->planted ? -2 : -1);
+    for (int i = 0; i < 6; i++)
+        M[i] = add(S1[i], mul(k, S2[i]));
+    show_text(T, "l1, l2, l3", "y, x, x + y - 1");
+    show_text(T, "the conic", "x y - (x + y - 1)² = 0");
+    show(T, "its A C - B²", G(conic_delta)(M));
+    show_text(T, "values of λ that give it", "%d", members_like(S1, S2, M, 0, 1));
+    about(T, "whether the conic is a member");
+    agree(T, members_like(S1, S2, M, 0, 1) > 0);
+}
+#endif
+
+/*
+## In the frame of the triangle
+
+:::{statement} wang-ch3:3.1-affine-coordinates
+:title: Affine coordinates of a point in the frame of the triangle
+:zh: 仿射坐标
+:printed: \mathbf R=\mathbf R(x,y)=\mathbf R_1+x(\mathbf R_0-\mathbf R_1)+y(\mathbf R_2-\mathbf R_1)
+:holds-by: affine_coordinates_exist
+:needs: collinear_points_are_no_frame | $R_0$, $R_1$, $R_2$ do not lie on a line: they form an affine frame.
+:::
+
+:::{claim} affine_coordinates_exist
+:title: Every point has one pair of coordinates in the frame
+:zh: 标架中坐标存在唯一
+:given: a triangle $R_0R_1R_2$ and a point $R$
+:let: $x=\frac{(R-R_1)\times(R_2-R_1)}d$, $y=\frac{(R_0-R_1)\times(R-R_1)}d$ with $d=(R_0-R_1)\times(R_2-R_1)$
+:then: $R=R_1+x(R_0-R_1)+y(R_2-R_1)$; and from the point with given $x$ and $y$ the formulas give these back
+:method: Identities in the coordinates of the four points, $x$ and $y$.
+:control: $x$ and $y$ exchanged
+:::
+*/
+CLAIM(affine_coordinates_exist)
+{
+    num R[6], P[2], Q[2], u = unknown(T, "u", 0), v = unknown(T, "v", 0);
+    G(six)(T, "R", R);
+    for (int c = 0; c < 2; c++)
+        P[c] = unknown(T, "P", c);
+    num d = G(area)(R + 2, R, R + 4), x = div(G(area)(R + 2, P, R + 4), d), y = div(G(area)(R + 2, R, P), d);
+    G(point_in_frame)(R, T->planted ? y : x, T->planted ? x : y, Q);
+    about(T, "the point with these coordinates");
+    same(T, Q[0], P[0]);
+    same(T, Q[1], P[1]);
+    about(T, "the coordinates of the point");
+    G(point_in_frame)(R, u, v, P);
+    same(T, div(G(area)(R + 2, P, R + 4), d), u);
+    same(T, div(G(area)(R + 2, R, P), d), v);
+}
+
+#if RATIONAL
+/*
+:::{claim} collinear_points_are_no_frame
+:title: Three points on a line are no frame of the plane
+:zh: 三点共线不成标架
+:kind: counterexample
+:given: $R_0=(0,0)$, $R_1=(1,0)$, $R_2=(2,0)$ and the point $(0,1)$
+:then: $(R_0-R_1)\times(R_2-R_1)=0$, and the point is no $R(x,y)$: these have the second coordinate 0
+:method: The determinant of the frame is computed.
+:control: $R_2=(2,1)$
+:::
+*/
+CLAIM(collinear_points_are_no_frame)
+{
+    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(2), from_int(T->planted)};
+    show_points(T, "R", 3, 2, R);
+    show(T, "determinant of the frame", G(area)(R + 2, R, R + 4));
+    about(T, "whether the determinant is not 0");
+    agree(T, !is_zero_q(G(area)(R + 2, R, R + 4)));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.1.4
+:title: The pencil in the frame of the triangle
+:zh: 仿射标架下的曲线束
+:printed: $(1-\lambda)l_1l_2+\lambda l_3^2=0$ becomes $S(x,y)=(1-\lambda)xy\pm\lambda(x+y-1)^2=0$ in the affine frame
+  $\{R_1;R_1R_0,R_1R_2\}$.
+:holds-by: limings_pencil_in_the_frame every_scaling_takes_the_normal_form
+:hypothesis: scaled_lines_change_lambda | The equations of the lines are scaled so that $l_1l_2=\pm xy$ and
+  $l_3^2=(x+y-1)^2$ in the frame; otherwise $\lambda$ of (3.1.4) is another number than $\lambda$ of (3.1.3).
+:needs: half_circle_has_no_frame | $l_1$ and $l_2$ meet.  With parallel tangents, as of a half circle, (3.1.3) is
+  right and there is no $R_1$.
+:reading: limings_pencil_in_the_frame | $\lambda$ is the same in both: true with the minus sign when the lines are
+  written as determinants of their points.
+:reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter: always true, with one of the two
+  signs, mostly with both.
+:::
+
+:::{claim} limings_pencil_in_the_frame
+:title: In the frame of the triangle Liming's pencil is xy and the square of the chord
+:zh: Liming 束在标架中的形式
+:given: a triangle $R_0R_1R_2$, the lines $l_1=R_1R_0$, $l_2=R_1R_2$, $l_3=R_0R_2$ as determinants
+  $l(X)=\det(p,q,X)$ of their points, and a number $\lambda$
+:then: at $R=R_1+x(R_0-R_1)+y(R_2-R_1)$ the value of $(1-\lambda)l_1l_2+\lambda l_3^2$ is
+  $-d^2\bigl((1-\lambda)xy-\lambda(x+y-1)^2\bigr)$ with $d=(R_0-R_1)\times(R_2-R_1)$
+:method: An identity in the coordinates of the triangle, $x$, $y$ and $\lambda$.
+:control: the plus sign
+:::
+*/
+CLAIM(limings_pencil_in_the_frame)
+{
+    num R[6], l1[3], l2[3], l3[3], S[6], N[6], P[2];
+    num lambda = unknown(T, "k", 0), x = unknown(T, "x", 0), y = unknown(T, "y", 0);
+    G(six)(T, "R", R);
+    G(line_through)(R + 2, R, l1);
+    G(line_through)(R + 2, R + 4, l2);
+    G(line_through)(R, R + 4, l3);
+    G(liming)(lambda, l1, l2, l3, S);
+    G(point_in_frame)(R, x, y, P);
+    num d = G(area)(R + 2, R, R + 4);
+    G(frame_conic)(lambda, T->planted ? 1 : -1, N);
+    same(T, G(form)(S, P[0], P[1]), neg(mul(mul(d, d), G(form)(N, x, y))));
+}
+
+/*
+:::{claim} every_scaling_takes_the_normal_form
+:title: However the lines are scaled, the conic takes the normal form
+:zh: 直线方程任意定标时的标准形
+:given: the lines $l_1=c_1y$, $l_2=c_2x$, $l_3=c_3(x+y-1)$ in the frame, a number $\lambda$, and either sign
+  $\sigma=\pm1$
+:let: $\mu=(1-\lambda)c_1c_2$, $\nu=\lambda c_3^2$, $\lambda'=\frac{\sigma\nu}{\mu+\sigma\nu}$
+:then: $(1-\lambda)l_1l_2+\lambda l_3^2=(\mu+\sigma\nu)\bigl((1-\lambda')xy+\sigma\lambda'(x+y-1)^2\bigr)$; the two
+  factors $\mu\pm\nu$ have the sum $2\mu$ and the difference $2\nu$, so they are not both 0 unless the conic is $0=0$
+:method: An identity in $x$, $y$, $\lambda$, $c_1$, $c_2$, $c_3$.  Where $\mu+\sigma\nu=0$, one conic for each
+  sign, the other sign serves.
+:control: $\lambda'=\lambda$
+:::
+*/
+CLAIM(every_scaling_takes_the_normal_form)
+{
+    num lambda = unknown(T, "k", 0), x = unknown(T, "x", 0), y = unknown(T, "y", 0), zero = from_int(0), factor[2];
+    num c1 = positive(T, "c", 1), c2 = positive(T, "c", 2), c3 = positive(T, "c", 3), S[6], N[6];
+    num l1[3] = {zero, c1, zero}, l2[3] = {c2, zero, zero}, l3[3] = {c3, c3, neg(c3)};
+    num mu = mul(sub(from_int(1), lambda), mul(c1, c2)), nu = mul(lambda, mul(c3, c3));
+    G(liming)(lambda, l1, l2, l3, S);
+    for (int k = 0; k < 2; k++) {
+        int sign = k == 0 ? 1 : -1;
+        num signed_nu = mul(from_int(sign), nu);
+        factor[k] = add(mu, signed_nu);
+        G(frame_conic)(T->planted ? lambda : div(signed_nu, factor[k]), sign, N);
+        about(T, sign > 0 ? "with the plus sign" : "with the minus sign");
+        same(T, G(form)(S, x, y), mul(factor[k], G(form)(N, x, y)));
+    }
+    about(T, "the two factors");
+    same(T, add(factor[0], factor[1]), add(mu, mu));
+    same(T, sub(factor[0], factor[1]), add(nu, nu));
+}
+
+#if RATIONAL
+/*
+:::{claim} scaled_lines_change_lambda
+:title: A factor of a line's equation changes lambda
+:zh: 直线方程乘以因子即改变 λ
+:kind: counterexample
+:given: $l_1=2y$, $l_2=x$, $l_3=x+y-1$ and $\lambda=1/2$
+:then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is no multiple of (3.1.4) with $\lambda=1/2$ and either sign
+:method: The coefficients of $x^2$ and $2xy$ of both conics are compared as a ratio.
+:control: $\lambda'=1/3$ with the plus sign and $\lambda'=-1$ with the minus sign
+:::
+*/
+CLAIM(scaled_lines_change_lambda)
+{
+    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), S[6], N[6];
+    num l1[3] = {zero, from_int(2), zero}, l2[3] = {one, zero, zero}, l3[3] = {one, one, neg(one)};
+    G(liming)(half, l1, l2, l3, S);
+    show_text(T, "l1, l2, l3", "2y, x, x + y - 1");
+    show(T, "λ", half);
+    num ratio = div(S[0], S[1]);
+    show(T, "A : B of (3.1.3)", ratio);
+    int fits = 0;
+    for (int sign = 1; sign > -2; sign -= 2) {
+        G(frame_conic)(T->planted ? sign > 0 ? from_ratio(1, 3) : neg(one) : half, sign, N);
+        num other = div(N[0], N[1]);
+        show(T, sign > 0 ? "A : B of (3.1.4) with +" : "A : B of (3.1.4) with -", other);
+        fits += equal_q(ratio, other);
+    }
+    about(T, "whether one sign gives the conic (3.1.3)");
+    agree(T, fits > 0);
+}
+
+/*
+:::{claim} half_circle_has_no_frame
+:title: The tangents at the ends of a half circle do not meet
+:zh: 半圆两端切线不相交
+:kind: counterexample
+:given: $l_1=x-1$, $l_2=x+1$, $l_3=y$, $\lambda=1/2$: half of $x^2+y^2-1=0$
+:then: $l_1$ and $l_2$ have no common point $R_1$
+:method: The determinant $a_1b_2-a_2b_1$ of the two lines is computed.
+:control: $l_2=y-1$
+:::
+*/
+CLAIM(half_circle_has_no_frame)
+{
+    num zero = from_int(0), one = from_int(1), S[6];
+    num l1[3] = {one, zero, neg(one)}, l2[3] = {one, zero, one}, l3[3] = {zero, one, zero};
+    if (T->planted)
+        l2[0] = zero, l2[1] = one, l2[2] = neg(one);
+    G(liming)(from_ratio(1, 2), l1, l2, l3, S);
+    show_points(T, "A ... F", 6, 1, S);
+    num d = sub(mul(l1[0], l2[1]), mul(l2[0], l1[1]));
+    show(T, "determinant of l1 and l2", d);
+    about(T, "whether the lines meet");
+    agree(T, !is_zero_q(d));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.1.4-lambda-from-point
+:title: One point of the curve determines lambda
+:zh: 曲线上一点确定 λ
+:printed: As soon as one point $R$ of the curve is given, $\lambda$ is determined.
+:holds-by: one_point_fixes_lambda
+:hypothesis: end_points_leave_lambda_free | $R$ is neither $R_0$ nor $R_2$.
+
+The sign in (3.1.4) is chosen first: through $(\frac14,\frac14)$ goes one parabola, which has $\lambda=\frac15$ with
+the minus sign and $\lambda=-\frac13$ with the plus sign.
+:::
+
+:::{claim} one_point_fixes_lambda
+:title: The lambda of the conic through a given point
+:zh: 过定点的曲线的 λ
+:given: a point $(x,y)$, a sign $\sigma=\pm1$, and any number $\kappa$
+:let: $\lambda=\frac{xy}{xy-\sigma(x+y-1)^2}$
+:then: $(1-\lambda)xy+\sigma\lambda(x+y-1)^2=0$; and the value of (3.1.4) with $\kappa$ is
+  $xy-\kappa\bigl(xy-\sigma(x+y-1)^2\bigr)$, so no other $\kappa$ fits, and a point of the curve with
+  $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$
+:method: Identities in $x$, $y$, $\kappa$, for both signs; and the point $(\frac14,\frac14)$, for which they give
+  $\lambda=-\frac13$ with $+$ and $\frac15$ with $-$.
+:control: $\sigma$ of the other sign in $\lambda$
+:::
+*/
+CLAIM(one_point_fixes_lambda)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), kappa = unknown(T, "k", 0), one = from_int(1), S[6];
+    num quarter = from_ratio(1, 4);
+    for (int sign = -1; sign < 2; sign += 2)
+        for (int k = 0; k < 2; k++) { /* a variable point, then (1/4, 1/4) */
+            num u = k == 0 ? x : quarter, v = k == 0 ? y : quarter, s = sub(add(u, v), one), uv = mul(u, v);
+            num d = sub(uv, mul(from_int(T->planted ? -sign : sign), mul(s, s))), lambda = div(uv, d);
+            G(frame_conic)(lambda, sign, S);
+            about(T, "the conic of this λ at the point");
+            vanishes(T, G(form)(S, u, v));
+            G(frame_conic)(kappa, sign, S);
+            about(T, "another conic at the point");
+            same(T, G(form)(S, u, v), sub(uv, mul(kappa, d)));
+            about(T, "λ at (1/4, 1/4)");
+            if (k == 1)
+                same(T, lambda, from_ratio(sign > 0 ? -1 : 1, sign > 0 ? 3 : 5));
+        }
+}
+
+#if RATIONAL
+/*
+:::{claim} end_points_leave_lambda_free
+:title: The points R0 and R2 lie on every member
+:zh: 端点不能确定 λ
+:kind: counterexample
+:given: $R=R_0=(1,0)$ in the frame, the minus sign, and $\lambda=1/5$, $1/2$
+:then: both $\lambda$ satisfy (3.1.4)
+:method: The two values $S(R)$ are computed.
+:control: $R=(\frac14,\frac14)$
+:::
+*/
+CLAIM(end_points_leave_lambda_free)
+{
+    num x = T->planted ? from_ratio(1, 4) : from_int(1), y = T->planted ? from_ratio(1, 4) : from_int(0), S[6];
+    int fitting = 0;
+    for (int k = 0; k < 2; k++) {
+        G(frame_conic)(from_ratio(1, k == 0 ? 5 : 2), -1, S);
+        num value = G(form)(S, x, y);
+        show(T, k == 0 ? "S(R0) for λ = 1/5" : "S(R0) for λ = 1/2", value);
+        fitting += is_zero_q(value);
+    }
+    about(T, "whether one of the two is left");
+    agree(T, fitting == 1);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.1.4-range
+:title: Points of the triangle have lambda between 0 and 1
+:zh: 三角形内的点对应的 λ
+:printed: With the minus sign in (3.1.4), points $R\in\triangle R_0R_1R_2$ have $\lambda\in(0,1)$.
+:holds-by: lambda_inside_the_triangle
+:hypothesis: lambda_on_the_border | $R$ lies inside the triangle, not on its border.
+:::
+
+:::{claim} lambda_inside_the_triangle
+:title: Inside the triangle lambda lies between 0 and 1
+:zh: 三角形内部 0<λ<1
+:given: a point inside the triangle, $x=\frac a{1+a+b}$, $y=\frac b{1+a+b}$ with $a,b>0$
+:let: $\lambda=\frac{xy}{xy+(x+y-1)^2}$, the one of the conic with the minus sign through the point
+:then: $\lambda=\frac{ab}{1+ab}$ and $1-\lambda=\frac1{1+ab}$, both positive
+:method: Identities in $a$ and $b$; every point with $x>0$, $y>0$, $x+y<1$ has this form.
+:control: the plus sign
+:::
+*/
+CLAIM(lambda_inside_the_triangle)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), one = from_int(1), total = add(one, add(a, b)), S[6];
+    num x = div(a, total), y = div(b, total), s = sub(add(x, y), one), xy = mul(x, y), ss = mul(s, s);
+    num lambda = div(xy, T->planted ? sub(xy, ss) : add(xy, ss)), ab = mul(a, b);
+    G(frame_conic)(lambda, -1, S);
+    about(T, "the conic of this λ at the point");
+    vanishes(T, G(form)(S, x, y));
+    about(T, "λ and 1 - λ");
+    same(T, lambda, div(ab, add(one, ab)));
+    same(T, sub(one, lambda), div(one, add(one, ab)));
+    nonnegative(T, div(ab, add(one, ab)));
+    nonnegative(T, div(one, add(one, ab)));
+}
+
+#if RATIONAL
+/*
+:::{claim} lambda_on_the_border
+:title: On the border of the triangle lambda is 0 or 1
+:zh: 三角形边界上 λ 为 0 或 1
+:kind: counterexample
+:given: the minus sign, and the middles $(\frac12,0)$ of $R_1R_0$ and $(\frac12,\frac12)$ of $R_0R_2$
+:then: $\lambda=0$ and $\lambda=1$
+:method: $\lambda=\frac{xy}{xy+(x+y-1)^2}$ is computed.
+:control: the points $(\frac12,\frac14)$ and $(\frac14,\frac14)$
+:::
+*/
+CLAIM(lambda_on_the_border)
+{
+    num quarter = from_ratio(1, 4), half = from_ratio(1, 2), one = from_int(1);
+    num x[2] = {half, T->planted ? quarter : half}, y[2] = {T->planted ? quarter : from_int(0), T->planted ? quarter : half};
+    for (int k = 0; k < 2; k++) {
+        num s = sub(add(x[k], y[k]), one), xy = mul(x[k], y[k]), lambda = div(xy, add(xy, mul(s, s)));
+        show(T, k == 0 ? "λ at (1/2, 0)" : "λ at (1/2, 1/2)", lambda);
+        about(T, "whether 0 < λ < 1");
+        agree(T, sign_q(lambda) > 0 && compare_q(lambda, one) < 0);
+    }
+}
+#endif
+#include "chapters/frame/claims_off.h"

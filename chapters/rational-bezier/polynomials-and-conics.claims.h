@@ -1,0 +1,214 @@
+/*
+# Polynomial curves and conics (多项式曲线与圆锥曲线)
+
+The chapter begins with what polynomial curves cannot do and rational curves can.
+
+A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
+
+:::{statement} wang-ch3:opening-bezier-conics
+:title: Of the conics, Bézier curves represent exactly only the parabola
+:zh: 多项式 Bézier 曲线与圆锥曲线
+:printed: A Bézier curve cannot represent exactly any conic section but the parabola.
+:holds-by: ellipse_carries_no_polynomial_arc hyperbola_carries_no_polynomial_arc parabola_arcs_are_quadratic
+:reading: ellipse_carries_no_polynomial_arc | A conic section is an ellipse, a parabola or a hyperbola: true.
+:reading: line_pair_carries_a_segment | Every equation (3.1.1) is a conic section, as 3.1 has it, two lines among them:
+  these carry segments.
+
+To represent a conic means to run through an arc of it; no curve over $[0,1]$ is a whole parabola.
+:::
+
+:::{claim} ellipse_carries_no_polynomial_arc
+:title: No polynomial curve but a point lies on an ellipse
+:zh: 椭圆上没有多项式曲线段
+:given: a conic $S$, and a Bézier curve $(x(t),y(t))$ of degree $n$ with any points
+:let: $p$ and $q$ be the coefficients of $t^n$ in $x(t)$ and $y(t)$
+:then: the coefficient of $t^{2n}$ in $S(x(t),y(t))$, multiplied by $A$, is $(Ap+Bq)^2+(AC-B^2)q^2$; for
+  $AC-B^2>0$ it vanishes only when $p=q=0$, so a polynomial curve on an ellipse is a point
+:method: $S(x(t),y(t))$ is formed in Bernstein form, term by term, and brought to powers of $t$, with the conic and
+  every point a variable.  If an arc of a curve of degree $n\ge1$, $(p,q)\ne(0,0)$, lay on the ellipse,
+  $S(x(t),y(t))$ would be zero for infinitely many $t$, hence as a polynomial, and so would be this coefficient.
+:degrees: 1..6 sampled 12
+:control: the product $xy$ counted once, not twice
+:::
+*/
+#include "chapters/frame/claims_on.h"
+
+/* s, the n+m+1 Bernstein coefficients of S(x(t), y(t)), n = m the degree of x and y: every term is a
+ * product of two polynomials of degree n, the linear ones with the factor 1. */
+static void G(conic_along)(const num S[], int twice, int n, const num x[], const num y[], num s[])
+{
+    num one[MAX_DEGREE + 1], term[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++)
+        one[i] = from_int(1);
+    const num *factors[6][2] = {{x, x}, {x, y}, {y, y}, {x, one}, {y, one}, {one, one}};
+    const int times[6] = {1, twice, 1, 2, 2, 1};
+    for (int i = 0; i <= 2 * n; i++)
+        s[i] = from_int(0);
+    for (int k = 0; k < 6; k++) {
+        G(bernstein_product)(n, factors[k][0], n, factors[k][1], term);
+        for (int i = 0; i <= 2 * n; i++)
+            s[i] = add(s[i], mul(mul(from_int(times[k]), S[k]), term[i]));
+    }
+}
+
+CLAIM(ellipse_carries_no_polynomial_arc)
+{
+    int n = T->degree;
+    num S[6], x[MAX_DEGREE + 1], y[MAX_DEGREE + 1], s[MAX_DEGREE + 1];
+    for (int k = 0; k < 6; k++)
+        S[k] = unknown(T, "S", k);
+    for (int i = 0; i <= n; i++) {
+        x[i] = unknown(T, "x", i);
+        y[i] = unknown(T, "y", i);
+    }
+    G(conic_along)(S, T->planted ? 1 : 2, n, x, y, s);
+    G(bernstein_to_power)(2 * n, s, s);
+    G(bernstein_to_power)(n, x, x);
+    G(bernstein_to_power)(n, y, y);
+    num p = x[n], q = y[n], square = add(mul(S[0], p), mul(S[1], q));
+    num delta = sub(mul(S[0], S[2]), mul(S[1], S[1]));
+    about(T, "A times the top coefficient; the sum of two squares");
+    same(T, mul(S[0], s[2 * n]), add(mul(square, square), mul(delta, mul(q, q))));
+}
+
+/*
+:::{claim} hyperbola_carries_no_polynomial_arc
+:title: No polynomial curve but a point lies on a hyperbola
+:zh: 双曲线上没有多项式曲线段
+:given: polynomials $\xi(t)$ and $\eta(t)$ of degrees $j$ and $n$, $0\le j\le n$, in Bernstein form
+:then: the coefficient of $t^{j+n}$ in $\xi\eta$ is the product of the coefficients of $t^j$ in $\xi$ and of
+  $t^n$ in $\eta$, so $\xi\eta=1$ only for constants
+:method: A hyperbola is $\xi\eta=1$ in affine coordinates whose axes are its asymptotes.  Of two polynomials with
+  $\xi\eta=1$, taken in their true degrees, the product of the leading coefficients is not zero; so $j+n=0$, and
+  the curve is a point.  The product is formed in Bernstein form, every coefficient a variable.
+:degrees: 1..6 sampled 12
+:control: the leading coefficient of the product taken in degree $j+n-1$
+:::
+*/
+CLAIM(hyperbola_carries_no_polynomial_arc)
+{
+    int n = T->degree;
+    num xi[MAX_DEGREE + 1], eta[MAX_DEGREE + 1], top[MAX_DEGREE + 1], product[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++)
+        eta[i] = unknown(T, "y", i);
+    G(bernstein_to_power)(n, eta, top);
+    num leading = top[n];
+    for (int j = 0; j <= n; j++) {
+        for (int i = 0; i <= j; i++)
+            xi[i] = unknown(T, "x", i);
+        G(bernstein_to_power)(j, xi, top);
+        G(bernstein_product)(j, xi, n, eta, product);
+        G(bernstein_to_power)(j + n, product, product);
+        same(T, product[T->planted ? j + n - 1 : j + n], mul(top[j], leading));
+    }
+}
+
+/*
+:::{claim} parabola_arcs_are_quadratic
+:title: Every arc of a parabola is a quadratic Bézier curve
+:zh: 抛物线弧是二次 Bézier 曲线
+:given: numbers $a$ and $b$, the ends of an arc of $y=x^2$
+:then: the Bézier curve with the points $(a,a^2),(\frac{a+b}2,ab),(b,b^2)$ runs through it: $x=(1-t)a+tb$, $y=x^2$
+:method: An identity in $a$, $b$ and $t$; every parabola is an affine image of $y=x^2$, and Bézier curves go along
+  with affine maps.
+:control: the middle point at the middle of the chord
+:::
+*/
+CLAIM(parabola_arcs_are_quadratic)
+{
+    num a = unknown(T, "a", 0), b = unknown(T, "b", 0), t = parameter(T, "t"), P[2], half = from_ratio(1, 2);
+    num aa = mul(a, a), bb = mul(b, b), between = T->planted ? mul(half, add(aa, bb)) : mul(a, b);
+    num R[6] = {a, aa, mul(half, add(a, b)), between, b, bb};
+    G(decasteljau)(2, 2, R, t, P);
+    num x = add(mul(sub(from_int(1), t), a), mul(t, b));
+    same(T, P[0], x);
+    same(T, P[1], mul(x, x));
+}
+
+#if RATIONAL
+/*
+:::{claim} line_pair_carries_a_segment
+:title: A pair of lines, a degenerate conic, carries Bézier curves
+:zh: 退化的二次曲线上有多项式曲线
+:kind: counterexample
+:given: the conic $xy=0$, which is no parabola, and the Bézier curve $R_0R_1$ of degree 1, $R(t)=(t,0)$
+:then: the curve lies on the conic
+:method: $S(R(t))$ is formed in Bernstein form; the conic carries the curve when it is the zero polynomial.
+:control: the conic $xy=1$ in place of $xy=0$
+:::
+*/
+CLAIM(line_pair_carries_a_segment)
+{
+    num zero = from_int(0), S[6] = {zero, from_ratio(1, 2), zero, zero, zero, T->planted ? from_int(-1) : zero};
+    num x[2] = {zero, from_int(1)}, y[2] = {zero, zero}, s[3], R[4] = {x[0], y[0], x[1], y[1]};
+    show_text(T, "conic", "x y = 0");
+    show_points(T, "R", 2, 2, R);
+    G(conic_along)(S, 2, 1, x, y, s);
+    show_points(T, "S(R(t)) in Bernstein form", 3, 1, s);
+    about(T, "whether some coefficient of S(R(t)) is not zero: none is");
+    agree(T, !(is_zero_q(s[0]) && is_zero_q(s[1]) && is_zero_q(s[2])));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:opening-rational-conics
+:title: Rational Bézier curves represent polynomial curves and conics
+:zh: 有理形式统一表示多项式曲线与圆锥曲线
+:printed: A rational Bézier curve can represent polynomial curves and can represent conic sections.
+:holds-by: rational_form_contains_the_polynomial_one tangent_conics_are_rational_quadratics
+
+To represent means again to run through an arc.  A conic without real points, $x^2+y^2+1=0$, has none.
+:::
+
+:::{claim} rational_form_contains_the_polynomial_one
+:title: Equal weights give the polynomial curve
+:zh: 权相等时即多项式曲线
+:given: points $R_0,\dots,R_n$ and one weight $\omega\ne0$ for all of them
+:then: the rational curve is the Bézier curve $\sum B_i^n(t)R_i$
+:method: The rational curve by its kernel, the polynomial one as the sum over $C(n,i)t^i(1-t)^{n-i}R_i$, compared in
+  the field; a coordinate is any coordinate.
+:degrees: 1..6 sampled 12
+:control: the last weight doubled
+:::
+*/
+CLAIM(rational_form_contains_the_polynomial_one)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), s = sub(from_int(1), t), w = positive(T, "w", 0);
+    num R[MAX_DEGREE + 1], weight[MAX_DEGREE + 1], point, sum = from_int(0);
+    for (int i = 0; i <= n; i++) {
+        R[i] = unknown(T, "R", i);
+        weight[i] = i == n && T->planted ? add(w, w) : w;
+        num term = mul(from_int(binomial(n, i)), R[i]);
+        for (int k = 0; k < n; k++)
+            term = mul(term, k < i ? t : s);
+        sum = add(sum, term);
+    }
+    G(rational_point)(n, 1, R, weight, t, &point);
+    same(T, point, sum);
+}
+
+/*
+:::{claim} tangent_conics_are_rational_quadratics
+:title: Every conic that touches two sides of a triangle at their ends is a rational quadratic
+:zh: 切于三角形两边的二次曲线都是有理二次曲线
+:given: a triangle $R_0R_1R_2$ with the coordinates $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, and a conic
+  $\mu\,xy+\nu(x+y-1)^2=0$, $\mu\nu\ne0$
+:then: the rational quadratic with the points $R_i$ and the weights $1,1,-4\nu/\mu$ lies on it
+:method: In the frame $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$, at a variable $t$, with $\mu$ and $\nu$ variables.  By
+  `conics_touching_two_lines_are_limings` these are all conics that touch $R_1R_0$ in $R_0$ and $R_1R_2$ in
+  $R_2$, apart from the two lines and the double line; and about any point of an ellipse, parabola or
+  hyperbola there are two such tangents that meet.
+:control: the last weight $-2\nu/\mu$
+:::
+*/
+CLAIM(tangent_conics_are_rational_quadratics)
+{
+    num mu = positive(T, "m", 0), nu = positive(T, "k", 0), t = parameter(T, "t"), zero = from_int(0), one = from_int(1);
+    num R[6] = {one, zero, zero, zero, zero, one}, P[2];
+    num w[3] = {one, one, mul(from_int(T->planted ? -2 : -4), div(nu, mu))};
+    G(rational_point)(2, 2, R, w, t, P);
+    num s = sub(add(P[0], P[1]), one);
+    vanishes(T, add(mul(mu, mul(P[0], P[1])), mul(nu, mul(s, s))));
+}
+#include "chapters/frame/claims_off.h"

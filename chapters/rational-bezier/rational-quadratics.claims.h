@@ -1,0 +1,394 @@
+/*
+# The rational quadratic curve (有理二次曲线)
+
+The two ratios of the last section have a constant product, so they are functions of one parameter $t$, and the
+rational Bézier curve of degree 2 appears.  Coordinates are again those of the frame of the triangle.
+
+:::{statement} wang-ch3:3.1-xy-from-g
+:title: The coordinates from the two ratios
+:zh: 由 g_1,g_2 反解 x,y
+:printed: x=\frac{g_1}{g_1+2+g_2},\quad y=\frac{g_2}{g_1+2+g_2}
+:holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
+:hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
+:::
+
+:::{statement} wang-ch3:3.1-R-from-g
+:title: The point from the two ratios
+:zh: 由 g_1,g_2 表示点 R
+:printed: \mathbf R=\frac{g_1\mathbf R_0+2\mathbf R_1+g_2\mathbf R_2}{g_1+2+g_2}
+:holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
+:hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
+:::
+
+:::{claim} signed_ratios_give_the_point
+:title: The signed ratios determine the point
+:zh: 带符号的比确定点
+:given: a triangle, and a point with $x+y\ne1$, whose ratios are $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$ by
+  `ratios_on_the_curve`
+:then: $g_1+2+g_2=\frac{-2}{x+y-1}\ne0$, $x=\frac{g_1}{g_1+2+g_2}$, $y=\frac{g_2}{g_1+2+g_2}$ and
+  $R_1+x(R_0-R_1)+y(R_2-R_1)=\frac{g_1R_0+2R_1+g_2R_2}{g_1+2+g_2}$
+:method: Identities in $x$, $y$ and one coordinate of the triangle; the other coordinate is the same.
+:control: 1 for 2 in the denominators
+:::
+*/
+#include "exact/sign.h"
+
+#include "chapters/frame/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+CLAIM(signed_ratios_give_the_point)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), R[3], two = from_int(2), s = sub(add(x, y), from_int(1));
+    for (int i = 0; i < 3; i++)
+        R[i] = unknown(T, "R", i);
+    num g1 = div(mul(from_int(-2), x), s), g2 = div(mul(from_int(-2), y), s);
+    num total = add(add(g1, from_int(T->planted ? 1 : 2)), g2);
+    same(T, total, div(from_int(-2), s));
+    same(T, div(g1, total), x);
+    same(T, div(g2, total), y);
+    num point = add(R[1], add(mul(x, sub(R[0], R[1])), mul(y, sub(R[2], R[1]))));
+    same(T, point, div(add(add(mul(g1, R[0]), mul(two, R[1])), mul(g2, R[2])), total));
+}
+
+#if RATIONAL
+/*
+:::{claim} lengths_give_another_point
+:title: Outside the triangle the ratios of lengths lead to another point
+:zh: 三角形外由长度之比得到另一点
+:kind: counterexample
+:given: $\lambda=\frac12$ and the point $R=(1,1)$ of the curve, with the ratios of lengths $(2,2)$
+:then: the printed $x$ is $\frac13$, the point's is 1
+:method: The tangent is intersected with the sides, and the lengths are taken along these.
+:control: the ratios with their signs
+:::
+*/
+CLAIM(lengths_give_another_point)
+{
+    num half = from_ratio(1, 2), one = from_int(1), R[2] = {one, one}, g[2], S[6];
+    G(frame_conic)(half, -1, S);
+    ratios(half, -1, one, one, g);
+    for (int c = 0; c < 2 && !T->planted; c++)
+        g[c] = length(g[c]);
+    show_points(T, "R", 1, 2, R);
+    show_points(T, "(g1, g2)", 1, 2, g);
+    about(T, "x, left as printed, right the point's");
+    if (is_zero_q(G(form)(S, one, one)))
+        same(T, div(g[0], add(add(g[0], from_int(2)), g[1])), one);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.1-g-of-t
+:title: A parameter for the two ratios
+:zh: 令 g_1,g_2 为参数 t 的函数
+:printed: Since $g_1g_2$ is constant, one may put $g_1=\frac{\omega_0(1-t)}{\omega_1t}$,
+  $g_2=\frac{\omega_2t}{\omega_1(1-t)}$ with constants $\omega_0,\omega_1,\omega_2$.
+:holds-by: each_pair_of_ratios_has_one_parameter
+:hypothesis: ratios_do_not_exist_at_the_ends | $0<t<1$; the ends $R_0$ and $R_2$ come back in (3.1.5).
+:needs: ratios_of_lengths_need_weights_of_one_sign | The weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
+:::
+
+:::{claim} each_pair_of_ratios_has_one_parameter
+:title: The pairs of positive numbers with one product, each at one t
+:zh: 每对 (g_1,g_2) 对应唯一 t
+:given: positive weights $\omega_0,\omega_1,\omega_2$, $t\in(0,1)$, and a number $g>0$
+:let: $c=\frac{\omega_0\omega_2}{\omega_1^2}$ and $t_g=\frac{\omega_0}{\omega_0+\omega_1g}$
+:then: $g_1g_2=c$; $0<t_g<1$, and at $t_g$ the ratios are $g$ and $c/g$; from $g=g_1(t)$ follows $t_g=t$
+:method: Identities in the weights, $t$ and $g$; $t_g$ and $1-t_g$ have positive coefficients.
+:control: $\omega_1$ left out of $g_2$
+:::
+*/
+static void G(ratios_at)(const num w[], num t, int planted, num g[])
+{
+    num s = sub(from_int(1), t);
+    g[0] = div(mul(w[0], s), mul(w[1], t));
+    g[1] = div(mul(w[2], t), planted ? s : mul(w[1], s));
+}
+
+CLAIM(each_pair_of_ratios_has_one_parameter)
+{
+    num w[3], t = parameter(T, "t"), ratio = positive(T, "g", 0), one = from_int(1), g[2];
+    G(three_weights)(T, w);
+    num c = div(mul(w[0], w[2]), mul(w[1], w[1])), tg = div(w[0], add(w[0], mul(w[1], ratio)));
+    G(ratios_at)(w, t, T->planted, g);
+    about(T, "the product");
+    same(T, mul(g[0], g[1]), c);
+    about(T, "t from g1");
+    same(T, div(w[0], add(w[0], mul(w[1], g[0]))), t);
+    nonnegative(T, tg);
+    nonnegative(T, sub(one, tg));
+    G(ratios_at)(w, tg, T->planted, g);
+    about(T, "the ratios at t_g");
+    same(T, g[0], ratio);
+    same(T, g[1], div(c, ratio));
+}
+
+#if RATIONAL
+/*
+:::{claim} ratios_do_not_exist_at_the_ends
+:title: At t = 0 and t = 1 one of the ratios does not exist
+:zh: t=0,1 处的比不存在
+:kind: counterexample
+:given: the weights $1,1,1$ and $t=0$
+:then: the denominator $\omega_1t$ of $g_1$ is 0; so is that of $g_2$ at $t=1$
+:method: The denominators are computed.
+:control: $t=\frac12$
+:::
+*/
+CLAIM(ratios_do_not_exist_at_the_ends)
+{
+    num t = T->planted ? from_ratio(1, 2) : from_int(0), one = from_int(1), first = mul(one, t), second = sub(one, t);
+    show(T, "t", t);
+    show(T, "denominator of g1", first);
+    show(T, "denominator of g2", second);
+    about(T, "whether both are different from 0");
+    agree(T, !is_zero_q(first) && !is_zero_q(second));
+}
+
+/*
+:::{claim} ratios_of_lengths_need_weights_of_one_sign
+:title: Weights of both signs give negative ratios
+:zh: 权异号时 g_1,g_2 为负
+:kind: counterexample
+:given: the weights $1,-1,1$ and $t=\frac12$
+:then: $g_1=-1$, which is no ratio of lengths, although $g_1g_2=1>0$
+:method: The ratios are computed.
+:control: the weights $1,1,1$
+:::
+*/
+CLAIM(ratios_of_lengths_need_weights_of_one_sign)
+{
+    num w[3] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(1)}, g[2];
+    G(ratios_at)(w, from_ratio(1, 2), 0, g);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "(g1, g2) at t = 1/2", 1, 2, g);
+    show(T, "g1 g2", mul(g[0], g[1]));
+    about(T, "whether both are positive");
+    agree(T, sign_q(g[0]) > 0 && sign_q(g[1]) > 0);
+}
+#endif
+
+/*
+## The rational quadratic
+
+:::{statement} wang-ch3:3.1.5
+:title: The arc of the conic as a rational quadratic curve
+:zh: 圆锥曲线段的有理二次参数表示
+:printed: $\mathbf R=\mathbf R(t)=\frac{(1-t)^2\omega_0\mathbf R_0+2(1-t)t\omega_1\mathbf R_1+t^2\omega_2\mathbf R_2}
+  {(1-t)^2\omega_0+2(1-t)t\omega_1+t^2\omega_2}$, $0\le t\le1$, represents the arc of the conic that $R_0,R_1,R_2$
+  determine.
+:holds-by: rational_quadratic_of_the_arc each_pair_of_ratios_has_one_parameter
+:needs: complementary_arc_leaves_the_triangle | The weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
+
+The arc goes from $R_0$ to $R_2$ inside the triangle.  Besides the three points the constant
+$\omega_0\omega_2/\omega_1^2$ determines it.
+:::
+
+:::{claim} rational_quadratic_of_the_arc
+:title: The ratios, put into the point, give the rational quadratic, which lies on the conic
+:zh: 有理二次曲线及其所在的二次曲线
+:given: a triangle, weights $\omega_0,\omega_1,\omega_2$ and $t$
+:let: $g_1=\frac{\omega_0(1-t)}{\omega_1t}$, $g_2=\frac{\omega_2t}{\omega_1(1-t)}$,
+  $\lambda=\frac{\omega_0\omega_2}{4\omega_1^2+\omega_0\omega_2}$
+:then: $\frac{g_1R_0+2R_1+g_2R_2}{g_1+2+g_2}$ is the rational Bézier curve $R(t)$ of degree 2 with the points $R_i$ and
+  weights $\omega_i$; in the frame it lies on (3.1.4) with the minus sign and this $\lambda$, for which
+  $\frac{4\lambda}{1-\lambda}=\frac{\omega_0\omega_2}{\omega_1^2}$; for positive weights and $0<t<1$ it lies inside the
+  triangle; $R(0)=R_0$, $R(1)=R_2$
+:method: Identities in the weights, one coordinate of the points, and $t$; the coordinates of the frame are
+  those of the curve with $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$; inside means that these two and $1-x-y$ are quotients
+  with positive coefficients in $\frac t{1-t}$ and the weights.
+:control: 1 for 2 before $R_1$
+:::
+*/
+CLAIM(rational_quadratic_of_the_arc)
+{
+    num w[3], R[3], g[2], S[6], t = inside(T, "t"), zero = from_int(0), one = from_int(1), two = from_int(2), point;
+    G(three_weights)(T, w);
+    for (int i = 0; i < 3; i++)
+        R[i] = unknown(T, "R", i);
+    G(ratios_at)(w, t, 0, g);
+    num top = add(add(mul(g[0], R[0]), mul(T->planted ? one : two, R[1])), mul(g[1], R[2]));
+    G(rational_point)(2, 1, R, w, t, &point);
+    about(T, "the point from the ratios; the rational curve");
+    same(T, div(top, add(add(g[0], two), g[1])), point);
+
+    num frame[6] = {one, zero, zero, zero, zero, one}, P[2];
+    G(rational_point)(2, 2, frame, w, t, P);
+    num outer = mul(w[0], w[2]), middle = mul(w[1], w[1]), lambda = div(outer, add(mul(from_int(4), middle), outer));
+    G(frame_conic)(lambda, -1, S);
+    about(T, "the conic along the curve");
+    vanishes(T, G(form)(S, P[0], P[1]));
+    same(T, div(mul(from_int(4), lambda), sub(one, lambda)), div(outer, middle));
+    about(T, "inside the triangle");
+    nonnegative(T, P[0]);
+    nonnegative(T, P[1]);
+    nonnegative(T, sub(one, add(P[0], P[1])));
+    about(T, "the ends");
+    G(rational_point)(2, 1, R, w, zero, &point);
+    same(T, point, R[0]);
+    G(rational_point)(2, 1, R, w, one, &point);
+    same(T, point, R[2]);
+}
+
+#if RATIONAL
+/*
+:::{claim} complementary_arc_leaves_the_triangle
+:title: With a negative middle weight the curve runs outside the triangle
+:zh: 中间权为负时曲线在三角形外
+:kind: counterexample
+:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$, the weights $2,-1,2$ and $t=\frac12$
+:then: $R(\frac12)=(1,1)$, outside the triangle
+:method: The point is computed.
+:control: the weights $2,1,2$
+:::
+*/
+CLAIM(complementary_arc_leaves_the_triangle)
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, P[2];
+    num w[3] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
+    G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "R(1/2)", 1, 2, P);
+    about(T, "whether the point is in the triangle");
+    agree(T, sign_q(P[0]) >= 0 && sign_q(P[1]) >= 0 && compare_q(add(P[0], P[1]), one) <= 0);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.1-weights-may-vary
+:title: The weights may change, but not their constant
+:zh: 权可变而常量不变
+:printed: The $\omega_i$ can be changed to change the form of (3.1.5), but the value of
+  $g_1g_2=\frac{\omega_0\omega_2}{\omega_1^2}>0$ cannot be changed.
+:holds-by: weights_with_one_constant_give_one_curve constant_is_read_off_the_curve
+:hypothesis: sign_of_the_middle_weight_changes_the_arc | The new weights, too, are of one sign.
+:needs: segment_does_not_fix_the_constant | $R_0$, $R_1$, $R_2$ form a triangle.
+:::
+
+:::{claim} weights_with_one_constant_give_one_curve
+:title: Weights with the same constant give the same curve, with another parameter
+:zh: 常量相同的权给出同一曲线
+:given: positive weights $\omega_i$ and $\omega_i^*$ with
+  $\frac{\omega_0\omega_2}{\omega_1^2}=\frac{\omega_0^*\omega_2^*}{(\omega_1^*)^2}$, points $R_i$, and $u\in(0,1)$
+:let: $k=\frac{\omega_0\omega_1^*}{\omega_0^*\omega_1}>0$ and $t=\frac{ku}{ku+1-u}$
+:then: $R^*(u)=R(t)$; $t$ grows from 0 to 1 with $u$: $0\le t\le1$, and $u=\frac t{t+k(1-t)}$
+:method: Identities in $\omega_0,\omega_1,\omega_2,\omega_0^*,\omega_1^*$, from which $\omega_2^*$ follows, one coordinate
+  of the points, and $u$; $t$ and $1-t$ have positive coefficients.
+:control: $k$ upside down
+:::
+*/
+CLAIM(weights_with_one_constant_give_one_curve)
+{
+    num w[3], v[3], R[3], u = inside(T, "u"), one = from_int(1), before, after;
+    for (int i = 0; i < 3; i++) {
+        w[i] = positive(T, "w", i);
+        v[i] = i < 2 ? positive(T, "v", i) : one;
+        R[i] = unknown(T, "R", i);
+    }
+    v[2] = div(mul(mul(w[0], w[2]), mul(v[1], v[1])), mul(mul(w[1], w[1]), v[0]));
+    num k = div(mul(w[0], v[1]), mul(v[0], w[1]));
+    if (T->planted)
+        k = div(one, k);
+    num t = div(mul(k, u), add(mul(k, u), sub(one, u)));
+    G(rational_point)(2, 1, R, v, u, &before);
+    G(rational_point)(2, 1, R, w, t, &after);
+    about(T, "R*(u) and R(t)");
+    same(T, before, after);
+    about(T, "t and u");
+    nonnegative(T, t);
+    nonnegative(T, sub(one, t));
+    same(T, div(t, add(t, mul(k, sub(one, t)))), u);
+}
+
+/*
+:::{claim} constant_is_read_off_the_curve
+:title: Every point of the curve tells the constant
+:zh: 由曲线上任一点读出常量
+:given: a triangle, weights, and the point $R(t)$
+:let: $x$ and $y$ be its coordinates in the frame, found from areas
+:then: $\frac{4xy}{(x+y-1)^2}=\frac{\omega_0\omega_2}{\omega_1^2}$, so one curve cannot have two constants
+:method: An identity in the six coordinates, the weights and $t$.
+:control: 2 for 4
+:::
+*/
+CLAIM(constant_is_read_off_the_curve)
+{
+    num w[3], R[6], P[2], t = parameter(T, "t"), from[2], a[2], b[2];
+    G(six)(T, "R", R);
+    G(three_weights)(T, w);
+    G(rational_point)(2, 2, R, w, t, P);
+    for (int c = 0; c < 2; c++) {
+        from[c] = sub(P[c], R[2 + c]);
+        a[c] = sub(R[c], R[2 + c]);
+        b[c] = sub(R[4 + c], R[2 + c]);
+    }
+    num d = G(cross2)(a, b), x = div(G(cross2)(from, b), d), y = div(G(cross2)(a, from), d);
+    num s = sub(add(x, y), from_int(1));
+    same(T, div(mul(from_int(T->planted ? 2 : 4), mul(x, y)), mul(s, s)), div(mul(w[0], w[2]), mul(w[1], w[1])));
+}
+
+#if RATIONAL
+/*
+:::{claim} sign_of_the_middle_weight_changes_the_arc
+:title: Two curves with one constant
+:zh: 常量相同而曲线不同
+:kind: counterexample
+:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$, the weights $2,1,2$ and $2,-1,2$, whose constants are both 4
+:then: the point of the first curve with $x=y$, $t=\frac12$, is $(\frac13,\frac13)$, that of the second, $t=\frac12$, is
+  $(1,1)$
+:method: On either curve $x:y=\omega_0(1-t)^2:\omega_2t^2$, so each has one point with $x=y$ in $0\le t\le1$.
+:control: the weights $1,1,4$, of the same constant, with $t=\frac13$
+:::
+*/
+CLAIM(sign_of_the_middle_weight_changes_the_arc)
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, P[2], Q[2];
+    num w[3] = {from_int(2), one, from_int(2)}, v[3] = {from_int(2), from_int(-1), from_int(2)};
+    if (T->planted)
+        v[0] = v[1] = one, v[2] = from_int(4);
+    num c = div(mul(w[0], w[2]), mul(w[1], w[1])), d = div(mul(v[0], v[2]), mul(v[1], v[1]));
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "ω*", 3, 1, v);
+    show(T, "constant of ω", c);
+    show(T, "constant of ω*", d);
+    G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
+    G(rational_point)(2, 2, R, v, from_ratio(1, T->planted ? 3 : 2), Q);
+    about(T, "x of the point with x = y on the two curves");
+    if (equal_q(c, d) && equal_q(P[0], P[1]) && equal_q(Q[0], Q[1]))
+        same(T, P[0], Q[0]);
+}
+
+/*
+:::{claim} segment_does_not_fix_the_constant
+:title: On a line the constant may change
+:zh: 三点共线时常量可变
+:kind: counterexample
+:given: $R_0=0$, $R_1=1$, $R_2=2$ on a line, and the weights $1,1,1$ and $1,2,1$
+:then: both curves run through the segment from 0 to 2, each point once, with the constants 1 and $\frac14$
+:method: Both derivatives are positive on $[0,1]$: with $R=N/\omega$ the sign of $N'\omega-N\omega'$ is decided.
+:control: the weights $1,2,4$ in place of $1,2,1$
+:::
+*/
+CLAIM(segment_does_not_fix_the_constant)
+{
+    num R[3] = {from_int(0), from_int(1), from_int(2)}, constant[2];
+    int monotone = 1;
+    show_points(T, "R", 3, 1, R);
+    for (int k = 0; k < 2; k++) {
+        num w[3] = {from_int(1), from_int(k + 1), from_int(k == 1 && T->planted ? 4 : 1)}, N[3];
+        for (int i = 0; i < 3; i++)
+            N[i] = mul(w[i], R[i]);
+        poly top = poly_from_bernstein(2, N), bottom = poly_from_bernstein(2, w);
+        poly turn = poly_sub(poly_mul(poly_derivative(top), bottom), poly_mul(top, poly_derivative(bottom)));
+        monotone &= sign_on(turn, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+        constant[k] = div(mul(w[0], w[2]), mul(w[1], w[1]));
+        show_points(T, k == 0 ? "ω" : "ω*", 3, 1, w);
+    }
+    about(T, "the constants of the two curves");
+    if (monotone)
+        same(T, constant[0], constant[1]);
+}
+#endif
+#include "chapters/frame/claims_off.h"

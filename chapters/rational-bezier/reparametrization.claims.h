@@ -1,0 +1,745 @@
+/*
+# Changing the parameter (分式线性参数变换)
+
+A rational curve can be run through at another speed without leaving its class: replace $t$ by a
+fractional linear function of a new parameter $u$ that maps $[0,1]$ onto itself.  The points stay where
+they are, the weight $\omega_i$ is multiplied by $a^ib^{n-i}$, and the quotients
+$I_i=\omega_i^2/(\omega_{i-1}\omega_{i+1})$ do not notice.  This section decides property 3.2.10, its
+proof line by line, and the definition of the $I_i$.
+
+## The transformation
+
+:::{statement} wang-ch3:3.2.10
+:title: The change of parameter maps the unit interval onto itself
+:zh: 参数变换把单位区间映到自身
+:printed: t=au/[au+b(1-u)],\quad 0\le u\le1
+:definition: yes
+:checked-by: fractional_change_runs_once projective_change_of_unit_interval_is_fractional
+:needs: linear_curve_with_opposite_ratios_has_a_pole | $a$ and $b$ of one sign, which positive weights give; with
+  $a/b<0$ the denominator vanishes inside $[0,1]$
+
+Every projective map of the parameter line that fixes $0$ and $1$ has this form, so nothing is lost by it.
+:::
+
+:::{claim} fractional_change_runs_once
+:title: With a, b > 0 the parameter t runs once from 0 to 1 while u does
+:zh: a,b>0 时 t 随 u 从 0 单调增到 1
+:types: field
+:given: $a,b>0$ and $0<u<1$
+:let: $t=au/(au+b(1-u))$
+:then: $t=0,1$ for $u=0,1$; $0<t<1$; $dt/du>0$; and $u=bt/(bt+a(1-t))$
+:method: With $u=s/(1+s)$, $s>0$, numerators and denominators of $t$, $1-t$ and $dt/du$ have positive coefficients only;
+  the inverse is an identity of rational functions.
+:control: $b$ with the opposite sign
+:::
+*/
+#include "exact/sign.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* The parameter t = a u / (a u + b (1-u)) of formula 3.2.10. */
+static num G(old_parameter)(num a, num b, num u)
+{
+    num share = mul(a, u);
+    return div(share, add(share, mul(b, sub(from_int(1), u))));
+}
+
+/* n+1 free weights and points; one coordinate stands for all. */
+static void G(free_curve)(trial *T, int n, num R[], num w[])
+{
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "R", i);
+    }
+}
+
+/* a^k */
+static num G(power)(num a, int k) { return k == 0 ? from_int(1) : mul(a, G(power)(a, k - 1)); }
+
+#if FIELD
+CLAIM(fractional_change_runs_once)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), u = variable_f("u"), one = from_int(1);
+    if (T->planted)
+        b = neg(b);
+    num t = G(old_parameter)(a, b, u);
+    about(T, "the ends");
+    vanishes(T, substitute_f(t, u, from_int(0)));
+    same(T, substitute_f(t, u, one), one);
+    about(T, "signs inside");
+    num inside_it = inside(T, "s"), values[] = {t, sub(one, t), derivative_f(t, u)};
+    for (int k = 0; k < 3; k++)
+        agree(T, coefficients_sign_f(substitute_f(values[k], u, inside_it)) == 1);
+    about(T, "the inverse");
+    same(T, G(old_parameter)(b, a, t), u);
+}
+#endif
+
+/*
+:::{claim} projective_change_of_unit_interval_is_fractional
+:title: A projective change of parameter that fixes 0 and 1 is of the printed form
+:zh: 保持 0 与 1 的射影参数变换必为所印形式
+:given: $t=(\alpha u+\beta)/(\gamma u+\delta)$ with $t(0)=0$ and $t(1)=1$
+:then: $t=au/(au+b(1-u))$ with $a=\alpha$, $b=\delta$
+:method: $t(0)=0$ says $\beta=0$, and then $t(1)=1$ says $\gamma=\alpha-\delta$; with these the two fractions are one
+  rational function of $\alpha,\delta,u$.
+:scope: all projective maps that fix 0 and 1
+:control: $t(1)=1$ solved as $\gamma=\alpha+\delta$
+:::
+*/
+CLAIM(projective_change_of_unit_interval_is_fractional)
+{
+    num alpha = positive(T, "alpha", 0), delta = positive(T, "delta", 0), u = parameter(T, "u");
+    num gamma = T->planted ? add(alpha, delta) : sub(alpha, delta);
+    num t = div(mul(alpha, u), add(mul(gamma, u), delta));
+    same(T, t, G(old_parameter)(alpha, delta, u));
+}
+
+/*
+:::{statement} wang-ch3:3.2.14
+:title: The curve in the new parameter
+:zh: 新参数下的曲线
+:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i}
+:holds-by: fractional_change_keeps_curve fractional_change_term_by_term
+
+An identity: $a$ and $b$ may be any numbers, as long as the denominators do not vanish.
+:::
+
+:::{claim} fractional_change_keeps_curve
+:title: The weights multiplied by $a^i b^{n-i}$ give the same curve in the new parameter
+:zh: 权乘以 a^i b^{n-i} 后曲线不变
+:given: weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, and $a,b,u$
+:let: $t=au/D$, $D=au+b(1-u)$, and $\omega_i'=a^ib^{n-i}\omega_i$
+:then: $\sum B_i^n(u)\omega'_i=D^n\omega(t)$, and the curve of $(R,\omega')$ at $u$ is $R(t)$
+:method: Each side is an element of the field of rational functions of all the data.  As $u$ is a variable and the
+  Bernstein polynomials are independent, the first equality determines every $\omega_i'$.
+:degrees: 1..6 sampled 12
+:defines: rational_reparametrize
+:control: $a$ and $b$ exchanged in the weights
+:::
+*/
+CLAIM(fractional_change_keeps_curve)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], before, after;
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), u = parameter(T, "u");
+    G(free_curve)(T, n, R, w);
+    num D = add(mul(a, u), mul(b, sub(from_int(1), u))), t = G(old_parameter)(a, b, u);
+    G(rational_reparametrize)(n, w, T->planted ? b : a, T->planted ? a : b, v);
+    about(T, "the denominators");
+    same(T, G(rational_weight)(n, v, u), mul(G(power)(D, n), G(rational_weight)(n, w, t)));
+    about(T, "the points");
+    G(rational_point)(n, 1, R, v, u, &after);
+    G(rational_point)(n, 1, R, w, t, &before);
+    same(T, after, before);
+}
+
+/*
+:::{claim} fractional_change_term_by_term
+:title: Each Bernstein term keeps its shape, in every degree
+:zh: 逐项变换:任意次数
+:given: variables $n,i,a,b,u$
+:let: $t=au/D$, $D=au+b(1-u)$
+:then: $D(1-t)=b(1-u)$ and $\frac{n-i}{i+1}\frac t{1-t}=\frac ab\cdot\frac{n-i}{i+1}\frac u{1-u}$
+:method: The first equality to the power $n$ is $D^nB_0^n(t)=b^nB_0^n(u)$.  In the second, $\frac{n-i}{i+1}\frac t{1-t}$ is
+  $B_{i+1}^n(t)/B_i^n(t)$; so, by induction on $i$, $D^nB_i^n(t)=a^ib^{n-i}B_i^n(u)$ for all $i\le n$.  Multiply by $\omega_i$
+  or $\omega_iR_i$ and add.
+:degrees: all
+:control: $b/a$ for $a/b$
+:::
+*/
+CLAIM(fractional_change_term_by_term)
+{
+    num n = positive(T, "n", 0), i = positive(T, "i", 0), one = from_int(1);
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), u = parameter(T, "u");
+    num rest = mul(b, sub(one, u)), t = G(old_parameter)(a, b, u);
+    num choose = div(sub(n, i), add(i, one));
+    same(T, mul(add(mul(a, u), rest), sub(one, t)), rest);
+    num quotient = T->planted ? div(b, a) : div(a, b);
+    same(T, mul(choose, div(t, sub(one, t))), mul(quotient, mul(choose, div(u, sub(one, u)))));
+}
+
+/*
+## Which weights can be reached
+
+:::{statement} wang-ch3:3.2.12
+:title: The quotients of neighbouring weights
+:zh: 相邻权的比
+:printed: I_i=I_i^*,\quad I_i=\frac{\omega_i^2}{\omega_{i-1}\omega_{i+1}},\quad
+  I_i^*=\frac{\omega_i^{*2}}{\omega_{i-1}^*\omega_{i+1}^*},\quad i=1,\dots,n-1
+:definition: yes
+:checked-by: invariants_by_definition
+
+For $n=1$ there is no condition.
+:::
+
+:::{claim} invariants_by_definition
+:title: The computed quotients are those of the formula
+:zh: 不变量的定义
+:given: weights $\omega_0,\dots,\omega_n$, none of them $0$
+:then: $I_i\,\omega_{i-1}\omega_{i+1}=\omega_i^2$, $i=1,\dots,n-1$
+:method: The quotients are computed by the program, the products here.
+:degrees: 2..8 sampled 24
+:defines: rational_invariants
+:control: $\omega_{i-1}$ for $\omega_{i+1}$
+:::
+*/
+CLAIM(invariants_by_definition)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], I[MAX_DEGREE];
+    for (int i = 0; i <= n; i++)
+        w[i] = positive(T, "w", i);
+    G(rational_invariants)(n, w, I);
+    for (int i = 1; i < n; i++)
+        same(T, mul(I[i - 1], mul(w[i - 1], T->planted ? w[i - 1] : w[i + 1])), mul(w[i], w[i]));
+}
+
+/*
+:::{statement} wang-ch3:3.2.11
+:title: The factors a and b, from the first and the last weight
+:zh: 由首末权确定 a 与 b
+:printed: a=\sqrt[n]{\omega_n^{*}/\omega_n},\quad b=\sqrt[n]{\omega_0^{*}/\omega_0}
+:definition: yes
+:checked-by: end_weights_give_the_factors
+:needs: negated_weights_have_no_real_factors | positive weights, for even $n$: otherwise the roots need not be real
+:::
+
+:::{claim} negated_weights_have_no_real_factors
+:title: In even degree the roots need not be real, though the curve is the same
+:zh: 偶次时异号权无实因子
+:kind: decision
+:given: $n=2$, $\omega=(1,2,3)$, $\omega^*=-\omega$ and any points
+:then: $I_1=I_1^*$ and the curves are the same, but $\omega_0^{*}/\omega_0=\omega_2^{*}/\omega_2=-1$ has no real square root
+:method: The two curves are compared at $t=1/3$ with the points $0,1,3$; at every $t$ numerator and denominator change sign
+  together.
+:control: $\omega_2^*$ positive
+:::
+*/
+#if RATIONAL
+CLAIM(negated_weights_have_no_real_factors)
+{
+    enum { n = 2 };
+    num w[n + 1], v[n + 1], R[] = {from_int(0), from_int(1), from_int(3)}, I[n], J[n], before, after;
+    for (int i = 0; i <= n; i++) {
+        w[i] = from_int(i + 1);
+        v[i] = T->planted && i == n ? w[i] : neg(w[i]);
+    }
+    show_points(T, "ω", n + 1, 1, w);
+    show_points(T, "ω*", n + 1, 1, v);
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    same(T, J[0], I[0]);
+    G(rational_point)(n, 1, R, w, from_ratio(1, 3), &before);
+    G(rational_point)(n, 1, R, v, from_ratio(1, 3), &after);
+    same(T, after, before);
+    agree(T, sign_q(div(v[0], w[0])) < 0 && sign_q(div(v[n], w[n])) < 0);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:prop-3.2.10
+:title: Equal quotients: the weights can be exchanged without moving points or curve
+:zh: 分式线性参数变换下的形状不变性
+:printed: If $I_i=I_i^*$, $i=1,\dots,n-1$, then (3.2.10) with (3.2.11) carries the curve of $(\mathbf R_i,\omega_i)$ into
+  the rational Bézier curve of the same degree with the same points and shape, in the parameter $u$ and with the weights
+  $\omega_i^*$
+:holds-by: equal_invariants_give_same_curve end_weights_give_the_factors fractional_change_runs_once
+:needs: equal_invariants_reach_the_other_arc | positive weights: with a negative one the other arc of the conic has the
+  same $I_1$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | positive weights: for $n=1$ there is no condition at all, and the
+  curve may even become unbounded
+:::
+
+:::{claim} equal_invariants_give_same_curve
+:title: Weights with the same quotients give the same curve at another speed
+:zh: 不变量相等则曲线相同
+:given: positive weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, and weights $\omega^*$ with $I_i^*=I_i$ for
+  $0<i<n$: $\omega_0^*,\omega_1^*$ are free and the others follow from $\omega_{i+1}^*=\omega_i^{*2}/(\omega_{i-1}^*I_i)$
+:let: $q=\frac{\omega_0\omega_1^*}{\omega_1\omega_0^*}$ and $t=qu/(qu+1-u)$
+:then: $R^*(u)=R(t)$ for every $u$
+:method: The recursion produces every $\omega^*$ with these quotients.  Formula (3.2.10) depends on $a/b$ alone, and
+  $a/b=q$ as positive numbers have one positive root; so nothing but rational functions is left, and both sides are one.
+:degrees: 1..6 sampled 10
+:control: the last weight $\omega_n^*$ doubled
+:::
+*/
+CLAIM(equal_invariants_give_same_curve)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], I[MAX_DEGREE], before, after;
+    num u = parameter(T, "u"), one = from_int(1);
+    G(free_curve)(T, n, R, w);
+    v[0] = positive(T, "v", 0);
+    v[1] = positive(T, "v", 1);
+    G(rational_invariants)(n, w, I);
+    for (int i = 1; i < n; i++)
+        v[i + 1] = div(mul(v[i], v[i]), mul(v[i - 1], I[i - 1]));
+    num q = div(div(v[1], w[1]), div(v[0], w[0]));
+    if (T->planted)
+        v[n] = add(v[n], v[n]);
+    G(rational_point)(n, 1, R, w, G(old_parameter)(q, one, u), &before);
+    G(rational_point)(n, 1, R, v, u, &after);
+    same(T, after, before);
+}
+
+#if RATIONAL
+/*
+:::{claim} equal_invariants_reach_the_other_arc
+:title: The square in the quotient forgets the sign of the middle weight
+:zh: 中间权变号:比值相同而曲线不同
+:kind: decision
+:given: $n=2$, points $(-1,0),(0,1),(1,0)$, $\omega=(2,1,2)$ and $\omega^*=(2,-1,2)$
+:then: $I_1=I_1^*=1/4$, $a=b=1$, both denominators are positive on $[0,1]$, and the second curve has a point that is not on
+  the first
+:method: The first curve lies in the triangle of its points, $y\ge0$, as its weights are positive.  The denominators are
+  decided by their signs on $[0,1]$; $R^*(1/2)$ has $y<0$.
+:control: $\omega_1^*=1$
+:::
+*/
+CLAIM(equal_invariants_reach_the_other_arc)
+{
+    enum { n = 2 };
+    num R[] = {from_int(-1), from_int(0), from_int(0), from_int(1), from_int(1), from_int(0)};
+    num w[] = {from_int(2), from_int(1), from_int(2)}, v[] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
+    num I[1], J[1], P[2], Q[2], zero = from_int(0), one = from_int(1);
+    show_points(T, "R", n + 1, 2, R);
+    show_points(T, "ω", n + 1, 1, w);
+    show_points(T, "ω*", n + 1, 1, v);
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    same(T, J[0], I[0]);
+    show(T, "I_1 = I_1^*", I[0]);
+    G(rational_point)(n, 2, R, w, from_ratio(1, 2), P);
+    G(rational_point)(n, 2, R, v, from_ratio(1, 2), Q);
+    show_points(T, "R(1/2)", 1, 2, P);
+    show_points(T, "R*(1/2)", 1, 2, Q);
+    agree(T, sign_on(poly_from_bernstein(n, w), zero, one, CLOSED) == SIGN_POSITIVE);
+    agree(T, sign_on(poly_from_bernstein(n, v), zero, one, CLOSED) == SIGN_POSITIVE);
+    agree(T, sign_q(Q[1]) < 0);
+}
+
+/*
+:::{claim} linear_curve_with_opposite_ratios_has_a_pole
+:title: In degree 1 a negative weight sends the curve to infinity
+:zh: 一次时异号权使曲线无界
+:kind: decision
+:given: $n=1$, the points $0,1$ of the line, $\omega=(1,1)$ and $\omega^*=(1,-1)$
+:then: there is no quotient to compare; $a/b=-1$, the denominators of $t$ and of $R^*(u)$ vanish at $u=1/2$, and
+  $R^*(1/3)=-1$ is not on the segment
+:method: Computed exactly.
+:control: $\omega_1^*=1$
+:::
+*/
+CLAIM(linear_curve_with_opposite_ratios_has_a_pole)
+{
+    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)};
+    num v[] = {from_int(1), from_int(T->planted ? 1 : -1)}, P, half = from_ratio(1, 2);
+    num a = div(v[1], w[1]), b = div(v[0], w[0]);
+    show_points(T, "ω", 2, 1, w);
+    show_points(T, "ω*", 2, 1, v);
+    vanishes(T, add(mul(a, half), mul(b, half)));
+    vanishes(T, G(rational_weight)(1, v, half));
+    G(rational_point)(1, 1, R, v, from_ratio(1, 3), &P);
+    show(T, "R*(1/3)", P);
+    agree(T, sign_q(P) < 0);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.2.13
+:title: The curve that results
+:zh: 变换所得曲线
+:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i}{\sum_{i=0}^nB_i^n(u)\omega_i^*},\quad 0\le u\le1
+:holds-by: equal_invariants_give_same_curve
+:::
+
+## The proof
+
+:::{statement} wang-ch3:prop-3.2.10-geometric
+:title: Equal quotients mean that the ratios of the weights are a geometric sequence
+:zh: 不变量相等等价于权之比成等比数列
+:printed: (3.2.12) is equivalent to $\omega_i^{*}/\omega_i=(\omega_0^{*}/\omega_0)q^i$, $i=1,\dots,n$
+:holds-by: equal_invariants_mean_geometric_ratios
+
+True for all weights but $0$, of any sign.
+:::
+
+:::{claim} equal_invariants_mean_geometric_ratios
+:title: Three neighbouring ratios are geometric exactly when the quotients agree
+:zh: 三个相邻比成等比当且仅当不变量相等
+:given: three neighbouring weights $\omega_{i-1},\omega_i,\omega_{i+1}$ and ratios $r_{i-1},r_i,r_{i+1}$, none of them $0$, with
+  $\omega_k^*=r_k\omega_k$
+:then: $I_i^*r_{i-1}r_{i+1}=I_ir_i^2$; so $I_i^*=I_i$ exactly when $r_{i+1}/r_i=r_i/r_{i-1}$
+:method: The equality is one of rational functions.  For all $i$ together it says that the ratios have one common quotient
+  $q$, so that $r_i=r_0q^i$.
+:scope: any three neighbouring weights of any degree
+:control: $r_i$ for $r_i^2$
+:::
+*/
+CLAIM(equal_invariants_mean_geometric_ratios)
+{
+    num w[3], r[3], v[3], I[1], J[1];
+    for (int k = 0; k < 3; k++) {
+        w[k] = unknown(T, "w", k);
+        r[k] = unknown(T, "r", k);
+        v[k] = mul(r[k], w[k]);
+    }
+    G(rational_invariants)(2, w, I);
+    G(rational_invariants)(2, v, J);
+    num square = T->planted ? r[1] : mul(r[1], r[1]);
+    same(T, mul(J[0], mul(r[0], r[2])), mul(I[0], square));
+}
+
+/*
+:::{statement} wang-ch3:prop-3.2.10-quotient
+:title: The last ratio gives the common quotient
+:zh: 由末项求公比
+:printed: For $i=n$, (3.2.11) gives $q=a/b$
+:holds-by: equal_powers_of_positive_numbers
+:needs: quotient_is_lost_up_to_sign | positive weights; otherwise for even $n$ only $q=\pm a/b$
+:::
+
+:::{claim} equal_powers_of_positive_numbers
+:title: Positive numbers with equal n-th powers are equal
+:zh: 正数的 n 次幂相等则相等
+:given: $p,q>0$
+:then: $q^n-p^n=(q-p)\,S$ with $S=\sum_{k<n}q^{n-1-k}p^k>0$
+:method: An identity, and $S$ has positive coefficients only.  From $\omega_n^{*}/\omega_n=(\omega_0^{*}/\omega_0)q^n$ and (3.2.11)
+  follows $q^n=(a/b)^n$; all ratios of positive weights are positive, so $q=a/b$.
+:degrees: 1..8 sampled 16
+:control: the signs in $S$ alternate
+:::
+*/
+CLAIM(equal_powers_of_positive_numbers)
+{
+    int n = T->degree;
+    num p = positive(T, "p", 0), q = positive(T, "q", 0), S = from_int(0);
+    for (int k = 0; k < n; k++) {
+        num term = mul(G(power)(q, n - 1 - k), G(power)(p, k));
+        S = T->planted && k % 2 == 1 ? sub(S, term) : add(S, term);
+    }
+    same(T, mul(sub(q, p), S), sub(G(power)(q, n), G(power)(p, n)));
+    nonnegative(T, sub(S, G(power)(q, n - 1)));
+}
+
+/*
+:::{claim} quotient_is_lost_up_to_sign
+:title: In even degree the end weights do not know the sign of the quotient
+:zh: 偶次时公比的符号不能由末项求得
+:kind: decision
+:given: $n=2$, $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$
+:then: $I_1=I_1^*$, the ratios are $1,-1,1$ with $q=-1$, but $a/b=+1$
+:method: Computed exactly.
+:control: $\omega_1^*=1$
+:::
+*/
+#if RATIONAL
+CLAIM(quotient_is_lost_up_to_sign)
+{
+    num w[] = {from_int(2), from_int(1), from_int(2)}, v[] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
+    num r[3], I[1], J[1];
+    for (int k = 0; k < 3; k++)
+        r[k] = div(v[k], w[k]);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "ω*", 3, 1, v);
+    G(rational_invariants)(2, w, I);
+    G(rational_invariants)(2, v, J);
+    same(T, J[0], I[0]);
+    num q = div(r[1], r[0]), quotient = div(root(2, r[2]), root(2, r[0]));
+    show(T, "q", q);
+    show(T, "a/b", quotient);
+    agree(T, !equal_q(q, quotient));
+    same(T, mul(q, q), mul(quotient, quotient));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:prop-3.2.10-weights
+:title: The factors carry the old weights into the new ones
+:zh: 因子把旧权变为新权
+:printed: a^ib^{n-i}\omega_i=\omega_i^*, so that (3.2.14) is (3.2.13)
+:holds-by: end_weights_give_the_factors
+:needs: equal_invariants_reach_the_other_arc | positive weights: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left side is
+  $1$ for $i=1$, the right side $-1$
+:::
+
+:::{claim} end_weights_give_the_factors
+:title: With a and b from the end weights, $a^i b^{n-i}\omega_i$ is $\omega_i^*$
+:zh: 由首末权所得因子还原全部权
+:given: positive weights $\omega_0,\dots,\omega_n$ and $\omega_i^*=r\,q^i\omega_i$, $r=\beta^n$, $q=\alpha/\beta$, with $\alpha,\beta>0$
+:let: $a=\sqrt[n]{\omega_n^{*}/\omega_n}$, $b=\sqrt[n]{\omega_0^{*}/\omega_0}$
+:then: $a^ib^{n-i}\omega_i=\omega_i^*$, $i=0,\dots,n$
+:method: Every positive geometric sequence of ratios has this form, with $\beta=\sqrt[n]r$.  The roots are taken in the field of
+  rational functions, where they are the positive ones $\alpha$ and $\beta$.
+:degrees: 1..8 sampled 10
+:control: $\omega_n^*$ for $\omega_0^*$ in $b$
+:::
+*/
+CLAIM(end_weights_give_the_factors)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], out[MAX_DEGREE + 1];
+    num alpha = positive(T, "alpha", 0), beta = positive(T, "beta", 0);
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        v[i] = mul(mul(G(power)(beta, n), G(power)(div(alpha, beta), i)), w[i]);
+    }
+    int first = T->planted ? n : 0;
+    num a = root(n, div(v[n], w[n])), b = root(n, div(v[first], w[first]));
+    G(rational_reparametrize)(n, w, a, b, out);
+    for (int i = 0; i <= n; i++)
+        same(T, out[i], v[i]);
+}
+
+/*
+One choice of the new weights is distinguished: $\omega_0^*=\omega_n^*=1$, the standard form.  Section 3.5 of the source
+uses it for $n=2$.
+
+:::{claim} standard_form_has_unit_ends
+:title: The standard form has end weights 1 and is the same curve
+:zh: 标准形:首末权为 1
+:given: positive weights $\omega_0,\dots,\omega_n$ with $\omega_n=\omega_0\rho^n$, and points $R_0,\dots,R_n$
+:then: the standard weights are $\omega_i/(\omega_0\rho^i)$, the first and the last are $1$, and with them the curve at $u$
+  is $R(t)$, $t=u/(u+\rho(1-u))$
+:method: All sides are rational functions of $\rho$, the weights, the points and $u$; $\rho=\sqrt[n]{\omega_n/\omega_0}$ may be
+  any positive number.
+:degrees: 1..6 sampled 10
+:defines: rational_standard_form
+:control: $\rho$ for $1/\rho$
+:::
+*/
+CLAIM(standard_form_has_unit_ends)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], out[MAX_DEGREE + 1], before, after;
+    num rho = positive(T, "rho", 0), u = parameter(T, "u"), one = from_int(1);
+    G(free_curve)(T, n, R, w);
+    w[n] = mul(w[0], G(power)(rho, n));
+    G(rational_standard_form)(n, w, out);
+    num factor = T->planted ? rho : div(one, rho);
+    for (int i = 0; i <= n; i++)
+        same(T, out[i], mul(div(w[i], w[0]), G(power)(factor, i)));
+    same(T, out[0], one);
+    same(T, out[n], one);
+    G(rational_point)(n, 1, R, w, G(old_parameter)(one, rho, u), &before);
+    G(rational_point)(n, 1, R, out, u, &after);
+    same(T, after, before);
+}
+
+/*
+## The invariants
+
+:::{statement} wang-ch3:def-3.2.2
+:title: The quotients are invariants of the fractional linear change of parameter
+:zh: 分式线性变换下的不变量
+:printed: $I_i=\omega_i^2/(\omega_{i-1}\omega_{i+1})$, $i=1,\dots,n-1$, are the invariants of the curve under (3.2.10)
+:definition: yes
+:checked-by: invariants_survive_fractional_change equal_invariants_give_same_curve
+
+They are a complete set: equal quotients come from a change of parameter, by property 3.2.10.
+:::
+
+:::{claim} invariants_survive_fractional_change
+:title: The change of parameter does not change the quotients
+:zh: 参数变换不改变不变量
+:given: weights $\omega_0,\dots,\omega_n$, $a$ and $b$, none of them $0$
+:then: $(a^ib^{n-i}\omega_i)_i$ has the same quotients $I_1,\dots,I_{n-1}$ as $(\omega_i)_i$
+:method: Both are computed as rational functions of the weights, $a$ and $b$.
+:degrees: 2..8 sampled 16
+:control: $\omega_1$ of the new weights doubled
+:::
+*/
+CLAIM(invariants_survive_fractional_change)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], I[MAX_DEGREE], J[MAX_DEGREE];
+    num a = unknown(T, "a", 0), b = unknown(T, "b", 0);
+    for (int i = 0; i <= n; i++)
+        w[i] = unknown(T, "w", i);
+    G(rational_reparametrize)(n, w, a, b, v);
+    if (T->planted)
+        v[1] = add(v[1], v[1]);
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    for (int i = 1; i < n; i++)
+        same(T, J[i - 1], I[i - 1]);
+}
+
+/*
+:::{statement} wang-ch3:def-3.2.2-intrinsic
+:title: The invariants belong to the curve
+:zh: 不变量是曲线的内在几何量
+:printed: The $I_i$ are intrinsic geometric quantities of the curve (3.2.2)
+:holds-by: invariants_survive_fractional_change projective_change_of_unit_interval_is_fractional fractional_change_keeps_curve
+:hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor: otherwise
+  one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
+:hypothesis: segment_has_two_invariants | the curve is covered once: otherwise two curves that have one point set, no common
+  factor and the same points differ in $I_i$
+:reading: invariants_survive_fractional_change | belonging to the points and weights, up to (3.2.10): holds always
+:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set: fails, even for a regular
+  arc of a parabola written as a cubic
+:reading: reversal_exchanges_invariants | belonging to the point set up to its direction: run backwards, the curve has $I_{n-i}$
+  for $I_i$
+
+With the two hypotheses: two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
+projective change of the parameter (a rational curve covered once is birational to its parameter line), which maps the unit
+interval onto itself, hence is (3.2.10); without a common factor the homogeneous coordinates are then proportional, so the
+points are equal and the weights are those of (3.2.14), with the same $I_i$.  This holds in every degree.
+:::
+
+:::{claim} same_map_on_a_line_has_two_invariants
+:title: One map, two sets of quotients: the segment as a quadratic
+:zh: 同一映射的两组不变量:二次线段
+:kind: decision
+:given: $n=2$; the points $0,\frac12,1$ with weights $1,1,1$; the points $0,\frac13,1$ with weights $1,\frac32,2$
+:then: both curves are $R(t)=t$ for every $t$, but $I_1=1$ and $I_1=9/8$
+:method: The two numerators are $t$ and $t(1+t)$, the denominators $1$ and $1+t$, by their Bernstein coefficients; the
+  cross products are compared as polynomials.
+:control: the weight $3/2$ taken as $1$
+:::
+*/
+#if RATIONAL
+/* Both plane (dim = 2) or linear (dim = 1) curves are one map of t: the cross products of numerators and
+ * denominators are equal polynomials. */
+static int G(one_map)(int n, int dim, const num R[], const num w[], const num S[], const num v[])
+{
+    int equal = 1;
+    for (int c = 0; c < dim; c++) {
+        num x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
+        for (int i = 0; i <= n; i++) {
+            x[i] = mul(w[i], R[i * dim + c]);
+            y[i] = mul(v[i], S[i * dim + c]);
+        }
+        equal &= poly_equal(poly_mul(poly_from_bernstein(n, x), poly_from_bernstein(n, v)),
+                            poly_mul(poly_from_bernstein(n, y), poly_from_bernstein(n, w)));
+    }
+    return equal;
+}
+
+/* Shows the two curves with their quotients, which go to I and J; are they one map? */
+static int G(one_map_shown)(trial *T, int n, int dim, const num R[], const num w[], const num S[], const num v[], num I[], num J[])
+{
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    show_points(T, "R", n + 1, dim, R);
+    show_points(T, "ω", n + 1, 1, w);
+    show_points(T, "I", n - 1, 1, I);
+    show_points(T, "other R", n + 1, dim, S);
+    show_points(T, "other ω", n + 1, 1, v);
+    show_points(T, "other I", n - 1, 1, J);
+    return G(one_map)(n, dim, R, w, S, v);
+}
+
+CLAIM(same_map_on_a_line_has_two_invariants)
+{
+    num one = from_int(1), R[] = {from_int(0), from_ratio(1, 2), one}, w[] = {one, one, one};
+    num S[] = {from_int(0), from_ratio(1, 3), one}, v[] = {one, T->planted ? one : from_ratio(3, 2), from_int(2)}, I[1], J[1];
+    agree(T, G(one_map_shown)(T, 2, 1, R, w, S, v, I, J));
+    agree(T, !equal_q(I[0], J[0]));
+}
+
+/*
+:::{claim} same_parabola_has_two_invariant_sets
+:title: One map, two sets of quotients: an arc of a parabola as a cubic
+:zh: 同一映射的两组不变量:三次形式的抛物线弧
+:kind: counterexample
+:given: $n=3$; the points $(0,0),(\frac23,0),(\frac23,\frac13),(0,1)$ with weights $1,1,1,1$; the points
+  $(0,0),(\frac12,0),(\frac45,\frac15),(0,1)$ with weights $1,\frac43,\frac53,2$
+:then: both curves are $R(t)=(2t(1-t),t^2)$ for every $t$, but $(I_1,I_2)=(1,1)$ and $(\frac{16}{15},\frac{25}{24})$
+:method: The second numerators and denominator are the first ones times $1+t$: the cross products are compared as polynomials, and
+  are equal; then the quotients are compared.
+:control: the first points and weights both times
+:::
+*/
+CLAIM(same_parabola_has_two_invariant_sets)
+{
+    num zero = from_int(0), one = from_int(1), w[] = {one, one, one, one};
+    num R[] = {zero, zero, from_ratio(2, 3), zero, from_ratio(2, 3), from_ratio(1, 3), zero, one};
+    num S[] = {zero, zero, from_ratio(1, 2), zero, from_ratio(4, 5), from_ratio(1, 5), zero, one};
+    num v[] = {one, from_ratio(4, 3), from_ratio(5, 3), from_int(2)}, I[2], J[2];
+    if (!G(one_map_shown)(T, 3, 2, R, w, T->planted ? R : S, T->planted ? w : v, I, J))
+        return;
+    about(T, "I_1 of the two");
+    same(T, I[0], J[0]);
+}
+#endif
+
+/*
+:::{claim} reversal_exchanges_invariants
+:title: Run backwards, the curve has the quotients in reverse order
+:zh: 反向后不变量次序颠倒
+:given: weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$
+:then: $(R_{n-i},\omega_{n-i})_i$ is the curve $R(1-t)$, and its $i$-th quotient is $I_{n-i}$
+:method: Both sides are computed as rational functions of all the data.
+:degrees: 2..6 sampled 12
+:control: the points reversed, the weights not
+:::
+*/
+CLAIM(reversal_exchanges_invariants)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], S[MAX_DEGREE + 1], I[MAX_DEGREE], J[MAX_DEGREE];
+    num t = parameter(T, "t"), there, back;
+    G(free_curve)(T, n, R, w);
+    for (int i = 0; i <= n; i++) {
+        S[i] = R[n - i];
+        v[i] = T->planted ? w[i] : w[n - i];
+    }
+    G(rational_point)(n, 1, R, w, sub(from_int(1), t), &there);
+    G(rational_point)(n, 1, S, v, t, &back);
+    same(T, back, there);
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    for (int i = 1; i < n; i++)
+        same(T, J[i - 1], I[n - i - 1]);
+}
+
+/*
+:::{statement} wang-ch3:def-3.2.2-first-invariant
+:title: For n = 2 the invariant has the geometric meaning of section 3.1
+:zh: n=2 时不变量的几何意义
+:printed: For $n=2$ the geometric meaning of $I_1$ was given in section 3.1
+:holds-by: first_invariant_is_the_tangent_ratio
+
+What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $1/I_1$.
+:::
+
+:::{claim} first_invariant_is_the_tangent_ratio
+:title: Every tangent cuts the legs of the triangle in ratios whose product is $1/I_1$
+:zh: 切线在两边上截得比之积等于 1/I_1
+:given: the quadratic with points $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and positive weights, and $0<t<1$
+:let: the tangent at $R(t)$ meets $R_0R_1$ in $A$ and $R_1R_2$ in $B$
+:then: $\frac{R_1A}{AR_0}\cdot\frac{R_1B}{BR_2}=\frac1{I_1}$
+:method: The tangent is the line through $R(t)$ in the direction of $R'(t)$; everything is a rational function of $t$ and the
+  weights.  Ratios on lines and tangents are affine invariants, so every triangle is included.
+:scope: n = 2
+:control: $I_1$ for $1/I_1$
+:::
+*/
+CLAIM(first_invariant_is_the_tangent_ratio)
+{
+    num zero = from_int(0), one = from_int(1), R[] = {one, zero, zero, zero, zero, one}, w[3], D[4], I[1];
+    num t = parameter(T, "t");
+    for (int i = 0; i < 3; i++)
+        w[i] = positive(T, "w", i);
+    G(rational_derivatives)(2, 2, R, w, t, 1, D);
+    num A = sub(D[0], mul(D[1], div(D[2], D[3]))), B = sub(D[1], mul(D[0], div(D[3], D[2])));
+    num product = mul(div(A, sub(one, A)), div(B, sub(one, B)));
+    G(rational_invariants)(2, w, I);
+    same(T, product, T->planted ? I[0] : div(one, I[0]));
+}
+
+/*
+:::{statement} wang-ch3:prop-3.2.10-same-shape
+:title: Equal invariants: the same shape, another distribution of the parameter
+:zh: 不变量相等时形状相同而参数分布不同
+:printed: When $I_i=I_i^*$, $i=1,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape and only the parameter is
+  distributed differently along them
+:holds-by: equal_invariants_give_same_curve fractional_change_runs_once
+:needs: equal_invariants_reach_the_other_arc | positive weights
+
+The distribution need not differ: for $\omega_i^*=c\,\omega_i$ it is the same, as $q=1$.
+:::
+*/
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,274 @@
+/*
+# The shoulder point (肩点)
+
+A designer sees $\omega$: it is the ratio in which the curve divides the median of its triangle.
+
+:::{statement} wang-ch3:3.5-shoulder
+:title: The shoulder point
+:zh: 肩点公式
+:printed: \mathbf R_s=\mathbf R^*(u)\big|_{u=1/2}=\frac1{1+\omega}\left(\frac{\mathbf R_0}2+\frac{\mathbf R_2}2\right)
+  +\frac\omega{1+\omega}\mathbf R_1
+:holds-by: shoulder_point_of_the_curve
+:needs: shoulder_point_at_infinity | The weights are positive, so $\omega\ne-1$.
+
+On (3.1.5) itself this is the point of $t=\frac{\sqrt{\omega_0}}{\sqrt{\omega_0}+\sqrt{\omega_2}}$, which is $\frac12$ only
+for $\omega_0=\omega_2$.
+:::
+
+:::{claim} shoulder_point_of_the_curve
+:title: The point of parameter 1/2 of the standard form
+:zh: 标准形参数 1/2 处的点
+:given: points $R_0,R_1,R_2$ and positive weights $\omega_0=a^2$, $\omega_1$, $\omega_2=c^2$
+:let: $\omega=\frac{\omega_1}{ac}$
+:then: the kernel's standard weight is $\omega$; its shoulder point is the point at $\frac12$ of the curve with the weights
+  $1,\omega,1$, the point at $\frac a{a+c}$ of the curve itself, and
+  $\frac1{1+\omega}\frac{R_0+R_2}2+\frac\omega{1+\omega}R_1$
+:method: Identities in $a$, $\omega_1$, $c$ and the six coordinates; every pair of positive outer weights is reached.
+:defines: conic_standard_weight shoulder_point
+:control: the point at $\frac12$ of the curve itself
+:::
+*/
+#include "exact/roots.h"
+
+#include "chapters/frame/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+CLAIM(shoulder_point_of_the_curve)
+{
+    num R[6], a, c, w[3], P[2], Q[2], shoulder[2], one = from_int(1), half = from_ratio(1, 2);
+    G(six)(T, "R", R);
+    G(square_ends)(T, &a, &c, w);
+    num omega = div(w[1], mul(a, c)), v[3] = {one, omega, one}, total = add(one, omega);
+    about(T, "the standard weight");
+    same(T, G(conic_standard_weight)(w), omega);
+    G(shoulder_point)(R, w, shoulder);
+    G(rational_point)(2, 2, R, v, half, P);
+    G(rational_point)(2, 2, R, w, T->planted ? half : div(a, add(a, c)), Q);
+    for (int k = 0; k < 2; k++) {
+        about(T, "the shoulder point and R*(1/2)");
+        same(T, shoulder[k], P[k]);
+        about(T, "the shoulder point and R(t)");
+        same(T, shoulder[k], Q[k]);
+        about(T, "the shoulder point as printed");
+        num middle = div(mul(half, add(R[k], R[4 + k])), total);
+        same(T, shoulder[k], add(middle, mul(div(omega, total), R[2 + k])));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} shoulder_point_at_infinity
+:title: For the weight -1 there is no shoulder point
+:zh: ω=-1 时无肩点
+:kind: counterexample
+:given: the weights $1,-1,1$
+:then: the denominator at $u=\frac12$ is 0
+:method: The denominator is computed.
+:control: the weights $1,1,1$
+:::
+*/
+CLAIM(shoulder_point_at_infinity)
+{
+    num one = from_int(1), w[3] = {one, from_int(T->planted ? 1 : -1), one};
+    num bottom = G(rational_weight)(2, w, from_ratio(1, 2));
+    show_points(T, "ω", 3, 1, w);
+    show(T, "ω(1/2)", bottom);
+    about(T, "whether R(1/2) exists");
+    agree(T, !is_zero_q(bottom));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.5-median
+:title: The curve divides the median in the ratio 1 to omega
+:zh: 曲线将中线分成 1:ω
+:printed: $R_s$ lies on the median of $\triangle R_1R_0R_2$ to its base, and the curve divides this median into two parts
+  in the ratio $1:\omega$.
+:holds-by: curve_divides_the_median
+:needs: negative_weight_leaves_the_median | The weights are positive, so $\omega>0$.
+:reading: curve_divides_the_median | The parts are taken from the vertex, $\|R_1R_s\|:\|R_sM\|=1:\omega$, as in corollary
+  3.5.1: true.
+:reading: median_from_the_base_is_the_other_way | The parts are taken from the base.
+:::
+
+:::{claim} curve_divides_the_median
+:title: The shoulder point on the median, and no other point of the curve
+:zh: 肩点分中线，且曲线与中线只交一次
+:given: a true triangle $R_0R_1R_2$, the weights $1,\omega,1$, $\omega>0$, and $u\in[0,1]$
+:let: $M=\frac{R_0+R_2}2$ and $w(u)=(1-u)^2+2\omega u(1-u)+u^2$
+:then: $R_s-M=\frac\omega{1+\omega}(R_1-M)$ and $R_1-R_s=\frac1{1+\omega}(R_1-M)$, so $\|R_1R_s\|:\|R_sM\|=1:\omega$; and
+  $w(u)\,(R_1-M)\times(R^*(u)-M)=(1-2u)\,(R_1-M)\times(R_0-M)$, so the curve meets the line $R_1M$ only for $u=\frac12$
+:method: Identities in the six coordinates, $\omega$ and $u$; the cross product on the right is not 0 for a true
+  triangle.
+:control: the point $M$ at one third of the chord
+:::
+*/
+CLAIM(curve_divides_the_median)
+{
+    num R[6], P[2], shoulder[2], M[2], one = from_int(1), two = from_int(2), omega = positive(T, "w", 1);
+    num u = parameter(T, "u"), w[3] = {one, omega, one}, total = add(one, omega);
+    G(six)(T, "R", R);
+    G(rational_point)(2, 2, R, w, u, P);
+    G(rational_point)(2, 2, R, w, from_ratio(1, 2), shoulder);
+    for (int c = 0; c < 2; c++) {
+        M[c] = T->planted ? div(add(add(R[c], R[c]), R[4 + c]), from_int(3)) : div(add(R[c], R[4 + c]), two);
+        num median = sub(R[2 + c], M[c]);
+        about(T, "R_s - M");
+        same(T, sub(shoulder[c], M[c]), mul(div(omega, total), median));
+        about(T, "R_1 - R_s");
+        same(T, sub(R[2 + c], shoulder[c]), div(median, total));
+    }
+    about(T, "the side of the median on which R*(u) lies");
+    num weight = G(rational_weight)(2, w, u);
+    same(T, mul(weight, G(area)(M, R + 2, P)), mul(sub(one, mul(two, u)), G(area)(M, R + 2, R)));
+}
+
+#if RATIONAL
+/*
+:::{claim} negative_weight_leaves_the_median
+:title: With a negative weight the shoulder point is not between vertex and base
+:zh: ω<0 时肩点不在中线段上
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,-\frac12,1$
+:then: $R_s=(0,-1)$, below the base: the median is not divided
+:method: The point is computed.
+:control: the weights $1,\frac12,1$
+:::
+*/
+CLAIM(negative_weight_leaves_the_median)
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, P[2];
+    num w[3] = {one, from_ratio(T->planted ? 1 : -1, 2), one};
+    G(shoulder_point)(R, w, P);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "R_s", 1, 2, P);
+    about(T, "whether R_s lies between M = (0, 0) and R_1 = (0, 1)");
+    agree(T, is_zero_q(P[0]) && sign_q(P[1]) >= 0 && compare_q(P[1], one) <= 0);
+}
+
+/*
+:::{claim} median_from_the_base_is_the_other_way
+:title: From the base the ratio is omega to 1
+:zh: 自底边起为 ω:1
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,\frac12,1$
+:then: $R_s=(0,\frac13)$, and $\|MR_s\|:\|R_sR_1\|=\frac12$, while $1:\omega=2$
+:method: The point is computed; the median lies on the second axis.
+:control: $\|R_1R_s\|:\|R_sM\|$
+:::
+*/
+CLAIM(median_from_the_base_is_the_other_way)
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, P[2];
+    num w[3] = {one, from_ratio(1, 2), one};
+    G(shoulder_point)(R, w, P);
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "R_s", 1, 2, P);
+    num lower = P[1], upper = sub(one, P[1]);
+    about(T, "the ratio of the parts from the base, and 1 : ω");
+    same(T, T->planted ? div(upper, lower) : div(lower, upper), div(one, w[1]));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:cor-3.5.1
+:title: Classification by the shoulder point
+:zh: 推论 3.5.1：按肩点分类
+:printed: Let the rational quadratic Bézier curve (3.1.5) meet the median $R_1M$ of $\triangle R_1R_0R_2$ to the base
+  $R_0R_2$ in the shoulder point $R_s$.  If $\frac{\|R_sM\|}{\|R_1R_s\|}=\omega$, the curve is an ellipse, a parabola or a
+  hyperbola for $\omega<1$, $\omega=1$ or $\omega>1$.
+:holds-by: shoulder_ratio_is_the_root_of_the_invariant sign_of_the_discriminant kind_in_any_coordinates
+:needs: flat_triangle_has_a_shoulder_point | $R_0R_1R_2$ is a triangle.
+:needs: weight_zero_has_ratio_zero | The weights are positive, so $\omega_1\ne0$.
+
+The ratio is $\frac{|\omega_1|}{\sqrt{\omega_0\omega_2}}=\sqrt{I_1}$ for all weights with $\omega_0\omega_2>0$, not only for
+standard ones.
+:::
+
+:::{claim} shoulder_ratio_is_the_root_of_the_invariant
+:title: The square of the shoulder ratio is the invariant
+:zh: 肩点比的平方等于 I_1
+:given: a true triangle and positive weights $\omega_0=a^2$, $\omega_1$, $\omega_2=c^2$
+:let: $R_s$ be the point of the curve on the median, $t=\frac a{a+c}$, and $M=\frac{R_0+R_2}2$
+:then: $\|R_sM\|^2=I_1\|R_1R_s\|^2$
+:method: The point is taken on the curve (3.1.5) itself; an identity in the six coordinates, $a$, $\omega_1$ and $c$.  Both
+  ratios are positive, so that $\omega=\sqrt{I_1}$, and $\omega<1$, $=1$, $>1$ with $I_1$.
+:control: $I_1$ upside down
+:::
+*/
+CLAIM(shoulder_ratio_is_the_root_of_the_invariant)
+{
+    num R[6], a, c, w[3], P[2], I[1], half = from_ratio(1, 2), base = from_int(0), vertex = base;
+    G(six)(T, "R", R);
+    G(square_ends)(T, &a, &c, w);
+    G(rational_point)(2, 2, R, w, div(a, add(a, c)), P);
+    G(rational_invariants)(2, w, I);
+    for (int k = 0; k < 2; k++) {
+        num down = sub(P[k], mul(half, add(R[k], R[4 + k]))), up = sub(R[2 + k], P[k]);
+        base = add(base, mul(down, down));
+        vertex = add(vertex, mul(up, up));
+    }
+    same(T, base, T->planted ? div(vertex, I[0]) : mul(I[0], vertex));
+}
+
+#if RATIONAL
+/* The conic of the curve (R, w), and whether it is an ellipse, as a shoulder ratio below 1 would have it. */
+static void ellipse_by_shoulder(trial *T, const num R[], const num w[])
+{
+    num S[6], P[2], M[2] = {mul(from_ratio(1, 2), add(R[0], R[4])), mul(from_ratio(1, 2), add(R[1], R[5]))};
+    num base = from_int(0), vertex = base;
+    G(shoulder_point)(R, w, P);
+    G(conic_of_bezier)(R, w, S);
+    for (int c = 0; c < 2; c++) {
+        base = add(base, mul(sub(P[c], M[c]), sub(P[c], M[c])));
+        vertex = add(vertex, mul(sub(R[2 + c], P[c]), sub(R[2 + c], P[c])));
+    }
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "R_s", 1, 2, P);
+    show(T, "square of the ratio", div(base, vertex));
+    show_points(T, "A ... F", 6, 1, S);
+    show(T, "AC - B²", G(conic_delta)(S));
+    about(T, "whether the conic is an ellipse");
+    agree(T, compare_q(base, vertex) >= 0 || sign_q(G(conic_delta)(S)) > 0);
+}
+
+/*
+:::{claim} flat_triangle_has_a_shoulder_point
+:title: On a line there is a shoulder ratio but no ellipse
+:zh: 三点共线时有肩点比而非椭圆
+:kind: counterexample
+:given: $R_0=(-2,0)$, $R_1=(3,0)$, $R_2=(2,0)$ and the weights $1,\frac12,1$
+:then: $R_s=(1,0)$, $M=(0,0)$, the ratio is $\frac12<1$, but the curve lies on a line
+:method: The point and the conic are computed.
+:control: $R_1=(3,1)$
+:::
+*/
+CLAIM(flat_triangle_has_a_shoulder_point)
+{
+    num zero = from_int(0), one = from_int(1), w[3] = {one, from_ratio(1, 2), one};
+    num R[6] = {from_int(-2), zero, from_int(3), from_int(T->planted), from_int(2), zero};
+    ellipse_by_shoulder(T, R, w);
+}
+
+/*
+:::{claim} weight_zero_has_ratio_zero
+:title: The weight 0 has the ratio 0 and gives a segment
+:zh: ω_1=0 时肩点比为 0
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $1,0,1$
+:then: $R_s=M$, the ratio is $0<1$, but the curve is the segment $R_0R_2$
+:method: The point and the conic are computed.
+:control: $\omega_1=\frac12$
+:::
+*/
+CLAIM(weight_zero_has_ratio_zero)
+{
+    num zero = from_int(0), one = from_int(1), w[3] = {one, T->planted ? from_ratio(1, 2) : zero, one};
+    num R[6] = {neg(one), zero, zero, one, one, zero};
+    ellipse_by_shoulder(T, R, w);
+}
+#endif
+#include "chapters/frame/claims_off.h"

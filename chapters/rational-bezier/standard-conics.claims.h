@@ -1,0 +1,217 @@
+/*
+# Special coordinates and the standard form (特殊坐标系与标准形)
+
+Before it classifies the curves (3.1.5) the source brings them into a simple position, by a motion of the plane,
+and gives them simple weights, by a change of the parameter.
+
+:::{statement} wang-ch3:3.5-coordinates
+:title: Special coordinates of the triangle
+:zh: 特殊坐标系
+:printed: A special coordinate system is taken in which $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$; by the geometric
+  invariance it suffices to classify the curve there.
+:holds-by: special_coordinates_exist kind_in_any_coordinates
+:::
+
+:::{claim} special_coordinates_exist
+:title: A motion brings the chord onto the first axis, its middle to the origin
+:zh: 经运动可将弦置于 x 轴
+:given: points $R_0\ne R_2$ with the middle $M$ and $R_2-R_0=2(p,q)$, and two more points $P$ and $Q$
+:let: $l^2=p^2+q^2$, and let a point $P$ have the coordinates $X=\frac{(P-M)\cdot(p,q)}l$, $Y=\frac{(p,q)\times(P-M)}l$
+:then: $R_0$ and $R_2$ have the coordinates $(\mp l,0)$, and distances and the determinant of two differences are those
+  of the plane
+:method: All are multiplied by $l$ or $l^2$, so that no root is taken; identities in $M$, $p$, $q$, $P$, $Q$.
+:control: $Y$ with $p$ and $q$ exchanged
+:::
+*/
+#include "exact/roots.h"
+
+#include "chapters/frame/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+CLAIM(special_coordinates_exist)
+{
+    num M[2], P[4], e[2] = {unknown(T, "p", 0), unknown(T, "q", 0)}, ll = add(mul(e[0], e[0]), mul(e[1], e[1]));
+    num X[4], Y[4]; /* l times the coordinates of R_0, R_2, P, Q */
+    for (int c = 0; c < 2; c++) {
+        M[c] = unknown(T, "M", c);
+        P[c] = unknown(T, "P", c);
+        P[2 + c] = unknown(T, "Q", c);
+    }
+    num R[8] = {sub(M[0], e[0]), sub(M[1], e[1]), add(M[0], e[0]), add(M[1], e[1]), P[0], P[1], P[2], P[3]};
+    for (int k = 0; k < 4; k++) {
+        num d[2] = {sub(R[2 * k], M[0]), sub(R[2 * k + 1], M[1])};
+        X[k] = add(mul(d[0], e[0]), mul(d[1], e[1]));
+        Y[k] = T->planted ? sub(mul(e[1], d[1]), mul(e[0], d[0])) : sub(mul(e[0], d[1]), mul(e[1], d[0]));
+    }
+    about(T, "l X and l Y of the ends of the chord");
+    same(T, X[0], neg(ll));
+    same(T, X[1], ll);
+    vanishes(T, Y[0]);
+    vanishes(T, Y[1]);
+    num dX = sub(X[3], X[2]), dY = sub(Y[3], Y[2]), dx = sub(P[2], P[0]), dy = sub(P[3], P[1]);
+    about(T, "l² times a squared distance");
+    same(T, add(mul(dX, dX), mul(dY, dY)), mul(ll, add(mul(dx, dx), mul(dy, dy))));
+    about(T, "l² times a determinant of differences");
+    num here = sub(mul(dX, sub(Y[1], Y[2])), mul(dY, sub(X[1], X[2])));
+    same(T, here, mul(ll, sub(mul(dx, sub(R[3], P[1])), mul(dy, sub(R[2], P[0])))));
+}
+
+/*
+:::{statement} wang-ch3:3.5.1
+:title: The change of parameter that leads to the standard form
+:zh: 化为标准形的参数变换
+:printed: $t=\frac{\sqrt{\omega_0u}}{\sqrt{\omega_0u}+\sqrt{\omega_2(1-u)}}$, $0\le u\le1$, turns the curve into the
+  rational Bézier curve $R^*(u)$ with the same control points and the weights $\left(1,\omega,1\right)$,
+  $\omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}}$.
+:class: misprint
+:refuted-by: roots_over_the_parameter_are_wrong
+:corrected: $t=\frac{\sqrt{\omega_0}\,u}{\sqrt{\omega_0}\,u+\sqrt{\omega_2}\,(1-u)}$, $0\le u\le1$, turns the curve into
+  the rational Bézier curve $R^*(u)$ with the same control points and the weights $\left(1,\omega,1\right)$,
+  $\omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}}$.
+:corrected-by: standard_form_by_a_change_of_parameter
+
+The roots belong over the weights alone.  With the printed roots the three terms are as
+$1-u:2\omega\sqrt{u(1-u)}:u$, which is no rational quadratic in $u$.  Both ends, and $t=\frac12$ for equal weights, are
+the same, so that the slip is easily overlooked.
+:::
+
+:::{claim} standard_form_by_a_change_of_parameter
+:title: The fractional linear change of parameter gives the weights 1, omega, 1
+:zh: 分式线性变换给出标准形
+:given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2>0$ and $u\in(0,1)$
+:let: $\omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}}$,
+  $t=\frac{\sqrt{\omega_0}\,u}{\sqrt{\omega_0}\,u+\sqrt{\omega_2}\,(1-u)}$
+:then: the curve with the weights $\omega_i$ has at $t$ the point that the curve with the weights $1,\omega,1$ has at $u$;
+  $\omega^2=\omega_1^2/(\omega_0\omega_2)$
+:method: The weights are $\omega_0=a^2$, $\omega_1$ and $\omega_2=c^2$ with $a,c>0$ variables, so every pair of positive
+  weights is reached; identities in these, one coordinate of the points, and $u$.
+:control: $a$ and $c$ exchanged in $t$
+:::
+*/
+/* a u / (a u + c (1-u)) */
+static num G(fraction_of)(num a, num c, num u)
+{
+    num top = mul(a, u);
+    return div(top, add(top, mul(c, sub(from_int(1), u))));
+}
+
+CLAIM(standard_form_by_a_change_of_parameter)
+{
+    num a, c, w[3], R[3], u = inside(T, "u"), one = from_int(1), before, after, I[1];
+    G(square_ends)(T, &a, &c, w);
+    for (int i = 0; i < 3; i++)
+        R[i] = unknown(T, "R", i);
+    num omega = div(w[1], mul(a, c)), v[3] = {one, omega, one};
+    num t = T->planted ? G(fraction_of)(c, a, u) : G(fraction_of)(a, c, u);
+    G(rational_point)(2, 1, R, w, t, &before);
+    G(rational_point)(2, 1, R, v, u, &after);
+    about(T, "R(t) and R*(u)");
+    same(T, before, after);
+    about(T, "ω² and I_1");
+    G(rational_invariants)(2, w, I);
+    same(T, mul(omega, omega), I[0]);
+}
+
+#if RATIONAL
+/*
+:::{claim} roots_over_the_parameter_are_wrong
+:title: With roots over the parameter too, the point is another one
+:zh: 根号罩住参数时得到另一点
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$, the weights $1,1,1$, which are standard, and $u=\frac9{25}$
+:then: the printed $t$ is $\frac37$, and $R(\frac37)$ is not $R^*(\frac9{25})=R(\frac9{25})$
+:method: Both points are computed.
+:control: the roots over the weights alone, $t=\frac9{25}$
+:::
+*/
+CLAIM(roots_over_the_parameter_are_wrong)
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, w[3] = {one, one, one};
+    num u = from_ratio(9, 25), P[2], Q[2];
+    num top = T->planted ? mul(root(2, w[0]), u) : root(2, mul(w[0], u));
+    num rest = T->planted ? mul(root(2, w[2]), sub(one, u)) : root(2, mul(w[2], sub(one, u)));
+    num t = div(top, add(top, rest));
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show(T, "u", u);
+    show(T, "t as printed", t);
+    G(rational_point)(2, 2, R, w, t, P);
+    G(rational_point)(2, 2, R, w, u, Q);
+    show_points(T, "R(t)", 1, 2, P);
+    show_points(T, "R*(u)", 1, 2, Q);
+    about(T, "the first coordinates of R(t) and R*(u)");
+    same(T, P[0], Q[0]);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:3.5.2
+:title: The standard weights
+:zh: 标准形的权
+:printed: (\omega_0^*,\omega_1^*,\omega_2^*)=\left(1,\ \omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}},\ 1\right)
+:holds-by: standard_form_by_a_change_of_parameter
+:needs: negative_weights_lose_their_sign | The weights are positive.
+:::
+
+:::{statement} wang-ch3:3.5-same-shape
+:title: The standard form has the same shape
+:zh: 标准形的形状不变
+:printed: By theorem 3.2.1 the curve $R^*(u)$ has the same shape as (3.1.5).
+:holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
+
+What is used of theorem 3.2.1 is that equal invariants suffice, property 3.2.10.  That direction asks nothing of the
+points, so it also serves where they lie on a line and the theorem says nothing.
+:::
+
+:::{claim} standard_parameter_runs_through_the_interval
+:title: The change of parameter runs once through the interval
+:zh: 参数变换是区间的一一映射
+:given: weights $\omega_0=a^2>0$, $\omega_2=c^2>0$ and $u\in(0,1)$
+:let: $t=\frac{au}{au+c(1-u)}$
+:then: $0\le t\le1$, and $u=\frac{ct}{ct+a(1-t)}$; $t=0$ at $u=0$ and $t=1$ at $u=1$
+:method: $t$ and $1-t$ have positive coefficients in $a$, $c$ and $\frac u{1-u}$; the rest are identities.
+:control: $a$ for $c$ in the inverse
+:::
+*/
+CLAIM(standard_parameter_runs_through_the_interval)
+{
+    num a, c, w[3], u = inside(T, "u"), one = from_int(1), zero = from_int(0);
+    G(square_ends)(T, &a, &c, w);
+    num t = G(fraction_of)(a, c, u);
+    nonnegative(T, t);
+    nonnegative(T, sub(one, t));
+    about(T, "u from t");
+    same(T, G(fraction_of)(T->planted ? a : c, a, t), u);
+    about(T, "the ends");
+    same(T, G(fraction_of)(a, c, zero), zero);
+    same(T, G(fraction_of)(a, c, one), one);
+}
+
+#if RATIONAL
+/*
+:::{claim} negative_weights_lose_their_sign
+:title: With three weights of the other sign the formula takes the wrong arc
+:zh: 权全变号时公式失效
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $-1,\frac12,-1$, the curve of $1,-\frac12,1$
+:then: $\omega_1/\sqrt{\omega_0\omega_2}=\frac12$, and at $\frac12$ the two curves have the points $(0,-1)$ and
+  $(0,\frac13)$
+:method: Both points are computed.
+:control: the weights $1,\frac12,1$
+:::
+*/
+CLAIM(negative_weights_lose_their_sign)
+{
+    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), R[6] = {neg(one), zero, zero, one, one, zero};
+    num outer = T->planted ? one : neg(one), w[3] = {outer, half, outer}, P[2], Q[2];
+    num v[3] = {one, G(conic_standard_weight)(w), one};
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "(3.5.2)", 3, 1, v);
+    G(rational_point)(2, 2, R, w, half, P);
+    G(rational_point)(2, 2, R, v, half, Q);
+    about(T, "second coordinate at 1/2, left of the curve, right with the weights (3.5.2)");
+    same(T, P[1], Q[1]);
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,840 @@
+/*
+# Cutting the curve (离散构造)
+
+De Casteljau's triangle, applied to numerator and denominator, cuts a rational curve at any parameter
+$c$ into two curves of the same degree.  The points of the triangle are $R_i^r$ with weights $\omega_i^r$,
+$r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/(b-a)$.
+
+## The triangle
+
+:::{statement} wang-ch3:3.3.2
+:title: The weights of the triangle
+:zh: 权因子的递推
+:printed: \omega_i^0(c)=\omega_i,\quad\omega_i^r(c)=(1-\lambda)\omega_{i-1}^{r-1}(c)+\lambda\omega_i^{r-1}(c),\quad r=1,\dots,n,\
+  i=r,\dots,n
+:definition: yes
+:checked-by: triangle_in_closed_form triangle_level_by_level
+:::
+
+:::{statement} wang-ch3:3.3.3
+:title: The points of the triangle
+:zh: 顶点的递推
+:printed: \mathbf R_i^0(c)=\mathbf R_i,\quad\mathbf R_i^r(c)=\frac{(1-\lambda)\omega_{i-1}^{r-1}(c)}{\omega_i^r(c)}\mathbf
+  R_{i-1}^{r-1}(c)+\frac{\lambda\omega_i^{r-1}(c)}{\omega_i^r(c)}\mathbf R_i^{r-1}(c)
+:definition: yes
+:checked-by: triangle_in_closed_form triangle_level_by_level
+:needs: intermediate_weight_can_vanish | positive weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular curve
+
+The range of $r$ and $i$, which is not repeated, is that of (3.3.2), and $\omega_i^r$ stands for the sum printed in the
+denominators.
+:::
+
+:::{claim} triangle_in_closed_form
+:title: Level r of the triangle in Bernstein polynomials of degree r
+:zh: 三角阵第 r 层的闭式
+:given: weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, $\lambda$
+:then: $\omega_i^r=\sum_{k=0}^rB_k^r(\lambda)\omega_{i-r+k}$ and
+  $\omega_i^rR_i^r=\sum_{k=0}^rB_k^r(\lambda)\omega_{i-r+k}R_{i-r+k}$ for all $r\le n$, $i=r,\dots,n$
+:method: The left sides come from the recursion, the right sides from the Bernstein polynomials; both are rational functions of
+  $\lambda$, the weights and the points.
+:degrees: 1..6 sampled 10
+:defines: rational_decasteljau
+:control: $1-\lambda$ for $\lambda$
+:::
+*/
+#include "exact/sign.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* n+1 free weights and points; one coordinate stands for all. */
+static void G(free_curve)(trial *T, int n, num R[], num w[])
+{
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "R", i);
+    }
+}
+
+CLAIM(triangle_in_closed_form)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], B[MAX_DEGREE + 1];
+    num lambda = parameter(T, "lambda");
+    G(free_curve)(T, n, R, w);
+    for (int r = 0; r <= n; r++) {
+        G(rational_decasteljau)(n, 1, R, w, lambda, r, Rr, wr);
+        G(bernstein)(r, T->planted ? sub(from_int(1), lambda) : lambda, B);
+        for (int i = r; i <= n; i++) {
+            num weight = from_int(0), point = from_int(0);
+            for (int k = 0; k <= r; k++) {
+                weight = add(weight, mul(B[k], w[i - r + k]));
+                point = add(point, mul(B[k], mul(w[i - r + k], R[i - r + k])));
+            }
+            same(T, wr[i - r], weight);
+            same(T, mul(wr[i - r], Rr[i - r]), point);
+        }
+    }
+}
+
+/*
+:::{claim} triangle_level_by_level
+:title: Each level follows from the one before as printed
+:zh: 逐层递推
+:given: weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, $\lambda$
+:then: the two recursions hold for all $r=1,\dots,n$, $i=r,\dots,n$, and the point $R_i^r$ divides the edge in the ratio
+  $(R_i^r-R_{i-1}^{r-1}):(R_i^{r-1}-R_i^r)=\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$
+:method: Two levels of the triangle are computed and put into the printed equations.
+:degrees: 1..6 sampled 10
+:control: $\lambda$ and $1-\lambda$ exchanged
+:::
+*/
+CLAIM(triangle_level_by_level)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], P[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1];
+    num lambda = parameter(T, "lambda"), mu = sub(from_int(1), lambda);
+    num ahead = T->planted ? mu : lambda, behind = T->planted ? lambda : mu;
+    G(free_curve)(T, n, R, w);
+    for (int r = 1; r <= n; r++) {
+        G(rational_decasteljau)(n, 1, R, w, lambda, r - 1, P, v);
+        G(rational_decasteljau)(n, 1, R, w, lambda, r, Rr, wr);
+        for (int i = r; i <= n; i++) {
+            int j = i - r; /* where index i of level r, and index i-1 of level r-1, are stored */
+            num left = mul(behind, v[j]), right = mul(ahead, v[j + 1]);
+            same(T, wr[j], add(left, right));
+            same(T, Rr[j], add(mul(div(left, wr[j]), P[j]), mul(div(right, wr[j]), P[j + 1])));
+            same(T, mul(sub(Rr[j], P[j]), left), mul(sub(P[j + 1], Rr[j]), right));
+        }
+    }
+}
+
+/*
+:::{claim} intermediate_weight_can_vanish
+:title: A regular curve whose triangle has a point at infinity
+:zh: 曲线正则而三角阵中权为零
+:kind: decision
+:given: $n=2$, $\omega=(1,-\frac12,1)$, $\lambda=\frac23$
+:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$, so that $R_1^1$ does not exist
+:method: $\omega(t)=3t^2-3t+1$ has no real root, counted exactly, and is positive at $0$.
+:control: $\lambda=\frac12$
+:::
+*/
+#if RATIONAL
+CLAIM(intermediate_weight_can_vanish)
+{
+    num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)}, lambda = T->planted ? from_ratio(1, 2) : from_ratio(2, 3), next[3];
+    poly denominator = poly_from_bernstein(2, w);
+    show_points(T, "ω", 3, 1, w);
+    show(T, "λ", lambda);
+    show_text(T, "ω(t)", "%s", poly_to_string(denominator, "t"));
+    agree(T, count_roots_line(denominator).distinct == 0 && sign_q(w[0]) > 0);
+    for (int i = 0; i < 3; i++)
+        next[i] = w[i];
+    G(casteljau_level)(2, 1, next, lambda);
+    vanishes(T, next[0]);
+}
+#endif
+
+/*
+## The theorem
+
+:::{statement} wang-ch3:thm-3.3.1
+:title: Any interior parameter cuts the curve into two of the same degree
+:zh: 离散生成定理
+:printed: For every $c\in(a,b)$, with $\lambda=(c-a)/(b-a)$, the parts of $\mathbf R(t)$ over $[a,c]$ and $[c,b]$ are rational Bézier
+  curves of degree $n$ with weights and points from the triangle (3.3.2), (3.3.3)
+:holds-by: subdivision_left_half subdivision_right_half
+:needs: intermediate_weight_can_vanish | positive weights
+:needs: cut_at_an_end_is_empty | $c\in(a,b)$: for $c=a$ the left formula has the argument $(t-a)/0$, and its points all coincide; for
+  $c=b$ likewise the right one
+:needs: cut_outside_can_fail | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may vanish although all $\omega_i>0$
+
+The formulas (3.3.1) themselves follow, one branch at a time.
+:::
+
+:::{statement} wang-ch3:thm-3.3.1-proof
+:title: Apply the polynomial theorem to numerator and denominator
+:zh: 对分子分母分别应用多项式情形
+:printed: Theorem 1.4.1, applied to the numerator and the denominator of (3.2.2), gives the theorem
+:holds-by: numerator_and_denominator_are_cut_alike
+:::
+
+:::{claim} numerator_and_denominator_are_cut_alike
+:title: The polynomial cut of numerator and denominator has the points and weights of the triangle
+:zh: 分子分母的离散即三角阵两边
+:given: weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, $\lambda$
+:then: cutting the polynomials $\sum B_i^n\omega_iR_i$ and $\sum B_i^n\omega_i$ at $\lambda$ gives, on the left, the coefficients
+  $\omega_i^iR_i^i$ and $\omega_i^i$, on the right $\omega_n^{n-i}R_n^{n-i}$ and $\omega_n^{n-i}$
+:method: The cut in homogeneous coordinates and the triangle of weighted points are two programs; their results are compared as
+  rational functions.
+:degrees: 1..6 sampled 12
+:defines: rational_split
+:control: the right half read from the triangle as $R_i^{n-i}$
+:::
+*/
+/* From the triangle at lambda: R_i^i with omega_i^i, and R_n^{n-i} with omega_n^{n-i}. */
+static void G(triangle_sides)(int n, const num R[], const num w[], num lambda, num left[], num wl[], num right[], num wr[])
+{
+    num P[MAX_DEGREE + 1], v[MAX_DEGREE + 1];
+    for (int r = 0; r <= n; r++) {
+        G(rational_decasteljau)(n, 1, R, w, lambda, r, P, v);
+        left[r] = P[0];
+        wl[r] = v[0];
+        right[n - r] = P[n - r];
+        wr[n - r] = v[n - r];
+    }
+}
+
+CLAIM(numerator_and_denominator_are_cut_alike)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], lambda = parameter(T, "lambda");
+    num P[2][MAX_DEGREE + 1], v[2][MAX_DEGREE + 1], Q[2][MAX_DEGREE + 1], q[2][MAX_DEGREE + 1];
+    G(free_curve)(T, n, R, w);
+    G(rational_split)(n, 1, R, w, lambda, P[0], v[0], P[1], v[1]);
+    G(triangle_sides)(n, R, w, lambda, Q[0], q[0], Q[1], q[1]);
+    for (int half = 0; half < 2; half++)
+        for (int i = 0; i <= n; i++) {
+            int j = half == 1 && T->planted ? n - i : i;
+            same(T, v[half][i], q[half][j]);
+            same(T, P[half][i], Q[half][j]);
+        }
+}
+
+/*
+:::{statement} wang-ch3:3.3.1-left
+:title: The left part, $a\le t\le c$
+:zh: 离散公式左段
+:printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)
+  \omega_i}=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)\mathbf R_i^i(c)}
+  {\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)},\quad a\le t\le c
+:holds-by: subdivision_left_half
+:needs: intermediate_weight_can_vanish | positive weights
+
+As an identity it holds for every $t$.
+:::
+
+:::{claim} subdivision_left_half
+:title: The left side of the triangle carries the curve over $[a,c]$
+:zh: 三角阵左边给出左段曲线
+:given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=a+x(c-a)$, with $h>0$
+:then: the curve over $[a,b]$ at $t$ is the curve of $(R_i^i,\omega_i^i)$ at $(t-a)/(c-a)$
+:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne a$ and $t$ is of the
+  given form.
+:degrees: 1..6 sampled 12
+:control: the basis argument $(t-a)/(b-a)$ on both sides
+:::
+*/
+CLAIM(subdivision_left_half)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1];
+    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left, right;
+    G(free_curve)(T, n, R, w);
+    num b = add(a, h), c = add(a, mul(lambda, h)), t = add(a, mul(x, sub(c, a)));
+    num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, a), sub(c, a));
+    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
+    G(rational_point)(n, 1, R, w, whole, &left);
+    G(rational_point)(n, 1, Rl, wl, T->planted ? whole : part, &right);
+    same(T, right, left);
+}
+
+/*
+:::{statement} wang-ch3:3.3.1-right
+:title: The right part, $c\le t\le b$
+:zh: 离散公式右段
+:printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)\omega_i^{n-i}(c)\mathbf R_n^{n-i}(c)}
+  {\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)},\quad c\le t\le b
+:class: misprint
+:refuted-by: printed_right_half_has_the_wrong_argument printed_right_half_has_the_wrong_weight
+:corrected: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)\mathbf R_n^{n-i}(c)}
+  {\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)},\quad c\le t\le b
+:corrected-by: subdivision_right_half
+:needs: intermediate_weight_can_vanish | positive weights
+:striking: 6
+
+Two slips in the numerator, each wrong by itself: the argument $(t-a)/(b-a)$, which should be $(t-c)/(b-c)$; and the
+weight $\omega_i^{n-i}$, which should be $\omega_n^{n-i}$.  The denominator has both right.  For $i<n-i$ the printed weight is
+not even defined by (3.3.2).
+:::
+
+:::{claim} subdivision_right_half
+:title: The right side of the triangle carries the curve over $[c,b]$
+:zh: 三角阵右边给出右段曲线
+:given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=c+x(b-c)$, with $h>0$
+:then: the curve over $[a,b]$ at $t$ is the curve of $(R_n^{n-i},\omega_n^{n-i})$ at $(t-c)/(b-c)$
+:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne b$ and $t$ is of the
+  given form.
+:degrees: 1..6 sampled 12
+:control: the basis argument $(t-a)/(b-a)$ on both sides
+:::
+*/
+CLAIM(subdivision_right_half)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1];
+    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left, right;
+    G(free_curve)(T, n, R, w);
+    num b = add(a, h), c = add(a, mul(lambda, h)), t = add(c, mul(x, sub(b, c)));
+    num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, c), sub(b, c));
+    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
+    G(rational_point)(n, 1, R, w, whole, &left);
+    G(rational_point)(n, 1, Rr, wr, T->planted ? whole : part, &right);
+    same(T, right, left);
+}
+
+#if RATIONAL
+/*
+:::{claim} printed_right_half_has_the_wrong_argument
+:title: The numerator's basis argument is not that of the right part
+:zh: 右段分子的基函数自变量误印
+:kind: counterexample
+:given: $n=1$, $[a,b]=[0,1]$, $c=\frac12$, the points $0,1$ of the line with weights $1,1$, $t=\frac34$; the weights in the numerator
+  taken as they should be
+:then: the printed quotient is not $R(t)$
+:method: Both sides are computed exactly.
+:control: $(t-c)/(b-c)$ in the numerator too
+:::
+*/
+CLAIM(printed_right_half_has_the_wrong_argument)
+{
+    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)}, Rl[2], wl[2], Rr[2], wr[2], curve, up[2], numerator;
+    num c = from_ratio(1, 2), t = from_ratio(3, 4), part = div(sub(t, c), sub(from_int(1), c));
+    G(triangle_sides)(1, R, w, c, Rl, wl, Rr, wr);
+    for (int i = 0; i < 2; i++)
+        up[i] = mul(wr[i], Rr[i]);
+    G(horner_bernstein)(1, 1, up, T->planted ? part : t, &numerator);
+    G(rational_point)(1, 1, R, w, t, &curve);
+    show_points(T, "R", 2, 1, R);
+    show_points(T, "ω", 2, 1, w);
+    show(T, "t", t);
+    about(T, "left the curve, right the printed quotient");
+    same(T, curve, div(numerator, G(rational_weight)(1, wr, part)));
+}
+
+/*
+:::{claim} printed_right_half_has_the_wrong_weight
+:title: The numerator's weights are not those of the denominator
+:zh: 右段分子的权误印
+:kind: counterexample
+:given: $n=2$, $\omega=(1,2,3)$, $\lambda=\frac12$
+:then: $\omega_1^1\ne\omega_2^1$: the printed weight of $R_2^1$ in the numerator, $i=1$, is not the one in the denominator; so for
+  coinciding points, $R_i=P$, the quotient is not $P$
+:method: Level 1 of the weights is computed exactly.
+:control: $\omega_2^1$ in the numerator too
+:::
+*/
+CLAIM(printed_right_half_has_the_wrong_weight)
+{
+    num w[] = {from_int(1), from_int(2), from_int(3)}, R[] = {from_int(1), from_int(1), from_int(1)}, P[2], v[2];
+    G(rational_decasteljau)(2, 1, R, w, from_ratio(1, 2), 1, P, v);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "ω_1^1, ω_2^1", 2, 1, v);
+    about(T, "the weight of R_2^1: left in the denominator, right in the numerator");
+    same(T, v[1], v[T->planted ? 1 : 0]);
+}
+#endif
+
+/*
+:::{claim} cut_at_an_end_is_empty
+:title: Cut at an end, one part is a point and the other the whole curve
+:zh: 在端点处离散:一段退缩为点
+:given: positive weights and points $R_0,\dots,R_n$
+:then: for $\lambda=0$ all $R_i^i=R_0$, $\omega_i^i=\omega_0$, while $R_n^{n-i}=R_i$, $\omega_n^{n-i}=\omega_i$; for $\lambda=1$ all
+  $R_n^{n-i}=R_n$, $\omega_n^{n-i}=\omega_n$, while $R_i^i=R_i$, $\omega_i^i=\omega_i$
+:method: The triangle is computed as rational functions.  So for $c=a$ the left formula, whatever its argument $(t-a)/0$ is taken to
+  be, gives $R_0$, and the right one the whole curve.
+:degrees: 1..6 sampled 10
+:control: $\lambda=\frac12$
+:::
+*/
+CLAIM(cut_at_an_end_is_empty)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], P[2][MAX_DEGREE + 1], v[2][MAX_DEGREE + 1];
+    G(free_curve)(T, n, R, w);
+    for (int end = 0; end < 2; end++) {
+        G(triangle_sides)(n, R, w, T->planted ? from_ratio(1, 2) : from_int(end), P[0], v[0], P[1], v[1]);
+        show_points(T, end ? "c = b: left points" : "c = a: left points", n + 1, 1, P[0]);
+        show_points(T, end ? "c = b: right points" : "c = a: right points", n + 1, 1, P[1]);
+        for (int i = 0; i <= n; i++) {
+            same(T, P[end][i], R[end ? n : 0]);
+            same(T, v[end][i], w[end ? n : 0]);
+            same(T, P[1 - end][i], R[i]);
+            same(T, v[1 - end][i], w[i]);
+        }
+    }
+}
+
+/*
+:::{claim} cut_outside_can_fail
+:title: Outside the interval positive weights do not suffice
+:zh: 分割点在区间外时正权亦不足
+:kind: decision
+:given: $n=1$, $[a,b]=[0,1]$, $\omega=(1,2)$, $c=-1$
+:then: $\omega_1^1=0$, so that $R_1^1$ does not exist
+:method: Computed exactly.
+:control: $c=\frac12$
+:::
+*/
+#if RATIONAL
+CLAIM(cut_outside_can_fail)
+{
+    num w[] = {from_int(1), from_int(2)}, lambda = T->planted ? from_ratio(1, 2) : from_int(-1);
+    show_points(T, "ω", 2, 1, w);
+    show(T, "λ", lambda);
+    vanishes(T, G(rational_weight)(1, w, lambda));
+}
+#endif
+
+/*
+## What follows
+
+:::{statement} wang-ch3:rem-3.3.1-generalises
+:title: The theorem generalises the polynomial one
+:zh: 多项式情形的推广
+:printed: The theorem is a generalisation of theorem 1.4.1
+:holds-by: equal_weights_give_polynomial_triangle
+:::
+
+:::{claim} equal_weights_give_polynomial_triangle
+:title: For equal weights the triangle is de Casteljau's
+:zh: 权相等时即 de Casteljau 三角阵
+:given: points $R_0,\dots,R_n$ with one weight $\omega\ne0$, and $\lambda$
+:then: $\omega_i^r=\omega$ and $R_i^r=\sum_{k=0}^rB_k^r(\lambda)R_{i-r+k}$, that is $R_i^r=(1-\lambda)R_{i-1}^{r-1}+\lambda R_i^{r-1}$
+:method: Every level is compared as rational functions of $\lambda$, $\omega$ and the points.
+:degrees: 1..8 sampled 12
+:control: $\omega_n$ doubled
+:::
+*/
+CLAIM(equal_weights_give_polynomial_triangle)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], P[MAX_DEGREE + 1], B[MAX_DEGREE + 1];
+    num lambda = parameter(T, "lambda"), weight = unknown(T, "w", 0);
+    for (int i = 0; i <= n; i++) {
+        w[i] = i == n && T->planted ? add(weight, weight) : weight;
+        R[i] = unknown(T, "R", i);
+    }
+    for (int r = 0; r <= n; r++) {
+        G(rational_decasteljau)(n, 1, R, w, lambda, r, P, v);
+        G(bernstein)(r, lambda, B);
+        for (int i = r; i <= n; i++) {
+            num point = from_int(0);
+            for (int k = 0; k <= r; k++)
+                point = add(point, mul(B[k], R[i - r + k]));
+            same(T, v[i - r], weight);
+            same(T, P[i - r], point);
+        }
+    }
+}
+
+/*
+:::{statement} wang-ch3:rem-3.3.1-evaluation
+:title: Evaluation by recursion, and the construction of a point
+:zh: 递归求值与作图
+:printed: From the theorem follow the recursive evaluation of a rational Bézier curve and its geometric construction
+:holds-by: triangle_ends_on_the_curve triangle_level_by_level
+:needs: intermediate_weight_can_vanish | positive weights: otherwise a point of the construction may be missing
+
+The evaluation is $\mathbf R(c)=\mathbf R_n^n(c)$; the construction divides each edge in the ratio
+$\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$.
+:::
+
+:::{claim} triangle_ends_on_the_curve
+:title: The last point of the triangle is the point of the curve
+:zh: 三角阵末点即曲线上的点
+:given: positive weights, points $R_0,\dots,R_n$, $\lambda$
+:then: $R_n^n=\sum B_i^n(\lambda)\omega_iR_i/\sum B_i^n(\lambda)\omega_i$
+:method: The triangle on the left, Bernstein polynomials on the right, compared as rational functions.
+:degrees: 1..6 sampled 16
+:control: $R_{n-1}$ for $R_n$ in the sum
+:::
+*/
+CLAIM(triangle_ends_on_the_curve)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], B[MAX_DEGREE + 1], P, v, up = from_int(0), down = from_int(0);
+    num lambda = parameter(T, "lambda");
+    G(free_curve)(T, n, R, w);
+    G(bernstein)(n, lambda, B);
+    for (int i = 0; i <= n; i++) {
+        num share = mul(B[i], w[i]);
+        down = add(down, share);
+        up = add(up, mul(share, R[i == n && T->planted ? n - 1 : i]));
+    }
+    G(rational_decasteljau)(n, 1, R, w, lambda, n, &P, &v);
+    same(T, v, down);
+    same(T, P, div(up, down));
+}
+
+/*
+:::{statement} wang-ch3:rem-3.3.1-convex
+:title: Each new point is a convex combination of two old ones
+:zh: 凸线性组合
+:printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf R_i^{r-1}(c)$
+:holds-by: cut_coefficients_are_convex
+:needs: negative_weight_breaks_convexity | positive weights: otherwise, on a perfectly regular curve, a coefficient is negative
+:::
+
+:::{claim} cut_coefficients_are_convex
+:title: Between positive weights the coefficients are positive with sum 1
+:zh: 割角系数为正且和为一
+:given: two neighbouring weights $p,q>0$ of any level, $0<\lambda<1$
+:let: $v=(1-\lambda)p+\lambda q$
+:then: $v>0$; $(1-\lambda)p/v>0$, $\lambda q/v>0$, with sum $1$; and $(v-p)(q-v)=\lambda(1-\lambda)(q-p)^2\ge0$, so that $v$ lies between $p$
+  and $q$
+:method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive.  By induction on the level all $\omega_i^r$ are positive, and
+  none is less than the least or more than the largest $\omega_i$.
+:scope: any two neighbouring weights of any level, in every degree
+:control: the second coefficient with $1-\lambda$ for $\lambda$
+:::
+*/
+CLAIM(cut_coefficients_are_convex)
+{
+    num p = positive(T, "p", 0), q = positive(T, "q", 0), lambda = inside(T, "s"), mu = sub(from_int(1), lambda);
+    num left = mul(mu, p), right = mul(lambda, q), v = add(left, right), gap = sub(q, p);
+    num first = div(left, v), second = div(T->planted ? mul(mu, q) : right, v);
+    nonnegative(T, v);
+    nonnegative(T, first);
+    nonnegative(T, second);
+    same(T, add(first, second), from_int(1));
+    same(T, mul(sub(v, p), sub(q, v)), mul(mul(lambda, mu), mul(gap, gap)));
+}
+
+/*
+:::{claim} negative_weight_breaks_convexity
+:title: With a negative weight a point of the triangle leaves its edge
+:zh: 异号权时割角点离开边
+:kind: decision
+:given: $n=2$, $\omega=(1,-\frac14,1)$, $\lambda=\frac12$
+:then: $\omega(t)>0$ for every real $t$, but $R_1^1=\frac43R_0-\frac13R_1$
+:method: The roots of $\omega(t)$ are counted exactly; the coefficients are $R_1^1$ for the points $1,0$ and $0,1$.
+:control: $\omega_1=+\frac14$
+:::
+*/
+#if RATIONAL
+CLAIM(negative_weight_breaks_convexity)
+{
+    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 4), from_int(1)}, half = from_ratio(1, 2), v[2], P[2][2];
+    num unit[2][3] = {{from_int(1), from_int(0), from_int(0)}, {from_int(0), from_int(1), from_int(0)}};
+    show_points(T, "ω", 3, 1, w);
+    agree(T, count_roots_line(poly_from_bernstein(2, w)).distinct == 0);
+    for (int k = 0; k < 2; k++)
+        G(rational_decasteljau)(2, 1, unit[k], w, half, 1, P[k], v);
+    show(T, "coefficient of R_0", P[0][0]);
+    show(T, "coefficient of R_1", P[1][0]);
+    same(T, P[0][0], from_ratio(4, 3));
+    agree(T, sign_q(P[1][0]) < 0);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:rem-3.3.1-cutting
+:title: Geometrically the theorem cuts corners, level after level
+:zh: 几何意义:递归割角
+:printed: The geometric meaning of the theorem is again recursive corner cutting
+:holds-by: cut_coefficients_are_convex triangle_level_by_level
+:needs: negative_weight_breaks_convexity | positive weights
+:::
+
+:::{statement} wang-ch3:rem-3.3.1-coefficients
+:title: The cut depends on level, edge and weights, not on the parameter alone
+:zh: 割角系数的依赖关系
+:printed: The cut coefficients depend not only on the parameter $\lambda$ but on the level of cutting, the number $i$ of the edge and
+  the weights $\omega_i$
+:holds-by: cut_depends_on_level_edge_and_weights
+:reading: cut_depends_on_level_edge_and_weights | as "in general": holds, each of the three by itself
+:reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among them, it is as for
+  polynomials: one ratio on all edges of all levels
+:::
+
+:::{claim} cut_depends_on_level_edge_and_weights
+:title: Each of level, edge and weights changes the ratio
+:zh: 层数、边序号、权均影响割角系数
+:kind: decision
+:given: $n=2$, $\lambda=\frac12$; the coefficient $\lambda\omega_i^{r-1}/\omega_i^r$ of the second point
+:then: with $\omega=(1,1,2)$ it is $\frac12$ for $r=1$, $i=1$; $\frac23$ for $r=1$, $i=2$; $\frac35$ for $r=2$, $i=2$; and with
+  $\omega=(1,1,1)$ it is $\frac12$ for $r=1$, $i=2$
+:method: The weights of the triangle are computed exactly; the three comparisons change only the edge, only the level, and only
+  the weights.
+:control: $\omega=(1,1,1)$ throughout
+:::
+*/
+#if RATIONAL
+CLAIM(cut_depends_on_level_edge_and_weights)
+{
+    num half = from_ratio(1, 2), one = from_int(1);
+    num w[] = {one, one, from_int(T->planted ? 1 : 2)}, equal[] = {one, one, one}, first[3], second[3], other[3];
+    for (int i = 0; i < 3; i++) {
+        first[i] = w[i];
+        other[i] = equal[i];
+    }
+    G(casteljau_level)(2, 1, first, half);
+    G(casteljau_level)(2, 1, other, half);
+    for (int i = 0; i < 2; i++)
+        second[i] = first[i];
+    G(casteljau_level)(1, 1, second, half);
+    num r1i1 = div(mul(half, w[1]), first[0]), r1i2 = div(mul(half, w[2]), first[1]);
+    num r2i2 = div(mul(half, first[1]), second[0]), plain = div(mul(half, equal[2]), other[1]);
+    show(T, "ω = (1, 1, 2), r = 1, i = 1", r1i1);
+    show(T, "ω = (1, 1, 2), r = 1, i = 2", r1i2);
+    show(T, "ω = (1, 1, 2), r = 2, i = 2", r2i2);
+    show(T, "ω = (1, 1, 1), r = 1, i = 2", plain);
+    agree(T, !equal_q(r1i1, r1i2));
+    agree(T, !equal_q(r1i2, r2i2));
+    agree(T, !equal_q(r1i2, plain));
+}
+#endif
+
+/*
+:::{claim} geometric_weights_cut_evenly
+:title: Exactly geometric weights are cut at one ratio everywhere
+:zh: 等比权时各边割角系数相同
+:given: three neighbouring weights of level $r-1$, and $\lambda$
+:then: for $\omega,\omega q,\omega q^2$ the coefficient is $\lambda q/(1-\lambda+\lambda q)$ on both edges, and the two weights of the next level
+  again have the quotient $q$; for any three weights $x,y,z$ the coefficients on the two edges differ by
+  $\lambda(1-\lambda)(xz-y^2)$ over the product of the two new weights
+:method: Identities of rational functions.  By induction on the level geometric weights are cut at one ratio; and if the ratio is one on
+  all edges of level 1 for one $\lambda\in(0,1)$, then $\omega_{i-1}\omega_{i+1}=\omega_i^2$ for all $i$.
+:scope: any three neighbouring weights, in every degree
+:control: $q^3$ for $q^2$
+:::
+*/
+/* lambda q / ((1-lambda) p + lambda q) */
+static num G(cut_coefficient)(num p, num q, num lambda)
+{
+    num share = mul(lambda, q);
+    return div(share, add(mul(sub(from_int(1), lambda), p), share));
+}
+
+CLAIM(geometric_weights_cut_evenly)
+{
+    num x = positive(T, "x", 0), q = positive(T, "q", 0), lambda = parameter(T, "lambda"), one = from_int(1);
+    num v[] = {x, mul(x, q), mul(x, mul(q, q))};
+    if (T->planted)
+        v[2] = mul(v[2], q);
+    num expected = G(cut_coefficient)(one, q, lambda);
+    same(T, G(cut_coefficient)(v[0], v[1], lambda), expected);
+    same(T, G(cut_coefficient)(v[1], v[2], lambda), expected);
+    G(casteljau_level)(2, 1, v, lambda);
+    same(T, div(v[1], v[0]), q);
+
+    num y = positive(T, "y", 0), z = positive(T, "z", 0), any[] = {x, y, z};
+    num gap = sub(G(cut_coefficient)(y, z, lambda), G(cut_coefficient)(x, y, lambda));
+    G(casteljau_level)(2, 1, any, lambda);
+    same(T, mul(gap, mul(any[0], any[1])), mul(mul(lambda, sub(one, lambda)), sub(mul(x, z), mul(y, y))));
+}
+
+/*
+## The polygons converge
+
+:::{statement} wang-ch3:rem-3.3.1-uniform
+:title: The polygons of repeated cutting converge uniformly to the curve
+:zh: 离散割角多边形序列一致收敛到原曲线
+:printed: The sequence of polygons of the cut rational Bézier curve converges uniformly to the curve
+:holds-by: second_differences_shrink_quadratically polygon_and_curve_are_near_the_chord near_homogeneous_points_are_near
+  cut_coefficients_are_convex
+:reading: quarter_circle_error_is_quartered | each piece cut at one fixed ratio, or at ratios kept away from $0$ and $1$: holds, with the
+  order $h^2$ in the length $h$ of the longest piece; cut in the middle, the error is divided by 4 each time
+:needs: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step a piece may stay
+  long for ever
+:needs: linear_weights_of_both_signs_have_a_pole | positive weights
+
+Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the largest of the
+curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as no weight falls below
+the least $\omega_i$, the projection to points of space multiplies this by a constant.  At a fixed ratio $\lambda$ the longest
+piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$.
+:::
+
+:::{claim} second_differences_shrink_quadratically
+:title: Over an interval of length h second differences are at most $h^2$ times the old ones
+:zh: 二阶差分按区间长度平方缩小
+:given: a polynomial with Bernstein coefficients $b_0,\dots,b_n$ over $[0,1]$, and those over $[u,v]$, $0<u,v<1$
+:then: $\Delta^2b_i^{[u,v]}=(v-u)^2\sum_j\beta_{ij}\Delta^2b_j$ with $\beta_{ij}\ge0$, $\sum_j\beta_{ij}=1$
+:method: The coefficients over $[u,v]$ are values of the polar form.  $\beta_{ij}$ is the polar form of the polynomial with
+  coefficients $0,\dots,1,\dots,0$ of degree $n-2$ at $n-2-i$ arguments $u$ and $i$ arguments $v$; with $u=r/(1+r)$, $v=s/(1+s)$ its
+  coefficients are nonnegative.  So $\max|\Delta^2b^{[u,v]}|\le(v-u)^2\max|\Delta^2b|$; the ends $0$ and $1$ follow by continuity.
+:degrees: 2..6 sampled 10
+:control: $v-u$ for $(v-u)^2$
+:::
+*/
+CLAIM(second_differences_shrink_quadratically)
+{
+    int n = T->degree;
+    num b[MAX_DEGREE + 1], d[MAX_DEGREE + 1], piece[MAX_DEGREE + 1], at[MAX_DEGREE], u = inside(T, "r"), v = inside(T, "s");
+    num h = sub(v, u), scale = T->planted ? h : mul(h, h);
+    for (int i = 0; i <= n; i++)
+        b[i] = unknown(T, "b", i);
+    for (int j = 0; j <= n - 2; j++)
+        d[j] = add(sub(b[j], add(b[j + 1], b[j + 1])), b[j + 2]);
+    G(bezier_on_interval)(n, 1, b, u, v, piece);
+    for (int i = 0; i <= n - 2; i++) {
+        num sum = from_int(0), total = from_int(0);
+        for (int k = 0; k < n - 2; k++)
+            at[k] = k < i ? v : u;
+        for (int j = 0; j <= n - 2; j++) {
+            num e[MAX_DEGREE + 1], beta;
+            for (int k = 0; k <= n - 2; k++)
+                e[k] = from_int(k == j);
+            G(blossom)(n - 2, 1, e, at, &beta);
+            nonnegative(T, beta);
+            total = add(total, beta);
+            sum = add(sum, mul(beta, d[j]));
+        }
+        same(T, total, from_int(1));
+        same(T, add(sub(piece[i], add(piece[i + 1], piece[i + 1])), piece[i + 2]), mul(scale, sum));
+    }
+}
+
+/*
+:::{claim} polygon_and_curve_are_near_the_chord
+:title: A polygon is as near to its chord as its second differences are small
+:zh: 控制多边形与弦之距由二阶差分界定
+:given: variables $n,j,k$
+:let: $g_j=j(n-k)/n$ for $j\le k$ and $g_j=k(n-j)/n$ for $j\ge k$
+:then: $g_0=g_n=0$; $g_{j-1}-2g_j+g_{j+1}$ is $0$ for $j\ne k$ and $-1$ for $j=k$; $\sum_{0<j<n}g_j=\frac{k(n-k)}2\le\frac{n^2}8$
+:method: Summation by parts gives $b_k-\bigl(\frac{n-k}nb_0+\frac knb_n\bigr)=-\sum_{0<j<n}g_j\,\Delta^2b_{j-1}$ for all $0<k<n$, all $g_j\ge0$: the
+  points of a polygon are at most $\frac{n^2}8\max|\Delta^2b|$ away from the chord at the parameters $k/n$, hence so are the
+  polygon, by linear interpolation, and the curve, being $\sum B_k^n(t)b_k$ with $\sum B_k^n(t)\frac kn=t$.  Polygon and curve are at
+  most $\frac{n^2}4\max|\Delta^2b|$ apart.
+:degrees: all
+:control: $g_j=j(n-k)$ for $j\le k$
+:::
+*/
+CLAIM(polygon_and_curve_are_near_the_chord)
+{
+    num n = positive(T, "n", 0), j = positive(T, "j", 0), k = positive(T, "k", 0), zero = from_int(0), one = from_int(1);
+    num half = from_ratio(1, 2), rest = sub(n, k);
+    num up = T->planted ? rest : div(rest, n), down = div(k, n); /* g_j = j up, and g_j = (n - j) down */
+    about(T, "the ends and the corner");
+    vanishes(T, mul(zero, up));
+    vanishes(T, mul(sub(n, n), down));
+    same(T, mul(k, up), mul(rest, down));
+    about(T, "second differences");
+    vanishes(T, sub(add(mul(sub(j, one), up), mul(add(j, one), up)), mul(add(j, j), up)));
+    num far = sub(n, j);
+    vanishes(T, sub(add(mul(add(far, one), down), mul(sub(far, one), down)), mul(add(far, far), down)));
+    same(T, sub(add(mul(sub(k, one), up), mul(sub(rest, one), down)), mul(add(k, k), up)), neg(one));
+    about(T, "the sum: j = 1, ..., k and then n - j = 1, ..., n - k - 1");
+    num below = mul(half, mul(k, add(k, one))), above = mul(half, mul(sub(rest, one), rest));
+    num total = add(mul(below, up), mul(above, down)), offset = sub(n, add(k, k));
+    same(T, total, mul(half, mul(k, rest)));
+    same(T, sub(div(mul(n, n), from_int(8)), mul(half, mul(k, rest))), div(mul(offset, offset), from_int(8)));
+}
+
+/*
+:::{claim} near_homogeneous_points_are_near
+:title: Homogeneous points that are near, with weights kept from 0, have near images
+:zh: 齐次点相近则投影点相近
+:given: homogeneous points $(P,w)$, $(Q,v)$ of weights $w,v\ne0$
+:then: $\frac Pw-\frac Qv=\frac1w\Bigl((P-Q)-\frac Qv(w-v)\Bigr)$
+:method: An identity.  So the distance of the images is at most $(\|P-Q\|+\|Q/v\||w-v|)/w$: with $w$ at least the least weight and
+  $Q/v$ in the convex hull of the points, a constant times the distance of the homogeneous points.
+:scope: every degree
+:control: $P/w$ for $Q/v$ on the right
+:::
+*/
+CLAIM(near_homogeneous_points_are_near)
+{
+    num P = unknown(T, "P", 0), Q = unknown(T, "Q", 0), w = positive(T, "w", 0), v = positive(T, "v", 0);
+    num image = T->planted ? div(P, w) : div(Q, v);
+    same(T, sub(div(P, w), div(Q, v)), div(sub(sub(P, Q), mul(image, sub(w, v))), w));
+}
+
+#if RATIONAL
+/*
+:::{claim} quarter_circle_error_is_quartered
+:title: The polygons of a quarter circle, cut in the middle: the error is exactly $4^{-k}$
+:zh: 四分之一圆反复中点离散:误差恰为 4^{-k}
+:kind: decision
+:given: the quarter circle with points $(1,0),(1,1),(0,1)$ and weights $1,1,2$; $k=1,\dots,6$ times every piece is cut at $\lambda=\frac12$
+:then: the largest $|\|V\|^2-1|$ over all vertices $V$ of the polygons is $4^{-k}$
+:method: All $2^k$ pieces are computed exactly.
+:control: every piece cut at $\lambda=\frac14$
+:::
+*/
+/* The largest | |V|^2 - 1 | over the vertices, after k further cuts of the quadratic (R, w). */
+static num G(largest_circle_error)(int k, const num R[], const num w[], num lambda)
+{
+    num worst = from_int(0), P[2][6], v[2][3];
+    if (k == 0) {
+        for (int i = 0; i <= 2; i++) {
+            num e = sub(G(norm_squared)(2, R + 2 * i), from_int(1)), size = sign_q(e) < 0 ? neg(e) : e;
+            worst = compare_q(size, worst) > 0 ? size : worst;
+        }
+        return worst;
+    }
+    G(rational_split)(2, 2, R, w, lambda, P[0], v[0], P[1], v[1]);
+    for (int half = 0; half < 2; half++) {
+        num e = G(largest_circle_error)(k - 1, P[half], v[half], lambda);
+        worst = compare_q(e, worst) > 0 ? e : worst;
+    }
+    return worst;
+}
+
+CLAIM(quarter_circle_error_is_quartered)
+{
+    num one = from_int(1), zero = from_int(0), R[] = {one, zero, one, one, zero, one}, w[] = {one, one, from_int(2)};
+    num expected = one;
+    for (int k = 1; k <= 6; k++) {
+        expected = div(expected, from_int(4));
+        num error = G(largest_circle_error)(k, R, w, from_ratio(1, T->planted ? 4 : 2));
+        same(T, error, expected);
+        show_text(T, "error", "k = %d: %s", k, to_string_q(error));
+    }
+}
+#endif
+
+/*
+:::{claim} crowded_cuts_do_not_converge
+:title: Cuts that crowd one end leave a piece of length above 1/2 for ever
+:zh: 分割点聚于一端时多边形不收敛
+:given: the parabola $(t,t^2)$ over $[0,1]$, all pieces cut at $\lambda_k=2^{-k-1}$ in step $k=1,2,\dots$; the last piece, of length $h_k$
+:then: $h_k\ge\frac12+2^{-k-1}$ for every $k$; the middle vertex of a piece of length $h$ lies $h^2/4$ below the parabola: there is
+  always a vertex more than $\frac1{16}$ below the curve
+:method: $h_1=\frac34$.  With $y=2^{-k-1}$, the step $h_{k+1}=h_k(1-\frac y2)$ and the identity
+  $(\frac12+y)(1-\frac y2)-(\frac12+\frac y2)=\frac{y(1-2y)}4$, whose right side is nonnegative for $0<y\le\frac14$ ($y=1/(4+s)$, $s\ge0$), give the
+  bound by induction.  The piece over $[u,u+h]$ is computed with $u$ and $h$ variable.
+:scope: every number of steps
+:control: $\lambda_k=\frac12$ in the step
+:::
+*/
+CLAIM(crowded_cuts_do_not_converge)
+{
+    num one = from_int(1), half = from_ratio(1, 2), s = positive(T, "s", 0), y = div(one, add(from_int(4), s));
+    num factor = T->planted ? half : sub(one, mul(half, y));
+    num margin = sub(mul(add(half, y), factor), add(half, mul(half, y)));
+    same(T, margin, div(mul(y, sub(one, add(y, y))), from_int(4)));
+    show(T, "y", y);
+    show(T, "new length less 1/2 + y/2, at least", margin);
+    nonnegative(T, margin);
+    same(T, sub(one, from_ratio(1, 4)), add(half, from_ratio(1, 4)));
+
+    num zero = from_int(0), P[] = {zero, zero, half, zero, one, one}, piece[6];
+    num u = parameter(T, "u"), h = parameter(T, "h");
+    G(bezier_on_interval)(2, 2, P, u, add(u, h), piece);
+    same(T, sub(mul(piece[2], piece[2]), piece[3]), div(mul(h, h), from_int(4)));
+}
+
+/*
+:::{claim} linear_weights_of_both_signs_have_a_pole
+:title: With weights of both signs the curve may be unbounded
+:zh: 异号权时曲线可无界
+:given: $n=1$, weights $p$ and $-q$, $p,q>0$
+:then: $\omega(t)=0$ at $t=p/(p+q)$, which is in $(0,1)$: no sequence of bounded polygons converges there
+:method: Computed as rational functions of $p$ and $q$.
+:scope: n = 1
+:control: the weight $+q$
+:::
+*/
+CLAIM(linear_weights_of_both_signs_have_a_pole)
+{
+    num p = positive(T, "p", 0), q = positive(T, "q", 0), w[] = {p, T->planted ? q : neg(q)}, t = div(p, add(p, q));
+    show_points(T, "ω", 2, 1, w);
+    show(T, "t", t);
+    nonnegative(T, t);
+    nonnegative(T, sub(from_int(1), t));
+    vanishes(T, G(rational_weight)(1, w, t));
+}
+#include "chapters/frame/claims_off.h"

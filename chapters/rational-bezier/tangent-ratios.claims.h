@@ -1,0 +1,533 @@
+/*
+# Where tangents cut the sides (切线截比)
+
+A point of a conic of the pencil is described by where its tangent cuts the two given tangents.  The two
+ratios have a constant product.
+
+Coordinates are those of the frame, $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, and $s=x+y-1$; $S$ is the conic (3.1.4), with
+the minus sign unless the plus sign is mentioned.  Through a point with $xy\ne0$ goes the conic of
+$\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an identity in $x$ and $y$.
+
+## The tangent at a point
+
+:::{statement} wang-ch3:3.1-tangent
+:title: The equation of the tangent
+:zh: 切线方程
+:printed: $\frac{Y-y}{X-x}=-\frac{S_x'}{S_y'}$ is the tangent of the curve at $R$.
+:holds-by: tangent_meets_the_conic_doubly slope_exists_inside_the_triangle
+:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as at every point of the curve inside the triangle when
+  $0<\lambda<1$.
+
+Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where the gradient is not zero.
+:::
+
+:::{claim} tangent_meets_the_conic_doubly
+:title: The line orthogonal to the gradient meets the conic twice in its point
+:zh: 切线与曲线二重相交
+:given: a conic $S$, a point $P=(x,y)$ and a number $h$
+:let: $d=(S_y,-S_x)$ at $P$
+:then: $S(P+hd)=S(P)+h^2(AS_y^2-2BS_xS_y+CS_x^2)$: there is no term in $h$, so for $S(P)=0$ the line $P+hd$ meets the
+  conic twice in $P$; its points $(X,Y)$ satisfy $Y-y=-\frac{S_x}{S_y}(X-x)$
+:method: Identities in the coefficients, $x$, $y$ and $h$.
+:control: $d=(S_y,S_x)$
+:::
+*/
+#include "exact/roots.h"
+
+#include "chapters/frame/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+CLAIM(tangent_meets_the_conic_doubly)
+{
+    num S[6], g[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), h = unknown(T, "h", 0);
+    G(six)(T, "S", S);
+    G(conic_gradient)(S, x, y, g);
+    num d[2] = {g[1], T->planted ? g[0] : neg(g[0])}, X = add(x, mul(h, d[0])), Y = add(y, mul(h, d[1]));
+    num square = add(add(mul(S[0], mul(d[0], d[0])), mul(mul(from_int(2), S[1]), mul(d[0], d[1]))),
+                     mul(S[2], mul(d[1], d[1])));
+    about(T, "S along the line");
+    same(T, G(form)(S, X, Y), add(G(form)(S, x, y), mul(mul(h, h), square)));
+    about(T, "the line");
+    same(T, sub(Y, y), mul(neg(div(g[0], g[1])), sub(X, x)));
+}
+
+/*
+:::{claim} slope_exists_inside_the_triangle
+:title: Inside the triangle the tangent is parallel to neither side
+:zh: 三角形内切线斜率存在
+:given: $\lambda\in(0,1)$ and a point inside the triangle, $x=\frac a{1+a+b}$, $y=\frac b{1+a+b}$ with $a,b>0$
+:then: $S_y\ge(1-\lambda)x>0$ and $S_x\ge(1-\lambda)y>0$
+:method: $S_y-(1-\lambda)x$ and $S_x-(1-\lambda)y$ have numerators and denominators with coefficients of one sign in
+  $a$, $b$ and $\frac\lambda{1-\lambda}$.
+:control: the plus sign
+:::
+*/
+CLAIM(slope_exists_inside_the_triangle)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), lambda = inside(T, "k"), one = from_int(1), S[6], g[2];
+    num total = add(one, add(a, b)), x = div(a, total), y = div(b, total), mu = sub(one, lambda);
+    G(frame_conic)(lambda, T->planted ? 1 : -1, S);
+    G(conic_gradient)(S, x, y, g);
+    nonnegative(T, sub(g[1], mul(mu, x)));
+    nonnegative(T, sub(g[0], mul(mu, y)));
+}
+
+#if RATIONAL
+/*
+:::{claim} upright_tangent_has_no_slope
+:title: A tangent parallel to the second side has no slope
+:zh: 平行于 y 轴的切线没有斜率
+:kind: counterexample
+:given: $\lambda=\frac12$ and $R=(\frac43,\frac13)$, a point of the curve
+:then: $S_y=0$, so the printed quotient does not exist
+:method: The value and the gradient of $S$ at $R$ are computed.
+:control: $R=(\frac13,\frac13)$
+:::
+*/
+CLAIM(upright_tangent_has_no_slope)
+{
+    num S[6], g[2], R[2] = {from_ratio(T->planted ? 1 : 4, 3), from_ratio(1, 3)};
+    G(frame_conic)(from_ratio(1, 2), -1, S);
+    G(conic_gradient)(S, R[0], R[1], g);
+    show_points(T, "R", 1, 2, R);
+    show(T, "S(R)", G(form)(S, R[0], R[1]));
+    show_points(T, "gradient", 1, 2, g);
+    about(T, "whether the second component is not 0");
+    agree(T, !is_zero_q(G(form)(S, R[0], R[1])) || !is_zero_q(g[1]));
+}
+#endif
+
+/*
+## Where the tangent cuts the sides
+
+:::{statement} wang-ch3:3.1-A
+:title: The point A where the tangent cuts the first side
+:zh: 切线与 l_1 的交点 A
+:printed: A=\left(\frac{-2\lambda(x+y-1)}{(1-\lambda)y-2\lambda(x+y-1)},0\right)
+:holds-by: tangent_cuts_the_sides
+:hypothesis: plus_sign_moves_the_cut | The minus sign in (3.1.4); with the plus sign both terms $-2\lambda(x+y-1)$
+  change sign.
+:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as at every point of the curve inside the triangle when
+  $0<\lambda<1$.
+:::
+
+:::{statement} wang-ch3:3.1-B
+:title: The point B where the tangent cuts the second side
+:zh: 切线与 l_2 的交点 B
+:printed: In the same way $B=\left(0,\frac{-2\lambda(x+y-1)}{(1-\lambda)x-2\lambda(x+y-1)}\right)$.
+:holds-by: tangent_cuts_the_sides
+:hypothesis: plus_sign_moves_the_cut | The minus sign in (3.1.4).
+:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$.
+
+The source does not print $B$; it is what “in the same way” gives.
+:::
+
+:::{claim} tangent_cuts_the_sides
+:title: Where the tangent cuts the two sides
+:zh: 切线截两边的点
+:given: a point $R=(x,y)$ with $xy\ne0$ and the conic $S$ of the family through it, with the minus sign
+:let: $s=x+y-1$
+:then: the tangent at $R$ meets $Y=0$ where $X=\frac{-2\lambda s}{(1-\lambda)y-2\lambda s}$, and $X=0$ where
+  $Y=\frac{-2\lambda s}{(1-\lambda)x-2\lambda s}$
+:method: The common points are $X=x+yS_y/S_x$ and $Y=y+xS_x/S_y$; with $\lambda=\frac{xy}{xy+s^2}$ both sides are
+  rational functions of $x$ and $y$.
+:control: the plus sign
+:::
+*/
+/* -2 lambda (x + y - 1) / ((1-lambda) z - 2 lambda (x + y - 1)), with 2 for -2 when `other` */
+static num G(printed_cut)(num lambda, num x, num y, num z, int other)
+{
+    num part = mul(mul(from_int(other ? 2 : -2), lambda), sub(add(x, y), from_int(1)));
+    return div(part, add(mul(sub(from_int(1), lambda), z), part));
+}
+
+CLAIM(tangent_cuts_the_sides)
+{
+    int sign = T->planted ? 1 : -1;
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), lambda = G(lambda_at)(x, y, sign), S[6], X, Y;
+    G(frame_conic)(lambda, sign, S);
+    G(tangent_cuts)(S, x, y, &X, &Y);
+    about(T, "the cut with the first side");
+    same(T, X, G(printed_cut)(lambda, x, y, y, 0));
+    about(T, "the cut with the second side");
+    same(T, Y, G(printed_cut)(lambda, x, y, x, 0));
+}
+
+#if RATIONAL
+/*
+:::{claim} plus_sign_moves_the_cut
+:title: With the plus sign the printed point is not on the tangent
+:zh: 取正号时所印 A 有误
+:kind: counterexample
+:given: the plus sign, $\lambda=\frac12$ and $R=(-1,1)$, a point of $\frac12xy+\frac12(x+y-1)^2=0$
+:then: the tangent at $R$ meets the first side in $X_A=2$, while the printed quotient is $\frac23$
+:method: The tangent is intersected with $Y=0$.
+:control: $+2\lambda(x+y-1)$ for $-2\lambda(x+y-1)$ in numerator and denominator
+:::
+*/
+CLAIM(plus_sign_moves_the_cut)
+{
+    num x = from_int(-1), y = from_int(1), lambda = G(lambda_at)(x, y, 1), S[6], X, Y, R[2] = {x, y};
+    G(frame_conic)(lambda, 1, S);
+    show_points(T, "R", 1, 2, R);
+    show(T, "λ", lambda);
+    show(T, "S(R)", G(form)(S, x, y));
+    G(tangent_cuts)(S, x, y, &X, &Y);
+    about(T, "X_A, left from the tangent, right as printed");
+    same(T, X, G(printed_cut)(lambda, x, y, y, T->planted));
+}
+
+/*
+:::{claim} tangent_parallel_to_the_first_side
+:title: A tangent may be parallel to the first side
+:zh: 切线可平行于 l_1
+:kind: counterexample
+:given: $\lambda=\frac12$ and $R=(\frac13,\frac43)$, a point of the curve
+:then: $S_x=0$ and $(1-\lambda)y-2\lambda(x+y-1)=0$: there is no point $A$
+:method: The value and the gradient of $S$ at $R$ are computed.
+:control: $R=(\frac13,\frac13)$
+:::
+*/
+CLAIM(tangent_parallel_to_the_first_side)
+{
+    num S[6], g[2], half = from_ratio(1, 2), R[2] = {from_ratio(1, 3), from_ratio(T->planted ? 1 : 4, 3)};
+    G(frame_conic)(half, -1, S);
+    G(conic_gradient)(S, R[0], R[1], g);
+    show_points(T, "R", 1, 2, R);
+    show(T, "S(R)", G(form)(S, R[0], R[1]));
+    show_points(T, "gradient", 1, 2, g);
+    num bottom = sub(mul(half, R[1]), sub(add(R[0], R[1]), from_int(1)));
+    show(T, "denominator of A", bottom);
+    about(T, "whether the denominator is not 0");
+    agree(T, !is_zero_q(G(form)(S, R[0], R[1])) || !is_zero_q(g[0]) || !is_zero_q(bottom));
+}
+#endif
+
+/*
+## The two ratios
+
+:::{statement} wang-ch3:3.1-g-parameters
+:title: The two ratios of lengths serve as the parameter of a point
+:zh: 以切线截比作为点的参数
+:printed: The tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$; then
+  $(g_1,g_2)=\left(\frac{\|R_1A\|}{\|R_0A\|},\frac{\|R_1B\|}{\|R_2B\|}\right)$ can be taken as the parameter of $R$, for
+  every point $R$ of the curve.
+:holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point
+:hypothesis: lengths_do_not_tell_points_apart | $R$ lies inside the triangle, or the ratios have signs.
+:hypothesis: tangent_parallel_to_the_first_side | The tangent meets both sides.
+:::
+
+:::{statement} wang-ch3:3.1-g1
+:title: The first ratio
+:zh: g_1 的表达式
+:printed: g_1=\frac{X_A}{1-X_A}=\frac{-2\lambda(x+y-1)}{(1-\lambda)y}
+:holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
+:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
+:hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
+
+On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
+:::
+
+:::{statement} wang-ch3:3.1-g2
+:title: The second ratio
+:zh: g_2 的表达式
+:printed: In the same way $g_2=\frac{-2\lambda(x+y-1)}{(1-\lambda)x}$.
+:holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
+:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
+:hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
+:::
+
+:::{claim} ratios_on_the_curve
+:title: The two ratios on every curve of the family
+:zh: 曲线族上的两个比
+:given: a point $R=(x,y)$ with $xy\ne0$, $s=x+y-1\ne0$, and the conic $S$ of the family through it, with either sign
+:let: $A=(X_A,0)$ and $B=(0,Y_B)$ be the cuts of the tangent, $g_1=\frac{X_A}{1-X_A}$, $g_2=\frac{Y_B}{1-Y_B}$
+:then: $g_1=\frac{-2x}s$, $g_2=\frac{-2y}s$; with the minus sign also $g_1=\frac{-2\lambda s}{(1-\lambda)y}$,
+  $g_2=\frac{-2\lambda s}{(1-\lambda)x}$, and with the plus sign the negatives of these
+:method: $A$ and $B$ by intersecting the tangent with the sides; $\lambda$ is expressed by $x$ and $y$.
+:control: the printed quotients taken with the plus sign without change
+:::
+*/
+CLAIM(ratios_on_the_curve)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), one = from_int(1), s = sub(add(x, y), one), S[6], X, Y;
+    for (int sign = -1; sign < 2; sign += 2) {
+        num lambda = G(lambda_at)(x, y, sign), mu = sub(one, lambda);
+        G(frame_conic)(lambda, sign, S);
+        G(tangent_cuts)(S, x, y, &X, &Y);
+        num g1 = div(X, sub(one, X)), g2 = div(Y, sub(one, Y));
+        about(T, "the ratios by the point alone");
+        same(T, g1, div(mul(from_int(-2), x), s));
+        same(T, g2, div(mul(from_int(-2), y), s));
+        about(T, "the ratios as printed");
+        num top = mul(mul(from_int(T->planted ? -2 : 2 * sign), lambda), s);
+        same(T, g1, div(top, mul(mu, y)));
+        same(T, g2, div(top, mul(mu, x)));
+    }
+}
+
+/*
+:::{claim} ratios_of_lengths_inside_the_triangle
+:title: Inside the triangle the ratios of lengths are these, and positive
+:zh: 三角形内长度之比
+:given: a triangle $R_0R_1R_2$ of the plane with any coordinates, and a point $P$ inside it, $x=\frac a{1+a+b}$,
+  $y=\frac b{1+a+b}$ with $a,b>0$
+:let: the tangent at $P$ of the conic of Liming's pencil through $P$ meet $R_1R_0$ in $A$ and $R_1R_2$ in $B$
+:then: $A$ and $B$ exist and lie between the ends of the sides, $\|R_1A\|^2=(2a)^2\|R_0A\|^2$ and
+  $\|R_1B\|^2=(2b)^2\|R_2B\|^2$, where $2a=\frac{-2x}{x+y-1}$, $2b=\frac{-2y}{x+y-1}$: $g_1=2a>0$, $g_2=2b>0$
+:method: The conic is formed from the lines of the triangle in the plane's own coordinates, its tangent
+  intersected with the sides there, and the squared distances are taken; all six coordinates and $a$, $b$ are
+  variables.  $\|R_1A\|$ and $\|R_0A\|$ are measured on one line, so their ratio is that of the frame.
+:control: the tangent of the conic with half the $\lambda$
+:::
+*/
+CLAIM(ratios_of_lengths_inside_the_triangle)
+{
+    num R[6], a = positive(T, "a", 0), b = positive(T, "b", 0), one = from_int(1), two = from_int(2);
+    num l1[3], l2[3], l3[3], S[6], g[2], P[2], total = add(one, add(a, b));
+    G(six)(T, "R", R);
+    for (int c = 0; c < 2; c++) /* x R_0 + (1-x-y) R_1 + y R_2 */
+        P[c] = div(add(add(mul(a, R[c]), R[2 + c]), mul(b, R[4 + c])), total);
+    num lambda = G(lambda_at)(div(a, total), div(b, total), -1);
+    G(line_through)(R + 2, R, l1);
+    G(line_through)(R + 2, R + 4, l2);
+    G(line_through)(R, R + 4, l3);
+    G(liming)(T->planted ? mul(from_ratio(1, 2), lambda) : lambda, l1, l2, l3, S);
+    G(conic_gradient)(S, P[0], P[1], g);
+    for (int side = 0; side < 2; side++) {
+        const num *end = R + 4 * side;
+        num ratio = mul(two, side == 0 ? a : b), square[2] = {from_int(0), from_int(0)}, up = from_int(0), down = up;
+        for (int c = 0; c < 2; c++) { /* the cut is R_1 + (up/down)(end - R_1) */
+            up = add(up, mul(g[c], sub(P[c], R[2 + c])));
+            down = add(down, mul(g[c], sub(end[c], R[2 + c])));
+        }
+        num share = div(up, down);
+        for (int c = 0; c < 2; c++) {
+            num cut = add(R[2 + c], mul(share, sub(end[c], R[2 + c])));
+            num from = sub(cut, R[2 + c]), to = sub(cut, end[c]);
+            square[0] = add(square[0], mul(from, from));
+            square[1] = add(square[1], mul(to, to));
+        }
+        about(T, side == 0 ? "|R1 A|² and g1² |R0 A|²" : "|R1 B|² and g2² |R2 B|²");
+        same(T, square[0], mul(mul(ratio, ratio), square[1]));
+        about(T, side == 0 ? "A between R1 and R0" : "B between R1 and R2");
+        same(T, share, div(ratio, add(one, ratio)));
+        nonnegative(T, div(ratio, add(one, ratio)));
+        nonnegative(T, sub(one, div(ratio, add(one, ratio))));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} lengths_do_not_tell_points_apart
+:title: Two points of one curve with the same ratios of lengths
+:zh: 长度之比不能区分两点
+:kind: counterexample
+:given: $\lambda=\frac12$ and the points $P=(\frac13,\frac13)$, inside the triangle, and $Q=(1,1)$, outside, of the curve
+:then: both have the ratios of lengths $(2,2)$
+:method: The tangents are intersected with the sides, and the lengths are taken along the sides.
+:control: the ratios with their signs, $(2,2)$ and $(-2,-2)$
+:::
+*/
+CLAIM(lengths_do_not_tell_points_apart)
+{
+    num half = from_ratio(1, 2), third = from_ratio(1, 3), one = from_int(1), P[2] = {third, third}, Q[2] = {one, one};
+    num S[6], g[2], h[2];
+    G(frame_conic)(half, -1, S);
+    show_points(T, "P, Q", 1, 2, P);
+    show_points(T, "Q", 1, 2, Q);
+    int on_curve = is_zero_q(G(form)(S, P[0], P[1])) && is_zero_q(G(form)(S, Q[0], Q[1]));
+    ratios(half, -1, P[0], P[1], g);
+    ratios(half, -1, Q[0], Q[1], h);
+    for (int c = 0; c < 2 && !T->planted; c++) {
+        g[c] = length(g[c]);
+        h[c] = length(h[c]);
+    }
+    show_points(T, "(g1, g2) at P", 1, 2, g);
+    show_points(T, "(g1, g2) at Q", 1, 2, h);
+    about(T, "whether the ratios tell the points apart");
+    agree(T, !on_curve || !equal_q(g[0], h[0]) || !equal_q(g[1], h[1]));
+}
+
+/*
+:::{claim} outside_the_triangle_lengths_lose_the_sign
+:title: Outside the triangle the ratio of lengths is not the printed quotient
+:zh: 三角形外长度之比与所印公式不符
+:kind: counterexample
+:given: $\lambda=\frac12$ and the point $R=(1,1)$ of the curve
+:then: $\|R_1A\|/\|R_0A\|=2$, while the printed quotient is $-2$
+:method: The tangent is intersected with the side, and the lengths are taken along it.
+:control: the point $(\frac13,\frac13)$
+:::
+*/
+CLAIM(outside_the_triangle_lengths_lose_the_sign)
+{
+    num half = from_ratio(1, 2), x = T->planted ? from_ratio(1, 3) : from_int(1), R[2] = {x, x}, g[2], S[6];
+    G(frame_conic)(half, -1, S);
+    show_points(T, "R", 1, 2, R);
+    ratios(half, -1, x, x, g);
+    num s = sub(add(x, x), from_int(1)), printed = div(mul(from_int(-2), mul(half, s)), mul(half, x));
+    about(T, "g1, left as a ratio of lengths, right as printed");
+    if (is_zero_q(G(form)(S, x, x)))
+        same(T, length(g[0]), printed);
+}
+
+/*
+:::{claim} plus_sign_turns_the_ratio
+:title: With the plus sign the printed quotient has the wrong sign
+:zh: 取正号时 g_1 符号相反
+:kind: counterexample
+:given: the plus sign, $\lambda=\frac12$ and the point $R=(-1,1)$ of the curve
+:then: $\frac{X_A}{1-X_A}=-2$, while the printed quotient is 2
+:method: The tangent is intersected with the side.
+:control: $+2\lambda(x+y-1)$ in place of $-2\lambda(x+y-1)$
+:::
+*/
+CLAIM(plus_sign_turns_the_ratio)
+{
+    num half = from_ratio(1, 2), x = from_int(-1), y = from_int(1), R[2] = {x, y}, g[2], S[6];
+    G(frame_conic)(half, 1, S);
+    show_points(T, "R", 1, 2, R);
+    ratios(half, 1, x, y, g);
+    num s = sub(add(x, y), from_int(1)), printed = div(mul(from_int(T->planted ? 2 : -2), mul(half, s)), mul(half, y));
+    about(T, "X_A/(1 - X_A), left from the tangent, right as printed");
+    if (is_zero_q(G(form)(S, x, y)))
+        same(T, g[0], printed);
+}
+#endif
+
+/*
+## Their product
+
+:::{statement} wang-ch3:3.1-g-product
+:title: The product of the ratios is one positive constant on every curve of the family
+:zh: g_1 g_2 为正常数
+:printed: $g_1g_2=\frac{4\lambda}{1-\lambda}$, which shows that on every curve of the family (3.1.4) $g_1g_2=\mathrm{const}>0$
+:class: false
+:refuted-by: product_of_ratios_can_be_negative
+:corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on the arcs inside the triangle, which lie on the curves
+  of (3.1.4) with the minus sign and $0<\lambda<1$
+:corrected-by: product_of_ratios_is_positive_inside product_of_ratios_is_constant
+:reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
+  $\lambda<0$.
+:reading: product_of_lengths_is_not_printed | $g_1$, $g_2$ are ratios of lengths: constant and positive, but not
+  $4\lambda/(1-\lambda)$ for $\lambda>1$ and for $\lambda<0$.
+
+With the plus sign the product of the signed ratios is $-4\lambda/(1-\lambda)$.
+:::
+
+:::{statement} wang-ch3:3.1-g-product-constant
+:title: The product of the ratios does not depend on the point
+:zh: g_1 g_2 与动点无关
+:printed: The value of $g_1g_2$ does not depend on the moving point $R$.
+:holds-by: product_of_ratios_is_constant
+:::
+
+:::{claim} product_of_ratios_is_constant
+:title: On each curve of the family the product of the signed ratios is constant
+:zh: 曲线族上 g_1 g_2 为常数
+:given: a point $R=(x,y)$ with $xy\ne0$, $x+y\ne1$, and the conic of the family through it, with either sign $\sigma$
+:then: $g_1g_2=\frac{-4\sigma\lambda}{1-\lambda}$, and so is the product of the ratios of lengths up to its sign
+:method: The tangent is intersected with the sides; $\lambda$ is expressed by $x$ and $y$.
+:control: the factor 2 for 4
+:::
+*/
+CLAIM(product_of_ratios_is_constant)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), one = from_int(1), S[6], X, Y;
+    for (int sign = -1; sign < 2; sign += 2) {
+        num lambda = G(lambda_at)(x, y, sign);
+        G(frame_conic)(lambda, sign, S);
+        G(tangent_cuts)(S, x, y, &X, &Y);
+        num product = mul(div(X, sub(one, X)), div(Y, sub(one, Y)));
+        same(T, product, div(mul(from_int((T->planted ? -2 : -4) * sign), lambda), sub(one, lambda)));
+    }
+}
+
+/*
+:::{claim} product_of_ratios_is_positive_inside
+:title: Inside the triangle the product is positive
+:zh: 三角形内 g_1 g_2 为正
+:given: $\lambda\in(0,1)$, the minus sign, and a point of the curve inside the triangle
+:then: $g_1g_2=\frac{4\lambda}{1-\lambda}>0$
+:method: The point is $x=\frac a{1+a+b}$, $y=\frac b{1+a+b}$ with $a>0$ a variable and $b=\frac\lambda{(1-\lambda)a}$,
+  which is where the curve meets the line $y:x=b:a$; the ratios come from the tangent.  The product has coefficients of
+  one sign in $\frac\lambda{1-\lambda}$.
+:control: the plus sign
+:::
+*/
+CLAIM(product_of_ratios_is_positive_inside)
+{
+    num lambda = inside(T, "k"), a = positive(T, "a", 0), one = from_int(1), S[6], X, Y;
+    num odds = div(lambda, sub(one, lambda)), b = div(odds, a), total = add(one, add(a, b));
+    num x = div(a, total), y = div(b, total);
+    G(frame_conic)(lambda, T->planted ? 1 : -1, S);
+    about(T, "S at the point");
+    vanishes(T, G(form)(S, x, y));
+    G(tangent_cuts)(S, x, y, &X, &Y);
+    num product = mul(div(X, sub(one, X)), div(Y, sub(one, Y)));
+    about(T, "the product");
+    same(T, product, mul(from_int(4), odds));
+    nonnegative(T, mul(from_int(4), odds));
+}
+
+#if RATIONAL
+/* A point of the hyperbola of lambda = 4/3, or, planted, one inside the triangle with lambda = 1/2. */
+static void far_point(int planted, num R[], num *lambda)
+{
+    *lambda = planted ? from_ratio(1, 2) : from_ratio(4, 3);
+    R[0] = planted ? from_ratio(1, 3) : from_int(2);
+    R[1] = planted ? from_ratio(1, 3) : from_int(-2);
+}
+
+/*
+:::{claim} product_of_ratios_can_be_negative
+:title: A curve of the family whose ratios have a negative product
+:zh: g_1 g_2 可为负
+:kind: counterexample
+:given: the minus sign, $\lambda=\frac43$, and the point $R=(2,-2)$ of the hyperbola $-\frac13xy-\frac43(x+y-1)^2=0$
+:then: $g_1=4$, $g_2=-4$ and $g_1g_2=\frac{4\lambda}{1-\lambda}=-16$, which is not positive
+:method: The tangent at $R$ is intersected with the sides.
+:control: $\lambda=\frac12$ and $R=(\frac13,\frac13)$, inside the triangle
+:::
+*/
+CLAIM(product_of_ratios_can_be_negative)
+{
+    num R[2], g[2], S[6], lambda;
+    far_point(T->planted, R, &lambda);
+    G(frame_conic)(lambda, -1, S);
+    show(T, "λ", lambda);
+    show_points(T, "R", 1, 2, R);
+    show(T, "S(R)", G(form)(S, R[0], R[1]));
+    ratios(lambda, -1, R[0], R[1], g);
+    show_points(T, "(g1, g2)", 1, 2, g);
+    show(T, "g1 g2", mul(g[0], g[1]));
+    about(T, "whether the product is positive");
+    agree(T, !is_zero_q(G(form)(S, R[0], R[1])) || sign_q(mul(g[0], g[1])) > 0);
+}
+
+/*
+:::{claim} product_of_lengths_is_not_printed
+:title: A curve of the family where the product of the ratios of lengths is not the printed one
+:zh: 长度之比的乘积与所印不符
+:kind: counterexample
+:given: the minus sign, $\lambda=\frac43$, and the point $R=(2,-2)$ of the curve
+:then: the product of the ratios of lengths is 16, while $\frac{4\lambda}{1-\lambda}=-16$
+:method: The tangent at $R$ is intersected with the sides, and the lengths are taken along these.
+:control: $\lambda=\frac12$ and $R=(\frac13,\frac13)$, inside the triangle
+:::
+*/
+CLAIM(product_of_lengths_is_not_printed)
+{
+    num R[2], g[2], S[6], lambda;
+    far_point(T->planted, R, &lambda);
+    G(frame_conic)(lambda, -1, S);
+    show(T, "λ", lambda);
+    show_points(T, "R", 1, 2, R);
+    ratios(lambda, -1, R[0], R[1], g);
+    about(T, "g1 g2, left as a product of ratios of lengths, right as printed");
+    if (is_zero_q(G(form)(S, R[0], R[1])))
+        same(T, mul(length(g[0]), length(g[1])), div(mul(from_int(4), lambda), sub(from_int(1), lambda)));
+}
+#endif
+#include "chapters/frame/claims_off.h"
