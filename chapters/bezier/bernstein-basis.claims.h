@@ -58,7 +58,7 @@ $1-t$ that both sides share are two more variables.  An identity in all these va
 */
 CLAIM(bernstein_recurrence)
 {
-    num i = G(integer)(T, "i", 1, 20), rest = G(integer)(T, "n_minus_i", 0, 20), n = add(i, rest);
+    num i = whole(T, "i", 1, 20), rest = whole(T, "n_minus_i", 0, 20), n = add(i, rest);
     num t = parameter(T, "t"), c = parameter(T, "c"), U = parameter(T, "U"), V = parameter(T, "V");
     num shared = mul(mul(U, V), t), below = T->planted ? add(i, from_int(1)) : i;
     num stays = mul(mul(c, div(rest, below)), shared), comes = mul(c, shared);
@@ -81,7 +81,7 @@ CLAIM(bernstein_recurrence)
 */
 CLAIM(bernstein_raised_by_one_degree)
 {
-    num one = from_int(1), i = G(integer)(T, "i", 0, 20), rest = G(integer)(T, "n_minus_i", 0, 20);
+    num one = from_int(1), i = whole(T, "i", 0, 20), rest = whole(T, "n_minus_i", 0, 20);
     num next = add(add(i, rest), one), t = parameter(T, "t"), s = sub(one, t);
     num c = parameter(T, "c"), U = parameter(T, "U"), V = parameter(T, "V"), B = mul(c, mul(U, V));
     num lower = mul(mul(c, div(next, add(rest, one))), mul(mul(s, U), V));
@@ -112,7 +112,7 @@ CLAIM(bernstein_raised_by_one_degree)
 */
 CLAIM(bernstein_derivative)
 {
-    num one = from_int(1), i = G(integer)(T, "i", 1, 20), rest = G(integer)(T, "n_minus_i", 1, 20);
+    num one = from_int(1), i = whole(T, "i", 1, 20), rest = whole(T, "n_minus_i", 1, 20);
     num n = add(i, rest), t = parameter(T, "t"), s = sub(one, t);
     num c = parameter(T, "c"), W = parameter(T, "W"), X = parameter(T, "X");
     num rising = mul(i, mul(mul(W, s), X)), falling = mul(rest, mul(mul(t, W), X));
@@ -146,7 +146,7 @@ its derivative has the sign of $i-nt$.
 */
 CLAIM(bernstein_largest_at_its_node)
 {
-    num one = from_int(1), i = G(integer)(T, "i", 1, 20), rest = G(integer)(T, "n_minus_i", 1, 20);
+    num one = from_int(1), i = whole(T, "i", 1, 20), rest = whole(T, "n_minus_i", 1, 20);
     num n = add(i, rest), share = inside(T, "s");
     num node = div(i, n), after = add(node, mul(sub(one, node), share));
     about(T, "i - n t before the node");

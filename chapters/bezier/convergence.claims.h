@@ -45,7 +45,7 @@ static num G(elevation_weight)(int n, int j, num i, num N, int planted)
 CLAIM(elevated_points_in_closed_form)
 {
     int n = T->degree;
-    num one = from_int(1), N = G(integer)(T, "N", 30, 50), i = G(integer)(T, "i", 0, 29), next = add(N, one);
+    num one = from_int(1), N = whole(T, "N", 30, 50), i = whole(T, "i", 0, 29), next = add(N, one);
     num share = div(i, next);
     for (int j = 0; j <= n; j++) {
         about(T, "degree n");

@@ -100,18 +100,6 @@ static inline void G(free_points)(trial *T, int n, int dim, num b[])
             b[i * dim + c] = unknown(T, name[c], i);
 }
 
-/* A variable of the field that stands for every integer; elsewhere one of low, ..., high. */
-static inline num G(integer)(trial *T, const char *name, int low, int high)
-{
-#if FIELD
-    (void)T, (void)low, (void)high;
-    return variable_f(name);
-#else
-    (void)name;
-    return from_int(pick(T, low, high));
-#endif
-}
-
 /* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The
  * inexact types refute only. */
 static inline void G(above_zero)(trial *T, num a)

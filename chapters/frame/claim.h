@@ -43,6 +43,8 @@ typedef struct trial {
     int planted;           /* 1 in the control: the fault the block names is in                       */
     int deep;              /* 1 when asked for more than the default depth                            */
     int compared;          /* values compared so far; a claim that compared nothing fails             */
+    const char *positive;  /* field: the variables taken to be positive where a sign was read off the
+                              coefficients, separated by blanks; NULL for none                        */
     outcome outcome;       /* FAILS as soon as one comparison does                                    */
     double worst;          /* double: largest error/bound; interval: widest enclosure of a difference */
     const char *about;     /* what is being compared, for the first difference                        */

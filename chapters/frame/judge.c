@@ -134,11 +134,12 @@ SAMPLED_DATA(m)
 
 /* ---- comparison ------------------------------------------------------------------------------- */
 
-/* Counts one comparison; says whether it is the first that fails, whose sides are to be shown. */
+/* Counts one comparison; says whether it is the first that fails, whose sides are to be shown.  After
+ * UNABLE or CROWDED values may be placeholders: what is compared then decides nothing. */
 static int first_failure(trial *T, int good)
 {
     T->compared++;
-    if (good || T->outcome == FAILS)
+    if (good || T->outcome == FAILS || (region_faults & (FAULT_UNABLE | FAULT_CROWDED)))
         return 0;
     T->outcome = FAILS;
     if (T->about != NULL)
@@ -192,11 +193,39 @@ void vanishes_q(trial *T, num_q a) { same_q(T, a, from_int_q(0)); }
 void vanishes_i(trial *T, num_i a) { same_i(T, a, from_int_i(0)); }
 void vanishes_m(trial *T, num_m a) { same_m(T, a, exact_m(0)); }
 
+static int is_word(const char *word, const char *words)
+{
+    size_t n = strlen(word);
+    for (const char *at = words; at != NULL && (at = strstr(at, word)) != NULL; at += n)
+        if ((at == words || at[-1] == ' ') && (at[n] == ' ' || at[n] == '\0'))
+            return 1;
+    return 0;
+}
+
+/* Notes the variables of a: its coefficients say something for their positive values only. */
+static void take_as_positive(trial *T, num_f a)
+{
+    char name[FIELD_MAX_NAME + 1];
+    for (const char *known = field_variables(); *known != '\0'; known += strspn(known, " ")) {
+        size_t n = strcspn(known, " ");
+        snprintf(name, sizeof name, "%.*s", (int)n, known);
+        known += n;
+        num_f v = variable_f(name);
+        if (is_word(name, T->positive) || (degree_f(a, v) <= 0 && denominator_degree_f(a, v) <= 0))
+            continue;
+        size_t had = T->positive != NULL ? strlen(T->positive) : 0, room = had + n + 2;
+        char *longer = region_bytes(room);
+        snprintf(longer, room, "%s%s%s", had > 0 ? T->positive : "", had > 0 ? " " : "", name);
+        T->positive = longer;
+    }
+}
+
 void nonnegative_f(trial *T, num_f a)
 {
     int sign = coefficients_sign_f(a);
     if (sign < -1)
         region_faults |= FAULT_UNABLE;
+    take_as_positive(T, a);
     if (first_failure(T, sign != -1))
         show_text(T, "negative", "%s", text_f(a));
 }

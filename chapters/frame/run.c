@@ -53,8 +53,9 @@ static int degree_of(const struct plan *p, int k)
     return c->degree_low + k % (high - c->degree_low + 1);
 }
 
-/* Run case k.  The faults are returned in region_faults; the field starts small and grows on demand. */
-static trial run_case(const struct plan *p, int k, int planted, char **variables)
+/* Run case k.  The faults are returned in region_faults; the field starts small and grows on demand.  The
+ * names of its variables, and of those taken to be positive, go to *variables and *positive, if wanted. */
+static trial run_case(const struct plan *p, int k, int planted, char **variables, char **positive)
 {
     trial T;
     for (int room = 12;; room = room * 2 < FIELD_MAX_VARIABLES ? room * 2 : FIELD_MAX_VARIABLES) {
@@ -66,8 +67,11 @@ static trial run_case(const struct plan *p, int k, int planted, char **variables
         region_faults = 0;
         p->claim->body[p->type](&T);
         int again = (region_faults & FAULT_CROWDED) && room < FIELD_MAX_VARIABLES;
-        if (variables != NULL && !again)
+        if (variables != NULL && !again) {
             *variables = strdup(p->type == FIELD_TYPE ? field_variables() : "");
+            *positive = strdup(T.positive != NULL ? T.positive : "");
+        }
+        T.positive = NULL;
         region_drop(mark);
         if (!again)
             return T;
@@ -106,8 +110,8 @@ static type_result judge_type(const struct plan *p)
     int cases = cases_of(p), genuine = 0;
     type_result r = {.ran = 1, .outcome = HOLDS, .degree_low = p->claim->degree_low};
     for (int k = 0; k < cases && r.outcome != FAILS; k++) {
-        char *variables = NULL;
-        trial T = run_case(p, k, 0, &variables);
+        char *variables = NULL, *positive = NULL;
+        trial T = run_case(p, k, 0, &variables, &positive);
         outcome o = judged(&T);
         genuine = o == FAILS && region_faults == 0 && T.compared > 0;
         r.faults |= region_faults;
@@ -118,7 +122,8 @@ static type_result judge_type(const struct plan *p)
         if (T.degree > r.degree_high)
             r.degree_high = T.degree;
         free(r.variables);
-        r.variables = variables;
+        free(r.positive);
+        r.variables = variables, r.positive = positive;
         if (k == 0 || o == FAILS) {
             forget_exhibits(r.shown, r.exhibits);
             r.shown = T.shown, r.exhibits = T.exhibits, r.seed = T.seed;
@@ -135,7 +140,7 @@ static type_result judge_type(const struct plan *p)
         r.outcome = UNDECIDED;
     r.control_caught = refutes;
     for (int k = 0; k < cases; k++) {
-        trial T = run_case(p, k, 1, NULL);
+        trial T = run_case(p, k, 1, NULL, NULL);
         outcome o = judged(&T);
         int by_comparison = region_faults == 0 && T.compared > 0;
         forget_exhibits(T.shown, T.exhibits);
@@ -190,7 +195,7 @@ static evidence evidence_of(const claim *c, number_type t)
 }
 
 /* "t w0 R0 w1 R1" -> "t, w0..w1, R0..R1": the variables by their letters. */
-static void put_variables(char *at, const char *names)
+static char *put_variables(char *at, const char *names)
 {
     char letters[FIELD_MAX_VARIABLES][FIELD_MAX_NAME + 1];
     int low[FIELD_MAX_VARIABLES], high[FIELD_MAX_VARIABLES], count = 0;
@@ -214,6 +219,38 @@ static void put_variables(char *at, const char *names)
         if (low[k] >= 0)
             at += low[k] == high[k] ? sprintf(at, "%d", low[k]) : sprintf(at, "%d..%s%d", low[k], letters[k], high[k]);
     }
+    return at;
+}
+
+static int is_word(const char *word, size_t n, const char *words)
+{
+    for (size_t m; *words != '\0'; words += m + (words[m] == ' ')) {
+        m = strcspn(words, " ");
+        if (m == n && strncmp(words, word, n) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* "every value of t, R0..R3 and every positive value of w0..w3": the variables of b, those apart that were
+ * taken to be positive. */
+static char *put_range(char *at, const type_result *b)
+{
+    char *free_ones = calloc(strlen(b->variables) + 2, 1), *end = free_ones;
+    if (free_ones == NULL)
+        abort();
+    for (const char *name = b->variables; *name != '\0'; name += strspn(name, " ")) {
+        size_t n = strcspn(name, " ");
+        if (!is_word(name, n, b->positive))
+            end += sprintf(end, "%s%.*s", end > free_ones ? " " : "", (int)n, name);
+        name += n;
+    }
+    if (free_ones[0] != '\0')
+        at = put_variables(at + sprintf(at, "every value of "), free_ones);
+    if (b->positive[0] != '\0')
+        at = put_variables(at + sprintf(at, "%severy positive value of ", free_ones[0] != '\0' ? " and " : ""), b->positive);
+    free(free_ones);
+    return at;
 }
 
 static char *scope_of(const claim_result *r)
@@ -235,7 +272,7 @@ static char *scope_of(const claim_result *r)
         if (c->scope[0] != '\0')
             at += sprintf(at, "%s%s", at > s ? "; " : "", c->scope);
         if (r->evidence == PROVED && b->variables != NULL && b->variables[0] != '\0')
-            put_variables(at + sprintf(at, "%severy value of ", at > s ? "; " : ""), b->variables);
+            put_range(at + sprintf(at, "%s", at > s ? "; " : ""), b);
         else if (r->evidence == SAMPLED || r->evidence == MEASURED || r->evidence == ENCLOSED)
             sprintf(at, "%s%d instances", at > s ? "; " : "", b->cases);
         else if (at == s)
@@ -307,6 +344,7 @@ void free_results(claim_result *results, int count)
         for (number_type t = 0; t < NUMBER_TYPES; t++) {
             forget_exhibits(results[k].by[t].shown, results[k].by[t].exhibits);
             free(results[k].by[t].variables);
+            free(results[k].by[t].positive);
         }
         free(results[k].scope);
     }

@@ -16,7 +16,8 @@ const claim_result *result_of(const char *claim_name, const claim_result *result
 static evidence weaker(evidence a, evidence b) { return a < b ? a : b; }
 
 /* A statement
- *   with a claim that refutes it                               fails,
+ *   with a claim that refutes it                               fails, a definition too,
+ *   that is a definition                                       is one, with what is checked about it,
  *   with hypotheses to be added, each shown to be needed       is conditional,
  *   decided by claims that all hold                            holds,
  *   with several readings and none of these                    is undecided,
@@ -62,14 +63,14 @@ statement_result derive(const statement *s, const claim_result *results, int cou
     r.corrected_evidence = r.corrected ? correction : NO_EVIDENCE;
     if (!r.as_expected) {
         r.verdict = VERDICT_OPEN;
-    } else if (s->is_definition) {
-        r.verdict = VERDICT_DEFINITION;
-        r.evidence = held > 0 ? for_it : NO_EVIDENCE;
-        r.decided_by = holds_by;
     } else if (refuted > 0) {
         r.verdict = VERDICT_FAILS;
         r.evidence = against_it;
         r.decided_by = refuted_by;
+    } else if (s->is_definition) {
+        r.verdict = VERDICT_DEFINITION;
+        r.evidence = held > 0 ? for_it : NO_EVIDENCE;
+        r.decided_by = holds_by;
     } else if (readings > 0 && conditions == 0 && held == 0) {
         r.verdict = VERDICT_UNDECIDED;
     } else if (held > 0) {

@@ -14,10 +14,12 @@
  *
  * An option goes on to the next line that begins with ':' or is blank; the rest of a block is its
  * note.  The register, C tables of what was found, is written to REGISTER.c.  A missing field, an
- * unknown word, a claim without a block or a body, a link to nothing: each is an error that names
- * file and line, and stops the build.  TYPES are the number types that are compiled, such as
+ * unknown word, a claim without a block or a body, a link to nothing or to a claim of the wrong kind,
+ * a section that the index does not list: each is an error that names file and line, and stops the
+ * build.  TYPES are the number types that are compiled, such as
  * "field rational interval double"; a claim that has none of them is left out. */
 #include <ctype.h>
+#include <dirent.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -127,7 +129,12 @@ struct block {
 };
 static struct block *blocks;
 static int block_count;
-static struct list bodies, figures; /* names in CLAIM(...) and FIGURE(...) */
+static struct body {
+    char *name, *file; /* CLAIM(name) */
+    int line;
+} *bodies;
+static int body_count;
+static struct list figures; /* names in FIGURE(...) */
 
 static const char *value_of(const struct block *b, const char *key)
 {
@@ -187,10 +194,14 @@ static void read_section(const char *folder, const char *chapter, const char *se
         complain(path, 1, "the index lists this section, but there is no such file");
     for (int k = 0; k < l.count; k++) {
         char *head = l.at[k], *name;
-        if (strncmp(head, ":::{claim}", 10) == 0 || strncmp(head, ":::{statement}", 14) == 0)
+        if (strncmp(head, ":::{claim}", 10) == 0 || strncmp(head, ":::{statement}", 14) == 0) {
             k = read_block(&l, k, path, chapter, head + 4);
-        else if ((name = called(head, "CLAIM")) != NULL)
-            append(&bodies, name);
+        } else if (strncmp(head, ":::", 3) == 0) {
+            complain(path, k + 1, "'%s' begins neither a claim nor a statement", head);
+        } else if ((name = called(head, "CLAIM")) != NULL) {
+            bodies = must(realloc(bodies, (size_t)(body_count + 1) * sizeof *bodies));
+            bodies[body_count++] = (struct body){name, copy_of(path, strlen(path)), k + 1};
+        }
     }
     snprintf(path, sizeof path, "%s/%s.figure.c", folder, section);
     l = lines_of(path);
@@ -213,6 +224,30 @@ static const struct block *block_named(const char *name, int is_claim)
     return NULL;
 }
 
+static const struct {
+    const char *key, *name;
+    int has_text; /* written claim | text, or text alone; the others list claims */
+} roles[] = {{"holds-by", "HOLDS_BY", 0},     {"refuted-by", "REFUTED_BY", 0}, {"corrected-by", "CORRECTED_BY", 0},
+             {"hypothesis", "HYPOTHESIS", 1}, {"needs", "NEEDS", 1},           {"reading", "READING", 1},
+             {"checked-by", "CHECKED_BY", 0}};
+enum { ROLES = sizeof roles / sizeof *roles };
+
+static int is_role(const char *key)
+{
+    for (int role = 0; role < ROLES; role++)
+        if (strcmp(roles[role].key, key) == 0)
+            return 1;
+    return 0;
+}
+
+static int has_body(const char *name)
+{
+    for (int k = 0; k < body_count; k++)
+        if (strcmp(bodies[k].name, name) == 0)
+            return 1;
+    return 0;
+}
+
 static void check_keys(const struct block *b, const char *const known[], const char *const needed[])
 {
     for (int k = 0; k < b->options; k++) {
@@ -221,6 +256,9 @@ static void check_keys(const struct block *b, const char *const known[], const c
             found |= strcmp(known[j], b->option[k].key) == 0;
         if (!found)
             complain(b->file, b->option[k].line, "unknown option '%s'", b->option[k].key);
+        for (int j = 0; j < k; j++)
+            if (strcmp(b->option[j].key, b->option[k].key) == 0 && !is_role(b->option[k].key))
+                complain(b->file, b->option[k].line, "option '%s' occurs twice", b->option[k].key);
     }
     for (int j = 0; needed[j] != NULL; j++) {
         const char *v = value_of(b, needed[j]);
@@ -237,25 +275,25 @@ static int is_one_of(const char *word, const char *const words[])
     return 0;
 }
 
-static const struct {
-    const char *key, *name;
-    int has_text; /* written claim | text, or text alone; the others list claims */
-} roles[] = {{"holds-by", "HOLDS_BY", 0},     {"refuted-by", "REFUTED_BY", 0}, {"corrected-by", "CORRECTED_BY", 0},
-             {"hypothesis", "HYPOTHESIS", 1}, {"needs", "NEEDS", 1},           {"reading", "READING", 1},
-             {"checked-by", "CHECKED_BY", 0}};
-enum { ROLES = sizeof roles / sizeof *roles };
-
 static void check_claim(const struct block *b)
 {
     static const char *const known[] = {"title", "zh", "given", "let", "then", "method", "kind", "types",
                                         "degrees", "scope", "control", "defines", NULL};
     static const char *const needed[] = {"title", "zh", "given", "then", "method", "control", NULL};
     static const char *const kinds[] = {"identity", "decision", "counterexample", NULL};
+    static const char *const all_types[] = {"field", "rational", "interval", "double", NULL};
     check_keys(b, known, needed);
     const char *kind = value_of(b, "kind");
     if (kind != NULL && !is_one_of(kind, kinds))
         complain(b->file, b->line, "'%s': unknown kind '%s'", b->name, kind);
-    if (!contains(&bodies, b->name))
+    const char *types = value_of(b, "types");
+    if (types != NULL && *types == '\0')
+        complain(b->file, b->line, "'%s' lists no types", b->name);
+    char *listed = copy_of(types != NULL ? types : "", types != NULL ? strlen(types) : 0);
+    for (char *word = strtok(listed, " "); word != NULL; word = strtok(NULL, " "))
+        if (!is_one_of(word, all_types))
+            complain(b->file, b->line, "'%s': unknown type '%s'", b->name, word);
+    if (!has_body(b->name))
         complain(b->file, b->line, "claim '%s' has no body CLAIM(%s)", b->name, b->name);
 }
 
@@ -355,10 +393,27 @@ static void put_claim(FILE *out, const struct block *b)
     fputs("}},\n", out);
 }
 
+/* What refutes is a counterexample; what decides that something is true is none. */
+static void check_link(const struct block *b, int role, const char *claim)
+{
+    const struct block *target = block_named(claim, 1);
+    if (target == NULL) {
+        complain(b->file, b->line, "'%s' names a claim that does not exist: '%s'", b->name, claim);
+        return;
+    }
+    const char *kind = value_of(target, "kind"), *key = roles[role].key;
+    int is_counterexample = kind != NULL && strcmp(kind, "counterexample") == 0;
+    int refutes = strcmp(key, "refuted-by") == 0;
+    if (refutes && !is_counterexample)
+        complain(b->file, b->line, "'%s' is refuted by '%s', which is no counterexample", b->name, claim);
+    if (!refutes && !roles[role].has_text && is_counterexample)
+        complain(b->file, b->line, "'%s' lists the counterexample '%s' under %s", b->name, claim, key);
+}
+
 static void put_link(FILE *out, const struct block *b, int role, const char *claim, const char *text)
 {
-    if (claim != NULL && block_named(claim, 1) == NULL)
-        complain(b->file, b->line, "'%s' names a claim that does not exist: '%s'", b->name, claim);
+    if (claim != NULL)
+        check_link(b, role, claim);
     fprintf(out, "    {%s, ", roles[role].name);
     if (claim == NULL)
         fputs("NULL", out);
@@ -379,6 +434,9 @@ static void put_links(FILE *out, const struct block *b, int index)
             char *value = copy_of(b->option[k].value, strlen(b->option[k].value));
             if (roles[role].has_text) {
                 char *bar = strchr(value, '|');
+                if (bar == NULL && strcmp(roles[role].key, "reading") != 0)
+                    complain(b->file, b->option[k].line, "'%s' has a %s that no claim tries: claim | text", b->name,
+                             roles[role].key);
                 if (bar == NULL) {
                     put_link(out, b, role, NULL, value);
                 } else {
@@ -451,6 +509,24 @@ static void put_register(FILE *out, const struct list *chapters, const struct li
     fputs("    {NULL, NULL}};\n", out);
 }
 
+/* A section that the index forgets would be compiled, and never judged. */
+static void check_listed(const char *folder, const char *index, const struct list *sections)
+{
+    static const char suffix[] = ".claims.h";
+    DIR *d = opendir(folder);
+    for (struct dirent *entry; d != NULL && (entry = readdir(d)) != NULL;) {
+        size_t n = strlen(entry->d_name), m = strlen(suffix);
+        if (n <= m || strcmp(entry->d_name + n - m, suffix) != 0)
+            continue;
+        char *section = copy_of(entry->d_name, n - m);
+        if (!contains(sections, section))
+            complain(index, 1, "section '%s' is not in the toctree", section);
+        free(section);
+    }
+    if (d != NULL)
+        closedir(d);
+}
+
 int main(int argc, char **argv)
 {
     if (argc < 4) {
@@ -463,7 +539,7 @@ int main(int argc, char **argv)
         char path[512];
         const char *slash = strrchr(argv[k], '/'), *chapter = slash != NULL ? slash + 1 : argv[k];
         snprintf(path, sizeof path, "%s/index.md", argv[k]);
-        struct list l = lines_of(path);
+        struct list l = lines_of(path), sections = {0};
         char *title = copy_of(chapter, strlen(chapter));
         int in_toctree = 0;
         for (int j = 0; j < l.count; j++) {
@@ -475,10 +551,13 @@ int main(int argc, char **argv)
             else if (strncmp(line, "```", 3) == 0)
                 in_toctree = 0;
             else if (in_toctree && line[0] != '\0' && line[0] != ':')
-                read_section(argv[k], chapter, line);
+                append(&sections, line);
         }
         if (l.count == 0)
             complain(path, 1, "a chapter needs an index.md");
+        for (int j = 0; j < sections.count; j++)
+            read_section(argv[k], chapter, sections.at[j]);
+        check_listed(argv[k], path, &sections);
         append(&chapters, copy_of(chapter, strlen(chapter)));
         append(&titles, title);
     }
@@ -488,9 +567,9 @@ int main(int argc, char **argv)
             if (blocks[j].is_claim == blocks[k].is_claim && strcmp(blocks[j].name, blocks[k].name) == 0)
                 complain(blocks[k].file, blocks[k].line, "'%s' occurs twice", blocks[k].name);
     }
-    for (int k = 0; k < bodies.count; k++)
-        if (block_named(bodies.at[k], 1) == NULL)
-            complain("chapters", 0, "CLAIM(%s) has no claim block", bodies.at[k]);
+    for (int k = 0; k < body_count; k++)
+        if (block_named(bodies[k].name, 1) == NULL)
+            complain(bodies[k].file, bodies[k].line, "CLAIM(%s) has no claim block", bodies[k].name);
     FILE *out = fopen(argv[1], "w");
     if (out == NULL) {
         perror(argv[1]);

@@ -75,10 +75,6 @@ Different roots, or roots counted as often as their multiplicity: the chain is r
 :::
 */
 #include "chapters/frame/claims_on.h"
-
-#include "chapters/frame/claims_off.h"
-
-#include "chapters/frame/claims_on.h"
 #if RATIONAL
 #include "exact/crossings.h"
 #include "exact/roots.h"

@@ -1,0 +1,383 @@
+"""weave: a good chapter becomes a register; every kind of bad block is refused with file and line.
+
+    python3 test_weave.py WEAVE
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+WEAVE = str(pathlib.Path(sys.argv.pop(1)).resolve())
+TYPES = "field rational interval double"
+
+INDEX = """# A chapter (一章)
+
+```{toctree}
+:maxdepth: 1
+
+first
+second
+```
+"""
+
+# Every kind of option occurs once; the tests below spoil one line at a time.
+FIRST = r"""/*
+# A section
+
+:::{statement} source:1.1
+:title: A title
+:zh: 标题
+:printed: a=b,
+  \ b="c"
+:holds-by: sum_is_zero
+:needs: ratio_fails | a hypothesis that is stated
+:hypothesis: ratio_fails | a hypothesis that is not
+:reading: a way to read it
+:figure: picture
+:striking: 2
+
+A remark: with a colon.
+:::
+
+:::{statement} source:1.2
+:title: Another
+:zh: 另一
+:printed: a/b
+:class: false
+:refuted-by: ratio_fails
+:corrected: b/a
+:corrected-by: sum_is_zero range_is_decided
+:::
+
+:::{claim} sum_is_zero
+:title: A sum
+:zh: 和
+:given: numbers
+:then: their sum is 0
+:method: by computing it
+:degrees: 1..6 sampled 12
+:types: field rational
+:defines: kernel
+:control: a term left out
+:::
+*/
+CLAIM(sum_is_zero)
+{
+}
+"""
+
+SECOND = r"""/*
+:::{claim} ratio_fails
+:title: A ratio
+:zh: 比
+:kind: counterexample
+:given: two numbers
+:let: one be 0
+:then: there is no ratio
+:method: by dividing
+:control: the other way round
+:::
+*/
+CLAIM(ratio_fails)
+{
+}
+
+/*
+:::{claim} range_is_decided
+:title: A range
+:zh: 范围
+:kind: decision
+:given: an interval
+:then: it is decided
+:method: by roots
+:scope: the interval
+:control: a larger interval
+:::
+
+:::{claim} every_degree
+:title: Every degree
+:zh: 任意次数
+:given: n
+:then: it holds
+:method: n is a variable
+:degrees: all
+:control: n + 1
+:::
+*/
+CLAIM(range_is_decided)
+{
+}
+CLAIM(every_degree)
+{
+}
+"""
+
+FIGURE = """FIGURE(picture)
+{
+}
+"""
+
+
+def line_of(text, part):
+    """The number of the line of text that contains part, which occurs once."""
+    assert text.count(part) == 1, part
+    return text[: text.index(part)].count("\n") + 1
+
+
+class Weaving(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.root = pathlib.Path(self.folder.name)
+        (self.root / "chapter").mkdir()
+        self.write("index.md", INDEX)
+        self.write("first.claims.h", FIRST)
+        self.write("second.claims.h", SECOND)
+        self.write("first.figure.c", FIGURE)
+
+    def write(self, name, text):
+        (self.root / "chapter" / name).write_text(text, encoding="utf-8")
+
+    def weave(self, types=TYPES, chapters=("chapter",)):
+        return subprocess.run([WEAVE, "register.c", types, *chapters], cwd=self.root, capture_output=True, text=True,
+                              timeout=60)
+
+    def register(self, **options):
+        r = self.weave(**options)
+        self.assertEqual((r.returncode, r.stderr, r.stdout), (0, "", ""))
+        return (self.root / "register.c").read_text(encoding="utf-8")
+
+    def refused(self, name, line, *words):
+        """Exit 1, no register, and a complaint at that line of that file with these words in it."""
+        r = self.weave()
+        self.assertEqual(r.returncode, 1, r)
+        self.assertFalse((self.root / "register.c").exists())
+        for complaint in r.stderr.splitlines():
+            self.assertRegex(complaint, r"^chapter/[a-z.]+:[1-9][0-9]*: .")
+        at = [c for c in r.stderr.splitlines() if c.startswith(f"chapter/{name}:{line}: ")]
+        self.assertTrue(any(all(w in c for w in words) for c in at), r.stderr)
+
+    def spoiled(self, name, old, new, *words, at=None):
+        """Put new for old; the complaint is expected in the line of `at`, a text that the spoiled file contains."""
+        text = {"first.claims.h": FIRST, "second.claims.h": SECOND, "index.md": INDEX}[name]
+        self.assertEqual(text.count(old), 1, old)
+        spoiled = text.replace(old, new)
+        self.write(name, spoiled)
+        self.refused(name, line_of(spoiled, at or new), *words)
+
+
+class Good(Weaving):
+    def test_claims_in_reading_order(self):
+        text = self.register()
+        names = re.findall(r'^    {\.name = "(\w+)"', text, re.M)
+        self.assertEqual(names, ["sum_is_zero", "ratio_fails", "range_is_decided", "every_degree"])
+        self.assertIn("FIGURE(picture);", text)
+        self.assertIn('{"chapter", "A chapter (一章)"}', text)
+
+    def claim(self, text, name):
+        return re.search(r'^    {\.name = "%s".*$' % name, text, re.M).group(0)
+
+    def test_kinds_degrees_and_types(self):
+        text = self.register()
+        c = self.claim(text, "sum_is_zero")
+        self.assertIn(".kind = IDENTITY, .degree_low = 1, .degree_high = 6, .degree_sampled = 12, .all_degrees = 0", c)
+        self.assertIn('.defines = "kernel"', c)
+        self.assertIn(f'.file = "chapter/first.claims.h", .line = {line_of(FIRST, ":::{claim} sum_is_zero")},', c)
+        self.assertIn("[FIELD_TYPE] = claim_sum_is_zero_f, [RATIONAL_TYPE] = claim_sum_is_zero_q, }}", c)
+        self.assertIn(".kind = COUNTEREXAMPLE", self.claim(text, "ratio_fails"))
+        self.assertIn("{[RATIONAL_TYPE] = claim_ratio_fails_q, }}", self.claim(text, "ratio_fails"))
+        self.assertIn(".kind = DECISION", self.claim(text, "range_is_decided"))
+        self.assertIn(".all_degrees = 1", self.claim(text, "every_degree"))
+        for suffix in "fqim":
+            self.assertIn(f"claim_every_degree_{suffix}", self.claim(text, "every_degree"))
+
+    def test_links_and_texts(self):
+        text = self.register()
+        for link in ('{HOLDS_BY, "sum_is_zero", ""}', '{NEEDS, "ratio_fails", "a hypothesis that is stated"}',
+                     '{HYPOTHESIS, "ratio_fails", "a hypothesis that is not"}', '{READING, NULL, "a way to read it"}',
+                     '{REFUTED_BY, "ratio_fails", ""}', '{CORRECTED_BY, "sum_is_zero", ""}',
+                     '{CORRECTED_BY, "range_is_decided", ""}'):
+            self.assertIn(link, text)
+        self.assertIn(r'.printed = "a=b, \\ b=\"c\""', text)
+        self.assertIn('.note = "A remark: with a colon."', text)
+        self.assertIn(".is_definition = 0, .striking = 2", text)
+
+    def test_claims_of_types_that_are_not_compiled_are_left_out(self):
+        text = self.register(types="double")
+        self.assertEqual(re.findall(r'^    {\.name = "(\w+)"', text, re.M), ["every_degree"])
+
+    def test_two_chapters(self):
+        (self.root / "other").mkdir()
+        (self.root / "other" / "index.md").write_text("# Other\n", encoding="utf-8")
+        self.assertIn('{"other", "Other"}', self.register(chapters=("chapter", "other")))
+
+    def test_the_register_is_c(self):
+        compiler = os.environ.get("CC", "cc")
+        for header in ("claim.h", "figure.h"):
+            (self.root / "chapters" / "frame").mkdir(parents=True, exist_ok=True)
+            source = pathlib.Path(__file__).resolve().parents[2] / "chapters" / "frame" / header
+            (self.root / "chapters" / "frame" / header).write_text(source.read_text(encoding="utf-8"), encoding="utf-8")
+        self.register()
+        r = subprocess.run([compiler, "-std=c17", "-Wall", "-Werror", "-fsyntax-only", "-I.", "register.c"], cwd=self.root,
+                           capture_output=True, text=True, timeout=60)
+        self.assertEqual(r.returncode, 0, r.stderr)
+
+
+class BadClaims(Weaving):
+    def test_every_field_is_needed(self):
+        for field in ("title: A sum", "zh: 和", "given: numbers", "then: their sum is 0", "method: by computing it",
+                      "control: a term left out"):
+            key = field.split(":")[0]
+            with self.subTest(key):
+                self.spoiled("first.claims.h", f":{field}\n", "", "sum_is_zero", key, at=":::{claim} sum_is_zero")
+                self.spoiled("first.claims.h", f":{field}\n", f":{key}:\n", "sum_is_zero", key, at=":::{claim} sum_is_zero")
+
+    def test_unknown_option(self):
+        self.spoiled("first.claims.h", ":types: field", ":type: field", "unknown option", "'type'")
+
+    def test_option_twice(self):
+        self.spoiled("first.claims.h", ":given: numbers\n", ":given: numbers\n:given: others\n", "'given'", "twice",
+                     at=":given: others")
+
+    def test_unknown_kind(self):
+        self.spoiled("second.claims.h", ":kind: decision", ":kind: descision", "descision", at=":::{claim} range_is_decided")
+
+    def test_unknown_type(self):
+        self.spoiled("first.claims.h", ":types: field rational", ":types: field ratoinal", "ratoinal",
+                     at=":::{claim} sum_is_zero")
+
+    def test_no_type(self):
+        self.spoiled("first.claims.h", ":types: field rational", ":types:", "no types", at=":::{claim} sum_is_zero")
+
+    def test_bad_degrees(self):
+        for degrees in ("6", "1-6", "6..1", "-1..2", "any"):
+            with self.subTest(degrees):
+                self.spoiled("first.claims.h", ":degrees: 1..6 sampled 12", f":degrees: {degrees}", "degrees",
+                             at=":::{claim} sum_is_zero")
+
+    def test_no_body(self):
+        self.spoiled("first.claims.h", "CLAIM(sum_is_zero)", "CLAIM (sum_is_zero)", "no body", at=":::{claim} sum_is_zero")
+
+    def test_no_block(self):
+        self.spoiled("first.claims.h", "CLAIM(sum_is_zero)", "CLAIM(stray)\n{\n}\nCLAIM(sum_is_zero)", "stray", "no claim block",
+                     at="CLAIM(stray)")
+
+    def test_twice(self):
+        self.spoiled("second.claims.h", ":::{claim} every_degree", ":::{claim} range_is_decided\n:given: again", "twice",
+                     at=":::{claim} range_is_decided\n:given: again")
+
+    def test_not_closed(self):
+        self.spoiled("second.claims.h", ":control: n + 1\n:::", ":control: n + 1", "no closing", at=":::{claim} every_degree")
+
+
+class BadStatements(Weaving):
+    def test_every_field_is_needed(self):
+        for field in ("title: Another", "zh: 另一", "printed: a/b"):
+            key = field.split(":")[0]
+            with self.subTest(key):
+                self.spoiled("first.claims.h", f":{field}\n", "", "source:1.2", key, at=":::{statement} source:1.2")
+
+    def test_unknown_option(self):
+        self.spoiled("first.claims.h", ":corrected: b/a", ":correction: b/a", "unknown option", "'correction'")
+
+    def test_unknown_class(self):
+        self.spoiled("first.claims.h", ":class: false", ":class: wrong", "unknown class", "wrong",
+                     at=":::{statement} source:1.2")
+
+    def test_refuted_without_class(self):
+        self.spoiled("first.claims.h", ":class: false\n", "", "class", at=":::{statement} source:1.2")
+
+    def test_class_without_refutation(self):
+        self.spoiled("first.claims.h", ":holds-by: sum_is_zero\n", ":holds-by: sum_is_zero\n:class: misprint\n", "class",
+                     at=":::{statement} source:1.1")
+
+    def test_refuted_without_correction(self):
+        self.spoiled("first.claims.h", ":corrected: b/a\n:corrected-by: sum_is_zero range_is_decided\n", "", "not corrected",
+                     at=":::{statement} source:1.2")
+
+    def test_correction_without_claim(self):
+        self.spoiled("first.claims.h", ":corrected-by: sum_is_zero range_is_decided\n", "", "corrected",
+                     at=":::{statement} source:1.2")
+
+    def test_claim_without_correction(self):
+        self.spoiled("first.claims.h", ":corrected: b/a\n", "", "corrected", at=":::{statement} source:1.2")
+
+    def test_figure_that_is_not_there(self):
+        self.spoiled("first.claims.h", ":figure: picture", ":figure: pictures", "FIGURE(pictures)",
+                     at=":::{statement} source:1.1")
+
+    def test_twice(self):
+        self.spoiled("first.claims.h", ":::{statement} source:1.2", ":::{statement} source:1.1\n:zh: 又一", "twice",
+                     at=":::{statement} source:1.1\n:zh: 又一")
+
+
+class BadLinks(Weaving):
+    def test_claims_that_do_not_exist(self):
+        for old, new in ((":holds-by: sum_is_zero", ":holds-by: sum_is_one"),
+                         (":needs: ratio_fails |", ":needs: ratio_holds |"),
+                         (":hypothesis: ratio_fails |", ":hypothesis: |"),
+                         (":reading: a way", ":reading: no_claim | a way")):
+            with self.subTest(new):
+                self.spoiled("first.claims.h", old, new, "does not exist", at=":::{statement} source:1.1")
+
+    def test_a_counterexample_decides_nothing_to_be_true(self):
+        for key in ("holds-by", "checked-by"):
+            with self.subTest(key):
+                self.spoiled("first.claims.h", ":holds-by: sum_is_zero", f":{key}: ratio_fails", "counterexample", key,
+                             at=":::{statement} source:1.1")
+        self.spoiled("first.claims.h", ":corrected-by: sum_is_zero range_is_decided", ":corrected-by: ratio_fails",
+                     "counterexample", at=":::{statement} source:1.2")
+
+    def test_only_a_counterexample_refutes(self):
+        self.spoiled("first.claims.h", ":refuted-by: ratio_fails", ":refuted-by: range_is_decided", "no counterexample",
+                     at=":::{statement} source:1.2")
+
+    def test_a_hypothesis_is_tried(self):
+        for key in ("needs", "hypothesis"):
+            with self.subTest(key):
+                self.spoiled("first.claims.h", f":{key}: ratio_fails | ", f":{key}: ", "no claim tries", key, at=f":{key}: a")
+
+
+class BadChapters(Weaving):
+    def test_unknown_block(self):
+        self.spoiled("first.claims.h", ":::{statement} source:1.2", ":::{statment} source:1.2", "neither")
+
+    def test_section_that_is_not_there(self):
+        self.write("index.md", INDEX.replace("second\n", "second\nthird\n"))
+        self.refused("third.claims.h", 1, "no such file")
+
+    def test_section_that_the_index_forgets(self):
+        self.write("forgotten.claims.h", "/* nothing */\n")
+        self.refused("index.md", 1, "forgotten", "toctree")
+
+    def test_no_index(self):
+        (self.root / "chapter" / "index.md").unlink()
+        self.refused("index.md", 1, "index.md")
+
+    def test_all_complaints_at_once(self):
+        self.write("first.claims.h", FIRST.replace(":zh: 标题\n", "").replace(":zh: 另一\n", ""))
+        r = self.weave()
+        self.assertEqual(len(r.stderr.splitlines()), 2, r.stderr)
+
+    def test_an_old_register_does_not_survive_a_failure(self):
+        self.register()
+        self.write("first.claims.h", FIRST.replace(":zh: 标题\n", ""))
+        self.refused("first.claims.h", line_of(FIRST, ":::{statement} source:1.1"), "zh")
+
+    def test_usage(self):
+        r = subprocess.run([WEAVE], capture_output=True, text=True, timeout=60)
+        self.assertEqual((r.returncode, r.stdout), (2, ""))
+        self.assertIn("usage: weave", r.stderr)
+
+    def test_register_that_cannot_be_written(self):
+        (self.root / "register.c").mkdir()
+        r = self.weave()
+        self.assertEqual(r.returncode, 3)
+        self.assertIn("register.c", r.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

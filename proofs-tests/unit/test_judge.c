@@ -1,0 +1,649 @@
+/* test_judge.c -- the judge of the claims, judged: hand-made claims whose outcome is known. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "chapters/frame/judge.h"
+#include "chapters/frame/run.h"
+#include "exact/num_field.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FIELD   1
+#define G(name) name##_f
+#include "proofs-tests/unit/judge_bodies.tmpl.h"
+#undef G
+#undef FIELD
+#define FIELD   0
+#define G(name) name##_q
+#include "proofs-tests/unit/judge_bodies.tmpl.h"
+#undef G
+#define G(name) name##_i
+#include "proofs-tests/unit/judge_bodies.tmpl.h"
+#undef G
+#define G(name) name##_m
+#include "proofs-tests/unit/judge_bodies.tmpl.h"
+#undef G
+
+/* A claim of that name in all four number types, or in one. */
+#define EVERYWHERE(body_name)                                                                                          \
+    .name = #body_name, .scope = "", .body = {body_name##_f, body_name##_q, body_name##_i, body_name##_m}
+#define IN(type, suffix, body_name) .name = #body_name, .scope = "", .body = {[type] = body_name##suffix}
+
+static claim_result *judge_one(const claim *c)
+{
+    const run_options options = {.jobs = 1};
+    return judge_claims(&c, 1, &options);
+}
+
+static const char *shown(const type_result *b, const char *name)
+{
+    for (int k = 0; k < b->exhibits; k++)
+        if (strcmp(b->shown[k].name, name) == 0)
+            return b->shown[k].value;
+    return NULL;
+}
+
+/* ---- What holds ------------------------------------------------------------------------------- */
+
+static void test_an_identity_is_proved(void **state)
+{
+    (void)state;
+    const claim c = {EVERYWHERE(square_of_sum)};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_int_equal(r->outcome, HOLDS);
+    assert_int_equal(r->evidence, PROVED);
+    assert_string_equal(r->scope, "every value of x0, y0");
+    static const outcome expected[] = {HOLDS, HOLDS, UNDECIDED, HOLDS}; /* intervals confirm nothing */
+    static const int cases[] = {1, 24, 12, 24};
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        assert_true(r->by[t].ran);
+        assert_true(r->by[t].control_caught);
+        assert_int_equal(r->by[t].outcome, expected[t]);
+        assert_int_equal(r->by[t].cases, cases[t]);
+        assert_int_equal(r->by[t].compared, cases[t]);
+        assert_int_equal(r->by[t].faults, 0);
+        assert_non_null(shown(&r->by[t], "x"));
+        assert_null(shown(&r->by[t], "left"));
+    }
+    free_results(r, 1);
+}
+
+static void test_evidence_is_that_of_the_strongest_type(void **state)
+{
+    (void)state;
+    static const evidence expected[] = {PROVED, SAMPLED, ENCLOSED, MEASURED};
+    static const char *const scope[] = {"every value of x0, y0", "24 instances", "12 instances", "24 instances"};
+    const claim list[] = {{IN(FIELD_TYPE, _f, square_of_sum)},
+                          {IN(RATIONAL_TYPE, _q, square_of_sum)},
+                          {IN(INTERVAL_TYPE, _i, square_of_sum)},
+                          {IN(DOUBLE_TYPE, _m, square_of_sum)}};
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        claim_result *r = judge_one(&list[t]);
+        assert_true(r->as_expected);
+        assert_int_equal(r->outcome, HOLDS);
+        assert_int_equal(r->evidence, expected[t]);
+        assert_string_equal(r->scope, scope[t]);
+        for (number_type other = 0; other < NUMBER_TYPES; other++)
+            assert_int_equal(r->by[other].ran, other == t);
+        free_results(r, 1);
+    }
+}
+
+static void test_every_degree_is_visited(void **state)
+{
+    (void)state;
+    const claim identity = {EVERYWHERE(power_of_degree), .degree_low = 1, .degree_high = 4, .degree_sampled = 30};
+    claim_result *r = judge_one(&identity);
+    assert_true(r->as_expected);
+    assert_string_equal(r->scope, "n = 1 to 4; every value of t");
+    assert_int_equal(r->by[FIELD_TYPE].cases, 4);
+    assert_int_equal(r->by[FIELD_TYPE].degree_high, 4);
+    assert_int_equal(r->by[RATIONAL_TYPE].cases, 24);
+    assert_int_equal(r->by[RATIONAL_TYPE].degree_low, 1);
+    assert_int_equal(r->by[RATIONAL_TYPE].degree_high, 24); /* one case each, from the lowest on */
+    assert_true(r->by[DOUBLE_TYPE].worst > 0 && r->by[DOUBLE_TYPE].worst <= 1);
+    assert_true(r->by[INTERVAL_TYPE].worst > 0 && r->by[INTERVAL_TYPE].worst < 1e-20);
+    assert_true(r->by[RATIONAL_TYPE].worst == 0);
+    free_results(r, 1);
+
+    const claim decision = {IN(RATIONAL_TYPE, _q, power_of_degree), .kind = DECISION, .degree_low = 3, .degree_high = 5,
+                            .degree_sampled = 5};
+    r = judge_one(&decision);
+    assert_true(r->as_expected);
+    assert_int_equal(r->evidence, DECIDED);
+    assert_int_equal(r->by[RATIONAL_TYPE].cases, 3);
+    assert_string_equal(r->scope, "n = 3 to 5");
+    free_results(r, 1);
+
+    const claim all = {IN(FIELD_TYPE, _f, square_of_sum), .all_degrees = 1};
+    r = judge_one(&all);
+    assert_string_equal(r->scope, "all n; every value of x0, y0");
+    free_results(r, 1);
+}
+
+static void test_deep_is_deeper(void **state)
+{
+    (void)state;
+    const claim c = {IN(RATIONAL_TYPE, _q, square_of_sum)}, *list[] = {&c};
+    const run_options options = {.jobs = 1, .deep = 1};
+    claim_result *r = judge_claims(list, 1, &options);
+    assert_int_equal(r->by[RATIONAL_TYPE].cases, 1000);
+    free_results(r, 1);
+}
+
+/* ---- What does not ---------------------------------------------------------------------------- */
+
+static void test_false_is_false(void **state)
+{
+    (void)state;
+    const claim c = {EVERYWHERE(one_is_zero)};
+    claim_result *r = judge_one(&c);
+    assert_false(r->as_expected);
+    assert_int_equal(r->outcome, FAILS);
+    assert_int_equal(r->evidence, NO_EVIDENCE);
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        const type_result *b = &r->by[t];
+        assert_int_equal(b->outcome, FAILS);
+        assert_int_equal(b->cases, 1); /* the first failing case ends the run, and shows its first difference */
+        assert_int_equal(b->compared, 2);
+        assert_int_equal(b->exhibits, 3);
+        assert_string_equal(shown(b, "compared"), "x + 1 and x");
+        assert_non_null(shown(b, "left"));
+        assert_non_null(shown(b, "right"));
+        assert_true(b->seed != 0);
+    }
+    assert_string_equal(shown(&r->by[FIELD_TYPE], "left"), "x0+1");
+    free_results(r, 1);
+}
+
+static void test_nothing_compared_is_a_failure(void **state)
+{
+    (void)state;
+    const claim c = {EVERYWHERE(nothing)};
+    claim_result *r = judge_one(&c);
+    assert_false(r->as_expected);
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        assert_int_equal(r->by[t].outcome, FAILS);
+        assert_false(r->by[t].control_caught);
+        assert_string_equal(shown(&r->by[t], "empty"), "nothing was compared");
+    }
+    free_results(r, 1);
+}
+
+static void test_a_control_must_fail_by_comparison(void **state)
+{
+    (void)state;
+    const claim list[] = {{IN(FIELD_TYPE, _f, control_passes)},
+                          {IN(FIELD_TYPE, _f, control_is_empty)},
+                          {IN(FIELD_TYPE, _f, control_divides_by_zero)},
+                          {IN(RATIONAL_TYPE, _q, control_is_empty)},
+                          {IN(RATIONAL_TYPE, _q, control_divides_by_zero)}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        claim_result *r = judge_one(&list[k]);
+        const type_result *b = &r->by[k < 3 ? FIELD_TYPE : RATIONAL_TYPE];
+        assert_int_equal(b->outcome, HOLDS);
+        assert_false(b->control_caught);
+        assert_false(r->as_expected);
+        assert_int_equal(r->outcome, UNDECIDED);
+        assert_int_equal(r->evidence, NO_EVIDENCE);
+        free_results(r, 1);
+    }
+}
+
+static void test_one_bad_type_spoils_the_claim(void **state)
+{
+    (void)state;
+    const claim c = {
+        .name = "half_wrong", .scope = "", .body = {[FIELD_TYPE] = square_of_sum_f, [RATIONAL_TYPE] = one_is_zero_q}};
+    claim_result *r = judge_one(&c);
+    assert_int_equal(r->by[FIELD_TYPE].outcome, HOLDS);
+    assert_false(r->as_expected);
+    assert_int_equal(r->outcome, FAILS);
+    assert_int_equal(r->evidence, NO_EVIDENCE);
+    free_results(r, 1);
+}
+
+/* ---- Undefined, unable, crowded ---------------------------------------------------------------- */
+
+static void test_undefined_fails(void **state)
+{
+    (void)state;
+    const claim c = {.name = "divides_by_zero",
+                     .scope = "",
+                     .body = {[FIELD_TYPE] = divides_by_zero_f,
+                              [RATIONAL_TYPE] = divides_by_zero_q,
+                              [INTERVAL_TYPE] = divides_by_zero_i}};
+    claim_result *r = judge_one(&c);
+    assert_false(r->as_expected);
+    for (number_type t = FIELD_TYPE; t <= INTERVAL_TYPE; t++) {
+        assert_int_equal(r->by[t].outcome, FAILS);
+        assert_true(r->by[t].faults & FAULT_UNDEFINED);
+        assert_string_equal(shown(&r->by[t], "undefined"), "a division by zero");
+    }
+    free_results(r, 1);
+}
+
+static void test_unable_is_neither_true_nor_false(void **state)
+{
+    (void)state;
+    const claim c = {EVERYWHERE(unable)};
+    claim_result *r = judge_one(&c);
+    assert_false(r->as_expected);
+    assert_int_equal(r->outcome, UNDECIDED);
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        assert_int_equal(r->by[t].outcome, UNDECIDED);
+        assert_int_equal(r->by[t].faults, FAULT_UNABLE);
+        assert_false(r->by[t].control_caught); /* nor does a control fail so */
+    }
+    free_results(r, 1);
+
+    const claim before = {EVERYWHERE(false_then_unable)};
+    r = judge_one(&before);
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        assert_int_equal(r->by[t].outcome, FAILS);
+    free_results(r, 1);
+}
+
+static void test_a_crowded_field_grows(void **state)
+{
+    (void)state;
+    const claim c = {IN(FIELD_TYPE, _f, forty_variables)};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_int_equal(r->evidence, PROVED);
+    assert_int_equal(r->by[FIELD_TYPE].faults, 0);
+    assert_int_equal(r->by[FIELD_TYPE].compared, 1); /* of the last attempt only */
+    assert_int_equal(r->by[FIELD_TYPE].exhibits, 1);
+    assert_string_equal(r->scope, "every value of x0..x39");
+    free_results(r, 1);
+
+    const claim most = {IN(FIELD_TYPE, _f, too_many_variables)};
+    r = judge_one(&most);
+    assert_false(r->as_expected);
+    assert_int_equal(r->by[FIELD_TYPE].outcome, UNDECIDED);
+    assert_true(r->by[FIELD_TYPE].faults & FAULT_CROWDED);
+    free_results(r, 1);
+}
+
+/* ---- Signs -------------------------------------------------------------------------------------- */
+
+static void test_signs(void **state)
+{
+    (void)state;
+    const claim c = {EVERYWHERE(positive_sum)};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_int_equal(r->evidence, PROVED);
+    assert_string_equal(r->scope, "every value of a0, t and every positive value of w3, s");
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        assert_true(r->by[t].control_caught);
+    assert_int_equal(r->by[RATIONAL_TYPE].outcome, HOLDS);
+    assert_int_equal(r->by[INTERVAL_TYPE].outcome, UNDECIDED); /* by its same() */
+    free_results(r, 1);
+}
+
+static void test_coefficients_of_both_signs_decide_nothing(void **state)
+{
+    (void)state;
+    const claim field = {IN(FIELD_TYPE, _f, sign_is_open)};
+    claim_result *r = judge_one(&field);
+    assert_false(r->as_expected);
+    assert_int_equal(r->by[FIELD_TYPE].outcome, UNDECIDED);
+    assert_int_equal(r->by[FIELD_TYPE].faults, FAULT_UNABLE);
+    free_results(r, 1);
+    const claim others = {
+        .name = "sign_is_open",
+        .scope = "",
+        .body = {[RATIONAL_TYPE] = sign_is_open_q, [INTERVAL_TYPE] = sign_is_open_i, [DOUBLE_TYPE] = sign_is_open_m}};
+    r = judge_one(&others);
+    assert_true(r->as_expected);
+    assert_int_equal(r->by[INTERVAL_TYPE].outcome, HOLDS); /* an interval can confirm an inequality */
+    free_results(r, 1);
+}
+
+/* ---- Counterexamples ----------------------------------------------------------------------------- */
+
+static void test_a_counterexample_fails_and_its_control_holds(void **state)
+{
+    (void)state;
+    const claim c = {IN(RATIONAL_TYPE, _q, one_is_two), .kind = COUNTEREXAMPLE};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_int_equal(r->outcome, FAILS);
+    assert_int_equal(r->evidence, DECIDED);
+    assert_string_equal(r->scope, "the stated instance");
+    assert_int_equal(r->by[RATIONAL_TYPE].cases, 1);
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "left"), "1");
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "right"), "2");
+    free_results(r, 1);
+}
+
+static void test_what_is_no_counterexample(void **state)
+{
+    (void)state;
+    static const struct {
+        claim claim;
+        outcome outcome;
+        int control_caught;
+    } list[] = {
+        {{IN(RATIONAL_TYPE, _q, control_passes), .kind = COUNTEREXAMPLE}, HOLDS, 1},
+        {{IN(RATIONAL_TYPE, _q, fails_by_division_only), .kind = COUNTEREXAMPLE}, UNDECIDED, 1},
+        {{IN(RATIONAL_TYPE, _q, one_is_zero), .kind = COUNTEREXAMPLE}, FAILS, 0}, /* its control fails too   */
+        {{IN(RATIONAL_TYPE, _q, nothing), .kind = COUNTEREXAMPLE}, UNDECIDED, 0}, /* nothing was compared    */
+        {{IN(RATIONAL_TYPE, _q, control_is_empty), .kind = COUNTEREXAMPLE}, HOLDS, 0},
+        {{IN(RATIONAL_TYPE, _q, square_of_sum), .kind = COUNTEREXAMPLE}, HOLDS, 0}, /* what is printed is true */
+        {{IN(RATIONAL_TYPE, _q, control_is_unable), .kind = COUNTEREXAMPLE}, FAILS, 0},
+        {{IN(RATIONAL_TYPE, _q, false_then_unable), .kind = COUNTEREXAMPLE}, UNDECIDED, 0},
+    };
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        claim_result *r = judge_one(&list[k].claim);
+        assert_int_equal(r->by[RATIONAL_TYPE].outcome, list[k].outcome);
+        assert_int_equal(r->by[RATIONAL_TYPE].control_caught, list[k].control_caught);
+        assert_false(r->as_expected);
+        assert_int_equal(r->evidence, NO_EVIDENCE);
+        free_results(r, 1);
+    }
+}
+
+/* ---- Data and exhibits --------------------------------------------------------------------------- */
+
+static num_q seen_q[3];
+static num_i seen_i[3];
+static num_m seen_m[3];
+static void take_q(trial *T)
+{
+    seen_q[0] = unknown_q(T, "x", 0), seen_q[1] = positive_q(T, "w", 0), seen_q[2] = parameter_q(T, "t");
+    seen_i[0] = seen_i[1] = seen_i[2] = from_int_i(0);
+    trial S = {.state = T->seed}, U = {.state = T->seed};
+    seen_i[0] = unknown_i(&S, "x", 0), seen_i[1] = positive_i(&S, "w", 0), seen_i[2] = parameter_i(&S, "t");
+    seen_m[0] = unknown_m(&U, "x", 0), seen_m[1] = positive_m(&U, "w", 0), seen_m[2] = parameter_m(&U, "t");
+    for (int k = 0; k < 3; k++) {
+        agree(T, !T->planted && contains_i(seen_i[k], seen_q[k]) && width_i(seen_i[k]) == 0);
+        agree(T, equal_q(from_double_q(seen_m[k].v), seen_q[k]) && error_bound_m(seen_m[k]) == 0);
+    }
+    agree(T, compare_q(seen_q[0], from_int_q(-1)) >= 0 && compare_q(seen_q[0], from_int_q(1)) <= 0);
+    agree(T, compare_q(seen_q[1], from_ratio_q(1, 8)) >= 0 && compare_q(seen_q[1], from_int_q(4)) <= 0);
+    agree(T, sign_q(seen_q[2]) > 0 && compare_q(seen_q[2], from_int_q(1)) < 0);
+}
+
+static void test_data_are_the_same_dyadics_everywhere(void **state)
+{
+    (void)state;
+    const claim c = {.name = "data", .scope = "", .body = {[RATIONAL_TYPE] = take_q}};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_int_equal(r->by[RATIONAL_TYPE].compared, 24 * 9);
+    free_results(r, 1);
+}
+
+static void test_pick_stays_in_range(void **state)
+{
+    (void)state;
+    trial T = {.state = 1};
+    int count[7] = {0};
+    for (int k = 0; k < 7000; k++) {
+        int v = pick(&T, -3, 3);
+        assert_true(v >= -3 && v <= 3);
+        count[v + 3]++;
+    }
+    for (int k = 0; k < 7; k++)
+        assert_true(count[k] > 800 && count[k] < 1200);
+    assert_int_equal(pick(&T, 5, 5), 5);
+}
+
+static void test_exhibits(void **state)
+{
+    (void)state;
+    const claim c = {EVERYWHERE(exhibits)};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        assert_string_equal(shown(&r->by[t], "words"), "number 7");
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "half"), "1/2");
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "R"), "(1, 1/2) (-3, 3/4)");
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "w"), "(1) (1/2) (-3)");
+    assert_string_equal(shown(&r->by[DOUBLE_TYPE], "R"), "(1, 0.5) (-3, 0.75)");
+    assert_string_equal(shown(&r->by[INTERVAL_TYPE], "half"), "[0.5, 0.5]");
+    assert_string_equal(shown(&r->by[FIELD_TYPE], "half"), "(1)/(2)");
+    free_results(r, 1);
+}
+
+/* ---- Several jobs --------------------------------------------------------------------------------- */
+
+static const claim many[] = {{EVERYWHERE(square_of_sum)},
+                             {EVERYWHERE(power_of_degree), .degree_low = 1, .degree_high = 6, .degree_sampled = 9},
+                             {EVERYWHERE(one_is_zero)},
+                             {EVERYWHERE(nothing)},
+                             {EVERYWHERE(unable)},
+                             {EVERYWHERE(false_then_unable)},
+                             {EVERYWHERE(positive_sum)},
+                             {EVERYWHERE(sign_is_open)},
+                             {EVERYWHERE(exhibits)},
+                             {EVERYWHERE(forty_variables)},
+                             {IN(FIELD_TYPE, _f, too_many_variables)},
+                             {IN(FIELD_TYPE, _f, divides_by_zero)},
+                             {IN(RATIONAL_TYPE, _q, one_is_two), .kind = COUNTEREXAMPLE}};
+enum { MANY = sizeof many / sizeof *many };
+
+static void count_progress(void *context, int done, int total, const char *name)
+{
+    int *last = context;
+    assert_int_equal(done, *last + 1);
+    assert_true(done <= total);
+    assert_non_null(name);
+    *last = done;
+}
+
+static claim_result *judge_many(int jobs, int *finished)
+{
+    const claim *list[MANY];
+    for (int k = 0; k < MANY; k++)
+        list[k] = &many[k];
+    *finished = 0;
+    const run_options options = {.jobs = jobs, .progress = count_progress, .context = finished};
+    return judge_claims(list, MANY, &options);
+}
+
+static void same_text(const char *a, const char *b)
+{
+    assert_int_equal(a == NULL, b == NULL);
+    if (a != NULL)
+        assert_string_equal(a, b);
+}
+
+static void test_results_do_not_depend_on_the_jobs(void **state)
+{
+    (void)state;
+    int finished;
+    claim_result *one = judge_many(1, &finished);
+    assert_int_equal(finished, 10 * NUMBER_TYPES + 3);
+    static const int jobs[] = {0, 2, 7, 64};
+    for (size_t j = 0; j < sizeof jobs / sizeof *jobs; j++) {
+        claim_result *several = judge_many(jobs[j], &finished);
+        assert_int_equal(finished, 10 * NUMBER_TYPES + 3);
+        for (int k = 0; k < MANY; k++) {
+            assert_ptr_equal(several[k].claim, &many[k]);
+            assert_int_equal(several[k].as_expected, one[k].as_expected);
+            assert_int_equal(several[k].outcome, one[k].outcome);
+            assert_int_equal(several[k].evidence, one[k].evidence);
+            assert_string_equal(several[k].scope, one[k].scope);
+            for (number_type t = 0; t < NUMBER_TYPES; t++) {
+                const type_result *a = &one[k].by[t], *b = &several[k].by[t];
+                assert_int_equal(a->ran, b->ran);
+                assert_int_equal(a->outcome, b->outcome);
+                assert_int_equal(a->faults, b->faults);
+                assert_int_equal(a->cases, b->cases);
+                assert_int_equal(a->compared, b->compared);
+                assert_int_equal(a->degree_high, b->degree_high);
+                assert_true(a->worst == b->worst);
+                assert_true(a->seed == b->seed);
+                assert_int_equal(a->control_caught, b->control_caught);
+                same_text(a->variables, b->variables);
+                same_text(a->positive, b->positive);
+                assert_int_equal(a->exhibits, b->exhibits);
+                for (int e = 0; e < a->exhibits; e++) {
+                    assert_string_equal(a->shown[e].name, b->shown[e].name);
+                    assert_string_equal(a->shown[e].value, b->shown[e].value);
+                }
+            }
+        }
+        free_results(several, MANY);
+    }
+    free_results(one, MANY);
+}
+
+static void test_no_claims(void **state)
+{
+    (void)state;
+    const run_options options = {.jobs = 3};
+    free_results(judge_claims(NULL, 0, &options), 0);
+}
+
+/* ---- Verdicts -------------------------------------------------------------------------------------- */
+
+/* Results as judge_claims would leave them: good claims by evidence, and one that went wrong. */
+static const claim proved = {.name = "proved"}, decided = {.name = "decided"}, sampled = {.name = "sampled"},
+                   against = {.name = "against", .kind = COUNTEREXAMPLE}, wrong = {.name = "wrong"};
+static const claim_result results[] = {{.claim = &proved, .as_expected = 1, .evidence = PROVED},
+                                       {.claim = &decided, .as_expected = 1, .evidence = DECIDED},
+                                       {.claim = &sampled, .as_expected = 1, .evidence = SAMPLED},
+                                       {.claim = &against, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED},
+                                       {.claim = &wrong, .as_expected = 0, .evidence = NO_EVIDENCE}};
+enum { RESULTS = sizeof results / sizeof *results, ROLES = CHECKED_BY + 1 };
+
+static statement_result verdict_of(const statement_link links[], int is_definition)
+{
+    const statement s = {.id = "source:1", .is_definition = is_definition, .links = links};
+    return derive(&s, results, RESULTS);
+}
+
+/* What the roles present have to lead to, said the other way round than in verdict.c. */
+static verdict expected_verdict(unsigned roles, int is_definition)
+{
+    unsigned for_it = roles & (1u << HOLDS_BY | 1u << CHECKED_BY), condition = roles & 1u << HYPOTHESIS;
+    if (roles & 1u << REFUTED_BY)
+        return VERDICT_FAILS;
+    if (is_definition)
+        return VERDICT_DEFINITION;
+    if (for_it)
+        return condition ? VERDICT_CONDITIONAL : VERDICT_HOLDS;
+    return roles & 1u << READING && !condition ? VERDICT_UNDECIDED : VERDICT_OPEN;
+}
+
+static void test_every_combination_of_roles(void **state)
+{
+    (void)state;
+    static const char *const good[ROLES] = {
+        [HOLDS_BY] = "proved", [REFUTED_BY] = "against", [CORRECTED_BY] = "decided", [HYPOTHESIS] = "against",
+        [NEEDS] = "against",   [READING] = "sampled",    [CHECKED_BY] = "sampled"};
+    for (unsigned roles = 0; roles < 1u << ROLES; roles++)
+        for (int is_definition = 0; is_definition <= 1; is_definition++)
+            for (int bad = -1; bad < 2 * ROLES; bad++) { /* the role whose claim went wrong, or is missing */
+                if (bad >= 0 && !(roles >> bad % ROLES & 1))
+                    continue;
+                statement_link links[ROLES + 1];
+                int count = 0;
+                for (int k = 0; k < ROLES; k++)
+                    if (roles >> k & 1) {
+                        const char *name = bad == k ? "wrong" : bad == ROLES + k ? "missing" : good[k];
+                        links[count++] = (statement_link){(role)k, name, ""};
+                    }
+                links[count] = (statement_link){HOLDS_BY, NULL, NULL};
+                statement_result r = verdict_of(links, is_definition);
+                assert_int_equal(r.as_expected, bad < 0);
+                assert_int_equal(r.verdict, bad < 0 ? expected_verdict(roles, is_definition) : VERDICT_OPEN);
+                if (bad >= 0) {
+                    assert_int_equal(r.evidence, NO_EVIDENCE);
+                    continue;
+                }
+                assert_int_equal(r.corrected, roles >> CORRECTED_BY & 1);
+                assert_int_equal(r.corrected_evidence, r.corrected ? DECIDED : NO_EVIDENCE);
+                int held = (roles & (1u << HOLDS_BY | 1u << CHECKED_BY)) != 0;
+                evidence weakest = roles >> CHECKED_BY & 1 ? SAMPLED : PROVED;
+                if (r.verdict == VERDICT_FAILS) {
+                    assert_int_equal(r.evidence, DECIDED);
+                    assert_string_equal(r.decided_by->claim->name, "against");
+                } else if (held) {
+                    assert_int_equal(r.evidence, weakest);
+                    assert_string_equal(r.decided_by->claim->name, weakest == SAMPLED ? "sampled" : "proved");
+                } else {
+                    assert_int_equal(r.evidence, NO_EVIDENCE);
+                    assert_null(r.decided_by);
+                }
+            }
+}
+
+static void test_evidence_is_that_of_the_weakest_claim(void **state)
+{
+    (void)state;
+    static const char *const orders[][3] = {{"proved", "decided", "sampled"}, {"sampled", "proved", "decided"}};
+    for (int k = 0; k < 2; k++) {
+        const statement_link links[] = {{HOLDS_BY, orders[k][0], ""},
+                                        {HOLDS_BY, orders[k][1], ""},
+                                        {HOLDS_BY, orders[k][2], ""},
+                                        {CORRECTED_BY, orders[k][0], ""},
+                                        {CORRECTED_BY, orders[k][1], ""},
+                                        {CORRECTED_BY, orders[k][2], ""},
+                                        {HOLDS_BY, NULL, NULL}};
+        statement_result r = verdict_of(links, 0);
+        assert_int_equal(r.verdict, VERDICT_HOLDS);
+        assert_int_equal(r.evidence, SAMPLED);
+        assert_string_equal(r.decided_by->claim->name, "sampled");
+        assert_int_equal(r.corrected_evidence, SAMPLED);
+        assert_string_equal(r.corrected_by->claim->name, "sampled");
+    }
+}
+
+static void test_a_reading_in_words_has_no_claim(void **state)
+{
+    (void)state;
+    const statement_link words[] = {{READING, NULL, "one way"}, {READING, NULL, "another"}, {HOLDS_BY, NULL, NULL}};
+    statement_result r = verdict_of(words, 0);
+    assert_true(r.as_expected);
+    assert_int_equal(r.verdict, VERDICT_UNDECIDED);
+    const statement_link none[] = {{HOLDS_BY, NULL, NULL}};
+    r = verdict_of(none, 0);
+    assert_true(r.as_expected);
+    assert_int_equal(r.verdict, VERDICT_OPEN);
+}
+
+static void test_result_of(void **state)
+{
+    (void)state;
+    assert_ptr_equal(result_of("sampled", results, RESULTS), &results[2]);
+    assert_null(result_of("missing", results, RESULTS));
+    assert_null(result_of("proved", results, 0));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        unit(test_an_identity_is_proved),
+        unit(test_evidence_is_that_of_the_strongest_type),
+        unit(test_every_degree_is_visited),
+        unit(test_deep_is_deeper),
+        unit(test_false_is_false),
+        unit(test_nothing_compared_is_a_failure),
+        unit(test_a_control_must_fail_by_comparison),
+        unit(test_one_bad_type_spoils_the_claim),
+        unit(test_undefined_fails),
+        unit(test_unable_is_neither_true_nor_false),
+        unit(test_a_crowded_field_grows),
+        unit(test_signs),
+        unit(test_coefficients_of_both_signs_decide_nothing),
+        unit(test_a_counterexample_fails_and_its_control_holds),
+        unit(test_what_is_no_counterexample),
+        unit(test_data_are_the_same_dyadics_everywhere),
+        unit(test_pick_stays_in_range),
+        unit(test_exhibits),
+        unit(test_results_do_not_depend_on_the_jobs),
+        unit(test_no_claims),
+        unit(test_every_combination_of_roles),
+        unit(test_evidence_is_that_of_the_weakest_claim),
+        unit(test_a_reading_in_words_has_no_claim),
+        unit(test_result_of),
+    };
+    return run_unit_tests(tests);
+}
