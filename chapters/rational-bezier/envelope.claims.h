@@ -238,7 +238,7 @@ $$\det(P,P_t,P_c)=r(n-r)\,(t-c)\;w_r(c,t),\qquad w_r(c,t)=\det\bigl(q(0,0),q(0,\
 
 The factor $t-c$ is the curve itself.  The other factor, when it has zeros, gives further envelopes.
 
-:::{statement} wang-ch3:thm-3.3.2-envelope
+:::{statement} wang-ch3:thm-3.3.2
 :title: The curve is the envelope of the family
 :zh: 曲线是族的包络
 :printed: \mathbf R(t)=\operatorname{env}\{\mathbf R^{[n-r]}(t,c)\mid a\le c\le b\},\quad r=1,\dots,n-1,\ n\ge2

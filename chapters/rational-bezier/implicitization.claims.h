@@ -687,7 +687,7 @@ equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::
 
-:::{claim} common_zero_makes_F_vanish
+:::{claim} common_zero_makes_the_equation_vanish
 :title: A common zero of numerators and denominator makes F identically 0
 :zh: 有公共零点时 F 恒为零
 :given: $A$, $B$, $W$ with a common zero $\rho$, or $\omega_0=0$; any $x,y$
@@ -725,7 +725,7 @@ The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant
 :control: $yB-xA$ in the second resultant
 :::
 */
-CLAIM(common_zero_makes_F_vanish)
+CLAIM(common_zero_makes_the_equation_vanish)
 {
     int n = T->degree;
     num p[3][MAX_ORDER + 1], R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
@@ -903,7 +903,7 @@ CLAIM(space_curve_and_its_shadow)
 :title: F is a polynomial of degree at most n
 :zh: F 的次数不高于 n
 :printed: the polynomial $F(x,y)$ of (3.4.1) has degree at most $n$ in the two variables
-:holds-by: bezout_entries_are_linear sylvester_and_bezout_give_one_F
+:holds-by: bezout_entries_are_linear sylvester_and_bezout_give_one_equation
 
 The proof divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided
 by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
@@ -920,7 +920,7 @@ by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
 :control: $a_ib_j+a_jb_i$
 :::
 
-:::{claim} sylvester_and_bezout_give_one_F
+:::{claim} sylvester_and_bezout_give_one_equation
 :title: The 2n × 2n determinant and Bézout's n × n determinant are the same F
 :zh: 两种行列式给出同一 F
 :given: weights and points, any $x,y$
@@ -940,7 +940,7 @@ CLAIM(bezout_entries_are_linear)
     same(T, left, mul(mul(p, q), add(constant, linear)));
 }
 
-CLAIM(sylvester_and_bezout_give_one_F)
+CLAIM(sylvester_and_bezout_give_one_equation)
 {
     int n = T->degree;
     num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1], M[MAX_ORDER * MAX_ORDER];
