@@ -116,8 +116,9 @@ CLAIM(triangle_level_by_level)
 :title: A regular curve whose triangle has a point at infinity
 :zh: 曲线正则而三角阵中权为零
 :kind: decision
-:given: $n=2$, $\omega=(1,-\frac12,1)$, $\lambda=\frac23$
-:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$, so that $R_1^1$ does not exist
+:given: $n=2$, $\omega=(1,-\frac12,1)$
+:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$ for $\lambda=\frac23$, so that $R_1^1$, a point of the left part,
+  does not exist; and $\omega_2^1=0$ for $\lambda=\frac13$, so that $R_2^1$, one of the right part, does not
 :method: $\omega(t)=3t^2-3t+1$ has no real root, counted exactly, and is positive at $0$.
 :control: $\lambda=\frac12$
 :::
@@ -125,17 +126,19 @@ CLAIM(triangle_level_by_level)
 #if RATIONAL
 CLAIM(intermediate_weight_can_vanish)
 {
-    num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)}, lambda = T->planted ? from_ratio(1, 2) : from_ratio(2, 3),
-        next[3];
+    num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)};
     poly denominator = poly_from_bernstein(2, w);
     show_points(T, "ω", 3, 1, w);
-    show(T, "λ", lambda);
     show_text(T, "ω(t)", "%s", poly_to_string(denominator, "t"));
     agree(T, count_roots_line(denominator).distinct == 0 && sign_q(w[0]) > 0);
-    for (int i = 0; i < 3; i++)
-        next[i] = w[i];
-    G(casteljau_level)(2, 1, next, lambda);
-    vanishes(T, next[0]);
+    for (int side = 0; side < 2; side++) {
+        num lambda = T->planted ? from_ratio(1, 2) : from_ratio(2 - side, 3), next[3];
+        for (int i = 0; i < 3; i++)
+            next[i] = w[i];
+        G(casteljau_level)(2, 1, next, lambda);
+        show(T, side == 0 ? "λ, with ω_1^1 = 0" : "λ, with ω_2^1 = 0", lambda);
+        vanishes(T, next[side]);
+    }
 }
 #endif
 
