@@ -94,7 +94,7 @@ It is (3.2.10) with $a=\alpha$, $b=1$.
 :::
 
 :::{claim} geometric_weights_reparametrize_bezier
-:title: The Bézier curve at $t=\alpha u/(1-u+\alpha u)$ is the rational curve with weights $\alpha^i$ at u
+:title: A Bézier curve in the new parameter is the rational curve with geometric weights
 :zh: Bézier 曲线换参后成为等比权有理曲线
 :given: points $P_0,\dots,P_n$, and $\alpha$, $u$
 :let: $t=\alpha u/(1-u+\alpha u)$
@@ -161,7 +161,7 @@ CLAIM(geometric_weights_term_by_term)
 
 /*
 :::{claim} alpha_runs_the_interval_once
-:title: For $\alpha>0$ the parameter t runs once from 0 to 1
+:title: For positive α the parameter t runs once from 0 to 1
 :zh: α>0 时 t 单调地由 0 到 1
 :types: field
 :given: $\alpha>0$, $0<u<1$
@@ -184,7 +184,7 @@ CLAIM(alpha_runs_the_interval_once)
 
 /*
 :::{claim} negative_alpha_has_a_pole
-:title: For every negative $\alpha$ the denominator vanishes inside the interval
+:title: For every negative α the denominator vanishes inside the interval
 :zh: α<0 时分母在区间内必有零点
 :given: $\alpha=-\beta$, $\beta>0$
 :then: $u_0=1/(1+\beta)$ is in $(0,1)$, and $\sum B_i^n(u_0)\alpha^i=0$, while $t$ has a pole there
@@ -209,7 +209,7 @@ CLAIM(negative_alpha_has_a_pole)
 
 /*
 :::{claim} zero_alpha_collapses
-:title: For $\alpha=0$ only the first point is left
+:title: For α = 0 only the first point is left
 :zh: α=0 时曲线退缩为首点
 :given: points $P_0,\dots,P_n$, the weights $1,0,\dots,0$, and $u\ne1$
 :then: the curve is $P_0$ for every $u$

@@ -108,7 +108,7 @@ An identity: $a$ and $b$ may be any numbers, as long as the denominators do not 
 :::
 
 :::{claim} fractional_change_keeps_curve
-:title: The weights multiplied by $a^i b^{n-i}$ give the same curve in the new parameter
+:title: Weights multiplied by powers of a and b give the same curve in the new parameter
 :zh: 权乘以 a^i b^{n-i} 后曲线不变
 :given: weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, and $a,b,u$
 :let: $t=au/D$, $D=au+b(1-u)$, and $\omega_i'=a^ib^{n-i}\omega_i$
@@ -473,7 +473,7 @@ CLAIM(quotient_is_lost_up_to_sign)
 :::
 
 :::{claim} end_weights_give_the_factors
-:title: With a and b from the end weights, $a^i b^{n-i}\omega_i$ is $\omega_i^*$
+:title: The factors a and b from the end weights lead to all the new weights
 :zh: 由首末权所得因子还原全部权
 :given: positive weights $\omega_0,\dots,\omega_n$ and $\omega_i^*=r\,q^i\omega_i$, $r=\beta^n$, $q=\alpha/\beta$,
   with $\alpha,\beta>0$
@@ -721,7 +721,7 @@ What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $
 :::
 
 :::{claim} first_invariant_is_the_tangent_ratio
-:title: Every tangent cuts the legs of the triangle in ratios whose product is $1/I_1$
+:title: Every tangent cuts the legs of the triangle in ratios with one product, the reciprocal of the invariant
 :zh: 切线在两边上截得比之积等于 1/I_1
 :given: the quadratic with points $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and positive weights, and $0<t<1$
 :let: the tangent at $R(t)$ meets $R_0R_1$ in $A$ and $R_1R_2$ in $B$

@@ -598,7 +598,7 @@ torsions, which property 3.2.4 is said to give, it is wrong.
 :::
 
 :::{claim} printed_torsion_denominator_is_wrong
-:title: The torsion has $a_1\times a_2$ in its denominator, not $a_1\times a_3$
+:title: The torsion has the first two edges in its denominator, not the first and the third
 :zh: 挠率之差的分母误印
 :kind: counterexample
 :given: $n=5$, $R_0=0$, $a_1=(1,0,0)$, $a_2=(0,1,0)$, $a_3=(0,0,2)$, $a_4=a_1$, $a_5=a_2$, $\omega=(1,1,1,1,1,1)$ and
@@ -656,7 +656,7 @@ The product is $1/I_2$, which does as well.
 :::
 
 :::{claim} product_is_the_inverse_second_invariant
-:title: $I_1$ times $\omega_0\omega_3/(\omega_1\omega_2)$ is $1/I_2$
+:title: The product of the two quotients is the reciprocal of the second invariant
 :zh: 乘积即第二不变量的倒数
 :given: weights $\omega_0,\dots,\omega_3$, none of them $0$
 :then: $I_1\frac{\omega_0\omega_3}{\omega_1\omega_2}=\frac{\omega_1\omega_3}{\omega_2^2}=\frac1{I_2}$

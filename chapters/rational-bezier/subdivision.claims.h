@@ -116,8 +116,9 @@ CLAIM(triangle_level_by_level)
 :title: A regular curve whose triangle has a point at infinity
 :zh: 曲线正则而三角阵中权为零
 :kind: decision
-:given: $n=2$, $\omega=(1,-\frac12,1)$, $\lambda=\frac23$
-:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$, so that $R_1^1$ does not exist
+:given: $n=2$, $\omega=(1,-\frac12,1)$
+:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$ for $\lambda=\frac23$, so that $R_1^1$, a point of the left part,
+  does not exist; and $\omega_2^1=0$ for $\lambda=\frac13$, so that $R_2^1$, one of the right part, does not
 :method: $\omega(t)=3t^2-3t+1$ has no real root, counted exactly, and is positive at $0$.
 :control: $\lambda=\frac12$
 :::
@@ -125,17 +126,19 @@ CLAIM(triangle_level_by_level)
 #if RATIONAL
 CLAIM(intermediate_weight_can_vanish)
 {
-    num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)}, lambda = T->planted ? from_ratio(1, 2) : from_ratio(2, 3),
-        next[3];
+    num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)};
     poly denominator = poly_from_bernstein(2, w);
     show_points(T, "ω", 3, 1, w);
-    show(T, "λ", lambda);
     show_text(T, "ω(t)", "%s", poly_to_string(denominator, "t"));
     agree(T, count_roots_line(denominator).distinct == 0 && sign_q(w[0]) > 0);
-    for (int i = 0; i < 3; i++)
-        next[i] = w[i];
-    G(casteljau_level)(2, 1, next, lambda);
-    vanishes(T, next[0]);
+    for (int side = 0; side < 2; side++) {
+        num lambda = T->planted ? from_ratio(1, 2) : from_ratio(2 - side, 3), next[3];
+        for (int i = 0; i < 3; i++)
+            next[i] = w[i];
+        G(casteljau_level)(2, 1, next, lambda);
+        show(T, side == 0 ? "λ, with ω_1^1 = 0" : "λ, with ω_2^1 = 0", lambda);
+        vanishes(T, next[side]);
+    }
 }
 #endif
 
@@ -210,7 +213,7 @@ CLAIM(numerator_and_denominator_are_cut_alike)
 
 /*
 :::{statement} wang-ch3:3.3.1-left
-:title: The left part, $a\le t\le c$
+:title: The left part of the curve, over [a,c]
 :zh: 离散公式左段
 :printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)\omega_i\mathbf
   R_i}{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)
@@ -223,7 +226,7 @@ As an identity it holds for every $t$.
 :::
 
 :::{claim} subdivision_left_half
-:title: The left side of the triangle carries the curve over $[a,c]$
+:title: The left side of the triangle carries the curve over [a,c]
 :zh: 三角阵左边给出左段曲线
 :given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=a+x(c-a)$, with $h>0$
 :then: the curve over $[a,b]$ at $t$ is the curve of $(R_i^i,\omega_i^i)$ at $(t-a)/(c-a)$
@@ -251,7 +254,7 @@ CLAIM(subdivision_left_half)
 
 /*
 :::{statement} wang-ch3:3.3.1-right
-:title: The right part, $c\le t\le b$
+:title: The right part of the curve, over [c,b]
 :zh: 离散公式右段
 :printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)\omega_i^{n-i}(c)\mathbf R_n^{n-i}(c)}
   {\sum_{i=0}^nB_i^n\bigl(\frac{t-c}{b-c}\bigr)\omega_n^{n-i}(c)},\quad c\le t\le b
@@ -270,7 +273,7 @@ weight is not even defined by (3.3.2).
 :::
 
 :::{claim} subdivision_right_half
-:title: The right side of the triangle carries the curve over $[c,b]$
+:title: The right side of the triangle carries the curve over [c,b]
 :zh: 三角阵右边给出右段曲线
 :given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=c+x(b-c)$, with $h>0$
 :then: the curve over $[a,b]$ at $t$ is the curve of $(R_n^{n-i},\omega_n^{n-i})$ at $(t-c)/(b-c)$
@@ -669,7 +672,7 @@ fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\la
 :::
 
 :::{claim} second_differences_shrink_quadratically
-:title: Over an interval of length h second differences are at most $h^2$ times the old ones
+:title: Over an interval of length h second differences shrink with the square of h
 :zh: 二阶差分按区间长度平方缩小
 :given: a polynomial with Bernstein coefficients $b_0,\dots,b_n$ over $[0,1]$, and those over $[u,v]$, $0<u,v<1$
 :then: $\Delta^2b_i^{[u,v]}=(v-u)^2\sum_j\beta_{ij}\Delta^2b_j$ with $\beta_{ij}\ge0$, $\sum_j\beta_{ij}=1$
@@ -770,7 +773,7 @@ CLAIM(near_homogeneous_points_are_near)
 #if RATIONAL
 /*
 :::{claim} quarter_circle_error_is_quartered
-:title: The polygons of a quarter circle, cut in the middle: the error is exactly $4^{-k}$
+:title: The polygons of a quarter circle, cut in the middle: each cut divides the error by 4
 :zh: 四分之一圆反复中点离散:误差恰为 4^{-k}
 :kind: decision
 :given: the quarter circle with points $(1,0),(1,1),(0,1)$ and weights $1,1,2$; $k=1,\dots,6$ times every piece is
