@@ -119,16 +119,19 @@ static int distance(const char *a, const char *b)
     return d;
 }
 
-enum { NEAREST = 3 };
+enum { NEAREST = 3, LONGEST = 255 };
 struct near {
     const char *id[NEAREST];
     int distance[NEAREST];
 };
 
-/* An id that contains the word counts as near. */
+/* An id that contains the word counts as near; among equals, the one that begins alike is nearer. */
 static void consider(struct near *n, const char *wanted, const char *id)
 {
-    int d = strstr(id, wanted) != NULL ? 1 : distance(wanted, id);
+    int alike = 0, letters = strstr(id, wanted) != NULL ? 1 : distance(wanted, id);
+    while (alike < LONGEST && wanted[alike] != '\0' && wanted[alike] == id[alike])
+        alike++;
+    int d = letters * (LONGEST + 1) - alike;
     for (int k = 0; k < NEAREST; k++)
         if (n->id[k] == NULL || d < n->distance[k]) {
             for (int j = NEAREST - 1; j > k; j--)

@@ -265,6 +265,10 @@ static void check_keys(const struct block *b, const char *const known[], const c
         if (v == NULL || *v == '\0')
             complain(b->file, b->line, "'%s' has no %s", b->name, needed[j]);
     }
+    static const char *const plain[] = {"title", "zh"}; /* they stand in tables */
+    for (int j = 0; j < 2; j++)
+        if (value_of(b, plain[j]) != NULL && strpbrk(value_of(b, plain[j]), "$\\") != NULL)
+            complain(b->file, b->line, "'%s': a title has no formulas in TeX", b->name);
 }
 
 static int is_one_of(const char *word, const char *const words[])

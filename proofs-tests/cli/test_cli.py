@@ -82,7 +82,7 @@ class Usage(Case):
         r = run("verify", "elevation_keeps_rational_curve", "--junit", "/nonexistent/folder/x.xml")
         self.assertEqual(r.returncode, 3)
         self.assertIn("/nonexistent/folder/x.xml", r.stderr)
-        r = run("figures", "--out", "/dev/null/x", "elevation")
+        r = run("figures", "--out", "/dev/null/x", "elevation*")
         self.assertEqual(r.returncode, 3)
         r = subprocess.run([CAGD, "list"], stdout=open("/dev/full", "w"), stderr=subprocess.PIPE)
         self.assertEqual(r.returncode, 3)
