@@ -202,7 +202,8 @@ static char *put_variables(char *at, const char *names)
     while (*names != '\0') {
         size_t n = strcspn(names, " "), stem = strcspn(names, "0123456789 ");
         int index = stem < n ? atoi(names + stem) : -1, k = 0;
-        while (k < count && (strlen(letters[k]) != stem || strncmp(letters[k], names, stem) != 0))
+        while (k < count && ((low[k] < 0) != (index < 0) || strlen(letters[k]) != stem ||
+                             strncmp(letters[k], names, stem) != 0))
             k++;
         if (k == count) {
             snprintf(letters[count], sizeof letters[0], "%.*s", (int)stem, names);

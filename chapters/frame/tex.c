@@ -171,7 +171,7 @@ static int is_attached(const char *s)
     return 0;
 }
 
-/* Whether s is one factor, a number, a symbol or a group in parentheses, with a root and what is attached
+/* Whether s is one factor, a number, a symbol, a norm or a group in parentheses, with a root and what is attached
  * to it: then it can stand below a fraction's stroke as it is. */
 static int is_one_factor(const char *s)
 {
@@ -188,6 +188,8 @@ static int is_one_factor(const char *s)
             int depth = 1;
             for (s++; *s != '\0' && depth > 0; s++)
                 depth += (*s == '(') - (*s == ')');
+        } else if (strncmp(s, "‖", 3) == 0 && strstr(s + 3, "‖") != NULL) {
+            s = strstr(s + 3, "‖") + 3;
         } else {
             s += character(s);
         }

@@ -207,9 +207,10 @@ static void read_section(const char *folder, const char *chapter, const char *se
     l = lines_of(path);
     for (int k = 0; k < l.count; k++) {
         char *name = called(l.at[k], "FIGURE");
-        if (name != NULL) {
+        if (name != NULL && contains(&figures, name))
+            complain(path, k + 1, "there is another FIGURE(%s)", name);
+        if (name != NULL)
             append(&figures, name);
-        }
     }
 }
 

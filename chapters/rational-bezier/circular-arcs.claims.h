@@ -13,7 +13,10 @@ base angle $\angle R_1R_0R_2$ in its derivation.
 :printed: For $I_1<1$ the curve (3.1.5) is an arc of a circle with the central angle $2\theta$ if and only if $B=0$ and
   $A=C$.
 :holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle
-:reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle: true for positive weights.
+:needs: negative_weight_gives_the_other_arc | The weights are positive; otherwise the central angle may be
+  $2\pi-2\theta$.
+:reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle: true.
+:figure: circular_arc
 
 That a conic without the term $xy$ and with equal coefficients of $x^2$ and $y^2$ is a circle needs right angles and
 equal units on the axes, as the special coordinates have them.
@@ -24,6 +27,7 @@ equal units on the axes, as the special coordinates have them.
 :zh: 等价的几何条件
 :printed: This is equivalent to $x_1=0$, $\omega^2=\frac{l^2}{l^2+y_1^2}=\cos^2\theta$.
 :holds-by: circles_among_the_conics_of_the_curve base_angle_of_the_triangle
+:figure: circular_arc
 :::
 
 :::{claim} circles_among_the_conics_of_the_curve
@@ -269,6 +273,7 @@ CLAIM(arcs_satisfy_the_three_equations)
   has it, or $\arccos\sqrt{I_1}$: nothing ties the height of the triangle to it.
 :reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation: true.
 :striking: 5
+:figure: circular_arc_extra
 
 The conditions are necessary.  They are not sufficient: the three equations do not mention the height of the triangle,
 so an isosceles triangle of any height passes them.  The derivation before the theorem has the missing equation,

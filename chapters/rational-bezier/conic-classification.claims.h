@@ -28,6 +28,7 @@ degenerate conic.
 :corrected-by: determinant_is_four_times_the_form
 :reading: determinant_is_not_the_printed_form | The determinant and the polynomial are equal: a factor 4 is missing.
 :reading: determinant_is_four_times_the_form | The determinant, put to 0, gives the equation with these coefficients: true.
+:figure: determinant_factor
 
 The rows are those of (3.4.1), shifted; the factor is harmless where only the equation counts.
 :::
@@ -261,6 +262,7 @@ CLAIM(discriminant_in_special_coordinates)
 :hypothesis: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line: $l\ne0$, $y_1\ne0$.
 :needs: weight_minus_one_is_a_parabola | The weights are positive, so $\omega>0$.
 :needs: weight_zero_is_a_segment | The weights are positive, so $\omega\ne0$.
+:figure: classification_by_weight
 
 With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
 :::
@@ -277,6 +279,7 @@ With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for
 :needs: weight_zero_is_a_segment | $\omega_1\ne0$, as for positive weights.
 :reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity: true,
   also where these are counted on the curve itself.
+:figure: classification_by_weight
 
 A circle is an ellipse here.  The theorem is better than its proof: it holds for either sign of $\omega_1$, since
 $I_1=\omega^2$, while the proof compares $\omega$ with 1.  In any coordinates

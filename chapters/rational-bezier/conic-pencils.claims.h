@@ -89,6 +89,7 @@ CLAIM(conic_invariants_are_determinants)
   hypotheses.
 :reading: pencil_misses_its_difference | The members are all the conics through the common points: only with the
   hypotheses above.
+:figure: pencil_of_conics
 :::
 
 :::{claim} pencil_passes_through_common_points
@@ -246,6 +247,7 @@ CLAIM(dependent_conics_have_no_pencil)
   $\lambda=\frac{S_1(P)}{S_1(P)-S_2(P)}$, where $S_1(P)\ne S_2(P)$.
 :corrected-by: a_further_point_fixes_lambda
 :striking: 4
+:figure: pencil_of_conics
 
 At a common point the equation reads $0=0$ whatever $\lambda$ is: that is what makes it a common point.  After (3.1.4)
 the source itself uses one point of the curve to find $\lambda$.
@@ -395,6 +397,7 @@ CLAIM(line_pair_is_a_degenerate_conic)
 :hypothesis: parallel_lines_meet_in_two_points | Each of $l_1,l_2$ meets each of $l_3,l_4$.
 :hypothesis: concurrent_lines_lose_a_point | The four points are different.
 :hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted, as in (3.1.2).
+:figure: pencil_of_conics
 :::
 
 :::{claim} line_pairs_share_four_points

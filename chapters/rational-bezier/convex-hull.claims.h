@@ -23,11 +23,14 @@ static num G(share_without_weight)(int n, int i, num t)
 :title: The convex hull property
 :zh: 凸包性
 :printed: For $0\le t\le1$ the curve lies in the convex hull of its control points.
-:holds-by: curve_points_are_convex_combinations curve_points_have_hull_certificates
+:holds-by: curve_points_are_convex_combinations
 :needs: curve_leaves_hull_with_negative_weight | $\omega_i>0$; that $\omega(t)$ has no zero is not enough.
 :needs: curve_leaves_hull_outside_the_interval | $0\le t\le1$.
+:reading: curve_points_have_hull_certificates | Read without the shares: membership in the hull is a linear problem, decided with a certificate for
+  designed polygons, weights that are $0$ included.
 :reading: no_hull_property_with_weights_of_both_signs | Read as "these weights keep the curve in the hull whatever the points are",
   given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs.
+:figure: convex_hull
 
 Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common negative sign.
 :::
@@ -38,6 +41,7 @@ Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common n
 :printed: B_i^n(t)\,\omega_i/\omega(t)\ge0
 :holds-by: curve_points_are_convex_combinations
 :needs: share_with_negative_weight_is_negative | $\omega_i>0$.
+:figure: convex_hull
 :::
 
 :::{statement} wang-ch3:prop-3.2.5-sum
@@ -136,13 +140,13 @@ static void G(designed_polygon)(int kind, int n, int *dim, num R[])
 {
     *dim = kind < PLANE_POLYGONS ? 2 : 3;
     for (int i = 0; i <= n; i++) {
-        long p[POLYGONS][3] = {{i, (long)i * (n - i)},         /* convex                       */
-                               {i, i % 2 == 0 ? -3 : 5},       /* zigzag                       */
-                               {i * 5 % 7, 2 * (i * 5 % 7)},   /* on a line, to and fro        */
-                               {4, 4},                         /* one point                    */
+        long p[POLYGONS][3] = {{i, (long)i * (n - i)},                               /* convex                       */
+                               {i, i % 2 == 0 ? -3 : 5},                             /* zigzag                       */
+                               {i * 5 % 7, 2 * (i * 5 % 7)},                         /* on a line, to and fro        */
+                               {4, 4},                                               /* one point                    */
                                {i % n == 0 ? 2 : i / 2, i % n == 0 ? 0 : i / 2 * 3}, /* closed, points twice */
                                {i, (long)i * i, (long)i * i * i},
-                               {i, i % 3, 2 * i - i % 3}};     /* in the plane z = 2 x - y     */
+                               {i, i % 3, 2 * i - i % 3}}; /* in the plane z = 2 x - y     */
         for (int c = 0; c < *dim; c++)
             R[i * *dim + c] = from_int(p[kind][c] + (c == 0 ? 10 : 0));
     }
@@ -151,12 +155,12 @@ static void G(designed_weights)(trial *T, int kind, int n, num w[])
 {
     for (int i = 0; i <= n; i++) {
         int inner = i > 0 && i < n;
-        w[i] = kind == 0                  ? from_int(1)
-               : kind == 1                ? (i % 2 == 0 ? from_int(1L << 20) : from_ratio(1, 1L << 20))
-               : kind == 2                ? from_int(i == n / 2 ? 1L << 40 : 1)
-               : kind == 3                ? (i == n / 2 ? from_ratio(1, 1L << 40) : from_int(1))
-               : kind == 4 && inner       ? from_int(0)
-                                          : positive(T, "w", i);
+        w[i] = kind == 0            ? from_int(1)
+               : kind == 1          ? (i % 2 == 0 ? from_int(1L << 20) : from_ratio(1, 1L << 20))
+               : kind == 2          ? from_int(i == n / 2 ? 1L << 40 : 1)
+               : kind == 3          ? (i == n / 2 ? from_ratio(1, 1L << 40) : from_int(1))
+               : kind == 4 && inner ? from_int(0)
+                                    : positive(T, "w", i);
     }
 }
 
@@ -204,7 +208,8 @@ CLAIM(curve_leaves_hull_with_negative_weight)
     struct hull_certificate found = hull_membership(2, 3, R, x);
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
-    show_text(T, "zeros of ω in [0,1]", "%d", count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct);
+    show_text(T, "zeros of ω in [0,1]", "%d",
+              count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct);
     show_points(T, "R(1/2)", 1, 2, x);
     if (!found.inside)
         show_text(T, "separated by", "(%s) x + (%s) y, at most %s on the triangle", to_string_q(found.normal[0]),

@@ -156,6 +156,7 @@ CLAIM(common_factor_of_weights_is_free)
 :definition: yes
 :printed: \tilde{\mathbf R}(t)=(X(t),Y(t),Z(t),\omega(t))=\sum_{i=0}^nB_i^n(t)\tilde{\mathbf R}_i,\quad 0\le t\le1
 :checked-by: denominator_is_weighted_bernstein_sum rational_point_is_weighted_mean
+:figure: homogeneous_line
 :::
 
 :::{claim} denominator_is_weighted_bernstein_sum
@@ -187,6 +188,7 @@ CLAIM(denominator_is_weighted_bernstein_sum)
   =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
 :holds-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
 :needs: weights_of_both_signs_make_a_pole | $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
+:figure: homogeneous_line
 
 The derivatives of this quotient, which the next sections need, are decided here as well.
 :::
@@ -343,6 +345,7 @@ CLAIM(rational_derivatives_are_formal_derivatives)
 :needs: curve_leaves_hull_with_negative_weight | $\omega_i>0$, for the convex hull property.
 :reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The sentence does not
   say so: it says that they suffice.
+:figure: weights_and_poles
 
 From here on the source has $\omega_i>0$, and so have we: where a statement needs it, leaving it out is tried.
 :::
@@ -427,6 +430,7 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
 :needs: growing_negative_weight_pushes_away | $\omega_i>0$.
 :reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  The end points do not, unless the weight is theirs:
   nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
+:figure: growing_weight
 
 More is true than experiments show: every point $R(t)$, $0<t<1$, moves on the straight line to $R_i$, all the way as
 $\omega_i\to\infty$.  Hence the distance of the curve from $R_i$ never grows.  A segment ($n=1$) stays the same
@@ -562,7 +566,7 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :::{statement} wang-ch3:3.2-like-bezier
 :title: Rational Bézier curves have properties like those of Bézier curves
 :zh: 有理 Bézier 曲线具有类似 Bézier 曲线的性质
-:printed: Rational Bézier curves have geometric properties similar to those of Bézier curves.
+:printed: The rational Bézier curves $\mathbf R(t)$ have geometric properties similar to those of Bézier curves.
 :holds-by: equal_weights_give_bezier_curve
 
 The similar properties follow one by one, each with its own entry.  What is decided here is the reason why they cannot differ
@@ -600,11 +604,12 @@ CLAIM(equal_weights_give_bezier_curve)
 :::{statement} wang-ch3:prop-3.2.1
 :title: Geometric and affine invariance
 :zh: 几何不变性与仿射不变性
-:printed: The curve does not depend on the coordinate system, and an affine map of its points maps the curve.
+:printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
 :holds-by: affine_image_of_the_curve_is_the_curve_of_the_images
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$ of definition 3.2.1, to whose
   first three coordinates the map is applied.  A linear map still maps the curve; a translation does not, unless the weights
   are $1$.
+:figure: affine_image
 
 The map is applied to the points $R_i$; the weights stay.  No sign of the weights is needed, only $\omega(t)\ne0$.
 Geometric invariance is the case of a change of rectangular coordinates.
@@ -675,6 +680,7 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :printed: The curve is symmetric in the parameters $t$ and $1-t$.
 :holds-by: reversed_points_and_weights_reverse_the_curve
 :reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
+:figure: reversed_polygon
 
 The control points of the definition carry their weights, and in reversed order, weights included, they give $R(1-t)$: the same
 curve run through the other way.  No sign of the weights is needed.

@@ -10,10 +10,10 @@ arise so.
 :zh: 可退化性:权相等时为 Bézier 曲线
 :printed: For $\omega_i=\omega$, $i=0,\dots,n$, the curve (3.2.2) degenerates to the Bézier curve (1.3.2)
 :holds-by: equal_weights_give_polynomial_curve
-:reading: polynomial_line_with_unequal_weights | read as "exactly when": the converse, which is not claimed, fails; one
-  polynomial map has other points with unequal weights
-:reading: unit_invariants_give_polynomial_curve | up to a change of parameter the condition is $I_i=1$ for all $i$, not equal
-  weights
+:reading: polynomial_line_with_unequal_weights | read as "exactly when": the converse, which is not claimed, fails;
+  one polynomial map has other points with unequal weights
+:reading: unit_invariants_give_polynomial_curve | up to a change of parameter the condition is $I_i=1$ for all $i$,
+  not equal weights
 
 Besides $\omega>0$ any $\omega\ne0$ will do.
 :::
@@ -23,8 +23,8 @@ Besides $\omega>0$ any $\omega\ne0$ will do.
 :zh: 权相等时退化为 Bézier 曲线
 :given: points $R_0,\dots,R_n$ and one weight $\omega\ne0$
 :then: $R(t)=\sum B_i^n(t)R_i$ for every $t$
-:method: The left side is computed as a rational curve, the right side with the Bernstein polynomials; both are rational functions
-  of $t$, $\omega$ and the points.
+:method: The left side is computed as a rational curve, the right side with the Bernstein polynomials; both are
+  rational functions of $t$, $\omega$ and the points.
 :degrees: 1..8 sampled 16
 :control: $\omega_1$ doubled
 :::
@@ -65,7 +65,8 @@ CLAIM(equal_weights_give_polynomial_curve)
 CLAIM(polynomial_line_with_unequal_weights)
 {
     int c = !T->planted; /* numerator t (1 + ct), denominator 1 + ct */
-    num R[] = {from_int(0), from_ratio(1, 2 + c), from_int(1)}, w[] = {from_int(1), from_ratio(2 + c, 2), from_int(1 + c)}, x[3];
+    num R[] = {from_int(0), from_ratio(1, 2 + c), from_int(1)},
+        w[] = {from_int(1), from_ratio(2 + c, 2), from_int(1 + c)}, x[3];
     for (int i = 0; i < 3; i++)
         x[i] = mul(w[i], R[i]);
     show_points(T, "R", 3, 1, R);
@@ -84,9 +85,10 @@ CLAIM(polynomial_line_with_unequal_weights)
 :printed: With $t=\alpha u/(1-u+\alpha u)$, $0\le u\le1$, the Bézier curve (1.3.2) becomes the rational Bézier curve
   $\sum_{i=0}^nB_i^n(u)\alpha^i\mathbf P_i\Big/\sum_{i=0}^nB_i^n(u)\alpha^i$
 :holds-by: geometric_weights_reparametrize_bezier geometric_weights_term_by_term alpha_runs_the_interval_once
-:needs: negative_alpha_has_a_pole | $\alpha>0$, which positive weights $\alpha^i$ mean: for every $\alpha<0$ the denominator
-  $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
+:needs: negative_alpha_has_a_pole | $\alpha>0$, which positive weights $\alpha^i$ mean: for every $\alpha<0$ the
+  denominator $(1-u+\alpha u)^n$ vanishes inside $[0,1]$
 :needs: zero_alpha_collapses | $\alpha>0$: for $\alpha=0$ the curve collapses to $\mathbf P_0$
+:figure: geometric_weights
 
 It is (3.2.10) with $a=\alpha$, $b=1$.
 :::
@@ -97,7 +99,8 @@ It is (3.2.10) with $a=\alpha$, $b=1$.
 :given: points $P_0,\dots,P_n$, and $\alpha$, $u$
 :let: $t=\alpha u/(1-u+\alpha u)$
 :then: $\sum B_i^n(t)P_i=\sum B_i^n(u)\alpha^iP_i/\sum B_i^n(u)\alpha^i$
-:method: Both sides are rational functions of $\alpha$, $u$ and the points.  The left side is computed as a polynomial curve.
+:method: Both sides are rational functions of $\alpha$, $u$ and the points.  The left side is computed as a
+  polynomial curve.
 :degrees: 1..8 sampled 16
 :control: the weights $\alpha^{n-i}$
 :::
@@ -139,8 +142,9 @@ CLAIM(geometric_weights_reparametrize_bezier)
 :given: variables $n,i,\alpha,u$
 :let: $t=\alpha u/D$, $D=1-u+\alpha u$
 :then: $D(1-t)=1-u$ and $\frac{n-i}{i+1}\frac t{1-t}=\alpha\frac{n-i}{i+1}\frac u{1-u}$
-:method: So $D^nB_0^n(t)=B_0^n(u)$, and the quotients $B_{i+1}^n/B_i^n$ at $t$ and $u$ differ by the factor $\alpha$; by induction
-  on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum B_i^n(u)\alpha^i$.
+:method: So $D^nB_0^n(t)=B_0^n(u)$, and the quotients $B_{i+1}^n/B_i^n$ at $t$ and $u$ differ by the factor
+  $\alpha$; by induction on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum
+  B_i^n(u)\alpha^i$.
 :degrees: all
 :control: $\alpha^2$ for $\alpha$
 :::
@@ -238,14 +242,15 @@ CLAIM(zero_alpha_collapses)
 :reading: geometric_weights_reparametrize_bezier | to a curve of the form (3.2.2), the one displayed: holds
 :reading: unit_invariants_give_polynomial_curve | to which curves (3.2.2) with the same points: exactly to those with
   $I_1=\dots=I_{n-1}=1$
-:reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter: fails for $n\ge2$
+:reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter: fails
+  for $n\ge2$
 :::
 
 :::{claim} unit_invariants_give_polynomial_curve
 :title: Weights with all invariants 1 come from a polynomial curve
 :zh: 不变量全为 1 的曲线来自多项式曲线
-:given: points $P_0,\dots,P_n$ and positive weights with $I_i=1$, $0<i<n$: $\omega_0,\omega_1$ are free, the others follow from
-  $\omega_{i+1}=\omega_i^2/\omega_{i-1}$
+:given: points $P_0,\dots,P_n$ and positive weights with $I_i=1$, $0<i<n$: $\omega_0,\omega_1$ are free, the others
+  follow from $\omega_{i+1}=\omega_i^2/\omega_{i-1}$
 :let: $\alpha=\omega_1/\omega_0$, $t=\alpha u/(1-u+\alpha u)$
 :then: $\omega_i=\omega_0\alpha^i$, and the curve at $u$ is the Bézier curve of the points at $t$
 :method: The recursion produces all weights with these invariants; both sides are rational functions.
@@ -280,8 +285,8 @@ CLAIM(unit_invariants_give_polynomial_curve)
 :zh: 权 1,2,1 的二次曲线不能由 Bézier 曲线换参得到
 :kind: counterexample
 :given: $n=2$ and $\omega=(1,2,1)$
-:then: the change of parameter leads to $c\,\alpha^i$; this agrees with $\omega$ at $i=0,1$ for $c=1$, $\alpha=2$ only, but then
-  $c\,\alpha^2=4\ne\omega_2$.  Its $I_1$ is $4$, that of geometric weights is $1$
+:then: the change of parameter leads to $c\,\alpha^i$; this agrees with $\omega$ at $i=0,1$ for $c=1$, $\alpha=2$
+  only, but then $c\,\alpha^2=4\ne\omega_2$.  Its $I_1$ is $4$, that of geometric weights is $1$
 :method: Computed exactly.
 :control: $\omega_2=4$
 :::

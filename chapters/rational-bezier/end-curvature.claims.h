@@ -5,7 +5,8 @@ At $t=0$ the derivatives of order $1$, $2$, $3$ are combinations of the first ed
 see only the newest edge in each of them, so the complicated coefficients drop out, and what is left are two short formulas.  The formulas are
 right; of the three lines on which the proof rests, two are printed wrongly.
 
-We write $a_i=R_i-R_{i-1}$, and start with what curvature and torsion are.
+We write $a_i=R_i-R_{i-1}$, and start with what curvature and torsion are.  The source writes $k$ for $\kappa$ from this section on; here $k$
+stays a number of points.
 */
 #include "exact/roots.h"
 
@@ -168,8 +169,8 @@ CLAIM(vector_products_are_determinants)
         gram[dim - 1] = sub(mul(aa, bb), mul(ab, ab));
         same(T, G(gram)(dim, a, b), gram[dim - 1]);
     }
-    num e0[] = {from_int(0), from_int(0), from_int(1)}, a2[] = {a[0], a[1], from_int(0)}, b2[] = {b[0], b[1], from_int(0)};
-    same(T, G(cross2)(a, b), G(determinant_by_permutations)(a2, b2, e0, 0));
+    num zero = from_int(0), e2[] = {zero, zero, from_int(1)}, a2[] = {a[0], a[1], zero}, b2[] = {b[0], b[1], zero};
+    same(T, G(cross2)(a, b), G(determinant_by_permutations)(a2, b2, e2, 0));
     G(cross3)(a, b, x);
     num xx = from_int(0);
     for (int i = 0; i < 3; i++) {
@@ -274,22 +275,25 @@ CLAIM(rational_curvature_and_torsion_belong_to_arc_length)
 :zh: 端点曲率与挠率（控制顶点无重点）
 :printed: Let no two control points coincide, $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$, $i=1,\dots,n$.  Then the curvatures and torsions at the ends are
   (3.2.5) and (3.2.6).
-:holds-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
+:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree end_curvature_at_zero end_curvature_at_one
+  end_torsion_at_zero end_torsion_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | $\mathbf a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$, which is all that the formulas of the
   curvature use of the hypothesis; other points may coincide.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | For (3.2.6): $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ at $t=0$ and
   $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ at $t=1$, which distinct points do not ensure.
+:figure: end_formulas_undetermined
 :::
 
 :::{statement} wang-ch3:3.2.5-left
 :title: Curvature at t = 0
 :zh: t=0 处的曲率
 :printed: \kappa(0)=\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\frac{\|\mathbf a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}
-:holds-by: end_curvature_at_zero end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree end_curvature_at_zero
 :needs: repeated_first_points_leave_curvature_undetermined | $\mathbf R_0\ne\mathbf R_1$.
 :needs: negative_weight_makes_printed_curvature_negative | $\omega_i>0$; in general the right side needs $|\omega_0\omega_2|$.
 :reading: missing_points_have_the_factor_zero | Read for $n=1$, where $\omega_2$ and $\mathbf a_2$ do not exist: whatever stands for them, the factor $n-1$
   makes it $0$, the curvature of a segment.
+:figure: end_curvature
 
 $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ and $\mathbf b$; with this meaning the formula holds in any dimension.
 :::
@@ -298,20 +302,21 @@ $\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ a
 :title: Curvature at t = 1
 :zh: t=1 处的曲率
 :printed: \kappa(1)=\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\frac{\|\mathbf a_{n-1}\times\mathbf a_n\|}{\|\mathbf a_n\|^3}
-:holds-by: end_curvature_at_one end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree end_curvature_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | $\mathbf R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.
 :needs: negative_weight_makes_printed_curvature_negative | $\omega_i>0$, as at $t=0$.
+:figure: end_curvature
 :::
 
 :::{statement} wang-ch3:3.2.6-left
 :title: Torsion at t = 0
 :zh: t=0 处的挠率
-:printed: \tau(0)=\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}
-  \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}
-:holds-by: end_torsion_at_zero end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:printed: \tau(0)=\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}
+:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree end_torsion_at_zero
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$: the first three points are not on a line.
 :reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_3$ and $\mathbf a_3$ do not exist: whatever stands for them, the factor $n-2$
   makes it $0$, the torsion of a plane curve.
+:figure: end_formulas_undetermined
 
 The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\omega_2$ are not $0$.
 :::
@@ -319,9 +324,8 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :::{statement} wang-ch3:3.2.6-right
 :title: Torsion at t = 1
 :zh: t=1 处的挠率
-:printed: \tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}
-  \frac{(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)}{\|\mathbf a_{n-1}\times\mathbf a_n\|^2}
-:holds-by: end_torsion_at_one end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:printed: \tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)}{\|\mathbf a_{n-1}\times\mathbf a_n\|^2}
+:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
   to be read in reversed order.
 
@@ -368,8 +372,8 @@ static inline void G(free_polygon)(trial *T, int n, int dim, num R[], num w[])
 }
 
 /* Compares the curvature at t with factor |a x b| / |a|^3, in which `length` is |a|^2. */
-static inline void G(compare_curvature)(trial *T, int n, int dim, const num R[], const num w[], num t, num factor, const num a[],
-                                        const num b[], num length)
+static inline void G(compare_curvature)(trial *T, int n, int dim, const num R[], const num w[], num t, num factor,
+                                        const num a[], const num b[], num length)
 {
     num x[3], area = from_int(0), cube = mul(length, mul(length, length));
     if (dim == 2) {
@@ -399,7 +403,8 @@ CLAIM(end_curvature_at_zero)
         G(free_polygon)(T, n, dim, R, w);
         G(edge)(dim, R, 1, a1);
         G(edge)(dim, R, 2, a2);
-        num factor = mul(T->planted ? from_ratio(n, n - 1) : from_ratio(n - 1, n), div(mul(w[0], w[2]), mul(w[1], w[1])));
+        num factor =
+            mul(T->planted ? from_ratio(n, n - 1) : from_ratio(n - 1, n), div(mul(w[0], w[2]), mul(w[1], w[1])));
         G(compare_curvature)(T, n, dim, R, w, from_int(0), factor, a1, a2, G(norm_squared)(dim, a1));
     }
 }
@@ -448,7 +453,8 @@ CLAIM(end_torsion_at_zero)
         G(edge)(3, R, i + 1, a[i]);
     G(cross3)(a[0], a[1], x);
     num factor = mul(from_ratio(n - 2 + T->planted, n), div(mul(w[0], w[3]), mul(w[1], w[2])));
-    same(T, G(rational_torsion)(n, R, w, from_int(0)), mul(factor, div(G(det3)(a[0], a[1], a[2]), G(norm_squared)(3, x))));
+    same(T, G(rational_torsion)(n, R, w, from_int(0)),
+         mul(factor, div(G(det3)(a[0], a[1], a[2]), G(norm_squared)(3, x))));
 }
 
 CLAIM(end_torsion_at_one)
@@ -503,7 +509,8 @@ CLAIM(missing_points_have_the_factor_zero)
 CLAIM(repeated_first_points_leave_curvature_undetermined)
 {
     num zero = from_int(0), one = from_int(1);
-    num R[] = {zero, zero, T->planted ? from_ratio(1, 8) : zero, zero, from_ratio(1, 6), zero, from_ratio(1, 2), zero, one, one};
+    num R[] = {zero, zero, T->planted ? from_ratio(1, 8) : zero, zero, from_ratio(1, 6), zero, from_ratio(1, 2), zero,
+               one,  one};
     num w[] = {one, one, one, one, one}, a1[2], a2[2], t = variable_f("t");
     G(edge)(2, R, 1, a1);
     G(edge)(2, R, 2, a2);
@@ -532,7 +539,8 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
 CLAIM(collinear_first_points_leave_torsion_undetermined)
 {
     num zero = from_int(0), one = from_int(1), quarter = from_ratio(1, 4), half = from_ratio(1, 2);
-    num R[] = {zero, zero, zero, quarter, zero, zero, half, T->planted ? quarter : zero, zero, from_ratio(3, 4), quarter, zero, one, one, one};
+    num R[] = {zero,    zero, zero, quarter, zero, zero, half, T->planted ? quarter : zero, zero, from_ratio(3, 4),
+               quarter, zero, one,  one,     one};
     num w[] = {one, one, one, one, one}, a[3][3], x[3], t = variable_f("t");
     for (int i = 0; i < 3; i++)
         G(edge)(3, R, i + 1, a[i]);
@@ -569,7 +577,8 @@ CLAIM(negative_weight_makes_printed_curvature_negative)
     show_points(T, "ω", 4, 1, w);
     show_text(T, "zeros of ω in [0,1]", "%d", count_roots(poly_from_bernstein(3, w), zero, one, CLOSED).distinct);
     num length = root(2, G(norm_squared)(2, a1)), area = G(cross2)(a1, a2); /* 1 and 1 */
-    num printed = mul(mul(from_ratio(2, 3), div(mul(w[0], w[2]), mul(w[1], w[1]))), div(area, mul(length, mul(length, length))));
+    num printed =
+        mul(mul(from_ratio(2, 3), div(mul(w[0], w[2]), mul(w[1], w[1]))), div(area, mul(length, mul(length, length))));
     about(T, "left κ(0), right as printed");
     same(T, root(2, G(rational_curvature_squared)(3, 2, R, w, zero)), printed);
 }
@@ -595,6 +604,7 @@ The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves f
 :refuted-by: printed_second_derivative_of_quotient_is_wrong
 :corrected: \mathbf R''=(\mathbf P''-\omega''\mathbf R-2\omega'\mathbf R')/\omega
 :corrected-by: derivatives_of_a_quotient
+:figure: quotient_derivatives
 
 A prime is missing.  In each term the orders of the derivatives have the sum $2$; in the printed $\omega'\mathbf R$ it is $1$.  As printed the vector
 would even depend on the origin of the coordinates.
@@ -608,6 +618,7 @@ would even depend on the origin of the coordinates.
 :refuted-by: printed_third_derivative_of_quotient_is_wrong
 :corrected: \mathbf R'''=(\mathbf P'''-\omega'''\mathbf R-3\omega''\mathbf R'-3\omega'\mathbf R'')/\omega
 :corrected-by: derivatives_of_a_quotient
+:figure: quotient_derivatives
 
 A prime too many: the orders in $\omega''\mathbf R''$ have the sum $4$.
 :::
@@ -815,8 +826,10 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int plant
     num n1 = sub(n, from_int(1)), n2 = sub(n, from_int(2)), two = from_int(2), three = from_int(3);
     num second = mul(n, n1), third = mul(second, n2);
     num dw = mul(n, sub(w[1], w[0])), ddw = mul(second, add(sub(w[2], mul(two, w[1])), w[0]));
-    num f1 = div(sub(mul(second, sub(w[2], mul(from_int(planted ? 1 : 2), w[1]))), div(mul(mul(two, n), mul(dw, w[1])), w[0])), w[0]);
-    num g2 = div(sub(mul(third, sub(w[3], mul(three, w[2]))), div(mul(mul(three, second), mul(dw, w[2])), w[0])), w[0]);
+    num f1 = mul(second, sub(w[2], mul(from_int(planted ? 1 : 2), w[1])));
+    f1 = div(sub(f1, div(mul(mul(two, n), mul(dw, w[1])), w[0])), w[0]);
+    num g2 = mul(third, sub(w[3], mul(three, w[2])));
+    g2 = div(sub(g2, div(mul(mul(three, second), mul(dw, w[2])), w[0])), w[0]);
     num g1 = mul(third, add(sub(w[3], mul(three, w[2])), mul(three, w[1])));
     g1 = sub(sub(g1, mul(three, mul(dw, f1))), div(mul(mul(three, n), mul(ddw, w[1])), w[0]));
     g1 = div(g1, w[0]);
@@ -901,7 +914,8 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
     num f1 = unknown(T, "f", 1), g1 = unknown(T, "g", 1), g2 = unknown(T, "g", 2), n1 = sub(n, one), n2 = sub(n, two);
     for (int i = 0; i < 4; i++)
         w[i] = positive(T, "w", i);
-    num A = div(mul(n, w[1]), w[0]), B = div(mul(mul(n, n1), w[2]), w[0]), C = div(mul(mul(mul(n, n1), n2), w[3]), w[0]);
+    num A = div(mul(n, w[1]), w[0]), B = div(mul(mul(n, n1), w[2]), w[0]),
+        C = div(mul(mul(mul(n, n1), n2), w[3]), w[0]);
     for (int c = 0; c < 3; c++) {
         static const char *const axis[] = {"x", "y", "z"};
         for (int i = 0; i < 3; i++)

@@ -41,12 +41,14 @@ static inline void G(reverse)(int n, int dim, num R[], num w[])
 :::{statement} wang-ch3:prop-3.2.3
 :title: The curve joins the end points and is tangent to the end edges
 :zh: 端点插值性
-:printed: The curve passes through the end points of its B-net and is tangent to the end edges there.
+:printed: At $t=0$ and $t=1$ the curve passes through the end points of its B-net and is tangent to the end edges.
 :holds-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points end_derivatives_at_one_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$ and $\omega_n\ne0$, for the curve to pass through the end points.
-:needs: zero_weight_turns_the_end_tangent | $\omega_1\ne0$ and $\omega_{n-1}\ne0$, for the tangent to be that of the edge.
-:needs: negative_weight_reverses_the_end_tangent | $\omega_1/\omega_0>0$ and $\omega_{n-1}/\omega_n>0$, for the curve to leave towards $R_1$ and to
-  arrive from $R_{n-1}$: otherwise the edge is on the tangent, behind the end point.
+:needs: zero_weight_turns_the_end_tangent | $\omega_k\ne0$ and $\omega_{n-h}\ne0$ (simple ends: $\omega_1$, $\omega_{n-1}$), for the tangent to be that
+  of the edge.
+:needs: negative_weight_reverses_the_end_tangent | $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$, for the curve to leave towards $R_k$ and to
+  arrive from $R_{n-h}$: otherwise the edge is on the tangent, but behind the end point.
+:figure: end_tangents
 
 The end edge is the first one of positive length, $R_0R_k$.  If all points coincide there is none, and the curve is that point.
 :::
@@ -232,6 +234,7 @@ CLAIM(zero_end_weight_loses_the_end_point)
 :printed: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0)
 :holds-by: end_derivatives_at_zero_with_repeated_points end_derivatives_in_every_degree
 :needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$.
+:figure: end_tangents
 :::
 
 :::{statement} wang-ch3:3.2.4-right
@@ -243,6 +246,7 @@ CLAIM(zero_end_weight_loses_the_end_point)
 :corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
 :corrected-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
 :striking: 2
+:figure: end_derivatives
 
 Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it for the first
 time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way, even when $h=k$.  No choice of the

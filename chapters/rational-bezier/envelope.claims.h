@@ -18,10 +18,11 @@ numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
 :::{statement} wang-ch3:3.3.4
 :title: The family of curves of degree n-r
 :zh: 曲线族的定义
-:printed: \mathbf R^{[n-r]}(t,c)=\frac{\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)\,\mathbf R_{i+r}^r(c)}
-  {\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)},\quad a\le t\le b,\ a\le c\le b
+:printed: \mathbf R^{[n-r]}(t,c)=\frac{\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)\,\mathbf
+  R_{i+r}^r(c)} {\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)},\quad a\le t\le b,\ a\le c\le b
 :definition: yes
 :checked-by: member_is_a_polar_curve
+:figure: envelope_families
 
 The indices are in range: level $r$ has the indices $r,\dots,n$.
 :::
@@ -122,11 +123,12 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :::{statement} wang-ch3:thm-3.3.2-touch
 :title: The curve and the member of parameter c touch at t = c
 :zh: 曲线与族曲线在 t=c 处相切
-:printed: for $n\ge2$ and $r=1,\dots,n-1$ the curve $\mathbf R(t)$ and the member $\mathbf R^{[n-r]}(t,c)$ are in contact
-  at $t=c$, for every $c$ of $[a,b]$
+:printed: for $n\ge2$ and $r=1,\dots,n-1$ the curve $\mathbf R(t)$ and the member $\mathbf R^{[n-r]}(t,c)$ are in
+  contact at $t=c$, for every $c$ of $[a,b]$
 :holds-by: member_touches_curve
 :hypothesis: member_shrinks_at_a_cusp | $\mathbf R'(c)\ne0$; where it vanishes the member may be a single point
 :needs: member_may_lose_a_point | the weights are positive
+:figure: envelope_cusp
 
 The two derivatives are parallel and, for $r\ge1$, never equal.
 :::
@@ -137,8 +139,8 @@ The two derivatives are parallel and, for $r\ge1$, never equal.
 :printed: the family is considered for $n\ge2$ and $r=1,2,\dots,n-1$
 :holds-by: extreme_levels_are_curve_and_point
 
-The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=n$ a point of it, and
-for $n=1$ nothing is left.
+The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=n$ a point of
+it, and for $n=1$ nothing is left.
 :::
 
 :::{claim} member_touches_curve
@@ -202,8 +204,8 @@ CLAIM(extreme_levels_are_curve_and_point)
 :title: Where the derivative of the curve vanishes the line of the family may be a point
 :zh: 尖点处的族直线退化为点
 :kind: counterexample
-:given: the cubic $(\tau^2,\tau^3)$, $-1\le\tau\le1$: points $(1,-1),(-\frac13,1),(-\frac13,-1),(1,1)$, weights 1; $r=2$,
-  $c$ the parameter of the cusp $\tau=0$
+:given: the cubic $(\tau^2,\tau^3)$, $-1\le\tau\le1$: points $(1,-1),(-\frac13,1),(-\frac13,-1),(1,1)$, weights 1;
+  $r=2$, $c$ the parameter of the cusp $\tau=0$
 :then: the member, of degree 1, is the point $(0,0)$: it has no tangent that could be common
 :method: The two control points of the member are computed exactly; that they differ is what is compared.
 :control: the parameter of $\tau=\frac12$
@@ -246,11 +248,12 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   equality sign says: false, already for the cubic $(\tau,\tau^3)$
 :reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections: false from
   $n=4$ on
-:corrected: the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is $\mathbf R$
-  alone when the control polygon is strictly convex, so always for $n=2$ and a true triangle; for $r=1$ and for
-  $r=n-1$ it is $\mathbf R$ alone when $\mathbf R$ has no inflection in $[a,b]$
+:corrected: the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is
+  $\mathbf R$ alone when the control polygon is strictly convex, so always for $n=2$ and a true triangle; for $r=1$
+  and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R$ has no inflection in $[a,b]$
 :corrected-by: envelope_condition_factors envelope_condition_of_points polar_derivatives
   convex_polygon_has_one_envelope inflections_give_the_other_envelopes triangle_has_one_envelope
+:figure: envelope_extra
 
 When all points lie on a line the condition holds everywhere and the envelope loses its meaning
 (`flat_polygon_has_no_envelope`).  The further envelopes are curves of their own: for $r=1$ a segment of the tangent at
@@ -282,8 +285,8 @@ an inflection $\tau$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member t
 :::{claim} envelope_condition_factors
 :title: The envelope condition is r(n-r)(t-c) times a second factor
 :zh: 包络条件的因式分解
-:given: the three vectors $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ of a form $q(x,y)$ that is symmetric and of degree one
-  in each argument, so $q(x,y)=q(0,0)+(x+y)q(0,\delta)+xy\,q(\delta,\delta)$; any $n$, $r$, $c$, $t$
+:given: the three vectors $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ of a form $q(x,y)$ that is symmetric and of
+  degree one in each argument, so $q(x,y)=q(0,0)+(x+y)q(0,\delta)+xy\,q(\delta,\delta)$; any $n$, $r$, $c$, $t$
 :then: $\det(q(c,t),(n-r)q(c,\delta),r\,q(t,\delta))=r(n-r)(t-c)\det(q(0,0),q(0,\delta),q(\delta,\delta))$
 :method: An identity between polynomials in 13 variables, $n$ and $r$ among them.  With the derivatives of the member
   in the place of the three columns it is the factorization of the envelope condition.
@@ -345,7 +348,8 @@ CLAIM(polar_derivatives)
 
 CLAIM(envelope_condition_factors)
 {
-    num q[3][3], column[3][3], n = parameter(T, "n"), r = parameter(T, "r"), c = parameter(T, "c"), t = parameter(T, "t");
+    num q[3][3], column[3][3], n = parameter(T, "n"), r = parameter(T, "r"), c = parameter(T, "c"),
+                               t = parameter(T, "t");
     num m = sub(n, r);
     for (int k = 0; k < 3; k++) {
         q[0][k] = unknown(T, "a", k);
@@ -367,8 +371,8 @@ Two families show the other factor at work.
 :title: The family of the cubic (τ, τ³) has the axis y = 0 as a second envelope
 :zh: 三次曲线 (τ,τ³) 的族以 y=0 为另一包络
 :kind: counterexample
-:given: $(\tau,\tau^3)$, $-1\le\tau\le1$: points $(-1,-1),(-\frac13,1),(\frac13,-1),(1,1)$, weights 1; $r=1$; the member of
-  $c=\frac12$ at $t=0$, both as values of $\tau$
+:given: $(\tau,\tau^3)$, $-1\le\tau\le1$: points $(-1,-1),(-\frac13,1),(\frac13,-1),(1,1)$, weights 1; $r=1$; the
+  member of $c=\frac12$ at $t=0$, both as values of $\tau$
 :then: there the envelope condition $\det(X_t,X_c)=0$ is satisfied at the point $(\frac16,0)$, which is not on the curve
 :method: $X_t$ comes from the member's control points, $X_c$ from the Bézier curve that the point is in $c$.  The
   condition is checked first; compared is the value at the point of the polynomial $F$ of (3.4.1), which vanishes on the
@@ -484,10 +488,10 @@ These are not stray points: the whole second envelopes are found by eliminating 
 :given: the two families above, the member $c$ written as $f(x,y,c)=0$
 :then: $\operatorname{Res}_c(f,f_c)$ is, up to a constant factor, $y(x^3-y)$ for the cubic and
   $(16x^2-16y-1)^2(2x^4+3x^2-2y)$ for the quartic
-:method: The member's equation is the determinant (3.4.1) of its control polygon, as a polynomial in $x$, $y$, $c$; the
-  resultant by $c$ is a polynomial in $x$ and $y$, divided by the one stated.  The quotient is a constant.  The determinant
-  has a factor in $c$ alone, $c$ and $4c^2+1$, the leading coefficient of $y$ in $t$, because $x$ is of lower degree in $t$;
-  it is divided out first.
+:method: The member's equation is the determinant (3.4.1) of its control polygon, as a polynomial in $x$, $y$, $c$;
+  the resultant by $c$ is a polynomial in $x$ and $y$, divided by the one stated.  The quotient is a constant.  The
+  determinant has a factor in $c$ alone, $c$ and $4c^2+1$, the leading coefficient of $y$ in $t$, because $x$ is of
+  lower degree in $t$; it is divided out first.
 :control: $y(x^3+y)$, and $16x^2-16y+1$
 :::
 */
@@ -567,8 +571,8 @@ and all the minors are nonnegative: the $\beta_i$ come from a polynomial with ne
 :zh: n=2 时另一因子为常数
 :given: weights $\omega_0,\omega_1,\omega_2$, points of the plane, $n=2$, $r=1$
 :then: $w_1(c,t)=\omega_0\omega_1\omega_2\,(R_1-R_0)\times(R_2-R_0)$
-:method: Both sides in the field, with all weights and coordinates variables.  With weights that are not 0 the right side
-  vanishes only for three points on a line.
+:method: Both sides in the field, with all weights and coordinates variables.  With weights that are not 0 the right
+  side vanishes only for three points on a line.
 :control: the weight $\omega_1$ left out
 :::
 
@@ -576,10 +580,11 @@ and all the minors are nonnegative: the $\beta_i$ come from a polynomial with ne
 :title: For r = 1 and r = n-1 the second factor is the Wronskian of the curve
 :zh: r=1 与 r=n-1 时另一因子即曲线的 Wronski 行列式
 :given: the homogeneous points of a plane curve, $n\ge2$, any $t$; $r=1$, so $q(x,y)=p(t^{n-2},x,y)$
-:then: $P=q(t,t)$, $P'=n\,q(t,\delta)$, $P''=n(n-1)\,q(\delta,\delta)$, $\det(q(t,t),q(t,\delta),q(\delta,\delta))=w_1$ and
-  $\det(P,P',P'')=\omega^3\,R'\times R''$, so that $n^2(n-1)\,w_1(t)=\omega(t)^3\,(R'\times R'')(t)$
-:method: Four identities in the field; the first needs one coordinate.  So for $\omega>0$ the zeros of $w_1$ are the points
-  where $R'\times R''$ is 0.  For $r=n-1$ the arguments $c$ and $t$ change their places.
+:then: $P=q(t,t)$, $P'=n\,q(t,\delta)$, $P''=n(n-1)\,q(\delta,\delta)$,
+  $\det(q(t,t),q(t,\delta),q(\delta,\delta))=w_1$ and $\det(P,P',P'')=\omega^3\,R'\times R''$, so that
+  $n^2(n-1)\,w_1(t)=\omega(t)^3\,(R'\times R'')(t)$
+:method: Four identities in the field; the first needs one coordinate.  So for $\omega>0$ the zeros of $w_1$ are the
+  points where $R'\times R''$ is 0.  For $r=n-1$ the arguments $c$ and $t$ change their places.
 :degrees: 2..6 sampled 12
 :control: the factor $n^2$ in the place of $n(n-1)$
 :::
@@ -590,12 +595,13 @@ and all the minors are nonnegative: the $\beta_i$ come from a polynomial with ne
 :given: homogeneous points $P_i$, $n\ge2$, every $r=1,\dots,n-1$; $c,t$ of $(0,1)$ for the signs
 :let: $\beta$ as above
 :then: the displayed sum for $w_r$, and every $3\times3$ minor in it is nonnegative
-:method: The sum is Cauchy-Binet; it is computed in the field.  With $c=s/(1+s)$, $t=v/(1+v)$ the minors have no negative
-  coefficient in $s$ and $v$, so they are nonnegative for $c,t\in[0,1]$.  There $\beta\ne0$, its three shifted rows are
-  independent, and one minor is positive.  If $R_0,\dots,R_n$ are the corners of a convex polygon in this order
-  and the weights are positive, all $\det(P_i,P_j,P_k)=\omega_i\omega_j\omega_k(R_j-R_i)\times(R_k-R_i)$, $i<j<k$, have one
-  strict sign, hence $w_r\ne0$.  For every $n$ the minors are Schur polynomials by Jacobi and Trudi, which have no
-  negative coefficient.
+:method: The sum is Cauchy-Binet; it is computed in the field.  With $c=s/(1+s)$, $t=v/(1+v)$ the minors have no
+  negative coefficient in $s$ and $v$, so they are nonnegative for $c,t\in[0,1]$.  There $\beta\ne0$, its three
+  shifted rows are independent, and one minor is positive.  If $R_0,\dots,R_n$ are the corners of a convex polygon
+  in this order and the weights are positive, all
+  $\det(P_i,P_j,P_k)=\omega_i\omega_j\omega_k(R_j-R_i)\times(R_k-R_i)$, $i<j<k$, have one strict sign, hence
+  $w_r\ne0$.  For every $n$ the minors are Schur polynomials by Jacobi and Trudi, which have no negative
+  coefficient.
 :degrees: 2..6 sampled 9
 :control: $\beta$ from $(1-c-cz)^{r-1}(1-t-tz)^{n-r-1}$
 :::
@@ -626,7 +632,7 @@ CLAIM(inflections_give_the_other_envelopes)
     G(polar)(n, 1, H, 0, t, n - 2, t, zero, one, &q[1]);
     G(polar)(n, 1, H, 0, t, n - 2, t, one, one, &q[2]);
     num q1 = sub(q[1], q[0]), q2 = add(sub(q[2], add(q[1], q[1])), q[0]); /* q(0,δ), q(δ,δ) */
-    num slope = add(q1, mul(t, q2));                                     /* q(t,δ)          */
+    num slope = add(q1, mul(t, q2));                                      /* q(t,δ)          */
     G(bezier_derivatives)(n, 1, H, t, 2, D);
     about(T, "P, P', P'' by the polar form");
     same(T, D[0], add(add(q[0], mul(mul(from_int(2), t), q1)), mul(mul(t, t), q2)));
@@ -708,13 +714,13 @@ CLAIM(convex_polygon_has_one_envelope)
 ## The order of contact
 
 Two plane curves with a common point have contact of order $k$ there when, after a change of the parameter of one,
-their derivatives up to order $k$ agree; as graphs $y(x)$ over the common tangent, when their Taylor coefficients agree up
-to order $k$.  The printed claim is order $n-r$.  In truth the order does not depend on $r$: it is that of the curve and
-its own tangent line, so 1 wherever the curvature is not 0.
+their derivatives up to order $k$ agree; as graphs $y(x)$ over the common tangent, when their Taylor coefficients
+agree up to order $k$.  The printed claim is order $n-r$.  In truth the order does not depend on $r$: it is that of
+the curve and its own tangent line, so 1 wherever the curvature is not 0.
 
-Let $p_k=p(c^{n-k},\delta^k)$.  Then $P(c+h)=\sum_k\binom nkh^kp_k$ and the member of level $r$ is, with the same vectors,
-$P^{[n-r]}(c+h,c)=\sum_k\binom{n-r}kh^kp_k$.  So everything about the contact follows from the two rows of binomial
-coefficients.
+Let $p_k=p(c^{n-k},\delta^k)$.  Then $P(c+h)=\sum_k\binom nkh^kp_k$ and the member of level $r$ is, with the same
+vectors, $P^{[n-r]}(c+h,c)=\sum_k\binom{n-r}kh^kp_k$.  So everything about the contact follows from the two rows of
+binomial coefficients.
 
 :::{statement} wang-ch3:thm-3.3.2-contact
 :title: The curve and the member have contact of order n-r
@@ -728,15 +734,17 @@ coefficients.
 :reading: cubic_member_meets_the_curve_twice | $n-r+1$ coincident intersections: fails, there are two
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$: true for equal weights
   (`unweighted_derivatives_are_parallel`), false for others
-:reading: osculating_flats_agree | the same osculating line, plane, ... up to dimension $n-r$: true for all weights, and in
-  the plane empty from dimension 2 on
-:corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r\ge1$ the order of contact of $\mathbf R$ with its
-  tangent: it is 1 where $\kappa\ne0$, and there
+:reading: osculating_flats_agree | the same osculating line, plane, ... up to dimension $n-r$: true for all weights,
+  and in the plane empty from dimension 2 on
+:corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r\ge1$ the order of contact of $\mathbf R$
+  with its tangent: it is 1 where $\kappa\ne0$, and there
   $\frac{\kappa^{[n-r]}}{\kappa}=\frac{n(n-r-1)}{(n-r)(n-1)}<1$
 :corrected-by: member_is_flatter_by_a_fixed_ratio member_is_flatter_in_every_order expansion_about_the_contact
+:figure: envelope_contact
+:striking: 1
 
-For $r=n-1$ the member is the tangent line and the printed order 1 is right where $\kappa\ne0$.  The ratio holds in space
-as well as in the plane; `curvature_of_the_member` computes both curvatures, as the second way.
+For $r=n-1$ the member is the tangent line and the printed order 1 is right where $\kappa\ne0$.  The ratio holds in
+space as well as in the plane; `curvature_of_the_member` computes both curvatures, as the second way.
 :::
 
 :::{claim} expansion_about_the_contact
@@ -754,8 +762,8 @@ as well as in the plane; `curvature_of_the_member` computes both curvatures, as 
 :::{claim} member_is_flatter_by_a_fixed_ratio
 :title: The curvatures of member and curve have the ratio n(n-r-1)/((n-r)(n-1)), in any dimension
 :zh: 曲率比为 n(n-r-1)/((n-r)(n-1))
-:given: the expansion above to second order with weights $w_0\ne0$, $w_1$, $w_2$ and one coordinate of $p_0,p_1,p_2$; any
-  $n$ and $m=n-r$; two vectors $X,Y$ of space
+:given: the expansion above to second order with weights $w_0\ne0$, $w_1$, $w_2$ and one coordinate of
+  $p_0,p_1,p_2$; any $n$ and $m=n-r$; two vectors $X,Y$ of space
 :then: $R_m'=\frac mnR'$ and $R_m''=\frac{m(m-1)}{n(n-1)}R''+\mu R'$ with one $\mu$ for all coordinates; and
   $\kappa^2$ of $(aX,bY+\mu X)$ is $(b/a^2)^2$ times that of $(X,Y)$, which for these $a,b$ gives the ratio
 :method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the
@@ -767,13 +775,15 @@ as well as in the plane; `curvature_of_the_member` computes both curvatures, as 
 :::{claim} member_is_flatter_in_every_order
 :title: The first coefficient off the tangent is smaller for the member than for the curve
 :zh: 离开切线的首项系数，族曲线严格较小
-:given: $P=\sum\binom nkh^kp_k$ and the member $\sum\binom mkh^kp_k$, $m=n-r$, in the basis $p_0,p_1,e$ where $p_k$ is the
-  first vector outside the span of $p_0,p_1$: as graphs $y=\frac{\binom nk}{n^k}x^k+\dots$ and
+:given: $P=\sum\binom nkh^kp_k$ and the member $\sum\binom mkh^kp_k$, $m=n-r$, in the basis $p_0,p_1,e$ where $p_k$
+  is the first vector outside the span of $p_0,p_1$: as graphs $y=\frac{\binom nk}{n^k}x^k+\dots$ and
   $y=\frac{\binom mk}{m^k}x^k+\dots$
-:then: $\binom nk/n^k=\frac1{k!}\prod_{j<k}(1-\frac jn)$, $k=2,\dots,6$, and $(1-\frac jn)-(1-\frac jm)=\frac{jr}{mn}\ge0$
-:method: Identities with $n$, $m$ and $j$ variables; $n=m+r$ with $m,r,j>0$ for the sign, strict for $r>0$.  The first
-  factor with $j=1$ is strictly smaller for $m$; the others, for $m\ge k$, are positive and not larger, and for $m<k$ the
-  member's coefficient is 0.  So the coefficients of $x^k$ differ and those before agree: order exactly $k-1$.
+:then: $\binom nk/n^k=\frac1{k!}\prod_{j<k}(1-\frac jn)$, $k=2,\dots,6$, and
+  $(1-\frac jn)-(1-\frac jm)=\frac{jr}{mn}\ge0$
+:method: Identities with $n$, $m$ and $j$ variables; $n=m+r$ with $m,r,j>0$ for the sign, strict for $r>0$.  The
+  first factor with $j=1$ is strictly smaller for $m$; the others, for $m\ge k$, are positive and not larger, and
+  for $m<k$ the member's coefficient is 0.  So the coefficients of $x^k$ differ and those before agree: order
+  exactly $k-1$.
 :degrees: all
 :control: $n-1$ in the place of $n$ in the products
 :::
@@ -804,7 +814,8 @@ as well as in the plane; `curvature_of_the_member` computes both curvatures, as 
 :title: The homogeneous derivatives of member and curve are parallel: their osculating flats agree
 :zh: 齐次导矢平行，密切空间重合
 :given: weights and points, any $c$, every $r=0,\dots,n$ and $k=0,\dots,n-r$
-:then: $\frac{n!}{(n-k)!}\,\partial_t^kP^{[n-r]}(c,c)=\frac{(n-r)!}{(n-r-k)!}\,P^{(k)}(c)$ for the coordinate and for the weight
+:then: $\frac{n!}{(n-k)!}\,\partial_t^kP^{[n-r]}(c,c)=\frac{(n-r)!}{(n-r-k)!}\,P^{(k)}(c)$ for the coordinate and
+  for the weight
 :method: The member's points and weights by the recursion (3.3.2), (3.3.3); one coordinate.  The factors are not 0, so
   $P,\dots,P^{(k)}$ and the member's derivatives span the same spaces, and the flats of $R$ in them are the same.
 :degrees: 1..6 sampled 10
@@ -943,7 +954,8 @@ CLAIM(osculating_flats_agree)
         G(rational_homogenize)(n - r, 1, Rr, wr, Hr);
         G(bezier_derivatives)(n - r, 2, Hr, c, n - r, E);
         for (int k = 0; k < 2 * (n - r + 1); k++)
-            same(T, mul(from_int(G(factorial_part)(n, k / 2)), E[k]), mul(from_int(G(factorial_part)(n - r, k / 2)), D[k]));
+            same(T, mul(from_int(G(factorial_part)(n, k / 2)), E[k]),
+                 mul(from_int(G(factorial_part)(n - r, k / 2)), D[k]));
     }
 }
 

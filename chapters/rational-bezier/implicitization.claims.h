@@ -95,7 +95,10 @@ static num G(horner)(int n, const num a[], num z)
 
 static num G(power)(num z, int k) { return k == 0 ? from_int(1) : mul(z, G(power)(z, k - 1)); }
 
-static long G(pascal)(int n, int i) { return i < 0 || i > n ? 0 : n == 0 ? 1 : G(pascal)(n - 1, i - 1) + G(pascal)(n - 1, i); }
+static long G(pascal)(int n, int i)
+{
+    return i < 0 || i > n ? 0 : n == 0 ? 1 : G(pascal)(n - 1, i - 1) + G(pascal)(n - 1, i);
+}
 
 /* The coefficients of lead (z - root_0) ... (z - root_{n-1}), the leading one first. */
 static void G(from_roots)(int n, num lead, const num roots[], num a[])
@@ -279,8 +282,8 @@ At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
 :zh: 代换后的幂形式
 :given: weights, one coordinate, $n\ge1$, $u$ and $\lambda=(t-a)/(b-a)=1/(1+u)$
 :then: $R(t)=A(u)/W(u)$, its value at $u=0$ is $R_n$, and with $v=1/u$ its value at $v=0$ is $R_0$
-:method: The left side by de Casteljau's algorithm at $1/(1+u)$, the right side as printed; $u^nA(1/u)$ and $u^nW(1/u)$ for
-  the end $u=\infty$.
+:method: The left side by de Casteljau's algorithm at $1/(1+u)$, the right side as printed; $u^nA(1/u)$ and
+  $u^nW(1/u)$ for the end $u=\infty$.
 :degrees: 1..6 sampled 12
 :control: $u^i$ in the place of $u^{n-i}$
 :::
@@ -413,7 +416,8 @@ CLAIM(parameter_change_needs_two_ends)
 */
 CLAIM(base_point_satisfies_the_equations)
 {
-    num R[4] = {from_int(0), from_int(0), from_int(0), from_int(0)}, w[2] = {from_int(1), from_int(T->planted ? 1 : -1)};
+    num R[4] = {from_int(0), from_int(0), from_int(0), from_int(0)},
+        w[2] = {from_int(1), from_int(T->planted ? 1 : -1)};
     num a[2], b[2];
     G(implicit_coefficients)(1, R, w, 0, from_int(5), a);
     G(implicit_coefficients)(1, R, w, 1, from_int(7), b);
@@ -428,8 +432,8 @@ CLAIM(base_point_satisfies_the_equations)
 ## When is a point on the curve?
 
 The proof says: exactly when the two equations have a common root, or $a_0=b_0=0$.  A common root, in the theory of
-resultants, is any complex number.  But the parameter $u$ runs through $0\le u\le+\infty$ only, and a common root elsewhere
-gives a point off the arc, or no point at all.
+resultants, is any complex number.  But the parameter $u$ runs through $0\le u\le+\infty$ only, and a common root
+elsewhere gives a point off the arc, or no point at all.
 
 :::{statement} wang-ch3:thm-3.4.1-step-iff
 :title: A point is on the curve if and only if the equations have a common root, or a_0 = b_0 = 0
@@ -444,6 +448,7 @@ gives a point off the arc, or no point at all.
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
 :corrected-by: parameter_change_and_its_inverse equations_of_a_point nonnegative_common_roots_are_the_points
+:figure: implicit_points
 
 Only the direction from the curve to the common root is used in the proof, and that one is right.
 :::
@@ -452,10 +457,10 @@ Only the direction from the curve to the common root is used in the proof, and t
 :title: The determinant vanishes at every point of the curve, whatever the weights
 :zh: 曲线上各点处 F=0
 :given: weights and points, $n\ge1$, any $u$ with $W(u)\ne0$; and the point $R_0$
-:then: at $(x,y)=(A(u)/W(u),B(u)/W(u))$ the matrix of (3.4.1) maps $(u^{2n-1},\dots,u,1)$ to 0; at $R_0$ its first column
-  is 0; so $F=0$
-:method: A square matrix that maps a vector with an entry 1 to 0 has determinant 0.  The product is formed in the field, the
-  point by de Casteljau's algorithm; weights, points and $u$ are variables.
+:then: at $(x,y)=(A(u)/W(u),B(u)/W(u))$ the matrix of (3.4.1) maps $(u^{2n-1},\dots,u,1)$ to 0; at $R_0$ its first
+  column is 0; so $F=0$
+:method: A square matrix that maps a vector with an entry 1 to 0 has determinant 0.  The product is formed in the
+  field, the point by de Casteljau's algorithm; weights, points and $u$ are variables.
 :degrees: 1..6 sampled 10
 :control: the point taken at $2u$
 :::
@@ -567,7 +572,8 @@ static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w
 :zh: 线段外的点也有公根
 :kind: counterexample
 :given: $n=1$, $R_0=(0,0)$, $R_1=(1,0)$, weights 1, the point $(2,0)$
-:then: the two polynomials $-2u-1$ and $0$ have the common root $u=-\frac12$, and $F(2,0)=0$; the point is not on the segment
+:then: the two polynomials $-2u-1$ and $0$ have the common root $u=-\frac12$, and $F(2,0)=0$; the point is not on
+  the segment
 :method: The common root by the greatest common divisor in $u$; membership in the arc by the roots in $[0,1]$ of the
   greatest common divisor in $t$.
 :control: roots $u\ge0$ only
@@ -592,8 +598,8 @@ static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w
   point, weights positive; for each the points of the parameters $-2,-\frac12,0,\frac13,\frac12,1,\frac32,3$, each of
   them moved off by $\frac17$, and the isolated point
 :then: the criterion with roots $u\ge0$ agrees with membership in the arc
-:method: As above; the roots are counted in two ways.  For all curves with positive weights it follows from the bijection
-  $u=(b-t)/(t-a)$ of $(a,b]$ and $[0,\infty)$ and from $\sum a_iu^{n-i}=W(u)(X(u)-x)$, $W(u)>0$.
+:method: As above; the roots are counted in two ways.  For all curves with positive weights it follows from the
+  bijection $u=(b-t)/(t-a)$ of $(a,b]$ and $[0,\infty)$ and from $\sum a_iu^{n-i}=W(u)(X(u)-x)$, $W(u)>0$.
 :scope: 7 curves, 17 points each
 :control: any common root
 :::
@@ -648,22 +654,25 @@ CLAIM(nonnegative_common_roots_are_the_points)
 /*
 ## The theorem
 
-$F$ vanishes on the curve.  Is $F=0$ then the equation of the curve?  Not if $F$ is 0 everywhere, and that happens exactly
-when $A$, $B$, $W$ have a common zero, $u=\infty$ included.  It happens more often than one would think: elevating the degree
-multiplies all three by $1+u$, so for every elevated curve, with positive weights, the determinant is identically 0.
+$F$ vanishes on the curve.  Is $F=0$ then the equation of the curve?  Not if $F$ is 0 everywhere, and that happens
+exactly when $A$, $B$, $W$ have a common zero, $u=\infty$ included.  It happens more often than one would think:
+elevating the degree multiplies all three by $1+u$, so for every elevated curve, with positive weights, the
+determinant is identically 0.
 
 :::{statement} wang-ch3:thm-3.4.1
 :title: A plane rational Bézier curve has the implicit equation F = 0
 :zh: 平面有理曲线可化为隐式方程
 :printed: the curve of degree $n$ with $\mathbf R_i=(x_i,y_i)$ can be turned into the implicit equation (3.4.1)
 :holds-by: equation_vanishes_on_the_curve top_form_is_a_resultant
-:hypothesis: elevated_curve_has_no_equation | $A$, $B$, $W$ have no common zero (no base point, $u=\infty$ included); else
-  $F$ is 0 for all $(x,y)$
+:hypothesis: elevated_curve_has_no_equation | $A$, $B$, $W$ have no common zero (no base point, $u=\infty$
+  included); else $F$ is 0 for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | the weights are positive; with $\omega_0=0$ the first column vanishes
-:needs: space_curve_and_its_shadow | the curve is plane; for a curve of space $F=0$ is only the cylinder over its projection
+:needs: space_curve_and_its_shadow | the curve is plane; for a curve of space $F=0$ is only the cylinder over its
+  projection
 :reading: equation_vanishes_on_the_curve | every point of the curve satisfies $F=0$: true without any hypothesis
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve: false; there are the
   points of the other parameters, and isolated points
+:figure: implicit_elevation
 
 An improper parametrisation does no harm as long as there is no base point: the determinant is then a power of the
 equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.
@@ -673,7 +682,9 @@ equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.
 :title: By the theory of resultants F must be 0 at the points of the curve
 :zh: 由结式理论 F 必为零
 :printed: at the points of the curve the resultant $F(x,y)$ of (3.4.5) is 0
-:holds-by: equation_vanishes_on_the_curve implicit_value_vanishes_on_the_curve
+:holds-by: equation_vanishes_on_the_curve
+
+The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::
 
 :::{claim} common_zero_makes_F_vanish
@@ -705,9 +716,10 @@ equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.
   $\operatorname{Res}(-xW,xB-yA)=x^n\operatorname{Res}(W,yA-xB)$
 :method: $z^{-n}\operatorname{Res}(zA-xW,zB-yW)$ is $F$ made homogeneous, because $F(x/z,y/z)$ is the resultant of
   $A-\frac xzW$ and $B-\frac yzW$, whose degree in the coefficients is $n$ and $n$.  At $z=0$ it is therefore
-  $\operatorname{Res}(W,yA-xB)$, the part of degree $n$ of $F$.  For $W\ne0$ that is a constant times the product of the
-  forms $yA(u_j)-xB(u_j)$ over the $n$ zeros of $W$, $u=\infty$ included, so it is 0 only if one of them is a zero of
-  $A$ and $B$ too.  For every $n$ the identities are the rules $\operatorname{Res}(p,q+\lambda p)=\operatorname{Res}(p,q)$ and
+  $\operatorname{Res}(W,yA-xB)$, the part of degree $n$ of $F$.  For $W\ne0$ that is a constant times the product of
+  the forms $yA(u_j)-xB(u_j)$ over the $n$ zeros of $W$, $u=\infty$ included, so it is 0 only if one of them is a
+  zero of $A$ and $B$ too.  For every $n$ the identities are the rules
+  $\operatorname{Res}(p,q+\lambda p)=\operatorname{Res}(p,q)$ and
   $\operatorname{Res}(p,\lambda q)=\lambda^n\operatorname{Res}(p,q)$.
 :degrees: 1..4 sampled 8
 :control: $yB-xA$ in the second resultant
@@ -854,10 +866,11 @@ CLAIM(end_weight_zero_gives_no_equation)
 :title: For a curve of space F = 0 also holds beside the curve
 :zh: 空间曲线的 F=0 只是投影柱面
 :kind: counterexample
-:given: the cubic $(t,t^2,t^3+t)$, points $(0,0,0),(\frac13,0,\frac13),(\frac23,\frac13,\frac23),(1,1,2)$, weights 1, the
-  determinant formed from $x$ and $z$, $x=\frac12$, $z=\frac58$, and the point $(\frac12,0,\frac58)$ of space
+:given: the cubic $(t,t^2,t^3+t)$, points $(0,0,0),(\frac13,0,\frac13),(\frac23,\frac13,\frac23),(1,1,2)$, weights
+  1, the determinant formed from $x$ and $z$, $x=\frac12$, $z=\frac58$, and the point $(\frac12,0,\frac58)$ of space
 :then: $F(\frac12,\frac58)=0$, but the only point of the curve with $x=\frac12$ has $y=\frac14$
-:method: $F$ and the curve at $t=\frac12$ are computed; that the point is the curve's whenever $F=0$ is what is compared.
+:method: $F$ and the curve at $t=\frac12$ are computed; that the point is the curve's whenever $F=0$ is what is
+  compared.
 :control: the point $(\frac12,\frac14,\frac58)$
 :::
 */
@@ -892,7 +905,8 @@ CLAIM(space_curve_and_its_shadow)
 :printed: the polynomial $F(x,y)$ of (3.4.1) has degree at most $n$ in the two variables
 :holds-by: bezout_entries_are_linear sylvester_and_bezout_give_one_F
 
-The proof divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
+The proof divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided
+by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
 :::
 
 :::{claim} bezout_entries_are_linear
@@ -900,8 +914,8 @@ The proof divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bo
 :zh: Bézout 矩阵的元素是一次的
 :given: any numbers $p,q$ in the place of $\binom ni\omega_i$, $\binom nj\omega_j$, any $x_i,y_i,x_j,y_j$
 :then: $a_ib_j-a_jb_i=pq\,\bigl(x_iy_j-x_jy_i-(x_i-x_j)y+(y_i-y_j)x\bigr)$
-:method: The terms with $xy$ cancel.  The entries of Bézout's matrix are sums of such differences, the matrix has $n$ rows,
-  so its determinant has degree at most $n$; for every $n$ and all weights.
+:method: The terms with $xy$ cancel.  The entries of Bézout's matrix are sums of such differences, the matrix has
+  $n$ rows, so its determinant has degree at most $n$; for every $n$ and all weights.
 :degrees: all
 :control: $a_ib_j+a_jb_i$
 :::
@@ -941,9 +955,9 @@ CLAIM(sylvester_and_bezout_give_one_F)
 }
 
 /*
-The source proves the bound by column operations.  Write $f$ for $a$ or $b$, and $\Omega_i=\binom ni\omega_i/\omega_0$.
-The operations are described in words, then as a recursion for the entries, then as the resulting determinant.  Words and
-recursion do not agree.
+The source proves the bound by column operations.  Write $f$ for $a$ or $b$, and
+$\Omega_i=\binom ni\omega_i/\omega_0$. The operations are described in words, then as a recursion for the entries,
+then as the resulting determinant.  Words and recursion do not agree.
 
 :::{statement} wang-ch3:3.4.6
 :title: The entries before the first step
@@ -956,12 +970,14 @@ recursion do not agree.
 :::{statement} wang-ch3:3.4.7
 :title: The recursion of the column operations
 :zh: 列变换的递推式
-:printed: f_i^{[r]}=f_i^{[r-1]}-\Omega_i\,f_{r-1}^{[r-1]},\ \Omega_i=\binom ni\frac{\omega_i}{\omega_0},\ i=r,\dots,r+n-1;
-  \qquad f_i^{[r]}=f_i^{[r-1]},\ i\ge r+n
+:printed: f_i^{[r]}=f_i^{[r-1]}-\Omega_i\,f_{r-1}^{[r-1]},\ \Omega_i=\binom ni\frac{\omega_i}{\omega_0},\
+  i=r,\dots,r+n-1; \qquad f_i^{[r]}=f_i^{[r-1]},\ i\ge r+n
 :class: misprint
 :refuted-by: printed_recursion_is_not_the_operations
-:corrected: f_i^{[r]}=f_i^{[r-1]}-\Omega_{i-r+1}\,f_{r-1}^{[r-1]},\ i=r,\dots,r+n-1;\qquad f_i^{[r]}=f_i^{[r-1]},\ i\ge r+n
+:corrected: f_i^{[r]}=f_i^{[r-1]}-\Omega_{i-r+1}\,f_{r-1}^{[r-1]},\ i=r,\dots,r+n-1;\qquad f_i^{[r]}=f_i^{[r-1]},\
+  i\ge r+n
 :corrected-by: column_operations_give_the_corrected_recursion
+:figure: implicit_recursion
 
 For $r=1$ the two agree.  From $r=2$ on the printed index runs beyond $n$, where there is no $\omega_i$; even with
 $\Omega_i=0$ there, the determinant changes.
@@ -970,10 +986,11 @@ $\Omega_i=0$ there, the determinant changes.
 :::{statement} wang-ch3:thm-3.4.2-step-columns
 :title: Step r subtracts Ω_i times column r from column i+r
 :zh: 列初等变换
-:printed: from column $i+1$ subtract $\Omega_i$ times column 1, $i=1,\dots,n$; then from column $i+2$ subtract $\Omega_i$
-  times column 2; at last from column $i+n$ subtract $\Omega_i$ times column $n$
+:printed: from column $i+1$ subtract $\Omega_i$ times column 1, $i=1,\dots,n$; then from column $i+2$ subtract
+  $\Omega_i$ times column 2; at last from column $i+n$ subtract $\Omega_i$ times column $n$
 :holds-by: column_operations_give_the_corrected_recursion
-:needs: end_weight_zero_gives_no_equation | $\omega_0\ne0$, for $\Omega_i$ divides by it; with $\omega_0=0$ the determinant is 0 anyway
+:needs: end_weight_zero_gives_no_equation | $\omega_0\ne0$, for $\Omega_i$ divides by it; with $\omega_0=0$ the
+  determinant is 0 anyway
 
 The columns $i+r\le2n$ exist, and the determinant does not change.
 :::
@@ -984,17 +1001,18 @@ The columns $i+r\le2n$ exist, and the determinant does not change.
 :printed: a staircase of the entries $a_j^{[r]}$ over one of the $b_j^{[r]}$ whose first row begins
   $a_0,\ a_1^{[1]},\ \cdots$; the upper indices of the later entries are not legible in the text at hand, which gives
   among others $a_{n-1}^{[n]}$, $a_n^{[n-1]}$ and $a_n^{[n]}$
-:reading: column_operations_give_the_corrected_recursion | what the operations give: row $k$, beginning in column $k$, is
-  $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$; so the first row is
-  $a_0,a_1^{[1]},\dots,a_n^{[n]},a_{n+1}^{[n]},\dots,a_{2n-1}^{[n]}$ and the last of the $a$ is $a_0,a_1^{[1]},\dots,a_n^{[1]}$
+:reading: column_operations_give_the_corrected_recursion | what the operations give: row $k$, beginning in column
+  $k$, is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$; so the first row is
+  $a_0,a_1^{[1]},\dots,a_n^{[n]},a_{n+1}^{[n]},\dots,a_{2n-1}^{[n]}$ and the last of the $a$ is
+  $a_0,a_1^{[1]},\dots,a_n^{[1]}$
 :reading: an entry $a_{n-1}^{[n]}$, if it is printed: not defined by (3.4.7), which has $i\ge r$
 :::
 
 :::{statement} wang-ch3:thm-3.4.2-step-constants
 :title: All entries changed at least once are constants; only a_0 and b_0 contain x and y
 :zh: 变换后的元素为常数
-:printed: $a_i^{[r]},b_i^{[r]}$ ($r=1,\dots,n$, $i\ge r$) are constants, hence in (3.4.8) only $a_0$ contains $x$ and only
-  $b_0$ contains $y$
+:printed: $a_i^{[r]},b_i^{[r]}$ ($r=1,\dots,n$, $i\ge r$) are constants, hence in (3.4.8) only $a_0$ contains $x$
+  and only $b_0$ contains $y$
 :holds-by: changed_entries_are_constants variables_stay_in_the_first_columns
 :::
 
@@ -1011,10 +1029,10 @@ The variables stand in $n$ columns, in degree one: a product of one entry from e
 :title: The column operations, done one by one, give the recursion with Ω_{i-r+1} and do not change F
 :zh: 逐列变换与更正后的递推一致
 :given: weights with $\omega_0\ne0$ and points, $n\ge1$, any $x,y$
-:then: after the operations row $k$ of the $a$ is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$, from column $k$ on, with the corrected
-  recursion, and so for the $b$
-:method: The operations are carried out on the matrix of (3.4.1), the recursion on the entries; all entries are compared.
-  An operation of this kind does not change a determinant.
+:then: after the operations row $k$ of the $a$ is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$, from column $k$ on,
+  with the corrected recursion, and so for the $b$
+:method: The operations are carried out on the matrix of (3.4.1), the recursion on the entries; all entries are
+  compared. An operation of this kind does not change a determinant.
 :degrees: 1..6 sampled 8
 :control: $\Omega_i$ as printed, 0 beyond $n$
 :::
@@ -1024,8 +1042,8 @@ The variables stand in $n$ columns, in degree one: a product of one entry from e
 :zh: r≥1 层的元素与 x 无关
 :given: weights with $\omega_0\ne0$, one coordinate of the points, $n\ge1$, two values $x$ and $x'$
 :then: $f_i^{[r]}$, $1\le r\le n$, $r\le i<2n$, is the same for both, with the corrected and with the printed recursion
-:method: The recursion is run for both values.  $f_i^{[1]}=\binom ni\omega_i(x_i-x_0)$, and later levels are combinations of
-  such numbers.
+:method: The recursion is run for both values.  $f_i^{[1]}=\binom ni\omega_i(x_i-x_0)$, and later levels are
+  combinations of such numbers.
 :degrees: 1..6 sampled 10
 :control: level 0 included
 :::

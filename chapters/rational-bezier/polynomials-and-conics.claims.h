@@ -13,6 +13,7 @@ A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :reading: ellipse_carries_no_polynomial_arc | A conic section is an ellipse, a parabola or a hyperbola: true.
 :reading: line_pair_carries_a_segment | Every equation (3.1.1) is a conic section, as 3.1 has it, two lines among them:
   these carry segments.
+:figure: polynomial_on_conics
 
 To represent a conic means to run through an arc of it; no curve over $[0,1]$ is a whole parabola.
 :::
@@ -156,6 +157,7 @@ CLAIM(line_pair_carries_a_segment)
 :zh: 有理形式统一表示多项式曲线与圆锥曲线
 :printed: A rational Bézier curve can represent polynomial curves and can represent conic sections.
 :holds-by: rational_form_contains_the_polynomial_one tangent_conics_are_rational_quadratics
+:figure: polynomial_on_conics
 
 To represent means again to run through an arc.  A conic without real points, $x^2+y^2+1=0$, has none.
 :::

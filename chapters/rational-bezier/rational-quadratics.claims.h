@@ -179,6 +179,7 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
   determine.
 :holds-by: rational_quadratic_of_the_arc each_pair_of_ratios_has_one_parameter
 :needs: complementary_arc_leaves_the_triangle | The weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
+:figure: tangent_ratios
 
 The arc goes from $R_0$ to $R_2$ inside the triangle.  Besides the three points the constant
 $\omega_0\omega_2/\omega_1^2$ determines it.
@@ -264,6 +265,7 @@ CLAIM(complementary_arc_leaves_the_triangle)
 :holds-by: weights_with_one_constant_give_one_curve constant_is_read_off_the_curve
 :hypothesis: sign_of_the_middle_weight_changes_the_arc | The new weights, too, are of one sign.
 :needs: segment_does_not_fix_the_constant | $R_0$, $R_1$, $R_2$ form a triangle.
+:figure: middle_weight_sign
 :::
 
 :::{claim} weights_with_one_constant_give_one_curve

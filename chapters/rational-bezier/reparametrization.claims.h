@@ -17,6 +17,7 @@ proof line by line, and the definition of the $I_i$.
 :checked-by: fractional_change_runs_once projective_change_of_unit_interval_is_fractional
 :needs: linear_curve_with_opposite_ratios_has_a_pole | $a$ and $b$ of one sign, which positive weights give; with
   $a/b<0$ the denominator vanishes inside $[0,1]$
+:figure: reparametrization
 
 Every projective map of the parameter line that fixes $0$ and $1$ has this form, so nothing is lost by it.
 :::
@@ -28,8 +29,8 @@ Every projective map of the parameter line that fixes $0$ and $1$ has this form,
 :given: $a,b>0$ and $0<u<1$
 :let: $t=au/(au+b(1-u))$
 :then: $t=0,1$ for $u=0,1$; $0<t<1$; $dt/du>0$; and $u=bt/(bt+a(1-t))$
-:method: With $u=s/(1+s)$, $s>0$, numerators and denominators of $t$, $1-t$ and $dt/du$ have positive coefficients only;
-  the inverse is an identity of rational functions.
+:method: With $u=s/(1+s)$, $s>0$, numerators and denominators of $t$, $1-t$ and $dt/du$ have positive coefficients
+  only; the inverse is an identity of rational functions.
 :control: $b$ with the opposite sign
 :::
 */
@@ -99,7 +100,8 @@ CLAIM(projective_change_of_unit_interval_is_fractional)
 :::{statement} wang-ch3:3.2.14
 :title: The curve in the new parameter
 :zh: 新参数下的曲线
-:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i}
+:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i\mathbf
+  R_i}{\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i}
 :holds-by: fractional_change_keeps_curve fractional_change_term_by_term
 
 An identity: $a$ and $b$ may be any numbers, as long as the denominators do not vanish.
@@ -141,9 +143,9 @@ CLAIM(fractional_change_keeps_curve)
 :given: variables $n,i,a,b,u$
 :let: $t=au/D$, $D=au+b(1-u)$
 :then: $D(1-t)=b(1-u)$ and $\frac{n-i}{i+1}\frac t{1-t}=\frac ab\cdot\frac{n-i}{i+1}\frac u{1-u}$
-:method: The first equality to the power $n$ is $D^nB_0^n(t)=b^nB_0^n(u)$.  In the second, $\frac{n-i}{i+1}\frac t{1-t}$ is
-  $B_{i+1}^n(t)/B_i^n(t)$; so, by induction on $i$, $D^nB_i^n(t)=a^ib^{n-i}B_i^n(u)$ for all $i\le n$.  Multiply by $\omega_i$
-  or $\omega_iR_i$ and add.
+:method: The first equality to the power $n$ is $D^nB_0^n(t)=b^nB_0^n(u)$.  In the second, $\frac{n-i}{i+1}\frac
+  t{1-t}$ is $B_{i+1}^n(t)/B_i^n(t)$; so, by induction on $i$, $D^nB_i^n(t)=a^ib^{n-i}B_i^n(u)$ for all $i\le n$.
+  Multiply by $\omega_i$ or $\omega_iR_i$ and add.
 :degrees: all
 :control: $b/a$ for $a/b$
 :::
@@ -210,9 +212,10 @@ CLAIM(invariants_by_definition)
 :zh: 偶次时异号权无实因子
 :kind: decision
 :given: $n=2$, $\omega=(1,2,3)$, $\omega^*=-\omega$ and any points
-:then: $I_1=I_1^*$ and the curves are the same, but $\omega_0^{*}/\omega_0=\omega_2^{*}/\omega_2=-1$ has no real square root
-:method: The two curves are compared at $t=1/3$ with the points $0,1,3$; at every $t$ numerator and denominator change sign
-  together.
+:then: $I_1=I_1^*$ and the curves are the same, but $\omega_0^{*}/\omega_0=\omega_2^{*}/\omega_2=-1$ has no real
+  square root
+:method: The two curves are compared at $t=1/3$ with the points $0,1,3$; at every $t$ numerator and denominator
+  change sign together.
 :control: $\omega_2^*$ positive
 :::
 */
@@ -241,25 +244,28 @@ CLAIM(negated_weights_have_no_real_factors)
 :::{statement} wang-ch3:prop-3.2.10
 :title: Equal quotients: the weights can be exchanged without moving points or curve
 :zh: 分式线性参数变换下的形状不变性
-:printed: If $I_i=I_i^*$, $i=1,\dots,n-1$, then (3.2.10) with (3.2.11) carries the curve of $(\mathbf R_i,\omega_i)$ into
-  the rational Bézier curve of the same degree with the same points and shape, in the parameter $u$ and with the weights
-  $\omega_i^*$
+:printed: If $I_i=I_i^*$, $i=1,\dots,n-1$, then (3.2.10) with (3.2.11) carries the curve of $(\mathbf R_i,\omega_i)$
+  into the rational Bézier curve of the same degree with the same points and shape, in the parameter $u$ and with
+  the weights $\omega_i^*$
 :holds-by: equal_invariants_give_same_curve end_weights_give_the_factors fractional_change_runs_once
-:needs: equal_invariants_reach_the_other_arc | positive weights: with a negative one the other arc of the conic has the
-  same $I_1$
-:needs: linear_curve_with_opposite_ratios_has_a_pole | positive weights: for $n=1$ there is no condition at all, and the
-  curve may even become unbounded
+:needs: equal_invariants_reach_the_other_arc | positive weights: with a negative one the other arc of the conic has
+  the same $I_1$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | positive weights: for $n=1$ there is no condition at all, and
+  the curve may even become unbounded
+:figure: equal_invariants_other_arc
 :::
 
 :::{claim} equal_invariants_give_same_curve
 :title: Weights with the same quotients give the same curve at another speed
 :zh: 不变量相等则曲线相同
-:given: positive weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, and weights $\omega^*$ with $I_i^*=I_i$ for
-  $0<i<n$: $\omega_0^*,\omega_1^*$ are free and the others follow from $\omega_{i+1}^*=\omega_i^{*2}/(\omega_{i-1}^*I_i)$
+:given: positive weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, and weights $\omega^*$ with $I_i^*=I_i$
+  for $0<i<n$: $\omega_0^*,\omega_1^*$ are free and the others follow from
+  $\omega_{i+1}^*=\omega_i^{*2}/(\omega_{i-1}^*I_i)$
 :let: $q=\frac{\omega_0\omega_1^*}{\omega_1\omega_0^*}$ and $t=qu/(qu+1-u)$
 :then: $R^*(u)=R(t)$ for every $u$
 :method: The recursion produces every $\omega^*$ with these quotients.  Formula (3.2.10) depends on $a/b$ alone, and
-  $a/b=q$ as positive numbers have one positive root; so nothing but rational functions is left, and both sides are one.
+  $a/b=q$ as positive numbers have one positive root; so nothing but rational functions is left, and both sides are
+  one.
 :degrees: 1..6 sampled 10
 :control: the last weight $\omega_n^*$ doubled
 :::
@@ -290,10 +296,10 @@ CLAIM(equal_invariants_give_same_curve)
 :zh: 中间权变号:比值相同而曲线不同
 :kind: decision
 :given: $n=2$, points $(-1,0),(0,1),(1,0)$, $\omega=(2,1,2)$ and $\omega^*=(2,-1,2)$
-:then: $I_1=I_1^*=1/4$, $a=b=1$, both denominators are positive on $[0,1]$, and the second curve has a point that is not on
-  the first
-:method: The first curve lies in the triangle of its points, $y\ge0$, as its weights are positive.  The denominators are
-  decided by their signs on $[0,1]$; $R^*(1/2)$ has $y<0$.
+:then: $I_1=I_1^*=1/4$, $a=b=1$, both denominators are positive on $[0,1]$, and the second curve has a point that is
+  not on the first
+:method: The first curve lies in the triangle of its points, $y\ge0$, as its weights are positive.  The denominators
+  are decided by their signs on $[0,1]$; $R^*(1/2)$ has $y<0$.
 :control: $\omega_1^*=1$
 :::
 */
@@ -350,7 +356,8 @@ CLAIM(linear_curve_with_opposite_ratios_has_a_pole)
 :::{statement} wang-ch3:3.2.13
 :title: The curve that results
 :zh: 变换所得曲线
-:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i}{\sum_{i=0}^nB_i^n(u)\omega_i^*},\quad 0\le u\le1
+:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i}{\sum_{i=0}^nB_i^n(u)\omega_i^*},\quad 0\le
+  u\le1
 :holds-by: equal_invariants_give_same_curve
 :::
 
@@ -368,11 +375,11 @@ True for all weights but $0$, of any sign.
 :::{claim} equal_invariants_mean_geometric_ratios
 :title: Three neighbouring ratios are geometric exactly when the quotients agree
 :zh: 三个相邻比成等比当且仅当不变量相等
-:given: three neighbouring weights $\omega_{i-1},\omega_i,\omega_{i+1}$ and ratios $r_{i-1},r_i,r_{i+1}$, none of them $0$, with
-  $\omega_k^*=r_k\omega_k$
+:given: three neighbouring weights $\omega_{i-1},\omega_i,\omega_{i+1}$ and ratios $r_{i-1},r_i,r_{i+1}$, none of
+  them $0$, with $\omega_k^*=r_k\omega_k$
 :then: $I_i^*r_{i-1}r_{i+1}=I_ir_i^2$; so $I_i^*=I_i$ exactly when $r_{i+1}/r_i=r_i/r_{i-1}$
-:method: The equality is one of rational functions.  For all $i$ together it says that the ratios have one common quotient
-  $q$, so that $r_i=r_0q^i$.
+:method: The equality is one of rational functions.  For all $i$ together it says that the ratios have one common
+  quotient $q$, so that $r_i=r_0q^i$.
 :scope: any three neighbouring weights of any degree
 :control: $r_i$ for $r_i^2$
 :::
@@ -405,8 +412,9 @@ CLAIM(equal_invariants_mean_geometric_ratios)
 :zh: 正数的 n 次幂相等则相等
 :given: $p,q>0$
 :then: $q^n-p^n=(q-p)\,S$ with $S=\sum_{k<n}q^{n-1-k}p^k>0$
-:method: An identity, and $S$ has positive coefficients only.  From $\omega_n^{*}/\omega_n=(\omega_0^{*}/\omega_0)q^n$ and (3.2.11)
-  follows $q^n=(a/b)^n$; all ratios of positive weights are positive, so $q=a/b$.
+:method: An identity, and $S$ has positive coefficients only.  From
+  $\omega_n^{*}/\omega_n=(\omega_0^{*}/\omega_0)q^n$ and (3.2.11) follows $q^n=(a/b)^n$; all ratios of positive
+  weights are positive, so $q=a/b$.
 :degrees: 1..8 sampled 16
 :control: the signs in $S$ alternate
 :::
@@ -460,18 +468,19 @@ CLAIM(quotient_is_lost_up_to_sign)
 :zh: 因子把旧权变为新权
 :printed: a^ib^{n-i}\omega_i=\omega_i^*, so that (3.2.14) is (3.2.13)
 :holds-by: end_weights_give_the_factors
-:needs: equal_invariants_reach_the_other_arc | positive weights: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left side is
-  $1$ for $i=1$, the right side $-1$
+:needs: equal_invariants_reach_the_other_arc | positive weights: with $\omega=(2,1,2)$, $\omega^*=(2,-1,2)$ the left
+  side is $1$ for $i=1$, the right side $-1$
 :::
 
 :::{claim} end_weights_give_the_factors
 :title: With a and b from the end weights, $a^i b^{n-i}\omega_i$ is $\omega_i^*$
 :zh: 由首末权所得因子还原全部权
-:given: positive weights $\omega_0,\dots,\omega_n$ and $\omega_i^*=r\,q^i\omega_i$, $r=\beta^n$, $q=\alpha/\beta$, with $\alpha,\beta>0$
+:given: positive weights $\omega_0,\dots,\omega_n$ and $\omega_i^*=r\,q^i\omega_i$, $r=\beta^n$, $q=\alpha/\beta$,
+  with $\alpha,\beta>0$
 :let: $a=\sqrt[n]{\omega_n^{*}/\omega_n}$, $b=\sqrt[n]{\omega_0^{*}/\omega_0}$
 :then: $a^ib^{n-i}\omega_i=\omega_i^*$, $i=0,\dots,n$
-:method: Every positive geometric sequence of ratios has this form, with $\beta=\sqrt[n]r$.  The roots are taken in the field of
-  rational functions, where they are the positive ones $\alpha$ and $\beta$.
+:method: Every positive geometric sequence of ratios has this form, with $\beta=\sqrt[n]r$.  The roots are taken in
+  the field of rational functions, where they are the positive ones $\alpha$ and $\beta$.
 :degrees: 1..8 sampled 10
 :control: $\omega_n^*$ for $\omega_0^*$ in $b$
 :::
@@ -493,17 +502,17 @@ CLAIM(end_weights_give_the_factors)
 }
 
 /*
-One choice of the new weights is distinguished: $\omega_0^*=\omega_n^*=1$, the standard form.  Section 3.5 of the source
-uses it for $n=2$.
+One choice of the new weights is distinguished: $\omega_0^*=\omega_n^*=1$, the standard form.  Section 3.5 of the
+source uses it for $n=2$.
 
 :::{claim} standard_form_has_unit_ends
 :title: The standard form has end weights 1 and is the same curve
 :zh: 标准形:首末权为 1
 :given: positive weights $\omega_0,\dots,\omega_n$ with $\omega_n=\omega_0\rho^n$, and points $R_0,\dots,R_n$
-:then: the standard weights are $\omega_i/(\omega_0\rho^i)$, the first and the last are $1$, and with them the curve at $u$
-  is $R(t)$, $t=u/(u+\rho(1-u))$
-:method: All sides are rational functions of $\rho$, the weights, the points and $u$; $\rho=\sqrt[n]{\omega_n/\omega_0}$ may be
-  any positive number.
+:then: the standard weights are $\omega_i/(\omega_0\rho^i)$, the first and the last are $1$, and with them the curve
+  at $u$ is $R(t)$, $t=u/(u+\rho(1-u))$
+:method: All sides are rational functions of $\rho$, the weights, the points and $u$;
+  $\rho=\sqrt[n]{\omega_n/\omega_0}$ may be any positive number.
 :degrees: 1..6 sampled 10
 :defines: rational_standard_form
 :control: $\rho$ for $1/\rho$
@@ -571,21 +580,25 @@ CLAIM(invariants_survive_fractional_change)
 :title: The invariants belong to the curve
 :zh: 不变量是曲线的内在几何量
 :printed: The $I_i$ are intrinsic geometric quantities of the curve (3.2.2)
-:holds-by: invariants_survive_fractional_change projective_change_of_unit_interval_is_fractional fractional_change_keeps_curve
-:hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor: otherwise
-  one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
-:hypothesis: segment_has_two_invariants | the curve is covered once: otherwise two curves that have one point set, no common
-  factor and the same points differ in $I_i$
+:holds-by: invariants_survive_fractional_change projective_change_of_unit_interval_is_fractional
+  fractional_change_keeps_curve
+:hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor:
+  otherwise one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
+:hypothesis: segment_has_two_invariants | the parametrization is proper, a general point of the algebraic curve
+  coming from one parameter, complex ones included: otherwise two curves with one point set, the same points and no
+  common factor differ in $I_i$
 :reading: invariants_survive_fractional_change | belonging to the points and weights, up to (3.2.10): holds always
-:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set: fails, even for a regular
-  arc of a parabola written as a cubic
-:reading: reversal_exchanges_invariants | belonging to the point set up to its direction: run backwards, the curve has $I_{n-i}$
-  for $I_i$
+:reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a point set: fails, even for
+  a regular arc of a parabola written as a cubic
+:reading: reversal_exchanges_invariants | belonging to the point set up to its direction: run backwards, the curve
+  has $I_{n-i}$ for $I_i$
+:figure: same_parabola_two_sets
 
 With the two hypotheses: two parametrizations of degree $n$ of the same arc, in the same direction, differ by a
-projective change of the parameter (a rational curve covered once is birational to its parameter line), which maps the unit
-interval onto itself, hence is (3.2.10); without a common factor the homogeneous coordinates are then proportional, so the
-points are equal and the weights are those of (3.2.14), with the same $I_i$.  This holds in every degree.
+projective change of the parameter (a proper one is birational, so that the change is birational from line to line),
+which maps the unit interval onto itself, hence is (3.2.10); without a common factor the homogeneous coordinates are
+then proportional, so the points are equal and the weights are those of (3.2.14), with the same $I_i$.  This holds
+in every degree.
 :::
 
 :::{claim} same_map_on_a_line_has_two_invariants
@@ -618,7 +631,8 @@ static int G(one_map)(int n, int dim, const num R[], const num w[], const num S[
 }
 
 /* Shows the two curves with their quotients, which go to I and J; are they one map? */
-static int G(one_map_shown)(trial *T, int n, int dim, const num R[], const num w[], const num S[], const num v[], num I[], num J[])
+static int G(one_map_shown)(trial *T, int n, int dim, const num R[], const num w[], const num S[], const num v[],
+                            num I[], num J[])
 {
     G(rational_invariants)(n, w, I);
     G(rational_invariants)(n, v, J);
@@ -634,7 +648,8 @@ static int G(one_map_shown)(trial *T, int n, int dim, const num R[], const num w
 CLAIM(same_map_on_a_line_has_two_invariants)
 {
     num one = from_int(1), R[] = {from_int(0), from_ratio(1, 2), one}, w[] = {one, one, one};
-    num S[] = {from_int(0), from_ratio(1, 3), one}, v[] = {one, T->planted ? one : from_ratio(3, 2), from_int(2)}, I[1], J[1];
+    num S[] = {from_int(0), from_ratio(1, 3), one}, v[] = {one, T->planted ? one : from_ratio(3, 2), from_int(2)}, I[1],
+        J[1];
     agree(T, G(one_map_shown)(T, 2, 1, R, w, S, v, I, J));
     agree(T, !equal_q(I[0], J[0]));
 }
@@ -647,8 +662,8 @@ CLAIM(same_map_on_a_line_has_two_invariants)
 :given: $n=3$; the points $(0,0),(\frac23,0),(\frac23,\frac13),(0,1)$ with weights $1,1,1,1$; the points
   $(0,0),(\frac12,0),(\frac45,\frac15),(0,1)$ with weights $1,\frac43,\frac53,2$
 :then: both curves are $R(t)=(2t(1-t),t^2)$ for every $t$, but $(I_1,I_2)=(1,1)$ and $(\frac{16}{15},\frac{25}{24})$
-:method: The second numerators and denominator are the first ones times $1+t$: the cross products are compared as polynomials, and
-  are equal; then the quotients are compared.
+:method: The second numerators and denominator are the first ones times $1+t$: the cross products are compared as
+  polynomials, and are equal; then the quotients are compared.
 :control: the first points and weights both times
 :::
 */
@@ -711,8 +726,8 @@ What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $
 :given: the quadratic with points $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and positive weights, and $0<t<1$
 :let: the tangent at $R(t)$ meets $R_0R_1$ in $A$ and $R_1R_2$ in $B$
 :then: $\frac{R_1A}{AR_0}\cdot\frac{R_1B}{BR_2}=\frac1{I_1}$
-:method: The tangent is the line through $R(t)$ in the direction of $R'(t)$; everything is a rational function of $t$ and the
-  weights.  Ratios on lines and tangents are affine invariants, so every triangle is included.
+:method: The tangent is the line through $R(t)$ in the direction of $R'(t)$; everything is a rational function of
+  $t$ and the weights.  Ratios on lines and tangents are affine invariants, so every triangle is included.
 :scope: n = 2
 :control: $I_1$ for $1/I_1$
 :::
@@ -734,10 +749,11 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 :::{statement} wang-ch3:prop-3.2.10-same-shape
 :title: Equal invariants: the same shape, another distribution of the parameter
 :zh: 不变量相等时形状相同而参数分布不同
-:printed: When $I_i=I_i^*$, $i=1,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape and only the parameter is
-  distributed differently along them
+:printed: When $I_i=I_i^*$, $i=1,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape and only the
+  parameter is distributed differently along them
 :holds-by: equal_invariants_give_same_curve fractional_change_runs_once
 :needs: equal_invariants_reach_the_other_arc | positive weights
+:figure: reparametrization
 
 The distribution need not differ: for $\omega_i^*=c\,\omega_i$ it is the same, as $q=1$.
 :::

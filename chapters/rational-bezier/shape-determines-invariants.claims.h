@@ -11,43 +11,46 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :::{statement} wang-ch3:thm-3.2.1
 :title: For n = 2, ..., 5 the same shape means the same invariants
 :zh: n=2,3,4,5 时形状相同当且仅当不变量相同
-:printed: Let $n=2,3,4,5$, let neither the first nor the last three control points be collinear, and for $n\ge3$ neither the
-  first nor the last three edge vectors be coplanar.  Then (3.2.2) and (3.2.13) have the same shape if and only if
-  $I_i=I_i^*$, $i=1,\dots,n-1$
+:printed: Let $n=2,3,4,5$, let neither the first nor the last three control points be collinear, and for $n\ge3$
+  neither the first nor the last three edge vectors be coplanar.  Then (3.2.2) and (3.2.13) have the same shape if
+  and only if $I_i=I_i^*$, $i=1,\dots,n-1$
 :holds-by: equal_invariants_give_same_curve end_curvature_contains_one_invariant end_torsion_contains_two_invariants
   backward_run_flattens_the_first_edges
 :reading: backward_run_flattens_the_first_edges | same point set, the reading of property 3.2.10: holds
 :reading: end_torsion_contains_two_invariants | same point set in the same direction: holds
-:reading: plane_cubic_cannot_run_backwards | same point set, and for $n=3$ nothing asked of the edges: holds as well; three points not
-  collinear at each end suffice, as the curvatures give $I_1$ and $I_2$
-:reading: equal_invariants_other_speed | same map of the parameter: "if" fails, as the parameter is distributed differently;
-  the source excludes this reading
-:reading: congruent_cubics_with_other_invariants | congruent curves: "only if" fails; the motion may exchange the ends, and with them
-  the weights (so for $n=4,5$ as well: congruent_curves_beyond_cubics)
+:reading: plane_cubic_cannot_run_backwards | same point set, and for $n=3$ nothing asked of the edges: holds as
+  well; three points not collinear at each end suffice, as the curvatures give $I_1$ and $I_2$
+:reading: equal_invariants_other_speed | same map of the parameter: "if" fails, as the parameter is distributed
+  differently; the source excludes this reading
+:reading: congruent_cubics_with_other_invariants | congruent curves: "only if" fails; the motion may exchange the
+  ends, and with them the weights (so for $n=4,5$ as well: congruent_curves_beyond_cubics)
 :needs: equal_invariants_reach_the_other_arc | positive weights, for "if"
 :needs: segment_has_two_invariants | $n=2$: the three points not collinear
-:needs: palindromes_of_degree_four | $n=4$: edges not coplanar at one end at least; without it the point set, run backwards, has
-  other invariants
-:needs: common_factor_hides_the_weights | $n=5$: edges not coplanar; a plane quintic can be one and the same map for weights with
-  different invariants
-:needs: space_palindromes_beyond_degree_five | $n\le5$: for $n\ge6$ the point set, run backwards, can have other invariants
+:needs: palindromes_of_degree_four | $n=4$: edges not coplanar at one end at least; without it the point set, run
+  backwards, has other invariants
+:needs: common_factor_hides_the_weights | $n=5$: edges not coplanar; a plane quintic can be one and the same map for
+  weights with different invariants
+:needs: space_palindromes_beyond_degree_five | $n\le5$: for $n\ge6$ the point set, run backwards, can have other
+  invariants
+:figure: shape_and_invariants
 
-The direction "if" is property 3.2.10 and needs nothing but positive weights.  For "only if" let the two curves have one
-point set $T$.
+The direction "if" is property 3.2.10 and needs nothing but positive weights.  For "only if" let the two curves have
+one point set $T$.
 
-(1) *They are proper.*  For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, as its points $R_i$
-are in none, so its algebraic curve has degree at least $3$; after removal of common factors each parametrization has a degree of at most $5$ that is a
-multiple of it, hence equal to it: it is run once, and the two differ by a projective map $\varphi$ of the parameter line
-that maps $[0,1]$ onto itself.
+(1) *They are proper.* For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, as its points
+$R_i$ are in none, so its algebraic curve has degree at least $3$; after removal of common factors each
+parametrization has a degree of at most $5$ that is a multiple of it, hence equal to it: it is run once, and the two
+differ by a projective map $\varphi$ of the parameter line that maps $[0,1]$ onto itself.
 
-(2) *They have one direction.*  If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for $n\ge5$ the
-planes of $a_1,a_2$ and of $a_{n-1},a_n$ would be one; each time the first edges are then dependent, against the hypothesis.
+(2) *They have one direction.* If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for
+$n\ge5$ the planes of $a_1,a_2$ and of $a_{n-1},a_n$ would be one; each time the first edges are then dependent,
+against the hypothesis.
 
-(3) So curvature and torsion agree at corresponding ends, and they determine $I_1$, $I_1I_2$, $I_{n-1}$, $I_{n-2}I_{n-1}$: for
-$n\le5$ these give every invariant.
+(3) So curvature and torsion agree at corresponding ends, and they determine $I_1$, $I_1I_2$, $I_{n-1}$,
+$I_{n-2}I_{n-1}$: for $n\le5$ these give every invariant.
 
-For $n\ge3$ edges that are not coplanar make the points not collinear by themselves.  For $n=4$ one of the two torsions
-suffices.
+For $n\ge3$ edges that are not coplanar make the points not collinear by themselves.  For $n=4$ one of the two
+torsions suffices.  What is true in every degree stands after definition 3.2.2.
 :::
 
 :::{claim} end_curvature_contains_one_invariant
@@ -56,9 +59,9 @@ suffices.
 :given: positive weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$ of space, $a_1\ne0$, $a_n\ne0$
 :then: $\kappa(0)^2I_1^2\|a_1\|^6=(\frac{n-1}n)^2\|a_1\times a_2\|^2$ and
   $\kappa(1)^2I_{n-1}^2\|a_n\|^6=(\frac{n-1}n)^2\|a_{n-1}\times a_n\|^2$
-:method: The curvatures are computed from the derivatives of the curve; both sides are rational functions of the weights and the
-  coordinates.  Plane curves are included.  As the invariants are positive, the curvature at $0$ together with the points
-  determines $I_1$ as soon as $a_1\times a_2\ne0$; likewise at $1$.
+:method: The curvatures are computed from the derivatives of the curve; both sides are rational functions of the
+  weights and the coordinates.  Plane curves are included.  As the invariants are positive, the curvature at $0$
+  together with the points determines $I_1$ as soon as $a_1\times a_2\ne0$; likewise at $1$.
 :degrees: 2..6 sampled 10
 :control: $I_2$ for $I_1$; for $n=2$, $I_1$ doubled
 :::
@@ -112,9 +115,9 @@ CLAIM(end_curvature_contains_one_invariant)
   $a_{n-1}\times a_n\ne0$
 :then: $\tau(0)I_1I_2\|a_1\times a_2\|^2=\frac{n-2}n(a_1,a_2,a_3)$ and
   $\tau(1)I_{n-2}I_{n-1}\|a_{n-1}\times a_n\|^2=\frac{n-2}n(a_{n-2},a_{n-1},a_n)$
-:method: As for the curvature, from the derivatives of the curve.  When $(a_1,a_2,a_3)\ne0$, curvature and torsion at $0$
-  determine $I_1$ and $I_2$; when $(a_{n-2},a_{n-1},a_n)\ne0$, those at $1$ determine $I_{n-1}$ and $I_{n-2}$: all invariants for
-  $n\le5$, and for $n=4$ one of the torsions is enough.
+:method: As for the curvature, from the derivatives of the curve.  When $(a_1,a_2,a_3)\ne0$, curvature and torsion
+  at $0$ determine $I_1$ and $I_2$; when $(a_{n-2},a_{n-1},a_n)\ne0$, those at $1$ determine $I_{n-1}$ and
+  $I_{n-2}$: all invariants for $n\le5$, and for $n=4$ one of the torsions is enough.
 :degrees: 3..6 sampled 10
 :control: $I_1$ for $I_1I_2$
 :::
@@ -144,10 +147,12 @@ CLAIM(end_torsion_contains_two_invariants)
 :::{claim} backward_run_flattens_the_first_edges
 :title: For n at most 5 the curve cannot be the other one run backwards
 :zh: n≤5 时两曲线不可能反向重合
-:given: edges $a_1,\dots,a_n$ with $a_1+\dots+a_n=0$; for $n\ge4$ also $a_n=c\,a_1$; for $n=5$ also $a_4=d\,a_1+e\,a_2$
+:given: edges $a_1,\dots,a_n$ with $a_1+\dots+a_n=0$; for $n\ge4$ also $a_n=c\,a_1$; for $n=5$ also
+  $a_4=d\,a_1+e\,a_2$
 :then: $a_1\times a_2=0$ for $n=2$, and $(a_1,a_2,a_3)=0$ for $n=3,4,5$
-:method: If $R^*(u)=R(\varphi(u))$ with $\varphi(0)=1$, then $R_0=R_n$, and there the tangents, and the osculating planes, of the
-  two curves agree: these are the relations given.  In each case the determinant is the zero polynomial in what is left free.
+:method: If $R^*(u)=R(\varphi(u))$ with $\varphi(0)=1$, then $R_0=R_n$, and there the tangents, and the osculating
+  planes, of the two curves agree: these are the relations given.  In each case the determinant is the zero
+  polynomial in what is left free.
 :degrees: 2..5
 :control: the relation $a_1+\dots+a_n=0$ left out
 :::
@@ -186,9 +191,10 @@ CLAIM(backward_run_flattens_the_first_edges)
 :zh: 三次曲线:首三点不共线即不可能反向重合
 :given: $n=3$, $a_1+a_2+a_3=0$ and $a_3=c\,a_1$
 :then: $a_1\times a_2=0$
-:method: $a_2=-(1+c)a_1$.  So for $n=3$ the direction is fixed when $R_0,R_1,R_2$ are not collinear, in the plane as well; and a
-  cubic that is no part of a line, common factors removed, is run once, as its degree is at most $3$ and that of its curve
-  at least $2$.  The end curvatures then give $I_1$ and $I_2$: no condition on three edges is needed.
+:method: $a_2=-(1+c)a_1$.  So for $n=3$ the direction is fixed when $R_0,R_1,R_2$ are not collinear, in the plane as
+  well; and a cubic that is no part of a line, common factors removed, is run once, as its degree is at most $3$ and
+  that of its curve at least $2$.  The end curvatures then give $I_1$ and $I_2$: no condition on three edges is
+  needed.
 :scope: n = 3
 :control: $a_3=c\,a_1$ left out
 :::
@@ -210,12 +216,12 @@ CLAIM(plane_cubic_cannot_run_backwards)
 :::{claim} common_factor_hides_the_weights
 :title: One map for every c, though the invariants depend on c
 :zh: 公因子掩盖权:同一映射而不变量不同
-:given: $m=1,2,3$, $n=2m+1$; points $P_0,\dots,P_m$, the points $P_0,\dots,P_m,P_0,\dots,P_m$ of degree $n$, and the weights
-  $\binom ni\omega_i=\binom mi$, $\binom ni\omega_i=c\binom m{i-m-1}$ for $i\le m$, $i>m$
+:given: $m=1,2,3$, $n=2m+1$; points $P_0,\dots,P_m$, the points $P_0,\dots,P_m,P_0,\dots,P_m$ of degree $n$, and the
+  weights $\binom ni\omega_i=\binom mi$, $\binom ni\omega_i=c\binom m{i-m-1}$ for $i\le m$, $i>m$
 :then: $R(t)=\sum_{i=0}^mB_i^m(t)P_i$ for every $c$, while $c\,I_m$ and $I_{m+1}/c$ do not depend on $c$
-:method: The common factor is $(1-t)^{m+1}+c\,t^{m+1}>0$.  Both sides are rational functions of $t$, $c$ and the points.  For
-  $m=2$ the points are in a plane, the first and the last three not collinear when $P$ is a triangle; for $m=3$ the first and
-  the last three edges are independent when $P$ is a tetrahedron.
+:method: The common factor is $(1-t)^{m+1}+c\,t^{m+1}>0$.  Both sides are rational functions of $t$, $c$ and the
+  points.  For $m=2$ the points are in a plane, the first and the last three not collinear when $P$ is a triangle;
+  for $m=3$ the first and the last three edges are independent when $P$ is a tetrahedron.
 :scope: n = 3 on a line, n = 5 in a plane, n = 7 in space
 :control: the weight $\omega_n$ doubled
 :::
@@ -319,10 +325,10 @@ static int G(invariants_differ)(trial *T, int n, const num w[], const num v[])
 :zh: 共线时点集不能确定不变量
 :kind: decision
 :given: $n=2$, the points $0,1,2$ of a line, $\omega=(1,2,1)$ and $\omega^*=(1,3,1)$
-:then: both curves run monotonically from $0$ to $2$, so that their point set is the segment $[0,2]$, and neither has a common
-  factor; $I_1=4$ and $I_1^*=9$
-:method: The numerators of the derivatives are positive on $[0,1]$, decided exactly; numerator and denominator of each curve
-  have degree $2$ and a constant greatest common divisor.
+:then: both curves run monotonically from $0$ to $2$, so that their point set is the segment $[0,2]$, and neither
+  has a common factor; $I_1=4$ and $I_1^*=9$
+:method: The numerators of the derivatives are positive on $[0,1]$, decided exactly; numerator and denominator of
+  each curve have degree $2$ and a constant greatest common divisor.
 :control: $\omega^*=(1,2,1)$
 :::
 */
@@ -380,12 +386,13 @@ CLAIM(palindromes_of_degree_four)
 :title: From degree 6 on the point set does not determine the invariants
 :zh: 六次起点集不能确定不变量
 :kind: decision
-:given: $n=6,\dots,9$; $e_0=0$ and the unit points $e_1,e_2,e_3$ of space; the points $e_0,e_1,e_2,e_3,\dots,e_3,e_2,e_1,e_0$ with
-  $n-5$ of them in $e_3$; $\omega=(1,2,1,\dots,1)$ and $\omega^*=(1,\dots,1,2,1)$
+:given: $n=6,\dots,9$; $e_0=0$ and the unit points $e_1,e_2,e_3$ of space; the points
+  $e_0,e_1,e_2,e_3,\dots,e_3,e_2,e_1,e_0$ with $n-5$ of them in $e_3$; $\omega=(1,2,1,\dots,1)$ and
+  $\omega^*=(1,\dots,1,2,1)$
 :then: $R^*(t)=R(1-t)$, so that the point sets are one; the first and the last three edges are not coplanar; but
   $I_1=4$, $I_{n-1}=1$ and $I_1^*=1$, $I_{n-1}^*=4$
-:method: The polynomials of the two curves are compared; the rest is exact arithmetic.  The same points and weights do it for
-  every larger $n$.
+:method: The polynomials of the two curves are compared; the rest is exact arithmetic.  The same points and weights
+  do it for every larger $n$.
 :degrees: 6..9
 :control: the weights $\omega_1$ and $\omega_{n-1}$ both $2$
 :::
@@ -422,7 +429,8 @@ CLAIM(space_palindromes_beyond_degree_five)
 CLAIM(equal_invariants_other_speed)
 {
     enum { n = 2 };
-    num R[] = {from_int(-1), from_int(0), from_int(0), from_int(1), from_int(1), from_int(0)}, w[n + 1], v[n + 1], P[2], Q[2];
+    num R[] = {from_int(-1), from_int(0), from_int(0), from_int(1), from_int(1), from_int(0)}, w[n + 1], v[n + 1], P[2],
+        Q[2];
     for (int i = 0; i <= n; i++) {
         w[i] = from_int(1);
         v[i] = from_int(T->planted ? 1 : 1L << i);
@@ -467,8 +475,8 @@ static int G(half_turn_pair)(trial *T, int n, int both, num w[], num v[])
 :given: the points $(1,0,0),(0,1,1),(0,-1,1),(-1,0,0)$, $\omega=(1,1,2,1)$ and $\omega^*=(1,2,1,1)$
 :then: $R^*(t)=h(R(1-t))$ with the half turn $h(x,y,z)=(-x,-y,z)$, so that the curves are congruent; the edges are not
   coplanar; but $I=(\frac12,4)$ and $I^*=(4,\frac12)$
-:method: That the second curve is the half turn of the first run backwards is decided by comparing polynomials, before the
-  invariants are compared.
+:method: That the second curve is the half turn of the first run backwards is decided by comparing polynomials,
+  before the invariants are compared.
 :control: the weights $\omega_1$ and $\omega_2$ both $2$
 :::
 */
@@ -491,8 +499,8 @@ CLAIM(congruent_cubics_with_other_invariants)
 :kind: decision
 :given: $n=4$ with the points $(1,0,0),(0,1,1),(0,0,2),(0,-1,1),(-1,0,0)$; $n=5$ with
   $(1,0,0),(0,1,1),(1,1,2),(-1,-1,2),(0,-1,1),(-1,0,0)$; $\omega=(1,\dots,1,2,1)$ and $\omega^*=(1,2,1,\dots,1)$
-:then: $R^*(t)=h(R(1-t))$ with the half turn $h(x,y,z)=(-x,-y,z)$; the first and the last three edges are not coplanar; but the
-  invariants differ
+:then: $R^*(t)=h(R(1-t))$ with the half turn $h(x,y,z)=(-x,-y,z)$; the first and the last three edges are not
+  coplanar; but the invariants differ
 :method: The polynomials of the two curves are compared; the rest is exact arithmetic.
 :degrees: 4..5
 :control: the weights $\omega_1$ and $\omega_{n-1}$ both $2$
@@ -522,10 +530,11 @@ CLAIM(congruent_curves_beyond_cubics)
 :zh: 曲线始端的曲率与挠率相等
 :printed: As the curves have the same shape, curvature and torsion agree all along, in particular at the start
 :holds-by: backward_run_flattens_the_first_edges
-:reading: backward_run_flattens_the_first_edges | same point set: holds, but that the start of one curve is the start of the other
-  is to be shown, by steps (1) and (2) above
+:reading: backward_run_flattens_the_first_edges | same point set: holds, but that the start of one curve is the
+  start of the other is to be shown, by steps (1) and (2) above
 :reading: congruent_cubics_with_other_invariants | congruent curves: fails; the starts need not correspond
-:reading: curvatures_alone_miss_the_middle_invariant | curvature or torsion, either of them: for $n=4,5$ both are needed
+:reading: curvatures_alone_miss_the_middle_invariant | curvature or torsion, either of them: for $n=4,5$ both are
+  needed
 
 The source has "curvature or torsion"; what is used is curvature and torsion.
 :::
@@ -536,8 +545,8 @@ The source has "curvature or torsion"; what is used is curvature and torsion.
 :kind: counterexample
 :given: $n=4$, the points $(0,0,0),(1,0,0),(1,1,0),(1,1,1),(0,1,1)$, $\omega=(1,1,1,1,1)$ and $\omega^*=(1,1,1,2,4)$
 :then: $\kappa(0)=\kappa^*(0)$ and $\kappa(1)=\kappa^*(1)$, but $I=(1,1,1)$ and $I^*=(1,\frac12,1)$
-:method: The squared curvatures are computed from the derivatives of the curves, and are equal; then the invariants are
-  compared.
+:method: The squared curvatures are computed from the derivatives of the curves, and are equal; then the invariants
+  are compared.
 :control: $\omega_3^*=\omega_4^*=1$
 :::
 */
@@ -570,7 +579,8 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
 :::{statement} wang-ch3:thm-3.2.1-proof-display
 :title: The differences of curvature and torsion at the start, n = 5
 :zh: 始端曲率与挠率之差(n=5)
-:printed: \kappa(0)-\kappa^*(0)=\frac45\Bigl(\frac{\omega_0\omega_2}{\omega_1^2}-\frac{\omega_0^*\omega_2^*}{\omega_1^{*2}}\Bigr)
+:printed:
+  \kappa(0)-\kappa^*(0)=\frac45\Bigl(\frac{\omega_0\omega_2}{\omega_1^2}-\frac{\omega_0^*\omega_2^*}{\omega_1^{*2}}\Bigr)
   \frac{\|a_1\times a_2\|}{\|a_1\|^3}=0,\quad
   \tau(0)-\tau^*(0)=\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-\frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)
   \frac{(a_1,a_2,a_3)}{\|a_1\times a_3\|^2}=0
@@ -579,11 +589,12 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
 :corrected: \tau(0)-\tau^*(0)=\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-
   \frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)\frac{(a_1,a_2,a_3)}{\|a_1\times a_2\|^2}=0
 :corrected-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
+:figure: torsion_misprint
 
-One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The source prints the two right sides only, as equal to
-each other and to zero.  When the curves have the same shape that chain is true with the wrong denominator too, since
-$(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$; so the proof does not suffer.  As the difference of the torsions, which
-property 3.2.4 is said to give, it is wrong.
+One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The source prints the two right sides only, as
+equal to each other and to zero.  When the curves have the same shape that chain is true with the wrong denominator
+too, since $(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$; so the proof does not suffer.  As the difference of the
+torsions, which property 3.2.4 is said to give, it is wrong.
 :::
 
 :::{claim} printed_torsion_denominator_is_wrong
@@ -626,8 +637,9 @@ CLAIM(printed_torsion_denominator_is_wrong)
 :::{statement} wang-ch3:thm-3.2.1-proof-nonzero
 :title: The geometric factors do not vanish, so the weights' factors do
 :zh: 几何因子非零故权因子之差为零
-:printed: As $R_0,R_1,R_2$ are not collinear and $a_1,a_2,a_3$ not coplanar, $a_1\times a_2\ne0$ and $(a_1,a_2,a_3)\ne0$; hence
-  $I_1=I_1^*$ and $\omega_0\omega_3/(\omega_1\omega_2)=\omega_0^*\omega_3^{*}/(\omega_1^*\omega_2^*)$
+:printed: As $R_0,R_1,R_2$ are not collinear and $a_1,a_2,a_3$ not coplanar, $a_1\times a_2\ne0$ and
+  $(a_1,a_2,a_3)\ne0$; hence $I_1=I_1^*$ and
+  $\omega_0\omega_3/(\omega_1\omega_2)=\omega_0^*\omega_3^{*}/(\omega_1^*\omega_2^*)$
 :holds-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 
 The quotient of the second equation is $1/(I_1I_2)$.
@@ -636,8 +648,8 @@ The quotient of the second equation is $1/(I_1I_2)$.
 :::{statement} wang-ch3:thm-3.2.1-proof-product
 :title: The product of the two equations gives the second invariant
 :zh: 两式相乘得第二个不变量
-:printed: Multiplying $I_1=I_1^*$ and $(\omega_0\omega_3)/(\omega_1\omega_2)=(\omega_0^*\omega_3^*)/(\omega_1^*\omega_2^*)$ gives
-  $I_2=I_2^*$
+:printed: Multiplying $I_1=I_1^*$ and
+  $(\omega_0\omega_3)/(\omega_1\omega_2)=(\omega_0^*\omega_3^*)/(\omega_1^*\omega_2^*)$ gives $I_2=I_2^*$
 :holds-by: product_is_the_inverse_second_invariant
 
 The product is $1/I_2$, which does as well.
@@ -678,10 +690,11 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
 :title: The proof for n = 5 contains those for n = 2, 3, 4
 :zh: 仅就 n=5 证明必要性
 :printed: It suffices to show the case $n=5$
-:holds-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants backward_run_flattens_the_first_edges
+:holds-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
+  backward_run_flattens_the_first_edges
 
-$n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and $\tau(0)$ gives
-$I_2$.
+$n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
+$\tau(0)$ gives $I_2$.
 :::
 */
 #include "chapters/frame/claims_off.h"

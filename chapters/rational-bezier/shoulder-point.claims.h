@@ -10,6 +10,7 @@ A designer sees $\omega$: it is the ratio in which the curve divides the median 
   +\frac\omega{1+\omega}\mathbf R_1
 :holds-by: shoulder_point_of_the_curve
 :needs: shoulder_point_at_infinity | The weights are positive, so $\omega\ne-1$.
+:figure: shoulder_point
 
 On (3.1.5) itself this is the point of $t=\frac{\sqrt{\omega_0}}{\sqrt{\omega_0}+\sqrt{\omega_2}}$, which is $\frac12$ only
 for $\omega_0=\omega_2$.
@@ -89,6 +90,7 @@ CLAIM(shoulder_point_at_infinity)
 :reading: curve_divides_the_median | The parts are taken from the vertex, $\|R_1R_s\|:\|R_sM\|=1:\omega$, as in corollary
   3.5.1: true.
 :reading: median_from_the_base_is_the_other_way | The parts are taken from the base.
+:figure: shoulder_point
 :::
 
 :::{claim} curve_divides_the_median
@@ -182,6 +184,7 @@ CLAIM(median_from_the_base_is_the_other_way)
 :holds-by: shoulder_ratio_is_the_root_of_the_invariant sign_of_the_discriminant kind_in_any_coordinates
 :needs: flat_triangle_has_a_shoulder_point | $R_0R_1R_2$ is a triangle.
 :needs: weight_zero_has_ratio_zero | The weights are positive, so $\omega_1\ne0$.
+:figure: shoulder_point
 
 The ratio is $\frac{|\omega_1|}{\sqrt{\omega_0\omega_2}}=\sqrt{I_1}$ for all weights with $\omega_0\omega_2>0$, not only for
 standard ones.

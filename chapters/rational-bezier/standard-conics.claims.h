@@ -69,6 +69,7 @@ CLAIM(special_coordinates_exist)
   the rational Bézier curve $R^*(u)$ with the same control points and the weights $\left(1,\omega,1\right)$,
   $\omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}}$.
 :corrected-by: standard_form_by_a_change_of_parameter
+:figure: standard_parameter
 
 The roots belong over the weights alone.  With the printed roots the three terms are as
 $1-u:2\omega\sqrt{u(1-u)}:u$, which is no rational quadratic in $u$.  Both ends, and $t=\frac12$ for equal weights, are

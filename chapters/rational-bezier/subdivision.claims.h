@@ -10,8 +10,8 @@ $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/
 :::{statement} wang-ch3:3.3.2
 :title: The weights of the triangle
 :zh: 权因子的递推
-:printed: \omega_i^0(c)=\omega_i,\quad\omega_i^r(c)=(1-\lambda)\omega_{i-1}^{r-1}(c)+\lambda\omega_i^{r-1}(c),\quad r=1,\dots,n,\
-  i=r,\dots,n
+:printed: \omega_i^0(c)=\omega_i,\quad\omega_i^r(c)=(1-\lambda)\omega_{i-1}^{r-1}(c)+\lambda\omega_i^{r-1}(c),\quad
+  r=1,\dots,n,\ i=r,\dots,n
 :definition: yes
 :checked-by: triangle_in_closed_form triangle_level_by_level
 :::
@@ -19,14 +19,16 @@ $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/
 :::{statement} wang-ch3:3.3.3
 :title: The points of the triangle
 :zh: 顶点的递推
-:printed: \mathbf R_i^0(c)=\mathbf R_i,\quad\mathbf R_i^r(c)=\frac{(1-\lambda)\omega_{i-1}^{r-1}(c)}{\omega_i^r(c)}\mathbf
+:printed: \mathbf R_i^0(c)=\mathbf R_i,\quad\mathbf
+  R_i^r(c)=\frac{(1-\lambda)\omega_{i-1}^{r-1}(c)}{\omega_i^r(c)}\mathbf
   R_{i-1}^{r-1}(c)+\frac{\lambda\omega_i^{r-1}(c)}{\omega_i^r(c)}\mathbf R_i^{r-1}(c)
 :definition: yes
 :checked-by: triangle_in_closed_form triangle_level_by_level
-:needs: intermediate_weight_can_vanish | positive weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular curve
+:needs: intermediate_weight_can_vanish | positive weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular
+  curve
 
-The range of $r$ and $i$, which is not repeated, is that of (3.3.2), and $\omega_i^r$ stands for the sum printed in the
-denominators.
+The range of $r$ and $i$, which is not repeated, is that of (3.3.2), and $\omega_i^r$ stands for the sum printed in
+the denominators.
 :::
 
 :::{claim} triangle_in_closed_form
@@ -35,8 +37,8 @@ denominators.
 :given: weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, $\lambda$
 :then: $\omega_i^r=\sum_{k=0}^rB_k^r(\lambda)\omega_{i-r+k}$ and
   $\omega_i^rR_i^r=\sum_{k=0}^rB_k^r(\lambda)\omega_{i-r+k}R_{i-r+k}$ for all $r\le n$, $i=r,\dots,n$
-:method: The left sides come from the recursion, the right sides from the Bernstein polynomials; both are rational functions of
-  $\lambda$, the weights and the points.
+:method: The left sides come from the recursion, the right sides from the Bernstein polynomials; both are rational
+  functions of $\lambda$, the weights and the points.
 :degrees: 1..6 sampled 10
 :defines: rational_decasteljau
 :control: $1-\lambda$ for $\lambda$
@@ -81,8 +83,8 @@ CLAIM(triangle_in_closed_form)
 :title: Each level follows from the one before as printed
 :zh: 逐层递推
 :given: weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, $\lambda$
-:then: the two recursions hold for all $r=1,\dots,n$, $i=r,\dots,n$, and the point $R_i^r$ divides the edge in the ratio
-  $(R_i^r-R_{i-1}^{r-1}):(R_i^{r-1}-R_i^r)=\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$
+:then: the two recursions hold for all $r=1,\dots,n$, $i=r,\dots,n$, and the point $R_i^r$ divides the edge in the
+  ratio $(R_i^r-R_{i-1}^{r-1}):(R_i^{r-1}-R_i^r)=\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$
 :method: Two levels of the triangle are computed and put into the printed equations.
 :degrees: 1..6 sampled 10
 :control: $\lambda$ and $1-\lambda$ exchanged
@@ -91,7 +93,8 @@ CLAIM(triangle_in_closed_form)
 CLAIM(triangle_level_by_level)
 {
     int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], P[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1];
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], P[MAX_DEGREE + 1], wr[MAX_DEGREE + 1],
+        Rr[MAX_DEGREE + 1];
     num lambda = parameter(T, "lambda"), mu = sub(from_int(1), lambda);
     num ahead = T->planted ? mu : lambda, behind = T->planted ? lambda : mu;
     G(free_curve)(T, n, R, w);
@@ -122,7 +125,8 @@ CLAIM(triangle_level_by_level)
 #if RATIONAL
 CLAIM(intermediate_weight_can_vanish)
 {
-    num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)}, lambda = T->planted ? from_ratio(1, 2) : from_ratio(2, 3), next[3];
+    num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)}, lambda = T->planted ? from_ratio(1, 2) : from_ratio(2, 3),
+        next[3];
     poly denominator = poly_from_bernstein(2, w);
     show_points(T, "ω", 3, 1, w);
     show(T, "λ", lambda);
@@ -141,13 +145,15 @@ CLAIM(intermediate_weight_can_vanish)
 :::{statement} wang-ch3:thm-3.3.1
 :title: Any interior parameter cuts the curve into two of the same degree
 :zh: 离散生成定理
-:printed: For every $c\in(a,b)$, with $\lambda=(c-a)/(b-a)$, the parts of $\mathbf R(t)$ over $[a,c]$ and $[c,b]$ are rational Bézier
-  curves of degree $n$ with weights and points from the triangle (3.3.2), (3.3.3)
+:printed: For every $c\in(a,b)$, with $\lambda=(c-a)/(b-a)$, the parts of $\mathbf R(t)$ over $[a,c]$ and $[c,b]$
+  are rational Bézier curves of degree $n$ with weights and points from the triangle (3.3.2), (3.3.3)
 :holds-by: subdivision_left_half subdivision_right_half
 :needs: intermediate_weight_can_vanish | positive weights
-:needs: cut_at_an_end_is_empty | $c\in(a,b)$: for $c=a$ the left formula has the argument $(t-a)/0$, and its points all coincide; for
-  $c=b$ likewise the right one
-:needs: cut_outside_can_fail | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may vanish although all $\omega_i>0$
+:needs: cut_at_an_end_is_empty | $c\in(a,b)$: for $c=a$ the left formula has the argument $(t-a)/0$, and its points
+  all coincide; for $c=b$ likewise the right one
+:needs: cut_outside_can_fail | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may vanish although all
+  $\omega_i>0$
+:figure: subdivision_triangle
 
 The formulas (3.3.1) themselves follow, one branch at a time.
 :::
@@ -163,17 +169,18 @@ The formulas (3.3.1) themselves follow, one branch at a time.
 :title: The polynomial cut of numerator and denominator has the points and weights of the triangle
 :zh: 分子分母的离散即三角阵两边
 :given: weights $\omega_0,\dots,\omega_n$, points $R_0,\dots,R_n$, $\lambda$
-:then: cutting the polynomials $\sum B_i^n\omega_iR_i$ and $\sum B_i^n\omega_i$ at $\lambda$ gives, on the left, the coefficients
-  $\omega_i^iR_i^i$ and $\omega_i^i$, on the right $\omega_n^{n-i}R_n^{n-i}$ and $\omega_n^{n-i}$
-:method: The cut in homogeneous coordinates and the triangle of weighted points are two programs; their results are compared as
-  rational functions.
+:then: cutting the polynomials $\sum B_i^n\omega_iR_i$ and $\sum B_i^n\omega_i$ at $\lambda$ gives, on the left, the
+  coefficients $\omega_i^iR_i^i$ and $\omega_i^i$, on the right $\omega_n^{n-i}R_n^{n-i}$ and $\omega_n^{n-i}$
+:method: The cut in homogeneous coordinates and the triangle of weighted points are two programs; their results are
+  compared as rational functions.
 :degrees: 1..6 sampled 12
 :defines: rational_split
 :control: the right half read from the triangle as $R_i^{n-i}$
 :::
 */
 /* From the triangle at lambda: R_i^i with omega_i^i, and R_n^{n-i} with omega_n^{n-i}. */
-static void G(triangle_sides)(int n, const num R[], const num w[], num lambda, num left[], num wl[], num right[], num wr[])
+static void G(triangle_sides)(int n, const num R[], const num w[], num lambda, num left[], num wl[], num right[],
+                              num wr[])
 {
     num P[MAX_DEGREE + 1], v[MAX_DEGREE + 1];
     for (int r = 0; r <= n; r++) {
@@ -205,7 +212,8 @@ CLAIM(numerator_and_denominator_are_cut_alike)
 :::{statement} wang-ch3:3.3.1-left
 :title: The left part, $a\le t\le c$
 :zh: 离散公式左段
-:printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)
+:printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)\omega_i\mathbf
+  R_i}{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{b-a}\bigr)
   \omega_i}=\frac{\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)\mathbf R_i^i(c)}
   {\sum_{i=0}^nB_i^n\bigl(\frac{t-a}{c-a}\bigr)\omega_i^i(c)},\quad a\le t\le c
 :holds-by: subdivision_left_half
@@ -219,8 +227,8 @@ As an identity it holds for every $t$.
 :zh: 三角阵左边给出左段曲线
 :given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=a+x(c-a)$, with $h>0$
 :then: the curve over $[a,b]$ at $t$ is the curve of $(R_i^i,\omega_i^i)$ at $(t-a)/(c-a)$
-:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne a$ and $t$ is of the
-  given form.
+:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne a$ and
+  $t$ is of the given form.
 :degrees: 1..6 sampled 12
 :control: the basis argument $(t-a)/(b-a)$ on both sides
 :::
@@ -228,8 +236,10 @@ As an identity it holds for every $t$.
 CLAIM(subdivision_left_half)
 {
     int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1];
-    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left, right;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1],
+        wr[MAX_DEGREE + 1];
+    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left,
+        right;
     G(free_curve)(T, n, R, w);
     num b = add(a, h), c = add(a, mul(lambda, h)), t = add(a, mul(x, sub(c, a)));
     num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, a), sub(c, a));
@@ -252,10 +262,11 @@ CLAIM(subdivision_left_half)
 :corrected-by: subdivision_right_half
 :needs: intermediate_weight_can_vanish | positive weights
 :striking: 6
+:figure: right_half_misprint
 
 Two slips in the numerator, each wrong by itself: the argument $(t-a)/(b-a)$, which should be $(t-c)/(b-c)$; and the
-weight $\omega_i^{n-i}$, which should be $\omega_n^{n-i}$.  The denominator has both right.  For $i<n-i$ the printed weight is
-not even defined by (3.3.2).
+weight $\omega_i^{n-i}$, which should be $\omega_n^{n-i}$.  The denominator has both right.  For $i<n-i$ the printed
+weight is not even defined by (3.3.2).
 :::
 
 :::{claim} subdivision_right_half
@@ -263,8 +274,8 @@ not even defined by (3.3.2).
 :zh: 三角阵右边给出右段曲线
 :given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=c+x(b-c)$, with $h>0$
 :then: the curve over $[a,b]$ at $t$ is the curve of $(R_n^{n-i},\omega_n^{n-i})$ at $(t-c)/(b-c)$
-:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne b$ and $t$ is of the
-  given form.
+:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne b$ and
+  $t$ is of the given form.
 :degrees: 1..6 sampled 12
 :control: the basis argument $(t-a)/(b-a)$ on both sides
 :::
@@ -272,8 +283,10 @@ not even defined by (3.3.2).
 CLAIM(subdivision_right_half)
 {
     int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1];
-    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left, right;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1],
+        wr[MAX_DEGREE + 1];
+    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left,
+        right;
     G(free_curve)(T, n, R, w);
     num b = add(a, h), c = add(a, mul(lambda, h)), t = add(c, mul(x, sub(b, c)));
     num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, c), sub(b, c));
@@ -289,8 +302,8 @@ CLAIM(subdivision_right_half)
 :title: The numerator's basis argument is not that of the right part
 :zh: 右段分子的基函数自变量误印
 :kind: counterexample
-:given: $n=1$, $[a,b]=[0,1]$, $c=\frac12$, the points $0,1$ of the line with weights $1,1$, $t=\frac34$; the weights in the numerator
-  taken as they should be
+:given: $n=1$, $[a,b]=[0,1]$, $c=\frac12$, the points $0,1$ of the line with weights $1,1$, $t=\frac34$; the weights
+  in the numerator taken as they should be
 :then: the printed quotient is not $R(t)$
 :method: Both sides are computed exactly.
 :control: $(t-c)/(b-c)$ in the numerator too
@@ -298,7 +311,8 @@ CLAIM(subdivision_right_half)
 */
 CLAIM(printed_right_half_has_the_wrong_argument)
 {
-    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)}, Rl[2], wl[2], Rr[2], wr[2], curve, up[2], numerator;
+    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)}, Rl[2], wl[2], Rr[2], wr[2], curve, up[2],
+        numerator;
     num c = from_ratio(1, 2), t = from_ratio(3, 4), part = div(sub(t, c), sub(from_int(1), c));
     G(triangle_sides)(1, R, w, c, Rl, wl, Rr, wr);
     for (int i = 0; i < 2; i++)
@@ -318,8 +332,8 @@ CLAIM(printed_right_half_has_the_wrong_argument)
 :zh: 右段分子的权误印
 :kind: counterexample
 :given: $n=2$, $\omega=(1,2,3)$, $\lambda=\frac12$
-:then: $\omega_1^1\ne\omega_2^1$: the printed weight of $R_2^1$ in the numerator, $i=1$, is not the one in the denominator; so for
-  coinciding points, $R_i=P$, the quotient is not $P$
+:then: $\omega_1^1\ne\omega_2^1$: the printed weight of $R_2^1$ in the numerator, $i=1$, is not the one in the
+  denominator; so for coinciding points, $R_i=P$, the quotient is not $P$
 :method: Level 1 of the weights is computed exactly.
 :control: $\omega_2^1$ in the numerator too
 :::
@@ -340,10 +354,10 @@ CLAIM(printed_right_half_has_the_wrong_weight)
 :title: Cut at an end, one part is a point and the other the whole curve
 :zh: 在端点处离散:一段退缩为点
 :given: positive weights and points $R_0,\dots,R_n$
-:then: for $\lambda=0$ all $R_i^i=R_0$, $\omega_i^i=\omega_0$, while $R_n^{n-i}=R_i$, $\omega_n^{n-i}=\omega_i$; for $\lambda=1$ all
-  $R_n^{n-i}=R_n$, $\omega_n^{n-i}=\omega_n$, while $R_i^i=R_i$, $\omega_i^i=\omega_i$
-:method: The triangle is computed as rational functions.  So for $c=a$ the left formula, whatever its argument $(t-a)/0$ is taken to
-  be, gives $R_0$, and the right one the whole curve.
+:then: for $\lambda=0$ all $R_i^i=R_0$, $\omega_i^i=\omega_0$, while $R_n^{n-i}=R_i$, $\omega_n^{n-i}=\omega_i$; for
+  $\lambda=1$ all $R_n^{n-i}=R_n$, $\omega_n^{n-i}=\omega_n$, while $R_i^i=R_i$, $\omega_i^i=\omega_i$
+:method: The triangle is computed as rational functions.  So for $c=a$ the left formula, whatever its argument
+  $(t-a)/0$ is taken to be, gives $R_0$, and the right one the whole curve.
 :degrees: 1..6 sampled 10
 :control: $\lambda=\frac12$
 :::
@@ -401,7 +415,8 @@ CLAIM(cut_outside_can_fail)
 :title: For equal weights the triangle is de Casteljau's
 :zh: 权相等时即 de Casteljau 三角阵
 :given: points $R_0,\dots,R_n$ with one weight $\omega\ne0$, and $\lambda$
-:then: $\omega_i^r=\omega$ and $R_i^r=\sum_{k=0}^rB_k^r(\lambda)R_{i-r+k}$, that is $R_i^r=(1-\lambda)R_{i-1}^{r-1}+\lambda R_i^{r-1}$
+:then: $\omega_i^r=\omega$ and $R_i^r=\sum_{k=0}^rB_k^r(\lambda)R_{i-r+k}$, that is
+  $R_i^r=(1-\lambda)R_{i-1}^{r-1}+\lambda R_i^{r-1}$
 :method: Every level is compared as rational functions of $\lambda$, $\omega$ and the points.
 :degrees: 1..8 sampled 12
 :control: $\omega_n$ doubled
@@ -472,9 +487,12 @@ CLAIM(triangle_ends_on_the_curve)
 :::{statement} wang-ch3:rem-3.3.1-convex
 :title: Each new point is a convex combination of two old ones
 :zh: 凸线性组合
-:printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf R_i^{r-1}(c)$
+:printed: By (3.3.3), $\mathbf R_i^r(c)$ is a convex combination of $\mathbf R_{i-1}^{r-1}(c)$ and $\mathbf
+  R_i^{r-1}(c)$
 :holds-by: cut_coefficients_are_convex
-:needs: negative_weight_breaks_convexity | positive weights: otherwise, on a perfectly regular curve, a coefficient is negative
+:needs: negative_weight_breaks_convexity | positive weights: otherwise, on a perfectly regular curve, a coefficient
+  is negative
+:figure: cut_leaves_the_edge
 :::
 
 :::{claim} cut_coefficients_are_convex
@@ -482,10 +500,10 @@ CLAIM(triangle_ends_on_the_curve)
 :zh: 割角系数为正且和为一
 :given: two neighbouring weights $p,q>0$ of any level, $0<\lambda<1$
 :let: $v=(1-\lambda)p+\lambda q$
-:then: $v>0$; $(1-\lambda)p/v>0$, $\lambda q/v>0$, with sum $1$; and $(v-p)(q-v)=\lambda(1-\lambda)(q-p)^2\ge0$, so that $v$ lies between $p$
-  and $q$
-:method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive.  By induction on the level all $\omega_i^r$ are positive, and
-  none is less than the least or more than the largest $\omega_i$.
+:then: $v>0$; $(1-\lambda)p/v>0$, $\lambda q/v>0$, with sum $1$; and $(v-p)(q-v)=\lambda(1-\lambda)(q-p)^2\ge0$, so
+  that $v$ lies between $p$ and $q$
+:method: With $\lambda=s/(1+s)$, $s>0$, all coefficients are positive.  By induction on the level all $\omega_i^r$
+  are positive, and none is less than the least or more than the largest $\omega_i$.
 :scope: any two neighbouring weights of any level, in every degree
 :control: the second coefficient with $1-\lambda$ for $\lambda$
 :::
@@ -541,12 +559,12 @@ CLAIM(negative_weight_breaks_convexity)
 :::{statement} wang-ch3:rem-3.3.1-coefficients
 :title: The cut depends on level, edge and weights, not on the parameter alone
 :zh: 割角系数的依赖关系
-:printed: The cut coefficients depend not only on the parameter $\lambda$ but on the level of cutting, the number $i$ of the edge and
-  the weights $\omega_i$
+:printed: The cut coefficients depend not only on the parameter $\lambda$ but on the level of cutting, the number
+  $i$ of the edge and the weights $\omega_i$
 :holds-by: cut_depends_on_level_edge_and_weights
 :reading: cut_depends_on_level_edge_and_weights | as "in general": holds, each of the three by itself
-:reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among them, it is as for
-  polynomials: one ratio on all edges of all levels
+:reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among
+  them, it is as for polynomials: one ratio on all edges of all levels
 :::
 
 :::{claim} cut_depends_on_level_edge_and_weights
@@ -554,10 +572,10 @@ CLAIM(negative_weight_breaks_convexity)
 :zh: 层数、边序号、权均影响割角系数
 :kind: decision
 :given: $n=2$, $\lambda=\frac12$; the coefficient $\lambda\omega_i^{r-1}/\omega_i^r$ of the second point
-:then: with $\omega=(1,1,2)$ it is $\frac12$ for $r=1$, $i=1$; $\frac23$ for $r=1$, $i=2$; $\frac35$ for $r=2$, $i=2$; and with
-  $\omega=(1,1,1)$ it is $\frac12$ for $r=1$, $i=2$
-:method: The weights of the triangle are computed exactly; the three comparisons change only the edge, only the level, and only
-  the weights.
+:then: with $\omega=(1,1,2)$ it is $\frac12$ for $r=1$, $i=1$; $\frac23$ for $r=1$, $i=2$; $\frac35$ for $r=2$,
+  $i=2$; and with $\omega=(1,1,1)$ it is $\frac12$ for $r=1$, $i=2$
+:method: The weights of the triangle are computed exactly; the three comparisons change only the edge, only the
+  level, and only the weights.
 :control: $\omega=(1,1,1)$ throughout
 :::
 */
@@ -592,11 +610,12 @@ CLAIM(cut_depends_on_level_edge_and_weights)
 :title: Exactly geometric weights are cut at one ratio everywhere
 :zh: 等比权时各边割角系数相同
 :given: three neighbouring weights of level $r-1$, and $\lambda$
-:then: for $\omega,\omega q,\omega q^2$ the coefficient is $\lambda q/(1-\lambda+\lambda q)$ on both edges, and the two weights of the next level
-  again have the quotient $q$; for any three weights $x,y,z$ the coefficients on the two edges differ by
-  $\lambda(1-\lambda)(xz-y^2)$ over the product of the two new weights
-:method: Identities of rational functions.  By induction on the level geometric weights are cut at one ratio; and if the ratio is one on
-  all edges of level 1 for one $\lambda\in(0,1)$, then $\omega_{i-1}\omega_{i+1}=\omega_i^2$ for all $i$.
+:then: for $\omega,\omega q,\omega q^2$ the coefficient is $\lambda q/(1-\lambda+\lambda q)$ on both edges, and the
+  two weights of the next level again have the quotient $q$; for any three weights $x,y,z$ the coefficients on the
+  two edges differ by $\lambda(1-\lambda)(xz-y^2)$ over the product of the two new weights
+:method: Identities of rational functions.  By induction on the level geometric weights are cut at one ratio; and if
+  the ratio is one on all edges of level 1 for one $\lambda\in(0,1)$, then $\omega_{i-1}\omega_{i+1}=\omega_i^2$ for
+  all $i$.
 :scope: any three neighbouring weights, in every degree
 :control: $q^3$ for $q^2$
 :::
@@ -633,18 +652,20 @@ CLAIM(geometric_weights_cut_evenly)
 :title: The polygons of repeated cutting converge uniformly to the curve
 :zh: 离散割角多边形序列一致收敛到原曲线
 :printed: The sequence of polygons of the cut rational Bézier curve converges uniformly to the curve
-:holds-by: second_differences_shrink_quadratically polygon_and_curve_are_near_the_chord near_homogeneous_points_are_near
-  cut_coefficients_are_convex
-:reading: quarter_circle_error_is_quartered | each piece cut at one fixed ratio, or at ratios kept away from $0$ and $1$: holds, with the
-  order $h^2$ in the length $h$ of the longest piece; cut in the middle, the error is divided by 4 each time
-:needs: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step a piece may stay
-  long for ever
+:holds-by: second_differences_shrink_quadratically polygon_and_curve_are_near_the_chord
+  near_homogeneous_points_are_near cut_coefficients_are_convex
+:reading: quarter_circle_error_is_quartered | each piece cut at one fixed ratio, or at ratios kept away from $0$ and
+  $1$: holds, with the order $h^2$ in the length $h$ of the longest piece; cut in the middle, the error is divided
+  by 4 each time
+:needs: crowded_cuts_do_not_converge | pieces that become short, as at a fixed ratio; with a new ratio in every step
+  a piece may stay long for ever
 :needs: linear_weights_of_both_signs_have_a_pole | positive weights
+:figure: cut_polygons_converge
 
-Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the largest of the
-curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as no weight falls below
-the least $\omega_i$, the projection to points of space multiplies this by a constant.  At a fixed ratio $\lambda$ the longest
-piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$.
+Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
+largest of the curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as
+no weight falls below the least $\omega_i$, the projection to points of space multiplies this by a constant.  At a
+fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$.
 :::
 
 :::{claim} second_differences_shrink_quadratically
@@ -652,9 +673,10 @@ piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$.
 :zh: 二阶差分按区间长度平方缩小
 :given: a polynomial with Bernstein coefficients $b_0,\dots,b_n$ over $[0,1]$, and those over $[u,v]$, $0<u,v<1$
 :then: $\Delta^2b_i^{[u,v]}=(v-u)^2\sum_j\beta_{ij}\Delta^2b_j$ with $\beta_{ij}\ge0$, $\sum_j\beta_{ij}=1$
-:method: The coefficients over $[u,v]$ are values of the polar form.  $\beta_{ij}$ is the polar form of the polynomial with
-  coefficients $0,\dots,1,\dots,0$ of degree $n-2$ at $n-2-i$ arguments $u$ and $i$ arguments $v$; with $u=r/(1+r)$, $v=s/(1+s)$ its
-  coefficients are nonnegative.  So $\max|\Delta^2b^{[u,v]}|\le(v-u)^2\max|\Delta^2b|$; the ends $0$ and $1$ follow by continuity.
+:method: The coefficients over $[u,v]$ are values of the polar form.  $\beta_{ij}$ is the polar form of the
+  polynomial with coefficients $0,\dots,1,\dots,0$ of degree $n-2$ at $n-2-i$ arguments $u$ and $i$ arguments $v$;
+  with $u=r/(1+r)$, $v=s/(1+s)$ its coefficients are nonnegative.  So
+  $\max|\Delta^2b^{[u,v]}|\le(v-u)^2\max|\Delta^2b|$; the ends $0$ and $1$ follow by continuity.
 :degrees: 2..6 sampled 10
 :control: $v-u$ for $(v-u)^2$
 :::
@@ -662,7 +684,8 @@ piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$.
 CLAIM(second_differences_shrink_quadratically)
 {
     int n = T->degree;
-    num b[MAX_DEGREE + 1], d[MAX_DEGREE + 1], piece[MAX_DEGREE + 1], at[MAX_DEGREE], u = inside(T, "r"), v = inside(T, "s");
+    num b[MAX_DEGREE + 1], d[MAX_DEGREE + 1], piece[MAX_DEGREE + 1], at[MAX_DEGREE], u = inside(T, "r"),
+                                                                                     v = inside(T, "s");
     num h = sub(v, u), scale = T->planted ? h : mul(h, h);
     for (int i = 0; i <= n; i++)
         b[i] = unknown(T, "b", i);
@@ -693,18 +716,20 @@ CLAIM(second_differences_shrink_quadratically)
 :zh: 控制多边形与弦之距由二阶差分界定
 :given: variables $n,j,k$
 :let: $g_j=j(n-k)/n$ for $j\le k$ and $g_j=k(n-j)/n$ for $j\ge k$
-:then: $g_0=g_n=0$; $g_{j-1}-2g_j+g_{j+1}$ is $0$ for $j\ne k$ and $-1$ for $j=k$; $\sum_{0<j<n}g_j=\frac{k(n-k)}2\le\frac{n^2}8$
-:method: Summation by parts gives $b_k-\bigl(\frac{n-k}nb_0+\frac knb_n\bigr)=-\sum_{0<j<n}g_j\,\Delta^2b_{j-1}$ for all $0<k<n$, all $g_j\ge0$: the
-  points of a polygon are at most $\frac{n^2}8\max|\Delta^2b|$ away from the chord at the parameters $k/n$, hence so are the
-  polygon, by linear interpolation, and the curve, being $\sum B_k^n(t)b_k$ with $\sum B_k^n(t)\frac kn=t$.  Polygon and curve are at
-  most $\frac{n^2}4\max|\Delta^2b|$ apart.
+:then: $g_0=g_n=0$; $g_{j-1}-2g_j+g_{j+1}$ is $0$ for $j\ne k$ and $-1$ for $j=k$;
+  $\sum_{0<j<n}g_j=\frac{k(n-k)}2\le\frac{n^2}8$
+:method: Summation by parts gives $b_k-\bigl(\frac{n-k}nb_0+\frac knb_n\bigr)=-\sum_{0<j<n}g_j\,\Delta^2b_{j-1}$ for
+  all $0<k<n$, all $g_j\ge0$: the points of a polygon are at most $\frac{n^2}8\max|\Delta^2b|$ away from the chord
+  at the parameters $k/n$, hence so are the polygon, by linear interpolation, and the curve, being $\sum
+  B_k^n(t)b_k$ with $\sum B_k^n(t)\frac kn=t$.  Polygon and curve are at most $\frac{n^2}4\max|\Delta^2b|$ apart.
 :degrees: all
 :control: $g_j=j(n-k)$ for $j\le k$
 :::
 */
 CLAIM(polygon_and_curve_are_near_the_chord)
 {
-    num n = positive(T, "n", 0), j = positive(T, "j", 0), k = positive(T, "k", 0), zero = from_int(0), one = from_int(1);
+    num n = positive(T, "n", 0), j = positive(T, "j", 0), k = positive(T, "k", 0), zero = from_int(0),
+        one = from_int(1);
     num half = from_ratio(1, 2), rest = sub(n, k);
     num up = T->planted ? rest : div(rest, n), down = div(k, n); /* g_j = j up, and g_j = (n - j) down */
     about(T, "the ends and the corner");
@@ -729,8 +754,8 @@ CLAIM(polygon_and_curve_are_near_the_chord)
 :zh: 齐次点相近则投影点相近
 :given: homogeneous points $(P,w)$, $(Q,v)$ of weights $w,v\ne0$
 :then: $\frac Pw-\frac Qv=\frac1w\Bigl((P-Q)-\frac Qv(w-v)\Bigr)$
-:method: An identity.  So the distance of the images is at most $(\|P-Q\|+\|Q/v\||w-v|)/w$: with $w$ at least the least weight and
-  $Q/v$ in the convex hull of the points, a constant times the distance of the homogeneous points.
+:method: An identity.  So the distance of the images is at most $(\|P-Q\|+\|Q/v\||w-v|)/w$: with $w$ at least the
+  least weight and $Q/v$ in the convex hull of the points, a constant times the distance of the homogeneous points.
 :scope: every degree
 :control: $P/w$ for $Q/v$ on the right
 :::
@@ -748,7 +773,8 @@ CLAIM(near_homogeneous_points_are_near)
 :title: The polygons of a quarter circle, cut in the middle: the error is exactly $4^{-k}$
 :zh: 四分之一圆反复中点离散:误差恰为 4^{-k}
 :kind: decision
-:given: the quarter circle with points $(1,0),(1,1),(0,1)$ and weights $1,1,2$; $k=1,\dots,6$ times every piece is cut at $\lambda=\frac12$
+:given: the quarter circle with points $(1,0),(1,1),(0,1)$ and weights $1,1,2$; $k=1,\dots,6$ times every piece is
+  cut at $\lambda=\frac12$
 :then: the largest $|\|V\|^2-1|$ over all vertices $V$ of the polygons is $4^{-k}$
 :method: All $2^k$ pieces are computed exactly.
 :control: every piece cut at $\lambda=\frac14$
@@ -790,12 +816,13 @@ CLAIM(quarter_circle_error_is_quartered)
 :::{claim} crowded_cuts_do_not_converge
 :title: Cuts that crowd one end leave a piece of length above 1/2 for ever
 :zh: 分割点聚于一端时多边形不收敛
-:given: the parabola $(t,t^2)$ over $[0,1]$, all pieces cut at $\lambda_k=2^{-k-1}$ in step $k=1,2,\dots$; the last piece, of length $h_k$
-:then: $h_k\ge\frac12+2^{-k-1}$ for every $k$; the middle vertex of a piece of length $h$ lies $h^2/4$ below the parabola: there is
-  always a vertex more than $\frac1{16}$ below the curve
-:method: $h_1=\frac34$.  With $y=2^{-k-1}$, the step $h_{k+1}=h_k(1-\frac y2)$ and the identity
-  $(\frac12+y)(1-\frac y2)-(\frac12+\frac y2)=\frac{y(1-2y)}4$, whose right side is nonnegative for $0<y\le\frac14$ ($y=1/(4+s)$, $s\ge0$), give the
-  bound by induction.  The piece over $[u,u+h]$ is computed with $u$ and $h$ variable.
+:given: the parabola $(t,t^2)$ over $[0,1]$, all pieces cut at $\lambda_k=2^{-k-1}$ in step $k=1,2,\dots$; the last
+  piece, of length $h_k$
+:then: $h_k\ge\frac12+2^{-k-1}$ for every $k$; the middle vertex of a piece of length $h$ lies $h^2/4$ below the
+  parabola: there is always a vertex more than $\frac1{16}$ below the curve
+:method: $h_1=\frac34$.  With $y=2^{-k-1}$, the step $h_{k+1}=h_k(1-\frac y2)$ and the identity $(\frac12+y)(1-\frac
+  y2)-(\frac12+\frac y2)=\frac{y(1-2y)}4$, whose right side is nonnegative for $0<y\le\frac14$ ($y=1/(4+s)$,
+  $s\ge0$), give the bound by induction.  The piece over $[u,u+h]$ is computed with $u$ and $h$ variable.
 :scope: every number of steps
 :control: $\lambda_k=\frac12$ in the step
 :::

@@ -109,6 +109,7 @@ CLAIM(upright_tangent_has_no_slope)
   change sign.
 :hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as at every point of the curve inside the triangle when
   $0<\lambda<1$.
+:figure: tangent_ratios
 :::
 
 :::{statement} wang-ch3:3.1-B
@@ -118,6 +119,7 @@ CLAIM(upright_tangent_has_no_slope)
 :holds-by: tangent_cuts_the_sides
 :hypothesis: plus_sign_moves_the_cut | The minus sign in (3.1.4).
 :hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$.
+:figure: tangent_ratios
 
 The source does not print $B$; it is what “in the same way” gives.
 :::
@@ -215,6 +217,7 @@ CLAIM(tangent_parallel_to_the_first_side)
 :holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point
 :hypothesis: lengths_do_not_tell_points_apart | $R$ lies inside the triangle, or the ratios have signs.
 :hypothesis: tangent_parallel_to_the_first_side | The tangent meets both sides.
+:figure: tangent_ratios
 :::
 
 :::{statement} wang-ch3:3.1-g1
@@ -334,7 +337,7 @@ CLAIM(lengths_do_not_tell_points_apart)
     num half = from_ratio(1, 2), third = from_ratio(1, 3), one = from_int(1), P[2] = {third, third}, Q[2] = {one, one};
     num S[6], g[2], h[2];
     G(frame_conic)(half, -1, S);
-    show_points(T, "P, Q", 1, 2, P);
+    show_points(T, "P", 1, 2, P);
     show_points(T, "Q", 1, 2, Q);
     int on_curve = is_zero_q(G(form)(S, P[0], P[1])) && is_zero_q(G(form)(S, Q[0], Q[1]));
     ratios(half, -1, P[0], P[1], g);
@@ -412,6 +415,7 @@ CLAIM(plus_sign_turns_the_ratio)
   $\lambda<0$.
 :reading: product_of_lengths_is_not_printed | $g_1$, $g_2$ are ratios of lengths: constant and positive, but not
   $4\lambda/(1-\lambda)$ for $\lambda>1$ and for $\lambda<0$.
+:figure: ratio_product_extra
 
 With the plus sign the product of the signed ratios is $-4\lambda/(1-\lambda)$.
 :::
@@ -421,6 +425,7 @@ With the plus sign the product of the signed ratios is $-4\lambda/(1-\lambda)$.
 :zh: g_1 g_2 与动点无关
 :printed: The value of $g_1g_2$ does not depend on the moving point $R$.
 :holds-by: product_of_ratios_is_constant
+:figure: tangent_ratios
 :::
 
 :::{claim} product_of_ratios_is_constant

@@ -152,7 +152,7 @@ class Verify(Case):
     def test_patterns(self):
         doc = json.loads(run("verify", "--json", "rational-bezier.*").stdout)
         self.assertTrue(all(c["chapter"] == "rational-bezier" for c in doc["claims"]))
-        doc = json.loads(run("verify", "--json", "wang-ch3:3.2.4").stdout)
+        doc = json.loads(run("verify", "--json", "wang-ch3:3.2.4-right").stdout)
         self.assertTrue(0 < len(doc["claims"]) < 8)
 
 

@@ -318,6 +318,8 @@ static void the_field_calculates(void **state)
     assert_string_equal(to_string_f(div_f(neg_f(t), from_int_f(4))), "-t/4");
     assert_string_equal(to_string_f(div_f(from_int_f(1), mul_f(from_int_f(4), t))), "1/(4*t)");
     assert_string_equal(to_string_f(div_f(add_f(t, from_int_f(1)), mul_f(t, t))), "(t+1)/t^2");
+    assert_string_equal(to_string_f(from_ratio_f(-1, 3)), "-1/3");
+    assert_string_equal(to_string_f(div_f(sub_f(t, w), mul_f(from_int_f(2), t))), "(t-w)/(2*t)");
     assert_int_equal(field_variable_f(variable_f("w")), 1);
     assert_int_equal(field_variable_f(a), -1);
 }

@@ -1,0 +1,30 @@
+/* conic-figures.h -- what the drawings of the sections on conics share. */
+#ifndef CAGD_CONIC_FIGURES_H
+#define CAGD_CONIC_FIGURES_H
+
+#include "chapters/frame/figure.h"
+#include "exact/kernels_q.h"
+#include "figures/svg.h"
+
+static inline num_q q(long m) { return from_int_q(m); }
+static inline num_q r(long m, long n) { return from_ratio_q(m, n); }
+
+/* The legs R_0 R_1 and R_1 R_2 with the three points, labelled on the given sides. */
+static inline void put_triangle(svg *s, const num_q R[], enum svg_direction at_0, enum svg_direction at_1,
+                                enum svg_direction at_2)
+{
+    const enum svg_direction side[3] = {at_0, at_1, at_2};
+    static const char *const name[3] = {"R_0", "R_1", "R_2"};
+    svg_polyline(s, 3, R, SVG_POLYGON);
+    for (int i = 0; i < 3; i++) {
+        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
+        svg_label(s, svg_pair(R + 2 * i), side[i], SVG_POINT, name[i]);
+    }
+}
+
+/* a + share (b - a) */
+static inline svg_point between(const num_q a[], const num_q b[], num_q share)
+{
+    return (svg_point){add_q(a[0], mul_q(share, sub_q(b[0], a[0]))), add_q(a[1], mul_q(share, sub_q(b[1], a[1])))};
+}
+#endif

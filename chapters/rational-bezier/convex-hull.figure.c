@@ -1,0 +1,79 @@
+/* Figures of the section on the convex hull. */
+#include "chapters/frame/figure.h"
+#include "exact/hull.h"
+#include "exact/kernels_q.h"
+#include "figures/svg.h"
+
+static num_q ratio(long a, long b) { return from_ratio_q(a, b); }
+static num_q whole(long a) { return from_int_q(a); }
+
+static void draw_hull(svg *s, int n, const num_q R[])
+{
+    int vertex[16];
+    num_q P[2 * 16];
+    int count = convex_hull_2d(n + 1, R, vertex);
+    for (int k = 0; k < count; k++) {
+        P[2 * k] = R[2 * vertex[k]];
+        P[2 * k + 1] = R[2 * vertex[k] + 1];
+    }
+    svg_area(s, count, P, SVG_FILL);
+}
+
+/* A polygon whose labels stand where they are told to. */
+static void draw_polygon(svg *s, int n, const num_q R[], const enum svg_direction side[])
+{
+    static const char *const name[] = {"R_0", "R_1", "R_2"};
+    svg_polyline(s, n + 1, R, SVG_POLYGON);
+    for (int i = 0; i <= n; i++) {
+        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
+        svg_label(s, svg_pair(R + 2 * i), side[i], SVG_POINT, name[i]);
+    }
+}
+
+FIGURE(convex_hull)
+{
+    svg *s = svg_new(
+        "convex_hull", "The curve stays in the hull of its points while no share is negative",
+        "Left, quartics of one zigzag polygon with three sets of positive weights, all in the convex hull.  Right, the "
+        "quadratic with weights 1, -1/2, 1, separated from the triangle by its base line, and the segment continued to "
+        "t = 2.");
+    num_q R[] = {whole(0), whole(1), whole(1), whole(4), whole(3), whole(0), whole(5), whole(4), whole(6), whole(1)};
+    static const enum svg_direction clear[] = {SVG_W, SVG_N, SVG_E}, below[] = {SVG_S, SVG_S};
+    static const long weights[3][5] = {{1, 1, 1, 1, 1}, {1, 9, 1, 9, 1}, {1, 1, 9, 1, 1}};
+    svg_panel(s, svg_integer_window(-1, -1, 7, 5), 380, 0, "one polygon, three sets of positive weights,\none hull");
+    svg_heading(s, SVG_RIGHT, "positive weights");
+    draw_hull(s, 4, R);
+    svg_control_polygon(s, 4, R, "R");
+    for (int k = 2; k >= 0; k--) {
+        num_q w[5];
+        for (int i = 0; i <= 4; i++)
+            w[i] = whole(weights[k][i]);
+        svg_rational(s, 4, R, w, k == 0 ? SVG_CURVE : k == 1 ? SVG_CURVE_2 : SVG_RIGHT);
+    }
+    num_q Q[] = {whole(0), whole(0), whole(1), whole(2), whole(2), whole(0)}, w[] = {whole(1), ratio(-1, 2), whole(1)},
+          x[2];
+    svg_panel(s, (svg_window){whole(-1), ratio(-5, 2), whole(3), ratio(5, 2)}, 240, 0,
+              "weights $1, -1/2, 1$: $R(1/2) = (1, -2)$ is\nbelow the line $y = 0$, the triangle above");
+    svg_heading(s, SVG_WRONG, "a negative weight");
+    draw_hull(s, 2, Q);
+    svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_MUTED);
+    draw_polygon(s, 2, Q, clear);
+    svg_rational(s, 2, Q, w, SVG_WRONG);
+    rational_point_q(2, 2, Q, w, ratio(1, 2), x);
+    svg_mark(s, svg_pair(x), SVG_WRONG, SVG_USUAL);
+    svg_label(s, svg_pair(x), SVG_S, SVG_WRONG, "R(1/2)");
+    num_q line[] = {whole(0), whole(0), whole(1), whole(0)};
+    svg_panel(s, (svg_window){ratio(-1, 2), ratio(-5, 4), ratio(5, 2), ratio(5, 4)}, 240, 0, "a segment at $t = 2$");
+    svg_heading(s, SVG_WRONG, "outside $0 ≤ t ≤ 1$");
+    draw_polygon(s, 1, line, below);
+    svg_segment(s, svg_at(1, 0), svg_at(2, 0), SVG_WRONG);
+    svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_CURVE);
+    svg_mark(s, svg_at(2, 0), SVG_WRONG, SVG_USUAL);
+    svg_label(s, svg_at(2, 0), SVG_N, SVG_WRONG, "R(2)");
+    svg_legend_line(s, SVG_CURVE, "weights $1$");
+    svg_legend_line(s, SVG_CURVE_2, "$1, 9, 1, 9, 1$");
+    svg_legend_line(s, SVG_RIGHT, "$1, 1, 9, 1, 1$");
+    svg_legend_line(s, SVG_WRONG, "outside the hull");
+    svg_legend_area(s, SVG_FILL, "convex hull");
+    return s;
+}

@@ -1,0 +1,107 @@
+/* implicitization.figure.c -- drawings for implicitization.claims.h. */
+#include "chapters/rational-bezier/algebraic-figures.h"
+
+/* A curve whose determinant (3.4.1) is drawn. */
+struct implicit_curve {
+    int n;
+    const num_q *R, *w;
+};
+static num_q determinant_at(svg_point p, const void *data)
+{
+    const struct implicit_curve *c = data;
+    return implicit_value_q(c->n, c->R, c->w, p.x, p.y);
+}
+
+FIGURE(implicit_points)
+{
+    svg *s =
+        svg_new("implicit_points", "Points with a common root that are not on the curve",
+                "Left the segment from (0, 0) to (1, 0) on its line: the point (2, 0) belongs to u = -1/2.  Right the "
+                "cubic (t², t³ + t): the polynomial vanishes on the whole cubic, of which the curve is an arc, and at "
+                "the isolated point (-1, 0), which belongs to t = ±i.");
+    num_q segment[4] = {q(0), q(0), q(1), q(0)}, w[4] = {q(1), q(1), q(1), q(1)}, R[8];
+    static const int cubic[8] = {0, 0, 0, 1, 1, 2, 3, 6};
+    svg_panel(s, window(r(-3, 4), r(-3, 4), r(11, 4), r(3, 4)), 340, 0, "$n=1$: $F=y$ up to a factor");
+    svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_CURVE_2);
+    svg_bezier(s, 1, segment, SVG_CURVE);
+    svg_mark(s, svg_at(0, 0), SVG_CURVE, SVG_USUAL);
+    svg_mark(s, svg_at(1, 0), SVG_CURVE, SVG_USUAL);
+    svg_label(s, svg_at(0, 0), SVG_N, SVG_CURVE, "R_0");
+    svg_label(s, svg_at(1, 0), SVG_N, SVG_CURVE, "R_1");
+    svg_mark(s, svg_at(2, 0), SVG_WRONG, SVG_USUAL);
+    svg_label(s, svg_at(2, 0), SVG_N, SVG_WRONG, "u=-1/2");
+    fractions(8, cubic, 3, R);
+    struct implicit_curve F = {3, R, w};
+    svg_panel(s, window(r(-5, 2), r(-9, 4), r(5, 2), r(9, 4)), 300, 0, "$n=3$: $F=y^2-x(x+1)^2$ up to a factor");
+    svg_implicit(s, determinant_at, &F, 160, SVG_CURVE_2);
+    svg_bezier(s, 3, R, SVG_CURVE);
+    svg_mark(s, svg_at(-1, 0), SVG_WRONG, SVG_USUAL);
+    svg_label(s, svg_at(-1, 0), SVG_S, SVG_WRONG, "t=±i");
+    svg_label(s, svg_at(0, 0), SVG_W, SVG_CURVE, "R_0");
+    svg_label(s, svg_at(1, 2), SVG_SE, SVG_CURVE, "R_3");
+    svg_mark(s, svg_at(0, 0), SVG_CURVE, SVG_USUAL);
+    svg_mark(s, svg_at(1, 2), SVG_CURVE, SVG_USUAL);
+    svg_legend_line(s, SVG_CURVE, "the curve, $0≤u≤∞$");
+    svg_legend_line(s, SVG_CURVE_2, "$F=0$");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "common root, not on the curve");
+    return s;
+}
+
+FIGURE(implicit_elevation)
+{
+    svg *s = svg_new("implicit_elevation", "Degree elevation destroys the implicit equation",
+                     "The same arc of a parabola with three and with four control points, all weights 1.  With three "
+                     "points the determinant vanishes on the parabola; with four it vanishes everywhere.");
+    num_q R[6] = {q(0), q(0), r(1, 2), q(0), q(1), q(1)}, w[3] = {q(1), q(1), q(1)}, Re[8], we[4];
+    struct implicit_curve F = {2, R, w};
+    rational_elevate_q(2, 2, R, w, Re, we);
+    svg_window view = window(r(-1, 2), r(-3, 10), r(13, 10), r(13, 10));
+    svg_panel(s, view, 320, 0, "$n=2$: $F=x^2-y$");
+    svg_heading(s, SVG_RIGHT, "an equation");
+    svg_frame(s);
+    svg_implicit(s, determinant_at, &F, 120, SVG_CURVE_2);
+    svg_control_polygon(s, 2, R, "R");
+    svg_bezier(s, 2, R, SVG_CURVE);
+    svg_panel(s, view, 320, 0, "$n=3$: $F=0$ for all $x$ and $y$");
+    svg_heading(s, SVG_WRONG, "no equation");
+    svg_frame(s);
+    num_q all[8] = {view.x0, view.y0, view.x1, view.y0, view.x1, view.y1, view.x0, view.y1};
+    svg_area(s, 4, all, SVG_WRONG);
+    svg_control_polygon(s, 3, Re, "R");
+    svg_bezier(s, 3, Re, SVG_CURVE);
+    svg_legend_line(s, SVG_CURVE, "the curve");
+    svg_legend_line(s, SVG_CURVE_2, "$F=0$");
+    svg_legend_area(s, SVG_WRONG, "$F=0$ everywhere");
+    return s;
+}
+
+/* x^2 - y^2 - 4y, the determinant with the printed recursion. */
+static num_q printed_at(svg_point p, const void *data)
+{
+    (void)data;
+    num_q y = p.y;
+    return sub_q(mul_q(p.x, p.x), add_q(mul_q(y, y), mul_q(q(4), y)));
+}
+
+FIGURE(implicit_recursion)
+{
+    svg *s = svg_new(
+        "implicit_recursion", "The printed recursion changes the curve",
+        "The parabola with the points (0, 0), (1, 0), (1, 1) and weights 1.  The determinant is (x + y)² - 4y; with "
+        "the printed recursion for its entries it becomes x² - y² - 4y, a hyperbola.");
+    num_q R[6] = {q(0), q(0), q(1), q(0), q(1), q(1)}, w[3] = {q(1), q(1), q(1)};
+    struct implicit_curve F = {2, R, w};
+    svg_panel(s, window(r(-3, 2), r(-1, 2), r(5, 2), r(3, 2)), 460, 0, "$n=2$, weights 1");
+    svg_implicit(s, determinant_at, &F, 160, SVG_RIGHT);
+    svg_implicit(s, printed_at, NULL, 160, SVG_WRONG);
+    static const enum svg_direction side[3] = {SVG_S, SVG_SE, SVG_E};
+    static const char *const name[3] = {"R_0", "R_1", "R_2"};
+    svg_polyline(s, 3, R, SVG_POLYGON);
+    for (int i = 0; i < 3; i++) {
+        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
+        svg_label(s, svg_pair(R + 2 * i), side[i], SVG_POINT, name[i]);
+    }
+    svg_legend_line(s, SVG_RIGHT, "$(x+y)^2-4y=0$: the curve and its continuation");
+    svg_legend_line(s, SVG_WRONG, "$x^2-y^2-4y=0$: as printed");
+    return s;
+}

@@ -1,0 +1,182 @@
+#include "chapters/frame/figure.h"
+#include "exact/kernels_q.h"
+#include "figures/svg.h"
+
+/* Exact numbers from integers. */
+static void integers(int count, const int from[], num_q to[])
+{
+    for (int k = 0; k < count; k++)
+        to[k] = from_int_q(from[k]);
+}
+
+FIGURE(subdivision_triangle)
+{
+    enum { n = 3 };
+    static const int point[] = {0, 0, 1, 5, 6, 6, 8, 0}, weight[] = {1, 2, 3, 1};
+    num_q R[2 * (n + 1)], w[n + 1], lambda = from_ratio_q(2, 5), P[2 * (n + 1)], v[n + 1], left[2 * (n + 1)],
+                                    right[2 * (n + 1)];
+    integers(2 * (n + 1), point, R);
+    integers(n + 1, weight, w);
+    svg *s = svg_new(
+        "subdivision_triangle", "The triangle of a rational cubic, and the two halves",
+        "A rational cubic with weights 1, 2, 3, 1, cut at 2/5 by de Casteljau's triangle; the polygons of the left and "
+        "the right part are its two sides.");
+    svg_panel(s, svg_integer_window(-1, -1, 9, 7), 560, 0, "$λ = 2/5$, weights 1, 2, 3, 1");
+    svg_control_polygon(s, n, R, "R");
+    svg_rational(s, n, R, w, SVG_CURVE);
+    for (int r = 0; r <= n; r++) {
+        rational_decasteljau_q(n, 2, R, w, lambda, r, P, v);
+        if (r > 0 && r < n)
+            svg_polyline(s, n - r + 1, P, SVG_FAMILY);
+        for (int c = 0; c < 2; c++) {
+            left[2 * r + c] = P[c];
+            right[2 * (n - r) + c] = P[2 * (n - r) + c];
+        }
+    }
+    svg_polyline(s, n + 1, left, SVG_RIGHT);
+    svg_polyline(s, n + 1, right, SVG_CURVE_2);
+    static const char *const name[n][n] = {{"R_1^1", "R_2^1", "R_3^1"}, {"R_2^2", "R_3^2"}, {"R_3^3"}};
+    static const enum svg_direction towards[n][n] = {{SVG_W, SVG_N, SVG_E}, {SVG_NW, SVG_NE}, {SVG_S}};
+    for (int r = 1; r <= n; r++) {
+        rational_decasteljau_q(n, 2, R, w, lambda, r, P, v);
+        for (int i = 0; i <= n - r; i++) {
+            svg_mark(s, svg_pair(P + 2 * i), SVG_POINT, SVG_USUAL);
+            svg_label(s, svg_pair(P + 2 * i), towards[r - 1][i], SVG_POINT, name[r - 1][i]);
+        }
+    }
+    svg_legend_line(s, SVG_RIGHT, "left part: $R_0^0 R_1^1 R_2^2 R_3^3$");
+    svg_legend_line(s, SVG_CURVE_2, "right part: $R_3^3 R_3^2 R_3^1 R_3^0$");
+    return s;
+}
+
+/* A quadratic, its right half, and the cut. */
+struct right_half {
+    num_q R[6], w[3], c;
+};
+
+/* The printed quotient with the weights repaired: numerator at t, denominator at (t - c)/(1 - c). */
+static svg_point printed_right_half(num_q t, const void *data)
+{
+    const struct right_half *h = data;
+    num_q H[9], P[3], one = from_int_q(1);
+    rational_homogenize_q(2, 2, h->R, h->w, H);
+    decasteljau_q(2, 3, H, t, P);
+    num_q bottom = rational_weight_q(2, h->w, div_q(sub_q(t, h->c), sub_q(one, h->c)));
+    return (svg_point){div_q(P[0], bottom), div_q(P[1], bottom)};
+}
+
+FIGURE(right_half_misprint)
+{
+    static const int point[] = {0, 0, 3, 5, 6, 0}, weight[] = {1, 2, 1};
+    num_q R[6], w[3], c = from_ratio_q(1, 2), one = from_int_q(1), Rl[6], wl[3];
+    struct right_half h = {.c = c};
+    integers(6, point, R);
+    integers(3, weight, w);
+    rational_split_q(2, 2, R, w, c, Rl, wl, h.R, h.w);
+    svg *s = svg_new(
+        "right_half_misprint", "The right half, as printed and as it is",
+        "A rational quadratic cut at 1/2.  The printed quotient, even with the right weights, leaves the curve because "
+        "numerator and denominator have different arguments.");
+    svg_panel(s, svg_integer_window(-1, -1, 8, 6), 480, 0,
+              "$[a,b] = [0,1], c = 1/2$; the numerator with the argument\n$(t-a)/(b-a)$, the weights already repaired");
+    svg_control_polygon(s, 2, R, "R");
+    svg_rational(s, 2, R, w, SVG_FAMILY);
+    svg_rational(s, 2, h.R, h.w, SVG_RIGHT);
+    svg_plot(s, printed_right_half, &h, c, one, 16, SVG_WRONG);
+    svg_point wrong = printed_right_half(from_ratio_q(3, 4), &h);
+    num_q P[2];
+    rational_point_q(2, 2, R, w, from_ratio_q(3, 4), P);
+    svg_mark(s, svg_pair(P), SVG_RIGHT, SVG_USUAL);
+    svg_label_at(s, svg_pair(P), SVG_START, 190, 0, SVG_RIGHT, "R(3/4)");
+    svg_mark(s, wrong, SVG_WRONG, SVG_USUAL);
+    svg_label(s, wrong, SVG_SW, SVG_WRONG, "t = 3/4");
+    svg_legend_line(s, SVG_RIGHT, "the curve over $[c,b]$");
+    svg_legend_line(s, SVG_WRONG, "the printed quotient, $c ≤ t ≤ b$");
+    return s;
+}
+
+FIGURE(cut_leaves_the_edge)
+{
+    static const int point[] = {0, 0, 3, 3, 6, 0};
+    num_q R[6], w[] = {from_int_q(1), from_ratio_q(-1, 4), from_int_q(1)}, P[4], v[2];
+    integers(6, point, R);
+    rational_decasteljau_q(2, 2, R, w, from_ratio_q(1, 2), 1, P, v);
+    svg *s = svg_new(
+        "cut_leaves_the_edge", "With a negative weight the new points leave the edges",
+        "The quadratic with weights 1, -1/4, 1 is a regular arc, but the points of the first level at 1/2 lie on the "
+        "edges produced beyond the end points.");
+    svg_panel(s, svg_integer_window(-3, -3, 9, 4), 520, 0,
+              "weights 1, $-$1/4, 1, $λ = 1/2$:  $R_1^1 = (4/3) R_0 - (1/3) R_1$");
+    svg_line(s, svg_pair(R), svg_pair(R + 2), SVG_MUTED);
+    svg_line(s, svg_pair(R + 2), svg_pair(R + 4), SVG_MUTED);
+    static const char *const name[] = {"R_0", "R_1", "R_2"};
+    static const enum svg_direction towards[] = {SVG_NW, SVG_N, SVG_NE};
+    svg_polyline(s, 3, R, SVG_POLYGON);
+    for (int i = 0; i < 3; i++) {
+        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
+        svg_label(s, svg_pair(R + 2 * i), towards[i], SVG_POINT, name[i]);
+    }
+    svg_rational(s, 2, R, w, SVG_CURVE);
+    svg_segment(s, svg_pair(P), svg_pair(P + 2), SVG_FAMILY);
+    svg_mark(s, svg_pair(P), SVG_WRONG, SVG_USUAL);
+    svg_label(s, svg_pair(P), SVG_W, SVG_WRONG, "R_1^1");
+    svg_mark(s, svg_pair(P + 2), SVG_WRONG, SVG_USUAL);
+    svg_label(s, svg_pair(P + 2), SVG_E, SVG_WRONG, "R_2^1");
+    return s;
+}
+
+/* The polygons of all pieces of the quadratic after k cuts at lambda. */
+static void draw_pieces(svg *s, int k, const num_q R[], const num_q w[], num_q lambda, enum svg_role role)
+{
+    if (k == 0) {
+        svg_polyline(s, 3, R, role);
+        for (int i = 0; i < 3; i++)
+            svg_mark(s, svg_pair(R + 2 * i), role, SVG_USUAL);
+        return;
+    }
+    num_q P[2][6], v[2][3];
+    rational_split_q(2, 2, R, w, lambda, P[0], v[0], P[1], v[1]);
+    for (int half = 0; half < 2; half++)
+        draw_pieces(s, k - 1, P[half], v[half], lambda, role);
+}
+
+FIGURE(cut_polygons_converge)
+{
+    static const int circle[] = {1, 0, 1, 1, 0, 1}, weight[] = {1, 1, 2}, unit[] = {1, 1, 1};
+    num_q R[6], w[3], one[3], zero = from_int_q(0), half = from_ratio_q(1, 2);
+    num_q low = from_ratio_q(-3, 20), high = from_ratio_q(23, 20);
+    integers(6, circle, R);
+    integers(3, weight, w);
+    integers(3, unit, one);
+    svg *s = svg_new(
+        "cut_polygons_converge", "Polygons that converge, and polygons that do not",
+        "Left, a quarter circle and its polygons after one and two cuts in the middle.  Right, a parabola cut more and "
+        "more closely to the beginning of its last piece, which keeps a length above one half.");
+    svg_panel(s, (svg_window){low, low, high, high}, 340, 0,
+              "quarter circle cut in the middle:\nafter $k$ cuts the error is $4^{-k}$");
+    draw_pieces(s, 0, R, w, half, SVG_POLYGON);
+    draw_pieces(s, 1, R, w, half, SVG_CURVE_2);
+    draw_pieces(s, 2, R, w, half, SVG_RIGHT);
+    svg_rational(s, 2, R, w, SVG_CURVE);
+
+    svg_panel(s, (svg_window){low, from_ratio_q(-1, 4), high, from_ratio_q(21, 20)}, 340, 0,
+              "parabola, its last piece cut at 1/4, 1/8, 1/16, ...:\na vertex stays more than 1/16 below");
+    num_q P[] = {zero, zero, half, zero, one[0], one[0]}, Pl[6], wl[3], Pr[6], wr[3], last[6];
+    for (int m = 0; m < 6; m++)
+        last[m] = P[m];
+    svg_polyline(s, 3, P, SVG_POLYGON);
+    for (int k = 1; k <= 6; k++) {
+        rational_split_q(2, 2, last, one, from_ratio_q(1, 2L << k), Pl, wl, Pr, wr);
+        for (int m = 0; m < 6; m++)
+            last[m] = Pr[m];
+        svg_polyline(s, 3, last, SVG_WRONG);
+    }
+    svg_rational(s, 2, P, one, SVG_CURVE);
+    svg_mark(s, svg_pair(last + 2), SVG_WRONG, SVG_USUAL);
+    svg_legend_line(s, SVG_CURVE, "the curve");
+    svg_legend_line(s, SVG_POLYGON, "$k = 0$");
+    svg_legend_line(s, SVG_CURVE_2, "$k = 1$");
+    svg_legend_line(s, SVG_RIGHT, "$k = 2$");
+    svg_legend_line(s, SVG_WRONG, "the last pieces");
+    return s;
+}
