@@ -57,10 +57,10 @@ static inline num G(basis_coefficient)(int n, int i, int k)
 static inline num G(basis_derivative)(int n, int i, int r, num t)
 {
 #if FIELD
-    num x = variable_f("x"), D = G(basis)(n, i, x);
+    num at = variable_f("t"), D = G(basis)(n, i, at);
     for (int k = 0; k < r; k++)
-        D = derivative_f(D, x);
-    return substitute_f(D, x, t);
+        D = derivative_f(D, at);
+    return substitute_f(D, at, t);
 #else
     num sum = from_int(0);
     for (int k = r; k <= n; k++) {
