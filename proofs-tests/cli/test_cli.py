@@ -84,7 +84,8 @@ class Usage(Case):
         self.assertIn("/nonexistent/folder/x.xml", r.stderr)
         r = run("figures", "--out", "/dev/null/x", "elevation*")
         self.assertEqual(r.returncode, 3)
-        r = subprocess.run([CAGD, "list"], stdout=open("/dev/full", "w"), stderr=subprocess.PIPE)
+        with open("/dev/full", "w") as full:
+            r = subprocess.run([CAGD, "list"], stdout=full, stderr=subprocess.PIPE)
         self.assertEqual(r.returncode, 3)
 
 
