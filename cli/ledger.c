@@ -1,3 +1,4 @@
+#include "chapters/frame/tex.h"
 #include "cli/command.h"
 
 #include <stdlib.h>
@@ -60,16 +61,16 @@ static void print_tally(const statement_result *list, int count)
                t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
 }
 
-/* Striking statements carry a rank; each line says what is printed and what the counterexample shows. */
+/* Striking statements carry a rank; each line says what the counterexample is and what it shows. */
 static void print_striking(const statement_result *list, int count, int wanted)
 {
     for (int rank = 1, shown = 0; rank <= count && shown < wanted; rank++)
         for (int k = 0; k < count; k++)
             if (list[k].statement->striking == rank && list[k].verdict == VERDICT_FAILS && shown < wanted) {
-                char *line = exhibits_line(list[k].decided_by);
-                printf("  %s  %s: %.160s%s\n", list[k].statement->id, list[k].decided_by->claim->title, line,
-                       strlen(line) > 160 ? " ..." : "");
-                free(line);
+                const claim *c = list[k].decided_by->claim;
+                char *given = tex_to_text(c->given, 1), *then = tex_to_text(c->then, 1);
+                printf("  %s  %s: %s\n", list[k].statement->id, given, then);
+                free(given), free(then);
                 shown++;
             }
 }

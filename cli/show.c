@@ -169,6 +169,15 @@ static const char *class_words(const char *class)
                                                       : "";
 }
 
+/* Whether an earlier link already showed the claim's numbers. */
+static int is_shown_above(const statement *s, const statement_link *link)
+{
+    for (const statement_link *l = s->links; l != link; l++)
+        if (l->claim != NULL && strcmp(l->claim, link->claim) == 0)
+            return 1;
+    return 0;
+}
+
 static void show_statement(const statement_result *r, const claim_result *results, int count)
 {
     static const char *const words[] = {"It holds as printed", "It holds under more hypotheses", "It fails as printed",
@@ -211,7 +220,7 @@ static void show_statement(const statement_result *r, const claim_result *result
                 continue;
             int fails = c->claim->kind == COUNTEREXAMPLE;
             printf("%*sSo read, it %s.\n", INDENT, "", fails ? "fails" : outcome_name[c->outcome]);
-            if (fails)
+            if (fails && !is_shown_above(s, l))
                 print_exhibits(c);
         }
     }

@@ -96,7 +96,7 @@ static void print_table(const claim_result *results, int count)
             controls += r->by[t].ran && r->by[t].control_caught;
         }
     }
-    printf("\n%d claims: %d proved, %d decided, %d sampled, %d printed statements refuted, %d not as expected\n", count,
+    printf("\n%d claims: %d proved, %d decided, %d sampled, %d counterexamples, %d not as expected\n", count,
            by_evidence[PROVED], by_evidence[DECIDED], by_evidence[SAMPLED] + by_evidence[MEASURED] + by_evidence[ENCLOSED],
            refuted, wrong);
     printf("%d comparisons in %d runs; %d of %d controls caught\n", compared, runs, controls, runs);

@@ -81,6 +81,7 @@ static int is_relation(const char *text)
 }
 
 static const char *formula(const char *s, struct text *out, char stop);
+static int is_binary(const struct text *t);
 
 /* The next group: {...} or one token, rendered. */
 static const char *group(const char *s, struct text *out)
@@ -333,10 +334,16 @@ static const char *command(const char *s, struct text *out)
     for (size_t k = 0; k < sizeof symbols / sizeof *symbols; k++)
         if (strlen(symbols[k].word) == n && strncmp(symbols[k].word, s, n) == 0) {
             out->big = strcmp(symbols[k].word, "sum") == 0 || strcmp(symbols[k].word, "prod") == 0;
-            if (is_relation(symbols[k].text))
+            int is_sign = strcmp(symbols[k].word, "pm") == 0 || strcmp(symbols[k].word, "mp") == 0;
+            if (is_relation(symbols[k].text) && (!is_sign || is_binary(out))) {
                 put_relation(out, symbols[k].text);
-            else
+            } else if (strcmp(symbols[k].word, symbols[k].text) == 0) { /* sin, det, ...: a word of its own */
+                puts_(out, out->used > 0 && isalnum((unsigned char)out->at[out->used - 1]) ? " " : "");
                 puts_(out, symbols[k].text);
+                puts_(out, *e == '\\' || isalnum((unsigned char)*e) ? " " : "");
+            } else {
+                puts_(out, symbols[k].text);
+            }
             return e;
         }
     put(out, s, n);

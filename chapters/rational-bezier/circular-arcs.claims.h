@@ -272,7 +272,7 @@ CLAIM(arcs_satisfy_the_three_equations)
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
   has it, or $\arccos\sqrt{I_1}$: nothing ties the height of the triangle to it.
 :reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation: true.
-:striking: 5
+:striking: 2
 :figure: circular_arc_extra
 
 The conditions are necessary.  They are not sufficient: the three equations do not mention the height of the triangle,

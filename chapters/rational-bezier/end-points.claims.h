@@ -245,7 +245,7 @@ CLAIM(zero_end_weight_loses_the_end_point)
 :refuted-by: printed_end_derivative_at_one_has_the_wrong_sign printed_end_derivative_at_one_has_the_wrong_factor
 :corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
 :corrected-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
-:striking: 2
+:striking: 3
 :figure: end_derivatives
 
 Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it for the first

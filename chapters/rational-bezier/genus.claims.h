@@ -187,7 +187,7 @@ order on its line decide whether it is an ordinary cusp.
   all singular points of the complex projective plane; if they are all nodes and ordinary cusps the sum is $d+s$
 :corrected-by: curve_with_a_large_point_is_rational rational_cubic_has_one_double_point curves_that_fit_the_theorem
 :figure: genus_extra
-:striking: 3
+:striking: 5
 
 What is decided: for $n\le3$ both directions, and for every $n$ that curves with a point of multiplicity $n-1$ are
 rational; the examples, with all their singular points, exactly.  What is cited: the theorem for $n\ge4$.
