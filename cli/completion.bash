@@ -6,7 +6,7 @@ _cagd() {
     elif [[ $word == -* ]]; then
         case $command in
         verify) COMPREPLY=($(compgen -W "--json --tap --junit --jobs --deep --shard --help" -- "$word")) ;;
-        ledger) COMPREPLY=($(compgen -W "--json --summary --jobs --help" -- "$word")) ;;
+        ledger) COMPREPLY=($(compgen -W "--json --summary --striking --report --jobs --help" -- "$word")) ;;
         figures) COMPREPLY=($(compgen -W "--out --list --help" -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
         esac

@@ -7,6 +7,7 @@
 struct arguments {
     struct patterns patterns;
     int json, summary, striking, jobs;
+    const char *report;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -15,6 +16,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     switch (key) {
     case 'J': a->json = 1; break;
     case 's': a->summary = 1; break;
+    case 'r': a->report = arg; break;
     case 'k': a->striking = whole_number(state, "--striking", arg, 1, 100); break;
     case 'j': a->jobs = whole_number(state, "--jobs", arg, 1, 64); break;
     case ARGP_KEY_ARGS:
@@ -31,7 +33,7 @@ static enum style style_of(verdict v)
     return by[v];
 }
 
-static void print_rows(const statement_result *list, int count)
+static void print_rows(FILE *out, const statement_result *list, int count)
 {
     int width = 0;
     for (int k = 0; k < count; k++)
@@ -39,40 +41,78 @@ static void print_rows(const statement_result *list, int count)
             width = (int)strlen(list[k].statement->id);
     for (int k = 0; k < count; k++) {
         const statement_result *r = &list[k];
-        put_padded(stdout, r->statement->id, width + 2);
-        fputs(style(stdout, style_of(r->verdict)), stdout);
-        put_padded(stdout, verdict_name[r->verdict], 12);
-        fputs(style(stdout, PLAIN), stdout);
-        put_padded(stdout, r->verdict == VERDICT_FAILS ? r->statement->class : evidence_name[r->evidence], 20);
-        printf("%s\n", r->statement->title);
+        put_padded(out, r->statement->id, width + 2);
+        fputs(style(out, style_of(r->verdict)), out);
+        put_padded(out, verdict_name[r->verdict], 12);
+        fputs(style(out, PLAIN), out);
+        put_padded(out, r->verdict == VERDICT_FAILS ? r->statement->class : evidence_name[r->evidence], 20);
+        fprintf(out, "%s\n", r->statement->title);
     }
 }
 
-static void print_tally(const statement_result *list, int count)
+static void print_tally(FILE *out, const statement_result *list, int count)
 {
     enum { SOURCES = 16 };
     struct tally t[SOURCES];
     int sources = tally_statements(list, count, t, SOURCES);
-    printf("%-18s %10s %6s %12s %6s %10s %5s %11s\n", "source", "statements", "hold", "conditional", "fail", "undecided",
+    fprintf(out, "%-18s %10s %6s %12s %6s %10s %5s %11s\n", "source", "statements", "hold", "conditional", "fail", "undecided",
            "open", "definitions");
     for (int k = 0; k < sources; k++)
-        printf("%-18s %10d %6d %12d %6d %10d %5d %11d\n", t[k].source, t[k].total, t[k].verdict[VERDICT_HOLDS],
+        fprintf(out, "%-18s %10d %6d %12d %6d %10d %5d %11d\n", t[k].source, t[k].total, t[k].verdict[VERDICT_HOLDS],
                t[k].verdict[VERDICT_CONDITIONAL], t[k].verdict[VERDICT_FAILS], t[k].verdict[VERDICT_UNDECIDED],
                t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
 }
 
 /* Striking statements carry a rank; each line says what the counterexample is and what it shows. */
-static void print_striking(const statement_result *list, int count, int wanted)
+static void print_striking(FILE *out, const statement_result *list, int count, int wanted)
 {
     for (int rank = 1, shown = 0; rank <= count && shown < wanted; rank++)
         for (int k = 0; k < count; k++)
             if (list[k].statement->striking == rank && list[k].verdict == VERDICT_FAILS && shown < wanted) {
                 const claim *c = list[k].decided_by->claim;
                 char *given = tex_to_text(c->given, 1), *then = tex_to_text(c->then, 1);
-                printf("  %s  %s: %s\n", list[k].statement->id, given, then);
+                fprintf(out, "  %s  %s: %s\n", list[k].statement->id, given, then);
                 free(given), free(then);
                 shown++;
             }
+}
+
+static json_t *ledger_json(const statement_result *list, int statements, const claim_result *results, int claims)
+{
+    json_t *rows = json_array();
+    for (int k = 0; k < statements; k++)
+        json_array_append_new(rows, statement_json(&list[k], results, claims));
+    return json_pack("{s:s, s:o}", "schema", "cagd-ledger-1", "statements", rows);
+}
+
+/* All forms of the ledger as files: the rows, the counts, the striking three, and JSON. */
+static int write_report(const char *folder, const statement_result *list, int statements, const claim_result *results,
+                        int claims)
+{
+    static const char *const names[] = {"ledger.txt", "summary.txt", "striking.txt", "ledger.json"};
+    if (make_folder(folder) != 0)
+        return -1;
+    for (int k = 0; k < 4; k++) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s/%s", folder, names[k]);
+        struct output *o = output_open(path);
+        if (o == NULL)
+            return -1;
+        FILE *out = output_stream(o);
+        json_t *document = k == 3 ? ledger_json(list, statements, results, claims) : NULL;
+        if (k == 0)
+            print_rows(out, list, statements);
+        else if (k == 1)
+            print_tally(out, list, statements);
+        else if (k == 2)
+            print_striking(out, list, statements, 3);
+        else
+            json_dumpf(document, out, JSON_INDENT(2));
+        json_decref(document);
+        if (output_close(o) != 0)
+            return -1;
+    }
+    return 0;
 }
 
 int run_ledger(int argc, char **argv)
@@ -80,6 +120,7 @@ int run_ledger(int argc, char **argv)
     static const struct argp_option options[] = {
         {"json", 'J', 0, 0, "Print the ledger as JSON", 0},
         {"summary", 's', 0, 0, "Only the counts by source and verdict", 0},
+        {"report", 'r', "DIR", 0, "Write all forms of the ledger to files in DIR", 0},
         {"striking", 'k', "N", 0, "Only the N most striking false statements, one a line", 0},
         {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
         {0}};
@@ -87,7 +128,8 @@ int run_ledger(int argc, char **argv)
                                      "Prints every statement of the sources with its verdict, decided anew.\n\nExamples:\n"
                                      "  cagd ledger --summary\n"
                                      "  cagd ledger 'wang-ch3:*'\n"
-                                     "  cagd ledger --json\n",
+                                     "  cagd ledger --json\n"
+                                     "  cagd ledger --report build/report\n",
                                      NULL, NULL, NULL};
     struct arguments a = {.jobs = processors()};
     parse_arguments(&argp, argc, argv, &a);
@@ -107,23 +149,24 @@ int run_ledger(int argc, char **argv)
         derived[k] = derive(list[k], results, claims);
         wrong += !derived[k].as_expected;
     }
-    if (a.json) {
-        json_t *rows = json_array();
-        for (int k = 0; k < statements; k++)
-            json_array_append_new(rows, statement_json(&derived[k], results, claims));
-        print_json(json_pack("{s:s, s:o}", "schema", "cagd-ledger-1", "statements", rows));
+    int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
+    if (a.report != NULL) {
+        if (write_report(a.report, derived, statements, results, claims) != 0)
+            code = EXIT_INTERNAL;
+    } else if (a.json) {
+        print_json(ledger_json(derived, statements, results, claims));
     } else if (a.striking > 0) {
-        print_striking(derived, statements, a.striking);
+        print_striking(stdout, derived, statements, a.striking);
     } else {
         if (!a.summary) {
-            print_rows(derived, statements);
+            print_rows(stdout, derived, statements);
             putchar('\n');
         }
-        print_tally(derived, statements);
+        print_tally(stdout, derived, statements);
     }
     free(derived);
     free_results(results, claims);
     free(needed);
     free(list);
-    return wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
+    return code;
 }

@@ -249,6 +249,27 @@ class Ledger(Case):
             self.assertNotIn("\\", r.stdout, row["id"])
 
 
+class Readme(Case):
+    def test_every_transcript_is_what_the_program_prints(self):
+        text = (ROOT / "README.md").read_text()
+        blocks = re.findall(r"^```\n(.*?)^```", text, re.S | re.M)
+        commands = [b for b in blocks if b.startswith("$ cagd ")]
+        self.assertTrue(commands)
+        for block in commands:
+            command, _, said = block.partition("\n")
+            self.assertEqual(run(*command.split()[2:]).stdout.strip(), said.strip())
+
+    def test_the_numbers_are_those_of_the_run(self):
+        text = (ROOT / "README.md").read_text()
+        for line in run("verify").stdout.splitlines()[-2:] + run("ledger", "--summary").stdout.splitlines():
+            self.assertIn(line, text)
+
+    def test_every_link_leads_somewhere(self):
+        for name in ("README.md", "CONTRIBUTING.md"):
+            for target in re.findall(r"\]\((?!http)([^)#]+)\)", (ROOT / name).read_text()):
+                self.assertTrue((ROOT / target).exists(), (name, target))
+
+
 class Figures(Case):
     def test_the_gallery_is_what_is_drawn(self):
         with tempfile.TemporaryDirectory() as folder:
