@@ -61,16 +61,18 @@ def faults():
                 mutated = text[: m.start()] + new + text[m.end() :]
                 line = text.count("\n", 0, m.start())
                 old, now = text.splitlines()[line].strip(), mutated.splitlines()[line].strip()
-                yield {"file": path.name, "line": line + 1, "rule": rule, "old": old, "new": now, "text": mutated}
+                inside = re.findall(r"^static inline [^\n]*G\((\w+)\)\(", code[: m.start()], re.M)
+                yield {"file": path.name, "line": line + 1, "kernel": inside[-1] if inside else "", "rule": rule,
+                       "old": old, "new": now, "text": mutated}
 
 
 def equivalents():
-    """Lines `file | line as it stands | line as changed | reason`."""
+    """Lines `kernel | line as it stands | line as changed | reason`."""
     found = {}
     for line in EQUIVALENT.read_text().splitlines():
         if line.strip() and not line.startswith("#"):
-            file, old, new, reason = [part.strip() for part in line.split(" | ")]
-            found[(file, old, new)] = reason
+            kernel, old, new, reason = [part.strip() for part in line.split(" | ")]
+            found[(kernel, old, new)] = reason
     return found
 
 
@@ -121,7 +123,7 @@ def main():
     a = parser.parse_args()
     known = equivalents()
     every = [f for f in faults() if a.file in (None, f["file"])]
-    chosen = [f for f in every if (f["file"], f["old"], f["new"]) not in known]
+    chosen = [f for f in every if (f["kernel"], f["old"], f["new"]) not in known]
     if a.sample:
         chosen = random.Random(a.seed).sample(chosen, min(a.sample, len(chosen)))
     if a.shard:
@@ -129,7 +131,7 @@ def main():
         chosen = chosen[k - 1 :: n]
     if a.list:
         for f in chosen:
-            print(f"{f['file']}:{f['line']}: {f['rule']}: {f['new']}")
+            print(f"{f['file']}:{f['line']}: {f['kernel']}: {f['rule']}: {f['new']}")
         return 0
     survivors = compiled = 0
     with tempfile.TemporaryDirectory() as folder:
@@ -142,8 +144,8 @@ def main():
             outcome = copy.judge(f)
             compiled += outcome != "not compiled"
             survivors += outcome == "not caught"
-            print(f"{'SURVIVES' if outcome == 'not caught' else outcome:12s} {f['file']}:{f['line']}: {f['rule']}: {f['new']}",
-                  flush=True)
+            print(f"{'SURVIVES' if outcome == 'not caught' else outcome:12s} {f['file']}:{f['line']}: {f['kernel']}: "
+                  f"{f['rule']}: {f['new']}", flush=True)
     print(f"{len(every)} faults, {len(every) - len(chosen)} left out; {compiled} compiled, {survivors} survive")
     return 1 if survivors or not compiled else 0
 
