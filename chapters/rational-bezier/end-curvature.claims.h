@@ -331,6 +331,17 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 Reversed order turns every edge round and reverses their order in the mixed product: four changes of sign, hence none, as printed.
 :::
 
+:::{statement} wang-ch3:prop-3.2.4-letter
+:title: The letter of the curvature
+:zh: 曲率的记号
+:definition: yes
+:printed: The curvature $\kappa$ is usually written $k$, too, and is written so from here on.
+:checked-by: curvature_and_torsion_belong_to_arc_length
+
+The source remarks, at the end of its proof, that the curvature is also written $k$, as it is from there on.  In (3.2.3) and (3.2.4)
+$k$ is a number of points; here it stays that.
+:::
+
 :::{claim} end_curvature_at_zero
 :title: The curvature at t = 0 is the printed one
 :zh: t=0 处曲率公式成立
