@@ -279,7 +279,7 @@ curve.
 :method: $V$ depends on signs only, and of what stands before $a$ and after $b$ only on the nearest sign that is not $0$, or
   on there being none: $81$ cases for $p$, $a$, $b$, $s\in\{-1,0,1\}$.  For given signs of $a$ and $b$ the values
   $\lambda=0,\frac14,\frac12,\frac34,1$ give $c$ every sign it can have.
-:scope: all sequences, all weights in $[0,1]$
+:scope: sequences of every length, averages with every $\lambda$ from 0 to 1
 :control: the average extrapolated, $\lambda=2$ as well
 :::
 */

@@ -567,10 +567,12 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :title: Rational Bézier curves have properties like those of Bézier curves
 :zh: 有理 Bézier 曲线具有类似 Bézier 曲线的性质
 :printed: The rational Bézier curves $\mathbf R(t)$ have geometric properties similar to those of Bézier curves.
-:holds-by: equal_weights_give_bezier_curve
+:holds-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
+  reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges curve_points_are_convex_combinations
+  elevation_keeps_rational_curve
 
-The similar properties follow one by one, each with its own entry.  What is decided here is the reason why they cannot differ
-much: with equal weights the curve is the Bézier curve of its points.
+The sentence announces the properties 3.2.1 to 3.2.9; each follows with its own entry.  Decided here are the first ones, and that
+with equal weights the curve is the Bézier curve of its points, so that the properties of Bézier curves are among those that follow.
 :::
 
 :::{claim} equal_weights_give_bezier_curve

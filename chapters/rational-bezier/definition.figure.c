@@ -93,7 +93,7 @@ FIGURE(weights_and_poles)
         num_q w[] = {whole(1), middle[k], whole(1)};
         draw_graph(s, w, role[k]);
     }
-    svg_panel(s, svg_integer_window(-2, -3, 4, 3), 300, 0, "the curves over $0 ≤ t ≤ 1$");
+    svg_panel(s, svg_integer_window(-3, -3, 5, 6), 300, 0, "the curves over $0 ≤ t ≤ 1$");
     svg_area(s, 3, R, SVG_FILL);
     draw_triangle(s, R);
     for (int k = 2; k >= 0; k--) {

@@ -144,18 +144,34 @@ CLAIM(geometric_weights_reparametrize_bezier)
 :then: $D(1-t)=1-u$ and $\frac{n-i}{i+1}\frac t{1-t}=\alpha\frac{n-i}{i+1}\frac u{1-u}$
 :method: So $D^nB_0^n(t)=B_0^n(u)$, and the quotients $B_{i+1}^n/B_i^n$ at $t$ and $u$ differ by the factor
   $\alpha$; by induction on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum
-  B_i^n(u)\alpha^i$.
+  B_i^n(u)\alpha^i$.  Outside the field $n$ and $i$ are random integers, and the result is compared term by term.
 :degrees: all
 :control: $\alpha^2$ for $\alpha$
 :::
 */
 CLAIM(geometric_weights_term_by_term)
 {
-    num n = positive(T, "n", 0), i = positive(T, "i", 0), one = from_int(1);
-    num alpha = positive(T, "alpha", 0), u = parameter(T, "u"), t = G(alpha_parameter)(alpha, u);
-    num rest = sub(one, u), choose = div(sub(n, i), add(i, one));
-    same(T, mul(add(rest, mul(alpha, u)), sub(one, t)), rest);
-    num factor = T->planted ? mul(alpha, alpha) : alpha;
+    num one = from_int(1), alpha = positive(T, "alpha", 0), u = parameter(T, "u"), t = G(alpha_parameter)(alpha, u);
+    num rest = sub(one, u), D = add(rest, mul(alpha, u)), factor = T->planted ? mul(alpha, alpha) : alpha;
+#if FIELD
+    num n = positive(T, "n", 0), i = positive(T, "i", 0);
+#else
+    int index = pick(T, 0, 6), degree = index + pick(T, 1, 6);
+    num n = from_int(degree), i = from_int(index), old[MAX_DEGREE + 1], new[MAX_DEGREE + 1], scale = one;
+    G(bernstein)(degree, t, old);
+    G(bernstein)(degree, u, new);
+    for (int k = 0; k < degree; k++)
+        scale = mul(scale, D);
+    for (int k = 0; k < index; k++)
+        new[index] = mul(new[index], factor);
+    about(T, "D^n B_i^n(t)");
+    same(T, mul(scale, old[index]), new[index]);
+    about(T, "the next binomial coefficient");
+    same(T, mul(div(sub(n, i), add(i, one)), from_int(binomial(degree, index))), from_int(binomial(degree, index + 1)));
+#endif
+    num choose = div(sub(n, i), add(i, one));
+    about(T, "the first term, and the quotient of neighbouring terms");
+    same(T, mul(D, sub(one, t)), rest);
     same(T, mul(choose, div(t, sub(one, t))), mul(factor, mul(choose, div(u, rest))));
 }
 

@@ -538,7 +538,8 @@ positive from some degree on, and the polygons converge from there; see `mixed_w
 :method: Induction on $N$.  For $N=k$ the right side is $B_k^k=t^k$.  From $N$ to $N+1$ the coefficients are elevated:
   $(1-\frac i{N+1})\binom ik+\frac i{N+1}\binom{i-1}k$ must be $\binom ik\binom Nk/\binom{N+1}k$, where
   $\binom{i-1}k=\frac{i-k}i\binom ik$ and $\binom{N+1}k=\frac{N+1}{N+1-k}\binom Nk$.  Here $i$, $k$, $N$ and $\binom ik$
-  are variables, $i\ge1$; for $i=0$ both sides have the only factor $\binom0k$, which is compared too.
+  are variables, $i\ge1$; for $i=0$ both sides have the only factor $\binom0k$, which is compared too.  Outside the field
+  $i$, $k$ and $N$ are random integers, and a true power, elevated by the kernel, is compared as well.
 :degrees: all
 :control: $i-k$ taken as $i-k+1$
 :::
@@ -566,7 +567,8 @@ positive from some degree on, and the polygons converge from there; see `mixed_w
 :zh: 抛物线的升阶误差恰为 1/N 阶
 :given: $y=x^2$, all weights $1$, degree $N\ge2$
 :then: the $i$-th vertex is $(x,\,x^2-\frac{x(1-x)}{N-1})$ with $x=i/N$
-:method: The coefficients of $t$ and $t^2$ in degree $N$ are $\frac iN$ and $\frac{i(i-1)}{N(N-1)}$; $i$ and $N$ are variables.
+:method: The coefficients of $t$ and $t^2$ in degree $N$ are $\frac iN$ and $\frac{i(i-1)}{N(N-1)}$ by `powers_in_every_degree`; $i$ and $N$
+  are variables.
 :degrees: all
 :control: $N-1$ taken as $N$
 :::
@@ -610,9 +612,24 @@ positive from some degree on, and the polygons converge from there; see `mixed_w
 
 CLAIM(powers_in_every_degree)
 {
-    num one = from_int(1), i = whole(T, "i", 1, 9), k = whole(T, "k", 0, 5);
-    num N = add(add(i, k), whole(T, "r", 1, 9)), next = add(N, one);
+    num one = from_int(1);
+#if FIELD
+    num i = whole(T, "i", 1, 9), k = whole(T, "k", 0, 5), N = add(add(i, k), whole(T, "r", 1, 9));
     num choose = unknown(T, "c", 0); /* C(i,k), a common factor */
+#else
+    int index = pick(T, 1, 9), exponent = pick(T, 0, 5), degree = index + exponent + pick(T, 1, 5);
+    num i = from_int(index), k = from_int(exponent), N = from_int(degree), choose = from_int(binomial(index, exponent));
+    num power[2][MAX_DEGREE + 2];
+    for (int j = 0; j <= exponent; j++) /* t^k in degree k */
+        power[exponent % 2][j] = from_int(j == exponent);
+    for (int n = exponent; n < degree; n++)
+        G(bezier_elevate)(n, 1, power[n % 2], power[(n + 1) % 2]);
+    about(T, "the elevated power");
+    for (int j = 0; j <= degree; j++)
+        same(T, power[degree % 2][j], from_ratio(binomial(j, exponent), binomial(degree, exponent)));
+    about(T, "from one degree to the next");
+#endif
+    num next = add(N, one);
     num fewer = T->planted ? add(sub(i, k), one) : sub(i, k);
     num before = div(mul(choose, fewer), i), ratio = div(i, next);
     num wanted = div(mul(choose, sub(next, k)), next);

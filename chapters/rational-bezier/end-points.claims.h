@@ -6,6 +6,8 @@ direction of the last edge.  If the first $k$ points coincide, the derivatives o
 the edge $R_0R_k$ takes over.  The source prints what the derivatives of order $k$ and $h$ are at both ends, side by side; the right
 one carries two slips, both invisible in the usual case $k=h=1$.
 */
+#include "exact/roots.h"
+
 #include "chapters/frame/claims_on.h"
 
 /* n!/(n-k)! */
@@ -60,7 +62,8 @@ The end edge is the first one of positive length, $R_0R_k$.  If all points coinc
 :printed: \mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k,\quad\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
 :checked-by: multiplicities_fit_into_the_polygon
 
-The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.
+The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.  The capture has a stray sign of equality before
+this line and a quantifier over $t$ behind it; they are read as "when ..., then".
 :::
 
 :::{claim} curve_leaves_its_ends_along_the_first_edges
@@ -175,11 +178,14 @@ CLAIM(negative_weight_reverses_the_end_tangent)
     num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, D[4];
     num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2), from_int(1)};
     G(rational_derivatives)(2, 2, R, w, from_int(0), 1, D);
+    int zeros = count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct;
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
+    show_text(T, "zeros of ω in [0,1]", "%d", zeros);
     show_points(T, "R'(0)", 1, 2, D + 2);
     about(T, "scalar product of the first edge and R'(0)");
-    nonnegative(T, G(dot)(2, R + 2, D + 2));
+    if (zeros == 0)
+        nonnegative(T, G(dot)(2, R + 2, D + 2));
 }
 #endif
 

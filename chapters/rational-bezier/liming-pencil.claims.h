@@ -151,7 +151,8 @@ CLAIM(flat_frame_has_no_tangent)
 :given: $l_1=y$, $l_2=x$, $l_3=x+y-1$ and the ellipse $xy-(x+y-1)^2=0$, which touches $l_1$ and $l_2$ in $(1,0)$ and
   $(0,1)$
 :then: for no $\lambda$ is $(1-\lambda)l_1l_2+\lambda l_3^2$ a multiple of it
-:method: The real zeros in $\lambda$ of a determinant of coefficients are counted.
+:method: The real zeros in $\lambda$ of a determinant of coefficients are counted.  That the conic is an ellipse through the two
+  points, with gradients along those of $l_1$ and $l_2$, is asked first.
 :control: the ellipse $xy-2(x+y-1)^2=0$, the member of $\lambda=2$
 :::
 */
@@ -166,9 +167,15 @@ CLAIM(limings_pencil_misses_one_conic)
     show_text(T, "l1, l2, l3", "y, x, x + y - 1");
     show_text(T, "the conic", "x y - (x + y - 1)² = 0");
     show(T, "its A C - B²", G(conic_delta)(M));
-    show_text(T, "values of λ that give it", "%d", members_like(S1, S2, M, 0, 1));
-    about(T, "whether the conic is a member");
-    agree(T, members_like(S1, S2, M, 0, 1) > 0);
+    num zero = from_int(0), one = from_int(1), g0[2], g2[2];
+    G(conic_gradient)(M, one, zero, g0);
+    G(conic_gradient)(M, zero, one, g2);
+    int touches = is_zero_q(G(form)(M, one, zero)) && is_zero_q(g0[0]) && !is_zero_q(g0[1]) &&
+                  is_zero_q(G(form)(M, zero, one)) && is_zero_q(g2[1]) && !is_zero_q(g2[0]);
+    int count = members_like(S1, S2, M, 0, 1);
+    show_text(T, "values of λ that give it", "%d", count);
+    about(T, "whether the ellipse, which touches both lines, is a member");
+    agree(T, !touches || sign_q(G(conic_delta)(M)) <= 0 || count > 0);
 }
 #endif
 
@@ -218,7 +225,7 @@ CLAIM(affine_coordinates_exist)
 :kind: counterexample
 :given: $R_0=(0,0)$, $R_1=(1,0)$, $R_2=(2,0)$ and the point $(0,1)$
 :then: $(R_0-R_1)\times(R_2-R_1)=0$, and the point is no $R(x,y)$: these have the second coordinate 0
-:method: The determinant of the frame is computed.
+:method: The determinant of the frame is computed; where it is 0, the point is asked to be on the line of the three points.
 :control: $R_2=(2,1)$
 :::
 */
@@ -226,9 +233,11 @@ CLAIM(collinear_points_are_no_frame)
 {
     num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(2), from_int(T->planted)};
     show_points(T, "R", 3, 2, R);
-    show(T, "determinant of the frame", G(area)(R + 2, R, R + 4));
-    about(T, "whether the determinant is not 0");
-    agree(T, !is_zero_q(G(area)(R + 2, R, R + 4)));
+    num point[2] = {from_int(0), from_int(1)}, d = G(area)(R + 2, R, R + 4);
+    show_points(T, "point", 1, 2, point);
+    show(T, "determinant of the frame", d);
+    about(T, "whether the point is some R(x, y): the determinant is not 0, or the point is on their line");
+    agree(T, !is_zero_q(d) || is_zero_q(G(area)(R, R + 2, point)));
 }
 #endif
 

@@ -145,18 +145,34 @@ CLAIM(fractional_change_keeps_curve)
 :then: $D(1-t)=b(1-u)$ and $\frac{n-i}{i+1}\frac t{1-t}=\frac ab\cdot\frac{n-i}{i+1}\frac u{1-u}$
 :method: The first equality to the power $n$ is $D^nB_0^n(t)=b^nB_0^n(u)$.  In the second, $\frac{n-i}{i+1}\frac
   t{1-t}$ is $B_{i+1}^n(t)/B_i^n(t)$; so, by induction on $i$, $D^nB_i^n(t)=a^ib^{n-i}B_i^n(u)$ for all $i\le n$.
-  Multiply by $\omega_i$ or $\omega_iR_i$ and add.
+  Multiply by $\omega_i$ or $\omega_iR_i$ and add.  Outside the field $n$ and $i$ are random integers, and both this
+  result and the quotient of the binomial coefficients are compared with true ones.
 :degrees: all
 :control: $b/a$ for $a/b$
 :::
 */
 CLAIM(fractional_change_term_by_term)
 {
-    num n = positive(T, "n", 0), i = positive(T, "i", 0), one = from_int(1);
-    num a = positive(T, "a", 0), b = positive(T, "b", 0), u = parameter(T, "u");
-    num rest = mul(b, sub(one, u)), t = G(old_parameter)(a, b, u);
+    num one = from_int(1), a = positive(T, "a", 0), b = positive(T, "b", 0), u = parameter(T, "u");
+    num rest = mul(b, sub(one, u)), D = add(mul(a, u), rest), t = G(old_parameter)(a, b, u);
+#if FIELD
+    num n = positive(T, "n", 0), i = positive(T, "i", 0);
+#else
+    int index = pick(T, 0, 6), degree = index + pick(T, 1, 6);
+    num n = from_int(degree), i = from_int(index), old[MAX_DEGREE + 1], new[MAX_DEGREE + 1];
+#endif
     num choose = div(sub(n, i), add(i, one));
-    same(T, mul(add(mul(a, u), rest), sub(one, t)), rest);
+#if !FIELD
+    about(T, "the next binomial coefficient");
+    same(T, mul(choose, from_int(binomial(degree, index))), from_int(binomial(degree, index + 1)));
+    about(T, "D^n B_i^n(t)");
+    G(bernstein)(degree, t, old);
+    G(bernstein)(degree, u, new);
+    num factor = mul(G(power)(T->planted ? b : a, index), G(power)(T->planted ? a : b, degree - index));
+    same(T, mul(G(power)(D, degree), old[index]), mul(factor, new[index]));
+#endif
+    about(T, "the first term, and the quotient of neighbouring terms");
+    same(T, mul(D, sub(one, t)), rest);
     num quotient = T->planted ? div(b, a) : div(a, b);
     same(T, mul(choose, div(t, sub(one, t))), mul(quotient, mul(choose, div(u, sub(one, u)))));
 }

@@ -14,8 +14,8 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :printed: Let $n=2,3,4,5$, let neither the first nor the last three control points be collinear, and for $n\ge3$
   neither the first nor the last three edge vectors be coplanar.  Then (3.2.2) and (3.2.13) have the same shape if
   and only if $I_i=I_i^*$, $i=1,\dots,n-1$
-:holds-by: equal_invariants_give_same_curve end_curvature_contains_one_invariant end_torsion_contains_two_invariants
-  backward_run_flattens_the_first_edges
+:holds-by: backward_run_flattens_the_first_edges end_curvature_contains_one_invariant end_torsion_contains_two_invariants
+  equal_invariants_give_same_curve
 :reading: backward_run_flattens_the_first_edges | same point set, the reading of property 3.2.10: holds
 :reading: end_torsion_contains_two_invariants | same point set in the same direction: holds
 :reading: plane_cubic_cannot_run_backwards | same point set, and for $n=3$ nothing asked of the edges: holds as
@@ -579,22 +579,25 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
 :::{statement} wang-ch3:thm-3.2.1-proof-display
 :title: The differences of curvature and torsion at the start, n = 5
 :zh: 始端曲率与挠率之差(n=5)
-:printed:
-  \kappa(0)-\kappa^*(0)=\frac45\Bigl(\frac{\omega_0\omega_2}{\omega_1^2}-\frac{\omega_0^*\omega_2^*}{\omega_1^{*2}}\Bigr)
-  \frac{\|a_1\times a_2\|}{\|a_1\|^3}=0,\quad
-  \tau(0)-\tau^*(0)=\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-\frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)
-  \frac{(a_1,a_2,a_3)}{\|a_1\times a_3\|^2}=0
+:printed: By property 3.2.4
+  $\frac45\Bigl(\frac{\omega_0\omega_2}{\omega_1^2}-\frac{\omega_0^*\omega_2^*}{\omega_1^{*2}}\Bigr)
+  \frac{\|\mathbf a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}
+  =\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-\frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)
+  \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_3\|^2}=0$
 :class: misprint
 :refuted-by: printed_torsion_denominator_is_wrong
-:corrected: \tau(0)-\tau^*(0)=\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-
-  \frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)\frac{(a_1,a_2,a_3)}{\|a_1\times a_2\|^2}=0
+:corrected: \kappa(0)-\kappa^*(0)=\frac45\Bigl(\frac{\omega_0\omega_2}{\omega_1^2}-
+  \frac{\omega_0^*\omega_2^*}{\omega_1^{*2}}\Bigr)\frac{\|\mathbf a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}=0,\quad
+  \tau(0)-\tau^*(0)=\frac35\Bigl(\frac{\omega_0\omega_3}{\omega_1\omega_2}-
+  \frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)
+  \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}=0
 :corrected-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
 :figure: torsion_misprint
 
-One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The source prints the two right sides only, as
-equal to each other and to zero.  When the curves have the same shape that chain is true with the wrong denominator
-too, since $(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$; so the proof does not suffer.  As the difference of the
-torsions, which property 3.2.4 is said to give, it is wrong.
+One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The two expressions are the differences of the curvatures
+and of the torsions, without their left sides; as the difference of the torsions, which property 3.2.4 is said to give,
+the second is wrong.  The proof does not suffer: when the curves have the same shape both are zero, with the wrong
+denominator too, since $(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$.
 :::
 
 :::{claim} printed_torsion_denominator_is_wrong

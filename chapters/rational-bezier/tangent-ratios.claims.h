@@ -406,10 +406,10 @@ CLAIM(plus_sign_turns_the_ratio)
 :title: The product of the ratios is one positive constant on every curve of the family
 :zh: g_1 g_2 为正常数
 :printed: $g_1g_2=\frac{4\lambda}{1-\lambda}$, which shows that on every curve of the family (3.1.4) $g_1g_2=\mathrm{const}>0$
-:class: false
+:class: missing-hypothesis
 :refuted-by: product_of_ratios_can_be_negative
-:corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on the arcs inside the triangle, which lie on the curves
-  of (3.1.4) with the minus sign and $0<\lambda<1$
+:corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on every curve of (3.1.4) with the minus sign and $0<\lambda<1$,
+  in the triangle and outside
 :corrected-by: product_of_ratios_is_positive_inside product_of_ratios_is_constant
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
@@ -417,7 +417,10 @@ CLAIM(plus_sign_turns_the_ratio)
   $4\lambda/(1-\lambda)$ for $\lambda>1$ and for $\lambda<0$.
 :figure: ratio_product_extra
 
-With the plus sign the product of the signed ratios is $-4\lambda/(1-\lambda)$.
+The source has $0<\lambda<1$ and the minus sign in mind, which it names just before for the points of the triangle; what it prints is
+about every curve of the family.  With $0<\lambda<1$ and the minus sign the two ratios have one sign at every point, so that it does
+not matter whether they have signs or are lengths.  With the plus sign the product of the signed ratios is
+$-4\lambda/(1-\lambda)$.
 :::
 
 :::{statement} wang-ch3:3.1-g-product-constant

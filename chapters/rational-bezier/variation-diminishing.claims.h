@@ -14,7 +14,7 @@ computed, and a third time from the cutting of corners for every degree.
 :zh: 变差缩减性
 :printed: for a plane rational Bézier curve and every line $L$ of its plane, $I(\mathbf R,L)\le I(\mathbf B,L)$, where the
   number $I$ of intersections is how often $L$ is crossed
-:holds-by: elevation_cuts_corners powers_in_every_degree
+:holds-by: averages_between_neighbours_keep_sign_changes elevation_cuts_corners powers_in_every_degree
   elevated_polygons_converge bernstein_collocation_is_totally_positive
 :needs: mixed_weights_cross_more | positive weights
 :reading: designed_curves_cross_no_more | crossings, counted along the curve and along the polygon, as the last clause
@@ -27,7 +27,8 @@ computed, and a third time from the cutting of corners for every degree.
 
 Two proofs that use no rule of Descartes.  *For every degree.* Every elevation replaces the values
 $y_0,\dots,y_n$ by means of neighbours, which adds no change of sign: a mean of two numbers may be inserted between
-them without adding one, and taking numbers away adds none (`corner_cutting_adds_no_sign_change`).  The elevated values
+them without adding one, and taking numbers away adds none (`averages_between_neighbours_keep_sign_changes`; the polygons of low degree all at once in
+`corner_cutting_adds_no_sign_change`).  The elevated values
 converge to $y(i/N)$; so if $y(t)$ changes its sign $I$ times, the values of some high degree do so $I$ times at least, and
 $V[y_0,\dots,y_n]\ge I$.
 *By total positivity.* All minors of $(B_j(t_i))$, $t_0<t_1<\dots$, are positive, and such a matrix does not increase the
@@ -68,7 +69,8 @@ Different roots, or roots counted as often as their multiplicity: the chain is r
 :then: $V[\hat y_0,\dots,\hat y_{n+1}]\le V[y_0,\dots,y_n]$
 :method: Only signs matter.  All patterns of signs $-,0,+$ of the $y_i$ are run through, and for each all patterns of the
   $\hat y_i$ that are possible: the sign of a mean is that of both numbers, or of the one that is not $0$, or, for
-  different signs, any.  The argument for every $n$ stands in the remarks on property 3.2.7.
+  different signs, any.  For every $n$ it follows from `averages_between_neighbours_keep_sign_changes`: put
+  the means in, one by one, and then take the old inner numbers away.
 :degrees: 1..6
 :scope: all patterns of signs
 :control: a mean of two positive numbers taken to be possibly negative
@@ -187,6 +189,7 @@ A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive
 
 The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three
 times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step is false.
+Both are slips of the type or of its capture, nothing more; the meaning is not in doubt.
 The other entries of this section read $Z_{0<t<1}$ and $Z_{0<s<+\infty}$.
 :::
 
