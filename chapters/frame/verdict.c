@@ -15,6 +15,18 @@ const claim_result *result_of(const char *claim_name, const claim_result *result
 
 static evidence weaker(evidence a, evidence b) { return a < b ? a : b; }
 
+static int is_limited(const claim *c) { return c->degree_high > 0 && !c->all_degrees; }
+
+/* Of two claims that together decide a statement, the one whose scope speaks for both: that of the weaker evidence,
+ * then that of the fewer degrees. */
+static const claim_result *narrower(const claim_result *a, const claim_result *b)
+{
+    if (a == NULL || a->evidence != b->evidence)
+        return a == NULL || b->evidence < a->evidence ? b : a;
+    int fewer = is_limited(b->claim) && (!is_limited(a->claim) || b->claim->degree_high < a->claim->degree_high);
+    return fewer ? b : a;
+}
+
 /* A statement
  *   with a claim that refutes it                               fails, a definition too,
  *   that is a definition                                       is one, with what is checked about it,
@@ -39,8 +51,7 @@ statement_result derive(const statement *s, const claim_result *results, int cou
         case HOLDS_BY:
         case CHECKED_BY:
             held++;
-            if (holds_by == NULL || c->evidence < for_it)
-                holds_by = c;
+            holds_by = narrower(holds_by, c);
             for_it = weaker(for_it, c->evidence);
             break;
         case REFUTED_BY:
@@ -50,8 +61,7 @@ statement_result derive(const statement *s, const claim_result *results, int cou
             against_it = weaker(against_it, c->evidence);
             break;
         case CORRECTED_BY:
-            if (!r.corrected || c->evidence < correction)
-                r.corrected_by = c;
+            r.corrected_by = narrower(r.corrected_by, c);
             r.corrected = 1;
             correction = weaker(correction, c->evidence);
             break;

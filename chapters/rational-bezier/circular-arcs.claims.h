@@ -33,10 +33,12 @@ equal units on the axes, as the special coordinates have them.
 :::{claim} circles_among_the_conics_of_the_curve
 :title: Equal coefficients mean an isosceles triangle with its own weight
 :zh: A=C,B=0 的充要条件
-:given: the triangle in special coordinates, $\omega>0$, $l>0$, $y_1\ne0$, and the conic $S$ of the weights $1,\omega,1$
-:then: $B=-\omega^2y_1x_1$, which is 0 only for $x_1=0$; and for $x_1=0$ it is
-  $A-C=(l^2+y_1^2)\left(\omega^2-\frac{l^2}{l^2+y_1^2}\right)$
-:method: Identities in $l$, $x_1$, $y_1$, $\omega$ for the kernel's conic of the curve.
+:given: the points in special coordinates, $\omega>0$, $l>0$, and the conic $S$ of the weights $1,\omega,1$
+:then: $B=-\omega^2y_1x_1$, which is 0 only for $x_1=0$ or $y_1=0$; for $x_1=0$ it is
+  $A-C=(l^2+y_1^2)\left(\omega^2-\frac{l^2}{l^2+y_1^2}\right)$; for $y_1=0$ it is
+  $A-C=-\left(\omega^2x_1^2+(1-\omega^2)l^2\right)$
+:method: Identities in $l$, $x_1$, $y_1$, $\omega$ for the kernel's conic of the curve.  For $I_1=\omega^2<1$ the last
+  difference is not 0, so that three points on a line satisfy neither condition.
 :control: $l^2-y_1^2$ for $l^2+y_1^2$ in the quotient
 :::
 */
@@ -62,6 +64,9 @@ CLAIM(circles_among_the_conics_of_the_curve)
     G(special_conic)(l, from_int(0), y1, omega, S);
     about(T, "A - C");
     same(T, sub(S[0], S[2]), mul(sum, sub(oo, div(ll, T->planted ? sub(ll, yy) : sum))));
+    G(special_conic)(l, x1, from_int(0), omega, S);
+    about(T, "A - C for points on a line");
+    same(T, sub(S[2], S[0]), add(mul(oo, mul(x1, x1)), mul(sub(from_int(1), oo), ll)));
 }
 
 /*

@@ -732,6 +732,8 @@ binomial coefficients.
 :reading: cubic_member_has_other_curvature | equal derivatives after a change of parameter, the usual meaning: fails
   whenever $n-r\ge2$ and $\kappa\ne0$
 :reading: cubic_member_meets_the_curve_twice | $n-r+1$ coincident intersections: fails, there are two
+:reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count: fails, there are two for $n-r=3$
+  and for $n-r=1$ as well
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$: true for equal weights
   (`unweighted_derivatives_are_parallel`), false for others
 :reading: osculating_flats_agree | the same osculating line, plane, ... up to dimension $n-r$: true for all weights,
@@ -785,6 +787,7 @@ space as well as in the plane; `curvature_of_the_member` computes both curvature
   for $m<k$ the member's coefficient is 0.  So the coefficients of $x^k$ differ and those before agree: order
   exactly $k-1$.
 :degrees: all
+:scope: orders k = 2 to 6
 :control: $n-1$ in the place of $n$ in the products
 :::
 
@@ -1021,32 +1024,63 @@ CLAIM(member_runs_slower_than_the_curve)
 :control: the multiplicity 2
 :::
 */
-CLAIM(cubic_member_meets_the_curve_twice)
+/* How often τ = c is a root of the equation of the member c of level r when the point of the curve (τ, τ^n) is put
+ * into it; shows what it is computed from. */
+static int G(multiplicity_of_the_contact)(trial *T, int n, int r, num c)
 {
-    num R[8] = {from_int(0),      from_int(0), from_ratio(1, 3), from_int(0),
-                from_ratio(2, 3), from_int(0), from_int(1),      from_int(1)};
-    num w[4] = {from_int(1), from_int(1), from_int(1), from_int(1)}, Rr[6], wr[3], c = from_ratio(1, 2);
-    G(rational_decasteljau)(3, 2, R, w, c, 1, Rr, wr);
-    poly value = poly_constant(from_int(0)), tau = poly_variable();
-    for (int k = 0; k <= 6; k++) { /* Lagrange's interpolation at τ = 0, ..., 6 */
+    num R[2 * MAX_DEGREE + 2], w[MAX_DEGREE + 1], Rr[2 * MAX_DEGREE + 2], wr[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++) {
+        w[i] = from_int(1);
+        R[2 * i] = from_ratio(i, n);
+        R[2 * i + 1] = from_int(i == n);
+    }
+    G(rational_decasteljau)(n, 2, R, w, c, r, Rr, wr);
+    poly value = poly_constant(from_int(0)), linear = poly_sub(poly_variable(), poly_constant(c));
+    int degree = n * (n - r), multiplicity = 0;
+    for (int k = 0; k <= degree; k++) { /* Lagrange's interpolation at τ = 0, ..., degree */
         num point[2];
-        G(rational_point)(3, 2, R, w, from_int(k), point);
-        poly basis = poly_constant(G(implicit_value)(2, Rr, wr, point[0], point[1]));
-        for (int j = 0; j <= 6; j++)
+        G(rational_point)(n, 2, R, w, from_int(k), point);
+        poly basis = poly_constant(G(implicit_value)(n - r, Rr, wr, point[0], point[1]));
+        for (int j = 0; j <= degree; j++)
             if (j != k)
                 basis = poly_mul(basis, poly_from_q(2, (num[]){from_ratio(-j, k - j), from_ratio(1, k - j)}));
         value = poly_add(value, basis);
     }
-    poly linear = poly_sub(tau, poly_constant(c)), rest = value;
-    int multiplicity = 0;
-    for (; poly_degree(rest) > 0 && poly_divides(linear, rest); multiplicity++)
-        rest = poly_quotient(rest, linear);
-    show_points(T, "R", 4, 2, R);
+    show_points(T, "R", n + 1, 2, R);
     show(T, "c", c);
+    show_text(T, "r", "%d", r);
     show_text(T, "member on the curve", "%s", poly_to_string(value, "τ"));
+    for (; poly_degree(value) > 0 && poly_divides(linear, value); multiplicity++)
+        value = poly_quotient(value, linear);
     show_text(T, "multiplicity of τ = c", "%d", multiplicity);
+    return multiplicity;
+}
+
+CLAIM(cubic_member_meets_the_curve_twice)
+{
+    int multiplicity = G(multiplicity_of_the_contact)(T, 3, 1, from_ratio(1, 2));
     about(T, "the multiplicity is n-r+1");
     agree(T, multiplicity == (T->planted ? 2 : 3));
+}
+/*
+:::{claim} quartic_member_meets_the_curve_twice
+:title: At the contact the quartic has two coincident intersections with its members of degree 3 and 1
+:zh: 四次曲线与其三次、一次族曲线的接触重数均为二
+:kind: counterexample
+:given: $(\tau,\tau^4)$ on $[0,1]$: points $(0,0),(\frac14,0),(\frac12,0),(\frac34,0),(1,1)$, weights 1; $c=\frac12$,
+  $r=1$ and $r=3$
+:then: for both members $\tau=c$ is a root of multiplicity 2, which is not $n-r$
+:method: As for the cubic, with polynomials of degree 12 and 4.
+:control: the multiplicity 2
+:::
+*/
+CLAIM(quartic_member_meets_the_curve_twice)
+{
+    int cubic = G(multiplicity_of_the_contact)(T, 4, 1, from_ratio(1, 2));
+    int linear = G(multiplicity_of_the_contact)(T, 4, 3, from_ratio(1, 2));
+    about(T, "the multiplicities are n-r");
+    agree(T, cubic == (T->planted ? 2 : 3));
+    agree(T, linear == (T->planted ? 2 : 1));
 }
 /*
 :::{claim} weighted_member_has_other_directions

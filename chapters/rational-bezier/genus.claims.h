@@ -13,10 +13,13 @@ others infinitely near.
 :::{statement} wang-ch3:def-3.4.1
 :title: A plane algebraic curve of degree n
 :zh: 平面 n 次代数曲线的定义
-:printed: the points with $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane
-  algebraic curve of degree $n$
+:printed: the points whose coordinates satisfy the algebraic equation of degree $n$,
+  $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane algebraic curve of degree $n$
 :class: misprint
 :refuted-by: hyperbola_has_the_printed_form_for_degree_one
+:reading: hyperbola_has_the_printed_form_for_degree_one | the sum says what an equation of degree $n$ is: false
+:reading: total_degree_survives_affine_maps | "of degree $n$" is a condition of its own, the total degree, and the sum
+  only names coefficients, those with $i+j>n$ being 0: then it is the corrected definition
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
 :corrected-by: total_degree_survives_affine_maps
 :figure: degree_of_a_hyperbola
@@ -83,8 +86,8 @@ irreducible when the parametrisation is proper is cited.
 :types: field
 :given: $n=2$, points $(0,0),(0,0),(1,1)$, weights 1: the curve $(t^2,t^2)$, without base point
 :then: $F$ is a constant times $(x-y)^2$, so the curve is on an algebraic curve of degree 1
-:method: The discriminant $\operatorname{Res}_x(F,F_x)$ is 0 exactly if $F$ has a repeated factor (containing $x$);
-  that it is not 0 is what is compared.
+:method: The discriminant $\operatorname{Res}_x(F,F_x)$ is 0 exactly if $F$, which is not 0, has a repeated factor
+  (containing $x$); that it is not 0 is what is compared.
 :control: the last point $(1,0)$ and the middle one $(0,1)$
 :::
 */
@@ -151,7 +154,8 @@ CLAIM(doubled_parameter_halves_the_degree)
     show_points(T, "R", 3, 2, R);
     show(T, "F", F);
     about(T, "F has no repeated factor");
-    agree(T, !is_zero_f(resultant_by_f(F, derivative_f(F, x), x)));
+    if (!is_zero_f(F)) /* no base point */
+        agree(T, !is_zero_f(resultant_by_f(F, derivative_f(F, x), x)));
 }
 #endif
 
@@ -276,7 +280,8 @@ has only one finite double point.
 :then: the singular points are exactly the three nodes $(0,0)$ and $(\pm1,0)$, so $g=3-3=0$; but a rational curve
   lies on one of the two factors
 :method: The singular points as above.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so
-  one factor vanishes on it; the other has points of its own.  Compared is: $g=0$ exactly if the curve is rational.
+  one factor vanishes on it; the other has points of its own, such as those with $x=2$, which are looked at.  Compared
+  is: $g=0$ exactly if the curve is rational.
 :control: the factor $y^2-x^3+x$ by itself, whose count is 1
 :::
 
@@ -667,8 +672,13 @@ CLAIM(reducible_curve_with_count_zero)
     for (int x = -1; !T->planted && x <= 1; x++)
         list_point(&s, x, 0, 1);
     struct census c = census_of(&s);
-    if (c.nodes == (T->planted ? 0 : 3) && c.cusps + c.others == 0)
-        count_against(T, &s, c, genus_count(n, c.nodes), 0);
+    /* Over x = 2 the line has the point y = 0, the cubic the points y^2 = 6: parts that a rational curve cannot join. */
+    poly over = in_one_variable(substitute_f(substitute_f(s.F, s.z, from_int(1)), s.x, from_int(2)), s.y);
+    poly on_line = poly_variable(), on_cubic = poly_sub(poly_mul(on_line, on_line), poly_constant(from_int_q(6)));
+    int parts = poly_divides(on_line, over) + poly_divides(on_cubic, over);
+    int rational = parts == 1 && c.nodes == 1; /* a cubic in one part is rational if it has a double point */
+    if (c.nodes == (T->planted ? 0 : 3) && c.cusps + c.others == 0 && parts > 0)
+        count_against(T, &s, c, genus_count(n, c.nodes), rational);
 }
 
 CLAIM(conic_without_real_points)

@@ -674,7 +674,8 @@ determinant is identically 0.
   points of the other parameters, and isolated points
 :figure: implicit_elevation
 
-An improper parametrisation does no harm as long as there is no base point: the determinant is then a power of the
+That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevated curve is such a one,
+`elevation_multiplies_by_one_plus_u`.  An improper parametrisation does no harm as long as there is no base point: the determinant is then a power of the
 equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.
 :::
 
@@ -916,7 +917,7 @@ by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
 :then: $a_ib_j-a_jb_i=pq\,\bigl(x_iy_j-x_jy_i-(x_i-x_j)y+(y_i-y_j)x\bigr)$
 :method: The terms with $xy$ cancel.  The entries of Bézout's matrix are sums of such differences, the matrix has
   $n$ rows, so its determinant has degree at most $n$; for every $n$ and all weights.
-:degrees: all
+:scope: any two pairs of entries, in every degree
 :control: $a_ib_j+a_jb_i$
 :::
 

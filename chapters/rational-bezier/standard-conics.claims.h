@@ -71,7 +71,7 @@ CLAIM(special_coordinates_exist)
 :corrected-by: standard_form_by_a_change_of_parameter
 :figure: standard_parameter
 
-The roots belong over the weights alone.  With the printed roots the three terms are as
+The roots belong over the weights alone; in the text at hand they cover $u$ and $1-u$ too.  With the printed roots the three terms are as
 $1-u:2\omega\sqrt{u(1-u)}:u$, which is no rational quadratic in $u$.  Both ends, and $t=\frac12$ for equal weights, are
 the same, so that the slip is easily overlooked.
 :::
