@@ -60,15 +60,15 @@ static void print_tally(const statement_result *list, int count)
                t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
 }
 
-/* Striking statements carry a rank; each line says what is printed and what the counterexample shows. */
+/* Striking statements carry a rank; each is told by its counterexample and what that shows. */
 static void print_striking(const statement_result *list, int count, int wanted)
 {
     for (int rank = 1, shown = 0; rank <= count && shown < wanted; rank++)
         for (int k = 0; k < count; k++)
             if (list[k].statement->striking == rank && list[k].verdict == VERDICT_FAILS && shown < wanted) {
                 char *line = exhibits_line(list[k].decided_by);
-                printf("  %s  %s: %.160s%s\n", list[k].statement->id, list[k].decided_by->claim->title, line,
-                       strlen(line) > 160 ? " ..." : "");
+                printf("  %s  %s\n", list[k].statement->id, list[k].decided_by->claim->title);
+                put_paragraph(stdout, line, 6, 92);
                 free(line);
                 shown++;
             }
@@ -79,7 +79,7 @@ int run_ledger(int argc, char **argv)
     static const struct argp_option options[] = {
         {"json", 'J', 0, 0, "Print the ledger as JSON", 0},
         {"summary", 's', 0, 0, "Only the counts by source and verdict", 0},
-        {"striking", 'k', "N", 0, "Only the N most striking false statements, one a line", 0},
+        {"striking", 'k', "N", 0, "Only the N most striking false statements", 0},
         {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
         {0}};
     static const struct argp argp = {options, parse, "[PATTERN...]",
@@ -90,13 +90,10 @@ int run_ledger(int argc, char **argv)
                                      NULL, NULL, NULL};
     struct arguments a = {.jobs = processors()};
     parse_arguments(&argp, argc, argv, &a);
+    if (!all_match_statements(&a.patterns))
+        return EXIT_USAGE;
     int statements, claims, wrong = 0;
     const statement **list = matching_statements(&a.patterns, &statements);
-    if (statements == 0) {
-        complain_about(a.patterns.count > 0 ? a.patterns.at[0] : "");
-        free(list);
-        return EXIT_USAGE;
-    }
     const claim **needed = claims_of(list, statements, &claims);
     claim_result *results = judge_with_progress(needed, claims, a.jobs, 0);
     statement_result *derived = calloc((size_t)statements, sizeof *derived);
