@@ -40,8 +40,13 @@ int statement_matches(const statement *s, const struct patterns *p);
 const claim **matching_claims(const struct patterns *p, int *count);
 const statement **matching_statements(const struct patterns *p, int *count);
 const claim **claims_of(const statement *const list[], int statements, int *count);
-/* One line on stderr: nothing matches the pattern, and the ids nearest to it. */
-void complain_about(const char *id);
+/* What a pattern or an id may name. */
+enum kind_of_name { STATEMENTS_AND_CLAIMS, FIGURES };
+/* One line on stderr: nothing of this kind is called so, and the names nearest to it. */
+void complain_about(const char *id, enum kind_of_name kind);
+/* Whether every pattern matches something; a line on stderr about the first that does not. */
+int all_match_claims(const struct patterns *p);
+int all_match_statements(const struct patterns *p);
 
 /* ---- terminal (terminal.c) -------------------------------------------------------------------- */
 
@@ -51,6 +56,7 @@ const char *style(FILE *stream, enum style s);
 int is_terminal(FILE *stream);
 int columns_of(const char *utf8);                         /* printed width of a text              */
 void put_padded(FILE *out, const char *utf8, int width);  /* text and blanks up to the width      */
+void put_clipped(FILE *out, const char *utf8, int width); /* as much as fits, and " ..." if cut   */
 void put_paragraph(FILE *out, const char *utf8, int indent, int width); /* filled lines            */
 void show_progress(void *context, int done, int total, const char *name); /* run_options.progress  */
 void end_progress(void);

@@ -7,9 +7,12 @@ _cagd() {
         case $command in
         verify) COMPREPLY=($(compgen -W "--json --tap --junit --jobs --deep --shard --help" -- "$word")) ;;
         ledger) COMPREPLY=($(compgen -W "--json --summary --striking --report --jobs --help" -- "$word")) ;;
+        show) COMPREPLY=($(compgen -W "--json --jobs --help" -- "$word")) ;;
         figures) COMPREPLY=($(compgen -W "--out --list --help" -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
         esac
+    elif [ "$command" = figures ]; then
+        COMPREPLY=($(compgen -W "$(cagd figures --list 2>/dev/null)" -- "$word"))
     else
         COMPREPLY=($(compgen -W "$(cagd list 2>/dev/null | cut -d' ' -f1)" -- "$word"))
     fi

@@ -53,7 +53,7 @@ int run_figures(int argc, char **argv)
         for (const figure *f = all_figures; f->name != NULL; f++)
             found |= fnmatch(a.patterns.at[k], f->name, 0) == 0;
         if (!found) {
-            complain_about(a.patterns.at[k]);
+            complain_about(a.patterns.at[k], FIGURES);
             return EXIT_USAGE;
         }
     }

@@ -133,13 +133,10 @@ int run_ledger(int argc, char **argv)
                                      NULL, NULL, NULL};
     struct arguments a = {.jobs = processors()};
     parse_arguments(&argp, argc, argv, &a);
+    if (!all_match_statements(&a.patterns))
+        return EXIT_USAGE;
     int statements, claims, wrong = 0;
     const statement **list = matching_statements(&a.patterns, &statements);
-    if (statements == 0) {
-        complain_about(a.patterns.count > 0 ? a.patterns.at[0] : "");
-        free(list);
-        return EXIT_USAGE;
-    }
     const claim **needed = claims_of(list, statements, &claims);
     claim_result *results = judge_with_progress(needed, claims, a.jobs, 0);
     statement_result *derived = calloc((size_t)statements, sizeof *derived);

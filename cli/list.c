@@ -33,13 +33,10 @@ int run_list(int argc, char **argv)
                                      NULL, NULL, NULL};
     struct arguments a = {0};
     parse_arguments(&argp, argc, argv, &a);
+    if (!all_match_claims(&a.patterns))
+        return EXIT_USAGE;
     int count;
     const claim **list = matching_claims(&a.patterns, &count);
-    if (count == 0) {
-        complain_about(a.patterns.at[0]);
-        free(list);
-        return EXIT_USAGE;
-    }
     json_t *claims = json_array();
     int width = 0;
     for (int k = 0; k < count; k++)

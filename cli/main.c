@@ -20,7 +20,7 @@ static void print_help(FILE *out)
           "  cagd verify                      decide every claim\n"
           "  cagd verify 'rational-bezier.*'  decide the claims of one chapter\n"
           "  cagd show wang-ch3:thm-3.3.2     a statement, its verdict and why\n"
-          "  cagd ledger wang-ch3:*           the statements of one source\n"
+          "  cagd ledger 'wang-ch3:*'         the statements of one source\n"
           "  cagd figures --out pictures      draw\n\n"
           "Commands:\n",
           out);

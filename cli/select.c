@@ -27,11 +27,17 @@ static int names(const statement *s, const char *claim_name)
     return 0;
 }
 
-int claim_matches(const claim *c, const struct patterns *p)
+/* By its name, or by chapter.name. */
+static int any_name(const struct patterns *p, const claim *c)
 {
     char full[256];
     snprintf(full, sizeof full, "%s.%s", c->chapter, c->name);
-    if (p->count == 0 || any(p, c->name) || any(p, full))
+    return any(p, c->name) || any(p, full);
+}
+
+int claim_matches(const claim *c, const struct patterns *p)
+{
+    if (p->count == 0 || any_name(p, c))
         return 1;
     for (const statement *s = all_statements; s->id != NULL; s++)
         if (any(p, s->id) && names(s, c->name))
@@ -41,15 +47,11 @@ int claim_matches(const claim *c, const struct patterns *p)
 
 int statement_matches(const statement *s, const struct patterns *p)
 {
-    char full[256];
     if (p->count == 0 || any(p, s->id))
         return 1;
-    for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
-        if (l->claim != NULL) {
-            snprintf(full, sizeof full, "%s.%s", s->chapter, l->claim);
-            if (any(p, l->claim) || any(p, full))
-                return 1;
-        }
+    for (const claim *c = all_claims; c->name != NULL; c++)
+        if (any_name(p, c) && names(s, c->name))
+            return 1;
     return 0;
 }
 
@@ -141,17 +143,47 @@ static void consider(struct near *n, const char *wanted, const char *id)
         }
 }
 
-void complain_about(const char *wanted)
+void complain_about(const char *wanted, enum kind_of_name kind)
 {
     struct near n = {{0}, {0}};
-    for (const statement *s = all_statements; s->id != NULL; s++)
+    for (const statement *s = all_statements; kind != FIGURES && s->id != NULL; s++)
         consider(&n, wanted, s->id);
-    for (const claim *c = all_claims; c->name != NULL; c++)
+    for (const claim *c = all_claims; kind != FIGURES && c->name != NULL; c++)
         consider(&n, wanted, c->name);
-    for (const figure *f = all_figures; f->name != NULL; f++)
+    for (const figure *f = all_figures; kind == FIGURES && f->name != NULL; f++)
         consider(&n, wanted, f->name);
-    fprintf(stderr, "cagd: nothing is called '%s'; the nearest:", wanted);
+    fprintf(stderr, "cagd: no %s is called '%s'; the nearest:", kind == FIGURES ? "figure" : "statement or claim", wanted);
     for (int k = 0; k < NEAREST && n.id[k] != NULL; k++)
         fprintf(stderr, "%s %s", k > 0 ? "," : "", n.id[k]);
     fputs("\n", stderr);
+}
+
+int all_match_claims(const struct patterns *p)
+{
+    for (int k = 0; k < p->count; k++) {
+        struct patterns one = {p->at + k, 1};
+        int found = 0;
+        for (const claim *c = all_claims; c->name != NULL && !found; c++)
+            found = claim_matches(c, &one);
+        if (!found) {
+            complain_about(p->at[k], STATEMENTS_AND_CLAIMS);
+            return 0;
+        }
+    }
+    return 1;
+}
+
+int all_match_statements(const struct patterns *p)
+{
+    for (int k = 0; k < p->count; k++) {
+        struct patterns one = {p->at + k, 1};
+        int found = 0;
+        for (const statement *s = all_statements; s->id != NULL && !found; s++)
+            found = statement_matches(s, &one);
+        if (!found) {
+            complain_about(p->at[k], STATEMENTS_AND_CLAIMS);
+            return 0;
+        }
+    }
+    return 1;
 }

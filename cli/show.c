@@ -99,7 +99,8 @@ static void print_claim_lines(const claim_result *r)
             continue;
         printf("%*s  %-9s %s", INDENT, "",  number_type_name[t],
                t == INTERVAL_TYPE && b->outcome == UNDECIDED ? "not refuted" : outcome_name[b->outcome]);
-        printf(" in %d %s, %d comparisons", b->cases, b->cases == 1 ? "case" : "cases", b->compared);
+        printf(" in %d case%s, %d comparison%s", b->cases, b->cases == 1 ? "" : "s", b->compared,
+               b->compared == 1 ? "" : "s");
         if (t == DOUBLE_TYPE && c->kind == IDENTITY)
             printf("; largest error %.2g of its bound", b->worst);
         if (t == INTERVAL_TYPE)
@@ -108,12 +109,18 @@ static void print_claim_lines(const claim_result *r)
     }
 }
 
+/* What the claim does for a statement that names it. */
+static const char *const role_words[] = {
+    [HOLDS_BY] = "decides",           [REFUTED_BY] = "refutes",    [CORRECTED_BY] = "corrects",
+    [HYPOTHESIS] = "a hypothesis of", [NEEDS] = "a hypothesis of", [READING] = "a reading of",
+    [CHECKED_BY] = "checks"};
+
 static void show_claim(const claim_result *r)
 {
     const claim *c = r->claim;
     printf("%s%s%s  %s\n", style(stdout, BOLD), c->title, style(stdout, PLAIN), c->title_zh);
     printf("%s.%s  (%s:%d)\n", c->chapter, c->name, c->file, c->line);
-    heading(c->kind == COUNTEREXAMPLE ? "Against what is printed" : "Claim");
+    heading(c->kind == COUNTEREXAMPLE ? "Counterexample" : "Claim");
     labelled("Given", c->given);
     labelled("let", c->let);
     labelled("then", c->then);
@@ -121,7 +128,8 @@ static void show_claim(const claim_result *r)
     prose(c->method);
     labelled("Control:", c->control);
     heading("Result");
-    printf("%*s%s%s\n", INDENT, "", c->kind == COUNTEREXAMPLE && r->as_expected ? "refuted, " : "", evidence_name[r->evidence]);
+    printf("%*s%s%s\n", INDENT, "", evidence_name[r->evidence],
+           c->kind == COUNTEREXAMPLE && r->as_expected ? ": a counterexample" : "");
     if (r->scope[0] != '\0')
         labelled("for", r->scope);
     print_claim_lines(r);
@@ -135,9 +143,11 @@ static void show_claim(const claim_result *r)
         for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
             if (l->claim != NULL && strcmp(l->claim, c->name) == 0) {
                 if (first)
-                    heading("Decides");
+                    heading("For");
                 first = 0;
-                printf("%*s%s  %s\n", INDENT, "", s->id, s->title);
+                printf("%*s", INDENT, "");
+                put_padded(stdout, role_words[l->role], 17);
+                printf("%s  %s\n", s->id, s->title);
                 break;
             }
 }
@@ -264,7 +274,7 @@ int run_show(int argc, char **argv)
     while (c->name != NULL && strcmp(c->name, bare) != 0)
         c++;
     if (s->id == NULL && c->name == NULL) {
-        complain_about(a.id);
+        complain_about(a.id, STATEMENTS_AND_CLAIMS);
         return EXIT_USAGE;
     }
     int count = 1, good;

@@ -44,6 +44,18 @@ void put_padded(FILE *out, const char *s, int width)
         fputc(' ', out);
 }
 
+void put_clipped(FILE *out, const char *s, int width)
+{
+    unsigned long c;
+    const char *end = s, *next;
+    for (int columns = 0; *end != '\0'; end = next) {
+        next = next_character(end, &c);
+        if ((columns += width_of(c)) > width)
+            break;
+    }
+    fprintf(out, "%.*s%s", (int)(end - s), s, *end != '\0' ? " ..." : "");
+}
+
 /* Words separated by blanks; a CJK character may be followed by a break. */
 void put_paragraph(FILE *out, const char *s, int indent, int width)
 {

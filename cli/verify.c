@@ -1,3 +1,4 @@
+#include "chapters/frame/tex.h"
 #include "cli/command.h"
 
 #include <stdlib.h>
@@ -42,7 +43,7 @@ static void put_row(const claim_result *r, int name_width)
     enum style colour = !r->as_expected ? BAD : r->claim->kind == COUNTEREXAMPLE ? WARN : GOOD;
     printf("  %s%s%s ", style(stdout, colour), mark, style(stdout, PLAIN));
     put_padded(stdout, r->claim->name, name_width + 1);
-    put_padded(stdout, r->claim->kind == COUNTEREXAMPLE ? "refuted" : evidence_name[r->evidence], 10);
+    put_padded(stdout, r->claim->kind == COUNTEREXAMPLE ? "refutes" : evidence_name[r->evidence], 10);
     char types[8] = "", *at = types;
     for (number_type t = 0; t < NUMBER_TYPES; t++)
         *at++ = r->by[t].ran ? "fqid"[t] : '-';
@@ -55,10 +56,13 @@ static void put_row(const claim_result *r, int name_width)
                        r->by[t].control_caught ? "" : ", its control was not caught");
         char *line = exhibits_line(r);
         const type_result *b = speaking_type(r);
-        printf("seed %016llx  %.300s", b != NULL ? (unsigned long long)b->seed : 0, line);
+        printf("seed %016llx  ", b != NULL ? (unsigned long long)b->seed : 0);
+        put_clipped(stdout, line, 300);
         free(line);
     } else {
-        fputs(r->scope, stdout);
+        char *scope = tex_to_text(r->scope, 1);
+        fputs(scope, stdout);
+        free(scope);
         if (r->by[DOUBLE_TYPE].ran && r->claim->kind == IDENTITY)
             printf("%s  [double: %.2g of the bound]%s", style(stdout, DIM), r->by[DOUBLE_TYPE].worst, style(stdout, PLAIN));
     }
@@ -81,11 +85,11 @@ static void print_table(const claim_result *results, int count)
         }
         put_row(&results[k], width);
     }
-    int by_evidence[PROVED + 1] = {0}, refuted = 0, wrong = 0, compared = 0, controls = 0, runs = 0;
+    int by_evidence[PROVED + 1] = {0}, counterexamples = 0, wrong = 0, compared = 0, controls = 0, runs = 0;
     for (int k = 0; k < count; k++) {
         const claim_result *r = &results[k];
         if (r->as_expected && r->claim->kind == COUNTEREXAMPLE)
-            refuted++;
+            counterexamples++;
         else if (r->as_expected)
             by_evidence[r->evidence]++;
         else
@@ -98,7 +102,7 @@ static void print_table(const claim_result *results, int count)
     }
     printf("\n%d claims: %d proved, %d decided, %d sampled, %d counterexamples, %d not as expected\n", count,
            by_evidence[PROVED], by_evidence[DECIDED], by_evidence[SAMPLED] + by_evidence[MEASURED] + by_evidence[ENCLOSED],
-           refuted, wrong);
+           counterexamples, wrong);
     printf("%d comparisons in %d runs; %d of %d controls caught\n", compared, runs, controls, runs);
 }
 
@@ -131,19 +135,14 @@ int run_verify(int argc, char **argv)
                                      "  cagd verify --json --jobs 2      for a program\n"
                                      "\vA PATTERN is a shell glob over claim names, chapter.name, or statement ids.  "
                                      "The letters f q i d say in which numbers a claim was run: rational functions, "
-                                     "rationals, intervals, binary64.  Exit status 1 when a verdict is not as expected.",
+                                     "rationals, intervals, binary64.  A counterexample, marked ✗, refutes what is "
+                                     "printed, a reading of it, or what is left of it without a hypothesis; 'cagd "
+                                     "ledger' says which.  Exit status 1 when a verdict is not as expected.",
                                      NULL, NULL, NULL};
     struct arguments a = {.jobs = processors(), .shards = 1, .shard = 1};
     parse_arguments(&argp, argc, argv, &a);
-    for (int k = 0; k < a.patterns.count; k++) {
-        struct patterns one = {a.patterns.at + k, 1};
-        int found;
-        free(matching_claims(&one, &found));
-        if (found == 0) {
-            complain_about(a.patterns.at[k]);
-            return EXIT_USAGE;
-        }
-    }
+    if (!all_match_claims(&a.patterns))
+        return EXIT_USAGE;
     int count, kept = 0;
     const claim **list = matching_claims(&a.patterns, &count);
     for (int k = 0; k < count; k++)

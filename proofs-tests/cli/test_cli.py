@@ -72,7 +72,11 @@ class Usage(Case):
         self.refuses("verify", "no-such-claim")
         self.refuses("list", "no-such-claim")
         self.refuses("ledger", "wang-ch9:*")
-        self.refuses("figures", "no-such-figure")
+        self.refuses("figures", "no-such-figure", words=["no figure"])
+        self.refuses("figures", "envelope_extr", words=["envelope_extra"])
+        self.assertNotIn("envelope_extra", run("show", "envelope_extra").stderr.split("nearest")[1])
+        for command in "verify", "list", "ledger":  # one pattern that matches does not excuse another
+            self.refuses(command, "wang-ch3:*", "no-such-claim", words=["no-such-claim"])
 
     def test_show_takes_one_id(self):
         self.refuses("show", words=["which id"])
