@@ -751,14 +751,14 @@ CLAIM(mixed_weights_become_positive)
 {
     num w[3] = {from_int(2), from_int(-1), from_int(2)}, we[21];
     for (int N = 3; N <= 5; N++) {
-        raised_weights(2, w, T->planted && N == 5 ? 4 : N, we);
-        int zero = 0, positive_ones = 0;
-        for (int i = 0; i <= N; i++) {
+        int degree = T->planted && N == 5 ? 4 : N, zero = 0, positive_ones = 0;
+        raised_weights(2, w, degree, we);
+        for (int i = 0; i <= degree; i++) {
             zero += is_zero_q(we[i]);
             positive_ones += sign_q(we[i]) > 0;
         }
-        show_points(T, "elevated ω", N + 1, 1, we);
-        agree(T, N < 5 ? zero > 0 : positive_ones == N + 1);
+        show_points(T, "elevated ω", degree + 1, 1, we);
+        agree(T, N < 5 ? zero > 0 : positive_ones == degree + 1);
     }
 }
 
