@@ -66,21 +66,24 @@ static inline int G(find_span_left)(int n, int p, const num u[], num t)
     return mu;
 }
 
-/* For each of the m points of degree q over knots v with the domain of u: span[j], a span of u that contains a
- * non-empty [v_l, v_{l+1}], j <= l <= j+q, as bspline_refine and its relatives ask.  Returns 0 and stops where a
- * point has none: its support does not meet the domain. */
+/* For point j of the m points of degree q over knots v with the domain of u: a span of u that contains a non-empty
+ * [v_l, v_{l+1}], j <= l <= j+q, as bspline_refine and its relatives ask.  -1 if its support does not meet the domain. */
+static inline int G(span_of_point)(int n, int p, const num u[], int m, int q, const num v[], int j)
+{
+    int l = j < q ? q : j, last = j + q < m ? j + q : m - 1;
+    while (l <= last && !G(before)(v[l], v[l + 1]))
+        l++;
+    return l <= last ? G(find_span)(n, p, u, v[l]) : -1;
+}
+
+/* span[j] for all of them.  Returns 0 if some point has none, otherwise 1. */
 static inline int G(spans_of_points)(int n, int p, const num u[], int m, int q, const num v[], int span[])
 {
+    int all = 1;
     for (int j = 0; j < m; j++) {
-        int l = j < q ? q : j, last = j + q < m ? j + q : m - 1;
-        while (l <= last && !G(before)(v[l], v[l + 1]))
-            l++;
-        if (l > last)
-            return 0;
-        span[j] = G(find_span)(n, p, u, v[l]);
-        if (span[j] < 0)
-            return 0;
+        span[j] = G(span_of_point)(n, p, u, m, q, v, j);
+        all = all && span[j] >= 0;
     }
-    return 1;
+    return all;
 }
 #include "core/number/generic_off.h"
