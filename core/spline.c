@@ -246,34 +246,13 @@ cagd_status cagd_spline_split(const cagd_spline *s, double t, double *left_knots
     return curve_result(s, rights, right, right_weights);
 }
 
-/* Every distinct knot once more than in u.  Of this sequence the elevated spline takes as much as its domain asks for:
- * p+2 knots up to the last copy of u_p, those in between, and p+2 from the first copy of u_n on.  Returns the
- * number of points; writes the knots unless v is NULL. */
-static int elevated_knots(const cagd_spline *s, double *v)
-{
-    int n = s->count, p = s->degree, up_to_start = 0, between = 0;
-    for (int i = 0; i <= n + p; i++) {
-        int copies = i == n + p || s->knots[i] < s->knots[i + 1] ? 2 : 1;
-        if (s->knots[i] <= s->knots[p])
-            up_to_start += copies;
-        else if (s->knots[i] < s->knots[n])
-            between += copies;
-    }
-    int count = p + 2 + between, skip = up_to_start - (p + 2), wanted = count + p + 2;
-    for (int i = 0, at = 0; v != NULL && i <= n + p; i++)
-        for (int copies = i == n + p || s->knots[i] < s->knots[i + 1] ? 2 : 1; copies > 0; copies--, at++)
-            if (in(skip, at, skip + wanted - 1))
-                v[at - skip] = s->knots[i];
-    return count;
-}
-
 cagd_status cagd_spline_elevated_count(const cagd_spline *s, int *count)
 {
     int where;
     REQUIRE(count != NULL, CAGD_NULL);
     PASS(basis_check(s, &where));
     REQUIRE(s->degree < MAX_DEGREE, CAGD_DEGREE);
-    *count = elevated_knots(s, NULL);
+    *count = raised_knots_d(s->count, s->degree, s->knots, NULL);
     return CAGD_OK;
 }
 
@@ -283,7 +262,7 @@ cagd_status cagd_spline_elevate(const cagd_spline *s, double *new_knots, double 
     PASS(cagd_spline_check(s, NULL));
     REQUIRE(new_knots != NULL && new_points != NULL && (s->weights == NULL || new_weights != NULL), CAGD_NULL);
     REQUIRE(s->degree < MAX_DEGREE, CAGD_DEGREE);
-    int n = s->count, p = s->degree, count = elevated_knots(s, new_knots);
+    int n = s->count, p = s->degree, count = raised_knots_d(n, p, s->knots, new_knots);
     for (int j = 0; j < count; j++) {
         int mu = span_of_point_d(n, p, s->knots, count, p + 1, new_knots, j), dim = points_of_span(s, mu, H);
         bspline_elevate_d(p, dim, s->knots + mu - p, H, 1, new_knots + j, &p, P);
