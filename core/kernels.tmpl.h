@@ -7,6 +7,8 @@
 #include "core/differential.tmpl.h"
 #include "core/conic.tmpl.h"
 #include "core/determinant.tmpl.h"
+#include "core/bspline.tmpl.h"
+#include "core/nurbs.tmpl.h"
 #include "core/divided.tmpl.h"
 #include "core/bspline_matrix.tmpl.h"
 /* clang-format on */
