@@ -4,6 +4,8 @@
  * order k, the span [t_r, t_{r+1}), the functions N_{i,k} of t_i, ..., t_{i+k} with i = r-k+1, ..., r.  The 2k
  * knots that these functions have are numbered from 0, so r = k-1.  A pattern says which of them coincide.  Generic
  * text. */
+#include "chapters/nurbs/definition.h"
+
 #include "chapters/frame/claims_on.h"
 
 enum { LARGEST_ORDER = 9 };
@@ -81,22 +83,10 @@ static inline struct G(span) G(simple_span)(trial *T, int k)
     return G(span_of_pattern)(k, G(patterns)(k) - 1, x);
 }
 
-/* N_{i,m}(x) on the span, a polynomial of x: Cox and de Boor's recursion, word for word, where a quotient whose
- * denominator is 0 counts as 0. */
-static inline num G(cox_de_boor)(const struct G(span) *S, int i, int m, num x)
+/* N_{i,m}(x) of order m on the span, a polynomial of x, by the definition. */
+static inline num G(basis_value)(const struct G(span) *S, int i, int m, num x)
 {
-    if (m == 1)
-        return from_int(i == S->r);
-    num sum = from_int(0);
-    if (S->group[i + m - 1] != S->group[i]) {
-        num share = div(sub(x, S->t[i]), sub(S->t[i + m - 1], S->t[i]));
-        sum = add(sum, mul(share, G(cox_de_boor)(S, i, m - 1, x)));
-    }
-    if (S->group[i + m] != S->group[i + 1]) {
-        num share = div(sub(S->t[i + m], x), sub(S->t[i + m], S->t[i + 1]));
-        sum = add(sum, mul(share, G(cox_de_boor)(S, i + 1, m - 1, x)));
-    }
-    return sum;
+    return G(cox_de_boor)(m - 1, S->t, S->group, i, S->group[S->r], x);
 }
 
 /* t = t_r + u (t_{r+1} - t_r) */
