@@ -380,7 +380,8 @@ static struct G(nodes) G(nodes_of)(const struct G(span) *S)
     return n;
 }
 
-/* The weights (4.4.8), (4.4.9): cofactors of the last column of the matrix of derivatives over its determinant. */
+/* The weights (4.4.8), (4.4.9): cofactors of the last column of the matrix of derivatives over the product
+ * that is its determinant. */
 static void G(cofactor_weights)(const struct G(nodes) *n, int k, num alpha[][LARGEST_ORDER + 1])
 {
     num H[(LARGEST_ORDER + 1) * (LARGEST_ORDER + 1)];
@@ -392,7 +393,7 @@ static void G(cofactor_weights)(const struct G(nodes) *n, int k, num alpha[][LAR
                     falling = mul(falling, from_int(c - m));
                 H[row * (k + 1) + c] = c >= j ? mul(falling, G(power)(n->tau[i], c - j)) : from_int(0);
             }
-    num det = G(determinant)(k + 1, H);
+    num det = G(confluent_vandermonde_determinant)(n->d, n->l, n->tau);
     for (int i = 0, row = 0; i < n->d; i++)
         for (int j = 0; j < n->l[i]; j++, row++)
             alpha[i][j] = div(G(cofactor)(k + 1, H, row, k), det);
@@ -430,11 +431,13 @@ CLAIM(printed_double_sum_gives_the_basis)
         int pattern = G(function_pattern)(T, k, m), groups = 1;
         for (int a = 0; a < k; a++)
             groups += pattern >> a & 1;
+        num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1];
         for (int g = 0; g + 1 < groups; g++) {
             struct G(span) S = G(span_of_function)(k, pattern, g, x);
             struct G(nodes) n = G(nodes_of)(&S);
-            num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1], sum = from_int(0);
-            G(cofactor_weights)(&n, k, alpha);
+            num sum = from_int(0);
+            if (g == 0)
+                G(cofactor_weights)(&n, k, alpha);
             for (int j = 0; j < k; j++)
                 sum = add(sum, mul(G(printed_coefficient)(&S, &n, alpha, j, T->planted), G(power)(u, j)));
             same(T, sum, G(basis_value)(&S, 0, k, G(at_parameter)(&S, u)));

@@ -53,7 +53,7 @@ For $k=1$ it is the empty product.
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: The B-splines by their definition.  On the span they are rational functions of the knots whose denominators are
   differences of knots on its two sides; so the identity holds for coincident knots as well.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: the coefficient of the first function left out
 :::
 
@@ -188,7 +188,7 @@ CLAIM(marsden_identity_up_to_order_eight)
 :kind: counterexample
 :given: $k=2$, knots $0,1,2,3,4$, the functions $N_{0,2}$ and $N_{1,2}$ of the span $[1,2)$, at $t=\frac52$ of the next
   span, $x=0$
-:then: $\sum\omega_iN_i(t)=-\frac{2}{2}=-1$, but $(x-t)^{1}=-\frac52$
+:then: $\sum\omega_iN_i(t)=-2\cdot\frac12=-1$, but $(x-t)^{1}=-\frac52$
 :method: The values of the functions at $t$ are those of the span that contains $t$: $N_{0,2}=0$, $N_{1,2}=\frac12$.
 :control: $t=\frac32$
 :::
@@ -419,7 +419,7 @@ For $j=0$ the sum has one term, the empty product 1.
 :then: (4.4.20) for every $\mu$; its right sides are the entries of $(N_{r-k+1,k},\dots,N_{r,k})\,G^T$ with $G=(g_{\mu i})$
 :method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
 :types: field
-:degrees: 0..4
+:degrees: 0..5
 :control: the sign $(-1)^\mu$ left out
 :::
 
