@@ -41,6 +41,7 @@ independent.
   and the affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and
   $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$
 :corrected-by: matrix_gives_homogeneous_curve
+:figure: matrix_and_weights
 :::
 
 :::{statement} wang-ch4:formula-4.4.3
@@ -297,6 +298,7 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :holds-by: printed_double_sum_gives_the_basis column_by_differences_is_the_function
 :needs: full_powers_sum_to_nothing | only the $\tau_\lambda>t_r$ are summed
 :needs: empty_span_has_no_parameter | the span is not empty
+:figure: matrices_of_merging_knots
 
 The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and what the powers allow.
 :::
@@ -366,7 +368,7 @@ struct G(nodes) {
     int d, l[LARGEST_ORDER + 1], right[LARGEST_ORDER + 1];
     num tau[LARGEST_ORDER + 1];
 };
-static struct G(nodes) G(nodes_of)(const struct G(span) *S)
+static struct G(nodes) G(nodes_of)(const struct G(span) * S)
 {
     struct G(nodes) n = {.d = 0};
     for (int a = 0; a <= S->k; a++) {
@@ -382,7 +384,7 @@ static struct G(nodes) G(nodes_of)(const struct G(span) *S)
 
 /* The weights (4.4.8), (4.4.9): cofactors of the last column of the matrix of derivatives over the product
  * that is its determinant. */
-static void G(cofactor_weights)(const struct G(nodes) *n, int k, num alpha[][LARGEST_ORDER + 1])
+static void G(cofactor_weights)(const struct G(nodes) * n, int k, num alpha[][LARGEST_ORDER + 1])
 {
     num H[(LARGEST_ORDER + 1) * (LARGEST_ORDER + 1)];
     for (int i = 0, row = 0; i < n->d; i++)
@@ -400,8 +402,8 @@ static void G(cofactor_weights)(const struct G(nodes) *n, int k, num alpha[][LAR
 }
 
 /* Formula (4.4.12) by its letter, i = 0.  `short_by` shortens the inner sum where l > 1. */
-static num G(printed_coefficient)(const struct G(span) *S, const struct G(nodes) *n,
-                                  num alpha[][LARGEST_ORDER + 1], int j, int short_by)
+static num G(printed_coefficient)(const struct G(span) * S, const struct G(nodes) * n, num alpha[][LARGEST_ORDER + 1],
+                                  int j, int short_by)
 {
     int k = S->k;
     num sum = from_int(0), t_r = S->t[S->r];
@@ -455,7 +457,8 @@ CLAIM(column_by_differences_is_the_function)
         for (int b = 0; b < k; b++)
             groups += pattern >> b & 1;
         for (int g = 0; g + 1 < groups; g++) {
-            struct G(span) S = G(span_of_function)(k, pattern, g, x), last = G(span_of_function)(k, pattern, groups - 2, x);
+            struct G(span) S = G(span_of_function)(k, pattern, g, x),
+                           last = G(span_of_function)(k, pattern, groups - 2, x);
             G(bspline_column_by_differences)(k - 1, S.t, S.group, 0, T->planted ? last.r : S.r, a);
             num sum = from_int(0);
             for (int j = 0; j < k; j++)
@@ -505,6 +508,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :corrected: the same sum over the $\lambda$ with $\tau_\lambda>t_r$ only; over all $\lambda$ it is 0, a divided difference
   of order $k$ of a polynomial of degree $k-1$
 :corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing
+:figure: full_powers
 :::
 
 :::{statement} wang-ch4:thm-4.4.1-step-3
@@ -617,7 +621,7 @@ CLAIM(truncated_power_gives_the_basis)
 }
 
 /* The printed second line, over all nodes or over those right of t_r. */
-static num G(second_line)(const struct G(span) *S, int only_right, num t, int degree)
+static num G(second_line)(const struct G(span) * S, int only_right, num t, int degree)
 {
     struct G(nodes) n = G(nodes_of)(S);
     num alpha[LARGEST_ORDER + 1], sum = from_int(0);

@@ -180,6 +180,7 @@ $\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k
 :refuted-by: printed_last_row_has_wrong_factor
 :corrected: the last entry is $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$, the derivative of order $l_i-1$ of $t^k$
 :corrected-by: confluent_vandermonde_holds_derivatives system_says_osculation
+:figure: confluent_row
 
 For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
 :::
@@ -437,6 +438,7 @@ The left side is the table of divided differences.  $g$ has the degree $k$ at mo
 :zh: 引理 4.4.1 差商的显式表示
 :printed: [t_0,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
 :holds-by: printed_weights_give_divided_difference
+:figure: osculating_polynomial
 :::
 
 :::{statement} wang-ch4:formula-4.4.9

@@ -143,7 +143,7 @@ static const int labels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 13, 15, 
 enum { LABELS = sizeof labels / sizeof labels[0] };
 
 /* Reference, journal (0: Computer Aided Design, 1: IEEE Computer Graphics and Applications), year, volume. */
-static const int volumes[][4] = {{1, 0, 1991, 23}, {3, 0, 1987, 19},  {5, 0, 1989, 21},  {6, 0, 1989, 21},
+static const int volumes[][4] = {{1, 0, 1991, 23},  {3, 0, 1987, 19},  {5, 0, 1989, 21},  {6, 0, 1989, 21},
                                  {10, 0, 1992, 24}, {12, 0, 1990, 22}, {13, 0, 1992, 24}, {4, 1, 1989, 9},
                                  {7, 1, 1991, 10},  {8, 1, 1983, 3}};
 enum { VOLUMES = sizeof volumes / sizeof volumes[0], SURVEY = 8 };

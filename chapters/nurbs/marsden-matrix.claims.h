@@ -34,6 +34,7 @@ cofactors written out, gives the B-splines in powers of $t$; one more expansion 
   j=0,\dots,k-1
 :holds-by: printed_cofactor_formula_gives_the_basis
 :needs: empty_span_makes_g_singular | the span is not empty
+:figure: both_matrices
 
 For $t_r=0$ the power $t_r^0$ is 1.
 :::
@@ -275,7 +276,7 @@ static num G(leibniz_cofactor)(int n, const num M[], int row, int column)
 }
 
 /* g_{mu i} = Sym_mu(t_{i+1}, ..., t_{i+k-1}) / C(k-1, mu), from the coefficients of the product of all 1 + t_m y. */
-static void G(matrix_g)(const struct G(span) *S, num g[])
+static void G(matrix_g)(const struct G(span) * S, num g[])
 {
     int k = S->k;
     for (int i = 0; i < k; i++) {

@@ -21,6 +21,7 @@ For $k=1$ it is the empty product.
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad t\in[t_r,t_{r+1}),\ \text{all }x
 :holds-by: marsden_identity marsden_identity_for_every_pattern
 :needs: marsden_identity_ends_with_the_span | $t$ lies in the span whose functions are summed
+:figure: marsden_identity
 :::
 
 :::{claim} marsden_coefficients_vanish_at_inner_knots
@@ -102,7 +103,7 @@ static num G(symmetric_sum)(int n, const num x[], int j)
 }
 
 /* omega_{i,k}(x) by its letter. */
-static num G(omega)(const struct G(span) *S, int i, int k, num x)
+static num G(omega)(const struct G(span) * S, int i, int k, num x)
 {
     num product = from_int(1);
     for (int m = i + 1; m <= i + k - 1; m++)
@@ -286,7 +287,7 @@ constant 1.
 :control: the sums begin at $i=r-m+2$
 :::
 */
-static num G(level_of_coefficients)(const struct G(span) *S, int i, int k, const num W[], num t, int exchanged)
+static num G(level_of_coefficients)(const struct G(span) * S, int i, int k, const num W[], num t, int exchanged)
 {
     num length = sub(S->t[i + k - 1], S->t[i]);
     num rise = div(sub(t, S->t[i]), length), fall = div(sub(S->t[i + k - 1], t), length);
@@ -391,6 +392,7 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :zh: 用对称函数表示的幂函数公式
 :printed: t^j=\sum_{i=r-k+1}^r\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,N_{i,k}(t)\Big/\binom{k-1}j,\quad t\in[t_r,t_{r+1})
 :holds-by: powers_of_t_from_symmetric_functions
+:figure: powers_from_averages
 
 For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
 :::
@@ -445,7 +447,7 @@ For $j=0$ the sum has one term, the empty product 1.
 :::
 */
 #if FIELD
-static num G(omega_derivative)(const struct G(span) *S, int i, int order)
+static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 {
     num x = variable_f("x"), D = G(omega)(S, i, S->k, x);
     for (int m = 0; m < order; m++)

@@ -84,13 +84,13 @@ static inline struct G(span) G(simple_span)(trial *T, int k)
 }
 
 /* N_{i,m}(x) of order m on the span, a polynomial of x, by the definition. */
-static inline num G(basis_value)(const struct G(span) *S, int i, int m, num x)
+static inline num G(basis_value)(const struct G(span) * S, int i, int m, num x)
 {
     return G(cox_de_boor)(m - 1, S->t, S->group, i, S->group[S->r], x);
 }
 
 /* t = t_r + u (t_{r+1} - t_r) */
-static inline num G(at_parameter)(const struct G(span) *S, num u)
+static inline num G(at_parameter)(const struct G(span) * S, num u)
 {
     return add(S->t[S->r], mul(u, sub(S->t[S->r + 1], S->t[S->r])));
 }

@@ -22,6 +22,7 @@ single Bézier segment.  The source derives the first two from the divided diffe
 :corrected: the factors are $t_l-t_j$; there are $k$ of them, so the printed formula has the wrong sign for odd $k$ and is
   right for even $k$
 :corrected-by: simple_difference_has_factors_of_both_orders
+:figure: simple_knots_sign
 :::
 
 :::{statement} wang-ch4:simple-basis
@@ -47,6 +48,7 @@ Nothing in the source says what $\alpha_l$ is.
 :refuted-by: printed_weights_give_the_negative_basis
 :corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
 :corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
+:figure: simple_knots_sign
 :::
 
 :::{statement} wang-ch4:formula-4.4.23
@@ -60,6 +62,7 @@ Nothing in the source says what $\alpha_l$ is.
   (t_l-t_\alpha)}
 :corrected-by: simple_matrix_is_the_matrix
 :striking: 9
+:figure: simple_knots_sign
 
 Two faults: the sign, wrong for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, which for even
 $k$ is wrong alone.
@@ -133,7 +136,7 @@ static num G(product_of_differences)(const num t[], int i, int k, int l, int as_
 }
 
 /* (4.4.23) by its letter, but for the exponent, which is given: k-1-j, or k-l-j with the number l of the knot. */
-static num G(printed_entry)(const struct G(span) *S, int i, int j, int letter, int as_printed)
+static num G(printed_entry)(const struct G(span) * S, int i, int j, int letter, int as_printed)
 {
     int k = S->k, r = S->r;
     num sum = from_int(0), step = sub(S->t[r], S->t[r + 1]);
@@ -348,6 +351,7 @@ With $l$ in its own upper limit the sum has no meaning; with the limit put right
 :refuted-by: uniform_letter_in_last_sum_fails
 :corrected: the exponent is $k-1-j$
 :corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
 :::
 
 :::{statement} wang-ch4:uniform-substitutions
@@ -364,6 +368,7 @@ The last $l$ is a new one: it is $r+1+s$ minus the old.
 :zh: 等距节点的系数矩阵
 :printed: a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j},\quad i,j=0,\dots,k-1
 :holds-by: uniform_matrix_is_the_matrix
+:figure: uniform_matrices
 
 Here the exponent is printed right.
 :::
@@ -409,8 +414,7 @@ CLAIM(uniform_matrix_is_the_matrix)
     }
     G(bspline_matrix_uniform)(k - 1, A);
     for (int i = 0; i < k; i++)
-        same(T, G(column_value)(k, A, T->planted ? k - 1 - i : i, u),
-             G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
+        same(T, G(column_value)(k, A, T->planted ? k - 1 - i : i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
 }
 
 #if RATIONAL
@@ -604,6 +608,7 @@ $j$ is the row, $i$ the column.
 :corrected: a_{ji}=0\ (j<i),\quad a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji\ (j\ge i)
 :corrected-by: bernstein_matrix_is_the_matrix
 :striking: 10
+:figure: bernstein_matrix
 
 Two faults: the two indices are exchanged, so that the matrix is triangular on the wrong side, and the two binomial
 coefficients are divided and not multiplied.  To mend one of them is not enough.
@@ -624,6 +629,7 @@ coefficients are divided and not multiplied.  To mend one of them is not enough.
 :refuted-by: printed_bernstein_matrix_is_transposed
 :corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
 :corrected-by: bernstein_matrix_is_the_matrix
+:figure: bernstein_matrix
 :::
 
 :::{claim} bernstein_coefficients_and_g
@@ -658,10 +664,7 @@ coefficients are divided and not multiplied.  To mend one of them is not enough.
 :control: the functions in the opposite order
 :::
 */
-static struct G(span) G(bernstein_span)(int k)
-{
-    return G(span_of_pattern)(k, 0, (num[]){from_int(0), from_int(1)});
-}
+static struct G(span) G(bernstein_span)(int k) { return G(span_of_pattern)(k, 0, (num[]){from_int(0), from_int(1)}); }
 
 static num G(bernstein_value)(int n, int i, num t)
 {
