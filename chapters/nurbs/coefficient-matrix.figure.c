@@ -44,8 +44,8 @@ FIGURE(matrix_and_weights)
     svg_control_polygon(s, p, R, "r");
     svg_bezier(s, p, affine, SVG_WRONG);
     svg_rational(s, p, curve, w, SVG_RIGHT);
-    svg_legend_line(s, SVG_RIGHT, "the matrix on $(w_ir_i,w_i)$: the curve");
-    svg_legend_line(s, SVG_WRONG, "the matrix on $r_i$");
+    svg_legend_line(s, SVG_RIGHT, "the curve");
+    svg_legend_line(s, SVG_WRONG, "the matrix applied to $r_i$");
     return s;
 }
 

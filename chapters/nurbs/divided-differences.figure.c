@@ -83,7 +83,7 @@ FIGURE(osculating_polynomial)
     svg_frame(s);
     svg_legend_line(s, SVG_CURVE_2, "$f(t)=2/(1+t^2)$");
     svg_legend_line(s, SVG_CURVE, "the polynomial of degree 4");
-    svg_legend_mark(s, SVG_POINT, SVG_DISC, "double node: value and derivative");
+    svg_legend_mark(s, SVG_POINT, SVG_DISC, "double node");
     svg_legend_mark(s, SVG_POINT, SVG_RING, "simple node");
     return s;
 }

@@ -21,8 +21,8 @@ FIGURE(simple_knots_sign)
         column_of(p, A, i, q(-1), c); /* as printed: the factor (-1)^k */
         put_polynomial(s, p, c, q(0), q(2), SVG_WRONG);
     }
-    svg_legend_line(s, SVG_RIGHT, "$N_{i,3}$: the factors $t_l-t_α$");
-    svg_legend_line(s, SVG_WRONG, "as printed: the factors $t_α-t_l$");
+    svg_legend_line(s, SVG_RIGHT, "factors $t_l-t_α$: $N_{i,3}$");
+    svg_legend_line(s, SVG_WRONG, "factors $t_α-t_l$, as printed");
     return s;
 }
 
@@ -66,10 +66,10 @@ FIGURE(uniform_letter)
             }
             B[j * k + i] = mul_q(q((j % 2 == 0 ? 1 : -1) * k * binomial(k - 1, j)), sum);
         }
-    put_matrix(s, k, B, 76, "as printed, $k=3$");
-    svg_heading(s, SVG_WRONG, "exponent $k-l-j$");
-    put_matrix(s, k, A, 76, "the coefficient matrix");
-    svg_heading(s, SVG_RIGHT, "exponent $k-1-j$");
+    put_matrix(s, k, B, 76, "the exponent as printed, $k=3$");
+    svg_heading(s, SVG_WRONG, "$k-l-j$");
+    put_matrix(s, k, A, 76, "the exponent put right");
+    svg_heading(s, SVG_RIGHT, "$k-1-j$");
     return s;
 }
 
@@ -86,12 +86,12 @@ FIGURE(bernstein_matrix)
     for (int j = 0; j < k; j++)
         for (int i = 0; i < k; i++)
             B[j * k + i] = i < j ? q(0) : r((i + j) % 2 == 0 ? binomial(p, i) : -binomial(p, i), binomial(i, j));
-    put_matrix(s, k, B, 56, "row $j$, column $i$: $(-1)^{i+j}C(3,i)/C(i,j)$");
-    svg_heading(s, SVG_WRONG, "printed, $i≥j$");
-    put_matrix(s, k, A, 56, "$(-1)^{i+j}C(3,j)C(j,i)$");
-    svg_heading(s, SVG_RIGHT, "right, $j≥i$");
-    svg_panel(s, window(q(0), r(-3, 2), q(1), r(3, 2)), 260, 225, "the functions of the columns");
-    svg_axes(s, r(1, 2), r(1, 2), "t", NULL);
+    put_matrix(s, k, B, 56, "printed: $(-1)^{i+j}C(3,i)/C(i,j)$");
+    svg_heading(s, SVG_WRONG, "$i≥j$");
+    put_matrix(s, k, A, 56, "right: $(-1)^{i+j}C(3,j)C(j,i)$");
+    svg_heading(s, SVG_RIGHT, "$j≥i$");
+    svg_panel(s, window(q(0), r(-16, 5), q(1), r(24, 5)), 260, 225, "the functions of the columns");
+    svg_axes(s, r(1, 2), q(1), "t", NULL);
     for (int i = 0; i < k; i++) {
         column_of(p, B, i, q(1), c);
         put_polynomial(s, p, c, q(0), q(1), SVG_WRONG);
