@@ -6,7 +6,7 @@ from the control points to the coefficients of the powers is the coefficient mat
 only.  This section defines it, and decides the first of the two explicit formulas for it: that by divided differences.
 
 In this and the next sections the order is $k$, the span $[t_r,t_{r+1})$ is not empty, the functions on it are
-$N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.
+$N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.  The degree that a claim names is $k-1$.
 
 :::{statement} wang-ch4:formula-4.4.1
 :title: The parameter of the span
@@ -73,7 +73,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
   rule $0/0=0$ decided by the pattern.
 :degrees: 0..5 sampled 7
 :defines: bspline_matrix
-:control: the first and the last knot of the span's neighbours taken as the other's, that is the knots shifted by one
+:control: the matrix of the span before
 :::
 
 :::{claim} matrix_gives_homogeneous_curve
@@ -316,7 +316,7 @@ For the homogeneous curve (4.1.1).
 :title: The printed coefficients are those of the B-spline
 :zh: (4.4.12) 的二重和给出 B 样条基
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
-  for $k>5$ random patterns
+  random patterns for greater $k$
 :then: $\sum_ja_{ji}u^j=N_{i,k}(t)$, with $a_{ji}$ as printed, limits and all, and $\alpha$ from the cofactors (4.4.9)
 :method: The double sum by its letter, against the recursion of Cox and de Boor.
 :degrees: 0..4 sampled 5
@@ -327,7 +327,7 @@ For the homogeneous curve (4.1.1).
 :title: The kernel for one column gives the B-spline
 :zh: 差商法逐列计算
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
-  for $k>5$ random patterns
+  random patterns for greater $k$
 :then: the coefficients of `bspline_column_by_differences` are those of $N_{i,k}$ on the span
 :method: As for the printed sum; the kernel takes its weights from power series and sums by Horner's rule.
 :degrees: 0..4 sampled 7
@@ -543,7 +543,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :title: The divided difference of the truncated power is the B-spline
 :zh: 截断幂的差商即 B 样条基
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $t$ variables;
-  for $k>5$ random patterns
+  random patterns for greater $k$
 :then: $(t_{i+k}-t_i)[t_i,\dots,t_{i+k}](x-t)_+^{k-1}=N_{i,k}(t)$ on the span, by the table of divided differences and by
   the sum with the weights $\alpha$
 :method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$ right
@@ -683,12 +683,30 @@ CLAIM(summation_orders_agree)
 :title: The printed second line is 0 where the B-spline is not
 :zh: 证明第二行恒为零
 :kind: counterexample
-:given: $k=2$, the knots $0,1,2$ of $N_{i,2}$ on the span $[0,1)$, $t=\frac12$
-:then: $N_{i,2}(t)=\frac12$, and the sum over all $\lambda$ is $(0-t)-2(1-t)+(2-t)=0$
-:method: The sum with the weights of the divided difference.
+:given: $k=2$, the knots $0,1,2$ of $N_{i,2}$ on the span $[0,1)$, $t=u=\frac12$
+:then: $N_{i,2}(t)=\frac12$, and the sum over all $\lambda$ is $(0-t)-2(1-t)+(2-t)=0$; so is the
+  third line, which is the second expanded
+:method: Both lines by their letter, with the weights of the divided difference.
 :control: only the $\tau_\lambda>t_r$
 :::
 */
+/* The printed third line at u, over all nodes or over those right of t_r. */
+static num G(third_line)(const struct G(span) * S, int only_right, num u)
+{
+    int k = S->k;
+    struct G(nodes) n = G(nodes_of)(S);
+    num alpha[LARGEST_ORDER + 1], t_r = S->t[S->r], step = sub(t_r, S->t[S->r + 1]), sum = from_int(0);
+    G(divided_weights)(n.d, n.l, n.tau, alpha);
+    for (int i = 0, row = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++, row++)
+            for (int j = 0; j <= k - mu - 1 && (!only_right || n.right[i]); j++) {
+                num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
+                num powers = mul(G(power)(sub(n.tau[i], t_r), k - 1 - mu - j), G(power)(mul(step, u), j));
+                sum = add(sum, mul(alpha[row], mul(factor, powers)));
+            }
+    return mul(sub(S->t[k], S->t[0]), sum);
+}
+
 CLAIM(full_powers_sum_to_nothing)
 {
     num x[3] = {from_int(0), from_int(1), from_int(2)}, t = from_ratio(1, 2);
@@ -699,6 +717,8 @@ CLAIM(full_powers_sum_to_nothing)
     show(T, "second line", line);
     about(T, "the second line, and N_{i,2}(t)");
     same(T, line, G(basis_value)(&S, 0, 2, t));
+    about(T, "the third line, and N_{i,2}(t)");
+    same(T, G(third_line)(&S, T->planted, t), G(basis_value)(&S, 0, 2, t));
 }
 
 /*

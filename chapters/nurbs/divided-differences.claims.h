@@ -6,7 +6,8 @@ B-splines.  This section decides the formula that the source uses: the divided d
 that may coincide, written out with the values of the function and of its derivatives.
 
 The nodes are $\tau_1<\dots<\tau_d$ with the multiplicities (重数) $l_1,\dots,l_d$, together $k+1$.  A set of
-multiplicities is a composition of $k+1$, and there are $2^k$ of them: the claims below go through them all.
+multiplicities is a composition of $k+1$, and there are $2^k$ of them: the claims below go through them all, in other
+numbers than those of the field beyond $k=4$ through random ones.  The degree that a claim names is $k$.
 
 ## Osculation (密切)
 
@@ -439,6 +440,13 @@ The left side is the table of divided differences.  $g$ has the degree $k$ at mo
 :printed: [t_0,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
 :holds-by: printed_weights_give_divided_difference
 :figure: osculating_polynomial
+:::
+
+:::{statement} wang-ch4:lemma-4.4.1-step
+:title: From the quotient of determinants to the lemma
+:zh: 引理 4.4.1 的推导
+:printed: expanding the numerator of (4.4.7) by its last column gives the lemma
+:holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference
 :::
 
 :::{statement} wang-ch4:formula-4.4.9

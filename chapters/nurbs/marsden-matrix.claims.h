@@ -92,7 +92,9 @@ Both are the matrix of the span, so they are equal, whatever the multiplicities 
 :given: every pattern of the 2k knots around a span up to the order 3, variables; orders 4 and 5 with simple knots and the knots
   of Bernstein; for greater orders random patterns in the other number types
 :then: `bspline_matrix_by_differences`, `bspline_matrix_by_marsden` and `bspline_matrix` give the same matrix
-:method: Entry by entry.
+:method: Entry by entry.  `bspline_matrix` and `bspline_matrix_by_marsden` divide by differences of knots on the two sides
+  of the span only, so with simple variable knots they agree for coincident ones as well; the case distinctions of the
+  other kernel are settled column by column in the section before.
 :degrees: 0..4 sampled 6
 :control: the knot $t_{r+2}$ is moved for the second matrix
 :::
@@ -105,9 +107,8 @@ Both are the matrix of the span, so they are equal, whatever the multiplicities 
   each; order 8 with 6 patterns, from simple knots to $k$-fold ones
 :then: the three kernels give the same matrix
 :method: All entries are compared.
-:scope: the stated knots; that they stand for all knots of their pattern is proved on columns (`coefficient-matrix`) and by
-  the determinant of $G$ below
-:control: one multiplicity taken as another: the last pattern of each order in the place of the pattern
+:scope: the stated knots
+:control: simple knots for the third matrix in the place of the pattern
 :::
 
 ## Why G is invertible

@@ -300,6 +300,13 @@ CLAIM(exponent_with_the_letter_fails)
 With $t_i=i$ the products are factorials.  The source derives the matrix by a chain of four sums: the knots put in, then
 $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 
+:::{statement} wang-ch4:uniform-wlog
+:title: Equidistant knots may be taken as the integers
+:zh: 等距时不妨设 t_i=i
+:printed: for equidistant knots one may take $t_i=i$
+:holds-by: coefficient_matrix_is_affinely_invariant uniform_matrix_is_the_matrix
+:::
+
 :::{statement} wang-ch4:uniform-start
 :title: The chain begins with formula 4.4.23
 :zh: 推导以 (4.4.23) 为起点
