@@ -36,7 +36,8 @@ cofactors written out, gives the B-splines in powers of $t$; one more expansion 
 :needs: empty_span_makes_g_singular | the span is not empty
 :figure: both_matrices
 
-For $t_r=0$ the power $t_r^0$ is 1.
+For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$; where the source says so, both have lost
+the index $i$.
 :::
 
 :::{statement} wang-ch4:thm-4.4.3-equal

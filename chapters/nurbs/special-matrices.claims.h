@@ -377,7 +377,7 @@ The last $l$ is a new one: it is $r+1+s$ minus the old.
 :holds-by: uniform_matrix_is_the_matrix
 :figure: uniform_matrices
 
-Here the exponent is printed right.
+Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in this place, with a $t$ for the order $k$.
 :::
 
 :::{statement} wang-ch4:uniform-matrix-independent
