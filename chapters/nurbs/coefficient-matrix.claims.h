@@ -303,6 +303,16 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and what the powers allow.
 :::
 
+:::{statement} wang-ch4:formula-4.4.12
+:title: The limits of the double sum
+:zh: (4.4.12) 的求和上限
+:printed: 0\le\mu\le k-1-\max(j,k-l_\lambda),\quad0\le j\le k-1,\quad r-k+1\le i\le r
+:holds-by: summation_orders_agree printed_double_sum_gives_the_basis
+
+For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and their
+bases are positive.
+:::
+
 :::{statement} wang-ch4:thm-4.4.1-curve
 :title: So the curve has the coefficient matrix of these entries
 :zh: 由此得 NURBS 曲线的系数矩阵表示

@@ -23,6 +23,16 @@ With $m-1$ as the last order the number of conditions is the number of nodes.  F
 divisible by the product of all $t-t_i$.
 :::
 
+:::{statement} wang-ch4:formula-4.4.4
+:title: The conditions at one node
+:zh: 单个节点处的密切条件
+:printed: p^{(j)}(t)=q^{(j)}(t),\quad j=0,1,\dots,m-1
+:definition: yes
+:checked-by: osculation_is_divisibility
+
+$m$ conditions at a node of multiplicity $m$; with one more the nodes would have one more.
+:::
+
 :::{statement} wang-ch4:formula-4.4.5
 :title: The nodes grouped by their values
 :zh: 节点按重数分组
@@ -440,6 +450,15 @@ The left side is the table of divided differences.  $g$ has the degree $k$ at mo
 :printed: [t_0,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
 :holds-by: printed_weights_give_divided_difference
 :figure: osculating_polynomial
+:::
+
+:::{statement} wang-ch4:formula-4.4.8
+:title: The sum of the lemma has one term for each datum
+:zh: (4.4.8) 的求和范围
+:printed: i=1,\dots,d,\quad j=0,\dots,l_i-1
+:holds-by: places_count_the_rows printed_weights_give_divided_difference
+
+These are $k+1$ terms, as many as there are nodes.
 :::
 
 :::{statement} wang-ch4:lemma-4.4.1-step

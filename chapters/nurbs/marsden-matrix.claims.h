@@ -40,6 +40,15 @@ For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}
 the index $i$.
 :::
 
+:::{statement} wang-ch4:formula-4.4.17
+:title: The entries from the cofactors of G
+:zh: 由 G 的代数余子式给出矩阵元素
+:printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}
+:holds-by: printed_cofactor_formula_gives_the_basis both_explicit_matrices_agree
+
+The entries do not change when all knots move by one number, although $t_r$ stands in the formula.
+:::
+
 :::{statement} wang-ch4:thm-4.4.3-equal
 :title: Two explicit matrices for the same representation
 :zh: 两种显式矩阵表示

@@ -24,6 +24,15 @@ For $k=1$ it is the empty product.
 :figure: marsden_identity
 :::
 
+:::{statement} wang-ch4:formula-4.4.13
+:title: The identity as one of polynomials in x and t
+:zh: 恒等式作为 x 与 t 的多项式恒等式
+:printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
+:holds-by: marsden_identity marsden_identity_up_to_order_eight
+
+With the polynomials of the span in the places of the $N_{i,k}$ it holds for all $t$, not in the span alone.
+:::
+
 :::{claim} marsden_coefficients_vanish_at_inner_knots
 :title: The kernel's coefficients are the products of x minus the inner knots
 :zh: ω 的系数与零点
