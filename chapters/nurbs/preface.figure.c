@@ -7,3 +7,5 @@ FIGURE(nurbs_definition) { return svg_new("a", "stub", "stub"); }
 FIGURE(missing_end) { return svg_new("a", "stub", "stub"); }
 FIGURE(idle_point) { return svg_new("a", "stub", "stub"); }
 FIGURE(bezier_knots) { return svg_new("a", "stub", "stub"); }
+FIGURE(deboor_triangle) { return svg_new("a", "stub", "stub"); }
+FIGURE(wrong_interval) { return svg_new("a", "stub", "stub"); }
