@@ -143,7 +143,7 @@ CLAIM(negative_weight_leaves_the_hull)
 :given: a span with simple knots, values variables; weights, points of the plane; any affine map, any $t$
 :then: the curve of the mapped points with the same weights is the mapped curve
 :method: The definition, everything a variable.
-:degrees: 1..3 sampled 6
+:degrees: 1..4 sampled 6
 :control: the last point is not moved
 :::
 
@@ -153,7 +153,7 @@ CLAIM(negative_weight_leaves_the_hull)
 :given: a span with simple knots, values variables; points, weights, any $t$
 :then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
 :method: The definition, everything a variable.
-:degrees: 1..3 sampled 6
+:degrees: 1..4 sampled 6
 :control: the weights are not reversed
 :::
 */
@@ -363,7 +363,7 @@ CLAIM(k_fold_knot_tears_the_curve)
   $\kappa^2(t_k)=\bigl(\frac{k-2}{k-1}\frac{\Delta_1}{\Delta_2}\frac{w_1w_3}{w_2^2}\bigr)^2\frac{(a\times b)^2}{|a|^6}$, and in
   space $\tau(t_k)=\frac{k-3}{k-1}\frac{\Delta_1}{\Delta_3}\frac{w_1w_4}{w_2w_3}\frac{(a,b,c)}{|a\times b|^2}$
 :method: The kernels at $t=t_k$; for $k=3$ without the torsion.  With equal $\Delta_i$ these are the formulas of rational Bézier curves.
-:degrees: 2..3 sampled 7
+:degrees: 2..5 sampled 7
 :control: $\Delta_1/\Delta_2$ left out
 :::
 */

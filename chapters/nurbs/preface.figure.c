@@ -9,3 +9,6 @@ FIGURE(idle_point) { return svg_new("a", "stub", "stub"); }
 FIGURE(bezier_knots) { return svg_new("a", "stub", "stub"); }
 FIGURE(deboor_triangle) { return svg_new("a", "stub", "stub"); }
 FIGURE(wrong_interval) { return svg_new("a", "stub", "stub"); }
+FIGURE(nurbs_polygons_converge) { return svg_new("a", "stub", "stub"); }
+FIGURE(insertions_commute) { return svg_new("a", "stub", "stub"); }
+FIGURE(insertion_to_the_curve) { return svg_new("a", "stub", "stub"); }
