@@ -12,3 +12,4 @@ FIGURE(wrong_interval) { return svg_new("a", "stub", "stub"); }
 FIGURE(nurbs_polygons_converge) { return svg_new("a", "stub", "stub"); }
 FIGURE(insertions_commute) { return svg_new("a", "stub", "stub"); }
 FIGURE(insertion_to_the_curve) { return svg_new("a", "stub", "stub"); }
+FIGURE(no_convergence) { return svg_new("a", "stub", "stub"); }
