@@ -9,8 +9,8 @@ of the curve, and then with the square of the largest gap; an explicit bound is 
 :zh: 推论 4.1.1:存在递增节点集序列使多边形收敛到曲线
 :printed: There is a sequence of sets of knots $\{T_m'\}$, $T_m'\subseteq T_{m+1}'$, with
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
-:holds-by: polygon_is_within_the_bound_of_the_spline greville_defect_is_a_variance halving_the_gaps_divides_the_bound_by_four
-  second_differences_are_averaged quotient_is_near_if_the_spline_is
+:holds-by: greville_abscissae_reproduce_the_line basis_is_a_partition_of_unity greville_defect_is_a_variance
+  gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
 :hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve, for which $(k-1)$-fold $t_k$ and
   $t_{n+1}$ suffice ($t_2=\dots=t_k$, $t_{n+1}=\dots=t_{n+k-1}$): otherwise $r_1$, a vertex of every polygon, keeps its distance
 :needs: negative_weight_makes_a_pole | positive weights
@@ -27,8 +27,8 @@ passes through the curve, or the curve is torn as the polygon is, and either sid
 :title: Discrete rational B-spline curves must converge to the NURBS curve
 :zh: 有理离散 B 样条曲线必收敛到 NURBS 曲线
 :printed: We can also infer that rational discrete B-spline curves must converge to the NURBS curve
-:holds-by: polygon_is_within_the_bound_of_the_spline gaps_bound_the_defect second_differences_are_averaged
-  quotient_is_near_if_the_spline_is
+:holds-by: greville_abscissae_reproduce_the_line basis_is_a_partition_of_unity greville_defect_is_a_variance
+  gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, $h_m\to0$; infinitely many do not suffice
 :hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve
 :figure: no_convergence
@@ -152,6 +152,17 @@ $$|f(t)-d(t)|\ \le\ M\max_j\frac1{2p(p-1)}\sum_i(x_{j,i}-\xi_j)^2\ \le\ \frac{k}
 
 The bound is attained by the parabola with equal gaps: the order is two, exactly.
 
+:::{claim} greville_abscissae_reproduce_the_line
+:title: With the Greville abscissae as points the spline is t
+:zh: 以 Greville 横坐标为控制顶点的样条即 t
+:given: every pattern of knots of the list, values variables; every interval of the domain
+:then: $\sum_{i=1}^nN_{i,k}(t)\,\xi_i=t$
+:method: The recursion by its letter.  With $N_{i,k}\ge0$ and $\sum N_{i,k}=1$ (`basis_is_a_partition_of_unity`) this is all that the
+  argument above needs of the B-splines.
+:degrees: 1..4 sampled 6
+:control: $\xi_i$ taken at $i+1$
+:::
+
 :::{claim} polygon_is_within_the_bound_of_the_spline
 :title: The distance of a spline from its polygon, with the exact constant
 :zh: 样条与其控制多边形的距离
@@ -200,6 +211,24 @@ The bound is attained by the parabola with equal gaps: the order is two, exactly
 :control: $r$ in the place of $\rho$ on the right
 :::
 */
+CLAIM(greville_abscissae_reproduce_the_line)
+{
+    static const char *const kinds[][4] = {
+        {"1111", "212", "121", NULL}, {"11111", "323", "21112", NULL}, {"1111111", "434", "41214", NULL},
+        {"515", "12221", NULL},       {"66", "61326", NULL},           {"727", NULL}};
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS], xi[MOST_KNOTS], t = unknown(T, "t", 0);
+    for (int k = 0; kinds[p - 1][k] != NULL; k++) {
+        const char *pattern = kinds[p - 1][k];
+        G(distinct_knots)(T, (int)strlen(pattern), x);
+        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
+        for (int i = 0; i < n; i++)
+            xi[i] = G(greville)(p, u, T->planted && i + 1 < n ? i + 1 : i);
+        for (int interval = place[p]; interval < place[n]; interval++)
+            same(T, G(spline)(n, p, 1, u, place, xi, 0, interval, t), t);
+    }
+}
+
 CLAIM(second_differences_are_averaged)
 {
     int p = T->degree, n = p + 2, mu = p;

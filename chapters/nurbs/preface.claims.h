@@ -52,10 +52,6 @@ A whole circle is one NURBS curve, with rational points and weights, and with ev
 */
 #if RATIONAL
 #include "chapters/nurbs/counting.h"
-#undef G
-#define G(name) name##_n
-#include "core/kernels.tmpl.h"
-#undef G
 #define G(name) name##_q
 #endif
 
@@ -167,34 +163,6 @@ The same source calls de Boor's recursion simple and stable; it is the way in wh
 :::
 */
 #if RATIONAL
-enum { counted_points = 18, counted_knots = 2 * counted_points };
-
-/* What one point of degree p costs by de Boor's algorithm on homogeneous points, by the rational one, and one
- * insertion of a knot by the latter. */
-static void counted_work(int p, long cost[3], long *tree)
-{
-    num_n u[counted_knots], v[counted_knots + 1], R[3 * counted_points], w[counted_points], P[3];
-    num_n S[2 * counted_points + 2], z[counted_points + 1];
-    for (int way = 0; way < 3; way++) {
-        num_n fresh = {&cost[way], 0};
-        cost[way] = 0;
-        for (int i = 0; i < 2 * p + 2; i++)
-            u[i] = fresh;
-        for (int i = 0; i < 3 * (p + 1); i++)
-            R[i] = fresh;
-        for (int i = 0; i <= p; i++)
-            w[i] = fresh;
-        if (way == 0)
-            deboor_n(p, 3, u, p, R, fresh, P);
-        else if (way == 1)
-            nurbs_deboor_n(p, 2, u, p, R, w, fresh, P);
-        else
-            nurbs_insert_n(p + 1, p, 2, u, p, R, w, fresh, v, S, z);
-        if (way == 0)
-            *tree = P[0].tree;
-    }
-}
-
 CLAIM(recursion_is_quadratic)
 {
     int p = T->degree;
