@@ -416,8 +416,8 @@ CLAIM(steps_of_refinement_compose)
         G(refine_pair)(old, one, p, &first);
         G(refine_pair)(between, two, p, &second);
         G(weighted_points)(T, first.n, 1, R, w);
-        G(refined_by_definition)(first.n, p, 1, whole_step.u, whole_step.place, R, w, whole_step.m, whole_step.v,
-                                 whole_step.at, S, z);
+        G(refined_by_definition)
+        (first.n, p, 1, whole_step.u, whole_step.place, R, w, whole_step.m, whole_step.v, whole_step.at, S, z);
         G(refined_by_definition)(first.n, p, 1, first.u, first.place, R, w, first.m, first.v, first.at, S1, z1);
         for (int l = 0; T->planted && l < first.m; l++)
             z1[l] = from_int(1);

@@ -452,8 +452,9 @@ CLAIM(knots_on_one_side_do_not_converge)
     }
     for (int side = 0; side < sides; side++)
         for (int i = 1; i <= 7; i++, n++, now = 1 - now)
-            G(nurbs_insert)(n, 2, 2, u[now], (side == 0 ? 1 : 9) + i, R[now], w[now], from_ratio(8 * side + i, 8), u[1 - now],
-                            R[1 - now], w[1 - now]);
+            G(nurbs_insert)
+            (n, 2, 2, u[now], (side == 0 ? 1 : 9) + i, R[now], w[now], from_ratio(8 * side + i, 8), u[1 - now],
+             R[1 - now], w[1 - now]);
     show_points(T, "the polygon", n, 2, R[now]);
     about(T, "every vertex has x + y <= 11/3");
     for (int i = 0; i < n; i++)
