@@ -22,7 +22,7 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
   coordinates counts, so that a control point is a point together with its weight
 :figure: nurbs_definition
 
-The polygon that later sections cut and compare with lines is $r_1r_2\cdots r_n$ in space.  What the definition leaves
+In the text at hand the first point of the polygon carries the index $i$; it is read as $1$.  The polygon that later sections cut and compare with lines is $r_1r_2\cdots r_n$ in space.  What the definition leaves
 open is in the next entries: whether there is an interval, what happens at its right end, and how multiple a knot may be.
 :::
 
@@ -113,16 +113,16 @@ CLAIM(basis_is_a_partition_of_unity)
 :::{claim} every_point_counts
 :title: With knots at most k-fold, and the end knots of the domain not repeated inside, every point counts
 :zh: 节点重数不超过阶数时各顶点均起作用
-:types: rational
-:given: every pattern of the list with $t_k<t_{k+1}$, $t_n<t_{n+1}$, increasing random knots, the middle of every interval of
-  the domain
-:then: $N_{i,k}>0$ there exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
-:method: The recursion by its letter at one point of each interval.
-:degrees: 1..6
+:types: field rational
+:given: every pattern of the list with $t_k<t_{k+1}$, $t_n<t_{n+1}$, any positive gaps, any $t$ inside an interval of the
+  domain
+:then: $N_{i,k}(t)>0$ exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
+:method: The recursion by its letter; signs are read off coefficients in the gaps and in $s$, $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$.
+:degrees: 1..3 sampled 6
 :control: $N_{i,k}$ compared with the support of $N_{i+1,k}$
 :::
 */
-#if RATIONAL
+#if FIELD || RATIONAL
 CLAIM(every_point_counts)
 {
     int p = T->degree, place[MOST_KNOTS];
@@ -136,8 +136,13 @@ CLAIM(every_point_counts)
         for (int i = 0; i < n; i++) {
             int counts = 0, shift = T->planted && i + 1 < n;
             for (int interval = place[p]; interval < place[n]; interval++) {
-                num t = div(add(x[interval], x[interval + 1]), from_int(2));
-                int positive_there = sign_q(G(cox_de_boor)(p, u, place, i, interval, t)) > 0;
+                num N = G(cox_de_boor)(p, u, place, i, interval, G(parameter_inside)(T, x, interval));
+#if FIELD
+                int positive_there = coefficients_sign_f(N) == 1;
+#else
+                int positive_there = sign_q(N) > 0;
+#endif
+                nonnegative(T, N);
                 agree(T, positive_there == (place[i + shift] <= interval && interval < place[i + p + 1 + shift]));
                 counts |= positive_there;
             }
@@ -145,6 +150,7 @@ CLAIM(every_point_counts)
         }
     }
 }
+#endif
 
 /*
 :::{claim} no_interval_no_curve
@@ -201,6 +207,7 @@ CLAIM(every_point_counts)
 :control: the weights $1,1,1$
 :::
 */
+#if RATIONAL
 /* The sum of all functions and, if there are weights, of their products, in the interval named. */
 static num G(denominator)(int n, int p, const num u[], const int place[], const num w[], int interval, num t)
 {
@@ -368,7 +375,8 @@ This is a polynomial spline in four-dimensional space; the rational curve is its
 :method: The kernel against all $n$ terms of the recursion by its letter.  The numerators are linear in the points, coordinate by
   coordinate.
 :degrees: 1..3 sampled 6
-:control: the denominator without the weight of the last point of the span
+:defines: nurbs_homogenize nurbs_weight nurbs_point
+:control: the last weight of the span increased by 1 for the kernel
 :::
 */
 CLAIM(nurbs_point_is_the_weighted_mean)
@@ -390,6 +398,14 @@ CLAIM(nurbs_point_is_the_weighted_mean)
                 same(T, Q[c], P[c]);
             about(T, "the denominator");
             same(T, G(nurbs_weight)(p, u, mu, w, t), total);
+            about(T, "the homogeneous points of the span");
+            num H[4 * MOST_KNOTS];
+            G(nurbs_homogenize)(p, dim, mu, R, w, H);
+            for (int i = 0; i <= p; i++) {
+                same(T, H[i * (dim + 1) + dim], w[mu - p + i]);
+                for (int c = 0; c < dim; c++)
+                    same(T, H[i * (dim + 1) + c], mul(w[mu - p + i], R[(mu - p + i) * dim + c]));
+            }
         }
     }
 }

@@ -352,6 +352,69 @@ CLAIM(k_fold_knot_tears_the_curve)
 #endif
 
 /*
+:::{claim} nurbs_derivatives_are_derivatives
+:title: Derivatives, curvature and torsion of the kernels are those of the rational functions
+:zh: 核函数所算的导矢、曲率与挠率
+:types: field
+:given: $k=4$ over the knots $-3,-2,0,0,1,3,3,4$, $k=3$ over the inner six, weights and points, any $t$; orders $0,\dots,3$
+:then: `nurbs_derivatives` gives the derivatives of (4.1.2); `nurbs_curvature_squared` and `nurbs_torsion` give
+  $|r'\times r''|^2/|r'|^6$ and $(r',r'',r^{(3)})/|r'\times r''|^2$
+:method: Derivatives of the quotient of sums as rational functions of $t$; curvature and torsion at $t=\frac13$ with whole weights and
+  points of which one coordinate is a variable.
+:degrees: 2..3
+:defines: nurbs_derivatives nurbs_curvature_squared nurbs_torsion
+:control: the weights 1 for the kernels
+:::
+*/
+#if FIELD
+CLAIM(nurbs_derivatives_are_derivatives)
+{
+    static const int knot[] = {-3, -2, 0, 0, 1, 3, 3, 4}, weight[] = {1, 3, 2, 5};
+    int p = T->degree, skip = 3 - p, place[MOST_KNOTS];
+    num u[MOST_KNOTS], R[3 * MOST_KNOTS], w[MOST_KNOTS], ones[MOST_KNOTS], D[12], formal[12], t = variable_f("t");
+    for (int i = 0; i < 2 * p + 2; i++) {
+        u[i] = from_int(knot[i + skip]);
+        place[i] = knot[i + skip];
+    }
+    int interval = place[p];
+    for (int i = 0; i <= p; i++)
+        ones[i] = from_int(1);
+    G(weighted_points)(T, p + 1, 1, R, w);
+    G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, interval, t, formal);
+    G(nurbs_derivatives)(p, 1, u, p, R, T->planted ? ones : w, t, 3, D);
+    about(T, "the derivatives");
+    for (int k = 0; k <= 3; k++) {
+        same(T, D[k], formal[0]);
+        formal[0] = derivative_f(formal[0], t);
+    }
+    for (int i = 0; i <= p; i++) {
+        w[i] = from_int(weight[i]);
+        R[3 * i] = unknown(T, "a", i);
+        R[3 * i + 1] = from_int(i * i);
+        R[3 * i + 2] = from_int(i * i * i - 2 * i);
+    }
+    G(nurbs_by_definition)(p + 1, p, 3, u, place, R, w, interval, t, formal);
+    for (int m = 3; m < 12; m++)
+        formal[m] = derivative_f(formal[m - 3], t);
+    num third = from_ratio(1, 3), cross[3], square = from_int(0), speed = from_int(0), mixed = from_int(0);
+    for (int m = 0; m < 12; m++)
+        formal[m] = substitute_f(formal[m], t, third);
+    for (int c = 0; c < 3; c++) {
+        int i = (c + 1) % 3, j = (c + 2) % 3;
+        cross[c] = sub(mul(formal[3 + i], formal[6 + j]), mul(formal[3 + j], formal[6 + i]));
+        square = add(square, mul(cross[c], cross[c]));
+        speed = add(speed, mul(formal[3 + c], formal[3 + c]));
+        mixed = add(mixed, mul(cross[c], formal[9 + c]));
+    }
+    about(T, "the square of the curvature");
+    same(T, G(nurbs_curvature_squared)(p, 3, u, p, R, T->planted ? ones : w, third),
+         div(square, mul(speed, mul(speed, speed))));
+    about(T, "the torsion");
+    same(T, G(nurbs_torsion)(p, u, p, R, T->planted ? ones : w, third), div(mixed, square));
+}
+#endif
+
+/*
 ## At an end (端点)
 
 :::{claim} clamped_end_is_the_first_point
