@@ -12,6 +12,18 @@ on discrete B-splines, 2.10, is not in the text at hand; its $\alpha$ are read a
 
 ## New points and weights
 
+:::{statement} wang-ch4:def-4.1-discrete-curve
+:title: The discrete rational B-spline curve
+:zh: 有理离散 B 样条曲线的定义
+:definition: yes
+:printed: In imitation of (2.10.1) and (2.10.2) the discrete rational B-spline curve $\Gamma_k^{(T)}(T')$ of order $k$ can be defined
+:checked-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
+:figure: nurbs_polygons_converge
+
+Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
+$i=j$ and $0$ otherwise.
+:::
+
 :::{statement} wang-ch4:formula-4.1.6
 :title: The control points and weights after the insertion of knots
 :zh: 嵌入节点后的控制顶点与权因子

@@ -15,7 +15,8 @@ of the curve, and then with the square of the largest gap; an explicit bound is 
   $t_{n+1}$ suffice ($t_2=\dots=t_k$, $t_{n+1}=\dots=t_{n+k-1}$): otherwise $r_1$, a vertex of every polygon, keeps its distance
 :needs: negative_weight_makes_a_pole | positive weights
 :reading: first_vertex_stays_off_the_curve | the polygon is the whole polygon, as after (4.1.1): the hypothesis is needed
-:reading: halving_the_gaps_divides_the_bound_by_four | only the vertices that belong to the domain are meant: true for all knots
+:reading: polygon_is_within_the_bound_of_the_spline | only the part of the polygon over the domain is meant: true for unclamped knots, too,
+  with the same bound
 :figure: nurbs_polygons_converge
 :striking: 42
 
@@ -453,8 +454,8 @@ CLAIM(knots_on_one_side_do_not_converge)
     for (int side = 0; side < sides; side++)
         for (int i = 1; i <= 7; i++, n++, now = 1 - now)
             G(nurbs_insert)
-            (n, 2, 2, u[now], (side == 0 ? 1 : 9) + i, R[now], w[now], from_ratio(8 * side + i, 8), u[1 - now],
-             R[1 - now], w[1 - now]);
+    (n, 2, 2, u[now], (side == 0 ? 1 : 9) + i, R[now], w[now], from_ratio(8 * side + i, 8), u[1 - now], R[1 - now],
+     w[1 - now]);
     show_points(T, "the polygon", n, 2, R[now]);
     about(T, "every vertex has x + y <= 11/3");
     for (int i = 0; i < n; i++)

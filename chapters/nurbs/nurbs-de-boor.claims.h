@@ -210,6 +210,7 @@ As printed nothing ties $j$ to the interval that contains $t$.
 :holds-by: rational_triangle_gives_the_point
 :hypothesis: end_is_in_no_interval | $t<t_{n+1}$, or the last interval that is not empty closed: none of the intervals contains
   $t_{n+1}$
+:figure: missing_end
 :::
 
 :::{claim} other_interval_gives_other_point
@@ -314,6 +315,7 @@ points are the old ones: a ratio is $0$ where $t_i=t_j$.
 :printed: The coefficients of corner cutting depend on the parameter $t$, the knots, the level $r$ and the number $i$ of the edge, and
   also on the weights of the curve
 :holds-by: weights_enter_the_coefficients
+:figure: deboor_triangle
 
 With equal weights the coefficients are those of de Boor's algorithm, and conversely the edge $i$ of level $r$ is divided as without
 weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.

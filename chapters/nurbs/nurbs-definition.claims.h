@@ -419,6 +419,7 @@ CLAIM(nurbs_point_is_the_weighted_mean)
 :printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
 :holds-by: equal_weights_give_bspline
 :reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do
+:figure: nurbs_definition
 
 The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.
 :::

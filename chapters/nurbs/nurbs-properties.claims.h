@@ -16,7 +16,8 @@
   $(k-1)$-fold ends
 :reading: simple_knots_need_other_points | the same for simple knots: false
 :reading: reversed_data_reverse_the_nurbs | symmetry: true
-:figure: local_control
+:reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere: true
+:figure: knot_vectors
 
 Chapter 2 of the source is not part of the text at hand, so that the seven numbers cannot be matched one by one; each of the
 usual properties is decided.  Convexity and the number of intersections follow in 4.2.

@@ -73,3 +73,37 @@ FIGURE(knot_sides)
     svg_legend_line(s, SVG_MUTED, "left: each segment continued beyond the knot");
     return s;
 }
+
+FIGURE(knot_vectors)
+{
+    static const int point[] = {0, 0, 0, 4, 4, 5, 7, 3, 6, 0, 3, 1}, clamped[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    static const int uniform[] = {-3, -2, -1, 0, 1, 2, 3, 4, 5, 6}, weight[] = {1, 1, 2, 1, 1, 1};
+    static const enum svg_direction side[] = {SVG_SW, SVG_NW, SVG_N, SVG_E, SVG_SE, SVG_N};
+    svg *s = svg_new("knot_vectors", "Clamped, unclamped and periodic knots",
+                     "Cubic NURBS curves with the same six points and weights: clamped, beginning and ending with the "
+                     "polygon; over simple "
+                     "knots, beginning and ending inside; continued periodically, closed.");
+    for (int kind = 0; kind < 3; kind++) {
+        static const char *const caption[] = {"clamped: knots 0, 0, 0, 0, 1, 2, 3, 3, 3, 3",
+                                              "unclamped: simple knots −3, …, 6",
+                                              "periodic: closed, smooth at the seam"};
+        spline c = spline_of(6, 3, kind == 0 ? clamped : uniform, 1, point, 1, weight), d = c;
+        if (kind == 2) {
+            num_q period[7], H[18], K[3 * 9];
+            for (int i = 0; i <= 6; i++)
+                period[i] = q(i);
+            rational_homogenize_q(5, 2, c.R, c.w, H);
+            bspline_periodic_q(6, 3, 3, period, H, d.u, K);
+            d.n = 9;
+            rational_dehomogenize_q(8, 2, K, d.R, d.w);
+        }
+        svg_panel(s, svg_integer_window(-1, -1, 8, 6), 270, 0, caption[kind]);
+        draw_polygon(s, c, "r", side, SVG_POLYGON);
+        if (kind == 2)
+            svg_segment(s, svg_pair(c.R + 10), svg_pair(c.R), SVG_MUTED);
+        draw_spline(s, d, SVG_CURVE);
+        mark_knots(s, d, SVG_CURVE);
+    }
+    svg_legend_line(s, SVG_CURVE, "the curve, $k=4$; squares at the knots");
+    return s;
+}

@@ -15,15 +15,26 @@ this can be computed is decided here.
 :::
 
 :::{statement} wang-ch4:preface-local-control
-:title: The shape is locally adjustable, and so is the order of continuity
-:zh: 形状局部可调及连续阶数可调
-:printed: NURBS curves share with B-spline curves that their shape can be adjusted locally and that their order of continuity
-  can be chosen
-:holds-by: moved_point_changes_its_support sides_agree_up_to_order_less_multiplicity
+:title: The shape is locally adjustable
+:zh: 形状局部可调
+:printed: NURBS curves share with B-spline curves that their shape can be adjusted locally
+:holds-by: moved_point_changes_its_support
 :figure: local_control
 
-Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only; a knot of multiplicity $m$ costs $m$ of the $k-1$ continuous
-derivatives.
+Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
+:::
+
+:::{statement} wang-ch4:preface-continuity
+:title: The order of continuity is adjustable
+:zh: 连续阶数可调
+:printed: NURBS curves share with B-spline curves that their order of continuity can be chosen
+:holds-by: sides_agree_up_to_order_less_multiplicity
+:reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion: true
+:reading: one_order_more_jumps | as the exact order: one order more is not continuous in general
+:figure: knot_sides
+
+A knot of multiplicity $m$ costs $m$ of the $k-1$ continuous derivatives; curvature is continuous for $m\le k-3$, torsion for
+$m\le k-4$.
 :::
 
 :::{statement} wang-ch4:preface-conics
