@@ -50,7 +50,8 @@ static inline num_n root_n(int n, num_n a)
 enum { counted_points = 18, counted_knots = 2 * counted_points };
 
 /* What one point of degree p < counted_points costs in the plane: cost[0] by de Boor's algorithm on homogeneous points,
- * cost[1] by the rational one, cost[2] one insertion of a knot by the latter; *tree, the first written out in full. */
+ * cost[1] by the rational one, cost[2] one insertion of a knot by the latter; *tree, the three coordinates of the first written out
+ * in full. */
 static inline void counted_work(int p, long cost[3], long *tree)
 {
     num_n u[counted_knots], v[counted_knots + 1], R[3 * counted_points], w[counted_points], P[3];
@@ -71,7 +72,7 @@ static inline void counted_work(int p, long cost[3], long *tree)
         else
             nurbs_insert_n(p + 1, p, 2, u, p, R, w, fresh, v, S, z);
         if (way == 0)
-            *tree = P[0].tree;
+            *tree = P[0].tree + P[1].tree + P[2].tree;
     }
 }
 #endif

@@ -32,8 +32,8 @@ open is in the next entries: whether there is an interval, what happens at its r
 :printed: $t_j\le t_{j+1}$ for all $j$, $n\ge k$: the curve is defined for $t_k\le t\le t_{n+1}$
 :holds-by: basis_is_a_partition_of_unity
 :hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise every $N_{i,k}$, $1\le i\le n$, is zero on the domain
-:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}$ is a knot of
-  multiplicity $k$: by the half-open intervals of the definition of $N_{i,1}$ all $N_{i,k}$ are zero there
+:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
+  $t_{n+1}=\dots=t_{n+k}$: by the half-open intervals of the definition of $N_{i,1}$ all $N_{i,k}$ are zero there
 :figure: missing_end
 :::
 

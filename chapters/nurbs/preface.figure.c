@@ -33,7 +33,7 @@ FIGURE(recursion_steps)
     svg *s =
         svg_new("recursion_steps", "How many operations a point takes",
                 "The number of operations for one point of a plane NURBS curve against the order k from 2 to 12: the "
-                "algorithm that keeps its points grows like k², the plain recursion leaves the picture at k = 8, "
+                "algorithm that keeps its points grows like k², the plain recursion leaves the picture after k = 6, "
                 "Horner's rule for a segment in the power basis grows like k.");
     num_q kept[2 * last], again[2 * last], horner[2 * last];
     int count = 0;
