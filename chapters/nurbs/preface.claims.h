@@ -191,7 +191,7 @@ CLAIM(recursion_is_quadratic)
 :title: De Boor's algorithm of order 17 is far below the smallest doubling
 :zh: 十七阶 deBoor 算法的运算次数远小于指数值
 :kind: counterexample
-:given: one point of a space curve in homogeneous coordinates, orders 9 and 17
+:given: one point of a plane curve in homogeneous coordinates, orders 9 and 17
 :then: the steps for order 17 are less than four times those for order 9, while doubling with each order means
   $2^8$ times
 :method: The steps are counted in the kernel.  Exponential time multiplies by a fixed factor $a>1$ with each order, so by

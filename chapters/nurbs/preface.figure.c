@@ -43,7 +43,7 @@ FIGURE(recursion_steps)
         kept[2 * count] = again[2 * count] = horner[2 * count] = q(k);
         kept[2 * count + 1] = q(cost[0]);
         again[2 * count + 1] = q(tree);
-        horner[2 * count + 1] = q(3 * 2 * (k - 1) + 2);
+        horner[2 * count + 1] = q(3 * 2 * (k - 1));
     }
     svg_panel(s, svg_integer_window(2, 0, 12, 1200), 430, 300, "Operations for one point, against the order $k$");
     svg_grid(s, q(1), q(200));
