@@ -76,7 +76,8 @@ insertion involve three rows and so six columns at most, so that their signs are
 :printed: A(\Gamma_k^{(T)}(\varPhi))\supseteq A(\Gamma_k^{(T)}(T'))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | positive weights
-:hypothesis: curve_inside_its_hull_has_no_smallest_set | the polygons are convex, or $A$ is taken as the hull
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once, else $A(\Gamma_k^{(T)}(T'))$ need not
+  exist; or $A$ is taken as the hull
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
 :::
@@ -145,7 +146,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
   $\Gamma^{(T\oplus T')}(\varPhi)=\Gamma_k^{(T)}(T')$
 :holds-by: knots_are_inserted_in_any_order printed_insertion_keeps_the_curve
 
-With the new weights, which the notation does not show.  The sum $\oplus$ keeps multiplicities.
+With the new weights, which the notation does not show; in the second equation the index $k$ is left out.  The sum $\oplus$ keeps multiplicities.
 :::
 
 :::{statement} wang-ch4:lemma-4.2.1-step-chain
@@ -172,8 +173,11 @@ With the new weights, which the notation does not show.  The sum $\oplus$ keeps 
 
 For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, so by the
 formula above they turn as the polygon does.  If all turns are $0$ the curve is on a line, and so is the polygon, as the
-B-splines of the domain are linearly independent.
-The converse is false: the curve may be convex alone.
+B-splines of the domain are linearly independent; it goes straight on, and so does the curve, since no line across is
+crossed more often.
+The converse is false: the curve may be convex alone.  For a periodic curve the closed polygon of one period must be convex; written as
+an ordinary curve it repeats $k-1$ vertices and does not run through once, but its insertions cut the corners of the closed
+polygon (`periodic_curves_of_convex_polygons_are_convex`).
 :::
 
 :::{statement} wang-ch4:thm-4.2.1-step-intersection
@@ -218,6 +222,8 @@ an intersection of closed convex sets is closed and convex.
 :printed: by (4.1.10), $A$ is the smallest closed convex set $A(\boldsymbol r_k(t))$ with $\boldsymbol r_k(t)$ as boundary or part of the
   boundary, so $\boldsymbol r_k(t)$ is convex
 :holds-by: convex_polygons_lie_on_the_border_of_their_hull convex_polygons_have_splines_of_one_turn
+:hypothesis: knot_of_full_multiplicity_tears_the_curve | no inner knot has multiplicity $k$; else the polygons converge to the curve
+  together with the segment over which it jumps
 :hypothesis: limit_of_convex_polygons_may_run_back | the limit is not on one line, or it is known otherwise that it runs through its
   points once
 
@@ -373,6 +379,20 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :degrees: 2..4
 :scope: n stands for the order k; the stated curves
 :control: the third point thrown across the line of the first two
+:::
+
+:::{claim} periodic_curves_of_convex_polygons_are_convex
+:title: A closed polygon that is convex has a convex periodic curve
+:zh: 闭合周期曲线的保凸性
+:kind: decision
+:given: convex polygons of $3$, $4$ and $5$ points, closed; orders $3$ and $4$; a period of different intervals; weights $1$, $1000$ and $1$
+  in turn, and $1,10,100,\dots$
+:then: the Bézier points of all intervals, joined, are a closed convex polygon that runs round once
+:method: That polygon is what one gets by inserting every knot until its multiplicity is $k-1$; it is a polygon for which the
+  theorem holds.  Convexity by `exact/hull.h`.
+:degrees: 3..4
+:scope: n stands for the order k; the stated curves
+:control: the second point moved across the line of its neighbours
 :::
 
 :::{claim} polygon_that_turns_back_loses_convexity
@@ -1040,6 +1060,36 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
                 int orientation;
                 agree(T, polygon_is_convex(n - 1, r + 2, 1, &orientation) && orientation == 1);
             }
+            region_drop(mark);
+        }
+}
+
+CLAIM(periodic_curves_of_convex_polygons_are_convex)
+{
+    static const long point[3][2 * 5] = {{0, 0, 3, 0, 1, 2}, {0, 0, 3, 0, 3, 3, 0, 1}, {0, 0, 4, 0, 5, 3, 2, 5, 0, 1}};
+    static const long knot[] = {0, 2, 3, 5, 6, 7};
+    enum { SIZE = 16 };
+    int p = T->degree - 1;
+    for (int m = 3; m <= 5; m++)
+        for (int family = 0; family < 3; family++) {
+            num u[SIZE], R[2 * SIZE], H[3 * SIZE], v[SIZE], D[3 * SIZE], w[SIZE], b[3 * SIZE], joined[2 * 5 * SIZE];
+            region_mark mark = region_open();
+            points_of(m, point[m - 3], R);
+            if (T->planted)
+                R[3] = add(from_int(9), R[5]);
+            for (int i = 0; i <= m; i++) {
+                u[i] = from_int(knot[i]);
+                w[i] = family_weight(family, m, i + 1);
+            }
+            G(rational_homogenize)(m - 1, 2, R, w, H);
+            G(bspline_periodic)(m, p, 3, u, H, v, D);
+            for (int j = 0; j < m; j++) {
+                G(bspline_to_bezier)(p, 3, v, p + j, D, b);
+                G(rational_dehomogenize)(p - 1, 2, b, joined + 2 * j * p, w);
+            }
+            int orientation;
+            agree(T, T->planted || (polygon_is_convex(m - 1, R, 1, &orientation) && orientation == 1));
+            agree(T, polygon_is_convex(m * p - 1, joined, 1, &orientation) && orientation == 1);
             region_drop(mark);
         }
 }

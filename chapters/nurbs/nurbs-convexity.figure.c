@@ -161,7 +161,8 @@ FIGURE(convex_polygon_convex_spline)
 {
     svg *s = svg_new("convex_polygon_convex_spline", "A convex polygon has a convex NURBS curve",
                      "Left: a convex polygon, polygons with knots inserted in the middle of all intervals once and "
-                     "twice, and the curve. Right: with a knot of multiplicity two the curve of order two is two "
+                     "twice, and the curve. Middle: a convex polygon of five points, closed, and its periodic cubic "
+                     "curve. Right: with a knot of multiplicity two the curve of order two is two "
                      "opposite sides of a square, and not continuous.");
     static const long point[] = {0, 2, 1, 0, 5, 0, 7, 2, 6, 5, 3, 6}, weight[] = {1, 1, 4, 1, 3, 1};
     static const long knot[] = {0, 1, 2, 4, 6, 8, 10, 11, 12, 13};
@@ -179,9 +180,17 @@ FIGURE(convex_polygon_convex_spline)
     svg_polyline(s, second.n, second.R, SVG_CURVE_2);
     svg_polyline(s, first.n, first.R, SVG_RIGHT);
     draw_nurbs(s, c, SVG_CURVE);
+    static const long ring[] = {0, 0, 4, 0, 5, 3, 2, 5, 0, 1, 0, 0, 4, 0, 5, 3};
+    static const long ring_knot[] = {-6, -4, -2, 0, 2, 4, 6, 8, 10, 12, 14, 16};
+    static const enum svg_direction around[] = {SVG_SW, SVG_SE, SVG_E, SVG_N, SVG_W, SVG_HERE, SVG_HERE, SVG_HERE};
+    c = nurbs_of(8, 3, ring, NULL, ring_knot);
+    svg_panel(s, svg_integer_window(-1, -1, 6, 6), 230, 0, "$r_6, r_7, r_8 = r_1, r_2, r_3$:\na periodic cubic");
+    svg_heading(s, SVG_RIGHT, "a closed convex polygon");
+    draw_numbered(s, c, around);
+    draw_nurbs(s, c, SVG_CURVE);
     static const long square[] = {0, 0, 1, 0, 1, 1, 0, 1}, torn[] = {0, 0, 2, 2, 4, 4};
     static const enum svg_direction corner[] = {SVG_SW, SVG_SE, SVG_NE, SVG_NW};
-    svg_panel(s, window(-1, -1, 3, 3, 2), 230, 0, "$k = 2$, knots $0, 0, 1, 1, 2, 2$:\nthe curve jumps at $t = 1$");
+    svg_panel(s, window(-1, -1, 3, 3, 2), 210, 0, "$k = 2$, knots $0, 0, 1, 1, 2, 2$:\nthe curve jumps at $t = 1$");
     svg_heading(s, SVG_WRONG, "a knot of multiplicity $k$");
     c = nurbs_of(4, 1, square, NULL, torn);
     draw_numbered(s, c, corner);
