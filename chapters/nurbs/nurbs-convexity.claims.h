@@ -46,7 +46,7 @@ part of the boundary of a half plane.
 :reading: curve_inside_its_hull_has_no_smallest_set | $\Gamma$ need not be convex: then there is no such set, and $A(\Gamma)$ is
   not defined
 :reading: convex_polygons_lie_on_the_border_of_their_hull | $\Gamma$ is convex: then there is one, the convex hull of $\Gamma$
-:figure: what_convex_must_mean
+:figure: where_hypotheses_are_needed
 
 Let $\Gamma$ be compact and part of the boundary of a convex set $C$.  Every closed convex set that contains $\Gamma$ contains its
 hull; the hull is closed; and a point of $\Gamma$ inside the hull would be inside $C$.  So the hull is the smallest such set,
@@ -56,10 +56,10 @@ and the only one.
 :::{statement} wang-ch4:lemma-4.2.1
 :title: A convex polygon stays convex when knots are inserted
 :zh: 嵌节点保持控制多边形的凸性
-:printed: if the control polygon $\Gamma_k^{(T)}(\varPhi)$ of a plane NURBS curve is a convex curve, then $\Gamma_k^{(T)}(T')$ is a
+:printed: if the control polygon $\Gamma_k^{(T)}(\Phi)$ of a plane NURBS curve is a convex curve, then $\Gamma_k^{(T)}(T')$ is a
   convex curve for every finite set $T'$ of knots
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
-  inserted_polygons_stay_convex printed_insertion_keeps_the_curve
+  insertion_ratios_are_between_zero_and_one printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
 :hypothesis: knot_before_the_domain_asks_for_another_point | the knots are in the domain, $t_k\le\tau\le t_{n+1}$
@@ -73,11 +73,12 @@ insertion involve three rows and so six columns at most, so that their signs are
 :::{statement} wang-ch4:lemma-4.2.1-hulls
 :title: The hulls decrease
 :zh: 凸包递减
-:printed: A(\Gamma_k^{(T)}(\varPhi))\supseteq A(\Gamma_k^{(T)}(T'))
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one inserted_polygons_stay_convex
+:printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :needs: mixed_weights_cut_beside_the_edges | positive weights
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once, else $A(\Gamma_k^{(T)}(T'))$ need not
   exist; or $A$ is taken as the hull
+:figure: hulls_of_knot_sets
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
 :::
@@ -89,6 +90,7 @@ Every new vertex is on an edge, hence in the hull; for hulls it is true of every
   s_i=\alpha_iw_i/[(1-\alpha_i)w_{i-1}+\alpha_iw_i]
 :holds-by: inserted_points_divide_the_edges printed_insertion_keeps_the_curve
 :needs: vanishing_weight_loses_the_new_point | positive weights
+:figure: where_hypotheses_are_needed
 
 The same as (2.9.1) in homogeneous coordinates; the new weights are the denominators.
 :::
@@ -103,7 +105,7 @@ The same as (2.9.1) in homogeneous coordinates; the new weights are the denomina
   $r_0$ nor $r_{n+1}$ is asked for
 :reading: both_conventions_of_the_span_are_right | the formula with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in the chapter's
   other sections
-:figure: cutting_corners
+:figure: where_hypotheses_are_needed
 
 At a knot of multiplicity $m\le k-1$ both conventions give the same numbers $\alpha_i$; for $m\ge k$ the closed end decides
 which of two points is repeated.  With the end closed on the right the start of a clamped curve cannot be inserted again:
@@ -122,9 +124,10 @@ then $\mu\le0$, and $\alpha_1=0$ asks for a point $r_0$.
 :::{statement} wang-ch4:lemma-4.2.1-step-inscribed
 :title: The new polygon is inscribed in the old one
 :zh: 内接折线
-:printed: hence $\Gamma_k^{(T)}(T')$ is an inscribed polygon of $\Gamma_k^{(T)}(\varPhi)$
-:holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges inserted_polygons_stay_convex
+:printed: hence $\Gamma_k^{(T)}(T')$ is an inscribed polygon of $\Gamma_k^{(T)}(\Phi)$
+:holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :needs: mixed_weights_cut_beside_the_edges | positive weights
+:figure: cutting_corners
 
 The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order of the edges; both ends stay.
 :::
@@ -132,8 +135,9 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :::{statement} wang-ch4:lemma-4.2.1-step-first
 :title: So the lemma is true for one knot
 :zh: 归纳法第一步
-:printed: $\Gamma_k^{(T)}(T')$ being inscribed in the convex curve $\Gamma_k^{(T)}(\varPhi)$, the lemma is true for one knot
+:printed: $\Gamma_k^{(T)}(T')$ being inscribed in the convex curve $\Gamma_k^{(T)}(\Phi)$, the lemma is true for one knot
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
+  inserted_polygons_stay_convex
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | not turning back is not enough: its end does not run over its start
 :figure: what_convex_must_mean
@@ -143,8 +147,9 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :title: Knots may be inserted one after the other
 :zh: 归纳步
 :printed: $\Gamma_k^{(T)}(T'')=\Gamma_k^{(T\oplus T')}(\{\tau_m\})$ for $T''=T'\oplus\{\tau_m\}$, and
-  $\Gamma^{(T\oplus T')}(\varPhi)=\Gamma_k^{(T)}(T')$
+  $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
 :holds-by: knots_are_inserted_in_any_order printed_insertion_keeps_the_curve
+:figure: cutting_corners
 
 With the new weights, which the notation does not show; in the second equation the index $k$ is left out.  The sum $\oplus$ keeps multiplicities.
 :::
@@ -152,18 +157,19 @@ With the new weights, which the notation does not show; in the second equation t
 :::{statement} wang-ch4:lemma-4.2.1-step-chain
 :title: The chain of hulls in the induction
 :zh: 凸包包含链
-:printed: A(\Gamma_k^{(T)}(\varPhi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
-:holds-by: inserted_polygons_stay_convex inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :needs: mixed_weights_cut_beside_the_edges | positive weights
+:figure: hulls_of_knot_sets
 :::
 
 :::{statement} wang-ch4:thm-4.2.1
 :title: A convex polygon has a convex NURBS curve
 :zh: NURBS 曲线的保凸性
-:printed: if the control polygon $\Gamma_k^{(T)}(\varPhi)$ is a plane convex curve, then the plane NURBS curve that belongs to it is a
+:printed: if the control polygon $\Gamma_k^{(T)}(\Phi)$ is a plane convex curve, then the plane NURBS curve that belongs to it is a
   convex curve
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
-  inserted_parameters_become_vertices convex_polygons_have_splines_of_one_turn
+  inserted_parameters_become_vertices insertion_ratios_are_between_zero_and_one
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through part of the boundary of a convex set once
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more; else the curve is
   not continuous
@@ -175,7 +181,7 @@ For three parameters insert each until its multiplicity is $k-1$: the three poin
 formula above they turn as the polygon does.  If all turns are $0$ the curve is on a line, and so is the polygon, as the
 B-splines of the domain are linearly independent; it goes straight on, and so does the curve, since no line across is
 crossed more often.
-The converse is false: the curve may be convex alone.  For a periodic curve the closed polygon of one period must be convex; written as
+The converse is false: the curve may be convex alone (`curve_may_be_convex_alone`).  For a periodic curve the closed polygon of one period must be convex; written as
 an ordinary curve it repeats $k-1$ vertices and does not run through once, but its insertions cut the corners of the closed
 polygon (`periodic_curves_of_convex_polygons_are_convex`).
 :::
@@ -184,8 +190,9 @@ polygon (`periodic_curves_of_convex_polygons_are_convex`).
 :title: The hulls of a growing sequence of knots
 :zh: 凸包之交
 :printed: A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))
-:holds-by: inserted_polygons_stay_convex inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :needs: hulls_of_unrelated_knots_are_not_nested | the sets of knots increase
+:figure: hulls_of_knot_sets
 
 In a decreasing sequence of sets the intersection of the first $m$ is the last.
 :::
@@ -197,7 +204,7 @@ In a decreasing sequence of sets the intersection of the first $m$ is the last.
 :class: misprint
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
 :corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$
-:corrected-by: inserted_polygons_stay_convex
+:corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :figure: hulls_of_knot_sets
 
 $T_1$ and $T_2$ are in theorem 4.1.1 the two parts of one set of knots, and need not contain one another; the sequence of
@@ -226,6 +233,7 @@ an intersection of closed convex sets is closed and convex.
   together with the segment over which it jumps
 :hypothesis: limit_of_convex_polygons_may_run_back | the limit is not on one line, or it is known otherwise that it runs through its
   points once
+:figure: where_hypotheses_are_needed
 
 The reason is not given.  It is this: let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
 $A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
@@ -262,11 +270,11 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :::{claim} insertion_ratios_are_between_zero_and_one
 :title: The printed factors are between 0 and 1
 :zh: 0≤α_i≤1
-:given: order $k$; $\tau-t_\mu=h_0>0$, $t_{\mu+1}-\tau=h$ with $h>0$ or $h=0$, and all other differences of neighbours
-  among $t_{\mu-k+2},\dots,t_{\mu+k-1}$ positive or $0$ together
-:then: $0\le\alpha_i\le1$ for $\mu-k+2\le i\le\mu$; for $h=0$ the first of them is $1$
-:method: Numerators and denominators of $\alpha_i$ and $1-\alpha_i$ are sums of the differences, so that a difference that is $0$
-  changes no sign; no denominator vanishes, as each contains $h_0$.
+:given: order $k$; $\tau-t_\mu>0$, $t_{\mu+1}-\tau>0$ or $=0$, all other differences of neighbours among
+  $t_{\mu-k+2},\dots,t_{\mu+k-1}$ positive
+:then: $0\le\alpha_i\le1$ for $\mu-k+2\le i\le\mu$; for $\tau=t_{\mu+1}$ the first of them is $1$
+:method: Numerators and denominators of $\alpha_i$ and $1-\alpha_i$ are sums of these differences, so that it remains true when some
+  of them are $0$, knots being multiple; no denominator vanishes, as each contains $\tau-t_\mu$.
 :degrees: 2..8
 :scope: n stands for the order k
 :control: $i=\mu+1$ taken with the formula of the middle case
@@ -319,11 +327,12 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :given: all polygons of $n$ points: of the grid $\{0,1,2\}^2$ for $n=3,4$, of $\{0,1,2\}\times\{0,1\}$ for $n=5$, of $\{0,1\}^2$
   for $n=6$
 :then: the polygon is convex when closed by its chord if and only if all $D_{ijl}$, $i<j<l$, are $\ge0$ or all $\le0$, and not all are $0$
-:method: Convexity by `exact/hull.h`, from the turns of the edges; the areas are computed.  For all polygons: if the $D_{ijl}$ are
-  $\ge0$ and not all $0$, three points in order turn left or are on one line, and on a line the order is that of the line or,
-  across the chord, a cyclic one, as a turn back would give areas of both signs with any point beside the line.
+:method: Convexity by `exact/hull.h`, from the turns of the edges; the areas are computed.  For all polygons: let the $D_{ijl}$ be
+  $\ge0$, one of them positive.  Then no point is on the right of an edge $r_ir_{i+1}$ or of the chord $r_nr_1$, so that
+  all edges are on the boundary of the hull, in its direction; and a polygon that comes round a second time has three points
+  in clockwise order.  Conversely three points in order of the boundary turn left or are on one line.
 :degrees: 3..6
-:scope: the stated polygons
+:scope: the stated polygons; all others by the argument given
 :control: only the areas of three neighbouring points are asked for
 :::
 
@@ -362,8 +371,9 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
   inserted $k-1$ times: both in one interval, in different ones, at the inner knot, at the right end
 :then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$
 :method: The printed insertions and the curve by its definition, knots, parameters and points variables; a coordinate of the
-  homogeneous points is any coordinate.  The insertion of $t'_2$ leaves the vertices up to $\mu_2$ alone, so more parameters are
-  treated by repetition.
+  homogeneous points is any coordinate.  Later parameters leave the vertices of the earlier ones alone, so more than two are
+  treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
+  at $t',\dots,t'$.
 :degrees: 2..4 sampled 6
 :scope: n stands for the order k
 :control: the second vertex counted one too low
@@ -374,8 +384,10 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :zh: 设计算例曲线的转向
 :kind: decision
 :given: the curves of `inserted_polygons_stay_convex`
-:then: $\det(P,P',P'')\ge0$ on every interval of knots
-:method: The homogeneous Bézier points of each interval; the sign of the polynomial by counting its roots.
+:then: $\det(P,P',P'')\ge0$ on every interval of knots, and any three of thirteen points of the curve, equally spaced in the
+  parameter, turn left in their order or are on one line
+:method: The homogeneous Bézier points of each interval; the sign of the polynomial by counting its roots.  The points by the
+  kernel, the areas exactly.
 :degrees: 2..4
 :scope: n stands for the order k; the stated curves
 :control: the third point thrown across the line of the first two
@@ -649,7 +661,7 @@ CLAIM(insertion_ratios_are_between_zero_and_one)
             t[i] = add(t[i - 1], positive(T, "h", i));
         tau = add(t[mu], positive(T, "h", 0));
         t[mu + 1] = at_knot ? tau : add(tau, positive(T, "h", mu + 1));
-        for (int i = mu + 2; i <= mu + k + 1; i++)
+        for (int i = mu + 2; i < mu + k + T->planted; i++)
             t[i] = add(t[i - 1], positive(T, "h", i));
         for (int i = mu - k + 2; i <= mu + T->planted; i++) {
             int middle = i == mu + 1 ? mu + 1 : mu; /* the control takes the middle case one too far */
@@ -845,6 +857,7 @@ CLAIM(inserted_parameters_become_vertices)
 #include "exact/hull.h"
 #include "exact/polynomial.h"
 #include "exact/sign.h"
+#include "exact/span.h"
 
 static long triangle_area(const long P[], const long Q[], const long R[])
 {
@@ -1056,6 +1069,16 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
                     enum sign_pattern sign = sign_of_span(turning_of_span(k - 1, t + 1, j - 1, r + 2, w + 1, NULL));
                     agree(T, sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE || sign == SIGN_ZERO);
                 }
+            enum { POINTS = 13 };
+            num P[2 * POINTS];
+            for (int m = 0; m < POINTS; m++) {
+                num x = add(t[k], mul(from_ratio(m, POINTS - 1), sub(t[n + 1], t[k])));
+                G(nurbs_point)(k - 1, 2, t + 1, G(find_span)(n, k - 1, t + 1, x), r + 2, w + 1, x, P + 2 * m);
+            }
+            for (int c = 2; c < POINTS; c++)
+                for (int b = 1; b < c; b++)
+                    for (int a = 0; a < b; a++)
+                        agree(T, turn_2d(P + 2 * a, P + 2 * b, P + 2 * c) >= 0);
             if (k == 2) { /* the curve is the polygon */
                 int orientation;
                 agree(T, polygon_is_convex(n - 1, r + 2, 1, &orientation) && orientation == 1);

@@ -237,3 +237,66 @@ FIGURE(hulls_of_knot_sets)
     svg_legend_line(s, SVG_WRONG, "with the knot $3/4$");
     return s;
 }
+
+FIGURE(where_hypotheses_are_needed)
+{
+    svg *s = svg_new(
+        "where_hypotheses_are_needed", "What goes wrong without the hypotheses",
+        "From left to right: convex polygons flatten to a segment that is run through twice; a polygon with "
+        "a point inside its hull has no convex set with it on the boundary; a knot before the domain asks "
+        "for a point before the first, here tried in two places; with weights 2, -1, 2 the new vertex on the first "
+        "line goes to infinity as the knot approaches 2/3.");
+    svg_panel(s, window(-1, -2, 6, 6, 5), 170, 0, "the limit goes\nthere and back");
+    svg_heading(s, SVG_WRONG, "flat limit");
+    for (long h = 1; h <= 64; h *= 2) {
+        num_q R[] = {from_int_q(0), from_int_q(0),      from_int_q(1), from_int_q(0),
+                     from_int_q(1), from_ratio_q(1, h), from_int_q(0), from_ratio_q(1, h)};
+        svg_polyline(s, 4, R, h == 1 ? SVG_POLYGON : SVG_FAMILY);
+    }
+    svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_WRONG);
+
+    static const long dent[] = {0, 0, 3, 0, 1, 1, 0, 3}, square_knot[] = {0, 0, 2, 4, 6, 6};
+    static const enum svg_direction dent_side[] = {SVG_S, SVG_SE, SVG_NE, SVG_NW};
+    struct nurbs c = nurbs_of(4, 1, dent, NULL, square_knot);
+    num_q triangle[] = {from_int_q(0), from_int_q(0), from_int_q(3), from_int_q(0), from_int_q(0), from_int_q(3)};
+    svg_panel(s, svg_integer_window(-1, -1, 4, 4), 170, 0, "$r_3$ is inside every\nconvex set about them");
+    svg_heading(s, SVG_WRONG, "not convex");
+    svg_area(s, 3, triangle, SVG_FILL);
+    draw_numbered(s, c, dent_side);
+    svg_mark(s, svg_at(1, 1), SVG_WRONG, SVG_USUAL);
+
+    static const long point[] = {2, 0, 5, 1, 4, 4}, simple[] = {2, 4, 6, 8, 10, 12}, before[2][2] = {{0, 3}, {-1, 1}};
+    static const enum svg_direction side[] = {SVG_S, SVG_SE, SVG_N};
+    c = nurbs_of(3, 2, point, NULL, simple);
+    svg_panel(s, svg_integer_window(-2, -1, 6, 5), 190, 0, "$t_i = i$, $τ = 3/2$:\n$r_1' = 3/4 r_0 + 1/4 r_1$");
+    svg_heading(s, SVG_WRONG, "outside the domain");
+    for (int i = 0; i < 2; i++) {
+        num_q quarter = from_ratio_q(1, 4), rest = from_ratio_q(3, 4), P[2];
+        for (int k = 0; k < 2; k++)
+            P[k] = add_q(mul_q(rest, from_int_q(before[i][k])), mul_q(quarter, c.R[k]));
+        svg_segment(s, svg_at(before[i][0], before[i][1]), svg_pair(c.R), SVG_MUTED);
+        svg_mark(s, svg_at(before[i][0], before[i][1]), SVG_MUTED, SVG_USUAL);
+        svg_label(s, svg_at(before[i][0], before[i][1]), SVG_N, SVG_MUTED, "r_0");
+        svg_mark(s, svg_pair(P), SVG_WRONG, SVG_USUAL);
+    }
+    draw_numbered(s, c, side);
+    draw_nurbs(s, c, SVG_CURVE);
+
+    static const long base[] = {0, 0, 1, 0, 2, 2}, mixed[] = {2, -1, 2}, bezier[] = {0, 0, 0, 2, 2, 2};
+    static const enum svg_direction base_side[] = {SVG_S, SVG_S, SVG_E};
+    c = nurbs_of(3, 2, base, mixed, bezier);
+    svg_panel(s, svg_integer_window(-4, -2, 3, 4), 210, 0,
+              "$r_2'$ for $τ = 1/4, 1/2, 3/5$;\nfor $τ = 2/3$ there is none");
+    svg_heading(s, SVG_WRONG, "a new weight $0$");
+    draw_numbered(s, c, base_side);
+    draw_nurbs(s, c, SVG_CURVE);
+    static const long knot[3][2] = {{1, 4}, {1, 2}, {3, 5}};
+    for (int i = 0; i < 3; i++)
+        svg_mark(s, svg_pair(with_knot(c, from_ratio_q(knot[i][0], knot[i][1])).R + 2), SVG_WRONG, SVG_USUAL);
+    svg_arrow(s, svg_at(-3, 0), svg_at(-4, 0), SVG_WRONG);
+    svg_legend_line(s, SVG_POLYGON, "polygon");
+    svg_legend_line(s, SVG_CURVE, "curve");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "what is asked for");
+    svg_legend_area(s, SVG_FILL, "convex hull");
+    return s;
+}

@@ -32,7 +32,7 @@ crossings, and says so.
 :title: Inserting knots adds no intersection with a line
 :zh: 嵌节点过程的变差缩减性
 :printed: for every line $\boldsymbol L$ and every set $T'$ of knots to be inserted
-  $I(\boldsymbol\Gamma_k^{(T)}(\boldsymbol\Phi),\boldsymbol L)\ge I(\boldsymbol\Gamma_k^{(T)}(T'),\boldsymbol L)$
+  $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points of the plane
@@ -50,9 +50,9 @@ for polygons of every length.
 :::{statement} wang-ch4:thm-4.2.2
 :title: A line meets the curve no more often than the polygon
 :zh: 平面 NURBS 曲线的变差缩减性
-:printed: $I(\boldsymbol\Gamma_k^{(T)}(\boldsymbol\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
+:printed: $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-  inserted_parameters_become_vertices designed_splines_cross_no_more designed_splines_meet_no_more line_form_of_a_nurbs_curve
+  inserted_parameters_become_vertices line_form_of_a_nurbs_curve
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and polygon, not as
   points of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
@@ -66,6 +66,21 @@ A proof for every order with the first reading: let the curve change sides $I$ t
 on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$ times, so the old
 one does.  With the second reading take one parameter of each intersection and one, off the line, between any two.
 No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the polygon crosses with it.
+:::
+
+:::{statement} wang-ch4:thm-4.2.2-step-suppose
+:title: If the theorem were false there were too many parameters
+:zh: 反证法的假设
+:printed: otherwise there is a line $\boldsymbol L_0$ with $N\equiv I(\Gamma_k^{(T)}(\Phi),\boldsymbol L_0)<I(\boldsymbol r_k(t),\boldsymbol L_0)$,
+  so there are at least $N+1$ intersections of the curve with $\boldsymbol L_0$; let $t_i'$, $i=1,2,\dots,N+1$, be the parameters of
+  these points
+:holds-by: polygon_through_the_crossings_crosses_as_often designed_splines_meet_no_more
+:hypothesis: jump_crosses_the_line_without_a_point | no inner knot has multiplicity $k$, or crossings by a jump are not counted; a
+  jump has no point on the line
+:figure: points_of_the_line_as_vertices
+
+The theorem holds for jumps as well, see there, but not by this proof.  Where a piece of curve is on the line one of its
+parameters is taken.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-vertices
@@ -195,7 +210,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
 :degrees: 1..5 sampled 7
 :scope: n stands for the order k
-:control: the first two weights exchanged
+:control: the first two weights exchanged; for $k=1$ the point moved
 :::
 
 :::{claim} self_crossing_polygon_gains_points_on_a_line
@@ -229,6 +244,16 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
   there, and the curve crosses at this point
 :method: Common points less those on edges of the polygon; the curve by counting roots.
 :control: the edge counted as one intersection
+:::
+
+:::{claim} jump_crosses_the_line_without_a_point
+:title: At a knot of multiplicity k a curve may change sides without meeting the line
+:zh: k 重节点处曲线跳过直线
+:kind: counterexample
+:given: $k=2$, knots $0,0,1,1,2,2$, weights $1$, points $(0,-1),(1,-1),(1,1),(0,1)$, the line $y=0$
+:then: the curve changes sides once and has no point on the line; the polygon crosses once
+:method: By intervals, as for the designed curves.
+:control: the second inner knot taken as $\frac32$
 :::
 
 :::{claim} insertion_with_mixed_weights_crosses_more
@@ -615,6 +640,25 @@ CLAIM(edge_on_the_line_must_be_counted)
     agree(T, new <= old);
     about(T, "the curve has no more than the polygon");
     agree(T, curve_of(&g).common <= old);
+}
+
+CLAIM(jump_crosses_the_line_without_a_point)
+{
+    static const long knot[] = {0, 0, 1, 1, 2, 2}, x[] = {0, 1, 1, 0};
+    static const int y[] = {-1, -1, 1, 1};
+    struct graph g;
+    graph_of(&g, 4, 2, knot, y, 0);
+    for (int i = 1; i <= 4; i++)
+        g.r[2 * i] = from_int(x[i - 1]);
+    g.t[4] = T->planted ? from_ratio(3, 2) : g.t[4];
+    struct spline_meets_axis curve = curve_of(&g);
+    show_points(T, "r", 4, 2, g.r + 2);
+    show_points(T, "t", 6, 1, g.t + 1);
+    show_text(T, "crossings of the curve", "%d", curve.crossings);
+    show_text(T, "points of the curve on y = 0", "%d", curve.common);
+    show_text(T, "crossings of the polygon", "%d", polygon_of_graph(&g).crossings);
+    about(T, "every crossing has a parameter whose point is on the line");
+    agree(T, curve.crossings <= curve.common);
 }
 
 CLAIM(insertion_with_mixed_weights_crosses_more)
