@@ -612,7 +612,8 @@ static void G(compare_curves)(trial *T, int k, const struct G(knots) * K, int pl
         num alpha = div(sub(tau, K->t[i]), sub(K->t[i + k < K->count ? i + k : K->count], K->t[i]));
         d[i] = add(mul(sub(from_int(1), alpha), c[i - 1]), mul(alpha, c[i]));
     }
-    for (int interval = K->place[k]; interval < K->place[n + 1]; interval++)
+    for (int interval = K->place[k]; interval < K->place[n + 1];
+         interval += interval == place - 1 ? 1 : 2 - interval % 2)
         same(T, G(spline)(n + 1, k - 1, 1, V.t + 1, V.place + 1, d + 1, 0, interval, x),
              G(spline)(n, k - 1, 1, K->t + 1, K->place + 1, c + 1, 0, interval, x));
 }
@@ -857,7 +858,6 @@ CLAIM(inserted_parameters_become_vertices)
 #include "exact/hull.h"
 #include "exact/polynomial.h"
 #include "exact/sign.h"
-#include "exact/span.h"
 
 static long triangle_area(const long P[], const long Q[], const long R[])
 {
@@ -991,6 +991,15 @@ static int place_of(int count, const num_q t[], num_q tau)
     return mu;
 }
 
+/* The span, counted from 0, of a parameter of the domain t_k, ..., t_{n+1}. */
+static int span_of(int n, int k, const num_q t[], num_q x)
+{
+    int j = k;
+    while (j < n && (compare_q(t[j + 1], x) <= 0 || compare_q(t[j], t[j + 1]) == 0))
+        j++;
+    return j - 1;
+}
+
 /* P is on the segment QR. */
 static int is_between(const num_q P[2], const num_q Q[2], const num_q R[2])
 {
@@ -1073,7 +1082,7 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
             num P[2 * POINTS];
             for (int m = 0; m < POINTS; m++) {
                 num x = add(t[k], mul(from_ratio(m, POINTS - 1), sub(t[n + 1], t[k])));
-                G(nurbs_point)(k - 1, 2, t + 1, G(find_span)(n, k - 1, t + 1, x), r + 2, w + 1, x, P + 2 * m);
+                G(nurbs_point)(k - 1, 2, t + 1, span_of(n, k, t, x), r + 2, w + 1, x, P + 2 * m);
             }
             for (int c = 2; c < POINTS; c++)
                 for (int b = 1; b < c; b++)
