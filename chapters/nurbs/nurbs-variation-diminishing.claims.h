@@ -29,7 +29,7 @@ crossings, and says so.
 :::
 
 :::{statement} wang-ch4:lemma-4.2.2
-:title: Inserting knots adds no intersection with a line
+:title: Inserting knots adds no intersection with a line (4.2.1)
 :zh: 嵌节点过程的变差缩减性
 :printed: for every line $\boldsymbol L$ and every set $T'$ of knots to be inserted
   $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
@@ -48,7 +48,7 @@ for polygons of every length.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2
-:title: A line meets the curve no more often than the polygon
+:title: A line meets the curve no more often than the polygon (4.2.2)
 :zh: 平面 NURBS 曲线的变差缩减性
 :printed: $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
