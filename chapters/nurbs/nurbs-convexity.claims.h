@@ -175,7 +175,6 @@ With the new weights, which the notation does not show; in the second equation t
   not continuous
 :needs: mixed_weights_bend_both_ways | positive weights
 :figure: convex_polygon_convex_spline
-:striking: 40
 
 For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, so by the
 formula above they turn as the polygon does.  If all turns are $0$ the curve is on a line, and so is the polygon, as the
@@ -231,8 +230,8 @@ an intersection of closed convex sets is closed and convex.
 :holds-by: convex_polygons_lie_on_the_border_of_their_hull convex_polygons_have_splines_of_one_turn
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no inner knot has multiplicity $k$; else the polygons converge to the curve
   together with the segment over which it jumps
-:hypothesis: limit_of_convex_polygons_may_run_back | the limit is not on one line, or it is known otherwise that it runs through its
-  points once
+:reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
+:reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
 :figure: where_hypotheses_are_needed
 
 The reason is not given.  It is this: let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every

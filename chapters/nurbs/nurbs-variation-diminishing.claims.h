@@ -24,7 +24,8 @@ not counted.
 :reading: edge_on_the_line_must_be_counted | points that are not on an edge or piece of curve on the line
 :figure: what_must_be_counted
 
-With the first two meanings the statements below are true, with the others false.  The source's chapter on Bézier curves means
+With the first two meanings the statements below are true, with the others false; points of the plane will do for a polygon that
+does not meet itself on the line.  The source's chapter on Bézier curves means
 crossings, and says so.
 :::
 
@@ -60,7 +61,6 @@ for polygons of every length.
 :reading: designed_splines_cross_no_more | crossings
 :reading: designed_splines_meet_no_more | common points, a piece on the line counting once
 :figure: line_and_cut_corners
-:striking: 41
 
 A proof for every order with the first reading: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$ where it is
 on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$ times, so the old
