@@ -27,7 +27,7 @@ $t=t_0$ of the square, and the points of that line are a segment of the tangent 
   $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless $\mathbf r$ is on a straight line, the envelope is $\mathbf r$ alone
   if and only if $\mathbf r'\times\mathbf r''=0$ only where $\mathbf r'=0$; so for a strictly convex control polygon of the span
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
- 
+  convex_polygon_of_span_has_one_envelope
 :striking: 2
 
 For the cubic the second envelope is no exotic point set: each of the parabolas touches the line at a point of its own.  A zero of
@@ -71,8 +71,6 @@ That every joint solution can be written so is assumed.  The lines $t=t_0$ canno
 :::
 */
 #include "chapters/nurbs/family.h"
-
-#include "exact/roots.h"
 
 #include "chapters/frame/claims_on.h"
 
@@ -741,28 +739,6 @@ CLAIM(inflected_cubic_is_not_straight)
     vanishes(T, G(cross2)(a, b));
 }
 
-/* A pair (t, tau) of level r: shows it and the point of the member with its derivatives, and says whether the pair
- * satisfies the condition of the envelope.  X: the point. */
-static int G(pair_of_the_envelope)(trial *T, int p, int dim, const num u[], const num R[], const num w[], int r,
-                                   num tau, num t, num X[])
-{
-    num D[9], zero = from_int(0), a[3] = {zero, zero, zero}, b[3] = {zero, zero, zero}, turn[3];
-    G(family_derivatives)(p, dim, u, p, R, w, r, tau, t, D);
-    for (int c = 0; c < dim; c++) {
-        X[c] = D[c];
-        a[c] = D[dim + c];
-        b[c] = D[2 * dim + c];
-    }
-    show_points(T, "t_i", 2 * p + 2, 1, u);
-    show_points(T, "r_i", p + 1, dim, R);
-    show(T, "t", t);
-    show(T, "τ", tau);
-    show_points(T, "point of the member", 1, dim, X);
-    show_points(T, "its derivatives by t and τ (parallel)", 2, dim, D + dim);
-    G(cross3)(a, b, turn);
-    return is_zero_q(turn[0]) && is_zero_q(turn[1]) && is_zero_q(turn[2]);
-}
-
 /*
 :::{claim} inflected_cubic_has_second_envelope
 :title: The parabolas of the cubic (t, t³) touch the axis y = 0 as well
@@ -780,7 +756,7 @@ CLAIM(inflected_cubic_has_second_envelope)
     static const int curve[2][8] = {{0, 1}, {0, 0, 0, 1}};
     num u[8], R[8], w[4], X[2], tau = from_ratio(1 - T->planted, 2);
     G(uniform_curve)(3, 2, 1, curve, u, R, w);
-    if (!G(pair_of_the_envelope)(T, 3, 2, u, R, w, 1, tau, from_int(0), X))
+    if (!G(pair_of_one_span)(T, 3, 2, u, R, w, 1, tau, from_int(0), X))
         return;
     about(T, "y - x³ at the point; 0 on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
@@ -802,7 +778,7 @@ CLAIM(space_quartic_has_second_envelope)
     static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1}};
     num u[10], R[15], w[5], X[3], tau = from_ratio(1 - T->planted, 2);
     G(uniform_curve)(4, 3, 1, curve, u, R, w);
-    if (!G(pair_of_the_envelope)(T, 4, 3, u, R, w, 1, tau, from_int(0), X))
+    if (!G(pair_of_one_span)(T, 4, 3, u, R, w, 1, tau, from_int(0), X))
         return;
     about(T, "y - x³ at the point; 0 on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
@@ -824,7 +800,7 @@ CLAIM(folded_line_has_another_solution)
     num w[3] = {from_int(1), from_int(1), from_int(1)}, X[2], t = from_ratio(11, 4);
     for (int i = 0; i < 6; i++)
         u[i] = from_int(i);
-    if (!G(pair_of_the_envelope)(T, 2, 2, u, R, w, 1, T->planted ? t : from_int(2), t, X))
+    if (!G(pair_of_one_span)(T, 2, 2, u, R, w, 1, T->planted ? t : from_int(2), t, X))
         return;
     G(bspline_to_bezier)(2, 2, u, 2, R, b);
     for (int i = 0; i < 3; i++)

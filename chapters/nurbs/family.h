@@ -5,6 +5,8 @@
  * and the same span.  Generic text, for the sections on envelopes. */
 #include "chapters/nurbs/definition.h"
 
+#include "exact/sign.h"
+
 #include "chapters/frame/claims_on.h"
 
 /* The knots of one span mu = p: 2p+2 knots, p+1 points.
@@ -167,4 +169,49 @@ static inline void G(family_derivatives)(int p, int dim, const num u[], int mu, 
     for (int c = 0; c < dim; c++)
         D[2 * dim + c] = div(F[dim + c], length);
 }
+
+#if RATIONAL
+/* Is x'y'' - x''y' > 0 on the closed span mu of the curve of all points c, weights 1? */
+static inline int G(turns_left_on_span)(int p, const num u[], int mu, const num c[])
+{
+    num b[2 * (MAX_DEGREE + 1)], x[2][MAX_DEGREE + 1];
+    G(bspline_to_bezier)(p, 2, u, mu, c, b);
+    for (int i = 0; i <= p; i++) {
+        x[0][i] = b[2 * i];
+        x[1][i] = b[2 * i + 1];
+    }
+    poly x1 = poly_derivative(poly_from_bernstein(p, x[0])), y1 = poly_derivative(poly_from_bernstein(p, x[1]));
+    poly turn = poly_sub(poly_mul(x1, poly_derivative(y1)), poly_mul(y1, poly_derivative(x1)));
+    return sign_on(turn, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+}
+
+/* A pair (t, tau) of level r on the span mu: shows it and the point X of the member with its derivatives, and says whether
+ * the pair satisfies the condition of the envelope. */
+static inline int G(pair_of_the_envelope)(trial *T, int p, int dim, const num u[], int mu, const num R[], const num w[],
+                                          int r, num tau, num t, num X[])
+{
+    num D[9], zero = from_int(0), a[3] = {zero, zero, zero}, b[3] = {zero, zero, zero}, turn[3];
+    G(family_derivatives)(p, dim, u, mu, R, w, r, tau, t, D);
+    for (int c = 0; c < dim; c++) {
+        X[c] = D[c];
+        a[c] = D[dim + c];
+        b[c] = D[2 * dim + c];
+    }
+    show(T, "t", t);
+    show(T, "τ", tau);
+    show_points(T, "point of the member", 1, dim, X);
+    show_points(T, "its derivatives by t and τ (parallel)", 2, dim, D + dim);
+    G(cross3)(a, b, turn);
+    return is_zero_q(turn[0]) && is_zero_q(turn[1]) && is_zero_q(turn[2]);
+}
+
+/* The same for a curve of one span, mu = p, whose knots and points are shown as well. */
+static inline int G(pair_of_one_span)(trial *T, int p, int dim, const num u[], const num R[], const num w[], int r,
+                                      num tau, num t, num X[])
+{
+    show_points(T, "t_i", 2 * p + 2, 1, u);
+    show_points(T, "r_i", p + 1, dim, R);
+    return G(pair_of_the_envelope)(T, p, dim, u, p, R, w, r, tau, t, X);
+}
+#endif
 #include "chapters/frame/claims_off.h"

@@ -48,8 +48,6 @@ $t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 */
 #include "chapters/nurbs/family.h"
 
-#include "exact/sign.h"
-
 #include "chapters/frame/claims_on.h"
 
 CLAIM(segment_needs_the_points_of_its_span)
