@@ -1,50 +1,57 @@
 /*
 # Is the envelope unique? Every level (包络的唯一性: 任意 r)
 
-For $r\ge2$ the source repeats the proof of $r=1$ with the member of level $r-1$ in the place of the curve.  Two things of this idea are true and
-decide the question.  Write $Q(t)=P^{[r-1]}(t,\tau)$ for the member of level $r-1$ with the parameter $\tau$, in homogeneous coordinates, and
-$R$ for its points.  Then
+For $r\ge2$ the source repeats the proof of $r=1$ with the member of level $r-1$ in the place of the curve.  Two
+things of this idea are true and decide the question.  Write $Q(t)=P^{[r-1]}(t,\tau)$ for the member of level $r-1$
+with the parameter $\tau$, in homogeneous coordinates, and $R$ for its points.  Then
 
-$$P^{[r]}(t,\tau)=Q(t)+\frac{\tau-t}{k-r}\,Q'(t),\qquad\frac{\partial P^{[r]}}{\partial\tau}(t,\tau)=\frac r{k-r}\,Q'(t),$$
+$$P^{[r]}(t,\tau)=Q(t)+\frac{\tau-t}{k-r}\,Q'(t),\qquad\frac{\partial P^{[r]}}{\partial\tau}(t,\tau)=\frac
+r{k-r}\,Q'(t),$$
 
 and from these two, exactly as for $r=1$,
 
-$$\frac{\partial\mathbf r^{[k-r]}}{\partial\tau}\times\frac{\partial\mathbf r^{[k-r]}}{\partial t}=\frac{r\,(\tau-t)}{(k-r)^2}\,\frac{v^3}{V^3}\;
-R'(t)\times R''(t),$$
+$$\frac{\partial\mathbf r^{[k-r]}}{\partial\tau}\times\frac{\partial\mathbf r^{[k-r]}}{\partial
+t}=\frac{r\,(\tau-t)}{(k-r)^2}\,\frac{v^3}{V^3}\; R'(t)\times R''(t),$$
 
-where $v$ and $V$ are the weights of $Q$ and of $P^{[r]}$, positive on the span.  So beside the diagonal the joint solutions are the pairs for which
-*the member $\tau$ of the level before has no curvature at $t$*.  Nothing more can be said in general: the curve may be
-convex and free of inflections, or a curve of space without any point of vanishing curvature or torsion, and its members have them.
+where $v$ and $V$ are the weights of $Q$ and of $P^{[r]}$, positive on the span.  So beside the diagonal the joint
+solutions are the pairs for which *the member $\tau$ of the level before has no curvature at $t$*.  Nothing more can
+be said in general: the curve may be convex and free of inflections, or a curve of space without any point of
+vanishing curvature or torsion, and its members have them.
 
 :::{statement} wang-ch4:thm-4.3.3
 :title: For every r the envelope is unique
 :zh: 对任意 r 包络唯一
-:printed: for every $r=1,2,\dots,k-2$ the envelope in (4.3.2) is unique: it is the segment $\mathbf r(t)$, $t_j\le t<t_{j+1}$, of the curve
+:printed: for every $r=1,2,\dots,k-2$ the envelope in (4.3.2) is unique: it is the segment $\mathbf r(t)$, $t_j\le
+  t<t_{j+1}$, of the curve
 :class: false
 :refuted-by: convex_quartic_of_span_has_second_envelope twisted_sextic_has_second_envelope
-:reading: convex_quartic_of_span_has_second_envelope | all joint solutions, for plane curves without inflections: false for $k=5$, $r=2$
-:reading: twisted_sextic_has_second_envelope | all joint solutions, for curves of space with $\kappa\ne0$ and torsion $\ne0$ everywhere: false for
-  $k=7$, $r=3$
-:reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be meant: false for $k=6$, $r=3$, with an
-  inflection
-:reading: curvatures_have_a_fixed_ratio | the same for plane segments without an inflection in the closed span, $\tau(t)$ continuous on it: true; there is a
-  fixed point $\tau(t)=t$, and a second solution through it needs $\mathbf r'\times\mathbf r''=0$ there
-:corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has $R'\times R''=0$ at $t$; there are none if
-  the control polygon of the span is plane and strictly convex
-:corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent derivative_by_tau_is_that_of_the_level_before
-  convex_polygon_of_span_has_one_envelope
+:reading: convex_quartic_of_span_has_second_envelope | all joint solutions, for plane curves without inflections:
+  false for $k=5$, $r=2$
+:reading: twisted_sextic_has_second_envelope | all joint solutions, for curves of space with $\kappa\ne0$ and torsion
+  $\ne0$ everywhere: false for $k=7$, $r=3$
+:reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be
+  meant: false for $k=6$, $r=3$, with an inflection
+:reading: curvatures_have_a_fixed_ratio | the same for plane segments without an inflection in the closed span,
+  $\tau(t)$ continuous on it: true; there is a fixed point $\tau(t)=t$, and a second solution through it needs
+  $\mathbf r'\times\mathbf r''=0$ there
+:corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has
+  $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
+:corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
+  derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
 :striking: 2
+:figure: nurbs_envelope_square
 
-For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when $\mathbf r'\times\mathbf r''=0$ at
-$\tau$.  For plane curves $r$ and $k-1-r$ have the same solutions with $t$ and $\tau$ exchanged.  In space two equations have to be fulfilled, so as a rule single
-pairs are left and no curve; for $k=7$ there can be a curve.
+For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when
+$\mathbf r'\times\mathbf r''=0$ at $\tau$.  For plane curves $r$ and $k-1-r$ have the same solutions with $t$ and
+$\tau$ exchanged.  In space two equations have to be fulfilled, so as a rule single pairs are left and no curve; for
+$k=7$ there can be a curve.
 :::
 
 :::{statement} wang-ch4:formula-4.3.15
 :title: The condition of the envelope for every r
 :zh: 一般 r 的包络条件
-:printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le
-  t,\tau<t_{j+1},\ j=k,k+1,\dots,n
+:printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
+  r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le t,\tau<t_{j+1},\ j=k,k+1,\dots,n
 :definition: yes
 :checked-by: touching_curve_satisfies_the_condition envelope_condition_holds_on_the_diagonal
 :::
@@ -58,8 +65,8 @@ pairs are left and no curve; for $k=7$ there can be a curve.
 :corrected: in the alternative "(4.3.16) or the sum vanishes" it should be $\tau=t$, (4.3.11)
 :corrected-by: general_condition_is_that_of_the_level_before
 
-As the form of a solution it says nothing; as an alternative it is cited where $\tau=t$ is meant, and then it excludes too little: with
-$\tau(t)=-\frac1{4t}$ the quartic has another solution of this form.
+As the form of a solution it says nothing; as an alternative it is cited where $\tau=t$ is meant, and then it excludes
+too little: with $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form.
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-difference
@@ -76,10 +83,11 @@ $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form.
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)=\dots=\frac{\tau-t}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
   +\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\quad t_j\le t,\tau\le t_{j+1}
 :holds-by: level_by_sums_over_the_level_before
-:hypothesis: first_term_of_the_chain_divides_by_zero | a quotient 0/0 counts as 0; the terms $i=j-k+r$ and $i=j$ contain B-splines that vanish on the span,
-  divided by differences of knots that may be 0
+:hypothesis: first_term_of_the_chain_divides_by_zero | a quotient 0/0 counts as 0; the terms $i=j-k+r$ and $i=j$
+  contain B-splines that vanish on the span, divided by differences of knots that may be 0
 
-All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display includes, the values are limits from the left.
+All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
+includes, the values are limits from the left.
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-numerator
@@ -92,8 +100,8 @@ All four lines are true, with the polynomials of the span; at the right end $t_{
 :::{statement} wang-ch4:formula-4.3.17
 :title: Denominator and numerator of the member of level r-1
 :zh: 第 r-1 层的分母与分子
-:printed: w^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\qquad\mathbf p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf
-  r_i^{[r-1]}(\tau)
+:printed: w^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\qquad\mathbf
+  p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau)
 :definition: yes
 :checked-by: member_of_span_is_polar
 
@@ -103,16 +111,16 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :::{statement} wang-ch4:formula-4.3.18
 :title: From one level to the next
 :zh: 相邻两层的递推
-:printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial
-  t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau)
+:printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf
+  p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau)
 :holds-by: family_steps_along_the_tangent
 :::
 
 :::{claim} weights_of_two_parameters_differ_as_printed
 :title: The difference of the weights of two parameters
 :zh: 两个参数下权之差
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots variables for $k\le4$ and numbers
-  above; weights, any $t$ and $\tau$, every $r=1,\dots,k-1$ and $i=j-k+r+1,\dots,j$
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
+  variables for $k\le4$ and numbers above; weights, any $t$ and $\tau$, every $r=1,\dots,k-1$ and $i=j-k+r+1,\dots,j$
 :then: the printed equation
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
 :degrees: 1..4 sampled 7
@@ -142,10 +150,11 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :::{claim} derivative_by_tau_is_that_of_the_level_before
 :title: The derivative by τ is, up to a factor, the derivative by t of the level before
 :zh: 对 τ 的偏导与上一层对 t 的偏导成比例
-:given: $k=p+1$; knots of these three shapes; any homogeneous coordinate of the points, any $t$ and $\tau$, every $r=1,\dots,k-1$
+:given: $k=p+1$; knots of these three shapes; any homogeneous coordinate of the points, any $t$ and $\tau$, every
+  $r=1,\dots,k-1$
 :then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
-:method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the right side by the levels of de Boor's triangle and
-  the derivatives of a segment.
+:method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
+  right side by the levels of de Boor's triangle and the derivatives of a segment.
 :degrees: 1..4 sampled 7
 :control: the factor $\frac{r}{k-r+1}$
 :::
@@ -154,10 +163,12 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :title: The condition of the envelope is (τ-t) R' x R'' of the level before
 :zh: 包络条件等价于上一层族曲线的曲率为零
 :given: the homogeneous vectors $Q,Q',Q''$ of a curve of space at $t$; any $\tau-t$, $r$ and $m=k-r$
-:let: $P=Q+\frac{\tau-t}mQ'$, $P_t=\frac{m-1}mQ'+\frac{\tau-t}mQ''$, $P_\tau=\frac rmQ'$; $v$, $V$ the last coordinates of $Q$, $P$; $X$, $R$ the points of $P$, $Q$
+:let: $P=Q+\frac{\tau-t}mQ'$, $P_t=\frac{m-1}mQ'+\frac{\tau-t}mQ''$, $P_\tau=\frac rmQ'$; $v$, $V$ the last
+  coordinates of $Q$, $P$; $X$, $R$ the points of $P$, $Q$
 :then: $X_\tau\times X_t=\frac{r(\tau-t)v^3}{m^2V^3}\,R'\times R''$
-:method: The quotient rule for $X_\tau$, $X_t$, $R'$ and $R''$, three coordinates, everything a variable.  $P_t$ is the derivative of $P$; $P_\tau$ is what
-  `derivative_by_tau_is_that_of_the_level_before` says.  With positive weights $v,V>0$ on the span.
+:method: The quotient rule for $X_\tau$, $X_t$, $R'$ and $R''$, three coordinates, everything a variable.  $P_t$ is
+  the derivative of $P$; $P_\tau$ is what `derivative_by_tau_is_that_of_the_level_before` says.  With positive weights
+  $v,V>0$ on the span.
 :degrees: all
 :control: $m$ in the place of $m^2$
 :::
@@ -189,7 +200,8 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
             for (int m = 0; m <= p - r; m++) {
                 int i = mu - p + r + m, far = i + p + 1 - r;
                 num first = mul(sub(T->planted ? t : tau, T->planted ? tau : t), sub(a1[m + 1], a1[m]));
-                num second = mul(sub(t, u[i]), sub(a1[m + 1], b1[m + 1])), third = mul(sub(u[far], t), sub(a1[m], b1[m]));
+                num second = mul(sub(t, u[i]), sub(a1[m + 1], b1[m + 1])),
+                    third = mul(sub(u[far], t), sub(a1[m], b1[m]));
                 same(T, mul(sub(u[far], u[i]), sub(a[m], b[m])), add(first, add(second, third)));
             }
         }
@@ -368,11 +380,12 @@ values of its polar form.
 :title: A convex segment without inflections whose conics touch a parabola as well
 :zh: 无拐点的凸四次曲线段,其族另有抛物线为包络
 :kind: counterexample
-:given: $k=5$, knots $-9,-7,\dots,9$, the span $[-1,1)$, weights 1, points for which it is $(t,t^4+\frac32t^2)$, doubled in $y$; $r=2$,
-  $\tau=\frac12$, $t=-\frac12$
-:then: (4.3.15) is satisfied at $(0,-\frac1{16})$, not on the curve, whose $\mathbf r'\times\mathbf r''$ is positive on $[-1,1]$
-:method: That $x'y''-x''y'$ is positive is decided first, by its sign as a polynomial on the closed span; then that the pair satisfies the condition; then
-  $2y-2x^4-3x^2$ is compared with 0.
+:given: $k=5$, knots $-9,-7,\dots,9$, the span $[-1,1)$, weights 1, points for which it is $(t,t^4+\frac32t^2)$,
+  doubled in $y$; $r=2$, $\tau=\frac12$, $t=-\frac12$
+:then: (4.3.15) is satisfied at $(0,-\frac1{16})$, not on the curve, whose $\mathbf r'\times\mathbf r''$ is positive
+  on $[-1,1]$
+:method: That $x'y''-x''y'$ is positive is decided first, by its sign as a polynomial on the closed span; then that
+  the pair satisfies the condition; then $2y-2x^4-3x^2$ is compared with 0.
 :control: $t=\tau$
 :::
 */
@@ -400,11 +413,13 @@ CLAIM(convex_quartic_of_span_has_second_envelope)
 :title: A curve of space, its curvature and torsion nowhere 0, whose cubics touch another curve as well
 :zh: 曲率与挠率处处非零的空间曲线,其族另有包络
 :kind: counterexample
-:given: $k=7$, knots $-26,-22,\dots,26$, the span $[-2,2)$, weights 1, points for which it is $(t,t^6-15t^2,3t^5+10t^3)$; $r=3$, $\tau=-1$, $t=1$
-:then: (4.3.15) is satisfied at $(0,2,0)$, not on the curve, of which $x=0$ only at the origin; the curvature and the torsion are not 0 anywhere
-:method: $\mathbf r'\times\mathbf r''$ has the coordinates $x'y''-x''y'=30(t^4-1)$ and $x'z''-x''z'=60t(t^2+1)$, without a common real zero: their greatest common
-  divisor is decided to have none.  $(\mathbf r',\mathbf r'',\mathbf r''')$ is decided to be of one sign on the real line, as $-1800(t^2+1)^3$.  Then the condition, then the
-  point.
+:given: $k=7$, knots $-26,-22,\dots,26$, the span $[-2,2)$, weights 1, points for which it is
+  $(t,t^6-15t^2,3t^5+10t^3)$; $r=3$, $\tau=-1$, $t=1$
+:then: (4.3.15) is satisfied at $(0,2,0)$, not on the curve, of which $x=0$ only at the origin; the curvature and the
+  torsion are not 0 anywhere
+:method: $\mathbf r'\times\mathbf r''$ has the coordinates $x'y''-x''y'=30(t^4-1)$ and $x'z''-x''z'=60t(t^2+1)$,
+  without a common real zero: their greatest common divisor is decided to have none.  $(\mathbf r',\mathbf r'',\mathbf
+  r''')$ is decided to be of one sign on the real line, as $-1800(t^2+1)^3$.  Then the condition, then the point.
 :control: $t=\tau$, the point minus that of the curve
 :::
 */
@@ -423,7 +438,8 @@ CLAIM(twisted_sextic_has_second_envelope)
     }
     /* x' = 1 and x'' = 0: the coordinates of r' x r'' are y'', z'' and one more */
     poly torsion = poly_sub(poly_mul(f[1][2], f[2][3]), poly_mul(f[2][2], f[1][3]));
-    int curved = count_roots_line(poly_gcd(f[1][2], f[2][2])).distinct == 0, twisted = count_roots_line(torsion).distinct == 0;
+    int curved = count_roots_line(poly_gcd(f[1][2], f[2][2])).distinct == 0,
+        twisted = count_roots_line(torsion).distinct == 0;
     show_text(T, "y''", "%s", poly_to_string(f[1][2], "t"));
     show_text(T, "z''", "%s", poly_to_string(f[2][2], "t"));
     show_text(T, "(r', r'', r''')", "%s", poly_to_string(torsion, "t"));
@@ -439,9 +455,11 @@ CLAIM(twisted_sextic_has_second_envelope)
 :title: A second envelope whose τ(t) is defined on the whole span
 :zh: 在整段上有定义的另一解 τ(t)
 :kind: counterexample
-:given: $k=6$, knots $-11,-9,\dots,11$, the span $[-1,1)$, weights 1, points for which it is $(t,t^3)$; $r=3$, $\tau(t)=-\frac t2$; here $t=\frac45$
+:given: $k=6$, knots $-11,-9,\dots,11$, the span $[-1,1)$, weights 1, points for which it is $(t,t^3)$; $r=3$,
+  $\tau(t)=-\frac t2$; here $t=\frac45$
 :then: (4.3.15) is satisfied at $(\frac t{10},-\frac{t^3}{80})=(\frac2{25},-\frac4{625})$, which is not on the curve
-:method: The condition is found to be satisfied; then $y-x^3$ is compared with 0.  For all $t$: `second_envelopes_of_spans`.
+:method: The condition is found to be satisfied; then $y-x^3$ is compared with 0.  For all $t$:
+  `second_envelopes_of_spans`.
 :control: $\tau=t$
 :::
 */
@@ -461,11 +479,12 @@ CLAIM(solution_over_the_whole_span)
 :zh: 包络条件的另一因子及所得曲线
 :types: field
 :given: the three families, at any $t$ and $\tau$
-:then: $X_t\times X_\tau$ is $\frac12(t-\tau)(4t\tau+1)$ for the quartic with $y$ doubled, and there $y=2x^2-\frac18+2(t\tau+\frac14)^2$, so $y=2x^2-\frac18$ where
-  $4t\tau=-1$; it is $\frac32(t-\tau)(t\tau+1)(t\tau-1,t+\tau,\dots)$ for the sextic; for the cubic with $k=6$ it is a multiple of $(t-\tau)(t+2\tau)$, and for $t=-2\tau$ the
-  points are $(\frac t{10},-\frac{t^3}{80})$
-:method: Members and derivatives from the control points over the knots with $t$ and $\tau$ as variables.  For the sextic the third component follows: $X_t\times X_\tau$
-  is perpendicular to $X_t$.
+:then: $X_t\times X_\tau$ is $\frac12(t-\tau)(4t\tau+1)$ for the quartic with $y$ doubled, and there
+  $y=2x^2-\frac18+2(t\tau+\frac14)^2$, so $y=2x^2-\frac18$ where $4t\tau=-1$; it is
+  $\frac32(t-\tau)(t\tau+1)(t\tau-1,t+\tau,\dots)$ for the sextic; for the cubic with $k=6$ it is a multiple of
+  $(t-\tau)(t+2\tau)$, and for $t=-2\tau$ the points are $(\frac t{10},-\frac{t^3}{80})$
+:method: Members and derivatives from the control points over the knots with $t$ and $\tau$ as variables.  For the
+  sextic the third component follows: $X_t\times X_\tau$ is perpendicular to $X_t$.
 :control: $t+\tau$ in the place of $t-\tau$
 :::
 */
@@ -506,26 +525,33 @@ CLAIM(second_envelopes_of_spans)
 /*
 ## A condition that is enough
 
-The polar form of the segment, with $\tau$ put in $r-1$ times and $t$ put in $k-r-2$ times, is $q(x,y)$ with two places left.  With
-$a=t_j$, $b=t_{j+1}$ the three points $q(a,a)$, $q(a,b)$, $q(b,b)$ are neighbours in the control polygon after the knots $\tau$, $t$, $a$, $b$
-have been inserted often enough.  The other factor of the condition says whether they turn.  Insertion of knots is corner cutting; so from a strictly
-convex polygon only strictly convex corners arise.
+The polar form of the segment, with $\tau$ put in $r-1$ times and $t$ put in $k-r-2$ times, is $q(x,y)$ with two
+places left.  With $a=t_j$, $b=t_{j+1}$ the three points $q(a,a)$, $q(a,b)$, $q(b,b)$ are neighbours in the control
+polygon after the knots $\tau$, $t$, $a$, $b$ have been inserted often enough.  The other factor of the condition says
+whether they turn.  Insertion of knots is corner cutting; so from a strictly convex polygon only strictly convex
+corners arise.
 
 :::{claim} convex_polygon_of_span_has_one_envelope
 :title: A strictly convex polygon of the span with positive weights has the curve as its only envelope, for every r
 :zh: 该段控制多边形严格凸且权为正时包络只有曲线本身
 :types: field rational
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, with positive gaps, variables for $k\le4$ and numbers above;
-  homogeneous points of the plane; $t$, $\tau$ inside the span; every $r=1,\dots,k-2$
-:let: $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows at $(\tau^{r-1},t^{k-r-2},x,y)$ with
-  $(x,y)=(a,a),(a,b),(b,b)$
-:then: with $Q=P^{[r-1]}(\cdot,\tau)$ and $m=k-r$: $(b-a)^3\det(Q,Q',Q'')=m^2(m-1)\sum_{i<l<h}M_{ilh}\det(P_i,P_l,P_h)$, and every $3\times3$ minor $M_{ilh}$ is
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, with positive gaps,
+  variables for $k\le4$ and numbers above; homogeneous points of the plane; $t$, $\tau$ inside the span; every
+  $r=1,\dots,k-2$
+:let: $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows
+  at $(\tau^{r-1},t^{k-r-2},x,y)$ with $(x,y)=(a,a),(a,b),(b,b)$
+:then: with $Q=P^{[r-1]}(\cdot,\tau)$ and $m=k-r$:
+  $(b-a)^3\det(Q,Q',Q'')=m^2(m-1)\sum_{i<l<h}M_{ilh}\det(P_i,P_l,P_h)$, and every $3\times3$ minor $M_{ilh}$ is
   nonnegative
-:method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the right side is Cauchy-Binet.  The minors have no
-  negative coefficient in the gaps and in $x$, $y$ with $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$; for $k>5$ they are sampled, and nonnegative because $M$ is
-  a product of matrices with nonnegative entries on two neighbouring diagonals, one for each inserted knot.  The rows of $M$ are independent: three polynomials with
-  the factors $(\cdot-\tau)^{r-1}(\cdot-t)^{k-r-2}$ are dual to them.  So one minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the corners of a strictly
-  convex polygon in this order, all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have one sign, and $\det(Q,Q',Q'')\ne0$.
+:method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the
+  right side is Cauchy-Binet.  The minors have no negative coefficient in the gaps and in $x$, $y$ with
+  $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$; for $k>5$ they are sampled, and nonnegative because $M$ is a product of
+  matrices with nonnegative entries on two neighbouring diagonals, one for each inserted knot.  The rows of $M$ are
+  independent, as $q$ may be any polynomial of degree 2: to put in one argument $\tau$ maps the polynomials of degree $m$
+  onto those of degree $m-1$, since only the multiples of $(\cdot-\tau)^m$ go to 0.
+  So one
+  minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the corners of a strictly convex polygon in this order,
+  all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 6
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
@@ -586,30 +612,34 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
 :::{statement} wang-ch4:thm-4.3.3-alternatives
 :title: The condition gives τ = t or a sum of triple products
 :zh: 由包络条件得 τ=t 或混合积之和为零
-:printed: as for theorem 4.3.2, (4.3.3) and (4.3.15) give (4.3.16) or $\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\bigl(w_i^{[r-1]}(\tau)\mathbf p_i^{[r-1]}(\tau),
-  \frac\partial{\partial t}\mathbf r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$
+:printed: as for theorem 4.3.2, (4.3.3) and (4.3.15) give (4.3.16) or
+  $\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\bigl(w_i^{[r-1]}(\tau)\mathbf p_i^{[r-1]}(\tau), \frac\partial{\partial t}\mathbf
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$
 :holds-by: general_condition_is_that_of_the_level_before
 
-Three letters have to be read as what they must mean: $\tau=t$ for (4.3.16), $\mathbf r_i^{[r-1]}$ for $\mathbf p_i^{[r-1]}$, and for $\mathbf r^{[r-1]}$, by (4.3.3) a curve of
-order $r-1$, the member $\mathbf r^{[k-r+1]}$ of the level before.  It is true for a stronger reason: for $\tau\ne t$ the product of its last two factors is 0.
+Three letters have to be read as what they must mean: $\tau=t$ for (4.3.16), $\mathbf r_i^{[r-1]}$ for $\mathbf
+p_i^{[r-1]}$, and for $\mathbf r^{[r-1]}$, by (4.3.3) a curve of order $r-1$, the member $\mathbf r^{[k-r+1]}$ of the
+level before.  It is true for a stronger reason: for $\tau\ne t$ the product of its last two factors is 0.
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-each-term
 :title: Each term of the sum vanishes
 :zh: 每个混合积为零
-:printed: if the sum is 0, then $\bigl(w_i^{[r-1]}(\tau)\mathbf p_i^{[r-1]}(\tau),\frac\partial{\partial t}\mathbf r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf
-  r^{[r-1]}(t,\tau)\bigr)=0$ for $i=j-k+r,\dots,j$
+:printed: if the sum is 0, then $\bigl(w_i^{[r-1]}(\tau)\mathbf p_i^{[r-1]}(\tau),\frac\partial{\partial t}\mathbf
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$ for $i=j-k+r,\dots,j$
 :class: invalid-proof
 :refuted-by: member_osculates_a_plane_through_the_origin
-:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0, whatever the points are
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
+  whatever the points are
 :corrected-by: general_condition_is_that_of_the_level_before
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-split
 :title: By the recursion each term is a mean of two of the level before
 :zh: 按递推分解为上一层两项
-:printed: by (4.1.3) and (4.1.4): $\bigl(1-\frac{\tau-t_i}{t_{i+k-r+1}-t_i}\bigr)(w_{i-1}^{[r-2]}(\tau)\mathbf p_{i-1}^{[r-2]}(\tau),\dots)+
-  \frac{\tau-t_i}{t_{i+k-r+1}-t_i}(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$, $i=j-k+r,\dots,j$
+:printed: by (4.1.3) and (4.1.4): $\bigl(1-\frac{\tau-t_i}{t_{i+k-r+1}-t_i}\bigr)(w_{i-1}^{[r-2]}(\tau)\mathbf
+  p_{i-1}^{[r-2]}(\tau),\dots)+ \frac{\tau-t_i}{t_{i+k-r+1}-t_i}(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$,
+  $i=j-k+r,\dots,j$
 :holds-by: weighted_points_follow_the_recursion
 
 For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
@@ -618,11 +648,12 @@ For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
 :::{statement} wang-ch4:thm-4.3.3-descent
 :title: From the means to the terms, down to the control points
 :zh: 逐层下降至控制顶点
-:printed: this gives $(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$ for $i=j-k+r-1,\dots,j$ and, continued, $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for
-  $i=j-k+1,\dots,j$
+:printed: this gives $(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$ for $i=j-k+r-1,\dots,j$ and, continued,
+  $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for $i=j-k+1,\dots,j$
 :class: invalid-proof
 :refuted-by: level_one_in_a_plane_and_the_points_not
-:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products are 0 on every level
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
+  are 0 on every level
 :corrected-by: general_condition_is_that_of_the_level_before
 
 $k-r+1$ equations do not determine $k-r+2$ unknowns.
@@ -631,12 +662,14 @@ $k-r+1$ equations do not determine $k-r+2$ unknowns.
 :::{statement} wang-ch4:thm-4.3.3-coplanar
 :title: The control points are coplanar
 :zh: 控制顶点共面
-:printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
+:printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 means that $\mathbf p_i$,
+  $i=j-k+1,\dots,j$, are coplanar
 :class: false
 :refuted-by: twisted_sextic_has_products_zero
-:corrected: coplanar with the origin if $\frac\partial{\partial t}\mathbf r\times\frac{\partial^2}{\partial t^2}\mathbf r\ne0$ at the pair in question; but where (4.3.15) holds with
-  $\tau\ne t$ it is 0
+:corrected: coplanar with the origin if $\frac\partial{\partial t}\mathbf r\times\frac{\partial^2}{\partial
+  t^2}\mathbf r\ne0$ at the pair in question; but where (4.3.15) holds with $\tau\ne t$ it is 0
 :corrected-by: common_normal_makes_points_coplanar general_condition_is_that_of_the_level_before
+:figure: nurbs_envelope_space
 
 Here the proof loses the curves of space: the products are 0 because of their last two factors.
 :::
@@ -647,14 +680,17 @@ Here the proof loses the curves of space: the products are 0 because of their la
 :printed: a process similar to that of theorem 4.3.2 shows the theorem
 :class: false
 :refuted-by: convex_quartic_of_span_has_second_envelope
-:corrected: in the plane the condition is $(\tau-t)\,(X'Y''-X''Y')=0$ with the coordinates $X,Y$ of the member $\tau$ of the level before, not of the curve
+:corrected: in the plane the condition is $(\tau-t)\,(X'Y''-X''Y')=0$ with the coordinates $X,Y$ of the member $\tau$
+  of the level before, not of the curve
 :corrected-by: general_condition_is_that_of_the_level_before
+:figure: nurbs_envelope_extra
 :::
 
 :::{claim} weighted_points_follow_the_recursion
 :title: A linear function of the weighted points follows the recursion (4.1.3)
 :zh: 加权顶点的线性函数满足递推 (4.1.3)
-:given: $k=p+1$; knots of these three shapes; weights and points of space, two vectors, any $\tau$, every $r=2,\dots,k-1$
+:given: $k=p+1$; knots of these three shapes; weights and points of space, two vectors, any $\tau$, every
+  $r=2,\dots,k-1$
 :then: $(w_i^{[r-1]}r_i^{[r-1]},a,b)=(1-\alpha)(w_{i-1}^{[r-2]}r_{i-1}^{[r-2]},a,b)+\alpha(w_i^{[r-2]}r_i^{[r-2]},a,b)$,
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$
 :method: The points by (4.1.4), which divides by weights.
@@ -708,8 +744,8 @@ static void G(products_with_member)(int p, const num u[], const num R[], const n
 :title: The sum is 0 and its terms are not
 :zh: 和为零而各项不为零
 :kind: counterexample
-:given: $k=5$, knots $-18,-14,\dots,18$, the span $[-2,2)$, weights 1, points for which it is $(4t+2,6t^2-4t+1,12t^3-18t^2+12t-3)$; $r=2$, $\tau=1$, $t=0$: the member of level
-  1 is $3(t+1,t^2,t^3)$
+:given: $k=5$, knots $-18,-14,\dots,18$, the span $[-2,2)$, weights 1, points for which it is
+  $(4t+2,6t^2-4t+1,12t^3-18t^2+12t-3)$; $r=2$, $\tau=1$, $t=0$: the member of level 1 is $3(t+1,t^2,t^3)$
 :then: $\sum N_{i,4}(t)(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$, and not every term is 0
 :method: The sum is found to be 0; then its triple products are compared with 0.
 :control: the sum in the place of its terms
@@ -738,9 +774,10 @@ CLAIM(member_osculates_a_plane_through_the_origin)
 :title: The products of level 1 are 0 and those of level 0 are not
 :zh: 第 1 层混合积为零而第 0 层不为零
 :kind: counterexample
-:given: $k=4$, knots $-14,-10,\dots,14$, the span $[-2,2)$, weights 1, points for which it is $(t,t^2,(t-1)^3)$; $r=2$, $\tau=1$, $t=0$: the member of level 1 is in the plane
-  $z=0$
-:then: $(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$ for all $i$, and not every $(r_i,\partial_tR,\partial_t^2R)$ is 0
+:given: $k=4$, knots $-14,-10,\dots,14$, the span $[-2,2)$, weights 1, points for which it is $(t,t^2,(t-1)^3)$;
+  $r=2$, $\tau=1$, $t=0$: the member of level 1 is in the plane $z=0$
+:then: $(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$ for all $i$, and not every $(r_i,\partial_tR,\partial_t^2R)$ is
+  0
 :method: The products of level 1 are found to be 0; then those of level 0 are compared with 0.
 :control: those of level 1 once more
 :::
@@ -768,7 +805,8 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :zh: 空间曲线在另一解处各混合积为零而顶点不共面
 :kind: counterexample
 :given: the sextic $(t,t^6-15t^2,3t^5+10t^3)$ with $k=7$, $r=3$, $\tau=-1$, $t=1$
-:then: $(r_i,\partial_tR,\partial_t^2R)=0$ for all seven points, with the member $R$ of level 2; the points are not coplanar
+:then: $(r_i,\partial_tR,\partial_t^2R)=0$ for all seven points, with the member $R$ of level 2; the points are not
+  coplanar
 :method: The products are found to be 0; then the volume of four of the points is compared with 0.
 :control: a volume with two equal edges
 :::

@@ -2,49 +2,59 @@
 # Is the envelope unique? The first level (包络的唯一性: r = 1)
 
 A joint solution of the family (4.3.3) and of the condition that its two derivatives are parallel is a set of pairs
-$(t,\tau)$ of the square $[t_j,t_{j+1})^2$.  The diagonal $\tau=t$ is the curve.  Whether there is anything else is a question about the
-other factor of the condition.  For $r=1$ it can be answered completely.  With $k$ and the derivatives of $p$ and $w$
-at $t$ as variables the member and its derivatives are explicit, and
+$(t,\tau)$ of the square $[t_j,t_{j+1})^2$.  The diagonal $\tau=t$ is the curve.  Whether there is anything else is a
+question about the other factor of the condition.  For $r=1$ it can be answered completely.  With $k$ and the
+derivatives of $p$ and $w$ at $t$ as variables the member and its derivatives are explicit, and
 
 $$\frac{\partial\mathbf r^{[k-1]}}{\partial\tau}\times\frac{\partial\mathbf r^{[k-1]}}{\partial t}=
-\frac{(\tau-t)\,w^3(t)}{(k-1)^2\,W^3(t,\tau)}\;\mathbf r'(t)\times\mathbf r''(t),\qquad W=w(t)+\frac{\tau-t}{k-1}w'(t)>0.$$
+\frac{(\tau-t)\,w^3(t)}{(k-1)^2\,W^3(t,\tau)}\;\mathbf r'(t)\times\mathbf r''(t),\qquad
+W=w(t)+\frac{\tau-t}{k-1}w'(t)>0.$$
 
-The other factor depends on $t$ alone.  A zero $t_0$ of $\mathbf r'\times\mathbf r''$, an inflection for instance, gives the whole line
-$t=t_0$ of the square, and the points of that line are a segment of the tangent at the inflection: it is touched by every member.
+The other factor depends on $t$ alone.  A zero $t_0$ of $\mathbf r'\times\mathbf r''$, an inflection for instance,
+gives the whole line $t=t_0$ of the square, and the points of that line are a segment of the tangent at the
+inflection: it is touched by every member.
 
 :::{statement} wang-ch4:thm-4.3.2
 :title: For r = 1 the envelope is unique
 :zh: r=1 时包络唯一
-:printed: for $r=1$ the envelope in (4.3.2) is unique: it is the segment $\mathbf r(t)$, $t_j\le t<t_{j+1}$, of the curve
+:printed: for $r=1$ the envelope in (4.3.2) is unique: it is the segment $\mathbf r(t)$, $t_j\le t<t_{j+1}$, of the
+  curve
 :class: false
 :refuted-by: inflected_cubic_has_second_envelope folded_line_has_another_solution
-:reading: inflected_cubic_has_second_envelope | all joint solutions of (4.3.3) and (4.3.9): false at an inflection, in the plane
-:reading: space_quartic_has_second_envelope | the same for curves that are not plane: false where the curvature vanishes
-:reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as (4.3.10)
-  may be meant: then a line $t=t_0$ is left out, and true if $\mathbf r'\times\mathbf r''$ is not 0 identically
+:reading: inflected_cubic_has_second_envelope | all joint solutions of (4.3.3) and (4.3.9): false at an inflection, in
+  the plane
+:reading: space_quartic_has_second_envelope | the same for curves that are not plane: false where the curvature
+  vanishes
+:reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as
+  (4.3.10) may be meant: then a line $t=t_0$ is left out, and true if $\mathbf r'\times\mathbf r''$ is not 0
+  identically
 :reading: folded_line_has_another_solution | the same when it is 0 identically, a case which the proof includes: false
-:corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the points of such a line are
-  $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless $\mathbf r$ is on a straight line, the envelope is $\mathbf r$ alone
-  if and only if $\mathbf r'\times\mathbf r''=0$ only where $\mathbf r'=0$; so for a strictly convex control polygon of the span
+:corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
+  points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless
+  $\mathbf r$ is on a straight line, the envelope is $\mathbf r$ alone if and only if $\mathbf r'\times\mathbf r''=0$
+  only where $\mathbf r'=0$; so for a strictly convex control polygon of the span
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
   convex_polygon_of_span_has_one_envelope
 :striking: 2
+:figure: nurbs_second_line
 
-For the cubic the second envelope is no exotic point set: each of the parabolas touches the line at a point of its own.  A zero of
-$\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all its pairs have the point $\mathbf r(t_0)$.
-If $\mathbf r$ is not straight, only finitely many points of a segment of a tangent are on it.
+For the cubic the second envelope is no exotic point set: each of the parabolas touches the line at a point of its
+own.  A zero of $\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all
+its pairs have the point $\mathbf r(t_0)$. If $\mathbf r$ is not straight, only finitely many points of a segment of a
+tangent are on it.
 :::
 
 :::{statement} wang-ch4:formula-4.3.9
 :title: The condition of the envelope for r = 1
 :zh: r=1 时的包络条件
-:printed: \frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial t}=\mathbf 0,\quad
-  t_j\le t,\tau<t_{j+1}
+:printed: \frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
+  r^{[k-1]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le t,\tau<t_{j+1}
 :definition: yes
 :checked-by: touching_curve_satisfies_the_condition
 
-It is quoted from elsewhere as what an envelope is.  It is necessary: where a curve $\mathbf r^{[k-1]}(t(s),\tau(s))$ with $\tau'\ne0$ is
-tangent to the members it passes, the two derivatives are parallel.  It is sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$.
+It is quoted from elsewhere as what an envelope is.  It is necessary: where a curve $\mathbf r^{[k-1]}(t(s),\tau(s))$
+with $\tau'\ne0$ is tangent to the members it passes, the two derivatives are parallel.  It is sufficient where
+$\partial_t\mathbf r^{[k-1]}\ne0$.
 :::
 
 :::{statement} wang-ch4:formula-4.3.10
@@ -53,8 +63,8 @@ tangent to the members it passes, the two derivatives are parallel.  It is suffi
 :printed: \tau=\tau(t)
 :class: false
 :refuted-by: inflected_cubic_has_second_envelope
-:corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$, on
-  which $t$ is a function of $\tau$
+:corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
+  r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
 :corrected-by: first_level_condition_factors
 
 That every joint solution can be written so is assumed.  The lines $t=t_0$ cannot.
@@ -65,8 +75,9 @@ That every joint solution can be written so is assumed.  The lines $t=t_0$ canno
 :zh: 与族曲线相切的曲线满足包络条件
 :given: the derivatives $X_t$, $X_\tau$ of a family at a pair $(t,\tau)$, and a curve through it with $t'$ and $\tau'$
 :then: $(t'X_t+\tau'X_\tau)\times X_t=\tau'\,X_\tau\times X_t$ in space
-:method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member have one
-  tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds and $X_t\ne0$.
+:method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member
+  have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds and
+  $X_t\ne0$.
 :control: the factor $t'$ in the place of $\tau'$
 :::
 */
@@ -110,23 +121,25 @@ CLAIM(touching_curve_satisfies_the_condition)
 :::{statement} wang-ch4:thm-4.3.2-by-tau
 :title: The derivative of the member by τ
 :zh: 族曲线对 τ 的偏导矢
-:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
+:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf
+  r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
 :holds-by: derivatives_of_the_first_member
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-by-t
 :title: The derivative of the member by t
 :zh: 族曲线对 t 的偏导矢
-:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]^2\frac{\partial\mathbf r^{[k-1]}}{\partial t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]\mathbf p''
-  -w''\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf p\Bigr]\Bigr\}+(k-2)w^2\mathbf r'
+:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]^2\frac{\partial\mathbf r^{[k-1]}}{\partial
+  t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]\mathbf p'' -w''\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf
+  p\Bigr]\Bigr\}+(k-2)w^2\mathbf r'
 :holds-by: derivatives_of_the_first_member
 :::
 
 :::{claim} differences_of_span_give_the_derivative
 :title: The differences of the points, over lengths, with the basis of the next lower order are the derivative
 :zh: 差分与低一阶基函数之和即导矢
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots variables for $k\le4$ and
-  numbers above; points, any $t$
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
+  variables for $k\le4$ and numbers above; points, any $t$
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
 :degrees: 1..4 sampled 7
@@ -188,28 +201,31 @@ CLAIM(first_level_follows_the_tangent)
 }
 
 /*
-From here on the knots are not needed any more: $p$, $p'$, $p''$ at $t$ are three vectors of space and $w$, $w'$, $w''$ three numbers, all of
-them variables, and so is $k$.
+From here on the knots are not needed any more: $p$, $p'$, $p''$ at $t$ are three vectors of space and $w$, $w'$,
+$w''$ three numbers, all of them variables, and so is $k$.
 
 :::{statement} wang-ch4:thm-4.3.2-equivalent
 :title: The condition with the factor τ-t
 :zh: 包络条件的等价形式
-:printed: (\tau-t)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr][\mathbf r'\times\mathbf p'']=(\tau-t)\,w''\Bigl\{\mathbf r'\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf p\Bigr]\Bigr\}
+:printed: (\tau-t)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr][\mathbf r'\times\mathbf p'']=(\tau-t)\,w''\Bigl\{\mathbf
+  r'\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf p\Bigr]\Bigr\}
 :holds-by: first_level_condition_as_printed
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-dot
 :title: The product with p'' gives a triple product
 :zh: 与 p'' 作数量积得混合积
-:printed: the scalar product of both sides with $\mathbf p''(t)$ gives $(\tau-t)\bigl(\mathbf r'(t),\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t),\mathbf p''(t)\bigr)=0$
+:printed: the scalar product of both sides with $\mathbf p''(t)$ gives $(\tau-t)\bigl(\mathbf
+  r'(t),\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t),\mathbf p''(t)\bigr)=0$
 :class: invalid-proof
 :refuted-by: product_with_second_derivative_says_nothing
-:corrected: the scalar product gives $(\tau-t)\,w''(t)\,(\dots)=0$, with the factor $w''$; where $w''\ne0$ the printed equation follows; where
-  $w''=0$ it follows from the equation before the product was taken, which then says $\mathbf r'\times\mathbf p''=0$
+:corrected: the scalar product gives $(\tau-t)\,w''(t)\,(\dots)=0$, with the factor $w''$; where $w''\ne0$ the printed
+  equation follows; where $w''=0$ it follows from the equation before the product was taken, which then says $\mathbf
+  r'\times\mathbf p''=0$
 :corrected-by: product_with_second_derivative_loses_the_left_side first_level_condition_as_printed
 
-For equal weights, B-spline curves, the product is $0=0$ for all $t$ and $\tau$.  And it is one equation in the place of three: what is lost is what
-decides, $\mathbf r'\times\mathbf r''=0$.
+For equal weights, B-spline curves, the product is $0=0$ for all $t$ and $\tau$.  And it is one equation in the place
+of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
 :::
 
 :::{statement} wang-ch4:formula-4.3.11
@@ -227,19 +243,19 @@ It solves (4.3.9) and gives the curve.
 :printed: \tau=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
 :holds-by: triple_product_is_that_of_the_point
 
-For $\tau\ne t$ it is equivalent to the triple product before.  But it says something about the origin, that the osculating plane passes
-through it, and is therefore weaker than (4.3.9), which does not know the origin.
+For $\tau\ne t$ it is equivalent to the triple product before.  But it says something about the origin, that the
+osculating plane passes through it, and is therefore weaker than (4.3.9), which does not know the origin.
 :::
 
 :::{claim} derivatives_of_the_first_member
 :title: The two derivatives of the member by their formulas
 :zh: 族曲线的两个偏导矢
 :types: field
-:given: $X=A/W$ with $A=p(t)+\frac{\tau-t}{k-1}p'(t)$, $W=w(t)+\frac{\tau-t}{k-1}w'(t)$, $p$ and $w$ quadratic polynomials of $t$ with variable
-  coefficients; any $k$, $\tau$, at any $t$
+:given: $X=A/W$ with $A=p(t)+\frac{\tau-t}{k-1}p'(t)$, $W=w(t)+\frac{\tau-t}{k-1}w'(t)$, $p$ and $w$ quadratic
+  polynomials of $t$ with variable coefficients; any $k$, $\tau$, at any $t$
 :then: both printed formulas, in one coordinate
-:method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on $p,p',p''$ and
-  $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
+:method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
+  $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
 :degrees: all
 :control: $k-1$ in the place of $k-2$
 :::
@@ -249,8 +265,8 @@ through it, and is therefore weaker than (4.3.9), which does not know the origin
 :zh: 包络条件与所印方程等价
 :given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
 :then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
-:method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$ are positive on the
-  span.
+:method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
+  are positive on the span.
 :degrees: all
 :control: the sign of the second term
 :::
@@ -261,9 +277,10 @@ through it, and is therefore weaker than (4.3.9), which does not know the origin
 :given: the same
 :then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
   $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
-:method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the joint solutions
-  in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$; a continuous function $\tau(t)$ solves the condition, unless
-  $r'\times r''$ is 0 on an interval and then everywhere, only as $\tau(t)=t$.
+:method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
+  joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$; a continuous
+  function $\tau(t)$ solves the condition, unless $r'\times r''$ is 0 on an interval and then everywhere, only as
+  $\tau(t)=t$.
 :degrees: all
 :control: $w^2$ in the place of $w^3$
 :::
@@ -273,8 +290,8 @@ through it, and is therefore weaker than (4.3.9), which does not know the origin
 :zh: 直线 t=t₀ 上的点构成切线段
 :given: the same
 :then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
-:method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative being
-  $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
+:method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
+  being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
 :degrees: all
 :control: $w$ left out
 :::
@@ -294,8 +311,9 @@ through it, and is therefore weaker than (4.3.9), which does not know the origin
 :zh: 混合积与 (p, r', r'') 只差正因子
 :given: the same; and for $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
 :then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$
-:method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple product is a linear
-  function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points, weights, knots and $t$ as variables.
+:method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
+  product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,
+  weights, knots and $t$ as variables.
 :control: the sign
 :::
 */
@@ -441,8 +459,8 @@ CLAIM(triple_product_is_that_of_the_point)
 :kind: counterexample
 :given: $k=4$, weights 1, the curve $(t,t^2,t^3+1)$ at $t=0$; $\tau=1$
 :then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$
-:method: The derivatives of the curve by its points over uniform knots; the triple product is compared with 0 after the other
-  equation has been found to be true.
+:method: The derivatives of the curve by its points over uniform knots; the triple product is compared with 0 after
+  the other equation has been found to be true.
 :control: the triple product multiplied by $w''=0$
 :::
 */
@@ -475,36 +493,38 @@ CLAIM(product_with_second_derivative_says_nothing)
 :::{statement} wang-ch4:thm-4.3.2-independence
 :title: Each term of the sum vanishes, because B-splines are linearly independent
 :zh: 由线性无关性得每个混合积为零
-:printed: if (4.3.12) holds, then by $w_i>0$ and the linear independence of the B-splines $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for
-  $i=j-k+1,\dots,j$
+:printed: if (4.3.12) holds, then by $w_i>0$ and the linear independence of the B-splines $(\mathbf r_i,\mathbf
+  r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$
 :class: invalid-proof
 :refuted-by: osculating_plane_meets_the_origin_once
 :reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises: false
-:reading: points_are_polar_values_of_the_segment | for all $t$ of the span: true, but not for this reason, the coefficients
-  $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants
-:corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore linearly dependent, the
-  segment is in a plane through the origin, and so are its control points
+:reading: points_are_polar_values_of_the_segment | for all $t$ of the span: true, but not for this reason, the
+  coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants
+:corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore
+  linearly dependent, the segment is in a plane through the origin, and so are its control points
 :corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-coplanar
 :title: The control points of the span are coplanar, and the family is plane
 :zh: 控制顶点共面
-:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ means that these $\mathbf r_i$ are coplanar, so that the family is one of plane
-  curves
+:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ means that these $\mathbf r_i$ are
+  coplanar, so that the family is one of plane curves
 :holds-by: common_normal_makes_points_coplanar
-:hypothesis: vanishing_curvature_says_nothing_about_the_points | $\mathbf r'(t)\times\mathbf r''(t)\ne0$ at the $t$ in question
+:hypothesis: vanishing_curvature_says_nothing_about_the_points | $\mathbf r'(t)\times\mathbf r''(t)\ne0$ at the $t$ in
+  question
 :::
 
 :::{claim} points_are_polar_values_of_the_segment
-:title: The points of a span are values of the polar form of its segment: a linear relation of the segment is one of the points
+:title: The points of a span are values of the polar form of its segment: a linear relation of the segment is one of
+  the points
 :zh: 控制顶点是该段极形式之值
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots variables for $k\le4$ and
-  numbers above; points
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
+  variables for $k\le4$ and numbers above; points
 :then: the point $i$ is the polar form of the segment, given by its Bézier points, at $t_{i+1},\dots,t_{i+k-1}$
-:method: From the points to the Bézier points of the segment by one kernel, back by another.  If $L(p(t),w(t))=0$ for all $t$
-  with a linear $L$, then the polar form of this polynomial is 0, hence $L(w_ir_i,w_i)=0$ for every point.  So a segment in a plane, on a line or in a plane
-  through the origin has its points there.
+:method: From the points to the Bézier points of the segment by one kernel, back by another.  If $L(p(t),w(t))=0$ for
+  all $t$ with a linear $L$, then the polar form of this polynomial is 0, hence $L(w_ir_i,w_i)=0$ for every point.  So
+  a segment in a plane, on a line or in a plane through the origin has its points there.
 :degrees: 1..4 sampled 7
 :control: the knots from $t_i$ on
 :::
@@ -514,8 +534,8 @@ CLAIM(product_with_second_derivative_says_nothing)
 :zh: 有公共非零法向的三点与原点共面
 :given: three points $a,b,c$ and a vector $n$ of space
 :then: $(a,b,c)\,n=(n\cdot a)\,b\times c+(n\cdot b)\,c\times a+(n\cdot c)\,a\times b$
-:method: Three coordinates, everything a variable.  If $n=r'\times r''\ne0$ and $n\cdot r_i=(r_i,r',r'')=0$, then all $r_i$ are in the plane through
-  the origin with the normal $n$.
+:method: Three coordinates, everything a variable.  If $n=r'\times r''\ne0$ and $n\cdot r_i=(r_i,r',r'')=0$, then all
+  $r_i$ are in the plane through the origin with the normal $n$.
 :control: $n$ on the left side with the second and third coordinates exchanged
 :::
 */
@@ -561,7 +581,8 @@ CLAIM(common_normal_makes_points_coplanar)
 :title: At one t the triple product with p vanishes, and those with the points do not
 :zh: 某一 t 处 (p, r', r'')=0 而 (r_i, r', r'')≠0
 :kind: counterexample
-:given: $k=4$, the curve $(t+1,t^2,t^3)$ over uniform knots, weights 1, at $t=0$, where its osculating plane $z=0$ contains the origin
+:given: $k=4$, the curve $(t+1,t^2,t^3)$ over uniform knots, weights 1, at $t=0$, where its osculating plane $z=0$
+  contains the origin
 :then: $\sum N_{i,k}(t)w_i(r_i,r',r'')=0$, and not every $(r_i,r',r'')$ is 0
 :method: The sum is found to be 0; then its triple products are compared with 0.
 :control: the sum in the place of its terms
@@ -624,8 +645,9 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :::{statement} wang-ch4:formula-4.3.13
 :title: The condition in the plane
 :zh: 平面情形的包络条件
-:printed: \frac{\partial x^{[k-1]}(t,\tau)}{\partial\tau}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial t}=\frac{\partial
-  x^{[k-1]}(t,\tau)}{\partial t}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial\tau},\quad t_j\le t,\tau<t_{j+1}
+:printed: \frac{\partial x^{[k-1]}(t,\tau)}{\partial\tau}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial
+  t}=\frac{\partial x^{[k-1]}(t,\tau)}{\partial t}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial\tau},\quad t_j\le
+  t,\tau<t_{j+1}
 :definition: yes
 :checked-by: touching_curve_satisfies_the_condition
 
@@ -647,10 +669,12 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :printed: if $x'(t)y''(t)-x''(t)y'(t)=0$ (4.3.14) holds, then $\mathbf r(t)$ is a segment of a straight line
 :class: false
 :refuted-by: inflected_cubic_is_not_straight
-:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: false, every inflection is a counterexample
+:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: false, every
+  inflection is a counterexample
 :reading: slope_is_constant_where_nothing_turns | for all $t$: true
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
+:figure: nurbs_second_line
 
 This is where the proof breaks: an equation that has to hold at one $t$ is used as if it held for all.
 :::
@@ -658,7 +682,8 @@ This is where the proof breaks: an equation that has to hold at one $t$ is used 
 :::{statement} wang-ch4:thm-4.3.2-collinear
 :title: A straight segment has collinear control points
 :zh: 直线段的控制顶点共线
-:printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so that every member is on this line
+:printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so
+  that every member is on this line
 :holds-by: points_are_polar_values_of_the_segment
 :::
 
@@ -668,8 +693,10 @@ This is where the proof breaks: an equation that has to hold at one $t$ is used 
 :printed: if every member is on the straight line of $\mathbf r(t)$, the envelope of the family is $\mathbf r(t)$
 :class: false
 :refuted-by: folded_line_has_another_solution
-:corrected: then every pair $(t,\tau)$ is a joint solution; the points of all members may be more than those of $\mathbf r$
+:corrected: then every pair $(t,\tau)$ is a joint solution; the points of all members may be more than those of
+  $\mathbf r$
 :corrected-by: first_level_condition_factors
+:figure: nurbs_folded_line
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-otherwise
@@ -677,17 +704,19 @@ This is where the proof breaks: an equation that has to hold at one $t$ is used 
 :zh: 否则必有 τ=t
 :printed: if (4.3.14) does not hold, (4.3.11) must hold, and the envelope of the family is $\mathbf r(t)$
 :holds-by: first_level_condition_factors member_of_span_touches_curve
-:hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold identically is not enough
+:hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
+  identically is not enough
 :::
 
 :::{claim} slope_is_constant_where_nothing_turns
 :title: The derivative of the slope is x'y''-x''y' over x'^2
 :zh: 斜率之导数
 :types: field
-:given: any $x$ and $y$ with their first and second derivatives, here cubic polynomials of $t$ with variable coefficients
+:given: any $x$ and $y$ with their first and second derivatives, here cubic polynomials of $t$ with variable
+  coefficients
 :then: $(y'/x')'=(x'y''-x''y')/x'^2$
-:method: Formal derivatives.  The rule holds for all functions; if the right side is 0 for all $t$ of the span, $y'/x'$ is constant and
-  $y=ax+b$, or $x'=0$ for all $t$ and $x$ is constant: a line.
+:method: Formal derivatives.  The rule holds for all functions; if the right side is 0 for all $t$ of the span,
+  $y'/x'$ is constant and $y=ax+b$, or $x'=0$ for all $t$ and $x$ is constant: a line.
 :degrees: all
 :control: the sign of the second term
 :::
@@ -716,8 +745,8 @@ CLAIM(slope_is_constant_where_nothing_turns)
 :kind: counterexample
 :given: $k=4$, the knots $-7,-5,\dots,7$, weights 1 and the points for which the span $[-1,1)$ is $(t,t^3)$; $t=0$
 :then: $x'y''-x''y'=0$, and three of the points are not collinear
-:method: The determinant is found to be 0; then the area of the first three points is compared with 0.  The points of a straight segment are
-  collinear.
+:method: The determinant is found to be 0; then the area of the first three points is compared with 0.  The points of
+  a straight segment are collinear.
 :control: the curve $(t,t)$
 :::
 */
@@ -745,9 +774,10 @@ CLAIM(inflected_cubic_is_not_straight)
 :zh: 三次曲线 (t,t³) 的二次族曲线还与 y=0 相切
 :kind: counterexample
 :given: $k=4$, the same curve; $r=1$, the member $\tau=\frac12$ at $t=0$
-:then: (4.3.9) is satisfied at the point $(\frac16,0)$, which is not on the curve; the member's tangent there is the axis
-:method: Member and derivatives by its points over the knots.  The condition is found to be satisfied; then $y-x^3$ is compared with 0.  The
-  pairs $t=0$, $-1\le\tau<1$ give the points $(\frac\tau3,0)$.
+:then: (4.3.9) is satisfied at the point $(\frac16,0)$, which is not on the curve; the member's tangent there is the
+  axis
+:method: Member and derivatives by its points over the knots.  The condition is found to be satisfied; then $y-x^3$ is
+  compared with 0.  The pairs $t=0$, $-1\le\tau<1$ give the points $(\frac\tau3,0)$.
 :control: $\tau=0$
 :::
 */
@@ -766,10 +796,11 @@ CLAIM(inflected_cubic_has_second_envelope)
 :title: A curve of space, not in a plane, whose family of order 4 touches a line as well
 :zh: 非平面曲线的族另有包络
 :kind: counterexample
-:given: $k=5$, the curve $(t,t^3,t^4)$ on the span $[-1,1)$ of uniform knots, weights 1; $r=1$, $\tau=\frac12$, $t=0$, where the curvature
-  is 0
+:given: $k=5$, the curve $(t,t^3,t^4)$ on the span $[-1,1)$ of uniform knots, weights 1; $r=1$, $\tau=\frac12$, $t=0$,
+  where the curvature is 0
 :then: (4.3.9) is satisfied at the point $(\frac18,0,0)$, which is not on the curve
-:method: As for the cubic.  That the points are not coplanar is shown by `vanishing_curvature_says_nothing_about_the_points`.
+:method: As for the cubic.  That the points are not coplanar is shown by
+  `vanishing_curvature_says_nothing_about_the_points`.
 :control: $\tau=0$
 :::
 */
@@ -788,9 +819,12 @@ CLAIM(space_quartic_has_second_envelope)
 :title: On a line every function τ(t) is a solution, and its points may be off the segment
 :zh: 共线时任意 τ(t) 均为解,其点可在 r(t) 之外
 :kind: counterexample
-:given: $k=3$, the knots $0,\dots,5$, the span $[2,3)$, points $(0,0),(1,1),(0,0)$, weights 1; $r=1$, $\tau(t)=2$, $t=\frac{11}4$
-:then: (4.3.9) is satisfied at $(\frac78,\frac78)$, and no $t\in[2,3]$ has $\mathbf r(t)$ there; the segment reaches from $\frac12$ to $\frac34$
-:method: The condition is found to be satisfied; then the roots in the closed span of $x(t)$ minus the abscissa of the point are counted.
+:given: $k=3$, the knots $0,\dots,5$, the span $[2,3)$, points $(0,0),(1,1),(0,0)$, weights 1; $r=1$, $\tau(t)=2$,
+  $t=\frac{11}4$
+:then: (4.3.9) is satisfied at $(\frac78,\frac78)$, and no $t\in[2,3]$ has $\mathbf r(t)$ there; the segment reaches
+  from $\frac12$ to $\frac34$
+:method: The condition is found to be satisfied; then the roots in the closed span of $x(t)$ minus the abscissa of the
+  point are counted.
 :control: $\tau=t$
 :::
 */

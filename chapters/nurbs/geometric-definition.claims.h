@@ -1,28 +1,35 @@
 /*
 # The geometric definition of a NURBS curve (NURBS 曲线的几何定义)
 
-The section ends with a definition that is to replace the recursion of de Boor and Cox: a polygon, with weights and knots, is the curve of
-order 2; the curve of order $k$ is the envelope of the polygons of level $k-2$, one for each $\tau$ of the whole domain.  As a way to describe the curve it is
-right, with conditions; as a definition it would need the envelope to exist and to be unique.  Both were seen to need hypotheses on one span; that
-now $t$ and $\tau$ may be in different spans adds another: the leg of span $j$ in the polygon of $\tau$ is the tangent at $\tau$ of the *continued* segment $j$.
-An inflection of the continuation, although it is not on the curve, is enough for a second envelope.
+The section ends with a definition that is to replace the recursion of de Boor and Cox: a polygon, with weights and
+knots, is the curve of order 2; the curve of order $k$ is the envelope of the polygons of level $k-2$, one for each
+$\tau$ of the whole domain.  As a way to describe the curve it is right, with conditions; as a definition it would
+need the envelope to exist and to be unique.  Both were seen to need hypotheses on one span; that now $t$ and $\tau$
+may be in different spans adds another: the leg of span $j$ in the polygon of $\tau$ is the tangent at $\tau$ of the
+*continued* segment $j$. An inflection of the continuation, although it is not on the curve, is enough for a second
+envelope.
 
 :::{statement} wang-ch4:def-4.3.1-polygon
 :title: The polygon is the curve of order 2
 :zh: 控制多边形即二阶 NURBS 曲线
-:printed: with $w_i>0$ and knots $t_j\le t_{j+1}$ the polygon $\mathbf r_1\mathbf r_2\cdots\mathbf r_n$ is called the NURBS curve $\mathbf r(t)$,
-  $t_2\le t\le t_{n+1}$, of order 2; its segments are the straight segments $\mathbf r_{j-1}\mathbf r_j$
+:printed: with $w_i>0$ and knots $t_j\le t_{j+1}$ the polygon $\mathbf r_1\mathbf r_2\cdots\mathbf r_n$ is called the
+  NURBS curve $\mathbf r(t)$, $t_2\le t\le t_{n+1}$, of order 2; its segments are the straight segments $\mathbf
+  r_{j-1}\mathbf r_j$
 :definition: yes
 :checked-by: polygon_is_the_curve_of_order_two legs_are_run_through
-:hypothesis: double_knot_skips_a_leg | $t_2<t_3<\dots<t_{n+1}$; where two of these knots are one the curve jumps over a leg of the polygon
+:hypothesis: double_knot_skips_a_leg | $t_2<t_3<\dots<t_{n+1}$; where two of these knots are one the curve jumps over
+  a leg of the polygon
+:figure: nurbs_polygons
 
-With strictly increasing knots the curve of order 2 runs through the legs, from $\mathbf r_1$ at $t_2$ to $\mathbf r_n$ at $t_{n+1}$, and the weights say how fast.
+With strictly increasing knots the curve of order 2 runs through the legs, from $\mathbf r_1$ at $t_2$ to $\mathbf
+r_n$ at $t_{n+1}$, and the weights say how fast.
 :::
 
 :::{statement} wang-ch4:def-4.3.1-segment
 :title: The equation of a leg
 :zh: 每一段的方程
-:printed: \mathbf r(t)=\frac{(t_{j+1}-t)w_{j-1}\mathbf r_{j-1}+(t-t_j)w_j\mathbf r_j}{(t_{j+1}-t)w_{j-1}+(t-t_j)w_j},\quad t_j\le t<t_{j+1},\ j=2,3,\dots,n
+:printed: \mathbf r(t)=\frac{(t_{j+1}-t)w_{j-1}\mathbf r_{j-1}+(t-t_j)w_j\mathbf
+  r_j}{(t_{j+1}-t)w_{j-1}+(t-t_j)w_j},\quad t_j\le t<t_{j+1},\ j=2,3,\dots,n
 :holds-by: polygon_is_the_curve_of_order_two
 :::
 
@@ -42,16 +49,19 @@ With strictly increasing knots the curve of order 2 runs through the legs, from 
 :corrected: $i=r+1,r+2,\dots,n$
 :corrected-by: whole_member_is_polar_on_every_span
 
-For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does not exist.
+For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does
+not exist.
 :::
 
 :::{statement} wang-ch4:def-4.3.1-family
 :title: The family of polygons
 :zh: 二阶 NURBS 曲线族
-:printed: \mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)
+:printed: \mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf
+  r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)
 :definition: yes
 :checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
 :hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$ vanishes for $\tau\in[t_k,t_{n+1}]$
+:figure: nurbs_polygons
 :::
 
 :::{statement} wang-ch4:def-4.3.1-exists-unique
@@ -61,8 +71,10 @@ For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]
 :class: false
 :refuted-by: convex_quartic_of_span_has_second_envelope extrapolated_weight_vanishes
 :reading: convex_quartic_of_span_has_second_envelope | unique on every span for every $r$: false
-:reading: convex_polygon_has_a_stationary_leg | the only joint solution for the family of the definition: false, a leg of one of the polygons is another
-:reading: extrapolated_weight_vanishes | existence for every family that is used: false for that of the definition, with positive weights
+:reading: convex_polygon_has_a_stationary_leg | the only joint solution for the family of the definition: false, a leg
+  of one of the polygons is another
+:reading: extrapolated_weight_vanishes | existence for every family that is used: false for that of the definition,
+  with positive weights
 :corrected: the curve is among the envelopes, as the points with $\tau=t$
 :corrected-by: member_of_span_touches_curve whole_member_is_polar_on_every_span
 :::
@@ -70,22 +82,27 @@ For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]
 :::{statement} wang-ch4:def-4.3.1
 :title: The curve as the envelope of its polygons
 :zh: NURBS 曲线的几何定义
-:printed: for every $\tau\in[t_k,t_{n+1}]$ make the polygon $\mathbf r^{[2]}(t,\tau)$; the envelope of these polygons is the NURBS curve of order $k$ of $T$, $\{\mathbf r_i\}$,
-  $\{w_i\}$
+:printed: for every $\tau\in[t_k,t_{n+1}]$ make the polygon $\mathbf r^{[2]}(t,\tau)$; the envelope of these polygons
+  is the NURBS curve of order $k$ of $T$, $\{\mathbf r_i\}$, $\{w_i\}$
 :class: missing-hypothesis
 :refuted-by: extrapolated_weight_vanishes convex_polygon_has_a_stationary_leg
-:reading: extrapolated_weight_vanishes | as a construction, for every $\tau$: the polygon of some $\tau$ may not exist, although the weights are positive
-:reading: convex_polygon_has_a_stationary_leg | the envelope as the set of all joint solutions, which is the notion of the section: more than the curve, even for a
-  strictly convex control polygon
-:reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each of its points: where the polygons exist it is the curve alone, as
-  $\tau\ne t$ is possible for single values of $\tau$ only, unless a segment is straight
-:corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$ of the whole square where the two derivatives are parallel are
-  $\tau=t$ and the $\tau$ where the segment of the span of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three neighbouring points
-  are on a line
-:corrected-by: legs_are_tangents_of_the_continued_segments whole_member_is_polar_on_every_span general_condition_is_that_of_the_level_before
-  quadratic_legs_have_one_envelope
+:reading: extrapolated_weight_vanishes | as a construction, for every $\tau$: the polygon of some $\tau$ may not
+  exist, although the weights are positive
+:reading: convex_polygon_has_a_stationary_leg | the envelope as the set of all joint solutions, which is the notion of
+  the section: more than the curve, even for a strictly convex control polygon
+:reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each
+  of its points: where the polygons exist it is the curve alone, as $\tau\ne t$ is possible for single values of
+  $\tau$ only, unless a segment is straight
+:corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
+  of the whole square where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
+  of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
+  neighbouring points are on a line
+:corrected-by: legs_are_tangents_of_the_continued_segments whole_member_is_polar_on_every_span
+  general_condition_is_that_of_the_level_before quadratic_legs_have_one_envelope
+:figure: nurbs_polygons_extra
 
-For $\tau$ restricted to the span of $t$ the same holds with the inflections of the curve itself.  For $k=2$ there is no recursion and the polygon is the curve.
+For $\tau$ restricted to the span of $t$ the same holds with the inflections of the curve itself.  For $k=2$ there is
+no recursion and the polygon is the curve.
 :::
 
 :::{claim} polygon_is_the_curve_of_order_two
@@ -93,7 +110,8 @@ For $\tau$ restricted to the span of $t$ the same holds with the inflections of 
 :zh: 二阶曲线的每一段
 :given: $n=5$ points with weights, knots $t_1<\dots<t_7$; every span; any $t$
 :then: $\sum_{i=1}^nN_{i,2}(t)w_ir_i/\sum_{i=1}^nN_{i,2}(t)w_i$ is the printed quotient, $j=2,\dots,n$
-:method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a variable.
+:method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a
+  variable.
 :control: the weights of the two points exchanged
 :::
 
@@ -101,8 +119,10 @@ For $\tau$ restricted to the span of $t$ the same holds with the inflections of 
 :title: A leg is run through from one end to the other
 :zh: 每段从一端到另一端单调
 :given: $w_{j-1},w_j>0$ and $t=(t_j+t_{j+1}x)/(1+x)$, $x\ge0$
-:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which increases from 0 to 1
-:method: An identity; the derivative of $\lambda$ is $\frac{w_{j-1}w_j}{(w_{j-1}+xw_j)^2}>0$, compared by $\lambda(x+h)-\lambda(x)$ being nonnegative for $h>0$.
+:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which increases from
+  0 to 1
+:method: An identity; the derivative of $\lambda$ is $\frac{w_{j-1}w_j}{(w_{j-1}+xw_j)^2}>0$, compared by
+  $\lambda(x+h)-\lambda(x)$ being nonnegative for $h>0$.
 :types: field rational
 :control: $\lambda=\frac{x}{1+x}$, as if the weights were equal
 :::
@@ -132,8 +152,10 @@ CLAIM(polygon_is_the_curve_of_order_two)
 #if FIELD || RATIONAL
 CLAIM(legs_are_run_through)
 {
-    num a = unknown(T, "a", 0), b = unknown(T, "a", 1), v = positive(T, "w", 0), w = positive(T, "w", 1), one = from_int(1);
-    num x = positive(T, "x", 0), more = add(x, positive(T, "h", 0)), u = unknown(T, "u", 0), length = positive(T, "g", 0);
+    num a = unknown(T, "a", 0), b = unknown(T, "a", 1), v = positive(T, "w", 0), w = positive(T, "w", 1),
+        one = from_int(1);
+    num x = positive(T, "x", 0), more = add(x, positive(T, "h", 0)), u = unknown(T, "u", 0),
+        length = positive(T, "g", 0);
     num t = div(add(u, mul(x, add(u, length))), add(one, x));
     num left = mul(sub(add(u, length), t), v), right = mul(sub(t, u), w);
     num leg = div(add(mul(left, a), mul(right, b)), add(left, right));
@@ -151,10 +173,13 @@ CLAIM(legs_are_run_through)
 :title: The leg over a span is a piece of the tangent at τ of the segment of that span, continued to τ
 :zh: 各段直线是该段延拓后在 τ 处的切线
 :given: $k=p+1$; $n=k+2$ homogeneous points over simple knots; any $\tau$ and $t$; every span; $r=k-2$
-:then: $\sum_{i=k-1}^nN_{i,2}(t)\,w_i^{[k-2]}(\tau)(r_i^{[k-2]}(\tau),1)=P_j(\tau)+\frac{t-\tau}{k-1}P_j'(\tau)$ with the polynomials $P_j$ of the span of $t$
-:method: The levels by the recursion for all indices, by its letter; the sum by the recursion of de Boor and Cox as it is defined; the right side by the kernel of
-  derivatives, whose parameter is any number.  So for every $t$ of the span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve, and the condition of the
-  envelope is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by `first_level_condition_factors` with $t$ and $\tau$ exchanged.
+:then: $\sum_{i=k-1}^nN_{i,2}(t)\,w_i^{[k-2]}(\tau)(r_i^{[k-2]}(\tau),1)=P_j(\tau)+\frac{t-\tau}{k-1}P_j'(\tau)$ with
+  the polynomials $P_j$ of the span of $t$
+:method: The levels by the recursion for all indices, by its letter; the sum by the recursion of de Boor and Cox as it
+  is defined; the right side by the kernel of derivatives, whose parameter is any number.  So for every $t$ of the
+  span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve, and the condition of the envelope
+  is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by
+  `first_level_condition_factors` with $t$ and $\tau$ exchanged.
 :degrees: 2..3 sampled 5
 :control: the segment of the first span for every span
 :::
@@ -197,8 +222,9 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
 :zh: k=3 时仅当三点共线包络条件才处处成立
 :given: $k=3$; a span of simple knots; three points of the plane with weights; any $\tau$
 :then: $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$, a constant
-:method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the span or not, if the three points are not on a line, so that
-  $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no zero.
+:method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
+  span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
+  zero.
 :control: the factor 2
 :::
 */
@@ -227,7 +253,8 @@ CLAIM(quadratic_legs_have_one_envelope)
 :kind: counterexample
 :given: $n=4$, points $(0,0),(1,1),(2,1),(3,0)$, weights 1, the knots $0,1,2,2,3,4$, domain $[1,3]$: $t_3=t_4$
 :then: the middle $(\frac32,1)$ of the leg $r_2r_3$ is not on the curve
-:method: On each of the two spans that are not empty the roots of $x(t)-\frac32$ are counted, with both ends; that there is one is what is compared.
+:method: On each of the two spans that are not empty the roots of $x(t)-\frac32$ are counted, with both ends; that
+  there is one is what is compared.
 :control: the knots $0,1,\frac32,2,3,4$
 :::
 */
@@ -284,13 +311,16 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
 :title: A convex curve with a strictly convex control polygon, and a leg all of whose points satisfy the condition
 :zh: 控制多边形严格凸的曲线,其多边形族有满足包络条件的整条边
 :kind: counterexample
-:given: $k=4$, $n=5$, the knots $t_i=i$, domain $[4,6]$, weights 1; with $s=t-\frac92$ the curve is $(s,1-6s+12s^2)$ on $[4,5]$ and $(s,8s^3)$ on $[5,6]$, where $s>0$; the
-  inflection $s=0$ of the second polynomial belongs to $\tau=\frac92$ of the first span
-:then: every corner of the control polygon is a strict left turn and $\mathbf r'\times\mathbf r''>0$ on both closed spans; for $\tau=\frac92$ and $t=\frac{11}2$ the condition of the envelope is
-  satisfied at $(\frac13,0)$, which is not on the curve
-:method: The points are values of the polar forms; the two polar forms are found to agree for the three points that both segments use.  The signs are decided: of the determinants of
-  neighbouring edges, and of polynomials.  Then the condition by the family of the second span at $t=\frac{11}2$; then $Y$ is compared with the ordinate of the
-  curve where $x(t)=X$, at $t=X+\frac92$.
+:given: $k=4$, $n=5$, the knots $t_i=i$, domain $[4,6]$, weights 1; with $s=t-\frac92$ the curve is $(s,1-6s+12s^2)$
+  on $[4,5]$ and $(s,8s^3)$ on $[5,6]$, where $s>0$; the inflection $s=0$ of the second polynomial belongs to
+  $\tau=\frac92$ of the first span
+:then: every corner of the control polygon is a strict left turn and $\mathbf r'\times\mathbf r''>0$ on both closed
+  spans; for $\tau=\frac92$ and $t=\frac{11}2$ the condition of the envelope is satisfied at $(\frac13,0)$, which is
+  not on the curve
+:method: The points are values of the polar forms; the two polar forms are found to agree for the three points that
+  both segments use.  The signs are decided: of the determinants of neighbouring edges, and of polynomials.  Then the
+  condition by the family of the second span at $t=\frac{11}2$; then $Y$ is compared with the ordinate of the curve
+  where $x(t)=X$, at $t=X+\frac92$.
 :control: $\tau=t$
 :::
 */

@@ -37,8 +37,8 @@ $t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 :::{claim} segment_needs_the_points_of_its_span
 :title: On a span the sum over all points is the sum over the k points of the span
 :zh: 在一段上全部项之和即该段 k 项之和
-:given: $k=p+1$; $p+3$ points and weights over the knots of two patterns, simple knots and one double knot inside, their
-  distinct values variables; every span; any $t$
+:given: $k=p+1$; $p+3$ points and weights over the knots of two patterns, simple knots and one double knot inside,
+  their distinct values variables; every span; any $t$
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
@@ -78,11 +78,12 @@ CLAIM(segment_needs_the_points_of_its_span)
 :::{claim} member_of_span_is_polar
 :title: The member is the polar form with r arguments τ and k-1-r arguments t
 :zh: 族曲线即极形式
-:given: $k=p+1$; a span of simple knots, one with a double knot, and one whose ends are $(k-1)$-fold, the distinct knots
-  variables for $k\le4$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
+:given: $k=p+1$; a span of simple knots, one with a double knot, and one whose ends are $(k-1)$-fold, the distinct
+  knots variables for $k\le4$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
 :then: $\sum N_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$
 :method: The left side runs the recursion (4.1.3), (4.1.4), which divides by weights, and sums with the B-splines of
-  order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate, so one suffices.
+  order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate,
+  so one suffices.
 :degrees: 1..4 sampled 7
 :control: one argument $\tau$ of the polar form replaced by $t$
 :::
@@ -116,9 +117,10 @@ CLAIM(member_of_span_is_polar)
 :zh: 在本段内各层权及族曲线分母恒正
 :given: $k=p+1$; knots of these three shapes; positive weights; $t$ and $\tau$ inside the span
 :then: $w_i^{[r]}(\tau)>0$ for all $r=1,\dots,k-2$ and $i=j-k+r+1,\dots,j$, and $\sum N_{i,k-r}(t)w_i^{[r]}(\tau)>0$
-:method: With $t=(t_j+t_{j+1}x)/(1+x)$, $\tau$ likewise with $y$, and the gaps of the knots, the weights, $x$ and $y$ as variables,
-  numerators and denominators have positive coefficients only.  At $t=t_j$ and $\tau=t_j$, that is $x=0$, $y=0$, they are
-  positive too: $a\in[0,1]$ in every step of (4.1.3), and a mean of positive numbers is positive.
+:method: With $t=(t_j+t_{j+1}x)/(1+x)$, $\tau$ likewise with $y$, and the gaps of the knots, the weights, $x$ and $y$
+  as variables, numerators and denominators have positive coefficients only.  At $t=t_j$ and $\tau=t_j$, that is
+  $x=0$, $y=0$, they are positive too: $a\in[0,1]$ in every step of (4.1.3), and a mean of positive numbers is
+  positive.
 :types: field rational
 :degrees: 2..4 sampled 7
 :control: the weights negative
@@ -163,7 +165,8 @@ CLAIM(extrapolated_members_keep_positive_weights_inside)
 :printed: the families are considered for $k\ge3$ and $r=1,2,\dots,k-2$
 :holds-by: member_of_extreme_levels
 
-The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=k-1$ a point of it.
+The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=k-1$ a point of
+it.
 :::
 
 :::{statement} wang-ch4:formula-4.3.4
@@ -212,6 +215,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial t}\Big|_{\tau=t}=\frac{k-r-1}{k-1}\,
   \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t)
 :holds-by: member_of_span_touches_curve
+:figure: nurbs_envelope_contact
 :::
 
 :::{statement} wang-ch4:thm-4.3.1-right-limit
@@ -219,8 +223,8 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :zh: 节点处的偏导矢取右极限
 :printed: the partial derivatives at a point $t_i$ are understood as limits from the right
 :holds-by: member_of_span_touches_curve
-:needs: corner_has_two_tangents | the limit is from the right; from the left the curve has, at a $(k-1)$-fold knot, another
-  direction than the member of the span on the right
+:needs: corner_has_two_tangents | the limit is from the right; from the left the curve has, at a $(k-1)$-fold knot,
+  another direction than the member of the span on the right
 
 The knot is $t_j$, the left end of the span that the proof is about; the letter $i$ counts the terms of its sums.
 :::
@@ -235,11 +239,11 @@ The knot is $t_j$, the left end of the span that the proof is about; the letter 
 :needs: negative_weight_takes_a_point_away | the weights are positive
 :figure: nurbs_envelope_families
 
-This is existence: every member touches the curve, in the point of its own parameter, and nothing else is said here; that
-there may be other envelopes is the matter of theorems 4.3.2 and 4.3.3.  Formula (4.3.2) covers the half-open spans, so
-that the last point $t_{n+1}$ of the curve is in none of them; the polynomials of the last span reach it.  For
-$t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0, for
-every $r$: `curvatures_have_a_fixed_ratio`.
+This is existence: every member touches the curve, in the point of its own parameter, and nothing else is said here;
+that there may be other envelopes is the matter of theorems 4.3.2 and 4.3.3.  Formula (4.3.2) covers the half-open
+spans, so that the last point $t_{n+1}$ of the curve is in none of them; the polynomials of the last span reach it. 
+For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
+for every $r$: `curvatures_have_a_fixed_ratio`.
 :::
 
 :::{claim} member_of_extreme_levels
@@ -277,10 +281,10 @@ every $r$: `curvatures_have_a_fixed_ratio`.
 :title: At τ = t the member has the point of the curve and (k-r-1)/(k-1) of its derivative
 :zh: τ=t 处族曲线与曲线同点,导矢之比为 (k-r-1)/(k-1)
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
-:then: $r^{[k-r]}(t,t)=r(t)$ and $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at
-  $\tau=t$
-:method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any number, so
-  the ends of the span are covered, with the derivatives of its polynomials.
+:then: $r^{[k-r]}(t,t)=r(t)$ and
+  $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
+:method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
+  number, so the ends of the span are covered, with the derivatives of its polynomials.
 :degrees: 2..4 sampled 7
 :control: the factor left out
 :::
@@ -395,8 +399,8 @@ CLAIM(member_of_span_touches_curve)
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
 :then: at $\tau=t$: $\partial_\tau r^{[k-r]}=\frac r{k-1}r'$ and $\partial_tr^{[k-r]}=\frac{k-r-1}{k-1}r'$, so that
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
-:method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous coordinates, is in
-  $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
+:method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
+  coordinates, is in $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
 :degrees: 2..4 sampled 7
 :control: the factors of the two derivatives exchanged and increased by 1
 :::
@@ -457,11 +461,12 @@ CLAIM(span_member_shrinks_at_a_cusp)
 }
 /*
 :::{claim} corner_has_two_tangents
-:title: At a (k-1)-fold knot the curve may have a corner; the member of the span on the right has the right tangent only
+:title: At a (k-1)-fold knot the curve may have a corner; the member of the span on the right has the right tangent
+  only
 :zh: k-1 重节点处曲线可有尖角
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,2,2,2$, points $(0,0),(1,0),(2,2),(3,0),(4,0)$, weights 1; $r=1$; the member $\tau=1$ of
-  the span $[1,2)$
+:given: $k=3$, knots $0,0,0,1,1,2,2,2$, points $(0,0),(1,0),(2,2),(3,0),(4,0)$, weights 1; $r=1$; the member $\tau=1$
+  of the span $[1,2)$
 :then: its derivative at $t=1$ is not parallel to that of the curve from the left
 :method: Both derivatives are computed exactly; their determinant is compared with 0.
 :control: the derivative of the curve from the right
@@ -525,31 +530,32 @@ CLAIM(negative_weight_takes_a_point_away)
 :::{statement} wang-ch4:thm-4.3.1-whole
 :title: The whole curve is an envelope of the families with all points
 :zh: 整条曲线的包络
-:printed: for the whole curve put $t,\tau\in[t_k,t_{n+1}]$ in (4.1.3) and (4.1.4), take $[t_k,t_{n+1}]$ as the domain in
-  (4.3.2) and (4.3.3) and let the sums of (4.3.3) run from $r+1$ to $n$; the same holds
+:printed: for the whole curve put $t,\tau\in[t_k,t_{n+1}]$ in (4.1.3) and (4.1.4), take $[t_k,t_{n+1}]$ as the domain
+  in (4.3.2) and (4.3.3) and let the sums of (4.3.3) run from $r+1$ to $n$; the same holds
 :holds-by: whole_member_is_polar_on_every_span member_of_span_touches_curve
-:hypothesis: extrapolated_weight_vanishes | $w_i^{[r]}(\tau)\ne0$ for all $\tau$ and $i=r+1,\dots,n$; outside its own span
-  the recursion extrapolates, and a point of the member may not exist although all weights are positive
-:hypothesis: extrapolated_member_has_a_pole | no denominator of a member vanishes; with a negative $w_i^{[r]}(\tau)$ it may
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or 0/0 counts as 0; else (4.1.3)
-  divides by 0
+:hypothesis: extrapolated_weight_vanishes | $w_i^{[r]}(\tau)\ne0$ for all $\tau$ and $i=r+1,\dots,n$; outside its own
+  span the recursion extrapolates, and a point of the member may not exist although all weights are positive
+:hypothesis: extrapolated_member_has_a_pole | no denominator of a member vanishes; with a negative $w_i^{[r]}(\tau)$
+  it may
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or 0/0 counts as 0; else
+  (4.1.3) divides by 0
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
 :figure: nurbs_envelope_whole
 
-On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On the span
-of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first two hypotheses are
-fulfilled: all $w_i^{[r]}$ are equal.
+On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
+the span of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first two
+hypotheses are fulfilled: all $w_i^{[r]}$ are equal.
 :::
 
 :::{claim} whole_member_is_polar_on_every_span
 :title: On every span the whole member is the polar form of the segment of that span
 :zh: 整条族曲线在每一段上都是该段的极形式
-:given: $k=p+1$; $n=k+2$ points with weights over simple knots, and over knots one of which, inside, is double; any $\tau$, $t$ in each span;
-  $r=1,\dots,k-2$
-:then: $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$ with the polar form $f$ of the
-  segment that contains $t$
-:method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates; the sum of all terms by the
-  recursion of de Boor and Cox as it is defined; the right side by the kernel.
+:given: $k=p+1$; $n=k+2$ points with weights over simple knots, and over knots one of which, inside, is double; any
+  $\tau$, $t$ in each span; $r=1,\dots,k-2$
+:then: $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$ with the polar form $f$
+  of the segment that contains $t$
+:method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates; the sum of
+  all terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
 :degrees: 2..3 sampled 5
 :control: the polar form of the first segment for every span
 :::
@@ -609,8 +615,8 @@ CLAIM(whole_member_is_polar_on_every_span)
 :zh: 权全为正时整条曲线的族曲线也可能缺控制顶点
 :kind: counterexample
 :given: $k=3$, $n=4$, the knots $t_i=i$, weights $1,1,1,3$, domain $[3,5]$; $r=1$, $\tau=3$
-:then: $w_4^{[1]}(3)=\frac{3-4}{2}w_4+\frac{6-3}2w_3=0$, so that $\mathbf r_4^{[1]}(3)$ is not defined; it is a point of the member
-  on $[4,5]$
+:then: $w_4^{[1]}(3)=\frac{3-4}{2}w_4+\frac{6-3}2w_3=0$, so that $\mathbf r_4^{[1]}(3)$ is not defined; it is a point
+  of the member on $[4,5]$
 :method: (4.1.3) for $i=2,3,4$, exactly; that no weight is 0 is what is compared.
 :control: the last weight 2
 :::
@@ -700,7 +706,8 @@ CLAIM(high_knot_leaves_a_point_undefined)
 :printed: when the $w_i$ are constant, theorem 2.2.2 results
 :holds-by: equal_weights_give_the_polynomial_family
 
-Theorem 2.2.2 is not among the sources at hand; it is taken to be the same theorem for B-spline curves and their recursion.
+Theorem 2.2.2 is not among the sources at hand; it is taken to be the same theorem for B-spline curves and their
+recursion.
 :::
 
 :::{statement} wang-ch4:cor-4.3.1-bezier
@@ -709,13 +716,15 @@ Theorem 2.2.2 is not among the sources at hand; it is taken to be the same theor
 :printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
 :holds-by: bezier_span_gives_the_bezier_family
 
-What results is the envelope; that the contact is of order $n-r$, which theorem 3.3.2 adds, is false there as it would be here.
+What results is the envelope; that the contact is of order $n-r$, which theorem 3.3.2 adds, is false there as it would
+be here.
 :::
 
 :::{statement} wang-ch4:formula-4.3.8
 :title: The lines of the family of order 2
 :zh: 直线族的方程
-:printed: \mathbf r^{[2]}(t,\tau)=\frac{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)\mathbf r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
+:printed: \mathbf r^{[2]}(t,\tau)=\frac{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)\mathbf
+  r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
   r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
 :holds-by: lines_of_the_family_by_two_points
 :::
@@ -745,9 +754,11 @@ The lines are segments, the legs that de Boor's algorithm draws last.
 :title: Between (k-1)-fold knots level r is level r of the rational de Casteljau triangle, and the basis is Bernstein's
 :zh: k-1 重节点之间的族即有理 Bézier 曲线族
 :given: $k=p+1$; a span whose ends are $(k-1)$-fold knots; weights and points, any $t$ and $\tau$, $r=0,\dots,k-1$
-:then: with $\lambda=\frac{\tau-t_j}{t_{j+1}-t_j}$: $w_i^{[r]}$ and $r_i^{[r]}$ are the weights and points of level $r$ of the rational de
-  Casteljau triangle at $\lambda$, and $N_{i,k-r}(t)=B_{i-j+k-r-1}^{k-r-1}\bigl(\frac{t-t_j}{t_{j+1}-t_j}\bigr)$
-:method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know nothing of knots.
+:then: with $\lambda=\frac{\tau-t_j}{t_{j+1}-t_j}$: $w_i^{[r]}$ and $r_i^{[r]}$ are the weights and points of level
+  $r$ of the rational de Casteljau triangle at $\lambda$, and
+  $N_{i,k-r}(t)=B_{i-j+k-r-1}^{k-r-1}\bigl(\frac{t-t_j}{t_{j+1}-t_j}\bigr)$
+:method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know
+  nothing of knots.
 :degrees: 1..4 sampled 7
 :control: $1-\lambda$ in the place of $\lambda$
 :::
@@ -836,14 +847,15 @@ CLAIM(lines_of_the_family_by_two_points)
 The source says that the derivatives are parallel, and no more; rightly.  Let $m=k-1-r$ be the degree of the member and
 $n=k-1$ that of the curve.  The homogeneous derivatives of member and curve at $\tau=t$ are parallel in every order,
 with the factors $\frac{m!/(m-i)!}{n!/(n-i)!}$, which do not depend on the knots.  So the contact is what it is for
-rational Bézier curves: it is of order 1 wherever the curvature is not 0, and the member is always flatter than the curve.
+rational Bézier curves: it is of order 1 wherever the curvature is not 0, and the member is always flatter than the
+curve.
 
 :::{claim} span_derivatives_are_parallel
 :title: The homogeneous derivatives of member and curve are parallel in every order
 :zh: 族曲线与曲线的各阶齐次导矢平行
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=0,\dots,k-1$ and $i=0,\dots,k-1-r$
-:then: with $n=k-1$, $m=n-r$: $\frac{n!}{(n-i)!}\,\partial_t^iP^{[r]}(t,t)=\frac{m!}{(m-i)!}\,P^{(i)}(t)$ for the coordinate and for the
-  weight
+:then: with $n=k-1$, $m=n-r$: $\frac{n!}{(n-i)!}\,\partial_t^iP^{[r]}(t,t)=\frac{m!}{(m-i)!}\,P^{(i)}(t)$ for the
+  coordinate and for the weight
 :method: The levels of de Boor's triangle in homogeneous coordinates, and the kernel of the derivatives of a segment.
 :degrees: 1..4 sampled 7
 :control: the factors left out
@@ -855,7 +867,8 @@ rational Bézier curves: it is of order 1 wherever the curvature is not 0, and t
 :given: the derivatives $P,P',P''$ of a curve with weight $w>0$, two coordinates, and those of the member,
   $P$, $\frac mnP'$, $\frac{m(m-1)}{n(n-1)}P''$; any $n$ and $m$
 :then: $r_m'=\frac mnr'$ and $r_m'\times r_m''=\frac{m^2(m-1)}{n^2(n-1)}\,r'\times r''$, hence
-  $\frac{\kappa_m}{\kappa}=\frac{n(m-1)}{m(n-1)}$, which is less than 1 for $m<n$: the contact is of order 1 where $\kappa\ne0$
+  $\frac{\kappa_m}{\kappa}=\frac{n(m-1)}{m(n-1)}$, which is less than 1 for $m<n$: the contact is of order 1 where
+  $\kappa\ne0$
 :method: Quotient rule with $n$ and $m$ as variables.  The two coordinates are any two, so it holds in space as well.
   $m(n-1)-n(m-1)=n-m=r$.
 :degrees: all
@@ -868,7 +881,8 @@ rational Bézier curves: it is of order 1 wherever the curvature is not 0, and t
 :types: rational interval double
 :given: $k=p+1$; the three shapes of knots, weights and points of the plane and of space, any $t$, $r=1,\dots,k-2$
 :then: $((k-r-1)(k-2))^2\,\kappa^2_{k-r}(t)=((k-1)(k-r-2))^2\,\kappa^2(t)$
-:method: The second way: the points of the member by (4.1.3), (4.1.4), and the curvatures of both curves by their derivatives.
+:method: The second way: the points of the member by (4.1.3), (4.1.4), and the curvatures of both curves by their
+  derivatives.
 :degrees: 2..5 sampled 7
 :control: the ratio $\frac{k-r-2}{k-2}$
 :::
