@@ -567,7 +567,7 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
         num u[MOST_KNOTS], inside_span[2], d[3 * (MAX_DEGREE + 1)];
         G(gaps_of_span)(T, p, shape, u);
         for (int c = 0; c < 2; c++) {
-            num x = positive(T, "x", c);
+            num x = positive(T, "y", c);
             inside_span[c] = div(add(u[mu], mul(x, u[mu + 1])), add(from_int(1), x));
         }
         num t = inside_span[0], tau = inside_span[1], length = sub(u[mu + 1], u[mu]);

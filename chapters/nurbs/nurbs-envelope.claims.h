@@ -139,7 +139,7 @@ CLAIM(extrapolated_members_keep_positive_weights_inside)
         num u[MOST_KNOTS];
         G(gaps_of_span)(T, p, shape, u);
         for (int k = 0; k < 2; k++) {
-            num x = positive(T, "x", k);
+            num x = positive(T, "y", k);
             a[k] = div(add(u[mu], mul(x, u[mu + 1])), add(from_int(1), x));
         }
         for (int r = 1; r < p; r++) {
