@@ -552,7 +552,7 @@ corners arise.
   So one
   minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the corners of a strictly convex polygon in this order,
   all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have one sign, and $\det(Q,Q',Q'')\ne0$.
-:degrees: 2..4 sampled 6
+:degrees: 2..4 sampled 5
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
 */

@@ -285,7 +285,7 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
   $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
 :method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
   number, so the ends of the span are covered, with the derivatives of its polynomials.
-:degrees: 2..4 sampled 7
+:degrees: 2..4 sampled 6
 :control: the factor left out
 :::
 */
@@ -401,7 +401,7 @@ CLAIM(member_of_span_touches_curve)
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
 :method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
   coordinates, is in $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
-:degrees: 2..4 sampled 7
+:degrees: 2..3 sampled 6
 :control: the factors of the two derivatives exchanged and increased by 1
 :::
 */
@@ -883,7 +883,7 @@ curve.
 :then: $((k-r-1)(k-2))^2\,\kappa^2_{k-r}(t)=((k-1)(k-r-2))^2\,\kappa^2(t)$
 :method: The second way: the points of the member by (4.1.3), (4.1.4), and the curvatures of both curves by their
   derivatives.
-:degrees: 2..5 sampled 7
+:degrees: 2..4 sampled 5
 :control: the ratio $\frac{k-r-2}{k-2}$
 :::
 */
