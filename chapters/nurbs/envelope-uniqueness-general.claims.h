@@ -382,7 +382,7 @@ values of its polar form.
 :kind: counterexample
 :given: $k=5$, knots $-9,-7,\dots,9$, the span $[-1,1)$, weights 1, points for which it is $(t,t^4+\frac32t^2)$,
   doubled in $y$; $r=2$, $\tau=\frac12$, $t=-\frac12$
-:then: (4.3.15) is satisfied at $(0,-\frac1{16})$, not on the curve, whose $\mathbf r'\times\mathbf r''$ is positive
+:then: (4.3.15) is satisfied at $(0,-\frac18)$, not on the curve, whose $\mathbf r'\times\mathbf r''$ is positive
   on $[-1,1]$
 :method: That $x'y''-x''y'$ is positive is decided first, by its sign as a polynomial on the closed span; then that
   the pair satisfies the condition; then $2y-2x^4-3x^2$ is compared with 0.
@@ -479,7 +479,7 @@ CLAIM(solution_over_the_whole_span)
 :zh: 包络条件的另一因子及所得曲线
 :types: field
 :given: the three families, at any $t$ and $\tau$
-:then: $X_t\times X_\tau$ is $\frac12(t-\tau)(4t\tau+1)$ for the quartic with $y$ doubled, and there
+:then: $X_t\times X_\tau$ is $\frac12(t-\tau)(4t\tau+1)$ for the quartic $(t,2t^4+3t^2)$, and there
   $y=2x^2-\frac18+2(t\tau+\frac14)^2$, so $y=2x^2-\frac18$ where $4t\tau=-1$; it is
   $\frac32(t-\tau)(t\tau+1)(t\tau-1,t+\tau,\dots)$ for the sextic; for the cubic with $k=6$ it is a multiple of
   $(t-\tau)(t+2\tau)$, and for $t=-2\tau$ the points are $(\frac t{10},-\frac{t^3}{80})$
