@@ -380,8 +380,7 @@ values of its polar form.
 :title: A convex segment without inflections whose conics touch a parabola as well
 :zh: 无拐点的凸四次曲线段,其族另有抛物线为包络
 :kind: counterexample
-:given: $k=5$, knots $-9,-7,\dots,9$, the span $[-1,1)$, weights 1, points for which it is $(t,t^4+\frac32t^2)$,
-  doubled in $y$; $r=2$, $\tau=\frac12$, $t=-\frac12$
+:given: $k=5$, knots $-9,-7,\dots,9$, the span $[-1,1)$, weights 1, points for which it is $(t,2t^4+3t^2)$; $r=2$, $\tau=\frac12$, $t=-\frac12$
 :then: (4.3.15) is satisfied at $(0,-\frac18)$, not on the curve, whose $\mathbf r'\times\mathbf r''$ is positive
   on $[-1,1]$
 :method: That $x'y''-x''y'$ is positive is decided first, by its sign as a polynomial on the closed span; then that
