@@ -91,6 +91,15 @@ void trace_close(void)
     tracing = NULL;
 }
 
+void trace_again(void)
+{
+    if (tracing == NULL)
+        return;
+    size_t most = tracing->most;
+    trace_close();
+    trace_open(most);
+}
+
 static const char *finished(struct text *t)
 {
     if (tracing->gave_up)

@@ -24,6 +24,7 @@ extern _Thread_local struct trace *tracing; /* NULL when no trace is open in thi
 /* Open a trace that gives up beyond `most` nodes.  One at a time in a thread. */
 void trace_open(size_t most);
 void trace_close(void); /* forgets everything */
+void trace_again(void); /* the same as close and open, where a computation begins anew; nothing without a trace */
 
 /* What was noted; the texts live until trace_close.  NULL when the trace gave up. */
 const char *trace_inputs(void); /* [["w0","positive","5/8"], ...]                                      */

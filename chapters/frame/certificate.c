@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_NODES = 8000 };
+enum { MOST_NODES = 8000, MOST_AT_ALL = 100000 }; /* the second where no case has fewer than the first */
 
 static const char *const kind_name[] = {"identity", "decision", "counterexample"};
 static const char *const role_name[] = {"holds-by", "refuted-by", "corrected-by", "hypothesis",
@@ -15,10 +15,10 @@ static const char *const role_name[] = {"holds-by", "refuted-by", "corrected-by"
 
 /* One case, recorded.  In the field only the signs of coefficients are of interest, `steps` alone is written.  Returns
  * whether the program was short enough. */
-static int record(FILE *out, const claim *c, number_type type, int k)
+static int record(FILE *out, const claim *c, number_type type, int k, size_t most)
 {
     struct plan plan = {c, type, 0};
-    trace_open(MOST_NODES);
+    trace_open(most);
     trial T = run_case(&plan, k, 0, NULL, NULL);
     forget_exhibits(T.shown, T.exhibits);
     int whole = trace_nodes() != NULL;
@@ -31,12 +31,12 @@ static int record(FILE *out, const claim *c, number_type type, int k)
     return whole;
 }
 
-static int record_case(FILE *out, const claim *c, int k)
+static int record_case(FILE *out, const claim *c, int k, size_t most)
 {
-    if (!record(out, c, RATIONAL_TYPE, k))
+    if (!record(out, c, RATIONAL_TYPE, k, most))
         return 0;
     if (c->body[FIELD_TYPE] != NULL)
-        record(out, c, FIELD_TYPE, k);
+        record(out, c, FIELD_TYPE, k, most);
     fputs("}", out);
     return 1;
 }
@@ -56,12 +56,12 @@ char *certificate_of_claim(const claim_result *r)
             c->name, kind_name[c->kind], outcome_name[r->outcome], evidence_name[r->evidence]);
     if (c->body[RATIONAL_TYPE] != NULL) {
         int k = c->degree_high - c->degree_low;
-        while (k >= 0 && !record_case(out, c, k))
+        while (k >= 0 && !record_case(out, c, k, MOST_NODES))
             k--;
-        if (k > 0) {
+        if (k > 0)
             fputs(",\n", out);
-            record_case(out, c, 0);
-        }
+        if (k != 0)
+            record_case(out, c, 0, k < 0 ? MOST_AT_ALL : MOST_NODES);
     }
     fputs("]}\n", out);
     fclose(out);
