@@ -48,4 +48,5 @@ int field_variable_f(num_f variable);          /* its index, or -1 for any other
  * wherever all variables are positive.  -2: no such conclusion. */
 int coefficients_sign_f(num_f a);
 const char *to_string_f(num_f a);              /* lives in the region                      */
+int trace_field_element(num_f a); /* its node in the open trace (trace.h), made if there is none */
 #endif

@@ -155,14 +155,15 @@ def bernstein_coefficient(K, p, a, b, n, k):
 
 # ---- programs -------------------------------------------------------------------------------------------
 
-def run(K, nodes, inputs):
+def run(K, case, inputs):
     """The values of all nodes."""
-    v, R = [], K.reduce
+    v, R, names = [], K.reduce, {x[0]: i for i, x in enumerate(case["inputs"])}
     of = lambda indices: [v[i] for i in indices]
     make = {
         "x": lambda i: inputs[i],
         "c": K.number,
         "o": K.number,
+        "f": lambda text: fraction_value(K, text, lambda x: inputs[names[x]]),
         "+": lambda i, j: R(v[i] + v[j]),
         "-": lambda i, j: R(v[i] - v[j]),
         "*": lambda i, j: R(v[i] * v[j]),
@@ -185,7 +186,7 @@ def run(K, nodes, inputs):
         "coefficient": lambda i, k: v[i][k] if k < len(v[i]) else K.number(0),
         "tobernstein": lambda i, a, b, n, k: bernstein_coefficient(K, v[i], v[a], v[b], n, k),
     }
-    for op, *arguments in nodes: # an argument that is not yet there is an IndexError, and so malformed
+    for op, *arguments in case["nodes"]: # an argument that is not yet there is an IndexError, and so malformed
         require(not any(isinstance(i, int) and i < 0 for i in arguments), "a negative argument")
         v.append(make[op](*arguments))
     return v
@@ -200,6 +201,8 @@ def degrees(nodes):
             d.append((1, 0))
         elif op == "c":
             d.append((0, 0))
+        elif op == "f":
+            d.append(tuple(max([sum(p.values()) for _, p in side] + [0]) for side in fraction_text(a[0])))
         elif x is None or (y is None and op != "neg"):
             d.append(None)
         elif op in "+-":
@@ -227,7 +230,7 @@ def random_runs(case, bound):
     done = 0
     for inputs in points(case, needed + 8):
         try:
-            yield inputs, run(Modular, case["nodes"], inputs)
+            yield inputs, run(Modular, case, inputs)
             done += 1
         except ZeroDivisionError:
             continue
@@ -477,41 +480,26 @@ def fraction_text(text):
     numerator, _, denominator = text.replace(" ", "").partition("/")
     return monomials(numerator), monomials(denominator or "1")
 
-def check_field_sign(case, field, node, degree):
-    require(field["sign"] in (0, 1), "a sign that is not >= 0")
-    num, den = fraction_text(field["field"])
-    one_sign = lambda terms: len({c > 0 for c, _ in terms if c != 0}) <= 1
-    require(one_sign(num) and one_sign(den), "coefficients of both signs")
-    sign = lambda terms: next((1 if c > 0 else -1 for c, _ in terms if c != 0), 0)
-    require(sign(num) * sign(den) == field["sign"], "the sign of the coefficients")
-    place, kinds = {}, {}
-    for i, (name, kind, _) in enumerate(case["inputs"]):
-        place.setdefault(name, i)
-        kinds[name] = kind
-    used = {x for terms in (num, den) for _, powers in terms for x in powers}
-    if not used <= place.keys():
-        raise Cannot("the fraction is in other variables")
-    if degree is None:
-        raise Cannot("a node that is no rational function")
-    size = max([sum(p.values()) for _, p in num + den] + [0])
-    for inputs, v in random_runs(case, sum(degree) + 2 * size):
-        at = {}
-        for x in used: # a number of (0,1) is s/(1+s) in the field: s = x/(1-x)
-            t = inputs[place[x]]
-            at[x] = t * Modular.inverse(1 - t) % PRIME if kinds[x] == "inside" else t
-        value = lambda terms: sum(c * math.prod(pow(at[x], e, PRIME) for x, e in p.items())
-                                  for c, p in terms) % PRIME
-        require((value(num) - v[node] * value(den)) % PRIME == 0, "the fraction is not what was computed")
+def fraction_value(K, text, at):
+    sides = [K.reduce(sum(c * math.prod(at(x) ** e if K is Q else pow(at(x), e, PRIME) for x, e in p.items()) for c, p in side))
+             for side in fraction_text(text)]
+    return K.reduce(sides[0] * K.inverse(sides[1]))
+
+def check_coefficient_signs(step):
+    sides = [{c > 0 for c, _ in side if c != 0} for side in fraction_text(step["text"])]
+    require(all(len(side) <= 1 for side in sides), "coefficients of both signs")
+    sign = math.prod(sum(1 if positive else -1 for positive in side) for side in sides)
+    require(sign == step["sign"] and (sign >= 0) == step["good"], "the sign of the coefficients")
 
 # ---- claims and statements --------------------------------------------------------------------------------
 
 def good(step):
     return step.get("equal", step.get("agree", step.get("good", True)))
 
-def check_case(case, identity):
-    require(all(isinstance(x, list) and len(x) == 3 for x in case["inputs"]), "the inputs")
-    nodes, steps = case["nodes"], case["steps"]
-    v = run(Q, nodes, [Fraction(x[2]) for x in case["inputs"]])
+def check_case(case, proved):
+    require(all(isinstance(x, list) and len(x) == 2 for x in case["inputs"]), "the inputs")
+    steps = case["steps"]
+    v = run(Q, case, [Fraction(x[1]) for x in case["inputs"]])
     facts, supported, comparisons = 0, True, 0
     for s in steps:
         if "same" in s:
@@ -529,27 +517,30 @@ def check_case(case, identity):
             supported &= facts > 0
     if not supported or comparisons == 0:
         raise Cannot("a condition without facts")
-    if identity:
-        check_identity(case, v, facts > 0)
+    if proved or case["type"] == "field":
+        check_identity(case, facts > 0)
     return all(good(s) for s in steps)
 
-def check_identity(case, v, branches):
+def check_identity(case, branches):
+    """What is equal is so for all inputs; a sign was read off a fraction that is the node."""
     steps, d = case["steps"], degrees(case["nodes"])
-    pairs = [s["same"] for s in case["steps"] if "same" in s]
-    if any(d[i] is None or d[j] is None for i, j in pairs):
-        raise Cannot("an identity of nodes that are no rational functions of the inputs")
-    bound = max([2 * (sum(d[i]) + sum(d[j])) for i, j in pairs] + [1])
-    for _, w in random_runs(case, bound) if pairs else ():
+    pairs = [s["same"] for s in steps if s.get("equal")]
+    signs = [s for s in steps if "nonnegative" in s]
+    if any("text" not in s for s in signs):
+        raise Cannot("signs that were not read off coefficients")
+    if any(d[i] is None for i in {i for pair in pairs for i in pair} | {s["nonnegative"] for s in signs}):
+        raise Cannot("nodes that are no rational functions of the inputs")
+    texts = [degrees([["f", s["text"]]])[0] for s in signs]
+    bound = max([sum(d[i]) + sum(d[j]) for i, j in pairs] + [sum(d[s["nonnegative"]]) + sum(t) for s, t in zip(signs, texts)] + [1])
+    names = {x[0]: i for i, x in enumerate(case["inputs"])}
+    for s in signs:
+        check_coefficient_signs(s)
+    for inputs, w in random_runs(case, bound) if pairs or signs else ():
         if any(w[i] != w[j] for i, j in pairs):
-            if branches: # the program is that of the case only
-                raise Cannot("a program that depends on its case")
-            raise Wrong("an equality that is no identity")
-    signs = [s["nonnegative"] for s in steps if "nonnegative" in s]
-    fields = [s for s in case.get("field_steps", []) if "field" in s]
-    if signs and len(signs) != len(fields):
-        raise Cannot("signs without their fractions")
-    for node, field in zip(signs, fields):
-        check_field_sign(case, field, node, d[node])
+            raise Cannot("a program that depends on its case") if branches else Wrong("an equality that is no identity")
+        for s in signs:
+            value = fraction_value(Modular, s["text"], lambda x: inputs[names[x]])
+            require(w[s["nonnegative"]] == value, "the fraction is not what was computed")
 
 def check_claim(c):
     kind, outcome, evidence = c["kind"], c["outcome"], c["evidence"]
