@@ -352,9 +352,9 @@ has only one finite double point.
 :types: field
 :given: $x^2y+xy^2+1=0$, whose exponents are at most 2
 :then: with $n=2$ the count is 0; but it is a cubic without singular points, and not rational
-:method: The singular points as above; that a cubic without singular points is not rational follows from
-  `rational_cubic_has_one_double_point`.
-  Compared is: $g=0$ exactly if the curve is rational.
+:method: The singular points as above.  Whether the cubic is rational is read off their number, as
+  `rational_cubic_has_one_double_point` allows; without any it is irreducible, because two parts would have a common
+  point.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the total degree $n=3$
 :::
 */
@@ -620,6 +620,10 @@ static void count_against(trial *T, const struct singular_list *s, struct census
 
 static int genus_count(int n, int points) { return (n - 1) * (n - 2) / 2 - points; }
 
+/* Is an irreducible cubic rational?  With a singular point it is, by curve_with_a_large_point_is_rational for n = 3;
+ * without, it is not, by rational_cubic_has_one_double_point. */
+static int is_rational_cubic(struct census c) { return c.nodes + c.cusps + c.others == 1; }
+
 CLAIM(curves_that_fit_the_theorem)
 {
     num_f node = POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {-1, 2, 0}), cusp = POLYNOMIAL({1, 0, 2}, {-1, 3, 0});
@@ -676,7 +680,7 @@ CLAIM(reducible_curve_with_count_zero)
     poly over = in_one_variable(substitute_f(substitute_f(s.F, s.z, from_int(1)), s.x, from_int(2)), s.y);
     poly on_line = poly_variable(), on_cubic = poly_sub(poly_mul(on_line, on_line), poly_constant(from_int_q(6)));
     int parts = poly_divides(on_line, over) + poly_divides(on_cubic, over);
-    int rational = parts == 1 && c.nodes == 1; /* a cubic in one part is rational if it has a double point */
+    int rational = parts == 1 && is_rational_cubic(c);
     if (c.nodes == (T->planted ? 0 : 3) && c.cusps + c.others == 0 && parts > 0)
         count_against(T, &s, c, genus_count(n, c.nodes), rational);
 }
@@ -748,9 +752,9 @@ CLAIM(printed_degree_spoils_the_genus)
     num_f F = POLYNOMIAL({1, 2, 1}, {1, 1, 2}, {1, 0, 0});
     struct singular_list s = curve_of_degree(3, F);
     struct census c = census_of(&s);
-    int n = T->planted ? total_degree(F, s.x, s.y) : 2;
-    if (c.nodes == 0 && c.cusps + c.others == 0 && degree_f(F, s.x) <= 2 && degree_f(F, s.y) <= 2)
-        count_against(T, &s, c, genus_count(n, 0), 0);
+    int degree = total_degree(F, s.x, s.y), n = T->planted ? degree : 2;
+    if (degree == 3 && c.nodes >= 0 && degree_f(F, s.x) <= 2 && degree_f(F, s.y) <= 2)
+        count_against(T, &s, c, genus_count(n, c.nodes + c.cusps), is_rational_cubic(c));
 }
 #endif
 #include "chapters/frame/claims_off.h"
