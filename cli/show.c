@@ -237,8 +237,12 @@ static void show_statement(const statement_result *r, const claim_result *result
     if (s->corrected[0] != '\0') {
         heading("Corrected");
         formula(s->corrected);
-        if (r->corrected_by != NULL)
-            printf("%*s%s; %s\n\n", INDENT, "", evidence_name[r->corrected_evidence], r->corrected_by->scope);
+        if (r->corrected_by != NULL) {
+            char word[16];
+            snprintf(word, sizeof word, "%s;", evidence_name[r->corrected_evidence]);
+            labelled(word, r->corrected_by->scope);
+            putchar('\n');
+        }
         print_reasons(s, CORRECTED_BY, results, count);
     }
     if (s->note[0] != '\0') {
