@@ -15,18 +15,19 @@ others infinitely near.
 :zh: 平面 n 次代数曲线的定义
 :printed: the points whose coordinates satisfy the algebraic equation of degree $n$,
   $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane algebraic curve of degree $n$
-:class: misprint
-:refuted-by: hyperbola_has_the_printed_form_for_degree_one
-:reading: hyperbola_has_the_printed_form_for_degree_one | the sum says what an equation of degree $n$ is: false
-:reading: total_degree_survives_affine_maps | "of degree $n$" is a condition of its own, the total degree, and the sum
-  only names coefficients, those with $i+j>n$ being 0: then it is the corrected definition
+:definition: yes
+:checked-by: total_degree_survives_affine_maps
+:reading: total_degree_survives_affine_maps | "an equation of degree $n$" has its usual meaning, the total degree, and
+  the sum only names coefficients, those with $i+j>n$ being 0: this is how the section uses it
+:reading: hyperbola_has_the_printed_form_for_degree_one | the sum itself says what an equation of degree $n$ is
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
 :corrected-by: total_degree_survives_affine_maps
 :figure: degree_of_a_hyperbola
 
-The printed sum has terms up to $x^ny^n$, of degree $2n$; with it a hyperbola would have degree 1 in one system of
-coordinates and not in another, and theorem 3.4.3, whose $n$ this is, would be false at once
-(`printed_degree_spoils_the_genus`). The degree of theorem 3.4.2 is the total degree.
+The printed words and the printed sum disagree: the sum has terms up to $x^ny^n$, of degree $2n$.  The words decide;
+the degree of theorem 3.4.2 is the total degree, and every polynomial of total degree $n$ is such a sum.  Taken by the
+sum alone a hyperbola would have degree 1 in one system of coordinates and not in another, and theorem 3.4.3, whose $n$
+this is, would be false at once (`printed_degree_spoils_the_genus`).  Better is the sum over $i+j\le n$.
 :::
 
 :::{statement} wang-ch3:sec-3.4.2-algebraic
@@ -182,7 +183,8 @@ order on its line decide whether it is an ordinary cusp.
   plane has to be meant
 :reading: cusp_counted_twice | a cusp, being a double point, is counted in $d$ and in $s$: false already for
   $y^2=x^3$; $d$ has to mean nodes
-:reading: printed_degree_spoils_the_genus | $n$ in the sense of the printed definition 3.4.1: false for $x^2y+xy^2+1=0$
+:reading: printed_degree_spoils_the_genus | $n$ is the range of the sum printed in definition 3.4.1: false for
+  $x^2y+xy^2+1=0$
 :reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve: false, an
   isolated point is on no arc; and with positive weights a Bézier curve is bounded, so that already a line is not
   one
@@ -383,7 +385,7 @@ has only one finite double point.  A point of higher multiplicity counts for sev
 :::
 
 :::{claim} printed_degree_spoils_the_genus
-:title: x²y + xy² + 1 = 0 is of degree 2 by the printed definition, and has genus 1
+:title: x²y + xy² + 1 = 0 has the printed sum for degree 2, and has genus 1
 :zh: 按所印定义的次数使判据失效
 :kind: counterexample
 :types: field
