@@ -676,7 +676,7 @@ determinant is identically 0.
 
 That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevated curve is such a one,
 `elevation_multiplies_by_one_plus_u`.  An improper parametrisation does no harm as long as there is no base point: the determinant is then a power of the
-equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.
+equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.  The curve of space is drawn in `implicit_shadow`.
 :::
 
 :::{statement} wang-ch3:thm-3.4.1-step-vanishing

@@ -26,6 +26,7 @@ $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/
 :checked-by: triangle_in_closed_form triangle_level_by_level
 :needs: intermediate_weight_can_vanish | positive weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular
   curve
+:figure: triangle_point_at_infinity
 
 The range of $r$ and $i$, which is not repeated, is that of (3.3.2), and $\omega_i^r$ stands for the sum printed in
 the denominators.
