@@ -107,6 +107,27 @@ static inline void G(bezier_elevate)(int n, int dim, const num b[restrict], num 
     }
 }
 
+/* The inverse of elevation: the n points b, in degree n-1 >= 0, of a curve e_0, ..., e_n that is of this degree.  The
+ * equations e_i = i/n b_{i-1} + (1 - i/n) b_i are solved from both ends; defect[dim] is what the one in the
+ * middle, which is not used, lacks.  The curve is of degree n-1 if and only if defect = 0. */
+static inline void G(bezier_reduce)(int n, int dim, const num e[restrict], num b[restrict], num defect[restrict])
+{
+    int middle = n / 2;
+    for (int c = 0; c < dim; c++) {
+        for (int i = 0; i < middle; i++) {
+            num known = i > 0 ? mul(from_int(i), b[(i - 1) * dim + c]) : from_int(0);
+            b[i * dim + c] = div(sub(mul(from_int(n), e[i * dim + c]), known), from_int(n - i));
+        }
+        for (int i = n; i > middle; i--) {
+            num known = i < n ? mul(from_int(n - i), b[i * dim + c]) : from_int(0);
+            b[(i - 1) * dim + c] = div(sub(mul(from_int(n), e[i * dim + c]), known), from_int(i));
+        }
+        num left = middle > 0 ? mul(from_ratio(middle, n), b[(middle - 1) * dim + c]) : from_int(0);
+        num right = mul(from_ratio(n - middle, n), b[middle * dim + c]);
+        defect[c] = sub(e[middle * dim + c], add(left, right));
+    }
+}
+
 /* The polar form (blossom, 极形式) b[u_1, ..., u_n]: symmetric, affine in each argument, and
  * b[t, ..., t] = b(t).  Level k of the triangle is taken at u[k-1].  out may overlap b. */
 static inline void G(blossom)(int n, int dim, const num b[], const num u[], num out[])

@@ -7,4 +7,6 @@
 #include "core/differential.tmpl.h"
 #include "core/conic.tmpl.h"
 #include "core/determinant.tmpl.h"
+#include "core/bspline.tmpl.h"
+#include "core/nurbs.tmpl.h"
 /* clang-format on */

@@ -49,14 +49,11 @@ static inline void G(rational_point)(int n, int dim, const num R[restrict], cons
     G(rational_dehomogenize)(0, dim, P, out, &total);
 }
 
-/* Row k of out is the k-th derivative of R at t, k = 0, ..., r, r <= MAX_DEGREE.  With P = w R,
- *     R^(k) = (P^(k) - sum_{j=1}^k C(k,j) w^(j) R^(k-j)) / w     (Leibniz). */
-static inline void G(rational_derivatives)(int n, int dim, const num R[restrict], const num w[restrict], num t, int r,
-                                           num out[restrict])
+/* Row k of out is the k-th derivative of R = P/w, k = 0, ..., r, r <= MAX_DEGREE, from those of the homogeneous
+ * curve: row k of D holds P^(k) and w^(k).  By P = w R and Leibniz,
+ *     R^(k) = (P^(k) - sum_{j=1}^k C(k,j) w^(j) R^(k-j)) / w. */
+static inline void G(quotient_derivatives)(int dim, const num D[restrict], int r, num out[restrict])
 {
-    num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
-    G(rational_homogenize)(n, dim, R, w, H);
-    G(bezier_derivatives)(n, dim + 1, H, t, r, D);
     for (int k = 0; k <= r; k++)
         for (int c = 0; c < dim; c++) {
             num sum = D[k * (dim + 1) + c];
@@ -66,6 +63,16 @@ static inline void G(rational_derivatives)(int n, int dim, const num R[restrict]
             }
             out[k * dim + c] = div(sum, D[dim]);
         }
+}
+
+/* Row k of out is the k-th derivative of R at t, k = 0, ..., r, r <= MAX_DEGREE. */
+static inline void G(rational_derivatives)(int n, int dim, const num R[restrict], const num w[restrict], num t, int r,
+                                           num out[restrict])
+{
+    num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
+    G(rational_homogenize)(n, dim, R, w, H);
+    G(bezier_derivatives)(n, dim + 1, H, t, r, D);
+    G(quotient_derivatives)(dim, D, r, out);
 }
 
 /* Level r, 0 <= r <= n, of the rational de Casteljau triangle at lambda (formulas 3.3.2 and 3.3.3):

@@ -1,0 +1,66 @@
+/* definition.h -- what B-splines are, as directly as it can be written: the other side of the claims.
+ *
+ * Which knots coincide is a pattern, a string of multiplicities: "3112" means x_0, x_0, x_0, x_1, x_2, x_3, x_3 with
+ * x_0 < x_1 < x_2 < x_3.  place[i] says which of the distinct values knot i has, so that everything which depends on the
+ * order of knots depends on integers: the text runs in the field with the x_i as variables.  An interval is named by
+ * the number of the distinct knot at its left end.  Nothing here uses a kernel. */
+#include "chapters/frame/claims_on.h"
+
+enum { MOST_KNOTS = 48 };
+
+/* Fills the distinct knots x_0 < x_1 < ... and from them u and place; returns how many knots the pattern has.  In the
+ * field the x_i are variables. */
+static inline int G(knots_of_pattern)(trial *T, const char *pattern, num u[], int place[])
+{
+    int count = 0;
+    num x = unknown(T, "x", 0);
+    for (int i = 0; pattern[i] != '\0'; i++) {
+#if FIELD
+        x = unknown(T, "x", i);
+#else
+        x = i > 0 ? add(x, positive(T, "h", i)) : x;
+#endif
+        for (int times = pattern[i] - '0'; times > 0; times--, count++) {
+            u[count] = x;
+            place[count] = i;
+        }
+    }
+    return count;
+}
+
+/* The span of an interval: the last knot at its left end. */
+static inline int G(span_of_interval)(int count, const int place[], int interval)
+{
+    int mu = -1;
+    for (int i = 0; i < count; i++)
+        if (place[i] <= interval)
+            mu = i;
+    return mu;
+}
+
+/* N_{i,p}(t) for t in an interval, by the recursion of de Boor and Cox as it is defined, 0/0 being 0:
+ *     N_{i,0} = 1 on [u_i, u_{i+1}) and 0 elsewhere,
+ *     N_{i,p} = (t - u_i)/(u_{i+p} - u_i) N_{i,p-1} + (u_{i+p+1} - t)/(u_{i+p+1} - u_{i+1}) N_{i+1,p-1}. */
+static inline num G(cox_de_boor)(int p, const num u[], const int place[], int i, int interval, num t)
+{
+    if (p == 0)
+        return from_int(place[i] <= interval && interval < place[i + 1]);
+    num value = from_int(0);
+    if (place[i] < place[i + p])
+        value = mul(div(sub(t, u[i]), sub(u[i + p], u[i])), G(cox_de_boor)(p - 1, u, place, i, interval, t));
+    if (place[i + 1] < place[i + p + 1])
+        value = add(value, mul(div(sub(u[i + p + 1], t), sub(u[i + p + 1], u[i + 1])),
+                               G(cox_de_boor)(p - 1, u, place, i + 1, interval, t)));
+    return value;
+}
+
+/* Coordinate c of s(t) = sum_{i=0}^{n-1} c_i N_{i,p}(t) for t in an interval: all n terms, none left out. */
+static inline num G(spline)(int n, int p, int dim, const num u[], const int place[], const num points[], int c,
+                            int interval, num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i < n; i++)
+        sum = add(sum, mul(points[i * dim + c], G(cox_de_boor)(p, u, place, i, interval, t)));
+    return sum;
+}
+#include "chapters/frame/claims_off.h"

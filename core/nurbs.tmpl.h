@@ -1,0 +1,119 @@
+/* nurbs.tmpl.h -- NURBS curves (非均匀有理 B 样条曲线)
+ *
+ *     R(t) = sum N_{i,p}(t) w_i R_i / w(t),   w(t) = sum N_{i,p}(t) w_i.
+ *
+ * Knots, points and spans as in bspline.tmpl.h; the points R_i are affine, of dim coordinates, 1 <= dim < MAX_DIM, the
+ * weights (权因子) w_i stand beside them, not multiplied in.  Any weights; a value is UNDEFINED where w(t) = 0.
+ * What is not here is done in homogeneous coordinates: rational_homogenize(n-1, ...), then the function of
+ * bspline.tmpl.h with dim+1, then rational_dehomogenize(n-1, ...).
+ * Source: wang-ch4, 4.1; L. Piegl and W. Tiller, The NURBS Book, ch. 4 and 5. */
+#include "core/number/generic_on.h"
+
+/* H: the p+1 homogeneous points of the span (formula 4.1.1). */
+static inline void G(nurbs_homogenize)(int p, int dim, int mu, const num R[restrict], const num w[restrict],
+                                       num H[restrict])
+{
+    G(rational_homogenize)(p, dim, R + (mu - p) * dim, w + mu - p, H);
+}
+
+/* The denominator w(t). */
+static inline num G(nurbs_weight)(int p, const num u[], int mu, const num w[], num t)
+{
+    num total;
+    G(deboor)(p, 1, u, mu, w, t, &total);
+    return total;
+}
+
+/* out = R(t), of dim coordinates (formula 4.1.2). */
+static inline void G(nurbs_point)(int p, int dim, const num u[restrict], int mu, const num R[restrict],
+                                  const num w[restrict], num t, num out[restrict])
+{
+    num H[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], total;
+    G(nurbs_homogenize)(p, dim, mu, R, w, H);
+    G(deboor_of_span)(p, dim + 1, u, mu, H, t, P);
+    G(rational_dehomogenize)(0, dim, P, out, &total);
+}
+
+/* Row k of out is the k-th derivative of R at t, k = 0, ..., r, r <= MAX_DEGREE. */
+static inline void G(nurbs_derivatives)(int p, int dim, const num u[restrict], int mu, const num R[restrict],
+                                        const num w[restrict], num t, int r, num out[restrict])
+{
+    num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
+    G(nurbs_homogenize)(p, dim, mu, R, w, H);
+    G(derivatives_of_span)(p, dim + 1, u, mu, H, t, r + 1, D);
+    G(quotient_derivatives)(dim, D, r, out);
+}
+
+/* The squared curvature at t, 2 <= dim < MAX_DIM.  UNDEFINED also where R' = 0. */
+static inline num G(nurbs_curvature_squared)(int p, int dim, const num u[], int mu, const num R[], const num w[], num t)
+{
+    num D[3 * MAX_DIM];
+    G(nurbs_derivatives)(p, dim, u, mu, R, w, t, 2, D);
+    return G(curvature_squared)(dim, D + dim, D + 2 * dim);
+}
+
+/* The torsion at t of a curve in space.  UNDEFINED also where R' x R'' = 0. */
+static inline num G(nurbs_torsion)(int p, const num u[], int mu, const num R[], const num w[], num t)
+{
+    num D[4 * 3];
+    G(nurbs_derivatives)(p, 3, u, mu, R, w, t, 3, D);
+    return G(torsion)(D + 3, D + 6, D + 9);
+}
+
+/* Level r of the rational triangle at t, 1 <= r <= p, in place (formulas 4.1.3 and 4.1.4): the p+2-r points and
+ * weights i = mu-p+r-1, ..., mu of level r-1 become the p+1-r of level r,
+ *     w_i^r = a w_i^{r-1} + b w_{i-1}^{r-1},   R_i^r = a w_i^{r-1}/w_i^r R_i^{r-1} + b w_{i-1}^{r-1}/w_i^r R_{i-1}^{r-1},
+ * a = (t - u_i)/(u_{i+p+1-r} - u_i), b = 1-a.  The last ones stay.  UNDEFINED where a new weight is 0. */
+static inline void G(nurbs_deboor_level)(int p, int dim, const num u[], int mu, int r, num R[], num w[], num t)
+{
+    for (int m = 0; m <= p - r; m++) {
+        int i = mu - p + r + m, far = i + p + 1 - r;
+        num length = sub(u[far], u[i]);
+        num right = mul(div(sub(t, u[i]), length), w[m + 1]), left = mul(div(sub(u[far], t), length), w[m]);
+        w[m] = add(right, left);
+        right = div(right, w[m]);
+        left = div(left, w[m]);
+        for (int c = 0; c < dim; c++)
+            R[m * dim + c] = add(mul(right, R[(m + 1) * dim + c]), mul(left, R[m * dim + c]));
+    }
+}
+
+/* The recursion to its end, algorithm 4.1.1: out = R(t), as the last point of the triangle above.  UNDEFINED as soon
+ * as a weight of any level is 0, which positive weights exclude for u_mu <= t <= u_{mu+1}. */
+static inline void G(nurbs_deboor)(int p, int dim, const num u[restrict], int mu, const num R[restrict],
+                                   const num w[restrict], num t, num out[restrict])
+{
+    num P[(MAX_DEGREE + 1) * MAX_DIM], v[MAX_DEGREE + 1];
+    for (int m = 0; m < (p + 1) * dim; m++)
+        P[m] = R[(mu - p) * dim + m];
+    for (int m = 0; m <= p; m++)
+        v[m] = w[mu - p + m];
+    for (int r = 1; r <= p; r++)
+        G(nurbs_deboor_level)(p, dim, u, mu, r, P, v, t);
+    for (int c = 0; c < dim; c++)
+        out[c] = P[c];
+}
+
+/* Boehm's insertion of one knot x, u_mu <= x < u_{mu+1}: n+p+2 knots v, n+1 points S and weights z of the same curve,
+ *     z_i = a w_i + (1-a) w_{i-1},   S_i = (a w_i R_i + (1-a) w_{i-1} R_{i-1})/z_i
+ * with a as in bspline_insert.  UNDEFINED where a z_i is 0. */
+static inline void G(nurbs_insert)(int n, int p, int dim, const num u[restrict], int mu, const num R[restrict],
+                                   const num w[restrict], num x, num v[restrict], num S[restrict], num z[restrict])
+{
+    num P[(MAX_DEGREE + 1) * MAX_DIM], q[MAX_DEGREE + 1];
+    for (int m = 0; m < (p + 1) * dim; m++)
+        P[m] = R[(mu - p) * dim + m];
+    for (int m = 0; m <= p; m++)
+        q[m] = w[mu - p + m];
+    if (p > 0)
+        G(nurbs_deboor_level)(p, dim, u, mu, 1, P, q, x);
+    for (int i = 0; i <= n + p + 1; i++)
+        v[i] = i <= mu ? u[i] : i == mu + 1 ? x : u[i - 1];
+    for (int i = 0; i <= n; i++) {
+        int changed = mu - p < i && i <= mu, from = changed ? i - mu + p - 1 : i <= mu ? i : i - 1;
+        z[i] = changed ? q[from] : w[from];
+        for (int c = 0; c < dim; c++)
+            S[i * dim + c] = changed ? P[from * dim + c] : R[from * dim + c];
+    }
+}
+#include "core/number/generic_off.h"

@@ -1,0 +1,13 @@
+/* span.h -- spans and multiplicities, decided exactly for rational knots. */
+#ifndef CAGD_EXACT_SPAN_H
+#define CAGD_EXACT_SPAN_H
+
+#include "core/knots.h"
+#include "exact/num_rational.h"
+
+static inline int before_q(num_q a, num_q b) { return compare_q(a, b) < 0; }
+
+#define G(name) name##_q
+#include "core/span.tmpl.h"
+#undef G
+#endif
