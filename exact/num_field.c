@@ -105,10 +105,7 @@ static num_f combine(field_operation *op, num_f a, num_f b)
 num_f add_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_add, a, b); }
 num_f sub_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_sub, a, b); }
 num_f mul_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_mul, a, b); }
-num_f div_f(num_f a, num_f b)
-{
-    return is_zero_f(b) ? fault_f(FAULT_UNDEFINED) : combine(fmpz_mpoly_q_div, a, b);
-}
+num_f div_f(num_f a, num_f b) { return is_zero_f(b) ? fault_f(FAULT_UNDEFINED) : combine(fmpz_mpoly_q_div, a, b); }
 num_f neg_f(num_f a)
 {
     struct field_element *r = fresh();
@@ -287,8 +284,10 @@ const char *to_string_f(num_f a)
         snprintf(text, room, "%s", p);
     else
         snprintf(text, room,
-                 stands_alone(p, 0) ? stands_alone(q, 1) ? "%s/%s" : "%s/(%s)"
-                                    : stands_alone(q, 1) ? "(%s)/%s" : "(%s)/(%s)", p, q);
+                 stands_alone(p, 0)   ? stands_alone(q, 1) ? "%s/%s" : "%s/(%s)"
+                 : stands_alone(q, 1) ? "(%s)/%s"
+                                      : "(%s)/(%s)",
+                 p, q);
     flint_free(p);
     flint_free(q);
     return text;

@@ -24,7 +24,7 @@ num_q from_ratio_q(long m, long n); /* n != 0                                   
 num_q root_q(int n, num_q a);       /* exact; UNABLE unless a >= 0 is an n-th power      */
 
 num_q from_mpq_q(mpq_srcptr x);
-num_q from_double_q(double x);        /* the binary64 itself; UNDEFINED unless finite    */
+num_q from_double_q(double x);         /* the binary64 itself; UNDEFINED unless finite    */
 num_q from_string_q(const char *text); /* "3", "-3/7", "0.1" (the decimal), "1e-3",
                                           "0x1.8p-3"; UNDEFINED when it is none of these  */
 
@@ -34,6 +34,6 @@ static inline int compare_q(num_q a, num_q b) { return mpq_cmp(a.at, b.at); }
 static inline int equal_q(num_q a, num_q b) { return mpq_equal(a.at, b.at); }
 static inline int is_zero_q(num_q a) { return mpq_sgn(a.at) == 0; }
 
-double to_double_q(num_q a);          /* correctly rounded, ties to even                 */
-const char *to_string_q(num_q a);     /* "-3/7"; lives in the region                     */
+double to_double_q(num_q a);      /* correctly rounded, ties to even                 */
+const char *to_string_q(num_q a); /* "-3/7"; lives in the region                     */
 #endif

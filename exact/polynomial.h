@@ -12,7 +12,7 @@ typedef struct poly {
     const struct polynomial *at;
 } poly;
 
-poly poly_from_q(int len, const num_q c[]);      /* sum c[k] t^k, 0 <= k < len; len = 0 gives 0     */
+poly poly_from_q(int len, const num_q c[]);       /* sum c[k] t^k, 0 <= k < len; len = 0 gives 0     */
 poly poly_from_bernstein(int n, const num_q b[]); /* sum b[i] B_i^n(t), 0 <= i <= n, over [0,1]     */
 poly poly_constant(num_q c);
 poly poly_variable(void);
@@ -21,8 +21,8 @@ poly poly_variable(void);
  * UNDEFINED when `variable` is not a variable, UNABLE when another one occurs in a. */
 void poly_from_field(num_f a, num_f variable, poly *numerator, poly *denominator);
 
-int poly_degree(poly p);                /* -1 for the zero polynomial                               */
-num_q poly_coefficient(poly p, int k);  /* of t^k, k >= 0; zero beyond the degree                   */
+int poly_degree(poly p);               /* -1 for the zero polynomial                               */
+num_q poly_coefficient(poly p, int k); /* of t^k, k >= 0; zero beyond the degree                   */
 int poly_is_zero(poly p);
 int poly_equal(poly p, poly q);
 

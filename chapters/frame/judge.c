@@ -88,9 +88,21 @@ static num_f indexed_variable(const char *name, int index)
     return variable_f(full);
 }
 
-num_f unknown_f(trial *T, const char *name, int index) { (void)T; return indexed_variable(name, index); }
-num_f positive_f(trial *T, const char *name, int index) { (void)T; return indexed_variable(name, index); }
-num_f parameter_f(trial *T, const char *name) { (void)T; return variable_f(name); }
+num_f unknown_f(trial *T, const char *name, int index)
+{
+    (void)T;
+    return indexed_variable(name, index);
+}
+num_f positive_f(trial *T, const char *name, int index)
+{
+    (void)T;
+    return indexed_variable(name, index);
+}
+num_f parameter_f(trial *T, const char *name)
+{
+    (void)T;
+    return variable_f(name);
+}
 num_f whole_f(trial *T, const char *name, int low, int high)
 {
     (void)T, (void)low, (void)high;
@@ -259,7 +271,7 @@ void nonnegative_m(trial *T, num_m a)
         for (int k = 0; k < count * dim; k++)                                                                          \
             at += sprintf(at, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", text_##S(R[k]),                    \
                           k % dim == dim - 1 ? ")" : "");                                                              \
-        show_text(T, name, "%s", text);                                                                                        \
+        show_text(T, name, "%s", text);                                                                                \
     }
 SHOWN(f)
 SHOWN(q)

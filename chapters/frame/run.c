@@ -202,8 +202,8 @@ static char *put_variables(char *at, const char *names)
     while (*names != '\0') {
         size_t n = strcspn(names, " "), stem = strcspn(names, "0123456789 ");
         int index = stem < n ? atoi(names + stem) : -1, k = 0;
-        while (k < count && ((low[k] < 0) != (index < 0) || strlen(letters[k]) != stem ||
-                             strncmp(letters[k], names, stem) != 0))
+        while (k < count &&
+               ((low[k] < 0) != (index < 0) || strlen(letters[k]) != stem || strncmp(letters[k], names, stem) != 0))
             k++;
         if (k == count) {
             snprintf(letters[count], sizeof letters[0], "%.*s", (int)stem, names);
@@ -248,7 +248,8 @@ static char *put_range(char *at, const type_result *b)
     if (free_ones[0] != '\0')
         at = put_variables(at + sprintf(at, "every value of "), free_ones);
     if (b->positive[0] != '\0')
-        at = put_variables(at + sprintf(at, "%severy positive value of ", free_ones[0] != '\0' ? " and " : ""), b->positive);
+        at = put_variables(at + sprintf(at, "%severy positive value of ", free_ones[0] != '\0' ? " and " : ""),
+                           b->positive);
     free(free_ones);
     return at;
 }
@@ -268,7 +269,8 @@ static char *scope_of(const claim_result *r)
         if (c->all_degrees)
             at += sprintf(at, "all n");
         else if (b->degree_high > 0)
-            at += sprintf(at, b->degree_low == b->degree_high ? "n = %d" : "n = %d to %d", b->degree_low, b->degree_high);
+            at +=
+                sprintf(at, b->degree_low == b->degree_high ? "n = %d" : "n = %d to %d", b->degree_low, b->degree_high);
         if (c->scope[0] != '\0')
             at += sprintf(at, "%s%s", at > s ? "; " : "", c->scope);
         if (r->evidence == PROVED && b->variables != NULL && b->variables[0] != '\0')
