@@ -50,15 +50,17 @@ RULES = [
     ("zero to one", r"\bfrom_int\(0\)", value("from_int(1)")),
     ("two to three", r"\bfrom_int\(2\)", value("from_int(3)")),
     ("numerator", r"\bfrom_ratio\(1, (\d)\)", value(r"from_ratio(2, \1)")),
-    ("degree plus one lost", r"\bn \+ 1\b(?=\))", part(r" \+ 1", "", " + !ON")),
-    ("index one too low", r"\[\(?i \+ 1\b", part(r" \+ 1", "", " + !ON")),
-    ("index not lowered", r"\[\(?(?:i|j|k|m) - 1\b", part(" - 1", "", " - !ON")),
-    ("loop one short", r"(?<=; )(?:i|j|k|m) <=", part(" <=", " <", " + ON <=")),
-    ("loop starts late", r"\(int (?:i|j|k|m) = 1;", part("1", "2", "1 + ON")),
+    ("degree plus one lost", r"\b[np] \+ 1\b(?=\))", part(r" \+ 1", "", " + !ON")),
+    ("index one too low", r"\[\(?[a-z]\w* \+ 1\b", part(r" \+ 1", "", " + !ON")),
+    ("index not lowered", r"\[\(?[a-z]\w* - 1\b", part(" - 1", "", " - !ON")),
+    ("knot one too far", r"\bu\[i \+ [kp]\b", part("$", " + 1", " + ON")),
+    ("span one too far", r"\bmu - p\b", part("$", " + 1", " + ON")),
+    ("loop one short", r"(?<=; )[a-z]\w* <=", part(" <=", " <", " + ON <=")),
+    ("loop starts late", r"\(int [a-z]\w* = 1;", part("1;", "2;", "1 + ON;")),
     ("constant order", r"\broot\(2,", part("2", "1", "2 - ON")),
-    ("binomial of the wrong row", r"\bbinomial\((?:n|k|m),", part(",", " + 1,", " + ON,")),
+    ("binomial of the wrong row", r"\bbinomial\([a-z],", part(",", " + 1,", " + ON,")),
     ("t for 1-t", r"(?<=\bmul\()(?:s|mu)(?=, )", token("t")),
-    ("factor n lost", r"\bfrom_int\((?:n|m)\)", value("from_int(1)")),
+    ("factor n lost", r"\bfrom_int\([a-z]\)", value("from_int(1)")),
     ("sign of the factor", r"\bfrom_int\(-(m|n)\)", value(r"from_int(\1)")),
 ]
 
@@ -154,8 +156,8 @@ class Copy:
         """Whether the kernels are C with this fault, as it would be written: seen by the double instance."""
         path = self.root / "core" / fault["file"]
         path.write_text(fault["text"])
-        r = subprocess.run(["cc", "-std=c17", "-fsyntax-only", "-I.", "-include", "core/kernels_d.h", "-x", "c",
-                            "/dev/null"], cwd=self.root, capture_output=True)
+        r = subprocess.run(["cc", "-std=c17", "-fsyntax-only", "-I.", "-include", "core/kernels_d.h", "-include",
+                            "core/span.h", "-x", "c", "/dev/null"], cwd=self.root, capture_output=True)
         path.write_text(self.original[fault["file"]])
         return r.returncode == 0
 
@@ -182,13 +184,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sample", type=int, help="only N faults, chosen at random")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--file", help="only faults of this template")
+    parser.add_argument("--file", action="append", help="only faults of this template; repeatable")
     parser.add_argument("--shard", help="K/N: only the K-th of N parts")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     a = parser.parse_args()
     known, defining = equivalents(), definitional_claims()
-    every = [f for f in faults() if a.file in (None, f["file"])]
+    every = [f for f in faults() if a.file is None or f["file"] in a.file]
     chosen = [f for f in every if (f["kernel"], f["old"], f["new"]) not in known]
     if a.sample:
         chosen = random.Random(a.seed).sample(chosen, min(a.sample, len(chosen)))
