@@ -50,5 +50,7 @@ int poly_squarefree(poly p, poly factor[], int multiplicity[]);
 /* out[0..n] with p(a + (b - a) t) = sum out[i] B_i^n(t).  UNDEFINED when n < deg p. */
 void poly_to_bernstein(poly p, int n, num_q a, num_q b, num_q out[]);
 
+int trace_polynomial(poly p); /* its node in the open trace (trace.h), made if there is none           */
+
 const char *poly_to_string(poly p, const char *variable); /* "t^2 - 1/3*t + 1"; in the region        */
 #endif

@@ -1,5 +1,6 @@
 #include "chapters/frame/run.h"
 
+#include "chapters/frame/case.h"
 #include "chapters/frame/judge.h"
 #include "exact/region.h"
 
@@ -20,7 +21,7 @@ static uint64_t seed_of(const char *name)
     return h;
 }
 
-static void forget_exhibits(exhibit *shown, int count)
+void forget_exhibits(exhibit *shown, int count)
 {
     for (int k = 0; k < count; k++) {
         free(shown[k].name);
@@ -28,12 +29,6 @@ static void forget_exhibits(exhibit *shown, int count)
     }
     free(shown);
 }
-
-struct plan {
-    const claim *claim;
-    number_type type;
-    int deep;
-};
 
 /* How many cases a claim has in a number type: every degree once where a case settles its degree,
  * otherwise as many random instances as the depth asks. */
@@ -53,9 +48,8 @@ static int degree_of(const struct plan *p, int k)
     return c->degree_low + k % (high - c->degree_low + 1);
 }
 
-/* Run case k.  The faults are returned in region_faults; the field starts small and grows on demand.  The
- * names of its variables, and of those taken to be positive, go to *variables and *positive, if wanted. */
-static trial run_case(const struct plan *p, int k, int planted, char **variables, char **positive)
+/* The field starts small and grows on demand. */
+trial run_case(const struct plan *p, int k, int planted, char **variables, char **positive)
 {
     trial T;
     for (int room = 12;; room = room * 2 < FIELD_MAX_VARIABLES ? room * 2 : FIELD_MAX_VARIABLES) {
