@@ -9,4 +9,6 @@
 #include "core/determinant.tmpl.h"
 #include "core/bspline.tmpl.h"
 #include "core/nurbs.tmpl.h"
+#include "core/power.tmpl.h"
+#include "core/cubic_shape.tmpl.h"
 /* clang-format on */
