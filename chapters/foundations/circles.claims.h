@@ -727,7 +727,8 @@ CLAIM(printed_error_is_twice_the_error)
 CLAIM(error_for_four_is_as_printed)
 {
     int m = T->planted ? 3 : 4;
-    num s = from_ratio(1, 1L << (m + 1)), one = from_int(1), low = from_ratio(155, 10000), high = from_ratio(165, 10000);
+    num s = from_ratio(1, 1L << (m + 1)), one = from_int(1), low = from_ratio(155, 10000),
+        high = from_ratio(165, 10000);
     agree(T, root_is_between(add(one, low), add(one, s), add(one, high)));
     agree(T, root_is_between(sub(one, high), sub(one, s), sub(one, low)));
 }

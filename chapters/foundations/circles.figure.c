@@ -29,16 +29,20 @@ static void put_orbit(svg *s, int n, const num_q P[], enum svg_role role)
 
 FIGURE(three_generators)
 {
-    svg *s = svg_new("three_generators", "A rotation, a spiral and an ellipse",
-                     "Three ways to turn a point, 26 steps each: the rotation keeps it on the circle, the simplified step with "
-                     "epsilon a quarter drives it outwards on a spiral, and the second way with the same epsilon keeps it on an ellipse.");
-    const char *const captions[3] = {"rotation by $2\\arctan(1/8)$", "first way, simplified, $ε=1/4$", "second way, $ε=1/4$"};
+    svg *s = svg_new(
+        "three_generators", "A rotation, a spiral and an ellipse",
+        "Three ways to turn a point, 26 steps each: the rotation keeps it on the circle, the simplified step with "
+        "epsilon a quarter drives it outwards on a spiral, and the second way with the same epsilon keeps it on an "
+        "ellipse.");
+    const char *const captions[3] = {"rotation by 2 arctan(1/8)", "first way, simplified, $ε=1/4$",
+                                     "second way, $ε=1/4$"};
     for (int way = 0; way < 3; way++) {
         num_q M[4], P[2 * 30] = {q(1), q(0)};
         generator(way, way == 0 ? r(1, 8) : r(1, 4), M);
         orbit(26, M, P);
-        svg_panel(s, way == 1 ? window(r(-9, 4), r(-9, 4), r(11, 4), r(9, 4)) : window(r(-5, 4), r(-5, 4), r(5, 4), r(5, 4)),
-                  way == 1 ? 300 : 240, 0, captions[way]);
+        svg_panel(
+            s, way == 1 ? window(r(-9, 4), r(-9, 4), r(11, 4), r(9, 4)) : window(r(-5, 4), r(-5, 4), r(5, 4), r(5, 4)),
+            way == 1 ? 300 : 240, 0, captions[way]);
         svg_circle(s, svg_at(0, 0), q(1), SVG_MUTED);
         put_orbit(s, 26, P, way == 1 ? SVG_WRONG : way == 0 ? SVG_RIGHT : SVG_CURVE);
         svg_mark(s, svg_at(1, 0), SVG_POINT, SVG_RING);
@@ -50,9 +54,10 @@ FIGURE(three_generators)
 
 FIGURE(radius_of_the_first_way)
 {
-    svg *s = svg_new("radius_of_the_first_way", "The radius of the simplified circle grows with every step",
-                     "The square of the radius after n steps of the first way, the power of 1 + epsilon squared, for epsilon 1/8, "
-                     "1/16 and 1/32 and up to 200 steps; the square of the radius of the second way stays between two bounds.");
+    svg *s = svg_new(
+        "radius_of_the_first_way", "The radius of the simplified circle grows with every step",
+        "The square of the radius after n steps of the first way, the power of 1 + epsilon squared, for epsilon 1/8, "
+        "1/16 and 1/32 and up to 200 steps; the square of the radius of the second way stays between two bounds.");
     svg_panel(s, window(q(0), q(0), q(200), q(5)), 480, 280, "the square of the radius after $n$ steps");
     svg_axes(s, q(50), q(1), "n", NULL);
     static const enum svg_role roles[3] = {SVG_WRONG, SVG_CURVE_2, SVG_FAMILY};
@@ -91,10 +96,12 @@ static num_q printed_ellipse(svg_point P, const void *data)
 FIGURE(ellipse_of_the_second_way)
 {
     svg *s = svg_new("ellipse_of_the_second_way", "The ellipse of the second way leaves the circle in both directions",
-                     "The printed ellipse for sine one half, which is epsilon 1, so that the deviation can be seen, and the circle.  On one "
-                     "diagonal the ellipse is outside by the root of 3/2 minus 1, about 0.22, on the other inside by 1 minus the root of "
+                     "The printed ellipse for sine one half, which is epsilon 1, so that the deviation can be seen, "
+                     "and the circle.  On one "
+                     "diagonal the ellipse is outside by the root of 3/2 minus 1, about 0.22, on the other inside by 1 "
+                     "minus the root of "
                      "1/2, about 0.29.  The six points of the closed orbit are marked.");
-    svg_panel(s, window(r(-7, 5), r(-7, 5), r(7, 5), r(7, 5)), 400, 0, "$s=\\sin(Δθ/2)=1/2$, $r=1$");
+    svg_panel(s, window(r(-7, 5), r(-7, 5), r(7, 5), r(7, 5)), 400, 0, "$s$ = sin($Δθ/2$) = 1/2, $r$ = 1");
     svg_axes(s, q(1), q(1), "x", "y");
     svg_line(s, svg_at(-1, -1), svg_at(1, 1), SVG_MUTED);
     svg_line(s, svg_at(-1, 1), svg_at(1, -1), SVG_MUTED);
@@ -105,8 +112,8 @@ FIGURE(ellipse_of_the_second_way)
     orbit(6, M, P);
     for (int k = 0; k < 6; k++)
         svg_mark(s, svg_pair(P + 2 * k), SVG_POINT, SVG_USUAL);
-    svg_note(s, at(r(9, 10), r(9, 10)), SVG_E, SVG_CURVE, "outwards $\\√3/\\√2-1$");
-    svg_note(s, at(r(1, 2), r(-1, 2)), SVG_SW, SVG_CURVE, "inwards $1-1/\\√2$");
+    svg_note(s, at(r(9, 10), r(23, 20)), SVG_HERE, SVG_CURVE, "outwards $\\√(3/2)-1$");
+    svg_note(s, at(r(9, 10), r(-23, 20)), SVG_HERE, SVG_CURVE, "inwards $1-\\√(1/2)$");
     svg_legend_line(s, SVG_CURVE, "the printed ellipse");
     svg_legend_line(s, SVG_CURVE_2, "the circle");
     svg_legend_mark(s, SVG_POINT, SVG_USUAL, "points of the orbit, $ε=1$");
@@ -131,8 +138,10 @@ static svg_point inner_error(num_q E, const void *data)
 FIGURE(error_of_the_second_way)
 {
     svg *s = svg_new("error_of_the_second_way", "The printed approximation is twice the error",
-                     "The error of the ellipse in per cent against the sine s, which is one half of epsilon.  The printed approximation is "
-                     "the line E = s, twice too steep; half the sine, E = s/2, lies between the outer and the inner error.  The marks "
+                     "The error of the ellipse in per cent against the sine s, which is one half of epsilon.  The "
+                     "printed approximation is "
+                     "the line E = s, twice too steep; half the sine, E = s/2, lies between the outer and the inner "
+                     "error.  The marks "
                      "are m = 4, 3 and 2.");
     svg_panel(s, window(q(0), q(0), q(14), q(10)), 420, 300, "error in per cent, against $100s=100\\·2^{-m-1}$");
     svg_axes(s, q(2), q(2), "100s", "100E");
@@ -158,7 +167,8 @@ FIGURE(error_of_the_second_way)
 FIGURE(step_of_the_third_way)
 {
     svg *s = svg_new("step_of_the_third_way", "At height one the second point is more than one away",
-                     "A circle of radius 5/4.  The point at height 1 is farther than 1 from the first point: the circle of radius 1 about "
+                     "A circle of radius 5/4.  The point at height 1 is farther than 1 from the first point: the "
+                     "circle of radius 1 about "
                      "the first point meets the circle below it.");
     num_q radius = r(5, 4);
     svg_panel(s, window(r(-1, 4), r(-1, 4), r(5, 2), r(5, 4)), 420, 0, "$r=5/4$: $|A_0A_1|=\\√5/2$ at height 1");

@@ -461,7 +461,8 @@ CLAIM(second_derivative_is_not_constant)
 
 CLAIM(cusp_has_no_such_factor)
 {
-    num c[8] = {from_int(0), from_int(0), from_int(T->planted), from_int(0), from_int(1), from_int(0), from_int(0), from_int(1)};
+    num c[8] = {from_int(0), from_int(0), from_int(T->planted), from_int(0),
+                from_int(1), from_int(0), from_int(0),          from_int(1)};
     num D[6];
     G(power_derivatives)(3, dim, c, from_int(0), 2, D);
     show_points(T, "P', P''", 2, 2, D + 2);
@@ -619,7 +620,8 @@ static void G(cubic_of_triangle)(const num R[], num alpha, num beta, num c[])
 
 CLAIM(cusps_are_on_a_hyperbola)
 {
-    num R[3 * dim], c[4 * dim], m[3], f[3], alpha = parameter(T, "alpha"), beta = parameter(T, "beta"), two = from_int(2);
+    num R[3 * dim], c[4 * dim], m[3], f[3], alpha = parameter(T, "alpha"), beta = parameter(T, "beta"),
+                                            two = from_int(2);
     num chord[dim], side[dim];
     G(free_coefficients)(T, 2, dim, R);
     G(cubic_of_triangle)(R, alpha, beta, c);
@@ -656,7 +658,8 @@ static void events_of(num alpha, num beta, int *inflections, int *doubles, num *
 CLAIM(forms_by_the_lengths_of_the_tangents)
 {
     for (int k = 0; k < 20; k++) {
-        num low[2], high[2], delta, border = T->planted ? from_int(1) : from_ratio(3, 2), two = from_int(2), one = from_int(1);
+        num low[2], high[2], delta, border = T->planted ? from_int(1) : from_ratio(3, 2), two = from_int(2),
+                                    one = from_int(1);
         int inflections, doubles;
         for (int j = 0; j < 2; j++) {
             low[j] = mul(border, parameter(T, "l"));
@@ -815,7 +818,8 @@ CLAIM(torsion_by_speed_and_curvature)
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < space; j++)
             d[k][j] = unknown(T, k == 0 ? "u" : k == 1 ? "v" : "w", j);
-    num speed = G(norm_squared)(space, d[0]), below = mul(G(power)(speed, T->planted ? 2 : 3), G(curvature_squared)(space, d[0], d[1]));
+    num speed = G(norm_squared)(space, d[0]),
+        below = mul(G(power)(speed, T->planted ? 2 : 3), G(curvature_squared)(space, d[0], d[1]));
     same(T, div(G(det3)(d[0], d[1], d[2]), below), G(torsion)(d[0], d[1], d[2]));
 }
 
@@ -886,7 +890,8 @@ CLAIM(printed_vectors_have_no_torsion)
     const num *last = D + (T->planted ? 3 : 2) * space;
     show_points(T, "P', P'', P'''", 3, 3, D + 3);
     about(T, "the quotient, and the torsion");
-    same(T, div(G(sarrus)(D + 3, D + 6, last), G(curvature_squared)(space, D + 3, D + 6)), G(torsion)(D + 3, D + 6, D + 9));
+    same(T, div(G(sarrus)(D + 3, D + 6, last), G(curvature_squared)(space, D + 3, D + 6)),
+         G(torsion)(D + 3, D + 6, D + 9));
 }
 
 CLAIM(printed_power_spoils_the_torsion)

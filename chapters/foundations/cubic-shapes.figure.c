@@ -21,7 +21,8 @@ static void cubic_of_triangle(num_q height, num_q alpha, num_q beta, num_q c[])
 FIGURE(lengths_of_the_tangents)
 {
     svg *s = svg_new("lengths_of_the_tangents", "The lengths of the tangents change the shape",
-                     "Cubics with the same ends and the same directions of the tangents, and with tangents of five lengths; the parabola "
+                     "Cubics with the same ends and the same directions of the tangents, and with tangents of five "
+                     "lengths; the parabola "
                      "is one of them.  The tangents of the longest are drawn.");
     svg_panel(s, window(r(-1, 5), r(-1, 10), r(6, 5), r(9, 10)), 480, 0, "$\\α=\\β=1/2, 1, 3/2, 2, 3$");
     for (int k = 0; k < 5; k++) {
@@ -63,14 +64,16 @@ static num_q cusp(svg_point P, const void *data) { return compare_q(P.x, q(2)) >
 
 FIGURE(forms_of_a_cubic)
 {
-    svg *s = svg_new("forms_of_a_cubic", "What a cubic does, by the lengths of its tangents",
-                     "The plane of the lengths alpha and beta of the tangents, in units in which 1, 1 is the parabola.  Below 3/2 in both "
-                     "no inflection; one above and one below, one inflection; both above, two inflections until the branch of the "
-                     "hyperbola (alpha-2)(beta-2)=1 of the cusps, and a loop beyond it.  Beside it a curve of every part.");
+    svg *s = svg_new(
+        "forms_of_a_cubic", "What a cubic does, by the lengths of its tangents",
+        "The plane of the lengths alpha and beta of the tangents, in units in which 1, 1 is the parabola.  Below 3/2 "
+        "in both "
+        "no inflection; one above and one below, one inflection; both above, two inflections until the branch of the "
+        "hyperbola (alpha-2)(beta-2)=1 of the cusps, and a loop beyond it.  Beside it a curve of every part.");
     svg_panel(s, window(q(0), q(0), q(5), q(5)), 360, 0, "the plane of the lengths");
     svg_axes(s, q(1), q(1), "α", "β");
     svg_region(s, one_inflection, NULL, 100, SVG_FILL);
-    svg_region(s, loop, NULL, 100, SVG_CURVE);
+    svg_region(s, loop, NULL, 100, SVG_RIGHT);
     svg_segment(s, at(r(3, 2), q(0)), at(r(3, 2), q(5)), SVG_MUTED);
     svg_segment(s, at(q(0), r(3, 2)), at(q(5), r(3, 2)), SVG_MUTED);
     svg_implicit(s, cusp, NULL, 100, SVG_WRONG);
@@ -92,7 +95,7 @@ FIGURE(forms_of_a_cubic)
         svg_note(s, at(q(1), c[1]), SVG_E, SVG_POINT, places[k]);
     }
     svg_legend_area(s, SVG_FILL, "one inflection");
-    svg_legend_area(s, SVG_CURVE, "a loop");
+    svg_legend_area(s, SVG_RIGHT, "a loop");
     svg_legend_line(s, SVG_WRONG, "cusps");
     return s;
 }
@@ -115,7 +118,8 @@ FIGURE(torsion_and_the_speed)
 {
     static const int printed = 1;
     svg *s = svg_new("torsion_and_the_speed", "The torsion, and the quotient with the third power of the speed",
-                     "The twisted cubic (3t, 3t squared, 2t cubed) on [0, 1]: its torsion falls from 2/3 to 2/27, the printed quotient "
+                     "The twisted cubic (3t, 3t squared, 2t cubed) on [0, 1]: its torsion falls from 2/3 to 2/27, the "
+                     "printed quotient "
                      "with the third power of the speed rises from 18 to 54.");
     svg_panel(s, window(q(0), q(0), q(1), q(1)), 240, 240, "the torsion");
     svg_axes(s, r(1, 2), r(1, 2), "t", "τ");

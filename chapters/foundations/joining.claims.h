@@ -466,7 +466,8 @@ CLAIM(derivatives_of_a_piece)
     G(power_on_interval)(3, space, c, t0, t1, piece);
     for (int j = 0; j < space; j++)
         for (int k = 0; k <= 3; k++) {
-            num there = G(power_sum_derivative)(3, space, c, j, k, t), here = G(power_sum_derivative)(3, space, piece, j, k, u);
+            num there = G(power_sum_derivative)(3, space, c, j, k, t),
+                here = G(power_sum_derivative)(3, space, piece, j, k, u);
             same(T, here, mul(G(power)(h, T->planted && k > 0 ? 1 : k), there));
             if (k == 1) {
                 speed = add(speed, mul(here, here));

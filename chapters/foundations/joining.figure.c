@@ -4,13 +4,15 @@
 FIGURE(joints_of_order)
 {
     svg *s = svg_new("joints_of_order", "Joints of order 0, 1 and 2",
-                     "One first piece and three second pieces: one that has only the point in common, one with the same tangent and a "
+                     "One first piece and three second pieces: one that has only the point in common, one with the "
+                     "same tangent and a "
                      "derivative twice as long, and one with the same curvature as well; at the last two the circle of "
                      "curvature of the first piece is drawn.");
     /* P_I = (t - 1, (t-1)^2/2 ...): P = (0,0), P' = (1,0), P'' = (0,1) at t = 1; the circle has radius 1 */
     const int first[6] = {-2, 1, 2, -2, 0, 1}; /* halves */
     static const int second[3][6] = {{0, 0, 1, 2, 2, 0}, {0, 0, 4, 0, 0, -2}, {0, 0, 4, 0, 1, 4}};
-    static const char *const captions[3] = {"order 0: the point", "order 1: the tangent, $λ=2$", "order 2: the curvature, $λ=2$"};
+    static const char *const captions[3] = {"order 0: the point", "order 1: the tangent, $λ=2$",
+                                            "order 2: the curvature, $λ=2$"};
     for (int k = 0; k < 3; k++) {
         num_q c[6], d[6];
         fractions(6, first, 2, c);
@@ -33,7 +35,8 @@ FIGURE(joints_of_order)
 FIGURE(same_curvature_other_side)
 {
     svg *s = svg_new("same_curvature_other_side", "One curvature on both sides of the joint, and a change of side",
-                     "The parabola y = x squared up to the origin, and from there either y = x squared or y = - x squared: the tangent and "
+                     "The parabola y = x squared up to the origin, and from there either y = x squared or y = - x "
+                     "squared: the tangent and "
                      "the curvature K = 2 are continuous both times, the vector of curvature only once.");
     const int first[6] = {-1, 1, 1, -2, 0, 1};
     num_q c[6], up[6] = {q(0), q(0), q(1), q(0), q(0), q(1)}, down[6] = {q(0), q(0), q(1), q(0), q(0), q(-1)};
@@ -56,7 +59,8 @@ FIGURE(same_curvature_other_side)
 FIGURE(piece_of_a_cubic)
 {
     svg *s = svg_new("piece_of_a_cubic", "A piece of a cubic as a cubic",
-                     "A cubic and its piece from t_0 = 1/5 to t_1 = 7/10, with the tangent at the beginning of the piece in the old parameter "
+                     "A cubic and its piece from t_0 = 1/5 to t_1 = 7/10, with the tangent at the beginning of the "
+                     "piece in the old parameter "
                      "and, half as long, in the new one.");
     const int coefficients[8] = {0, 0, 3, 4, 0, -9, 0, 6};
     num_q c[8], piece[8], d[6], t0 = r(1, 5), t1 = r(7, 10);
@@ -64,7 +68,7 @@ FIGURE(piece_of_a_cubic)
     for (int m = 0; m < 6; m++)
         d[m] = mul_q(q(m / 2 + 1), c[m + 2]);
     power_on_interval_q(3, 2, c, t0, t1, piece);
-    svg_panel(s, window(r(-1, 5), r(-1, 5), r(18, 5), r(5, 4)), 560, 0, "$t_0=1/5$, $t_1=7/10$");
+    svg_panel(s, window(r(-1, 5), r(-1, 5), r(39, 10), r(7, 4)), 560, 0, "$t_0=1/5$, $t_1=7/10$");
     put_power_curve(s, 3, c, q(0), q(1), SVG_FAMILY);
     put_power_curve(s, 3, piece, q(0), q(1), SVG_CURVE);
     svg_point P = power_curve_point(3, c, t0), V = power_curve_point(2, d, t0), Q = power_curve_point(3, c, t1);
@@ -94,7 +98,8 @@ FIGURE(fractional_parameter)
     static const enum svg_role roles[3] = {SVG_MUTED, SVG_CURVE, SVG_CURVE_2};
     static const char *const names[3] = {"$p:q=1$", "$p:q=2$", "$p:q=6$"};
     svg *s = svg_new("fractional_parameter", "A fractional change of the parameter",
-                     "Left t as a function of u for three ratios p : q.  Right a cubic with the points of the parameters u = 0, 1/8, ..., 1 "
+                     "Left t as a function of u for three ratios p : q.  Right a cubic with the points of the "
+                     "parameters u = 0, 1/8, ..., 1 "
                      "for the ratio 6: the curve is the same, the points crowd towards its end.");
     svg_panel(s, window(q(0), q(0), q(1), q(1)), 240, 0, "$t=pu/(pu+q(1-u))$");
     svg_axes(s, r(1, 2), r(1, 2), "u", "t");
@@ -111,5 +116,7 @@ FIGURE(fractional_parameter)
     }
     for (int k = 0; k < 3; k++)
         svg_legend_line(s, roles[k], names[k]);
+    svg_legend_mark(s, SVG_CURVE_2, SVG_USUAL, "points for $p:q=6$");
+    svg_legend_mark(s, SVG_MUTED, SVG_USUAL, "points for $p:q=1$");
     return s;
 }

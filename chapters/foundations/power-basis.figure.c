@@ -6,7 +6,8 @@
 FIGURE(infinite_slope_and_two_values)
 {
     svg *s = svg_new("infinite_slope_and_two_values", "A curve with a vertical tangent and two values",
-                     "The parabola ((2t-1) squared, t).  Over x = 1/4 it has two points, and at t = 1/2 its slope is infinite, while "
+                     "The parabola ((2t-1) squared, t).  Over x = 1/4 it has two points, and at t = 1/2 its slope is "
+                     "infinite, while "
                      "its derivative with respect to t is (0, 1).");
     const int coefficients[6] = {1, 0, -4, 1, 4, 0};
     num_q c[6];
@@ -27,7 +28,8 @@ FIGURE(infinite_slope_and_two_values)
 FIGURE(forward_differences)
 {
     svg *s = svg_new("forward_differences", "A table of forward differences",
-                     "A cubic at equidistant parameters.  The first forward difference leads from a point to the next one; the printed "
+                     "A cubic at equidistant parameters.  The first forward difference leads from a point to the next "
+                     "one; the printed "
                      "one, with t - delta, leads back.");
     const int coefficients[8] = {0, 0, 3, 4, 0, -9, 0, 6};
     num_q c[8];
@@ -62,10 +64,12 @@ static long log2_of(num_q x)
 
 FIGURE(stepping_and_rounding)
 {
-    svg *s = svg_new("stepping_and_rounding", "What rounding does to a table of differences",
-                     "The error of the point after i of n steps along 1 + t cubed in binary64, in bits, that is the logarithm of the "
-                     "error in units of 2 to the -53.  For n = 1000 it grows with the cube of the number of steps; for n = 1024 "
-                     "there is none.");
+    svg *s = svg_new(
+        "stepping_and_rounding", "What rounding does to a table of differences",
+        "The error of the point after i of n steps along 1 + t cubed in binary64, in bits, that is the logarithm of "
+        "the "
+        "error in units of 2 to the -53.  For n = 1000 it grows with the cube of the number of steps; for n = 1024 "
+        "there is none.");
     svg_panel(s, window(q(0), q(0), q(1000), q(30)), 480, 280, "bits of error after $i$ steps, $P(t)=1+t^3$");
     svg_axes(s, q(250), q(10), "i", NULL);
     static const int pieces[2] = {1000, 1024};

@@ -151,7 +151,8 @@ CLAIM(chord_turns_into_the_derivative)
 #if RATIONAL
 CLAIM(double_point_has_two_tangents)
 {
-    num c[8] = {from_int(-1), from_int(0), from_int(0), from_int(-1), from_int(1), from_int(0), from_int(0), from_int(1)};
+    num c[8] = {from_int(-1), from_int(0), from_int(0), from_int(-1),
+                from_int(1),  from_int(0), from_int(0), from_int(1)};
     num D[2][4];
     for (int side = 0; side < 2; side++)
         G(power_derivatives)(3, dim, c, from_int(side || T->planted ? 1 : -1), 1, D[side]);
@@ -414,7 +415,8 @@ static num G(phi)(num t)
 
 CLAIM(singular_parameters_of_the_line)
 {
-    num w = unknown(T, "w", 0), five = from_int(5), ten = from_int(10), t = div(add(five, w), T->planted ? from_int(9) : ten);
+    num w = unknown(T, "w", 0), five = from_int(5), ten = from_int(10),
+        t = div(add(five, w), T->planted ? from_int(9) : ten);
     num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2], zero_at = sub(mul(w, w), five);
     G(power_derivatives)(3, 1, c, t, 1, D);
     same(T, D[1], mul(from_ratio(3, 10), zero_at));
@@ -436,11 +438,13 @@ CLAIM(constant_curve_is_a_point)
 #if RATIONAL
 CLAIM(cubic_parameter_stays_on_the_segment)
 {
-    num c[4] = {from_int(0), from_int(T->planted ? 7 : 6), from_int(-15), from_int(10)}, zero = from_int(0), one = from_int(1);
+    num c[4] = {from_int(0), from_int(T->planted ? 7 : 6), from_int(-15), from_int(10)}, zero = from_int(0),
+        one = from_int(1);
     poly phi = poly_from_q(4, c), rest = poly_sub(poly_constant(one), phi);
     poly back = poly_compose(phi, poly_sub(poly_constant(one), poly_variable()));
     agree(T, is_zero_q(poly_value(phi, zero)) && equal_q(poly_value(phi, one), one));
-    agree(T, sign_on(phi, zero, one, CLOSED) == SIGN_NONNEGATIVE && sign_on(rest, zero, one, CLOSED) == SIGN_NONNEGATIVE);
+    agree(T,
+          sign_on(phi, zero, one, CLOSED) == SIGN_NONNEGATIVE && sign_on(rest, zero, one, CLOSED) == SIGN_NONNEGATIVE);
     agree(T, poly_equal(back, rest));
 }
 

@@ -544,7 +544,8 @@ CLAIM(image_keeps_no_chord)
 
 CLAIM(projective_image_is_not_the_curve_of_the_images)
 {
-    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1)}, image[6], w[3], P[2], Q[2];
+    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1)}, image[6], w[3], P[2],
+        Q[2];
     num one = from_int(1), t = from_ratio(1, 2);
     for (int i = 0; i < 3; i++) {
         num below = add(one, R[2 * i + 1]);

@@ -28,10 +28,11 @@ static void put_point(svg *s, svg_point P, enum svg_direction towards, enum svg_
 
 FIGURE(two_cubes_and_their_image)
 {
-    svg *s = svg_new("two_cubes_and_their_image", "One formula, two systems of coordinates, two shapes",
-                     "The points (0, 0) and (10, 10) with the factors (1-t) cubed and t cubed.  Left in the first coordinates "
-                     "the formula gives the segment between them; right in coordinates with the origin (3, 2) it gives an arc "
-                     "that leaves the segment.");
+    svg *s = svg_new(
+        "two_cubes_and_their_image", "One formula, two systems of coordinates, two shapes",
+        "The points (0, 0) and (10, 10) with the factors (1-t) cubed and t cubed.  Left in the first coordinates "
+        "the formula gives the segment between them; right in coordinates with the origin (3, 2) it gives an arc "
+        "that leaves the segment.");
     const int first[4] = {0, 0, 10, 10}, second[4] = {-3, -2, 7, 8};
     for (int k = 0; k < 2; k++) {
         num_q P[4];
@@ -48,17 +49,18 @@ FIGURE(two_cubes_and_their_image)
             put_point(s, at(r(1, 2), r(3, 4)), SVG_SE, SVG_WRONG, "P^*(1/2)");
     }
     svg_legend_line(s, SVG_CURVE, "$(1-t)^3P_0+t^3P_1$");
-    svg_legend_line(s, SVG_WRONG, "the same formula in the other coordinates");
+    svg_legend_line(s, SVG_WRONG, "the same formula");
     svg_legend_line(s, SVG_MUTED, "the segment");
     return s;
 }
 
 FIGURE(rotations_of_the_example)
 {
-    svg *s = svg_new("rotations_of_the_example", "A rotation about the origin, and one about another point",
-                     "The curve of two cubes with the points (3, 0) and (2, 3).  Left its points are turned by a right angle about "
-                     "the origin, and the curve of the turned points is the turned curve.  Right they are turned about (3, 1), "
-                     "and it is not.");
+    svg *s = svg_new(
+        "rotations_of_the_example", "A rotation about the origin, and one about another point",
+        "The curve of two cubes with the points (3, 0) and (2, 3).  Left its points are turned by a right angle about "
+        "the origin, and the curve of the turned points is the turned curve.  Right they are turned about (3, 1), "
+        "and it is not.");
     const int points[4] = {3, 0, 2, 3};
     for (int k = 0; k < 2; k++) {
         num_q P[4], turned[4], centre[2] = {q(k ? 3 : 0), q(k ? 1 : 0)}, c[8], image[8];
@@ -84,11 +86,11 @@ FIGURE(rotations_of_the_example)
         svg_mark(s, svg_pair(centre), SVG_POINT, SVG_RING);
         for (int i = 0; i < 2; i++) {
             put_point(s, svg_pair(P + 2 * i), SVG_E, SVG_POINT, i ? "P_1" : "P_0");
-            put_point(s, svg_pair(turned + 2 * i), k && i ? SVG_W : SVG_NW, SVG_POINT, i ? "P_1^*" : "P_0^*");
+            put_point(s, svg_pair(turned + 2 * i), k && i ? SVG_S : SVG_NW, SVG_POINT, i ? "P_1^*" : "P_0^*");
         }
     }
     svg_legend_line(s, SVG_CURVE, "the curve");
-    svg_legend_line(s, SVG_RIGHT, "the curve turned, and the curve of the turned points");
+    svg_legend_line(s, SVG_RIGHT, "turned, either way");
     svg_legend_line(s, SVG_CURVE_2, "the curve turned");
     svg_legend_line(s, SVG_WRONG, "the curve of the turned points");
     return s;
@@ -104,10 +106,11 @@ static svg_point sum_of_cubes(num_q t, const void *data)
 
 FIGURE(sums_of_functions)
 {
-    svg *s = svg_new("sums_of_functions", "Sums of functions, and what a translation does",
-                     "Left the sum of the two cubes, which is 1 at the ends only, and falls to a quarter; the sum 1 of the "
-                     "Bernstein functions; and the sum 2 of their doubles.  Right a parabola with doubled Bernstein functions: its "
-                     "points are translated by (1, 1/2), and the curve by (2, 1); the shape is kept, the place is not.");
+    svg *s = svg_new(
+        "sums_of_functions", "Sums of functions, and what a translation does",
+        "Left the sum of the two cubes, which is 1 at the ends only, and falls to a quarter; the sum 1 of the "
+        "Bernstein functions; and the sum 2 of their doubles.  Right a parabola with doubled Bernstein functions: its "
+        "points are translated by (1, 1/2), and the curve by (2, 1); the shape is kept, the place is not.");
     svg_panel(s, window(q(0), q(0), q(1), r(9, 4)), 230, 230, "sums of the functions");
     svg_axes(s, r(1, 2), r(1, 4), "t", NULL);
     svg_plot(s, sum_of_cubes, NULL, q(0), q(1), 64, SVG_WRONG);
@@ -133,18 +136,20 @@ FIGURE(sums_of_functions)
     svg_label(s, at(q(3), r(3, 2)), SVG_SE, SVG_POINT, "2m");
     svg_legend_line(s, SVG_WRONG, "$(1-t)^3+t^3$");
     svg_legend_line(s, SVG_RIGHT, "$B_0^n+...+B_n^n$");
-    svg_legend_line(s, SVG_CURVE_2, "doubled, after the translation");
-    svg_legend_line(s, SVG_CURVE, "doubled, before it");
+    svg_legend_line(s, SVG_CURVE_2, "doubled, translated");
+    svg_legend_line(s, SVG_CURVE, "doubled");
     svg_legend_line(s, SVG_POLYGON, "the points $Q_i$");
     return s;
 }
 
 FIGURE(projective_image_of_a_parabola)
 {
-    svg *s = svg_new("projective_image_of_a_parabola", "A projective map of the points is not one of the curve",
-                     "The parabola with the control points (0, 0), (1, 0), (1, 1) and its image under (x, y) to (x/(1+y), y/(1+y)).  "
-                     "The polynomial curve of the images of the control points is another curve; with the weights 1, 1, 2 it is "
-                     "the image.");
+    svg *s = svg_new(
+        "projective_image_of_a_parabola", "A projective map of the points is not one of the curve",
+        "The parabola with the control points (0, 0), (1, 0), (1, 1) and its image under (x, y) to (x/(1+y), y/(1+y)). "
+        " "
+        "The polynomial curve of the images of the control points is another curve; with the weights 1, 1, 2 it is "
+        "the image.");
     const int points[6] = {0, 0, 1, 0, 1, 1};
     num_q R[6], image[6], w[3];
     fractions(6, points, 1, R);
@@ -161,7 +166,7 @@ FIGURE(projective_image_of_a_parabola)
     svg_bezier(s, 2, image, SVG_WRONG);
     svg_rational(s, 2, image, w, SVG_RIGHT);
     svg_legend_line(s, SVG_CURVE, "the curve");
-    svg_legend_line(s, SVG_WRONG, "the polynomial curve of the images");
-    svg_legend_line(s, SVG_RIGHT, "the image of the curve: weights $1,1,2$");
+    svg_legend_line(s, SVG_WRONG, "polynomial, of the images");
+    svg_legend_line(s, SVG_RIGHT, "image of the curve: weights $1,1,2$");
     return s;
 }
