@@ -185,6 +185,7 @@ To first order, which is what the approximation means.  What the second order do
 :given: $P_0=(1,0)$, $\varepsilon=2^{-m}$, $m=1,\dots,8$, $n=1,\dots,12$ steps
 :then: $2^{nm}x_n$ and $2^{nm}y_n$ are integers, and one of them is odd: shifts suffice, and no shorter words do
 :method: Exact rational steps and their denominators.
+:scope: m = 1 to 8, n = 1 to 12 steps from (1, 0)
 :control: one place less
 :::
 
@@ -750,6 +751,7 @@ points stay on it for ever; but they never come back to where they were.
 :method: The traces by the recursion, exactly.  For every $k$: $V_k$ is a polynomial in $2-\varepsilon^2$ with whole
   coefficients and leading coefficient 1, and $2-\varepsilon^2=\frac{2\cdot4^m-1}{4^m}$ is in lowest terms, so $4^{mk}V_k$ is odd:
   the eigenvalues are no roots of unity, because their sum is no algebraic integer.
+:scope: m = 1 to 6, k = 1 to 48 steps
 :control: $\varepsilon=1$, where $V_6=2$
 :::
 
@@ -884,6 +886,7 @@ The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of
 :method: The eigenvalues of $R^2$ are $\lambda$ and $1/\lambda$ with $\lambda+1/\lambda=\tau$; a root of unity has an algebraic integer
   there, and a rational one is whole.  For $r\ge3$, $0<\frac4{r^2}<1$.  Traces 2, $\pm1$, 0, $-2$ would remain: $\tau=-2$ and
   $\tau=1$ occur, with $R^4=1$ and $R^{12}=1$ by the recursion of the traces.
+:scope: r = 1 to 200
 :control: $r$ in the place of $r^2$
 :::
 */

@@ -161,7 +161,7 @@ CLAIM(other_chapters_begin_with_their_first_section)
 
 | section | subject | covered by | open |
 |---|---|---|---|
-| 1-1 | what geometric design is about | | interpolation and approximation of data |
+| 1-1 | what geometric design is about | `one_cubic_passes_through_four_data` `nearest_line_meets_no_datum` | other kinds of data |
 | 1-2 | properties of shapes | `matrices_pass_to_the_points` `translation_adds_the_sum_of_the_functions` `bezier_curve_moves_with_its_points` `curve_points_are_convex_combinations` | solids |
 | 1-3 | circles | `small_steps_multiply_the_radius` `second_orbit_never_closes` `ellipse_lies_between_two_circles` `third_matrix_by_the_radius` | |
 | 1-4 | description of parametric curves | `horner_computes_the_sum_of_powers` `additions_step_along_the_curve` `cusp_of_the_example_is_a_cusp` `sign_of_delta_tells_the_form` `torsion_by_speed_and_curvature` | |

@@ -317,6 +317,7 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :given: $\phi=10t^3-15t^2+6t$ on $[0,1]$
 :then: $\phi(0)=0$, $\phi(1)=1$, $0\le\phi\le1$: by continuity the same segment; moreover $\phi(1-t)=1-\phi(t)$
 :method: Signs of $\phi$ and $1-\phi$ on the interval by root counts; the symmetry as polynomials.
+:scope: t from 0 to 1
 :control: the coefficient 7 in the place of 6
 :::
 
@@ -370,6 +371,7 @@ refers to it.
 :given: $\phi'=6(5t^2-5t+1)$ on $[0,1]$
 :then: it is positive at 0 and at 1, negative at $\frac12$, and has two roots, both changes of sign, in $(0,1)$
 :method: Root counts and values, exactly.
+:scope: t from 0 to 1
 :control: the constant 2 in the place of 1
 :::
 

@@ -8,6 +8,14 @@ example, and asks for the condition that excludes it.
 
 ## The example
 
+:::{statement} hu-1987:1-2-1
+:title: The curve of the example
+:zh: 例:两点的参数曲线
+:definition: yes
+:printed: P(t)=A_0(t)\,P_0+A_1(t)\,P_1\qquad(0\le t\le1)
+:checked-by: two_cubes_begin_and_end_at_their_points
+:::
+
 :::{statement} hu-1987:1-2-example-ends
 :title: The two factors of the example at the ends of the interval
 :zh: 例中调和函数的端值
@@ -176,6 +184,7 @@ is an arc of an irreducible cubic curve, with inflections exactly at $P_0^*$ and
 :then: $P'\times P''$ has no zero in $(0,1)$, and zeros at 0 and 1
 :method: $P'\times P''$ as a polynomial of $t$, by the kernels for cubics; its sign on the open interval and on the closed
   one by root counts.
+:scope: t from 0 to 1
 :control: $P_0^*=(0,0)$
 :::
 
@@ -418,6 +427,7 @@ CLAIM(rotation_about_a_point_moves_the_example)
 :given: $(1-t)^3+t^3$ on $[0,1]$
 :then: $(1-t)^3+t^3-1$ is negative on $(0,1)$; the smallest value of the sum is $\frac14$, at $t=\frac12$
 :method: Signs of two polynomials on the interval, by root counts: of the sum minus 1, and of the sum minus $\frac14$.
+:scope: t from 0 to 1
 :control: the sum $(1-t)^3+3(1-t)^2t+3(1-t)t^2+t^3$
 :::
 */
