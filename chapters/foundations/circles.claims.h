@@ -584,8 +584,8 @@ CLAIM(second_form_is_an_ellipse)
   exact circle.
 :holds-by: ellipse_lies_between_two_circles
 :reading: ellipse_lies_between_two_circles | By how much the ellipse leaves the circle of radius $r$ outwards, relative to $r$.
-:reading: inward_error_of_the_ellipse_is_larger | The largest error in either direction: this is $1-\sqrt{1-s}$, inwards, and a
-  little larger than the printed $\sqrt{1+s}-1$.
+:reading: ellipse_leaves_the_circle_by_more | The largest error in either direction: this is $1-\sqrt{1-s}$, inwards, and for every
+  $s$ a little larger than the printed $\sqrt{1+s}-1$ (`inward_error_of_the_ellipse_is_larger`).
 :figure: ellipse_of_the_second_way
 :::
 
@@ -606,6 +606,16 @@ CLAIM(second_form_is_an_ellipse)
 :then: $\sqrt{1+s}-1<\frac s2<1-\sqrt{1-s}$
 :method: $(1+\frac s2)^2-(1+s)$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
 :control: $\frac s4$ in the place of $\frac s2$
+:::
+
+:::{claim} ellipse_leaves_the_circle_by_more
+:title: Inwards the ellipse leaves the circle by more than the printed error
+:zh: 椭圆向内偏离大于印刷的误差
+:kind: counterexample
+:given: $m=4$, $s=\frac1{32}$, $a=1+s$
+:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false
+:method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1+a)^2\le4a$.
+:control: $s=0$, the circle
 :::
 
 :::{statement} hu-1987:1-3-error-approximation
@@ -710,6 +720,15 @@ static int in_tenths_of_a_percent(num x)
     while (compare_q(x, from_ratio(2 * k + 1, 2000)) >= 0)
         k++;
     return k;
+}
+
+CLAIM(ellipse_leaves_the_circle_by_more)
+{
+    num a = add(from_int(1), from_ratio(T->planted ? 0 : 1, 32)), once = add(from_int(1), a);
+    show(T, "1 + s", a);
+    show(T, "(2 + s)^2 - 4 (1 + s)", sub(mul(once, once), mul(from_int(4), a)));
+    about(T, "whether the inward error is at most the outward one");
+    agree(T, compare_q(mul(once, once), mul(from_int(4), a)) <= 0);
 }
 
 CLAIM(printed_error_is_twice_the_error)

@@ -186,7 +186,7 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
 :holds-by: multiplications_are_six_and_three
 :reading: multiplications_are_six_and_three | Powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one coordinate: 6
   become 3.
-:reading: multiplications_with_kept_powers | With $t^2$ and $t^3=t^2\cdot t$ kept, it is 5 that become 3 for one coordinate, and
+:reading: kept_powers_need_five | With $t^2$ and $t^3=t^2\cdot t$ kept, it is 5 that become 3 for one coordinate, and
   $2+3d$ that become $3d$ for $d$ coordinates.
 :::
 
@@ -199,6 +199,16 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
 :method: The definition's loop and the kernel are run in a number type that counts.
 :scope: degrees 1 to 12
 :control: the powers kept from term to term
+:::
+
+:::{claim} kept_powers_need_five
+:title: With the powers kept five multiplications are enough before Horner's rule
+:zh: 保留幂次时只需五次乘法
+:kind: counterexample
+:given: degree 3, one coordinate, $t^2$ and $t^3$ computed once
+:then: 5 multiplications, not 6
+:method: The loop is run in the number type that counts.
+:control: every power multiplied out anew
 :::
 
 :::{claim} multiplications_with_kept_powers
@@ -262,6 +272,13 @@ CLAIM(multiplications_are_six_and_three)
         agree(T, powers.multiplications == n * (n + 1) / 2 && powers.additions == n);
         agree(T, horner.multiplications == n && horner.additions == n && horner.shifts == 0);
     }
+}
+
+CLAIM(kept_powers_need_five)
+{
+    int multiplications = cost_of_powers(3, 1, !T->planted).multiplications;
+    about(T, "the multiplications before Horner's rule");
+    same(T, from_int(multiplications), from_int(6));
 }
 
 CLAIM(multiplications_with_kept_powers)

@@ -384,9 +384,9 @@ CLAIM(rotation_about_a_point_moves_the_example)
 :printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
 :holds-by: translation_adds_the_sum_of_the_functions
 :reading: translation_adds_the_sum_of_the_functions | The curve moves along with its points: sufficient and necessary.
-:reading: doubled_functions_keep_the_shape | The curve keeps its shape, wherever it goes: sufficient, but not necessary.  A
-  constant sum is enough, and then necessary, too: with all $Q_i=0$ the curve is a point, and its image $\{s(t)\,m\}$ is one
-  only if the sum $s$ is constant.
+:reading: shape_is_kept_without_the_sum_one | The curve keeps its shape, wherever it goes: sufficient, but not necessary.  A
+  constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all $Q_i=0$ the curve is a point, and its
+  image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
 :figure: sums_of_functions
 :::
 
@@ -410,6 +410,16 @@ CLAIM(rotation_about_a_point_moves_the_example)
 :method: Both curves by de Casteljau's algorithm on doubled points, at a variable $t$ with variable points and $m$.
 :degrees: 1..6 sampled 12
 :control: the curve translated by $m$
+:::
+
+:::{claim} shape_is_kept_without_the_sum_one
+:title: A segment keeps its shape although the sum of its functions is 2
+:zh: 函数和为 2 的线段保持形状
+:kind: counterexample
+:given: $\phi_0=2(1-t)$, $\phi_1=2t$, $Q_0=(0,0)$, $Q_1=(1,0)$, $m=(1,1)$, $t=0,\frac12,1$
+:then: $P^*(t)-P(t)=(2,2)$ for all three $t$, and the segments are congruent; $\phi_0+\phi_1=2\ne1$
+:method: The points, exactly; that the sum is 1 is refuted.
+:control: $\phi_0=1-t$, $\phi_1=t$
 :::
 
 :::{statement} hu-1987:1-2-example-cauchy
@@ -473,6 +483,20 @@ CLAIM(doubled_functions_keep_the_shape)
 }
 
 #if RATIONAL
+CLAIM(shape_is_kept_without_the_sum_one)
+{
+    int factor = T->planted ? 1 : 2;
+    for (int k = 0; k <= 2; k++) {
+        num t = from_ratio(k, 2), left = mul(from_int(factor), sub(from_int(1), t)), right = mul(from_int(factor), t);
+        num before = right, after = add(mul(left, from_int(1)), mul(right, from_int(2))); /* Q_0 = 0, Q_1 = 1; m = 1 */
+        agree(T, equal_q(sub(after, before), from_int(factor)));
+        agree(T, equal_q(add(mul(left, from_int(1)), mul(right, from_int(1))), from_int(factor)));
+        show(T, "t", t);
+        about(T, "the sum of the functions");
+        same(T, add(left, right), from_int(1));
+    }
+}
+
 CLAIM(sum_of_two_cubes_is_less_than_one)
 {
     poly t = poly_variable(), s = poly_sub(poly_constant(from_int(1)), t);
