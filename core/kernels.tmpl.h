@@ -11,4 +11,6 @@
 #include "core/nurbs.tmpl.h"
 #include "core/power.tmpl.h"
 #include "core/cubic_shape.tmpl.h"
+#include "core/divided.tmpl.h"
+#include "core/bspline_matrix.tmpl.h"
 /* clang-format on */
