@@ -169,7 +169,7 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` | surfaces |
 | 1-7 | points of parametric surfaces | | all of it |
 | 1-8 | control of the shape of surfaces | | all of it |
-| 1-9 | interpolation by Lagrange | | all of it |
+| 1-9 | interpolation by Lagrange | `one_cubic_passes_through_four_data` `divided_difference_is_leading_coefficient` | parameters for points |
 | 2-1 | display in space | | all of it |
 | 2-2 | affine maps | `bezier_curve_moves_with_its_points` `total_degree_survives_affine_maps` | maps of space as matrices |
 | 2-3 | projective maps | `projective_image_is_not_the_curve_of_the_images` `projective_change_of_unit_interval_is_fractional` | maps of the plane |
@@ -186,7 +186,7 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 3-4 | choice of coordinates | | all of it |
 | 3-5 | an algorithm for hidden parts | | all of it |
 | 3-6 | another algorithm for hidden parts | | all of it |
-| 4-1 | interpolation by Hermite | `end_data_determine_the_cubic` | other degrees |
+| 4-1 | interpolation by Hermite | `end_data_determine_the_cubic` `osculation_is_divisibility` |  |
 | 4-2 | Ferguson's curves, first part | `end_data_determine_the_cubic` `other_lengths_give_another_cubic` | splines |
 | 4-3 | Ferguson's curves, second part | `conditions_make_one_curve_in_another_parameter` `cusps_are_on_a_hyperbola` | splines |
 | 4-4 | Ferguson's surfaces | | all of it |
@@ -202,15 +202,15 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 5-5 | Bézier surfaces | | all of it |
 | 5-6 | triangular patches | | all of it |
 | 5-7 | interpolating cubic Bézier curves | `end_data_determine_the_cubic` | systems of equations |
-| 6-1 | uniform cubic B-spline curves | `bspline_basis_follows_definition` | the matrices |
+| 6-1 | uniform cubic B-spline curves | `uniform_matrix_is_the_matrix` `matrix_gives_homogeneous_curve` | geometric properties of the cubic |
 | 6-2 | uniform B-spline surfaces | | all of it |
-| 6-3 | B-splines by divided differences | | all of it |
-| 6-4 | B-splines by recursion | `bspline_basis_follows_definition` | |
-| 6-5 | forms of B-spline curves | | all of it |
+| 6-3 | B-splines by divided differences | `column_by_differences_is_the_function` `truncated_power_gives_the_basis` |  |
+| 6-4 | B-splines by recursion | `bspline_basis_follows_definition` `basis_is_a_partition_of_unity` |  |
+| 6-5 | forms of B-spline curves | `clamped_end_is_the_first_point` `periodic_data_close_the_curve` `bezier_curves_are_nurbs_curves` |  |
 | 6-6 | points of curves from data | | all of it |
 | 6-7 | points of surfaces from data | | all of it |
-| 6-8 | de Boor's algorithm | | all of it |
-| 6-9 | insertion of knots | | all of it |
+| 6-8 | de Boor's algorithm | `rational_triangle_gives_the_point` `every_level_divides_its_edges` |  |
+| 6-9 | insertion of knots | `printed_insertion_keeps_the_curve` `inserted_points_divide_the_edges` |  |
 | 6-10 | Chaikin's algorithm | | all of it |
 | 6-11 | interpolating B-splines | | all of it |
 | 7-1 | plane rational curves | `rational_point_is_weighted_mean` `equal_invariants_give_same_curve` | |
