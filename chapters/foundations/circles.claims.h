@@ -847,6 +847,13 @@ CLAIM(second_step_of_one_closes_after_six)
 The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of a pixel.
 :::
 
+:::{statement} hu-1987:1-3-third-angle
+:title: The angle of the third way
+:zh: 第三种方法的转角
+:printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
+:holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
+:::
+
 :::{claim} unit_height_is_not_unit_distance
 :title: At height one the second point is farther than one from the first
 :zh: 高度为一而距离大于一

@@ -192,7 +192,7 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
 :title: Directions and lengths of the tangents have influence on the shape
 :zh: 切矢的方向与大小均影响形状
 :printed: Not only the direction of a tangent vector, its length, too, influences the shape of the curve.
-:holds-by: other_lengths_give_another_cubic
+:holds-by: each_form_occurs
 :figure: lengths_of_the_tangents
 :::
 
@@ -372,7 +372,7 @@ $t=0$ and stays on one side.
 :title: A cubic has at most two inflections
 :zh: 参数三次曲线至多有两个拐点
 :printed: So a parametric cubic has at most two inflections.
-:holds-by: turning_of_a_cubic_is_quadratic forms_by_the_lengths_of_the_tangents
+:holds-by: turning_of_a_cubic_is_quadratic each_form_occurs
 :hypothesis: line_has_curvature_zero_everywhere | The cubic is no line.  On a line every point has curvature 0.
 :::
 
@@ -492,10 +492,11 @@ CLAIM(line_has_curvature_zero_everywhere)
 :title: The forms of a cubic
 :zh: 参数三次曲线的几种形态
 :printed: The forms of parametric cubics contain the ordinary one, the cusp, the closed loop, and that with inflections (figure 1-7).
-:holds-by: forms_by_the_lengths_of_the_tangents sign_of_delta_tells_the_form
+:holds-by: each_form_occurs sign_of_delta_tells_the_form
 :figure: forms_of_a_cubic
 
-No others occur: which it is, is decided by $\delta=3b^2-4ac$ on the whole curve, and by the lengths of the tangents on the arc.
+Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve, and by the lengths of the tangents on the arc
+(`forms_by_the_lengths_of_the_tangents`).
 :::
 
 :::{claim} sign_of_delta_tells_the_form
@@ -529,6 +530,16 @@ No others occur: which it is, is decided by $\delta=3b^2-4ac$ on the whole curve
   $P'\times P''(0)=-2\alpha(3-2\beta)\,w$ and $P'\times P''(1)=-2\beta(3-2\alpha)\,w$
 :method: The cubic of the ends, the kernels, everything a variable.  For $\alpha=\beta=1$ the curve is a parabola.
 :control: $(\alpha-2)(\beta-2)-2$
+:::
+
+:::{claim} each_form_occurs
+:title: With the same ends and directions all forms occur
+:zh: 端点与切向相同而形态各异
+:kind: decision
+:given: the triangle $(0,0),(1,2),(3,0)$ and $(\alpha,\beta)=(\frac12,\frac12),(1,3),(2,2),(3,3),(4,4)$
+:then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
+:method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
+:control: $(1,3)$ in the place of $(\frac12,\frac12)$
 :::
 
 :::{claim} forms_by_the_lengths_of_the_tangents
@@ -653,6 +664,20 @@ static void events_of(num alpha, num beta, int *inflections, int *doubles, num *
     *inflections = count_roots(poly_from_q(3, f), zero, one, OPEN).distinct;
     *doubles = count_roots(poly_from_q(3, g), zero, one, OPEN).distinct;
     *delta = G(cubic_delta)(m);
+}
+
+CLAIM(each_form_occurs)
+{
+    static const int halves[5][2] = {{1, 1}, {2, 6}, {4, 4}, {6, 6}, {8, 8}};
+    static const int forms[5][3] = {
+        {0, 0, -1}, {1, 0, 1}, {2, 0, 1}, {1, 1, 0}, {0, 2, -1}}; /* and the sign of delta */
+    for (int k = 0; k < 5; k++) {
+        const int *used = halves[T->planted && k == 0 ? 1 : k];
+        int inflections, doubles;
+        num delta;
+        events_of(from_ratio(used[0], 2), from_ratio(used[1], 2), &inflections, &doubles, &delta);
+        agree(T, inflections == forms[k][0] && doubles == forms[k][1] && sign_q(delta) == forms[k][2]);
+    }
 }
 
 CLAIM(forms_by_the_lengths_of_the_tangents)
