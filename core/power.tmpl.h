@@ -19,7 +19,7 @@ static inline void G(power_point)(int n, int dim, const num c[restrict], num t, 
 }
 
 /* The n coefficients k c_k of P', in place; the last one is left as it was.  Nothing happens for n = 0. */
-static inline void G(power_derivative)(int n, int dim, num c[])
+static inline void G(power_hodograph)(int n, int dim, num c[])
 {
     for (int k = 0; k < n; k++)
         for (int j = 0; j < dim; j++)
@@ -34,7 +34,7 @@ static inline void G(power_derivatives)(int n, int dim, const num c[restrict], n
         w[m] = c[m];
     for (int k = 0; k <= r && k <= n; k++) {
         G(power_point)(n - k, dim, w, t, out + k * dim);
-        G(power_derivative)(n - k, dim, w);
+        G(power_hodograph)(n - k, dim, w);
     }
     for (int m = (n + 1) * dim; m < (r + 1) * dim; m++)
         out[m] = from_int(0);

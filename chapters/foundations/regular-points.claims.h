@@ -101,7 +101,7 @@ CLAIM(regularity_is_a_sum_of_squares)
 :method: The quotient is formed in the field, $h=0$ put in, and compared with the derivative by the kernel.
 :types: field
 :degrees: 1..6
-:defines: power_derivative power_derivatives
+:defines: power_hodograph power_derivatives
 :control: $P'(t)$ with the coefficient $n-1$ in the place of $n$
 :::
 
@@ -126,7 +126,7 @@ CLAIM(chord_turns_into_the_derivative)
     G(power_derivatives)(n, space, c, t, n + 1, D);
     for (int m = 0; m < (n + 1) * space; m++)
         e[m] = c[m];
-    G(power_derivative)(n, space, e);
+    G(power_hodograph)(n, space, e);
     G(power_point)(n - 1, space, e, t, value);
     for (int j = 0; j < space; j++) {
         num at = G(power_sum)(n, space, c, j, t), there = G(power_sum)(n, space, c, j, add(t, h));

@@ -674,7 +674,7 @@ REFERENCE(power_point)
         out[at] = derivative_at(D->n, c, 0, D->t);
     }
 }
-REFERENCE(power_derivative)
+REFERENCE(power_hodograph)
 {
     for (int k = 0; k <= D->n; k++)
         for (int at = 0; at < D->dim; at++)

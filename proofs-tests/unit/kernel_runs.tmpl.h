@@ -372,11 +372,11 @@ RUN(power_point)
     G(power_point)(D->n, D->dim, D->x, D->t, out);
     return D->dim;
 }
-RUN(power_derivative)
+RUN(power_hodograph)
 {
     for (int m = 0; m < (D->n + 1) * D->dim; m++)
         out[m] = D->x[m];
-    G(power_derivative)(D->n, D->dim, out);
+    G(power_hodograph)(D->n, D->dim, out);
     return (D->n + 1) * D->dim;
 }
 RUN(power_derivatives)

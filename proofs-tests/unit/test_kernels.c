@@ -25,9 +25,10 @@
     _(bernstein)                                                                                                       \
     _(bernstein_derivatives)                                                                                           \
     _(bernstein_product)                                                                                               \
-    _(elevation_matrix) _(bernstein_to_power) _(power_to_bernstein) _(bernstein_on_interval) _(decasteljau)            \
-        _(horner_bernstein) _(bezier_differences) _(bezier_derivatives) _(bezier_split) _(bezier_elevate) _(blossom)   \
-            _(bezier_on_interval) _(rational_homogenize) _(rational_dehomogenize) _(rational_weight) _(rational_point) \
+    _(elevation_matrix)                                                                                                \
+    _(bernstein_to_power) _(power_to_bernstein) _(bernstein_on_interval) _(decasteljau) _(horner_bernstein)            \
+        _(bezier_differences) _(bezier_derivatives) _(bezier_split) _(bezier_elevate) _(blossom) _(bezier_on_interval) \
+            _(rational_homogenize) _(rational_dehomogenize) _(rational_weight) _(rational_point)                       \
                 _(rational_derivatives) _(rational_decasteljau) _(rational_split) _(rational_elevate)                  \
                     _(rational_reparametrize) _(rational_invariants) _(rational_standard_form) _(dot) _(norm_squared)  \
                         _(cross2) _(cross3) _(det3) _(gram) _(curvature_squared) _(curvature) _(signed_curvature)      \
@@ -37,7 +38,7 @@
                                         _(circular_arc_invariant) _(circular_arc_weights) _(circle_of_arc)             \
                                             _(determinant) _(sylvester) _(bezout) _(resultant) _(bezout_resultant)     \
                                                 _(implicit_coefficients) _(implicit_value) _(power_point)              \
-                                                    _(power_derivative) _(power_derivatives) _(power_differences)      \
+                                                    _(power_hodograph) _(power_derivatives) _(power_differences)       \
                                                         _(difference_step) _(scaled_difference_step)                   \
                                                             _(power_on_interval) _(cubic_minors)                       \
                                                                 _(inflection_polynomial) _(cubic_delta)                \
