@@ -658,6 +658,128 @@ REFERENCE(circle_of_arc)
     out[2] = product_of(2, radius, radius);
 }
 
+/* ## Curves in powers */
+
+/* The coefficients of coordinate `at` of a curve in powers. */
+static void coordinate_of(int n, int dim, const num x[], int at, num c[])
+{
+    for (int k = 0; k <= n; k++)
+        c[k] = x[k * dim + at];
+}
+REFERENCE(power_point)
+{
+    num c[MAX_DEGREE + 1];
+    for (int at = 0; at < D->dim; at++) {
+        coordinate_of(D->n, D->dim, D->x, at, c);
+        out[at] = derivative_at(D->n, c, 0, D->t);
+    }
+}
+REFERENCE(power_hodograph)
+{
+    for (int k = 0; k <= D->n; k++)
+        for (int at = 0; at < D->dim; at++)
+            out[k * D->dim + at] = k < D->n ? mul(from_int(k + 1), D->x[(k + 1) * D->dim + at]) : D->x[k * D->dim + at];
+}
+REFERENCE(power_derivatives)
+{
+    num c[MAX_DEGREE + 1];
+    for (int at = 0; at < D->dim; at++) {
+        coordinate_of(D->n, D->dim, D->x, at, c);
+        for (int k = 0; k <= D->r; k++)
+            out[k * D->dim + at] = derivative_at(D->n, c, k, D->t);
+    }
+}
+/* The alternating sum of the values at 0, delta, ..., k delta. */
+REFERENCE(power_differences)
+{
+    int n = degree_of_table_q(D);
+    num c[MAX_DEGREE + 1];
+    for (int at = 0; at < D->dim; at++) {
+        coordinate_of(n, D->dim, D->x, at, c);
+        for (int k = 0; k <= n; k++) {
+            num sum = from_int(0);
+            for (int i = 0; i <= k; i++) {
+                num term = mul(choose(k, i), derivative_at(n, c, 0, mul(from_int(i), D->t)));
+                sum = (k - i) % 2 == 0 ? add(sum, term) : sub(sum, term);
+            }
+            out[k * D->dim + at] = sum;
+        }
+    }
+}
+/* After r steps row k is the sum of C(r, i) step^i times row k + i. */
+static void stepped(const struct data_q *D, num step, num out[])
+{
+    int n = degree_of_table_q(D);
+    for (int k = 0; k <= n; k++)
+        for (int at = 0; at < D->dim; at++) {
+            num sum = from_int(0);
+            for (int i = 0; i <= D->r && k + i <= n; i++)
+                sum = add(sum, mul(mul(choose(D->r, i), power(step, i)), D->x[(k + i) * D->dim + at]));
+            out[k * D->dim + at] = sum;
+        }
+}
+REFERENCE(difference_step) { stepped(D, from_int(1), out); }
+REFERENCE(scaled_difference_step) { stepped(D, D->t, out); }
+REFERENCE(power_on_interval)
+{
+    num c[MAX_DEGREE + 1], d[MAX_DEGREE + 1];
+    for (int at = 0; at < D->dim; at++) {
+        coordinate_of(D->n, D->dim, D->x, at, c);
+        compose(D->n, c, D->t, sub(D->u, D->t), d);
+        for (int k = 0; k <= D->n; k++)
+            out[k * D->dim + at] = d[k];
+    }
+}
+
+/* ## Plane cubics */
+
+REFERENCE(cubic_minors)
+{
+    num AB[4] = {D->x[6], D->x[7], D->x[4], D->x[5]}, AC[4] = {D->x[6], D->x[7], D->x[2], D->x[3]};
+    out[0] = eliminate(2, AB);
+    out[1] = eliminate(2, AC);
+    out[2] = neg(eliminate(2, D->x + 2)); /* B x C, where x has C before B */
+}
+/* P' x P'' at 0, 1 and -1 gives its three coefficients. */
+REFERENCE(inflection_polynomial)
+{
+    num c[2][4], value[3];
+    for (int j = 0; j < 2; j++)
+        coordinate_of(3, 2, D->x, j, c[j]);
+    for (int i = 0; i < 3; i++) {
+        num t = from_int(i == 2 ? -1 : i), d[4];
+        for (int k = 0; k < 4; k++)
+            d[k] = derivative_at(3, c[k % 2], 1 + k / 2, t);
+        value[i] = eliminate(2, d);
+    }
+    num half = from_ratio(1, 2);
+    out[0] = value[0];
+    out[1] = mul(half, sub(value[1], value[2]));
+    out[2] = sub(mul(half, add(value[1], value[2])), value[0]);
+}
+/* A twelfth of the discriminant of P' x P''. */
+REFERENCE(cubic_delta)
+{
+    num f[3];
+    reference_inflection_polynomial(D, f);
+    out[0] = div(sub(mul(f[1], f[1]), mul(from_int(4), mul(f[0], f[2]))), from_int(12));
+}
+/* a^2 times the polynomial with the sum -b/a and the product b^2/a^2 - c/a of its roots. */
+REFERENCE(double_point_polynomial)
+{
+    num m[3];
+    reference_cubic_minors(D, m);
+    num p = div(m[1], m[0]), square = power(m[0], 2);
+    out[2] = square;
+    out[1] = mul(square, p);
+    out[0] = mul(square, sub(mul(p, p), div(m[2], m[0])));
+}
+REFERENCE(cubic_double_point)
+{
+    out[0] = D->x[0];
+    out[1] = D->x[1];
+}
+
 typedef void reference(const struct data_q *D, num out[]);
 #define ENTRY(name) reference_##name,
 static reference *const references[] = {ALL_KERNELS(ENTRY)};

@@ -32,7 +32,10 @@
     _(torsion) _(rational_curvature_squared) _(rational_torsion) _(line_through) _(line_pair) _(conic_pencil)          \
     _(liming) _(conic_value) _(conic_gradient) _(conic_delta) _(conic_determinant) _(conic_of_bezier)                  \
     _(conic_standard_weight) _(shoulder_point) _(circular_arc_invariant) _(circular_arc_weights) _(circle_of_arc)      \
-    _(determinant) _(sylvester) _(bezout) _(resultant) _(bezout_resultant) _(implicit_coefficients) _(implicit_value)
+    _(determinant) _(sylvester) _(bezout) _(resultant) _(bezout_resultant) _(implicit_coefficients) _(implicit_value)  \
+    _(power_point) _(power_hodograph) _(power_derivatives) _(power_differences) _(difference_step)                     \
+    _(scaled_difference_step) _(power_on_interval) _(cubic_minors) _(inflection_polynomial) _(cubic_delta)             \
+    _(double_point_polynomial) _(cubic_double_point)
 /* clang-format on */
 
 #define ENTRY(name) #name,
