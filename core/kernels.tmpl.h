@@ -9,4 +9,5 @@
 #include "core/determinant.tmpl.h"
 #include "core/bspline.tmpl.h"
 #include "core/nurbs.tmpl.h"
+#include "core/shape_parameter.tmpl.h"
 /* clang-format on */
