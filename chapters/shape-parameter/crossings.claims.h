@@ -261,7 +261,7 @@ none; so together with the ends there are never more than two common points.
 :title: The printed curve of a convex polygon meets a line four times
 :zh: 按式 (1) 凸多边形的曲线与直线有四个交点
 :kind: counterexample
-:given: $\beta=1$, $P_0=(0,100)$, $P_i=(i,101)$ for $i=1,\dots,6$, $P_7=(7,100)$, the line $y=\frac{201}2$
+:given: $\beta=1$, $P_0=(0,100)$, $P_i=(i,101)$ for $i=1,\dots,6$, $P_7=(7,100)$, the line $y=\frac{401}4$
 :then: the polygon is convex and crosses the line twice, the curve crosses it four times
 :method: As before.
 :control: the corrected functions
@@ -513,7 +513,7 @@ CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
         P[i * dim] = from_int(i);
         P[i * dim + 1] = from_int(i == 0 || i == 7 ? 100 : 101);
     }
-    struct curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), G(horizontal)(from_ratio(201, 2)));
+    struct curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), G(horizontal)(from_ratio(401, 4)));
     about(T, "the polygon is not convex, or there are at most two common points");
     agree(T, !polygon_is_convex(7, P, 0, NULL) || m.common_closed <= 2);
 }

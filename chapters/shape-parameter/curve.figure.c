@@ -9,7 +9,7 @@ static void nine_curves(svg *s, const num_q P[])
     put_curve(s, 0, 7, P, q(1), SVG_CURVE);
     svg_legend_line(s, SVG_CURVE, "$β=1$");
     svg_legend_line(s, SVG_CURVE_2, "$β=0$, the Bézier curve");
-    svg_legend_line(s, SVG_FAMILY, "$β=-1,\\dots,-5$");
+    svg_legend_line(s, SVG_FAMILY, "$β=-1,...,-5$");
     svg_legend_line(s, SVG_WRONG, "$β=-6,-7$, outside the true range");
 }
 
@@ -43,7 +43,7 @@ FIGURE(petals)
     num_q P[16];
     points(8, from, P);
     svg_panel(s, window(q(-8), q(-1), q(8), q(13)), 380, 0, NULL);
-    svg_control_polygon(s, 7, P, NULL);
+    svg_polyline(s, 8, P, SVG_POLYGON);
     nine_curves(s, P);
     return s;
 }
@@ -92,7 +92,7 @@ FIGURE(hull_and_sum)
         svg_panel(s, window(r(-1, 2), sub_q(up, r(1, 2)), r(15, 2), add_q(up, r(11, 2))), 340, 0,
                   far ? "the points $P_i+(0,100)$" : "the points $P_i$");
         svg_area(s, 8, P, SVG_FILL);
-        svg_control_polygon(s, 7, P, NULL);
+        svg_polyline(s, 8, P, SVG_POLYGON);
         put_curve(s, 1, 7, P, q(1), SVG_WRONG);
         put_curve(s, 0, 7, P, q(1), SVG_RIGHT);
         svg_frame(s);

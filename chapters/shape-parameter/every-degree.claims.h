@@ -147,7 +147,7 @@ CLAIM(blend_is_convex_from_minus_two_to_one)
 :title: In degree six the range -n to 1 is too wide for the first time
 :zh: 六次起 -n≤β≤1 不再保证非负
 :kind: counterexample
-:given: $n=6$, $\beta=-6$, $t=\frac1{10}$
+:given: $n=6$, $\beta=-6$, $t=\frac1{20}$
 :then: $B_{2,6}(t)<0$; up to degree 5 the range $-n\le\beta\le1$ is right
 :method: The value of the function, exactly.
 :control: $n=5$, $\beta=-5$
@@ -204,7 +204,7 @@ CLAIM(range_of_every_degree)
 CLAIM(pattern_breaks_in_degree_six)
 {
     int n = T->planted ? 5 : 6;
-    num beta = from_int(-n), t = from_ratio(1, 10), B[7];
+    num beta = from_int(-n), t = from_ratio(1, 20), B[7];
     G(shape_basis)(n, beta, t, B);
     show_text(T, "n", "%d", n);
     show(T, "beta", beta);
