@@ -30,7 +30,7 @@ The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is
 :corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
   corrected_functions_are_mirror_images
 :figure: eight_functions
-:striking: 1
+:striking: 7
 
 The corrected functions have the rule that the printed ones nearly show, and have it in every degree:
 $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with $a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.
@@ -330,7 +330,7 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 :corrected: all eight functions, printed or corrected, are nonnegative on $[0,1]$ exactly for $-\frac{21}4\le\beta\le1$
 :corrected-by: nonnegative_exactly_in_the_range
 :figure: negative_function
-:striking: 2
+:striking: 8
 
 For degrees up to five the range $-n\le\beta\le1$ would have been right: see `every-degree`.
 :::
@@ -861,7 +861,7 @@ $t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
   printed ones $\hat B_4$ increases, $\hat B_3$ only for $t<\frac59$
 :corrected-by: slopes_in_beta signs_of_the_slopes
 :figure: slopes_in_beta
-:striking: 3
+:striking: 9
 
 With the sum 1, seven functions cannot behave as printed without a reason; here four of them do not.
 :::

@@ -22,7 +22,7 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
   roots_are_at_most_sign_changes averages_between_neighbours_keep_sign_changes
   third_function_has_a_zero_for_every_smaller_beta printed_sum_in_closed_form
 :figure: crossings_off_the_polygon
-:striking: 6
+:striking: 12
 :::
 
 :::{statement} deng-zhang-2022:property-3.6-SA

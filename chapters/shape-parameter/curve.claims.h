@@ -444,7 +444,7 @@ As printed, with one meaning of $B_1$, the ends of the chain say that every curv
   do no harm
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
 :figure: hull_and_sum
-:striking: 4
+:striking: 10
 :::
 
 :::{statement} deng-zhang-2022:property-3.4-affine
@@ -707,7 +707,7 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
   quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
-:striking: 5
+:striking: 11
 
 The first refutation is for both senses at once.  Three points and a cubic are treated in `every-degree`.
 :::

@@ -157,11 +157,13 @@ FIGURE(closer_or_not)
     return s;
 }
 
-/* The picture of a point of space. */
+/* The picture of a point of space: the shear that takes z = xy to z = (x - 7/2)(y - 7/2), seen from the side. */
 static void project(const num_q X[], num_q out[])
 {
-    out[0] = add_q(X[0], mul_q(r(1, 2), X[1]));
-    out[1] = add_q(mul_q(r(2, 5), X[1]), mul_q(r(1, 8), X[2]));
+    num_q x = sub_q(X[0], r(7, 2)), y = sub_q(X[1], r(7, 2));
+    num_q height = sub_q(sub_q(X[2], mul_q(r(7, 2), add_q(X[0], X[1]))), r(-49, 4));
+    out[0] = sub_q(x, mul_q(r(4, 5), y));
+    out[1] = add_q(div_q(add_q(x, y), q(4)), div_q(height, q(6)));
 }
 
 FIGURE(shape_surface)
@@ -178,7 +180,7 @@ FIGURE(shape_surface)
             P[(i * 8 + j) * 3 + 2] = q(i * j);
         }
     for (int surface = 0; surface <= 1; surface++) {
-        svg_panel(s, window(r(-1, 2), r(-1, 2), q(11), q(10)), 330, 0,
+        svg_panel(s, window(q(-7), r(-5, 2), q(7), q(4)), 330, 0,
                   surface ? "the parameter lines of $β=-5$" : "the net");
         for (int direction = 0; direction < 2; direction++)
             for (int i = 0; i <= 7; i++) {
@@ -188,7 +190,7 @@ FIGURE(shape_surface)
                         shape_surface_point_q(7, 7, 3, P, q(-5), q(-5), r(row, 7), r(column, 7), X);
                     project(surface ? X : P + (row * 8 + column) * 3, line + 2 * j);
                 }
-                svg_polyline(s, 8, line, surface ? SVG_CURVE : SVG_POLYGON);
+                svg_polyline(s, 8, line, i % 7 == 0 ? SVG_CURVE : SVG_FAMILY);
             }
     }
     return s;

@@ -25,22 +25,23 @@ FIGURE(ranges_of_beta)
         int from, to, printed_fails; /* quarters of beta */
     } row[] = {{"range in the text", -28, 4, 0},
                {"nonnegative (2.1)", -21, 4, 0},
-               {"sum 1 (2.2), symmetry (2.3, 3.3)", -32, 8, 1},
+               {"sum, symmetry (2.2, 2.3)", -32, 8, 1},
                {"one maximum (2.5)", -21, 4, 0},
-               {"end points and derivatives (3.1)", -32, 8, 0},
+               {"ends (2.4, 3.1)", -32, 8, 0},
                {"convex hull (3.2)", -21, 4, 1},
                {"affine invariance (3.4)", -32, 8, 1},
                {"rule of signs (15)", -21, 4, 0},
                {"variation diminishing (3.6)", -21, 4, 1},
                {"convexity (3.7)", -21, 4, 1}};
     enum { ROWS = sizeof row / sizeof row[0] };
-    svg_panel(s, window(q(-8), q(-ROWS), q(2), q(1)), 420, 300, NULL);
+    svg_panel(s, window(q(-8), q(-ROWS - 1), q(2), q(0)), 420, 300, NULL);
     svg_grid(s, q(1), q(20));
-    svg_axes(s, q(1), q(0), "β", NULL);
+    svg_axes(s, q(1), q(0), NULL, NULL);
+    svg_label(s, svg_at(2, -ROWS - 1), SVG_E, SVG_POINT, "β");
     for (int k = 0; k < ROWS; k++) {
-        bar(s, -k, r(row[k].from, 4), r(row[k].to, 4), k == 0 ? SVG_WRONG : SVG_RIGHT, row[k].name);
+        bar(s, -k - 1, r(row[k].from, 4), r(row[k].to, 4), k == 0 ? SVG_WRONG : SVG_RIGHT, row[k].name);
         if (row[k].printed_fails)
-            svg_mark(s, svg_at(0, -k), SVG_WRONG, SVG_CROSS);
+            svg_mark(s, svg_at(0, -k - 1), SVG_WRONG, SVG_CROSS);
     }
     svg_legend_area(s, SVG_RIGHT, "true, corrected functions");
     svg_legend_mark(s, SVG_WRONG, SVG_CROSS, "printed functions: only $β=0$");

@@ -36,7 +36,9 @@
                                         _(conic_standard_weight) _(shoulder_point) _(circular_arc_invariant)           \
                                             _(circular_arc_weights) _(circle_of_arc) _(determinant) _(sylvester)       \
                                                 _(bezout) _(resultant) _(bezout_resultant)             \
-                                                    _(implicit_coefficients) _(implicit_value)
+                                                    _(implicit_coefficients) _(implicit_value) _(shape_factors) _(shape_factors_printed) _(shape_basis)                   \
+    _(shape_basis_printed) _(shape_matrix) _(shape_bezier_points) _(shape_point) _(shape_point_printed)                \
+    _(shape_derivatives) _(shape_surface_point)
 
 #define ENTRY(name) #name,
 static const char *const names[] = {ALL_KERNELS(ENTRY)};
