@@ -34,9 +34,13 @@ FIGURE(ranges_of_beta)
                {"variation diminishing (3.6)", -21, 4, 1},
                {"convexity (3.7)", -21, 4, 1}};
     enum { ROWS = sizeof row / sizeof row[0] };
-    svg_panel(s, window(q(-8), q(-ROWS - 1), q(2), q(0)), 420, 300, NULL);
-    svg_grid(s, q(1), q(20));
-    svg_axes(s, q(1), q(0), NULL, NULL);
+    svg_panel(s, window(r(-27, 2), q(-ROWS - 1), q(2), q(0)), 620, 300, NULL);
+    for (int beta = -8; beta <= 2; beta++) {
+        char number[8];
+        snprintf(number, sizeof number, "$%d$", beta);
+        svg_segment(s, svg_at(beta, -ROWS - 1), svg_at(beta, 0), beta == 0 ? SVG_AXIS : SVG_MUTED);
+        svg_note(s, svg_at(beta, -ROWS - 1), SVG_S, SVG_AXIS, number);
+    }
     svg_label(s, svg_at(2, -ROWS - 1), SVG_E, SVG_POINT, "β");
     for (int k = 0; k < ROWS; k++) {
         bar(s, -k - 1, r(row[k].from, 4), r(row[k].to, 4), k == 0 ? SVG_WRONG : SVG_RIGHT, row[k].name);
