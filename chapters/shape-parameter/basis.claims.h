@@ -19,9 +19,9 @@ Bernstein basis of degree 8 function $i$ has the two coefficients $\nu_i/\binom8
 The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is taken as the range meant.
 :::
 
-:::{statement} deng-zhang-2022:def-2.1-repaired
-:title: What the text claims needs two other functions
-:zh: 定义中两个函数有误
+:::{statement} deng-zhang-2022:sec-2-properties
+:title: The eight functions have the properties that follow
+:zh: 上述基函数具有以下性质
 :printed: the eight functions of formula (1) have all of the properties 2.1 to 2.7
 :refuted-by: printed_functions_do_not_sum_to_one printed_middle_functions_are_no_mirror_images
 :class: misprint
@@ -32,7 +32,8 @@ The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is
 :figure: eight_functions
 :striking: 7
 
-The corrected functions have the rule that the printed ones nearly show, and have it in every degree:
+With them 2.2, 2.3, 2.4 and 2.7 are true; 2.1, 2.5 and 2.6 need corrections of their own.  The corrected functions have the
+rule that the printed ones nearly show, and have it in every degree:
 $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with $a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.
 For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 :::

@@ -20,7 +20,8 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :corrected: true for the corrected functions exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
 :corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries corrected_functions_sum_to_one
   roots_are_at_most_sign_changes averages_between_neighbours_keep_sign_changes
-  third_function_has_a_zero_for_every_smaller_beta printed_sum_in_closed_form
+  third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
+  printed_sum_in_closed_form
 :figure: crossings_off_the_polygon
 :striking: 12
 :::
@@ -48,6 +49,7 @@ roots.
 :corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries
   averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
   functions_are_independent_but_for_two_values third_function_has_a_zero_for_every_smaller_beta
+  first_function_has_a_zero_for_every_larger_beta
 :figure: crossings_off_the_polygon
 
 The sum of the functions plays no part here, so that the misprints do no harm.
@@ -191,6 +193,16 @@ none; so together with the ends there are never more than two common points.
 :method: The value of the kernel at this $t$, $b$ a variable; the two bounds have coefficients of one sign.  So with
   $k=(0,0,1,0,\dots)$ there is a root and no change of sign, and the triangle $(0,0),(1,1),(2,0)$ with the points of
   `curve_of_a_triangle_meets_a_line_three_times` has three common points with the line $y=0$.
+:types: field rational
+:control: $b$ replaced by $2b$ in the parameter
+:::
+
+:::{claim} first_function_has_a_zero_for_every_larger_beta
+:title: For every beta above 1 the first function has a zero inside
+:zh: β>1 时 B_0 在 (0,1) 内有零点
+:given: any $\beta=1+b$, $b>0$; printed and corrected functions
+:then: $B_0$ vanishes at $t=\frac1{1+b}$, which is in $(0,1)$
+:method: The value of the kernel at this $t$, $b$ a variable; with $k=(1,0,\dots,0)$ there is a root and no change of sign.
 :types: field rational
 :control: $b$ replaced by $2b$ in the parameter
 :::
@@ -351,6 +363,17 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
     vanishes(T, B[2]);
     nonnegative(T, t);
     nonnegative(T, sub(from_ratio(4, 9), t));
+}
+
+CLAIM(first_function_has_a_zero_for_every_larger_beta)
+{
+    num b = positive(T, "b", 0), one = from_int(1), B[8];
+    num beta = add(one, b), t = div(one, add(one, T->planted ? add(b, b) : b));
+    G(shape_basis)(7, beta, t, B);
+    vanishes(T, B[0]);
+    G(shape_basis_printed)(beta, t, B);
+    vanishes(T, B[0]);
+    nonnegative(T, sub(one, t));
 }
 #endif
 

@@ -900,6 +900,38 @@ A curve of degree eight has one term more.  The nine Bézier points have to be c
 :figure: closer_or_not
 :::
 
+:::{statement} deng-zhang-2022:abstract-features
+:title: The features that the abstract names
+:zh: 摘要所列特性
+:printed: the curve has the features of the Bézier curve of degree seven, such as tangency to the end edges, convex hull,
+  preservation of convexity and variation diminution
+:refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
+  edge_is_not_tangent_at_minus_seven curve_of_a_triangle_meets_a_line_three_times
+:class: false
+:corrected: with the corrected functions and $-\frac{21}4\le\beta\le1$ all of them hold
+:corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
+  totally_positive_exactly_in_the_range
+:::
+
+:::{statement} deng-zhang-2022:abstract-better
+:title: Better approximation, in the abstract and the introduction
+:zh: 摘要与引言中的"更好的逼近性"
+:printed: the curve has better adjustability and better approximation than the Bézier curve of degree seven
+:refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
+:class: false
+:corrected: adjustable it is; whether a curve with $\beta\ne0$ is nearer to its polygon than the one with $\beta=0$ depends on the
+  polygon, and for $n=2$, $0<\beta\le1$ it always is at least as near
+:corrected-by: points_move_evenly_with_beta quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+:figure: closer_or_not
+:::
+
+:::{statement} deng-zhang-2022:sec-1-unique
+:title: Control points and Bernstein polynomials leave no freedom
+:zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线
+:printed: given the control points the Bézier curve is fixed; to change its shape one has to move control points
+:holds-by: beta_zero_gives_the_bezier_curve
+:::
+
 :::{claim} surface_kernel_gives_the_double_sum
 :title: The kernel computes the surface
 :zh: 核函数即双重和
