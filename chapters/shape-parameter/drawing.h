@@ -55,4 +55,23 @@ static inline void put_graph(svg *s, int n, const num_q near[], const num_q far[
     }
     svg_bezier(s, n + 1, Q, role);
 }
+
+/* The nine values of the figures of the source; those outside the true range as wrong. */
+static inline void nine_curves(svg *s, const num_q P[])
+{
+    for (int beta = -7; beta <= 1; beta++)
+        put_curve(s, 0, 7, P, q(beta), beta < -5 ? SVG_WRONG : beta == 0 ? SVG_CURVE_2 : SVG_FAMILY);
+    put_curve(s, 0, 7, P, q(1), SVG_CURVE);
+    svg_legend_line(s, SVG_CURVE, "$β=1$");
+    svg_legend_line(s, SVG_CURVE_2, "$β=0$, the Bézier curve");
+    svg_legend_line(s, SVG_FAMILY, "$β=-1,...,-5$");
+    svg_legend_line(s, SVG_WRONG, "$β=-6,-7$, outside the true range");
+}
+
+/* Only function i, or with i < 0 the sum of all. */
+static inline void choice(int i, num_q a[])
+{
+    for (int j = 0; j <= 7; j++)
+        a[j] = q(i < 0 || j == i);
+}
 #endif
