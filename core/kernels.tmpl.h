@@ -13,4 +13,5 @@
 #include "core/cubic_shape.tmpl.h"
 #include "core/divided.tmpl.h"
 #include "core/bspline_matrix.tmpl.h"
+#include "core/shape_parameter.tmpl.h"
 /* clang-format on */

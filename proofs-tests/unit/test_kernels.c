@@ -35,7 +35,9 @@
     _(determinant) _(sylvester) _(bezout) _(resultant) _(bezout_resultant) _(implicit_coefficients) _(implicit_value)  \
     _(power_point) _(power_hodograph) _(power_derivatives) _(power_differences) _(difference_step)                     \
     _(scaled_difference_step) _(power_on_interval) _(cubic_minors) _(inflection_polynomial) _(cubic_delta)             \
-    _(double_point_polynomial) _(cubic_double_point)
+    _(double_point_polynomial) _(cubic_double_point) _(shape_factors) _(shape_factors_printed) _(shape_basis)          \
+    _(shape_basis_printed) _(shape_matrix) _(shape_bezier_points) _(shape_point) _(shape_point_printed)                \
+    _(shape_derivatives) _(shape_surface_point)
 /* clang-format on */
 
 #define ENTRY(name) #name,
