@@ -457,67 +457,68 @@ RUN(cubic_double_point)
     G(cubic_minors)(c, m);
     G(cubic_double_point)(c, m, out);
     return 2;
+}
 
-    /* Degrees of the family with a shape parameter: 2 to MAX_DEGREE - 1. */
-    static inline int G(shape_degree)(int n) { return n < 2 ? 2 : n < MAX_DEGREE ? n : MAX_DEGREE - 1; }
+/* Degrees of the family with a shape parameter: 2 to MAX_DEGREE - 1. */
+static inline int G(shape_degree)(int n) { return n < 2 ? 2 : n < MAX_DEGREE ? n : MAX_DEGREE - 1; }
 
-    RUN(shape_factors)
-    {
-        int n = G(shape_degree)(D->n);
-        G(shape_factors)(n, D->x[0], out, out + n + 1);
-        return 2 * n + 2;
-    }
-    RUN(shape_factors_printed)
-    {
-        G(shape_factors_printed)(D->x[0], out, out + 8);
-        return 16;
-    }
-    RUN(shape_basis)
-    {
-        int n = G(shape_degree)(D->n);
-        G(shape_basis)(n, D->x[0], D->t, out);
-        return n + 1;
-    }
-    RUN(shape_basis_printed)
-    {
-        G(shape_basis_printed)(D->x[0], D->t, out);
-        return 8;
-    }
-    RUN(shape_matrix)
-    {
-        int n = G(shape_degree)(D->n);
-        G(shape_matrix)(n, D->x, D->x + n + 1, out);
-        return (n + 2) * (n + 1);
-    }
-    RUN(shape_bezier_points)
-    {
-        int n = G(shape_degree)(D->n);
-        G(shape_bezier_points)(n, D->dim, D->x + 1, D->x[0], out);
-        return (n + 2) * D->dim;
-    }
-    RUN(shape_point)
-    {
-        G(shape_point)(G(shape_degree)(D->n), D->dim, D->x + 1, D->x[0], D->t, out);
-        return D->dim;
-    }
-    RUN(shape_point_printed)
-    {
-        G(shape_point_printed)(D->dim, D->x + 1, D->x[0], D->t, out);
-        return D->dim;
-    }
-    RUN(shape_derivatives)
-    {
-        G(shape_derivatives)(G(shape_degree)(D->n), D->dim, D->x + 1, D->x[0], D->t, D->r, out);
-        return (D->r + 1) * D->dim;
-    }
-    RUN(shape_surface_point)
-    {
-        G(shape_surface_point)(3, 2, D->dim, D->x + 2, D->x[0], D->x[1], D->t, D->u, out);
-        return D->dim;
-    }
+RUN(shape_factors)
+{
+    int n = G(shape_degree)(D->n);
+    G(shape_factors)(n, D->x[0], out, out + n + 1);
+    return 2 * n + 2;
+}
+RUN(shape_factors_printed)
+{
+    G(shape_factors_printed)(D->x[0], out, out + 8);
+    return 16;
+}
+RUN(shape_basis)
+{
+    int n = G(shape_degree)(D->n);
+    G(shape_basis)(n, D->x[0], D->t, out);
+    return n + 1;
+}
+RUN(shape_basis_printed)
+{
+    G(shape_basis_printed)(D->x[0], D->t, out);
+    return 8;
+}
+RUN(shape_matrix)
+{
+    int n = G(shape_degree)(D->n);
+    G(shape_matrix)(n, D->x, D->x + n + 1, out);
+    return (n + 2) * (n + 1);
+}
+RUN(shape_bezier_points)
+{
+    int n = G(shape_degree)(D->n);
+    G(shape_bezier_points)(n, D->dim, D->x + 1, D->x[0], out);
+    return (n + 2) * D->dim;
+}
+RUN(shape_point)
+{
+    G(shape_point)(G(shape_degree)(D->n), D->dim, D->x + 1, D->x[0], D->t, out);
+    return D->dim;
+}
+RUN(shape_point_printed)
+{
+    G(shape_point_printed)(D->dim, D->x + 1, D->x[0], D->t, out);
+    return D->dim;
+}
+RUN(shape_derivatives)
+{
+    G(shape_derivatives)(G(shape_degree)(D->n), D->dim, D->x + 1, D->x[0], D->t, D->r, out);
+    return (D->r + 1) * D->dim;
+}
+RUN(shape_surface_point)
+{
+    G(shape_surface_point)(3, 2, D->dim, D->x + 2, D->x[0], D->x[1], D->t, D->u, out);
+    return D->dim;
+}
 
 #define ENTRY(name) G(run_##name),
-    static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};
+static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};
 #undef ENTRY
 #undef RUN
 #include "core/number/generic_off.h"
