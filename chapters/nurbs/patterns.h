@@ -1,0 +1,228 @@
+/* patterns.h -- knots of every pattern of multiplicities, by program, and B-splines as polynomials of an interval.
+ *
+ * The places of definition.h are doubled here: an existing knot has an even place, and an odd place is free for a knot
+ * that is put into the interval on its left.  An interval is named by the place at its left end, so that everything of
+ * definition.h works unchanged.  Nothing here uses a kernel.  Included after definition.h. */
+#include "chapters/frame/claims_on.h"
+
+enum { HIGHEST = 16 }; /* degree */
+
+struct G(knots) {
+    int lengths;     /* 1: the knots are x_0, x_0 + h_1, x_0 + h_1 + h_2, ... with positive variables h, for statements
+                        about signs, which are read off coefficients; 0: all distinct knots are variables */
+    int p, n, count; /* count = n+p+1 */
+    num u[MOST_KNOTS];
+    int place[MOST_KNOTS];
+};
+
+/* Fills K from a pattern; returns whether it is good for degree p: no multiplicity above p+1, and a domain. */
+static inline int G(knots_good)(trial *T, int p, const char *pattern, struct G(knots) * K)
+{
+    K->p = p;
+    if (K->lengths) {
+        num x = unknown(T, "x", 0);
+        K->count = 0;
+        for (int i = 0; pattern[i] != '\0'; i++) {
+            if (i > 0)
+                x = add(x, positive(T, "h", i));
+            for (int times = pattern[i] - '0'; times > 0; times--, K->count++)
+                K->u[K->count] = x, K->place[K->count] = i;
+        }
+    } else {
+        K->count = G(knots_of_pattern)(T, pattern, K->u, K->place);
+    }
+    K->n = K->count - p - 1;
+    for (int i = 0; i < K->count; i++)
+        K->place[i] *= 2;
+    if (K->n <= p || K->place[p] >= K->place[K->n])
+        return 0;
+    for (int i = 0; i < K->n; i++)
+        if (K->place[i] == K->place[i + p + 1])
+            return 0;
+    return 1;
+}
+
+/* Pattern `bits` of the 2^{count-1} patterns of count knots: knot i+1 differs from knot i if bit i is set. */
+static inline void G(pattern_of_bits)(int count, int bits, char pattern[])
+{
+    int length = 0;
+    pattern[0] = '1';
+    for (int i = 0; i + 1 < count; i++)
+        if (bits >> i & 1)
+            pattern[++length] = '1';
+        else
+            pattern[length]++;
+    pattern[length + 1] = '\0';
+}
+
+/* One segment of degree p, n = p+1, whose only interval is [u_p, u_{p+1}]: what a statement about one segment can depend
+ * on.  Pattern number k.  For p <= 3 all 4^p patterns of the p+1 knots on either side; for p > 3 simple knots, clamped
+ * ends, and every multiplicity j of u_p with p+2-j of u_{p+1}, the other knots simple.  Returns the number of the next
+ * pattern, 0 after the last.  The loop over all of them:
+ *     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K))                     */
+static inline int G(segment_knots)(trial *T, int p, int k, struct G(knots) * K)
+{
+    char pattern[MOST_KNOTS];
+    if (p <= 3) {
+        if (k >= 1 << 2 * p)
+            return 0;
+        G(pattern_of_bits)(2 * p + 2, (k & ((1 << p) - 1)) | 1 << p | (k >> p) << (p + 1), pattern);
+    } else {
+        int left = k <= p ? k + 1 : k == p + 1 ? 1 : p + 1, right = k <= p ? p + 1 - k : left, at = 0;
+        if (k > p + 2)
+            return 0;
+        for (int i = 0; i < p + 1 - left; i++)
+            pattern[at++] = '1';
+        pattern[at++] = (char)('0' + left);
+        pattern[at++] = (char)('0' + right);
+        for (int i = 0; i < p + 1 - right; i++)
+            pattern[at++] = '1';
+        pattern[at] = '\0';
+    }
+    (void)G(knots_good)(T, p, pattern, K);
+    return k + 1;
+}
+
+/* Several segments.  For p <= 2 all patterns of 2p+4 knots that are good for degree p; for p > 2 an inner knot of every
+ * multiplicity 0, ..., p+1 between ends that are simple, clamped, and of both kinds.  Used as segment_knots. */
+static inline int G(several_knots)(trial *T, int p, int k, struct G(knots) * K)
+{
+    char pattern[MOST_KNOTS];
+    if (p <= 2) {
+        for (; k < 1 << (2 * p + 3); k++) {
+            G(pattern_of_bits)(2 * p + 4, k, pattern);
+            if (G(knots_good)(T, p, pattern, K))
+                return k + 1;
+        }
+        return 0;
+    }
+    int inner = k % (p + 2), ends = k / (p + 2), at = 0;
+    if (ends > 2)
+        return 0;
+    if (ends == 0)
+        for (int i = 0; i <= p; i++)
+            pattern[at++] = '1';
+    else
+        pattern[at++] = (char)('1' + p);
+    if (inner > 0)
+        pattern[at++] = (char)('0' + inner);
+    if (ends != 1)
+        pattern[at++] = (char)('1' + (ends == 2));
+    if (ends != 1)
+        for (int i = 0; i < p - (ends == 2); i++)
+            pattern[at++] = '1';
+    else
+        pattern[at++] = (char)('1' + p);
+    pattern[at] = '\0';
+    (void)G(knots_good)(T, p, pattern, K);
+    return k + 1;
+}
+
+/* N[i(p+1) + k]: the coefficient of (t-a)^k in the polynomial that N_{i,p} is on an interval, i = 0, ..., count-p-2.
+ * The recursion of de Boor and Cox, 0/0 being 0, with polynomials in the place of values: every index, none left out. */
+static inline void G(basis_powers)(int p, int count, const num u[], const int place[], int interval, num a, num N[])
+{
+    num next[HIGHEST + 1];
+    for (int i = 0; i + 1 < count; i++)
+        for (int k = 0; k <= p && i < count - 1; k++)
+            N[i * (p + 1) + k] = from_int(k == 0 && place[i] <= interval && interval < place[i + 1]);
+    for (int q = 1; q <= p; q++)
+        for (int i = 0; i + q + 1 < count; i++) {
+            const num *left = N + i * (p + 1), *right = left + p + 1;
+            for (int k = 0; k <= q; k++)
+                next[k] = from_int(0);
+            if (place[i] < place[i + q]) {
+                num length = sub(u[i + q], u[i]), start = div(sub(a, u[i]), length), slope = div(from_int(1), length);
+                for (int k = 0; k <= q; k++) {
+                    next[k] = add(next[k], mul(start, left[k]));
+                    if (k > 0)
+                        next[k] = add(next[k], mul(slope, left[k - 1]));
+                }
+            }
+            if (place[i + 1] < place[i + q + 1]) {
+                num length = sub(u[i + q + 1], u[i + 1]);
+                num start = div(sub(u[i + q + 1], a), length), slope = div(from_int(-1), length);
+                for (int k = 0; k <= q; k++) {
+                    next[k] = add(next[k], mul(start, right[k]));
+                    if (k > 0)
+                        next[k] = add(next[k], mul(slope, right[k - 1]));
+                }
+            }
+            for (int k = 0; k <= q; k++)
+                N[i * (p + 1) + k] = next[k];
+        }
+}
+
+/* s[k]: the coefficient of (t-a)^k of coordinate c of the spline of the points on an interval: all n terms. */
+static inline void G(spline_powers)(int n, int p, int dim, const num u[], const int place[], const num points[], int c,
+                                    int interval, num a, num s[])
+{
+    num N[MOST_KNOTS * (HIGHEST + 1)];
+    G(basis_powers)(p, n + p + 1, u, place, interval, a, N);
+    for (int k = 0; k <= p; k++) {
+        s[k] = from_int(0);
+        for (int i = 0; i < n; i++)
+            s[k] = add(s[k], mul(points[i * dim + c], N[i * (p + 1) + k]));
+    }
+}
+
+/* r! times the coefficient of (t-a)^r: the r-th derivative at a; 0 for r > p. */
+static inline num G(derivative_of_powers)(int p, const num s[], int r)
+{
+    num value = r > p ? from_int(0) : s[r];
+    for (int k = 2; k <= r; k++)
+        value = mul(from_int(k), value);
+    return value;
+}
+
+/* sum_k s_k (t-a)^k */
+static inline num G(value_of_powers)(int p, const num s[], num a, num t)
+{
+    num sum = s[p];
+    for (int k = p - 1; k >= 0; k--)
+        sum = add(mul(sum, sub(t, a)), s[k]);
+    return sum;
+}
+
+/* The polar form of sum_k s_k (t-a)^k as a polynomial of degree p: sum_k s_k e_k/C(p,k), e_k being the elementary
+ * symmetric polynomials of x_0 - a, ..., x_{p-1} - a. */
+static inline num G(polar_of_powers)(int p, const num s[], num a, const num x[])
+{
+    num e[HIGHEST + 1], sum = s[0], choose = from_int(1);
+    for (int k = 0; k <= p; k++)
+        e[k] = from_int(k == 0);
+    for (int i = 0; i < p; i++)
+        for (int k = i + 1; k > 0; k--)
+            e[k] = add(e[k], mul(sub(x[i], a), e[k - 1]));
+    for (int k = 1; k <= p; k++) {
+        choose = mul(choose, from_ratio(p + 1 - k, k));
+        sum = add(sum, div(mul(s[k], e[k]), choose));
+    }
+    return sum;
+}
+
+/* n points of dim <= 3 coordinates, every one free. */
+static inline void G(free_control_points)(trial *T, int n, int dim, num c[])
+{
+    static const char *const name[] = {"y", "z", "w"};
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < dim; k++)
+            c[i * dim + k] = unknown(T, name[k], i);
+}
+
+/* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The inexact types
+ * refute only. */
+static inline void G(must_be_positive)(trial *T, num a)
+{
+    nonnegative(T, a);
+#if FIELD
+    agree(T, !is_zero_f(a));
+#elif RATIONAL
+    agree(T, !is_zero_q(a));
+#elif INTERVAL
+    agree(T, upper_i(a) > 0);
+#else
+    agree(T, a.v + error_bound_m(a) > 0);
+#endif
+}
+#include "chapters/frame/claims_off.h"
