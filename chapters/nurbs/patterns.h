@@ -55,18 +55,36 @@ static inline void G(pattern_of_bits)(int count, int bits, char pattern[])
     pattern[length + 1] = '\0';
 }
 
-/* One segment of degree p, n = p+1, whose only interval is [u_p, u_{p+1}]: what a statement about one segment can depend
- * on.  Pattern number k.  For p <= 3 all 4^p patterns of the p+1 knots on either side; for p > 3 simple knots, clamped
- * ends, and every multiplicity j of u_p with p+2-j of u_{p+1}, the other knots simple.  Returns the number of the next
- * pattern, 0 after the last.  The loop over all of them:
+/* The pattern with which a loop goes on after k: in the field the next one, so that all are met; where random instances are
+ * taken anyway, a random one of the next ones. */
+static inline int G(next_pattern)(trial *T, int p, int k)
+{
+#if FIELD
+    (void)T, (void)p;
+    return k;
+#else
+    return k == 0 ? pick(T, 0, p / 2) : k + (p > 0 ? pick(T, 0, 12) : 0);
+#endif
+}
+
+/* One segment of degree p, n = p+1, whose only interval is [u_p, u_{p+1}].  It depends on the p knots on either side of the
+ * interval; u_0 and u_{2p+1} belong to factors of B-splines of lower degree that vanish there.  Pattern number k.  For
+ * p <= 3 all 4^{p-1} patterns of those 2p knots, the outer two being others, except that the first pattern has clamped
+ * ends; for p > 3 simple knots, clamped ends, and every multiplicity j of u_p with p+2-j of u_{p+1}, the other knots simple.
+ * Returns the number of the next pattern, 0 after the last.  The loop over all of them:
  *     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K))                     */
 static inline int G(segment_knots)(trial *T, int p, int k, struct G(knots) * K)
 {
     char pattern[MOST_KNOTS];
+    k = G(next_pattern)(T, p, k);
     if (p <= 3) {
-        if (k >= 1 << 2 * p)
+        int side = p > 0 ? p - 1 : 0, left = k & ((1 << side) - 1), right = k >> side, outer = k > 0;
+        if (k >= 1 << 2 * side)
             return 0;
-        G(pattern_of_bits)(2 * p + 2, (k & ((1 << p) - 1)) | 1 << p | (k >> p) << (p + 1), pattern);
+        if (p == 0)
+            G(pattern_of_bits)(2, 1, pattern);
+        else
+            G(pattern_of_bits)(2 * p + 2, outer | left << 1 | 1 << p | right << (p + 1) | outer << 2 * p, pattern);
     } else {
         int left = k <= p ? k + 1 : k == p + 1 ? 1 : p + 1, right = k <= p ? p + 1 - k : left, at = 0;
         if (k > p + 2)
@@ -83,22 +101,21 @@ static inline int G(segment_knots)(trial *T, int p, int k, struct G(knots) * K)
     return k + 1;
 }
 
-/* Several segments.  For p <= 2 all patterns of 2p+4 knots that are good for degree p; for p > 2 an inner knot of every
- * multiplicity 0, ..., p+1 between ends that are simple, clamped, and of both kinds.  Used as segment_knots. */
+/* Several segments: an inner knot of every multiplicity 0, ..., p+1 between ends that are simple, clamped, and clamped and
+ * double; for p <= 2 then also all patterns of 2p+3 knots that are good for degree p.  Used as segment_knots. */
 static inline int G(several_knots)(trial *T, int p, int k, struct G(knots) * K)
 {
     char pattern[MOST_KNOTS];
-    if (p <= 2) {
-        for (; k < 1 << (2 * p + 3); k++) {
-            G(pattern_of_bits)(2 * p + 4, k, pattern);
+    k = G(next_pattern)(T, p, k);
+    int inner = k % (p + 2), ends = k / (p + 2), at = 0;
+    if (ends > 2) {
+        for (int bits = k - 3 * (p + 2); p <= 2 && bits < 1 << (2 * p + 2); bits++) {
+            G(pattern_of_bits)(2 * p + 3, bits, pattern);
             if (G(knots_good)(T, p, pattern, K))
-                return k + 1;
+                return 3 * (p + 2) + bits + 1;
         }
         return 0;
     }
-    int inner = k % (p + 2), ends = k / (p + 2), at = 0;
-    if (ends > 2)
-        return 0;
     if (ends == 0)
         for (int i = 0; i <= p; i++)
             pattern[at++] = '1';
@@ -106,47 +123,45 @@ static inline int G(several_knots)(trial *T, int p, int k, struct G(knots) * K)
         pattern[at++] = (char)('1' + p);
     if (inner > 0)
         pattern[at++] = (char)('0' + inner);
-    if (ends != 1)
-        pattern[at++] = (char)('1' + (ends == 2));
-    if (ends != 1)
-        for (int i = 0; i < p - (ends == 2); i++)
-            pattern[at++] = '1';
-    else
+    if (ends == 1)
         pattern[at++] = (char)('1' + p);
+    else
+        for (int i = 0, two = ends == 2 && p > 0; i <= p; i += 1 + two, two = 0)
+            pattern[at++] = (char)('1' + two);
     pattern[at] = '\0';
     (void)G(knots_good)(T, p, pattern, K);
     return k + 1;
 }
 
 /* N[i(p+1) + k]: the coefficient of (t-a)^k in the polynomial that N_{i,p} is on an interval, i = 0, ..., count-p-2.
- * The recursion of de Boor and Cox, 0/0 being 0, with polynomials in the place of values: every index, none left out. */
+ * The recursion of de Boor and Cox, 0/0 being 0, with polynomials in the place of values, for every index.  What is 0
+ * because both of its parts are is not computed: some[i] says that N_i is not. */
 static inline void G(basis_powers)(int p, int count, const num u[], const int place[], int interval, num a, num N[])
 {
-    num next[HIGHEST + 1];
-    for (int i = 0; i + 1 < count; i++)
-        for (int k = 0; k <= p && i < count - 1; k++)
-            N[i * (p + 1) + k] = from_int(k == 0 && place[i] <= interval && interval < place[i + 1]);
+    num next[HIGHEST + 1], zero = from_int(0), one = from_int(1);
+    int some[MOST_KNOTS];
+    for (int i = 0; i + 1 < count; i++) {
+        some[i] = place[i] <= interval && interval < place[i + 1];
+        for (int k = 0; k <= p; k++)
+            N[i * (p + 1) + k] = k == 0 && some[i] ? one : zero;
+    }
     for (int q = 1; q <= p; q++)
         for (int i = 0; i + q + 1 < count; i++) {
             const num *left = N + i * (p + 1), *right = left + p + 1;
+            int from_left = some[i] && place[i] < place[i + q];
+            int from_right = some[i + 1] && place[i + 1] < place[i + q + 1];
+            some[i] = from_left || from_right;
             for (int k = 0; k <= q; k++)
-                next[k] = from_int(0);
-            if (place[i] < place[i + q]) {
-                num length = sub(u[i + q], u[i]), start = div(sub(a, u[i]), length), slope = div(from_int(1), length);
-                for (int k = 0; k <= q; k++) {
-                    next[k] = add(next[k], mul(start, left[k]));
-                    if (k > 0)
-                        next[k] = add(next[k], mul(slope, left[k - 1]));
-                }
+                next[k] = zero;
+            if (from_left) { /* (t - u_i) / (u_{i+q} - u_i) times N_{i,q-1} */
+                num length = sub(u[i + q], u[i]), distance = sub(a, u[i]);
+                for (int k = 0; k <= q; k++)
+                    next[k] = div(add(mul(distance, left[k]), k > 0 ? left[k - 1] : zero), length);
             }
-            if (place[i + 1] < place[i + q + 1]) {
-                num length = sub(u[i + q + 1], u[i + 1]);
-                num start = div(sub(u[i + q + 1], a), length), slope = div(from_int(-1), length);
-                for (int k = 0; k <= q; k++) {
-                    next[k] = add(next[k], mul(start, right[k]));
-                    if (k > 0)
-                        next[k] = add(next[k], mul(slope, right[k - 1]));
-                }
+            if (from_right) { /* (u_{i+q+1} - t) / (u_{i+q+1} - u_{i+1}) times N_{i+1,q-1} */
+                num length = sub(u[i + q + 1], u[i + 1]), distance = sub(u[i + q + 1], a);
+                for (int k = 0; k <= q; k++)
+                    next[k] = add(next[k], div(sub(mul(distance, right[k]), k > 0 ? right[k - 1] : zero), length));
             }
             for (int k = 0; k <= q; k++)
                 N[i * (p + 1) + k] = next[k];
@@ -224,5 +239,66 @@ static inline void G(must_be_positive)(trial *T, num a)
 #else
     agree(T, a.v + error_bound_m(a) > 0);
 #endif
+}
+/* L: the knots of K and one more, x, at a place; an odd place is the interval on its left. */
+static inline void G(put_knot)(const struct G(knots) * K, int place, num x, struct G(knots) * L)
+{
+    int at = 0;
+    while (at < K->count && K->place[at] <= place)
+        at++;
+    *L = *K;
+    L->n++;
+    L->count++;
+    for (int i = at; i < L->count; i++) {
+        L->u[i] = i == at ? x : K->u[i - 1];
+        L->place[i] = i == at ? place : K->place[i - 1];
+    }
+}
+
+/* How many knots have this place. */
+static inline int G(multiplicity_at)(const struct G(knots) * K, int place)
+{
+    int many = 0;
+    for (int i = 0; i < K->count; i++)
+        many += K->place[i] == place;
+    return many;
+}
+
+/* For each of the m points of degree q over v, a span of K that contains a non-empty interval [v_l, v_{l+1}] of the domain,
+ * j <= l <= j+q: the first such l, or the last. */
+static inline void G(spans_over)(const struct G(knots) * K, int m, int q, const int place[], int last, int span[])
+{
+    for (int j = 0; j < m; j++)
+        for (int l = j; l <= j + q; l++)
+            if (q <= l && l < m && place[l] < place[l + 1]) {
+                span[j] = G(span_of_interval)(K->count, K->place, place[l]);
+                if (!last)
+                    break;
+            }
+}
+
+/* Compare: the spline of the m points d over L, of degree q >= p, is the spline of the points c over K, of degree p <= q, on
+ * every interval of L in the domain of K. */
+static inline void G(same_spline)(trial *T, int dim, const struct G(knots) * K, const num c[],
+                                  const struct G(knots) * L, const num d[])
+{
+    int p = K->p, q = L->p;
+    num s[HIGHEST + 1], r[HIGHEST + 1], N[MOST_KNOTS * (HIGHEST + 1)], M[MOST_KNOTS * (HIGHEST + 1)];
+    for (int mu = q; mu < L->n; mu++) {
+        int interval = L->place[mu];
+        if (interval == L->place[mu + 1])
+            continue;
+        G(basis_powers)(p, K->count, K->u, K->place, interval, L->u[mu], N);
+        G(basis_powers)(q, L->count, L->u, L->place, interval, L->u[mu], M);
+        for (int k = 0; k < dim; k++)
+            for (int e = 0; e <= q; e++) {
+                s[e] = r[e] = from_int(0);
+                for (int i = 0; i < K->n && e <= p; i++)
+                    s[e] = add(s[e], mul(c[i * dim + k], N[i * (p + 1) + e]));
+                for (int i = 0; i < L->n; i++)
+                    r[e] = add(r[e], mul(d[i * dim + k], M[i * (q + 1) + e]));
+                same(T, r[e], s[e]);
+            }
+    }
 }
 #include "chapters/frame/claims_off.h"
