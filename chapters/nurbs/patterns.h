@@ -63,7 +63,7 @@ static inline int G(next_pattern)(trial *T, int p, int k)
     (void)T, (void)p;
     return k;
 #else
-    return k == 0 ? pick(T, 0, p / 2) : k + (p > 0 ? pick(T, 0, 12) : 0);
+    return k == 0 ? pick(T, 0, p / 2) : k + (p > 0 ? pick(T, 2, 18) : 0);
 #endif
 }
 
@@ -240,18 +240,19 @@ static inline void G(must_be_positive)(trial *T, num a)
     agree(T, a.v + error_bound_m(a) > 0);
 #endif
 }
-/* L: the knots of K and one more, x, at a place; an odd place is the interval on its left. */
+/* L: the knots of K and one more, x, at a place; an odd place is the interval on its left.  L may be K. */
 static inline void G(put_knot)(const struct G(knots) * K, int place, num x, struct G(knots) * L)
 {
+    struct G(knots) old = *K;
     int at = 0;
-    while (at < K->count && K->place[at] <= place)
+    while (at < old.count && old.place[at] <= place)
         at++;
-    *L = *K;
+    *L = old;
     L->n++;
     L->count++;
     for (int i = at; i < L->count; i++) {
-        L->u[i] = i == at ? x : K->u[i - 1];
-        L->place[i] = i == at ? place : K->place[i - 1];
+        L->u[i] = i == at ? x : old.u[i - 1];
+        L->place[i] = i == at ? place : old.place[i - 1];
     }
 }
 
@@ -265,40 +266,71 @@ static inline int G(multiplicity_at)(const struct G(knots) * K, int place)
 }
 
 /* For each of the m points of degree q over v, a span of K that contains a non-empty interval [v_l, v_{l+1}] of the domain,
- * j <= l <= j+q: the first such l, or the last. */
-static inline void G(spans_over)(const struct G(knots) * K, int m, int q, const int place[], int last, int span[])
+ * j <= l <= j+q: for the first such l, or for the last.  Returns whether every point has one. */
+static inline int G(spans_over)(const struct G(knots) * K, int m, int q, const int place[], int last, int span[])
 {
-    for (int j = 0; j < m; j++)
-        for (int l = j; l <= j + q; l++)
-            if (q <= l && l < m && place[l] < place[l + 1]) {
+    for (int j = 0; j < m; j++) {
+        int found = 0;
+        for (int l = j > q ? j : q; l <= j + q && l < m; l++)
+            if (place[l] < place[l + 1] && (last || !found)) {
                 span[j] = G(span_of_interval)(K->count, K->place, place[l]);
-                if (!last)
-                    break;
+                found = 1;
             }
+        if (!found)
+            return 0;
+    }
+    return 1;
 }
 
-/* Compare: the spline of the m points d over L, of degree q >= p, is the spline of the points c over K, of degree p <= q, on
- * every interval of L in the domain of K. */
+/* Compare: the spline of the points d over L, of degree q >= p, is the spline of the free points c over K, of degree p, on
+ * every interval of L in its domain: their coefficients in powers of t minus the knot on the left.  In the field the c are
+ * variables, and the comparison is made for the coefficient of each of them, after d was seen to be linear in them. */
 static inline void G(same_spline)(trial *T, int dim, const struct G(knots) * K, const num c[],
                                   const struct G(knots) * L, const num d[])
 {
     int p = K->p, q = L->p;
-    num s[HIGHEST + 1], r[HIGHEST + 1], N[MOST_KNOTS * (HIGHEST + 1)], M[MOST_KNOTS * (HIGHEST + 1)];
+    num N[MOST_KNOTS * (HIGHEST + 1)], M[MOST_KNOTS * (HIGHEST + 1)];
+#if FIELD
+    num share[MOST_KNOTS * MOST_KNOTS];
+    for (int j = 0; j < L->n; j++)
+        for (int e = 0; e < dim; e++) {
+            num sum = from_int(0);
+            for (int i = 0; i < K->n; i++) {
+                num part = derivative_f(d[j * dim + e], c[i * dim + e]);
+                if (e == 0)
+                    share[j * K->n + i] = part;
+                same(T, part, share[j * K->n + i]);
+                sum = add(sum, mul(part, c[i * dim + e]));
+            }
+            same(T, d[j * dim + e], sum);
+        }
+#endif
     for (int mu = q; mu < L->n; mu++) {
         int interval = L->place[mu];
         if (interval == L->place[mu + 1])
             continue;
         G(basis_powers)(p, K->count, K->u, K->place, interval, L->u[mu], N);
         G(basis_powers)(q, L->count, L->u, L->place, interval, L->u[mu], M);
-        for (int k = 0; k < dim; k++)
-            for (int e = 0; e <= q; e++) {
-                s[e] = r[e] = from_int(0);
-                for (int i = 0; i < K->n && e <= p; i++)
-                    s[e] = add(s[e], mul(c[i * dim + k], N[i * (p + 1) + e]));
-                for (int i = 0; i < L->n; i++)
-                    r[e] = add(r[e], mul(d[i * dim + k], M[i * (q + 1) + e]));
-                same(T, r[e], s[e]);
+#if FIELD
+        for (int i = 0; i < K->n; i++)
+            for (int r = 0; r <= q; r++) {
+                num sum = from_int(0);
+                for (int j = 0; j < L->n; j++)
+                    if (!is_zero_f(share[j * K->n + i]))
+                        sum = add(sum, mul(share[j * K->n + i], M[j * (q + 1) + r]));
+                same(T, sum, r <= p ? N[i * (p + 1) + r] : from_int(0));
             }
+#else
+        for (int e = 0; e < dim; e++)
+            for (int r = 0; r <= q; r++) {
+                num before = from_int(0), after = before;
+                for (int i = 0; i < K->n && r <= p; i++)
+                    before = add(before, mul(c[i * dim + e], N[i * (p + 1) + r]));
+                for (int j = 0; j < L->n; j++)
+                    after = add(after, mul(d[j * dim + e], M[j * (q + 1) + r]));
+                same(T, after, before);
+            }
+#endif
     }
 }
 #include "chapters/frame/claims_off.h"
