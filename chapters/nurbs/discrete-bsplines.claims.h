@@ -315,7 +315,7 @@ static void G(decide_collocation)(trial *T, const struct G(knots) * pattern, con
 CLAIM(schoenberg_whitney)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knots) K = {.lengths = 1};
     char pattern[MOST_KNOTS];
     for (int n = p + 1; n <= 4; n++)
         for (int bits = 0; bits < 1 << (n + p); bits++) {
