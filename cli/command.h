@@ -4,6 +4,7 @@
 
 #include "chapters/frame/figure.h"
 #include "chapters/frame/run.h"
+#include "exact/num_rational.h"
 
 #include <argp.h>
 #include <jansson.h>
@@ -20,6 +21,7 @@ int run_list(int argc, char **argv);
 int run_show(int argc, char **argv);
 int run_ledger(int argc, char **argv);
 int run_figures(int argc, char **argv);
+int run_curve(int argc, char **argv);
 
 /* Parses with argp; a usage error prints one line and ends the program with EXIT_USAGE. */
 void parse_arguments(const struct argp *argp, int argc, char **argv, void *input);
@@ -76,12 +78,31 @@ int output_close(struct output *o); /* 0 when the file is in place              
 int write_text_file(const char *path, const char *text);
 int make_folder(const char *path);  /* with its parents; 0 on success                              */
 
+/* ---- curves (curve_json.c) --------------------------------------------------------------------- */
+
+/* A Bézier, rational Bézier, B-spline or NURBS curve, exactly as a file says it.  A Bézier curve is a spline of one
+ * span over 0, ..., 0, 1, ..., 1.  Shapes as in core/bspline.tmpl.h; weights NULL: none.  Lives in the region. */
+struct curve {
+    int degree, count, dim;
+    num_q *knots, *points, *weights;
+};
+
+/* Reads {"kind": ..., "degree" or "order": ..., "points": ..., "weights": ..., "knots": ...} from the file, "-" for
+ * standard input, and checks it.  0 on success; otherwise -1 and one line on stderr that says what, where, and what was
+ * expected. */
+int read_curve(const char *path, struct curve *c);
+json_t *curve_json(const struct curve *c); /* the same format; whole numbers as such, other rationals as strings       */
+json_t *number_json(num_q a);
+/* The exact value of an option; one line and EXIT_USAGE when it is not a number. */
+num_q exact_number(struct argp_state *state, const char *option, const char *text);
+
 /* ---- reports (report.c, ledger.c) ------------------------------------------------------------- */
 
 json_t *claim_json(const claim_result *r);
 json_t *statement_json(const statement_result *r, const claim_result *results, int count);
 int write_junit(const char *path, const claim_result *results, int count);
-void print_json(json_t *document);  /* prints and releases                                         */
+void print_json(json_t *document);  /* prints and releases; reals are times, of 6 digits           */
+void print_json_exactly(json_t *document); /* the same; reals are results, of 17 digits                  */
 
 /* The counterexample, or whatever the claim shows, in one line: "n = 2; w = (1) (2) (1); ...". */
 char *exhibits_line(const claim_result *r);

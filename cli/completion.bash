@@ -2,17 +2,22 @@
 _cagd() {
     local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]}
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W "verify list show ledger figures --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "verify list show ledger figures curve --help --version" -- "$word"))
     elif [[ $word == -* ]]; then
         case $command in
         verify) COMPREPLY=($(compgen -W "--json --tap --junit --jobs --deep --shard --help" -- "$word")) ;;
         ledger) COMPREPLY=($(compgen -W "--json --summary --striking --report --jobs --help" -- "$word")) ;;
         show) COMPREPLY=($(compgen -W "--json --jobs --help" -- "$word")) ;;
         figures) COMPREPLY=($(compgen -W "--out --list --help" -- "$word")) ;;
+        curve)
+            COMPREPLY=($(compgen -W "--at --derivatives --left --insert --remove --elevate --reduce --split --bezier --json \
+                --help" -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
         esac
     elif [ "$command" = figures ]; then
         COMPREPLY=($(compgen -W "$(cagd figures --list 2>/dev/null)" -- "$word"))
+    elif [ "$command" = curve ]; then
+        COMPREPLY=($(compgen -f -- "$word"))
     else
         COMPREPLY=($(compgen -W "$(cagd list 2>/dev/null | cut -d' ' -f1)" -- "$word"))
     fi

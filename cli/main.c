@@ -10,6 +10,7 @@ static const struct command commands[] = {
     {"show", "one claim or ledger entry in full, with its counterexample", run_show},
     {"ledger", "every statement of the sources with its verdict", run_ledger},
     {"figures", "write the SVG figures", run_figures},
+    {"curve", "a Bézier, B-spline or NURBS curve in exact arithmetic: points, knots, degree", run_curve},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -21,7 +22,8 @@ static void print_help(FILE *out)
           "  cagd verify 'rational-bezier.*'  decide the claims of one chapter\n"
           "  cagd show wang-ch3:thm-3.3.2     a statement, its verdict and why\n"
           "  cagd ledger 'wang-ch3:*'         the statements of one source\n"
-          "  cagd figures --out pictures      draw\n\n"
+          "  cagd figures --out pictures      draw\n"
+          "  cagd curve circle.json --at 1/3  a point of a curve, exactly\n\n"
           "Commands:\n",
           out);
     for (int k = 0; k < COMMANDS; k++)

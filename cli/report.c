@@ -111,12 +111,14 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
                      r->as_expected);
 }
 
-void print_json(json_t *document)
+static void print_with(json_t *document, int digits)
 {
-    json_dumpf(document, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
+    json_dumpf(document, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(digits));
     fputc('\n', stdout);
     json_decref(document);
 }
+void print_json(json_t *document) { print_with(document, 6); }
+void print_json_exactly(json_t *document) { print_with(document, 17); }
 
 /* ---- JUnit ----------------------------------------------------------------------------------------- */
 

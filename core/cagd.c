@@ -1,8 +1,6 @@
-#include "core/cagd.h"
+#include "core/checks.h"
 
 #include "core/kernels_d.h"
-
-#include <stddef.h>
 
 _Static_assert((int)CAGD_MAX_DEGREE == MAX_DEGREE, "the header states the kernels' limit");
 _Static_assert((int)CAGD_MAX_DIM + 1 == MAX_DIM, "one coordinate is left for the weight");
@@ -28,35 +26,21 @@ const char *cagd_status_text(cagd_status status)
         return "the value is undefined: a divisor is zero";
     case CAGD_RANGE:
         return "a result is too large or too small for binary64";
+    case CAGD_COUNT:
+        return "a spline needs more points than its degree";
+    case CAGD_KNOTS_DECREASE:
+        return "a knot is smaller than the one before it";
+    case CAGD_KNOTS_MULTIPLE:
+        return "a knot is repeated more than degree + 1 times";
+    case CAGD_KNOTS_DOMAIN:
+        return "the domain of the spline is empty";
+    case CAGD_OUTSIDE:
+        return "a parameter lies outside the domain of the spline";
     }
     return "unknown status";
 }
 
 const char *cagd_version(void) { return CAGD_VERSION; }
-
-#define REQUIRE(condition, status)                                                                                     \
-    do {                                                                                                               \
-        if (!(condition))                                                                                              \
-            return status;                                                                                             \
-    } while (0)
-#define PASS(expression)                                                                                               \
-    do {                                                                                                               \
-        cagd_status passed = (expression);                                                                             \
-        REQUIRE(passed == CAGD_OK, passed);                                                                            \
-    } while (0)
-
-static int in(int lowest, int k, int highest) { return lowest <= k && k <= highest; }
-
-static int finite(int count, const double x[])
-{
-    for (int i = 0; i < count; i++)
-        if (!isfinite(x[i]))
-            return 0;
-    return 1;
-}
-
-/* A result that left the range of binary64 is infinite or not a number. */
-static cagd_status result(int count, const double x[]) { return finite(count, x) ? CAGD_OK : CAGD_RANGE; }
 
 /* The arguments that every curve has, of a degree and a dimension already found good. */
 static cagd_status polynomial_arguments(int degree, int dim, const double points[], double t)
@@ -75,13 +59,6 @@ static cagd_status total_weight(int degree, const double weights[], double t)
     double total = rational_weight_d(degree, weights, t);
     REQUIRE(total != 0, CAGD_UNDEFINED);
     return result(1, &total);
-}
-
-static cagd_status nonzero(int count, const double weights[])
-{
-    for (int i = 0; i < count; i++)
-        REQUIRE(weights[i] != 0, CAGD_UNDEFINED);
-    return CAGD_OK;
 }
 
 /* A rational curve as a result: it has no point at infinity. */
@@ -170,20 +147,6 @@ cagd_status cagd_rational_derivatives(int degree, int dim, const double *points,
     return result((order + 1) * dim, derivatives);
 }
 
-/* d times the power 2^-e of two that brings its largest component into [1/2, 1).  Returns e, or 0 for d = 0.
- * Squares of components can then neither overflow nor vanish. */
-static int normalize(int dim, double d[])
-{
-    double largest = 0;
-    int e;
-    for (int c = 0; c < dim; c++)
-        largest = fmax(largest, fabs(d[c]));
-    frexp(largest, &e);
-    for (int c = 0; c < dim; c++)
-        d[c] = ldexp(d[c], -e);
-    return e;
-}
-
 cagd_status cagd_rational_curvature(int degree, int dim, const double *points, const double *weights, double t,
                                     double *curvature)
 {
@@ -191,10 +154,7 @@ cagd_status cagd_rational_curvature(int degree, int dim, const double *points, c
     REQUIRE(curvature != NULL, CAGD_NULL);
     REQUIRE(dim != 1, CAGD_DIMENSION);
     PASS(cagd_rational_derivatives(degree, dim, points, weights, t, 2, D));
-    int e1 = normalize(dim, D + dim), e2 = normalize(dim, D + 2 * dim);
-    REQUIRE(norm_squared_d(dim, D + dim) != 0, CAGD_UNDEFINED);
-    *curvature = ldexp(curvature_d(dim, D + dim, D + 2 * dim), e2 - 2 * e1);
-    return result(1, curvature);
+    return curvature_of_derivatives(dim, D + dim, D + 2 * dim, curvature);
 }
 
 cagd_status cagd_rational_torsion(int degree, const double *points, const double *weights, double t, double *torsion)
@@ -202,10 +162,7 @@ cagd_status cagd_rational_torsion(int degree, const double *points, const double
     double D[4 * 3];
     REQUIRE(torsion != NULL, CAGD_NULL);
     PASS(cagd_rational_derivatives(degree, 3, points, weights, t, 3, D));
-    int e1 = normalize(3, D + 3), e2 = normalize(3, D + 6), e3 = normalize(3, D + 9);
-    REQUIRE(gram_d(3, D + 3, D + 6) != 0, CAGD_UNDEFINED);
-    *torsion = ldexp(torsion_d(D + 3, D + 6, D + 9), e3 - e1 - e2);
-    return result(1, torsion);
+    return torsion_of_derivatives(D + 3, D + 6, D + 9, torsion);
 }
 
 cagd_status cagd_rational_split(int degree, int dim, const double *points, const double *weights, double t,

@@ -1,4 +1,4 @@
-/* cagd.h -- the double library: Bézier and rational Bézier curves, and conics, in binary64.
+/* cagd.h -- the double library: Bézier and rational Bézier curves, conics, B-spline and NURBS curves, in binary64.
  *
  * A curve of degree n has n+1 points; coordinate c of point i is points[i*dim + c].  The weights of
  * a rational curve stand beside its points, not multiplied in.  The parameter t may be any finite
@@ -24,14 +24,19 @@ enum {
 
 typedef enum cagd_status {
     CAGD_OK,
-    CAGD_NULL,       /* a pointer is NULL                                                                  */
-    CAGD_DEGREE,     /* the degree is outside the range that the function states                           */
-    CAGD_DIMENSION,  /* the dimension is outside the range that the function states                        */
-    CAGD_ORDER,      /* the order of derivation is outside 0 ... CAGD_MAX_DEGREE                           */
-    CAGD_NOT_FINITE, /* an argument is infinite or not a number                                            */
-    CAGD_DOMAIN,     /* a number or a weight has a sign, or is a zero, that the function excludes          */
-    CAGD_UNDEFINED,  /* there is no such value: a total weight or another divisor is 0                     */
-    CAGD_RANGE       /* binary64 overflows on the way to a result, or a weight is lost to underflow        */
+    CAGD_NULL,           /* a pointer is NULL                                                                  */
+    CAGD_DEGREE,         /* the degree is outside the range that the function states                           */
+    CAGD_DIMENSION,      /* the dimension is outside the range that the function states                        */
+    CAGD_ORDER,          /* the order of derivation is outside 0 ... CAGD_MAX_DEGREE                           */
+    CAGD_NOT_FINITE,     /* an argument is infinite or not a number                                            */
+    CAGD_DOMAIN,         /* a number or a weight has a sign, or is a zero, that the function excludes          */
+    CAGD_UNDEFINED,      /* there is no such value: a total weight or another divisor is 0                     */
+    CAGD_RANGE,          /* binary64 overflows on the way to a result, or a weight is lost to underflow        */
+    CAGD_COUNT,          /* a spline needs more points than its degree                                     */
+    CAGD_KNOTS_DECREASE, /* a knot is smaller than the one before it                                       */
+    CAGD_KNOTS_MULTIPLE, /* a knot is repeated more than degree+1 times                                    */
+    CAGD_KNOTS_DOMAIN,   /* the domain of a spline is empty                                                */
+    CAGD_OUTSIDE         /* a parameter lies outside the domain of a spline                                */
 } cagd_status;
 
 /* One English sentence without full stop, never NULL; static storage. */
@@ -110,6 +115,74 @@ cagd_status cagd_conic_classify(const double conic[6], cagd_conic_type *type);
 /* *type: the type of a rational quadratic with three points not on a line, by the sign of w_0 w_2 - w_1^2,
  * decided exactly.  DOMAIN when a weight is 0. */
 cagd_status cagd_conic_classify_weights(const double weights[3], cagd_conic_type *type);
+
+/* A B-spline curve (B 样条曲线) sum N_{i,p}(t) c_i, or with weights a NURBS curve (NURBS 曲线)
+ * sum N_{i,p}(t) w_i c_i / sum N_{i,p}(t) w_i.
+ *
+ * The degree p is the order k less one.  count points, count > p; coordinate c of point i is points[i*dim + c];
+ * count+p+1 knots u_0 <= u_1 <= ..., each of multiplicity at most p+1.  The domain is [u_p, u_count]; ends need not be
+ * clamped.  weights NULL: a B-spline curve.  Everything is the caller's and only read. */
+typedef struct cagd_spline {
+    int degree, count, dim;
+    const double *knots, *points, *weights;
+} cagd_spline;
+
+/* At a knot the two neighbouring segments may differ: CAGD_RIGHT asks for the one on the right, at the end of the domain
+ * for the last one; CAGD_LEFT for the one on the left, at the start for the first one. */
+typedef enum cagd_side { CAGD_RIGHT, CAGD_LEFT } cagd_side;
+
+/* Whether the spline is one, with a status that says what is wrong.  where may be NULL; otherwise *where is the index of
+ * the knot, point coordinate or weight that is meant, or -1 where there is none. */
+cagd_status cagd_spline_check(const cagd_spline *spline, int *where);
+
+/* *span = mu with u_mu < u_{mu+1}: the segment of t. */
+cagd_status cagd_spline_span(const cagd_spline *spline, double t, cagd_side side, int *span);
+
+/* values[(order+1)*(p+1)]: row r holds the derivatives of order r at t of N_{mu-p,p}, ..., N_{mu,p}, mu = *span; row 0 the
+ * values.  The points are not looked at. */
+cagd_status cagd_spline_basis(const cagd_spline *spline, double t, cagd_side side, int order, int *span,
+                              double *values);
+
+/* point[dim]: the point at t.  UNDEFINED when the total weight at t, as computed, is 0. */
+cagd_status cagd_spline_point(const cagd_spline *spline, double t, cagd_side side, double *point);
+
+/* derivatives[(order+1)*dim]: row r is the r-th derivative at t.  UNDEFINED as for the point. */
+cagd_status cagd_spline_derivatives(const cagd_spline *spline, double t, cagd_side side, int order,
+                                    double *derivatives);
+
+/* *curvature >= 0 at t; dim 2 or 3.  UNDEFINED as for the point, and where the first derivative is 0. */
+cagd_status cagd_spline_curvature(const cagd_spline *spline, double t, cagd_side side, double *curvature);
+
+/* *torsion at t; dim 3.  UNDEFINED as for the point, and where the first two derivatives are dependent. */
+cagd_status cagd_spline_torsion(const cagd_spline *spline, double t, cagd_side side, double *torsion);
+
+/* The same curve with one knot x more (Boehm): count+p+2 knots, count+1 points, and as many weights if the spline has
+ * any (else new_weights may be NULL).  OUTSIDE unless u_p <= x < u_count; KNOTS_MULTIPLE when x is a knot p+1 times;
+ * UNDEFINED when a new weight is 0. */
+cagd_status cagd_spline_insert(const cagd_spline *spline, double x, double *new_knots, double *new_points,
+                               double *new_weights);
+
+/* The p+1 Bézier points of the segment of the span, and as many weights if the spline has any: the curve over
+ * [u_span, u_{span+1}] as a (rational) Bézier curve over [0,1].  OUTSIDE unless that is a span; UNDEFINED when a weight
+ * of the result is 0. */
+cagd_status cagd_spline_bezier(const cagd_spline *spline, int span, double *bezier_points, double *bezier_weights);
+
+/* How many points cagd_spline_split gives on the left and on the right of t, u_p < t < u_count. */
+cagd_status cagd_spline_split_counts(const cagd_spline *spline, double t, int *left_count, int *right_count);
+
+/* The parts of the curve on the left and on the right of t, u_p < t < u_count; in each of them t is a knot p+1 times.
+ * left has *left_count points and p+1 knots more, right in the same way.  Weights if the spline has any.  UNDEFINED when
+ * a weight of the result is 0. */
+cagd_status cagd_spline_split(const cagd_spline *spline, double t, double *left_knots, double *left,
+                              double *left_weights, double *right_knots, double *right, double *right_weights);
+
+/* How many points the curve has in degree p+1. */
+cagd_status cagd_spline_elevated_count(const cagd_spline *spline, int *count);
+
+/* The same curve in degree p+1 <= CAGD_MAX_DEGREE: *count points as cagd_spline_elevated_count says, over *count+p+2
+ * knots in which every knot of the domain has one copy more; both ends clamped only if they were.  Weights if the spline has
+ * any.  UNDEFINED when a weight of the result is 0. */
+cagd_status cagd_spline_elevate(const cagd_spline *spline, double *new_knots, double *new_points, double *new_weights);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,8 @@
  *
  * Included once for binary64 (core/span.h) and once for rationals (exact/span.h); G(before)(a, b) says a < b.
  * Shapes as in bspline.tmpl.h: n points of degree p, knots u_0, ..., u_{n+p}. */
+#include <stddef.h>
+
 #include "core/number/generic_on.h"
 
 /* How many of the `count` knots equal t (重数). */
@@ -66,21 +68,62 @@ static inline int G(find_span_left)(int n, int p, const num u[], num t)
     return mu;
 }
 
-/* For each of the m points of degree q over knots v with the domain of u: span[j], a span of u that contains a
- * non-empty [v_l, v_{l+1}], j <= l <= j+q, as bspline_refine and its relatives ask.  Returns 0 and stops where a
- * point has none: its support does not meet the domain. */
+/* For point j of the m points of degree q over knots v with the domain of u: a span of u that contains a non-empty
+ * [v_l, v_{l+1}], j <= l <= j+q, as bspline_refine and its relatives ask.  -1 if its support does not meet the domain. */
+static inline int G(span_of_point)(int n, int p, const num u[], int m, int q, const num v[], int j)
+{
+    int l = j < q ? q : j, last = j + q < m ? j + q : m - 1;
+    while (l <= last && !G(before)(v[l], v[l + 1]))
+        l++;
+    return l <= last ? G(find_span)(n, p, u, v[l]) : -1;
+}
+
+/* span[j] for all of them.  Returns 0 if some point has none, otherwise 1. */
 static inline int G(spans_of_points)(int n, int p, const num u[], int m, int q, const num v[], int span[])
 {
+    int all = 1;
     for (int j = 0; j < m; j++) {
-        int l = j < q ? q : j, last = j + q < m ? j + q : m - 1;
-        while (l <= last && !G(before)(v[l], v[l + 1]))
-            l++;
-        if (l > last)
-            return 0;
-        span[j] = G(find_span)(n, p, u, v[l]);
-        if (span[j] < 0)
-            return 0;
+        span[j] = G(span_of_point)(n, p, u, m, q, v, j);
+        all = all && span[j] >= 0;
     }
-    return 1;
+    return all;
+}
+/* The knots of the same spline in degree p+1: every distinct knot once more than in u.  Of this sequence v takes as much as
+ * the domain asks for: p+2 knots up to the last copy of u_p, those in between, and p+2 from the first copy of u_n on.
+ * Returns the number m of points; v has m+p+2 knots and may be NULL. */
+static inline int G(raised_knots)(int n, int p, const num u[], num v[])
+{
+    int up_to_start = 0, between = 0;
+    for (int i = 0; i <= n + p; i++) {
+        int copies = i == n + p || G(before)(u[i], u[i + 1]) ? 2 : 1;
+        if (!G(before)(u[p], u[i]))
+            up_to_start += copies;
+        else if (G(before)(u[i], u[n]))
+            between += copies;
+    }
+    int m = p + 2 + between, skip = up_to_start - (p + 2), at = 0;
+    for (int i = 0; v != NULL && i <= n + p; i++)
+        for (int copies = i == n + p || G(before)(u[i], u[i + 1]) ? 2 : 1; copies > 0; copies--, at++)
+            if (skip <= at && at - skip < m + p + 2)
+                v[at - skip] = u[i];
+    return m;
+}
+
+/* The knots of the same spline in degree p-1, if it is of that degree, p >= 1: inner knots once less than in u, the ends
+ * of the domain p times.  Returns the number m of points; v has m+p knots and may be NULL. */
+static inline int G(lowered_knots)(int n, int p, const num u[], num v[])
+{
+    int m = p;
+    for (int i = p; i < n; i++) /* an inner knot that is not the last of its copies */
+        if (G(before)(u[p], u[i]) && !G(before)(u[i], u[i + 1]) && G(before)(u[i], u[n])) {
+            if (v != NULL)
+                v[m] = u[i];
+            m++;
+        }
+    for (int i = 0; v != NULL && i < p; i++) {
+        v[i] = u[p];
+        v[m + i] = u[n];
+    }
+    return m;
 }
 #include "core/number/generic_off.h"

@@ -50,7 +50,7 @@ class Usage(Case):
         self.refuses("verify", "--frobnicate", words=["frobnicate"])
 
     def test_help_has_examples_first(self):
-        for command in ["verify", "list", "show", "ledger", "figures"]:
+        for command in ["verify", "list", "show", "ledger", "figures", "curve"]:
             r = run(command, "--help")
             self.assertEqual(r.returncode, 0)
             self.assertLess(r.stdout.index("Examples"), r.stdout.index("--help"))
@@ -296,6 +296,124 @@ class Figures(Case):
         for row in json.loads(run("ledger", "--json").stdout)["statements"]:
             if row["figure"]:
                 self.assertIn(row["figure"], names)
+
+
+# The unit circle in four quarters: double knots, weights 1, 1, 2.
+CIRCLE = {"kind": "nurbs", "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4],
+          "points": [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]],
+          "weights": [1, 1, 2, 1, 1, 1, 2, 1, 1]}
+
+
+class Curves(Case):
+    def curve(self, curve, *args, code=0):
+        text = curve if isinstance(curve, str) else json.dumps(curve)
+        r = run("curve", *args, "-", input=text)
+        self.assertEqual(r.returncode, code, r)
+        return r
+
+    def values(self, curve, *parameters, options=()):
+        args = [x for t in parameters for x in ("--at", t)]
+        return json.loads(self.curve(curve, "--json", *options, *args).stdout)["values"]
+
+    def points(self, curve, *parameters):
+        return [v["derivatives"][0] for v in self.values(curve, *parameters)]
+
+    def bad(self, words, text=None, args=(), **change):
+        text = text if text is not None else json.dumps({**CIRCLE, **change})
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "c.json"
+            path.write_text(text)
+            self.refuses("curve", str(path), *args, words=[str(path), *words])
+
+    def test_values_are_exact(self):
+        a, b = self.values(CIRCLE, "1/3", "2", options=("--derivatives", "1"))
+        self.assertEqual(a["derivatives"], [["4/5", "3/5"], ["-27/25", "36/25"]])
+        self.assertEqual(a["rounded"][0], [0.8, 0.6])
+        self.assertEqual(a["curvature_squared"], 1)
+        self.assertEqual(b["derivatives"][0], [-1, 0])
+
+    def test_sides_of_a_knot(self):
+        corner = {"kind": "bspline", "degree": 1, "points": [[0, 0], [1, 0], [1, 3]], "knots": [0, 0, 1, 2, 2]}
+        right, = self.values(corner, "1", options=("--derivatives", "1"))
+        left, = self.values(corner, "1", options=("--derivatives", "1", "--left"))
+        self.assertEqual((left["derivatives"], right["derivatives"]), ([[1, 0], [1, 0]], [[1, 0], [0, 3]]))
+
+    def test_order_is_degree_plus_one(self):
+        by_order = {k: v for k, v in CIRCLE.items() if k != "degree"} | {"order": 3}
+        self.assertEqual(self.points(by_order, "1/3"), self.points(CIRCLE, "1/3"))
+
+    def test_numbers_as_people_write_them(self):
+        line = {"kind": "bezier", "points": [["0x1p-1"], ["1/3"]]}
+        self.assertEqual(self.points(line, "0", "1"), [["1/2"], ["1/3"]])
+        line["points"] = [["0.1"], [0.1]]
+        self.assertEqual(self.points(line, "0", "1"), [["1/10"], ["3602879701896397/36028797018963968"]])
+
+    def test_changed_curves_are_the_same_curve(self):
+        at = ["0", "1/3", "1/2", "1", "7/4", "3", "22/7", "4"]
+        wanted = self.points(CIRCLE, *at)
+        finer = self.curve(CIRCLE, "--insert", "1/2", "--insert", "22/7", "--insert", "1/2").stdout
+        higher = self.curve(CIRCLE, "--elevate").stdout
+        again = self.curve(finer, "--remove", "22/7", "--remove", "1/2", "--remove", "1/2").stdout
+        for changed in finer, higher, again, self.curve(higher, "--reduce").stdout:
+            self.assertEqual(self.points(changed, *at), wanted)
+        self.assertEqual(json.loads(again)["knots"], CIRCLE["knots"])
+        self.assertEqual(json.loads(higher)["knots"].count(1), 3)
+        left, right = json.loads(self.curve(CIRCLE, "--split", "1/2").stdout)
+        self.assertEqual(self.points(left, "0", "1/3", "1/2"), wanted[:3])
+        self.assertEqual(self.points(right, "1/2", "1", "4"), [wanted[2], wanted[3], wanted[7]])
+        quarters = json.loads(self.curve(CIRCLE, "--bezier").stdout)
+        self.assertEqual(len(quarters), 4)
+        self.assertEqual(self.points(quarters[1], "1", "7/4"), wanted[3:5])
+
+    def test_what_cannot_be_removed(self):
+        self.assertIn("the knot 1", self.curve(CIRCLE, "--remove", "1", code=1).stderr)
+        self.assertIn("segment from 0", self.curve(CIRCLE, "--reduce", code=1).stderr)
+
+    def test_description(self):
+        text = self.curve(CIRCLE).stdout
+        for words in ["NURBS curve of degree 2 (order 3) in the plane", "[0, 4], 4 segments", "1 (2 times)", "positive"]:
+            self.assertIn(words, text)
+        signs = self.curve({**CIRCLE, "weights": [1, -3, 2, 1, 1, 1, 2, 1, 1]}).stdout
+        self.assertIn("vanishes somewhere", signs)
+
+    def test_bad_knots(self):
+        k = CIRCLE["knots"]
+        self.bad(["knots[4]", "1/2", "smaller", "1"], knots=k[:4] + ["1/2"] + k[5:])
+        self.bad(["knots[3]", "more than 3 times"], knots=[0, 0, 0, 0] + k[4:])
+        self.bad(["10 given", "expected 12"], knots=k[:10])
+        self.bad(["domain", "empty"], text=json.dumps({"kind": "bspline", "degree": 1, "points": [[0], [1]],
+                                                       "knots": [0, 1, 1, 2]}))
+
+    def test_bad_counts_and_fields(self):
+        self.bad(["weights", "8 given", "expected 9"], weights=CIRCLE["weights"][:8])
+        self.bad(["points[3]", "1 given", "expected 2"], points=CIRCLE["points"][:3] + [[1]] + CIRCLE["points"][4:])
+        self.bad(["points[0]", "1 to 3"], points=[[1, 2, 3, 4]])
+        self.bad(["at least 13"], degree=12, knots=list(range(22)))
+        self.bad(["degree", "0 to 64"], degree=65)
+        self.bad(["degree", "0 to 64"], degree="2")
+        self.bad(["kind", "rational-bezier"], kind="spline")
+        self.bad(["knot", "no such field"], knot=[1])
+        self.bad(["points[0]", "3/7"], points=[["x", 1]] + CIRCLE["points"][1:])
+        self.bad(["points[0]", "3/7"], points=[["1/0", 1]] + CIRCLE["points"][1:])
+        self.bad(["weights", "missing"], text=json.dumps({k: v for k, v in CIRCLE.items() if k != "weights"}))
+
+    def test_bad_files(self):
+        self.bad(["line 1"], text=json.dumps(CIRCLE)[:-5])
+        self.bad(["line 1"], text='{"kind": "bezier", "points": [[NaN]]}')
+        self.bad(["object"], text="[1]")
+        self.refuses("curve", "/does/not/exist.json", words=["/does/not/exist.json"])
+        self.refuses("curve", words=["file"])
+
+    def test_bad_parameters(self):
+        self.bad(["outside", "5"], args=["--at", "5"])
+        self.bad(["total weight is 0", "1/2"], args=["--at", "1/2"],
+                 text='{"kind": "rational-bezier", "points": [[0], [1]], "weights": [1, -1]}')
+        self.bad(["as many knots", "1"], args=["--insert", "1", "--insert", "1"])
+        self.bad(["not at 4"], args=["--insert", "4"])
+        self.bad(["no inner knot 1/2"], args=["--remove", "1/2"])
+        self.bad(["not at 0"], args=["--split", "0"])
+        self.refuses("curve", "c.json", "--at", "x", words=["--at", "x"])
+        self.refuses("curve", "c.json", "--elevate", "--reduce", words=["one change"])
 
 
 if __name__ == "__main__":

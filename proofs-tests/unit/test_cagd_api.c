@@ -212,8 +212,8 @@ static void conic_types_are_exact(void **state)
 static void every_status_has_its_own_text(void **state)
 {
     (void)state;
-    for (int s = CAGD_OK; s <= CAGD_RANGE + 1; s++)
-        for (int r = CAGD_OK; r <= CAGD_RANGE + 1; r++)
+    for (int s = CAGD_OK; s <= CAGD_OUTSIDE + 1; s++)
+        for (int r = CAGD_OK; r <= CAGD_OUTSIDE + 1; r++)
             assert_int_equal(r == s, strcmp(cagd_status_text((cagd_status)s), cagd_status_text((cagd_status)r)) == 0);
     assert_non_null(strchr(cagd_version(), '.'));
 }
