@@ -107,7 +107,7 @@ static inline int G(several_knots)(trial *T, int p, int k, struct G(knots) * K)
 {
     char pattern[MOST_KNOTS];
     k = G(next_pattern)(T, p, k);
-    int inner = k % (p + 2), ends = k / (p + 2), at = 0;
+    int inner = (k + 1) % (p + 2), ends = k / (p + 2), at = 0;
     if (ends > 2) {
         for (int bits = k - 3 * (p + 2); p <= 2 && bits < 1 << (2 * p + 2); bits++) {
             G(pattern_of_bits)(2 * p + 3, bits, pattern);
