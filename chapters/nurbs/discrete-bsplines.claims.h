@@ -41,11 +41,7 @@ static void G(finer_knots)(trial *T, const struct G(knots) * K, struct G(knots) 
             num a = positive(T, "a", place), b = positive(T, "b", place);
             x = div(add(mul(b, K->u[mu]), mul(a, K->u[mu + 1])), add(a, b));
         } else if (times > 0 && inside) {
-#if FIELD
-            x = unknown(T, "s", place);
-#else
-            x = add(x, mul(parameter(T, "s"), sub(K->u[mu + 1], x)));
-#endif
+            x = G(in_interval)(T, K, mu, place == lowest + 1 ? "s" : "r");
         }
         for (int more = 0; more < times && G(multiplicity_at)(L, place) <= p; more++)
             G(put_knot)(L, place, x, L);

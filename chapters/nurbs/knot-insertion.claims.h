@@ -25,19 +25,6 @@ $u_{i+p}-u_i$.
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
-/* The number of a knot that goes to a place of K: a variable in an interval, elsewhere the knot that is there. */
-static num G(new_knot)(trial *T, const struct G(knots) * K, int place, const char *name)
-{
-    int mu = G(span_of_interval)(K->count, K->place, place);
-    if (place % 2 == 0)
-        return K->u[mu];
-#if FIELD
-    return unknown(T, name, 0);
-#else
-    return add(K->u[mu], mul(parameter(T, name), sub(K->u[mu + 1], K->u[mu])));
-#endif
-}
-
 CLAIM(boehm_insertion_keeps_curve)
 {
     int p = T->degree;
@@ -48,7 +35,7 @@ CLAIM(boehm_insertion_keeps_curve)
         for (int place = K.place[p]; place < K.place[K.n]; place++) {
             if (G(multiplicity_at)(&K, place) > p)
                 continue;
-            num x = G(new_knot)(T, &K, place, "s");
+            num x = G(knot_for)(T, &K, place, "s");
             G(put_knot)(&K, place, x, &L);
             int mu = G(span_of_interval)(K.count, K.place, place);
             G(bspline_insert)(K.n, p, dim, K.u, mu, c, x, v, d);
@@ -89,7 +76,7 @@ CLAIM(insertions_commute)
                 if (G(multiplicity_at)(&K, at) + (at == then) > p || G(multiplicity_at)(&K, then) > p)
                     continue;
                 int mu = G(span_of_interval)(K.count, K.place, at), nu = G(span_of_interval)(K.count, K.place, then);
-                num x = G(new_knot)(T, &K, at, "s"), y = G(new_knot)(T, &K, then, "r");
+                num x = G(knot_for)(T, &K, at, "s"), y = G(knot_for)(T, &K, then, "r");
                 if (at == then && at % 2 == 1)
                     y = add(x, mul(parameter(T, "q"), sub(K.u[mu + 1], x)));
                 G(put_knot)(&K, at, x, &X);
@@ -130,7 +117,7 @@ CLAIM(repeated_insertion_is_deboor)
             int s = G(multiplicity_at)(&K, place), mu = G(span_of_interval)(K.count, K.place, place);
             if (s > p || mu - s < p)
                 continue;
-            num x = G(new_knot)(T, &K, place, "s");
+            num x = G(knot_for)(T, &K, place, "s");
             for (int i = 0; i < K.n * dim; i++)
                 d[i] = c[i];
             L = K;
@@ -227,7 +214,7 @@ static void G(refined)(trial *T, const struct G(knots) * K, const num c[], struc
         int times = inside ? (place == lowest + 1) + 2 * last : place > lowest && G(multiplicity_at)(K, place) <= p;
         for (int more = 0; more < times && G(multiplicity_at)(L, place) <= p; more++) {
             if (more == 0)
-                x = G(new_knot)(T, K, place, last ? "r" : "s");
+                x = G(knot_for)(T, K, place, last ? "r" : "s");
             G(bspline_insert)(L->n, p, dim, L->u, G(span_of_interval)(L->count, L->place, place), d, x, v, e);
             G(put_knot)(L, place, x, L);
             for (int i = 0; i < L->n * dim; i++)

@@ -36,14 +36,7 @@ CLAIM(removal_inverts_insertion)
             int s = G(multiplicity_at)(&K, place) + 1, mu = G(span_of_interval)(K.count, K.place, place);
             if (s > p + 1)
                 continue;
-            num x = K.u[mu];
-            if (place % 2 == 1) {
-#if FIELD
-                x = unknown(T, "s", 0);
-#else
-                x = add(x, mul(parameter(T, "s"), sub(K.u[mu + 1], x)));
-#endif
-            }
+            num x = G(knot_for)(T, &K, place, "s");
             G(bspline_insert)(K.n, p, dim, K.u, mu, b, x, u, c);
             if (T->planted)
                 c[(mu - s + 1) * dim] = add(c[(mu - s + 1) * dim], from_int(1));

@@ -256,6 +256,24 @@ static inline void G(put_knot)(const struct G(knots) * K, int place, num x, stru
     }
 }
 
+/* A number of the interval of a span: in the field a variable, which may be any number. */
+static inline num G(in_interval)(trial *T, const struct G(knots) * K, int mu, const char *name)
+{
+#if FIELD
+    (void)K, (void)mu;
+    return parameter(T, name);
+#else
+    return add(K->u[mu], mul(parameter(T, name), sub(K->u[mu + 1], K->u[mu])));
+#endif
+}
+
+/* A knot for a place: in an interval a number of it, elsewhere the knot that is there. */
+static inline num G(knot_for)(trial *T, const struct G(knots) * K, int place, const char *name)
+{
+    int mu = G(span_of_interval)(K->count, K->place, place);
+    return place % 2 == 0 ? K->u[mu] : G(in_interval)(T, K, mu, name);
+}
+
 /* How many knots have this place. */
 static inline int G(multiplicity_at)(const struct G(knots) * K, int place)
 {
