@@ -658,6 +658,8 @@ REFERENCE(circle_of_arc)
     out[2] = product_of(2, radius, radius);
 }
 
+#include "proofs-tests/unit/spline_references.h"
+
 typedef void reference(const struct data_q *D, num out[]);
 #define ENTRY(name) reference_##name,
 static reference *const references[] = {ALL_KERNELS(ENTRY)};

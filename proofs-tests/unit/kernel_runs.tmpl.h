@@ -367,6 +367,10 @@ RUN(implicit_value)
     return 1;
 }
 
+#include "core/number/generic_off.h"
+#include "proofs-tests/unit/spline_runs.tmpl.h"
+#include "core/number/generic_on.h"
+
 #define ENTRY(name) G(run_##name),
 static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};
 #undef ENTRY

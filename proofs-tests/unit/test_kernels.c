@@ -36,7 +36,16 @@
                                         _(conic_standard_weight) _(shoulder_point) _(circular_arc_invariant)           \
                                             _(circular_arc_weights) _(circle_of_arc) _(determinant) _(sylvester)       \
                                                 _(bezout) _(resultant) _(bezout_resultant)             \
-                                                    _(implicit_coefficients) _(implicit_value)
+                                                    _(implicit_coefficients) _(implicit_value) ALL_SPLINE_KERNELS(_)
+
+#define ALL_SPLINE_KERNELS(_)                                                                                          \
+    _(bezier_reduce)                                                                                                   \
+    _(bspline_basis)                                                                                                   \
+    _(bspline_basis_derivatives) _(discrete_bsplines) _(bspline_blossom) _(deboor) _(bspline_derivatives)              \
+        _(bspline_difference) _(greville) _(bspline_insert) _(bspline_remove) _(bspline_refine) _(bspline_elevate)     \
+            _(bspline_reduce) _(bspline_to_bezier) _(bspline_point_of_bezier) _(bspline_split) _(bspline_periodic)     \
+                _(nurbs_weight) _(nurbs_point) _(nurbs_deboor) _(nurbs_derivatives) _(nurbs_curvature_squared)         \
+                    _(nurbs_torsion) _(nurbs_insert)
 
 #define ENTRY(name) #name,
 static const char *const names[] = {ALL_KERNELS(ENTRY)};
