@@ -168,7 +168,7 @@ CLAIM(bspline_basis_sums_to_less_outside_the_domain)
 CLAIM(bspline_is_positive_inside_its_support)
 {
     int p = T->degree;
-    struct G(knots) K = {.lengths = 1};
+    struct G(knots) K = {.kind = LENGTHS};
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K))
         for (int interval = 0; interval < K.place[K.count - 1]; interval += 2) {
             num a = positive(T, "a", 0), b = positive(T, "b", 0), x = unknown(T, "x", 0), t = x;
@@ -208,7 +208,7 @@ CLAIM(bspline_is_positive_inside_its_support)
 CLAIM(bspline_at_its_knots)
 {
     int p = T->degree;
-    struct G(knots) K = {.lengths = 1};
+    struct G(knots) K = {.kind = LENGTHS};
     num N[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         for (int interval = 0; interval < K.place[K.count - 1]; interval += 2) {
@@ -290,7 +290,7 @@ CLAIM(marsden_identity)
 CLAIM(bsplines_of_a_span_are_independent)
 {
     int p = T->degree;
-    struct G(knots) K = {.lengths = 1};
+    struct G(knots) K = {.kind = LENGTHS};
     num N[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         G(basis_powers)(p, K.count, K.u, K.place, K.place[p], K.u[p], N);

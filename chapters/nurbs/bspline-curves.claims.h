@@ -25,10 +25,10 @@ computed from the points; and the points are its values at consecutive knots, $c
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
-CLAIM(blossom_of_a_segment_is_its_polar_form)
+static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knots) K = {.kind = kind};
     num c[MOST_KNOTS * dim], s[HIGHEST + 1], x[HIGHEST + 1], P[dim], Q[dim];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -50,6 +50,25 @@ CLAIM(blossom_of_a_segment_is_its_polar_form)
         }
     }
 }
+
+CLAIM(blossom_of_a_segment_is_its_polar_form) { G(check_blossom_of_a_segment_is_its_polar_form)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} blossom_is_polar_form_in_higher_degrees
+:title: The polar form of a segment of higher degree
+:zh: 高次时的极形式
+:given: as for `blossom_of_a_segment_is_its_polar_form`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 5..7
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: the last argument taken as the first as well
+:::
+*/
+CLAIM(blossom_is_polar_form_in_higher_degrees) { G(check_blossom_of_a_segment_is_its_polar_form)(T, INTEGERS); }
+#endif
 
 /*
 :::{claim} deboor_level_gives_points_of_lower_degree
@@ -381,10 +400,10 @@ CLAIM(bspline_difference_is_derivative_spline)
 :control: the derivatives of the reversed points
 :::
 */
-CLAIM(bspline_derivatives_of_every_order)
+static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knots) K = {.kind = kind};
     num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], s[HIGHEST + 1], t = parameter(T, "t");
     num D[(HIGHEST + 2) * dim], E[(HIGHEST + 2) * dim];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
@@ -403,4 +422,23 @@ CLAIM(bspline_derivatives_of_every_order)
         }
     }
 }
+
+CLAIM(bspline_derivatives_of_every_order) { G(check_bspline_derivatives_of_every_order)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} bspline_derivatives_in_higher_degrees
+:title: The derivatives of a segment of higher degree
+:zh: 高次时的导矢
+:given: as for `bspline_derivatives_of_every_order`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 5..6
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: the derivatives of the reversed points
+:::
+*/
+CLAIM(bspline_derivatives_in_higher_degrees) { G(check_bspline_derivatives_of_every_order)(T, INTEGERS); }
+#endif
 #include "chapters/frame/claims_off.h"

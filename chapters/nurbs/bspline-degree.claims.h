@@ -36,10 +36,10 @@ static void G(elevated_knots)(const struct G(knots) * K, struct G(knots) * L)
     L->n = L->count - L->p - 1;
 }
 
-CLAIM(elevation_keeps_bspline_curve)
+static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS];
-    struct G(knots) K = {0}, L;
+    struct G(knots) K = {.kind = kind}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (K.place[p] == K.place[p + 1] || K.place[K.n - 1] == K.place[K.n])
@@ -56,6 +56,25 @@ CLAIM(elevation_keeps_bspline_curve)
         }
     }
 }
+
+CLAIM(elevation_keeps_bspline_curve) { G(check_elevation_keeps_bspline_curve)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} elevation_in_higher_degrees
+:title: Elevation in higher degrees
+:zh: 高次时的升阶
+:given: as for `elevation_keeps_bspline_curve`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 4..6
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: the last point replaced by the one before it
+:::
+*/
+CLAIM(elevation_in_higher_degrees) { G(check_elevation_keeps_bspline_curve)(T, INTEGERS); }
+#endif
 
 /*
 :::{claim} bezier_reduction_inverts_elevation

@@ -24,10 +24,10 @@ one whose points and knots repeat.
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
-CLAIM(segment_is_a_bezier_curve)
+static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knots) K = {.kind = kind};
     num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], s[HIGHEST + 1];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         num h = sub(K.u[p + 1], K.u[p]);
@@ -46,6 +46,25 @@ CLAIM(segment_is_a_bezier_curve)
         }
     }
 }
+
+CLAIM(segment_is_a_bezier_curve) { G(check_segment_is_a_bezier_curve)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} bezier_points_in_higher_degrees
+:title: The Bézier points of a segment of higher degree
+:zh: 高次时的 Bézier 点
+:given: as for `segment_is_a_bezier_curve`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 5..7
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: the points backwards
+:::
+*/
+CLAIM(bezier_points_in_higher_degrees) { G(check_segment_is_a_bezier_curve)(T, INTEGERS); }
+#endif
 
 /*
 :::{claim} points_come_back_from_bezier_points
@@ -108,10 +127,10 @@ CLAIM(points_come_back_from_bezier_points)
 :control: the last point of the left part and the first of the right part replaced by their neighbours, where there are any
 :::
 */
-CLAIM(split_gives_both_parts_of_bspline)
+static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {0}, L, R;
+    struct G(knots) K = {.kind = kind}, L, R;
     num c[MOST_KNOTS * dim], left[MOST_KNOTS * dim], right[MOST_KNOTS * dim], v[MOST_KNOTS], w[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -147,6 +166,25 @@ CLAIM(split_gives_both_parts_of_bspline)
         }
     }
 }
+
+CLAIM(split_gives_both_parts_of_bspline) { G(check_split_gives_both_parts_of_bspline)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} split_in_higher_degrees
+:title: A curve of higher degree cut at a parameter
+:zh: 高次时的分割
+:given: as for `split_gives_both_parts_of_bspline`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 4..6
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: the last point of the left part and the first of the right part replaced by their neighbours, where there are any
+:::
+*/
+CLAIM(split_in_higher_degrees) { G(check_split_gives_both_parts_of_bspline)(T, INTEGERS); }
+#endif
 
 /*
 :::{claim} periodic_spline_closes

@@ -36,7 +36,7 @@ static void G(finer_knots)(trial *T, const struct G(knots) * K, struct G(knots) 
         int inside = place % 2 == 1, last = place == highest - 1, mu = G(span_of_interval)(K->count, K->place, place);
         int times = inside ? (place == lowest + 1) + 2 * last : place > lowest && G(multiplicity_at)(K, place) <= p;
         num x = K->u[mu];
-        if (times > 0 && inside && K->lengths) {
+        if (times > 0 && inside && K->kind == LENGTHS) {
             /* between positive lengths: a weighted mean of the two knots */
             num a = positive(T, "a", place), b = positive(T, "b", place);
             x = div(add(mul(b, K->u[mu]), mul(a, K->u[mu + 1])), add(a, b));
@@ -125,7 +125,7 @@ CLAIM(discrete_bsplines_satisfy_refinement_equation)
 CLAIM(discrete_bsplines_are_nonnegative)
 {
     int p = T->degree;
-    struct G(knots) K = {.lengths = 1}, L;
+    struct G(knots) K = {.kind = LENGTHS}, L;
     num a[MOST_KNOTS * MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (!G(ends_are_spans)(&K))
@@ -170,7 +170,7 @@ product of these matrices, and so, by the formula of Cauchy and Binet, no minor 
 CLAIM(bspline_collocation_is_product_of_insertions)
 {
     int p = T->degree;
-    struct G(knots) K = {.lengths = 1}, L;
+    struct G(knots) K = {.kind = LENGTHS}, L;
     num A[MOST_KNOTS * MOST_KNOTS], B[MOST_KNOTS * MOST_KNOTS], c[MOST_KNOTS], d[MOST_KNOTS], v[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (!G(ends_are_spans)(&K))
@@ -311,7 +311,7 @@ static void G(decide_collocation)(trial *T, const struct G(knots) * pattern, con
 CLAIM(schoenberg_whitney)
 {
     int p = T->degree;
-    struct G(knots) K = {.lengths = 1};
+    struct G(knots) K = {.kind = LENGTHS};
     char pattern[MOST_KNOTS];
     for (int n = p + 1; n <= 4; n++)
         for (int bits = 0; bits < 1 << (n + p); bits++) {

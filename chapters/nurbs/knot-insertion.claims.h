@@ -25,10 +25,10 @@ $u_{i+p}-u_i$.
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
-CLAIM(boehm_insertion_keeps_curve)
+static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {0}, L;
+    struct G(knots) K = {.kind = kind}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], v[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -50,6 +50,25 @@ CLAIM(boehm_insertion_keeps_curve)
         }
     }
 }
+
+CLAIM(boehm_insertion_keeps_curve) { G(check_boehm_insertion_keeps_curve)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} boehm_insertion_in_higher_degrees
+:title: Boehm's insertion in higher degrees
+:zh: 高次时的插入节点
+:given: as for `boehm_insertion_keeps_curve`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 4..6
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: the last of the new points is replaced by its neighbour
+:::
+*/
+CLAIM(boehm_insertion_in_higher_degrees) { G(check_boehm_insertion_keeps_curve)(T, INTEGERS); }
+#endif
 
 /*
 :::{claim} insertions_commute
@@ -152,7 +171,7 @@ CLAIM(repeated_insertion_is_deboor)
 CLAIM(inserted_points_divide_edges)
 {
     int p = T->degree;
-    struct G(knots) K = {.lengths = 1};
+    struct G(knots) K = {.kind = LENGTHS};
     num c[MOST_KNOTS], d[MOST_KNOTS], sum[MOST_KNOTS], v[MOST_KNOTS];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         num a = positive(T, "a", 0), b = positive(T, "b", 0), x = add(K.u[p], a);
@@ -223,10 +242,10 @@ static void G(refined)(trial *T, const struct G(knots) * K, const num c[], struc
     }
 }
 
-CLAIM(refinement_keeps_curve)
+static void G(check_refinement_keeps_curve)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS];
-    struct G(knots) K = {0}, L;
+    struct G(knots) K = {.kind = kind}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], boehm[MOST_KNOTS * dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, c);
@@ -246,4 +265,23 @@ CLAIM(refinement_keeps_curve)
             G(same_spline)(T, dim, &K, c, &L, d);
     }
 }
+
+CLAIM(refinement_keeps_curve) { G(check_refinement_keeps_curve)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} refinement_in_higher_degrees
+:title: The Oslo algorithm in higher degrees
+:zh: 高次时的 Oslo 算法
+:given: as for `refinement_keeps_curve`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 4..6
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: one point computed with the knots of its neighbour
+:::
+*/
+CLAIM(refinement_in_higher_degrees) { G(check_refinement_keeps_curve)(T, INTEGERS); }
+#endif
 #include "chapters/frame/claims_off.h"

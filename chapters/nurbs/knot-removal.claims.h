@@ -25,10 +25,10 @@ the jump of the first derivative that the knot allows to jump, in another scale.
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
-CLAIM(removal_inverts_insertion)
+static void G(check_removal_inverts_insertion)(trial *T, int kind)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knots) K = {.kind = kind};
     num b[MOST_KNOTS * dim], c[MOST_KNOTS * dim], back[MOST_KNOTS * dim], defect[dim], u[MOST_KNOTS], v[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, dim, b);
@@ -53,6 +53,25 @@ CLAIM(removal_inverts_insertion)
         }
     }
 }
+
+CLAIM(removal_inverts_insertion) { G(check_removal_inverts_insertion)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} removal_in_higher_degrees
+:title: Removal in higher degrees
+:zh: 高次时的消去节点
+:given: as for `removal_inverts_insertion`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 5..6
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: one of the points that removal solves for is moved before
+:::
+*/
+CLAIM(removal_in_higher_degrees) { G(check_removal_inverts_insertion)(T, INTEGERS); }
+#endif
 
 /*
 :::{claim} reinsertion_misses_by_the_defect
@@ -126,7 +145,7 @@ static num G(jump_at)(const struct G(knots) * K, const num c[], int place, int r
 CLAIM(knot_is_removable_iff_derivative_does_not_jump)
 {
     int p = T->degree;
-    struct G(knots) K = {.lengths = 1};
+    struct G(knots) K = {.kind = LENGTHS};
     num c[MOST_KNOTS], one[MOST_KNOTS], b[MOST_KNOTS], v[MOST_KNOTS], defect, unit;
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_control_points)(T, K.n, 1, c);

@@ -6,10 +6,12 @@
 #include "chapters/frame/claims_on.h"
 
 enum { HIGHEST = 16 }; /* degree */
+enum { LENGTHS = 1, INTEGERS };
 
 struct G(knots) {
-    int lengths;     /* 1: the knots are x_0, x_0 + h_1, x_0 + h_1 + h_2, ... with positive variables h, for statements
-                        about signs, which are read off coefficients; 0: all distinct knots are variables */
+    int kind;        /* 0: all distinct knots are variables of the field.  LENGTHS: the knots are x_0, x_0 + h_1,
+                        x_0 + h_1 + h_2, ... with positive variables h, for statements about signs, which are read off
+                        coefficients.  INTEGERS: they are 0, 1, 3, 6, 10, ..., for higher degrees            */
     int p, n, count; /* count = n+p+1 */
     num u[MOST_KNOTS];
     int place[MOST_KNOTS];
@@ -19,12 +21,12 @@ struct G(knots) {
 static inline int G(knots_good)(trial *T, int p, const char *pattern, struct G(knots) * K)
 {
     K->p = p;
-    if (K->lengths) {
-        num x = unknown(T, "x", 0);
+    if (K->kind != 0) {
+        num x = K->kind == LENGTHS ? unknown(T, "x", 0) : from_int(0);
         K->count = 0;
         for (int i = 0; pattern[i] != '\0'; i++) {
             if (i > 0)
-                x = add(x, positive(T, "h", i));
+                x = add(x, K->kind == LENGTHS ? positive(T, "h", i) : from_int(i));
             for (int times = pattern[i] - '0'; times > 0; times--, K->count++)
                 K->u[K->count] = x, K->place[K->count] = i;
         }
