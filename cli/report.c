@@ -113,7 +113,7 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
 
 static void print_with(json_t *document, int digits)
 {
-    json_dumpf(document, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(digits));
+    json_dumpf(document, stdout, JSON_INDENT(2) | (size_t)JSON_REAL_PRECISION(digits));
     fputc('\n', stdout);
     json_decref(document);
 }

@@ -1,5 +1,7 @@
+#include "chapters/frame/certificate.h"
 #include "chapters/frame/tex.h"
 #include "cli/command.h"
+#include "exact/region.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +9,7 @@
 struct arguments {
     struct patterns patterns;
     int json, tap, deep, jobs, shard, shards;
-    const char *junit;
+    const char *junit, *certificates;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -18,6 +20,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'T': a->tap = 1; break;
     case 'D': a->deep = 1; break;
     case 'U': a->junit = arg; break;
+    case 'C': a->certificates = arg; break;
     case 'j': a->jobs = whole_number(state, "--jobs", arg, 1, 64); break;
     case 'S': {
         char *slash = strchr(arg, '/');
@@ -116,12 +119,42 @@ static void print_tap(const claim_result *results, int count)
     }
 }
 
+/* DIR/claims/NAME.json for every claim, and DIR/KEY/PLACE.json for every statement that they decide. */
+static int write_certificates(const char *folder, const claim_result *results, int count)
+{
+    char path[4096];
+    int bad = 0;
+    snprintf(path, sizeof path, "%s/claims", folder);
+    if (make_folder(path) != 0)
+        return -1;
+    for (int k = 0; k < count && !bad; k++) {
+        char *text = certificate_of_claim(&results[k]);
+        snprintf(path, sizeof path, "%s/claims/%s.json", folder, results[k].claim->name);
+        bad = write_text_file(path, text) != 0;
+        free(text);
+    }
+    for (const statement *s = all_statements; s->id != NULL && !bad; s++) {
+        statement_result r = derive(s, results, count);
+        size_t key = strcspn(s->id, ":");
+        if (r.verdict == VERDICT_OPEN)
+            continue;
+        snprintf(path, sizeof path, "%s/%.*s", folder, (int)key, s->id);
+        bad = make_folder(path) != 0;
+        char *text = certificate_of_statement(&r);
+        snprintf(path, sizeof path, "%s/%.*s/%s.json", folder, (int)key, s->id, s->id + key + 1);
+        bad = bad || write_text_file(path, text) != 0;
+        free(text);
+    }
+    return bad ? -1 : 0;
+}
+
 int run_verify(int argc, char **argv)
 {
     static const struct argp_option options[] = {
         {"json", 'J', 0, 0, "Print the results as JSON", 0},
         {"tap", 'T', 0, 0, "Print the results in the Test Anything Protocol", 0},
         {"junit", 'U', "FILE", 0, "Also write the results to FILE as JUnit XML", 0},
+        {"certificates", 'C', "DIR", 0, "Also write the evidence to DIR, for proofs-tests/recheck.py", 0},
         {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
         {"deep", 'D', 0, 0, "Many more random instances", 0},
         {"shard", 'S', "K/N", 0, "Only the K-th of N parts of the claims", 0},
@@ -167,6 +200,9 @@ int run_verify(int argc, char **argv)
     int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
     if (a.junit != NULL && write_junit(a.junit, results, count) != 0)
         code = EXIT_INTERNAL;
+    if (a.certificates != NULL && write_certificates(a.certificates, results, count) != 0)
+        code = EXIT_INTERNAL;
+    exact_thread_end();
     free_results(results, count);
     free(list);
     return code;

@@ -9,4 +9,6 @@
 #include "core/determinant.tmpl.h"
 #include "core/bspline.tmpl.h"
 #include "core/nurbs.tmpl.h"
+#include "core/divided.tmpl.h"
+#include "core/bspline_matrix.tmpl.h"
 /* clang-format on */

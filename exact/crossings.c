@@ -32,7 +32,7 @@ static poly without_common_roots(poly p, poly q)
 /* With x = X/W, y = Y/W in lowest terms, a x + b y + c = g/W, g = a X + b Y + c W.  An affine point
  * is on the line where g = 0 and W != 0; near there W keeps its sign, so that it is g whose parity
  * counts.  The sign of g/W is that of g W: what changes there and not at such a point is a jump. */
-struct curve_meets_line curve_meets_line(int n, const num_q R[], const num_q w[], struct line line)
+static struct curve_meets_line decide_curve_meets_line(int n, const num_q R[], const num_q w[], struct line line)
 {
     struct curve_meets_line m = {0};
     region_mark mark = region_open();
@@ -61,6 +61,27 @@ struct curve_meets_line curve_meets_line(int n, const num_q R[], const num_q w[]
     }
     region_drop(mark);
     return m;
+}
+struct curve_meets_line curve_meets_line(int n, const num_q R[], const num_q w[], struct line line)
+{
+    trace_pause();
+    struct curve_meets_line answer = decide_curve_meets_line(n, R, w, line);
+    trace_resume();
+    if (trace_noting()) {
+        num_q l[3] = {line.a, line.b, line.c};
+        trace_name_numbers(2 * n + 2, R);
+        trace_name_numbers(n + 1, w);
+        trace_name_numbers(3, l);
+        trace_fact("curve_and_line");
+        trace_put_numbers("R", 2 * n + 2, R);
+        trace_put_numbers("w", n + 1, w);
+        trace_put_numbers("line", 3, l);
+        trace_put_list("is", 7,
+                       (int[]){answer.contained, answer.common_closed, answer.common_open, answer.crossings,
+                               answer.touches, answer.poles, answer.jumps});
+        trace_fact_end();
+    }
+    return answer;
 }
 
 /* A part of the line: from one place to another, measured along the line. */
@@ -94,7 +115,7 @@ static struct stretch between(num_q p, num_q q)
     return compare_q(p, q) <= 0 ? (struct stretch){p, q} : (struct stretch){q, p};
 }
 
-struct polygon_meets_line polygon_meets_line(int n, const num_q R[], struct line line)
+static struct polygon_meets_line decide_polygon_meets_line(int n, const num_q R[], struct line line)
 {
     struct polygon_meets_line m = {0};
     if (no_line(line))
@@ -126,6 +147,24 @@ struct polygon_meets_line polygon_meets_line(int n, const num_q R[], struct line
     m.components = components(stretches, common);
     region_drop(mark);
     return m;
+}
+struct polygon_meets_line polygon_meets_line(int n, const num_q R[], struct line line)
+{
+    trace_pause();
+    struct polygon_meets_line answer = decide_polygon_meets_line(n, R, line);
+    trace_resume();
+    if (trace_noting()) {
+        num_q l[3] = {line.a, line.b, line.c};
+        trace_name_numbers(2 * n + 2, R);
+        trace_name_numbers(3, l);
+        trace_fact("polygon_and_line");
+        trace_put_numbers("R", 2 * n + 2, R);
+        trace_put_numbers("line", 3, l);
+        trace_put_list("is", 4,
+                       (int[]){answer.crossings, answer.common_runs, answer.components, answer.contained_edges});
+        trace_fact_end();
+    }
+    return answer;
 }
 
 int polygon_crossings(int n, const num_q R[], struct line line) { return polygon_meets_line(n, R, line).crossings; }

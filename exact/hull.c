@@ -114,7 +114,7 @@ static void minimise(struct tableau t, int count)
 
 /* At the minimum, y_i = 1 - (reduced cost of a_i) has sigma y . (P_j, 1) <= 0 for all j, and
  * sigma y . (x, 1) is the minimum: if that is positive, a separating hyperplane. */
-struct hull_certificate hull_membership(int d, int count, const num_q points[], const num_q x[])
+static struct hull_certificate decide_hull_membership(int d, int count, const num_q points[], const num_q x[])
 {
     struct tableau t = first_tableau(d, count, points, x);
     minimise(t, count);
@@ -140,6 +140,32 @@ struct hull_certificate hull_membership(int d, int count, const num_q points[], 
     if (!hull_certificate_holds(d, count, points, x, c))
         region_faults |= FAULT_UNABLE;
     return c;
+}
+struct hull_certificate hull_membership(int d, int count, const num_q points[], const num_q x[])
+{
+    trace_pause();
+    struct hull_certificate answer = decide_hull_membership(d, count, points, x);
+    trace_resume();
+    if (trace_noting()) {
+        trace_name_numbers(d * count, points);
+        trace_name_numbers(d, x);
+        trace_name_numbers(answer.inside ? count : d, answer.inside ? answer.coefficient : answer.normal);
+        if (!answer.inside)
+            trace_name_numbers(1, &answer.offset);
+        trace_fact("hull");
+        trace_put("dim", d);
+        trace_put_numbers("points", d * count, points);
+        trace_put_numbers("x", d, x);
+        trace_put("is", answer.inside);
+        if (answer.inside)
+            trace_put_numbers("coefficients", count, answer.coefficient);
+        else {
+            trace_put_numbers("normal", d, answer.normal);
+            trace_put_numbers("offset", 1, &answer.offset);
+        }
+        trace_fact_end();
+    }
+    return answer;
 }
 
 struct vector {
@@ -207,7 +233,7 @@ static int goes_straight_on(int n, const num_q R[])
     return straight;
 }
 
-int polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
+static int decide_polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
 {
     region_mark m = region_open();
     struct vector *edge = region_bytes((size_t)(n + 1) * sizeof *edge);
@@ -218,6 +244,21 @@ int polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
     if (orientation != NULL)
         *orientation = side;
     return convex;
+}
+int polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
+{
+    trace_pause();
+    int answer = decide_polygon_is_convex(n, points, closed, orientation);
+    trace_resume();
+    if (trace_noting()) {
+        trace_name_numbers(2 * n + 2, points);
+        trace_fact("convex_polygon");
+        trace_put_numbers("points", 2 * n + 2, points);
+        trace_put("closed", closed != 0);
+        trace_put("is", answer != 0);
+        trace_fact_end();
+    }
+    return answer;
 }
 
 struct site {
@@ -232,7 +273,7 @@ static int lexicographic(const void *p, const void *q)
 }
 
 /* Lower chain from left to right, then the upper one back; a point that makes no left turn goes. */
-int convex_hull_2d(int count, const num_q points[], int vertex[])
+static int decide_convex_hull_2d(int count, const num_q points[], int vertex[])
 {
     region_mark m = region_open();
     struct site *site = region_bytes((size_t)count * sizeof *site);
@@ -255,4 +296,18 @@ int convex_hull_2d(int count, const num_q points[], int vertex[])
         vertex[size++] = site[0].index;
     region_drop(m);
     return size;
+}
+int convex_hull_2d(int count, const num_q points[], int vertex[])
+{
+    trace_pause();
+    int answer = decide_convex_hull_2d(count, points, vertex);
+    trace_resume();
+    if (trace_noting()) {
+        trace_name_numbers(2 * count, points);
+        trace_fact("hull_vertices");
+        trace_put_numbers("points", 2 * count, points);
+        trace_put_list("vertices", answer, vertex);
+        trace_fact_end();
+    }
+    return answer;
 }

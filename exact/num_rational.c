@@ -5,7 +5,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-static mpq_ptr fresh(void) { return region_slot(SLOT_RATIONAL); }
+static mpq_ptr fresh(void)
+{
+    mpq_ptr r = region_slot(SLOT_RATIONAL);
+    if (tracing != NULL)
+        trace_fresh(r);
+    return r;
+}
+
+/* The value of r, now that it has one, for the trace. */
+static num_q noted(const char *op, mpq_ptr r, mpq_srcptr a, mpq_srcptr b)
+{
+    if (trace_noting()) {
+        int argument[2] = {trace_number(a), b != NULL ? trace_number(b) : 0};
+        trace_node(r, op, b != NULL ? 2 : 1, argument);
+    }
+    return (num_q){r};
+}
+static mpq_srcptr itself(const void *number, int k)
+{
+    (void)k;
+    return number;
+}
+static num_q constant(mpq_ptr r)
+{
+    if (trace_noting())
+        trace_literal(r, "c", 1, itself, r);
+    return (num_q){r};
+}
 
 static num_q fault_q(unsigned fault)
 {
@@ -13,23 +40,36 @@ static num_q fault_q(unsigned fault)
     return from_int_q(0);
 }
 
+void trace_name_numbers(int count, const num_q x[])
+{
+    for (int k = 0; k < count; k++)
+        trace_number(x[k].at);
+}
+void trace_put_numbers(const char *field, int count, const num_q x[])
+{
+    int *node = region_bytes((size_t)count * sizeof *node);
+    for (int k = 0; k < count; k++)
+        node[k] = trace_number(x[k].at);
+    trace_put_list(field, count, node);
+}
+
 num_q add_q(num_q a, num_q b)
 {
     mpq_ptr r = fresh();
     mpq_add(r, a.at, b.at);
-    return (num_q){r};
+    return noted("+", r, a.at, b.at);
 }
 num_q sub_q(num_q a, num_q b)
 {
     mpq_ptr r = fresh();
     mpq_sub(r, a.at, b.at);
-    return (num_q){r};
+    return noted("-", r, a.at, b.at);
 }
 num_q mul_q(num_q a, num_q b)
 {
     mpq_ptr r = fresh();
     mpq_mul(r, a.at, b.at);
-    return (num_q){r};
+    return noted("*", r, a.at, b.at);
 }
 num_q div_q(num_q a, num_q b)
 {
@@ -37,19 +77,19 @@ num_q div_q(num_q a, num_q b)
         return fault_q(FAULT_UNDEFINED);
     mpq_ptr r = fresh();
     mpq_div(r, a.at, b.at);
-    return (num_q){r};
+    return noted("/", r, a.at, b.at);
 }
 num_q neg_q(num_q a)
 {
     mpq_ptr r = fresh();
     mpq_neg(r, a.at);
-    return (num_q){r};
+    return noted("neg", r, a.at, NULL);
 }
 num_q from_int_q(long m)
 {
     mpq_ptr r = fresh();
     mpq_set_si(r, m, 1);
-    return (num_q){r};
+    return constant(r);
 }
 num_q from_ratio_q(long m, long n)
 {
@@ -59,7 +99,7 @@ num_q from_ratio_q(long m, long n)
     mpz_set_si(mpq_numref(r), m);
     mpz_set_si(mpq_denref(r), n);
     mpq_canonicalize(r);
-    return (num_q){r};
+    return constant(r);
 }
 
 num_q root_q(int n, num_q a)
@@ -69,6 +109,10 @@ num_q root_q(int n, num_q a)
         !mpz_root(mpq_denref(r), mpq_denref(a.at), (unsigned long)n)) {
         mpq_set_ui(r, 0, 1);
         return fault_q(FAULT_UNABLE);
+    }
+    if (trace_noting()) {
+        int argument[2] = {trace_number(a.at), n};
+        trace_node(r, "root", 2, argument);
     }
     return (num_q){r};
 }
@@ -86,7 +130,7 @@ num_q from_double_q(double x)
         return fault_q(FAULT_UNDEFINED);
     mpq_ptr r = fresh();
     mpq_set_d(r, x);
-    return (num_q){r};
+    return constant(r);
 }
 
 /* r *= base^e.  |e| <= 99999 was checked by the caller. */
@@ -169,7 +213,7 @@ num_q from_string_q(const char *s)
         return fault_q(FAULT_UNDEFINED);
     if (minus)
         mpq_neg(r, r);
-    return (num_q){r};
+    return constant(r);
 }
 
 /* The nearest binary64, by two divisions of integers: mpq_get_d truncates, hence not it. */

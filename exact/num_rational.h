@@ -7,6 +7,7 @@
 #define CAGD_NUM_RATIONAL_H
 
 #include "exact/region.h"
+#include "exact/trace.h"
 
 #include <gmp.h>
 
@@ -24,16 +25,44 @@ num_q from_ratio_q(long m, long n); /* n != 0                                   
 num_q root_q(int n, num_q a);       /* exact; UNABLE unless a >= 0 is an n-th power      */
 
 num_q from_mpq_q(mpq_srcptr x);
-num_q from_double_q(double x);        /* the binary64 itself; UNDEFINED unless finite    */
+num_q from_double_q(double x);         /* the binary64 itself; UNDEFINED unless finite    */
 num_q from_string_q(const char *text); /* "3", "-3/7", "0.1" (the decimal), "1e-3",
                                           "0x1.8p-3"; UNDEFINED when it is none of these  */
 
 /* Order, for decisions; generic text never compares. */
-static inline int sign_q(num_q a) { return mpq_sgn(a.at); }
-static inline int compare_q(num_q a, num_q b) { return mpq_cmp(a.at, b.at); }
-static inline int equal_q(num_q a, num_q b) { return mpq_equal(a.at, b.at); }
-static inline int is_zero_q(num_q a) { return mpq_sgn(a.at) == 0; }
+static inline int sign_q(num_q a)
+{
+    int order = mpq_sgn(a.at);
+    if (trace_noting())
+        trace_order(a.at, NULL, order);
+    return order;
+}
+static inline int compare_q(num_q a, num_q b)
+{
+    int order = mpq_cmp(a.at, b.at);
+    if (trace_noting())
+        trace_order(a.at, b.at, order);
+    return order;
+}
+static inline int equal_q(num_q a, num_q b)
+{
+    int equal = mpq_equal(a.at, b.at);
+    if (trace_noting())
+        trace_equal(a.at, b.at, equal);
+    return equal;
+}
+static inline int is_zero_q(num_q a)
+{
+    int zero = mpq_sgn(a.at) == 0;
+    if (trace_noting())
+        trace_equal(a.at, NULL, zero);
+    return zero;
+}
 
-double to_double_q(num_q a);          /* correctly rounded, ties to even                 */
-const char *to_string_q(num_q a);     /* "-3/7"; lives in the region                     */
+/* Puts the nodes of `count` numbers into the fact that is open (trace.h); they must have been named before it was. */
+void trace_put_numbers(const char *field, int count, const num_q x[]);
+void trace_name_numbers(int count, const num_q x[]);
+
+double to_double_q(num_q a);      /* correctly rounded, ties to even                 */
+const char *to_string_q(num_q a); /* "-3/7"; lives in the region                     */
 #endif

@@ -12,7 +12,7 @@ typedef struct poly {
     const struct polynomial *at;
 } poly;
 
-poly poly_from_q(int len, const num_q c[]);      /* sum c[k] t^k, 0 <= k < len; len = 0 gives 0     */
+poly poly_from_q(int len, const num_q c[]);       /* sum c[k] t^k, 0 <= k < len; len = 0 gives 0     */
 poly poly_from_bernstein(int n, const num_q b[]); /* sum b[i] B_i^n(t), 0 <= i <= n, over [0,1]     */
 poly poly_constant(num_q c);
 poly poly_variable(void);
@@ -21,8 +21,8 @@ poly poly_variable(void);
  * UNDEFINED when `variable` is not a variable, UNABLE when another one occurs in a. */
 void poly_from_field(num_f a, num_f variable, poly *numerator, poly *denominator);
 
-int poly_degree(poly p);                /* -1 for the zero polynomial                               */
-num_q poly_coefficient(poly p, int k);  /* of t^k, k >= 0; zero beyond the degree                   */
+int poly_degree(poly p);               /* -1 for the zero polynomial                               */
+num_q poly_coefficient(poly p, int k); /* of t^k, k >= 0; zero beyond the degree                   */
 int poly_is_zero(poly p);
 int poly_equal(poly p, poly q);
 
@@ -49,6 +49,8 @@ int poly_squarefree(poly p, poly factor[], int multiplicity[]);
 
 /* out[0..n] with p(a + (b - a) t) = sum out[i] B_i^n(t).  UNDEFINED when n < deg p. */
 void poly_to_bernstein(poly p, int n, num_q a, num_q b, num_q out[]);
+
+int trace_polynomial(poly p); /* its node in the open trace (trace.h), made if there is none           */
 
 const char *poly_to_string(poly p, const char *variable); /* "t^2 - 1/3*t + 1"; in the region        */
 #endif

@@ -14,7 +14,7 @@ static void clear_denominators(int n, const num_q row[], mpz_t out[], mpz_t comm
 
 /* Bareiss: after step k every entry a_ij, i, j > k, is the minor of rows 0..k, i and columns 0..k, j,
  * so that division by the pivot of the step before is exact and the last entry is the determinant. */
-num_q pivoted_determinant_q(int n, const num_q A[])
+static num_q decide_pivoted_determinant_q(int n, const num_q A[])
 {
     mpz_t *a = region_bytes((size_t)n * (size_t)n * sizeof *a), before, common, product;
     mpq_t det;
@@ -54,6 +54,22 @@ num_q pivoted_determinant_q(int n, const num_q A[])
         mpz_clear(a[i]);
     mpz_clear(before), mpz_clear(common), mpz_clear(product), mpq_clear(det);
     return value;
+}
+num_q pivoted_determinant_q(int n, const num_q A[])
+{
+    trace_pause();
+    num_q answer = decide_pivoted_determinant_q(n, A);
+    trace_resume();
+    if (trace_noting()) {
+        trace_name_numbers(n * n, A);
+        trace_name_numbers(1, &answer);
+        trace_fact("determinant");
+        trace_put("rows", n);
+        trace_put_numbers("A", n * n, A);
+        trace_put_numbers("is", 1, &answer);
+        trace_fact_end();
+    }
+    return answer;
 }
 
 num_f pivoted_determinant_f(int n, const num_f A[])

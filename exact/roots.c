@@ -194,7 +194,23 @@ static struct squarefree decompose(poly p)
     return s;
 }
 
-struct root_count count_roots(poly p, num_q a, num_q b, enum ends ends)
+/* The counts for the trace; no end: infinity. */
+static void note_roots(poly p, const num_q *a, const num_q *b, enum ends ends, struct root_count r)
+{
+    int node = trace_polynomial(p), low = a != NULL ? trace_number(a->at) : -1,
+        high = b != NULL ? trace_number(b->at) : -1;
+    trace_fact("roots");
+    trace_put("p", node);
+    trace_put_list("from", 2, (int[]){low, high});
+    trace_put_list("with_ends", 2, (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
+    trace_put("distinct", r.distinct);
+    trace_put("counted", r.counted);
+    trace_put("crossings", r.crossings);
+    trace_put("touches", r.touches);
+    trace_fact_end();
+}
+
+static struct root_count decide_count_roots(poly p, num_q a, num_q b, enum ends ends)
 {
     struct root_count total = {0};
     if (undefined(p, a, b))
@@ -217,6 +233,15 @@ struct root_count count_roots(poly p, num_q a, num_q b, enum ends ends)
     }
     region_drop(m);
     return total;
+}
+struct root_count count_roots(poly p, num_q a, num_q b, enum ends ends)
+{
+    trace_pause();
+    struct root_count answer = decide_count_roots(p, a, b, ends);
+    trace_resume();
+    if (trace_noting())
+        note_roots(p, &a, &b, ends, answer);
+    return answer;
 }
 
 /* |c_{n-k}/c_n| < 2^e gives 2 |c_{n-k}/c_n|^(1/k) < 2^(1 + ceil(e/k)). */
@@ -243,21 +268,24 @@ num_q root_bound(poly p)
     return B;
 }
 
-struct root_count count_roots_line(poly p)
+/* Over (a,b), where NULL means infinity. */
+static struct root_count count_without_bound(poly p, const num_q *a, const num_q *b)
 {
-    num_q B = root_bound(p);
-    return count_roots(p, neg_q(B), B, OPEN);
+    trace_pause();
+    num_q B = root_bound(p), low = a != NULL ? *a : neg_q(B), high = b != NULL ? *b : B;
+    if (a != NULL && compare_q(low, high) > 0)
+        high = low;
+    if (b != NULL && compare_q(low, high) > 0)
+        low = high;
+    struct root_count answer = count_roots(p, low, high, OPEN);
+    trace_resume();
+    if (trace_noting())
+        note_roots(p, a, b, OPEN, answer);
+    return answer;
 }
-struct root_count count_roots_above(poly p, num_q a)
-{
-    num_q B = root_bound(p);
-    return count_roots(p, a, compare_q(a, B) < 0 ? B : a, OPEN);
-}
-struct root_count count_roots_below(poly p, num_q b)
-{
-    num_q B = neg_q(root_bound(p));
-    return count_roots(p, compare_q(b, B) > 0 ? B : b, b, OPEN);
-}
+struct root_count count_roots_line(poly p) { return count_without_bound(p, NULL, NULL); }
+struct root_count count_roots_above(poly p, num_q a) { return count_without_bound(p, &a, NULL); }
+struct root_count count_roots_below(poly p, num_q b) { return count_without_bound(p, NULL, &b); }
 
 /* Which of the coprime factors has the root? */
 static void attribute(struct root *r, struct squarefree s)
@@ -269,7 +297,7 @@ static void attribute(struct root *r, struct squarefree s)
     r->multiplicity = s.multiplicity[k];
 }
 
-int isolate_roots(poly p, num_q a, num_q b, struct root out[], int room)
+static int decide_isolate_roots(poly p, num_q a, num_q b, struct root out[], int room)
 {
     if (undefined(p, a, b))
         return 0;
@@ -289,6 +317,15 @@ int isolate_roots(poly p, num_q a, num_q b, struct root out[], int room)
     for (int r = 0; r < all.found && r < room; r++)
         attribute(&out[r], s);
     return all.found;
+}
+int isolate_roots(poly p, num_q a, num_q b, struct root out[], int room)
+{
+    trace_pause();
+    int answer = decide_isolate_roots(p, a, b, out, room);
+    trace_resume();
+    if (trace_noting())
+        note_roots(p, &a, &b, CLOSED, (struct root_count){answer, -1, -1, -1});
+    return answer;
 }
 
 /* The sign of f just above t, where f has at most a simple root at t. */

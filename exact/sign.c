@@ -9,7 +9,7 @@ static int sign_somewhere_inside(poly p, num_q a, num_q b)
     return s;
 }
 
-enum sign_pattern sign_on(poly p, num_q a, num_q b, enum ends ends)
+static enum sign_pattern decide_sign_on(poly p, num_q a, num_q b, enum ends ends)
 {
     int order = compare_q(a, b);
     if (order > 0 || (order == 0 && ends != CLOSED)) {
@@ -29,4 +29,21 @@ enum sign_pattern sign_on(poly p, num_q a, num_q b, enum ends ends)
     if (roots.distinct > 0)
         return s > 0 ? SIGN_NONNEGATIVE : SIGN_NONPOSITIVE;
     return s > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
+}
+enum sign_pattern sign_on(poly p, num_q a, num_q b, enum ends ends)
+{
+    trace_pause();
+    enum sign_pattern answer = decide_sign_on(p, a, b, ends);
+    trace_resume();
+    if (trace_noting()) {
+        int node = trace_polynomial(p), from[2] = {trace_number(a.at), trace_number(b.at)};
+        trace_fact("sign");
+        trace_put("p", node);
+        trace_put_list("from", 2, from);
+        trace_put_list("with_ends", 2,
+                       (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
+        trace_put("is", (int)answer);
+        trace_fact_end();
+    }
+    return answer;
 }

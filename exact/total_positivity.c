@@ -95,8 +95,21 @@ static int reduce_column(struct matrix m, int k)
     return 1;
 }
 
+/* For the trace: all minors are >= 0, or > 0 if strict, or not all. */
+static void note_minors(int rows, int columns, const num_q A[], int strict, int is)
+{
+    trace_name_numbers(rows * columns, A);
+    trace_fact("minors");
+    trace_put("rows", rows);
+    trace_put("columns", columns);
+    trace_put_numbers("A", rows * columns, A);
+    trace_put("strict", strict != 0);
+    trace_put("is", is != 0);
+    trace_fact_end();
+}
+
 /* When row k and column k are reduced, what is left is a block of its own, one smaller. */
-int is_totally_nonnegative(int rows, int columns, const num_q A[])
+static int decide_is_totally_nonnegative(int rows, int columns, const num_q A[])
 {
     region_mark mark = region_open();
     struct matrix whole = integer_matrix(rows, columns, A), m = whole;
@@ -112,6 +125,15 @@ int is_totally_nonnegative(int rows, int columns, const num_q A[])
     clear_matrix(whole);
     region_drop(mark);
     return good;
+}
+int is_totally_nonnegative(int rows, int columns, const num_q A[])
+{
+    trace_pause();
+    int answer = decide_is_totally_nonnegative(rows, columns, A);
+    trace_resume();
+    if (trace_noting())
+        note_minors(rows, columns, A, 0, answer);
+    return answer;
 }
 
 /* After step k the entry (i,j), i, j >= k, is the minor M_k(i,j) of rows i-k .. i and columns
@@ -148,7 +170,7 @@ static int consecutive_minors_positive(struct matrix m)
     return good;
 }
 
-int is_totally_positive(int rows, int columns, const num_q A[])
+static int decide_is_totally_positive(int rows, int columns, const num_q A[])
 {
     region_mark mark = region_open();
     struct matrix m = integer_matrix(rows, columns, A), copy = integer_matrix(rows, columns, A);
@@ -156,6 +178,15 @@ int is_totally_positive(int rows, int columns, const num_q A[])
     clear_matrix(m), clear_matrix(copy);
     region_drop(mark);
     return good;
+}
+int is_totally_positive(int rows, int columns, const num_q A[])
+{
+    trace_pause();
+    int answer = decide_is_totally_positive(rows, columns, A);
+    trace_resume();
+    if (trace_noting())
+        note_minors(rows, columns, A, 1, answer);
+    return answer;
 }
 
 /* The next choice of r out of 0 .. n-1 in lexicographic order; 0 after the last. */
@@ -185,7 +216,7 @@ static num_q minor_value(int order, int columns, const num_q A[], const int row[
     return pivoted_determinant_q(order, B);
 }
 
-int all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct minor *worst)
+static int decide_all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct minor *worst)
 {
     int most = rows < columns ? rows : columns;
     int *row = region_bytes((size_t)most * sizeof *row), *column = region_bytes((size_t)most * sizeof *column);
@@ -207,4 +238,13 @@ int all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, s
         } while (next_choice(order, rows, row));
     }
     return 1;
+}
+int all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct minor *worst)
+{
+    trace_pause();
+    int answer = decide_all_minors_nonnegative(rows, columns, A, strict, worst);
+    trace_resume();
+    if (trace_noting())
+        note_minors(rows, columns, A, strict, answer);
+    return answer;
 }

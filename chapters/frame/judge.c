@@ -88,9 +88,21 @@ static num_f indexed_variable(const char *name, int index)
     return variable_f(full);
 }
 
-num_f unknown_f(trial *T, const char *name, int index) { (void)T; return indexed_variable(name, index); }
-num_f positive_f(trial *T, const char *name, int index) { (void)T; return indexed_variable(name, index); }
-num_f parameter_f(trial *T, const char *name) { (void)T; return variable_f(name); }
+num_f unknown_f(trial *T, const char *name, int index)
+{
+    (void)T;
+    return indexed_variable(name, index);
+}
+num_f positive_f(trial *T, const char *name, int index)
+{
+    (void)T;
+    return indexed_variable(name, index);
+}
+num_f parameter_f(trial *T, const char *name)
+{
+    (void)T;
+    return variable_f(name);
+}
 num_f whole_f(trial *T, const char *name, int low, int high)
 {
     (void)T, (void)low, (void)high;
@@ -103,31 +115,38 @@ num_f inside_f(trial *T, const char *name)
     return div_f(s, add_f(from_int_f(1), s));
 }
 
+/* The same for a trace: from here on it is an input. */
+static num_q as_input(num_q a, const char *name, int index, const char *kind)
+{
+    if (trace_noting())
+        trace_input(a.at, name, index, kind);
+    return a;
+}
+
 /* The other types start from the same rationals. */
 static num_q from_rational_q(num_q a) { return a; }
 static num_m from_rational_m(num_q a) { return exact_m(to_double_q(a)); }
 #define SAMPLED_DATA(S)                                                                                                \
     num_##S unknown_##S(trial *T, const char *name, int index)                                                         \
     {                                                                                                                  \
-        (void)name, (void)index;                                                                                       \
-        return from_rational_##S(datum(T));                                                                            \
+        return from_rational_##S(as_input(datum(T), name, index, "any"));                                              \
     }                                                                                                                  \
     num_##S positive_##S(trial *T, const char *name, int index)                                                        \
     {                                                                                                                  \
-        (void)name, (void)index;                                                                                       \
-        return from_rational_##S(weight(T));                                                                           \
+        return from_rational_##S(as_input(weight(T), name, index, "positive"));                                        \
     }                                                                                                                  \
     num_##S parameter_##S(trial *T, const char *name)                                                                  \
     {                                                                                                                  \
-        (void)name;                                                                                                    \
-        return from_rational_##S(fraction(T));                                                                         \
+        return from_rational_##S(as_input(fraction(T), name, -1, "any"));                                              \
     }                                                                                                                  \
     num_##S whole_##S(trial *T, const char *name, int low, int high)                                                   \
     {                                                                                                                  \
-        (void)name;                                                                                                    \
-        return from_int_##S(pick(T, low, high));                                                                       \
+        return from_rational_##S(as_input(from_int_q(pick(T, low, high)), name, -1, "whole"));                         \
     }                                                                                                                  \
-    num_##S inside_##S(trial *T, const char *name) { return parameter_##S(T, name); }
+    num_##S inside_##S(trial *T, const char *name)                                                                     \
+    {                                                                                                                  \
+        return from_rational_##S(as_input(fraction(T), name, -1, "inside"));                                           \
+    }
 SAMPLED_DATA(q)
 SAMPLED_DATA(i)
 SAMPLED_DATA(m)
@@ -147,7 +166,12 @@ static int first_failure(trial *T, int good)
     return 1;
 }
 
-void agree(trial *T, int condition) { (void)first_failure(T, condition); }
+void agree(trial *T, int condition)
+{
+    if (trace_noting())
+        trace_agree(condition);
+    (void)first_failure(T, condition);
+}
 
 void same_f(trial *T, num_f a, num_f b)
 {
@@ -158,7 +182,10 @@ void same_f(trial *T, num_f a, num_f b)
 }
 void same_q(trial *T, num_q a, num_q b)
 {
-    if (first_failure(T, equal_q(a, b))) {
+    int equal = mpq_equal(a.at, b.at) != 0;
+    if (trace_noting())
+        trace_same(a.at, b.at, equal);
+    if (first_failure(T, equal)) {
         show_text(T, "left", "%s", text_q(a));
         show_text(T, "right", "%s", text_q(b));
     }
@@ -226,12 +253,17 @@ void nonnegative_f(trial *T, num_f a)
     if (sign < -1)
         region_faults |= FAULT_UNABLE;
     take_as_positive(T, a);
+    if (trace_noting())
+        trace_field_sign(to_string_f(a), sign);
     if (first_failure(T, sign != -1))
         show_text(T, "negative", "%s", text_f(a));
 }
 void nonnegative_q(trial *T, num_q a)
 {
-    if (first_failure(T, sign_q(a) >= 0))
+    int good = mpq_sgn(a.at) >= 0;
+    if (trace_noting())
+        trace_nonnegative(a.at, good);
+    if (first_failure(T, good))
         show_text(T, "negative", "%s", text_q(a));
 }
 void nonnegative_i(trial *T, num_i a)
@@ -259,7 +291,7 @@ void nonnegative_m(trial *T, num_m a)
         for (int k = 0; k < count * dim; k++)                                                                          \
             at += sprintf(at, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", text_##S(R[k]),                    \
                           k % dim == dim - 1 ? ")" : "");                                                              \
-        show_text(T, name, "%s", text);                                                                                        \
+        show_text(T, name, "%s", text);                                                                                \
     }
 SHOWN(f)
 SHOWN(q)

@@ -1,5 +1,6 @@
 #include "chapters/frame/run.h"
 
+#include "chapters/frame/case.h"
 #include "chapters/frame/judge.h"
 #include "exact/region.h"
 
@@ -20,7 +21,7 @@ static uint64_t seed_of(const char *name)
     return h;
 }
 
-static void forget_exhibits(exhibit *shown, int count)
+void forget_exhibits(exhibit *shown, int count)
 {
     for (int k = 0; k < count; k++) {
         free(shown[k].name);
@@ -28,12 +29,6 @@ static void forget_exhibits(exhibit *shown, int count)
     }
     free(shown);
 }
-
-struct plan {
-    const claim *claim;
-    number_type type;
-    int deep;
-};
 
 /* How many cases a claim has in a number type: every degree once where a case settles its degree,
  * otherwise as many random instances as the depth asks. */
@@ -53,9 +48,8 @@ static int degree_of(const struct plan *p, int k)
     return c->degree_low + k % (high - c->degree_low + 1);
 }
 
-/* Run case k.  The faults are returned in region_faults; the field starts small and grows on demand.  The
- * names of its variables, and of those taken to be positive, go to *variables and *positive, if wanted. */
-static trial run_case(const struct plan *p, int k, int planted, char **variables, char **positive)
+/* The field starts small and grows on demand. */
+trial run_case(const struct plan *p, int k, int planted, char **variables, char **positive)
 {
     trial T;
     for (int room = 12;; room = room * 2 < FIELD_MAX_VARIABLES ? room * 2 : FIELD_MAX_VARIABLES) {
@@ -202,8 +196,8 @@ static char *put_variables(char *at, const char *names)
     while (*names != '\0') {
         size_t n = strcspn(names, " "), stem = strcspn(names, "0123456789 ");
         int index = stem < n ? atoi(names + stem) : -1, k = 0;
-        while (k < count && ((low[k] < 0) != (index < 0) || strlen(letters[k]) != stem ||
-                             strncmp(letters[k], names, stem) != 0))
+        while (k < count &&
+               ((low[k] < 0) != (index < 0) || strlen(letters[k]) != stem || strncmp(letters[k], names, stem) != 0))
             k++;
         if (k == count) {
             snprintf(letters[count], sizeof letters[0], "%.*s", (int)stem, names);
@@ -248,7 +242,8 @@ static char *put_range(char *at, const type_result *b)
     if (free_ones[0] != '\0')
         at = put_variables(at + sprintf(at, "every value of "), free_ones);
     if (b->positive[0] != '\0')
-        at = put_variables(at + sprintf(at, "%severy positive value of ", free_ones[0] != '\0' ? " and " : ""), b->positive);
+        at = put_variables(at + sprintf(at, "%severy positive value of ", free_ones[0] != '\0' ? " and " : ""),
+                           b->positive);
     free(free_ones);
     return at;
 }
@@ -268,7 +263,8 @@ static char *scope_of(const claim_result *r)
         if (c->all_degrees)
             at += sprintf(at, "all n");
         else if (b->degree_high > 0)
-            at += sprintf(at, b->degree_low == b->degree_high ? "n = %d" : "n = %d to %d", b->degree_low, b->degree_high);
+            at +=
+                sprintf(at, b->degree_low == b->degree_high ? "n = %d" : "n = %d to %d", b->degree_low, b->degree_high);
         if (c->scope[0] != '\0')
             at += sprintf(at, "%s%s", at > s ? "; " : "", c->scope);
         if (r->evidence == PROVED && b->variables != NULL && b->variables[0] != '\0')

@@ -10,11 +10,12 @@ N_{i,p}(t)=\frac{t-u_i}{u_{i+p}-u_i}N_{i,p-1}(t)+\frac{u_{i+p+1}-t}{u_{i+p+1}-u_
 where a fraction with the denominator $0$ counts as $0$.  On a span only $p+1$ of these functions do not vanish; the
 kernel computes just these, and on the span no denominator is $0$.
 
-Which knots coincide is enumerated by a program, `patterns.h`.  *Every segment* of degree $p\le3$ means all $4^{p-1}$
-patterns of the $p$ knots on either side of an interval; for larger $p$ it means simple knots, clamped ends, and each multiplicity
-of one end against the complementary one of the other.  *Several segments* means an inner knot of every
-multiplicity $0,\dots,p+1$ between ends that are simple, clamped, or clamped and double, and for $p\le2$ all patterns of
-$2p+3$ knots as well.
+Which knots coincide is enumerated by a program, `patterns.h`, in this section and in those that follow.  *Every segment* of
+degree $p\le3$ means all $4^{p-1}$ patterns of the $p$ knots on either side of an interval; for larger $p$ it means simple
+knots, clamped ends, and each multiplicity of one end against the complementary one of the other.  *Several segments* means an
+inner knot of every multiplicity $0,\dots,p+1$ between ends that are simple, clamped, or clamped and double, and for $p\le2$
+all patterns of $2p+3$ knots as well.  The field meets all of them; where numbers are random, so is a selection of the
+patterns.
 
 :::{claim} bspline_basis_follows_definition
 :title: The values of the kernel are the B-splines of the span, and the others vanish there

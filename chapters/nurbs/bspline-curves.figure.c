@@ -1,6 +1,6 @@
 #include "chapters/nurbs/bspline-figures.h"
 
-FIGURE(deboor_triangle)
+FIGURE(bspline_deboor_triangle)
 {
     enum { p = 3, n = 4 };
     static const int knot[n + p + 1] = {0, 1, 2, 3, 5, 6, 7, 8}, point[2 * n] = {0, 0, 2, 7, 9, 8, 11, 1};
@@ -9,7 +9,7 @@ FIGURE(deboor_triangle)
     draw_numbers(2 * n, point, 1, c);
     for (int i = 0; i < 2 * n; i++)
         d[i] = c[i];
-    svg *s = svg_new("deboor_triangle", "De Boor's algorithm",
+    svg *s = svg_new("bspline_deboor_triangle", "De Boor's algorithm",
                      "A cubic segment over [3, 5] with knots 1, 2, 3, 5, 6, 7 around; the levels of de Boor's triangle "
                      "at t = 4, which "
                      "end in the point of the curve.");

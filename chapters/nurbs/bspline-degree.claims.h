@@ -68,7 +68,7 @@ CLAIM(elevation_keeps_bspline_curve) { G(check_elevation_keeps_bspline_curve)(T,
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field
-:degrees: 4..6
+:degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
 :control: the last point replaced by the one before it
 :::

@@ -178,7 +178,7 @@ CLAIM(split_gives_both_parts_of_bspline) { G(check_split_gives_both_parts_of_bsp
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field
-:degrees: 4..6
+:degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
 :control: the last point of the left part and the first of the right part replaced by their neighbours, where there are any
 :::

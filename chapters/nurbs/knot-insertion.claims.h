@@ -62,7 +62,7 @@ CLAIM(boehm_insertion_keeps_curve) { G(check_boehm_insertion_keeps_curve)(T, 0);
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field
-:degrees: 4..6
+:degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
 :control: the last of the new points is replaced by its neighbour
 :::
@@ -277,7 +277,7 @@ CLAIM(refinement_keeps_curve) { G(check_refinement_keeps_curve)(T, 0); }
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field
-:degrees: 4..6
+:degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
 :control: one point computed with the knots of its neighbour
 :::

@@ -65,7 +65,7 @@ CLAIM(removal_inverts_insertion) { G(check_removal_inverts_insertion)(T, 0); }
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field
-:degrees: 5..6
+:degrees: 6..6
 :scope: the distinct knots $0,1,3,6,10,\dots$
 :control: one of the points that removal solves for is moved before
 :::

@@ -1,0 +1,755 @@
+/*
+# The coefficient matrix of a span (系数矩阵)
+
+On one span a B-spline curve is a polynomial curve, and a polynomial can be written in powers.  The matrix that leads
+from the control points to the coefficients of the powers is the coefficient matrix of the span.  It depends on the knots
+only.  This section defines it, and decides the first of the two explicit formulas for it: that by divided differences.
+
+In this and the next sections the order is $k$, the span $[t_r,t_{r+1})$ is not empty, the functions on it are
+$N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.  The degree that a claim names is $k-1$.
+
+:::{statement} wang-ch4:formula-4.4.1
+:title: The parameter of the span
+:zh: 规范化参数变换
+:printed: u=(t-t_r)/(t_{r+1}-t_r),\quad t_r\le t<t_{r+1}
+:holds-by: span_parameter_is_a_bijection
+:needs: empty_span_has_no_parameter | the span $[t_r,t_{r+1})$ is not empty
+:::
+
+:::{statement} wang-ch4:def-4.4.1
+:title: The representation in powers and the coefficient matrix
+:zh: 幂基表示与系数矩阵
+:printed: the curve on $[t_r,t_{r+1})$ written in the powers $1,u,\dots,u^{k-1}$ is its representation in powers, and
+  the matrix of (4.4.3) its coefficient matrix
+:definition: yes
+:checked-by: matrix_holds_the_powers_of_the_basis coefficient_matrix_is_affinely_invariant
+
+The matrix exists for every pattern of knots, and is the only one, because the points are arbitrary and the powers
+independent.
+:::
+
+:::{statement} wang-ch4:formula-4.4.2
+:title: The curve of a span in powers
+:zh: 曲线段的幂基表示
+:printed: \mathbf r^*(u)=\sum_{i=r-k+1}^rN_{i,k}(t)\mathbf r_i=(1,u,\dots,u^{k-1})\,\mathbf A_{r,k,T}\,(\mathbf
+  r_{r-k+1},\dots,\mathbf r_r)^T,\quad 0\le u<1
+:reading: matrix_gives_homogeneous_curve | "in homogeneous coordinates" applies to the points: $\mathbf r_i$ is the
+  $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); so read it is true
+:reading: affine_points_need_the_weights | $\mathbf r_i$ and $\mathbf r$ are what (4.1.2) calls so, affine points and
+  the affine curve; so read it is false as soon as two weights differ
+:corrected: \tilde{\mathbf r}^*(u)=(1,\dots,u^{k-1})\,\mathbf A\,(\tilde{\mathbf r}_{r-k+1},\dots,\tilde{\mathbf r}_r)^T,
+  and the affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and
+  $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$
+:corrected-by: matrix_gives_homogeneous_curve
+:figure: matrix_and_weights
+:::
+
+:::{statement} wang-ch4:formula-4.4.3
+:title: The rows and columns of the coefficient matrix
+:zh: 系数矩阵的行列标号
+:printed: \mathbf A_{r,k,T}=(a_{j,i})_{k\times k},\quad j=0,\dots,k-1,\quad i=r-k+1,\dots,r
+:definition: yes
+:checked-by: matrix_holds_the_powers_of_the_basis coefficient_rows_have_fixed_sums
+
+Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
+:::
+
+:::{claim} span_parameter_is_a_bijection
+:title: u runs from 0 to 1 as t runs through the span
+:zh: 参数变换为双射
+:given: any two different knots $t_r,t_{r+1}$, any $s$
+:then: $t=t_r+s(t_{r+1}-t_r)$ has the parameter $u=s$; so $u$ is 0 at $t_r$, 1 at $t_{r+1}$ and between them in between
+:method: The formula at a variable $s$: each of the two affine maps undoes the other.
+:control: the roles of the two knots exchanged
+:::
+
+:::{claim} matrix_holds_the_powers_of_the_basis
+:title: Column i of the matrix has the coefficients of N_{i,k} in the powers of u
+:zh: 矩阵各列为基函数的幂系数
+:given: every pattern of the 2k knots around a span up to the order 4, the different knots variables; for greater
+  orders in the field the two extreme patterns, and random patterns in the other number types
+:then: $\sum_ja_{ji}u^j=N_{i,k}(t_r+u(t_{r+1}-t_r))$ with the matrix of `bspline_matrix`, for all $i$ and any $u$
+:method: The kernel multiplies polynomials; the other side is the recursion of Cox and de Boor at a variable $u$, with the
+  rule $0/0=0$ decided by the pattern.
+:degrees: 0..5 sampled 7
+:defines: bspline_matrix
+:control: the matrix of the span before
+:::
+
+:::{claim} matrix_gives_homogeneous_curve
+:title: The matrix applied to homogeneous points gives the homogeneous curve
+:zh: 齐次坐标下的矩阵表示
+:given: orders $k=p+1$, simple knots, points and weights variables, $u$ variable
+:then: $(1,\dots,u^p)A\,(\tilde r_{r-p},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$, and the
+  quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
+:method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
+  is any coordinate, so one suffices.
+:degrees: 0..3 sampled 7
+:control: the last weight left out
+:::
+
+:::{claim} coefficient_rows_have_fixed_sums
+:title: The entries of row 0 have the sum 1, those of every other row the sum 0
+:zh: 系数矩阵各行之和
+:given: orders $k=p+1$, simple knots, variables
+:then: $\sum_ia_{0,i}=1$ and $\sum_ia_{j,i}=0$ for $j\ge1$: the $N_{i,k}$ have the sum 1
+:method: The sums of the entries of the kernel.  An identity of rational functions of simple knots holds for coincident
+  ones, because the denominators are differences of knots on the two sides of the span.
+:degrees: 0..5 sampled 7
+:control: the last column left out
+:::
+
+:::{claim} coefficient_matrix_is_affinely_invariant
+:title: The knots at + b have the same matrix
+:zh: 系数矩阵的仿射不变性
+:given: orders $k=p+1$, simple knots $t_i$, numbers $a\ne0$ and $b$, all variables
+:then: the matrix of the knots $a\,t_i+b$ is that of the $t_i$
+:method: The two matrices of the kernel.
+:degrees: 0..4 sampled 7
+:control: the first inner knot is not moved
+:::
+*/
+#include "chapters/nurbs/spans.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
+
+/* How many patterns a case goes through: all of them up to the given order, else `few`. */
+static int G(pattern_count)(int k, int all_up_to, int few) { return k <= all_up_to ? G(patterns)(k) : few; }
+
+/* Number m of these patterns.  Beyond the order up to which all are visited the field takes the most and the least
+ * coincident one, the other types take random ones. */
+static int G(which_pattern)(trial *T, int k, int all_up_to, int m)
+{
+    if (k <= all_up_to)
+        return m;
+    int last = G(patterns)(k) - 1;
+    return FIELD ? (m % 2 == 0 ? last : 0) : pick(T, 0, last);
+}
+
+CLAIM(span_parameter_is_a_bijection)
+{
+    num t[2], s = parameter(T, "s");
+    G(increasing)(T, 2, t);
+    int a = T->planted ? 1 : 0, b = 1 - a;
+    num at = add(t[0], mul(s, sub(t[1], t[0])));
+    same(T, div(sub(at, t[a]), sub(t[b], t[a])), s);
+    same(T, div(sub(t[0], t[a]), sub(t[b], t[a])), from_int(0));
+    same(T, div(sub(t[1], t[a]), sub(t[b], t[a])), from_int(1));
+}
+
+CLAIM(matrix_holds_the_powers_of_the_basis)
+{
+    int k = T->degree + 1;
+    num x[2 * LARGEST_ORDER], A[CELLS], u = parameter(T, "u");
+    G(increasing)(T, 2 * k, x);
+    for (int count = G(pattern_count)(k, 4, 2), m = 0; m < count; m++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, m), x);
+        int shift = T->planted && k > 1 && S.group[S.r - 1] != S.group[S.r];
+        G(bspline_matrix)(k - 1, S.t, S.r - shift, A);
+        for (int i = 0; i < k; i++)
+            same(T, G(column_value)(k, A, i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
+    }
+}
+
+CLAIM(matrix_gives_homogeneous_curve)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS], u = parameter(T, "u"), t = G(at_parameter)(&S, u), left[2], right[2];
+    num x[LARGEST_ORDER], w[LARGEST_ORDER];
+    G(bspline_matrix)(k - 1, S.t, S.r, A);
+    left[0] = left[1] = right[0] = right[1] = from_int(0);
+    for (int i = 0; i < k; i++) {
+        x[i] = unknown(T, "x", i);
+        w[i] = positive(T, "w", i);
+        num N = G(basis_value)(&S, i, k, t);
+        right[0] = add(right[0], mul(N, mul(w[i], x[i])));
+        right[1] = add(right[1], mul(N, w[i]));
+    }
+    for (int j = 0; j < k; j++)
+        for (int i = 0; i < k; i++) {
+            num share = mul(G(power)(u, j), A[j * k + i]), weight = T->planted && i == k - 1 ? from_int(1) : w[i];
+            left[0] = add(left[0], mul(share, mul(weight, x[i])));
+            left[1] = add(left[1], mul(share, w[i]));
+        }
+    about(T, "homogeneous coordinates");
+    same(T, left[0], right[0]);
+    same(T, left[1], right[1]);
+    about(T, "the affine point");
+    same(T, div(left[0], left[1]), div(right[0], right[1]));
+}
+
+CLAIM(coefficient_rows_have_fixed_sums)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS];
+    G(bspline_matrix)(k - 1, S.t, S.r, A);
+    for (int j = 0; j < k; j++) {
+        num sum = from_int(0);
+        for (int i = 0; i < k - T->planted; i++)
+            sum = add(sum, A[j * k + i]);
+        same(T, sum, from_int(j == 0));
+    }
+}
+
+CLAIM(coefficient_matrix_is_affinely_invariant)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS], B[CELLS], moved[2 * LARGEST_ORDER], a = positive(T, "a", 0), b = unknown(T, "b", 0);
+    for (int m = 0; m < 2 * k; m++)
+        moved[m] = T->planted && m == 1 ? S.t[m] : add(mul(a, S.t[m]), b);
+    G(bspline_matrix)(k - 1, S.t, S.r, A);
+    G(bspline_matrix)(k - 1, moved, S.r, B);
+    for (int m = 0; m < k * k; m++)
+        same(T, B[m], A[m]);
+}
+
+#if RATIONAL
+/*
+:::{claim} empty_span_has_no_parameter
+:title: On an empty span the parameter does not reach 1
+:zh: 空区间上无参数变换
+:kind: counterexample
+:given: $t_r=t_{r+1}=1$
+:then: no $u$ has $t_r+u(t_{r+1}-t_r)\ne t_r$; the length by which (4.4.1) divides is 0
+:method: The length is computed; that it is not 0 is what is compared.
+:control: $t_{r+1}=2$
+:::
+*/
+CLAIM(empty_span_has_no_parameter)
+{
+    num t[2] = {from_int(1), from_int(T->planted ? 2 : 1)};
+    show_points(T, "t_r, t_{r+1}", 2, 1, t);
+    about(T, "the length of the span is not 0");
+    agree(T, !is_zero_q(sub(t[1], t[0])));
+}
+
+/*
+:::{claim} affine_points_need_the_weights
+:title: Applied to affine points the matrix does not give the affine curve
+:zh: 对仿射控制顶点须计入权因子
+:kind: counterexample
+:given: $k=2$, $r_1=0$, $r_2=1$ with the weights $1,2$, on the span $[0,1)$; $u=\frac12$
+:then: the affine curve is at $\frac23$, the matrix applied to the affine points gives $\frac12$
+:method: Both by exact arithmetic.
+:control: equal weights
+:::
+*/
+CLAIM(affine_points_need_the_weights)
+{
+    num knots[4] = {from_int(-1), from_int(0), from_int(1), from_int(2)}, A[4], u = from_ratio(1, 2);
+    num r[2] = {from_int(0), from_int(1)}, w[2] = {from_int(1), from_int(T->planted ? 1 : 2)};
+    num sum = from_int(0), above = from_int(0), below = from_int(0);
+    G(bspline_matrix)(1, knots, 1, A);
+    for (int i = 0; i < 2; i++) {
+        num N = G(column_value)(2, A, i, u);
+        sum = add(sum, mul(N, r[i]));
+        above = add(above, mul(N, mul(w[i], r[i])));
+        below = add(below, mul(N, w[i]));
+    }
+    show_points(T, "r_i", 2, 1, r);
+    show_points(T, "w_i", 2, 1, w);
+    show(T, "u", u);
+    about(T, "the matrix applied to the affine points, and the affine curve (4.1.2)");
+    same(T, sum, div(above, below));
+}
+#endif
+
+/*
+## By divided differences (theorem 4.4.1)
+
+As a function of its order-$k$ divided difference, a B-spline is
+
+$$N_{i,k}(t)=(t_{i+k}-t_i)\,[t_i,\dots,t_{i+k}](x-t)_+^{k-1},$$
+
+where $(x-t)_+$ is $x-t$ for $x>t$ and 0 otherwise.  Written out with the weights $\alpha$ of the last section only the
+knots right of $t$ are left, and these are the knots right of $t_r$.
+
+A column of the matrix depends on the $k+1$ knots of its own function and on the place of the span among them, on
+nothing else.  There are $k\,2^{k-1}$ such cases; the claims go through all of them up to the order 5 with variables for
+the different knots.  So they settle every multiplicity of the knots around a span.
+
+:::{statement} wang-ch4:formula-4.4.10
+:title: The knots of one function grouped by their values
+:zh: 单个基函数的节点分组
+:printed: T_i=\{t_i,\dots,t_{i+k}\}=\{\tau_1(T_i),\dots,\tau_{d(T_i)}(T_i)\}\text{ with multiplicities }l_q(T_i)>0,\quad
+  \textstyle\sum_ql_q(T_i)=k+1
+:definition: yes
+:checked-by: compositions_are_all_multiplicities
+:::
+
+:::{statement} wang-ch4:formula-4.4.11
+:title: On a span a B-spline is a polynomial of u
+:zh: B 样条基在区间上为 u 的多项式
+:printed: N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}a_{ji}u^j,\quad t\in[t_r,t_{r+1})
+:holds-by: printed_double_sum_gives_the_basis
+:needs: empty_span_has_no_parameter | the span is not empty
+:::
+
+:::{statement} wang-ch4:thm-4.4.1
+:title: The coefficients by divided differences
+:zh: 定理 4.4.1 基于差商的系数矩阵
+:printed: a_{ji}=(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{\lambda=1,\ \tau_\lambda>t_r}^{d(T_i)}\
+  \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j}
+:holds-by: printed_double_sum_gives_the_basis column_by_differences_is_the_function
+:needs: full_powers_sum_to_nothing | only the $\tau_\lambda>t_r$ are summed
+:needs: empty_span_has_no_parameter | the span is not empty
+:figure: matrices_of_merging_knots
+
+The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and what the powers allow.
+:::
+
+:::{statement} wang-ch4:formula-4.4.12
+:title: The limits of the double sum
+:zh: (4.4.12) 的求和上限
+:printed: 0\le\mu\le k-1-\max(j,k-l_\lambda),\quad0\le j\le k-1,\quad r-k+1\le i\le r
+:holds-by: summation_orders_agree printed_double_sum_gives_the_basis
+
+For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and their
+bases are positive.
+:::
+
+:::{statement} wang-ch4:thm-4.4.1-curve
+:title: So the curve has the coefficient matrix of these entries
+:zh: 由此得 NURBS 曲线的系数矩阵表示
+:printed: this gives the representation (4.4.2) of the NURBS curve (4.1.1) on $[t_r,t_{r+1})$
+:holds-by: matrix_by_differences_is_the_matrix matrix_gives_homogeneous_curve
+
+For the homogeneous curve (4.1.1).
+:::
+
+:::{claim} printed_double_sum_gives_the_basis
+:title: The printed coefficients are those of the B-spline
+:zh: (4.4.12) 的二重和给出 B 样条基
+:given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
+  random patterns for greater $k$
+:then: $\sum_ja_{ji}u^j=N_{i,k}(t)$, with $a_{ji}$ as printed, limits and all, and $\alpha$ from the cofactors (4.4.9)
+:method: The double sum by its letter, against the recursion of Cox and de Boor.
+:degrees: 0..4 sampled 5
+:control: the upper limit one less for double knots and more
+:::
+
+:::{claim} column_by_differences_is_the_function
+:title: The kernel for one column gives the B-spline
+:zh: 差商法逐列计算
+:given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
+  random patterns for greater $k$
+:then: the coefficients of `bspline_column_by_differences` are those of $N_{i,k}$ on the span
+:method: As for the printed sum; the kernel takes its weights from power series and sums by Horner's rule.
+:degrees: 0..4 sampled 7
+:defines: bspline_column_by_differences
+:control: the span taken as the last one of the function
+:::
+
+:::{claim} matrix_by_differences_is_the_matrix
+:title: The matrix by divided differences is the matrix of the powers
+:zh: 差商法系数矩阵与幂基展开一致
+:given: every pattern of the 2k knots around a span up to the order 3, variables; greater orders with simple knots and
+  with the knots of Bernstein in the field, with random patterns in the other number types
+:then: `bspline_matrix_by_differences` and `bspline_matrix` give the same matrix
+:method: Entry by entry.  That all multiplicities are covered up to the order 5 is the claim on columns.
+:degrees: 0..4 sampled 7
+:defines: bspline_matrix_by_differences
+:control: the last two columns exchanged
+:::
+*/
+
+/* The k+1 knots of one function, pattern m of 2^k, numbered from 0, with the span after group g, so that the span is
+ * that of the last knot of group g and i = 0. */
+static struct G(span) G(span_of_function)(int k, int m, int g, const num x[])
+{
+    struct G(span) S = {.k = k, .r = 0};
+    for (int a = 0, group = 0; a <= k; a++) {
+        S.group[a] = group;
+        S.t[a] = x[group];
+        if (group == g)
+            S.r = a;
+        group += m >> a & 1;
+    }
+    return S;
+}
+
+/* The knots of one function as nodes: d different ones with multiplicities, and which are right of t_r. */
+struct G(nodes) {
+    int d, l[LARGEST_ORDER + 1], right[LARGEST_ORDER + 1];
+    num tau[LARGEST_ORDER + 1];
+};
+static struct G(nodes) G(nodes_of)(const struct G(span) * S)
+{
+    struct G(nodes) n = {.d = 0};
+    for (int a = 0; a <= S->k; a++) {
+        if (a == 0 || S->group[a] != S->group[a - 1]) {
+            n.tau[n.d] = S->t[a];
+            n.right[n.d] = S->group[a] > S->group[S->r];
+            n.l[n.d++] = 0;
+        }
+        n.l[n.d - 1]++;
+    }
+    return n;
+}
+
+/* The weights (4.4.8), (4.4.9): cofactors of the last column of the matrix of derivatives over the product
+ * that is its determinant. */
+static void G(cofactor_weights)(const struct G(nodes) * n, int k, num alpha[][LARGEST_ORDER + 1])
+{
+    num H[(LARGEST_ORDER + 1) * (LARGEST_ORDER + 1)];
+    for (int i = 0, row = 0; i < n->d; i++)
+        for (int j = 0; j < n->l[i]; j++, row++)
+            for (int c = 0; c <= k; c++) {
+                num falling = from_int(c >= j);
+                for (int m = 0; m < j; m++)
+                    falling = mul(falling, from_int(c - m));
+                H[row * (k + 1) + c] = c >= j ? mul(falling, G(power)(n->tau[i], c - j)) : from_int(0);
+            }
+    num det = G(confluent_vandermonde_determinant)(n->d, n->l, n->tau);
+    for (int i = 0, row = 0; i < n->d; i++)
+        for (int j = 0; j < n->l[i]; j++, row++)
+            alpha[i][j] = div(G(cofactor)(k + 1, H, row, k), det);
+}
+
+/* Formula (4.4.12) by its letter, i = 0.  `short_by` shortens the inner sum where l > 1. */
+static num G(printed_coefficient)(const struct G(span) * S, const struct G(nodes) * n, num alpha[][LARGEST_ORDER + 1],
+                                  int j, int short_by)
+{
+    int k = S->k;
+    num sum = from_int(0), t_r = S->t[S->r];
+    for (int lambda = 0; lambda < n->d; lambda++) {
+        if (!n->right[lambda])
+            continue;
+        int l = n->l[lambda], limit = k - 1 - (j > k - l ? j : k - l);
+        for (int mu = 0; mu <= limit - (l > 1 ? short_by : 0); mu++) {
+            num factor = div(G(factorial)(k - 1), mul(G(factorial)(j), G(factorial)(k - 1 - mu - j)));
+            num power = G(power)(sub(n->tau[lambda], t_r), k - 1 - mu - j);
+            sum = add(sum, mul(alpha[lambda][mu], mul(factor, power)));
+        }
+    }
+    return mul(mul(sub(S->t[k], S->t[0]), G(power)(sub(t_r, S->t[S->r + 1]), j)), sum);
+}
+
+/* The cases of the claims on columns: all patterns and spans up to the order 5, else a few random patterns. */
+static int G(function_patterns)(int k) { return k <= (FIELD ? 5 : 3) ? 1 << k : 3; }
+static int G(function_pattern)(trial *T, int k, int m) { return k <= (FIELD ? 5 : 3) ? m : pick(T, 1, (1 << k) - 1); }
+
+CLAIM(printed_double_sum_gives_the_basis)
+{
+    int k = T->degree + 1;
+    num x[LARGEST_ORDER + 1], u = parameter(T, "u");
+    G(increasing)(T, k + 1, x);
+    for (int count = G(function_patterns)(k), m = 0; m < count; m++) {
+        int pattern = G(function_pattern)(T, k, m), groups = 1;
+        for (int a = 0; a < k; a++)
+            groups += pattern >> a & 1;
+        num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1];
+        for (int g = 0; g + 1 < groups; g++) {
+            struct G(span) S = G(span_of_function)(k, pattern, g, x);
+            struct G(nodes) n = G(nodes_of)(&S);
+            num sum = from_int(0);
+            if (g == 0)
+                G(cofactor_weights)(&n, k, alpha);
+            for (int j = 0; j < k; j++)
+                sum = add(sum, mul(G(printed_coefficient)(&S, &n, alpha, j, T->planted), G(power)(u, j)));
+            same(T, sum, G(basis_value)(&S, 0, k, G(at_parameter)(&S, u)));
+        }
+    }
+}
+
+CLAIM(column_by_differences_is_the_function)
+{
+    int k = T->degree + 1;
+    num x[LARGEST_ORDER + 1], a[LARGEST_ORDER], u = parameter(T, "u");
+    G(increasing)(T, k + 1, x);
+    for (int count = G(function_patterns)(k), m = 0; m < count; m++) {
+        int pattern = G(function_pattern)(T, k, m), groups = 1;
+        for (int b = 0; b < k; b++)
+            groups += pattern >> b & 1;
+        for (int g = 0; g + 1 < groups; g++) {
+            struct G(span) S = G(span_of_function)(k, pattern, g, x),
+                           last = G(span_of_function)(k, pattern, groups - 2, x);
+            G(bspline_column_by_differences)(k - 1, S.t, S.group, 0, T->planted ? last.r : S.r, a);
+            num sum = from_int(0);
+            for (int j = 0; j < k; j++)
+                sum = add(sum, mul(a[j], G(power)(u, j)));
+            same(T, sum, G(basis_value)(&S, 0, k, G(at_parameter)(&S, u)));
+        }
+    }
+}
+
+CLAIM(matrix_by_differences_is_the_matrix)
+{
+    int k = T->degree + 1;
+    num x[2 * LARGEST_ORDER], A[CELLS], B[CELLS];
+    G(increasing)(T, 2 * k, x);
+    for (int count = G(pattern_count)(k, 3, 2), m = 0; m < count; m++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 3, m), x);
+        G(bspline_matrix)(k - 1, S.t, S.r, A);
+        G(bspline_matrix_by_differences)(k - 1, S.t, S.group, S.r, B);
+        for (int j = 0; j < k; j++)
+            for (int i = 0; i < k; i++) {
+                int from = T->planted && k > 1 && i >= k - 2 ? 2 * k - 3 - i : i;
+                same(T, B[j * k + from], A[j * k + i]);
+            }
+    }
+}
+
+/*
+## The proof of theorem 4.4.1, line by line
+
+:::{statement} wang-ch4:thm-4.4.1-step-1
+:title: The B-spline as a sum of derivatives of truncated powers
+:zh: 证明第一行:截断幂的导数之和
+:printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}
+  \left.\frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\right|_{x=\tau_\lambda}
+:holds-by: truncated_power_gives_the_basis
+:hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at such
+  a knot the derivative of order $k-1$ of the truncated power does not exist
+:::
+
+:::{statement} wang-ch4:thm-4.4.1-step-2
+:title: The truncated powers replaced by powers
+:zh: 证明第二行:截断幂换成幂
+:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
+  (\tau_\lambda-t)^{k-1-\mu}
+:class: invalid-proof
+:refuted-by: full_powers_sum_to_nothing
+:corrected: the same sum over the $\lambda$ with $\tau_\lambda>t_r$ only; over all $\lambda$ it is 0, a divided difference
+  of order $k$ of a polynomial of degree $k-1$
+:corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing
+:figure: full_powers
+:::
+
+:::{statement} wang-ch4:thm-4.4.1-step-3
+:title: The powers expanded in u
+:zh: 证明第三行:按 u 展开
+:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
+  \sum_{j=0}^{k-\mu-1}\binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j=N_{i,k}(t)
+:class: invalid-proof
+:refuted-by: full_powers_sum_to_nothing
+:corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
+:corrected-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis
+:::
+
+:::{statement} wang-ch4:thm-4.4.1-step-expansion
+:title: From the second line to the third
+:zh: 由第二行到第三行的二项展开
+:printed: \frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}=\frac{(k-1)!}{(k-1-\mu)!}\sum_{j=0}^{k-\mu-1}
+  \binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j
+:holds-by: powers_expand_in_the_parameter
+:::
+
+:::{statement} wang-ch4:thm-4.4.1-step-collect
+:title: The sums exchanged
+:zh: 整理和式
+:printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
+:holds-by: summation_orders_agree powers_expand_in_the_parameter
+:hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is put
+  back
+:::
+
+:::{claim} truncated_power_gives_the_basis
+:title: The divided difference of the truncated power is the B-spline
+:zh: 截断幂的差商即 B 样条基
+:given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $t$ variables;
+  random patterns for greater $k$
+:then: $(t_{i+k}-t_i)[t_i,\dots,t_{i+k}](x-t)_+^{k-1}=N_{i,k}(t)$ on the span, by the table of divided differences and by
+  the sum with the weights $\alpha$
+:method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$ right
+  of the span and 0 left of it.
+:degrees: 0..4 sampled 7
+:control: the data right and left of the span exchanged
+:::
+
+:::{claim} all_full_powers_sum_to_nothing
+:title: With the full powers the sum is always 0
+:zh: 不截断则和恒为零
+:given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables
+:then: the printed second line is 0 for every $t$
+:method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
+:degrees: 0..4 sampled 7
+:control: powers of one degree more
+:::
+
+:::{claim} powers_expand_in_the_parameter
+:title: The expansion of a power of tau - t in powers of u
+:zh: (τ-t) 的幂按 u 展开
+:given: every $\mu<k$, with $\tau,t_r,t_{r+1},u$ variables
+:then: the two sides agree, and $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{j!(k-1-\mu-j)!}$
+:method: Both sides at $t=t_r+u(t_{r+1}-t_r)$.
+:degrees: 0..6 sampled 12
+:control: $t_{r+1}-t_r$ in the place of $t_r-t_{r+1}$
+:::
+
+:::{claim} summation_orders_agree
+:title: The pairs of mu and j are the same in both orders of summation
+:zh: 两种求和次序的指标集相同
+:kind: decision
+:given: $k\le12$, $1\le l\le k$
+:then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
+:method: Both sets are listed.
+:scope: $k\le12$
+:control: $\max$ replaced by $\min$
+:::
+*/
+
+/* (k-1)!/(k-1-mu)! (tau - t)^{degree - mu}, with degree = k-1 */
+static num G(power_datum)(int k, int mu, num tau, num t, int degree)
+{
+    return mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(power)(sub(tau, t), degree - mu));
+}
+
+CLAIM(truncated_power_gives_the_basis)
+{
+    int k = T->degree + 1;
+    num x[LARGEST_ORDER + 1], t = parameter(T, "t");
+    G(increasing)(T, k + 1, x);
+    for (int count = G(function_patterns)(k), m = 0; m < count; m++) {
+        int pattern = G(function_pattern)(T, k, m), groups = 1;
+        for (int a = 0; a < k; a++)
+            groups += pattern >> a & 1;
+        for (int g = 0; g + 1 < groups; g++) {
+            struct G(span) S = G(span_of_function)(k, pattern, g, x);
+            struct G(nodes) n = G(nodes_of)(&S);
+            num data[LARGEST_ORDER + 1], alpha[LARGEST_ORDER + 1], sum = from_int(0), length = sub(S.t[k], S.t[0]);
+            for (int i = 0, row = 0; i < n.d; i++)
+                for (int mu = 0; mu < n.l[i]; mu++, row++) {
+                    int counts = T->planted ? !n.right[i] : n.right[i];
+                    data[row] = counts ? G(power_datum)(k, mu, n.tau[i], t, k - 1) : from_int(0);
+                }
+            num N = G(basis_value)(&S, 0, k, t);
+            about(T, "by the table");
+            same(T, mul(length, G(divided_difference)(n.d, n.l, n.tau, data)), N);
+            about(T, "by the weights");
+            G(divided_weights)(n.d, n.l, n.tau, alpha);
+            for (int row = 0; row <= k; row++)
+                sum = add(sum, mul(alpha[row], data[row]));
+            same(T, mul(length, sum), N);
+        }
+    }
+}
+
+/* The printed second line, over all nodes or over those right of t_r. */
+static num G(second_line)(const struct G(span) * S, int only_right, num t, int degree)
+{
+    struct G(nodes) n = G(nodes_of)(S);
+    num alpha[LARGEST_ORDER + 1], sum = from_int(0);
+    G(divided_weights)(n.d, n.l, n.tau, alpha);
+    for (int i = 0, row = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++, row++)
+            if (!only_right || n.right[i])
+                sum = add(sum, mul(alpha[row], G(power_datum)(S->k, mu, n.tau[i], t, degree)));
+    return mul(sub(S->t[S->k], S->t[0]), sum);
+}
+
+CLAIM(all_full_powers_sum_to_nothing)
+{
+    int k = T->degree + 1;
+    num x[LARGEST_ORDER + 1], t = parameter(T, "t");
+    G(increasing)(T, k + 1, x);
+    for (int count = G(function_patterns)(k), m = 0; m < count; m++) {
+        int pattern = G(function_pattern)(T, k, m);
+        if (pattern == 0) /* k+1 equal knots are the knots of no function */
+            continue;
+        struct G(span) S = G(span_of_function)(k, pattern, 0, x);
+        vanishes(T, G(second_line)(&S, 0, t, k - 1 + T->planted));
+    }
+}
+
+CLAIM(powers_expand_in_the_parameter)
+{
+    int k = T->degree + 1;
+    num t[2], tau = unknown(T, "tau", 0), u = parameter(T, "u");
+    G(increasing)(T, 2, t);
+    num at = add(t[0], mul(u, sub(t[1], t[0]))), step = T->planted ? sub(t[1], t[0]) : sub(t[0], t[1]);
+    for (int mu = 0; mu < k; mu++) {
+        num sum = from_int(0);
+        for (int j = 0; j <= k - mu - 1; j++) {
+            num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
+            same(T, factor, div(G(factorial)(k - 1), mul(G(factorial)(j), G(factorial)(k - 1 - mu - j))));
+            num term = mul(G(power)(sub(tau, t[0]), k - 1 - mu - j), mul(G(power)(step, j), G(power)(u, j)));
+            sum = add(sum, mul(factor, term));
+        }
+        same(T, G(power_datum)(k, mu, tau, at, k - 1), sum);
+    }
+}
+
+#if RATIONAL
+CLAIM(summation_orders_agree)
+{
+    for (int k = 1; k <= 12; k++)
+        for (int l = 1; l <= k; l++)
+            for (int mu = 0; mu <= k; mu++)
+                for (int j = 0; j <= k; j++) {
+                    int larger = T->planted ? (j < k - l ? j : k - l) : (j > k - l ? j : k - l);
+                    int printed = mu <= l - 1 && j <= k - mu - 1, collected = j <= k - 1 && mu <= k - 1 - larger;
+                    agree(T, printed == collected);
+                }
+}
+
+/*
+:::{claim} full_powers_sum_to_nothing
+:title: The printed second line is 0 where the B-spline is not
+:zh: 证明第二行恒为零
+:kind: counterexample
+:given: $k=2$, the knots $0,1,2$ of $N_{i,2}$ on the span $[0,1)$, $t=u=\frac12$
+:then: $N_{i,2}(t)=\frac12$, and the sum over all $\lambda$ is $(0-t)-2(1-t)+(2-t)=0$; so is the
+  third line, which is the second expanded
+:method: Both lines by their letter, with the weights of the divided difference.
+:control: only the $\tau_\lambda>t_r$
+:::
+*/
+/* The printed third line at u, over all nodes or over those right of t_r. */
+static num G(third_line)(const struct G(span) * S, int only_right, num u)
+{
+    int k = S->k;
+    struct G(nodes) n = G(nodes_of)(S);
+    num alpha[LARGEST_ORDER + 1], t_r = S->t[S->r], step = sub(t_r, S->t[S->r + 1]), sum = from_int(0);
+    G(divided_weights)(n.d, n.l, n.tau, alpha);
+    for (int i = 0, row = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++, row++)
+            for (int j = 0; j <= k - mu - 1 && (!only_right || n.right[i]); j++) {
+                num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
+                num powers = mul(G(power)(sub(n.tau[i], t_r), k - 1 - mu - j), G(power)(mul(step, u), j));
+                sum = add(sum, mul(alpha[row], mul(factor, powers)));
+            }
+    return mul(sub(S->t[k], S->t[0]), sum);
+}
+
+CLAIM(full_powers_sum_to_nothing)
+{
+    num x[3] = {from_int(0), from_int(1), from_int(2)}, t = from_ratio(1, 2);
+    struct G(span) S = G(span_of_function)(2, 3, 0, x);
+    num line = G(second_line)(&S, T->planted, t, 1);
+    show_points(T, "t_i", 3, 1, x);
+    show(T, "t", t);
+    show(T, "second line", line);
+    about(T, "the second line, and N_{i,2}(t)");
+    same(T, line, G(basis_value)(&S, 0, 2, t));
+    about(T, "the third line, and N_{i,2}(t)");
+    same(T, G(third_line)(&S, T->planted, t), G(basis_value)(&S, 0, 2, t));
+}
+
+/*
+:::{claim} zero_power_at_a_knot_of_multiplicity_k
+:title: At a knot of multiplicity k the power 0 of 0 decides
+:zh: k 重节点处的零次截断幂
+:kind: counterexample
+:given: $k=1$, the knots $0,1$ of $N_{i,1}$, at $t=t_r=0$, with $0_+^0=1$
+:then: $(1-0)\bigl((1-t)_+^0-(0-t)_+^0\bigr)=0$, but $N_{i,1}(0)=1$
+:method: The printed first line, with the value 1 for $0_+^0$.
+:control: the value 0 for $0_+^0$
+:::
+*/
+CLAIM(zero_power_at_a_knot_of_multiplicity_k)
+{
+    int l[2] = {1, 1};
+    num tau[2] = {from_int(0), from_int(1)}, data[2] = {from_int(T->planted ? 0 : 1), from_int(1)};
+    show_points(T, "t_i", 2, 1, tau);
+    show_points(T, "truncated powers at the knots", 2, 1, data);
+    about(T, "the first line at t = t_r, and N_{i,1}(t_r)");
+    same(T, mul(sub(tau[1], tau[0]), G(divided_difference)(2, l, tau, data)), from_int(1));
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,117 @@
+/* discrete.h -- knots over one list of values, NURBS curves and discrete B-splines as they are defined.
+ *
+ * Stands after definition.h.  Two knot vectors, of which one refines the other, are patterns over the same
+ * distinct values x_0 < x_1 < ...: "30103" are the knots x_0, x_0, x_0, x_2, x_4, x_4, x_4, and "01010" are x_1 and x_3.
+ * Their sum, digit by digit, is the union with multiplicities, T + T'.  Places are numbers of these
+ * values, so that places of knots of different vectors can be compared.  Nothing here uses a kernel. */
+#include <string.h>
+
+#include "chapters/frame/claims_on.h"
+
+/* The distinct values of a pattern: variables in the field, increasing numbers elsewhere. */
+static inline void G(distinct_knots)(trial *T, int count, num x[])
+{
+    x[0] = unknown(T, "x", 0);
+    for (int i = 1; i < count; i++)
+#if FIELD
+        x[i] = unknown(T, "x", i);
+#else
+        x[i] = add(x[i - 1], positive(T, "h", i));
+#endif
+}
+
+/* The same as sums of positive gaps h_1, h_2, ... from x_0 = 0, so that a sign can be read off; B-splines depend on
+ * differences of knots and parameter alone. */
+static inline void G(increasing_knots)(trial *T, int count, num x[])
+{
+    x[0] = from_int(0);
+    for (int i = 1; i < count; i++)
+        x[i] = add(x[i - 1], positive(T, "h", i));
+}
+
+/* The knots of a pattern over the values x, and their places; returns how many there are. */
+static inline int G(knots_at)(const char *pattern, const num x[], num u[], int place[])
+{
+    int count = 0;
+    for (int i = 0; pattern[i] != '\0'; i++)
+        for (int times = pattern[i] - '0'; times > 0; times--, count++) {
+            u[count] = x[i];
+            place[count] = i;
+        }
+    return count;
+}
+
+/* The pattern of the union with multiplicities (T ⊕ T'). */
+static inline void G(union_of_patterns)(const char *a, const char *b, char sum[])
+{
+    int i = 0;
+    for (; a[i] != '\0'; i++)
+        sum[i] = (char)(a[i] + b[i] - '0');
+    sum[i] = '\0';
+}
+
+/* n points of dim coordinates and n positive weights. */
+static inline void G(weighted_points)(trial *T, int n, int dim, num R[], num w[])
+{
+    static const char *const axis[] = {"a", "b", "c"};
+    for (int i = 0; i < n; i++) {
+        w[i] = positive(T, "w", i);
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = unknown(T, axis[c], i);
+    }
+}
+
+/* Formula (4.1.2) for t in an interval, every term of both sums: out, dim coordinates; returns the denominator. */
+static inline num G(nurbs_by_definition)(int n, int p, int dim, const num u[], const int place[], const num R[],
+                                         const num w[], int interval, num t, num out[])
+{
+    num total = from_int(0);
+    for (int c = 0; c < dim; c++)
+        out[c] = from_int(0);
+    for (int i = 0; i < n; i++) {
+        num share = mul(G(cox_de_boor)(p, u, place, i, interval, t), w[i]);
+        total = add(total, share);
+        for (int c = 0; c < dim; c++)
+            out[c] = add(out[c], mul(share, R[i * dim + c]));
+    }
+    for (int c = 0; c < dim; c++)
+        out[c] = div(out[c], total);
+    return total;
+}
+
+/* The discrete B-spline alpha_{i,p}(j) of the knots u and their refinement v, by its recursion, 0/0 being 0:
+ *     alpha_{i,0}(j) = 1 if u_i <= v_j < u_{i+1}, and 0 otherwise,
+ *     alpha_{i,p}(j) = (v_{j+p} - u_i)/(u_{i+p} - u_i) alpha_{i,p-1}(j)
+ *                    + (u_{i+p+1} - v_{j+p})/(u_{i+p+1} - u_{i+1}) alpha_{i+1,p-1}(j). */
+static inline num G(alpha)(int p, const num u[], const int place[], const num v[], const int at[], int i, int j)
+{
+    if (p == 0)
+        return from_int(place[i] <= at[j] && at[j] < place[i + 1]);
+    num value = from_int(0);
+    if (place[i] < place[i + p])
+        value = mul(div(sub(v[j + p], u[i]), sub(u[i + p], u[i])), G(alpha)(p - 1, u, place, v, at, i, j));
+    if (place[i + 1] < place[i + p + 1])
+        value = add(value, mul(div(sub(u[i + p + 1], v[j + p]), sub(u[i + p + 1], u[i + 1])),
+                               G(alpha)(p - 1, u, place, v, at, i + 1, j)));
+    return value;
+}
+
+/* Formula (4.1.6): the m points S and weights z over the refinement v of the knots u of n points. */
+static inline void G(refined_by_definition)(int n, int p, int dim, const num u[], const int place[], const num R[],
+                                            const num w[], int m, const num v[], const int at[], num S[], num z[])
+{
+    for (int j = 0; j < m; j++) {
+        z[j] = from_int(0);
+        for (int c = 0; c < dim; c++)
+            S[j * dim + c] = from_int(0);
+        for (int i = 0; i < n; i++) {
+            num share = mul(G(alpha)(p, u, place, v, at, i, j), w[i]);
+            z[j] = add(z[j], share);
+            for (int c = 0; c < dim; c++)
+                S[j * dim + c] = add(S[j * dim + c], mul(share, R[i * dim + c]));
+        }
+        for (int c = 0; c < dim; c++)
+            S[j * dim + c] = div(S[j * dim + c], z[j]);
+    }
+}
+#include "chapters/frame/claims_off.h"

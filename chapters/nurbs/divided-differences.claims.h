@@ -1,0 +1,689 @@
+/*
+# Divided differences with repeated nodes (重节点差商)
+
+A B-spline is a divided difference of a truncated power, so a formula for divided differences is a formula for
+B-splines.  This section decides the formula that the source uses: the divided difference of order $k$ over nodes
+that may coincide, written out with the values of the function and of its derivatives.
+
+The nodes are $\tau_1<\dots<\tau_d$ with the multiplicities (重数) $l_1,\dots,l_d$, together $k+1$.  A set of
+multiplicities is a composition of $k+1$, and there are $2^k$ of them: the claims below go through them all, in other
+numbers than those of the field beyond $k=4$ through random ones.  The degree that a claim names is $k$.
+
+## Osculation (密切)
+
+:::{statement} wang-ch4:def-4.4.2
+:title: Two functions osculate on a set of nodes
+:zh: 函数在节点向量上密切
+:printed: p^{(j)}(t)=q^{(j)}(t),\quad j=0,1,\dots,m-1,\quad\text{at every node }t\text{ of multiplicity }m\text{ of }
+  T=\{t_i\}_{i=0}^k
+:definition: yes
+:checked-by: osculation_is_divisibility
+
+With $m-1$ as the last order the number of conditions is the number of nodes.  For polynomials it says that $p-q$ is
+divisible by the product of all $t-t_i$.
+:::
+
+:::{statement} wang-ch4:formula-4.4.4
+:title: The conditions at one node
+:zh: 单个节点处的密切条件
+:printed: p^{(j)}(t)=q^{(j)}(t),\quad j=0,1,\dots,m-1
+:definition: yes
+:checked-by: osculation_is_divisibility
+
+$m$ conditions at a node of multiplicity $m$; with one more the nodes would have one more.
+:::
+
+:::{statement} wang-ch4:formula-4.4.5
+:title: The nodes grouped by their values
+:zh: 节点按重数分组
+:printed: T=\{t_0,\dots,t_k\}=\{\tau_1,\dots,\tau_1,\dots,\tau_d,\dots,\tau_d\},\quad l_1+\dots+l_d=k+1,\quad
+  \tau_1<\dots<\tau_d
+:definition: yes
+:checked-by: compositions_are_all_multiplicities
+
+The order of the $\tau_i$ is used nowhere in the identities of this section; that they differ is.
+:::
+
+:::{claim} osculation_is_divisibility
+:title: A multiple of the product of all t - t_i has the derivatives that osculation asks to vanish
+:zh: 密切等价于差被节点多项式整除
+:given: every set of multiplicities of $k+1$ nodes, the nodes and $s_0,s_1$ variables, $p-q=(s_0+s_1t)\prod(t-t_i)$
+:then: $p^{(j)}(\tau_i)=q^{(j)}(\tau_i)$ for $j<l_i$, and for $j=l_i$ the difference is
+  $l_i!\,(s_0+s_1\tau_i)\prod_{m\ne i}(\tau_i-\tau_m)^{l_m}$, not 0
+:method: The derivatives are those of the rational function of $t$ in the field.
+:types: field
+:degrees: 0..4
+:control: the multiplicity of the last node counted as one more
+:::
+
+:::{claim} compositions_are_all_multiplicities
+:title: The 2^k compositions of k+1 are the sets of multiplicities
+:zh: k+1 的全部有序分拆
+:kind: decision
+:given: $k\le7$ and every pattern of equal neighbours among $k+1$ ordered nodes
+:then: the groups have positive sizes with the sum $k+1$, and different patterns give different sizes
+:method: All patterns are listed and their lists of sizes compared two by two.
+:scope: $k\le7$
+:control: a pattern of $k+1$ bits, where only $k$ count
+:::
+*/
+#include "chapters/nurbs/spans.h"
+
+#include <string.h>
+
+#include "chapters/frame/claims_on.h"
+
+/* Pattern number m, 0 <= m < 2^k, of k+1 nodes: bit a says that node a+1 is greater than node a.  Returns the
+ * number d of groups and their sizes l. */
+static int G(composition)(int k, int m, int l[])
+{
+    int d = 0;
+    l[0] = 1;
+    for (int a = 0; a < k; a++) {
+        if (m >> a & 1)
+            l[++d] = 0;
+        l[d]++;
+    }
+    return d + 1;
+}
+
+/* The patterns a case goes through: all 2^k in the field and up to k = 4, elsewhere `count` random ones. */
+static int G(compositions)(int k, int count) { return FIELD || k <= 4 ? 1 << k : count; }
+static int G(pattern_number)(trial *T, int k, int m) { return FIELD || k <= 4 ? m : pick(T, 0, (1 << k) - 1); }
+
+/* c (c-1) ... (c-j+1) x^{c-j}: the j-th derivative of x^c */
+static num G(power_derivative)(int c, int j, num x)
+{
+    if (j > c)
+        return from_int(0);
+    num product = G(power)(x, c - j);
+    for (int m = 0; m < j; m++)
+        product = mul(product, from_int(c - m));
+    return product;
+}
+
+/* The matrix H(T; 1, t, ..., t^k) by its definition. */
+static void G(osculation_matrix)(int d, const int l[], int k, const num tau[], num H[])
+{
+    for (int i = 0, row = 0; i < d; i++)
+        for (int j = 0; j < l[i]; j++, row++)
+            for (int c = 0; c <= k; c++)
+                H[row * (k + 1) + c] = G(power_derivative)(c, j, tau[i]);
+}
+
+/* The product of the differences and factorials that the source gives for its determinant, factor by factor. */
+static num G(printed_determinant)(int d, const int l[], const num tau[])
+{
+    num product = from_int(1);
+    for (int i = 0; i < d; i++)
+        for (int j = i + 1; j < d; j++)
+            product = mul(product, G(power)(sub(tau[j], tau[i]), l[i] * l[j]));
+    for (int i = 0; i < d; i++)
+        for (int j = 0; j <= l[i] - 1; j++)
+            product = mul(product, G(factorial)(j));
+    return product;
+}
+
+#if FIELD
+CLAIM(osculation_is_divisibility)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], t = variable_f("x"), s = add(unknown(T, "s", 0), mul(unknown(T, "s", 1), t));
+    G(increasing)(T, k + 1, tau);
+    for (int m = 0; m < 1 << k; m++) {
+        int d = G(composition)(k, m, l);
+        for (int i = 0; i < d; i++) {
+            num D = s, first = substitute_f(s, t, tau[i]);
+            for (int b = 0; b < d; b++) {
+                D = mul(D, G(power)(sub(t, tau[b]), l[b]));
+                first = b == i ? first : mul(first, G(power)(sub(tau[i], tau[b]), l[b]));
+            }
+            about(T, "derivatives that vanish");
+            for (int j = 0; j < l[i] + (T->planted && i == d - 1); j++, D = derivative_f(D, t))
+                vanishes(T, substitute_f(D, t, tau[i]));
+            about(T, "the first that does not");
+            if (!T->planted)
+                same(T, substitute_f(D, t, tau[i]), mul(G(factorial)(l[i]), first));
+        }
+    }
+}
+#endif
+
+#if RATIONAL
+CLAIM(compositions_are_all_multiplicities)
+{
+    for (int k = 0; k <= 7; k++) {
+        int l[128][8] = {{0}};
+        for (int m = 0; m < 1 << k; m++) {
+            int d = G(composition)(k, m << (T->planted && k > 0), l[m]), sum = 0, positive_sizes = 1;
+            for (int i = 0; i < d; i++) {
+                sum += l[m][i];
+                positive_sizes &= l[m][i] > 0;
+            }
+            agree(T, sum == k + 1 && positive_sizes);
+            for (int other = 0; other < m; other++)
+                agree(T, memcmp(l[m], l[other], sizeof l[m]) != 0);
+        }
+    }
+}
+#endif
+
+/*
+## The linear system and its determinant
+
+The polynomial $g(t)=c_0+c_1t+\dots+c_kt^k$ that osculates $f$ solves a linear system.  Its matrix has, for the node
+$\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k$.
+
+:::{statement} wang-ch4:formula-4.4.6-matrix
+:title: The matrix H of the values and derivatives of given functions
+:zh: 密切插值矩阵 H
+:printed: H(T;f_0,\dots,f_k):\ \text{for each }\tau_i\text{ the rows }f_0^{(j)}(\tau_i),\dots,f_k^{(j)}(\tau_i),\quad
+  j=0,\dots,l_i-1
+:definition: yes
+:checked-by: confluent_vandermonde_holds_derivatives system_says_osculation
+:::
+
+:::{statement} wang-ch4:formula-4.4.6
+:title: The last row of each node in the matrix
+:zh: 方程组 (4.4.6) 中各节点的末行
+:printed: \left(0,\ \dots,\ 0,\ \dots,\ \frac{k!}{(k-l_i-1)!}\tau_i^{k-l_i+1}\right)
+:class: misprint
+:refuted-by: printed_last_row_has_wrong_factor
+:corrected: the last entry is $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$, the derivative of order $l_i-1$ of $t^k$
+:corrected-by: confluent_vandermonde_holds_derivatives system_says_osculation
+:figure: confluent_row
+
+For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
+:::
+
+:::{statement} wang-ch4:formula-4.4.6-right-side
+:title: The unknowns and the right side of the system
+:zh: 方程组的未知量与右端
+:printed: H\cdot(c_0,c_1,c_2,\dots,f^{(l_1-1)}(\tau_1),\dots,f(\tau_d),\dots,f^{(l_d-1)}(\tau_d))^T,\ \text{without an
+  equals sign}
+:reading: system_says_osculation | the column is two columns run into one: the unknowns $c_0,\dots,c_k$, an equals
+  sign, and the values of $f$ and its derivatives; so read the system is right
+:reading: mixed_column_is_no_system | the column is what the matrix is multiplied by, with the values of $f$ in the
+  places of $c_3,\dots$; then nothing is equated, and the product is not the vector of values
+:corrected: H(T;1,t,\dots,t^k)\,(c_0,\dots,c_k)^T=(f(\tau_1),\dots,f^{(l_1-1)}(\tau_1),\dots,f^{(l_d-1)}(\tau_d))^T
+:corrected-by: system_says_osculation
+:::
+
+:::{statement} wang-ch4:formula-4.4.6-is-h
+:title: The matrix of the system is H(T; 1, t, ..., t^k)
+:zh: 方程组系数矩阵即 H(T;1,t,…,t^k)
+:printed: the matrix on the left of (4.4.6) is $H(T;1,t,\dots,t^k)$
+:class: misprint
+:refuted-by: printed_last_row_has_wrong_factor
+:corrected: it is, once the factorials in the last rows of (4.4.6) are put right
+:corrected-by: confluent_vandermonde_holds_derivatives
+:::
+
+:::{statement} wang-ch4:formula-4.4.6-determinant
+:title: The determinant of the system
+:zh: 合流 Vandermonde 行列式
+:printed: \det H(T;1,t,\dots,t^k)=\prod_{1\le i<j\le d}(\tau_j-\tau_i)^{l_il_j}\prod_{i=1}^d\prod_{j=0}^{l_i-1}j!
+:holds-by: confluent_vandermonde_determinant_is_product
+:::
+
+:::{statement} wang-ch4:formula-4.4.6-unique
+:title: The system has exactly one solution
+:zh: 方程组有唯一解
+:printed: hence (4.4.6) has exactly one solution
+:holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
+:needs: node_listed_twice_makes_h_singular | the $\tau_i$ differ: equal nodes have to be counted by multiplicity
+
+The determinant is a product of factorials and differences, none of them 0.
+:::
+
+:::{claim} confluent_vandermonde_holds_derivatives
+:title: Row b(i,j) of the kernel has the j-th derivatives of the powers
+:zh: 合流 Vandermonde 矩阵的元素
+:given: every set of multiplicities of $k+1$ nodes, the nodes variables
+:then: entry $(b(i,j),c)$ of `confluent_vandermonde` is $\frac{d^j}{dt^j}t^c$ at $\tau_i$
+:method: In the field the other side is the formal derivative, elsewhere the falling factorial times the power.
+:degrees: 0..5 sampled 8
+:defines: confluent_vandermonde
+:control: the derivatives at each node taken in the opposite order
+:::
+
+:::{claim} system_says_osculation
+:title: The system H c = values says that the polynomial osculates
+:zh: 方程组 Hc = 值 即密切条件
+:given: every set of multiplicities of $k+1$ nodes, nodes and coefficients $c_0,\dots,c_k$ variables
+:then: entry $b(i,j)$ of $H(T;1,\dots,t^k)\,c$ is the $j$-th derivative at $\tau_i$ of $c_0+\dots+c_kt^k$
+:method: The product with the matrix of the kernel against the derivatives of the polynomial in the field.
+:types: field
+:degrees: 0..4
+:control: the coefficients $c_0$ and $c_k$ exchanged
+:::
+
+:::{claim} confluent_vandermonde_determinant_is_product
+:title: The determinant is the product of differences and factorials
+:zh: 合流 Vandermonde 行列式公式
+:given: every set of multiplicities of $k+1$ nodes, the nodes variables
+:then: $\det H(T;1,\dots,t^k)$ is the printed product, and `confluent_vandermonde_determinant` computes it
+:method: The determinant of the matrix of derivatives, by sums over all permutations up to $k=3$ and by
+  Bird's algorithm, against the product written out factor by factor.
+:degrees: 0..4 sampled 8
+:defines: confluent_vandermonde_determinant
+:control: the exponents $l_il_j$ taken as 1
+:::
+*/
+CLAIM(confluent_vandermonde_holds_derivatives)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], H[LARGEST_ORDER * LARGEST_ORDER];
+    G(increasing)(T, k + 1, tau);
+    for (int count = G(compositions)(k, 6), m = 0; m < count; m++) {
+        int d = G(composition)(k, G(pattern_number)(T, k, m), l), row = 0;
+        G(confluent_vandermonde)(d, l, tau, H);
+        for (int i = 0; i < d; i++)
+            for (int j = 0; j < l[i]; j++, row++)
+                for (int c = 0; c <= k; c++) {
+                    int order = T->planted ? l[i] - 1 - j : j;
+#if FIELD
+                    num x = variable_f("x"), D = G(power)(x, c);
+                    for (int a = 0; a < order; a++)
+                        D = derivative_f(D, x);
+                    same(T, H[row * (k + 1) + c], substitute_f(D, x, tau[i]));
+#else
+                    same(T, H[row * (k + 1) + c], G(power_derivative)(c, order, tau[i]));
+#endif
+                }
+    }
+}
+
+#if FIELD
+CLAIM(system_says_osculation)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], H[LARGEST_ORDER * LARGEST_ORDER], c[LARGEST_ORDER], x = variable_f("x");
+    num g = from_int(0);
+    G(increasing)(T, k + 1, tau);
+    for (int a = 0; a <= k; a++) {
+        c[a] = unknown(T, "c", a);
+        g = add(g, mul(unknown(T, "c", T->planted ? k - a : a), G(power)(x, a)));
+    }
+    for (int m = 0; m < 1 << k; m++) {
+        int d = G(composition)(k, m, l), row = 0;
+        G(confluent_vandermonde)(d, l, tau, H);
+        for (int i = 0; i < d; i++) {
+            num D = g;
+            for (int j = 0; j < l[i]; j++, row++, D = derivative_f(D, x)) {
+                num sum = from_int(0);
+                for (int a = 0; a <= k; a++)
+                    sum = add(sum, mul(H[row * (k + 1) + a], c[a]));
+                same(T, sum, substitute_f(D, x, tau[i]));
+            }
+        }
+    }
+}
+#endif
+
+CLAIM(confluent_vandermonde_determinant_is_product)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], H[LARGEST_ORDER * LARGEST_ORDER];
+    G(increasing)(T, k + 1, tau);
+    for (int count = G(compositions)(k, 3), m = 0; m < count; m++) {
+        int d = G(composition)(k, G(pattern_number)(T, k, m), l), ones[LARGEST_ORDER];
+        G(osculation_matrix)(d, l, k, tau, H);
+        for (int i = 0; i < d; i++)
+            ones[i] = T->planted ? 1 : l[i];
+        num det = G(determinant)(k + 1, H);
+        about(T, "determinant and printed product");
+        same(T, det, G(printed_determinant)(d, ones, tau));
+        about(T, "determinant and kernel");
+        same(T, det, G(confluent_vandermonde_determinant)(d, ones, tau));
+        about(T, "two determinants");
+        if (k <= 3)
+            same(T, det, G(leibniz)(k + 1, 0, 0, H));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} printed_last_row_has_wrong_factor
+:title: The printed entry of the last row is not the derivative of t^k
+:zh: 末行末元素的阶乘印错
+:kind: counterexample
+:given: $k=2$, three simple nodes, $\tau_1=1$, so $l_1=1$ and the last row of $\tau_1$ is its only one
+:then: the last entry has to be $\tau_1^2=1$; printed is $\frac{2!}{0!}\tau_1^2=2$
+:method: The printed entry against the derivative of order $l_1-1=0$ of $t^2$ at $\tau_1$.
+:control: $(k-l_1+1)!$ in the denominator
+:::
+*/
+CLAIM(printed_last_row_has_wrong_factor)
+{
+    int k = 2, l = 1;
+    num tau = from_int(1);
+    num below = G(factorial)(T->planted ? k - l + 1 : k - l - 1);
+    num printed = mul(div(G(factorial)(k), below), G(power)(tau, k - l + 1));
+    show_text(T, "k, l_1", "%d, %d", k, l);
+    show(T, "τ_1", tau);
+    about(T, "the last entry of the row of f^(l_1 - 1)(τ_1), and the derivative of t^k");
+    same(T, printed, G(power_derivative)(k, l - 1, tau));
+}
+
+/*
+:::{claim} mixed_column_is_no_system
+:title: The column as it is printed does not give the values
+:zh: 未知量与右端混排不成方程组
+:kind: counterexample
+:given: $k=3$, four simple nodes $0,1,2,3$, $f(t)=t^3$, whose polynomial has $c=(0,0,0,1)$
+:then: the column $(c_0,c_1,c_2,f(\tau_4))=(0,0,0,27)$ is not mapped to the values $0,1,8,27$
+:method: The product with $H(T;1,t,t^2,t^3)$ is computed.
+:control: the column $(c_0,c_1,c_2,c_3)$
+:::
+*/
+CLAIM(mixed_column_is_no_system)
+{
+    enum { k = 3 };
+    int l[k + 1] = {1, 1, 1, 1};
+    num tau[k + 1], H[(k + 1) * (k + 1)], column[k + 1], product[k + 1], values[k + 1];
+    for (int i = 0; i <= k; i++) {
+        tau[i] = from_int(i);
+        values[i] = G(power)(tau[i], k);
+        column[i] = from_int(0);
+    }
+    column[k] = T->planted ? from_int(1) : values[k];
+    G(osculation_matrix)(k + 1, l, k, tau, H);
+    for (int i = 0; i <= k; i++) {
+        product[i] = from_int(0);
+        for (int c = 0; c <= k; c++)
+            product[i] = add(product[i], mul(H[i * (k + 1) + c], column[c]));
+    }
+    show_points(T, "τ", k + 1, 1, tau);
+    show_points(T, "column", k + 1, 1, column);
+    show_points(T, "H times the column", k + 1, 1, product);
+    show_points(T, "f(τ_i)", k + 1, 1, values);
+    about(T, "H times the column, and the values of f");
+    for (int i = 0; i <= k; i++)
+        same(T, product[i], values[i]);
+}
+
+/*
+:::{claim} node_listed_twice_makes_h_singular
+:title: A node listed twice as if it were two makes the system singular
+:zh: 相同节点若分列则方程组奇异
+:kind: counterexample
+:given: $k=1$, $\tau_1=\tau_2=1$, each of multiplicity 1
+:then: $\det H=0$
+:method: The determinant is computed; that it is not 0 is what is compared.
+:control: one node of multiplicity 2
+:::
+*/
+CLAIM(node_listed_twice_makes_h_singular)
+{
+    int l[2] = {1 + T->planted, 1};
+    num tau[2] = {from_int(1), from_int(1)}, H[4];
+    G(osculation_matrix)(T->planted ? 1 : 2, l, 1, tau, H);
+    show_points(T, "H, row by row", 2, 2, H);
+    about(T, "det H is not 0");
+    agree(T, !is_zero_q(G(determinant)(2, H)));
+}
+#endif
+
+/*
+## The divided difference and its weights
+
+:::{statement} wang-ch4:divided-difference-is-leading-coefficient
+:title: The divided difference is the leading coefficient of the osculating polynomial
+:zh: 广义差商即密切插值多项式的首项系数
+:printed: if $f$ and $g(t)=c_0+c_1t+\dots+c_kt^k$ osculate on $T$, then $[t_0,t_1,\dots,t_k]f=c_k$
+:holds-by: divided_difference_is_leading_coefficient
+
+The left side is the table of divided differences.  $g$ has the degree $k$ at most; $c_k$ may be 0.
+:::
+
+:::{statement} wang-ch4:formula-4.4.7
+:title: The divided difference as a quotient of determinants
+:zh: 差商的行列式之比表示
+:printed: [t_0,t_1,\dots,t_k]f=c_k=\det H(T;1,t,\dots,t^{k-1},f)/\det H(T;1,t,\dots,t^k)
+:holds-by: cramers_rule_gives_divided_difference
+:::
+
+:::{statement} wang-ch4:lemma-4.4.1
+:title: The divided difference as a sum over values and derivatives
+:zh: 引理 4.4.1 差商的显式表示
+:printed: [t_0,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
+:holds-by: printed_weights_give_divided_difference
+:figure: osculating_polynomial
+:::
+
+:::{statement} wang-ch4:formula-4.4.8
+:title: The sum of the lemma has one term for each datum
+:zh: (4.4.8) 的求和范围
+:printed: i=1,\dots,d,\quad j=0,\dots,l_i-1
+:holds-by: places_count_the_rows printed_weights_give_divided_difference
+
+These are $k+1$ terms, as many as there are nodes.
+:::
+
+:::{statement} wang-ch4:lemma-4.4.1-step
+:title: From the quotient of determinants to the lemma
+:zh: 引理 4.4.1 的推导
+:printed: expanding the numerator of (4.4.7) by its last column gives the lemma
+:holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference
+:::
+
+:::{statement} wang-ch4:formula-4.4.9
+:title: The weights as cofactors
+:zh: 系数 α_ij 由代数余子式给出
+:printed: \alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
+  \prod_{v=0}^{l_u-1}v!\Big)
+:holds-by: printed_weights_give_divided_difference
+:needs: counting_from_one_shifts_the_weights | the elements of the last column are counted from 0, as
+  $i=0,1,\dots,k$ says
+:::
+
+:::{statement} wang-ch4:formula-4.4.9-index
+:title: The place of a derivative in the column
+:zh: 行标 b(i,j)
+:printed: b(i,j)=j\ (i=1),\quad b(i,j)=j+\sum_{c=1}^{i-1}l_c\ (i>1),\quad j=0,\dots,l_i-1
+:holds-by: places_count_the_rows printed_weights_give_divided_difference
+
+The places are the numbers $0,\dots,k$, each once.
+:::
+
+:::{statement} wang-ch4:lemma-4.4.1-independent
+:title: The weights depend on the nodes, not on the function
+:zh: 系数依赖于节点而与 f 无关
+:printed: \alpha_{ij}(T)\ \text{depends on }T\text{ and not on }f
+:holds-by: printed_weights_give_divided_difference weights_are_the_only_ones
+
+The source has the indices $ii$ here, for $ij$.  Only nodes and multiplicities enter the cofactors, and because the
+values of $f$ are free no other weights do the same.
+:::
+
+:::{claim} divided_difference_is_leading_coefficient
+:title: The table of divided differences gives the leading coefficient
+:zh: 差商表给出首项系数
+:given: every set of multiplicities of $k+1$ nodes, the nodes and the coefficients of a polynomial of degree $k$
+  variables
+:then: `divided_difference` of its values and derivatives is $c_k$
+:method: Every osculation problem has one solution $g$, and $f$ enters by its values only, which are those of $g$; so it
+  is enough to know the claim for polynomials $g$.
+:degrees: 0..4 sampled 8
+:defines: divided_difference
+:control: $c_0$ on the right
+:::
+
+:::{claim} cramers_rule_gives_divided_difference
+:title: The quotient of the determinants is the divided difference
+:zh: Cramer 法则给出差商
+:given: every set of multiplicities of $k+1$ nodes, the nodes and the $k+1$ values and derivatives of $f$ variables
+:then: $\det H(T;1,\dots,t^{k-1},f)/\det H(T;1,\dots,t^k)$ is the divided difference of the table
+:method: Both determinants are computed from the matrices.
+:degrees: 0..4 sampled 7
+:control: $f$ in the first column, in the place of the powers $t^0$
+:::
+
+:::{claim} printed_weights_give_divided_difference
+:title: The printed weights are those of the kernel, and they give the divided difference
+:zh: 按 (4.4.8)、(4.4.9) 计算的差商
+:given: every set of multiplicities of $k+1$ nodes, the nodes and the values and derivatives of $f$ variables
+:then: $\alpha_{ij}=\beta_{b(i,j)}/\det$, with the printed product for the determinant and the printed $b(i,j)$, is
+  what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
+:method: The cofactors are determinants of order $k$ of the matrix of derivatives.
+:degrees: 0..4 sampled 7
+:defines: divided_weights
+:control: minors in the place of cofactors
+:::
+
+:::{claim} places_count_the_rows
+:title: b(i,j) runs through 0, ..., k in the order of the rows
+:zh: b(i,j) 依次取 0,…,k
+:kind: decision
+:given: every set of multiplicities of $k+1\le8$ nodes
+:then: the printed $b(i,j)$ is the number of the row of $f^{(j)}(\tau_i)$, counted from 0
+:method: The rows are counted one by one.
+:scope: $k\le7$
+:control: $b(i,j)=j$ for all $i$
+:::
+
+:::{claim} weights_are_the_only_ones
+:title: Other weights give another functional
+:zh: 系数的唯一性
+:given: every set of multiplicities of $k+1$ nodes, arbitrary numbers $\gamma_{ij}$
+:then: for the $f$ whose only nonzero datum is $f^{(j)}(\tau_i)=1$ the sum with $\gamma$ is $\gamma_{ij}$ and the
+  divided difference is $\alpha_{ij}$; so the sums agree for all $f$ only when $\gamma=\alpha$
+:method: The table of divided differences on each unit vector of data against the weights of the kernel.
+:degrees: 0..4 sampled 8
+:control: the data of the neighbouring unit vector
+:::
+*/
+CLAIM(divided_difference_is_leading_coefficient)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], c[LARGEST_ORDER], f[LARGEST_ORDER];
+    G(increasing)(T, k + 1, tau);
+    for (int a = 0; a <= k; a++)
+        c[a] = unknown(T, "c", a);
+    for (int count = G(compositions)(k, 6), m = 0; m < count; m++) {
+        int d = G(composition)(k, G(pattern_number)(T, k, m), l), row = 0;
+        for (int i = 0; i < d; i++)
+            for (int j = 0; j < l[i]; j++, row++) {
+                f[row] = from_int(0);
+                for (int a = 0; a <= k; a++)
+                    f[row] = add(f[row], mul(c[a], G(power_derivative)(a, j, tau[i])));
+            }
+        same(T, G(divided_difference)(d, l, tau, f), c[T->planted ? 0 : k]);
+    }
+}
+
+CLAIM(cramers_rule_gives_divided_difference)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], H[LARGEST_ORDER * LARGEST_ORDER], f[LARGEST_ORDER];
+    G(increasing)(T, k + 1, tau);
+    for (int a = 0; a <= k; a++)
+        f[a] = unknown(T, "f", a);
+    for (int count = G(compositions)(k, 3), m = 0; m < count; m++) {
+        int d = G(composition)(k, G(pattern_number)(T, k, m), l);
+        G(osculation_matrix)(d, l, k, tau, H);
+        num below = G(determinant)(k + 1, H);
+        for (int row = 0; row <= k; row++)
+            H[row * (k + 1) + (T->planted ? 0 : k)] = f[row];
+        same(T, div(G(determinant)(k + 1, H), below), G(divided_difference)(d, l, tau, f));
+    }
+}
+
+/* Formula (4.4.9), the sets counted from 0: the number of derivative j of node i. */
+static int G(printed_place)(int i, int j, const int l[])
+{
+    int b = j;
+    for (int c = 0; c <= i - 1; c++)
+        b += l[c];
+    return b;
+}
+
+/* The printed weights; shift = 1 takes the elements of the last column as counted from 1. */
+static void G(printed_weights)(int d, const int l[], int k, const num tau[], int shift, int minors, num alpha[])
+{
+    num H[LARGEST_ORDER * LARGEST_ORDER], below = G(printed_determinant)(d, l, tau);
+    G(osculation_matrix)(d, l, k, tau, H);
+    for (int i = 0, row = 0; i < d; i++)
+        for (int j = 0; j < l[i]; j++, row++) {
+            int b = G(printed_place)(i, j, l) - shift;
+            num beta = b >= 0 ? G(cofactor)(k + 1, H, b, k) : from_int(0);
+            alpha[row] = div(minors ? G(signed_by)(b + k, beta) : beta, below);
+        }
+}
+
+CLAIM(printed_weights_give_divided_difference)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], alpha[LARGEST_ORDER], weight[LARGEST_ORDER], f[LARGEST_ORDER];
+    G(increasing)(T, k + 1, tau);
+    for (int a = 0; a <= k; a++)
+        f[a] = unknown(T, "f", a);
+    for (int count = G(compositions)(k, 2), m = 0; m < count; m++) {
+        int d = G(composition)(k, G(pattern_number)(T, k, m), l);
+        num sum = from_int(0);
+        G(printed_weights)(d, l, k, tau, 0, T->planted, alpha);
+        G(divided_weights)(d, l, tau, weight);
+        about(T, "printed weights and the kernel's");
+        for (int b = 0; b <= k; b++) {
+            same(T, alpha[b], weight[b]);
+            sum = add(sum, mul(alpha[b], f[b]));
+        }
+        about(T, "their sum and the divided difference");
+        same(T, sum, G(divided_difference)(d, l, tau, f));
+    }
+}
+
+CLAIM(weights_are_the_only_ones)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], alpha[LARGEST_ORDER], f[LARGEST_ORDER];
+    G(increasing)(T, k + 1, tau);
+    for (int count = G(compositions)(k, 3), m = 0; m < count; m++) {
+        int d = G(composition)(k, G(pattern_number)(T, k, m), l);
+        G(divided_weights)(d, l, tau, alpha);
+        for (int b = 0; b <= k; b++) {
+            for (int a = 0; a <= k; a++)
+                f[a] = from_int(a == (T->planted ? (b + 1) % (k + 1) : b));
+            same(T, G(divided_difference)(d, l, tau, f), alpha[b]);
+        }
+    }
+}
+
+#if RATIONAL
+CLAIM(places_count_the_rows)
+{
+    for (int k = 0; k <= 7; k++)
+        for (int m = 0; m < 1 << k; m++) {
+            int l[LARGEST_ORDER], d = G(composition)(k, m, l), row = 0;
+            for (int i = 0; i < d; i++)
+                for (int j = 0; j < l[i]; j++, row++)
+                    agree(T, (T->planted ? j : G(printed_place)(i, j, l)) == row);
+        }
+}
+
+/*
+:::{claim} counting_from_one_shifts_the_weights
+:title: With the elements of the column counted from 1 the weights belong to other places
+:zh: 若从 1 起数则系数错位
+:kind: counterexample
+:given: $k=1$, $\tau_1=0$, $\tau_2=1$, $f(0)=1$, $f(1)=0$
+:then: $[0,1]f=-1$, while $\beta_1$ read as the first element, and $\beta_0$ as none, give $\alpha_{10}=0$,
+  $\alpha_{20}=-1$ and the sum $0$
+:method: The weights are computed with the places shifted by one.
+:control: the places counted from 0
+:::
+*/
+CLAIM(counting_from_one_shifts_the_weights)
+{
+    int l[2] = {1, 1};
+    num tau[2] = {from_int(0), from_int(1)}, f[2] = {from_int(1), from_int(0)}, alpha[2];
+    G(printed_weights)(2, l, 1, tau, T->planted ? 0 : 1, 0, alpha);
+    show_points(T, "τ", 2, 1, tau);
+    show_points(T, "f", 2, 1, f);
+    show_points(T, "weights", 2, 1, alpha);
+    about(T, "the sum with these weights, and the divided difference");
+    same(T, add(mul(alpha[0], f[0]), mul(alpha[1], f[1])), G(divided_difference)(2, l, tau, f));
+}
+#endif
+#include "chapters/frame/claims_off.h"

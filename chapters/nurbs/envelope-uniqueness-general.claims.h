@@ -1,0 +1,830 @@
+/*
+# Is the envelope unique? Every level (包络的唯一性: 任意 r)
+
+For $r\ge2$ the source repeats the proof of $r=1$ with the member of level $r-1$ in the place of the curve.  Two
+things of this idea are true and decide the question.  Write $Q(t)=P^{[r-1]}(t,\tau)$ for the member of level $r-1$
+with the parameter $\tau$, in homogeneous coordinates, and $R$ for its points.  Then
+
+$$P^{[r]}(t,\tau)=Q(t)+\frac{\tau-t}{k-r}\,Q'(t),\qquad\frac{\partial P^{[r]}}{\partial\tau}(t,\tau)=\frac
+r{k-r}\,Q'(t),$$
+
+and from these two, exactly as for $r=1$,
+
+$$\frac{\partial\mathbf r^{[k-r]}}{\partial\tau}\times\frac{\partial\mathbf r^{[k-r]}}{\partial
+t}=\frac{r\,(\tau-t)}{(k-r)^2}\,\frac{v^3}{V^3}\; R'(t)\times R''(t),$$
+
+where $v$ and $V$ are the weights of $Q$ and of $P^{[r]}$, positive on the span.  So beside the diagonal the joint
+solutions are the pairs for which *the member $\tau$ of the level before has no curvature at $t$*.  Nothing more can
+be said in general: the curve may be convex and free of inflections, or a curve of space without any point of
+vanishing curvature or torsion, and its members have them.
+
+:::{statement} wang-ch4:thm-4.3.3
+:title: For every r the envelope is unique
+:zh: 对任意 r 包络唯一
+:printed: for every $r=1,2,\dots,k-2$ the envelope in (4.3.2) is unique: it is the segment $\mathbf r(t)$, $t_j\le
+  t<t_{j+1}$, of the curve
+:class: false
+:refuted-by: convex_quartic_of_span_has_second_envelope twisted_sextic_has_second_envelope
+:reading: convex_quartic_of_span_has_second_envelope | all joint solutions, for plane curves without inflections:
+  false for $k=5$, $r=2$
+:reading: twisted_sextic_has_second_envelope | all joint solutions, for curves of space with $\kappa\ne0$ and torsion
+  $\ne0$ everywhere: false for $k=7$, $r=3$
+:reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be
+  meant: false for $k=6$, $r=3$, with an inflection
+:reading: curvatures_have_a_fixed_ratio | the same for plane segments without an inflection in the closed span,
+  $\tau(t)$ continuous on it: true; there is a fixed point $\tau(t)=t$, and a second solution through it needs
+  $\mathbf r'\times\mathbf r''=0$ there
+:corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has
+  $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
+:corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
+  derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
+:striking: 2
+:figure: nurbs_envelope_square
+
+For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when
+$\mathbf r'\times\mathbf r''=0$ at $\tau$.  For plane curves $r$ and $k-1-r$ have the same solutions with $t$ and
+$\tau$ exchanged.  In space two equations have to be fulfilled, so as a rule single pairs are left and no curve; for
+$k=7$ there can be a curve.
+:::
+
+:::{statement} wang-ch4:formula-4.3.15
+:title: The condition of the envelope for every r
+:zh: 一般 r 的包络条件
+:printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
+  r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le t,\tau<t_{j+1},\ j=k,k+1,\dots,n
+:definition: yes
+:checked-by: touching_curve_satisfies_the_condition envelope_condition_holds_on_the_diagonal
+:::
+
+:::{statement} wang-ch4:formula-4.3.16
+:title: The solutions as functions of t, and as an alternative
+:zh: 解写成 τ=τ(t)
+:printed: \tau=\tau(t)
+:class: misprint
+:refuted-by: convex_quartic_of_span_has_second_envelope
+:corrected: in the alternative "(4.3.16) or the sum vanishes" it should be $\tau=t$, (4.3.11)
+:corrected-by: general_condition_is_that_of_the_level_before
+
+As the form of a solution it says nothing; as an alternative it is cited where $\tau=t$ is meant, and then it excludes
+too little: with $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form.
+:::
+
+:::{statement} wang-ch4:thm-4.3.3-difference
+:title: How a weight of level r changes with its parameter
+:zh: 第 r 层权随参数的变化
+:printed: (t_{i+k-r}-t_i)(w_i^{[r]}(\tau)-w_i^{[r]}(t))=(\tau-t)(w_i^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(\tau))+(t-t_i)(w_i^{[r-1]}(\tau)-w_i^{[r-1]}(t))
+  +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t))
+:holds-by: weights_of_two_parameters_differ_as_printed
+:::
+
+:::{statement} wang-ch4:thm-4.3.3-chain
+:title: The denominator of level r by sums over level r-1
+:zh: 第 r 层分母用第 r-1 层表示
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)=\dots=\frac{\tau-t}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
+  +\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\quad t_j\le t,\tau\le t_{j+1}
+:holds-by: level_by_sums_over_the_level_before
+:hypothesis: first_term_of_the_chain_divides_by_zero | a quotient 0/0 counts as 0; the terms $i=j-k+r$ and $i=j$
+  contain B-splines that vanish on the span, divided by differences of knots that may be 0
+
+All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
+includes, the values are limits from the left.
+:::
+
+:::{statement} wang-ch4:thm-4.3.3-numerator
+:title: The same for the numerators
+:zh: 分子的类似等式
+:printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
+:holds-by: family_steps_along_the_tangent
+:::
+
+:::{statement} wang-ch4:formula-4.3.17
+:title: Denominator and numerator of the member of level r-1
+:zh: 第 r-1 层的分母与分子
+:printed: w^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\qquad\mathbf
+  p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau)
+:definition: yes
+:checked-by: member_of_span_is_polar
+
+Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
+:::
+
+:::{statement} wang-ch4:formula-4.3.18
+:title: From one level to the next
+:zh: 相邻两层的递推
+:printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf
+  p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau)
+:holds-by: family_steps_along_the_tangent
+:::
+
+:::{claim} weights_of_two_parameters_differ_as_printed
+:title: The difference of the weights of two parameters
+:zh: 两个参数下权之差
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
+  variables for $k\le4$ and numbers above; weights, any $t$ and $\tau$, every $r=1,\dots,k-1$ and $i=j-k+r+1,\dots,j$
+:then: the printed equation
+:method: All levels by de Boor's recursion at $t$ and at $\tau$.
+:degrees: 1..4 sampled 7
+:control: $t$ in the place of $\tau$ in the first term
+:::
+
+:::{claim} level_by_sums_over_the_level_before
+:title: The three steps of the display
+:zh: 所印等式链
+:given: $k=p+1$; knots of these three shapes; weights, any $t$ and $\tau$, every $r=1,\dots,k-2$
+:then: each of the four expressions is equal to the first; 0/0 counts as 0
+:method: Every expression by its letter, term by term.
+:degrees: 2..4 sampled 7
+:control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
+:::
+
+:::{claim} family_steps_along_the_tangent
+:title: A member is reached from that of the level before by a step along its tangent
+:zh: 由上一层沿切线得到下一层
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$, every $r=1,\dots,k-1$
+:then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
+:method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
+:degrees: 1..4 sampled 7
+:control: the divisor $k-r+1$
+:::
+
+:::{claim} derivative_by_tau_is_that_of_the_level_before
+:title: The derivative by τ is, up to a factor, the derivative by t of the level before
+:zh: 对 τ 的偏导与上一层对 t 的偏导成比例
+:given: $k=p+1$; knots of these three shapes; any homogeneous coordinate of the points, any $t$ and $\tau$, every
+  $r=1,\dots,k-1$
+:then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
+:method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
+  right side by the levels of de Boor's triangle and the derivatives of a segment.
+:degrees: 1..4 sampled 7
+:control: the factor $\frac{r}{k-r+1}$
+:::
+
+:::{claim} general_condition_is_that_of_the_level_before
+:title: The condition of the envelope is (τ-t) R' x R'' of the level before
+:zh: 包络条件等价于上一层族曲线的曲率为零
+:given: the homogeneous vectors $Q,Q',Q''$ of a curve of space at $t$; any $\tau-t$, $r$ and $m=k-r$
+:let: $P=Q+\frac{\tau-t}mQ'$, $P_t=\frac{m-1}mQ'+\frac{\tau-t}mQ''$, $P_\tau=\frac rmQ'$; $v$, $V$ the last
+  coordinates of $Q$, $P$; $X$, $R$ the points of $P$, $Q$
+:then: $X_\tau\times X_t=\frac{r(\tau-t)v^3}{m^2V^3}\,R'\times R''$
+:method: The quotient rule for $X_\tau$, $X_t$, $R'$ and $R''$, three coordinates, everything a variable.  $P_t$ is
+  the derivative of $P$; $P_\tau$ is what `derivative_by_tau_is_that_of_the_level_before` says.  With positive weights
+  $v,V>0$ on the span.
+:degrees: all
+:control: $m$ in the place of $m^2$
+:::
+*/
+#include "chapters/nurbs/family.h"
+
+#include "chapters/frame/claims_on.h"
+
+CLAIM(weights_of_two_parameters_differ_as_printed)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    for (int i = 0; i <= p; i++)
+        w[i] = positive(T, "w", i);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num a[MAX_DEGREE + 1], b[MAX_DEGREE + 1]; /* the weights at tau and at t */
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int i = 0; i <= p; i++)
+            a[i] = b[i] = w[i];
+        for (int r = 1; r <= p; r++) {
+            num a1[MAX_DEGREE + 1], b1[MAX_DEGREE + 1];
+            for (int i = 0; i <= p; i++) {
+                a1[i] = a[i];
+                b1[i] = b[i];
+            }
+            G(deboor_level)(p, 1, u, mu, r, a, tau);
+            G(deboor_level)(p, 1, u, mu, r, b, t);
+            for (int m = 0; m <= p - r; m++) {
+                int i = mu - p + r + m, far = i + p + 1 - r;
+                num first = mul(sub(T->planted ? t : tau, T->planted ? tau : t), sub(a1[m + 1], a1[m]));
+                num second = mul(sub(t, u[i]), sub(a1[m + 1], b1[m + 1])),
+                    third = mul(sub(u[far], t), sub(a1[m], b1[m]));
+                same(T, mul(sub(u[far], u[i]), sub(a[m], b[m])), add(first, add(second, third)));
+            }
+        }
+    }
+}
+
+/* The value a/b of a term that contains a B-spline, 0/0 being 0: N is NULL outside the span's B-splines. */
+static num G(quotient)(const num *N, num length) { return N == NULL ? from_int(0) : div(*N, length); }
+
+CLAIM(level_by_sums_over_the_level_before)
+{
+    int p = T->degree, k = p + 1, mu = p;
+    num u[MOST_KNOTS], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s"), zero = from_int(0);
+    int place[MOST_KNOTS];
+    for (int i = 0; i <= p; i++)
+        w[i] = positive(T, "w", i);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num a[MAX_DEGREE + 1], b[MAX_DEGREE + 1];
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int i = 0; i <= p; i++)
+            a[i] = b[i] = w[i];
+        for (int r = 1; r <= k - 2; r++) {
+            int q = p - r; /* the degree of N_{i,k-r} */
+            num a1[MAX_DEGREE + 1], b1[MAX_DEGREE + 1], N[MAX_DEGREE + 1], D[2 * (MAX_DEGREE + 1)];
+            for (int i = 0; i <= p; i++) {
+                a1[i] = a[i];
+                b1[i] = b[i];
+            }
+            G(deboor_level)(p, 1, u, mu, r, a, tau);
+            G(deboor_level)(p, 1, u, mu, r, b, t);
+            G(bspline_basis)(q, u, mu, t, N);
+            G(bspline_basis_derivatives)(q + 1, u, mu, t, 2, D);
+            num first = zero, before = zero, change = zero, slope = zero, rest = zero, derivative = zero, last = zero;
+            for (int m = 0; m <= q; m++) {
+                first = add(first, mul(N[m], a[m]));
+                change = add(change, mul(N[m], sub(a[m], b[m])));
+            }
+            for (int m = 0; m <= q + 1; m++) { /* i = j-k+r+m */
+                int i = mu - q - 1 + m;
+                const num *here = m > 0 ? &N[m - 1] : NULL, *next = m <= q ? &N[m] : NULL; /* N_{i,k-r}, N_{i+1,k-r} */
+                num length = here ? sub(u[i + q + 1], u[i]) : zero, after = next ? sub(u[i + q + 2], u[i + 1]) : zero;
+                num left = G(quotient)(here, length), right = G(quotient)(next, after);
+                before = add(before, mul(D[m], b1[m]));
+                slope = add(slope, mul(sub(left, right), a1[m]));
+                num both = zero;
+                if (next)
+                    both = add(both, mul(sub(u[i + q + 2], t), right));
+                if (here)
+                    both = add(both, mul(sub(t, u[i]), left));
+                rest = add(rest, mul(both, sub(a1[m], b1[m])));
+                derivative = add(derivative, mul(D[q + 2 + m], a1[m]));
+                last = add(last, mul(D[m], a1[m]));
+            }
+            num e = sub(tau, t);
+            about(T, "the second expression");
+            same(T, first, add(before, change));
+            about(T, "the third expression");
+            same(T, first, add(before, add(mul(e, slope), rest)));
+            about(T, "the fourth expression");
+            same(T, first, add(mul(div(e, from_int(T->planted ? k - r + 1 : k - r)), derivative), last));
+        }
+    }
+}
+
+CLAIM(family_steps_along_the_tangent)
+{
+    int p = T->degree, k = p + 1, mu = p;
+    num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 1, R, w);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int r = 1; r <= k - 1; r++) {
+            num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2], Q[2], Q1[2];
+            num step = div(sub(tau, t), from_int(T->planted ? k - r + 1 : k - r));
+            G(level_of_curve)(p, 1, u, mu, R, w, r, tau, Rr, wr);
+            G(sums)(p - r, 1, u, mu, Rr, wr, t, S);
+            G(level_of_curve)(p, 1, u, mu, R, w, r - 1, tau, Rr, wr);
+            G(sums)(p - r + 1, 1, u, mu, Rr, wr, t, Q);
+            G(derivative_sums)(p - r + 1, 1, u, mu, Rr, wr, t, Q1);
+            for (int c = 0; c < 2; c++)
+                same(T, S[c], add(Q[c], mul(step, Q1[c])));
+        }
+    }
+}
+
+CLAIM(derivative_by_tau_is_that_of_the_level_before)
+{
+    int p = T->degree, k = p + 1, mu = p;
+    num u[MOST_KNOTS], H[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    for (int i = 0; i <= p; i++)
+        H[i] = unknown(T, "H", i);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num d[MAX_DEGREE + 1];
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int i = 0; i <= p; i++)
+            d[i] = H[i];
+        num length = sub(u[mu + 1], u[mu]), local = div(sub(tau, u[mu]), length);
+        for (int r = 1; r <= k - 1; r++) { /* d: the level r-1 */
+            num b[MAX_DEGREE + 1], x[MAX_DEGREE], E[2], D[2];
+            for (int i = 0; i <= r; i++) {
+                for (int m = 0; m < p; m++)
+                    x[m] = m < p - r ? t : u[m < p - i ? mu : mu + 1];
+                G(blossom_of_span)(p, 1, u, mu, H, x, &b[i]);
+            }
+            G(bezier_derivatives)(r, 1, b, local, 1, E);
+            G(derivatives_of_span)(p - r + 1, 1, u, mu, d, t, 2, D);
+            same(T, div(E[1], length), mul(from_ratio(r, T->planted ? k - r + 1 : k - r), D[1]));
+            G(deboor_level)(p, 1, u, mu, r, d, tau);
+        }
+    }
+}
+
+CLAIM(general_condition_is_that_of_the_level_before)
+{
+    num Q[12], P[4], Pt[4], Ps[4], Xt[3], Xs[3], R[9], left[3], right[3], one = from_int(1);
+    num e = unknown(T, "e", 0), r = parameter(T, "r"), m = add(parameter(T, "m"), one);
+    for (int i = 0; i < 12; i++)
+        Q[i] = i == 3 ? positive(T, "v", 0) : unknown(T, "Q", i);
+    for (int c = 0; c < 4; c++) {
+        P[c] = add(Q[c], mul(div(e, m), Q[4 + c]));
+        Pt[c] = add(mul(div(sub(m, one), m), Q[4 + c]), mul(div(e, m), Q[8 + c]));
+        Ps[c] = mul(div(r, m), Q[4 + c]);
+    }
+    G(quotient_derivatives)(3, Q, 2, R);
+    num V2 = mul(P[3], P[3]), v3 = mul(Q[3], mul(Q[3], Q[3]));
+    for (int c = 0; c < 3; c++) {
+        Xt[c] = div(sub(mul(Pt[c], P[3]), mul(P[c], Pt[3])), V2);
+        Xs[c] = div(sub(mul(Ps[c], P[3]), mul(P[c], Ps[3])), V2);
+    }
+    G(cross3)(Xs, Xt, left);
+    G(cross3)(R + 3, R + 6, right);
+    num factor = div(mul(mul(r, e), v3), mul(T->planted ? m : mul(m, m), mul(V2, P[3])));
+    for (int c = 0; c < 3; c++)
+        same(T, left[c], mul(factor, right[c]));
+}
+
+#if RATIONAL
+/*
+:::{claim} first_term_of_the_chain_divides_by_zero
+:title: The display divides 0 by 0 at a multiple knot
+:zh: 重节点处所印等式出现 0/0
+:kind: counterexample
+:given: $k=4$, the span $[3,4)$ of the knots $0,3,3,3,4,5,6,7$, $t_4=3$ being triple; $r=2$, $j=4$
+:then: a divisor $t_{i+k-r}-t_i$ with $j-k+r\le i\le j$ is 0
+:method: All these divisors are computed; that none is 0 is what is compared.
+:control: the knots $0,1,2,3,\dots,7$
+:::
+*/
+CLAIM(first_term_of_the_chain_divides_by_zero)
+{
+    static const int triple[8] = {0, 3, 3, 3, 4, 5, 6, 7}, simple[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const int *t = T->planted ? simple : triple; /* t_i is t[i-1] */
+    int k = 4, j = 4, r = 2, zero = 0;
+    num u[8];
+    for (int i = 0; i < 8; i++)
+        u[i] = from_int(t[i]);
+    for (int i = j - k + r; i <= j; i++)
+        if (t[i + k - r - 1] == t[i - 1]) {
+            show_text(T, "i", "%d", i);
+            zero = 1;
+        }
+    show_points(T, "t_i", 8, 1, u);
+    about(T, "no divisor is 0");
+    agree(T, !zero);
+}
+
+/*
+## Three counterexamples
+
+The families are computed from control points over uniform knots; a polynomial of the span has its control points as
+values of its polar form.
+
+:::{claim} convex_quartic_of_span_has_second_envelope
+:title: A convex segment without inflections whose conics touch a parabola as well
+:zh: 无拐点的凸四次曲线段,其族另有抛物线为包络
+:kind: counterexample
+:given: $k=5$, knots $-9,-7,\dots,9$, the span $[-1,1)$, weights 1, points for which it is $(t,2t^4+3t^2)$; $r=2$, $\tau=\frac12$, $t=-\frac12$
+:then: (4.3.15) is satisfied at $(0,-\frac18)$, not on the curve, whose $\mathbf r'\times\mathbf r''$ is positive
+  on $[-1,1]$
+:method: That $x'y''-x''y'$ is positive is decided first, by its sign as a polynomial on the closed span; then that
+  the pair satisfies the condition; then $2y-2x^4-3x^2$ is compared with 0.
+:control: $t=\tau$
+:::
+*/
+#endif
+
+#if FIELD || RATIONAL
+static const int convex_quartic[2][8] = {{0, 1}, {0, 0, 3, 0, 2}};
+static const int twisted_sextic[3][8] = {{0, 1}, {0, 0, -15, 0, 0, 0, 1}, {0, 0, 0, 10, 0, 3}};
+static const int flat_cubic[2][8] = {{0, 1}, {0, 0, 0, 1}};
+#endif
+
+#if RATIONAL
+CLAIM(convex_quartic_of_span_has_second_envelope)
+{
+    num u[10], R[10], w[5], X[2], tau = from_ratio(1, 2), t = from_ratio(T->planted ? 1 : -1, 2);
+    G(uniform_curve)(4, 2, 1, convex_quartic, u, R, w);
+    if (!G(turns_left_on_span)(4, u, 4, R) || !G(pair_of_one_span)(T, 4, 2, u, R, w, 2, tau, t, X))
+        return;
+    num xx = mul(X[0], X[0]), curve = mul(xx, add(from_int(3), mul(from_int(2), xx)));
+    about(T, "the point's second coordinate and 2x⁴ + 3x²");
+    same(T, X[1], curve);
+}
+/*
+:::{claim} twisted_sextic_has_second_envelope
+:title: A curve of space, its curvature and torsion nowhere 0, whose cubics touch another curve as well
+:zh: 曲率与挠率处处非零的空间曲线,其族另有包络
+:kind: counterexample
+:given: $k=7$, knots $-26,-22,\dots,26$, the span $[-2,2)$, weights 1, points for which it is
+  $(t,t^6-15t^2,3t^5+10t^3)$; $r=3$, $\tau=-1$, $t=1$
+:then: (4.3.15) is satisfied at $(0,2,0)$, not on the curve, of which $x=0$ only at the origin; the curvature and the
+  torsion are not 0 anywhere
+:method: $\mathbf r'\times\mathbf r''$ has the coordinates $x'y''-x''y'=30(t^4-1)$ and $x'z''-x''z'=60t(t^2+1)$,
+  without a common real zero: their greatest common divisor is decided to have none.  $(\mathbf r',\mathbf r'',\mathbf
+  r''')$ is decided to be of one sign on the real line, as $-1800(t^2+1)^3$.  Then the condition, then the point.
+:control: $t=\tau$, the point minus that of the curve
+:::
+*/
+CLAIM(twisted_sextic_has_second_envelope)
+{
+    num u[14], R[21], w[7], X[3], at[9], tau = from_int(-1), t = from_int(T->planted ? -1 : 1);
+    G(uniform_curve)(6, 3, 2, twisted_sextic, u, R, w);
+    poly f[3][4]; /* the three coordinates and their derivatives */
+    for (int c = 0; c < 3; c++) {
+        num a[7];
+        for (int m = 0; m < 7; m++)
+            a[m] = from_int(twisted_sextic[c][m]);
+        f[c][0] = poly_from_q(7, a);
+        for (int d = 1; d < 4; d++)
+            f[c][d] = poly_derivative(f[c][d - 1]);
+    }
+    /* x' = 1 and x'' = 0: the coordinates of r' x r'' are y'', z'' and one more */
+    poly torsion = poly_sub(poly_mul(f[1][2], f[2][3]), poly_mul(f[2][2], f[1][3]));
+    int curved = count_roots_line(poly_gcd(f[1][2], f[2][2])).distinct == 0,
+        twisted = count_roots_line(torsion).distinct == 0;
+    show_text(T, "y''", "%s", poly_to_string(f[1][2], "t"));
+    show_text(T, "z''", "%s", poly_to_string(f[2][2], "t"));
+    show_text(T, "(r', r'', r''')", "%s", poly_to_string(torsion, "t"));
+    if (!curved || !twisted || !G(pair_of_one_span)(T, 6, 3, u, R, w, 3, tau, t, X))
+        return;
+    G(curve_derivatives)(6, 3, u, 6, R, w, X[0], 0, at); /* the point of the curve with this x */
+    about(T, "the point, and the point of the curve with its x");
+    for (int c = 0; c < 3; c++)
+        same(T, X[c], at[c]);
+}
+/*
+:::{claim} solution_over_the_whole_span
+:title: A second envelope whose τ(t) is defined on the whole span
+:zh: 在整段上有定义的另一解 τ(t)
+:kind: counterexample
+:given: $k=6$, knots $-11,-9,\dots,11$, the span $[-1,1)$, weights 1, points for which it is $(t,t^3)$; $r=3$,
+  $\tau(t)=-\frac t2$; here $t=\frac45$
+:then: (4.3.15) is satisfied at $(\frac t{10},-\frac{t^3}{80})=(\frac2{25},-\frac4{625})$, which is not on the curve
+:method: The condition is found to be satisfied; then $y-x^3$ is compared with 0.  For all $t$:
+  `second_envelopes_of_spans`.
+:control: $\tau=t$
+:::
+*/
+CLAIM(solution_over_the_whole_span)
+{
+    num u[12], R[12], w[6], X[2], t = from_ratio(4, 5), tau = T->planted ? t : from_ratio(-2, 5);
+    G(uniform_curve)(5, 2, 1, flat_cubic, u, R, w);
+    if (!G(pair_of_one_span)(T, 5, 2, u, R, w, 3, tau, t, X))
+        return;
+    about(T, "y and x³ of the point");
+    same(T, X[1], mul(X[0], mul(X[0], X[0])));
+}
+#endif
+/*
+:::{claim} second_envelopes_of_spans
+:title: The other factor of the condition, and the curves that it gives
+:zh: 包络条件的另一因子及所得曲线
+:types: field
+:given: the three families, at any $t$ and $\tau$
+:then: $X_t\times X_\tau$ is $\frac12(t-\tau)(4t\tau+1)$ for the quartic $(t,2t^4+3t^2)$, and there
+  $y=2x^2-\frac18+2(t\tau+\frac14)^2$, so $y=2x^2-\frac18$ where $4t\tau=-1$; it is
+  $\frac32(t-\tau)(t\tau+1)(t\tau-1,t+\tau,\dots)$ for the sextic; for the cubic with $k=6$ it is a multiple of
+  $(t-\tau)(t+2\tau)$, and for $t=-2\tau$ the points are $(\frac t{10},-\frac{t^3}{80})$
+:method: Members and derivatives from the control points over the knots with $t$ and $\tau$ as variables.  For the
+  sextic the third component follows: $X_t\times X_\tau$ is perpendicular to $X_t$.
+:control: $t+\tau$ in the place of $t-\tau$
+:::
+*/
+#if FIELD
+CLAIM(second_envelopes_of_spans)
+{
+    num t = parameter(T, "t"), tau = parameter(T, "s"), u[14], R[21], w[7], D[9], turn[3], one = from_int(1);
+    num front = T->planted ? add(t, tau) : sub(t, tau), product = mul(t, tau);
+
+    G(uniform_curve)(4, 2, 1, convex_quartic, u, R, w);
+    G(family_derivatives)(4, 2, u, 4, R, w, 2, tau, t, D);
+    num other = add(mul(from_int(4), product), one), square = mul(from_ratio(1, 8), mul(other, other));
+    about(T, "the condition for the quartic");
+    same(T, G(cross2)(D + 2, D + 4), mul(from_ratio(1, 2), mul(front, other)));
+    about(T, "the points for the quartic");
+    same(T, D[1], add(sub(mul(from_int(2), mul(D[0], D[0])), from_ratio(1, 8)), square));
+
+    G(uniform_curve)(6, 3, 2, twisted_sextic, u, R, w);
+    G(family_derivatives)(6, 3, u, 6, R, w, 3, tau, t, D);
+    G(cross3)(D + 3, D + 6, turn);
+    num common = mul(from_ratio(3, 2), mul(front, add(product, one)));
+    about(T, "the condition for the sextic");
+    same(T, turn[2], mul(common, sub(product, one)));
+    same(T, neg(turn[1]), mul(common, add(t, tau)));
+
+    G(uniform_curve)(5, 2, 1, flat_cubic, u, R, w);
+    G(family_derivatives)(5, 2, u, 5, R, w, 3, tau, t, D);
+    num quotient = div(G(cross2)(D + 2, D + 4), mul(front, add(t, mul(from_int(2), tau))));
+    about(T, "the condition for the cubic");
+    agree(T, is_constant_f(quotient, NULL) && !is_zero_f(quotient));
+    num half = mul(from_ratio(-1, 2), t);
+    about(T, "the points for the cubic");
+    same(T, substitute_f(D[0], tau, half), div(t, from_int(10)));
+    same(T, substitute_f(D[1], tau, half), div(mul(t, mul(t, t)), from_int(-80)));
+}
+#endif
+
+/*
+## A condition that is enough
+
+The polar form of the segment, with $\tau$ put in $r-1$ times and $t$ put in $k-r-2$ times, is $q(x,y)$ with two
+places left.  With $a=t_j$, $b=t_{j+1}$ the three points $q(a,a)$, $q(a,b)$, $q(b,b)$ are neighbours in the control
+polygon after the knots $\tau$, $t$, $a$, $b$ have been inserted often enough.  The other factor of the condition says
+whether they turn.  Insertion of knots is corner cutting; so from a strictly convex polygon only strictly convex
+corners arise.
+
+:::{claim} convex_polygon_of_span_has_one_envelope
+:title: A strictly convex polygon of the span with positive weights has the curve as its only envelope, for every r
+:zh: 该段控制多边形严格凸且权为正时包络只有曲线本身
+:types: field rational
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, with positive gaps,
+  variables for $k\le4$ and numbers above; homogeneous points of the plane; $t$, $\tau$ inside the span; every
+  $r=1,\dots,k-2$
+:let: $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows
+  at $(\tau^{r-1},t^{k-r-2},x,y)$ with $(x,y)=(a,a),(a,b),(b,b)$
+:then: with $Q=P^{[r-1]}(\cdot,\tau)$ and $m=k-r$:
+  $(b-a)^3\det(Q,Q',Q'')=m^2(m-1)\sum_{i<l<h}M_{ilh}\det(P_i,P_l,P_h)$, and every $3\times3$ minor $M_{ilh}$ is
+  nonnegative
+:method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the
+  right side is Cauchy-Binet.  The minors have no negative coefficient in the gaps and in $x$, $y$ with
+  $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$; for $k>5$ they are sampled, and nonnegative because $M$ is a product of
+  matrices with nonnegative entries on two neighbouring diagonals, one for each inserted knot.  The rows of $M$ are
+  independent, as $q$ may be any polynomial of degree 2: to put in one argument $\tau$ maps the polynomials of degree $m$
+  onto those of degree $m-1$, since only the multiples of $(\cdot-\tau)^m$ go to 0.
+  So one
+  minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the corners of a strictly convex polygon in this order,
+  all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have one sign, and $\det(Q,Q',Q'')\ne0$.
+:degrees: 2..4 sampled 5
+:control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
+:::
+*/
+#if FIELD || RATIONAL
+CLAIM(convex_polygon_of_span_has_one_envelope)
+{
+    int p = T->degree, mu = p;
+    num P[3 * (MAX_DEGREE + 1)];
+    for (int i = 0; i < 3 * (p + 1); i++)
+        P[i] = unknown(T, "P", i);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num u[MOST_KNOTS], inside_span[2], d[3 * (MAX_DEGREE + 1)];
+        G(gaps_of_span)(T, p, shape, u);
+        for (int c = 0; c < 2; c++) {
+            num x = positive(T, "y", c);
+            inside_span[c] = div(add(u[mu], mul(x, u[mu + 1])), add(from_int(1), x));
+        }
+        num t = inside_span[0], tau = inside_span[1], length = sub(u[mu + 1], u[mu]);
+        for (int i = 0; i < 3 * (p + 1); i++)
+            d[i] = P[i];
+        for (int r = 1; r < p; r++) { /* d: the level r-1 */
+            num M[3][MAX_DEGREE + 1], x[MAX_DEGREE], Q[9], sum = from_int(0);
+            for (int row = 0; row < 3; row++) {
+                int ends = T->planted && row < 2 ? 1 - row : row; /* how many of the last two arguments are b */
+                for (int k = 0; k < p; k++)
+                    x[k] = k < r - 1 ? tau : k < p - 2 ? t : u[k < p - ends ? mu : mu + 1];
+                G(discrete_bsplines)(p, u, mu, x, M[row]);
+            }
+            for (int i = 0; i <= p; i++)
+                for (int l = i + 1; l <= p; l++)
+                    for (int h = l + 1; h <= p; h++) {
+                        num A[9];
+                        for (int row = 0; row < 3; row++) {
+                            A[3 * row] = M[row][i];
+                            A[3 * row + 1] = M[row][l];
+                            A[3 * row + 2] = M[row][h];
+                        }
+                        num minor = G(det3)(A, A + 3, A + 6);
+                        about(T, "a minor of M");
+                        nonnegative(T, minor);
+                        sum = add(sum, mul(minor, G(det3)(P + 3 * i, P + 3 * l, P + 3 * h)));
+                    }
+            int m = p - r + 1;
+            G(derivatives_of_span)(m, 3, u, mu, d, t, 3, Q);
+            about(T, "the determinant of Q, Q', Q''");
+            num cube = mul(length, mul(length, length));
+            same(T, mul(cube, G(det3)(Q, Q + 3, Q + 6)), mul(from_int((long)m * m * (m - 1)), sum));
+            G(deboor_level)(p, 3, u, mu, r, d, tau);
+        }
+    }
+}
+#endif
+
+/*
+## The rest of the printed proof
+
+:::{statement} wang-ch4:thm-4.3.3-alternatives
+:title: The condition gives τ = t or a sum of triple products
+:zh: 由包络条件得 τ=t 或混合积之和为零
+:printed: as for theorem 4.3.2, (4.3.3) and (4.3.15) give (4.3.16) or
+  $\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\bigl(w_i^{[r-1]}(\tau)\mathbf p_i^{[r-1]}(\tau), \frac\partial{\partial t}\mathbf
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$
+:holds-by: general_condition_is_that_of_the_level_before
+
+Three letters have to be read as what they must mean: $\tau=t$ for (4.3.16), $\mathbf r_i^{[r-1]}$ for $\mathbf
+p_i^{[r-1]}$, and for $\mathbf r^{[r-1]}$, by (4.3.3) a curve of order $r-1$, the member $\mathbf r^{[k-r+1]}$ of the
+level before.  It is true for a stronger reason: for $\tau\ne t$ the product of its last two factors is 0.
+:::
+
+:::{statement} wang-ch4:thm-4.3.3-each-term
+:title: Each term of the sum vanishes
+:zh: 每个混合积为零
+:printed: if the sum is 0, then $\bigl(w_i^{[r-1]}(\tau)\mathbf p_i^{[r-1]}(\tau),\frac\partial{\partial t}\mathbf
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$ for $i=j-k+r,\dots,j$
+:class: invalid-proof
+:refuted-by: member_osculates_a_plane_through_the_origin
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
+  whatever the points are
+:corrected-by: general_condition_is_that_of_the_level_before
+:::
+
+:::{statement} wang-ch4:thm-4.3.3-split
+:title: By the recursion each term is a mean of two of the level before
+:zh: 按递推分解为上一层两项
+:printed: by (4.1.3) and (4.1.4): $\bigl(1-\frac{\tau-t_i}{t_{i+k-r+1}-t_i}\bigr)(w_{i-1}^{[r-2]}(\tau)\mathbf
+  p_{i-1}^{[r-2]}(\tau),\dots)+ \frac{\tau-t_i}{t_{i+k-r+1}-t_i}(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$,
+  $i=j-k+r,\dots,j$
+:holds-by: weighted_points_follow_the_recursion
+
+For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
+:::
+
+:::{statement} wang-ch4:thm-4.3.3-descent
+:title: From the means to the terms, down to the control points
+:zh: 逐层下降至控制顶点
+:printed: this gives $(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$ for $i=j-k+r-1,\dots,j$ and, continued,
+  $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for $i=j-k+1,\dots,j$
+:class: invalid-proof
+:refuted-by: level_one_in_a_plane_and_the_points_not
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
+  are 0 on every level
+:corrected-by: general_condition_is_that_of_the_level_before
+
+$k-r+1$ equations do not determine $k-r+2$ unknowns.
+:::
+
+:::{statement} wang-ch4:thm-4.3.3-coplanar
+:title: The control points are coplanar
+:zh: 控制顶点共面
+:printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 means that $\mathbf p_i$,
+  $i=j-k+1,\dots,j$, are coplanar
+:class: false
+:refuted-by: twisted_sextic_has_products_zero
+:corrected: coplanar with the origin if $\frac\partial{\partial t}\mathbf r\times\frac{\partial^2}{\partial
+  t^2}\mathbf r\ne0$ at the pair in question; but where (4.3.15) holds with $\tau\ne t$ it is 0
+:corrected-by: common_normal_makes_points_coplanar general_condition_is_that_of_the_level_before
+:figure: nurbs_envelope_space
+
+Here the proof loses the curves of space: the products are 0 because of their last two factors.
+:::
+
+:::{statement} wang-ch4:thm-4.3.3-plane
+:title: The plane case goes as for r = 1
+:zh: 平面情形仿照定理 4.3.2
+:printed: a process similar to that of theorem 4.3.2 shows the theorem
+:class: false
+:refuted-by: convex_quartic_of_span_has_second_envelope
+:corrected: in the plane the condition is $(\tau-t)\,(X'Y''-X''Y')=0$ with the coordinates $X,Y$ of the member $\tau$
+  of the level before, not of the curve
+:corrected-by: general_condition_is_that_of_the_level_before
+:figure: nurbs_envelope_extra
+:::
+
+:::{claim} weighted_points_follow_the_recursion
+:title: A linear function of the weighted points follows the recursion (4.1.3)
+:zh: 加权顶点的线性函数满足递推 (4.1.3)
+:given: $k=p+1$; knots of these three shapes; weights and points of space, two vectors, any $\tau$, every
+  $r=2,\dots,k-1$
+:then: $(w_i^{[r-1]}r_i^{[r-1]},a,b)=(1-\alpha)(w_{i-1}^{[r-2]}r_{i-1}^{[r-2]},a,b)+\alpha(w_i^{[r-2]}r_i^{[r-2]},a,b)$,
+  $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$
+:method: The points by (4.1.4), which divides by weights.
+:degrees: 2..3 sampled 6
+:control: $1-\alpha$ and $\alpha$ exchanged
+:::
+*/
+CLAIM(weighted_points_follow_the_recursion)
+{
+    int p = T->degree, k = p + 1, mu = p;
+    num u[MOST_KNOTS], R[3 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1], a[3], b[3], tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 3, R, w);
+    for (int c = 0; c < 3; c++) {
+        a[c] = unknown(T, "A", c);
+        b[c] = unknown(T, "B", c);
+    }
+    for (int shape = 0; shape < SHAPES; shape++) {
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int r = 2; r <= k - 1; r++) {
+            num Rr[3 * (MAX_DEGREE + 1)], wr[MAX_DEGREE + 1], Rs[3 * (MAX_DEGREE + 1)], ws[MAX_DEGREE + 1];
+            G(level_of_curve)(p, 3, u, mu, R, w, r - 1, tau, Rr, wr);
+            G(level_of_curve)(p, 3, u, mu, R, w, r - 2, tau, Rs, ws);
+            for (int m = 0; m <= p - r + 1; m++) {
+                int i = mu - p + r - 1 + m;
+                num alpha = div(sub(tau, u[i]), sub(u[i + k - r + 1], u[i])), beta = sub(from_int(1), alpha);
+                num left = mul(ws[m], G(det3)(Rs + 3 * m, a, b));
+                num right = mul(ws[m + 1], G(det3)(Rs + 3 * m + 3, a, b));
+                num mean = add(mul(T->planted ? alpha : beta, left), mul(T->planted ? beta : alpha, right));
+                same(T, mul(wr[m], G(det3)(Rr + 3 * m, a, b)), mean);
+            }
+        }
+    }
+}
+
+#if RATIONAL
+/* The triple products of the points of level `level` with the first two derivatives at t of the member tau of level r. */
+static void G(products_with_member)(int p, const num u[], const num R[], const num w[], int r, num tau, num t,
+                                    int level, num out[])
+{
+    num Rr[3 * (MAX_DEGREE + 1)], wr[MAX_DEGREE + 1], D[9];
+    G(level_of_curve)(p, 3, u, p, R, w, r, tau, Rr, wr);
+    G(curve_derivatives)(p - r, 3, u, p, Rr, wr, t, 2, D);
+    G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
+    for (int m = 0; m <= p - level; m++)
+        out[m] = mul(wr[m], G(det3)(Rr + 3 * m, D + 3, D + 6));
+}
+
+/*
+:::{claim} member_osculates_a_plane_through_the_origin
+:title: The sum is 0 and its terms are not
+:zh: 和为零而各项不为零
+:kind: counterexample
+:given: $k=5$, knots $-18,-14,\dots,18$, the span $[-2,2)$, weights 1, points for which it is
+  $(4t+2,6t^2-4t+1,12t^3-18t^2+12t-3)$; $r=2$, $\tau=1$, $t=0$: the member of level 1 is $3(t+1,t^2,t^3)$
+:then: $\sum N_{i,4}(t)(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$, and not every term is 0
+:method: The sum is found to be 0; then its triple products are compared with 0.
+:control: the sum in the place of its terms
+:::
+*/
+CLAIM(member_osculates_a_plane_through_the_origin)
+{
+    static const int curve[3][8] = {{2, 4}, {1, -4, 6}, {-3, 12, -18, 12}};
+    num u[10], R[15], w[5], term[5], N[4], sum = from_int(0), zero = from_int(0);
+    G(uniform_curve)(4, 3, 2, curve, u, R, w);
+    G(products_with_member)(4, u, R, w, 1, from_int(1), zero, 1, term);
+    G(bspline_basis)(3, u, 4, zero, N);
+    for (int m = 0; m < 4; m++)
+        sum = add(sum, mul(N[m], term[m]));
+    show_points(T, "r_i", 5, 3, R);
+    show_points(T, "the triple products", 4, 1, term);
+    show(T, "the sum", sum);
+    if (!is_zero_q(sum))
+        return;
+    about(T, "a triple product");
+    for (int m = 0; m < 4; m++)
+        vanishes(T, T->planted ? sum : term[m]);
+}
+/*
+:::{claim} level_one_in_a_plane_and_the_points_not
+:title: The products of level 1 are 0 and those of level 0 are not
+:zh: 第 1 层混合积为零而第 0 层不为零
+:kind: counterexample
+:given: $k=4$, knots $-14,-10,\dots,14$, the span $[-2,2)$, weights 1, points for which it is $(t,t^2,(t-1)^3)$;
+  $r=2$, $\tau=1$, $t=0$: the member of level 1 is in the plane $z=0$
+:then: $(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$ for all $i$, and not every $(r_i,\partial_tR,\partial_t^2R)$ is
+  0
+:method: The products of level 1 are found to be 0; then those of level 0 are compared with 0.
+:control: those of level 1 once more
+:::
+*/
+CLAIM(level_one_in_a_plane_and_the_points_not)
+{
+    static const int curve[3][8] = {{0, 1}, {0, 0, 1}, {-1, 3, -3, 1}};
+    num u[8], R[12], w[4], low[4], high[4], tau = from_int(1), t = from_int(0);
+    G(uniform_curve)(3, 3, 2, curve, u, R, w);
+    G(products_with_member)(3, u, R, w, 1, tau, t, 1, high);
+    G(products_with_member)(3, u, R, w, 1, tau, t, 0, low);
+    show_points(T, "r_i", 4, 3, R);
+    show_points(T, "level 1", 3, 1, high);
+    show_points(T, "level 0", 4, 1, low);
+    for (int m = 0; m < 3; m++)
+        if (!is_zero_q(high[m]))
+            return;
+    about(T, "a triple product");
+    for (int m = 0; m < 3; m++)
+        vanishes(T, T->planted ? high[m] : low[m]);
+}
+/*
+:::{claim} twisted_sextic_has_products_zero
+:title: At another solution of a curve of space all products are 0; the points are not coplanar
+:zh: 空间曲线在另一解处各混合积为零而顶点不共面
+:kind: counterexample
+:given: the sextic $(t,t^6-15t^2,3t^5+10t^3)$ with $k=7$, $r=3$, $\tau=-1$, $t=1$
+:then: $(r_i,\partial_tR,\partial_t^2R)=0$ for all seven points, with the member $R$ of level 2; the points are not
+  coplanar
+:method: The products are found to be 0; then the volume of four of the points is compared with 0.
+:control: a volume with two equal edges
+:::
+*/
+CLAIM(twisted_sextic_has_products_zero)
+{
+    num u[14], R[21], w[7], low[7], edge[9];
+    G(uniform_curve)(6, 3, 2, twisted_sextic, u, R, w);
+    G(products_with_member)(6, u, R, w, 2, from_int(-1), from_int(1), 0, low);
+    show_points(T, "r_i", 7, 3, R);
+    show_points(T, "the products", 7, 1, low);
+    for (int m = 0; m < 7; m++)
+        if (!is_zero_q(low[m]))
+            return;
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 3; c++)
+            edge[3 * i + c] = sub(R[3 * (i + 1) + c], R[c]);
+    about(T, "the volume of the first four points");
+    vanishes(T, G(det3)(edge, edge + 3, T->planted ? edge : edge + 6));
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,847 @@
+/*
+# Is the envelope unique? The first level (包络的唯一性: r = 1)
+
+A joint solution of the family (4.3.3) and of the condition that its two derivatives are parallel is a set of pairs
+$(t,\tau)$ of the square $[t_j,t_{j+1})^2$.  The diagonal $\tau=t$ is the curve.  Whether there is anything else is a
+question about the other factor of the condition.  For $r=1$ it can be answered completely.  With $k$ and the
+derivatives of $p$ and $w$ at $t$ as variables the member and its derivatives are explicit, and
+
+$$\frac{\partial\mathbf r^{[k-1]}}{\partial\tau}\times\frac{\partial\mathbf r^{[k-1]}}{\partial t}=
+\frac{(\tau-t)\,w^3(t)}{(k-1)^2\,W^3(t,\tau)}\;\mathbf r'(t)\times\mathbf r''(t),\qquad
+W=w(t)+\frac{\tau-t}{k-1}w'(t)>0.$$
+
+The other factor depends on $t$ alone.  A zero $t_0$ of $\mathbf r'\times\mathbf r''$, an inflection for instance,
+gives the whole line $t=t_0$ of the square, and the points of that line are a segment of the tangent at the
+inflection: it is touched by every member.
+
+:::{statement} wang-ch4:thm-4.3.2
+:title: For r = 1 the envelope is unique
+:zh: r=1 时包络唯一
+:printed: for $r=1$ the envelope in (4.3.2) is unique: it is the segment $\mathbf r(t)$, $t_j\le t<t_{j+1}$, of the
+  curve
+:class: false
+:refuted-by: inflected_cubic_has_second_envelope folded_line_has_another_solution
+:reading: inflected_cubic_has_second_envelope | all joint solutions of (4.3.3) and (4.3.9): false at an inflection, in
+  the plane
+:reading: space_quartic_has_second_envelope | the same for curves that are not plane: false where the curvature
+  vanishes
+:reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as
+  (4.3.10) may be meant: then a line $t=t_0$ is left out, and true if $\mathbf r'\times\mathbf r''$ is not 0
+  identically
+:reading: folded_line_has_another_solution | the same when it is 0 identically, a case which the proof includes: false
+:corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
+  points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless
+  $\mathbf r$ is on a straight line, the envelope is $\mathbf r$ alone if and only if $\mathbf r'\times\mathbf r''=0$
+  only where $\mathbf r'=0$; so for a strictly convex control polygon of the span
+:corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
+  convex_polygon_of_span_has_one_envelope
+:striking: 2
+:figure: nurbs_second_line
+
+For the cubic the second envelope is no exotic point set: each of the parabolas touches the line at a point of its
+own.  A zero of $\mathbf r'\times\mathbf r''$ with $\mathbf r'=0$, a cusp, gives a line of the square as well, but all
+its pairs have the point $\mathbf r(t_0)$. If $\mathbf r$ is not straight, only finitely many points of a segment of a
+tangent are on it.
+:::
+
+:::{statement} wang-ch4:formula-4.3.9
+:title: The condition of the envelope for r = 1
+:zh: r=1 时的包络条件
+:printed: \frac{\partial\mathbf r^{[k-1]}(t,\tau)}{\partial\tau}\times\frac{\partial\mathbf
+  r^{[k-1]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le t,\tau<t_{j+1}
+:definition: yes
+:checked-by: touching_curve_satisfies_the_condition
+
+It is quoted from elsewhere as what an envelope is.  It is necessary: where a curve $\mathbf r^{[k-1]}(t(s),\tau(s))$
+with $\tau'\ne0$ is tangent to the members it passes, the two derivatives are parallel.  It is sufficient where
+$\partial_t\mathbf r^{[k-1]}\ne0$.
+:::
+
+:::{statement} wang-ch4:formula-4.3.10
+:title: The solutions as functions of t
+:zh: 解写成 τ=τ(t)
+:printed: \tau=\tau(t)
+:class: false
+:refuted-by: inflected_cubic_has_second_envelope
+:corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
+  r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
+:corrected-by: first_level_condition_factors
+
+That every joint solution can be written so is assumed.  The lines $t=t_0$ cannot.
+:::
+
+:::{claim} touching_curve_satisfies_the_condition
+:title: A curve that is tangent to the members it passes satisfies the condition
+:zh: 与族曲线相切的曲线满足包络条件
+:given: the derivatives $X_t$, $X_\tau$ of a family at a pair $(t,\tau)$, and a curve through it with $t'$ and $\tau'$
+:then: $(t'X_t+\tau'X_\tau)\times X_t=\tau'\,X_\tau\times X_t$ in space
+:method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member
+  have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds and
+  $X_t\ne0$.
+:control: the factor $t'$ in the place of $\tau'$
+:::
+*/
+#include "chapters/nurbs/family.h"
+
+#include "chapters/frame/claims_on.h"
+
+CLAIM(touching_curve_satisfies_the_condition)
+{
+    num Xt[3], Xs[3], along[3], left[3], right[3], dt = unknown(T, "dt", 0), ds = unknown(T, "ds", 0);
+    for (int c = 0; c < 3; c++) {
+        Xt[c] = unknown(T, "X", c);
+        Xs[c] = unknown(T, "Y", c);
+        along[c] = add(mul(dt, Xt[c]), mul(ds, Xs[c]));
+    }
+    G(cross3)(along, Xt, left);
+    G(cross3)(Xs, Xt, right);
+    for (int c = 0; c < 3; c++)
+        same(T, left[c], mul(T->planted ? dt : ds, right[c]));
+}
+
+/*
+## The member of the first level
+
+:::{statement} wang-ch4:thm-4.3.2-differences
+:title: The derivative as a sum over differences
+:zh: 导矢的差分表示
+:printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i-w_{i-1}}{t_{i+k-1}-t_i}=\frac{w'(t)}{k-1},\qquad
+  \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i\mathbf r_i-w_{i-1}\mathbf r_{i-1}}{t_{i+k-1}-t_i}=\frac{\mathbf p'(t)}{k-1}
+:holds-by: differences_of_span_give_the_derivative
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-member
+:title: Denominator and numerator of the member
+:zh: 族曲线的分母与分子
+:printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)=\frac{\tau-t}{k-1}w'(t)+w(t),\qquad
+  \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)\mathbf r_i^{[1]}(\tau)=\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)
+:holds-by: first_level_follows_the_tangent
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-by-tau
+:title: The derivative of the member by τ
+:zh: 族曲线对 τ 的偏导矢
+:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf
+  r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
+:holds-by: derivatives_of_the_first_member
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-by-t
+:title: The derivative of the member by t
+:zh: 族曲线对 t 的偏导矢
+:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]^2\frac{\partial\mathbf r^{[k-1]}}{\partial
+  t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]\mathbf p'' -w''\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf
+  p\Bigr]\Bigr\}+(k-2)w^2\mathbf r'
+:holds-by: derivatives_of_the_first_member
+:::
+
+:::{claim} differences_of_span_give_the_derivative
+:title: The differences of the points, over lengths, with the basis of the next lower order are the derivative
+:zh: 差分与低一阶基函数之和即导矢
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
+  variables for $k\le4$ and numbers above; points, any $t$
+:then: the printed sums are the derivative divided by $k-1$
+:method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
+:degrees: 1..4 sampled 7
+:control: the divisors doubled
+:::
+
+:::{claim} first_level_follows_the_tangent
+:title: Numerator and denominator of the member are the first two terms of Taylor's expansion
+:zh: 第一层族曲线的分子分母
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
+:then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
+:method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
+:degrees: 1..4 sampled 7
+:control: the factor $\frac1{k-1}$ replaced by $\frac1k$
+:::
+*/
+CLAIM(differences_of_span_give_the_derivative)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], c[MAX_DEGREE + 1], one[MAX_DEGREE + 1], t = parameter(T, "t");
+    int place[MOST_KNOTS];
+    for (int i = 0; i <= p; i++) {
+        c[i] = unknown(T, "c", i);
+        one[i] = from_int(1);
+    }
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num N[MAX_DEGREE + 1], S[2], sum = from_int(0);
+        G(knots_of_span)(T, p, shape, u, place);
+        G(derivative_sums)(p, 1, u, mu, c, one, t, S);
+        G(bspline_basis)(p - 1, u, mu, t, N);
+        for (int m = 0; m < p; m++) {
+            int i = mu - p + 1 + m;
+            num length = sub(u[i + p], u[i]);
+            if (T->planted)
+                length = mul(from_int(2), length);
+            sum = add(sum, mul(N[m], div(sub(c[m + 1], c[m]), length)));
+        }
+        same(T, mul(from_int(p), sum), S[0]);
+    }
+}
+
+CLAIM(first_level_follows_the_tangent)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 1, R, w);
+    num step = mul(sub(tau, t), from_ratio(1, T->planted ? p + 1 : p));
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2], P[2], P1[2];
+        G(knots_of_span)(T, p, shape, u, place);
+        G(level_of_curve)(p, 1, u, mu, R, w, 1, tau, Rr, wr);
+        G(sums)(p - 1, 1, u, mu, Rr, wr, t, S);
+        G(sums)(p, 1, u, mu, R, w, t, P);
+        G(derivative_sums)(p, 1, u, mu, R, w, t, P1);
+        for (int c = 0; c < 2; c++)
+            same(T, S[c], add(P[c], mul(step, P1[c])));
+    }
+}
+
+/*
+From here on the knots are not needed any more: $p$, $p'$, $p''$ at $t$ are three vectors of space and $w$, $w'$,
+$w''$ three numbers, all of them variables, and so is $k$.
+
+:::{statement} wang-ch4:thm-4.3.2-equivalent
+:title: The condition with the factor τ-t
+:zh: 包络条件的等价形式
+:printed: (\tau-t)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr][\mathbf r'\times\mathbf p'']=(\tau-t)\,w''\Bigl\{\mathbf
+  r'\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf p\Bigr]\Bigr\}
+:holds-by: first_level_condition_as_printed
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-dot
+:title: The product with p'' gives a triple product
+:zh: 与 p'' 作数量积得混合积
+:printed: the scalar product of both sides with $\mathbf p''(t)$ gives $(\tau-t)\bigl(\mathbf
+  r'(t),\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t),\mathbf p''(t)\bigr)=0$
+:class: invalid-proof
+:refuted-by: product_with_second_derivative_says_nothing
+:corrected: the scalar product gives $(\tau-t)\,w''(t)\,(\dots)=0$, with the factor $w''$; where $w''\ne0$ the printed
+  equation follows; where $w''=0$ it follows from the equation before the product was taken, which then says $\mathbf
+  r'\times\mathbf p''=0$
+:corrected-by: product_with_second_derivative_loses_the_left_side first_level_condition_as_printed
+
+For equal weights, B-spline curves, the product is $0=0$ for all $t$ and $\tau$.  And it is one equation in the place
+of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
+:::
+
+:::{statement} wang-ch4:formula-4.3.11
+:title: The first alternative is the diagonal
+:zh: 第一种情形:τ=t
+:printed: \tau(t)=t
+:holds-by: envelope_condition_holds_on_the_diagonal
+
+It solves (4.3.9) and gives the curve.
+:::
+
+:::{statement} wang-ch4:formula-4.3.12
+:title: The second alternative, a triple product with the points
+:zh: 第二种情形:混合积之和
+:printed: \tau=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
+:holds-by: triple_product_is_that_of_the_point
+
+For $\tau\ne t$ it is equivalent to the triple product before.  But it says something about the origin, that the
+osculating plane passes through it, and is therefore weaker than (4.3.9), which does not know the origin.
+:::
+
+:::{claim} derivatives_of_the_first_member
+:title: The two derivatives of the member by their formulas
+:zh: 族曲线的两个偏导矢
+:types: field
+:given: $X=A/W$ with $A=p(t)+\frac{\tau-t}{k-1}p'(t)$, $W=w(t)+\frac{\tau-t}{k-1}w'(t)$, $p$ and $w$ quadratic
+  polynomials of $t$ with variable coefficients; any $k$, $\tau$, at any $t$
+:then: both printed formulas, in one coordinate
+:method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
+  $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
+:degrees: all
+:control: $k-1$ in the place of $k-2$
+:::
+
+:::{claim} first_level_condition_as_printed
+:title: The condition of the envelope is the printed equation of vector products
+:zh: 包络条件与所印方程等价
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
+:method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
+  are positive on the span.
+:degrees: all
+:control: the sign of the second term
+:::
+
+:::{claim} first_level_condition_factors
+:title: The condition of the envelope is (τ-t) r' x r'' up to a positive factor
+:zh: 包络条件等价于 (τ-t) r'×r''=0
+:given: the same
+:then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
+  $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
+:method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
+  joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$; a continuous
+  function $\tau(t)$ solves the condition, unless $r'\times r''$ is 0 on an interval and then everywhere, only as
+  $\tau(t)=t$.
+:degrees: all
+:control: $w^2$ in the place of $w^3$
+:::
+
+:::{claim} extra_points_run_along_the_tangent
+:title: The points of a line t = t₀ of the square are a segment of the tangent
+:zh: 直线 t=t₀ 上的点构成切线段
+:given: the same
+:then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
+:method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
+  being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
+:degrees: all
+:control: $w$ left out
+:::
+
+:::{claim} product_with_second_derivative_loses_the_left_side
+:title: The scalar product of the condition with p'' is w'' times a triple product
+:zh: 与 p'' 的数量积只留下 w'' 倍的混合积
+:given: the same
+:then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
+:method: Everything a variable.
+:degrees: all
+:control: the factor $w''$ left out
+:::
+
+:::{claim} triple_product_is_that_of_the_point
+:title: The triple product is, up to a positive factor, that of p, r', r''
+:zh: 混合积与 (p, r', r'') 只差正因子
+:given: the same; and for $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
+:then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$
+:method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
+  product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,
+  weights, knots and $t$ as variables.
+:control: the sign
+:::
+*/
+/* What is known at one t of a curve of order k, and of the member tau of level 1: P = (p, w) and its derivatives, A and W,
+ * r' and r'', the derivatives of the member by tau and t.  e = tau - t. */
+typedef struct G(jet) {
+    num k, e, p[3], p1[3], p2[3], w, w1, w2, A[3], W, r[3], r1[3], r2[3], by_tau[3], by_t[3];
+} G(jet);
+
+static G(jet) G(free_jet)(trial *T)
+{
+    G(jet) J;
+    num H[12], D[9], one = from_int(1), two = from_int(2);
+    J.k = add(parameter(T, "k"), two);
+    J.e = unknown(T, "e", 0);
+    J.w = positive(T, "v", 0);
+    J.w1 = unknown(T, "v", 1);
+    J.w2 = unknown(T, "v", 2);
+    num step = div(J.e, sub(J.k, one)), n = sub(J.k, one);
+    J.W = add(J.w, mul(step, J.w1));
+    num square = mul(mul(J.W, J.W), n), w_square = mul(J.w, J.w);
+    for (int c = 0; c < 3; c++) {
+        J.p[c] = H[c] = unknown(T, "f", c);
+        J.p1[c] = H[4 + c] = unknown(T, "g", c);
+        J.p2[c] = H[8 + c] = unknown(T, "h", c);
+        J.A[c] = add(J.p[c], mul(step, J.p1[c]));
+    }
+    H[3] = J.w, H[7] = J.w1, H[11] = J.w2;
+    G(quotient_derivatives)(3, H, 2, D);
+    for (int c = 0; c < 3; c++) {
+        J.r[c] = D[c];
+        J.r1[c] = D[3 + c];
+        J.r2[c] = D[6 + c];
+        J.by_tau[c] = div(mul(w_square, J.r1[c]), square);
+        num first = mul(J.e, sub(mul(J.W, J.p2[c]), mul(J.w2, J.A[c])));
+        J.by_t[c] = div(add(first, mul(sub(J.k, two), mul(w_square, J.r1[c]))), square);
+    }
+    return J;
+}
+
+/* W r' x p'' - w'' r' x A, with plus in the place of minus if asked for. */
+static void G(bracket)(const G(jet) * J, int plus, num out[])
+{
+    num first[3], second[3];
+    G(cross3)(J->r1, J->p2, first);
+    G(cross3)(J->r1, J->A, second);
+    for (int c = 0; c < 3; c++) {
+        num a = mul(J->W, first[c]), b = mul(J->w2, second[c]);
+        out[c] = plus ? add(a, b) : sub(a, b);
+    }
+}
+
+#if FIELD
+CLAIM(derivatives_of_the_first_member)
+{
+    num t = parameter(T, "t"), tau = parameter(T, "s"), k = parameter(T, "k"), one = from_int(1), two = from_int(2);
+    num f[2], f1[2], f2[2], F[2], step = div(sub(tau, t), sub(k, one));
+    for (int c = 0; c < 2; c++) { /* p and w */
+        const char *name = c == 0 ? "p" : "w";
+        f[c] = add(unknown(T, name, 0), mul(t, add(unknown(T, name, 1), mul(t, unknown(T, name, 2)))));
+        f1[c] = derivative_f(f[c], t);
+        f2[c] = derivative_f(f1[c], t);
+        F[c] = add(f[c], mul(step, f1[c]));
+    }
+    num X = div(F[0], F[1]), front = mul(sub(k, one), mul(F[1], F[1]));
+    num tangent = mul(mul(f[1], f[1]), derivative_f(div(f[0], f[1]), t));
+    about(T, "the derivative by τ");
+    same(T, mul(front, derivative_f(X, tau)), tangent);
+    num rest = mul(sub(tau, t), sub(mul(F[1], f2[0]), mul(f2[1], F[0])));
+    about(T, "the derivative by t");
+    same(T, mul(front, derivative_f(X, t)), add(rest, mul(sub(k, T->planted ? one : two), tangent)));
+}
+#endif
+
+CLAIM(first_level_condition_as_printed)
+{
+    G(jet) J = G(free_jet)(T);
+    num left[3], right[3], n = sub(J.k, from_int(1)), W2 = mul(J.W, J.W), front = mul(mul(n, n), mul(W2, W2));
+    G(cross3)(J.by_tau, J.by_t, left);
+    G(bracket)(&J, T->planted, right);
+    for (int c = 0; c < 3; c++)
+        same(T, mul(front, left[c]), mul(mul(mul(J.w, J.w), J.e), right[c]));
+}
+
+CLAIM(first_level_condition_factors)
+{
+    G(jet) J = G(free_jet)(T);
+    num left[3], turn[3], B[3], n = sub(J.k, from_int(1)), front = mul(mul(n, n), mul(J.W, mul(J.W, J.W)));
+    num power = mul(J.w, T->planted ? J.w : mul(J.w, J.w));
+    G(bracket)(&J, 0, B);
+    G(cross3)(J.by_tau, J.by_t, left);
+    G(cross3)(J.r1, J.r2, turn);
+    for (int c = 0; c < 3; c++) {
+        about(T, "the bracket");
+        same(T, B[c], mul(mul(J.W, J.w), turn[c]));
+        about(T, "the condition");
+        same(T, mul(front, left[c]), mul(mul(J.e, power), turn[c]));
+    }
+}
+
+CLAIM(extra_points_run_along_the_tangent)
+{
+    G(jet) J = G(free_jet)(T);
+    num factor = div(J.e, mul(sub(J.k, from_int(1)), J.W));
+    if (!T->planted)
+        factor = mul(factor, J.w);
+    same(T, sub(div(J.A[0], J.W), J.r[0]), mul(factor, J.r1[0]));
+}
+
+CLAIM(product_with_second_derivative_loses_the_left_side)
+{
+    G(jet) J = G(free_jet)(T);
+    num B[3], triple = neg(G(det3)(J.r1, J.A, J.p2));
+    G(bracket)(&J, 0, B);
+    same(T, G(dot)(3, B, J.p2), T->planted ? triple : mul(J.w2, triple));
+}
+
+CLAIM(triple_product_is_that_of_the_point)
+{
+    G(jet) J = G(free_jet)(T);
+    num product = mul(J.W, G(det3)(J.p, J.r1, J.r2));
+    about(T, "the triple products");
+    same(T, G(det3)(J.r1, J.A, J.p2), T->planted ? product : neg(product));
+    for (int p = 1; p <= 3; p++) {
+        num u[MOST_KNOTS], R[3 * 4], w[4], S[4], N[4], t = parameter(T, "t"), sum = from_int(0);
+        int place[MOST_KNOTS];
+        G(free_curve)(T, p, 3, R, w);
+        G(knots_of_span)(T, p, 1, u, place);
+        G(sums)(p, 3, u, p, R, w, t, S);
+        G(bspline_basis)(p, u, p, t, N);
+        for (int i = 0; i <= p; i++)
+            sum = add(sum, mul(mul(N[i], w[i]), G(det3)(R + 3 * i, J.r1, J.r2)));
+        about(T, "the sum over the points");
+        same(T, sum, G(det3)(S, J.r1, J.r2));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} product_with_second_derivative_says_nothing
+:title: For equal weights the scalar product with p'' is 0 = 0
+:zh: 权相等时与 p'' 的数量积恒为零
+:kind: counterexample
+:given: $k=4$, weights 1, the curve $(t,t^2,t^3+1)$ at $t=0$; $\tau=1$
+:then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$
+:method: The derivatives of the curve by its points over uniform knots; the triple product is compared with 0 after
+  the other equation has been found to be true.
+:control: the triple product multiplied by $w''=0$
+:::
+*/
+CLAIM(product_with_second_derivative_says_nothing)
+{
+    static const int curve[3][8] = {{0, 1}, {0, 0, 1}, {1, 0, 0, 1}};
+    num u[8], R[12], w[4], D[9], A[3], left[3], right[3], zero = from_int(0), third = from_ratio(1, 3);
+    G(uniform_curve)(3, 3, 1, curve, u, R, w);
+    G(curve_derivatives)(3, 3, u, 3, R, w, zero, 2, D);
+    for (int c = 0; c < 3; c++)
+        A[c] = add(D[c], mul(third, D[3 + c]));
+    G(cross3)(D + 3, D + 6, left);
+    G(cross3)(D + 3, A, right);
+    num side = G(dot)(3, left, D + 6), other = mul(zero, G(dot)(3, right, D + 6)); /* w'' = 0 */
+    num triple = G(det3)(D + 3, A, D + 6);
+    show_points(T, "r_i", 4, 3, R);
+    show_points(T, "p, p', p''", 3, 3, D);
+    show(T, "left side times p''", side);
+    show(T, "right side times p''", other);
+    if (!equal_q(side, other))
+        return;
+    about(T, "(τ-t)(r', A, p'')");
+    vanishes(T, T->planted ? mul(zero, triple) : triple);
+}
+#endif
+
+/*
+## From the triple product to the plane
+
+:::{statement} wang-ch4:thm-4.3.2-independence
+:title: Each term of the sum vanishes, because B-splines are linearly independent
+:zh: 由线性无关性得每个混合积为零
+:printed: if (4.3.12) holds, then by $w_i>0$ and the linear independence of the B-splines $(\mathbf r_i,\mathbf
+  r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$
+:class: invalid-proof
+:refuted-by: osculating_plane_meets_the_origin_once
+:reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises: false
+:reading: points_are_polar_values_of_the_segment | for all $t$ of the span: true, but not for this reason, the
+  coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants
+:corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore
+  linearly dependent, the segment is in a plane through the origin, and so are its control points
+:corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-coplanar
+:title: The control points of the span are coplanar, and the family is plane
+:zh: 控制顶点共面
+:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ means that these $\mathbf r_i$ are
+  coplanar, so that the family is one of plane curves
+:holds-by: common_normal_makes_points_coplanar
+:hypothesis: vanishing_curvature_says_nothing_about_the_points | $\mathbf r'(t)\times\mathbf r''(t)\ne0$ at the $t$ in
+  question
+:::
+
+:::{claim} points_are_polar_values_of_the_segment
+:title: The points of a span are values of the polar form of its segment: a linear relation of the segment is one of
+  the points
+:zh: 控制顶点是该段极形式之值
+:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
+  variables for $k\le4$ and numbers above; points
+:then: the point $i$ is the polar form of the segment, given by its Bézier points, at $t_{i+1},\dots,t_{i+k-1}$
+:method: From the points to the Bézier points of the segment by one kernel, back by another.  If $L(p(t),w(t))=0$ for
+  all $t$ with a linear $L$, then the polar form of this polynomial is 0, hence $L(w_ir_i,w_i)=0$ for every point.  So
+  a segment in a plane, on a line or in a plane through the origin has its points there.
+:degrees: 1..4 sampled 7
+:control: the knots from $t_i$ on
+:::
+
+:::{claim} common_normal_makes_points_coplanar
+:title: Three points with one normal that is not 0 are in a plane with the origin
+:zh: 有公共非零法向的三点与原点共面
+:given: three points $a,b,c$ and a vector $n$ of space
+:then: $(a,b,c)\,n=(n\cdot a)\,b\times c+(n\cdot b)\,c\times a+(n\cdot c)\,a\times b$
+:method: Three coordinates, everything a variable.  If $n=r'\times r''\ne0$ and $n\cdot r_i=(r_i,r',r'')=0$, then all
+  $r_i$ are in the plane through the origin with the normal $n$.
+:control: $n$ on the left side with the second and third coordinates exchanged
+:::
+*/
+CLAIM(points_are_polar_values_of_the_segment)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], c[MAX_DEGREE + 1], b[MAX_DEGREE + 1], f;
+    int place[MOST_KNOTS];
+    for (int i = 0; i <= p; i++)
+        c[i] = unknown(T, "c", i);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        G(knots_of_span)(T, p, shape, u, place);
+        G(bspline_to_bezier)(p, 1, u, mu, c, b);
+        for (int i = 0; i <= p; i++) {
+            G(bspline_point_of_bezier)(p, 1, b, u[mu], u[mu + 1], u + i + 1 - T->planted, &f);
+            same(T, f, c[i]);
+        }
+    }
+}
+
+CLAIM(common_normal_makes_points_coplanar)
+{
+    num a[3], b[3], c[3], n[3], bc[3], ca[3], ab[3];
+    for (int m = 0; m < 3; m++) {
+        a[m] = unknown(T, "a", m);
+        b[m] = unknown(T, "b", m);
+        c[m] = unknown(T, "c", m);
+        n[m] = unknown(T, "n", m);
+    }
+    G(cross3)(b, c, bc);
+    G(cross3)(c, a, ca);
+    G(cross3)(a, b, ab);
+    num volume = G(det3)(a, b, c), na = G(dot)(3, n, a), nb = G(dot)(3, n, b), nc = G(dot)(3, n, c);
+    for (int m = 0; m < 3; m++) {
+        num right = add(add(mul(na, bc[m]), mul(nb, ca[m])), mul(nc, ab[m]));
+        same(T, mul(volume, n[T->planted && m > 0 ? 3 - m : m]), right);
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} osculating_plane_meets_the_origin_once
+:title: At one t the triple product with p vanishes, and those with the points do not
+:zh: 某一 t 处 (p, r', r'')=0 而 (r_i, r', r'')≠0
+:kind: counterexample
+:given: $k=4$, the curve $(t+1,t^2,t^3)$ over uniform knots, weights 1, at $t=0$, where its osculating plane $z=0$
+  contains the origin
+:then: $\sum N_{i,k}(t)w_i(r_i,r',r'')=0$, and not every $(r_i,r',r'')$ is 0
+:method: The sum is found to be 0; then its triple products are compared with 0.
+:control: the sum in the place of its terms
+:::
+*/
+CLAIM(osculating_plane_meets_the_origin_once)
+{
+    static const int curve[3][8] = {{1, 1}, {0, 0, 1}, {0, 0, 0, 1}};
+    num u[8], R[12], w[4], D[9], N[4], term[4], sum = from_int(0), zero = from_int(0);
+    G(uniform_curve)(3, 3, 1, curve, u, R, w);
+    G(curve_derivatives)(3, 3, u, 3, R, w, zero, 2, D);
+    G(bspline_basis)(3, u, 3, zero, N);
+    for (int i = 0; i < 4; i++) {
+        term[i] = G(det3)(R + 3 * i, D + 3, D + 6);
+        sum = add(sum, mul(N[i], term[i]));
+    }
+    show_points(T, "r_i", 4, 3, R);
+    show_points(T, "r', r''", 2, 3, D + 3);
+    show_points(T, "(r_i, r', r'')", 4, 1, term);
+    show(T, "the sum", sum);
+    if (!is_zero_q(sum))
+        return;
+    about(T, "(r_i, r', r'')");
+    for (int i = 0; i < 4; i++)
+        vanishes(T, T->planted ? sum : term[i]);
+}
+/*
+:::{claim} vanishing_curvature_says_nothing_about_the_points
+:title: Where the curvature is 0 all triple products vanish, whatever the points are
+:zh: 曲率为零处混合积恒为零,控制顶点未必共面
+:kind: counterexample
+:given: $k=5$, the curve $(t,t^3,t^4)$ over uniform knots, weights 1, at $t=0$
+:then: $(r_i,r',r'')=0$ for all five points, which are not coplanar
+:method: The triple products are found to be 0; then the volume of four of the points is compared with 0.
+:control: the curve $(t,t^3,0)$
+:::
+*/
+CLAIM(vanishing_curvature_says_nothing_about_the_points)
+{
+    int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1 - T->planted}};
+    num u[10], R[15], w[5], D[9], edge[9];
+    G(uniform_curve)(4, 3, 1, (const int(*)[8])curve, u, R, w);
+    G(curve_derivatives)(4, 3, u, 4, R, w, from_int(0), 2, D);
+    for (int i = 0; i < 5; i++)
+        if (!is_zero_q(G(det3)(R + 3 * i, D + 3, D + 6)))
+            return;
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 3; c++)
+            edge[3 * i + c] = sub(R[3 * (i + 1) + c], R[c]);
+    show_points(T, "r_i", 5, 3, R);
+    show_points(T, "r', r''", 2, 3, D + 3);
+    about(T, "the volume of the first four points");
+    vanishes(T, G(det3)(edge, edge + 3, edge + 6));
+}
+#endif
+
+/*
+## The plane case
+
+:::{statement} wang-ch4:formula-4.3.13
+:title: The condition in the plane
+:zh: 平面情形的包络条件
+:printed: \frac{\partial x^{[k-1]}(t,\tau)}{\partial\tau}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial
+  t}=\frac{\partial x^{[k-1]}(t,\tau)}{\partial t}\cdot\frac{\partial y^{[k-1]}(t,\tau)}{\partial\tau},\quad t_j\le
+  t,\tau<t_{j+1}
+:definition: yes
+:checked-by: touching_curve_satisfies_the_condition
+
+The third coordinate of (4.3.9), the two others being 0.
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-plane-condition
+:title: In the plane the condition is (τ-t)(x'y''-x''y') = 0
+:zh: 平面情形的等价条件
+:printed: (4.3.13) is equivalent to $(\tau-t)[x'(t)y''(t)-x''(t)y'(t)]=0$
+:holds-by: first_level_condition_factors
+
+The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step is right, and it disproves the theorem.
+:::
+
+:::{statement} wang-ch4:formula-4.3.14
+:title: If x'y''-x''y' = 0 the segment is straight
+:zh: x'y''-x''y'=0 则为直线段
+:printed: if $x'(t)y''(t)-x''(t)y'(t)=0$ (4.3.14) holds, then $\mathbf r(t)$ is a segment of a straight line
+:class: false
+:refuted-by: inflected_cubic_is_not_straight
+:reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: false, every
+  inflection is a counterexample
+:reading: slope_is_constant_where_nothing_turns | for all $t$: true
+:corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
+:corrected-by: slope_is_constant_where_nothing_turns
+:figure: nurbs_second_line
+
+This is where the proof breaks: an equation that has to hold at one $t$ is used as if it held for all.
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-collinear
+:title: A straight segment has collinear control points
+:zh: 直线段的控制顶点共线
+:printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so
+  that every member is on this line
+:holds-by: points_are_polar_values_of_the_segment
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-on-a-line
+:title: If all members are on a line, their envelope is the segment
+:zh: 族曲线均在一直线上时包络即 r(t)
+:printed: if every member is on the straight line of $\mathbf r(t)$, the envelope of the family is $\mathbf r(t)$
+:class: false
+:refuted-by: folded_line_has_another_solution
+:corrected: then every pair $(t,\tau)$ is a joint solution; the points of all members may be more than those of
+  $\mathbf r$
+:corrected-by: first_level_condition_factors
+:figure: nurbs_folded_line
+:::
+
+:::{statement} wang-ch4:thm-4.3.2-otherwise
+:title: If (4.3.14) does not hold, τ = t
+:zh: 否则必有 τ=t
+:printed: if (4.3.14) does not hold, (4.3.11) must hold, and the envelope of the family is $\mathbf r(t)$
+:holds-by: first_level_condition_factors member_of_span_touches_curve
+:hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
+  identically is not enough
+:::
+
+:::{claim} slope_is_constant_where_nothing_turns
+:title: The derivative of the slope is x'y''-x''y' over x'^2
+:zh: 斜率之导数
+:types: field
+:given: any $x$ and $y$ with their first and second derivatives, here cubic polynomials of $t$ with variable
+  coefficients
+:then: $(y'/x')'=(x'y''-x''y')/x'^2$
+:method: Formal derivatives.  The rule holds for all functions; if the right side is 0 for all $t$ of the span,
+  $y'/x'$ is constant and $y=ax+b$, or $x'=0$ for all $t$ and $x$ is constant: a line.
+:degrees: all
+:control: the sign of the second term
+:::
+*/
+#if FIELD
+CLAIM(slope_is_constant_where_nothing_turns)
+{
+    num t = parameter(T, "t"), f[2], f1[2], f2[2];
+    for (int c = 0; c < 2; c++) {
+        f[c] = from_int(0);
+        for (int m = 3; m >= 0; m--)
+            f[c] = add(mul(t, f[c]), unknown(T, c == 0 ? "a" : "b", m));
+        f1[c] = derivative_f(f[c], t);
+        f2[c] = derivative_f(f1[c], t);
+    }
+    num a = mul(f1[0], f2[1]), b = mul(f2[0], f1[1]);
+    same(T, derivative_f(div(f1[1], f1[0]), t), div(T->planted ? add(a, b) : sub(a, b), mul(f1[0], f1[0])));
+}
+#endif
+
+#if RATIONAL
+/*
+:::{claim} inflected_cubic_is_not_straight
+:title: At the inflection of (t, t³) the determinant vanishes; the curve is not straight
+:zh: 拐点处行列式为零而曲线非直线
+:kind: counterexample
+:given: $k=4$, the knots $-7,-5,\dots,7$, weights 1 and the points for which the span $[-1,1)$ is $(t,t^3)$; $t=0$
+:then: $x'y''-x''y'=0$, and three of the points are not collinear
+:method: The determinant is found to be 0; then the area of the first three points is compared with 0.  The points of
+  a straight segment are collinear.
+:control: the curve $(t,t)$
+:::
+*/
+CLAIM(inflected_cubic_is_not_straight)
+{
+    int curve[2][8] = {{0, 1}, {0, T->planted, 0, 1 - T->planted}};
+    num u[8], R[8], w[4], D[6], a[2], b[2];
+    G(uniform_curve)(3, 2, 1, (const int(*)[8])curve, u, R, w);
+    G(curve_derivatives)(3, 2, u, 3, R, w, from_int(0), 2, D);
+    show_points(T, "r_i", 4, 2, R);
+    show_points(T, "r', r'' at t = 0", 2, 2, D + 2);
+    if (!is_zero_q(G(cross2)(D + 2, D + 4)))
+        return;
+    for (int c = 0; c < 2; c++) {
+        a[c] = sub(R[2 + c], R[c]);
+        b[c] = sub(R[4 + c], R[c]);
+    }
+    about(T, "the determinant of the first two edges");
+    vanishes(T, G(cross2)(a, b));
+}
+
+/*
+:::{claim} inflected_cubic_has_second_envelope
+:title: The parabolas of the cubic (t, t³) touch the axis y = 0 as well
+:zh: 三次曲线 (t,t³) 的二次族曲线还与 y=0 相切
+:kind: counterexample
+:given: $k=4$, the same curve; $r=1$, the member $\tau=\frac12$ at $t=0$
+:then: (4.3.9) is satisfied at the point $(\frac16,0)$, which is not on the curve; the member's tangent there is the
+  axis
+:method: Member and derivatives by its points over the knots.  The condition is found to be satisfied; then $y-x^3$ is
+  compared with 0.  The pairs $t=0$, $-1\le\tau<1$ give the points $(\frac\tau3,0)$.
+:control: $\tau=0$
+:::
+*/
+CLAIM(inflected_cubic_has_second_envelope)
+{
+    static const int curve[2][8] = {{0, 1}, {0, 0, 0, 1}};
+    num u[8], R[8], w[4], X[2], tau = from_ratio(1 - T->planted, 2);
+    G(uniform_curve)(3, 2, 1, curve, u, R, w);
+    if (!G(pair_of_one_span)(T, 3, 2, u, R, w, 1, tau, from_int(0), X))
+        return;
+    about(T, "y - x³ at the point; 0 on the curve");
+    vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
+}
+/*
+:::{claim} space_quartic_has_second_envelope
+:title: A curve of space, not in a plane, whose family of order 4 touches a line as well
+:zh: 非平面曲线的族另有包络
+:kind: counterexample
+:given: $k=5$, the curve $(t,t^3,t^4)$ on the span $[-1,1)$ of uniform knots, weights 1; $r=1$, $\tau=\frac12$, $t=0$,
+  where the curvature is 0
+:then: (4.3.9) is satisfied at the point $(\frac18,0,0)$, which is not on the curve
+:method: As for the cubic.  That the points are not coplanar is shown by
+  `vanishing_curvature_says_nothing_about_the_points`.
+:control: $\tau=0$
+:::
+*/
+CLAIM(space_quartic_has_second_envelope)
+{
+    static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1}};
+    num u[10], R[15], w[5], X[3], tau = from_ratio(1 - T->planted, 2);
+    G(uniform_curve)(4, 3, 1, curve, u, R, w);
+    if (!G(pair_of_one_span)(T, 4, 3, u, R, w, 1, tau, from_int(0), X))
+        return;
+    about(T, "y - x³ at the point; 0 on the curve");
+    vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
+}
+/*
+:::{claim} folded_line_has_another_solution
+:title: On a line every function τ(t) is a solution, and its points may be off the segment
+:zh: 共线时任意 τ(t) 均为解,其点可在 r(t) 之外
+:kind: counterexample
+:given: $k=3$, the knots $0,\dots,5$, the span $[2,3)$, points $(0,0),(1,1),(0,0)$, weights 1; $r=1$, $\tau(t)=2$,
+  $t=\frac{11}4$
+:then: (4.3.9) is satisfied at $(\frac78,\frac78)$, and no $t\in[2,3]$ has $\mathbf r(t)$ there; the segment reaches
+  from $\frac12$ to $\frac34$
+:method: The condition is found to be satisfied; then the roots in the closed span of $x(t)$ minus the abscissa of the
+  point are counted.
+:control: $\tau=t$
+:::
+*/
+CLAIM(folded_line_has_another_solution)
+{
+    num u[6], R[6] = {from_int(0), from_int(0), from_int(1), from_int(1), from_int(0), from_int(0)}, b[6], x[3];
+    num w[3] = {from_int(1), from_int(1), from_int(1)}, X[2], t = from_ratio(11, 4);
+    for (int i = 0; i < 6; i++)
+        u[i] = from_int(i);
+    if (!G(pair_of_one_span)(T, 2, 2, u, R, w, 1, T->planted ? t : from_int(2), t, X))
+        return;
+    G(bspline_to_bezier)(2, 2, u, 2, R, b);
+    for (int i = 0; i < 3; i++)
+        x[i] = sub(b[2 * i], X[0]);
+    show_points(T, "Bézier points of the segment", 3, 2, b);
+    about(T, "the point is on the segment");
+    agree(T, count_roots(poly_from_bernstein(2, x), from_int(0), from_int(1), CLOSED).distinct > 0);
+}
+#endif
+#include "chapters/frame/claims_off.h"

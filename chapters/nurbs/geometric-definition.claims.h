@@ -1,0 +1,361 @@
+/*
+# The geometric definition of a NURBS curve (NURBS 曲线的几何定义)
+
+The section ends with a definition that is to replace the recursion of de Boor and Cox: a polygon, with weights and
+knots, is the curve of order 2; the curve of order $k$ is the envelope of the polygons of level $k-2$, one for each
+$\tau$ of the whole domain.  As a way to describe the curve it is right, with conditions; as a definition it would
+need the envelope to exist and to be unique.  Both were seen to need hypotheses on one span; that now $t$ and $\tau$
+may be in different spans adds another: the leg of span $j$ in the polygon of $\tau$ is the tangent at $\tau$ of the
+*continued* segment $j$. An inflection of the continuation, although it is not on the curve, is enough for a second
+envelope.
+
+:::{statement} wang-ch4:def-4.3.1-polygon
+:title: The polygon is the curve of order 2
+:zh: 控制多边形即二阶 NURBS 曲线
+:printed: with $w_i>0$ and knots $t_j\le t_{j+1}$ the polygon $\mathbf r_1\mathbf r_2\cdots\mathbf r_n$ is called the
+  NURBS curve $\mathbf r(t)$, $t_2\le t\le t_{n+1}$, of order 2; its segments are the straight segments $\mathbf
+  r_{j-1}\mathbf r_j$
+:definition: yes
+:checked-by: polygon_is_the_curve_of_order_two legs_are_run_through
+:hypothesis: double_knot_skips_a_leg | $t_2<t_3<\dots<t_{n+1}$; where two of these knots are one the curve jumps over
+  a leg of the polygon
+:figure: nurbs_polygons
+
+With strictly increasing knots the curve of order 2 runs through the legs, from $\mathbf r_1$ at $t_2$ to $\mathbf
+r_n$ at $t_{n+1}$, and the weights say how fast.
+:::
+
+:::{statement} wang-ch4:def-4.3.1-segment
+:title: The equation of a leg
+:zh: 每一段的方程
+:printed: \mathbf r(t)=\frac{(t_{j+1}-t)w_{j-1}\mathbf r_{j-1}+(t-t_j)w_j\mathbf
+  r_j}{(t_{j+1}-t)w_{j-1}+(t-t_j)w_j},\quad t_j\le t<t_{j+1},\ j=2,3,\dots,n
+:holds-by: polygon_is_the_curve_of_order_two
+:::
+
+:::{statement} wang-ch4:def-4.3.1-sum
+:title: The polygon as one sum
+:zh: 多边形的统一表示
+:printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
+:holds-by: polygon_is_the_curve_of_order_two
+:::
+
+:::{statement} wang-ch4:def-4.3.1-index
+:title: The indices of the recursion
+:zh: 递推的下标范围
+:printed: for $r=1,2,\dots,k-2$ compute $w_i^{[r]}(\tau)$, $\mathbf r_i^{[r]}(\tau)$ for $i=2,3,\dots,n$
+:class: misprint
+:refuted-by: recursion_asks_for_a_point_that_is_missing
+:corrected: $i=r+1,r+2,\dots,n$
+:corrected-by: whole_member_is_polar_on_every_span
+
+For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does
+not exist.
+:::
+
+:::{statement} wang-ch4:def-4.3.1-family
+:title: The family of polygons
+:zh: 二阶 NURBS 曲线族
+:printed: \mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf
+  r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)
+:definition: yes
+:checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
+:hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$ vanishes for $\tau\in[t_k,t_{n+1}]$
+:figure: nurbs_polygons
+:::
+
+:::{statement} wang-ch4:def-4.3.1-exists-unique
+:title: The definition rests on existence and uniqueness
+:zh: 因为包络存在且唯一
+:printed: since the envelope exists and is unique, NURBS curves can be defined as envelopes
+:class: false
+:refuted-by: convex_quartic_of_span_has_second_envelope extrapolated_weight_vanishes
+:reading: convex_quartic_of_span_has_second_envelope | unique on every span for every $r$: false
+:reading: convex_polygon_has_a_stationary_leg | the only joint solution for the family of the definition: false, a leg
+  of one of the polygons is another
+:reading: extrapolated_weight_vanishes | existence for every family that is used: false for that of the definition,
+  with positive weights
+:corrected: the curve is among the envelopes, as the points with $\tau=t$
+:corrected-by: member_of_span_touches_curve whole_member_is_polar_on_every_span
+:::
+
+:::{statement} wang-ch4:def-4.3.1
+:title: The curve as the envelope of its polygons
+:zh: NURBS 曲线的几何定义
+:printed: for every $\tau\in[t_k,t_{n+1}]$ make the polygon $\mathbf r^{[2]}(t,\tau)$; the envelope of these polygons
+  is the NURBS curve of order $k$ of $T$, $\{\mathbf r_i\}$, $\{w_i\}$
+:class: missing-hypothesis
+:refuted-by: extrapolated_weight_vanishes convex_polygon_has_a_stationary_leg
+:reading: extrapolated_weight_vanishes | as a construction, for every $\tau$: the polygon of some $\tau$ may not
+  exist, although the weights are positive
+:reading: convex_polygon_has_a_stationary_leg | the envelope as the set of all joint solutions, which is the notion of
+  the section: more than the curve, even for a strictly convex control polygon
+:reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each
+  of its points: where the polygons exist it is the curve alone, as $\tau\ne t$ is possible for single values of
+  $\tau$ only, unless a segment is straight
+:corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
+  of the whole square where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
+  of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
+  neighbouring points are on a line
+:corrected-by: legs_are_tangents_of_the_continued_segments whole_member_is_polar_on_every_span
+  general_condition_is_that_of_the_level_before quadratic_legs_have_one_envelope
+:figure: nurbs_polygons_extra
+
+For $\tau$ restricted to the span of $t$ the same holds with the inflections of the curve itself.  For $k=2$ there is
+no recursion and the polygon is the curve.
+:::
+
+:::{claim} polygon_is_the_curve_of_order_two
+:title: The sum over all points is the printed leg on every span
+:zh: 二阶曲线的每一段
+:given: $n=5$ points with weights, knots $t_1<\dots<t_7$; every span; any $t$
+:then: $\sum_{i=1}^nN_{i,2}(t)w_ir_i/\sum_{i=1}^nN_{i,2}(t)w_i$ is the printed quotient, $j=2,\dots,n$
+:method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a
+  variable.
+:control: the weights of the two points exchanged
+:::
+
+:::{claim} legs_are_run_through
+:title: A leg is run through from one end to the other
+:zh: 每段从一端到另一端单调
+:given: $w_{j-1},w_j>0$ and $t=(t_j+t_{j+1}x)/(1+x)$, $x\ge0$
+:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which increases from
+  0 to 1
+:method: An identity; the derivative of $\lambda$ is $\frac{w_{j-1}w_j}{(w_{j-1}+xw_j)^2}>0$, compared by
+  $\lambda(x+h)-\lambda(x)$ being nonnegative for $h>0$.
+:types: field rational
+:control: $\lambda=\frac{x}{1+x}$, as if the weights were equal
+:::
+*/
+#include "chapters/nurbs/family.h"
+
+#include "chapters/frame/claims_on.h"
+
+CLAIM(polygon_is_the_curve_of_order_two)
+{
+    int n = 5;
+    num u[MOST_KNOTS], R[8], w[8], H[8], t = parameter(T, "t");
+    int place[MOST_KNOTS];
+    G(knots_of_pattern)(T, "1111111", u, place);
+    G(free_curve)(T, n - 1, 1, R, w);
+    for (int i = 0; i < n; i++)
+        H[i] = mul(w[i], R[i]);
+    for (int j = 2; j <= n; j++) { /* t_j = u[j-1], r_j = R[j-1] */
+        num up = sub(t, u[j - 1]), down = sub(u[j], t);
+        num left = mul(down, w[T->planted ? j - 1 : j - 2]), right = mul(up, w[T->planted ? j - 2 : j - 1]);
+        num leg = div(add(mul(left, R[j - 2]), mul(right, R[j - 1])), add(left, right));
+        num above = G(spline)(n, 1, 1, u, place, H, 0, j - 1, t), below = G(spline)(n, 1, 1, u, place, w, 0, j - 1, t);
+        same(T, div(above, below), leg);
+    }
+}
+
+#if FIELD || RATIONAL
+CLAIM(legs_are_run_through)
+{
+    num a = unknown(T, "a", 0), b = unknown(T, "a", 1), v = positive(T, "w", 0), w = positive(T, "w", 1),
+        one = from_int(1);
+    num x = positive(T, "x", 0), more = add(x, positive(T, "h", 0)), u = unknown(T, "u", 0),
+        length = positive(T, "g", 0);
+    num t = div(add(u, mul(x, add(u, length))), add(one, x));
+    num left = mul(sub(add(u, length), t), v), right = mul(sub(t, u), w);
+    num leg = div(add(mul(left, a), mul(right, b)), add(left, right));
+    num lambda = div(mul(x, w), add(v, mul(x, w))), later = div(mul(more, w), add(v, mul(more, w)));
+    num share = T->planted ? div(x, add(one, x)) : lambda;
+    about(T, "the leg");
+    same(T, leg, add(a, mul(share, sub(b, a))));
+    about(T, "the growth of λ");
+    nonnegative(T, sub(later, lambda));
+}
+#endif
+
+/*
+:::{claim} legs_are_tangents_of_the_continued_segments
+:title: The leg over a span is a piece of the tangent at τ of the segment of that span, continued to τ
+:zh: 各段直线是该段延拓后在 τ 处的切线
+:given: $k=p+1$; $n=k+2$ homogeneous points over simple knots; any $\tau$ and $t$; every span; $r=k-2$
+:then: $\sum_{i=k-1}^nN_{i,2}(t)\,w_i^{[k-2]}(\tau)(r_i^{[k-2]}(\tau),1)=P_j(\tau)+\frac{t-\tau}{k-1}P_j'(\tau)$ with
+  the polynomials $P_j$ of the span of $t$
+:method: The levels by the recursion for all indices, by its letter; the sum by the recursion of de Boor and Cox as it
+  is defined; the right side by the kernel of derivatives, whose parameter is any number.  So for every $t$ of the
+  span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve, and the condition of the envelope
+  is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by
+  `first_level_condition_factors` with $t$ and $\tau$ exchanged.
+:degrees: 2..3 sampled 5
+:control: the segment of the first span for every span
+:::
+*/
+CLAIM(legs_are_tangents_of_the_continued_segments)
+{
+    int p = T->degree, n = p + 3;
+    char pattern[MOST_KNOTS] = {0};
+    for (int i = 0; i < n + p + 1; i++)
+        pattern[i] = '1';
+    num u[MOST_KNOTS], H[2 * MOST_KNOTS], h[2][MOST_KNOTS], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(knots_of_pattern)(T, pattern, u, place);
+    for (int m = 0; m < 2 * n; m++) {
+        H[m] = unknown(T, "H", m);
+        h[m % 2][m / 2] = H[m];
+    }
+    for (int c = 0; c < 2; c++)
+        for (int r = 1; r <= p - 1; r++)
+            for (int i = n - 1; i >= r; i--) { /* (4.1.3) for i = r+1, ..., n */
+                num length = sub(u[i + p + 1 - r], u[i]);
+                h[c][i] = add(mul(div(sub(tau, u[i]), length), h[c][i]),
+                              mul(div(sub(u[i + p + 1 - r], tau), length), h[c][i - 1]));
+            }
+    for (int interval = p; interval < n; interval++) {
+        num D[4], step = mul(sub(t, tau), from_ratio(1, p));
+        G(bspline_derivatives)(p, 2, u, T->planted ? p : interval, H, tau, 2, D);
+        for (int c = 0; c < 2; c++) {
+            num sum = from_int(0);
+            for (int i = p - 1; i < n; i++)
+                sum = add(sum, mul(h[c][i], G(cox_de_boor)(1, u, place, i, interval, t)));
+            same(T, sum, add(D[c], mul(step, D[2 + c])));
+        }
+    }
+}
+
+/*
+:::{claim} quadratic_legs_have_one_envelope
+:title: For k = 3 a segment turns unless three neighbouring points are on a line
+:zh: k=3 时仅当三点共线包络条件才处处成立
+:given: $k=3$; a span of simple knots; three points of the plane with weights; any $\tau$
+:then: $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$, a constant
+:method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
+  span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
+  zero.
+:control: the factor 2
+:::
+*/
+CLAIM(quadratic_legs_have_one_envelope)
+{
+    num u[MOST_KNOTS], R[6], w[3], H[9], D[9], a[2], b[2], tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(knots_of_span)(T, 2, 0, u, place);
+    G(free_curve)(T, 2, 2, R, w);
+    G(rational_homogenize)(2, 2, R, w, H);
+    G(derivatives_of_span)(2, 3, u, 2, H, tau, 3, D);
+    for (int c = 0; c < 2; c++) {
+        a[c] = sub(R[2 + c], R[c]);
+        b[c] = sub(R[4 + c], R[c]);
+    }
+    num lengths = mul(mul(sub(u[3], u[1]), sub(u[4], u[2])), sub(u[3], u[2]));
+    num turn = mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b));
+    same(T, G(det3)(D, D + 3, D + 6), mul(from_int(T->planted ? 2 : 4), div(turn, lengths)));
+}
+
+#if RATIONAL
+/*
+:::{claim} double_knot_skips_a_leg
+:title: Where two knots are one the curve of order 2 jumps over a leg
+:zh: 重节点处二阶曲线跳过一条边
+:kind: counterexample
+:given: $n=4$, points $(0,0),(1,1),(2,1),(3,0)$, weights 1, the knots $0,1,2,2,3,4$, domain $[1,3]$: $t_3=t_4$
+:then: the middle $(\frac32,1)$ of the leg $r_2r_3$ is not on the curve
+:method: On each of the two spans that are not empty the roots of $x(t)-\frac32$ are counted, with both ends; that
+  there is one is what is compared.
+:control: the knots $0,1,\frac32,2,3,4$
+:::
+*/
+CLAIM(double_knot_skips_a_leg)
+{
+    num u[6] = {from_int(0), from_int(1), T->planted ? from_ratio(3, 2) : from_int(2),
+                from_int(2), from_int(3), from_int(4)};
+    num x[4], half = from_ratio(3, 2);
+    int found = 0;
+    for (int i = 0; i < 4; i++)
+        x[i] = sub(from_int(i), half);
+    for (int mu = 1; mu < 4; mu++) {
+        if (equal_q(u[mu], u[mu + 1]))
+            continue;
+        num b[2];
+        G(bspline_to_bezier)(1, 1, u, mu, x, b);
+        found += count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), CLOSED).distinct;
+    }
+    show_points(T, "t_i", 6, 1, u);
+    show_text(T, "points of the curve with x = 3/2", "%d", found);
+    about(T, "the middle of the leg is on the curve");
+    agree(T, found > 0);
+}
+/*
+:::{claim} recursion_asks_for_a_point_that_is_missing
+:title: With i = 2, ..., n on every level the recursion asks for the point 0
+:zh: 按 i=2,...,n 递推需要不存在的顶点 r_0
+:kind: counterexample
+:given: $k=4$, $n=4$, $r=1,2$, $i=2,\dots,n$, as printed
+:then: some $r_i^{[r]}$ depends by (4.1.4) on a point with an index below 1
+:method: By (4.1.4) $r_i^{[r]}$ depends on the points $i-r,\dots,i$ of level 0; the least index is compared with 1.
+:control: $i=r+1,\dots,n$
+:::
+*/
+CLAIM(recursion_asks_for_a_point_that_is_missing)
+{
+    int k = 4, n = 4, least = n;
+    for (int r = 1; r <= k - 2; r++)
+        for (int i = T->planted ? r + 1 : 2; i <= n; i++) {
+            int index = i;
+            for (int level = r; level >= 1; level--) /* the left one of the two points of the level before */
+                index--;
+            if (index < least) {
+                least = index;
+                show_text(T, "r, i", "%d, %d", r, i);
+            }
+        }
+    show_text(T, "least index of a point", "%d", least);
+    about(T, "all points exist");
+    agree(T, least >= 1);
+}
+/*
+:::{claim} convex_polygon_has_a_stationary_leg
+:title: A convex curve with a strictly convex control polygon, and a leg all of whose points satisfy the condition
+:zh: 控制多边形严格凸的曲线,其多边形族有满足包络条件的整条边
+:kind: counterexample
+:given: $k=4$, $n=5$, the knots $t_i=i$, domain $[4,6]$, weights 1; with $s=t-\frac92$ the curve is $(s,1-6s+12s^2)$
+  on $[4,5]$ and $(s,8s^3)$ on $[5,6]$, where $s>0$; the inflection $s=0$ of the second polynomial belongs to
+  $\tau=\frac92$ of the first span
+:then: every corner of the control polygon is a strict left turn and $\mathbf r'\times\mathbf r''>0$ on both closed
+  spans; for $\tau=\frac92$ and $t=\frac{11}2$ the condition of the envelope is satisfied at $(\frac13,0)$, which is
+  not on the curve
+:method: The points are values of the polar forms; the two polar forms are found to agree for the three points that
+  both segments use.  The signs are decided: of the determinants of neighbouring edges, and of polynomials.  Then the
+  condition by the family of the second span at $t=\frac{11}2$; then $Y$ is compared with the ordinate of the curve
+  where $x(t)=X$, at $t=X+\frac92$.
+:control: $\tau=t$
+:::
+*/
+CLAIM(convex_polygon_has_a_stationary_leg)
+{
+    num u[9], R[10], w[5], X[2], t = from_ratio(11, 2), tau = T->planted ? t : from_ratio(9, 2), x[3], at[2];
+    num first[4] = {from_int(1), from_int(-6), from_int(12), from_int(0)};
+    num second[4] = {from_int(0), from_int(0), from_int(0), from_int(8)};
+    num line[4] = {from_int(0), from_int(1), from_int(0), from_int(0)};
+    for (int i = 0; i < 9; i++)
+        u[i] = from_int(i + 1);
+    for (int i = 0; i < 5; i++) {
+        for (int m = 0; m < 3; m++)
+            x[m] = sub(u[i + 1 + m], from_ratio(9, 2));
+        w[i] = from_int(1);
+        R[2 * i] = G(polar_of_powers)(3, line, x);
+        R[2 * i + 1] = G(polar_of_powers)(3, i < 4 ? first : second, x);
+        if ((i == 1 || i == 2 || i == 3) && !equal_q(R[2 * i + 1], G(polar_of_powers)(3, second, x)))
+            return;
+    }
+    show_points(T, "t_i", 9, 1, u);
+    show_points(T, "r_i", 5, 2, R);
+    for (int i = 0; i + 2 < 5; i++) {
+        num a[2] = {sub(R[2 * i + 2], R[2 * i]), sub(R[2 * i + 3], R[2 * i + 1])};
+        num b[2] = {sub(R[2 * i + 4], R[2 * i + 2]), sub(R[2 * i + 5], R[2 * i + 3])};
+        if (sign_q(G(cross2)(a, b)) <= 0)
+            return;
+    }
+    if (!G(turns_left_on_span)(3, u, 3, R) || !G(turns_left_on_span)(3, u, 4, R) ||
+        !G(pair_of_the_envelope)(T, 3, 2, u, 4, R + 2, w + 1, 2, tau, t, X))
+        return;
+    num place = add(X[0], from_ratio(9, 2));
+    G(deboor)(3, 2, u, compare_q(place, from_int(5)) < 0 ? 3 : 4, R, place, at);
+    about(T, "the ordinates of the point and of the curve there");
+    same(T, X[1], at[1]);
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,513 @@
+/*
+# Marsden's identity (Marsden 恒等式)
+
+A power $(x-t)^{k-1}$ is a combination of the $k$ B-splines of a span, with coefficients that are products of linear
+factors: the knots inside the support of the function, put into $x-t$ one by one.  Everything that a basis has to be able
+to do follows from it: it reproduces the powers of $t$, hence all polynomials.
+
+:::{statement} wang-ch4:formula-4.4.14
+:title: The coefficients of Marsden's identity
+:zh: Marsden 系数 ω
+:printed: \omega_{i,k}(x)=1\ (k=1),\qquad\omega_{i,k}(x)=(x-t_{i+1})(x-t_{i+2})\cdots(x-t_{i+k-1})\ (k>1)
+:definition: yes
+:checked-by: marsden_coefficients_vanish_at_inner_knots
+
+For $k=1$ it is the empty product.
+:::
+
+:::{statement} wang-ch4:thm-4.4.2
+:title: Marsden's identity
+:zh: 定理 4.4.2 Marsden 恒等式
+:printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad t\in[t_r,t_{r+1}),\ \text{all }x
+:holds-by: marsden_identity marsden_identity_for_every_pattern
+:needs: marsden_identity_ends_with_the_span | $t$ lies in the span whose functions are summed
+:figure: marsden_identity
+:::
+
+:::{statement} wang-ch4:formula-4.4.13
+:title: The identity as one of polynomials in x and t
+:zh: 恒等式作为 x 与 t 的多项式恒等式
+:printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
+:holds-by: marsden_identity marsden_identity_up_to_order_eight
+
+With the polynomials of the span in the places of the $N_{i,k}$ it holds for all $t$, not in the span alone.
+:::
+
+:::{claim} marsden_coefficients_vanish_at_inner_knots
+:title: The kernel's coefficients are the products of x minus the inner knots
+:zh: ω 的系数与零点
+:given: orders $k=p+1$, the 2k knots and $x$ variables
+:then: `marsden_coefficients` gives $\sum_j(-1)^j\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,x^{k-1-j}$, with $\mathrm{Sym}_j$ the
+  sum over all subsets of $j$ knots
+:method: The product of the kernel against the sum over the $2^{k-1}$ subsets of the inner knots.
+:degrees: 0..6 sampled 8
+:defines: marsden_coefficients
+:control: the knots $t_i,\dots,t_{i+k-2}$ in the place of $t_{i+1},\dots,t_{i+k-1}$
+:::
+
+:::{claim} elementary_symmetric_is_sum_over_subsets
+:title: The elementary symmetric functions are sums over subsets
+:zh: 初等对称函数
+:given: $n$ variables $x_1,\dots,x_n$
+:then: `elementary_symmetric` gives for each $j$ the sum over all $i_1<\dots<i_j$ of $x_{i_1}\cdots x_{i_j}$
+:method: The kernel multiplies linear factors one by one; the other side goes through the $2^n$ subsets.
+:degrees: 0..7 sampled 12
+:defines: elementary_symmetric
+:control: the last variable taken twice
+:::
+
+:::{claim} marsden_identity
+:title: Marsden's identity for knots, x and t as variables
+:zh: Marsden 恒等式(节点为变量)
+:given: orders $k=p+1$, simple knots, all variables; $x$ and $t$ variables
+:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
+:method: The B-splines by their definition.  On the span they are rational functions of the knots whose denominators are
+  differences of knots on its two sides; so the identity holds for coincident knots as well.
+:degrees: 0..5 sampled 7
+:control: the coefficient of the first function left out
+:::
+
+:::{claim} marsden_identity_for_every_pattern
+:title: Marsden's identity for coincident knots
+:zh: 重节点下的 Marsden 恒等式
+:given: every pattern of the 2k knots around a span up to the order 4, the different knots, $x$ and $t$ variables; for
+  greater orders random patterns in rationals
+:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
+:method: As for simple knots, with the rule $0/0=0$ in the definition of the B-splines.
+:degrees: 0..3 sampled 7
+:control: $x$ and $t$ exchanged on the right
+:::
+
+:::{claim} marsden_identity_up_to_order_eight
+:title: Marsden's identity for greater orders
+:zh: 高阶 Marsden 恒等式
+:given: orders $k=p+1$ from 1 to 8, $x$, $t$ and $t_r$ variables; the other knots equidistant around $t_r$, or all equal on
+  each side
+:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
+:method: The B-splines from the kernel of the basis, at a variable $t$.
+:degrees: 0..7 sampled 12
+:control: the coefficient of the last function left out
+:::
+*/
+#include "chapters/nurbs/spans.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* Sym_j(x_0, ..., x_{n-1}) as the sum over all subsets of j elements. */
+static num G(symmetric_sum)(int n, const num x[], int j)
+{
+    num sum = from_int(0);
+    for (int S = 0; S < 1 << n; S++) {
+        num product = from_int(1);
+        int size = 0;
+        for (int m = 0; m < n; m++)
+            if (S >> m & 1) {
+                product = mul(product, x[m]);
+                size++;
+            }
+        if (size == j)
+            sum = add(sum, product);
+    }
+    return sum;
+}
+
+/* omega_{i,k}(x) by its letter. */
+static num G(omega)(const struct G(span) * S, int i, int k, num x)
+{
+    num product = from_int(1);
+    for (int m = i + 1; m <= i + k - 1; m++)
+        product = mul(product, sub(x, S->t[m]));
+    return product;
+}
+
+CLAIM(marsden_coefficients_vanish_at_inner_knots)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num x = unknown(T, "x", 0), w[LARGEST_ORDER];
+    G(marsden_coefficients)(k - 1, S.t, S.r, x, w);
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        for (int j = 0; j < k; j++) {
+            num term = mul(G(symmetric_sum)(k - 1, S.t + i + !T->planted, j), G(power)(x, k - 1 - j));
+            sum = add(sum, G(signed_by)(j, term));
+        }
+        same(T, w[i], sum);
+    }
+}
+
+CLAIM(elementary_symmetric_is_sum_over_subsets)
+{
+    int n = T->degree;
+    num x[13], s[13];
+    for (int m = 0; m < n; m++)
+        x[m] = unknown(T, "x", T->planted && m == n - 1 ? 0 : m);
+    G(elementary_symmetric)(n, x, s);
+    for (int m = 0; T->planted && m < n; m++)
+        x[m] = unknown(T, "x", m);
+    for (int j = 0; j <= n; j++)
+        same(T, s[j], G(symmetric_sum)(n, x, j));
+}
+
+CLAIM(marsden_identity)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num x = unknown(T, "x", 0), t = parameter(T, "t"), sum = from_int(0);
+    for (int i = T->planted; i < k; i++)
+        sum = add(sum, mul(G(omega)(&S, i, k, x), G(basis_value)(&S, i, k, t)));
+    same(T, sum, G(power)(sub(x, t), k - 1));
+}
+
+CLAIM(marsden_identity_for_every_pattern)
+{
+    int k = T->degree + 1;
+    num knots[2 * LARGEST_ORDER], x = unknown(T, "x", 0), t = parameter(T, "t"), w[LARGEST_ORDER];
+    G(increasing)(T, 2 * k, knots);
+    for (int count = k <= 4 ? G(patterns)(k) : 3, m = 0; m < count; m++) {
+        struct G(span) S = G(span_of_pattern)(k, k <= 4 ? m : pick(T, 0, G(patterns)(k) - 1), knots);
+        num sum = from_int(0);
+        G(marsden_coefficients)(k - 1, S.t, S.r, x, w);
+        for (int i = 0; i < k; i++)
+            sum = add(sum, mul(w[i], G(basis_value)(&S, i, k, t)));
+        same(T, sum, G(power)(T->planted ? sub(t, x) : sub(x, t), k - 1));
+    }
+}
+
+CLAIM(marsden_identity_up_to_order_eight)
+{
+    int p = T->degree;
+    num knots[32], N[16], w[16], x = unknown(T, "x", 0), t = parameter(T, "t"), start = unknown(T, "a", 0);
+    for (int equal = 0; equal <= 1; equal++) {
+        for (int m = 0; m < 2 * p + 2; m++)
+            knots[m] = add(start, from_int(equal ? m > p : m - p));
+        num sum = from_int(0);
+        G(bspline_basis)(p, knots, p, t, N);
+        G(marsden_coefficients)(p, knots, p, x, w);
+        for (int i = 0; i <= p - T->planted; i++)
+            sum = add(sum, mul(w[i], N[i]));
+        same(T, sum, G(power)(sub(x, t), p));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} marsden_identity_ends_with_the_span
+:title: Outside the span the same k functions do not suffice
+:zh: 区间外恒等式不成立
+:kind: counterexample
+:given: $k=2$, knots $0,1,2,3,4$, the functions $N_{0,2}$ and $N_{1,2}$ of the span $[1,2)$, at $t=\frac52$ of the next
+  span, $x=0$
+:then: $\sum\omega_iN_i(t)=-2\cdot\frac12=-1$, but $(x-t)^{1}=-\frac52$
+:method: The values of the functions at $t$ are those of the span that contains $t$: $N_{0,2}=0$, $N_{1,2}=\frac12$.
+:control: $t=\frac32$
+:::
+*/
+CLAIM(marsden_identity_ends_with_the_span)
+{
+    num knots[5], t = from_ratio(T->planted ? 3 : 5, 2), x = from_int(0), sum = from_int(0);
+    int place[5];
+    for (int m = 0; m < 5; m++) {
+        knots[m] = from_int(m);
+        place[m] = m;
+    }
+    for (int i = 0; i < 2; i++) {
+        num N = G(cox_de_boor)(1, knots, place, i, T->planted ? 1 : 2, t);
+        sum = add(sum, mul(sub(x, knots[i + 1]), N));
+        show(T, i == 0 ? "N_{0,2}(t)" : "N_{1,2}(t)", N);
+    }
+    show(T, "t", t);
+    about(T, "the sum over the functions of [1,2), and x - t");
+    same(T, sum, sub(x, t));
+}
+#endif
+
+/*
+## The proof (证明)
+
+The proof takes the recursion of Cox and de Boor from the functions to the coefficients: one level less for the functions
+is one level of de Boor's algorithm for the coefficients.
+
+:::{statement} wang-ch4:thm-4.4.2-order-1
+:title: For k = 1 the identity is obvious
+:zh: k=1 时恒等式显然
+:printed: k=1:\quad(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)
+:holds-by: marsden_identity
+:::
+
+:::{statement} wang-ch4:formula-4.4.15
+:title: One level of the recursion, moved to the coefficients
+:zh: 递推转移到系数
+:printed: \sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t),\quad
+  W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
+:holds-by: one_level_moves_to_the_coefficients
+:needs: one_level_needs_the_span | the functions at the ends, $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish on the span
+
+The denominators that occur are differences of knots on the two sides of the span.
+:::
+
+:::{statement} wang-ch4:thm-4.4.2-step-omega
+:title: For the coefficients of the identity one level takes off a factor
+:zh: ω 经一层递推降一阶
+:printed: W_i^0=\omega_{i,k}(x)\ \Rightarrow\ W_i^1=(x-t)\,\omega_{i,k-1}(x)
+:holds-by: one_level_takes_off_a_factor
+
+The second index of $\omega$ is an iota in the source; the order $k$ is meant: with $\omega_{i,1}=1$ the left side is the
+constant 1.
+:::
+
+:::{statement} wang-ch4:thm-4.4.2-step-chain
+:title: The chain of the proof
+:zh: 逐层递推的等式链
+:printed: \sum_{i=r-k+1}^r\omega_{i,k}N_{i,k}=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}N_{i,k-1}=\dots=(x-t)^{k-1}\omega_{r,1}
+  N_{r,1}=(x-t)^{k-1}
+:holds-by: every_link_of_the_chain
+:::
+
+:::{claim} one_level_moves_to_the_coefficients
+:title: The level of the coefficients is that of de Boor's algorithm
+:zh: 系数的一层递推即 de Boor 算法
+:given: orders $k\ge2$, simple knots, $t$ and arbitrary numbers $W_{r-k+1}^0,\dots,W_r^0$, all variables; moreover every
+  pattern of the knots up to the order 3
+:then: $\sum W_i^0N_{i,k}(t)=\sum W_i^1N_{i,k-1}(t)$ with the printed $W_i^1$ and the printed limits
+:method: All functions by their definition.
+:degrees: 1..4 sampled 7
+:control: the two fractions in $W_i^1$ exchanged
+:::
+
+:::{claim} one_level_takes_off_a_factor
+:title: The level applied to the products
+:zh: 对 ω 施行一层递推
+:given: orders $k\ge2$, knots, $x$ and $t$ variables
+:then: $\frac{t-t_i}{t_{i+k-1}-t_i}\omega_{i,k}(x)+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}\omega_{i-1,k}(x)=(x-t)\,
+  \omega_{i,k-1}(x)$ for $i=r-k+2,\dots,r$
+:method: Both sides are products and a sum of two products.
+:degrees: 1..6 sampled 8
+:control: $\omega_{i+1,k-1}$ on the right
+:::
+
+:::{claim} every_link_of_the_chain
+:title: Every link of the chain
+:zh: 等式链逐环成立
+:given: orders $k=p+1$, simple knots, $x$ and $t$ variables
+:then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
+:method: Each sum by itself, from the definitions.
+:degrees: 0..4 sampled 7
+:control: the sums begin at $i=r-m+2$
+:::
+*/
+static num G(level_of_coefficients)(const struct G(span) * S, int i, int k, const num W[], num t, int exchanged)
+{
+    num length = sub(S->t[i + k - 1], S->t[i]);
+    num rise = div(sub(t, S->t[i]), length), fall = div(sub(S->t[i + k - 1], t), length);
+    return exchanged ? add(mul(fall, W[i]), mul(rise, W[i - 1])) : add(mul(rise, W[i]), mul(fall, W[i - 1]));
+}
+
+CLAIM(one_level_moves_to_the_coefficients)
+{
+    int k = T->degree + 1;
+    num knots[2 * LARGEST_ORDER], W[LARGEST_ORDER], t = parameter(T, "t");
+    G(increasing)(T, 2 * k, knots);
+    for (int i = 0; i < k; i++)
+        W[i] = unknown(T, "W", i);
+    int last = G(patterns)(k) - 1;
+    for (int m = k <= 3 ? 0 : last; m <= last; m++) {
+        struct G(span) S = G(span_of_pattern)(k, m, knots);
+        num left = from_int(0), right = from_int(0);
+        for (int i = S.r - k + 1; i <= S.r; i++)
+            left = add(left, mul(W[i], G(basis_value)(&S, i, k, t)));
+        for (int i = S.r - k + 2; i <= S.r; i++) {
+            num W1 = G(level_of_coefficients)(&S, i, k, W, t, T->planted);
+            right = add(right, mul(W1, G(basis_value)(&S, i, k - 1, t)));
+        }
+        same(T, left, right);
+    }
+}
+
+CLAIM(one_level_takes_off_a_factor)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num x = unknown(T, "x", 0), t = parameter(T, "t"), W[LARGEST_ORDER];
+    for (int i = 0; i < k; i++)
+        W[i] = G(omega)(&S, i, k, x);
+    for (int i = S.r - k + 2; i <= S.r; i++)
+        same(T, G(level_of_coefficients)(&S, i, k, W, t, 0),
+             mul(sub(x, t), G(omega)(&S, i + (T->planted && k > 2), k - 1, x)));
+}
+
+CLAIM(every_link_of_the_chain)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num x = unknown(T, "x", 0), t = parameter(T, "t");
+    for (int m = k; m >= 1; m--) {
+        num sum = from_int(0);
+        for (int i = S.r - m + 1 + T->planted; i <= S.r; i++)
+            sum = add(sum, mul(G(omega)(&S, i, m, x), G(basis_value)(&S, i, m, t)));
+        same(T, mul(G(power)(sub(x, t), k - m), sum), G(power)(sub(x, t), k - 1));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} one_level_needs_the_span
+:title: Outside the span the sums of one level differ
+:zh: 区间外一层递推不成立
+:kind: counterexample
+:given: $k=2$, knots $0,1,2,3,4$, the functions of the span $[1,2)$, $W_0^0=W_1^0=1$, at $t=\frac52$
+:then: the left side is $N_{0,2}(t)+N_{1,2}(t)=\frac12$, the right side $W_1^1N_{1,1}(t)=0$
+:method: The functions at $t$ are those of the span that contains $t$.
+:control: $t=\frac32$
+:::
+*/
+CLAIM(one_level_needs_the_span)
+{
+    num knots[5], t = from_ratio(T->planted ? 3 : 5, 2);
+    int place[5], interval = T->planted ? 1 : 2;
+    for (int m = 0; m < 5; m++) {
+        knots[m] = from_int(m);
+        place[m] = m;
+    }
+    num left = add(G(cox_de_boor)(1, knots, place, 0, interval, t), G(cox_de_boor)(1, knots, place, 1, interval, t));
+    num right = G(cox_de_boor)(0, knots, place, 1, interval, t); /* W_1^1 = 1 when both W^0 are 1 */
+    show(T, "t", t);
+    about(T, "the two sides of (4.4.15)");
+    same(T, left, right);
+}
+#endif
+
+/*
+## The powers of t
+
+Comparing the coefficients of the powers of $x$ on both sides gives the powers of $t$ as combinations of B-splines.
+
+:::{statement} wang-ch4:formula-4.4.20
+:title: The powers of t in the B-spline basis
+:zh: 幂函数由 B 样条基表示
+:printed: t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t),\quad\mu=0,\dots,k-1
+:holds-by: powers_of_t_from_derivatives
+:::
+
+:::{statement} wang-ch4:formula-4.4.21
+:title: The same in matrix form
+:zh: 矩阵形式
+:printed: (1,t,\dots,t^{k-1})=(N_{r-k+1,k}(t),\dots,N_{r,k}(t))\,\mathbf G_{r,k,T}^T
+:holds-by: powers_of_t_from_derivatives
+:::
+
+:::{statement} wang-ch4:formula-4.4.22
+:title: The powers of t with symmetric functions of the knots
+:zh: 用对称函数表示的幂函数公式
+:printed: t^j=\sum_{i=r-k+1}^r\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,N_{i,k}(t)\Big/\binom{k-1}j,\quad t\in[t_r,t_{r+1})
+:holds-by: powers_of_t_from_symmetric_functions
+:figure: powers_from_averages
+
+For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
+:::
+
+:::{statement} wang-ch4:formula-4.4.22-sym
+:title: The symmetric functions
+:zh: 第 j 个对称函数
+:printed: \mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})=\sum_{i+1\le i_1<\dots<i_j\le i+k-1}t_{i_1}\cdots t_{i_j}
+:definition: yes
+:checked-by: elementary_symmetric_is_sum_over_subsets
+
+For $j=0$ the sum has one term, the empty product 1.
+:::
+
+:::{statement} wang-ch4:formula-4.4.22-step
+:title: The derivatives of omega at 0 are symmetric functions
+:zh: ω 在 0 处的导数与对称函数
+:printed: \omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})
+:holds-by: derivatives_of_omega_are_symmetric
+:::
+
+:::{claim} powers_of_t_from_derivatives
+:title: The powers of t from the derivatives of omega at 0
+:zh: 由 ω 的导数得幂函数
+:given: orders $k=p+1$, simple knots and $t$ variables
+:then: (4.4.20) for every $\mu$; its right sides are the entries of $(N_{r-k+1,k},\dots,N_{r,k})\,G^T$ with $G=(g_{\mu i})$
+:method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
+:types: field
+:degrees: 0..5
+:control: the sign $(-1)^\mu$ left out
+:::
+
+:::{claim} powers_of_t_from_symmetric_functions
+:title: The powers of t from the symmetric functions of the knots
+:zh: 由对称函数得幂函数
+:given: orders $k=p+1$, every pattern of the knots up to the order 3, else simple knots; knots and $t$ variables
+:then: (4.4.22) for every $j$
+:method: The symmetric functions as sums over subsets, the B-splines by definition.
+:degrees: 0..4 sampled 7
+:control: the knots $t_i,\dots,t_{i+k-2}$
+:::
+
+:::{claim} derivatives_of_omega_are_symmetric
+:title: The derivative of order k-1-j of omega at 0
+:zh: ω 的 k-1-j 阶导数
+:given: orders $k=p+1$, knots variables
+:then: $\omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j$
+:method: The formal derivative in the field against the sum over subsets.
+:types: field
+:degrees: 0..6
+:control: the sign $(-1)^j$ left out
+:::
+*/
+#if FIELD
+static num G(omega_derivative)(const struct G(span) * S, int i, int order)
+{
+    num x = variable_f("x"), D = G(omega)(S, i, S->k, x);
+    for (int m = 0; m < order; m++)
+        D = derivative_f(D, x);
+    return substitute_f(D, x, from_int(0));
+}
+
+CLAIM(powers_of_t_from_derivatives)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num t = parameter(T, "t"), N[LARGEST_ORDER];
+    for (int i = 0; i < k; i++)
+        N[i] = G(basis_value)(&S, i, k, t);
+    for (int mu = 0; mu < k; mu++) {
+        num sum = from_int(0);
+        for (int i = 0; i < k; i++)
+            sum = add(sum, mul(G(omega_derivative)(&S, i, k - 1 - mu), N[i]));
+        sum = mul(div(G(factorial)(mu), G(factorial)(k - 1)), sum);
+        same(T, G(power)(t, mu), G(signed_by)(T->planted ? 0 : mu, sum));
+    }
+}
+
+CLAIM(derivatives_of_omega_are_symmetric)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    for (int i = 0; i < k; i++)
+        for (int j = 0; j < k; j++) {
+            num size = mul(G(factorial)(k - 1 - j), G(symmetric_sum)(k - 1, S.t + i + 1, j));
+            same(T, G(omega_derivative)(&S, i, k - 1 - j), G(signed_by)(T->planted ? 0 : j, size));
+        }
+}
+#endif
+
+CLAIM(powers_of_t_from_symmetric_functions)
+{
+    int k = T->degree + 1;
+    num knots[2 * LARGEST_ORDER], t = parameter(T, "t");
+    G(increasing)(T, 2 * k, knots);
+    int last = G(patterns)(k) - 1;
+    for (int m = k <= 3 ? 0 : last; m <= last; m++) {
+        struct G(span) S = G(span_of_pattern)(k, m, knots);
+        for (int j = 0; j < k; j++) {
+            num sum = from_int(0);
+            for (int i = 0; i < k; i++) {
+                num Sym = G(symmetric_sum)(k - 1, S.t + i + !T->planted, j);
+                sum = add(sum, mul(Sym, G(basis_value)(&S, i, k, t)));
+            }
+            same(T, G(power)(t, j), div(sum, G(choose)(k - 1, j)));
+        }
+    }
+}
+#include "chapters/frame/claims_off.h"

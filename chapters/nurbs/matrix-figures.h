@@ -1,0 +1,48 @@
+/* matrix-figures.h -- what the drawings of coefficient matrices and of B-splines in powers have in common. */
+#ifndef CAGD_MATRIX_FIGURES_H
+#define CAGD_MATRIX_FIGURES_H
+
+#include "chapters/frame/figure.h"
+#include "exact/kernels_q.h"
+#include "figures/svg.h"
+
+enum { MOST_ENTRIES = 64 };
+
+static inline num_q q(long m) { return from_int_q(m); }
+static inline num_q r(long m, long n) { return from_ratio_q(m, n); }
+static inline svg_point at(num_q x, num_q y) { return (svg_point){x, y}; }
+static inline svg_window window(num_q x0, num_q y0, num_q x1, num_q y1) { return (svg_window){x0, y0, x1, y1}; }
+
+/* P[k] = m[k] / unit */
+static inline void fractions(int count, const int m[], long unit, num_q P[])
+{
+    for (int k = 0; k < count; k++)
+        P[k] = r(m[k], unit);
+}
+
+/* A panel with the k x k matrix A, in cells of the given width. */
+static inline void put_matrix(svg *s, int k, const num_q A[], int cell, const char *caption)
+{
+    svg_panel(s, svg_integer_window(0, 0, k, k), cell * k, 0, caption);
+    svg_heat(s, k, k, A);
+}
+
+/* The graph over [a, b] of c_0 + c_1 u + ... + c_p u^p with u = (t-a)/(b-a), p >= 1. */
+static inline void put_polynomial(svg *s, int p, const num_q c[], num_q a, num_q b, enum svg_role role)
+{
+    num_q y[MOST_ENTRIES], P[2 * MOST_ENTRIES];
+    power_to_bernstein_q(p, c, y);
+    for (int i = 0; i <= p; i++) {
+        P[2 * i] = add_q(a, mul_q(r(i, p), sub_q(b, a)));
+        P[2 * i + 1] = y[i];
+    }
+    svg_bezier(s, p, P, role);
+}
+
+/* out = column c of the (p+1) x (p+1) matrix A times a factor. */
+static inline void column_of(int p, const num_q A[], int c, num_q factor, num_q out[])
+{
+    for (int j = 0; j <= p; j++)
+        out[j] = mul_q(factor, A[j * (p + 1) + c]);
+}
+#endif

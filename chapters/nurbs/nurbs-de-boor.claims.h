@@ -1,0 +1,434 @@
+/*
+# De Boor's algorithm with weights (递推求值)
+
+On an interval $[t_j,t_{j+1})$ the point of parameter $t$ is reached from $r_{j-k+1},\dots,r_j$ in $k-1$ levels.  Each level
+divides the edges of the polygon before; the ratio in which an edge is divided is that of de Boor's algorithm, multiplied by the
+ratio of the weights at its ends.
+
+## The recursion
+
+:::{statement} wang-ch4:formula-4.1.3
+:title: The weights of the levels
+:zh: 各层的权因子
+:definition: yes
+:printed: w_i^{[0]}=w_i,\quad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
+  w_{i-1}^{[r-1]}(t),\quad r=1,\dots,k-1,\ i=j-k+r+1,\dots,j
+:checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
+
+The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t)=w(t)$.
+:::
+
+:::{statement} wang-ch4:formula-4.1.4
+:title: The points of the levels
+:zh: 各层的顶点
+:definition: yes
+:printed: r_i^{[0]}=r_i,\quad r_i^{[r]}(t)=\frac{(t-t_i)w_i^{[r-1]}r_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}r_{i-1}^{[r-1]}}
+  {(t-t_i)w_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}},\quad r=1,\dots,k-1,\ i=j-k+r+1,\dots,j
+:checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
+:needs: weight_of_a_level_may_vanish | positive weights: otherwise a weight of a level may vanish and stop the algorithm, where the
+  curve has a point
+:::
+
+:::{statement} wang-ch4:formula-4.1.5
+:title: The last point of the recursion is the point of the curve
+:zh: 递推的最后一点即曲线上的点
+:printed: r(t)=r_i^{[k-1]}(t)
+:holds-by: rational_triangle_gives_the_point
+:reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$: true
+:figure: deboor_triangle
+
+Better with $j$ in the place of $i$, as $i$ has been running up to here.
+:::
+
+:::{claim} rational_triangle_follows_the_recursion
+:title: The levels of the kernel are those of (4.1.3) and (4.1.4)
+:zh: 核函数各层即 (4.1.3)、(4.1.4)
+:given: an interval between simple knots, values variables; weights and points of the plane, any $t$; every level
+:then: `nurbs_deboor_level`, level after level, gives $w_i^{[r]}$ and $r_i^{[r]}$; the last point and weight of the level before
+  stay where they were
+:method: The kernel against the two recursions by their letter, in the indices of the source.
+:degrees: 1..3 sampled 7
+:defines: nurbs_deboor_level
+:control: the last level is given the weights 1
+:::
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* (4.1.3) by its letter: w_i^[r](t), indices from 1, order k. */
+static num G(printed_weight)(int k, const num u[], const num w[], int r, int i, num t)
+{
+    if (r == 0)
+        return w[i - 1];
+    num from = u[i - 1], to = u[i + k - r - 1], length = sub(to, from);
+    return add(mul(div(sub(t, from), length), G(printed_weight)(k, u, w, r - 1, i, t)),
+               mul(div(sub(to, t), length), G(printed_weight)(k, u, w, r - 1, i - 1, t)));
+}
+
+/* (4.1.4) by its letter: coordinate c of r_i^[r](t). */
+static num G(printed_point)(int k, int dim, const num u[], const num R[], const num w[], int r, int i, int c, num t)
+{
+    if (r == 0)
+        return R[(i - 1) * dim + c];
+    num a = mul(sub(t, u[i - 1]), G(printed_weight)(k, u, w, r - 1, i, t));
+    num b = mul(sub(u[i + k - r - 1], t), G(printed_weight)(k, u, w, r - 1, i - 1, t)), sum = add(a, b);
+    return add(mul(div(a, sum), G(printed_point)(k, dim, u, R, w, r - 1, i, c, t)),
+               mul(div(b, sum), G(printed_point)(k, dim, u, R, w, r - 1, i - 1, c, t)));
+}
+
+CLAIM(rational_triangle_follows_the_recursion)
+{
+    int p = T->degree, k = p + 1, j = k;
+    num u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS], t = unknown(T, "t", 0);
+    G(distinct_knots)(T, 2 * k, u);
+    G(weighted_points)(T, k, 2, R, w);
+    for (int m = 0; m < k; m++) {
+        v[m] = w[m];
+        P[2 * m] = R[2 * m];
+        P[2 * m + 1] = R[2 * m + 1];
+    }
+    for (int r = 1; r <= p; r++) {
+        int points = k - r; /* after this level */
+        num last = v[points], end[2] = {P[2 * points], P[2 * points + 1]};
+        for (int m = 0; T->planted && r == p && m <= points; m++)
+            v[m] = last = from_int(1);
+        G(nurbs_deboor_level)(p, 2, u, j - 1, r, P, v, t);
+        for (int m = 0; m < points; m++) {
+            int i = j - k + r + 1 + m;
+            about(T, "w_i^[r]");
+            same(T, v[m], G(printed_weight)(k, u, w, r, i, t));
+            about(T, "r_i^[r]");
+            for (int c = 0; c < 2; c++)
+                same(T, P[2 * m + c], G(printed_point)(k, 2, u, R, w, r, i, c, t));
+        }
+        about(T, "the last of the level before");
+        same(T, v[points], last);
+        for (int c = 0; c < 2; c++)
+            same(T, P[2 * points + c], end[c]);
+    }
+}
+
+/*
+:::{claim} rational_triangle_gives_the_point
+:title: After k-1 levels the point of the curve is reached
+:zh: k-1 层之后得到曲线上的点
+:given: every pattern of knots of the list, values variables; every interval $[t_j,t_{j+1})$ of the domain; weights, points, any
+  $t$
+:then: $r_j^{[k-1]}(t)=r(t)$ and $w_j^{[k-1]}(t)=w(t)$, by the recursion and by the kernel
+:method: The recursions by their letter, and the kernel, against the sums of all terms of (4.1.2).  Both sides are rational functions
+  of $t$: at the right end of a closed interval the recursion gives the limit from the left.
+:degrees: 1..3 sampled 6
+:defines: nurbs_deboor
+:control: the point $r_{j-1}^{[k-2]}(t)$
+:::
+*/
+static const char *const G(kinds)[][4] = {
+    {NULL},
+    {"1111", "222", "1221", NULL},
+    {"11111", "323", "2112", NULL},
+    {"1111111", "434", "42124", NULL},
+    {"515", "12222", NULL},
+    {"66", "61326", NULL},
+    {"727", NULL},
+};
+
+CLAIM(rational_triangle_gives_the_point)
+{
+    int p = T->degree, k = p + 1, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], point, out, t = unknown(T, "t", 0);
+    for (int m = 0; G(kinds)[p][m] != NULL; m++) {
+        const char *pattern = G(kinds)[p][m];
+        G(distinct_knots)(T, (int)strlen(pattern), x);
+        int count = G(knots_at)(pattern, x, u, place), n = count - k;
+        G(weighted_points)(T, n, 1, R, w);
+        for (int interval = place[p]; interval < place[n]; interval++) {
+            int j = G(span_of_interval)(count, place, interval) + 1;
+            num total = G(nurbs_by_definition)(n, p, 1, u, place, R, w, interval, t, &point);
+            about(T, "the point by the recursion");
+            int r = T->planted ? p - 1 : p, i = T->planted ? j - 1 : j;
+            same(T, G(printed_point)(k, 1, u, R, w, r, i, 0, t), point);
+            about(T, "the weight by the recursion");
+            same(T, G(printed_weight)(k, u, w, r, i, t), total);
+            about(T, "the point by the kernel");
+            G(nurbs_deboor)(p, 1, u, j - 1, R, w, t, &out);
+            same(T, out, point);
+        }
+    }
+}
+
+/*
+:::{claim} divisors_contain_the_span
+:title: In the printed ranges no divisor vanishes
+:zh: 所列指标范围内分母不为零
+:kind: decision
+:given: order $k$, $r=1,\dots,k-1$, $i=j-k+r+1,\dots,j$
+:then: $i\le j<j+1\le i+k-r$: the interval $[t_i,t_{i+k-r}]$ contains $[t_j,t_{j+1}]$, so that the divisor is at least
+  $t_{j+1}-t_j>0$, whatever knots coincide outside; and for $i=j-k+r$ it does not contain it
+:method: All indices of the ranges.  For every $k$: $i\le j$ is the upper end of the range, $i+k-r\ge j+1$ the lower one.
+:degrees: 1..24
+:control: the range begun at $i=j-k+r$
+:::
+*/
+#if RATIONAL
+CLAIM(divisors_contain_the_span)
+{
+    int k = T->degree + 1, j = 3 * k;
+    for (int r = 1; r < k; r++) {
+        int lowest = j - k + r + 1;
+        for (int i = T->planted ? lowest - 1 : lowest; i <= j; i++)
+            agree(T, i <= j && j + 1 <= i + k - r);
+        agree(T, lowest - 1 + k - r < j + 1);
+    }
+}
+#endif
+
+/*
+## Where it may be used
+
+:::{statement} wang-ch4:alg-4.1.1-interval
+:title: The interval of the algorithm
+:zh: 算法 4.1.1 的参数区间
+:printed: For any fixed $t\in[t_i,t_{i+1})$, $k\le j\le n$, compute recursively $w_i^{[r]}$, $r_i^{[r]}$,
+  $i=j-k+r+1,\dots,j$; then $r(t)$ is the last point
+:refuted-by: other_interval_gives_other_point
+:class: misprint
+:corrected: For any fixed $t\in[t_j,t_{j+1})$, $k\le j\le n$
+:corrected-by: rational_triangle_gives_the_point divisors_contain_the_span
+:reading: rational_triangle_gives_the_point | the index of the interval is the $j$ of the ranges: true
+:figure: wrong_interval
+
+As printed nothing ties $j$ to the interval that contains $t$.
+:::
+
+:::{statement} wang-ch4:alg-4.1.1-end
+:title: The algorithm reaches every point of the curve
+:zh: 算法适用于曲线上任意一点
+:printed: The algorithm is for the curve (4.1.2), $t_k\le t\le t_{n+1}$, and any fixed $t$ of an interval half-open on the right,
+  $k\le j\le n$
+:holds-by: rational_triangle_gives_the_point
+:hypothesis: end_is_in_no_interval | $t<t_{n+1}$, or the last interval that is not empty closed: none of the intervals contains
+  $t_{n+1}$
+:figure: missing_end
+:::
+
+:::{claim} other_interval_gives_other_point
+:title: With the j of another interval the recursion gives another point
+:zh: j 与 t 所在区间不符时得到另一点
+:kind: counterexample
+:given: $k=3$, $n=4$, $t_i=i$, points $(0,0),(1,2),(2,0),(3,2)$, weights $1,1,1,3$; $t=\frac72\in[t_3,t_4)$ and $j=4$, which is
+  in $k\le j\le n$
+:then: $r_4^{[2]}(\frac72)\ne r(\frac72)$: it is a point of the next segment, continued backwards
+:method: The recursion by its letter against the definition.
+:control: $j=3$
+:::
+
+:::{claim} end_is_in_no_interval
+:title: The right end of the curve is in none of the intervals
+:zh: 曲线右端参数不属于任一区间
+:kind: counterexample
+:given: $k=3$, $n=4$, knots $0,0,0,1,2,2,2$; $t=t_{n+1}=2$, a parameter of the curve
+:then: no $j$ with $k\le j\le n$ has $t_j\le t<t_{j+1}$
+:method: Every $j$.
+:control: the last interval $[t_4,t_5]=[1,2]$ closed
+:::
+
+:::{claim} weight_of_a_level_may_vanish
+:title: With a negative weight the algorithm may stop before the curve
+:zh: 权因子为负时递推可能中断
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1$, weights $1,-1,2$, $t=\frac12$
+:then: $w(\frac12)=\frac14$, so that the curve has a point, but $w_2^{[1]}(\frac12)=0$ and $r_2^{[1]}$ does not exist
+:method: The weights of the levels by the recursion.
+:control: the weights $1,1,2$
+:::
+*/
+#if RATIONAL
+CLAIM(other_interval_gives_other_point)
+{
+    static const int at[] = {0, 0, 1, 2, 2, 0, 3, 2}, weight[] = {1, 1, 1, 3};
+    num u[7], R[8], w[4], Q[2], P[2], t = from_ratio(7, 2);
+    int place[7], j = T->planted ? 3 : 4;
+    for (int i = 0; i < 7; i++) {
+        u[i] = from_int(i + 1);
+        place[i] = i;
+    }
+    for (int i = 0; i < 8; i++)
+        R[i] = from_int(at[i]);
+    for (int i = 0; i < 4; i++)
+        w[i] = from_int(weight[i]);
+    G(nurbs_by_definition)(4, 2, 2, u, place, R, w, 2, t, P);
+    for (int c = 0; c < 2; c++)
+        Q[c] = G(printed_point)(3, 2, u, R, w, 2, j, c, t);
+    show_points(T, "r", 4, 2, R);
+    show_points(T, "r(7/2)", 1, 2, P);
+    show_points(T, "the last point of the recursion", 1, 2, Q);
+    about(T, "the coordinates of the two points");
+    for (int c = 0; c < 2; c++)
+        same(T, Q[c], P[c]);
+}
+
+CLAIM(end_is_in_no_interval)
+{
+    static const int knot[] = {0, 0, 0, 1, 2, 2, 2};
+    int k = 3, n = 4, t = knot[n], contained = 0;
+    for (int j = k; j <= n; j++)
+        contained |= knot[j - 1] <= t && (t < knot[j] || (T->planted && j == n && t == knot[j]));
+    show_text(T, "t_{n+1}", "%d", t);
+    about(T, "an interval contains the end");
+    agree(T, contained);
+}
+
+CLAIM(weight_of_a_level_may_vanish)
+{
+    static const int knot[] = {0, 0, 0, 1, 1, 1};
+    num u[6], t = from_ratio(1, 2), w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(2)};
+    for (int i = 0; i < 6; i++)
+        u[i] = from_int(knot[i]);
+    num level = G(printed_weight)(3, u, w, 1, 2, t), total = G(printed_weight)(3, u, w, 2, 3, t);
+    show(T, "w_2^[1]", level);
+    show(T, "w(t)", total);
+    about(T, "if w(t) is not 0, then w_2^[1] is not 0");
+    agree(T, sign_q(total) == 0 || sign_q(level) != 0);
+}
+#endif
+
+/*
+## What it means (几何意义)
+
+:::{statement} wang-ch4:alg-4.1.1-corner-cutting
+:title: Geometrically the algorithm cuts the corners of the polygon in k-1 levels
+:zh: 几何意义为对控制多边形的 k-1 层割角
+:printed: Geometrically algorithm 4.1.1, too, means $k-1$ levels of corner cutting of the control polygon
+:holds-by: every_level_divides_its_edges weights_of_levels_are_positive
+:needs: negative_weight_divides_outside | positive weights: with others an edge may be divided outside
+:figure: deboor_triangle
+
+Level $r$ puts one point on each of the $k-r$ edges of the polygon of level $r-1$ that belongs to the interval.  At $t=t_j$ some
+points are the old ones: a ratio is $0$ where $t_i=t_j$.
+:::
+
+:::{statement} wang-ch4:alg-4.1.1-coefficients
+:title: The coefficients of the cutting depend on the weights, too
+:zh: 割角系数也与权因子有关
+:printed: The coefficients of corner cutting depend on the parameter $t$, the knots, the level $r$ and the number $i$ of the edge, and
+  also on the weights of the curve
+:holds-by: weights_enter_the_coefficients
+:figure: deboor_triangle
+
+With equal weights the coefficients are those of de Boor's algorithm, and conversely the edge $i$ of level $r$ is divided as without
+weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
+:::
+
+:::{claim} every_level_divides_its_edges
+:title: The points of a level divide the edges of the level before
+:zh: 各层顶点分割上一层的边
+:given: an interval between simple knots with any positive gaps, $t=t_j+(t_{j+1}-t_j)\frac s{1+s}$, $s>0$; positive weights
+:let: $\lambda=(t-t_i)w_i^{[r-1]}/[(t-t_i)w_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}]$
+:then: $r_i^{[r]}=(1-\lambda)\,r_{i-1}^{[r-1]}+\lambda\,r_i^{[r-1]}$ with $0\le\lambda\le1$, on every level
+:method: The kernel's levels; signs are read off coefficients in $s$, the gaps and the weights.
+:degrees: 1..3 sampled 6
+:control: $\lambda$ and $1-\lambda$ exchanged
+:::
+
+:::{claim} weights_of_levels_are_positive
+:title: The weights of all levels are positive
+:zh: 各层权因子均为正
+:given: every interval between simple knots with positive gaps, $t$ in it, positive weights
+:then: $w_i^{[r]}(t)>0$ for all $r$ and $i$ of the ranges
+:method: The recursion by its letter; signs are read off coefficients.
+:degrees: 1..3 sampled 6
+:control: all weights negative
+:::
+
+:::{claim} weights_enter_the_coefficients
+:title: The ratio of an edge is de Boor's ratio times the ratio of the weights
+:zh: 割角比等于 deBoor 割角比乘以权因子之比
+:given: $a$, the coefficient of de Boor's algorithm; the weights $v$, $w$ at the ends of the edge
+:let: $\lambda=a\,w/(a\,w+(1-a)\,v)$
+:then: $\frac\lambda{1-\lambda}=\frac a{1-a}\cdot\frac wv$, and $\lambda-a=a(1-a)(w-v)/(a\,w+(1-a)\,v)$
+:method: $\lambda$ as the level of the kernel divides an edge of length 1; $a$, $v$ and $w$ variables.
+:control: $v$ and $w$ exchanged
+:::
+*/
+CLAIM(every_level_divides_its_edges)
+{
+    int p = T->degree, k = p + 1, mu = p;
+    num u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS];
+    G(increasing_knots)(T, 2 * k, u);
+    G(weighted_points)(T, k, 2, R, w);
+    num t = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
+    for (int r = 1; r <= p; r++) {
+        for (int m = 0; m <= k - r; m++) {
+            v[m] = w[m];
+            P[2 * m] = R[2 * m];
+            P[2 * m + 1] = R[2 * m + 1];
+        }
+        G(nurbs_deboor_level)(p, 2, u, mu, r, R, w, t);
+        for (int m = 0; m < k - r; m++) {
+            int i = mu - p + r + m;
+            num right = mul(sub(t, u[i]), v[m + 1]), left = mul(sub(u[i + p + 1 - r], t), v[m]);
+            num lambda = div(T->planted ? left : right, add(left, right)), rest = sub(from_int(1), lambda);
+            about(T, "the ratio is in [0, 1]");
+            nonnegative(T, lambda);
+            nonnegative(T, rest);
+            about(T, "the new point");
+            for (int c = 0; c < 2; c++)
+                same(T, R[2 * m + c], add(mul(rest, P[2 * m + c]), mul(lambda, P[2 * m + 2 + c])));
+        }
+    }
+}
+
+CLAIM(weights_of_levels_are_positive)
+{
+    int p = T->degree, k = p + 1, j = k;
+    num u[MOST_KNOTS], w[MOST_KNOTS];
+    G(increasing_knots)(T, 2 * k, u);
+    for (int i = 0; i < k; i++) {
+        num weight = positive(T, "w", i);
+        w[i] = T->planted ? neg(weight) : weight;
+    }
+    num t = add(u[j - 1], mul(sub(u[j], u[j - 1]), inside(T, "s")));
+    for (int r = 0; r <= p; r++)
+        for (int i = j - k + r + 1; i <= j; i++)
+            nonnegative(T, G(printed_weight)(k, u, w, r, i, t));
+}
+
+CLAIM(weights_enter_the_coefficients)
+{
+    num v = positive(T, "v", 0), w = positive(T, "w", 0), a = parameter(T, "a"), one = from_int(1), b = sub(one, a);
+    num u[] = {neg(one), from_int(0), one, from_int(2)}, P[] = {from_int(0), one}, weights[] = {v, w};
+    G(nurbs_deboor_level)(1, 1, u, 1, 1, P, weights, a);
+    if (T->planted) {
+        num kept = v;
+        v = w;
+        w = kept;
+    }
+    same(T, div(P[0], sub(one, P[0])), mul(div(a, b), div(w, v)));
+    same(T, sub(P[0], a), div(mul(mul(a, b), sub(w, v)), add(mul(a, w), mul(b, v))));
+}
+
+/*
+:::{claim} negative_weight_divides_outside
+:title: With a negative weight an edge is divided outside
+:zh: 权因子为负时外分
+:kind: counterexample
+:given: $k=2$, knots $0,0,1,1$, points $0,1$ of the line, weights $1,-\frac12$; $t=\frac14$
+:then: $\lambda=-\frac15$, outside $[0,1]$
+:method: The level of the kernel; the point is $\lambda$.
+:control: the weight $\frac12$
+:::
+*/
+#if RATIONAL
+CLAIM(negative_weight_divides_outside)
+{
+    num u[] = {from_int(0), from_int(0), from_int(1), from_int(1)}, P[] = {from_int(0), from_int(1)};
+    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2)};
+    G(nurbs_deboor_level)(1, 1, u, 1, 1, P, w, from_ratio(1, 4));
+    show(T, "λ", P[0]);
+    about(T, "0 <= λ <= 1");
+    agree(T, sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0);
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,588 @@
+/*
+# What a NURBS curve is (NURBS 曲线的一般定义)
+
+Points, weights and knots make a curve: at $t$ point $r_i$ counts $N_{i,k}(t)\,w_i$ times, and the curve is the mean
+
+$$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k\le t\le t_{n+1}.$$
+
+## The definition
+
+:::{statement} wang-ch4:def-4.1.1
+:title: NURBS curve, control points and control polygon
+:zh: NURBS 曲线、控制顶点与控制多边形
+:definition: yes
+:printed: Given $n\ge k$ points $\tilde r_i=(w_ix_i,w_iy_i,w_iz_i,w_i)$ in homogeneous coordinates, $w_i>0$, and a nonuniform
+  partition $T=\{t_i\}_{i=-\infty}^\infty$ of the $t$-axis, $t_j\le t_{j+1}$, with the B-splines $N_{i,k}$ of order $k$ of
+  $T$: the curve (4.1.1) is the NURBS curve of order $k$ of $T$, the $\tilde r_i$ are its control points and
+  $\tilde r_1\tilde r_2\cdots\tilde r_n$ is its control polygon
+:checked-by: basis_is_a_partition_of_unity nurbs_point_is_the_weighted_mean outer_knots_do_not_count
+:needs: negative_weight_makes_a_pole | positive weights: with a negative one the denominator may vanish
+:reading: outer_knots_do_not_count | the partition is without end; $t_2,\dots,t_{n+k-1}$ are all that counts on the domain
+:reading: control_point_of_space_is_not_enough | the points are points of space in homogeneous coordinates: the factor of the
+  coordinates counts, so that a control point is a point together with its weight
+:figure: nurbs_definition
+
+In the text at hand the first point of the polygon carries the index $i$; it is read as $1$.  The polygon that later sections cut and compare with lines is $r_1r_2\cdots r_n$ in space.  What the definition leaves
+open is in the next entries: whether there is an interval, what happens at its right end, and how multiple a knot may be.
+:::
+
+:::{statement} wang-ch4:def-4.1.1-interval
+:title: The curve is defined for nondecreasing knots
+:zh: 节点向量非减即可定义曲线
+:printed: $t_j\le t_{j+1}$ for all $j$, $n\ge k$: the curve is defined for $t_k\le t\le t_{n+1}$
+:holds-by: basis_is_a_partition_of_unity
+:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise every $N_{i,k}$, $1\le i\le n$, is zero on the domain
+:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
+  $t_{n+1}=\dots=t_{n+k}$: by the half-open intervals of the definition of $N_{i,1}$ all $N_{i,k}$ are zero there
+:figure: missing_end
+:::
+
+:::{statement} wang-ch4:def-4.1.1-multiplicity
+:title: Every control point has a share in the curve
+:zh: 每个控制顶点都影响曲线
+:printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are the control points of the curve
+:holds-by: every_point_counts
+:hypothesis: too_multiple_knot_loses_a_point | every knot is at most $k$-fold: for $t_i=t_{i+k}$ the function $N_{i,k}$ is zero and
+  $r_i$ has no share in the curve
+:hypothesis: multiple_first_knot_loses_a_point | $t_k<t_{k+1}$ and $t_n<t_{n+1}$: otherwise the support of the first or of the last
+  function meets the domain in no interval
+:figure: idle_point
+
+Not said by the source in these words; a point without influence is hardly a control point.  The curve itself exists.
+:::
+
+:::{claim} basis_is_a_partition_of_unity
+:title: On the domain the B-splines are nonnegative and sum up to 1, so positive weights have a positive mean
+:zh: 定义域内 B 样条基非负且和为一,故分母为正
+:given: every pattern of knots in the list of the claim, with any positive gaps; any interval of the domain;
+  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$
+:then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$; so the denominator of (4.1.2) is at least the least
+  weight
+:method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
+:degrees: 1..3 sampled 6
+:control: the first of the points of the interval left out
+:::
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* For each degree: simple knots, clamped ends with multiple inner knots up to the order, unclamped ends. */
+static const char *const G(kinds)[][5] = {
+    {NULL},
+    {"11111", "2122", "1221", NULL},
+    {"1111111", "3123", "21312", NULL},
+    {"111111111", "41214", "43314", "1132211", NULL},
+    {"11111111111", "512315", "545", NULL},
+    {"1111111111111", "6124156", NULL},
+    {"111111111111111", "7325617", NULL},
+};
+
+/* A parameter strictly inside the interval. */
+static num G(parameter_inside)(trial *T, const num x[], int interval)
+{
+    return add(x[interval], mul(sub(x[interval + 1], x[interval]), inside(T, "s")));
+}
+
+CLAIM(basis_is_a_partition_of_unity)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS];
+    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
+        const char *pattern = G(kinds)[p][k];
+        G(increasing_knots)(T, (int)strlen(pattern), x);
+        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
+        for (int interval = place[p]; interval < place[n]; interval++) {
+            int mu = G(span_of_interval)(count, place, interval);
+            num t = G(parameter_inside)(T, x, interval), sum = from_int(0);
+            for (int i = 0; i < n; i++) {
+                num N = G(cox_de_boor)(p, u, place, i, interval, t);
+                about(T, "the sign of N_i");
+                nonnegative(T, N);
+                if (!T->planted || i != mu - p)
+                    sum = add(sum, N);
+            }
+            about(T, "the sum of the N_i");
+            same(T, sum, from_int(1));
+        }
+    }
+}
+
+/*
+:::{claim} every_point_counts
+:title: With knots at most k-fold, and the end knots of the domain not repeated inside, every point counts
+:zh: 节点重数不超过阶数时各顶点均起作用
+:types: field rational
+:given: every pattern of the list with $t_k<t_{k+1}$, $t_n<t_{n+1}$, any positive gaps, any $t$ inside an interval of the
+  domain
+:then: $N_{i,k}(t)>0$ exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
+:method: The recursion by its letter; signs are read off coefficients in the gaps and in $s$, $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$.
+:degrees: 1..3 sampled 6
+:control: $N_{i,k}$ compared with the support of $N_{i+1,k}$
+:::
+*/
+#if FIELD || RATIONAL
+CLAIM(every_point_counts)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS];
+    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
+        const char *pattern = G(kinds)[p][k];
+        G(increasing_knots)(T, (int)strlen(pattern), x);
+        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
+        if (place[p] == place[p + 1] || place[n - 1] == place[n])
+            continue;
+        for (int i = 0; i < n; i++) {
+            int counts = 0, shift = T->planted && i + 1 < n;
+            for (int interval = place[p]; interval < place[n]; interval++) {
+                num N = G(cox_de_boor)(p, u, place, i, interval, G(parameter_inside)(T, x, interval));
+#if FIELD
+                int positive_there = coefficients_sign_f(N) == 1;
+#else
+                int positive_there = sign_q(N) > 0;
+#endif
+                nonnegative(T, N);
+                agree(T, positive_there == (place[i + shift] <= interval && interval < place[i + p + 1 + shift]));
+                counts |= positive_there;
+            }
+            agree(T, counts);
+        }
+    }
+}
+#endif
+
+/*
+:::{claim} no_interval_no_curve
+:title: Without an interval all functions may vanish
+:zh: 无非空区间时基函数可全为零
+:kind: counterexample
+:given: $k=2$, $n=2$, knots $1,1,1,1$: they do not decrease, and $t_k=t_{n+1}=1$ is the whole domain.  For the control
+  $0,0,2,2$.
+:then: $N_{1,2}(1)+N_{2,2}(1)=0$, from the left and from the right, so that (4.1.2) is $0/0$
+:method: The recursion by its letter for the interval before and for the interval after $t=1$.
+:control: the knots $0,0,2,2$
+:::
+
+:::{claim} right_end_belongs_to_no_interval
+:title: At a k-fold right end all functions vanish by the letter of the definition
+:zh: 右端为 k 重节点时按半开区间定义基函数全为零
+:kind: counterexample
+:given: $k=3$, $n=4$, knots $0,0,0,1,2,2,2$ and then $3$; $t=t_{n+1}=2$, which lies in $[t_7,t_8)=[2,3)$ and in no interval before.
+  For the control the limit from the left.
+:then: $\sum_{i=1}^4N_{i,3}(2)=0$
+:method: The recursion by its letter for the interval $[2,3)$.
+:control: the recursion for the interval $[1,2)$
+:::
+
+:::{claim} too_multiple_knot_loses_a_point
+:title: Between k+1 equal knots a point has no share in the curve
+:zh: k+1 个相等节点之间的控制顶点不起作用
+:kind: counterexample
+:given: $k=2$, $n=5$, knots $0,0,1,1,1,2,2$, so that $t_3=t_5$; all intervals of the domain.  For the control
+  $0,0,\frac12,1,1,2,2$.
+:then: $N_{3,2}=0$ in every interval
+:method: The recursion by its letter in the middle of each interval; a nondecreasing sequence of knots would have to give every point
+  a share.
+:control: the second of the three knots moved to $\frac12$
+:::
+
+:::{claim} multiple_first_knot_loses_a_point
+:title: A domain that begins with the first of two equal knots leaves the first point idle
+:zh: 定义域左端为重节点之首时首顶点不起作用
+:kind: counterexample
+:given: $k=2$, $n=4$, knots $0,1,1,2,3,4$, domain $[1,3]$.  For the control $0,1,2,2,3,4$.
+:then: $N_{1,2}$, of support $[0,1]$, is $0$ in every interval of the domain
+:method: The recursion by its letter in the middle of each interval.
+:control: the third knot moved to $2$
+:::
+
+:::{claim} negative_weight_makes_a_pole
+:title: With a negative weight the denominator may vanish
+:zh: 权因子为负时分母可为零
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1$, weights $1,-1,1$; $t=\frac12$
+:then: $w(\frac12)=\frac14-\frac12+\frac14=0$
+:method: The denominator of (4.1.2), all terms.
+:control: the weights $1,1,1$
+:::
+*/
+#if RATIONAL
+/* The sum of all functions and, if there are weights, of their products, in the interval named. */
+static num G(denominator)(int n, int p, const num u[], const int place[], const num w[], int interval, num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i < n; i++) {
+        num N = G(cox_de_boor)(p, u, place, i, interval, t);
+        sum = add(sum, w != NULL ? mul(w[i], N) : N);
+    }
+    return sum;
+}
+
+CLAIM(no_interval_no_curve)
+{
+    num x[] = {from_int(0), from_int(1), from_int(2)}, u[4], t = from_int(1);
+    int place[4], count = G(knots_at)(T->planted ? "202" : "040", x, u, place);
+    show_points(T, "knots", count, 1, u);
+    num left = G(denominator)(2, 1, u, place, NULL, 0, t), right = G(denominator)(2, 1, u, place, NULL, 1, t);
+    show(T, "the sum from the left", left);
+    show(T, "the sum from the right", right);
+    about(T, "the denominator is not zero");
+    agree(T, sign_q(left) > 0 || sign_q(right) > 0);
+}
+
+CLAIM(right_end_belongs_to_no_interval)
+{
+    num x[] = {from_int(0), from_int(1), from_int(2), from_int(3)}, u[8];
+    int place[8], count = G(knots_at)("3131", x, u, place);
+    num sum = G(denominator)(4, 2, u, place, NULL, T->planted ? 1 : 2, from_int(2));
+    show_points(T, "knots", count, 1, u);
+    show(T, "the sum at t = 2", sum);
+    about(T, "the denominator is not zero");
+    agree(T, sign_q(sum) > 0);
+}
+
+CLAIM(too_multiple_knot_loses_a_point)
+{
+    num x[] = {from_int(0), from_ratio(1, 2), from_int(1), from_int(2)}, u[7];
+    int place[7], count = G(knots_at)(T->planted ? "2122" : "2032", x, u, place), counts = 0;
+    for (int interval = 0; interval < 3; interval++) {
+        num t = div(add(x[interval], x[interval + 1]), from_int(2));
+        counts |= sign_q(G(cox_de_boor)(1, u, place, 2, interval, t)) != 0;
+    }
+    show_points(T, "knots", count, 1, u);
+    about(T, "N_3 is not zero somewhere");
+    agree(T, counts);
+}
+
+CLAIM(multiple_first_knot_loses_a_point)
+{
+    num x[] = {from_int(0), from_int(1), from_int(2), from_int(3), from_int(4)}, u[6];
+    int place[6], count = G(knots_at)(T->planted ? "11211" : "12111", x, u, place), counts = 0;
+    for (int interval = place[1]; interval < place[4]; interval++) {
+        num t = div(add(x[interval], x[interval + 1]), from_int(2));
+        counts |= sign_q(G(cox_de_boor)(1, u, place, 0, interval, t)) != 0;
+    }
+    show_points(T, "knots", count, 1, u);
+    about(T, "N_1 is not zero somewhere in the domain");
+    agree(T, counts);
+}
+
+CLAIM(negative_weight_makes_a_pole)
+{
+    num x[] = {from_int(0), from_int(1)}, u[6], w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(1)};
+    int place[6];
+    G(knots_at)("33", x, u, place);
+    num total = G(denominator)(3, 2, u, place, w, 0, from_ratio(1, 2));
+    show_points(T, "w", 3, 1, w);
+    show(T, "w(1/2)", total);
+    about(T, "the denominator is not zero");
+    agree(T, sign_q(total) != 0);
+}
+#endif
+
+/*
+:::{claim} outer_knots_do_not_count
+:title: On the domain the curve does not depend on the first and the last knot, nor on any beyond
+:zh: 首末两个节点不影响定义域内的曲线
+:given: simple knots, their values variables; any $t$; every interval of the domain $[t_k,t_{n+1}]$, $n=k+1$
+:then: $N_{i,k}$, $i=1,\dots,n$, stays the same when $t_1$ and $t_{n+k}$ are replaced by other numbers
+:method: The recursion by its letter with both knots and with two other variables.  The $N_{i,k}$ with $1\le i\le n$ contain
+  $t_1,\dots,t_{n+k}$ only.
+:degrees: 1..4 sampled 6
+:control: the second knot replaced as well
+:::
+
+:::{claim} control_point_of_space_is_not_enough
+:title: The factor of a homogeneous point changes the curve
+:zh: 齐次坐标的公因子影响曲线
+:given: $k=2$ and any knots; the point $r_2$ of space given by homogeneous coordinates $(w_2r_2,w_2)$ and by
+  $\lambda$ times these
+:then: the curve changes with $\lambda$: its value at $\lambda$ minus that at $1$ is a product of
+  $(\lambda-1)\,w_1w_2\,(r_2-r_1)$, of $N_{1,2}N_{2,2}$, and of the reciprocals of both denominators
+:method: The curve from the definition on the span, everything a variable.
+:control: both points multiplied by $\lambda$
+:::
+*/
+CLAIM(outer_knots_do_not_count)
+{
+    int p = T->degree, count = 2 * p + 3, n = count - p - 1, place[MOST_KNOTS];
+    char pattern[MOST_KNOTS] = "";
+    num x[MOST_KNOTS], u[MOST_KNOTS], t = unknown(T, "t", 0);
+    memset(pattern, '1', (size_t)count);
+    G(distinct_knots)(T, count, x);
+    G(knots_at)(pattern, x, u, place);
+    for (int interval = p; interval < n; interval++) {
+        num before[MOST_KNOTS];
+        for (int i = 0; i < n; i++)
+            before[i] = G(cox_de_boor)(p, u, place, i, interval, t);
+        num first = u[0], second = u[1], last = u[count - 1];
+        u[0] = unknown(T, "y", 0);
+        u[count - 1] = unknown(T, "y", 1);
+        if (T->planted)
+            u[1] = unknown(T, "y", 2);
+        for (int i = 0; i < n; i++)
+            same(T, G(cox_de_boor)(p, u, place, i, interval, t), before[i]);
+        u[0] = first, u[1] = second, u[count - 1] = last;
+    }
+}
+
+CLAIM(control_point_of_space_is_not_enough)
+{
+    num x[4], u[4], R[2], w[2], v[2], before, after, t = unknown(T, "t", 0), factor = positive(T, "lambda", 0);
+    int place[4];
+    G(distinct_knots)(T, 4, x);
+    G(knots_at)("1111", x, u, place);
+    G(weighted_points)(T, 2, 1, R, w);
+    v[0] = T->planted ? mul(factor, w[0]) : w[0];
+    v[1] = mul(factor, w[1]);
+    num total = G(nurbs_by_definition)(2, 1, 1, u, place, R, w, 1, t, &before);
+    num other = G(nurbs_by_definition)(2, 1, 1, u, place, R, v, 1, t, &after);
+    num shares = mul(G(cox_de_boor)(1, u, place, 0, 1, t), G(cox_de_boor)(1, u, place, 1, 1, t));
+    num change = mul(mul(sub(factor, from_int(1)), mul(w[0], w[1])), mul(sub(R[1], R[0]), shares));
+    same(T, sub(after, before), div(change, mul(total, other)));
+}
+
+/*
+## The two formulas (齐次表示与仿射表示)
+
+:::{statement} wang-ch4:formula-4.1.1
+:title: The curve in homogeneous coordinates
+:zh: 齐次坐标下的表示
+:definition: yes
+:printed: \tilde r(t)=(X(t),Y(t),Z(t),w(t))=\sum_{i=1}^nN_{i,k}(t)\tilde r_i,\quad t_k\le t\le t_{n+1},\ n\ge k
+:checked-by: nurbs_point_is_the_weighted_mean
+
+This is a polynomial spline in four-dimensional space; the rational curve is its central projection.
+:::
+
+:::{statement} wang-ch4:formula-4.1.2
+:title: The curve in affine coordinates
+:zh: 仿射坐标下的表示
+:printed: r(t)=\left(\frac{X(t)}{w(t)},\frac{Y(t)}{w(t)},\frac{Z(t)}{w(t)}\right)=\sum_{i=1}^nN_{i,k}(t)w_ir_i\Big/
+  \sum_{i=1}^nN_{i,k}(t)w_i,\quad r_i=(x_i,y_i,z_i)
+:holds-by: nurbs_point_is_the_weighted_mean basis_is_a_partition_of_unity
+:figure: nurbs_definition
+:::
+
+:::{claim} nurbs_point_is_the_weighted_mean
+:title: A point of the curve is the mean of the points with weights N_i w_i
+:zh: 曲线上的点是以 N_i w_i 为权的平均
+:given: every pattern of knots of the list, the values variables; weights and points of space; any interval of the
+  domain, any $t$
+:then: the projection of the homogeneous spline, computed on the span by de Boor's algorithm, is
+  $\sum_{i=1}^nN_{i,k}(t)w_ir_i/\sum_{i=1}^nN_{i,k}(t)w_i$
+:method: The kernel against all $n$ terms of the recursion by its letter.  The numerators are linear in the points, coordinate by
+  coordinate.
+:degrees: 1..3 sampled 6
+:defines: nurbs_homogenize nurbs_weight nurbs_point
+:control: the last weight of the span increased by 1 for the kernel
+:::
+*/
+CLAIM(nurbs_point_is_the_weighted_mean)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS], R[3 * MOST_KNOTS], w[MOST_KNOTS], P[3], Q[3], t = unknown(T, "t", 0);
+    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
+        const char *pattern = G(kinds)[p][k];
+        G(distinct_knots)(T, (int)strlen(pattern), x);
+        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1, dim = 1 + k % 3;
+        G(weighted_points)(T, n, dim, R, w);
+        for (int interval = place[p]; interval < place[n]; interval++) {
+            int mu = G(span_of_interval)(count, place, interval);
+            num total = G(nurbs_by_definition)(n, p, dim, u, place, R, w, interval, t, P);
+            if (T->planted)
+                w[mu] = add(w[mu], from_int(1));
+            G(nurbs_point)(p, dim, u, mu, R, w, t, Q);
+            for (int c = 0; c < dim; c++)
+                same(T, Q[c], P[c]);
+            about(T, "the denominator");
+            same(T, G(nurbs_weight)(p, u, mu, w, t), total);
+            about(T, "the homogeneous points of the span");
+            num H[4 * MOST_KNOTS];
+            G(nurbs_homogenize)(p, dim, mu, R, w, H);
+            for (int i = 0; i <= p; i++) {
+                same(T, H[i * (dim + 1) + dim], w[mu - p + i]);
+                for (int c = 0; c < dim; c++)
+                    same(T, H[i * (dim + 1) + c], mul(w[mu - p + i], R[(mu - p + i) * dim + c]));
+            }
+        }
+    }
+}
+
+/*
+## Degenerate cases (可退化性)
+
+:::{statement} wang-ch4:degenerate-bspline
+:title: Equal weights give the B-spline curve
+:zh: 权相等时退化为 B 样条曲线
+:printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
+:holds-by: equal_weights_give_bspline
+:reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do
+:figure: nurbs_definition
+
+The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.
+:::
+
+:::{claim} equal_weights_give_bspline
+:title: With equal weights the curve is the B-spline curve of its points
+:zh: 权相等时为 B 样条曲线
+:given: every pattern of the list, values variables; one weight $w\ne0$, points; any interval and $t$
+:then: $r(t)=\sum_{i=1}^nN_{i,k}(t)r_i$
+:method: The rational curve by the kernel against the sum of all terms by the recursion.
+:degrees: 1..3 sampled 6
+:control: the weight of one point of the span doubled
+:::
+
+:::{claim} only_proportional_weights_give_the_bspline
+:title: For independent points the weights have to be equal
+:zh: 顶点处于一般位置时权必须相等
+:given: one span, $k=2,\dots,5$, the points $r_i$ independent variables, any weights
+:then: the numerator of $r(t)-\sum N_{i,k}r_i$ has as coefficient of $r_i$ the number
+  $N_{i,k}(t)\,(w_i-w(t))$; it vanishes for all $i$ and $t$ only if $w(t)$ is the constant $w_i$
+:method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
+:degrees: 1..3 sampled 8
+:control: the weight of one point doubled on one side
+:::
+*/
+CLAIM(equal_weights_give_bspline)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, t = unknown(T, "t", 0), same_weight;
+    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
+        const char *pattern = G(kinds)[p][k];
+        G(distinct_knots)(T, (int)strlen(pattern), x);
+        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
+        G(weighted_points)(T, n, 1, R, w);
+        same_weight = w[0];
+        for (int interval = place[p]; interval < place[n]; interval++) {
+            int mu = G(span_of_interval)(count, place, interval);
+            for (int i = 0; i < n; i++)
+                w[i] = T->planted && i == mu ? add(same_weight, same_weight) : same_weight;
+            G(nurbs_point)(p, 1, u, mu, R, w, t, &P);
+            same(T, P, G(spline)(n, p, 1, u, place, R, 0, interval, t));
+        }
+    }
+}
+
+CLAIM(only_proportional_weights_give_the_bspline)
+{
+    int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
+    char pattern[MOST_KNOTS] = "";
+    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, t = unknown(T, "t", 0);
+    memset(pattern, '1', (size_t)count);
+    G(distinct_knots)(T, count, x);
+    G(knots_at)(pattern, x, u, place);
+    G(weighted_points)(T, p + 1, 1, R, w);
+    for (int i = 0; i <= p; i++) {
+        for (int k = 0; k <= p; k++)
+            R[k] = from_int(k == i);
+        num total = G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, p, t, &P);
+        num N = G(cox_de_boor)(p, u, place, i, p, t), weight = T->planted && i == p ? add(w[i], w[i]) : w[i];
+        same(T, mul(total, sub(P, N)), mul(N, sub(weight, total)));
+    }
+}
+
+/*
+:::{statement} wang-ch4:degenerate-bezier
+:title: n = k and (k-1)-fold ends give the rational Bézier curve
+:zh: n=k 且两端为 k-1 重节点时退化为有理 Bézier 曲线
+:printed: For $n=k$, $t_2=t_3=\dots=t_k<t_{k+1}=t_{k+2}=\dots=t_{2k-1}$ it degenerates to the rational Bézier curve of
+  degree $k-1$,
+  $r(t)=\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*r_i^*\Big/\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*$
+:holds-by: bezier_knots_give_rational_bezier
+:reading: bezier_knots_give_rational_bezier | the starred data are the given ones, $w_i^*=w_i$ and $r_i^*=r_i$: true, and the star is
+  idle
+:reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over any knots: true as well, but then
+  they are not the given ones
+:needs: simple_knots_need_other_points | the condition on the knots: otherwise the starred data differ from the given ones
+:figure: bezier_knots
+
+The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask anything of them.
+:::
+
+:::{claim} bezier_knots_give_rational_bezier
+:title: Over (k-1)-fold knots the curve is the rational Bézier curve of its points and weights
+:zh: 两端 k-1 重节点时即为以原顶点与权因子的有理 Bézier 曲线
+:given: $n=k$, knots $x_0,x_1^{k-1},x_2^{k-1},x_3$, values variables; weights and points; any $t$
+:then: $r(t)$ is the rational Bézier curve of $r_1,\dots,r_k$ and $w_1,\dots,w_k$ at $(t-t_k)/(t_{k+1}-t_k)$
+:method: The curve from the definition against the kernel for rational Bézier curves.
+:degrees: 1..5 sampled 9
+:control: the weights taken in the opposite order
+:::
+
+:::{claim} segment_of_any_knots_is_rational_bezier
+:title: Every segment is a rational Bézier curve, of other points and weights
+:zh: 任意节点上的一段均为有理 Bézier 曲线
+:given: simple knots, values variables; weights and points; the interval $[t_k,t_{k+1}]$
+:then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates
+:method: Both sides in homogeneous coordinates at a variable $t$: numerator and weight are linear, one coordinate stands for all.
+:degrees: 1..4 sampled 7
+:control: the given points in the place of the new ones
+:::
+*/
+CLAIM(bezier_knots_give_rational_bezier)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    char pattern[] = {'1', (char)('0' + p), (char)('0' + p), '1', '\0'};
+    num x[4], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], v[MOST_KNOTS], P[2], Q[2], t = unknown(T, "t", 0);
+    G(distinct_knots)(T, 4, x);
+    G(knots_at)(pattern, x, u, place);
+    G(weighted_points)(T, p + 1, 2, R, w);
+    for (int i = 0; i <= p; i++)
+        v[i] = w[T->planted ? p - i : i];
+    G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, 1, t, P);
+    G(rational_point)(p, 2, R, v, div(sub(t, x[1]), sub(x[2], x[1])), Q);
+    for (int c = 0; c < 2; c++)
+        same(T, P[c], Q[c]);
+}
+
+CLAIM(segment_of_any_knots_is_rational_bezier)
+{
+    int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
+    char pattern[MOST_KNOTS] = "";
+    num x[MOST_KNOTS], u[MOST_KNOTS], H[MOST_KNOTS], b[MOST_KNOTS], value, t = unknown(T, "t", 0);
+    memset(pattern, '1', (size_t)count);
+    G(distinct_knots)(T, count, x);
+    G(knots_at)(pattern, x, u, place);
+    for (int i = 0; i <= p; i++)
+        H[i] = unknown(T, "H", i);
+    G(bspline_to_bezier)(p, 1, u, p, H, b);
+    G(decasteljau)(p, 1, T->planted ? H : b, div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
+    same(T, value, G(spline)(p + 1, p, 1, u, place, H, 0, p, t));
+}
+
+/*
+:::{claim} simple_knots_need_other_points
+:title: Over simple knots the given points are not the Bézier points
+:zh: 单节点时原顶点不是 Bézier 顶点
+:kind: counterexample
+:given: $k=3$, $n=3$, knots $-2,-1,0,1,2,3$, points $(0,0),(1,2),(2,0)$, weights $1$; for the control
+  $-2,0,0,1,1,3$
+:then: at $t_k=0$ the curve is in $(\frac12,1)$, the rational Bézier curve of the same data in $(0,0)$
+:method: Both are computed exactly.
+:control: the knots of the condition
+:::
+*/
+#if RATIONAL
+CLAIM(simple_knots_need_other_points)
+{
+    static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3}, at[] = {0, 0, 1, 2, 2, 0};
+    num u[6], R[6], w[3], P[2], Q[2];
+    for (int i = 0; i < 6; i++) {
+        u[i] = from_int(T->planted ? twofold[i] : simple[i]);
+        R[i] = from_int(at[i]);
+        w[i / 2] = from_int(1);
+    }
+    G(nurbs_point)(2, 2, u, 2, R, w, from_int(0), P);
+    G(rational_point)(2, 2, R, w, from_int(0), Q);
+    show_points(T, "knots", 6, 1, u);
+    show_points(T, "r", 3, 2, R);
+    show_points(T, "the curve at t_k", 1, 2, P);
+    show_points(T, "the rational Bézier curve", 1, 2, Q);
+    about(T, "the first and the second coordinate");
+    same(T, P[0], Q[0]);
+    same(T, P[1], Q[1]);
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,503 @@
+/*
+# Properties, one side and the other of a knot (性质,节点两侧)
+
+:::{statement} wang-ch4:properties-2.3
+:title: Properties similar to those of B-spline curves
+:zh: 与 B 样条曲线性质 2.3.1-2.3.7 类似的性质
+:printed: The curve (4.1.2) also has properties similar to 2.3.1-2.3.7
+:reading: moved_point_changes_its_support | local control: true; moving $r_i$, or changing $w_i$, changes the curve on
+  $[t_i,t_{i+k})$ only
+:reading: point_is_in_the_hull_of_k_points | convex hull, span by span: true for positive weights
+:reading: negative_weight_leaves_the_hull | the same for weights of both signs: false
+:reading: sides_agree_up_to_order_less_multiplicity | continuity of order $k-1-m$ at a knot of multiplicity $m$: true
+:reading: one_order_more_jumps | continuity of one order more: false
+:reading: nurbs_moves_with_its_points | affine invariance: true
+:reading: clamped_end_is_the_first_point | the ends of the polygon are the ends of the curve: true for $k$-fold and
+  $(k-1)$-fold ends
+:reading: simple_knots_need_other_points | the same for simple knots: false
+:reading: reversed_data_reverse_the_nurbs | symmetry: true
+:reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere: true
+:figure: knot_vectors
+
+Chapter 2 of the source is not part of the text at hand, so that the seven numbers cannot be matched one by one; each of the
+usual properties is decided.  Convexity and the number of intersections follow in 4.2.
+:::
+
+:::{claim} moved_point_changes_its_support
+:title: A moved point and a changed weight act on k intervals of knots only
+:zh: 局部性
+:given: every pattern of the list, values variables; points, weights; $\Delta$, $\delta$; every $i$, interval and $t$
+:then: $r_i+\Delta$ in the place of $r_i$ changes $r(t)$ by $N_{i,k}w_i\Delta/w(t)$; $w_i+\delta$ in the place of $w_i$ changes it
+  by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
+:method: All terms of the definition, before and after.
+:degrees: 1..3 sampled 5
+:control: $\Delta$ doubled on the right
+:::
+*/
+#include "exact/hull.h"
+
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
+
+#include "chapters/frame/claims_on.h"
+
+static const char *const G(kinds)[][3] = {
+    {NULL}, {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL}, {"5125", NULL}, {"6136", NULL}};
+
+CLAIM(moved_point_changes_its_support)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
+    num move = unknown(T, "d", 0), more = positive(T, "e", 0), applied = T->planted ? add(move, move) : move;
+    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
+        const char *pattern = G(kinds)[p][k];
+        G(distinct_knots)(T, (int)strlen(pattern), x);
+        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
+        G(weighted_points)(T, n, 1, R, w);
+        for (int interval = place[p]; interval < place[n]; interval++) {
+            num total = G(nurbs_by_definition)(n, p, 1, u, place, R, w, interval, t, &P);
+            for (int i = 0; i < n; i++) {
+                num old = R[i], weight = w[i], N = G(cox_de_boor)(p, u, place, i, interval, t);
+                R[i] = add(old, move);
+                G(nurbs_by_definition)(n, p, 1, u, place, R, w, interval, t, &Q);
+                about(T, "the point moved");
+                same(T, sub(Q, P), div(mul(mul(N, weight), applied), total));
+                R[i] = old;
+                w[i] = add(weight, more);
+                num greater = G(nurbs_by_definition)(n, p, 1, u, place, R, w, interval, t, &Q);
+                about(T, "the weight changed");
+                same(T, sub(Q, P), div(mul(mul(N, more), sub(old, P)), greater));
+                w[i] = weight;
+                if (interval < place[i] || place[i + p + 1] <= interval) {
+                    about(T, "outside the support");
+                    vanishes(T, N);
+                }
+            }
+        }
+    }
+}
+
+/*
+:::{claim} point_is_in_the_hull_of_k_points
+:title: A point of the curve lies in the convex hull of the k points of its span
+:zh: 分段凸包性
+:types: rational
+:given: random plane points and positive weights, patterns of the list, $t$ in each interval
+:then: $r(t)$ is in the convex hull of $r_{j-k+1},\dots,r_j$
+:method: Decided exactly, with a certificate, for each point.  In general: `nurbs_point_is_the_weighted_mean` with the signs of
+  `basis_is_a_partition_of_unity`.
+:degrees: 1..5
+:control: the hull without the first of the points
+:::
+
+:::{claim} negative_weight_leaves_the_hull
+:title: With a negative weight the curve leaves the hull
+:zh: 负权因子破坏凸包性
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1$, points $(0,0),(1,1),(2,0)$, weights $1,-\frac12,1$; $t=\frac12$
+:then: $r(\frac12)=(1,-1)$ is not in the triangle
+:method: Membership is decided with a certificate.
+:control: the weight $\frac12$
+:::
+*/
+#if RATIONAL
+CLAIM(point_is_in_the_hull_of_k_points)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2];
+    for (int k = 0; G(kinds)[p][k] != NULL; k++) {
+        const char *pattern = G(kinds)[p][k];
+        G(distinct_knots)(T, (int)strlen(pattern), x);
+        int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
+        G(weighted_points)(T, n, 2, R, w);
+        for (int interval = place[p]; interval < place[n]; interval++) {
+            int first = G(span_of_interval)(count, place, interval) - p;
+            num t = add(x[interval], mul(sub(x[interval + 1], x[interval]), parameter(T, "t")));
+            G(nurbs_by_definition)(n, p, 2, u, place, R, w, interval, t, P);
+            agree(T, hull_membership(2, p + 1 - T->planted, R + 2 * (first + T->planted), P).inside);
+        }
+    }
+}
+
+CLAIM(negative_weight_leaves_the_hull)
+{
+    static const int at[] = {0, 0, 1, 1, 2, 0}, knot[] = {0, 0, 0, 1, 1, 1};
+    num u[6], R[6], w[3], P[2];
+    for (int i = 0; i < 6; i++) {
+        u[i] = from_int(knot[i]);
+        R[i] = from_int(at[i]);
+        w[i / 2] = i / 2 == 1 ? from_ratio(T->planted ? 1 : -1, 2) : from_int(1);
+    }
+    G(nurbs_point)(2, 2, u, 2, R, w, from_ratio(1, 2), P);
+    show_points(T, "r", 3, 2, R);
+    show_points(T, "w", 3, 1, w);
+    show_points(T, "r(1/2)", 1, 2, P);
+    about(T, "the point is in the hull");
+    agree(T, hull_membership(2, 3, R, P).inside);
+}
+#endif
+
+/*
+:::{claim} nurbs_moves_with_its_points
+:title: An affine map of the points is the same map of the curve
+:zh: 仿射不变性
+:given: a span with simple knots, values variables; weights, points of the plane; any affine map, any $t$
+:then: the curve of the mapped points with the same weights is the mapped curve
+:method: The definition, everything a variable.
+:degrees: 1..4 sampled 6
+:control: the last point is not moved
+:::
+
+:::{claim} reversed_data_reverse_the_nurbs
+:title: Points, weights and knots in the opposite order give the curve backwards
+:zh: 数据反序,曲线反向
+:given: a span with simple knots, values variables; points, weights, any $t$
+:then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
+:method: The definition, everything a variable.
+:degrees: 1..4 sampled 6
+:control: the weights are not reversed
+:::
+*/
+CLAIM(nurbs_moves_with_its_points)
+{
+    int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
+    char pattern[MOST_KNOTS] = "";
+    num x[MOST_KNOTS], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], M[4], v[2], P[2], Q[2], t = unknown(T, "t", 0);
+    memset(pattern, '1', (size_t)count);
+    G(distinct_knots)(T, count, x);
+    G(knots_at)(pattern, x, u, place);
+    G(weighted_points)(T, p + 1, 2, R, w);
+    for (int k = 0; k < 4; k++)
+        M[k] = unknown(T, "m", k);
+    v[0] = unknown(T, "v", 0);
+    v[1] = unknown(T, "v", 1);
+    G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, p, t, P);
+    for (int i = 0; i <= p - T->planted; i++) {
+        num a = R[2 * i], b = R[2 * i + 1];
+        for (int c = 0; c < 2; c++)
+            R[2 * i + c] = add(add(mul(M[2 * c], a), mul(M[2 * c + 1], b)), v[c]);
+    }
+    G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, p, t, Q);
+    for (int c = 0; c < 2; c++)
+        same(T, Q[c], add(add(mul(M[2 * c], P[0]), mul(M[2 * c + 1], P[1])), v[c]));
+}
+
+CLAIM(reversed_data_reverse_the_nurbs)
+{
+    int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
+    char pattern[MOST_KNOTS] = "";
+    num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
+    num y[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS];
+    memset(pattern, '1', (size_t)count);
+    G(distinct_knots)(T, count, x);
+    G(knots_at)(pattern, x, u, place);
+    G(weighted_points)(T, p + 1, 1, R, w);
+    for (int i = 0; i < count; i++)
+        y[i] = neg(u[count - 1 - i]);
+    for (int i = 0; i <= p; i++) {
+        S[i] = R[p - i];
+        z[i] = w[T->planted ? i : p - i];
+    }
+    G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, p, t, &P);
+    G(nurbs_by_definition)(p + 1, p, 1, y, place, S, z, p, neg(t), &Q);
+    same(T, Q, P);
+}
+
+/*
+## At a knot (节点处的单侧值)
+
+:::{claim} sides_agree_up_to_order_less_multiplicity
+:title: At an m-fold knot the first k-1-m derivatives from both sides agree
+:zh: m 重节点处两侧 k-1-m 阶以内的导数相等
+:given: $k\ge2$, an $m$-fold knot, $1\le m\le k-1$, with $k$ simple knots on either side, values variables
+:then: for all $i$ and $0\le r\le k-1-m$ the derivatives $N_{i,k}^{(r)}$ from the left and from the right are equal; hence so are
+  the derivatives of numerator and denominator, and by the rule for quotients those of the NURBS curve
+:method: The derivatives by the kernel on the two spans that meet at the knot; functions that do not count on a span are $0$ there.
+:degrees: 1..4 sampled 8
+:control: the order $k-m$ as well
+:::
+
+:::{claim} nurbs_sides_agree
+:title: Value, derivatives, curvature and torsion of the curve from both sides
+:zh: 曲线在节点两侧的值、导矢、曲率与挠率
+:types: rational interval double
+:given: random knots, weights and points of space; an $m$-fold inner knot, $1\le m\le k-1$
+:then: the derivatives of $r$ up to order $k-1-m$ agree; for $m\le k-3$ so do the curvatures, for $m\le k-4$ the torsions
+:method: The kernels for the rational curve on both spans.
+:degrees: 1..4 sampled 6
+:control: one of the weights on the right of the knot changed
+:::
+*/
+CLAIM(sides_agree_up_to_order_less_multiplicity)
+{
+    int p = T->degree, place[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS], left[81], right[81];
+    G(distinct_knots)(T, 2 * p + 3, x);
+    for (int m = 1; m <= p; m++) {
+        char pattern[MOST_KNOTS] = "";
+        memset(pattern, '1', (size_t)(2 * p + 3));
+        pattern[p + 1] = (char)('0' + m);
+        G(knots_at)(pattern, x, u, place);
+        int before = p, after = p + m, orders = p - m + 1 + T->planted;
+        G(bspline_basis_derivatives)(p, u, before, x[p + 1], orders, left);
+        G(bspline_basis_derivatives)(p, u, after, x[p + 1], orders, right);
+        for (int r = 0; r < orders; r++)
+            for (int i = 0; i <= after; i++) {
+                num from_left = i <= before ? left[r * (p + 1) + i] : from_int(0);
+                num from_right = i >= m ? right[r * (p + 1) + i - m] : from_int(0);
+                same(T, from_left, from_right);
+            }
+    }
+}
+
+#if !FIELD
+CLAIM(nurbs_sides_agree)
+{
+    int p = T->degree;
+    for (int m = 1; m <= p; m++) {
+        num u[MOST_KNOTS], R[3 * MOST_KNOTS], w[MOST_KNOTS], left[3 * MAX_DEGREE], right[3 * MAX_DEGREE];
+        int before = p, after = p + m;
+        u[0] = unknown(T, "x", 0);
+        for (int i = 1; i <= 2 * p + m + 1; i++)
+            u[i] = p + 1 < i && i <= p + m ? u[i - 1] : add(u[i - 1], positive(T, "h", i));
+        G(weighted_points)(T, p + m + 1, 3, R, w);
+        num t = u[p + 1];
+        G(nurbs_derivatives)(p, 3, u, before, R, w, t, p - m, left);
+        if (T->planted)
+            w[p] = add(w[p], from_int(1));
+        G(nurbs_derivatives)(p, 3, u, after, R, w, t, p - m, right);
+        about(T, "the derivatives");
+        for (int r = 0; r < 3 * (p - m + 1); r++)
+            same(T, left[r], right[r]);
+        if (p - m >= 2) {
+            about(T, "the squares of the curvatures");
+            num from_left = G(nurbs_curvature_squared)(p, 3, u, before, R, w, t);
+            same(T, from_left, G(nurbs_curvature_squared)(p, 3, u, after, R, w, t));
+        }
+        if (p - m >= 3) {
+            about(T, "the torsions");
+            num from_left = G(nurbs_torsion)(p, u, before, R, w, t);
+            same(T, from_left, G(nurbs_torsion)(p, u, after, R, w, t));
+        }
+    }
+}
+#endif
+
+/*
+:::{claim} one_order_more_jumps
+:title: The next derivative jumps, and with it curvature or torsion
+:zh: 高一阶的导矢一般间断
+:kind: counterexample
+:given: $k=3$, points $(0,0),(1,0),(2,1),(2,3)$, weights $1$, knots $0,0,0,1,2,2,2$; the simple knot $1$, where
+  $k-1-m=1$
+:then: $r''$, and $\kappa^2$ with it, is different on the two sides
+:method: Both sides by the kernels.
+:control: the derivative of order 1
+:::
+
+:::{claim} k_fold_knot_tears_the_curve
+:title: At a k-fold knot the curve has two values
+:zh: k 重节点处曲线断开
+:kind: counterexample
+:given: $k=2$, knots $0,0,1,1,2,2$, points $(0,0),(1,1),(2,1),(3,0)$, weights $1$; $t=1$
+:then: $r(1-)=(1,1)$ and $r(1+)=(2,1)$
+:method: Both sides from the definition.
+:control: the third point in $(1,1)$ as well
+:::
+*/
+#if RATIONAL
+CLAIM(one_order_more_jumps)
+{
+    static const int at[] = {0, 0, 1, 0, 2, 1, 2, 3}, knot[] = {0, 0, 0, 1, 2, 2, 2};
+    num u[7], R[8], w[4], left[6], right[6];
+    for (int i = 0; i < 7; i++)
+        u[i] = from_int(knot[i]);
+    for (int i = 0; i < 8; i++)
+        R[i] = from_int(at[i]);
+    for (int i = 0; i < 4; i++)
+        w[i] = from_int(1);
+    G(nurbs_derivatives)(2, 2, u, 2, R, w, from_int(1), 2, left);
+    G(nurbs_derivatives)(2, 2, u, 3, R, w, from_int(1), 2, right);
+    int order = T->planted ? 1 : 2;
+    show_points(T, "r", 4, 2, R);
+    show_points(T, "from the left", 1, 2, left + 2 * order);
+    show_points(T, "from the right", 1, 2, right + 2 * order);
+    about(T, "the derivative from the left and from the right");
+    for (int c = 0; c < 2; c++)
+        same(T, left[2 * order + c], right[2 * order + c]);
+    if (T->planted)
+        return;
+    about(T, "the square of the curvature");
+    same(T, G(nurbs_curvature_squared)(2, 2, u, 2, R, w, from_int(1)),
+         G(nurbs_curvature_squared)(2, 2, u, 3, R, w, from_int(1)));
+}
+
+CLAIM(k_fold_knot_tears_the_curve)
+{
+    int place[6];
+    num x[] = {from_int(0), from_int(1), from_int(2)}, u[6], w[4], left[2], right[2];
+    num R[] = {from_int(0), from_int(0), from_int(1), from_int(1), from_int(2), from_int(1), from_int(3), from_int(0)};
+    if (T->planted)
+        R[4] = from_int(1);
+    for (int i = 0; i < 4; i++)
+        w[i] = from_int(1);
+    G(knots_at)("222", x, u, place);
+    G(nurbs_by_definition)(4, 1, 2, u, place, R, w, 0, from_int(1), left);
+    G(nurbs_by_definition)(4, 1, 2, u, place, R, w, 1, from_int(1), right);
+    show_points(T, "r(1-)", 1, 2, left);
+    show_points(T, "r(1+)", 1, 2, right);
+    about(T, "the values from the left and from the right");
+    for (int c = 0; c < 2; c++)
+        same(T, left[c], right[c]);
+}
+#endif
+
+/*
+:::{claim} nurbs_derivatives_are_derivatives
+:title: Derivatives, curvature and torsion of the kernels are those of the rational functions
+:zh: 核函数所算的导矢、曲率与挠率
+:types: field
+:given: $k=4$ over the knots $-3,-2,0,0,1,3,3,4$, $k=3$ over the inner six, weights and points, any $t$; orders $0,\dots,3$
+:then: `nurbs_derivatives` gives the derivatives of (4.1.2); `nurbs_curvature_squared` and `nurbs_torsion` give
+  $|r'\times r''|^2/|r'|^6$ and $(r',r'',r^{(3)})/|r'\times r''|^2$
+:method: Derivatives of the quotient of sums as rational functions of $t$; curvature and torsion at $t=\frac13$ with whole weights and
+  points of which one coordinate is a variable.
+:degrees: 2..3
+:defines: nurbs_derivatives nurbs_curvature_squared nurbs_torsion
+:control: the weights 1 for the kernels
+:::
+*/
+#if FIELD
+CLAIM(nurbs_derivatives_are_derivatives)
+{
+    static const int knot[] = {-3, -2, 0, 0, 1, 3, 3, 4}, weight[] = {1, 3, 2, 5};
+    int p = T->degree, skip = 3 - p, place[MOST_KNOTS];
+    num u[MOST_KNOTS], R[3 * MOST_KNOTS], w[MOST_KNOTS], ones[MOST_KNOTS], D[12], formal[12], t = variable_f("t");
+    for (int i = 0; i < 2 * p + 2; i++) {
+        u[i] = from_int(knot[i + skip]);
+        place[i] = knot[i + skip];
+    }
+    int interval = place[p];
+    for (int i = 0; i <= p; i++)
+        ones[i] = from_int(1);
+    G(weighted_points)(T, p + 1, 1, R, w);
+    G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, interval, t, formal);
+    G(nurbs_derivatives)(p, 1, u, p, R, T->planted ? ones : w, t, 3, D);
+    about(T, "the derivatives");
+    for (int k = 0; k <= 3; k++) {
+        same(T, D[k], formal[0]);
+        formal[0] = derivative_f(formal[0], t);
+    }
+    for (int i = 0; i <= p; i++) {
+        w[i] = from_int(weight[i]);
+        R[3 * i] = unknown(T, "a", i);
+        R[3 * i + 1] = from_int(i * i);
+        R[3 * i + 2] = from_int(i * i * i - 2 * i);
+    }
+    G(nurbs_by_definition)(p + 1, p, 3, u, place, R, w, interval, t, formal);
+    for (int m = 3; m < 12; m++)
+        formal[m] = derivative_f(formal[m - 3], t);
+    num third = from_ratio(1, 3), cross[3], square = from_int(0), speed = from_int(0), mixed = from_int(0);
+    for (int m = 0; m < 12; m++)
+        formal[m] = substitute_f(formal[m], t, third);
+    for (int c = 0; c < 3; c++) {
+        int i = (c + 1) % 3, j = (c + 2) % 3;
+        cross[c] = sub(mul(formal[3 + i], formal[6 + j]), mul(formal[3 + j], formal[6 + i]));
+        square = add(square, mul(cross[c], cross[c]));
+        speed = add(speed, mul(formal[3 + c], formal[3 + c]));
+        mixed = add(mixed, mul(cross[c], formal[9 + c]));
+    }
+    about(T, "the square of the curvature");
+    same(T, G(nurbs_curvature_squared)(p, 3, u, p, R, T->planted ? ones : w, third),
+         div(square, mul(speed, mul(speed, speed))));
+    about(T, "the torsion");
+    same(T, G(nurbs_torsion)(p, u, p, R, T->planted ? ones : w, third), div(mixed, square));
+}
+#endif
+
+/*
+## At an end (端点)
+
+:::{claim} clamped_end_is_the_first_point
+:title: Point, tangent, curvature and torsion at a clamped end
+:zh: 端点的位置、切向、曲率与挠率
+:given: $t_2=\dots=t_k<t_{k+1}<t_{k+2}<\dots$, values variables; weights, points; $a=r_2-r_1$, $b=r_3-r_2$, $c=r_4-r_3$,
+  $\Delta_i=t_{k+i}-t_k$
+:then: $r(t_k)=r_1$, $r'(t_k)=\frac{k-1}{\Delta_1}\frac{w_2}{w_1}a$, in the plane
+  $\kappa^2(t_k)=\bigl(\frac{k-2}{k-1}\frac{\Delta_1}{\Delta_2}\frac{w_1w_3}{w_2^2}\bigr)^2\frac{(a\times b)^2}{|a|^6}$, and in
+  space $\tau(t_k)=\frac{k-3}{k-1}\frac{\Delta_1}{\Delta_3}\frac{w_1w_4}{w_2w_3}\frac{(a,b,c)}{|a\times b|^2}$
+:method: The kernels at $t=t_k$; for $k=3$ without the torsion.  With equal $\Delta_i$ these are the formulas of rational Bézier curves.
+:degrees: 2..5 sampled 7
+:control: $\Delta_1/\Delta_2$ left out
+:::
+*/
+CLAIM(clamped_end_is_the_first_point)
+{
+    int p = T->degree;
+    num u[MOST_KNOTS], R[2 * MOST_KNOTS], S[3 * MOST_KNOTS], w[MOST_KNOTS], D[4];
+    u[0] = unknown(T, "x", 0);
+    for (int i = 1; i <= 2 * p + 1; i++)
+        u[i] = 1 < i && i <= p ? u[1] : add(u[i - 1], positive(T, "h", i));
+    G(weighted_points)(T, p + 1, 2, R, w);
+    num one = u[p], length1 = sub(u[p + 1], one), length2 = sub(u[p + 2], one), a[3], b[3], c[3];
+    G(nurbs_derivatives)(p, 2, u, p, R, w, one, 1, D);
+    num speed = mul(div(from_int(p), length1), div(w[1], w[0]));
+    for (int k = 0; k < 2; k++) {
+        a[k] = sub(R[2 + k], R[k]);
+        b[k] = sub(R[4 + k], R[2 + k]);
+        about(T, "the point");
+        same(T, D[k], R[k]);
+        about(T, "the derivative");
+        same(T, D[2 + k], mul(speed, a[k]));
+    }
+    num factor = mul(from_ratio(p - 1, p), div(mul(w[0], w[2]), mul(w[1], w[1]))), area = G(cross2)(a, b);
+    if (!T->planted)
+        factor = mul(factor, div(length1, length2));
+    num square = G(norm_squared)(2, a), part = mul(factor, area);
+    about(T, "the square of the curvature");
+    same(T, G(nurbs_curvature_squared)(p, 2, u, p, R, w, one), div(mul(part, part), mul(square, mul(square, square))));
+    if (p < 3)
+        return;
+    G(weighted_points)(T, p + 1, 3, S, w);
+    for (int k = 0; k < 3; k++) {
+        a[k] = sub(S[3 + k], S[k]);
+        b[k] = sub(S[6 + k], S[3 + k]);
+        c[k] = sub(S[9 + k], S[6 + k]);
+    }
+    factor = mul(mul(from_ratio(p - 2, p), div(length1, sub(u[p + 3], one))), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    about(T, "the torsion");
+    same(T, G(nurbs_torsion)(p, u, p, S, w, one), mul(factor, div(G(det3)(a, b, c), G(gram)(3, a, b))));
+}
+
+/*
+## Closed curves (周期节点)
+
+:::{claim} periodic_data_close_the_curve
+:title: Periodic points, weights and knots close the curve as smoothly as it is elsewhere
+:zh: 周期数据给出封闭光滑曲线
+:given: $m$ points and $m+1$ knots of one period, $m=k$ or $k+1$, all simple, continued periodically; values variables
+:then: at the two ends of the domain the derivatives of orders $0,\dots,k-2$ of numerator and denominator agree, hence those of the
+  curve
+:method: The kernel `bspline_periodic` for the continuation, the derivatives by the kernel on the first and on the last span;
+  homogeneous coordinates, one coordinate.
+:degrees: 1..3 sampled 7
+:control: the order $k-1$ as well
+:::
+*/
+CLAIM(periodic_data_close_the_curve)
+{
+    int p = T->degree;
+    for (int m = p + 1; m <= p + 2; m++) {
+        num u[MOST_KNOTS], c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], first[MAX_DEGREE], last[MAX_DEGREE];
+        G(distinct_knots)(T, m + 1, u);
+        for (int i = 0; i < m; i++)
+            c[i] = unknown(T, "H", i);
+        G(bspline_periodic)(m, p, 1, u, c, v, d);
+        int orders = p + T->planted;
+        G(bspline_derivatives)(p, 1, v, p, d, v[p], orders, first);
+        G(bspline_derivatives)(p, 1, v, p + m - 1, d, v[p + m], orders, last);
+        for (int r = 0; r < orders; r++)
+            same(T, first[r], last[r]);
+    }
+}
+#include "chapters/frame/claims_off.h"

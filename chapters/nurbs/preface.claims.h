@@ -1,0 +1,344 @@
+/*
+# Why NURBS curves (本章引言)
+
+A NURBS curve is a quotient of splines, as a rational Bézier curve is a quotient of polynomials.  The preface of the
+chapter gives the reasons for it: it is adjusted locally, its order of continuity is adjustable, it represents conics
+exactly, and its special cases are the curves of the chapters before.  Then it compares two ways of computing it.  What of
+this can be computed is decided here.
+
+:::{statement} wang-ch4:preface-generalization
+:title: Piecewise polynomial generalises to piecewise rational; B-spline and rational Bézier curves are special cases
+:zh: 由分段多项式推广到分段有理多项式;B 样条曲线与有理 Bézier 曲线为其特例
+:printed: The nonuniform B-spline curve, a piecewise polynomial, is generalised to the piecewise rational NURBS curve,
+  of which B-spline curves and rational Bézier curves are special cases
+:holds-by: nurbs_point_is_the_weighted_mean equal_weights_give_bspline bezier_knots_give_rational_bezier
+:::
+
+:::{statement} wang-ch4:preface-local-control
+:title: The shape is locally adjustable
+:zh: 形状局部可调
+:printed: NURBS curves share with B-spline curves that their shape can be adjusted locally
+:holds-by: moved_point_changes_its_support
+:figure: local_control
+
+Point $r_i$ and weight $w_i$ count on $[t_i,t_{i+k})$ only.
+:::
+
+:::{statement} wang-ch4:preface-continuity
+:title: The order of continuity is adjustable
+:zh: 连续阶数可调
+:printed: NURBS curves share with B-spline curves that their order of continuity can be chosen
+:holds-by: sides_agree_up_to_order_less_multiplicity
+:reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion: true
+:reading: one_order_more_jumps | as the exact order: one order more is not continuous in general
+:figure: knot_sides
+
+A knot of multiplicity $m$ costs $m$ of the $k-1$ continuous derivatives; curvature is continuous for $m\le k-3$, torsion for
+$m\le k-4$.
+:::
+
+:::{statement} wang-ch4:preface-conics
+:title: Rational Bézier curves, and so NURBS, represent conics exactly
+:zh: 可精确表示圆锥曲线
+:printed: NURBS curves share with rational Bézier curves that they can represent conic sections exactly
+:holds-by: circle_is_a_nurbs_curve circle_is_run_through_once tangent_conics_are_rational_quadratics
+:reading: ellipse_carries_no_polynomial_arc | as an advantage over B-spline curves: true, a polynomial arc on an ellipse is
+  a point
+:reading: parabola_arcs_are_quadratic | as something that only rational curves can do: not for the parabola
+:figure: nurbs_circle
+
+A whole circle is one NURBS curve, with rational points and weights, and with every choice of the knots.
+:::
+
+:::{claim} circle_is_a_nurbs_curve
+:title: A whole circle as one quadratic NURBS curve
+:zh: 整圆可表为一条二次 NURBS 曲线
+:given: $k=3$, knots $x_0^3x_1^2x_2^2x_3^2x_4^3$ (exponents are multiplicities), their values variables; the points
+  $(1,0)$, $(1,1)$, $(0,1)$, $(-1,1)$, $(-1,0)$, $(-1,-1)$, $(0,-1)$, $(1,-1)$, $(1,0)$ with weights
+  $1,1,2,1,1,1,2,1,1$
+:then: $x(t)^2+y(t)^2=1$ on each of the four intervals, and the ends are one point
+:method: The point of the curve from the definition, all nine terms, at a variable $t$.
+:control: the weights 1
+:::
+*/
+#if RATIONAL
+#include "chapters/nurbs/counting.h"
+#define G(name) name##_q
+#endif
+
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* The circle of radius 1 in four quarters: weights 1, 1, 2 to and fro. */
+static void G(circle)(int plain, num R[18], num w[9])
+{
+    static const int x[9] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, y[9] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
+    static const int weight[9] = {1, 1, 2, 1, 1, 1, 2, 1, 1};
+    for (int i = 0; i < 9; i++) {
+        R[2 * i] = from_int(x[i]);
+        R[2 * i + 1] = from_int(y[i]);
+        w[i] = from_int(plain ? 1 : weight[i]);
+    }
+}
+
+CLAIM(circle_is_a_nurbs_curve)
+{
+    num x[5], u[12], R[18], w[9], P[2], t = unknown(T, "t", 0);
+    int place[12];
+    G(distinct_knots)(T, 5, x);
+    G(knots_at)("32223", x, u, place);
+    G(circle)(T->planted, R, w);
+    for (int interval = 0; interval < 4; interval++) {
+        G(nurbs_by_definition)(9, 2, 2, u, place, R, w, interval, t, P);
+        same(T, add(mul(P[0], P[0]), mul(P[1], P[1])), from_int(1));
+    }
+    about(T, "the ends");
+    num end[2];
+    G(nurbs_by_definition)(9, 2, 2, u, place, R, w, 0, x[0], P);
+    G(nurbs_by_definition)(9, 2, 2, u, place, R, w, 3, x[4], end);
+    for (int c = 0; c < 2; c++)
+        same(T, P[c], end[c]);
+}
+
+/*
+:::{claim} circle_is_run_through_once
+:title: The curve runs once around the circle, never back
+:zh: 曲线沿圆恰好绕行一周
+:given: the same curve; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval
+:then: $x\,y'-y\,x'>0$, and the quarters begin and end in $(1,0),(0,1),(-1,0),(0,-1),(1,0)$
+:method: The derivatives by the kernel; the cross product has positive coefficients only in $s$ and the gaps of the knots.  On a
+  circle the angle then grows; on a quarter $x$ and $y$ keep their signs, as the curve is in the hull of three points,
+  so it grows by a quarter turn each time.
+:control: the points taken in the opposite order
+:::
+*/
+CLAIM(circle_is_run_through_once)
+{
+    num x[5], u[12], R[18], w[9], D[4], s = positive(T, "s", 0), part = div(s, add(s, from_int(1)));
+    int place[12];
+    G(increasing_knots)(T, 5, x);
+    G(knots_at)("32223", x, u, place);
+    G(circle)(0, R, w);
+    for (int i = 0; T->planted && i < 9; i++)
+        R[2 * i + 1] = neg(R[2 * i + 1]);
+    for (int interval = 0; interval < 4; interval++) {
+        int mu = G(span_of_interval)(12, place, interval);
+        num t = add(x[interval], mul(sub(x[interval + 1], x[interval]), part));
+        G(nurbs_derivatives)(2, 2, u, mu, R, w, t, 1, D);
+        about(T, "the angle grows");
+        nonnegative(T, G(cross2)(D, D + 2));
+        about(T, "the ends of the quarter");
+        for (int end = 0; end < 2; end++) {
+            G(nurbs_point)(2, 2, u, mu, R, w, x[interval + end], D);
+            same(T, D[0], R[4 * (interval + end)]);
+            same(T, D[1], R[4 * (interval + end) + 1]);
+        }
+    }
+}
+
+/*
+## How long it takes (时间复杂度)
+
+:::{statement} wang-ch4:preface-complexity-recursion
+:title: The time of de Boor's and Boehm's recursions is exponential
+:zh: deBoor 与 Boehm 递推的时间复杂度为指数式
+:printed: As the recursion has to be carried out repeatedly, the time complexity of de Boor's formula and of Boehm's knot
+  insertion is exponential, that of the matrix form in the power basis is polynomial
+:refuted-by: recursion_is_not_exponential
+:class: false
+:corrected: the recursions (4.1.3), (4.1.4) take $c\,\frac{k(k-1)}2$ steps for one point with a constant $c$ that depends on the
+  dimension only, and the insertion of one knot takes at most $c\,(k-1)$ beside copying
+:corrected-by: recursion_is_quadratic
+:reading: plain_recursion_doubles | the recursion taken as a formula, in which each $r_i^{[r]}$ is computed again where it
+  occurs again: then the time does double with the order.  Nobody needs to do so, and the algorithm 4.1.1, level after
+  level, does not.
+:figure: recursion_steps
+:striking: 40
+
+The same source calls de Boor's recursion simple and stable; it is the way in which most programs compute.
+:::
+
+:::{claim} recursion_is_quadratic
+:title: The recursion takes k(k-1)/2 times the steps of one division of an edge
+:zh: 递推求值的运算次数为阶数的二次式
+:kind: decision
+:given: the kernels `deboor` and `nurbs_deboor` in the plane, `nurbs_insert`, orders $k=2,\dots,17$
+:then: with $c$ operations for $k=2$, they take $c\,\frac{k(k-1)}2$ for order $k$, and the insertion takes
+  $c\,(k-1)$
+:method: The kernels, which never look at a number, run on numbers that count.  For every $k$: the loops are over
+  $r=1,\dots,k-1$ and the $k-r$ points of level $r$, each point with the same operations.
+:degrees: 1..16
+:control: the number of operations taken as $c\,(k-1)$ for a point
+:::
+*/
+#if RATIONAL
+CLAIM(recursion_is_quadratic)
+{
+    int p = T->degree;
+    long unit[3], cost[3], tree;
+    counted_work(1, unit, &tree);
+    counted_work(p, cost, &tree);
+    for (int way = 0; way < 2; way++)
+        agree(T, 2 * cost[way] == unit[way] * p * (T->planted ? 2 : p + 1));
+    agree(T, cost[2] == unit[2] * p);
+    agree(T, unit[0] > 0 && unit[1] > 0 && unit[2] > 0);
+}
+
+/*
+:::{claim} recursion_is_not_exponential
+:title: De Boor's algorithm of order 17 is far below the smallest doubling
+:zh: 十七阶 deBoor 算法的运算次数远小于指数值
+:kind: counterexample
+:given: one point of a plane curve in homogeneous coordinates, orders 9 and 17
+:then: the steps for order 17 are less than four times those for order 9, while doubling with each order means
+  $2^8$ times
+:method: The steps are counted in the kernel.  Exponential time multiplies by a fixed factor $a>1$ with each order, so by
+  $a^8$ for these two and by $a^{m}$ from $k=m+1$ to $2m+1$; the quotient is $\frac{2(2m+1)}{m+1}<4$ for every $m$.
+:control: the plain recursion, in which everything is computed again
+:::
+*/
+CLAIM(recursion_is_not_exponential)
+{
+    long cost[2][3], tree[2];
+    for (int k = 0; k < 2; k++) {
+        counted_work(8 * (k + 1), cost[k], &tree[k]);
+        show_text(T, k == 0 ? "operations, order 9" : "operations, order 17", "%ld", cost[k][0]);
+        show_text(T, k == 0 ? "plain recursion, order 9" : "plain recursion, order 17", "%ld", tree[k]);
+    }
+    about(T, "order 17 takes at least 2^8 times the operations of order 9");
+    agree(T, T->planted ? tree[1] >= 256 * tree[0] : cost[1][0] >= 256 * cost[0][0]);
+}
+
+/*
+:::{claim} plain_recursion_doubles
+:title: Without keeping what it has computed the recursion doubles with every order
+:zh: 不保留中间结果的递归随阶数加倍
+:kind: decision
+:given: de Boor's formula for orders $k=2,\dots,17$, written out in full
+:then: from order $k$ to $k+1$ the number of operations at least doubles
+:method: The number of operations of the expression, common parts counted as often as they occur.  For every order: the formula for
+  $r^{[k]}$ contains two expressions $r^{[k-1]}$ of the order before.
+:degrees: 1..16
+:control: the number of operations of a program that keeps what it has computed
+:::
+*/
+CLAIM(plain_recursion_doubles)
+{
+    long cost[2][3], tree[2];
+    counted_work(T->degree, cost[0], &tree[0]);
+    counted_work(T->degree + 1, cost[1], &tree[1]);
+    agree(T, T->planted ? cost[1][0] >= 2 * cost[0][0] : tree[1] >= 2 * tree[0]);
+}
+#endif
+
+/*
+:::{statement} wang-ch4:preface-complexity-power-basis
+:title: The power basis takes polynomial time and suits Horner's rule
+:zh: 幂基形式的复杂度为多项式且适于秦九韶-Horner 算法
+:printed: The matrix form in the power basis has polynomial time complexity and is suited to the algorithm of Qin
+  Jiushao and Horner
+:holds-by: horner_takes_two_operations_a_degree
+:::
+
+:::{claim} horner_takes_two_operations_a_degree
+:title: Horner's rule takes k-1 products and k-1 sums
+:zh: Horner 算法的运算次数
+:types: field rational
+:given: $a_0,\dots,a_p$ and $t$
+:then: $(\dots(a_pt+a_{p-1})t+\dots)t+a_0$ is $\sum a_jt^j$ and takes $2p$ operations; bringing a span to this form, a
+  product with a matrix of $k\times k$ numbers, takes less than $2k^2$ a coordinate, once
+:method: The rule against the sum of powers, everything a variable, and on numbers that count.
+:degrees: 1..8 sampled 16
+:control: the coefficients taken in the opposite order
+:::
+*/
+#if FIELD || RATIONAL
+CLAIM(horner_takes_two_operations_a_degree)
+{
+    int p = T->degree;
+    num a[MAX_DEGREE + 1], t = unknown(T, "t", 0), value, sum = from_int(0), power = from_int(1);
+    for (int j = 0; j <= p; j++)
+        a[j] = unknown(T, "a", j);
+    value = a[T->planted ? 0 : p];
+    for (int j = 1; j <= p; j++)
+        value = add(mul(value, t), a[T->planted ? j : p - j]);
+    for (int j = 0; j <= p; j++, power = mul(power, t))
+        sum = add(sum, mul(a[j], power));
+    same(T, value, sum);
+#if RATIONAL
+    long steps = 0;
+    num_n fresh = {&steps, 0}, counted_value = fresh;
+    for (int j = 1; j <= p; j++)
+        counted_value = add_n(mul_n(counted_value, fresh), fresh);
+    agree(T, steps == 2 * p);
+#endif
+}
+#endif
+
+/*
+## Dates and names (引文)
+
+:::{statement} wang-ch4:preface-citations
+:title: What the preface cites is in the list of the literature
+:zh: 引言所引文献见于主要文献
+:printed: Sections 1 and 2 are taken from [WGJ, WGZ, 99] and [LW, LYD, 95], section 3 from [WGJ, 92], section 4 from
+  [LLG, WGJ, 2000]
+:refuted-by: cited_year_is_not_listed
+:class: misprint
+:corrected: [LW, LYD, 90]: the list has W. Lü and Y. Liang, Acta Mathematicae Applicatae Sinica 13 (1990)
+:corrected-by: corrected_years_are_listed
+:::
+
+:::{claim} cited_year_is_not_listed
+:title: One of the four labels is not in the list
+:zh: 所引标号之一不在文献表中
+:kind: counterexample
+:given: the labels of the preface and those of the list, as printed
+:then: not every label of the preface is in the list
+:method: Label by label.
+:control: the year 90
+:::
+
+:::{claim} corrected_years_are_listed
+:title: With the year 90 all four labels are in the list
+:zh: 更正年份后四个标号均在表中
+:kind: decision
+:given: the labels of the preface, one year corrected, and those of the list
+:then: each is in the list
+:method: Label by label.
+:control: the year 95
+:::
+
+:::{statement} wang-ch4:preface-step
+:title: In 1991 the ISO promulgated STEP, with NURBS as its only free-form geometry
+:zh: 1991 年 ISO 正式颁布的 STEP 标准以 NURBS 为自由曲线曲面的唯一定义
+:printed: In the STEP standard, formally issued by ISO in 1991, NURBS are the only definition of free-form curves and
+  surfaces [1]
+:reading: as history: no computation decides it.  The work cited for it is an article of 1991 on data exchange with STEP; the first
+  parts of ISO 10303 are commonly dated 1994.
+:reading: as mathematics, that no other kind of curve is needed beside NURBS: B-spline and rational Bézier curves are
+  among them (see the first entry), offsets and helices are not.
+:::
+*/
+#if RATIONAL
+static int labels_are_listed(trial *T, const char *doubtful)
+{
+    const char *const cited[] = {"WGJ, WGZ, 99", doubtful, "WGJ, 92", "LLG, WGJ, 2000"};
+    static const char *const listed[] = {"WGJ, WGZ, 99", "LW, LYD, 90", "WGJ, 92", "LLG, WGJ, 2000"};
+    int all = 1;
+    for (int k = 0; k < 4; k++) {
+        int found = 0;
+        for (int m = 0; m < 4; m++)
+            found |= strcmp(cited[k], listed[m]) == 0;
+        if (!found)
+            show_text(T, "not in the list", "[%s]", cited[k]);
+        all &= found;
+    }
+    return all;
+}
+CLAIM(cited_year_is_not_listed) { agree(T, labels_are_listed(T, T->planted ? "LW, LYD, 90" : "LW, LYD, 95")); }
+CLAIM(corrected_years_are_listed) { agree(T, labels_are_listed(T, T->planted ? "LW, LYD, 95" : "LW, LYD, 90")); }
+#endif
+#include "chapters/frame/claims_off.h"

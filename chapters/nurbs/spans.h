@@ -1,0 +1,118 @@
+/* spans.h -- the knots of one span in every order of coincidence, and the B-splines there by definition.
+ *
+ * The other side of the comparisons in the sections on coefficient matrices.  The notation is the source's: the
+ * order k, the span [t_r, t_{r+1}), the functions N_{i,k} of t_i, ..., t_{i+k} with i = r-k+1, ..., r.  The 2k
+ * knots that these functions have are numbered from 0, so r = k-1.  A pattern says which of them coincide.  Generic
+ * text. */
+#include "chapters/nurbs/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { LARGEST_ORDER = 9 };
+
+struct G(span) {
+    int k, r;                     /* the order; the span is [t_r, t_{r+1}), r = k-1              */
+    num t[2 * LARGEST_ORDER];     /* the knots                                                    */
+    int group[2 * LARGEST_ORDER]; /* group[a] = group[b] just when t[a] = t[b]; nondecreasing     */
+};
+
+static inline num G(factorial)(int n)
+{
+    num product = from_int(1);
+    for (int k = 2; k <= n; k++)
+        product = mul(product, from_int(k));
+    return product;
+}
+
+/* n!/(i! (n-i)!), and 0 for i < 0 and i > n */
+static inline num G(choose)(int n, int i)
+{
+    if (i < 0 || i > n)
+        return from_int(0);
+    return div(G(factorial)(n), mul(G(factorial)(i), G(factorial)(n - i)));
+}
+
+static inline num G(power)(num a, int k)
+{
+    num product = from_int(1);
+    for (; k > 0; k--)
+        product = mul(product, a);
+    return product;
+}
+
+/* a for even n, -a for odd n */
+static inline num G(signed_by)(int n, num a) { return n % 2 == 0 ? a : neg(a); }
+
+/* Increasing numbers: variables of the field, which have no order; elsewhere sums of positive data. */
+static inline void G(increasing)(trial *T, int count, num x[])
+{
+    for (int m = 0; m < count; m++)
+#if FIELD
+        x[m] = unknown(T, "t", m);
+#else
+        x[m] = m == 0 ? unknown(T, "t", 0) : add(x[m - 1], positive(T, "t", m));
+#endif
+}
+
+/* How many patterns the 2k knots around a span have: t_r < t_{r+1}, and each other step may be 0 or not. */
+static inline int G(patterns)(int k) { return 1 << (2 * k - 2); }
+
+/* The knots of pattern number m, 0 <= m < patterns(k), from the increasing numbers x.  The last pattern has 2k
+ * different knots, pattern 0 is that of Bernstein: k knots x_0 and k knots x_1. */
+static inline struct G(span) G(span_of_pattern)(int k, int m, const num x[])
+{
+    struct G(span) S = {.k = k, .r = k - 1};
+    S.t[0] = x[0];
+    S.group[0] = 0;
+    for (int a = 1; a < 2 * k; a++) {
+        int grows = a == k;
+        if (!grows) {
+            grows = m & 1;
+            m >>= 1;
+        }
+        S.group[a] = S.group[a - 1] + grows;
+        S.t[a] = x[S.group[a]];
+    }
+    return S;
+}
+
+static inline struct G(span) G(simple_span)(trial *T, int k)
+{
+    num x[2 * LARGEST_ORDER];
+    G(increasing)(T, 2 * k, x);
+    return G(span_of_pattern)(k, G(patterns)(k) - 1, x);
+}
+
+/* N_{i,m}(x) of order m on the span, a polynomial of x, by the definition. */
+static inline num G(basis_value)(const struct G(span) * S, int i, int m, num x)
+{
+    return G(cox_de_boor)(m - 1, S->t, S->group, i, S->group[S->r], x);
+}
+
+/* t = t_r + u (t_{r+1} - t_r) */
+static inline num G(at_parameter)(const struct G(span) * S, num u)
+{
+    return add(S->t[S->r], mul(u, sub(S->t[S->r + 1], S->t[S->r])));
+}
+
+/* The sum of a_{ji} u^j over the rows j of column c of the k x k matrix A. */
+static inline num G(column_value)(int k, const num A[], int c, num u)
+{
+    num sum = from_int(0);
+    for (int j = 0; j < k; j++)
+        sum = add(sum, mul(A[j * k + c], G(power)(u, j)));
+    return sum;
+}
+
+/* The determinant of an n x n matrix as the sum over all permutations: (-1)^{inversions} times the product. */
+static inline num G(leibniz)(int n, int row, unsigned used, const num M[])
+{
+    if (row == n)
+        return from_int(1);
+    num sum = from_int(0);
+    for (int c = 0, free_before = 0; c < n; c++)
+        if (!(used >> c & 1))
+            sum = add(sum, G(signed_by)(free_before++, mul(M[row * n + c], G(leibniz)(n, row + 1, used | 1u << c, M))));
+    return sum;
+}
+#include "chapters/frame/claims_off.h"

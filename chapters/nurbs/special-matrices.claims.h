@@ -1,0 +1,804 @@
+/*
+# Special coefficient matrices (特殊系数矩阵)
+
+Three kinds of knots have formulas of their own: knots that are all different, equidistant knots, and the knots of a
+single Bézier segment.  The source derives the first two from the divided differences, the third from Marsden's identity.
+
+## Simple knots (单节点)
+
+:::{statement} wang-ch4:simple-vandermonde
+:title: For simple nodes the determinant is that of Vandermonde
+:zh: 单节点时为 Vandermonde 行列式
+:printed: when all nodes of $T$ are simple, $\det H(T;1,t,\dots,t^k)$ is Vandermonde's determinant
+:holds-by: simple_determinant_is_vandermonde
+:::
+
+:::{statement} wang-ch4:simple-divided-difference
+:title: The divided difference over simple nodes
+:zh: 单节点差商公式
+:printed: [t_i,\dots,t_{i+k}]f=\sum_{l=i}^{i+k}\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_j-t_l)\Bigr]^{-1}f(t_l)
+:class: misprint
+:refuted-by: printed_simple_difference_has_wrong_sign
+:corrected: the factors are $t_l-t_j$; there are $k$ of them, so the printed formula has the wrong sign for odd $k$ and is
+  right for even $k$
+:corrected-by: simple_difference_has_factors_of_both_orders
+:figure: simple_knots_sign
+:::
+
+:::{statement} wang-ch4:simple-basis
+:title: The B-spline of simple knots
+:zh: 单节点 B 样条基
+:printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}
+:reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$; so
+  read it is true
+:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$; so read
+  it is $-N_{i,k}$ for odd $k$
+:corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
+:corrected-by: simple_basis_from_weights
+
+Nothing in the source says what $\alpha_l$ is.
+:::
+
+:::{statement} wang-ch4:simple-basis-expanded
+:title: The B-spline of simple knots in powers of u
+:zh: 单节点 B 样条基的展开式
+:printed: N_{i,k}(t)=\sum_{j=0}^{k-1}u^j\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-1-j}
+  \Big/\prod_{\alpha=i,\,\alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]
+:class: misprint
+:refuted-by: printed_weights_give_the_negative_basis
+:corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
+:corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
+:figure: simple_knots_sign
+:::
+
+:::{statement} wang-ch4:formula-4.4.23
+:title: The entries of the coefficient matrix for simple knots
+:zh: 单节点系数矩阵的元素
+:printed: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
+  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]
+:class: misprint
+:refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
+:corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha\ne l}
+  (t_l-t_\alpha)}
+:corrected-by: simple_matrix_is_the_matrix
+:striking: 9
+:figure: simple_knots_sign
+
+Two faults: the sign, wrong for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, which for even
+$k$ is wrong alone.
+:::
+
+:::{claim} simple_determinant_is_vandermonde
+:title: The determinant over simple nodes
+:zh: Vandermonde 行列式
+:given: $k+1$ simple nodes, variables
+:then: $\det H=\prod_{i<j}(t_j-t_i)$, and row $i$ of $H$ is $1,t_i,\dots,t_i^k$
+:method: The determinant of the kernel's matrix, and its product formula, against the product of the differences.
+:degrees: 0..5 sampled 8
+:control: the order of the last two nodes exchanged in the product
+:::
+
+:::{claim} simple_difference_has_factors_of_both_orders
+:title: The divided difference over simple nodes, and the printed one times (-1)^k
+:zh: 单节点差商的正确符号
+:given: $k+1$ simple nodes and the values of $f$, variables
+:then: $[t_0,\dots,t_k]f=\sum f(t_l)/\prod_{j\ne l}(t_l-t_j)$, and the printed sum is $(-1)^k$ times this
+:method: The table of divided differences against both sums.
+:degrees: 0..6 sampled 10
+:control: the sign $(-1)^{k+1}$
+:::
+
+:::{claim} simple_basis_from_weights
+:title: The sum over the knots to the right of the span
+:zh: 区间右侧节点求和得 B 样条基
+:given: orders $k=p+1$, simple knots and $t$ variables
+:then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
+:method: The weights of `divided_weights`, the B-splines by definition.
+:degrees: 0..4 sampled 7
+:control: the sum begins at $l=r$
+:::
+
+:::{claim} simple_matrix_is_the_matrix
+:title: The corrected formula gives the coefficient matrix
+:zh: 改正后的 (4.4.23)
+:given: orders $k=p+1$, odd and even, simple knots and $u$ variables
+:then: the columns of `bspline_matrix_simple` are the $N_{i,k}$ in powers of $u$
+:method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
+:degrees: 0..4 sampled 7
+:defines: bspline_matrix_simple
+:control: the rows in the opposite order
+:::
+
+:::{claim} printed_simple_matrix_differs_by_the_parity_sign
+:title: With the exponent k-1-j the printed matrix is (-1)^k times the right one
+:zh: 印式与正确矩阵相差 (-1)^k
+:given: orders $k=p+1$, odd and even, simple knots, variables
+:then: the printed $a_{ji}$, its exponent read as $k-1-j$, is $(-1)^ka_{ji}$
+:method: The printed formula by its letter against `bspline_matrix`.
+:degrees: 0..4 sampled 7
+:control: the factor $(-1)^{k+1}$
+:::
+*/
+#include "chapters/nurbs/spans.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
+
+/* The product over all m = i, ..., i+k but l of t_m - t_l (as printed), or of t_l - t_m. */
+static num G(product_of_differences)(const num t[], int i, int k, int l, int as_printed)
+{
+    num product = from_int(1);
+    for (int m = i; m <= i + k; m++)
+        if (m != l)
+            product = mul(product, as_printed ? sub(t[m], t[l]) : sub(t[l], t[m]));
+    return product;
+}
+
+/* (4.4.23) by its letter, but for the exponent, which is given: k-1-j, or k-l-j with the number l of the knot. */
+static num G(printed_entry)(const struct G(span) * S, int i, int j, int letter, int as_printed)
+{
+    int k = S->k, r = S->r;
+    num sum = from_int(0), step = sub(S->t[r], S->t[r + 1]);
+    for (int l = r + 1; l <= i + k; l++) {
+        int exponent = letter ? k - l - j : k - 1 - j;
+        num gap = sub(S->t[l], S->t[r]);
+        num power = exponent >= 0 ? G(power)(gap, exponent) : div(from_int(1), G(power)(gap, -exponent));
+        sum = add(sum, div(power, G(product_of_differences)(S->t, i, k, l, as_printed)));
+    }
+    return mul(mul(G(choose)(k - 1, j), sub(S->t[i + k], S->t[i])), mul(G(power)(step, j), sum));
+}
+
+CLAIM(simple_determinant_is_vandermonde)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num t[LARGEST_ORDER], H[CELLS], product = from_int(1);
+    G(increasing)(T, k + 1, t);
+    for (int i = 0; i <= k; i++) {
+        l[i] = 1;
+        for (int j = i + 1; j <= k; j++)
+            product = mul(product, T->planted && i == k - 1 ? sub(t[i], t[j]) : sub(t[j], t[i]));
+    }
+    G(confluent_vandermonde)(k + 1, l, t, H);
+    about(T, "the rows");
+    for (int i = 0; i <= k; i++)
+        for (int c = 0; c <= k; c++)
+            same(T, H[i * (k + 1) + c], G(power)(t[i], c));
+    about(T, "the determinant");
+    same(T, G(determinant)(k + 1, H), product);
+    same(T, G(confluent_vandermonde_determinant)(k + 1, l, t), product);
+}
+
+CLAIM(simple_difference_has_factors_of_both_orders)
+{
+    int k = T->degree, l[12];
+    num t[12], f[12], sum = from_int(0), printed = from_int(0);
+    G(increasing)(T, k + 1, t);
+    for (int i = 0; i <= k; i++) {
+        l[i] = 1;
+        f[i] = unknown(T, "f", i);
+        sum = add(sum, div(f[i], G(product_of_differences)(t, 0, k, i, 0)));
+        printed = add(printed, div(f[i], G(product_of_differences)(t, 0, k, i, 1)));
+    }
+    same(T, G(divided_difference)(k + 1, l, t, f), sum);
+    same(T, printed, G(signed_by)(k + T->planted, sum));
+}
+
+CLAIM(simple_basis_from_weights)
+{
+    int k = T->degree + 1, l[LARGEST_ORDER + 1];
+    struct G(span) S = G(simple_span)(T, k);
+    num t = parameter(T, "t"), alpha[LARGEST_ORDER + 1];
+    for (int m = 0; m <= k; m++)
+        l[m] = 1;
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        G(divided_weights)(k + 1, l, S.t + i, alpha);
+        for (int m = S.r + 1 - T->planted; m <= i + k; m++)
+            sum = add(sum, mul(alpha[m - i], G(power)(sub(S.t[m], t), k - 1)));
+        same(T, mul(sub(S.t[i + k], S.t[i]), sum), G(basis_value)(&S, i, k, t));
+    }
+}
+
+CLAIM(simple_matrix_is_the_matrix)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS], u = parameter(T, "u");
+    G(bspline_matrix_simple)(k - 1, S.t, S.r, A);
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        for (int j = 0; j < k; j++)
+            sum = add(sum, mul(A[(T->planted ? k - 1 - j : j) * k + i], G(power)(u, j)));
+        same(T, sum, G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
+    }
+}
+
+CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS];
+    G(bspline_matrix)(k - 1, S.t, S.r, A);
+    for (int j = 0; j < k; j++)
+        for (int i = 0; i < k; i++)
+            same(T, G(printed_entry)(&S, i, j, 0, 1), G(signed_by)(k + T->planted, A[j * k + i]));
+}
+
+#if RATIONAL
+/*
+:::{claim} printed_simple_difference_has_wrong_sign
+:title: The printed divided difference has the wrong sign
+:zh: 印出的差商公式符号有误
+:kind: counterexample
+:given: $k=1$, the nodes $0,1$, $f(0)=0$, $f(1)=1$
+:then: $[0,1]f=1$; printed is $f(0)/(1-0)+f(1)/(0-1)=-1$
+:method: The printed sum against the table.
+:control: the factors $t_l-t_j$
+:::
+*/
+CLAIM(printed_simple_difference_has_wrong_sign)
+{
+    int one[2] = {1, 1};
+    num t[2] = {from_int(0), from_int(1)}, sum = from_int(0);
+    for (int l = 0; l < 2; l++)
+        sum = add(sum, div(t[l], G(product_of_differences)(t, 0, 1, l, !T->planted)));
+    show_points(T, "t_i", 2, 1, t);
+    show_points(T, "f(t_i)", 2, 1, t);
+    about(T, "the printed sum, and the divided difference");
+    same(T, sum, G(divided_difference)(2, one, t, t));
+}
+
+/*
+:::{claim} printed_weights_give_the_negative_basis
+:title: With the printed factors the formula gives the negative B-spline
+:zh: 按印式得到负的 B 样条基
+:kind: counterexample
+:given: $k=1$, the knots $0,1$ of $N_{0,1}=1$ on $[0,1)$
+:then: printed is $(1-0)\cdot(1-0)^0/(0-1)=-1$
+:method: The formula for $j=0$, where the exponents $k-1-j$ and $k-l-j$ with $l=r+1=1$ are both 0.
+:control: the factors $t_l-t_\alpha$
+:::
+*/
+CLAIM(printed_weights_give_the_negative_basis)
+{
+    num x[2] = {from_int(0), from_int(1)};
+    struct G(span) S = G(span_of_pattern)(1, 0, x);
+    num a = G(printed_entry)(&S, 0, 0, 1, !T->planted);
+    show_points(T, "t_i", 2, 1, x);
+    about(T, "a_{00}, and N_{0,1}");
+    same(T, a, G(basis_value)(&S, 0, 1, from_ratio(1, 2)));
+}
+
+/*
+:::{claim} exponent_with_the_letter_fails
+:title: The exponent k-l-j with the number of the knot is wrong
+:zh: 指数 k-l-j 中的 l 应为 1
+:kind: counterexample
+:given: $k=2$, where the sign is right, the knots $t_0,\dots,t_3=0,1,3,5$, $r=1$, $i=1$, $j=0$
+:then: $a_{01}=N_{1,2}(t_r)=0$; with the exponents $2-l$ for $l=2,3$ the sum is
+  $4\bigl[\frac{1}{(1-3)(5-3)}+\frac{4^{-1}}{(1-5)(3-5)}\bigr]\ne0$
+:method: The printed formula by its letter; the knots are numbered so that $t_r$ is knot 1.
+:control: the exponent $k-1-j$
+:::
+*/
+CLAIM(exponent_with_the_letter_fails)
+{
+    num x[4] = {from_int(0), from_int(1), from_int(3), from_int(5)};
+    struct G(span) S = G(span_of_pattern)(2, 3, x);
+    num a = G(printed_entry)(&S, 1, 0, !T->planted, 1);
+    show_points(T, "t_0, ..., t_3", 4, 1, x);
+    show_text(T, "k, r, i, j", "2, 1, 1, 0");
+    about(T, "the printed a_{ji}, and N_{i,k}(t_r)");
+    same(T, a, G(basis_value)(&S, 1, 2, x[1]));
+}
+#endif
+
+/*
+## Equidistant knots (等距节点)
+
+With $t_i=i$ the products are factorials.  The source derives the matrix by a chain of four sums: the knots put in, then
+$i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
+
+:::{statement} wang-ch4:uniform-wlog
+:title: Equidistant knots may be taken as the integers
+:zh: 等距时不妨设 t_i=i
+:printed: for equidistant knots one may take $t_i=i$
+:holds-by: coefficient_matrix_is_affinely_invariant uniform_matrix_is_the_matrix
+:::
+
+:::{statement} wang-ch4:uniform-start
+:title: The chain begins with formula 4.4.23
+:zh: 推导以 (4.4.23) 为起点
+:printed: with $t_i=i$ formula (4.4.23) becomes the first sum of the chain, whose sign is $(-1)^{j+k+l-i}$
+:class: invalid-proof
+:refuted-by: uniform_chain_does_not_follow
+:corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$; the misprinted sign of (4.4.23) is gone in the chain
+:corrected-by: uniform_chain_gives_the_matrix
+:::
+
+:::{statement} wang-ch4:uniform-line-1
+:title: First sum: the knots put in
+:zh: 等距情形第一式
+:printed: a_{ji}=\binom{k-1}jk\sum_{l=r+1}^{i+k}\frac{(-1)^{j+k+l-i}(l-r)^{k-l-j}}{(l-i)!\,(i+k-l)!}
+:class: misprint
+:refuted-by: uniform_letter_one_fails
+:corrected: the exponent is $k-1-j$; everything else is right
+:corrected-by: uniform_chain_gives_the_matrix
+:::
+
+:::{statement} wang-ch4:uniform-line-2
+:title: Second sum: i = r-k+1+s
+:zh: 等距情形第二式
+:printed: \binom{k-1}jk(-1)^j\sum_{l=r+1}^{r+l+s}\frac{(-1)^{l+r+s+1}(l-r)^{k-l-j}}{(l+k-r-1-s)!\,(r+s+l-l)!}
+:class: misprint
+:refuted-by: uniform_letter_in_factorial_fails
+:corrected: the upper limit is $r+1+s$, the exponent $k-1-j$ and the last factorial $(r+s+1-l)!$: three letters $l$ for the
+  digit 1
+:corrected-by: uniform_chain_gives_the_matrix
+
+With $l$ in its own upper limit the sum has no meaning; with the limit put right the other two are still wrong.
+:::
+
+:::{statement} wang-ch4:uniform-line-3
+:title: Third sum: v = l-r-1
+:zh: 等距情形第三式
+:printed: \binom{k-1}jk(-1)^j\sum_{v=0}^s\frac{(-1)^{v+s}(v+1)^{k-l-j}}{(v+k-s)!\,(s-v)!}
+:class: misprint
+:refuted-by: uniform_letter_one_fails
+:corrected: the exponent is $k-1-j$; $l$ is no variable of this sum
+:corrected-by: uniform_chain_gives_the_matrix
+:::
+
+:::{statement} wang-ch4:uniform-line-4
+:title: Fourth sum: l = s-v
+:zh: 等距情形第四式
+:printed: \binom{k-1}jk(-1)^j\sum_{l=0}^s\frac{(-1)^l(s-l+1)^{k-l-j}}{(k-l)!\,l!}
+:class: misprint
+:refuted-by: uniform_letter_in_last_sum_fails
+:corrected: the exponent is $k-1-j$
+:corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
+:::
+
+:::{statement} wang-ch4:uniform-substitutions
+:title: The three substitutions
+:zh: 三次变量替换
+:printed: in turn $i=r-k+1+s$, $v=l-r-1$, $l=s-v$
+:holds-by: uniform_chain_gives_the_matrix
+
+The last $l$ is a new one: it is $r+1+s$ minus the old.
+:::
+
+:::{statement} wang-ch4:uniform-matrix
+:title: The coefficient matrix of equidistant knots
+:zh: 等距节点的系数矩阵
+:printed: a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j},\quad i,j=0,\dots,k-1
+:holds-by: uniform_matrix_is_the_matrix
+:figure: uniform_matrices
+
+Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in this place, with a $t$ for the order $k$.
+:::
+
+:::{statement} wang-ch4:uniform-matrix-independent
+:title: The matrix is the same on every span
+:zh: 与 r 无关
+:printed: the entries do not depend on $r$
+:holds-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
+:::
+
+:::{claim} uniform_chain_gives_the_matrix
+:title: The four sums, with the digit 1, are the entries of the matrix
+:zh: 改正后四式均为矩阵元素
+:kind: decision
+:given: orders 1 to 9, $r=0$ and $r=k+2$, the knots $t_i=i$
+:then: for all $i$ and $j$ the four sums are $a_{ji}$, the first also when it is computed from (4.4.23) with the factors
+  $t_l-t_\alpha$
+:method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it.
+:scope: $k\le9$
+:control: the sign $(-1)^s$ left out of the third sum
+:::
+
+:::{claim} uniform_matrix_is_the_matrix
+:title: The formula for equidistant knots gives the coefficient matrix
+:zh: 等距节点系数矩阵公式
+:given: orders $k=p+1$, the knots $a+hm$ with variables $a$ and $h$, $u$ variable
+:then: the columns of `bspline_matrix_uniform` are the $N_{i,k}$ in powers of $u$
+:method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
+:degrees: 0..6 sampled 8
+:defines: bspline_matrix_uniform
+:control: the columns in the opposite order
+:::
+*/
+CLAIM(uniform_matrix_is_the_matrix)
+{
+    int k = T->degree + 1;
+    struct G(span) S = {.k = k, .r = k - 1};
+    num A[CELLS], u = parameter(T, "u"), a = unknown(T, "a", 0), h = positive(T, "h", 0);
+    for (int m = 0; m < 2 * k; m++) {
+        S.t[m] = add(a, mul(from_int(m), h));
+        S.group[m] = m;
+    }
+    G(bspline_matrix_uniform)(k - 1, A);
+    for (int i = 0; i < k; i++)
+        same(T, G(column_value)(k, A, T->planted ? k - 1 - i : i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
+}
+
+#if RATIONAL
+/* (a)^exponent for any integer exponent. */
+static num G(any_power)(int a, int exponent)
+{
+    num size = G(power)(from_int(a), exponent < 0 ? -exponent : exponent);
+    return exponent < 0 ? div(from_int(1), size) : size;
+}
+
+/* The four sums.  `one` stands where the source has the letter l for the digit 1 in the exponent: 1, or 0 for the
+ * letter, which in line 3, where it is no variable of the sum, takes the value r+1 of the first term of line 2. */
+static num G(uniform_line)(int line, int k, int r, int i, int j, int one)
+{
+    int s = i - r + k - 1;
+    num sum = from_int(0), front = mul(G(choose)(k - 1, j), from_int(k));
+    if (line == 1)
+        for (int l = r + 1; l <= i + k; l++) {
+            num below = mul(G(factorial)(l - i), G(factorial)(i + k - l));
+            sum = add(sum, G(signed_by)(j + k + l - i, div(G(any_power)(l - r, k - (one ? 1 : l) - j), below)));
+        }
+    if (line == 2)
+        for (int l = r + 1; l <= r + 1 + s; l++) {
+            num below = mul(G(factorial)(l + k - r - 1 - s), G(factorial)(one ? r + s + 1 - l : r + s + l - l));
+            sum = add(sum, G(signed_by)(l + r + s + 1 + j, div(G(any_power)(l - r, k - 1 - j), below)));
+        }
+    if (line == 3)
+        for (int v = 0; v <= s; v++) {
+            num below = mul(G(factorial)(v + k - s), G(factorial)(s - v));
+            sum = add(sum, G(signed_by)(v + s + j, div(G(any_power)(v + 1, k - (one ? 1 : r + 1) - j), below)));
+        }
+    if (line == 4)
+        for (int l = 0; l <= s; l++) {
+            num below = mul(G(factorial)(k - l), G(factorial)(l));
+            sum = add(sum, G(signed_by)(l + j, div(G(any_power)(s - l + 1, k - (one ? 1 : l) - j), below)));
+        }
+    return mul(front, sum);
+}
+
+/* The 2k equidistant knots of the span [r, r+1), and the place of i among their functions. */
+static struct G(span) G(uniform_span)(int k, int r)
+{
+    struct G(span) S = {.k = k, .r = k - 1};
+    for (int m = 0; m < 2 * k; m++) {
+        S.t[m] = from_int(r - k + 1 + m);
+        S.group[m] = m;
+    }
+    return S;
+}
+
+CLAIM(uniform_chain_gives_the_matrix)
+{
+    for (int k = 1; k <= 9; k++) {
+        num A[CELLS];
+        G(bspline_matrix_uniform)(k - 1, A);
+        for (int r = 0; r <= k + 2; r += k + 2) {
+            struct G(span) S = G(uniform_span)(k, r);
+            for (int j = 0; j < k; j++)
+                for (int s = 0; s < k; s++) {
+                    agree(T, equal_q(G(printed_entry)(&S, s, j, 0, 0), A[j * k + s]));
+                    for (int line = 1; line <= 4; line++) {
+                        num sum = G(uniform_line)(line, k, r, r - k + 1 + s, j, 1);
+                        if (T->planted && line == 3)
+                            sum = G(signed_by)(s, sum);
+                        agree(T, equal_q(sum, A[j * k + s]));
+                    }
+                }
+        }
+    }
+}
+
+/*
+:::{claim} uniform_chain_does_not_follow
+:title: From the printed formula 4.4.23 the first sum does not follow
+:zh: 由印出的 (4.4.23) 推不出第一式
+:kind: counterexample
+:given: $k=1$, $t_i=i$, $r=i=j=0$
+:then: (4.4.23) gives $-1$, the first sum of the chain 1; the exponents are 0 with either reading
+:method: Both by their letter.
+:control: the factors $t_l-t_\alpha$ in (4.4.23)
+:::
+*/
+CLAIM(uniform_chain_does_not_follow)
+{
+    struct G(span) S = G(uniform_span)(1, 0);
+    show_text(T, "k, r, i, j", "1, 0, 0, 0");
+    about(T, "(4.4.23), and the first sum of the chain");
+    same(T, G(printed_entry)(&S, 0, 0, 0, !T->planted), G(uniform_line)(1, 1, 0, 0, 0, 1));
+}
+
+/* The printed line against the entry of the matrix. */
+static void G(compare_line)(trial *T, int line, int k, int r, int i, int j)
+{
+    num A[CELLS];
+    G(bspline_matrix_uniform)(k - 1, A);
+    show_text(T, "k, r, i, j", "%d, %d, %d, %d", k, r, i, j);
+    same(T, G(uniform_line)(line, k, r, i, j, T->planted), A[j * k + i - r + k - 1]);
+}
+
+/*
+:::{claim} uniform_letter_one_fails
+:title: The exponent k-l-j is wrong in the first and in the third sum
+:zh: 第一、三式中指数 k-l-j 有误
+:kind: counterexample
+:given: $k=2$, $t_i=i$, $r=1$, $i=1$, $j=0$; in the third sum $l$, which is no variable of it, takes the value $r+1$
+:then: $a_{01}=0$; the first sum is $2\bigl(-\frac{1}{1!\,1!}+\frac{2^{-1}}{2!\,0!}\bigr)=-\frac32$, the third, with the
+  exponent 0, is $2\bigl(-\frac{1}{1!\,1!}+\frac{1}{2!\,0!}\bigr)=-1$
+:method: Both sums by their letter.
+:control: the exponent $k-1-j$
+:::
+*/
+CLAIM(uniform_letter_one_fails)
+{
+    about(T, "the first sum, and a_{ji}");
+    G(compare_line)(T, 1, 2, 1, 1, 0);
+    about(T, "the third sum, and a_{ji}");
+    G(compare_line)(T, 3, 2, 1, 1, 0);
+}
+
+/*
+:::{claim} uniform_letter_in_factorial_fails
+:title: The factorial (r+s+l-l)! of the second sum is wrong
+:zh: 第二式中阶乘 (r+s+l-l)! 有误
+:kind: counterexample
+:given: $k=1$, $t_i=i$, $r=i=2$, $j=0$, the upper limit and the exponent taken with the digit 1
+:then: $a_{02}=1$, the only term of the second sum has $(r+s)!=2!$ in the place of $0!$, so the sum is $\frac12$
+:method: The sum by its letter but for limit and exponent, which have to be read with the digit to have a meaning.
+:control: $(r+s+1-l)!$
+:::
+*/
+CLAIM(uniform_letter_in_factorial_fails)
+{
+    about(T, "the second sum, and a_{ji}");
+    G(compare_line)(T, 2, 1, 2, 2, 0);
+}
+
+/*
+:::{claim} uniform_letter_in_last_sum_fails
+:title: The exponent k-l-j of the fourth sum is wrong
+:zh: 第四式中指数 k-l-j 有误
+:kind: counterexample
+:given: $k=2$, $t_i=i$, $r=1$, $i=1$, $j=0$
+:then: $a_{01}=0$; the fourth sum with the exponents $2,1$ is $2\bigl(\frac{2^2}{2!\,0!}-\frac{1}{1!\,1!}\bigr)=2$
+:method: The sum by its letter.
+:control: the exponent $k-1-j$
+:::
+*/
+CLAIM(uniform_letter_in_last_sum_fails)
+{
+    about(T, "the fourth sum, and a_{ji}");
+    G(compare_line)(T, 4, 2, 1, 1, 0);
+}
+#endif
+
+/*
+## The knots of Bernstein
+
+With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0,1)$, $r=k-1$, and $i=0,\dots,k-1$.
+
+:::{statement} wang-ch4:bernstein-omega
+:title: Marsden's coefficients for the knots of Bernstein
+:zh: Bernstein 节点的 ω
+:printed: \omega_{i,k}(x)=x^{k-1-i}(x-1)^i,\quad i=0,\dots,k-1
+:holds-by: bernstein_coefficients_and_g
+:needs: bernstein_knots_from_one_shift_the_index | the knots are numbered from 0, $t_0=\dots=t_{k-1}=0$, as
+  $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
+:::
+
+:::{statement} wang-ch4:bernstein-g
+:title: The matrix G for the knots of Bernstein
+:zh: Bernstein 情形的矩阵 G
+:printed: g_{ji}=0\ (i<j),\quad g_{ji}=\binom ij\Big/\binom{k-1}j\ (i\ge j)
+:holds-by: bernstein_coefficients_and_g
+:::
+
+:::{statement} wang-ch4:bernstein-g-triangular
+:title: G is upper triangular
+:zh: G 为上三角阵
+:printed: \mathbf G_{k-1,k,T}\text{ is upper triangular}
+:holds-by: bernstein_coefficients_and_g
+
+$j$ is the row, $i$ the column.
+:::
+
+:::{statement} wang-ch4:bernstein-matrix
+:title: The coefficient matrix for the knots of Bernstein
+:zh: Bernstein 情形的系数矩阵
+:printed: a_{ji}=0\ (i<j),\quad a_{ji}=(-1)^{i+j}\binom{k-1}i\Big/\binom ij\ (i\ge j),\quad i,j=0,\dots,k-1
+:class: misprint
+:refuted-by: printed_bernstein_matrix_is_transposed printed_bernstein_quotient_fails
+:corrected: a_{ji}=0\ (j<i),\quad a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji\ (j\ge i)
+:corrected-by: bernstein_matrix_is_the_matrix
+:striking: 10
+:figure: bernstein_matrix
+
+Two faults: the two indices are exchanged, so that the matrix is triangular on the wrong side, and the two binomial
+coefficients are divided and not multiplied.  To mend one of them is not enough.
+:::
+
+:::{statement} wang-ch4:bernstein-basis
+:title: The B-splines are then the Bernstein polynomials
+:zh: 退化为 Bernstein 基
+:printed: N_{i,k}(t)=B_i^{k-1}(t),\quad t\in[t_{k-1},t_k)=[0,1)
+:holds-by: bsplines_are_bernstein_polynomials
+:::
+
+:::{statement} wang-ch4:bernstein-basis-sum
+:title: The Bernstein polynomials from the printed matrix
+:zh: 由印出的矩阵得到的和式
+:printed: \sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)
+:class: invalid-proof
+:refuted-by: printed_bernstein_matrix_is_transposed
+:corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
+:corrected-by: bernstein_matrix_is_the_matrix
+:figure: bernstein_matrix
+:::
+
+:::{claim} bernstein_coefficients_and_g
+:title: Marsden's coefficients and G for the knots of Bernstein
+:zh: Bernstein 节点的 ω 与 G
+:given: orders $k=p+1$, $x$ variable
+:then: $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, and $g_{ji}$ is as printed, 0 below the diagonal
+:method: The kernels `marsden_coefficients` and `marsden_matrix` at these knots.
+:degrees: 0..7 sampled 8
+:control: rows and columns of $G$ exchanged
+:::
+
+:::{claim} bernstein_matrix_is_the_matrix
+:title: The corrected entries are those of the coefficient matrix
+:zh: 改正后的 Bernstein 系数矩阵
+:given: orders $k=p+1$, $t$ variable
+:then: the columns of `bernstein_matrix` are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
+  (4.4.17) at these knots
+:method: The kernel against the Bernstein polynomials at a variable $t$, and against `bspline_matrix_by_marsden`.
+:degrees: 0..7 sampled 8
+:defines: bernstein_matrix
+:control: the matrix transposed
+:::
+
+:::{claim} bsplines_are_bernstein_polynomials
+:title: The B-splines of these knots are the Bernstein polynomials
+:zh: B 样条基退化为 Bernstein 基
+:given: orders $k=p+1$, $t$ variable
+:then: $N_{i,k}(t)=\binom{k-1}i(1-t)^{k-1-i}t^i$ on $[0,1)$
+:method: The B-splines by their definition.
+:degrees: 0..7 sampled 8
+:control: the functions in the opposite order
+:::
+*/
+static struct G(span) G(bernstein_span)(int k) { return G(span_of_pattern)(k, 0, (num[]){from_int(0), from_int(1)}); }
+
+static num G(bernstein_value)(int n, int i, num t)
+{
+    return mul(G(choose)(n, i), mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i)));
+}
+
+CLAIM(bernstein_coefficients_and_g)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(bernstein_span)(k);
+    num x = unknown(T, "x", 0), w[LARGEST_ORDER], g[CELLS];
+    G(marsden_coefficients)(k - 1, S.t, S.r, x, w);
+    G(marsden_matrix)(k - 1, S.t, S.r, g);
+    for (int i = 0; i < k; i++) {
+        about(T, "omega");
+        same(T, w[i], mul(G(power)(x, k - 1 - i), G(power)(sub(x, from_int(1)), i)));
+        about(T, "G");
+        for (int j = 0; j < k; j++) {
+            num printed = i < j ? from_int(0) : div(G(choose)(i, j), G(choose)(k - 1, j));
+            same(T, T->planted ? g[i * k + j] : g[j * k + i], printed);
+        }
+    }
+}
+
+CLAIM(bernstein_matrix_is_the_matrix)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(bernstein_span)(k);
+    num A[CELLS], B[CELLS], t = parameter(T, "t");
+    G(bernstein_matrix)(k - 1, A);
+    G(bspline_matrix_by_marsden)(k - 1, S.t, S.r, B);
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        for (int j = 0; j < k; j++) {
+            num a = T->planted ? A[i * k + j] : A[j * k + i];
+            about(T, "the entry from Marsden's identity");
+            same(T, a, B[j * k + i]);
+            sum = add(sum, mul(a, G(power)(t, j)));
+        }
+        about(T, "the Bernstein polynomial");
+        same(T, sum, G(bernstein_value)(k - 1, i, t));
+    }
+}
+
+CLAIM(bsplines_are_bernstein_polynomials)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(bernstein_span)(k);
+    num t = parameter(T, "t");
+    for (int i = 0; i < k; i++)
+        same(T, G(basis_value)(&S, T->planted ? k - 1 - i : i, k, t), G(bernstein_value)(k - 1, i, t));
+}
+
+#if RATIONAL
+/* Column i of the printed matrix at t, with none, one or both of its faults mended. */
+static num G(printed_bernstein)(int k, int i, int indices_right, int product_right, num t)
+{
+    num sum = from_int(0);
+    for (int j = 0; j < k; j++) {
+        int a = indices_right ? j : i, b = indices_right ? i : j; /* printed: a = i, b = j */
+        if (a < b)
+            continue;
+        num front = G(choose)(k - 1, a), other = G(choose)(a, b);
+        sum = add(sum, mul(G(signed_by)(i + j, product_right ? mul(front, other) : div(front, other)), G(power)(t, j)));
+    }
+    return sum;
+}
+
+/*
+:::{claim} printed_bernstein_matrix_is_transposed
+:title: The printed matrix has its indices exchanged
+:zh: 印出的矩阵行列互换
+:kind: counterexample
+:given: $k=2$, where all quotients are right, $i=0$, $t=\frac12$
+:then: the printed column is $a_{00}=1$, $a_{10}=0$, so the sum is 1; but $B_0^1(t)=1-t=\frac12$
+:method: The sum of the printed column at $t$.
+:control: the indices exchanged
+:::
+*/
+CLAIM(printed_bernstein_matrix_is_transposed)
+{
+    num t = from_ratio(1, 2);
+    show(T, "t", t);
+    about(T, "the sum of the printed column 0, and B_0^1(t)");
+    same(T, G(printed_bernstein)(2, 0, T->planted, 0, t), G(bernstein_value)(1, 0, t));
+}
+
+/*
+:::{claim} printed_bernstein_quotient_fails
+:title: With the indices put right the quotient is still wrong
+:zh: 下标改正后商式仍有误
+:kind: counterexample
+:given: $k=3$, $i=1$, $t=1$, the indices of the printed formula exchanged
+:then: the column is $0,\ 2/1,\ -1/2$ with the sum $\frac32$; but $B_1^2(1)=0$
+:method: The sum of the column at $t$.
+:control: the product of the binomial coefficients
+:::
+*/
+CLAIM(printed_bernstein_quotient_fails)
+{
+    num t = from_int(1);
+    show(T, "t", t);
+    about(T, "the sum of column 1 with the quotients, and B_1^2(t)");
+    same(T, G(printed_bernstein)(3, 1, 1, T->planted, t), G(bernstein_value)(2, 1, t));
+}
+
+/*
+:::{claim} bernstein_knots_from_one_shift_the_index
+:title: With functions numbered from 1 the formula for omega is shifted
+:zh: 若下标从 1 起则 ω 错位
+:kind: counterexample
+:given: $k=2$, knots $t_1,\dots,t_4=0,0,1,1$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i=1$, $x=2$
+:then: $\omega_{1,2}(x)=x-t_2=2$, the formula gives $x^0(x-1)^1=1$
+:method: The product of its definition against the formula.
+:control: the knots $t_0,\dots,t_3$
+:::
+*/
+CLAIM(bernstein_knots_from_one_shift_the_index)
+{
+    struct G(span) S = G(bernstein_span)(2);
+    num x = from_int(2), w[2];
+    int i = 1, first = T->planted ? 0 : 1;
+    G(marsden_coefficients)(1, S.t, S.r, x, w);
+    show_points(T, "knots", 4, 1, S.t);
+    show(T, "x", x);
+    about(T, "omega_{1,2}(x), and the formula");
+    same(T, w[i - first], mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i)));
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,104 @@
+/* special-matrices.figure.c -- drawings for special-matrices.claims.h. */
+#include "chapters/nurbs/matrix-figures.h"
+
+/* The three quadratic B-splines of a span, and what the printed formula (4.4.23) gives. */
+FIGURE(simple_knots_sign)
+{
+    enum { p = 2, k = 3 };
+    static const int integers[2 * k] = {-2, -1, 0, 2, 3, 5};
+    num_q u[2 * k], A[k * k], c[k];
+    svg *s = svg_new(
+        "simple_knots_sign", "For odd orders the printed matrix is the negative one",
+        "The three quadratic B-splines on the span from 0 to 2 of simple knots, all positive, and the functions "
+        "of the printed matrix, which are their negatives.");
+    fractions(2 * k, integers, 1, u);
+    bspline_matrix_simple_q(p, u, p, A);
+    svg_panel(s, window(r(-1, 4), r(-1, 1), r(9, 4), r(1, 1)), 420, 260, "$k=3$, knots $-2,-1,0,2,3,5$, span $[0,2)$");
+    svg_axes(s, r(1, 2), r(1, 2), "t", NULL);
+    for (int i = 0; i < k; i++) {
+        column_of(p, A, i, q(1), c);
+        put_polynomial(s, p, c, q(0), q(2), SVG_RIGHT);
+        column_of(p, A, i, q(-1), c); /* as printed: the factor (-1)^k */
+        put_polynomial(s, p, c, q(0), q(2), SVG_WRONG);
+    }
+    svg_legend_line(s, SVG_RIGHT, "factors $t_l-t_α$: $N_{i,3}$");
+    svg_legend_line(s, SVG_WRONG, "factors $t_α-t_l$, as printed");
+    return s;
+}
+
+FIGURE(uniform_matrices)
+{
+    svg *s = svg_new("uniform_matrices", "The matrices of equidistant knots",
+                     "The coefficient matrices of equidistant knots of the orders 2, 3, 4 and 5, each multiplied by "
+                     "(k-1)! so that its "
+                     "entries are integers.");
+    static const char *const caption[] = {"$k=2$", "$k=3$, times 2!", "$k=4$, times 3!", "$k=5$, times 4!"};
+    for (int k = 2, factorial = 1; k <= 5; factorial *= k, k++) {
+        num_q A[25];
+        bspline_matrix_uniform_q(k - 1, A);
+        for (int m = 0; m < k * k; m++)
+            A[m] = mul_q(q(factorial), A[m]);
+        put_matrix(s, k, A, 46, caption[k - 2]);
+    }
+    return s;
+}
+
+/* The fourth sum of the chain with the letter l and with the digit 1 in the exponent, k = 3. */
+FIGURE(uniform_letter)
+{
+    enum { k = 3 };
+    num_q A[k * k], B[k * k];
+    svg *s = svg_new(
+        "uniform_letter", "A letter for a digit",
+        "The matrix of equidistant knots of order 3, and what the last sum of the chain gives with the exponent "
+        "k-l-j as it is printed.");
+    bspline_matrix_uniform_q(k - 1, A);
+    static const long factorial[] = {1, 1, 2, 6};
+    for (int j = 0; j < k; j++)
+        for (int i = 0; i < k; i++) {
+            num_q sum = q(0);
+            for (int l = 0; l <= i; l++) {
+                num_q power = q(1);
+                for (int m = 0; m < (k - l - j < 0 ? l + j - k : k - l - j); m++)
+                    power = k - l - j < 0 ? div_q(power, q(i - l + 1)) : mul_q(power, q(i - l + 1));
+                power = mul_q(power, r(l % 2 == 0 ? 1 : -1, factorial[k - l] * factorial[l]));
+                sum = add_q(sum, power);
+            }
+            B[j * k + i] = mul_q(q((j % 2 == 0 ? 1 : -1) * k * binomial(k - 1, j)), sum);
+        }
+    put_matrix(s, k, B, 76, "the exponent as printed, $k=3$");
+    svg_heading(s, SVG_WRONG, "$k-l-j$");
+    put_matrix(s, k, A, 76, "the exponent put right");
+    svg_heading(s, SVG_RIGHT, "$k-1-j$");
+    return s;
+}
+
+/* The printed matrix of the knots of Bernstein, the right one, and the functions that they give. */
+FIGURE(bernstein_matrix)
+{
+    enum { p = 3, k = 4 };
+    num_q A[k * k], B[k * k], c[k];
+    svg *s = svg_new(
+        "bernstein_matrix", "The matrix of the Bernstein basis",
+        "Left the printed matrix of order 4, triangular on the wrong side and with quotients of binomial coefficients; "
+        "in the middle the right one; right the four functions of each: the Bernstein polynomials, and others.");
+    bernstein_matrix_q(p, A);
+    for (int j = 0; j < k; j++)
+        for (int i = 0; i < k; i++)
+            B[j * k + i] = i < j ? q(0) : r((i + j) % 2 == 0 ? binomial(p, i) : -binomial(p, i), binomial(i, j));
+    put_matrix(s, k, B, 56, "printed: $(-1)^{i+j}C(3,i)/C(i,j)$");
+    svg_heading(s, SVG_WRONG, "$i≥j$");
+    put_matrix(s, k, A, 56, "right: $(-1)^{i+j}C(3,j)C(j,i)$");
+    svg_heading(s, SVG_RIGHT, "$j≥i$");
+    svg_panel(s, window(q(0), r(-16, 5), q(1), r(24, 5)), 260, 225, "the functions of the columns");
+    svg_axes(s, r(1, 2), q(1), "t", NULL);
+    for (int i = 0; i < k; i++) {
+        column_of(p, B, i, q(1), c);
+        put_polynomial(s, p, c, q(0), q(1), SVG_WRONG);
+        column_of(p, A, i, q(1), c);
+        put_polynomial(s, p, c, q(0), q(1), SVG_RIGHT);
+    }
+    svg_legend_line(s, SVG_RIGHT, "$B_i^3(t)$");
+    svg_legend_line(s, SVG_WRONG, "the columns of the printed matrix");
+    return s;
+}

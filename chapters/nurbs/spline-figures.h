@@ -1,0 +1,95 @@
+/* spline-figures.h -- what the drawings of NURBS curves have in common. */
+#ifndef CAGD_NURBS_SPLINE_FIGURES_H
+#define CAGD_NURBS_SPLINE_FIGURES_H
+
+#include "chapters/frame/figure.h"
+#include "exact/kernels_q.h"
+#include "exact/span.h"
+#include "figures/svg.h"
+
+#include <stdio.h>
+
+enum { MOST_POINTS = 40 };
+
+static inline num_q q(long m) { return from_int_q(m); }
+static inline num_q r(long m, long n) { return from_ratio_q(m, n); }
+static inline svg_point at(num_q x, num_q y) { return (svg_point){x, y}; }
+static inline svg_window window(num_q x0, num_q y0, num_q x1, num_q y1) { return (svg_window){x0, y0, x1, y1}; }
+
+/* A NURBS curve of the plane: n points of degree p, n+p+1 knots. */
+typedef struct spline {
+    int n, p;
+    num_q u[2 * MOST_POINTS], R[2 * MOST_POINTS], w[MOST_POINTS];
+} spline;
+
+/* Knots in units of 1/knot_unit, coordinates in units of 1/unit; weight NULL: all 1. */
+static inline spline spline_of(int n, int p, const int knot[], long knot_unit, const int point[], long unit,
+                               const int weight[])
+{
+    spline s = {.n = n, .p = p};
+    for (int i = 0; i <= n + p; i++)
+        s.u[i] = r(knot[i], knot_unit);
+    for (int i = 0; i < n; i++) {
+        s.R[2 * i] = r(point[2 * i], unit);
+        s.R[2 * i + 1] = r(point[2 * i + 1], unit);
+        s.w[i] = q(weight != NULL ? weight[i] : 1);
+    }
+    return s;
+}
+
+/* The segment of a span over its own interval, as a rational Bézier curve. */
+static inline void draw_segment(svg *s, spline c, int mu, enum svg_role role)
+{
+    num_q H[3 * MOST_POINTS], b[3 * (MAX_DEGREE + 1)], P[2 * (MAX_DEGREE + 1)], v[MAX_DEGREE + 1];
+    rational_homogenize_q(c.n - 1, 2, c.R, c.w, H);
+    bspline_to_bezier_q(c.p, 3, c.u, mu, H, b);
+    rational_dehomogenize_q(c.p, 2, b, P, v);
+    svg_rational(s, c.p, P, v, role);
+}
+
+static inline void draw_spline(svg *s, spline c, enum svg_role role)
+{
+    for (int mu = c.p; mu < c.n; mu++)
+        if (before_q(c.u[mu], c.u[mu + 1]))
+            draw_segment(s, c, mu, role);
+}
+
+/* The point of parameter t, for a knot the limit from the right. */
+static inline svg_point spline_point(spline c, num_q t)
+{
+    num_q P[2];
+    nurbs_point_q(c.p, 2, c.u, find_span_q(c.n, c.p, c.u, t), c.R, c.w, t, P);
+    return svg_pair(P);
+}
+
+/* The points where the segments join. */
+static inline void mark_knots(svg *s, spline c, enum svg_role role)
+{
+    for (int i = c.p; i <= c.n; i++)
+        if (i == c.n || before_q(c.u[i], c.u[i + 1]))
+            svg_mark(s, spline_point(c, c.u[i]), role, SVG_SQUARE);
+}
+
+/* The polygon with its points, labelled letter_1, ..., letter_n as in the source; no labels for letter NULL. */
+static inline void draw_polygon(svg *s, spline c, const char *letter, const enum svg_direction side[],
+                                enum svg_role role)
+{
+    svg_polyline(s, c.n, c.R, role);
+    for (int i = 0; i < c.n; i++) {
+        char name[24];
+        svg_mark(s, svg_pair(c.R + 2 * i), role, SVG_USUAL);
+        if (letter == NULL)
+            continue;
+        snprintf(name, sizeof name, "%s_%d", letter, i + 1);
+        svg_label(s, svg_pair(c.R + 2 * i), side[i], SVG_POINT, name);
+    }
+}
+
+/* The curve with one knot more. */
+static inline spline with_knot(spline c, num_q x)
+{
+    spline d = {.n = c.n + 1, .p = c.p};
+    nurbs_insert_q(c.n, c.p, 2, c.u, find_span_q(c.n, c.p, c.u, x), c.R, c.w, x, d.u, d.R, d.w);
+    return d;
+}
+#endif

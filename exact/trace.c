@@ -1,0 +1,278 @@
+#include "exact/trace.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+_Thread_local struct trace *tracing;
+
+struct text {
+    char *at;
+    size_t length, room;
+};
+
+/* Which node a slot holds: open addressing by the address, as many slots as the nodes ask for. */
+struct place {
+    const void *slot;
+    int node;
+};
+
+struct trace {
+    struct text inputs, nodes, steps;
+    struct place *place;
+    size_t places, taken, most, count;
+    int paused, gave_up, input_count;
+};
+
+static void put(struct text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void put(struct text *t, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    int n = vsnprintf(NULL, 0, format, list);
+    va_end(list);
+    if (t->length + (size_t)n + 2 > t->room) {
+        t->room = 2 * t->room + (size_t)n + 256;
+        t->at = realloc(t->at, t->room);
+        if (t->at == NULL)
+            abort();
+    }
+    va_start(list, format);
+    vsnprintf(t->at + t->length, t->room - t->length, format, list);
+    va_end(list);
+    t->length += (size_t)n;
+}
+
+/* A comma unless something was just opened. */
+static void separate(struct text *t)
+{
+    char last = t->length > 0 ? t->at[t->length - 1] : '[';
+    if (last != '[' && last != '{' && last != ':')
+        put(t, ",");
+}
+
+static void put_value(struct text *t, mpq_srcptr x)
+{
+    if (x == NULL) {
+        put(t, "null");
+        return;
+    }
+    char *s = mpq_get_str(NULL, 10, x);
+    void (*release)(void *, size_t);
+    put(t, "\"%s\"", s);
+    mp_get_memory_functions(NULL, NULL, &release);
+    release(s, strlen(s) + 1);
+}
+
+void trace_open(size_t most)
+{
+    tracing = calloc(1, sizeof *tracing);
+    if (tracing == NULL)
+        abort();
+    tracing->most = most;
+    tracing->places = 1024;
+    tracing->place = calloc(tracing->places, sizeof *tracing->place);
+    if (tracing->place == NULL)
+        abort();
+    put(&tracing->inputs, "[");
+    put(&tracing->nodes, "[");
+    put(&tracing->steps, "[");
+}
+
+void trace_close(void)
+{
+    free(tracing->inputs.at);
+    free(tracing->nodes.at);
+    free(tracing->steps.at);
+    free(tracing->place);
+    free(tracing);
+    tracing = NULL;
+}
+
+static const char *finished(struct text *t)
+{
+    if (tracing->gave_up)
+        return NULL;
+    if (t->at[t->length - 1] != '\n')
+        put(t, "]\n");
+    return t->at;
+}
+const char *trace_inputs(void) { return finished(&tracing->inputs); }
+const char *trace_nodes(void) { return finished(&tracing->nodes); }
+const char *trace_steps(void) { return finished(&tracing->steps); }
+
+/* ---- nodes ------------------------------------------------------------------------------------ */
+
+static struct place *find(struct place *table, size_t size, const void *slot)
+{
+    size_t k = (size_t)(((uintptr_t)slot >> 4) * 0x9e3779b97f4a7c15u) & (size - 1);
+    while (table[k].slot != NULL && table[k].slot != slot)
+        k = (k + 1) & (size - 1);
+    return &table[k];
+}
+
+static void hold(const void *slot, int node)
+{
+    struct trace *T = tracing;
+    if (2 * T->taken >= T->places) {
+        struct place *larger = calloc(2 * T->places, sizeof *larger);
+        if (larger == NULL)
+            abort();
+        for (size_t k = 0; k < T->places; k++)
+            if (T->place[k].slot != NULL)
+                *find(larger, 2 * T->places, T->place[k].slot) = T->place[k];
+        free(T->place);
+        T->place = larger;
+        T->places *= 2;
+    }
+    struct place *p = find(T->place, T->places, slot);
+    T->taken += p->slot == NULL;
+    *p = (struct place){slot, node};
+}
+
+void trace_pause(void)
+{
+    if (tracing != NULL)
+        tracing->paused++;
+}
+void trace_resume(void)
+{
+    if (tracing != NULL)
+        tracing->paused--;
+}
+int trace_is_noting(void) { return tracing->paused == 0 && !tracing->gave_up; }
+
+void trace_fresh(const void *slot)
+{
+    struct place *p = find(tracing->place, tracing->places, slot);
+    if (p->slot != NULL)
+        p->node = -1;
+}
+
+int trace_known(const void *slot)
+{
+    struct place *p = find(tracing->place, tracing->places, slot);
+    return p->slot != NULL ? p->node : -1;
+}
+
+/* Begins a node for the slot, whose arguments the caller puts, and its bracket; 0 when there are too many. */
+static int begin_node(const void *slot, const char *op)
+{
+    if (tracing->gave_up || tracing->count >= tracing->most) {
+        tracing->gave_up = 1;
+        return 0;
+    }
+    separate(&tracing->nodes);
+    put(&tracing->nodes, "[\"%s\"", op);
+    hold(slot, (int)tracing->count++);
+    return 1;
+}
+
+void trace_node(const void *slot, const char *op, int count, const int argument[])
+{
+    if (!begin_node(slot, op))
+        return;
+    for (int k = 0; k < count; k++)
+        put(&tracing->nodes, ",%d", argument[k]);
+    put(&tracing->nodes, "]");
+}
+
+void trace_literal(const void *slot, const char *op, int count, mpq_srcptr (*get)(const void *list, int k),
+                   const void *list)
+{
+    if (!begin_node(slot, op))
+        return;
+    for (int k = 0; k < count; k++) {
+        put(&tracing->nodes, ",");
+        put_value(&tracing->nodes, get(list, k));
+    }
+    put(&tracing->nodes, "]");
+}
+
+static mpq_srcptr itself(const void *number, int k)
+{
+    (void)k;
+    return number;
+}
+
+int trace_number(mpq_srcptr a)
+{
+    int node = trace_known(a);
+    if (node < 0) {
+        trace_literal(a, "o", 1, itself, a);
+        node = trace_known(a);
+    }
+    return node;
+}
+
+void trace_input(mpq_srcptr r, const char *name, int index, const char *kind)
+{
+    trace_node(r, "x", 1, &tracing->input_count);
+    tracing->input_count++;
+    separate(&tracing->inputs);
+    put(&tracing->inputs, "[\"%s", name);
+    if (index >= 0)
+        put(&tracing->inputs, "%d", index);
+    put(&tracing->inputs, "\",\"%s\",", kind);
+    put_value(&tracing->inputs, r);
+    put(&tracing->inputs, "]");
+}
+
+/* ---- steps ------------------------------------------------------------------------------------ */
+
+static const char *truth(int condition) { return condition ? "true" : "false"; }
+
+void trace_same(mpq_srcptr a, mpq_srcptr b, int equal)
+{
+    int i = trace_number(a), j = trace_number(b);
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"same\":[%d,%d],\"equal\":%s}", i, j, truth(equal));
+}
+
+void trace_agree(int condition)
+{
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"agree\":%s}", truth(condition));
+}
+
+void trace_nonnegative(mpq_srcptr a, int good)
+{
+    int i = trace_number(a);
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"nonnegative\":%d,\"good\":%s}", i, truth(good));
+}
+
+void trace_field_sign(const char *text, int sign)
+{
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"field\":\"%s\",\"sign\":%d}", text, sign);
+}
+
+static void put_relation(const char *kind, mpq_srcptr a, mpq_srcptr b, int is)
+{
+    int i = trace_number(a), j = b != NULL ? trace_number(b) : -1;
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"fact\":\"%s\",\"of\":[%d,%d],\"is\":%d}", kind, i, j, is);
+}
+void trace_order(mpq_srcptr a, mpq_srcptr b, int order) { put_relation("order", a, b, (order > 0) - (order < 0)); }
+void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal) { put_relation("equal", a, b, equal != 0); }
+
+int trace_fact(const char *kind)
+{
+    if (!trace_noting())
+        return 0;
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"fact\":\"%s\"", kind);
+    return 1;
+}
+void trace_put(const char *field, int x) { put(&tracing->steps, ",\"%s\":%d", field, x); }
+void trace_put_list(const char *field, int count, const int x[])
+{
+    put(&tracing->steps, ",\"%s\":[", field);
+    for (int k = 0; k < count; k++)
+        put(&tracing->steps, k > 0 ? ",%d" : "%d", x[k]);
+    put(&tracing->steps, "]");
+}
+void trace_fact_end(void) { put(&tracing->steps, "}"); }

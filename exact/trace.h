@@ -1,0 +1,70 @@
+/* trace.h -- a record of a computation with rationals and polynomials, from which others can do it again.
+ *
+ * While a trace is open in a thread, every operation is noted as a node: what was done, and to which earlier nodes.
+ * So a value is known together with the straight-line program that made it, and the program can be run on other inputs.
+ * The exact decisions (roots, signs, hulls, minors, ...) note themselves as facts: what was asked, about which nodes,
+ * and what was answered; what they compute inside is not noted.
+ *
+ * Texts are JSON.  Nodes, i and j being earlier ones:
+ *     ["x",k]  input k          ["c","3/7"]  a constant          ["o","3/7"]  a number whose making was not noted
+ *     ["+",i,j] ["-",i,j] ["*",i,j] ["/",i,j]    ["neg",i]    ["root",i,n] the n-th root
+ *     ["poly",i,...] sum of coefficients i t^k   ["bernstein",i,...] in the Bernstein basis   ["opoly","3/7",...] not noted
+ *     ["p+",i,j] ["p-",i,j] ["p*",i,j] ["pgcd",i,j] ["pquo",i,j] ["prem",i,j] ["pcompose",i,j] ["pneg",i] ["pder",i]
+ *     ["value",i,j] polynomial i at number j     ["coefficient",i,k] of t^k
+ *     ["tobernstein",i,a,b,n,k] the k-th of n+1 Bernstein coefficients of polynomial i over [a,b] */
+#ifndef CAGD_TRACE_H
+#define CAGD_TRACE_H
+
+#include <gmp.h>
+#include <stddef.h>
+
+struct trace;
+extern _Thread_local struct trace *tracing; /* NULL when no trace is open in this thread */
+
+/* Open a trace that gives up beyond `most` nodes.  One at a time in a thread. */
+void trace_open(size_t most);
+void trace_close(void); /* forgets everything */
+
+/* What was noted; the texts live until trace_close.  NULL when the trace gave up. */
+const char *trace_inputs(void); /* [["w0","positive","5/8"], ...]                                      */
+const char *trace_nodes(void);  /* the array of nodes                                                  */
+const char *trace_steps(void);  /* the array of comparisons and facts in their order                   */
+
+/* Between as many pauses and resumes nothing is noted: inside a decision.  Both do nothing without a trace. */
+void trace_pause(void);
+void trace_resume(void);
+
+/* Whether what happens now is to be noted; the functions below are called only then, but for trace_fresh, which is called
+ * whenever a trace is open. */
+int trace_is_noting(void);
+static inline int trace_noting(void) { return tracing != NULL && trace_is_noting(); }
+
+/* ---- nodes: values are named by the slots that they live in --------------------------------------- */
+
+void trace_fresh(const void *slot); /* the slot is about to get a value                 */
+int trace_known(const void *slot);  /* its node, or -1                                  */
+int trace_number(mpq_srcptr a);     /* its node; an "o" if there was none               */
+void trace_node(const void *slot, const char *op, int count, const int argument[]);
+void trace_literal(const void *slot, const char *op, int count, mpq_srcptr (*get)(const void *list, int k),
+                   const void *list);
+void trace_input(mpq_srcptr r, const char *name, int index, const char *kind); /* index < 0: none         */
+
+/* ---- steps ------------------------------------------------------------------------------------------ */
+
+/* {"same":[i,j],"equal":true}, {"agree":true}, {"nonnegative":i,"good":true} */
+void trace_same(mpq_srcptr a, mpq_srcptr b, int equal);
+void trace_agree(int condition);
+void trace_nonnegative(mpq_srcptr a, int good);
+/* {"field":text,"sign":1}: an element of the field whose coefficients have one sign, as text. */
+void trace_field_sign(const char *text, int sign);
+/* {"fact":"order","of":[i,j],"is":-1}, {"fact":"equal","of":[i,j],"is":0}; b NULL, j = -1: against 0. */
+void trace_order(mpq_srcptr a, mpq_srcptr b, int order);
+void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal);
+
+/* A fact of another kind: opened, its fields put one by one, closed.  trace_fact returns 0, and then the rest is left
+ * out, when nothing is to be noted.  Nodes that fields name must exist before it is opened. */
+int trace_fact(const char *kind);
+void trace_put(const char *field, int x);
+void trace_put_list(const char *field, int count, const int x[]);
+void trace_fact_end(void);
+#endif

@@ -1,0 +1,739 @@
+#!/usr/bin/env python3
+"""Rechecks the certificates that `cagd verify --certificates DIR` writes.
+
+    recheck.py [--quiet] DIR
+
+Python's standard library, and nothing of the project that wrote them.  For each statement one line:
+
+    rechecked                 everything that its claims compared or decided was computed again, with the same outcome,
+                              and its verdict follows from theirs
+    wrong                     something came out differently, or does not follow, or is malformed
+    cannot recheck this kind  some claim noted nothing, or nothing that can be computed again here
+
+A claim's certificate holds straight-line programs: nodes, each made of earlier ones by one operation, from inputs; and
+steps, which are comparisons of nodes and decisions about them.
+
+* All steps are computed again at the recorded inputs, in fractions.
+* An equality that is claimed to be an identity is also computed at random inputs modulo the prime 2^127 - 1, as often as it
+  takes.  The degree argument: by the rules for sums, products and quotients a node is a quotient of polynomials of degree at
+  most D in the inputs, with integer coefficients.  If two nodes differ as rational functions, then their difference has a
+  numerator of degree at most 2D, which vanishes at a random point of the field of p elements with probability at most 2D/p
+  unless p divides all its coefficients.  Points are taken until (2D/p)^k < 2^-100.
+* A sign that was read off coefficients: the printed fraction has coefficients of one sign, and is the node, again as an identity.
+* Roots are counted by Sturm's theorem on the factors of Yun's decomposition, minors by elimination or one by one, hulls by the
+  printed combination or separating plane.
+
+How the conditions of a decision combine is in the text of the claim and is not rechecked; the facts they combine are.
+
+Exit status: 0 nothing is wrong, 1 something is, 2 bad usage."""
+import hashlib
+import json
+import math
+import pathlib
+import re
+import sys
+from fractions import Fraction
+from itertools import combinations
+
+PRIME = 2**127 - 1
+MOST_MINORS = 200000
+EVIDENCE = ["none", "measured", "enclosed", "sampled", "decided", "proved"]
+
+
+class Wrong(Exception):
+    """Something was computed again and is different, or the certificate makes no sense."""
+
+
+class Cannot(Exception):
+    """There is nothing here that can be computed again."""
+
+
+def require(condition, what):
+    if not condition:
+        raise Wrong(what)
+
+
+# ---- two fields -----------------------------------------------------------------------------------------
+
+
+class Rationals:
+    number = staticmethod(Fraction)
+
+    @staticmethod
+    def reduce(x):
+        return x
+
+    @staticmethod
+    def inverse(x):
+        return 1 / Fraction(x)
+
+    @staticmethod
+    def root(x, n):
+        def whole(m):
+            r = round(m ** (1 / n)) if m < 2**900 else 1 << (m.bit_length() // n + 1)
+            while r**n > m:
+                r = ((n - 1) * r + m // r ** (n - 1)) // n
+            while (r + 1) ** n <= m:
+                r += 1
+            require(r**n == m, "a root is not exact")
+            return r
+
+        require(x >= 0 and n >= 1, "a root of a negative number")
+        return Fraction(whole(x.numerator), whole(x.denominator))
+
+
+class Modular:
+    @staticmethod
+    def number(text):
+        x = Fraction(text)
+        return x.numerator * pow(x.denominator, -1, PRIME) % PRIME
+
+    @staticmethod
+    def reduce(x):
+        return x % PRIME
+
+    @staticmethod
+    def inverse(x):
+        if x % PRIME == 0:
+            raise ZeroDivisionError
+        return pow(x, -1, PRIME)
+
+    @staticmethod
+    def root(x, n):
+        raise Cannot("a root is no rational function")
+
+
+# ---- polynomials: lists of coefficients, the constant one first, without leading zeros --------------------
+
+
+def trim(a):
+    while a and a[-1] == 0:
+        a.pop()
+    return a
+
+
+def p_add(K, a, b, sign=1):
+    n = max(len(a), len(b))
+    a, b = a + [0] * (n - len(a)), b + [0] * (n - len(b))
+    return trim([K.reduce(x + sign * y) for x, y in zip(a, b)])
+
+
+def p_mul(K, a, b):
+    c = [0] * max(len(a) + len(b) - 1, 0)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            c[i + j] = K.reduce(c[i + j] + x * y)
+    return trim(c)
+
+
+def p_divmod(K, a, b):
+    require(b, "division by the zero polynomial")
+    a, q, lead = list(a), [0] * max(len(a) - len(b) + 1, 0), K.inverse(b[-1])
+    while len(a) >= len(b):
+        f, shift = K.reduce(a[-1] * lead), len(a) - len(b)
+        q[shift] = f
+        for i, y in enumerate(b):
+            a[i + shift] = K.reduce(a[i + shift] - f * y)
+        trim(a)
+    return trim(q), a
+
+
+def p_gcd(K, a, b):
+    while b:
+        a, b = b, p_divmod(K, a, b)[1]
+    return [K.reduce(x * K.inverse(a[-1])) for x in a] if a else a
+
+
+def p_value(K, a, t):
+    v = 0
+    for c in reversed(a):
+        v = K.reduce(v * t + c)
+    return v
+
+
+def p_compose(K, a, b):
+    r = []
+    for c in reversed(a):
+        r = p_add(K, p_mul(K, r, b), trim([c]))
+    return r
+
+
+def p_derivative(K, a):
+    return trim([K.reduce(k * c) for k, c in enumerate(a)][1:])
+
+
+def p_bernstein(K, b):
+    n, total = len(b) - 1, []
+    for i, c in enumerate(b):
+        term = [K.reduce(c * math.comb(n, i))]
+        for _ in range(n - i):
+            term = p_mul(K, trim(term), [1, -1])
+        total = p_add(K, total, [0] * i + term if trim(term) else [])
+    return total
+
+
+def bernstein_coefficient(K, p, a, b, n, k):
+    """The k-th of n+1 coefficients over [a,b]: with q(s) = p(a + (b-a) s) = sum q_j s^j it is sum_j C(k,j)/C(n,j) q_j."""
+    q, total = p_compose(K, p, trim([a, K.reduce(b - a)])), 0
+    require(len(q) <= n + 1, "a Bernstein form of too low a degree")
+    for j in range(min(k, len(q) - 1) + 1):
+        total = K.reduce(total + K.number(Fraction(math.comb(k, j), math.comb(n, j))) * q[j])
+    return total
+
+
+# ---- programs -------------------------------------------------------------------------------------------
+
+
+def run(K, nodes, inputs):
+    """The values of all nodes."""
+    v = []
+    for node in nodes:
+        op, a = node[0], node[1:]
+        if op not in ("x", "c", "o", "opoly"):
+            first = 1 if op in ("coefficient", "root", "value") else len(a)
+            require(all(isinstance(i, int) and 0 <= i < len(v) for i in a[:first] if op != "tobernstein"), "a node of later nodes")
+        if op == "x":
+            require(0 <= a[0] < len(inputs), "an input that does not exist")
+            v.append(inputs[a[0]])
+        elif op in ("c", "o"):
+            v.append(K.number(a[0]))
+        elif op == "+":
+            v.append(K.reduce(v[a[0]] + v[a[1]]))
+        elif op == "-":
+            v.append(K.reduce(v[a[0]] - v[a[1]]))
+        elif op == "*":
+            v.append(K.reduce(v[a[0]] * v[a[1]]))
+        elif op == "/":
+            v.append(K.reduce(v[a[0]] * K.inverse(v[a[1]])))
+        elif op == "neg":
+            v.append(K.reduce(-v[a[0]]))
+        elif op == "root":
+            v.append(K.root(v[a[0]], a[1]))
+        elif op == "opoly":
+            v.append(trim([K.number(t) for t in a]))
+        elif op == "poly":
+            v.append(trim([v[i] for i in a]))
+        elif op == "bernstein":
+            v.append(p_bernstein(K, [v[i] for i in a]))
+        elif op in ("p+", "p-"):
+            v.append(p_add(K, v[a[0]], v[a[1]], 1 if op == "p+" else -1))
+        elif op == "p*":
+            v.append(p_mul(K, v[a[0]], v[a[1]]))
+        elif op == "pgcd":
+            v.append(p_gcd(K, v[a[0]], v[a[1]]))
+        elif op in ("pquo", "prem"):
+            v.append(p_divmod(K, v[a[0]], v[a[1]])[op == "prem"])
+        elif op == "pcompose":
+            v.append(p_compose(K, v[a[0]], v[a[1]]))
+        elif op == "pneg":
+            v.append([K.reduce(-c) for c in v[a[0]]])
+        elif op == "pder":
+            v.append(p_derivative(K, v[a[0]]))
+        elif op == "value":
+            v.append(p_value(K, v[a[0]], v[a[1]]))
+        elif op == "coefficient":
+            v.append(v[a[0]][a[1]] if a[1] < len(v[a[0]]) else K.number(0))
+        elif op == "tobernstein":
+            require(all(0 <= i < len(v) for i in a[:3]), "a node of later nodes")
+            v.append(bernstein_coefficient(K, v[a[0]], v[a[1]], v[a[2]], a[3], a[4]))
+        else:
+            raise Wrong(f"no operation is called {op}")
+    return v
+
+
+def degrees(nodes):
+    """For each node (numerator, denominator) degrees in the inputs, or None where it is not known to be rational in them."""
+    d = []
+    for op, *a in nodes:
+        x = d[a[0]] if op in "+-*/" or op == "neg" else None
+        y = d[a[1]] if op in "+-*/" else None
+        if op == "x":
+            d.append((1, 0))
+        elif op == "c":
+            d.append((0, 0))
+        elif x is None or (y is None and op != "neg"):
+            d.append(None)
+        elif op in "+-":
+            d.append((max(x[0] + y[1], y[0] + x[1]), x[1] + y[1]))
+        elif op == "*":
+            d.append((x[0] + y[0], x[1] + y[1]))
+        elif op == "/":
+            d.append((x[0] + y[1], x[1] + y[0]))
+        else:
+            d.append(x)
+    return d
+
+
+def points(case, count):
+    """Random inputs, from the text of the case alone."""
+    seed = hashlib.sha256(json.dumps(case, sort_keys=True).encode()).digest()
+    for k in range(count):
+        yield [int.from_bytes(hashlib.sha256(seed + b"%d %d" % (k, i)).digest() * 2, "big") % PRIME
+               for i in range(len(case["inputs"]))]
+
+
+def random_runs(case, bound):
+    """Enough runs of the program at random inputs for differences of degree at most `bound`."""
+    needed = math.ceil(100 / max(127 - bound.bit_length(), 1))
+    if bound.bit_length() > 120:
+        raise Cannot("the degrees are too high")
+    done = 0
+    for inputs in points(case, needed + 8):
+        try:
+            yield inputs, run(Modular, case["nodes"], inputs)
+            done += 1
+        except ZeroDivisionError:
+            continue
+        if done == needed:
+            return
+    raise Cannot("the program divides by zero at random inputs")
+
+
+# ---- decisions ------------------------------------------------------------------------------------------
+
+Q = Rationals
+
+
+def squarefree(p):
+    """Yun: [(factor, multiplicity)]."""
+    slope = p_derivative(Q, p)
+    c = p_gcd(Q, p, slope)
+    w, y, m, out = p_divmod(Q, p, c)[0], p_divmod(Q, slope, c)[0], 1, []
+    while len(w) > 1:
+        z = p_add(Q, y, p_derivative(Q, w), -1)
+        g = p_gcd(Q, w, z)
+        if len(g) > 1:
+            out.append((g, m))
+        w, y, m = p_divmod(Q, w, g)[0], p_divmod(Q, z, g)[0], m + 1
+    return out
+
+
+def sturm_inside(p, a, b):
+    """Different roots in (a,b), a < b or None for infinity; p squarefree."""
+    chain = [p, p_derivative(Q, p)]
+    while chain[-1]:
+        chain.append([-c for c in p_divmod(Q, chain[-2], chain[-1])[1]])
+    chain.pop()
+
+    def changes(t, side):
+        signs = []
+        for f in chain:
+            s = p_value(Q, f, t) if t is not None else f[-1] * (side if len(f) % 2 == 0 else 1)
+            if s != 0:
+                signs.append(s > 0)
+        return sum(x != y for x, y in zip(signs, signs[1:]))
+
+    count = changes(a, -1) - changes(b, 1)
+    return count - (b is not None and p_value(Q, p, b) == 0)
+
+
+def count_roots(p, a, b, left, right):
+    require(p, "roots of the zero polynomial")
+    total = {"distinct": 0, "counted": 0, "crossings": 0, "touches": 0}
+    for f, m in squarefree(p):
+        inside = sturm_inside(f, a, b) if a is None or b is None or a < b else 0
+        ends = (left and a is not None and p_value(Q, f, a) == 0) + (
+            right and b is not None and b != a and p_value(Q, f, b) == 0)
+        if a is not None and a == b and not (left and right):
+            ends = 0
+        total["distinct"] += inside + ends
+        total["counted"] += m * (inside + ends)
+        total["crossings" if m % 2 else "touches"] += inside
+    return total
+
+
+def sign_pattern(p, a, b, left, right):
+    if not p:
+        return 0
+    r = count_roots(p, a, b, left, right)
+    if a == b:
+        v = p_value(Q, p, a)
+        return 0 if v == 0 else 1 if v > 0 else 4
+    k = 2
+    while p_value(Q, p, a + (b - a) / k) == 0:
+        k += 1
+    positive = p_value(Q, p, a + (b - a) / k) > 0
+    return 5 if r["crossings"] else (2 if positive else 3) if r["distinct"] else 1 if positive else 4
+
+
+def curve_and_line(R, w, line):
+    weighted = [p_bernstein(Q, [wi * x for wi, x in zip(w, R[c::2])]) for c in (0, 1)] + [p_bernstein(Q, w)]
+    common = p_gcd(Q, p_gcd(Q, weighted[0], weighted[1]), weighted[2])
+    X, Y, W = [p_divmod(Q, f, common)[0] for f in weighted]
+    g = p_add(Q, p_add(Q, [line[0] * c for c in X], [line[1] * c for c in Y]), [line[2] * c for c in W])
+    g, poles = trim(g), count_roots(W, 0, 1, True, True)["distinct"]
+    if not g:
+        return [1, 0, 0, 0, 0, poles, 0]
+    f = g
+    while len(h := p_gcd(Q, f, W)) > 1:
+        f = p_divmod(Q, f, h)[0]
+    inside, closed = count_roots(f, 0, 1, False, False), count_roots(f, 0, 1, True, True)
+    jumps = count_roots(p_mul(Q, g, W), 0, 1, False, False)["crossings"] - inside["crossings"]
+    return [0, closed["distinct"], inside["distinct"], inside["crossings"], inside["touches"], poles, jumps]
+
+
+def polygon_and_line(R, line):
+    P = list(zip(R[::2], R[1::2]))
+    side = [line[0] * x + line[1] * y + line[2] for x, y in P]
+    foot = [line[0] * y - line[1] * x for x, y in P]
+    signs = [s > 0 for s in side if s != 0]
+    pieces, runs, contained = [], 0, 0
+    for i, s in enumerate(side):
+        if s == 0:
+            joined = i > 0 and side[i - 1] == 0
+            pieces.append(sorted([foot[i - 1] if joined else foot[i], foot[i]]))
+            runs += not joined
+            contained += joined and foot[i - 1] != foot[i]
+        elif i > 0 and side[i - 1] * s < 0:
+            at = foot[i - 1] + (foot[i] - foot[i - 1]) * side[i - 1] / (side[i - 1] - s)
+            pieces.append([at, at])
+            runs += 1
+    components, end = 0, None
+    for low, high in sorted(pieces):
+        components += end is None or low > end
+        end = high if end is None else max(end, high)
+    return [sum(x != y for x, y in zip(signs, signs[1:])), runs, components, contained]
+
+
+def turn(a, b, c):
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def convex_polygon(flat, closed):
+    P = [tuple(flat[i : i + 2]) for i in range(0, len(flat), 2)]
+    P = [p for i, p in enumerate(P) if i == 0 or p != P[i - 1]]
+    if closed and len(P) > 1 and P[0] == P[-1]:
+        P.pop()
+    if len(P) < 3 and not closed or len(P) == 1:
+        return True
+    if all(turn(P[0], P[1], p) == 0 for p in P):
+        d = (P[1][0] - P[0][0], P[1][1] - P[0][1])
+        forward = [(q[0] - p[0]) * d[0] + (q[1] - p[1]) * d[1] > 0 for p, q in zip(P, P[1:])]
+        return not closed and all(forward)
+    if P[0] == P[-1] and not closed:
+        P.pop()
+    # Closed by its chord it is convex if no edge goes back, all turns go one way, and it goes round once: seen from
+    # the first point, the others turn one way.
+    n = len(P)
+    straight = lambda a, b, c: (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) > 0
+    turns = [turn(P[i], P[(i + 1) % n], P[(i + 2) % n]) for i in range(n)]
+    if any(t == 0 and not straight(P[i], P[(i + 1) % n], P[(i + 2) % n]) for i, t in enumerate(turns)):
+        return False
+    for sign in (1, -1):
+        if all(sign * t >= 0 for t in turns) and all(sign * turn(P[0], P[i], P[i + 1]) >= 0 for i in range(1, n - 1)):
+            return len(set(P)) == n
+    return False
+
+
+def determinant(M):
+    M, d = [list(row) for row in M], Fraction(1)
+    for k in range(len(M)):
+        pivot = next((i for i in range(k, len(M)) if M[i][k] != 0), None)
+        if pivot is None:
+            return Fraction(0)
+        if pivot != k:
+            M[k], M[pivot], d = M[pivot], M[k], -d
+        d *= M[k][k]
+        for i in range(k + 1, len(M)):
+            f = M[i][k] / M[k][k]
+            M[i] = [x - f * y for x, y in zip(M[i], M[k])]
+    return d
+
+
+def all_minors(M, strict):
+    rows, columns = len(M), len(M[0]) if M else 0
+    if sum(math.comb(rows, k) * math.comb(columns, k) for k in range(1, min(rows, columns) + 1)) > MOST_MINORS:
+        raise Cannot("too many minors")
+    below = {((), ()): Fraction(1)}
+    for k in range(1, min(rows, columns) + 1):
+        minors = {}
+        for r in combinations(range(rows), k):
+            for c in combinations(range(columns), k):
+                m = sum((-1) ** (k - 1 - j) * M[r[-1]][c[j]] * below[r[:-1], c[:j] + c[j + 1 :]] for j in range(k))
+                if m < 0 or (strict and m == 0):
+                    return False
+                minors[r, c] = m
+        below = minors
+    return True
+
+
+def check_hull(f, v):
+    d, P, x = f["dim"], [v[i] for i in f["points"]], [v[i] for i in f["x"]]
+    points_ = [P[i : i + d] for i in range(0, len(P), d)]
+    dot = lambda a, b: sum(s * t for s, t in zip(a, b))
+    if f["is"]:
+        c = [v[i] for i in f["coefficients"]]
+        require(len(c) == len(points_) and all(t >= 0 for t in c) and sum(c) == 1, "the combination is not convex")
+        require(all(dot(c, [p[k] for p in points_]) == x[k] for k in range(d)), "the combination is another point")
+    else:
+        normal, offset = [v[i] for i in f["normal"]], v[f["offset"][0]]
+        require(len(normal) == d and all(dot(normal, p) <= offset for p in points_) and dot(normal, x) > offset,
+                "the plane does not separate")
+
+
+def check_hull_vertices(f, v):
+    P = [v[i] for i in f["points"]]
+    P = [tuple(P[i : i + 2]) for i in range(0, len(P), 2)]
+    V = [P[i] for i in f["vertices"]]
+    require(V and len(set(V)) == len(V), "no vertices, or one twice")
+    if len(V) == 1:
+        require(set(P) == set(V), "other points")
+    elif len(V) == 2:
+        inside = lambda p: turn(V[0], V[1], p) == 0 and sum((p[k] - V[0][k]) * (p[k] - V[1][k]) for k in (0, 1)) <= 0
+        require(all(inside(p) for p in P), "a point outside")
+    else:
+        n = len(V)
+        require(all(turn(V[i], V[(i + 1) % n], V[(i + 2) % n]) > 0 for i in range(n)), "not convex")
+        require(all(turn(V[i], V[(i + 1) % n], p) >= 0 for p in P for i in range(n)), "a point outside")
+
+
+def check_fact(f, v):
+    kind, get = f["fact"], lambda field: [v[i] for i in f[field]]
+    number = lambda i: None if i < 0 else v[i]
+    if kind in ("order", "equal"):
+        a, b = v[f["of"][0]], 0 if f["of"][1] < 0 else v[f["of"][1]]
+        require(f["is"] == ((a > b) - (a < b) if kind == "order" else int(a == b)), f"{kind} of two numbers")
+    elif kind == "degree":
+        require(f["is"] == len(v[f["of"][0]]) - 1, "the degree of a polynomial")
+    elif kind == "pequal":
+        require(f["is"] == int(v[f["of"][0]] == ([] if f["of"][1] < 0 else v[f["of"][1]])), "equality of polynomials")
+    elif kind == "roots":
+        found = count_roots(v[f["p"]], *map(number, f["from"]), *map(bool, f["with_ends"]))
+        require("distinct" in f, "no count")
+        require(all(f.get(key, -1) in (-1, count) for key, count in found.items()), "the number of roots")
+    elif kind == "sign":
+        require(f["is"] == sign_pattern(v[f["p"]], *map(number, f["from"]), *map(bool, f["with_ends"])), "the sign of a polynomial")
+    elif kind == "curve_and_line":
+        require(f["is"] == curve_and_line(get("R"), get("w"), get("line")), "a curve and a line")
+    elif kind == "polygon_and_line":
+        require(f["is"] == polygon_and_line(get("R"), get("line")), "a polygon and a line")
+    elif kind == "hull":
+        check_hull(f, v)
+    elif kind == "hull_vertices":
+        check_hull_vertices(f, v)
+    elif kind == "convex_polygon":
+        require(f["is"] == int(convex_polygon(get("points"), f["closed"])), "convexity of a polygon")
+    elif kind in ("minors", "determinant"):
+        A, columns = get("A"), f.get("columns", f["rows"])
+        M = [A[i * columns : (i + 1) * columns] for i in range(f["rows"])]
+        require(len(A) == f["rows"] * columns, "the shape of a matrix")
+        if kind == "minors":
+            require(f["is"] == int(all_minors(M, f["strict"])), "the signs of the minors")
+        else:
+            require(v[f["is"][0]] == determinant(M), "a determinant")
+    else:
+        raise Cannot(f"a fact of kind {kind}")
+
+
+# ---- signs read off coefficients --------------------------------------------------------------------------
+
+
+def fraction_text(text):
+    """(numerator, denominator) as lists of (coefficient, {variable: exponent})."""
+    def sum_of_monomials(s):
+        s = s.strip()
+        if s.startswith("(") and s.endswith(")"):
+            s = s[1:-1]
+        out = []
+        for sign, body in re.findall(r"([+-]?)([^+-]+)", s.replace(" ", "")):
+            c, powers = Fraction(-1 if sign == "-" else 1), {}
+            for factor in body.split("*"):
+                if re.fullmatch(r"\d+(/\d+)?", factor):
+                    c *= Fraction(factor)
+                else:
+                    m = re.fullmatch(r"([A-Za-z_]\w*)(?:\^(\d+))?", factor)
+                    require(m, f"not a monomial: {factor}")
+                    powers[m[1]] = powers.get(m[1], 0) + int(m[2] or 1)
+            out.append((c, powers))
+        return out
+
+    depth, cut = 0, None
+    for i, ch in enumerate(text):
+        depth += (ch == "(") - (ch == ")")
+        if ch == "/" and depth == 0 and not (text[i - 1].isdigit() and text[i + 1 :].split("*")[0].isdigit()):
+            cut = i
+    if cut is None:
+        return sum_of_monomials(text), [(Fraction(1), {})]
+    return sum_of_monomials(text[:cut]), sum_of_monomials(text[cut + 1 :])
+
+
+def check_field_sign(case, field, node, degree):
+    require(field["sign"] in (0, 1), "a sign that is not >= 0")
+    num, den = fraction_text(field["field"])
+    one_sign = lambda terms: len({c > 0 for c, _ in terms if c != 0}) <= 1
+    require(one_sign(num) and one_sign(den), "coefficients of both signs")
+    sign = lambda terms: next((1 if c > 0 else -1 for c, _ in terms if c != 0), 0)
+    require(sign(num) * sign(den) == field["sign"], "the sign of the coefficients")
+    place, kinds = {}, {}
+    for i, (name, kind, _) in enumerate(case["inputs"]):
+        place.setdefault(name, i)
+        kinds[name] = kind
+    used = {x for terms in (num, den) for _, powers in terms for x in powers}
+    if not used <= place.keys():
+        raise Cannot("the fraction is in other variables")
+    if degree is None:
+        raise Cannot("a node that is no rational function")
+    size = max([sum(p.values()) for _, p in num + den] + [0])
+    for inputs, v in random_runs(case, sum(degree) + 2 * size):
+        at = {}
+        for x in used: # a number of (0,1) is s/(1+s) in the field: s = x/(1-x)
+            t = inputs[place[x]]
+            at[x] = t * Modular.inverse(1 - t) % PRIME if kinds[x] == "inside" else t
+        value = lambda terms: sum(Modular.number(c) * math.prod(pow(at[x], e, PRIME) for x, e in p.items())
+                                  for c, p in terms) % PRIME
+        require((value(num) - v[node] * value(den)) % PRIME == 0, "the fraction is not what was computed")
+
+
+# ---- claims and statements --------------------------------------------------------------------------------
+
+
+def good(step):
+    return step.get("equal", step.get("agree", step.get("good", True)))
+
+
+def check_case(case, identity):
+    require(all(isinstance(x, list) and len(x) == 3 for x in case["inputs"]), "the inputs")
+    nodes, steps = case["nodes"], case["steps"]
+    v = run(Q, nodes, [Fraction(x[2]) for x in case["inputs"]])
+    facts, supported, comparisons = 0, True, 0
+    for s in steps:
+        if "same" in s:
+            comparisons += 1
+            require(s["equal"] == (v[s["same"][0]] == v[s["same"][1]]), "equality of two numbers")
+        elif "nonnegative" in s:
+            comparisons += 1
+            require(s["good"] == (v[s["nonnegative"]] >= 0), "the sign of a number")
+        elif "fact" in s:
+            facts += 1
+            check_fact(s, v)
+        else:
+            require(isinstance(s["agree"], bool), "a step without meaning")
+            comparisons += 1
+            supported &= facts > 0
+    if not supported or comparisons == 0:
+        raise Cannot("a condition without facts")
+    if identity:
+        check_identity(case, v, facts > 0)
+    return all(good(s) for s in steps)
+
+
+def check_identity(case, v, branches):
+    steps, d = case["steps"], degrees(case["nodes"])
+    pairs = [s["same"] for s in case["steps"] if "same" in s]
+    if any(d[i] is None or d[j] is None for i, j in pairs):
+        raise Cannot("an identity of nodes that are no rational functions of the inputs")
+    bound = max([2 * (sum(d[i]) + sum(d[j])) for i, j in pairs] + [1])
+    for _, w in random_runs(case, bound) if pairs else ():
+        if any(w[i] != w[j] for i, j in pairs):
+            if branches: # the program is that of the case only
+                raise Cannot("a program that depends on its case")
+            raise Wrong("an equality that is no identity")
+    signs = [s["nonnegative"] for s in steps if "nonnegative" in s]
+    fields = [s for s in case.get("field_steps", []) if "field" in s]
+    if signs and len(signs) != len(fields):
+        raise Cannot("signs without their fractions")
+    for node, field in zip(signs, fields):
+        check_field_sign(case, field, node, d[node])
+
+
+def check_claim(c):
+    kind, outcome, evidence = c["kind"], c["outcome"], c["evidence"]
+    require(c["schema"] == "cagd-certificate-1" and kind in ("identity", "decision", "counterexample"), "the format")
+    require(outcome == ("fails" if kind == "counterexample" else "holds"), "the outcome")
+    require(evidence in (("decided",) if kind != "identity" else EVIDENCE[1:4] + ["proved"]), "the evidence")
+    if not c["cases"]:
+        raise Cannot("no program")
+    holds = [check_case(case, evidence == "proved") for case in c["cases"]]
+    require(all(holds) if outcome == "holds" else not any(holds), "the outcome does not follow")
+
+
+def derived(s, claims):
+    """Verdict and evidence from the claims, by their roles."""
+    of = lambda *roles: [claims[l["claim"]]["evidence"] for l in s["links"] if "claim" in l and l["role"] in roles]
+    roles = [l["role"] for l in s["links"]]
+    weakest = lambda evidence: min(evidence, key=EVIDENCE.index) if evidence else "none"
+    against, for_it = of("refuted-by"), of("holds-by", "checked-by")
+    if against:
+        return "fails", weakest(against)
+    if s["definition"]:
+        return "definition", weakest(for_it)
+    if "reading" in roles and "hypothesis" not in roles and not for_it:
+        return "undecided", "none"
+    if for_it:
+        return ("conditional" if "hypothesis" in roles else "holds"), weakest(for_it)
+    return "open", "none"
+
+
+def check_statement(s, claim_of):
+    claims, unable = {}, None
+    for link in s["links"]:
+        if "claim" not in link:
+            continue
+        text, outcome = claim_of(link["claim"])
+        if isinstance(outcome, Wrong):
+            raise outcome
+        unable = unable or outcome
+        claims[link["claim"]] = text
+        wanted = "fails" if link["role"] == "refuted-by" else "holds" if link["role"] in (
+            "holds-by", "corrected-by", "checked-by") else text["outcome"]
+        require(text["outcome"] == wanted, f"{link['claim']} {text['outcome']}, which is not what its role asks")
+    require((s["verdict"], s["evidence"]) == derived(s, claims), "the verdict does not follow")
+    if unable:
+        raise unable
+
+
+def attempt(check, *arguments):
+    """None when it went well, or what went wrong: the exception."""
+    try:
+        check(*arguments)
+    except (Wrong, Cannot) as e:
+        return e
+    except (KeyError, IndexError, TypeError, ValueError, ZeroDivisionError, AttributeError) as e:
+        return Wrong(f"malformed: {type(e).__name__} {e}")
+    return None
+
+
+def main():
+    quiet = "--quiet" in sys.argv
+    arguments = [a for a in sys.argv[1:] if a != "--quiet"]
+    if len(arguments) != 1 or not pathlib.Path(arguments[0]).is_dir():
+        sys.stderr.write("usage: recheck.py [--quiet] DIR, a folder written by 'cagd verify --certificates DIR'\n")
+        return 2
+    root, known = pathlib.Path(arguments[0]), {}
+
+    def load(path):
+        try:
+            return json.loads(path.read_text())
+        except (OSError, ValueError) as e:
+            raise Wrong(f"{path.name} cannot be read: {e}") from e
+
+    def claim_of(name):
+        if name not in known:
+            try:
+                text = load(root / "claims" / f"{name}.json")
+                require(text.get("claim") == name, f"{name}.json is about another claim")
+                known[name] = text, attempt(check_claim, text)
+            except Wrong as e:
+                known[name] = {}, e
+        return known[name]
+
+    counts = {"rechecked": 0, "wrong": 0, "cannot recheck this kind": 0}
+    for path in sorted(root.glob("*/*.json")):
+        if path.parent.name == "claims":
+            continue
+        e = attempt(lambda: check_statement(load(path), claim_of))
+        word = "rechecked" if e is None else "wrong" if isinstance(e, Wrong) else "cannot recheck this kind"
+        counts[word] += 1
+        if not quiet or word == "wrong":
+            print(f"{path.parent.name}:{path.stem}: {word}{f' ({e})' if e else ''}")
+    for path in sorted((root / "claims").glob("*.json")):
+        text, e = claim_of(path.stem)
+        if isinstance(e, Wrong):
+            print(f"claim {path.stem}: wrong ({e})")
+            counts["wrong"] += not counts["wrong"]
+    print(", ".join(f"{n} {word}" for word, n in counts.items()))
+    return 1 if counts["wrong"] or not counts["rechecked"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
