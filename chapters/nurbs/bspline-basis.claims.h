@@ -235,7 +235,7 @@ CLAIM(bspline_at_its_knots)
 Marsden's identity writes every power of a variable point in B-splines.  On one span it has $p+1$ of them, and they give all
 of the $p+1$ dimensions of the polynomials of degree $p$: so they are independent there.
 
-:::{claim} marsden_identity
+:::{claim} bsplines_satisfy_marsden_identity
 :title: Marsden's identity
 :zh: Marsden 恒等式
 :given: several segments, the distinct knots variables; every interval of the domain; any $y$
@@ -245,7 +245,7 @@ of the $p+1$ dimensions of the polynomials of degree $p$: so they are independen
 :control: one factor of the product belongs to the knot before
 :::
 */
-CLAIM(marsden_identity)
+CLAIM(bsplines_satisfy_marsden_identity)
 {
     int p = T->degree;
     struct G(knots) K = {0};

@@ -71,7 +71,7 @@ CLAIM(boehm_insertion_in_higher_degrees) { G(check_boehm_insertion_keeps_curve)(
 #endif
 
 /*
-:::{claim} insertions_commute
+:::{claim} bspline_insertions_commute
 :title: The order of insertions does not matter
 :zh: 插入节点的次序无关
 :given: several segments, the distinct knots variables, points; new knots $x$ and $y$ in any two places of the domain, also in
@@ -82,7 +82,7 @@ CLAIM(boehm_insertion_in_higher_degrees) { G(check_boehm_insertion_keeps_curve)(
 :control: the second order inserts $y$ at the mean of $x$ and $y$
 :::
 */
-CLAIM(insertions_commute)
+CLAIM(bspline_insertions_commute)
 {
     int p = T->degree;
     struct G(knots) K = {0}, X, Y;
