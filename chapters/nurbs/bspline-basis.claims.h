@@ -230,48 +230,12 @@ CLAIM(bspline_at_its_knots)
 #endif
 
 /*
-## Polynomials, independence
+## Independence
 
-Marsden's identity writes every power of a variable point in B-splines.  On one span it has $p+1$ of them, and they give all
-of the $p+1$ dimensions of the polynomials of degree $p$: so they are independent there.
+Marsden's identity, which has a section of its own, writes every power of a variable point in B-splines.  On one span it has
+$p+1$ of them, and they give all of the $p+1$ dimensions of the polynomials of degree $p$: so they are independent there.  The
+determinant says it once more.
 
-:::{claim} bsplines_satisfy_marsden_identity
-:title: Marsden's identity
-:zh: Marsden 恒等式
-:given: several segments, the distinct knots variables; every interval of the domain; any $y$
-:then: $(y-t)^p=\sum_i(y-u_{i+1})\cdots(y-u_{i+p})\,N_{i,p}(t)$
-:method: Both sides in powers of $t-u_\mu$: the binomial theorem on the left, the recursion by its letter on the right.
-:degrees: 0..4 sampled 8
-:control: one factor of the product belongs to the knot before
-:::
-*/
-CLAIM(bsplines_satisfy_marsden_identity)
-{
-    int p = T->degree;
-    struct G(knots) K = {0};
-    num N[MOST_KNOTS * (HIGHEST + 1)], y = unknown(T, "y", 0);
-    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K))
-        for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
-            int mu = G(span_of_interval)(K.count, K.place, interval);
-            num choose = from_int(1);
-            G(basis_powers)(p, K.count, K.u, K.place, interval, K.u[mu], N);
-            for (int r = 0; r <= p; r++) { /* (y-t)^p = ((y-u_mu) - (t-u_mu))^p */
-                num power = choose, sum = from_int(0);
-                for (int j = r; j < p; j++)
-                    power = mul(power, sub(y, K.u[mu]));
-                for (int i = 0; i < K.n; i++) {
-                    num product = N[i * (p + 1) + r];
-                    for (int j = 1; j <= p; j++)
-                        product = mul(product, sub(y, K.u[i + (T->planted && j == p ? 0 : j)]));
-                    sum = add(sum, product);
-                }
-                same(T, sum, r % 2 == 0 ? power : neg(power));
-                choose = mul(choose, from_ratio(p - r, r + 1));
-            }
-        }
-}
-
-/*
 :::{claim} bsplines_of_a_span_are_independent
 :title: The p+1 B-splines of a span are linearly independent, and so are all of them
 :zh: B 样条基的线性无关性
