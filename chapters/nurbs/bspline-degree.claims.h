@@ -18,7 +18,7 @@ with one segment, in its Bézier form.
 :control: the last point replaced by the one before it
 :::
 */
-#include "chapters/bezier/definition.h"
+#include "chapters/nurbs/bernstein-form.h"
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
 
@@ -83,8 +83,7 @@ CLAIM(elevation_in_higher_degrees) { G(check_elevation_keeps_bspline_curve)(T, I
 :given: points $e_0,\dots,e_n$, $n\ge1$, in every degree of the list; and points $b_0,\dots,b_{n-1}$
 :then: for $e_i=\frac inb_{i-1}+(1-\frac in)b_i$ the points of `bezier_reduce` are the $b_i$, with the defect $0$; for any $e$ the
   defect is $(-1)^{n-m}\Delta^ne_0\big/\binom nm$ with $m=\lfloor n/2\rfloor$, so that it vanishes exactly if the curve is of degree $n-1$
-:method: The kernel on elevated points and on variables, against the variables and the alternating sum.  The coefficient of $t^n$ of a
-  Bézier curve is $\Delta^ne_0$.
+:method: The kernel on elevated points and on variables, against the variables and the coefficient of $t^n$ by the binomial theorem.
 :degrees: 1..8 sampled 14
 :defines: bezier_reduce
 :control: the defect with the other sign
@@ -94,7 +93,7 @@ CLAIM(bezier_reduction_inverts_elevation)
 {
     int n = T->degree, m = n / 2;
     num b[(MAX_DEGREE + 1) * dim], e[(MAX_DEGREE + 1) * dim], back[(MAX_DEGREE + 1) * dim], defect[dim];
-    G(free_points)(T, n - 1, dim, b);
+    G(free_control_points)(T, n, dim, b);
     for (int i = 0; i <= n; i++)
         for (int c = 0; c < dim; c++) {
             num before = i > 0 ? mul(from_ratio(i, n), b[(i - 1) * dim + c]) : from_int(0);
@@ -107,10 +106,10 @@ CLAIM(bezier_reduction_inverts_elevation)
     for (int c = 0; c < dim; c++)
         vanishes(T, defect[c]);
     about(T, "the defect");
-    G(free_points)(T, n, dim, e);
+    G(free_control_points)(T, n + 1, dim, e);
     G(bezier_reduce)(n, dim, e, back, defect);
     for (int c = 0; c < dim; c++) {
-        num power = div(G(difference)(dim, e, c, 0, n), G(choose)(n, m));
+        num power = div(G(bezier_coefficient)(n, dim, e, c, n), G(binomial_product)(n, m));
         same(T, defect[c], ((n - m) % 2 == 0) != T->planted ? power : neg(power));
     }
 }

@@ -16,7 +16,7 @@ one whose points and knots repeat.
 :control: the points backwards
 :::
 */
-#include "chapters/bezier/definition.h"
+#include "chapters/nurbs/bernstein-form.h"
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
 
@@ -39,9 +39,9 @@ static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
                 num sum = from_int(0);
                 for (int i = 0; i <= r; i++) {
                     int from = T->planted ? p - i : i;
-                    sum = add(sum, mul(b[from * dim + e], G(basis_coefficient)(p, i, r)));
+                    sum = add(sum, mul(b[from * dim + e], G(bernstein_coefficient)(p, i, r)));
                 }
-                same(T, sum, mul(s[r], G(power)(h, r)));
+                same(T, sum, mul(s[r], G(power_of)(h, r)));
             }
         }
     }
@@ -93,10 +93,7 @@ CLAIM(points_come_back_from_bezier_points)
     about(T, "the polar form");
     for (int e = 0; e < dim; e++) {
         for (int r = 0; r <= p; r++) {
-            s[r] = from_int(0);
-            for (int i = 0; i <= r; i++)
-                s[r] = add(s[r], mul(b[i * dim + e], G(basis_coefficient)(p, i, r)));
-            s[r] = div(s[r], G(power)(length, r));
+            s[r] = div(G(bezier_coefficient)(p, dim, b, e, r), G(power_of)(length, r));
         }
         same(T, P[e], G(polar_of_powers)(p, s, from, x));
     }

@@ -126,13 +126,13 @@ CLAIM(knots_are_checked)
 :title: The spans that refinement, elevation and reduction ask for
 :zh: 各控制顶点可用的区间
 :kind: decision
-:given: every good knot vector $u$ of degree $p=1,2$ with $2p+2$ or $2p+3$ knots, and as $v$ of degree $q=p-1,p,p+1$ the same knots, those with one more
-  in every interval of the domain, and those with every knot of the domain once more
-:then: `spans_of_points` finds for every point of $v$ a span of $u$ that contains an interval $[v_l,v_{l+1}]\subset[u_p,u_n]$,
-  $j\le l\le j+q$, and says no exactly if a point has none
+:given: every good knot vector $u$ of degree $p=1,2$ with $2p+2$ or $2p+3$ knots, and as $v$ of degree $q=p-1,p,p+1$ the same
+  knots, those with one more in every interval of the domain, and those with every knot of the domain once more
+:then: `span_of_point` gives for a point $j$ of $v$ a span of $u$ that contains an interval $[v_l,v_{l+1}]\subset[u_p,u_n]$ with
+  $j\le l\le j+q$, and $-1$ exactly if there is none; `spans_of_points` gives all of them, and whether every point has one
 :method: All patterns; what is found is compared with the definition, and what is not found is searched for.
 :degrees: 1..2
-:defines: spans_of_points
+:defines: span_of_point spans_of_points
 :control: the span after the one that was found
 :::
 */
@@ -150,8 +150,8 @@ CLAIM(points_have_spans)
                 if (G(check_knots)(n, p, u, &where) != KNOTS_GOOD)
                     continue;
                 for (int i = 0; i < count; i++) { /* finer[] is twice v */
-                    int inside = value[p] <= value[i] && value[i] <= value[n],
-                        last = i + 1 == count || value[i] < value[i + 1];
+                    int last = i + 1 == count || value[i] < value[i + 1];
+                    int inside = value[p] <= value[i] && value[i] <= value[n];
                     finer[total++] = 2 * value[i];
                     if (more == 2 && inside && last)
                         finer[total++] = 2 * value[i];
@@ -163,22 +163,77 @@ CLAIM(points_have_spans)
                     v[i] = from_ratio(finer[i], 2);
                 if (m <= q || finer[q] != 2 * value[p] || finer[m] != 2 * value[n])
                     continue;
-                int found = G(spans_of_points)(n, p, u, m, q, v, span);
+                int every = G(spans_of_points)(n, p, u, m, q, v, span);
                 for (int j = 0; j < m; j++) {
-                    int some = 0, good = 0;
-                    for (int l = j; l <= j + q; l++) {
-                        int inside =
-                            2 * value[p] <= finer[l] && finer[l] < finer[l + 1] && finer[l + 1] <= 2 * value[n];
-                        int mu = found ? span[j] + T->planted : p;
-                        some = some || inside;
-                        good = good || (found && inside && p <= mu && mu < n && 2 * value[mu] <= finer[l] &&
-                                        finer[l + 1] <= 2 * value[mu + 1]);
-                    }
+                    int some = 0, good = 0, found = G(span_of_point)(n, p, u, m, q, v, j), mu = found + T->planted;
+                    for (int l = j; l <= j + q; l++)
+                        if (2 * value[p] <= finer[l] && finer[l] < finer[l + 1] && finer[l + 1] <= 2 * value[n]) {
+                            some = 1;
+                            good = good || (p <= mu && mu < n && 2 * value[mu] <= finer[l] &&
+                                            finer[l + 1] <= 2 * value[mu + 1]);
+                        }
                     all = all && some;
-                    agree(T, good || !found);
+                    about(T, "the span of a point");
+                    agree(T, some ? good : found == -1);
+                    agree(T, span[j] == found);
                 }
-                agree(T, found == all);
+                about(T, "every point has one");
+                agree(T, every == all);
             }
+}
+
+/*
+:::{claim} knots_of_the_next_degrees
+:title: The knots of one degree more and of one degree less
+:zh: 升阶与降阶的节点序列
+:kind: decision
+:given: every knot vector of at most 8 knots, of every degree $p=1,2,3$ that it is good for
+:then: `raised_knots` is that part of the sequence with every distinct knot once more that has $p+2$ knots up to the last $u_p$ and $p+2$
+  from the first $u_n$ on; `lowered_knots` has both ends of the domain $p$ times and every knot between them once less; both
+  tell how many points there are, also when there is no room for the knots
+:method: All patterns; the sequences against lists made by counting how often each value occurs.
+:degrees: 1..3
+:defines: raised_knots lowered_knots
+:control: the multiplicity of every knot kept
+:::
+*/
+CLAIM(knots_of_the_next_degrees)
+{
+    int p = T->degree, value[MOST_KNOTS], expected[2 * MOST_KNOTS], where;
+    num u[MOST_KNOTS], v[2 * MOST_KNOTS];
+    char pattern[MOST_KNOTS];
+    for (int count = 2 * p + 2; count <= 8; count++)
+        for (int bits = 0; bits < 1 << (count - 1); bits++) {
+            G(pattern_of_bits)(count, bits, pattern);
+            int n = G(integer_knots)(pattern, u, value) - p - 1, top = value[count - 1], total = 0, first = 0, last = 0;
+            if (G(check_knots)(n, p, u, &where) != KNOTS_GOOD)
+                continue;
+            for (int x = 0; x <= top; x++) { /* every value once more */
+                int times = pattern[x] - '0' + !T->planted;
+                first = x == value[n] ? total : first;
+                while (times-- > 0)
+                    expected[total++] = x;
+                last = x == value[p] ? total - 1 : last;
+            }
+            int from = last - (p + 1), m = G(raised_knots)(n, p, u, v);
+            about(T, "one degree more");
+            agree(T, m == first - from);
+            agree(T, G(raised_knots)(n, p, u, NULL) == m);
+            for (int i = 0; i < m + p + 2 && m == first - from; i++)
+                same(T, v[i], from_int(expected[from + i]));
+            total = 0;
+            for (int x = value[p]; x <= value[n]; x++) {
+                int end = x == value[p] || x == value[n], times = end ? p : pattern[x] - '0' - !T->planted;
+                while (times-- > 0)
+                    expected[total++] = x;
+            }
+            m = G(lowered_knots)(n, p, u, v);
+            about(T, "one degree less");
+            agree(T, m == total - p);
+            agree(T, G(lowered_knots)(n, p, u, NULL) == m);
+            for (int i = 0; i < m + p && m == total - p; i++)
+                same(T, v[i], from_int(expected[i]));
+        }
 }
 #endif
 #include "chapters/frame/claims_off.h"
