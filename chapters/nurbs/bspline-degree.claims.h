@@ -64,7 +64,7 @@ CLAIM(elevation_keeps_bspline_curve) { G(check_elevation_keeps_bspline_curve)(T,
 :::{claim} elevation_in_higher_degrees
 :title: Elevation in higher degrees
 :zh: 高次时的升阶
-:given: as for `elevation_keeps_bspline_curve`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:given: as for `elevation_keeps_bspline_curve`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field

@@ -171,7 +171,7 @@ CLAIM(split_gives_both_parts_of_bspline) { G(check_split_gives_both_parts_of_bsp
 :::{claim} split_in_higher_degrees
 :title: A curve of higher degree cut at a parameter
 :zh: 高次时的分割
-:given: as for `split_gives_both_parts_of_bspline`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:given: as for `split_gives_both_parts_of_bspline`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field

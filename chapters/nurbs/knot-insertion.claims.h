@@ -58,7 +58,7 @@ CLAIM(boehm_insertion_keeps_curve) { G(check_boehm_insertion_keeps_curve)(T, 0);
 :::{claim} boehm_insertion_in_higher_degrees
 :title: Boehm's insertion in higher degrees
 :zh: 高次时的插入节点
-:given: as for `boehm_insertion_keeps_curve`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:given: as for `boehm_insertion_keeps_curve`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field
@@ -273,7 +273,7 @@ CLAIM(refinement_keeps_curve) { G(check_refinement_keeps_curve)(T, 0); }
 :::{claim} refinement_in_higher_degrees
 :title: The Oslo algorithm in higher degrees
 :zh: 高次时的 Oslo 算法
-:given: as for `refinement_keeps_curve`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:given: as for `refinement_keeps_curve`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field

@@ -61,7 +61,7 @@ CLAIM(removal_inverts_insertion) { G(check_removal_inverts_insertion)(T, 0); }
 :::{claim} removal_in_higher_degrees
 :title: Removal in higher degrees
 :zh: 高次时的消去节点
-:given: as for `removal_inverts_insertion`, but over the knots $0,1,3,6,10,\dots$ in each of the patterns
+:given: as for `removal_inverts_insertion`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
 :then: the same in these degrees
 :method: The same computation; points, parameters and new knots are variables.
 :types: field

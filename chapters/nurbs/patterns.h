@@ -65,7 +65,7 @@ static inline int G(next_pattern)(trial *T, int p, int k)
     (void)T, (void)p;
     return k;
 #else
-    return k == 0 ? pick(T, 0, p / 2) : k + (p > 0 ? pick(T, 2, 18) : 0);
+    return k == 0 ? pick(T, 0, p / 2) : k + (p > 0 ? pick(T, 6, 30) : 0);
 #endif
 }
 
@@ -104,12 +104,15 @@ static inline int G(segment_knots)(trial *T, int p, int k, struct G(knots) * K)
 }
 
 /* Several segments: an inner knot of every multiplicity 0, ..., p+1 between ends that are simple, clamped, and clamped and
- * double; for p <= 2 then also all patterns of 2p+3 knots that are good for degree p.  Used as segment_knots. */
+ * double; for p <= 2 then also all patterns of 2p+3 knots that are good for degree p.  Over integers only simple and
+ * clamped ends.  Used as segment_knots. */
 static inline int G(several_knots)(trial *T, int p, int k, struct G(knots) * K)
 {
     char pattern[MOST_KNOTS];
     k = G(next_pattern)(T, p, k);
     int inner = (k + 1) % (p + 2), ends = k / (p + 2), at = 0;
+    if (K->kind == INTEGERS && ends > 1)
+        return 0;
     if (ends > 2) {
         for (int bits = k - 3 * (p + 2); p <= 2 && bits < 1 << (2 * p + 2); bits++) {
             G(pattern_of_bits)(2 * p + 3, bits, pattern);
