@@ -65,7 +65,7 @@ class Kernels(unittest.TestCase):
     def test_every_template_is_in_the_one_list(self):
         listed = (ROOT / "core" / "kernels.tmpl.h").read_text()
         for path in self.TEMPLATES:
-            if path.name != "kernels.tmpl.h":
+            if path.name not in ("kernels.tmpl.h", "span.tmpl.h"):  # spans compare: for ordered numbers alone
                 self.assertIn(f'"core/{path.name}"', listed)
 
     def test_every_kernel_has_a_contract(self):

@@ -893,6 +893,8 @@ REFERENCE(shape_surface_point)
     }
 }
 
+#include "proofs-tests/unit/spline_references.h"
+
 typedef void reference(const struct data_q *D, num out[]);
 #define ENTRY(name) reference_##name,
 static reference *const references[] = {ALL_KERNELS(ENTRY)};

@@ -517,6 +517,10 @@ RUN(shape_surface_point)
     return D->dim;
 }
 
+#include "core/number/generic_off.h"
+#include "core/number/generic_on.h"
+#include "proofs-tests/unit/spline_runs.tmpl.h"
+
 #define ENTRY(name) G(run_##name),
 static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};
 #undef ENTRY

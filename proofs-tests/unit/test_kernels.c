@@ -37,7 +37,11 @@
     _(scaled_difference_step) _(power_on_interval) _(cubic_minors) _(inflection_polynomial) _(cubic_delta)             \
     _(double_point_polynomial) _(cubic_double_point) _(shape_factors) _(shape_factors_printed) _(shape_basis)          \
     _(shape_basis_printed) _(shape_matrix) _(shape_bezier_points) _(shape_point) _(shape_point_printed)                \
-    _(shape_derivatives) _(shape_surface_point)
+    _(shape_derivatives) _(shape_surface_point) _(bezier_reduce) _(bspline_basis) _(bspline_basis_derivatives)         \
+    _(discrete_bsplines) _(bspline_blossom) _(deboor) _(bspline_derivatives) _(bspline_difference) _(greville)         \
+    _(bspline_insert) _(bspline_remove) _(bspline_refine) _(bspline_elevate) _(bspline_reduce) _(bspline_to_bezier)    \
+    _(bspline_point_of_bezier) _(bspline_split) _(bspline_periodic) _(nurbs_weight) _(nurbs_point) _(nurbs_deboor)     \
+    _(nurbs_derivatives) _(nurbs_curvature_squared) _(nurbs_torsion) _(nurbs_insert)
 /* clang-format on */
 
 #define ENTRY(name) #name,

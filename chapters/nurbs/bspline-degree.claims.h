@@ -1,0 +1,174 @@
+/*
+# Degree (升阶与降阶)
+
+In degree $p+1$ the same polar form has one argument more: it is the mean of the old one over all ways to leave out an argument.
+The points are again its values at consecutive knots, where every knot of the domain now has one more.  The way back begins
+with one segment, in its Bézier form.
+
+:::{claim} elevation_keeps_bspline_curve
+:title: Elevation changes points and knots, not the curve
+:zh: B 样条升阶不改变曲线
+:given: several segments, each point with a span in the domain, the distinct knots variables, points
+:then: with every knot of the domain once more, the spline of degree $p+1$ of the points of `bspline_elevate` is the old one; it does
+  not matter which admissible span a point is computed from
+:method: Both splines in powers, from the recursion of de Boor and Cox by its letter, once with the first admissible span for every
+  point, once with the last.
+:degrees: 0..3 sampled 7
+:defines: bspline_elevate
+:control: the last point replaced by the one before it
+:::
+*/
+#include "chapters/nurbs/bernstein-form.h"
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/patterns.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
+
+/* The knots of degree p+1: every knot of the domain once more. */
+static void G(elevated_knots)(const struct G(knots) * K, struct G(knots) * L)
+{
+    *L = *K;
+    for (int place = K->place[K->p]; place <= K->place[K->n]; place += 2)
+        G(put_knot)(L, place, K->u[G(span_of_interval)(K->count, K->place, place)], L);
+    L->p++;
+    L->n = L->count - L->p - 1;
+}
+
+static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
+{
+    int p = T->degree, span[MOST_KNOTS];
+    struct G(knots) K = {.kind = kind}, L;
+    num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        if (K.place[p] == K.place[p + 1] || K.place[K.n - 1] == K.place[K.n])
+            continue;
+        G(free_control_points)(T, K.n, dim, c);
+        G(elevated_knots)(&K, &L);
+        for (int last = 0; last <= 1; last++) {
+            if (!G(spans_over)(&K, L.n, p + 1, L.place, last, span))
+                continue;
+            G(bspline_elevate)(p, dim, K.u, c, L.n, L.u, span, d);
+            for (int e = 0; e < dim && T->planted; e++)
+                d[(L.n - 1) * dim + e] = d[(L.n - 2) * dim + e];
+            G(same_spline)(T, dim, &K, c, &L, d);
+        }
+    }
+}
+
+CLAIM(elevation_keeps_bspline_curve) { G(check_elevation_keeps_bspline_curve)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} elevation_in_higher_degrees
+:title: Elevation in higher degrees
+:zh: 高次时的升阶
+:given: as for `elevation_keeps_bspline_curve`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 6..6
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: the last point replaced by the one before it
+:::
+*/
+CLAIM(elevation_in_higher_degrees) { G(check_elevation_keeps_bspline_curve)(T, INTEGERS); }
+#endif
+
+/*
+:::{claim} bezier_reduction_inverts_elevation
+:title: A Bézier curve of lower degree gives its points back, and the defect tells every other curve
+:zh: Bézier 曲线的降阶与亏量
+:given: points $e_0,\dots,e_n$, $n\ge1$, in every degree of the list; and points $b_0,\dots,b_{n-1}$
+:then: for $e_i=\frac inb_{i-1}+(1-\frac in)b_i$ the points of `bezier_reduce` are the $b_i$, with the defect $0$; for any $e$ the
+  defect is $(-1)^{n-m}\Delta^ne_0\big/\binom nm$ with $m=\lfloor n/2\rfloor$, so that it vanishes exactly if the curve is of degree $n-1$
+:method: The kernel on elevated points and on variables, against the variables and the coefficient of $t^n$ by the binomial theorem.
+:degrees: 1..8 sampled 14
+:defines: bezier_reduce
+:control: the defect with the other sign
+:::
+*/
+CLAIM(bezier_reduction_inverts_elevation)
+{
+    int n = T->degree, m = n / 2;
+    num b[(MAX_DEGREE + 1) * dim], e[(MAX_DEGREE + 1) * dim], back[(MAX_DEGREE + 1) * dim], defect[dim];
+    G(free_control_points)(T, n, dim, b);
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++) {
+            num before = i > 0 ? mul(from_ratio(i, n), b[(i - 1) * dim + c]) : from_int(0);
+            e[i * dim + c] = i < n ? add(before, mul(from_ratio(n - i, n), b[i * dim + c])) : before;
+        }
+    G(bezier_reduce)(n, dim, e, back, defect);
+    about(T, "the points before elevation");
+    for (int i = 0; i < n * dim; i++)
+        same(T, back[i], b[i]);
+    for (int c = 0; c < dim; c++)
+        vanishes(T, defect[c]);
+    about(T, "the defect");
+    G(free_control_points)(T, n + 1, dim, e);
+    G(bezier_reduce)(n, dim, e, back, defect);
+    for (int c = 0; c < dim; c++) {
+        num power = div(G(bezier_coefficient)(n, dim, e, c, n), G(binomial_product)(n, m));
+        same(T, defect[c], ((n - m) % 2 == 0) != T->planted ? power : neg(power));
+    }
+}
+
+/*
+:::{claim} reduction_inverts_bspline_elevation
+:title: A spline of lower degree gives its points back, and elevation tells every other one
+:zh: B 样条降阶与检验
+:given: several segments, each point with a span in the domain, the distinct knots variables, points
+:then: `bspline_reduce` applied to the points of `bspline_elevate` gives the points before; applied to free points over the same knots and
+  elevated again, it does not give these points
+:method: Both kernels one after the other, everything a variable, with the first admissible span and with the last; what is elevated is of
+  lower degree, so for any other points the test must fail, and for the free ones it does.
+:degrees: 1..2 sampled 7
+:types: field rational
+:defines: bspline_reduce
+:control: the last point is moved before it is reduced
+:::
+*/
+#if FIELD || RATIONAL
+CLAIM(reduction_inverts_bspline_elevation)
+{
+    int p = T->degree, span[MOST_KNOTS], down[MOST_KNOTS];
+    struct G(knots) K = {0}, L;
+    num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], back[MOST_KNOTS * dim];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        if (K.place[p] == K.place[p + 1] || K.place[K.n - 1] == K.place[K.n])
+            continue;
+        G(elevated_knots)(&K, &L);
+        for (int last = 0; last <= 1; last++) {
+            if (!G(spans_over)(&K, L.n, p + 1, L.place, 0, span) || !G(spans_over)(&L, K.n, p, K.place, last, down))
+                continue;
+            G(free_control_points)(T, K.n, dim, c);
+            G(bspline_elevate)(p, dim, K.u, c, L.n, L.u, span, d);
+            for (int e = 0; e < dim && T->planted; e++)
+                for (int i = 0; i < L.n; i++)
+                    d[i * dim + e] = add(d[i * dim + e], from_int(i * i * i * i));
+            G(bspline_reduce)(p + 1, dim, L.u, d, K.n, K.u, down, back);
+            about(T, "the points before elevation");
+            for (int i = 0; i < K.n * dim; i++)
+                same(T, back[i], c[i]);
+            if (last)
+                continue;
+            about(T, "free points are not of lower degree");
+            int off = 0;
+            G(free_control_points)(T, L.n, dim, d);
+            G(bspline_reduce)(p + 1, dim, L.u, d, K.n, K.u, down, back);
+            num again[MOST_KNOTS * dim];
+            G(bspline_elevate)(p, dim, K.u, back, L.n, L.u, span, again);
+            for (int i = 0; i < L.n * dim; i++) {
+#if FIELD
+                off += !is_zero_f(sub(again[i], d[i]));
+#else
+                off += !is_zero_q(sub(again[i], d[i]));
+#endif
+            }
+            agree(T, off > 0);
+        }
+    }
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,173 @@
+/*
+# Knot removal (消去节点)
+
+Removal is insertion read backwards, and it asks for more than there is: of the $p+1-s$ equations that insertion of a knot of
+multiplicity $s-1$ satisfies, one too many.  So a knot is removable (可消去) exactly if one number vanishes, the *defect*.  It is
+the jump of the first derivative that the knot allows to jump, in another scale.
+
+:::{claim} removal_inverts_insertion
+:title: Removal of a knot that was inserted gives the points before
+:zh: 消去插入的节点即还原
+:given: several segments, the distinct knots variables, points $b_i$; a knot $x$ inserted in every interval of the domain and at every
+  knot of it of multiplicity at most $p$, which gives it every multiplicity $s=1,\dots,p+1$
+:then: `bspline_remove` gives back the knots and the $b_i$, and the defect $0$
+:method: Insertion by `bspline_insert`, which keeps the curve by `boehm_insertion_keeps_curve`, then removal; everything a
+  variable.
+:degrees: 0..4 sampled 8
+:defines: bspline_remove
+:control: one of the points that removal solves for is moved before
+:::
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/patterns.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
+
+static void G(check_removal_inverts_insertion)(trial *T, int kind)
+{
+    int p = T->degree;
+    struct G(knots) K = {.kind = kind};
+    num b[MOST_KNOTS * dim], c[MOST_KNOTS * dim], back[MOST_KNOTS * dim], defect[dim], u[MOST_KNOTS], v[MOST_KNOTS];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(free_control_points)(T, K.n, dim, b);
+        for (int place = K.place[p]; place < K.place[K.n]; place++) {
+            int s = G(multiplicity_at)(&K, place) + 1, mu = G(span_of_interval)(K.count, K.place, place);
+            if (s > p + 1)
+                continue;
+            num x = G(knot_for)(T, &K, place, "s");
+            G(bspline_insert)(K.n, p, dim, K.u, mu, b, x, u, c);
+            if (T->planted)
+                c[(mu - s + 1) * dim] = add(c[(mu - s + 1) * dim], from_int(1));
+            G(bspline_remove)(K.n + 1, p, dim, u, c, mu + 1, s, v, back, defect);
+            about(T, "the knots");
+            for (int i = 0; i < K.count; i++)
+                same(T, v[i], K.u[i]);
+            about(T, "the points");
+            for (int i = 0; i < K.n * dim; i++)
+                same(T, back[i], b[i]);
+            about(T, "the defect");
+            for (int e = 0; e < dim; e++)
+                vanishes(T, defect[e]);
+        }
+    }
+}
+
+CLAIM(removal_inverts_insertion) { G(check_removal_inverts_insertion)(T, 0); }
+
+#if FIELD
+/*
+:::{claim} removal_in_higher_degrees
+:title: Removal in higher degrees
+:zh: 高次时的消去节点
+:given: as for `removal_inverts_insertion`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends
+:then: the same in these degrees
+:method: The same computation; points, parameters and new knots are variables.
+:types: field
+:degrees: 6..6
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: one of the points that removal solves for is moved before
+:::
+*/
+CLAIM(removal_in_higher_degrees) { G(check_removal_inverts_insertion)(T, INTEGERS); }
+#endif
+
+/*
+:::{claim} reinsertion_misses_by_the_defect
+:title: Inserting the removed knot again gives all points but one, which is off by the defect
+:zh: 消去后再插入仅差一点,其差即亏量
+:given: several segments, the distinct knots variables, points $c_i$; every knot of multiplicity $s=1,\dots,p+1$ inside the domain
+:then: the points of `bspline_remove` with the knot inserted again are the $c_i$, with one exception, and there $c_i$ minus the
+  new point is the defect: with the defect $0$ the curve is the same
+:method: `bspline_remove`, then `bspline_insert`, everything a variable; the differences of all points are computed, all but one
+  must vanish, and that one is compared with the defect.
+:types: field rational
+:degrees: 0..4 sampled 8
+:control: the defect with the other sign
+:::
+*/
+#if FIELD || RATIONAL
+CLAIM(reinsertion_misses_by_the_defect)
+{
+    int p = T->degree;
+    struct G(knots) K = {0};
+    num c[MOST_KNOTS * dim], b[MOST_KNOTS * dim], d[MOST_KNOTS * dim], defect[dim], v[MOST_KNOTS], w[MOST_KNOTS];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(free_control_points)(T, K.n, dim, c);
+        for (int place = K.place[p] + 2; place < K.place[K.n]; place += 2) {
+            int s = G(multiplicity_at)(&K, place), r = G(span_of_interval)(K.count, K.place, place), off = 0;
+            G(bspline_remove)(K.n, p, dim, K.u, c, r, s, v, b, defect);
+            G(bspline_insert)(K.n - 1, p, dim, v, r - 1, b, K.u[r], w, d);
+            for (int i = 0; i < K.n; i++) {
+                num gap = sub(c[i * dim], d[i * dim]);
+#if FIELD
+                int here = !is_zero_f(gap);
+#else
+                int here = !is_zero_q(gap);
+#endif
+                off += here;
+                for (int e = 0; e < dim && here; e++)
+                    same(T, sub(c[i * dim + e], d[i * dim + e]), T->planted ? neg(defect[e]) : defect[e]);
+            }
+            agree(T, off == 1);
+        }
+    }
+}
+#endif
+
+/*
+:::{claim} knot_is_removable_iff_derivative_does_not_jump
+:title: The defect vanishes exactly if the derivative of order p-s+1 does not jump
+:zh: 节点可消去当且仅当 p-s+1 阶导矢连续
+:given: several segments, the lengths between distinct knots positive variables, points $c_i$; every knot of multiplicity
+  $s=1,\dots,p+1$ inside the domain
+:then: the defect is the jump of $s^{(p-s+1)}$ at the knot times a factor that depends on the knots only and is never $0$; so the knot
+  is removable if and only if that derivative is continuous there
+:method: The jump from the polynomials of both intervals in powers of $t$ minus the knot, by the recursion of de Boor and Cox by its
+  letter.  Both are linear in the points: jump and defect of all points and of one unit point are in proportion, and
+  jump and defect of that unit point, numbers of the knots, have coefficients of one sign only.
+:types: field rational
+:degrees: 0..3 sampled 8
+:control: the jump of the next order, or for $s=1$ of the order before
+:::
+*/
+#if FIELD || RATIONAL
+/* The jump of the derivative of order r at the knot of this place, from left to right, over r!. */
+static num G(jump_at)(const struct G(knots) * K, const num c[], int place, int r)
+{
+    num left[HIGHEST + 1], right[HIGHEST + 1], at = K->u[G(span_of_interval)(K->count, K->place, place)];
+    G(spline_powers)(K->n, K->p, 1, K->u, K->place, c, 0, place - 2, at, left);
+    G(spline_powers)(K->n, K->p, 1, K->u, K->place, c, 0, place, at, right);
+    return sub(right[r], left[r]);
+}
+
+CLAIM(knot_is_removable_iff_derivative_does_not_jump)
+{
+    int p = T->degree;
+    struct G(knots) K = {.kind = LENGTHS};
+    num c[MOST_KNOTS], one[MOST_KNOTS], b[MOST_KNOTS], v[MOST_KNOTS], defect, unit;
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(free_control_points)(T, K.n, 1, c);
+        for (int place = K.place[p] + 2; place < K.place[K.n]; place += 2) {
+            int s = G(multiplicity_at)(&K, place), r = G(span_of_interval)(K.count, K.place, place);
+            int order = p - s + 1 + (!T->planted || p == 0 ? 0 : s > 1 ? 1 : -1);
+            for (int i = 0; i < K.n; i++)
+                one[i] = from_int(i == r - s); /* a point that the jump sees */
+            G(bspline_remove)(K.n, p, 1, K.u, c, r, s, v, b, &defect);
+            G(bspline_remove)(K.n, p, 1, K.u, one, r, s, v, b, &unit);
+            num jump = G(jump_at)(&K, c, place, order), unit_jump = G(jump_at)(&K, one, place, order);
+            about(T, "defect and jump are in proportion");
+            same(T, mul(defect, unit_jump), mul(jump, unit));
+            about(T, "neither is 0 for the unit point");
+#if FIELD
+            agree(T, coefficients_sign_f(unit) * coefficients_sign_f(unit) == 1);
+            agree(T, coefficients_sign_f(unit_jump) * coefficients_sign_f(unit_jump) == 1);
+#else
+            agree(T, !is_zero_q(unit) && !is_zero_q(unit_jump));
+#endif
+        }
+    }
+}
+#endif
+#include "chapters/frame/claims_off.h"

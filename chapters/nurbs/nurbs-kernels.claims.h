@@ -1,0 +1,388 @@
+/*
+# Rational B-splines (有理 B 样条)
+
+A NURBS curve is a quotient, $R(t)=\sum N_{i,p}(t)w_iR_i\big/\sum N_{i,p}(t)w_i$, and a spline in homogeneous coordinates
+$(w_iR_i,w_i)$.  The kernels keep weights and points apart.
+
+:::{claim} nurbs_point_is_the_quotient
+:title: The kernel computes the quotient of the two sums
+:zh: NURBS 曲线上的点
+:given: several segments, the distinct knots variables, points and weights; every interval of the domain; any $t$
+:then: `nurbs_homogenize` gives $(w_iR_i,w_i)$ for the points of the span, `nurbs_weight` gives $w(t)=\sum_{i=0}^{n-1}N_{i,p}(t)w_i$,
+  `nurbs_point` and `nurbs_deboor` give $R(t)$
+:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
+:degrees: 0..3 sampled 7
+:defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
+:control: the weights taken backwards
+:::
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/patterns.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
+
+/* n free points and weights. */
+static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
+{
+    G(free_control_points)(T, n, d, R);
+    for (int i = 0; i < n; i++)
+        w[i] = positive(T, "q", i);
+}
+
+CLAIM(nurbs_point_is_the_quotient)
+{
+    int p = T->degree;
+    struct G(knots) K = {0};
+    num R[MOST_KNOTS * dim], w[MOST_KNOTS], z[MOST_KNOTS], P[dim], Q[dim], H[(HIGHEST + 1) * (dim + 1)];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(free_nurbs)(T, K.n, dim, R, w);
+        for (int i = 0; i < K.n; i++)
+            z[i] = w[T->planted ? K.n - 1 - i : i];
+        for (int mu = p; mu < K.n; mu++) {
+            if (K.place[mu] == K.place[mu + 1])
+                continue;
+            num t = G(in_interval)(T, &K, mu, "t");
+            G(nurbs_homogenize)(p, dim, mu, R, z, H);
+            about(T, "homogeneous points");
+            for (int m = 0; m <= p; m++) {
+                same(T, H[m * (dim + 1) + dim], w[mu - p + m]);
+                for (int e = 0; e < dim; e++)
+                    same(T, H[m * (dim + 1) + e], mul(w[mu - p + m], R[(mu - p + m) * dim + e]));
+            }
+            num total = from_int(0), sum[dim];
+            for (int e = 0; e < dim; e++)
+                sum[e] = from_int(0);
+            for (int i = 0; i < K.n; i++) {
+                num share = mul(G(cox_de_boor)(p, K.u, K.place, i, K.place[mu], t), w[i]);
+                total = add(total, share);
+                for (int e = 0; e < dim; e++)
+                    sum[e] = add(sum[e], mul(share, R[i * dim + e]));
+            }
+            about(T, "the weight");
+            same(T, G(nurbs_weight)(p, K.u, mu, z, t), total);
+            about(T, "the point");
+            G(nurbs_point)(p, dim, K.u, mu, R, z, t, P);
+            G(nurbs_deboor)(p, dim, K.u, mu, R, z, t, Q);
+            for (int e = 0; e < dim; e++) {
+                same(T, mul(P[e], total), sum[e]);
+                same(T, mul(Q[e], total), sum[e]);
+            }
+        }
+    }
+}
+
+/*
+:::{claim} nurbs_levels_are_levels_of_the_homogeneous_curve
+:title: A level of the rational triangle is a level in homogeneous coordinates
+:zh: 有理 de Boor 三角阵的一层
+:given: every segment, the distinct knots variables, points and weights, any $\tau$ and $t$
+:then: after the levels $1,\dots,r$ at $\tau$, $\sum_iw_i^rN_{i,p-r}(t)$ and $\sum_iw_i^rR_i^rN_{i,p-r}(t)$ are the polar forms of $w$ and of $wR$
+  with $r$ arguments $\tau$ and $p-r$ arguments $t$; the last point and weight of each level are left as they were
+:method: The sums, with the B-splines from the recursion by its letter, against the polar forms in elementary symmetric polynomials.
+:degrees: 1..3 sampled 8
+:defines: nurbs_deboor_level
+:control: the parameter of the last level is $t$
+:::
+*/
+CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
+{
+    int p = T->degree;
+    struct G(knots) K = {0};
+    num R[MOST_KNOTS * dim], w[MOST_KNOTS], S[MOST_KNOTS * dim], z[MOST_KNOTS], H[MOST_KNOTS];
+    num s[HIGHEST + 1], x[HIGHEST + 1], N[HIGHEST + 1];
+    for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
+        num tau = G(in_interval)(T, &K, p, "a"), t = G(in_interval)(T, &K, p, "t");
+        G(free_nurbs)(T, K.n, dim, R, w);
+        for (int i = 0; i < K.n * dim; i++)
+            S[i] = R[i];
+        for (int i = 0; i < K.n; i++)
+            z[i] = w[i];
+        for (int r = 1; r <= p; r++) {
+            num last = z[p + 1 - r], last_point = S[(p + 1 - r) * dim];
+            G(nurbs_deboor_level)(p, dim, K.u, p, r, S, z, T->planted && r == p ? t : tau);
+            about(T, "the last point and weight");
+            same(T, z[p + 1 - r], last);
+            same(T, S[(p + 1 - r) * dim], last_point);
+            for (int m = 0; m <= p - r; m++)
+                N[m] = G(cox_de_boor)(p - r, K.u, K.place, r + m, K.place[p], t);
+            for (int m = 0; m < p; m++)
+                x[m] = m < r ? tau : t;
+            for (int e = 0; e <= dim; e++) {
+                num sum = from_int(0);
+                for (int i = 0; i < K.n; i++)
+                    H[i] = e < dim ? mul(w[i], R[i * dim + e]) : w[i];
+                for (int m = 0; m <= p - r; m++)
+                    sum = add(sum, mul(N[m], e < dim ? mul(z[m], S[m * dim + e]) : z[m]));
+                G(spline_powers)(K.n, p, 1, K.u, K.place, H, 0, K.place[p], K.u[p], s);
+                about(T, e < dim ? "the points" : "the weights");
+                same(T, sum, G(polar_of_powers)(p, s, K.u[p], x));
+            }
+        }
+    }
+}
+
+/*
+:::{claim} nurbs_insertion_keeps_curve
+:title: Insertion with separate weights is insertion in homogeneous coordinates
+:zh: NURBS 插入节点
+:given: several segments, the distinct knots variables, points and weights; a new knot in every interval of the domain and at every knot of it
+  of multiplicity at most $p$
+:then: the knots of `nurbs_insert` are the old ones and the new one, and its weights $z_j$ and $z_jS_j$ are the points of the splines $w$ and $wR$
+:method: Both pairs of splines in powers, from the recursion of de Boor and Cox by its letter.  In the field $w_iR_i$ are the variables, and $R_i$
+  their quotients by the variables $w_i$.
+:degrees: 0..2 sampled 6
+:defines: nurbs_insert
+:control: the last of the new weights is replaced by its neighbour
+:::
+*/
+CLAIM(nurbs_insertion_keeps_curve)
+{
+    int p = T->degree;
+    struct G(knots) K = {0}, L;
+    num H[MOST_KNOTS * dim], R[MOST_KNOTS * dim], w[MOST_KNOTS], S[MOST_KNOTS * dim], z[MOST_KNOTS], v[MOST_KNOTS];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(free_nurbs)(T, K.n, dim, H, w);
+        for (int i = 0; i < K.n; i++)
+            for (int e = 0; e < dim; e++)
+                R[i * dim + e] = div(H[i * dim + e], w[i]);
+        for (int place = K.place[p]; place < K.place[K.n]; place++) {
+            int mu = G(span_of_interval)(K.count, K.place, place);
+            if (G(multiplicity_at)(&K, place) > p)
+                continue;
+            num x = G(knot_for)(T, &K, place, "s");
+            G(put_knot)(&K, place, x, &L);
+            G(nurbs_insert)(K.n, p, dim, K.u, mu, R, w, x, v, S, z);
+            about(T, "the knots");
+            for (int i = 0; i < L.count; i++)
+                same(T, v[i], L.u[i]);
+            for (int i = 0; i < L.n; i++)
+                for (int e = 0; e < dim; e++)
+                    S[i * dim + e] = mul(z[i], S[i * dim + e]);
+            if (T->planted && p > 0)
+                z[mu] = z[mu - 1];
+            about(T, "the weights");
+            G(same_spline)(T, 1, &K, w, &L, z);
+            about(T, "the points");
+            G(same_spline)(T, dim, &K, H, &L, S);
+        }
+    }
+}
+
+/*
+## Derivatives, curvature, torsion
+
+:::{claim} nurbs_derivatives_are_those_of_the_quotient
+:title: All derivatives of a NURBS curve
+:zh: NURBS 曲线的各阶导矢
+:given: every segment, the distinct knots variables, points and weights, any $t$, orders $0,\dots,p+1$
+:then: `nurbs_derivatives` gives $R^{(k)}(t)$
+:method: The sums, with the B-splines from the recursion by its letter, in powers about $t$; the power series of numerator and denominator
+  are divided, term by term, and the coefficient of order $k$ is $R^{(k)}(t)/k!$.
+:degrees: 0..2 sampled 7
+:defines: nurbs_derivatives
+:control: the weights taken backwards
+:::
+*/
+CLAIM(nurbs_derivatives_are_those_of_the_quotient)
+{
+    int p = T->degree;
+    struct G(knots) K = {0};
+    num R[MOST_KNOTS * dim], w[MOST_KNOTS], z[MOST_KNOTS], H[MOST_KNOTS], D[(HIGHEST + 2) * dim];
+    num a[HIGHEST + 2], b[HIGHEST + 2], q[HIGHEST + 2];
+    for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
+        num t = G(in_interval)(T, &K, p, "t");
+        G(free_nurbs)(T, K.n, dim, R, w);
+        for (int i = 0; i < K.n; i++)
+            z[i] = w[T->planted ? K.n - 1 - i : i];
+        G(nurbs_derivatives)(p, dim, K.u, p, R, z, t, p + 1, D);
+        for (int e = 0; e < dim; e++) {
+            for (int i = 0; i < K.n; i++)
+                H[i] = mul(w[i], R[i * dim + e]);
+            G(spline_powers)(K.n, p, 1, K.u, K.place, H, 0, K.place[p], t, a);
+            G(spline_powers)(K.n, p, 1, K.u, K.place, w, 0, K.place[p], t, b);
+            a[p + 1] = b[p + 1] = from_int(0);
+            for (int r = 0; r <= p + 1; r++) {
+                q[r] = a[r];
+                for (int j = 0; j < r; j++)
+                    q[r] = sub(q[r], mul(q[j], b[r - j]));
+                q[r] = div(q[r], b[0]);
+                same(T, D[r * dim + e], G(derivative_of_powers)(p + 1, q, r));
+            }
+        }
+    }
+}
+
+/*
+:::{claim} quotient_derivatives_follow_the_field
+:title: The derivatives of a quotient
+:zh: 商的各阶导数
+:given: $P$ and $w$ polynomials in $t$ of degree 5 with free coefficients
+:then: `quotient_derivatives` gives the derivatives of $P/w$ of the orders $0,\dots,r$ from those of $P$ and $w$
+:method: The quotient of the two polynomials is an element of the field, which differentiates it formally $r$ times; here $r$ is the number that
+  is called $n$.  In rationals the series at $t$ are divided.
+:types: field rational
+:degrees: 0..3 sampled 5
+:defines: quotient_derivatives
+:control: the second derivative of $w$, or for $r<2$ its value, doubled
+:::
+*/
+#if FIELD || RATIONAL
+CLAIM(quotient_derivatives_follow_the_field)
+{
+    enum { formal = 5 };
+    int r = T->degree;
+    num P[formal + 1], w[formal + 1], D[2 * (formal + 1)], out[formal + 1], t = parameter(T, "t");
+    for (int k = 0; k <= formal;
+         k++) { /* Taylor coefficients at t; in the field t is the variable, and P and w in its powers */
+        P[k] = unknown(T, "y", k);
+        w[k] = positive(T, "q", k);
+    }
+#if FIELD
+    num above = from_int(0), below = from_int(0);
+    for (int k = formal; k >= 0; k--) {
+        above = add(mul(above, t), P[k]);
+        below = add(mul(below, t), w[k]);
+    }
+    num value = div(above, below), quotient[formal + 1];
+    for (int k = 0; k <= r; k++) {
+        D[2 * k] = above, D[2 * k + 1] = below, quotient[k] = value;
+        above = derivative_f(above, t), below = derivative_f(below, t), value = derivative_f(value, t);
+    }
+#else
+    num quotient[formal + 1], q[formal + 1];
+    (void)t;
+    for (int k = 0; k <= r; k++) {
+        D[2 * k] = G(derivative_of_powers)(formal, P, k), D[2 * k + 1] = G(derivative_of_powers)(formal, w, k);
+        q[k] = P[k];
+        for (int j = 0; j < k; j++)
+            q[k] = sub(q[k], mul(q[j], w[k - j]));
+        q[k] = div(q[k], w[0]);
+        quotient[k] = G(derivative_of_powers)(formal, q, k);
+    }
+#endif
+    int doubled = 2 * (r < 2 ? 0 : 2) + 1;
+    D[doubled] = T->planted ? mul(from_int(2), D[doubled]) : D[doubled];
+    G(quotient_derivatives)(1, D, r, out);
+    for (int k = 0; k <= r; k++)
+        same(T, out[k], quotient[k]);
+}
+#endif
+
+/*
+:::{claim} nurbs_curvature_from_homogeneous_coordinates
+:title: The squared curvature of a plane NURBS curve
+:zh: 平面 NURBS 曲线的曲率
+:given: simple knots, weights, points of the plane, any $t$; in the field the knots are $0,1,3,7,\dots$ and the points $(0,1),(2,3),(5,1)$,
+  and the weights are variables
+:then: with $P=(x,y,w)$ the homogeneous curve, `nurbs_curvature_squared` gives
+  $\kappa^2=\frac{w^6\det(P,P',P'')^2}{\bigl((x'w-xw')^2+(y'w-yw')^2\bigr)^3}$
+:method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter; the formula has no derivative of a quotient.
+:types: field rational
+:degrees: 1..2 sampled 6
+:defines: nurbs_curvature_squared
+:control: the weights taken backwards
+:::
+*/
+#if FIELD || RATIONAL
+/* Simple knots: in the field 0, 1, 3, 7, ..., elsewhere any. */
+static void G(simple_knots)(trial *T, int p, struct G(knots) * K)
+{
+    char pattern[MOST_KNOTS];
+    G(pattern_of_bits)(2 * p + 2, (1 << (2 * p + 1)) - 1, pattern);
+    (void)G(knots_good)(T, p, pattern, K);
+#if FIELD
+    for (int i = 0; i < K->count; i++)
+        K->u[i] = from_int((1 << i) - 1);
+#endif
+}
+
+/* D[r][e], r = 0, ..., 3: derivatives at t of the d+1 homogeneous coordinates, the weight last. */
+static void G(homogeneous_derivatives)(const struct G(knots) * K, int d, const num R[], const num w[], num t,
+                                       num D[4][4])
+{
+    num H[MOST_KNOTS], s[HIGHEST + 1];
+    for (int e = 0; e <= d; e++) {
+        for (int i = 0; i < K->n; i++)
+            H[i] = e < d ? mul(w[i], R[i * d + e]) : w[i];
+        G(spline_powers)(K->n, K->p, 1, K->u, K->place, H, 0, K->place[K->p], t, s);
+        for (int r = 0; r < 4; r++)
+            D[r][e] = G(derivative_of_powers)(K->p, s, r);
+    }
+}
+
+/* The determinant of the rows 0, 1, 2 of D in the columns i, j, k. */
+static num G(minor3)(num D[4][4], int i, int j, int k)
+{
+    num M[9];
+    for (int r = 0; r < 3; r++)
+        M[3 * r] = D[r][i], M[3 * r + 1] = D[r][j], M[3 * r + 2] = D[r][k];
+    return G(determinant)(3, M);
+}
+
+CLAIM(nurbs_curvature_from_homogeneous_coordinates)
+{
+    int p = T->degree;
+    struct G(knots) K = {0};
+    num R[MOST_KNOTS * 2], w[MOST_KNOTS], z[MOST_KNOTS], D[4][4], t = parameter(T, "t");
+    G(simple_knots)(T, p, &K);
+    G(free_nurbs)(T, K.n, 2, R, w);
+#if FIELD
+    static const int at[] = {0, 1, 2, 3, 5, 1};
+    for (int i = 0; i < K.n * 2; i++)
+        R[i] = from_int(at[i]);
+#endif
+    for (int i = 0; i < K.n; i++)
+        z[i] = w[T->planted ? K.n - 1 - i : i];
+    G(homogeneous_derivatives)(&K, 2, R, w, t, D);
+    num det = G(minor3)(D, 0, 1, 2), speed = from_int(0), above = mul(det, det), below = from_int(1);
+    for (int e = 0; e < 2; e++) {
+        num part = sub(mul(D[1][e], D[0][2]), mul(D[0][e], D[1][2]));
+        speed = add(speed, mul(part, part));
+    }
+    for (int k = 0; k < 6; k++)
+        above = mul(above, D[0][2]);
+    for (int k = 0; k < 3; k++)
+        below = mul(below, speed);
+    same(T, mul(G(nurbs_curvature_squared)(p, 2, K.u, p, R, z, t), below), above);
+}
+
+/*
+:::{claim} nurbs_torsion_from_homogeneous_coordinates
+:title: The torsion of a NURBS curve in space
+:zh: 空间 NURBS 曲线的挠率
+:given: simple random knots, weights, points of space, $p\ge3$, any $t$
+:then: with $P=(w,x,y,z)$ the homogeneous curve, `nurbs_torsion` gives $w^2\det(P,P',P'',P''')$ over the sum of the squares of the minors of
+  $(P,P',P'')$ in the columns $yzw$, $zxw$ and $xyw$
+:method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter; the formula has no derivative of a quotient.
+:types: rational
+:degrees: 3..7
+:defines: nurbs_torsion
+:control: the weights taken backwards
+:::
+*/
+#if RATIONAL
+CLAIM(nurbs_torsion_from_homogeneous_coordinates)
+{
+    int p = T->degree;
+    struct G(knots) K = {0};
+    num R[MOST_KNOTS * 3], w[MOST_KNOTS], z[MOST_KNOTS], D[4][4], M[16], below = from_int(0), t = parameter(T, "t");
+    G(simple_knots)(T, p, &K);
+    G(free_nurbs)(T, K.n, 3, R, w);
+    for (int i = 0; i < K.n; i++)
+        z[i] = w[T->planted ? K.n - 1 - i : i];
+    G(homogeneous_derivatives)(&K, 3, R, w, t, D);
+    for (int r = 0; r < 4; r++)
+        for (int e = 0; e < 4; e++)
+            M[4 * r + (e + 1) % 4] = D[r][e];
+    for (int e = 0; e < 3; e++) {
+        num minor = G(minor3)(D, (e + 1) % 3, (e + 2) % 3, 3);
+        below = add(below, mul(minor, minor));
+    }
+    num above = mul(mul(D[0][3], D[0][3]), G(determinant)(4, M));
+    same(T, mul(G(nurbs_torsion)(p, K.u, p, R, z, t), below), above);
+}
+#endif
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,255 @@
+/* spline_runs.tmpl.h -- the kernels on B-splines and NURBS curves, each once; a part of kernel_runs.tmpl.h.
+ *
+ * The spline of the data: degree p <= 5, p+4 points, four intervals in the domain, or three with a double knot in the
+ * middle; the ends simple or clamped.  place says which knots are equal. */
+#include "core/number/generic_on.h"
+
+struct G(spline) {
+    int p, n, mu, place[24];
+    num u[24], t; /* u_mu < t < u_{mu+1} */
+};
+
+static inline struct G(spline) G(spline_of)(const struct G(data) * D)
+{
+    struct G(spline) S;
+    int p = S.p = D->n < 5 ? D->n : 5, n = S.n = p + 4, clamped = D->r % 3 == 0, twice = D->r % 2 == 1;
+    S.mu = p + 2;
+    S.u[0] = D->x[0];
+    S.place[0] = 0;
+    for (int i = 1; i <= n + p; i++) {
+        int same = (clamped && (i <= p || i > n)) || (twice && i == p + 2);
+        S.u[i] = same ? S.u[i - 1] : add(S.u[i - 1], D->w[i]);
+        S.place[i] = S.place[i - 1] + !same;
+    }
+    num part = add(from_ratio(1, 4), mul(from_ratio(1, 2), D->t));
+    S.t = add(S.u[S.mu], mul(part, sub(S.u[S.mu + 1], S.u[S.mu])));
+    return S;
+}
+
+/* The knots of the spline with t twice; n+2 points.  v_j lies in the span of span[j], or ends beyond it. */
+static inline void G(refined_knots)(const struct G(spline) * S, num v[], int span[])
+{
+    for (int i = 0; i <= S->n + S->p + 2; i++)
+        v[i] = i <= S->mu ? S->u[i] : i <= S->mu + 2 ? S->t : S->u[i - 2];
+    for (int j = 0; j < S->n + 2;
+         j++) { /* a span between v_j and v_{j+p+1}: the nearest of u on the right of u_j, or of t */
+        int at = j <= S->mu ? j : j <= S->mu + 2 ? S->mu : j - 2;
+        at = at < S->p ? S->p : at;
+        while (S->place[at] == S->place[at + 1])
+            at++;
+        span[j] = at;
+    }
+}
+
+/* The knots of degree p+1, every knot of the domain once more; returns the number of points. */
+static inline int G(elevated_knots)(const struct G(spline) * S, num v[], int span[])
+{
+    int count = 0, from[48];
+    for (int i = 0; i <= S->n + S->p; i++) {
+        int last = i == S->n + S->p || S->place[i] < S->place[i + 1];
+        int inside = S->place[S->p] <= S->place[i] && S->place[i] <= S->place[S->n];
+        for (int times = 1 + (last && inside); times > 0; times--) {
+            from[count] = i;
+            v[count++] = S->u[i];
+        }
+    }
+    int m = count - S->p - 2;
+    for (int j = 0; j < m; j++) {
+        int l = j < S->p + 1 ? S->p + 1 : j;
+        while (S->place[from[l]] == S->place[from[l + 1]])
+            l++;
+        span[j] = from[l];
+    }
+    return m;
+}
+
+RUN(bezier_reduce)
+{
+    num defect[MAX_DIM];
+    G(bezier_reduce)(D->n, D->dim, D->x, out, defect);
+    for (int c = 0; c < D->dim; c++)
+        out[D->n * D->dim + c] = defect[c];
+    return (D->n + 1) * D->dim;
+}
+RUN(bspline_basis)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(bspline_basis)(S.p, S.u, S.mu, S.t, out);
+    return S.p + 1;
+}
+RUN(bspline_basis_derivatives)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(bspline_basis_derivatives)(S.p, S.u, S.mu, S.t, D->r + 1, out);
+    return (D->r + 1) * (S.p + 1);
+}
+RUN(discrete_bsplines)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(discrete_bsplines)(S.p, S.u, S.mu, D->x, out);
+    return S.p + 1;
+}
+RUN(bspline_blossom)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(bspline_blossom)(S.p, D->dim, S.u, S.mu, D->x, D->w, out);
+    return D->dim;
+}
+RUN(deboor)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(deboor)(S.p, D->dim, S.u, S.mu, D->x, S.t, out);
+    return D->dim;
+}
+RUN(bspline_derivatives)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(bspline_derivatives)(S.p, D->dim, S.u, S.mu, D->x, S.t, D->r + 1, out);
+    return (D->r + 1) * D->dim;
+}
+/* The derivative at t of the spline of the difference points. */
+RUN(bspline_difference)
+{
+    struct G(spline) S = G(spline_of)(D);
+    num e[64];
+    if (D->r % 2 == 1 && S.p == 1) { /* the double knot would be one of multiplicity p+1 */
+        out[0] = from_int(0);
+        return 1;
+    }
+    G(bspline_difference)(S.n, S.p, D->dim, S.u, D->x, e);
+    G(deboor)(S.p - 1, D->dim, S.u + 1, S.mu - 1, e, S.t, out);
+    return D->dim;
+}
+RUN(greville)
+{
+    struct G(spline) S = G(spline_of)(D);
+    for (int i = 0; i < S.n; i++)
+        out[i] = G(greville)(S.p, S.u, i);
+    return S.n;
+}
+RUN(bspline_insert)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(bspline_insert)(S.n, S.p, D->dim, S.u, S.mu, D->x, S.t, out, out + S.n + S.p + 2);
+    return S.n + S.p + 2 + (S.n + 1) * D->dim;
+}
+/* What was inserted is removed. */
+RUN(bspline_remove)
+{
+    struct G(spline) S = G(spline_of)(D);
+    num u[32], c[64], *b = out + S.n + S.p + 1;
+    G(bspline_insert)(S.n, S.p, D->dim, S.u, S.mu, D->x, S.t, u, c);
+    G(bspline_remove)(S.n + 1, S.p, D->dim, u, c, S.mu + 1, 1, out, b, b + S.n * D->dim);
+    return S.n + S.p + 1 + (S.n + 1) * D->dim;
+}
+RUN(bspline_refine)
+{
+    struct G(spline) S = G(spline_of)(D);
+    num v[32];
+    int span[32];
+    G(refined_knots)(&S, v, span);
+    G(bspline_refine)(S.p, D->dim, S.u, D->x, S.n + 2, v, span, out);
+    return (S.n + 2) * D->dim;
+}
+/* The point at t of the elevated spline. */
+RUN(bspline_elevate)
+{
+    struct G(spline) S = G(spline_of)(D);
+    num v[48], d[128];
+    int span[48], m = G(elevated_knots)(&S, v, span), nu = 0;
+    G(bspline_elevate)(S.p, D->dim, S.u, D->x, m, v, span, d);
+    for (int j = 0; j < m; j++)
+        nu = span[j] == S.mu ? j : nu; /* the last knot of v at u_mu is the last with this span */
+    G(deboor)(S.p + 1, D->dim, v, nu, d, S.t, out);
+    return D->dim;
+}
+/* What was elevated is reduced. */
+RUN(bspline_reduce)
+{
+    struct G(spline) S = G(spline_of)(D);
+    num v[48], d[128];
+    int span[48], down[32] = {0}, m = G(elevated_knots)(&S, v, span);
+    G(bspline_elevate)(S.p, D->dim, S.u, D->x, m, v, span, d);
+    for (int j = 0; j < S.n; j++) { /* the span of v in which the first interval of point j lies */
+        int at = j < S.p ? S.p : j;
+        while (S.place[at] == S.place[at + 1])
+            at++;
+        for (int l = 0; l < m; l++)
+            down[j] = span[l] == at ? l : down[j];
+    }
+    G(bspline_reduce)(S.p + 1, D->dim, v, d, S.n, S.u, down, out);
+    return S.n * D->dim;
+}
+RUN(bspline_to_bezier)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(bspline_to_bezier)(S.p, D->dim, S.u, S.mu, D->x, out);
+    return (S.p + 1) * D->dim;
+}
+RUN(bspline_point_of_bezier)
+{
+    num to = add(D->x[0], D->w[0]);
+    G(bspline_point_of_bezier)(D->n < 7 ? D->n : 7, D->dim, D->x, D->x[0], to, D->w, out);
+    return D->dim;
+}
+/* The points of both parts. */
+RUN(bspline_split)
+{
+    struct G(spline) S = G(spline_of)(D);
+    num v[32], w[32];
+    int left = (S.mu + 1) * D->dim, right = (S.n - S.mu + S.p) * D->dim;
+    G(bspline_split)(S.n, S.p, D->dim, S.u, S.mu, 0, D->x, S.t, v, out, w, out + left);
+    return left + right;
+}
+RUN(bspline_periodic)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(bspline_periodic)(S.n, S.p, D->dim, S.u, D->x, out, out + S.n + 2 * S.p + 1);
+    return S.n + 2 * S.p + 1 + (S.n + S.p) * D->dim;
+}
+RUN(nurbs_weight)
+{
+    struct G(spline) S = G(spline_of)(D);
+    out[0] = G(nurbs_weight)(S.p, S.u, S.mu, D->w, S.t);
+    return 1;
+}
+RUN(nurbs_point)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(nurbs_point)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
+    return D->dim;
+}
+RUN(nurbs_deboor)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(nurbs_deboor)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
+    return D->dim;
+}
+RUN(nurbs_derivatives)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(nurbs_derivatives)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, D->r, out);
+    return (D->r + 1) * D->dim;
+}
+RUN(nurbs_curvature_squared)
+{
+    struct G(spline) S = G(spline_of)(D);
+    out[0] = G(nurbs_curvature_squared)(S.p, 3, S.u, S.mu, D->x, D->w, S.t);
+    return 1;
+}
+RUN(nurbs_torsion)
+{
+    struct G(data) E = *D;
+    E.n = D->n < 3 ? 3 : D->n;
+    struct G(spline) S = G(spline_of)(&E);
+    out[0] = G(nurbs_torsion)(S.p, S.u, S.mu, D->x, D->w, S.t);
+    return 1;
+}
+RUN(nurbs_insert)
+{
+    struct G(spline) S = G(spline_of)(D);
+    num v[32];
+    G(nurbs_insert)(S.n, S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, v, out, out + (S.n + 1) * D->dim);
+    return (S.n + 1) * (D->dim + 1);
+}
+#include "core/number/generic_off.h"
