@@ -395,7 +395,7 @@ Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in
 :then: for all $i$ and $j$ the four sums are $a_{ji}$, the first also when it is computed from (4.4.23) with the factors
   $t_l-t_\alpha$
 :method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it.
-:scope: $k\le9$
+:scope: k up to 9
 :control: the sign $(-1)^s$ left out of the third sum
 :::
 
