@@ -138,7 +138,7 @@ static inline num G(marsden_determinant)(int p, const num u[], int mu)
     for (int a = mu - p + 1; a <= mu; a++)
         for (int b = mu + 1; b <= a + p; b++)
             product = mul(product, sub(u[b], u[a]));
-    for (int j = 0; j <= p; j++)
+    for (int j = 1; j < p; j++) /* C(p,0) and C(p,p) are 1 */
         product = div(product, from_int(binomial(p, j)));
     return product;
 }

@@ -37,7 +37,7 @@ independent.
   $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); so read it is true
 :reading: affine_points_need_the_weights | $\mathbf r_i$ and $\mathbf r$ are what (4.1.2) calls so, affine points and
   the affine curve; so read it is false as soon as two weights differ
-:corrected: \tilde{\mathbf r}^*(u)=(1,\dots,u^{k-1})\,\mathbf A\,(\tilde{\mathbf r}_{r-k+1},\dots,\tilde{\mathbf r}_r)^T,
+:corrected: $\tilde{\mathbf r}^*(u)=(1,\dots,u^{k-1})\,\mathbf A\,(\tilde{\mathbf r}_{r-k+1},\dots,\tilde{\mathbf r}_r)^T$,
   and the affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and
   $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$
 :corrected-by: matrix_gives_homogeneous_curve
@@ -589,7 +589,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :given: $k\le12$, $1\le l\le k$
 :then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
 :method: Both sets are listed.
-:scope: $k\le12$
+:scope: k up to 12
 :control: $\max$ replaced by $\min$
 :::
 */

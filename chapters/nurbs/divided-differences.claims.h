@@ -63,7 +63,7 @@ The order of the $\tau_i$ is used nowhere in the identities of this section; tha
 :given: $k\le7$ and every pattern of equal neighbours among $k+1$ ordered nodes
 :then: the groups have positive sizes with the sum $k+1$, and different patterns give different sizes
 :method: All patterns are listed and their lists of sizes compared two by two.
-:scope: $k\le7$
+:scope: k up to 7
 :control: a pattern of $k+1$ bits, where only $k$ count
 :::
 */
@@ -539,7 +539,7 @@ values of $f$ are free no other weights do the same.
 :given: every set of multiplicities of $k+1\le8$ nodes
 :then: the printed $b(i,j)$ is the number of the row of $f^{(j)}(\tau_i)$, counted from 0
 :method: The rows are counted one by one.
-:scope: $k\le7$
+:scope: k up to 7
 :control: $b(i,j)=j$ for all $i$
 :::
 

@@ -57,16 +57,15 @@ $k=7$ there can be a curve.
 :::
 
 :::{statement} wang-ch4:formula-4.3.16
-:title: The solutions as functions of t, and as an alternative
+:title: The solutions as functions of t
 :zh: 解写成 τ=τ(t)
 :printed: \tau=\tau(t)
-:class: misprint
-:refuted-by: convex_quartic_of_span_has_second_envelope
-:corrected: in the alternative "(4.3.16) or the sum vanishes" it should be $\tau=t$, (4.3.11)
-:corrected-by: general_condition_is_that_of_the_level_before
+:reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: an agreement, as
+  (4.3.10)
+:reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: false, with
+  $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form
 
-As the form of a solution it says nothing; as an alternative it is cited where $\tau=t$ is meant, and then it excludes
-too little: with $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form.
+What the proof cites under this number is in `thm-4.3.3-alternatives`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-difference
@@ -544,7 +543,8 @@ corners arise.
   nonnegative
 :method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the
   right side is Cauchy-Binet.  The minors have no negative coefficient in the gaps and in $x$, $y$ with
-  $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$; for $k>5$ they are sampled, and nonnegative because $M$ is a product of
+  $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$, and at the ends of the span they are nonnegative as limits; for $k>5$ they are
+  sampled, and nonnegative because $M$ is a product of
   matrices with nonnegative entries on two neighbouring diagonals, one for each inserted knot.  The rows of $M$ are
   independent, as $q$ may be any polynomial of degree 2: to put in one argument $\tau$ maps the polynomials of degree $m$
   onto those of degree $m-1$, since only the multiples of $(\cdot-\tau)^m$ go to 0.
@@ -614,20 +614,30 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
 :printed: as for theorem 4.3.2, (4.3.3) and (4.3.15) give (4.3.16) or
   $\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\bigl(w_i^{[r-1]}(\tau)\mathbf p_i^{[r-1]}(\tau), \frac\partial{\partial t}\mathbf
   r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$
-:holds-by: general_condition_is_that_of_the_level_before
+:class: misprint
+:refuted-by: superscript_of_the_order_gives_another_product
+:corrected: $\tau=t$, that is (4.3.11), or the same sum with $\mathbf r_i^{[r-1]}$ for $\mathbf p_i^{[r-1]}$ and with
+  $\mathbf r^{[k-r+1]}(t,\tau)=\mathbf p^{[r-1]}(t,\tau)/w^{[r-1]}(t,\tau)$, the member of the level before, for
+  $\mathbf r^{[r-1]}(t,\tau)$
+:corrected-by: general_condition_is_that_of_the_level_before
 
-Three letters have to be read as what they must mean: $\tau=t$ for (4.3.16), $\mathbf r_i^{[r-1]}$ for $\mathbf
-p_i^{[r-1]}$, and for $\mathbf r^{[r-1]}$, by (4.3.3) a curve of order $r-1$, the member $\mathbf r^{[k-r+1]}$ of the
-level before.  It is true for a stronger reason: for $\tau\ne t$ the product of its last two factors is 0.
+Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined; and by
+(4.3.3) the superscript of $\mathbf r^{[r-1]}(t,\tau)$ is an order, while those of (4.3.17) count levels.  Put right, the
+alternative is true for a stronger reason: for $\tau\ne t$ the vector product of the last two factors is 0.
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-each-term
 :title: Each term of the sum vanishes
 :zh: 每个混合积为零
 :printed: if the sum is 0, then $\bigl(w_i^{[r-1]}(\tau)\mathbf p_i^{[r-1]}(\tau),\frac\partial{\partial t}\mathbf
-  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$ for $i=j-k+r,\dots,j$
+  r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$ for $i=j-k+r,\dots,j$ and
+  $t_j\le t,\tau<t_{j+1}$
 :class: invalid-proof
 :refuted-by: member_osculates_a_plane_through_the_origin
+:reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, as the alternative to $\tau=t$ arises:
+  false
+:reading: points_are_polar_values_of_the_segment | for all pairs of the square: true, as in theorem 4.3.2, each member
+  being in a plane through the origin and its points with it, but not by linear independence
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
   whatever the points are
 :corrected-by: general_condition_is_that_of_the_level_before
@@ -648,9 +658,12 @@ For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
 :title: From the means to the terms, down to the control points
 :zh: 逐层下降至控制顶点
 :printed: this gives $(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$ for $i=j-k+r-1,\dots,j$ and, continued,
-  $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for $i=j-k+1,\dots,j$
+  $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for $i=j-k+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
 :class: invalid-proof
 :refuted-by: level_one_in_a_plane_and_the_points_not
+:reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$: false
+:reading: span_derivatives_are_parallel | for all pairs of the square: true, because on the diagonal it says that the
+  curve is in a plane through the origin; not by solving for the terms
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
   are 0 on every level
 :corrected-by: general_condition_is_that_of_the_level_before
@@ -661,16 +674,16 @@ $k-r+1$ equations do not determine $k-r+2$ unknowns.
 :::{statement} wang-ch4:thm-4.3.3-coplanar
 :title: The control points are coplanar
 :zh: 控制顶点共面
-:printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 means that $\mathbf p_i$,
-  $i=j-k+1,\dots,j$, are coplanar
-:class: false
-:refuted-by: twisted_sextic_has_products_zero
-:corrected: coplanar with the origin if $\frac\partial{\partial t}\mathbf r\times\frac{\partial^2}{\partial
-  t^2}\mathbf r\ne0$ at the pair in question; but where (4.3.15) holds with $\tau\ne t$ it is 0
-:corrected-by: common_normal_makes_points_coplanar general_condition_is_that_of_the_level_before
+:printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 for $t_j\le t,\tau<t_{j+1}$
+  means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
+:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
+:needs: twisted_sextic_has_products_zero | for all pairs of the square; at one pair where (4.3.15) holds with $\tau\ne t$
+  the products are 0 because of their last two factors, and the points need not be coplanar
 :figure: nurbs_envelope_space
 
-Here the proof loses the curves of space: the products are 0 because of their last two factors.
+As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points, or
+every member is straight, and with them, at $\tau=t$, the segment.  But (4.3.15) gives the products at single pairs only;
+here the proof loses the curves of space.
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-plane
@@ -683,6 +696,19 @@ Here the proof loses the curves of space: the products are 0 because of their la
   of the level before, not of the curve
 :corrected-by: general_condition_is_that_of_the_level_before
 :figure: nurbs_envelope_extra
+:::
+
+:::{claim} superscript_of_the_order_gives_another_product
+:title: With the curve of order r-1 in the place of the level r-1 the sum is not 0
+:zh: 若上标按 (4.3.3) 表示阶数则和不为零
+:kind: counterexample
+:given: $k=7$, knots $-13,-11,\dots,13$, the span $[-1,1)$, weights 1, points for which it is $(t,t^3,t^4+1)$; $r=5$,
+  $\tau=0$, $t=\frac12$
+:then: (4.3.15) is satisfied with $\tau\ne t$; with the curve $\mathbf r^{[4]}(t,\tau)=(\frac t2,\frac{t^3}{20},1)$, which has
+  the order $r-1$, the sum is $\frac{3t}{20}\ne0$
+:method: The condition is found to be satisfied; then the sum of the triple products with the points of level $r-1$ and the
+  member of order $r-1$ is compared with 0.
+:control: the member of level $r-1$, of order $k-r+1=3$
 :::
 
 :::{claim} weighted_points_follow_the_recursion
@@ -736,6 +762,23 @@ static void G(products_with_member)(int p, const num u[], const num R[], const n
     G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
     for (int m = 0; m <= p - level; m++)
         out[m] = mul(wr[m], G(det3)(Rr + 3 * m, D + 3, D + 6));
+}
+
+CLAIM(superscript_of_the_order_gives_another_product)
+{
+    static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {1, 0, 0, 0, 1}};
+    int p = 6, k = 7, r = 5, level = T->planted ? r - 1 : k - (r - 1); /* of the curve of order r-1 */
+    num u[14], R[21], w[7], X[3], Rr[21], wr[7], D[9], S[4], tau = from_int(0), t = from_ratio(1, 2);
+    G(uniform_curve)(p, 3, 1, curve, u, R, w);
+    if (!G(pair_of_one_span)(T, p, 3, u, R, w, r, tau, t, X))
+        return;
+    G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
+    G(curve_derivatives)(p - level, 3, u, p, Rr, wr, t, 2, D);
+    G(level_of_curve)(p, 3, u, p, R, w, r - 1, tau, Rr, wr);
+    G(sums)(p - r + 1, 3, u, p, Rr, wr, t, S);
+    show_points(T, "two derivatives of the curve of order r-1", 2, 3, D + 3);
+    about(T, "the sum of the triple products");
+    vanishes(T, G(det3)(S, D + 3, D + 6));
 }
 
 /*

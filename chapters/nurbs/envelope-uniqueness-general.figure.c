@@ -29,7 +29,7 @@ FIGURE(nurbs_envelope_square)
         const char *caption;
         svg_field *factor;
         int half;
-    } panel[3] = {{"$k=5$, $r=2$: $(t,t^4+3t^2/2)$\n$4tτ+1=0$", quartic_factor, 1},
+    } panel[3] = {{"$k=5$, $r=2$: $(t,2t^4+3t^2)$\n$4tτ+1=0$", quartic_factor, 1},
                   {"$k=7$, $r=3$: the sextic of space\n$tτ+1=0$", sextic_factor, 2},
                   {"$k=6$, $r=3$: $(t,t^3)$\n$t+2τ=0$", cubic_factor, 1}};
     for (int k = 0; k < 3; k++) {
@@ -49,7 +49,7 @@ FIGURE(nurbs_envelope_square)
 static svg_point quartic_second(num_q x, const void *data)
 {
     (void)data;
-    return at(x, sub_q(mul_q(x, x), r(1, 16)));
+    return at(x, sub_q(mul_q(q(2), mul_q(x, x)), r(1, 8)));
 }
 static svg_point cubic_second(num_q t, const void *data)
 {
@@ -67,19 +67,17 @@ static svg_point sextic_second(num_q x, const void *upright)
 FIGURE(nurbs_envelope_extra)
 {
     svg *s = svg_new("nurbs_envelope_extra", "Envelopes beside the curve",
-                     "Left the conics of the convex quartic (t, t⁴ + 3t²/2): many of them touch the parabola y = x² - "
-                     "1/16 below it.  Right the conics of the cubic (t, t³), taken as a "
+                     "Left the conics of the convex quartic (t, 2t⁴ + 3t²): many of them touch the parabola y = 2x² - "
+                     "1/8 below it.  Right the conics of the cubic (t, t³), taken as a "
                      "curve of order 6: all of them touch another, smaller cubic.");
     static const int x[6] = {0, 1}, y4[5] = {0, 0, 3, 0, 2}, y3[6] = {0, 0, 0, 1};
     struct nurbs quartic = one_span(4, 1, x, y4), cubic = one_span(5, 1, x, y3);
-    for (int i = 0; i < quartic.n; i++) /* y was doubled */
-        quartic.H[3 * i + 1] = mul_q(r(1, 2), quartic.H[3 * i + 1]);
-    svg_panel(s, window(r(-3, 5), r(-3, 20), r(3, 5), r(3, 4)), 380, 285, "$k=5$, $r=2$: the convex quartic");
+    svg_panel(s, window(r(-3, 5), r(-3, 10), r(3, 5), r(3, 2)), 380, 285, "$k=5$, $r=2$: the convex quartic");
     put_family(s, &quartic, 4, 2, 24);
     put_curve(s, &quartic, SVG_CURVE);
     svg_plot(s, quartic_second, NULL, r(-3, 8), r(3, 8), 40, SVG_WRONG);
-    svg_mark(s, at(q(0), r(-1, 16)), SVG_WRONG, SVG_USUAL);
-    svg_label(s, at(q(0), r(-1, 16)), SVG_S, SVG_WRONG, "(0,-1/16)");
+    svg_mark(s, at(q(0), r(-1, 8)), SVG_WRONG, SVG_USUAL);
+    svg_label(s, at(q(0), r(-1, 8)), SVG_S, SVG_WRONG, "(0,-1/8)");
     svg_frame(s);
     svg_panel(s, window(r(-1, 4), r(-1, 40), r(1, 4), r(1, 40)), 380, 285,
               "$k=6$, $r=3$: the cubic $(t,t^3)$, near the origin");

@@ -61,13 +61,13 @@ $\partial_t\mathbf r^{[k-1]}\ne0$.
 :title: The solutions as functions of t
 :zh: 解写成 τ=τ(t)
 :printed: \tau=\tau(t)
-:class: false
-:refuted-by: inflected_cubic_has_second_envelope
+:reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it cannot be false,
+  but then a line $t=t_0$ of the square is left out of the envelope by agreement
+:reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: false, the lines $t=t_0$
+  with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
 :corrected-by: first_level_condition_factors
-
-That every joint solution can be written so is assumed.  The lines $t=t_0$ cannot.
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -219,13 +219,12 @@ $w''$ three numbers, all of them variables, and so is $k$.
   r'(t),\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t),\mathbf p''(t)\bigr)=0$
 :class: invalid-proof
 :refuted-by: product_with_second_derivative_says_nothing
-:corrected: the scalar product gives $(\tau-t)\,w''(t)\,(\dots)=0$, with the factor $w''$; where $w''\ne0$ the printed
-  equation follows; where $w''=0$ it follows from the equation before the product was taken, which then says $\mathbf
-  r'\times\mathbf p''=0$
-:corrected-by: product_with_second_derivative_loses_the_left_side first_level_condition_as_printed
+:corrected: the scalar product with $\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)$ gives the printed equation; that with
+  $\mathbf p''(t)$ gives $(\tau-t)\,w''(t)\,(\dots)=0$, with a factor $w''$ that may be 0
+:corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
 
-For equal weights, B-spline curves, the product is $0=0$ for all $t$ and $\tau$.  And it is one equation in the place
-of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
+For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.  And either product
+is one equation in the place of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
 :::
 
 :::{statement} wang-ch4:formula-4.3.11
@@ -304,6 +303,16 @@ osculating plane passes through it, and is therefore weaker than (4.3.9), which 
 :method: Everything a variable.
 :degrees: all
 :control: the factor $w''$ left out
+:::
+
+:::{claim} product_with_the_numerator_gives_the_triple_product
+:title: The scalar product of the condition with the numerator of the member is the triple product
+:zh: 与族曲线分子的数量积给出混合积
+:given: the same
+:then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
+:method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product is 0.
+:degrees: all
+:control: the factor $w$ in the place of $W$
 :::
 
 :::{claim} triple_product_is_that_of_the_point
@@ -431,6 +440,14 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
     same(T, G(dot)(3, B, J.p2), T->planted ? triple : mul(J.w2, triple));
 }
 
+CLAIM(product_with_the_numerator_gives_the_triple_product)
+{
+    G(jet) J = G(free_jet)(T);
+    num B[3];
+    G(bracket)(&J, 0, B);
+    same(T, G(dot)(3, B, J.A), neg(mul(T->planted ? J.w : J.W, G(det3)(J.r1, J.A, J.p2))));
+}
+
 CLAIM(triple_product_is_that_of_the_point)
 {
     G(jet) J = G(free_jet)(T);
@@ -494,7 +511,7 @@ CLAIM(product_with_second_derivative_says_nothing)
 :title: Each term of the sum vanishes, because B-splines are linearly independent
 :zh: 由线性无关性得每个混合积为零
 :printed: if (4.3.12) holds, then by $w_i>0$ and the linear independence of the B-splines $(\mathbf r_i,\mathbf
-  r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$
+  r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$
 :class: invalid-proof
 :refuted-by: osculating_plane_meets_the_origin_once
 :reading: osculating_plane_meets_the_origin_once | at one $t$, as the alternative to $\tau=t$ arises: false
@@ -508,11 +525,14 @@ CLAIM(product_with_second_derivative_says_nothing)
 :::{statement} wang-ch4:thm-4.3.2-coplanar
 :title: The control points of the span are coplanar, and the family is plane
 :zh: 控制顶点共面
-:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ means that these $\mathbf r_i$ are
-  coplanar, so that the family is one of plane curves
-:holds-by: common_normal_makes_points_coplanar
-:hypothesis: vanishing_curvature_says_nothing_about_the_points | $\mathbf r'(t)\times\mathbf r''(t)\ne0$ at the $t$ in
-  question
+:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$ means that these
+  $\mathbf r_i$ are coplanar, so that the family is one of plane curves
+:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
+:needs: vanishing_curvature_says_nothing_about_the_points | for all $t$ of the span; at one $t$, which is what the
+  alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf r''=0$ there
+
+If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$,
+the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its points are on a line.
 :::
 
 :::{claim} points_are_polar_values_of_the_segment
@@ -667,7 +687,7 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 :title: If x'y''-x''y' = 0 the segment is straight
 :zh: x'y''-x''y'=0 则为直线段
 :printed: if $x'(t)y''(t)-x''(t)y'(t)=0$ (4.3.14) holds, then $\mathbf r(t)$ is a segment of a straight line
-:class: false
+:class: invalid-proof
 :refuted-by: inflected_cubic_is_not_straight
 :reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives: false, every
   inflection is a counterexample

@@ -3,7 +3,8 @@
 
 A text can be checked against itself: whether a number that is cited is printed somewhere, whether the key of a reference
 has the year of the reference, whether the volumes of a journal go up by one a year.  The tables below are what the source
-prints.
+prints, in the digital copy at hand: a label that stands twice, or a letter $l$ for the digit 1, may be a fault of this
+copy and not of the book.
 
 :::{statement} wang-ch4:formula-4.4.14-label
 :title: The label of the coefficients of Marsden's identity
@@ -42,7 +43,8 @@ The identity itself is printed twice.
 :printed: the references 1 to 19
 :holds-by: numbered_references_are_all_cited
 
-Every number that is cited is in the list, and every entry of the list is cited.
+Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 spells SIGGRAPH without its
+P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics and Applications.
 :::
 
 :::{statement} wang-ch4:references-volumes

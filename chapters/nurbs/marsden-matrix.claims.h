@@ -137,12 +137,11 @@ More is true: $\det G=\prod_{a\le r<b,\ b-a\le k-1}(t_b-t_a)\big/\prod_{j=0}^{k-
 :title: The reason given: linear independence of the basis
 :zh: 由线性无关性推出 det G ≠ 0
 :printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
-:reading: singular_g_makes_powers_dependent | the basis is that of the powers $1,t,\dots,t^{k-1}$: a vector $c$ with
-  $G^Tc=0$ would give $\sum c_\mu t^\mu=0$; so read the reason is right, and complete
-:reading: independent_functions_do_not_suffice | the basis is that of the B-splines $N_{i,k}$: their independence alone
-  does not say that the $k$ combinations of them are independent
-:corrected: the powers are independent; that of the B-splines is then a consequence, and no assumption
-:corrected-by: singular_g_makes_powers_dependent
+:holds-by: singular_g_makes_powers_dependent
+:needs: independent_functions_do_not_suffice | the basis that is used is that of the powers on the left of (4.4.21); the
+  independence of the B-splines alone does not say that $k$ combinations of them are independent
+
+A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of the B-splines is then a consequence.
 :::
 
 :::{statement} wang-ch4:thm-4.4.3-step-inverse

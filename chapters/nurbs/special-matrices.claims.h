@@ -395,7 +395,7 @@ Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in
 :then: for all $i$ and $j$ the four sums are $a_{ji}$, the first also when it is computed from (4.4.23) with the factors
   $t_l-t_\alpha$
 :method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it.
-:scope: $k\le9$
+:scope: k up to 9
 :control: the sign $(-1)^s$ left out of the third sum
 :::
 
@@ -799,6 +799,54 @@ CLAIM(bernstein_knots_from_one_shift_the_index)
     show(T, "x", x);
     about(T, "omega_{1,2}(x), and the formula");
     same(T, w[i - first], mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i)));
+}
+
+/*
+## The greatest order (最高阶)
+
+The kernels have workspaces of a fixed size, so there is a greatest order, far beyond what a formula is used for.  The
+claims above stop at small orders; at the greatest one the kernels are compared with each other.
+
+:::{claim} matrices_agree_at_the_greatest_order
+:title: At the greatest order of the kernels their matrices agree
+:zh: 各算法在最高阶处一致
+:kind: decision
+:given: $k=23$, the greatest order that the kernels take; the knots $0,1,\dots,45$; $k$ knots 0 and $k$ knots 1; double
+  knots left of the span and triple ones right of it
+:then: `bspline_matrix_by_differences` gives the matrix of `bspline_matrix` for all three, `bspline_matrix_simple` and
+  `bspline_matrix_uniform` for the first, `bernstein_matrix` for the second; `marsden_determinant` is the determinant of
+  `marsden_matrix`
+:method: All entries are compared.
+:scope: the stated knots
+:control: the entries in the opposite order
+:::
+*/
+CLAIM(matrices_agree_at_the_greatest_order)
+{
+    enum { p = MAX_ORDER - 2, k = p + 1 };
+    for (int kind = 0; kind < 3; kind++) {
+        num u[2 * k], A[k * k], B[k * k], others[3][k * k];
+        int group[2 * k], count = 0;
+        for (int m = 0; m < 2 * k; m++) {
+            group[m] = kind == 0 ? m : kind == 1 ? m >= k : m < k ? m / 2 : k + (m - k) / 3;
+            u[m] = from_int(group[m]);
+        }
+        G(bspline_matrix)(p, u, p, A);
+        G(marsden_matrix)(p, u, p, B);
+        about(T, "the determinant");
+        same(T, G(determinant)(k, B), G(marsden_determinant)(p, u, p));
+        G(bspline_matrix_by_differences)(p, u, group, p, others[count++]);
+        if (kind == 0) {
+            G(bspline_matrix_simple)(p, u, p, others[count++]);
+            G(bspline_matrix_uniform)(p, others[count++]);
+        }
+        if (kind == 1)
+            G(bernstein_matrix)(p, others[count++]);
+        about(T, "the matrices");
+        for (int c = 0; c < count; c++)
+            for (int m = 0; m < k * k; m++)
+                same(T, others[c][T->planted ? k * k - 1 - m : m], A[m]);
+    }
 }
 #endif
 #include "chapters/frame/claims_off.h"
