@@ -23,7 +23,7 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
 :figure: nurbs_definition
 
 In the text at hand the first point of the polygon carries the index $i$; it is read as $1$.  The polygon that later sections cut and compare with lines is $r_1r_2\cdots r_n$ in space.  What the definition leaves
-open is in the next entries: whether there is an interval, what happens at its right end, and how multiple a knot may be.
+open is in the next two entries: whether there is an interval, what happens at its right end, and how multiple a knot may be.
 :::
 
 :::{statement} wang-ch4:def-4.1.1-interval
@@ -31,24 +31,27 @@ open is in the next entries: whether there is an interval, what happens at its r
 :zh: 节点向量非减即可定义曲线
 :printed: $t_j\le t_{j+1}$ for all $j$, $n\ge k$: the curve is defined for $t_k\le t\le t_{n+1}$
 :holds-by: basis_is_a_partition_of_unity
-:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise every $N_{i,k}$, $1\le i\le n$, is zero on the domain
+:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise the domain is one value of $t$, at which every $N_{i,k}$,
+  $1\le i\le n$, may be zero
 :hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
   $t_{n+1}=\dots=t_{n+k}$: by the half-open intervals of the definition of $N_{i,1}$ all $N_{i,k}$ are zero there
 :figure: missing_end
 :::
 
 :::{statement} wang-ch4:def-4.1.1-multiplicity
-:title: Every control point has a share in the curve
-:zh: 每个控制顶点都影响曲线
-:printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are the control points of the curve
-:holds-by: every_point_counts
-:hypothesis: too_multiple_knot_loses_a_point | every knot is at most $k$-fold: for $t_i=t_{i+k}$ the function $N_{i,k}$ is zero and
-  $r_i$ has no share in the curve
-:hypothesis: multiple_first_knot_loses_a_point | $t_k<t_{k+1}$ and $t_n<t_{n+1}$: otherwise the support of the first or of the last
-  function meets the domain in no interval
+:title: Which control points have a share in the curve
+:zh: 哪些控制顶点影响曲线
+:definition: yes
+:printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are called the control points of the curve
+:checked-by: every_point_counts
+:reading: too_multiple_knot_loses_a_point | knots of any multiplicity, and every point has a share: false; for $t_i=t_{i+k}$ the function
+  $N_{i,k}$ is zero and $r_i$ has no share
+:reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: false without $t_k<t_{k+1}$ and
+  $t_n<t_{n+1}$; else the support of the first or of the last function meets the domain in no interval
+:reading: every_point_counts | with both: every point has a share, and nothing else is asked of the knots
 :figure: idle_point
 
-Not said by the source in these words; a point without influence is hardly a control point.  The curve itself exists.
+The source does not say that every control point counts, and the curve exists when one does not.
 :::
 
 :::{claim} basis_is_a_partition_of_unity
