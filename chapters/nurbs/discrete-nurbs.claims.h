@@ -32,8 +32,8 @@ $i=j$ and $0$ otherwise.
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :needs: negative_weight_loses_a_new_point | positive weights: otherwise a new weight may be $0$, and there is no new point though the
   curve is there
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ to the left of $t_{n+1}$ when that is a $k$-fold knot: otherwise all
-  $\alpha_{i,k}(j)$, $1\le i\le n$, are $0$ for the last points, and (4.1.6) is $0/0$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in the domain, and to the left of $t_{n+1}$ when that is a $k$-fold knot:
+  otherwise all $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
 :figure: nurbs_polygons_converge
 
 With positive weights all new weights lie between the least and the greatest of the old ones.
@@ -73,12 +73,12 @@ With positive weights all new weights lie between the least and the greatest of 
 :::{claim} discrete_bsplines_are_shares
 :title: The discrete B-splines of a point are nonnegative and sum up to 1
 :zh: 离散 B 样条非负且和为一
-:given: the same pairs with any positive gaps, all inserted knots in the domain; every $j$ with $v_j$ in the domain
+:given: the same pairs with any positive gaps, all inserted knots in the domain; every new point $j$
 :then: $\alpha_{i,k}(j)\ge0$ and $\sum_{i=1}^n\alpha_{i,k}(j)=1$; so with positive weights $w_j^{(T,T')}$ is between the least and
   the greatest of them
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
 :degrees: 1..3 sampled 4
-:control: the first nonzero one left out of the sum
+:control: the share of $r_1$ left out of the sum
 :::
 */
 #include "chapters/nurbs/definition.h"
@@ -168,14 +168,11 @@ CLAIM(discrete_bsplines_are_shares)
         G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
         for (int j = 0; j < r.m; j++) {
             num sum = from_int(0);
-            if (!G(in_domain)(p, &r, j))
-                continue;
-            int mu = G(span_of_interval)(r.count, r.place, r.at[j]);
             for (int i = 0; i < r.n; i++) {
                 num a = G(alpha)(p, r.u, r.place, r.v, r.at, i, j);
                 about(T, "the sign of alpha_i(j)");
                 nonnegative(T, a);
-                if (!T->planted || i != mu)
+                if (!T->planted || i > 0)
                     sum = add(sum, a);
             }
             about(T, "the sum of the alpha_i(j)");
@@ -509,7 +506,7 @@ Insert one knot often enough and a new point is the point of the curve.
 :holds-by: repeated_insertion_reaches_the_curve
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
-:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=k-k=0$, and there is no $r_0$
+:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no $r_0$
 :reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: true for every
   multiplicity $0,\dots,k$ and at $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
 :reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: for a knot of multiplicity $m$ insert it $k-1-m$
@@ -526,6 +523,7 @@ $r_\mu,\dots,r_{\mu+m}$ then coincide if $m\le k-1$.
 :zh: NURBS 曲线的离散结构
 :printed: Let $t'\in(t_\mu,t_{\mu+1}]$, $T'=T_1\oplus T_2$, and let the new points and weights be (4.1.6): then (4.1.7), (4.1.8) and (4.1.9)
 :holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in the domain, and to the left of $t_{n+1}$ when that is $k$-fold
 :hypothesis: left_value_at_a_k_fold_knot | for (4.1.9): inside the domain $t'$ is at most a $(k-1)$-fold knot
 :hypothesis: clamped_start_has_no_such_point | for (4.1.9): $t'>t_k$ when $t_k$ is a $k$-fold knot
 :needs: negative_weight_loses_a_new_point | positive weights
