@@ -87,10 +87,10 @@ With positive weights all new weights lie between the least and the greatest of 
 #include "chapters/frame/claims_on.h"
 
 /* Pairs T, T' over common values for each degree. */
-static const char *const G(pairs)[][11] = {
+static const char *const G(pairs)[][13] = {
     {NULL},
     {"202", "010", "1111", "0010", "2112", "0100", "2012", "0220", NULL},
-    {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", NULL},
+    {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", "313", "030", NULL},
     {"4004", "0110", "40104", "01010", "4204", "0120", "11111111", "00001000", NULL},
     {"50105", "01010", "50205", "02100", NULL},
 };
