@@ -326,36 +326,8 @@ CLAIM(horner_takes_two_operations_a_degree)
 /*
 ## Dates and names (引文)
 
-:::{statement} wang-ch4:preface-citations
-:title: What the preface cites is in the list of the literature
-:zh: 引言所引文献见于主要文献
-:printed: Sections 1 and 2 are taken from [WGJ, WGZ, 99] and [LW, LYD, 95], section 3 from [WGJ, 92], section 4 from
-  [LLG, WGJ, 2000]
-:refuted-by: cited_year_is_not_listed
-:class: misprint
-:corrected: [LW, LYD, 90]: the list has W. Lü and Y. Liang, Acta Mathematicae Applicatae Sinica 13 (1990)
-:corrected-by: corrected_years_are_listed
-:::
-
-:::{claim} cited_year_is_not_listed
-:title: One of the four labels is not in the list
-:zh: 所引标号之一不在文献表中
-:kind: counterexample
-:given: the labels of the preface and those of the list, as printed
-:then: not every label of the preface is in the list
-:method: Label by label.
-:control: the year 90
-:::
-
-:::{claim} corrected_years_are_listed
-:title: With the year 90 all four labels are in the list
-:zh: 更正年份后四个标号均在表中
-:kind: decision
-:given: the labels of the preface, one year corrected, and those of the list
-:then: each is in the list
-:method: Label by label.
-:control: the year 95
-:::
+What the preface cites is compared with the list of the literature at the end of the chapter, with the other labels
+and references.
 
 :::{statement} wang-ch4:preface-step
 :title: In 1991 the ISO promulgated STEP, with NURBS as its only free-form geometry
@@ -368,23 +340,4 @@ CLAIM(horner_takes_two_operations_a_degree)
   among them (see the first entry), offsets and helices are not.
 :::
 */
-#if RATIONAL
-static int labels_are_listed(trial *T, const char *doubtful)
-{
-    const char *const cited[] = {"WGJ, WGZ, 99", doubtful, "WGJ, 92", "LLG, WGJ, 2000"};
-    static const char *const listed[] = {"WGJ, WGZ, 99", "LW, LYD, 90", "WGJ, 92", "LLG, WGJ, 2000"};
-    int all = 1;
-    for (int k = 0; k < 4; k++) {
-        int found = 0;
-        for (int m = 0; m < 4; m++)
-            found |= strcmp(cited[k], listed[m]) == 0;
-        if (!found)
-            show_text(T, "not in the list", "[%s]", cited[k]);
-        all &= found;
-    }
-    return all;
-}
-CLAIM(cited_year_is_not_listed) { agree(T, labels_are_listed(T, T->planted ? "LW, LYD, 90" : "LW, LYD, 95")); }
-CLAIM(corrected_years_are_listed) { agree(T, labels_are_listed(T, T->planted ? "LW, LYD, 95" : "LW, LYD, 90")); }
-#endif
 #include "chapters/frame/claims_off.h"
