@@ -557,6 +557,22 @@ def fraction_text(text):
     return sum_of_monomials(text[:cut]), sum_of_monomials(text[cut + 1 :])
 
 
+def inputs_of(nodes, node):
+    """The inputs of which a rational function is made."""
+    found, seen, open_nodes = set(), set(), [node]
+    while open_nodes:
+        i = open_nodes.pop()
+        if i in seen:
+            continue
+        seen.add(i)
+        op, *a = nodes[i]
+        if op == "x":
+            found.add(a[0])
+        elif op != "c":
+            open_nodes += a
+    return found
+
+
 def check_field_sign(case, field, node, degree):
     require(field["sign"] in (0, 1), "a sign that is not >= 0")
     num, den = fraction_text(field["field"])
@@ -564,15 +580,17 @@ def check_field_sign(case, field, node, degree):
     require(one_sign(num) and one_sign(den), "coefficients of both signs")
     sign = lambda terms: next((1 if c > 0 else -1 for c, _ in terms if c != 0), 0)
     require(sign(num) * sign(den) == field["sign"], "the sign of the coefficients")
+    if degree is None:
+        raise Cannot("a node that is no rational function")
     place, kinds = {}, {}
-    for i, (name, kind, _) in enumerate(case["inputs"]):
-        place.setdefault(name, i)
-        kinds[name] = kind
+    for i in sorted(inputs_of(case["nodes"], node)): # a name may be drawn again, as for another pattern of knots
+        name, kind, _ = case["inputs"][i]
+        if name in place:
+            raise Cannot("a name with two values")
+        place[name], kinds[name] = i, kind
     used = {x for terms in (num, den) for _, powers in terms for x in powers}
     if not used <= place.keys():
         raise Cannot("the fraction is in other variables")
-    if degree is None:
-        raise Cannot("a node that is no rational function")
     size = max([sum(p.values()) for _, p in num + den] + [0])
     for inputs, v in random_runs(case, sum(degree) + 2 * size):
         at = {}
