@@ -56,10 +56,10 @@ enum style { PLAIN, BOLD, DIM, GOOD, BAD, WARN };
 /* The escape sequence for the style, or "" unless the stream is a terminal without NO_COLOR. */
 const char *style(FILE *stream, enum style s);
 int is_terminal(FILE *stream);
-int columns_of(const char *utf8);                         /* printed width of a text              */
-void put_padded(FILE *out, const char *utf8, int width);  /* text and blanks up to the width      */
-void put_clipped(FILE *out, const char *utf8, int width); /* as much as fits, and " ..." if cut   */
-void put_paragraph(FILE *out, const char *utf8, int indent, int width); /* filled lines            */
+int columns_of(const char *utf8);                                         /* printed width of a text              */
+void put_padded(FILE *out, const char *utf8, int width);                  /* text and blanks up to the width      */
+void put_clipped(FILE *out, const char *utf8, int width);                 /* as much as fits, and " ..." if cut   */
+void put_paragraph(FILE *out, const char *utf8, int indent, int width);   /* filled lines            */
 void show_progress(void *context, int done, int total, const char *name); /* run_options.progress  */
 void end_progress(void);
 int processors(void);
@@ -76,7 +76,7 @@ struct output *output_open(const char *path);
 FILE *output_stream(struct output *o);
 int output_close(struct output *o); /* 0 when the file is in place                                 */
 int write_text_file(const char *path, const char *text);
-int make_folder(const char *path);  /* with its parents; 0 on success                              */
+int make_folder(const char *path); /* with its parents; 0 on success                              */
 
 /* ---- curves (curve_json.c) --------------------------------------------------------------------- */
 
@@ -91,7 +91,8 @@ struct curve {
  * standard input, and checks it.  0 on success; otherwise -1 and one line on stderr that says what, where, and what was
  * expected. */
 int read_curve(const char *path, struct curve *c);
-json_t *curve_json(const struct curve *c); /* the same format; whole numbers as such, other rationals as strings       */
+json_t *
+curve_json(const struct curve *c); /* the same format; whole numbers as such, other rationals as strings       */
 json_t *number_json(num_q a);
 /* The exact value of an option; one line and EXIT_USAGE when it is not a number. */
 num_q exact_number(struct argp_state *state, const char *option, const char *text);
@@ -101,7 +102,7 @@ num_q exact_number(struct argp_state *state, const char *option, const char *tex
 json_t *claim_json(const claim_result *r);
 json_t *statement_json(const statement_result *r, const claim_result *results, int count);
 int write_junit(const char *path, const claim_result *results, int count);
-void print_json(json_t *document);  /* prints and releases; reals are times, of 6 digits           */
+void print_json(json_t *document);         /* prints and releases; reals are times, of 6 digits           */
 void print_json_exactly(json_t *document); /* the same; reals are results, of 17 digits                  */
 
 /* The counterexample, or whatever the claim shows, in one line: "n = 2; w = 1, 2, 1; ...". */

@@ -16,12 +16,17 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     switch (key) {
-    case 'o': a->out = arg; break;
-    case 'l': a->list = 1; break;
+    case 'o':
+        a->out = arg;
+        break;
+    case 'l':
+        a->list = 1;
+        break;
     case ARGP_KEY_ARGS:
         a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
         break;
-    default: return ARGP_ERR_UNKNOWN;
+    default:
+        return ARGP_ERR_UNKNOWN;
     }
     return 0;
 }
@@ -36,16 +41,21 @@ static int wanted(const char *name, const struct patterns *p)
 
 int run_figures(int argc, char **argv)
 {
-    static const struct argp_option options[] = {{"out", 'o', "DIR", 0, "Folder to write to (default: the current one)", 0},
-                                                 {"list", 'l', 0, 0, "Only print the names", 0},
-                                                 {0}};
-    static const struct argp argp = {options, parse, "[PATTERN...]",
+    static const struct argp_option options[] = {
+        {"out", 'o', "DIR", 0, "Folder to write to (default: the current one)", 0},
+        {"list", 'l', 0, 0, "Only print the names", 0},
+        {0}};
+    static const struct argp argp = {options,
+                                     parse,
+                                     "[PATTERN...]",
                                      "Draws the figures as SVG, from exact values: the same bytes on every machine.\n\n"
                                      "Examples:\n"
                                      "  cagd figures --out pictures\n"
                                      "  cagd figures --list\n"
                                      "  cagd figures 'envelope*'\n",
-                                     NULL, NULL, NULL};
+                                     NULL,
+                                     NULL,
+                                     NULL};
     struct arguments a = {.out = "."};
     parse_arguments(&argp, argc, argv, &a);
     for (int k = 0; k < a.patterns.count; k++) {

@@ -14,15 +14,26 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     switch (key) {
-    case 'J': a->json = 1; break;
-    case 's': a->summary = 1; break;
-    case 'r': a->report = arg; break;
-    case 'k': a->striking = whole_number(state, "--striking", arg, 1, 100); break;
-    case 'j': a->jobs = whole_number(state, "--jobs", arg, 1, 64); break;
+    case 'J':
+        a->json = 1;
+        break;
+    case 's':
+        a->summary = 1;
+        break;
+    case 'r':
+        a->report = arg;
+        break;
+    case 'k':
+        a->striking = whole_number(state, "--striking", arg, 1, 100);
+        break;
+    case 'j':
+        a->jobs = whole_number(state, "--jobs", arg, 1, 64);
+        break;
     case ARGP_KEY_ARGS:
         a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
         break;
-    default: return ARGP_ERR_UNKNOWN;
+    default:
+        return ARGP_ERR_UNKNOWN;
     }
     return 0;
 }
@@ -55,12 +66,12 @@ static void print_tally(FILE *out, const statement_result *list, int count)
     enum { SOURCES = 16 };
     struct tally t[SOURCES];
     int sources = tally_statements(list, count, t, SOURCES);
-    fprintf(out, "%-18s %10s %6s %12s %6s %10s %5s %11s\n", "source", "statements", "hold", "conditional", "fail", "undecided",
-           "open", "definitions");
+    fprintf(out, "%-18s %10s %6s %12s %6s %10s %5s %11s\n", "source", "statements", "hold", "conditional", "fail",
+            "undecided", "open", "definitions");
     for (int k = 0; k < sources; k++)
         fprintf(out, "%-18s %10d %6d %12d %6d %10d %5d %11d\n", t[k].source, t[k].total, t[k].verdict[VERDICT_HOLDS],
-               t[k].verdict[VERDICT_CONDITIONAL], t[k].verdict[VERDICT_FAILS], t[k].verdict[VERDICT_UNDECIDED],
-               t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
+                t[k].verdict[VERDICT_CONDITIONAL], t[k].verdict[VERDICT_FAILS], t[k].verdict[VERDICT_UNDECIDED],
+                t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
 }
 
 /* Striking statements carry a rank; each line says what the counterexample is and what it shows. */
@@ -124,13 +135,18 @@ int run_ledger(int argc, char **argv)
         {"striking", 'k', "N", 0, "Only the N most striking false statements, one a line", 0},
         {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
         {0}};
-    static const struct argp argp = {options, parse, "[PATTERN...]",
-                                     "Prints every statement of the sources with its verdict, decided anew.\n\nExamples:\n"
-                                     "  cagd ledger --summary\n"
-                                     "  cagd ledger 'wang-ch3:*'\n"
-                                     "  cagd ledger --json\n"
-                                     "  cagd ledger --report build/report\n",
-                                     NULL, NULL, NULL};
+    static const struct argp argp = {
+        options,
+        parse,
+        "[PATTERN...]",
+        "Prints every statement of the sources with its verdict, decided anew.\n\nExamples:\n"
+        "  cagd ledger --summary\n"
+        "  cagd ledger 'wang-ch3:*'\n"
+        "  cagd ledger --json\n"
+        "  cagd ledger --report build/report\n",
+        NULL,
+        NULL,
+        NULL};
     struct arguments a = {.jobs = processors()};
     parse_arguments(&argp, argc, argv, &a);
     if (!all_match_statements(&a.patterns))

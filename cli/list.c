@@ -13,11 +13,14 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     (void)arg;
     struct arguments *a = state->input;
     switch (key) {
-    case 'J': a->json = 1; break;
+    case 'J':
+        a->json = 1;
+        break;
     case ARGP_KEY_ARGS:
         a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
         break;
-    default: return ARGP_ERR_UNKNOWN;
+    default:
+        return ARGP_ERR_UNKNOWN;
     }
     return 0;
 }
@@ -25,12 +28,16 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 int run_list(int argc, char **argv)
 {
     static const struct argp_option options[] = {{"json", 'J', 0, 0, "Print the list as JSON", 0}, {0}};
-    static const struct argp argp = {options, parse, "[PATTERN...]",
+    static const struct argp argp = {options,
+                                     parse,
+                                     "[PATTERN...]",
                                      "Lists the claims, one a line.\n\nExamples:\n"
                                      "  cagd list\n"
                                      "  cagd list '*curvature*'\n"
                                      "  cagd list 'wang-ch3:3.2.*'\n",
-                                     NULL, NULL, NULL};
+                                     NULL,
+                                     NULL,
+                                     NULL};
     struct arguments a = {0};
     parse_arguments(&argp, argc, argv, &a);
     if (!all_match_claims(&a.patterns))
@@ -44,9 +51,9 @@ int run_list(int argc, char **argv)
             width = (int)(strlen(list[k]->name) + strlen(list[k]->chapter));
     for (int k = 0; k < count; k++) {
         if (a.json) {
-            json_array_append_new(claims, json_pack("{s:s, s:s, s:s, s:s}", "name", list[k]->name, "chapter",
-                                                    list[k]->chapter, "title", list[k]->title, "title_zh",
-                                                    list[k]->title_zh));
+            json_array_append_new(claims,
+                                  json_pack("{s:s, s:s, s:s, s:s}", "name", list[k]->name, "chapter", list[k]->chapter,
+                                            "title", list[k]->title, "title_zh", list[k]->title_zh));
         } else {
             char full[256];
             snprintf(full, sizeof full, "%s.%s", list[k]->chapter, list[k]->name);

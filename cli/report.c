@@ -66,8 +66,8 @@ json_t *claim_json(const claim_result *r)
 static json_t *counterexample_json(const claim_result *r)
 {
     char *line = exhibits_line(r);
-    json_t *j = json_pack("{s:s, s:s, s:o}", "claim", r->claim->name, "text", line, "values",
-                          exhibits_json(speaking_type(r)));
+    json_t *j =
+        json_pack("{s:s, s:s, s:o}", "claim", r->claim->name, "text", line, "values", exhibits_json(speaking_type(r)));
     free(line);
     return j;
 }
@@ -89,17 +89,19 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
                 against = c;
         }
         if (l->role == HYPOTHESIS || l->role == NEEDS)
-            json_array_append_new(l->role == NEEDS ? needed : hypotheses, json_pack("{s:s, s:o}", "hypothesis", l->text, "without_it",
-                                                        c != NULL ? counterexample_json(c) : json_null()));
+            json_array_append_new(l->role == NEEDS ? needed : hypotheses,
+                                  json_pack("{s:s, s:o}", "hypothesis", l->text, "without_it",
+                                            c != NULL ? counterexample_json(c) : json_null()));
         if (l->role == READING)
             json_array_append_new(readings, json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim,
                                                       "outcome", c != NULL ? outcome_name[c->outcome] : "not decided"));
     }
-    json_t *printed = json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
-                                evidence_name[r->evidence], "scope", r->decided_by != NULL ? r->decided_by->scope : "",
-                                "class", r->verdict == VERDICT_FAILS ? s->class : "", "hypotheses", hypotheses,
-                                "counterexample", against != NULL ? counterexample_json(against) : json_null(),
-                                "readings", readings, "stated_hypotheses_needed", needed);
+    json_t *printed =
+        json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",
+                  evidence_name[r->evidence], "scope", r->decided_by != NULL ? r->decided_by->scope : "", "class",
+                  r->verdict == VERDICT_FAILS ? s->class : "", "hypotheses", hypotheses, "counterexample",
+                  against != NULL ? counterexample_json(against) : json_null(), "readings", readings,
+                  "stated_hypotheses_needed", needed);
     json_t *corrected = json_null();
     if (s->corrected[0] != '\0')
         corrected = json_pack("{s:s, s:s, s:s, s:s}", "tex", s->corrected, "verdict", r->corrected ? "holds" : "open",
@@ -126,11 +128,20 @@ static void put_xml(FILE *out, const char *s)
 {
     for (; *s != '\0'; s++)
         switch (*s) {
-        case '<': fputs("&lt;", out); break;
-        case '>': fputs("&gt;", out); break;
-        case '&': fputs("&amp;", out); break;
-        case '"': fputs("&quot;", out); break;
-        default: fputc(*s, out);
+        case '<':
+            fputs("&lt;", out);
+            break;
+        case '>':
+            fputs("&gt;", out);
+            break;
+        case '&':
+            fputs("&amp;", out);
+            break;
+        case '"':
+            fputs("&quot;", out);
+            break;
+        default:
+            fputc(*s, out);
         }
 }
 

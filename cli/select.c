@@ -152,7 +152,8 @@ void complain_about(const char *wanted, enum kind_of_name kind)
         consider(&n, wanted, c->name);
     for (const figure *f = all_figures; kind == FIGURES && f->name != NULL; f++)
         consider(&n, wanted, f->name);
-    fprintf(stderr, "cagd: no %s is called '%s'; the nearest:", kind == FIGURES ? "figure" : "statement or claim", wanted);
+    fprintf(stderr, "cagd: no %s is called '%s'; the nearest:", kind == FIGURES ? "figure" : "statement or claim",
+            wanted);
     for (int k = 0; k < NEAREST && n.id[k] != NULL; k++)
         fprintf(stderr, "%s %s", k > 0 ? "," : "", n.id[k]);
     fputs("\n", stderr);

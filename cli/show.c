@@ -16,8 +16,12 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     switch (key) {
-    case 'J': a->json = 1; break;
-    case 'j': a->jobs = whole_number(state, "--jobs", arg, 1, 64); break;
+    case 'J':
+        a->json = 1;
+        break;
+    case 'j':
+        a->jobs = whole_number(state, "--jobs", arg, 1, 64);
+        break;
     case ARGP_KEY_ARG:
         if (a->id != NULL)
             argp_error(state, "one id at a time, not also '%s'", arg);
@@ -27,15 +31,13 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         if (a->id == NULL)
             argp_error(state, "which id? for example wang-ch3:thm-3.3.2");
         break;
-    default: return ARGP_ERR_UNKNOWN;
+    default:
+        return ARGP_ERR_UNKNOWN;
     }
     return 0;
 }
 
-static void heading(const char *text)
-{
-    printf("\n%s%s%s\n", style(stdout, BOLD), text, style(stdout, PLAIN));
-}
+static void heading(const char *text) { printf("\n%s%s%s\n", style(stdout, BOLD), text, style(stdout, PLAIN)); }
 
 /* Text with formulas between dollar signs; blank lines separate paragraphs. */
 static void prose(const char *text)
@@ -99,7 +101,7 @@ static void print_claim_lines(const claim_result *r)
         const type_result *b = &r->by[t];
         if (!b->ran)
             continue;
-        printf("%*s  %-9s %s", INDENT, "",  number_type_name[t],
+        printf("%*s  %-9s %s", INDENT, "", number_type_name[t],
                t == INTERVAL_TYPE && b->outcome == UNDECIDED ? "not refuted" : outcome_name[b->outcome]);
         printf(" in %d case%s, %d comparison%s", b->cases, b->cases == 1 ? "" : "s", b->compared,
                b->compared == 1 ? "" : "s");
@@ -192,8 +194,9 @@ static int is_shown_above(const statement *s, const statement_link *link)
 
 static void show_statement(const statement_result *r, const claim_result *results, int count)
 {
-    static const char *const words[] = {"It holds as printed", "It holds under more hypotheses", "It fails as printed",
-                                        "It can be read in several ways", "It is open", "A definition"};
+    static const char *const words[] = {"It holds as printed", "It holds under more hypotheses",
+                                        "It fails as printed", "It can be read in several ways",
+                                        "It is open",          "A definition"};
     const statement *s = r->statement;
     printf("%s%s%s  %s\n%s  (%s:%d)\n", style(stdout, BOLD), s->title, style(stdout, PLAIN), s->title_zh, s->id,
            s->file, s->line);
@@ -239,8 +242,12 @@ static void show_statement(const statement_result *r, const claim_result *result
     if (s->corrected[0] != '\0') {
         heading("Corrected");
         formula(s->corrected);
-        if (r->corrected_by != NULL)
-            printf("%*s%s; %s\n\n", INDENT, "", evidence_name[r->corrected_evidence], r->corrected_by->scope);
+        if (r->corrected_by != NULL) {
+            char word[16];
+            snprintf(word, sizeof word, "%s;", evidence_name[r->corrected_evidence]);
+            labelled(word, r->corrected_by->scope);
+            putchar('\n');
+        }
         print_reasons(s, CORRECTED_BY, results, count);
     }
     if (s->note[0] != '\0') {
@@ -258,14 +265,17 @@ static void show_statement(const statement_result *r, const claim_result *result
 
 int run_show(int argc, char **argv)
 {
-    static const struct argp_option options[] = {{"json", 'J', 0, 0, "Print the entry as JSON", 0},
-                                                 {"jobs", 'j', "N", 0, "Threads", 0},
-                                                 {0}};
-    static const struct argp argp = {options, parse, "ID",
+    static const struct argp_option options[] = {
+        {"json", 'J', 0, 0, "Print the entry as JSON", 0}, {"jobs", 'j', "N", 0, "Threads", 0}, {0}};
+    static const struct argp argp = {options,
+                                     parse,
+                                     "ID",
                                      "Shows one statement of a source, or one claim, in full.\n\nExamples:\n"
                                      "  cagd show wang-ch3:thm-3.3.2\n"
                                      "  cagd show elevation_keeps_rational_curve\n",
-                                     NULL, NULL, NULL};
+                                     NULL,
+                                     NULL,
+                                     NULL};
     struct arguments a = {.jobs = processors()};
     parse_arguments(&argp, argc, argv, &a);
     const statement *s = all_statements;
@@ -290,7 +300,8 @@ int run_show(int argc, char **argv)
         statement_result r = derive(s, results, count);
         good = r.as_expected;
         if (a.json)
-            print_json(json_pack("{s:s, s:o}", "schema", "cagd-statement-1", "statement", statement_json(&r, results, count)));
+            print_json(
+                json_pack("{s:s, s:o}", "schema", "cagd-statement-1", "statement", statement_json(&r, results, count)));
         else
             show_statement(&r, results, count);
     } else {

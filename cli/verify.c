@@ -16,12 +16,24 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     switch (key) {
-    case 'J': a->json = 1; break;
-    case 'T': a->tap = 1; break;
-    case 'D': a->deep = 1; break;
-    case 'U': a->junit = arg; break;
-    case 'C': a->certificates = arg; break;
-    case 'j': a->jobs = whole_number(state, "--jobs", arg, 1, 64); break;
+    case 'J':
+        a->json = 1;
+        break;
+    case 'T':
+        a->tap = 1;
+        break;
+    case 'D':
+        a->deep = 1;
+        break;
+    case 'U':
+        a->junit = arg;
+        break;
+    case 'C':
+        a->certificates = arg;
+        break;
+    case 'j':
+        a->jobs = whole_number(state, "--jobs", arg, 1, 64);
+        break;
     case 'S': {
         char *slash = strchr(arg, '/');
         if (slash == NULL)
@@ -34,7 +46,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case ARGP_KEY_ARGS:
         a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
         break;
-    default: return ARGP_ERR_UNKNOWN;
+    default:
+        return ARGP_ERR_UNKNOWN;
     }
     return 0;
 }
@@ -67,7 +80,8 @@ static void put_row(const claim_result *r, int name_width)
         fputs(scope, stdout);
         free(scope);
         if (r->by[DOUBLE_TYPE].ran && r->claim->kind == IDENTITY)
-            printf("%s  [double: %.2g of the bound]%s", style(stdout, DIM), r->by[DOUBLE_TYPE].worst, style(stdout, PLAIN));
+            printf("%s  [double: %.2g of the bound]%s", style(stdout, DIM), r->by[DOUBLE_TYPE].worst,
+                   style(stdout, PLAIN));
     }
     putchar('\n');
 }
@@ -104,8 +118,8 @@ static void print_table(const claim_result *results, int count)
         }
     }
     printf("\n%d claims: %d proved, %d decided, %d sampled, %d counterexamples, %d not as expected\n", count,
-           by_evidence[PROVED], by_evidence[DECIDED], by_evidence[SAMPLED] + by_evidence[MEASURED] + by_evidence[ENCLOSED],
-           counterexamples, wrong);
+           by_evidence[PROVED], by_evidence[DECIDED],
+           by_evidence[SAMPLED] + by_evidence[MEASURED] + by_evidence[ENCLOSED], counterexamples, wrong);
     printf("%d comparisons in %d runs; %d of %d controls caught\n", compared, runs, controls, runs);
 }
 
@@ -159,7 +173,9 @@ int run_verify(int argc, char **argv)
         {"deep", 'D', 0, 0, "Many more random instances", 0},
         {"shard", 'S', "K/N", 0, "Only the K-th of N parts of the claims", 0},
         {0}};
-    static const struct argp argp = {options, parse, "[PATTERN...]",
+    static const struct argp argp = {options,
+                                     parse,
+                                     "[PATTERN...]",
                                      "Decides claims and prints a table of the verdicts.\n\n"
                                      "Examples:\n"
                                      "  cagd verify                      every claim\n"
@@ -171,7 +187,9 @@ int run_verify(int argc, char **argv)
                                      "rationals, intervals, binary64.  A counterexample, marked ✗, refutes what is "
                                      "printed, a reading of it, or what is left of it without a hypothesis; 'cagd "
                                      "ledger' says which.  Exit status 1 when a verdict is not as expected.",
-                                     NULL, NULL, NULL};
+                                     NULL,
+                                     NULL,
+                                     NULL};
     struct arguments a = {.jobs = processors(), .shards = 1, .shard = 1};
     parse_arguments(&argp, argc, argv, &a);
     if (!all_match_claims(&a.patterns))

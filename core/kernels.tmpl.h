@@ -9,6 +9,9 @@
 #include "core/determinant.tmpl.h"
 #include "core/bspline.tmpl.h"
 #include "core/nurbs.tmpl.h"
+#include "core/power.tmpl.h"
+#include "core/cubic_shape.tmpl.h"
 #include "core/divided.tmpl.h"
 #include "core/bspline_matrix.tmpl.h"
+#include "core/shape_parameter.tmpl.h"
 /* clang-format on */

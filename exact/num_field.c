@@ -51,7 +51,30 @@ const char *field_variables(void)
     return text;
 }
 
-static struct field_element *fresh(void) { return region_slot(SLOT_FIELD); }
+static struct field_element *fresh(void)
+{
+    struct field_element *r = region_slot(SLOT_FIELD);
+    if (tracing != NULL)
+        trace_fresh(r);
+    return r;
+}
+
+int trace_field_element(num_f a)
+{
+    if (trace_known(a.at) < 0)
+        trace_text(a.at, "f", to_string_f(a));
+    return trace_known(a.at);
+}
+
+/* r was made of a, or of a and b. */
+static num_f made_of(const char *op, const struct field_element *r, num_f a, const num_f *b)
+{
+    if (trace_noting()) {
+        int argument[2] = {trace_field_element(a), b != NULL ? trace_field_element(*b) : 0};
+        trace_node(r, op, b != NULL ? 2 : 1, argument);
+    }
+    return (num_f){r};
+}
 
 static num_f zero_f(void) { return (num_f){fresh()}; }
 
@@ -79,6 +102,8 @@ num_f variable_f(const char *name)
     }
     struct field_element *r = fresh();
     fmpz_mpoly_q_gen(r->x, v, ctx);
+    if (trace_noting())
+        trace_variable(r, name);
     return (num_f){r};
 }
 
@@ -95,25 +120,23 @@ int field_variable_f(num_f a)
 
 /* After a fault the values mean nothing, so no more work is spent on them. */
 typedef void field_operation(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
-static num_f combine(field_operation *op, num_f a, num_f b)
+static num_f combine(const char *name, field_operation *op, num_f a, num_f b)
 {
     struct field_element *r = fresh();
     if (region_faults == 0)
         op(r->x, a.at->x, b.at->x, field.ctx);
-    return (num_f){r};
+    return made_of(name, r, a, &b);
 }
-num_f add_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_add, a, b); }
-num_f sub_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_sub, a, b); }
-num_f mul_f(num_f a, num_f b) { return combine(fmpz_mpoly_q_mul, a, b); }
-num_f div_f(num_f a, num_f b)
-{
-    return is_zero_f(b) ? fault_f(FAULT_UNDEFINED) : combine(fmpz_mpoly_q_div, a, b);
-}
+static int is_zero(num_f a) { return fmpz_mpoly_q_is_zero(a.at->x, field_context()); }
+num_f add_f(num_f a, num_f b) { return combine("+", fmpz_mpoly_q_add, a, b); }
+num_f sub_f(num_f a, num_f b) { return combine("-", fmpz_mpoly_q_sub, a, b); }
+num_f mul_f(num_f a, num_f b) { return combine("*", fmpz_mpoly_q_mul, a, b); }
+num_f div_f(num_f a, num_f b) { return is_zero(b) ? fault_f(FAULT_UNDEFINED) : combine("/", fmpz_mpoly_q_div, a, b); }
 num_f neg_f(num_f a)
 {
     struct field_element *r = fresh();
     fmpz_mpoly_q_neg(r->x, a.at->x, field.ctx);
-    return (num_f){r};
+    return made_of("neg", r, a, NULL);
 }
 
 num_f from_rational_f(num_q a)
@@ -124,14 +147,11 @@ num_f from_rational_f(num_q a)
     fmpq_set_mpq(x, a.at);
     fmpz_mpoly_q_set_fmpq(r->x, x, field_context());
     fmpq_clear(x);
+    if (trace_noting())
+        trace_alias(r, trace_number(a.at));
     return (num_f){r};
 }
-num_f from_int_f(long m)
-{
-    struct field_element *r = fresh();
-    fmpz_mpoly_q_set_si(r->x, m, field_context());
-    return (num_f){r};
-}
+num_f from_int_f(long m) { return from_rational_f(from_int_q(m)); }
 num_f from_ratio_f(long m, long n) { return n == 0 ? fault_f(FAULT_UNDEFINED) : from_rational_f(from_ratio_q(m, n)); }
 
 /* root = an n-th root of p; 0 when p has none.  With p = c f_1^e_1 f_2^e_2 ..., the f_i squarefree and
@@ -174,7 +194,13 @@ num_f root_f(int n, num_f a)
     return (num_f){r};
 }
 
-int is_zero_f(num_f a) { return fmpz_mpoly_q_is_zero(a.at->x, field_context()); }
+int is_zero_f(num_f a)
+{
+    int zero = is_zero(a);
+    if (trace_noting())
+        trace_relation("equal", trace_field_element(a), -1, zero);
+    return zero;
+}
 
 int is_constant_f(num_f a, num_q *value)
 {
@@ -287,8 +313,10 @@ const char *to_string_f(num_f a)
         snprintf(text, room, "%s", p);
     else
         snprintf(text, room,
-                 stands_alone(p, 0) ? stands_alone(q, 1) ? "%s/%s" : "%s/(%s)"
-                                    : stands_alone(q, 1) ? "(%s)/%s" : "(%s)/(%s)", p, q);
+                 stands_alone(p, 0)   ? stands_alone(q, 1) ? "%s/%s" : "%s/(%s)"
+                 : stands_alone(q, 1) ? "(%s)/%s"
+                                      : "(%s)/(%s)",
+                 p, q);
     flint_free(p);
     flint_free(q);
     return text;

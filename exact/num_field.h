@@ -20,7 +20,7 @@ enum { FIELD_MAX_VARIABLES = 96, FIELD_MAX_NAME = 15 };
 void field_open(int variables);
 void field_close(void);
 
-const char *field_variables(void); /* the names known, separated by blanks; in the region      */
+const char *field_variables(void);  /* the names known, separated by blanks; in the region      */
 num_f variable_f(const char *name); /* the variable of that name, new or known; UNABLE for a name of
                                        more than FIELD_MAX_NAME bytes                        */
 num_f add_f(num_f a, num_f b);
@@ -35,17 +35,18 @@ num_f root_f(int n, num_f a); /* n >= 1; one of the two roots for even n; UNABLE
                                  an n-th power                                             */
 
 int is_zero_f(num_f a);
-int is_constant_f(num_f a, num_q *value);      /* value may be NULL                        */
-num_f derivative_f(num_f a, num_f variable);   /* formal partial derivative                */
+int is_constant_f(num_f a, num_q *value);                 /* value may be NULL                        */
+num_f derivative_f(num_f a, num_f variable);              /* formal partial derivative                */
 num_f substitute_f(num_f a, num_f variable, num_f value); /* UNDEFINED at a pole           */
-int degree_f(num_f a, num_f variable);         /* of the numerator; -1 for 0; these four are
+int degree_f(num_f a, num_f variable);                    /* of the numerator; -1 for 0; these four are
                                                   UNDEFINED unless it is a variable        */
 int denominator_degree_f(num_f a, num_f variable);
 num_f coefficient_f(num_f a, num_f variable, int k); /* of variable^k, k >= 0, as it is a polynomial
                                                   in it: UNDEFINED if the denominator has it  */
-int field_variable_f(num_f variable);          /* its index, or -1 for any other element   */
+int field_variable_f(num_f variable);                /* its index, or -1 for any other element   */
 /* +1, 0, -1: numerator and denominator have coefficients of one sign each, so a > 0, a = 0, a < 0
  * wherever all variables are positive.  -2: no such conclusion. */
 int coefficients_sign_f(num_f a);
-const char *to_string_f(num_f a);              /* lives in the region                      */
+const char *to_string_f(num_f a); /* lives in the region                      */
+int trace_field_element(num_f a); /* its node in the open trace (trace.h), made if there is none */
 #endif

@@ -27,11 +27,11 @@ num_i from_ratio_i(long m, long n);
 num_i root_i(int n, num_i a); /* encloses the roots of the points >= 0; UNDEFINED when there are
                                  none, UNABLE when there are points < 0                         */
 
-num_i from_rational_i(num_q a);        /* the tightest interval around a                        */
+num_i from_rational_i(num_q a); /* the tightest interval around a                        */
 int contains_i(num_i a, num_q x);
 int contains_zero_i(num_i a);
-int sign_i(num_i a);                   /* +1 or -1 when every point has that sign, else 0       */
-double width_i(num_i a);               /* hi - lo, rounded up                                   */
-double lower_i(num_i a);               /* lo rounded down                                       */
-double upper_i(num_i a);               /* hi rounded up                                         */
+int sign_i(num_i a);     /* +1 or -1 when every point has that sign, else 0       */
+double width_i(num_i a); /* hi - lo, rounded up                                   */
+double lower_i(num_i a); /* lo rounded down                                       */
+double upper_i(num_i a); /* hi rounded up                                         */
 #endif

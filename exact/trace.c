@@ -19,7 +19,11 @@ struct place {
     int node;
 };
 
+enum { MOST_VARIABLES = 128, LONGEST_NAME = 16 };
+
 struct trace {
+    char variable[MOST_VARIABLES][LONGEST_NAME];
+    int node_of_variable[MOST_VARIABLES], variables;
     struct text inputs, nodes, steps;
     struct place *place;
     size_t places, taken, most, count;
@@ -89,6 +93,15 @@ void trace_close(void)
     free(tracing->place);
     free(tracing);
     tracing = NULL;
+}
+
+void trace_again(void)
+{
+    if (tracing == NULL)
+        return;
+    size_t most = tracing->most;
+    trace_close();
+    trace_open(most);
 }
 
 static const char *finished(struct text *t)
@@ -207,26 +220,62 @@ int trace_number(mpq_srcptr a)
     return node;
 }
 
-void trace_input(mpq_srcptr r, const char *name, int index, const char *kind)
+void trace_alias(const void *slot, int node) { hold(slot, node); }
+
+void trace_text(const void *slot, const char *op, const char *text)
 {
-    trace_node(r, "x", 1, &tracing->input_count);
+    if (begin_node(slot, op))
+        put(&tracing->nodes, ",\"%s\"]", text);
+}
+
+/* The next input, without its value and bracket. */
+static void begin_input(const void *slot, const char *name, int index)
+{
+    trace_node(slot, "x", 1, &tracing->input_count);
     tracing->input_count++;
     separate(&tracing->inputs);
     put(&tracing->inputs, "[\"%s", name);
     if (index >= 0)
         put(&tracing->inputs, "%d", index);
-    put(&tracing->inputs, "\",\"%s\",", kind);
+    put(&tracing->inputs, "\",");
+}
+
+void trace_input(mpq_srcptr r, const char *name, int index)
+{
+    begin_input(r, name, index);
     put_value(&tracing->inputs, r);
     put(&tracing->inputs, "]");
+}
+
+/* Any positive value will do; those of splitmix64 have no relations that one would think of. */
+void trace_variable(const void *slot, const char *name)
+{
+    int v = 0;
+    while (v < tracing->variables && strcmp(tracing->variable[v], name) != 0)
+        v++;
+    if (v < tracing->variables) {
+        hold(slot, tracing->node_of_variable[v]);
+        return;
+    }
+    if (v == MOST_VARIABLES || strlen(name) >= LONGEST_NAME) {
+        tracing->gave_up = 1;
+        return;
+    }
+    begin_input(slot, name, -1);
+    uint64_t z = (uint64_t)(v + 1) * 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    put(&tracing->inputs, "\"%d/%d\"]", (int)(z % 997) + 1, (int)((z >> 20) % 89) + 11);
+    strcpy(tracing->variable[v], name);
+    tracing->node_of_variable[tracing->variables++] = trace_known(slot);
 }
 
 /* ---- steps ------------------------------------------------------------------------------------ */
 
 static const char *truth(int condition) { return condition ? "true" : "false"; }
 
-void trace_same(mpq_srcptr a, mpq_srcptr b, int equal)
+void trace_same(int i, int j, int equal)
 {
-    int i = trace_number(a), j = trace_number(b);
     separate(&tracing->steps);
     put(&tracing->steps, "{\"same\":[%d,%d],\"equal\":%s}", i, j, truth(equal));
 }
@@ -237,27 +286,30 @@ void trace_agree(int condition)
     put(&tracing->steps, "{\"agree\":%s}", truth(condition));
 }
 
-void trace_nonnegative(mpq_srcptr a, int good)
-{
-    int i = trace_number(a);
-    separate(&tracing->steps);
-    put(&tracing->steps, "{\"nonnegative\":%d,\"good\":%s}", i, truth(good));
-}
-
-void trace_field_sign(const char *text, int sign)
+void trace_nonnegative(int i, int good, const char *text, int sign)
 {
     separate(&tracing->steps);
-    put(&tracing->steps, "{\"field\":\"%s\",\"sign\":%d}", text, sign);
+    put(&tracing->steps, "{\"nonnegative\":%d,\"good\":%s", i, truth(good));
+    if (text != NULL)
+        put(&tracing->steps, ",\"text\":\"%s\",\"sign\":%d", text, sign);
+    put(&tracing->steps, "}");
 }
 
-static void put_relation(const char *kind, mpq_srcptr a, mpq_srcptr b, int is)
+void trace_relation(const char *kind, int i, int j, int is)
 {
-    int i = trace_number(a), j = b != NULL ? trace_number(b) : -1;
     separate(&tracing->steps);
     put(&tracing->steps, "{\"fact\":\"%s\",\"of\":[%d,%d],\"is\":%d}", kind, i, j, is);
 }
-void trace_order(mpq_srcptr a, mpq_srcptr b, int order) { put_relation("order", a, b, (order > 0) - (order < 0)); }
-void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal) { put_relation("equal", a, b, equal != 0); }
+void trace_order(mpq_srcptr a, mpq_srcptr b, int order)
+{
+    int i = trace_number(a), j = b != NULL ? trace_number(b) : -1;
+    trace_relation("order", i, j, (order > 0) - (order < 0));
+}
+void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal)
+{
+    int i = trace_number(a), j = b != NULL ? trace_number(b) : -1;
+    trace_relation("equal", i, j, equal != 0);
+}
 
 int trace_fact(const char *kind)
 {

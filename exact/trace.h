@@ -6,6 +6,9 @@
  * and what was answered; what they compute inside is not noted.
  *
  * Texts are JSON.  Nodes, i and j being earlier ones:
+ * Rational functions are nodes as numbers are; their variables are inputs with arbitrary values, and
+ *     ["f","(a + b)/c"]  a rational function whose making was not noted, in the names of the inputs.
+ *
  *     ["x",k]  input k          ["c","3/7"]  a constant          ["o","3/7"]  a number whose making was not noted
  *     ["+",i,j] ["-",i,j] ["*",i,j] ["/",i,j]    ["neg",i]    ["root",i,n] the n-th root
  *     ["poly",i,...] sum of coefficients i t^k   ["bernstein",i,...] in the Bernstein basis   ["opoly","3/7",...] not noted
@@ -24,9 +27,10 @@ extern _Thread_local struct trace *tracing; /* NULL when no trace is open in thi
 /* Open a trace that gives up beyond `most` nodes.  One at a time in a thread. */
 void trace_open(size_t most);
 void trace_close(void); /* forgets everything */
+void trace_again(void); /* the same as close and open, where a computation begins anew; nothing without a trace */
 
 /* What was noted; the texts live until trace_close.  NULL when the trace gave up. */
-const char *trace_inputs(void); /* [["w0","positive","5/8"], ...]                                      */
+const char *trace_inputs(void); /* [["w0","5/8"], ...]                                                 */
 const char *trace_nodes(void);  /* the array of nodes                                                  */
 const char *trace_steps(void);  /* the array of comparisons and facts in their order                   */
 
@@ -47,19 +51,22 @@ int trace_number(mpq_srcptr a);     /* its node; an "o" if there was none       
 void trace_node(const void *slot, const char *op, int count, const int argument[]);
 void trace_literal(const void *slot, const char *op, int count, mpq_srcptr (*get)(const void *list, int k),
                    const void *list);
-void trace_input(mpq_srcptr r, const char *name, int index, const char *kind); /* index < 0: none         */
+void trace_alias(const void *slot, int node); /* the slot holds the value of that node            */
+void trace_text(const void *slot, const char *op, const char *text);
+void trace_input(mpq_srcptr r, const char *name, int index); /* index < 0: none                           */
+void trace_variable(const void *slot, const char *name);     /* an input, the same one for the same name      */
 
 /* ---- steps ------------------------------------------------------------------------------------------ */
 
-/* {"same":[i,j],"equal":true}, {"agree":true}, {"nonnegative":i,"good":true} */
-void trace_same(mpq_srcptr a, mpq_srcptr b, int equal);
+/* {"same":[i,j],"equal":true}, {"agree":true}, {"nonnegative":i,"good":true}; the last of a rational function with a text of it
+ * whose coefficients were looked at: {"nonnegative":i,"good":true,"text":"(a + b)/c","sign":1}. */
+void trace_same(int i, int j, int equal);
 void trace_agree(int condition);
-void trace_nonnegative(mpq_srcptr a, int good);
-/* {"field":text,"sign":1}: an element of the field whose coefficients have one sign, as text. */
-void trace_field_sign(const char *text, int sign);
+void trace_nonnegative(int i, int good, const char *text, int sign); /* text may be NULL */
 /* {"fact":"order","of":[i,j],"is":-1}, {"fact":"equal","of":[i,j],"is":0}; b NULL, j = -1: against 0. */
 void trace_order(mpq_srcptr a, mpq_srcptr b, int order);
 void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal);
+void trace_relation(const char *kind, int i, int j, int is); /* the same by nodes; j = -1: 0 */
 
 /* A fact of another kind: opened, its fields put one by one, closed.  trace_fact returns 0, and then the rest is left
  * out, when nothing is to be noted.  Nodes that fields name must exist before it is opened. */

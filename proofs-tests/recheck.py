@@ -10,20 +10,18 @@ Python's standard library, and nothing of the project that wrote them.  For each
     wrong                     something came out differently, or does not follow, or is malformed
     cannot recheck this kind  some claim noted nothing, or nothing that can be computed again here
 
-A claim's certificate holds straight-line programs: nodes, each made of earlier ones by one operation, from inputs; and
-steps, which are comparisons of nodes and decisions about them.
+A certificate holds straight-line programs: nodes, each made of earlier ones by one operation, from inputs; and steps, which
+are comparisons of nodes and decisions about them.  All steps are computed again at the recorded inputs, in fractions.
 
-* All steps are computed again at the recorded inputs, in fractions.
-* An equality that is claimed to be an identity is also computed at random inputs modulo the prime 2^127 - 1, as often as it
-  takes.  The degree argument: by the rules for sums, products and quotients a node is a quotient of polynomials of degree at
-  most D in the inputs, with integer coefficients.  If two nodes differ as rational functions, then their difference has a
-  numerator of degree at most 2D, which vanishes at a random point of the field of p elements with probability at most 2D/p
-  unless p divides all its coefficients.  Points are taken until (2D/p)^k < 2^-100.
-* A sign that was read off coefficients: the printed fraction has coefficients of one sign, and is the node, again as an identity.
-* Roots are counted by Sturm's theorem on the factors of Yun's decomposition, minors by elimination or one by one, hulls by the
-  printed combination or separating plane.
+An equality that is claimed to be an identity is also computed at random inputs modulo the prime p = 2^127 - 1.  The degree
+argument: by the rules for sums, products and quotients, the difference of two nodes has a numerator of degree at most D in the
+inputs.  Unless it is 0, or p divides all its coefficients, it vanishes at a random point with probability at most D/p.  Points
+are taken until (D/p)^k < 2^-100.  A sign that was read off coefficients: the printed fraction has coefficients of one sign, and
+is the node, again as an identity.
 
-How the conditions of a decision combine is in the text of the claim and is not rechecked; the facts they combine are.
+Roots are counted by Sturm's theorem on the factors of Yun's decomposition, minors one by one, hulls by the printed combination
+or separating plane.  How the conditions of a decision combine is in the text of the claim and is not rechecked; the facts that
+they combine are.
 
 Exit status: 0 nothing is wrong, 1 something is, 2 bad usage."""
 import hashlib
@@ -39,48 +37,36 @@ PRIME = 2**127 - 1
 MOST_MINORS = 200000
 EVIDENCE = ["none", "measured", "enclosed", "sampled", "decided", "proved"]
 
-
 class Wrong(Exception):
     """Something was computed again and is different, or the certificate makes no sense."""
 
-
 class Cannot(Exception):
     """There is nothing here that can be computed again."""
-
 
 def require(condition, what):
     if not condition:
         raise Wrong(what)
 
-
 # ---- two fields -----------------------------------------------------------------------------------------
-
 
 class Rationals:
     number = staticmethod(Fraction)
 
-    @staticmethod
-    def reduce(x):
-        return x
-
-    @staticmethod
-    def inverse(x):
-        return 1 / Fraction(x)
+    reduce = staticmethod(lambda x: x)
+    inverse = staticmethod(lambda x: 1 / Fraction(x))
 
     @staticmethod
     def root(x, n):
         def whole(m):
-            r = round(m ** (1 / n)) if m < 2**900 else 1 << (m.bit_length() // n + 1)
-            while r**n > m:
-                r = ((n - 1) * r + m // r ** (n - 1)) // n
-            while (r + 1) ** n <= m:
-                r += 1
-            require(r**n == m, "a root is not exact")
-            return r
+            low, high = 0, 1 << (m.bit_length() // n + 1)
+            while high - low > 1:
+                middle = (low + high) // 2
+                low, high = (middle, high) if middle**n <= m else (low, middle)
+            require(low**n == m, "a root is not exact")
+            return low
 
         require(x >= 0 and n >= 1, "a root of a negative number")
         return Fraction(whole(x.numerator), whole(x.denominator))
-
 
 class Modular:
     @staticmethod
@@ -88,9 +74,7 @@ class Modular:
         x = Fraction(text)
         return x.numerator * pow(x.denominator, -1, PRIME) % PRIME
 
-    @staticmethod
-    def reduce(x):
-        return x % PRIME
+    reduce = staticmethod(lambda x: x % PRIME)
 
     @staticmethod
     def inverse(x):
@@ -102,21 +86,17 @@ class Modular:
     def root(x, n):
         raise Cannot("a root is no rational function")
 
-
 # ---- polynomials: lists of coefficients, the constant one first, without leading zeros --------------------
-
 
 def trim(a):
     while a and a[-1] == 0:
         a.pop()
     return a
 
-
 def p_add(K, a, b, sign=1):
     n = max(len(a), len(b))
     a, b = a + [0] * (n - len(a)), b + [0] * (n - len(b))
     return trim([K.reduce(x + sign * y) for x, y in zip(a, b)])
-
 
 def p_mul(K, a, b):
     c = [0] * max(len(a) + len(b) - 1, 0)
@@ -124,7 +104,6 @@ def p_mul(K, a, b):
         for j, y in enumerate(b):
             c[i + j] = K.reduce(c[i + j] + x * y)
     return trim(c)
-
 
 def p_divmod(K, a, b):
     require(b, "division by the zero polynomial")
@@ -137,12 +116,10 @@ def p_divmod(K, a, b):
         trim(a)
     return trim(q), a
 
-
 def p_gcd(K, a, b):
     while b:
         a, b = b, p_divmod(K, a, b)[1]
     return [K.reduce(x * K.inverse(a[-1])) for x in a] if a else a
-
 
 def p_value(K, a, t):
     v = 0
@@ -150,17 +127,14 @@ def p_value(K, a, t):
         v = K.reduce(v * t + c)
     return v
 
-
 def p_compose(K, a, b):
     r = []
     for c in reversed(a):
         r = p_add(K, p_mul(K, r, b), trim([c]))
     return r
 
-
 def p_derivative(K, a):
     return trim([K.reduce(k * c) for k, c in enumerate(a)][1:])
-
 
 def p_bernstein(K, b):
     n, total = len(b) - 1, []
@@ -171,7 +145,6 @@ def p_bernstein(K, b):
         total = p_add(K, total, [0] * i + term if trim(term) else [])
     return total
 
-
 def bernstein_coefficient(K, p, a, b, n, k):
     """The k-th of n+1 coefficients over [a,b]: with q(s) = p(a + (b-a) s) = sum q_j s^j it is sum_j C(k,j)/C(n,j) q_j."""
     q, total = p_compose(K, p, trim([a, K.reduce(b - a)])), 0
@@ -180,66 +153,43 @@ def bernstein_coefficient(K, p, a, b, n, k):
         total = K.reduce(total + K.number(Fraction(math.comb(k, j), math.comb(n, j))) * q[j])
     return total
 
-
 # ---- programs -------------------------------------------------------------------------------------------
 
-
-def run(K, nodes, inputs):
+def run(K, case, inputs):
     """The values of all nodes."""
-    v = []
-    for node in nodes:
-        op, a = node[0], node[1:]
-        if op not in ("x", "c", "o", "opoly"):
-            first = 1 if op in ("coefficient", "root", "value") else len(a)
-            require(all(isinstance(i, int) and 0 <= i < len(v) for i in a[:first] if op != "tobernstein"), "a node of later nodes")
-        if op == "x":
-            require(0 <= a[0] < len(inputs), "an input that does not exist")
-            v.append(inputs[a[0]])
-        elif op in ("c", "o"):
-            v.append(K.number(a[0]))
-        elif op == "+":
-            v.append(K.reduce(v[a[0]] + v[a[1]]))
-        elif op == "-":
-            v.append(K.reduce(v[a[0]] - v[a[1]]))
-        elif op == "*":
-            v.append(K.reduce(v[a[0]] * v[a[1]]))
-        elif op == "/":
-            v.append(K.reduce(v[a[0]] * K.inverse(v[a[1]])))
-        elif op == "neg":
-            v.append(K.reduce(-v[a[0]]))
-        elif op == "root":
-            v.append(K.root(v[a[0]], a[1]))
-        elif op == "opoly":
-            v.append(trim([K.number(t) for t in a]))
-        elif op == "poly":
-            v.append(trim([v[i] for i in a]))
-        elif op == "bernstein":
-            v.append(p_bernstein(K, [v[i] for i in a]))
-        elif op in ("p+", "p-"):
-            v.append(p_add(K, v[a[0]], v[a[1]], 1 if op == "p+" else -1))
-        elif op == "p*":
-            v.append(p_mul(K, v[a[0]], v[a[1]]))
-        elif op == "pgcd":
-            v.append(p_gcd(K, v[a[0]], v[a[1]]))
-        elif op in ("pquo", "prem"):
-            v.append(p_divmod(K, v[a[0]], v[a[1]])[op == "prem"])
-        elif op == "pcompose":
-            v.append(p_compose(K, v[a[0]], v[a[1]]))
-        elif op == "pneg":
-            v.append([K.reduce(-c) for c in v[a[0]]])
-        elif op == "pder":
-            v.append(p_derivative(K, v[a[0]]))
-        elif op == "value":
-            v.append(p_value(K, v[a[0]], v[a[1]]))
-        elif op == "coefficient":
-            v.append(v[a[0]][a[1]] if a[1] < len(v[a[0]]) else K.number(0))
-        elif op == "tobernstein":
-            require(all(0 <= i < len(v) for i in a[:3]), "a node of later nodes")
-            v.append(bernstein_coefficient(K, v[a[0]], v[a[1]], v[a[2]], a[3], a[4]))
-        else:
-            raise Wrong(f"no operation is called {op}")
+    v, R, names = [], K.reduce, {x[0]: i for i, x in enumerate(case["inputs"])}
+    of = lambda indices: [v[i] for i in indices]
+    make = {
+        "x": lambda i: inputs[i],
+        "c": K.number,
+        "o": K.number,
+        "f": lambda text: fraction_value(K, text, lambda x: inputs[names[x]]),
+        "+": lambda i, j: R(v[i] + v[j]),
+        "-": lambda i, j: R(v[i] - v[j]),
+        "*": lambda i, j: R(v[i] * v[j]),
+        "/": lambda i, j: R(v[i] * K.inverse(v[j])),
+        "neg": lambda i: R(-v[i]),
+        "root": lambda i, n: K.root(v[i], n),
+        "opoly": lambda *c: trim([K.number(t) for t in c]),
+        "poly": lambda *i: trim(of(i)),
+        "bernstein": lambda *i: p_bernstein(K, of(i)),
+        "p+": lambda i, j: p_add(K, v[i], v[j]),
+        "p-": lambda i, j: p_add(K, v[i], v[j], -1),
+        "p*": lambda i, j: p_mul(K, v[i], v[j]),
+        "pgcd": lambda i, j: p_gcd(K, v[i], v[j]),
+        "pquo": lambda i, j: p_divmod(K, v[i], v[j])[0],
+        "prem": lambda i, j: p_divmod(K, v[i], v[j])[1],
+        "pcompose": lambda i, j: p_compose(K, v[i], v[j]),
+        "pneg": lambda i: [R(-c) for c in v[i]],
+        "pder": lambda i: p_derivative(K, v[i]),
+        "value": lambda i, j: p_value(K, v[i], v[j]),
+        "coefficient": lambda i, k: v[i][k] if k < len(v[i]) else K.number(0),
+        "tobernstein": lambda i, a, b, n, k: bernstein_coefficient(K, v[i], v[a], v[b], n, k),
+    }
+    for op, *arguments in case["nodes"]: # an argument that is not yet there is an IndexError, and so malformed
+        require(not any(isinstance(i, int) and i < 0 for i in arguments), "a negative argument")
+        v.append(make[op](*arguments))
     return v
-
 
 def degrees(nodes):
     """For each node (numerator, denominator) degrees in the inputs, or None where it is not known to be rational in them."""
@@ -251,6 +201,8 @@ def degrees(nodes):
             d.append((1, 0))
         elif op == "c":
             d.append((0, 0))
+        elif op == "f":
+            d.append(tuple(max([sum(p.values()) for _, p in side] + [0]) for side in fraction_text(a[0])))
         elif x is None or (y is None and op != "neg"):
             d.append(None)
         elif op in "+-":
@@ -263,14 +215,12 @@ def degrees(nodes):
             d.append(x)
     return d
 
-
 def points(case, count):
     """Random inputs, from the text of the case alone."""
     seed = hashlib.sha256(json.dumps(case, sort_keys=True).encode()).digest()
     for k in range(count):
         yield [int.from_bytes(hashlib.sha256(seed + b"%d %d" % (k, i)).digest() * 2, "big") % PRIME
                for i in range(len(case["inputs"]))]
-
 
 def random_runs(case, bound):
     """Enough runs of the program at random inputs for differences of degree at most `bound`."""
@@ -280,7 +230,7 @@ def random_runs(case, bound):
     done = 0
     for inputs in points(case, needed + 8):
         try:
-            yield inputs, run(Modular, case["nodes"], inputs)
+            yield inputs, run(Modular, case, inputs)
             done += 1
         except ZeroDivisionError:
             continue
@@ -288,11 +238,9 @@ def random_runs(case, bound):
             return
     raise Cannot("the program divides by zero at random inputs")
 
-
 # ---- decisions ------------------------------------------------------------------------------------------
 
 Q = Rationals
-
 
 def squarefree(p):
     """Yun: [(factor, multiplicity)]."""
@@ -306,7 +254,6 @@ def squarefree(p):
             out.append((g, m))
         w, y, m = p_divmod(Q, w, g)[0], p_divmod(Q, z, g)[0], m + 1
     return out
-
 
 def sturm_inside(p, a, b):
     """Different roots in (a,b), a < b or None for infinity; p squarefree."""
@@ -326,7 +273,6 @@ def sturm_inside(p, a, b):
     count = changes(a, -1) - changes(b, 1)
     return count - (b is not None and p_value(Q, p, b) == 0)
 
-
 def count_roots(p, a, b, left, right):
     require(p, "roots of the zero polynomial")
     total = {"distinct": 0, "counted": 0, "crossings": 0, "touches": 0}
@@ -341,7 +287,6 @@ def count_roots(p, a, b, left, right):
         total["crossings" if m % 2 else "touches"] += inside
     return total
 
-
 def sign_pattern(p, a, b, left, right):
     if not p:
         return 0
@@ -354,7 +299,6 @@ def sign_pattern(p, a, b, left, right):
         k += 1
     positive = p_value(Q, p, a + (b - a) / k) > 0
     return 5 if r["crossings"] else (2 if positive else 3) if r["distinct"] else 1 if positive else 4
-
 
 def curve_and_line(R, w, line):
     weighted = [p_bernstein(Q, [wi * x for wi, x in zip(w, R[c::2])]) for c in (0, 1)] + [p_bernstein(Q, w)]
@@ -370,7 +314,6 @@ def curve_and_line(R, w, line):
     inside, closed = count_roots(f, 0, 1, False, False), count_roots(f, 0, 1, True, True)
     jumps = count_roots(p_mul(Q, g, W), 0, 1, False, False)["crossings"] - inside["crossings"]
     return [0, closed["distinct"], inside["distinct"], inside["crossings"], inside["touches"], poles, jumps]
-
 
 def polygon_and_line(R, line):
     P = list(zip(R[::2], R[1::2]))
@@ -394,10 +337,8 @@ def polygon_and_line(R, line):
         end = high if end is None else max(end, high)
     return [sum(x != y for x, y in zip(signs, signs[1:])), runs, components, contained]
 
-
 def turn(a, b, c):
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
 
 def convex_polygon(flat, closed):
     P = [tuple(flat[i : i + 2]) for i in range(0, len(flat), 2)]
@@ -416,14 +357,14 @@ def convex_polygon(flat, closed):
     # the first point, the others turn one way.
     n = len(P)
     straight = lambda a, b, c: (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) > 0
-    turns = [turn(P[i], P[(i + 1) % n], P[(i + 2) % n]) for i in range(n)]
-    if any(t == 0 and not straight(P[i], P[(i + 1) % n], P[(i + 2) % n]) for i, t in enumerate(turns)):
+    corners = [(P[i], P[(i + 1) % n], P[(i + 2) % n]) for i in range(n)]
+    turns = [turn(*c) for c in corners]
+    if any(t == 0 and not straight(*c) for t, c in zip(turns, corners)):
         return False
     for sign in (1, -1):
         if all(sign * t >= 0 for t in turns) and all(sign * turn(P[0], P[i], P[i + 1]) >= 0 for i in range(1, n - 1)):
             return len(set(P)) == n
     return False
-
 
 def determinant(M):
     M, d = [list(row) for row in M], Fraction(1)
@@ -438,7 +379,6 @@ def determinant(M):
             f = M[i][k] / M[k][k]
             M[i] = [x - f * y for x, y in zip(M[i], M[k])]
     return d
-
 
 def all_minors(M, strict):
     rows, columns = len(M), len(M[0]) if M else 0
@@ -456,7 +396,6 @@ def all_minors(M, strict):
         below = minors
     return True
 
-
 def check_hull(f, v):
     d, P, x = f["dim"], [v[i] for i in f["points"]], [v[i] for i in f["x"]]
     points_ = [P[i : i + d] for i in range(0, len(P), d)]
@@ -469,7 +408,6 @@ def check_hull(f, v):
         normal, offset = [v[i] for i in f["normal"]], v[f["offset"][0]]
         require(len(normal) == d and all(dot(normal, p) <= offset for p in points_) and dot(normal, x) > offset,
                 "the plane does not separate")
-
 
 def check_hull_vertices(f, v):
     P = [v[i] for i in f["points"]]
@@ -485,7 +423,6 @@ def check_hull_vertices(f, v):
         n = len(V)
         require(all(turn(V[i], V[(i + 1) % n], V[(i + 2) % n]) > 0 for i in range(n)), "not convex")
         require(all(turn(V[i], V[(i + 1) % n], p) >= 0 for p in P for i in range(n)), "a point outside")
-
 
 def check_fact(f, v):
     kind, get = f["fact"], lambda field: [v[i] for i in f[field]]
@@ -524,95 +461,45 @@ def check_fact(f, v):
     else:
         raise Cannot(f"a fact of kind {kind}")
 
-
 # ---- signs read off coefficients --------------------------------------------------------------------------
 
-
 def fraction_text(text):
-    """(numerator, denominator) as lists of (coefficient, {variable: exponent})."""
-    def sum_of_monomials(s):
-        s = s.strip()
-        if s.startswith("(") and s.endswith(")"):
-            s = s[1:-1]
+    """(numerator, denominator), each a list of (coefficient, {variable: exponent}); the coefficients are integers."""
+    def monomials(side):
         out = []
-        for sign, body in re.findall(r"([+-]?)([^+-]+)", s.replace(" ", "")):
-            c, powers = Fraction(-1 if sign == "-" else 1), {}
-            for factor in body.split("*"):
-                if re.fullmatch(r"\d+(/\d+)?", factor):
-                    c *= Fraction(factor)
+        for sign, body in re.findall(r"([+-]?)([^+-]+)", side.strip("()")):
+            c, powers = -1 if sign == "-" else 1, {}
+            for x, exponent in (factor.partition("^")[::2] for factor in body.split("*")):
+                if x.isdigit():
+                    c *= int(x)
                 else:
-                    m = re.fullmatch(r"([A-Za-z_]\w*)(?:\^(\d+))?", factor)
-                    require(m, f"not a monomial: {factor}")
-                    powers[m[1]] = powers.get(m[1], 0) + int(m[2] or 1)
+                    powers[x] = powers.get(x, 0) + int(exponent or 1)
             out.append((c, powers))
         return out
 
-    depth, cut = 0, None
-    for i, ch in enumerate(text):
-        depth += (ch == "(") - (ch == ")")
-        if ch == "/" and depth == 0 and not (text[i - 1].isdigit() and text[i + 1 :].split("*")[0].isdigit()):
-            cut = i
-    if cut is None:
-        return sum_of_monomials(text), [(Fraction(1), {})]
-    return sum_of_monomials(text[:cut]), sum_of_monomials(text[cut + 1 :])
+    numerator, _, denominator = text.replace(" ", "").partition("/")
+    return monomials(numerator), monomials(denominator or "1")
 
+def fraction_value(K, text, at):
+    sides = [K.reduce(sum(c * math.prod(at(x) ** e if K is Q else pow(at(x), e, PRIME) for x, e in p.items()) for c, p in side))
+             for side in fraction_text(text)]
+    return K.reduce(sides[0] * K.inverse(sides[1]))
 
-def inputs_of(nodes, node):
-    """The inputs of which a rational function is made."""
-    found, seen, open_nodes = set(), set(), [node]
-    while open_nodes:
-        i = open_nodes.pop()
-        if i in seen:
-            continue
-        seen.add(i)
-        op, *a = nodes[i]
-        if op == "x":
-            found.add(a[0])
-        elif op != "c":
-            open_nodes += a
-    return found
-
-
-def check_field_sign(case, field, node, degree):
-    require(field["sign"] in (0, 1), "a sign that is not >= 0")
-    num, den = fraction_text(field["field"])
-    one_sign = lambda terms: len({c > 0 for c, _ in terms if c != 0}) <= 1
-    require(one_sign(num) and one_sign(den), "coefficients of both signs")
-    sign = lambda terms: next((1 if c > 0 else -1 for c, _ in terms if c != 0), 0)
-    require(sign(num) * sign(den) == field["sign"], "the sign of the coefficients")
-    if degree is None:
-        raise Cannot("a node that is no rational function")
-    place, kinds = {}, {}
-    for i in sorted(inputs_of(case["nodes"], node)): # a name may be drawn again, as for another pattern of knots
-        name, kind, _ = case["inputs"][i]
-        if name in place:
-            raise Cannot("a name with two values")
-        place[name], kinds[name] = i, kind
-    used = {x for terms in (num, den) for _, powers in terms for x in powers}
-    if not used <= place.keys():
-        raise Cannot("the fraction is in other variables")
-    size = max([sum(p.values()) for _, p in num + den] + [0])
-    for inputs, v in random_runs(case, sum(degree) + 2 * size):
-        at = {}
-        for x in used: # a number of (0,1) is s/(1+s) in the field: s = x/(1-x)
-            t = inputs[place[x]]
-            at[x] = t * Modular.inverse(1 - t) % PRIME if kinds[x] == "inside" else t
-        value = lambda terms: sum(Modular.number(c) * math.prod(pow(at[x], e, PRIME) for x, e in p.items())
-                                  for c, p in terms) % PRIME
-        require((value(num) - v[node] * value(den)) % PRIME == 0, "the fraction is not what was computed")
-
+def check_coefficient_signs(step):
+    sides = [{c > 0 for c, _ in side if c != 0} for side in fraction_text(step["text"])]
+    require(all(len(side) <= 1 for side in sides), "coefficients of both signs")
+    sign = math.prod(sum(1 if positive else -1 for positive in side) for side in sides)
+    require(sign == step["sign"] and (sign >= 0) == step["good"], "the sign of the coefficients")
 
 # ---- claims and statements --------------------------------------------------------------------------------
-
 
 def good(step):
     return step.get("equal", step.get("agree", step.get("good", True)))
 
-
-def check_case(case, identity):
-    require(all(isinstance(x, list) and len(x) == 3 for x in case["inputs"]), "the inputs")
-    nodes, steps = case["nodes"], case["steps"]
-    v = run(Q, nodes, [Fraction(x[2]) for x in case["inputs"]])
+def check_case(case, proved):
+    require(all(isinstance(x, list) and len(x) == 2 for x in case["inputs"]), "the inputs")
+    steps = case["steps"]
+    v = run(Q, case, [Fraction(x[1]) for x in case["inputs"]])
     facts, supported, comparisons = 0, True, 0
     for s in steps:
         if "same" in s:
@@ -630,29 +517,30 @@ def check_case(case, identity):
             supported &= facts > 0
     if not supported or comparisons == 0:
         raise Cannot("a condition without facts")
-    if identity:
-        check_identity(case, v, facts > 0)
+    if proved or case["type"] == "field":
+        check_identity(case, facts > 0)
     return all(good(s) for s in steps)
 
-
-def check_identity(case, v, branches):
+def check_identity(case, branches):
+    """What is equal is so for all inputs; a sign was read off a fraction that is the node."""
     steps, d = case["steps"], degrees(case["nodes"])
-    pairs = [s["same"] for s in case["steps"] if "same" in s]
-    if any(d[i] is None or d[j] is None for i, j in pairs):
-        raise Cannot("an identity of nodes that are no rational functions of the inputs")
-    bound = max([2 * (sum(d[i]) + sum(d[j])) for i, j in pairs] + [1])
-    for _, w in random_runs(case, bound) if pairs else ():
+    pairs = [s["same"] for s in steps if s.get("equal")]
+    signs = [s for s in steps if "nonnegative" in s]
+    if any("text" not in s for s in signs):
+        raise Cannot("signs that were not read off coefficients")
+    if any(d[i] is None for i in {i for pair in pairs for i in pair} | {s["nonnegative"] for s in signs}):
+        raise Cannot("nodes that are no rational functions of the inputs")
+    texts = [degrees([["f", s["text"]]])[0] for s in signs]
+    bound = max([sum(d[i]) + sum(d[j]) for i, j in pairs] + [sum(d[s["nonnegative"]]) + sum(t) for s, t in zip(signs, texts)] + [1])
+    names = {x[0]: i for i, x in enumerate(case["inputs"])}
+    for s in signs:
+        check_coefficient_signs(s)
+    for inputs, w in random_runs(case, bound) if pairs or signs else ():
         if any(w[i] != w[j] for i, j in pairs):
-            if branches: # the program is that of the case only
-                raise Cannot("a program that depends on its case")
-            raise Wrong("an equality that is no identity")
-    signs = [s["nonnegative"] for s in steps if "nonnegative" in s]
-    fields = [s for s in case.get("field_steps", []) if "field" in s]
-    if signs and len(signs) != len(fields):
-        raise Cannot("signs without their fractions")
-    for node, field in zip(signs, fields):
-        check_field_sign(case, field, node, d[node])
-
+            raise Cannot("a program that depends on its case") if branches else Wrong("an equality that is no identity")
+        for s in signs:
+            value = fraction_value(Modular, s["text"], lambda x: inputs[names[x]])
+            require(w[s["nonnegative"]] == value, "the fraction is not what was computed")
 
 def check_claim(c):
     kind, outcome, evidence = c["kind"], c["outcome"], c["evidence"]
@@ -663,7 +551,6 @@ def check_claim(c):
         raise Cannot("no program")
     holds = [check_case(case, evidence == "proved") for case in c["cases"]]
     require(all(holds) if outcome == "holds" else not any(holds), "the outcome does not follow")
-
 
 def derived(s, claims):
     """Verdict and evidence from the claims, by their roles."""
@@ -680,7 +567,6 @@ def derived(s, claims):
     if for_it:
         return ("conditional" if "hypothesis" in roles else "holds"), weakest(for_it)
     return "open", "none"
-
 
 def check_statement(s, claim_of):
     claims, unable = {}, None
@@ -699,9 +585,8 @@ def check_statement(s, claim_of):
     if unable:
         raise unable
 
-
 def attempt(check, *arguments):
-    """None when it went well, or what went wrong: the exception."""
+    """None when it went well, otherwise what went wrong."""
     try:
         check(*arguments)
     except (Wrong, Cannot) as e:
@@ -710,20 +595,18 @@ def attempt(check, *arguments):
         return Wrong(f"malformed: {type(e).__name__} {e}")
     return None
 
+def load(path):
+    try:
+        return json.loads(path.read_text())
+    except (OSError, ValueError) as e:
+        raise Wrong(f"{path.name} cannot be read: {e}") from e
 
 def main():
-    quiet = "--quiet" in sys.argv
     arguments = [a for a in sys.argv[1:] if a != "--quiet"]
     if len(arguments) != 1 or not pathlib.Path(arguments[0]).is_dir():
         sys.stderr.write("usage: recheck.py [--quiet] DIR, a folder written by 'cagd verify --certificates DIR'\n")
         return 2
     root, known = pathlib.Path(arguments[0]), {}
-
-    def load(path):
-        try:
-            return json.loads(path.read_text())
-        except (OSError, ValueError) as e:
-            raise Wrong(f"{path.name} cannot be read: {e}") from e
 
     def claim_of(name):
         if name not in known:
@@ -742,7 +625,7 @@ def main():
         e = attempt(lambda: check_statement(load(path), claim_of))
         word = "rechecked" if e is None else "wrong" if isinstance(e, Wrong) else "cannot recheck this kind"
         counts[word] += 1
-        if not quiet or word == "wrong":
+        if "--quiet" not in sys.argv or word == "wrong":
             print(f"{path.parent.name}:{path.stem}: {word}{f' ({e})' if e else ''}")
     for path in sorted((root / "claims").glob("*.json")):
         text, e = claim_of(path.stem)
@@ -751,7 +634,6 @@ def main():
             counts["wrong"] += not counts["wrong"]
     print(", ".join(f"{n} {word}" for word, n in counts.items()))
     return 1 if counts["wrong"] or not counts["rechecked"] else 0
-
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -7,38 +7,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_NODES = 8000 };
+enum { MOST_NODES = 8000, MOST_AT_ALL = 100000 }; /* the second where no case has fewer than the first */
 
 static const char *const kind_name[] = {"identity", "decision", "counterexample"};
 static const char *const role_name[] = {"holds-by", "refuted-by", "corrected-by", "hypothesis",
                                         "needs",    "reading",    "checked-by"};
 
-/* One case, recorded.  In the field only the signs of coefficients are of interest, `steps` alone is written.  Returns
- * whether the program was short enough. */
-static int record(FILE *out, const claim *c, number_type type, int k)
+/* Case k, recorded, unless its program is too long. */
+static int record(FILE *out, const claim *c, number_type type, int k, size_t most)
 {
     struct plan plan = {c, type, 0};
-    trace_open(MOST_NODES);
+    trace_open(most);
     trial T = run_case(&plan, k, 0, NULL, NULL);
     forget_exhibits(T.shown, T.exhibits);
     int whole = trace_nodes() != NULL;
-    if (whole && type == FIELD_TYPE)
-        fprintf(out, ",\n\"field_steps\":%s", trace_steps());
-    else if (whole)
-        fprintf(out, "{\"degree\":%d,\n\"inputs\":%s,\"nodes\":%s,\"steps\":%s", T.degree, trace_inputs(),
-                trace_nodes(), trace_steps());
+    if (whole)
+        fprintf(out, "{\"type\":\"%s\",\"degree\":%d,\n\"inputs\":%s,\"nodes\":%s,\"steps\":%s}",
+                number_type_name[type], T.degree, trace_inputs(), trace_nodes(), trace_steps());
     trace_close();
     return whole;
-}
-
-static int record_case(FILE *out, const claim *c, int k)
-{
-    if (!record(out, c, RATIONAL_TYPE, k))
-        return 0;
-    if (c->body[FIELD_TYPE] != NULL)
-        record(out, c, FIELD_TYPE, k);
-    fputs("}", out);
-    return 1;
 }
 
 char *certificate_of_claim(const claim_result *r)
@@ -54,14 +41,16 @@ char *certificate_of_claim(const claim_result *r)
             "\n\"evidence\":\"%s\",\n"
             "\"cases\":[",
             c->name, kind_name[c->kind], outcome_name[r->outcome], evidence_name[r->evidence]);
-    if (c->body[RATIONAL_TYPE] != NULL) {
+    /* What is proved is proved in the field. */
+    number_type type = r->evidence == PROVED || c->body[RATIONAL_TYPE] == NULL ? FIELD_TYPE : RATIONAL_TYPE;
+    if (c->body[type] != NULL) {
         int k = c->degree_high - c->degree_low;
-        while (k >= 0 && !record_case(out, c, k))
+        while (k >= 0 && !record(out, c, type, k, MOST_NODES))
             k--;
-        if (k > 0) {
+        if (k > 0)
             fputs(",\n", out);
-            record_case(out, c, 0);
-        }
+        if (k != 0)
+            record(out, c, type, 0, k < 0 ? MOST_AT_ALL : MOST_NODES);
     }
     fputs("]}\n", out);
     fclose(out);

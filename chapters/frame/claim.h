@@ -38,17 +38,17 @@ typedef struct exhibit {
 
 /* One case of one claim in one number type. */
 typedef struct trial {
-    uint64_t seed, state;  /* the seed of this case, printed when it fails; the generator's state     */
-    int degree;            /* n of this case; 0 for a claim without degrees                           */
-    int planted;           /* 1 in the control: the fault the block names is in                       */
-    int deep;              /* 1 when asked for more than the default depth                            */
-    int compared;          /* values compared so far; a claim that compared nothing fails             */
-    const char *positive;  /* field: the variables taken to be positive where a sign was read off the
+    uint64_t seed, state; /* the seed of this case, printed when it fails; the generator's state     */
+    int degree;           /* n of this case; 0 for a claim without degrees                           */
+    int planted;          /* 1 in the control: the fault the block names is in                       */
+    int deep;             /* 1 when asked for more than the default depth                            */
+    int compared;         /* values compared so far; a claim that compared nothing fails             */
+    const char *positive; /* field: the variables taken to be positive where a sign was read off the
                               coefficients, separated by blanks; NULL for none                        */
-    outcome outcome;       /* FAILS as soon as one comparison does                                    */
-    double worst;          /* double: largest error/bound; interval: widest enclosure of a difference */
-    const char *about;     /* what is being compared, for the first difference                        */
-    exhibit *shown;        /* what the case shows, `exhibits` in number                                */
+    outcome outcome;      /* FAILS as soon as one comparison does                                    */
+    double worst;         /* double: largest error/bound; interval: widest enclosure of a difference */
+    const char *about;    /* what is being compared, for the first difference                        */
+    exhibit *shown;       /* what the case shows, `exhibits` in number                                */
     int exhibits;
 } trial;
 
@@ -58,9 +58,9 @@ typedef struct claim {
     const char *chapter, *file;
     int line;
     claim_kind kind;
-    int degree_low, degree_high; /* the degrees that the field visits; both 0 without degrees           */
-    int degree_sampled;          /* the largest degree sampled; at least degree_high                     */
-    int all_degrees;             /* 1 when n itself is a variable of the field                           */
+    int degree_low, degree_high;          /* the degrees that the field visits; both 0 without degrees           */
+    int degree_sampled;                   /* the largest degree sampled; at least degree_high                     */
+    int all_degrees;                      /* 1 when n itself is a variable of the field                           */
     void (*body[NUMBER_TYPES])(trial *T); /* NULL where the claim is not run                             */
 } claim;
 
@@ -83,7 +83,7 @@ typedef struct statement {
     const char *id, *title, *title_zh, *printed, *class, *corrected, *figure, *note;
     const char *chapter, *file;
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
-    const statement_link *links; /* ends with a link whose claim and text are NULL                       */
+    const statement_link *links;       /* ends with a link whose claim and text are NULL                       */
 } statement;
 
 typedef struct chapter {
@@ -96,7 +96,9 @@ extern const statement all_statements[];
 extern const chapter all_chapters[];
 
 /* One body for every number type it is compiled in; T is the trial. */
+/* clang-format off */
 #define CLAIM(name)                                                                                                    \
     void G(claim_##name)(trial *T);                                                                                    \
     void G(claim_##name)(trial *T)
+/* clang-format on */
 #endif

@@ -116,10 +116,10 @@ num_f inside_f(trial *T, const char *name)
 }
 
 /* The same for a trace: from here on it is an input. */
-static num_q as_input(num_q a, const char *name, int index, const char *kind)
+static num_q as_input(num_q a, const char *name, int index)
 {
     if (trace_noting())
-        trace_input(a.at, name, index, kind);
+        trace_input(a.at, name, index);
     return a;
 }
 
@@ -129,24 +129,18 @@ static num_m from_rational_m(num_q a) { return exact_m(to_double_q(a)); }
 #define SAMPLED_DATA(S)                                                                                                \
     num_##S unknown_##S(trial *T, const char *name, int index)                                                         \
     {                                                                                                                  \
-        return from_rational_##S(as_input(datum(T), name, index, "any"));                                              \
+        return from_rational_##S(as_input(datum(T), name, index));                                                     \
     }                                                                                                                  \
     num_##S positive_##S(trial *T, const char *name, int index)                                                        \
     {                                                                                                                  \
-        return from_rational_##S(as_input(weight(T), name, index, "positive"));                                        \
+        return from_rational_##S(as_input(weight(T), name, index));                                                    \
     }                                                                                                                  \
-    num_##S parameter_##S(trial *T, const char *name)                                                                  \
-    {                                                                                                                  \
-        return from_rational_##S(as_input(fraction(T), name, -1, "any"));                                              \
-    }                                                                                                                  \
+    num_##S parameter_##S(trial *T, const char *name) { return from_rational_##S(as_input(fraction(T), name, -1)); }   \
     num_##S whole_##S(trial *T, const char *name, int low, int high)                                                   \
     {                                                                                                                  \
-        return from_rational_##S(as_input(from_int_q(pick(T, low, high)), name, -1, "whole"));                         \
+        return from_rational_##S(as_input(from_int_q(pick(T, low, high)), name, -1));                                  \
     }                                                                                                                  \
-    num_##S inside_##S(trial *T, const char *name)                                                                     \
-    {                                                                                                                  \
-        return from_rational_##S(as_input(fraction(T), name, -1, "inside"));                                           \
-    }
+    num_##S inside_##S(trial *T, const char *name) { return from_rational_##S(as_input(fraction(T), name, -1)); }
 SAMPLED_DATA(q)
 SAMPLED_DATA(i)
 SAMPLED_DATA(m)
@@ -175,7 +169,14 @@ void agree(trial *T, int condition)
 
 void same_f(trial *T, num_f a, num_f b)
 {
-    if (first_failure(T, is_zero_f(sub_f(a, b)))) {
+    trace_pause();
+    int equal = is_zero_f(sub_f(a, b));
+    trace_resume();
+    if (trace_noting()) {
+        int left = trace_field_element(a), right = trace_field_element(b);
+        trace_same(left, right, equal);
+    }
+    if (first_failure(T, equal)) {
         show_text(T, "left", "%s", text_f(a));
         show_text(T, "right", "%s", text_f(b));
     }
@@ -183,8 +184,10 @@ void same_f(trial *T, num_f a, num_f b)
 void same_q(trial *T, num_q a, num_q b)
 {
     int equal = mpq_equal(a.at, b.at) != 0;
-    if (trace_noting())
-        trace_same(a.at, b.at, equal);
+    if (trace_noting()) {
+        int left = trace_number(a.at), right = trace_number(b.at);
+        trace_same(left, right, equal);
+    }
     if (first_failure(T, equal)) {
         show_text(T, "left", "%s", text_q(a));
         show_text(T, "right", "%s", text_q(b));
@@ -254,7 +257,7 @@ void nonnegative_f(trial *T, num_f a)
         region_faults |= FAULT_UNABLE;
     take_as_positive(T, a);
     if (trace_noting())
-        trace_field_sign(to_string_f(a), sign);
+        trace_nonnegative(trace_field_element(a), sign != -1, to_string_f(a), sign);
     if (first_failure(T, sign != -1))
         show_text(T, "negative", "%s", text_f(a));
 }
@@ -262,7 +265,7 @@ void nonnegative_q(trial *T, num_q a)
 {
     int good = mpq_sgn(a.at) >= 0;
     if (trace_noting())
-        trace_nonnegative(a.at, good);
+        trace_nonnegative(trace_number(a.at), good, NULL, 0);
     if (first_failure(T, good))
         show_text(T, "negative", "%s", text_q(a));
 }

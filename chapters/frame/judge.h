@@ -23,9 +23,9 @@
 #include "exact/num_interval.h"
 #include "exact/num_rational.h"
 
-int pick(trial *T, int low, int high); /* a seeded random integer in [low, high]                     */
+int pick(trial *T, int low, int high);  /* a seeded random integer in [low, high]                     */
 void about(trial *T, const char *what); /* names what the next comparisons are about                  */
-void agree(trial *T, int condition);   /* compare: a condition that was decided exactly               */
+void agree(trial *T, int condition);    /* compare: a condition that was decided exactly               */
 void show_text(trial *T, const char *name, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 #define JUDGE_WORDS(S)                                                                                                 \

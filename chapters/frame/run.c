@@ -69,6 +69,7 @@ trial run_case(const struct plan *p, int k, int planted, char **variables, char 
         region_drop(mark);
         if (!again)
             return T;
+        trace_again();
         forget_exhibits(T.shown, T.exhibits);
     }
 }

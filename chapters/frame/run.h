@@ -6,17 +6,17 @@
 
 /* One claim in one number type. */
 typedef struct type_result {
-    int ran;               /* 0 where the claim has no body in this type                              */
-    outcome outcome;       /* of the statement                                                        */
-    unsigned faults;       /* of the region, over all cases                                           */
-    int cases, compared;   /* how much was really tested                                              */
+    int ran;                     /* 0 where the claim has no body in this type                              */
+    outcome outcome;             /* of the statement                                                        */
+    unsigned faults;             /* of the region, over all cases                                           */
+    int cases, compared;         /* how much was really tested                                              */
     int degree_low, degree_high; /* degrees visited; 0 without degrees                                */
-    double worst;          /* see trial.worst                                                         */
-    uint64_t seed;         /* of the first failing case                                               */
-    int control_caught;    /* the control had the opposite outcome                                    */
-    char *variables;       /* field: the named variables of the largest case, separated by blanks     */
-    char *positive;        /* field: those of them that were taken to be positive; see trial.positive */
-    exhibit *shown;        /* of the first failing case, or of the first case                         */
+    double worst;                /* see trial.worst                                                         */
+    uint64_t seed;               /* of the first failing case                                               */
+    int control_caught;          /* the control had the opposite outcome                                    */
+    char *variables;             /* field: the named variables of the largest case, separated by blanks     */
+    char *positive;              /* field: those of them that were taken to be positive; see trial.positive */
+    exhibit *shown;              /* of the first failing case, or of the first case                         */
     int exhibits;
     double seconds;
 } type_result;
@@ -24,10 +24,10 @@ typedef struct type_result {
 typedef struct claim_result {
     const claim *claim;
     type_result by[NUMBER_TYPES];
-    int as_expected;       /* the outcome is the expected one in every type, and every control caught */
-    outcome outcome;       /* what the claim establishes                                              */
-    evidence evidence;     /* the strongest that its types support                                    */
-    char *scope;           /* for which degrees and variables, in words; made from what was run       */
+    int as_expected;   /* the outcome is the expected one in every type, and every control caught */
+    outcome outcome;   /* what the claim establishes                                              */
+    evidence evidence; /* the strongest that its types support                                    */
+    char *scope;       /* for which degrees and variables, in words; made from what was run       */
 } claim_result;
 
 typedef struct run_options {
@@ -43,19 +43,25 @@ claim_result *judge_claims(const claim *const list[], int count, const run_optio
 void free_results(claim_result *results, int count);
 
 /* The verdict of a statement, derived from the results of its claims; never typed in by hand. */
-typedef enum verdict { VERDICT_HOLDS, VERDICT_CONDITIONAL, VERDICT_FAILS, VERDICT_UNDECIDED, VERDICT_OPEN,
-                       VERDICT_DEFINITION } verdict;
+typedef enum verdict {
+    VERDICT_HOLDS,
+    VERDICT_CONDITIONAL,
+    VERDICT_FAILS,
+    VERDICT_UNDECIDED,
+    VERDICT_OPEN,
+    VERDICT_DEFINITION
+} verdict;
 extern const char *const verdict_name[];
 
 typedef struct statement_result {
     const statement *statement;
     verdict verdict;
-    evidence evidence;                  /* the weakest among the claims that decide it               */
-    const claim_result *decided_by;     /* the claim whose scope and exhibit speak for the verdict   */
-    int corrected;                      /* 1 when a corrected statement was decided                  */
+    evidence evidence;              /* the weakest among the claims that decide it               */
+    const claim_result *decided_by; /* the claim whose scope and exhibit speak for the verdict   */
+    int corrected;                  /* 1 when a corrected statement was decided                  */
     evidence corrected_evidence;
     const claim_result *corrected_by;
-    int as_expected;                    /* every claim it names did what its role asks               */
+    int as_expected; /* every claim it names did what its role asks               */
 } statement_result;
 
 statement_result derive(const statement *s, const claim_result *results, int count);

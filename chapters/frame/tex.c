@@ -36,6 +36,7 @@ static void put_relation(struct text *t, const char *s)
     puts_(t, t->tight ? "" : " ");
 }
 
+/* clang-format off */
 static const struct {
     const char *word, *text;
 } symbols[] = {
@@ -69,11 +70,12 @@ static const struct {
              {"hat", "\xCC\x82"}, {"widehat", "\xCC\x82"}, {"bar", "\xCC\x84"}, {"overline", "\xCC\x84"},
              {"tilde", "\xCC\x83"}, {"widetilde", "\xCC\x83"}, {"dot", "\xCC\x87"}, {"ddot", "\xCC\x88"},
              {"vec", "\xE2\x83\x97"}, {"underline", "\xCC\xB2"}};
+/* clang-format on */
 
 static int is_relation(const char *text)
 {
-    static const char *const relations[] = {"≤", "≥", "≠", "≡", "≈", "∼", "∈", "∉", "⊂", "⊆", "⊇", "→", "↦", "⇒", "⇔",
-                                            "⟶", "⟺", "±", "∓", "×", "∥", "⊥", "∪", "∩", "⊕", "≪", "≫"};
+    static const char *const relations[] = {"≤", "≥", "≠", "≡", "≈", "∼", "∈", "∉", "⊂", "⊆", "⊇", "→", "↦", "⇒",
+                                            "⇔", "⟶", "⟺", "±", "∓", "×", "∥", "⊥", "∪", "∩", "⊕", "≪", "≫"};
     for (size_t k = 0; k < sizeof relations / sizeof *relations; k++)
         if (strcmp(relations[k], text) == 0)
             return 1;
@@ -144,11 +146,11 @@ static void put_wrapped(struct text *out, const char *s)
 static const struct {
     char c;
     const char *up, *down;
-} small[] = {{'0', "⁰", "₀"}, {'1', "¹", "₁"}, {'2', "²", "₂"}, {'3', "³", "₃"}, {'4', "⁴", "₄"}, {'5', "⁵", "₅"},
-             {'6', "⁶", "₆"}, {'7', "⁷", "₇"}, {'8', "⁸", "₈"}, {'9', "⁹", "₉"}, {'+', "⁺", "₊"}, {'=', "⁼", "₌"}, {'(', "⁽", "₍"},
-             {')', "⁾", "₎"}, {'n', "ⁿ", NULL}, {'i', "ⁱ", "ᵢ"}, {'j', "ʲ", "ⱼ"}, {'k', "ᵏ", "ₖ"}, {'r', "ʳ", "ᵣ"},
-             {'t', "ᵗ", "ₜ"}, {'m', "ᵐ", "ₘ"}, {'h', "ʰ", "ₕ"}, {'l', "ˡ", "ₗ"}, {'s', "ˢ", "ₛ"}, {'p', "ᵖ", "ₚ"},
-             {'n', NULL, "ₙ"}, {'*', "*", NULL}, {'a', "ᵃ", "ₐ"}, {'x', "ˣ", "ₓ"}, {'\'', "′", NULL}};
+} small[] = {{'0', "⁰", "₀"}, {'1', "¹", "₁"},  {'2', "²", "₂"},  {'3', "³", "₃"}, {'4', "⁴", "₄"}, {'5', "⁵", "₅"},
+             {'6', "⁶", "₆"}, {'7', "⁷", "₇"},  {'8', "⁸", "₈"},  {'9', "⁹", "₉"}, {'+', "⁺", "₊"}, {'=', "⁼", "₌"},
+             {'(', "⁽", "₍"}, {')', "⁾", "₎"},  {'n', "ⁿ", NULL}, {'i', "ⁱ", "ᵢ"}, {'j', "ʲ", "ⱼ"}, {'k', "ᵏ", "ₖ"},
+             {'r', "ʳ", "ᵣ"}, {'t', "ᵗ", "ₜ"},  {'m', "ᵐ", "ₘ"},  {'h', "ʰ", "ₕ"}, {'l', "ˡ", "ₗ"}, {'s', "ˢ", "ₛ"},
+             {'p', "ᵖ", "ₚ"}, {'n', NULL, "ₙ"}, {'*', "*", NULL}, {'a', "ᵃ", "ₐ"}, {'x', "ˣ", "ₓ"}, {'\'', "′", NULL}};
 
 static size_t character(const char *s)
 {
@@ -243,8 +245,8 @@ static struct text render_group(const char **s, int tight)
 /* Whether s goes on with a factor, so that a fraction before it wants a dot between. */
 static int begins_factor(const char *s)
 {
-    static const char *const factors[] = {"frac", "omega", "mathbf", "binom", "left", "sum", "sqrt", "hat", "alpha",
-                                          "lambda", "beta", "tau", "prod", "boldsymbol", "det"};
+    static const char *const factors[] = {"frac",  "omega",  "mathbf", "binom", "left", "sum",        "sqrt", "hat",
+                                          "alpha", "lambda", "beta",   "tau",   "prod", "boldsymbol", "det"};
     if (isalnum((unsigned char)*s) || *s == '(')
         return 1;
     for (size_t k = 0; *s == '\\' && k < sizeof factors / sizeof *factors; k++)

@@ -65,9 +65,14 @@ statement_result derive(const statement *s, const claim_result *results, int cou
             r.corrected = 1;
             correction = weaker(correction, c->evidence);
             break;
-        case HYPOTHESIS: conditions++; break;
-        case NEEDS: break;
-        case READING: readings++; break;
+        case HYPOTHESIS:
+            conditions++;
+            break;
+        case NEEDS:
+            break;
+        case READING:
+            readings++;
+            break;
         }
     }
     r.corrected_evidence = r.corrected ? correction : NO_EVIDENCE;

@@ -132,7 +132,7 @@ static int block_count;
 static struct body {
     char *name, *file; /* CLAIM(name) */
     int line;
-} *bodies;
+} * bodies;
 static int body_count;
 static struct list figures; /* names in FIGURE(...) */
 
@@ -147,9 +147,11 @@ static const char *value_of(const struct block *b, const char *key)
 /* Reads the block whose first line is at l->at[k]; returns the index of its closing line. */
 static int read_block(const struct list *l, int k, const char *file, const char *chapter, const char *head)
 {
-    struct block b = {.is_claim = strncmp(head, "claim}", 6) == 0, .line = k + 1,
+    struct block b = {.is_claim = strncmp(head, "claim}", 6) == 0,
+                      .line = k + 1,
                       .name = trimmed(copy_of(strchr(head, '}') + 1, strlen(strchr(head, '}') + 1))),
-                      .note = copy_of("", 0), .file = copy_of(file, strlen(file)),
+                      .note = copy_of("", 0),
+                      .file = copy_of(file, strlen(file)),
                       .chapter = copy_of(chapter, strlen(chapter))};
     int in_options = 1;
     for (k++; k < l->count && strcmp(l->at[k], ":::") != 0; k++) {
@@ -281,8 +283,8 @@ static int is_one_of(const char *word, const char *const words[])
 
 static void check_claim(const struct block *b)
 {
-    static const char *const known[] = {"title", "zh", "given", "let", "then", "method", "kind", "types",
-                                        "degrees", "scope", "control", "defines", NULL};
+    static const char *const known[] = {"title", "zh",      "given", "let",     "then",    "method", "kind",
+                                        "types", "degrees", "scope", "control", "defines", NULL};
     static const char *const needed[] = {"title", "zh", "given", "then", "method", "control", NULL};
     static const char *const kinds[] = {"identity", "decision", "counterexample", NULL};
     static const char *const all_types[] = {"field", "rational", "interval", "double", NULL};
@@ -303,9 +305,9 @@ static void check_claim(const struct block *b)
 
 static void check_statement(const struct block *b)
 {
-    static const char *const known[] = {"title", "zh", "printed", "class", "corrected", "figure", "definition",
-                                        "holds-by", "refuted-by", "corrected-by", "hypothesis", "needs",
-                                        "reading", "checked-by", "striking", NULL};
+    static const char *const known[] = {
+        "title",      "zh",           "printed",    "class", "corrected", "figure",     "definition", "holds-by",
+        "refuted-by", "corrected-by", "hypothesis", "needs", "reading",   "checked-by", "striking",   NULL};
     static const char *const needed[] = {"title", "zh", "printed", NULL};
     static const char *const classes[] = {"misprint", "false", "missing-hypothesis", "invalid-proof", NULL};
     check_keys(b, known, needed);
@@ -329,11 +331,20 @@ static void put_string(FILE *out, const char *s)
     fputc('"', out);
     for (; s != NULL && *s; s++)
         switch (*s) {
-        case '"': fputs("\\\"", out); break;
-        case '\\': fputs("\\\\", out); break;
-        case '\n': fputs("\\n", out); break;
-        case '?': fputs("\\?", out); break;
-        default: fputc(*s, out);
+        case '"':
+            fputs("\\\"", out);
+            break;
+        case '\\':
+            fputs("\\\\", out);
+            break;
+        case '\n':
+            fputs("\\n", out);
+            break;
+        case '?':
+            fputs("\\?", out);
+            break;
+        default:
+            fputc(*s, out);
         }
     fputc('"', out);
 }
@@ -387,9 +398,13 @@ static void put_claim(FILE *out, const struct block *b)
     put_field(out, "defines", value_of(b, "defines"));
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
-    fprintf(out, ", .line = %d, .kind = %s, .degree_low = %d, .degree_high = %d, .degree_sampled = %d, .all_degrees = %d",
-            b->line, kind == NULL || kind[0] == 'i' ? "IDENTITY" : kind[0] == 'd' ? "DECISION" : "COUNTEREXAMPLE", low,
-            high, sampled > high ? sampled : high, all);
+    fprintf(out,
+            ", .line = %d, .kind = %s, .degree_low = %d, .degree_high = %d, .degree_sampled = %d, .all_degrees = %d",
+            b->line,
+            kind == NULL || kind[0] == 'i' ? "IDENTITY"
+            : kind[0] == 'd'               ? "DECISION"
+                                           : "COUNTEREXAMPLE",
+            low, high, sampled > high ? sampled : high, all);
     fputs(", .body = {", out);
     for (int t = 0; t < 4; t++)
         if (has_type(b, type[t]))

@@ -169,7 +169,8 @@ CLAIM(arc_and_its_central_angle)
     about(T, "sine of the central angle, from R2 to R0");
     same(T, div(G(area)(C, R + 4, R), rr), mul(two, mul(k, cos2)));
     about(T, "the sides of the chord");
-    num arc = div(mul(two, mul(w[1], mul(t, sub(one, t)))), G(rational_weight)(2, w, t)), vertex = G(area)(R, R + 4, R + 2);
+    num arc = div(mul(two, mul(w[1], mul(t, sub(one, t)))), G(rational_weight)(2, w, t)),
+        vertex = G(area)(R, R + 4, R + 2);
     same(T, G(area)(R, R + 4, P), mul(arc, vertex));
     nonnegative(T, arc);
     same(T, G(area)(R, R + 4, C), neg(div(vertex, kk)));
@@ -190,7 +191,8 @@ CLAIM(arc_and_its_central_angle)
 */
 CLAIM(standard_weights_of_the_arc)
 {
-    num k = positive(T, "k", 0), m = inside(T, "m"), t = inside(T, "t"), zero = from_int(0), one = from_int(1), w[3], P[2];
+    num k = positive(T, "k", 0), m = inside(T, "m"), t = inside(T, "t"), zero = from_int(0), one = from_int(1), w[3],
+        P[2];
     num mm = mul(m, m), l = mul(from_int(2), mul(k, m)), h = mul(k, sub(one, mm));
     G(circular_arc_weights)(l, h, w);
     if (T->planted)
@@ -339,7 +341,8 @@ CLAIM(isosceles_triangle_with_another_angle)
 CLAIM(negative_weight_gives_the_other_arc)
 {
     num zero = from_int(0), one = from_int(1), cosine = from_ratio(3, 5), C[2], P[2], third[2];
-    num R[6] = {neg(one), zero, zero, from_ratio(4, 3), one, zero}, w[3] = {one, T->planted ? cosine : neg(cosine), one};
+    num R[6] = {neg(one), zero, zero, from_ratio(4, 3), one, zero},
+        w[3] = {one, T->planted ? cosine : neg(cosine), one};
     num rr = G(circle_of_arc)(R, C);
     G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
     G(rational_point)(2, 2, R, w, from_ratio(1, 3), third);

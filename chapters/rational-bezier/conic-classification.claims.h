@@ -22,15 +22,16 @@ degenerate conic.
 :zh: 标准形的隐式行列式
 :printed: $\begin{vmatrix}-l-x&2\omega(x_1-x)&l-x&0\\0&-l-x&2\omega(x_1-x)&l-x\\-y&2\omega(y_1-y)&-y&0\\
   0&-y&2\omega(y_1-y)&-y\end{vmatrix}=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$ with the coefficients (3.5.4)
-:class: misprint
-:refuted-by: determinant_is_not_the_printed_form
+:reading: determinant_is_four_times_the_form | An equation for $(x,y)$, as the 0 at its end and its use suggest: true, for
+  the determinant is 0 exactly where the polynomial is.
+:reading: determinant_is_not_the_printed_form | The first sign of equality by itself, for all $(x,y)$: a factor 4 is
+  missing.
 :corrected: the determinant is $4(Ax^2+2Bxy+Cy^2+2Dx+2Ey+F)=0$ with the coefficients (3.5.4)
 :corrected-by: determinant_is_four_times_the_form
-:reading: determinant_is_not_the_printed_form | The determinant and the polynomial are equal: a factor 4 is missing.
-:reading: determinant_is_four_times_the_form | The determinant, put to 0, gives the equation with these coefficients: true.
 :figure: determinant_factor
 
-The rows are those of (3.4.1), shifted; the factor is harmless where only the equation counts.
+The rows are those of (3.4.1), shifted.  At the points of the curve all three members of the chain are 0, so nothing
+that follows is touched by the factor; only who takes the coefficients (3.5.4) for those of the determinant errs.
 :::
 
 :::{statement} wang-ch3:3.5.4

@@ -41,12 +41,12 @@ FIGURE(determinant_factor)
     conic_of_bezier_q(R, w, S);
     num_q low = q(-1), high = q(2), a = conic_value_q(S, zero, low), b = conic_value_q(S, zero, high), four = q(4);
     svg_panel(s, svg_integer_window(-1, -12, 2, 12), 420, 280, "along the axis $x=0$");
-    svg_axes(s, r(1, 2), q(4), "y", NULL);
+    svg_axes(s, r(1, 2), q(4), "y", "$value$");
     svg_segment(s, (svg_point){low, mul_q(four, a)}, (svg_point){high, mul_q(four, b)}, SVG_RIGHT);
     svg_segment(s, (svg_point){low, a}, (svg_point){high, b}, SVG_WRONG);
     svg_mark(s, (svg_point){r(1, 2), zero}, SVG_CURVE, SVG_USUAL);
     svg_legend_line(s, SVG_RIGHT, "the determinant");
-    svg_legend_line(s, SVG_WRONG, "$Ax^2+2Bxy+Cy^2+2Dx+2Ey+F$ with (3.5.4)");
+    svg_legend_line(s, SVG_WRONG, "the polynomial of (3.5.4)");
     svg_legend_mark(s, SVG_CURVE, SVG_USUAL, "the curve");
     return s;
 }

@@ -471,7 +471,8 @@ CLAIM(parallel_lines_meet_in_two_points)
 {
     num l[4][3];
     lines_of(T->planted ? (const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 1, -3}, {1, -1, -1}}
-                        : (const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 0, -1}, {0, 1, -1}}, l);
+                        : (const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 0, -1}, {0, 1, -1}},
+             l);
     show_text(T, "pairs", "x, y and x - 1, y - 1");
     show_text(T, "common points", "%d", meeting_points(l));
     about(T, "whether they are four");

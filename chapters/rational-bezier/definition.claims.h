@@ -284,7 +284,7 @@ static void G(quotient_rule)(int n, const num N[], const num D[], num t, num out
   coefficients of powers of $t$.  Coordinates do not mix, so one suffices; that the kernel keeps several apart is
   checked on two.
 :degrees: 1..4 sampled 12
-:defines: rational_derivatives
+:defines: rational_derivatives quotient_derivatives
 :control: the term of the first derivative of the denominator taken once where it counts twice, in $R''$
 :::
 */

@@ -35,6 +35,7 @@ The indices are in range: level $r$ has the indices $r,\dots,n$.
 :holds-by: member_is_a_polar_curve
 :needs: member_may_lose_a_point | the weights are positive; else a weight $\omega_i^r(c)$ may vanish and its point
   does not exist
+:figure: triangle_point_at_infinity
 :::
 
 :::{claim} member_is_a_polar_curve

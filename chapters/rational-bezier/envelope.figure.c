@@ -67,12 +67,13 @@ FIGURE(envelope_cusp)
     num_q R[8], w[4];
     fractions(8, points, 3, R);
     ones(3, w);
-    svg_panel(s, window(r(-3, 5), r(-6, 5), r(6, 5), r(6, 5)), 290, 0, "$(τ^2,τ^3)$, $r=2$");
+    svg_panel(s, window(r(-3, 5), r(-6, 5), r(6, 5), r(6, 5)), 290, 0,
+              "$(τ^2,τ^3)$, $r=2$: the cusp\nis at $τ=0$, that is $c=1/2$");
     svg_control_polygon(s, 3, R, "R");
     put_family(s, 3, R, w, 2, 16);
     svg_bezier(s, 3, R, SVG_CURVE);
     svg_mark(s, svg_at(0, 0), SVG_WRONG, SVG_USUAL);
-    svg_label(s, svg_at(0, 0), SVG_W, SVG_WRONG, "R^{[1]}(t,0)");
+    svg_label(s, svg_at(0, 0), SVG_W, SVG_WRONG, "R^{[1]}(t,c)");
     svg_legend_line(s, SVG_CURVE, "the cubic");
     svg_legend_line(s, SVG_FAMILY, "members of degree 1");
     svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "the member of the cusp: no tangent");
@@ -134,7 +135,7 @@ FIGURE(envelope_contact)
     svg_label(s, svg_at(1, 1), SVG_W, SVG_POINT, "R(1)");
     fractions(10, quartic, 2, R);
     svg_panel(s, window(r(-4, 5), r(-1, 5), r(4, 5), r(11, 10)), 430, 0,
-              "$n=4$, $c=0$: the curvatures are 3, 8/3, 2 and 0");
+              "$n=4$, $τ=0$, $c=1/2$: the curvatures are 3, 8/3, 2 and 0");
     svg_circle(s, at(q(0), r(1, 3)), r(1, 3), SVG_MUTED);
     svg_circle(s, at(q(0), r(1, 2)), r(1, 2), SVG_MUTED);
     put_member(s, 4, R, w, 1, r(1, 2), SVG_FAMILY);

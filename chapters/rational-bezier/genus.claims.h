@@ -15,18 +15,19 @@ others infinitely near.
 :zh: 平面 n 次代数曲线的定义
 :printed: the points whose coordinates satisfy the algebraic equation of degree $n$,
   $F(x,y)=\sum_{i,j=0}^n\alpha_{ij}x^iy^j=0$, $\alpha_{ij}$ constants, form a plane algebraic curve of degree $n$
-:class: misprint
-:refuted-by: hyperbola_has_the_printed_form_for_degree_one
-:reading: hyperbola_has_the_printed_form_for_degree_one | the sum says what an equation of degree $n$ is: false
-:reading: total_degree_survives_affine_maps | "of degree $n$" is a condition of its own, the total degree, and the sum
-  only names coefficients, those with $i+j>n$ being 0: then it is the corrected definition
+:definition: yes
+:checked-by: total_degree_survives_affine_maps
+:reading: total_degree_survives_affine_maps | "an equation of degree $n$" has its usual meaning, the total degree, and
+  the sum only names coefficients, those with $i+j>n$ being 0: this is how the section uses it
+:reading: hyperbola_has_the_printed_form_for_degree_one | the sum itself says what an equation of degree $n$ is
 :corrected: F(x,y)=\sum_{i+j\le n}\alpha_{ij}x^iy^j=0,\quad\text{some }\alpha_{ij}\ne0\text{ with }i+j=n
 :corrected-by: total_degree_survives_affine_maps
 :figure: degree_of_a_hyperbola
 
-The printed sum has terms up to $x^ny^n$, of degree $2n$; with it a hyperbola would have degree 1 in one system of
-coordinates and not in another, and theorem 3.4.3, whose $n$ this is, would be false at once
-(`printed_degree_spoils_the_genus`). The degree of theorem 3.4.2 is the total degree.
+The printed words and the printed sum disagree: the sum has terms up to $x^ny^n$, of degree $2n$.  The words decide;
+the degree of theorem 3.4.2 is the total degree, and every polynomial of total degree $n$ is such a sum.  Taken by the
+sum alone a hyperbola would have degree 1 in one system of coordinates and not in another, and theorem 3.4.3, whose $n$
+this is, would be false at once (`printed_degree_spoils_the_genus`).  Better is the sum over $i+j\le n$.
 :::
 
 :::{statement} wang-ch3:sec-3.4.2-algebraic
@@ -182,19 +183,25 @@ order on its line decide whether it is an ordinary cusp.
   plane has to be meant
 :reading: cusp_counted_twice | a cusp, being a double point, is counted in $d$ and in $s$: false already for
   $y^2=x^3$; $d$ has to mean nodes
-:reading: printed_degree_spoils_the_genus | $n$ in the sense of the printed definition 3.4.1: false for $x^2y+xy^2+1=0$
+:reading: printed_degree_spoils_the_genus | $n$ is the range of the sum printed in definition 3.4.1: false for
+  $x^2y+xy^2+1=0$
 :reading: common_root_of_an_isolated_point | all real points of the curve are on the Bézier curve: false, an
   isolated point is on no arc; and with positive weights a Bézier curve is bounded, so that already a line is not
   one
-:corrected: let a real plane curve of degree $n$ be irreducible over $\mathbb C$ and have a simple real point; its
-  short regular arcs are rational Bézier curves if and only if $\frac{(n-1)(n-2)}2-\sum_P\delta_P=0$, the sum over
-  all singular points of the complex projective plane; if they are all nodes and ordinary cusps the sum is $d+s$
-:corrected-by: curve_with_a_large_point_is_rational rational_cubic_has_one_double_point curves_that_fit_the_theorem
+:corrected: let a real plane curve of degree $n$ be irreducible over $\mathbb C$ and have a simple real point. For
+  $n\le3$ its short regular arcs are rational Bézier curves of degree $n$ if and only if it has $\frac{(n-1)(n-2)}2$
+  singular points in the complex projective plane; for $n\ge4$ they are if it has a point of multiplicity $n-1$, and
+  for $n=4$ also if it has three double points
+:corrected-by: curve_with_a_large_point_is_rational rational_cubic_has_one_double_point
+  quartic_with_three_double_points_is_rational
 :figure: genus_extra
 :striking: 5
 
-What is decided: for $n\le3$ both directions, and for every $n$ that curves with a point of multiplicity $n-1$ are
-rational; the examples, with all their singular points, exactly.  What is cited: the theorem for $n\ge4$.
+The correction says no more than what is proved here: an identity for each of its parts, and the argument from there
+in the method of the claim; a line and a conic have no singular point.  Only cited is the theorem for every $n$, which
+takes its place: the short regular arcs are rational Bézier curves if and only if
+$\frac{(n-1)(n-2)}2-\sum_P\delta_P=0$, the sum over all singular points of the complex projective plane; it is $d+s$ if
+they are all nodes and ordinary cusps.  `curves_that_fit_the_theorem` and the counterexamples agree with it.
 :::
 
 :::{statement} wang-ch3:thm-3.4.3-genus
@@ -202,12 +209,12 @@ rational; the examples, with all their singular points, exactly.  What is cited:
 :zh: 亏格的计数公式
 :printed: g=\frac{(n-1)(n-2)}2-d-s
 :definition: yes
-:checked-by: curves_that_fit_the_theorem
+:checked-by: curves_that_fit_the_theorem large_point_takes_all_double_points
 :figure: genus_zero
 
 $\frac{(n-1)(n-2)}2$ is the number of double points that an irreducible curve of degree $n$ can have; the genus says
 how many are missing.  The imaginary points count, as the source says, and so do those at infinity: the lemniscate
-has only one finite double point.
+has only one finite double point.  A point of higher multiplicity counts for several double points.
 :::
 
 :::{claim} curves_that_fit_the_theorem
@@ -226,17 +233,48 @@ has only one finite double point.
 :::
 
 :::{claim} curve_with_a_large_point_is_rational
-:title: A curve of degree n with a point of multiplicity n-1 is rational, and its genus is 0
+:title: A curve of degree n with a point of multiplicity n-1 is rational
 :zh: 含 n-1 重点的 n 次曲线是有理的
 :given: $F=f_{n-1}(x,y)+f_n(x,y)$ with any forms of degrees $n-1$ and $n\ge2$: a curve with a point of multiplicity
   $n-1$ in the origin
-:then: $x=-f_{n-1}(1,t)/f_n(1,t)$, $y=tx$ satisfies $F=0$; and $\frac{(n-1)(n-2)}2-\frac{r(r-1)}2=0$ for $r=n-1$,
-  which is $\delta$ of an ordinary point of multiplicity $r$
-:method: Every coefficient and $t$ are variables.  Where $F$ is irreducible neither form is 0 and all its points but
-  those at the origin and on the line $x=0$ have such a $t=y/x$.  With $n=2$ it is every conic with a real point,
-  with $n=3$ every cubic with a double point.
+:then: $x=-f_{n-1}(1,t)/f_n(1,t)$, $y=tx$ satisfies $F=0$
+:method: Every coefficient and $t$ are variables; the forms are added up term by term at $(x,y)$.  Where $F$ is
+  irreducible neither form is 0 and all its points but those at the origin and on the line $x=0$ have such a $t=y/x$.
+  With $n=2$ it is every conic with a real point, with $n=3$ every cubic with a double point.
 :degrees: 2..6 sampled 12
+:scope: larger $n$ by the argument $F(x,tx)=x^{n-1}(f_{n-1}(1,t)+xf_n(1,t))$ alone
 :control: the sign of $x$
+:::
+
+:::{claim} large_point_takes_all_double_points
+:title: An ordinary point of multiplicity n-1 counts for all (n-1)(n-2)/2 double points
+:zh: n-1 重点的 δ 等于 (n-1)(n-2)/2
+:kind: decision
+:types: field
+:given: $F=f_{n-1}(x,y)+f_n(x,y)$, all coefficients of both forms variables
+:then: $\operatorname{Res}_y(F,F_y)$, a polynomial in $x$, has at $x=0$ a zero of the order $(n-1)(n-2)$, so that
+  $\delta=\frac{(n-1)(n-2)}2$ for the origin, and $g=0$
+:method: The resultant is computed and its lowest power of $x$ looked for.  Cited is that this order is the number of
+  common points of $F=0$ and $F_y=0$ over $x=0$, and that at a point with different tangents, none of them vertical,
+  the number is $2\delta$ (J. Milnor, *Singular Points of Complex Hypersurfaces*, 1968).  The other point over $x=0$
+  is simple, for $F(0,y)$ has the terms $y^{n-1}$ and $y^n$.
+:degrees: 3..5
+:control: a term $y^{n-2}$ added, which makes it a point of multiplicity $n-2$
+:::
+
+:::{claim} quartic_with_three_double_points_is_rational
+:title: A quartic with three double points is the image of a conic
+:zh: 含三个二重点的四次曲线由二次曲线变换而得
+:given: $F=\sum c_{ijk}x^iy^jz^k$, $i+j+k=4$, $i,j,k\le2$: any quartic with points of multiplicity 2 or more in
+  $(1:0:0)$, $(0:1:0)$, $(0:0:1)$
+:then: $F(yz,zx,xy)=x^2y^2z^2\,Q(x,y,z)$ with the conic $Q=\sum c_{ijk}x^{2-i}y^{2-j}z^{2-k}$
+:method: An identity in the six coefficients and $x,y,z$.  A quadratic parametrisation of the conic, put into
+  $(yz:zx:xy)$, is one of degree 4 of the quartic.  Three double points of an irreducible quartic are never on a line,
+  which would meet it six times, so a projective map brings them to these places.  If two of them are conjugate, that
+  map is not real; the conics through the three points and a simple real point still meet the quartic in
+  $8-6-1=1$ further point each, and these run through it.
+:scope: n = 4
+:control: a term $x^4$ added, with which $(1:0:0)$ is no point of the curve
 :::
 
 :::{claim} rational_cubic_has_one_double_point
@@ -253,6 +291,7 @@ has only one finite double point.
   factor the only such polynomial when the vectors $(a,b,c)$ and $(b,c,-1)$ are independent.  They are dependent
   exactly for $q=0$, when $1+ct$ divides $A$, $B$ and $W$ and the curve is a conic.  For $s=s'$ the divided minors
   say that $P$ and $P'$ are parallel there: a cusp.  So $d+s=1$, $g=0$, for $n=3$.
+:scope: n = 3
 :control: the sign of the middle coefficient of $q$
 :::
 
@@ -346,15 +385,15 @@ has only one finite double point.
 :::
 
 :::{claim} printed_degree_spoils_the_genus
-:title: x²y + xy² + 1 = 0 is of degree 2 by the printed definition, and has genus 1
+:title: x²y + xy² + 1 = 0 has the printed sum for degree 2, and has genus 1
 :zh: 按所印定义的次数使判据失效
 :kind: counterexample
 :types: field
 :given: $x^2y+xy^2+1=0$, whose exponents are at most 2
 :then: with $n=2$ the count is 0; but it is a cubic without singular points, and not rational
-:method: The singular points as above; that a cubic without singular points is not rational follows from
-  `rational_cubic_has_one_double_point`.
-  Compared is: $g=0$ exactly if the curve is rational.
+:method: The singular points as above.  Whether the cubic is rational is read off their number, as
+  `rational_cubic_has_one_double_point` allows; without any it is irreducible, because two parts would have a common
+  point.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the total degree $n=3$
 :::
 */
@@ -385,9 +424,47 @@ CLAIM(curve_with_a_large_point_is_rational)
     }
     about(T, "F on the curve");
     vanishes(T, F);
-    about(T, "the count");
-    int r = n - 1;
-    agree(T, (n - 1) * (n - 2) / 2 - r * (r - 1) / 2 == 0);
+}
+
+#if FIELD
+CLAIM(large_point_takes_all_double_points)
+{
+    int n = T->degree, order = 0;
+    num x = variable_f("x"), y = variable_f("y"), F = from_int(0);
+    for (int m = T->planted ? n - 2 : n - 1; m <= n; m++)
+        for (int k = m == n - 2 ? m : 0; k <= m; k++) { /* x^{m-k} y^k; of degree n-2 only the last */
+            num term = unknown(T, m == n ? "b" : m == n - 1 ? "a" : "c", k);
+            for (int j = 0; j < m; j++)
+                term = mul(term, j < k ? y : x);
+            F = add(F, term);
+        }
+    num D = resultant_by_f(F, derivative_f(F, y), y);
+    while (order < degree_f(D, x) && is_zero_f(coefficient_f(D, x, order)))
+        order++;
+    about(T, "the order of the zero");
+    agree(T, !is_zero_f(D) && order == (n - 1) * (n - 2));
+}
+#endif
+
+/* a^i */
+static num G(to_the)(num a, int i) { return i == 0 ? from_int(1) : mul(a, G(to_the)(a, i - 1)); }
+
+CLAIM(quartic_with_three_double_points_is_rational)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), z = unknown(T, "z", 0), Q = from_int(0), image = from_int(0);
+    int used = 0;
+    num yz = mul(y, z), zx = mul(z, x), xy = mul(x, y);
+    for (int i = 0; i <= 4; i++)
+        for (int j = 0; i + j <= 4; j++) {
+            int k = 4 - i - j, allowed = i <= 2 && j <= 2 && k <= 2;
+            if (!allowed && !(T->planted && i == 4))
+                continue;
+            num c = unknown(T, "c", used++);
+            image = add(image, mul(c, mul(G(to_the)(yz, i), mul(G(to_the)(zx, j), G(to_the)(xy, k)))));
+            if (allowed)
+                Q = add(Q, mul(c, mul(G(to_the)(x, 2 - i), mul(G(to_the)(y, 2 - j), G(to_the)(z, 2 - k)))));
+        }
+    same(T, image, mul(G(to_the)(mul(x, yz), 2), Q));
 }
 
 CLAIM(rational_cubic_has_one_double_point)
@@ -620,6 +697,10 @@ static void count_against(trial *T, const struct singular_list *s, struct census
 
 static int genus_count(int n, int points) { return (n - 1) * (n - 2) / 2 - points; }
 
+/* Is an irreducible cubic rational?  With a singular point it is, by curve_with_a_large_point_is_rational for n = 3;
+ * without, it is not, by rational_cubic_has_one_double_point. */
+static int is_rational_cubic(struct census c) { return c.nodes + c.cusps + c.others == 1; }
+
 CLAIM(curves_that_fit_the_theorem)
 {
     num_f node = POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {-1, 2, 0}), cusp = POLYNOMIAL({1, 0, 2}, {-1, 3, 0});
@@ -676,7 +757,7 @@ CLAIM(reducible_curve_with_count_zero)
     poly over = in_one_variable(substitute_f(substitute_f(s.F, s.z, from_int(1)), s.x, from_int(2)), s.y);
     poly on_line = poly_variable(), on_cubic = poly_sub(poly_mul(on_line, on_line), poly_constant(from_int_q(6)));
     int parts = poly_divides(on_line, over) + poly_divides(on_cubic, over);
-    int rational = parts == 1 && c.nodes == 1; /* a cubic in one part is rational if it has a double point */
+    int rational = parts == 1 && is_rational_cubic(c);
     if (c.nodes == (T->planted ? 0 : 3) && c.cusps + c.others == 0 && parts > 0)
         count_against(T, &s, c, genus_count(n, c.nodes), rational);
 }
@@ -748,9 +829,9 @@ CLAIM(printed_degree_spoils_the_genus)
     num_f F = POLYNOMIAL({1, 2, 1}, {1, 1, 2}, {1, 0, 0});
     struct singular_list s = curve_of_degree(3, F);
     struct census c = census_of(&s);
-    int n = T->planted ? total_degree(F, s.x, s.y) : 2;
-    if (c.nodes == 0 && c.cusps + c.others == 0 && degree_f(F, s.x) <= 2 && degree_f(F, s.y) <= 2)
-        count_against(T, &s, c, genus_count(n, 0), 0);
+    int degree = total_degree(F, s.x, s.y), n = T->planted ? degree : 2;
+    if (degree == 3 && c.nodes >= 0 && degree_f(F, s.x) <= 2 && degree_f(F, s.y) <= 2)
+        count_against(T, &s, c, genus_count(n, c.nodes + c.cusps), is_rational_cubic(c));
 }
 #endif
 #include "chapters/frame/claims_off.h"

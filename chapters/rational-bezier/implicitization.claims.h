@@ -676,7 +676,7 @@ determinant is identically 0.
 
 That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevated curve is such a one,
 `elevation_multiplies_by_one_plus_u`.  An improper parametrisation does no harm as long as there is no base point: the determinant is then a power of the
-equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.
+equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.  The curve of space is drawn in `implicit_shadow`.
 :::
 
 :::{statement} wang-ch3:thm-3.4.1-step-vanishing
@@ -904,10 +904,11 @@ CLAIM(space_curve_and_its_shadow)
 :title: F is a polynomial of degree at most n
 :zh: F 的次数不高于 n
 :printed: the polynomial $F(x,y)$ of (3.4.1) has degree at most $n$ in the two variables
-:holds-by: bezout_entries_are_linear sylvester_and_bezout_give_one_equation
+:holds-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
 
-The proof divides by $\omega_0$; for $\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided
-by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
+That the two determinants are one is run for the degrees of the scope and argued for every other $n$, in
+`bezout_matrix_comes_from_the_blocks`; the rest is for every $n$.  The source's own proof divides by $\omega_0$; for
+$\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
 :::
 
 :::{claim} bezout_entries_are_linear
@@ -921,6 +922,19 @@ by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
 :control: $a_ib_j+a_jb_i$
 :::
 
+:::{claim} bezout_matrix_comes_from_the_blocks
+:title: Bézout's matrix comes from the four blocks of Sylvester's
+:zh: Bézout 矩阵与 Sylvester 矩阵的分块
+:given: polynomials $a$ and $b$ of degree $n$; $A_1,A_2$ over $B_1,B_2$, the $n\times n$ blocks of Sylvester's matrix
+:then: $A_1B_1=B_1A_1$, and $A_1B_2-B_1A_2$ is Bézout's matrix with its rows in reverse order
+:method: All $2n+2$ coefficients are variables.  Multiplied from the left by the blocks $I,0$ over $-B_1,A_1$
+  Sylvester's matrix becomes $A_1,A_2$ over $0,A_1B_2-B_1A_2$; as $\det A_1=a_0^n$ is not the zero polynomial, the two
+  determinants are equal up to the sign $(-1)^{n(n-1)/2}$ of the reversal.
+:degrees: 1..6 sampled 12
+:scope: larger $n$ by argument: both sides have the entries $\sum_{m\le n-1-i}(a_mb_{n+j-i-m}-b_ma_{n+j-i-m})$
+:control: $A_2$ and $B_2$ exchanged
+:::
+
 :::{claim} sylvester_and_bezout_give_one_equation
 :title: The 2n × 2n determinant and Bézout's n × n determinant are the same F
 :zh: 两种行列式给出同一 F
@@ -928,6 +942,7 @@ by `top_form_is_a_resultant`: the degree is exactly $n$, or $F$ is 0 everywhere.
 :then: the determinant (3.4.1) is $(-1)^{n(n-1)/2}$ times the determinant of Bézout's matrix
 :method: Both determinants without division, all numbers variables.
 :degrees: 1..4 sampled 8
+:scope: larger $n$ by the argument of `bezout_matrix_comes_from_the_blocks`
 :control: the sign $(-1)^{n(n+1)/2}$
 :::
 */
@@ -939,6 +954,33 @@ CLAIM(bezout_entries_are_linear)
     num left = T->planted ? add(mul(a0, b1), mul(a1, b0)) : sub(mul(a0, b1), mul(a1, b0));
     num constant = sub(mul(x0, y1), mul(x1, y0)), linear = sub(mul(sub(y0, y1), x), mul(sub(x0, x1), y));
     same(T, left, mul(mul(p, q), add(constant, linear)));
+}
+
+CLAIM(bezout_matrix_comes_from_the_blocks)
+{
+    int n = T->degree, second = T->planted ? n : 0; /* the rows of the block that stands for A_2 */
+    num a[MAX_ORDER + 1], b[MAX_ORDER + 1], S[MAX_ORDER * MAX_ORDER], M[MAX_ORDER * MAX_ORDER];
+    for (int i = 0; i <= n; i++) {
+        a[i] = unknown(T, "a", i);
+        b[i] = unknown(T, "b", i);
+    }
+    G(sylvester)(n, a, n, b, S);
+    G(bezout)(n, a, b, M);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            num commutator = from_int(0), entry = from_int(0);
+            for (int k = 0; k < n; k++) {
+                num A1 = S[i * 2 * n + k], B1 = S[(n + i) * 2 * n + k];
+                commutator = add(commutator, mul(A1, S[(n + k) * 2 * n + j]));
+                commutator = sub(commutator, mul(B1, S[k * 2 * n + j]));
+                entry = add(entry, mul(A1, S[(n - second + k) * 2 * n + n + j]));
+                entry = sub(entry, mul(B1, S[(second + k) * 2 * n + n + j]));
+            }
+            about(T, "the first two blocks commute");
+            vanishes(T, commutator);
+            about(T, "Bézout's matrix");
+            same(T, entry, M[(n - 1 - i) * n + j]);
+        }
 }
 
 CLAIM(sylvester_and_bezout_give_one_equation)

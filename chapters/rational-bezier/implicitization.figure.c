@@ -75,6 +75,40 @@ FIGURE(implicit_elevation)
     return s;
 }
 
+FIGURE(implicit_shadow)
+{
+    svg *s = svg_new("implicit_shadow", "In space the equation is that of a cylinder",
+                     "The cubic (t, t², t³ + t) seen along y and along z.  The determinant formed from x and z "
+                     "vanishes at the point "
+                     "(1/2, 0, 5/8) as at the point (1/2, 1/4, 5/8) of the curve: seen along y the two are one.");
+    static const int z[4] = {0, 1, 2, 6};
+    num_q xz[8], xy[8], w[4];
+    for (int i = 0; i < 4; i++) {
+        xz[2 * i] = xy[2 * i] = r(i, 3);
+        xz[2 * i + 1] = r(z[i], 3);
+        xy[2 * i + 1] = r(i * (i - 1), 6);
+        w[i] = q(1);
+    }
+    struct implicit_curve F = {3, xz, w};
+    svg_panel(s, window(r(-1, 4), r(-1, 4), r(5, 4), r(9, 4)), 250, 0, "seen along $y$: $F(x,z)=0$ in both points");
+    svg_axes(s, r(1, 2), r(1, 2), "x", "z");
+    svg_implicit(s, determinant_at, &F, 160, SVG_CURVE_2);
+    svg_bezier(s, 3, xz, SVG_CURVE);
+    svg_mark(s, at(r(1, 2), r(5, 8)), SVG_WRONG, SVG_USUAL);
+    svg_panel(s, window(r(-1, 4), r(-1, 2), r(5, 4), r(5, 4)), 330, 0,
+              "seen along $z$, with $F(x,5/8)=0$:\none of them is beside the curve");
+    svg_axes(s, r(1, 2), r(1, 2), "x", "y");
+    svg_bezier(s, 3, xy, SVG_CURVE);
+    svg_line(s, at(r(1, 2), q(0)), at(r(1, 2), q(1)), SVG_CURVE_2);
+    svg_mark(s, at(r(1, 2), r(1, 4)), SVG_RIGHT, SVG_USUAL);
+    svg_mark(s, at(r(1, 2), q(0)), SVG_WRONG, SVG_USUAL);
+    svg_legend_line(s, SVG_CURVE, "the curve");
+    svg_legend_line(s, SVG_CURVE_2, "$F=0$");
+    svg_legend_mark(s, SVG_RIGHT, SVG_USUAL, "$y=1/4$, on the curve");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "$y=0$, not on it");
+    return s;
+}
+
 /* x^2 - y^2 - 4y, the determinant with the printed recursion. */
 static num_q printed_at(svg_point p, const void *data)
 {

@@ -499,7 +499,8 @@ CLAIM(lambda_inside_the_triangle)
 CLAIM(lambda_on_the_border)
 {
     num quarter = from_ratio(1, 4), half = from_ratio(1, 2), one = from_int(1);
-    num x[2] = {half, T->planted ? quarter : half}, y[2] = {T->planted ? quarter : from_int(0), T->planted ? quarter : half};
+    num x[2] = {half, T->planted ? quarter : half},
+        y[2] = {T->planted ? quarter : from_int(0), T->planted ? quarter : half};
     int between = 0;
     for (int k = 0; k < 2; k++) {
         num s = sub(add(x[k], y[k]), one), xy = mul(x[k], y[k]), lambda = div(xy, add(xy, mul(s, s)));

@@ -206,7 +206,8 @@ CLAIM(rational_form_contains_the_polynomial_one)
 */
 CLAIM(tangent_conics_are_rational_quadratics)
 {
-    num mu = positive(T, "m", 0), nu = positive(T, "k", 0), t = parameter(T, "t"), zero = from_int(0), one = from_int(1);
+    num mu = positive(T, "m", 0), nu = positive(T, "k", 0), t = parameter(T, "t"), zero = from_int(0),
+        one = from_int(1);
     num R[6] = {one, zero, zero, zero, zero, one}, P[2];
     num w[3] = {one, one, mul(from_int(T->planted ? -2 : -4), div(nu, mu))};
     G(rational_point)(2, 2, R, w, t, P);

@@ -26,6 +26,7 @@ $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/
 :checked-by: triangle_in_closed_form triangle_level_by_level
 :needs: intermediate_weight_can_vanish | positive weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular
   curve
+:figure: triangle_point_at_infinity
 
 The range of $r$ and $i$, which is not repeated, is that of (3.3.2), and $\omega_i^r$ stands for the sum printed in
 the denominators.
@@ -731,11 +732,12 @@ CLAIM(second_differences_shrink_quadratically)
 :::{claim} polygon_and_curve_are_near_the_chord
 :title: A polygon is as near to its chord as its second differences are small
 :zh: 控制多边形与弦之距由二阶差分界定
-:given: variables $n,j,k$
-:let: $g_j=j(n-k)/n$ for $j\le k$ and $g_j=k(n-j)/n$ for $j\ge k$
-:then: $g_0=g_n=0$; $g_{j-1}-2g_j+g_{j+1}$ is $0$ for $j\ne k$ and $-1$ for $j=k$;
-  $\sum_{0<j<n}g_j=\frac{k(n-k)}2\le\frac{n^2}8$
-:method: Summation by parts gives $b_k-\bigl(\frac{n-k}nb_0+\frac knb_n\bigr)=-\sum_{0<j<n}g_j\,\Delta^2b_{j-1}$ for
+:given: variables $n,j,k$, and $b_0,b_1$, $b_{n-1},b_n$, $b_{j-1},b_j,b_{j+1}$ of a polygon
+:let: $g_j=j(n-k)/n$ for $j\le k$ and $g_j=k(n-j)/n$ for $j\ge k$; $T_j=g_jb_{j+1}-g_{j+1}b_j$
+:then: $g_j\Delta^2b_{j-1}-b_j\Delta^2g_{j-1}=T_j-T_{j-1}$, for any $g$; $T_{n-1}-T_0=\frac{n-k}nb_0+\frac knb_n$;
+  $\Delta^2g_{j-1}$ is $0$ for $j\ne k$ and $-1$ for $j=k$; $\sum_{0<j<n}g_j=\frac{k(n-k)}2\le\frac{n^2}8$
+:method: Each is computed from the formulas of $g$ at the neighbouring indices.  Added up over $0<j<n$ the first
+  three give $b_k-\bigl(\frac{n-k}nb_0+\frac knb_n\bigr)=-\sum_{0<j<n}g_j\,\Delta^2b_{j-1}$ for
   all $0<k<n$, all $g_j\ge0$: the points of a polygon are at most $\frac{n^2}8\max|\Delta^2b|$ away from the chord
   at the parameters $k/n$, hence so are the polygon, by linear interpolation, and the curve, being $\sum
   B_k^n(t)b_k$ with $\sum B_k^n(t)\frac kn=t$.  Polygon and curve are at most $\frac{n^2}4\max|\Delta^2b|$ apart.
@@ -743,26 +745,47 @@ CLAIM(second_differences_shrink_quadratically)
 :control: $g_j=j(n-k)$ for $j\le k$
 :::
 */
+/* g_j by the formula for j <= k, times n in the control, or by that for j >= k. */
+static num G(green)(const trial *T, num n, num k, num j, int below)
+{
+    num product = below ? mul(j, sub(n, k)) : mul(k, sub(n, j));
+    return T->planted && below ? product : div(product, n);
+}
+
 CLAIM(polygon_and_curve_are_near_the_chord)
 {
-    num n = positive(T, "n", 0), j = positive(T, "j", 0), k = positive(T, "k", 0), zero = from_int(0),
-        one = from_int(1);
-    num half = from_ratio(1, 2), rest = sub(n, k);
-    num up = T->planted ? rest : div(rest, n), down = div(k, n); /* g_j = j up, and g_j = (n - j) down */
-    about(T, "the ends and the corner");
-    vanishes(T, mul(zero, up));
-    vanishes(T, mul(sub(n, n), down));
-    same(T, mul(k, up), mul(rest, down));
-    about(T, "second differences");
-    vanishes(T, sub(add(mul(sub(j, one), up), mul(add(j, one), up)), mul(add(j, j), up)));
-    num far = sub(n, j);
-    vanishes(T, sub(add(mul(add(far, one), down), mul(sub(far, one), down)), mul(add(far, far), down)));
-    same(T, sub(add(mul(sub(k, one), up), mul(sub(rest, one), down)), mul(add(k, k), up)), neg(one));
-    about(T, "the sum: j = 1, ..., k and then n - j = 1, ..., n - k - 1");
-    num below = mul(half, mul(k, add(k, one))), above = mul(half, mul(sub(rest, one), rest));
-    num total = add(mul(below, up), mul(above, down)), offset = sub(n, add(k, k));
-    same(T, total, mul(half, mul(k, rest)));
-    same(T, sub(div(mul(n, n), from_int(8)), mul(half, mul(k, rest))), div(mul(offset, offset), from_int(8)));
+    num n = positive(T, "n", 0), j = positive(T, "j", 0), k = positive(T, "k", 0), b[7], g[3];
+    num zero = from_int(0), one = from_int(1), two = from_int(2);
+    for (int i = 0; i < 7; i++) /* b_0, b_1, b_{n-1}, b_n and then b_{j-1}, b_j, b_{j+1} */
+        b[i] = unknown(T, "b", i);
+    for (int i = 0; i < 3; i++) /* g_{j-1}, g_j, g_{j+1} */
+        g[i] = unknown(T, "g", i);
+    about(T, "summation by parts");
+    num bend_b = sub(add(b[4], b[6]), mul(two, b[5])), bend_g = sub(add(g[0], g[2]), mul(two, g[1]));
+    num step = sub(sub(mul(g[1], b[6]), mul(g[2], b[5])), sub(mul(g[0], b[5]), mul(g[1], b[4])));
+    same(T, sub(mul(g[1], bend_b), mul(b[5], bend_g)), step);
+    about(T, "the second differences beside the corner");
+    for (int below = 0; below < 2; below++) {
+        num low = G(green)(T, n, k, sub(j, one), below), high = G(green)(T, n, k, add(j, one), below);
+        same(T, add(low, high), mul(two, G(green)(T, n, k, j, below)));
+    }
+    about(T, "the two formulas and the second difference at the corner");
+    num corner = G(green)(T, n, k, k, 1), low = G(green)(T, n, k, sub(k, one), 1);
+    same(T, corner, G(green)(T, n, k, k, 0));
+    same(T, sub(add(low, G(green)(T, n, k, add(k, one), 0)), mul(two, corner)), neg(one));
+    about(T, "the ends and the chord");
+    num first = sub(mul(G(green)(T, n, k, zero, 1), b[1]), mul(G(green)(T, n, k, one, 1), b[0]));
+    num last = sub(mul(G(green)(T, n, k, sub(n, one), 0), b[3]), mul(G(green)(T, n, k, n, 0), b[2]));
+    same(T, sub(last, first), div(add(mul(sub(n, k), b[0]), mul(k, b[3])), n));
+    about(T, "the sum of g: its first and last value, of as many as there are, on each side of the corner");
+    num rest = sub(n, k), half = from_ratio(1, 2);
+    num below = mul(mul(half, k), add(G(green)(T, n, k, one, 1), corner));
+    num above =
+        mul(mul(half, sub(rest, one)), add(G(green)(T, n, k, add(k, one), 0), G(green)(T, n, k, sub(n, one), 0)));
+    same(T, add(below, above), mul(half, mul(k, rest)));
+    about(T, "the largest sum");
+    num offset = sub(n, add(k, k));
+    same(T, sub(div(mul(n, n), from_int(8)), add(below, above)), div(mul(offset, offset), from_int(8)));
 }
 
 /*

@@ -49,6 +49,50 @@ FIGURE(subdivision_triangle)
     return s;
 }
 
+FIGURE(triangle_point_at_infinity)
+{
+    static const int point[] = {0, 0, 3, 3, 6, 0}, numerator[] = {2, 1, 4, 9}, denominator[] = {5, 2, 5, 10};
+    num_q R[6], w[] = {from_int_q(1), from_ratio_q(-1, 2), from_int_q(1)}, lambda = from_ratio_q(2, 3), P[4], v[2],
+                S[2];
+    integers(6, point, R);
+    svg *s = svg_new(
+        "triangle_point_at_infinity", "A regular curve whose triangle has a point at infinity",
+        "The quadratic with weights 1, -1/2, 1 is regular for all parameters.  With λ from 0 to 1 the point R11 of its "
+        "triangle runs from R0 away from R1 to infinity, reached at λ = 2/3, and back on the other side to R1; at 2/3 "
+        "the last line of the triangle, the tangent, is parallel to R0R1.");
+    svg_panel(s, svg_integer_window(-4, -4, 9, 7), 520, 0,
+              "weights 1, $-$1/2, 1: for $λ=2/3$ the weight $ω_1^1$ is 0 and $R_1^1$ at infinity");
+    svg_line(s, svg_pair(R), svg_pair(R + 2), SVG_MUTED);
+    static const char *const name[] = {"R_0", "R_1", "R_2"};
+    static const enum svg_direction towards[] = {SVG_NW, SVG_NW, SVG_NE};
+    svg_polyline(s, 3, R, SVG_POLYGON);
+    for (int i = 0; i < 3; i++) {
+        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
+        svg_label(s, svg_pair(R + 2 * i), towards[i], SVG_POINT, name[i]);
+    }
+    svg_rational(s, 2, R, w, SVG_CURVE);
+    static const char *const value[] = {"λ=2/5", "λ=1/2", "λ=4/5", "λ=9/10"};
+    for (int k = 0; k < 4; k++) {
+        rational_decasteljau_q(2, 2, R, w, from_ratio_q(numerator[k], denominator[k]), 1, P, v);
+        svg_mark(s, svg_pair(P), SVG_WRONG, SVG_USUAL);
+        svg_label(s, svg_pair(P), SVG_NW, SVG_WRONG, value[k]);
+    }
+    num_q H[9], last[3];
+    rational_homogenize_q(2, 2, R, w, H);
+    casteljau_level_q(2, 3, H, lambda); /* of the two points the first has the weight 0 */
+    rational_dehomogenize_q(0, 2, H + 3, P, last);
+    rational_point_q(2, 2, R, w, lambda, S);
+    svg_line(s, svg_pair(P), svg_pair(S), SVG_CURVE_2);
+    svg_mark(s, svg_pair(P), SVG_CURVE_2, SVG_USUAL);
+    svg_label(s, svg_pair(P), SVG_SE, SVG_CURVE_2, "R_2^1");
+    svg_mark(s, svg_pair(S), SVG_CURVE, SVG_USUAL);
+    svg_label(s, svg_pair(S), SVG_SE, SVG_CURVE, "R_2^2=R(2/3)");
+    svg_legend_line(s, SVG_CURVE, "the curve");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "$R_1^1$ for four values of $λ$");
+    svg_legend_line(s, SVG_CURVE_2, "the line $R_1^1R_2^1$ for $λ=2/3$");
+    return s;
+}
+
 /* A quadratic, its right half, and the cut. */
 struct right_half {
     num_q R[6], w[3], c;

@@ -43,8 +43,8 @@ CLAIM(tangent_meets_the_conic_doubly)
     G(six)(T, "S", S);
     G(conic_gradient)(S, x, y, g);
     num d[2] = {g[1], T->planted ? g[0] : neg(g[0])}, X = add(x, mul(h, d[0])), Y = add(y, mul(h, d[1]));
-    num square = add(add(mul(S[0], mul(d[0], d[0])), mul(mul(from_int(2), S[1]), mul(d[0], d[1]))),
-                     mul(S[2], mul(d[1], d[1])));
+    num square =
+        add(add(mul(S[0], mul(d[0], d[0])), mul(mul(from_int(2), S[1]), mul(d[0], d[1]))), mul(S[2], mul(d[1], d[1])));
     about(T, "S along the line");
     same(T, G(form)(S, X, Y), add(G(form)(S, x, y), mul(mul(h, h), square)));
     about(T, "the line");

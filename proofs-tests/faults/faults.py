@@ -1,13 +1,16 @@
 """Planted faults: changes one operator, index, sign or constant of a kernel at a time; `cagd verify` must notice.
 
-    faults.py [--sample N] [--seed S] [--file NAME] [--list] [--jobs N]
+    faults.py [--sample N] [--seed S] [--file NAME] [--shard K/N] [--list] [--jobs N]
 
-Each fault is one replacement at one place of core/*.tmpl.h, made in a copy of the tree, built without
-optimisation and judged: first by the claims in rationals alone, which build fastest, then, if these all
-hold, by all of them.  A fault that survives is a claim that nobody has written, and the exit status is 1.
-equivalent.txt lists the replacements that change nothing, each with the reason.
+Each fault is one replacement at one place of core/*.tmpl.h.  In a copy of the tree every place gets a switch that
+chooses, when the program runs, between what stands there and the fault; the switch of one fault is on when the
+environment names its number.  So one build holds as many faults as do not overlap.  A fault is judged first by the
+claims that define its kernel, then, if these all hold, by all claims.  A fault that survives is a claim that
+nobody has written, and the exit status is 1.  equivalent.txt lists the replacements that change nothing, each with the
+reason.
 """
 import argparse
+import os
 import pathlib
 import random
 import re
@@ -15,33 +18,66 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EQUIVALENT = pathlib.Path(__file__).with_name("equivalent.txt")
 
-# What is looked for, and what it becomes.  \g<...> keep what stands around.
+
+def token(now):
+    """A word becomes another one of the same use."""
+    return lambda m: (now, f"(ON ? {now} : {m.group(0)})")
+
+
+def value(now):
+    """An expression that is complete in itself becomes another one."""
+    return lambda m: (m.expand(now), f"(ON ? {m.expand(now)} : {m.group(0)})")
+
+
+def part(was, now, switched):
+    """Within the match the text `was` becomes `now`; `switched` means the first with ON = 0, the second with ON = 1."""
+    return lambda m: tuple(re.sub(was, to, m.group(0), count=1) for to in (now, switched))
+
+
+# What is looked for, and what it becomes: the text with the fault, and that with the switch ON in it.
 RULES = [
-    ("sum to difference", r"\badd\(", "sub("),
-    ("difference to sum", r"\bsub\(", "add("),
-    ("product to sum", r"\bmul\(", "add("),
-    ("quotient to product", r"\bdiv\(", "mul("),
-    ("sign lost", r"\bneg\(([^()]*(?:\([^()]*\))?[^()]*)\)", r"(\1)"),
-    ("one to two", r"\bfrom_int\(1\)", "from_int(2)"),
-    ("zero to one", r"\bfrom_int\(0\)", "from_int(1)"),
-    ("two to three", r"\bfrom_int\(2\)", "from_int(3)"),
-    ("numerator", r"\bfrom_ratio\(1, (\d)\)", r"from_ratio(2, \1)"),
-    ("degree plus one lost", r"\bn \+ 1\b(?=\))", "n"),
-    ("index one too low", r"\[\(?i \+ 1\b", lambda m: m.group(0).replace("i + 1", "i")),
-    ("index not lowered", r"\[\(?(i|j|k|m) - 1\b", lambda m: m.group(0).replace(f"{m.group(1)} - 1", m.group(1))),
-    ("loop one short", r"(?<=; )(i|j|k|m) <= ([^;]*);", r"\1 < \2;"),
-    ("loop starts late", r"\(int (i|j|k|m) = 1;", r"(int \1 = 2;"),
-    ("constant order", r"\b(root)\(2,", r"\1(1,"),
-    ("binomial of the wrong row", r"\bbinomial\(n, ", "binomial(n + 1, "),
-    ("binomial of the wrong row", r"\bbinomial\((k|m), ", r"binomial(\1 + 1, "),
-    ("t for 1-t", r"\bmul\((s|mu), ", "mul(t, "),
-    ("factor n lost", r"\bfrom_int\((n|m)\)", "from_int(1)"),
-    ("sign of the factor", r"\bfrom_int\(-(m|n)\)", r"from_int(\1)"),
+    ("sum to difference", r"\badd(?=\()", token("sub")),
+    ("difference to sum", r"\bsub(?=\()", token("add")),
+    ("product to sum", r"\bmul(?=\()", token("add")),
+    ("quotient to product", r"\bdiv(?=\()", token("mul")),
+    ("sign lost", r"\bneg\(([^()]*(?:\([^()]*\))?[^()]*)\)", value(r"(\1)")),
+    ("one to two", r"\bfrom_int\(1\)", value("from_int(2)")),
+    ("zero to one", r"\bfrom_int\(0\)", value("from_int(1)")),
+    ("two to three", r"\bfrom_int\(2\)", value("from_int(3)")),
+    ("numerator", r"\bfrom_ratio\(1, (\d)\)", value(r"from_ratio(2, \1)")),
+    ("degree plus one lost", r"\b[np] \+ 1\b(?=\))", part(r" \+ 1", "", " + !ON")),
+    ("index one too low", r"\[\(?[a-z]\w* \+ 1\b", part(r" \+ 1", "", " + !ON")),
+    ("index not lowered", r"\[\(?[a-z]\w* - 1\b", part(" - 1", "", " - !ON")),
+    ("knot one too far", r"\bu\[i \+ [kp]\b", part("$", " + 1", " + ON")),
+    ("span one too far", r"\bmu - p\b", part("$", " + 1", " + ON")),
+    ("loop one short", r"(?<=; )[a-z]\w* <=", part(" <=", " <", " + ON <=")),
+    ("loop starts late", r"\(int [a-z]\w* = 1;", part("1;", "2;", "1 + ON;")),
+    ("constant order", r"\broot\(2,", part("2", "1", "2 - ON")),
+    ("binomial of the wrong row", r"\bbinomial\([a-z],", part(",", " + 1,", " + ON,")),
+    ("t for 1-t", r"(?<=\bmul\()(?:s|mu)(?=, )", token("t")),
+    ("factor n lost", r"\bfrom_int\([a-z]\)", value("from_int(1)")),
+    ("sign of the factor", r"\bfrom_int\(-(m|n)\)", value(r"from_int(\1)")),
 ]
+
+SWITCH = """#ifndef CAGD_FAULT_SWITCH
+#define CAGD_FAULT_SWITCH
+#include <stdlib.h>
+static inline int fault_is(int number)
+{
+    static int planted = -1;
+    if (planted < 0) {
+        const char *text = getenv("CAGD_FAULT");
+        planted = text == NULL ? 0 : atoi(text);
+    }
+    return number == planted;
+}
+#endif
+"""
 
 
 def without_comments(text):
@@ -50,20 +86,22 @@ def without_comments(text):
 
 
 def faults():
+    found = []
     for path in sorted((ROOT / "core").glob("*.tmpl.h")):
         text = path.read_text()
         code = without_comments(text)
         for rule, pattern, becomes in RULES:
             for m in re.finditer(pattern, code):
-                new = m.expand(becomes) if isinstance(becomes, str) else becomes(m)
-                if "tmpl.h" in text[text.rfind("\n", 0, m.start()) : m.end()] or new == m.group(0):
-                    continue
+                new, switched = becomes(m)
                 mutated = text[: m.start()] + new + text[m.end() :]
                 line = text.count("\n", 0, m.start())
                 old, now = text.splitlines()[line].strip(), mutated.splitlines()[line].strip()
                 inside = re.findall(r"^static inline [^\n]*G\((\w+)\)\(", code[: m.start()], re.M)
-                yield {"file": path.name, "line": line + 1, "kernel": inside[-1] if inside else "", "rule": rule,
-                       "old": old, "new": now, "text": mutated}
+                number = len(found) + 1
+                found.append({"number": number, "file": path.name, "line": line + 1, "start": m.start(),
+                              "end": m.end(), "kernel": inside[-1] if inside else "", "rule": rule, "old": old,
+                              "new": now, "text": mutated, "switched": switched.replace("ON", f"fault_is({number})")})
+    return found
 
 
 def equivalents():
@@ -76,53 +114,83 @@ def equivalents():
     return found
 
 
+def definitional_claims():
+    """For each kernel the claims that define it."""
+    found = {}
+    for path in (ROOT / "chapters").glob("*/*.claims.h"):
+        for claim, block in re.findall(r"^:::\{claim\} (\w+)\n(.*?)^:::$", path.read_text(), re.M | re.S):
+            for names in re.findall(r"^:defines:(.*?)(?=^:|\Z)", block, re.M | re.S):
+                for kernel in names.split():
+                    found.setdefault(kernel, []).append(claim)
+    return found
+
+
+def batches(chosen):
+    """The faults in as few lists as it takes for no two of a list to overlap."""
+    lists = []
+    for f in sorted(chosen, key=lambda f: (f["file"], f["start"])):
+        for batch in lists:
+            if batch[-1]["file"] != f["file"] or batch[-1]["end"] <= f["start"]:
+                batch.append(f)
+                break
+        else:
+            lists.append([f])
+    return lists
+
+
 class Copy:
-    """A copy of the tree with two builds: the claims in rationals, and all of them."""
+    """A copy of the tree, built with the switches of one list of faults at a time."""
 
     def __init__(self, folder, jobs):
-        self.root, self.jobs = pathlib.Path(folder) / "tree", jobs
+        self.root, self.jobs = pathlib.Path(folder) / "tree", str(jobs)
         shutil.copytree(ROOT, self.root, ignore=shutil.ignore_patterns("build", "build-*", ".git"))
-        for name, types in (("rational", "RATIONAL"), ("all", "FIELD;RATIONAL;INTERVAL;DOUBLE")):
-            self.must("cmake", "-G", "Ninja", "-S", ".", "-B", f"build/{name}", "-DCMAKE_BUILD_TYPE=Debug",
-                      "-DCMAKE_C_FLAGS_DEBUG=-O0", "-DBUILD_TESTING=OFF", f"-DCAGD_TYPES={types}")
+        self.original = {path.name: path.read_text() for path in (self.root / "core").glob("*.tmpl.h")}
+        self.must("cmake", "-G", "Ninja", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Release",
+                  "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DBUILD_TESTING=OFF",
+                  "-DCAGD_TYPES=FIELD;RATIONAL;INTERVAL;DOUBLE")
 
     def must(self, *command):
         subprocess.run(command, cwd=self.root, check=True, stdout=subprocess.DEVNULL)
 
-    def verdict(self, name):
-        """caught, not caught, or not compiled."""
-        built = subprocess.run(["cmake", "--build", f"build/{name}", "--target", "cagd", "-j", str(self.jobs)],
-                               cwd=self.root, capture_output=True)
-        if built.returncode != 0:
-            return "not compiled"
-        try:
-            r = subprocess.run([f"build/{name}/cagd", "verify"], cwd=self.root, capture_output=True, timeout=300)
-        except subprocess.TimeoutExpired:
-            return "caught"
-        return "not caught" if r.returncode == 0 else "caught"
-
-    def judge(self, fault):
+    def compiles(self, fault):
+        """Whether the kernels are C with this fault, as it would be written: seen by the double instance."""
         path = self.root / "core" / fault["file"]
-        before = path.read_text()
         path.write_text(fault["text"])
-        outcome = self.verdict("rational")
-        if outcome == "not caught":
-            outcome = self.verdict("all")
-        path.write_text(before)
-        return outcome
+        r = subprocess.run(["cc", "-std=c17", "-fsyntax-only", "-I.", "-include", "core/kernels_d.h", "-include",
+                            "core/span.h", "-x", "c", "/dev/null"], cwd=self.root, capture_output=True)
+        path.write_text(self.original[fault["file"]])
+        return r.returncode == 0
+
+    def build(self, batch):
+        for name, text in self.original.items():
+            for f in sorted((f for f in batch if f["file"] == name), key=lambda f: -f["start"]):
+                text = text[: f["start"]] + f["switched"] + text[f["end"] :]
+            (self.root / "core" / name).write_text(SWITCH + text)
+        self.must("cmake", "--build", "build", "--target", "cagd", "-j", self.jobs)
+
+    def holds(self, number, *patterns):
+        """Whether these claims, or all, are as expected with this fault; 0 is none.  A crash is no success."""
+        try:
+            r = subprocess.run(["build/cagd", "verify", "--jobs", self.jobs, *patterns], cwd=self.root,
+                               capture_output=True, timeout=300, env={**os.environ, "CAGD_FAULT": str(number)})
+        except subprocess.TimeoutExpired:
+            return False
+        if r.returncode == 2:
+            raise RuntimeError(r.stderr.decode())
+        return r.returncode == 0
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sample", type=int, help="only N faults, chosen at random")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--file", help="only faults of this template")
+    parser.add_argument("--file", action="append", help="only faults of this template; repeatable")
     parser.add_argument("--shard", help="K/N: only the K-th of N parts")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     a = parser.parse_args()
-    known = equivalents()
-    every = [f for f in faults() if a.file in (None, f["file"])]
+    known, defining = equivalents(), definitional_claims()
+    every = [f for f in faults() if a.file is None or f["file"] in a.file]
     chosen = [f for f in every if (f["kernel"], f["old"], f["new"]) not in known]
     if a.sample:
         chosen = random.Random(a.seed).sample(chosen, min(a.sample, len(chosen)))
@@ -133,20 +201,34 @@ def main():
         for f in chosen:
             print(f"{f['file']}:{f['line']}: {f['kernel']}: {f['rule']}: {f['new']}")
         return 0
-    survivors = compiled = 0
+    compiled = by_definition = survivors = 0
     with tempfile.TemporaryDirectory() as folder:
         copy = Copy(folder, a.jobs)
-        for name in ("rational", "all"):
-            if copy.verdict(name) != "not caught":
+        meaningful = []
+        for f in chosen:
+            if copy.compiles(f):
+                meaningful.append(f)
+            else:
+                print(f"{'no C':12s} {f['file']}:{f['line']}: {f['kernel']}: {f['rule']}: {f['new']}", flush=True)
+        for batch in batches(meaningful):
+            copy.build(batch)
+            if not copy.holds(0):
                 print("cagd verify fails without any fault")
                 return 1
-        for f in chosen:
-            outcome = copy.judge(f)
-            compiled += outcome != "not compiled"
-            survivors += outcome == "not caught"
-            print(f"{'SURVIVES' if outcome == 'not caught' else outcome:12s} {f['file']}:{f['line']}: {f['kernel']}: "
-                  f"{f['rule']}: {f['new']}", flush=True)
-    print(f"{len(every)} faults, {len(every) - len(chosen)} left out; {compiled} compiled, {survivors} survive")
+            for f in batch:
+                began, claims = time.monotonic(), defining.get(f["kernel"], [])
+                outcome = "SURVIVES"
+                if claims and not copy.holds(f["number"], *claims):
+                    outcome = "by its claim"
+                elif not copy.holds(f["number"]):
+                    outcome = "by others"
+                compiled += 1
+                by_definition += outcome == "by its claim"
+                survivors += outcome == "SURVIVES"
+                print(f"{outcome:12s} {f['file']}:{f['line']}: {f['kernel']}: {f['rule']}: {f['new']} "
+                      f"({time.monotonic() - began:.1f} s)", flush=True)
+    print(f"{len(every)} faults, {len(every) - len(chosen)} left out; {compiled} compiled, {by_definition} caught by the "
+          f"claims that define the kernel, {compiled - by_definition - survivors} by others, {survivors} survive")
     return 1 if survivors or not compiled else 0
 
 

@@ -91,5 +91,32 @@ class Kernels(unittest.TestCase):
             self.assertNotRegex(text, r"\b(double|float|mpq_|mpfr_|fabs|sqrt)\b", f"{path.name}")
 
 
+class Contents(unittest.TestCase):
+    """The page on the table of contents of a source names claims that exist, and every section of the book once."""
+
+    SECTIONS = {1: 9, 2: 10, 3: 6, 4: 9, 5: 7, 6: 11, 7: 3, 8: 8, 9: 7}
+
+    def setUp(self):
+        text = (ROOT / "chapters/foundations/contents.claims.h").read_text()
+        self.rows = [line.strip("|").split("|") for line in re.findall(r"^\|.*\|$", text, re.M)][2:]
+
+    def test_every_claim_exists(self):
+        claims = set()
+        for path in (ROOT / "chapters").rglob("*.claims.h"):
+            claims.update(re.findall(r"^:::\{claim\} (\S+)", path.read_text(), re.M))
+        named = [name for row in self.rows for name in re.findall(r"`([^`]*)`", "|".join(row))]
+        self.assertTrue(named)
+        self.assertEqual([name for name in named if name not in claims], [], "names of no claim")
+
+    def test_every_section_of_the_book_is_there_once(self):
+        expected = [f"{c}-{k}" for c, count in self.SECTIONS.items() for k in range(1, count + 1)]
+        self.assertEqual([row[0].strip() for row in self.rows], expected)
+
+    def test_what_is_not_covered_is_open(self):
+        for row in self.rows:
+            self.assertEqual(len(row), 4, row)
+            self.assertTrue(row[2].strip() or row[3].strip(), f"{row[0]} is neither covered nor open")
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -658,6 +658,241 @@ REFERENCE(circle_of_arc)
     out[2] = product_of(2, radius, radius);
 }
 
+/* ## Curves in powers */
+
+/* The coefficients of coordinate `at` of a curve in powers. */
+static void coordinate_of(int n, int dim, const num x[], int at, num c[])
+{
+    for (int k = 0; k <= n; k++)
+        c[k] = x[k * dim + at];
+}
+REFERENCE(power_point)
+{
+    num c[MAX_DEGREE + 1];
+    for (int at = 0; at < D->dim; at++) {
+        coordinate_of(D->n, D->dim, D->x, at, c);
+        out[at] = derivative_at(D->n, c, 0, D->t);
+    }
+}
+REFERENCE(power_hodograph)
+{
+    for (int k = 0; k <= D->n; k++)
+        for (int at = 0; at < D->dim; at++)
+            out[k * D->dim + at] = k < D->n ? mul(from_int(k + 1), D->x[(k + 1) * D->dim + at]) : D->x[k * D->dim + at];
+}
+REFERENCE(power_derivatives)
+{
+    num c[MAX_DEGREE + 1];
+    for (int at = 0; at < D->dim; at++) {
+        coordinate_of(D->n, D->dim, D->x, at, c);
+        for (int k = 0; k <= D->r; k++)
+            out[k * D->dim + at] = derivative_at(D->n, c, k, D->t);
+    }
+}
+/* The alternating sum of the values at 0, delta, ..., k delta. */
+REFERENCE(power_differences)
+{
+    int n = degree_of_table_q(D);
+    num c[MAX_DEGREE + 1];
+    for (int at = 0; at < D->dim; at++) {
+        coordinate_of(n, D->dim, D->x, at, c);
+        for (int k = 0; k <= n; k++) {
+            num sum = from_int(0);
+            for (int i = 0; i <= k; i++) {
+                num term = mul(choose(k, i), derivative_at(n, c, 0, mul(from_int(i), D->t)));
+                sum = (k - i) % 2 == 0 ? add(sum, term) : sub(sum, term);
+            }
+            out[k * D->dim + at] = sum;
+        }
+    }
+}
+/* After r steps row k is the sum of C(r, i) step^i times row k + i. */
+static void stepped(const struct data_q *D, num step, num out[])
+{
+    int n = degree_of_table_q(D);
+    for (int k = 0; k <= n; k++)
+        for (int at = 0; at < D->dim; at++) {
+            num sum = from_int(0);
+            for (int i = 0; i <= D->r && k + i <= n; i++)
+                sum = add(sum, mul(mul(choose(D->r, i), power(step, i)), D->x[(k + i) * D->dim + at]));
+            out[k * D->dim + at] = sum;
+        }
+}
+REFERENCE(difference_step) { stepped(D, from_int(1), out); }
+REFERENCE(scaled_difference_step) { stepped(D, D->t, out); }
+REFERENCE(power_on_interval)
+{
+    num c[MAX_DEGREE + 1], d[MAX_DEGREE + 1];
+    for (int at = 0; at < D->dim; at++) {
+        coordinate_of(D->n, D->dim, D->x, at, c);
+        compose(D->n, c, D->t, sub(D->u, D->t), d);
+        for (int k = 0; k <= D->n; k++)
+            out[k * D->dim + at] = d[k];
+    }
+}
+
+/* ## Plane cubics */
+
+REFERENCE(cubic_minors)
+{
+    num AB[4] = {D->x[6], D->x[7], D->x[4], D->x[5]}, AC[4] = {D->x[6], D->x[7], D->x[2], D->x[3]};
+    out[0] = eliminate(2, AB);
+    out[1] = eliminate(2, AC);
+    out[2] = neg(eliminate(2, D->x + 2)); /* B x C, where x has C before B */
+}
+/* P' x P'' at 0, 1 and -1 gives its three coefficients. */
+REFERENCE(inflection_polynomial)
+{
+    num c[2][4], value[3];
+    for (int j = 0; j < 2; j++)
+        coordinate_of(3, 2, D->x, j, c[j]);
+    for (int i = 0; i < 3; i++) {
+        num t = from_int(i == 2 ? -1 : i), d[4];
+        for (int k = 0; k < 4; k++)
+            d[k] = derivative_at(3, c[k % 2], 1 + k / 2, t);
+        value[i] = eliminate(2, d);
+    }
+    num half = from_ratio(1, 2);
+    out[0] = value[0];
+    out[1] = mul(half, sub(value[1], value[2]));
+    out[2] = sub(mul(half, add(value[1], value[2])), value[0]);
+}
+/* A twelfth of the discriminant of P' x P''. */
+REFERENCE(cubic_delta)
+{
+    num f[3];
+    reference_inflection_polynomial(D, f);
+    out[0] = div(sub(mul(f[1], f[1]), mul(from_int(4), mul(f[0], f[2]))), from_int(12));
+}
+/* a^2 times the polynomial with the sum -b/a and the product b^2/a^2 - c/a of its roots. */
+REFERENCE(double_point_polynomial)
+{
+    num m[3];
+    reference_cubic_minors(D, m);
+    num p = div(m[1], m[0]), square = power(m[0], 2);
+    out[2] = square;
+    out[1] = mul(square, p);
+    out[0] = mul(square, sub(mul(p, p), div(m[2], m[0])));
+}
+REFERENCE(cubic_double_point)
+{
+    out[0] = D->x[0];
+    out[1] = D->x[1];
+}
+
+/* ## The family with a shape parameter, in powers of t */
+
+static num shape_shift(int n, int i) { return sub(choose(n - 2, i - 1), choose(n - 2, i - 2)); }
+
+/* The coefficient of t^k in (1-t)^a t^b. */
+static num in_product(int a, int b, int k)
+{
+    num c = choose(a, k - b);
+    return (k - b) % 2 == 0 ? c : neg(c);
+}
+/* ... in C(n,i) s^{n-i} t^i + beta (a_i s^{n+1-i} t^i - a_{i+1} s^{n-i} t^{i+1}). */
+static num in_shape_function(int n, int i, num beta, int k)
+{
+    num slope = sub(mul(shape_shift(n, i), in_product(n + 1 - i, i, k)),
+                    mul(shape_shift(n, i + 1), in_product(n - i, i + 1, k)));
+    return add(mul(choose(n, i), in_product(n - i, i, k)), mul(beta, slope));
+}
+/* Formula (1), line by line: the numbers a, b, c of a + b beta + c beta t. */
+static num in_printed_function(int i, num beta, int k)
+{
+    static const int a[] = {1, 7, 21, 35, 35, 21, 7, 1}, b[] = {0, 1, 4, 5, 0, -5, -4, -1};
+    static const int c[] = {-1, -5, -9, -9, 1, 9, 5, 1};
+    num constant = add(from_int(a[i]), mul(from_int(b[i]), beta)), linear = mul(from_int(c[i]), beta);
+    return add(mul(constant, in_product(7 - i, i, k)), mul(linear, in_product(7 - i, i, k - 1)));
+}
+/* c_0, ..., c_{n+1} of the curve's coordinate `at`; the printed functions for n = 0. */
+static void shape_powers(int n, int dim, const num P[], num beta, int at, num c[])
+{
+    int last = n == 0 ? 7 : n;
+    for (int k = 0; k <= last + 1; k++) {
+        c[k] = from_int(0);
+        for (int i = 0; i <= last; i++) {
+            num part = n == 0 ? in_printed_function(i, beta, k) : in_shape_function(n, i, beta, k);
+            c[k] = add(c[k], mul(P[i * dim + at], part));
+        }
+    }
+}
+static void shape_functions(int n, num beta, num t, num out[])
+{
+    int last = n == 0 ? 7 : n;
+    for (int i = 0; i <= last; i++) {
+        num unit[MAX_DEGREE + 1], c[MAX_DEGREE + 2];
+        for (int j = 0; j <= last; j++)
+            unit[j] = from_int(i == j);
+        shape_powers(n, 1, unit, beta, 0, c);
+        out[i] = derivative_at(last + 1, c, 0, t);
+    }
+}
+REFERENCE(shape_factors)
+{
+    int n = shape_degree_q(D->n);
+    for (int i = 0; i <= n; i++) {
+        out[i] = add(choose(n, i), mul(shape_shift(n, i), D->x[0]));
+        out[n + 1 + i] = sub(choose(n, i), mul(shape_shift(n, i + 1), D->x[0]));
+    }
+}
+REFERENCE(shape_factors_printed)
+{
+    for (int i = 0; i <= 7; i++) {
+        num first = in_printed_function(i, D->x[0], i), next = in_printed_function(i, D->x[0], i + 1);
+        out[i] = first;
+        out[8 + i] = add(first, add(next, mul(from_int(7 - i), first)));
+    }
+}
+REFERENCE(shape_basis) { shape_functions(shape_degree_q(D->n), D->x[0], D->t, out); }
+REFERENCE(shape_basis_printed) { shape_functions(0, D->x[0], D->t, out); }
+/* Column i: the coefficients of (near_i s + far_i t) s^{n-i} t^i in the Bernstein basis, from its powers. */
+REFERENCE(shape_matrix)
+{
+    int n = shape_degree_q(D->n);
+    for (int i = 0; i <= n; i++) {
+        num c[MAX_DEGREE + 2], b[MAX_DEGREE + 2];
+        for (int k = 0; k <= n + 1; k++)
+            c[k] = add(mul(D->x[i], in_product(n + 1 - i, i, k)), mul(D->x[n + 1 + i], in_product(n - i, i + 1, k)));
+        points_of(n + 1, 1, c, 0, b);
+        for (int k = 0; k <= n + 1; k++)
+            out[k * (n + 1) + i] = b[k];
+    }
+}
+REFERENCE(shape_bezier_points)
+{
+    int n = shape_degree_q(D->n);
+    num c[MAX_DEGREE + 2];
+    for (int at = 0; at < D->dim; at++) {
+        shape_powers(n, D->dim, D->x + 1, D->x[0], at, c);
+        points_of(n + 1, D->dim, c, at, out);
+    }
+}
+static void shape_values(int n, const struct data_q *D, int r, num out[])
+{
+    num c[MAX_DEGREE + 2];
+    for (int k = 0; k <= r; k++)
+        for (int at = 0; at < D->dim; at++) {
+            shape_powers(n, D->dim, D->x + 1, D->x[0], at, c);
+            out[k * D->dim + at] = derivative_at((n == 0 ? 7 : n) + 1, c, k, D->t);
+        }
+}
+REFERENCE(shape_point) { shape_values(shape_degree_q(D->n), D, 0, out); }
+REFERENCE(shape_point_printed) { shape_values(0, D, 0, out); }
+REFERENCE(shape_derivatives) { shape_values(shape_degree_q(D->n), D, D->r, out); }
+REFERENCE(shape_surface_point)
+{
+    num B[4], C[3];
+    shape_functions(3, D->x[0], D->t, B);
+    shape_functions(2, D->x[1], D->u, C);
+    for (int at = 0; at < D->dim; at++) {
+        out[at] = from_int(0);
+        for (int i = 0; i <= 3; i++)
+            for (int j = 0; j <= 2; j++)
+                out[at] = add(out[at], mul(D->x[2 + (i * 3 + j) * D->dim + at], mul(B[i], C[j])));
+    }
+}
+
 typedef void reference(const struct data_q *D, num out[]);
 #define ENTRY(name) reference_##name,
 static reference *const references[] = {ALL_KERNELS(ENTRY)};

@@ -367,8 +367,157 @@ RUN(implicit_value)
     return 1;
 }
 
+RUN(power_point)
+{
+    G(power_point)(D->n, D->dim, D->x, D->t, out);
+    return D->dim;
+}
+RUN(power_hodograph)
+{
+    for (int m = 0; m < (D->n + 1) * D->dim; m++)
+        out[m] = D->x[m];
+    G(power_hodograph)(D->n, D->dim, out);
+    return (D->n + 1) * D->dim;
+}
+RUN(power_derivatives)
+{
+    G(power_derivatives)(D->n, D->dim, D->x, D->t, D->r, out);
+    return (D->r + 1) * D->dim;
+}
+/* Degrees of a size whose differences keep digits in binary64. */
+static inline int G(degree_of_table)(const struct G(data) * D) { return D->n <= 7 ? D->n : 7; }
+RUN(power_differences)
+{
+    int n = G(degree_of_table)(D);
+    G(power_differences)(n, D->dim, D->x, D->t, out);
+    return (n + 1) * D->dim;
+}
+/* The table of any numbers x, r steps on. */
+RUN(difference_step)
+{
+    int n = G(degree_of_table)(D);
+    for (int m = 0; m < (n + 1) * D->dim; m++)
+        out[m] = D->x[m];
+    for (int k = 0; k < D->r; k++)
+        G(difference_step)(n, D->dim, out);
+    return (n + 1) * D->dim;
+}
+RUN(scaled_difference_step)
+{
+    int n = G(degree_of_table)(D);
+    for (int m = 0; m < (n + 1) * D->dim; m++)
+        out[m] = D->x[m];
+    for (int k = 0; k < D->r; k++)
+        G(scaled_difference_step)(n, D->dim, D->t, out);
+    return (n + 1) * D->dim;
+}
+RUN(power_on_interval)
+{
+    G(power_on_interval)(D->n, D->dim, D->x, D->t, D->u, out);
+    return (D->n + 1) * D->dim;
+}
+/* Plane cubics with the coefficients x. */
+RUN(cubic_minors)
+{
+    G(cubic_minors)(D->x, out);
+    return 3;
+}
+RUN(inflection_polynomial)
+{
+    num m[3];
+    G(cubic_minors)(D->x, m);
+    G(inflection_polynomial)(m, out);
+    return 3;
+}
+RUN(cubic_delta)
+{
+    num m[3];
+    G(cubic_minors)(D->x, m);
+    out[0] = G(cubic_delta)(m);
+    return 1;
+}
+RUN(double_point_polynomial)
+{
+    num m[3];
+    G(cubic_minors)(D->x, m);
+    G(double_point_polynomial)(m, out);
+    return 3;
+}
+/* A cubic with a double point in x[0], x[1]: (t - x_2)(t - x_3)(L t + M) + N. */
+RUN(cubic_double_point)
+{
+    num m[3], c[8], sum = add(D->x[2], D->x[3]), product = mul(D->x[2], D->x[3]);
+    for (int j = 0; j < 2; j++) {
+        num L = D->w[j], M = D->x[6 + j];
+        c[j] = add(mul(product, M), D->x[j]);
+        c[2 + j] = sub(mul(product, L), mul(sum, M));
+        c[4 + j] = sub(M, mul(sum, L));
+        c[6 + j] = L;
+    }
+    G(cubic_minors)(c, m);
+    G(cubic_double_point)(c, m, out);
+    return 2;
+
+    /* Degrees of the family with a shape parameter: 2 to MAX_DEGREE - 1. */
+    static inline int G(shape_degree)(int n) { return n < 2 ? 2 : n < MAX_DEGREE ? n : MAX_DEGREE - 1; }
+
+    RUN(shape_factors)
+    {
+        int n = G(shape_degree)(D->n);
+        G(shape_factors)(n, D->x[0], out, out + n + 1);
+        return 2 * n + 2;
+    }
+    RUN(shape_factors_printed)
+    {
+        G(shape_factors_printed)(D->x[0], out, out + 8);
+        return 16;
+    }
+    RUN(shape_basis)
+    {
+        int n = G(shape_degree)(D->n);
+        G(shape_basis)(n, D->x[0], D->t, out);
+        return n + 1;
+    }
+    RUN(shape_basis_printed)
+    {
+        G(shape_basis_printed)(D->x[0], D->t, out);
+        return 8;
+    }
+    RUN(shape_matrix)
+    {
+        int n = G(shape_degree)(D->n);
+        G(shape_matrix)(n, D->x, D->x + n + 1, out);
+        return (n + 2) * (n + 1);
+    }
+    RUN(shape_bezier_points)
+    {
+        int n = G(shape_degree)(D->n);
+        G(shape_bezier_points)(n, D->dim, D->x + 1, D->x[0], out);
+        return (n + 2) * D->dim;
+    }
+    RUN(shape_point)
+    {
+        G(shape_point)(G(shape_degree)(D->n), D->dim, D->x + 1, D->x[0], D->t, out);
+        return D->dim;
+    }
+    RUN(shape_point_printed)
+    {
+        G(shape_point_printed)(D->dim, D->x + 1, D->x[0], D->t, out);
+        return D->dim;
+    }
+    RUN(shape_derivatives)
+    {
+        G(shape_derivatives)(G(shape_degree)(D->n), D->dim, D->x + 1, D->x[0], D->t, D->r, out);
+        return (D->r + 1) * D->dim;
+    }
+    RUN(shape_surface_point)
+    {
+        G(shape_surface_point)(3, 2, D->dim, D->x + 2, D->x[0], D->x[1], D->t, D->u, out);
+        return D->dim;
+    }
+
 #define ENTRY(name) G(run_##name),
-static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};
+    static G(runner) *const G(runs)[] = {ALL_KERNELS(ENTRY)};
 #undef ENTRY
 #undef RUN
 #include "core/number/generic_off.h"

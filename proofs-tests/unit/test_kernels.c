@@ -21,22 +21,24 @@
 
 #include <cmocka.h>
 
+/* clang-format off */
 #define ALL_KERNELS(_)                                                                                                 \
-    _(bernstein)                                                                                                       \
-    _(bernstein_derivatives)                                                                                           \
-    _(bernstein_product) _(elevation_matrix) _(bernstein_to_power) _(power_to_bernstein) _(bernstein_on_interval)      \
-        _(decasteljau) _(horner_bernstein) _(bezier_differences) _(bezier_derivatives) _(bezier_split)                 \
-            _(bezier_elevate) _(blossom) _(bezier_on_interval) _(rational_homogenize) _(rational_dehomogenize)         \
-                _(rational_weight) _(rational_point) _(rational_derivatives) _(rational_decasteljau) _(rational_split) \
-                    _(rational_elevate) _(rational_reparametrize) _(rational_invariants) _(rational_standard_form)     \
-                        _(dot) _(norm_squared) _(cross2) _(cross3) _(det3) _(gram) _(curvature_squared) _(curvature)   \
-                            _(signed_curvature) _(torsion) _(rational_curvature_squared) _(rational_torsion)           \
-                                _(line_through) _(line_pair) _(conic_pencil) _(liming) _(conic_value)                  \
-                                    _(conic_gradient) _(conic_delta) _(conic_determinant) _(conic_of_bezier)           \
-                                        _(conic_standard_weight) _(shoulder_point) _(circular_arc_invariant)           \
-                                            _(circular_arc_weights) _(circle_of_arc) _(determinant) _(sylvester)       \
-                                                _(bezout) _(resultant) _(bezout_resultant)             \
-                                                    _(implicit_coefficients) _(implicit_value)
+    _(bernstein) _(bernstein_derivatives) _(bernstein_product) _(elevation_matrix) _(bernstein_to_power)               \
+    _(power_to_bernstein) _(bernstein_on_interval) _(decasteljau) _(horner_bernstein) _(bezier_differences)            \
+    _(bezier_derivatives) _(bezier_split) _(bezier_elevate) _(blossom) _(bezier_on_interval) _(rational_homogenize)    \
+    _(rational_dehomogenize) _(rational_weight) _(rational_point) _(rational_derivatives) _(rational_decasteljau)      \
+    _(rational_split) _(rational_elevate) _(rational_reparametrize) _(rational_invariants) _(rational_standard_form)   \
+    _(dot) _(norm_squared) _(cross2) _(cross3) _(det3) _(gram) _(curvature_squared) _(curvature) _(signed_curvature)   \
+    _(torsion) _(rational_curvature_squared) _(rational_torsion) _(line_through) _(line_pair) _(conic_pencil)          \
+    _(liming) _(conic_value) _(conic_gradient) _(conic_delta) _(conic_determinant) _(conic_of_bezier)                  \
+    _(conic_standard_weight) _(shoulder_point) _(circular_arc_invariant) _(circular_arc_weights) _(circle_of_arc)      \
+    _(determinant) _(sylvester) _(bezout) _(resultant) _(bezout_resultant) _(implicit_coefficients) _(implicit_value)  \
+    _(power_point) _(power_hodograph) _(power_derivatives) _(power_differences) _(difference_step)                     \
+    _(scaled_difference_step) _(power_on_interval) _(cubic_minors) _(inflection_polynomial) _(cubic_delta)             \
+    _(double_point_polynomial) _(cubic_double_point) _(shape_factors) _(shape_factors_printed) _(shape_basis)          \
+    _(shape_basis_printed) _(shape_matrix) _(shape_bezier_points) _(shape_point) _(shape_point_printed)                \
+    _(shape_derivatives) _(shape_surface_point)
+/* clang-format on */
 
 #define ENTRY(name) #name,
 static const char *const names[] = {ALL_KERNELS(ENTRY)};

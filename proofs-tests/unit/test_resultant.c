@@ -156,8 +156,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         unit(determinant_is_leibniz), unit(determinant_over_the_field), unit(resultant_is_the_product_over_roots),
-        unit(stated_degrees),         unit(implicit_equation),
-        unit(resultant_by_a_variable),
+        unit(stated_degrees),         unit(implicit_equation),          unit(resultant_by_a_variable),
     };
     return run_unit_tests(tests);
 }

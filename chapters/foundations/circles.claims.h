@@ -1,0 +1,1000 @@
+/*
+# Three ways to turn a point (圆的生成)
+
+To draw a circle by a machine that adds and shifts, one turns a point by a small angle again and again.  A step is a
+matrix, $[x_{n+1}\;y_{n+1}]=[x_n\;y_n]\,T$, and everything that can be said about the drawing is said by the matrix.  Its
+determinant tells whether the points drift outwards, an invariant quadratic form on which curve they stay, and whether its
+eigenvalues are roots of unity (单位根) tells whether they ever come back.
+
+## The first way
+
+:::{statement} hu-1987:1-3-1
+:title: One step of a rotation
+:zh: 逆时针旋转一步
+:printed: $x_{n+1}=r\cos(\theta+\Delta\theta)=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
+  $y_{n+1}=r\sin(\theta+\Delta\theta)=y_n\cos\Delta\theta+x_n\sin\Delta\theta$
+:holds-by: rotation_matrix_adds_the_angle
+:::
+
+:::{statement} hu-1987:1-3-2
+:title: The matrix of the rotation
+:zh: 旋转矩阵
+:printed: [x_{n+1}\;y_{n+1}]=[x_n\;y_n]\begin{bmatrix}\cos\Delta\theta&\sin\Delta\theta\\-\sin\Delta\theta&\cos\Delta\theta\end{bmatrix}
+:holds-by: rotation_matrix_adds_the_angle
+:::
+
+:::{claim} rotation_matrix_adds_the_angle
+:title: The row of the point times the matrix is the point of the sum of the angles
+:zh: 旋转矩阵使角度相加
+:given: any $r$, and two angles with the tangents $a$ and $b$ of their halves, $ab\ne1$
+:then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
+:method: The sum of the angles is formed on the other side, from the tangent $\frac{a+b}{1-ab}$ of half of it; $a$, $b$ and $r$
+  are variables.
+:control: the angle with the tangent $\frac{a-b}{1+ab}$
+:::
+
+:::{statement} hu-1987:1-3-equal-angles
+:title: The first way computes points at equal angles on the circle
+:zh: 圆周上等角度分布的点
+:printed: By this method a sequence of points on the circle can be computed that are distributed at equal angles.
+:holds-by: rotated_points_are_equally_spaced
+:figure: three_generators
+:::
+
+:::{claim} rotated_points_are_equally_spaced
+:title: All points are on the circle, at equal distances
+:zh: 点列在圆上且间距相等
+:given: any first point, any angle with the tangent $a$ of its half, $n$ steps
+:then: $x_n^2+y_n^2=x_0^2+y_0^2$ and $|P_n-P_{n-1}|^2=2(1-\cos\Delta\theta)\,|P_0|^2$
+:method: The steps one after the other, first point and $a$ variables.  The step is linear, so its $n$-th power is found
+  by doing it.
+:degrees: 1..8 sampled 20
+:control: $\cos\Delta\theta$ replaced by 1
+:::
+*/
+#include "chapters/foundations/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* out = [x y] M, the row times the matrix M = (M_0 M_1; M_2 M_3) */
+static void G(row_times)(const num v[restrict], const num M[restrict], num out[restrict])
+{
+    for (int j = 0; j < 2; j++)
+        out[j] = add(mul(v[0], M[j]), mul(v[1], M[2 + j]));
+}
+
+/* v becomes v M^n. */
+static void G(steps)(int n, const num M[], num v[])
+{
+    num next[2];
+    for (int k = 0; k < n; k++) {
+        G(row_times)(v, M, next);
+        v[0] = next[0], v[1] = next[1];
+    }
+}
+
+/* (1-3-2) for an angle with these cosine and sine */
+static void G(rotation)(struct G(turn) angle, num M[])
+{
+    M[0] = M[3] = angle.cos;
+    M[1] = angle.sin;
+    M[2] = neg(angle.sin);
+}
+
+/* (1-3-5) */
+static void G(small_step)(num epsilon, num M[])
+{
+    M[0] = M[3] = from_int(1);
+    M[1] = epsilon;
+    M[2] = neg(epsilon);
+}
+
+/* The matrix of the second way. */
+static void G(second_step)(num epsilon, num M[])
+{
+    G(small_step)(epsilon, M);
+    M[3] = sub(from_int(1), mul(epsilon, epsilon));
+}
+
+/* The half of the sum of two angles, by the tangents of their halves. */
+static num G(half_of_sum)(num a, num b) { return div(add(a, b), sub(from_int(1), mul(a, b))); }
+
+CLAIM(rotation_matrix_adds_the_angle)
+{
+    num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0), M[4], next[2];
+    struct G(turn) theta = G(turn_by)(a), sum = G(turn_by)(G(half_of_sum)(a, T->planted ? neg(b) : b));
+    num P[2] = {mul(r, theta.cos), mul(r, theta.sin)};
+    G(rotation)(G(turn_by)(b), M);
+    G(row_times)(P, M, next);
+    same(T, next[0], mul(r, sum.cos));
+    same(T, next[1], mul(r, sum.sin));
+}
+
+CLAIM(rotated_points_are_equally_spaced)
+{
+    num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, last[2];
+    struct G(turn) angle = G(turn_by)(parameter(T, "a")), used = angle;
+    if (T->planted)
+        used.cos = from_int(1);
+    G(rotation)(used, M);
+    G(steps)(T->degree - 1, M, Q);
+    last[0] = Q[0], last[1] = Q[1];
+    G(steps)(1, M, Q);
+    about(T, "the square of the radius");
+    same(T, G(norm_squared)(2, Q), G(norm_squared)(2, P));
+    about(T, "the square of the distance");
+    num edge[2] = {sub(Q[0], last[0]), sub(Q[1], last[1])}, factor = mul(from_int(2), sub(from_int(1), angle.cos));
+    same(T, G(norm_squared)(2, edge), mul(factor, G(norm_squared)(2, P)));
+}
+
+/*
+## The first way, simplified
+
+:::{statement} hu-1987:1-3-3
+:title: For a small angle the cosine is taken as 1 and the sine as the angle
+:zh: 小角度近似
+:printed: $\Delta\theta$ is small; with $\cos\Delta\theta=1$, $\sin\Delta\theta=\Delta\theta$ approximately, (1-3-1) becomes
+  $x_{n+1}=x_n-\Delta\theta\,y_n$, $y_{n+1}=\Delta\theta\,x_n+y_n$.
+:holds-by: small_step_is_the_rotation_to_first_order
+
+To first order, which is what the approximation means.  What the second order does follows.
+:::
+
+:::{claim} small_step_is_the_rotation_to_first_order
+:title: The simplified matrix is the rotation to first order in the angle
+:zh: 一阶近似
+:types: field
+:given: the rotation by $\Delta\theta=2\arctan a$, so that $\frac{d}{da}\Delta\theta=\frac2{1+a^2}$
+:then: at $a=0$ the rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the printed step,
+  $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
+:method: The matrix as a rational function of $a$, differentiated in the field; chain rule.
+:control: the derivative with respect to $a$ taken for that with respect to $\Delta\theta$
+:::
+
+:::{statement} hu-1987:1-3-5
+:title: The simplified step and its matrix
+:zh: 简化递推的矩阵形式
+:printed: $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$ is
+  $[x_{n+1}\;y_{n+1}]=[x_n\;y_n]\begin{bmatrix}1&\varepsilon\\-\varepsilon&1\end{bmatrix}$.
+:holds-by: small_step_matrix_is_the_recursion
+:::
+
+:::{claim} small_step_matrix_is_the_recursion
+:title: The matrix gives the two formulas, its determinant is more than 1
+:zh: 矩阵与递推一致
+:given: any point, any $\varepsilon$
+:then: the row times the matrix is $(x-\varepsilon y,\ \varepsilon x+y)$; the determinant is $1+\varepsilon^2$, the trace 2
+:method: Identities in $x$, $y$ and $\varepsilon$.
+:control: the matrix transposed
+:::
+
+:::{statement} hu-1987:1-3-shift
+:title: With a power of two the products are shifts
+:zh: 用移位实现乘法
+:printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or arcs are
+  generated at high speed.
+:holds-by: exact_steps_need_m_more_bits_each
+:hypothesis: short_registers_stop_the_point | The registers keep the bits that are shifted out.  In integers a point with
+  coordinates below $2^m$ does not move at all; and to be exact, every step needs $m$ bits more.
+:::
+
+:::{claim} exact_steps_need_m_more_bits_each
+:title: After n exact steps a coordinate has n m binary places
+:zh: 精确计算每步增加 m 位
+:kind: decision
+:given: $P_0=(1,0)$, $\varepsilon=2^{-m}$, $m=1,\dots,8$, $n=1,\dots,12$ steps
+:then: $2^{nm}x_n$ and $2^{nm}y_n$ are integers, and one of them is odd: shifts suffice, and no shorter words do
+:method: Exact rational steps and their denominators.
+:scope: m = 1 to 8, n = 1 to 12 steps from (1, 0)
+:control: one place less
+:::
+
+:::{claim} short_registers_stop_the_point
+:title: With integers the point stands still
+:zh: 整数移位使点停止不动
+:kind: counterexample
+:given: $m=4$, $(x_0,y_0)=(10,0)$, shifts that drop the bits shifted out
+:then: $x_1=x_0$, $y_1=y_0$: the point never moves, though $\varepsilon x_0\ne0$
+:method: The step in integers, $y_1=y_0+\lfloor x_0/16\rfloor$, against the exact one.
+:control: $x_0=160$, whose shifted value is exact
+:::
+*/
+#if FIELD
+CLAIM(small_step_is_the_rotation_to_first_order)
+{
+    num a = variable_f("a"), zero = from_int(0), one = from_int(1), M[4], S[4];
+    num speed = T->planted ? one : div(from_int(2), add(one, mul(a, a)));
+    G(rotation)(G(turn_by)(a), M);
+    G(small_step)(one, S);
+    for (int k = 0; k < 4; k++) {
+        num unit = from_int(k == 0 || k == 3);
+        same(T, substitute_f(M[k], a, zero), unit);
+        same(T, substitute_f(div(derivative_f(M[k], a), speed), a, zero), sub(S[k], unit));
+    }
+}
+#endif
+
+CLAIM(small_step_matrix_is_the_recursion)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, epsilon = unknown(T, "e", 0), M[4], next[2];
+    G(small_step)(T->planted ? neg(epsilon) : epsilon, M);
+    G(row_times)(P, M, next);
+    same(T, next[0], sub(P[0], mul(epsilon, P[1])));
+    same(T, next[1], add(mul(epsilon, P[0]), P[1]));
+    about(T, "determinant and trace");
+    same(T, G(cross2)(M, M + 2), add(from_int(1), mul(epsilon, epsilon)));
+    same(T, add(M[0], M[3]), from_int(2));
+}
+
+#if RATIONAL
+static int is_integer(num a) { return mpz_cmp_ui(mpq_denref(a.at), 1) == 0; }
+
+CLAIM(exact_steps_need_m_more_bits_each)
+{
+    for (int m = 1; m <= 8; m++)
+        for (int n = 1; n <= 12; n++) {
+            num M[4], P[2] = {from_int(1), from_int(0)}, scale = from_int(1);
+            G(small_step)(from_ratio(1, 1L << m), M);
+            G(steps)(n, M, P);
+            for (int k = 0; k < n * m - T->planted; k++)
+                scale = mul(scale, from_int(2));
+            num x = mul(scale, P[0]), y = mul(scale, P[1]), half = from_ratio(1, 2);
+            agree(T, is_integer(x) && is_integer(y));
+            agree(T, !is_integer(mul(half, x)) || !is_integer(mul(half, y)));
+        }
+}
+
+CLAIM(short_registers_stop_the_point)
+{
+    int m = 4, x = T->planted ? 160 : 10, y = 0, shifted = x >> m;
+    show_text(T, "x_0, y_0", "%d, %d", x, y);
+    show_text(T, "x_1, y_1 by shifts", "%d, %d", x - (y >> m), y + shifted);
+    about(T, "y_1, left by shifting integers, right exactly");
+    same(T, from_int(y + shifted), add(from_int(y), from_ratio(x, 1L << m)));
+}
+#endif
+
+/*
+:::{statement} hu-1987:1-3-not-closed
+:title: The simplified circle does not close
+:zh: 简化算法所得的圆不封闭
+:printed: The circle that this algorithm produces is not closed.
+:holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
+:needs: small_step_of_zero_stays | $\varepsilon\ne0$
+:figure: three_generators
+:::
+
+:::{statement} hu-1987:1-3-radius-grows
+:title: The radius of the simplified circle keeps growing
+:zh: 半径有不断增大的趋势
+:printed: The radius of the circle tends to increase without end.
+:holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
+:figure: radius_of_the_first_way
+
+It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  For $\varepsilon=\frac1{16}$ a turn of about a hundred steps
+ends with a radius larger by a fifth.
+:::
+
+:::{claim} small_steps_multiply_the_radius
+:title: Every step multiplies the radius by the same number
+:zh: 半径按等比增长
+:given: any first point, any $\varepsilon$, $n$ steps
+:then: $x_n^2+y_n^2=(1+\varepsilon^2)^n(x_0^2+y_0^2)$
+:method: The steps one after the other, in the field with the point and $\varepsilon$ variables; the factor of one step is the
+  determinant.
+:degrees: 1..8 sampled 24
+:control: $n-1$ steps
+:::
+
+:::{claim} radius_of_small_steps_exceeds_every_bound
+:title: The points never come back, and leave every circle
+:zh: 点列不返回且无界
+:given: $\varepsilon>0$, $n$ steps
+:then: $(1+\varepsilon^2)^n-1-n\varepsilon^2\ge0$, so the radius is larger after every step and exceeds every bound
+:method: The power is formed by multiplication; its difference from $1+n\varepsilon^2$ has no negative coefficient.
+:degrees: 1..8 sampled 24
+:control: $n+1$ in the place of $n$ in the product $n\varepsilon^2$
+:::
+
+:::{claim} small_step_of_zero_stays
+:title: A step of zero closes at once
+:zh: 步长为零时不动
+:kind: counterexample
+:given: $\varepsilon=0$, $P_0=(1,0)$
+:then: $P_1=P_0$
+:method: One step; that it moves the point is refuted.
+:control: $\varepsilon=\frac1{16}$
+:::
+
+:::{statement} hu-1987:1-3-perpendicular
+:title: The small vector that is added is perpendicular to the radius
+:zh: 增量与位置矢量垂直
+:printed: $P_{n+1}$ is $P_n$ plus a small vector perpendicular to the position vector $P_n=[x_n,y_n]$; so the new radius is
+  larger than the one before.
+:holds-by: small_step_adds_a_perpendicular_vector
+:::
+
+:::{claim} small_step_adds_a_perpendicular_vector
+:title: The step is a right angle to the radius, of a fixed share of its length
+:zh: 增量垂直于位置矢量
+:given: any point, any $\varepsilon$
+:then: $(P_{n+1}-P_n)\cdot P_n=0$ and $|P_{n+1}-P_n|^2=\varepsilon^2|P_n|^2$, whence $|P_{n+1}|^2=|P_n|^2+\varepsilon^2|P_n|^2$ by Pythagoras
+:method: Identities in the point and $\varepsilon$.
+:control: the step of the second way
+:::
+
+:::{statement} hu-1987:1-3-spiral
+:title: The points of the simplified circle are on a spiral
+:zh: 所得曲线为螺线
+:printed: The curve obtained is really not an exact arc of a circle, but a spiral.
+:holds-by: small_steps_are_powers_of_a_complex_number small_steps_multiply_the_radius
+:figure: three_generators
+
+It is the logarithmic spiral: every step adds the angle $\arctan\varepsilon$, and multiplies the radius by $\sqrt{1+\varepsilon^2}$.  The angle is
+not $\Delta\theta=\varepsilon$, but a little less.
+:::
+
+:::{claim} small_steps_are_powers_of_a_complex_number
+:title: The points are the powers of one complex number
+:zh: 点列为复数的幂
+:given: any first point, any $\varepsilon$, $n$ steps
+:then: $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$; so the argument grows by $\arctan\varepsilon$, and the radius by $|1+i\varepsilon|$, in every step
+:method: The steps against the binomial theorem, $\mathrm{Re}(1+i\varepsilon)^n=\sum_k(-1)^k\binom n{2k}\varepsilon^{2k}$ and the same for the
+  imaginary part.
+:degrees: 1..8 sampled 24
+:control: the signs of the binomial theorem left out
+:::
+*/
+CLAIM(small_steps_multiply_the_radius)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
+    G(small_step)(epsilon, M);
+    G(steps)(T->planted ? T->degree - 1 : T->degree, M, Q);
+    num factor = add(from_int(1), mul(epsilon, epsilon));
+    same(T, G(norm_squared)(2, Q), mul(G(power)(factor, T->degree), G(norm_squared)(2, P)));
+}
+
+CLAIM(radius_of_small_steps_exceeds_every_bound)
+{
+    num epsilon = positive(T, "e", 0), square = mul(epsilon, epsilon);
+    num whole_power = G(power)(add(from_int(1), square), T->degree);
+    num least = add(from_int(1), mul(from_int(T->planted ? T->degree + 1 : T->degree), square));
+    nonnegative(T, sub(whole_power, least));
+}
+
+#if RATIONAL
+CLAIM(small_step_of_zero_stays)
+{
+    num M[4], P[2] = {from_int(1), from_int(0)};
+    G(small_step)(T->planted ? from_ratio(1, 16) : from_int(0), M);
+    G(steps)(1, M, P);
+    show_points(T, "P_1", 1, 2, P);
+    about(T, "whether P_1 is not P_0");
+    agree(T, !(equal_q(P[0], from_int(1)) && is_zero_q(P[1])));
+}
+#endif
+
+CLAIM(small_step_adds_a_perpendicular_vector)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
+    if (T->planted)
+        G(second_step)(epsilon, M);
+    else
+        G(small_step)(epsilon, M);
+    G(steps)(1, M, Q);
+    num step[2] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, radius = G(norm_squared)(2, P);
+    vanishes(T, G(dot)(2, step, P));
+    same(T, G(norm_squared)(2, step), mul(mul(epsilon, epsilon), radius));
+    same(T, G(norm_squared)(2, Q), add(radius, G(norm_squared)(2, step)));
+}
+
+CLAIM(small_steps_are_powers_of_a_complex_number)
+{
+    int n = T->degree;
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
+    num z[2] = {from_int(0), from_int(0)};
+    for (int k = 0; k <= n; k++) {
+        num term = mul(from_int(binomial(n, k)), G(power)(epsilon, k));
+        z[k % 2] = k % 4 < 2 || T->planted ? add(z[k % 2], term) : sub(z[k % 2], term);
+    }
+    G(small_step)(epsilon, M);
+    G(steps)(n, M, Q);
+    same(T, Q[0], sub(mul(z[0], P[0]), mul(z[1], P[1])));
+    same(T, Q[1], add(mul(z[0], P[1]), mul(z[1], P[0])));
+}
+
+/*
+## The second way
+
+The second formula may use the new $x$, which is already there.  That this is no loss of care but a gain is the point of
+the method: the determinant becomes 1.
+
+:::{statement} hu-1987:1-3-second-substitution
+:title: The second formula with the new abscissa
+:zh: 用新横坐标代入
+:printed: $y_{n+1}=\varepsilon x_{n+1}+y_n=\varepsilon x_n+(1-\varepsilon^2)y_n$
+:holds-by: second_step_uses_the_new_abscissa
+:::
+
+:::{statement} hu-1987:1-3-second-matrix
+:title: The matrix of the second way
+:zh: 第二种方法的矩阵
+:printed: $P_{n+1}=P_nT$ with $T=\begin{pmatrix}1&\varepsilon\\-\varepsilon&1-\varepsilon^2\end{pmatrix}$
+:holds-by: second_step_uses_the_new_abscissa
+:::
+
+:::{claim} second_step_uses_the_new_abscissa
+:title: The matrix of the second way, and its determinant
+:zh: 第二种方法的矩阵及其行列式
+:given: any point, any $\varepsilon$
+:then: the row times $T$ is $x'=x-\varepsilon y$, $y'=y+\varepsilon x'$; $\det T=1$, the trace of $T$ is $2-\varepsilon^2$
+:method: Identities in $x$, $y$ and $\varepsilon$.
+:control: $y'=y+\varepsilon x$
+:::
+
+:::{statement} hu-1987:1-3-second-difference-equations
+:title: The difference equations of the ellipse
+:zh: 椭圆的差分方程
+:printed: With $x_n=r\cos\theta$, $y_n=r\sin(\theta+\frac{\Delta\theta}2)$, $\varepsilon=2\sin\frac{\Delta\theta}2$:
+  $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta-2r\sin\frac{\Delta\theta}2\sin(\theta+\frac{\Delta\theta}2)=x_n-\varepsilon y_n$,
+  $y_{n+1}=r\sin(\theta+\Delta\theta+\frac{\Delta\theta}2)=r\sin(\theta+\frac{\Delta\theta}2)+2r\sin\frac{\Delta\theta}2\cos(\theta+\Delta\theta)=y_n+\varepsilon x_{n+1}$
+:holds-by: second_orbit_has_equal_angles
+:needs: second_step_of_two_has_no_angle | $0<\varepsilon<2$; otherwise there is no such angle
+:::
+
+:::{claim} second_orbit_has_equal_angles
+:title: Along the orbit of the second way an angle grows evenly
+:zh: 第二种方法的等角参数
+:given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$ with the tangents $a$ and $b$ of their halves
+:then: the step $T$ with $\varepsilon=2\sin\delta$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle
+  terms of both chains are equal to the outer ones
+:method: All sums of angles from the tangents of their halves; $a$, $b$, $r$ variables.
+:control: $\varepsilon=2\sin\Delta\theta$
+:::
+
+:::{claim} second_step_of_two_has_no_angle
+:title: With the step 2 the orbit runs away
+:zh: 步长为二时轨道无界
+:kind: counterexample
+:given: $\varepsilon=2$, $P_0=(1,0)$
+:then: $x_{10}^2=361$, and $|x_n|=2n-1$ grows without end: the points are on the two lines $(x-y)^2=1$, on no ellipse
+:method: Ten exact steps; $x_{10}^2$ is compared with $\frac43$, the largest $x^2$ on $x^2+y^2-xy=1$.
+:control: $\varepsilon=1$
+:::
+
+:::{statement} hu-1987:1-3-ellipse
+:title: The equation of the ellipse
+:zh: 椭圆方程
+:printed: \frac{x^2}{(r\cos\frac{\Delta\theta}2)^2}+\frac{y^2}{(r\cos\frac{\Delta\theta}2)^2}-\frac{2\sin\frac{\Delta\theta}2}{(r\cos\frac{\Delta\theta}2)^2}\,xy=1
+:holds-by: second_orbit_satisfies_the_printed_equation second_form_is_invariant second_form_is_an_ellipse
+:figure: ellipse_of_the_second_way
+:::
+
+:::{claim} second_orbit_satisfies_the_printed_equation
+:title: The points of the difference equations are on the printed ellipse
+:zh: 差分方程的点满足椭圆方程
+:given: any $r$, any $\theta$ and $\delta$ with the tangents $a$ and $b$ of their halves
+:then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
+:method: An identity in $a$, $b$ and $r$, term by term as printed.
+:control: the factor 2 of the product $xy$ left out
+:::
+
+:::{claim} second_form_is_invariant
+:title: A quadratic form is the same along the orbit
+:zh: 不变二次型
+:given: any first point, any $\varepsilon$, $n$ steps of the second way
+:then: $x_n^2+y_n^2-\varepsilon x_ny_n=x_0^2+y_0^2-\varepsilon x_0y_0$
+:method: The steps one after the other, in the field with the point and $\varepsilon$ variables.
+:degrees: 1..8 sampled 24
+:control: the form $x^2+y^2$
+:::
+
+:::{claim} second_form_is_an_ellipse
+:title: The invariant form is positive: the curve is an ellipse with its axes on the diagonals
+:zh: 不变二次型正定
+:given: $0<s<1$, $s=\frac\varepsilon2$
+:then: $x^2+y^2-2sxy=\frac{1-s}2(x+y)^2+\frac{1+s}2(x-y)^2$, both coefficients positive
+:method: An identity in $s$, $x$, $y$; $s=\frac\sigma{1+\sigma}$ with $\sigma>0$ for the signs.
+:control: $1-s$ and $1+s$ exchanged
+:::
+*/
+CLAIM(second_step_uses_the_new_abscissa)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, epsilon = unknown(T, "e", 0), M[4], next[2];
+    G(second_step)(epsilon, M);
+    G(row_times)(P, M, next);
+    num x = sub(P[0], mul(epsilon, P[1]));
+    same(T, next[0], x);
+    same(T, next[1], add(P[1], mul(epsilon, T->planted ? P[0] : x)));
+    about(T, "determinant and trace");
+    same(T, G(cross2)(M, M + 2), from_int(1));
+    same(T, add(M[0], M[3]), sub(from_int(2), mul(epsilon, epsilon)));
+}
+
+CLAIM(second_orbit_has_equal_angles)
+{
+    num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0), two = from_int(2);
+    num once = G(half_of_sum)(a, b), twice = G(half_of_sum)(once, b), thrice = G(half_of_sum)(twice, b);
+    struct G(turn) theta = G(turn_by)(a), delta = G(turn_by)(b), one = G(turn_by)(once), full = G(turn_by)(twice),
+                   last = G(turn_by)(thrice);
+    num sine = delta.sin;
+    if (T->planted)
+        sine = mul(two, mul(delta.sin, delta.cos));
+    num epsilon = mul(two, sine), M[4], next[2], P[2] = {mul(r, theta.cos), mul(r, one.sin)}, twice_r = mul(two, r);
+    G(second_step)(epsilon, M);
+    G(row_times)(P, M, next);
+    about(T, "x_{n+1}");
+    same(T, next[0], mul(r, full.cos));
+    same(T, mul(r, full.cos), sub(mul(r, theta.cos), mul(mul(twice_r, delta.sin), one.sin)));
+    about(T, "y_{n+1}");
+    same(T, next[1], mul(r, last.sin));
+    same(T, mul(r, last.sin), add(mul(r, one.sin), mul(mul(twice_r, delta.sin), full.cos)));
+}
+
+#if RATIONAL
+CLAIM(second_step_of_two_has_no_angle)
+{
+    num M[4], P[2] = {from_int(1), from_int(0)};
+    G(second_step)(from_int(T->planted ? 1 : 2), M);
+    G(steps)(10, M, P);
+    show_points(T, "P_10", 1, 2, P);
+    about(T, "x^2 is at most 4/3");
+    agree(T, compare_q(mul(P[0], P[0]), from_ratio(4, 3)) <= 0);
+}
+#endif
+
+CLAIM(second_orbit_satisfies_the_printed_equation)
+{
+    num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0);
+    struct G(turn) theta = G(turn_by)(a), delta = G(turn_by)(b), shifted = G(turn_by)(G(half_of_sum)(a, b));
+    num x = mul(r, theta.cos), y = mul(r, shifted.sin), below = mul(r, delta.cos);
+    num square = mul(below, below), factor = mul(from_int(T->planted ? 1 : 2), delta.sin);
+    num left = sub(add(div(mul(x, x), square), div(mul(y, y), square)), mul(div(factor, square), mul(x, y)));
+    same(T, left, from_int(1));
+}
+
+CLAIM(second_form_is_invariant)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
+    num mixed = T->planted ? from_int(0) : epsilon;
+    G(second_step)(epsilon, M);
+    G(steps)(T->degree, M, Q);
+    same(T, sub(G(norm_squared)(2, Q), mul(mixed, mul(Q[0], Q[1]))),
+         sub(G(norm_squared)(2, P), mul(mixed, mul(P[0], P[1]))));
+}
+
+CLAIM(second_form_is_an_ellipse)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), s = inside(T, "s"), one = from_int(1);
+    num plus = G(power)(add(x, y), 2), minus = G(power)(sub(x, y), 2);
+    num low = mul(from_ratio(1, 2), sub(one, s)), high = mul(from_ratio(1, 2), add(one, s));
+    num form = sub(add(mul(x, x), mul(y, y)), mul(mul(from_int(2), s), mul(x, y)));
+    same(T, form, T->planted ? add(mul(high, plus), mul(low, minus)) : add(mul(low, plus), mul(high, minus)));
+    nonnegative(T, low);
+    nonnegative(T, high);
+}
+
+/*
+### How far the ellipse is from the circle
+
+:::{statement} hu-1987:1-3-error
+:title: The error of the ellipse
+:zh: 椭圆与圆的误差公式
+:printed: $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)$ is the error between the ellipse and the
+  exact circle.
+:holds-by: ellipse_lies_between_two_circles
+:reading: ellipse_lies_between_two_circles | By how much the ellipse leaves the circle of radius $r$ outwards, relative to $r$.
+:reading: ellipse_leaves_the_circle_by_more | The largest error in either direction: this is $1-\sqrt{1-s}$, inwards, and for every
+  $s$ a little larger than the printed $\sqrt{1+s}-1$ (`inward_error_of_the_ellipse_is_larger`).
+:figure: ellipse_of_the_second_way
+:::
+
+:::{claim} ellipse_lies_between_two_circles
+:title: The largest and the smallest radius of the ellipse
+:zh: 椭圆的最大与最小半径
+:given: $s=\sin\frac{\Delta\theta}2$, $c^2=1-s^2$, $0<s<1$, any point on $x^2+y^2-2sxy=r^2c^2$
+:then: $r^2(1+s)-(x^2+y^2)=\frac s{1-s}(x-y)^2$ and $(x^2+y^2)-r^2(1-s)=\frac s{1+s}(x+y)^2$; so the radius is between
+  $r\sqrt{1-s}$ and $r\sqrt{1+s}$, both reached, on the diagonals, and $\frac{c^2}{1-s}=1+s$ makes $E=\sqrt{1+s}-1$
+:method: $r^2$ is eliminated by the equation; identities in $s$, $x$, $y$, with $s=\frac\sigma{1+\sigma}$.
+:control: the two circles exchanged
+:::
+
+:::{claim} inward_error_of_the_ellipse_is_larger
+:title: The ellipse leaves the circle farther inwards than outwards
+:zh: 向内误差大于向外误差
+:given: $0<s<1$
+:then: $\sqrt{1+s}-1<\frac s2<1-\sqrt{1-s}$
+:method: $(1+\frac s2)^2-(1+s)$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
+:control: $\frac s4$ in the place of $\frac s2$
+:::
+
+:::{claim} ellipse_leaves_the_circle_by_more
+:title: Inwards the ellipse leaves the circle by more than the printed error
+:zh: 椭圆向内偏离大于印刷的误差
+:kind: counterexample
+:given: $m=4$, $s=\frac1{32}$, $a=1+s$
+:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false
+:method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1+a)^2\le4a$.
+:control: $s=0$, the circle
+:::
+
+:::{statement} hu-1987:1-3-error-approximation
+:title: The error is about the reciprocal of a power of two
+:zh: 误差的近似值
+:printed: For $\varepsilon=2^{-m}=2\sin\frac{\Delta\theta}2$: $E\approx\frac1{2^{m+1}}\times100(\%)$.
+:refuted-by: printed_error_is_twice_the_error
+:class: misprint
+:corrected: $E\approx\frac1{2^{m+2}}\times100(\%)$; more exactly $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$ with $s=2^{-m-1}$
+:corrected-by: error_is_half_the_sine
+:figure: error_of_the_second_way
+:striking: 41
+
+The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
+:::
+
+:::{claim} printed_error_is_twice_the_error
+:title: For m = 4 the printed approximation gives 3.1 per cent, the formula 1.6
+:zh: 近似式给出两倍的误差
+:kind: counterexample
+:given: $m=4$, $s=\frac1{32}$
+:then: in tenths of a per cent, rounded, $2^{-(m+1)}$ is 31 and $E=\sqrt{1+s}-1$ is 16
+:method: $k$ tenths of a per cent, rounded, is decided by $(k-\frac12)/1000<E<(k+\frac12)/1000$, for $E$ after squaring.
+:control: $2^{-(m+2)}$
+:::
+
+:::{claim} error_is_half_the_sine
+:title: The error is half the sine, to second order
+:zh: 误差的二阶估计
+:given: $0<s<1$
+:then: $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$; for $s=2^{-m-1}$ the upper bound is $2^{-m-2}$
+:method: $(1+\frac s2)^2-(1+s)=\frac{s^2}4$ and $(1+s)-(1+\frac s2-\frac{s^2}8)^2=\frac{s^3(8-s)}{64}$; both positive.
+:control: $\frac{s^2}{16}$ in the place of $\frac{s^2}8$
+:::
+
+:::{statement} hu-1987:1-3-error-example
+:title: The error for m = 4
+:zh: m=4 时的误差
+:printed: For $m=4$, $E=1.6\%$.
+:holds-by: error_for_four_is_as_printed
+:::
+
+:::{claim} error_for_four_is_as_printed
+:title: The error for m = 4 is 1.6 per cent to the digits printed
+:zh: m=4 时误差为百分之一点六
+:kind: decision
+:given: $m=4$, $E=\sqrt{33/32}-1$
+:then: $0.0155<E<0.0165$, and inwards $0.0155<1-\sqrt{31/32}<0.0165$ as well
+:method: The four comparisons after squaring, in rationals.
+:control: $m=3$
+:::
+*/
+CLAIM(ellipse_lies_between_two_circles)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), s = inside(T, "s"), one = from_int(1);
+    num high = add(one, s), low = sub(one, s), cc = sub(one, mul(s, s)), radius = add(mul(x, x), mul(y, y));
+    num rr = div(sub(radius, mul(mul(from_int(2), s), mul(x, y))), cc);
+    num outer = T->planted ? low : high, inner = T->planted ? high : low;
+    same(T, sub(mul(rr, outer), radius), mul(div(s, low), G(power)(sub(x, y), 2)));
+    same(T, sub(radius, mul(rr, inner)), mul(div(s, high), G(power)(add(x, y), 2)));
+    about(T, "the square of 1 + E");
+    same(T, div(cc, low), high);
+}
+
+/* (1 + k)^2 - (1 + h) */
+static num G(square_above)(num k, num h)
+{
+    num one = from_int(1);
+    return sub(G(power)(add(one, k), 2), add(one, h));
+}
+
+CLAIM(inward_error_of_the_ellipse_is_larger)
+{
+    num s = inside(T, "s"), half = mul(from_ratio(1, T->planted ? 4 : 2), s), gap = mul(from_ratio(1, 4), mul(s, s));
+    same(T, G(square_above)(half, s), gap);
+    same(T, G(square_above)(neg(half), neg(s)), gap);
+    nonnegative(T, gap);
+}
+
+CLAIM(error_is_half_the_sine)
+{
+    num s = inside(T, "s"), half = mul(from_ratio(1, 2), s), ss = mul(s, s);
+    num lower = sub(half, mul(from_ratio(1, T->planted ? 16 : 8), ss));
+    num below = div(mul(mul(s, ss), sub(from_int(8), s)), from_int(64)), above = mul(from_ratio(1, 4), ss);
+    same(T, G(square_above)(half, s), above);
+    same(T, neg(G(square_above)(lower, s)), below);
+    nonnegative(T, above);
+    nonnegative(T, below);
+}
+
+#if RATIONAL
+/* lo < sqrt(a) < hi for positive lo */
+static int root_is_between(num lo, num a, num hi)
+{
+    return compare_q(mul(lo, lo), a) < 0 && compare_q(a, mul(hi, hi)) < 0;
+}
+
+/* The k with (k - 1/2)/1000 < x < (k + 1/2)/1000. */
+static int in_tenths_of_a_percent(num x)
+{
+    int k = 0;
+    while (compare_q(x, from_ratio(2 * k + 1, 2000)) >= 0)
+        k++;
+    return k;
+}
+
+CLAIM(ellipse_leaves_the_circle_by_more)
+{
+    num a = add(from_int(1), from_ratio(T->planted ? 0 : 1, 32)), once = add(from_int(1), a);
+    show(T, "1 + s", a);
+    show(T, "(2 + s)^2 - 4 (1 + s)", sub(mul(once, once), mul(from_int(4), a)));
+    about(T, "whether the inward error is at most the outward one");
+    agree(T, compare_q(mul(once, once), mul(from_int(4), a)) <= 0);
+}
+
+CLAIM(printed_error_is_twice_the_error)
+{
+    int m = 4, printed = in_tenths_of_a_percent(from_ratio(1, 1L << (T->planted ? m + 2 : m + 1))), k = 0;
+    num s = from_ratio(1, 1L << (m + 1)), square = add(from_int(1), s);
+    while (!root_is_between(from_ratio(2 * k + 1999, 2000), square, from_ratio(2 * k + 2001, 2000)))
+        k++;
+    show_text(T, "m", "%d", m);
+    show_text(T, "printed approximation, in per cent", "%d.%d", printed / 10, printed % 10);
+    show_text(T, "E, in per cent", "%d.%d", k / 10, k % 10);
+    about(T, "tenths of a per cent");
+    same(T, from_int(printed), from_int(k));
+}
+
+CLAIM(error_for_four_is_as_printed)
+{
+    int m = T->planted ? 3 : 4;
+    num s = from_ratio(1, 1L << (m + 1)), one = from_int(1), low = from_ratio(155, 10000),
+        high = from_ratio(165, 10000);
+    agree(T, root_is_between(add(one, low), add(one, s), add(one, high)));
+    agree(T, root_is_between(sub(one, high), sub(one, s), sub(one, low)));
+}
+#endif
+
+/*
+### Does the second way close?
+
+The source says only of the first way that it does not close.  The ellipse of the second way is a closed curve, and the
+points stay on it for ever; but they never come back to where they were.
+
+:::{claim} second_orbit_never_closes
+:title: The orbit of the second way never returns to its first point
+:zh: 第二种方法的点列永不重复
+:kind: decision
+:given: $\varepsilon=2^{-m}$, $m=1,\dots,6$; traces $V_k$ of $T^k$ for $k=1,\dots,48$, $V_{k+1}=(2-\varepsilon^2)V_k-V_{k-1}$, $V_0=2$
+:then: $4^{mk}V_k$ is an odd integer; so $V_k\ne2$.  A point that returned after $k$ steps would belong to
+  the eigenvalue 1 of $T^k$; the other one would be 1, too, because $\det T=1$, and their sum $V_k$ would be 2
+:method: The traces by the recursion, exactly.  For every $k$: $V_k$ is a polynomial in $2-\varepsilon^2$ with whole
+  coefficients and leading coefficient 1, and $2-\varepsilon^2=\frac{2\cdot4^m-1}{4^m}$ is in lowest terms, so $4^{mk}V_k$ is odd:
+  the eigenvalues are no roots of unity, because their sum is no algebraic integer.
+:scope: m = 1 to 6, k = 1 to 48 steps
+:control: $\varepsilon=1$, where $V_6=2$
+:::
+
+:::{claim} second_step_of_one_closes_after_six
+:title: With the step 1 the second way closes after six points
+:zh: 步长为一时六步闭合
+:given: any first point, $\varepsilon=1$
+:then: $P_6=P_0$, and $P_3=-P_0$; the characteristic polynomial $\lambda^2-\lambda+1$ is the cyclotomic polynomial $\Phi_6$
+:method: Six steps with variable $P_0$.
+:control: five steps
+:::
+*/
+#if RATIONAL
+/* 2^bits V is an odd integer. */
+static int has_exactly_the_bits(num V, int bits)
+{
+    for (int k = 0; k < bits; k++)
+        V = mul(from_int(2), V);
+    return is_integer(V) && !is_integer(mul(from_ratio(1, 2), V));
+}
+
+CLAIM(second_orbit_never_closes)
+{
+    for (int m = 1; m <= 6; m++) {
+        num M[4], before = from_int(2);
+        G(second_step)(T->planted ? from_int(1) : from_ratio(1, 1L << m), M);
+        num trace = add(M[0], M[3]), V = trace;
+        for (int k = 1; k <= 48; k++) {
+            agree(T, has_exactly_the_bits(V, T->planted ? 0 : 2 * m * k));
+            agree(T, !equal_q(V, from_int(2)));
+            num next = sub(mul(trace, V), before);
+            before = V, V = next;
+        }
+    }
+}
+#endif
+
+CLAIM(second_step_of_one_closes_after_six)
+{
+    num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]};
+    G(second_step)(from_int(1), M);
+    G(steps)(3, M, Q);
+    for (int j = 0; j < 2; j++)
+        same(T, Q[j], neg(P[j]));
+    G(steps)(T->planted ? 2 : 3, M, Q);
+    for (int j = 0; j < 2; j++)
+        same(T, Q[j], P[j]);
+}
+
+/*
+## The third way
+
+:::{statement} hu-1987:1-3-third-rotation
+:title: A point turned again and again gives a circle
+:zh: 连续旋转生成圆
+:printed: With $R=\begin{pmatrix}\cos\theta&\sin\theta\\-\sin\theta&\cos\theta\end{pmatrix}$, $[x_n\;y_n]R=[x_{n+1}\;y_{n+1}]$, that is
+  $x_{n+1}=\cos\theta\,x_n-\sin\theta\,y_n$, $y_{n+1}=\sin\theta\,x_n+\cos\theta\,y_n$; turning a point continually gives a circle.
+:holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
+:figure: three_generators
+:::
+
+:::{statement} hu-1987:1-3-third-distance
+:title: The first two points are one pixel apart
+:zh: 相邻两点距离为一个象素
+:printed: When $A_0$ is turned by $\theta$ to $A_1(x_1,y_1)$, its coordinate is $y_1=r\sin\theta=1$, that is, the distance of the two
+  points is to be the size of one pixel.
+:refuted-by: unit_height_is_not_unit_distance
+:class: false
+:corrected: For $r\sin\theta=1$ the points are $\sqrt{1+\tan^2\frac\theta2}>1$ apart; they are one pixel apart for
+  $2r\sin\frac\theta2=1$, that is $\cos\theta=1-\frac1{2r^2}$.
+:corrected-by: distance_of_the_first_two_points
+:figure: step_of_the_third_way
+
+The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of a pixel.
+:::
+
+:::{statement} hu-1987:1-3-third-angle
+:title: The angle of the third way
+:zh: 第三种方法的转角
+:printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
+:holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
+:::
+
+:::{claim} unit_height_is_not_unit_distance
+:title: At height one the second point is farther than one from the first
+:zh: 高度为一而距离大于一
+:kind: counterexample
+:given: $r=1$, $A_0=(1,0)$, $\sin\theta=1$, so $A_1=(0,1)$
+:then: $|A_0A_1|^2=2$
+:method: $|A_0A_1|^2=2r^2(1-\cos\theta)$, exactly.
+:control: $\cos\theta=1-\frac1{2r^2}$
+:::
+
+:::{claim} distance_of_the_first_two_points
+:title: The distance of the first two points
+:zh: 首两点的距离
+:given: $0<\theta<\pi$ with the tangent $a$ of its half, $A_0=(r,0)$
+:then: $|A_0A_1|^2=(2r\sin\frac\theta2)^2=\frac{4r^2a^2}{1+a^2}$; for $r\sin\theta=1$ this is $1+a^2$, and it is 1 exactly for
+  $\cos\theta=1-\frac1{2r^2}$
+:method: The point by the rotation, in the field with $a$ and $r$ variables; then $r=\frac{1+a^2}{2a}$; and
+  $2r^2(1-\cos\theta)-1=2r^2\bigl(1-\frac1{2r^2}-\cos\theta\bigr)$.
+:control: the distance as $r\sin\theta$
+:::
+
+:::{statement} hu-1987:1-3-third-matrix
+:title: The matrix of the third way, by the radius
+:zh: 用半径表示的旋转矩阵
+:printed: With $\sin\theta=\varepsilon=\frac1r$, $\cos\theta=\sqrt{1-\sin^2\theta}=\sqrt{1-\varepsilon^2}$:
+  $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
+:holds-by: third_matrix_by_the_radius
+:needs: negative_cosine_is_not_the_root | $0<\theta<\frac\pi2$, so that the cosine is the positive root; and $r\ge1$
+:::
+
+:::{claim} third_matrix_by_the_radius
+:title: The three forms of the matrix agree
+:zh: 第三种方法矩阵的三种形式
+:given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $0<a<1$, $r=\frac1{\sin\theta}$
+:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta>0$; the determinant is 1
+:method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive: it is the root.
+:control: $r^2+1$ in the place of $r^2-1$
+:::
+
+:::{claim} negative_cosine_is_not_the_root
+:title: Beyond a right angle the cosine is not the root
+:zh: 钝角时余弦不等于算术根
+:kind: counterexample
+:given: $\cos\theta=-\frac35$, $\sin\theta=\frac45$
+:then: $\sqrt{1-\sin^2\theta}=\frac35\ne\cos\theta$
+:method: Both numbers, exactly.
+:control: $\cos\theta=\frac35$
+:::
+
+:::{claim} third_way_closes_for_two_radii
+:title: For a whole radius the third way closes for r = 1 and r = 2 only
+:zh: 整数半径时仅 r=1,2 闭合
+:kind: decision
+:given: $r=1,\dots,200$; $\tau=2-\frac4{r^2}$, the trace of $R^2$
+:then: $\tau$ is an integer only for $r=1$ and $r=2$, where $R^4=1$ and $R^{12}=1$; otherwise no power of $R$ is 1
+:method: The eigenvalues of $R^2$ are $\lambda$ and $1/\lambda$ with $\lambda+1/\lambda=\tau$; a root of unity has an algebraic integer
+  there, and a rational one is whole.  For $r\ge3$, $0<\frac4{r^2}<1$.  Traces 2, $\pm1$, 0, $-2$ would remain: $\tau=-2$ and
+  $\tau=1$ occur, with $R^4=1$ and $R^{12}=1$ by the recursion of the traces.
+:scope: r = 1 to 200
+:control: $r$ in the place of $r^2$
+:::
+*/
+#if RATIONAL
+CLAIM(unit_height_is_not_unit_distance)
+{
+    num r = from_int(1), rr = mul(r, r), cosine = from_int(0);
+    if (T->planted)
+        cosine = sub(from_int(1), div(from_int(1), mul(from_int(2), rr)));
+    show(T, "r", r);
+    show(T, "cos θ", cosine);
+    about(T, "the square of the distance, and one pixel");
+    same(T, mul(mul(from_int(2), rr), sub(from_int(1), cosine)), from_int(1));
+}
+#endif
+
+CLAIM(distance_of_the_first_two_points)
+{
+    num a = inside(T, "a"), r = positive(T, "r", 0), one = from_int(1), aa = mul(a, a), M[4], next[2];
+    struct G(turn) angle = G(turn_by)(a);
+    num from_sine = div(add(one, aa), mul(from_int(2), a)), first[2] = {r, from_int(0)};
+    G(rotation)(angle, M);
+    G(row_times)(first, M, next);
+    num edge[2] = {sub(next[0], r), next[1]}, square = G(norm_squared)(2, edge), rr = mul(r, r);
+    about(T, "the square of the distance");
+    same(T, square, T->planted ? G(power)(mul(r, angle.sin), 2) : div(mul(from_int(4), mul(rr, aa)), add(one, aa)));
+    num unit[2] = {from_sine, from_int(0)};
+    G(row_times)(unit, M, next);
+    num step[2] = {sub(next[0], from_sine), next[1]};
+    about(T, "the height");
+    same(T, next[1], one);
+    about(T, "the distance for the height one");
+    same(T, G(norm_squared)(2, step), add(one, aa));
+    num wanted = sub(one, div(one, mul(from_int(2), rr)));
+    about(T, "the distance one");
+    same(T, sub(square, one), mul(mul(from_int(2), rr), sub(wanted, angle.cos)));
+}
+
+CLAIM(third_matrix_by_the_radius)
+{
+    num a = inside(T, "a"), one = from_int(1), M[4];
+    struct G(turn) angle = G(turn_by)(a);
+    num epsilon = angle.sin, r = div(one, epsilon), rr = mul(r, r), square = mul(angle.cos, angle.cos);
+    G(rotation)(angle, M);
+    same(T, sub(one, mul(epsilon, epsilon)), square);
+    same(T, div(T->planted ? add(rr, one) : sub(rr, one), rr), square);
+    nonnegative(T, angle.cos);
+    same(T, G(cross2)(M, M + 2), one);
+}
+
+#if RATIONAL
+CLAIM(negative_cosine_is_not_the_root)
+{
+    num cosine = from_ratio(T->planted ? 3 : -3, 5), sine = from_ratio(4, 5);
+    show(T, "cos θ", cosine);
+    show(T, "sin θ", sine);
+    about(T, "the root of 1 - sin², and the cosine");
+    same(T, root(2, sub(from_int(1), mul(sine, sine))), cosine);
+}
+
+/* The least k <= most with V_k = 2 for the trace; 0 if there is none. */
+static int order_of(num trace, int most)
+{
+    num before = from_int(2), V = trace;
+    for (int k = 1; k <= most; k++) {
+        if (equal_q(V, from_int(2)))
+            return k;
+        num next = sub(mul(trace, V), before);
+        before = V, V = next;
+    }
+    return 0;
+}
+
+CLAIM(third_way_closes_for_two_radii)
+{
+    for (int r = 1; r <= 200; r++) {
+        long square = T->planted ? r : (long)r * r;
+        num trace = sub(from_int(2), from_ratio(4, square));
+        agree(T, is_integer(trace) == (r <= 2));
+        agree(T, r > 2 || order_of(trace, 12) == (r == 1 ? 2 : 6));
+        agree(T, r <= 2 || order_of(trace, 12) == 0);
+    }
+}
+#endif
+#include "chapters/frame/claims_off.h"

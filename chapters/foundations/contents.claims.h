@@ -1,0 +1,234 @@
+/*
+# The book at a glance (目录)
+
+The source has nine chapters.  This page goes through its table of contents and says, for every section, by which claims
+of ours its subject is covered, and what of it is open.  A claim is about the subject, not about the text of the section,
+unless the ledger has an entry of it.
+
+:::{statement} hu-1987:preface-nine-chapters
+:title: The book has nine chapters
+:zh: 全书共九章
+:printed: The whole book has nine chapters.
+:holds-by: contents_has_nine_chapters
+:::
+
+:::{claim} contents_has_nine_chapters
+:title: The table of contents has nine chapters with seventy sections
+:zh: 目录共九章七十节
+:kind: decision
+:given: the numbers of sections in the table of contents, chapter by chapter
+:then: nine chapters, $9+10+6+9+7+11+3+8+7=70$ sections
+:method: The printed pages below are counted.
+:control: the last chapter left out
+:::
+
+:::{statement} hu-1987:contents-page-order
+:title: The pages of the sections increase
+:zh: 目录页码递增
+:printed: § 9-1 (225), § 9-2 (237), § 9-3 (234), § 9-4 (237)
+:refuted-by: page_of_a_section_before_the_one_before
+:class: misprint
+:corrected: § 9-2 begins on a page from 225 to 234; every other page number is not less than the one before it.
+:corrected-by: other_pages_do_not_decrease
+:::
+
+:::{statement} hu-1987:contents-chapter-pages
+:title: A chapter begins with its first section
+:zh: 章首页码
+:printed: Chapter 2 begins on page 23, its first section on page 25, and the last section before it, 1-9, on page 22.
+:refuted-by: second_chapter_begins_before_its_first_section
+:class: misprint
+:corrected: In the eight other chapters the page of the chapter is that of its first section.
+:corrected-by: other_chapters_begin_with_their_first_section
+
+Which of the three numbers is wrong cannot be decided from the table.
+:::
+
+:::{claim} page_of_a_section_before_the_one_before
+:title: Section 9-3 begins before section 9-2
+:zh: 9-3 节页码小于 9-2 节
+:kind: counterexample
+:given: the pages of the sections of chapter 9: 225, 237, 234, 237, 242, 244, 248
+:then: they do not increase
+:method: Neighbours are compared.
+:control: the second page left out
+:::
+
+:::{claim} other_pages_do_not_decrease
+:title: Without 9-2 all pages are in order
+:zh: 其余页码不减
+:kind: decision
+:given: the pages of all seventy sections but 9-2
+:then: none is less than the one before it; so 9-2 is between the pages 225 of 9-1 and 234 of 9-3
+:method: Neighbours are compared.
+:control: 9-2 with its printed page
+:::
+
+:::{claim} second_chapter_begins_before_its_first_section
+:title: The page of chapter 2 is not that of section 2-1
+:zh: 第二章页码与 2-1 节不符
+:kind: counterexample
+:given: chapter 2 (23), section 2-1 (25)
+:then: $23\ne25$
+:method: The two numbers.
+:control: chapter 3 and section 3-1
+:::
+
+:::{claim} other_chapters_begin_with_their_first_section
+:title: The other chapters begin on the page of their first section
+:zh: 其余各章页码与首节一致
+:kind: decision
+:given: the pages of the chapters 1, 3, ..., 9: 1, 57, 82, 115, 147, 187, 198, 225
+:then: each is the page of the first section
+:method: The numbers of the table.
+:control: chapter 2 counted in
+:::
+*/
+#include "chapters/frame/claims_on.h"
+
+#if RATIONAL
+enum { CHAPTERS = 9, MOST = 11 };
+
+/* The page of the chapter, and those of its sections, as printed; 0 ends the list. */
+static const int chapter_page[CHAPTERS] = {1, 23, 57, 82, 115, 147, 187, 198, 225};
+static const int section_page[CHAPTERS][MOST + 1] = {
+    {1, 2, 4, 6, 9, 12, 18, 20, 22},
+    {25, 26, 27, 29, 32, 34, 38, 40, 47, 51},
+    {57, 58, 62, 67, 69, 76},
+    {82, 84, 87, 91, 93, 99, 103, 106, 110},
+    {115, 119, 122, 128, 135, 142, 145},
+    {147, 154, 160, 164, 167, 171, 174, 177, 179, 182, 184},
+    {187, 190, 193},
+    {198, 202, 204, 206, 209, 214, 218, 220},
+    {225, 237, 234, 237, 242, 244, 248},
+};
+
+/* Whether no page is less than the one before, the second section of the last chapter left out if asked for. */
+static int pages_do_not_decrease(int first_chapter, int without)
+{
+    int last = 0, good = 1;
+    for (int c = first_chapter; c < CHAPTERS; c++)
+        for (int k = 0; section_page[c][k] != 0; k++)
+            if (!(without && c == CHAPTERS - 1 && k == 1)) {
+                good &= section_page[c][k] >= last;
+                last = section_page[c][k];
+            }
+    return good;
+}
+
+CLAIM(contents_has_nine_chapters)
+{
+    static const int printed[CHAPTERS] = {9, 10, 6, 9, 7, 11, 3, 8, 7};
+    int sections = 0, chapters = 0;
+    for (int c = 0; c < CHAPTERS - T->planted; c++, chapters++) {
+        int count = 0;
+        while (section_page[c][count] != 0)
+            count++;
+        agree(T, count == printed[c]);
+        sections += count;
+    }
+    agree(T, chapters == 9 && sections == 70);
+}
+
+CLAIM(page_of_a_section_before_the_one_before)
+{
+    const int *p = section_page[CHAPTERS - 1];
+    show_text(T, "pages of 9-1, 9-2, 9-3, 9-4", "%d, %d, %d, %d", p[0], p[1], p[2], p[3]);
+    about(T, "whether the pages are in order");
+    agree(T, pages_do_not_decrease(CHAPTERS - 1, T->planted));
+}
+
+CLAIM(other_pages_do_not_decrease) { agree(T, pages_do_not_decrease(0, !T->planted)); }
+
+CLAIM(second_chapter_begins_before_its_first_section)
+{
+    int c = T->planted ? 2 : 1;
+    show_text(T, "chapter, first section", "%d, %d", chapter_page[c], section_page[c][0]);
+    about(T, "the two pages");
+    same(T, from_int(chapter_page[c]), from_int(section_page[c][0]));
+}
+
+CLAIM(other_chapters_begin_with_their_first_section)
+{
+    for (int c = 0; c < CHAPTERS; c++)
+        agree(T, (c == 1 && !T->planted) || chapter_page[c] == section_page[c][0]);
+}
+#endif
+#include "chapters/frame/claims_off.h"
+
+/*
+## The sections
+
+| section | subject | covered by | open |
+|---|---|---|---|
+| 1-1 | what geometric design is about | `one_cubic_passes_through_four_data` `nearest_line_meets_no_datum` | other kinds of data |
+| 1-2 | properties of shapes | `matrices_pass_to_the_points` `translation_adds_the_sum_of_the_functions` `bezier_curve_moves_with_its_points` `curve_points_are_convex_combinations` | solids |
+| 1-3 | circles | `small_steps_multiply_the_radius` `second_orbit_never_closes` `ellipse_lies_between_two_circles` `third_matrix_by_the_radius` | |
+| 1-4 | description of parametric curves | `horner_computes_the_sum_of_powers` `additions_step_along_the_curve` `cusp_of_the_example_is_a_cusp` `sign_of_delta_tells_the_form` `torsion_by_speed_and_curvature` | |
+| 1-5 | control of shape | `conditions_make_one_curve_in_another_parameter` `pieces_in_new_powers` `fractional_change_of_a_power_curve` | the end of the section |
+| 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` | surfaces |
+| 1-7 | points of parametric surfaces | | all of it |
+| 1-8 | control of the shape of surfaces | | all of it |
+| 1-9 | interpolation by Lagrange | `one_cubic_passes_through_four_data` `divided_difference_is_leading_coefficient` | parameters for points |
+| 2-1 | display in space | | all of it |
+| 2-2 | affine maps | `bezier_curve_moves_with_its_points` `total_degree_survives_affine_maps` | maps of space as matrices |
+| 2-3 | projective maps | `projective_image_is_not_the_curve_of_the_images` `projective_change_of_unit_interval_is_fractional` | maps of the plane |
+| 2-4 | rotation about an axis | `rotation_matrix_adds_the_angle` `rotation_about_a_point_moves_the_example` | rotations of space |
+| 2-5 | viewing transformation | | all of it |
+| 2-6 | perspective | | all of it |
+| 2-7 | theory of perspective | | all of it |
+| 2-8 | perspective space | | all of it |
+| 2-9 | homogeneous coordinates | `homogeneous_points_carry_their_weight` `translated_homogeneous_points_give_no_translate` | |
+| 2-10 | clipping | | all of it |
+| 3-1 | hidden lines and surfaces | | all of it |
+| 3-2 | convex polyhedra | | all of it |
+| 3-3 | methods for hidden parts | | all of it |
+| 3-4 | choice of coordinates | | all of it |
+| 3-5 | an algorithm for hidden parts | | all of it |
+| 3-6 | another algorithm for hidden parts | | all of it |
+| 4-1 | interpolation by Hermite | `end_data_determine_the_cubic` `osculation_is_divisibility` |  |
+| 4-2 | Ferguson's curves, first part | `end_data_determine_the_cubic` `other_lengths_give_another_cubic` | splines |
+| 4-3 | Ferguson's curves, second part | `conditions_make_one_curve_in_another_parameter` `cusps_are_on_a_hyperbola` | splines |
+| 4-4 | Ferguson's surfaces | | all of it |
+| 4-5 | Coons surfaces, first part | | all of it |
+| 4-6 | Coons surfaces, second part | | all of it |
+| 4-7 | control of bicubic surfaces | | all of it |
+| 4-8 | twist | | all of it |
+| 4-9 | joining Coons patches | | all of it |
+| 5-1 | cubic Bézier curves | `decasteljau_evaluates_bezier_curve` `end_derivatives_are_end_differences` | |
+| 5-2 | Bernstein polynomials | `bernstein_is_binomial_form` `bernstein_sums_to_one` `bernstein_positive_inside` `bernstein_recurrence` | |
+| 5-3 | properties of Bézier curves | `curve_points_are_convex_combinations` `line_crosses_curve_at_most_as_often_as_polygon` `reversed_points_reverse_the_curve` | |
+| 5-4 | elevation, division, joining | `elevation_keeps_bezier_curve` `split_gives_the_two_parts` `conditions_make_one_curve_in_another_parameter` | |
+| 5-5 | Bézier surfaces | | all of it |
+| 5-6 | triangular patches | | all of it |
+| 5-7 | interpolating cubic Bézier curves | `end_data_determine_the_cubic` | systems of equations |
+| 6-1 | uniform cubic B-spline curves | `uniform_matrix_is_the_matrix` `matrix_gives_homogeneous_curve` | geometric properties of the cubic |
+| 6-2 | uniform B-spline surfaces | | all of it |
+| 6-3 | B-splines by divided differences | `column_by_differences_is_the_function` `truncated_power_gives_the_basis` |  |
+| 6-4 | B-splines by recursion | `bspline_basis_follows_definition` `basis_is_a_partition_of_unity` |  |
+| 6-5 | forms of B-spline curves | `clamped_end_is_the_first_point` `periodic_data_close_the_curve` `bezier_curves_are_nurbs_curves` |  |
+| 6-6 | points of curves from data | | all of it |
+| 6-7 | points of surfaces from data | | all of it |
+| 6-8 | de Boor's algorithm | `rational_triangle_gives_the_point` `every_level_divides_its_edges` |  |
+| 6-9 | insertion of knots | `printed_insertion_keeps_the_curve` `inserted_points_divide_the_edges` |  |
+| 6-10 | Chaikin's algorithm | | all of it |
+| 6-11 | interpolating B-splines | | all of it |
+| 7-1 | plane rational curves | `rational_point_is_weighted_mean` `equal_invariants_give_same_curve` | |
+| 7-2 | conics and their kinds | `points_at_infinity_tell_the_kind` `kind_in_any_coordinates` `conic_invariants_are_determinants` | |
+| 7-3 | rational curves in space | `end_torsion_at_zero` `coplanar_vertices_give_a_plane_curve` | T-conics |
+| 8-1 | geometric models | | all of it |
+| 8-2 | methods of modelling | | all of it |
+| 8-3 | Boolean operations | | all of it |
+| 8-4 | regular Boolean operations | | all of it |
+| 8-5 | data structures of polyhedra | | all of it |
+| 8-6 | description of solids | | all of it |
+| 8-7 | free surfaces in solids | | all of it |
+| 8-8 | local deformation | | all of it |
+| 9-1 | arcs of circles and their joints | `arc_and_its_central_angle` `rational_quadratic_of_the_arc` | joints of two arcs |
+| 9-2 | conics from lines | `conics_touching_two_lines_are_limings` `limings_pencil_in_the_frame` | |
+| 9-3 | cubic splines | | all of it |
+| 9-4 | generating lines of surfaces | | all of it |
+| 9-5 | fairness | | all of it |
+| 9-6 | fairing by rebound | | all of it |
+| 9-7 | fairing by energy | | all of it |
+*/

@@ -1,0 +1,956 @@
+/*
+# The shapes of a cubic (参数三次曲线的形态)
+
+A plane cubic can run on without incident, change its side once or twice, turn on its heel, or cross itself.  Which of these it
+does is decided by three numbers, the determinants $a=A\times B$, $b=A\times C$, $c=B\times C$ of its coefficients, and by
+$\delta=3b^2-4ac$.
+
+## Ends and tangents
+
+:::{statement} hu-1987:1-4-hermite-determined
+:title: Points and tangents at both ends determine the cubic
+:zh: 端点位置与切矢确定三次曲线
+:printed: If the position vector and the tangent vector are given at $t=0$ and at $t=1$, the curve is completely determined.
+:holds-by: end_data_determine_the_cubic
+:::
+
+:::{statement} hu-1987:1-4-hermite-a
+:title: The coefficient A from the data at the ends
+:zh: 系数 A
+:printed: A=2(\dot Q_0-\dot Q_1)+\dot Q_0+\dot Q_1
+:refuted-by: dotted_first_coefficient_misses_the_end
+:class: misprint
+:corrected: A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1
+:corrected-by: end_data_determine_the_cubic
+
+The position vectors have been given the dots of the tangent vectors, here, in $B$ and in $D$.
+:::
+
+:::{statement} hu-1987:1-4-hermite-b
+:title: The coefficient B from the data at the ends
+:zh: 系数 B
+:printed: B=3(\dot Q_1-\dot Q_0)-2\dot Q_0-\dot Q_1
+:refuted-by: dotted_second_coefficient_misses_the_end
+:class: misprint
+:corrected: B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1
+:corrected-by: end_data_determine_the_cubic
+:::
+
+:::{statement} hu-1987:1-4-hermite-c
+:title: The coefficient C from the data at the ends
+:zh: 系数 C
+:printed: C=\dot Q_0
+:holds-by: end_data_determine_the_cubic
+:::
+
+:::{statement} hu-1987:1-4-hermite-d
+:title: The coefficient D from the data at the ends
+:zh: 系数 D
+:printed: D=\dot Q_0
+:refuted-by: dotted_last_coefficient_misses_the_beginning
+:class: misprint
+:corrected: D=Q_0
+:corrected-by: end_data_determine_the_cubic
+:::
+
+:::{claim} end_data_determine_the_cubic
+:title: The coefficients meet the data at the ends, and are the only ones
+:zh: 端点数据与系数一一对应
+:given: any $Q_0,\dot Q_0,Q_1,\dot Q_1$ of the plane
+:then: with the four coefficients $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
+  coefficients
+:method: Both ways round with everything a variable: values and derivatives by the definition.
+:control: $\dot Q_1$ left out of $B$
+:::
+
+:::{claim} dotted_first_coefficient_misses_the_end
+:title: With the dotted points in A the curve does not end where it should
+:zh: 印刷的 A 不满足端点条件
+:kind: counterexample
+:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; $B$, $C$, $D$ as corrected
+:then: $A=2$ in the place of 0, $P(1)=3\ne Q_1$
+:method: $P(1)=A+B+C+D$, exactly.
+:control: the corrected $A$
+:::
+
+:::{claim} dotted_second_coefficient_misses_the_end
+:title: With the dotted points in B the curve does not end where it should
+:zh: 印刷的 B 不满足端点条件
+:kind: counterexample
+:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; $A$, $C$, $D$ as corrected
+:then: $B=-3$ in the place of 0, $P(1)=-2\ne Q_1$
+:method: $P(1)=A+B+C+D$, exactly.
+:control: the corrected $B$
+:::
+
+:::{claim} dotted_last_coefficient_misses_the_beginning
+:title: With the dotted point in D the curve does not begin where it should
+:zh: 印刷的 D 不满足端点条件
+:kind: counterexample
+:given: $Q_0=0$, $\dot Q_0=1$
+:then: $P(0)=D=1\ne Q_0$
+:method: $P(0)=D$.
+:control: the corrected $D$
+:::
+*/
+#include "chapters/foundations/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = 2, space = 3 };
+
+/* c = (D, C, B, A) for the ends Q = (Q_0, Q_1) with the derivatives V, as corrected. */
+static void G(cubic_of_ends)(int dims, const num Q[], const num V[], num c[])
+{
+    for (int j = 0; j < dims; j++) {
+        num q0 = Q[j], q1 = Q[dims + j], v0 = V[j], v1 = V[dims + j], edge = sub(q1, q0);
+        c[j] = q0;
+        c[dims + j] = v0;
+        c[2 * dims + j] = sub(mul(from_int(3), edge), add(add(v0, v0), v1));
+        c[3 * dims + j] = sub(add(v0, v1), add(edge, edge));
+    }
+}
+
+CLAIM(end_data_determine_the_cubic)
+{
+    num Q[2 * dim], V[2 * dim], c[4 * dim], given[4 * dim];
+    for (int m = 0; m < 2 * dim; m++) {
+        Q[m] = unknown(T, "q", m);
+        V[m] = unknown(T, "v", m);
+    }
+    G(cubic_of_ends)(dim, Q, V, c);
+    if (T->planted)
+        for (int j = 0; j < dim; j++)
+            c[2 * dim + j] = add(c[2 * dim + j], V[dim + j]);
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < dim; j++) {
+            same(T, G(power_sum)(3, dim, c, j, from_int(end)), Q[end * dim + j]);
+            same(T, G(power_sum_derivative)(3, dim, c, j, 1, from_int(end)), V[end * dim + j]);
+        }
+    G(free_coefficients)(T, 3, dim, given);
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < dim; j++) {
+            Q[end * dim + j] = G(power_sum)(3, dim, given, j, from_int(end));
+            V[end * dim + j] = G(power_sum_derivative)(3, dim, given, j, 1, from_int(end));
+        }
+    G(cubic_of_ends)(dim, Q, V, c);
+    for (int m = 0; m < 4 * dim; m++)
+        same(T, c[m], given[m]);
+}
+
+#if RATIONAL
+/* The corrected coefficients of Q_0 = 0, Q_1 = 1, tangents 1, with coefficient k as printed if asked for. */
+static void with_printed_coefficient(trial *T, int k, num value, num c[])
+{
+    num Q[2] = {from_int(0), from_int(1)}, V[2] = {from_int(1), from_int(1)};
+    G(cubic_of_ends)(1, Q, V, c);
+    if (!T->planted)
+        c[k] = value;
+    show_points(T, "Q_0, Q_1", 2, 1, Q);
+    show_points(T, "tangent vectors", 2, 1, V);
+    show_points(T, "D, C, B, A", 4, 1, c);
+}
+
+CLAIM(dotted_first_coefficient_misses_the_end)
+{
+    num c[4];
+    with_printed_coefficient(T, 3, from_int(2 * (1 - 1) + 1 + 1), c);
+    about(T, "P(1) and Q_1");
+    same(T, G(power_sum)(3, 1, c, 0, from_int(1)), from_int(1));
+}
+
+CLAIM(dotted_second_coefficient_misses_the_end)
+{
+    num c[4];
+    with_printed_coefficient(T, 2, from_int(3 * (1 - 1) - 2 - 1), c);
+    about(T, "P(1) and Q_1");
+    same(T, G(power_sum)(3, 1, c, 0, from_int(1)), from_int(1));
+}
+
+CLAIM(dotted_last_coefficient_misses_the_beginning)
+{
+    num c[4];
+    with_printed_coefficient(T, 0, from_int(1), c);
+    about(T, "P(0) and Q_0");
+    same(T, G(power_sum)(3, 1, c, 0, from_int(0)), from_int(0));
+}
+#endif
+
+/*
+:::{statement} hu-1987:1-4-lengths-change-the-shape
+:title: Tangents of other lengths give another shape
+:zh: 切矢大小不同则形状不同
+:printed: If two curves have the same position vectors at the beginning and at the end, and the same directions of the tangent
+  vectors, but different lengths of these, the shapes of the two curves are different.
+:holds-by: other_lengths_give_another_cubic
+:hypothesis: tangents_along_the_chord_keep_the_segment | The tangents are not both parallel to the chord: there the curve is the
+  segment for many lengths.
+:figure: lengths_of_the_tangents
+:::
+
+:::{statement} hu-1987:1-4-lengths-matter
+:title: Directions and lengths of the tangents have influence on the shape
+:zh: 切矢的方向与大小均影响形状
+:printed: Not only the direction of a tangent vector, its length, too, influences the shape of the curve.
+:holds-by: each_form_occurs
+:figure: lengths_of_the_tangents
+:::
+
+:::{claim} other_lengths_give_another_cubic
+:title: The cubic of other lengths leaves the first cubic
+:zh: 切矢长度不同的三次曲线不重合
+:types: rational
+:given: random ends and directions that are not all parallel, two different pairs of lengths, one of them or both different
+:then: the second curve is not contained in the implicit equation of the first
+:method: The equation by Bézout's determinant, at ten points of the second curve: a polynomial of degree at most 9 in $t$ that is
+  not 0 at all of them.  That no exception remains: two cubics with one arc are $P_2(t)=P_1(\phi(t))$ with a fractional
+  linear $\phi$, as soon as they are no line; polynomials leave only the affine ones, and the ends fix $\phi(t)=t$.
+:control: the lengths equal
+:::
+
+:::{claim} tangents_along_the_chord_keep_the_segment
+:title: With both tangents along the chord the lengths do not matter
+:zh: 切矢沿弦时形状不变
+:kind: counterexample
+:given: $Q_0=(0,0)$, $Q_1=(1,0)$; tangents $(1,0)$ at both ends, and tangents $(2,0)$ and $(\frac12,0)$
+:then: both curves run once and forward along the same segment: $y=0$, and $x'>0$ on $(0,1)$
+:method: The coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
+:control: the second curve with tangents $(2,1)$ and $(\frac12,0)$
+:::
+*/
+#if RATIONAL
+#include "exact/sign.h"
+
+/* The Bézier points of the cubic of these ends. */
+static void points_of_ends(const num Q[], const num V[], num R[])
+{
+    for (int j = 0; j < dim; j++) {
+        R[j] = Q[j];
+        R[dim + j] = add(Q[j], mul(from_ratio(1, 3), V[j]));
+        R[2 * dim + j] = sub(Q[dim + j], mul(from_ratio(1, 3), V[dim + j]));
+        R[3 * dim + j] = Q[dim + j];
+    }
+}
+
+CLAIM(other_lengths_give_another_cubic)
+{
+    num Q[2 * dim], V[2 * dim], W[2 * dim], R[4 * dim], c[4 * dim], P[dim], one = from_int(1);
+    num weights[4] = {one, one, one, one};
+    int kind = pick(T, 0, 2), leaves = 0; /* which of the two lengths differ */
+    for (int m = 0; m < 2 * dim; m++)
+        Q[m] = unknown(T, "q", m);
+    for (int end = 0; end < 2; end++) {
+        num factor = T->planted || kind == end ? one : add(one, positive(T, "l", end));
+        for (int j = 0; j < dim; j++) {
+            V[end * dim + j] = unknown(T, "v", end * dim + j);
+            W[end * dim + j] = mul(factor, V[end * dim + j]);
+        }
+    }
+    points_of_ends(Q, V, R);
+    G(cubic_of_ends)(dim, Q, W, c);
+    for (int k = 1; k <= 10; k++) {
+        G(power_point)(3, dim, c, from_ratio(k, 11), P);
+        leaves |= !is_zero_q(G(implicit_value)(3, R, weights, P[0], P[1]));
+    }
+    agree(T, leaves);
+}
+
+/* Whether the cubic runs once and forward along the x-axis from 0 to 1. */
+static int runs_along_the_axis(const num V[])
+{
+    num Q[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, c[8];
+    G(cubic_of_ends)(dim, Q, V, c);
+    int flat = 1;
+    num speed[3];
+    for (int k = 0; k < 4; k++)
+        flat &= is_zero_q(c[dim * k + 1]);
+    for (int k = 0; k < 3; k++)
+        speed[k] = mul(from_int(k + 1), c[dim * (k + 1)]);
+    return flat && sign_on(poly_from_q(3, speed), from_int(0), from_int(1), OPEN) == SIGN_POSITIVE;
+}
+
+CLAIM(tangents_along_the_chord_keep_the_segment)
+{
+    num first[4] = {from_int(1), from_int(0), from_int(1), from_int(0)};
+    num second[4] = {from_int(2), from_int(T->planted), from_ratio(1, 2), from_int(0)};
+    show_points(T, "tangents of the first curve", 2, 2, first);
+    show_points(T, "tangents of the second curve", 2, 2, second);
+    about(T, "whether the two sets of points differ");
+    agree(T, !(runs_along_the_axis(first) && runs_along_the_axis(second)));
+}
+#endif
+
+/*
+## Inflections (拐点)
+
+:::{statement} hu-1987:1-4-derivatives
+:title: The first two derivatives of the cubic
+:zh: 一、二阶导矢
+:printed: \dot P(t)=3At^2+2Bt+C,\qquad\ddot P(t)=6At+2B
+:holds-by: derivatives_of_a_cubic
+:::
+
+:::{statement} hu-1987:1-4-third-derivative
+:title: The third derivative of the cubic
+:zh: 三阶导矢
+:printed: \ddot P(t)=[\ddot x\;\ddot y\;\ddot z]=6A
+:refuted-by: second_derivative_is_not_constant
+:class: misprint
+:corrected: \dddot P(t)=[\dddot x\;\dddot y\;\dddot z]=6A
+:corrected-by: derivatives_of_a_cubic
+
+The third dot is lost in this line, and in those that use it.
+:::
+
+:::{claim} derivatives_of_a_cubic
+:title: The three derivatives of a cubic
+:zh: 三次曲线的各阶导矢
+:given: any coefficients in space, any $t$
+:then: $P'=3At^2+2Bt+C$, $P''=6At+2B$, $P'''=6A$
+:method: The kernel against the printed expressions, everything a variable.
+:control: $3At$ in the place of $3At^2$
+:::
+
+:::{claim} second_derivative_is_not_constant
+:title: The second derivative of a parabola is not six times its cubic coefficient
+:zh: 二阶导矢不等于 6A
+:kind: counterexample
+:given: $P(t)=t^2$: $A=0$, $B=1$
+:then: $P''=2$, $6A=0$
+:method: The kernel, exactly.
+:control: the third derivative
+:::
+
+:::{statement} hu-1987:1-4-inflection
+:title: An inflection is a point of curvature zero
+:zh: 拐点的定义
+:definition: yes
+:printed: By $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where the curvature is $K=0$ the point is called an inflection.
+:checked-by: curvature_and_torsion_belong_to_arc_length merged_inflections_are_a_cusp
+
+For plane cubics it is what the word says elsewhere, a change from one side of the tangent to the other: a double zero of
+$\dot P\times\ddot P$, without such a change, occurs at cusps and on lines only.  For higher degrees it is not: $(t,t^4)$ has $K=0$ at
+$t=0$ and stays on one side.
+:::
+
+:::{statement} hu-1987:1-4-inflection-parallel
+:title: At an inflection the second derivative is parallel to the first
+:zh: 拐点处二阶导矢平行于切矢
+:printed: An inflection is a point with $\dot P\times\ddot P=0$; points with $\dot P=0$ not considered, $\ddot P=g\dot P$ with a scalar $g$.
+:holds-by: second_derivative_splits_along_the_first
+:needs: cusp_has_no_such_factor | $\dot P\ne0$: where $\dot P=0\ne\ddot P$ there is no $g$.
+:::
+
+:::{claim} second_derivative_splits_along_the_first
+:title: The second derivative is a multiple of the first plus what the vector product measures
+:zh: 二阶导矢的分解
+:given: any $P'\ne0$ and $P''$ in space
+:then: $|P'|^2P''=(P'\cdot P'')\,P'+(P'\times P'')\times P'$; so $P'\times P''=0$ gives $P''=gP'$ with $g=\frac{P'\cdot P''}{|P'|^2}$, and conversely
+  $P'\times gP'=0$
+:method: Identities in the six components and $g$.
+:control: $P'\times(P'\times P'')$
+:::
+
+:::{claim} cusp_has_no_such_factor
+:title: At a cusp the vector product vanishes and the second derivative is no multiple of the first
+:zh: 尖点处不存在标量 g
+:kind: counterexample
+:given: $P(t)=(t^2,t^3)$, $t=0$: $P'=(0,0)$, $P''=(2,0)$
+:then: $P'\times P''=0$, and $P''\ne gP'=0$ for every $g$
+:method: The derivatives by the kernel.
+:control: $t=0$ of $(t+t^2,t^3)$, with $g=2$
+:::
+
+:::{statement} hu-1987:1-4-inflection-quadratic
+:title: The inflections are given by a quadratic equation
+:zh: 拐点满足二次方程
+:printed: This is a quadratic equation of $t$, the parameter running over $[0,1]$.
+:holds-by: turning_of_a_cubic_is_quadratic
+:::
+
+:::{statement} hu-1987:1-4-two-inflections
+:title: A cubic has at most two inflections
+:zh: 参数三次曲线至多有两个拐点
+:printed: So a parametric cubic has at most two inflections.
+:holds-by: turning_of_a_cubic_is_quadratic each_form_occurs
+:hypothesis: line_has_curvature_zero_everywhere | The cubic is no line.  On a line every point has curvature 0.
+:::
+
+:::{claim} turning_of_a_cubic_is_quadratic
+:title: The vector product of the two derivatives of a cubic
+:zh: 三次曲线的转向多项式
+:given: any plane cubic, any $t$
+:then: $P'\times P''=-2(3at^2+3bt+c)$, of degree 2 or less; the kernels give $a,b,c$ and the three coefficients
+:method: The derivatives of the definition, multiplied, against the polynomial, everything a variable; $a,b,c$ as determinants
+  written out.
+:defines: cubic_minors inflection_polynomial
+:control: the factor 2 in the place of the first 3
+:::
+
+:::{claim} line_has_curvature_zero_everywhere
+:title: Along a line the vector product is zero for every parameter
+:zh: 直线上曲率处处为零
+:kind: counterexample
+:given: $P(t)=(t+t^3,0)$
+:then: $P'\times P''=0$ as a polynomial: more than two parameters
+:method: The kernels; that not all three coefficients vanish is refuted.
+:control: $P(t)=(t+t^3,t^3)$
+:::
+*/
+CLAIM(derivatives_of_a_cubic)
+{
+    num c[4 * space], D[4 * space], t = parameter(T, "t");
+    G(free_coefficients)(T, 3, space, c);
+    G(power_derivatives)(3, space, c, t, 3, D);
+    for (int j = 0; j < space; j++) {
+        num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], tt = T->planted ? t : mul(t, t);
+        same(T, D[space + j], add(add(mul(mul(from_int(3), A), tt), mul(mul(from_int(2), B), t)), C));
+        same(T, D[2 * space + j], add(mul(mul(from_int(6), A), t), mul(from_int(2), B)));
+        same(T, D[3 * space + j], mul(from_int(6), A));
+    }
+}
+
+CLAIM(second_derivative_splits_along_the_first)
+{
+    num d1[space], d2[space], n[space], back[space], g = unknown(T, "g", 0), scaled[space];
+    for (int j = 0; j < space; j++) {
+        d1[j] = unknown(T, "u", j);
+        d2[j] = unknown(T, "v", j);
+        scaled[j] = mul(g, d1[j]);
+    }
+    G(cross3)(d1, d2, n);
+    if (T->planted)
+        G(cross3)(d1, n, back);
+    else
+        G(cross3)(n, d1, back);
+    for (int j = 0; j < space; j++)
+        same(T, mul(G(norm_squared)(space, d1), d2[j]), add(mul(G(dot)(space, d1, d2), d1[j]), back[j]));
+    G(cross3)(d1, scaled, n);
+    for (int j = 0; j < space; j++)
+        vanishes(T, n[j]);
+}
+
+CLAIM(turning_of_a_cubic_is_quadratic)
+{
+    num c[4 * dim], D[2][dim], m[3], f[3], t = parameter(T, "t");
+    G(free_coefficients)(T, 3, dim, c);
+    G(cubic_minors)(c, m);
+    for (int k = 0; k < 3; k++) { /* A x B, A x C, B x C */
+        int i = k < 2 ? 3 : 2, h = k == 0 ? 2 : 1;
+        same(T, m[k], sub(mul(c[2 * i], c[2 * h + 1]), mul(c[2 * i + 1], c[2 * h])));
+    }
+    G(inflection_polynomial)(m, f);
+    for (int j = 0; j < dim; j++)
+        for (int r = 1; r <= 2; r++)
+            D[r - 1][j] = G(power_sum_derivative)(3, dim, c, j, r, t);
+    num product = sub(mul(D[0][0], D[1][1]), mul(D[0][1], D[1][0]));
+    same(T, G(power_sum)(2, 1, f, 0, t), product);
+    num inner = add(add(mul(mul(from_int(T->planted ? 2 : 3), m[0]), mul(t, t)), mul(mul(from_int(3), m[1]), t)), m[2]);
+    same(T, product, mul(from_int(-2), inner));
+}
+
+#if RATIONAL
+CLAIM(second_derivative_is_not_constant)
+{
+    num c[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, D[4];
+    G(power_derivatives)(3, 1, c, from_ratio(1, 3), 3, D);
+    show_points(T, "D, C, B, A", 4, 1, c);
+    about(T, "the derivative, and 6A");
+    same(T, D[T->planted ? 3 : 2], mul(from_int(6), c[3]));
+}
+
+CLAIM(cusp_has_no_such_factor)
+{
+    num c[8] = {from_int(0), from_int(0), from_int(T->planted), from_int(0),
+                from_int(1), from_int(0), from_int(0),          from_int(1)};
+    num D[6];
+    G(power_derivatives)(3, dim, c, from_int(0), 2, D);
+    show_points(T, "P', P''", 2, 2, D + 2);
+    about(T, "whether P' is not 0, or P'' is 0");
+    agree(T, is_zero_q(G(cross2)(D + 2, D + 4)));
+    agree(T, !is_zero_q(G(norm_squared)(2, D + 2)) || is_zero_q(G(norm_squared)(2, D + 4)));
+}
+
+CLAIM(line_has_curvature_zero_everywhere)
+{
+    num c[8], m[3], f[3];
+    for (int k = 0; k < 8; k++)
+        c[k] = from_int(k == 2 || k == 6 || (k == 7 && T->planted));
+    G(cubic_minors)(c, m);
+    G(inflection_polynomial)(m, f);
+    show_points(T, "D, C, B, A", 4, 2, c);
+    show_text(T, "P' x P''", "%s", poly_to_string(poly_from_q(3, f), "t"));
+    about(T, "whether P' x P'' has finitely many zeros");
+    agree(T, !poly_is_zero(poly_from_q(3, f)));
+}
+#endif
+
+/*
+## Cusp and loop (尖点与闭环)
+
+:::{statement} hu-1987:1-4-forms
+:title: The forms of a cubic
+:zh: 参数三次曲线的几种形态
+:printed: The forms of parametric cubics contain the ordinary one, the cusp, the closed loop, and that with inflections (figure 1-7).
+:holds-by: each_form_occurs sign_of_delta_tells_the_form
+:figure: forms_of_a_cubic
+
+Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve, and by the lengths of the tangents on the arc
+(`forms_by_the_lengths_of_the_tangents`).
+:::
+
+:::{claim} sign_of_delta_tells_the_form
+:title: A cubic with a double point, and a cubic with two inflections, have delta of different signs
+:zh: 判别式区分二重点与拐点
+:given: any $s$ and $u$, any vectors $L,M,N$ of the plane: $P(t)=N+(t-s)(t-u)(Lt+M)$, a cubic with $P(s)=P(u)=N$
+:then: with $a=A\times B$ etc.: $\delta=-a^2(s-u)^2$, `double_point_polynomial` is $a^2(t-s)(t-u)$, `cubic_double_point` is $N$; and for
+  every cubic the discriminant of $P'\times P''$ is $12\delta$, that of the double point polynomial $-a^2\delta$
+:method: The coefficients of $P$ are formed from $s,u,L,M,N$, all variables; the kernels then know nothing of these.  Conversely
+  division by the polynomial with the sum $-\frac ba$ and the product $\frac{b^2-ac}{a^2}$ of its roots leaves a constant for every cubic with
+  $a\ne0$: that remainder is computed for free coefficients.
+:defines: cubic_delta double_point_polynomial cubic_double_point
+:control: $\delta=b^2-4ac$
+:::
+
+:::{claim} merged_inflections_are_a_cusp
+:title: The two inflections meet at a cusp and nowhere else
+:zh: 两拐点重合处为尖点
+:given: any plane cubic with $a\ne0$, $t_0=-\frac b{2a}$
+:then: $A\times P'(t_0)=0$ and $4a\,B\times P'(t_0)=-\delta$; since $A$ and $B$ are independent, $P'(t_0)=0$ exactly for $\delta=0$; and a cubic with
+  $P'(t_1)=0$ somewhere has $\delta=0$
+:method: The derivative at $t_0$ by the kernel, everything a variable; for the converse $C=-3At_1^2-2Bt_1$.
+:control: $t_0=-\frac ba$
+:::
+
+:::{claim} cusps_are_on_a_hyperbola
+:title: In the plane of the lengths the cusps are a hyperbola
+:zh: 切矢长度平面上的尖点双曲线
+:given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$
+:then: $\delta=-4\alpha\beta\,w^2\bigl((\alpha-2)(\beta-2)-1\bigr)$ with $w=2(Q_1-Q_0)\times(M-Q_0)$; the turning at the ends is
+  $P'\times P''(0)=-2\alpha(3-2\beta)\,w$ and $P'\times P''(1)=-2\beta(3-2\alpha)\,w$
+:method: The cubic of the ends, the kernels, everything a variable.  For $\alpha=\beta=1$ the curve is a parabola.
+:control: $(\alpha-2)(\beta-2)-2$
+:::
+
+:::{claim} each_form_occurs
+:title: With the same ends and directions all forms occur
+:zh: 端点与切向相同而形态各异
+:kind: decision
+:given: the triangle $(0,0),(1,2),(3,0)$ and $(\alpha,\beta)=(\frac12,\frac12),(1,3),(2,2),(3,3),(4,4)$
+:then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
+:method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
+:control: $(1,3)$ in the place of $(\frac12,\frac12)$
+:::
+
+:::{claim} forms_by_the_lengths_of_the_tangents
+:title: What an arc does, by the lengths of its tangents
+:zh: 由切矢长度判定曲线形态
+:types: rational
+:given: the triangle $(0,0),(1,2),(3,0)$; $\alpha,\beta$ random in the parts of the quadrant $\alpha,\beta>0$
+:then: both below $\frac32$: no inflection; one above, one below: one; both above, and $(\alpha-2)(\beta-2)<1$ or one of them below 2: two;
+  both above 2 and $(\alpha-2)(\beta-2)>1$: none, and a loop; on the hyperbola: a cusp
+:method: Inflections and the parameters of the double point in $(0,1)$ as root counts, for 20 points of each of the parts in every
+  case, and 20 cusps; the borders between the parts are those of `cusps_are_on_a_hyperbola`.
+:control: the border 1 in the place of $\frac32$
+:::
+*/
+CLAIM(sign_of_delta_tells_the_form)
+{
+    num s = unknown(T, "s", 0), u = unknown(T, "u", 0), c[4 * dim], m[3], f[3], g[3], N[dim], point[dim];
+    num sum = add(s, u), product = mul(s, u);
+    for (int j = 0; j < dim; j++) { /* (t^2 - sum t + product)(L t + M) + N */
+        num L = unknown(T, "l", j), M = unknown(T, "m", j);
+        N[j] = unknown(T, "n", j);
+        c[j] = add(mul(product, M), N[j]);
+        c[dim + j] = sub(mul(product, L), mul(sum, M));
+        c[2 * dim + j] = sub(M, mul(sum, L));
+        c[3 * dim + j] = L;
+    }
+    G(cubic_minors)(c, m);
+    G(double_point_polynomial)(m, g);
+    G(cubic_double_point)(c, m, point);
+    num aa = mul(m[0], m[0]), delta = G(cubic_delta)(m);
+    if (T->planted)
+        delta = sub(mul(m[1], m[1]), mul(from_int(4), mul(m[0], m[2])));
+    about(T, "delta");
+    same(T, delta, neg(mul(aa, G(power)(sub(s, u), 2))));
+    about(T, "the parameters of the double point");
+    same(T, g[2], aa);
+    same(T, g[1], neg(mul(aa, sum)));
+    same(T, g[0], mul(aa, product));
+    for (int j = 0; j < dim; j++)
+        same(T, point[j], N[j]);
+
+    num any[4 * dim]; /* the general cubic */
+    G(free_coefficients)(T, 3, dim, any);
+    G(cubic_minors)(any, m);
+    G(inflection_polynomial)(m, f);
+    G(double_point_polynomial)(m, g);
+    delta = G(cubic_delta)(m);
+    about(T, "the discriminants");
+    same(T, sub(mul(f[1], f[1]), mul(from_int(4), mul(f[0], f[2]))), mul(from_int(12), delta));
+    same(T, sub(mul(g[1], g[1]), mul(from_int(4), mul(g[0], g[2]))), neg(mul(mul(m[0], m[0]), delta)));
+    num p = neg(div(m[1], m[0])), q = div(g[0], mul(m[0], m[0]));
+    for (int j = 0; j < dim; j++) { /* A t^3 + B t^2 + C t = (t^2 - p t + q)(A t + B + p A) + linear t + ... */
+        num A = any[3 * dim + j], rest = add(any[2 * dim + j], mul(p, A));
+        about(T, "the remainder is constant");
+        vanishes(T, add(sub(any[dim + j], mul(q, A)), mul(p, rest)));
+    }
+}
+
+CLAIM(merged_inflections_are_a_cusp)
+{
+    num c[4 * dim], m[3], D[2 * dim], t1 = unknown(T, "t", 1);
+    G(free_coefficients)(T, 3, dim, c);
+    G(cubic_minors)(c, m);
+    num at = neg(div(m[1], T->planted ? m[0] : mul(from_int(2), m[0])));
+    G(power_derivatives)(3, dim, c, at, 1, D);
+    vanishes(T, G(cross2)(c + 3 * dim, D + dim));
+    same(T, mul(mul(from_int(4), m[0]), G(cross2)(c + 2 * dim, D + dim)), neg(G(cubic_delta)(m)));
+    for (int j = 0; j < dim; j++) {
+        num square = mul(mul(from_int(3), c[3 * dim + j]), mul(t1, t1));
+        c[dim + j] = neg(add(square, mul(mul(from_int(2), c[2 * dim + j]), t1)));
+    }
+    G(cubic_minors)(c, m);
+    about(T, "delta of a cubic with a vanishing derivative");
+    vanishes(T, G(cubic_delta)(m));
+}
+
+/* The cubic of the triangle Q_0, M, Q_1 with the lengths alpha and beta. */
+static void G(cubic_of_triangle)(const num R[], num alpha, num beta, num c[])
+{
+    num Q[2 * dim], V[2 * dim], two = from_int(2);
+    for (int j = 0; j < dim; j++) {
+        Q[j] = R[j];
+        Q[dim + j] = R[2 * dim + j];
+        V[j] = mul(mul(two, alpha), sub(R[dim + j], R[j]));
+        V[dim + j] = mul(mul(two, beta), sub(R[2 * dim + j], R[dim + j]));
+    }
+    G(cubic_of_ends)(dim, Q, V, c);
+}
+
+CLAIM(cusps_are_on_a_hyperbola)
+{
+    num R[3 * dim], c[4 * dim], m[3], f[3], alpha = parameter(T, "alpha"), beta = parameter(T, "beta"),
+                                            two = from_int(2);
+    num chord[dim], side[dim];
+    G(free_coefficients)(T, 2, dim, R);
+    G(cubic_of_triangle)(R, alpha, beta, c);
+    G(cubic_minors)(c, m);
+    G(inflection_polynomial)(m, f);
+    for (int j = 0; j < dim; j++) {
+        chord[j] = sub(R[2 * dim + j], R[j]);
+        side[j] = sub(R[dim + j], R[j]);
+    }
+    num w = mul(two, G(cross2)(chord, side));
+    num branch = sub(mul(sub(alpha, two), sub(beta, two)), from_int(T->planted ? 2 : 1));
+    same(T, G(cubic_delta)(m), mul(from_int(-4), mul(mul(alpha, beta), mul(mul(w, w), branch))));
+    about(T, "the turning at the ends");
+    num three = from_int(3), minus_w = mul(from_int(-2), w);
+    same(T, f[0], mul(minus_w, mul(alpha, sub(three, mul(two, beta)))));
+    same(T, add(f[0], add(f[1], f[2])), mul(minus_w, mul(beta, sub(three, mul(two, alpha)))));
+}
+
+#if RATIONAL
+/* Inflections, and parameters of the double point, in (0,1). */
+static void events_of(num alpha, num beta, int *inflections, int *doubles, num *delta)
+{
+    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(3), from_int(0)}, c[8], m[3], f[3], g[3];
+    num zero = from_int(0), one = from_int(1);
+    G(cubic_of_triangle)(R, alpha, beta, c);
+    G(cubic_minors)(c, m);
+    G(inflection_polynomial)(m, f);
+    G(double_point_polynomial)(m, g);
+    *inflections = count_roots(poly_from_q(3, f), zero, one, OPEN).distinct;
+    *doubles = count_roots(poly_from_q(3, g), zero, one, OPEN).distinct;
+    *delta = G(cubic_delta)(m);
+}
+
+CLAIM(each_form_occurs)
+{
+    static const int halves[5][2] = {{1, 1}, {2, 6}, {4, 4}, {6, 6}, {8, 8}};
+    static const int forms[5][3] = {
+        {0, 0, -1}, {1, 0, 1}, {2, 0, 1}, {1, 1, 0}, {0, 2, -1}}; /* and the sign of delta */
+    for (int k = 0; k < 5; k++) {
+        const int *used = halves[T->planted && k == 0 ? 1 : k];
+        int inflections, doubles;
+        num delta;
+        events_of(from_ratio(used[0], 2), from_ratio(used[1], 2), &inflections, &doubles, &delta);
+        agree(T, inflections == forms[k][0] && doubles == forms[k][1] && sign_q(delta) == forms[k][2]);
+    }
+}
+
+CLAIM(forms_by_the_lengths_of_the_tangents)
+{
+    for (int k = 0; k < 20; k++) {
+        num low[2], high[2], delta, border = T->planted ? from_int(1) : from_ratio(3, 2), two = from_int(2),
+                                    one = from_int(1);
+        int inflections, doubles;
+        for (int j = 0; j < 2; j++) {
+            low[j] = mul(border, parameter(T, "l"));
+            high[j] = add(border, positive(T, "h", j));
+        }
+        events_of(low[0], low[1], &inflections, &doubles, &delta);
+        agree(T, inflections == 0 && doubles < 2);
+        events_of(low[0], high[1], &inflections, &doubles, &delta);
+        agree(T, inflections == 1 && doubles < 2);
+        events_of(high[0], low[1], &inflections, &doubles, &delta);
+        agree(T, inflections == 1 && doubles < 2);
+        num branch = sub(mul(sub(high[0], two), sub(high[1], two)), one);
+        int loop = sign_q(branch) > 0 && compare_q(high[0], two) > 0;
+        events_of(high[0], high[1], &inflections, &doubles, &delta);
+        agree(T, loop ? inflections == 0 && doubles == 2 : inflections == 2 && doubles < 2);
+        num beyond = add(two, positive(T, "b", 0)), cusp = add(two, div(one, sub(beyond, two)));
+        events_of(beyond, cusp, &inflections, &doubles, &delta);
+        agree(T, is_zero_q(delta) && inflections == 1 && doubles == 1);
+        num more = add(cusp, positive(T, "c", 0));
+        events_of(beyond, more, &inflections, &doubles, &delta);
+        agree(T, sign_q(delta) < 0 && inflections == 0 && doubles == 2);
+    }
+}
+#endif
+
+/*
+## Torsion (挠率)
+
+:::{statement} hu-1987:1-4-torsion-vectors
+:title: The three vectors in the formula of the torsion
+:zh: 挠率公式中的三个矢量
+:printed: \tau=\frac{[\dot P\,\ddot P\,\ddot P]}{\dot s^3K^2}
+:refuted-by: printed_vectors_have_no_torsion
+:class: misprint
+:corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
+:corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
+:::
+
+:::{statement} hu-1987:1-4-torsion-power
+:title: The power of the speed in the formula of the torsion
+:zh: 挠率公式中弧长导数的幂次
+:printed: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^3K^2}\quad\text{(the lost dot restored)}
+:refuted-by: printed_power_spoils_the_torsion
+:class: misprint
+:corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
+:corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
+:figure: torsion_and_the_speed
+:::
+
+:::{claim} torsion_by_speed_and_curvature
+:title: The torsion by speed and curvature
+:zh: 用速率与曲率表示挠率
+:given: any three vectors $P',P'',P'''$ of space, $P'\times P''\ne0$
+:then: $\frac{(P',P'',P''')}{\dot s^6K^2}=\frac{(P',P'',P''')}{|P'\times P''|^2}$, the torsion, with $\dot s^2=|P'|^2$ and $K^2=\frac{|P'\times P''|^2}{|P'|^6}$
+:method: The kernels for the square of the curvature and for the torsion, everything a variable.
+:control: $\dot s^4$
+:::
+
+:::{claim} printed_vectors_have_no_torsion
+:title: With the second derivative twice every torsion is zero
+:zh: 重复二阶导矢时挠率恒为零
+:kind: counterexample
+:given: $P(t)=(t,t^2,t^3)$, $t=0$
+:then: $[P'\,P''\,P'']=0$; the torsion is 3
+:method: The derivatives by the kernel; at $t=0$, $\dot s=1$, so that the power of the speed does not matter.
+:control: $P'''$ in the last place
+:::
+
+:::{claim} printed_power_spoils_the_torsion
+:title: With the third power of the speed the torsion is wrong where the speed is not one
+:zh: 速率三次幂给出错误的挠率
+:kind: counterexample
+:given: $P(t)=(3t,3t^2,2t^3)$, $t=1$, where $\dot s=9$ and $K=\frac2{27}$
+:then: the printed quotient is 54; the torsion is $\frac2{27}$
+:method: Both quotients, exactly.
+:control: $\dot s^6$
+:::
+
+:::{statement} hu-1987:1-4-torsion-first-determinant
+:title: The determinant of the derivatives
+:zh: 导矢的行列式
+:printed: $(\dot P\times\ddot P)\cdot\ddot P=\begin{vmatrix}\dot x&\dot y&\dot z\\\ddot x&\ddot y&\ddot z\\\ddot x&\ddot y&\ddot z\end{vmatrix}=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
+:refuted-by: determinant_with_equal_rows_is_zero
+:class: misprint
+:corrected: $(\dot P\times\ddot P)\cdot\dddot P=-12\,(A,B,C)$, with $\dddot x,\dddot y,\dddot z$ in the last row
+:corrected-by: determinant_of_the_derivatives_is_constant
+:::
+
+:::{statement} hu-1987:1-4-torsion-entry
+:title: The determinant with the coefficients inserted
+:zh: 代入系数的行列式
+:printed: \begin{vmatrix}3A_xt^2+2B_xt+C_x&3A_yt^2+2B_yt+C_y&3A_zt+2B_zt+C_z\\6A_xt+2B_x&6A_yt+2B_y&6A_zt+2B_z\\6A_x&6A_y&6A_z\end{vmatrix}=-12\,(A,B,C)
+:refuted-by: printed_entry_spoils_the_determinant
+:class: misprint
+:corrected: The last entry of the first row is $3A_zt^2+2B_zt+C_z$.
+:corrected-by: determinant_of_the_derivatives_is_constant
+:::
+
+:::{statement} hu-1987:1-4-torsion-value
+:title: The value of the determinant
+:zh: 行列式的值
+:printed: The determinant of $\dot P$, $\ddot P$ and the third derivative is $-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$.
+:holds-by: determinant_of_the_derivatives_is_constant
+:::
+
+:::{claim} determinant_of_the_derivatives_is_constant
+:title: The determinant of the three derivatives does not depend on the parameter
+:zh: 三阶导矢行列式为常数
+:given: any cubic in space, any $t$
+:then: $(P',P'',P''')=-12\,(A,B,C)$, also with the rows written out in coefficients
+:method: The derivatives by the kernel, the mixed products as determinants of 9 entries, everything a variable.
+:control: $12\,(A,B,C)$
+:::
+
+:::{claim} determinant_with_equal_rows_is_zero
+:title: The printed determinant has two equal rows
+:zh: 两行相同的行列式为零
+:kind: counterexample
+:given: $P(t)=(t,t^2,t^3)$: $(A,B,C)=-1$; $t=0$
+:then: the printed determinant is 0, $-12(A,B,C)=12$
+:method: Both sides, exactly.
+:control: the third derivatives in the last row
+:::
+
+:::{claim} printed_entry_spoils_the_determinant
+:title: With the printed entry the determinant depends on the parameter
+:zh: 印刷的元素使行列式出错
+:kind: counterexample
+:given: $A=(1,0,1)$, $B=(0,1,0)$, $C=(0,0,1)$, $t=2$
+:then: the printed determinant is 60, $-12(A,B,C)=-12$
+:method: The determinant as printed, exactly: rows $(12,4,7)$, $(12,2,12)$, $(6,0,6)$.
+:control: the entry with $t^2$
+:::
+
+:::{statement} hu-1987:1-4-plane
+:title: When the determinant is zero the cubic is plane
+:zh: 行列式为零则为平面曲线
+:printed: If this is zero, the parametric cubic is a plane curve.
+:holds-by: cubic_is_plane_when_determinant_vanishes
+:::
+
+:::{claim} cubic_is_plane_when_determinant_vanishes
+:title: The cubic is plane exactly when the determinant of its coefficients is zero
+:zh: 平面曲线的充要条件
+:given: any cubic in space, any $t$
+:then: $(A\times B)\cdot(P-D)=t\,(A,B,C)$, $(C\times A)\cdot(P-D)=t^2(A,B,C)$, $(B\times C)\cdot(P-D)=t^3(A,B,C)$
+:method: Identities with everything a variable.  If the determinant is 0, each of the three products that is not 0 is the normal of
+  a plane that holds the curve; if all are 0 the curve is a line.  Conversely a curve in a plane has its differences, so
+  $A,B,C$, in one plane, and the determinant is 0.
+:control: the last normal with the factor $t^2$
+:::
+*/
+CLAIM(torsion_by_speed_and_curvature)
+{
+    num d[3][space];
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < space; j++)
+            d[k][j] = unknown(T, k == 0 ? "u" : k == 1 ? "v" : "w", j);
+    num speed = G(norm_squared)(space, d[0]),
+        below = mul(G(power)(speed, T->planted ? 2 : 3), G(curvature_squared)(space, d[0], d[1]));
+    same(T, div(G(det3)(d[0], d[1], d[2]), below), G(torsion)(d[0], d[1], d[2]));
+}
+
+/* The determinant of three rows, by the rule of Sarrus. */
+static num G(sarrus)(const num r0[], const num r1[], const num r2[])
+{
+    num sum = from_int(0);
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        sum = add(sum, sub(mul(r0[k], mul(r1[i], r2[j])), mul(r0[k], mul(r1[j], r2[i]))));
+    }
+    return sum;
+}
+
+/* The rows of the determinant in coefficients, the last entry of the first row with `power` of t. */
+static void G(rows_in_coefficients)(const num c[], num t, int power_of_last, num rows[3][3])
+{
+    for (int j = 0; j < space; j++) {
+        num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j];
+        num tt = G(power)(t, j == 2 ? power_of_last : 2), six_A = mul(from_int(6), A), two_B = mul(from_int(2), B);
+        rows[0][j] = add(add(mul(mul(from_int(3), A), tt), mul(two_B, t)), C);
+        rows[1][j] = add(mul(six_A, t), two_B);
+        rows[2][j] = six_A;
+    }
+}
+
+CLAIM(determinant_of_the_derivatives_is_constant)
+{
+    num c[4 * space], D[4 * space], rows[3][3], t = parameter(T, "t");
+    G(free_coefficients)(T, 3, space, c);
+    G(power_derivatives)(3, space, c, t, 3, D);
+    G(rows_in_coefficients)(c, t, 2, rows);
+    num value = mul(from_int(T->planted ? 12 : -12), G(sarrus)(c + 3 * space, c + 2 * space, c + space));
+    same(T, G(det3)(D + space, D + 2 * space, D + 3 * space), value);
+    same(T, G(sarrus)(rows[0], rows[1], rows[2]), value);
+}
+
+CLAIM(cubic_is_plane_when_determinant_vanishes)
+{
+    num c[4 * space], P[space], gone[space], normal[space], t = parameter(T, "t");
+    G(free_coefficients)(T, 3, space, c);
+    G(power_point)(3, space, c, t, P);
+    for (int j = 0; j < space; j++)
+        gone[j] = sub(P[j], c[j]);
+    const num *A = c + 3 * space, *B = c + 2 * space, *C = c + space, *pairs[3][2] = {{A, B}, {C, A}, {B, C}};
+    num det = G(sarrus)(A, B, C);
+    for (int k = 0; k < 3; k++) {
+        G(cross3)(pairs[k][0], pairs[k][1], normal);
+        same(T, G(dot)(space, normal, gone), mul(G(power)(t, T->planted && k == 2 ? 2 : k + 1), det));
+    }
+}
+
+#if RATIONAL
+/* D, C, B, A of (x t, y t^2, z t^3) */
+static void twisted_cubic(int x, int y, int z, num c[])
+{
+    const int leading[3] = {x, y, z};
+    for (int k = 0; k <= 3; k++)
+        for (int j = 0; j < space; j++)
+            c[k * space + j] = from_int(k == j + 1 ? leading[j] : 0);
+}
+
+CLAIM(printed_vectors_have_no_torsion)
+{
+    num c[12], D[12];
+    twisted_cubic(1, 1, 1, c);
+    G(power_derivatives)(3, space, c, from_int(0), 3, D);
+    const num *last = D + (T->planted ? 3 : 2) * space;
+    show_points(T, "P', P'', P'''", 3, 3, D + 3);
+    about(T, "the quotient, and the torsion");
+    same(T, div(G(sarrus)(D + 3, D + 6, last), G(curvature_squared)(space, D + 3, D + 6)),
+         G(torsion)(D + 3, D + 6, D + 9));
+}
+
+CLAIM(printed_power_spoils_the_torsion)
+{
+    num c[12], D[12];
+    twisted_cubic(3, 3, 2, c);
+    G(power_derivatives)(3, space, c, from_int(1), 3, D);
+    num speed = root(2, G(norm_squared)(space, D + 3)), square = G(curvature_squared)(space, D + 3, D + 6);
+    num below = mul(G(power)(speed, T->planted ? 6 : 3), square);
+    show(T, "speed", speed);
+    show(T, "K^2", square);
+    about(T, "the quotient, and the torsion");
+    same(T, div(G(sarrus)(D + 3, D + 6, D + 9), below), G(torsion)(D + 3, D + 6, D + 9));
+}
+
+CLAIM(determinant_with_equal_rows_is_zero)
+{
+    num c[12], D[12];
+    twisted_cubic(1, 1, 1, c);
+    G(power_derivatives)(3, space, c, from_int(0), 3, D);
+    about(T, "the determinant, and -12 (A, B, C)");
+    show_points(T, "D, C, B, A", 4, 3, c);
+    same(T, G(sarrus)(D + 3, D + 6, D + (T->planted ? 9 : 6)), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
+}
+
+CLAIM(printed_entry_spoils_the_determinant)
+{
+    num c[12], rows[3][3];
+    for (int m = 0; m < 12; m++)
+        c[m] = from_int(m == 9 || m == 11 || m == 7 || m == 5);
+    G(rows_in_coefficients)(c, from_int(2), T->planted ? 2 : 1, rows);
+    show_points(T, "rows", 3, 3, rows[0]);
+    about(T, "the determinant, and -12 (A, B, C)");
+    same(T, G(sarrus)(rows[0], rows[1], rows[2]), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,133 @@
+/* Figures of the section on the shapes of a cubic. */
+#include "chapters/foundations/figures.h"
+
+/* D, C, B, A of the cubic of the triangle (0,0), M, (1,0) with M = (1/2, height) and the lengths alpha, beta. */
+static void cubic_of_triangle(num_q height, num_q alpha, num_q beta, num_q c[])
+{
+    num_q half = r(1, 2), two = q(2), V[4];
+    V[0] = mul_q(mul_q(two, alpha), half);
+    V[1] = mul_q(mul_q(two, alpha), height);
+    V[2] = mul_q(mul_q(two, beta), half);
+    V[3] = neg_q(mul_q(mul_q(two, beta), height));
+    for (int j = 0; j < 2; j++) {
+        num_q edge = q(j == 0);
+        c[j] = q(0);
+        c[2 + j] = V[j];
+        c[4 + j] = sub_q(mul_q(q(3), edge), add_q(add_q(V[j], V[j]), V[2 + j]));
+        c[6 + j] = sub_q(add_q(V[j], V[2 + j]), add_q(edge, edge));
+    }
+}
+
+FIGURE(lengths_of_the_tangents)
+{
+    svg *s = svg_new("lengths_of_the_tangents", "The lengths of the tangents change the shape",
+                     "Cubics with the same ends and the same directions of the tangents, and with tangents of five "
+                     "lengths; the parabola "
+                     "is one of them.  The tangents of the longest are drawn.");
+    svg_panel(s, window(r(-1, 5), r(-1, 10), r(6, 5), r(9, 10)), 480, 0, "$\\α=\\β=1/2, 1, 3/2, 2, 3$");
+    for (int k = 0; k < 5; k++) {
+        static const int halves[5] = {1, 2, 3, 4, 6};
+        num_q c[8], length = r(halves[k], 2);
+        cubic_of_triangle(r(3, 5), length, length, c);
+        put_power_curve(s, 3, c, q(0), q(1), k == 1 ? SVG_CURVE_2 : k == 4 ? SVG_CURVE : SVG_FAMILY);
+    }
+    svg_polyline(s, 3, (num_q[]){q(0), q(0), r(1, 2), r(3, 5), q(1), q(0)}, SVG_MUTED);
+    static const char *const names[3] = {"Q_0", "M", "Q_1"};
+    for (int k = 0; k < 3; k++) {
+        svg_point P = at(r(k, 2), k == 1 ? r(3, 5) : q(0));
+        svg_mark(s, P, SVG_POINT, SVG_USUAL);
+        svg_label(s, P, k == 0 ? SVG_W : k == 1 ? SVG_E : SVG_E, SVG_POINT, names[k]);
+    }
+    svg_legend_line(s, SVG_CURVE_2, "$α=β=1$, a parabola");
+    svg_legend_line(s, SVG_CURVE, "$α=β=3$, a cusp");
+    svg_legend_line(s, SVG_FAMILY, "other lengths");
+    return s;
+}
+
+/* The turning at the ends, up to a positive factor, and the cusps: 3 - 2y, 3 - 2x, (x-2)(y-2) - 1. */
+static num_q one_inflection(svg_point P, const void *data)
+{
+    (void)data;
+    return neg_q(mul_q(sub_q(q(3), mul_q(q(2), P.x)), sub_q(q(3), mul_q(q(2), P.y))));
+}
+static num_q branch(svg_point P, const void *data)
+{
+    (void)data;
+    return sub_q(mul_q(sub_q(P.x, q(2)), sub_q(P.y, q(2))), q(1));
+}
+static num_q loop(svg_point P, const void *data)
+{
+    num_q value = branch(P, data);
+    return compare_q(P.x, q(2)) > 0 ? value : neg_q(mul_q(value, value));
+}
+static num_q cusp(svg_point P, const void *data) { return compare_q(P.x, q(2)) > 0 ? branch(P, data) : q(-1); }
+
+FIGURE(forms_of_a_cubic)
+{
+    svg *s = svg_new(
+        "forms_of_a_cubic", "What a cubic does, by the lengths of its tangents",
+        "The plane of the lengths alpha and beta of the tangents, in units in which 1, 1 is the parabola.  Below 3/2 "
+        "in both "
+        "no inflection; one above and one below, one inflection; both above, two inflections until the branch of the "
+        "hyperbola (alpha-2)(beta-2)=1 of the cusps, and a loop beyond it.  Beside it a curve of every part.");
+    svg_panel(s, window(q(0), q(0), q(5), q(5)), 360, 0, "the plane of the lengths");
+    svg_axes(s, q(1), q(1), "α", "β");
+    svg_region(s, one_inflection, NULL, 100, SVG_FILL);
+    svg_region(s, loop, NULL, 100, SVG_RIGHT);
+    svg_segment(s, at(r(3, 2), q(0)), at(r(3, 2), q(5)), SVG_MUTED);
+    svg_segment(s, at(q(0), r(3, 2)), at(q(5), r(3, 2)), SVG_MUTED);
+    svg_implicit(s, cusp, NULL, 100, SVG_WRONG);
+    svg_mark(s, svg_at(1, 1), SVG_POINT, SVG_USUAL);
+    svg_note(s, svg_at(1, 1), SVG_NW, SVG_POINT, "parabola");
+    static const int lengths[5][2] = {{1, 1}, {1, 3}, {2, 2}, {3, 3}, {4, 4}};
+    static const char *const places[5] = {"0", "1", "2", "cusp", "loop"};
+    svg_note(s, at(r(3, 4), r(1, 4)), SVG_HERE, SVG_POINT, "none");
+    svg_note(s, at(r(3, 4), q(3)), SVG_HERE, SVG_POINT, "one");
+    svg_note(s, at(q(3), r(3, 4)), SVG_HERE, SVG_POINT, "one");
+    svg_note(s, at(q(2), q(2)), SVG_HERE, SVG_POINT, "two");
+    svg_note(s, at(q(4), q(4)), SVG_HERE, SVG_POINT, "loop");
+    svg_panel(s, window(r(-1, 4), r(-1, 2), r(5, 4), r(15, 4)), 260, 0, "$(α,β)=(1,1),(1,3),(2,2),(3,3),(4,4)$");
+    for (int k = 0; k < 5; k++) {
+        num_q c[8];
+        cubic_of_triangle(r(1, 2), q(lengths[k][0]), q(lengths[k][1]), c);
+        c[1] = r(4 * (4 - k), 5);
+        put_power_curve(s, 3, c, q(0), q(1), SVG_CURVE);
+        svg_note(s, at(q(1), c[1]), SVG_E, SVG_POINT, places[k]);
+    }
+    svg_legend_area(s, SVG_FILL, "one inflection");
+    svg_legend_area(s, SVG_RIGHT, "a loop");
+    svg_legend_line(s, SVG_WRONG, "cusps");
+    return s;
+}
+
+/* (t, torsion) and the printed quotient of (3t, 3t^2, 2t^3): 2/(3(1+2t^2)^2), and with the third power of the speed. */
+static svg_point torsion_at(num_q t, const void *data)
+{
+    num_q c[12], D[12];
+    for (int k = 0; k <= 3; k++)
+        for (int j = 0; j < 3; j++)
+            c[3 * k + j] = q(k == j + 1 ? (j == 2 ? 2 : 3) : 0);
+    power_derivatives_q(3, 3, c, t, 3, D);
+    num_q value = torsion_q(D + 3, D + 6, D + 9), speed = add_q(q(3), mul_q(q(6), mul_q(t, t)));
+    if (data != NULL)
+        value = mul_q(value, mul_q(speed, mul_q(speed, speed)));
+    return at(t, value);
+}
+
+FIGURE(torsion_and_the_speed)
+{
+    static const int printed = 1;
+    svg *s = svg_new("torsion_and_the_speed", "The torsion, and the quotient with the third power of the speed",
+                     "The twisted cubic (3t, 3t squared, 2t cubed) on [0, 1]: its torsion falls from 2/3 to 2/27, the "
+                     "printed quotient "
+                     "with the third power of the speed rises from 18 to 54.");
+    svg_panel(s, window(q(0), q(0), q(1), q(1)), 240, 240, "the torsion");
+    svg_axes(s, r(1, 2), r(1, 2), "t", "τ");
+    svg_plot(s, torsion_at, NULL, q(0), q(1), 48, SVG_RIGHT);
+    svg_panel(s, window(q(0), q(0), q(1), q(60)), 240, 240, "the printed quotient");
+    svg_axes(s, r(1, 2), q(20), "t", NULL);
+    svg_plot(s, torsion_at, &printed, q(0), q(1), 48, SVG_WRONG);
+    svg_legend_line(s, SVG_RIGHT, "below $s'^6K^2$");
+    svg_legend_line(s, SVG_WRONG, "below $s'^3K^2$");
+    return s;
+}

@@ -1,0 +1,572 @@
+/*
+# Joining curves, and other parameters (曲线段的连接与参数变换)
+
+Two pieces that meet in a point may look like one curve although their parameters know nothing of each other.  The source
+gives three conditions at the joint, of order 0, 1 and 2.  What they guarantee together is one sentence: after a change of
+the parameter on the second piece the two are one curve with continuous derivatives up to that order.
+
+:::{statement} hu-1987:1-2-class-names
+:title: Continuity of position, slope and curvature is called C0, C1, C2
+:zh: 位置、斜率、曲率连续与 C0、C1、C2
+:printed: Pieces are to be joined with continuous position, slope and curvature, which is called $C^0$, $C^1$, $C^2$ continuity.
+:refuted-by: continuous_slope_with_another_speed
+:class: false
+:corrected: The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the vector of curvature when (1-5-1)
+  to (1-5-3) hold: the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
+:corrected-by: conditions_make_one_curve_in_another_parameter
+:figure: joints_of_order
+
+By the definition of $C^r$ in section 1-4 the derivatives themselves have to be continuous.
+:::
+
+:::{claim} continuous_slope_with_another_speed
+:title: A straight joint with a jump of the derivative
+:zh: 斜率连续而导矢不连续
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(t,0)$ and $P_{\mathrm{II}}(t)=(1+2t,0)$
+:then: both slopes are 0, and $P_{\mathrm I}'(1)=(1,0)\ne P_{\mathrm{II}}'(0)=(2,0)$
+:method: The derivatives of both, by the kernel.
+:control: $P_{\mathrm{II}}(t)=(1+t,0)$
+:::
+
+## Order 0, 1, 2
+
+:::{statement} hu-1987:1-5-1
+:title: The condition for continuous position
+:zh: 位置连续条件
+:printed: P_x(0)=P_x(1)
+:refuted-by: joined_pieces_are_not_closed
+:class: misprint
+:corrected: P_{\mathrm{II}}(0)=P_{\mathrm I}(1)
+:corrected-by: conditions_make_one_curve_in_another_parameter
+
+One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in (1-5-2) and
+(1-5-3), where this can be understood.
+:::
+
+:::{claim} joined_pieces_are_not_closed
+:title: Two segments in a row are joined, and neither is closed
+:zh: 相连的两段并不自闭
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(t,0)$, $P_{\mathrm{II}}(t)=(1+t,0)$
+:then: $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$, but $P(0)\ne P(1)$ for both
+:method: The points at the ends, exactly.
+:control: the condition between the two curves
+:::
+
+:::{statement} hu-1987:1-5-2
+:title: The condition for continuous slope
+:zh: 斜率连续条件
+:printed: $\dot P_{\mathrm{II}}(0)=\frac{\alpha_2}{\alpha_1}\dot P_{\mathrm I}(1)=\lambda\,\dot P_{\mathrm I}(1)$, $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the
+  lengths of the tangent vectors of $P_{\mathrm I}$ and $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
+:holds-by: equal_unit_tangents_fix_the_ratio
+:needs: negative_ratio_turns_back | $\lambda>0$, as for a quotient of lengths: with $\lambda<0$ the curve turns on its heel.
+:hypothesis: singular_end_has_no_ratio | Both derivatives are not 0 at the joint: a quotient of lengths does not exist otherwise, and the
+  tangents may be one although no $\lambda$ is.
+:figure: joints_of_order
+:::
+
+:::{claim} equal_unit_tangents_fix_the_ratio
+:title: Equal unit tangents mean derivatives in the ratio of their lengths
+:zh: 单位切矢相等的充要条件
+:given: a vector $U$ of space, $\alpha_1,\alpha_2>0$
+:then: $\dot P_{\mathrm I}=\alpha_1U$ and $\dot P_{\mathrm{II}}=\alpha_2U$ satisfy the condition; conversely, the condition makes
+  $\dot P_{\mathrm{II}}/\alpha_2=\dot P_{\mathrm I}/\alpha_1$, and $|\dot P_{\mathrm{II}}|=\lambda|\dot P_{\mathrm I}|$
+:method: Identities in $U$, $\alpha_1$, $\alpha_2$ and $\dot P_{\mathrm I}$.
+:control: $\lambda$ inverted
+:::
+
+:::{claim} negative_ratio_turns_back
+:title: With a negative ratio the slope is continuous and the curve goes back
+:zh: 负比值使曲线折返
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(t,0)$, $\dot P_{\mathrm{II}}(0)=-\dot P_{\mathrm I}(1)=(-1,0)$
+:then: the unit tangents $(1,0)$ and $(-1,0)$ are not equal
+:method: Both, exactly.
+:control: $\dot P_{\mathrm{II}}(0)=2\dot P_{\mathrm I}(1)$
+:::
+
+:::{claim} singular_end_has_no_ratio
+:title: At a singular end no ratio satisfies the condition
+:zh: 奇异端点处条件失效
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(-(1-t)^2,0)$ and $P_{\mathrm{II}}(t)=(t,0)$: one straight line, without any corner
+:then: $\dot P_{\mathrm I}(1)=(0,0)$, $\dot P_{\mathrm{II}}(0)=(1,0)$ is no multiple of it
+:method: The derivatives by the kernel.
+:control: $P_{\mathrm I}(t)=(t-1,0)$
+:::
+*/
+#include "chapters/foundations/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = 2, space = 3 };
+
+#if RATIONAL
+/* D, C, B of (x + y t + z t^2, 0) */
+static void on_the_axis(int x, int y, int z, num c[])
+{
+    const int coefficients[3] = {x, y, z};
+    for (int m = 0; m < 6; m++)
+        c[m] = from_int(m % 2 == 0 ? coefficients[m / 2] : 0);
+}
+
+CLAIM(continuous_slope_with_another_speed)
+{
+    num first[6], second[6], D[4], E[4];
+    on_the_axis(0, 1, 0, first);
+    on_the_axis(1, T->planted ? 1 : 2, 0, second);
+    G(power_derivatives)(2, dim, first, from_int(1), 1, D);
+    G(power_derivatives)(2, dim, second, from_int(0), 1, E);
+    show_points(T, "P, P' of the first piece", 2, 2, D);
+    show_points(T, "P, P' of the second piece", 2, 2, E);
+    about(T, "the position, and the slope dy/dx");
+    for (int j = 0; j < dim; j++)
+        agree(T, equal_q(D[j], E[j]));
+    agree(T, is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2])));
+    about(T, "the derivatives");
+    same(T, D[2], E[2]);
+}
+
+CLAIM(joined_pieces_are_not_closed)
+{
+    num first[6], second[6], end[2], begin[2], own_end[2];
+    on_the_axis(0, 1, 0, first);
+    on_the_axis(1, 1, 0, second);
+    G(power_point)(2, dim, first, from_int(1), end);
+    G(power_point)(2, dim, second, from_int(0), begin);
+    G(power_point)(2, dim, second, from_int(1), own_end);
+    show_points(T, "first piece at 1, second piece at 0 and at 1", 3, 2,
+                (num[]){end[0], end[1], begin[0], begin[1], own_end[0], own_end[1]});
+    agree(T, equal_q(end[0], begin[0]) && equal_q(end[1], begin[1]));
+    about(T, "the beginning of the second piece, and what the condition equates it with");
+    same(T, begin[0], T->planted ? end[0] : own_end[0]);
+}
+
+CLAIM(negative_ratio_turns_back)
+{
+    num c[6], D[4], ratio = from_int(T->planted ? 2 : -1);
+    on_the_axis(0, 1, 0, c);
+    G(power_derivatives)(2, dim, c, from_int(1), 1, D);
+    num there = mul(ratio, D[2]), length = sign_q(there) < 0 ? neg(there) : there;
+    show(T, "λ", ratio);
+    about(T, "the unit tangents");
+    same(T, div(there, length), D[2]);
+}
+
+CLAIM(singular_end_has_no_ratio)
+{
+    num first[6], second[6], D[4], E[4];
+    if (T->planted)
+        on_the_axis(-1, 1, 0, first);
+    else
+        on_the_axis(-1, 2, -1, first);
+    on_the_axis(0, 1, 0, second);
+    G(power_derivatives)(2, dim, first, from_int(1), 1, D);
+    G(power_derivatives)(2, dim, second, from_int(0), 1, E);
+    show_points(T, "P' of the first piece and of the second", 2, 2, (num[]){D[2], D[3], E[2], E[3]});
+    about(T, "whether P' of the second piece is a multiple of that of the first");
+    agree(T, is_zero_q(E[2]) || !is_zero_q(D[2]));
+}
+#endif
+
+CLAIM(equal_unit_tangents_fix_the_ratio)
+{
+    num first = positive(T, "a", 1), second = positive(T, "a", 2), U[space], V[space], W[space];
+    num lambda = T->planted ? div(first, second) : div(second, first);
+    for (int j = 0; j < space; j++) {
+        U[j] = unknown(T, "u", j);
+        same(T, mul(second, U[j]), mul(lambda, mul(first, U[j])));
+        V[j] = unknown(T, "v", j);
+        W[j] = mul(lambda, V[j]);
+        same(T, div(W[j], second), div(V[j], first));
+    }
+    same(T, G(norm_squared)(space, W), mul(mul(lambda, lambda), G(norm_squared)(space, V)));
+}
+
+/*
+:::{statement} hu-1987:1-5-3-sufficient
+:title: The condition of order two makes the curvature continuous
+:zh: 曲率连续的充分条件
+:printed: $\ddot P_{\mathrm{II}}(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the
+  curvature continuous at the joint.
+:holds-by: condition_keeps_the_curvature_vector
+:figure: joints_of_order
+:::
+
+:::{statement} hu-1987:1-5-3-beta
+:title: The factor of the tangent is free
+:zh: β 为任意标量
+:printed: $\beta$ is an arbitrary scalar.
+:holds-by: condition_keeps_the_curvature_vector
+:::
+
+:::{claim} condition_keeps_the_curvature_vector
+:title: The vector of curvature is the same on both sides, for every beta
+:zh: 曲率矢量连续
+:given: $P'\ne0$ and $P''$ of the first piece in space, $\lambda\ne0$, any $\beta$; $\lambda P'$ and $\lambda^2P''+\beta P'$ for the second
+:then: $\frac{(P'\times P'')\times P'}{|P'|^4}$, the derivative of the unit tangent by the arc length, is the same for both, so is
+  $K^2$; $P'\times P''$ is multiplied by $\lambda^3$
+:method: Both sides with everything a variable; neither contains $\beta$.
+:control: $\lambda$ in the place of $\lambda^2$
+:::
+
+:::{statement} hu-1987:1-5-3-necessary
+:title: For a continuous curvature the condition has to be satisfied
+:zh: 曲率连续的必要性
+:printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
+:refuted-by: equal_curvatures_to_different_sides
+:class: missing-hypothesis
+:corrected: The condition, with $\lambda>0$, is necessary and sufficient for continuity of the unit tangent and of the vector of
+  curvature; for plane curves, of the curvature with its sign.
+:corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
+:figure: same_curvature_other_side
+:striking: 43
+
+$K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be continuous where the curve changes its side, or, in space, its
+osculating plane.
+:::
+
+:::{claim} equal_curvatures_to_different_sides
+:title: Two parabolas with one tangent and one curvature, bent to different sides
+:zh: 曲率相等而弯向相反
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(t-1,(t-1)^2)$, $P_{\mathrm{II}}(t)=(t,-t^2)$; at the joint $P'=(1,0)$ and $K=2$ for both, so $\lambda=1$
+:then: $P_{\mathrm{II}}''-P_{\mathrm I}''=(0,-4)$ is no multiple $\beta P'$
+:method: Derivatives and $K^2$ by the kernels; the determinant of the difference and $P'$ should vanish.
+:control: $P_{\mathrm{II}}(t)=(t,t^2)$
+:::
+
+:::{claim} curvature_vector_forces_the_condition
+:title: With one unit tangent and one vector of curvature the condition holds
+:zh: 曲率矢量连续蕴涵条件
+:given: vectors $U$ and $k$ of space, $\alpha_1,\alpha_2>0$, $\mu_1,\mu_2$: $P_i'=\alpha_iU$, $P_i''=\alpha_i^2k+\mu_iU$, as every curve with unit tangent $U$,
+  curvature vector $k$ and speed $\alpha_i$ has
+:then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
+:method: An identity with everything a variable.
+:control: $\beta=\frac{\mu_2-\mu_1}{\alpha_1}$
+:::
+
+:::{claim} conditions_make_one_curve_in_another_parameter
+:title: The conditions are those of one smooth curve in another parameter
+:zh: 连接条件等价于适当参数下的光滑性
+:given: $P,P',P''$ of the first piece at the joint, $\lambda\ne0$, any $\beta$; $P_{\mathrm{II}}$ with $P$, $\lambda P'$, $\lambda^2P''+\beta P'$ and any third derivative
+:then: $Q(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $Q(0)=P$, $Q'(0)=P'$, $Q''(0)=P''$
+:method: $Q$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
+  variable.
+:types: field
+:control: $\phi(u)=\frac u\lambda$
+:::
+*/
+/* out = (d1 x d2) x d1 / |d1|^4 */
+static void G(curvature_vector)(const num d1[], const num d2[], num out[])
+{
+    num n[space], speed = G(norm_squared)(space, d1);
+    G(cross3)(d1, d2, n);
+    G(cross3)(n, d1, out);
+    for (int j = 0; j < space; j++)
+        out[j] = div(out[j], mul(speed, speed));
+}
+
+CLAIM(condition_keeps_the_curvature_vector)
+{
+    num d1[space], d2[space], e1[space], e2[space], k[space], m[space], n[space], p[space];
+    num lambda = positive(T, "l", 0), beta = unknown(T, "b", 0), square = T->planted ? lambda : mul(lambda, lambda);
+    for (int j = 0; j < space; j++) {
+        d1[j] = unknown(T, "u", j);
+        d2[j] = unknown(T, "v", j);
+        e1[j] = mul(lambda, d1[j]);
+        e2[j] = add(mul(square, d2[j]), mul(beta, d1[j]));
+    }
+    G(curvature_vector)(d1, d2, k);
+    G(curvature_vector)(e1, e2, m);
+    G(cross3)(d1, d2, n);
+    G(cross3)(e1, e2, p);
+    for (int j = 0; j < space; j++) {
+        same(T, m[j], k[j]);
+        same(T, p[j], mul(G(power)(lambda, 3), n[j]));
+    }
+    same(T, G(curvature_squared)(space, e1, e2), G(curvature_squared)(space, d1, d2));
+}
+
+#if RATIONAL
+CLAIM(equal_curvatures_to_different_sides)
+{
+    num first[6] = {from_int(-1), from_int(1), from_int(1), from_int(-2), from_int(0), from_int(1)}, D[6], E[6];
+    num second[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(0), from_int(T->planted ? 1 : -1)};
+    G(power_derivatives)(2, dim, first, from_int(1), 2, D);
+    G(power_derivatives)(2, dim, second, from_int(0), 2, E);
+    show_points(T, "P', P'' of the first piece", 2, 2, D + 2);
+    show_points(T, "P', P'' of the second piece", 2, 2, E + 2);
+    show(T, "K^2 of the first piece", G(curvature_squared)(2, D + 2, D + 4));
+    show(T, "K^2 of the second piece", G(curvature_squared)(2, E + 2, E + 4));
+    agree(T, equal_q(G(curvature_squared)(2, D + 2, D + 4), G(curvature_squared)(2, E + 2, E + 4)));
+    num gap[2] = {sub(E[4], D[4]), sub(E[5], D[5])};
+    about(T, "the determinant of the difference of the second derivatives and of P'");
+    vanishes(T, G(cross2)(gap, D + 2));
+}
+#endif
+
+CLAIM(curvature_vector_forces_the_condition)
+{
+    num a1 = positive(T, "a", 1), a2 = positive(T, "a", 2), mu1 = unknown(T, "m", 1), mu2 = unknown(T, "m", 2);
+    num lambda = div(a2, a1), square = mul(lambda, lambda);
+    num beta = div(sub(mu2, T->planted ? mu1 : mul(square, mu1)), a1);
+    for (int j = 0; j < space; j++) {
+        num U = unknown(T, "u", j), k = unknown(T, "k", j);
+        num first = add(mul(mul(a1, a1), k), mul(mu1, U)), second = add(mul(mul(a2, a2), k), mul(mu2, U));
+        same(T, second, add(mul(square, first), mul(beta, mul(a1, U))));
+    }
+}
+
+#if FIELD
+CLAIM(conditions_make_one_curve_in_another_parameter)
+{
+    num u = variable_f("u"), lambda = variable_f("l"), beta = variable_f("b"), half = from_ratio(1, 2);
+    num bend = div(mul(half, beta), G(power)(lambda, 3)), phi = div(u, lambda);
+    if (!T->planted)
+        phi = sub(phi, mul(bend, mul(u, u)));
+    for (int j = 0; j < space; j++) {
+        num P = unknown(T, "p", j), d1 = unknown(T, "v", j), d2 = unknown(T, "w", j);
+        num second = mul(half, add(mul(mul(lambda, lambda), d2), mul(beta, d1)));
+        num c[4] = {P, mul(lambda, d1), second, unknown(T, "z", j)};
+        num Q = G(power_sum)(3, 1, c, 0, phi), wanted[3] = {P, d1, d2};
+        for (int k = 0; k < 3; k++, Q = derivative_f(Q, u))
+            same(T, substitute_f(Q, u, from_int(0)), wanted[k]);
+    }
+}
+#endif
+
+/*
+## A piece of a curve as a curve (参数规范化)
+
+:::{statement} hu-1987:1-5-4
+:title: The parameter of a piece
+:zh: 参数的线性变换
+:printed: For the piece from $t_0$ to $t_1$ and $0\le t^*\le1$: $t=(1-t^*)t_0+t^*t_1=t_0+(t_1-t_0)t^*$
+:holds-by: pieces_in_new_powers
+:::
+
+:::{statement} hu-1987:1-5-5
+:title: The coefficients of a piece
+:zh: 截取曲线段的系数
+:printed: P(t^*)=[t^{*3}\;t^{*2}\;t^*\;1]\begin{bmatrix}(t_1-t_0)^3A\\3(t_1-t_0)^2t_0A+(t_1-t_0)^2B\\3(t_1-t_0)t_0^2A+2(t_1-t_0)t_0B+(t_1-t_0)C\\t_0^3A+t_0^2B+t_0C+D\end{bmatrix}
+:holds-by: coefficients_of_a_piece_are_as_printed pieces_in_new_powers
+:figure: piece_of_a_cubic
+:::
+
+:::{claim} pieces_in_new_powers
+:title: The kernel gives the piece between two parameters, in a parameter from 0 to 1
+:zh: 截取曲线段
+:given: any coefficients of degree $n$ in the plane, any $t_0$, $t_1$ and $u$
+:then: the curve of `power_on_interval` at $u$ is $P((1-u)t_0+ut_1)$, and that is $P(t_0+(t_1-t_0)u)$
+:method: The kernel's coefficients in the sum of powers, against the sum of powers at either parameter; everything a variable.
+:degrees: 1..5 sampled 12
+:defines: power_on_interval
+:control: $t_0$ and $t_1$ exchanged
+:::
+
+:::{claim} coefficients_of_a_piece_are_as_printed
+:title: The four rows for a cubic
+:zh: 三次曲线段的四个系数
+:given: any $A,B,C,D$ of space, any $t_0$, $t_1$
+:then: the coefficients by the kernel are the four printed rows
+:method: Each row, everything a variable.
+:control: the factor 2 in the place of the 3 of the second row
+:::
+
+:::{statement} hu-1987:1-5-6
+:title: The derivatives in the new parameter
+:zh: 新参数下的导矢
+:printed: \frac{dP}{dt^*}=(t_1-t_0)\frac{dP}{dt},\qquad\frac{d^2P}{dt^{*2}}=(t_1-t_0)^2\frac{d^2P}{dt^2}
+:holds-by: derivatives_of_a_piece
+:::
+
+:::{statement} hu-1987:1-5-range
+:title: The length of the interval of a piece
+:zh: 参数区间长度的范围
+:printed: 0\le(t_1-t_0)\le1
+:holds-by: length_of_a_piece_is_at_most_one
+:needs: backward_piece_has_negative_length | The piece is taken forward, $t_0\le t_1$, out of $[0,1]$.
+:::
+
+:::{statement} hu-1987:1-5-tangent-length
+:title: The tangents become shorter by the length of the interval
+:zh: 切矢长度的变化
+:printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
+:holds-by: derivatives_of_a_piece
+:figure: piece_of_a_cubic
+:::
+
+:::{claim} derivatives_of_a_piece
+:title: The k-th derivative of a piece has the k-th power of the length of its interval
+:zh: 曲线段的各阶导矢
+:given: any coefficients of degree 3 in space, any $t_0$, $t_1$ and $u$, $k=0,1,2,3$
+:then: the $k$-th derivative of the piece at $u$ is $(t_1-t_0)^kP^{(k)}(t_0+(t_1-t_0)u)$; the square of the length of the first one is
+  $(t_1-t_0)^2|P'|^2$
+:method: Both derivatives by the definition, everything a variable.
+:control: the first power for every $k$
+:::
+
+:::{claim} length_of_a_piece_is_at_most_one
+:title: The interval of a piece out of the unit interval is no longer than 1
+:zh: 区间长度不超过一
+:given: $0\le t_0\le t_1\le1$ as $t_0=\frac a{1+a+b}$, $t_1=\frac{a+b'}{1+a+b}$ with $b'\le b$, that is $b=b'+b''$; $a,b',b''\ge0$
+:then: $t_1-t_0\ge0$ and $1-(t_1-t_0)\ge0$
+:method: Both have no negative coefficient in $a,b',b''$; every pair of parameters with $t_0\le t_1<1$ is of this form, and $t_1=1$ is a limit.
+:control: $t_0-t_1$
+:::
+
+:::{claim} backward_piece_has_negative_length
+:title: A piece taken backward has a negative factor
+:zh: 反向截取
+:kind: counterexample
+:given: $t_0=\frac34$, $t_1=\frac14$
+:then: $t_1-t_0=-\frac12$
+:method: The number, exactly.
+:control: $t_0$ and $t_1$ exchanged
+:::
+*/
+CLAIM(pieces_in_new_powers)
+{
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], piece[(MAX_DEGREE + 1) * dim];
+    num t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u");
+    G(free_coefficients)(T, n, dim, c);
+    G(power_on_interval)(n, dim, c, T->planted ? t1 : t0, T->planted ? t0 : t1, piece);
+    num mean = add(mul(sub(from_int(1), u), t0), mul(u, t1)), along = add(t0, mul(sub(t1, t0), u));
+    for (int j = 0; j < dim; j++) {
+        num value = G(power_sum)(n, dim, piece, j, u);
+        same(T, value, G(power_sum)(n, dim, c, j, mean));
+        same(T, value, G(power_sum)(n, dim, c, j, along));
+    }
+}
+
+CLAIM(coefficients_of_a_piece_are_as_printed)
+{
+    num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), h = sub(t1, t0);
+    G(free_coefficients)(T, 3, space, c);
+    G(power_on_interval)(3, space, c, t0, t1, piece);
+    num three = from_int(3), h2 = mul(h, h), h3 = mul(h2, h), t2 = mul(t0, t0), t3 = mul(t2, t0);
+    for (int j = 0; j < space; j++) {
+        num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j];
+        num linear = add(add(mul(mul(three, mul(h, t2)), A), mul(mul(from_int(2), mul(h, t0)), B)), mul(h, C));
+        num rows[4] = {add(add(mul(t3, A), mul(t2, B)), add(mul(t0, C), D)), linear,
+                       add(mul(mul(T->planted ? from_int(2) : three, mul(h2, t0)), A), mul(h2, B)), mul(h3, A)};
+        for (int k = 0; k <= 3; k++)
+            same(T, piece[k * space + j], rows[k]);
+    }
+}
+
+CLAIM(derivatives_of_a_piece)
+{
+    num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u");
+    num h = sub(t1, t0), t = add(t0, mul(h, u)), speed = from_int(0), before = from_int(0);
+    G(free_coefficients)(T, 3, space, c);
+    G(power_on_interval)(3, space, c, t0, t1, piece);
+    for (int j = 0; j < space; j++)
+        for (int k = 0; k <= 3; k++) {
+            num there = G(power_sum_derivative)(3, space, c, j, k, t),
+                here = G(power_sum_derivative)(3, space, piece, j, k, u);
+            same(T, here, mul(G(power)(h, T->planted && k > 0 ? 1 : k), there));
+            if (k == 1) {
+                speed = add(speed, mul(here, here));
+                before = add(before, mul(there, there));
+            }
+        }
+    same(T, speed, mul(mul(h, h), before));
+}
+
+CLAIM(length_of_a_piece_is_at_most_one)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 1), rest = positive(T, "b", 2);
+    num whole_length = add(from_int(1), add(a, add(b, rest)));
+    num t0 = div(a, whole_length), t1 = div(add(a, b), whole_length), length = T->planted ? sub(t0, t1) : sub(t1, t0);
+    nonnegative(T, length);
+    nonnegative(T, sub(from_int(1), length));
+}
+
+#if RATIONAL
+CLAIM(backward_piece_has_negative_length)
+{
+    num t0 = from_ratio(T->planted ? 1 : 3, 4), t1 = from_ratio(T->planted ? 3 : 1, 4);
+    show(T, "t_0", t0);
+    show(T, "t_1", t1);
+    about(T, "t_1 - t_0, which should not be negative");
+    nonnegative(T, sub(t1, t0));
+}
+#endif
+
+/*
+## A rational change of the parameter
+
+:::{statement} hu-1987:1-5-rational-change
+:title: The parameter can be changed by a fractional linear map
+:zh: 双线性(同形)参数变换
+:printed: More generally the parameter can be changed by a bilinear or homographic transformation, a rational one.
+:holds-by: fractional_change_of_a_power_curve fractional_change_keeps_curve
+:needs: fractional_change_with_a_pole | The denominator has no zero on the interval.
+:figure: fractional_parameter
+
+The text that is at hand ends before the formula.
+:::
+
+:::{claim} fractional_change_of_a_power_curve
+:title: A fractional change of the parameter makes the curve rational and keeps its points
+:zh: 分式线性变换下的曲线
+:given: any coefficients of degree $n$ in the plane, $t=\frac{pu}{pu+q(1-u)}$ with $p,q>0$
+:then: the rational Bézier curve with the Bézier points of $P$ and the weights $p^iq^{n-i}$ is $P(t)$ at $u$; the derivatives of $t$ at the
+  ends, $\frac pq$ and $\frac qp$, have the product 1
+:method: The Bézier points by `power_to_bernstein`, the curve by the rational kernel, the weights by `rational_reparametrize`, against
+  the sum of powers; the derivatives as limits of quotients, $\frac{t}{u}$ at 0 and $\frac{1-t}{1-u}$ at 1, which are
+  $\frac p{pu+q(1-u)}$ and $\frac q{pu+q(1-u)}$.
+:degrees: 1..4 sampled 8
+:control: the weights $p^{n-i}q^i$
+:::
+
+:::{claim} fractional_change_with_a_pole
+:title: With factors of different signs the parameter has a pole
+:zh: 异号时参数变换有极点
+:kind: counterexample
+:given: $p=1$, $q=-1$, $u=\frac12$
+:then: $pu+q(1-u)=0$
+:method: The denominator, exactly; that it is not 0 is refuted.
+:control: $q=1$
+:::
+*/
+CLAIM(fractional_change_of_a_power_curve)
+{
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], line[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * dim], w[MAX_DEGREE + 1], P[dim];
+    num p = positive(T, "p", 0), q = positive(T, "q", 0), u = parameter(T, "u"), one = from_int(1);
+    num below = add(mul(p, u), mul(q, sub(one, u))), t = div(mul(p, u), below);
+    G(free_coefficients)(T, n, dim, c);
+    for (int j = 0; j < dim; j++) {
+        for (int k = 0; k <= n; k++)
+            line[k] = c[k * dim + j];
+        G(power_to_bernstein)(n, line, line);
+        for (int k = 0; k <= n; k++)
+            R[k * dim + j] = line[k];
+    }
+    for (int k = 0; k <= n; k++)
+        w[k] = one;
+    G(rational_reparametrize)(n, w, T->planted ? q : p, T->planted ? p : q, w);
+    G(rational_point)(n, dim, R, w, u, P);
+    for (int j = 0; j < dim; j++)
+        same(T, P[j], G(power_sum)(n, dim, c, j, t));
+    about(T, "the speeds at the ends");
+    same(T, div(t, u), div(p, below));
+    same(T, div(sub(one, t), sub(one, u)), div(q, below));
+}
+
+#if RATIONAL
+CLAIM(fractional_change_with_a_pole)
+{
+    num p = from_int(1), q = from_int(T->planted ? 1 : -1), u = from_ratio(1, 2);
+    num below = add(mul(p, u), mul(q, sub(from_int(1), u)));
+    show(T, "p u + q (1 - u)", below);
+    about(T, "whether the denominator is not zero");
+    agree(T, !is_zero_q(below));
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,929 @@
+/*
+# Points of a cubic, fast (曲线上点的计算)
+
+A cubic in powers of its parameter is computed for many equidistant parameters.  The source gives three ways: the powers as
+they stand, the rule of Horner (秦九韶算法), and a table of forward differences (向前差分) that needs additions only.
+
+## Descriptions
+
+:::{statement} hu-1987:1-4-slopes
+:title: A curve as the graph of a function has infinite slopes and several values
+:zh: 非参数形式的无穷斜率与多值问题
+:printed: In the fitting of curves the form that is not parametric has the problem of slopes $dy/dx=\infty$, and that of several
+  values.
+:holds-by: parabola_across_has_no_slope
+:figure: infinite_slope_and_two_values
+:::
+
+:::{claim} parabola_across_has_no_slope
+:title: A parametric curve with a vertical tangent and two values
+:zh: 竖直切线与多值
+:kind: decision
+:given: $P(t)=((2t-1)^2,t)$ on $[0,1]$
+:then: at $t=\frac12$, $x'=0$ and $P'\ne0$; over $x=\frac14$ there are two points, over $x<0$ none
+:method: The derivatives by the kernel; the parameters with $x=\frac14$ and with $x=-\frac14$ are counted as roots.
+:control: the curve $(2t-1,t)$
+:::
+
+:::{statement} hu-1987:1-4-lowest-degree
+:title: The lowest degree of a polynomial curve in CAGD is three
+:zh: 参数多项式曲线最低为三次
+:printed: In CAGD the lowest degree of parametric curves given by polynomials is three.
+:refuted-by: quadratic_curve_is_in_use
+:class: false
+:corrected: Three is the lowest degree of a polynomial curve that leaves every plane, and of a plane one with an inflection.
+:corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
+
+The table of contents of the source has a section on uniform quadratic B-spline surfaces.
+:::
+
+:::{claim} quadratic_curve_is_in_use
+:title: The parabola is a polynomial curve of degree two
+:zh: 二次曲线段
+:kind: counterexample
+:given: $P(t)=(t,t^2)$: coefficients $(0,0),(1,0),(0,1)$
+:then: its degree, 2, is less than 3, and it is no line
+:method: The highest coefficient that is not 0, and $P'\times P''\ne0$.
+:control: $P(t)=(t,t^3)$
+:::
+
+:::{claim} quadratics_are_plane_and_turn_to_one_side
+:title: A quadratic curve is plane and has no inflection
+:zh: 二次曲线为平面曲线且无拐点
+:given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
+:then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
+:method: The derivatives by the kernel, everything a variable.
+:control: a coefficient $c_3$ added
+:::
+
+:::{claim} cubics_leave_the_plane_and_inflect
+:title: A cubic can leave every plane, and a plane one can have an inflection
+:zh: 三次曲线可不在平面内,可有拐点
+:kind: decision
+:given: $(t,t^2,t^3)$ in space, $(t,t^3)$ in the plane
+:then: $(P',P'',P''')=12$ for the first; $P'\times P''=6t$ changes its sign at 0 for the second
+:method: The kernels, at $t=\frac13$ and at $t=\pm\frac13$.
+:control: $(t,t^2,t^2)$ and $(t,t^2)$
+:::
+*/
+#include "chapters/foundations/definition.h"
+
+#if RATIONAL
+#include "chapters/foundations/counting.h"
+#include "exact/roots.h"
+
+/* The kernels in binary64, and those of this section once more in the number type that counts. */
+#undef G
+#include "core/kernels_d.h"
+#define G(name) name##_c
+#include "core/power.tmpl.h"
+#undef G
+#define G(name) name##_q
+#endif
+
+#include "chapters/frame/claims_on.h"
+
+#if RATIONAL
+CLAIM(parabola_across_has_no_slope)
+{
+    num zero = from_int(0), quarter = from_ratio(1, 4);
+    num c[6] = {from_int(T->planted ? -1 : 1), zero, from_int(T->planted ? 2 : -4), from_int(1),
+                from_int(T->planted ? 0 : 4),  zero};
+    num D[4], x[3] = {c[0], c[2], c[4]};
+    G(power_derivatives)(2, 2, c, from_ratio(1, 2), 1, D);
+    agree(T, is_zero_q(D[2]) && !is_zero_q(D[3]));
+    poly at_quarter = poly_sub(poly_from_q(3, x), poly_constant(quarter));
+    poly below = poly_add(poly_from_q(3, x), poly_constant(quarter));
+    agree(T, count_roots(at_quarter, zero, from_int(1), CLOSED).distinct == 2);
+    agree(T, count_roots(below, zero, from_int(1), CLOSED).distinct == 0);
+}
+
+CLAIM(quadratic_curve_is_in_use)
+{
+    int last = T->planted ? 3 : 2, degree = 3;
+    num c[8], D[6];
+    for (int m = 0; m < 8; m++)
+        c[m] = from_int(m == 2 || m == 2 * last + 1);
+    while (is_zero_q(c[2 * degree]) && is_zero_q(c[2 * degree + 1]))
+        degree--;
+    G(power_derivatives)(3, 2, c, from_ratio(1, 3), 2, D);
+    show_points(T, "coefficients", degree + 1, 2, c);
+    show(T, "P' x P'' at t = 1/3", G(cross2)(D + 2, D + 4));
+    about(T, "whether the degree is at least 3");
+    agree(T, degree >= 3 || is_zero_q(G(cross2)(D + 2, D + 4)));
+}
+
+CLAIM(cubics_leave_the_plane_and_inflect)
+{
+    int top = T->planted ? 2 : 3;
+    num space[12], plane[8], D[12], sides[2];
+    for (int k = 0; k <= 3; k++) {
+        for (int j = 0; j < 3; j++)
+            space[k * 3 + j] = from_int(k == (j < 2 ? j + 1 : top));
+        plane[k * 2] = from_int(k == 1);
+        plane[k * 2 + 1] = from_int(k == top);
+    }
+    G(power_derivatives)(3, 3, space, from_ratio(1, 3), 3, D);
+    agree(T, equal_q(G(det3)(D + 3, D + 6, D + 9), from_int(12)));
+    for (int side = 0; side < 2; side++) {
+        G(power_derivatives)(3, 2, plane, from_ratio(side ? 1 : -1, 3), 2, D);
+        sides[side] = G(cross2)(D + 2, D + 4);
+    }
+    agree(T, sign_q(sides[0]) < 0 && sign_q(sides[1]) > 0);
+}
+#endif
+
+CLAIM(quadratics_are_plane_and_turn_to_one_side)
+{
+    enum { space = 3 };
+    num c[4 * space], D[3 * space], t = parameter(T, "t"), bend[space], normal[space], gone[space], at[space];
+    int n = T->planted ? 3 : 2;
+    G(free_coefficients)(T, n, space, c);
+    G(power_derivatives)(n, space, c, t, 2, D);
+    G(cross3)(D + space, D + 2 * space, bend);
+    G(cross3)(c + space, c + 2 * space, normal);
+    G(power_point)(n, space, c, t, at);
+    for (int j = 0; j < space; j++) {
+        same(T, bend[j], mul(from_int(2), normal[j]));
+        gone[j] = sub(at[j], c[j]);
+    }
+    vanishes(T, G(dot)(space, normal, gone));
+}
+
+/*
+## Horner's rule (秦九韶算法)
+
+:::{statement} hu-1987:1-4-1
+:title: A cubic in powers
+:zh: 参数三次曲线
+:definition: yes
+:printed: P(t)=At^3+Bt^2+Ct+D\qquad(0\le t\le1)
+:checked-by: horner_computes_the_sum_of_powers
+:::
+
+:::{statement} hu-1987:1-4-2
+:title: The cubic by Horner's rule
+:zh: 三次曲线的嵌套形式
+:printed: P(t)=[(At+B)t+C]t+D
+:holds-by: horner_computes_the_sum_of_powers
+:::
+
+:::{claim} horner_computes_the_sum_of_powers
+:title: Horner's rule computes the point of the curve
+:zh: 秦九韶算法求曲线上的点
+:given: any coefficients in space, any $t$
+:then: `power_point` gives $\sum_kc_kt^k$
+:method: The kernel against the sum of powers, each by repeated multiplication; everything a variable.
+:degrees: 0..7 sampled 16
+:defines: power_point
+:control: the coefficients taken backwards
+:::
+
+:::{statement} hu-1987:1-4-horner-count
+:title: Horner's rule saves half of the multiplications
+:zh: 乘法次数由六次减为三次
+:printed: So the number of multiplications for a point is reduced from 6 to 3.
+:holds-by: multiplications_are_six_and_three
+:reading: multiplications_are_six_and_three | Powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one coordinate: 6
+  become 3.
+:reading: kept_powers_need_five | With $t^2$ and $t^3=t^2\cdot t$ kept, it is 5 that become 3 for one coordinate, and
+  $2+3d$ that become $3d$ for $d$ coordinates.
+:::
+
+:::{claim} multiplications_are_six_and_three
+:title: The multiplications of the two forms, counted
+:zh: 两种形式的乘法次数
+:kind: decision
+:given: degrees $n=1,\dots,12$, one coordinate
+:then: the sum of powers takes $\frac{n(n+1)}2$ multiplications and $n$ additions, 6 and 3 for $n=3$; Horner's rule $n$ and $n$
+:method: The definition's loop and the kernel are run in a number type that counts.
+:scope: degrees 1 to 12
+:control: the powers kept from term to term
+:::
+
+:::{claim} kept_powers_need_five
+:title: With the powers kept five multiplications are enough before Horner's rule
+:zh: 保留幂次时只需五次乘法
+:kind: counterexample
+:given: degree 3, one coordinate, $t^2$ and $t^3$ computed once
+:then: 5 multiplications, not 6
+:method: The loop is run in the number type that counts.
+:control: every power multiplied out anew
+:::
+
+:::{claim} multiplications_with_kept_powers
+:title: The multiplications when the powers are kept
+:zh: 保留幂次时的乘法次数
+:kind: decision
+:given: degree 3, $d=1,2,3$ coordinates
+:then: with $t^2$ and $t^3$ computed once, $2+3d$ multiplications; Horner's rule $3d$
+:method: Both loops are run in the number type that counts.
+:scope: degree 3, one to three coordinates
+:control: the powers computed anew for every coordinate
+:::
+*/
+CLAIM(horner_computes_the_sum_of_powers)
+{
+    enum { space = 3 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * space], used[(MAX_DEGREE + 1) * space], P[space], t = parameter(T, "t");
+    G(free_coefficients)(T, n, space, c);
+    for (int k = 0; k <= n; k++)
+        for (int j = 0; j < space; j++)
+            used[k * space + j] = c[(T->planted ? n - k : k) * space + j];
+    G(power_point)(n, space, used, t, P);
+    for (int j = 0; j < space; j++)
+        same(T, P[j], G(power_sum)(n, space, c, j, t));
+}
+
+#if RATIONAL
+static const num_c some_number = {0};
+
+/* sum c_k t^k for dim coordinates as it is written: with the powers kept, each is computed once for all coordinates. */
+static struct operations cost_of_powers(int n, int dim, int kept)
+{
+    counted = (struct operations){0};
+    if (kept)
+        for (int k = 2; k <= n; k++)
+            mul_c(some_number, some_number);
+    for (int j = 0; j < dim; j++)
+        for (int k = 1; k <= n; k++) {
+            for (int i = 0; i < (kept ? 1 : k); i++)
+                mul_c(some_number, some_number);
+            add_c(some_number, some_number);
+        }
+    return counted;
+}
+
+static struct operations cost_of_horner(int n, int dim)
+{
+    num_c c[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM];
+    for (int m = 0; m < (n + 1) * dim; m++)
+        c[m] = some_number;
+    counted = (struct operations){0};
+    power_point_c(n, dim, c, some_number, P);
+    return counted;
+}
+
+CLAIM(multiplications_are_six_and_three)
+{
+    for (int n = 1; n <= 12; n++) {
+        struct operations powers = cost_of_powers(n, 1, T->planted), horner = cost_of_horner(n, 1);
+        agree(T, powers.multiplications == n * (n + 1) / 2 && powers.additions == n);
+        agree(T, horner.multiplications == n && horner.additions == n && horner.shifts == 0);
+    }
+}
+
+CLAIM(kept_powers_need_five)
+{
+    int multiplications = cost_of_powers(3, 1, !T->planted).multiplications;
+    about(T, "the multiplications before Horner's rule");
+    same(T, from_int(multiplications), from_int(6));
+}
+
+CLAIM(multiplications_with_kept_powers)
+{
+    for (int d = 1; d <= 3; d++) {
+        agree(T, cost_of_powers(3, d, !T->planted).multiplications == 2 + 3 * d);
+        agree(T, cost_of_horner(3, d).multiplications == 3 * d);
+    }
+}
+#endif
+
+/*
+## Forward differences (向前差分)
+
+:::{statement} hu-1987:1-4-difference-1-definition
+:title: The first forward difference
+:zh: 一阶向前差分的定义
+:printed: \Delta P(t)=P(t-\delta)-P(t)
+:refuted-by: printed_first_difference_looks_back
+:class: misprint
+:corrected: \Delta P(t)=P(t+\delta)-P(t)
+:corrected-by: differences_of_a_cubic
+:figure: forward_differences
+
+The sign of $\delta$: the formula printed beside it is that of the forward difference.
+:::
+
+:::{statement} hu-1987:1-4-difference-1
+:title: The first difference of the cubic
+:zh: 一阶差分
+:printed: \Delta P(t)=3A\delta t^2+(3A\delta^2+2B\delta)t+A\delta^3+B\delta^2+C\delta
+:holds-by: differences_of_a_cubic
+:::
+
+:::{statement} hu-1987:1-4-difference-2
+:title: The second difference of the cubic
+:zh: 二阶差分
+:printed: \Delta^2P(t)=\Delta P(t+\delta)-\Delta P(t)=6A\delta^2t+6A\delta^3+2B\delta^2
+:holds-by: differences_of_a_cubic
+:::
+
+:::{statement} hu-1987:1-4-difference-3-definition
+:title: The third forward difference
+:zh: 三阶差分的定义
+:printed: \Delta^3P(t)=\Delta^2P(t-\delta)-\Delta^2P(t)=6A\delta^3
+:refuted-by: printed_third_difference_has_the_other_sign
+:class: misprint
+:corrected: \Delta^3P(t)=\Delta^2P(t+\delta)-\Delta^2P(t)=6A\delta^3
+:corrected-by: differences_of_a_cubic
+:figure: forward_differences
+:::
+
+:::{claim} differences_of_a_cubic
+:title: The three forward differences of a cubic
+:zh: 三次曲线的各阶向前差分
+:given: any $A$, $B$, $C$, $D$, any $t$ and $\delta$
+:then: $P(t+\delta)-P(t)$, $\Delta P(t+\delta)-\Delta P(t)$ and $\Delta^2P(t+\delta)-\Delta^2P(t)$ are the three printed expressions
+:method: The differences of the sums of powers at $t,\dots,t+3\delta$, everything a variable; one coordinate, any one.
+:control: $t-\delta$ in the place of $t+\delta$
+:::
+
+:::{claim} printed_first_difference_looks_back
+:title: With the printed argument the first difference has another sign
+:zh: 印刷的一阶差分符号有误
+:kind: counterexample
+:given: $P(t)=t$, that is $A=B=0$, $C=1$, $D=0$; $\delta=1$, $t=0$
+:then: $P(t-\delta)-P(t)=-1$, the printed expression is $1$
+:method: Both sides of the printed line, exactly.
+:control: $P(t+\delta)$
+:::
+
+:::{claim} printed_third_difference_has_the_other_sign
+:title: With the printed argument the third difference is the negative
+:zh: 印刷的三阶差分符号有误
+:kind: counterexample
+:given: $P(t)=t^3$, $\delta=1$, $t=0$
+:then: $\Delta^2P(-1)-\Delta^2P(0)=0-6=-6$, the printed value is $6A\delta^3=6$
+:method: Both sides, with the printed $\Delta^2P(t)=6A\delta^2t+6A\delta^3+2B\delta^2$.
+:control: $\Delta^2P(t+\delta)$
+:::
+
+:::{statement} hu-1987:1-4-constant-difference
+:title: The n-th difference of a curve of degree n is constant
+:zh: n 次多项式的 n 阶差分为常矢量
+:printed: The third difference is a vector that does not depend on the parameter; in general the $n$-th difference of a polynomial
+  of degree $n$ is a constant vector.
+:holds-by: differences_by_alternating_sums
+:::
+
+:::{claim} differences_by_alternating_sums
+:title: The kernel's table holds the forward differences; the last is constant
+:zh: 差分表与末阶差分
+:given: any coefficients in the plane, any $\delta$
+:then: row $k$ of `power_differences` is $\sum_i(-1)^{k-i}\binom kiP(i\delta)$, and its last row is $n!\,c_n\,\delta^n$, which does not
+  depend on the place: at any $t$ the alternating sum of $P(t),\dots,P(t+n\delta)$ is the same
+:method: The kernel against alternating sums of the definition, at 0 and at a variable $t$.
+:degrees: 1..6 sampled 12
+:defines: power_differences
+:control: the place $t$ taken in the difference of order $n-1$
+:::
+*/
+/* The alternating sum of order k at t, coordinate j. */
+static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t, num delta)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= k; i++) {
+        num value = G(power_sum)(n, dim, c, j, add(t, mul(from_int(i), delta)));
+        num term = mul(from_int(binomial(k, i)), value);
+        sum = (k - i) % 2 == 0 ? add(sum, term) : sub(sum, term);
+    }
+    return sum;
+}
+
+/* The printed expressions of the differences of order 1, 2, 3 for c = (D, C, B, A). */
+static num G(printed_difference)(int order, const num c[], num t, num delta)
+{
+    num A = c[3], B = c[2], C = c[1], d2 = mul(delta, delta), d3 = mul(d2, delta);
+    if (order == 1) {
+        num linear = add(mul(from_int(3), mul(A, d2)), mul(from_int(2), mul(B, delta)));
+        num constant = add(add(mul(A, d3), mul(B, d2)), mul(C, delta));
+        return add(add(mul(mul(from_int(3), mul(A, delta)), mul(t, t)), mul(linear, t)), constant);
+    }
+    num Ad3 = mul(from_int(6), mul(A, d3));
+    if (order == 3)
+        return Ad3;
+    return add(add(mul(mul(from_int(6), mul(A, d2)), t), Ad3), mul(from_int(2), mul(B, d2)));
+}
+
+CLAIM(differences_of_a_cubic)
+{
+    num c[4], t = parameter(T, "t"), delta = parameter(T, "d"), D[4][4];
+    G(free_coefficients)(T, 3, 1, c);
+    num step = T->planted ? neg(delta) : delta;
+    for (int i = 0; i <= 3; i++)
+        D[0][i] = G(power_sum)(3, 1, c, 0, add(t, mul(from_int(i), step)));
+    for (int k = 1; k <= 3; k++) {
+        for (int i = 0; i <= 3 - k; i++)
+            D[k][i] = sub(D[k - 1][i + 1], D[k - 1][i]);
+        same(T, D[k][0], G(printed_difference)(k, c, t, delta));
+    }
+}
+
+#if RATIONAL
+CLAIM(printed_first_difference_looks_back)
+{
+    num c[4] = {from_int(0), from_int(1), from_int(0), from_int(0)}, t = from_int(0), delta = from_int(1);
+    num other = T->planted ? add(t, delta) : sub(t, delta);
+    show_points(T, "D, C, B, A", 4, 1, c);
+    about(T, "the difference, and the expression printed for it");
+    same(T, sub(G(power_sum)(3, 1, c, 0, other), G(power_sum)(3, 1, c, 0, t)), G(printed_difference)(1, c, t, delta));
+}
+
+CLAIM(printed_third_difference_has_the_other_sign)
+{
+    num c[4] = {from_int(0), from_int(0), from_int(0), from_int(1)}, t = from_int(0), delta = from_int(1);
+    num other = T->planted ? add(t, delta) : sub(t, delta);
+    show_points(T, "D, C, B, A", 4, 1, c);
+    about(T, "the difference, and the value printed for it");
+    same(T, sub(G(printed_difference)(2, c, other, delta), G(printed_difference)(2, c, t, delta)),
+         G(printed_difference)(3, c, t, delta));
+}
+#endif
+
+CLAIM(differences_by_alternating_sums)
+{
+    enum { dim = 2 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], t = parameter(T, "t"), delta = parameter(T, "d");
+    G(free_coefficients)(T, n, dim, c);
+    G(power_differences)(n, dim, c, delta, d);
+    for (int j = 0; j < dim; j++) {
+        for (int k = 0; k <= n; k++)
+            same(T, d[k * dim + j], G(alternating_sum)(n, dim, c, j, k, from_int(0), delta));
+        num last = mul(c[n * dim + j], G(power)(delta, n));
+        for (int k = 2; k <= n; k++)
+            last = mul(last, from_int(k));
+        same(T, d[n * dim + j], last);
+        int order = T->planted ? n - 1 : n;
+        same(T, G(alternating_sum)(n, dim, c, j, order, t, delta), d[order * dim + j]);
+    }
+}
+
+/*
+### Stepping
+
+:::{statement} hu-1987:1-4-3-places
+:title: The place of the differences with the index 1
+:zh: 下标 1 的差分所在参数
+:printed: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=i\delta$, and $P_1=P_0+\Delta P_0$.
+:refuted-by: step_from_zero_reaches_one_step_only
+:class: misprint
+:corrected: They are the differences at $t=\delta$.
+:corrected-by: additions_step_along_the_curve
+:figure: forward_differences
+
+For $i=1$ it is true.
+:::
+
+:::{claim} step_from_zero_reaches_one_step_only
+:title: One step from 0 does not reach the second place
+:zh: 一步不能到达第 i 点
+:kind: counterexample
+:given: $P(t)=t$, $\delta=1$, $i=2$
+:then: $P_0+\Delta P_0=1$, $P(2\delta)=2$
+:method: Both values, exactly.
+:control: $i=1$
+:::
+
+:::{statement} hu-1987:1-4-3
+:title: One step of the table
+:zh: 差分递推
+:printed: P_1=P_0+\Delta P_0,\quad\Delta P_1=\Delta P_0+\Delta^2P_0,\quad\Delta^2P_1=\Delta^2P_0+\Delta^3P_0,\quad\Delta^3P_1=\Delta^3P_0
+:holds-by: step_takes_differences_to_the_next_place
+:::
+
+:::{claim} step_takes_differences_to_the_next_place
+:title: The step of the table takes the differences at one place to those at the next
+:zh: 差分表前进一步
+:given: any coefficients in the plane, any $t$ and $\delta$
+:then: `difference_step`, and with the rows divided by $\delta^k$ `scaled_difference_step`, take the differences at $t$ to those
+  at $t+\delta$
+:method: The kernels on the alternating sums at $t$, against those at $t+\delta$.
+:degrees: 1..6 sampled 12
+:defines: difference_step scaled_difference_step
+:control: the differences at $t+2\delta$
+:::
+
+:::{statement} hu-1987:1-4-stepping
+:title: All points by repeated additions
+:zh: 反复加法求各点
+:printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the other by
+  repeated additions.
+:holds-by: additions_step_along_the_curve
+:::
+
+:::{claim} additions_step_along_the_curve
+:title: The table runs along the curve
+:zh: 差分表沿曲线前进
+:given: any coefficients in the plane, any $\delta$, 12 steps
+:then: after $i$ steps the first row is $P(i\delta)$
+:method: `power_differences`, then `difference_step` again and again, against the sum of powers.
+:degrees: 1..5 sampled 8
+:control: the last difference taken as 0
+:::
+
+:::{statement} hu-1987:1-4-no-multiplications
+:title: With differences no multiplication is left
+:zh: 差分法不用乘法
+:printed: With differences multiplications are not needed at all, only shifts and additions.
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions
+:needs: other_steps_need_multiplications | The step is a power of two, $\delta=2^{-m}$, and the differences are divided by its powers as
+  in (1-4-4) and (1-4-5).  For another step the table has to be begun with multiplications.
+:::
+
+:::{claim} step_costs_additions_only
+:title: A step costs n additions for each coordinate, and, scaled, n shifts
+:zh: 每步的加法与移位次数
+:kind: decision
+:given: degrees $n=1,\dots,12$, one to three coordinates $d$, $\delta=2^{-m}$
+:then: `difference_step` costs $nd$ additions and nothing else, `scaled_difference_step` $nd$ additions and $nd$ shifts
+:method: The kernels are run in the number type that counts.
+:scope: degrees 1 to 12, one to three coordinates
+:control: a step that is no power of two
+:::
+
+:::{claim} table_costs_shifts_and_additions
+:title: The table of a cubic costs shifts and additions
+:zh: 建立差分表的运算次数
+:kind: decision
+:given: one coordinate, $\delta=2^{-m}$, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(3A\delta+B)$, $2\cdot3A$ with $3A=2A+A$
+:then: 6 shifts, 4 additions and no multiplication
+:method: The rows are formed in the number type that counts, and in rationals for $A,B,C,D$ and $\delta=\frac1{256}$, where they are the
+  printed ones.
+:control: a step that is no power of two
+:::
+
+:::{claim} other_steps_need_multiplications
+:title: For other steps the products remain
+:zh: 一般步长仍需乘法
+:kind: counterexample
+:given: a step that is no power of two, one coordinate, one step of (1-4-4)
+:then: 3 multiplications
+:method: The kernel is run in the number type that counts.
+:control: a power of two
+:::
+*/
+#if RATIONAL
+CLAIM(step_from_zero_reaches_one_step_only)
+{
+    num c[2] = {from_int(0), from_int(1)}, d[2], delta = from_int(1);
+    int i = T->planted ? 1 : 2;
+    G(power_differences)(1, 1, c, delta, d);
+    G(difference_step)(1, 1, d);
+    about(T, "P_0 + ΔP_0, and P(iδ)");
+    same(T, d[0], G(power_sum)(1, 1, c, 0, mul(from_int(i), delta)));
+}
+#endif
+
+CLAIM(step_takes_differences_to_the_next_place)
+{
+    enum { dim = 2 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], e[(MAX_DEGREE + 1) * dim];
+    num t = parameter(T, "t"), delta = positive(T, "d", 0), next = add(t, delta);
+    G(free_coefficients)(T, n, dim, c);
+    for (int k = 0; k <= n; k++)
+        for (int j = 0; j < dim; j++) {
+            d[k * dim + j] = G(alternating_sum)(n, dim, c, j, k, t, delta);
+            e[k * dim + j] = div(d[k * dim + j], G(power)(delta, k));
+        }
+    G(difference_step)(n, dim, d);
+    G(scaled_difference_step)(n, dim, delta, e);
+    if (T->planted)
+        next = add(next, delta);
+    for (int k = 0; k <= n; k++)
+        for (int j = 0; j < dim; j++) {
+            num there = G(alternating_sum)(n, dim, c, j, k, next, delta);
+            same(T, d[k * dim + j], there);
+            same(T, e[k * dim + j], div(there, G(power)(delta, k)));
+        }
+}
+
+CLAIM(additions_step_along_the_curve)
+{
+    enum { dim = 2 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], delta = parameter(T, "d");
+    G(free_coefficients)(T, n, dim, c);
+    G(power_differences)(n, dim, c, delta, d);
+    if (T->planted)
+        d[n * dim] = from_int(0);
+    for (int i = 0; i <= 12; i++) {
+        for (int j = 0; j < dim; j++)
+            same(T, d[j], G(power_sum)(n, dim, c, j, mul(from_int(i), delta)));
+        G(difference_step)(n, dim, d);
+    }
+}
+
+#if RATIONAL
+static struct operations cost_of_step(int n, int dim, int scaled, int power_of_two)
+{
+    num_c d[(MAX_DEGREE + 1) * MAX_DIM], delta = {power_of_two};
+    for (int m = 0; m < (n + 1) * dim; m++)
+        d[m] = some_number;
+    counted = (struct operations){0};
+    if (scaled)
+        scaled_difference_step_c(n, dim, delta, d);
+    else
+        difference_step_c(n, dim, d);
+    return counted;
+}
+
+CLAIM(step_costs_additions_only)
+{
+    for (int n = 1; n <= 12; n++)
+        for (int d = 1; d <= 3; d++) {
+            struct operations plain = cost_of_step(n, d, 0, 1), scaled = cost_of_step(n, d, 1, !T->planted);
+            agree(T, plain.additions == n * d && plain.multiplications == 0 && plain.shifts == 0);
+            agree(T, scaled.additions == n * d && scaled.multiplications == 0 && scaled.shifts == n * d);
+        }
+}
+
+CLAIM(other_steps_need_multiplications)
+{
+    struct operations step = cost_of_step(3, 1, 1, T->planted);
+    show_text(T, "multiplications", "%d", step.multiplications);
+    about(T, "that there is no multiplication");
+    agree(T, step.multiplications == 0);
+}
+#endif
+
+/* (1-4-5) as shifts and additions: e from c = (D, C, B, A), 3A as 2A + A. */
+#define TABLE_BY_SHIFTS(S)                                                                                             \
+    static void table_by_shifts_##S(const num_##S c[], num_##S delta, num_##S e[])                                     \
+    {                                                                                                                  \
+        num_##S two = from_int_##S(2), three_A = add_##S(mul_##S(two, c[3]), c[3]);                                    \
+        e[0] = c[0];                                                                                                   \
+        e[1] = add_##S(mul_##S(add_##S(mul_##S(c[3], delta), c[2]), delta), c[1]);                                     \
+        e[2] = mul_##S(two, add_##S(mul_##S(three_A, delta), c[2]));                                                   \
+        e[3] = mul_##S(two, three_A);                                                                                  \
+    }
+#if RATIONAL
+TABLE_BY_SHIFTS(c)
+TABLE_BY_SHIFTS(q)
+
+CLAIM(table_costs_shifts_and_additions)
+{
+    num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {!T->planted};
+    num x[4], d[4], table[4], delta = from_ratio(1, 256), power = from_int(1);
+    counted = (struct operations){0};
+    table_by_shifts_c(c, step, e);
+    agree(T, counted.shifts == 6 && counted.additions == 4 && counted.multiplications == 0);
+    for (int k = 0; k < 4; k++)
+        x[k] = unknown(T, "c", k);
+    table_by_shifts_q(x, delta, table);
+    G(power_differences)(3, 1, x, delta, d);
+    for (int k = 0; k < 4; k++, power = mul(power, delta))
+        same(T, table[k], div(d[k], power));
+}
+#endif
+
+/*
+### The scaled table
+
+:::{statement} hu-1987:1-4-small-differences
+:title: The differences from the third on are small
+:zh: 高阶差分已相当小
+:printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
+:holds-by: third_difference_loses_three_bytes
+:::
+
+:::{claim} third_difference_loses_three_bytes
+:title: The size of the differences for the step 1/256
+:zh: 步长 1/256 时各阶差分的大小
+:given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=2^{-8}$, any coefficients
+:then: $\Delta^3P_0=6A/2^{24}$, and the differences of order 4 and more are 0
+:method: The table of a cubic as one of degree 4 by the kernel, so that the fourth difference comes from five points; everything but the
+  step a variable.
+:control: the step $\delta=2^{-7}$
+:::
+
+:::{statement} hu-1987:1-4-4
+:title: The step of the scaled table
+:zh: 规格化差分的递推
+:printed: P_1=P_0+\delta(\tfrac1\delta\Delta P_0),\ \ \tfrac1\delta\Delta P_1=\tfrac1\delta\Delta P_0+\delta(\tfrac1{\delta^2}\Delta^2P_0),\ \
+  \tfrac1{\delta^2}\Delta^2P_1=\tfrac1{\delta^2}\Delta^2P_0+\delta(\tfrac1{\delta^3}\Delta^3P_0),\ \ \tfrac1{\delta^3}\Delta^3P_1=\tfrac1{\delta^3}\Delta^3P_0
+:holds-by: step_takes_differences_to_the_next_place
+:::
+
+:::{statement} hu-1987:1-4-5
+:title: The table to begin with
+:zh: 初始差分矩阵
+:printed: \begin{bmatrix}P_0\\\frac1\delta\Delta P_0\\\frac1{\delta^2}\Delta^2P_0\\\frac1{\delta^3}\Delta^3P_0\end{bmatrix}=\begin{bmatrix}D\\A\delta^2+B\delta+C\\6A\delta+2B\\6A\end{bmatrix}
+:holds-by: scaled_table_is_as_printed
+
+Four rows, and with three coordinates the $4\times3$ matrix that is announced.
+:::
+
+:::{claim} scaled_table_is_as_printed
+:title: The rows of the table to begin with
+:zh: 初始差分
+:given: any $A,B,C,D$ in space, any $\delta\ne0$
+:then: the rows of `power_differences`, divided by $1,\delta,\delta^2,\delta^3$, are the printed ones
+:method: The kernel against the printed expressions, everything a variable.
+:control: $3A$ in the last row
+:::
+
+:::{statement} hu-1987:1-4-fast
+:title: With powers of two the points are computed at high speed
+:zh: 步长为 2 的幂时高速计算
+:printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions stepping_reaches_the_other_end
+:hypothesis: short_words_lose_the_end | The words are long enough: $3m$ binary places more than the coefficients have.  Binary64 has
+  them for coefficients of 20 bits and $m=8$; words with 16 places have not.
+:figure: stepping_and_rounding
+:::
+*/
+CLAIM(third_difference_loses_three_bytes)
+{
+    num c[5], d[5], delta = from_ratio(1, T->planted ? 128 : 256);
+    for (int k = 0; k < 4; k++)
+        c[k] = unknown(T, "c", k);
+    c[4] = from_int(0);
+    G(power_differences)(4, 1, c, delta, d);
+    same(T, d[3], mul(c[3], from_ratio(6, 1L << 24)));
+    vanishes(T, d[4]);
+}
+
+CLAIM(scaled_table_is_as_printed)
+{
+    enum { space = 3 };
+    num c[4 * space], d[4 * space], delta = positive(T, "d", 0), power = from_int(1);
+    G(free_coefficients)(T, 3, space, c);
+    G(power_differences)(3, space, c, delta, d);
+    for (int k = 0; k <= 3; k++, power = mul(power, delta))
+        for (int j = 0; j < space; j++) {
+            num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], six_A = mul(from_int(6), A);
+            num rows[4] = {D, add(add(mul(A, mul(delta, delta)), mul(B, delta)), C),
+                           add(mul(six_A, delta), mul(from_int(2), B)), T->planted ? mul(from_int(3), A) : six_A};
+            same(T, div(d[k * space + j], power), rows[k]);
+        }
+}
+
+/*
+### What rounding does to the table
+
+A step has no multiplication, but every point inherits the errors of all points before it.  With $\delta=2^{-m}$ there may be
+none: the numbers that occur have $3m$ binary places more than the coefficients.  With $\delta=1/n$ for other $n$, the
+differences are rounded before the first step, and an error of $\Delta^3P_0$ is multiplied by $\binom n3$ on the way.  How large it is
+depends on how the table is begun: differences of rounded points inherit the roundoff of the points, and the rows of (1-4-5) only
+that of their own, small, size.
+
+:::{claim} stepping_reaches_the_other_end
+:title: After as many steps as there are pieces the table is at the other end
+:zh: 差分法到达终点
+:given: any coefficients of degree 3, $\delta=2^{-m}$, $2^m$ steps; $m$ is the degree
+:then: the first row is $P(1)=A+B+C+D$
+:method: The table and its steps; in binary64 within the running error bound.
+:degrees: 1..6 sampled 8
+:control: one step less
+:::
+
+:::{claim} stepping_is_exact_for_short_coefficients
+:title: For coefficients of 20 bits and 256 steps binary64 steps without any error
+:zh: 短系数时双精度差分无误差
+:kind: decision
+:given: 50 random cubics with coefficients of 20 binary places in $[-1,1]$, $\delta=2^{-8}$, 256 steps
+:then: every one of the $50\times257$ points by `difference_step` in binary64 is the exact value
+:method: The same kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
+  $2^8$, and so have at most 52 bits.
+:scope: 50 random cubics
+:control: $\delta=\frac1{255}$, 255 steps
+:::
+
+:::{claim} errors_of_the_table_grow_with_the_cube
+:title: An error of the third difference grows with the cube of the number of steps
+:zh: 三阶差分的误差按三次增长
+:given: errors $e_0,e_1,e_2,e_3$ in the four rows, $n$ steps
+:then: the error of the point is $e_0+ne_1+\binom n2e_2+\binom n3e_3$
+:method: The table is linear: the kernel on the errors alone, $n$ steps, against the sum.
+:degrees: 1..24
+:control: $\binom n3$ left out
+:::
+
+:::{claim} stepping_loses_what_horner_keeps
+:title: A table begun with rounded points loses half of the digits, one begun with the coefficients does not
+:zh: 差分表的舍入误差取决于起始方式
+:kind: decision
+:given: $P(t)=1+t^3$, $\delta=\frac1{1000}$, 1000 steps in binary64; the table begun with the differences of the first four points, and with (1-4-5)
+:then: in units of the roundoff $2^{-53}$ the last point has an error of more than $10^7$ the first way, of less than $10^3$ the second way, and
+  none by Horner's rule
+:method: The kernels in binary64, compared exactly as rationals with $P(1)=2$.
+:control: $\delta=\frac1{1024}$, 1024 steps, where all are exact
+:::
+
+:::{claim} short_words_lose_the_end
+:title: Words of 16 binary places lose the cubic term
+:zh: 字长不足时丢失三次项
+:kind: counterexample
+:given: $P(t)=\frac18t^3$, $\delta=2^{-8}$, differences kept to 16 binary places, the rest cut off; 256 steps
+:then: the second and the third difference are cut to 0, and so is the first: the last point is 0 in the place of $\frac18$
+:method: The table with each difference cut to 16 binary places, then exact steps.
+:control: 27 places, which hold $\Delta^3P_0=3\cdot2^{-26}$
+:::
+*/
+CLAIM(stepping_reaches_the_other_end)
+{
+    int pieces = 1 << T->degree;
+    num c[4], d[4], end = from_int(0);
+    G(free_coefficients)(T, 3, 1, c);
+    for (int k = 0; k < 4; k++)
+        end = add(end, c[k]);
+    G(power_differences)(3, 1, c, from_ratio(1, pieces), d);
+    for (int k = 0; k < pieces - T->planted; k++)
+        G(difference_step)(3, 1, d);
+    same(T, d[0], end);
+}
+
+CLAIM(errors_of_the_table_grow_with_the_cube)
+{
+    int n = T->degree;
+    num e[4], sum = from_int(0);
+    for (int k = 0; k < 4; k++) {
+        e[k] = unknown(T, "e", k);
+        int counted_in = k <= n && !(T->planted && k == 3);
+        sum = add(sum, mul(from_int(counted_in ? binomial(n, k) : 0), e[k]));
+    }
+    for (int k = 0; k < n; k++)
+        G(difference_step)(3, 1, e);
+    same(T, e[0], sum);
+}
+
+#if RATIONAL
+CLAIM(stepping_is_exact_for_short_coefficients)
+{
+    int pieces = T->planted ? 255 : 256;
+    for (int cubic = 0; cubic < 50; cubic++) {
+        num c[4], d[4];
+        double rounded[4], steps[4];
+        for (int k = 0; k < 4; k++) {
+            c[k] = unknown(T, "c", k);
+            rounded[k] = to_double_q(c[k]);
+        }
+        G(power_differences)(3, 1, c, from_ratio(1, pieces), d);
+        power_differences_d(3, 1, rounded, 1.0 / pieces, steps);
+        for (int i = 0; i <= pieces; i++) {
+            agree(T, equal_q(from_double_q(steps[0]), d[0]));
+            G(difference_step)(3, 1, d);
+            difference_step_d(3, 1, steps);
+        }
+    }
+}
+
+/* |value - exact| in units of 2^-53 */
+static num units_of_error(double value, num exact)
+{
+    num gap = sub(from_double_q(value), exact);
+    return mul(sign_q(gap) < 0 ? neg(gap) : gap, from_double_q(0x1p53));
+}
+
+CLAIM(stepping_loses_what_horner_keeps)
+{
+    int pieces = T->planted ? 1024 : 1000;
+    double c[4] = {1, 0, 0, 1}, delta = 1.0 / pieces, points[4], end, scale = 1;
+    double table[4] = {c[0], c[1] + (c[2] + c[3] * delta) * delta, 6 * c[3] * delta + 2 * c[2], 6 * c[3]};
+    power_differences_d(3, 1, c, delta, points);
+    for (int k = 0; k <= 3; k++, scale *= delta)
+        table[k] *= scale;
+    for (int k = 0; k < pieces; k++) {
+        difference_step_d(3, 1, points);
+        difference_step_d(3, 1, table);
+    }
+    power_point_d(3, 1, c, 1, &end);
+    num exact = from_int(2), by_points = units_of_error(points[0], exact), by_table = units_of_error(table[0], exact);
+    show_text(T, "begun with points, error in units of 2^-53", "%.0f", to_double_q(by_points));
+    show_text(T, "begun with coefficients", "%.0f", to_double_q(by_table));
+    agree(T, compare_q(by_points, from_int(10000000)) > 0);
+    agree(T, compare_q(by_table, from_int(1000)) < 0);
+    agree(T, is_zero_q(units_of_error(end, exact)));
+}
+
+/* a >= 0 with all binary places after the first `places` cut off */
+static num cut(num a, int places)
+{
+    mpz_t whole_part;
+    mpz_init(whole_part);
+    num unit = from_ratio(1, 1L << places), scaled = div(a, unit);
+    mpz_fdiv_q(whole_part, mpq_numref(scaled.at), mpq_denref(scaled.at));
+    num kept = mul(from_int(mpz_get_si(whole_part)), unit);
+    mpz_clear(whole_part);
+    return kept;
+}
+
+CLAIM(short_words_lose_the_end)
+{
+    int places = T->planted ? 27 : 16;
+    num c[4] = {from_int(0), from_int(0), from_int(0), from_ratio(1, 8)}, d[4];
+    G(power_differences)(3, 1, c, from_ratio(1, 256), d);
+    for (int k = 0; k < 4; k++)
+        d[k] = cut(d[k], places);
+    show_points(T, "table, cut", 4, 1, d);
+    for (int k = 0; k < 256; k++)
+        G(difference_step)(3, 1, d);
+    about(T, "the last point");
+    same(T, d[0], from_ratio(1, 8));
+}
+#endif
+#include "chapters/frame/claims_off.h"

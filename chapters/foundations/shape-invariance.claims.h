@@ -1,0 +1,646 @@
+/*
+# Shapes that do not know their coordinates (形状不变性)
+
+A curve in geometric design is a sum $P(t)=\sum_i\phi_i(t)\,Q_i$: points that a designer moves, functions that a program
+knows.  The points are given by coordinates, and coordinates are chosen by somebody.  If another choice of the origin
+gives another curve, the formula does not describe a shape (形状), however smooth it is.  The source shows the trap by an
+example, and asks for the condition that excludes it.
+
+## The example
+
+:::{statement} hu-1987:1-2-1
+:title: The curve of the example
+:zh: 例:两点的参数曲线
+:definition: yes
+:printed: P(t)=A_0(t)\,P_0+A_1(t)\,P_1\qquad(0\le t\le1)
+:checked-by: two_cubes_begin_and_end_at_their_points
+:::
+
+:::{statement} hu-1987:1-2-example-ends
+:title: The two factors of the example at the ends of the interval
+:zh: 例中调和函数的端值
+:printed: For $A_0(t)=(1-t)^3$, $A_1(t)=t^3$: $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$.
+:holds-by: two_cubes_begin_and_end_at_their_points
+:::
+
+:::{claim} two_cubes_begin_and_end_at_their_points
+:title: The factors of the example are 1 and 0 at one end, 0 and 1 at the other
+:zh: 两端插值
+:given: $A_0=(1-t)^3$, $A_1=t^3$, any two points
+:then: $P(0)=P_0$ and $P(1)=P_1$ for $P=A_0P_0+A_1P_1$
+:method: The sum at the two integers, the points variables; the coefficients of $P_0$ and $P_1$ are the four values.
+:control: the two ends exchanged
+:::
+*/
+#include "chapters/foundations/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = 2 };
+
+/* The curve of the example: (1-t)^3 P_0 + t^3 P_1. */
+static num G(two_cubes)(const num P[], int j, num t)
+{
+    return add(mul(G(power)(sub(from_int(1), t), 3), P[j]), mul(G(power)(t, 3), P[dim + j]));
+}
+
+CLAIM(two_cubes_begin_and_end_at_their_points)
+{
+    num P[2 * dim];
+    G(free_coefficients)(T, 1, dim, P);
+    for (int end = 0; end <= 1; end++)
+        for (int j = 0; j < dim; j++)
+            same(T, G(two_cubes)(P, j, from_int(T->planted ? 1 - end : end)), P[end * dim + j]);
+}
+
+/*
+:::{statement} hu-1987:1-2-example-line
+:title: In the first coordinates the example is the segment between its points
+:zh: 原坐标系中例为直线段
+:printed: $P(t)=(1-t)^3[0,0]+t^3[10,10]$ is the straight line that joins $P_0=[0,0]$ and $P_1=[10,10]$.
+:holds-by: two_cubes_from_the_origin_trace_the_segment
+:figure: two_cubes_and_their_image
+:::
+
+:::{claim} two_cubes_from_the_origin_trace_the_segment
+:title: With one point at the origin the example is the segment
+:zh: 一点为原点时得直线段
+:given: $P_0=(0,0)$, any $P_1$, any $t$
+:then: $P(t)=P_0+t^3(P_1-P_0)$; $t^3$ runs from 0 to 1 and never back, so the curve is the segment, once
+:method: An identity in $t$ and $P_1$, of which $(10,10)$ is one value.
+:control: the factor $t^2$ on the right
+:::
+
+:::{statement} hu-1987:1-2-example-reason
+:title: That the factors are 1 and 0 at the ends is the reason for the straight line
+:zh: 由端值推出直线
+:printed: Because $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$, the curve is the straight line that joins $P_0$ and $P_1$.
+:refuted-by: ends_alone_make_no_straight_line
+:class: invalid-proof
+:corrected: $P(t)$ is on the line through $P_0\ne P_1$ for a $t$ of $(0,1)$ exactly when $P_0$, $P_1$ and the origin are on
+  one line: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$.
+:corrected-by: two_cubes_miss_the_chord_by_a_product
+:figure: two_cubes_and_their_image
+
+The conclusion is true for the printed points and the reason given for it is not one: two lines further down the source
+itself has the same factors and a curve.
+:::
+
+:::{claim} ends_alone_make_no_straight_line
+:title: The same factors with other points leave the chord
+:zh: 端值相同而不成直线
+:kind: counterexample
+:types: rational
+:given: $P_0=(1,0)$, $P_1=(0,1)$, $t=\frac12$
+:then: $P(\frac12)=(\frac18,\frac18)$ is not on the line $x+y=1$ through $P_0$ and $P_1$
+:method: The sum of the coordinates is compared with 1.
+:control: the factors $1-t$ and $t$
+:::
+
+:::{claim} two_cubes_miss_the_chord_by_a_product
+:title: How far the example is from its chord
+:zh: 例中曲线到弦的偏差
+:given: any points $P_0$, $P_1$ of the plane, any $t$
+:then: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$
+:method: An identity in $t$ and the four coordinates; $3t(1-t)\ne0$ inside the interval, and $P_0\times P_1=0$ says that
+  the two points and the origin are on one line.
+:control: the factor 2 in the place of 3
+:::
+*/
+CLAIM(two_cubes_from_the_origin_trace_the_segment)
+{
+    num t = parameter(T, "t"), P[4] = {from_int(0), from_int(0), unknown(T, "x", 1), unknown(T, "y", 1)};
+    for (int j = 0; j < dim; j++)
+        same(T, G(two_cubes)(P, j, t), mul(G(power)(t, T->planted ? 2 : 3), P[dim + j]));
+}
+
+#if RATIONAL
+CLAIM(ends_alone_make_no_straight_line)
+{
+    num P[4] = {from_int(1), from_int(0), from_int(0), from_int(1)}, t = from_ratio(1, 2), at[2];
+    for (int j = 0; j < dim; j++)
+        at[j] = T->planted ? add(mul(sub(from_int(1), t), P[j]), mul(t, P[dim + j])) : G(two_cubes)(P, j, t);
+    show_points(T, "P_0, P_1", 2, 2, P);
+    show_points(T, "P(1/2)", 1, 2, at);
+    about(T, "x + y, which is 1 on the line");
+    same(T, add(at[0], at[1]), from_int(1));
+}
+#endif
+
+CLAIM(two_cubes_miss_the_chord_by_a_product)
+{
+    num P[2 * dim], chord[dim], from_first[dim], t = parameter(T, "t");
+    G(free_coefficients)(T, 1, dim, P);
+    for (int j = 0; j < dim; j++) {
+        chord[j] = sub(P[dim + j], P[j]);
+        from_first[j] = sub(G(two_cubes)(P, j, t), P[j]);
+    }
+    num factor = mul(from_int(T->planted ? 2 : 3), mul(t, sub(from_int(1), t)));
+    same(T, G(cross2)(chord, from_first), mul(factor, G(cross2)(P, P + dim)));
+}
+
+/*
+:::{statement} hu-1987:1-2-example-new-coordinates
+:title: The coordinates of the two points in the new system
+:zh: 新坐标系中的两点
+:printed: $P_0=[0,0]$ and $P_1=[10,10]$ are $P_0^*=[-3,-2]$ and $P_1^*=[7,8]$ in a new coordinate system $O^*x^*y^*$.
+:holds-by: new_coordinates_are_a_translation
+:::
+
+:::{claim} new_coordinates_are_a_translation
+:title: The new coordinates of the example are those of one translation
+:zh: 新坐标由一次平移得到
+:kind: decision
+:given: the printed coordinates of $P_0$, $P_1$, $P_0^*$, $P_1^*$
+:then: $P_i^*=P_i-(3,2)$ for both: the new origin is $(3,2)$, the axes keep their directions
+:method: Both differences, in integers.
+:control: $P_1^*=[7,6]$
+:::
+
+:::{statement} hu-1987:1-2-example-new-ends
+:title: In the new coordinates the curve still begins and ends at the points
+:zh: 新坐标系中曲线仍过两端点
+:printed: $P^*(t)=A_0(t)P_0^*+A_1(t)P_1^*$ passes through $P_0^*$ for $t=0$ and through $P_1^*$ for $t=1$.
+:holds-by: two_cubes_begin_and_end_at_their_points
+:::
+
+:::{statement} hu-1987:1-2-example-curve
+:title: In the new coordinates the example is a curve
+:zh: 新坐标系中例为曲线
+:printed: For $0<t<1$, $P^*(t)=(1-t)^3[-3,-2]+t^3[7,8]$ represents a curve.
+:holds-by: image_of_the_example_turns_everywhere image_of_the_example_lies_on_a_cubic
+:figure: two_cubes_and_their_image
+:striking: 40
+
+It is not only not straight: no part of it is.  It turns to one side all the way, meets its chord at the ends only, and
+is an arc of an irreducible cubic curve, with inflections exactly at $P_0^*$ and $P_1^*$.
+:::
+
+:::{claim} image_of_the_example_turns_everywhere
+:title: The curve of the example in the new coordinates turns to one side all the way
+:zh: 新坐标系中曲线处处弯曲
+:kind: decision
+:given: $P_0^*=(-3,-2)$, $P_1^*=(7,8)$
+:then: $P'\times P''$ has no zero in $(0,1)$, and zeros at 0 and 1
+:method: $P'\times P''$ as a polynomial of $t$, by the kernels for cubics; its sign on the open interval and on the closed
+  one by root counts.
+:scope: t from 0 to 1
+:control: $P_0^*=(0,0)$
+:::
+
+:::{claim} image_of_the_example_lies_on_a_cubic
+:title: The curve of two cubes is an arc of one cubic curve
+:zh: 两立方调和曲线的隐式方程
+:given: $p=(1-t)^3$, $q=t^3$, any $t$
+:then: $(1-p-q)^3=27pq$
+:method: An identity in $t$.  When $P_0^*$ and $P_1^*$ are independent, $p$ and $q$ are affine coordinates of the plane,
+  with the axes along $P_0^*$ and $P_1^*$, so that this is an equation of degree 3 of the curve.
+:control: 26 in the place of 27
+:::
+*/
+#if RATIONAL
+#include "exact/sign.h"
+
+CLAIM(new_coordinates_are_a_translation)
+{
+    const int P[4] = {0, 0, 10, 10}, image[4] = {-3, -2, 7, T->planted ? 6 : 8}, origin[2] = {3, 2};
+    for (int m = 0; m < 4; m++)
+        agree(T, image[m] == P[m] - origin[m % 2]);
+}
+
+/* D, C, B, A of (1-t)^3 P_0 + t^3 P_1 */
+static void two_cubes_in_powers(const num P[], num c[])
+{
+    const int binomials[4] = {1, -3, 3, -1};
+    for (int k = 0; k <= 3; k++)
+        for (int j = 0; j < dim; j++) {
+            c[k * dim + j] = mul(from_int(binomials[k]), P[j]);
+            if (k == 3)
+                c[k * dim + j] = add(c[k * dim + j], P[dim + j]);
+        }
+}
+
+CLAIM(image_of_the_example_turns_everywhere)
+{
+    num P[4] = {from_int(T->planted ? 0 : -3), from_int(T->planted ? 0 : -2), from_int(7), from_int(8)};
+    num c[8], minors[3], f[3];
+    two_cubes_in_powers(P, c);
+    G(cubic_minors)(c, minors);
+    G(inflection_polynomial)(minors, f);
+    poly turning = poly_from_q(3, f);
+    show_text(T, "P' x P''", "%s", poly_to_string(turning, "t"));
+    enum sign_pattern open = sign_on(turning, from_int(0), from_int(1), OPEN);
+    agree(T, open == SIGN_POSITIVE || open == SIGN_NEGATIVE);
+    agree(T, is_zero_q(poly_value(turning, from_int(0))) && is_zero_q(poly_value(turning, from_int(1))));
+}
+#endif
+
+CLAIM(image_of_the_example_lies_on_a_cubic)
+{
+    num t = parameter(T, "t"), p = G(power)(sub(from_int(1), t), 3), q = G(power)(t, 3);
+    num side = sub(sub(from_int(1), p), q);
+    same(T, G(power)(side, 3), mul(from_int(T->planted ? 26 : 27), mul(p, q)));
+}
+
+/*
+:::{statement} hu-1987:1-2-example-verdict
+:title: The formula of the example depends on the coordinates
+:zh: 式 1-2-1 不满足坐标独立性
+:printed: (1-2-1) with these factors does not satisfy the condition of coordinate independence, the invariance of shape.
+:holds-by: image_of_the_example_is_not_the_translated_curve
+:figure: two_cubes_and_their_image
+:::
+
+:::{claim} image_of_the_example_is_not_the_translated_curve
+:title: The curve of the translated points misses the translated curve inside the interval
+:zh: 平移顶点的曲线异于曲线的平移
+:given: any points, any translation $m$, any $t$
+:then: $P^*(t)-(P(t)+m)=-3t(1-t)\,m$, which is not 0 for $0<t<1$, $m\ne0$
+:method: An identity in $t$, the points and $m$.  The source has $m=(-3,-2)$.
+:control: the last point is not translated
+:::
+*/
+CLAIM(image_of_the_example_is_not_the_translated_curve)
+{
+    num P[2 * dim], image[2 * dim], m[dim], t = parameter(T, "t");
+    G(free_coefficients)(T, 1, dim, P);
+    for (int j = 0; j < dim; j++) {
+        m[j] = unknown(T, "m", j);
+        image[j] = add(P[j], m[j]);
+        image[dim + j] = T->planted ? P[dim + j] : add(P[dim + j], m[j]);
+    }
+    num factor = mul(from_int(-3), mul(t, sub(from_int(1), t)));
+    for (int j = 0; j < dim; j++)
+        same(T, sub(G(two_cubes)(image, j, t), add(G(two_cubes)(P, j, t), m[j])), mul(factor, m[j]));
+}
+
+/*
+## The condition
+
+:::{statement} hu-1987:1-2-2
+:title: A curve as a sum of points with functions as factors
+:zh: 曲线的一般表达式
+:definition: yes
+:printed: P(t)=[x(t)\;y(t)\;z(t)]=[\phi_0(t)\;\phi_1(t)\;\cdots\;\phi_n(t)]\,[Q_0\;Q_1\;\cdots\;Q_n]^T
+:checked-by: matrices_pass_to_the_points
+
+The functions are polynomials in the source; nothing here uses it, so they are variables below: any functions.
+:::
+
+:::{statement} hu-1987:1-2-rotation
+:title: A rotation of the points is the rotation of the curve
+:zh: 旋转变换下的形状不变性
+:printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation the
+  shape is kept.
+:holds-by: matrices_pass_to_the_points
+:needs: rotation_about_a_point_moves_the_example | A rotation that is a matrix turns about the origin.  About another point
+  it contains a translation, and needs the condition below.
+:figure: rotations_of_the_example
+:::
+
+:::{claim} matrices_pass_to_the_points
+:title: A matrix applied to the points is applied to the curve
+:zh: 矩阵变换作用于顶点即作用于曲线
+:given: any values of $\phi_0,\dots,\phi_n$, points of space, a $3\times3$ matrix $T$
+:then: $\sum\phi_i\,(Q_iT)=\bigl(\sum\phi_iQ_i\bigr)T$, whether $T$ is a rotation or not
+:method: Both sides with every function, point and entry a variable; $3n+3$ coordinates, 9 entries.
+:degrees: 1..6 sampled 12
+:control: the last point is not mapped
+:::
+
+:::{claim} rotation_about_a_point_moves_the_example
+:title: Turning the points of the example about another point does not turn its curve
+:zh: 绕非原点旋转时形状改变
+:kind: counterexample
+:given: $P_0=(0,0)$, $P_1=(10,10)$, the rotation by a right angle about $(1,0)$; $t=\frac12$
+:then: the curve of the turned points is not the turned curve
+:method: Both points, exactly.
+:control: the rotation about the origin
+:::
+*/
+CLAIM(matrices_pass_to_the_points)
+{
+    enum { space = 3 };
+    int n = T->degree;
+    num Q[(MAX_DEGREE + 1) * space], M[space * space], phi[MAX_DEGREE + 1];
+    G(free_coefficients)(T, n, space, Q);
+    for (int m = 0; m < space * space; m++)
+        M[m] = unknown(T, "m", m);
+    for (int i = 0; i <= n; i++)
+        phi[i] = unknown(T, "f", i);
+    for (int j = 0; j < space; j++) {
+        num of_images = from_int(0), image = from_int(0);
+        for (int i = 0; i <= n; i++)
+            for (int k = 0; k < space; k++) {
+                num entry = T->planted && i == n ? from_int(j == k) : M[k * space + j];
+                of_images = add(of_images, mul(phi[i], mul(Q[i * space + k], entry)));
+            }
+        for (int k = 0; k < space; k++) {
+            num coordinate = from_int(0);
+            for (int i = 0; i <= n; i++)
+                coordinate = add(coordinate, mul(phi[i], Q[i * space + k]));
+            image = add(image, mul(coordinate, M[k * space + j]));
+        }
+        same(T, of_images, image);
+    }
+}
+
+#if RATIONAL
+/* out = P turned to the left by a right angle about (centre, 0) */
+static void quarter_turn(int centre, const num P[], num out[])
+{
+    num x = P[0], y = P[1];
+    out[0] = sub(from_int(centre), y);
+    out[1] = sub(x, from_int(centre));
+}
+
+CLAIM(rotation_about_a_point_moves_the_example)
+{
+    int centre = T->planted ? 0 : 1;
+    num P[4] = {from_int(0), from_int(0), from_int(10), from_int(10)}, turned[4], t = from_ratio(1, 2), at[2], image[2];
+    quarter_turn(centre, P, turned);
+    quarter_turn(centre, P + 2, turned + 2);
+    for (int j = 0; j < dim; j++)
+        at[j] = G(two_cubes)(P, j, t);
+    quarter_turn(centre, at, image);
+    show_points(T, "turned points", 2, 2, turned);
+    show_points(T, "turned P(1/2)", 1, 2, image);
+    for (int j = 0; j < dim; j++)
+        same(T, G(two_cubes)(turned, j, t), image[j]);
+}
+#endif
+
+/*
+:::{statement} hu-1987:1-2-translation
+:title: What a translation of the points does to the curve
+:zh: 平移变换的推导
+:printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0+m\;\cdots\;Q_n+m]^T=P(t)+[\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)]\,m$
+:holds-by: translation_adds_the_sum_of_the_functions
+:::
+
+:::{statement} hu-1987:1-2-cauchy
+:title: The relation of Cauchy, for invariance under translations
+:zh: 柯西关系
+:printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
+:holds-by: translation_adds_the_sum_of_the_functions
+:reading: translation_adds_the_sum_of_the_functions | The curve moves along with its points: sufficient and necessary.
+:reading: shape_is_kept_without_the_sum_one | The curve keeps its shape, wherever it goes: sufficient, but not necessary.  A
+  constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all $Q_i=0$ the curve is a point, and its
+  image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
+:figure: sums_of_functions
+:::
+
+:::{claim} translation_adds_the_sum_of_the_functions
+:title: The curve of the translated points, and its distance from the translated curve
+:zh: 平移顶点后曲线的变化
+:given: any values of $\phi_0,\dots,\phi_n$, points of space, a translation $m$
+:then: $P^*=P+(\sum\phi_i)\,m$; so $P^*-(P+m)=(\sum\phi_i-1)\,m$, which vanishes for one $m\ne0$ exactly when the
+  sum is 1, and then for every $m$
+:method: Both sides with every function, point and component of $m$ a variable.
+:degrees: 1..6 sampled 12
+:control: the last function left out of the sum
+:::
+
+:::{claim} doubled_functions_keep_the_shape
+:title: Functions with the sum 2 keep the shape and lose the place
+:zh: 函数和为常数 2 时形状不变
+:given: $\phi_i=2B_i^n(t)$, any points of the plane, any translation $m$
+:then: $\sum\phi_i=2$, and the curve of the translated points is the curve translated by $2m$: congruent to it, not
+  where the points went
+:method: Both curves by de Casteljau's algorithm on doubled points, at a variable $t$ with variable points and $m$.
+:degrees: 1..6 sampled 12
+:control: the curve translated by $m$
+:::
+
+:::{claim} shape_is_kept_without_the_sum_one
+:title: A segment keeps its shape although the sum of its functions is 2
+:zh: 函数和为 2 的线段保持形状
+:kind: counterexample
+:given: $\phi_0=2(1-t)$, $\phi_1=2t$, $Q_0=(0,0)$, $Q_1=(1,0)$, $m=(1,1)$, $t=0,\frac12,1$
+:then: $P^*(t)-P(t)=(2,2)$ for all three $t$, and the segments are congruent; $\phi_0+\phi_1=2\ne1$
+:method: The points, exactly; that the sum is 1 is refuted.
+:control: $\phi_0=1-t$, $\phi_1=t$
+:::
+
+:::{statement} hu-1987:1-2-example-cauchy
+:title: The example violates the relation of Cauchy
+:zh: 例不满足柯西关系
+:printed: In the example the relation of Cauchy is not satisfied, so the shape need not be kept by a translation.
+:holds-by: sum_of_two_cubes_is_less_than_one image_of_the_example_is_not_the_translated_curve
+:figure: sums_of_functions
+:::
+
+:::{claim} sum_of_two_cubes_is_less_than_one
+:title: The sum of the two cubes is 1 at the ends only
+:zh: 两立方之和小于一
+:kind: decision
+:given: $(1-t)^3+t^3$ on $[0,1]$
+:then: $(1-t)^3+t^3-1$ is negative on $(0,1)$; the smallest value of the sum is $\frac14$, at $t=\frac12$
+:method: Signs of two polynomials on the interval, by root counts: of the sum minus 1, and of the sum minus $\frac14$.
+:scope: t from 0 to 1
+:control: the sum $(1-t)^3+3(1-t)^2t+3(1-t)t^2+t^3$
+:::
+*/
+CLAIM(translation_adds_the_sum_of_the_functions)
+{
+    enum { space = 3 };
+    int n = T->degree;
+    num Q[(MAX_DEGREE + 1) * space], phi[MAX_DEGREE + 1], sum = from_int(0);
+    G(free_coefficients)(T, n, space, Q);
+    for (int i = 0; i <= n; i++) {
+        phi[i] = unknown(T, "f", i);
+        if (!T->planted || i < n)
+            sum = add(sum, phi[i]);
+    }
+    for (int j = 0; j < space; j++) {
+        num m = unknown(T, "m", j), before = from_int(0), after = from_int(0);
+        for (int i = 0; i <= n; i++) {
+            before = add(before, mul(phi[i], Q[i * space + j]));
+            after = add(after, mul(phi[i], add(Q[i * space + j], m)));
+        }
+        same(T, after, add(before, mul(sum, m)));
+        same(T, sub(after, add(before, m)), mul(sub(sum, from_int(1)), m));
+    }
+}
+
+CLAIM(doubled_functions_keep_the_shape)
+{
+    int n = T->degree;
+    num Q[(MAX_DEGREE + 1) * dim], doubled[(MAX_DEGREE + 1) * dim], moved[(MAX_DEGREE + 1) * dim], m[dim];
+    num t = parameter(T, "t"), two = from_int(2), P[dim], image[dim];
+    G(free_coefficients)(T, n, dim, Q);
+    for (int j = 0; j < dim; j++)
+        m[j] = unknown(T, "m", j);
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j < dim; j++) {
+            doubled[i * dim + j] = mul(two, Q[i * dim + j]);
+            moved[i * dim + j] = mul(two, add(Q[i * dim + j], m[j]));
+        }
+    G(decasteljau)(n, dim, doubled, t, P);
+    G(decasteljau)(n, dim, moved, t, image);
+    for (int j = 0; j < dim; j++)
+        same(T, image[j], add(P[j], mul(from_int(T->planted ? 1 : 2), m[j])));
+}
+
+#if RATIONAL
+CLAIM(shape_is_kept_without_the_sum_one)
+{
+    int factor = T->planted ? 1 : 2;
+    for (int k = 0; k <= 2; k++) {
+        num t = from_ratio(k, 2), left = mul(from_int(factor), sub(from_int(1), t)), right = mul(from_int(factor), t);
+        num before = right, after = add(mul(left, from_int(1)), mul(right, from_int(2))); /* Q_0 = 0, Q_1 = 1; m = 1 */
+        agree(T, equal_q(sub(after, before), from_int(factor)));
+        agree(T, equal_q(add(mul(left, from_int(1)), mul(right, from_int(1))), from_int(factor)));
+        show(T, "t", t);
+        about(T, "the sum of the functions");
+        same(T, add(left, right), from_int(1));
+    }
+}
+
+CLAIM(sum_of_two_cubes_is_less_than_one)
+{
+    poly t = poly_variable(), s = poly_sub(poly_constant(from_int(1)), t);
+    poly sum = poly_add(poly_mul(s, poly_mul(s, s)), poly_mul(t, poly_mul(t, t)));
+    if (T->planted) {
+        poly middle = poly_scale(poly_mul(poly_mul(s, t), poly_add(s, t)), from_int(3));
+        sum = poly_add(sum, middle);
+    }
+    show_text(T, "sum", "%s", poly_to_string(sum, "t"));
+    poly below_one = poly_sub(sum, poly_constant(from_int(1)));
+    poly above_quarter = poly_sub(sum, poly_constant(from_ratio(1, 4)));
+    agree(T, sign_on(below_one, from_int(0), from_int(1), OPEN) == SIGN_NEGATIVE);
+    agree(T, sign_on(above_quarter, from_int(0), from_int(1), CLOSED) == SIGN_NONNEGATIVE);
+    agree(T, is_zero_q(poly_value(above_quarter, from_ratio(1, 2))));
+}
+#endif
+
+/*
+## What is said of parametric curves in general
+
+Section 1-4 of the source praises the parametric form for what section 1-2 has just shown it not to have.
+
+:::{statement} hu-1987:1-4-advantage-invariance
+:title: Parametric curves are geometrically invariant
+:zh: 参数曲线的几何不变性
+:printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates.
+:holds-by: matrices_pass_to_the_points translation_adds_the_sum_of_the_functions
+:hypothesis: ends_alone_make_no_straight_line | The functions have the sum 1 (relation of Cauchy), so that the curve belongs to
+  its points; (1-2-1) is parametric, too.
+:hypothesis: image_keeps_no_chord | The same in the source's own example: the segment becomes a curve.
+:figure: two_cubes_and_their_image
+:::
+
+:::{claim} image_keeps_no_chord
+:title: In the new coordinates the middle of the example is not on the chord
+:zh: 新坐标系中曲线离弦
+:kind: counterexample
+:given: $P_0^*=(-3,-2)$, $P_1^*=(7,8)$, $t=\frac12$
+:then: $P^*(\frac12)=(\frac12,\frac34)$ is not on the line $y=x+1$ through $P_0^*$ and $P_1^*$
+:method: The point, exactly, in the equation of the line.
+:control: the old coordinates $(0,0)$ and $(10,10)$, the line $y=x$
+:::
+
+:::{statement} hu-1987:1-4-advantage-transformations
+:title: Parametric curves are easily mapped by affine and projective maps
+:zh: 参数曲线易于作仿射与射影变换
+:printed: Affine and projective transformations of parametric curves are easily carried out.
+:holds-by: bezier_curve_moves_with_its_points matrices_pass_to_the_points
+:hypothesis: projective_image_is_not_the_curve_of_the_images | A projective map is applied to homogeneous points, of dimension one
+  higher, and the curve becomes a rational one.  Applied to the points themselves it gives another curve.
+:figure: projective_image_of_a_parabola
+
+An affine map is applied to the points, by the relation of Cauchy.  A projective map is a matrix for the homogeneous
+coordinates, and matrices pass to the points.
+:::
+
+:::{claim} projective_image_is_not_the_curve_of_the_images
+:title: The projective images of the control points are not control points of the image
+:zh: 射影变换不保持多项式曲线
+:kind: counterexample
+:given: the parabola with the Bézier points $(0,0),(1,0),(1,1)$, the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, $t=\frac12$
+:then: the image of $P(\frac12)$ is not the point of the polynomial curve of the three images
+:method: Both points, exactly; with the control, the rational curve whose weights are the values $1+y$ of the points.
+:control: the weights $1,1,2$ for the images
+:::
+*/
+#if RATIONAL
+CLAIM(image_keeps_no_chord)
+{
+    int x0 = T->planted ? 0 : -3, y0 = T->planted ? 0 : -2, x1 = T->planted ? 10 : 7, y1 = T->planted ? 10 : 8;
+    num P[4] = {from_int(x0), from_int(y0), from_int(x1), from_int(y1)}, at[2], t = from_ratio(1, 2);
+    for (int j = 0; j < dim; j++)
+        at[j] = G(two_cubes)(P, j, t);
+    show_points(T, "P_0, P_1", 2, 2, P);
+    show_points(T, "P(1/2)", 1, 2, at);
+    about(T, "y - x at P(1/2) and at P_0");
+    same(T, sub(at[1], at[0]), sub(P[1], P[0]));
+}
+
+CLAIM(projective_image_is_not_the_curve_of_the_images)
+{
+    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1)}, image[6], w[3], P[2],
+        Q[2];
+    num one = from_int(1), t = from_ratio(1, 2);
+    for (int i = 0; i < 3; i++) {
+        num below = add(one, R[2 * i + 1]);
+        for (int j = 0; j < dim; j++)
+            image[2 * i + j] = div(R[2 * i + j], below);
+        w[i] = T->planted ? below : one;
+    }
+    G(decasteljau)(2, dim, R, t, P);
+    num below = add(one, P[1]);
+    G(rational_point)(2, dim, image, w, t, Q);
+    show_points(T, "images of the points", 3, 2, image);
+    for (int j = 0; j < dim; j++)
+        same(T, Q[j], div(P[j], below));
+}
+#endif
+
+/*
+## What is said of the descriptions that follow
+
+:::{statement} hu-1987:1-2-degree-and-subdivision
+:title: A curve can be given more freedom without changing its shape
+:zh: 升阶与分割不改变形状
+:printed: To describe more, one keeps the shape and raises the degree of the curve, or keeps the shape and divides the curve.
+:holds-by: elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
+:::
+
+:::{claim} division_keeps_power_curve
+:title: The two halves of a curve in powers are the curve, at the cost of nothing
+:zh: 分割保持形状
+:given: a curve of degree $n$ in powers of $t$, any parameter $s$ of division, any $u$
+:then: its pieces over $[0,s]$ and $[s,1]$ at $u$ are the points $P(su)$ and $P(s+(1-s)u)$; a further coefficient $c_{n+1}=0$
+  changes nothing
+:method: `power_on_interval` and `power_point` against the sum of powers, everything a variable.
+:degrees: 1..6 sampled 10
+:control: the second piece at $su$
+:::
+
+:::{statement} hu-1987:1-2-hull-and-variation
+:title: Some curves have the convex hull property and diminish variation
+:zh: 凸包性与变差减小性
+:printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
+:holds-by: curve_points_are_convex_combinations line_crosses_curve_at_most_as_often_as_polygon
+
+Bézier curves are such curves.
+:::
+*/
+CLAIM(division_keeps_power_curve)
+{
+    int n = T->degree;
+    num c[(MAX_DEGREE + 2) * dim], piece[(MAX_DEGREE + 1) * dim], P[dim], s = parameter(T, "s"), u = parameter(T, "u");
+    num one = from_int(1), places[2] = {mul(s, u), add(s, mul(sub(one, s), u))};
+    G(free_coefficients)(T, n, dim, c);
+    c[(n + 1) * dim] = c[(n + 1) * dim + 1] = from_int(0);
+    for (int half = 0; half < 2; half++) {
+        G(power_on_interval)(n, dim, c, half ? s : from_int(0), half ? one : s, piece);
+        G(power_point)(n, dim, piece, u, P);
+        for (int j = 0; j < dim; j++)
+            same(T, P[j], G(power_sum)(n, dim, c, j, places[T->planted ? 0 : half]));
+    }
+    G(power_point)(n + 1, dim, c, u, P);
+    for (int j = 0; j < dim; j++)
+        same(T, P[j], G(power_sum)(n, dim, c, j, u));
+}
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,695 @@
+/*
+# The eight functions (带参数的基函数)
+
+Every function of the family is a linear factor times $s^{7-i}t^i$, $s=1-t$; it is written here as
+$(\nu_is+\varphi_it)s^{7-i}t^i$, so that $\nu_i$ is its factor at $t=0$ and $\varphi_i$ at $t=1$.  Between these two
+the factor takes every value in between and no other: on this simple remark most of the section rests.  In the
+Bernstein basis of degree 8 function $i$ has the two coefficients $\nu_i/\binom8i$ and $\varphi_i/\binom8{i+1}$.
+
+:::{statement} deng-zhang-2022:def-2.1
+:title: The eight functions with the parameter beta
+:zh: 带参数 β 的基函数的定义
+:printed: $\hat B_0=(1-\beta t)(1-t)^7$, $\hat B_1=(7+\beta-5\beta t)(1-t)^6t$, $\hat B_2=(21+4\beta-9\beta t)(1-t)^5t^2$,
+  $\hat B_3=(35+5\beta-9\beta t)(1-t)^4t^3$, $\hat B_4=(35+\beta t)(1-t)^3t^4$, $\hat B_5=(21-5\beta+9\beta t)(1-t)^2t^5$,
+  $\hat B_6=(7-4\beta+5\beta t)(1-t)t^6$, $\hat B_7=(1-\beta+\beta t)t^7$, with $-7\le\beta\le1$
+:definition: yes
+:checked-by: printed_kernel_is_formula_one
+:figure: eight_functions
+
+The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is taken as the range meant.
+:::
+
+:::{statement} deng-zhang-2022:sec-2-properties
+:title: The eight functions have the properties that follow
+:zh: 上述基函数具有以下性质
+:printed: the eight functions of formula (1) have all of the properties 2.1 to 2.7
+:refuted-by: printed_functions_do_not_sum_to_one printed_middle_functions_are_no_mirror_images
+:class: misprint
+:corrected: $B_3=(35+5\beta-5\beta t)(1-t)^4t^3$ and $B_4=(35+5\beta t)(1-t)^3t^4$, two digits, the other six as printed;
+  these two functions are the only ones that are mirror images with linear factors and make the sum 1
+:corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
+  corrected_functions_are_mirror_images
+:figure: eight_functions
+:striking: 7
+
+With them 2.2, 2.3, 2.4 and 2.7 are true; 2.1, 2.5 and 2.6 need corrections of their own.  The corrected functions have the
+rule that the printed ones nearly show, and have it in every degree:
+$B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with $a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.
+For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
+:::
+
+:::{claim} printed_kernel_is_formula_one
+:title: The kernel computes the eight printed functions
+:zh: 核函数即式 (1)
+:given: any $\beta$ and $t$
+:then: `shape_basis_printed` gives the eight functions, and `shape_factors_printed` the values $\nu_i$, $\varphi_i$ of their
+  linear factors
+:method: The eight formulas written out one by one, $\beta$ and $t$ variables.
+:defines: shape_basis_printed shape_factors_printed
+:control: $-\beta$ in the place of $\beta$
+:::
+
+:::{claim} corrected_kernel_is_its_formula
+:title: The kernel computes the corrected functions of every degree
+:zh: 核函数即修正后的基函数
+:given: any $\beta$ and $t$
+:then: `shape_basis` gives $B_{i,n}$, and `shape_factors` the $\nu_i$, $\varphi_i$ with
+  $B_{i,n}=(\nu_i(1-t)+\varphi_it)(1-t)^{n-i}t^i$
+:method: The formula with binomial coefficients from factorials, $\beta$ and $t$ variables.  `shape_basis` builds the
+  functions by a recursion that knows nothing of the $a_i$.
+:degrees: 2..9 sampled 16
+:defines: shape_basis shape_factors
+:control: $-\beta$ in the place of $\beta$
+:::
+
+:::{claim} two_digits_are_corrected
+:title: The corrected functions of degree seven are the printed ones but for two digits
+:zh: 修正只涉及两处数字
+:given: any $\beta$ and $t$
+:then: $B_{i,7}=\hat B_i$ for $i\ne3,4$, and $B_{3,7}=(35+5\beta-5\beta t)(1-t)^4t^3$,
+  $B_{4,7}=(35+5\beta t)(1-t)^3t^4$
+:method: The kernel against the formulas, $\beta$ and $t$ variables.
+:control: the printed digit 9 in $B_3$
+:::
+
+:::{claim} mirror_images_with_sum_one_are_unique
+:title: The two corrected functions are the only possible ones
+:zh: 修正的唯一性
+:given: any $\beta$, and $\hat B_3=(xs+yt)s^4t^3$, $\hat B_4=(ys+xt)s^3t^4$ with any $x$ and $y$, the other six functions as
+  printed
+:then: the sum of the eight functions is $1+(x-35-5\beta)(s^5t^3+s^3t^5)+(2y-70)s^4t^4$; so it is 1 for all $t$ only for
+  $x=35+5\beta$, $y=35$
+:method: $\beta$, $t$, $x$ and $y$ are variables.  The three products are linearly independent.
+:control: the sum without the factor 2
+:::
+*/
+#include "exact/resultant.h"
+#include "exact/roots.h"
+
+#include "chapters/shape-parameter/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
+
+CLAIM(printed_kernel_is_formula_one)
+{
+    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], near[8], far[8];
+    num given = T->planted ? neg(beta) : beta;
+    G(shape_basis_printed)(given, t, B);
+    G(shape_factors_printed)(given, near, far);
+    for (int i = 0; i <= 7; i++) {
+        about(T, "the function");
+        same(T, B[i], G(printed)(i, beta, t));
+        about(T, "its linear factor");
+        num factor = add(mul(near[i], s), mul(far[i], t));
+        same(T, mul(factor, G(product_of_powers)(7 - i, i, t)), G(printed)(i, beta, t));
+    }
+}
+
+CLAIM(corrected_kernel_is_its_formula)
+{
+    int n = T->degree;
+    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t);
+    num B[MAX_DEGREE + 1], near[MAX_DEGREE + 1], far[MAX_DEGREE + 1], given = T->planted ? neg(beta) : beta;
+    G(shape_basis)(n, given, t, B);
+    G(shape_factors)(n, given, near, far);
+    for (int i = 0; i <= n; i++) {
+        num value = G(corrected)(n, i, beta, t), factor = add(mul(near[i], s), mul(far[i], t));
+        about(T, "the function");
+        same(T, B[i], value);
+        about(T, "its linear factor");
+        same(T, mul(factor, G(product_of_powers)(n - i, i, t)), value);
+    }
+}
+
+CLAIM(two_digits_are_corrected)
+{
+    num beta = G(any_beta)(T), t = parameter(T, "t"), B[8];
+    G(shape_basis)(7, beta, t, B);
+    for (int i = 0; i <= 7; i++) {
+        num value = G(printed)(i, beta, t);
+        if (i == 3)
+            value = mul(G(three_terms)(35, 5, T->planted ? -9 : -5, beta, t), G(product_of_powers)(4, 3, t));
+        if (i == 4)
+            value = mul(G(three_terms)(35, 0, 5, beta, t), G(product_of_powers)(3, 4, t));
+        same(T, B[i], value);
+    }
+}
+
+CLAIM(mirror_images_with_sum_one_are_unique)
+{
+    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], sum = from_int(0);
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0);
+    G(shape_basis_printed)(beta, t, B);
+    B[3] = mul(add(mul(x, s), mul(y, t)), G(product_of_powers)(4, 3, t));
+    B[4] = mul(add(mul(y, s), mul(x, t)), G(product_of_powers)(3, 4, t));
+    for (int i = 0; i <= 7; i++)
+        sum = add(sum, B[i]);
+    num outer = sub(sub(x, from_int(35)), mul(from_int(5), beta));
+    num inner = sub(mul(from_int(T->planted ? 1 : 2), y), from_int(70));
+    num rest = add(mul(outer, add(G(product_of_powers)(5, 3, t), G(product_of_powers)(3, 5, t))),
+                   mul(inner, G(product_of_powers)(4, 4, t)));
+    same(T, sum, add(from_int(1), rest));
+}
+
+/*
+## What the words say
+
+:::{statement} deng-zhang-2022:def-2.1-degree
+:title: The functions are polynomials of degree eight
+:zh: 八次多项式
+:printed: the functions are polynomials in $t$ of degree eight
+:holds-by: leading_coefficients_are_multiples_of_beta
+:hypothesis: degree_falls_for_beta_zero | $\beta\ne0$; for $\beta=0$ the degree is 7
+:::
+
+:::{claim} leading_coefficients_are_multiples_of_beta
+:title: The coefficient of the eighth power is beta times a whole number that is not 0
+:zh: t^8 的系数
+:given: any $\beta$
+:then: the coefficient of $t^8$ in $\hat B_i$ is $(-1)^{7-i}c_i\beta$ with
+  $c=(-1,-5,-9,-9,1,9,5,1)$; in $B_{3,7}$ and $B_{4,7}$ the numbers are $-5$ and $5$
+:method: The Bernstein coefficients of degree 8 from the kernel, taken to powers of $t$ by `bernstein_to_power`.
+:control: the sign left out
+:::
+
+:::{claim} degree_falls_for_beta_zero
+:title: For beta = 0 the functions have degree seven
+:zh: β=0 时次数为七
+:kind: counterexample
+:given: $\beta=0$, the function $\hat B_0=(1-t)^7$
+:then: its degree is 7
+:method: The degree of the exact polynomial.
+:control: $\beta=1$
+:::
+*/
+CLAIM(leading_coefficients_are_multiples_of_beta)
+{
+    static const int factor[2][8] = {{-1, -5, -9, -5, 5, 9, 5, 1}, {-1, -5, -9, -9, 1, 9, 5, 1}};
+    num beta = G(any_beta)(T), E[9 * 8], column[9];
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        G(matrix_of)(printed_ones, 7, beta, E);
+        for (int i = 0; i <= 7; i++) {
+            for (int k = 0; k <= 8; k++)
+                column[k] = E[k * 8 + i];
+            G(bernstein_to_power)(8, column, column);
+            int sign = T->planted || (7 - i) % 2 == 0 ? 1 : -1;
+            same(T, column[8], mul(from_int(sign * factor[printed_ones][i]), beta));
+        }
+    }
+}
+
+#if RATIONAL
+CLAIM(degree_falls_for_beta_zero)
+{
+    num beta = from_int(T->planted ? 1 : 0);
+    poly B = G(function)(1, 7, 0, beta);
+    show(T, "beta", beta);
+    show_text(T, "B_0", "%s", poly_to_string(B, "t"));
+    about(T, "the degree is 8");
+    agree(T, poly_degree(B) == 8);
+}
+#endif
+
+/*
+:::{statement} deng-zhang-2022:def-2.1-basis
+:title: The functions are a basis
+:zh: 基函数的线性无关性
+:printed: the eight functions are basis functions, $-7\le\beta\le1$
+:refuted-by: a_combination_vanishes two_functions_coincide
+:class: false
+:corrected: the functions, printed or corrected, are linearly independent exactly when $\beta\ne-7$ and
+  $\beta\ne-\frac{21}4$
+:corrected-by: functions_are_independent_but_for_two_values
+
+The left end of the printed range is one of the two values, the left end of the true range (property 2.1) the other.
+There different polygons have the same curve.  The space spanned has dimension 8; all polynomials of degree 8 have
+dimension 9, and the space changes with $\beta$.
+:::
+
+:::{claim} functions_are_independent_but_for_two_values
+:title: The functions are linearly independent unless beta is -7 or -21/4
+:zh: 线性无关的充要条件
+:kind: decision
+:given: all complex $\beta$, the printed and the corrected functions
+:then: the nine determinants of order 8 of the $9\times8$ matrix of Bernstein coefficients vanish together exactly for
+  $\beta=-7$ and $\beta=-\frac{21}4$
+:method: The determinant without row $r$ is, up to positive numbers, the polynomial
+  $\nu_0\cdots\nu_{r-1}\varphi_r\cdots\varphi_7$ in $\beta$, since the rows before $r$ leave a lower and those after it an
+  upper triangle.  The greatest common divisor of the nine is computed; its squarefree part is
+  $(\beta+7)(\beta+\frac{21}4)$.
+:control: only the last two of the determinants
+:::
+
+:::{claim} a_combination_vanishes
+:title: At beta = -21/4 a combination of four functions is zero
+:zh: β=-21/4 时四个函数线性相关
+:kind: counterexample
+:given: $\beta=-\frac{21}4$; printed functions, $k=(0,0,-\frac{25}{136},\frac{135}{136},-\frac{27}{17},1,0,0)$; corrected
+  functions, $k=(0,0,-1,\frac{27}5,-\frac{27}5,1,0,0)$
+:then: $\sum k_iB_i$ is the zero polynomial
+:method: The nine Bernstein coefficients of the combination are computed exactly.
+:control: $\beta=-5$
+:::
+
+:::{claim} two_functions_coincide
+:title: At beta = -7 two of the functions are the same
+:zh: β=-7 时 B_3=B_4
+:kind: counterexample
+:given: $\beta=-7$; corrected functions, $k=(0,0,0,1,-1,0,0,0)$; printed functions,
+  $k=(0,0,0,\frac{50}9,-10,5,1,0)$
+:then: $\sum k_iB_i$ is the zero polynomial; $B_3=B_4=35(1-t)^4t^4$
+:method: The nine Bernstein coefficients of the combination are computed exactly.
+:control: $\beta=-6$
+:::
+*/
+#if RATIONAL
+CLAIM(functions_are_independent_but_for_two_values)
+{
+    poly expected = poly_mul(poly_from_q(2, (num[]){from_int(7), from_int(1)}),
+                             poly_from_q(2, (num[]){from_ratio(21, 4), from_int(1)}));
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8], divisor = poly_constant(from_int(0)), factor[8], product = poly_constant(from_int(1));
+        int multiplicity[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        for (int r = T->planted ? 7 : 0; r <= 8; r++) {
+            poly determinant = poly_constant(from_int(1));
+            for (int i = 0; i <= 7; i++)
+                determinant = poly_mul(determinant, i < r ? near[i] : far[i]);
+            divisor = poly_gcd(divisor, determinant);
+        }
+        int factors = poly_squarefree(divisor, factor, multiplicity);
+        for (int k = 0; k < factors; k++)
+            product = poly_mul(product, factor[k]);
+        agree(T, poly_equal(product, expected));
+    }
+}
+
+CLAIM(a_combination_vanishes)
+{
+    num beta = T->planted ? from_int(-5) : from_ratio(-21, 4), zero = from_int(0);
+    num corrected[8] = {zero, zero, from_int(-1), from_ratio(27, 5), from_ratio(-27, 5), from_int(1), zero, zero};
+    num printed[8] = {zero, zero, from_ratio(-25, 136), from_ratio(135, 136), from_ratio(-27, 17), from_int(1),
+                      zero, zero};
+    poly of_printed = G(combination)(1, 7, beta, printed), of_corrected = G(combination)(0, 7, beta, corrected);
+    show(T, "beta", beta);
+    show_text(T, "combination, printed", "%s", poly_to_string(of_printed, "t"));
+    show_text(T, "combination, corrected", "%s", poly_to_string(of_corrected, "t"));
+    about(T, "the combinations are not 0");
+    agree(T, !poly_is_zero(of_printed));
+    agree(T, !poly_is_zero(of_corrected));
+}
+
+CLAIM(two_functions_coincide)
+{
+    num beta = from_int(T->planted ? -6 : -7), zero = from_int(0), one = from_int(1);
+    num corrected[8] = {zero, zero, zero, one, neg(one), zero, zero, zero};
+    num printed[8] = {zero, zero, zero, from_ratio(50, 9), from_int(-10), from_int(5), one, zero};
+    show(T, "beta", beta);
+    show_text(T, "B_3, corrected", "%s", poly_to_string(G(function)(0, 7, 3, beta), "t"));
+    show_text(T, "B_4, corrected", "%s", poly_to_string(G(function)(0, 7, 4, beta), "t"));
+    about(T, "the combinations are not 0");
+    agree(T, !poly_is_zero(G(combination)(0, 7, beta, corrected)));
+    agree(T, !poly_is_zero(G(combination)(1, 7, beta, printed)));
+}
+#endif
+
+/*
+## Sum one (权性)
+
+:::{statement} deng-zhang-2022:property-2.2
+:title: The functions add up to one
+:zh: 权性，式 (3)
+:printed: \sum_{i=0}^7\hat B_i(t)\equiv1
+:refuted-by: printed_functions_do_not_sum_to_one
+:class: misprint
+:corrected: the printed functions add up to $1-4\beta(1-t)^3t^4$, which is 1 for all $t$ only if $\beta=0$; the corrected
+  functions add up to 1 for every $\beta$ and $t$
+:corrected-by: printed_sum_in_closed_form corrected_functions_sum_to_one
+:figure: eight_functions
+:::
+
+:::{claim} printed_functions_do_not_sum_to_one
+:title: The printed functions do not add up to one
+:zh: 式 (1) 之和不为一
+:kind: counterexample
+:given: $\beta=-1$, the value of figure 1, and $t=\frac12$
+:then: the sum of the eight printed functions is $\frac{33}{32}$
+:method: The eight formulas are evaluated and added.
+:control: the corrected functions
+:::
+
+:::{claim} printed_sum_in_closed_form
+:title: The sum of the printed functions
+:zh: 式 (1) 各函数之和
+:given: any $\beta$ and $t$
+:then: $\sum\hat B_i(t)=1-4\beta(1-t)^3t^4$
+:method: Both sides are one polynomial in $\beta$ and $t$.
+:control: the exponents 3 and 4 exchanged
+:::
+
+:::{claim} corrected_functions_sum_to_one
+:title: The corrected functions add up to one
+:zh: 修正后的权性
+:given: any $\beta$ and $t$
+:then: $\sum B_{i,n}(t)=1$
+:method: The kernel's functions are added, $\beta$ and $t$ variables.  For every $n$ it follows from the recursion: the three
+  functions of degree 3 add up to 1, and so do the Bernstein polynomials of degree $n-2$.
+:degrees: 2..10 sampled 20
+:control: the first function left out
+:::
+*/
+#if RATIONAL
+CLAIM(printed_functions_do_not_sum_to_one)
+{
+    num beta = from_int(-1), t = from_ratio(1, 2), B[8], sum = from_int(0);
+    if (T->planted)
+        G(shape_basis)(7, beta, t, B);
+    else
+        G(shape_basis_printed)(beta, t, B);
+    for (int i = 0; i <= 7; i++)
+        sum = add(sum, B[i]);
+    show(T, "beta", beta);
+    show(T, "t", t);
+    show_points(T, "B", 8, 1, B);
+    about(T, "the sum of the functions and 1");
+    same(T, sum, from_int(1));
+}
+#endif
+
+CLAIM(printed_sum_in_closed_form)
+{
+    num beta = G(any_beta)(T), t = parameter(T, "t"), B[8], sum = from_int(0);
+    G(shape_basis_printed)(beta, t, B);
+    for (int i = 0; i <= 7; i++)
+        sum = add(sum, B[i]);
+    num product = G(product_of_powers)(T->planted ? 4 : 3, T->planted ? 3 : 4, t);
+    same(T, sum, sub(from_int(1), mul(from_int(4), mul(beta, product))));
+}
+
+CLAIM(corrected_functions_sum_to_one)
+{
+    int n = T->degree;
+    num beta = G(any_beta)(T), t = parameter(T, "t"), B[MAX_DEGREE + 1], sum = from_int(0);
+    G(shape_basis)(n, beta, t, B);
+    for (int i = T->planted ? 1 : 0; i <= n; i++)
+        sum = add(sum, B[i]);
+    same(T, sum, from_int(1));
+}
+
+/*
+## Symmetry (对称性)
+
+:::{statement} deng-zhang-2022:property-2.3
+:title: The functions are mirror images of each other
+:zh: 对称性，式 (4)
+:printed: $\hat B_i(1-t)=\hat B_{7-i}(t)$ for $i=0,1,2,3$
+:refuted-by: printed_middle_functions_are_no_mirror_images
+:class: misprint
+:corrected: for $i=0,1,2$ as printed; $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$, so that the fourth equation needs
+  $\beta=0$; the corrected functions have all four for every $\beta$
+:corrected-by: printed_outer_functions_are_mirror_images corrected_functions_are_mirror_images
+:figure: eight_functions
+:::
+
+:::{claim} printed_middle_functions_are_no_mirror_images
+:title: The fourth and fifth printed function are not mirror images
+:zh: 式 (4) 第四式不成立
+:kind: counterexample
+:given: $\beta=-1$, $t=\frac14$
+:then: $\hat B_3(1-t)\ne\hat B_4(t)$
+:method: Both values of the printed formulas.
+:control: the corrected functions
+:::
+
+:::{claim} printed_outer_functions_are_mirror_images
+:title: Six of the printed functions are mirror images, the other two differ by a product
+:zh: 式 (1) 的对称性
+:given: any $\beta$ and $t$
+:then: $\hat B_i(1-t)=\hat B_{7-i}(t)$ for $i=0,1,2$, and $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$
+:method: The formulas at $1-t$ and at $t$, both variables.
+:control: $1-2t$ replaced by $1-t$
+:::
+
+:::{claim} corrected_functions_are_mirror_images
+:title: The corrected functions are mirror images of each other
+:zh: 修正后的对称性
+:given: any $\beta$ and $t$
+:then: $B_{i,n}(1-t)=B_{n-i,n}(t)$ for all $i$
+:method: The kernel at $1-t$ and at $t$, $\beta$ and $t$ variables.
+:degrees: 2..9 sampled 16
+:control: $-\beta$ on the right
+:::
+*/
+#if RATIONAL
+CLAIM(printed_middle_functions_are_no_mirror_images)
+{
+    num beta = from_int(-1), t = from_ratio(1, 4), left[8], right[8];
+    if (T->planted) {
+        G(shape_basis)(7, beta, sub(from_int(1), t), left);
+        G(shape_basis)(7, beta, t, right);
+    } else {
+        G(shape_basis_printed)(beta, sub(from_int(1), t), left);
+        G(shape_basis_printed)(beta, t, right);
+    }
+    show(T, "beta", beta);
+    show(T, "t", t);
+    about(T, "B_3(1-t) and B_4(t)");
+    same(T, left[3], right[4]);
+}
+#endif
+
+CLAIM(printed_outer_functions_are_mirror_images)
+{
+    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), left[8], right[8];
+    G(shape_basis_printed)(beta, s, left);
+    G(shape_basis_printed)(beta, t, right);
+    for (int i = 0; i <= 2; i++)
+        same(T, left[i], right[7 - i]);
+    num middle = T->planted ? s : sub(s, t);
+    num product = mul(mul(from_int(-4), mul(beta, middle)), G(product_of_powers)(3, 4, t));
+    same(T, sub(left[3], right[4]), product);
+}
+
+CLAIM(corrected_functions_are_mirror_images)
+{
+    int n = T->degree;
+    num beta = G(any_beta)(T), t = parameter(T, "t"), left[MAX_DEGREE + 1], right[MAX_DEGREE + 1];
+    G(shape_basis)(n, beta, sub(from_int(1), t), left);
+    G(shape_basis)(n, T->planted ? neg(beta) : beta, t, right);
+    for (int i = 0; i <= n; i++)
+        same(T, left[i], right[n - i]);
+}
+
+/*
+## At the ends (端点性质)
+
+Function $i$ has the factor $t^i$ and the factor $(1-t)^{n-i}$, whatever $\beta$ is; this is all of (5) to (8).
+
+:::{statement} deng-zhang-2022:property-2.4-5
+:title: The first function is one at the beginning
+:zh: 式 (5)
+:printed: \hat B_0(0)=1
+:holds-by: functions_vanish_to_their_orders_at_the_ends
+:::
+
+:::{statement} deng-zhang-2022:property-2.4-6
+:title: Values and derivatives that vanish at the beginning
+:zh: 式 (6)
+:printed: $\hat B_i(0)=0$ for $i=1,\dots,7$; $\hat B_i'(0)=0$ for $i=2,\dots,7$; $B_{j,j}^{(k)}(0)=0$ for
+  $2\le k<j\le7$
+:holds-by: functions_vanish_to_their_orders_at_the_ends functions_of_lower_degree_vanish_at_the_beginning
+
+From the second derivative on the print has $B_{3,3},B_{4,4},\dots$ for $B_{3,7},B_{4,7},\dots$; functions of other degrees are
+defined nowhere in the text.  True either way: with 7, and with the function of the family, or the Bernstein polynomial, of
+degree $j$.
+:::
+
+:::{statement} deng-zhang-2022:property-2.4-7
+:title: The last function is one at the end
+:zh: 式 (7)
+:printed: \hat B_7(1)=1
+:holds-by: functions_vanish_to_their_orders_at_the_ends
+:::
+
+:::{statement} deng-zhang-2022:property-2.4-8
+:title: Values and derivatives that vanish at the end
+:zh: 式 (8)
+:printed: $\hat B_j(1)=0$ for $j\le6$; $\hat B_5'(1)=0$, and $B_{j,5}'(1)=0$ for $j\le4$; $\hat B_j''(1)=0$ for $j\le4$;
+  $B_{j,5}'''(1)=0$ for $j\le3$; $\hat B_j^{(k)}(1)=0$ for $j\le6-k$, $k=4,5,6$
+:refuted-by: derivative_of_degree_five_does_not_vanish
+:class: misprint
+:corrected: $\hat B_j^{(k)}(1)=0$ for $k+j\le6$: the index 5 of $B_{4,5}$ and the others is 7
+:corrected-by: functions_vanish_to_their_orders_at_the_ends
+
+Unlike those of (6) these misprints matter: read as functions of degree five, $B_{4,5}$ has only one factor $1-t$.
+:::
+
+:::{claim} functions_vanish_to_their_orders_at_the_ends
+:title: Function i vanishes i-fold at 0 and (7-i)-fold at 1
+:zh: 端点处的零点重数
+:given: any $\beta$, printed and corrected functions, $i=0,\dots,7$
+:then: the derivatives of orders $0,\dots,i-1$ vanish at $t=0$, those of orders $0,\dots,6-i$ at $t=1$;
+  $\hat B_0(0)=\hat B_7(1)=1$
+:method: The derivatives of the polynomial whose Bernstein coefficients the kernel gives, $\beta$ a variable.
+:control: the orders at 1 reach one too far
+:::
+
+:::{claim} functions_of_lower_degree_vanish_at_the_beginning
+:title: The last function of any degree vanishes to its order at the beginning
+:zh: B_{j,j} 在 t=0 的零点重数
+:given: any $\beta$, the functions $B_{n,n}$ of the family and $B_n^n$ of Bernstein
+:then: all their derivatives of orders $0,\dots,n-1$ vanish at $t=0$
+:method: As before, in degree $n$.
+:degrees: 2..9
+:control: the order $n$ as well
+:::
+
+:::{claim} derivative_of_degree_five_does_not_vanish
+:title: In degree five the derivative of the last but one function at 1 is not zero
+:zh: B'_{4,5}(1)≠0
+:kind: counterexample
+:given: $\beta=-1$, $B_{4,5}$ of the family; $\beta=0$, that of Bernstein
+:then: $B_{4,5}'(1)=-(5+\beta)$
+:method: The derivatives at 1 of the polynomials are computed exactly.
+:control: $B_{4,7}$
+:::
+*/
+/* The derivatives of order 0, ..., r of function i at `at`. */
+static void G(function_derivatives)(int printed_ones, int n, int i, num beta, num at, int r, num D[])
+{
+    num E[(MAX_DEGREE + 1) * MAX_DEGREE], column[MAX_DEGREE + 1];
+    G(matrix_of)(printed_ones, n, beta, E);
+    for (int k = 0; k <= n + 1; k++)
+        column[k] = E[k * (n + 1) + i];
+    G(bezier_derivatives)(n + 1, 1, column, at, r, D);
+}
+
+CLAIM(functions_vanish_to_their_orders_at_the_ends)
+{
+    num beta = G(any_beta)(T), D[10], zero = from_int(0), one = from_int(1);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
+        for (int i = 0; i <= 7; i++) {
+            G(function_derivatives)(printed_ones, 7, i, beta, zero, 8, D);
+            about(T, "at t = 0");
+            for (int k = 0; k < i; k++)
+                vanishes(T, D[k]);
+            if (i == 0)
+                same(T, D[0], one);
+            G(function_derivatives)(printed_ones, 7, i, beta, one, 8, D);
+            about(T, "at t = 1");
+            for (int k = 0; k < 7 - i + T->planted; k++)
+                vanishes(T, D[k]);
+            if (i == 7)
+                same(T, D[0], one);
+        }
+}
+
+CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
+{
+    int n = T->degree;
+    num D[MAX_DEGREE + 1];
+    for (int bernstein_too = 0; bernstein_too <= 1; bernstein_too++) {
+        num beta = bernstein_too ? from_int(0) : G(any_beta)(T);
+        G(function_derivatives)(0, n, n, beta, from_int(0), n, D);
+        for (int k = 0; k < n + T->planted; k++)
+            vanishes(T, D[k]);
+    }
+}
+
+#if RATIONAL
+CLAIM(derivative_of_degree_five_does_not_vanish)
+{
+    for (int beta = -1; beta <= 0; beta++) {
+        num D[2];
+        G(function_derivatives)(0, T->planted ? 7 : 5, 4, from_int(beta), from_int(1), 1, D);
+        show(T, "beta", from_int(beta));
+        show(T, "the derivative at 1", D[1]);
+        about(T, "the derivative at 1");
+        vanishes(T, D[1]);
+    }
+}
+#endif
+
+/*
+## The Bernstein polynomials among them
+
+:::{statement} deng-zhang-2022:property-2.7
+:title: For beta = 0 the functions are the Bernstein polynomials
+:zh: β=0 时退化为 Bernstein 基，式 (9)
+:printed: for $\beta=0$ and all $i=0,\dots,7$: $\hat B_{0}(t)=B_i^7(t)$
+:refuted-by: first_function_is_not_every_bernstein_polynomial
+:class: misprint
+:corrected: $\hat B_i(t)=B_i^7(t)$: the index 0 on the left is $i$; printed and corrected functions alike
+:corrected-by: beta_zero_gives_bernstein_polynomials
+:::
+
+:::{statement} deng-zhang-2022:property-2.7-extension
+:title: The functions extend the Bernstein polynomials of degree seven
+:zh: 七次 Bernstein 基函数的拓展
+:printed: the functions of (1) are an extension of the Bernstein basis of degree seven
+:holds-by: beta_zero_gives_bernstein_polynomials
+:::
+
+:::{claim} first_function_is_not_every_bernstein_polynomial
+:title: For beta = 0 the first function is not the second Bernstein polynomial
+:zh: 式 (9) 的下标误印
+:kind: counterexample
+:given: $\beta=0$, $i=1$, $t=\frac12$
+:then: $\hat B_0(t)=\frac1{128}$, $B_1^7(t)=\frac7{128}$
+:method: Both values, the second by the kernel of the Bernstein basis.
+:control: $\hat B_1(t)$ on the left
+:::
+
+:::{claim} beta_zero_gives_bernstein_polynomials
+:title: For beta = 0 function i is the Bernstein polynomial i
+:zh: β=0 时 B_{i,n}=B_i^n
+:given: any $t$, every $i$
+:then: $B_{i,n}=B_i^n$ for $\beta=0$; for $n=7$ also $\hat B_i=B_i^7$
+:method: The kernels against binomial coefficients and powers, at a variable $t$.
+:degrees: 2..9 sampled 16
+:control: $\beta=1$
+:::
+*/
+#if RATIONAL
+CLAIM(first_function_is_not_every_bernstein_polynomial)
+{
+    num t = from_ratio(1, 2), B[8], b[8];
+    G(shape_basis_printed)(from_int(0), t, B);
+    G(bernstein)(7, t, b);
+    show(T, "t", t);
+    about(T, "the left and the right side of (9) for i = 1");
+    same(T, B[T->planted ? 1 : 0], b[1]);
+}
+#endif
+
+CLAIM(beta_zero_gives_bernstein_polynomials)
+{
+    int n = T->degree;
+    num beta = from_int(T->planted), t = parameter(T, "t"), B[MAX_DEGREE + 1];
+    G(shape_basis)(n, beta, t, B);
+    for (int i = 0; i <= n; i++)
+        same(T, B[i], mul(G(choose)(n, i), G(product_of_powers)(n - i, i, t)));
+    if (n == 7) {
+        G(shape_basis_printed)(beta, t, B);
+        for (int i = 0; i <= n; i++)
+            same(T, B[i], mul(G(choose)(n, i), G(product_of_powers)(n - i, i, t)));
+    }
+}
+
+/*
+:::{statement} deng-zhang-2022:fig-1
+:title: The picture of the eight functions for beta = -1
+:zh: 图 1
+:printed: figure 1 shows the eight functions for $\beta=-1$
+:reading: printed_sum_in_closed_form | drawn from the formulas as printed: the fourth and fifth graph are then no mirror
+  images, and the sum is $1+4(1-t)^3t^4$, at most $1+\frac{27648}{823543}$, which the eye may miss
+:reading: corrected_functions_sum_to_one | drawn from the corrected formulas
+:figure: eight_functions
+
+The value $\beta=-1$ is in the true range, so that nothing of what fails near $\beta=-7$ is to be seen.  The figure itself is not
+in the text that was examined.
+:::
+*/
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,598 @@
+/*
+# Crossing a line (变差缩减性)
+
+The corrected functions are the Bernstein polynomials of degree $n+1$ times a matrix $E$ with two diagonals.  A minor of
+such a matrix is the product of the entries on its own diagonal, so that $E$ is totally nonnegative exactly when none of
+its entries is negative, and this was decided: for $-\frac{21}4\le\beta\le1$.  The Bernstein polynomials are totally positive
+on $(0,1)$, and the product of totally nonnegative matrices is one.  So there the eight functions are *normalized totally
+positive* (规范全正基), and what the source wants to prove, follows.  Outside the range one function changes its sign, a
+minor of order one is negative, and everything fails.
+
+With $k_0,\dots,k_7$ for the coefficients, $f=\sum k_iB_i$ has the Bernstein coefficients $c_j=E_{j,j-1}k_{j-1}+E_{j,j}k_j$ of
+degree 8, and $Z(f)\le V(c)\le V(k)$.
+
+:::{statement} deng-zhang-2022:property-3.6
+:title: No line crosses the curve more often than the polygon
+:zh: 变差缩减性
+:printed: the curve is variation diminishing, $-7\le\beta\le1$
+:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_at_minus_seven_crosses_a_line_off_its_polygon
+:class: false
+:corrected: true for the corrected functions exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
+:corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries corrected_functions_sum_to_one
+  roots_are_at_most_sign_changes averages_between_neighbours_keep_sign_changes
+  third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
+  printed_sum_in_closed_form
+:figure: crossings_off_the_polygon
+:striking: 12
+:::
+
+:::{statement} deng-zhang-2022:property-3.6-SA
+:title: Roots in (0,1) and changes of sign
+:zh: 根的个数与变号数，式 (13)、(14)、(16)、(17)
+:printed: $f=\sum k_i\hat B_i$ for the functions (13) and constants (14); $Z(f)$ is the number of roots of $f$ in $(0,1)$,
+  $SA(k_0,\dots,k_7)$ the number of changes of sign
+:definition: yes
+:checked-by: parity_of_the_roots
+
+Roots may be counted with or without multiplicity: what is decided below holds for both, and the counterexamples have simple
+roots.
+:::
+
+:::{statement} deng-zhang-2022:eq-15
+:title: The rule of Descartes for the eight functions
+:zh: 笛卡尔符号法则，式 (15)
+:printed: Z_{(0,1)}\Bigl(\sum k_i\hat B_i\Bigr)\le SA(k_0,\dots,k_7)
+:refuted-by: positive_coefficients_with_two_roots a_combination_vanishes
+:class: false
+:corrected: for printed and for corrected functions: true exactly for $-\frac{21}4<\beta\le1$ and $k\ne0$; at
+  $\beta=-\frac{21}4$ true unless $f$ is the zero function, which it is for some $k\ne0$
+:corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries
+  averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
+  functions_are_independent_but_for_two_values third_function_has_a_zero_for_every_smaller_beta
+  first_function_has_a_zero_for_every_larger_beta
+:figure: crossings_off_the_polygon
+
+The sum of the functions plays no part here, so that the misprints do no harm.
+:::
+
+:::{statement} deng-zhang-2022:property-3.6-case-1
+:title: Seven changes of sign: at most seven roots
+:zh: 情形 1
+:printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
+:holds-by: parity_of_the_roots
+
+Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is odd
+when $f(0)=k_0$ and $f(1)=k_7$ have different signs.
+:::
+
+:::{statement} deng-zhang-2022:property-3.6-case-2
+:title: The cases of six to one changes of sign by the same method
+:zh: 情形 2
+:printed: for $SA=6,5,4,3,2,1$ it is proved by the same method
+:refuted-by: one_change_of_sign_and_three_roots
+:class: invalid-proof
+:corrected: the method, the signs at the ends, excludes $SA+1$ roots, not $SA+2$; for $-\frac{21}4<\beta\le1$ the conclusion is
+  true by total positivity
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes
+
+The method makes no use of the range of $\beta$, and in the range of the text the conclusion is false.
+:::
+
+:::{statement} deng-zhang-2022:property-3.6-case-0
+:title: No change of sign: obviously no root
+:zh: 情形 SA=0
+:printed: for $SA=0$ the inequality is obvious
+:refuted-by: positive_coefficients_with_two_roots
+:class: false
+:corrected: obvious where the functions are positive in $(0,1)$, which is for $-\frac{21}4\le\beta\le1$
+:corrected-by: nonnegative_exactly_in_the_range
+:::
+
+:::{statement} deng-zhang-2022:property-3.6-sides
+:title: A line that meets an edge has its ends on two sides
+:zh: 边的两端在 L 两侧
+:printed: if $L$ meets the edge between $P_j$ and $P_{j+1}$ then these two points are on different sides of $L$, and
+  $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ have different signs
+:holds-by: sign_changes_are_polygon_crossings
+:hypothesis: line_through_an_edge_has_no_two_sides | neither of the two points is on $L$
+:::
+
+:::{statement} deng-zhang-2022:eq-19
+:title: The changes of sign are at most the intersections of the polygon
+:zh: 式 (19)
+:printed: $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$ is at most the number of intersections of $L$ with the polygon
+:holds-by: sign_changes_are_polygon_crossings
+:needs: self_crossing_polygon_meets_the_line_once | intersections are counted along the polygon; as points of the plane they
+  may be fewer
+:::
+
+:::{statement} deng-zhang-2022:eq-20
+:title: The intersections of the curve with a line are roots
+:zh: 式 (20)
+:printed: the number of intersections of $B_1(t)$ with $L$ is $Z_{(0,1)}\bigl(\sum\hat B_j(t)(P_j-Q)\cdot u\bigr)$
+:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
+:class: misprint
+:corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters of the
+  common points other than the ends; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
+:corrected-by: line_function_of_the_curve
+:figure: crossings_off_the_polygon
+
+The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_7$ may be on $L$.
+:::
+
+:::{statement} deng-zhang-2022:eq-21
+:title: The intersections of the curve are at most the changes of sign
+:zh: 式 (21)
+:printed: the number of intersections of $B_1(t)$ with $L$ is at most $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$
+:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
+:class: false
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the curve is not on
+  $L$
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes line_function_of_the_curve
+:::
+
+:::{statement} deng-zhang-2022:property-3.7
+:title: Convex polygons have convex curves
+:zh: 保凸性
+:printed: when the control polygon is convex, a line of the plane meets the curve at most twice, $-7\le\beta\le1$
+:refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
+  curve_of_a_triangle_meets_a_line_three_times
+:class: false
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not on a line;
+  false for every $\beta$ with $-7\le\beta<-\frac{21}4$
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes third_function_has_a_zero_for_every_smaller_beta
+:figure: convexity_lost
+
+A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0$ and $P_7$ on it
+none; so together with the ends there are never more than two common points.
+:::
+
+:::{statement} deng-zhang-2022:property-3.7-reason
+:title: A line meets a convex polygon at most twice
+:zh: 直线与凸控制多边形的交点
+:printed: a line meets the (convex) control polygon at most twice
+:holds-by: sign_changes_are_polygon_crossings
+:hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
+:::
+
+:::{claim} minors_are_products_of_entries
+:title: A minor of a matrix with two neighbouring diagonals is the product of its diagonal
+:zh: 双对角矩阵的子式
+:given: any $(n+2)\times(n+1)$ matrix whose entries are $0$ but for $E_{i,i}$ and $E_{i+1,i}$, which are variables
+:then: every minor is the product of the entries on its own diagonal
+:method: All minors, by an elimination with pivots.  For every $n$: of two rows $r<r'$ and columns $c'<c$ the entries $(r,c)$ and
+  $(r',c')$ cannot both be different from 0, since that would need $c\le r<r'\le c'+1\le c$; so only the identity counts among
+  the permutations.
+:types: field rational
+:degrees: 2..4 sampled 5
+:control: an entry above the diagonal is not 0
+:::
+
+:::{claim} totally_positive_exactly_in_the_range
+:title: The matrix of the functions is totally nonnegative exactly in the true range
+:zh: 规范全正的充要条件
+:kind: decision
+:given: all real $\beta$; corrected functions of degree $n$, for $n=7$ also the printed ones
+:then: the matrix of Bernstein coefficients has no negative minor exactly for $l_n\le\beta\le1$, where $l_7=-\frac{21}4$ and $l_n$ is
+  the greatest $\beta$ at which some $\nu_i$ vanishes from above
+:method: The minors are products of entries, and these are linear in $\beta$; so the signs of all minors are constant between the
+  neighbouring roots of the entries.  At every root and once in every gap the elimination of `total_positivity.h` decides.
+:degrees: 2..12
+:scope: all real $\beta$
+:control: the range taken to begin 1 below
+:::
+
+:::{claim} third_function_has_a_zero_for_every_smaller_beta
+:title: For every beta below the range the third function has a zero inside
+:zh: β<-21/4 时 B_2 在 (0,1/2) 内有零点
+:given: any $\beta=-\frac{21}4-b$, $b>0$; printed and corrected functions
+:then: $B_2$ vanishes at $t=\frac{4b}{9(21/4+b)}$, which is in $(0,\frac49)$ and not a root of the other factors
+:method: The value of the kernel at this $t$, $b$ a variable; the two bounds have coefficients of one sign.  So with
+  $k=(0,0,1,0,\dots)$ there is a root and no change of sign, and the triangle $(0,0),(1,1),(2,0)$ with the points of
+  `curve_of_a_triangle_meets_a_line_three_times` has three common points with the line $y=0$.
+:types: field rational
+:control: $b$ replaced by $2b$ in the parameter
+:::
+
+:::{claim} first_function_has_a_zero_for_every_larger_beta
+:title: For every beta above 1 the first function has a zero inside
+:zh: β>1 时 B_0 在 (0,1) 内有零点
+:given: any $\beta=1+b$, $b>0$; printed and corrected functions
+:then: $B_0$ vanishes at $t=\frac1{1+b}$, which is in $(0,1)$
+:method: The value of the kernel at this $t$, $b$ a variable; with $k=(1,0,\dots,0)$ there is a root and no change of sign.
+:types: field rational
+:control: $b$ replaced by $2b$ in the parameter
+:::
+
+:::{claim} parity_of_the_roots
+:title: The number of roots is even or odd as the ends have equal or different signs
+:zh: 根的个数的奇偶性
+:given: random $k$ with $k_0>0$ and alternating signs, any $\beta$; corrected functions
+:then: $f(0)=k_0$, $f(1)=k_7$, the number of roots of $f$ in $(0,1)$, each counted as often as its multiplicity, is odd and at
+  most 7
+:method: The roots of the exact polynomial are counted.  In general: $f$ changes its sign at a root exactly when the multiplicity
+  is odd.
+:types: rational
+:control: the last sign is changed
+:::
+
+:::{claim} positive_coefficients_with_two_roots
+:title: At beta = -7 positive coefficients give two roots
+:zh: β=-7 时正系数组合有两个根
+:kind: counterexample
+:given: $\beta=-7$, $k=(1,1,200,1,1,1,1,1)$, printed functions
+:then: $SA=0$, and $f$ has two roots in $(0,1)$
+:method: The roots of the exact polynomial are counted.
+:control: $\beta=-\frac{21}4$
+:::
+
+:::{claim} one_change_of_sign_and_three_roots
+:title: At beta = -7 one change of sign gives three roots
+:zh: β=-7 时一次变号而有三个根
+:kind: counterexample
+:given: $\beta=-7$, $k=(1,1,200,1,1,1,1,-1)$, printed functions
+:then: $k_0>0>k_7$, $SA=1$, and $f$ has three roots in $(0,1)$; the signs at the ends allow this
+:method: The roots of the exact polynomial are counted.
+:control: $\beta=-\frac{21}4$
+:::
+
+:::{claim} printed_curve_crosses_a_line_off_its_polygon
+:title: The printed curve crosses a line that does not meet its polygon
+:zh: 按式 (1) 的曲线穿过与多边形不交的直线
+:kind: counterexample
+:given: $\beta=1$, $P_i=(i,1)$, the line $y=\frac{63}{64}$, so $Q=(0,\frac{63}{64})$, $u=(0,1)$
+:then: the line does not meet the polygon, $SA=0$, and the curve crosses it twice; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
+:method: The crossings are counted exactly by `crossings.h`.
+:control: the corrected functions
+:::
+
+:::{claim} curve_at_minus_seven_crosses_a_line_off_its_polygon
+:title: At beta = -7 the curve crosses a line that does not meet its polygon
+:zh: β=-7 时曲线穿过与多边形不交的直线
+:kind: counterexample
+:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, the line $y=-\frac1{200}$; corrected functions
+:then: the polygon is above the line, the curve crosses it twice
+:method: The crossings are counted exactly.
+:control: $\beta=-\frac{21}4$
+:::
+
+:::{claim} curve_of_a_triangle_meets_a_line_three_times
+:title: At beta = -7 the curve of a triangle meets a line three times
+:zh: β=-7 时凸多边形的曲线与直线有三个交点
+:kind: counterexample
+:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, the line $y=0$; corrected functions
+:then: the polygon is convex, the curve meets the line at $t=0$, $\frac19$ and $1$
+:method: The common points are counted exactly; `hull.h` decides that the polygon is convex.
+:control: $\beta=-\frac{21}4$
+:::
+
+:::{claim} printed_curve_of_a_convex_polygon_meets_a_line_four_times
+:title: The printed curve of a convex polygon meets a line four times
+:zh: 按式 (1) 凸多边形的曲线与直线有四个交点
+:kind: counterexample
+:given: $\beta=1$, $P_0=(0,100)$, $P_i=(i,101)$ for $i=1,\dots,6$, $P_7=(7,100)$, the line $y=\frac{401}4$
+:then: the polygon is convex and crosses the line twice, the curve crosses it four times
+:method: As before.
+:control: the corrected functions
+:::
+
+:::{claim} line_through_an_edge_has_no_two_sides
+:title: A line that contains an edge meets it and has neither end on a side
+:zh: 边在直线上时两端不在两侧
+:kind: counterexample
+:given: the polygon $P_i=(i,i(7-i))$, its edge from $P_3=(3,12)$ to $P_4=(4,12)$, the line $y=12$
+:then: the line meets the edge $P_3P_4$ in all its points, and the two numbers $u\cdot(P_j-Q)$ are 0
+:method: The signs at the two ends are computed; different signs are asked for.
+:control: the line $x=\frac72$
+:::
+
+:::{claim} curve_and_line_share_an_end
+:title: A line through an end meets the curve without a root in (0,1)
+:zh: 过端点的直线
+:kind: counterexample
+:given: $P_i=(i,i)$, $\beta=0$, the line $y=0$
+:then: curve and line have the point $P_0$ in common; the function has no root in $(0,1)$, and $SA=0$
+:method: The common points of the closed curve are compared with those of the open one.
+:control: the line $y=\frac72$
+:::
+
+:::{claim} line_function_of_the_curve
+:title: With the sum 1 the function of the proof is the distance of the curve from the line
+:zh: 曲线与直线的函数
+:given: points $P_i$ and $Q$ of the plane, any $u$, $\beta$ and $t$
+:then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for the printed functions the difference of the two sides is
+  $4\beta(1-t)^3t^4\,Q\cdot u$
+:method: Everything is a variable.
+:degrees: 2..7 sampled 12
+:control: $P_0$ left without $Q$
+:::
+*/
+#include "exact/crossings.h"
+#include "exact/hull.h"
+#include "exact/resultant.h"
+#include "exact/roots.h"
+#include "exact/total_positivity.h"
+
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
+
+#include "chapters/frame/claims_on.h"
+
+#if FIELD || RATIONAL
+CLAIM(minors_are_products_of_entries)
+{
+    int n = T->degree, rows = n + 2, columns = n + 1;
+    num E[8 * 7], M[7 * 7];
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++)
+            E[i * columns + j] = i == j ? unknown(T, "v", i) : i == j + 1 ? unknown(T, "w", j) : from_int(0);
+    if (T->planted)
+        E[1] = from_int(1);
+    for (int r = 1; r < 1 << rows; r++)
+        for (int c = 1; c < 1 << columns; c++) {
+            int row[8], column[8], order = 0, width = 0;
+            for (int i = 0; i < rows; i++)
+                if (r >> i & 1)
+                    row[order++] = i;
+            for (int j = 0; j < columns; j++)
+                if (c >> j & 1)
+                    column[width++] = j;
+            if (order != width)
+                continue;
+            num diagonal = from_int(1);
+            for (int i = 0; i < order; i++) {
+                diagonal = mul(diagonal, E[row[i] * columns + column[i]]);
+                for (int j = 0; j < order; j++)
+                    M[i * order + j] = E[row[i] * columns + column[j]];
+            }
+            same(T, G(pivoted_determinant)(order, M), diagonal);
+        }
+}
+
+CLAIM(third_function_has_a_zero_for_every_smaller_beta)
+{
+    num b = positive(T, "b", 0), quarter = from_ratio(21, 4), four = from_int(4);
+    num beta = neg(add(quarter, b)), given = T->planted ? mul(from_int(2), b) : b;
+    num t = div(mul(four, given), mul(from_int(9), add(quarter, given))), B[8];
+    G(shape_basis)(7, beta, t, B);
+    vanishes(T, B[2]);
+    G(shape_basis_printed)(beta, t, B);
+    vanishes(T, B[2]);
+    nonnegative(T, t);
+    nonnegative(T, sub(from_ratio(4, 9), t));
+}
+
+CLAIM(first_function_has_a_zero_for_every_larger_beta)
+{
+    num b = positive(T, "b", 0), one = from_int(1), B[8];
+    num beta = add(one, b), t = div(one, add(one, T->planted ? add(b, b) : b));
+    G(shape_basis)(7, beta, t, B);
+    vanishes(T, B[0]);
+    G(shape_basis_printed)(beta, t, B);
+    vanishes(T, B[0]);
+    nonnegative(T, sub(one, t));
+}
+#endif
+
+#if RATIONAL
+/* The greatest root of a near_i whose slope is positive: below it the functions of degree n are not all nonnegative. */
+static num G(lower_end)(int n)
+{
+    poly near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
+    num end = from_int(-8);
+    G(factors_in_beta)(0, n, near, far);
+    for (int i = 0; i <= n; i++)
+        if (sign_q(poly_coefficient(near[i], 1)) > 0) {
+            num zero = neg(div(poly_coefficient(near[i], 0), poly_coefficient(near[i], 1)));
+            end = compare_q(zero, end) > 0 ? zero : end;
+        }
+    return end;
+}
+
+CLAIM(totally_positive_exactly_in_the_range)
+{
+    int n = T->degree;
+    num low = G(lower_end)(n), high = from_int(1);
+    if (n == 7)
+        agree(T, equal_q(low, from_ratio(-21, 4)));
+    if (T->planted)
+        low = sub(low, from_int(1));
+    for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
+        poly near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
+        num at[2 * MAX_DEGREE + 4];
+        int roots = 0;
+        G(factors_in_beta)(printed_ones, n, near, far);
+        for (int i = 0; i <= 2 * n + 1; i++) { /* the roots of the entries, in order */
+            poly entry = i <= n ? near[i] : far[i - n - 1];
+            if (is_zero_q(poly_coefficient(entry, 1)))
+                continue;
+            num zero = neg(div(poly_coefficient(entry, 0), poly_coefficient(entry, 1)));
+            int k = roots++;
+            for (; k > 0 && compare_q(at[k - 1], zero) > 0; k--)
+                at[k] = at[k - 1];
+            at[k] = zero;
+        }
+        for (int k = 0; k <= 2 * roots; k++) { /* gap, root, gap, ..., gap */
+            num E[14 * 13], one = from_int(1), beta;
+            if (k % 2 == 1)
+                beta = at[k / 2];
+            else if (k == 0)
+                beta = sub(at[0], one);
+            else if (k == 2 * roots)
+                beta = add(at[roots - 1], one);
+            else
+                beta = div(add(at[k / 2 - 1], at[k / 2]), from_int(2));
+            G(matrix_of)(printed_ones, n, beta, E);
+            int inside_range = compare_q(low, beta) <= 0 && compare_q(beta, high) <= 0;
+            agree(T, is_totally_nonnegative(n + 2, n + 1, E) == inside_range);
+        }
+    }
+}
+
+CLAIM(parity_of_the_roots)
+{
+    num k[8], beta = unknown(T, "beta", 0), size;
+    for (int i = 0; i <= 7; i++) {
+        size = positive(T, "k", i);
+        k[i] = i % 2 == 0 || (T->planted && i == 7) ? size : neg(size);
+    }
+    poly f = G(combination)(0, 7, mul(from_int(7), beta), k);
+    struct root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
+    same(T, poly_value(f, from_int(0)), k[0]);
+    same(T, poly_value(f, from_int(1)), k[7]);
+    agree(T, roots.counted % 2 == 1 && roots.counted <= 7);
+}
+
+/* Roots in (0,1) of sum k_i B_i, printed functions, against the changes of sign; shows both. */
+static int G(no_more_roots_than_changes)(trial *T, const int at[], num beta)
+{
+    num k[8];
+    for (int i = 0; i <= 7; i++)
+        k[i] = from_int(at[i]);
+    struct root_count roots = count_roots(G(combination)(1, 7, beta, k), from_int(0), from_int(1), OPEN);
+    show(T, "beta", beta);
+    show_points(T, "k", 8, 1, k);
+    show_text(T, "roots in (0,1)", "%d", roots.distinct);
+    show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
+    return roots.counted <= G(sign_changes)(7, k);
+}
+
+CLAIM(positive_coefficients_with_two_roots)
+{
+    static const int k[] = {1, 1, 200, 1, 1, 1, 1, 1};
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    about(T, "no more roots than changes of sign");
+    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+}
+
+CLAIM(one_change_of_sign_and_three_roots)
+{
+    static const int k[] = {1, 1, 200, 1, 1, 1, 1, -1};
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    about(T, "no more roots than changes of sign");
+    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+}
+
+static struct line G(horizontal)(num y) { return (struct line){from_int(0), from_int(1), neg(y)}; }
+
+/* How the curve meets the line; shows the data. */
+static struct curve_meets_line G(meets)(trial *T, int printed_ones, const num P[], num beta, struct line L)
+{
+    num Q[9 * dim], w[9];
+    for (int k = 0; k <= 8; k++)
+        w[k] = from_int(1);
+    G(bezier_points_of)(printed_ones, 7, dim, P, beta, Q);
+    struct curve_meets_line m = curve_meets_line(8, Q, w, L);
+    show(T, "beta", beta);
+    show_points(T, "P", 8, dim, P);
+    show_text(T, "the line", "(%s) x + (%s) y + (%s) = 0", to_string_q(L.a), to_string_q(L.b), to_string_q(L.c));
+    show_text(T, "the curve crosses it", "%d times", m.crossings);
+    show_text(T, "common points with the curve", "%d", m.common_closed);
+    show_text(T, "the polygon crosses it", "%d times", polygon_crossings(7, P, L));
+    return m;
+}
+
+CLAIM(printed_curve_crosses_a_line_off_its_polygon)
+{
+    num P[8 * dim];
+    for (int i = 0; i <= 7; i++) {
+        P[i * dim] = from_int(i);
+        P[i * dim + 1] = from_int(1);
+    }
+    struct line L = G(horizontal)(from_ratio(63, 64));
+    struct curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), L);
+    about(T, "the curve crosses the line no more often than the polygon");
+    agree(T, m.crossings <= polygon_crossings(7, P, L));
+}
+
+static const int G(triangle)[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
+
+CLAIM(curve_at_minus_seven_crosses_a_line_off_its_polygon)
+{
+    num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    struct line L = G(horizontal)(from_ratio(-1, 200));
+    G(integer_points)(8, G(triangle), P);
+    struct curve_meets_line m = G(meets)(T, 0, P, beta, L);
+    about(T, "the curve crosses the line no more often than the polygon");
+    agree(T, m.crossings <= polygon_crossings(7, P, L));
+}
+
+CLAIM(curve_of_a_triangle_meets_a_line_three_times)
+{
+    num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    G(integer_points)(8, G(triangle), P);
+    struct curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
+    about(T, "the polygon is not convex, or there are at most two common points");
+    agree(T, !polygon_is_convex(7, P, 1, NULL) || m.common_closed <= 2);
+}
+
+CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
+{
+    num P[8 * dim];
+    for (int i = 0; i <= 7; i++) {
+        P[i * dim] = from_int(i);
+        P[i * dim + 1] = from_int(i == 0 || i == 7 ? 100 : 101);
+    }
+    struct curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), G(horizontal)(from_ratio(401, 4)));
+    about(T, "the polygon is not convex, or there are at most two common points");
+    agree(T, !polygon_is_convex(7, P, 0, NULL) || m.common_closed <= 2);
+}
+
+CLAIM(line_through_an_edge_has_no_two_sides)
+{
+    num P[2 * dim] = {from_int(3), from_int(12), from_int(4), from_int(12)}, u[dim], Q[dim], side[2];
+    u[0] = from_int(T->planted), u[1] = from_int(!T->planted);
+    Q[0] = from_ratio(7, 2), Q[1] = from_int(12);
+    for (int i = 0; i < 2; i++) {
+        num w[dim] = {sub(P[i * dim], Q[0]), sub(P[i * dim + 1], Q[1])};
+        side[i] = G(dot)(dim, u, w);
+    }
+    show_points(T, "the edge", 2, dim, P);
+    show_points(T, "Q", 1, dim, Q);
+    show_points(T, "u", 1, dim, u);
+    show_points(T, "u.(P_j-Q)", 2, 1, side);
+    about(T, "the two numbers have different signs");
+    agree(T, sign_q(side[0]) * sign_q(side[1]) < 0);
+}
+
+CLAIM(curve_and_line_share_an_end)
+{
+    num P[8 * dim];
+    for (int m = 0; m < 8 * dim; m++)
+        P[m] = from_int(m / dim);
+    struct line L = G(horizontal)(T->planted ? from_ratio(7, 2) : from_int(0));
+    struct curve_meets_line m = G(meets)(T, 0, P, from_int(0), L);
+    about(T, "as many common points as roots in (0,1), and no more than changes of sign");
+    agree(T, m.common_closed == m.common_open && m.common_closed <= polygon_crossings(7, P, L));
+}
+#endif
+
+CLAIM(line_function_of_the_curve)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], B[MAX_DEGREE + 1], at[dim], beta = unknown(T, "beta", 0), t = parameter(T, "t");
+    num Q[dim] = {unknown(T, "q", 0), unknown(T, "q", 1)}, u[dim] = {unknown(T, "u", 0), unknown(T, "u", 1)};
+    G(free_points)(T, n, dim, P);
+    for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
+        num sum = from_int(0);
+        if (printed_ones) {
+            G(shape_basis_printed)(beta, t, B);
+            G(shape_point_printed)(dim, P, beta, t, at);
+        } else {
+            G(shape_basis)(n, beta, t, B);
+            G(shape_point)(n, dim, P, beta, t, at);
+        }
+        for (int j = 0; j <= n; j++) {
+            num w[dim] = {sub(P[j * dim], Q[0]), sub(P[j * dim + 1], Q[1])};
+            sum = add(sum, mul(B[j], T->planted && j == 0 ? G(dot)(dim, P, u) : G(dot)(dim, w, u)));
+        }
+        num gap[dim] = {sub(at[0], Q[0]), sub(at[1], Q[1])}, value = G(dot)(dim, gap, u);
+        if (printed_ones)
+            value = add(value, mul(mul(from_int(4), mul(beta, G(product_of_powers)(3, 4, t))), G(dot)(dim, Q, u)));
+        same(T, sum, value);
+    }
+}
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,65 @@
+/* crossings.figure.c -- drawings for crossings.claims.h. */
+#include "chapters/shape-parameter/drawing.h"
+
+static const int triangle[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
+
+static void put_triangle(svg *s, num_q level)
+{
+    num_q P[16];
+    points(8, triangle, P);
+    svg_polyline(s, 8, P, SVG_POLYGON);
+    put_curve(s, 0, 7, P, r(-21, 4), SVG_RIGHT);
+    put_curve(s, 0, 7, P, q(-7), SVG_WRONG);
+    svg_line(s, at(q(0), level), at(q(1), level), SVG_POINT);
+    svg_frame(s);
+}
+
+FIGURE(crossings_off_the_polygon)
+{
+    svg *s = svg_new(
+        "crossings_off_the_polygon", "Lines that meet the curve and not its polygon",
+        "Left eight points on the line y = 1 and the printed curve of β = 1, which sinks below the line y = 63/64. "
+        " Right a triangle, enlarged near its first corner: the curve of β = -7 crosses the line y = -1/200 "
+        "below the triangle twice, that of β = -21/4 does not.");
+    num_q P[16];
+    for (int i = 0; i <= 7; i++)
+        P[2 * i] = q(i), P[2 * i + 1] = q(1);
+    svg_panel(s, window(q(0), r(24, 25), q(7), r(101, 100)), 360, 250, "as printed, $β=1$ ($y$ stretched)");
+    svg_axes(s, q(1), r(1, 100), "x", "y");
+    svg_polyline(s, 8, P, SVG_POLYGON);
+    put_curve(s, 1, 7, P, q(1), SVG_WRONG);
+    svg_line(s, at(q(0), r(63, 64)), at(q(1), r(63, 64)), SVG_POINT);
+    svg_panel(s, window(r(-1, 100), r(-3, 200), r(3, 25), r(1, 25)), 360, 250,
+              "corrected, $β=-7$ and $β=-21/4$, near $P_0=P_1$");
+    put_triangle(s, r(-1, 200));
+    svg_legend_line(s, SVG_POLYGON, "the polygon");
+    svg_legend_line(s, SVG_WRONG, "the curve that crosses the line");
+    svg_legend_line(s, SVG_RIGHT, "the curve of $β=-21/4$");
+    svg_legend_line(s, SVG_POINT, "the line");
+    return s;
+}
+
+FIGURE(convexity_lost)
+{
+    svg *s =
+        svg_new("convexity_lost", "Convex polygons whose curves are not convex",
+                "Left the triangle (0,0), (1,1), (2,0) with the curve of β = -7, which meets the base three times, and "
+                "that of β = -21/4, which is convex.  Right a flat convex polygon at height 100, the printed curve of "
+                "β = 1, which crosses a line four times, and the corrected one.");
+    num_q P[16];
+    svg_panel(s, window(r(-1, 10), r(-1, 10), r(21, 10), r(11, 10)), 380, 0, "$P_0=P_1$, $P_2$, $P_3=...=P_7$");
+    put_triangle(s, q(0));
+    for (int i = 0; i <= 7; i++)
+        P[2 * i] = q(i), P[2 * i + 1] = q(i == 0 || i == 7 ? 100 : 101);
+    svg_panel(s, window(r(-1, 4), r(193, 2), r(29, 4), r(203, 2)), 340, 230, "$β=1$, $y$ from 96.5 to 101.5");
+    svg_polyline(s, 8, P, SVG_POLYGON);
+    put_curve(s, 1, 7, P, q(1), SVG_WRONG);
+    put_curve(s, 0, 7, P, q(1), SVG_RIGHT);
+    svg_line(s, at(q(0), r(401, 4)), at(q(1), r(401, 4)), SVG_POINT);
+    svg_frame(s);
+    svg_legend_line(s, SVG_POLYGON, "the polygon");
+    svg_legend_line(s, SVG_WRONG, "$β=-7$; as printed");
+    svg_legend_line(s, SVG_RIGHT, "$β=-21/4$; corrected");
+    svg_legend_line(s, SVG_POINT, "a line");
+    return s;
+}

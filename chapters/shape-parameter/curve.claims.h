@@ -1,0 +1,689 @@
+/*
+# The curve (曲线)
+
+The curve is $q_\beta(t)=\sum P_iB_{i,n}(t)$.  In the Bernstein basis of degree $n+1$ it has the points
+
+$$Q_k=\frac{\varphi_{k-1}P_{k-1}+\nu_kP_k}{\binom{n+1}k},\qquad k=0,\dots,n+1,$$
+
+and with the corrected functions $\varphi_{k-1}+\nu_k=\binom{n+1}k$: every $Q_k$ divides an edge of the polygon, and $\beta$
+moves it along that edge.  For $\beta=0$ this is degree elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave
+their edges, and the curve depends on the place of the origin.
+
+:::{statement} deng-zhang-2022:def-3.1
+:title: The curve of eight points
+:zh: 八次 β-Bezier 曲线，式 (10)
+:printed: $B_1=\sum_{i=0}^7P_i\hat B_i(t)$ for $P_i\in\mathbb R^d$, $d=2,3$, $t\in[0,1]$
+:definition: yes
+:checked-by: printed_curve_kernel_is_the_sum curve_kernels_give_the_sum
+:figure: curves_for_several_beta
+
+The left side stands for $B_1(t)$, as (11) writes it.
+:::
+
+:::{statement} deng-zhang-2022:sec-3-degree
+:title: It is called a curve of degree eight
+:zh: 八次曲线之称
+:printed: the curve of (10) is called the β-Bézier curve of degree eight
+:definition: yes
+:checked-by: bezier_points_divide_the_edges
+
+Its degree is at most 8; for $\beta=0$ it is at most 7.
+:::
+
+:::{statement} deng-zhang-2022:sec-3-beta-0
+:title: For beta = 0 the curve is the Bézier curve of degree seven
+:zh: β=0 时退化为七次 Bezier 曲线
+:printed: for $\beta=0$ the curve degenerates to the Bézier curve of degree seven
+:holds-by: beta_zero_gives_the_bezier_curve
+:::
+
+:::{claim} printed_curve_kernel_is_the_sum
+:title: The kernel computes the curve with the printed functions
+:zh: 核函数即式 (10)
+:given: points $P_0,\dots,P_7$ of the plane, any $\beta$ and $t$
+:then: `shape_point_printed` gives $\sum P_i\hat B_i(t)$
+:method: The eight formulas written out one by one, everything a variable.
+:defines: shape_point_printed
+:control: the polygon taken backwards
+:::
+
+:::{claim} curve_kernels_give_the_sum
+:title: The kernel computes the curve with the corrected functions
+:zh: 核函数即修正后的曲线
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
+:then: `shape_point` gives $\sum P_iB_{i,n}(t)$
+:method: The formula of the functions, everything a variable.  The kernel uses de Casteljau's algorithm and no function of
+  degree above 3.
+:degrees: 2..7 sampled 14
+:defines: shape_point
+:control: $-\beta$ in the place of $\beta$
+:::
+
+:::{claim} bezier_points_divide_the_edges
+:title: The Bézier points of the curve divide the edges of the polygon
+:zh: 曲线的 Bézier 点分割控制多边形的边
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
+:then: the curve of degree $n+1$ of the points of `shape_bezier_points` is $\sum P_iB_{i,n}(t)$; they are the rows of
+  `shape_matrix` applied to the $P_i$; and
+  $Q_k-P_{k-1}=\bigl(\tfrac{n+1-k}{n+1}+\beta\frac{a_k}{\binom{n+1}k}\bigr)(P_k-P_{k-1})$
+:method: The points as coefficients of Bernstein polynomials of degree $n+1$ against the formula of the functions,
+  everything a variable.
+:degrees: 2..7 sampled 14
+:defines: shape_bezier_points shape_matrix
+:control: $-\beta$ in the place of $\beta$
+:::
+
+:::{claim} beta_zero_gives_the_bezier_curve
+:title: For beta = 0 both kernels give the Bézier curve
+:zh: β=0 时为 Bézier 曲线
+:given: points of the plane, any $t$
+:then: `shape_point` and, for $n=7$, `shape_point_printed` give the point of de Casteljau's algorithm
+:method: The kernels side by side, everything a variable.
+:degrees: 2..7 sampled 14
+:control: $\beta=1$
+:::
+*/
+#include "exact/hull.h"
+
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
+
+#include "chapters/frame/claims_on.h"
+
+static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
+
+CLAIM(printed_curve_kernel_is_the_sum)
+{
+    num P[8 * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t"), R[8 * dim];
+    G(free_points)(T, 7, dim, P);
+    for (int i = 0; i <= 7; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = P[(T->planted ? 7 - i : i) * dim + c];
+    G(shape_point_printed)(dim, R, beta, t, at);
+    for (int c = 0; c < dim; c++)
+        same(T, at[c], G(printed_curve)(dim, P, c, beta, t));
+}
+
+CLAIM(curve_kernels_give_the_sum)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    G(shape_point)(n, dim, P, T->planted ? neg(beta) : beta, t, at);
+    for (int c = 0; c < dim; c++)
+        same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
+}
+
+CLAIM(bezier_points_divide_the_edges)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], R[(MAX_DEGREE + 1) * dim];
+    num beta = G(any_beta)(T), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    G(shape_bezier_points)(n, dim, P, T->planted ? neg(beta) : beta, Q);
+    G(bezier_points_of)(0, n, dim, P, beta, R);
+    for (int c = 0; c < dim; c++) {
+        num sum = from_int(0);
+        for (int k = 0; k <= n + 1; k++)
+            sum = add(sum, mul(Q[k * dim + c], mul(G(choose)(n + 1, k), G(product_of_powers)(n + 1 - k, k, t))));
+        about(T, "the curve");
+        same(T, sum, G(corrected_curve)(n, dim, P, c, beta, t));
+        for (int k = 0; k <= n + 1; k++) {
+            about(T, "the rows of the matrix");
+            same(T, Q[k * dim + c], R[k * dim + c]);
+            if (k == 0 || k > n)
+                continue;
+            about(T, "the ratio on the edge");
+            num ratio = add(from_ratio(n + 1 - k, n + 1), mul(beta, div(G(shift)(n, k), G(choose)(n + 1, k))));
+            num edge = sub(P[k * dim + c], P[(k - 1) * dim + c]);
+            same(T, sub(Q[k * dim + c], P[(k - 1) * dim + c]), mul(ratio, edge));
+        }
+    }
+}
+
+CLAIM(beta_zero_gives_the_bezier_curve)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], at[dim], bezier[dim], beta = from_int(T->planted), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    G(decasteljau)(n, dim, P, t, bezier);
+    G(shape_point)(n, dim, P, beta, t, at);
+    for (int c = 0; c < dim; c++)
+        same(T, at[c], bezier[c]);
+    if (n == 7) {
+        G(shape_point_printed)(dim, P, beta, t, at);
+        for (int c = 0; c < dim; c++)
+            same(T, at[c], bezier[c]);
+    }
+}
+
+/*
+## How the curve moves with the parameter
+
+:::{statement} deng-zhang-2022:fig-2
+:title: The curves of several beta from right to left
+:zh: 图 2
+:printed: figure 2 shows, from right to left, the curves for $\beta=1,0,-1,\dots,-7$
+:reading: points_move_evenly_with_beta | the points of one $t$ stand on a straight line in equal distances, in the order of
+  $\beta$; on which side is a matter of the polygon, which the text does not give
+:figure: curves_for_several_beta
+
+The last two curves of the figure, $\beta=-6$ and $-7$, are outside the true range.
+:::
+
+:::{statement} deng-zhang-2022:abstract-adjustable
+:title: For a fixed polygon different beta give different curves
+:zh: 形状可调性
+:printed: with the control points fixed, different curves are produced by changing the parameter
+:holds-by: points_move_evenly_with_beta
+:hypothesis: edges_that_do_not_move | the vector $\sum_ka_k(P_k-P_{k-1})s^{8-k}t^k$ does not vanish for all $t$, that is, not
+  all edges but $P_3P_4$ are 0 (corrected functions, $n=7$); and the points are not all on a line, where only the
+  parametrization may change
+
+For $n=7$ the number $a_4$ is 0.
+:::
+
+:::{claim} points_move_evenly_with_beta
+:title: The point of a parameter moves on a straight line, evenly with beta
+:zh: 曲线上的点随 β 匀速直线移动
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$, $h$ and $t$
+:then: $q_{\beta+h}(t)-q_\beta(t)=h\sum_{k=1}^na_k(P_k-P_{k-1})s^{n+1-k}t^k$
+:method: The kernel at $\beta+h$ and $\beta$, everything a variable.
+:degrees: 2..7 sampled 12
+:control: the first edge left out
+:::
+
+:::{claim} edges_that_do_not_move
+:title: A polygon of one middle edge has one curve for all beta
+:zh: 仅有中间一边的控制多边形与 β 无关
+:kind: counterexample
+:given: $P_0=\dots=P_3=(0,0)$, $P_4=\dots=P_7=(1,2)$, $\beta=0$ and $\beta=1$
+:then: the Bézier points of degree 8, and so the curves, are the same
+:method: Both sets of nine points are computed and compared; that they differ somewhere is asked.
+:control: $P_4=(0,0)$
+:::
+*/
+CLAIM(points_move_evenly_with_beta)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], before[dim], after[dim];
+    num beta = G(any_beta)(T), h = unknown(T, "h", 0), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    G(shape_point)(n, dim, P, beta, t, before);
+    G(shape_point)(n, dim, P, add(beta, h), t, after);
+    for (int c = 0; c < dim; c++) {
+        num sum = from_int(0);
+        for (int k = T->planted ? 2 : 1; k <= n; k++) {
+            num edge = sub(P[k * dim + c], P[(k - 1) * dim + c]);
+            sum = add(sum, mul(mul(G(shift)(n, k), edge), G(product_of_powers)(n + 1 - k, k, t)));
+        }
+        same(T, sub(after[c], before[c]), mul(h, sum));
+    }
+}
+
+#if RATIONAL
+CLAIM(edges_that_do_not_move)
+{
+    num P[8 * dim], Q[9 * dim], R[9 * dim];
+    int differ = 0;
+    for (int i = 0; i <= 7; i++) {
+        P[i * dim] = from_int(i >= 4 + T->planted);
+        P[i * dim + 1] = from_int(2 * (i >= 4 + T->planted));
+    }
+    G(shape_bezier_points)(7, dim, P, from_int(0), Q);
+    G(shape_bezier_points)(7, dim, P, from_int(1), R);
+    for (int m = 0; m < 9 * dim; m++)
+        differ += !equal_q(Q[m], R[m]);
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "Q, beta = 0", 9, dim, Q);
+    show_points(T, "Q, beta = 1", 9, dim, R);
+    about(T, "some of the Bézier points differ");
+    agree(T, differ > 0);
+}
+#endif
+
+/*
+## The ends (端点性质)
+
+:::{statement} deng-zhang-2022:property-3.1
+:title: Points and derivatives at the ends
+:zh: 端点性质，式 (11)
+:printed: B_1(0)=P_0,\quad B_1(1)=P_7,\quad B_1'(0)=(\beta+7)(P_1-P_0),\quad B_1'(1)=(\beta+7)(P_7-P_6)
+:holds-by: end_points_and_end_derivatives
+:figure: end_edges
+
+True for all real $\beta$, with the printed functions as with the corrected ones: the two wrong functions vanish threefold at
+both ends.
+:::
+
+:::{statement} deng-zhang-2022:property-3.1-tangent
+:title: The curve interpolates the end points and touches the end edges
+:zh: 端点插值与端边相切
+:printed: the curve interpolates the first and last control point and is tangent to the first and last edge
+:holds-by: end_points_and_end_derivatives
+:hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$, and the end edges are not 0
+:figure: end_edges
+
+At $\beta=-7$, an end of the printed range, the curve leaves $P_0$ towards $\frac14(5P_1-P_2)$; below $-7$ it would leave
+against the edge.
+:::
+
+:::{claim} end_points_and_end_derivatives
+:title: The ends of the curve and the derivatives there
+:zh: 端点与端点导矢
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$
+:then: $q(0)=P_0$, $q(1)=P_n$, $q'(0)=(n+\beta)(P_1-P_0)$, $q'(1)=(n+\beta)(P_n-P_{n-1})$; for $n=7$ also with the printed
+  functions
+:method: The derivatives of the Bézier curve of degree $n+1$ at the two integers, everything a variable.
+:degrees: 2..8 sampled 14
+:control: $n$ in the place of $n+\beta$
+:::
+
+:::{claim} derivatives_of_the_curve
+:title: The kernel computes the derivatives of the curve
+:zh: 曲线的各阶导矢
+:given: numbers $P_0,\dots,P_n$, any $\beta$ and $t$
+:then: row $k$ of `shape_derivatives` is the $k$-th derivative of $\sum P_iB_{i,n}$ at $t$, $0\le k\le n+2$
+:method: In the field the formula of the curve is differentiated with respect to $t$; in the other number types the formula
+  is differentiated as a product of powers by Leibniz's rule.
+:degrees: 2..6 sampled 10
+:defines: shape_derivatives
+:control: $-\beta$ in the place of $\beta$
+:::
+
+:::{claim} edge_is_not_tangent_at_minus_seven
+:title: At beta = -7 the curve does not touch its first edge
+:zh: β=-7 时曲线不与首边相切
+:kind: counterexample
+:given: $\beta=-7$, $P=(0,0),(1,0),(2,2),(3,3),(4,3),(5,2),(6,0),(7,0)$
+:then: $q'(0)=0$ and the determinant of $P_1-P_0$ and $q''(0)$, which then gives the tangent, is not 0
+:method: The first derivative at 0 that is not the zero vector, computed exactly; its determinant with the edge is asked to
+  vanish.
+:control: $\beta=-6$
+:::
+*/
+CLAIM(end_points_and_end_derivatives)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], D[2 * dim], beta = G(any_beta)(T);
+    num factor = T->planted ? from_int(n) : add(from_int(n), beta);
+    G(free_points)(T, n, dim, P);
+    for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
+        G(bezier_points_of)(printed_ones, n, dim, P, beta, Q);
+        for (int end = 0; end <= 1; end++) {
+            G(bezier_derivatives)(n + 1, dim, Q, from_int(end), 1, D);
+            const num *first = P + (end ? n - 1 : 0) * dim, *point = P + (end ? n : 0) * dim;
+            for (int c = 0; c < dim; c++) {
+                about(T, "the end point");
+                same(T, D[c], point[c]);
+                about(T, "the derivative");
+                same(T, D[dim + c], mul(factor, sub(first[dim + c], first[c])));
+            }
+        }
+    }
+}
+
+#if !FIELD
+/* n (n-1) ... (n-k+1) */
+static num G(falling)(int n, int k)
+{
+    num product = from_int(1);
+    for (int j = 0; j < k; j++)
+        product = mul(product, from_int(n - j));
+    return product;
+}
+
+/* (d/dt)^k of (1-t)^a t^b, by Leibniz. */
+static num G(product_derivative)(int a, int b, int k, num t)
+{
+    num sum = from_int(0);
+    for (int j = 0; j <= k; j++) {
+        if (j > a || k - j > b)
+            continue;
+        num term = mul(mul(G(falling)(a, j), G(falling)(b, k - j)), G(product_of_powers)(a - j, b - k + j, t));
+        term = mul(G(choose)(k, j), term);
+        sum = j % 2 == 0 ? add(sum, term) : sub(sum, term);
+    }
+    return sum;
+}
+#endif
+
+CLAIM(derivatives_of_the_curve)
+{
+    int n = T->degree;
+    num P[MAX_DEGREE + 1], D[MAX_DEGREE + 3], beta = G(any_beta)(T), t = parameter(T, "t");
+    G(free_points)(T, n, 1, P);
+    G(shape_derivatives)(n, 1, P, T->planted ? neg(beta) : beta, t, n + 2, D);
+#if FIELD
+    num value = G(corrected_curve)(n, 1, P, 0, beta, t);
+    for (int k = 0; k <= n + 2; k++) {
+        same(T, D[k], value);
+        value = derivative_f(value, t);
+    }
+#else
+    for (int k = 0; k <= n + 2; k++) {
+        num sum = from_int(0);
+        for (int i = 0; i <= n; i++) {
+            num slope = sub(mul(G(shift)(n, i), G(product_derivative)(n + 1 - i, i, k, t)),
+                            mul(G(shift)(n, i + 1), G(product_derivative)(n - i, i + 1, k, t)));
+            num bernstein = mul(G(choose)(n, i), G(product_derivative)(n - i, i, k, t));
+            sum = add(sum, mul(P[i], add(bernstein, mul(beta, slope))));
+        }
+        same(T, D[k], sum);
+    }
+#endif
+}
+
+#if RATIONAL
+CLAIM(edge_is_not_tangent_at_minus_seven)
+{
+    static const int at[] = {0, 0, 1, 0, 2, 2, 3, 3, 4, 3, 5, 2, 6, 0, 7, 0};
+    num P[8 * dim], D[3 * dim], beta = from_int(T->planted ? -6 : -7), edge[dim];
+    G(integer_points)(8, at, P);
+    G(shape_derivatives)(7, dim, P, beta, from_int(0), 2, D);
+    for (int c = 0; c < dim; c++)
+        edge[c] = sub(P[dim + c], P[c]);
+    int order = is_zero_q(D[dim]) && is_zero_q(D[dim + 1]) ? 2 : 1;
+    show(T, "beta", beta);
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "q'(0)", 1, dim, D + dim);
+    show_points(T, "q''(0)", 1, dim, D + 2 * dim);
+    about(T, "the determinant of the first edge and the tangent");
+    vanishes(T, G(cross2)(edge, D + order * dim));
+}
+#endif
+
+/*
+## Convex hull, symmetry, invariance (凸包性, 对称性, 几何不变性)
+
+:::{statement} deng-zhang-2022:property-3.2
+:title: The curve lies in the convex hull of its points
+:zh: 凸包性
+:printed: by property 2.1 the curve lies in the convex hull of the control points
+:refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
+:class: false
+:corrected: true for the corrected functions exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
+:corrected-by: corrected_functions_sum_to_one nonnegative_exactly_in_the_range printed_sum_in_closed_form
+:figure: hull_and_sum
+
+For $\beta$ outside the range some $B_i(t)<0$; the curve of $P_i=(1,0)$ and all other points $(0,0)$ is then outside its
+hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points is no point.
+:::
+
+:::{statement} deng-zhang-2022:property-3.3
+:title: The reversed polygon has the same curve backwards
+:zh: 对称性
+:printed: the curve of $P_7,\dots,P_0$ is the curve of $P_0,\dots,P_7$ with the opposite direction
+:refuted-by: printed_curve_is_not_reversed
+:class: misprint
+:corrected: true for the corrected functions for every $\beta$, for the printed ones only for $\beta=0$
+:corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
+:::
+
+:::{statement} deng-zhang-2022:eq-12
+:title: The chain that proves the symmetry
+:zh: 式 (12)
+:printed: B_1(1-t)=\sum P_{7-i}B_i(1-t)=\sum P_jB_j(t)=B_1(t)
+:refuted-by: curve_is_not_its_own_reverse
+:class: misprint
+:corrected: $\tilde B(1-t)=\sum P_{7-i}B_{i,7}(1-t)=\sum P_jB_{j,7}(t)=q(t)$, where $\tilde B$ on the left is the curve of the
+  reversed polygon and the functions are the corrected ones
+:corrected-by: reversed_polygon_reverses_the_curve
+
+As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.
+:::
+
+:::{statement} deng-zhang-2022:property-3.4
+:title: The curve does not depend on the coordinate system
+:zh: 几何不变性
+:printed: the curve depends only on the control points; its shape stays the same under translations and rotations
+:refuted-by: printed_curve_changes_under_translation
+:class: misprint
+:corrected: true for the corrected functions for every $\beta$; the printed curve of the points $P_i+v$ is the old one moved by
+  $(1-4\beta(1-t)^3t^4)v$, so it moves along only for $\beta=0$ or $v=0$; linear maps, rotations about the origin among them,
+  do no harm
+:corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
+:figure: hull_and_sum
+:striking: 10
+:::
+
+:::{statement} deng-zhang-2022:property-3.4-affine
+:title: An affine map of the polygon is the same map of the curve
+:zh: 仿射不变性
+:printed: after scaling, shearing and other affine maps of the control polygon the new curve is the image of the old one under
+  the same map
+:refuted-by: printed_curve_changes_under_translation
+:class: misprint
+:corrected: true for the corrected functions for every $\beta$; with the printed ones for linear maps, for all affine maps only
+  if $\beta=0$
+:corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
+:::
+
+:::{claim} printed_curve_leaves_a_single_point
+:title: The printed curve of eight equal points is no point
+:zh: 八点重合时按式 (1) 的曲线不是一点
+:kind: counterexample
+:given: $P_0=\dots=P_7=(1,1)$, $\beta=1$, $t=\frac12$
+:then: the point of the curve is $(\frac{31}{32},\frac{31}{32})$
+:method: The point of the printed formulas; `hull.h` is asked whether it is in the hull.
+:control: the corrected functions
+:::
+
+:::{claim} corrected_curve_leaves_the_hull_at_minus_seven
+:title: At beta = -7 the curve leaves the convex hull
+:zh: β=-7 时曲线越出凸包
+:kind: counterexample
+:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, $t=\frac1{20}$; printed and corrected functions have the
+  same $y$
+:then: $y(t)=B_2(t)<0$ while all points have $y\ge0$
+:method: The point of the corrected curve; `hull.h` is asked whether it is in the hull.
+:control: $\beta=-5$
+:::
+
+:::{claim} printed_curve_is_not_reversed
+:title: The printed curve of the reversed polygon is another curve
+:zh: 按式 (1) 反序不得原曲线
+:kind: counterexample
+:given: $\beta=-1$, $P_3=(1,1)$ and all other points $(0,0)$, $t=\frac14$
+:then: the curve of the reversed polygon at $1-t$ is not the curve at $t$
+:method: Both points by the printed formulas; their first coordinates are compared.
+:control: the corrected functions
+:::
+
+:::{claim} curve_is_not_its_own_reverse
+:title: B(1-t) is not B(t)
+:zh: 式 (12) 首尾不等
+:kind: counterexample
+:given: $P_i=(i,0)$, any $\beta$, here $-1$; $t=0$
+:then: $q(1-t)=(7,0)$ and $q(t)=(0,0)$
+:method: The two ends of the chain are computed.
+:control: the curve of the reversed polygon on the left
+:::
+
+:::{claim} printed_curve_changes_under_translation
+:title: The printed curve does not move with its points
+:zh: 平移后按式 (1) 的曲线形状改变
+:kind: counterexample
+:given: $\beta=1$, $P_i=(i,0)$ and $P_i+(0,1)$, $t=\frac12$
+:then: the $y$ of the second curve is $\frac{31}{32}$, not 1
+:method: Both points by the printed formulas.
+:control: the corrected functions
+:::
+
+:::{claim} reversed_polygon_reverses_the_curve
+:title: The reversed polygon gives the corrected curve backwards
+:zh: 控制顶点反序,曲线反向
+:given: points of the plane, any $\beta$ and $t$
+:then: the curve of $P_n,\dots,P_0$ at $1-t$ is $q(t)$
+:method: Both by the kernel, everything a variable.
+:degrees: 2..7 sampled 12
+:control: the curve of the reversed polygon at $t$
+:::
+
+:::{claim} curve_moves_with_its_points
+:title: An affine map of the points is the same map of the corrected curve
+:zh: 仿射不变性
+:given: points of the plane, any affine map, any $\beta$ and $t$
+:then: the curve of the images of the points is the image of the curve
+:method: Map, points, $\beta$ and $t$ are variables.
+:degrees: 2..7 sampled 12
+:control: the last point is not moved
+:::
+
+:::{claim} printed_curve_follows_linear_maps_only
+:title: What a translation and a linear map do to the printed curve
+:zh: 按式 (1) 的曲线在平移与线性变换下的变化
+:given: points $P_0,\dots,P_7$ of the plane, any linear map $M$ and vector $v$, any $\beta$ and $t$
+:then: the printed curve of the points $MP_i+v$ is $M\hat q(t)+(1-4\beta(1-t)^3t^4)v$
+:method: Map, points, $\beta$ and $t$ are variables.
+:control: $v$ without its factor
+:::
+*/
+#if RATIONAL
+CLAIM(printed_curve_leaves_a_single_point)
+{
+    num P[8 * dim], at[dim], beta = from_int(1), t = from_ratio(1, 2);
+    for (int m = 0; m < 8 * dim; m++)
+        P[m] = from_int(1);
+    if (T->planted)
+        G(shape_point)(7, dim, P, beta, t, at);
+    else
+        G(shape_point_printed)(dim, P, beta, t, at);
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "the point of t = 1/2", 1, dim, at);
+    about(T, "the point is in the hull");
+    agree(T, hull_membership(dim, 8, P, at).inside);
+}
+
+CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
+{
+    static const int points[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
+    num P[8 * dim], at[dim], beta = from_int(T->planted ? -5 : -7), t = from_ratio(1, 20);
+    G(integer_points)(8, points, P);
+    G(shape_point)(7, dim, P, beta, t, at);
+    show(T, "beta", beta);
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "the point of t = 1/20", 1, dim, at);
+    about(T, "the point is in the hull");
+    agree(T, hull_membership(dim, 8, P, at).inside);
+}
+
+CLAIM(printed_curve_is_not_reversed)
+{
+    num P[8 * dim], R[8 * dim], forward[dim], backward[dim], beta = from_int(-1), t = from_ratio(1, 4);
+    num s = sub(from_int(1), t);
+    for (int m = 0; m < 8 * dim; m++) {
+        P[m] = from_int(m / dim == 3);
+        R[m] = from_int(7 - m / dim == 3);
+    }
+    if (T->planted) {
+        G(shape_point)(7, dim, P, beta, t, forward);
+        G(shape_point)(7, dim, R, beta, s, backward);
+    } else {
+        G(shape_point_printed)(dim, P, beta, t, forward);
+        G(shape_point_printed)(dim, R, beta, s, backward);
+    }
+    show_points(T, "P", 8, dim, P);
+    about(T, "the reversed curve at 1-t and the curve at t");
+    same(T, backward[0], forward[0]);
+}
+
+CLAIM(curve_is_not_its_own_reverse)
+{
+    num P[8 * dim], left[dim], right[dim], beta = from_int(-1);
+    for (int i = 0; i <= 7; i++) {
+        P[i * dim] = from_int(T->planted ? 7 - i : i);
+        P[i * dim + 1] = from_int(0);
+    }
+    G(shape_point)(7, dim, P, beta, from_int(1), left);
+    for (int i = 0; i <= 7; i++)
+        P[i * dim] = from_int(i);
+    G(shape_point)(7, dim, P, beta, from_int(0), right);
+    show_points(T, "P", 8, dim, P);
+    about(T, "the two ends of the chain at t = 0");
+    same(T, left[0], right[0]);
+}
+
+CLAIM(printed_curve_changes_under_translation)
+{
+    num P[8 * dim], R[8 * dim], before[dim], after[dim], beta = from_int(1), t = from_ratio(1, 2);
+    for (int i = 0; i <= 7; i++) {
+        P[i * dim] = R[i * dim] = from_int(i);
+        P[i * dim + 1] = from_int(0);
+        R[i * dim + 1] = from_int(1);
+    }
+    if (T->planted) {
+        G(shape_point)(7, dim, P, beta, t, before);
+        G(shape_point)(7, dim, R, beta, t, after);
+    } else {
+        G(shape_point_printed)(dim, P, beta, t, before);
+        G(shape_point_printed)(dim, R, beta, t, after);
+    }
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "P + (0,1)", 8, dim, R);
+    about(T, "y of the second curve and y of the first plus 1");
+    same(T, after[1], add(before[1], from_int(1)));
+}
+#endif
+
+CLAIM(reversed_polygon_reverses_the_curve)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], R[(MAX_DEGREE + 1) * dim], at[dim], back[dim];
+    num beta = G(any_beta)(T), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = P[(n - i) * dim + c];
+    G(shape_point)(n, dim, P, beta, t, at);
+    G(shape_point)(n, dim, R, beta, T->planted ? t : sub(from_int(1), t), back);
+    for (int c = 0; c < dim; c++)
+        same(T, back[c], at[c]);
+}
+
+/* The image of a point under the map x -> M x + factor v. */
+static num G(image)(const num M[], const num v[], num factor, const num P[], int c)
+{
+    return add(add(mul(M[c * dim], P[0]), mul(M[c * dim + 1], P[1])), mul(factor, v[c]));
+}
+
+static void G(free_map)(trial *T, num M[], num v[])
+{
+    for (int m = 0; m < dim * dim; m++)
+        M[m] = unknown(T, "m", m);
+    for (int c = 0; c < dim; c++)
+        v[c] = unknown(T, "v", c);
+}
+
+CLAIM(curve_moves_with_its_points)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], R[(MAX_DEGREE + 1) * dim], M[dim * dim], v[dim], at[dim], moved[dim];
+    num beta = G(any_beta)(T), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    G(free_map)(T, M, v);
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = T->planted && i == n ? P[i * dim + c] : G(image)(M, v, from_int(1), P + i * dim, c);
+    G(shape_point)(n, dim, P, beta, t, at);
+    G(shape_point)(n, dim, R, beta, t, moved);
+    for (int c = 0; c < dim; c++)
+        same(T, moved[c], G(image)(M, v, from_int(1), at, c));
+}
+
+CLAIM(printed_curve_follows_linear_maps_only)
+{
+    num P[8 * dim], R[8 * dim], M[dim * dim], v[dim], at[dim], moved[dim];
+    num beta = G(any_beta)(T), t = parameter(T, "t"), one = from_int(1);
+    G(free_points)(T, 7, dim, P);
+    G(free_map)(T, M, v);
+    for (int i = 0; i <= 7; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = G(image)(M, v, one, P + i * dim, c);
+    G(shape_point_printed)(dim, P, beta, t, at);
+    G(shape_point_printed)(dim, R, beta, t, moved);
+    num factor = sub(one, mul(from_int(4), mul(beta, G(product_of_powers)(3, 4, t))));
+    for (int c = 0; c < dim; c++)
+        same(T, moved[c], G(image)(M, v, T->planted ? one : factor, at, c));
+}
+#include "chapters/frame/claims_off.h"

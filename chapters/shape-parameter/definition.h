@@ -1,0 +1,177 @@
+/* definition.h -- the functions of this chapter as their formulas say, for the other side of its comparisons.
+ *
+ * Nothing here follows the kernels: powers are repeated products, binomial coefficients come from factorials, and
+ * the eight printed formulas are written out one by one. */
+#if RATIONAL
+#include "exact/sign.h"
+#endif
+
+#include "chapters/frame/claims_on.h"
+
+static inline num G(power)(num a, int k)
+{
+    num product = from_int(1);
+    for (; k > 0; k--)
+        product = mul(product, a);
+    return product;
+}
+
+/* n!/(i! (n-i)!), and 0 for i < 0 and i > n */
+static inline num G(choose)(int n, int i)
+{
+    num value = from_int(i >= 0 && i <= n);
+    for (int k = 1; k <= n && i >= 0 && i <= n; k++) {
+        value = mul(value, from_int(k));
+        value = div(value, from_int(k <= i ? k : k - i));
+    }
+    return value;
+}
+
+/* (1-t)^a t^b */
+static inline num G(product_of_powers)(int a, int b, num t)
+{
+    return mul(G(power)(sub(from_int(1), t), a), G(power)(t, b));
+}
+
+/* a + b beta + c beta t */
+static inline num G(three_terms)(int a, int b, int c, num beta, num t)
+{
+    return add(from_int(a), mul(beta, add(from_int(b), mul(from_int(c), t))));
+}
+
+/* The function i of formula (1), to the letter. */
+static inline num G(printed)(int i, num beta, num t)
+{
+    switch (i) {
+    case 0:
+        return mul(G(three_terms)(1, 0, -1, beta, t), G(product_of_powers)(7, 0, t));
+    case 1:
+        return mul(G(three_terms)(7, 1, -5, beta, t), G(product_of_powers)(6, 1, t));
+    case 2:
+        return mul(G(three_terms)(21, 4, -9, beta, t), G(product_of_powers)(5, 2, t));
+    case 3:
+        return mul(G(three_terms)(35, 5, -9, beta, t), G(product_of_powers)(4, 3, t));
+    case 4:
+        return mul(G(three_terms)(35, 0, 1, beta, t), G(product_of_powers)(3, 4, t));
+    case 5:
+        return mul(G(three_terms)(21, -5, 9, beta, t), G(product_of_powers)(2, 5, t));
+    case 6:
+        return mul(G(three_terms)(7, -4, 5, beta, t), G(product_of_powers)(1, 6, t));
+    default:
+        return mul(G(three_terms)(1, -1, 1, beta, t), G(product_of_powers)(0, 7, t));
+    }
+}
+
+/* a_i = C(n-2,i-1) - C(n-2,i-2) */
+static inline num G(shift)(int n, int i) { return sub(G(choose)(n - 2, i - 1), G(choose)(n - 2, i - 2)); }
+
+/* B_{i,n} = C(n,i) s^{n-i} t^i + beta (a_i s^{n+1-i} t^i - a_{i+1} s^{n-i} t^{i+1}) */
+static inline num G(corrected)(int n, int i, num beta, num t)
+{
+    num first = mul(G(shift)(n, i), G(product_of_powers)(n + 1 - i, i, t));
+    num second = mul(G(shift)(n, i + 1), G(product_of_powers)(n - i, i + 1, t));
+    return add(mul(G(choose)(n, i), G(product_of_powers)(n - i, i, t)), mul(beta, sub(first, second)));
+}
+
+/* Coordinate c of the curve of the points P at t. */
+static inline num G(corrected_curve)(int n, int dim, const num P[], int c, num beta, num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(P[i * dim + c], G(corrected)(n, i, beta, t)));
+    return sum;
+}
+static inline num G(printed_curve)(int dim, const num P[], int c, num beta, num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= 7; i++)
+        sum = add(sum, mul(P[i * dim + c], G(printed)(i, beta, t)));
+    return sum;
+}
+
+/* n+1 points of dim <= 2 coordinates, every one free. */
+static inline void G(free_points)(trial *T, int n, int dim, num P[])
+{
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            P[i * dim + c] = unknown(T, c == 0 ? "x" : "y", i);
+}
+
+/* The factors and the Bernstein coefficients of degree n+1 of the printed (n = 7) or the corrected functions. */
+static inline void G(factors_of)(int printed_ones, int n, num beta, num near[], num far[])
+{
+    if (printed_ones)
+        G(shape_factors_printed)(beta, near, far);
+    else
+        G(shape_factors)(n, beta, near, far);
+}
+static inline void G(matrix_of)(int printed_ones, int n, num beta, num E[])
+{
+    num near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
+    G(factors_of)(printed_ones, n, beta, near, far);
+    G(shape_matrix)(n, near, far, E);
+}
+
+/* The n+2 Bézier points of degree n+1 of the curve of P, dim coordinates, from the matrix. */
+static inline void G(bezier_points_of)(int printed_ones, int n, int dim, const num P[], num beta, num Q[])
+{
+    num E[(MAX_DEGREE + 1) * MAX_DEGREE];
+    G(matrix_of)(printed_ones, n, beta, E);
+    for (int k = 0; k <= n + 1; k++)
+        for (int c = 0; c < dim; c++) {
+            Q[k * dim + c] = from_int(0);
+            for (int i = 0; i <= n; i++)
+                Q[k * dim + c] = add(Q[k * dim + c], mul(E[k * (n + 1) + i], P[i * dim + c]));
+        }
+}
+#if RATIONAL
+/* The factors as polynomials in beta: they are linear, so two values give them. */
+static inline void G(factors_in_beta)(int printed_ones, int n, poly near[], poly far[])
+{
+    num at_0[2][MAX_DEGREE + 1], at_1[2][MAX_DEGREE + 1];
+    G(factors_of)(printed_ones, n, from_int(0), at_0[0], at_0[1]);
+    G(factors_of)(printed_ones, n, from_int(1), at_1[0], at_1[1]);
+    for (int i = 0; i <= n; i++) {
+        near[i] = poly_from_q(2, (num[]){at_0[0][i], sub(at_1[0][i], at_0[0][i])});
+        far[i] = poly_from_q(2, (num[]){at_0[1][i], sub(at_1[1][i], at_0[1][i])});
+    }
+}
+
+/* Is p >= 0 on [a,b]? */
+static inline int G(never_negative)(poly p, num a, num b)
+{
+    enum sign_pattern sign = sign_on(p, a, b, CLOSED);
+    return sign == SIGN_ZERO || sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE;
+}
+
+/* Function i of degree n as a polynomial in t, by its Bernstein coefficients of degree n+1. */
+static inline poly G(function)(int printed_ones, int n, int i, num beta)
+{
+    num E[(MAX_DEGREE + 1) * MAX_DEGREE], column[MAX_DEGREE + 1];
+    G(matrix_of)(printed_ones, n, beta, E);
+    for (int k = 0; k <= n + 1; k++)
+        column[k] = E[k * (n + 1) + i];
+    return poly_from_bernstein(n + 1, column);
+}
+
+/* sum_i k_i B_i as a polynomial in t. */
+static inline poly G(combination)(int printed_ones, int n, num beta, const num k[])
+{
+    num c[MAX_DEGREE + 1];
+    G(bezier_points_of)(printed_ones, n, 1, k, beta, c);
+    return poly_from_bernstein(n + 1, c);
+}
+
+/* V(k_0, ..., k_n): changes of sign, zeros skipped. */
+static inline int G(sign_changes)(int n, const num k[])
+{
+    int changes = 0, last = 0;
+    for (int i = 0; i <= n; i++)
+        if (!is_zero_q(k[i])) {
+            changes += last * sign_q(k[i]) < 0;
+            last = sign_q(k[i]);
+        }
+    return changes;
+}
+#endif
+#include "chapters/frame/claims_off.h"

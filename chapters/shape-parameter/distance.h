@@ -1,0 +1,121 @@
+/* distance.h -- how far a plane curve of the family is from its polygon, decided exactly.
+ *
+ * Generic text, after definition.h; what decides is for rationals only. */
+#include "chapters/frame/claims_on.h"
+
+enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
+
+#if RATIONAL
+/* count points of small integer coordinates. */
+static inline void G(integer_points)(int count, const int at[], num P[])
+{
+    for (int m = 0; m < count * dim; m++)
+        P[m] = from_int(at[m]);
+}
+
+/* A plane curve: the polynomials of its coordinates. */
+struct G(path) {
+    poly x, y;
+};
+
+static inline struct G(path) G(path_of)(int n, const num P[], num beta)
+{
+    num Q[(MAX_DEGREE + 1) * dim], x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
+    G(shape_bezier_points)(n, dim, P, beta, Q);
+    for (int k = 0; k <= n + 1; k++)
+        x[k] = Q[k * dim], y[k] = Q[k * dim + 1];
+    return (struct G(path)){poly_from_bernstein(n + 1, x), poly_from_bernstein(n + 1, y)};
+}
+
+/* a x(t) + b y(t) + c */
+static inline poly G(along)(struct G(path) q, num a, num b, num c)
+{
+    return poly_add(poly_add(poly_scale(q.x, a), poly_scale(q.y, b)), poly_constant(c));
+}
+
+/* Is every point of [a,b] nearer than r to some edge, one edge for the whole interval and the foot on it? */
+static inline int G(near_one_edge)(struct G(path) q, int n, const num P[], num r_squared, num a, num b)
+{
+    for (int i = 0; i < n; i++) {
+        const num *A = P + i * dim, *B = A + dim;
+        num d[dim] = {sub(B[0], A[0]), sub(B[1], A[1])}, size = G(norm_squared)(dim, d);
+        if (is_zero_q(size))
+            continue;
+        poly foot = G(along)(q, d[0], d[1], neg(G(dot)(dim, d, A)));
+        poly across = G(along)(q, neg(d[1]), d[0], neg(G(cross2)(d, A)));
+        poly gap = poly_sub(poly_constant(mul(r_squared, size)), poly_mul(across, across));
+        if (G(never_negative)(foot, a, b) && G(never_negative)(poly_sub(poly_constant(size), foot), a, b) &&
+            sign_on(gap, a, b, CLOSED) == SIGN_POSITIVE)
+            return 1;
+    }
+    return 0;
+}
+
+/* The same piece by piece; `cuts` halvings at most. */
+static inline int G(nearer_than)(struct G(path) q, int n, const num P[], num r_squared, num a, num b, int cuts)
+{
+    if (G(near_one_edge)(q, n, P, r_squared, a, b))
+        return 1;
+    num middle = div(add(a, b), from_int(2));
+    return cuts > 0 && G(nearer_than)(q, n, P, r_squared, a, middle, cuts - 1) &&
+           G(nearer_than)(q, n, P, r_squared, middle, b, cuts - 1);
+}
+
+/* The squared distance of a point from the polygon. */
+static inline num G(distance_squared)(int n, const num P[], const num X[])
+{
+    num best = from_int(0);
+    for (int i = 0; i < n; i++) {
+        const num *A = P + i * dim;
+        num d[dim] = {sub(A[dim], A[0]), sub(A[dim + 1], A[1])}, w[dim] = {sub(X[0], A[0]), sub(X[1], A[1])};
+        num size = G(norm_squared)(dim, d), foot = G(dot)(dim, d, w), gap[dim];
+        num u = is_zero_q(size) || sign_q(foot) < 0 ? from_int(0)
+                : compare_q(foot, size) > 0         ? from_int(1)
+                                                    : div(foot, size);
+        for (int c = 0; c < dim; c++)
+            gap[c] = sub(w[c], mul(u, d[c]));
+        num value = G(norm_squared)(dim, gap);
+        if (i == 0 || compare_q(value, best) < 0)
+            best = value;
+    }
+    return best;
+}
+
+/* Is some point of the curve farther than r from the polygon?  The parameters m/64 are tried. */
+static inline int G(somewhere_farther_than)(int n, const num P[], num beta, num r_squared)
+{
+    for (int m = 1; m < 64; m++) {
+        num X[dim];
+        G(shape_point)(n, dim, P, beta, from_ratio(m, 64), X);
+        if (compare_q(G(distance_squared)(n, P, X), r_squared) > 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* Is the point X farther than r from the whole curve? */
+static inline int G(curve_stays_away)(struct G(path) q, const num X[], num r_squared)
+{
+    poly x = poly_sub(q.x, poly_constant(X[0])), y = poly_sub(q.y, poly_constant(X[1]));
+    poly gap = poly_sub(poly_add(poly_mul(x, x), poly_mul(y, y)), poly_constant(r_squared));
+    return sign_on(gap, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+}
+
+/* The curve of `small` stays nearer than r to the polygon, that of `large` does not; shows the data. */
+static inline int G(larger_is_farther)(trial *T, int n, const num P[], num small, num large, num r_squared)
+{
+    if (T->planted) {
+        num kept = small;
+        small = large, large = kept;
+    }
+    show_points(T, "P", n + 1, dim, P);
+    show(T, "beta of the nearer curve", small);
+    show(T, "beta of the farther curve", large);
+    show(T, "r squared", r_squared);
+    struct G(path) q = G(path_of)(n, P, small);
+    return G(somewhere_farther_than)(n, P, large, r_squared) &&
+           G(nearer_than)(q, n, P, r_squared, from_int(0), from_int(1), 9);
+}
+
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,355 @@
+/*
+# The family in every degree (任意次的情形)
+
+The corrected functions have a rule that does not know the number seven.  Take $n-2$ levels of de Casteljau's triangle;
+three points $b_0,b_1,b_2$ are left, which depend on $t$.  The last two levels of the Bézier curve would blend them with
+$s^2$, $2st$, $t^2$.  Here they are blended with the functions of the family for $n=2$,
+
+$$q_\beta=s^2(1-\beta t)\,b_0+(2+\beta)st\,b_1+t^2(1-\beta s)\,b_2=q_0+\beta st\bigl(b_1-(s\,b_0+t\,b_2)\bigr).$$
+
+This is what $\beta$ means: it pushes the point of the Bézier curve away from a point on the chord of the last triangle,
+in the direction of the triangle's vertex.  For $\beta=-2$ the point is on the chord.
+
+:::{claim} curve_is_a_blend_of_three_points
+:title: The curve is a blend of the last three points of de Casteljau's triangle
+:zh: 曲线是 de Casteljau 三角阵最后三点的混合
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$, $h$ and $t$
+:then: $q_\beta(t)=s^2(1-\beta t)b_0+(2+\beta)st\,b_1+t^2(1-\beta s)b_2$ with $b_j=\sum_iB_i^{n-2}(t)P_{i+j}$, and
+  $q_{\beta+h}(t)-q_\beta(t)=h\,st(b_1-(s\,b_0+t\,b_2))$
+:method: The Bézier points of the curve, in the sum of Bernstein polynomials of degree $n+1$, against the blend; everything a
+  variable.
+:degrees: 2..7 sampled 12
+:control: $b_0$ and $b_2$ exchanged
+:::
+
+:::{claim} blend_is_convex_from_minus_two_to_one
+:title: The point is in the last triangle for beta from -2 to 1, nearer to its vertex for larger beta
+:zh: -2≤β≤1 时点在最后的三角形内
+:kind: decision
+:given: the three functions of degree 3, $n=2$
+:then: their factors are all nonnegative exactly for $-2\le\beta\le1$; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
+  do not grow, for every $t\in[0,1]$
+:method: Signs of linear polynomials in $\beta$; the slopes of the factors are whole numbers.
+:control: the interval begins at $-3$
+:::
+*/
+#include "exact/hull.h"
+
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
+
+#include "chapters/frame/claims_on.h"
+
+CLAIM(curve_is_a_blend_of_three_points)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], R[(MAX_DEGREE + 1) * dim];
+    num beta = unknown(T, "beta", 0), h = unknown(T, "h", 0), t = parameter(T, "t"), s = sub(from_int(1), t);
+    num st = mul(s, t), one = from_int(1);
+    G(free_points)(T, n, dim, P);
+    G(bezier_points_of)(0, n, dim, P, beta, Q);
+    G(bezier_points_of)(0, n, dim, P, add(beta, h), R);
+    for (int c = 0; c < dim; c++) {
+        num b[3], q = from_int(0), moved = from_int(0);
+        for (int j = 0; j <= 2; j++) {
+            b[j] = from_int(0);
+            for (int i = 0; i <= n - 2; i++) {
+                num bernstein = mul(G(choose)(n - 2, i), G(product_of_powers)(n - 2 - i, i, t));
+                b[j] = add(b[j], mul(bernstein, P[(i + j) * dim + c]));
+            }
+        }
+        if (T->planted) {
+            num kept = b[0];
+            b[0] = b[2], b[2] = kept;
+        }
+        for (int k = 0; k <= n + 1; k++) {
+            num bernstein = mul(G(choose)(n + 1, k), G(product_of_powers)(n + 1 - k, k, t));
+            q = add(q, mul(bernstein, Q[k * dim + c]));
+            moved = add(moved, mul(bernstein, R[k * dim + c]));
+        }
+        num first = mul(mul(mul(s, s), sub(one, mul(beta, t))), b[0]);
+        num middle = mul(mul(add(from_int(2), beta), st), b[1]);
+        num last = mul(mul(mul(t, t), sub(one, mul(beta, s))), b[2]);
+        about(T, "the blend");
+        same(T, q, add(first, add(middle, last)));
+        about(T, "how it moves");
+        same(T, sub(moved, q), mul(mul(h, st), sub(b[1], add(mul(s, b[0]), mul(t, b[2])))));
+    }
+}
+
+#if RATIONAL
+CLAIM(blend_is_convex_from_minus_two_to_one)
+{
+    num low = from_int(T->planted ? -3 : -2), high = from_int(1);
+    poly near[3], far[3];
+    G(factors_in_beta)(0, 2, near, far);
+    for (int i = 0; i <= 2; i++) {
+        agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+        int up = sign_q(poly_coefficient(near[i], 1)), also = sign_q(poly_coefficient(far[i], 1));
+        agree(T, i == 1 ? up > 0 && also > 0 : up <= 0 && also <= 0);
+    }
+    agree(T, is_zero_q(poly_value(near[1], low)) && is_zero_q(poly_value(far[0], high)));
+}
+#endif
+
+/*
+## The range of the parameter in every degree
+
+:::{claim} factors_in_closed_form
+:title: The factors in closed form
+:zh: 线性因子的封闭形式
+:given: any $\beta$, $k=0,\dots,n$
+:then: $n(n-1)\nu_k=\binom nk\bigl(n(n-1)+\beta k(n+1-2k)\bigr)$
+:method: The kernel against the closed form, $\beta$ a variable.  For every $n$: $\binom{n-2}{k-1}$ and $\binom{n-2}{k-2}$ are
+  $\binom nk$ times $\frac{k(n-k)}{n(n-1)}$ and $\frac{k(k-1)}{n(n-1)}$.
+:degrees: 2..16 sampled 40
+:control: $n+1-k$ in the place of $n+1-2k$
+:::
+
+:::{claim} range_of_every_degree
+:title: The range in which the functions are nonnegative
+:zh: 各次的非负范围
+:kind: decision
+:given: all real $\beta$, the corrected functions of degree $n$
+:then: they are nonnegative on $[0,1]$ exactly for $l_n\le\beta\le1$ with $l_n=-2,-3,-4,-5,-5,-\frac{21}4,-\frac{28}5,-6,-6,
+  -\frac{55}9,-\frac{44}7$ for $n=2,\dots,12$
+:method: $-l_n$ is the least of the numbers $\frac{n(n-1)}{k(n+1-2k)}$.  All factors are nonnegative on the interval, one
+  vanishes at each end and is negative beyond it.
+:degrees: 2..12
+:scope: all real $\beta$
+:control: the interval begins 1 below
+:::
+
+:::{claim} lower_end_is_between_two_bounds
+:title: The lower end of the range is above -8 in every degree and tends to it
+:zh: 范围下端 l_n>-8 且趋于 -8
+:given: any $n$, $k$ and $d$ with $k=\frac{n+1}4+d$
+:then: $8k(n+1-2k)=(n+1)^2-16d^2$, and $8n(n-1)(n+3)=8n((n+1)^2-4)$
+:method: Identities with $n$ and $d$ variables.  Some whole $k$ has $|d|\le\frac12$, so the largest $k(n+1-2k)$ is between
+  $\frac{(n+1)^2-4}8$ and $\frac{(n+1)^2}8$, and $\frac{8n(n-1)}{(n+1)^2}\le-l_n\le\frac{8n}{n+3}<8$.  At $n=7$ the left bound is
+  attained.
+:degrees: all
+:control: $(n+1)^2$ in the place of $(n+1)^2-4$
+:::
+
+:::{claim} upper_end_is_one
+:title: The upper end of the range is 1 in every degree
+:zh: 范围上端恒为 1
+:given: any $n$ and $j=k-1$
+:then: $\binom n{k-1}-\beta a_k\ge0$ says $n(n-1)\ge\beta(n+1-k)(n+1-2k)$, and
+  $n(n-1)-(n-j)(n-1-2j)=j(3n-1-2j)$, which is $\ge0$ for $0\le j\le n$
+:method: An identity with $n$ and $j$ variables; for $j=0$ there is equality at $\beta=1$.
+:degrees: all
+:control: $3n-1-j$ in the last factor
+:::
+
+:::{claim} pattern_breaks_in_degree_six
+:title: In degree six the range -n to 1 is too wide for the first time
+:zh: 六次起 -n≤β≤1 不再保证非负
+:kind: counterexample
+:given: $n=6$, $\beta=-6$, $t=\frac1{20}$
+:then: $B_{2,6}(t)<0$; up to degree 5 the range $-n\le\beta\le1$ is right
+:method: The value of the function, exactly.
+:control: $n=5$, $\beta=-5$
+:::
+*/
+CLAIM(factors_in_closed_form)
+{
+    int n = T->degree;
+    num beta = unknown(T, "beta", 0), near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
+    G(shape_factors)(n, beta, near, far);
+    for (int k = 0; k <= n; k++) {
+        num inner = add(from_int(n * (n - 1)), mul(from_int(k * (n + 1 - (T->planted ? 1 : 2) * k)), beta));
+        same(T, mul(from_int(n * (n - 1)), near[k]), mul(G(choose)(n, k), inner));
+    }
+}
+
+CLAIM(lower_end_is_between_two_bounds)
+{
+    num n = whole(T, "n", 2, 40), d = unknown(T, "d", 0), one = from_int(1), two = from_int(2), eight = from_int(8);
+    num k = add(div(add(n, one), from_int(4)), d), square = mul(add(n, one), add(n, one));
+    num product = mul(k, sub(add(n, one), mul(two, k)));
+    same(T, mul(eight, product), sub(square, mul(from_int(16), mul(d, d))));
+    num left = mul(mul(eight, mul(n, sub(n, one))), add(n, from_int(3)));
+    same(T, left, mul(mul(eight, n), T->planted ? square : sub(square, from_int(4))));
+}
+
+CLAIM(upper_end_is_one)
+{
+    num n = whole(T, "n", 2, 40), j = whole(T, "j", 0, 40), one = from_int(1), two = from_int(2);
+    num left = sub(mul(n, sub(n, one)), mul(sub(n, j), sub(sub(n, one), mul(two, j))));
+    num last = mul(from_int(T->planted ? 1 : 2), j);
+    same(T, left, mul(j, sub(sub(mul(from_int(3), n), one), last)));
+}
+
+#if RATIONAL
+CLAIM(range_of_every_degree)
+{
+    static const int end[11][2] = {{-2, 1},  {-3, 1}, {-4, 1}, {-5, 1},  {-5, 1}, {-21, 4},
+                                   {-28, 5}, {-6, 1}, {-6, 1}, {-55, 9}, {-44, 7}};
+    int n = T->degree, at_low = 0;
+    num low = from_ratio(end[n - 2][0], end[n - 2][1]), high = from_int(1);
+    if (T->planted)
+        low = sub(low, high);
+    poly near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
+    G(factors_in_beta)(0, n, near, far);
+    for (int i = 0; i <= n; i++) {
+        agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+        at_low += is_zero_q(poly_value(near[i], low)) && sign_q(poly_coefficient(near[i], 1)) > 0;
+    }
+    agree(T, at_low > 0);
+    agree(T, is_zero_q(poly_value(far[0], high)) && sign_q(poly_coefficient(far[0], 1)) < 0);
+}
+
+CLAIM(pattern_breaks_in_degree_six)
+{
+    int n = T->planted ? 5 : 6;
+    num beta = from_int(-n), t = from_ratio(1, 20), B[7];
+    G(shape_basis)(n, beta, t, B);
+    show_text(T, "n", "%d", n);
+    show(T, "beta", beta);
+    show(T, "t", t);
+    show(T, "B_2(t)", B[2]);
+    about(T, "B_2(t) >= 0");
+    nonnegative(T, B[2]);
+}
+#endif
+
+/*
+## What "closer" can mean
+
+For three points the sentence is true in the strongest sense: while $-2\le\beta\le1$ no point of the curve moves away from
+the polygon when $\beta$ grows.  The point is in the triangle.  Its distances from the lines of the two edges are multiples
+of its weights at $P_2$ and $P_0$, which do not grow.  The nearest point of the polygon is the foot on an edge; or $P_0$ or
+$P_2$, when the foot is beyond it.  (It is never $P_1$, unless the point is $P_1$: for a point $P_1+\lambda a+\mu c$ with
+$a=P_0-P_1$, $c=P_2-P_1$, $\lambda,\mu\ge0$ not both feet can be beyond $P_1$, since
+$(\lambda a+\mu c)\cdot(\lambda a+\mu c)\ge0$.)  That the distance from $P_0$ falls while the foot is beyond $P_0$ is a matter of signs.
+
+From four points on it is no longer true, not even for a convex polygon.
+
+:::{claim} quadratic_distance_to_a_line_shrinks
+:title: The distances from the lines of the edges are the outer weights
+:zh: 到两边所在直线的距离
+:given: points $P_0,P_1,P_2$, any $\beta$ and $t$, $n=2$
+:then: the determinants of $P_1-P_0$, $q-P_0$ and of $P_2-P_1$, $q-P_1$ are $t^2(1-\beta s)$ and $s^2(1-\beta t)$ times that of
+  $P_1-P_0$, $P_2-P_0$; both factors do not grow with $\beta$, and are $\ge0$ for $\beta\le1$
+:method: Everything is a variable.
+:control: the two factors exchanged
+:::
+
+:::{claim} quadratic_distance_to_an_end_shrinks
+:title: Where the nearest point is an end, the point moves towards it
+:zh: 最近点为端点时距离递减
+:given: $u=P_1-P_0$, $v=P_2-P_0$, any $t$; a point $P_0+w$, $w=\lambda u+\mu v$; the direction $d=u-tv$ in which it moves
+:then: $(u\cdot u)(d\cdot w)=(u\cdot w)(u\cdot u-t\,u\cdot v)-t\mu\bigl((u\cdot u)(v\cdot v)-(u\cdot v)^2\bigr)$
+:method: Everything is a variable.  If the foot is beyond $P_0$, $u\cdot w<0$, then $u\cdot v<0$ because $\lambda,\mu\ge0$; so both
+  terms are $\le0$, and so is $d\cdot w$, half the derivative of $|w|^2$ up to the factor $st$.  At $P_2$ the same with $s$ and $t$ exchanged.
+:control: $t\mu$ replaced by $\mu$
+:::
+
+:::{claim} cubic_of_larger_beta_is_farther
+:title: A cubic polygon from which a larger beta takes the curve away
+:zh: n=3:β 增大而曲线远离控制多边形
+:kind: counterexample
+:given: $n=3$, $P=(1,0),(-2,0),(0,1),(-2,-2)$, $\beta=0$ and $\beta=1$
+:then: for $\beta=0$ every point of the curve is nearer to the polygon than $\frac15$, for $\beta=1$ some point is farther than $\frac14$;
+  for $\beta=0$ every control point is nearer to the curve than 1, for $\beta=1$ one is farther
+:method: As in `larger_beta_takes_the_curve_away_from_its_polygon`.
+:control: the two values of $\beta$ exchanged
+:::
+
+:::{claim} convex_cubic_of_larger_beta_is_farther
+:title: A convex polygon of four points from which a larger beta takes the curve away
+:zh: n=3 的凸多边形:β 增大而曲线远离
+:kind: counterexample
+:given: $n=3$, the trapezoid $(2,4),(-1,-4),(1,-4),(2,3)$, $\beta=0$ and $\beta=1$
+:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{16}{25}$, for $\beta=1$ some point is farther
+:method: As before; `hull.h` decides that the polygon is convex.
+:control: the two values of $\beta$ exchanged
+:::
+
+:::{claim} straight_points_are_run_through_unevenly
+:title: Points in equal distances on a line are not run through evenly
+:zh: 无线性精度
+:given: any $\beta$ and $t$
+:then: $\sum_i\frac inB_{i,n}(t)=t+\frac\beta n\,s\,t\,(1-2t)$: only for $\beta=0$ has the family linear precision
+:method: The kernel's functions, $\beta$ and $t$ variables.
+:degrees: 2..9 sampled 16
+:control: $\beta$ without the denominator $n$
+:::
+*/
+CLAIM(quadratic_distance_to_a_line_shrinks)
+{
+    num P[3 * dim], q[dim], u[dim], v[dim], w[dim], e[dim], x[dim], one = from_int(1);
+    num beta = unknown(T, "beta", 0), t = parameter(T, "t"), s = sub(one, t);
+    G(free_points)(T, 2, dim, P);
+    G(shape_point)(2, dim, P, beta, t, q);
+    for (int c = 0; c < dim; c++) {
+        u[c] = sub(P[dim + c], P[c]);
+        v[c] = sub(P[2 * dim + c], P[c]);
+        w[c] = sub(q[c], P[c]);
+        e[c] = sub(P[2 * dim + c], P[dim + c]);
+        x[c] = sub(q[c], P[dim + c]);
+    }
+    num area = G(cross2)(u, v), at_2 = mul(mul(t, t), sub(one, mul(beta, s)));
+    num at_0 = mul(mul(s, s), sub(one, mul(beta, t)));
+    same(T, G(cross2)(u, w), mul(T->planted ? at_0 : at_2, area));
+    same(T, G(cross2)(e, x), mul(T->planted ? at_2 : at_0, area));
+}
+
+CLAIM(quadratic_distance_to_an_end_shrinks)
+{
+    num u[dim], v[dim], w[dim], d[dim], t = parameter(T, "t");
+    num lambda = unknown(T, "l", 0), mu = unknown(T, "m", 0);
+    for (int c = 0; c < dim; c++) {
+        u[c] = unknown(T, "u", c);
+        v[c] = unknown(T, "v", c);
+        w[c] = add(mul(lambda, u[c]), mul(mu, v[c]));
+        d[c] = sub(u[c], mul(t, v[c]));
+    }
+    num uu = G(dot)(dim, u, u), uv = G(dot)(dim, u, v), gram = G(gram)(dim, u, v);
+    num right = mul(G(dot)(dim, u, w), sub(uu, mul(t, uv)));
+    right = sub(right, mul(T->planted ? mu : mul(t, mu), gram));
+    same(T, mul(uu, G(dot)(dim, d, w)), right);
+}
+
+CLAIM(straight_points_are_run_through_unevenly)
+{
+    int n = T->degree;
+    num beta = unknown(T, "beta", 0), t = parameter(T, "t"), s = sub(from_int(1), t), B[MAX_DEGREE + 1];
+    num sum = from_int(0);
+    G(shape_basis)(n, beta, t, B);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(from_ratio(i, n), B[i]));
+    num bend = mul(mul(beta, mul(s, t)), sub(s, t));
+    same(T, sum, add(t, T->planted ? bend : div(bend, from_int(n))));
+}
+
+#if RATIONAL
+CLAIM(cubic_of_larger_beta_is_farther)
+{
+    static const int at[] = {1, 0, -2, 0, 0, 1, -2, -2};
+    num P[4 * dim], one = from_int(1), beta[2] = {from_int(T->planted), from_int(!T->planted)};
+    G(integer_points)(4, at, P);
+    about(T, "the larger beta is not farther from the polygon");
+    int far = G(somewhere_farther_than)(3, P, beta[1], from_ratio(1, 16));
+    agree(T, !(far && G(larger_is_farther)(T, 3, P, from_int(0), one, from_ratio(1, 25))));
+    int away[2] = {0, 0};
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i <= 3; i++)
+            away[k] += G(curve_stays_away)(G(path_of)(3, P, beta[k]), P + i * dim, one);
+    about(T, "no control point is farther from the curve of the larger beta");
+    agree(T, !(away[0] == 0 && away[1] > 0));
+}
+
+CLAIM(convex_cubic_of_larger_beta_is_farther)
+{
+    static const int at[] = {2, 4, -1, -4, 1, -4, 2, 3};
+    num P[4 * dim];
+    G(integer_points)(4, at, P);
+    about(T, "the polygon is not convex, or the larger beta is not farther");
+    int worse = G(larger_is_farther)(T, 3, P, from_int(0), from_int(1), from_ratio(16, 25));
+    agree(T, !(polygon_is_convex(3, P, 1, NULL) && worse));
+}
+#endif
+#include "chapters/frame/claims_off.h"

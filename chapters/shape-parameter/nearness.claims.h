@@ -1,0 +1,129 @@
+/*
+# Closer to the polygon? (逼近性)
+
+A curve may be near its polygon in several senses: the largest distance of a point of the curve from the polygon; the
+largest distance of a control point from the curve; the distance of the point of one $t$.  In the first two senses a larger
+$\beta$ can make the curve worse, in the true range of $\beta$ and even for a convex polygon.
+
+:::{statement} deng-zhang-2022:property-3.5
+:title: The larger beta, the closer the curve to its polygon
+:zh: β 越大越逼近控制多边形
+:printed: when $\beta$ grows the curve approximates the control polygon better
+:refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
+:class: false
+:corrected: for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
+  $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
+  triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; for $n=2$, and in general only then, no
+  point moves away from the polygon while $-2\le\beta\le1$
+:corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
+  quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+:figure: closer_or_not
+:striking: 11
+
+The first refutation is for both senses at once.  Three points and a cubic are treated in `every-degree`.
+:::
+
+:::{statement} deng-zhang-2022:property-3.5-bezier
+:title: The curve is closer to its polygon than the Bézier curve of degree seven
+:zh: 比七次 Bezier 曲线更优
+:printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
+:refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
+:class: false
+:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $0<\beta\le1$ it holds
+  for some polygons and fails for others, convex ones among them; for $n=2$ it is true for $0<\beta\le1$
+:corrected-by: beta_zero_gives_the_bezier_curve quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+:figure: closer_or_not
+:::
+
+:::{statement} deng-zhang-2022:property-3.5-c-bezier
+:title: The curve is closer than the C-Bézier curve of degree seven
+:zh: 比七次 C-Bezier 曲线更优
+:printed: so the curve approximates better than the C-Bézier curve of degree seven
+:reading: larger_beta_takes_the_curve_away_from_its_polygon | C-Bézier for Bézier, as the word "so" suggests: false
+:reading: C-Bézier curves, built with sines and cosines: neither defined nor compared in the text, so that nothing is there
+  to be decided; as their parameter goes to 0 they become Bézier curves
+
+The conclusion "so" has no premise about C-Bézier curves.
+:::
+
+:::{claim} larger_beta_takes_the_curve_away_from_its_polygon
+:title: A larger beta takes a curve away from its polygon, in two senses at once
+:zh: β 增大而曲线远离控制多边形
+:kind: counterexample
+:given: $P=(-1,-1),(2,0),(2,-2),(1,-2),(1,-2),(0,0),(2,2),(2,1)$, $\beta=0$ and $\beta=1$, corrected functions
+:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{23}{50}$, for $\beta=1$ some point is
+  farther; for $\beta=0$ every control point is nearer to the curve than $R$, $R^2=\frac{21}{25}$, for $\beta=1$ one is farther
+:method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by the signs of three
+  polynomials (the foot on the edge, the distance to its line).  Farther: one rational $t$ and all seven edges; for a control
+  point the sign of $|q(t)-P_i|^2-R^2$ on $[0,1]$.
+:control: the two values of $\beta$ exchanged
+:::
+
+:::{claim} larger_beta_is_worse_for_a_convex_polygon
+:title: From the left end of the range to its right end a curve goes away from its convex polygon
+:zh: 凸多边形:β 由 -21/4 增至 1 时曲线远离多边形
+:kind: counterexample
+:given: the convex polygon $(-1,-2),(2,0),(3,1),(4,3),(-2,4),(-4,-2),(-4,-3),(-3,-3)$, $\beta=-\frac{21}4$ and $\beta=1$,
+  corrected functions
+:then: for $\beta=-\frac{21}4$ every point of the curve is nearer to the polygon than 2, for $\beta=1$ some point is farther
+:method: As before; `hull.h` decides that the polygon is convex.
+:control: the two values of $\beta$ exchanged
+:::
+
+:::{claim} convex_polygon_prefers_the_bezier_curve
+:title: A convex polygon to which the Bézier curve is closer
+:zh: 凸多边形:七次 Bezier 曲线更近
+:kind: counterexample
+:given: the convex polygon $(-3,-3),(-3,-4),(-2,-4),(5,0),(4,5),(3,5),(2,4),(-2,-1)$, $\beta=0$ and $\beta=1$, corrected functions
+:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{93}{20}$, for $\beta=1$ some point is
+  farther
+:method: As before.
+:control: the two values of $\beta$ exchanged
+:::
+*/
+#include "exact/hull.h"
+
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
+
+#include "chapters/frame/claims_on.h"
+
+#if RATIONAL
+CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
+{
+    static const int at[] = {-1, -1, 2, 0, 2, -2, 1, -2, 1, -2, 0, 0, 2, 2, 2, 1};
+    num P[8 * dim], small = from_int(T->planted), large = from_int(!T->planted), R_squared = from_ratio(21, 25);
+    G(integer_points)(8, at, P);
+    about(T, "the larger beta is not farther from the polygon");
+    agree(T, !G(larger_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(23, 50)));
+    struct G(path) before = G(path_of)(7, P, small), after = G(path_of)(7, P, large);
+    int away_before = 0, away_after = 0;
+    for (int i = 0; i <= 7; i++) {
+        away_before += G(curve_stays_away)(before, P + i * dim, R_squared);
+        away_after += G(curve_stays_away)(after, P + i * dim, R_squared);
+    }
+    about(T, "no control point is farther from the curve of the larger beta");
+    agree(T, !(away_before == 0 && away_after > 0));
+}
+
+CLAIM(larger_beta_is_worse_for_a_convex_polygon)
+{
+    static const int at[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2, -4, -3, -3, -3};
+    num P[8 * dim];
+    G(integer_points)(8, at, P);
+    about(T, "the polygon is not convex, or the larger beta is not farther");
+    int worse = G(larger_is_farther)(T, 7, P, from_ratio(-21, 4), from_int(1), from_int(4));
+    agree(T, !(polygon_is_convex(7, P, 1, NULL) && worse));
+}
+
+CLAIM(convex_polygon_prefers_the_bezier_curve)
+{
+    static const int at[] = {-3, -3, -3, -4, -2, -4, 5, 0, 4, 5, 3, 5, 2, 4, -2, -1};
+    num P[8 * dim];
+    G(integer_points)(8, at, P);
+    about(T, "the polygon is not convex, or the larger beta is not farther");
+    int worse = G(larger_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(93, 20));
+    agree(T, !(polygon_is_convex(7, P, 1, NULL) && worse));
+}
+#endif
+#include "chapters/frame/claims_off.h"

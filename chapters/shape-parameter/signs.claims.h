@@ -1,0 +1,354 @@
+/*
+# Signs, maxima, and slopes (非负性、单峰性、对 β 的单调性)
+
+## Nonnegativity (非负性)
+
+Function $i$ has the sign of $\nu_is+\varphi_it$ in $(0,1)$.  So it is nonnegative exactly when $\nu_i\ge0$ and
+$\varphi_i\ge0$, and these are sixteen inequalities in $\beta$.  Those of $i=0$ and $i=7$ say $\beta\le1$, those of $i=1$ and
+$i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $21+4\beta\ge0$.
+
+:::{statement} deng-zhang-2022:property-2.1
+:title: The functions are not negative
+:zh: 非负性，式 (2)
+:printed: $\hat B_i(t)\ge0$ for $i=0,\dots,7$, $t\in[0,1]$, $-7\le\beta\le1$
+:refuted-by: third_function_is_negative
+:class: false
+:corrected: all eight functions, printed or corrected, are nonnegative on $[0,1]$ exactly for $-\frac{21}4\le\beta\le1$
+:corrected-by: nonnegative_exactly_in_the_range
+:figure: negative_function
+:striking: 8
+
+For degrees up to five the range $-n\le\beta\le1$ would have been right: see `every-degree`.
+:::
+
+:::{claim} third_function_is_negative
+:title: At beta = -7 the third function is negative near t = 0
+:zh: β=-7 时 B_2 在 t=0 附近为负
+:kind: counterexample
+:given: $\beta=-7$, $t=\frac1{10}$
+:then: $\hat B_2(t)=(21-28+\frac{63}{10})(\frac9{10})^5(\frac1{10})^2<0$
+:method: The value of the printed formula; it is the corrected one too.
+:control: $\beta=-\frac{21}4$
+:::
+
+:::{claim} nonnegative_exactly_in_the_range
+:title: The functions are nonnegative exactly for beta from -21/4 to 1
+:zh: 非负的充要条件 -21/4≤β≤1
+:kind: decision
+:given: all real $\beta$, the printed and the corrected functions
+:then: all $\nu_i\ge0$, $\varphi_i\ge0$ for $-\frac{21}4\le\beta\le1$; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
+  larger $\beta$
+:method: The sixteen factors are linear polynomials in $\beta$; their signs are decided on the interval, those of $\nu_2$ and
+  $\varphi_0$ on the two half-lines by their roots and slopes.
+:control: the interval begins at $-7$
+:::
+*/
+#include "exact/roots.h"
+
+#include "chapters/shape-parameter/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+#if RATIONAL
+CLAIM(third_function_is_negative)
+{
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7), t = from_ratio(1, 10), B[8];
+    G(shape_basis_printed)(beta, t, B);
+    show(T, "beta", beta);
+    show(T, "t", t);
+    show(T, "B_2(t)", B[2]);
+    about(T, "B_2(t) >= 0");
+    nonnegative(T, B[2]);
+}
+
+CLAIM(nonnegative_exactly_in_the_range)
+{
+    num low = T->planted ? from_int(-7) : from_ratio(-21, 4), high = from_int(1);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        for (int i = 0; i <= 7; i++)
+            agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+        agree(T, is_zero_q(poly_value(near[2], low)) && sign_q(poly_coefficient(near[2], 1)) > 0);
+        agree(T, is_zero_q(poly_value(far[0], high)) && sign_q(poly_coefficient(far[0], 1)) < 0);
+    }
+}
+#endif
+
+/*
+## One maximum (单峰性)
+
+The derivative of function $i$, $1\le i\le n-1$, is $s^{n-i-1}t^{i-1}$ times
+
+$$i\,\nu_i\,s^2+\bigl((i+1)\varphi_i-(n+1-i)\nu_i\bigr)st-(n-i)\,\varphi_i\,t^2.$$
+
+By the rule of Descartes, in the form for the interval, its roots in $(0,1)$ are as many as the changes of sign in the
+three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, there is exactly one change, from plus to minus.
+
+:::{statement} deng-zhang-2022:property-2.5
+:title: Each function has one local maximum
+:zh: 单峰性
+:printed: every one of the eight functions has one local maximum on $[0,1]$, $-7\le\beta\le1$
+:refuted-by: third_function_has_two_maxima
+:class: false
+:corrected: for $-\frac{21}4\le\beta\le1$ each function, printed or corrected, has exactly one local maximum on $[0,1]$ and
+  no inner local minimum; for $-7\le\beta<-\frac{21}4$ this is so for all but $B_2$ and $B_5$, which fall below 0 first and
+  have one inner maximum and one at an end
+:corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
+  third_function_falls_then_rises_below_the_range
+:reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$: then
+  one for every $\beta$ in $-7\le\beta\le1$
+:figure: negative_function
+
+$B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ the maximum of $B_0$ is inside.
+:::
+
+:::{statement} deng-zhang-2022:property-2.5-proof
+:title: One maximum is seen from figure 1 and verified by the derivatives
+:zh: 单峰性的论证
+:printed: this can be judged from figure 1 and verified by differentiating the functions
+:refuted-by: third_function_has_two_maxima
+:class: invalid-proof
+:corrected: figure 1 has one value of $\beta$, $-1$, for which it is right; the derivatives verify it for
+  $-\frac{21}4\le\beta\le1$ and refute it below
+:corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
+:::
+
+:::{claim} derivative_of_a_function_factors
+:title: The derivative is a product of powers and a quadratic polynomial
+:zh: 基函数导数的分解
+:given: any $\nu$ and $\varphi$, $F=(\nu s+\varphi t)s^{n-i}t^i$, $1\le i\le n-1$
+:then: $F'=s^{n-i-1}t^{i-1}\bigl(i\nu s^2+((i+1)\varphi-(n+1-i)\nu)st-(n-i)\varphi t^2\bigr)$; and for $i=0$,
+  $F'=s^{n-1}\bigl((\varphi-(n+1)\nu)s-n\varphi t\bigr)$
+:method: The derivative of the Bézier polynomial with the two coefficients of $F$ against the products; $\nu$, $\varphi$ and $t$
+  are variables.
+:degrees: 2..9 sampled 14
+:control: the factor $i+1$ replaced by $i$
+:::
+
+:::{claim} each_function_rises_then_falls
+:title: In the true range every function rises and then falls
+:zh: -21/4≤β≤1 时单峰
+:kind: decision
+:given: $-\frac{21}4\le\beta\le1$, the printed and the corrected functions
+:then: for $i=1,\dots,6$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative
+  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-8\nu_0<0$ and $-7\varphi_0\le0$, for
+  all $-7\le\beta\le1$, so that $B_0$ falls; $B_7$ is its mirror image
+:method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
+  $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
+  root at 1.
+:control: the interval begins at $-7$
+:::
+
+:::{claim} third_function_falls_then_rises_below_the_range
+:title: Below the range two functions have an inner minimum too, all have one inner maximum
+:zh: -7≤β<-21/4 时的极值
+:kind: decision
+:given: $-7\le\beta<-\frac{21}4$, the corrected and the printed functions
+:then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum, one inner
+  maximum, and a local maximum at $t=0$; for $i=1,3,4$ still $\nu_i,\varphi_i\ge0$ and not both $0$
+:method: Signs of linear polynomials on $[-7,-\frac{21}4]$.  The coefficients of the quadratic factor for $i=2$ are
+  $2\nu_2<0$, $3\varphi_2-6\nu_2>0$, $-5\varphi_2<0$: none or two roots, and two because $B_2$ takes both signs and vanishes at
+  both ends.  $B_5$ is the mirror image.
+:control: the interval $[-7,-5]$
+:::
+
+:::{claim} third_function_has_two_maxima
+:title: At beta = -7 the third function has two local maxima on [0,1]
+:zh: β=-7 时 B_2 在 [0,1] 上有两个局部极大值
+:kind: counterexample
+:given: $\beta=-7$, $\hat B_2=(-7+63t)(1-t)^5t^2$
+:then: the derivative is negative near $t=0$ and has two simple roots in $(0,1)$: local maxima on $[0,1]$ are $t=0$ and the
+  second root
+:method: The roots of the exact derivative are counted, and its sign near 0 is that of its first coefficient that is not 0.
+:control: $\beta=-1$, the value of figure 1
+:::
+*/
+CLAIM(derivative_of_a_function_factors)
+{
+    int n = T->degree;
+    num near = unknown(T, "v", 0), far = unknown(T, "w", 0), t = parameter(T, "t"), s = sub(from_int(1), t);
+    for (int i = 0; i < n; i++) {
+        num column[MAX_DEGREE + 2], D[2], value;
+        for (int k = 0; k <= n + 1; k++)
+            column[k] = from_int(0);
+        column[i] = div(near, G(choose)(n + 1, i));
+        column[i + 1] = div(far, G(choose)(n + 1, i + 1));
+        G(bezier_derivatives)(n + 1, 1, column, t, 1, D);
+        int up = T->planted ? i : i + 1;
+        num last = mul(from_int(-(n - i)), far);
+        if (i == 0) {
+            num first = sub(mul(from_int(up), far), mul(from_int(n + 1), near));
+            value = mul(G(product_of_powers)(n - 1, 0, t), add(mul(first, s), mul(last, t)));
+        } else {
+            num first = mul(from_int(i), near), middle = sub(mul(from_int(up), far), mul(from_int(n + 1 - i), near));
+            num quadratic = add(mul(first, mul(s, s)), add(mul(middle, mul(s, t)), mul(last, mul(t, t))));
+            value = mul(G(product_of_powers)(n - i - 1, i - 1, t), quadratic);
+        }
+        same(T, D[1], value);
+    }
+}
+
+#if RATIONAL
+CLAIM(each_function_rises_then_falls)
+{
+    num low = T->planted ? from_int(-7) : from_ratio(-21, 4), high = from_int(1), seven = from_int(-7);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        for (int i = 1; i <= 6; i++) {
+            agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+            agree(T, sign_on(poly_add(near[i], far[i]), low, high, CLOSED) == SIGN_POSITIVE);
+        }
+        poly first = poly_sub(far[0], poly_scale(near[0], from_int(8)));
+        agree(T, G(never_negative)(poly_neg(first), seven, high) && G(never_negative)(far[0], seven, high));
+        agree(T, sign_on(poly_sub(far[0], first), seven, high, CLOSED) == SIGN_POSITIVE);
+    }
+}
+
+CLAIM(third_function_falls_then_rises_below_the_range)
+{
+    num low = from_int(-7), high = T->planted ? from_int(-5) : from_ratio(-21, 4);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        agree(T, sign_on(near[2], low, high, OPEN_RIGHT) == SIGN_NEGATIVE);
+        agree(T, sign_on(far[2], low, high, CLOSED) == SIGN_POSITIVE);
+        for (int i = 1; i <= 6; i++)
+            if (i != 2 && i != 5) {
+                agree(T, G(never_negative)(near[i], low, high) && G(never_negative)(far[i], low, high));
+                agree(T, sign_on(poly_add(near[i], far[i]), low, high, CLOSED) == SIGN_POSITIVE);
+            }
+    }
+}
+
+CLAIM(third_function_has_two_maxima)
+{
+    num beta = from_int(T->planted ? -1 : -7);
+    poly D = poly_derivative(G(function)(1, 7, 2, beta));
+    struct root_count roots = count_roots(D, from_int(0), from_int(1), OPEN);
+    int falls_first = 0;
+    for (int k = poly_degree(D); k >= 0; k--)
+        if (!is_zero_q(poly_coefficient(D, k)))
+            falls_first = sign_q(poly_coefficient(D, k)) < 0;
+    show(T, "beta", beta);
+    show_text(T, "derivative of B_2", "%s", poly_to_string(D, "t"));
+    show_text(T, "its roots in (0,1)", "%d", roots.distinct);
+    about(T, "one local maximum on [0,1]: the inner ones and t = 0 together");
+    agree(T, falls_first + (roots.crossings + !falls_first) / 2 == 1);
+}
+#endif
+
+/*
+## Monotone in the parameter (对 β 的单调性)
+
+For fixed $t$ every function is linear in $\beta$, with the slope $(a_is-a_{i+1}t)s^{n-i}t^i$.  The slope changes its sign at
+$t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
+
+:::{statement} deng-zhang-2022:property-2.6
+:title: How the functions depend on beta
+:zh: 对 β 的单调性
+:printed: for fixed $t$, $\hat B_0(t)$ and $\hat B_7(t)$ decrease with $\beta$, and $\hat B_1(t),\dots,\hat B_6(t)$ increase
+:refuted-by: second_function_decreases
+:class: false
+:corrected: for $0<t<1$: $B_0$ and $B_7$ decrease; $B_1$ increases exactly for $t<\frac15$, $B_2$ for $t<\frac49$, $B_5$ for
+  $t>\frac59$, $B_6$ for $t>\frac45$, and beyond these points they decrease; the corrected $B_3$ and $B_4$ increase.  Of the
+  printed ones $\hat B_4$ increases, $\hat B_3$ only for $t<\frac59$
+:corrected-by: slopes_in_beta signs_of_the_slopes
+:figure: slopes_in_beta
+:striking: 9
+
+With the sum 1, seven functions cannot behave as printed without a reason; here four of them do not.
+:::
+
+:::{claim} second_function_decreases
+:title: At t = 1/2 the second function decreases with beta
+:zh: t=1/2 时 B_1 随 β 递减
+:kind: counterexample
+:given: $t=\frac12$, $\beta=0$ and $\beta=1$
+:then: $\hat B_1(t)$ is $\frac7{128}$ for $\beta=0$ and $\frac{11}{256}$ for $\beta=1$
+:method: Both values of the printed formula; their difference is asked to be nonnegative.
+:control: $t=\frac16$
+:::
+
+:::{claim} slopes_in_beta
+:title: The functions are linear in beta
+:zh: 基函数关于 β 是线性的
+:given: any $\beta$, $h$ and $t$
+:then: $\hat B_i$ at $\beta+h$ minus $\hat B_i$ at $\beta$ is $h(b_i+c_it)s^{7-i}t^i$ with $b=(0,1,4,5,0,-5,-4,-1)$,
+  $c=(-1,-5,-9,-9,1,9,5,1)$; for the corrected functions $c_3=-5$, $c_4=5$
+:method: The kernels at $\beta+h$ and $\beta$, all variables.
+:control: $b_1=-1$
+:::
+
+:::{claim} signs_of_the_slopes
+:title: Where each function increases with beta
+:zh: 各基函数随 β 的增减区间
+:kind: decision
+:given: the slopes $b_i+c_it$, $0<t<1$
+:then: negative for $i=0,7$; positive, then negative for $i=1$ and $2$ with the change at $\frac15$ and $\frac49$, for the printed
+  $i=3$ at $\frac59$; negative, then positive for $i=5,6$ with the change at $\frac59$ and $\frac45$; positive for $i=4$ and for
+  the corrected $i=3$
+:method: The slopes are the differences of the factors at $\beta=1$ and $\beta=0$; the sign of a linear polynomial on the two
+  intervals.
+:control: the change for $i=1$ at $\frac16$
+:::
+*/
+#if RATIONAL
+CLAIM(second_function_decreases)
+{
+    num t = T->planted ? from_ratio(1, 6) : from_ratio(1, 2), before[8], after[8];
+    G(shape_basis_printed)(from_int(0), t, before);
+    G(shape_basis_printed)(from_int(1), t, after);
+    show(T, "t", t);
+    show(T, "B_1(t), beta = 0", before[1]);
+    show(T, "B_1(t), beta = 1", after[1]);
+    about(T, "B_1(t) does not decrease");
+    nonnegative(T, sub(after[1], before[1]));
+}
+#endif
+
+CLAIM(slopes_in_beta)
+{
+    static const int b[8] = {0, 1, 4, 5, 0, -5, -4, -1}, c[8] = {-1, -5, -9, -9, 1, 9, 5, 1};
+    num beta = unknown(T, "beta", 0), h = unknown(T, "h", 0), t = parameter(T, "t"), low[2][8], high[2][8];
+    G(shape_basis)(7, beta, t, low[0]);
+    G(shape_basis)(7, add(beta, h), t, high[0]);
+    G(shape_basis_printed)(beta, t, low[1]);
+    G(shape_basis_printed)(add(beta, h), t, high[1]);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
+        for (int i = 0; i <= 7; i++) {
+            int ci = printed_ones ? c[i] : i == 3 ? -5 : i == 4 ? 5 : c[i], bi = T->planted && i == 1 ? -1 : b[i];
+            num slope = mul(add(from_int(bi), mul(from_int(ci), t)), G(product_of_powers)(7 - i, i, t));
+            same(T, sub(high[printed_ones][i], low[printed_ones][i]), mul(h, slope));
+        }
+}
+
+#if RATIONAL
+CLAIM(signs_of_the_slopes)
+{
+    /* Where the sign changes, as a fraction, and the sign before it; 0/1: nowhere. */
+    static const int corrected[8][3] = {{0, 1, -1}, {1, 5, 1},  {4, 9, 1},  {0, 1, 1},
+                                        {0, 1, 1},  {5, 9, -1}, {4, 5, -1}, {0, 1, -1}};
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        for (int i = 0; i <= 7; i++) {
+            num b = poly_coefficient(near[i], 1), c = sub(poly_coefficient(far[i], 1), b);
+            poly slope = poly_from_q(2, (num[]){b, c});
+            int printed_third = printed_ones && i == 3;
+            int m = printed_third ? 5 : corrected[i][0], of = printed_third ? 9 : corrected[i][1];
+            num change = from_ratio(m, T->planted && i == 1 ? 6 : of);
+            enum sign_pattern before = corrected[i][2] > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
+            enum sign_pattern after = before == SIGN_POSITIVE ? SIGN_NEGATIVE : SIGN_POSITIVE;
+            if (is_zero_q(change)) {
+                agree(T, sign_on(slope, from_int(0), from_int(1), OPEN) == before);
+            } else {
+                agree(T, sign_on(slope, from_int(0), change, OPEN) == before);
+                agree(T, sign_on(slope, change, from_int(1), OPEN) == after);
+            }
+        }
+    }
+}
+#endif
+#include "chapters/frame/claims_off.h"
