@@ -105,7 +105,7 @@ int write_junit(const char *path, const claim_result *results, int count);
 void print_json(json_t *document);         /* prints and releases; reals are times, of 6 digits           */
 void print_json_exactly(json_t *document); /* the same; reals are results, of 17 digits                  */
 
-/* The counterexample, or whatever the claim shows, in one line: "n = 2; w = (1) (2) (1); ...". */
+/* The counterexample, or whatever the claim shows, in one line: "n = 2; w = 1, 2, 1; ...". */
 char *exhibits_line(const claim_result *r);
 const type_result *speaking_type(const claim_result *r); /* whose exhibits speak for the claim      */
 

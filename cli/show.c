@@ -56,9 +56,11 @@ static void prose(const char *text)
     }
 }
 
+/* A formula in TeX; or a sentence, which has its formulas between dollar signs, or none of the signs of TeX. */
 static void formula(const char *tex)
 {
-    char *plain = tex_to_text(tex, strchr(tex, '$') != NULL);
+    int sentence = strchr(tex, '$') != NULL || strpbrk(tex, "\\_^=") == NULL;
+    char *plain = tex_to_text(tex, sentence);
     put_paragraph(stdout, plain, INDENT, WIDTH);
     free(plain);
 }

@@ -187,9 +187,15 @@ static void set_heading(svg *s, struct layout *y, int k)
     const struct panel *p = &s->panel[k];
     struct string *out = &y->around[k];
     bool sign = p->heading_role == SVG_WRONG || p->heading_role == SVG_RIGHT;
-    long shift = sign ? 900 : 0, base = -y->above;
-    long width =
-        put_text(s, out, y->half[k] + shift, base, SVG_MIDDLE, KIND_HEADING, p->heading_role, false, p->heading);
+    long base = -y->above;
+    struct string draft = {0};
+    long width = put_markup(&draft, p->heading, false, HEADING_SIZE), shift = sign ? 900 : 0;
+    free(draft.at);
+    if (sign) /* begins behind its mark, however wide the reader's letters are */
+        put_text(s, out, y->half[k] + shift - width / 2, base, SVG_START, KIND_HEADING, p->heading_role, false,
+                 p->heading);
+    else
+        put_text(s, out, y->half[k], base, SVG_MIDDLE, KIND_HEADING, p->heading_role, false, p->heading);
     long x = y->half[k] - width / 2 - 600, mid = base - 450;
     const char *class = role_class(s, p->heading_role);
     if (p->heading_role == SVG_RIGHT)

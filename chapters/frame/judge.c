@@ -292,8 +292,11 @@ void nonnegative_m(trial *T, num_m a)
         char *text = region_bytes(room + 4), *at = text;                                                               \
         *at = '\0';                                                                                                    \
         for (int k = 0; k < count * dim; k++)                                                                          \
-            at += sprintf(at, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", text_##S(R[k]),                    \
-                          k % dim == dim - 1 ? ")" : "");                                                              \
+            if (dim == 1)                                                                                              \
+                at += sprintf(at, "%s%s", k > 0 ? ", " : "", text_##S(R[k]));                                          \
+            else                                                                                                       \
+                at += sprintf(at, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", text_##S(R[k]),                \
+                              k % dim == dim - 1 ? ")" : "");                                                          \
         show_text(T, name, "%s", text);                                                                                \
     }
 SHOWN(f)

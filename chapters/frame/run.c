@@ -189,9 +189,27 @@ static evidence evidence_of(const claim *c, number_type t)
     return c->kind == IDENTITY ? by_type[t] : DECIDED;
 }
 
-/* "t w0 R0 w1 R1" -> "t, w0..w1, R0..R1": the variables by their letters. */
+static int is_word(const char *word, size_t n, const char *words)
+{
+    for (size_t m; *words != '\0'; words += m + (words[m] == ' ')) {
+        m = strcspn(words, " ");
+        if (m == n && strncmp(words, word, n) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+static int has_index(const char *letters, int index, const char *names)
+{
+    char name[FIELD_MAX_NAME + 16];
+    int n = snprintf(name, sizeof name, "%s%d", letters, index);
+    return is_word(name, (size_t)n, names);
+}
+
+/* "t w0 R0 w1 w3" -> "t, w0..w1, w3, R0": the variables by their letters. */
 static char *put_variables(char *at, const char *names)
 {
+    const char *all = names;
     char letters[FIELD_MAX_VARIABLES][FIELD_MAX_NAME + 1];
     int low[FIELD_MAX_VARIABLES], high[FIELD_MAX_VARIABLES], count = 0;
     while (*names != '\0') {
@@ -210,21 +228,19 @@ static char *put_variables(char *at, const char *names)
         names += n + (names[n] == ' ');
     }
     for (int k = 0; k < count; k++) {
-        at += sprintf(at, "%s%s", k > 0 ? ", " : "", letters[k]);
-        if (low[k] >= 0)
-            at += low[k] == high[k] ? sprintf(at, "%d", low[k]) : sprintf(at, "%d..%s%d", low[k], letters[k], high[k]);
+        if (low[k] < 0)
+            at += sprintf(at, "%s%s", k > 0 ? ", " : "", letters[k]);
+        for (int first = low[k], last; first >= 0 && first <= high[k]; first = last + 1) {
+            for (last = first; has_index(letters[k], last + 1, all);)
+                last++;
+            at += sprintf(at, "%s%s%d", k > 0 || first > low[k] ? ", " : "", letters[k], first);
+            if (last > first)
+                at += sprintf(at, "..%s%d", letters[k], last);
+            while (last < high[k] && !has_index(letters[k], last + 1, all))
+                last++;
+        }
     }
     return at;
-}
-
-static int is_word(const char *word, size_t n, const char *words)
-{
-    for (size_t m; *words != '\0'; words += m + (words[m] == ' ')) {
-        m = strcspn(words, " ");
-        if (m == n && strncmp(words, word, n) == 0)
-            return 1;
-    }
-    return 0;
 }
 
 /* "every value of t, R0..R3 and every positive value of w0..w3": the variables of b, those apart that were

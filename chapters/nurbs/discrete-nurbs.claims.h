@@ -20,8 +20,39 @@ on discrete B-splines, 2.10, is not in the text at hand; its $\alpha$ are read a
 :checked-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :figure: nurbs_polygons_converge
 
-Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
+Printed is $\Gamma_\iota^{(T)}(T')$, see the next entry.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
 $i=j$ and $0$ otherwise.
+:::
+
+:::{statement} wang-ch4:notation-order
+:title: The order as index of curve and polygon
+:zh: 曲线与多边形记号中的阶数下标
+:printed: In 4.1 the discrete curve of order $k$ is $\Gamma_\iota^{(T)}(T')$; in lemma 4.2.1 the polygon of order $k$ is
+  $\Gamma^{(T\oplus T')}(\Phi)$; in lemma 4.2.2 the NURBS curve is $r_t(t)$
+:class: misprint
+:refuted-by: three_names_lack_the_order
+:corrected: $\Gamma_k^{(T)}(T')$, $\Gamma_k^{(T\oplus T')}(\Phi)$ and $r_k(t)$
+:corrected-by: names_carry_the_order
+:::
+
+:::{claim} three_names_lack_the_order
+:title: Three names have another index than the order
+:zh: 三处记号的下标不是阶数
+:kind: counterexample
+:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ and $r_k$ everywhere else in 4.1 and 4.2
+:then: none of the three is $k$
+:method: Index by index.
+:control: the three indices corrected
+:::
+
+:::{claim} names_carry_the_order
+:title: With the three indices corrected the names are those of the other formulas
+:zh: 更正后记号一致
+:kind: decision
+:given: the three indices, corrected
+:then: each is $k$
+:method: Index by index.
+:control: the indices as printed
 :::
 
 :::{statement} wang-ch4:formula-4.1.6
@@ -32,8 +63,8 @@ $i=j$ and $0$ otherwise.
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :needs: negative_weight_loses_a_new_point | positive weights: otherwise a new weight may be $0$, and there is no new point though the
   curve is there
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ to the left of $t_{n+1}$ when that is a $k$-fold knot: otherwise all
-  $\alpha_{i,k}(j)$, $1\le i\le n$, are $0$ for the last points, and (4.1.6) is $0/0$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in the domain, and to the left of $t_{n+1}$ when that is a $k$-fold knot:
+  otherwise all $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
 :figure: nurbs_polygons_converge
 
 With positive weights all new weights lie between the least and the greatest of the old ones.
@@ -73,12 +104,12 @@ With positive weights all new weights lie between the least and the greatest of 
 :::{claim} discrete_bsplines_are_shares
 :title: The discrete B-splines of a point are nonnegative and sum up to 1
 :zh: 离散 B 样条非负且和为一
-:given: the same pairs with any positive gaps, all inserted knots in the domain; every $j$ with $v_j$ in the domain
+:given: the same pairs with any positive gaps, all inserted knots in the domain; every new point $j$
 :then: $\alpha_{i,k}(j)\ge0$ and $\sum_{i=1}^n\alpha_{i,k}(j)=1$; so with positive weights $w_j^{(T,T')}$ is between the least and
   the greatest of them
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
 :degrees: 1..3 sampled 4
-:control: the first nonzero one left out of the sum
+:control: the share of $r_1$ left out of the sum
 :::
 */
 #include "chapters/nurbs/definition.h"
@@ -87,10 +118,10 @@ With positive weights all new weights lie between the least and the greatest of 
 #include "chapters/frame/claims_on.h"
 
 /* Pairs T, T' over common values for each degree. */
-static const char *const G(pairs)[][11] = {
+static const char *const G(pairs)[][13] = {
     {NULL},
     {"202", "010", "1111", "0010", "2112", "0100", "2012", "0220", NULL},
-    {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", NULL},
+    {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", "313", "030", NULL},
     {"4004", "0110", "40104", "01010", "4204", "0120", "11111111", "00001000", NULL},
     {"50105", "01010", "50205", "02100", NULL},
 };
@@ -109,6 +140,23 @@ static void G(refine_pair)(const char *old, const char *new, int p, struct G(ref
     r->n = r->count - p - 1;
     r->m = G(knots_at)(sum, r->x, r->v, r->at) - p - 1;
 }
+
+#if RATIONAL
+static int indices_are_the_order(trial *T, int corrected)
+{
+    static const char *const place[] = {"4.1", "lemma 4.2.1", "lemma 4.2.2"}, *const printed[] = {"ι", "", "t"};
+    int all = 1;
+    for (int m = 0; m < 3; m++) {
+        const char *index = corrected ? "k" : printed[m];
+        show_text(T, place[m], "%s", index[0] != '\0' ? index : "no index");
+        all &= strcmp(index, "k") == 0;
+    }
+    about(T, "the index is the order k");
+    return all;
+}
+CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T, T->planted)); }
+CLAIM(names_carry_the_order) { agree(T, indices_are_the_order(T, !T->planted)); }
+#endif
 
 /* Is v_j in the domain, in an interval [v_j, v_{j+1}) of which a point may be named? */
 static int G(in_domain)(int p, const struct G(refinement) * r, int j)
@@ -168,14 +216,11 @@ CLAIM(discrete_bsplines_are_shares)
         G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
         for (int j = 0; j < r.m; j++) {
             num sum = from_int(0);
-            if (!G(in_domain)(p, &r, j))
-                continue;
-            int mu = G(span_of_interval)(r.count, r.place, r.at[j]);
             for (int i = 0; i < r.n; i++) {
                 num a = G(alpha)(p, r.u, r.place, r.v, r.at, i, j);
                 about(T, "the sign of alpha_i(j)");
                 nonnegative(T, a);
-                if (!T->planted || i != mu)
+                if (!T->planted || i > 0)
                     sum = add(sum, a);
             }
             about(T, "the sum of the alpha_i(j)");
@@ -505,11 +550,11 @@ Insert one knot often enough and a new point is the point of the curve.
 :::{statement} wang-ch4:formula-4.1.9
 :title: After the (k-1)-fold insertion of t' a control point is the point of the curve
 :zh: k-1 次嵌入 t' 后,曲线上的点即控制顶点
-:printed: r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})},\quad t'\in(t_\mu,t_{\mu+1}]
+:printed: $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$ for $t'$ of the interval of the theorem, which is read as $(t_\mu,t_{\mu+1}]$
 :holds-by: repeated_insertion_reaches_the_curve
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
-:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=k-k=0$, and there is no $r_0$
+:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no $r_0$
 :reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: true for every
   multiplicity $0,\dots,k$ and at $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
 :reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: for a knot of multiplicity $m$ insert it $k-1-m$
@@ -521,11 +566,25 @@ For $m\ge2$ the printed $k-1$ insertions make $t'$ more than $k$-fold, and some 
 $r_\mu,\dots,r_{\mu+m}$ then coincide if $m\le k-1$.
 :::
 
+:::{statement} wang-ch4:thm-4.1.1-index
+:title: The interval of the theorem
+:zh: 定理 4.1.1 中 t' 所在区间的下标
+:printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
+:class: misprint
+:refuted-by: index_of_another_interval_is_another_point
+:corrected: $t'\in(t_\mu,t_{\mu+1}]$
+:corrected-by: repeated_insertion_reaches_the_curve
+:figure: insertion_to_the_curve
+
+As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1.  The proof of lemma 4.2.1 has $\mu$ in both places.
+:::
+
 :::{statement} wang-ch4:thm-4.1.1
 :title: The discrete structure of NURBS curves
 :zh: NURBS 曲线的离散结构
-:printed: Let $t'\in(t_\mu,t_{\mu+1}]$, $T'=T_1\oplus T_2$, and let the new points and weights be (4.1.6): then (4.1.7), (4.1.8) and (4.1.9)
+:printed: Let $t'\in(t_u,t_{u+1}]$, read as $(t_\mu,t_{\mu+1}]$, $T'=T_1\oplus T_2$, and let the new points and weights be (4.1.6): then (4.1.7), (4.1.8) and (4.1.9)
 :holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in the domain, and to the left of $t_{n+1}$ when that is $k$-fold
 :hypothesis: left_value_at_a_k_fold_knot | for (4.1.9): inside the domain $t'$ is at most a $(k-1)$-fold knot
 :hypothesis: clamped_start_has_no_such_point | for (4.1.9): $t'>t_k$ when $t_k$ is a $k$-fold knot
 :needs: negative_weight_loses_a_new_point | positive weights
@@ -650,6 +709,16 @@ CLAIM(right_value_with_the_other_interval)
 :control: a simple knot in the place of the double one: points $(0,0),(1,1),(3,0)$
 :::
 
+:::{claim} index_of_another_interval_is_another_point
+:title: With the index of another interval the vertex is another point
+:zh: 下标与 t' 所在区间不符时得到另一点
+:kind: counterexample
+:given: $k=3$, $T=\{0,0,0,1,2,2,2\}$, points $(0,0),(0,2),(2,2),(2,0)$, weights $1$; $t'=\frac12\in(t_3,t_4]$, $\mu=4$
+:then: $r_4^{(T,\{t'\}^2)}\ne r(\frac12)$
+:method: (4.1.6) and (4.1.2) by their letter.
+:control: $\mu=3$
+:::
+
 :::{claim} clamped_start_has_no_such_point
 :title: At a k-fold left end the printed index is 0
 :zh: 左端为 k 重节点时所印指标为零
@@ -683,6 +752,29 @@ CLAIM(left_value_at_a_k_fold_knot)
     about(T, "r_mu and the curve");
     for (int c = 0; c < 2; c++)
         same(T, S[2 * (mu - 1) + c], P[c]);
+}
+
+CLAIM(index_of_another_interval_is_another_point)
+{
+    static const int at[] = {0, 0, 0, 2, 2, 2, 2, 0};
+    struct G(refinement) r;
+    num R[8], w[4], S[12], z[6], P[2];
+    int mu = T->planted ? 3 : 4;
+    for (int i = 0; i < 8; i++) {
+        R[i] = from_int(at[i]);
+        w[i / 2] = from_int(1);
+    }
+    for (int i = 0; i < 4; i++) /* 0, 1/2, 1, 2 */
+        r.x[i] = from_ratio(i < 3 ? i : 4, 2);
+    G(refine_pair)("3013", "0200", 2, &r);
+    G(refined_by_definition)(r.n, 2, 2, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
+    G(nurbs_by_definition)(r.n, 2, 2, r.u, r.place, R, w, 1, r.x[1], P);
+    show_points(T, "r", r.n, 2, R);
+    show_text(T, "mu", "%d", mu);
+    show_points(T, "r_mu after the insertions", 1, 2, S + 2 * (mu - 1));
+    show_points(T, "r(1/2)", 1, 2, P);
+    about(T, "r_mu is the point of the curve");
+    agree(T, equal_q(S[2 * mu - 2], P[0]) && equal_q(S[2 * mu - 1], P[1]));
 }
 
 CLAIM(clamped_start_has_no_such_point)

@@ -29,6 +29,14 @@ static inline void G(increasing_knots)(trial *T, int count, num x[])
         x[i] = add(x[i - 1], positive(T, "h", i));
 }
 
+/* Compares: a > 0, which is to say that it is not negative and has a reciprocal. */
+static inline void G(must_be_positive)(trial *T, num a)
+{
+    num one = from_int(1);
+    nonnegative(T, a);
+    same(T, mul(a, div(one, a)), one);
+}
+
 /* The knots of a pattern over the values x, and their places; returns how many there are. */
 static inline int G(knots_at)(const char *pattern, const num x[], num u[], int place[])
 {

@@ -8,7 +8,8 @@ static svg_window window(long x0, long y0, long x1, long y1, long scale)
                         from_ratio_q(y1, scale)};
 }
 
-static const long two_intervals[] = {0, 0, 0, 2, 4, 4, 4}, one_interval[] = {0, 0, 0, 0, 2, 2, 2, 2};
+static const long two_intervals[] = {0, 0, 0, 2, 4, 4, 4}, three_intervals[] = {0, 0, 0, 2, 4, 6, 6, 6},
+                  one_interval[] = {0, 0, 0, 0, 2, 2, 2, 2};
 
 FIGURE(what_convex_must_mean)
 {
@@ -16,12 +17,12 @@ FIGURE(what_convex_must_mean)
         svg_new("what_convex_must_mean", "When the polygon of a NURBS curve is convex",
                 "Left: a polygon that goes from the origin to (1,0), back to the origin and up; as a set it is two "
                 "sides of a triangle, but its curve is not convex. Middle: a polygon that runs round a triangle "
-                "and over a part of its first side again; with one corner cut it is not convex. Right: a "
+                "and over its first side again; with one corner cut it is not convex. Right: a "
                 "polygon that runs through the boundary of a convex set once, and its convex curve.");
-    static const long back[] = {0, 0, 1, 0, 0, 0, 0, 1}, over[] = {0, 0, 2, 0, 0, 2, 1, 0},
+    static const long back[] = {0, 0, 1, 0, 0, 0, 0, 1}, over[] = {0, 0, 2, 0, 0, 2, 0, 0, 2, 0},
                       once[] = {0, 0, 4, 0, 4, 3, 1, 4};
     static const enum svg_direction back_side[] = {SVG_SW, SVG_E, SVG_HERE, SVG_N};
-    static const enum svg_direction over_side[] = {SVG_SW, SVG_E, SVG_N, SVG_S};
+    static const enum svg_direction over_side[] = {SVG_SW, SVG_E, SVG_N, SVG_HERE, SVG_HERE};
     static const enum svg_direction once_side[] = {SVG_SW, SVG_SE, SVG_NE, SVG_N};
     struct nurbs c = nurbs_of(4, 2, back, NULL, two_intervals), cut = with_knot(c, from_ratio_q(3, 2));
     svg_panel(s, window(-1, -1, 6, 6, 5), 230, 0,
@@ -41,12 +42,12 @@ FIGURE(what_convex_must_mean)
     svg_mark(s, nurbs_at(c, from_ratio_q(3, 2)), SVG_WRONG, SVG_USUAL);
     svg_label(s, nurbs_at(c, from_ratio_q(3, 2)), SVG_NE, SVG_WRONG, "r(3/2)");
 
-    c = nurbs_of(4, 2, over, NULL, two_intervals);
+    c = nurbs_of(5, 2, over, NULL, three_intervals);
     cut = with_knot(c, from_ratio_q(1, 2));
     svg_panel(s, window(-2, -2, 12, 12, 5), 230, 0,
-              "$r_4$ is on the edge $r_1r_2$; with the\nknot $1/2$ an edge is inside the hull");
+              "$r_4 = r_1$, $r_5 = r_2$; with the knot $1/2$\nan edge is inside the hull");
     svg_heading(s, SVG_WRONG, "convex as a set, overlapping");
-    svg_area(s, 4, cut.R, SVG_FILL); /* its last point is its second */
+    svg_area(s, 3, c.R, SVG_FILL);
     draw_numbered(s, c, over_side);
     draw_marked(s, cut, SVG_CURVE_2);
     draw_nurbs(s, c, SVG_CURVE);

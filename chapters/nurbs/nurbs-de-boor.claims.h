@@ -335,9 +335,10 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :::{claim} weights_of_levels_are_positive
 :title: The weights of all levels are positive
 :zh: 各层权因子均为正
-:given: every interval between simple knots with positive gaps, $t$ in it, positive weights
+:given: an interval between simple knots with any positive gaps, $t$ in it, positive weights
 :then: $w_i^{[r]}(t)>0$ for all $r$ and $i$ of the ranges
-:method: The recursion by its letter; signs are read off coefficients.
+:method: The recursion by its letter; signs are read off coefficients.  Where knots coincide, and at $t=t_j$: the divisors are positive
+  (`divisors_contain_the_span`), so that a weight is a mean, with factors of $[0,1]$, of two of the level before.
 :degrees: 1..3 sampled 6
 :control: all weights negative
 :::
@@ -392,7 +393,7 @@ CLAIM(weights_of_levels_are_positive)
     num t = add(u[j - 1], mul(sub(u[j], u[j - 1]), inside(T, "s")));
     for (int r = 0; r <= p; r++)
         for (int i = j - k + r + 1; i <= j; i++)
-            nonnegative(T, G(printed_weight)(k, u, w, r, i, t));
+            G(must_be_positive)(T, G(printed_weight)(k, u, w, r, i, t));
 }
 
 CLAIM(weights_enter_the_coefficients)

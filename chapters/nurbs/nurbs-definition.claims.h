@@ -22,8 +22,19 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
   coordinates counts, so that a control point is a point together with its weight
 :figure: nurbs_definition
 
-In the text at hand the first point of the polygon carries the index $i$; it is read as $1$.  The polygon that later sections cut and compare with lines is $r_1r_2\cdots r_n$ in space.  What the definition leaves
-open is in the next entries: whether there is an interval, what happens at its right end, and how multiple a knot may be.
+Printed is another first point of the polygon, see the next entry.  The polygon that later sections cut and compare with lines
+is $r_1r_2\cdots r_n$ in space.  What the definition leaves
+open is in the entries after that: whether there is an interval, what happens at its right end, and how multiple a knot may be.
+:::
+
+:::{statement} wang-ch4:def-4.1.1-polygon
+:title: The first point of the control polygon
+:zh: 控制多边形的首顶点
+:printed: $\tilde r_i\tilde r_2\cdots\tilde r_n$ is the control polygon
+:class: misprint
+:refuted-by: polygon_begun_elsewhere_misses_the_start
+:corrected: $\tilde r_1\tilde r_2\cdots\tilde r_n$
+:corrected-by: clamped_end_is_the_first_point
 :::
 
 :::{statement} wang-ch4:def-4.1.1-interval
@@ -31,24 +42,27 @@ open is in the next entries: whether there is an interval, what happens at its r
 :zh: 节点向量非减即可定义曲线
 :printed: $t_j\le t_{j+1}$ for all $j$, $n\ge k$: the curve is defined for $t_k\le t\le t_{n+1}$
 :holds-by: basis_is_a_partition_of_unity
-:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise every $N_{i,k}$, $1\le i\le n$, is zero on the domain
+:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise the domain is one value of $t$, at which every $N_{i,k}$,
+  $1\le i\le n$, may be zero
 :hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
   $t_{n+1}=\dots=t_{n+k}$: by the half-open intervals of the definition of $N_{i,1}$ all $N_{i,k}$ are zero there
 :figure: missing_end
 :::
 
 :::{statement} wang-ch4:def-4.1.1-multiplicity
-:title: Every control point has a share in the curve
-:zh: 每个控制顶点都影响曲线
-:printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are the control points of the curve
-:holds-by: every_point_counts
-:hypothesis: too_multiple_knot_loses_a_point | every knot is at most $k$-fold: for $t_i=t_{i+k}$ the function $N_{i,k}$ is zero and
-  $r_i$ has no share in the curve
-:hypothesis: multiple_first_knot_loses_a_point | $t_k<t_{k+1}$ and $t_n<t_{n+1}$: otherwise the support of the first or of the last
-  function meets the domain in no interval
+:title: Which control points have a share in the curve
+:zh: 哪些控制顶点影响曲线
+:definition: yes
+:printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are called the control points of the curve
+:checked-by: every_point_counts
+:reading: too_multiple_knot_loses_a_point | knots of any multiplicity, and every point has a share: false; for $t_i=t_{i+k}$ the function
+  $N_{i,k}$ is zero and $r_i$ has no share
+:reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: false without $t_k<t_{k+1}$ and
+  $t_n<t_{n+1}$; else the support of the first or of the last function meets the domain in no interval
+:reading: every_point_counts | with both: every point has a share, and nothing else is asked of the knots
 :figure: idle_point
 
-Not said by the source in these words; a point without influence is hardly a control point.  The curve itself exists.
+The source does not say that every control point counts, and the curve exists when one does not.
 :::
 
 :::{claim} basis_is_a_partition_of_unity
@@ -197,6 +211,16 @@ CLAIM(every_point_counts)
 :control: the third knot moved to $2$
 :::
 
+:::{claim} polygon_begun_elsewhere_misses_the_start
+:title: A polygon that begins with another point than the first does not begin with the curve
+:zh: 多边形首顶点有误时不含曲线起点
+:kind: counterexample
+:given: $k=2$, knots $0,0,1,2,2$, points $(0,0),(1,1),(2,0)$, weights $1$, for which the curve is the polygon; $i=2$
+:then: $r(t_k)=(0,0)$, and the polygon $r_ir_2r_3$ begins in $(1,1)$
+:method: The point of the curve from the definition.
+:control: $i=1$
+:::
+
 :::{claim} negative_weight_makes_a_pole
 :title: With a negative weight the denominator may vanish
 :zh: 权因子为负时分母可为零
@@ -266,6 +290,25 @@ CLAIM(multiple_first_knot_loses_a_point)
     show_points(T, "knots", count, 1, u);
     about(T, "N_1 is not zero somewhere in the domain");
     agree(T, counts);
+}
+
+CLAIM(polygon_begun_elsewhere_misses_the_start)
+{
+    static const int at[] = {0, 0, 1, 1, 2, 0};
+    num x[] = {from_int(0), from_int(1), from_int(2)}, u[5], w[3], R[6], P[2];
+    int place[5], i = T->planted ? 1 : 2;
+    G(knots_at)("212", x, u, place);
+    for (int m = 0; m < 6; m++) {
+        R[m] = from_int(at[m]);
+        w[m / 2] = from_int(1);
+    }
+    G(nurbs_by_definition)(3, 1, 2, u, place, R, w, 0, x[0], P);
+    show_points(T, "r", 3, 2, R);
+    show_text(T, "i", "%d", i);
+    show_points(T, "r_i", 1, 2, R + 2 * (i - 1));
+    show_points(T, "r(t_k)", 1, 2, P);
+    about(T, "the polygon begins where the curve begins");
+    agree(T, equal_q(R[2 * i - 2], P[0]) && equal_q(R[2 * i - 1], P[1]));
 }
 
 CLAIM(negative_weight_makes_a_pole)
