@@ -8,8 +8,8 @@
 enum { WIDTH = 92, INDENT = 4 };
 
 struct arguments {
-    char *id;
-    int json, jobs;
+    char **id;
+    int ids, json, jobs;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -22,14 +22,15 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'j':
         a->jobs = whole_number(state, "--jobs", arg, 1, 64);
         break;
-    case ARGP_KEY_ARG:
-        if (a->id != NULL)
-            argp_error(state, "one id at a time, not also '%s'", arg);
-        a->id = arg;
+    case ARGP_KEY_ARGS:
+        a->id = state->argv + state->next;
+        a->ids = state->argc - state->next;
         break;
     case ARGP_KEY_END:
-        if (a->id == NULL)
+        if (a->ids == 0)
             argp_error(state, "which id? for example wang-ch3:thm-3.3.2");
+        if (a->ids > 1 && a->json)
+            argp_error(state, "--json shows one id at a time, not also '%s'", a->id[1]);
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -263,14 +264,73 @@ static void show_statement(const statement_result *r, const claim_result *result
     }
 }
 
+/* What an id names: a statement, or a claim with or without its chapter; at most one of them is not NULL. */
+struct entry {
+    const statement *statement;
+    const claim *claim;
+};
+static struct entry entry_of(const char *id)
+{
+    for (const statement *s = all_statements; s->id != NULL; s++)
+        if (strcmp(s->id, id) == 0)
+            return (struct entry){s, NULL};
+    const char *bare = strchr(id, '.') != NULL && strchr(id, ':') == NULL ? strchr(id, '.') + 1 : id;
+    for (const claim *c = all_claims; c->name != NULL; c++)
+        if (strcmp(c->name, bare) == 0)
+            return (struct entry){NULL, c};
+    return (struct entry){NULL, NULL};
+}
+
+/* The claims that an entry names, in the order of the register. */
+static const claim **claims_of_entry(struct entry e, int *count)
+{
+    if (e.statement != NULL)
+        return claims_of(&e.statement, 1, count);
+    const claim **one = calloc(1, sizeof *one);
+    if (one == NULL)
+        abort();
+    one[0] = e.claim;
+    *count = 1;
+    return one;
+}
+
+/* One page, from results among which those of its claims are.  Returns whether it is as expected. */
+static int show_entry(struct entry e, const claim_result *all, int judged, int json)
+{
+    int count;
+    const claim **list = claims_of_entry(e, &count);
+    claim_result *results = calloc((size_t)count, sizeof *results);
+    if (results == NULL)
+        abort();
+    for (int k = 0; k < count; k++)
+        results[k] = *result_of(list[k]->name, all, judged);
+    int good = results[0].as_expected;
+    if (e.statement != NULL) {
+        statement_result r = derive(e.statement, results, count);
+        good = r.as_expected;
+        if (json)
+            print_json(
+                json_pack("{s:s, s:o}", "schema", "cagd-statement-1", "statement", statement_json(&r, results, count)));
+        else
+            show_statement(&r, results, count);
+    } else if (json) {
+        print_json(json_pack("{s:s, s:o}", "schema", "cagd-claim-1", "claim", claim_json(&results[0])));
+    } else {
+        show_claim(&results[0]);
+    }
+    free(results);
+    free(list);
+    return good;
+}
+
 int run_show(int argc, char **argv)
 {
     static const struct argp_option options[] = {
         {"json", 'J', 0, 0, "Print the entry as JSON", 0}, {"jobs", 'j', "N", 0, "Threads", 0}, {0}};
     static const struct argp argp = {options,
                                      parse,
-                                     "ID",
-                                     "Shows one statement of a source, or one claim, in full.\n\nExamples:\n"
+                                     "ID...",
+                                     "Shows statements of a source, or claims, in full: a page each.\n\nExamples:\n"
                                      "  cagd show wang-ch3:thm-3.3.2\n"
                                      "  cagd show elevation_keeps_rational_curve\n",
                                      NULL,
@@ -278,40 +338,36 @@ int run_show(int argc, char **argv)
                                      NULL};
     struct arguments a = {.jobs = processors()};
     parse_arguments(&argp, argc, argv, &a);
-    const statement *s = all_statements;
-    while (s->id != NULL && strcmp(s->id, a.id) != 0)
-        s++;
-    const claim *c = all_claims;
-    const char *bare = strchr(a.id, '.') != NULL && strchr(a.id, ':') == NULL ? strchr(a.id, '.') + 1 : a.id;
-    while (c->name != NULL && strcmp(c->name, bare) != 0)
-        c++;
-    if (s->id == NULL && c->name == NULL) {
-        complain_about(a.id, STATEMENTS_AND_CLAIMS);
-        return EXIT_USAGE;
-    }
-    int count = 1, good;
-    const claim **list = s->id != NULL ? claims_of(&s, 1, &count) : calloc(1, sizeof *list);
-    if (list == NULL)
+    int every = 0, judged = 0, good = 1;
+    while (all_claims[every].name != NULL)
+        every++;
+    char *wanted = calloc((size_t)every + 1, 1);
+    const claim **list = calloc((size_t)every + 1, sizeof *list);
+    if (wanted == NULL || list == NULL)
         abort();
-    if (s->id == NULL)
-        list[0] = c;
-    claim_result *results = judge_with_progress(list, count, a.jobs, 0);
-    if (s->id != NULL) {
-        statement_result r = derive(s, results, count);
-        good = r.as_expected;
-        if (a.json)
-            print_json(
-                json_pack("{s:s, s:o}", "schema", "cagd-statement-1", "statement", statement_json(&r, results, count)));
-        else
-            show_statement(&r, results, count);
-    } else {
-        good = results[0].as_expected;
-        if (a.json)
-            print_json(json_pack("{s:s, s:o}", "schema", "cagd-claim-1", "claim", claim_json(&results[0])));
-        else
-            show_claim(&results[0]);
+    for (int k = 0; k < a.ids; k++) {
+        struct entry e = entry_of(a.id[k]);
+        if (e.statement == NULL && e.claim == NULL) {
+            complain_about(a.id[k], STATEMENTS_AND_CLAIMS);
+            free(wanted), free(list);
+            return EXIT_USAGE;
+        }
+        int count;
+        const claim **its = claims_of_entry(e, &count);
+        for (int m = 0; m < count; m++)
+            wanted[its[m] - all_claims] = 1;
+        free(its);
     }
-    free_results(results, count);
-    free(list);
+    for (int m = 0; m < every; m++)
+        if (wanted[m])
+            list[judged++] = &all_claims[m];
+    claim_result *results = judge_with_progress(list, judged, a.jobs, 0);
+    for (int k = 0; k < a.ids; k++) {
+        if (k > 0)
+            puts("\n");
+        good &= show_entry(entry_of(a.id[k]), results, judged, a.json);
+    }
+    free_results(results, judged);
+    free(wanted), free(list);
     return good ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
 }
