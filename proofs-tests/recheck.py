@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Rechecks the certificates that `cagd verify --certificates DIR` writes.
 
-    recheck.py [--quiet] DIR
+    recheck.py DIR
 
 Python's standard library, and nothing of the project that wrote them.  For each statement one line:
 
@@ -24,12 +24,7 @@ or separating plane.  How the conditions of a decision combine is in the text of
 they combine are.
 
 Exit status: 0 nothing is wrong, 1 something is, 2 bad usage."""
-import hashlib
-import json
-import math
-import pathlib
-import re
-import sys
+import hashlib, json, math, pathlib, re, sys
 from fractions import Fraction
 from itertools import combinations
 
@@ -39,10 +34,8 @@ EVIDENCE = ["none", "measured", "enclosed", "sampled", "decided", "proved"]
 
 class Wrong(Exception):
     """Something was computed again and is different, or the certificate makes no sense."""
-
 class Cannot(Exception):
     """There is nothing here that can be computed again."""
-
 def require(condition, what):
     if not condition:
         raise Wrong(what)
@@ -51,10 +44,8 @@ def require(condition, what):
 
 class Rationals:
     number = staticmethod(Fraction)
-
     reduce = staticmethod(lambda x: x)
     inverse = staticmethod(lambda x: 1 / Fraction(x))
-
     @staticmethod
     def root(x, n):
         def whole(m):
@@ -64,7 +55,6 @@ class Rationals:
                 low, high = (middle, high) if middle**n <= m else (low, middle)
             require(low**n == m, "a root is not exact")
             return low
-
         require(x >= 0 and n >= 1, "a root of a negative number")
         return Fraction(whole(x.numerator), whole(x.denominator))
 
@@ -73,38 +63,31 @@ class Modular:
     def number(text):
         x = Fraction(text)
         return x.numerator * pow(x.denominator, -1, PRIME) % PRIME
-
     reduce = staticmethod(lambda x: x % PRIME)
-
     @staticmethod
     def inverse(x):
         if x % PRIME == 0:
             raise ZeroDivisionError
         return pow(x, -1, PRIME)
-
     @staticmethod
     def root(x, n):
         raise Cannot("a root is no rational function")
 
 # ---- polynomials: lists of coefficients, the constant one first, without leading zeros --------------------
-
 def trim(a):
     while a and a[-1] == 0:
         a.pop()
     return a
-
 def p_add(K, a, b, sign=1):
     n = max(len(a), len(b))
     a, b = a + [0] * (n - len(a)), b + [0] * (n - len(b))
     return trim([K.reduce(x + sign * y) for x, y in zip(a, b)])
-
 def p_mul(K, a, b):
     c = [0] * max(len(a) + len(b) - 1, 0)
     for i, x in enumerate(a):
         for j, y in enumerate(b):
             c[i + j] = K.reduce(c[i + j] + x * y)
     return trim(c)
-
 def p_divmod(K, a, b):
     require(b, "division by the zero polynomial")
     a, q, lead = list(a), [0] * max(len(a) - len(b) + 1, 0), K.inverse(b[-1])
@@ -115,27 +98,22 @@ def p_divmod(K, a, b):
             a[i + shift] = K.reduce(a[i + shift] - f * y)
         trim(a)
     return trim(q), a
-
 def p_gcd(K, a, b):
     while b:
         a, b = b, p_divmod(K, a, b)[1]
     return [K.reduce(x * K.inverse(a[-1])) for x in a] if a else a
-
 def p_value(K, a, t):
     v = 0
     for c in reversed(a):
         v = K.reduce(v * t + c)
     return v
-
 def p_compose(K, a, b):
     r = []
     for c in reversed(a):
         r = p_add(K, p_mul(K, r, b), trim([c]))
     return r
-
 def p_derivative(K, a):
     return trim([K.reduce(k * c) for k, c in enumerate(a)][1:])
-
 def p_bernstein(K, b):
     n, total = len(b) - 1, []
     for i, c in enumerate(b):
@@ -144,7 +122,6 @@ def p_bernstein(K, b):
             term = p_mul(K, trim(term), [1, -1])
         total = p_add(K, total, [0] * i + term if trim(term) else [])
     return total
-
 def bernstein_coefficient(K, p, a, b, n, k):
     """The k-th of n+1 coefficients over [a,b]: with q(s) = p(a + (b-a) s) = sum q_j s^j it is sum_j C(k,j)/C(n,j) q_j."""
     q, total = p_compose(K, p, trim([a, K.reduce(b - a)])), 0
@@ -261,7 +238,6 @@ def sturm_inside(p, a, b):
     while chain[-1]:
         chain.append([-c for c in p_divmod(Q, chain[-2], chain[-1])[1]])
     chain.pop()
-
     def changes(t, side):
         signs = []
         for f in chain:
@@ -269,7 +245,6 @@ def sturm_inside(p, a, b):
             if s != 0:
                 signs.append(s > 0)
         return sum(x != y for x, y in zip(signs, signs[1:]))
-
     count = changes(a, -1) - changes(b, 1)
     return count - (b is not None and p_value(Q, p, b) == 0)
 
@@ -476,7 +451,6 @@ def fraction_text(text):
                     powers[x] = powers.get(x, 0) + int(exponent or 1)
             out.append((c, powers))
         return out
-
     numerator, _, denominator = text.replace(" ", "").partition("/")
     return monomials(numerator), monomials(denominator or "1")
 
@@ -602,12 +576,10 @@ def load(path):
         raise Wrong(f"{path.name} cannot be read: {e}") from e
 
 def main():
-    arguments = [a for a in sys.argv[1:] if a != "--quiet"]
-    if len(arguments) != 1 or not pathlib.Path(arguments[0]).is_dir():
-        sys.stderr.write("usage: recheck.py [--quiet] DIR, a folder written by 'cagd verify --certificates DIR'\n")
+    if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
+        sys.stderr.write("usage: recheck.py DIR, a folder written by 'cagd verify --certificates DIR'\n")
         return 2
-    root, known = pathlib.Path(arguments[0]), {}
-
+    root, known = pathlib.Path(sys.argv[1]), {}
     def claim_of(name):
         if name not in known:
             try:
@@ -617,7 +589,6 @@ def main():
             except Wrong as e:
                 known[name] = {}, e
         return known[name]
-
     counts = {"rechecked": 0, "wrong": 0, "cannot recheck this kind": 0}
     for path in sorted(root.glob("*/*.json")):
         if path.parent.name == "claims":
@@ -625,8 +596,7 @@ def main():
         e = attempt(lambda: check_statement(load(path), claim_of))
         word = "rechecked" if e is None else "wrong" if isinstance(e, Wrong) else "cannot recheck this kind"
         counts[word] += 1
-        if "--quiet" not in sys.argv or word == "wrong":
-            print(f"{path.parent.name}:{path.stem}: {word}{f' ({e})' if e else ''}")
+        print(f"{path.parent.name}:{path.stem}: {word}{f' ({e})' if e else ''}")
     for path in sorted((root / "claims").glob("*.json")):
         text, e = claim_of(path.stem)
         if isinstance(e, Wrong):

@@ -286,7 +286,7 @@ class Readme(Case):
         self.assertTrue(commands)
         for block in commands:
             command, _, said = block.partition("\n")
-            self.assertEqual(run(*command.split()[2:]).stdout.strip(), said.strip())
+            self.assertEqual(run(*command.split()[2:], cwd=ROOT).stdout.strip(), said.strip())
 
     def test_the_numbers_are_those_of_the_run(self):
         text = (ROOT / "README.md").read_text()

@@ -1,0 +1,133 @@
+"""Every certificate is rechecked, and recheck.py refuses certificates that were tampered with.
+
+    test_recheck.py CAGD RECHECK
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+RECHECK = str(pathlib.Path(sys.argv.pop(2)).resolve())
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+
+
+def recheck(folder):
+    return subprocess.run([sys.executable, RECHECK, str(folder)], capture_output=True, text=True)
+
+
+def write_certificates(folder, *patterns):
+    subprocess.run([CAGD, "verify", "--certificates", str(folder), *patterns], check=True, stdout=subprocess.DEVNULL)
+
+
+class Everything(unittest.TestCase):
+    def test_nothing_is_wrong_and_most_is_rechecked(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write_certificates(folder)
+            r = recheck(folder)
+            self.assertEqual(r.returncode, 0, r.stdout[-2000:] + r.stderr)
+            words = [line.partition(": ")[2].split(" (")[0] for line in r.stdout.splitlines()[:-1]]
+            self.assertEqual(words.count("wrong"), 0)
+            self.assertGreater(words.count("rechecked"), 4 * words.count("cannot recheck this kind"))
+
+
+class Tampered(unittest.TestCase):
+    """One statement with a claim that is proved, one with signs of coefficients, one with root counts, one that fails."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.root = pathlib.Path(cls.folder.name)
+        write_certificates(cls.root, "elevation_keeps_rational_curve", "curve_points_are_convex_combinations",
+                           "roots_are_at_most_sign_changes", "designed_curves_cross_no_more", "end_curvature_at_zero",
+                           "curve_points_have_hull_certificates", "wang-ch3:prop-3.2.4-step-2")
+        cls.kept = {p: p.read_text() for p in cls.root.rglob("*.json")}
+        before = recheck(cls.root)
+        assert before.returncode == 0, before.stdout
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def claim(self, name):
+        return self.root / "claims" / f"{name}.json"
+
+    def refuses(self, path, change):
+        """After the change recheck.py says `wrong`; without it, it does not.  A claim is rechecked by itself."""
+        document = json.loads(self.kept[path])
+        changed = change(document)
+        alone = path.parent.name == "claims"
+        with tempfile.TemporaryDirectory() as folder:
+            for other, text in self.kept.items():
+                if other == path or not alone:
+                    place = pathlib.Path(folder) / other.relative_to(self.root)
+                    place.parent.mkdir(exist_ok=True)
+                    if other == path:
+                        text = changed if isinstance(changed, str) else json.dumps(document)
+                    place.write_text(text)
+            r = recheck(folder)
+        self.assertEqual(r.returncode, 1, r.stdout + r.stderr)
+        self.assertIn("wrong (", r.stdout)
+        self.assertEqual(r.stderr, "")
+
+    def last(self, steps, key, value=None):
+        return next(s for s in reversed(steps) if key in s and (value is None or s[key] == value))
+
+    def node(self, case, op):
+        """The last node of this operation that some comparison stands on."""
+        needed, stack = set(), [i for s in case["steps"] for i in s.get("same", [])]
+        while stack:
+            i = stack.pop()
+            if i not in needed:
+                needed.add(i)
+                o, *a = case["nodes"][i]
+                stack += [] if o in "xcof" else a
+        return case["nodes"][max(i for i in needed if case["nodes"][i][0] == op)]
+
+    PROVED, SIGNS, ROOTS = "elevation_keeps_rational_curve", "curve_points_are_convex_combinations", "roots_are_at_most_sign_changes"
+    LINES, HULL = "designed_curves_cross_no_more", "curve_points_have_hull_certificates"
+    FAILS = "printed_second_derivative_of_quotient_is_wrong"
+
+    def tamper(self, name, change):
+        self.refuses(self.claim(name), lambda d: change(d["cases"][0]))
+
+    def test_programs(self):
+        self.tamper(self.PROVED, lambda c: self.node(c, "*").__setitem__(0, "+"))
+        self.tamper(self.PROVED, lambda c: self.node(c, "+").__setitem__(0, "-"))
+        self.tamper(self.PROVED, lambda c: self.node(c, "/").__setitem__(1, 0))
+        self.tamper(self.PROVED, lambda c: self.node(c, "c").__setitem__(1, "22/7"))
+        self.tamper(self.PROVED, lambda c: self.node(c, "*").__setitem__(1, len(c["nodes"]) + 5))
+        self.tamper(self.PROVED, lambda c: self.node(c, "*").__setitem__(0, "**"))
+        self.tamper(self.PROVED, lambda c: self.last(c["steps"], "same")["same"].__setitem__(0, 0))
+
+    def test_steps(self):
+        self.tamper(self.PROVED, lambda c: self.last(c["steps"], "same").update(equal=False))
+        self.tamper(self.PROVED, lambda c: c.pop("steps"))
+        self.tamper(self.SIGNS, lambda c: self.last(c["steps"], "nonnegative").update(text="1"))
+        self.tamper(self.SIGNS, lambda c: self.last(c["steps"], "nonnegative").update(sign=-1))
+
+    def test_decisions(self):
+        self.tamper(self.ROOTS, lambda c: (lambda f: f.update(distinct=f["distinct"] + 1))(self.last(c["steps"], "fact", "roots")))
+        self.tamper(self.ROOTS, lambda c: (lambda f: f.update(counted=f["counted"] + 1))(self.last(c["steps"], "counted")))
+        self.tamper(self.LINES, lambda c: (lambda f: f["is"].__setitem__(3, f["is"][3] + 1))(
+            self.last(c["steps"], "fact", "curve_and_line")))
+        self.tamper(self.HULL, lambda c: (lambda f: f["coefficients"].reverse())(self.last(c["steps"], "fact", "hull")))
+        self.tamper(self.HULL, lambda c: (lambda f: f.update({"is": 0}))(self.last(c["steps"], "fact", "hull")))
+
+    def test_counterexamples(self):
+        self.tamper(self.FAILS, lambda c: self.last(c["steps"], "same").update(equal=True))
+        self.refuses(self.claim(self.FAILS), lambda d: d.update(outcome="holds"))
+
+    def test_claims_and_statements(self):
+        statement = self.root / "wang-ch3" / "prop-3.2.4-step-2.json"
+        self.refuses(self.claim(self.ROOTS), lambda d: d.update(evidence="proved"))
+        self.refuses(statement, lambda d: d.update(verdict="holds"))
+        self.refuses(statement, lambda d: d.update(evidence="proved"))
+        self.refuses(statement, lambda d: d["links"].append({"role": "holds-by", "claim": self.FAILS}))
+        self.refuses(statement, lambda d: d["links"].append({"role": "holds-by", "claim": "no_such_claim"}))
+        self.refuses(statement, lambda d: json.dumps(d)[:-20])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
