@@ -33,6 +33,14 @@ def run(*args, **options):
     return subprocess.run([CAGD, *args], capture_output=True, text=True, timeout=600, **options)
 
 
+@functools.cache
+def report():
+    """The files of `cagd ledger --report`, by name."""
+    with tempfile.TemporaryDirectory() as folder:
+        assert run("ledger", "--report", folder).returncode == 0
+        return {p.name: p.read_text() for p in pathlib.Path(folder).iterdir()}
+
+
 class Case(unittest.TestCase):
     def refuses(self, *args, words=()):
         """Exit 2, nothing on stdout, one line on stderr (and a pointer to --help) that has the words."""
@@ -205,11 +213,12 @@ class Terminal(Case):
 class Ledger(Case):
     @classmethod
     def setUpClass(cls):
-        cls.result = whole_run("ledger", "--json")
-        cls.rows = json.loads(cls.result.stdout)["statements"]
+        cls.rows = json.loads(report()["ledger.json"])["statements"]
 
-    def test_exit_code(self):
-        self.assertEqual(self.result.returncode, 0)
+    def test_json_is_the_report(self):
+        some = json.loads(run("ledger", "--json", "wang-ch3:3.1.*").stdout)["statements"]
+        self.assertTrue(some)
+        self.assertEqual(some, [r for r in self.rows if r["id"].startswith("wang-ch3:3.1.")])
 
     def test_rows_are_complete(self):
         seen = collections.Counter(row["id"] for row in self.rows)
@@ -237,7 +246,7 @@ class Ledger(Case):
         self.assertEqual([r["id"] for r in self.rows if r["as_printed"]["verdict"] == "open"], [])
 
     def test_the_table_counts_what_the_rows_say(self):
-        lines = whole_run("ledger", "--summary").stdout.splitlines()
+        lines = report()["summary.txt"].splitlines()
         for line in lines[1:]:
             source, total, *counts = line.split()
             rows = [r for r in self.rows if r["id"].split(":")[0] == source]
@@ -290,8 +299,24 @@ class Readme(Case):
 
     def test_the_numbers_are_those_of_the_run(self):
         text = (ROOT / "README.md").read_text()
-        for line in whole_run("verify").stdout.splitlines()[-2:] + whole_run("ledger", "--summary").stdout.splitlines():
+        claims = json.loads(whole_run("verify", "--json").stdout)["claims"]
+        runs = [r for c in claims for r in c["types"].values()]
+        kinds = collections.Counter("counterexample" if c["kind"] == "counterexample" else c["evidence"] for c in claims)
+        sampled = sum(kinds[e] for e in ("sampled", "measured", "enclosed"))
+        self.assertIn(f"{len(claims)} claims: {kinds['proved']} proved, {kinds['decided']} decided, {sampled} sampled, "
+                      f"{kinds['counterexample']} counterexamples, 0 not as expected", text)
+        caught = sum(r["control_caught"] for r in runs)
+        self.assertIn(f"{sum(r['compared'] for r in runs)} comparisons in {len(runs)} runs; {caught} of {len(runs)} controls "
+                      "caught", text)
+        for line in report()["summary.txt"].splitlines():
             self.assertIn(line, text)
+
+    def test_the_last_lines_count_the_claims(self):
+        lines = run("verify", "bezier.*").stdout.splitlines()[-2:]
+        claims = json.loads(run("verify", "--json", "bezier.*").stdout)["claims"]
+        self.assertRegex(lines[0], rf"^{len(claims)} claims: ")
+        compared = sum(r["compared"] for c in claims for r in c["types"].values())
+        self.assertRegex(lines[1], rf"^{compared} comparisons in ")
 
     def test_every_link_leads_somewhere(self):
         for name in ("README.md", "CONTRIBUTING.md"):
@@ -318,7 +343,7 @@ class Figures(Case):
 
     def test_every_figure_of_the_ledger_exists(self):
         names = set(run("figures", "--list").stdout.split())
-        for row in json.loads(whole_run("ledger", "--json").stdout)["statements"]:
+        for row in json.loads(report()["ledger.json"])["statements"]:
             if row["figure"]:
                 self.assertIn(row["figure"], names)
 
