@@ -12,6 +12,8 @@
 #include "core/power.tmpl.h"
 #include "core/cubic_shape.tmpl.h"
 #include "core/divided.tmpl.h"
+#include "core/hermite.tmpl.h"
+#include "core/coons.tmpl.h"
 #include "core/bspline_matrix.tmpl.h"
 #include "core/shape_parameter.tmpl.h"
 /* clang-format on */

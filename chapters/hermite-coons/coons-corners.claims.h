@@ -1,0 +1,212 @@
+/*
+# A patch from its corners (角点信息矩阵)
+
+When the borders and the derivatives across them are themselves cubics of Hermite, sixteen vectors at the corners say
+everything, and the Boolean sum becomes a product of matrices.
+
+:::{statement} slides-ch4:3-borders-by-hermite
+:title: Borders and derivatives across from the data of the corners
+:zh: 用 Hermite 插值给出边界线与跨界切向量
+:printed: $u0=00\,q_{00}(u)+10\,q_{01}(u)+00_uq_{10}(u)+10_uq_{11}(u)$, $u1=01\,q_{00}(u)+11\,q_{01}(u)+01_uq_{10}(u)+11_uq_{11}(u)$,
+  $u0_w=00_wq_{00}(u)+10_wq_{01}(u)+00_{uw}q_{10}(u)+10_{uw}q_{11}(u)$, $u1_w=01_wq_{00}(u)+11_wq_{01}(u)+01_{uw}q_{10}(u)+11_{uw}q_{11}(u)$;
+  so $[u0\;u1\;u0_w\;u1_w]=q(u)\,M$, and in the same way the column of $0w,1w,0w_u,1w_u$ is $M\,q(w)^T$
+:holds-by: cubic_frame_of_corners_gives_the_product
+:::
+
+:::{statement} slides-ch4:3-product
+:title: The patch as a product of matrices
+:zh: 双三次 Coons 曲面的矩阵形式
+:printed: P(u,w)=q(u)\,M\,q(w)^T=[u^3\;u^2\;u\;1]\,H\,M\,H^T\,[w^3\;w^2\;w\;1]^T,\quad H=\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}
+:holds-by: cubic_frame_of_corners_gives_the_product tensor_kernel_is_the_matrix_product
+:figure: worked_patch
+:::
+
+:::{claim} cubic_frame_of_corners_gives_the_product
+:title: The Boolean sum over a frame of Hermite cubics is q(u) M q(w)
+:zh: Hermite 边框的布尔和为张量积
+:given: any $M$, $u$, $w$; the frame computed from $M$ by the printed formulas
+:then: all three terms of the patch are $q(u)Mq(w)^T$, so the patch is; it is also $UHMH^TW^T$
+:method: The frame with the functions $q$ multiplied out from their factors, the patch by `coons_patch`, the product by the printed
+  matrix $H$; everything variable.
+:control: the twist $11_{uw}$ left out of $u1_w$
+:::
+
+:::{claim} tensor_kernel_is_the_matrix_product
+:title: The kernel gives every derivative of the product, and at the corners the sixteen data
+:zh: 张量积曲面的各阶偏导与角点数据
+:given: any $M$, $u$, $w$, orders 0 to 3 in $u$ and in $w$
+:then: `hermite_tensor` is the derivative of $UHMH^TW^T$; its values, first derivatives and twists at the corners are $M$
+:method: The sixteen coefficients $HMH^T$ and the derivatives of the powers; everything variable.
+:defines: hermite_tensor
+:control: $M$ transposed
+:::
+
+:::{statement} slides-ch4:3-worked-patch
+:title: The worked patch
+:zh: Coons 曲面算例
+:printed: $P_0,\dots,P_3$ at $(0,0,0)$, $(0,\frac34,0)$, $(\frac34,0,0)$, $(\frac34,\frac34,0)$; the corner matrices have the absolute values
+  $|M_x|=\frac34\begin{bmatrix}0&0&1&1\\1&1&1&1\\1&1&1&1\\1&1&1&1\end{bmatrix}$, $|M_y|=\frac34\begin{bmatrix}0&1&1&1\\0&1&1&1\\1&1&1&1\\1&1&1&1\end{bmatrix}$,
+  $|M_z|=\frac34\begin{bmatrix}0&0&1&1\\0&0&1&1\\0&0&1&1\\0&0&1&1\end{bmatrix}$, and the patch the coefficients
+  $|C_x|=\begin{bmatrix}3&3&0&0\\4.5&3.75&0.75&0\\0&0.75&0.75&0.75\\0&0.75&0.75&0\end{bmatrix}$,
+  $|C_y|=\begin{bmatrix}0&0&0&0\\0&0.75&0.75&0.75\\0&0.75&0.75&0.75\\0&0&0.75&0\end{bmatrix}$,
+  $|C_z|=\begin{bmatrix}0&0&0&0\\0&0.75&0.75&0\\0&0.75&0.75&0\\1.5&2.25&0.75&0\end{bmatrix}$
+:holds-by: signs_of_the_worked_patch
+:figure: worked_patch
+
+The signs are lost and have been put back by computation: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$ has the printed absolute
+values, all 48 of them.  Few choices fit: 2 of 4096 for $x$, 4 of 4096 for $y$, 4 of 256 for $z$.  Those for $x$ differ by the sign of all
+derivatives with respect to $w$.  In $z$ the sign of these derivatives and that of the twists are free; in $y$ that of the
+derivatives with respect to $u$ and that of the twists.  The numbers alone leave 32 readings, and no misprint.
+:::
+
+:::{claim} signs_of_the_worked_patch
+:title: How many choices of signs make the corner matrices fit the coefficients
+:zh: 由数值恢复符号
+:kind: decision
+:given: the absolute values of the three corner matrices and of the three matrices of coefficients, in units of $\frac34$; the coordinates
+  of the corners are not negative, as printed; all choices of the other signs
+:then: $|HMH^T|$ is the printed matrix for exactly 2, 4 and 4 of the 4096, 4096 and 256 choices
+:method: All choices, in integers.
+:control: 3 in the place of 3.75 in $C_x$, 0 in the place of a 0.75 in $C_y$ and in $C_z$
+:::
+*/
+#include "chapters/hermite-coons/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* C = H M H^T, entry (i, j) belonging to u^{3-i} w^{3-j}. */
+static void G(product_of_corners)(const num M[16], num C[16])
+{
+    num left[16];
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++) {
+            left[4 * i + j] = from_int(0);
+            for (int k = 0; k < 4; k++)
+                left[4 * i + j] = add(left[4 * i + j], mul(from_int(G(printed_matrix)(i, k)), M[4 * k + j]));
+        }
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++) {
+            C[4 * i + j] = from_int(0);
+            for (int k = 0; k < 4; k++)
+                C[4 * i + j] = add(C[4 * i + j], mul(left[4 * i + k], from_int(G(printed_matrix)(j, k))));
+        }
+}
+
+/* The derivative of order r in u and s in w of U C W^T. */
+static num G(power_patch)(const num C[16], num u, num w, int r, int s)
+{
+    struct G(poly) rows = {.n = 3};
+    for (int i = 0; i < 4; i++) {
+        struct G(poly) row = {3, {C[4 * i + 3], C[4 * i + 2], C[4 * i + 1], C[4 * i]}};
+        rows.c[3 - i] = G(at)(row, s, w);
+    }
+    return G(at)(rows, r, u);
+}
+
+static void G(any_corners)(trial *T, num M[16])
+{
+    for (int i = 0; i < 16; i++)
+        M[i] = unknown(T, "m", i);
+}
+
+CLAIM(cubic_frame_of_corners_gives_the_product)
+{
+    num M[16], C[16], u = parameter(T, "u"), w = parameter(T, "w"), a[4], b[4], A[4], B[4], P;
+    num zero = from_int(0), one = from_int(1);
+    G(any_corners)(T, M);
+    G(product_of_corners)(M, C);
+    num expected = G(power_patch)(C, u, w, 0, 0), across = zero, along = zero;
+    for (int i = 0; i < 4; i++) {
+        struct G(poly) q = G(printed_blending)(zero, one, i);
+        a[i] = G(at)(q, 0, u), b[i] = G(at)(q, 0, w);
+    }
+    for (int i = 0; i < 4; i++) {
+        A[i] = B[i] = zero;
+        for (int k = 0; k < 4; k++) {
+            A[i] = add(A[i], mul(M[4 * i + k], b[k]));
+            if (!(T->planted && i == 3 && k == 3))
+                B[i] = add(B[i], mul(M[4 * k + i], a[k]));
+        }
+        across = add(across, mul(a[i], A[i]));
+        along = add(along, mul(B[i], b[i]));
+    }
+    same(T, across, expected);
+    same(T, along, expected);
+    G(coons_patch)(4, 1, a, b, A, B, M, &P);
+    about(T, "the patch");
+    same(T, P, expected);
+}
+
+CLAIM(tensor_kernel_is_the_matrix_product)
+{
+    num M[16], C[16], used[16], u = parameter(T, "u"), w = parameter(T, "w"), P;
+    G(any_corners)(T, M);
+    G(product_of_corners)(M, C);
+    for (int i = 0; i < 16; i++)
+        used[i] = M[T->planted ? 4 * (i % 4) + i / 4 : i];
+    for (int r = 0; r <= 3; r++)
+        for (int s = 0; s <= 3; s++) {
+            G(hermite_tensor)(1, used, u, w, r, s, &P);
+            same(T, P, G(power_patch)(C, u, w, r, s));
+        }
+    about(T, "the corners");
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++) {
+            G(hermite_tensor)(1, used, from_int(i % 2), from_int(j % 2), i / 2, j / 2, &P);
+            same(T, P, M[4 * i + j]);
+        }
+}
+
+#if RATIONAL
+/* How many choices of signs of the entries of M, the four coordinates of corners excepted, have |H M H^T| = C. */
+static int fitting_signs(const int M[16], const int C[16])
+{
+    int place[16], count = 0, fitting = 0;
+    for (int i = 0; i < 16; i++)
+        if (M[i] != 0 && !(i / 4 < 2 && i % 4 < 2))
+            place[count++] = i;
+    for (int signs = 0; signs < 1 << count; signs++) {
+        int N[16], left[16], fits = 1;
+        for (int i = 0; i < 16; i++)
+            N[i] = M[i];
+        for (int k = 0; k < count; k++)
+            if (signs >> k & 1)
+                N[place[k]] = -M[place[k]];
+        for (int i = 0; i < 16; i++) {
+            left[i] = 0;
+            for (int k = 0; k < 4; k++)
+                left[i] += G(printed_matrix)(i / 4, k) * N[4 * k + i % 4];
+        }
+        for (int i = 0; i < 16 && fits; i++) {
+            int sum = 0;
+            for (int k = 0; k < 4; k++)
+                sum += left[4 * (i / 4) + k] * G(printed_matrix)(i % 4, k);
+            fits = (sum < 0 ? -sum : sum) == C[i];
+        }
+        fitting += fits;
+    }
+    return fitting;
+}
+
+CLAIM(signs_of_the_worked_patch)
+{
+    static const int M[3][16] = {{0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+                                 {0, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+                                 {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1}};
+    static const int C[3][16] = {{4, 4, 0, 0, 6, 5, 1, 0, 0, 1, 1, 1, 0, 1, 1, 0},
+                                 {0, 0, 0, 0, 0, 1, 1, 1, 0, 1, 1, 1, 0, 0, 1, 0},
+                                 {0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 2, 3, 1, 0}};
+    static const int readings[3] = {2, 4, 4};
+    static const char *const name[3] = {"choices for x", "choices for y", "choices for z"};
+    for (int axis = 0; axis < 3; axis++) {
+        int used[16];
+        for (int i = 0; i < 16; i++)
+            used[i] = C[axis][i] - (T->planted && i == 5);
+        int found = fitting_signs(M[axis], used);
+        show_text(T, name[axis], "%d", found);
+        about(T, name[axis]);
+        agree(T, found == readings[axis]);
+    }
+}
+#endif
+#include "chapters/frame/claims_off.h"

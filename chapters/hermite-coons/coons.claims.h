@@ -1,0 +1,325 @@
+/*
+# A surface in a frame of curves (Coons 曲面)
+
+Two opposite curves are joined by a ruled surface; so are the two others.  The sum of both surfaces has too much at every
+border, and what it has too much is the bilinear surface of the corners.  Taken away, it leaves a surface with the four
+curves as its borders: a Boolean sum (布尔和).  The same is done with curves and derivatives across them.
+
+## Four curves
+
+:::{statement} slides-ch4:3-ruled
+:title: Two ruled surfaces and the surface of the corners
+:zh: 两张直纹面与角点曲面
+:printed: $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$
+:definition: yes
+:checked-by: sum_of_ruled_surfaces_has_too_much
+:::
+
+:::{statement} slides-ch4:3-sum-of-ruled
+:title: The sum of the ruled surfaces is moved from the frame by an interpolation of the corners
+:zh: 叠加曲面 Ps 的位移
+:printed: In $P_s=P_1+P_2$ one part of the displacement is due to the linear interpolation and one to the border curves; to remove the
+  former $P_3$ is built.
+:holds-by: sum_of_ruled_surfaces_has_too_much
+:::
+
+:::{claim} sum_of_ruled_surfaces_has_too_much
+:title: On each border the sum exceeds the curve by the surface of the corners
+:zh: 边界上多出的恰为角点插值
+:given: four curves that meet at the corners, values of the blending functions with $f_0(0)=f_1(1)=1$, $f_0(1)=f_1(0)=0$
+:then: $P_s-P_3$ is the border curve on each of the four borders; for $u=0,1$ it is $P_2$, for $w=0,1$ it is $P_1$ that equals $P_3$
+:method: On a border one pair of blending functions has its values at the end, and the curves across are at corners; the values of the
+  other pair and of the border curve are variables.
+:control: $f_0$ and $f_1$ exchanged in $P_2$
+:::
+
+:::{statement} slides-ch4:3-bilinear
+:title: The patch with four given borders
+:zh: 双线性混合 Coons 曲面
+:printed: $P=P_1+P_2-P_3=[f_0(u)\;f_1(u)]\begin{bmatrix}0w\\1w\end{bmatrix}+[u0\;u1]\begin{bmatrix}f_0(w)\\f_1(w)\end{bmatrix}-[f_0(u)\;f_1(u)]\,M\begin{bmatrix}f_0(w)\\f_1(w)\end{bmatrix}$, $M=\begin{bmatrix}00&01\\10&11\end{bmatrix}$, has the borders $u0,u1,0w,1w$; for
+  $u=0$ the right side is $0w+f_0(w)00+f_1(w)01-f_0(w)00-f_1(w)01=0w$
+:holds-by: coons_kernel_is_the_bordered_product four_curves_are_borders
+:hypothesis: open_corner_loses_the_border | the curves meet at the corners
+:needs: blendings_without_sum_one_move_the_patch | $f_0+f_1=1$: not for the borders, but for a patch that moves with its frame
+:figure: boolean_sum
+:::
+
+:::{claim} coons_kernel_is_the_bordered_product
+:title: The kernel is the printed sum of products, for two and for four functions
+:zh: Coons 曲面的分块矩阵形式
+:given: any values of the blending functions, any data across, along and at the corners, $m=2$ and $m=4$
+:then: `coons_patch` is $-[-1\;a]\begin{bmatrix}0&B\\A&M\end{bmatrix}\begin{bmatrix}-1\\b\end{bmatrix}$, which is the printed sum
+:method: The bordered matrix of $m+1$ rows is formed and multiplied out; everything variable.
+:defines: coons_patch
+:control: the matrix of the corners transposed
+:::
+
+:::{claim} four_curves_are_borders
+:title: The patch of four curves that meet has them as borders
+:zh: 曲面以给定四曲线为边界
+:given: corners, and at a border any value of its curve and of the blending functions of its parameter
+:then: the patch at $u=0$, $u=1$, $w=0$, $w=1$ is the value of $0w$, $1w$, $u0$, $u1$
+:method: On a border the functions of the other parameter are 1 and 0 and the curves across are at their corners; no other property is used.
+:control: one of the curves across does not end at its corner
+:::
+
+:::{claim} open_corner_loses_the_border
+:title: If two curves do not meet the patch loses a border
+:zh: 角点不闭合则失去边界
+:kind: counterexample
+:given: $f_0=1-t$, $f_1=t$; all curves constant 0 except $u0=1$; the corners of $M$ are 0
+:then: $P(0,w)=1-w$, not $0w=0$
+:method: The kernel at $u=0$, $w=\frac12$.
+:control: $u0=0$
+:::
+
+:::{claim} shifted_frame_shifts_the_patch_by_a_product
+:title: What a patch does when its frame is moved
+:zh: 平移边框时曲面的变化
+:given: any blending values with the sums $\alpha$ at $u$ and $\beta$ at $w$, any data, a shift $v$ of all curves and corners
+:then: the point moves by $\bigl(1-(1-\alpha)(1-\beta)\bigr)v$: by $v$ wherever one of the sums is 1
+:method: The kernel with both sets of data; everything variable.
+:control: the corners are not moved
+:::
+
+:::{claim} blendings_without_sum_one_move_the_patch
+:title: With functions whose sum is not 1 a frame of one point is filled by more than the point
+:zh: 混合函数之和不为一时不具平移不变性
+:kind: counterexample
+:given: $f_0=(1-t)^2$, $f_1=t^2$, which have the end values; all curves the constant 1
+:then: at $u=w=\frac12$ the patch is $\frac34$, while all its borders are 1
+:method: The kernel.
+:control: $f_0=1-t$, $f_1=t$
+:::
+
+:::{statement} slides-ch4:3-bicubic-degree
+:title: Cubic curves and cubic blendings give a bicubic patch
+:zh: 双三次多项式
+:printed: If the border curves and the blending functions are polynomials of degree at most 3, then so is the formula, in $u$ and in $w$.
+:holds-by: cubic_frame_gives_bicubic_patch
+:::
+
+:::{claim} cubic_frame_gives_bicubic_patch
+:title: The degree of the patch in each parameter is at most 3
+:zh: 曲面关于每个参数次数不超过三
+:types: field
+:given: cubics $f_0,f_1,u0,u1,0w,1w$ with any coefficients, any corners
+:then: the patch has degree at most 3 in $u$ and in $w$
+:method: The degrees of the polynomial in the field.
+:control: a curve $u0$ of degree 4
+:::
+
+## Four curves and the derivatives across them
+
+:::{statement} slides-ch4:3-bicubic
+:title: The patch with given borders and derivatives across
+:zh: 具有指定跨界切向量的曲面片
+:printed: $P=q(u)\,[0w\;1w\;0w_u\;1w_u]^T+[u0\;u1\;u0_w\;u1_w]\,q(w)^T-q(u)\,M\,q(w)^T$,
+  $q=[q_{00}\;q_{01}\;q_{10}\;q_{11}]$, $M=\begin{bmatrix}00&01&00_w&01_w\\10&11&10_w&11_w\\00_u&01_u&00_{uw}&01_{uw}\\10_u&11_u&10_{uw}&11_{uw}\end{bmatrix}$, has the four borders and the
+  four derivatives across; for $u=0$ the right side is $0w$, and its derivative with respect to $u$ is $0w_u$
+:holds-by: coons_kernel_is_the_bordered_product borders_and_cross_derivatives_are_kept
+:hypothesis: two_twists_cannot_both_be_kept | at each corner the data agree: points, tangents, and the derivative of $0w_u$
+  along its border with that of $u0_w$ along its own
+:figure: two_twists
+:::
+
+:::{statement} slides-ch4:3-corner-data
+:title: The corners can be computed from the given curves
+:zh: 角点信息可由边界数据求得
+:printed: From $u0,u1,0w,1w$ and $u0_w,u1_w,0w_u,1w_u$ the points, tangents and twist vectors of the four corners can be computed.
+:holds-by: borders_and_cross_derivatives_are_kept
+:hypothesis: two_twists_cannot_both_be_kept | both ways to compute each of them give one vector
+:::
+
+:::{claim} borders_and_cross_derivatives_are_kept
+:title: The patch keeps curves and derivatives across when the data agree at the corners
+:zh: 曲面保持边界与跨界切向量
+:given: any matrix $M$; on a border any values of its curve, of its derivative across, and of the four functions along it
+:then: on all four borders the value of the patch and its derivative across are the given ones
+:method: At $u=0$ and $u=1$ the values and the derivatives of the four functions are rows of the unit matrix, and what
+  runs across has its values and derivatives in $M$; likewise for $w$.  No other property is used.
+:control: one twist differs between the curve and $M$
+:::
+
+:::{claim} two_twists_cannot_both_be_kept
+:title: Two twists at a corner: whichever is taken, one derivative across is lost
+:zh: 扭矢不相容则不能同时保持
+:kind: counterexample
+:given: all data 0 except $u0_w=q_{10}(u)$, so $u0_w$ asks for the twist 1 at $u=w=0$, and $0w_u=0$ asks for 0
+:then: with $00_{uw}=0$ in $M$, $P_u(0,w)=q_{10}(w)\ne0w_u$; with $00_{uw}=1$, $P_w(u,0)=0\ne u0_w$
+:method: The kernel at $w=\frac12$ on the one border and at $u=\frac12$ on the other, for both matrices.
+:control: $u0_w=0$ and the twist 0
+:::
+*/
+#include "chapters/hermite-coons/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { most_data = 4 };
+
+static void G(any_data)(trial *T, const char *name, int count, num data[])
+{
+    for (int i = 0; i < count; i++)
+        data[i] = unknown(T, name, i);
+}
+
+/* P_1 + P_2 and P_3 as printed. */
+static num G(ruled)(const num f[2], const num curve[2]) { return add(mul(f[0], curve[0]), mul(f[1], curve[1])); }
+static num G(of_corners)(const num f[2], const num g[2], const num M[4])
+{
+    num first = mul(f[0], add(mul(g[0], M[0]), mul(g[1], M[1])));
+    return add(first, mul(f[1], add(mul(g[0], M[2]), mul(g[1], M[3]))));
+}
+
+CLAIM(sum_of_ruled_surfaces_has_too_much)
+{
+    num M[4], free[2], border = unknown(T, "x", 0), other = unknown(T, "x", 1);
+    G(any_data)(T, "m", 4, M);
+    G(any_data)(T, "f", 2, free);
+    for (int end = 0; end < 2; end++) {
+        num unit[2] = {from_int(end == 0), from_int(end == 1)};
+        num curves[2] = {end == 0 ? border : other, end == 0 ? other : border}; /* along this border, opposite */
+        num u_corners[2] = {M[2 * end], M[2 * end + 1]}, w_corners[2] = {M[end], M[2 + end]};
+        num swapped[2] = {free[1], free[0]};
+        num P1 = G(ruled)(unit, curves), P2 = G(ruled)(T->planted ? swapped : free, u_corners);
+        num P3 = G(of_corners)(unit, free, M);
+        about(T, "u = 0 and u = 1");
+        same(T, sub(add(P1, P2), P3), border);
+        same(T, P2, P3);
+        P2 = G(ruled)(unit, curves), P1 = G(ruled)(free, w_corners);
+        P3 = G(of_corners)(free, unit, M);
+        about(T, "w = 0 and w = 1");
+        same(T, sub(add(P1, P2), P3), border);
+        same(T, P1, P3);
+    }
+}
+
+CLAIM(coons_kernel_is_the_bordered_product)
+{
+    num a[most_data], b[most_data], A[most_data], B[most_data], M[most_data * most_data], used[most_data * most_data];
+    for (int m = 2; m <= most_data; m += 2) {
+        num bordered[5][5], left[5] = {from_int(-1)}, right[5] = {from_int(-1)}, product = from_int(0), P;
+        G(any_data)(T, "a", m, a);
+        G(any_data)(T, "b", m, b);
+        G(any_data)(T, "x", m, A);
+        G(any_data)(T, "y", m, B);
+        G(any_data)(T, "m", m * m, M);
+        bordered[0][0] = from_int(0);
+        for (int i = 0; i < m; i++) {
+            left[i + 1] = a[i], right[i + 1] = b[i];
+            bordered[i + 1][0] = A[i], bordered[0][i + 1] = B[i];
+            for (int j = 0; j < m; j++) {
+                bordered[i + 1][j + 1] = M[i * m + j];
+                used[i * m + j] = M[T->planted ? j * m + i : i * m + j];
+            }
+        }
+        for (int i = 0; i <= m; i++)
+            for (int j = 0; j <= m; j++)
+                product = add(product, mul(left[i], mul(bordered[i][j], right[j])));
+        G(coons_patch)(m, 1, a, b, A, B, used, &P);
+        same(T, P, neg(product));
+    }
+}
+
+/* Compare on all borders: value 0 to m/2 - 1 across.  What runs across has its data in M, but for a fault in the last one
+ * of them on the first border. */
+static void G(borders_are_kept)(trial *T, int m)
+{
+    num M[most_data * most_data], along[most_data], free[most_data], P;
+    G(any_data)(T, "m", m * m, M);
+    G(any_data)(T, "x", m, along);
+    G(any_data)(T, "f", m, free);
+    for (int k = 0; k < m; k++) { /* the border k % 2, its value or its derivative across */
+        num unit[most_data], across[most_data];
+        for (int i = 0; i < m; i++)
+            unit[i] = from_int(i == k);
+        about(T, k < 2 ? "the value on a border" : "the derivative across a border");
+        for (int j = 0; j < m; j++)
+            across[j] = T->planted && k == m - 2 && j == m - 1 ? add(M[k * m + j], from_int(1)) : M[k * m + j];
+        G(coons_patch)(m, 1, unit, free, along, across, M, &P);
+        same(T, P, along[k]);
+        for (int j = 0; j < m; j++)
+            across[j] = M[j * m + k];
+        G(coons_patch)(m, 1, free, unit, across, along, M, &P);
+        same(T, P, along[k]);
+    }
+}
+
+CLAIM(four_curves_are_borders) { G(borders_are_kept)(T, 2); }
+
+CLAIM(borders_and_cross_derivatives_are_kept) { G(borders_are_kept)(T, 4); }
+
+CLAIM(shifted_frame_shifts_the_patch_by_a_product)
+{
+    num a[2], b[2], A[2], B[2], M[4], P, Q, v = unknown(T, "v", 0), one = from_int(1);
+    G(any_data)(T, "a", 2, a);
+    G(any_data)(T, "b", 2, b);
+    G(any_data)(T, "x", 2, A);
+    G(any_data)(T, "y", 2, B);
+    G(any_data)(T, "m", 4, M);
+    G(coons_patch)(2, 1, a, b, A, B, M, &P);
+    for (int i = 0; i < 2; i++)
+        A[i] = add(A[i], v), B[i] = add(B[i], v);
+    for (int i = 0; i < 4; i++)
+        M[i] = T->planted ? M[i] : add(M[i], v);
+    G(coons_patch)(2, 1, a, b, A, B, M, &Q);
+    num gap = mul(sub(one, add(a[0], a[1])), sub(one, add(b[0], b[1])));
+    same(T, sub(Q, P), mul(sub(one, gap), v));
+}
+
+#if FIELD
+CLAIM(cubic_frame_gives_bicubic_patch)
+{
+    num u = variable_f("u"), w = variable_f("w"), M[4], P;
+    struct poly_f f0 = free_poly_f(T, "f", 3), f1 = free_poly_f(T, "g", 3);
+    struct poly_f u0 = free_poly_f(T, "x", T->planted ? 4 : 3), u1 = free_poly_f(T, "y", 3);
+    struct poly_f w0 = free_poly_f(T, "a", 3), w1 = free_poly_f(T, "b", 3);
+    G(any_data)(T, "m", 4, M);
+    num a[2] = {at_f(f0, 0, u), at_f(f1, 0, u)}, b[2] = {at_f(f0, 0, w), at_f(f1, 0, w)};
+    num A[2] = {at_f(w0, 0, w), at_f(w1, 0, w)}, B[2] = {at_f(u0, 0, u), at_f(u1, 0, u)};
+    G(coons_patch)(2, 1, a, b, A, B, M, &P);
+    agree(T, degree_f(P, u) <= 3 && denominator_degree_f(P, u) == 0);
+    agree(T, degree_f(P, w) <= 3 && denominator_degree_f(P, w) == 0);
+}
+#endif
+
+#if RATIONAL
+CLAIM(open_corner_loses_the_border)
+{
+    num a[2] = {from_int(1), from_int(0)}, half = from_ratio(1, 2), b[2] = {half, half}, zero = from_int(0), P;
+    num A[2] = {zero, zero}, B[2] = {from_int(!T->planted), zero}, M[4] = {zero, zero, zero, zero};
+    coons_patch_q(2, 1, a, b, A, B, M, &P);
+    about(T, "P(0, 1/2) and the curve 0w");
+    same(T, P, A[0]);
+}
+
+CLAIM(blendings_without_sum_one_move_the_patch)
+{
+    num value = T->planted ? from_ratio(1, 2) : from_ratio(1, 4), a[2] = {value, value}, one = from_int(1), P;
+    num curves[2] = {one, one}, M[4] = {one, one, one, one};
+    coons_patch_q(2, 1, a, a, curves, curves, M, &P);
+    about(T, "P(1/2, 1/2) and the only point of the frame");
+    same(T, P, one);
+}
+
+CLAIM(two_twists_cannot_both_be_kept)
+{
+    num zero = from_int(0), one = from_int(1), q[4], M[16], P;
+    hermite_blending_q(zero, one, from_ratio(1, 2), 0, q);
+    for (int twist = 0; twist < 2 - T->planted; twist++) {
+        num asked = T->planted ? zero : one, none[4] = {zero, zero, zero, zero}, unit[4] = {zero, zero, one, zero};
+        for (int i = 0; i < 16; i++)
+            M[i] = from_int(i == 10 && twist == 1);
+        num slope[4] = {zero, zero, asked, zero}; /* the derivatives of u0, u1, u0_w, u1_w at u = 0 */
+        coons_patch_q(4, 1, unit, q, none, slope, M, &P);
+        show(T, twist ? "P_u(0,1/2) with the twist 1, asked for 0" : "P_u(0,1/2) with the twist 0, asked for 0", P);
+        num lost = P;
+        num value[4] = {zero, zero, mul(asked, q[2]), zero}; /* the same at u = 1/2 */
+        coons_patch_q(4, 1, q, unit, none, value, M, &P);
+        show(T, twist ? "P_w(1/2,0) with the twist 1" : "P_w(1/2,0) with the twist 0", P);
+        show(T, "asked for", value[2]);
+        agree(T, is_zero_q(lost) && equal_q(P, value[2]));
+    }
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,34 @@
+/* drawing.h -- what the drawings of this chapter have in common. */
+#ifndef CAGD_HERMITE_COONS_DRAWING_H
+#define CAGD_HERMITE_COONS_DRAWING_H
+
+#include "chapters/frame/figure.h"
+#include "exact/kernels_q.h"
+#include "figures/svg.h"
+
+static inline num_q q(long m) { return from_int_q(m); }
+static inline num_q r(long m, long n) { return from_ratio_q(m, n); }
+static inline svg_point at(num_q x, num_q y) { return (svg_point){x, y}; }
+static inline svg_window window(num_q x0, num_q y0, num_q x1, num_q y1) { return (svg_window){x0, y0, x1, y1}; }
+
+/* The plane cubic with the data P(0), P(1), P'(0), P'(1), by its Bézier points. */
+static inline void put_hermite(svg *s, const num_q data[8], enum svg_role role)
+{
+    num_q R[8];
+    for (int c = 0; c < 2; c++) {
+        R[c] = data[c];
+        R[2 + c] = add_q(data[c], div_q(data[4 + c], q(3)));
+        R[4 + c] = sub_q(data[2 + c], div_q(data[6 + c], q(3)));
+        R[6 + c] = data[2 + c];
+    }
+    svg_bezier(s, 3, R, role);
+}
+
+/* The graph over [t0, t1] of the cubic with the data f(t0), f(t1), f'(t0), f'(t1). */
+static inline void put_hermite_graph(svg *s, num_q t0, num_q t1, const num_q f[4], enum svg_role role)
+{
+    num_q length = sub_q(t1, t0);
+    num_q data[8] = {t0, f[0], t1, f[1], length, mul_q(length, f[2]), length, mul_q(length, f[3])};
+    put_hermite(s, data, role);
+}
+#endif

@@ -1,0 +1,635 @@
+/*
+# Values and derivatives (Hermite 插值)
+
+## The general problem
+
+:::{statement} slides-ch4:2-hermite-problem
+:title: The polynomial with given values and derivatives
+:zh: 一般 Hermite 插值问题
+:printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
+  $N=m_0+m_1+\dots+m_k-1$
+:holds-by: hermite_interpolant_exists_and_is_unique
+:hypothesis: equal_nodes_have_no_interpolant | the $t_i$ are different
+:reading: hermite_interpolant_exists_and_is_unique | of degree at most $N$: there is exactly one
+:reading: straight_data_have_no_cubic | of degree exactly $N$: there may be none
+:figure: hermite_blending_functions
+
+The slides only ask for the polynomial.  That it can always be found, and that there is no choice, is the reason why the
+number of conditions is one more than $N$.
+:::
+
+:::{claim} hermite_interpolant_exists_and_is_unique
+:title: Values and derivatives at different nodes determine one polynomial
+:zh: Hermite 插值多项式存在且唯一
+:given: different nodes with multiplicities of the sum $N+1$, all $2^N$ ways to choose them in the field, random ones elsewhere
+:then: from the values and derivatives of any polynomial of degree at most $N$ the kernel `hermite_interpolant` gives its
+  coefficients back; hence to any data there is exactly one polynomial of degree at most $N$
+:method: Nodes and coefficients are variables; the data are the derivatives of the power form.  The map from $N+1$ coefficients
+  to $N+1$ data is linear and has a left inverse, so it is one to one, and being square, it is onto.
+:degrees: 0..5 sampled 10
+:defines: hermite_interpolant
+:control: the last datum replaced by 0
+:::
+
+:::{claim} equal_nodes_have_no_interpolant
+:title: At equal nodes the conditions contradict each other
+:zh: 节点相同则无解
+:kind: counterexample
+:given: nodes 0 and 0, one value at each, 0 and 1; lines $c_0+c_1t$
+:then: both conditions are conditions on $c_0$: the determinant of the system is 0, and $c_0=0$, $c_0=1$ cannot both hold
+:method: The determinant of the system with the rows $(1,t_i)$.
+:control: nodes 0 and 1
+:::
+
+:::{claim} straight_data_have_no_cubic
+:title: The data of a line have no interpolant of degree 3
+:zh: 直线数据的插值多项式次数低于三
+:kind: counterexample
+:given: $k=1$, $m_0=m_1=2$, $t_0=0$, $t_1=1$, the data $0,1$ and $1,1$ of $f(t)=t$
+:then: the only polynomial of degree at most 3 with these data is $t$, whose degree is 1
+:method: The kernel's coefficients; it gives the only polynomial of degree at most 3.
+:control: the derivative 2 at $t_1$
+:::
+*/
+#include "chapters/hermite-coons/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* Pattern number m of `count` nodes: bit a says that node a+1 differs from node a.  Returns how many different ones. */
+static int G(multiplicities)(int count, int m, int l[])
+{
+    int d = 0;
+    l[0] = 1;
+    for (int a = 0; a + 1 < count; a++) {
+        if (m >> a & 1)
+            l[++d] = 0;
+        l[d]++;
+    }
+    return d + 1;
+}
+
+static void G(different_nodes)(trial *T, int d, num tau[])
+{
+    tau[0] = unknown(T, "t", 0);
+    for (int i = 1; i < d; i++)
+#if FIELD
+        tau[i] = unknown(T, "t", i);
+#else
+        tau[i] = add(tau[i - 1], positive(T, "h", i));
+#endif
+}
+
+CLAIM(hermite_interpolant_exists_and_is_unique)
+{
+    int N = T->degree, l[MAX_ORDER];
+    num tau[MAX_ORDER], f[MAX_ORDER], c[MAX_ORDER];
+    struct G(poly) p = G(free_poly)(T, "c", N);
+    int patterns = FIELD ? 1 << N : 1;
+    for (int m = 0; m < patterns; m++) {
+        int d = G(multiplicities)(N + 1, FIELD ? m : pick(T, 0, (1 << N) - 1), l), place = 0;
+        G(different_nodes)(T, d, tau);
+        for (int i = 0; i < d; i++)
+            for (int j = 0; j < l[i]; j++)
+                f[place++] = G(at)(p, j, tau[i]);
+        if (T->planted)
+            f[N] = from_int(0);
+        G(hermite_interpolant)(d, l, tau, f, c);
+        for (int k = 0; k <= N; k++)
+            same(T, c[k], p.c[k]);
+    }
+}
+
+#if RATIONAL
+CLAIM(equal_nodes_have_no_interpolant)
+{
+    num t[2] = {from_int(0), from_int(T->planted)}, one = from_int(1);
+    num determinant = sub(mul(one, t[1]), mul(t[0], one));
+    show(T, "t_0", t[0]);
+    show(T, "t_1", t[1]);
+    show(T, "the determinant", determinant);
+    agree(T, !is_zero_q(determinant));
+}
+
+CLAIM(straight_data_have_no_cubic)
+{
+    int l[2] = {2, 2};
+    num tau[2] = {from_int(0), from_int(1)}, c[4];
+    num f[4] = {from_int(0), from_int(1), from_int(1), from_int(T->planted ? 2 : 1)};
+    hermite_interpolant_q(2, l, tau, f, c);
+    show_points(T, "c_0, c_1, c_2, c_3", 4, 1, c);
+    agree(T, !is_zero_q(c[3]));
+}
+#endif
+
+/*
+## The cubic with two points and two tangents
+
+:::{statement} slides-ch4:2-cubic-system
+:title: The four equations for the coefficients of a cubic
+:zh: 三次多项式系数的线性方程组
+:printed: $P(t)=a_3t^3+a_2t^2+a_1t+a_0$, $t\in[t_0,t_1]$; $f(t_i)=a_3t_i^3+a_2t_i^2+a_1t_i+a_0$,
+  $f'(t_i)=3a_3t_i^2+2a_2t_i+a_1$ for $i=0,1$
+:holds-by: cubic_equations_are_the_conditions
+:::
+
+:::{claim} cubic_equations_are_the_conditions
+:title: The four equations have the determinant (t1 - t0)^4
+:zh: 方程组行列式
+:given: any $t_0,t_1$ and $a_0,\dots,a_3$
+:then: the four right sides are $P(t_0),P(t_1),P'(t_0),P'(t_1)$; ordered as $P(t_0),P'(t_0),P(t_1),P'(t_1)$ their determinant is
+  $(t_1-t_0)^4$, so there is exactly one solution if $t_0\ne t_1$ and not otherwise
+:method: Everything variable; the right sides against the power form, the determinant by Bird's algorithm.
+:control: $t_1^2$ in the place of $2t_1$ in the last equation
+:::
+
+:::{statement} slides-ch4:2-cubic-coefficients
+:title: Three of the four coefficients, multiplied out
+:zh: 系数 a3、a1、a0 的展开式
+:printed: $(t_1-t_0)^3a_3=f'(t_0)t_1-f'(t_0)t_0+f'(t_1)t_1-f'(t_1)t_0+2f(t_0)-2f(t_1)$;
+  $(t_1-t_0)^3a_1=f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1$;
+  $(t_1-t_0)^3a_0=-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3$
+:holds-by: cubic_coefficients_by_monomials
+:hypothesis: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+
+The signs are lost.  The monomials are linearly independent, so each sign is determined by the value of the sum: one choice is true.
+:::
+
+:::{statement} slides-ch4:2-cubic-a2
+:title: The coefficient of the square, multiplied out
+:zh: 系数 a2 的展开式
+:printed: (t_1-t_0)^3a_2=-2f(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0
+:refuted-by: square_needs_the_prime
+:class: misprint
+:corrected: (t_1-t_0)^3a_2=-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0
+:corrected-by: cubic_coefficients_by_monomials
+:figure: square_without_its_prime
+
+Derivatives can be told from values in the text we have, because a prime leaves a gap there; the first term has none.  With either
+sign of that term the formula is false, and with a prime it is true.
+:::
+
+:::{claim} cubic_coefficients_by_monomials
+:title: The coefficients of the interpolating cubic as sums of monomials
+:zh: 三次插值系数的单项式展开
+:given: $t_0\ne t_1$, values $f(t_0),f(t_1)$ and derivatives $f'(t_0),f'(t_1)$
+:then: the cubic with the four sums, divided by $(t_1-t_0)^3$, as coefficients satisfies the four conditions
+:method: Everything variable; the sums are entered as lists of monomials.
+:control: the sign of the first monomial of $a_2$ reversed
+:::
+
+:::{claim} square_needs_the_prime
+:title: With f(t0) for f'(t0) in one term the curve misses its data
+:zh: 漏一撇则插值失败
+:kind: counterexample
+:given: $t_0=0$, $t_1=1$, the data $f(0)=f(1)=1$, $f'(0)=f'(1)=0$ of the constant 1
+:then: $a_2=\mp2$ by the first term with either sign, where it must be 0: the curve ends at $-1$ or at $3$ and not at 1
+:method: The printed sum with the lost sign of the first term put in both ways; $P(1)=a_0+a_1+a_2+a_3$.
+:control: the term with its prime
+:::
+*/
+
+/* A monomial: sign, which of f(t_0), f(t_1), f'(t_0), f'(t_1), and the powers of t_0 and t_1. */
+struct G(monomial) {
+    int factor, datum, p0, p1;
+};
+
+/* The list of a_k, k = 0, ..., 3. */
+static const struct G(monomial) G(printed_sum)[4][10] = {
+    {{-1, 2, 1, 3},
+     {1, 2, 2, 2},
+     {-1, 3, 2, 2},
+     {1, 3, 3, 1},
+     {1, 0, 0, 3},
+     {-3, 0, 1, 2},
+     {3, 1, 2, 1},
+     {-1, 1, 3, 0}},
+    {{1, 2, 0, 3},
+     {1, 2, 1, 2},
+     {-2, 2, 2, 1},
+     {2, 3, 1, 2},
+     {-1, 3, 2, 1},
+     {-1, 3, 3, 0},
+     {6, 0, 1, 1},
+     {-6, 1, 1, 1}},
+    {{-2, 2, 0, 2},
+     {1, 2, 1, 1},
+     {1, 2, 2, 0},
+     {-1, 3, 0, 2},
+     {-1, 3, 1, 1},
+     {2, 3, 2, 0},
+     {-3, 0, 0, 1},
+     {-3, 0, 1, 0},
+     {3, 1, 0, 1},
+     {3, 1, 1, 0}},
+    {{1, 2, 0, 1}, {-1, 2, 1, 0}, {1, 3, 0, 1}, {-1, 3, 1, 0}, {2, 0, 0, 0}, {-2, 1, 0, 0}},
+};
+
+/* The cubic with these coefficients.  The first monomial of a_2 is multiplied by sign and has the datum `which`. */
+static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int sign, int which)
+{
+    struct G(poly) p = {.n = 3};
+    num length = sub(t1, t0), cube = mul(length, mul(length, length));
+    for (int k = 0; k <= 3; k++) {
+        num sum = from_int(0);
+        for (int m = 0; m < 10; m++) {
+            struct G(monomial) term = G(printed_sum)[k][m];
+            if (k == 2 && m == 0)
+                term.factor *= sign, term.datum = which;
+            num value = mul(from_int(term.factor), data[term.datum]);
+            for (int i = 0; i < term.p0; i++)
+                value = mul(value, t0);
+            for (int i = 0; i < term.p1; i++)
+                value = mul(value, t1);
+            sum = add(sum, value);
+        }
+        p.c[k] = div(sum, cube);
+    }
+    return p;
+}
+
+/* t0, and t1 greater than it. */
+static void G(interval)(trial *T, num *t0, num *t1)
+{
+    *t0 = unknown(T, "t", 0);
+    *t1 = add(*t0, positive(T, "h", 0));
+}
+
+static void G(four_data)(trial *T, num data[4])
+{
+    for (int i = 0; i < 4; i++)
+        data[i] = unknown(T, "f", i);
+}
+
+/* Compare: p has the four data. */
+static void G(osculates)(trial *T, struct G(poly) p, num t0, num t1, const num data[4])
+{
+    static const char *const name[4] = {"P(t_0)", "P(t_1)", "P'(t_0)", "P'(t_1)"};
+    for (int i = 0; i < 4; i++) {
+        about(T, name[i]);
+        same(T, G(at)(p, i / 2, i % 2 == 0 ? t0 : t1), data[i]);
+    }
+}
+
+CLAIM(cubic_equations_are_the_conditions)
+{
+    num t[2] = {unknown(T, "t", 0), unknown(T, "t", 1)}, M[16];
+    struct G(poly) p = G(free_poly)(T, "a", 3);
+    for (int i = 0; i < 2; i++) {
+        num square = mul(t[i], t[i]), *row = M + 8 * i;
+        num twice = T->planted && i == 1 ? square : mul(from_int(2), t[i]);
+        row[0] = from_int(1), row[1] = t[i], row[2] = square, row[3] = mul(square, t[i]);
+        row[4] = from_int(0), row[5] = from_int(1), row[6] = twice, row[7] = mul(from_int(3), square);
+        for (int r = 0; r < 2; r++) {
+            num sum = from_int(0);
+            for (int k = 0; k < 4; k++)
+                sum = add(sum, mul(row[4 * r + k], p.c[k]));
+            same(T, sum, G(at)(p, r, t[i]));
+        }
+    }
+    num gap = sub(t[1], t[0]), square = mul(gap, gap);
+    about(T, "the determinant");
+    same(T, G(determinant)(4, M), mul(square, square));
+}
+
+CLAIM(cubic_coefficients_by_monomials)
+{
+    num t0, t1, data[4];
+    G(interval)(T, &t0, &t1);
+    G(four_data)(T, data);
+    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, T->planted ? -1 : 1, 2), t0, t1, data);
+}
+
+#if RATIONAL
+CLAIM(square_needs_the_prime)
+{
+    num data[4] = {from_int(1), from_int(1), from_int(0), from_int(0)}, zero = from_int(0), one = from_int(1);
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        struct G(poly) p = G(cubic_of_sums)(zero, one, data, sign, T->planted ? 2 : 0);
+        show(T, sign > 0 ? "P(1) with -2f(t_0)" : "P(1) with +2f(t_0)", G(at)(p, 0, one));
+        same(T, G(at)(p, 0, one), one);
+    }
+}
+#endif
+
+/*
+## The four blending functions (混合函数)
+
+:::{statement} slides-ch4:2-cubic-by-data
+:title: The interpolating cubic, ordered by its data
+:zh: 按型值整理的三次插值多项式
+:printed: P(t)=f(t_0)\frac{(t-t_1)^2(2t-3t_0+t_1)}{(t_1-t_0)^3}+f(t_1)\frac{(t-t_0)^2(2t-3t_1+t_0)}{(t_0-t_1)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
+:holds-by: cubic_ordered_by_data
+:hypothesis: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+
+The two cubes have the factors in opposite order, which makes up for the sign between the two fractions.
+:::
+
+:::{claim} cubic_ordered_by_data
+:title: The four fractions, multiplied by the data, satisfy the conditions
+:zh: 四个分式之和满足插值条件
+:given: $t_0\ne t_1$ and any data
+:then: the printed sum has the values and derivatives prescribed at $t_0$ and $t_1$
+:method: The sum as a polynomial in $t$; everything variable.
+:control: the cube $(t_1-t_0)^3$ under both values
+:::
+
+:::{statement} slides-ch4:2-blending
+:title: The blending functions over an interval
+:zh: 区间上的混合函数
+:printed: $P_0(t)=f(t_0)g_{00}(t)+f(t_1)g_{01}(t)+f'(t_0)h_{00}(t)+f'(t_1)h_{01}(t)$ with
+  $g_{00}=\bigl(1+2\frac{t-t_0}{t_1-t_0}\bigr)\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$,
+  $g_{01}=\bigl(1+2\frac{t-t_1}{t_0-t_1}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
+  $h_{00}=(t-t_0)\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=(t-t_1)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
+:holds-by: hermite_kernel_blends_four_data
+:hypothesis: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:figure: hermite_blending_functions
+:::
+
+:::{claim} hermite_kernel_blends_four_data
+:title: The printed functions blend the data to the interpolating cubic and all its derivatives
+:zh: 混合函数给出三次插值曲线及其各阶导数
+:given: $t_0<t_1$, any data, any $t$, orders 0 to 4
+:then: the kernels `hermite_blending` and `hermite_cubic` give the derivatives of the four printed functions and of their sum with
+  the data, and that sum has the data
+:method: The printed functions are multiplied out as polynomials in $t$, and differentiated power by power; everything variable.
+:defines: hermite_blending hermite_cubic
+:control: the two derivatives exchanged
+:::
+
+:::{statement} slides-ch4:2-blending-ends
+:title: Values and derivatives of the blending functions at the ends
+:zh: 混合函数的端点性质
+:printed: $g_{00}(t_0)=1$, $g_{00}(t_1)=0$, $g_{01}(t_0)=0$, $g_{01}(t_1)=1$, $h_{00}(t_0)=h_{00}(t_1)=h_{01}(t_0)=h_{01}(t_1)=0$;
+  $g_{00}'(t_0)=g_{00}'(t_1)=g_{01}'(t_0)=g_{01}'(t_1)=0$, $h_{00}'(t_0)=1$, $h_{00}'(t_1)=0$, $h_{01}'(t_0)=0$, $h_{01}'(t_1)=1$
+:holds-by: blending_functions_are_dual_to_the_data
+:figure: hermite_blending_functions
+:::
+
+:::{statement} slides-ch4:3-blending-ends
+:title: The same for the functions over the unit interval, as they are used for surfaces
+:zh: 单位区间上四个混合函数的端点性质
+:printed: $q_{00}(0)=1$, $q_{01}(0)=q_{10}(0)=q_{11}(0)=0$; $q_{01}(1)=1$, $q_{00}(1)=q_{10}(1)=q_{11}(1)=0$; $q_{10}'(0)=1$,
+  $q_{00}'(0)=q_{01}'(0)=q_{11}'(0)=0$; $q_{11}'(1)=1$, $q_{00}'(1)=q_{01}'(1)=q_{10}'(1)=0$
+:holds-by: blending_functions_are_dual_to_the_data
+
+The case $t_0=0$, $t_1=1$.
+:::
+
+:::{claim} blending_functions_are_dual_to_the_data
+:title: Each blending function has one datum 1 and three data 0
+:zh: 四函数与四型值对偶
+:given: $t_0<t_1$, also $t_0=0$, $t_1=1$
+:then: the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ are those of the unit matrix
+:method: The printed functions multiplied out and differentiated; $t_0$ and $t_1$ variables, then 0 and 1.
+:control: $h_{00}$ taken for $h_{01}$
+:::
+*/
+
+CLAIM(cubic_ordered_by_data)
+{
+    num t0, t1, data[4];
+    G(interval)(T, &t0, &t1);
+    G(four_data)(T, data);
+    num length = sub(t1, t0), back = T->planted ? length : neg(length), square = mul(length, length);
+    num two = from_int(2), three = from_int(3);
+    struct G(poly) up = {1, {neg(t0), from_int(1)}}, down = {1, {neg(t1), from_int(1)}}; /* t - t0, t - t1 */
+    struct G(poly) factor[4] = {{1, {sub(t1, mul(three, t0)), two}}, {1, {sub(t0, mul(three, t1)), two}}, up, down};
+    num under[4] = {mul(square, length), mul(square, back), square, square};
+    struct G(poly) sum = G(constant)(from_int(0));
+    for (int i = 0; i < 4; i++) {
+        struct G(poly) far = i % 2 == 0 ? down : up;
+        struct G(poly) product = G(times)(factor[i], G(times)(far, far));
+        sum = G(plus)(sum, G(times)(G(constant)(div(data[i], under[i])), product));
+    }
+    G(osculates)(T, sum, t0, t1, data);
+}
+
+CLAIM(hermite_kernel_blends_four_data)
+{
+    num t0, t1, data[4], B[20], out[5], t = parameter(T, "p");
+    G(interval)(T, &t0, &t1);
+    G(four_data)(T, data);
+    struct G(poly) sum = G(constant)(from_int(0));
+    G(hermite_blending)(t0, t1, t, 4, B);
+    for (int i = 0; i < 4; i++) {
+        struct G(poly) g = G(printed_blending)(t0, t1, T->planted && i >= 2 ? 5 - i : i);
+        about(T, "the blending functions");
+        for (int k = 0; k <= 4; k++)
+            same(T, B[4 * k + i], G(at)(g, k, t));
+        sum = G(plus)(sum, G(times)(G(constant)(data[i]), g));
+    }
+    G(hermite_cubic)(1, t0, t1, data, t, 4, out);
+    about(T, "the curve");
+    for (int k = 0; k <= 4; k++)
+        same(T, out[k], G(at)(sum, k, t));
+    G(osculates)(T, sum, t0, t1, data);
+}
+
+CLAIM(blending_functions_are_dual_to_the_data)
+{
+    num t0, t1, unit[4];
+    for (int over_unit = 0; over_unit < 2; over_unit++) {
+        G(interval)(T, &t0, &t1);
+        if (over_unit)
+            t0 = from_int(0), t1 = from_int(1);
+        for (int i = 0; i < 4; i++) {
+            for (int k = 0; k < 4; k++)
+                unit[k] = from_int(k == i);
+            G(osculates)(T, G(printed_blending)(t0, t1, T->planted && i == 3 ? 2 : i), t0, t1, unit);
+        }
+    }
+}
+
+/*
+## Four points (Lagrange 插值)
+
+:::{statement} slides-ch4:2-lagrange
+:title: The cubic through four points
+:zh: 过四点的三次 Lagrange 插值
+:printed: $P(t)=\sum_{i=0}^3f(t_i)g_i(t)$ with $g_i(t)=\prod_{j\ne i}\frac{t-t_j}{t_i-t_j}$, written out for $i=0,1,2,3$
+:holds-by: lagrange_functions_keep_every_polynomial
+:hypothesis: equal_nodes_have_no_interpolant | the $t_i$ are different
+:figure: lagrange_blending_functions
+:::
+
+:::{claim} lagrange_functions_keep_every_polynomial
+:title: The sum of the values with Lagrange's functions is the polynomial
+:zh: Lagrange 混合函数
+:given: different nodes $\tau_0,\dots,\tau_n$, any polynomial of degree at most $n$, any $t$
+:then: `lagrange_blending` gives functions with $g_i(\tau_j)=1$ for $i=j$ and 0 otherwise, and $\sum_ip(\tau_i)g_i(t)=p(t)$
+:method: Nodes, coefficients and $t$ variables; the polynomial from its powers.
+:degrees: 0..4 sampled 10
+:defines: lagrange_blending
+:control: the first two values exchanged
+:::
+
+## The unit interval
+
+:::{statement} slides-ch4:2-substitution
+:title: The blending functions over the unit interval
+:zh: 变换到单位区间
+:printed: $u=\frac{t-t_0}{t_1-t_0}$, $t=t_0+(t_1-t_0)u$: $g_{00}=2u^3-3u^2+1=q_{00}(u)$, $g_{01}=-2u^3+3u^2=q_{01}(u)$,
+  $h_{00}=(u^3-2u^2+u)(t_1-t_0)=q_{10}(u)(t_1-t_0)$, $h_{01}=(u^3-u^2)(t_1-t_0)=q_{11}(u)(t_1-t_0)$; also in the factored forms
+  $(u-1)^2(2u+1)$, $u^2(-2u+3)$, $u(u-1)^2$, $u^2(u-1)$
+:holds-by: unit_blending_functions
+:::
+
+:::{statement} slides-ch4:2-unit-derivatives
+:title: The data over the unit interval
+:zh: 导数随参数区间长度缩放
+:printed: $\varphi(0)=f(t_0)$, $\varphi(1)=f(t_1)$, $\varphi'(0)=f'(t_0)(t_1-t_0)$, $\varphi'(1)=f'(t_1)(t_1-t_0)$, and
+  $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
+:holds-by: unit_blending_functions
+:::
+
+:::{claim} unit_blending_functions
+:title: In the parameter of the unit interval derivatives are multiplied by the length of the interval
+:zh: 单位区间上的混合函数
+:given: $t_0<t_1$, any data, any $u$, $t=t_0+(t_1-t_0)u$
+:then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the scaled data is the interpolating cubic
+:method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
+:control: the derivatives not multiplied by the length
+:::
+
+:::{statement} slides-ch4:2-matrix
+:title: The cubic as a product of matrices
+:zh: 三次 Hermite 曲线的矩阵形式
+:printed: P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}
+:holds-by: one_choice_of_signs_in_the_matrix
+
+The signs are lost; of the 1024 ways to give the ten entries signs, one is true.
+:::
+
+:::{claim} one_choice_of_signs_in_the_matrix
+:title: One choice of signs makes the columns the blending functions
+:zh: 矩阵的符号唯一
+:kind: decision
+:given: the absolute values of the printed matrix, with all $2^{10}$ choices of signs
+:then: exactly one has columns with the unit data at 0 and 1, and it is the matrix that is printed here
+:method: For each choice $c_3u^3+c_2u^2+c_1u+c_0$ is a column; its data are $c_0$, $c_0+c_1+c_2+c_3$, $c_1$, $c_1+2c_2+3c_3$ in integers.
+:control: the printed matrix with its first entry negative
+:::
+
+:::{statement} slides-ch4:2-worked-curve
+:title: The worked curve
+:zh: 三次 Hermite 曲线算例
+:printed: $P_0=(1,1)$, $P_1=(4,2)$, $P_0'=(1,1)$, $P_1'=(1,-1)$: $x(u)=-4u^3+6u^2+u+1$, $y(u)=-2u^3+2u^2+u+1$
+:holds-by: worked_hermite_curve
+:figure: worked_hermite_curve
+:::
+
+:::{claim} worked_hermite_curve
+:title: The curve of the example has the points and tangents asked for, and only with these signs
+:zh: 算例验证
+:kind: decision
+:given: the data of the example; the absolute values of the eight printed coefficients with all $2^8$ choices of signs
+:then: exactly one choice has the data, the printed one, and it is what `hermite_cubic` gives
+:method: Values and derivatives at 0 and 1 in integers; the kernel at four parameters, which determine a cubic.
+:control: $P_1'=(1,1)$
+:::
+*/
+
+CLAIM(lagrange_functions_keep_every_polynomial)
+{
+    int n = T->degree;
+    num tau[MAX_ORDER], g[MAX_ORDER], value[MAX_ORDER], t = parameter(T, "p"), sum = from_int(0);
+    struct G(poly) p = G(free_poly)(T, "c", n);
+    G(different_nodes)(T, n + 1, tau);
+    for (int j = 0; j <= n; j++) {
+        value[j] = G(at)(p, 0, tau[j]);
+        G(lagrange_blending)(n, tau, tau[j], g);
+        about(T, "g_i at the nodes");
+        for (int i = 0; i <= n; i++)
+            same(T, g[i], from_int(i == j));
+    }
+    G(lagrange_blending)(n, tau, t, g);
+    for (int i = 0; i <= n; i++) {
+        int taken = T->planted && n > 0 && i < 2 ? 1 - i : i;
+        sum = add(sum, mul(value[taken], g[i]));
+    }
+    about(T, "p(t)");
+    same(T, T->planted && n == 0 ? from_int(0) : sum, G(at)(p, 0, t));
+}
+
+CLAIM(unit_blending_functions)
+{
+    num t0, t1, data[4], u = parameter(T, "u"), one = from_int(1), two = from_int(2), sum = from_int(0);
+    G(interval)(T, &t0, &t1);
+    G(four_data)(T, data);
+    num length = sub(t1, t0), t = add(t0, mul(length, u)), uu = mul(u, u), uuu = mul(uu, u), v = sub(u, one);
+    num q[4] = {add(sub(mul(two, uuu), mul(from_int(3), uu)), one), sub(mul(from_int(3), uu), mul(two, uuu)),
+                add(sub(uuu, mul(two, uu)), u), sub(uuu, uu)};
+    num factored[4] = {mul(mul(v, v), add(mul(two, u), one)), mul(uu, sub(from_int(3), mul(two, u))), mul(u, mul(v, v)),
+                       mul(uu, v)};
+    num cubic = from_int(0);
+    for (int i = 0; i < 4; i++) {
+        struct G(poly) g = G(printed_blending)(t0, t1, i);
+        num scale = i < 2 || T->planted ? one : length, power = one, column = from_int(0);
+        about(T, "the functions");
+        same(T, G(at)(g, 0, t), mul(scale, q[i]));
+        same(T, factored[i], q[i]);
+        for (int k = 0; k < 4; k++, power = mul(power, u))
+            column = add(column, mul(from_int(G(printed_matrix)(3 - k, i)), power));
+        same(T, column, q[i]);
+        sum = add(sum, mul(mul(scale, data[i]), q[i]));
+        cubic = add(cubic, mul(data[i], G(at)(g, 0, t)));
+    }
+    about(T, "the curve");
+    same(T, sum, cubic);
+}
+
+#if RATIONAL
+/* Do the coefficients, that of u^3 first, have the data P(0), P(1), P'(0), P'(1)? */
+static int has_data(const int c[4], const int data[4])
+{
+    return c[3] == data[0] && c[0] + c[1] + c[2] + c[3] == data[1] && c[2] == data[2] &&
+           3 * c[0] + 2 * c[1] + c[2] == data[3];
+}
+
+CLAIM(one_choice_of_signs_in_the_matrix)
+{
+    int choices = 0, printed = 0;
+    for (int signs = 0; signs < 1 << 10; signs++) {
+        int M[4][4], bit = 0, good = 1, is_printed = 1;
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 4; j++) {
+                int given = G(printed_matrix)(i, j), size = given < 0 ? -given : given;
+                M[i][j] = size != 0 && signs >> bit++ & 1 ? -size : size;
+                is_printed = is_printed && M[i][j] == (T->planted && i + j == 0 ? -given : given);
+            }
+        for (int j = 0; j < 4; j++) {
+            int column[4] = {M[0][j], M[1][j], M[2][j], M[3][j]}, unit[4] = {j == 0, j == 1, j == 2, j == 3};
+            good = good && has_data(column, unit);
+        }
+        choices += good;
+        printed += good && is_printed;
+    }
+    agree(T, choices == 1);
+    agree(T, printed == 1);
+}
+
+CLAIM(worked_hermite_curve)
+{
+    static const int printed[2][4] = {{-4, 6, 1, 1}, {-2, 2, 1, 1}};
+    int data[2][4] = {{1, 4, 1, 1}, {1, 2, 1, T->planted ? 1 : -1}}, choices[2] = {0, 0};
+    for (int axis = 0; axis < 2; axis++) {
+        agree(T, has_data(printed[axis], data[axis]));
+        for (int signs = 0; signs < 1 << 4; signs++) {
+            int c[4];
+            for (int k = 0; k < 4; k++)
+                c[k] = (signs >> k & 1 ? -1 : 1) * printed[axis][k];
+            choices[axis] += has_data(c, data[axis]);
+        }
+        num four[4], out;
+        for (int i = 0; i < 4; i++)
+            four[i] = from_int(data[axis][i]);
+        for (int u = 0; u < 4; u++) {
+            hermite_cubic_q(1, from_int(0), from_int(1), four, from_int(u), 0, &out);
+            const int *c = printed[axis];
+            same(T, out, from_int(((c[0] * u + c[1]) * u + c[2]) * u + c[3]));
+        }
+    }
+    agree(T, choices[0] * choices[1] == 1);
+}
+#endif
+#include "chapters/frame/claims_off.h"
