@@ -14,6 +14,7 @@ arise so.
   one polynomial map has other points with unequal weights
 :reading: unit_invariants_give_polynomial_curve | up to a change of parameter the condition is $I_i=1$ for all $i$,
   not equal weights
+:figure: equal_weights
 
 Besides $\omega>0$ any $\omega\ne0$ will do.
 :::

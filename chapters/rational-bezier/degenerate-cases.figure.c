@@ -48,3 +48,36 @@ FIGURE(geometric_weights)
     svg_legend_line(s, SVG_MUTED, "$α = 1/3$");
     return s;
 }
+
+FIGURE(equal_weights)
+{
+    enum { n = 3 };
+    static const int point[] = {0, 0, 1, 3, 4, 3, 5, 0}, numerator[] = {1, 1, 2, 4}, denominator[] = {4, 2, 1, 1};
+    num_q R[2 * (n + 1)], w[n + 1], P[2];
+    for (int k = 0; k < 2 * (n + 1); k++)
+        R[k] = from_int_q(point[k]);
+    svg *s = svg_new("equal_weights", "Equal weights give the Bézier curve",
+                     "Four points with the weights 1, w, w, 1.  For w = 1 the rational curve is the Bézier curve of "
+                     "the points, with "
+                     "the same point for every parameter; the points of parameters k/8 are marked on both.  For w = "
+                     "1/4, 1/2, 2 and 4 "
+                     "it is another curve.");
+    svg_panel(s, svg_integer_window(-1, -1, 6, 4), 460, 0, "weights $1, ω, ω, 1$");
+    svg_control_polygon(s, n, R, "R");
+    for (int k = 0; k < 4; k++) {
+        w[0] = w[n] = from_int_q(1);
+        w[1] = w[2] = from_ratio_q(numerator[k], denominator[k]);
+        svg_rational(s, n, R, w, SVG_FAMILY);
+    }
+    for (int i = 0; i <= n; i++)
+        w[i] = from_int_q(5);
+    svg_rational(s, n, R, w, SVG_CURVE);
+    for (int k = 0; k <= 8; k++) {
+        decasteljau_q(n, 2, R, from_ratio_q(k, 8), P);
+        svg_mark(s, svg_pair(P), SVG_CURVE_2, SVG_USUAL);
+    }
+    svg_legend_line(s, SVG_CURVE, "all weights equal");
+    svg_legend_mark(s, SVG_CURVE_2, SVG_USUAL, "Bézier curve, $t=k/8$");
+    svg_legend_line(s, SVG_FAMILY, "$ω = 1/4, 1/2, 2, 4$");
+    return s;
+}

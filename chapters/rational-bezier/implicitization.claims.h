@@ -905,6 +905,7 @@ CLAIM(space_curve_and_its_shadow)
 :zh: F 的次数不高于 n
 :printed: the polynomial $F(x,y)$ of (3.4.1) has degree at most $n$ in the two variables
 :holds-by: bezout_entries_are_linear bezout_matrix_comes_from_the_blocks sylvester_and_bezout_give_one_equation
+:figure: implicit_degree
 
 That the two determinants are one is run for the degrees of the scope and argued for every other $n$, in
 `bezout_matrix_comes_from_the_blocks`; the rest is for every $n$.  The source's own proof divides by $\omega_0$; for

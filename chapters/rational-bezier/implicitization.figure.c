@@ -109,6 +109,37 @@ FIGURE(implicit_shadow)
     return s;
 }
 
+FIGURE(implicit_degree)
+{
+    svg *s = svg_new(
+        "implicit_degree", "The equation of a cubic curve has degree three",
+        "The rational cubic with the points (0, 0), (1, 2), (2, -2), (3, 0) and the weights 1, 2, 2, 1, and all "
+        "points where its determinant F vanishes.  The line y = 0 meets F = 0 in three points, the parameters 0, "
+        "1/2 and 1, and no line that is not part of it meets it in more.");
+    static const int point[8] = {0, 0, 1, 2, 2, -2, 3, 0}, weight[4] = {1, 2, 2, 1};
+    num_q R[8], w[4];
+    for (int i = 0; i < 4; i++) {
+        R[2 * i] = q(point[2 * i]);
+        R[2 * i + 1] = q(point[2 * i + 1]);
+        w[i] = q(weight[i]);
+    }
+    struct implicit_curve F = {3, R, w};
+    svg_panel(s, window(q(-1), r(-5, 2), q(4), r(5, 2)), 420, 0, "a line meets $F(x,y)=0$ at most $n=3$ times");
+    svg_implicit(s, determinant_at, &F, 160, SVG_CURVE_2);
+    svg_control_polygon(s, 3, R, "R");
+    svg_rational(s, 3, R, w, SVG_CURVE);
+    svg_line(s, at(q(-1), q(0)), at(q(4), q(0)), SVG_MUTED);
+    for (int k = 0; k <= 2; k++) {
+        num_q P[2];
+        rational_point_q(3, 2, R, w, r(k, 2), P);
+        svg_mark(s, svg_pair(P), SVG_RIGHT, SVG_USUAL);
+    }
+    svg_legend_line(s, SVG_CURVE, "the curve, $0≤t≤1$");
+    svg_legend_line(s, SVG_CURVE_2, "$F=0$");
+    svg_legend_mark(s, SVG_RIGHT, SVG_USUAL, "common points with $y=0$");
+    return s;
+}
+
 /* x^2 - y^2 - 4y, the determinant with the printed recursion. */
 static num_q printed_at(svg_point p, const void *data)
 {
