@@ -530,6 +530,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :refuted-by: full_powers_sum_to_nothing
 :corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
 :corrected-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis
+:figure: full_powers
 :::
 
 :::{statement} wang-ch4:thm-4.4.1-step-expansion
@@ -547,6 +548,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :holds-by: summation_orders_agree powers_expand_in_the_parameter
 :hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is put
   back
+:figure: full_powers
 :::
 
 :::{claim} truncated_power_gives_the_basis

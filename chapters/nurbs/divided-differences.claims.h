@@ -217,6 +217,7 @@ For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
 :refuted-by: printed_last_row_has_wrong_factor
 :corrected: it is, once the factorials in the last rows of (4.4.6) are put right
 :corrected-by: confluent_vandermonde_holds_derivatives
+:figure: confluent_row
 :::
 
 :::{statement} wang-ch4:formula-4.4.6-determinant

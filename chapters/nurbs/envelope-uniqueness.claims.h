@@ -726,6 +726,7 @@ This is where the proof breaks: an equation that has to hold at one $t$ is used 
 :holds-by: first_level_condition_factors member_of_span_touches_curve
 :hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
   identically is not enough
+:figure: nurbs_envelope_extra
 :::
 
 :::{claim} slope_is_constant_where_nothing_turns

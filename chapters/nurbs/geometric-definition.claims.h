@@ -77,6 +77,7 @@ not exist.
   with positive weights
 :corrected: the curve is among the envelopes, as the points with $\tau=t$
 :corrected-by: member_of_span_touches_curve whole_member_is_polar_on_every_span
+:figure: nurbs_polygons_extra
 :::
 
 :::{statement} wang-ch4:def-4.3.1

@@ -325,6 +325,7 @@ $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 :refuted-by: uniform_letter_one_fails
 :corrected: the exponent is $k-1-j$; everything else is right
 :corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
 :::
 
 :::{statement} wang-ch4:uniform-line-2
@@ -336,6 +337,7 @@ $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 :corrected: the upper limit is $r+1+s$, the exponent $k-1-j$ and the last factorial $(r+s+1-l)!$: three letters $l$ for the
   digit 1
 :corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
 
 With $l$ in its own upper limit the sum has no meaning; with the limit put right the other two are still wrong.
 :::
@@ -348,6 +350,7 @@ With $l$ in its own upper limit the sum has no meaning; with the limit put right
 :refuted-by: uniform_letter_one_fails
 :corrected: the exponent is $k-1-j$; $l$ is no variable of this sum
 :corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
 :::
 
 :::{statement} wang-ch4:uniform-line-4

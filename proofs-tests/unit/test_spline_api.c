@@ -28,7 +28,7 @@ static const double inner[] = {0.95, 1.1, 1.3, 2.3, 2.6};
 
 static cagd_spline curve(int k, int rational)
 {
-    return (cagd_spline){P, counts[k], DIM, knots[k], points, rational ? weights : NULL};
+    return (cagd_spline){CAGD_DEGREE_OF_ORDER(P + 1), counts[k], DIM, knots[k], points, rational ? weights : NULL};
 }
 static int setup(void **state)
 {
