@@ -116,14 +116,14 @@ cagd_status cagd_conic_classify(const double conic[6], cagd_conic_type *type);
  * decided exactly.  DOMAIN when a weight is 0. */
 cagd_status cagd_conic_classify_weights(const double weights[3], cagd_conic_type *type);
 
+#define CAGD_DEGREE_OF_ORDER(k) ((k) - 1)
+
 /* A B-spline curve (B 样条曲线) sum N_{i,p}(t) c_i, or with weights a NURBS curve (NURBS 曲线)
  * sum N_{i,p}(t) w_i c_i / sum N_{i,p}(t) w_i.
  *
- * The degree p is the order k less one, CAGD_DEGREE_OF_ORDER(k).  count points, count > p; coordinate c of point i is points[i*dim + c];
- * count+p+1 knots u_0 <= u_1 <= ..., each of multiplicity at most p+1.  The domain is [u_p, u_count]; ends need not be
+ * The degree p is the order k less one, CAGD_DEGREE_OF_ORDER(k).  count points, count > p; coordinate c of point i
+ * is points[i*dim + c]; count+p+1 knots u_0 <= u_1 <= ..., each of multiplicity at most p+1.  The domain is [u_p, u_count]; ends need not be
  * clamped.  weights NULL: a B-spline curve.  Everything is the caller's and only read. */
-#define CAGD_DEGREE_OF_ORDER(k) ((k) - 1)
-
 typedef struct cagd_spline {
     int degree, count, dim;
     const double *knots, *points, *weights;
