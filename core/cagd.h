@@ -116,7 +116,7 @@ cagd_status cagd_conic_classify(const double conic[6], cagd_conic_type *type);
  * decided exactly.  DOMAIN when a weight is 0. */
 cagd_status cagd_conic_classify_weights(const double weights[3], cagd_conic_type *type);
 
-#define CAGD_DEGREE_OF_ORDER(k) ((k) - 1)
+#define CAGD_DEGREE_OF_ORDER(k) ((k)-1)
 
 /* A B-spline curve (B 样条曲线) sum N_{i,p}(t) c_i, or with weights a NURBS curve (NURBS 曲线)
  * sum N_{i,p}(t) w_i c_i / sum N_{i,p}(t) w_i.

@@ -43,15 +43,20 @@ static inline int G(span_of_interval)(int count, const int place[], int interval
  *     N_{i,p} = (t - u_i)/(u_{i+p} - u_i) N_{i,p-1} + (u_{i+p+1} - t)/(u_{i+p+1} - u_{i+1}) N_{i+1,p-1}. */
 static inline num G(cox_de_boor)(int p, const num u[], const int place[], int i, int interval, num t)
 {
-    if (p == 0)
-        return from_int(place[i] <= interval && interval < place[i + 1]);
-    num value = from_int(0);
-    if (place[i] < place[i + p])
-        value = mul(div(sub(t, u[i]), sub(u[i + p], u[i])), G(cox_de_boor)(p - 1, u, place, i, interval, t));
-    if (place[i + 1] < place[i + p + 1])
-        value = add(value, mul(div(sub(u[i + p + 1], t), sub(u[i + p + 1], u[i + 1])),
-                               G(cox_de_boor)(p - 1, u, place, i + 1, interval, t)));
-    return value;
+    num N[MAX_DEGREE + 1]; /* N[m] is N_{i+m,q}(t); every value is computed once */
+    for (int m = 0; m <= p; m++)
+        N[m] = from_int(place[i + m] <= interval && interval < place[i + m + 1]);
+    for (int q = 1; q <= p; q++)
+        for (int m = 0; m <= p - q; m++) {
+            int first = i + m, last = first + q;
+            num value = from_int(0);
+            if (place[first] < place[last])
+                value = mul(div(sub(t, u[first]), sub(u[last], u[first])), N[m]);
+            if (place[first + 1] < place[last + 1])
+                value = add(value, mul(div(sub(u[last + 1], t), sub(u[last + 1], u[first + 1])), N[m + 1]));
+            N[m] = value;
+        }
+    return N[0];
 }
 
 /* Coordinate c of s(t) = sum_{i=0}^{n-1} c_i N_{i,p}(t) for t in an interval: all n terms, none left out. */

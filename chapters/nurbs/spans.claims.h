@@ -219,7 +219,8 @@ CLAIM(knots_of_the_next_degrees)
             about(T, "one degree more");
             agree(T, m == first - from);
             agree(T, G(raised_knots)(n, p, u, NULL) == m);
-            for (int i = 0; i < m + p + 2 && m == first - from; i++)
+            agree(T, from >= 0); /* there are enough knots before the domain */
+            for (int i = 0; i < m + p + 2 && m == first - from && from >= 0; i++)
                 same(T, v[i], from_int(expected[from + i]));
             total = 0;
             for (int x = value[p]; x <= value[n]; x++) {
