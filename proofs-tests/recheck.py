@@ -131,7 +131,6 @@ def bernstein_coefficient(K, p, a, b, n, k):
     return total
 
 # ---- programs -------------------------------------------------------------------------------------------
-
 def run(K, case, inputs):
     """The values of all nodes."""
     v, R, names = [], K.reduce, {x[0]: i for i, x in enumerate(case["inputs"])}
@@ -167,7 +166,6 @@ def run(K, case, inputs):
         require(not any(isinstance(i, int) and i < 0 for i in arguments), "a negative argument")
         v.append(make[op](*arguments))
     return v
-
 def degrees(nodes):
     """For each node (numerator, denominator) degrees in the inputs, or None where it is not known to be rational in them."""
     d = []
@@ -191,14 +189,12 @@ def degrees(nodes):
         else:
             d.append(x)
     return d
-
 def points(case, count):
     """Random inputs, from the text of the case alone."""
     seed = hashlib.sha256(json.dumps(case, sort_keys=True).encode()).digest()
     for k in range(count):
         yield [int.from_bytes(hashlib.sha256(seed + b"%d %d" % (k, i)).digest() * 2, "big") % PRIME
                for i in range(len(case["inputs"]))]
-
 def random_runs(case, bound):
     """Enough runs of the program at random inputs for differences of degree at most `bound`."""
     needed = math.ceil(100 / max(127 - bound.bit_length(), 1))
@@ -437,7 +433,6 @@ def check_fact(f, v):
         raise Cannot(f"a fact of kind {kind}")
 
 # ---- signs read off coefficients --------------------------------------------------------------------------
-
 def fraction_text(text):
     """(numerator, denominator), each a list of (coefficient, {variable: exponent}); the coefficients are integers."""
     def monomials(side):
@@ -453,12 +448,10 @@ def fraction_text(text):
         return out
     numerator, _, denominator = text.replace(" ", "").partition("/")
     return monomials(numerator), monomials(denominator or "1")
-
 def fraction_value(K, text, at):
     sides = [K.reduce(sum(c * math.prod(at(x) ** e if K is Q else pow(at(x), e, PRIME) for x, e in p.items()) for c, p in side))
              for side in fraction_text(text)]
     return K.reduce(sides[0] * K.inverse(sides[1]))
-
 def check_coefficient_signs(step):
     sides = [{c > 0 for c, _ in side if c != 0} for side in fraction_text(step["text"])]
     require(all(len(side) <= 1 for side in sides), "coefficients of both signs")
@@ -515,7 +508,6 @@ def check_identity(case, branches):
         for s in signs:
             value = fraction_value(Modular, s["text"], lambda x: inputs[names[x]])
             require(w[s["nonnegative"]] == value, "the fraction is not what was computed")
-
 def check_claim(c):
     kind, outcome, evidence = c["kind"], c["outcome"], c["evidence"]
     require(c["schema"] == "cagd-certificate-1" and kind in ("identity", "decision", "counterexample"), "the format")
@@ -558,7 +550,6 @@ def check_statement(s, claim_of):
     require((s["verdict"], s["evidence"]) == derived(s, claims), "the verdict does not follow")
     if unable:
         raise unable
-
 def attempt(check, *arguments):
     """None when it went well, otherwise what went wrong."""
     try:
@@ -568,7 +559,6 @@ def attempt(check, *arguments):
     except (KeyError, IndexError, TypeError, ValueError, ZeroDivisionError, AttributeError) as e:
         return Wrong(f"malformed: {type(e).__name__} {e}")
     return None
-
 def load(path):
     try:
         return json.loads(path.read_text())
