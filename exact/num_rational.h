@@ -58,6 +58,13 @@ static inline int is_zero_q(num_q a)
         trace_equal(a.at, NULL, zero);
     return zero;
 }
+static inline int is_whole_q(num_q a)
+{
+    int whole = mpz_cmp_ui(mpq_denref(a.at), 1) == 0;
+    if (trace_noting())
+        trace_relation("whole", trace_number(a.at), -1, whole);
+    return whole;
+}
 
 /* Puts the nodes of `count` numbers into the fact that is open (trace.h); they must have been named before it was. */
 void trace_put_numbers(const char *field, int count, const num_q x[]);

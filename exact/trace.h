@@ -63,7 +63,8 @@ void trace_variable(const void *slot, const char *name);     /* an input, the sa
 void trace_same(int i, int j, int equal);
 void trace_agree(int condition);
 void trace_nonnegative(int i, int good, const char *text, int sign); /* text may be NULL */
-/* {"fact":"order","of":[i,j],"is":-1}, {"fact":"equal","of":[i,j],"is":0}; b NULL, j = -1: against 0. */
+/* {"fact":"order","of":[i,j],"is":-1}, {"fact":"equal","of":[i,j],"is":0}; b NULL, j = -1: against 0.
+ * {"fact":"whole","of":[i,-1],"is":1}: whether number i is an integer. */
 void trace_order(mpq_srcptr a, mpq_srcptr b, int order);
 void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal);
 void trace_relation(const char *kind, int i, int j, int is); /* the same by nodes; j = -1: 0 */

@@ -41,7 +41,6 @@ def require(condition, what):
         raise Wrong(what)
 
 # ---- two fields -----------------------------------------------------------------------------------------
-
 class Rationals:
     number = staticmethod(Fraction)
     reduce = staticmethod(lambda x: x)
@@ -172,10 +171,8 @@ def degrees(nodes):
     for op, *a in nodes:
         x = d[a[0]] if op in "+-*/" or op == "neg" else None
         y = d[a[1]] if op in "+-*/" else None
-        if op == "x":
-            d.append((1, 0))
-        elif op == "c":
-            d.append((0, 0))
+        if op in ("x", "c"):
+            d.append((int(op == "x"), 0))
         elif op == "f":
             d.append(tuple(max([sum(p.values()) for _, p in side] + [0]) for side in fraction_text(a[0])))
         elif x is None or (y is None and op != "neg"):
@@ -212,7 +209,6 @@ def random_runs(case, bound):
     raise Cannot("the program divides by zero at random inputs")
 
 # ---- decisions ------------------------------------------------------------------------------------------
-
 Q = Rationals
 
 def squarefree(p):
@@ -227,7 +223,6 @@ def squarefree(p):
             out.append((g, m))
         w, y, m = p_divmod(Q, w, g)[0], p_divmod(Q, z, g)[0], m + 1
     return out
-
 def sturm_inside(p, a, b):
     """Different roots in (a,b), a < b or None for infinity; p squarefree."""
     chain = [p, p_derivative(Q, p)]
@@ -243,7 +238,6 @@ def sturm_inside(p, a, b):
         return sum(x != y for x, y in zip(signs, signs[1:]))
     count = changes(a, -1) - changes(b, 1)
     return count - (b is not None and p_value(Q, p, b) == 0)
-
 def count_roots(p, a, b, left, right):
     require(p, "roots of the zero polynomial")
     total = {"distinct": 0, "counted": 0, "crossings": 0, "touches": 0}
@@ -257,7 +251,6 @@ def count_roots(p, a, b, left, right):
         total["counted"] += m * (inside + ends)
         total["crossings" if m % 2 else "touches"] += inside
     return total
-
 def sign_pattern(p, a, b, left, right):
     if not p:
         return 0
@@ -310,7 +303,6 @@ def polygon_and_line(R, line):
 
 def turn(a, b, c):
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
 def convex_polygon(flat, closed):
     P = [tuple(flat[i : i + 2]) for i in range(0, len(flat), 2)]
     P = [p for i, p in enumerate(P) if i == 0 or p != P[i - 1]]
@@ -353,6 +345,11 @@ def determinant(M):
 
 def all_minors(M, strict):
     rows, columns = len(M), len(M[0]) if M else 0
+    cells = [(i, j) for i in range(rows) for j in range(columns)]
+    if not strict and all(M[i][j] == 0 for i, j in cells if j not in (i - 1, i)):
+        # A minor is a sum over permutations, of which only the identity has no entry 0: with rows r < r' and columns c < c', the
+        # entries (r, c') and (r', c) would need c' <= r < r' <= c + 1, so c < c' <= r <= c.
+        return all(M[i][j] >= 0 for i, j in cells)
     if sum(math.comb(rows, k) * math.comb(columns, k) for k in range(1, min(rows, columns) + 1)) > MOST_MINORS:
         raise Cannot("too many minors")
     below = {((), ()): Fraction(1)}
@@ -401,6 +398,8 @@ def check_fact(f, v):
     if kind in ("order", "equal"):
         a, b = v[f["of"][0]], 0 if f["of"][1] < 0 else v[f["of"][1]]
         require(f["is"] == ((a > b) - (a < b) if kind == "order" else int(a == b)), f"{kind} of two numbers")
+    elif kind == "whole":
+        require(f["is"] == int(v[f["of"][0]].denominator == 1), "whether a number is whole")
     elif kind == "degree":
         require(f["is"] == len(v[f["of"][0]]) - 1, "the degree of a polynomial")
     elif kind == "pequal":
@@ -459,7 +458,6 @@ def check_coefficient_signs(step):
     require(sign == step["sign"] and (sign >= 0) == step["good"], "the sign of the coefficients")
 
 # ---- claims and statements --------------------------------------------------------------------------------
-
 def good(step):
     return step.get("equal", step.get("agree", step.get("good", True)))
 

@@ -227,8 +227,6 @@ CLAIM(small_step_matrix_is_the_recursion)
 }
 
 #if RATIONAL
-static int is_integer(num a) { return mpz_cmp_ui(mpq_denref(a.at), 1) == 0; }
-
 CLAIM(exact_steps_need_m_more_bits_each)
 {
     for (int m = 1; m <= 8; m++)
@@ -239,8 +237,8 @@ CLAIM(exact_steps_need_m_more_bits_each)
             for (int k = 0; k < n * m - T->planted; k++)
                 scale = mul(scale, from_int(2));
             num x = mul(scale, P[0]), y = mul(scale, P[1]), half = from_ratio(1, 2);
-            agree(T, is_integer(x) && is_integer(y));
-            agree(T, !is_integer(mul(half, x)) || !is_integer(mul(half, y)));
+            agree(T, is_whole_q(x) && is_whole_q(y));
+            agree(T, !is_whole_q(mul(half, x)) || !is_whole_q(mul(half, y)));
         }
 }
 
@@ -789,7 +787,7 @@ static int has_exactly_the_bits(num V, int bits)
 {
     for (int k = 0; k < bits; k++)
         V = mul(from_int(2), V);
-    return is_integer(V) && !is_integer(mul(from_ratio(1, 2), V));
+    return is_whole_q(V) && !is_whole_q(mul(from_ratio(1, 2), V));
 }
 
 CLAIM(second_orbit_never_closes)
@@ -991,7 +989,7 @@ CLAIM(third_way_closes_for_two_radii)
     for (int r = 1; r <= 200; r++) {
         long square = T->planted ? r : (long)r * r;
         num trace = sub(from_int(2), from_ratio(4, square));
-        agree(T, is_integer(trace) == (r <= 2));
+        agree(T, is_whole_q(trace) == (r <= 2));
         agree(T, r > 2 || order_of(trace, 12) == (r == 1 ? 2 : 6));
         agree(T, r <= 2 || order_of(trace, 12) == 0);
     }

@@ -120,12 +120,9 @@ CLAIM(continuous_slope_with_another_speed)
     G(power_derivatives)(2, dim, second, from_int(0), 1, E);
     show_points(T, "P, P' of the first piece", 2, 2, D);
     show_points(T, "P, P' of the second piece", 2, 2, E);
-    about(T, "the position, and the slope dy/dx");
-    for (int j = 0; j < dim; j++)
-        agree(T, equal_q(D[j], E[j]));
-    agree(T, is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2])));
-    about(T, "the derivatives");
-    same(T, D[2], E[2]);
+    int smooth = equal_q(D[0], E[0]) && equal_q(D[1], E[1]) && is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2]));
+    about(T, "position and slope being the same, whether the derivatives are");
+    agree(T, !smooth || equal_q(D[2], E[2]));
 }
 
 CLAIM(joined_pieces_are_not_closed)
@@ -138,9 +135,9 @@ CLAIM(joined_pieces_are_not_closed)
     G(power_point)(2, dim, second, from_int(1), own_end);
     show_points(T, "first piece at 1, second piece at 0 and at 1", 3, 2,
                 (num[]){end[0], end[1], begin[0], begin[1], own_end[0], own_end[1]});
-    agree(T, equal_q(end[0], begin[0]) && equal_q(end[1], begin[1]));
-    about(T, "the beginning of the second piece, and what the condition equates it with");
-    same(T, begin[0], T->planted ? end[0] : own_end[0]);
+    int joined = equal_q(end[0], begin[0]) && equal_q(end[1], begin[1]);
+    about(T, "the pieces being joined, whether the beginning of the second is what the condition equates it with");
+    agree(T, !joined || equal_q(begin[0], T->planted ? end[0] : own_end[0]));
 }
 
 CLAIM(negative_ratio_turns_back)
@@ -300,10 +297,11 @@ CLAIM(equal_curvatures_to_different_sides)
     show_points(T, "P', P'' of the second piece", 2, 2, E + 2);
     show(T, "K^2 of the first piece", G(curvature_squared)(2, D + 2, D + 4));
     show(T, "K^2 of the second piece", G(curvature_squared)(2, E + 2, E + 4));
-    agree(T, equal_q(G(curvature_squared)(2, D + 2, D + 4), G(curvature_squared)(2, E + 2, E + 4)));
-    num gap[2] = {sub(E[4], D[4]), sub(E[5], D[5])};
-    about(T, "the determinant of the difference of the second derivatives and of P'");
-    vanishes(T, G(cross2)(gap, D + 2));
+    int continuous = equal_q(G(curvature_squared)(2, D + 2, D + 4), G(curvature_squared)(2, E + 2, E + 4));
+    num gap[2] = {sub(E[4], D[4]), sub(E[5], D[5])}, across = G(cross2)(gap, D + 2);
+    show(T, "determinant of the difference of the second derivatives and of P'", across);
+    about(T, "the curvature being continuous, whether the determinant is 0");
+    agree(T, !continuous || is_zero_q(across));
 }
 #endif
 

@@ -178,8 +178,9 @@ CLAIM(divisors_contain_the_span)
     for (int r = 1; r < k; r++) {
         int lowest = j - k + r + 1;
         for (int i = T->planted ? lowest - 1 : lowest; i <= j; i++)
-            agree(T, i <= j && j + 1 <= i + k - r);
-        agree(T, lowest - 1 + k - r < j + 1);
+            for (int end = 0; end < 2; end++) /* i <= j, j + 1 <= i + k - r */
+                nonnegative(T, sub(from_int(end ? i + k - r : j), from_int(end ? j + 1 : i)));
+        agree(T, compare_q(from_int(lowest - 1 + k - r), from_int(j + 1)) < 0);
     }
 }
 #endif

@@ -397,8 +397,8 @@ Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in
 :given: orders 1 to 9, $r=0$ and $r=k+2$, the knots $t_i=i$
 :then: for all $i$ and $j$ the four sums are $a_{ji}$, the first also when it is computed from (4.4.23) with the factors
   $t_l-t_\alpha$
-:method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it.
-:scope: k up to 9
+:method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it; the degree below is $k-1$.
+:degrees: 0..8
 :control: the sign $(-1)^s$ left out of the third sum
 :::
 
@@ -477,22 +477,21 @@ static struct G(span) G(uniform_span)(int k, int r)
 
 CLAIM(uniform_chain_gives_the_matrix)
 {
-    for (int k = 1; k <= 9; k++) {
-        num A[CELLS];
-        G(bspline_matrix_uniform)(k - 1, A);
-        for (int r = 0; r <= k + 2; r += k + 2) {
-            struct G(span) S = G(uniform_span)(k, r);
-            for (int j = 0; j < k; j++)
-                for (int s = 0; s < k; s++) {
-                    agree(T, equal_q(G(printed_entry)(&S, s, j, 0, 0), A[j * k + s]));
-                    for (int line = 1; line <= 4; line++) {
-                        num sum = G(uniform_line)(line, k, r, r - k + 1 + s, j, 1);
-                        if (T->planted && line == 3)
-                            sum = G(signed_by)(s, sum);
-                        agree(T, equal_q(sum, A[j * k + s]));
-                    }
+    int k = T->degree + 1;
+    num A[CELLS];
+    G(bspline_matrix_uniform)(k - 1, A);
+    for (int r = 0; r <= k + 2; r += k + 2) {
+        struct G(span) S = G(uniform_span)(k, r);
+        for (int j = 0; j < k; j++)
+            for (int s = 0; s < k; s++) {
+                agree(T, equal_q(G(printed_entry)(&S, s, j, 0, 0), A[j * k + s]));
+                for (int line = 1; line <= 4; line++) {
+                    num sum = G(uniform_line)(line, k, r, r - k + 1 + s, j, 1);
+                    if (T->planted && line == 3)
+                        sum = G(signed_by)(s, sum);
+                    agree(T, equal_q(sum, A[j * k + s]));
                 }
-        }
+            }
     }
 }
 
