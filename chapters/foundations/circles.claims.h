@@ -176,6 +176,7 @@ To first order, which is what the approximation means.  What the second order do
 :holds-by: exact_steps_need_m_more_bits_each
 :hypothesis: short_registers_stop_the_point | The registers keep the bits that are shifted out.  In integers a point with
   coordinates below $2^m$ does not move at all; and to be exact, every step needs $m$ bits more.
+:figure: circles_in_integers
 :::
 
 :::{claim} exact_steps_need_m_more_bits_each

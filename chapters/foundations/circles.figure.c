@@ -189,3 +189,32 @@ FIGURE(step_of_the_third_way)
     svg_legend_line(s, SVG_WRONG, "the distance of the two points");
     return s;
 }
+
+FIGURE(circles_in_integers)
+{
+    svg *s = svg_new("circles_in_integers", "The simplified circle with bits that are shifted out",
+                     "Steps of the first way with epsilon 1/16.  Exact steps from (40,0) run outwards on a spiral; in "
+                     "integers, where a shift drops the bits, the points go another way, and from (10,0) they do not "
+                     "move at all.");
+    num_q M[4], P[2 * 101] = {q(40), q(0)}, whole[2 * 101];
+    int x = 40, y = 0;
+    generator(1, r(1, 16), M);
+    orbit(100, M, P);
+    for (int k = 0; k <= 100; k++) {
+        whole[2 * k] = q(x);
+        whole[2 * k + 1] = q(y);
+        int down = y >= 0 ? y / 16 : -((-y + 15) / 16), up = x >= 0 ? x / 16 : -((-x + 15) / 16); /* rounded down */
+        x -= down;
+        y += up;
+    }
+    svg_panel(s, window(q(-60), q(-56), q(60), q(56)), 400, 0, "100 steps with $ε=1/16$");
+    svg_axes(s, q(20), q(20), "x", "y");
+    svg_polyline(s, 101, P, SVG_RIGHT);
+    svg_polyline(s, 101, whole, SVG_WRONG);
+    svg_mark(s, svg_at(40, 0), SVG_POINT, SVG_RING);
+    svg_mark(s, svg_at(10, 0), SVG_WRONG, SVG_USUAL);
+    svg_note(s, svg_at(10, 0), SVG_NE, SVG_WRONG, "stays here");
+    svg_legend_line(s, SVG_RIGHT, "exact");
+    svg_legend_line(s, SVG_WRONG, "in integers");
+    return s;
+}

@@ -30,6 +30,7 @@ unless the ledger has an entry of it.
 :class: misprint
 :corrected: § 9-2 begins on a page from 225 to 234; every other page number is not less than the one before it.
 :corrected-by: other_pages_do_not_decrease
+:figure: pages_of_the_sections
 :::
 
 :::{statement} hu-1987:contents-chapter-pages
@@ -40,6 +41,7 @@ unless the ledger has an entry of it.
 :class: misprint
 :corrected: In the eight other chapters the page of the chapter is that of its first section.
 :corrected-by: other_chapters_begin_with_their_first_section
+:figure: pages_of_the_sections
 
 Which of the three numbers is wrong cannot be decided from the table.
 :::
@@ -170,10 +172,10 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 1-3 | circles | `small_steps_multiply_the_radius` `second_orbit_never_closes` `ellipse_lies_between_two_circles` `third_matrix_by_the_radius` | |
 | 1-4 | description of parametric curves | `horner_computes_the_sum_of_powers` `additions_step_along_the_curve` `cusp_of_the_example_is_a_cusp` `sign_of_delta_tells_the_form` `torsion_by_speed_and_curvature` | |
 | 1-5 | control of shape | `conditions_make_one_curve_in_another_parameter` `pieces_in_new_powers` `fractional_change_of_a_power_curve` | the end of the section |
-| 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` | surfaces |
-| 1-7 | points of parametric surfaces | | all of it |
-| 1-8 | control of the shape of surfaces | | all of it |
-| 1-9 | interpolation by Lagrange | `one_cubic_passes_through_four_data` `divided_difference_is_leading_coefficient` | parameters for points |
+| 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` | theory of surfaces |
+| 1-7 | points of parametric surfaces | `tensor_kernel_is_the_matrix_product` `surface_kernel_gives_the_double_sum` | differences |
+| 1-8 | control of the shape of surfaces | `borders_and_cross_derivatives_are_kept` | joints of surfaces |
+| 1-9 | interpolation by Lagrange | `lagrange_functions_keep_every_polynomial` `one_cubic_passes_through_four_data` `divided_difference_is_leading_coefficient` | parameters for points |
 | 2-1 | display in space | | all of it |
 | 2-2 | affine maps | `bezier_curve_moves_with_its_points` `total_degree_survives_affine_maps` | maps of space as matrices |
 | 2-3 | projective maps | `projective_image_is_not_the_curve_of_the_images` `projective_change_of_unit_interval_is_fractional` | maps of the plane |
@@ -190,14 +192,14 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 3-4 | choice of coordinates | | all of it |
 | 3-5 | an algorithm for hidden parts | | all of it |
 | 3-6 | another algorithm for hidden parts | | all of it |
-| 4-1 | interpolation by Hermite | `end_data_determine_the_cubic` `osculation_is_divisibility` |  |
-| 4-2 | Ferguson's curves, first part | `end_data_determine_the_cubic` `other_lengths_give_another_cubic` | splines |
-| 4-3 | Ferguson's curves, second part | `conditions_make_one_curve_in_another_parameter` `cusps_are_on_a_hyperbola` | splines |
-| 4-4 | Ferguson's surfaces | | all of it |
-| 4-5 | Coons surfaces, first part | | all of it |
-| 4-6 | Coons surfaces, second part | | all of it |
-| 4-7 | control of bicubic surfaces | | all of it |
-| 4-8 | twist | | all of it |
+| 4-1 | interpolation by Hermite | `hermite_interpolant_exists_and_is_unique` `end_data_determine_the_cubic` `osculation_is_divisibility` |  |
+| 4-2 | Ferguson's curves, first part | `hermite_kernel_blends_four_data` `base_functions_interpolate_once_continuously` `other_lengths_give_another_cubic` | the system of equations of splines |
+| 4-3 | Ferguson's curves, second part | `second_derivatives_meet_on_a_condition` `conditions_make_one_curve_in_another_parameter` `cusps_are_on_a_hyperbola` | the system of equations of splines |
+| 4-4 | Ferguson's surfaces | `tensor_kernel_is_the_matrix_product` | twists 0 |
+| 4-5 | Coons surfaces, first part | `coons_kernel_is_the_bordered_product` `four_curves_are_borders` `shifted_frame_shifts_the_patch_by_a_product` | |
+| 4-6 | Coons surfaces, second part | `borders_and_cross_derivatives_are_kept` `cubic_frame_of_corners_gives_the_product` | |
+| 4-7 | control of bicubic surfaces | `tensor_kernel_is_the_matrix_product` `cubic_frame_gives_bicubic_patch` | changes of the parameters |
+| 4-8 | twist | `two_twists_cannot_both_be_kept` | estimates of the twist |
 | 4-9 | joining Coons patches | | all of it |
 | 5-1 | cubic Bézier curves | `decasteljau_evaluates_bezier_curve` `end_derivatives_are_end_differences` | |
 | 5-2 | Bernstein polynomials | `bernstein_is_binomial_form` `bernstein_sums_to_one` `bernstein_positive_inside` `bernstein_recurrence` | |
@@ -230,7 +232,7 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 8-8 | local deformation | | all of it |
 | 9-1 | arcs of circles and their joints | `arc_and_its_central_angle` `rational_quadratic_of_the_arc` | joints of two arcs |
 | 9-2 | conics from lines | `conics_touching_two_lines_are_limings` `limings_pencil_in_the_frame` | |
-| 9-3 | cubic splines | | all of it |
+| 9-3 | cubic splines | `second_derivatives_meet_on_a_condition` | the system of equations |
 | 9-4 | generating lines of surfaces | | all of it |
 | 9-5 | fairness | | all of it |
 | 9-6 | fairing by rebound | | all of it |

@@ -22,6 +22,7 @@ $\delta=3b^2-4ac$.
 :class: misprint
 :corrected: A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1
 :corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
 
 The position vectors have been given the dots of the tangent vectors, here, in $B$ and in $D$.
 :::
@@ -34,6 +35,7 @@ The position vectors have been given the dots of the tangent vectors, here, in $
 :class: misprint
 :corrected: B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1
 :corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
 :::
 
 :::{statement} hu-1987:1-4-hermite-c
@@ -51,6 +53,7 @@ The position vectors have been given the dots of the tangent vectors, here, in $
 :class: misprint
 :corrected: D=Q_0
 :corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
 :::
 
 :::{claim} end_data_determine_the_cubic
@@ -298,6 +301,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 :class: misprint
 :corrected: \dddot P(t)=[\dddot x\;\dddot y\;\dddot z]=6A
 :corrected-by: derivatives_of_a_cubic
+:figure: derivatives_with_lost_dots
 
 The third dot is lost in this line, and in those that use it.
 :::
@@ -321,11 +325,25 @@ The third dot is lost in this line, and in those that use it.
 :control: the third derivative
 :::
 
+:::{statement} hu-1987:1-4-curvature
+:title: The formula of the curvature
+:zh: 曲率公式
+:printed: K=\frac{|\dot P\times\ddot P|}{s^3}
+:refuted-by: printed_letter_spoils_the_curvature
+:class: misprint
+:corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed
+:corrected-by: curvature_and_torsion_belong_to_arc_length
+:figure: curvature_and_the_speed
+
+One more dot is lost.  Without it the letter is the length of the arc, and then the quotient depends on where the length is
+measured from, and is not bounded near that point.
+:::
+
 :::{statement} hu-1987:1-4-inflection
 :title: An inflection is a point of curvature zero
 :zh: 拐点的定义
 :definition: yes
-:printed: By $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where the curvature is $K=0$ the point is called an inflection.
+:printed: By the formula of the curvature, where $K=0$ the point is called an inflection.
 :checked-by: curvature_and_torsion_belong_to_arc_length merged_inflections_are_a_cusp
 
 For plane cubics it is what the word says elsewhere, a change from one side of the tangent to the other: a double zero of
@@ -339,6 +357,17 @@ $t=0$ and stays on one side.
 :printed: An inflection is a point with $\dot P\times\ddot P=0$; points with $\dot P=0$ not considered, $\ddot P=g\dot P$ with a scalar $g$.
 :holds-by: second_derivative_splits_along_the_first
 :needs: cusp_has_no_such_factor | $\dot P\ne0$: where $\dot P=0\ne\ddot P$ there is no $g$.
+:::
+
+:::{claim} printed_letter_spoils_the_curvature
+:title: With the length of the arc in the place of the speed the quotient is not the curvature
+:zh: 以弧长代替速率时曲率公式不成立
+:kind: counterexample
+:given: $P(t)=(3t,3t^2,2t^3)$, $t=1$; the length of the arc from $t=0$ is $s=3t+2t^3$, because $(3+6t^2)^2=|\dot P|^2$; so $s=5$, $\dot s=9$
+:then: the printed quotient is $\frac{54}{125}$; the curvature is $\frac2{27}$
+:method: The length is found to have the speed as its derivative, at five parameters, which determine a polynomial of degree 4; then both
+  numbers, exactly.
+:control: the speed
 :::
 
 :::{claim} second_derivative_splits_along_the_first
@@ -374,15 +403,18 @@ $t=0$ and stays on one side.
 :printed: So a parametric cubic has at most two inflections.
 :holds-by: turning_of_a_cubic_is_quadratic each_form_occurs
 :hypothesis: line_has_curvature_zero_everywhere | The cubic is no line.  On a line every point has curvature 0.
+:figure: forms_of_a_cubic
 :::
 
 :::{claim} turning_of_a_cubic_is_quadratic
 :title: The vector product of the two derivatives of a cubic
 :zh: 三次曲线的转向多项式
-:given: any plane cubic, any $t$
-:then: $P'\times P''=-2(3at^2+3bt+c)$, of degree 2 or less; the kernels give $a,b,c$ and the three coefficients
+:given: any plane cubic, and any cubic in space, any $t$
+:then: $P'\times P''=-2(3at^2+3bt+c)$, of degree 2 or less, in the plane and, with vector products $a,b,c$, in space; the kernels give
+  the numbers $a,b,c$ and the three coefficients
 :method: The derivatives of the definition, multiplied, against the polynomial, everything a variable; $a,b,c$ as determinants
-  written out.
+  written out.  In space each of the three coordinates of the vector product is such a polynomial, and one of them is not 0 everywhere
+  unless the cubic is a line.
 :defines: cubic_minors inflection_polynomial
 :control: the factor 2 in the place of the first 3
 :::
@@ -447,6 +479,22 @@ CLAIM(turning_of_a_cubic_is_quadratic)
     same(T, G(power_sum)(2, 1, f, 0, t), product);
     num inner = add(add(mul(mul(from_int(T->planted ? 2 : 3), m[0]), mul(t, t)), mul(mul(from_int(3), m[1]), t)), m[2]);
     same(T, product, mul(from_int(-2), inner));
+
+    num d[4 * space], first[space], second[space], turning[space], pairs[3][space];
+    about(T, "in space");
+    for (int k = 0; k < 4 * space; k++)
+        d[k] = unknown(T, "d", k);
+    for (int j = 0; j < space; j++) {
+        first[j] = G(power_sum_derivative)(3, space, d, j, 1, t);
+        second[j] = G(power_sum_derivative)(3, space, d, j, 2, t);
+    }
+    G(cross3)(first, second, turning);
+    for (int k = 0; k < 3; k++)
+        G(cross3)(d + (k < 2 ? 3 : 2) * space, d + (k == 0 ? 2 : 1) * space, pairs[k]);
+    for (int j = 0; j < space; j++) {
+        num quadratic = add(mul(from_int(3), mul(t, add(mul(t, pairs[0][j]), pairs[1][j]))), pairs[2][j]);
+        same(T, turning[j], mul(from_int(-2), quadratic));
+    }
 }
 
 #if RATIONAL
@@ -457,6 +505,30 @@ CLAIM(second_derivative_is_not_constant)
     show_points(T, "D, C, B, A", 4, 1, c);
     about(T, "the derivative, and 6A");
     same(T, D[T->planted ? 3 : 2], mul(from_int(6), c[3]));
+}
+
+CLAIM(printed_letter_spoils_the_curvature)
+{
+    num c[12], D[9];
+    int is_the_length = 1;
+    for (int k = 0; k < 12; k++)
+        c[k] = from_int(k == 3 || k == 7 ? 3 : k == 11 ? 2 : 0);
+    for (int k = 0; k < 5; k++) {
+        num t = from_int(k), slope = add(from_int(3), mul(from_int(6), mul(t, t)));
+        G(power_derivatives)(3, space, c, t, 2, D);
+        is_the_length = is_the_length && equal_q(mul(slope, slope), G(norm_squared)(space, D + space));
+    }
+    G(power_derivatives)(3, space, c, from_int(1), 2, D);
+    num turning[space], speed = root(2, G(norm_squared)(space, D + space)), length = from_int(3 * 1 + 2 * 1);
+    G(cross3)(D + space, D + 2 * space, turning);
+    num top = root(2, G(norm_squared)(space, turning)), curvature = root(2, G(curvature_squared)(space, D + 3, D + 6));
+    num quotient = div(top, G(power)(T->planted ? speed : length, 3));
+    show_points(T, "P', P'' at t = 1", 2, 3, D + space);
+    show(T, "length of the arc from 0 to 1", length);
+    show(T, "the printed quotient", quotient);
+    show(T, "the curvature", curvature);
+    about(T, "the letter being the length of the arc, whether the quotient is the curvature");
+    agree(T, !is_the_length || equal_q(quotient, curvature));
 }
 
 CLAIM(cusp_has_no_such_factor)
@@ -492,11 +564,11 @@ CLAIM(line_has_curvature_zero_everywhere)
 :title: The forms of a cubic
 :zh: 参数三次曲线的几种形态
 :printed: The forms of parametric cubics contain the ordinary one, the cusp, the closed loop, and that with inflections (figure 1-7).
-:holds-by: each_form_occurs sign_of_delta_tells_the_form
+:holds-by: each_form_occurs sign_of_delta_tells_the_form signs_decide_the_form
 :figure: forms_of_a_cubic
 
-Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve, and by the lengths of the tangents on the arc
-(`forms_by_the_lengths_of_the_tangents`).
+Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve, and on the arc by the lengths of the tangents, for all of them:
+`signs_decide_the_form`.
 :::
 
 :::{claim} sign_of_delta_tells_the_form
@@ -540,6 +612,23 @@ Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve, and by the leng
 :then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
 :method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
 :control: $(1,3)$ in the place of $(\frac12,\frac12)$
+:::
+
+:::{claim} signs_decide_the_form
+:title: The lengths of the tangents decide the form of the arc
+:zh: 切矢长度完全决定曲线段的形态
+:given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$; $w=2(Q_1-Q_0)\times(M-Q_0)$
+:then: $P'\times P''$ has the Bernstein coefficients $f_0=2\alpha(2\beta-3)w$, $f_1=-2\alpha\beta w$, $f_2=2\beta(2\alpha-3)w$, and
+  $f_1^2-f_0f_2=-12\alpha\beta w^2((\alpha-2)(\beta-2)-1)$; the polynomial of the double point has
+  $g_0=\alpha(\alpha+2\beta^2-3\beta)w^2$, $g_1=-\alpha\beta(2\alpha\beta-3\alpha-3\beta+4)w^2$, $g_2=\beta(\beta+2\alpha^2-3\alpha)w^2$; for $\alpha=2+p$, $\beta=2+q$,
+  $p,q>0$: $g_0,-g_1,g_2>0$; and $\alpha(3-2\alpha)^2-(4-3\alpha)=4(\alpha-1)^3$
+:method: Identities, and signs of coefficients.  Let $\alpha,\beta>0$, $w>0$; then $f_1<0$.  Both below $\frac32$: $f_0,f_2<0$, no inflection.  One
+  below and one above: one change of sign, one inflection.  Both above: two changes, so two inflections, one double one at a cusp, or none,
+  as $(\alpha-2)(\beta-2)$ is less than 1, is 1, or is more, which needs $\alpha,\beta>2$; then the double point has two parameters in $(0,1)$: a loop.
+  There is no other loop: it needs $(\alpha-2)(\beta-2)>1$, that is both more than 2, or both less than $\frac32$; in the second case let
+  $\alpha\ge\beta$: it needs $g_2>0$, $\beta>\alpha(3-2\alpha)$, so $\alpha>1$, and $g_1<0$, $\beta(3-2\alpha)<4-3\alpha$, which contradict each other
+  by the last identity.
+:control: $3-\alpha$ in the place of $3-2\alpha$ in $f_2$ and in the last identity
 :::
 
 :::{claim} forms_by_the_lengths_of_the_tangents
@@ -651,6 +740,54 @@ CLAIM(cusps_are_on_a_hyperbola)
     same(T, add(f[0], add(f[1], f[2])), mul(minus_w, mul(beta, sub(three, mul(two, alpha)))));
 }
 
+CLAIM(signs_decide_the_form)
+{
+    num R[3 * dim], c[4 * dim], m[3], f[3], g[3], chord[dim], side[dim], one = from_int(1), two = from_int(2),
+                                                                         three = from_int(3), four = from_int(4);
+    G(free_coefficients)(T, 2, dim, R);
+    for (int j = 0; j < dim; j++) {
+        chord[j] = sub(R[2 * dim + j], R[j]);
+        side[j] = sub(R[dim + j], R[j]);
+    }
+    num w = mul(two, G(cross2)(chord, side)), ww = mul(w, w), alpha = parameter(T, "alpha"),
+        beta = parameter(T, "beta");
+    num twice = T->planted ? alpha : mul(two, alpha), product = mul(alpha, beta);
+    G(cubic_of_triangle)(R, alpha, beta, c);
+    G(cubic_minors)(c, m);
+    G(inflection_polynomial)(m, f);
+    G(double_point_polynomial)(m, g);
+    num half = from_ratio(1, 2), b[3] = {f[0], add(f[0], mul(half, f[1])), add(f[0], add(f[1], f[2]))};
+    num wanted[3] = {mul(mul(two, alpha), sub(mul(two, beta), three)), mul(from_int(-2), product),
+                     mul(mul(two, beta), sub(twice, three))};
+    about(T, "the turning");
+    for (int k = 0; k < 3; k++)
+        same(T, b[k], mul(wanted[k], w));
+    num branch = sub(mul(sub(alpha, two), sub(beta, two)), one);
+    same(T, sub(mul(b[1], b[1]), mul(b[0], b[2])), mul(from_int(-12), mul(mul(product, ww), branch)));
+
+    num e[3] = {g[0], add(g[0], mul(half, g[1])), add(g[0], add(g[1], g[2]))};
+    about(T, "the double point");
+    num p = positive(T, "p", 0), q = positive(T, "q", 0);
+    for (int at_the_loop = 0; at_the_loop < 2; at_the_loop++) {
+        num x = at_the_loop ? add(two, p) : alpha, y = at_the_loop ? add(two, q) : beta;
+        num outer[2] = {mul(x, add(x, mul(y, sub(mul(two, y), three)))),
+                        mul(y, add(y, mul(x, sub(mul(two, x), three))))};
+        num middle = mul(mul(x, y), add(sub(mul(two, mul(x, y)), mul(three, add(x, y))), four));
+        if (at_the_loop) {
+            nonnegative(T, outer[0]);
+            nonnegative(T, middle);
+            nonnegative(T, outer[1]);
+        } else {
+            same(T, e[0], mul(outer[0], ww));
+            same(T, e[1], neg(mul(middle, ww)));
+            same(T, e[2], mul(outer[1], ww));
+        }
+    }
+    num gap = sub(three, twice), rest = sub(four, mul(three, alpha));
+    about(T, "the contradiction");
+    same(T, sub(mul(alpha, mul(gap, gap)), rest), mul(four, G(power)(sub(alpha, one), 3)));
+}
+
 #if RATIONAL
 /* Inflections, and parameters of the double point, in (0,1). */
 static void events_of(num alpha, num beta, int *inflections, int *doubles, num *delta)
@@ -716,17 +853,21 @@ CLAIM(forms_by_the_lengths_of_the_tangents)
 :::{statement} hu-1987:1-4-torsion-vectors
 :title: The three vectors in the formula of the torsion
 :zh: 挠率公式中的三个矢量
-:printed: \tau=\frac{[\dot P\,\ddot P\,\ddot P]}{\dot s^3K^2}
+:printed: \tau=\frac{[\dot P\,\ddot P\,\ddot P]}{s^3K^2}
 :refuted-by: printed_vectors_have_no_torsion
 :class: misprint
 :corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
+:figure: derivatives_with_lost_dots
+
+A mixed product with one vector twice is 0, whatever is meant by the letter $s$, which has lost its dot as in the formula of the
+curvature.
 :::
 
 :::{statement} hu-1987:1-4-torsion-power
 :title: The power of the speed in the formula of the torsion
 :zh: 挠率公式中弧长导数的幂次
-:printed: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^3K^2}\quad\text{(the lost dot restored)}
+:printed: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^3K^2}\quad\text{(the lost dots restored)}
 :refuted-by: printed_power_spoils_the_torsion
 :class: misprint
 :corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
@@ -771,6 +912,7 @@ CLAIM(forms_by_the_lengths_of_the_tangents)
 :class: misprint
 :corrected: $(\dot P\times\ddot P)\cdot\dddot P=-12\,(A,B,C)$, with $\dddot x,\dddot y,\dddot z$ in the last row
 :corrected-by: determinant_of_the_derivatives_is_constant
+:figure: determinants_of_the_derivatives
 :::
 
 :::{statement} hu-1987:1-4-torsion-entry
@@ -781,6 +923,7 @@ CLAIM(forms_by_the_lengths_of_the_tangents)
 :class: misprint
 :corrected: The last entry of the first row is $3A_zt^2+2B_zt+C_z$.
 :corrected-by: determinant_of_the_derivatives_is_constant
+:figure: determinants_of_the_derivatives
 :::
 
 :::{statement} hu-1987:1-4-torsion-value

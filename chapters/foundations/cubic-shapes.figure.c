@@ -86,11 +86,11 @@ FIGURE(forms_of_a_cubic)
     svg_note(s, at(q(3), r(3, 4)), SVG_HERE, SVG_POINT, "one");
     svg_note(s, at(q(2), q(2)), SVG_HERE, SVG_POINT, "two");
     svg_note(s, at(q(4), q(4)), SVG_HERE, SVG_POINT, "loop");
-    svg_panel(s, window(r(-1, 4), r(-1, 2), r(5, 4), r(15, 4)), 260, 0, "$(α,β)=(1,1),(1,3),(2,2),(3,3),(4,4)$");
+    svg_panel(s, window(r(-1, 4), r(-1, 8), r(5, 4), r(27, 8)), 260, 360, "$(α,β)=(1,1),(1,3),(2,2),(3,3),(4,4)$");
     for (int k = 0; k < 5; k++) {
         num_q c[8];
-        cubic_of_triangle(r(1, 2), q(lengths[k][0]), q(lengths[k][1]), c);
-        c[1] = r(4 * (4 - k), 5);
+        cubic_of_triangle(r(1, 3), q(lengths[k][0]), q(lengths[k][1]), c);
+        c[1] = k < 3 ? r(30 - 4 * k, 10) : r(54 - 13 * k, 10);
         put_power_curve(s, 3, c, q(0), q(1), SVG_CURVE);
         svg_note(s, at(q(1), c[1]), SVG_E, SVG_POINT, places[k]);
     }
@@ -129,5 +129,114 @@ FIGURE(torsion_and_the_speed)
     svg_plot(s, torsion_at, &printed, q(0), q(1), 48, SVG_WRONG);
     svg_legend_line(s, SVG_RIGHT, "below $s'^6K^2$");
     svg_legend_line(s, SVG_WRONG, "below $s'^3K^2$");
+    return s;
+}
+
+/* (t, K) of (3t, 3t^2, 2t^3) with the speed 3 + 6t^2 below, or, as printed, with the length 3t + 2t^3. */
+static svg_point curvature_at(num_q t, const void *data)
+{
+    num_q tt = mul_q(t, t), top = mul_q(q(18), add_q(q(1), mul_q(q(2), tt)));
+    num_q below = data != NULL ? mul_q(t, add_q(q(3), mul_q(q(2), tt))) : add_q(q(3), mul_q(q(6), tt));
+    return at(t, div_q(top, mul_q(below, mul_q(below, below))));
+}
+
+FIGURE(curvature_and_the_speed)
+{
+    static const int printed = 1;
+    svg *s =
+        svg_new("curvature_and_the_speed", "The curvature, and the quotient with the length of the arc",
+                "The twisted cubic (3t, 3t squared, 2t cubed) on [0, 1]: its curvature falls from 2/3 to 2/27.  The "
+                "printed quotient, with the length of the arc from t = 0 in the place of the speed, falls from "
+                "infinity to 54/125.");
+    svg_panel(s, window(q(0), q(0), q(1), q(2)), 420, 260, NULL);
+    svg_axes(s, r(1, 4), r(1, 2), "t", "K");
+    svg_plot(s, curvature_at, NULL, q(0), q(1), 48, SVG_RIGHT);
+    svg_plot(s, curvature_at, &printed, r(1, 4), q(1), 48, SVG_WRONG);
+    svg_mark(s, at(q(1), r(2, 27)), SVG_RIGHT, SVG_USUAL);
+    svg_label(s, at(q(1), r(2, 27)), SVG_N, SVG_RIGHT, "2/27");
+    svg_mark(s, at(q(1), r(54, 125)), SVG_WRONG, SVG_USUAL);
+    svg_label(s, at(q(1), r(54, 125)), SVG_E, SVG_WRONG, "54/125");
+    svg_legend_line(s, SVG_RIGHT, "with the speed");
+    svg_legend_line(s, SVG_WRONG, "with the length of the arc");
+    return s;
+}
+
+FIGURE(ends_with_lost_letters)
+{
+    svg *s = svg_new("ends_with_lost_letters", "The coefficients of a cubic with points that have got dots",
+                     "The data 0 and 1 with the tangents 1 belong to the straight graph.  With the printed A the curve "
+                     "ends at 3, with the printed B at -2, and with the printed D it begins at 1.");
+    static const int coefficients[4][4] = {{0, 1, 0, 0}, {0, 1, 0, 2}, {0, 1, -3, 0}, {1, 1, 0, 0}};
+    svg_panel(s, window(r(-1, 8), r(-9, 4), r(9, 8), r(13, 4)), 280, 320, "$Q_0=0$, $Q_1=1$, both tangents 1");
+    svg_axes(s, q(1), q(1), "t", NULL);
+    for (int k = 3; k >= 0; k--) {
+        num_q c[8];
+        for (int m = 0; m < 4; m++)
+            c[2 * m] = q(m == 1), c[2 * m + 1] = q(coefficients[k][m]);
+        put_power_curve(s, 3, c, q(0), q(1), k ? SVG_WRONG : SVG_RIGHT);
+    }
+    svg_mark(s, svg_at(0, 0), SVG_POINT, SVG_USUAL);
+    svg_mark(s, svg_at(1, 1), SVG_POINT, SVG_USUAL);
+    svg_label(s, svg_at(0, 0), SVG_SW, SVG_POINT, "Q_0");
+    svg_label(s, svg_at(1, 1), SVG_E, SVG_POINT, "Q_1");
+    static const int ends[3][2] = {{1, 3}, {1, -2}, {0, 1}};
+    static const char *const names[3] = {"A", "B", "D"};
+    for (int k = 0; k < 3; k++) {
+        svg_mark(s, svg_at(ends[k][0], ends[k][1]), SVG_WRONG, SVG_USUAL);
+        svg_label(s, svg_at(ends[k][0], ends[k][1]), k == 2 ? SVG_W : SVG_E, SVG_WRONG, names[k]);
+    }
+    svg_legend_line(s, SVG_RIGHT, "corrected");
+    svg_legend_line(s, SVG_WRONG, "$A$, $B$ or $D$ as printed");
+    return s;
+}
+
+/* (t, torsion) of (t, t^2, t^3): 12 over the square of the vector product. */
+static svg_point torsion_of_powers(num_q t, const void *data)
+{
+    num_q tt = mul_q(t, t), square = mul_q(q(36), mul_q(tt, tt));
+    (void)data;
+    return at(t, div_q(q(12), add_q(square, add_q(mul_q(q(36), tt), q(4)))));
+}
+
+FIGURE(derivatives_with_lost_dots)
+{
+    svg *s =
+        svg_new("derivatives_with_lost_dots", "A second derivative in the place of the third",
+                "Left the second derivative of t squared, which is 2, and 6A, which is 0.  Right the torsion of (t, "
+                "t squared, t cubed), which is 3 at t = 0, and the quotient with the second derivative twice, which "
+                "is 0 everywhere.");
+    for (int panel = 0; panel < 2; panel++) {
+        svg_panel(s, window(q(0), r(-1, 4), q(1), q(panel ? 3 : 2)), 240, 220, panel ? "the torsion" : "$P(t)=t^2$");
+        svg_axes(s, q(1), q(1), "t", NULL);
+        if (panel)
+            svg_plot(s, torsion_of_powers, NULL, q(0), q(1), 48, SVG_RIGHT);
+        else
+            svg_segment(s, svg_at(0, 2), svg_at(1, 2), SVG_RIGHT);
+        svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_WRONG);
+    }
+    svg_legend_line(s, SVG_RIGHT, "$P''$, and the torsion");
+    svg_legend_line(s, SVG_WRONG, "$6A$, and twice $P''$");
+    return s;
+}
+
+FIGURE(determinants_of_the_derivatives)
+{
+    svg *s =
+        svg_new("determinants_of_the_derivatives", "The determinant of the three derivatives, and two misprints",
+                "For A = (1,0,1), B = (0,1,0), C = (0,0,1) the determinant is -12 for every t.  With t in the place "
+                "of t squared in one entry it is 36(t squared - t) - 12, and with two equal rows it is 0.");
+    svg_panel(s, window(q(0), q(-24), q(2), q(60)), 420, 260, NULL);
+    svg_axes(s, r(1, 2), q(20), "t", NULL);
+    const int coefficients[6] = {0, -12, 1, -36, 0, 36};
+    num_q c[6];
+    fractions(6, coefficients, 1, c);
+    put_power_curve(s, 2, c, q(0), q(2), SVG_WRONG);
+    svg_segment(s, svg_at(0, 0), svg_at(2, 0), SVG_CURVE_2);
+    svg_segment(s, svg_at(0, -12), svg_at(2, -12), SVG_RIGHT);
+    svg_mark(s, svg_at(2, 60), SVG_WRONG, SVG_USUAL);
+    svg_label(s, svg_at(2, 60), SVG_W, SVG_WRONG, "60");
+    svg_legend_line(s, SVG_RIGHT, "$-12(A,B,C)$");
+    svg_legend_line(s, SVG_WRONG, "with the printed entry");
+    svg_legend_line(s, SVG_CURVE_2, "with two equal rows");
     return s;
 }

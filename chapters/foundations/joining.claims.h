@@ -39,6 +39,7 @@ By the definition of $C^r$ in section 1-4 the derivatives themselves have to be 
 :class: misprint
 :corrected: P_{\mathrm{II}}(0)=P_{\mathrm I}(1)
 :corrected-by: conditions_make_one_curve_in_another_parameter
+:figure: joined_and_closed
 
 One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in (1-5-2) and
 (1-5-3), where this can be understood.

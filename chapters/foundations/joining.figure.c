@@ -120,3 +120,31 @@ FIGURE(fractional_parameter)
     svg_legend_mark(s, SVG_MUTED, SVG_USUAL, "points for $p:q=1$");
     return s;
 }
+
+FIGURE(joined_and_closed)
+{
+    svg *s =
+        svg_new("joined_and_closed", "Two pieces that are joined, and one curve that is closed",
+                "Left two segments in a row: the second begins where the first ends, and neither is closed.  Right "
+                "what the condition says as printed, with one letter for both curves: a curve that ends where it "
+                "begins.");
+    svg_panel(s, window(r(-1, 4), r(-3, 4), r(9, 4), r(3, 4)), 320, 0, "$P_{II}(0)=P_I(1)$");
+    svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_CURVE);
+    svg_segment(s, svg_at(1, 0), svg_at(2, 0), SVG_CURVE_2);
+    for (int k = 0; k <= 2; k++)
+        svg_mark(s, svg_at(k, 0), SVG_POINT, SVG_USUAL);
+    svg_label(s, svg_at(0, 0), SVG_S, SVG_POINT, "P_I(0)");
+    svg_label(s, svg_at(1, 0), SVG_N, SVG_POINT, "P_I(1)");
+    svg_label(s, svg_at(1, 0), SVG_S, SVG_POINT, "P_{II}(0)");
+    svg_label(s, svg_at(2, 0), SVG_S, SVG_POINT, "P_{II}(1)");
+    const int coefficients[8] = {0, 0, 4, 5, -4, -15, 0, 10}; /* (4t(1-t), 5t(1-t)(1-2t)) */
+    num_q c[8];
+    fractions(8, coefficients, 1, c);
+    svg_panel(s, window(r(-1, 4), r(-3, 4), r(5, 4), r(3, 4)), 192, 0, "$P_x(0)=P_x(1)$, as printed");
+    put_power_curve(s, 3, c, q(0), q(1), SVG_WRONG);
+    svg_mark(s, svg_at(0, 0), SVG_POINT, SVG_USUAL);
+    svg_legend_line(s, SVG_CURVE, "first piece");
+    svg_legend_line(s, SVG_CURVE_2, "second piece");
+    svg_legend_line(s, SVG_WRONG, "a closed curve");
+    return s;
+}

@@ -33,6 +33,7 @@ they stand, the rule of Horner (秦九韶算法), and a table of forward differe
 :class: false
 :corrected: Three is the lowest degree of a polynomial curve that leaves every plane, and of a plane one with an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
+:figure: degrees_two_and_three
 
 The table of contents of the source has a section on uniform quadratic B-spline surfaces.
 :::

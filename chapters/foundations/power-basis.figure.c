@@ -91,3 +91,27 @@ FIGURE(stepping_and_rounding)
     svg_legend_line(s, SVG_RIGHT, "step $1/1024$: no error");
     return s;
 }
+
+FIGURE(degrees_two_and_three)
+{
+    svg *s = svg_new("degrees_two_and_three", "What a quadratic curve is, and what it is not",
+                     "The parabola (t, t squared) is a polynomial curve of degree two, and bends to one side.  A cubic "
+                     "is the first that can bend to the other side: (t, t cubed) does so at t = 0.");
+    const int coefficients[2][8] = {{0, 0, 1, 0, 0, 1, 0, 0}, {0, 0, 1, 0, 0, 0, 0, 1}};
+    for (int panel = 0; panel < 2; panel++) {
+        num_q c[8];
+        fractions(8, coefficients[panel], 1, c);
+        svg_panel(s, window(q(-1), q(-1), q(1), q(1)), 240, 0, panel ? "$(t,t^3)$" : "$(t,t^2)$");
+        svg_axes(s, q(1), q(1), NULL, NULL);
+        svg_line(s, at(r(panel ? 0 : -1, 2), panel ? q(0) : r(1, 4)), at(q(panel), q(0)), SVG_MUTED);
+        if (!panel)
+            svg_line(s, at(r(1, 2), r(1, 4)), at(r(1, 4), q(0)), SVG_MUTED);
+        put_power_curve(s, 3, c, q(-1), q(1), SVG_CURVE);
+        svg_mark(s, panel ? svg_at(0, 0) : at(r(-1, 2), r(1, 4)), SVG_POINT, SVG_USUAL);
+        if (!panel)
+            svg_mark(s, at(r(1, 2), r(1, 4)), SVG_POINT, SVG_USUAL);
+    }
+    svg_legend_line(s, SVG_CURVE, "the curve");
+    svg_legend_line(s, SVG_MUTED, "tangents: on one side, and crossed");
+    return s;
+}

@@ -37,13 +37,14 @@ FIGURE(worked_patch)
                 put_hermite(s, data, k % 8 == 0 ? SVG_CURVE : SVG_FAMILY);
             }
         static const char *const name[4] = {"P_0", "P_1", "P_2", "P_3"};
-        static const enum svg_direction beside[4] = {SVG_SW, SVG_NW, SVG_SE, SVG_NE};
+        static const enum svg_direction beside[2][4] = {{SVG_SW, SVG_NW, SVG_SE, SVG_NE},
+                                                        {SVG_SE, SVG_S, SVG_E, SVG_E}};
         for (int k = 0; k < 4; k++) {
             num_q P[3], seen[2];
             hermite_tensor_q(3, corners, q(k / 2), q(k % 2), 0, 0, P);
             project(P, seen);
             svg_mark(s, svg_pair(seen), SVG_POINT, SVG_USUAL);
-            svg_label(s, svg_pair(seen), beside[k], SVG_POINT, name[k]);
+            svg_label(s, svg_pair(seen), beside[reading][k], SVG_POINT, name[k]);
         }
     }
     return s;

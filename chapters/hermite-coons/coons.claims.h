@@ -7,6 +7,19 @@ curves as its borders: a Boolean sum (布尔和).  The same is done with curves 
 
 ## Four curves
 
+:::{statement} slides-ch4:3-notation
+:title: Borders, tangents, derivatives across them and twists
+:zh: 边界线、切向量、跨界切向量与扭曲向量
+:definition: yes
+:printed: $P(u,w)$, $0\le u,w\le1$: the borders $u0,u1,0w,1w$; the derivatives $uw_u$, $uw_w$, $uw_{uu}$, $uw_{uw}$, $uw_{ww}$ of the
+  surface; along the border $u0$ the tangent $u0_u$, the derivative across it $u0_w$, and $u0_{uu}$, $u0_{ww}$; at the corners the points
+  $00,01,10,11$ and the twists $00_{uw},01_{uw},10_{uw},11_{uw}$
+:checked-by: tensor_kernel_is_the_matrix_product
+:figure: boolean_sum
+
+The surface of sixteen vectors has them as its points, tangents and twists at the corners.
+:::
+
 :::{statement} slides-ch4:3-ruled
 :title: Two ruled surfaces and the surface of the corners
 :zh: 两张直纹面与角点曲面
@@ -92,6 +105,15 @@ curves as its borders: a Boolean sum (布尔和).  The same is done with curves 
 :control: $f_0=1-t$, $f_1=t$
 :::
 
+:::{statement} slides-ch4:3-corner-points
+:title: The corners in the matrix can be computed from the four curves
+:zh: 矩阵 M 的角点可由四条边界曲线求得
+:printed: The four elements of $M$ are the position vectors of the corners, and can be computed from the four given curves.
+:holds-by: four_curves_are_borders
+:hypothesis: open_corner_loses_the_border | the curves meet at the corners: each corner is an end of two of them, and both give one point
+:figure: boolean_sum
+:::
+
 :::{statement} slides-ch4:3-bicubic-degree
 :title: Cubic curves and cubic blendings give a bicubic patch
 :zh: 双三次多项式
@@ -130,6 +152,7 @@ curves as its borders: a Boolean sum (布尔和).  The same is done with curves 
 :printed: From $u0,u1,0w,1w$ and $u0_w,u1_w,0w_u,1w_u$ the points, tangents and twist vectors of the four corners can be computed.
 :holds-by: borders_and_cross_derivatives_are_kept
 :hypothesis: two_twists_cannot_both_be_kept | both ways to compute each of them give one vector
+:figure: two_twists
 :::
 
 :::{claim} borders_and_cross_derivatives_are_kept

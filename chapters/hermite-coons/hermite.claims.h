@@ -150,6 +150,7 @@ CLAIM(straight_data_have_no_cubic)
   $(t_1-t_0)^3a_0=-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3$
 :holds-by: cubic_coefficients_by_monomials
 :hypothesis: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:figure: nodes_that_meet
 
 The signs are lost.  The monomials are linearly independent, so each sign is determined by the value of the sum: one choice is true.
 :::
@@ -323,6 +324,7 @@ CLAIM(square_needs_the_prime)
 :printed: P(t)=f(t_0)\frac{(t-t_1)^2(2t-3t_0+t_1)}{(t_1-t_0)^3}+f(t_1)\frac{(t-t_0)^2(2t-3t_1+t_0)}{(t_0-t_1)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
 :holds-by: cubic_ordered_by_data
 :hypothesis: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:figure: nodes_that_meet
 
 The two cubes have the factors in opposite order, which makes up for the sign between the two fractions.
 :::

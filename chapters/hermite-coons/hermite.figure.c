@@ -92,3 +92,25 @@ FIGURE(worked_hermite_curve)
     svg_label(s, svg_at(5, 1), SVG_E, SVG_POINT, "P'_1");
     return s;
 }
+
+FIGURE(nodes_that_meet)
+{
+    svg *s =
+        svg_new("nodes_that_meet", "Two nodes that approach each other",
+                "The cubics with the values 0 and 1 at two nodes and the derivatives 0, for nodes in the distances 1, "
+                "1/2, 1/4 and 1/8.  In the limit one node would have two values, and there is no cubic.");
+    svg_panel(s, window(q(0), r(-1, 8), q(1), r(9, 8)), 380, 240, "$f(t_0)=0$, $f(t_1)=1$, $f'(t_0)=f'(t_1)=0$");
+    svg_axes(s, r(1, 4), q(1), "t", NULL);
+    for (int k = 3; k >= 0; k--) {
+        num_q half = r(1, 2L << k), t0 = sub_q(r(1, 2), half), t1 = add_q(r(1, 2), half);
+        num_q f[4] = {q(0), q(1), q(0), q(0)};
+        put_hermite_graph(s, t0, t1, f, k == 0 ? SVG_CURVE : SVG_FAMILY);
+        svg_mark(s, at(t0, q(0)), SVG_FAMILY, SVG_USUAL);
+        svg_mark(s, at(t1, q(1)), SVG_FAMILY, SVG_USUAL);
+    }
+    svg_segment(s, at(r(1, 2), q(0)), at(r(1, 2), q(1)), SVG_WRONG);
+    svg_legend_line(s, SVG_CURVE, "distance 1");
+    svg_legend_line(s, SVG_FAMILY, "1/2, 1/4, 1/8");
+    svg_legend_line(s, SVG_WRONG, "equal nodes: no cubic");
+    return s;
+}

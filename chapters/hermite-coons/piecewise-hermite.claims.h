@@ -16,6 +16,7 @@ continuous tangent whatever the data are; the second derivative is another matte
   $h_{i0}=(t-t_i)\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=(t-t_{i+1})\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
 :holds-by: base_functions_interpolate_once_continuously
 :hypothesis: equal_nodes_have_no_interpolant | $t_i\ne t_{i+1}$
+:figure: nodes_that_meet
 :::
 
 :::{statement} slides-ch4:2-base-functions
@@ -35,6 +36,7 @@ continuous tangent whatever the data are; the second derivative is another matte
   satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$
 :holds-by: base_functions_interpolate_once_continuously
 :hypothesis: equal_nodes_have_no_interpolant | the $t_i$ are different
+:figure: nodes_that_meet
 :::
 
 :::{statement} slides-ch4:2-piece-of-curve

@@ -162,6 +162,7 @@ CLAIM(mirror_images_with_sum_one_are_unique)
 :printed: the functions are polynomials in $t$ of degree eight
 :holds-by: leading_coefficients_are_multiples_of_beta
 :hypothesis: degree_falls_for_beta_zero | $\beta\ne0$; for $\beta=0$ the degree is 7
+:figure: beta_zero
 :::
 
 :::{claim} leading_coefficients_are_multiples_of_beta
@@ -222,6 +223,7 @@ CLAIM(degree_falls_for_beta_zero)
 :corrected: the functions, printed or corrected, are linearly independent exactly when $\beta\ne-7$ and
   $\beta\ne-\frac{21}4$
 :corrected-by: functions_are_independent_but_for_two_values
+:figure: dependent_functions
 
 The left end of the printed range is one of the two values, the left end of the true range (property 2.1) the other.
 There different polygons have the same curve.  The space spanned has dimension 8; all polynomials of degree 8 have
@@ -521,6 +523,7 @@ degree $j$.
 :class: misprint
 :corrected: $\hat B_j^{(k)}(1)=0$ for $k+j\le6$: the index 5 of $B_{4,5}$ and the others is 7
 :corrected-by: functions_vanish_to_their_orders_at_the_ends
+:figure: degree_five_at_the_end
 
 Unlike those of (6) these misprints matter: read as functions of degree five, $B_{4,5}$ has only one factor $1-t$.
 :::
@@ -624,6 +627,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :class: misprint
 :corrected: $\hat B_i(t)=B_i^7(t)$: the index 0 on the left is $i$; printed and corrected functions alike
 :corrected-by: beta_zero_gives_bernstein_polynomials
+:figure: beta_zero
 :::
 
 :::{statement} deng-zhang-2022:property-2.7-extension

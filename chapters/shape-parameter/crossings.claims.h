@@ -75,6 +75,7 @@ when $f(0)=k_0$ and $f(1)=k_7$ have different signs.
   true by total positivity
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   roots_are_at_most_sign_changes
+:figure: roots_at_minus_seven
 
 The method makes no use of the range of $\beta$, and in the range of the text the conclusion is false.
 :::
@@ -87,6 +88,7 @@ The method makes no use of the range of $\beta$, and in the range of the text th
 :class: false
 :corrected: obvious where the functions are positive in $(0,1)$, which is for $-\frac{21}4\le\beta\le1$
 :corrected-by: nonnegative_exactly_in_the_range
+:figure: roots_at_minus_seven
 :::
 
 :::{statement} deng-zhang-2022:property-3.6-sides
@@ -96,6 +98,7 @@ The method makes no use of the range of $\beta$, and in the range of the text th
   $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ have different signs
 :holds-by: sign_changes_are_polygon_crossings
 :hypothesis: line_through_an_edge_has_no_two_sides | neither of the two points is on $L$
+:figure: line_along_an_edge
 :::
 
 :::{statement} deng-zhang-2022:eq-19
@@ -131,6 +134,7 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
   $L$
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   roots_are_at_most_sign_changes line_function_of_the_curve
+:figure: crossings_off_the_polygon
 :::
 
 :::{statement} deng-zhang-2022:property-3.7
@@ -156,6 +160,7 @@ none; so together with the ends there are never more than two common points.
 :printed: a line meets the (convex) control polygon at most twice
 :holds-by: sign_changes_are_polygon_crossings
 :hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
+:figure: line_along_an_edge
 :::
 
 :::{claim} minors_are_products_of_entries

@@ -33,8 +33,8 @@ FIGURE(crossings_off_the_polygon)
               "corrected, $β=-7$ and $β=-21/4$, near $P_0=P_1$");
     put_triangle(s, r(-1, 200));
     svg_legend_line(s, SVG_POLYGON, "the polygon");
-    svg_legend_line(s, SVG_WRONG, "the curve that crosses the line");
-    svg_legend_line(s, SVG_RIGHT, "the curve of $β=-21/4$");
+    svg_legend_line(s, SVG_WRONG, "crosses the line");
+    svg_legend_line(s, SVG_RIGHT, "$β=-21/4$");
     svg_legend_line(s, SVG_POINT, "the line");
     return s;
 }
@@ -61,5 +61,52 @@ FIGURE(convexity_lost)
     svg_legend_line(s, SVG_WRONG, "$β=-7$; as printed");
     svg_legend_line(s, SVG_RIGHT, "$β=-21/4$; corrected");
     svg_legend_line(s, SVG_POINT, "a line");
+    return s;
+}
+
+FIGURE(roots_at_minus_seven)
+{
+    svg *s =
+        svg_new("roots_at_minus_seven", "More roots than changes of sign",
+                "Sums of the printed functions with the coefficients 1, 1, 200, 1, 1, 1, 1 and 1 or -1.  For β = -7 "
+                "the first has two roots and no change of sign in its coefficients, the second three roots and one "
+                "change; for β = -21/4 there are none, and one.");
+    for (int last = 1; last >= -1; last -= 2) {
+        num_q near[8], far[8], a[8];
+        for (int i = 0; i <= 7; i++)
+            a[i] = q(i == 2 ? 200 : i == 7 ? last : 1);
+        svg_panel(s, window(q(0), q(-2), q(1), q(4)), 320, 240,
+                  last > 0 ? "$k=(1,1,200,1,1,1,1,1)$" : "$k=(1,1,200,1,1,1,1,-1)$");
+        svg_axes(s, r(1, 4), q(1), "t", NULL);
+        factors(1, 7, r(-21, 4), near, far);
+        put_graph(s, 7, near, far, a, SVG_RIGHT);
+        factors(1, 7, q(-7), near, far);
+        put_graph(s, 7, near, far, a, SVG_WRONG);
+    }
+    svg_legend_line(s, SVG_WRONG, "$β=-7$");
+    svg_legend_line(s, SVG_RIGHT, "$β=-21/4$");
+    return s;
+}
+
+FIGURE(line_along_an_edge)
+{
+    svg *s =
+        svg_new("line_along_an_edge", "A line that contains an edge of the polygon",
+                "The convex polygon of the points (i, i(7-i)).  The line y = 12 contains the edge from P₃ to P₄ and "
+                "has it on no side; the line y = 8 crosses two edges.");
+    num_q P[16];
+    for (int i = 0; i <= 7; i++)
+        P[2 * i] = q(i), P[2 * i + 1] = q(i * (7 - i));
+    svg_panel(s, window(q(-1), q(-1), q(8), q(14)), 380, 260, NULL);
+    svg_polyline(s, 8, P, SVG_POLYGON);
+    static const char *const names[8] = {"P_0", "P_1", "P_2", "P_3", "P_4", "P_5", "P_6", "P_7"};
+    for (int i = 0; i <= 7; i++) {
+        svg_mark(s, svg_pair(P + 2 * i), SVG_POLYGON, SVG_USUAL);
+        svg_label(s, svg_pair(P + 2 * i), i == 3 || i == 4 ? SVG_N : i < 3 ? SVG_W : SVG_E, SVG_POLYGON, names[i]);
+    }
+    svg_line(s, svg_at(0, 12), svg_at(1, 12), SVG_WRONG);
+    svg_line(s, svg_at(0, 8), svg_at(1, 8), SVG_RIGHT);
+    svg_legend_line(s, SVG_WRONG, "contains an edge");
+    svg_legend_line(s, SVG_RIGHT, "crosses two edges");
     return s;
 }

@@ -179,6 +179,7 @@ The last two curves of the figure, $\beta=-6$ and $-7$, are outside the true ran
 :hypothesis: edges_that_do_not_move | the vector $\sum_ka_k(P_k-P_{k-1})s^{8-k}t^k$ does not vanish for all $t$, that is, not
   all edges but $P_3P_4$ are 0 (corrected functions, $n=7$); and the points are not all on a line, where only the
   parametrization may change
+:figure: edges_that_do_not_move
 
 For $n=7$ the number $a_4$ is 0.
 :::
@@ -418,6 +419,7 @@ hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points
 :class: misprint
 :corrected: true for the corrected functions for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
+:figure: two_directions_two_curves
 :::
 
 :::{statement} deng-zhang-2022:eq-12
@@ -429,6 +431,7 @@ hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points
 :corrected: $\tilde B(1-t)=\sum P_{7-i}B_{i,7}(1-t)=\sum P_jB_{j,7}(t)=q(t)$, where $\tilde B$ on the left is the curve of the
   reversed polygon and the functions are the corrected ones
 :corrected-by: reversed_polygon_reverses_the_curve
+:figure: two_directions_two_curves
 
 As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.
 :::
@@ -457,6 +460,7 @@ As printed, with one meaning of $B_1$, the ends of the chain say that every curv
 :corrected: true for the corrected functions for every $\beta$; with the printed ones for linear maps, for all affine maps only
   if $\beta=0$
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
+:figure: hull_and_sum
 :::
 
 :::{claim} printed_curve_leaves_a_single_point

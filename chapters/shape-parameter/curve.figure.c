@@ -76,3 +76,58 @@ FIGURE(hull_and_sum)
     svg_legend_area(s, SVG_FILL, "convex hull");
     return s;
 }
+
+/* Eight points and the same points backwards, with the printed curve of each. */
+FIGURE(two_directions_two_curves)
+{
+    svg *s =
+        svg_new("two_directions_two_curves", "A polygon and its reverse",
+                "The curves of a polygon far from the origin, and of the same points taken backwards, for β = 1.  With "
+                "the printed functions they are two curves, with the corrected ones the same, run through in the "
+                "other direction.");
+    static const int from[] = {0, 0, 1, 4, 2, 6, 3, 6, 4, 5, 5, 4, 6, 3, 7, 0};
+    num_q P[16], R[16];
+    points(8, from, P);
+    for (int i = 0; i <= 7; i++) {
+        P[2 * i + 1] = add_q(P[2 * i + 1], q(40));
+        R[14 - 2 * i] = P[2 * i], R[15 - 2 * i] = P[2 * i + 1];
+    }
+    for (int printed = 1; printed >= 0; printed--) {
+        svg_panel(s, window(r(-1, 2), r(79, 2), r(15, 2), r(93, 2)), 320, 0, NULL);
+        svg_heading(s, printed ? SVG_WRONG : SVG_RIGHT, printed ? "as printed, $β=1$" : "corrected, $β=1$");
+        svg_polyline(s, 8, P, SVG_POLYGON);
+        put_curve(s, printed, 7, P, q(1), SVG_CURVE);
+        put_curve(s, printed, 7, R, q(1), SVG_CURVE_2);
+        static const char *const names[2] = {"P_0", "P_7"};
+        for (int end = 0; end < 2; end++) {
+            svg_mark(s, svg_pair(P + 14 * end), SVG_POLYGON, SVG_USUAL);
+            svg_label(s, svg_pair(P + 14 * end), end ? SVG_E : SVG_W, SVG_POLYGON, names[end]);
+        }
+    }
+    svg_legend_line(s, SVG_CURVE, "of $P_0,...,P_7$");
+    svg_legend_line(s, SVG_CURVE_2, "of $P_7,...,P_0$");
+    return s;
+}
+
+FIGURE(edges_that_do_not_move)
+{
+    svg *s =
+        svg_new("edges_that_do_not_move", "A polygon whose curve does not depend on beta",
+                "The first coordinate over t for the polygon with four points 0 and four points 1, which is one graph "
+                "for all β, and for the polygon with five points 0 and three points 1, whose graphs move.");
+    num_q near[8], far[8], a[8];
+    for (int panel = 0; panel < 2; panel++) {
+        svg_panel(s, window(q(0), q(0), q(1), q(1)), 280, 220, panel ? "$0,0,0,0,0,1,1,1$" : "$0,0,0,0,1,1,1,1$");
+        svg_axes(s, r(1, 2), r(1, 2), "t", NULL);
+        for (int i = 0; i <= 7; i++)
+            a[i] = q(i >= 4 + panel);
+        for (int beta = -5; beta <= 1; beta += 3) {
+            factors(0, 7, q(beta), near, far);
+            put_graph(s, 7, near, far, a, beta == 1 ? SVG_CURVE : beta == -2 ? SVG_FAMILY : SVG_CURVE_2);
+        }
+    }
+    svg_legend_line(s, SVG_CURVE, "$β=1$");
+    svg_legend_line(s, SVG_FAMILY, "$β=-2$");
+    svg_legend_line(s, SVG_CURVE_2, "$β=-5$");
+    return s;
+}

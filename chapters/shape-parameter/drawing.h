@@ -65,7 +65,7 @@ static inline void nine_curves(svg *s, const num_q P[])
     svg_legend_line(s, SVG_CURVE, "$β=1$");
     svg_legend_line(s, SVG_CURVE_2, "$β=0$, the Bézier curve");
     svg_legend_line(s, SVG_FAMILY, "$β=-1,...,-5$");
-    svg_legend_line(s, SVG_WRONG, "$β=-6,-7$, outside the true range");
+    svg_legend_line(s, SVG_WRONG, "$β=-6,-7$, outside");
 }
 
 /* Only function i, or with i < 0 the sum of all. */

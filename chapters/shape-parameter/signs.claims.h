@@ -112,6 +112,7 @@ $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ 
 :corrected: figure 1 has one value of $\beta$, $-1$, for which it is right; the derivatives verify it for
   $-\frac{21}4\le\beta\le1$ and refute it below
 :corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
+:figure: negative_function
 :::
 
 :::{claim} derivative_of_a_function_factors

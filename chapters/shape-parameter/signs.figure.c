@@ -19,8 +19,8 @@ FIGURE(negative_function)
     svg_mark(s, at(r(1, 9), q(0)), SVG_WRONG, SVG_USUAL);
     svg_label(s, at(r(1, 9), q(0)), SVG_SE, SVG_WRONG, "1/9");
     svg_note(s, at(r(23, 400), r(-19, 2000)), SVG_SE, SVG_WRONG, "$β=-7$, then $-6$ above it");
-    svg_legend_line(s, SVG_WRONG, "$β=-7$ and $β=-6$, allowed in the text");
-    svg_legend_line(s, SVG_RIGHT, "$β=-21/4$, the true end");
+    svg_legend_line(s, SVG_WRONG, "$β=-7,-6$ (printed)");
+    svg_legend_line(s, SVG_RIGHT, "$β=-21/4$");
     svg_legend_line(s, SVG_CURVE, "$β=-4$");
     return s;
 }

@@ -75,6 +75,7 @@ A curve of degree eight has one term more.  The nine Bézier points have to be c
 :corrected: with the corrected functions and $-\frac{21}4\le\beta\le1$ all of them hold
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range
+:figure: ranges_of_beta
 :::
 
 :::{statement} deng-zhang-2022:sec-6-better
@@ -100,6 +101,7 @@ A curve of degree eight has one term more.  The nine Bézier points have to be c
 :corrected: with the corrected functions and $-\frac{21}4\le\beta\le1$ all of them hold
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   totally_positive_exactly_in_the_range
+:figure: ranges_of_beta
 :::
 
 :::{statement} deng-zhang-2022:abstract-better

@@ -1,0 +1,33 @@
+/* The figure of the page on the table of contents. */
+#include "chapters/foundations/figures.h"
+
+FIGURE(pages_of_the_sections)
+{
+    svg *s =
+        svg_new("pages_of_the_sections", "The pages of the sections of chapters 1, 2 and 9",
+                "The pages on which the sections begin, in their order.  Section 9-2 is printed behind section 9-3; "
+                "chapter 2 is printed on a page before that of its first section.");
+    static const int first[19] = {1, 2, 4, 6, 9, 12, 18, 20, 22, 25, 26, 27, 29, 32, 34, 38, 40, 47, 51};
+    static const int last[7] = {225, 237, 234, 237, 242, 244, 248};
+    num_q P[2 * 19], Q[2 * 7];
+    for (int k = 0; k < 19; k++)
+        P[2 * k] = q(k + 1), P[2 * k + 1] = q(first[k]);
+    for (int k = 0; k < 7; k++)
+        Q[2 * k] = q(k + 1), Q[2 * k + 1] = q(last[k]);
+    svg_panel(s, window(q(0), q(0), q(20), q(56)), 340, 260, "sections 1-1 to 1-9 and 2-1 to 2-10");
+    svg_axes(s, q(0), q(10), NULL, "page");
+    svg_polyline(s, 19, P, SVG_MUTED);
+    for (int k = 0; k < 19; k++)
+        svg_mark(s, svg_pair(P + 2 * k), k < 9 ? SVG_CURVE : SVG_CURVE_2, SVG_USUAL);
+    svg_mark(s, svg_at(10, 23), SVG_WRONG, SVG_USUAL);
+    svg_note(s, svg_at(10, 23), SVG_SE, SVG_WRONG, "chapter 2: page 23");
+    svg_note(s, svg_at(10, 25), SVG_NW, SVG_CURVE_2, "2-1: page 25");
+    svg_panel(s, window(q(0), q(222), q(8), q(250)), 260, 260, "sections 9-1 to 9-7");
+    svg_axes(s, q(0), q(5), NULL, "page");
+    svg_polyline(s, 7, Q, SVG_MUTED);
+    for (int k = 0; k < 7; k++)
+        svg_mark(s, svg_pair(Q + 2 * k), k == 1 ? SVG_WRONG : SVG_CURVE, SVG_USUAL);
+    svg_note(s, svg_pair(Q + 2), SVG_N, SVG_WRONG, "9-2: page 237");
+    svg_note(s, svg_pair(Q + 4), SVG_SE, SVG_CURVE, "9-3: page 234");
+    return s;
+}
