@@ -25,6 +25,34 @@ they stand, the rule of Horner (秦九韶算法), and a table of forward differe
 :control: the curve $(2t-1,t)$
 :::
 
+:::{statement} hu-1987:1-4-advantage-extent
+:title: The extent of a curve is given by an interval of its parameter
+:zh: 用参数区间指定曲线的延伸范围
+:printed: A piece of a curve is the part from $t=a$ to $t=b$, $a\le t\le b$; also where there are several values its extent can be given
+  conveniently.
+:holds-by: intervals_of_the_parameter_separate_the_values
+:figure: infinite_slope_and_two_values
+:::
+
+:::{claim} intervals_of_the_parameter_separate_the_values
+:title: Two intervals of the parameter separate the two values
+:zh: 参数区间分开多值
+:kind: decision
+:given: $P(t)=((2t-1)^2,t)$ on $[0,\frac12]$ and on $[\frac12,1]$
+:then: each piece has one point over every $x$ of $[0,1]$: $x$ falls from 1 to 0 on the first and rises from 0 to 1 on the second
+:method: The sign of $x'$ on the two open intervals, and $x$ at the ends, exactly.
+:control: the intervals $[0,\frac34]$ and $[\frac34,1]$
+:::
+
+:::{statement} hu-1987:1-4-advantage-points
+:title: Points of a parametric curve are easily computed
+:zh: 曲线上点的计算容易
+:printed: For a curve $P(t)=[x(t)\;y(t)\;z(t)]$ the coordinates are explicit functions of $t$, so points are easily computed.
+:holds-by: horner_computes_the_sum_of_powers
+
+The word printed is "surface", the example is a curve; for a polynomial curve the points cost the operations that are counted below.
+:::
+
 :::{statement} hu-1987:1-4-lowest-degree
 :title: The lowest degree of a polynomial curve in CAGD is three
 :zh: 参数多项式曲线最低为三次
@@ -72,6 +100,7 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 #if RATIONAL
 #include "chapters/foundations/counting.h"
 #include "exact/roots.h"
+#include "exact/sign.h"
 
 /* The kernels in binary64, and those of this section once more in the number type that counts. */
 #undef G
@@ -97,6 +126,16 @@ CLAIM(parabola_across_has_no_slope)
     poly below = poly_add(poly_from_q(3, x), poly_constant(quarter));
     agree(T, count_roots(at_quarter, zero, from_int(1), CLOSED).distinct == 2);
     agree(T, count_roots(below, zero, from_int(1), CLOSED).distinct == 0);
+}
+
+CLAIM(intervals_of_the_parameter_separate_the_values)
+{
+    num zero = from_int(0), one = from_int(1), middle = T->planted ? from_ratio(3, 4) : from_ratio(1, 2);
+    poly x = poly_from_q(3, (num[]){one, from_int(-4), from_int(4)}), slope = poly_derivative(x);
+    agree(T, sign_on(slope, zero, middle, OPEN) == SIGN_NEGATIVE && sign_on(slope, middle, one, OPEN) == SIGN_POSITIVE);
+    same(T, poly_value(x, zero), one);
+    same(T, poly_value(x, middle), zero);
+    same(T, poly_value(x, one), one);
 }
 
 CLAIM(quadratic_curve_is_in_use)

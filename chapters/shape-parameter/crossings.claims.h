@@ -32,7 +32,7 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :printed: $f=\sum k_i\hat B_i$ for the functions (13) and constants (14); $Z(f)$ is the number of roots of $f$ in $(0,1)$,
   $SA(k_0,\dots,k_7)$ the number of changes of sign
 :definition: yes
-:checked-by: parity_of_the_roots
+:checked-by: combination_begins_and_ends_with_its_coefficients
 
 Roots may be counted with or without multiplicity: what is decided below holds for both, and the counterexamples have simple
 roots.
@@ -59,7 +59,7 @@ The sum of the functions plays no part here, so that the misprints do no harm.
 :title: Seven changes of sign: at most seven roots
 :zh: 情形 1
 :printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
-:holds-by: parity_of_the_roots
+:holds-by: combination_begins_and_ends_with_its_coefficients
 
 Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is odd
 when $f(0)=k_0$ and $f(1)=k_7$ have different signs.
@@ -212,6 +212,17 @@ none; so together with the ends there are never more than two common points.
 :control: $b$ replaced by $2b$ in the parameter
 :::
 
+:::{claim} combination_begins_and_ends_with_its_coefficients
+:title: A combination of the functions has its first and its last coefficient as values at the ends
+:zh: 组合函数的端点值为首末系数
+:given: any $k_0,\dots,k_7$ and $\beta$; printed and corrected functions
+:then: $f(0)=k_0$, $f(1)=k_7$; so when these have different signs, the number of roots in $(0,1)$, counted with multiplicity, is odd, and
+  of a polynomial of degree 8 at most 7
+:method: The kernels at the two integers, everything a variable.  A polynomial changes its sign exactly at the roots of odd multiplicity.
+:types: field rational
+:control: the last two coefficients exchanged
+:::
+
 :::{claim} parity_of_the_roots
 :title: The number of roots is even or odd as the ends have equal or different signs
 :zh: 根的个数的奇偶性
@@ -354,6 +365,24 @@ CLAIM(minors_are_products_of_entries)
                     M[i * order + j] = E[row[i] * columns + column[j]];
             }
             same(T, G(pivoted_determinant)(order, M), diagonal);
+        }
+}
+
+CLAIM(combination_begins_and_ends_with_its_coefficients)
+{
+    num k[8], B[8], beta = unknown(T, "beta", 0);
+    for (int i = 0; i <= 7; i++)
+        k[i] = unknown(T, "k", i);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
+        for (int end = 0; end <= 1; end++) {
+            num sum = from_int(0);
+            if (printed_ones)
+                G(shape_basis_printed)(beta, from_int(end), B);
+            else
+                G(shape_basis)(7, beta, from_int(end), B);
+            for (int i = 0; i <= 7; i++)
+                sum = add(sum, mul(k[T->planted && i >= 6 ? 13 - i : i], B[i]));
+            same(T, sum, k[end ? 7 : 0]);
         }
 }
 
