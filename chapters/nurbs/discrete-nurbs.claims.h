@@ -782,7 +782,7 @@ CLAIM(clamped_start_has_no_such_point)
     static const int clamped[] = {0, 0, 0, 1, 1, 1}, earlier[] = {-1, 0, 0, 1, 1, 1};
     const int *knot = T->planted ? earlier : clamped;
     int mu = 0, end = knot[2];
-    while (knot[mu] < end)
+    while (compare_q(from_int(knot[mu]), from_int(end)) < 0)
         mu++;
     show_text(T, "t'", "%d", end);
     show_text(T, "mu", "%d", mu);

@@ -360,7 +360,7 @@ CLAIM(first_term_of_the_chain_divides_by_zero)
     for (int i = 0; i < 8; i++)
         u[i] = from_int(t[i]);
     for (int i = j - k + r; i <= j; i++)
-        if (t[i + k - r - 1] == t[i - 1]) {
+        if (is_zero_q(sub(u[i + k - r - 1], u[i - 1]))) {
             show_text(T, "i", "%d", i);
             zero = 1;
         }

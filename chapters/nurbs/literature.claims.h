@@ -153,7 +153,7 @@ enum { VOLUMES = sizeof volumes / sizeof volumes[0], SURVEY = 8 };
 CLAIM(labels_run_from_one_to_twenty_three)
 {
     for (int n = 1; n <= LABELS; n++)
-        agree(T, (n == 14 && !T->planted ? 14 : labels[n - 1]) == n);
+        same(T, from_int(n == 14 && !T->planted ? 14 : labels[n - 1]), from_int(n));
 }
 
 CLAIM(cited_keys_are_listed)
@@ -166,7 +166,7 @@ CLAIM(keys_have_the_years_of_their_entries)
 {
     static const int years[] = {1999, 1990, 1992};
     for (int k = 0; k < 3; k++)
-        agree(T, (T->planted ? cited[k].year : listed[k].year) == years[k] - 1900);
+        same(T, from_int(T->planted ? cited[k].year : listed[k].year), sub(from_int(years[k]), from_int(1900)));
 }
 
 CLAIM(numbered_references_are_all_cited)
@@ -178,14 +178,14 @@ CLAIM(numbered_references_are_all_cited)
         for (int n = first[k]; n <= last[k]; n++)
             seen[n] = 1;
     for (int n = 0; n < 32; n++)
-        agree(T, seen[n] == (n >= 1 && n <= 19));
+        same(T, from_int(seen[n]), from_int(n >= 1 && n <= 19));
 }
 
 CLAIM(volumes_follow_the_years)
 {
     for (int k = 0; k < VOLUMES; k++) {
         int volume = k == SURVEY && !T->planted ? 11 : volumes[k][3];
-        agree(T, volumes[k][2] - volume == (volumes[k][1] == 0 ? 1968 : 1980));
+        same(T, sub(from_int(volumes[k][2]), from_int(volume)), from_int(volumes[k][1] == 0 ? 1968 : 1980));
     }
 }
 
@@ -204,7 +204,7 @@ CLAIM(cited_label_is_not_printed)
 {
     int wanted = T->planted ? 13 : 14, found = 0, thirteen = 0;
     for (int n = 0; n < LABELS; n++) {
-        found |= labels[n] == wanted;
+        found |= equal_q(from_int(labels[n]), from_int(wanted));
         thirteen += labels[n] == 13;
     }
     show_text(T, "label looked up", "(4.4.%d)", wanted);
@@ -245,13 +245,15 @@ CLAIM(cited_key_is_not_listed)
 */
 CLAIM(volume_of_the_survey_breaks_the_rule)
 {
-    int rule = volumes[SURVEY - 1][2] - volumes[SURVEY - 1][3];
     int volume = T->planted ? 11 : volumes[SURVEY][3];
+    num rule = sub(from_int(volumes[SURVEY - 1][2]), from_int(volumes[SURVEY - 1][3]));
+    num here = sub(from_int(volumes[SURVEY][2]), from_int(volume));
+    num after = sub(from_int(volumes[SURVEY + 1][2]), from_int(volumes[SURVEY + 1][3]));
     show_text(T, "year, volume of reference 4", "%d, %d", volumes[SURVEY - 1][2], volumes[SURVEY - 1][3]);
     show_text(T, "year, volume of reference 7", "%d, %d", volumes[SURVEY][2], volume);
     show_text(T, "year, volume of reference 8", "%d, %d", volumes[SURVEY + 1][2], volumes[SURVEY + 1][3]);
     about(T, "the year less the volume is the same");
-    agree(T, volumes[SURVEY][2] - volume == rule && volumes[SURVEY + 1][2] - volumes[SURVEY + 1][3] == rule);
+    agree(T, equal_q(here, rule) && equal_q(after, rule));
 }
 #endif
 #include "chapters/frame/claims_off.h"

@@ -274,8 +274,11 @@ CLAIM(end_is_in_no_interval)
 {
     static const int knot[] = {0, 0, 0, 1, 2, 2, 2};
     int k = 3, n = 4, t = knot[n], contained = 0;
-    for (int j = k; j <= n; j++)
-        contained |= knot[j - 1] <= t && (t < knot[j] || (T->planted && j == n && t == knot[j]));
+    for (int j = k; j <= n; j++) {
+        int begun = compare_q(from_int(knot[j - 1]), from_int(t)) <= 0,
+            ended = compare_q(from_int(knot[j]), from_int(t));
+        contained |= begun && (ended > 0 || (T->planted && j == n && ended == 0));
+    }
     show_text(T, "t_{n+1}", "%d", t);
     about(T, "an interval contains the end");
     agree(T, contained);
