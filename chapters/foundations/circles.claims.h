@@ -14,6 +14,7 @@ eigenvalues are roots of unity (单位根) tells whether they ever come back.
 :printed: $x_{n+1}=r\cos(\theta+\Delta\theta)=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
   $y_{n+1}=r\sin(\theta+\Delta\theta)=y_n\cos\Delta\theta+x_n\sin\Delta\theta$
 :holds-by: rotation_matrix_adds_the_angle
+:figure: three_generators
 :::
 
 :::{statement} hu-1987:1-3-2
@@ -21,6 +22,7 @@ eigenvalues are roots of unity (单位根) tells whether they ever come back.
 :zh: 旋转矩阵
 :printed: [x_{n+1}\;y_{n+1}]=[x_n\;y_n]\begin{bmatrix}\cos\Delta\theta&\sin\Delta\theta\\-\sin\Delta\theta&\cos\Delta\theta\end{bmatrix}
 :holds-by: rotation_matrix_adds_the_angle
+:figure: three_generators
 :::
 
 :::{claim} rotation_matrix_adds_the_angle
@@ -136,6 +138,7 @@ CLAIM(rotated_points_are_equally_spaced)
 :printed: $\Delta\theta$ is small; with $\cos\Delta\theta=1$, $\sin\Delta\theta=\Delta\theta$ approximately, (1-3-1) becomes
   $x_{n+1}=x_n-\Delta\theta\,y_n$, $y_{n+1}=\Delta\theta\,x_n+y_n$.
 :holds-by: small_step_is_the_rotation_to_first_order
+:figure: three_generators
 
 To first order, which is what the approximation means.  What the second order does follows.
 :::
@@ -157,6 +160,7 @@ To first order, which is what the approximation means.  What the second order do
 :printed: $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$ is
   $[x_{n+1}\;y_{n+1}]=[x_n\;y_n]\begin{bmatrix}1&\varepsilon\\-\varepsilon&1\end{bmatrix}$.
 :holds-by: small_step_matrix_is_the_recursion
+:figure: three_generators
 :::
 
 :::{claim} small_step_matrix_is_the_recursion
@@ -311,6 +315,7 @@ ends with a radius larger by a fifth.
 :printed: $P_{n+1}$ is $P_n$ plus a small vector perpendicular to the position vector $P_n=[x_n,y_n]$; so the new radius is
   larger than the one before.
 :holds-by: small_step_adds_a_perpendicular_vector
+:figure: radius_of_the_first_way
 :::
 
 :::{claim} small_step_adds_a_perpendicular_vector
@@ -413,6 +418,7 @@ the method: the determinant becomes 1.
 :zh: 用新横坐标代入
 :printed: $y_{n+1}=\varepsilon x_{n+1}+y_n=\varepsilon x_n+(1-\varepsilon^2)y_n$
 :holds-by: second_step_uses_the_new_abscissa
+:figure: ellipse_of_the_second_way
 :::
 
 :::{statement} hu-1987:1-3-second-matrix
@@ -420,6 +426,7 @@ the method: the determinant becomes 1.
 :zh: 第二种方法的矩阵
 :printed: $P_{n+1}=P_nT$ with $T=\begin{pmatrix}1&\varepsilon\\-\varepsilon&1-\varepsilon^2\end{pmatrix}$
 :holds-by: second_step_uses_the_new_abscissa
+:figure: ellipse_of_the_second_way
 :::
 
 :::{claim} second_step_uses_the_new_abscissa
@@ -439,6 +446,7 @@ the method: the determinant becomes 1.
   $y_{n+1}=r\sin(\theta+\Delta\theta+\frac{\Delta\theta}2)=r\sin(\theta+\frac{\Delta\theta}2)+2r\sin\frac{\Delta\theta}2\cos(\theta+\Delta\theta)=y_n+\varepsilon x_{n+1}$
 :holds-by: second_orbit_has_equal_angles
 :needs: second_step_of_two_has_no_angle | $0<\varepsilon<2$; otherwise there is no such angle
+:figure: ellipse_of_the_second_way
 :::
 
 :::{claim} second_orbit_has_equal_angles
@@ -655,6 +663,7 @@ The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
 :zh: m=4 时的误差
 :printed: For $m=4$, $E=1.6\%$.
 :holds-by: error_for_four_is_as_printed
+:figure: error_of_the_second_way
 :::
 
 :::{claim} error_for_four_is_as_printed
@@ -851,6 +860,7 @@ The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of
 :zh: 第三种方法的转角
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
 :holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
+:figure: step_of_the_third_way
 :::
 
 :::{claim} unit_height_is_not_unit_distance
@@ -881,6 +891,7 @@ The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of
   $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
 :holds-by: third_matrix_by_the_radius
 :needs: negative_cosine_is_not_the_root | $0<\theta<\frac\pi2$, so that the cosine is the positive root; and $r\ge1$
+:figure: step_of_the_third_way
 :::
 
 :::{claim} third_matrix_by_the_radius

@@ -10,6 +10,7 @@ unless the ledger has an entry of it.
 :zh: 全书共九章
 :printed: The whole book has nine chapters.
 :holds-by: contents_has_nine_chapters
+:figure: pages_of_the_sections
 :::
 
 :::{claim} contents_has_nine_chapters

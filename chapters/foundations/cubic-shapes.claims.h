@@ -12,6 +12,7 @@ $\delta=3b^2-4ac$.
 :zh: 端点位置与切矢确定三次曲线
 :printed: If the position vector and the tangent vector are given at $t=0$ and at $t=1$, the curve is completely determined.
 :holds-by: end_data_determine_the_cubic
+:figure: lengths_of_the_tangents
 :::
 
 :::{statement} hu-1987:1-4-hermite-a
@@ -43,6 +44,7 @@ The position vectors have been given the dots of the tangent vectors, here, in $
 :zh: 系数 C
 :printed: C=\dot Q_0
 :holds-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
 :::
 
 :::{statement} hu-1987:1-4-hermite-d
@@ -291,6 +293,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 :zh: 一、二阶导矢
 :printed: \dot P(t)=3At^2+2Bt+C,\qquad\ddot P(t)=6At+2B
 :holds-by: derivatives_of_a_cubic
+:figure: derivatives_with_lost_dots
 :::
 
 :::{statement} hu-1987:1-4-third-derivative
@@ -345,6 +348,7 @@ measured from, and is not bounded near that point.
 :definition: yes
 :printed: By the formula of the curvature, where $K=0$ the point is called an inflection.
 :checked-by: curvature_and_torsion_belong_to_arc_length merged_inflections_are_a_cusp
+:figure: forms_of_a_cubic
 
 For plane cubics it is what the word says elsewhere, a change from one side of the tangent to the other: a double zero of
 $\dot P\times\ddot P$, without such a change, occurs at cusps and on lines only.  For higher degrees it is not: $(t,t^4)$ has $K=0$ at
@@ -357,6 +361,7 @@ $t=0$ and stays on one side.
 :printed: An inflection is a point with $\dot P\times\ddot P=0$; points with $\dot P=0$ not considered, $\ddot P=g\dot P$ with a scalar $g$.
 :holds-by: second_derivative_splits_along_the_first
 :needs: cusp_has_no_such_factor | $\dot P\ne0$: where $\dot P=0\ne\ddot P$ there is no $g$.
+:figure: forms_of_a_cubic
 :::
 
 :::{claim} printed_letter_spoils_the_curvature
@@ -395,6 +400,7 @@ $t=0$ and stays on one side.
 :zh: 拐点满足二次方程
 :printed: This is a quadratic equation of $t$, the parameter running over $[0,1]$.
 :holds-by: turning_of_a_cubic_is_quadratic
+:figure: forms_of_a_cubic
 :::
 
 :::{statement} hu-1987:1-4-two-inflections
@@ -931,6 +937,7 @@ curvature.
 :zh: 行列式的值
 :printed: The determinant of $\dot P$, $\ddot P$ and the third derivative is $-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$.
 :holds-by: determinant_of_the_derivatives_is_constant
+:figure: determinants_of_the_derivatives
 :::
 
 :::{claim} determinant_of_the_derivatives_is_constant

@@ -32,6 +32,7 @@ What "nearest as a whole" means has to be said; here it is the least sum of squa
 :definition: yes
 :printed: Interpolation and approximation of curves and surfaces together are called fitting.
 :checked-by: one_cubic_passes_through_four_data nearest_line_meets_no_datum
+:figure: through_and_near
 :::
 
 :::{claim} one_cubic_passes_through_four_data

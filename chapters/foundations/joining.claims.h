@@ -197,6 +197,7 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector
+:figure: joints_of_order
 :::
 
 :::{claim} condition_keeps_the_curvature_vector
@@ -344,6 +345,7 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 :zh: 参数的线性变换
 :printed: For the piece from $t_0$ to $t_1$ and $0\le t^*\le1$: $t=(1-t^*)t_0+t^*t_1=t_0+(t_1-t_0)t^*$
 :holds-by: pieces_in_new_powers
+:figure: piece_of_a_cubic
 :::
 
 :::{statement} hu-1987:1-5-5
@@ -379,6 +381,7 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 :zh: 新参数下的导矢
 :printed: \frac{dP}{dt^*}=(t_1-t_0)\frac{dP}{dt},\qquad\frac{d^2P}{dt^{*2}}=(t_1-t_0)^2\frac{d^2P}{dt^2}
 :holds-by: derivatives_of_a_piece
+:figure: piece_of_a_cubic
 :::
 
 :::{statement} hu-1987:1-5-range
@@ -387,6 +390,7 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 :printed: 0\le(t_1-t_0)\le1
 :holds-by: length_of_a_piece_is_at_most_one
 :needs: backward_piece_has_negative_length | The piece is taken forward, $t_0\le t_1$, out of $[0,1]$.
+:figure: piece_of_a_cubic
 :::
 
 :::{statement} hu-1987:1-5-tangent-length

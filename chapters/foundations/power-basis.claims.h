@@ -351,6 +351,7 @@ The sign of $\delta$: the formula printed beside it is that of the forward diffe
 :zh: 一阶差分
 :printed: \Delta P(t)=3A\delta t^2+(3A\delta^2+2B\delta)t+A\delta^3+B\delta^2+C\delta
 :holds-by: differences_of_a_cubic
+:figure: forward_differences
 :::
 
 :::{statement} hu-1987:1-4-difference-2
@@ -358,6 +359,7 @@ The sign of $\delta$: the formula printed beside it is that of the forward diffe
 :zh: 二阶差分
 :printed: \Delta^2P(t)=\Delta P(t+\delta)-\Delta P(t)=6A\delta^2t+6A\delta^3+2B\delta^2
 :holds-by: differences_of_a_cubic
+:figure: forward_differences
 :::
 
 :::{statement} hu-1987:1-4-difference-3-definition
@@ -406,6 +408,7 @@ The sign of $\delta$: the formula printed beside it is that of the forward diffe
 :printed: The third difference is a vector that does not depend on the parameter; in general the $n$-th difference of a polynomial
   of degree $n$ is a constant vector.
 :holds-by: differences_by_alternating_sums
+:figure: forward_differences
 :::
 
 :::{claim} differences_by_alternating_sums
@@ -532,6 +535,7 @@ For $i=1$ it is true.
 :zh: 差分递推
 :printed: P_1=P_0+\Delta P_0,\quad\Delta P_1=\Delta P_0+\Delta^2P_0,\quad\Delta^2P_1=\Delta^2P_0+\Delta^3P_0,\quad\Delta^3P_1=\Delta^3P_0
 :holds-by: step_takes_differences_to_the_next_place
+:figure: forward_differences
 :::
 
 :::{claim} step_takes_differences_to_the_next_place
@@ -552,6 +556,7 @@ For $i=1$ it is true.
 :printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the other by
   repeated additions.
 :holds-by: additions_step_along_the_curve
+:figure: forward_differences
 :::
 
 :::{claim} additions_step_along_the_curve
@@ -571,6 +576,7 @@ For $i=1$ it is true.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions
 :needs: other_steps_need_multiplications | The step is a power of two, $\delta=2^{-m}$, and the differences are divided by its powers as
   in (1-4-4) and (1-4-5).  For another step the table has to be begun with multiplications.
+:figure: stepping_and_rounding
 :::
 
 :::{claim} step_costs_additions_only
@@ -728,6 +734,7 @@ CLAIM(table_costs_shifts_and_additions)
 :zh: 高阶差分已相当小
 :printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
 :holds-by: third_difference_loses_three_bytes
+:figure: forward_differences
 :::
 
 :::{claim} third_difference_loses_three_bytes
@@ -746,6 +753,7 @@ CLAIM(table_costs_shifts_and_additions)
 :printed: P_1=P_0+\delta(\tfrac1\delta\Delta P_0),\ \ \tfrac1\delta\Delta P_1=\tfrac1\delta\Delta P_0+\delta(\tfrac1{\delta^2}\Delta^2P_0),\ \
   \tfrac1{\delta^2}\Delta^2P_1=\tfrac1{\delta^2}\Delta^2P_0+\delta(\tfrac1{\delta^3}\Delta^3P_0),\ \ \tfrac1{\delta^3}\Delta^3P_1=\tfrac1{\delta^3}\Delta^3P_0
 :holds-by: step_takes_differences_to_the_next_place
+:figure: forward_differences
 :::
 
 :::{statement} hu-1987:1-4-5
@@ -753,6 +761,7 @@ CLAIM(table_costs_shifts_and_additions)
 :zh: 初始差分矩阵
 :printed: \begin{bmatrix}P_0\\\frac1\delta\Delta P_0\\\frac1{\delta^2}\Delta^2P_0\\\frac1{\delta^3}\Delta^3P_0\end{bmatrix}=\begin{bmatrix}D\\A\delta^2+B\delta+C\\6A\delta+2B\\6A\end{bmatrix}
 :holds-by: scaled_table_is_as_printed
+:figure: forward_differences
 
 Four rows, and with three coordinates the $4\times3$ matrix that is announced.
 :::

@@ -12,6 +12,7 @@ has one tangent, which may fail although $P'\ne0$.
 :printed: If $\dot P(t_0)\ne0$ the curve is regular at $t=t_0$; a regular point is called ordinary, one that is not regular
   singular.
 :checked-by: regularity_is_a_sum_of_squares
+:figure: cusp_and_its_derivative
 :::
 
 :::{statement} hu-1987:1-4-regular-squares
@@ -39,6 +40,7 @@ has one tangent, which may fail although $P'\ne0$.
 :printed: If all derivatives of $x(t),y(t),z(t)$ of positive order up to $r$ exist and are continuous, and the regularity condition
   holds, the curve is of class $C^r$.
 :checked-by: cusp_of_the_example_is_a_cusp
+:figure: cusp_and_its_derivative
 
 By this definition the cusp below, whose coordinates are polynomials, is of no class at all at $t=\frac12$.
 :::
@@ -181,6 +183,7 @@ CLAIM(double_point_has_two_tangents)
 :zh: 尖点处导数为零
 :printed: At the cusp $\dot P(t)$ is the zero vector, that is $\dot x=0$, $\dot y=0$.
 :holds-by: cusp_of_the_example_is_a_cusp
+:figure: cusp_and_its_derivative
 :::
 
 :::{claim} cusp_of_the_example_is_a_cusp
@@ -380,6 +383,7 @@ refers to it.
 :zh: 参数与点的对应多种多样
 :printed: For one and the same curve the correspondence between parameters and points can be of many kinds.
 :holds-by: cubic_parameter_stays_on_the_segment natural_line_is_regular
+:figure: one_line_two_parameters
 :::
 
 :::{statement} hu-1987:1-4-point

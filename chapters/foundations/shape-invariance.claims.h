@@ -14,6 +14,7 @@ example, and asks for the condition that excludes it.
 :definition: yes
 :printed: P(t)=A_0(t)\,P_0+A_1(t)\,P_1\qquad(0\le t\le1)
 :checked-by: two_cubes_begin_and_end_at_their_points
+:figure: two_cubes_and_their_image
 :::
 
 :::{statement} hu-1987:1-2-example-ends
@@ -21,6 +22,7 @@ example, and asks for the condition that excludes it.
 :zh: 例中调和函数的端值
 :printed: For $A_0(t)=(1-t)^3$, $A_1(t)=t^3$: $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$.
 :holds-by: two_cubes_begin_and_end_at_their_points
+:figure: two_cubes_and_their_image
 :::
 
 :::{claim} two_cubes_begin_and_end_at_their_points
@@ -145,6 +147,7 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 :zh: 新坐标系中的两点
 :printed: $P_0=[0,0]$ and $P_1=[10,10]$ are $P_0^*=[-3,-2]$ and $P_1^*=[7,8]$ in a new coordinate system $O^*x^*y^*$.
 :holds-by: new_coordinates_are_a_translation
+:figure: two_cubes_and_their_image
 :::
 
 :::{claim} new_coordinates_are_a_translation
@@ -162,6 +165,7 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 :zh: 新坐标系中曲线仍过两端点
 :printed: $P^*(t)=A_0(t)P_0^*+A_1(t)P_1^*$ passes through $P_0^*$ for $t=0$ and through $P_1^*$ for $t=1$.
 :holds-by: two_cubes_begin_and_end_at_their_points
+:figure: two_cubes_and_their_image
 :::
 
 :::{statement} hu-1987:1-2-example-curve
@@ -283,6 +287,7 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
 :definition: yes
 :printed: P(t)=[x(t)\;y(t)\;z(t)]=[\phi_0(t)\;\phi_1(t)\;\cdots\;\phi_n(t)]\,[Q_0\;Q_1\;\cdots\;Q_n]^T
 :checked-by: matrices_pass_to_the_points
+:figure: rotations_of_the_example
 
 The functions are polynomials in the source; nothing here uses it, so they are variables below: any functions.
 :::
@@ -376,6 +381,7 @@ CLAIM(rotation_about_a_point_moves_the_example)
 :zh: 平移变换的推导
 :printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0+m\;\cdots\;Q_n+m]^T=P(t)+[\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)]\,m$
 :holds-by: translation_adds_the_sum_of_the_functions
+:figure: sums_of_functions
 :::
 
 :::{statement} hu-1987:1-2-cauchy

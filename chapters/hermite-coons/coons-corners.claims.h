@@ -11,6 +11,7 @@ everything, and the Boolean sum becomes a product of matrices.
   $u0_w=00_wq_{00}(u)+10_wq_{01}(u)+00_{uw}q_{10}(u)+10_{uw}q_{11}(u)$, $u1_w=01_wq_{00}(u)+11_wq_{01}(u)+01_{uw}q_{10}(u)+11_{uw}q_{11}(u)$;
   so $[u0\;u1\;u0_w\;u1_w]=q(u)\,M$, and in the same way the column of $0w,1w,0w_u,1w_u$ is $M\,q(w)^T$
 :holds-by: cubic_frame_of_corners_gives_the_product
+:figure: worked_patch
 :::
 
 :::{statement} slides-ch4:3-product

@@ -26,6 +26,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :printed: $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$
 :definition: yes
 :checked-by: sum_of_ruled_surfaces_has_too_much
+:figure: boolean_sum
 :::
 
 :::{statement} slides-ch4:3-sum-of-ruled
@@ -34,6 +35,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :printed: In $P_s=P_1+P_2$ one part of the displacement is due to the linear interpolation and one to the border curves; to remove the
   former $P_3$ is built.
 :holds-by: sum_of_ruled_surfaces_has_too_much
+:figure: boolean_sum
 :::
 
 :::{claim} sum_of_ruled_surfaces_has_too_much
@@ -119,6 +121,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :zh: 双三次多项式
 :printed: If the border curves and the blending functions are polynomials of degree at most 3, then so is the formula, in $u$ and in $w$.
 :holds-by: cubic_frame_gives_bicubic_patch
+:figure: worked_patch
 :::
 
 :::{claim} cubic_frame_gives_bicubic_patch

@@ -130,6 +130,7 @@ CLAIM(straight_data_have_no_cubic)
 :printed: $P(t)=a_3t^3+a_2t^2+a_1t+a_0$, $t\in[t_0,t_1]$; $f(t_i)=a_3t_i^3+a_2t_i^2+a_1t_i+a_0$,
   $f'(t_i)=3a_3t_i^2+2a_2t_i+a_1$ for $i=0,1$
 :holds-by: cubic_equations_are_the_conditions
+:figure: nodes_that_meet
 :::
 
 :::{claim} cubic_equations_are_the_conditions
@@ -376,6 +377,7 @@ The two cubes have the factors in opposite order, which makes up for the sign be
 :printed: $q_{00}(0)=1$, $q_{01}(0)=q_{10}(0)=q_{11}(0)=0$; $q_{01}(1)=1$, $q_{00}(1)=q_{10}(1)=q_{11}(1)=0$; $q_{10}'(0)=1$,
   $q_{00}'(0)=q_{01}'(0)=q_{11}'(0)=0$; $q_{11}'(1)=1$, $q_{00}'(1)=q_{01}'(1)=q_{10}'(1)=0$
 :holds-by: blending_functions_are_dual_to_the_data
+:figure: hermite_blending_functions
 
 The case $t_0=0$, $t_1=1$.
 :::
@@ -478,6 +480,7 @@ CLAIM(blending_functions_are_dual_to_the_data)
   $h_{00}=(u^3-2u^2+u)(t_1-t_0)=q_{10}(u)(t_1-t_0)$, $h_{01}=(u^3-u^2)(t_1-t_0)=q_{11}(u)(t_1-t_0)$; also in the factored forms
   $(u-1)^2(2u+1)$, $u^2(-2u+3)$, $u(u-1)^2$, $u^2(u-1)$
 :holds-by: unit_blending_functions
+:figure: hermite_blending_functions
 :::
 
 :::{statement} slides-ch4:2-unit-derivatives
@@ -486,6 +489,7 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :printed: $\varphi(0)=f(t_0)$, $\varphi(1)=f(t_1)$, $\varphi'(0)=f'(t_0)(t_1-t_0)$, $\varphi'(1)=f'(t_1)(t_1-t_0)$, and
   $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
 :holds-by: unit_blending_functions
+:figure: hermite_blending_functions
 :::
 
 :::{claim} unit_blending_functions
@@ -502,6 +506,7 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :zh: 三次 Hermite 曲线的矩阵形式
 :printed: P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}
 :holds-by: one_choice_of_signs_in_the_matrix
+:figure: hermite_blending_functions
 
 The signs are lost; of the 1024 ways to give the ten entries signs, one is true.
 :::

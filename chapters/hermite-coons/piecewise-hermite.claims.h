@@ -44,6 +44,7 @@ continuous tangent whatever the data are; the second derivative is another matte
 :zh: 单段的四项表示
 :printed: P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)
 :holds-by: base_functions_interpolate_once_continuously
+:figure: piecewise_base_functions
 :::
 
 :::{statement} slides-ch4:2-smooth
@@ -96,6 +97,7 @@ continuous tangent whatever the data are; the second derivative is another matte
 :printed: $u=\frac{t-t_i}{t_{i+1}-t_i}$, $t=t_i+u(t_{i+1}-t_i)$:
   $P_i(u)=P_i(2u^3-3u^2+1)+P_{i+1}(-2u^3+3u^2)+P_i'(u^3-2u^2+u)+P_{i+1}'(u^3-u^2)$, and the same by the matrix
 :holds-by: unit_blending_functions one_choice_of_signs_in_the_matrix
+:figure: one_tangent_two_lengths
 :::
 
 :::{statement} slides-ch4:2-scaled-tangents

@@ -493,6 +493,7 @@ Function $i$ has the factor $t^i$ and the factor $(1-t)^{n-i}$, whatever $\beta$
 :zh: 式 (5)
 :printed: \hat B_0(0)=1
 :holds-by: functions_vanish_to_their_orders_at_the_ends
+:figure: eight_functions
 :::
 
 :::{statement} deng-zhang-2022:property-2.4-6
@@ -501,6 +502,7 @@ Function $i$ has the factor $t^i$ and the factor $(1-t)^{n-i}$, whatever $\beta$
 :printed: $\hat B_i(0)=0$ for $i=1,\dots,7$; $\hat B_i'(0)=0$ for $i=2,\dots,7$; $B_{j,j}^{(k)}(0)=0$ for
   $2\le k<j\le7$
 :holds-by: functions_vanish_to_their_orders_at_the_ends functions_of_lower_degree_vanish_at_the_beginning
+:figure: eight_functions
 
 From the second derivative on the print has $B_{3,3},B_{4,4},\dots$ for $B_{3,7},B_{4,7},\dots$; functions of other degrees are
 defined nowhere in the text.  True either way: with 7, and with the function of the family, or the Bernstein polynomial, of
@@ -512,6 +514,7 @@ degree $j$.
 :zh: 式 (7)
 :printed: \hat B_7(1)=1
 :holds-by: functions_vanish_to_their_orders_at_the_ends
+:figure: eight_functions
 :::
 
 :::{statement} deng-zhang-2022:property-2.4-8
@@ -635,6 +638,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :zh: 七次 Bernstein 基函数的拓展
 :printed: the functions of (1) are an extension of the Bernstein basis of degree seven
 :holds-by: beta_zero_gives_bernstein_polynomials
+:figure: beta_zero
 :::
 
 :::{claim} first_function_is_not_every_bernstein_polynomial

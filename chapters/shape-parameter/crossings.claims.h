@@ -108,6 +108,7 @@ The method makes no use of the range of $\beta$, and in the range of the text th
 :holds-by: sign_changes_are_polygon_crossings
 :needs: self_crossing_polygon_meets_the_line_once | intersections are counted along the polygon; as points of the plane they
   may be fewer
+:figure: line_along_an_edge
 :::
 
 :::{statement} deng-zhang-2022:eq-20

@@ -26,6 +26,7 @@ The left side stands for $B_1(t)$, as (11) writes it.
 :printed: the curve of (10) is called the β-Bézier curve of degree eight
 :definition: yes
 :checked-by: bezier_points_divide_the_edges
+:figure: curves_for_several_beta
 
 Its degree is at most 8; for $\beta=0$ it is at most 7.
 :::
@@ -35,6 +36,7 @@ Its degree is at most 8; for $\beta=0$ it is at most 7.
 :zh: β=0 时退化为七次 Bezier 曲线
 :printed: for $\beta=0$ the curve degenerates to the Bézier curve of degree seven
 :holds-by: beta_zero_gives_the_bezier_curve
+:figure: curves_for_several_beta
 :::
 
 :::{claim} printed_curve_kernel_is_the_sum

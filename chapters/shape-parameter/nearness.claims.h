@@ -42,6 +42,7 @@ The first refutation is for both senses at once.  Three points and a cubic are t
 :reading: larger_beta_takes_the_curve_away_from_its_polygon | C-Bézier for Bézier, as the word "so" suggests: false
 :reading: C-Bézier curves, built with sines and cosines: neither defined nor compared in the text, so that nothing is there
   to be decided; as their parameter goes to 0 they become Bézier curves
+:figure: closer_or_not
 
 The conclusion "so" has no premise about C-Bézier curves.
 :::

@@ -6,6 +6,7 @@
 :zh: 起点与终点重合得封闭曲线
 :printed: when the first and the last point coincide a closed curve is obtained, as with the Bézier curve of degree seven
 :holds-by: end_points_and_end_derivatives
+:figure: petals
 
 The closed curve is smooth at that point only when $P_1$, $P_0=P_7$ and $P_6$ are on a line, $P_0$ between the others.
 :::
@@ -121,6 +122,7 @@ A curve of degree eight has one term more.  The nine Bézier points have to be c
 :zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线
 :printed: given the control points the Bézier curve is fixed; to change its shape one has to move control points
 :holds-by: beta_zero_gives_the_bezier_curve
+:figure: curves_for_several_beta
 :::
 
 :::{claim} surface_kernel_gives_the_double_sum
