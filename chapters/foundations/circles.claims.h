@@ -155,7 +155,7 @@ To first order, which is what the approximation means.  What the second order do
 :::
 
 :::{statement} hu-1987:1-3-5
-:title: The simplified step and its matrix
+:title: The simplified step (1-3-4) and its matrix
 :zh: 简化递推的矩阵形式
 :printed: $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$ is
   $[x_{n+1}\;y_{n+1}]=[x_n\;y_n]\begin{bmatrix}1&\varepsilon\\-\varepsilon&1\end{bmatrix}$.

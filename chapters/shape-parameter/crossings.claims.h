@@ -55,6 +55,42 @@ roots.
 The sum of the functions plays no part here, so that the misprints do no harm.
 :::
 
+:::{statement} deng-zhang-2022:property-3.6-wlog
+:title: Without loss of generality the first coefficient is positive
+:zh: 不妨设 k_0>0
+:printed: without loss of generality $k_0>0$; then $SA$ is one of $7,6,5,4,3,2,1,0$
+:refuted-by: no_sign_makes_the_first_coefficient_positive
+:class: invalid-proof
+:corrected: for $k\ne0$ the first $k_i$ that is not 0 may be taken positive; for $-\frac{21}4<\beta\le1$ the sum has the sign of this $k_i$ for small
+  $t>0$, and in the same way that of the last one near $t=1$
+:corrected-by: first_coefficient_gives_the_sign
+:figure: zero_at_the_beginning
+
+The signs of $f(0)=k_0$ and $f(1)=k_7$, on which the proof rests, say nothing when one of them is 0.  With $SA=7$ all eight are
+different from 0; in the other cases they need not be.
+:::
+
+:::{claim} no_sign_makes_the_first_coefficient_positive
+:title: When the first coefficient is 0 neither k nor -k begins with a positive number
+:zh: k_0=0 时不能假设 k_0>0
+:kind: counterexample
+:given: $k=(0,-1,1,1,1,1,1,1)$, with $SA=1$
+:then: the first coefficients of $k$ and of $-k$ are 0
+:method: The two signs; that one of them is positive is refuted.
+:control: $k_0=-1$
+:::
+
+:::{claim} first_coefficient_gives_the_sign
+:title: Near the beginning the sum has the sign of its first coefficient that is not 0
+:zh: t→0+ 时组合函数的符号由首个非零系数决定
+:kind: decision
+:given: $-\frac{21}4<\beta\le1$, printed and corrected functions
+:then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$ has the sign of the first $k_i\ne0$ for small $t>0$, for
+  $i=7$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$, $\varphi_0\ge0$ and $\nu_0>0$ for the other end
+:method: The signs of linear polynomials in $\beta$ on the interval.
+:control: the interval with its left end
+:::
+
 :::{statement} deng-zhang-2022:property-3.6-case-1
 :title: Seven changes of sign: at most seven roots
 :zh: 情形 1
@@ -62,7 +98,8 @@ The sum of the functions plays no part here, so that the misprints do no harm.
 :holds-by: combination_begins_and_ends_with_its_coefficients
 
 Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is odd
-when $f(0)=k_0$ and $f(1)=k_7$ have different signs.
+when $f(0)=k_0$ and $f(1)=k_7$ have different signs.  The lemma that is cited for $k_7<0$ is not in the text, and not needed: seven
+changes among eight signs leave no other sign for $k_7$.
 :::
 
 :::{statement} deng-zhang-2022:property-3.6-case-2
@@ -479,6 +516,31 @@ CLAIM(parity_of_the_roots)
     same(T, poly_value(f, from_int(0)), k[0]);
     same(T, poly_value(f, from_int(1)), k[7]);
     agree(T, roots.counted % 2 == 1 && roots.counted <= 7);
+}
+
+CLAIM(no_sign_makes_the_first_coefficient_positive)
+{
+    num k[8];
+    for (int i = 0; i <= 7; i++)
+        k[i] = from_int(i == 0 ? -T->planted : i == 1 ? -1 : 1);
+    show_points(T, "k", 8, 1, k);
+    show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
+    about(T, "k_0 > 0 or -k_0 > 0");
+    agree(T, sign_q(k[0]) > 0 || sign_q(neg(k[0])) > 0);
+}
+
+CLAIM(first_coefficient_gives_the_sign)
+{
+    enum ends ends = T->planted ? CLOSED : OPEN_LEFT;
+    num low = from_ratio(-21, 4), high = from_int(1);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        for (int i = 0; i <= 6; i++)
+            agree(T, sign_on(near[i], low, high, ends) == SIGN_POSITIVE &&
+                         sign_on(far[7 - i], low, high, ends) == SIGN_POSITIVE);
+        agree(T, G(never_negative)(near[7], low, high) && G(never_negative)(far[0], low, high));
+    }
 }
 
 /* Roots in (0,1) of sum k_i B_i, printed functions, against the changes of sign; shows both. */
