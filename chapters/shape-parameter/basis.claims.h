@@ -241,6 +241,7 @@ dimension 9, and the space changes with $\beta$.
   $\nu_0\cdots\nu_{r-1}\varphi_r\cdots\varphi_7$ in $\beta$, since the rows before $r$ leave a lower and those after it an
   upper triangle.  The greatest common divisor of the nine is computed; its squarefree part is
   $(\beta+7)(\beta+\frac{21}4)$.
+:scope: all complex beta
 :control: only the last two of the determinants
 :::
 
@@ -296,6 +297,8 @@ CLAIM(a_combination_vanishes)
                       zero, zero};
     poly of_printed = G(combination)(1, 7, beta, printed), of_corrected = G(combination)(0, 7, beta, corrected);
     show(T, "beta", beta);
+    show_points(T, "k, printed functions", 8, 1, printed);
+    show_points(T, "k, corrected functions", 8, 1, corrected);
     show_text(T, "combination, printed", "%s", poly_to_string(of_printed, "t"));
     show_text(T, "combination, corrected", "%s", poly_to_string(of_corrected, "t"));
     about(T, "one of the combinations is not 0");
@@ -308,6 +311,8 @@ CLAIM(two_functions_coincide)
     num corrected[8] = {zero, zero, zero, one, neg(one), zero, zero, zero};
     num printed[8] = {zero, zero, zero, from_ratio(50, 9), from_int(-10), from_int(5), one, zero};
     show(T, "beta", beta);
+    show_points(T, "k, printed functions", 8, 1, printed);
+    show_points(T, "k, corrected functions", 8, 1, corrected);
     show_text(T, "B_3, corrected", "%s", poly_to_string(G(function)(0, 7, 3, beta), "t"));
     show_text(T, "B_4, corrected", "%s", poly_to_string(G(function)(0, 7, 4, beta), "t"));
     poly of_corrected = G(combination)(0, 7, beta, corrected), of_printed = G(combination)(1, 7, beta, printed);

@@ -88,6 +88,7 @@ different from 0; in the other cases they need not be.
 :then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$ has the sign of the first $k_i\ne0$ for small $t>0$, for
   $i=7$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$, $\varphi_0\ge0$ and $\nu_0>0$ for the other end
 :method: The signs of linear polynomials in $\beta$ on the interval.
+:scope: beta from -21/4, which is left out, to 1
 :control: the interval with its left end
 :::
 

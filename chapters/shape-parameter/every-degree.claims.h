@@ -30,6 +30,7 @@ in the direction of the triangle's vertex.  For $\beta=-2$ the point is on the c
 :then: their factors are all nonnegative exactly for $-2\le\beta\le1$; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
   do not grow, for every $t\in[0,1]$
 :method: Signs of linear polynomials in $\beta$; the slopes of the factors are whole numbers.
+:scope: all real beta
 :control: the interval begins at $-3$
 :::
 */
@@ -89,6 +90,7 @@ CLAIM(blend_is_convex_from_minus_two_to_one)
         agree(T, i == 1 ? up > 0 && also > 0 : up <= 0 && also <= 0);
     }
     agree(T, is_zero_q(poly_value(near[1], low)) && is_zero_q(poly_value(far[0], high)));
+    agree(T, sign_q(poly_coefficient(far[0], 1)) < 0);
 }
 #endif
 

@@ -40,6 +40,7 @@ For degrees up to five the range $-n\le\beta\le1$ would have been right: see `ev
   larger $\beta$
 :method: The sixteen factors are linear polynomials in $\beta$; their signs are decided on the interval, those of $\nu_2$ and
   $\varphi_0$ on the two half-lines by their roots and slopes.
+:scope: all real beta
 :control: the interval begins at $-7$
 :::
 */
@@ -138,6 +139,7 @@ $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ 
 :method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
   $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
   root at 1.
+:scope: beta from -21/4 to 1
 :control: the interval begins at $-7$
 :::
 
@@ -151,6 +153,7 @@ $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ 
 :method: Signs of linear polynomials on $[-7,-\frac{21}4]$.  The coefficients of the quadratic factor for $i=2$ are
   $2\nu_2<0$, $3\varphi_2-6\nu_2>0$, $-5\varphi_2<0$: none or two roots, and two because $B_2$ takes both signs and vanishes at
   both ends.  $B_5$ is the mirror image.
+:scope: beta from -7 to -21/4, which is left out
 :control: the interval $[-7,-5]$
 :::
 
@@ -292,6 +295,7 @@ With the sum 1, seven functions cannot behave as printed without a reason; here 
   the corrected $i=3$
 :method: The slopes are the differences of the factors at $\beta=1$ and $\beta=0$; the sign of a linear polynomial on the two
   intervals.
+:scope: all real beta, t from 0 to 1
 :control: the change for $i=1$ at $\frac16$
 :::
 */
