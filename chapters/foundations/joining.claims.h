@@ -362,7 +362,7 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 :given: any coefficients of degree $n$ in the plane, any $t_0$, $t_1$ and $u$
 :then: the curve of `power_on_interval` at $u$ is $P((1-u)t_0+ut_1)$, and that is $P(t_0+(t_1-t_0)u)$
 :method: The kernel's coefficients in the sum of powers, against the sum of powers at either parameter; everything a variable.
-:degrees: 1..5 sampled 12
+:degrees: 1..6 sampled 12
 :defines: power_on_interval
 :control: $t_0$ and $t_1$ exchanged
 :::
@@ -523,7 +523,7 @@ The text that is at hand ends before the formula.
 :method: The Bézier points by `power_to_bernstein`, the curve by the rational kernel, the weights by `rational_reparametrize`, against
   the sum of powers; the derivatives as limits of quotients, $\frac{t}{u}$ at 0 and $\frac{1-t}{1-u}$ at 1, which are
   $\frac p{pu+q(1-u)}$ and $\frac q{pu+q(1-u)}$.
-:degrees: 1..4 sampled 8
+:degrees: 1..6 sampled 8
 :control: the weights $p^{n-i}q^i$
 :::
 

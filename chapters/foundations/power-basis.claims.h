@@ -565,7 +565,7 @@ For $i=1$ it is true.
 :given: any coefficients in the plane, any $\delta$, 12 steps
 :then: after $i$ steps the first row is $P(i\delta)$
 :method: `power_differences`, then `difference_step` again and again, against the sum of powers.
-:degrees: 1..5 sampled 8
+:degrees: 1..6 sampled 8
 :control: the last difference taken as 0
 :::
 

@@ -131,7 +131,7 @@ A curve of degree eight has one term more.  The nine Bézier points have to be c
 :given: degrees $n$ and 2 in the two directions, any points, parameters $\beta$ and $\gamma$, any $u$ and $v$
 :then: `shape_surface_point` gives $\sum_i\sum_jP_{ij}B_{i,n}(u)B_{j,2}(v)$
 :method: The double sum of the formulas, everything a variable.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
 :defines: shape_surface_point
 :control: $\beta$ and $\gamma$ exchanged
 :::
@@ -161,7 +161,7 @@ A curve of degree eight has one term more.  The nine Bézier points have to be c
 :given: $P_{ij}=(i,j,ij)$, degrees $n$ and $n$, any $\beta$, $u$ and $v$
 :then: the surface satisfies $z=xy$: it lies on a hyperbolic paraboloid, which is convex to no side
 :method: The three coordinates by the surface kernel, $\beta$, $u$, $v$ variables.
-:degrees: 2..5 sampled 7
+:degrees: 2..6 sampled 7
 :control: the corner $P_{00}$ moved to $(1,0,0)$
 :::
 
