@@ -74,9 +74,9 @@ FIGURE(read_from_either_end)
         decasteljau_q(3, 2, b, r(i, 4), P);
         svg_mark(s, svg_pair(P), SVG_CURVE, SVG_USUAL);
         snprintf(name, sizeof name, "%s", forward[i]);
-        svg_label(s, svg_pair(P), SVG_SE, SVG_CURVE, name);
+        svg_label(s, svg_pair(P), i < 3 ? SVG_SE : SVG_SW, SVG_CURVE, name);
         snprintf(name, sizeof name, "%s", forward[4 - i]);
-        svg_label(s, svg_pair(P), SVG_NW, SVG_CURVE_2, name);
+        svg_label(s, svg_pair(P), i < 3 ? SVG_NW : SVG_NE, SVG_CURVE_2, name);
     }
     num_q curve[6] = {q(0), q(0), q(0), q(1), q(1), q(0)}, image[6] = {q(1), q(0), q(1), q(1), q(0), q(0)};
     svg_panel(s, window(r(-1, 5), r(-1, 5), r(6, 5), r(6, 5)), 230, 0, "the curve and its mirror image");

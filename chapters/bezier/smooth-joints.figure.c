@@ -26,15 +26,15 @@ FIGURE(joint_of_cubics)
     static const int back[8] = {0, 0, -1, 0, -3, -2, -1, -4};
     svg_panel(s, window(q(-6), q(-3), q(9), q(4)), 460, 0, "$Q_1-Q_0=2(P_3-P_2)$");
     put_joint(s, before, after, SVG_CURVE_2);
-    svg_label(s, svg_at(-2, 1), SVG_NE, SVG_POLYGON, "P_2");
+    svg_label(s, svg_at(-2, 1), SVG_SW, SVG_POLYGON, "P_2");
     svg_label(s, svg_at(0, 0), SVG_NE, SVG_POINT, "P_3=Q_0");
     svg_label(s, svg_at(4, -2), SVG_S, SVG_POLYGON, "Q_1");
     static const int turned[8] = {-5, 3, -4, 3, -2, 0, 0, 0};
     svg_panel(s, window(q(-6), q(-5), q(2), q(4)), 250, 0, "a negative $a$");
     put_joint(s, turned, back, SVG_WRONG);
-    svg_label(s, svg_at(-2, 0), SVG_N, SVG_POLYGON, "P_2");
+    svg_label(s, svg_at(-2, 0), SVG_W, SVG_POLYGON, "P_2");
     svg_label(s, svg_at(0, 0), SVG_NE, SVG_POINT, "P_3=Q_0");
-    svg_label(s, svg_at(-1, 0), SVG_S, SVG_WRONG, "Q_1");
+    svg_label(s, svg_at(-1, 0), SVG_N, SVG_WRONG, "Q_1");
     svg_legend_line(s, SVG_CURVE, "first cubic");
     svg_legend_line(s, SVG_CURVE_2, "second cubic, $G^1$");
     svg_legend_line(s, SVG_WRONG, "$a<0$: it turns back");
@@ -50,7 +50,7 @@ FIGURE(corner_without_edges)
     svg_panel(s, window(q(-4), q(-1), q(3), q(4)), 340, 0, "$P_2=P_3=Q_0=Q_1$");
     put_joint(s, before, after, SVG_WRONG);
     svg_label(s, svg_at(-2, 0), SVG_S, SVG_POLYGON, "P_1");
-    svg_label(s, svg_at(0, 2), SVG_E, SVG_POLYGON, "Q_2");
+    svg_label(s, svg_at(0, 2), SVG_W, SVG_POLYGON, "Q_2");
     svg_legend_line(s, SVG_CURVE, "first cubic");
     svg_legend_line(s, SVG_WRONG, "second cubic: a corner");
     return s;
@@ -64,7 +64,7 @@ FIGURE(second_derivatives_alone)
     static const int before[8] = {-3, 3, -2, 1, -1, 0, 0, 0};
     static const int wrong[8] = {0, 0, 2, 0, 4, 1, 6, 3}, good[8] = {0, 0, 1, 0, 2, 1, 3, 3};
     for (int k = 0; k < 2; k++) {
-        svg_panel(s, window(q(-4), q(-1), q(5), q(4)), 340, 0,
+        svg_panel(s, window(q(-4), q(-1), q(7), q(4)), 360, 0,
                   k ? "$a=1$: curvature 2/3 on both sides" : "$a=2$: curvatures 2/3 and 1/6");
         svg_circle(s, at(q(0), r(3, 2)), r(3, 2), SVG_MUTED);
         if (k == 0)
