@@ -6,9 +6,10 @@ static num_q binary64(num_q x) { return from_double_q(to_double_q(x)); }
 
 FIGURE(last_parameter)
 {
-    svg *s = svg_new("last_parameter", "The last parameter of the program",
-                     "For 1 to 64 steps, how far the sum of as many rounded steps 1/npoints is from 1, in units of 2 to "
-                     "the power of -53.  It is 1 for twelve of these numbers.");
+    svg *s =
+        svg_new("last_parameter", "The last parameter of the program",
+                "For 1 to 64 steps, how far the sum of as many rounded steps 1/npoints is from 1, in units of 2 to "
+                "the power of -53.  It is 1 for twelve of these numbers.");
     svg_panel(s, window(q(0), q(-18), q(65), q(15)), 560, 260,
               "the last parameter less 1, in units of $2^{-53}$,\nfor $npoints=1,...,64$");
     svg_axes(s, q(8), q(5), NULL, NULL);
@@ -34,7 +35,8 @@ FIGURE(one_place_too_many)
     static const int from[8] = {1, 1, 2, 3, 4, 3, 3, 1};
     num_q b[8], P[2];
     integers(8, from, b);
-    svg_panel(s, window(r(1, 2), r(-1, 2), r(11, 2), r(13, 5)), 460, 0, "$npoints=4$: the places of the array, and the points");
+    svg_panel(s, window(r(1, 2), r(-1, 2), r(11, 2), r(13, 5)), 460, 0,
+              "$npoints=4$: the places of the array, and the points");
     svg_bezier(s, 3, b, SVG_CURVE);
     for (int k = 0; k <= 4; k++) {
         char name[8] = {(char)('0' + k)};

@@ -200,7 +200,8 @@ CLAIM(proof_of_the_recursion_line_by_line)
         far = add(far, mul(B, P[i + 1]));
     }
     for (int i = 1; i < n; i++) {
-        num C = G(choose)(n - 1, i), C1 = G(choose)(n - 1, i - 1), whole_power = mul(G(power)(t, i), G(power)(s, n - i));
+        num C = G(choose)(n - 1, i), C1 = G(choose)(n - 1, i - 1),
+            whole_power = mul(G(power)(t, i), G(power)(s, n - i));
         low = add(low, mul(mul(C, mul(G(power)(t, i), G(power)(s, n - 1 - i))), P[i]));
         high = add(high, mul(mul(C1, mul(G(power)(t, T->planted ? i : i - 1), G(power)(s, n - i))), P[i]));
         both[0] = add(both[0], mul(mul(C, whole_power), P[i]));
@@ -230,7 +231,8 @@ CLAIM(many_points_may_crowd)
 {
     enum { points = 1000 };
     num b[6] = {from_int(0), from_int(0), from_ratio(1, 2), from_int(0), from_int(1), from_int(1)}, P[3][2];
-    num before = T->planted ? from_ratio(points - 1, points) : from_ratio(1, 2), one = from_int(1), half = from_ratio(1, 2);
+    num before = T->planted ? from_ratio(points - 1, points) : from_ratio(1, 2), one = from_int(1),
+        half = from_ratio(1, 2);
     num middle = mul(half, add(before, one));
     G(decasteljau)(2, dim, b, before, P[0]);
     G(decasteljau)(2, dim, b, one, P[1]);

@@ -31,9 +31,10 @@ FIGURE(two_curves_of_one_point_less)
 
 FIGURE(crowded_points)
 {
-    svg *s = svg_new("crowded_points", "Many points, and points everywhere",
-                     "The parabola y = x squared with nine points that crowd at 0, and with nine points in equal steps; "
-                     "the last chord of the first polyline stays where it is however many points follow.");
+    svg *s =
+        svg_new("crowded_points", "Many points, and points everywhere",
+                "The parabola y = x squared with nine points that crowd at 0, and with nine points in equal steps; "
+                "the last chord of the first polyline stays where it is however many points follow.");
     num_q b[6] = {q(0), q(0), r(1, 2), q(0), q(1), q(1)}, P[18];
     for (int k = 0; k < 2; k++) {
         svg_panel(s, window(r(-1, 20), r(-1, 20), r(21, 20), r(21, 20)), 320, 0,

@@ -201,7 +201,8 @@ CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
 
 CLAIM(second_derivative_of_a_cubic)
 {
-    static const int M[2][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}}, slope[4] = {-6, 18, -18, 6}, constant[4] = {6, -12, 6, 0};
+    static const int M[2][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}}, slope[4] = {-6, 18, -18, 6},
+                     constant[4] = {6, -12, 6, 0};
     num b[4 * dim], D[3 * dim], t = parameter(T, "t");
     G(free_points)(T, 3, dim, b);
     for (int place = 0; place < 3; place++) { /* at t, at 1 and at 0 */

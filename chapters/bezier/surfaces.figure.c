@@ -86,16 +86,17 @@ FIGURE(bezier_patch)
 
 FIGURE(collapsed_border)
 {
-    svg *s = svg_new("collapsed_border", "A border of one point",
-                     "A plane triangle as a surface of degrees 1 and 1, one of whose borders is a point.  The lengths of "
-                     "P_u x P_w go to 0 towards that point.");
+    svg *s =
+        svg_new("collapsed_border", "A border of one point",
+                "A plane triangle as a surface of degrees 1 and 1, one of whose borders is a point.  The lengths of "
+                "P_u x P_w go to 0 towards that point.");
     static const int from[12] = {0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 3, 0};
     num_q P[12];
     integers(12, from, P);
     svg_panel(s, window(r(-1, 2), r(-1, 2), r(7, 2), q(3)), 380, 0, "$P_{00}=P_{01}$: the normals $P_u×P_w$");
     put_surface(s, 1, 1, P, 6, SVG_CURVE, SVG_FAMILY);
-    for (int k = 0; k <= 4; k++)
-        put_normal(s, 1, 1, P, r(k, 4), r(1, 2), r(1, 5), k == 0 ? SVG_WRONG : SVG_RIGHT);
+    for (int k = 1; k <= 4; k++)
+        put_normal(s, 1, 1, P, r(k, 4), r(1, 2), r(1, 5), SVG_RIGHT);
     svg_mark(s, seen(P), SVG_WRONG, SVG_USUAL);
     svg_legend_line(s, SVG_CURVE, "borders");
     svg_legend_line(s, SVG_RIGHT, "normals");

@@ -415,7 +415,8 @@ static void right_numbers(trial *T, int row, int x, int y)
     const int asked[2] = {x, y};
     for (int i = 0; i <= 3; i++) {
         about(T, "a function");
-        is_rounded(T, printed_table[row].basis[i], T->planted && i == 0, G(basis)(3, i, from_string_q(printed_table[row].t)));
+        is_rounded(T, printed_table[row].basis[i], T->planted && i == 0,
+                   G(basis)(3, i, from_string_q(printed_table[row].t)));
     }
     for (int c = 0; c < dim; c++)
         if (asked[c]) {
@@ -469,8 +470,9 @@ CLAIM(exact_values_of_the_table)
 CLAIM(rounded_factors_of_the_table)
 {
     static const char *const sums[7] = {"1", "0.9998", "1.001", "1", "1.001", "0.9998", "1"};
-    static const char *const points[7][2] = {{"1", "1"},         {"1.5038", "1.7646"}, {"2.248", "2.367"}, {"2.75", "2.5"},
-                                             {"3.122", "2.367"}, {"3.2602", "1.7646"}, {"3", "1"}};
+    static const char *const points[7][2] = {{"1", "1"},      {"1.5038", "1.7646"}, {"2.248", "2.367"},
+                                             {"2.75", "2.5"}, {"3.122", "2.367"},   {"3.2602", "1.7646"},
+                                             {"3", "1"}};
     for (int row = 0; row < 7; row++) {
         num total = from_int(0), P[dim] = {from_int(0), from_int(0)};
         for (int i = 0; i <= 3; i++) {

@@ -15,9 +15,11 @@ FIGURE(worked_table)
     for (int k = 0; k < 7; k++) {
         decasteljau_q(3, 2, b, from_string_q(printed_table[k].t), P);
         svg_mark(s, svg_pair(P), SVG_CURVE, SVG_USUAL);
-        svg_mark(s, at(from_string_q(printed_table[k].point[0]), from_string_q(printed_table[k].point[1])), SVG_WRONG, SVG_USUAL);
+        svg_mark(s, at(from_string_q(printed_table[k].point[0]), from_string_q(printed_table[k].point[1])), SVG_WRONG,
+                 SVG_USUAL);
     }
-    svg_panel(s, window(q(-1), q(-16), q(7), q(12)), 300, 240, "printed less exact, in thousandths,\nfor $t=0,0.15,...,1$");
+    svg_panel(s, window(q(-1), q(-16), q(7), q(12)), 300, 240,
+              "printed less exact, in thousandths,\nfor $t=0,0.15,...,1$");
     svg_axes(s, q(0), q(5), NULL, NULL);
     for (int k = 0; k < 7; k++) {
         decasteljau_q(3, 2, b, from_string_q(printed_table[k].t), P);

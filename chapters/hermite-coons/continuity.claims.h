@@ -171,6 +171,31 @@ graph has.
 :control: $P(t)=(t-1,t^3-t)$
 :::
 
+:::{statement} slides-ch4:1-dimensions
+:title: Any number of coordinates
+:zh: 变量个数不限,便于扩展到高维
+:printed: The variables are separated and their number is not limited, so curves and surfaces are easily taken from a space of few
+  dimensions to one of more.
+:holds-by: another_coordinate_changes_no_other
+:::
+
+:::{claim} another_coordinate_changes_no_other
+:title: A further coordinate leaves the others as they are
+:zh: 各坐标分量互不影响
+:given: points of space $P_0,\dots,P_n$, any $t$; the points of the plane with their first two coordinates
+:then: the first two coordinates of the curve in space are the curve in the plane
+:method: The kernel in two and in three dimensions, everything a variable.
+:degrees: 1..6 sampled 10
+:control: the plane of the first and the third coordinate
+:::
+
+:::{statement} slides-ch4:1-matrices
+:title: Vectors and matrices
+:zh: 易于用矢量和矩阵表示
+:printed: The geometry is easily written, and computed, with vectors and matrices.
+:holds-by: unit_blending_functions small_degrees_written_out
+:::
+
 :::{statement} slides-ch4:1-bounded
 :title: Over the unit interval the coordinates are bounded
 :zh: 规格化参数使几何分量有界
@@ -256,6 +281,22 @@ CLAIM(segment_in_its_parameter)
     }
     about(T, "the distance from the first point");
     same(T, along, mul(mul(t, t), length));
+}
+
+CLAIM(another_coordinate_changes_no_other)
+{
+    int n = T->degree;
+    num b[(MAX_DEGREE + 1) * space], flat[(MAX_DEGREE + 1) * plane], P[space], Q[plane], t = parameter(T, "t");
+    for (int i = 0; i <= n; i++) {
+        for (int c = 0; c < space; c++)
+            b[i * space + c] = unknown(T, c == 0 ? "x" : c == 1 ? "y" : "z", i);
+        flat[i * plane] = b[i * space];
+        flat[i * plane + 1] = b[i * space + 1 + T->planted];
+    }
+    G(decasteljau)(n, space, b, t, P);
+    G(decasteljau)(n, plane, flat, t, Q);
+    for (int c = 0; c < plane; c++)
+        same(T, Q[c], P[c]);
 }
 
 #if RATIONAL
@@ -663,7 +704,8 @@ CLAIM(smooth_curve_without_proportional_derivatives)
 {
     num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), lambda = from_int(1 + T->planted);
     struct G(poly) x = {1, {zero, one}}, y = {2, {zero, zero, half}}, P = x;
-    struct G(poly) u = G(composed)(x, lambda, T->planted ? zero : half), v = G(composed)(y, lambda, T->planted ? zero : half);
+    struct G(poly) u = G(composed)(x, lambda, T->planted ? zero : half),
+                   v = G(composed)(y, lambda, T->planted ? zero : half);
     struct G(poly) square = G(times)(u, u);
     about(T, "2y and x^2 along the second piece");
     for (int k = 0; k <= square.n; k++)

@@ -72,9 +72,10 @@ static svg_point on_ring(num_q t, const void *data)
 
 FIGURE(two_cylinders)
 {
-    svg *s = svg_new("two_cylinders", "Two cylinders and what they have in common",
-                     "The cylinders over the projections of the ellipse z = y meet in two ellipses; the point (0, 1, -1) "
-                     "is on both cylinders and not on the ellipse.");
+    svg *s =
+        svg_new("two_cylinders", "Two cylinders and what they have in common",
+                "The cylinders over the projections of the ellipse z = y meet in two ellipses; the point (0, 1, -1) "
+                "is on both cylinders and not on the ellipse.");
     svg_panel(s, window(r(-8, 5), r(-3, 2), r(8, 5), r(3, 2)), 360, 0, "$x^2+y^2=1$ and $x^2+z^2=1$");
     for (int along_z = 0; along_z < 2; along_z++)
         for (int half = -1; half <= 1; half += 2)
@@ -142,10 +143,11 @@ FIGURE(upright_cube_root)
 
 FIGURE(proportional_derivatives)
 {
-    svg *s = svg_new("proportional_derivatives", "Proportional derivatives, and continuous curvature",
-                     "A parabola up to the origin with P' = (1, 0), P'' = (0, 1), and four second pieces: with Q'' = "
-                     "3 P''; with Q' = 2 P', Q'' = 2 P''; with Q'' = - P''; and the same parabola in another parameter, "
-                     "whose second derivative (1, 1) is not proportional.");
+    svg *s =
+        svg_new("proportional_derivatives", "Proportional derivatives, and continuous curvature",
+                "A parabola up to the origin with P' = (1, 0), P'' = (0, 1), and four second pieces: with Q'' = "
+                "3 P''; with Q' = 2 P', Q'' = 2 P''; with Q'' = - P''; and the same parabola in another parameter, "
+                "whose second derivative (1, 1) is not proportional.");
     static const char *const captions[4] = {"$Q\\'=P\\'$, $Q\\'\\'=3P\\'\\'$:\ncurvatures 1 and 3",
                                             "$Q\\'=2P\\'$, $Q\\'\\'=2P\\'\\'$:\ncurvatures 1 and 1/2",
                                             "$Q\\'=P\\'$, $Q\\'\\'=-P\\'\\'$:\ncurvatures 1 and $-1$",
@@ -157,12 +159,16 @@ FIGURE(proportional_derivatives)
         svg_panel(s, window(r(-6, 5), r(-11, 10), r(8, 5), r(11, 5)), 172, 0, captions[k]);
         svg_circle(s, svg_at(0, 1), q(1), SVG_MUTED);
         if (k < 3)
-            svg_circle(s, at(q(0), k == 0 ? r(1, 3) : k == 1 ? q(2) : q(-1)), k == 0 ? r(1, 3) : q(k == 1 ? 2 : 1),
-                       SVG_FAMILY);
+            svg_circle(s,
+                       at(q(0), k == 0   ? r(1, 3)
+                                : k == 1 ? q(2)
+                                         : q(-1)),
+                       k == 0 ? r(1, 3) : q(k == 1 ? 2 : 1), SVG_FAMILY);
         put_bezier(s, 2, first, 2, SVG_CURVE);
         if (k == 3) {
             /* u + u^2/2 is of degree 2, so Q is of degree 4: Q = (phi, phi^2/2) */
-            num_q power[5] = {q(0), q(1), r(1, 2), q(0), q(0)}, square[5] = {q(0), q(0), r(1, 2), r(1, 2), r(1, 8)}, R[10];
+            num_q power[5] = {q(0), q(1), r(1, 2), q(0), q(0)}, square[5] = {q(0), q(0), r(1, 2), r(1, 2), r(1, 8)},
+                  R[10];
             power_to_bernstein_q(4, power, power);
             power_to_bernstein_q(4, square, square);
             for (int i = 0; i <= 4; i++)
