@@ -5,6 +5,7 @@
 #include "core/bezier.tmpl.h"
 #include "core/rational.tmpl.h"
 #include "core/differential.tmpl.h"
+#include "core/bezier_surface.tmpl.h"
 #include "core/conic.tmpl.h"
 #include "core/determinant.tmpl.h"
 #include "core/bspline.tmpl.h"

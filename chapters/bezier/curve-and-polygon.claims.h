@@ -1,0 +1,391 @@
+/*
+# A curve and its polygon (Bézier 曲线及其性质)
+
+Section 4 of the slides `slides-ch4` introduces Bézier curves by their sum, writes out the degrees 1, 2 and 3, and lists
+what the polygon says about the curve: its ends, its tangents there, its hull, and that it does not care from which end the
+points are read.  Signs, primes and fraction bars are lost in the text at hand; where a sign is lost we say how many choices
+there are.
+
+## The sum
+
+:::{statement} slides-ch4:4-definition
+:title: The Bézier curve of n+1 points
+:zh: n 次 Bézier 曲线的定义
+:printed: the points $P_0,\dots,P_n$ determine the Bézier curve of degree $n$: $P(t)=\sum_{i=0}^nP_iB_{i,n}(t)$, $0\le t\le1$
+:definition: yes
+:checked-by: decasteljau_evaluates_bezier_curve
+:figure: bezier_hull
+
+The degree is at most $n$: see the next entry.
+:::
+
+:::{statement} slides-ch4:4-degree
+:title: The curve of n+1 points has degree n
+:zh: 曲线的次数
+:printed: what $n+1$ points determine is a Bézier curve of degree $n$
+:reading: equally_spaced_points_make_a_line | a polynomial of exactly this degree: false
+:reading: bernstein_to_power_keeps_polynomial | written in Bernstein polynomials of degree $n$, so of degree at most $n$: true
+:::
+
+:::{claim} equally_spaced_points_make_a_line
+:title: Points in equal steps on a line: the degree is 1
+:zh: 等距共线控制顶点给出一次曲线
+:kind: counterexample
+:given: $n=3$, the points $0,1,2,3$ of a line
+:then: in powers of $t$ the curve is $3t$: the coefficient of $t^3$ is 0
+:method: The coefficients by `bernstein_to_power`; that the last one is not 0 is refuted.
+:control: the points $0,1,2,4$
+:::
+
+:::{statement} slides-ch4:4-basis
+:title: The functions of the sum
+:zh: Bernstein 基函数
+:printed: $B_{i,n}(t)=\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}=C_n^it^i(1-t)^{n-i}$, $i=0,1,\dots,n$
+:definition: yes
+:checked-by: bernstein_is_binomial_form
+:::
+
+:::{statement} slides-ch4:4-conventions
+:title: The powers with exponent 0, and the factorial of 0
+:zh: 0! 与 0^0 约定为 1
+:printed: $0!$ and $0^0$, where they occur, are 1
+:holds-by: bernstein_at_ends
+:needs: zero_power_zero_takes_away_the_end | with $0^0=0$ the curve would not begin in $P_0$
+
+With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0^{-1}$, which occurs in the derivative below.
+:::
+
+:::{claim} zero_power_zero_takes_away_the_end
+:title: With 0^0 = 0 the sum at t = 0 is the origin
+:zh: 若约定 0^0=0 则曲线不过首点
+:kind: counterexample
+:given: $n=1$, $P_0=(1,1)$, $P_1=(2,3)$, $t=0$, every power with exponent 0 taken as 0
+:then: $P(0)=(0,0)\ne P_0$
+:method: The sum, with the power as told.
+:control: $0^0=1$
+:::
+
+:::{statement} slides-ch4:4-degree-1
+:title: Degree 1
+:zh: 一次 Bézier 曲线
+:printed: P(t)=(1-t)P_0+tP_1,\quad0\le t\le1
+:holds-by: small_degrees_written_out
+:::
+
+:::{statement} slides-ch4:4-degree-2
+:title: Degree 2, as a sum and by a matrix
+:zh: 二次 Bézier 曲线及其矩阵形式
+:printed: P(t)=(1-t)^2P_0+2t(1-t)P_1+t^2P_2=[t^2\;t\;1]\begin{bmatrix}1&-2&1\\-2&2&0\\1&0&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\end{bmatrix}
+:holds-by: small_degrees_written_out
+
+The signs of the six numbers are lost.  Each column is the list of the coefficients of one Bernstein polynomial, which are what they are: of
+the 64 choices one is true.
+:::
+
+:::{statement} slides-ch4:4-degree-3
+:title: Degree 3, as a sum and by a matrix
+:zh: 三次 Bézier 曲线及其矩阵形式
+:printed: P(t)=(1-t)^3P_0+3t(1-t)^2P_1+3t^2(1-t)P_2+t^3P_3=[t^3\;t^2\;t\;1]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\\-3&3&0&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}
+:holds-by: small_degrees_written_out
+
+Ten signs are lost, and one of 1024 choices is true.
+:::
+
+:::{claim} small_degrees_written_out
+:title: The sums and the matrices of the degrees 1, 2 and 3
+:zh: 一、二、三次曲线的展开式与矩阵
+:given: $n=1,2,3$, any points of the plane, any $t$
+:then: the sums that are written out, and the products with the matrices, are the curve
+:method: Term by term against `decasteljau`, everything a variable.  The entries are compared as the coefficients of powers of
+  $t$ with free points, so that no other matrix, with whatever signs, gives the curve.
+:degrees: 1..3
+:control: the sign of the last entry of the first row of the matrix, or of the whole for $n=1$
+:::
+*/
+#include "chapters/bezier/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = 2 };
+
+/* Entry (i, j) of the matrix of degree n: the coefficient of t^{n-i} beside P_j. */
+static int G(printed_entry)(int n, int i, int j)
+{
+    static const int M[3][4][4] = {{{-1, 1}, {1, 0}},
+                                   {{1, -2, 1}, {-2, 2, 0}, {1, 0, 0}},
+                                   {{-1, 3, -3, 1}, {3, -6, 3, 0}, {-3, 3, 0, 0}, {1, 0, 0, 0}}};
+    return M[n - 1][i][j];
+}
+
+CLAIM(small_degrees_written_out)
+{
+    static const int factor[3][4] = {{1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
+    int n = T->degree;
+    num b[4 * dim], P[dim], t = parameter(T, "t"), s = sub(from_int(1), t);
+    G(free_points)(T, n, dim, b);
+    G(decasteljau)(n, dim, b, t, P);
+    for (int c = 0; c < dim; c++) {
+        num sum = from_int(0), product = from_int(0);
+        for (int j = 0; j <= n; j++) {
+            num term = mul(from_int(factor[n - 1][j]), mul(G(power)(t, j), G(power)(s, n - j)));
+            sum = add(sum, mul(term, b[j * dim + c]));
+            for (int i = 0; i <= n; i++) {
+                int entry = G(printed_entry)(n, i, j);
+                entry = T->planted && i == 0 && j == n ? -entry : entry;
+                product = add(product, mul(mul(G(power)(t, n - i), from_int(entry)), b[j * dim + c]));
+            }
+        }
+        about(T, "the sum");
+        same(T, sum, P[c]);
+        about(T, "the matrix");
+        same(T, product, P[c]);
+    }
+}
+
+#if RATIONAL
+CLAIM(equally_spaced_points_make_a_line)
+{
+    num b[4] = {from_int(0), from_int(1), from_int(2), from_int(3 + T->planted)}, c[4];
+    G(bernstein_to_power)(3, b, c);
+    show_points(T, "the coefficients of 1, t, t^2, t^3", 4, 1, c);
+    about(T, "whether the coefficient of t^3 is not 0");
+    agree(T, !is_zero_q(c[3]));
+}
+
+CLAIM(zero_power_zero_takes_away_the_end)
+{
+    static const int from[4] = {1, 1, 2, 3};
+    num t = from_int(0), s = from_int(1), zeroth = from_int(T->planted);
+    for (int c = 0; c < dim; c++) {
+        num first = mul(from_int(from[c]), mul(s, zeroth)), second = mul(from_int(from[dim + c]), mul(t, zeroth));
+        show(T, c == 0 ? "x(0)" : "y(0)", add(first, second));
+        same(T, add(first, second), from_int(from[c]));
+    }
+}
+#endif
+
+/*
+## The ends
+
+:::{statement} slides-ch4:4-ends
+:title: The curve begins and ends with the polygon
+:zh: 曲线过首末控制顶点
+:printed: $P(0)=P_0$, $P(1)=P_n$: the curve passes through the first and the last point
+:holds-by: end_derivatives_are_end_differences
+:figure: edges_and_end_tangents
+:::
+
+:::{statement} slides-ch4:4-derivative-by-basis
+:title: The derivative, term by term
+:zh: 导矢:逐项求导
+:printed: P'(t)=\sum_{i=0}^n\frac{n!}{i!(n-i)!}\bigl(i\,t^{i-1}(1-t)^{n-i}-(n-i)\,t^i(1-t)^{n-i-1}\bigr)P_i
+:holds-by: derivative_in_three_steps
+:hypothesis: first_term_divides_by_zero | $0<t<1$, or the products with a factor $i=0$ or $n-i=0$ are left out: at $t=0$ and $t=1$, the two
+  places where the slides use the derivative, they are $0\cdot0^{-1}$
+:::
+
+:::{statement} slides-ch4:4-derivative-terms
+:title: The derivative, its terms in a row
+:zh: 导矢:逐项展开
+:printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
+:holds-by: derivative_in_three_steps
+:hypothesis: terms_in_a_row_need_two_edges | $n\ge2$: for $n=1$ there is no $(n-2)!$, and the terms with it are not there
+
+The signs are lost; each is determined by the sum before.
+:::
+
+:::{statement} slides-ch4:4-derivative
+:title: The derivative by the edges of the polygon
+:zh: 导矢由控制多边形的边给出
+:printed: P'(t)=\sum_{i=0}^{n-1}\frac{n!}{i!(n-1-i)!}t^i(1-t)^{n-1-i}(P_{i+1}-P_i)
+:holds-by: derivative_in_three_steps
+:figure: edges_and_end_tangents
+:::
+
+:::{statement} slides-ch4:4-end-tangents
+:title: The tangents at the ends
+:zh: 端点切矢
+:printed: $P'(0)=n(P_1-P_0)$, $P'(1)=n(P_n-P_{n-1})$
+:holds-by: end_derivatives_are_end_differences
+:figure: edges_and_end_tangents
+:::
+
+:::{claim} derivative_in_three_steps
+:title: The three sums are the derivative
+:zh: 导矢推导链的三个式子
+:given: points $P_0,\dots,P_n$ of the plane, any $t$ with $t\ne0$, $t\ne1$ in the first sum
+:then: the sum with $t^{i-1}$ and $(1-t)^{n-i-1}$, the sum of the $2n$ terms in a row, and the sum over the edges are all $P'(t)$
+:method: Each sum as printed, negative powers as quotients, against the derivative of the definition; everything a variable.
+:degrees: 1..6 sampled 10
+:control: the last term of the row with the other sign
+:::
+
+:::{claim} first_term_divides_by_zero
+:title: At t = 0 the first term of the derivative is no number
+:zh: t=0 处首项含 0^{-1}
+:kind: counterexample
+:given: $i=0$, $t=0$ in the first sum: the factor $i\,t^{i-1}=0\cdot0^{-1}$
+:then: the denominator $t$ of $t^{-1}$ is 0
+:method: The denominator; that it is not 0 is refuted.
+:control: $t=\frac12$
+:::
+
+:::{claim} terms_in_a_row_need_two_edges
+:title: With one edge the row has terms that do not exist
+:zh: n=1 时展开式中出现 (n-2)!
+:kind: counterexample
+:given: $n=1$, the points $0,1$, $t=\frac12$; the terms with $(n-2)!$, which have no meaning, left out of the row
+:then: its first two terms and its last two, $-P_0+P_1-P_0+P_1$, have the sum 2, and $P'=1$
+:method: The four terms that have a meaning, against the derivative.
+:control: the first two terms alone
+:::
+*/
+CLAIM(derivative_in_three_steps)
+{
+    int n = T->degree;
+    num b[(MAX_DEGREE + 1) * dim], t = parameter(T, "t"), s = sub(from_int(1), t);
+    G(free_points)(T, n, dim, b);
+    for (int c = 0; c < dim; c++) {
+        num by_basis = from_int(0), row = from_int(0), by_edges = from_int(0);
+        for (int i = 0; i <= n; i++) {
+            num up = mul(from_int(i), mul(div(G(power)(t, i), t), G(power)(s, n - i)));
+            num down = mul(from_int(n - i), mul(G(power)(t, i), div(G(power)(s, n - i), s)));
+            by_basis = add(by_basis, mul(mul(G(choose)(n, i), sub(up, down)), b[i * dim + c]));
+        }
+        for (int i = 0; i < n; i++) { /* the two terms with n!/(i! (n-1-i)!) */
+            num term = mul(mul(from_int(n), G(choose)(n - 1, i)), mul(G(power)(t, i), G(power)(s, n - 1 - i)));
+            num right = mul(term, b[(i + 1) * dim + c]);
+            row = sub(row, mul(term, b[i * dim + c]));
+            row = T->planted && i == n - 1 ? sub(row, right) : add(row, right);
+            by_edges = add(by_edges, mul(term, sub(b[(i + 1) * dim + c], b[i * dim + c])));
+        }
+        num D = G(curve_derivative)(n, dim, b, c, 1, t);
+        about(T, "by the derivatives of the basis");
+        same(T, by_basis, D);
+        about(T, "the terms in a row");
+        same(T, row, D);
+        about(T, "by the edges");
+        same(T, by_edges, D);
+    }
+}
+
+#if RATIONAL
+CLAIM(first_term_divides_by_zero)
+{
+    num t = T->planted ? from_ratio(1, 2) : from_int(0);
+    show(T, "t", t);
+    about(T, "whether the denominator of t^{-1} is not 0");
+    agree(T, !is_zero_q(t));
+}
+
+CLAIM(terms_in_a_row_need_two_edges)
+{
+    num b[2] = {from_int(0), from_int(1)}, D[2], row = sub(b[1], b[0]);
+    G(bezier_derivatives)(1, 1, b, from_ratio(1, 2), 1, D);
+    if (!T->planted)
+        row = add(row, sub(b[1], b[0]));
+    about(T, "the row and the derivative");
+    same(T, row, D[1]);
+}
+#endif
+
+/*
+## Symmetry
+
+:::{statement} slides-ch4:4-basis-symmetry
+:title: The symmetry of the functions
+:zh: 基函数的对称性
+:printed: B_{i,n}(t)=\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}=B_{n-i,n}(1-t)
+:holds-by: bernstein_is_symmetric
+:::
+
+:::{statement} slides-ch4:4-symmetry
+:title: The curve in the basis read backwards
+:zh: Bézier 曲线的对称性
+:printed: P(t)=B_{0,n}(t)P_0+\dots+B_{i,n}(t)P_i+\dots+B_{n-i,n}(t)P_{n-i}+\dots+B_{n,n}(t)P_n=B_{n,n}(1-t)P_0+\dots+B_{n-i,n}(1-t)P_i+\dots+B_{i,n}(1-t)P_{n-i}+\dots+B_{0,n}(1-t)P_n
+:holds-by: reversed_points_reverse_the_curve basis_read_backwards
+:reading: reversed_points_reverse_the_curve | the points backwards give the same curve, run backwards: true
+:reading: curve_is_no_mirror_image | the curve is a symmetric figure: false unless its points are
+:figure: read_from_either_end
+:::
+
+:::{claim} basis_read_backwards
+:title: The sum with the basis read backwards at 1 - t
+:zh: 反序基函数之和
+:given: points $P_0,\dots,P_n$ of the plane, any $t$
+:then: $P(t)=\sum_iB_{n-i,n}(1-t)P_i$
+:method: The sum from the definition at $1-t$, against the kernel at $t$, everything a variable.
+:degrees: 0..6 sampled 12
+:control: $B_{i,n}(1-t)$ in the place of $B_{n-i,n}(1-t)$, for $n=0$ the value 0
+:::
+
+:::{claim} curve_is_no_mirror_image
+:title: A curve that is not symmetric
+:zh: 曲线图形未必对称
+:kind: counterexample
+:given: the points $(0,0),(0,1),(1,0)$: a reflection that exchanges the ends of the curve and keeps the figure would be $x\mapsto1-x$
+:then: $P(\frac12)=(\frac14,\frac12)$, and its image $(\frac34,\frac12)$ is not on the curve: $x=\frac34$ is there with $y=\frac{\sqrt3}2(2-\sqrt3)\ne\frac12$
+:method: The curve is $x=t^2$, $y=2t(1-t)$, so $(y+2x)^2=4x$ holds on it; the equation at the image.
+:control: the points $(0,0),(\frac12,1),(1,0)$ and their equation $y=2x(1-x)$
+:::
+
+## The hull
+
+:::{statement} slides-ch4:4-hull-definition
+:title: The convex hull of the points
+:zh: 凸包的定义
+:printed: the set $M=\Bigl\{\sum_{i=0}^n\lambda_iP_i\Bigm|\sum_{i=0}^n\lambda_i=1,\ 0\le\lambda_i\le1,\ i=0,1,\dots,n\Bigr\}$
+:definition: yes
+:::
+
+:::{statement} slides-ch4:4-partition
+:title: The functions are not negative and their sum is 1
+:zh: 基函数的非负性与规范性
+:printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
+:holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:needs: bernstein_alternates_outside | $0\le t\le1$
+
+At most 1 because the others are not negative.
+:::
+
+:::{statement} slides-ch4:4-hull
+:title: The curve is in the hull of its points
+:zh: 凸包性
+:printed: the points of the curve belong to the convex hull of $P_0,\dots,P_n$
+:holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:needs: curve_leaves_hull_outside_the_interval | $0\le t\le1$
+:figure: bezier_hull
+:::
+*/
+CLAIM(basis_read_backwards)
+{
+    int n = T->degree;
+    num b[(MAX_DEGREE + 1) * dim], P[dim], t = parameter(T, "t"), s = sub(from_int(1), t);
+    G(free_points)(T, n, dim, b);
+    G(decasteljau)(n, dim, b, t, P);
+    for (int c = 0; c < dim; c++) {
+        num sum = from_int(0);
+        for (int i = 0; i <= n && !(T->planted && n == 0); i++)
+            sum = add(sum, mul(G(basis)(n, T->planted ? i : n - i, s), b[i * dim + c]));
+        same(T, sum, P[c]);
+    }
+}
+
+#if RATIONAL
+CLAIM(curve_is_no_mirror_image)
+{
+    num zero = from_int(0), one = from_int(1), two = from_int(2), half = from_ratio(1, 2), P[2];
+    num b[6] = {zero, zero, T->planted ? half : zero, one, one, zero};
+    G(decasteljau)(2, dim, b, half, P);
+    show_points(T, "P(1/2)", 1, 2, P);
+    num image = sub(one, P[0]);
+    about(T, "the equation of the curve at the image");
+    if (T->planted) {
+        same(T, P[1], mul(two, mul(image, sub(one, image))));
+    } else {
+        num sum = add(P[1], mul(two, image));
+        same(T, mul(sum, sum), mul(from_int(4), image));
+    }
+}
+#endif
+#include "chapters/frame/claims_off.h"

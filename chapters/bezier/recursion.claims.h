@@ -1,0 +1,255 @@
+/*
+# From two curves of one point less (递推与曲线的绘制)
+
+The slides draw a curve in two ways: by many of its points, joined by segments, and by the recursion that makes a curve of
+$n+1$ points from two of $n$ points each.  The recursion is de Casteljau's; its levels are the subject of another section of this
+chapter.  Here are the sentences of the slides, and their proof line by line.
+
+## Many points
+
+:::{statement} slides-ch4:4-polyline
+:title: With more points the polyline comes as near to the curve as one likes
+:zh: 折线逼近曲线
+:printed: Enough values of $t$ are chosen, and the points of the curve joined by segments; with more points the polyline and the curve
+  come arbitrarily near to each other.
+:holds-by: second_differences_of_a_piece polygon_and_curve_are_near_the_chord
+:hypothesis: many_points_may_crowd | the largest step of the parameter tends to 0: more points alone do not suffice
+:figure: crowded_points
+
+A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta^2P_j|$ away from its chord.
+:::
+
+:::{claim} second_differences_of_a_piece
+:title: The second differences of a piece shrink with the square of its length
+:zh: 曲线段的二阶差分与区间长度平方成正比
+:given: numbers $b_0,\dots,b_n$, any $u$ and $v$; $c_0,\dots,c_n$ the points of the piece over $[u,v]$
+:then: $\Delta^2c_i=(v-u)^2\,d_i$ where $d_i$ is the value at $n-2-i$ arguments $u$ and $i$ arguments $v$ of the blossom of the $n-1$ numbers
+  $\Delta^2b_j$: for $u,v$ in $[0,1]$ an average of these
+:method: The piece by `bezier_on_interval`, the blossom by its sum over subsets of arguments, everything a variable.
+:degrees: 2..6 sampled 9
+:control: the first power of $v-u$
+:::
+
+:::{claim} many_points_may_crowd
+:title: A thousand points that crowd at one end leave a chord where it was
+:zh: 点数增多而折线不收敛
+:kind: counterexample
+:given: the parabola $(t,t^2)$ and its points at $t=0$ and $t=2^{-k}$, $k=0,1,\dots,1000$
+:then: the last chord is over $[\frac12,1]$, whatever the number of points, and lies $\frac1{16}$ above the curve at $t=\frac34$
+:method: The point of the curve and that of the chord; that they are within $\frac1{100}$ is refuted.
+:control: the points at $t=\frac k{1000}$, the chord from $\frac{999}{1000}$ to 1
+:::
+
+## The recursion
+
+:::{statement} slides-ch4:4-recursion-notation
+:title: What P_k,l is
+:zh: P_{k,l}(t) 的定义
+:printed: $P_{k,l}(t)$, $0\le t\le1$, is the Bézier curve of the points $P_k,P_{k+1},\dots,P_{k+l}$
+:refuted-by: one_point_too_many_breaks_the_recursion
+:class: misprint
+:corrected: $P_{k,l}$ is the curve of $P_k,P_{k+1},\dots,P_l$
+:corrected-by: curve_blends_two_curves_of_one_point_less
+:figure: two_curves_of_one_point_less
+
+With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not.
+:::
+
+:::{statement} slides-ch4:4-recursion
+:title: The recursion
+:zh: Bézier 曲线的递推关系
+:printed: P_{0,n}(t)=(1-t)P_{0,n-1}(t)+tP_{1,n}(t)
+:holds-by: curve_blends_two_curves_of_one_point_less
+:figure: two_curves_of_one_point_less
+
+With $P_{k,l}$ the curve of $P_k,\dots,P_l$; $n\ge1$, and any $t$.
+:::
+
+:::{statement} slides-ch4:4-recursion-difference
+:title: The recursion with one product
+:zh: 递推关系的另一形式
+:printed: P_{0,n}(t)=P_{0,n-1}(t)+t\bigl(P_{1,n}(t)-P_{0,n-1}(t)\bigr)
+:holds-by: curve_blends_two_curves_of_one_point_less
+:::
+
+:::{claim} curve_blends_two_curves_of_one_point_less
+:title: A curve is divided by two curves of one point less in the ratio t : (1-t)
+:zh: n 次曲线由两条 n-1 次曲线线性组合
+:given: points $P_0,\dots,P_n$ of the plane, any $t$, all $0\le k<l\le n$
+:then: $P_{k,l}=(1-t)P_{k,l-1}+tP_{k+1,l}=P_{k,l-1}+t(P_{k+1,l}-P_{k,l-1})$, $P_{k,l}$ being the curve of $P_k,\dots,P_l$
+:method: The three curves from the definition, everything a variable.
+:degrees: 1..6 sampled 10
+:control: $t$ and $1-t$ exchanged
+:::
+
+:::{claim} one_point_too_many_breaks_the_recursion
+:title: With one point more the recursion is false
+:zh: 多取一点则递推不成立
+:kind: counterexample
+:given: $n=1$, the points $0,1,5$ of a line, $t=\frac12$; $P_{1,1}$ as the curve of $P_1,P_2$
+:then: $P_{0,1}=\frac12$, and $(1-t)P_{0,0}+tP_{1,1}=\frac32$
+:method: The curves by the kernel.
+:control: $P_{1,1}$ as the curve of $P_1$
+:::
+
+:::{statement} slides-ch4:4-recursion-pascal
+:title: The sum of two binomial coefficients
+:zh: 组合恒等式
+:printed: C_n^i=C_{n-1}^i+C_{n-1}^{i-1}
+:holds-by: binomials_add_up
+:::
+
+:::{statement} slides-ch4:4-recursion-proof
+:title: The proof of the recursion
+:zh: 递推关系的证明
+:printed: the right side is $(1-t)\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i+t\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_{i+1}$
+  $=(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i}P_i+t^{n-1}P_n\Bigr)$
+  $=(1-t)^nP_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i}P_i+\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^i(1-t)^{n-i}P_i+t^nP_n$
+  $=(1-t)^nP_0+\sum_{i=1}^{n-1}(C_{n-1}^i+C_{n-1}^{i-1})t^i(1-t)^{n-i}P_i+t^nP_n=\sum_{i=0}^nC_n^it^i(1-t)^{n-i}P_i$, the left side
+:holds-by: proof_of_the_recursion_line_by_line binomials_add_up
+
+For $n=1$ the sums from 1 to $n-1$ are empty.
+:::
+
+:::{claim} binomials_add_up
+:title: Pascal's rule
+:zh: Pascal 恒等式
+:given: $n\ge1$ and all $i=0,\dots,n$
+:then: $\binom ni=\binom{n-1}i+\binom{n-1}{i-1}$, where $\binom m{-1}=\binom m{m+1}=0$
+:method: The coefficients from factorials, one case for each $n$.
+:degrees: 1..12 sampled 20
+:control: $\binom{n-1}{i+1}$ in the place of the last
+:::
+
+:::{claim} proof_of_the_recursion_line_by_line
+:title: All lines of the proof are the curve
+:zh: 证明的每一步均成立
+:given: numbers $P_0,\dots,P_n$, any $t$
+:then: each of the five expressions is $P_{0,n}(t)$
+:method: Each expression as printed, against the definition, everything a variable.
+:degrees: 1..6 sampled 10
+:control: $t^i$ in the place of $t^{i-1}$ in the second sum of the second line; for $n=1$, where there is none, the last point left out
+:::
+*/
+#include "chapters/bezier/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = 2 };
+
+CLAIM(second_differences_of_a_piece)
+{
+    int n = T->degree, m = n - 2;
+    num b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], D[MAX_DEGREE + 1];
+    num u = parameter(T, "u"), v = parameter(T, "v"), one = from_int(1), step = sub(v, u);
+    G(free_points)(T, n, 1, b);
+    G(bezier_on_interval)(n, 1, b, u, v, c);
+    for (int j = 0; j <= m; j++)
+        D[j] = G(difference)(1, b, 0, j, 2);
+    for (int i = 0; i <= m; i++) {
+        num average = from_int(0);
+        for (int S = 0; S < 1 << m; S++) {
+            num product = one;
+            int size = 0;
+            for (int k = 0; k < m; k++) {
+                num x = k < i ? v : u;
+                product = mul(product, S >> k & 1 ? x : sub(one, x));
+                size += S >> k & 1;
+            }
+            average = add(average, mul(product, D[size]));
+        }
+        same(T, G(difference)(1, c, 0, i, 2), mul(T->planted ? step : mul(step, step), average));
+    }
+}
+
+CLAIM(curve_blends_two_curves_of_one_point_less)
+{
+    int n = T->degree;
+    num b[(MAX_DEGREE + 1) * dim], t = parameter(T, "t"), s = sub(from_int(1), t);
+    G(free_points)(T, n, dim, b);
+    for (int k = 0; k < n; k++)
+        for (int l = k + 1; l <= n; l++)
+            for (int c = 0; c < dim; c++) {
+                num P = G(curve)(l - k, dim, b + k * dim, c, t), near = G(curve)(l - 1 - k, dim, b + k * dim, c, t);
+                num far = G(curve)(l - 1 - k, dim, b + (k + 1) * dim, c, t), share = T->planted ? s : t;
+                about(T, "with two products");
+                same(T, add(mul(sub(from_int(1), share), near), mul(share, far)), P);
+                about(T, "with one product");
+                same(T, add(near, mul(share, sub(far, near))), P);
+            }
+}
+
+CLAIM(binomials_add_up)
+{
+    int n = T->degree;
+    for (int i = 0; i <= n; i++) {
+        num other = G(choose)(n - 1, T->planted ? i + 1 : i - 1);
+        same(T, G(choose)(n, i), add(G(choose)(n - 1, i), other));
+    }
+}
+
+CLAIM(proof_of_the_recursion_line_by_line)
+{
+    int n = T->degree;
+    num P[MAX_DEGREE + 1], t = parameter(T, "t"), s = sub(from_int(1), t), zero = from_int(0);
+    G(free_points)(T, n, 1, P);
+    num near = zero, far = zero, low = zero, high = zero, both[2] = {zero, zero}, joined = zero;
+    for (int i = 0; i < n; i++) {
+        num B = mul(G(choose)(n - 1, i), mul(G(power)(t, i), G(power)(s, n - 1 - i)));
+        near = add(near, mul(B, P[i]));
+        far = add(far, mul(B, P[i + 1]));
+    }
+    for (int i = 1; i < n; i++) {
+        num C = G(choose)(n - 1, i), C1 = G(choose)(n - 1, i - 1),
+            whole_power = mul(G(power)(t, i), G(power)(s, n - i));
+        low = add(low, mul(mul(C, mul(G(power)(t, i), G(power)(s, n - 1 - i))), P[i]));
+        high = add(high, mul(mul(C1, mul(G(power)(t, T->planted ? i : i - 1), G(power)(s, n - i))), P[i]));
+        both[0] = add(both[0], mul(mul(C, whole_power), P[i]));
+        both[1] = add(both[1], mul(mul(C1, whole_power), P[i]));
+        joined = add(joined, mul(mul(add(C, C1), whole_power), P[i]));
+    }
+    num last = T->planted && n == 1 ? zero : P[n], left = G(curve)(n, 1, P, 0, t);
+    num first_power = mul(G(power)(s, n), P[0]), last_power = mul(G(power)(t, n), P[n]);
+    about(T, "the first line");
+    same(T, add(mul(s, near), mul(t, far)), left);
+    about(T, "the second line");
+    num second = mul(s, add(mul(G(power)(s, n - 1), P[0]), low));
+    same(T, add(second, mul(t, add(high, mul(G(power)(t, n - 1), last)))), left);
+    about(T, "the third line");
+    same(T, add(add(first_power, both[0]), add(both[1], last_power)), left);
+    about(T, "the fourth line");
+    same(T, add(add(first_power, joined), last_power), left);
+    num sum = zero;
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(mul(G(choose)(n, i), mul(G(power)(t, i), G(power)(s, n - i))), P[i]));
+    about(T, "the left side");
+    same(T, sum, left);
+}
+
+#if RATIONAL
+CLAIM(many_points_may_crowd)
+{
+    enum { points = 1000 };
+    num b[6] = {from_int(0), from_int(0), from_ratio(1, 2), from_int(0), from_int(1), from_int(1)}, P[3][2];
+    num before = T->planted ? from_ratio(points - 1, points) : from_ratio(1, 2), one = from_int(1),
+        half = from_ratio(1, 2);
+    num middle = mul(half, add(before, one));
+    G(decasteljau)(2, dim, b, before, P[0]);
+    G(decasteljau)(2, dim, b, one, P[1]);
+    G(decasteljau)(2, dim, b, middle, P[2]);
+    num gap = sub(mul(half, add(P[0][1], P[1][1])), P[2][1]);
+    show(T, "from the chord down to the curve", gap);
+    about(T, "whether that is at most 1/100");
+    nonnegative(T, sub(from_ratio(1, 100), gap));
+}
+
+CLAIM(one_point_too_many_breaks_the_recursion)
+{
+    num b[3] = {from_int(0), from_int(1), from_int(5)}, half = from_ratio(1, 2), P, far;
+    G(decasteljau)(1, 1, b, half, &P);
+    G(decasteljau)(T->planted ? 0 : 1, 1, b + 1, half, &far);
+    about(T, "P_{0,1} and the right side");
+    same(T, P, add(mul(half, b[0]), mul(half, far)));
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,338 @@
+/*
+# Cubics that are joined (分段三次 Bézier 曲线的光滑连接)
+
+Two cubics with the polygons $P_0P_1P_2P_3$ and $Q_0Q_1Q_2Q_3$ are to be one smooth curve.  The slides give a condition on
+the points for the position, for the tangent, and for the second derivative.  Each is right about the derivatives that it
+names.  What the second and the third guarantee depends on something that is not said: the edges at the joint must not have
+length 0, and the third condition speaks of $C^2$ only for curves that are $C^1$, and not for those that are merely $G^1$, which
+are the ones just treated.
+
+:::{statement} slides-ch4:4-joint-position
+:title: The cubics meet
+:zh: 位置连续条件
+:printed: $P_3=Q_0$ makes the two curves continuous at the joint.
+:holds-by: end_derivatives_are_end_differences
+:::
+
+:::{statement} slides-ch4:4-joint-derivatives
+:title: The derivatives at the joint
+:zh: 连接点处的导矢
+:printed: $Q_0'=3(Q_1-Q_0)$, $P_3'=3(P_3-P_2)$
+:holds-by: end_derivatives_are_end_differences
+:::
+
+:::{statement} slides-ch4:4-joint-g1
+:title: G1 by proportional derivatives
+:zh: G1 连续要求导矢成比例
+:printed: $G^1$ at the joint requires $Q_0'=aP_3'$, where $a$ should be positive.
+:holds-by: equal_unit_tangents_fix_the_ratio
+:needs: negative_ratio_turns_back | $a>0$
+:hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
+:figure: joint_of_cubics
+:::
+
+:::{statement} slides-ch4:4-joint-g1-edges
+:title: G1 by the edges at the joint
+:zh: G1 连续的控制顶点条件
+:printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
+:holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
+:needs: negative_ratio_turns_back | $a>0$
+:hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$
+:figure: corner_without_edges
+
+For $P_2\ne P_3$ it is necessary and sufficient; for $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
+:::
+
+:::{statement} slides-ch4:4-joint-g1-point
+:title: The joint divides the segment from P2 to Q1
+:zh: 连接点为 P2Q1 的定比分点
+:printed: $Q_0=P_3=\frac{Q_1+aP_2}{1+a}$
+:holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
+:needs: negative_ratio_turns_back | $a>0$; for $a=-1$ there is no quotient
+:figure: joint_of_cubics
+:::
+
+:::{claim} edges_in_a_ratio_give_tangents_in_that_ratio
+:title: The three forms of the condition are one
+:zh: G1 条件的三种形式等价
+:given: two curves of degree $n$ of the plane, the points $p_0,\dots,p_n$ of the first, $q_2,\dots,q_n$ of the second any, $q_0=p_n$; $a>0$
+:then: with $q_1=q_0+a(p_n-p_{n-1})$ the derivatives at the joint are $Q'=aP'$, and $q_0=\frac{q_1+a\,p_{n-1}}{1+a}$; with $q_0$ from the last formula,
+  $q_1$ and $p_{n-1}$ being free, $q_1-q_0=a(q_0-p_{n-1})$
+:method: Derivatives at the ends by the kernel; everything a variable.
+:degrees: 1..6 sampled 10
+:control: $\frac{a\,q_1+p_{n-1}}{1+a}$
+:::
+
+:::{claim} zero_edges_hide_a_corner
+:title: Edges of length 0 satisfy the condition and hide a corner
+:zh: 零边满足条件而曲线有尖角
+:kind: counterexample
+:given: $P_1=(-1,0)$, $P_2=P_3=Q_0=Q_1=(0,0)$, $Q_2=(0,1)$, so $Q_1-Q_0=a(P_3-P_2)$ for every $a$
+:then: $P'(1-u)=u\,(6,0)+\cdots$ and $Q'(u)=u\,(0,6)+\cdots$: the curve arrives along one axis and leaves along the other
+:method: First derivatives, which vanish, and second ones at the joint by the kernel; the directions $-P''(1)$ and $Q''(0)$ should have
+  the determinant 0.
+:control: $Q_2=(1,0)$
+:::
+
+## The second derivative
+
+:::{statement} slides-ch4:4-second-derivative
+:title: The second derivative of a cubic
+:zh: 三次曲线的二阶导矢
+:printed: P''(t)=[6t\;\;2]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}=(-6t+6)P_0+(18t-12)P_1+(-18t+6)P_2+6tP_3
+:holds-by: second_derivative_of_a_cubic
+
+The signs are lost; the coefficients of powers of $t$ leave one choice.
+:::
+
+:::{statement} slides-ch4:4-second-derivative-ends
+:title: The second derivatives at the joint
+:zh: 连接点处的二阶导矢
+:printed: $P''(1)=6P_1-12P_2+6P_3$, $Q''(0)=6Q_0-12Q_1+6Q_2$
+:holds-by: second_derivative_of_a_cubic
+:::
+
+:::{statement} slides-ch4:4-joint-c2
+:title: C2 by equal second derivatives
+:zh: C2 连续条件
+:printed: For $C^2$ at the joint, continuity of the second derivative by the parameter, $P''(1)=Q''(0)$ is required, that is
+  $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
+:holds-by: three_points_make_c2
+:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well, $a=1$: the slides come from $G^1$ with any $a>0$
+:reading: printed_condition_divides_the_curvature | with the condition for $G^1$ and $a\ne1$: not $C^2$, and not $G^2$ either; the curvature is
+  divided by $a^2$
+:figure: second_derivatives_alone
+:striking: 45
+
+Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.
+:::
+
+:::{statement} slides-ch4:4-joint-c2-point
+:title: The second point of the next polygon
+:zh: C2 条件下的 Q2
+:printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
+:holds-by: three_points_make_c2
+:hypothesis: open_joint_has_no_second_point | $Q_0=P_3$, which the slides recall, and nothing else: true for every $a$
+
+With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
+:::
+
+:::{claim} second_derivative_of_a_cubic
+:title: The second derivative in its two printed forms, and at the ends
+:zh: 二阶导矢的两种形式
+:given: four points of the plane, any $t$
+:then: both forms are $P''(t)$; at $t=1$ and $t=0$ they are the printed differences
+:method: Against the kernel, everything a variable.
+:control: $18t+12$ beside $P_1$
+:::
+
+:::{claim} three_points_make_c2
+:title: With three points the next cubic joins in C2, and only so
+:zh: C2 连接由三点确定
+:given: any $P_0,\dots,P_3$, $Q_3$ of the plane; $Q_0=P_3$, $Q_1=2P_3-P_2$, $Q_2=P_1+2(Q_1-P_2)$
+:then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and any $Q_1$, then
+  $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
+:method: Derivatives at the ends by the kernel; everything a variable.
+:control: $Q_2=P_1-2(Q_1-P_2)$
+:::
+
+:::{claim} equal_second_derivatives_with_unequal_first
+:title: Equal second derivatives at a joint that is not C1
+:zh: 二阶导矢相等而非 C2
+:kind: counterexample
+:given: $P_1=(-2,1)$, $P_2=(-1,0)$, $P_3=Q_0=(0,0)$, $Q_1=(2,0)$ so that $a=2$, $Q_2=P_1+2(Q_1-P_2)=(4,1)$
+:then: $P''(1)=Q''(0)=(0,6)$, and $P'(1)=(3,0)\ne Q'(0)=(6,0)$; the curvatures are $\frac23$ and $\frac16$
+:method: The kernels at the ends.
+:control: $Q_1=(1,0)$, that is $a=1$
+:::
+
+:::{claim} printed_condition_divides_the_curvature
+:title: With the ratio a the printed condition divides the curvature by the square of a
+:zh: 仅二阶导矢相等时曲率缩为 1/a^2
+:given: $P',P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
+:then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$
+:method: An identity with everything a variable.
+:control: divided by $a^2$
+:::
+
+:::{claim} open_joint_has_no_second_point
+:title: Without a common point the formula for Q2 misses the condition
+:zh: 不相接时公式不成立
+:kind: counterexample
+:given: points of a line: $P_1=P_2=P_3=0$, $Q_0=Q_1=1$, $Q_2=P_1+2(Q_1-P_2)=2$
+:then: $P_1-2P_2+P_3=0$ and $Q_0-2Q_1+Q_2=1$
+:method: Both sides.
+:control: $Q_0=0$
+:::
+*/
+#include "chapters/bezier/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+enum { dim = 2 };
+
+CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
+{
+    int n = T->degree;
+    num p[(MAX_DEGREE + 1) * dim], q[(MAX_DEGREE + 1) * dim], D[2 * dim], E[2 * dim];
+    num a = positive(T, "a", 0), whole_ratio = add(from_int(1), a);
+    G(free_points)(T, n, dim, p);
+    for (int i = 2; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            q[i * dim + c] = unknown(T, c == 0 ? "u" : "v", i);
+    for (int c = 0; c < dim; c++) {
+        q[c] = p[n * dim + c];
+        q[dim + c] = add(q[c], mul(a, sub(p[n * dim + c], p[(n - 1) * dim + c])));
+    }
+    G(bezier_derivatives)(n, dim, p, from_int(1), 1, D);
+    G(bezier_derivatives)(n, dim, q, from_int(0), 1, E);
+    for (int c = 0; c < dim; c++) {
+        num before = p[(n - 1) * dim + c], after = q[dim + c], other = unknown(T, "w", c);
+        about(T, "the derivatives at the joint");
+        same(T, E[dim + c], mul(a, D[dim + c]));
+        about(T, "the joint");
+        num joint = T->planted ? add(mul(a, after), before) : add(after, mul(a, before));
+        same(T, div(joint, whole_ratio), q[c]);
+        joint = div(add(other, mul(a, before)), whole_ratio);
+        about(T, "the edges of that joint");
+        same(T, sub(other, joint), mul(a, sub(joint, before)));
+    }
+}
+
+CLAIM(second_derivative_of_a_cubic)
+{
+    static const int M[2][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}}, slope[4] = {-6, 18, -18, 6},
+                     constant[4] = {6, -12, 6, 0};
+    num b[4 * dim], D[3 * dim], t = parameter(T, "t");
+    G(free_points)(T, 3, dim, b);
+    for (int place = 0; place < 3; place++) { /* at t, at 1 and at 0 */
+        num u = place == 0 ? t : from_int(place == 1);
+        G(bezier_derivatives)(3, dim, b, u, 2, D);
+        for (int c = 0; c < dim; c++) {
+            num product = from_int(0), sum = from_int(0);
+            for (int j = 0; j <= 3; j++) {
+                num first = mul(mul(from_int(6), u), from_int(M[0][j])), second = from_int(2 * M[1][j]);
+                product = add(product, mul(add(first, second), b[j * dim + c]));
+                int at_zero = T->planted && j == 1 ? 12 : constant[j];
+                sum = add(sum, mul(add(mul(from_int(slope[j]), u), from_int(at_zero)), b[j * dim + c]));
+            }
+            about(T, "the matrix");
+            same(T, product, D[2 * dim + c]);
+            about(T, "the sum");
+            same(T, sum, D[2 * dim + c]);
+        }
+    }
+    about(T, "the differences at the ends");
+    for (int end = 0; end < 2; end++) {
+        G(bezier_derivatives)(3, dim, b, from_int(end), 2, D);
+        for (int c = 0; c < dim; c++) {
+            const num *first = b + end * dim + c;
+            num outer = mul(from_int(6), add(first[0], first[2 * dim]));
+            same(T, sub(outer, mul(from_int(12), first[dim])), D[2 * dim + c]);
+        }
+    }
+}
+
+CLAIM(three_points_make_c2)
+{
+    num p[4 * dim], q[4 * dim], D[3 * dim], E[3 * dim], two = from_int(2), four = from_int(4);
+    G(free_points)(T, 3, dim, p);
+    for (int smooth = 1; smooth >= 0; smooth--) {
+        for (int c = 0; c < dim; c++) {
+            q[c] = p[3 * dim + c];
+            q[dim + c] = smooth ? sub(mul(two, q[c]), p[2 * dim + c]) : unknown(T, "q", 2 + c);
+            num step = mul(two, sub(q[dim + c], p[2 * dim + c]));
+            num second = T->planted ? sub(p[dim + c], step) : add(p[dim + c], step);
+            q[2 * dim + c] = smooth ? second : unknown(T, "q", 4 + c);
+            q[3 * dim + c] = unknown(T, "q", 6 + c);
+            about(T, "the second point");
+            if (smooth)
+                same(T, second, add(p[dim + c], mul(four, sub(p[3 * dim + c], p[2 * dim + c]))));
+        }
+        G(bezier_derivatives)(3, dim, p, from_int(1), 2, D);
+        G(bezier_derivatives)(3, dim, q, from_int(0), 2, E);
+        about(T, smooth ? "the derivatives at the joint" : "the gap of the second derivatives");
+        for (int c = 0; c < dim; c++) {
+            for (int k = 0; k <= 2 && smooth; k++)
+                same(T, E[k * dim + c], D[k * dim + c]);
+            num wanted = add(p[dim + c], mul(two, sub(q[dim + c], p[2 * dim + c])));
+            if (!smooth)
+                same(T, sub(E[2 * dim + c], D[2 * dim + c]), mul(from_int(6), sub(q[2 * dim + c], wanted)));
+        }
+    }
+}
+
+CLAIM(printed_condition_divides_the_curvature)
+{
+    num d1[dim], d2[dim], e1[dim], a = positive(T, "a", 0), square = mul(a, a);
+    for (int c = 0; c < dim; c++) {
+        d1[c] = unknown(T, "u", c);
+        d2[c] = unknown(T, "v", c);
+        e1[c] = mul(a, d1[c]);
+    }
+    same(T, G(cross2)(e1, d2), mul(a, G(cross2)(d1, d2)));
+    num factor = T->planted ? square : mul(square, square);
+    same(T, mul(factor, G(curvature_squared)(dim, e1, d2)), G(curvature_squared)(dim, d1, d2));
+}
+
+#if RATIONAL
+static void whole_points(int count, const int from[], num out[])
+{
+    for (int m = 0; m < count; m++)
+        out[m] = from_int(from[m]);
+}
+
+CLAIM(zero_edges_hide_a_corner)
+{
+    static const int before[8] = {-2, 0, -1, 0, 0, 0, 0, 0}, after[8] = {0, 0, 0, 0, 0, 1, 1, 2};
+    num p[8], q[8], D[6], E[6];
+    whole_points(8, before, p);
+    whole_points(8, after, q);
+    if (T->planted)
+        q[4] = from_int(1), q[5] = from_int(0);
+    bezier_derivatives_q(3, dim, p, from_int(1), 2, D);
+    bezier_derivatives_q(3, dim, q, from_int(0), 2, E);
+    about(T, "the first derivatives");
+    for (int c = 0; c < dim; c++) {
+        same(T, D[2 + c], from_int(0));
+        same(T, E[2 + c], from_int(0));
+    }
+    num arrives[2] = {neg(D[4]), neg(D[5])};
+    show_points(T, "the directions before and after the joint", 2, 2, (num[]){arrives[0], arrives[1], E[4], E[5]});
+    about(T, "the determinant of the directions");
+    vanishes(T, cross2_q(arrives, E + 4));
+}
+
+CLAIM(equal_second_derivatives_with_unequal_first)
+{
+    static const int before[8] = {-3, 3, -2, 1, -1, 0, 0, 0}, after[8] = {0, 0, 2, 0, 4, 1, 6, 3};
+    num p[8], q[8], D[6], E[6], two = from_int(2);
+    whole_points(8, before, p);
+    whole_points(8, after, q);
+    if (T->planted)
+        q[2] = from_int(1);
+    for (int c = 0; c < dim; c++)
+        q[4 + c] = add(p[2 + c], mul(two, sub(q[2 + c], p[4 + c])));
+    bezier_derivatives_q(3, dim, p, from_int(1), 2, D);
+    bezier_derivatives_q(3, dim, q, from_int(0), 2, E);
+    show_points(T, "P, P', P'' at the joint", 3, 2, D);
+    show_points(T, "Q, Q', Q'' at the joint", 3, 2, E);
+    show(T, "the square of the curvature before", curvature_squared_q(dim, D + 2, D + 4));
+    show(T, "the square of the curvature after", curvature_squared_q(dim, E + 2, E + 4));
+    about(T, "the second derivatives");
+    for (int c = 0; c < dim; c++)
+        same(T, E[4 + c], D[4 + c]);
+    about(T, "the first derivatives");
+    for (int c = 0; c < dim; c++)
+        same(T, E[2 + c], D[2 + c]);
+}
+
+CLAIM(open_joint_has_no_second_point)
+{
+    num P[3] = {from_int(0), from_int(0), from_int(0)}, two = from_int(2); /* P_1, P_2, P_3 */
+    num Q[2] = {from_int(!T->planted), from_int(1)};
+    num second = add(P[0], mul(two, sub(Q[1], P[1])));
+    same(T, add(sub(Q[0], mul(two, Q[1])), second), add(sub(P[0], mul(two, P[1])), P[2]));
+}
+#endif
+#include "chapters/frame/claims_off.h"

@@ -1,0 +1,189 @@
+/* Figures of the section on parameters and continuity. */
+#include "chapters/hermite-coons/drawing.h"
+
+/* The Bézier curve of integer points, divided by `below`. */
+static void put_bezier(svg *s, int n, const int from[], long below, enum svg_role role)
+{
+    num_q R[2 * MAX_DEGREE + 2];
+    for (int m = 0; m < 2 * (n + 1); m++)
+        R[m] = r(from[m], below);
+    svg_bezier(s, n, R, role);
+}
+
+FIGURE(graphs_and_axes)
+{
+    svg *s = svg_new("graphs_and_axes", "What no graph y = f(x) can be",
+                     "A parabola and its image turned by a right angle, with two points over one x; the unit circle "
+                     "with its upright tangent at (1, 0) and two points over x = 3/5; a cubic with a crossing.");
+    svg_panel(s, window(r(-9, 5), r(-7, 5), r(9, 5), r(9, 5)), 230, 0, "turned by a right angle");
+    svg_axes(s, q(1), q(1), "x", "y");
+    /* y = x^2 over [-6/5, 6/5] */
+    num_q R[6] = {r(-6, 5), r(36, 25), q(0), r(-36, 25), r(6, 5), r(36, 25)}, Q[6];
+    for (int i = 0; i < 3; i++)
+        Q[2 * i] = neg_q(R[2 * i + 1]), Q[2 * i + 1] = R[2 * i];
+    svg_bezier(s, 2, R, SVG_CURVE);
+    svg_bezier(s, 2, Q, SVG_CURVE_2);
+    svg_line(s, svg_at(-1, 0), svg_at(-1, 1), SVG_MUTED);
+    svg_mark(s, svg_at(-1, 1), SVG_CURVE_2, SVG_USUAL);
+    svg_mark(s, svg_at(-1, -1), SVG_CURVE_2, SVG_USUAL);
+    svg_panel(s, window(r(-7, 5), r(-7, 5), r(7, 5), r(9, 5)), 206, 0, "two $y$ for one $x$,\nan upright tangent");
+    svg_axes(s, q(1), q(1), "x", "y");
+    svg_circle(s, svg_at(0, 0), q(1), SVG_CURVE);
+    svg_line(s, at(r(3, 5), q(0)), at(r(3, 5), q(1)), SVG_MUTED);
+    svg_mark(s, at(r(3, 5), r(4, 5)), SVG_CURVE, SVG_USUAL);
+    svg_mark(s, at(r(3, 5), r(-4, 5)), SVG_CURVE, SVG_USUAL);
+    svg_arrow(s, svg_at(1, 0), svg_at(1, 1), SVG_RIGHT);
+    svg_label(s, svg_at(1, 1), SVG_NE, SVG_RIGHT, "P'");
+    svg_panel(s, window(r(-7, 5), r(-7, 5), r(7, 5), r(9, 5)), 206, 0, "$(t^2-1,t^3-t)$");
+    svg_axes(s, q(1), q(1), "x", "y");
+    static const int loop[8] = {10, -15, -14, 31, -14, -31, 10, 15}; /* over [-3/2, 3/2], in eighths */
+    put_bezier(s, 3, loop, 8, SVG_CURVE);
+    svg_mark(s, svg_at(0, 0), SVG_CURVE, SVG_USUAL);
+    return s;
+}
+
+/* The point (cos, sin, +-sin) of an ellipse, half of it by the parameter of the circle; drawn in a parallel projection. */
+struct ellipse {
+    int sign, half;
+};
+static svg_point seen(num_q x, num_q y, num_q z)
+{
+    return at(add_q(y, mul_q(r(-1, 2), x)), add_q(z, mul_q(r(-1, 8), x)));
+}
+static svg_point on_ellipse(num_q t, const void *data)
+{
+    const struct ellipse *e = data;
+    num_q tt = mul_q(t, t), below = add_q(q(1), tt);
+    num_q x = mul_q(q(e->half), div_q(sub_q(q(1), tt), below)), y = div_q(mul_q(q(2), t), below);
+    return seen(x, y, mul_q(q(e->sign), y));
+}
+/* A circle of the cylinder x^2 + y^2 = 1 (along_z) or x^2 + z^2 = 1 at the height `level`. */
+struct ring {
+    int along_z, half;
+    num_q level;
+};
+static svg_point on_ring(num_q t, const void *data)
+{
+    const struct ring *c = data;
+    num_q tt = mul_q(t, t), below = add_q(q(1), tt);
+    num_q x = mul_q(q(c->half), div_q(sub_q(q(1), tt), below)), y = div_q(mul_q(q(2), t), below);
+    return c->along_z ? seen(x, y, c->level) : seen(x, c->level, y);
+}
+
+FIGURE(two_cylinders)
+{
+    svg *s =
+        svg_new("two_cylinders", "Two cylinders and what they have in common",
+                "The cylinders over the projections of the ellipse z = y meet in two ellipses; the point (0, 1, -1) "
+                "is on both cylinders and not on the ellipse.");
+    svg_panel(s, window(r(-8, 5), r(-3, 2), r(8, 5), r(3, 2)), 360, 0, "$x^2+y^2=1$ and $x^2+z^2=1$");
+    for (int along_z = 0; along_z < 2; along_z++)
+        for (int half = -1; half <= 1; half += 2)
+            for (int level = -2; level <= 2; level++) {
+                struct ring c = {along_z, half, r(level, 2)}; /* heights from -1 to 1 */
+                svg_plot(s, on_ring, &c, q(-1), q(1), 8, SVG_FAMILY);
+            }
+    for (int half = -1; half <= 1; half += 2) {
+        struct ellipse curve = {1, half}, other = {-1, half};
+        svg_plot(s, on_ellipse, &curve, q(-1), q(1), 8, SVG_CURVE);
+        svg_plot(s, on_ellipse, &other, q(-1), q(1), 8, SVG_WRONG);
+    }
+    svg_point extra = seen(q(0), q(1), q(-1));
+    svg_mark(s, extra, SVG_WRONG, SVG_USUAL);
+    svg_label(s, extra, SVG_SE, SVG_WRONG, "(0,1,-1)");
+    svg_legend_line(s, SVG_CURVE, "the curve $z=y$");
+    svg_legend_line(s, SVG_WRONG, "also on both cylinders: $z=-y$");
+    svg_legend_line(s, SVG_FAMILY, "circles of the cylinders");
+    return s;
+}
+
+FIGURE(differentiable_without_continuity)
+{
+    svg *s = svg_new("differentiable_without_continuity", "A derivative at 0 that is no limit of derivatives",
+                     "The function made of Hermite cubics between 1, 1/2, 1/3, ... with slopes -1 and 1 in turn lies "
+                     "between two curves that touch the axis at 0; its slope there is 0, and does not tend to 0.");
+    svg_panel(s, window(q(0), r(-3, 20), r(21, 20), r(3, 20)), 560, 240, "$f(\\1/n)=0$, slopes $(-1)^n$");
+    svg_axes(s, r(1, 2), r(1, 10), "x", NULL);
+    for (int n = 1; n <= 40; n++) {
+        num_q slope = q(n % 2 == 0 ? 1 : -1), f[4] = {q(0), q(0), neg_q(slope), slope};
+        put_hermite_graph(s, r(1, n + 1), r(1, n), f, SVG_CURVE);
+    }
+    for (int n = 1; n <= 4; n++) {
+        num_q x = r(1, n), rise = mul_q(r(n % 2 == 0 ? 1 : -1, 1), r(1, 14)), run = r(1, 14);
+        svg_segment(s, at(sub_q(x, run), neg_q(rise)), at(add_q(x, run), rise), SVG_MUTED);
+    }
+    svg_mark(s, svg_at(0, 0), SVG_WRONG, SVG_USUAL);
+    svg_legend_line(s, SVG_CURVE, "$f$");
+    svg_legend_line(s, SVG_MUTED, "tangents of slope 1 and $-1$");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "$f'=0$ from the right and from the left");
+    return s;
+}
+
+FIGURE(upright_cube_root)
+{
+    svg *s = svg_new("upright_cube_root", "The graph of the cube root",
+                     "A smooth curve with an upright tangent at the origin, where the function has no derivative; "
+                     "chords from the origin become steeper without bound.");
+    svg_panel(s, window(r(-6, 5), r(-6, 5), r(6, 5), r(6, 5)), 320, 0, "$y=x^{\\1/3}$, the curve $(s^3,s)$");
+    svg_axes(s, q(1), q(1), "x", "y");
+    num_q R[8] = {q(-1), q(-1), q(1), r(-1, 3), q(-1), r(1, 3), q(1), q(1)};
+    svg_bezier(s, 3, R, SVG_CURVE);
+    for (int k = 1; k <= 3; k++) {
+        num_q y = r(1, k == 1 ? 1 : 2 * k - 2);
+        svg_segment(s, svg_at(0, 0), at(mul_q(y, mul_q(y, y)), y), SVG_MUTED);
+    }
+    svg_arrow(s, svg_at(0, 0), svg_at(0, 1), SVG_RIGHT);
+    svg_mark(s, svg_at(0, 0), SVG_WRONG, SVG_USUAL);
+    svg_legend_line(s, SVG_CURVE, "the graph");
+    svg_legend_line(s, SVG_MUTED, "chords, of slopes 1, 4, 16");
+    svg_legend_line(s, SVG_RIGHT, "$P'(0)=(0,1)$");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "no derivative");
+    return s;
+}
+
+FIGURE(proportional_derivatives)
+{
+    svg *s =
+        svg_new("proportional_derivatives", "Proportional derivatives, and continuous curvature",
+                "A parabola up to the origin with P' = (1, 0), P'' = (0, 1), and four second pieces: with Q'' = "
+                "3 P''; with Q' = 2 P', Q'' = 2 P''; with Q'' = - P''; and the same parabola in another parameter, "
+                "whose second derivative (1, 1) is not proportional.");
+    static const char *const captions[4] = {"$Q\\'=P\\'$, $Q\\'\\'=3P\\'\\'$:\ncurvatures 1 and 3",
+                                            "$Q\\'=2P\\'$, $Q\\'\\'=2P\\'\\'$:\ncurvatures 1 and 1/2",
+                                            "$Q\\'=P\\'$, $Q\\'\\'=-P\\'\\'$:\ncurvatures 1 and $-1$",
+                                            "$Q\\'=P\\'$, $Q\\'\\'=P\\'\\'+P\\'$:\none parabola"};
+    /* Bézier points of Q = Q' u + Q'' u^2/2, in halves */
+    static const int second[3][6] = {{0, 0, 1, 0, 2, 3}, {0, 0, 2, 0, 4, 2}, {0, 0, 1, 0, 2, -1}};
+    static const int first[6] = {-2, 1, -1, 0, 0, 0};
+    for (int k = 0; k < 4; k++) {
+        svg_panel(s, window(r(-6, 5), r(-11, 10), r(8, 5), r(11, 5)), 172, 0, captions[k]);
+        svg_circle(s, svg_at(0, 1), q(1), SVG_MUTED);
+        if (k < 3)
+            svg_circle(s,
+                       at(q(0), k == 0   ? r(1, 3)
+                                : k == 1 ? q(2)
+                                         : q(-1)),
+                       k == 0 ? r(1, 3) : q(k == 1 ? 2 : 1), SVG_FAMILY);
+        put_bezier(s, 2, first, 2, SVG_CURVE);
+        if (k == 3) {
+            /* u + u^2/2 is of degree 2, so Q is of degree 4: Q = (phi, phi^2/2) */
+            num_q power[5] = {q(0), q(1), r(1, 2), q(0), q(0)}, square[5] = {q(0), q(0), r(1, 2), r(1, 2), r(1, 8)},
+                  R[10];
+            power_to_bernstein_q(4, power, power);
+            power_to_bernstein_q(4, square, square);
+            for (int i = 0; i <= 4; i++)
+                R[2 * i] = power[i], R[2 * i + 1] = square[i];
+            svg_bezier(s, 4, R, SVG_RIGHT);
+        } else {
+            put_bezier(s, 2, second[k], 2, SVG_WRONG);
+        }
+        svg_mark(s, svg_at(0, 0), SVG_POINT, SVG_USUAL);
+        svg_frame(s);
+    }
+    svg_legend_line(s, SVG_CURVE, "first piece");
+    svg_legend_line(s, SVG_WRONG, "proportional, not $G^2$");
+    svg_legend_line(s, SVG_RIGHT, "$G^2$, not proportional");
+    svg_legend_line(s, SVG_MUTED, "circle of curvature before the joint");
+    svg_legend_line(s, SVG_FAMILY, "and after it");
+    return s;
+}
