@@ -175,7 +175,7 @@ class Copy:
         """Whether these claims, or all, are as expected with this fault; 0 is none.  A crash is no success."""
         try:
             r = subprocess.run(["build/cagd", "verify", "--jobs", self.jobs, *patterns], cwd=self.root,
-                               capture_output=True, timeout=300, env={**os.environ, "CAGD_FAULT": str(number)})
+                               capture_output=True, timeout=300 if number else 3000, env={**os.environ, "CAGD_FAULT": str(number)})
         except subprocess.TimeoutExpired:
             return False
         if r.returncode == 2:
