@@ -122,7 +122,8 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
   variables for $k\le4$ and numbers above; weights, any $t$ and $\tau$, every $r=1,\dots,k-1$ and $i=j-k+r+1,\dots,j$
 :then: the printed equation
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: $t$ in the place of $\tau$ in the first term
 :::
 
@@ -132,7 +133,8 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :given: $k=p+1$; knots of these three shapes; weights, any $t$ and $\tau$, every $r=1,\dots,k-2$
 :then: each of the four expressions is equal to the first; 0/0 counts as 0
 :method: Every expression by its letter, term by term.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 
@@ -142,7 +144,8 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$, every $r=1,\dots,k-1$
 :then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the divisor $k-r+1$
 :::
 
@@ -154,7 +157,8 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
 :method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
   right side by the levels of de Boor's triangle and the derivatives of a segment.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor $\frac{r}{k-r+1}$
 :::
 
@@ -719,7 +723,8 @@ here the proof loses the curves of space.
 :then: $(w_i^{[r-1]}r_i^{[r-1]},a,b)=(1-\alpha)(w_{i-1}^{[r-2]}r_{i-1}^{[r-2]},a,b)+\alpha(w_i^{[r-2]}r_i^{[r-2]},a,b)$,
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$
 :method: The points by (4.1.4), which divides by weights.
-:degrees: 2..3 sampled 6
+:degrees: 2..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $1-\alpha$ and $\alpha$ exchanged
 :::
 */

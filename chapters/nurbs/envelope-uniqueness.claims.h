@@ -142,7 +142,8 @@ CLAIM(touching_curve_satisfies_the_condition)
   variables for $k\le4$ and numbers above; points, any $t$
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the divisors doubled
 :::
 
@@ -152,7 +153,8 @@ CLAIM(touching_curve_satisfies_the_condition)
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
 :then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
@@ -545,7 +547,8 @@ the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its
 :method: From the points to the Bézier points of the segment by one kernel, back by another.  If $L(p(t),w(t))=0$ for
   all $t$ with a linear $L$, then the polar form of this polynomial is 0, hence $L(w_ir_i,w_i)=0$ for every point.  So
   a segment in a plane, on a line or in a plane through the origin has its points there.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the knots from $t_i$ on
 :::
 

@@ -271,7 +271,7 @@ constant 1.
   pattern of the knots up to the order 3
 :then: $\sum W_i^0N_{i,k}(t)=\sum W_i^1N_{i,k-1}(t)$ with the printed $W_i^1$ and the printed limits
 :method: All functions by their definition.
-:degrees: 1..4 sampled 7
+:degrees: 1..5 sampled 7
 :control: the two fractions in $W_i^1$ exchanged
 :::
 
@@ -292,7 +292,7 @@ constant 1.
 :given: orders $k=p+1$, simple knots, $x$ and $t$ variables
 :then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
 :method: Each sum by itself, from the definitions.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: the sums begin at $i=r-m+2$
 :::
 */
@@ -440,7 +440,7 @@ For $j=0$ the sum has one term, the empty product 1.
 :given: orders $k=p+1$, every pattern of the knots up to the order 3, else simple knots; knots and $t$ variables
 :then: (4.4.22) for every $j$
 :method: The symmetric functions as sums over subsets, the B-splines by definition.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: the knots $t_i,\dots,t_{i+k-2}$
 :::
 
@@ -500,12 +500,13 @@ CLAIM(powers_of_t_from_symmetric_functions)
     int last = G(patterns)(k) - 1;
     for (int m = k <= 3 ? 0 : last; m <= last; m++) {
         struct G(span) S = G(span_of_pattern)(k, m, knots);
+        num N[LARGEST_ORDER];
+        for (int i = 0; i < k; i++)
+            N[i] = G(basis_value)(&S, i, k, t);
         for (int j = 0; j < k; j++) {
             num sum = from_int(0);
-            for (int i = 0; i < k; i++) {
-                num Sym = G(symmetric_sum)(k - 1, S.t + i + !T->planted, j);
-                sum = add(sum, mul(Sym, G(basis_value)(&S, i, k, t)));
-            }
+            for (int i = 0; i < k; i++)
+                sum = add(sum, mul(G(symmetric_sum)(k - 1, S.t + i + !T->planted, j), N[i]));
             same(T, G(power)(t, j), div(sum, G(choose)(k - 1, j)));
         }
     }

@@ -47,7 +47,8 @@ Better with $j$ in the place of $i$, as $i$ has been running up to here.
 :then: `nurbs_deboor_level`, level after level, gives $w_i^{[r]}$ and $r_i^{[r]}$; the last point and weight of the level before
   stay where they were
 :method: The kernel against the two recursions by their letter, in the indices of the source.
-:degrees: 1..3 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :defines: nurbs_deboor_level
 :control: the last level is given the weights 1
 :::
@@ -119,7 +120,8 @@ CLAIM(rational_triangle_follows_the_recursion)
 :then: $r_j^{[k-1]}(t)=r(t)$ and $w_j^{[k-1]}(t)=w(t)$, by the recursion and by the kernel
 :method: The recursions by their letter, and the kernel, against the sums of all terms of (4.1.2).  Both sides are rational functions
   of $t$: at the right end of a closed interval the recursion gives the limit from the left.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :defines: nurbs_deboor
 :control: the point $r_{j-1}^{[k-2]}(t)$
 :::
@@ -328,7 +330,8 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :let: $\lambda=(t-t_i)w_i^{[r-1]}/[(t-t_i)w_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}]$
 :then: $r_i^{[r]}=(1-\lambda)\,r_{i-1}^{[r-1]}+\lambda\,r_i^{[r-1]}$ with $0\le\lambda\le1$, on every level
 :method: The kernel's levels; signs are read off coefficients in $s$, the gaps and the weights.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $\lambda$ and $1-\lambda$ exchanged
 :::
 
@@ -339,7 +342,8 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :then: $w_i^{[r]}(t)>0$ for all $r$ and $i$ of the ranges
 :method: The recursion by its letter; signs are read off coefficients.  Where knots coincide, and at $t=t_j$: the divisors are positive
   (`divisors_contain_the_span`), so that a weight is a mean, with factors of $[0,1]$, of two of the level before.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: all weights negative
 :::
 

@@ -42,7 +42,7 @@ $t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
-:degrees: 1..3 sampled 5
+:degrees: 1..4 sampled 5
 :control: the first point of the span left out
 :::
 */
@@ -84,7 +84,8 @@ CLAIM(segment_needs_the_points_of_its_span)
 :method: The left side runs the recursion (4.1.3), (4.1.4), which divides by weights, and sums with the B-splines of
   order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate,
   so one suffices.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: one argument $\tau$ of the polar form replaced by $t$
 :::
 */
@@ -122,7 +123,8 @@ CLAIM(member_of_span_is_polar)
   $x=0$, $y=0$, they are positive too: $a\in[0,1]$ in every step of (4.1.3), and a mean of positive numbers is
   positive.
 :types: field rational
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the weights negative
 :::
 */
@@ -252,7 +254,8 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
 :then: $r^{[k]}(t,\tau)=r(t)$ and $r^{[1]}(t,\tau)=r(\tau)$
 :method: The recursion for the members, the kernel of the point for the curve.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: level $k-2$ in the place of level $k-1$
 :::
 
@@ -263,7 +266,8 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
 :then: both sums of level $r$ over $N_{i,k-r}(t)$ are those of level $r-1$ over $N_{i,k-r+1}(t)$ and those of level 0,
   $w(t)$ and $p(t)$
 :method: The levels by (4.1.3), (4.1.4), the sums as printed.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the recursion of the level at $\tau=t+1$
 :::
 
@@ -273,7 +277,8 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
 :then: the displays (4.3.6) and (4.3.7), each equality
 :method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor $\frac{k-r}{k-r+1}$ for one level
 :::
 
@@ -285,7 +290,8 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
   $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
 :method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
   number, so the ends of the span are covered, with the derivatives of its polynomials.
-:degrees: 2..4 sampled 6
+:degrees: 2..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor left out
 :::
 */
@@ -365,15 +371,38 @@ CLAIM(levels_shrink_the_derivative)
     }
 }
 
+/* p+1 points of one coordinate and weights, everything free.  In the field the variables are the coefficients of
+ * numerator and denominator in powers about t, and the points are polar values of the segment that they give: every
+ * segment is of this kind, and its value and derivative at t are short. */
+static void G(curve_about)(trial *T, int p, num t, const num u[], num R[], num w[])
+{
+#if FIELD
+    num a[MAX_DEGREE + 1], b[MAX_DEGREE + 1], x[MAX_DEGREE + 1];
+    for (int m = 0; m <= p; m++) {
+        a[m] = unknown(T, "a", m);
+        b[m] = unknown(T, "w", m);
+    }
+    for (int i = 0; i <= p; i++) {
+        for (int m = 0; m < p; m++)
+            x[m] = sub(u[i + 1 + m], t);
+        w[i] = G(polar_of_powers)(p, b, x);
+        R[i] = div(G(polar_of_powers)(p, a, x), w[i]);
+    }
+#else
+    (void)t, (void)u;
+    G(free_curve)(T, p, 1, R, w);
+#endif
+}
+
 CLAIM(member_of_span_touches_curve)
 {
     int p = T->degree, k = p + 1, mu = p;
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t");
     int place[MOST_KNOTS];
-    G(free_curve)(T, p, 1, R, w);
     for (int shape = 0; shape < SHAPES; shape++) {
         num D[2], S[2], S1[2];
         G(knots_of_span)(T, p, shape, u, place);
+        G(curve_about)(T, p, t, u, R, w);
         G(curve_derivatives)(p, 1, u, mu, R, w, t, 1, D);
         G(sums)(p, 1, u, mu, R, w, t, S);
         G(derivative_sums)(p, 1, u, mu, R, w, t, S1);
@@ -401,7 +430,8 @@ CLAIM(member_of_span_touches_curve)
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
 :method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
   coordinates, is in $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
-:degrees: 2..3 sampled 6
+:degrees: 2..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factors of the two derivatives exchanged and increased by 1
 :::
 */
@@ -410,10 +440,10 @@ CLAIM(envelope_condition_holds_on_the_diagonal)
     int p = T->degree, k = p + 1, mu = p, more = T->planted;
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t");
     int place[MOST_KNOTS];
-    G(free_curve)(T, p, 1, R, w);
     for (int shape = 0; shape < SHAPES; shape++) {
         num D[2];
         G(knots_of_span)(T, p, shape, u, place);
+        G(curve_about)(T, p, t, u, R, w);
         G(curve_derivatives)(p, 1, u, mu, R, w, t, 1, D);
         for (int r = 1; r <= k - 2; r++) {
             num E[3];
@@ -746,7 +776,8 @@ The lines are segments, the legs that de Boor's algorithm draws last.
 :given: $k=p+1$; knots of these three shapes; one weight $w_1$ for all points; any $\tau$, $r=1,\dots,k-1$
 :then: $w_i^{[r]}(\tau)=w_1$, and $r_i^{[r]}(\tau)$ is the point of level $r$ of de Boor's triangle without weights
 :method: The rational recursion against the kernel of de Boor's levels, one coordinate.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the first weight different
 :::
 
@@ -759,7 +790,8 @@ The lines are segments, the legs that de Boor's algorithm draws last.
   $N_{i,k-r}(t)=B_{i-j+k-r-1}^{k-r-1}\bigl(\frac{t-t_j}{t_{j+1}-t_j}\bigr)$
 :method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know
   nothing of knots.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: $1-\lambda$ in the place of $\lambda$
 :::
 
@@ -769,7 +801,8 @@ The lines are segments, the legs that de Boor's algorithm draws last.
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$; $r=k-2$
 :then: (4.3.3) is (4.3.8)
 :method: Both quotients by their letter, one coordinate.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: $t-t_j$ and $t_{j+1}-t$ exchanged
 :::
 */
@@ -857,7 +890,8 @@ curve.
 :then: with $n=k-1$, $m=n-r$: $\frac{n!}{(n-i)!}\,\partial_t^iP^{[r]}(t,t)=\frac{m!}{(m-i)!}\,P^{(i)}(t)$ for the
   coordinate and for the weight
 :method: The levels of de Boor's triangle in homogeneous coordinates, and the kernel of the derivatives of a segment.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factors left out
 :::
 

@@ -81,7 +81,7 @@ CLAIM(nurbs_point_is_the_quotient)
 :then: after the levels $1,\dots,r$ at $\tau$, $\sum_iw_i^rN_{i,p-r}(t)$ and $\sum_iw_i^rR_i^rN_{i,p-r}(t)$ are the polar forms of $w$ and of $wR$
   with $r$ arguments $\tau$ and $p-r$ arguments $t$; the last point and weight of each level are left as they were
 :method: The sums, with the B-splines from the recursion by its letter, against the polar forms in elementary symmetric polynomials.
-:degrees: 1..3 sampled 8
+:degrees: 1..4 sampled 8
 :defines: nurbs_deboor_level
 :control: the parameter of the last level is $t$
 :::
