@@ -77,6 +77,7 @@ With positive weights all new weights lie between the least and the greatest of 
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: still true, the new $N_{j,k}$ between its
   copies being zero; such $r_j$ do not count and are points of the curve
+:figure: insertions_commute
 :::
 
 :::{claim} discrete_bsplines_refine_the_basis

@@ -37,19 +37,16 @@ static inline void G(knots_of_span)(trial *T, int p, int shape, num u[], int pla
 #endif
 }
 
-/* The same with u_0 = 0 and the positive gaps as data, for questions of sign. */
+/* The same with u_0 = 0 and the positive gaps as data, for questions of sign; in the field they are 1, 2, 3, ... for
+ * p > 3. */
 static inline void G(gaps_of_span)(trial *T, int p, int shape, num u[])
 {
     int place[MOST_KNOTS];
     G(knots_of_span)(T, p, shape, u, place);
-#if FIELD
-    if (p > 4) /* numbers already */
-        return;
-#endif
     num value = from_int(0);
     for (int i = 0; i < 2 * p + 2; i++) {
         if (i > 0 && place[i] > place[i - 1])
-            value = add(value, positive(T, "g", place[i]));
+            value = add(value, FIELD && p > 3 ? from_int(place[i]) : positive(T, "g", place[i]));
         u[i] = value;
     }
 }

@@ -14,6 +14,7 @@ ratio of the weights at its ends.
 :printed: w_i^{[0]}=w_i,\quad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
   w_{i-1}^{[r-1]}(t),\quad r=1,\dots,k-1,\ i=j-k+r+1,\dots,j
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
+:figure: deboor_triangle
 
 The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t)=w(t)$.
 :::
@@ -27,6 +28,7 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | positive weights: otherwise a weight of a level may vanish and stop the algorithm, where the
   curve has a point
+:figure: deboor_triangle
 :::
 
 :::{statement} wang-ch4:formula-4.1.5

@@ -35,6 +35,7 @@ open is in the entries after that: whether there is an interval, what happens at
 :refuted-by: polygon_begun_elsewhere_misses_the_start
 :corrected: $\tilde r_1\tilde r_2\cdots\tilde r_n$
 :corrected-by: clamped_end_is_the_first_point
+:figure: polygon_begun_elsewhere
 :::
 
 :::{statement} wang-ch4:def-4.1.1-interval
@@ -398,6 +399,7 @@ CLAIM(control_point_of_space_is_not_enough)
 :definition: yes
 :printed: \tilde r(t)=(X(t),Y(t),Z(t),w(t))=\sum_{i=1}^nN_{i,k}(t)\tilde r_i,\quad t_k\le t\le t_{n+1},\ n\ge k
 :checked-by: nurbs_point_is_the_weighted_mean
+:figure: nurbs_definition
 
 This is a polynomial spline in four-dimensional space; the rational curve is its central projection.
 :::

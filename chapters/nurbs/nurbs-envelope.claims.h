@@ -17,6 +17,7 @@ families are.
 :printed: \mathbf p(t)=\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\mathbf r_i,\qquad w(t)=\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i
 :definition: yes
 :checked-by: segment_needs_the_points_of_its_span
+:figure: nurbs_envelope_families
 
 On $[t_j,t_{j+1})$ these are the numerator and the denominator of (4.1.2): the other terms are 0.
 :::
@@ -79,7 +80,7 @@ CLAIM(segment_needs_the_points_of_its_span)
 :title: The member is the polar form with r arguments τ and k-1-r arguments t
 :zh: 族曲线即极形式
 :given: $k=p+1$; a span of simple knots, one with a double knot, and one whose ends are $(k-1)$-fold, the distinct
-  knots variables for $k\le4$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
+  knots variables for $k\le5$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
 :then: $\sum N_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$
 :method: The left side runs the recursion (4.1.3), (4.1.4), which divides by weights, and sums with the B-splines of
   order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate,
@@ -124,7 +125,7 @@ CLAIM(member_of_span_is_polar)
   positive.
 :types: field rational
 :degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
+:scope: the knots variables for $p\le3$, numbers above
 :control: the weights negative
 :::
 */
@@ -166,6 +167,7 @@ CLAIM(extrapolated_members_keep_positive_weights_inside)
 :zh: r 与 k 的取值范围
 :printed: the families are considered for $k\ge3$ and $r=1,2,\dots,k-2$
 :holds-by: member_of_extreme_levels
+:figure: nurbs_envelope_families
 
 The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=k-1$ a point of
 it.
@@ -176,6 +178,7 @@ it.
 :zh: t=τ 时各层分母相等
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t)
 :holds-by: levels_keep_weight_and_point
+:figure: nurbs_envelope_growing
 :::
 
 :::{statement} wang-ch4:formula-4.3.5
@@ -184,6 +187,7 @@ it.
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,
   w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t)
 :holds-by: levels_keep_weight_and_point
+:figure: nurbs_envelope_growing
 :::
 
 :::{statement} wang-ch4:formula-4.3.6
@@ -192,6 +196,7 @@ it.
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)=\frac{k-r-1}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,
   w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t)
 :holds-by: levels_shrink_the_derivative
+:figure: nurbs_envelope_contact
 
 The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ telescope.
 :::
@@ -202,6 +207,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\frac{k-r-1}{k-r}
   \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t)
 :holds-by: levels_shrink_the_derivative
+:figure: nurbs_envelope_contact
 :::
 
 :::{statement} wang-ch4:thm-4.3.1-point
@@ -209,6 +215,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :zh: τ=t 时族曲线上的点即曲线上的点
 :printed: \mathbf r^{[k-r]}(t,\tau)|_{\tau=t}=\mathbf p(t)/w(t)=\mathbf r(t),\quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
+:figure: nurbs_envelope_growing
 :::
 
 :::{statement} wang-ch4:thm-4.3.1-derivative
@@ -227,6 +234,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :holds-by: member_of_span_touches_curve
 :needs: corner_has_two_tangents | the limit is from the right; from the left the curve has, at a $(k-1)$-fold knot,
   another direction than the member of the span on the right
+:figure: knot_sides
 
 The knot is $t_j$, the left end of the span that the proof is about; the letter $i$ counts the terms of its sums.
 :::
@@ -735,6 +743,7 @@ CLAIM(high_knot_leaves_a_point_undefined)
 :zh: 权相等时即 B 样条曲线的包络定理
 :printed: when the $w_i$ are constant, theorem 2.2.2 results
 :holds-by: equal_weights_give_the_polynomial_family
+:figure: nurbs_envelope_contact
 
 Theorem 2.2.2 is not among the sources at hand; it is taken to be the same theorem for B-spline curves and their
 recursion.
@@ -745,6 +754,7 @@ recursion.
 :zh: 两端均为 k-1 重节点时即有理 Bézier 曲线的包络定理
 :printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
 :holds-by: bezier_span_gives_the_bezier_family
+:figure: bezier_knots
 
 What results is the envelope; that the contact is of order $n-r$, which theorem 3.3.2 adds, is false there as it would
 be here.
@@ -757,6 +767,7 @@ be here.
   r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
   r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
 :holds-by: lines_of_the_family_by_two_points
+:figure: nurbs_envelope_families
 :::
 
 :::{statement} wang-ch4:cor-4.3.1-lines
