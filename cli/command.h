@@ -101,6 +101,10 @@ num_q exact_number(struct argp_state *state, const char *option, const char *tex
 
 json_t *claim_json(const claim_result *r);
 json_t *statement_json(const statement_result *r, const claim_result *results, int count);
+/* All forms of the ledger as files in the folder, from a run over all claims: ledger.txt the rows, summary.txt the counts,
+ * striking.txt the three most striking counterexamples, ledger.json.  How many statements are not as expected, or -1 and
+ * a line on stderr when a file cannot be written. */
+int write_report(const char *folder, const claim_result *results, int claims);
 int write_junit(const char *path, const claim_result *results, int count);
 void print_json(json_t *document);         /* prints and releases; reals are times, of 6 digits           */
 void print_json_exactly(json_t *document); /* the same; reals are results, of 17 digits                  */

@@ -5,8 +5,8 @@ _cagd() {
         COMPREPLY=($(compgen -W "verify list show ledger figures curve --help --version" -- "$word"))
     elif [[ $word == -* ]]; then
         case $command in
-        verify) COMPREPLY=($(compgen -W "--json --tap --junit --jobs --deep --shard --help" -- "$word")) ;;
-        ledger) COMPREPLY=($(compgen -W "--json --summary --striking --report --jobs --help" -- "$word")) ;;
+        verify) COMPREPLY=($(compgen -W "--json --tap --junit --certificates --report --jobs --deep --shard --help" -- "$word")) ;;
+        ledger) COMPREPLY=($(compgen -W "--json --summary --striking --jobs --help" -- "$word")) ;;
         show) COMPREPLY=($(compgen -W "--json --jobs --help" -- "$word")) ;;
         figures) COMPREPLY=($(compgen -W "--out --list --help" -- "$word")) ;;
         curve)

@@ -7,7 +7,6 @@
 struct arguments {
     struct patterns patterns;
     int json, summary, striking, jobs;
-    const char *report;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -19,9 +18,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case 's':
         a->summary = 1;
-        break;
-    case 'r':
-        a->report = arg;
         break;
     case 'k':
         a->striking = whole_number(state, "--striking", arg, 1, 100);
@@ -88,6 +84,17 @@ static void print_striking(FILE *out, const statement_result *list, int count, i
             }
 }
 
+/* The verdicts of the statements; the caller frees. */
+static statement_result *derive_all(const statement *const list[], int count, const claim_result *results, int claims)
+{
+    statement_result *derived = calloc((size_t)count + 1, sizeof *derived);
+    if (derived == NULL)
+        abort();
+    for (int k = 0; k < count; k++)
+        derived[k] = derive(list[k], results, claims);
+    return derived;
+}
+
 static json_t *ledger_json(const statement_result *list, int statements, const claim_result *results, int claims)
 {
     json_t *rows = json_array();
@@ -96,19 +103,21 @@ static json_t *ledger_json(const statement_result *list, int statements, const c
     return json_pack("{s:s, s:o}", "schema", "cagd-ledger-1", "statements", rows);
 }
 
-/* All forms of the ledger as files: the rows, the counts, the striking three, and JSON. */
-static int write_report(const char *folder, const statement_result *list, int statements, const claim_result *results,
-                        int claims)
+int write_report(const char *folder, const claim_result *results, int claims)
 {
     static const char *const names[] = {"ledger.txt", "summary.txt", "striking.txt", "ledger.json"};
-    if (make_folder(folder) != 0)
-        return -1;
-    for (int k = 0; k < 4; k++) {
+    const struct patterns everything = {0};
+    int statements, bad = make_folder(folder) != 0;
+    const statement **all = matching_statements(&everything, &statements);
+    statement_result *list = derive_all(all, statements, results, claims);
+    for (int k = 0; k < 4 && !bad; k++) {
         char path[4096];
         snprintf(path, sizeof path, "%s/%s", folder, names[k]);
         struct output *o = output_open(path);
-        if (o == NULL)
-            return -1;
+        if (o == NULL) {
+            bad = 1;
+            break;
+        }
         FILE *out = output_stream(o);
         json_t *document = k == 3 ? ledger_json(list, statements, results, claims) : NULL;
         if (k == 0)
@@ -120,10 +129,14 @@ static int write_report(const char *folder, const statement_result *list, int st
         else
             json_dumpf(document, out, JSON_INDENT(2));
         json_decref(document);
-        if (output_close(o) != 0)
-            return -1;
+        bad = output_close(o) != 0;
     }
-    return 0;
+    int wrong = 0;
+    for (int k = 0; k < statements; k++)
+        wrong += !list[k].as_expected;
+    free(list);
+    free(all);
+    return bad ? -1 : wrong;
 }
 
 int run_ledger(int argc, char **argv)
@@ -131,7 +144,6 @@ int run_ledger(int argc, char **argv)
     static const struct argp_option options[] = {
         {"json", 'J', 0, 0, "Print the ledger as JSON", 0},
         {"summary", 's', 0, 0, "Only the counts by source and verdict", 0},
-        {"report", 'r', "DIR", 0, "Write all forms of the ledger to files in DIR", 0},
         {"striking", 'k', "N", 0, "Only the N most striking false statements, one a line", 0},
         {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
         {0}};
@@ -143,7 +155,7 @@ int run_ledger(int argc, char **argv)
         "  cagd ledger --summary\n"
         "  cagd ledger 'wang-ch3:*'\n"
         "  cagd ledger --json\n"
-        "  cagd ledger --report build/report\n",
+        "\vAll forms of the ledger at once, from a run that decides everything: cagd verify --report DIR.",
         NULL,
         NULL,
         NULL};
@@ -155,18 +167,11 @@ int run_ledger(int argc, char **argv)
     const statement **list = matching_statements(&a.patterns, &statements);
     const claim **needed = claims_of(list, statements, &claims);
     claim_result *results = judge_with_progress(needed, claims, a.jobs, 0);
-    statement_result *derived = calloc((size_t)statements, sizeof *derived);
-    if (derived == NULL)
-        abort();
-    for (int k = 0; k < statements; k++) {
-        derived[k] = derive(list[k], results, claims);
+    statement_result *derived = derive_all(list, statements, results, claims);
+    for (int k = 0; k < statements; k++)
         wrong += !derived[k].as_expected;
-    }
     int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
-    if (a.report != NULL) {
-        if (write_report(a.report, derived, statements, results, claims) != 0)
-            code = EXIT_INTERNAL;
-    } else if (a.json) {
+    if (a.json) {
         print_json(ledger_json(derived, statements, results, claims));
     } else if (a.striking > 0) {
         print_striking(stdout, derived, statements, a.striking);

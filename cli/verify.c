@@ -9,7 +9,7 @@
 struct arguments {
     struct patterns patterns;
     int json, tap, deep, jobs, shard, shards;
-    const char *junit, *certificates;
+    const char *junit, *certificates, *report;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -31,6 +31,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'C':
         a->certificates = arg;
         break;
+    case 'R':
+        a->report = arg;
+        break;
     case 'j':
         a->jobs = whole_number(state, "--jobs", arg, 1, 64);
         break;
@@ -45,6 +48,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     }
     case ARGP_KEY_ARGS:
         a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
+        break;
+    case ARGP_KEY_END:
+        if (a->report != NULL && (a->patterns.count > 0 || a->shards > 1))
+            argp_error(state, "--report is about every statement: it takes no PATTERN and no --shard");
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -169,6 +176,7 @@ int run_verify(int argc, char **argv)
         {"tap", 'T', 0, 0, "Print the results in the Test Anything Protocol", 0},
         {"junit", 'U', "FILE", 0, "Also write the results to FILE as JUnit XML", 0},
         {"certificates", 'C', "DIR", 0, "Also write the evidence to DIR, for proofs-tests/recheck.py", 0},
+        {"report", 'R', "DIR", 0, "Also write the ledger to DIR: every statement of the sources, as text and as JSON", 0},
         {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
         {"deep", 'D', 0, 0, "Many more random instances", 0},
         {"shard", 'S', "K/N", 0, "Only the K-th of N parts of the claims", 0},
@@ -220,6 +228,9 @@ int run_verify(int argc, char **argv)
         code = EXIT_INTERNAL;
     if (a.certificates != NULL && write_certificates(a.certificates, results, count) != 0)
         code = EXIT_INTERNAL;
+    int statements = a.report != NULL ? write_report(a.report, results, count) : 0;
+    if (statements != 0 && code != EXIT_INTERNAL)
+        code = statements < 0 ? EXIT_INTERNAL : EXIT_NOT_AS_EXPECTED;
     exact_thread_end();
     free_results(results, count);
     free(list);

@@ -1,12 +1,13 @@
 """Planted faults: changes one operator, index, sign or constant of a kernel at a time; `cagd verify` must notice.
 
-    faults.py [--sample N] [--seed S] [--file NAME] [--shard K/N] [--list] [--jobs N]
+    faults.py [--sample N] [--seed S] [--file NAME] [--chapters LIST] [--types LIST] [--shard K/N] [--list] [--jobs N]
 
 Each fault is one replacement at one place of core/*.tmpl.h.  In a copy of the tree every place gets a switch that
 chooses, when the program runs, between what stands there and the fault; the switch of one fault is on when the
 environment names its number.  So one build holds as many faults as do not overlap.  A fault is judged first by the
 claims that define its kernel, then, if these all hold, by all claims.  A fault that survives is a claim that
-nobody has written, and the exit status is 1.  equivalent.txt lists the replacements that change nothing, each with the
+nobody has written, and the exit status is 1.  With --chapters only these chapters are built, for faults in the kernels that
+they define; with --types only these number types.  equivalent.txt lists the replacements that change nothing, each with the
 reason.
 """
 import argparse
@@ -114,10 +115,12 @@ def equivalents():
     return found
 
 
-def definitional_claims():
-    """For each kernel the claims that define it."""
+def definitional_claims(chapters):
+    """For each kernel the claims of these chapters that define it; of all when there are none."""
     found = {}
     for path in (ROOT / "chapters").glob("*/*.claims.h"):
+        if chapters and path.parent.name not in chapters:
+            continue
         for claim, block in re.findall(r"^:::\{claim\} (\w+)\n(.*?)^:::$", path.read_text(), re.M | re.S):
             for names in re.findall(r"^:defines:(.*?)(?=^:|\Z)", block, re.M | re.S):
                 for kernel in names.split():
@@ -141,13 +144,13 @@ def batches(chosen):
 class Copy:
     """A copy of the tree, built with the switches of one list of faults at a time."""
 
-    def __init__(self, folder, jobs):
+    def __init__(self, folder, jobs, chapters, types):
         self.root, self.jobs = pathlib.Path(folder) / "tree", str(jobs)
         shutil.copytree(ROOT, self.root, ignore=shutil.ignore_patterns("build", "build-*", ".git"))
         self.original = {path.name: path.read_text() for path in (self.root / "core").glob("*.tmpl.h")}
         self.must("cmake", "-G", "Ninja", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Release",
-                  "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DBUILD_TESTING=OFF",
-                  "-DCAGD_TYPES=FIELD;RATIONAL;INTERVAL;DOUBLE")
+                  "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DBUILD_TESTING=OFF", "-DCAGD_TYPES=" + ";".join(types),
+                  *(["-DCAGD_CHAPTERS=" + ";".join(chapters)] if chapters else []))
 
     def must(self, *command):
         subprocess.run(command, cwd=self.root, check=True, stdout=subprocess.DEVNULL)
@@ -185,13 +188,17 @@ def main():
     parser.add_argument("--sample", type=int, help="only N faults, chosen at random")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--file", action="append", help="only faults of this template; repeatable")
+    parser.add_argument("--chapters", type=lambda text: text.split(","), default=[], help="such as bezier,nurbs")
+    parser.add_argument("--types", type=lambda text: text.split(","), default=["FIELD", "RATIONAL", "INTERVAL", "DOUBLE"])
     parser.add_argument("--shard", help="K/N: only the K-th of N parts")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     a = parser.parse_args()
-    known, defining = equivalents(), definitional_claims()
+    known, defining = equivalents(), definitional_claims(a.chapters)
     every = [f for f in faults() if a.file is None or f["file"] in a.file]
     chosen = [f for f in every if (f["kernel"], f["old"], f["new"]) not in known]
+    if a.chapters:
+        chosen = [f for f in chosen if f["kernel"] in defining]
     if a.sample:
         chosen = random.Random(a.seed).sample(chosen, min(a.sample, len(chosen)))
     if a.shard:
@@ -203,7 +210,7 @@ def main():
         return 0
     compiled = by_definition = survivors = 0
     with tempfile.TemporaryDirectory() as folder:
-        copy = Copy(folder, a.jobs)
+        copy = Copy(folder, a.jobs, a.chapters, a.types)
         meaningful = []
         for f in chosen:
             if copy.compiles(f):

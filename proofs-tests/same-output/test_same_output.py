@@ -1,49 +1,43 @@
-"""The same source gives the same bytes: builds a preset and compares its output with another build's.
+"""The same source gives the same bytes: builds a preset and compares its output with that of another build.
 
-    test_same_output.py ROOT PRESET CAGD
+    test_same_output.py ROOT PRESET WHOLE_RUN
 
-To be quick the other build has the number types that are computed by this project's own code and the compiler's: binary64,
-and rationals.  What the claims did in these types, with every exhibit and measured error, is compared byte for byte, and so
-is every figure.
+WHOLE_RUN is the folder that whole_run.py wrote with the other build.  To be quick the preset is built with the number
+types that are computed by this project's own code and the compiler's: binary64, and rationals.  What the claims did in
+these types, with every exhibit and measured error, is compared byte for byte, and so is every figure.  The preset
+`sanitize` is gcc at -O0: with it, this is also the run over everything that no sanitizer may complain about.
 """
 import json
 import pathlib
-import pickle
 import subprocess
 import sys
 import tempfile
 
 TYPES = ("rational", "double")
-root, preset, reference = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-folder = root / "build" / f"{preset}-two-types"
-subprocess.run(["cmake", "--preset", preset, "-B", str(folder), "-DBUILD_TESTING=OFF", "-DCAGD_TYPES=RATIONAL;DOUBLE"],
-               cwd=root, check=True, stdout=subprocess.DEVNULL)
+root, preset, reference = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
+sys.path.insert(0, str(root / "proofs-tests" / "whole-run"))
+from whole_run import whole_run  # noqa: E402
+
+folder = root / "build" / (preset if preset == "sanitize" else f"{preset}-two-types")
+options = [] if preset == "sanitize" else ["-DBUILD_TESTING=OFF", "-DCAGD_TYPES=RATIONAL;DOUBLE"]
+subprocess.run(["cmake", "--preset", preset, "-B", str(folder), *options], cwd=root, check=True, stdout=subprocess.DEVNULL)
 subprocess.run(["cmake", "--build", str(folder), "--target", "cagd"], cwd=root, check=True, stdout=subprocess.DEVNULL)
 
 
-def outputs(program):
+def outputs(run):
     """What every claim did in the two types, and every figure."""
-    said = {}
-    for claim in json.loads(subprocess.run([program, "verify", "--json"], capture_output=True).stdout)["claims"]:
+    said = {path.name: path.read_bytes() for path in sorted((run / "figures").iterdir())}
+    for claim in json.loads((run / "verify.json").read_text())["claims"]:
         types = {name: result for name, result in claim["types"].items() if name in TYPES}
         if types:
             said[claim["name"]] = json.dumps(types, indent=1).encode()
-    with tempfile.TemporaryDirectory() as drawn:
-        subprocess.run([program, "figures", "--out", drawn], check=True, stdout=subprocess.DEVNULL)
-        for path in sorted(pathlib.Path(drawn).iterdir()):
-            said[path.name] = path.read_bytes()
     return said
 
 
-def outputs_of_reference():
-    """The same for the reference, kept beside it for the next preset as long as it is newer."""
-    kept = pathlib.Path(reference + "-outputs.pickle")
-    if not kept.exists() or kept.stat().st_mtime < pathlib.Path(reference).stat().st_mtime:
-        kept.write_bytes(pickle.dumps(outputs(reference)))
-    return pickle.loads(kept.read_bytes())
-
-
-ours, theirs = outputs_of_reference(), outputs(str(folder / "cagd"))
+with tempfile.TemporaryDirectory() as place:
+    options = ["--certificates", place + "/certificates"] if preset == "sanitize" else []
+    status = whole_run(str(folder / "cagd"), place, *options)
+    ours, theirs = outputs(reference), outputs(pathlib.Path(place))
 different = [name for name in sorted(ours.keys() | theirs.keys()) if ours.get(name) != theirs.get(name)]
 for name in different:
     print("differs:", name)
@@ -53,5 +47,5 @@ for name in different:
             print("  +", b[:200].decode())
             break
 assert len(ours) > 500, "too little was compared"
-print(f"{len(ours)} outputs compared, {len(different)} differ")
-sys.exit(bool(different))
+print(f"{len(ours)} outputs compared, {len(different)} differ; exit status {status}")
+sys.exit(bool(different) or status != 0)
