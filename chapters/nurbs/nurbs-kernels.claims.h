@@ -179,30 +179,55 @@ CLAIM(nurbs_insertion_keeps_curve)
 :given: every segment, the distinct knots variables, points and weights, any $t$, orders $0,\dots,p+1$
 :then: `nurbs_derivatives` gives $R^{(k)}(t)$
 :method: The sums, with the B-splines from the recursion by its letter, in powers about $t$; the power series of numerator and denominator
-  are divided, term by term, and the coefficient of order $k$ is $R^{(k)}(t)/k!$.
-:degrees: 0..2 sampled 7
+  are divided, term by term, and the coefficient of order $k$ is $R^{(k)}(t)/k!$.  In the field the variables are the
+  coefficients of numerator and denominator in powers about $t$, and the points are the values of their polar forms: every
+  segment has such coefficients.
+:degrees: 0..4 sampled 7
 :defines: nurbs_derivatives
-:control: the weights taken backwards
+:control: $w'(t)$ doubled in the division
 :::
 */
+/* The points and weights of one segment in d coordinates, 1 <= d <= 3: free; in the field the coefficients of the
+ * homogeneous curve in powers about t are. */
+static void G(segment_data)(trial *T, const struct G(knots) * K, int d, num t, num R[], num w[])
+{
+#if FIELD
+    static const char *const name[] = {"a", "b", "c"}; /* the knots are x */
+    num s[HIGHEST + 1];
+    for (int e = d; e >= 0; e--) { /* the weights first */
+        for (int k = 0; k <= K->p; k++)
+            s[k] = unknown(T, e == d ? "w" : name[e], k);
+        for (int i = 0; i < K->n; i++) {
+            num polar = G(polar_of_powers)(K->p, s, t, K->u + i + 1);
+            if (e == d)
+                w[i] = polar;
+            else
+                R[i * d + e] = div(polar, w[i]);
+        }
+    }
+#else
+    (void)t;
+    G(free_nurbs)(T, K->n, d, R, w);
+#endif
+}
+
 CLAIM(nurbs_derivatives_are_those_of_the_quotient)
 {
     int p = T->degree;
     struct G(knots) K = {0};
-    num R[MOST_KNOTS * dim], w[MOST_KNOTS], z[MOST_KNOTS], H[MOST_KNOTS], D[(HIGHEST + 2) * dim];
+    num R[MOST_KNOTS * dim], w[MOST_KNOTS], H[MOST_KNOTS], D[(HIGHEST + 2) * dim];
     num a[HIGHEST + 2], b[HIGHEST + 2], q[HIGHEST + 2];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         num t = G(in_interval)(T, &K, p, "t");
-        G(free_nurbs)(T, K.n, dim, R, w);
-        for (int i = 0; i < K.n; i++)
-            z[i] = w[T->planted ? K.n - 1 - i : i];
-        G(nurbs_derivatives)(p, dim, K.u, p, R, z, t, p + 1, D);
+        G(segment_data)(T, &K, dim, t, R, w);
+        G(nurbs_derivatives)(p, dim, K.u, p, R, w, t, p + 1, D);
         for (int e = 0; e < dim; e++) {
             for (int i = 0; i < K.n; i++)
                 H[i] = mul(w[i], R[i * dim + e]);
             G(spline_powers)(K.n, p, 1, K.u, K.place, H, 0, K.place[p], t, a);
             G(spline_powers)(K.n, p, 1, K.u, K.place, w, 0, K.place[p], t, b);
             a[p + 1] = b[p + 1] = from_int(0);
+            b[1] = T->planted ? add(b[1], b[1]) : b[1];
             for (int r = 0; r <= p + 1; r++) {
                 q[r] = a[r];
                 for (int j = 0; j < r; j++)
@@ -278,8 +303,7 @@ CLAIM(quotient_derivatives_follow_the_field)
 :then: with $P=(x,y,w)$ the homogeneous curve, `nurbs_curvature_squared` gives
   $\kappa^2=\frac{w^6\det(P,P',P'')^2}{\bigl((x'w-xw')^2+(y'w-yw')^2\bigr)^3}$
 :method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter; the formula has no derivative of a quotient.
-  In the field the variables are not the points but the coefficients of $P$ in powers about $t$, and the points are the values of its
-  polar form.  Every segment has such coefficients, so nothing is lost, and the derivatives of $P$ are short.  In a greater degree
+  In the field the variables are, as before, the coefficients of $P$ in powers about $t$.  In a greater degree
   there are further coefficients, on which $P$, $P'$ and $P''$ do not depend.
 :types: field rational
 :degrees: 1..3 sampled 6
@@ -288,30 +312,6 @@ CLAIM(quotient_derivatives_follow_the_field)
 :::
 */
 #if FIELD || RATIONAL
-/* The points and weights of one segment in d coordinates, 2 <= d <= 3: free; in the field the coefficients of the
- * homogeneous curve in powers about t are. */
-static void G(segment_data)(trial *T, const struct G(knots) * K, int d, num t, num R[], num w[])
-{
-#if FIELD
-    static const char *const name[] = {"x", "y", "z"};
-    num s[HIGHEST + 1];
-    for (int e = d; e >= 0; e--) { /* the weights first */
-        for (int k = 0; k <= K->p; k++)
-            s[k] = unknown(T, e == d ? "w" : name[e], k);
-        for (int i = 0; i < K->n; i++) {
-            num polar = G(polar_of_powers)(K->p, s, t, K->u + i + 1);
-            if (e == d)
-                w[i] = polar;
-            else
-                R[i * d + e] = div(polar, w[i]);
-        }
-    }
-#else
-    (void)t;
-    G(free_nurbs)(T, K->n, d, R, w);
-#endif
-}
-
 /* The knots of the next segment: simple ones, then in the field the clamped ones of Bézier. */
 static int G(next_segment)(trial *T, int p, int k, struct G(knots) * K)
 {
