@@ -23,7 +23,8 @@ patterns.
 :given: several segments, the distinct knots variables; every interval of the domain; any $t$
 :then: `bspline_basis` gives $N_{\mu-p,p}(t),\dots,N_{\mu,p}(t)$, and $N_{i,p}=0$ on the span for every other $i$
 :method: The kernel against the recursion of de Boor and Cox by its letter, for each index $i$ of the knot vector.
-:degrees: 0..4 sampled 7
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: basis_level bspline_basis
 :control: the span of the interval replaced by its neighbour on the left or, in the first interval, on the right
 :::
@@ -66,7 +67,8 @@ is a sum over the knots.
 :then: $N_{0,p}(t)=(u_{p+1}-u_0)\sum_j\frac{(u_j-t)_+^p}{\prod_{l\ne j}(u_j-u_l)}$
 :method: On an interval a truncated power is the power or $0$.  The sum against the recursion by its letter; to the left of
   all knots, where every power counts, the sum must be $0$.
-:degrees: 0..4 sampled 9
+:degrees: 0..5 sampled 9
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the first truncated power left out
 :::
 */
@@ -102,7 +104,8 @@ CLAIM(bspline_is_divided_difference)
 :then: $\sum_{i=0}^{n-1}N_{i,p}=1$
 :method: All $n$ polynomials of the interval, from the recursion by its letter, are added; the sum must have the coefficients
   $1,0,\dots,0$.
-:degrees: 0..4 sampled 9
+:degrees: 0..6 sampled 9
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the first B-spline of the span left out
 :::
 */
@@ -162,7 +165,7 @@ CLAIM(bspline_basis_sums_to_less_outside_the_domain)
 :method: The recursion by its letter, also outside the domain.  With $u_{j+1}-u_j=a+b$ on the interval of $t$ every value is
   a fraction of polynomials in the lengths with positive coefficients only; at a knot inside the support a value is the
   limit from the right, whose sign the next claim decides.
-:degrees: 0..3 sampled 7
+:degrees: 0..4 sampled 7
 :control: the B-spline before is taken
 :::
 */
@@ -309,7 +312,8 @@ one jumps.  The jump is known exactly, and it is never $0$.
   jumps from left to right by
   $(-1)^{p-m}\frac{p!}{(m-1)!}\,(u_{i+p+1}-u_i)\big/\prod_{u_l\ne\xi}(\xi-u_l)\ne0$
 :method: The polynomials of both intervals in powers of $t-\xi$, from the recursion by its letter.
-:degrees: 0..4 sampled 7
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the jump asked for one order lower
 :::
 */
@@ -360,7 +364,8 @@ CLAIM(bspline_jumps_exactly_after_order)
   $N_{i,p}'=p\bigl(\frac{N_{i,p-1}}{u_{i+p}-u_i}-\frac{N_{i+1,p-1}}{u_{i+p+1}-u_{i+1}}\bigr)$, which `basis_derivative_level` is
 :method: The rows at $t$ against the coefficients in powers about the same $t$, from the recursion by its letter; the level
   applied to the values of degree $p-1$ must give the first row.
-:degrees: 0..4 sampled 7
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: basis_derivative_level bspline_basis_derivatives
 :control: the first and the last function exchanged
 :::
@@ -395,7 +400,7 @@ CLAIM(bspline_basis_derivatives_follow_definition)
 :given: several segments, the distinct knots variables
 :then: $\int N_{i,p}\,dt=\frac{u_{i+p+1}-u_i}{p+1}$
 :method: The polynomial of each interval, from the recursion by its letter, integrated power by power; also outside the domain.
-:degrees: 0..3 sampled 7
+:degrees: 0..4 sampled 7
 :control: divided by $p$ or, for $p=0$, by 2
 :::
 */
@@ -432,7 +437,8 @@ CLAIM(bspline_integral)
 :then: with the numbers $\xi_i=\frac1p(u_{i+1}+\dots+u_{i+p})$ of `greville`, $\sum_i\xi_iN_{i,p}(t)=t$
 :method: The coefficients of the sum in powers of $t-u_\mu$, from the recursion by its letter, must be $u_\mu,1,0,\dots,0$.
   As the B-splines are independent no other numbers have this property.
-:degrees: 1..4 sampled 9
+:degrees: 1..6 sampled 9
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: greville
 :control: the abscissae of the next points
 :::

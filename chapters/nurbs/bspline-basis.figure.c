@@ -77,7 +77,7 @@ FIGURE(bspline_multiple_knot)
 FIGURE(schoenberg_whitney)
 {
     enum { p = 2, n = 4 };
-    static const int knot[n + p + 1] = {0, 0, 0, 2, 4, 4, 4}, site[2][n] = {{1, 5, 11, 15}, {3, 9, 12, 15}};
+    static const int knot[n + p + 1] = {0, 0, 0, 2, 4, 4, 4}, site[2][n] = {{1, 5, 11, 15}, {9, 11, 13, 15}};
     num_q u[n + p + 1], c[n];
     draw_numbers(n + p + 1, knot, 1, u);
     svg *s = svg_new("schoenberg_whitney", "Sites at which interpolation is possible",
@@ -90,9 +90,7 @@ FIGURE(schoenberg_whitney)
         svg_heading(s, k == 0 ? SVG_RIGHT : SVG_WRONG, k == 0 ? "solvable" : "not solvable");
         svg_axes(s, from_int_q(2), from_ratio_q(1, 2), "t", NULL);
         for (int i = 0; i < n; i++) {
-            num_q x = from_ratio_q(k == 1 && i == 0 ? 9 : site[k][i], 4);
-            if (k == 1 && i > 0)
-                x = from_ratio_q(8 + 2 * i + 1, 4);
+            num_q x = from_ratio_q(site[k][i], 4);
             for (int j = 0; j < n; j++)
                 c[j] = from_int_q(i == j);
             enum svg_role role = i % 2 == 0 ? SVG_CURVE : SVG_CURVE_2;
@@ -102,7 +100,11 @@ FIGURE(schoenberg_whitney)
             num_q height = spline_value(n, p, u, c, x);
             svg_segment(s, (svg_point){x, from_int_q(0)}, (svg_point){x, height}, SVG_MUTED);
             svg_mark(s, (svg_point){x, height}, is_zero_q(height) ? SVG_WRONG : role, SVG_USUAL);
-            svg_label(s, (svg_point){x, height}, SVG_N, is_zero_q(height) ? SVG_WRONG : role, name);
+            svg_label(s, (svg_point){x, height},
+                      i == 0 && k == 0 ? SVG_NE
+                      : i == 3         ? SVG_NW
+                                       : SVG_N,
+                      is_zero_q(height) ? SVG_WRONG : role, name);
         }
     }
     return s;

@@ -79,7 +79,8 @@ CLAIM(blossom_is_polar_form_in_higher_degrees) { G(check_blossom_of_a_segment_is
   $f[\tau^r,t^{p-r}]=\sum_{i=\mu-p+r}^{\mu}d_i^r\,N_{i,p-r}(t)$; the last point of each level is left as it was
 :method: The sum, with the B-splines from the recursion by its letter, against the polar form in elementary symmetric
   polynomials.  As the $N_{i,p-r}$ of a span are independent, this says what every $d_i^r$ is.
-:degrees: 1..4 sampled 9
+:degrees: 1..6 sampled 9
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: deboor_level
 :control: the parameter of the last level is $t$
 :::
@@ -125,7 +126,8 @@ CLAIM(deboor_level_gives_points_of_lower_degree)
 :then: `deboor` gives $s(t)=\sum_{i=0}^{n-1}c_iN_{i,p}(t)$
 :method: The kernel against the sum of all $n$ terms, the B-splines from the recursion by its letter; `deboor_of_span` is the
   same for the points of the span alone.
-:degrees: 0..4 sampled 7
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: deboor deboor_of_span
 :control: the points taken backwards
 :::
@@ -161,7 +163,8 @@ CLAIM(deboor_evaluates_bspline_curve)
 :then: $c_i=f[u_{i+1},\dots,u_{i+p}]$ for $i=\mu-p,\dots,\mu$
 :method: The polynomial of the interval from the recursion by its letter, its polar form in elementary symmetric polynomials,
   against the variables $c_i$.
-:degrees: 0..4 sampled 8
+:degrees: 0..6 sampled 8
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the knots taken one too low
 :::
 */
@@ -190,7 +193,7 @@ CLAIM(bspline_points_are_values_of_the_blossom)
 :then: exchanging two neighbouring arguments of `bspline_blossom` changes nothing, hence no permutation does; and
   $f[\dots,(1-b)x_k+bv,\dots]=(1-b)f[\dots,x_k,\dots]+b\,f[\dots,v,\dots]$ for every $k$
 :method: The values of the kernel, everything a variable.
-:degrees: 1..3 sampled 9
+:degrees: 1..4 sampled 9
 :control: the factors $1-b$ and $b$ exchanged
 :::
 */
@@ -232,7 +235,8 @@ CLAIM(bspline_blossom_is_symmetric_and_affine)
 :given: every segment, the distinct knots variables, points, any affine map, any $t$
 :then: the curve of the mapped points is the mapped curve
 :method: Map, knots, points and $t$ are variables; by `deboor`.
-:degrees: 0..3 sampled 9
+:degrees: 0..6 sampled 9
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the last point is not moved
 :::
 */
@@ -280,7 +284,8 @@ at a knot of multiplicity $m$, and in general different ones after it.
 :method: Both rows of derivatives by the kernel, everything a variable; the difference of the next order is not the zero element
   of the field.
 :types: field
-:degrees: 1..4
+:degrees: 1..6
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: one order more
 :::
 */
@@ -314,7 +319,8 @@ CLAIM(bspline_curve_is_smooth_at_knots)
 :then: $s(u_p)=c_0$, $s(u_n)=c_{n-1}$, $s'(u_p)=\frac p{u_{p+1}-u_p}(c_1-c_0)$,
   $s'(u_n)=\frac p{u_n-u_{n-1}}(c_{n-1}-c_{n-2})$
 :method: Values and derivatives from the recursion by its letter.
-:degrees: 1..4 sampled 8
+:degrees: 1..6 sampled 8
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the points at the end taken one too low
 :::
 */
@@ -347,7 +353,8 @@ CLAIM(clamped_ends_interpolate)
   $p-1$, are those of $s'$; and `bspline_hodograph` gives the ones of a span, its last point left as it was
 :method: The coefficients of both splines in powers of $t-u_\mu$, from the recursion by its letter; the points of the second
   kernel against those of the first.
-:degrees: 1..4 sampled 9
+:degrees: 1..6 sampled 9
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: bspline_difference bspline_hodograph
 :control: the factor $p$ taken as $p+1$
 :::

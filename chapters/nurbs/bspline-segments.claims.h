@@ -75,7 +75,8 @@ CLAIM(bezier_points_in_higher_degrees) { G(check_segment_is_a_bezier_curve)(T, I
   segment from its Bézier points
 :method: The polar form in elementary symmetric polynomials, from the powers of $t-a$ that the binomial theorem gives; then
   `bspline_to_bezier` and back, everything a variable.
-:degrees: 0..4 sampled 9
+:degrees: 0..6 sampled 9
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: bspline_point_of_bezier
 :control: the ends of the interval exchanged
 :::
@@ -193,7 +194,7 @@ CLAIM(split_in_higher_degrees) { G(check_split_gives_both_parts_of_bspline)(T, I
   $v_{p+i}=u_i$ and $d_i=c_i$, and the derivatives at both ends of the domain agree up to the order $p$ minus the multiplicity
 :method: The knots and points by their indices; the segments at both ends in powers about the ends, from the recursion of de Boor and Cox
   by its letter.
-:degrees: 1..3 sampled 4
+:degrees: 1..4 sampled 4
 :defines: bspline_periodic
 :control: the last point of the result is moved
 :::

@@ -14,6 +14,7 @@ $N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.  The degree that a 
 :printed: u=(t-t_r)/(t_{r+1}-t_r),\quad t_r\le t<t_{r+1}
 :holds-by: span_parameter_is_a_bijection
 :needs: empty_span_has_no_parameter | the span $[t_r,t_{r+1})$ is not empty
+:figure: matrices_of_merging_knots
 :::
 
 :::{statement} wang-ch4:def-4.4.1
@@ -23,6 +24,7 @@ $N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.  The degree that a 
   the matrix of (4.4.3) its coefficient matrix
 :definition: yes
 :checked-by: matrix_holds_the_powers_of_the_basis coefficient_matrix_is_affinely_invariant
+:figure: matrices_of_merging_knots
 
 The matrix exists for every pattern of knots, and is the only one, because the points are arbitrary and the powers
 independent.
@@ -50,6 +52,7 @@ independent.
 :printed: \mathbf A_{r,k,T}=(a_{j,i})_{k\times k},\quad j=0,\dots,k-1,\quad i=r-k+1,\dots,r
 :definition: yes
 :checked-by: matrix_holds_the_powers_of_the_basis coefficient_rows_have_fixed_sums
+:figure: matrices_of_merging_knots
 
 Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 :::
@@ -280,6 +283,7 @@ the different knots.  So they settle every multiplicity of the knots around a sp
   \textstyle\sum_ql_q(T_i)=k+1
 :definition: yes
 :checked-by: compositions_are_all_multiplicities
+:figure: matrices_of_merging_knots
 :::
 
 :::{statement} wang-ch4:formula-4.4.11
@@ -288,6 +292,7 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :printed: N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}a_{ji}u^j,\quad t\in[t_r,t_{r+1})
 :holds-by: printed_double_sum_gives_the_basis
 :needs: empty_span_has_no_parameter | the span is not empty
+:figure: both_matrices
 :::
 
 :::{statement} wang-ch4:thm-4.4.1
@@ -308,6 +313,7 @@ The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and wha
 :zh: (4.4.12) 的求和上限
 :printed: 0\le\mu\le k-1-\max(j,k-l_\lambda),\quad0\le j\le k-1,\quad r-k+1\le i\le r
 :holds-by: summation_orders_agree printed_double_sum_gives_the_basis
+:figure: both_matrices
 
 For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and their
 bases are positive.
@@ -318,6 +324,7 @@ bases are positive.
 :zh: 由此得 NURBS 曲线的系数矩阵表示
 :printed: this gives the representation (4.4.2) of the NURBS curve (4.1.1) on $[t_r,t_{r+1})$
 :holds-by: matrix_by_differences_is_the_matrix matrix_gives_homogeneous_curve
+:figure: matrix_and_weights
 
 For the homogeneous curve (4.1.1).
 :::
@@ -506,6 +513,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :holds-by: truncated_power_gives_the_basis
 :hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at such
   a knot the derivative of order $k-1$ of the truncated power does not exist
+:figure: zero_power_at_a_knot
 :::
 
 :::{statement} wang-ch4:thm-4.4.1-step-2
@@ -539,6 +547,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :printed: \frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}=\frac{(k-1)!}{(k-1-\mu)!}\sum_{j=0}^{k-\mu-1}
   \binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j
 :holds-by: powers_expand_in_the_parameter
+:figure: full_powers
 :::
 
 :::{statement} wang-ch4:thm-4.4.1-step-collect

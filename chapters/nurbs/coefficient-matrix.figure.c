@@ -49,29 +49,29 @@ FIGURE(matrix_and_weights)
     return s;
 }
 
-/* Cubic spans whose outer knots move into the ends. */
+/* Cubic spans [0, 1] whose outer knots -2g, -g and 1+g, 1+2g move into its ends. */
 FIGURE(matrices_of_merging_knots)
 {
-    enum { p = 3, k = 4 };
-    static const struct {
-        int knots[2 * k], group[2 * k];
-        const char *caption;
-    } cases[] = {
-        {{-3, -2, -1, 0, 1, 2, 3, 4}, {0, 1, 2, 3, 4, 5, 6, 7}, "knots $-2,-1,0,1,2,3$"},
-        {{-3, -2, 0, 0, 1, 1, 3, 4}, {0, 1, 2, 2, 3, 3, 4, 5}, "knots $-2,0,0,1,1,3$"},
-        {{-3, -2, -1, 0, 1, 1, 1, 2}, {0, 1, 2, 3, 4, 4, 4, 5}, "knots $-2,-1,0,1,1,1$"},
-        {{-3, 0, 0, 0, 1, 1, 1, 4}, {0, 1, 1, 1, 2, 2, 2, 3}, "knots $0,0,0,1,1,1$"},
-    };
-    svg *s = svg_new(
-        "matrices_of_merging_knots", "The coefficient matrix as knots merge",
-        "Four coefficient matrices of a cubic span from 0 to 1.  With simple knots nearly all entries differ from 0; "
-        "as the outer knots move into 0 and 1 entries vanish, and with triple knots the matrix is triangular: "
-        "the Bernstein polynomials in powers.");
-    for (int n = 0; n < 4; n++) {
-        num_q u[2 * k], A[k * k];
-        fractions(2 * k, cases[n].knots, 1, u);
-        bspline_matrix_by_differences_q(p, u, cases[n].group, p, A);
-        put_matrix(s, k, A, 56, cases[n].caption);
+    enum { p = 3, k = 4, stages = 5 };
+    static const int numerator[stages] = {2, 1, 1, 1, 0}, denominator[stages] = {1, 1, 2, 4, 1};
+    static const int apart[2 * k] = {0, 1, 2, 3, 4, 5, 6, 7}, merged[2 * k] = {0, 1, 1, 1, 2, 2, 2, 3};
+    static const char *const caption[stages] = {"$g=2$", "$g=1$: uniform", "$g=1/2$", "$g=1/4$", "$g=0$: Bernstein"};
+    svg *s = svg_new("matrices_of_merging_knots", "The coefficient matrix as knots merge",
+                     "Five coefficient matrices of the cubic span from 0 to 1 with the outer knots -2g, -g, 1+g and "
+                     "1+2g, for g = 2, "
+                     "1, 1/2, 1/4 and 0.  As the outer knots move into the ends of the span, the entries above the "
+                     "diagonal fade, and "
+                     "those below become the binomial numbers of the Bernstein polynomials in powers.");
+    for (int n = 0; n < stages; n++) {
+        num_q u[2 * k], A[k * k], g = r(numerator[n], denominator[n]);
+        for (int m = 0; m < k; m++) {
+            u[k - 1 - m] = neg_q(mul_q(q(m), g));
+            u[k + m] = add_q(q(1), mul_q(q(m), g));
+        }
+        if (numerator[n] == 0) /* the outermost knots do not count, but have to differ */
+            u[0] = q(-1), u[2 * k - 1] = q(2);
+        bspline_matrix_by_differences_q(p, u, numerator[n] == 0 ? merged : apart, p, A);
+        put_matrix(s, k, A, 56, caption[n]);
     }
     return s;
 }
@@ -110,5 +110,29 @@ FIGURE(full_powers)
     svg_legend_line(s, SVG_RIGHT, "the sum over $τ_λ>t_r$");
     svg_legend_line(s, SVG_WRONG, "the sum over all $τ_λ$, as printed");
     svg_legend_line(s, SVG_MUTED, "$N_{i,3}$ on the other spans");
+    return s;
+}
+
+/* Both sides of the first line of the proof for k = 1, where a zero power stands at a knot. */
+FIGURE(zero_power_at_a_knot)
+{
+    svg *s = svg_new(
+        "zero_power_at_a_knot", "A zero power at a knot",
+        "The B-spline of order 1 of the knots 0 and 1, and the difference of the truncated powers at its "
+        "knots.  They agree but for t = 0, where the zeroth power of 0 counts as 1 and the difference is 0, and "
+        "for t = 1.");
+    svg_panel(s, window(r(-1, 2), r(-1, 5), r(3, 2), r(6, 5)), 420, 190,
+              "$k=1$: $N_{i,1}(t)$ and $(1-t)_+^0-(0-t)_+^0$");
+    svg_axes(s, q(1), q(1), "t", NULL);
+    svg_segment(s, at(r(-1, 2), q(0)), svg_at(0, 0), SVG_CURVE);
+    svg_segment(s, svg_at(0, 1), svg_at(1, 1), SVG_CURVE);
+    svg_segment(s, svg_at(1, 0), at(r(3, 2), q(0)), SVG_CURVE);
+    svg_mark(s, svg_at(0, 1), SVG_RIGHT, SVG_USUAL);
+    svg_mark(s, svg_at(1, 0), SVG_RIGHT, SVG_USUAL);
+    svg_mark(s, svg_at(0, 0), SVG_WRONG, SVG_USUAL);
+    svg_mark(s, svg_at(1, 1), SVG_WRONG, SVG_USUAL);
+    svg_legend_line(s, SVG_CURVE, "both");
+    svg_legend_mark(s, SVG_RIGHT, SVG_USUAL, "$N_{i,1}$ at its knots");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "the difference, with $0_+^0=1$");
     return s;
 }

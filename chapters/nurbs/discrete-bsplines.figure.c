@@ -29,7 +29,17 @@ FIGURE(discrete_bsplines)
         draw_basis_function(s, p, v + j, alpha, SVG_CURVE_2);
         svg_mark(s, (svg_point){xi, alpha}, SVG_RIGHT, SVG_USUAL);
         snprintf(name, sizeof name, "α(%d) = %s", j, to_string_q(alpha));
-        svg_label(s, (svg_point){xi, alpha}, j < 2 ? SVG_NW : j == 2 ? SVG_N : SVG_NE, SVG_RIGHT, name);
+        svg_label(s,
+                  (svg_point){j == 0   ? from_ratio_q(7, 4)
+                              : j == 4 ? from_ratio_q(25, 4)
+                                       : xi,
+                              alpha},
+                  j == 0   ? SVG_W
+                  : j == 1 ? SVG_NW
+                  : j == 2 ? SVG_N
+                  : j == 3 ? SVG_NE
+                           : SVG_E,
+                  SVG_RIGHT, name);
     }
     svg_legend_line(s, SVG_CURVE, "$N$");
     svg_legend_line(s, SVG_CURVE_2, "$α(j) M_j$");

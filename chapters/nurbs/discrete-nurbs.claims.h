@@ -77,6 +77,7 @@ With positive weights all new weights lie between the least and the greatest of 
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: still true, the new $N_{j,k}$ between its
   copies being zero; such $r_j$ do not count and are points of the curve
+:figure: insertions_commute
 :::
 
 :::{claim} discrete_bsplines_refine_the_basis
@@ -86,7 +87,7 @@ With positive weights all new weights lie between the least and the greatest of 
   of the domain, up to the multiplicity $k$ and beyond; every interval of the domain, any $t$
 :then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
 :method: Both recursions by their letter.
-:degrees: 1..3 sampled 4
+:degrees: 1..4 sampled 4
 :control: $\alpha_{i,k}(j)$ taken at $j+1$
 :::
 
@@ -96,7 +97,7 @@ With positive weights all new weights lie between the least and the greatest of 
 :given: the same pairs; every $j$ with $v_j$ in the domain
 :then: `discrete_bsplines` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
 :method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
-:degrees: 1..3 sampled 4
+:degrees: 1..4 sampled 4
 :defines: discrete_bsplines
 :control: $v_{j+1}$ replaced by $v_j$
 :::
@@ -108,7 +109,7 @@ With positive weights all new weights lie between the least and the greatest of 
 :then: $\alpha_{i,k}(j)\ge0$ and $\sum_{i=1}^n\alpha_{i,k}(j)=1$; so with positive weights $w_j^{(T,T')}$ is between the least and
   the greatest of them
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
-:degrees: 1..3 sampled 4
+:degrees: 1..4 sampled 4
 :control: the share of $r_1$ left out of the sum
 :::
 */
@@ -236,7 +237,7 @@ CLAIM(discrete_bsplines_are_shares)
 :given: the same pairs; weights and points; every interval of the domain, any $t$
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
-:degrees: 1..3 sampled 4
+:degrees: 1..4 sampled 4
 :control: the new weights taken as 1 in (4.1.8)
 :::
 
@@ -387,7 +388,7 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :given: triples $T$, $T_1$, $T_2$ of patterns, values variables, with equal knots in $T_1$ and $T_2$ among them
 :then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
 :method: All by the recursion by its letter.
-:degrees: 1..3 sampled 4
+:degrees: 1..4 sampled 4
 :control: $T_1$ and $T_2$ exchanged in the second factor only
 :::
 
@@ -397,7 +398,7 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :given: the same triples; points and weights
 :then: (4.1.7), and the same for the weights
 :method: (4.1.6) for one step and for two, all sums by their letter.
-:degrees: 1..3 sampled 4
+:degrees: 1..4 sampled 4
 :control: the weights after the first step taken as 1
 :::
 
@@ -418,7 +419,7 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :let: $s_i=a_iw_i/(a_iw_i+(1-a_i)w_{i-1})$ with $a_i=(\tau-t_i)/(t_{i+k-1}-t_i)$
 :then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
 :method: The kernel; signs are read off coefficients.
-:degrees: 1..3 sampled 6
+:degrees: 1..4 sampled 6
 :control: $s_i$ without the weights
 :::
 */
@@ -618,7 +619,7 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :given: the same knots, $m=0,\dots,k$; also $t'=x_0$, the $k$-fold left end; $\mu$ the number of knots up to $t'$
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t'+)$
 :method: As before.
-:degrees: 1..3 sampled 4
+:degrees: 1..4 sampled 4
 :control: the value from the left
 :::
 */

@@ -60,6 +60,7 @@ FIGURE(insertion_to_the_curve)
     svg_label(s, svg_pair(c.R + 2), other[1], SVG_WRONG, "r_2");
     svg_label(s, svg_pair(c.R + 4), other[2], SVG_RIGHT, "r(1)");
     svg_legend_line(s, SVG_CURVE, "the curve");
+    svg_legend_line(s, SVG_POLYGON, "its polygon");
     svg_legend_line(s, SVG_CURVE_2, "the polygon after three insertions");
     return s;
 }

@@ -8,9 +8,17 @@
 
 #include "chapters/frame/claims_on.h"
 
-/* The distinct values of a pattern: variables in the field, increasing numbers elsewhere. */
+/* The distinct values of a pattern: increasing numbers; in the field variables, but for the degrees above 4 the numbers
+ * 0, 1, 3, 6, 10, .... */
 static inline void G(distinct_knots)(trial *T, int count, num x[])
 {
+#if FIELD
+    if (T->degree > 4) {
+        for (int i = 0; i < count; i++)
+            x[i] = from_int(i * (i + 1) / 2);
+        return;
+    }
+#endif
     x[0] = unknown(T, "x", 0);
     for (int i = 1; i < count; i++)
 #if FIELD
@@ -21,12 +29,12 @@ static inline void G(distinct_knots)(trial *T, int count, num x[])
 }
 
 /* The same as sums of positive gaps h_1, h_2, ... from x_0 = 0, so that a sign can be read off; B-splines depend on
- * differences of knots and parameter alone. */
+ * differences of knots and parameter alone.  In the field the gaps are 1, 2, 3, ... for the degrees above 4. */
 static inline void G(increasing_knots)(trial *T, int count, num x[])
 {
     x[0] = from_int(0);
     for (int i = 1; i < count; i++)
-        x[i] = add(x[i - 1], positive(T, "h", i));
+        x[i] = add(x[i - 1], FIELD && T->degree > 4 ? from_int(i) : positive(T, "h", i));
 }
 
 /* Compares: a > 0, which is to say that it is not negative and has a reciprocal. */

@@ -18,6 +18,7 @@ numbers than those of the field beyond $k=4$ through random ones.  The degree th
   T=\{t_i\}_{i=0}^k
 :definition: yes
 :checked-by: osculation_is_divisibility
+:figure: osculating_polynomial
 
 With $m-1$ as the last order the number of conditions is the number of nodes.  For polynomials it says that $p-q$ is
 divisible by the product of all $t-t_i$.
@@ -29,6 +30,7 @@ divisible by the product of all $t-t_i$.
 :printed: p^{(j)}(t)=q^{(j)}(t),\quad j=0,1,\dots,m-1
 :definition: yes
 :checked-by: osculation_is_divisibility
+:figure: osculating_polynomial
 
 $m$ conditions at a node of multiplicity $m$; with one more the nodes would have one more.
 :::
@@ -40,6 +42,7 @@ $m$ conditions at a node of multiplicity $m$; with one more the nodes would have
   \tau_1<\dots<\tau_d
 :definition: yes
 :checked-by: compositions_are_all_multiplicities
+:figure: osculating_polynomial
 
 The order of the $\tau_i$ is used nowhere in the identities of this section; that they differ is.
 :::
@@ -181,6 +184,7 @@ $\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k
   j=0,\dots,l_i-1
 :definition: yes
 :checked-by: confluent_vandermonde_holds_derivatives system_says_osculation
+:figure: confluent_row
 :::
 
 :::{statement} wang-ch4:formula-4.4.6
@@ -207,6 +211,7 @@ For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
   places of $c_3,\dots$; then nothing is equated, and the product is not the vector of values
 :corrected: H(T;1,t,\dots,t^k)\,(c_0,\dots,c_k)^T=(f(\tau_1),\dots,f^{(l_1-1)}(\tau_1),\dots,f^{(l_d-1)}(\tau_d))^T
 :corrected-by: system_says_osculation
+:figure: osculating_polynomial
 :::
 
 :::{statement} wang-ch4:formula-4.4.6-is-h
@@ -225,6 +230,7 @@ For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
 :zh: 合流 Vandermonde 行列式
 :printed: \det H(T;1,t,\dots,t^k)=\prod_{1\le i<j\le d}(\tau_j-\tau_i)^{l_il_j}\prod_{i=1}^d\prod_{j=0}^{l_i-1}j!
 :holds-by: confluent_vandermonde_determinant_is_product
+:figure: confluent_row
 :::
 
 :::{statement} wang-ch4:formula-4.4.6-unique
@@ -233,6 +239,7 @@ For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
 :printed: hence (4.4.6) has exactly one solution
 :holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
 :needs: node_listed_twice_makes_h_singular | the $\tau_i$ differ: equal nodes have to be counted by multiplicity
+:figure: osculating_polynomial
 
 The determinant is a product of factorials and differences, none of them 0.
 :::
@@ -434,6 +441,7 @@ CLAIM(node_listed_twice_makes_h_singular)
 :zh: 广义差商即密切插值多项式的首项系数
 :printed: if $f$ and $g(t)=c_0+c_1t+\dots+c_kt^k$ osculate on $T$, then $[t_0,t_1,\dots,t_k]f=c_k$
 :holds-by: divided_difference_is_leading_coefficient
+:figure: osculating_polynomial
 
 The left side is the table of divided differences.  $g$ has the degree $k$ at most; $c_k$ may be 0.
 :::

@@ -54,6 +54,7 @@ $k=7$ there can be a curve.
   r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le t,\tau<t_{j+1},\ j=k,k+1,\dots,n
 :definition: yes
 :checked-by: touching_curve_satisfies_the_condition envelope_condition_holds_on_the_diagonal
+:figure: nurbs_envelope_square
 :::
 
 :::{statement} wang-ch4:formula-4.3.16
@@ -64,6 +65,7 @@ $k=7$ there can be a curve.
   (4.3.10)
 :reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: false, with
   $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form
+:figure: nurbs_envelope_square
 
 What the proof cites under this number is in `thm-4.3.3-alternatives`.
 :::
@@ -74,6 +76,7 @@ What the proof cites under this number is in `thm-4.3.3-alternatives`.
 :printed: (t_{i+k-r}-t_i)(w_i^{[r]}(\tau)-w_i^{[r]}(t))=(\tau-t)(w_i^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(\tau))+(t-t_i)(w_i^{[r-1]}(\tau)-w_i^{[r-1]}(t))
   +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t))
 :holds-by: weights_of_two_parameters_differ_as_printed
+:figure: nurbs_envelope_square
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-chain
@@ -84,6 +87,7 @@ What the proof cites under this number is in `thm-4.3.3-alternatives`.
 :holds-by: level_by_sums_over_the_level_before
 :hypothesis: first_term_of_the_chain_divides_by_zero | a quotient 0/0 counts as 0; the terms $i=j-k+r$ and $i=j$
   contain B-splines that vanish on the span, divided by differences of knots that may be 0
+:figure: divisor_zero
 
 All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
 includes, the values are limits from the left.
@@ -94,6 +98,7 @@ includes, the values are limits from the left.
 :zh: 分子的类似等式
 :printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
 :holds-by: family_steps_along_the_tangent
+:figure: nurbs_envelope_square
 :::
 
 :::{statement} wang-ch4:formula-4.3.17
@@ -103,6 +108,7 @@ includes, the values are limits from the left.
   p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau)
 :definition: yes
 :checked-by: member_of_span_is_polar
+:figure: order_and_level
 
 Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
 :::
@@ -113,16 +119,18 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf
   p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau)
 :holds-by: family_steps_along_the_tangent
+:figure: nurbs_envelope_square
 :::
 
 :::{claim} weights_of_two_parameters_differ_as_printed
 :title: The difference of the weights of two parameters
 :zh: 两个参数下权之差
 :given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
-  variables for $k\le4$ and numbers above; weights, any $t$ and $\tau$, every $r=1,\dots,k-1$ and $i=j-k+r+1,\dots,j$
+  variables for $k\le5$ and numbers above; weights, any $t$ and $\tau$, every $r=1,\dots,k-1$ and $i=j-k+r+1,\dots,j$
 :then: the printed equation
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: $t$ in the place of $\tau$ in the first term
 :::
 
@@ -132,7 +140,8 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :given: $k=p+1$; knots of these three shapes; weights, any $t$ and $\tau$, every $r=1,\dots,k-2$
 :then: each of the four expressions is equal to the first; 0/0 counts as 0
 :method: Every expression by its letter, term by term.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 
@@ -142,7 +151,8 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$, every $r=1,\dots,k-1$
 :then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the divisor $k-r+1$
 :::
 
@@ -154,7 +164,8 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
 :method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
   right side by the levels of de Boor's triangle and the derivatives of a segment.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor $\frac{r}{k-r+1}$
 :::
 
@@ -620,6 +631,7 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
   $\mathbf r^{[k-r+1]}(t,\tau)=\mathbf p^{[r-1]}(t,\tau)/w^{[r-1]}(t,\tau)$, the member of the level before, for
   $\mathbf r^{[r-1]}(t,\tau)$
 :corrected-by: general_condition_is_that_of_the_level_before
+:figure: order_and_level
 
 Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined; and by
 (4.3.3) the superscript of $\mathbf r^{[r-1]}(t,\tau)$ is an order, while those of (4.3.17) count levels.  Put right, the
@@ -641,6 +653,7 @@ alternative is true for a stronger reason: for $\tau\ne t$ the vector product of
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
   whatever the points are
 :corrected-by: general_condition_is_that_of_the_level_before
+:figure: points_off_the_plane
 :::
 
 :::{statement} wang-ch4:thm-4.3.3-split
@@ -650,6 +663,7 @@ alternative is true for a stronger reason: for $\tau\ne t$ the vector product of
   p_{i-1}^{[r-2]}(\tau),\dots)+ \frac{\tau-t_i}{t_{i+k-r+1}-t_i}(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$,
   $i=j-k+r,\dots,j$
 :holds-by: weighted_points_follow_the_recursion
+:figure: points_off_the_plane
 
 For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
 :::
@@ -667,6 +681,7 @@ For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
   are 0 on every level
 :corrected-by: general_condition_is_that_of_the_level_before
+:figure: points_off_the_plane
 
 $k-r+1$ equations do not determine $k-r+2$ unknowns.
 :::
@@ -719,7 +734,8 @@ here the proof loses the curves of space.
 :then: $(w_i^{[r-1]}r_i^{[r-1]},a,b)=(1-\alpha)(w_{i-1}^{[r-2]}r_{i-1}^{[r-2]},a,b)+\alpha(w_i^{[r-2]}r_i^{[r-2]},a,b)$,
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$
 :method: The points by (4.1.4), which divides by weights.
-:degrees: 2..3 sampled 6
+:degrees: 2..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $1-\alpha$ and $\alpha$ exchanged
 :::
 */

@@ -1,6 +1,8 @@
 /* envelope-uniqueness-general.figure.c -- drawings for envelope-uniqueness-general.claims.h. */
 #include "chapters/nurbs/family-figures.h"
 
+#include <stdio.h>
+
 /* The other factors: 4 t τ + 1, t τ + 1, t + 2 τ. */
 static num_q quartic_factor(svg_point P, const void *data)
 {
@@ -114,5 +116,61 @@ FIGURE(nurbs_envelope_space)
     svg_legend_line(s, SVG_CURVE, "the curve");
     svg_legend_line(s, SVG_FAMILY, "members of order 4");
     svg_legend_line(s, SVG_WRONG, "the second envelope");
+    return s;
+}
+
+FIGURE(order_and_level)
+{
+    svg *s =
+        svg_new("order_and_level", "An order is not a level",
+                "The curve (t, t³, t⁴ + 1) of order 7 in the projection (x, y), r = 5, τ = 0.  The member of level 4 "
+                "is straight, as the proof needs it; the member of order 4, which the printed superscript names, is "
+                "a cubic.");
+    static const int x[7] = {0, 1}, y[7] = {0, 0, 0, 1};
+    struct nurbs c = one_span(6, 1, x, y);
+    svg_panel(s, window(r(-3, 5), r(-3, 50), r(3, 5), r(3, 50)), 440, 270,
+              "$k=7$, $r=5$, $τ=0$; the heights are stretched");
+    svg_axes(s, r(1, 5), r(1, 50), "x", "y");
+    put_curve(s, &c, SVG_CURVE);
+    put_member(s, &c, 6, 4, q(0), SVG_RIGHT);
+    put_member(s, &c, 6, 3, q(0), SVG_WRONG);
+    svg_legend_line(s, SVG_CURVE, "the curve");
+    svg_legend_line(s, SVG_RIGHT, "the member of level $r-1=4$");
+    svg_legend_line(s, SVG_WRONG, "the member of order $r-1=4$");
+    return s;
+}
+
+FIGURE(divisor_zero)
+{
+    static const int knot[] = {0, 3, 3, 3, 4, 5, 6, 7};
+    svg *s =
+        svg_new("divisor_zero", "A divisor of the chain that is zero",
+                "The knots 0, 3, 3, 3, 4, 5, 6, 7 and the intervals whose lengths are the divisors of the chain on "
+                "the span from 3 to 4 for r = 2: the first of them is a point.");
+    svg_panel(s, window(r(-1, 2), q(-3), r(15, 2), r(3, 2)), 460, 210,
+              "$k=4$, $r=2$, $j=4$: the span $[t_4,t_5)=[3,4)$");
+    svg_segment(s, svg_at(0, 0), svg_at(7, 0), SVG_AXIS);
+    svg_segment(s, svg_at(3, 0), svg_at(4, 0), SVG_CURVE);
+    for (int i = 0, height = 0; i < 8; i++) {
+        char name[8];
+        height = i > 0 && knot[i] == knot[i - 1] ? height + 1 : 0;
+        snprintf(name, sizeof name, "t_%d", i + 1);
+        svg_mark(s, at(q(knot[i]), r(height, 3)), SVG_POINT, SVG_USUAL);
+        svg_label(s, at(q(knot[i]), r(height, 3)), height > 0 ? SVG_W : SVG_SW, SVG_POINT, name);
+    }
+    for (int i = 2; i <= 4; i++) { /* [t_i, t_{i+k-r}] */
+        num_q left = q(knot[i - 1]), right = q(knot[i + 1]), y = sub_q(r(1, 2), r(3 * i, 4));
+        int zero = knot[i - 1] == knot[i + 1];
+        char name[16];
+        snprintf(name, sizeof name, zero ? "t_%d-t_%d=0" : "t_%d-t_%d", i + 2, i);
+        if (zero)
+            svg_mark(s, at(left, y), SVG_WRONG, SVG_USUAL);
+        else
+            svg_segment(s, at(left, y), at(right, y), SVG_RIGHT);
+        svg_label(s, at(right, y), SVG_E, zero ? SVG_WRONG : SVG_RIGHT, name);
+    }
+    svg_legend_line(s, SVG_CURVE, "the span");
+    svg_legend_line(s, SVG_RIGHT, "divisors $t_{i+k-r}-t_i$");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "a divisor 0");
     return s;
 }

@@ -51,6 +51,7 @@ tangent are on it.
   r^{[k-1]}(t,\tau)}{\partial t}=\mathbf 0,\quad t_j\le t,\tau<t_{j+1}
 :definition: yes
 :checked-by: touching_curve_satisfies_the_condition
+:figure: nurbs_second_line
 
 It is quoted from elsewhere as what an envelope is.  It is necessary: where a curve $\mathbf r^{[k-1]}(t(s),\tau(s))$
 with $\tau'\ne0$ is tangent to the members it passes, the two derivatives are parallel.  It is sufficient where
@@ -68,6 +69,7 @@ $\partial_t\mathbf r^{[k-1]}\ne0$.
 :corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
 :corrected-by: first_level_condition_factors
+:figure: nurbs_second_line
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -108,6 +110,7 @@ CLAIM(touching_curve_satisfies_the_condition)
 :printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i-w_{i-1}}{t_{i+k-1}-t_i}=\frac{w'(t)}{k-1},\qquad
   \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i\mathbf r_i-w_{i-1}\mathbf r_{i-1}}{t_{i+k-1}-t_i}=\frac{\mathbf p'(t)}{k-1}
 :holds-by: differences_of_span_give_the_derivative
+:figure: nurbs_second_line
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-member
@@ -116,6 +119,7 @@ CLAIM(touching_curve_satisfies_the_condition)
 :printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)=\frac{\tau-t}{k-1}w'(t)+w(t),\qquad
   \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)\mathbf r_i^{[1]}(\tau)=\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)
 :holds-by: first_level_follows_the_tangent
+:figure: nurbs_second_line
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-by-tau
@@ -124,6 +128,7 @@ CLAIM(touching_curve_satisfies_the_condition)
 :printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf
   r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
 :holds-by: derivatives_of_the_first_member
+:figure: nurbs_second_line
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-by-t
@@ -133,16 +138,18 @@ CLAIM(touching_curve_satisfies_the_condition)
   t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]\mathbf p'' -w''\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf
   p\Bigr]\Bigr\}+(k-2)w^2\mathbf r'
 :holds-by: derivatives_of_the_first_member
+:figure: nurbs_second_line
 :::
 
 :::{claim} differences_of_span_give_the_derivative
 :title: The differences of the points, over lengths, with the basis of the next lower order are the derivative
 :zh: 差分与低一阶基函数之和即导矢
 :given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
-  variables for $k\le4$ and numbers above; points, any $t$
+  variables for $k\le5$ and numbers above; points, any $t$
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the divisors doubled
 :::
 
@@ -152,7 +159,8 @@ CLAIM(touching_curve_satisfies_the_condition)
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
 :then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
@@ -210,6 +218,7 @@ $w''$ three numbers, all of them variables, and so is $k$.
 :printed: (\tau-t)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr][\mathbf r'\times\mathbf p'']=(\tau-t)\,w''\Bigl\{\mathbf
   r'\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf p\Bigr]\Bigr\}
 :holds-by: first_level_condition_as_printed
+:figure: nurbs_second_line
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-dot
@@ -222,6 +231,7 @@ $w''$ three numbers, all of them variables, and so is $k$.
 :corrected: the scalar product with $\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)$ gives the printed equation; that with
   $\mathbf p''(t)$ gives $(\tau-t)\,w''(t)\,(\dots)=0$, with a factor $w''$ that may be 0
 :corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
+:figure: product_that_says_nothing
 
 For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.  And either product
 is one equation in the place of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
@@ -232,6 +242,7 @@ is one equation in the place of three: what is lost is what decides, $\mathbf r'
 :zh: 第一种情形:τ=t
 :printed: \tau(t)=t
 :holds-by: envelope_condition_holds_on_the_diagonal
+:figure: nurbs_second_line
 
 It solves (4.3.9) and gives the curve.
 :::
@@ -241,6 +252,7 @@ It solves (4.3.9) and gives the curve.
 :zh: 第二种情形:混合积之和
 :printed: \tau=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
 :holds-by: triple_product_is_that_of_the_point
+:figure: points_off_the_plane
 
 For $\tau\ne t$ it is equivalent to the triple product before.  But it says something about the origin, that the
 osculating plane passes through it, and is therefore weaker than (4.3.9), which does not know the origin.
@@ -520,6 +532,7 @@ CLAIM(product_with_second_derivative_says_nothing)
 :corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore
   linearly dependent, the segment is in a plane through the origin, and so are its control points
 :corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
+:figure: points_off_the_plane
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-coplanar
@@ -530,6 +543,7 @@ CLAIM(product_with_second_derivative_says_nothing)
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
 :needs: vanishing_curvature_says_nothing_about_the_points | for all $t$ of the span; at one $t$, which is what the
   alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf r''=0$ there
+:figure: points_off_the_plane
 
 If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$,
 the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its points are on a line.
@@ -540,12 +554,13 @@ the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its
   the points
 :zh: 控制顶点是该段极形式之值
 :given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, the distinct knots
-  variables for $k\le4$ and numbers above; points
+  variables for $k\le5$ and numbers above; points
 :then: the point $i$ is the polar form of the segment, given by its Bézier points, at $t_{i+1},\dots,t_{i+k-1}$
 :method: From the points to the Bézier points of the segment by one kernel, back by another.  If $L(p(t),w(t))=0$ for
   all $t$ with a linear $L$, then the polar form of this polynomial is 0, hence $L(w_ir_i,w_i)=0$ for every point.  So
   a segment in a plane, on a line or in a plane through the origin has its points there.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the knots from $t_i$ on
 :::
 
@@ -670,6 +685,7 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
   t,\tau<t_{j+1}
 :definition: yes
 :checked-by: touching_curve_satisfies_the_condition
+:figure: nurbs_second_line
 
 The third coordinate of (4.3.9), the two others being 0.
 :::
@@ -679,6 +695,7 @@ The third coordinate of (4.3.9), the two others being 0.
 :zh: 平面情形的等价条件
 :printed: (4.3.13) is equivalent to $(\tau-t)[x'(t)y''(t)-x''(t)y'(t)]=0$
 :holds-by: first_level_condition_factors
+:figure: nurbs_second_line
 
 The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step is right, and it disproves the theorem.
 :::
@@ -705,6 +722,7 @@ This is where the proof breaks: an equation that has to hold at one $t$ is used 
 :printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so
   that every member is on this line
 :holds-by: points_are_polar_values_of_the_segment
+:figure: nurbs_folded_line
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-on-a-line

@@ -51,3 +51,87 @@ FIGURE(nurbs_folded_line)
     svg_legend_line(s, SVG_WRONG, "the member of $τ=2$, a solution $τ(t)=2$");
     return s;
 }
+
+/* (r', A, p'') of the curve (t, t², t³ + 1), k = 4, with A = p + (τ-t)/3 p', times τ - t. */
+static num_q triple_with_second(svg_point P, const void *data)
+{
+    (void)data;
+    num_q t = P.x, tt = mul_q(t, t), gap = sub_q(P.y, t), third = div_q(gap, q(3));
+    num_q d1[3] = {q(1), mul_q(q(2), t), mul_q(q(3), tt)}, d2[3] = {q(0), q(2), mul_q(q(6), t)};
+    num_q A[3] = {t, tt, add_q(mul_q(tt, t), q(1))};
+    for (int c = 0; c < 3; c++)
+        A[c] = add_q(A[c], mul_q(third, d1[c]));
+    return mul_q(gap, det3_q(d1, A, d2));
+}
+
+FIGURE(product_that_says_nothing)
+{
+    svg *s =
+        svg_new("product_that_says_nothing", "A product that loses the equation",
+                "Two squares of pairs (t, τ) for the twisted cubic (t, t², t³ + 1) with equal weights.  The scalar "
+                "product of both sides with the second derivative is 0 = 0 in the whole square.  The equation said "
+                "to follow from it holds on the diagonal only.");
+    num_q square[8] = {q(-1), q(-1), q(1), q(-1), q(1), q(1), q(-1), q(1)};
+    for (int k = 0; k < 2; k++) {
+        svg_panel(s, svg_integer_window(-1, -1, 1, 1), 250, 0,
+                  k == 0 ? "the product with $p''$: $0=0$" : "$(τ-t)(r',A,p'')=0$");
+        svg_heading(s, k == 0 ? SVG_WRONG : SVG_RIGHT, k == 0 ? "every pair" : "the diagonal");
+        if (k == 0)
+            svg_area(s, 4, square, SVG_WRONG);
+        svg_axes(s, q(1), q(1), "t", "τ");
+        svg_frame(s);
+        if (k == 1)
+            svg_implicit(s, triple_with_second, NULL, 81, SVG_RIGHT);
+        svg_mark(s, svg_at(0, 1), k == 0 ? SVG_WRONG : SVG_MUTED, SVG_USUAL);
+    }
+    svg_legend_area(s, SVG_WRONG, "where the first equation holds");
+    svg_legend_line(s, SVG_RIGHT, "where the second one does");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "the counterexample, $t=0$, $τ=1$");
+    return s;
+}
+
+/* The coordinates x and z of the points of one span of a cubic, weights 1, seen along the plane z = 0. */
+FIGURE(points_off_the_plane)
+{
+    svg *s = svg_new("points_off_the_plane", "The sum of the triple products is zero, the products are not",
+                     "Two cubics of space seen along the plane z = 0.  Left the osculating plane of (t + 1, t², t³) at "
+                     "t = 0 contains "
+                     "the origin, and none of the four control points.  Right the three points of level 1 of (t, t², "
+                     "(t - 1)³) at τ = "
+                     "1 are in the plane: each leg of the control polygon crosses it there, and its ends are off it.");
+    static const int x[2][4] = {{1, 1}, {0, 1}}, z[2][4] = {{0, 0, 0, 1}, {-1, 3, -3, 1}};
+    static const int half[2] = {1, 2};
+    static const enum svg_direction side[2][4] = {{SVG_E, SVG_N, SVG_S, SVG_W}, {SVG_E, SVG_N, SVG_S, SVG_W}};
+    static const char *const name[] = {"r_1", "r_2", "r_3", "r_4"};
+    for (int k = 0; k < 2; k++) {
+        struct nurbs c = one_span(3, half[k], x[k], z[k]);
+        svg_panel(s, k == 0 ? window(q(-3), q(-17), q(5), q(17)) : window(q(-7), q(-240), q(8), q(60)), 340, 280,
+                  k == 0 ? "$(t+1,t^2,t^3)$, $t=0$: the plane\ncontains the origin"
+                         : "$(t,t^2,(t-1)^3)$, $r=2$, $τ=1$: level 1\nis in the plane");
+        svg_segment(s, k == 0 ? svg_at(-3, 0) : svg_at(-7, 0), k == 0 ? svg_at(5, 0) : svg_at(8, 0), SVG_RIGHT);
+        num_q R[8], d[12];
+        for (int i = 0; i < 4; i++)
+            R[2 * i] = c.H[3 * i], R[2 * i + 1] = c.H[3 * i + 1];
+        for (int m = 0; m < 12; m++)
+            d[m] = c.H[m];
+        svg_polyline(s, 4, R, SVG_POLYGON);
+        put_curve(s, &c, SVG_CURVE);
+        for (int i = 0; i < 4; i++) {
+            svg_mark(s, svg_pair(R + 2 * i), SVG_WRONG, SVG_USUAL);
+            svg_label(s, svg_pair(R + 2 * i), side[k][i], SVG_WRONG, name[i]);
+        }
+        if (k == 0) {
+            svg_mark(s, svg_at(0, 0), SVG_POINT, SVG_USUAL);
+            svg_label(s, svg_at(0, 0), SVG_SW, SVG_POINT, "0");
+            continue;
+        }
+        deboor_level_q(3, 3, c.u, 3, 1, d, q(1));
+        for (int i = 0; i < 3; i++)
+            svg_mark(s, svg_pair(d + 3 * i), SVG_RIGHT, SVG_USUAL);
+    }
+    svg_legend_line(s, SVG_CURVE, "the segment");
+    svg_legend_line(s, SVG_RIGHT, "the plane, from the side");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "control points, off it");
+    svg_legend_mark(s, SVG_RIGHT, SVG_USUAL, "the points of level 1");
+    return s;
+}

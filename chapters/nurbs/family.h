@@ -11,7 +11,7 @@
 
 /* The knots of one span mu = p: 2p+2 knots, p+1 points.
  *     shape 0: simple knots;   1: both ends of the span p-fold;   2: its left end double.
- * In the field the distinct knots are variables for p <= 3 and numbers for p > 3. */
+ * In the field the distinct knots are variables for p <= 4 and the numbers 0, 1, 3, 6, 10, ... for p > 4. */
 enum { SHAPES = 3 };
 static inline void G(knots_of_span)(trial *T, int p, int shape, num u[], int place[])
 {
@@ -30,26 +30,23 @@ static inline void G(knots_of_span)(trial *T, int p, int shape, num u[], int pla
     }
     int count = G(knots_of_pattern)(T, pattern, u, place);
 #if FIELD
-    for (int i = 0; p > 3 && i < count; i++) /* numbers: 0, 1 and others with gaps of 1 to 3 */
-        u[i] = i > 0 && place[i] == place[i - 1] ? u[i - 1] : from_int(3 * place[i] + place[i] % 2 + place[i] % 3);
+    for (int i = 0; p > 4 && i < count; i++)
+        u[i] = from_int(place[i] * (place[i] + 1) / 2);
 #else
     (void)count;
 #endif
 }
 
-/* The same with u_0 = 0 and the positive gaps as data, for questions of sign. */
+/* The same with u_0 = 0 and the positive gaps as data, for questions of sign; in the field they are 1, 2, 3, ... for
+ * p > 3. */
 static inline void G(gaps_of_span)(trial *T, int p, int shape, num u[])
 {
     int place[MOST_KNOTS];
     G(knots_of_span)(T, p, shape, u, place);
-#if FIELD
-    if (p > 3) /* numbers already */
-        return;
-#endif
     num value = from_int(0);
     for (int i = 0; i < 2 * p + 2; i++) {
         if (i > 0 && place[i] > place[i - 1])
-            value = add(value, positive(T, "g", place[i]));
+            value = add(value, FIELD && p > 3 ? from_int(place[i]) : positive(T, "g", place[i]));
         u[i] = value;
     }
 }

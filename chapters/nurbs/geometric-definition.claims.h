@@ -31,6 +31,7 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :printed: \mathbf r(t)=\frac{(t_{j+1}-t)w_{j-1}\mathbf r_{j-1}+(t-t_j)w_j\mathbf
   r_j}{(t_{j+1}-t)w_{j-1}+(t-t_j)w_j},\quad t_j\le t<t_{j+1},\ j=2,3,\dots,n
 :holds-by: polygon_is_the_curve_of_order_two
+:figure: nurbs_polygons
 :::
 
 :::{statement} wang-ch4:def-4.3.1-sum
@@ -38,6 +39,7 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :zh: 多边形的统一表示
 :printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
 :holds-by: polygon_is_the_curve_of_order_two
+:figure: nurbs_polygons
 :::
 
 :::{statement} wang-ch4:def-4.3.1-index
@@ -48,6 +50,7 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :refuted-by: recursion_asks_for_a_point_that_is_missing
 :corrected: $i=r+1,r+2,\dots,n$
 :corrected-by: whole_member_is_polar_on_every_span
+:figure: recursion_indices
 
 For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does
 not exist.

@@ -1,6 +1,8 @@
 /* geometric-definition.figure.c -- drawings for geometric-definition.claims.h. */
 #include "chapters/nurbs/family-figures.h"
 
+#include <stdio.h>
+
 FIGURE(nurbs_polygons)
 {
     svg *s = svg_new("nurbs_polygons", "A curve as the envelope of polygons",
@@ -57,5 +59,36 @@ FIGURE(nurbs_polygons_extra)
     svg_legend_line(s, SVG_WRONG, "its leg, a solution");
     svg_legend_line(s, SVG_POLYGON, "control polygon");
     svg_legend_line(s, SVG_FAMILY, "other polygons");
+    return s;
+}
+
+FIGURE(recursion_indices)
+{
+    enum { n = 4 };
+    svg *s = svg_new("recursion_indices", "Which points the recursion asks for",
+                     "The points of the levels 0, 1 and 2 for n = 4, each with arrows from the two that it is computed "
+                     "from.  With i = 2, ..., n on every level the second level asks for a point of level 1 with the "
+                     "index 1, and that for the point with the index 0, which does not exist.");
+    svg_panel(s, window(r(-1, 2), r(-3, 4), r(5, 2), r(19, 4)), 400, 300,
+              "$k=4$, $n=4$; level $r$ to the right, index $i$ upwards");
+    for (int level = 0; level <= 2; level++)
+        for (int i = 0; i <= n; i++) {
+            int good = i >= level + 1, asked = good || (level > 0 && i >= level) || (level == 0 && i == 0);
+            char name[24];
+            if (!asked)
+                continue;
+            snprintf(name, sizeof name, level > 0 ? "r_%d^{[%d]}" : "r_%d", i, level);
+            for (int from = i - 1; level > 0 && from <= i; from++)
+                svg_arrow(s, at(q(level - 1), q(from)), at(sub_q(q(level), r(1, 10)), sub_q(q(i), r(i - from, 10))),
+                          good ? SVG_FAMILY : SVG_WRONG);
+            svg_mark(s, svg_at(level, i), good ? SVG_POINT : SVG_WRONG, SVG_USUAL);
+            svg_label(s, svg_at(level, i),
+                      level == 0   ? SVG_W
+                      : level == 1 ? SVG_N
+                                   : SVG_E,
+                      good ? SVG_POINT : SVG_WRONG, name);
+        }
+    svg_legend_mark(s, SVG_POINT, SVG_USUAL, "$i=r+1,…,n$");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "asked for by $i=2$ on level 2");
     return s;
 }

@@ -78,7 +78,8 @@ CLAIM(boehm_insertion_in_higher_degrees) { G(check_boehm_insertion_keeps_curve)(
   one interval with $x<y$, also the same knot
 :then: inserting $x$ and then $y$ gives the points that inserting $y$ and then $x$ gives
 :method: Both by `bspline_insert`, everything a variable.
-:degrees: 0..3 sampled 8
+:degrees: 0..6 sampled 8
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the second order inserts $y$ at the mean of $x$ and $y$
 :::
 */
@@ -121,7 +122,8 @@ CLAIM(bspline_insertions_commute)
 :then: after $p-s$ insertions of $x$ one of the points is $s(x)$; the points are those of de Boor's triangle at $x$
 :method: The kernel again and again; the point with the index of the last knot of the span in which $x$ was, minus $s$, against
   the sum of all B-splines from the recursion by its letter.
-:degrees: 1..4 sampled 8
+:degrees: 1..6 sampled 8
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the next point
 :::
 */
@@ -163,7 +165,8 @@ CLAIM(repeated_insertion_is_deboor)
 :method: The kernel applied to the points $c_i=1$ and all others $0$ gives the coefficients of $c_i$ one after the other; they are
   fractions with positive coefficients only, and the two of a new point sum to 1.
 :types: field rational
-:degrees: 1..4 sampled 8
+:degrees: 1..6 sampled 8
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the coefficient of the point before
 :::
 */

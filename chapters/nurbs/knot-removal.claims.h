@@ -83,7 +83,8 @@ CLAIM(removal_in_higher_degrees) { G(check_removal_inverts_insertion)(T, INTEGER
 :method: `bspline_remove`, then `bspline_insert`, everything a variable; the differences of all points are computed, all but one
   must vanish, and that one is compared with the defect.
 :types: field rational
-:degrees: 0..4 sampled 8
+:degrees: 0..6 sampled 8
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the defect with the other sign
 :::
 */
@@ -128,7 +129,7 @@ CLAIM(reinsertion_misses_by_the_defect)
   letter.  Both are linear in the points: jump and defect of all points and of one unit point are in proportion, and
   jump and defect of that unit point, numbers of the knots, have coefficients of one sign only.
 :types: field rational
-:degrees: 0..3 sampled 8
+:degrees: 0..4 sampled 8
 :control: the jump of the next order, or for $s=1$ of the order before
 :::
 */

@@ -10,6 +10,7 @@ cofactors written out, gives the B-splines in powers of $t$; one more expansion 
 :printed: \mathbf G_{r,k,T}=(g_{\mu,i}),\quad\mu=0,\dots,k-1,\quad i=r-k+1,\dots,r
 :definition: yes
 :checked-by: marsden_matrix_holds_derivatives
+:figure: both_matrices
 :::
 
 :::{statement} wang-ch4:formula-4.4.19
@@ -18,6 +19,7 @@ cofactors written out, gives the B-splines in powers of $t$; one more expansion 
 :printed: g_{\mu i}=\frac{(-1)^\mu\mu!}{(k-1)!}\,\omega_{i,k}^{(k-1-\mu)}(0)
 :definition: yes
 :checked-by: marsden_matrix_holds_derivatives
+:figure: both_matrices
 :::
 
 :::{statement} wang-ch4:formula-4.4.16
@@ -25,6 +27,7 @@ cofactors written out, gives the B-splines in powers of $t$; one more expansion 
 :zh: B 样条基的幂基表示
 :printed: N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}\bar a_{ji}u^j,\quad u=\frac{t-t_r}{t_{r+1}-t_r}\in[0,1)
 :holds-by: printed_cofactor_formula_gives_the_basis
+:figure: both_matrices
 :::
 
 :::{statement} wang-ch4:thm-4.4.3
@@ -45,6 +48,7 @@ the index $i$.
 :zh: 由 G 的代数余子式给出矩阵元素
 :printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}
 :holds-by: printed_cofactor_formula_gives_the_basis both_explicit_matrices_agree
+:figure: both_matrices
 
 The entries do not change when all knots move by one number, although $t_r$ stands in the formula.
 :::
@@ -54,6 +58,7 @@ The entries do not change when all knots move by one number, although $t_r$ stan
 :zh: 两种显式矩阵表示
 :printed: (4.4.12) and (4.4.17) are two explicit forms of the coefficient matrix in the most general case
 :holds-by: both_explicit_matrices_agree
+:figure: both_matrices
 
 Both are the matrix of the span, so they are equal, whatever the multiplicities of the knots.
 :::
@@ -129,6 +134,7 @@ Both are the matrix of the span, so they are equal, whatever the multiplicities 
 :printed: \det\mathbf G_{r,k,T}\ne0
 :holds-by: marsden_determinant_is_product marsden_determinant_is_positive
 :needs: empty_span_makes_g_singular | the span is not empty
+:figure: both_matrices
 
 More is true: $\det G=\prod_{a\le r<b,\ b-a\le k-1}(t_b-t_a)\big/\prod_{j=0}^{k-1}\binom{k-1}j>0$.
 :::
@@ -149,6 +155,7 @@ A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of
 :zh: B 样条基按 t 的幂展开
 :printed: N_{i,k}(t)=\sum_{\mu=0}^{k-1}g^*_{\mu i}t^\mu/\det\mathbf G_{r,k,T}
 :holds-by: cofactors_give_powers_of_t
+:figure: both_matrices
 :::
 
 :::{statement} wang-ch4:thm-4.4.3-step-power

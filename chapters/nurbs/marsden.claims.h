@@ -11,6 +11,7 @@ to do follows from it: it reproduces the powers of $t$, hence all polynomials.
 :printed: \omega_{i,k}(x)=1\ (k=1),\qquad\omega_{i,k}(x)=(x-t_{i+1})(x-t_{i+2})\cdots(x-t_{i+k-1})\ (k>1)
 :definition: yes
 :checked-by: marsden_coefficients_vanish_at_inner_knots
+:figure: marsden_identity
 
 For $k=1$ it is the empty product.
 :::
@@ -29,6 +30,7 @@ For $k=1$ it is the empty product.
 :zh: 恒等式作为 x 与 t 的多项式恒等式
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
 :holds-by: marsden_identity marsden_identity_up_to_order_eight
+:figure: marsden_identity
 
 With the polynomials of the span in the places of the $N_{i,k}$ it holds for all $t$, not in the span alone.
 :::
@@ -242,6 +244,7 @@ is one level of de Boor's algorithm for the coefficients.
   W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
 :holds-by: one_level_moves_to_the_coefficients
 :needs: one_level_needs_the_span | the functions at the ends, $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish on the span
+:figure: marsden_identity
 
 The denominators that occur are differences of knots on the two sides of the span.
 :::
@@ -251,6 +254,7 @@ The denominators that occur are differences of knots on the two sides of the spa
 :zh: ω 经一层递推降一阶
 :printed: W_i^0=\omega_{i,k}(x)\ \Rightarrow\ W_i^1=(x-t)\,\omega_{i,k-1}(x)
 :holds-by: one_level_takes_off_a_factor
+:figure: marsden_identity
 
 The second index of $\omega$ is an iota in the source; the order $k$ is meant: with $\omega_{i,1}=1$ the left side is the
 constant 1.
@@ -262,6 +266,7 @@ constant 1.
 :printed: \sum_{i=r-k+1}^r\omega_{i,k}N_{i,k}=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}N_{i,k-1}=\dots=(x-t)^{k-1}\omega_{r,1}
   N_{r,1}=(x-t)^{k-1}
 :holds-by: every_link_of_the_chain
+:figure: marsden_identity
 :::
 
 :::{claim} one_level_moves_to_the_coefficients
@@ -271,7 +276,7 @@ constant 1.
   pattern of the knots up to the order 3
 :then: $\sum W_i^0N_{i,k}(t)=\sum W_i^1N_{i,k-1}(t)$ with the printed $W_i^1$ and the printed limits
 :method: All functions by their definition.
-:degrees: 1..4 sampled 7
+:degrees: 1..5 sampled 7
 :control: the two fractions in $W_i^1$ exchanged
 :::
 
@@ -292,7 +297,7 @@ constant 1.
 :given: orders $k=p+1$, simple knots, $x$ and $t$ variables
 :then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
 :method: Each sum by itself, from the definitions.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: the sums begin at $i=r-m+2$
 :::
 */
@@ -387,6 +392,7 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :zh: 幂函数由 B 样条基表示
 :printed: t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t),\quad\mu=0,\dots,k-1
 :holds-by: powers_of_t_from_derivatives
+:figure: powers_from_averages
 :::
 
 :::{statement} wang-ch4:formula-4.4.21
@@ -394,6 +400,7 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :zh: 矩阵形式
 :printed: (1,t,\dots,t^{k-1})=(N_{r-k+1,k}(t),\dots,N_{r,k}(t))\,\mathbf G_{r,k,T}^T
 :holds-by: powers_of_t_from_derivatives
+:figure: powers_from_averages
 :::
 
 :::{statement} wang-ch4:formula-4.4.22
@@ -412,6 +419,7 @@ For $j=1$ the coefficients are the averages of the inner knots, the abscissae of
 :printed: \mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})=\sum_{i+1\le i_1<\dots<i_j\le i+k-1}t_{i_1}\cdots t_{i_j}
 :definition: yes
 :checked-by: elementary_symmetric_is_sum_over_subsets
+:figure: powers_from_averages
 
 For $j=0$ the sum has one term, the empty product 1.
 :::
@@ -421,6 +429,7 @@ For $j=0$ the sum has one term, the empty product 1.
 :zh: ω 在 0 处的导数与对称函数
 :printed: \omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})
 :holds-by: derivatives_of_omega_are_symmetric
+:figure: powers_from_averages
 :::
 
 :::{claim} powers_of_t_from_derivatives
@@ -440,7 +449,7 @@ For $j=0$ the sum has one term, the empty product 1.
 :given: orders $k=p+1$, every pattern of the knots up to the order 3, else simple knots; knots and $t$ variables
 :then: (4.4.22) for every $j$
 :method: The symmetric functions as sums over subsets, the B-splines by definition.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: the knots $t_i,\dots,t_{i+k-2}$
 :::
 
@@ -500,12 +509,13 @@ CLAIM(powers_of_t_from_symmetric_functions)
     int last = G(patterns)(k) - 1;
     for (int m = k <= 3 ? 0 : last; m <= last; m++) {
         struct G(span) S = G(span_of_pattern)(k, m, knots);
+        num N[LARGEST_ORDER];
+        for (int i = 0; i < k; i++)
+            N[i] = G(basis_value)(&S, i, k, t);
         for (int j = 0; j < k; j++) {
             num sum = from_int(0);
-            for (int i = 0; i < k; i++) {
-                num Sym = G(symmetric_sum)(k - 1, S.t + i + !T->planted, j);
-                sum = add(sum, mul(Sym, G(basis_value)(&S, i, k, t)));
-            }
+            for (int i = 0; i < k; i++)
+                sum = add(sum, mul(G(symmetric_sum)(k - 1, S.t + i + !T->planted, j), N[i]));
             same(T, G(power)(t, j), div(sum, G(choose)(k - 1, j)));
         }
     }

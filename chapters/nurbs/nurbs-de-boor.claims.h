@@ -14,6 +14,7 @@ ratio of the weights at its ends.
 :printed: w_i^{[0]}=w_i,\quad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
   w_{i-1}^{[r-1]}(t),\quad r=1,\dots,k-1,\ i=j-k+r+1,\dots,j
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
+:figure: deboor_triangle
 
 The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t)=w(t)$.
 :::
@@ -27,6 +28,7 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | positive weights: otherwise a weight of a level may vanish and stop the algorithm, where the
   curve has a point
+:figure: deboor_triangle
 :::
 
 :::{statement} wang-ch4:formula-4.1.5
@@ -47,7 +49,8 @@ Better with $j$ in the place of $i$, as $i$ has been running up to here.
 :then: `nurbs_deboor_level`, level after level, gives $w_i^{[r]}$ and $r_i^{[r]}$; the last point and weight of the level before
   stay where they were
 :method: The kernel against the two recursions by their letter, in the indices of the source.
-:degrees: 1..3 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :defines: nurbs_deboor_level
 :control: the last level is given the weights 1
 :::
@@ -119,7 +122,8 @@ CLAIM(rational_triangle_follows_the_recursion)
 :then: $r_j^{[k-1]}(t)=r(t)$ and $w_j^{[k-1]}(t)=w(t)$, by the recursion and by the kernel
 :method: The recursions by their letter, and the kernel, against the sums of all terms of (4.1.2).  Both sides are rational functions
   of $t$: at the right end of a closed interval the recursion gives the limit from the left.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :defines: nurbs_deboor
 :control: the point $r_{j-1}^{[k-2]}(t)$
 :::
@@ -332,7 +336,8 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :let: $\lambda=(t-t_i)w_i^{[r-1]}/[(t-t_i)w_i^{[r-1]}+(t_{i+k-r}-t)w_{i-1}^{[r-1]}]$
 :then: $r_i^{[r]}=(1-\lambda)\,r_{i-1}^{[r-1]}+\lambda\,r_i^{[r-1]}$ with $0\le\lambda\le1$, on every level
 :method: The kernel's levels; signs are read off coefficients in $s$, the gaps and the weights.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $\lambda$ and $1-\lambda$ exchanged
 :::
 
@@ -343,7 +348,8 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :then: $w_i^{[r]}(t)>0$ for all $r$ and $i$ of the ranges
 :method: The recursion by its letter; signs are read off coefficients.  Where knots coincide, and at $t=t_j$: the divisors are positive
   (`divisors_contain_the_span`), so that a weight is a mean, with factors of $[0,1]$, of two of the level before.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: all weights negative
 :::
 

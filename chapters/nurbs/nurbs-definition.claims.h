@@ -35,6 +35,7 @@ open is in the entries after that: whether there is an interval, what happens at
 :refuted-by: polygon_begun_elsewhere_misses_the_start
 :corrected: $\tilde r_1\tilde r_2\cdots\tilde r_n$
 :corrected-by: clamped_end_is_the_first_point
+:figure: polygon_begun_elsewhere
 :::
 
 :::{statement} wang-ch4:def-4.1.1-interval
@@ -73,7 +74,8 @@ The source does not say that every control point counts, and the curve exists wh
 :then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$; so the denominator of (4.1.2) is at least the least
   weight
 :method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the first of the points of the interval left out
 :::
 */
@@ -132,7 +134,8 @@ CLAIM(basis_is_a_partition_of_unity)
   domain
 :then: $N_{i,k}(t)>0$ exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
 :method: The recursion by its letter; signs are read off coefficients in the gaps and in $s$, $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $N_{i,k}$ compared with the support of $N_{i+1,k}$
 :::
 */
@@ -332,7 +335,8 @@ CLAIM(negative_weight_makes_a_pole)
 :then: $N_{i,k}$, $i=1,\dots,n$, stays the same when $t_1$ and $t_{n+k}$ are replaced by other numbers
 :method: The recursion by its letter with both knots and with two other variables.  The $N_{i,k}$ with $1\le i\le n$ contain
   $t_1,\dots,t_{n+k}$ only.
-:degrees: 1..4 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the second knot replaced as well
 :::
 
@@ -395,6 +399,7 @@ CLAIM(control_point_of_space_is_not_enough)
 :definition: yes
 :printed: \tilde r(t)=(X(t),Y(t),Z(t),w(t))=\sum_{i=1}^nN_{i,k}(t)\tilde r_i,\quad t_k\le t\le t_{n+1},\ n\ge k
 :checked-by: nurbs_point_is_the_weighted_mean
+:figure: nurbs_definition
 
 This is a polynomial spline in four-dimensional space; the rational curve is its central projection.
 :::
@@ -417,7 +422,8 @@ This is a polynomial spline in four-dimensional space; the rational curve is its
   $\sum_{i=1}^nN_{i,k}(t)w_ir_i/\sum_{i=1}^nN_{i,k}(t)w_i$
 :method: The kernel against all $n$ terms of the recursion by its letter.  The numerators are linear in the points, coordinate by
   coordinate.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :defines: nurbs_homogenize nurbs_weight nurbs_point
 :control: the last weight of the span increased by 1 for the kernel
 :::
@@ -473,7 +479,8 @@ The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,
 :given: every pattern of the list, values variables; one weight $w\ne0$, points; any interval and $t$
 :then: $r(t)=\sum_{i=1}^nN_{i,k}(t)r_i$
 :method: The rational curve by the kernel against the sum of all terms by the recursion.
-:degrees: 1..3 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the weight of one point of the span doubled
 :::
 
@@ -484,7 +491,7 @@ The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,
 :then: the numerator of $r(t)-\sum N_{i,k}r_i$ has as coefficient of $r_i$ the number
   $N_{i,k}(t)\,(w_i-w(t))$; it vanishes for all $i$ and $t$ only if $w(t)$ is the constant $w_i$
 :method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
-:degrees: 1..3 sampled 8
+:degrees: 1..4 sampled 8
 :control: the weight of one point doubled on one side
 :::
 */
@@ -550,7 +557,8 @@ The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask a
 :given: $n=k$, knots $x_0,x_1^{k-1},x_2^{k-1},x_3$, values variables; weights and points; any $t$
 :then: $r(t)$ is the rational Bézier curve of $r_1,\dots,r_k$ and $w_1,\dots,w_k$ at $(t-t_k)/(t_{k+1}-t_k)$
 :method: The curve from the definition against the kernel for rational Bézier curves.
-:degrees: 1..5 sampled 9
+:degrees: 1..6 sampled 9
+:scope: the knots variables for $p\le4$, numbers above
 :control: the weights taken in the opposite order
 :::
 
@@ -560,7 +568,8 @@ The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask a
 :given: simple knots, values variables; weights and points; the interval $[t_k,t_{k+1}]$
 :then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates
 :method: Both sides in homogeneous coordinates at a variable $t$: numerator and weight are linear, one coordinate stands for all.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the given points in the place of the new ones
 :::
 */

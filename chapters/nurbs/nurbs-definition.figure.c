@@ -115,3 +115,26 @@ FIGURE(bezier_knots)
     svg_legend_line(s, SVG_CURVE_2, "its Bézier points $r_i^*$");
     return s;
 }
+
+FIGURE(polygon_begun_elsewhere)
+{
+    static const int point[] = {0, 0, 2, 2, 4, 0}, knot[] = {0, 0, 0, 1, 1, 1};
+    static const enum svg_direction side[] = {SVG_SW, SVG_N, SVG_SE};
+    svg *s =
+        svg_new("polygon_begun_elsewhere", "A polygon that begins with the wrong point",
+                "Three points of a quadratic curve that begins in the first of them.  As printed the polygon begins "
+                "with the point of an undetermined index i; with i = 2 its first leg is missing.");
+    spline c = spline_of(3, 2, knot, 1, point, 1, NULL);
+    for (int good = 0; good < 2; good++) {
+        svg_panel(s, svg_integer_window(-1, -1, 5, 3), 290, 0, good ? "$r_1r_2r_3$" : "$r_ir_2r_3$ with $i=2$");
+        svg_heading(s, good ? SVG_RIGHT : SVG_WRONG, good ? "$r_1r_2⋯r_n$" : "$r_ir_2⋯r_n$");
+        draw_spline(s, c, SVG_CURVE);
+        draw_polygon(s, c, "r", side, SVG_MUTED);
+        svg_polyline(s, good ? 3 : 2, c.R + (good ? 0 : 2), good ? SVG_RIGHT : SVG_WRONG);
+        svg_mark(s, svg_pair(c.R + (good ? 0 : 2)), good ? SVG_RIGHT : SVG_WRONG, SVG_USUAL);
+    }
+    svg_legend_line(s, SVG_CURVE, "the curve, $k=3$");
+    svg_legend_line(s, SVG_WRONG, "the printed polygon");
+    svg_legend_line(s, SVG_RIGHT, "the control polygon");
+    return s;
+}

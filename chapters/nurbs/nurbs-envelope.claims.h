@@ -17,6 +17,7 @@ families are.
 :printed: \mathbf p(t)=\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\mathbf r_i,\qquad w(t)=\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i
 :definition: yes
 :checked-by: segment_needs_the_points_of_its_span
+:figure: nurbs_envelope_families
 
 On $[t_j,t_{j+1})$ these are the numerator and the denominator of (4.1.2): the other terms are 0.
 :::
@@ -42,7 +43,7 @@ $t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
-:degrees: 1..3 sampled 5
+:degrees: 1..4 sampled 5
 :control: the first point of the span left out
 :::
 */
@@ -79,12 +80,13 @@ CLAIM(segment_needs_the_points_of_its_span)
 :title: The member is the polar form with r arguments τ and k-1-r arguments t
 :zh: 族曲线即极形式
 :given: $k=p+1$; a span of simple knots, one with a double knot, and one whose ends are $(k-1)$-fold, the distinct
-  knots variables for $k\le4$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
+  knots variables for $k\le5$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
 :then: $\sum N_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$
 :method: The left side runs the recursion (4.1.3), (4.1.4), which divides by weights, and sums with the B-splines of
   order $k-r$; the right side is the kernel's polar form of the homogeneous points.  A coordinate is any coordinate,
   so one suffices.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: one argument $\tau$ of the polar form replaced by $t$
 :::
 */
@@ -122,7 +124,8 @@ CLAIM(member_of_span_is_polar)
   $x=0$, $y=0$, they are positive too: $a\in[0,1]$ in every step of (4.1.3), and a mean of positive numbers is
   positive.
 :types: field rational
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le3$, numbers above
 :control: the weights negative
 :::
 */
@@ -164,6 +167,7 @@ CLAIM(extrapolated_members_keep_positive_weights_inside)
 :zh: r 与 k 的取值范围
 :printed: the families are considered for $k\ge3$ and $r=1,2,\dots,k-2$
 :holds-by: member_of_extreme_levels
+:figure: nurbs_envelope_families
 
 The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=k-1$ a point of
 it.
@@ -174,6 +178,7 @@ it.
 :zh: t=τ 时各层分母相等
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t)
 :holds-by: levels_keep_weight_and_point
+:figure: nurbs_envelope_growing
 :::
 
 :::{statement} wang-ch4:formula-4.3.5
@@ -182,6 +187,7 @@ it.
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,
   w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t)
 :holds-by: levels_keep_weight_and_point
+:figure: nurbs_envelope_growing
 :::
 
 :::{statement} wang-ch4:formula-4.3.6
@@ -190,6 +196,7 @@ it.
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)=\frac{k-r-1}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,
   w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t)
 :holds-by: levels_shrink_the_derivative
+:figure: nurbs_envelope_contact
 
 The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ telescope.
 :::
@@ -200,6 +207,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\frac{k-r-1}{k-r}
   \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t)
 :holds-by: levels_shrink_the_derivative
+:figure: nurbs_envelope_contact
 :::
 
 :::{statement} wang-ch4:thm-4.3.1-point
@@ -207,6 +215,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :zh: τ=t 时族曲线上的点即曲线上的点
 :printed: \mathbf r^{[k-r]}(t,\tau)|_{\tau=t}=\mathbf p(t)/w(t)=\mathbf r(t),\quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
+:figure: nurbs_envelope_growing
 :::
 
 :::{statement} wang-ch4:thm-4.3.1-derivative
@@ -225,6 +234,7 @@ The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ teles
 :holds-by: member_of_span_touches_curve
 :needs: corner_has_two_tangents | the limit is from the right; from the left the curve has, at a $(k-1)$-fold knot,
   another direction than the member of the span on the right
+:figure: knot_sides
 
 The knot is $t_j$, the left end of the span that the proof is about; the letter $i$ counts the terms of its sums.
 :::
@@ -252,7 +262,8 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
 :then: $r^{[k]}(t,\tau)=r(t)$ and $r^{[1]}(t,\tau)=r(\tau)$
 :method: The recursion for the members, the kernel of the point for the curve.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: level $k-2$ in the place of level $k-1$
 :::
 
@@ -263,7 +274,8 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
 :then: both sums of level $r$ over $N_{i,k-r}(t)$ are those of level $r-1$ over $N_{i,k-r+1}(t)$ and those of level 0,
   $w(t)$ and $p(t)$
 :method: The levels by (4.1.3), (4.1.4), the sums as printed.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the recursion of the level at $\tau=t+1$
 :::
 
@@ -273,7 +285,8 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
 :then: the displays (4.3.6) and (4.3.7), each equality
 :method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor $\frac{k-r}{k-r+1}$ for one level
 :::
 
@@ -285,7 +298,8 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
   $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
 :method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
   number, so the ends of the span are covered, with the derivatives of its polynomials.
-:degrees: 2..4 sampled 6
+:degrees: 2..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factor left out
 :::
 */
@@ -365,15 +379,38 @@ CLAIM(levels_shrink_the_derivative)
     }
 }
 
+/* p+1 points of one coordinate and weights, everything free.  In the field the variables are the coefficients of
+ * numerator and denominator in powers about t, and the points are polar values of the segment that they give: every
+ * segment is of this kind, and its value and derivative at t are short. */
+static void G(curve_about)(trial *T, int p, num t, const num u[], num R[], num w[])
+{
+#if FIELD
+    num a[MAX_DEGREE + 1], b[MAX_DEGREE + 1], x[MAX_DEGREE + 1];
+    for (int m = 0; m <= p; m++) {
+        a[m] = unknown(T, "a", m);
+        b[m] = unknown(T, "w", m);
+    }
+    for (int i = 0; i <= p; i++) {
+        for (int m = 0; m < p; m++)
+            x[m] = sub(u[i + 1 + m], t);
+        w[i] = G(polar_of_powers)(p, b, x);
+        R[i] = div(G(polar_of_powers)(p, a, x), w[i]);
+    }
+#else
+    (void)t, (void)u;
+    G(free_curve)(T, p, 1, R, w);
+#endif
+}
+
 CLAIM(member_of_span_touches_curve)
 {
     int p = T->degree, k = p + 1, mu = p;
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t");
     int place[MOST_KNOTS];
-    G(free_curve)(T, p, 1, R, w);
     for (int shape = 0; shape < SHAPES; shape++) {
         num D[2], S[2], S1[2];
         G(knots_of_span)(T, p, shape, u, place);
+        G(curve_about)(T, p, t, u, R, w);
         G(curve_derivatives)(p, 1, u, mu, R, w, t, 1, D);
         G(sums)(p, 1, u, mu, R, w, t, S);
         G(derivative_sums)(p, 1, u, mu, R, w, t, S1);
@@ -401,7 +438,8 @@ CLAIM(member_of_span_touches_curve)
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
 :method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
   coordinates, is in $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
-:degrees: 2..3 sampled 6
+:degrees: 2..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factors of the two derivatives exchanged and increased by 1
 :::
 */
@@ -410,10 +448,10 @@ CLAIM(envelope_condition_holds_on_the_diagonal)
     int p = T->degree, k = p + 1, mu = p, more = T->planted;
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t");
     int place[MOST_KNOTS];
-    G(free_curve)(T, p, 1, R, w);
     for (int shape = 0; shape < SHAPES; shape++) {
         num D[2];
         G(knots_of_span)(T, p, shape, u, place);
+        G(curve_about)(T, p, t, u, R, w);
         G(curve_derivatives)(p, 1, u, mu, R, w, t, 1, D);
         for (int r = 1; r <= k - 2; r++) {
             num E[3];
@@ -705,6 +743,7 @@ CLAIM(high_knot_leaves_a_point_undefined)
 :zh: 权相等时即 B 样条曲线的包络定理
 :printed: when the $w_i$ are constant, theorem 2.2.2 results
 :holds-by: equal_weights_give_the_polynomial_family
+:figure: nurbs_envelope_contact
 
 Theorem 2.2.2 is not among the sources at hand; it is taken to be the same theorem for B-spline curves and their
 recursion.
@@ -715,6 +754,7 @@ recursion.
 :zh: 两端均为 k-1 重节点时即有理 Bézier 曲线的包络定理
 :printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
 :holds-by: bezier_span_gives_the_bezier_family
+:figure: bezier_knots
 
 What results is the envelope; that the contact is of order $n-r$, which theorem 3.3.2 adds, is false there as it would
 be here.
@@ -727,6 +767,7 @@ be here.
   r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
   r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
 :holds-by: lines_of_the_family_by_two_points
+:figure: nurbs_envelope_families
 :::
 
 :::{statement} wang-ch4:cor-4.3.1-lines
@@ -746,7 +787,8 @@ The lines are segments, the legs that de Boor's algorithm draws last.
 :given: $k=p+1$; knots of these three shapes; one weight $w_1$ for all points; any $\tau$, $r=1,\dots,k-1$
 :then: $w_i^{[r]}(\tau)=w_1$, and $r_i^{[r]}(\tau)$ is the point of level $r$ of de Boor's triangle without weights
 :method: The rational recursion against the kernel of de Boor's levels, one coordinate.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the first weight different
 :::
 
@@ -759,7 +801,8 @@ The lines are segments, the legs that de Boor's algorithm draws last.
   $N_{i,k-r}(t)=B_{i-j+k-r-1}^{k-r-1}\bigl(\frac{t-t_j}{t_{j+1}-t_j}\bigr)$
 :method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know
   nothing of knots.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: $1-\lambda$ in the place of $\lambda$
 :::
 
@@ -769,7 +812,8 @@ The lines are segments, the legs that de Boor's algorithm draws last.
 :given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$; $r=k-2$
 :then: (4.3.3) is (4.3.8)
 :method: Both quotients by their letter, one coordinate.
-:degrees: 2..4 sampled 7
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: $t-t_j$ and $t_{j+1}-t$ exchanged
 :::
 */
@@ -857,7 +901,8 @@ curve.
 :then: with $n=k-1$, $m=n-r$: $\frac{n!}{(n-i)!}\,\partial_t^iP^{[r]}(t,t)=\frac{m!}{(m-i)!}\,P^{(i)}(t)$ for the
   coordinate and for the weight
 :method: The levels of de Boor's triangle in homogeneous coordinates, and the kernel of the derivatives of a segment.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the factors left out
 :::
 

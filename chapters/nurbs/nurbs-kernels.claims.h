@@ -81,7 +81,7 @@ CLAIM(nurbs_point_is_the_quotient)
 :then: after the levels $1,\dots,r$ at $\tau$, $\sum_iw_i^rN_{i,p-r}(t)$ and $\sum_iw_i^rR_i^rN_{i,p-r}(t)$ are the polar forms of $w$ and of $wR$
   with $r$ arguments $\tau$ and $p-r$ arguments $t$; the last point and weight of each level are left as they were
 :method: The sums, with the B-splines from the recursion by its letter, against the polar forms in elementary symmetric polynomials.
-:degrees: 1..3 sampled 8
+:degrees: 1..4 sampled 8
 :defines: nurbs_deboor_level
 :control: the parameter of the last level is $t$
 :::
@@ -179,30 +179,55 @@ CLAIM(nurbs_insertion_keeps_curve)
 :given: every segment, the distinct knots variables, points and weights, any $t$, orders $0,\dots,p+1$
 :then: `nurbs_derivatives` gives $R^{(k)}(t)$
 :method: The sums, with the B-splines from the recursion by its letter, in powers about $t$; the power series of numerator and denominator
-  are divided, term by term, and the coefficient of order $k$ is $R^{(k)}(t)/k!$.
-:degrees: 0..2 sampled 7
+  are divided, term by term, and the coefficient of order $k$ is $R^{(k)}(t)/k!$.  In the field the variables are the
+  coefficients of numerator and denominator in powers about $t$, and the points are the values of their polar forms: every
+  segment has such coefficients.
+:degrees: 0..4 sampled 7
 :defines: nurbs_derivatives
-:control: the weights taken backwards
+:control: $w'(t)$ doubled in the division
 :::
 */
+/* The points and weights of one segment in d coordinates, 1 <= d <= 3: free; in the field the coefficients of the
+ * homogeneous curve in powers about t are. */
+static void G(segment_data)(trial *T, const struct G(knots) * K, int d, num t, num R[], num w[])
+{
+#if FIELD
+    static const char *const name[] = {"a", "b", "c"}; /* the knots are x */
+    num s[HIGHEST + 1];
+    for (int e = d; e >= 0; e--) { /* the weights first */
+        for (int k = 0; k <= K->p; k++)
+            s[k] = unknown(T, e == d ? "w" : name[e], k);
+        for (int i = 0; i < K->n; i++) {
+            num polar = G(polar_of_powers)(K->p, s, t, K->u + i + 1);
+            if (e == d)
+                w[i] = polar;
+            else
+                R[i * d + e] = div(polar, w[i]);
+        }
+    }
+#else
+    (void)t;
+    G(free_nurbs)(T, K->n, d, R, w);
+#endif
+}
+
 CLAIM(nurbs_derivatives_are_those_of_the_quotient)
 {
     int p = T->degree;
     struct G(knots) K = {0};
-    num R[MOST_KNOTS * dim], w[MOST_KNOTS], z[MOST_KNOTS], H[MOST_KNOTS], D[(HIGHEST + 2) * dim];
+    num R[MOST_KNOTS * dim], w[MOST_KNOTS], H[MOST_KNOTS], D[(HIGHEST + 2) * dim];
     num a[HIGHEST + 2], b[HIGHEST + 2], q[HIGHEST + 2];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         num t = G(in_interval)(T, &K, p, "t");
-        G(free_nurbs)(T, K.n, dim, R, w);
-        for (int i = 0; i < K.n; i++)
-            z[i] = w[T->planted ? K.n - 1 - i : i];
-        G(nurbs_derivatives)(p, dim, K.u, p, R, z, t, p + 1, D);
+        G(segment_data)(T, &K, dim, t, R, w);
+        G(nurbs_derivatives)(p, dim, K.u, p, R, w, t, p + 1, D);
         for (int e = 0; e < dim; e++) {
             for (int i = 0; i < K.n; i++)
                 H[i] = mul(w[i], R[i * dim + e]);
             G(spline_powers)(K.n, p, 1, K.u, K.place, H, 0, K.place[p], t, a);
             G(spline_powers)(K.n, p, 1, K.u, K.place, w, 0, K.place[p], t, b);
             a[p + 1] = b[p + 1] = from_int(0);
+            b[1] = T->planted ? add(b[1], b[1]) : b[1];
             for (int r = 0; r <= p + 1; r++) {
                 q[r] = a[r];
                 for (int j = 0; j < r; j++)
@@ -274,28 +299,29 @@ CLAIM(quotient_derivatives_follow_the_field)
 :::{claim} nurbs_curvature_from_homogeneous_coordinates
 :title: The squared curvature of a plane NURBS curve
 :zh: 平面 NURBS 曲线的曲率
-:given: simple knots, weights, points of the plane, any $t$; in the field the knots are $0,1,3,7,\dots$ and the points $(0,1),(2,3),(5,1)$,
-  and the weights are variables
+:given: weights, points of the plane, any $t$; simple knots and, in the field, clamped ones, the distinct knots variables
 :then: with $P=(x,y,w)$ the homogeneous curve, `nurbs_curvature_squared` gives
   $\kappa^2=\frac{w^6\det(P,P',P'')^2}{\bigl((x'w-xw')^2+(y'w-yw')^2\bigr)^3}$
 :method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter; the formula has no derivative of a quotient.
+  In the field the variables are, as before, the coefficients of $P$ in powers about $t$.  In a greater degree
+  there are further coefficients, on which $P$, $P'$ and $P''$ do not depend.
 :types: field rational
-:degrees: 1..2 sampled 6
+:degrees: 1..3 sampled 6
 :defines: nurbs_curvature_squared
-:control: the weights taken backwards
+:control: $P''$ doubled in the formula
 :::
 */
 #if FIELD || RATIONAL
-/* Simple knots: in the field 0, 1, 3, 7, ..., elsewhere any. */
-static void G(simple_knots)(trial *T, int p, struct G(knots) * K)
+/* The knots of the next segment: simple ones, then in the field the clamped ones of Bézier. */
+static int G(next_segment)(trial *T, int p, int k, struct G(knots) * K)
 {
     char pattern[MOST_KNOTS];
-    G(pattern_of_bits)(2 * p + 2, (1 << (2 * p + 1)) - 1, pattern);
+    int apart = k == 0 ? (1 << (2 * p + 1)) - 1 : 1 << p;
+    if (k > (FIELD ? 1 : 0))
+        return 0;
+    G(pattern_of_bits)(2 * p + 2, apart, pattern);
     (void)G(knots_good)(T, p, pattern, K);
-#if FIELD
-    for (int i = 0; i < K->count; i++)
-        K->u[i] = from_int((1 << i) - 1);
-#endif
+    return k + 1;
 }
 
 /* D[r][e], r = 0, ..., 3: derivatives at t of the d+1 homogeneous coordinates, the weight last. */
@@ -325,64 +351,61 @@ CLAIM(nurbs_curvature_from_homogeneous_coordinates)
 {
     int p = T->degree;
     struct G(knots) K = {0};
-    num R[MOST_KNOTS * 2], w[MOST_KNOTS], z[MOST_KNOTS], D[4][4], t = parameter(T, "t");
-    G(simple_knots)(T, p, &K);
-    G(free_nurbs)(T, K.n, 2, R, w);
-#if FIELD
-    static const int at[] = {0, 1, 2, 3, 5, 1};
-    for (int i = 0; i < K.n * 2; i++)
-        R[i] = from_int(at[i]);
-#endif
-    for (int i = 0; i < K.n; i++)
-        z[i] = w[T->planted ? K.n - 1 - i : i];
-    G(homogeneous_derivatives)(&K, 2, R, w, t, D);
-    num det = G(minor3)(D, 0, 1, 2), speed = from_int(0), above = mul(det, det), below = from_int(1);
-    for (int e = 0; e < 2; e++) {
-        num part = sub(mul(D[1][e], D[0][2]), mul(D[0][e], D[1][2]));
-        speed = add(speed, mul(part, part));
+    num R[MOST_KNOTS * 2], w[MOST_KNOTS], D[4][4], t = parameter(T, "t");
+    for (int k = G(next_segment)(T, p, 0, &K); k > 0; k = G(next_segment)(T, p, k, &K)) {
+        G(segment_data)(T, &K, 2, t, R, w);
+        G(homogeneous_derivatives)(&K, 2, R, w, t, D);
+        for (int e = 0; T->planted && e <= 2; e++)
+            D[2][e] = mul(from_int(2), D[2][e]);
+        num det = G(minor3)(D, 0, 1, 2), speed = from_int(0), above = mul(det, det), below = from_int(1);
+        for (int e = 0; e < 2; e++) {
+            num part = sub(mul(D[1][e], D[0][2]), mul(D[0][e], D[1][2]));
+            speed = add(speed, mul(part, part));
+        }
+        for (int m = 0; m < 6; m++)
+            above = mul(above, D[0][2]);
+        for (int m = 0; m < 3; m++)
+            below = mul(below, speed);
+        same(T, mul(G(nurbs_curvature_squared)(p, 2, K.u, p, R, w, t), below), above);
     }
-    for (int k = 0; k < 6; k++)
-        above = mul(above, D[0][2]);
-    for (int k = 0; k < 3; k++)
-        below = mul(below, speed);
-    same(T, mul(G(nurbs_curvature_squared)(p, 2, K.u, p, R, z, t), below), above);
 }
 
 /*
 :::{claim} nurbs_torsion_from_homogeneous_coordinates
 :title: The torsion of a NURBS curve in space
 :zh: 空间 NURBS 曲线的挠率
-:given: simple random knots, weights, points of space, $p\ge3$, any $t$
+:given: weights, points of space, $p\ge3$, any $t$; simple knots and, in the field, clamped ones, the distinct knots variables
 :then: with $P=(w,x,y,z)$ the homogeneous curve, `nurbs_torsion` gives $w^2\det(P,P',P'',P''')$ over the sum of the squares of the minors of
   $(P,P',P'')$ in the columns $yzw$, $zxw$ and $xyw$
-:method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter; the formula has no derivative of a quotient.
-:types: rational
-:degrees: 3..7
+:method: As for the curvature: the derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter, no derivative of a
+  quotient, and in the field the coefficients of $P$ about $t$ as variables.
+:types: field rational
+:degrees: 3..3 sampled 7
 :defines: nurbs_torsion
-:control: the weights taken backwards
+:control: $P''$ doubled in the formula
 :::
 */
-#if RATIONAL
 CLAIM(nurbs_torsion_from_homogeneous_coordinates)
 {
     int p = T->degree;
     struct G(knots) K = {0};
-    num R[MOST_KNOTS * 3], w[MOST_KNOTS], z[MOST_KNOTS], D[4][4], M[16], below = from_int(0), t = parameter(T, "t");
-    G(simple_knots)(T, p, &K);
-    G(free_nurbs)(T, K.n, 3, R, w);
-    for (int i = 0; i < K.n; i++)
-        z[i] = w[T->planted ? K.n - 1 - i : i];
-    G(homogeneous_derivatives)(&K, 3, R, w, t, D);
-    for (int r = 0; r < 4; r++)
-        for (int e = 0; e < 4; e++)
-            M[4 * r + (e + 1) % 4] = D[r][e];
-    for (int e = 0; e < 3; e++) {
-        num minor = G(minor3)(D, (e + 1) % 3, (e + 2) % 3, 3);
-        below = add(below, mul(minor, minor));
+    num R[MOST_KNOTS * 3], w[MOST_KNOTS], D[4][4], M[16], t = parameter(T, "t");
+    for (int k = G(next_segment)(T, p, 0, &K); k > 0; k = G(next_segment)(T, p, k, &K)) {
+        G(segment_data)(T, &K, 3, t, R, w);
+        G(homogeneous_derivatives)(&K, 3, R, w, t, D);
+        for (int e = 0; T->planted && e <= 3; e++)
+            D[2][e] = mul(from_int(2), D[2][e]);
+        for (int r = 0; r < 4; r++)
+            for (int e = 0; e < 4; e++)
+                M[4 * r + (e + 1) % 4] = D[r][e];
+        num below = from_int(0);
+        for (int e = 0; e < 3; e++) {
+            num minor = G(minor3)(D, (e + 1) % 3, (e + 2) % 3, 3);
+            below = add(below, mul(minor, minor));
+        }
+        num above = mul(mul(D[0][3], D[0][3]), G(determinant)(4, M));
+        same(T, mul(G(nurbs_torsion)(p, K.u, p, R, w, t), below), above);
     }
-    num above = mul(mul(D[0][3], D[0][3]), G(determinant)(4, M));
-    same(T, mul(G(nurbs_torsion)(p, K.u, p, R, z, t), below), above);
 }
-#endif
 #endif
 #include "chapters/frame/claims_off.h"

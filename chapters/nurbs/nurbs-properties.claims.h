@@ -30,7 +30,7 @@ usual properties is decided.  Convexity and the number of intersections follow i
 :then: $r_i+\Delta$ in the place of $r_i$ changes $r(t)$ by $N_{i,k}w_i\Delta/w(t)$; $w_i+\delta$ in the place of $w_i$ changes it
   by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
 :method: All terms of the definition, before and after.
-:degrees: 1..3 sampled 5
+:degrees: 1..4 sampled 5
 :control: $\Delta$ doubled on the right
 :::
 */
@@ -144,7 +144,8 @@ CLAIM(negative_weight_leaves_the_hull)
 :given: a span with simple knots, values variables; weights, points of the plane; any affine map, any $t$
 :then: the curve of the mapped points with the same weights is the mapped curve
 :method: The definition, everything a variable.
-:degrees: 1..4 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the last point is not moved
 :::
 
@@ -154,7 +155,8 @@ CLAIM(negative_weight_leaves_the_hull)
 :given: a span with simple knots, values variables; points, weights, any $t$
 :then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
 :method: The definition, everything a variable.
-:degrees: 1..4 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the weights are not reversed
 :::
 */
@@ -213,7 +215,8 @@ CLAIM(reversed_data_reverse_the_nurbs)
 :then: for all $i$ and $0\le r\le k-1-m$ the derivatives $N_{i,k}^{(r)}$ from the left and from the right are equal; hence so are
   the derivatives of numerator and denominator, and by the rule for quotients those of the NURBS curve
 :method: The derivatives by the kernel on the two spans that meet at the knot; functions that do not count on a span are $0$ there.
-:degrees: 1..4 sampled 8
+:degrees: 1..6 sampled 8
+:scope: the knots variables for $p\le4$, numbers above
 :control: the order $k-m$ as well
 :::
 
@@ -479,7 +482,7 @@ CLAIM(clamped_end_is_the_first_point)
   curve
 :method: The kernel `bspline_periodic` for the continuation, the derivatives by the kernel on the first and on the last span;
   homogeneous coordinates, one coordinate.
-:degrees: 1..3 sampled 7
+:degrees: 1..4 sampled 7
 :control: the order $k-1$ as well
 :::
 */

@@ -132,6 +132,7 @@ the curve does.
 :holds-by: bezier_curves_are_nurbs_curves averages_between_neighbours_keep_sign_changes inserted_parameters_become_vertices
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted in the theorem as in the corollary;
   property 3.2.7 counts crossings, and does not follow from a count of points
+:figure: what_must_be_counted
 
 A rational Bézier curve is the case $n=k$ with two knots of multiplicity $k$; equal weights give B-spline and Bézier
 curves.  Property 3.2.7 is at hand; the others are taken to be the same for Bézier curves and B-spline curves.

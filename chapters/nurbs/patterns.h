@@ -9,7 +9,7 @@ enum { HIGHEST = 16 }; /* degree */
 enum { LENGTHS = 1, INTEGERS };
 
 struct G(knots) {
-    int kind;        /* 0: all distinct knots are variables of the field.  LENGTHS: the knots are x_0, x_0 + h_1,
+    int kind; /* 0: all distinct knots are variables of the field for p <= 4.  LENGTHS: the knots are x_0, x_0 + h_1,
                         x_0 + h_1 + h_2, ... with positive variables h, for statements about signs, which are read off
                         coefficients.  INTEGERS: they are 0, 1, 3, 6, 10, ..., for higher degrees            */
     int p, n, count; /* count = n+p+1 */
@@ -17,16 +17,23 @@ struct G(knots) {
     int place[MOST_KNOTS];
 };
 
+/* The kind of knots that K has in degree p: in the field INTEGERS in the place of variables for p > 4. */
+static inline int G(kind_for)(const struct G(knots) * K, int p)
+{
+    return FIELD && p > 4 && K->kind == 0 ? INTEGERS : K->kind;
+}
+
 /* Fills K from a pattern; returns whether it is good for degree p: no multiplicity above p+1, and a domain. */
 static inline int G(knots_good)(trial *T, int p, const char *pattern, struct G(knots) * K)
 {
+    int kind = G(kind_for)(K, p);
     K->p = p;
-    if (K->kind != 0) {
-        num x = K->kind == LENGTHS ? unknown(T, "x", 0) : from_int(0);
+    if (kind != 0) {
+        num x = kind == LENGTHS ? unknown(T, "x", 0) : from_int(0);
         K->count = 0;
         for (int i = 0; pattern[i] != '\0'; i++) {
             if (i > 0)
-                x = add(x, K->kind == LENGTHS ? positive(T, "h", i) : from_int(i));
+                x = add(x, kind == LENGTHS ? positive(T, "h", i) : from_int(i));
             for (int times = pattern[i] - '0'; times > 0; times--, K->count++)
                 K->u[K->count] = x, K->place[K->count] = i;
         }
@@ -111,7 +118,7 @@ static inline int G(several_knots)(trial *T, int p, int k, struct G(knots) * K)
     char pattern[MOST_KNOTS];
     k = G(next_pattern)(T, p, k);
     int inner = (k + 1) % (p + 2), ends = k / (p + 2), at = 0;
-    if (K->kind == INTEGERS && ends > 1)
+    if (G(kind_for)(K, p) == INTEGERS && ends > 1)
         return 0;
     if (ends > 2) {
         for (int bits = k - 3 * (p + 2); p <= 2 && bits < 1 << (2 * p + 2); bits++) {

@@ -12,6 +12,7 @@ this can be computed is decided here.
 :printed: The nonuniform B-spline curve, a piecewise polynomial, is generalised to the piecewise rational NURBS curve,
   of which B-spline curves and rational Bézier curves are special cases
 :holds-by: nurbs_point_is_the_weighted_mean equal_weights_give_bspline bezier_knots_give_rational_bezier
+:figure: nurbs_circle
 :::
 
 :::{statement} wang-ch4:preface-local-control
@@ -242,6 +243,7 @@ CLAIM(plain_recursion_doubles)
 :holds-by: recursion_subtracts_data_only weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | positive weights, and $t$ in the interval: with weights of both signs a weight of a level may
   be a difference, even $0$
+:figure: deboor_triangle
 
 Stable is read as: the rounded result is the exact one for points and weights that were changed relatively by a few
 roundings, how many depending on the order alone and not on the knots.
@@ -286,6 +288,7 @@ CLAIM(recursion_subtracts_data_only)
 :printed: The matrix form in the power basis has polynomial time complexity and is suited to the algorithm of Qin
   Jiushao and Horner
 :holds-by: horner_takes_two_operations_a_degree
+:figure: recursion_steps
 :::
 
 :::{claim} horner_takes_two_operations_a_degree

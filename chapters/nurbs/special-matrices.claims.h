@@ -35,6 +35,7 @@ single Bézier segment.  The source derives the first two from the divided diffe
   it is $-N_{i,k}$ for odd $k$
 :corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
 :corrected-by: simple_basis_from_weights
+:figure: simple_knots_sign
 
 Nothing in the source says what $\alpha_l$ is.
 :::
@@ -305,6 +306,7 @@ $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 :zh: 等距时不妨设 t_i=i
 :printed: for equidistant knots one may take $t_i=i$
 :holds-by: coefficient_matrix_is_affinely_invariant uniform_matrix_is_the_matrix
+:figure: uniform_matrices
 :::
 
 :::{statement} wang-ch4:uniform-start
@@ -315,6 +317,7 @@ $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 :refuted-by: uniform_chain_does_not_follow
 :corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$; the misprinted sign of (4.4.23) is gone in the chain
 :corrected-by: uniform_chain_gives_the_matrix
+:figure: simple_knots_sign
 :::
 
 :::{statement} wang-ch4:uniform-line-1
@@ -369,6 +372,7 @@ With $l$ in its own upper limit the sum has no meaning; with the limit put right
 :zh: 三次变量替换
 :printed: in turn $i=r-k+1+s$, $v=l-r-1$, $l=s-v$
 :holds-by: uniform_chain_gives_the_matrix
+:figure: uniform_matrices
 
 The last $l$ is a new one: it is $r+1+s$ minus the old.
 :::
@@ -388,6 +392,7 @@ Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in
 :zh: 与 r 无关
 :printed: the entries do not depend on $r$
 :holds-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
+:figure: uniform_matrices
 :::
 
 :::{claim} uniform_chain_gives_the_matrix
@@ -590,6 +595,7 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :holds-by: bernstein_coefficients_and_g
 :needs: bernstein_knots_from_one_shift_the_index | the knots are numbered from 0, $t_0=\dots=t_{k-1}=0$, as
   $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
+:figure: bernstein_matrix
 :::
 
 :::{statement} wang-ch4:bernstein-g
@@ -597,6 +603,7 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :zh: Bernstein 情形的矩阵 G
 :printed: g_{ji}=0\ (i<j),\quad g_{ji}=\binom ij\Big/\binom{k-1}j\ (i\ge j)
 :holds-by: bernstein_coefficients_and_g
+:figure: bernstein_matrix
 :::
 
 :::{statement} wang-ch4:bernstein-g-triangular
@@ -604,6 +611,7 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :zh: G 为上三角阵
 :printed: \mathbf G_{k-1,k,T}\text{ is upper triangular}
 :holds-by: bernstein_coefficients_and_g
+:figure: bernstein_matrix
 
 $j$ is the row, $i$ the column.
 :::
@@ -628,6 +636,7 @@ coefficients are divided and not multiplied.  To mend one of them is not enough.
 :zh: 退化为 Bernstein 基
 :printed: N_{i,k}(t)=B_i^{k-1}(t),\quad t\in[t_{k-1},t_k)=[0,1)
 :holds-by: bsplines_are_bernstein_polynomials
+:figure: bernstein_matrix
 :::
 
 :::{statement} wang-ch4:bernstein-basis-sum
