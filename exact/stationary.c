@@ -664,18 +664,25 @@ static double contraction(const struct box *b, int k, const double W[], const in
     return worst;
 }
 
-/* The largest size of a component of W^T g. */
-static double gradient_size(const struct box *b, int k, const double W[])
+/* The largest size of a component of W^T g; and step[a], no smaller than component a of Newton's step W S W^T g. */
+static double gradient_size(const struct box *b, int k, const double W[], const int sign[], double step[])
 {
     double worst = 0;
+    region_mark mark = region_open();
+    num_i *y = region_bytes((size_t)k * sizeof(num_i));
     for (int j = 0; j < k; j++) {
-        region_mark mark = region_open();
-        num_i sum = number(0);
+        y[j] = number(0);
         for (int a = 0; a < b->n; a++)
-            sum = add_i(sum, mul_i(number(W[a * b->n + j]), (num_i){&b->gradient[a]}));
-        worst = fmax(worst, size_of(sum));
-        region_drop(mark);
+            y[j] = add_i(y[j], mul_i(number(W[a * b->n + j]), (num_i){&b->gradient[a]}));
+        worst = fmax(worst, size_of(y[j]));
     }
+    for (int a = 0; a < b->n; a++) {
+        num_i sum = number(0);
+        for (int j = 0; j < k; j++)
+            sum = add_i(sum, mul_i(number(sign[j] * W[a * b->n + j]), y[j]));
+        step[a] = size_of(sum);
+    }
+    region_drop(mark);
     return worst;
 }
 
@@ -739,10 +746,12 @@ static double size_of_data(const cagd_fit_data *data)
 
 static double product_up(double a, double b) { return nextafter(a * b, INFINITY); }
 
-/* Radii are tried: first 2^-24 of the unit, farther where the contraction leaves room, nearer where it fails.  q is nearly
+/* The stationary point y is -S W^T g + (1 - S W^T H W) y for some H of the box: it is as far away as Newton's step, but for
+ * q |y|.  Radii are tried: first 2^-24 of the unit, farther where the contraction leaves room, nearer where it fails.  q is nearly
  * proportional to the radius. */
 static void try_radii(struct box *b, int k, double eta, const double W[], const double inverse[], const int sign[],
-                      const double unit[], const double reach[], double radius[], stationary_verdict *verdict)
+                      const double unit[], const double reach[], const double step[], double radius[],
+                      stationary_verdict *verdict)
 {
     int n = b->n;
     double largest = 0, size = extent(n, k, W, inverse, unit);
@@ -788,7 +797,7 @@ static void try_radii(struct box *b, int k, double eta, const double W[], const 
         if (is_held(b->problem, a))
             continue;
         double *to = b->problem->unknown[a].is_weight ? &verdict->weight_radius : &verdict->point_radius;
-        *to = fmax(*to, product_up(reach[a], near));
+        *to = fmax(*to, nextafter(step[a] + product_up(reach[a], product_up(q_verified, near)), INFINITY));
         if (!b->problem->unknown[a].is_weight)
             data_unit = unit[a];
     }
@@ -803,10 +812,12 @@ stationary_verdict stationary_check(const stationary_problem *problem)
     size_t n = (size_t)problem->unknowns;
     double *W = malloc((n * n + 1) * sizeof(double)), *inverse = malloc((n * n + 1) * sizeof(double));
     double *radius = calloc(n + 1, sizeof(double)), *reach = malloc((n + 1) * sizeof(double));
-    double *unit = malloc((n + 1) * sizeof(double)), size = size_of_data(problem->data);
+    double *step = malloc((n + 1) * sizeof(double)), *unit = malloc((n + 1) * sizeof(double)),
+           size = size_of_data(problem->data);
     int *sign = malloc((n + 1) * sizeof(int));
     int room = box_new(&b, problem);
-    if (!room || W == NULL || inverse == NULL || radius == NULL || reach == NULL || unit == NULL || sign == NULL)
+    if (!room || W == NULL || inverse == NULL || radius == NULL || reach == NULL || step == NULL || unit == NULL ||
+        sign == NULL)
         goto done;
     for (int a = 0; a < b.n; a++)
         unit[a] = problem->unknown[a].is_weight ? 1 : size;
@@ -825,11 +836,11 @@ stationary_verdict stationary_check(const stationary_problem *problem)
         goto done;
     }
     reaches(b.n, verdict.dimension, W, reach);
-    try_radii(&b, verdict.dimension, gradient_size(&b, verdict.dimension, W), W, inverse, sign, unit, reach, radius,
-              &verdict);
+    double eta = gradient_size(&b, verdict.dimension, W, sign, step);
+    try_radii(&b, verdict.dimension, eta, W, inverse, sign, unit, reach, step, radius, &verdict);
 done:
     box_free(&b);
-    free(W), free(inverse), free(radius), free(reach), free(unit), free(sign);
+    free(W), free(inverse), free(radius), free(reach), free(step), free(unit), free(sign);
     return verdict;
 }
 
