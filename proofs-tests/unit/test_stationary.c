@@ -44,7 +44,7 @@ static void circle(int pairs)
     data = (cagd_fit_data){count, 2, points, NULL};
     curve = (cagd_spline){2, 3, 2, knots, control, weights};
     problem = (stationary_problem){
-        .data = &data, .loss_scale = 3, .curve = &curve, .feet = feet, .unknowns = 3, .unknown = unknown};
+        .data = &data, .loss_scale = 8, .curve = &curve, .feet = feet, .unknowns = 3, .unknown = unknown};
 }
 
 static void the_circle_is_found_at_its_place(void **state)
@@ -62,6 +62,17 @@ static void the_circle_is_found_at_its_place(void **state)
             assert_true(v.weight_radius < 0x1p-80 && v.point_radius < 0x1p-70); /* a gradient of 0, in 128 bits */
             assert_true(v.weight_alone > 0x1p-22 && v.point_alone > 0x1p-16);
         }
+}
+
+/* Cauchy's loss bends the other way beyond its scale: the circle between far pairs is stationary, and no minimum. */
+static void what_is_no_minimum_is_not_called_one(void **state)
+{
+    (void)state;
+    circle(1);
+    problem.loss = CAGD_FIT_CAUCHY;
+    problem.loss_scale = 2;
+    stationary_verdict v = stationary_check(&problem);
+    assert_true(v.verified && !v.minimum && v.weight_radius < 0x1p-80);
 }
 
 static void a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius(void **state)
@@ -302,6 +313,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_circle_is_found_at_its_place),
+        cmocka_unit_test(what_is_no_minimum_is_not_called_one),
         cmocka_unit_test(a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius),
         cmocka_unit_test(what_is_not_near_is_refused),
         cmocka_unit_test(wrong_feet_are_refused),
