@@ -56,11 +56,11 @@ static void the_circle_is_found_at_its_place(void **state)
             circle(pairs);
             problem.loss = losses[l];
             stationary_verdict v = stationary_check(&problem);
-            if (!v.verified)
-                print_error("pairs %d, loss %d: %s\n", pairs, l, v.reason);
+            if (!v.verified || !v.minimum)
+                print_error("pairs %d, loss %d: %s\n", pairs, l, v.verified ? "no minimum" : v.reason);
             assert_true(v.verified && v.minimum && v.dimension == 3 && v.where == -1);
             assert_true(v.weight_radius < 0x1p-80 && v.point_radius < 0x1p-70); /* a gradient of 0, in 128 bits */
-            assert_true(v.weight_alone > 0x1p-22 && v.point_alone > 0x1p-16);
+            assert_true(v.weight_alone > 0x1p-26 && v.point_alone > 0x1p-20);
         }
 }
 
@@ -87,7 +87,7 @@ static void a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radiu
             else
                 control[1 + a] += shift;
             stationary_verdict v = stationary_check(&problem);
-            if (!v.verified)
+            if (!v.verified || !v.minimum)
                 print_error("shift 2^%d of unknown %d: %s\n", e, a, v.reason);
             assert_true(v.verified && v.minimum);
             double radius = a == 0 ? v.weight_radius : v.point_radius;
