@@ -446,10 +446,13 @@ static num reduce(void)
     return largest;
 }
 
-/* What the residual of point i, divided by s_i, does when the unknowns move: rest, and the derivatives `whole`; in J their part
- * along the curve is taken out, for the foot follows. */
-static void jacobian(int i, num *b[3], num rest[3], num whole[MOST][3], num J[MOST][3])
+/* What the residual of point i, divided by s_i, does when the unknowns move: rest, and in J the derivatives without their part along
+ * the curve, for the foot follows.  E bounds how wrong each derivative may be when computed with relative errors of eps = 1:
+ * |dC/d theta| and, for a weight, where points are subtracted, M; and the tangent turned by 2 p M/(smallest span |C'|). */
+static num largest_coordinate, smallest_span;
+static void jacobian(int i, num *b[3], num rest[3], num J[MOST][3], num E[MOST])
 {
+    num whole[MOST][3];
     num T[3], plus[3], minus[3], TT = real(0), s = real(sigma[i]), h = power2(real(1), STEP);
     basis(foot[i], b[0]), basis(add(foot[i], h), b[1]), basis(sub(foot[i], h), b[2]);
     residual(moved[0], b[0], i, rest), residual(moved[0], b[1], i, plus), residual(moved[0], b[2], i, minus);
@@ -465,31 +468,57 @@ static void jacobian(int i, num *b[3], num rest[3], num whole[MOST][3], num J[MO
             whole[k][c] = quo(power2(sub(minus[c], plus[c]), -STEP - 1), s);
             increase(along, quo(mul(whole[k][c], T[c]), TT));
         }
-        for (int c = 0; c < dim; c++)
+        E[k] = real(0);
+        for (int c = 0; c < dim; c++) {
             J[k][c] = at_end[i] ? whole[k][c] : sub(whole[k][c], mul(along, T[c]));
+            increase(E[k], mul(whole[k][c], whole[k][c]));
+        }
+        num turned = quo(mul(real(2 * p), largest_coordinate), mul(smallest_span, root(TT)));
+        E[k] = mul(root(E[k]), add(real(1), turned));
+        if (unknown[varied[k]].is_weight)
+            increase(E[k], quo(largest_coordinate, s));
     }
 }
 
-/* A = J^T J, each point counted rho'(x) times, x its squared distance, or once if not robust. */
-static void gauss_newton(num *A, int robust)
+/* rho', rho'' at x. */
+static void loss_derivatives(num x, num *first, num *second)
+{
+    num aa = real(scale);
+    aa = mul(aa, aa);
+    *first = real(1), *second = real(0);
+    if (loss == HUBER && less(aa, x)) {
+        *first = root(quo(aa, x));
+        *second = power2(quo(*first, mul(real(-1), x)), -1);
+    } else if (loss == CAUCHY) {
+        *first = quo(aa, add(aa, x));
+        *second = quo(mul(*first, *first), mul(real(-1), aa));
+    }
+}
+
+/* A = J^T J, each point counted rho'(x) times, x its squared distance, or once if not robust; B, unless it is NULL, = E^T E. */
+static void gauss_newton(num *A, num *B, int robust)
 {
     num *b[3] = {several(count), several(count), several(count)};
-    for (int k = 0; k < n * n; k++)
+    for (int k = 0; k < n * n; k++) {
         set(A[k], real(0));
+        if (B != NULL)
+            set(B[k], real(0));
+    }
     for (int i = 0; i < N; i++) {
         size_t mark = used;
-        num rest[3], whole[MOST][3], J[MOST][3], x = real(0), share = real(1), a = real(scale);
-        jacobian(i, b, rest, whole, J);
+        num rest[3], J[MOST][3], E[MOST], x = real(0), share = real(1), second;
+        jacobian(i, b, rest, J, E);
         for (int c = 0; c < dim; c++)
             increase(x, mul(rest[c], rest[c]));
-        if (robust && loss == HUBER && less(mul(a, a), x))
-            share = quo(a, root(x));
-        if (robust && loss == CAUCHY)
-            share = quo(mul(a, a), add(mul(a, a), x));
+        if (robust)
+            loss_derivatives(x, &share, &second);
         for (int k = 0; k < n; k++)
-            for (int l = 0; l < n; l++)
+            for (int l = 0; l < n; l++) {
                 for (int c = 0; c < dim; c++)
                     increase(A[k * n + l], mul(share, mul(J[k][c], J[l][c])));
+                if (B != NULL)
+                    increase(B[k * n + l], mul(E[k], E[l]));
+            }
         used = mark;
     }
 }
@@ -548,7 +577,7 @@ static int minimise(void)
                 stop("no step decreases the cost");
             size_t inner = used;
             if (damped == 0)
-                gauss_newton(G, 1);
+                gauss_newton(G, NULL, 1);
             int good = step(damped < 0 ? S : G, damped < 0 ? real(0) : power2(damping, 4 * damped), A, x, theta, t);
             curve_of(theta, curve);
             for (int i = 0; i < N && good; i++)
@@ -573,49 +602,163 @@ static int minimise(void)
     return 0;
 }
 
-/* The unscaled covariance (J^T J)^-1 of the Gauss-Newton problem with the feet eliminated; and how far the answer may move
- * when every residual is wrong by eps times the largest coordinate M and every derivative by a relative eps:
- *     |d theta_j| <= eps condition_j,  condition_j = sum_i |(S^-1 J_i)_j| M/s_i + (|S^-1| |J'_i|)_j |r_i|,
- *     |d F|       <= eps cost_condition = eps sum_i |r_i| M/s_i,
- * S the reduced Newton matrix, J_i what is left of the derivative J'_i of residual i when its part along the curve is taken out. */
-static num *covariance, *condition;
-static num cost_condition, squares, chi;
+/* log I_j = log of w_j^2/(w_{j-1} w_{j+1}) as a linear form in the varied unknowns. */
+static void invariant_form(int j, int v[MOST])
+{
+    for (int k = 0; k < n; k++) {
+        int apart = abs(unknown[varied[k]].index - j);
+        v[k] = !unknown[varied[k]].is_weight ? 0 : apart == 0 ? 2 : apart == 1 ? -1 : 0;
+    }
+}
+static int invariants(void) { return count == p + 1 && p > 1 ? p - 1 : 0; }
+
+/* What the covariance (J^T J)^-1 is multiplied by: 1 or chi^2/d; for a robust loss Huber's factor, as core/fit/statistics.h has it. */
+static num scale_squared(void)
+{
+    num d = real(N * (dim - 1) - n), sum = real(0), mean = real(0), squared = real(0), *b = several(count);
+    for (int i = 0; i < N; i++) {
+        size_t mark = used;
+        num rest[3], x = real(0), first, second, s = real(sigma[i]);
+        basis(foot[i], b);
+        residual(moved[0], b, i, rest);
+        for (int c = 0; c < dim; c++)
+            increase(x, mul(rest[c], rest[c]));
+        x = quo(x, mul(s, s));
+        loss_derivatives(x, &first, &second);
+        num m_i = add(first, quo(power2(mul(x, second), 1), real(dim - 1)));
+        increase(sum, mul(mul(first, first), x)), increase(mean, m_i), increase(squared, mul(m_i, m_i));
+        used = mark;
+    }
+    if (loss == SQUARES)
+        return known_sigma ? real(1) : quo(sum, d);
+    mean = quo(mean, real(N));
+    num ratio = quo(sub(quo(squared, real(N)), mul(mean, mean)), mul(mean, mean));
+    num K = add(real(1), mul(quo(real(n), real(N * (dim - 1))), ratio));
+    return quo(mul(mul(K, K), quo(sum, d)), mul(mean, mean));
+}
+
+/* Standard errors: of the n unknowns, then of the logarithms of the invariants.  With rounding not NULL also what relative errors of the
+ * derivatives of eps = 1 make of each: |C| E^T E |C| / C on the diagonal, halved for the root and doubled for the two factors. */
+static void standard_errors(num *result, num *rounding)
+{
+    static num *A, *B, *C;
+    if (A == NULL)
+        A = numbers((size_t)(n * n)), B = numbers((size_t)(n * n)), C = numbers((size_t)(n * n));
+    size_t mark = used;
+    move_curves();
+    gauss_newton(A, B, 0);
+    for (int k = 0; k < n * n; k++)
+        set(C[k], real(k % (n + 1) == 0));
+    solve(n, A, n, C);
+    num scaled = scale_squared();
+    for (int f = 0; f < n + invariants(); f++) {
+        size_t inner = used;
+        int v[MOST] = {0};
+        num variance = real(0), wrong = real(0), *Cv = several(n);
+        if (f < n)
+            v[f] = 1;
+        else
+            invariant_form(f - n + 1, v);
+        for (int k = 0; k < n; k++) {
+            num size_k = real(0), row = real(0);
+            for (int l = 0; l < n; l++) {
+                increase(row, mul(C[k * n + l], real(v[l])));
+                increase(size_k, mul(size(C[k * n + l]), real(abs(v[l]))));
+            }
+            increase(variance, mul(real(v[k]), row));
+            set(Cv[k], size_k);
+        }
+        for (int k = 0; k < n; k++)
+            for (int l = 0; l < n; l++)
+                increase(wrong, mul(mul(Cv[k], Cv[l]), B[k * n + l]));
+        set(result[f], root(mul(scaled, variance)));
+        if (rounding != NULL)
+            set(rounding[f], mpfr_zero_p(variance) ? real(0) : mul(result[f], quo(wrong, variance)));
+        used = inner;
+    }
+    used = mark;
+}
+
+/* How many pivots of J^T J vanish.  Where the whole curve has a cusp, inside the domain or not, displacements phi C' along the curve are
+ * regular for a phi with a pole there: J has one more direction in which no point moves off the curve, yet the cost is not flat. */
+static int missing_rank(void)
+{
+    num *A = numbers((size_t)(n * n)), *diagonal = numbers((size_t)n), *none = numbers((size_t)n);
+    int missing = 0;
+    move_curves();
+    gauss_newton(A, NULL, 0);
+    for (int k = 0; k < n; k++)
+        set(diagonal[k], A[k * n + k]);
+    solve(n, A, 1, none);
+    for (int k = 0; k < n; k++)
+        missing += !less(power2(diagonal[k], STEP), A[k * n + k]);
+    return missing;
+}
+
+/* How far the answer may move when every residual is wrong by eps times the largest coordinate M and every derivative by eps E:
+ *     |d theta_j| <= eps condition_j,  condition_j = sum_i |(S^-1 J_i)_j| M/s_i + (|S^-1| E_i)_j |r_i|,
+ *     |d F|       <= eps cost_condition + eps^2 cost_floor/2 = eps sum_i |r_i| M/s_i + eps^2/2 sum_i (M/s_i)^2,
+ * S the reduced Newton matrix.  Where the cost is larger than at the minimum by dF, theta_j is off by at most sqrt(2 dF) spread_j, spread_j the
+ * root of (S^-1)_jj.  And the standard errors by what the derivatives make of them, and by moving with theta. */
+static num *condition, *spread, *error_of, *error_condition, cost_condition, cost_floor, squares, chi;
+static int missing;
 static void statistics(void)
 {
-    num *A = numbers((size_t)(n * n)), *inverse = numbers((size_t)(n * n)), most = real(0);
-    covariance = numbers((size_t)(n * n)), condition = numbers((size_t)n);
-    for (int k = 0; k < N * dim; k++)
-        if (less(most, real(fabs(Q[k]))))
-            most = real(fabs(Q[k]));
-    for (int j = 0; j < count * dim; j++)
-        if (less(most, size(points[j])))
-            most = size(points[j]);
+    num *inverse = numbers((size_t)(n * n)), *beside = numbers(2 * MOST), step_size = power2(real(1), -64);
+    condition = numbers((size_t)n), spread = numbers((size_t)n), error_of = numbers(2 * MOST),
+    error_condition = numbers(2 * MOST);
     for (int k = 0; k < n; k++)
-        set(covariance[k * n + k], real(1)), set(inverse[k * n + k], real(1));
+        set(inverse[k * n + k], real(1));
     reduce(), solve(n, S, n, inverse);
+    for (int k = 0; k < n; k++)
+        set(spread[k], root(inverse[k * n + k]));
     num *b[3] = {several(count), several(count), several(count)};
     for (int i = 0; i < N; i++) {
         size_t mark = used;
-        num rest[3], whole[MOST][3], J[MOST][3], length = real(0), s = real(sigma[i]);
-        jacobian(i, b, rest, whole, J);
+        num rest[3], J[MOST][3], E[MOST], length = real(0), s = real(sigma[i]), unit = quo(largest_coordinate, s);
+        jacobian(i, b, rest, J, E);
         for (int c = 0; c < dim; c++)
             increase(length, mul(rest[c], rest[c]));
         increase(chi, length), increase(squares, mul(length, mul(s, s)));
         length = root(length);
-        increase(cost_condition, quo(mul(length, most), s));
-        for (int k = 0; k < n; k++)
+        increase(cost_condition, mul(length, unit)), increase(cost_floor, mul(unit, unit));
+        for (int k = 0; k < n; k++) {
             for (int c = 0; c < dim; c++) {
-                num G = real(0), each = real(0);
-                for (int l = 0; l < n; l++) {
+                num G = real(0);
+                for (int l = 0; l < n; l++)
                     increase(G, mul(inverse[k * n + l], J[l][c]));
-                    increase(each, mul(size(inverse[k * n + l]), size(whole[l][c])));
-                }
-                increase(condition[k], add(quo(mul(size(G), most), s), mul(each, length)));
+                increase(condition[k], mul(size(G), unit));
             }
+            for (int l = 0; l < n; l++)
+                increase(condition[k], mul(mul(size(inverse[k * n + l]), E[l]), length));
+        }
         used = mark;
     }
-    gauss_newton(A, 0);
-    solve(n, A, n, covariance);
+    missing = missing_rank();
+    if (missing > 0)
+        return;
+    standard_errors(error_of, error_condition);
+    num *here = numbers((size_t)N);
+    for (int i = 0; i < N; i++)
+        set(here[i], foot[i]);
+    for (int l = 0; l < n; l++) { /* the feet follow */
+        size_t mark = used;
+        num was = real(0);
+        set(was, value[varied[l]]);
+        set(value[varied[l]], add(was, step_size));
+        move_curves();
+        for (int i = 0; i < N; i++)
+            if (!settle(moved[0], i, foot[i], &at_end[i]))
+                stop("point %d loses its foot", i + 1);
+        standard_errors(beside, NULL);
+        for (int f = 0; f < n + invariants(); f++)
+            increase(error_condition[f], mul(quo(size(sub(beside[f], error_of[f])), step_size), condition[l]));
+        set(value[varied[l]], was);
+        for (int i = 0; i < N; i++)
+            set(foot[i], here[i]);
+        used = mark;
+    }
+    move_curves();
 }
 
 /* The files. */
@@ -697,8 +840,8 @@ static void read_problem(json_t *file)
             fraction(points[j * dim + c], json_array_get(P, (size_t)c));
             int fixed = j == 0 || j == last ? fixed_ends : fixed_inner;
             if (fixed && start != NULL)
-                mpfr_set_d(points[j * dim + c], entry(json_array_get(json_object_get(start, "points"), (size_t)j), (size_t)c),
-                           MPFR_RNDN);
+                mpfr_set_d(points[j * dim + c],
+                           entry(json_array_get(json_object_get(start, "points"), (size_t)j), (size_t)c), MPFR_RNDN);
             else if (fixed)
                 mpfr_set_d(points[j * dim + c], Q[(j == 0 ? 0 : N - 1) * dim + c], MPFR_RNDN);
             if (!fixed) {
@@ -731,7 +874,21 @@ static void read_problem(json_t *file)
         if (!held[k])
             varied[n++] = k;
     foot = numbers((size_t)N), at_end = calloc((size_t)N, sizeof *at_end), gradient = numbers(1)[0];
-    cost_condition = numbers(1)[0], squares = numbers(1)[0], chi = numbers(1)[0];
+    cost_condition = numbers(1)[0], cost_floor = numbers(1)[0], squares = numbers(1)[0], chi = numbers(1)[0];
+    largest_coordinate = numbers(1)[0], smallest_span = numbers(1)[0];
+    double most = 0;
+    for (int k = 0; k < N * dim; k++)
+        most = fmax(most, fabs(Q[k]));
+    for (int j = 0; j < count * dim; j++)
+        most = fmax(most, fabs(mpfr_get_d(points[j], MPFR_RNDA)));
+    mpfr_set_d(largest_coordinate, most, MPFR_RNDN);
+    mpfr_sub(smallest_span, knot[count], knot[p], MPFR_RNDN);
+    for (int s = p; s < count; s++) {
+        size_t mark = used;
+        if (less(sub(knot[s + 1], knot[s]), smallest_span))
+            set(smallest_span, sub(knot[s + 1], knot[s]));
+        used = mark;
+    }
 }
 
 static json_t *text(num a, int digits)
@@ -763,8 +920,7 @@ static json_t *answer(int iterations)
 {
     enum { DIGITS = 20, FEW = 4 };
     json_t *a = json_object(), *list, *row;
-    int dof = N * (dim - 1) - n, ends = 0, slides = 0;
-    num scaled = known_sigma ? real(1) : quo(chi, real(dof));
+    int dof = N * (dim - 1) - n + missing, ends = 0, slides = 0;
     for (int k = 0; k < m; k++)
         slides |= held[k] && !at_bound[k];
     for (int i = 0; i < N; i++)
@@ -775,13 +931,15 @@ static json_t *answer(int iterations)
     json_object_set_new(a, "count", json_integer(N));
     json_object_set_new(a, "feet_at_end", json_integer(ends));
     json_object_set_new(a, "unknowns", json_integer(m));
-    json_object_set_new(a, "rank", json_integer(n));
+    json_object_set_new(a, "rank", json_integer(n - missing));
     json_object_set_new(a, "degrees_of_freedom", json_integer(dof));
     json_object_set_new(a, "cost", text(cost(value, foot), DIGITS));
     json_object_set_new(a, "cost_condition", text(cost_condition, FEW));
+    json_object_set_new(a, "cost_floor", text(cost_floor, FEW));
+    json_object_set_new(a, "largest_coordinate", text(largest_coordinate, DIGITS));
     json_object_set_new(a, "rms", text(root(quo(squares, real(N))), DIGITS));
-    json_object_set_new(a, "chi_squared", text(chi, DIGITS));
-    json_object_set_new(a, "scale_squared", text(scaled, DIGITS));
+    if (missing == 0)
+        json_object_set_new(a, "scale_squared", text(scale_squared(), DIGITS));
     if (slides) /* only the cost is the same for all curves that are slid */
         return a;
     num *curve = numbers((size_t)(count * (dim + 1)));
@@ -804,29 +962,30 @@ static json_t *answer(int iterations)
         if (!unknown[u].is_weight)
             json_object_set_new(row, "coordinate", json_integer(unknown[u].coordinate));
         json_object_set_new(row, "value", text(value[u], DIGITS));
-        if (loss == SQUARES)
-            json_object_set_new(row, "standard_error", text(root(mul(scaled, covariance[k * n + k])), DIGITS));
         json_object_set_new(row, "condition", text(condition[k], FEW));
+        json_object_set_new(row, "spread", text(spread[k], FEW));
+        if (missing == 0) {
+            json_object_set_new(row, "standard_error", text(error_of[k], DIGITS));
+            json_object_set_new(row, "standard_error_condition", text(error_condition[k], FEW));
+        }
     }
-    if (count > p + 1)
+    if (invariants() == 0)
         return a;
     json_object_set_new(a, "invariants", list = json_array());
-    for (int j = 1; j < p; j++) { /* log I_j is a linear form v in the unknowns */
-        num I = quo(mul(curve[j], curve[j]), mul(curve[j - 1], curve[j + 1])), variance = real(0), moves = real(0);
-        int v[MOST] = {0};
+    for (int j = 1; j <= invariants(); j++) {
+        num I = quo(mul(curve[j], curve[j]), mul(curve[j - 1], curve[j + 1])), moves = real(0);
+        int v[MOST], f = n + j - 1;
+        invariant_form(j, v);
         for (int k = 0; k < n; k++)
-            if (unknown[varied[k]].is_weight)
-                v[k] = unknown[varied[k]].index == j ? 2 : abs(unknown[varied[k]].index - j) == 1 ? -1 : 0;
-        for (int k = 0; k < n; k++) {
             increase(moves, mul(real(abs(v[k])), condition[k]));
-            for (int l = 0; l < n; l++)
-                increase(variance, mul(real(v[k] * v[l]), covariance[k * n + l]));
-        }
         json_array_append_new(list, row = json_object());
         json_object_set_new(row, "value", text(I, DIGITS));
-        if (loss == SQUARES)
-            json_object_set_new(row, "standard_error", text(mul(I, root(mul(scaled, variance))), DIGITS));
         json_object_set_new(row, "condition", text(mul(I, moves), FEW));
+        if (missing > 0)
+            continue;
+        json_object_set_new(row, "standard_error", text(mul(I, error_of[f]), DIGITS));
+        json_object_set_new(row, "standard_error_condition",
+                            text(mul(I, add(error_condition[f], mul(error_of[f], moves))), FEW));
     }
     return a;
 }
