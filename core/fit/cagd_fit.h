@@ -135,6 +135,30 @@ void cagd_fit_free(cagd_fit_result *result); /* NULL is allowed */
 /* One English sentence without full stop, never NULL; static storage. */
 const char *cagd_fit_status_text(cagd_fit_status status);
 
+/* Which conic (圆锥曲线) a fitted curve of degree 2 in one span is, and how sure that is.
+ *
+ * I_1 = w_1^2/(w_0 w_2) is less than 1 for an ellipse, 1 for a parabola, greater for a hyperbola.  log I_1 is linear in
+ * the unknowns; the type is certain when its 95 % interval, log_invariant +- quantile * error, does not contain 0.  It has a
+ * meaning only when the three points are not on a line: that the 95 % interval of the distance of the middle
+ * one from the line of the others does not contain 0 is asked first.  When the ends slide along the curve, I_1 changes
+ * but its being less than 1 does not; the error is then that of the generalised inverse. */
+typedef enum cagd_fit_conic_kind {
+    CAGD_FIT_NOT_QUADRATIC,   /* the curve has another degree or several spans; the rest is 0                */
+    CAGD_FIT_CONIC_UNKNOWN,   /* there is no standard error                                                 */
+    CAGD_FIT_STRAIGHT,        /* not told from a straight line                                              */
+    CAGD_FIT_CONIC_UNDECIDED, /* the interval of log I_1 contains 0                                         */
+    CAGD_FIT_CONIC_CERTAIN    /* the type is that of all weights in the interval, or the weights are given  */
+} cagd_fit_conic_kind;
+
+typedef struct cagd_fit_conic {
+    cagd_fit_conic_kind kind;
+    cagd_conic_type type;         /* of the fitted curve itself                                            */
+    double log_invariant, error;  /* log I_1 and its standard error                                        */
+    const char *text;             /* "an ellipse at 95 %", "cannot tell ellipse from parabola", ...; static */
+} cagd_fit_conic;
+
+cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
+
 #ifdef __cplusplus
 }
 #endif

@@ -41,7 +41,8 @@
     _(discrete_bsplines) _(bspline_blossom) _(deboor) _(bspline_derivatives) _(bspline_difference) _(greville)         \
     _(bspline_insert) _(bspline_remove) _(bspline_refine) _(bspline_elevate) _(bspline_reduce) _(bspline_to_bezier)    \
     _(bspline_point_of_bezier) _(bspline_split) _(bspline_periodic) _(nurbs_weight) _(nurbs_point) _(nurbs_deboor)     \
-    _(nurbs_derivatives) _(nurbs_curvature_squared) _(nurbs_torsion) _(nurbs_insert)
+    _(nurbs_derivatives) _(nurbs_curvature_squared) _(nurbs_torsion) _(nurbs_insert) _(nurbs_basis)                    \
+    _(nurbs_basis_by_weights) _(nurbs_by_weights) _(nurbs_by_two_weights)
 /* clang-format on */
 
 #define ENTRY(name) #name,
