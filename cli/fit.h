@@ -8,7 +8,7 @@
 
 struct fit {
     const char *path;
-    int sigma_given;  /* one standard deviation for all points, by an option */
+    int sigma_given; /* one standard deviation for all points, by an option */
     struct points points;
     cagd_fit_data data;
     cagd_fit_options options;
@@ -33,7 +33,7 @@ void put_rounded(FILE *out, double value, double error);
 
 void print_fit(const struct fit *f, int verbose);
 json_t *fit_json(const struct fit *f);
-json_t *fitted_curve_json(const cagd_spline *c); /* as read_curve reads it; binary64 in 17 digits */
+json_t *fitted_curve_json(const cagd_spline *c);            /* as read_curve reads it; binary64 in 17 digits */
 int write_curve(const struct fit *f, const char *path);     /* each: 0, or a line on stderr        */
 int write_residuals(const struct fit *f, const char *path); /* CSV                                 */
 int write_picture(const struct fit *f, const char *path);   /* fit_picture.c                       */

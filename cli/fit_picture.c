@@ -7,15 +7,15 @@
 #include <string.h>
 
 enum {
-    WIDTH = 600,           /* of the row of views, in output units      */
-    VIEW_GAP = 90,         /* between two views                         */
-    LOWEST = 220,          /* a view is from so high ...                */
-    HIGHEST = 460,         /* ... to so high                            */
-    RESIDUALS_HIGH = 130,  /* the window of the distances               */
-    MOST_MARKS = 400,      /* more points than these are a cloud        */
-    MOST_BARS = 60,        /* more points than these have no error bars */
-    MOST_LABELS = 10,      /* control points with names                 */
-    MOST_WEIGHTS = 6       /* control points with their weights         */
+    WIDTH = 600,          /* of the row of views, in output units      */
+    VIEW_GAP = 90,        /* between two views                         */
+    LOWEST = 220,         /* a view is from so high ...                */
+    HIGHEST = 460,        /* ... to so high                            */
+    RESIDUALS_HIGH = 130, /* the window of the distances               */
+    MOST_MARKS = 400,     /* more points than these are a cloud        */
+    MOST_BARS = 60,       /* more points than these have no error bars */
+    MOST_LABELS = 10,     /* control points with names                 */
+    MOST_WEIGHTS = 6      /* control points with their weights         */
 };
 
 /* An interval of the line, and the step of its ticks; from 10^exponent times what the numbers are. */
@@ -66,9 +66,9 @@ static num_q scaled(double x, int e)
 
 struct view {
     const struct fit *f;
-    int a, b;           /* the coordinates that are shown        */
-    int power;          /* they are shown divided by 10^power    */
-    struct scale x, y;  /* in numbers as shown                   */
+    int a, b;          /* the coordinates that are shown        */
+    int power;         /* they are shown divided by 10^power    */
+    struct scale x, y; /* in numbers as shown                   */
 };
 
 static num_q shown(const struct view *v, double x) { return scaled(x, v->power); }
@@ -336,8 +336,8 @@ static void describe(const struct fit *f, FILE *out)
             "%d measured points %s; the rational curve of degree %d with %d control points that comes closest to them, "
             "with its control polygon; below, the %s of every point over the parameter of its foot, with a "
             "band of two standard deviations. Root mean square distance %.3g, largest %.3g.",
-            f->data.count, f->data.dim == 2 ? "in the plane" : "in space, from above and from the front", r->curve.degree,
-            r->curve.count, f->data.dim == 2 ? "signed distance" : "distance", r->rms, r->largest);
+            f->data.count, f->data.dim == 2 ? "in the plane" : "in space, from above and from the front",
+            r->curve.degree, r->curve.count, f->data.dim == 2 ? "signed distance" : "distance", r->rms, r->largest);
 }
 
 static void legend(svg *s, const struct fit *f)
@@ -350,7 +350,8 @@ static void legend(svg *s, const struct fit *f)
     snprintf(text, sizeof text, "fitted curve, degree %d", r->curve.degree);
     svg_legend_line(s, SVG_CURVE, text);
     svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control polygon");
-    snprintf(text, sizeof text, "distance $d$%s over the parameter $t$%s", f->data.sigma != NULL ? " in standard deviations" : "",
+    snprintf(text, sizeof text, "distance $d$%s over the parameter $t$%s",
+             f->data.sigma != NULL ? " in standard deviations" : "",
              f->data.dim == 2 ? ", + on the left of the curve" : "");
     svg_legend_mark(s, SVG_POINT, SVG_DISC, text);
     if (isfinite(r->scale_squared))
