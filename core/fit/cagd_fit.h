@@ -48,20 +48,20 @@ typedef enum cagd_fit_loss { CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY }
 typedef enum cagd_fit_method { CAGD_FIT_ELIMINATED, CAGD_FIT_PLAIN } cagd_fit_method;
 
 typedef struct cagd_fit_options {
-    int degree, count;            /* p and the number of points of the curve; count 0: p+1                 */
-    const double *knots;          /* count+p+1 knots, clamped; NULL: 0 and 1 at the ends, inner ones even  */
-    const cagd_spline *initial;   /* where to start; NULL: found from the points.  Gives degree and knots  */
-    int free;                     /* CAGD_FIT_... added up; what is not free stays as in initial; without  */
-                                  /* initial the inner points must be free, and ends that are not free are */
-                                  /* the first and the last measured point                                 */
-    int unordered;                /* 0: the points come in order along the curve; 1: in any order          */
+    int degree, count;          /* p and the number of points of the curve; count 0: p+1                 */
+    const double *knots;        /* count+p+1 knots, clamped; NULL: 0 and 1 at the ends, inner ones even  */
+    const cagd_spline *initial; /* where to start; NULL: found from the points.  Gives degree and knots  */
+    int free;                   /* CAGD_FIT_... added up; what is not free stays as in initial; without  */
+                                /* initial the inner points must be free, and ends that are not free are */
+                                /* the first and the last measured point                                 */
+    int unordered;              /* 0: the points come in order along the curve; 1: in any order          */
     cagd_fit_loss loss;
-    double loss_scale;            /* a > 0                                                                 */
+    double loss_scale;              /* a > 0                                                                 */
     double weight_low, weight_high; /* 0 <= weight_low < 1 < weight_high <= infinity: bounds on the weights */
-    int starts;                   /* >= 1: the first from initial, the others with other weights           */
-    unsigned long seed;           /* of the other starts                                                   */
-    double tolerance;             /* > 0: relative, on the decrease of the cost, on the gradient, the step */
-    int max_iterations;           /* >= 1                                                                  */
+    int starts;                     /* >= 1: the first from initial, the others with other weights           */
+    unsigned long seed;             /* of the other starts                                                   */
+    double tolerance;               /* > 0: relative, on the decrease of the cost, on the gradient, the step */
+    int max_iterations;             /* >= 1                                                                  */
     cagd_fit_method method;
 } cagd_fit_options;
 
@@ -70,12 +70,12 @@ typedef struct cagd_fit_options {
 cagd_fit_options cagd_fit_defaults(void);
 
 typedef enum cagd_fit_status {
-    CAGD_FIT_OK,            /* a result was made; whether it converged stands in it                         */
-    CAGD_FIT_BAD_DATA,      /* `where` is the index of the point, or -1                                     */
-    CAGD_FIT_BAD_OPTIONS,   /* an option is outside its range                                              */
-    CAGD_FIT_BAD_CURVE,     /* the initial curve, or the knots, are none                                   */
-    CAGD_FIT_TOO_FEW,       /* fewer equations, N (dim-1), than unknowns, or fewer than 2 points           */
-    CAGD_FIT_ALL_EQUAL,     /* all points are equal                                                        */
+    CAGD_FIT_OK,          /* a result was made; whether it converged stands in it                         */
+    CAGD_FIT_BAD_DATA,    /* `where` is the index of the point, or -1                                     */
+    CAGD_FIT_BAD_OPTIONS, /* an option is outside its range                                              */
+    CAGD_FIT_BAD_CURVE,   /* the initial curve, or the knots, are none                                   */
+    CAGD_FIT_TOO_FEW,     /* fewer equations, N (dim-1), than unknowns, or fewer than 2 points           */
+    CAGD_FIT_ALL_EQUAL,   /* all points are equal                                                        */
     CAGD_FIT_NO_MEMORY
 } cagd_fit_status;
 
@@ -99,10 +99,10 @@ typedef struct cagd_fit_result {
      * the plane with the sign + on the left of the curve */
     int count;
     double *feet, *residuals, *distances;
-    int *foot_at_end;       /* 1 where the foot is an end of the domain and the distance is not orthogonal   */
-    int out_of_order;       /* how many feet are smaller than the one before; 0 for unordered points        */
-    double rms, largest;    /* of the distances, unscaled                                                  */
-    int largest_at;         /* index of the point it belongs to                                            */
+    int *foot_at_end;    /* 1 where the foot is an end of the domain and the distance is not orthogonal   */
+    int out_of_order;    /* how many feet are smaller than the one before; 0 for unordered points        */
+    double rms, largest; /* of the distances, unscaled                                                  */
+    int largest_at;      /* index of the point it belongs to                                            */
     /* the minimiser */
     cagd_fit_termination termination;
     int iterations, best_start, agreeing_starts; /* starts that ended at the same cost                      */
@@ -113,13 +113,15 @@ typedef struct cagd_fit_result {
     /* the unknowns, and how well they are known */
     int unknowns, rank;
     cagd_fit_unknown *unknown;
-    double *value;          /* of theta: logarithms of weights, coordinates                                */
-    int *at_bound;          /* 1 where a weight stands on a bound; it is then not counted as unknown       */
-    double *covariance;     /* unknowns x unknowns, by rows: the generalised inverse of J^T J, J the Jacobian of the scaled */
-                            /* residuals without feet; times scale_squared                                 */
-    double *free_directions; /* (unknowns - rank) x unknowns: orthonormal directions in which F is flat      */
-    int *determined;        /* 1 where the unknown is the same along all free directions                    */
-    double scale_squared;   /* 1 with given standard deviations, else chi_squared / degrees_of_freedom     */
+    double *value; /* of theta: logarithms of weights, coordinates                                */
+    int *at_bound; /* 1 where a weight stands on a bound; it is then not counted as unknown       */
+    double
+        *covariance; /* unknowns x unknowns, by rows: the generalised inverse of J^T J, J the Jacobian of the scaled */
+                     /* residuals without feet; times scale_squared                                 */
+    int flat;        /* unknowns that are not at a bound, less the rank                             */
+    double *free_directions; /* flat x unknowns, by rows: orthonormal directions in which F is flat         */
+    int *determined;         /* 1 where the unknown is not at a bound, and the same along all free directions */
+    double scale_squared;    /* 1 with given standard deviations, else chi_squared / degrees_of_freedom     */
     double chi_squared, reduced_chi_squared, aic, bic;
     int degrees_of_freedom; /* N (dim-1) - rank                                                            */
     double quantile;        /* 95 % intervals are value +- quantile * standard error: normal with given standard */
@@ -152,9 +154,9 @@ typedef enum cagd_fit_conic_kind {
 
 typedef struct cagd_fit_conic {
     cagd_fit_conic_kind kind;
-    cagd_conic_type type;         /* of the fitted curve itself                                            */
-    double log_invariant, error;  /* log I_1 and its standard error                                        */
-    const char *text;             /* "an ellipse at 95 %", "cannot tell ellipse from parabola", ...; static */
+    cagd_conic_type type;        /* of the fitted curve itself                                            */
+    double log_invariant, error; /* log I_1 and its standard error                                        */
+    const char *text;            /* "an ellipse at 95 %", "cannot tell ellipse from parabola", ...; static */
 } cagd_fit_conic;
 
 cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
