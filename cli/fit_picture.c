@@ -8,12 +8,13 @@
 
 enum {
     WIDTH = 600,          /* of the row of views, in output units      */
-    VIEW_GAP = 90,        /* between two views                         */
+    VIEW_WIDTH = 232,     /* of each of two views                      */
     LOWEST = 220,         /* a view is from so high ...                */
     HIGHEST = 460,        /* ... to so high                            */
-    RESIDUALS_HIGH = 130, /* the window of the distances               */
-    MOST_MARKS = 400,     /* more points than these are a cloud        */
-    MOST_BARS = 60,       /* more points than these have no error bars */
+    TICKS = 55,           /* ticks are at least so far apart           */
+    RESIDUALS_HIGH = 140, /* the window of the distances               */
+    MOST_MARKS = 60,      /* more points than these are a cloud        */
+    MOST_LARGE = 600,     /* more points than these are a cloud of small dots */
     MOST_LABELS = 10,     /* control points with names                 */
     MOST_WEIGHTS = 6      /* control points with their weights         */
 };
@@ -90,7 +91,6 @@ static struct view new_view(const struct fit *f, int a, int b)
     const cagd_spline *c = &f->result->curve;
     struct view v = {f, a, b, 0, {INFINITY, -INFINITY, {0}}, {INFINITY, -INFINITY, {0}}};
     int dim = c->dim;
-    double size = 0;
     for (int i = 0; i < f->data.count; i++)
         for (int k = 0; k < 2; k++) {
             int at = i * dim + (k == 0 ? a : b);
@@ -98,7 +98,6 @@ static struct view new_view(const struct fit *f, int a, int b)
             struct scale *s = k == 0 ? &v.x : &v.y;
             include(s, q);
             include(s, foot);
-            size = fmax(size, fmax(fabs(q), fabs(foot)));
         }
     struct scale x = v.x, y = v.y;
     for (int j = 0; j < c->count; j++) {
@@ -109,8 +108,8 @@ static struct view new_view(const struct fit *f, int a, int b)
         v.x = x;
         v.y = y;
     }
-    v.power = power_of(size);
-    double unit = pow(10, v.power), room = 0.04 * fmax(v.x.high - v.x.low, v.y.high - v.y.low) / unit;
+    v.power = power_of(fmax(v.x.high - v.x.low, v.y.high - v.y.low));
+    double unit = pow(10, v.power), room = 0.06 * fmax(v.x.high - v.x.low, v.y.high - v.y.low) / unit;
     v.x = (struct scale){v.x.low / unit - room, v.x.high / unit + room, {0}};
     v.y = (struct scale){v.y.low / unit - room, v.y.high / unit + room, {0}};
     return v;
@@ -131,7 +130,7 @@ static void shape(struct view *v, int width)
         v->x.low = middle - dx / 2;
         v->x.high = middle + dx / 2;
     }
-    v->x.step = v->y.step = nice_step(fmax(dx, dy), 8);
+    v->x.step = v->y.step = nice_step(dx, width / TICKS);
 }
 
 static void draw_curve(svg *s, const struct view *v)
@@ -173,30 +172,30 @@ static enum svg_direction away(const struct view *v, int j)
     return svg_direction_of(svg_at(0, 0), (svg_point){from_double_q(x), from_double_q(y)});
 }
 
+/* Its name; in the plane and among few also its weight, unless that is 1. */
 static void label_control_point(svg *s, const struct view *v, int j)
 {
     const cagd_fit_result *r = v->f->result;
-    const double *P = r->curve.points + j * r->curve.dim;
+    int dim = r->curve.dim;
     char *text;
     size_t size;
     FILE *out = open_memstream(&text, &size);
     fprintf(out, "P_{%d}", j);
-    int weighed = 0;
-    for (int k = 0; k < r->unknowns && r->curve.count <= MOST_WEIGHTS; k++)
-        if (r->unknown[k].is_weight && r->unknown[k].index == j && r->determined[k] && !r->at_bound[k]) {
-            struct estimate e = unknown_estimate(r, k);
-            fprintf(out, ",  w_{%d} = ", j);
+    if (dim == 2 && r->curve.count <= MOST_WEIGHTS && r->curve.weights[j] != 1) {
+        struct estimate e = {r->curve.weights[j], NAN, NAN, NAN};
+        for (int k = 0; k < r->unknowns; k++)
+            if (r->unknown[k].is_weight && r->unknown[k].index == j)
+                e = unknown_estimate(r, k);
+        fprintf(out, ",  w_{%d} = ", j);
+        if (isfinite(e.error)) {
             put_rounded(out, e.value, e.error);
-            if (isfinite(e.error) && e.error > 0) {
-                fputs(" ± ", out);
-                put_rounded(out, e.error, e.error);
-            }
-            weighed = 1;
-        }
-    if (!weighed && r->curve.count <= MOST_WEIGHTS && r->curve.weights[j] != 1)
-        fprintf(out, ",  w_{%d} = %.4g", j, r->curve.weights[j]);
+            fputs(" ± ", out);
+            put_rounded(out, e.error, e.error);
+        } else
+            fprintf(out, "%.4g", e.value);
+    }
     fclose(out);
-    svg_label(s, shown_at(v, P), away(v, j), SVG_POLYGON, text);
+    svg_label(s, shown_at(v, r->curve.points + j * dim), away(v, j), SVG_POLYGON, text);
     free(text);
 }
 
@@ -209,7 +208,9 @@ static void draw_polygon(svg *s, const struct view *v)
         P[2 * j] = at.x;
         P[2 * j + 1] = at.y;
     }
-    svg_polyline(s, c->count, P, SVG_POLYGON);
+    for (int j = 1; j < c->count; j++) /* a leg between points that are not seen would only puzzle */
+        if (inside(v, c->points + (j - 1) * c->dim) || inside(v, c->points + j * c->dim))
+            svg_polyline(s, 2, P + 2 * j - 2, SVG_POLYGON);
     for (int j = 0; j < c->count; j++)
         if (inside(v, c->points + j * c->dim)) {
             svg_mark(s, svg_pair(P + 2 * j), SVG_POLYGON, SVG_USUAL);
@@ -231,6 +232,15 @@ static void draw_bars(svg *s, const struct view *v)
     }
 }
 
+/* As marks where they are few, as dots, the smaller the more there are, where they are many. */
+static void put_points(svg *s, int count, const num_q P[])
+{
+    if (count > MOST_MARKS)
+        svg_cloud(s, count, P, count > MOST_LARGE ? 190 : 420, SVG_POINT);
+    for (int i = 0; i < count && count <= MOST_MARKS; i++)
+        svg_mark(s, svg_pair(P + 2 * i), SVG_POINT, SVG_USUAL);
+}
+
 static void draw_points(svg *s, const struct view *v)
 {
     const cagd_fit_data *d = &v->f->data;
@@ -240,10 +250,7 @@ static void draw_points(svg *s, const struct view *v)
         P[2 * i] = at.x;
         P[2 * i + 1] = at.y;
     }
-    if (d->count > MOST_MARKS)
-        svg_cloud(s, d->count, P, SVG_POINT);
-    for (int i = 0; i < d->count && d->count <= MOST_MARKS; i++)
-        svg_mark(s, svg_pair(P + 2 * i), SVG_POINT, d->count > MOST_BARS ? SVG_USUAL : SVG_DISC);
+    put_points(s, d->count, P);
 }
 
 static void axis_name(char name[64], const char *what, int power)
@@ -254,7 +261,7 @@ static void axis_name(char name[64], const char *what, int power)
         snprintf(name, 64, "%s/10^{%s%d}", what, power < 0 ? "-" : "", abs(power));
 }
 
-static void draw_view(svg *s, const struct fit *f, int a, int b, int width)
+static void draw_view(svg *s, const struct fit *f, int a, int b, int width, const char *caption)
 {
     static const char *const coordinate[] = {"x", "y", "z"};
     region_mark mark = region_open();
@@ -265,10 +272,10 @@ static void draw_view(svg *s, const struct fit *f, int a, int b, int width)
     char x_name[64], y_name[64];
     axis_name(x_name, coordinate[a], v.power);
     axis_name(y_name, coordinate[b], v.power);
-    svg_panel(s, window, width, 0, NULL);
+    svg_panel(s, window, width, 0, caption);
     svg_grid(s, v.x.step, v.y.step);
-    svg_axes(s, v.x.step, v.y.step, x_name, y_name);
-    if (f->data.sigma != NULL && f->data.count <= MOST_BARS)
+    svg_scales(s, v.x.step, v.y.step, x_name, y_name);
+    if (f->data.sigma != NULL && f->data.count <= MOST_MARKS)
         draw_bars(s, &v);
     draw_points(s, &v);
     draw_polygon(s, &v);
@@ -304,25 +311,33 @@ static void draw_distances(svg *s, const struct fit *f)
     char name[64];
     axis_name(name, standardised ? "d/s" : "d", power);
     svg_row(s);
-    svg_panel(s, window, WIDTH, RESIDUALS_HIGH, NULL);
+    svg_panel(s, window, WIDTH, RESIDUALS_HIGH,
+              standardised
+                  ? plane ? "signed distance in standard deviations over the parameter of the foot; + on the left"
+                          : "distance in standard deviations over the parameter of the foot"
+              : plane ? "signed distance over the parameter of the foot; + on the left"
+                      : "distance over the parameter of the foot");
     num_q step_t = nice_step(end - start, 10), step = nice_step(plane ? 2 * top : top, 5);
     if (isfinite(band)) {
         num_q two = scaled(band, power), bottom = plane ? neg_q(two) : from_int_q(0);
         svg_area(s, 4, (num_q[]){window.x0, bottom, window.x1, bottom, window.x1, two, window.x0, two}, SVG_FILL);
     }
     svg_grid(s, step_t, step);
-    svg_axes(s, step_t, step, "t", name);
+    svg_scales(s, step_t, step, "t", name);
     num_q *P = region_bytes((size_t)(2 * r->count) * sizeof *P);
     for (int i = 0; i < r->count; i++) {
         P[2 * i] = from_double_q(r->feet[i]);
         P[2 * i + 1] = scaled(d[i], power);
     }
-    if (r->count > MOST_MARKS)
-        svg_cloud(s, r->count, P, SVG_POINT);
-    for (int i = 0; i < r->count && r->count <= MOST_MARKS; i++) {
-        if (r->count <= MOST_BARS)
-            svg_segment(s, (svg_point){P[2 * i], from_int_q(0)}, svg_pair(P + 2 * i), SVG_AXIS);
-        svg_mark(s, svg_pair(P + 2 * i), SVG_POINT, SVG_USUAL);
+    svg_segment(s, (svg_point){window.x0, from_int_q(0)}, (svg_point){window.x1, from_int_q(0)}, SVG_AXIS);
+    for (int i = 0; i < r->count && r->count <= MOST_MARKS; i++)
+        svg_segment(s, (svg_point){P[2 * i], from_int_q(0)}, svg_pair(P + 2 * i), SVG_AXIS);
+    put_points(s, r->count, P);
+    int k = r->largest_at;
+    if (r->largest > 0) {
+        char line[32];
+        snprintf(line, sizeof line, "line %d", f->points.line[k]);
+        svg_note(s, svg_pair(P + 2 * k), 2 * r->feet[k] < start + end ? SVG_E : SVG_W, SVG_POINT, line);
     }
     region_drop(mark);
 }
@@ -342,20 +357,12 @@ static void describe(const struct fit *f, FILE *out)
 
 static void legend(svg *s, const struct fit *f)
 {
-    const cagd_fit_result *r = f->result;
-    char text[200];
-    snprintf(text, sizeof text, "%d measured points%s", f->data.count,
-             f->data.sigma != NULL && f->data.count <= MOST_BARS ? " ± one standard deviation" : "");
-    svg_legend_mark(s, SVG_POINT, SVG_USUAL, text);
-    snprintf(text, sizeof text, "fitted curve, degree %d", r->curve.degree);
-    svg_legend_line(s, SVG_CURVE, text);
-    svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control polygon");
-    snprintf(text, sizeof text, "distance $d$%s over the parameter $t$%s",
-             f->data.sigma != NULL ? " in standard deviations" : "",
-             f->data.dim == 2 ? ", + on the left of the curve" : "");
-    svg_legend_mark(s, SVG_POINT, SVG_DISC, text);
-    if (isfinite(r->scale_squared))
-        svg_legend_area(s, SVG_FILL, f->data.sigma != NULL ? "within $2 s$" : "within $2 s$, $s$ as estimated");
+    int bars = f->data.sigma != NULL && f->data.count <= MOST_MARKS;
+    svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
+    svg_legend_line(s, SVG_CURVE, "fitted curve");
+    svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control points");
+    if (isfinite(f->result->scale_squared))
+        svg_legend_area(s, SVG_FILL, f->data.dim == 2 ? "$± 2 s$" : "up to $2 s$");
 }
 
 int write_picture(const struct fit *f, const char *path)
@@ -368,10 +375,10 @@ int write_picture(const struct fit *f, const char *path)
     svg *s = svg_new("fit", "A rational curve fitted to measured points", description);
     free(description);
     if (f->data.dim == 2) {
-        draw_view(s, f, 0, 1, WIDTH);
+        draw_view(s, f, 0, 1, WIDTH, NULL);
     } else {
-        draw_view(s, f, 0, 1, (WIDTH - VIEW_GAP) / 2);
-        draw_view(s, f, 0, 2, (WIDTH - VIEW_GAP) / 2);
+        draw_view(s, f, 0, 1, VIEW_WIDTH, "from above");
+        draw_view(s, f, 0, 2, VIEW_WIDTH, "from the front");
     }
     draw_distances(s, f);
     legend(s, f);

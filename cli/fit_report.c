@@ -90,6 +90,14 @@ static void put_column(double value, double error, int width)
     free(text);
 }
 
+static void put_interval(struct estimate e)
+{
+    fputs("     ", stdout);
+    put_rounded(stdout, e.low, e.error);
+    fputs(" to ", stdout);
+    put_rounded(stdout, e.high, e.error);
+}
+
 static const char *plural(int n) { return n == 1 ? "" : "s"; }
 
 /* ---- the text -------------------------------------------------------------------------------------- */
@@ -180,13 +188,13 @@ static void print_estimates(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
     if (r->unknowns > 0)
-        printf("\n%16s%18s%18s%26s\n", "", "estimate", "standard error", "95 % interval");
+        printf("\n%12s%17s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
     for (int k = 0; k < r->unknowns; k++) {
         char name[32];
         struct estimate e = unknown_estimate(r, k);
         unknown_name(r, k, name);
-        printf("  %-14s", name);
-        put_column(e.value, e.error, 18);
+        printf("  %-10s", name);
+        put_column(e.value, e.error, 17);
         if (r->at_bound[k]) {
             puts("  on its bound");
         } else if (!r->determined[k]) {
@@ -195,9 +203,7 @@ static void print_estimates(const struct fit *f)
             puts("  no standard error");
         } else {
             put_column(e.error, e.error, 18);
-            put_column(e.low, e.error, 15);
-            fputs(" to", stdout);
-            put_column(e.high, e.error, 12);
+            put_interval(e);
             puts("");
         }
     }
@@ -205,13 +211,11 @@ static void print_estimates(const struct fit *f)
         char name[32];
         struct estimate e = invariant_estimate(r, j);
         snprintf(name, sizeof name, "I%d", j + 1);
-        printf("  %-14s", name);
-        put_column(e.value, e.error, 18);
+        printf("  %-10s", name);
+        put_column(e.value, e.error, 17);
         if (isfinite(e.error) && e.error > 0) {
             put_column(e.error, e.error, 18);
-            put_column(e.low, e.error, 15);
-            fputs(" to", stdout);
-            put_column(e.high, e.error, 12);
+            put_interval(e);
         } else if (!(e.error == 0))
             fputs("  not determined", stdout);
         puts("");
@@ -232,12 +236,16 @@ static void print_fixed(const struct fit *f)
                 weight |= f->result->unknown[k].is_weight;
                 point |= !f->result->unknown[k].is_weight;
             }
+        if (!point) {
+            fprintf(out, "%sP%d = (", said++ > 0 ? ", " : "", j);
+            for (int x = 0; x < c->dim; x++)
+                fprintf(out, "%s%.10g", x > 0 ? ", " : "", c->points[j * c->dim + x]);
+            fputs(")", out);
+        }
         if (!weight)
             fprintf(out, "%sw%d = %.10g", said++ > 0 ? ", " : "", j, c->weights[j]);
-        for (int x = 0; x < c->dim && !point; x++)
-            fprintf(out, "%s%.10g%s", x > 0 ? ", " : said++ > 0 ? ", " : "", c->points[j * c->dim + x], "");
     }
-    end(&l, "  given");
+    end(&l, "  Given");
 }
 
 /* Pairs of unknowns with large correlations, the largest first. */
@@ -332,10 +340,12 @@ static void print_statistics(const struct fit *f)
     say("Chi-squared", "%.6g on %d degree%s of freedom; reduced %.4g; AIC %.6g, BIC %.6g", r->chi_squared,
         r->degrees_of_freedom, plural(r->degrees_of_freedom), r->reduced_chi_squared, r->aic, r->bic);
     if (known)
-        say("Standard errors", "from the given standard deviations; 95 %% intervals by the normal distribution, ± %.4g",
+        say("Standard errors",
+            "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution)",
             r->quantile);
     else if (isfinite(r->scale_squared))
-        say("Standard errors", "%s %.4g, estimated from the distances; 95 %% intervals by Student's t, ± %.4g",
+        say("Standard errors",
+            "%s %.4g, estimated from the distances; 95 %% intervals: %.4g of them to either side (Student's t)",
             f->data.sigma != NULL ? "from the given standard deviations times" : "from a standard deviation of",
             sqrt(r->scale_squared), r->quantile);
     else

@@ -107,6 +107,9 @@ void svg_grid(svg *s, num_q dx, num_q dy); /* lines at the multiples of dx and o
  * mathematics and may be NULL. */
 void svg_axes(svg *s, num_q dx, num_q dy, const char *x_name, const char *y_name);
 
+/* The same ticks around a frame, without axes, as graphs of measurements have them. */
+void svg_scales(svg *s, num_q dx, num_q dy, const char *x_name, const char *y_name);
+
 /* ---- Words ------------------------------------------------------------------------------------
  *
  * Markup: $ changes between prose and mathematics.  In mathematics letters are italic, - is a minus
@@ -137,7 +140,8 @@ void svg_legend_area(svg *s, enum svg_role role, const char *markup);
  * P[2 i], P[2 i + 1].  No argument is kept. */
 
 void svg_mark(svg *s, svg_point at, enum svg_role role, enum svg_shape shape);
-void svg_cloud(svg *s, int count, const num_q P[], enum svg_role role); /* small dots, under all lines */
+/* Translucent dots of that diameter, in hundredths of a unit, under all lines: for many points. */
+void svg_cloud(svg *s, int count, const num_q P[], int diameter, enum svg_role role);
 void svg_segment(svg *s, svg_point a, svg_point b, enum svg_role role);
 void svg_line(svg *s, svg_point a, svg_point b, enum svg_role role); /* the whole line, a != b   */
 void svg_arrow(svg *s, svg_point tail, svg_point head, enum svg_role role);

@@ -124,13 +124,13 @@ void svg_mark(svg *s, svg_point at, enum svg_role role, enum svg_shape shape)
 }
 
 /* Dots of paths without length, whose round ends the viewer draws; a dot that falls on the one before is left out. */
-void svg_cloud(svg *s, int count, const num_q P[], enum svg_role role)
+void svg_cloud(svg *s, int count, const num_q P[], int diameter, enum svg_role role)
 {
     struct panel *p = svg_current(s);
     if (p == NULL || count < 1)
         return;
     struct string *out = &p->layer[GROUND];
-    put(out, "<path class=\"p %s\" d=\"", role_class(s, role));
+    put(out, "<path class=\"p %s\" stroke-width=\"%h\" d=\"", role_class(s, role), (long)diameter);
     s->clouded = true;
     long x = 0, y = 0;
     for (int i = 0; i < count; i++) {
