@@ -664,8 +664,10 @@ static double contraction(const struct box *b, int k, const double W[], const in
     return worst;
 }
 
-/* The largest size of a component of W^T g; and step[a], no smaller than component a of Newton's step W S W^T g. */
-static double gradient_size(const struct box *b, int k, const double W[], const int sign[], double step[])
+/* The largest size of a component of W^T g; newton[a], nearly component a of Newton's step -W S W^T g, and step[a], no smaller than
+ * its size. */
+static double gradient_size(const struct box *b, int k, const double W[], const int sign[], double newton[],
+                            double step[])
 {
     double worst = 0;
     region_mark mark = region_open();
@@ -681,6 +683,7 @@ static double gradient_size(const struct box *b, int k, const double W[], const 
         for (int j = 0; j < k; j++)
             sum = add_i(sum, mul_i(number(sign[j] * W[a * b->n + j]), y[j]));
         step[a] = size_of(sum);
+        newton[a] = -(lower_i(sum) / 2 + upper_i(sum) / 2);
     }
     region_drop(mark);
     return worst;
@@ -805,42 +808,115 @@ static void try_radii(struct box *b, int k, double eta, const double W[], const 
     verdict->point_alone = nextafter(alone * data_unit, 0);
 }
 
+/* What the check works with, besides the box; arrays of unknowns numbers each, in one piece of memory. */
+struct workspace {
+    double *W, *inverse, *radius, *reach, *step, *newton, *unit, *moved, *points, *weights, *memory;
+    int *sign;
+};
+
+static int workspace_new(struct workspace *s, const stationary_problem *problem)
+{
+    size_t n = (size_t)problem->unknowns, count = (size_t)problem->curve->count, dim = (size_t)problem->curve->dim;
+    s->memory = calloc(2 * n * n + 6 * n + count * (dim + 1) + 1, sizeof(double));
+    s->sign = malloc((n + 1) * sizeof(int));
+    if (s->memory == NULL || s->sign == NULL)
+        return 0;
+    s->W = s->memory;
+    s->inverse = s->W + n * n;
+    s->radius = s->inverse + n * n;
+    s->reach = s->radius + n;
+    s->step = s->reach + n;
+    s->newton = s->step + n;
+    s->unit = s->newton + n;
+    s->moved = s->unit + n;
+    s->points = s->moved + n;
+    s->weights = s->points + count * dim;
+    memcpy(s->points, problem->curve->points, count * dim * sizeof(double));
+    for (size_t i = 0; i < count; i++)
+        s->weights[i] = problem->curve->weights != NULL ? problem->curve->weights[i] : 1;
+    return 1;
+}
+
+/* The centre moves by Newton's step, in binary64; moved[a] is no smaller than the way from the reported unknown to it:
+ * for a weight |log(v/w)| <= |v - w|/min(v, w). */
+static void move_centre(const stationary_problem *problem, struct workspace *s)
+{
+    for (int a = 0; a < problem->unknowns; a++) {
+        const cagd_fit_unknown *u = &problem->unknown[a];
+        double *x = u->is_weight ? &s->weights[u->index] : &s->points[u->index * problem->curve->dim + u->coordinate];
+        double from = !u->is_weight                     ? problem->curve->points[x - s->points]
+                      : problem->curve->weights != NULL ? problem->curve->weights[u->index]
+                                                        : 1;
+        if (is_held(problem, a))
+            continue;
+        *x = u->is_weight ? *x * exp(s->newton[a]) : *x + s->newton[a];
+        s->moved[a] = nextafter(fabs(*x - from), INFINITY);
+        if (u->is_weight)
+            s->moved[a] = nextafter(s->moved[a] / fmin(*x, from), INFINITY);
+    }
+}
+
+/* The radii are those from the reported unknowns, not from the centre. */
+static void add_way(const stationary_problem *problem, const double moved[], double data_unit,
+                    stationary_verdict *verdict)
+{
+    double weights = 0, coordinates = 0;
+    for (int a = 0; a < problem->unknowns; a++) {
+        double *way = problem->unknown[a].is_weight ? &weights : &coordinates;
+        *way = fmax(*way, moved[a]);
+    }
+    verdict->weight_radius = nextafter(verdict->weight_radius + weights, INFINITY);
+    verdict->point_radius = nextafter(verdict->point_radius + coordinates, INFINITY);
+    double less = nextafter(fmax(weights, nextafter(coordinates / data_unit, INFINITY)), INFINITY);
+    verdict->weight_alone = fmax(0, nextafter(verdict->weight_alone - less, 0));
+    verdict->point_alone = fmax(0, nextafter(verdict->point_alone - less * data_unit, 0));
+}
+
 stationary_verdict stationary_check(const stationary_problem *problem)
 {
+    enum { MOVES = 4 };
     stationary_verdict verdict = {.where = -1, .reason = no_memory};
+    struct workspace s = {0};
+    cagd_spline centre = *problem->curve;
+    stationary_problem moving = *problem;
+    moving.curve = &centre;
     struct box b;
-    size_t n = (size_t)problem->unknowns;
-    double *W = malloc((n * n + 1) * sizeof(double)), *inverse = malloc((n * n + 1) * sizeof(double));
-    double *radius = calloc(n + 1, sizeof(double)), *reach = malloc((n + 1) * sizeof(double));
-    double *step = malloc((n + 1) * sizeof(double)), *unit = malloc((n + 1) * sizeof(double)),
-           size = size_of_data(problem->data);
-    int *sign = malloc((n + 1) * sizeof(int));
-    int room = box_new(&b, problem);
-    if (!room || W == NULL || inverse == NULL || radius == NULL || reach == NULL || step == NULL || unit == NULL ||
-        sign == NULL)
-        goto done;
-    for (int a = 0; a < b.n; a++)
-        unit[a] = problem->unknown[a].is_weight ? 1 : size;
-    if (b.n == 0) {
-        verdict.reason = "nothing is free";
-        goto done;
+    int room = box_new(&b, &moving) & workspace_new(&s, problem);
+    double size = size_of_data(problem->data), largest = 0;
+    centre.points = s.points;
+    centre.weights = s.weights;
+    for (int a = 0; room && a < b.n; a++)
+        s.unit[a] = problem->unknown[a].is_weight ? 1 : size;
+    for (int move = 0; room && !verdict.verified && move <= MOVES; move++) {
+        for (int a = 0; a < b.n; a++)
+            s.radius[a] = 0;
+        if (!enclose(&b, s.radius)) {
+            if (move == 0) {
+                verdict.reason = b.n == 0 ? "nothing is free" : b.reason;
+                verdict.where = b.where;
+            }
+            break;
+        }
+        verdict.dimension = directions(&b, s.W, s.inverse, s.sign);
+        if (verdict.dimension == 0) {
+            verdict.reason = b.n == 0 ? "nothing is free" : "the Hessian is singular";
+            break;
+        }
+        reaches(b.n, verdict.dimension, s.W, s.reach);
+        double eta = gradient_size(&b, verdict.dimension, s.W, s.sign, s.newton, s.step), step = 0;
+        try_radii(&b, verdict.dimension, eta, s.W, s.inverse, s.sign, s.unit, s.reach, s.step, s.radius, &verdict);
+        for (int a = 0; a < b.n; a++)
+            step = fmax(step, s.step[a] / s.unit[a]);
+        if (verdict.verified || !(step < 0x1p-10) || (move > 0 && !(step < largest / 2)))
+            break;
+        largest = step;
+        move_centre(problem, &s);
     }
-    if (!enclose(&b, radius)) {
-        verdict.reason = b.reason;
-        verdict.where = b.where;
-        goto done;
-    }
-    verdict.dimension = directions(&b, W, inverse, sign);
-    if (verdict.dimension == 0) {
-        verdict.reason = "the Hessian is singular";
-        goto done;
-    }
-    reaches(b.n, verdict.dimension, W, reach);
-    double eta = gradient_size(&b, verdict.dimension, W, sign, step);
-    try_radii(&b, verdict.dimension, eta, W, inverse, sign, unit, reach, step, radius, &verdict);
-done:
+    if (verdict.verified)
+        add_way(problem, s.moved, size, &verdict);
     box_free(&b);
-    free(W), free(inverse), free(radius), free(reach), free(step), free(unit), free(sign);
+    free(s.memory);
+    free(s.sign);
     return verdict;
 }
 

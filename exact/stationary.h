@@ -16,7 +16,9 @@
  *     Krawczyk    theta = theta_0 + W y, with W chosen such that S W^T H W is nearly 1, S a diagonal of signs.  If
  *                 q = max-norm of 1 - S W^T H(box) W < 1 and eta = max-norm of W^T g(theta_0) < (1-q) r, there is exactly one
  *                 stationary point with |y| <= r, and it has |y| <= eta/(1-q).  When all signs are +, the Hessian is
- *                 positive definite over the box, and the point is a strict local minimum.
+ *                 positive definite over the box, and the point is a strict local minimum.  When that fails at theta_0
+ *                 itself, it is tried again at the end of a step of Newton's method; what is reported are distances from
+ *                 theta_0.
  *
  * Unknowns that are held, such as weights on a bound, are left out.  Along free directions F is flat, no stationary point is
  * alone; then W spans a complement of these directions, and what is said is said of the curves theta_0 + W y.
@@ -48,7 +50,8 @@ typedef struct stationary_verdict {
     int dimension; /* of the space in which that was decided: unknowns not held, less free directions */
     double weight_radius, point_radius; /* the stationary point is no farther away than this in the logarithm of any
                                            weight, and in any coordinate; rounded up                       */
-    double weight_alone, point_alone;   /* and it is the only one that near; rounded down                  */
+    double weight_alone, point_alone;   /* a stationary point that is no farther away than this is that one;
+                                           rounded down, 0 where nothing is said                           */
     int where;          /* index of the measured point that the reason is about, or -1                     */
     const char *reason; /* why not verified, a sentence without full stop; NULL when verified; static     */
 } stationary_verdict;
