@@ -23,7 +23,7 @@ _cagd() {
     elif [ "$command" = fit ] && [ "${COMP_WORDS[COMP_CWORD - 1]}" = --loss ]; then
         COMPREPLY=($(compgen -W "squares huber cauchy" -- "$word"))
     elif [ "$command" = fit ] && [ "${COMP_WORDS[COMP_CWORD - 1]}" = --free ]; then
-        COMPREPLY=($(compgen -W "weights inner ends weights,inner weights,inner,ends none" -- "$word"))
+        COMPREPLY=($(compgen -W "weights inner ends weights,inner weights,inner,ends" -- "$word"))
     elif [ "$command" = curve ] || [ "$command" = fit ]; then
         COMPREPLY=($(compgen -f -- "$word"))
     else

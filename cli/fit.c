@@ -52,20 +52,18 @@ static double positive(struct argp_state *state, const char *option, const char 
     return x;
 }
 
-/* "weights,inner,ends", or "none". */
+/* "weights,inner,ends" */
 static int parts(struct argp_state *state, const char *text)
 {
     static const char *const part[] = {"weights", "inner", "ends"};
     int sum = 0;
-    if (strcmp(text, "none") == 0)
-        return 0;
     for (const char *s = text;; s++) {
         size_t n = strcspn(s, ",");
         int k = 0;
         while (k < 3 && (strlen(part[k]) != n || strncmp(s, part[k], n) != 0))
             k++;
         if (k == 3)
-            argp_error(state, "--free takes a list of weights, inner and ends, or none, not '%s'", text);
+            argp_error(state, "--free takes a list of weights, inner and ends, not '%s'", text);
         else
             sum |= 1 << k;
         if (*(s += n) == '\0')
@@ -316,6 +314,9 @@ static int complain(const struct fit *f, cagd_fit_status status, int where)
                 name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", n * (dim - 1),
                 n * (dim - 1) == 1 ? "" : "s", asked, asked == 1 ? "" : "s",
                 asked <= 2 * (dim - 1) ? 2 : (asked + dim - 2) / (dim - 1));
+    else if (status == CAGD_FIT_BAD_OPTIONS && asked == 0)
+        fprintf(stderr, "cagd: %s: nothing is free: of what --free names the curve has nothing that could move\n",
+                name);
     else if (status == CAGD_FIT_BAD_DATA && where >= 0)
         fprintf(stderr, "cagd: %s: line %d: %s\n", name, f->points.line[where], cagd_fit_status_text(status));
     else
@@ -363,6 +364,9 @@ static int fit_points(const struct arguments *a, struct fit *f)
     if (status != CAGD_FIT_OK)
         return complain(f, status, where);
     f->result = result;
+    f->checked = a->verify && result->unknowns > 0;
+    if (f->checked)
+        f->verdict = stationary_check_fit(&f->data, &f->options, result);
     int code = write_and_print(a, f);
     cagd_fit_free(result);
     return code;
@@ -375,7 +379,7 @@ int run_fit(int argc, char **argv)
         {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
         {"control-points", KEY_CONTROL_POINTS, "N", 0, "So many control points, over even knots", 1},
         {"free", KEY_FREE, "LIST", 0,
-         "What may move, of weights, inner and ends, or none (default: weights,inner; the ends are then the first and "
+         "What may move, of weights, inner and ends (default: weights,inner; the ends are then the first and "
          "the "
          "last point)",
          1},

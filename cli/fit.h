@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/points.h"
 #include "core/fit/cagd_fit.h"
+#include "exact/stationary.h"
 
 struct fit {
     const char *path;
@@ -13,6 +14,8 @@ struct fit {
     cagd_fit_data data;
     cagd_fit_options options;
     const cagd_fit_result *result;
+    int checked; /* whether it was asked to verify the minimum */
+    stationary_verdict verdict;
 };
 
 /* ---- numbers of the result, by the formulas that its header states (fit_report.c) ----------------- */

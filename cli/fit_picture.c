@@ -8,10 +8,11 @@
 
 enum {
     WIDTH = 600,          /* of the row of views, in output units      */
-    VIEW_WIDTH = 232,     /* of each of two views                      */
+    VIEW_WIDTH = 270,     /* of each of two views                      */
+    MARGIN = 36,          /* around what a view shows                  */
     LOWEST = 220,         /* a view is from so high ...                */
     HIGHEST = 460,        /* ... to so high                            */
-    TICKS = 55,           /* ticks are at least so far apart           */
+    TICKS = 45,           /* ticks are at least so far apart           */
     RESIDUALS_HIGH = 140, /* the window of the distances               */
     MOST_MARKS = 60,      /* more points than these are a cloud        */
     MOST_LARGE = 600,     /* more points than these are a cloud of small dots */
@@ -86,7 +87,7 @@ static int inside(const struct view *v, const double P[])
 }
 
 /* Points and feet; and the control points unless the window would become more than twice as large. */
-static struct view new_view(const struct fit *f, int a, int b)
+static struct view new_view(const struct fit *f, int a, int b, int width)
 {
     const cagd_spline *c = &f->result->curve;
     struct view v = {f, a, b, 0, {INFINITY, -INFINITY, {0}}, {INFINITY, -INFINITY, {0}}};
@@ -109,7 +110,8 @@ static struct view new_view(const struct fit *f, int a, int b)
         v.y = y;
     }
     v.power = power_of(fmax(v.x.high - v.x.low, v.y.high - v.y.low));
-    double unit = pow(10, v.power), room = 0.06 * fmax(v.x.high - v.x.low, v.y.high - v.y.low) / unit;
+    double unit = pow(10, v.power), size = fmax(v.x.high - v.x.low, v.y.high - v.y.low) / unit;
+    double room = size * MARGIN / width;
     v.x = (struct scale){v.x.low / unit - room, v.x.high / unit + room, {0}};
     v.y = (struct scale){v.y.low / unit - room, v.y.high / unit + room, {0}};
     return v;
@@ -265,7 +267,7 @@ static void draw_view(svg *s, const struct fit *f, int a, int b, int width, cons
 {
     static const char *const coordinate[] = {"x", "y", "z"};
     region_mark mark = region_open();
-    struct view v = new_view(f, a, b);
+    struct view v = new_view(f, a, b, width);
     shape(&v, width);
     svg_window window = {from_double_q(v.x.low), from_double_q(v.y.low), from_double_q(v.x.high),
                          from_double_q(v.y.high)};

@@ -161,8 +161,6 @@ static void print_heading(const struct fit *f)
     for (int k = 0, said = 0; k < 3; k++)
         if (f->options.free & 1 << k)
             fprintf(out, "%s%s", said++ > 0 ? ", " : "", part[k]);
-    if (f->options.free == 0)
-        fputs("nothing but the feet", out);
     end(&l, "Curve");
     if (f->options.loss == CAGD_FIT_SQUARES)
         say("Minimised", "half the sum of the squared orthogonal distances%s",
@@ -182,6 +180,52 @@ static void print_heading(const struct fit *f)
     if (f->options.starts > 1)
         fprintf(out, "; %d of %d starts came to this minimum", r->agreeing_starts, f->options.starts);
     end(&l, "Minimiser");
+}
+
+/* Those that do not stand on a bound. */
+static int free_unknowns(const cagd_fit_result *r)
+{
+    int count = 0;
+    for (int k = 0; k < r->unknowns; k++)
+        count += !r->at_bound[k];
+    return count;
+}
+
+/* x rounded up or down to a power of ten. */
+static const char *power_of_ten(double x, double towards(double), char text[16])
+{
+    if (x > 0)
+        snprintf(text, 16, "1e%.0f", towards(log10(x)));
+    else
+        strcpy(text, "0");
+    return text;
+}
+
+/* What the check in intervals found. */
+static void print_verdict(const struct fit *f)
+{
+    const stationary_verdict *v = &f->verdict;
+    if (!f->checked)
+        return;
+    struct line l;
+    FILE *out = begin(&l);
+    double near = fmax(v->point_radius, v->weight_radius), alone = fmax(v->point_alone, v->weight_alone);
+    if (v->point_alone > 0 && v->weight_alone > 0)
+        alone = fmin(v->point_alone, v->weight_alone);
+    char within[16], only[16];
+    if (v->verified)
+        fprintf(out,
+                "verified in intervals: %s%s lies within %s of these coordinates and logarithms of weights, and is the "
+                "only stationary point within %s",
+                v->minimum ? "a strict local minimum" : "a stationary point",
+                v->dimension < free_unknowns(f->result) ? ", up to the free directions," : "",
+                power_of_ten(near, ceil, within), power_of_ten(alone, floor, only));
+    else {
+        fprintf(out, "not verified: %s", v->reason);
+        if (v->where >= 0)
+            fprintf(out, " (point %d, line %d)", v->where + 1, f->points.line[v->where]);
+    }
+    end(&l, "Verification");
 }
 
 static void print_estimates(const struct fit *f)
@@ -290,9 +334,7 @@ static void print_correlations(const cagd_fit_result *r)
 static void print_free_directions(const cagd_fit_result *r)
 {
     enum { MOST = 6 };
-    int free = 0;
-    for (int k = 0; k < r->unknowns; k++)
-        free += !r->at_bound[k];
+    int free = free_unknowns(r);
     int flat = free - r->rank;
     if (flat <= 0) {
         say("Rank", "%d of %d: the points determine every unknown", r->rank, free);
@@ -341,11 +383,13 @@ static void print_statistics(const struct fit *f)
         r->degrees_of_freedom, plural(r->degrees_of_freedom), r->reduced_chi_squared, r->aic, r->bic);
     if (known)
         say("Standard errors",
-            "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution)",
+            "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution, "
+            "for weights and invariants of the logarithms)",
             r->quantile);
     else if (isfinite(r->scale_squared))
         say("Standard errors",
-            "%s %.4g, estimated from the distances; 95 %% intervals: %.4g of them to either side (Student's t)",
+            "%s %.4g, estimated from the distances; 95 %% intervals: %.4g of them to either side (Student's t, for "
+            "weights and invariants of the logarithms)",
             f->data.sigma != NULL ? "from the given standard deviations times" : "from a standard deviation of",
             sqrt(r->scale_squared), r->quantile);
     else
@@ -373,6 +417,7 @@ static void print_history(const cagd_fit_result *r)
 void print_fit(const struct fit *f, int verbose)
 {
     print_heading(f);
+    print_verdict(f);
     if (verbose)
         print_history(f->result);
     print_estimates(f);
@@ -466,6 +511,20 @@ static json_t *conic_json(const cagd_fit_result *r)
                      "log_invariant", real(c.log_invariant), "standard_error", real(c.error));
 }
 
+static json_t *verdict_json(const struct fit *f)
+{
+    const stationary_verdict *v = &f->verdict;
+    if (!f->checked)
+        return json_pack("{s:s}", "status", "not asked");
+    if (v->verified)
+        return json_pack("{s:s, s:b, s:i, s:o, s:o, s:o, s:o}", "status", "verified", "strict_minimum", v->minimum,
+                         "dimension", v->dimension, "weight_radius", real(v->weight_radius), "point_radius",
+                         real(v->point_radius), "weight_alone", real(v->weight_alone), "point_alone",
+                         real(v->point_alone));
+    return json_pack("{s:s, s:s, s:o}", "status", "not verified", "reason", v->reason, "point",
+                     v->where >= 0 ? json_integer(v->where + 1) : json_null());
+}
+
 static json_t *history_json(const cagd_fit_result *r)
 {
     json_t *list = json_array();
@@ -490,9 +549,7 @@ json_t *fit_json(const struct fit *f)
             json_array_append_new(free, json_string(part[k]));
     for (int j = 0; j < r->invariants; j++)
         json_array_append_new(invariants, estimate_json(invariant_estimate(r, j)));
-    int flat = r->unknowns - r->rank, ends = 0;
-    for (int k = 0; k < r->unknowns; k++)
-        flat -= r->at_bound[k];
+    int flat = free_unknowns(r) - r->rank, ends = 0;
     for (int i = 0; i < r->count; i++)
         ends += r->foot_at_end[i];
     json_t *points =
@@ -520,13 +577,14 @@ json_t *fit_json(const struct fit *f)
                   f->data.sigma != NULL && o->loss == CAGD_FIT_SQUARES ? "the given standard deviations"
                                                                        : "the scatter of the points",
                   "level", 0.95, "quantile", real(r->quantile));
-    return json_pack(
-        "{s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", "cagd-fit-1",
-        "converged", r->termination == CAGD_FIT_CONVERGED, "points", points, "options", options, "minimiser", minimiser,
-        "curve", fitted_curve_json(&r->curve), "unknowns", unknowns_json(r), "rank", r->rank, "free_directions",
-        matrix_json(flat, r->unknowns, r->free_directions), "covariance",
-        matrix_json(r->unknowns, r->unknowns, r->covariance), "correlations", correlations_json(r), "invariants",
-        invariants, "conic", conic_json(r), "statistics", statistics, "distances", distances);
+    return json_pack("{s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema",
+                     "cagd-fit-1", "converged", r->termination == CAGD_FIT_CONVERGED, "points", points, "options",
+                     options, "minimiser", minimiser, "curve", fitted_curve_json(&r->curve), "unknowns",
+                     unknowns_json(r), "rank", r->rank, "free_directions",
+                     matrix_json(flat, r->unknowns, r->free_directions), "covariance",
+                     matrix_json(r->unknowns, r->unknowns, r->covariance), "correlations", correlations_json(r),
+                     "invariants", invariants, "conic", conic_json(r), "statistics", statistics, "distances", distances,
+                     "verification", verdict_json(f));
 }
 
 /* ---- files ----------------------------------------------------------------------------------------- */
