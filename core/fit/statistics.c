@@ -181,7 +181,8 @@ static void fill_invariants(cagd_fit_result *result)
             I = result->curve.weights[j] / result->curve.weights[j - 1] *
                 (result->curve.weights[j] / result->curve.weights[j + 1]);
         for (int a = 0; a < result->unknowns; a++)
-            if (log_invariant_derivative(&result->unknown[a], &j) != 0 && !result->determined[a])
+            if (log_invariant_derivative(&result->unknown[a], &j) != 0 && !result->at_bound[a] &&
+                !result->determined[a])
                 error = INFINITY;
         result->invariant[j - 1] = I;
         result->invariant_error[j - 1] = error;
