@@ -287,11 +287,12 @@ static int is_fixed_end(const struct box *b, int i, int end)
 
 enum foot { NO_FOOT, FOOT_INSIDE, FOOT_AT_END, FOOT_ON_FIXED_END };
 
-/* The foot of point i for all unknowns of the box; v is what is seen from there. */
-static enum foot enclose_foot(struct box *b, int i, struct view *v)
+/* The foot of point i for all unknowns of the box, near t; v is what is seen from there.  The width of the result is proportional
+ * to the way from t: from farther away than 2^-45 of the domain it is gone once more, which the caller sees by *again. */
+static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *v, double *again)
 {
     const cagd_spline *curve = b->problem->curve;
-    double t = b->problem->feet[i], first = curve->knots[curve->degree], last = curve->knots[curve->count];
+    double first = curve->knots[curve->degree], last = curve->knots[curve->count];
     b->where = i;
     if (!(first <= t && t <= last)) {
         b->reason = no_foot;
@@ -324,11 +325,21 @@ static enum foot enclose_foot(struct box *b, int i, struct view *v)
         if (sign_i(v->slope) <= 0)
             break;
         num_i next = sub_i(here, div_i(phi, v->slope));
+        *again = lower_i(next) / 2 + upper_i(next) / 2;
         if (is_interior(next, T))
             return look(b, i, next, v) && sign_i(v->slope) > 0 ? FOOT_INSIDE : NO_FOOT;
     }
     b->reason = no_foot;
     return NO_FOOT;
+}
+
+static enum foot enclose_foot(struct box *b, int i, struct view *v)
+{
+    const cagd_spline *curve = b->problem->curve;
+    double t = b->problem->feet[i], again = t,
+           far = ldexp(curve->knots[curve->count] - curve->knots[curve->degree], -45);
+    enum foot foot = enclose_foot_near(b, i, t, v, &again);
+    return foot == FOOT_INSIDE && fabs(again - t) > far ? enclose_foot_near(b, i, again, v, &again) : foot;
 }
 
 /* rho'(s) and rho''(s), the latter the hull of both one-sided values where it jumps. */
