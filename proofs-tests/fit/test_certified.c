@@ -262,7 +262,7 @@ static int run(const char *folder, const char *name)
         compare_estimates(&r, &it, fit, eps, exact);
     printf("%-18s %6d %4d %5.1f", name, it.data.count, fit->iterations, exact ? NAN : r.cost);
     if (undetermined) /* the reason stands in the file */
-        slides = 1, r.complaint[0] = 0, allow(&r, "the cost", fit->cost, cost, floor);
+        slides = 1, r.allowed = 0, r.complaint[0] = 0, allow(&r, "the cost", fit->cost, cost, floor);
     printf(slides  ? "     -     -     -     -"
            : exact ? " %5.1f %5.1f %5.1f     -"
                    : " %5.1f %5.1f %5.1f %5.1f",
