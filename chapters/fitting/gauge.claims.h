@@ -1,0 +1,5 @@
+/*
+# gauge
+*/
+#include "chapters/frame/claims_on.h"
+#include "chapters/frame/claims_off.h"
