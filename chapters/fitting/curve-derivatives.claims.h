@@ -10,7 +10,7 @@ $w_m=e^{\lambda_m}$, and $\partial/\partial\lambda_m=w_m\,\partial/\partial w_m$
 :::{claim} rational_basis_is_the_weighted_share
 :title: The rational basis and its derivatives by the parameter
 :zh: 有理基及其导数
-:given: a segment of degree $p$, clamped or with simple knots, all knots variables; weights; any $t$
+:given: a segment of degree $p$, clamped or with simple knots; in the field these are variables for $p=1$, and $0,1,3,7,\dots$ for $p>1$; weights; any $t$
 :then: `nurbs_basis` gives $R_m=w_mN_m/w$, $w=\sum_kw_kN_k$, and its first two derivatives by $t$
 :method: The kernel against the quotient of power series in the parameter, whose numerator and denominator come from the recursion of
   de Boor and Cox by its letter.
@@ -76,7 +76,7 @@ CLAIM(rational_basis_is_the_weighted_share)
 :::{claim} derivative_by_a_weight_points_to_its_point
 :title: The derivative by the logarithm of a weight points from the curve to the point of that weight
 :zh: 对权的导数指向相应控制顶点
-:given: a segment of degree $p$, clamped or with simple knots; weights, points, any $t$
+:given: a segment as in `rational_basis_is_the_weighted_share`; weights, points, any $t$
 :then: $\partial C/\partial\lambda_m=R_m(P_m-C)$; `nurbs_by_weights` gives it with its first two derivatives by $t$
 :method: In the field $w_m\,\partial/\partial w_m$ of the quotient $\sum w_kN_kP_k/\sum w_kN_k$, its coefficients in a power series at $t$ being
   differentiated as rational functions; in the other number types the quotient rule for the series.
@@ -127,7 +127,7 @@ CLAIM(derivative_by_a_weight_points_to_its_point)
 :::{claim} mixed_derivatives_are_a_covariance
 :title: The derivatives of the basis by the weights, which are the mixed derivatives by weights and points
 :zh: 有理基对权的导数(混合导数)
-:given: a segment of degree $p$, clamped or with simple knots; weights, any $t$
+:given: a segment as in `rational_basis_is_the_weighted_share`; weights, any $t$
 :then: `nurbs_basis_by_weights` gives $\partial R_m/\partial\lambda_k=R_m(\delta_{mk}-R_k)$, the covariance matrix of one draw among the $m$ with the
   probabilities $R_m$: symmetric, with row sums 0
 :method: In the field the quotient is differentiated; in the other number types by the quotient rule.
@@ -170,7 +170,7 @@ CLAIM(mixed_derivatives_are_a_covariance)
 :::{claim} second_derivatives_by_two_weights
 :title: The second derivatives by two weights
 :zh: 对两个权的二阶导数
-:given: a segment of degree $p$, clamped or with simple knots; weights, points, any $t$
+:given: a segment as in `rational_basis_is_the_weighted_share`; weights, points, any $t$
 :then: `nurbs_by_two_weights` gives
   $\frac{\partial^2C}{\partial\lambda_m\partial\lambda_k}=\delta_{mk}R_m(P_m-C)-R_mR_k\bigl((P_m-C)+(P_k-C)\bigr)$
 :method: In the field the quotient is differentiated twice; in the other number types the quotient rule is taken twice,

@@ -4,15 +4,15 @@
 enum { MOST_ROWS = 4, MOST_DEGREE = 9, MOST_POINTS = MOST_DEGREE + 1 };
 
 /* One segment of degree p: the knots x_0 < x_1 < ... of its 2p+2, clamped or simple; place says which are one.  The segment is
- * that of u_p < u_{p+1}. */
+ * that of u_p < u_{p+1}.  In the field the knots are variables for p = 1, and 0, 1, 3, 7, ... for p > 1. */
 static inline void G(segment_knots)(trial *T, int p, int clamped, num u[], int place[])
 {
-    num x = unknown(T, "x", 0);
+    num x = FIELD && p > 1 ? from_int(0) : unknown(T, "x", 0);
     for (int i = 0; i < 2 * p + 2; i++) {
         place[i] = clamped ? i > p : i;
         if (i > 0 && place[i] > place[i - 1])
 #if FIELD
-            x = unknown(T, "x", place[i]);
+            x = p > 1 ? from_int((1L << place[i]) - 1) : unknown(T, "x", place[i]);
 #else
             x = add(x, positive(T, "h", place[i]));
 #endif

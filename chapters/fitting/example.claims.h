@@ -1,5 +1,5 @@
 /*
 # example
 */
-#include "chapters/frame/claims_on.h"
 #include "chapters/frame/claims_off.h"
+#include "chapters/frame/claims_on.h"

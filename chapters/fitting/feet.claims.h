@@ -185,11 +185,11 @@ CLAIM(elimination_of_feet_gives_the_same_step)
     }
     for (int i = 0; i < N; i++)
         for (int k = 0; k < N; k++)
-            M[i * N + k] = i < 2 && k < 2    ? A[2 * i + k]
-                           : i < 2           ? B[i][k - 2]
-                           : k < 2           ? B[k][i - 2]
-                           : i == k          ? delta[i - 2]
-                                             : from_int(0);
+            M[i * N + k] = i < 2 && k < 2 ? A[2 * i + k]
+                           : i < 2        ? B[i][k - 2]
+                           : k < 2        ? B[k][i - 2]
+                           : i == k       ? delta[i - 2]
+                                          : from_int(0);
     about(T, "the determinant");
     same(T, G(determinant)(N, M), mul(det, product));
 }
@@ -238,7 +238,7 @@ CLAIM(reduced_gauss_newton_matrix_is_the_part_across_the_curve)
 :zh: 垂足方程的次数
 :kind: decision
 :types: field
-:given: the polynomial curve of degree $n$ whose points are $(i,y_i)$, and the rational one with weights $w_i$ and the same points; $Q=(0,0)$
+:given: points $(x_i,y_i)$ with $x_i=i$ for $i<n$, $x_n=n^2$, and variable $y_i$: the polynomial curve, and the rational one with weights $1,w_1,\dots,w_n$; $Q=(0,0)$
 :let: $C=P/w$, so that $\varphi=(P-Qw)\cdot(P'w-Pw')/w^3$
 :then: the numerator of $\varphi$, reduced, is of degree exactly $2n-1$ in $t$ for the polynomial curve, $3n-2$ for the rational one, and its denominator
   is $w^3$ without a common factor; for conics the degree is $4$, as everybody knows of ellipses
