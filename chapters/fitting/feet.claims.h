@@ -9,13 +9,11 @@ that is why the foot may be forgotten, in the gradient entirely, and in the Hess
 :::{claim} gradient_does_not_see_the_foot_move
 :title: The gradient of the reduced distance needs no derivative of the foot
 :zh: 距离的梯度不含垂足的导数
-:types: field rational
 :given: the conic with points $(0,0)$, $(x,y)$, $(1,0)$ and weights $1,w,1$; a point $Q=C(t)+k\,n$ with $n\perp C'(t)$, so that $t$ is its foot
 :let: $w$ grow to $w(1+\varepsilon+\frac{\varepsilon^2}2)$, which is $\lambda+\varepsilon$ to second order, and the foot move as $t+t_1\varepsilon+t_2\varepsilon^2$
 :then: the derivative of $\frac12|C-Q|^2$ by $\varepsilon$ at $0$ is $D\cdot\partial C/\partial\lambda$, whatever $t_1$ and $t_2$ are
-:method: The distance at the moved foot is a rational function of $\varepsilon$, which is differentiated as such; $x,y,w,t,k,t_1,t_2$ are variables.  The
+:method: The distance at the moved foot as a quotient of power series in $\varepsilon$; $x,y,w,t,k,t_1,t_2$ are variables.  The
   end points are no restriction: a similarity brings any two different points there, and multiplies distances by a number.
-  In rationals the numerator and the denominator are power series in $\varepsilon$.
 :control: the foot $t+\frac12$ of another point
 :::
 */
@@ -84,7 +82,6 @@ static void G(distance_series)(const struct G(conic_and_foot) * S, num t, num t1
     }
 }
 
-#if FIELD || RATIONAL
 CLAIM(gradient_does_not_see_the_foot_move)
 {
     struct G(conic_and_foot) S;
@@ -95,7 +92,6 @@ CLAIM(gradient_does_not_see_the_foot_move)
         D[c] = sub(S.C[c], S.Q[c]);
     same(T, f[1], G(dot)(plane, D, S.L));
 }
-#endif
 
 /*
 ## The Hessian: a Schur complement (Schur 补)
@@ -103,7 +99,6 @@ CLAIM(gradient_does_not_see_the_foot_move)
 :::{claim} hessian_of_the_reduced_distance
 :title: The second derivative of the reduced distance
 :zh: 消去垂足后距离的二阶导数
-:types: field rational
 :given: the conic, the point and the moves of `gradient_does_not_see_the_foot_move`
 :let: $\varphi'=|C'|^2+D\cdot C''$, and $t_1=-\bigl(C_\lambda\cdot C'+D\cdot C_\lambda'\bigr)/\varphi'$, as differentiation of $D\cdot C'=0$ gives
 :then: the second derivative of $\frac12|C-Q|^2$ by $\lambda$ is
@@ -112,7 +107,6 @@ CLAIM(gradient_does_not_see_the_foot_move)
 :control: $t_1$ of the opposite sign
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(hessian_of_the_reduced_distance)
 {
     struct G(conic_and_foot) S;
@@ -127,7 +121,6 @@ CLAIM(hessian_of_the_reduced_distance)
     num hessian = add(G(dot)(plane, S.L, S.L), G(dot)(plane, D, S.LL));
     same(T, mul(from_int(2), f[2]), sub(hessian, div(mul(turn, turn), slope)));
 }
-#endif
 
 /*
 With many points the same elimination is one of matrices.  The Hessian of all unknowns, $\theta$ and feet, is an arrow
@@ -136,7 +129,6 @@ $\begin{pmatrix}A&B\\B^T&\Delta\end{pmatrix}$ with $\Delta$ diagonal, for no foo
 :::{claim} elimination_of_feet_gives_the_same_step
 :title: Newton's step with the feet eliminated is Newton's step of the whole problem
 :zh: 消去垂足后的牛顿步与整体牛顿步相同
-:types: field rational
 :given: a symmetric $A$ (2 by 2), $B$ (2 by $n$), a diagonal $\Delta$ of $n$ numbers other than 0, right sides $g$ and $h$
 :let: $S=A-B\Delta^{-1}B^T$ and $x=S^{-1}(g-B\Delta^{-1}h)$, $y=\Delta^{-1}(h-B^Tx)$
 :then: $Ax+By=g$ and $B^Tx+\Delta y=h$; the determinants satisfy $\det\begin{pmatrix}A&B\\B^T&\Delta\end{pmatrix}=\det S\,\prod\Delta_i$.  At feet $h=0$
@@ -146,7 +138,6 @@ $\begin{pmatrix}A&B\\B^T&\Delta\end{pmatrix}$ with $\Delta$ diagonal, for no foo
 :control: $S=A+B\Delta^{-1}B^T$
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(elimination_of_feet_gives_the_same_step)
 {
     enum { most = 10 };
@@ -193,7 +184,6 @@ CLAIM(elimination_of_feet_gives_the_same_step)
     about(T, "the determinant");
     same(T, G(determinant)(N, M), mul(det, product));
 }
-#endif
 
 /*
 When the second derivatives are left out, as Gauss and Newton do, $\Delta_i=|C'|^2$, and what remains is the part of $C_a$ across the curve.  The
