@@ -390,7 +390,9 @@ static int polish(fit_objective *o, int *fixed, double tolerance, int most, fit_
     return good;
 }
 
-/* What rounding makes of a cost: of its sum, and of the points in it, as in fit_foot. */
+/* What rounding makes of a cost: of its sum, and of the points in it, as in fit_foot.  Residuals r_i that are off by b_i change
+ * half the sum of their squares by at most sum |r_i| b_i + b_i^2/2, by Cauchy and Schwarz at most sqrt(2 cost sum b_i^2) + sum b_i^2/2;
+ * with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
 static double cost_blur(const fit_problem *p, double cost)
 {
     double sum = 0;
@@ -398,7 +400,7 @@ static double cost_blur(const fit_problem *p, double cost)
         double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * 2;
         sum += blur * blur;
     }
-    return sum / 2 + p->points * DBL_EPSILON * cost;
+    return sqrt(2 * cost * sum) + sum / 2 + p->points * DBL_EPSILON * cost;
 }
 
 /* The objective at the theta that was accepted, whatever was tried since. */
