@@ -355,6 +355,8 @@ static int polish(fit_objective *o, int *fixed, double tolerance, int most, fit_
         fixed[k] = on_bound(p, k, o->theta[k]);
     for (int i = 0; good; i++) {
         fit_rank rank;
+        if (!isfinite(o->cost))
+            break;
         good = fit_rank_of(n, equations(p), roundings(p), o->triangle, n + 1, fixed, &rank);
         if (!good)
             break;
@@ -410,6 +412,13 @@ static void settle(fit_objective *f)
     fit_objective_accept(f);
 }
 
+static void swap_feet(fit_objective *f, attempt *a)
+{
+    double *feet = f->feet;
+    f->feet = a->feet;
+    a->feet = feet;
+}
+
 /* The way to the minimum is made with feet of which Taylor's polynomial is the curve over 1/256 of the length on which it
  * changes; near the minimum it is exact. */
 #define ROUGH   0x1p-8
@@ -455,7 +464,15 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
         good = good && fit_feet_search(p, f->curve, a->feet, &cost);
         if (!good || cost >= f->cost - cost_blur(p, f->cost) || a->outcome.iterations >= most)
             break;
-        memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
+        cost = f->cost;
+        swap_feet(f, a);
+        fit_objective_evaluate(f, f->theta, 1);
+        if (!(f->cost < cost - cost_blur(p, cost))) {
+            swap_feet(f, a);
+            fit_objective_evaluate(f, f->theta, 1);
+            break;
+        }
+        fit_objective_accept(f);
     }
     free(low);
     free(fixed);
