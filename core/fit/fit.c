@@ -430,7 +430,7 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
     int n = p->unknowns, most = o->max_iterations;
     size_t room = (size_t)n;
     fit_objective *f = a->objective;
-    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n, cost;
+    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n, cost, reached = HUGE_VAL;
     int *fixed = malloc(room * sizeof *fixed), good = low && fixed;
     if (good) {
         bounds_of(p, low, high);
@@ -461,6 +461,9 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
         if (a->outcome.termination == CAGD_FIT_CONVERGED)
             good = polish(f, fixed, tolerance, most, &a->outcome);
         settle(f);
+        if (!(f->cost < reached)) /* the minimiser went back to the feet it had: no third time */
+            break;
+        reached = f->cost - cost_blur(p, f->cost);
         good = good && fit_feet_search(p, f->curve, a->feet, &cost);
         if (!good || cost >= f->cost - cost_blur(p, f->cost) || a->outcome.iterations >= most)
             break;
