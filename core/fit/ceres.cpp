@@ -141,26 +141,38 @@ class Distance
     double precision;
 };
 
-/* The sizes are known to the compiler up to `M` unknowns; it makes the automatic differentiation several times faster. */
-template <int DIM, int M> ceres::CostFunction *distance(const fit_problem &p, const fit_curve &c, int i)
+template <int DIM, int M> ceres::CostFunction *sized(const fit_problem &p, const fit_curve &c, int i)
 {
-    if constexpr (M == 0) {
-        auto *f = new ceres::DynamicAutoDiffCostFunction<Distance, 16>(new Distance(p, c, i));
+    return new ceres::AutoDiffCostFunction<Distance, DIM, M, 1>(new Distance(p, c, i));
+}
+
+/* Where the compiler knows the sizes, as it does here for weights and inner points of conics and cubics, automatic
+ * differentiation is several times faster. */
+ceres::CostFunction *distance(const fit_problem &p, const fit_curve &c, int i)
+{
+    switch (p.dim * 100 + p.unknowns) {
+    case 203:
+        return sized<2, 3>(p, c, i);
+    case 206:
+        return sized<2, 6>(p, c, i);
+    case 304:
+        return sized<3, 4>(p, c, i);
+    case 308:
+        return sized<3, 8>(p, c, i);
+    default:
+        auto *f = new ceres::DynamicAutoDiffCostFunction<Distance, 8>(new Distance(p, c, i));
         f->AddParameterBlock(p.unknowns);
         f->AddParameterBlock(1);
         f->SetNumResiduals(p.dim);
         return f;
-    } else if (p.unknowns == M)
-        return new ceres::AutoDiffCostFunction<Distance, DIM, M, 1>(new Distance(p, c, i));
-    else
-        return distance<DIM, M - 1>(p, c, i);
+    }
 }
 
 } // namespace
 
 extern "C" int fit_minimise(int unknowns, int rows, fit_function function, void *context, const double low[],
-                            const double high[], double tolerance, int max_iterations, double theta[],
-                            fit_outcome *outcome)
+                            const double high[], double tolerance, int valley, int max_iterations, double theta[],
+                            double *radius, fit_outcome *outcome)
 try {
     Silence silence;
     ceres::Problem problem;
@@ -173,8 +185,12 @@ try {
     }
     ceres::Solver::Options options = quiet(tolerance, max_iterations);
     options.linear_solver_type = ceres::DENSE_QR;
+    options.initial_trust_region_radius = *radius;
+    options.use_nonmonotonic_steps = valley != 0;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
+    if (!summary.iterations.empty())
+        *radius = summary.iterations.back().trust_region_radius;
     return report(summary, outcome);
 } catch (const std::bad_alloc &) {
     return 0;
@@ -190,10 +206,7 @@ try {
                                     : p->loss == CAGD_FIT_CAUCHY
                                         ? static_cast<ceres::LossFunction *>(new ceres::CauchyLoss(p->loss_scale))
                                         : nullptr;
-        problem.AddResidualBlock(p->dim == 2 ? distance<2, 10>(*p, *curve, i) : distance<3, 14>(*p, *curve, i), loss,
-                                 theta, feet + i);
-        problem.SetParameterLowerBound(feet + i, 0, fit_curve_start(curve));
-        problem.SetParameterUpperBound(feet + i, 0, fit_curve_end(curve));
+        problem.AddResidualBlock(distance(*p, *curve, i), loss, theta, feet + i);
     }
     for (int k = 0; k < p->unknowns; k++)
         if (p->unknown[k].is_weight) {

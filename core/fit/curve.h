@@ -11,6 +11,7 @@ typedef struct fit_curve {
     int degree, count, dim, pieces;
     double *knots, *points, *weights; /* as in cagd_spline; the weights are positive              */
     int *span;                        /* of each piece: u_span < u_{span+1}                       */
+    double *inverse;                  /* of each piece: 1/(u_{span+1} - u_span)                   */
     double *bezier;                   /* (p+1)(dim+1) homogeneous coordinates of each piece       */
 } fit_curve;
 

@@ -1,5 +1,7 @@
 #include "core/fit/feet.h"
 
+#include "core/number/limits.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -10,57 +12,45 @@ static inline double inner(int dim, const double a[], const double b[])
     return a[0] * b[0] + a[1] * b[1] + (dim == 3 ? a[2] * b[2] : 0);
 }
 
-/* Newton's method for f(t) = (C - Q) C' = 0 between low and high, f(low) < 0 < f(high) as far as f is known there; nothing
- * is known at the ends of the domain before they are tried.  A step that leaves this interval, or where
- * f' = C' C' + (C - Q) C'' is not positive, is replaced by the foot on the tangent, f' = C' C'; when this too leaves it, an
- * end of the domain that was not tried is, or the middle.
- *
- * The last step is taken without another look at f: Newton's method squares the error in units of the length on which the
- * curve changes, |C'|/|C''| or the domain, so that after a step of the square root of the precision nothing is left. */
-fit_foot_kind fit_foot(const fit_curve *curve, const double q[], double *t, double D[])
+#define NAME(name) name##_conic
+#define DIM        2
+#define DEGREE     2
+#include "core/fit/foot.tmpl.h"
+#undef NAME
+#undef DEGREE
+#define NAME(name) name##_cubic
+#define DEGREE     3
+#include "core/fit/foot.tmpl.h"
+#undef NAME
+#undef DIM
+#define NAME(name) name##_space_cubic
+#define DIM        3
+#include "core/fit/foot.tmpl.h"
+#undef NAME
+#undef DIM
+#undef DEGREE
+#define NAME(name) name##_any
+#define DIM        (curve->dim)
+#define DEGREE     (curve->degree)
+#include "core/fit/foot.tmpl.h"
+#undef NAME
+#undef DIM
+#undef DEGREE
+
+void fit_curve_derivatives(const fit_curve *c, double t, double D[]) { derivatives_any(c, t, D); }
+
+fit_foot_kind fit_foot_near(const fit_curve *c, const double q[], double limit, double *t, double D[])
 {
-    int dim = curve->dim, low_known = 0, high_known = 0;
-    double start = fit_curve_start(curve), end = fit_curve_end(curve), low = start, high = end, x = *t;
-    const double *D1 = D + dim, *D2 = D + 2 * dim;
-    double size = 1; /* of the curve, in working coordinates, and of q */
-    for (int c = 0; c < dim; c++)
-        size = fmax(size, fabs(q[c]));
-    double blur = (2 * curve->degree + 2) * DBL_EPSILON * size; /* what rounding makes of C - Q */
-    for (int looks = 1;; looks++) {
-        double off[3];
-        fit_curve_derivatives(curve, x, D);
-        for (int c = 0; c < dim; c++)
-            off[c] = D[c] - q[c];
-        double f = inner(dim, off, D1), square = inner(dim, D1, D1), speed = sqrt(square);
-        double slope = square + inner(dim, off, D2);
-        *t = x;
-        if (fabs(f) <= blur * speed)
-            return square > 0 ? FOOT_ORTHOGONAL : FOOT_AT_CORNER;
-        if (f < 0)
-            low = x, low_known = 1;
-        else
-            high = x, high_known = 1;
-        if (low == high)
-            return FOOT_AT_END;
-        if (low_known && high_known && nextafter(low, high) == high)
-            return slope > 0 && fabs(f) <= blur * speed * (slope / square) + slope * (high - low) ? FOOT_ORTHOGONAL
-                                                                                                  : FOOT_AT_CORNER;
-        double next = slope > 0 ? x - f / slope : low;
-        int newton = low < next && next < high;
-        if (!newton)
-            next = x - f / square;
-        if (!(low < next && next < high) || (looks > 16 && looks % 2 == 0 && low_known && high_known)) {
-            next = f < 0 && !high_known ? end : f > 0 && !low_known ? start : low + (high - low) / 2;
-            newton = 0;
-        }
-        double bend = sqrt(inner(dim, D2, D2)), scale = fmin(end - start, bend > 0 ? speed / bend : end - start);
-        if (newton && fabs(next - x) <= sqrt(DBL_EPSILON) * scale * fmin(1, slope / square)) {
-            *t = next;
-            fit_curve_derivatives(curve, next, D);
-            return FOOT_ORTHOGONAL;
-        }
-        x = next;
-    }
+    int shape = c->dim * 100 + c->degree;
+    return shape == 202   ? newton_conic(c, q, limit, t, D)
+           : shape == 203 ? newton_cubic(c, q, limit, t, D)
+           : shape == 303 ? newton_space_cubic(c, q, limit, t, D)
+                          : newton_any(c, q, limit, t, D);
+}
+
+fit_foot_kind fit_foot(const fit_curve *c, const double q[], double *t, double D[])
+{
+    return fit_foot_near(c, q, FOOT_EXACT, t, D);
 }
 
 /* An inscribed polygon: the points of the curve at t[0] < ... < t[sides]; `deep` bounds how far the curve is from a side. */
@@ -138,12 +128,13 @@ static inline double from_side(const polygon *g, int k, const double q[], double
 {
     int dim = g->dim;
     const double *a = g->point + k * dim, *b = a + dim;
-    double along = 0, square = 0, rest = 0;
+    double along = 0, square = 0, rest = 0, s = 0;
     for (int c = 0; c < dim; c++) {
         along += (q[c] - a[c]) * (b[c] - a[c]);
         square += (b[c] - a[c]) * (b[c] - a[c]);
     }
-    double s = square > 0 ? fmin(1, fmax(0, along / square)) : 0;
+    if (along > 0)
+        s = along < square ? along / square : 1;
     for (int c = 0; c < dim; c++) {
         double d = q[c] - a[c] - s * (b[c] - a[c]);
         rest += d * d;
@@ -157,17 +148,19 @@ static inline double on_side(const polygon *g, int k, double where)
     return g->t[k] + where * (g->t[k + 1] - g->t[k]);
 }
 
-/* The nearest of the feet that are reached from sides first ... last; only sides whose part of the curve may be nearer than the
- * best one are tried, and of neighbours the nearest. */
-static double nearest(const fit_curve *curve, const polygon *g, const double q[], int first, int last, double square[])
+/* The nearest of the feet that are reached from sides first ... last, and its squared distance; only sides whose part of the
+ * curve may be nearer than the best one are tried, and of neighbours the nearest. */
+static double nearest(const fit_curve *curve, const polygon *g, const double q[], int first, int last, double square[],
+                      double *smallest)
 {
     int dim = g->dim;
     double best = HUGE_VAL, found = g->t[first], where, D[9];
     for (int k = first; k <= last; k++) {
         square[k] = from_side(g, k, q, &where);
-        best = fmin(best, sqrt(square[k]) + g->deep[k]);
+        double most = sqrt(square[k]) + g->deep[k];
+        best = most < best ? most : best;
     }
-    double smallest = HUGE_VAL;
+    *smallest = HUGE_VAL;
     for (int k = first; k <= last; k++) {
         if ((k > first && square[k - 1] < square[k]) || (k < last && square[k + 1] <= square[k]) ||
             sqrt(square[k]) - g->deep[k] > best)
@@ -175,9 +168,9 @@ static double nearest(const fit_curve *curve, const polygon *g, const double q[]
         from_side(g, k, q, &where);
         double t = on_side(g, k, where);
         fit_foot(curve, q, &t, D);
-        double d = distance(dim, D, q);
-        if (d < smallest)
-            smallest = d, found = t;
+        double d = fit_distance_squared(dim, D, q);
+        if (d < *smallest)
+            *smallest = d, found = t;
     }
     return found;
 }
@@ -219,28 +212,22 @@ static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int
     return 1;
 }
 
-int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[])
+int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[], double *cost)
 {
     polygon g;
     int good = polygon_new(&g, curve), stride = (p->points - 1) / ANCHORS + 1, anchors = (p->points - 1) / stride + 1;
-    double *square = good ? malloc((size_t)g.sides * sizeof *square) : NULL;
+    double *square = good ? malloc((size_t)g.sides * sizeof *square) : NULL, slope;
     int *side = malloc((size_t)anchors * sizeof *side);
     good = good && square && side && (p->unordered || anchor_sides(p, &g, anchors, stride, side));
+    *cost = 0;
     for (int i = 0; good && i < p->points; i++) {
-        const double *q = p->Q + (size_t)i * (size_t)p->dim;
-        int first = 0, last = g.sides - 1;
-        if (!p->unordered) {
-            int a = i / stride;
-            first = side[a];
-            last = a + 1 < anchors && i % stride ? side[a + 1] : i % stride ? last : first;
-        }
-        if (!p->unordered && i % stride == 0) {
-            double D[9], where;
-            from_side(&g, first, q, &where);
-            t[i] = on_side(&g, first, where);
-            fit_foot(curve, q, &t[i], D);
-        } else
-            t[i] = nearest(curve, &g, q, first, last, square);
+        int a = i / stride, anchor = !p->unordered && i % stride == 0;
+        int first = p->unordered ? 0 : side[a], last = anchor ? first : g.sides - 1;
+        if (!p->unordered && !anchor && a + 1 < anchors)
+            last = side[a + 1];
+        double distance_squared;
+        t[i] = nearest(curve, &g, p->Q + (size_t)i * (size_t)p->dim, first, last, square, &distance_squared);
+        *cost += fit_problem_loss(p, distance_squared * p->precision[i] * p->precision[i], &slope) / 2;
     }
     polygon_free(&g);
     free(square);

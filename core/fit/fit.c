@@ -214,6 +214,12 @@ static cagd_fit_status make_initial(const cagd_spline *initial, const fit_proble
 
 /* ---- One start --------------------------------------------------------------------------------------------- */
 
+static void points_free(fit_problem *p)
+{
+    free(p->Q);
+    free(p->precision);
+}
+
 /* Every stride-th point, and the last one. */
 static int thinned(const fit_problem *p, int stride, fit_problem *few)
 {
@@ -223,8 +229,7 @@ static int thinned(const fit_problem *p, int stride, fit_problem *few)
     few->Q = malloc((size_t)few->points * dim * sizeof *few->Q);
     few->precision = malloc((size_t)few->points * sizeof *few->precision);
     if (few->Q == NULL || few->precision == NULL) {
-        free(few->Q);
-        free(few->precision);
+        points_free(few);
         return 0;
     }
     for (int k = 0; k < few->points; k++) {
@@ -253,9 +258,8 @@ static int found_curve(const fit_problem *p, const cagd_fit_options *o, fit_curv
             for (int k = 0; k < p->unknowns; k++)
                 if (p->unknown[k].is_weight && p->unknown[k].index < p->count - 1)
                     try->weights[p->unknown[k].index] = fmin(fmax(inner[w], exp(p->low)), exp(p->high));
-            good = fit_initial_curve(p, order, try);
-            double cost = good ? fit_initial_cost(p, try) : -1;
-            good = good && !(cost < 0);
+            double cost;
+            good = fit_initial_curve(p, order, try, &cost);
             if (good && cost < best) {
                 best = cost;
                 fit_curve_copy(curve, try);
@@ -268,9 +272,10 @@ static int found_curve(const fit_problem *p, const cagd_fit_options *o, fit_curv
 }
 
 typedef struct attempt {
-    fit_curve *curve;
-    double *feet, *theta;
-    double initial_cost, cost;
+    fit_curve *curve; /* where it starts                                                         */
+    double *feet;
+    fit_objective *objective; /* where it ends: evaluated at theta                                       */
+    double initial_cost, radius;
     fit_outcome outcome;
 } attempt;
 
@@ -303,17 +308,21 @@ static int roundings(const fit_problem *p) { return 4 * p->degree + 16; }
 
 static int equations(const fit_problem *p) { return p->points * (p->dim - 1); }
 
-/* The largest component of the gradient R^T z. */
-static double gradient_of(const fit_objective *o)
+/* Component k of the gradient, R^T z. */
+static double gradient(const fit_objective *f, int k)
 {
-    int n = o->problem->unknowns;
+    int n = f->problem->unknowns;
+    double g = 0;
+    for (int i = 0; i <= k; i++)
+        g += f->triangle[i * (n + 1) + k] * f->triangle[i * (n + 1) + n];
+    return g;
+}
+
+static double largest_gradient(const fit_objective *f)
+{
     double largest = 0;
-    for (int k = 0; k < n; k++) {
-        double g = 0;
-        for (int i = 0; i <= k; i++)
-            g += o->triangle[i * (n + 1) + k] * o->triangle[i * (n + 1) + n];
-        largest = fmax(largest, fabs(g));
-    }
+    for (int k = 0; k < f->problem->unknowns; k++)
+        largest = fmax(largest, fabs(gradient(f, k)));
     return largest;
 }
 
@@ -332,7 +341,7 @@ static int on_bound(const fit_problem *p, int k, double x)
 
 /* Gauss-Newton steps to the end: as long as they shrink the part of the residuals that the unknowns can still take away.  The
  * minimiser compares costs, which near the minimum say nothing any more when the gradient still does. */
-static int polish(fit_objective *o, int *fixed, int most, fit_outcome *outcome)
+static int polish(fit_objective *o, int *fixed, double tolerance, int most, fit_outcome *outcome)
 {
     const fit_problem *p = o->problem;
     int n = p->unknowns, good = 1;
@@ -354,14 +363,14 @@ static int polish(fit_objective *o, int *fixed, int most, fit_outcome *outcome)
         if (i > 0) {
             int better = left < before;
             outcome->history[outcome->steps++] =
-                (cagd_fit_step){++outcome->iterations, better, o->cost, gradient_of(o), length, INFINITY};
+                (cagd_fit_step){++outcome->iterations, better, o->cost, largest_gradient(o), length, INFINITY};
             if (!better)
                 break;
             fit_objective_accept(o);
             if (left > before / 2)
                 break;
         }
-        if (left == 0 || i == most)
+        if (left <= tolerance * sqrt(2 * o->cost) || i == most)
             break;
         before = left;
         length = 0;
@@ -392,101 +401,148 @@ static double cost_blur(const fit_problem *p, double cost)
     return sum / 2 + p->points * DBL_EPSILON * cost;
 }
 
-/* The minimum that is reached from curve and feet; again when a search finds better feet. */
+/* The objective at the theta that was accepted, whatever was tried since. */
+static void settle(fit_objective *f)
+{
+    fit_objective_at(f, f->theta);
+    fit_objective_accept(f);
+}
+
+/* The way to the minimum is made with feet of which Taylor's polynomial is the curve over 1/256 of the length on which it
+ * changes; near the minimum it is exact. */
+#define ROUGH   0x1p-8
+#define ROUGHLY 1e-4
+
+/* To minimise from curve and feet of the attempt, and again when a search finds better feet. */
 static int eliminated(const fit_problem *p, const cagd_fit_options *o, double tolerance, attempt *a)
 {
-    int n = p->unknowns, good;
+    int n = p->unknowns, most = o->max_iterations;
     size_t room = (size_t)n;
-    fit_objective *f = fit_objective_new(p);
-    double *low = malloc(2 * room * sizeof *low), *high = low + n, *old = malloc((size_t)p->points * sizeof *old);
-    int *fixed = malloc(room * sizeof *fixed);
-    good = f && low && old && fixed;
+    fit_objective *f = a->objective;
+    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n, cost;
+    int *fixed = malloc(room * sizeof *fixed), good = low && fixed;
     if (good) {
         bounds_of(p, low, high);
-        fit_curve_copy(f->curve, a->curve);
         fit_problem_get(p, a->curve, f->theta);
         for (int k = 0; k < n; k++)
             f->theta[k] = fmin(fmax(f->theta[k], low[k]), high[k]);
-        memcpy(f->feet, a->feet, (size_t)p->points * sizeof *old);
+        memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
+        fit_curve_copy(f->curve, a->curve);
         fit_objective_evaluate(f, f->theta, 1);
+        fit_objective_accept(f);
         a->initial_cost = f->cost;
-        memcpy(a->theta, f->theta, room * sizeof *a->theta);
     }
-    while (good) {
+    for (int rough = 1; good; rough = 0) {
         fit_outcome outcome = {0};
-        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high, tolerance,
-                            o->max_iterations - a->outcome.iterations, a->theta, &outcome) &&
+        memcpy(theta, f->theta, room * sizeof *theta);
+        f->limit = rough ? ROUGH : FOOT_EXACT;
+        f->evaluated = 0;
+        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high, rough ? ROUGHLY : tolerance, rough,
+                            most - a->outcome.iterations, theta, &a->radius, &outcome) &&
                append(&a->outcome, &outcome);
         if (!good)
             break;
-        /* The rejected trials after the last accepted theta are forgotten. */
-        fit_objective_evaluate(f, f->theta, 1);
-        if (a->outcome.termination == CAGD_FIT_CONVERGED) {
-            good = polish(f, fixed, o->max_iterations, &a->outcome);
-            if (!good)
-                break;
-            fit_objective_evaluate(f, f->theta, 1);
-        }
-        fit_objective_accept(f);
-        double cost = f->cost;
-        memcpy(old, f->feet, (size_t)p->points * sizeof *old);
-        good = fit_feet_search(p, f->curve, f->feet);
-        if (!good)
+        settle(f);
+        if (rough && tolerance == ROUGHLY)
             break;
-        fit_objective_evaluate(f, f->theta, 1);
-        if (f->cost >= cost - cost_blur(p, cost) || a->outcome.iterations >= o->max_iterations) {
-            memcpy(f->feet, old, (size_t)p->points * sizeof *old);
-            fit_objective_evaluate(f, f->theta, 1);
+        if (rough && a->outcome.iterations < most)
+            continue;
+        if (a->outcome.termination == CAGD_FIT_CONVERGED)
+            good = polish(f, fixed, tolerance, most, &a->outcome);
+        settle(f);
+        good = good && fit_feet_search(p, f->curve, a->feet, &cost);
+        if (!good || cost >= f->cost - cost_blur(p, f->cost) || a->outcome.iterations >= most)
             break;
-        }
-        fit_objective_accept(f);
-        memcpy(a->theta, f->theta, room * sizeof *a->theta);
+        memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
     }
-    if (good) {
-        memcpy(a->feet, f->new_feet, (size_t)p->points * sizeof *old);
-        memcpy(a->theta, f->theta, room * sizeof *a->theta);
-        fit_curve_copy(a->curve, f->curve);
-        a->cost = f->cost;
-    }
-    fit_objective_free(f);
-    free(low), free(old), free(fixed);
+    free(low);
+    free(fixed);
     return good;
 }
 
+/* The same as one problem of all unknowns. */
 static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
 {
-    double D[9], *low = malloc(2 * (size_t)p->unknowns * sizeof *low), *high = low + p->unknowns;
-    if (low == NULL)
-        return 0;
-    fit_problem_get(p, a->curve, a->theta);
-    bounds_of(p, low, high);
+    fit_objective *f = a->objective;
+    double D[9];
+    fit_problem_get(p, a->curve, f->theta);
     for (int k = 0; k < p->unknowns; k++)
-        a->theta[k] = fmin(fmax(a->theta[k], low[k]), high[k]);
-    free(low);
+        if (p->unknown[k].is_weight)
+            f->theta[k] = fmin(fmax(f->theta[k], p->low), p->high);
     for (int i = 0; i < p->points; i++)
         fit_foot(a->curve, p->Q + (size_t)i * (size_t)p->dim, &a->feet[i], D);
-    int good = fit_minimise_plain(p, a->curve, o->tolerance, o->max_iterations, a->theta, a->feet, &a->outcome);
-    if (good) {
-        fit_problem_set(p, a->theta, a->curve);
-        a->initial_cost = a->outcome.history[0].cost;
-        a->cost = a->outcome.history[0].cost;
-        for (int i = 0; i < a->outcome.steps; i++)
-            if (a->outcome.history[i].accepted)
-                a->cost = a->outcome.history[i].cost;
+    fit_curve_copy(f->curve, a->curve);
+    if (!fit_minimise_plain(p, a->curve, o->tolerance, o->max_iterations, f->theta, a->feet, &a->outcome))
+        return 0;
+    a->initial_cost = a->outcome.history[0].cost;
+    for (int i = 0; i < p->points; i++) {
+        f->feet[i] = fmin(fmax(a->feet[i], fit_curve_start(a->curve)), fit_curve_end(a->curve));
+        if (f->feet[i] != a->feet[i]) {
+            a->outcome.termination = CAGD_FIT_FAILED;
+            snprintf(a->outcome.message, sizeof a->outcome.message, "The foot of point %d left the domain.", i);
+        }
     }
-    return good;
+    settle(f);
+    return 1;
 }
 
-enum { ENOUGH = 1024 }; /* points for the way to the minimum; all of them are for its last steps */
+/* Points for the way to the minimum: so many for each unknown suffice.  More are taken eight times as many at a time; every
+ * time the minimum moves by a fraction of what the fewer points left undetermined. */
+enum { ENOUGH = 10, TIMES = 8 };
+
+static int attempt_new(const fit_problem *p, attempt *a)
+{
+    *a = (attempt){.radius = 1e4}; /* that of Ceres by default */
+    a->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    a->feet = malloc((size_t)p->points * sizeof *a->feet);
+    a->objective = fit_objective_new(p);
+    return a->curve && a->feet && a->objective;
+}
+
+static void attempt_free(attempt *a)
+{
+    fit_curve_free(a->curve);
+    free(a->feet);
+    fit_objective_free(a->objective);
+    free(a->outcome.history);
+}
+
+/* Most of the way, from the curve of the attempt, which becomes what is reached: with an eighth of the points, and before
+ * that with fewer.  most: of the points. */
+static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
+{
+    fit_problem few;
+    attempt rough = {0};
+    double cost;
+    if (p->points <= ENOUGH * p->unknowns)
+        return 1;
+    if (!thinned(p, TIMES, &few))
+        return 0;
+    int good = approach(&few, o, a) && attempt_new(&few, &rough);
+    if (good) {
+        fit_curve_copy(rough.curve, a->curve);
+        rough.radius = a->radius;
+        good = fit_feet_search(&few, rough.curve, rough.feet, &cost) && eliminated(&few, o, ROUGHLY, &rough);
+    }
+    if (good) {
+        fit_curve_copy(a->curve, rough.objective->curve);
+        a->radius = rough.radius;
+        good = append(&a->outcome, &rough.outcome);
+        rough.outcome.history = NULL;
+    }
+    attempt_free(&rough);
+    points_free(&few);
+    return good;
+}
 
 /* The attempt from start number `start`. */
 static int try_start(const fit_problem *p, const cagd_fit_options *o, int start, attempt *a)
 {
     fit_problem few;
-    int stride = (p->points - 1) / ENOUGH + 1;
-    if (!thinned(p, stride, &few))
+    double cost;
+    int good = thinned(p, (p->points - 1) / (ENOUGH * TIMES * p->unknowns) + 1, &few);
+    if (!good)
         return 0;
-    int good = 1;
     if (o->initial != NULL)
         make_initial(o->initial, p, a->curve);
     else
@@ -496,34 +552,11 @@ static int try_start(const fit_problem *p, const cagd_fit_options *o, int start,
         if (o->free & (CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS))
             good = fit_initial_improve(&few, a->curve);
     }
-    if (good && stride > 1 && o->method == CAGD_FIT_ELIMINATED) {
-        attempt rough = {.curve = a->curve, .theta = a->theta, .feet = malloc((size_t)few.points * sizeof(double))};
-        good = rough.feet && fit_feet_search(&few, a->curve, rough.feet) &&
-               eliminated(&few, o, sqrt(o->tolerance), &rough);
-        free(rough.feet);
-        if (good)
-            good = append(&a->outcome, &rough.outcome);
-    }
-    free(few.Q);
-    free(few.precision);
-    good = good && fit_feet_search(p, a->curve, a->feet);
+    points_free(&few);
+    if (good && o->method == CAGD_FIT_ELIMINATED)
+        good = approach(p, o, a);
+    good = good && fit_feet_search(p, a->curve, a->feet, &cost);
     return good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
-}
-
-static int attempt_new(const fit_problem *p, attempt *a)
-{
-    *a = (attempt){.curve = fit_curve_new(p->degree, p->count, p->dim, p->knots)};
-    a->feet = malloc((size_t)p->points * sizeof *a->feet);
-    a->theta = malloc((size_t)p->unknowns * sizeof *a->theta);
-    return a->curve && a->feet && a->theta;
-}
-
-static void attempt_free(attempt *a)
-{
-    fit_curve_free(a->curve);
-    free(a->feet);
-    free(a->theta);
-    free(a->outcome.history);
 }
 
 /* ---- The result -------------------------------------------------------------------------------------------- */
@@ -559,13 +592,13 @@ static int fill_curve(const fit_problem *p, const attempt *a, cagd_fit_result *r
     if (!knots || !points || !weights || !r->unknown || !r->value || !r->at_bound)
         return 0;
     memcpy(knots, p->knots, (size_t)(n + p->degree + 1) * sizeof *knots);
-    memcpy(weights, a->curve->weights, (size_t)n * sizeof *weights);
+    memcpy(weights, a->objective->curve->weights, (size_t)n * sizeof *weights);
     for (int m = 0; m < n * dim; m++)
-        points[m] = p->centre[m % dim] + p->unit * a->curve->points[m];
+        points[m] = p->centre[m % dim] + p->unit * a->objective->curve->points[m];
     for (int k = 0; k < p->unknowns; k++) {
         cagd_fit_unknown u = r->unknown[k] = p->unknown[k];
-        r->value[k] = u.is_weight ? a->theta[k] : points[u.index * dim + u.coordinate];
-        r->at_bound[k] = on_bound(p, k, a->theta[k]);
+        r->value[k] = u.is_weight ? a->objective->theta[k] : points[u.index * dim + u.coordinate];
+        r->at_bound[k] = on_bound(p, k, a->objective->theta[k]);
     }
     return 1;
 }
@@ -584,8 +617,8 @@ static int fill_points(const fit_problem *p, const attempt *a, cagd_fit_result *
     double sum = 0;
     for (int i = 0; i < p->points; i++) {
         const double *q = p->Q + (size_t)i * (size_t)dim;
-        double *left = r->residuals + (size_t)i * (size_t)dim, D[9], t = a->feet[i], square = 0;
-        r->foot_at_end[i] = fit_foot(a->curve, q, &t, D) == FOOT_AT_END;
+        double *left = r->residuals + (size_t)i * (size_t)dim, D[9], t = a->objective->feet[i], square = 0;
+        r->foot_at_end[i] = fit_foot(a->objective->curve, q, &t, D) == FOOT_AT_END;
         r->feet[i] = t;
         for (int c = 0; c < dim; c++) {
             left[c] = p->unit * (q[c] - D[c]);
@@ -605,41 +638,34 @@ static int fill_points(const fit_problem *p, const attempt *a, cagd_fit_result *
 }
 
 /* Rank, covariance and flat directions; lengths go back to the coordinates of the data. */
-static int fill_uncertainty(const fit_problem *p, const attempt *a, cagd_fit_result *r)
+static int fill_uncertainty(const fit_problem *p, attempt *a, cagd_fit_result *r)
 {
     int n = p->unknowns, good;
     size_t nn = (size_t)n * (size_t)n;
-    fit_objective *f = fit_objective_new(p);
+    fit_objective *f = a->objective;
     fit_rank rank;
     r->covariance = numbers(nn);
     r->free_directions = numbers(nn);
     r->determined = calloc((size_t)n, sizeof *r->determined);
-    good = f && r->covariance && r->free_directions && r->determined;
-    if (good) {
-        fit_curve_copy(f->curve, a->curve);
-        memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
-        fit_objective_evaluate(f, a->theta, 1);
-        r->gradient_norm = 0;
-        for (int k = 0; k < n; k++) {
-            double g = 0;
-            for (int i = 0; i <= k; i++)
-                g += f->triangle[i * (n + 1) + k] * f->triangle[i * (n + 1) + n];
-            r->gradient_norm =
-                fmax(r->gradient_norm, r->at_bound[k] ? 0 : fabs(p->unknown[k].is_weight ? g : g / p->unit));
-        }
-        fit_objective_evaluate(f, a->theta, 0);
-        for (int k = 0; k < n; k++)
-            for (int i = 0; i <= k && !p->unknown[k].is_weight; i++)
-                f->triangle[i * (n + 1) + k] /= p->unit;
-        good = fit_rank_of(n, equations(p), roundings(p), f->triangle, n + 1, r->at_bound, &rank);
+    if (!r->covariance || !r->free_directions || !r->determined)
+        return 0;
+    for (int k = 0; k < n; k++) {
+        double g = fabs(gradient(f, k)) / (p->unknown[k].is_weight ? 1 : p->unit);
+        r->gradient_norm = r->at_bound[k] ? r->gradient_norm : fmax(r->gradient_norm, g);
     }
+    if (p->loss != CAGD_FIT_SQUARES)
+        fit_objective_evaluate(f, f->theta, 0);
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i <= k && !p->unknown[k].is_weight; i++)
+            f->triangle[i * (n + 1) + k] /= p->unit;
+    f->evaluated = 0;
+    good = fit_rank_of(n, equations(p), roundings(p), f->triangle, n + 1, r->at_bound, &rank);
     if (good) {
         r->rank = rank.rank;
         r->flat = rank.flat;
         fit_rank_report(&rank, r->at_bound, r->covariance, r->free_directions, r->determined);
         fit_rank_free(&rank);
     }
-    fit_objective_free(f);
     return good;
 }
 
@@ -648,6 +674,7 @@ static cagd_fit_result *make_result(const fit_problem *p, attempt *a)
     cagd_fit_result *r = calloc(1, sizeof *r);
     if (r == NULL)
         return NULL;
+    r->cost = a->objective->cost;
     r->invariants = p->count == p->degree + 1 ? p->degree - 1 : 0;
     r->invariant = numbers((size_t)r->invariants);
     r->invariant_error = numbers((size_t)r->invariants);
@@ -659,12 +686,19 @@ static cagd_fit_result *make_result(const fit_problem *p, attempt *a)
     r->termination = a->outcome.termination;
     r->iterations = a->outcome.iterations;
     r->initial_cost = a->initial_cost;
-    r->cost = a->cost;
     r->steps = a->outcome.steps;
     r->history = a->outcome.history;
     a->outcome.history = NULL;
     memcpy(r->message, a->outcome.message, sizeof r->message);
     return r;
+}
+
+/* Whether the end of one start is better than that of another. */
+static int better(const fit_problem *p, const attempt *a, const attempt *b)
+{
+    int a_failed = a->outcome.termination == CAGD_FIT_FAILED, b_failed = b->outcome.termination == CAGD_FIT_FAILED;
+    double was = b->objective->cost;
+    return a_failed == b_failed ? a->objective->cost < was - cost_blur(p, was) : b_failed;
 }
 
 /* All starts; the best stays. */
@@ -676,25 +710,24 @@ static cagd_fit_status run(const fit_problem *p, const cagd_fit_options *o, cagd
     for (int start = 0; costs && good && start < o->starts; start++) {
         attempt a;
         good = attempt_new(p, &a) && try_start(p, o, start, &a);
-        costs[start] = a.cost;
-        int failed = a.outcome.termination == CAGD_FIT_FAILED,
-            best_failed = best.outcome.termination == CAGD_FIT_FAILED;
-        if (good && (start == 0 || (best_failed && !failed) ||
-                     (best_failed == failed && a.cost < best.cost - cost_blur(p, best.cost)))) {
-            attempt worse = best;
-            best = a;
-            a = worse;
-            best_start = start;
+        if (good) {
+            costs[start] = a.objective->cost;
+            if (start == 0 || better(p, &a, &best)) {
+                attempt worse = best;
+                best = a;
+                a = worse;
+                best_start = start;
+            }
         }
         attempt_free(&a);
     }
     if (costs && good)
         *result = make_result(p, &best);
     if (*result != NULL) {
+        double cost = (*result)->cost, blur = sqrt(o->tolerance) * cost + cost_blur(p, cost);
         (*result)->best_start = best_start;
         for (int start = 0; start < o->starts; start++) /* the minimiser knows costs to its tolerance */
-            (*result)->agreeing_starts +=
-                costs[start] - best.cost <= sqrt(o->tolerance) * best.cost + cost_blur(p, best.cost);
+            (*result)->agreeing_starts += costs[start] - cost <= blur;
     }
     attempt_free(&best);
     free(costs);

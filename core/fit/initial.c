@@ -189,19 +189,24 @@ static int solve_points(const fit_problem *p, const double t[], int robust, fit_
     return good;
 }
 
-static int improve(const fit_problem *p, fit_curve *curve, double t[])
+/* Feet on the curve, points for these feet, in turn; *cost: half the sum of losses of the last feet. */
+static int improve(const fit_problem *p, fit_curve *curve, double t[], double *cost)
 {
-    double D[9];
-    for (int round = 0; round < ROUNDS; round++) {
-        for (int i = 0; i < p->points; i++)
+    double D[9], slope;
+    for (int round = 0; round <= ROUNDS; round++) {
+        *cost = 0;
+        for (int i = 0; i < p->points; i++) {
             fit_foot(curve, point_of(p, i), &t[i], D);
-        if (!solve_points(p, t, 1, curve))
+            double square = fit_distance_squared(p->dim, D, point_of(p, i)) * p->precision[i] * p->precision[i];
+            *cost += fit_problem_loss(p, square, &slope) / 2;
+        }
+        if (round < ROUNDS && !solve_points(p, t, 1, curve))
             return 0;
     }
     return 1;
 }
 
-int fit_initial_curve(const fit_problem *p, const int order[], fit_curve *curve)
+int fit_initial_curve(const fit_problem *p, const int order[], fit_curve *curve, double *cost)
 {
     int dim = p->dim, n = p->count - 1;
     const double *from = point_of(p, order[0]), *to = point_of(p, order[p->points - 1]);
@@ -216,15 +221,17 @@ int fit_initial_curve(const fit_problem *p, const int order[], fit_curve *curve)
     }
     fit_curve_update(curve);
     chord_parameters(p, order, fit_curve_start(curve), fit_curve_end(curve), t);
-    int good = solve_points(p, t, 0, curve) && improve(p, curve, t);
+    int good = solve_points(p, t, 0, curve) && improve(p, curve, t, cost) &&
+               (!p->unordered || fit_feet_search(p, curve, t, cost));
     free(t);
     return good;
 }
 
 int fit_initial_improve(const fit_problem *p, fit_curve *curve)
 {
-    double *t = malloc((size_t)p->points * sizeof *t);
-    int good = t != NULL && fit_feet_search(p, curve, t) && solve_points(p, t, 1, curve) && improve(p, curve, t);
+    double cost, *t = malloc((size_t)p->points * sizeof *t);
+    int good =
+        t != NULL && fit_feet_search(p, curve, t, &cost) && solve_points(p, t, 1, curve) && improve(p, curve, t, &cost);
     free(t);
     return good;
 }
@@ -251,17 +258,4 @@ void fit_initial_weights(const fit_problem *p, unsigned long seed, int start, fi
             curve->weights[p->unknown[k].index] = exp(low + even * (high - low));
         }
     fit_curve_update(curve);
-}
-
-double fit_initial_cost(const fit_problem *p, const fit_curve *curve)
-{
-    double sum = 0, D[9], slope, *t = malloc((size_t)p->points * sizeof *t);
-    int good = t != NULL && fit_feet_search(p, curve, t);
-    for (int i = 0; good && i < p->points; i++) {
-        fit_foot(curve, point_of(p, i), &t[i], D);
-        double square = fit_distance_squared(p->dim, D, point_of(p, i)) * p->precision[i] * p->precision[i];
-        sum += fit_problem_loss(p, square, &slope);
-    }
-    free(t);
-    return good ? sum / 2 : -1;
 }

@@ -11,16 +11,13 @@ enum { FIT_ORDERS = 3 };
 int fit_initial_order(const fit_problem *problem, int guess, int order[]);
 
 /* The curve without knowledge: ends at the first and the last point in the given order, weights as they stand in `curve`, the free points by linear
- * least squares, at first for parameters that follow the chords, then for the feet on the curve before.
+ * least squares, at first for parameters that follow the chords, then for the feet on the curve before.  *cost: its own.
  * Returns 0 when there is no memory. */
-int fit_initial_curve(const fit_problem *problem, const int order[], fit_curve *curve);
+int fit_initial_curve(const fit_problem *problem, const int order[], fit_curve *curve, double *cost);
 
 /* A few rounds more of it, for a curve that is there. */
 int fit_initial_improve(const fit_problem *problem, fit_curve *curve);
 
 /* Other weights for the free ones: logarithms even between -range and range, from a seeded generator. */
 void fit_initial_weights(const fit_problem *problem, unsigned long seed, int start, fit_curve *curve);
-
-/* Half the sum of losses for the feet of a search; negative when there is no memory. */
-double fit_initial_cost(const fit_problem *problem, const fit_curve *curve);
 #endif

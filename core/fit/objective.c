@@ -43,6 +43,7 @@ fit_objective *fit_objective_new(const fit_problem *p)
         return NULL;
     size_t n = (size_t)p->unknowns + 1, points = (size_t)p->points;
     o->problem = p;
+    o->limit = FOOT_EXACT;
     o->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
     if (o->curve != NULL)
         o->rows = fit_reduction_new(p->unknowns, 1, o->curve->pieces, p->first, p->reach);
@@ -150,7 +151,7 @@ void fit_objective_evaluate(fit_objective *o, const double theta[], int weighted
     fit_reduction_clear(o->rows);
     for (int i = 0; i < p->points; i++) {
         double t = o->feet[i];
-        fit_foot_kind kind = fit_foot(o->curve, p->Q + (size_t)i * (size_t)p->dim, &t, D);
+        fit_foot_kind kind = fit_foot_near(o->curve, p->Q + (size_t)i * (size_t)p->dim, o->limit, &t, D);
         point_rows(o, i, kind, t, D, weighted, &loss);
         o->new_feet[i] = t;
         double next = sum + (loss - lost); /* with the rounding of the last sum taken off: Kahan */
@@ -163,6 +164,12 @@ void fit_objective_evaluate(fit_objective *o, const double theta[], int weighted
     o->evaluated = weighted;
 }
 
+void fit_objective_at(fit_objective *o, const double theta[])
+{
+    if (!o->evaluated || memcmp(theta, o->new_theta, (size_t)o->problem->unknowns * sizeof *theta) != 0)
+        fit_objective_evaluate(o, theta, 1);
+}
+
 void fit_objective_accept(fit_objective *o)
 {
     memcpy(o->feet, o->new_feet, (size_t)o->problem->points * sizeof *o->feet);
@@ -173,8 +180,7 @@ int fit_objective_residuals(void *objective, const double theta[], double residu
 {
     fit_objective *o = objective;
     int n = o->problem->unknowns;
-    if (!o->evaluated || memcmp(theta, o->new_theta, (size_t)n * sizeof *theta) != 0)
-        fit_objective_evaluate(o, theta, 1);
+    fit_objective_at(o, theta);
     if (!isfinite(o->cost))
         return 0;
     double rest = 2 * o->cost;

@@ -25,6 +25,7 @@ typedef struct fit_objective {
     double *feet, *theta;         /* accepted: the feet on the way to any other theta start here                */
     double *new_feet, *new_theta; /* of the last evaluation                                                */
     double *triangle;             /* of that one: (unknowns+1)^2                                                */
+    double limit;                 /* of fit_foot_near                                                           */
     double cost;
     int evaluated; /* whether there was one                                                      */
 } fit_objective;
@@ -35,6 +36,9 @@ void fit_objective_free(fit_objective *objective); /* NULL is allowed */
 
 /* triangle, cost and new_feet at theta.  weighted 0: rows of the distances themselves, as for squares. */
 void fit_objective_evaluate(fit_objective *objective, const double theta[], int weighted);
+
+/* The same, weighted, unless theta is what was evaluated last. */
+void fit_objective_at(fit_objective *objective, const double theta[]);
 
 /* What was evaluated last becomes what is accepted. */
 void fit_objective_accept(fit_objective *objective);
