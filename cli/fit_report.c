@@ -172,11 +172,10 @@ static void print_heading(const struct fit *f)
             f->data.sigma != NULL ? " in standard deviations" : "",
             f->options.loss == CAGD_FIT_HUBER ? "Huber" : "Cauchy", f->options.loss_scale);
     out = begin(&l);
-    fprintf(out, "%s after %d iteration%s",
-            r->termination == CAGD_FIT_CONVERGED       ? "converged"
-            : r->termination == CAGD_FIT_NOT_CONVERGED ? "NOT converged"
-                                                       : "FAILED",
-            r->iterations, plural(r->iterations));
+    fputs(r->termination == CAGD_FIT_CONVERGED       ? "converged"
+          : r->termination == CAGD_FIT_NOT_CONVERGED ? "NOT converged"
+                                                     : "FAILED",
+          out);
     if (r->termination != CAGD_FIT_CONVERGED)
         fprintf(out, ": %s", r->message);
     if (f->options.starts > 1)
