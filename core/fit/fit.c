@@ -355,6 +355,8 @@ static int polish(fit_objective *o, int *fixed, double tolerance, int most, fit_
         fixed[k] = on_bound(p, k, o->theta[k]);
     for (int i = 0; good; i++) {
         fit_rank rank;
+        if (!isfinite(o->cost))
+            break;
         good = fit_rank_of(n, equations(p), roundings(p), o->triangle, n + 1, fixed, &rank);
         if (!good)
             break;
@@ -390,7 +392,9 @@ static int polish(fit_objective *o, int *fixed, double tolerance, int most, fit_
     return good;
 }
 
-/* What rounding makes of a cost: of its sum, and of the points in it, as in fit_foot. */
+/* What rounding makes of a cost: of its sum, and of the points in it, as in fit_foot.  Residuals r_i that are off by b_i change
+ * half the sum of their squares by at most sum |r_i| b_i + b_i^2/2, by Cauchy and Schwarz at most sqrt(2 cost sum b_i^2) + sum b_i^2/2;
+ * with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
 static double cost_blur(const fit_problem *p, double cost)
 {
     double sum = 0;
@@ -398,7 +402,7 @@ static double cost_blur(const fit_problem *p, double cost)
         double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * 2;
         sum += blur * blur;
     }
-    return sum / 2 + p->points * DBL_EPSILON * cost;
+    return sqrt(2 * cost * sum) + sum / 2 + p->points * DBL_EPSILON * cost;
 }
 
 /* The objective at the theta that was accepted, whatever was tried since. */
@@ -406,6 +410,13 @@ static void settle(fit_objective *f)
 {
     fit_objective_at(f, f->theta);
     fit_objective_accept(f);
+}
+
+static void swap_feet(fit_objective *f, attempt *a)
+{
+    double *feet = f->feet;
+    f->feet = a->feet;
+    a->feet = feet;
 }
 
 /* The way to the minimum is made with feet of which Taylor's polynomial is the curve over 1/256 of the length on which it
@@ -419,7 +430,7 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
     int n = p->unknowns, most = o->max_iterations;
     size_t room = (size_t)n;
     fit_objective *f = a->objective;
-    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n, cost;
+    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n, cost, reached = HUGE_VAL;
     int *fixed = malloc(room * sizeof *fixed), good = low && fixed;
     if (good) {
         bounds_of(p, low, high);
@@ -450,10 +461,21 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
         if (a->outcome.termination == CAGD_FIT_CONVERGED)
             good = polish(f, fixed, tolerance, most, &a->outcome);
         settle(f);
+        if (!(f->cost < reached)) /* the minimiser went back to the feet it had: no third time */
+            break;
+        reached = f->cost - cost_blur(p, f->cost);
         good = good && fit_feet_search(p, f->curve, a->feet, &cost);
         if (!good || cost >= f->cost - cost_blur(p, f->cost) || a->outcome.iterations >= most)
             break;
-        memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
+        cost = f->cost;
+        swap_feet(f, a);
+        fit_objective_evaluate(f, f->theta, 1);
+        if (!(f->cost < cost - cost_blur(p, cost))) {
+            swap_feet(f, a);
+            fit_objective_evaluate(f, f->theta, 1);
+            break;
+        }
+        fit_objective_accept(f);
     }
     free(low);
     free(fixed);

@@ -49,7 +49,7 @@ static void NAME(derivatives)(const fit_curve *curve, double t, double D[])
  * end of the domain that was not tried is, or the middle.
  *
  * A step that is shorter than `limit` times the length on which the curve changes, |C'|/|C''| or the domain, is the last:
- * the curve there is Taylor's polynomial, and Newton's method squares the error.  With the cube root of the precision
+ * the curve there is Taylor's polynomial, and Newton's method squares the error.  With FOOT_EXACT
  * as limit this polynomial is the curve, up to rounding. */
 static fit_foot_kind NAME(newton)(const fit_curve *curve, const double q[], double limit, double *t, double D[])
 {
@@ -69,6 +69,8 @@ static fit_foot_kind NAME(newton)(const fit_curve *curve, const double q[], doub
             off[c] = D[c] - q[c];
         double f = inner(dim, off, D1), square = inner(dim, D1, D1), slope = square + inner(dim, off, D2);
         *t = x;
+        if (!isfinite(slope + f)) /* the curve has overflowed; so will the cost */
+            return FOOT_AT_CORNER;
         if (f * f <= blur * blur * square)
             return square > 0 ? FOOT_ORTHOGONAL : FOOT_AT_CORNER;
         if (f < 0)
