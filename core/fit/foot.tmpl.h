@@ -84,6 +84,8 @@ static fit_foot_kind NAME(newton)(const fit_curve *curve, const double q[], doub
             return slope > 0 && fabs(f) <= blur * sqrt(square) + slope * (high - low) ? FOOT_ORTHOGONAL
                                                                                       : FOOT_AT_CORNER;
         double next = slope > 0 ? x - f / slope : low;
+        if (slope > 0 && next == x) /* there is no number between x and the foot */
+            return FOOT_ORTHOGONAL;
         int newton = low < next && next < high;
         if (!newton)
             next = x - f / square;
