@@ -86,7 +86,7 @@ def main():
         subprocess.run(["cmake", "-G", "Ninja", "-S", tree, "-B", tree / "build", "-DCAGD_TYPES=RATIONAL"] +
                        [f"-D{name}={value}" for name, value in kept], check=True, stdout=subprocess.DEVNULL)
         build = ["cmake", "--build", tree / "build", "-j1", "--target", "test_certified", "test_coverage"]
-        units = ["test_fit"] if (ROOT / "proofs-tests/unit/test_fit.c").exists() else []
+        units = [name for name in ("test_fit", "test_fit_statistics") if (ROOT / f"proofs-tests/unit/{name}.c").exists()]
         programs = tree / "build/proofs-tests"
         names = [p.stem for p in sorted((ROOT / "proofs-tests/fit/problems").glob("*.json")) if p.stem != "twenty-thousand"]
         certified = [programs / "fit/test_certified", ROOT / "proofs-tests/fit/problems"]
