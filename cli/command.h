@@ -22,6 +22,7 @@ int run_show(int argc, char **argv);
 int run_ledger(int argc, char **argv);
 int run_figures(int argc, char **argv);
 int run_curve(int argc, char **argv);
+int run_fit(int argc, char **argv);
 
 /* Parses with argp; a usage error prints one line and ends the program with EXIT_USAGE. */
 void parse_arguments(const struct argp *argp, int argc, char **argv, void *input);

@@ -11,6 +11,7 @@ static const struct command commands[] = {
     {"ledger", "every statement of the sources with its verdict", run_ledger},
     {"figures", "write the SVG figures", run_figures},
     {"curve", "a Bézier, B-spline or NURBS curve in exact arithmetic: points, knots, degree", run_curve},
+    {"fit", "a rational curve fitted to measured points, with statistics and a picture", run_fit},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -23,7 +24,8 @@ static void print_help(FILE *out)
           "  cagd show wang-ch3:thm-3.3.2     a statement, its verdict and why\n"
           "  cagd ledger 'wang-ch3:*'         the statements of one source\n"
           "  cagd figures --out pictures      draw\n"
-          "  cagd curve circle.json --at 1/3  a point of a curve, exactly\n\n"
+          "  cagd curve circle.json --at 1/3  a point of a curve, exactly\n"
+          "  cagd fit points.csv --degree 3   the rational cubic closest to measured points\n\n"
           "Commands:\n",
           out);
     for (int k = 0; k < COMMANDS; k++)

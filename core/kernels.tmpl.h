@@ -10,6 +10,7 @@
 #include "core/determinant.tmpl.h"
 #include "core/bspline.tmpl.h"
 #include "core/nurbs.tmpl.h"
+#include "core/nurbs_parameters.tmpl.h"
 #include "core/power.tmpl.h"
 #include "core/cubic_shape.tmpl.h"
 #include "core/divided.tmpl.h"

@@ -49,39 +49,57 @@ num_i neg_i(num_i a)
     return (num_i){r};
 }
 
-typedef int rounded_operation(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
-
-/* [min, max] of the four results at the endpoints: right for a product, and for a quotient whose
- * divisor does not contain 0.  A product 0 * infinity counts as 0: infinite ends are limits only. */
-static num_i hull_of_corners(rounded_operation *op, num_i a, num_i b)
+/* One end of a product.  0 * infinity counts as 0: infinite ends are limits only. */
+static void product(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t rounding)
 {
-    mpfr_srcptr x[2] = {a.at->lo, a.at->hi}, y[2] = {b.at->lo, b.at->hi};
+    mpfr_mul(r, x, y, rounding);
+    if (mpfr_nan_p(r))
+        mpfr_set_zero(r, 1);
+}
+
+/* Of a, when every point is >= 0: +1; when every point is <= 0: -1; else 0. */
+static int side(num_i a) { return mpfr_sgn(a.at->lo) >= 0 ? 1 : mpfr_sgn(a.at->hi) <= 0 ? -1 : 0; }
+
+/* The ends of a product are products of ends: which, the signs say, unless both factors have points of both. */
+num_i mul_i(num_i a, num_i b)
+{
     struct interval *r = fresh();
-    mpfr_t v;
-    mpfr_init2(v, INTERVAL_PRECISION);
-    for (int k = 0; k < 4; k++) {
-        op(v, x[k & 1], y[k >> 1], MPFR_RNDD);
-        if (mpfr_nan_p(v))
-            mpfr_set_zero(v, 1);
-        if (k == 0 || mpfr_less_p(v, r->lo))
-            mpfr_set(r->lo, v, MPFR_RNDD);
-        op(v, x[k & 1], y[k >> 1], MPFR_RNDU);
-        if (mpfr_nan_p(v))
-            mpfr_set_zero(v, 1);
-        if (k == 0 || mpfr_greater_p(v, r->hi))
-            mpfr_set(r->hi, v, MPFR_RNDU);
+    int A = side(a), B = side(b);
+    if (A == 0 && B == 0) {
+        mpfr_t other;
+        mpfr_init2(other, INTERVAL_PRECISION);
+        product(r->lo, a.at->lo, b.at->hi, MPFR_RNDD);
+        product(other, a.at->hi, b.at->lo, MPFR_RNDD);
+        mpfr_min(r->lo, r->lo, other, MPFR_RNDD);
+        product(r->hi, a.at->lo, b.at->lo, MPFR_RNDU);
+        product(other, a.at->hi, b.at->hi, MPFR_RNDU);
+        mpfr_max(r->hi, r->hi, other, MPFR_RNDU);
+        mpfr_clear(other);
+        return (num_i){r};
     }
-    mpfr_clear(v);
+    /* the lower end is the least product: of the ends of a that go with that of b, and conversely */
+    mpfr_srcptr a_low = B > 0 || (B == 0 && A < 0) ? a.at->lo : a.at->hi;
+    mpfr_srcptr b_low = A > 0 || (A == 0 && B < 0) ? b.at->lo : b.at->hi;
+    mpfr_srcptr a_high = B > 0 || (B == 0 && A > 0) ? a.at->hi : a.at->lo;
+    mpfr_srcptr b_high = A > 0 || (A == 0 && B > 0) ? b.at->hi : b.at->lo;
+    product(r->lo, a_low, b_low, MPFR_RNDD);
+    product(r->hi, a_high, b_high, MPFR_RNDU);
     return (num_i){r};
 }
-num_i mul_i(num_i a, num_i b) { return hull_of_corners(mpfr_mul, a, b); }
 num_i div_i(num_i a, num_i b)
 {
     if (mpfr_zero_p(b.at->lo) && mpfr_zero_p(b.at->hi))
         return whole_line(FAULT_UNDEFINED);
     if (contains_zero_i(b))
         return whole_line(FAULT_UNABLE);
-    return hull_of_corners(mpfr_div, a, b);
+    struct interval *r = fresh();
+    int A = side(a), B = side(b);
+    mpfr_srcptr a_low = B > 0 ? a.at->lo : a.at->hi, a_high = B > 0 ? a.at->hi : a.at->lo;
+    /* the lower end is negative unless A = B, and then it is large where the divisor is small in size */
+    mpfr_srcptr small = B > 0 ? b.at->lo : b.at->hi, large = B > 0 ? b.at->hi : b.at->lo;
+    mpfr_div(r->lo, a_low, A == B ? large : small, MPFR_RNDD);
+    mpfr_div(r->hi, a_high, A == 0 || A == B ? small : large, MPFR_RNDU);
+    return (num_i){r};
 }
 
 num_i root_i(int n, num_i a)

@@ -110,6 +110,8 @@ void svg_panel(svg *s, svg_window window, int width, int height, const char *cap
     if (s->failure != NULL)
         return;
     struct panel *p = &s->panel[s->panels++];
+    p->first = s->row || s->panels == 1;
+    s->row = false;
     mpq_inits(p->x0, p->y0, p->x1, p->y1, p->scale_x, p->scale_y, p->width, p->height, (mpq_ptr)0);
     mpq_set(p->x0, window.x0.at);
     mpq_set(p->y0, window.y0.at);
@@ -125,6 +127,12 @@ void svg_panel(svg *s, svg_window window, int width, int height, const char *cap
     region_drop(mark);
     if (caption != NULL)
         p->caption = copy(s, caption);
+}
+
+void svg_row(svg *s)
+{
+    if (svg_failed(s) == NULL)
+        s->row = true;
 }
 
 void svg_heading(svg *s, enum svg_role role, const char *markup)
@@ -164,14 +172,21 @@ long hundredths(svg *s, num_q x)
 
 /* ---- The document -----------------------------------------------------------------------------
  *
- * The panels stand in a row, their windows level at the top, with all the words around them. */
+ * The panels stand in rows, the windows of a row level at the top and the first windows of all rows level at the
+ * left, with all the words around them. */
 
 struct layout {
     long half[MAX_PANELS];                    /* half the width of each window                         */
     long left[MAX_PANELS], right[MAX_PANELS]; /* what each panel needs on either side of its middle    */
-    long above, below;                        /* what the row needs above and below the windows' top   */
-    long row;                                 /* the width of the panels together                      */
+    long before;                              /* what the first panels need on the left of the window  */
+    long width;                               /* of the widest row                                     */
     struct string around[MAX_PANELS];         /* headings and captions                                 */
+};
+
+/* A row: its panels, and what it needs above and below the windows' top. */
+struct row {
+    int first, end;
+    long above, below;
 };
 
 static long larger(long a, long b) { return a > b ? a : b; }
@@ -182,12 +197,11 @@ static void need_width(struct layout *y, int k, long width)
     y->right[k] = larger(y->right[k], (width + 1) / 2);
 }
 
-static void set_heading(svg *s, struct layout *y, int k)
+static void set_heading(svg *s, struct layout *y, int k, long base)
 {
     const struct panel *p = &s->panel[k];
     struct string *out = &y->around[k];
     bool sign = p->heading_role == SVG_WRONG || p->heading_role == SVG_RIGHT;
-    long base = -y->above;
     struct string draft = {0};
     long width = put_markup(&draft, p->heading, false, HEADING_SIZE), shift = sign ? 900 : 0;
     free(draft.at);
@@ -225,34 +239,57 @@ static int set_caption(svg *s, struct layout *y, int k, long base)
     return lines;
 }
 
-static struct layout lay_out(svg *s)
+static struct row lay_out_row(svg *s, struct layout *y, int first)
 {
-    struct layout y = {0};
+    struct row row = {.first = first, .end = first};
     long bottom = 0;
     bool headed = false;
     int lines = 0;
-    for (int k = 0; k < s->panels; k++) {
+    do {
+        int k = row.end++;
         const struct panel *p = &s->panel[k];
-        y.half[k] = hundredths(s, kept(p->width)) / 2;
-        y.left[k] = y.half[k] + p->pad[LEFT];
-        y.right[k] = y.half[k] + p->pad[RIGHT];
-        y.above = larger(y.above, p->pad[TOP]);
+        y->half[k] = hundredths(s, kept(p->width)) / 2;
+        y->left[k] = y->half[k] + p->pad[LEFT];
+        y->right[k] = y->half[k] + p->pad[RIGHT];
+        row.above = larger(row.above, p->pad[TOP]);
         bottom = larger(bottom, hundredths(s, kept(p->height)) + p->pad[BOTTOM]);
         headed = headed || p->heading != NULL;
-    }
-    y.above += headed ? HEADING_GAP : 0;
-    for (int k = 0; k < s->panels; k++) {
+    } while (row.end < s->panels && !s->panel[row.end].first);
+    row.above += headed ? HEADING_GAP : 0;
+    for (int k = row.first; k < row.end; k++) {
         if (s->panel[k].heading != NULL)
-            set_heading(s, &y, k);
+            set_heading(s, y, k, -row.above);
         if (s->panel[k].caption != NULL) {
-            int n = set_caption(s, &y, k, bottom + CAPTION_GAP + NOTE_SIZE);
+            int n = set_caption(s, y, k, bottom + CAPTION_GAP + NOTE_SIZE);
             lines = n > lines ? n : lines;
         }
-        y.row += y.left[k] + y.right[k] + (k > 0 ? GAP : 0);
     }
-    y.above += headed ? HEADING_SIZE : 0;
-    y.below = bottom + (lines > 0 ? CAPTION_GAP + NOTE_SIZE + (lines - 1) * LINE_HEIGHT + 400 : 0);
-    return y;
+    row.above += headed ? HEADING_SIZE : 0;
+    row.below = bottom + (lines > 0 ? CAPTION_GAP + NOTE_SIZE + (lines - 1) * LINE_HEIGHT + 400 : 0);
+    return row;
+}
+
+/* Where the middle of panel k stands, seen from where the rows begin. */
+static long middle_of(const struct layout *y, const struct row *row, int k)
+{
+    long x = y->before + y->half[row->first];
+    for (int i = row->first; i < k; i++)
+        x += y->right[i] + GAP + y->left[i + 1];
+    return x;
+}
+
+static int lay_out(svg *s, struct layout *y, struct row rows[MAX_PANELS])
+{
+    int count = 0;
+    for (int k = 0; k < s->panels; k = rows[count++].end) {
+        rows[count] = lay_out_row(s, y, k);
+        y->before = larger(y->before, y->left[k] - y->half[k]);
+    }
+    for (int i = 0; i < count; i++) {
+        int last = rows[i].end - 1;
+        y->width = larger(y->width, middle_of(y, &rows[i], last) + y->right[last]);
+    }
+    return count;
 }
 
 static void put_panel(svg *s, int k, long x, long y, const char *around)
@@ -288,15 +325,17 @@ static int put_legend(const svg *s, struct string *out, long room, long middle, 
     return rows;
 }
 
-static void put_document(svg *s, const struct layout *y)
+static void put_document(svg *s, const struct layout *y, int count, const struct row rows[])
 {
     struct string *out = &s->text;
-    long room = y->row;
+    long room = y->width, row_end = MARGIN;
+    for (int i = 0; i < count; i++)
+        row_end += (i > 0 ? GAP : 0) + rows[i].above + rows[i].below;
     for (int k = 0; k < s->keys; k++)
         room = larger(room, s->key[k].width);
-    int rows = put_legend(s, NULL, room, 0, 0);
-    long width = room + 2 * MARGIN, row_end = MARGIN + y->above + y->below;
-    long height = row_end + (rows > 0 ? 2000 + (rows - 1) * LINE_HEIGHT + 500 : 0) + MARGIN;
+    int lines = put_legend(s, NULL, room, 0, 0);
+    long width = room + 2 * MARGIN;
+    long height = row_end + (lines > 0 ? 2000 + (lines - 1) * LINE_HEIGHT + 500 : 0) + MARGIN;
     put(out,
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"cagd\" width=\"%h\" height=\"%h\" viewBox=\"0 0 %h %h\" "
@@ -305,10 +344,11 @@ static void put_document(svg *s, const struct layout *y)
         width, height, width, height, s->name, s->name, s->name, s->title, s->name, s->description);
     put_style(s, out);
     put(out, "<rect class=\"paper\" width=\"100%%\" height=\"100%%\" rx=\"5\"/>\n");
-    long x = (width - y->row) / 2;
-    for (int k = 0; k < s->panels; k++) {
-        put_panel(s, k, x + y->left[k] - y->half[k], MARGIN + y->above, content(&y->around[k]));
-        x += y->left[k] + y->right[k] + GAP;
+    long x = (width - y->width) / 2, top = MARGIN;
+    for (int i = 0; i < count; i++) {
+        for (int k = rows[i].first; k < rows[i].end; k++)
+            put_panel(s, k, x + middle_of(y, &rows[i], k) - y->half[k], top + rows[i].above, content(&y->around[k]));
+        top += rows[i].above + rows[i].below + GAP;
     }
     put_legend(s, out, room, width / 2, row_end + 2000);
     put(out, "</svg>\n");
@@ -329,9 +369,11 @@ const char *svg_text(svg *s)
 {
     if (svg_current(s) == NULL)
         return NULL;
-    struct layout y = lay_out(s);
+    struct layout y = {0};
+    struct row rows[MAX_PANELS];
+    int count = lay_out(s, &y, rows);
     empty_string(&s->text);
-    put_document(s, &y);
+    put_document(s, &y, count, rows);
     for (int k = 0; k < s->panels; k++) {
         if (y.around[k].broken)
             svg_fail(s, "memory is short");

@@ -1,6 +1,6 @@
 /* svg.h -- a canvas for mathematical figures, drawn from exact values.
  *
- * A figure is a row of panels.  A panel shows a window of the plane, given in rationals; what is
+ * A figure is a row of panels, or several rows.  A panel shows a window of the plane, given in rationals; what is
  * drawn goes to the panel opened last.  Every coordinate is computed exactly and rounded once, to
  * 1/100 of an output unit (half away from zero; one unit is one CSS pixel at natural size), and is
  * printed from that integer: the bytes are the same on every machine.
@@ -92,6 +92,9 @@ int svg_overlaps(const svg *s);
  * caption (prose, may be NULL; '\n' breaks the line) stands below. */
 void svg_panel(svg *s, svg_window window, int width, int height, const char *caption);
 
+/* The next panel begins a new row, below those before; the first windows of the rows are level at the left. */
+void svg_row(svg *s);
+
 /* A heading above the panel (prose), with a cross for SVG_WRONG and a tick for SVG_RIGHT. */
 void svg_heading(svg *s, enum svg_role role, const char *markup);
 
@@ -103,6 +106,9 @@ void svg_grid(svg *s, num_q dx, num_q dy); /* lines at the multiples of dx and o
  * and dy (0: none), labelled by exact decimals, or by fractions where there are none.  The names are
  * mathematics and may be NULL. */
 void svg_axes(svg *s, num_q dx, num_q dy, const char *x_name, const char *y_name);
+
+/* The same ticks around a frame, without axes, as graphs of measurements have them. */
+void svg_scales(svg *s, num_q dx, num_q dy, const char *x_name, const char *y_name);
 
 /* ---- Words ------------------------------------------------------------------------------------
  *
@@ -134,6 +140,8 @@ void svg_legend_area(svg *s, enum svg_role role, const char *markup);
  * P[2 i], P[2 i + 1].  No argument is kept. */
 
 void svg_mark(svg *s, svg_point at, enum svg_role role, enum svg_shape shape);
+/* Translucent dots of that diameter, in hundredths of a unit, under all lines: for many points. */
+void svg_cloud(svg *s, int count, const num_q P[], int diameter, enum svg_role role);
 void svg_segment(svg *s, svg_point a, svg_point b, enum svg_role role);
 void svg_line(svg *s, svg_point a, svg_point b, enum svg_role role); /* the whole line, a != b   */
 void svg_arrow(svg *s, svg_point tail, svg_point head, enum svg_role role);

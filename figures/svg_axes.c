@@ -107,21 +107,39 @@ static num_q foot(num_q lo, num_q hi) { return sign_q(lo) <= 0 && sign_q(hi) >= 
 /* The arrow of an axis reaches over the window by OVERHANG. */
 enum { OVERHANG = 1000, HEAD = 650, WING = 230, TICK = 350 };
 
+static void x_ticks(svg *s, struct panel *p, num_q step)
+{
+    long bottom = hundredths(s, kept(p->height));
+    struct ticks ticks = ticks_of(s, kept(p->x0), kept(p->x1), step);
+    for (long k = ticks.first; k <= ticks.last; k++) {
+        long x = tick_at(s, k, step, kept(p->x0), kept(p->scale_x));
+        put(&p->layer[GROUND], "<path class=\"l %s\" d=\"M%h %hV%h\"/>\n", role_class(s, SVG_AXIS), x, bottom,
+            bottom + TICK);
+        tick_label(s, p, x, bottom + 1620, SVG_MIDDLE, mul_q(from_int_q(k), step));
+    }
+}
+
+static void y_ticks(svg *s, struct panel *p, num_q step)
+{
+    struct ticks ticks = ticks_of(s, kept(p->y0), kept(p->y1), step);
+    num_q down = neg_q(kept(p->scale_y));
+    for (long k = ticks.first; k <= ticks.last; k++) {
+        long y = tick_at(s, k, step, kept(p->y1), down);
+        put(&p->layer[GROUND], "<path class=\"l %s\" d=\"M0 %hH%h\"/>\n", role_class(s, SVG_AXIS), y, -(long)TICK);
+        tick_label(s, p, -TICK - 350, y + 400, SVG_END, mul_q(from_int_q(k), step));
+    }
+}
+
 static void x_axis(svg *s, struct panel *p, num_q y_foot, num_q step, const char *name)
 {
     struct string *out = &p->layer[GROUND];
     const char *class = role_class(s, SVG_AXIS);
-    long y = hundredths(s, to_output(p, (svg_point){kept(p->x0), y_foot}).y), bottom = hundredths(s, kept(p->height));
+    long y = hundredths(s, to_output(p, (svg_point){kept(p->x0), y_foot}).y);
     long end = hundredths(s, kept(p->width)) + OVERHANG;
     put(out, "<path class=\"l %s\" d=\"M0 %hH%h\"/>\n", class, y, end - HEAD);
     put(out, "<path class=\"c %s\" d=\"M%h %hL%h %hL%h %hZ\"/>\n", class, end - HEAD, y - WING, end, y, end - HEAD,
         y + WING);
-    struct ticks ticks = ticks_of(s, kept(p->x0), kept(p->x1), step);
-    for (long k = ticks.first; k <= ticks.last; k++) {
-        long x = tick_at(s, k, step, kept(p->x0), kept(p->scale_x));
-        put(out, "<path class=\"l %s\" d=\"M%h %hV%h\"/>\n", class, x, bottom, bottom + TICK);
-        tick_label(s, p, x, bottom + 1620, SVG_MIDDLE, mul_q(from_int_q(k), step));
-    }
+    x_ticks(s, p, step);
     if (name != NULL)
         put_words(s, p, end + 350, y + 420, SVG_START, KIND_LABEL, SVG_AXIS, true, name);
 }
@@ -134,13 +152,7 @@ static void y_axis(svg *s, struct panel *p, num_q x_foot, num_q step, const char
     put(out, "<path class=\"l %s\" d=\"M%h %hV%h\"/>\n", class, x, hundredths(s, kept(p->height)), end + HEAD);
     put(out, "<path class=\"c %s\" d=\"M%h %hL%h %hL%h %hZ\"/>\n", class, x - WING, end + HEAD, x, end, x + WING,
         end + HEAD);
-    struct ticks ticks = ticks_of(s, kept(p->y0), kept(p->y1), step);
-    num_q down = neg_q(kept(p->scale_y));
-    for (long k = ticks.first; k <= ticks.last; k++) {
-        long y = tick_at(s, k, step, kept(p->y1), down);
-        put(out, "<path class=\"l %s\" d=\"M0 %hH%h\"/>\n", class, y, -(long)TICK);
-        tick_label(s, p, -TICK - 350, y + 400, SVG_END, mul_q(from_int_q(k), step));
-    }
+    y_ticks(s, p, step);
     if (name != NULL)
         put_words(s, p, x, end - 550, SVG_MIDDLE, KIND_LABEL, SVG_AXIS, true, name);
 }
@@ -153,6 +165,23 @@ void svg_axes(svg *s, num_q dx, num_q dy, const char *x_name, const char *y_name
     region_mark mark = region_open();
     x_axis(s, p, foot(kept(p->y0), kept(p->y1)), dx, x_name);
     y_axis(s, p, foot(kept(p->x0), kept(p->x1)), dy, y_name);
+    region_drop(mark);
+}
+
+void svg_scales(svg *s, num_q dx, num_q dy, const char *x_name, const char *y_name)
+{
+    struct panel *p = svg_current(s);
+    if (p == NULL)
+        return;
+    region_mark mark = region_open();
+    svg_frame(s);
+    x_ticks(s, p, dx);
+    y_ticks(s, p, dy);
+    long right = hundredths(s, kept(p->width)), bottom = hundredths(s, kept(p->height));
+    if (x_name != NULL)
+        put_words(s, p, right + 700, bottom + 420, SVG_START, KIND_LABEL, SVG_AXIS, true, x_name);
+    if (y_name != NULL)
+        put_words(s, p, 0, -850, SVG_MIDDLE, KIND_LABEL, SVG_AXIS, true, y_name);
     region_drop(mark);
 }
 

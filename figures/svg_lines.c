@@ -123,6 +123,29 @@ void svg_mark(svg *s, svg_point at, enum svg_role role, enum svg_shape shape)
     region_drop(mark);
 }
 
+/* Dots of paths without length, whose round ends the viewer draws; a dot that falls on the one before is left out. */
+void svg_cloud(svg *s, int count, const num_q P[], int diameter, enum svg_role role)
+{
+    struct panel *p = svg_current(s);
+    if (p == NULL || count < 1)
+        return;
+    struct string *out = &p->layer[GROUND];
+    put(out, "<path class=\"p %s\" stroke-width=\"%h\" d=\"", role_class(s, role), (long)diameter);
+    s->clouded = true;
+    long x = 0, y = 0;
+    for (int i = 0; i < count; i++) {
+        region_mark mark = region_open();
+        svg_point at = to_output(p, svg_pair(P + 2 * i));
+        long new_x = hundredths(s, at.x), new_y = hundredths(s, at.y);
+        if (i == 0 || new_x != x || new_y != y)
+            put(out, "M%h %hh0", new_x, new_y);
+        x = new_x;
+        y = new_y;
+        region_drop(mark);
+    }
+    put(out, "\"/>\n");
+}
+
 void svg_polyline(svg *s, int count, const num_q P[], enum svg_role role)
 {
     struct panel *p = svg_current(s);

@@ -47,6 +47,7 @@ struct panel {
     long pad[4];            /* how far words reach over the sides of the window               */
     struct string layer[LAYERS];
     bool clipped;     /* some line needs the viewer to clip it                          */
+    bool first;       /* it begins a row                                                */
     struct box *word; /* where the words stand                                          */
     int words, words_room;
     enum svg_role heading_role;
@@ -65,7 +66,7 @@ struct svg {
     struct panel panel[MAX_PANELS];
     struct key key[MAX_KEYS];
     int panels, keys;
-    bool hatched, used[SVG_ROLES];
+    bool row, hatched, clouded, used[SVG_ROLES]; /* row: the next panel begins one */
     struct string text;
 };
 

@@ -135,6 +135,8 @@ void put_style(svg *s, struct string *out)
              ".cagd .a{fill:currentColor;fill-opacity:.13}\n"
              ".cagd .c{fill:currentColor}\n"
              ".cagd .h{stroke:currentColor;stroke-width:.8;stroke-opacity:.6}\n");
+    if (s->clouded)
+        put(out, ".cagd .p{fill:none;stroke:currentColor;stroke-linecap:round;stroke-opacity:.5}\n");
     put_ground(out, ".m", "stroke", PAPER, ";fill:currentColor;stroke-width:1.1");
     put_ground(out, ".o", "fill", PAPER, ";stroke:currentColor;stroke-width:1.4");
     put(out, ".cagd .x{fill:none;stroke:currentColor;stroke-width:2}\n");

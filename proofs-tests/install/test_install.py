@@ -20,7 +20,7 @@ with tempfile.TemporaryDirectory() as folder:
     prefix = pathlib.Path(folder) / "prefix"
     sh("cmake", "--install", build, "--prefix", str(prefix))
     lib = next(prefix.glob("lib*/**/cagd.pc")).parent.parent
-    assert (prefix / "include" / "cagd.h").exists()
+    assert (prefix / "include" / "cagd.h").exists() and (prefix / "include" / "cagd_fit.h").exists()
     for path in prefix.rglob("*"):
         if path.suffix in (".pc", ".cmake", ".h"):
             assert build not in path.read_text() and str(source.parent.parent) not in path.read_text(), f"{path} names a build path"
@@ -32,13 +32,15 @@ with tempfile.TemporaryDirectory() as folder:
     sh("cmake", "-S", str(source), "-B", str(by_cmake), f"-DCMAKE_PREFIX_PATH={prefix}")
     sh("cmake", "--build", str(by_cmake))
     first = sh(str(by_cmake / "ten_lines"))
+    assert sh(str(by_cmake / "fit_in_ten_lines")) == "0.707106781\n"
 
     env = {**os.environ, "PKG_CONFIG_PATH": str(lib / "pkgconfig")}
-    flags = sh("pkg-config", "--cflags", "--libs", "--static", "cagd", env=env).split()
-    for compiler, name in (("cc", "ten_lines.c"), ("c++", "ten_lines.c")):
-        program = pathlib.Path(folder) / f"by-{compiler.replace('+', 'p')}"
+    for compiler, name, package, says in (("cc", "ten_lines.c", "cagd", first), ("c++", "ten_lines.c", "cagd", first),
+                                          ("cc", "fit_in_ten_lines.c", "cagd_fit", "0.707106781\n")):
+        flags = sh("pkg-config", "--cflags", "--libs", "--static", package, env=env).split()
+        program = pathlib.Path(folder) / f"{package}-by-{compiler.replace('+', 'p')}"
         language = ["-x", "c++"] if compiler == "c++" else []
         sh(compiler, *language, str(source / name), "-x", "none", "-o", str(program), *flags)
-        assert sh(str(program)) == first
+        assert sh(str(program)) == says
     assert first.split() == ["0.6", "0.8"], first
     print("installed, found by find_package and pkg-config, from C and C++:", first.strip())

@@ -337,3 +337,103 @@ REFERENCE(nurbs_insert)
         }
     }
 }
+/* Six Taylor coefficients at t of w_m N_m, m = 0, ..., p, and of their sum w. */
+static void weighted_basis(const struct data_q *D, const struct spline_q *S, num term[][16], num w[16])
+{
+    num c[8], a[8];
+    for (int k = 0; k < 16; k++)
+        w[k] = from_int(0);
+    for (int m = 0; m <= S->p; m++) {
+        for (int k = 0; k < 16; k++)
+            term[m][k] = from_int(0);
+        for (int i = 0; i <= S->p; i++)
+            c[i] = i == m ? D->w[S->mu - S->p + i] : from_int(0);
+        segment_of(S, c, a);
+        compose(S->p, a, S->t, from_int(1), term[m]);
+        for (int k = 0; k < 6; k++)
+            w[k] = add(w[k], term[m][k]);
+    }
+}
+/* Six coefficients of the product of two series. */
+static void series_product(const num a[], const num b[], num c[])
+{
+    for (int k = 0; k < 6; k++) {
+        c[k] = from_int(0);
+        for (int j = 0; j <= k; j++)
+            c[k] = add(c[k], mul(a[j], b[k - j]));
+    }
+}
+REFERENCE(nurbs_basis)
+{
+    struct spline_q S = spline_of_q(D);
+    num term[8][16], w[16], q[16];
+    weighted_basis(D, &S, term, w);
+    for (int m = 0; m <= S.p; m++) {
+        series_quotient(D->r, term[m], w, q);
+        for (int k = 0; k <= D->r; k++)
+            out[k * (S.p + 1) + m] = mul(factorial(k), q[k]);
+    }
+}
+/* The quotient rule for w_m N_m / w: w_k d/dw_k of it. */
+REFERENCE(nurbs_basis_by_weights)
+{
+    struct spline_q S = spline_of_q(D);
+    num term[8][16], w[16];
+    weighted_basis(D, &S, term, w);
+    for (int m = 0; m <= S.p; m++)
+        for (int k = 0; k <= S.p; k++) {
+            num above = m == k ? mul(term[m][0], w[0]) : from_int(0);
+            above = sub(above, mul(term[m][0], term[k][0]));
+            out[m * (S.p + 1) + k] = div(above, mul(w[0], w[0]));
+        }
+}
+/* The quotient rule for A/w, A = sum w_m N_m P_m, as series: (A_m w - A w_m)/w^2 with A_m = w_m N_m P_m. */
+REFERENCE(nurbs_by_weights)
+{
+    struct spline_q S = spline_of_q(D);
+    num term[8][16], w[16], A[16], own[16], one[16], two[16], below[16], q[16];
+    weighted_basis(D, &S, term, w);
+    series_product(w, w, below);
+    for (int at = 0; at < D->dim; at++) {
+        const num *x = D->x + (S.mu - S.p) * D->dim + at;
+        for (int k = 0; k < 6; k++) {
+            A[k] = from_int(0);
+            for (int m = 0; m <= S.p; m++)
+                A[k] = add(A[k], mul(term[m][k], x[m * D->dim]));
+        }
+        for (int m = 0; m <= S.p; m++) {
+            for (int k = 0; k < 6; k++)
+                own[k] = mul(term[m][k], x[m * D->dim]);
+            series_product(own, w, one);
+            series_product(A, term[m], two);
+            for (int k = 0; k < 6; k++)
+                one[k] = sub(one[k], two[k]);
+            series_quotient(D->r, one, below, q);
+            for (int k = 0; k <= D->r; k++)
+                out[(k * (S.p + 1) + m) * D->dim + at] = mul(factorial(k), q[k]);
+        }
+    }
+}
+/* The same twice: A_mk/w - (A_m w_k + A_k w_m + A w_mk)/w^2 + 2 A w_m w_k/w^3. */
+REFERENCE(nurbs_by_two_weights)
+{
+    struct spline_q S = spline_of_q(D);
+    num term[8][16], w[16];
+    weighted_basis(D, &S, term, w);
+    for (int at = 0; at < D->dim; at++) {
+        const num *x = D->x + (S.mu - S.p) * D->dim + at;
+        num A = from_int(0), part[8];
+        for (int m = 0; m <= S.p; m++) {
+            part[m] = mul(term[m][0], x[m * D->dim]);
+            A = add(A, part[m]);
+        }
+        for (int m = 0; m <= S.p; m++)
+            for (int k = 0; k <= S.p; k++) {
+                num zero = from_int(0), first = m == k ? part[m] : zero, weight = m == k ? term[m][0] : zero;
+                num second = add(add(mul(part[m], term[k][0]), mul(part[k], term[m][0])), mul(A, weight));
+                num third = mul(mul(from_int(2), A), mul(term[m][0], term[k][0]));
+                out[(m * (S.p + 1) + k) * D->dim + at] =
+                    add(sub(div(first, w[0]), div(second, power(w[0], 2))), div(third, power(w[0], 3)));
+            }
+    }
+}

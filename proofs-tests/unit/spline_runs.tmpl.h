@@ -252,4 +252,28 @@ RUN(nurbs_insert)
     G(nurbs_insert)(S.n, S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, v, out, out + (S.n + 1) * D->dim);
     return (S.n + 1) * (D->dim + 1);
 }
+RUN(nurbs_basis)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(nurbs_basis)(S.p, S.u, S.mu, D->w, S.t, D->r + 1, out);
+    return (D->r + 1) * (S.p + 1);
+}
+RUN(nurbs_basis_by_weights)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(nurbs_basis_by_weights)(S.p, S.u, S.mu, D->w, S.t, out);
+    return (S.p + 1) * (S.p + 1);
+}
+RUN(nurbs_by_weights)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(nurbs_by_weights)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, D->r + 1, out);
+    return (D->r + 1) * (S.p + 1) * D->dim;
+}
+RUN(nurbs_by_two_weights)
+{
+    struct G(spline) S = G(spline_of)(D);
+    G(nurbs_by_two_weights)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
+    return (S.p + 1) * (S.p + 1) * D->dim;
+}
 #include "core/number/generic_off.h"

@@ -41,7 +41,8 @@
     _(discrete_bsplines) _(bspline_blossom) _(deboor) _(bspline_derivatives) _(bspline_difference) _(greville)         \
     _(bspline_insert) _(bspline_remove) _(bspline_refine) _(bspline_elevate) _(bspline_reduce) _(bspline_to_bezier)    \
     _(bspline_point_of_bezier) _(bspline_split) _(bspline_periodic) _(nurbs_weight) _(nurbs_point) _(nurbs_deboor)     \
-    _(nurbs_derivatives) _(nurbs_curvature_squared) _(nurbs_torsion) _(nurbs_insert) _(bezier_surface_transpose)       \
+    _(nurbs_derivatives) _(nurbs_curvature_squared) _(nurbs_torsion) _(nurbs_insert) _(nurbs_basis)                    \
+    _(nurbs_basis_by_weights) _(nurbs_by_weights) _(nurbs_by_two_weights) _(bezier_surface_transpose)                  \
     _(bezier_surface_line) _(bezier_surface_point) _(bezier_surface_derivatives) _(bezier_surface_normal)              \
     _(bezier_surface_part) _(hermite_blending) _(hermite_cubic) _(lagrange_blending) _(hermite_interpolant)            \
     _(coons_patch) _(hermite_tensor)

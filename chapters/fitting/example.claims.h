@@ -1,0 +1,116 @@
+/*
+# An exact example (一个精确的例子)
+
+On the circle of radius 65 there are many integer points: $(63,16)$, $(60,25)$, $(56,33)$, $(52,39)$ and their mirror images.  The quarter of the
+circle is the conic over $(65,0),(65,65),(0,65)$ with weights $1,1,2$, and these points have rational parameters $t=\frac y{65+x}$.  Now measure each of them
+twice, once too near to the centre and once too far from it, by the factor $1\mp\frac1{16}$: sixteen points with rational feet, whose residuals cancel.  Everything that
+a program computes with them can be compared with fractions.
+
+:::{claim} pairs_about_a_circle_have_the_circle_as_minimum
+:title: The circle between the pairs is a strict local minimum, exactly
+:zh: 成对点的最小二乘解恰为该圆
+:kind: decision
+:given: the sixteen points; unknowns $\lambda_1$, $x_1$, $y_1$, the ends given
+:then: at the circle $D_i\cdot C'=0$ and $\varphi'>0$ for all $i$, the gradient of $F$ is $0$, and its Hessian, $A-B\Delta^{-1}B^T$, is positive definite
+:method: Everything in rationals: the feet, the sums of the gradient, and the three leading minors of the Hessian, which are positive.
+:control: the last point is moved away by the factor $\frac{18}{17}$
+:::
+*/
+#include "chapters/frame/claims_on.h"
+
+#if RATIONAL
+#include "chapters/fitting/circle.h"
+
+CLAIM(pairs_about_a_circle_have_the_circle_as_minimum)
+{
+    struct circle_example E = circle_of_pairs();
+    num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS], F = from_int(0);
+    if (T->planted)
+        for (int c = 0; c < 2; c++)
+            E.Q[4 * PAIRS - 2 + c] = mul(E.Q[4 * PAIRS - 2 + c], from_ratio(18, 17));
+    for (int i = 0; i < 2 * PAIRS; i++) {
+        struct circle_view v = view_of_circle(&E, E.t[i]);
+        num D[2] = {sub(v.C[0], E.Q[2 * i]), sub(v.C[1], E.Q[2 * i + 1])};
+        about(T, "the foot");
+        vanishes(T, G(dot)(2, D, v.C1));
+        agree(T, compare_q(add(G(dot)(2, v.C1, v.C1), G(dot)(2, D, v.C2)), from_int(0)) > 0);
+        F = add(F, mul(from_ratio(1, 2), G(dot)(2, D, D)));
+    }
+    derivatives_of_circle(&E, gradient, H, gauss);
+    show(T, "F", F);
+    show_points(T, "Hessian", UNKNOWNS, UNKNOWNS, H);
+    about(T, "the gradient");
+    for (int a = 0; a < UNKNOWNS; a++)
+        vanishes(T, gradient[a]);
+    about(T, "the leading minors");
+    for (int k = 1; k <= UNKNOWNS; k++) {
+        num M[9];
+        for (int m = 0; m < k * k; m++)
+            M[m] = H[m / k * UNKNOWNS + m % k];
+        agree(T, compare_q(G(determinant)(k, M), from_int(0)) > 0);
+    }
+}
+
+/*
+It is often done with given parameters in the place of feet, evenly spaced or by the lengths of chords, since then only a linear
+system is left.  That answers another question.
+
+:::{claim} given_parameters_find_the_same_curve
+:title: Least squares at given parameters find another curve
+:zh: 给定参数的最小二乘不得同一曲线
+:kind: counterexample
+:given: the sixteen points, pair $k$ at the parameter $\frac k9$, $k=1,\dots,8$, instead of its feet
+:then: the circle, which goes through the middle of every pair, is stationary for $\sum_i|Q_i-C(t_i)|^2$
+:method: The gradient by $\lambda_1$, $x_1$, $y_1$, exactly.
+:control: the parameters of the feet
+:::
+*/
+CLAIM(given_parameters_find_the_same_curve)
+{
+    struct circle_example E = circle_of_pairs();
+    num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS];
+    for (int i = 0; i < 2 * PAIRS && !T->planted; i++)
+        E.t[i] = from_ratio(i / 2 + 1, PAIRS + 1);
+    derivatives_of_circle(&E, gradient, H, gauss); /* the gradient is that of the sum at any parameters */
+    show_points(T, "gradient", 1, UNKNOWNS, gradient);
+    about(T, "the gradient");
+    for (int a = 0; a < UNKNOWNS; a++)
+        vanishes(T, gradient[a]);
+}
+
+/*
+:::{claim} free_point_makes_its_weight_less_known
+:title: The weight is known less when its point is free
+:zh: 控制顶点自由时权的不确定度增大
+:kind: decision
+:given: the sixteen points and $J^TJ$, $J$ the derivatives across the curve; $K=(J^TJ)^{-1}$
+:then: $K\,J^TJ=1$; the variance of $\lambda_1$, in units of that of a residual, is $K_{11}$ when the point $P_1$ is free as well, $1/(J^TJ)_{11}$ when it is given, and the first is more
+  than 69 times the second
+:method: Rationals; on the circle $|C'|$ cancels in $J^TJ$.  The error of $\log I_1=2\lambda_1-\log2$ is twice that of $\lambda_1$.
+:control: the entry $(2,2)$ of $K$ doubled
+:::
+*/
+CLAIM(free_point_makes_its_weight_less_known)
+{
+    struct circle_example E = circle_of_pairs();
+    num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], A[UNKNOWNS * UNKNOWNS], K[UNKNOWNS * UNKNOWNS];
+    derivatives_of_circle(&E, gradient, H, A);
+    for (int m = 0; m < UNKNOWNS * UNKNOWNS; m++)
+        K[m] = inverse_entry(A, m / UNKNOWNS, m % UNKNOWNS);
+    if (T->planted)
+        K[4] = add(K[4], K[4]);
+    about(T, "the inverse");
+    for (int a = 0; a < UNKNOWNS; a++)
+        for (int b = 0; b < UNKNOWNS; b++) {
+            num sum = from_int(0);
+            for (int k = 0; k < UNKNOWNS; k++)
+                sum = add(sum, mul(K[a * UNKNOWNS + k], A[k * UNKNOWNS + b]));
+            same(T, sum, from_int(a == b));
+        }
+    show(T, "variance, the point free", K[0]);
+    show(T, "variance, the point given", div(from_int(1), A[0]));
+    about(T, "the variances");
+    agree(T, compare_q(mul(K[0], A[0]), from_int(69)) > 0);
+}
+#endif
+#include "chapters/frame/claims_off.h"

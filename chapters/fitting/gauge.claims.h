@@ -1,0 +1,250 @@
+/*
+# What the points cannot tell (规范与自由方向)
+
+Different unknowns can give one curve, and then no measured points tell them apart.  Some of this freedom is known beforehand and
+taken away by a convention, the gauge; the rest shows in the rank of the Jacobian (雅可比矩阵的秩).
+
+## The gauge (规范)
+
+:::{claim} weights_have_flat_directions
+:title: Two directions in the space of weights that move no point off the curve
+:zh: 权空间中的两个平坦方向
+:given: a rational Bézier curve of degree $n$, weights, points of one coordinate, any $t$
+:then: $\sum_i\frac{\partial C}{\partial\lambda_i}=0$ and $\sum_ii\,\frac{\partial C}{\partial\lambda_i}=t(1-t)\,C'$.  The first says that a common
+  factor of the weights changes nothing, the second that the fractional-linear change of the parameter only slides along the curve: after the
+  projection across the curve both columns are 0
+:method: The kernel of the derivatives by the weights against that of the derivative by $t$, everything variables.
+:degrees: 1..4 sampled 9
+:control: $n-i$ in the place of $i$
+:::
+*/
+#include "chapters/fitting/definition.h"
+
+#include "chapters/frame/claims_on.h"
+
+/* The 2n+2 knots 0, ..., 0, 1, ..., 1. */
+static void G(bezier_knots)(int n, num u[])
+{
+    for (int i = 0; i < 2 * n + 2; i++)
+        u[i] = from_int(i > n);
+}
+
+CLAIM(weights_have_flat_directions)
+{
+    int n = T->degree;
+    num u[2 * MOST_POINTS], w[MOST_POINTS], R[MOST_POINTS], by[MOST_POINTS], D[2], t = parameter(T, "t");
+    num sum = from_int(0), moment = from_int(0);
+    G(bezier_knots)(n, u);
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "y", i);
+    }
+    G(nurbs_by_weights)(n, 1, u, n, R, w, t, 1, by);
+    G(rational_derivatives)(n, 1, R, w, t, 1, D);
+    for (int i = 0; i <= n; i++) {
+        sum = add(sum, by[i]);
+        moment = add(moment, mul(from_int(T->planted ? n - i : i), by[i]));
+    }
+    about(T, "a common factor");
+    vanishes(T, sum);
+    about(T, "a change of the parameter");
+    same(T, moment, mul(mul(t, sub(from_int(1), t)), D[1]));
+}
+
+/*
+:::{claim} feet_and_distances_do_not_see_the_gauge
+:title: A fractional-linear change of the parameter takes feet to feet and keeps distances
+:zh: 分式线性变换保持垂足与距离
+:given: a rational Bézier curve of degree $n$ in the plane; $t=\frac{au}{au+b(1-u)}$, the weights $a^ib^{n-i}w_i$; a point $Q$
+:then: with $D=C-Q$ the squared distance $|D|^2$ is the same at $u$ and $t$, and $D\cdot\frac{dC}{du}=D\cdot\frac{dC}{dt}\cdot\frac{ab}{(au+b(1-u))^2}$, so that a foot is a foot
+:method: The two curves by their weights, everything variables.
+:degrees: 1..3 sampled 8
+:control: the parameter $u$ for both
+:::
+*/
+CLAIM(feet_and_distances_do_not_see_the_gauge)
+{
+    int n = T->degree;
+    num w[MOST_POINTS], v[MOST_POINTS], R[2 * MOST_POINTS], Q[2], D[4], E[4], x[2], y[2];
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), t = parameter(T, "t"), one = from_int(1);
+    num below = add(mul(a, t), mul(b, sub(one, t))), image = div(mul(a, t), below); /* t is the book's u here */
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[2 * i] = from_int(i * i);
+        R[2 * i + 1] = unknown(T, "y", i);
+    }
+    Q[0] = unknown(T, "q", 0), Q[1] = unknown(T, "q", 1);
+    G(rational_reparametrize)(n, w, a, b, v);
+    G(rational_derivatives)(n, 2, R, v, t, 1, D);
+    G(rational_derivatives)(n, 2, R, w, T->planted ? t : image, 1, E);
+    for (int c = 0; c < 2; c++) {
+        x[c] = sub(D[c], Q[c]);
+        y[c] = sub(E[c], Q[c]);
+    }
+    about(T, "the distance");
+    same(T, G(dot)(2, x, x), G(dot)(2, y, y));
+    about(T, "the condition of the foot");
+    same(T, G(dot)(2, x, D + 2), mul(G(dot)(2, y, E + 2), div(mul(a, b), mul(below, below))));
+}
+
+/*
+Without a gauge the Hessian is therefore singular, at every curve and for all points.  With $w_0=w_n=1$, the standard form, the directions above
+are gone, and so is the singularity.
+
+:::{claim} without_gauge_the_hessian_is_singular
+:title: With every weight free the rank is short by two
+:zh: 全部权自由时秩亏为二
+:kind: counterexample
+:given: the cubic with points $(0,0),(1,4),(5,4),(6,0)$ and weights $1,2,2,1$, and twelve points on it at $t=\frac i{13}$; all four weights free, the control points not
+:then: the reduced Jacobian has full rank
+:method: Its rows $\det(C',C_a)$, the derivatives across the curve up to a factor, are rational; Gaussian elimination over $\mathbb Q$.  The rank is 2, and as the
+  residuals are 0 the Hessian is $J^TJ$: singular.
+:control: $w_0$ and $w_3$ held at 1
+:::
+*/
+#if RATIONAL
+/* Rows det(C', C_a) at t = i/(count+1) for the given unknowns: unknown -1-m is lambda_m, unknown 2m+c coordinate c of
+ * point m. */
+static void jacobian_across(int n, const num R[], const num w[], int count, int unknowns, const int unknown_of[],
+                            num J[])
+{
+    for (int i = 0; i < count; i++) {
+        num u[2 * MOST_POINTS], by[2 * MOST_POINTS], B[MOST_POINTS], D[4], t = from_ratio(i + 1, count + 1);
+        G(bezier_knots)(n, u);
+        G(nurbs_by_weights)(n, 2, u, n, R, w, t, 1, by);
+        G(nurbs_basis)(n, u, n, w, t, 1, B);
+        G(rational_derivatives)(n, 2, R, w, t, 1, D);
+        for (int k = 0; k < unknowns; k++) {
+            int m = unknown_of[k];
+            num e[2] = {m >= 0 && m % 2 == 0 ? B[m / 2] : from_int(0), m >= 0 && m % 2 == 1 ? B[m / 2] : from_int(0)};
+            J[i * unknowns + k] = G(cross2)(D + 2, m >= 0 ? e : by + 2 * (-1 - m));
+        }
+    }
+}
+
+CLAIM(without_gauge_the_hessian_is_singular)
+{
+    static const int point[] = {0, 0, 1, 4, 5, 4, 6, 0}, weight[] = {1, 2, 2, 1};
+    static const int all[] = {-1, -2, -3, -4}, inner[] = {-2, -3};
+    num R[8], w[4], J[12 * 4];
+    for (int m = 0; m < 8; m++)
+        R[m] = from_int(point[m]);
+    for (int i = 0; i < 4; i++)
+        w[i] = from_int(weight[i]);
+    int unknowns = T->planted ? 2 : 4;
+    jacobian_across(3, R, w, 12, unknowns, T->planted ? inner : all, J);
+    int rank = rank_over_q(12, unknowns, J);
+    show_points(T, "R", 4, 2, R);
+    show_points(T, "ω", 4, 1, w);
+    show_text(T, "unknowns", "%d", unknowns);
+    show_text(T, "rank", "%d", rank);
+    about(T, "rank and number of unknowns");
+    same(T, from_int(rank), from_int(unknowns));
+}
+#endif
+
+/*
+## Ends that slide (端点沿曲线滑动)
+
+A conic is five numbers.  A rational quadratic with free points and one weight is seven: both ends may slide along the conic.
+
+:::{claim} free_ends_slide_along_the_conic
+:title: With free ends the rank of a conic is five of seven
+:zh: 端点自由时二次曲线的秩为五
+:kind: decision
+:given: the arc of the circle $x^2+y^2=65^2$ with points $(65,0),(65,65),(0,65)$ and weights $1,1,2$; twelve points on it; unknowns $\lambda_1$ and the six coordinates
+:then: the reduced Jacobian has rank 5, and its kernel contains the two directions in which an end slides: the end along its tangent by
+  $65\,\varepsilon$, the middle point to where the tangents meet, by $-65\,\varepsilon$, and $\lambda_1$ by $\frac\varepsilon2$
+:method: Gaussian elimination over $\mathbb Q$, and the product of the Jacobian with the two directions, exactly.
+:control: $\lambda_1$ by $\varepsilon$
+:::
+*/
+#if RATIONAL
+CLAIM(free_ends_slide_along_the_conic)
+{
+    enum { count = 12, unknowns = 7 };
+    static const int point[] = {65, 0, 65, 65, 0, 65}, free_ones[] = {-2, 0, 1, 2, 3, 4, 5};
+    /* twice the directions: lambda_1, then x_0, y_0, x_1, y_1, x_2, y_2 */
+    static const int slide[2][unknowns] = {{1, 0, 130, -130, 0, 0, 0}, {1, 0, 0, 0, -130, 130, 0}};
+    num R[6], w[3] = {from_int(1), from_int(1), from_int(2)}, J[count * unknowns];
+    for (int m = 0; m < 6; m++)
+        R[m] = from_int(point[m]);
+    jacobian_across(2, R, w, count, unknowns, free_ones, J);
+    about(T, "a sliding end");
+    for (int d = 0; d < 2; d++)
+        for (int i = 0; i < count; i++) {
+            num sum = from_int(0);
+            for (int k = 0; k < unknowns; k++)
+                sum = add(sum, mul(from_int(slide[d][k] * (k == 0 && T->planted ? 2 : 1)), J[i * unknowns + k]));
+            vanishes(T, sum);
+        }
+    about(T, "the rank");
+    int rank = rank_over_q(count, unknowns, J);
+    show_text(T, "rank", "%d of %d", rank, (int)unknowns);
+    same(T, from_int(rank), from_int(5));
+}
+#endif
+
+/*
+## Points on a line (共线点)
+
+:::{claim} a_straight_curve_leaves_its_speed_undetermined
+:title: Where the curve is straight, only the heights of its points are seen
+:zh: 曲线退化为直线时仅能定出法向坐标
+:given: a rational Bézier curve of degree $n$ with all points on the $x$-axis
+:then: across the curve the derivatives by all weights and by all $x_m$ are 0, and those by $y_m$ are $R_m$ times the speed: of $n-1$ weights and $2n+2$ coordinates at most $n+1$ numbers are determined
+:method: The determinants with $C'$, the points $x_m$, weights and $t$ variables.
+:degrees: 1..4 sampled 8
+:control: the last point one above the axis
+:::
+*/
+CLAIM(a_straight_curve_leaves_its_speed_undetermined)
+{
+    int n = T->degree;
+    num u[2 * MOST_POINTS], w[MOST_POINTS], R[2 * MOST_POINTS], by[2 * MOST_POINTS], B[MOST_POINTS], D[4];
+    num t = parameter(T, "t"), zero = from_int(0);
+    G(bezier_knots)(n, u);
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[2 * i] = unknown(T, "x", i);
+        R[2 * i + 1] = from_int(T->planted && i == n);
+    }
+    G(nurbs_by_weights)(n, 2, u, n, R, w, t, 1, by);
+    G(nurbs_basis)(n, u, n, w, t, 1, B);
+    G(rational_derivatives)(n, 2, R, w, t, 1, D);
+    for (int m = 0; m <= n; m++) {
+        num ex[2] = {B[m], zero}, ey[2] = {zero, B[m]};
+        about(T, "by a weight");
+        vanishes(T, G(cross2)(D + 2, by + 2 * m));
+        about(T, "by a coordinate along the line");
+        vanishes(T, G(cross2)(D + 2, ex));
+        about(T, "by a height");
+        same(T, G(cross2)(D + 2, ey), mul(B[m], D[2]));
+    }
+}
+
+/*
+:::{claim} points_on_a_line_leave_rank_three
+:title: A conic fitted to points on a line has rank three of seven, and with given ends one of three
+:zh: 共线点拟合二次曲线时的秩
+:kind: decision
+:given: the quadratic with points $(0,0),(2,0),(3,0)$ and weights $1,2,1$, which is the segment, and twelve points on it
+:then: the rank is 3 when $\lambda_1$ and the six coordinates are free, 1 when the ends are given
+:method: Gaussian elimination over $\mathbb Q$ of the derivatives across the curve.
+:control: $R_1=(2,1)$
+:::
+*/
+#if RATIONAL
+CLAIM(points_on_a_line_leave_rank_three)
+{
+    enum { count = 12 };
+    static const int all[] = {-2, 0, 1, 2, 3, 4, 5}, inner[] = {-2, 2, 3};
+    num zero = from_int(0), R[] = {zero, zero, from_int(2), from_int(T->planted), from_int(3), zero};
+    num w[] = {from_int(1), from_int(2), from_int(1)}, J[count * 7];
+    jacobian_across(2, R, w, count, 7, all, J);
+    same(T, from_int(rank_over_q(count, 7, J)), from_int(3));
+    jacobian_across(2, R, w, count, 3, inner, J);
+    same(T, from_int(rank_over_q(count, 3, J)), from_int(1));
+}
+#endif
+#include "chapters/frame/claims_off.h"

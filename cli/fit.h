@@ -1,0 +1,43 @@
+/* fit.h -- a fit and what is said of it: text, JSON, table of residuals, picture. */
+#ifndef CAGD_CLI_FIT_H
+#define CAGD_CLI_FIT_H
+
+#include "cli/command.h"
+#include "cli/points.h"
+#include "core/fit/cagd_fit.h"
+#include "exact/stationary.h"
+
+struct fit {
+    const char *path;
+    int sigma_given; /* one standard deviation for all points, by an option */
+    struct points points;
+    cagd_fit_data data;
+    cagd_fit_options options;
+    const cagd_fit_result *result;
+    int checked; /* whether it was asked to verify the minimum */
+    stationary_verdict verdict;
+};
+
+/* ---- numbers of the result, by the formulas that its header states (fit_report.c) ----------------- */
+
+/* An estimate with its standard error and 95 % interval.  Weights are fitted by their logarithms: the error is
+ * that of the logarithm times the weight, the interval that of the logarithm, exponentiated. */
+struct estimate {
+    double value, error, low, high;
+};
+struct estimate unknown_estimate(const cagd_fit_result *r, int k);
+struct estimate invariant_estimate(const cagd_fit_result *r, int j);
+/* "w_1" or "P_1 x" without the underscore. */
+void unknown_name(const cagd_fit_result *r, int k, char name[32]);
+/* The value with as many decimals as show two digits of its error. */
+void put_rounded(FILE *out, double value, double error);
+
+/* ---- what is printed and written ------------------------------------------------------------------ */
+
+void print_fit(const struct fit *f, int verbose);
+json_t *fit_json(const struct fit *f);
+json_t *fitted_curve_json(const cagd_spline *c);            /* as read_curve reads it; binary64 in 17 digits */
+int write_curve(const struct fit *f, const char *path);     /* each: 0, or a line on stderr        */
+int write_residuals(const struct fit *f, const char *path); /* CSV                                 */
+int write_picture(const struct fit *f, const char *path);   /* fit_picture.c                       */
+#endif

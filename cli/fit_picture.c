@@ -1,0 +1,394 @@
+/* fit_picture.c -- the picture of a fit: points, curve, control polygon; below, the distances over the parameter. */
+#include "cli/fit.h"
+#include "figures/svg.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    WIDTH = 600,          /* of the row of views, in output units      */
+    VIEW_WIDTH = 270,     /* of each of two views                      */
+    MARGIN = 36,          /* around what a view shows                  */
+    LOWEST = 220,         /* a view is from so high ...                */
+    HIGHEST = 460,        /* ... to so high                            */
+    TICKS = 45,           /* ticks are at least so far apart           */
+    RESIDUALS_HIGH = 140, /* the window of the distances               */
+    MOST_MARKS = 60,      /* more points than these are a cloud        */
+    MOST_LARGE = 600,     /* more points than these are a cloud of small dots */
+    MOST_LABELS = 10,     /* control points with names                 */
+    MOST_WEIGHTS = 6      /* control points with their weights         */
+};
+
+/* An interval of the line, and the step of its ticks; from 10^exponent times what the numbers are. */
+struct scale {
+    double low, high;
+    num_q step;
+};
+
+static void include(struct scale *s, double x)
+{
+    s->low = fmin(s->low, x);
+    s->high = fmax(s->high, x);
+}
+
+/* 1, 2 or 5 times a power of ten: the smallest step of which at most `most` fit into the length. */
+static num_q nice_step(double length, int most)
+{
+    double wanted = length / most;
+    int e = (int)floor(log10(wanted));
+    for (;; e++)
+        for (int k = 0; k < 3; k++) {
+            static const long digit[] = {1, 2, 5};
+            num_q step = from_int_q(digit[k]), ten = from_int_q(10);
+            for (int i = 0; i < abs(e); i++)
+                step = e > 0 ? mul_q(step, ten) : div_q(step, ten);
+            if (to_double_q(step) >= wanted)
+                return step;
+        }
+}
+
+/* The power of ten by which numbers of this size are divided to be read without many zeros. */
+static int power_of(double size)
+{
+    int e = size > 0 ? (int)floor(log10(size)) : 0;
+    return e >= 6 || e <= -4 ? e : 0;
+}
+
+/* x 10^-e exactly, x a binary64. */
+static num_q scaled(double x, int e)
+{
+    num_q y = from_double_q(x), ten = from_int_q(10);
+    for (int i = 0; i < abs(e); i++)
+        y = e > 0 ? div_q(y, ten) : mul_q(y, ten);
+    return y;
+}
+
+/* ---- a view: two coordinates, to one scale --------------------------------------------------------- */
+
+struct view {
+    const struct fit *f;
+    int a, b;          /* the coordinates that are shown        */
+    int power;         /* they are shown divided by 10^power    */
+    struct scale x, y; /* in numbers as shown                   */
+};
+
+static num_q shown(const struct view *v, double x) { return scaled(x, v->power); }
+
+static svg_point shown_at(const struct view *v, const double P[])
+{
+    return (svg_point){shown(v, P[v->a]), shown(v, P[v->b])};
+}
+
+static int inside(const struct view *v, const double P[])
+{
+    double x = to_double_q(shown(v, P[v->a])), y = to_double_q(shown(v, P[v->b]));
+    return v->x.low <= x && x <= v->x.high && v->y.low <= y && y <= v->y.high;
+}
+
+/* Points and feet; and the control points unless the window would become more than twice as large. */
+static struct view new_view(const struct fit *f, int a, int b, int width)
+{
+    const cagd_spline *c = &f->result->curve;
+    struct view v = {f, a, b, 0, {INFINITY, -INFINITY, {0}}, {INFINITY, -INFINITY, {0}}};
+    int dim = c->dim;
+    for (int i = 0; i < f->data.count; i++)
+        for (int k = 0; k < 2; k++) {
+            int at = i * dim + (k == 0 ? a : b);
+            double q = f->data.points[at], foot = q - f->result->residuals[at];
+            struct scale *s = k == 0 ? &v.x : &v.y;
+            include(s, q);
+            include(s, foot);
+        }
+    struct scale x = v.x, y = v.y;
+    for (int j = 0; j < c->count; j++) {
+        include(&x, c->points[j * dim + a]);
+        include(&y, c->points[j * dim + b]);
+    }
+    if (fmax(x.high - x.low, y.high - y.low) <= 2 * fmax(v.x.high - v.x.low, v.y.high - v.y.low)) {
+        v.x = x;
+        v.y = y;
+    }
+    v.power = power_of(fmax(v.x.high - v.x.low, v.y.high - v.y.low));
+    double unit = pow(10, v.power), size = fmax(v.x.high - v.x.low, v.y.high - v.y.low) / unit;
+    double room = size * MARGIN / width;
+    v.x = (struct scale){v.x.low / unit - room, v.x.high / unit + room, {0}};
+    v.y = (struct scale){v.y.low / unit - room, v.y.high / unit + room, {0}};
+    return v;
+}
+
+/* Widens the window to the shape of a panel of that width whose height is between the bounds. */
+static void shape(struct view *v, int width)
+{
+    double dx = v->x.high - v->x.low, dy = v->y.high - v->y.low, middle;
+    if (dy < dx * LOWEST / width) {
+        middle = (v->y.low + v->y.high) / 2;
+        dy = dx * LOWEST / width;
+        v->y.low = middle - dy / 2;
+        v->y.high = middle + dy / 2;
+    } else if (dy > dx * HIGHEST / width) {
+        middle = (v->x.low + v->x.high) / 2;
+        dx = dy * width / HIGHEST;
+        v->x.low = middle - dx / 2;
+        v->x.high = middle + dx / 2;
+    }
+    v->x.step = v->y.step = nice_step(dx, width / TICKS);
+}
+
+static void draw_curve(svg *s, const struct view *v)
+{
+    const cagd_spline *c = &v->f->result->curve;
+    int p = c->degree;
+    double P[(CAGD_MAX_DEGREE + 1) * CAGD_MAX_DIM], w[CAGD_MAX_DEGREE + 1];
+    for (int mu = p; mu < c->count; mu++) {
+        if (!(c->knots[mu] < c->knots[mu + 1]) || cagd_spline_bezier(c, mu, P, w) != CAGD_OK)
+            continue;
+        region_mark mark = region_open();
+        num_q R[2 * (CAGD_MAX_DEGREE + 1)], W[CAGD_MAX_DEGREE + 1];
+        for (int i = 0; i <= p; i++) {
+            svg_point at = shown_at(v, P + i * c->dim);
+            R[2 * i] = at.x;
+            R[2 * i + 1] = at.y;
+            W[i] = from_double_q(w[i]);
+        }
+        svg_rational(s, p, R, W, SVG_CURVE);
+        region_drop(mark);
+    }
+}
+
+/* The direction in which a label stands away from the polygon at its point j. */
+static enum svg_direction away(const struct view *v, int j)
+{
+    const cagd_spline *c = &v->f->result->curve;
+    const double *P = c->points + j * c->dim;
+    double x = 0, y = 0;
+    for (int k = -1; k <= 1; k += 2)
+        if (j + k >= 0 && j + k < c->count) {
+            const double *Q = P + k * c->dim;
+            double dx = P[v->a] - Q[v->a], dy = P[v->b] - Q[v->b], length = hypot(dx, dy);
+            x += length > 0 ? dx / length : 0;
+            y += length > 0 ? dy / length : 0;
+        }
+    if (!(hypot(x, y) > 0.1)) /* a straight polygon: above it */
+        return SVG_N;
+    return svg_direction_of(svg_at(0, 0), (svg_point){from_double_q(x), from_double_q(y)});
+}
+
+/* Its name; in the plane and among few also its weight, unless that is 1. */
+static void label_control_point(svg *s, const struct view *v, int j)
+{
+    const cagd_fit_result *r = v->f->result;
+    int dim = r->curve.dim;
+    char *text;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    fprintf(out, "P_{%d}", j);
+    if (dim == 2 && r->curve.count <= MOST_WEIGHTS && r->curve.weights[j] != 1) {
+        struct estimate e = {r->curve.weights[j], NAN, NAN, NAN};
+        for (int k = 0; k < r->unknowns; k++)
+            if (r->unknown[k].is_weight && r->unknown[k].index == j)
+                e = unknown_estimate(r, k);
+        fprintf(out, ",  w_{%d} = ", j);
+        if (isfinite(e.error)) {
+            put_rounded(out, e.value, e.error);
+            fputs(" ± ", out);
+            put_rounded(out, e.error, e.error);
+        } else
+            fprintf(out, "%.4g", e.value);
+    }
+    fclose(out);
+    svg_label(s, shown_at(v, r->curve.points + j * dim), away(v, j), SVG_POLYGON, text);
+    free(text);
+}
+
+static void draw_polygon(svg *s, const struct view *v)
+{
+    const cagd_spline *c = &v->f->result->curve;
+    num_q *P = region_bytes((size_t)(2 * c->count) * sizeof *P);
+    for (int j = 0; j < c->count; j++) {
+        svg_point at = shown_at(v, c->points + j * c->dim);
+        P[2 * j] = at.x;
+        P[2 * j + 1] = at.y;
+    }
+    for (int j = 1; j < c->count; j++) /* a leg between points that are not seen would only puzzle */
+        if (inside(v, c->points + (j - 1) * c->dim) || inside(v, c->points + j * c->dim))
+            svg_polyline(s, 2, P + 2 * j - 2, SVG_POLYGON);
+    for (int j = 0; j < c->count; j++)
+        if (inside(v, c->points + j * c->dim)) {
+            svg_mark(s, svg_pair(P + 2 * j), SVG_POLYGON, SVG_USUAL);
+            if (c->count <= MOST_LABELS)
+                label_control_point(s, v, j);
+        }
+}
+
+/* One standard deviation to either side, in both coordinates. */
+static void draw_bars(svg *s, const struct view *v)
+{
+    const cagd_fit_data *d = &v->f->data;
+    for (int i = 0; i < d->count; i++) {
+        const double *Q = d->points + i * d->dim;
+        svg_point at = shown_at(v, Q);
+        num_q e = shown(v, d->sigma[i]);
+        svg_segment(s, (svg_point){sub_q(at.x, e), at.y}, (svg_point){add_q(at.x, e), at.y}, SVG_AXIS);
+        svg_segment(s, (svg_point){at.x, sub_q(at.y, e)}, (svg_point){at.x, add_q(at.y, e)}, SVG_AXIS);
+    }
+}
+
+/* As marks where they are few, as dots, the smaller the more there are, where they are many. */
+static void put_points(svg *s, int count, const num_q P[])
+{
+    if (count > MOST_MARKS)
+        svg_cloud(s, count, P, count > MOST_LARGE ? 190 : 420, SVG_POINT);
+    for (int i = 0; i < count && count <= MOST_MARKS; i++)
+        svg_mark(s, svg_pair(P + 2 * i), SVG_POINT, SVG_USUAL);
+}
+
+static void draw_points(svg *s, const struct view *v)
+{
+    const cagd_fit_data *d = &v->f->data;
+    num_q *P = region_bytes((size_t)(2 * d->count) * sizeof *P);
+    for (int i = 0; i < d->count; i++) {
+        svg_point at = shown_at(v, d->points + i * d->dim);
+        P[2 * i] = at.x;
+        P[2 * i + 1] = at.y;
+    }
+    put_points(s, d->count, P);
+}
+
+static void axis_name(char name[64], const char *what, int power)
+{
+    if (power == 0)
+        snprintf(name, 64, "%s", what);
+    else
+        snprintf(name, 64, "%s/10^{%s%d}", what, power < 0 ? "-" : "", abs(power));
+}
+
+static void draw_view(svg *s, const struct fit *f, int a, int b, int width, const char *caption)
+{
+    static const char *const coordinate[] = {"x", "y", "z"};
+    region_mark mark = region_open();
+    struct view v = new_view(f, a, b, width);
+    shape(&v, width);
+    svg_window window = {from_double_q(v.x.low), from_double_q(v.y.low), from_double_q(v.x.high),
+                         from_double_q(v.y.high)};
+    char x_name[64], y_name[64];
+    axis_name(x_name, coordinate[a], v.power);
+    axis_name(y_name, coordinate[b], v.power);
+    svg_panel(s, window, width, 0, caption);
+    svg_grid(s, v.x.step, v.y.step);
+    svg_scales(s, v.x.step, v.y.step, x_name, y_name);
+    if (f->data.sigma != NULL && f->data.count <= MOST_MARKS)
+        draw_bars(s, &v);
+    draw_points(s, &v);
+    draw_polygon(s, &v);
+    draw_curve(s, &v);
+    region_drop(mark);
+}
+
+/* ---- the distances --------------------------------------------------------------------------------- */
+
+/* Over the parameter, in standard deviations where these are given, else as they are; with the band of two standard
+ * deviations. */
+static void draw_distances(svg *s, const struct fit *f)
+{
+    const cagd_fit_result *r = f->result;
+    const cagd_spline *c = &r->curve;
+    region_mark mark = region_open();
+    int standardised = f->data.sigma != NULL, plane = f->data.dim == 2;
+    double band = 2 * (standardised ? 1 : sqrt(r->scale_squared)), size = 0;
+    double *d = region_bytes((size_t)r->count * sizeof *d);
+    for (int i = 0; i < r->count; i++) {
+        d[i] = r->distances[i] / (standardised ? f->data.sigma[i] : 1);
+        size = fmax(size, fabs(d[i]));
+    }
+    if (isfinite(band))
+        size = fmax(size, band);
+    if (!(size > 0))
+        size = 1;
+    int power = power_of(size);
+    double top = 1.12 * size / pow(10, power), start = c->knots[c->degree], end = c->knots[c->count];
+    double room = 0.03 * (end - start);
+    num_q low = plane ? from_double_q(-top) : from_double_q(-0.06 * top), high = from_double_q(top);
+    svg_window window = {from_double_q(start - room), low, from_double_q(end + room), high};
+    char name[64];
+    axis_name(name, standardised ? "d/s" : "d", power);
+    svg_row(s);
+    svg_panel(s, window, WIDTH, RESIDUALS_HIGH,
+              standardised
+                  ? plane ? "signed distance in standard deviations over the parameter of the foot; + on the left"
+                          : "distance in standard deviations over the parameter of the foot"
+              : plane ? "signed distance over the parameter of the foot; + on the left"
+                      : "distance over the parameter of the foot");
+    num_q step_t = nice_step(end - start, 10), step = nice_step(plane ? 2 * top : top, 5);
+    if (isfinite(band)) {
+        num_q two = scaled(band, power), bottom = plane ? neg_q(two) : from_int_q(0);
+        svg_area(s, 4, (num_q[]){window.x0, bottom, window.x1, bottom, window.x1, two, window.x0, two}, SVG_FILL);
+    }
+    svg_grid(s, step_t, step);
+    svg_scales(s, step_t, step, "t", name);
+    num_q *P = region_bytes((size_t)(2 * r->count) * sizeof *P);
+    for (int i = 0; i < r->count; i++) {
+        P[2 * i] = from_double_q(r->feet[i]);
+        P[2 * i + 1] = scaled(d[i], power);
+    }
+    svg_segment(s, (svg_point){window.x0, from_int_q(0)}, (svg_point){window.x1, from_int_q(0)}, SVG_AXIS);
+    for (int i = 0; i < r->count && r->count <= MOST_MARKS; i++)
+        svg_segment(s, (svg_point){P[2 * i], from_int_q(0)}, svg_pair(P + 2 * i), SVG_AXIS);
+    put_points(s, r->count, P);
+    int k = r->largest_at;
+    if (r->largest > 0) {
+        char line[32];
+        snprintf(line, sizeof line, "line %d", f->points.line[k]);
+        svg_note(s, svg_pair(P + 2 * k), 2 * r->feet[k] < start + end ? SVG_E : SVG_W, SVG_POINT, line);
+    }
+    region_drop(mark);
+}
+
+/* ---- the picture ----------------------------------------------------------------------------------- */
+
+static void describe(const struct fit *f, FILE *out)
+{
+    const cagd_fit_result *r = f->result;
+    fprintf(out,
+            "%d measured points %s; the rational curve of degree %d with %d control points that comes closest to them, "
+            "with its control polygon; below, the %s of every point over the parameter of its foot, with a "
+            "band of two standard deviations. Root mean square distance %.3g, largest %.3g.",
+            f->data.count, f->data.dim == 2 ? "in the plane" : "in space, from above and from the front",
+            r->curve.degree, r->curve.count, f->data.dim == 2 ? "signed distance" : "distance", r->rms, r->largest);
+}
+
+static void legend(svg *s, const struct fit *f)
+{
+    int bars = f->data.sigma != NULL && f->data.count <= MOST_MARKS;
+    svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
+    svg_legend_line(s, SVG_CURVE, "fitted curve");
+    svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control points");
+    if (isfinite(f->result->scale_squared))
+        svg_legend_area(s, SVG_FILL, f->data.dim == 2 ? "$± 2 s$" : "up to $2 s$");
+}
+
+int write_picture(const struct fit *f, const char *path)
+{
+    char *description;
+    size_t size;
+    FILE *out = open_memstream(&description, &size);
+    describe(f, out);
+    fclose(out);
+    svg *s = svg_new("fit", "A rational curve fitted to measured points", description);
+    free(description);
+    if (f->data.dim == 2) {
+        draw_view(s, f, 0, 1, WIDTH, NULL);
+    } else {
+        draw_view(s, f, 0, 1, VIEW_WIDTH, "from above");
+        draw_view(s, f, 0, 2, VIEW_WIDTH, "from the front");
+    }
+    draw_distances(s, f);
+    legend(s, f);
+    int code = -1;
+    if (svg_text(s) == NULL)
+        fprintf(stderr, "cagd: %s: the picture cannot be drawn: %s\n", path, svg_failed(s));
+    else
+        code = write_text_file(path, svg_text(s));
+    svg_free(s);
+    return code;
+}

@@ -1,0 +1,40 @@
+/* points.h -- measured points from a text file, as people have them.
+ *
+ * One point a line; blank lines and lines that begin with # are passed over; lines end with LF, CRLF or CR, the last
+ * one perhaps with nothing.  A mark of UTF-8 at the beginning is passed over.
+ *
+ * Fields are separated by semicolons, tabs, commas or blanks: by the first of these that the first line with a number
+ * in it has outside quotes, where a blank beside a comma belongs to the comma, and where blanks that part numbers come
+ * before commas, which are then decimal commas.  Runs of tabs and of blanks are one separator; a separator at the end
+ * of a line is passed over.  A field may stand in double quotes.
+ *
+ * Numbers are decimal or hexadecimal, read to the nearest binary64 whatever the locale is.  A comma in a number is the
+ * decimal comma; it is possible where commas do not separate fields, and in quotes.  Decimal commas and decimal points
+ * do not stand in one file.
+ *
+ * Columns.  When no field of the first line is a number, it names them.  Of the names, whatever follows the first blank,
+ * slash or bracket is a unit.  x, y, and perhaps z are the coordinates; sigma, s, sd, std, stddev or σ is the standard
+ * deviation of every coordinate of the point; other columns are passed over.  Names among which neither x nor y is,
+ * and no names: two columns are x y, four are x y z sigma, and three are x y z or x y sigma as --dim or
+ * --sigma-column say; nothing is guessed. */
+#ifndef CAGD_POINTS_H
+#define CAGD_POINTS_H
+
+/* What the user says about the columns. */
+struct columns {
+    int dim;           /* 2 or 3; 0: not said                                                          */
+    const char *sigma; /* name or number, from 1, of the column of standard deviations; NULL: not said */
+};
+
+struct points {
+    int count, dim;
+    double *at;    /* coordinate c of point i is at[i*dim + c]    */
+    double *sigma; /* one a point; NULL where the file gives none */
+    int *line;     /* of the file, from 1                         */
+};
+
+/* 0 on success.  Otherwise -1, nothing to free, and one line on stderr that says what, where, and what was expected;
+ * "-" is standard input.  A file of no point is refused; whether there are enough is for the fit to say. */
+int read_points(const char *path, const struct columns *columns, struct points *points);
+void free_points(struct points *points);
+#endif

@@ -1,0 +1,167 @@
+/* cagd_fit.h -- rational curves that come closest to measured points (有理曲线的最小二乘拟合).
+ *
+ * Given points Q_1, ..., Q_N in the plane or in space, each measured with a standard deviation s_i in every
+ * coordinate, cagd_fit finds the curve
+ *
+ *     C(t; theta) = sum N_{j,p}(t) w_j P_j / sum N_{j,p}(t) w_j
+ *
+ * of given degree and knots that minimises half the sum of squared orthogonal distances,
+ *
+ *     F(theta) = 1/2 sum_i rho(|Q_i - C(t_i; theta)|^2 / s_i^2),
+ *
+ * where the foot point (垂足) t_i of Q_i is an unknown of its own, inside the domain.  theta holds what is asked
+ * for: weights, as logarithms, hence always positive; inner points; end points.  rho is the identity or a
+ * robust loss.
+ *
+ * The gauge (规范).  A Bézier curve has the same points after a fractional-linear change of parameter, a spline of
+ * several spans only after a common factor of its weights.  The first weight is 1, and so is the last one of a curve of
+ * one span: then it is the standard form (标准型).  What is left undetermined, such as ends that slide along the curve, is
+ * found by the rank of the problem and reported.
+ *
+ * Memory.  The caller owns the arguments, which are only read.  A result is made by cagd_fit and released by
+ * cagd_fit_free, with all arrays it points to.  Nothing is printed. */
+#ifndef CAGD_FIT_H
+#define CAGD_FIT_H
+
+#include "core/cagd.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The measured points. */
+typedef struct cagd_fit_data {
+    int count, dim;       /* N points of dim coordinates, dim = 2 or 3                                     */
+    const double *points; /* coordinate c of point i is points[i*dim + c]                                 */
+    const double *sigma;  /* N standard deviations > 0; NULL: unknown and all alike                        */
+} cagd_fit_data;
+
+/* What may move, added up. */
+enum { CAGD_FIT_WEIGHTS = 1, CAGD_FIT_INNER_POINTS = 2, CAGD_FIT_END_POINTS = 4 };
+
+/* rho(x), x = squared distance in units of the standard deviation; a the scale:
+ *     SQUARES x      HUBER x for x <= a^2, else 2 a sqrt(x) - a^2      CAUCHY a^2 log(1 + x/a^2)                  */
+typedef enum cagd_fit_loss { CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY } cagd_fit_loss;
+
+/* ELIMINATED: the foot points are functions of theta, and Ceres sees theta alone.  PLAIN: every foot point is an unknown of
+ * one Ceres problem with derivatives by automatic differentiation and default options; for comparison. */
+typedef enum cagd_fit_method { CAGD_FIT_ELIMINATED, CAGD_FIT_PLAIN } cagd_fit_method;
+
+typedef struct cagd_fit_options {
+    int degree, count;          /* p and the number of points of the curve; count 0: p+1                 */
+    const double *knots;        /* count+p+1 knots, clamped; NULL: 0 and 1 at the ends, inner ones even  */
+    const cagd_spline *initial; /* where to start; NULL: found from the points.  Gives degree and knots  */
+    int free;                   /* CAGD_FIT_... added up; what is not free stays as in initial; without  */
+                                /* initial the inner points must be free, and ends that are not free are */
+                                /* the first and the last measured point                                 */
+    int unordered;              /* 0: the points come in order along the curve; 1: in any order          */
+    cagd_fit_loss loss;
+    double loss_scale;              /* a > 0                                                                 */
+    double weight_low, weight_high; /* 0 <= weight_low < 1 < weight_high <= infinity: bounds on the weights */
+    int starts;                     /* >= 1: the first from initial, the others with other weights           */
+    unsigned long seed;             /* of the other starts                                                   */
+    double tolerance;               /* > 0: relative, on the decrease of the cost, on the gradient, the step */
+    int max_iterations;             /* >= 1                                                                  */
+    cagd_fit_method method;
+} cagd_fit_options;
+
+/* Degree 2 Bézier, weights and inner points free, ordered, squares, scale 1, weights unbounded, one start, seed 1, tolerance 1e-14,
+ * 200 iterations, eliminated. */
+cagd_fit_options cagd_fit_defaults(void);
+
+typedef enum cagd_fit_status {
+    CAGD_FIT_OK,          /* a result was made; whether it converged stands in it                         */
+    CAGD_FIT_BAD_DATA,    /* `where` is the index of the point, or -1                                     */
+    CAGD_FIT_BAD_OPTIONS, /* an option is outside its range                                              */
+    CAGD_FIT_BAD_CURVE,   /* the initial curve, or the knots, are none                                   */
+    CAGD_FIT_TOO_FEW,     /* fewer equations, N (dim-1), than unknowns, or fewer than 2 points           */
+    CAGD_FIT_ALL_EQUAL,   /* all points are equal                                                        */
+    CAGD_FIT_NO_MEMORY
+} cagd_fit_status;
+
+/* What an unknown is: the logarithm of weight `index`, or coordinate `coordinate` of point `index`. */
+typedef struct cagd_fit_unknown {
+    int is_weight, index, coordinate;
+} cagd_fit_unknown;
+
+/* One line of the minimiser's table. */
+typedef struct cagd_fit_step {
+    int iteration, accepted;
+    double cost, gradient_norm, step_norm, trust_radius;
+} cagd_fit_step;
+
+typedef enum cagd_fit_termination { CAGD_FIT_CONVERGED, CAGD_FIT_NOT_CONVERGED, CAGD_FIT_FAILED } cagd_fit_termination;
+
+typedef struct cagd_fit_result {
+    /* the curve, in the gauge above */
+    cagd_spline curve;
+    /* the foot points and what is left: residuals[i*dim + c] = coordinate c of Q_i - C(feet[i]); distances[i] its length, in
+     * the plane with the sign + on the left of the curve */
+    int count;
+    double *feet, *residuals, *distances;
+    int *foot_at_end;    /* 1 where the foot is an end of the domain and the distance is not orthogonal   */
+    int out_of_order;    /* how many feet are smaller than the one before; 0 for unordered points        */
+    double rms, largest; /* of the distances, unscaled                                                  */
+    int largest_at;      /* index of the point it belongs to                                            */
+    /* the minimiser */
+    cagd_fit_termination termination;
+    int iterations, best_start, agreeing_starts; /* starts that ended at the same cost                      */
+    double initial_cost, cost, gradient_norm;    /* of F; the largest component of its gradient            */
+    int steps;
+    cagd_fit_step *history;
+    char message[256];
+    /* the unknowns, and how well they are known */
+    int unknowns, rank;
+    cagd_fit_unknown *unknown;
+    double *value; /* of theta: logarithms of weights, coordinates                                */
+    int *at_bound; /* 1 where a weight stands on a bound; it is then not counted as unknown       */
+    double
+        *covariance; /* unknowns x unknowns, by rows: the generalised inverse of J^T J, J the Jacobian of the scaled */
+                     /* residuals without feet; times scale_squared                                 */
+    int flat;        /* unknowns that are not at a bound, less the rank                             */
+    double *free_directions; /* flat x unknowns, by rows: orthonormal directions in which F is flat         */
+    int *determined;         /* 1 where the unknown is not at a bound, and the same along all free directions */
+    double scale_squared;    /* 1 with given standard deviations, else chi_squared / degrees_of_freedom     */
+    double chi_squared, reduced_chi_squared, aic, bic;
+    int degrees_of_freedom; /* N (dim-1) - rank                                                            */
+    double quantile;        /* 95 % intervals are value +- quantile * standard error: normal with given standard */
+                            /* deviations, else Student's t                                                */
+    int invariants;         /* of a curve of one span, p-1: I_j = w_j^2/(w_{j-1} w_{j+1}), with standard errors */
+    double *invariant, *invariant_error;
+} cagd_fit_result;
+
+/* *result: the fit, or NULL unless CAGD_FIT_OK.  *where may be NULL.  With several starts the one with the smallest cost. */
+cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                         int *where);
+void cagd_fit_free(cagd_fit_result *result); /* NULL is allowed */
+/* One English sentence without full stop, never NULL; static storage. */
+const char *cagd_fit_status_text(cagd_fit_status status);
+
+/* Which conic (圆锥曲线) a fitted curve of degree 2 in one span is, and how sure that is.
+ *
+ * I_1 = w_1^2/(w_0 w_2) is less than 1 for an ellipse, 1 for a parabola, greater for a hyperbola.  log I_1 is linear in
+ * the unknowns; the type is certain when its 95 % interval, log_invariant +- quantile * error, does not contain 0.  It has a
+ * meaning only when the three points are not on a line: that the 95 % interval of the distance of the middle
+ * one from the line of the others does not contain 0 is asked first.  When the ends slide along the curve, I_1 changes
+ * but its being less than 1 does not; the error is then that of the generalised inverse. */
+typedef enum cagd_fit_conic_kind {
+    CAGD_FIT_NOT_QUADRATIC,   /* the curve has another degree or several spans; the rest is 0                */
+    CAGD_FIT_CONIC_UNKNOWN,   /* there is no standard error                                                 */
+    CAGD_FIT_STRAIGHT,        /* not told from a straight line                                              */
+    CAGD_FIT_CONIC_UNDECIDED, /* the interval of log I_1 contains 0                                         */
+    CAGD_FIT_CONIC_CERTAIN    /* the type is that of all weights in the interval, or the weights are given  */
+} cagd_fit_conic_kind;
+
+typedef struct cagd_fit_conic {
+    cagd_fit_conic_kind kind;
+    cagd_conic_type type;        /* of the fitted curve itself                                            */
+    double log_invariant, error; /* log I_1 and its standard error                                        */
+    const char *text;            /* "an ellipse at 95 %", "cannot tell ellipse from parabola", ...; static */
+} cagd_fit_conic;
+
+cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,100 @@
+#include "core/fit/curve.h"
+
+#include "core/kernels_d.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void fit_curve_free(fit_curve *c)
+{
+    if (c == NULL)
+        return;
+    free(c->knots);
+    free(c->points);
+    free(c->weights);
+    free(c->span);
+    free(c->inverse);
+    free(c->bezier);
+    free(c);
+}
+
+fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[])
+{
+    fit_curve *c = calloc(1, sizeof *c);
+    if (c == NULL)
+        return NULL;
+    size_t n = (size_t)count, p = (size_t)degree, d = (size_t)dim;
+    c->degree = degree, c->count = count, c->dim = dim;
+    c->knots = malloc((n + p + 1) * sizeof *c->knots);
+    c->points = calloc(n * d, sizeof *c->points);
+    c->weights = malloc(n * sizeof *c->weights);
+    c->span = malloc(n * sizeof *c->span);
+    c->inverse = malloc(n * sizeof *c->inverse);
+    c->bezier = malloc((n - p) * (p + 1) * (d + 1) * sizeof *c->bezier);
+    if (!c->knots || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier) {
+        fit_curve_free(c);
+        return NULL;
+    }
+    memcpy(c->knots, knots, (n + p + 1) * sizeof *knots);
+    for (int i = 0; i < count; i++)
+        c->weights[i] = 1;
+    for (int mu = degree; mu < count; mu++)
+        if (knots[mu] < knots[mu + 1]) {
+            c->inverse[c->pieces] = 1 / (knots[mu + 1] - knots[mu]);
+            c->span[c->pieces++] = mu;
+        }
+    return c;
+}
+
+void fit_curve_copy(fit_curve *to, const fit_curve *from)
+{
+    memcpy(to->points, from->points, (size_t)(from->count * from->dim) * sizeof *to->points);
+    memcpy(to->weights, from->weights, (size_t)from->count * sizeof *to->weights);
+    fit_curve_update(to);
+}
+
+/* The polar form of the homogeneous curve, at the ends of each piece. */
+void fit_curve_update(fit_curve *c)
+{
+    int p = c->degree, d = c->dim;
+    for (int k = 0; k < c->pieces; k++) {
+        double H[(MAX_DEGREE + 1) * MAX_DIM], x[MAX_DEGREE + 1], *b = c->bezier + k * (p + 1) * (d + 1);
+        int mu = c->span[k];
+        nurbs_homogenize_d(p, d, mu, c->points, c->weights, H);
+        for (int i = 0; i <= p; i++) {
+            for (int r = 0; r < p; r++)
+                x[r] = c->knots[r < p - i ? mu : mu + 1];
+            blossom_of_span_d(p, d + 1, c->knots, mu, H, x, b + i * (d + 1));
+        }
+    }
+}
+
+int fit_curve_piece(const fit_curve *c, double t)
+{
+    int low = 0, high = c->pieces;
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (t < c->knots[c->span[middle]])
+            high = middle;
+        else
+            low = middle;
+    }
+    return low;
+}
+
+void fit_curve_shares(const fit_curve *c, int piece, double t, double R[])
+{
+    int p = c->degree, mu = c->span[piece];
+    double total = 0;
+    if (c->count == p + 1)
+        bernstein_d(p, (t - c->knots[mu]) * c->inverse[0], R);
+    else
+        bspline_basis_d(p, c->knots, mu, t, R);
+    for (int m = 0; m <= p; m++) {
+        R[m] *= c->weights[mu - p + m];
+        total += R[m];
+    }
+    total = 1 / total;
+    for (int m = 0; m <= p; m++)
+        R[m] *= total;
+}

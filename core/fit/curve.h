@@ -1,0 +1,43 @@
+/* curve.h -- the curve of a fit: a NURBS curve together with the homogeneous Bézier points of its pieces, from which its
+ * points and derivatives are computed quickly. */
+#ifndef CAGD_FIT_CURVE_H
+#define CAGD_FIT_CURVE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct fit_curve {
+    int degree, count, dim, pieces;
+    double *knots, *points, *weights; /* as in cagd_spline; the weights are positive              */
+    int *span;                        /* of each piece: u_span < u_{span+1}                       */
+    double *inverse;                  /* of each piece: 1/(u_{span+1} - u_span)                   */
+    double *bezier;                   /* (p+1)(dim+1) homogeneous coordinates of each piece       */
+} fit_curve;
+
+/* NULL when there is no memory.  The points are 0, the weights 1. */
+fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[]);
+void fit_curve_free(fit_curve *curve); /* NULL is allowed */
+
+/* Points and weights of one curve become those of another of the same shape. */
+void fit_curve_copy(fit_curve *to, const fit_curve *from);
+
+/* To be called after the points or the weights have changed. */
+void fit_curve_update(fit_curve *curve);
+
+static inline double fit_curve_start(const fit_curve *c) { return c->knots[c->degree]; }
+static inline double fit_curve_end(const fit_curve *c) { return c->knots[c->count]; }
+
+/* The piece that contains t; at a knot the one on its right. */
+int fit_curve_piece(const fit_curve *curve, double t);
+
+/* D: the point and the first two derivatives at t, 3 rows of dim coordinates. */
+void fit_curve_derivatives(const fit_curve *curve, double t, double D[]);
+
+/* R[m] = N_i w_i / sum N w at t, i = span-p+m, m = 0, ..., p: what the point moves with point i. */
+void fit_curve_shares(const fit_curve *curve, int piece, double t, double R[]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,796 @@
+#include "core/fit/cagd_fit.h"
+
+#include "core/fit/ceres.h"
+#include "core/fit/initial.h"
+#include "core/fit/objective.h"
+#include "core/fit/rank.h"
+#include "core/fit/statistics.h"
+#include "core/kernels_d.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *cagd_fit_status_text(cagd_fit_status status)
+{
+    switch (status) {
+    case CAGD_FIT_OK:
+        return "no error";
+    case CAGD_FIT_BAD_DATA:
+        return "a coordinate is not finite, a standard deviation is not positive, or the dimension is not 2 or 3";
+    case CAGD_FIT_BAD_OPTIONS:
+        return "an option is outside its range";
+    case CAGD_FIT_BAD_CURVE:
+        return "the initial curve or the knots are not those of a clamped, continuous curve with positive weights";
+    case CAGD_FIT_TOO_FEW:
+        return "there are fewer equations than unknowns";
+    case CAGD_FIT_ALL_EQUAL:
+        return "all points are equal";
+    case CAGD_FIT_NO_MEMORY:
+        return "there is not enough memory";
+    }
+    return "unknown status";
+}
+
+cagd_fit_options cagd_fit_defaults(void)
+{
+    return (cagd_fit_options){.degree = 2,
+                              .free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS,
+                              .loss = CAGD_FIT_SQUARES,
+                              .loss_scale = 1,
+                              .weight_low = 0,
+                              .weight_high = INFINITY,
+                              .starts = 1,
+                              .seed = 1,
+                              .tolerance = 1e-14,
+                              .max_iterations = 200,
+                              .method = CAGD_FIT_ELIMINATED};
+}
+
+/* ---- The problem ------------------------------------------------------------------------------------------- */
+
+#define REQUIRE(condition, status)                                                                                     \
+    do {                                                                                                               \
+        if (!(condition))                                                                                              \
+            return status;                                                                                             \
+    } while (0)
+
+static cagd_fit_status check_options(const cagd_fit_options *o)
+{
+    const int all = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS;
+    REQUIRE(o->free != 0 && (o->free & ~all) == 0, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(o->loss == CAGD_FIT_SQUARES || o->loss == CAGD_FIT_HUBER || o->loss == CAGD_FIT_CAUCHY,
+            CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(isfinite(o->loss_scale) && o->loss_scale > 0, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(o->weight_low >= 0 && o->weight_low < 1 && o->weight_high > 1, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(o->starts >= 1 && o->max_iterations >= 1, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(isfinite(o->tolerance) && o->tolerance > 0, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(o->method == CAGD_FIT_ELIMINATED || o->method == CAGD_FIT_PLAIN, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(o->initial != NULL || (o->free & CAGD_FIT_INNER_POINTS) || o->degree == 1, CAGD_FIT_BAD_OPTIONS);
+    return CAGD_FIT_OK;
+}
+
+static cagd_fit_status check_data(const cagd_fit_data *data, int *where)
+{
+    REQUIRE(data->points != NULL && data->count >= 0 && (data->dim == 2 || data->dim == 3), CAGD_FIT_BAD_DATA);
+    int equal = 1;
+    for (int i = 0; i < data->count; i++)
+        for (int c = 0; c < data->dim; c++) {
+            double x = data->points[(size_t)i * (size_t)data->dim + (size_t)c];
+            *where = i;
+            REQUIRE(isfinite(x), CAGD_FIT_BAD_DATA);
+            equal = equal && x == data->points[c];
+        }
+    for (int i = 0; data->sigma != NULL && i < data->count; i++) {
+        *where = i;
+        REQUIRE(isfinite(data->sigma[i]) && data->sigma[i] > 0, CAGD_FIT_BAD_DATA);
+    }
+    *where = -1;
+    REQUIRE(data->count >= 2, CAGD_FIT_TOO_FEW);
+    REQUIRE(!equal, CAGD_FIT_ALL_EQUAL);
+    return CAGD_FIT_OK;
+}
+
+static void problem_free(fit_problem *p)
+{
+    free(p->Q);
+    free(p->precision);
+    free(p->knots);
+    free(p->unknown);
+    free(p->first);
+    free(p->reach);
+}
+
+/* Knots of the initial curve, or as given, or even. */
+static cagd_fit_status make_knots(const cagd_fit_options *o, fit_problem *p)
+{
+    const cagd_spline *initial = o->initial;
+    const double *knots = initial != NULL ? initial->knots : o->knots;
+    p->degree = initial != NULL ? initial->degree : o->degree;
+    p->count = initial != NULL ? initial->count : o->count != 0 ? o->count : o->degree + 1;
+    int n = p->count, d = p->degree, given = initial != NULL || (o->knots != NULL);
+    REQUIRE(d >= 1 && d <= MAX_DEGREE, initial != NULL ? CAGD_FIT_BAD_CURVE : CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(n > d, initial != NULL ? CAGD_FIT_BAD_CURVE : CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(!given || knots != NULL, CAGD_FIT_BAD_CURVE);
+    p->knots = malloc((size_t)(n + d + 1) * sizeof *p->knots);
+    REQUIRE(p->knots != NULL, CAGD_FIT_NO_MEMORY);
+    for (int i = 0; i <= n + d; i++)
+        p->knots[i] = given ? knots[i] : i <= d ? 0 : i >= n ? 1 : (double)(i - d) / (n - d);
+    double one = 0;
+    cagd_spline basis = {d, n, 1, p->knots, &one, NULL};
+    int span;
+    REQUIRE(cagd_spline_span(&basis, p->knots[d], CAGD_RIGHT, &span) == CAGD_OK, CAGD_FIT_BAD_CURVE);
+    REQUIRE(p->knots[0] == p->knots[d] && p->knots[n] == p->knots[n + d], CAGD_FIT_BAD_CURVE);
+    for (int i = d + 1; i + d < n; i++) /* an inner knot of multiplicity p+1 breaks the curve */
+        REQUIRE(p->knots[i] < p->knots[i + d], CAGD_FIT_BAD_CURVE);
+    return CAGD_FIT_OK;
+}
+
+/* The unknowns in the order of the points: for each its weight, then its coordinates. */
+static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
+{
+    int n = p->count, d = p->degree, one_span = n == d + 1;
+    p->unknown = malloc((size_t)(n * (p->dim + 1)) * sizeof *p->unknown);
+    p->first = malloc((size_t)(n - d + 1) * sizeof *p->first);
+    p->reach = malloc((size_t)((n - d) * (d + 1) * (p->dim + 1)) * sizeof *p->reach);
+    REQUIRE(p->unknown && p->first && p->reach, CAGD_FIT_NO_MEMORY);
+    for (int i = 0; i < n; i++) {
+        int end = i == 0 || i == n - 1, gauge = i == 0 || (one_span && i == n - 1);
+        if (o->free & CAGD_FIT_WEIGHTS && !gauge)
+            p->unknown[p->unknowns++] = (cagd_fit_unknown){1, i, 0};
+        for (int c = 0; o->free & (end ? CAGD_FIT_END_POINTS : CAGD_FIT_INNER_POINTS) && c < p->dim; c++)
+            p->unknown[p->unknowns++] = (cagd_fit_unknown){0, i, c};
+    }
+    REQUIRE(p->unknowns > 0, CAGD_FIT_BAD_OPTIONS);
+    int pieces = 0, at = 0;
+    for (int mu = d; mu < n; mu++) {
+        if (!(p->knots[mu] < p->knots[mu + 1]))
+            continue;
+        p->first[pieces++] = at;
+        for (int k = 0; k < p->unknowns; k++)
+            if (mu - d <= p->unknown[k].index && p->unknown[k].index <= mu)
+                p->reach[at++] = k;
+    }
+    p->first[pieces] = at;
+    return CAGD_FIT_OK;
+}
+
+static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p)
+{
+    int dim = data->dim, e;
+    size_t numbers = (size_t)data->count * (size_t)dim;
+    double low[3], high[3], extent = 0;
+    p->points = data->count;
+    p->dim = dim;
+    p->Q = malloc(numbers * sizeof *p->Q);
+    p->precision = malloc((size_t)data->count * sizeof *p->precision);
+    REQUIRE(p->Q && p->precision, CAGD_FIT_NO_MEMORY);
+    for (int c = 0; c < dim; c++) {
+        low[c] = high[c] = data->points[c];
+        for (int i = 1; i < data->count; i++) {
+            double x = data->points[(size_t)i * (size_t)dim + (size_t)c];
+            low[c] = fmin(low[c], x);
+            high[c] = fmax(high[c], x);
+        }
+        extent = fmax(extent, high[c] / 2 - low[c] / 2);
+    }
+    frexp(extent, &e); /* extent < 2^e, the half of the widest side */
+    p->unit = ldexp(1, e);
+    for (int c = 0; c < dim; c++)
+        p->centre[c] = 2 * p->unit * rint((low[c] / 2 + high[c] / 2) / (2 * p->unit));
+    for (size_t m = 0; m < numbers; m++)
+        p->Q[m] = (data->points[m] - p->centre[m % (size_t)dim]) / p->unit;
+    for (int i = 0; i < data->count; i++)
+        p->precision[i] = data->sigma != NULL ? p->unit / data->sigma[i] : p->unit;
+    return CAGD_FIT_OK;
+}
+
+/* The initial curve in the gauge and in working coordinates. */
+static cagd_fit_status make_initial(const cagd_spline *initial, const fit_problem *p, fit_curve *curve)
+{
+    int n = p->count;
+    REQUIRE(initial->dim == p->dim && initial->points != NULL, CAGD_FIT_BAD_CURVE);
+    for (int i = 0; i < n; i++) {
+        double w = initial->weights != NULL ? initial->weights[i] : 1;
+        REQUIRE(isfinite(w) && w > 0, CAGD_FIT_BAD_CURVE);
+        curve->weights[i] = w;
+        for (int c = 0; c < p->dim; c++) {
+            double x = initial->points[i * p->dim + c];
+            REQUIRE(isfinite(x), CAGD_FIT_BAD_CURVE);
+            curve->points[i * p->dim + c] = (x - p->centre[c]) / p->unit;
+        }
+    }
+    double first = log(curve->weights[0]),
+           slope = n == p->degree + 1 ? (log(curve->weights[n - 1]) - first) / p->degree : 0;
+    if (first != 0 || slope != 0)
+        for (int i = 0; i < n; i++)
+            curve->weights[i] =
+                i == 0 || (i == n - 1 && slope != 0) ? 1 : exp(log(curve->weights[i]) - first - i * slope);
+    fit_curve_update(curve);
+    return CAGD_FIT_OK;
+}
+
+/* ---- One start --------------------------------------------------------------------------------------------- */
+
+static void points_free(fit_problem *p)
+{
+    free(p->Q);
+    free(p->precision);
+}
+
+/* Every stride-th point, and the last one. */
+static int thinned(const fit_problem *p, int stride, fit_problem *few)
+{
+    size_t dim = (size_t)p->dim;
+    *few = *p;
+    few->points = (p->points - 1) / stride + 1 + ((p->points - 1) % stride != 0);
+    few->Q = malloc((size_t)few->points * dim * sizeof *few->Q);
+    few->precision = malloc((size_t)few->points * sizeof *few->precision);
+    if (few->Q == NULL || few->precision == NULL) {
+        points_free(few);
+        return 0;
+    }
+    for (int k = 0; k < few->points; k++) {
+        int i = k < few->points - 1 ? k * stride : p->points - 1;
+        memcpy(few->Q + (size_t)k * dim, p->Q + (size_t)i * dim, dim * sizeof *few->Q);
+        few->precision[k] = p->precision[i];
+    }
+    return 1;
+}
+
+/* The best of the initial curves: orders, if there is none, times weights of the inner points, if these are free. */
+static int found_curve(const fit_problem *p, const cagd_fit_options *o, fit_curve *curve)
+{
+    static const double inner[] = {1, 3, 1 / 3.0};
+    int good = 1, *order = malloc((size_t)p->points * sizeof *order), weights = o->free & CAGD_FIT_WEIGHTS ? 3 : 1;
+    fit_curve *try = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    double best = INFINITY;
+    good = order != NULL && try != NULL;
+    for (int guess = 0; good && guess < (p->unordered ? FIT_ORDERS : 1); guess++) {
+        for (int i = 0; i < p->points; i++)
+            order[i] = i;
+        good = !p->unordered || fit_initial_order(p, guess, order);
+        for (int w = 0; good && w < weights; w++) {
+            for (int i = 0; i < p->count; i++)
+                try->weights[i] = 1;
+            for (int k = 0; k < p->unknowns; k++)
+                if (p->unknown[k].is_weight && p->unknown[k].index < p->count - 1)
+                    try->weights[p->unknown[k].index] = fmin(fmax(inner[w], exp(p->low)), exp(p->high));
+            double cost;
+            good = fit_initial_curve(p, order, try, &cost);
+            if (good && cost < best) {
+                best = cost;
+                fit_curve_copy(curve, try);
+            }
+        }
+    }
+    free(order);
+    fit_curve_free(try);
+    return good;
+}
+
+typedef struct attempt {
+    fit_curve *curve; /* where it starts                                                         */
+    double *feet;
+    fit_objective *objective; /* where it ends: evaluated at theta                                       */
+    double initial_cost, radius;
+    fit_outcome outcome;
+} attempt;
+
+/* Appends what a second run of the minimiser did. */
+static int append(fit_outcome *all, fit_outcome *more)
+{
+    if (all->history == NULL) {
+        *all = *more;
+        return 1;
+    }
+    cagd_fit_step *longer = realloc(all->history, (size_t)(all->steps + more->steps) * sizeof *longer);
+    if (longer == NULL) {
+        free(more->history);
+        return 0;
+    }
+    for (int i = 0; i < more->steps; i++) {
+        longer[all->steps + i] = more->history[i];
+        longer[all->steps + i].iteration += all->iterations;
+    }
+    free(more->history);
+    all->history = longer;
+    all->steps += more->steps;
+    all->iterations += more->iterations;
+    all->termination = more->termination;
+    memcpy(all->message, more->message, sizeof all->message);
+    return 1;
+}
+
+static int roundings(const fit_problem *p) { return 4 * p->degree + 16; }
+
+static int equations(const fit_problem *p) { return p->points * (p->dim - 1); }
+
+/* Component k of the gradient, R^T z. */
+static double gradient(const fit_objective *f, int k)
+{
+    int n = f->problem->unknowns;
+    double g = 0;
+    for (int i = 0; i <= k; i++)
+        g += f->triangle[i * (n + 1) + k] * f->triangle[i * (n + 1) + n];
+    return g;
+}
+
+static double largest_gradient(const fit_objective *f)
+{
+    double largest = 0;
+    for (int k = 0; k < f->problem->unknowns; k++)
+        largest = fmax(largest, fabs(gradient(f, k)));
+    return largest;
+}
+
+static void bounds_of(const fit_problem *p, double low[], double high[])
+{
+    for (int k = 0; k < p->unknowns; k++) {
+        low[k] = p->unknown[k].is_weight ? p->low : -INFINITY;
+        high[k] = p->unknown[k].is_weight ? p->high : INFINITY;
+    }
+}
+
+static int on_bound(const fit_problem *p, int k, double x)
+{
+    return p->unknown[k].is_weight && (x == p->low || x == p->high);
+}
+
+/* Gauss-Newton steps to the end: as long as they shrink the part of the residuals that the unknowns can still take away.  The
+ * minimiser compares costs, which near the minimum say nothing any more when the gradient still does. */
+static int polish(fit_objective *o, int *fixed, double tolerance, int most, fit_outcome *outcome)
+{
+    const fit_problem *p = o->problem;
+    int n = p->unknowns, good = 1;
+    double *step = malloc(2 * (size_t)n * sizeof *step), *next = step != NULL ? step + n : NULL, before = INFINITY,
+           length = 0;
+    cagd_fit_step *longer = realloc(outcome->history, (size_t)(outcome->steps + most + 1) * sizeof *longer);
+    if (longer != NULL)
+        outcome->history = longer;
+    good = step && longer;
+    for (int k = 0; good && k < n; k++)
+        fixed[k] = on_bound(p, k, o->theta[k]);
+    for (int i = 0; good; i++) {
+        fit_rank rank;
+        if (!isfinite(o->cost))
+            break;
+        good = fit_rank_of(n, equations(p), roundings(p), o->triangle, n + 1, fixed, &rank);
+        if (!good)
+            break;
+        double left = fit_rank_step(&rank, o->triangle + n, n + 1, step);
+        fit_rank_free(&rank);
+        if (i > 0) {
+            int better = left < before;
+            outcome->history[outcome->steps++] =
+                (cagd_fit_step){++outcome->iterations, better, o->cost, largest_gradient(o), length, INFINITY};
+            if (!better)
+                break;
+            fit_objective_accept(o);
+            if (left > before / 2)
+                break;
+        }
+        if (left <= tolerance * sqrt(2 * o->cost) || i == most)
+            break;
+        before = left;
+        length = 0;
+        int inside = 1;
+        for (int k = 0; k < n; k++) {
+            next[k] = o->theta[k] + step[k];
+            length += step[k] * step[k];
+            if (p->unknown[k].is_weight && (next[k] < p->low || next[k] > p->high))
+                inside = 0;
+        }
+        if (!inside)
+            break;
+        length = sqrt(length);
+        fit_objective_evaluate(o, next, 1);
+    }
+    free(step);
+    return good;
+}
+
+/* What rounding makes of a cost: of its sum, and of the points in it, as in fit_foot.  Residuals r_i that are off by b_i change
+ * half the sum of their squares by at most sum |r_i| b_i + b_i^2/2, by Cauchy and Schwarz at most sqrt(2 cost sum b_i^2) + sum b_i^2/2;
+ * with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
+static double cost_blur(const fit_problem *p, double cost)
+{
+    double sum = 0;
+    for (int i = 0; i < p->points; i++) {
+        double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * 2;
+        sum += blur * blur;
+    }
+    return sqrt(2 * cost * sum) + sum / 2 + p->points * DBL_EPSILON * cost;
+}
+
+/* The objective at the theta that was accepted, whatever was tried since. */
+static void settle(fit_objective *f)
+{
+    fit_objective_at(f, f->theta);
+    fit_objective_accept(f);
+}
+
+static void swap_feet(fit_objective *f, attempt *a)
+{
+    double *feet = f->feet;
+    f->feet = a->feet;
+    a->feet = feet;
+}
+
+/* The way to the minimum is made with feet of which Taylor's polynomial is the curve over 1/256 of the length on which it
+ * changes; near the minimum it is exact. */
+#define ROUGH   0x1p-8
+#define ROUGHLY 1e-4
+
+/* To minimise from curve and feet of the attempt, and again when a search finds better feet. */
+static int eliminated(const fit_problem *p, const cagd_fit_options *o, double tolerance, attempt *a)
+{
+    int n = p->unknowns, most = o->max_iterations;
+    size_t room = (size_t)n;
+    fit_objective *f = a->objective;
+    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n, cost, reached = HUGE_VAL;
+    int *fixed = malloc(room * sizeof *fixed), good = low && fixed;
+    if (good) {
+        bounds_of(p, low, high);
+        fit_problem_get(p, a->curve, f->theta);
+        for (int k = 0; k < n; k++)
+            f->theta[k] = fmin(fmax(f->theta[k], low[k]), high[k]);
+        memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
+        fit_curve_copy(f->curve, a->curve);
+        fit_objective_evaluate(f, f->theta, 1);
+        fit_objective_accept(f);
+        a->initial_cost = f->cost;
+    }
+    for (int rough = 1; good; rough = 0) {
+        fit_outcome outcome = {0};
+        memcpy(theta, f->theta, room * sizeof *theta);
+        f->limit = rough ? ROUGH : FOOT_EXACT;
+        f->evaluated = 0;
+        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high, rough ? ROUGHLY : tolerance, rough,
+                            most - a->outcome.iterations, theta, &a->radius, &outcome) &&
+               append(&a->outcome, &outcome);
+        if (!good)
+            break;
+        settle(f);
+        if (rough && tolerance == ROUGHLY)
+            break;
+        if (rough && a->outcome.iterations < most)
+            continue;
+        if (a->outcome.termination == CAGD_FIT_CONVERGED)
+            good = polish(f, fixed, tolerance, most, &a->outcome);
+        settle(f);
+        if (!(f->cost < reached)) /* the minimiser went back to the feet it had: no third time */
+            break;
+        reached = f->cost - cost_blur(p, f->cost);
+        good = good && fit_feet_search(p, f->curve, a->feet, &cost);
+        if (!good || cost >= f->cost - cost_blur(p, f->cost) || a->outcome.iterations >= most)
+            break;
+        cost = f->cost;
+        swap_feet(f, a);
+        fit_objective_evaluate(f, f->theta, 1);
+        if (!(f->cost < cost - cost_blur(p, cost))) {
+            swap_feet(f, a);
+            fit_objective_evaluate(f, f->theta, 1);
+            break;
+        }
+        fit_objective_accept(f);
+    }
+    free(low);
+    free(fixed);
+    return good;
+}
+
+/* The same as one problem of all unknowns. */
+static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
+{
+    fit_objective *f = a->objective;
+    double D[9];
+    fit_problem_get(p, a->curve, f->theta);
+    for (int k = 0; k < p->unknowns; k++)
+        if (p->unknown[k].is_weight)
+            f->theta[k] = fmin(fmax(f->theta[k], p->low), p->high);
+    for (int i = 0; i < p->points; i++)
+        fit_foot(a->curve, p->Q + (size_t)i * (size_t)p->dim, &a->feet[i], D);
+    fit_curve_copy(f->curve, a->curve);
+    if (!fit_minimise_plain(p, a->curve, o->tolerance, o->max_iterations, f->theta, a->feet, &a->outcome))
+        return 0;
+    a->initial_cost = a->outcome.history[0].cost;
+    for (int i = 0; i < p->points; i++) {
+        f->feet[i] = fmin(fmax(a->feet[i], fit_curve_start(a->curve)), fit_curve_end(a->curve));
+        if (f->feet[i] != a->feet[i]) {
+            a->outcome.termination = CAGD_FIT_FAILED;
+            snprintf(a->outcome.message, sizeof a->outcome.message, "The foot of point %d left the domain.", i);
+        }
+    }
+    settle(f);
+    return 1;
+}
+
+/* Points for the way to the minimum: so many for each unknown suffice.  More are taken eight times as many at a time; every
+ * time the minimum moves by a fraction of what the fewer points left undetermined. */
+enum { ENOUGH = 10, TIMES = 8 };
+
+static int attempt_new(const fit_problem *p, attempt *a)
+{
+    *a = (attempt){.radius = 1e4}; /* that of Ceres by default */
+    a->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    a->feet = malloc((size_t)p->points * sizeof *a->feet);
+    a->objective = fit_objective_new(p);
+    return a->curve && a->feet && a->objective;
+}
+
+static void attempt_free(attempt *a)
+{
+    fit_curve_free(a->curve);
+    free(a->feet);
+    fit_objective_free(a->objective);
+    free(a->outcome.history);
+}
+
+/* Most of the way, from the curve of the attempt, which becomes what is reached: with an eighth of the points, and before
+ * that with fewer.  most: of the points. */
+static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
+{
+    fit_problem few;
+    attempt rough = {0};
+    double cost;
+    if (p->points <= ENOUGH * p->unknowns)
+        return 1;
+    if (!thinned(p, TIMES, &few))
+        return 0;
+    int good = approach(&few, o, a) && attempt_new(&few, &rough);
+    if (good) {
+        fit_curve_copy(rough.curve, a->curve);
+        rough.radius = a->radius;
+        good = fit_feet_search(&few, rough.curve, rough.feet, &cost) && eliminated(&few, o, ROUGHLY, &rough);
+    }
+    if (good) {
+        fit_curve_copy(a->curve, rough.objective->curve);
+        a->radius = rough.radius;
+        good = append(&a->outcome, &rough.outcome);
+        rough.outcome.history = NULL;
+    }
+    attempt_free(&rough);
+    points_free(&few);
+    return good;
+}
+
+/* The attempt from start number `start`. */
+static int try_start(const fit_problem *p, const cagd_fit_options *o, int start, attempt *a)
+{
+    fit_problem few;
+    double cost;
+    int good = thinned(p, (p->points - 1) / (ENOUGH * TIMES * p->unknowns) + 1, &few);
+    if (!good)
+        return 0;
+    if (o->initial != NULL)
+        make_initial(o->initial, p, a->curve);
+    else
+        good = found_curve(&few, o, a->curve);
+    if (good && start > 0) {
+        fit_initial_weights(p, o->seed, start, a->curve);
+        if (o->free & (CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS))
+            good = fit_initial_improve(&few, a->curve);
+    }
+    points_free(&few);
+    if (good && o->method == CAGD_FIT_ELIMINATED)
+        good = approach(p, o, a);
+    good = good && fit_feet_search(p, a->curve, a->feet, &cost);
+    return good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
+}
+
+/* ---- The result -------------------------------------------------------------------------------------------- */
+
+void cagd_fit_free(cagd_fit_result *r)
+{
+    if (r == NULL)
+        return;
+    free((void *)r->curve.knots);
+    free((void *)r->curve.points);
+    free((void *)r->curve.weights);
+    free(r->feet), free(r->residuals), free(r->distances), free(r->foot_at_end);
+    free(r->history);
+    free(r->unknown), free(r->value), free(r->at_bound);
+    free(r->covariance), free(r->free_directions), free(r->determined);
+    free(r->invariant), free(r->invariant_error);
+    free(r);
+}
+
+static double *numbers(size_t count) { return calloc(count + 1, sizeof(double)); }
+
+/* Points of the curve and of theta in the coordinates of the data. */
+static int fill_curve(const fit_problem *p, const attempt *a, cagd_fit_result *r)
+{
+    int n = p->count, dim = p->dim;
+    double *knots = numbers((size_t)(n + p->degree + 1)), *points = numbers((size_t)(n * dim)),
+           *weights = numbers((size_t)n);
+    r->curve = (cagd_spline){p->degree, n, dim, knots, points, weights};
+    r->unknowns = p->unknowns;
+    r->unknown = malloc((size_t)p->unknowns * sizeof *r->unknown);
+    r->value = numbers((size_t)p->unknowns);
+    r->at_bound = calloc((size_t)p->unknowns, sizeof *r->at_bound);
+    if (!knots || !points || !weights || !r->unknown || !r->value || !r->at_bound)
+        return 0;
+    memcpy(knots, p->knots, (size_t)(n + p->degree + 1) * sizeof *knots);
+    memcpy(weights, a->objective->curve->weights, (size_t)n * sizeof *weights);
+    for (int m = 0; m < n * dim; m++)
+        points[m] = p->centre[m % dim] + p->unit * a->objective->curve->points[m];
+    for (int k = 0; k < p->unknowns; k++) {
+        cagd_fit_unknown u = r->unknown[k] = p->unknown[k];
+        r->value[k] = u.is_weight ? a->objective->theta[k] : points[u.index * dim + u.coordinate];
+        r->at_bound[k] = on_bound(p, k, a->objective->theta[k]);
+    }
+    return 1;
+}
+
+static int fill_points(const fit_problem *p, const attempt *a, cagd_fit_result *r)
+{
+    int dim = p->dim;
+    size_t count = (size_t)p->points;
+    r->count = p->points;
+    r->feet = numbers(count);
+    r->residuals = numbers(count * (size_t)dim);
+    r->distances = numbers(count);
+    r->foot_at_end = calloc(count, sizeof *r->foot_at_end);
+    if (!r->feet || !r->residuals || !r->distances || !r->foot_at_end)
+        return 0;
+    double sum = 0;
+    for (int i = 0; i < p->points; i++) {
+        const double *q = p->Q + (size_t)i * (size_t)dim;
+        double *left = r->residuals + (size_t)i * (size_t)dim, D[9], t = a->objective->feet[i], square = 0;
+        r->foot_at_end[i] = fit_foot(a->objective->curve, q, &t, D) == FOOT_AT_END;
+        r->feet[i] = t;
+        for (int c = 0; c < dim; c++) {
+            left[c] = p->unit * (q[c] - D[c]);
+            square += left[c] * left[c];
+        }
+        double side = dim == 2 ? D[2] * left[1] - D[3] * left[0] : 1;
+        r->distances[i] = side < 0 ? -sqrt(square) : sqrt(square);
+        sum += square;
+        if (sqrt(square) > r->largest) {
+            r->largest = sqrt(square);
+            r->largest_at = i;
+        }
+        r->out_of_order += !p->unordered && i > 0 && t < r->feet[i - 1];
+    }
+    r->rms = sqrt(sum / p->points);
+    return 1;
+}
+
+/* Rank, covariance and flat directions; lengths go back to the coordinates of the data. */
+static int fill_uncertainty(const fit_problem *p, attempt *a, cagd_fit_result *r)
+{
+    int n = p->unknowns, good;
+    size_t nn = (size_t)n * (size_t)n;
+    fit_objective *f = a->objective;
+    fit_rank rank;
+    r->covariance = numbers(nn);
+    r->free_directions = numbers(nn);
+    r->determined = calloc((size_t)n, sizeof *r->determined);
+    if (!r->covariance || !r->free_directions || !r->determined)
+        return 0;
+    for (int k = 0; k < n; k++) {
+        double g = fabs(gradient(f, k)) / (p->unknown[k].is_weight ? 1 : p->unit);
+        r->gradient_norm = r->at_bound[k] ? r->gradient_norm : fmax(r->gradient_norm, g);
+    }
+    if (p->loss != CAGD_FIT_SQUARES)
+        fit_objective_evaluate(f, f->theta, 0);
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i <= k && !p->unknown[k].is_weight; i++)
+            f->triangle[i * (n + 1) + k] /= p->unit;
+    f->evaluated = 0;
+    good = fit_rank_of(n, equations(p), roundings(p), f->triangle, n + 1, r->at_bound, &rank);
+    if (good) {
+        r->rank = rank.rank;
+        r->flat = rank.flat;
+        fit_rank_report(&rank, r->at_bound, r->covariance, r->free_directions, r->determined);
+        fit_rank_free(&rank);
+    }
+    return good;
+}
+
+static cagd_fit_result *make_result(const fit_problem *p, attempt *a)
+{
+    cagd_fit_result *r = calloc(1, sizeof *r);
+    if (r == NULL)
+        return NULL;
+    r->cost = a->objective->cost;
+    r->invariants = p->count == p->degree + 1 ? p->degree - 1 : 0;
+    r->invariant = numbers((size_t)r->invariants);
+    r->invariant_error = numbers((size_t)r->invariants);
+    if (!r->invariant || !r->invariant_error || !fill_curve(p, a, r) || !fill_points(p, a, r) ||
+        !fill_uncertainty(p, a, r)) {
+        cagd_fit_free(r);
+        return NULL;
+    }
+    r->termination = a->outcome.termination;
+    r->iterations = a->outcome.iterations;
+    r->initial_cost = a->initial_cost;
+    r->steps = a->outcome.steps;
+    r->history = a->outcome.history;
+    a->outcome.history = NULL;
+    memcpy(r->message, a->outcome.message, sizeof r->message);
+    return r;
+}
+
+/* Whether the end of one start is better than that of another. */
+static int better(const fit_problem *p, const attempt *a, const attempt *b)
+{
+    int a_failed = a->outcome.termination == CAGD_FIT_FAILED, b_failed = b->outcome.termination == CAGD_FIT_FAILED;
+    double was = b->objective->cost;
+    return a_failed == b_failed ? a->objective->cost < was - cost_blur(p, was) : b_failed;
+}
+
+/* All starts; the best stays. */
+static cagd_fit_status run(const fit_problem *p, const cagd_fit_options *o, cagd_fit_result **result)
+{
+    attempt best = {0};
+    int best_start = 0, good = 1;
+    double *costs = numbers((size_t)o->starts);
+    for (int start = 0; costs && good && start < o->starts; start++) {
+        attempt a;
+        good = attempt_new(p, &a) && try_start(p, o, start, &a);
+        if (good) {
+            costs[start] = a.objective->cost;
+            if (start == 0 || better(p, &a, &best)) {
+                attempt worse = best;
+                best = a;
+                a = worse;
+                best_start = start;
+            }
+        }
+        attempt_free(&a);
+    }
+    if (costs && good)
+        *result = make_result(p, &best);
+    if (*result != NULL) {
+        double cost = (*result)->cost, blur = sqrt(o->tolerance) * cost + cost_blur(p, cost);
+        (*result)->best_start = best_start;
+        for (int start = 0; start < o->starts; start++) /* the minimiser knows costs to its tolerance */
+            (*result)->agreeing_starts += costs[start] - cost <= blur;
+    }
+    attempt_free(&best);
+    free(costs);
+    return *result != NULL ? CAGD_FIT_OK : CAGD_FIT_NO_MEMORY;
+}
+
+cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                         int *where)
+{
+    int ignored;
+    fit_problem p = {0};
+    *result = NULL;
+    if (where == NULL)
+        where = &ignored;
+    *where = -1;
+    cagd_fit_status status = check_options(options);
+    if (status == CAGD_FIT_OK)
+        status = check_data(data, where);
+    if (status != CAGD_FIT_OK)
+        return status;
+    p.loss = options->loss;
+    p.loss_scale = options->loss_scale;
+    p.unordered = options->unordered;
+    p.low = log(options->weight_low);
+    p.high = log(options->weight_high);
+    status = make_points(data, &p);
+    if (status == CAGD_FIT_OK)
+        status = make_knots(options, &p);
+    if (status == CAGD_FIT_OK)
+        status = make_unknowns(options, &p);
+    if (status == CAGD_FIT_OK && options->initial != NULL) {
+        fit_curve *curve = fit_curve_new(p.degree, p.count, p.dim, p.knots);
+        status = curve != NULL ? make_initial(options->initial, &p, curve) : CAGD_FIT_NO_MEMORY;
+        fit_curve_free(curve);
+    }
+    if (status == CAGD_FIT_OK && equations(&p) < p.unknowns)
+        status = CAGD_FIT_TOO_FEW;
+    if (status == CAGD_FIT_OK)
+        status = run(&p, options, result);
+    if (status == CAGD_FIT_OK)
+        fit_statistics(data, options, *result);
+    problem_free(&p);
+    return status;
+}

@@ -1,0 +1,52 @@
+/* statistics.h -- what the residuals of a fit say about its unknowns.
+ *
+ * The model.  Every point lies on the curve but for independent errors of one size in all coordinates.  Along the curve
+ * an error only moves the foot point; across it there are dim-1 residuals a point, so that the equations are
+ * n = N (dim-1) in number.  k is the rank of the problem, d = n - k its degrees of freedom (自由度).
+ *
+ *     s_i = |Q_i - C(t_i)|^2 / s_i^2   (unknown standard deviations: s_i^2 = 1)
+ *     chi_squared          sum_i rho(s_i), which is twice the cost; for squares the sum of the s_i
+ *     reduced_chi_squared  chi_squared / d
+ *     scale_squared        what (J^T J)^+ is multiplied by to become the covariance:
+ *                          1 for squares and given standard deviations; for squares and unknown ones chi_squared / d, the
+ *                          estimate of their square; for a robust loss Huber's factor below
+ *     aic, bic             given standard deviations    chi_squared + 2 k             chi_squared + k log n
+ *                          unknown ones                 n log(chi_squared/n) + 2(k+1)   the same with (k+1) log n
+ *                          but for a constant of the points; to be compared among fits of the same points with the same loss
+ *     quantile             of the 95 % intervals: normal for squares with given standard deviations, where nothing is
+ *                          estimated; otherwise Student's t with d degrees of freedom
+ *
+ * A robust loss.  Points that do not obey the standard deviations are the reason for it, so these are not believed.  The
+ * covariance is that of an M-estimate (M 估计): with psi_i = rho'(s_i) times the residual vector, whose matrix of
+ * derivatives has the mean diagonal m_i = rho'(s_i) + 2 s_i rho''(s_i)/(dim-1),
+ *
+ *     scale_squared = K^2 (sum_i rho'(s_i)^2 s_i / d) / M^2,   M = mean of the m_i,   K = 1 + (k/n) var(m_i)/M^2.
+ *
+ * This is the sandwich A^{-1} B A^{-1} of the asymptotic theory when the errors are independent of the place on the curve, so that
+ * A = M J^T J and B = mean(|psi|^2/(dim-1)) J^T J; the full sandwich with A = sum_i m_i j_i j_i^T would do
+ * without that but rests on the few residuals near each place and is too small in small samples.  For squares the
+ * formula is chi_squared / d.  Source: P. J. Huber, Robust Statistics, 1981, 7.6.
+ *
+ * What cannot be known is NaN: with d = 0 and unknown standard deviations, or where M <= 0. */
+#ifndef CAGD_FIT_STATISTICS_H
+#define CAGD_FIT_STATISTICS_H
+
+#include "core/fit/cagd_fit.h"
+
+/* Called at the end of a fit.  Reads the curve, residuals, cost, unknowns, rank, free directions; covariance holds
+ * (J^T J)^+, and is multiplied by scale_squared here.  Fills scale_squared, chi_squared, reduced_chi_squared,
+ * degrees_of_freedom, aic, bic, quantile; and for a curve of one span of degree >= 2 invariant and invariant_error, arrays of
+ * degree-1 that are there already, `invariants` in number: I_j = w_j^2/(w_{j-1} w_{j+1}), with the error I_j times that of
+ * log I_j, which is linear in the unknowns; infinite where log I_j changes along a free direction. */
+void fit_statistics(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result *result);
+
+/* rho, rho', rho'' at s >= 0: value[0], value[1], value[2]. */
+void fit_loss(cagd_fit_loss loss, double scale, double s, double value[3]);
+
+/* t with P(|T| <= t) = 0.95 for Student's distribution with nu >= 1 degrees of freedom, within one
+ * unit of the last place where long double is longer than double; NaN for nu < 1. */
+double fit_student_quantile(int nu);
+
+/* The same of the normal distribution. */
+double fit_normal_quantile(void);
+#endif

@@ -1,0 +1,99 @@
+/* nurbs_parameters.tmpl.h -- a NURBS curve as a function of what is fitted: its weights, its points, its parameter.
+ *
+ *     C(t; lambda, P) = sum_m R_m P_m,   R_m = w_m N_m / w,   w = sum_m w_m N_m,   w_m = exp(lambda_m).
+ *
+ * m = 0, ..., p stands for the index mu-p+m: on a span no other point or weight counts.  Weights are fitted as
+ * logarithms, so that they stay positive; a derivative by lambda_m is w_m times that by w_m, and no logarithm is ever
+ * computed.  By a coordinate of a point the curve is linear: dC/dP_m = R_m e, and R_m^(r) e after r derivatives by t.
+ *
+ * Shapes.  Knots, points, weights and spans as in nurbs.tmpl.h; 1 <= rows <= MAX_DEGREE+1.  UNDEFINED where w(t) = 0.
+ * Results do not overlap arguments.
+ * Source: the quotient rule; the claims are in chapters/fitting/curve-derivatives.claims.h. */
+#include "core/number/generic_on.h"
+
+/* Row r of R, r = 0, ..., rows-1, holds the r-th derivatives by t of the rational basis (有理基) of the span,
+ *     R[r(p+1) + m] = R_m^(r)(t),   R_m^(r) = (w_m N_m^(r) - sum_{j=1}^r C(r,j) w^(j) R_m^(r-j)) / w. */
+static inline void G(nurbs_basis)(int p, const num u[restrict], int mu, const num w[restrict], num t, int rows,
+                                  num R[restrict])
+{
+    num total[MAX_DEGREE + 1];
+    G(bspline_basis_derivatives)(p, u, mu, t, rows, R);
+    for (int r = 0; r < rows; r++) {
+        num *row = R + r * (p + 1);
+        total[r] = from_int(0);
+        for (int m = 0; m <= p; m++) {
+            row[m] = mul(w[mu - p + m], row[m]);
+            total[r] = add(total[r], row[m]);
+        }
+        for (int m = 0; m <= p; m++) {
+            for (int j = 1; j <= r; j++)
+                row[m] = sub(row[m], mul(mul(from_int(binomial(r, j)), total[j]), row[m - j * (p + 1)]));
+            row[m] = div(row[m], total[0]);
+        }
+    }
+}
+
+/* out[m(p+1) + k] = dR_m/dlambda_k = R_m (delta_mk - R_k) at t: a symmetric matrix.  The mixed derivatives of the curve
+ * are these numbers times the unit vectors, d^2 C / (dlambda_k dP_m) = dR_m/dlambda_k e. */
+static inline void G(nurbs_basis_by_weights)(int p, const num u[restrict], int mu, const num w[restrict], num t,
+                                             num out[restrict])
+{
+    num R[MAX_DEGREE + 1];
+    G(nurbs_basis)(p, u, mu, w, t, 1, R);
+    for (int m = 0; m <= p; m++)
+        for (int k = 0; k <= p; k++)
+            out[m * (p + 1) + k] = mul(R[m], m == k ? sub(from_int(1), R[m]) : neg(R[k]));
+}
+
+/* The derivatives by the weights, dC/dlambda_m = R_m (P_m - C), and their derivatives by t, r = 0, ..., rows-1: coordinate
+ * c is out[(r(p+1) + m) dim + c] of
+ *     d^r/dt^r dC/dlambda_m = R_m^(r) P_m - sum_{j=0}^r C(r,j) R_m^(r-j) C^(j)
+ *                           = R_m^(r) (P_m - C) - sum_{j=1}^r C(r,j) R_m^(r-j) C^(j),   C^(j) = sum_m R_m^(j) P_m. */
+static inline void G(nurbs_by_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
+                                       const num w[restrict], num t, int rows, num out[restrict])
+{
+    num R[(MAX_DEGREE + 1) * (MAX_DEGREE + 1)], C[(MAX_DEGREE + 1) * MAX_DIM];
+    const num *points = P + (mu - p) * dim;
+    G(nurbs_basis)(p, u, mu, w, t, rows, R);
+    for (int r = 0; r < rows; r++)
+        for (int c = 0; c < dim; c++) {
+            C[r * dim + c] = mul(R[r * (p + 1)], points[c]);
+            for (int m = 1; m <= p; m++)
+                C[r * dim + c] = add(C[r * dim + c], mul(R[r * (p + 1) + m], points[m * dim + c]));
+        }
+    for (int r = 0; r < rows; r++)
+        for (int m = 0; m <= p; m++)
+            for (int c = 0; c < dim; c++) {
+                num value = mul(R[r * (p + 1) + m], sub(points[m * dim + c], C[c]));
+                for (int j = 1; j <= r; j++) {
+                    num term = mul(R[(r - j) * (p + 1) + m], C[j * dim + c]);
+                    value = sub(value, mul(from_int(binomial(r, j)), term));
+                }
+                out[(r * (p + 1) + m) * dim + c] = value;
+            }
+}
+
+/* The second derivatives by two weights, coordinate c of (m,k) being out[(m(p+1) + k) dim + c]:
+ *     d^2 C / (dlambda_m dlambda_k) = delta_mk R_m (P_m - C) - R_m R_k ((P_m - C) + (P_k - C)). */
+static inline void G(nurbs_by_two_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
+                                           const num w[restrict], num t, num out[restrict])
+{
+    num R[MAX_DEGREE + 1], away[(MAX_DEGREE + 1) * MAX_DIM];
+    const num *points = P + (mu - p) * dim;
+    G(nurbs_basis)(p, u, mu, w, t, 1, R);
+    for (int c = 0; c < dim; c++) {
+        num C = mul(R[0], points[c]);
+        for (int m = 1; m <= p; m++)
+            C = add(C, mul(R[m], points[m * dim + c]));
+        for (int m = 0; m <= p; m++)
+            away[m * dim + c] = sub(points[m * dim + c], C);
+    }
+    for (int m = 0; m <= p; m++)
+        for (int k = 0; k <= p; k++)
+            for (int c = 0; c < dim; c++) {
+                num both = mul(mul(R[m], R[k]), add(away[m * dim + c], away[k * dim + c]));
+                num own = m == k ? mul(R[m], away[m * dim + c]) : from_int(0);
+                out[(m * (p + 1) + k) * dim + c] = sub(own, both);
+            }
+}
+#include "core/number/generic_off.h"

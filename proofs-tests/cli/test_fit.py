@@ -1,0 +1,470 @@
+"""cagd fit as its users meet it: every form of input, every mistake, what is printed and what is written.
+
+    python3 test_fit.py CAGD ROOT
+"""
+import csv
+import itertools
+import json
+import math
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.dom.minidom
+
+ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
+CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+ARCH = ROOT / "chapters" / "fitting" / "arch.csv"
+
+
+def run(*args, **options):
+    return subprocess.run([CAGD, *map(str, args)], capture_output=True, timeout=600, **options)
+
+
+def quadratic(n, w=0.75, noise=0.0, seed=1):
+    """Points of a rational quadratic, moved at random."""
+    r = random.Random(seed)
+    rows = []
+    for i in range(n):
+        t = i / (n - 1)
+        b = [(1 - t) ** 2, 2 * t * (1 - t) * w, t * t]
+        s = sum(b)
+        rows.append([(4 * b[2] + b[1]) / s + r.gauss(0, noise), 2 * b[1] / s + r.gauss(0, noise)])
+    return rows
+
+
+def helix(n, noise=0.0):
+    r = random.Random(2)
+    return [[math.cos(a) + r.gauss(0, noise), math.sin(a) + r.gauss(0, noise), a / 3 + r.gauss(0, noise)]
+            for a in (2.5 * i / (n - 1) for i in range(n))]
+
+
+def table(rows, separator=",", end="\n", names=None, number=repr):
+    lines = [separator.join(names)] if names else []
+    return end.join(lines + [separator.join(map(number, row)) for row in rows]) + end
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def file(self, text, name="points.csv"):
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def fit(self, text, *options, code=0):
+        """The JSON of the fit; nothing on stderr."""
+        path = text if isinstance(text, pathlib.Path) else self.file(text)
+        r = run("fit", path, "--json", *options)
+        self.assertEqual((r.returncode, r.stderr), (code, b""), r)
+        return json.loads(r.stdout)
+
+    def refuses(self, text, words, *options):
+        """Exit 2, nothing on stdout, one line on stderr that names the file and has the words; no file written."""
+        path = self.file(text)
+        svg = self.folder / "no.svg"
+        r = run("fit", path, "--svg", svg, *options)
+        said = r.stderr.decode()
+        self.assertEqual((r.returncode, r.stdout), (2, b""), r)
+        self.assertEqual(len(said.splitlines()), 1, said)
+        for word in [str(path), *words]:
+            self.assertIn(word, said)
+        self.assertFalse(svg.exists())
+
+    def refuses_usage(self, *options, words=()):
+        r = run("fit", *options)
+        said = r.stderr.decode()
+        self.assertEqual((r.returncode, r.stdout), (2, b""), r)
+        self.assertLessEqual(len(said.splitlines()), 2, said)
+        for word in words:
+            self.assertIn(word, said)
+
+
+class Input(Case):
+    """What a file says is the same in every form."""
+
+    ROWS = quadratic(9, noise=0.01)
+    WITH_SIGMA = [row + [0.01 + 0.001 * k] for k, row in enumerate(ROWS)]
+
+    def curve(self, text, *options):
+        return self.fit(text, "--no-verify", *options)["curve"]
+
+    def test_forms_of_two_columns(self):
+        wanted = self.curve(table(self.ROWS))
+        comma = lambda x: repr(x).replace(".", ",")
+        rows = table(self.ROWS).splitlines()
+        forms = {
+            "semicolons": table(self.ROWS, ";"), "tabs": table(self.ROWS, "\t"), "blanks": table(self.ROWS, "   "),
+            "comma and blank": table(self.ROWS, ", "), "blank and comma": table(self.ROWS, " , "),
+            "CRLF": table(self.ROWS, end="\r\n"), "CR": table(self.ROWS, end="\r"),
+            "names": table(self.ROWS, names=["x", "y"]), "names with units": table(self.ROWS, names=["X [mm]", "Y [mm]"]),
+            "other names": table(self.ROWS, ";", names=["East", "North"]),
+            "quoted": table(self.ROWS, names=['"x"', '"y"'], number=lambda x: f'"{x!r}"'),
+            "decimal comma, semicolons": table(self.ROWS, ";", number=comma),
+            "decimal comma, tabs": table(self.ROWS, "\t", number=comma),
+            "decimal comma, blanks": table(self.ROWS, " ", number=comma),
+            "decimal comma, quoted": table(self.ROWS, number=lambda x: '"' + comma(x) + '"'),
+            "hexadecimal": table(self.ROWS, " ", number=float.hex),
+            "comments": "# a survey\n\n" + "\n# more\n\n".join(rows) + "\n#",
+            "no newline at the end": "\n".join(rows),
+            "mark of UTF-8": b"\xef\xbb\xbf" + table(self.ROWS, names=["x", "y"]).encode(),
+            "separator at the end": ",\n".join(rows) + ",\n",
+            "leading blanks": "\n".join("  " + r for r in rows),
+            "other columns": table([["p%d" % k, r[1], "ok", r[0]] for k, r in enumerate(self.ROWS)], ";",
+                                   names=["id", "y", "state", "x"], number=str),
+        }
+        for name, text in forms.items():
+            with self.subTest(name):
+                self.assertEqual(self.curve(text), wanted)
+
+    def test_standard_input(self):
+        text = table(self.ROWS).encode()
+        r = run("fit", "-", "--json", "--no-verify", input=text)
+        self.assertEqual((r.returncode, r.stderr), (0, b""))
+        self.assertEqual(json.loads(r.stdout)["curve"], self.curve(table(self.ROWS)))
+
+    def test_forms_of_sigma(self):
+        wanted = self.curve(table(self.WITH_SIGMA, names=["x", "y", "sigma"]))
+        self.assertNotEqual(wanted, self.curve(table(self.ROWS)))
+        first = [[r[2], r[0], r[1]] for r in self.WITH_SIGMA]
+        forms = [(table(self.WITH_SIGMA), "--dim", "2"), (table(self.WITH_SIGMA), "--sigma-column", "3"),
+                 (table(first), "--sigma-column", "1"), (table(first, names=["u", "x", "y"]), "--sigma-column", "u"),
+                 (table(first, ";", names=["s [mm]", "x [mm]", "y [mm]"]),),
+                 (table(self.WITH_SIGMA, names=["x", "y", "σ"]),), (table(self.WITH_SIGMA, names=["x", "y", "StdDev"]),)]
+        for text, *options in forms:
+            with self.subTest(text[:30], options=options):
+                self.assertEqual(self.curve(text, *options), wanted)
+        one = self.fit(table(self.ROWS), "--sigma", "0.01")
+        self.assertEqual(one["points"]["sigma"], "one")
+        self.assertEqual(one["statistics"]["scale_squared"], 1)
+
+    def test_forms_of_space(self):
+        rows = helix(12)
+        wanted = self.curve(table(rows, names=["x", "y", "z"]))
+        self.assertEqual(len(wanted["points"][0]), 3)
+        self.assertEqual(self.curve(table(rows), "--dim", "3"), wanted)
+        four = [r + [0.5] for r in rows]
+        self.assertEqual(self.curve(table(four)), self.curve(table(four, names=["x", "y", "z", "s"])))
+        flat = self.curve(table(rows, names=["x", "y", "z"]), "--dim", "2")
+        self.assertEqual(len(flat["points"][0]), 2)
+
+    def test_large_files_are_read_in_linear_time(self):
+        path = self.file(table(quadratic(200000, noise=0.001)))
+        r = run("fit", path, "--sigma-column", "9")  # read as far as the first row
+        self.assertIn(b"--sigma-column 9", r.stderr)
+        path.write_text(path.read_text() + "1,oops\n")
+        r = run("fit", path)
+        self.assertIn(b"line 200001: y: 'oops'", r.stderr)
+
+
+class Mistakes(Case):
+    GOOD = table(quadratic(6))
+
+    def test_rows(self):
+        bad = {
+            "1,x": ["line 7", "y", "'x' is not a number"], "1": ["line 7", "1 field, expected 2"],
+            "1,2,3": ["line 7", "3 fields, expected 2"], "1,nan": ["line 7", "y is nan", "finite"],
+            "-inf,1": ["line 7", "x is -inf", "finite"], "1,1e999": ["line 7", "'1e999' is larger"],
+            "1,": ["line 7", "1 field"], ",1": ["line 7", "x is missing"], '1,"2': ["line 7", "quote"],
+            '1,"2"3': ["line 7", "separator"], "1,2e": ["'2e' is not a number"], "1 2,3": ["'1 2' is not a number"],
+            "1,2..3": ["'2..3' is not a number"], "1;2": ["line 7", "1 field"], '1,"1,234,567"': ["'1,234,567' is not"],
+        }
+        for row, words in bad.items():
+            with self.subTest(row):
+                self.refuses(self.GOOD + row + "\n", words)
+                self.refuses((self.GOOD + row).replace("\n", "\r\n"), words)
+
+    def test_decimal_marks_are_not_mixed(self):
+        self.refuses("1.5;2\n1;2,5\n", ["line 2", "decimal comma", "line 1 a decimal point"])
+        self.refuses("1;2,5\n1.5;2\n", ["line 2", "decimal point", "line 1 a decimal comma"])
+        self.refuses("1,234.5;2\n", ["line 1", "'1,234.5' is not a number"])
+
+    def test_columns(self):
+        self.refuses("1,2,3\n", ["line 1", "three columns", "--dim 3", "--dim 2"])
+        self.refuses("1\n2\n", ["line 1", "1 column"])
+        self.refuses("1,2,3,4,5\n", ["line 1", "5 columns"])
+        self.refuses("x,x,y\n1,2,3\n", ["line 1", "two columns are called x"])
+        self.refuses("x,z\n1,2\n", ["line 1", "no column is called y"])
+        self.refuses("x,y\n1,2\n", ["--dim 3", "z"], "--dim", "3")
+        self.refuses("1,2\n", ["--sigma-column 3", "2 columns"], "--sigma-column", "3")
+        self.refuses("x,y,s\n1,2,3\n", ["--sigma-column q", "no column"], "--sigma-column", "q")
+        self.refuses("x,y\n1,2\n", ["--sigma-column 2", "column of y"], "--sigma-column", "2")
+        self.refuses("x,y,s\n1,2,3\n", ["--sigma"], "--sigma", "1")
+
+    def test_sigma_is_positive(self):
+        for s in "0", "-1", "1e-400":
+            self.refuses(f"x,y,sigma\n1,2,1\n3,4,{s}\n", ["line 3", "sigma", s, "> 0"])
+
+    def test_files(self):
+        for text in "", "\n\n", "# nothing\n", "x,y\n":
+            self.refuses(text, ["no points"])
+        self.refuses("1,2\n".encode("utf-16"), ["UTF-16"])
+        self.refuses(b"1,2\n\0\n", ["zero byte"])
+        self.refuses_usage("/does/not/exist.csv", words=["/does/not/exist.csv", "No such file"])
+        self.refuses_usage("/", words=["directory"])
+        self.refuses_usage(words=["file of the points"])
+        self.refuses_usage("a.csv", "b.csv", words=["one file", "b.csv"])
+
+    def test_points_that_do_not_suffice(self):
+        self.refuses("1,2\n", ["too few points"])
+        self.refuses(table(quadratic(5)), ["too few points", "5 in the plane give 5 equations", "6 unknowns", "at least 6"],
+                     "--degree", "3")
+        self.refuses(table([[1.5, 2.5]] * 20), ["all points are equal"])
+
+    def test_nothing_free(self):
+        self.refuses(self.GOOD, ["nothing is free", "--free"], "--degree", "1")
+
+    def test_options(self):
+        path = self.file(self.GOOD)
+        for options, words in [
+                (("--degree", "0"), ["--degree", "from 1 to 64"]), (("--degree", "two"), ["'two'"]),
+                (("--knots", "0.5,0.25"), ["increasing", "0.25"]), (("--knots", "1"), ["between 0 and 1"]),
+                (("--knots", "x"), ["'x'"]), (("--knots", "0.5", "--control-points", "4"), ["--control-points"]),
+                (("--control-points", "2"), ["at least 3"]), (("--free", "all"), ["weights, inner and ends", "'all'"]),
+                (("--free", "weights"), ["--initial", "inner"]), (("--loss", "l1"), ["squares, huber or cauchy"]),
+                (("--loss", "huber"), ["--scale"]), (("--scale", "2"), ["--loss"]), (("--scale", "-1"), ["> 0"]),
+                (("--weights-between", "2:3"), ["LOW < 1 < HIGH"]), (("--weights-between", "2"), ["LOW:HIGH"]),
+                (("--starts", "0"), ["--starts"]), (("--tolerance", "0"), ["--tolerance"]),
+                (("--max-iterations", "0"), ["--max-iterations"]), (("--dim", "4"), ["from 2 to 3"]),
+                (("--sigma", "0"), ["> 0"]), (("--frobnicate",), ["frobnicate"]), (("--seed", "-1"), ["--seed"])]:
+            with self.subTest(options):
+                self.refuses_usage(path, *options, words=words)
+
+    def test_initial_curves(self):
+        path = self.file(self.GOOD)
+        good = {"kind": "rational-bezier", "points": [[0, 0], [1, 2], [4, 0]], "weights": [1, 1, 1]}
+        for change, words in [({"points": [[0], [1], [4]]}, ["1 coordinate"]), ({"weights": [1, -1, 1]}, ["weights[1]"]),
+                              ({"kind": "spline"}, ["kind"])]:
+            curve = self.file(json.dumps({**good, **change}), "c.json")
+            self.refuses_usage(path, "--initial", curve, words=[str(curve), *words])
+        self.refuses_usage(path, "--initial", curve, "--degree", "3", words=["--initial", "--degree"])
+        self.refuses_usage(path, "--initial", "/none.json", words=["/none.json"])
+
+    def test_files_that_cannot_be_written(self):
+        for option in "--svg", "--residuals", "--curve":
+            r = run("fit", self.file(self.GOOD), option, "/nonexistent/folder/x")
+            self.assertEqual(r.returncode, 3)
+            self.assertEqual(r.stdout, b"")
+            self.assertIn(b"/nonexistent/folder/x", r.stderr)
+
+
+class Results(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder_of_class = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder_of_class.cleanup)
+        f = cls.files = pathlib.Path(cls.folder_of_class.name)
+        r = run("fit", ARCH, "--json", "--residuals", f / "r.csv", "--curve", f / "c.json", "--svg", f / "p.svg")
+        assert (r.returncode, r.stderr) == (0, b""), r
+        cls.doc = json.loads(r.stdout)
+        cls.rows = list(csv.DictReader((f / "r.csv").read_text().splitlines()))
+
+    def test_the_schema(self):
+        d = self.doc
+        self.assertEqual(d["schema"], "cagd-fit-1")
+        self.assertIs(d["converged"], True)
+        n = len(d["unknowns"])
+        for field in "covariance", "correlations":
+            self.assertEqual([len(row) for row in d[field]], [n] * n)
+        self.assertEqual(d["points"], {"file": str(ARCH), "count": 25, "dimension": 2, "sigma": "column"})
+        self.assertEqual(len(d["free_directions"]), n - d["rank"])
+        self.assertEqual(d["statistics"]["degrees_of_freedom"], 25 - d["rank"])
+        self.assertEqual([u["name"] for u in d["unknowns"]], ["w1", "P1 x", "P1 y"])
+        self.assertEqual((d["verification"]["status"], d["verification"]["strict_minimum"]), ("verified", True))
+        self.assertLess(d["verification"]["weight_radius"], d["verification"]["weight_alone"])
+        self.assertEqual(self.fit(ARCH, "--no-verify")["verification"], {"status": "not asked"})
+
+    def test_intervals_and_correlations_are_those_of_the_covariance(self):
+        d = self.doc
+        q = d["statistics"]["quantile"]
+        for k, u in enumerate(d["unknowns"]):
+            error = math.sqrt(d["covariance"][k][k])
+            if u["kind"] == "weight":
+                self.assertAlmostEqual(u["standard_error"] / u["value"] / error, 1, 12)
+                self.assertAlmostEqual(math.log(u["high"] / u["low"]) / (2 * q * error), 1, 12)
+                self.assertEqual(u["value"], d["curve"]["weights"][u["index"]])
+            else:
+                self.assertAlmostEqual(u["standard_error"] / error, 1, 12)
+                self.assertAlmostEqual((u["high"] - u["low"]) / (2 * q * error), 1, 10)
+                self.assertEqual(u["value"], d["curve"]["points"][u["index"]][u["coordinate"]])
+            self.assertAlmostEqual(d["correlations"][k][k], 1, 12)
+        for i, j in itertools.combinations(range(len(d["unknowns"])), 2):
+            self.assertAlmostEqual(d["correlations"][i][j] * math.sqrt(d["covariance"][i][i] * d["covariance"][j][j]),
+                                   d["covariance"][i][j], 15)
+
+    def test_the_truth_lies_in_the_intervals(self):
+        """The data are made so that it does, as it does 95 times in 100."""
+        w = self.doc["unknowns"][0]
+        self.assertTrue(w["low"] < math.cos(math.radians(50)) < w["high"])
+        i = self.doc["invariants"][0]
+        self.assertAlmostEqual(i["value"], self.doc["curve"]["weights"][1] ** 2, 12)
+        self.assertTrue(i["low"] < math.cos(math.radians(50)) ** 2 < i["high"])
+        self.assertEqual(self.doc["conic"]["kind"], "certain")
+        self.assertEqual(self.doc["conic"]["type"], "ellipse")
+
+    def test_residuals_are_consistent(self):
+        d, rows = self.doc, self.rows
+        self.assertEqual(list(rows[0]), ["row", "line", "x", "y", "t", "foot_x", "foot_y", "residual_x", "residual_y",
+                                         "distance", "standardised"])
+        lines = ARCH.read_text().splitlines()
+        chi = 0
+        for k, row in enumerate(rows):
+            value = {name: float(x) for name, x in row.items()}
+            self.assertEqual(value["row"], k + 1)
+            x, y, sigma = map(float, lines[int(row["line"]) - 1].split(",")[:3])
+            self.assertEqual((value["x"], value["y"]), (x, y))
+            self.assertAlmostEqual(value["x"] - value["residual_x"], value["foot_x"], 14)
+            self.assertAlmostEqual(abs(value["distance"]), math.hypot(value["residual_x"], value["residual_y"]), 14)
+            self.assertAlmostEqual(value["standardised"] * sigma, value["distance"], 14)
+            chi += value["standardised"] ** 2
+        self.assertAlmostEqual(chi / d["statistics"]["chi_squared"], 1, 10)
+        distance = [abs(float(r["distance"])) for r in rows]
+        self.assertAlmostEqual(d["distances"]["largest"], max(distance), 15)
+        self.assertEqual(d["distances"]["largest_point"], 1 + distance.index(max(distance)))
+        self.assertEqual(d["distances"]["largest_line"], int(rows[d["distances"]["largest_point"] - 1]["line"]))
+        self.assertAlmostEqual(d["distances"]["rms"], math.sqrt(sum(x * x for x in distance) / len(rows)), 15)
+
+    def test_the_curve_is_read_back(self):
+        path = self.files / "c.json"
+        self.assertEqual(json.loads(path.read_text()), self.doc["curve"])
+        for row in self.rows[3::7]:
+            r = run("curve", path, "--json", "--at", float(row["t"]).hex())
+            at = json.loads(r.stdout)["values"][0]["rounded"][0]
+            self.assertAlmostEqual(at[0], float(row["foot_x"]), 13)
+            self.assertAlmostEqual(at[1], float(row["foot_y"]), 13)
+        again = self.fit(ARCH, "--initial", path, "--no-verify")
+        self.assertAlmostEqual(again["minimiser"]["initial_cost"] / self.doc["minimiser"]["cost"], 1, 10)
+
+    def test_the_same_bytes_every_time(self):
+        for options in [[], ["--json"], ["--verbose"], ["--starts", "4", "--json"]]:
+            a, b = (run("fit", ARCH, *options, "--residuals", self.folder / n, "--svg", self.folder / (n + ".svg"))
+                    for n in "ab")
+            self.assertEqual((a.stdout, a.stderr), (b.stdout, b""))
+            for end in "", ".svg":
+                self.assertEqual((self.folder / ("a" + end)).read_bytes(), (self.folder / ("b" + end)).read_bytes())
+        self.assertEqual(len(list(self.folder.iterdir())), 4)  # nothing temporary is left
+
+    def test_the_picture(self):
+        root = xml.dom.minidom.parse(str(self.files / "p.svg")).documentElement
+        self.assertEqual(root.getAttribute("role"), "img")
+        for tag in "title", "desc":
+            self.assertTrue(root.getElementsByTagName(tag)[0].firstChild.data.strip())
+        self.assertIn("25 measured points in the plane", root.getElementsByTagName("desc")[0].firstChild.data)
+        discs = [c for c in root.getElementsByTagName("circle") if c.getAttribute("class") == "m point"]
+        self.assertEqual(len(discs), 2 * 25 + 1)  # the points, their distances, and the legend
+
+    def test_the_picture_in_the_readme(self):
+        self.assertEqual((self.files / "p.svg").read_bytes(), (ROOT / "figures" / "fit-arch.svg").read_bytes())
+        self.assertIn("figures/fit-arch.svg", (ROOT / "README.md").read_text())
+
+    def test_the_arch_is_what_it_says(self):
+        lines = [line for line in ARCH.read_text().splitlines() if not line.startswith("#")]
+        for row in csv.DictReader(lines):
+            phi, noise = math.radians(float(row["phi"])), float(row["noise"])
+            normal = math.cos(phi) / 6.25, math.sin(phi) / 3.6
+            length = math.hypot(*normal)
+            self.assertAlmostEqual(float(row["x [m]"]), 6.25 * math.cos(phi) + noise * normal[0] / length, delta=6e-5)
+            self.assertAlmostEqual(float(row["y [m]"]), 3.6 * math.sin(phi) + noise * normal[1] / length, delta=6e-5)
+
+    def test_text(self):
+        text = run("fit", ARCH).stdout.decode()
+        self.assertTrue(all(len(line) <= 100 for line in text.splitlines()), text)
+        largest = self.doc["distances"]
+        for words in ["25 in the plane", "degree 2", "converged", "w1", "P1 x", "95 % interval", "an ellipse", "verified in intervals: a strict local minimum",
+                      f"point {largest['largest_point']} (line {largest['largest_line']})", "3 of 3"]:
+            self.assertIn(words, text)
+
+    def test_verbose_prints_the_iterations(self):
+        text = run("fit", ARCH, "--verbose").stdout.decode()
+        table = re.findall(r"^ +(\d+) +([\d.e+-]+) +[\d.e+-]+ +[\d.e+-]+ +(?:[\d.e+-]+|inf)", text, re.M)
+        history = self.doc["minimiser"]["history"]
+        self.assertEqual([(int(i), float(cost)) for i, cost in table], [(h["iteration"], h["cost"]) for h in history])
+
+
+class Fits(Case):
+    def test_points_on_a_curve(self):
+        for w in 0.3, 1.0, 2.5:
+            d = self.fit(table(quadratic(15, w)))
+            self.assertAlmostEqual(d["curve"]["weights"][1] / w, 1, 10)
+            self.assertAlmostEqual(d["curve"]["points"][1][1], 2, 9)
+
+    def test_not_converged(self):
+        rows = table(quadratic(40, 0.75, 0.05))
+        self.assertIs(self.fit(rows, "--max-iterations", "1", code=1)["converged"], False)
+        r = run("fit", self.file(rows), "--max-iterations", "1")
+        self.assertEqual((r.returncode, r.stderr), (1, b""))
+        self.assertIn("NOT converged", r.stdout.decode())
+
+    def test_free_directions_are_said(self):
+        rows = table(quadratic(40, 0.75, 0.01))
+        d = self.fit(rows, "--free", "weights,inner,ends")
+        self.assertEqual((d["rank"], len(d["unknowns"]), len(d["free_directions"])), (5, 7, 2))
+        for v in d["free_directions"]:
+            self.assertAlmostEqual(sum(x * x for x in v), 1, 10)
+        text = run("fit", self.file(rows), "--free", "weights,inner,ends").stdout.decode()
+        self.assertIn("5 of 7", text)
+        self.assertIn("not determined", text)
+
+    def test_bounds(self):
+        d = self.fit(table(quadratic(40, 0.3, 0.01)), "--weights-between", "1/2:2")
+        w = d["unknowns"][0]
+        self.assertTrue(w["at_bound"])
+        self.assertAlmostEqual(w["value"], 0.5, 12)
+        self.assertIsNone(w["standard_error"])
+        self.assertIn("on its bound", run("fit", self.file(table(quadratic(40, 0.3, 0.01))), "--weights-between",
+                                          "0.5:2").stdout.decode())
+
+    def test_robust_loss_bounds_outliers(self):
+        """An outlier that goes farther away takes the least squares along, and no robust fit."""
+        for options, low, high in [((), 0.1, 9), (("--loss", "huber", "--scale", "0.02"), 0, 0.002),
+                                   (("--loss", "cauchy", "--scale", "0.02"), 0, 0.002)]:
+            weight = []
+            for far in 0.6, 1.0:
+                rows = quadratic(60, 0.75, 0.01)
+                rows[20][1] += far
+                d = self.fit(table(rows), *options)
+                self.assertEqual(d["distances"]["largest_point"], 21)
+                weight.append(d["curve"]["weights"][1])
+            self.assertTrue(low <= abs(weight[0] - weight[1]) <= high, (options, weight))
+
+    def test_knots_and_control_points(self):
+        rows = table([[x, math.sin(x)] for x in (6 * i / 59 for i in range(60))])
+        a = self.fit(rows, "--degree", "3", "--knots", "1/4,0.5,3/4", "--no-verify")
+        b = self.fit(rows, "--degree", "3", "--control-points", "7", "--no-verify")
+        self.assertEqual(a["curve"], b["curve"])
+        self.assertEqual(a["curve"]["kind"], "nurbs")
+        self.assertEqual(a["curve"]["knots"], [0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1])
+
+    def test_unordered(self):
+        rows = quadratic(40, 0.75, 0.01)
+        mixed = rows[:]
+        random.Random(3).shuffle(mixed)
+        d = self.fit(table(mixed), "--unordered", "--initial", self.start(rows))
+        self.assertAlmostEqual(d["curve"]["weights"][1],
+                               self.fit(table(rows), "--initial", self.start(rows))["curve"]["weights"][1], 8)
+
+    def start(self, rows):
+        return self.file(json.dumps({"kind": "rational-bezier", "points": [rows[0], [1, 2], rows[-1]],
+                                     "weights": [1, 1, 1]}), "start.json")
+
+    def test_pictures_of_all_kinds(self):
+        for text, options in [(table(helix(30, 0.01), names=["x", "y", "z"]), ["--degree", "3"]),
+                              (table(quadratic(3000, 0.75, 0.02)), []), (table(quadratic(3, 0.75)), []),
+                              (table([[i, 2 * i] for i in range(9)]), []),
+                              (table([[5e6 + x, 4e-9 * y] for x, y in quadratic(30)]), []),
+                              (table([[x, math.sin(x)] for x in (6 * i / 59 for i in range(60))]),
+                               ["--degree", "3", "--control-points", "12"])]:
+            svg = self.folder / "p.svg"
+            r = run("fit", self.file(text), "--svg", svg, "--no-verify", *options)
+            self.assertIn(r.returncode, (0, 1), r)
+            self.assertEqual(r.stderr, b"")
+            xml.dom.minidom.parse(str(svg))
+            svg.unlink()
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

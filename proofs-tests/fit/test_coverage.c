@@ -1,0 +1,151 @@
+/* test_coverage.c -- do the 95 % intervals of the fit cover the truth 95 times in a hundred (置信区间的覆盖率)?
+ *
+ * For each of the settings below a known curve is measured DRAWS times, each time with other noise, and fitted.  For every
+ * unknown and every invariant two things are counted: how often its interval holds the truth, and the mean of z^2,
+ * z = (estimate - truth)/standard error.
+ *
+ * What chance allows.  The share covered among n draws has the standard deviation sqrt(0.95 0.05/n): 0.34 % for n = 4096, so that 93 to
+ * 97 % are six of them.  z^2 is the square of a normal number or, with unknown standard deviation, of Student's t: its mean is d/(d-2),
+ * its variance 2 d^2 (d-1)/((d-2)^2 (d-4)) (2 and 1 as d grows), and the mean over the draws may differ by five standard deviations,
+ * which happens by chance once in two million times.  The noise is small against the curvature of the curves,
+ * so that what is not linear stays below that; draws are seeded and the outcome is always the same.
+ *
+ *     test_coverage               the test
+ *     test_coverage --factor F    with all standard errors multiplied by F: a control
+ *     test_coverage --quantile Q  with Q for the quantile: another control
+ *
+ * Exit status 0: all settings are within their bounds. */
+#include "core/fit/cagd_fit.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DRAWS = 4096, MOST_POINTS = 32, MOST_UNKNOWNS = 16, FAILURES = 0 };
+
+typedef struct setting {
+    const char *name;
+    int dim, degree, count, known_sigma;
+    double sigma; /* of the first point; the others' go up to twice that where they are known */
+    double points[12], weights[4];
+} setting;
+
+static const setting settings[] = {
+    {"plane, known", 2, 2, 14, 1, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 0.7, 1}},
+    {"plane, unknown", 2, 2, 12, 0, 0.0005, {0, 0, 1, 2, 3, 0.5}, {1, 1.6, 1}},
+    {"space, known", 3, 2, 10, 1, 0.001, {0, 0, 0, 1, 2, 1, 3, 0.5, -1}, {1, 1.3, 1}},
+    {"space, unknown", 3, 3, 12, 0, 0.001, {0, 0, 0, 1, 2, 0, 2, -1, 2, 3, 1, 3}, {1, 1.5, 0.8, 1}},
+};
+
+/* splitmix64, and Box and Muller's normal numbers. */
+static uint64_t state;
+static double uniform(void)
+{
+    uint64_t z = state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return ((double)((z ^ (z >> 31)) >> 11) + 0.5) * 0x1p-53;
+}
+static double normal(void) { return sqrt(-2 * log(uniform())) * cos(6.283185307179586476925 * uniform()); }
+
+typedef struct tally {
+    int draws, covered;
+    double squares;
+} tally;
+
+static void count_in(tally *t, double estimate, double truth, double error, double quantile)
+{
+    double z = (estimate - truth) / error;
+    t->draws++, t->covered += fabs(z) <= quantile, t->squares += z * z;
+}
+
+static int judge(const char *setting_name, const char *what, const tally *t, int freedom)
+{
+    double share = (double)t->covered / t->draws, mean = t->squares / t->draws, d = freedom;
+    double expected = freedom > 0 ? d / (d - 2) : 1;
+    double variance = freedom > 0 ? 2 * d * d * (d - 1) / ((d - 2) * (d - 2) * (d - 4)) : 2;
+    double off = (mean - expected) / sqrt(variance / t->draws);
+    int good = share >= 0.93 && share <= 0.97 && fabs(off) <= 5;
+    printf("%-15s %-14s %6.2f %% +- %.2f   mean of z^2 %6.3f, expected %5.3f: %+5.1f standard deviations  %s\n",
+           setting_name, what, 100 * share, 100 * sqrt(0.95 * 0.05 / t->draws), mean, expected, off,
+           good ? "ok" : "FAILS");
+    return good;
+}
+
+/* The number of settings' quantities that are out of bounds, and of fits that did not converge. */
+static int run(const setting *s, double factor, double quantile)
+{
+    double measured[3 * MOST_POINTS], sigma[MOST_POINTS], exact[3 * MOST_POINTS], start[12], knots[8];
+    cagd_fit_data data = {s->count, s->dim, measured, s->known_sigma ? sigma : NULL};
+    cagd_fit_options options = cagd_fit_defaults();
+    int n = s->degree + 1, failures = 0, unknowns = 0, freedom = 0, bad = 0;
+    tally unknown[MOST_UNKNOWNS], invariant[2];
+    char names[MOST_UNKNOWNS][32];
+    memset(unknown, 0, sizeof unknown), memset(invariant, 0, sizeof invariant);
+    memcpy(start, s->points, sizeof start);
+    for (int k = 0; k < 2 * n; k++)
+        knots[k] = k >= n;
+    double ones[4] = {1, 1, 1, 1};
+    cagd_spline initial = {s->degree, n, s->dim, knots, start, ones};
+    options.degree = s->degree, options.initial = &initial, options.max_iterations = 100;
+    for (int i = 0; i < s->count; i++) {
+        double t = (i + 0.5 + 0.3 * sin(3.0 * i)) / s->count; /* not even, and off the ends */
+        cagd_rational_point(s->degree, s->dim, s->points, s->weights, t, exact + i * s->dim);
+        sigma[i] = s->sigma * (s->known_sigma ? 1 + (i * 7 % s->count) / (double)s->count : 1);
+    }
+    state = (uint64_t)s->name[0] * 1000003 + (uint64_t)s->name[strlen(s->name) - 3];
+    for (int draw = 0; draw < DRAWS; draw++) {
+        cagd_fit_result *fit = NULL;
+        for (int k = 0; k < s->count * s->dim; k++)
+            measured[k] = exact[k] + sigma[k / s->dim] * normal();
+        if (cagd_fit(&data, &options, &fit, NULL) != CAGD_FIT_OK || fit->termination != CAGD_FIT_CONVERGED) {
+            failures++;
+            cagd_fit_free(fit);
+            continue;
+        }
+        unknowns = fit->unknowns, freedom = s->known_sigma ? 0 : fit->degrees_of_freedom;
+        for (int k = 0; k < unknowns; k++) {
+            cagd_fit_unknown u = fit->unknown[k];
+            double truth = u.is_weight ? log(s->weights[u.index]) : s->points[u.index * s->dim + u.coordinate];
+            count_in(&unknown[k], fit->value[k], truth, factor * sqrt(fit->covariance[k * unknowns + k]),
+                     quantile > 0 ? quantile : fit->quantile);
+            if (u.is_weight)
+                snprintf(names[k], sizeof names[k], "log w_%d", u.index);
+            else
+                snprintf(names[k], sizeof names[k], "P_%d, %c", u.index, "xyz"[u.coordinate]);
+        }
+        for (int j = 0; j < fit->invariants; j++) {
+            double truth = s->weights[j + 1] * s->weights[j + 1] / (s->weights[j] * s->weights[j + 2]);
+            count_in(&invariant[j], fit->invariant[j], truth, factor * fit->invariant_error[j],
+                     quantile > 0 ? quantile : fit->quantile);
+        }
+        cagd_fit_free(fit);
+    }
+    for (int k = 0; k < unknowns; k++)
+        bad += !judge(s->name, names[k], &unknown[k], freedom);
+    for (int j = 0; j < s->degree - 1; j++)
+        bad += !judge(s->name, j == 0 ? "I_1" : "I_2", &invariant[j], freedom);
+    if (failures > FAILURES)
+        printf("%-15s %d of %d fits did not converge\n", s->name, failures, DRAWS);
+    return bad + (failures > FAILURES) + (unknowns == 0);
+}
+
+int main(int argc, char **argv)
+{
+    double factor = 1, quantile = 0;
+    if (argc == 3 && strcmp(argv[1], "--factor") == 0)
+        factor = atof(argv[2]);
+    else if (argc == 3 && strcmp(argv[1], "--quantile") == 0)
+        quantile = atof(argv[2]);
+    else if (argc != 1) {
+        fprintf(stderr, "usage: test_coverage [--factor F | --quantile Q]\n");
+        return 2;
+    }
+    int bad = 0;
+    for (size_t k = 0; k < sizeof settings / sizeof *settings; k++)
+        bad += run(&settings[k], factor, quantile);
+    printf("%s\n", bad == 0 ? "All intervals cover as they say" : "Some intervals do not cover as they say");
+    return bad != 0;
+}

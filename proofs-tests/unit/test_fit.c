@@ -1,0 +1,438 @@
+/* test_fit.c -- curves fitted to points: the parts against their definitions, known curves found again, what is refused. */
+#include "core/fit/cagd_fit.h"
+#include "core/fit/feet.h"
+#include "core/fit/objective.h"
+#include "core/fit/reduction.h"
+#include "core/kernels_d.h"
+
+#include <float.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { MOST = 4000 };
+static double Q[MOST * 3];
+static uint32_t state_of_noise;
+
+/* Even between -1 and 1. */
+static double noise(void)
+{
+    state_of_noise = state_of_noise * 1664525u + 1013904223u;
+    return (double)(state_of_noise >> 8) / (1 << 23) - 1;
+}
+
+/* N points of the curve at parameters that are even between `from` and `to`, off by up to `size` in every coordinate. */
+static cagd_fit_data sample(const cagd_spline *s, int N, double from, double to, double size)
+{
+    state_of_noise = 7;
+    for (int i = 0; i < N; i++) {
+        assert_int_equal(cagd_spline_point(s, from + (to - from) * i / (N - 1), CAGD_RIGHT, Q + i * s->dim), CAGD_OK);
+        for (int c = 0; c < s->dim; c++)
+            Q[i * s->dim + c] += size * noise();
+    }
+    return (cagd_fit_data){N, s->dim, Q, NULL};
+}
+
+static const double bezier_knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+static const double cubic_points[] = {0, 0, 1, 2.5, 3, 2, 4, -0.5}, cubic_weights[] = {1, 2, 0.6, 1};
+static const cagd_spline cubic = {3, 4, 2, bezier_knots, cubic_points, cubic_weights};
+static const double conic_points[] = {0, 0, 1, 2, 3, 0}, conic_weights[] = {1, 0.7, 1};
+static const cagd_spline conic = {2, 3, 2, bezier_knots + 1, conic_points, conic_weights};
+static const double space_points[] = {0, 0, 0, 1, 2, -1, 3, 1, 2, 4, -1, 1};
+static const cagd_spline in_space = {3, 4, 3, bezier_knots, space_points, cubic_weights};
+static const double spline_knots[] = {0, 0, 0, 0, 0.4, 0.7, 1, 1, 1, 1};
+static const double spline_points[] = {0, 0, 1, 2, 2, -1, 3, 1, 4, 1.5, 5, 0},
+                    spline_weights[] = {1, 2, 0.7, 1.4, 0.8, 1.3};
+static const cagd_spline spline = {3, 6, 2, spline_knots, spline_points, spline_weights};
+
+static cagd_fit_result *fit(const cagd_fit_data *data, const cagd_fit_options *options)
+{
+    cagd_fit_result *r;
+    assert_int_equal(cagd_fit(data, options, &r, NULL), CAGD_FIT_OK);
+    assert_non_null(r);
+    return r;
+}
+
+static fit_curve *curve_of(const cagd_spline *s)
+{
+    fit_curve *c = fit_curve_new(s->degree, s->count, s->dim, s->knots);
+    assert_non_null(c);
+    memcpy(c->points, s->points, (size_t)(s->count * s->dim) * sizeof *c->points);
+    memcpy(c->weights, s->weights, (size_t)s->count * sizeof *c->weights);
+    fit_curve_update(c);
+    return c;
+}
+
+/* ---- Parts ------------------------------------------------------------------------------------------------- */
+
+static void derivatives_are_those_of_the_kernels(void **state)
+{
+    const cagd_spline *curves[] = {&conic, &cubic, &in_space, &spline};
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        const cagd_spline *s = curves[k];
+        fit_curve *c = curve_of(s);
+        double D[9], E[9], R[4];
+        for (int i = 0; i <= 40; i++) {
+            double t = i / 40.0;
+            fit_curve_derivatives(c, t, D);
+            assert_int_equal(cagd_spline_derivatives(s, t, CAGD_RIGHT, 2, E), CAGD_OK);
+            for (int m = 0; m < 3 * s->dim; m++) /* values up to 200 by cancellation, some 60 roundings */
+                assert_true(fabs(D[m] - E[m]) <= 64 * DBL_EPSILON * 200);
+            int piece = fit_curve_piece(c, t), low = c->span[piece] - s->degree;
+            fit_curve_shares(c, piece, t, R);
+            for (int x = 0; x < s->dim; x++) {
+                double sum = 0;
+                for (int m = 0; m <= s->degree; m++)
+                    sum += R[m] * s->points[(low + m) * s->dim + x];
+                assert_true(fabs(sum - E[x]) <= 64 * DBL_EPSILON * 5);
+            }
+        }
+        fit_curve_free(c);
+    }
+}
+
+/* Q is put where its foot is known: on the normal at t. */
+static void feet_are_orthogonal(void **state)
+{
+    const cagd_spline *curves[] = {&conic, &cubic, &spline};
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        fit_curve *c = curve_of(curves[k]);
+        double D[9], q[2];
+        for (int i = 1; i < 20; i++)
+            for (int side = -1; side <= 1; side++) {
+                double t = i / 20.0 + 0.003, s = t + 0.02;
+                fit_curve_derivatives(c, t, D);
+                double length = hypot(D[2], D[3]);
+                q[0] = D[0] - side * 0.05 * D[3] / length;
+                q[1] = D[1] + side * 0.05 * D[2] / length;
+                assert_int_equal(fit_foot(c, q, &s, D), FOOT_ORTHOGONAL);
+                assert_true(fabs(s - t) <= 256 * DBL_EPSILON);
+                assert_true(fabs(hypot(q[0] - D[0], q[1] - D[1]) - abs(side) * 0.05) <= 256 * DBL_EPSILON * length);
+            }
+        double before[2] = {-1, -0.5}, s = 0.5;
+        fit_foot_kind kind = fit_foot(c, before, &s, D);
+        assert_true(kind == FOOT_AT_END && s == 0);
+        fit_curve_free(c);
+    }
+}
+
+/* The triangle T of rows A: T^T T = A^T A. */
+static void triangles_keep_the_normal_equations(void **state)
+{
+    enum { N = 5, SIDES = 2, ROWS = 301 };
+    static const int first[] = {0, 3, 7}, reach[] = {0, 1, 3, 1, 2, 3, 4};
+    double sum[N + SIDES][N + SIDES] = {{0}};
+    (void)state;
+    state_of_noise = 3;
+    fit_reduction *r = fit_reduction_new(N, SIDES, 2, first, reach);
+    assert_non_null(r);
+    for (int again = 0; again < 2; again++) {
+        fit_reduction_clear(r);
+        memset(sum, 0, sizeof sum);
+        for (int i = 0; i < ROWS; i++) {
+            int piece = i % 3 == 0, stride;
+            double whole[N + SIDES] = {0}, *row = fit_reduction_row(r, piece, &stride);
+            for (int j = first[piece]; j < first[piece + 1] + SIDES; j++, row += stride)
+                whole[j < first[piece + 1] ? reach[j] : N + j - first[piece + 1]] = *row = noise();
+            for (int a = 0; a < N + SIDES; a++)
+                for (int b = 0; b < N + SIDES; b++)
+                    sum[a][b] += whole[a] * whole[b];
+        }
+        const double *T = fit_reduction_triangle(r);
+        for (int a = 0; a < N + SIDES; a++)
+            for (int b = 0; b < N + SIDES; b++) {
+                double product = 0;
+                for (int k = 0; k < N + SIDES; k++)
+                    product += T[k * (N + SIDES) + a] * T[k * (N + SIDES) + b];
+                assert_true(fabs(product - sum[a][b]) <= ROWS * 4 * DBL_EPSILON * ROWS);
+                assert_true(a <= b || T[a * (N + SIDES) + b] == 0);
+            }
+    }
+    fit_reduction_free(r);
+}
+
+/* ---- Known curves ------------------------------------------------------------------------------------------ */
+
+static void noise_free_curves_come_back(void **state)
+{
+    const cagd_spline *curves[] = {&conic, &cubic, &in_space, &spline};
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        const cagd_spline *s = curves[k];
+        cagd_fit_data data = sample(s, 60, 0, 1, 0);
+        cagd_fit_options o = cagd_fit_defaults();
+        o.degree = s->degree;
+        o.count = s->count;
+        o.knots = s->knots;
+        cagd_fit_result *r = fit(&data, &o);
+        assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
+        assert_int_equal(r->rank, r->unknowns);
+        assert_true(r->rms < 1e-13);
+        for (int i = 0; i < s->count; i++)
+            assert_true(fabs(r->curve.weights[i] / s->weights[i] - 1) < 1e-11);
+        for (int i = 1; i < r->count; i++)
+            assert_true(r->feet[i] > r->feet[i - 1]);
+        cagd_fit_free(r);
+    }
+}
+
+static void free_ends_slide(void **state)
+{
+    cagd_fit_data data = sample(&conic, 50, 0, 1, 0.001);
+    cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    o.free |= CAGD_FIT_END_POINTS;
+    cagd_fit_result *r = fit(&data, &o);
+    assert_int_equal(r->unknowns, 7);
+    assert_int_equal(r->rank, 5);
+    assert_int_equal(r->flat, 2);
+    for (int a = 0; a < 2; a++)
+        for (int b = 0; b < 2; b++) {
+            double product = 0;
+            for (int k = 0; k < 7; k++)
+                product += r->free_directions[a * 7 + k] * r->free_directions[b * 7 + k];
+            assert_true(fabs(product - (a == b)) < 1e-12);
+        }
+    assert_false(r->determined[2]); /* the weight */
+    cagd_fit_free(r);
+}
+
+static void both_methods_find_one_minimum(void **state)
+{
+    const cagd_spline *curves[] = {&cubic, &in_space, &spline};
+    (void)state;
+    for (int k = 0; k < 3; k++) { /* no foot is at an end */
+        cagd_fit_data data = sample(curves[k], 300, 0.02, 0.98, 0.003);
+        cagd_fit_options o = cagd_fit_defaults();
+        o.initial = curves[k];
+        cagd_fit_result *fast = fit(&data, &o);
+        o.method = CAGD_FIT_PLAIN;
+        o.max_iterations = 500;
+        cagd_fit_result *plain = fit(&data, &o);
+        assert_int_equal(plain->termination, CAGD_FIT_CONVERGED);
+        assert_true(fabs(fast->cost / plain->cost - 1) < 1e-9);
+        assert_true(fast->gradient_norm < 1e-12);
+        cagd_fit_free(fast);
+        cagd_fit_free(plain);
+    }
+}
+
+static void order_does_not_matter_when_there_is_none(void **state)
+{
+    cagd_fit_data data = sample(&conic, 101, 0, 1, 0.001);
+    cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    o.initial = &conic;
+    cagd_fit_result *ordered = fit(&data, &o);
+    double shuffled[101 * 2];
+    for (int i = 0; i < 101; i++)
+        memcpy(shuffled + i * 37 % 101 * 2, Q + i * 2, 2 * sizeof *Q);
+    cagd_fit_data in_any = {101, 2, shuffled, NULL};
+    o.unordered = 1;
+    cagd_fit_result *any = fit(&in_any, &o);
+    assert_true(fabs(any->cost / ordered->cost - 1) < 1e-12);
+    o.initial = NULL;
+    o.free |= CAGD_FIT_END_POINTS;
+    cagd_fit_result *found = fit(&in_any, &o);
+    assert_true(found->cost < any->cost);
+    cagd_fit_free(ordered);
+    cagd_fit_free(any);
+    cagd_fit_free(found);
+}
+
+static void bounds_hold(void **state)
+{
+    cagd_fit_data data = sample(&cubic, 60, 0, 1, 0);
+    cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    o.degree = 3;
+    o.weight_high = 1.5;
+    cagd_fit_result *r = fit(&data, &o);
+    assert_true(r->curve.weights[1] <= 1.5 * (1 + 4 * DBL_EPSILON) &&
+                r->curve.weights[2] <= 1.5 * (1 + 4 * DBL_EPSILON));
+    int bound = 0;
+    for (int k = 0; k < r->unknowns; k++)
+        bound += r->at_bound[k];
+    assert_int_equal(bound + r->rank + r->flat, r->unknowns);
+    assert_true(bound >= 1);
+    cagd_fit_free(r);
+}
+
+static void a_robust_loss_leaves_outliers_out(void **state)
+{
+    (void)state;
+    for (int loss = CAGD_FIT_HUBER; loss <= CAGD_FIT_CAUCHY; loss++) {
+        cagd_fit_data data = sample(&conic, 101, 0, 1, 0.001);
+        for (int i = 10; i < 101; i += 20)
+            Q[2 * i + 1] += 0.5;
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *squares = fit(&data, &o);
+        o.loss = (cagd_fit_loss)loss;
+        o.loss_scale = 0.002;
+        cagd_fit_result *robust = fit(&data, &o);
+        assert_int_equal(robust->termination, CAGD_FIT_CONVERGED);
+        assert_true(fabs(robust->curve.weights[1] - 0.7) < 0.01);
+        assert_true(fabs(squares->curve.weights[1] - 0.7) > 0.02);
+        cagd_fit_free(squares);
+        cagd_fit_free(robust);
+    }
+}
+
+/* Far from the origin and in any unit the same curve. */
+static void place_and_unit_do_not_matter(void **state)
+{
+    cagd_fit_data data = sample(&cubic, 80, 0, 1, 0.002);
+    cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    o.degree = 3;
+    cagd_fit_result *here = fit(&data, &o);
+    for (int m = 0; m < 160; m++)
+        Q[m] = Q[m] * 1024 + (m % 2 ? 4096 : -8192);
+    cagd_fit_result *there = fit(&data, &o);
+    for (int i = 0; i < 4; i++)
+        assert_true(fabs(here->curve.weights[i] - there->curve.weights[i]) < 1e-9);
+    assert_true(fabs(there->cost / here->cost / 0x1p20 - 1) < 1e-9);
+    cagd_fit_free(here);
+    cagd_fit_free(there);
+}
+
+static void the_same_again(void **state)
+{
+    cagd_fit_data data = sample(&spline, MOST, 0, 1, 0.01);
+    cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    o.degree = 3;
+    o.count = 6;
+    o.starts = 3;
+    cagd_fit_result *a = fit(&data, &o), *b = fit(&data, &o);
+    assert_memory_equal(a->value, b->value, (size_t)a->unknowns * sizeof *a->value);
+    assert_memory_equal(a->feet, b->feet, MOST * sizeof *a->feet);
+    assert_true(a->agreeing_starts >= 1 && a->agreeing_starts <= 3);
+    cagd_fit_free(a);
+    cagd_fit_free(b);
+}
+
+/* ---- Refusals ---------------------------------------------------------------------------------------------- */
+
+static void refused(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_status expected, int place)
+{
+    cagd_fit_result *r = (cagd_fit_result *)&Q;
+    int where = 99;
+    assert_int_equal(cagd_fit(data, o, &r, &where), expected);
+    assert_null(r);
+    assert_int_equal(where, place);
+    assert_true(strlen(cagd_fit_status_text(expected)) > 0);
+}
+
+static void bad_arguments_are_refused(void **state)
+{
+    const cagd_fit_options good = cagd_fit_defaults();
+    const cagd_fit_data data = sample(&conic, 20, 0, 1, 0);
+    double sigma[20], points[40];
+    (void)state;
+#define OPTION(change, status)                                                                                         \
+    do {                                                                                                               \
+        cagd_fit_options o = good;                                                                                     \
+        change;                                                                                                        \
+        refused(&data, &o, status, -1);                                                                                \
+    } while (0)
+    OPTION(o.free = 0, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.free = 8, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.free = CAGD_FIT_WEIGHTS, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.degree = 0, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.degree = CAGD_MAX_DEGREE + 1, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.count = 2, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.loss = (cagd_fit_loss)7, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.loss_scale = 0, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.loss_scale = NAN, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.weight_low = -1, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.weight_low = 1, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.weight_low = NAN, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.weight_high = 1, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.weight_high = NAN, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.starts = 0, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.tolerance = 0, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.tolerance = INFINITY, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.max_iterations = 0, CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.method = (cagd_fit_method)2, CAGD_FIT_BAD_OPTIONS);
+    OPTION((o.degree = 1, o.free = CAGD_FIT_WEIGHTS), CAGD_FIT_BAD_OPTIONS);
+
+    static const double decreasing[] = {0, 0, 0, 0.7, 0.4, 1, 1, 1}, open[] = {0, 0.1, 0.2, 0.4, 0.7, 1, 1, 1};
+    static const double torn[] = {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}, infinite[] = {0, 0, 0, 0.4, 0.7, INFINITY, 1, 1};
+    OPTION((o.count = 5, o.knots = decreasing), CAGD_FIT_BAD_CURVE);
+    OPTION((o.count = 5, o.knots = open), CAGD_FIT_BAD_CURVE);
+    OPTION((o.count = 5, o.knots = infinite), CAGD_FIT_BAD_CURVE);
+    OPTION((o.count = 6, o.knots = torn), CAGD_FIT_BAD_CURVE);
+    static const double zero[] = {1, 0, 1}, not_finite[] = {0, 0, INFINITY, 2, 3, 0};
+    cagd_spline curve = conic;
+    curve.weights = zero;
+    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    curve = conic;
+    curve.points = not_finite;
+    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    curve = conic;
+    curve.dim = 3;
+    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    curve = conic;
+    curve.degree = 3;
+    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    curve = conic;
+    curve.knots = NULL;
+    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    OPTION((o.degree = 8, o.count = 40), CAGD_FIT_TOO_FEW);
+
+    cagd_fit_data d = data;
+    d.count = 1;
+    refused(&d, &good, CAGD_FIT_TOO_FEW, -1);
+    d.count = 2; /* three unknowns */
+    refused(&d, &good, CAGD_FIT_TOO_FEW, -1);
+    d = data;
+    d.dim = 4;
+    refused(&d, &good, CAGD_FIT_BAD_DATA, -1);
+    d = data;
+    d.points = NULL;
+    refused(&d, &good, CAGD_FIT_BAD_DATA, -1);
+    memcpy(points, Q, sizeof points);
+    d = data;
+    d.points = points;
+    points[13] = NAN;
+    refused(&d, &good, CAGD_FIT_BAD_DATA, 6);
+    for (int m = 0; m < 40; m++)
+        points[m] = 1 + m % 2;
+    refused(&d, &good, CAGD_FIT_ALL_EQUAL, -1);
+    for (int i = 0; i < 20; i++)
+        sigma[i] = 1;
+    d = data;
+    d.sigma = sigma;
+    sigma[17] = 0;
+    refused(&d, &good, CAGD_FIT_BAD_DATA, 17);
+    sigma[17] = INFINITY;
+    refused(&d, &good, CAGD_FIT_BAD_DATA, 17);
+    cagd_fit_free(NULL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(derivatives_are_those_of_the_kernels),
+        cmocka_unit_test(feet_are_orthogonal),
+        cmocka_unit_test(triangles_keep_the_normal_equations),
+        cmocka_unit_test(noise_free_curves_come_back),
+        cmocka_unit_test(free_ends_slide),
+        cmocka_unit_test(both_methods_find_one_minimum),
+        cmocka_unit_test(order_does_not_matter_when_there_is_none),
+        cmocka_unit_test(bounds_hold),
+        cmocka_unit_test(a_robust_loss_leaves_outliers_out),
+        cmocka_unit_test(place_and_unit_do_not_matter),
+        cmocka_unit_test(the_same_again),
+        cmocka_unit_test(bad_arguments_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

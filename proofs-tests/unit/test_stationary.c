@@ -1,0 +1,327 @@
+/* test_stationary.c -- the check in intervals: problems whose answer is known exactly, and what must be refused. */
+#include "unit_exact.h"
+
+#include "exact/region.h"
+#include "exact/stationary.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { MOST = 20000 };
+
+static double points[3 * MOST], sigma[MOST], feet[MOST], knots[32], control[3 * 16], weights[16];
+static cagd_fit_unknown unknown[64];
+static cagd_fit_data data;
+static cagd_spline curve;
+static stationary_problem problem;
+
+/* ---- A quarter of the circle of radius 65 with points of integer coordinates ----------------------- */
+
+/* (x, y) = 65 ((1-t^2), 2t)/(1+t^2): weights 1, 1, 2 over the points (65,0), (65,65), (0,65). */
+static const int pythagorean[][2] = {{63, 16}, {60, 25}, {56, 33}, {52, 39}, {39, 52}, {33, 56}, {25, 60}, {16, 63}};
+enum { PYTHAGOREAN = sizeof pythagorean / sizeof pythagorean[0] };
+
+/* The points themselves, or each of them twice, nearer to the centre and farther from it by the factor 1 -+ 1/16.  Their feet
+ * are the points; the residuals cancel in pairs, so that the circle is stationary for every loss. */
+static void circle(int pairs)
+{
+    static const double k[] = {0, 0, 0, 1, 1, 1}, P[] = {65, 0, 65, 65, 0, 65}, w[] = {1, 1, 2};
+    memcpy(knots, k, sizeof k);
+    memcpy(control, P, sizeof P);
+    memcpy(weights, w, sizeof w);
+    int count = 0;
+    for (int i = 0; i < PYTHAGOREAN; i++)
+        for (int side = pairs ? -1 : 0; side <= pairs; side += 2) {
+            double factor = 1 + side * 0x1p-4;
+            for (int c = 0; c < 2; c++)
+                points[2 * count + c] = factor * pythagorean[i][c];
+            feet[count++] = pythagorean[i][1] / (65.0 + pythagorean[i][0]);
+        }
+    unknown[0] = (cagd_fit_unknown){1, 1, 0};
+    unknown[1] = (cagd_fit_unknown){0, 1, 0};
+    unknown[2] = (cagd_fit_unknown){0, 1, 1};
+    data = (cagd_fit_data){count, 2, points, NULL};
+    curve = (cagd_spline){2, 3, 2, knots, control, weights};
+    problem = (stationary_problem){
+        .data = &data, .loss_scale = 8, .curve = &curve, .feet = feet, .unknowns = 3, .unknown = unknown};
+}
+
+static void the_circle_is_found_at_its_place(void **state)
+{
+    (void)state;
+    static const cagd_fit_loss losses[] = {CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY};
+    for (int pairs = 0; pairs < 2; pairs++)
+        for (int l = 0; l < 3; l++) {
+            circle(pairs);
+            problem.loss = losses[l];
+            stationary_verdict v = stationary_check(&problem);
+            if (!v.verified || !v.minimum)
+                print_error("pairs %d, loss %d: %s\n", pairs, l, v.verified ? "no minimum" : v.reason);
+            assert_true(v.verified && v.minimum && v.dimension == 3 && v.where == -1);
+            assert_true(v.weight_radius < 0x1p-80 && v.point_radius < 0x1p-70); /* a gradient of 0, in 128 bits */
+            assert_true(v.weight_alone > 0x1p-26 && v.point_alone > 0x1p-20);
+        }
+}
+
+/* Cauchy's loss bends the other way beyond its scale: the circle between far pairs is stationary, and no minimum. */
+static void what_is_no_minimum_is_not_called_one(void **state)
+{
+    (void)state;
+    circle(1);
+    problem.loss = CAGD_FIT_CAUCHY;
+    problem.loss_scale = 2;
+    stationary_verdict v = stationary_check(&problem);
+    assert_true(v.verified && !v.minimum && v.weight_radius < 0x1p-80);
+}
+
+static void a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius(void **state)
+{
+    (void)state;
+    for (int e = -45; e <= -25; e += 10)
+        for (int a = 0; a < 3; a++) {
+            circle(1);
+            double shift = ldexp(1, e);
+            if (a == 0)
+                weights[1] = exp(shift);
+            else
+                control[1 + a] += shift;
+            stationary_verdict v = stationary_check(&problem);
+            if (!v.verified || !v.minimum)
+                print_error("shift 2^%d of unknown %d: %s\n", e, a, v.reason);
+            assert_true(v.verified && v.minimum);
+            double radius = a == 0 ? v.weight_radius : v.point_radius;
+            assert_true(radius >= shift * (1 - DBL_EPSILON) && radius < 2 * shift);
+            assert_true(a == 0 ? v.weight_alone > shift : v.point_alone > shift);
+        }
+}
+
+static void what_is_not_near_is_refused(void **state)
+{
+    (void)state;
+    circle(1);
+    weights[1] = 1.5;
+    stationary_verdict v = stationary_check(&problem);
+    assert_true(!v.verified && !v.minimum && v.reason != NULL);
+    circle(1);
+    control[2] = 80;
+    v = stationary_check(&problem);
+    assert_true(!v.verified && v.reason != NULL);
+}
+
+static void wrong_feet_are_refused(void **state)
+{
+    (void)state;
+    circle(1);
+    feet[5] = 0.9;
+    stationary_verdict v = stationary_check(&problem);
+    assert_true(!v.verified && v.where == 5 && v.reason != NULL);
+    circle(1);
+    feet[3] = 1.25; /* outside the domain */
+    v = stationary_check(&problem);
+    assert_true(!v.verified && v.where == 3);
+    circle(1);
+    feet[7] = NAN;
+    v = stationary_check(&problem);
+    assert_true(!v.verified && v.where == 7);
+}
+
+/* The point nearest to the end of the curve is the end: stays there. */
+static void feet_at_the_ends(void **state)
+{
+    (void)state;
+    circle(1);
+    int last = data.count;
+    points[2 * last] = 65, points[2 * last + 1] = 0, feet[last] = 0; /* the fixed end itself */
+    points[2 * last + 2] = 66, points[2 * last + 3] = -3, feet[last + 1] = 0;
+    points[2 * last + 4] = -2, points[2 * last + 5] = 65, feet[last + 2] = 1;
+    data.count += 3;
+    stationary_verdict v = stationary_check(&problem);
+    assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
+    points[2 * last + 2] = 66, points[2 * last + 3] = 3; /* its foot is inside */
+    v = stationary_check(&problem);
+    assert_true(!v.verified && v.where == last + 1);
+    points[2 * last + 2] = 66, points[2 * last + 3] = 0; /* its foot is the end, but only just */
+    v = stationary_check(&problem);
+    assert_true(!v.verified && v.where == last + 1);
+}
+
+/* Where the ends may slide along the circle, no curve is alone; across these directions it is. */
+static void free_directions_are_left_out(void **state)
+{
+    (void)state;
+    circle(1);
+    /* the ends are (65,0) and (0,65); the tangents there are vertical and horizontal */
+    unknown[3] = (cagd_fit_unknown){0, 0, 1};
+    unknown[4] = (cagd_fit_unknown){0, 2, 0};
+    problem.unknowns = 5;
+    stationary_verdict v = stationary_check(&problem);
+    assert_false(v.verified);
+    /* Weights in the gauge w_0 = 1, w_2 = 2.  With the end (65 cos a, 65 sin a) instead of (65, 0), a small: the middle point
+     * (65, 65) becomes (65 - 65 a, 65) to first order, where the tangents meet; the end (65, 65 a); and
+     * I_1 = w_1^2/2 = cos^2 of half the angle pi/2 - a, which is (1 + sin a)/2, so that log w_1 grows by a/2.  The same at the other
+     * end, with coordinates exchanged. */
+    static const double directions[] = {0.5, -65, 0, 65, 0, 0.5, 0, -65, 0, 65};
+    problem.free_directions = directions;
+    problem.free_count = 2;
+    v = stationary_check(&problem);
+    if (!v.verified)
+        print_error("%s at %d\n", v.reason, v.where);
+    assert_true(v.verified && v.minimum && v.dimension == 3);
+    static const int held[] = {0, 0, 0, 1, 1};
+    problem.free_directions = NULL;
+    problem.free_count = 0;
+    problem.held = held;
+    v = stationary_check(&problem);
+    assert_true(v.verified && v.dimension == 3);
+}
+
+/* ---- Derivatives of F against F ---------------------------------------------------------------------- */
+
+/* A foot of Q near t by Newton's method, inside the domain. */
+static double foot_of(const double Q[], double t, int *at_end)
+{
+    double d[9], first = knots[curve.degree], last = knots[curve.count];
+    for (int step = 0; step < 50; step++) {
+        double phi = 0, slope = 0;
+        cagd_spline_derivatives(&curve, t, CAGD_RIGHT, 2, d);
+        for (int c = 0; c < curve.dim; c++) {
+            phi += (d[c] - Q[c]) * d[curve.dim + c];
+            slope += d[curve.dim + c] * d[curve.dim + c] + (d[c] - Q[c]) * d[2 * curve.dim + c];
+        }
+        double next = fmin(last, fmax(first, t - phi / slope));
+        if (fabs(next - t) < 0x1p-51)
+            break;
+        t = next;
+    }
+    *at_end = t == first || t == last;
+    return t;
+}
+
+/* F, with feet near those that are there, which are replaced; the loss by its definition. */
+static double cost(void)
+{
+    double F = 0, P[3];
+    for (int i = 0; i < data.count; i++) {
+        int at_end;
+        const double *Q = points + i * curve.dim;
+        double s = 0, a = problem.loss_scale;
+        feet[i] = foot_of(Q, feet[i], &at_end);
+        cagd_spline_point(&curve, feet[i], CAGD_RIGHT, P);
+        for (int c = 0; c < curve.dim; c++)
+            s += (P[c] - Q[c]) * (P[c] - Q[c]) / (sigma[i] * sigma[i]);
+        F += problem.loss == CAGD_FIT_SQUARES  ? s
+             : problem.loss == CAGD_FIT_CAUCHY ? a * a * log1p(s / (a * a))
+             : s <= a * a                      ? s
+                                               : 2 * a * sqrt(s) - a * a;
+    }
+    return F / 2;
+}
+
+/* A cubic of three segments with high-entropy data, every weight but the first and every coordinate unknown. */
+static void spline(int dim, cagd_fit_loss loss)
+{
+    static const double k[] = {0, 0, 0, 0, 0.4, 0.7, 1, 1, 1, 1};
+    int at_end, count = 40;
+    memcpy(knots, k, sizeof k);
+    curve = (cagd_spline){3, 6, dim, knots, control, weights};
+    problem = (stationary_problem){
+        .data = &data, .loss = loss, .loss_scale = 1.5, .curve = &curve, .feet = feet, .unknown = unknown};
+    for (int i = 0; i < 6; i++) {
+        weights[i] = i == 0 ? 1 : random_int(600, 1900) / 1000.0;
+        for (int c = 0; c < dim; c++) {
+            control[i * dim + c] = (c == 0 ? 2.0 * i : 0) + random_int(-1000, 1000) / 999.0;
+            unknown[problem.unknowns++] = (cagd_fit_unknown){0, i, c};
+        }
+        if (i > 0)
+            unknown[problem.unknowns++] = (cagd_fit_unknown){1, i, 0};
+    }
+    for (int i = 0; i < count; i++) {
+        double t = (i + 0.5) / count, P[3];
+        cagd_spline_point(&curve, t, CAGD_RIGHT, P);
+        sigma[i] = random_int(50, 100) / 1001.0;
+        for (int c = 0; c < dim; c++)
+            points[i * dim + c] = P[c] + random_int(-1000, 1000) / 9999.0;
+        feet[i] = foot_of(points + i * dim, t, &at_end);
+    }
+    data = (cagd_fit_data){count, dim, points, sigma};
+}
+
+static void move(int a, double by)
+{
+    const cagd_fit_unknown *u = &unknown[a];
+    if (u->is_weight)
+        weights[u->index] *= exp(by);
+    else
+        control[u->index * curve.dim + u->coordinate] += by;
+}
+
+/* By the mean value theorem F(theta + h) - F(theta) lies in h times the gradient over the box between, and so do the differences
+ * of the gradient in h times the Hessian. */
+static void the_enclosures_hold_the_differences(void **state)
+{
+    (void)state;
+    enum { N = 64 };
+    static double radius[N], zero[N], low[N], high[N], g_low[N], g_high[N], H_low[N * N], H_high[N * N], H[2][N * N];
+    static const cagd_fit_loss losses[] = {CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY};
+    const double h = 0x1p-14;
+    int done = 0, where;
+    for (int round = 0; round < 12; round++) {
+        spline(2 + round % 2, losses[round % 3]);
+        int n = problem.unknowns, a = random_int(0, n - 1);
+        double before = cost();
+        assert_true(stationary_enclosures(&problem, zero, low, high, H[0], H[1], &where));
+        for (int b = 0; b < n; b++)
+            radius[b] = b == a ? h : 0;
+        assert_true(stationary_enclosures(&problem, radius, g_low, g_high, H_low, H_high, &where));
+        double was[2][N];
+        memcpy(was[0], low, sizeof low), memcpy(was[1], high, sizeof high);
+        move(a, h);
+        double change = cost() - before;
+        if (!(h * g_low[a] <= change && change <= h * g_high[a]))
+            print_error("round %d unknown %d: %g not in [%g, %g]\n", round, a, change / h, g_low[a], g_high[a]);
+        assert_true(h * g_low[a] <= change && change <= h * g_high[a]);
+        assert_true(stationary_enclosures(&problem, zero, low, high, H[0], H[1], &where));
+        for (int b = 0; b < n; b++) {
+            assert_true(high[b] - was[0][b] >= h * H_low[b * n + a] && low[b] - was[1][b] <= h * H_high[b * n + a]);
+            assert_true(H_low[b * n + a] == H_low[a * n + b]);
+            /* a weight is moved to a rounded number, so that only orders of magnitude say how sharp this is */
+            if (problem.loss == CAGD_FIT_CAUCHY)
+                done +=
+                    H_high[b * n + a] - H_low[b * n + a] < 0.2 * fmax(fabs(H_low[a * n + a]), fabs(H_high[a * n + a]));
+        }
+    }
+    assert_true(done > 20);
+}
+
+static void many_points_take_seconds(void **state)
+{
+    (void)state;
+    circle(0);
+    data.count = MOST;
+    for (int i = 0; i < MOST; i++) {
+        double t = (i / 2 + 1) / (MOST / 2 + 2.0), factor = i % 2 == 0 ? 1.0625 : 0.9375;
+        points[2 * i] = factor * 65 * (1 - t * t) / (1 + t * t);
+        points[2 * i + 1] = factor * 65 * 2 * t / (1 + t * t);
+        feet[i] = t;
+    }
+    stationary_verdict v = stationary_check(&problem);
+    assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-45);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_circle_is_found_at_its_place),
+        cmocka_unit_test(what_is_no_minimum_is_not_called_one),
+        cmocka_unit_test(a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius),
+        cmocka_unit_test(what_is_not_near_is_refused),
+        cmocka_unit_test(wrong_feet_are_refused),
+        cmocka_unit_test(feet_at_the_ends),
+        cmocka_unit_test(free_directions_are_left_out),
+        cmocka_unit_test(the_enclosures_hold_the_differences),
+        cmocka_unit_test(many_points_take_seconds)};
+    int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    exact_thread_end();
+    return failed;
+}
