@@ -186,7 +186,7 @@ try {
     ceres::Solver::Options options = quiet(tolerance, max_iterations);
     options.linear_solver_type = ceres::DENSE_QR;
     options.initial_trust_region_radius = *radius;
-    options.use_nonmonotonic_steps = valley != 0;
+    options.use_nonmonotonic_steps = valley && getenv("NM");
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     if (!summary.iterations.empty())
