@@ -5,7 +5,7 @@
  * that of the fit alone and whose memory is its largest resident set less that of a process that does nothing.  The
  * runs of the methods alternate; medians are printed.
  *
- *     bench_fit [PEERS.py]      with the path of bench_fit_peers.py: SciPy as well, where python3 has it */
+ *     bench_fit [PEERS.py]      with the path of bench_fit_peers.py: SciPy as well, where the system's python3 has it */
 #include "core/fit/cagd_fit.h"
 
 #include <math.h>
@@ -22,6 +22,8 @@
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #endif
+
+#define PYTHON "/usr/bin/python3"
 
 static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
 static const double true_points[] = {0, 0, 1, 2.5, 3, 2, 4, -0.5}, true_weights[] = {1, 2, 0.6, 1};
@@ -197,7 +199,7 @@ static outcome by_scipy(int N, const double *Q)
     for (int i = 0; i < N; i++)
         fprintf(out, "%.17g %.17g\n", Q[2 * i], Q[2 * i + 1]);
     fclose(out);
-    snprintf(command, sizeof command, "python3 '%s' %s", peers, name);
+    snprintf(command, sizeof command, "%s '%s' %s", PYTHON, peers, name);
     FILE *in = popen(command, "r");
     if (in != NULL) {
         o.converged = fscanf(in, "%lf %lf %d", &o.seconds, &o.cost, &o.iterations) == 3;
@@ -233,7 +235,7 @@ int main(int argc, char **argv)
     puts("GSL: not installed, skipped");
 #endif
     peers = argc > 1 ? argv[1] : NULL;
-    if (peers != NULL && system("python3 -c 'import scipy.odr' 2>/dev/null") == 0) {
+    if (peers != NULL && system(PYTHON " -c 'import scipy.odr' 2>/dev/null") == 0) {
         methods[count].name = "SciPy odr (ODRPACK)";
         methods[count].largest = 2000;
         methods[count++].method = by_scipy;
