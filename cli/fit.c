@@ -365,8 +365,11 @@ static int fit_points(const struct arguments *a, struct fit *f)
         return complain(f, status, where);
     f->result = result;
     f->checked = a->verify && result->unknowns > 0;
+    if (f->checked && is_terminal(stderr))
+        fputs("verifying in intervals ...", stderr);
     if (f->checked)
         f->verdict = stationary_check_fit(&f->data, &f->options, result);
+    end_progress();
     int code = write_and_print(a, f);
     cagd_fit_free(result);
     return code;

@@ -161,6 +161,8 @@ static void print_heading(const struct fit *f)
     for (int k = 0, said = 0; k < 3; k++)
         if (f->options.free & 1 << k)
             fprintf(out, "%s%s", said++ > 0 ? ", " : "", part[k]);
+    if (f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS))
+        fputs("; it begins and ends in the first and the last point", out);
     end(&l, "Curve");
     if (f->options.loss == CAGD_FIT_SQUARES)
         say("Minimised", "half the sum of the squared orthogonal distances%s",
@@ -170,11 +172,10 @@ static void print_heading(const struct fit *f)
             f->data.sigma != NULL ? " in standard deviations" : "",
             f->options.loss == CAGD_FIT_HUBER ? "Huber" : "Cauchy", f->options.loss_scale);
     out = begin(&l);
-    fprintf(out, "%s after %d iteration%s",
-            r->termination == CAGD_FIT_CONVERGED       ? "converged"
-            : r->termination == CAGD_FIT_NOT_CONVERGED ? "NOT converged"
-                                                       : "FAILED",
-            r->iterations, plural(r->iterations));
+    fputs(r->termination == CAGD_FIT_CONVERGED       ? "converged"
+          : r->termination == CAGD_FIT_NOT_CONVERGED ? "NOT converged"
+                                                     : "FAILED",
+          out);
     if (r->termination != CAGD_FIT_CONVERGED)
         fprintf(out, ": %s", r->message);
     if (f->options.starts > 1)
@@ -379,21 +380,27 @@ static void print_statistics(const struct fit *f)
     if (r->out_of_order > 0)
         fprintf(out, "; %d of the feet overtake%s the one before", r->out_of_order, r->out_of_order == 1 ? "s" : "");
     end(&l, "Distances");
-    say("Chi-squared", "%.6g on %d degree%s of freedom; reduced %.4g; AIC %.6g, BIC %.6g", r->chi_squared,
-        r->degrees_of_freedom, plural(r->degrees_of_freedom), r->reduced_chi_squared, r->aic, r->bic);
+    out = begin(&l);
+    fprintf(out, "%.6g on %d degree%s of freedom", r->chi_squared, r->degrees_of_freedom,
+            plural(r->degrees_of_freedom));
+    if (isfinite(r->reduced_chi_squared))
+        fprintf(out, "; reduced %.4g", r->reduced_chi_squared);
+    if (isfinite(r->aic) && isfinite(r->bic))
+        fprintf(out, "; AIC %.6g, BIC %.6g", r->aic, r->bic);
+    end(&l, "Chi-squared");
     if (known)
         say("Standard errors",
             "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution, "
             "for weights and invariants of the logarithms)",
             r->quantile);
-    else if (isfinite(r->scale_squared))
+    else if (r->scale_squared > 0 && isfinite(r->scale_squared))
         say("Standard errors",
             "%s %.4g, estimated from the distances; 95 %% intervals: %.4g of them to either side (Student's t, for "
             "weights and invariants of the logarithms)",
             f->data.sigma != NULL ? "from the given standard deviations times" : "from a standard deviation of",
             sqrt(r->scale_squared), r->quantile);
     else
-        say("Standard errors", "none: the distances leave no freedom to estimate a standard deviation from");
+        say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
     if (r->unknowns > 0) {
         print_free_directions(r);
         print_correlations(r);

@@ -111,6 +111,7 @@ struct box {
     int *of_weight, *of_coordinate;      /* the unknown that a weight or coordinate is, or -1               */
     num_i *knot, *point, *weight;        /* in intervals                                                    */
     struct interval *gradient, *hessian; /* of which the upper triangle is filled                         */
+    int is_point;                        /* all radii are 0                                               */
     const char *reason;
     int where;
 };
@@ -170,6 +171,9 @@ static void box_fill(struct box *b, const double radius[])
 {
     const cagd_spline *curve = b->problem->curve;
     b->radius = radius;
+    b->is_point = 1;
+    for (int a = 0; a < b->n; a++)
+        b->is_point &= radius[a] == 0;
     b->reason = NULL;
     b->where = -1;
     for (int i = 0; i < curve->count + curve->degree + 1; i++)
@@ -327,7 +331,8 @@ static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *
         num_i next = sub_i(here, div_i(phi, v->slope));
         *again = lower_i(next) / 2 + upper_i(next) / 2;
         if (is_interior(next, T))
-            return look(b, i, next, v) && sign_i(v->slope) > 0 ? FOOT_INSIDE : NO_FOOT;
+            return b->is_point && !look(b, i, next, v) ? NO_FOOT
+                                                       : FOOT_INSIDE; /* of a box T is seen, which is not much wider */
     }
     b->reason = no_foot;
     return NO_FOOT;
@@ -443,15 +448,15 @@ static int add_point(struct box *b, int i)
     return 1;
 }
 
-/* Gradient and Hessian over the box; on failure reason and where say why not. */
-static int enclose(struct box *b, const double radius[])
+/* Gradient and Hessian over the box, summed over every stride-th point; on failure reason and where say why not. */
+static int enclose_some(struct box *b, const double radius[], int stride)
 {
     region_mark mark = region_open();
     unsigned before = region_faults;
     int good = 1;
     region_faults = 0;
     box_fill(b, radius);
-    for (int i = 0; good && i < b->problem->data->count; i++) {
+    for (int i = stride / 2; good && i < b->problem->data->count; i += stride) {
         region_mark one = region_open();
         good = add_point(b, i);
         if (good && region_faults != 0) {
@@ -473,6 +478,8 @@ static int enclose(struct box *b, const double radius[])
     }
     return good;
 }
+
+static int enclose(struct box *b, const double radius[]) { return enclose_some(b, radius, 1); }
 
 int stationary_enclosures(const stationary_problem *problem, const double radius[], double gradient_low[],
                           double gradient_high[], double hessian_low[], double hessian_high[], int *where)
@@ -648,7 +655,7 @@ done:
 
 /* ---- Krawczyk ---------------------------------------------------------------------------------------- */
 
-/* The largest row sum of sizes of 1 - S W^T H W. */
+/* The largest row sum of sizes of 1 - S W^T H W; or, without signs, of half the widths of W^T H W. */
 static double contraction(const struct box *b, int k, const double W[], const int sign[])
 {
     int n = b->n;
@@ -666,8 +673,9 @@ static double contraction(const struct box *b, int k, const double W[], const in
             num_i sum = number(0);
             for (int c = 0; c < n; c++)
                 sum = add_i(sum, mul_i(WH[c], number(W[c * n + j])));
-            num_i rest = sub_i(number(i == j), sign[i] < 0 ? neg_i(sum) : sum);
-            row = add_i(row, number(size_of(rest)));
+            double size =
+                sign == NULL ? width_i(sum) / 2 : size_of(sub_i(number(i == j), sign[i] < 0 ? neg_i(sum) : sum));
+            row = add_i(row, number(size));
         }
         worst = fmax(worst, upper_i(row));
         region_drop(mark);
@@ -760,6 +768,16 @@ static double size_of_data(const cagd_fit_data *data)
 
 static double product_up(double a, double b) { return nextafter(a * b, INFINITY); }
 
+/* An estimate of the contraction for the radius r, from a thousand of many points. */
+static double estimated_contraction(struct box *b, int k, double r, const double W[], const double reach[],
+                                    double radius[])
+{
+    int stride = b->problem->data->count / 1000;
+    for (int a = 0; a < b->n; a++)
+        radius[a] = is_held(b->problem, a) ? 0 : r * reach[a];
+    return enclose_some(b, radius, stride) ? stride * contraction(b, k, W, NULL) : NAN;
+}
+
 /* The stationary point y is -S W^T g + (1 - S W^T H W) y for some H of the box: it is as far away as Newton's step, but for
  * q |y|.  Radii are tried: first 2^-24 of the unit, farther where the contraction leaves room, nearer where it fails.  q is nearly
  * proportional to the radius. */
@@ -772,6 +790,11 @@ static void try_radii(struct box *b, int k, double eta, const double W[], const 
     for (int a = 0; a < n; a++)
         largest = fmax(largest, reach[a] / unit[a]);
     double r = fmax(0x1p-24 / largest, 4 * eta), verified = 0, q_verified = 1;
+    int many = b->problem->data->count >= 4000;
+    if (many) { /* every attempt is dear: the first one is to be the last */
+        double q = estimated_contraction(b, k, r, W, reach, radius);
+        r = q > 0 ? fmax(r * fmin(0.25 / q, 0x1p16), 4 * eta) : r;
+    }
     for (int attempt = 0; attempt < 5; attempt++) {
         double q = INFINITY;
         for (int a = 0; a < n; a++)
@@ -783,7 +806,7 @@ static void try_radii(struct box *b, int k, double eta, const double W[], const 
         if (good) {
             verified = r;
             q_verified = fmin(q, q_verified);
-            if (q > 0.125 || attempt > 0)
+            if (q > 0.125 || attempt > 0 || many)
                 break;
             r *= fmin(0.5 / q, 0x1p16);
         } else {

@@ -468,7 +468,9 @@ static int polish(fit_objective *f, int fixed[], double tolerance, int most, dou
     return good;
 }
 
-/* What rounding makes of a cost: of its sum, and of the points in it, as in fit_foot. */
+/* What rounding makes of a cost: of its sum, and of the points in it, as in fit_foot.  Residuals r_i that are off by b_i change
+ * half the sum of their squares by at most sum |r_i| b_i + b_i^2/2, by Cauchy and Schwarz at most sqrt(2 cost sum b_i^2) + sum b_i^2/2;
+ * with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
 static double cost_blur(const fit_problem *p, double cost)
 {
     double sum = 0;
@@ -476,7 +478,7 @@ static double cost_blur(const fit_problem *p, double cost)
         double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * 2;
         sum += blur * blur;
     }
-    return sum / 2 + p->points * DBL_EPSILON * cost;
+    return sqrt(2 * cost * sum) + sum / 2 + p->points * DBL_EPSILON * cost;
 }
 
 /* The objective at the theta that was accepted, whatever was tried since. */
@@ -504,8 +506,8 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
     int n = p->unknowns, most = o->max_iterations;
     size_t room = (size_t)n;
     fit_objective *f = a->objective;
-    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n, cost, left = 0,
-           aim = sqrt(tolerance);
+    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n;
+    double cost, left = 0, reached = HUGE_VAL, aim = sqrt(tolerance);
     int *fixed = malloc(room * sizeof *fixed), good = low && fixed;
     if (good) {
         bounds_of(p, low, high);
@@ -514,6 +516,7 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
             f->theta[k] = fmin(fmax(f->theta[k], low[k]), high[k]);
         memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
         fit_curve_copy(f->curve, a->curve);
+        f->limit = ROUGH;
         fit_objective_evaluate(f, f->theta, 1);
         fit_objective_accept(f);
         a->initial_cost = f->cost;
@@ -522,7 +525,6 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
         fit_outcome outcome = {0};
         memcpy(theta, f->theta, room * sizeof *theta);
         f->limit = rough ? ROUGH : FOOT_EXACT;
-        f->evaluated = 0;
         good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high, rough ? ROUGHLY : aim, rough,
                             most - a->outcome.iterations, theta, &a->radius, &outcome) &&
                append(&a->outcome, &outcome);
@@ -543,6 +545,10 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
                 continue;
             }
         }
+        settle(f);
+        if (!(f->cost < reached)) /* the minimiser went back to the feet it had: no third time */
+            break;
+        reached = f->cost - cost_blur(p, f->cost);
         good = good && fit_feet_search(p, f->curve, a->feet, &cost);
         if (!good || cost >= f->cost - cost_blur(p, f->cost) || a->outcome.iterations >= most)
             break;
@@ -589,7 +595,7 @@ static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
 
 /* Points for the way to the minimum: so many for each unknown suffice.  More are taken eight times as many at a time; every
  * time the minimum moves by a fraction of what the fewer points left undetermined. */
-enum { ENOUGH = 10, TIMES = 8 };
+enum { ENOUGH = 40, TIMES = 8 };
 
 static int attempt_new(const fit_problem *p, attempt *a)
 {

@@ -77,13 +77,15 @@ static fit_foot_kind NAME(newton)(const fit_curve *curve, const double q[], doub
             low = x, low_known = 1;
         else
             high = x, high_known = 1;
-        if (low == high)
-            return FOOT_AT_END;
+        if (low == high) /* what is beyond the end, f/|C'|, may be too short to change the squared distance */
+            return f * f <= DBL_EPSILON / 2 * square * inner(dim, off, off) ? FOOT_ORTHOGONAL : FOOT_AT_END;
         double middle = low + (high - low) / 2;
         if (low_known && high_known && !(low < middle && middle < high)) /* two neighbours among the numbers */
             return slope > 0 && fabs(f) <= blur * sqrt(square) + slope * (high - low) ? FOOT_ORTHOGONAL
                                                                                       : FOOT_AT_CORNER;
         double next = slope > 0 ? x - f / slope : low;
+        if (slope > 0 && next == x) /* there is no number between x and the foot */
+            return FOOT_ORTHOGONAL;
         int newton = low < next && next < high;
         if (!newton)
             next = x - f / square;

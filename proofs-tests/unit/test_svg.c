@@ -527,6 +527,65 @@ static void ticks_are_exact_numbers(void **state)
     svg_free(s);
 }
 
+static void scales_stand_around_a_frame(void **state)
+{
+    (void)state;
+    svg *s = square(4);
+    svg_scales(s, q(1), q(2), "x", "y");
+    assert_int_equal(count(s, "//s:rect[contains(@class,'axis')]"), 1);
+    assert_int_equal(count(s, "//s:path[contains(@class,'axis')]"), 5 + 3); /* ticks, and no axes */
+    assert_int_equal(count(s, "//s:text[contains(@class,'k')]"), 5 + 3);
+    assert_int_equal(count(s, "//s:text[not(contains(@class,'k'))]"), 2);
+    svg_free(s);
+}
+
+static void a_cloud_is_one_path_of_dots(void **state)
+{
+    (void)state;
+    const num_q P[] = {q(1), q(1), q(1), q(1), q(2), q(3), r(5, 2), q(0), q(2), q(3)};
+    svg *s = square(4);
+    svg_cloud(s, 5, P, 250, SVG_POINT);
+    svg_cloud(s, 0, P, 250, SVG_POINT);
+    assert_int_equal(count(s, "//s:path"), 1);
+    assert_string_equal(value(s, "string(//s:path/@d)"),
+                        "M1.00 3.00h0M2.00 1.00h0M2.50 4.00h0M2.00 1.00h0"); /* the second is the first */
+    assert_string_equal(value(s, "string(//s:path/@stroke-width)"), "2.50");
+    svg_free(s);
+}
+
+/* Where the panel k, from 1, is put: the numbers of its translation. */
+static svg_point place(svg *s, int k)
+{
+    char path[80], x[40] = "", y[40] = "";
+    snprintf(path, sizeof path, "string(/s:svg/s:g[%d]/@transform)", k);
+    assert_int_equal(sscanf(value(s, path), "translate(%39[0-9.-] %39[0-9.-])", x, y), 2);
+    return (svg_point){from_string_q(x), from_string_q(y)};
+}
+
+/* Panels of one row are level at the top; first panels of rows at the left, however far their words reach; and a row stands
+ * below what the row before needs. */
+static void rows_stand_below_one_another(void **state)
+{
+    (void)state;
+    svg *s = svg_new("rows", "Rows", "Three panels in two rows");
+    for (int k = 0; k < 3; k++) {
+        if (k == 2)
+            svg_row(s);
+        svg_panel(s, svg_integer_window(0, 0, 100, 100), 100, 50 + 30 * k, k == 1 ? "one\ntwo" : NULL);
+        if (k == 2)
+            svg_scales(s, q(0), q(100), NULL, "y");
+        svg_frame(s);
+    }
+    svg_point a = place(s, 1), b = place(s, 2), c = place(s, 3);
+    assert_true(equal_q(a.y, b.y));
+    assert_true(compare_q(b.x, add_q(a.x, q(100))) > 0);
+    assert_true(equal_q(a.x, c.x));
+    assert_true(compare_q(c.y, add_q(a.y, q(80 + 25))) > 0);
+    num_q bottom = add_q(c.y, q(110));
+    assert_true(compare_q(from_string_q(value(s, "string(/s:svg/@height)")), bottom) > 0);
+    svg_free(s);
+}
+
 static void a_matrix_shows_its_entries_or_their_signs(void **state)
 {
     (void)state;
@@ -715,6 +774,9 @@ int main(void)
         unit(regions_are_closed_along_the_border),
         unit(directions_are_the_nearest_of_eight),
         unit(ticks_are_exact_numbers),
+        unit(scales_stand_around_a_frame),
+        unit(a_cloud_is_one_path_of_dots),
+        unit(rows_stand_below_one_another),
         unit(a_matrix_shows_its_entries_or_their_signs),
         unit(overlaps_are_counted_and_words_never_cut_off),
         unit(the_bytes_are_always_the_same),
