@@ -101,6 +101,7 @@ static void problem_free(fit_problem *p)
     free(p->unknown);
     free(p->first);
     free(p->reach);
+    free(p->slot);
 }
 
 /* Knots of the initial curve, or as given, or even. */
@@ -135,7 +136,8 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
     p->unknown = malloc((size_t)(n * (p->dim + 1)) * sizeof *p->unknown);
     p->first = malloc((size_t)(n - d + 1) * sizeof *p->first);
     p->reach = malloc((size_t)((n - d) * (d + 1) * (p->dim + 1)) * sizeof *p->reach);
-    REQUIRE(p->unknown && p->first && p->reach, CAGD_FIT_NO_MEMORY);
+    p->slot = malloc((size_t)((n - d) * (d + 1) * (p->dim + 1)) * sizeof *p->slot);
+    REQUIRE(p->unknown && p->first && p->reach && p->slot, CAGD_FIT_NO_MEMORY);
     for (int i = 0; i < n; i++) {
         int end = i == 0 || i == n - 1, gauge = i == 0 || (one_span && i == n - 1);
         if (o->free & CAGD_FIT_WEIGHTS && !gauge)
@@ -150,8 +152,11 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
             continue;
         p->first[pieces++] = at;
         for (int k = 0; k < p->unknowns; k++)
-            if (mu - d <= p->unknown[k].index && p->unknown[k].index <= mu)
+            if (mu - d <= p->unknown[k].index && p->unknown[k].index <= mu) {
+                p->slot[at] = p->unknown[k];
+                p->slot[at].index -= mu - d;
                 p->reach[at++] = k;
+            }
     }
     p->first[pieces] = at;
     return CAGD_FIT_OK;
@@ -595,7 +600,7 @@ static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
 
 /* Points for the way to the minimum: so many for each unknown suffice.  More are taken eight times as many at a time; every
  * time the minimum moves by a fraction of what the fewer points left undetermined. */
-enum { ENOUGH = 40, TIMES = 8 };
+enum { ENOUGH = 20, TIMES = 8 };
 
 static int attempt_new(const fit_problem *p, attempt *a)
 {
@@ -621,19 +626,17 @@ static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
     fit_problem few;
     attempt rough = {0};
     double cost;
-    if (p->points <= ENOUGH * p->unknowns)
+    if (p->points / TIMES < ENOUGH * p->unknowns)
         return 1;
     if (!thinned(p, TIMES, &few))
         return 0;
     int good = approach(&few, o, a) && attempt_new(&few, &rough);
     if (good) {
         fit_curve_copy(rough.curve, a->curve);
-        rough.radius = a->radius;
         good = fit_feet_search(&few, rough.curve, rough.feet, &cost) && eliminated(&few, o, ROUGHLY, &rough);
     }
     if (good) {
         fit_curve_copy(a->curve, rough.objective->curve);
-        a->radius = rough.radius;
         good = append(&a->outcome, &rough.outcome);
         rough.outcome.history = NULL;
     }
