@@ -5,7 +5,7 @@
  * that of the fit alone and whose memory is its largest resident set less that of a process that does nothing.  The
  * runs of the methods alternate; medians are printed.
  *
- *     bench_fit [PEERS.py]      with the path of bench_fit_peers.py: SciPy as well, where the system's python3 has it */
+ *     bench_fit [PEERS.py]      with the path of bench_fit_peers.py: SciPy as well, where /usr/bin/python3 has it */
 #include "core/fit/cagd_fit.h"
 
 #include <math.h>
@@ -187,7 +187,7 @@ static int by_seconds(const void *a, const void *b)
 
 static const char *peers;
 
-/* SciPy's orthogonal distance regression: seconds, cost and iterations, as the script prints them. */
+/* SciPy's least squares: seconds, cost and iterations, as the script prints them. */
 static outcome by_scipy(int N, const double *Q)
 {
     char name[] = "/tmp/bench_fit_XXXXXX", command[4096];
@@ -235,9 +235,9 @@ int main(int argc, char **argv)
     puts("GSL: not installed, skipped");
 #endif
     peers = argc > 1 ? argv[1] : NULL;
-    if (peers != NULL && system(PYTHON " -c 'import scipy.odr' 2>/dev/null") == 0) {
-        methods[count].name = "SciPy odr (ODRPACK)";
-        methods[count].largest = 2000;
+    if (peers != NULL && system(PYTHON " -c 'import scipy.optimize' 2>/dev/null") == 0) {
+        methods[count].name = "SciPy least_squares (sparse)";
+        methods[count].largest = 20000;
         methods[count++].method = by_scipy;
     } else {
         puts("SciPy: not installed or its script not named, skipped");
