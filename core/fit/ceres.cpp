@@ -225,10 +225,17 @@ try {
 extern "C" int fit_svd(int n, const double a[], double U[], double s[], double V[])
 try {
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::Map<const Matrix>(a, n, n), Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Map<Matrix>(U, n, n) = svd.matrixU();
-    Eigen::Map<Matrix>(V, n, n) = svd.matrixV();
-    Eigen::Map<Eigen::VectorXd>(s, n) = svd.singularValues();
+    auto fill = [&](const auto &svd) {
+        Eigen::Map<Matrix>(U, n, n) = svd.matrixU();
+        Eigen::Map<Matrix>(V, n, n) = svd.matrixV();
+        Eigen::Map<Eigen::VectorXd>(s, n) = svd.singularValues();
+    };
+    const int both = Eigen::ComputeFullU | Eigen::ComputeFullV;
+    Eigen::MatrixXd A = Eigen::Map<const Matrix>(a, n, n);
+    if (n <= 32) /* Jacobi's method is the more accurate one, and slow for large n */
+        fill(Eigen::JacobiSVD<Eigen::MatrixXd>(A, both));
+    else
+        fill(Eigen::BDCSVD<Eigen::MatrixXd>(A, both));
     return 1;
 } catch (const std::bad_alloc &) {
     return 0;

@@ -15,6 +15,7 @@ void fit_curve_free(fit_curve *c)
     free(c->span);
     free(c->inverse);
     free(c->bezier);
+    free(c->scaled);
     free(c);
 }
 
@@ -29,9 +30,10 @@ fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[])
     c->points = calloc(n * d, sizeof *c->points);
     c->weights = malloc(n * sizeof *c->weights);
     c->span = malloc(n * sizeof *c->span);
+    c->scaled = malloc((p + 1) * sizeof *c->scaled);
     c->inverse = malloc(n * sizeof *c->inverse);
     c->bezier = malloc((n - p) * (p + 1) * (d + 1) * sizeof *c->bezier);
-    if (!c->knots || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier) {
+    if (!c->knots || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier || !c->scaled) {
         fit_curve_free(c);
         return NULL;
     }
@@ -57,6 +59,8 @@ void fit_curve_copy(fit_curve *to, const fit_curve *from)
 void fit_curve_update(fit_curve *c)
 {
     int p = c->degree, d = c->dim;
+    for (int i = 0; i <= p; i++)
+        c->scaled[i] = (double)binomial(p, i) * c->weights[i];
     for (int k = 0; k < c->pieces; k++) {
         double H[(MAX_DEGREE + 1) * MAX_DIM], x[MAX_DEGREE + 1], *b = c->bezier + k * (p + 1) * (d + 1);
         int mu = c->span[k];
@@ -86,13 +90,21 @@ void fit_curve_shares(const fit_curve *c, int piece, double t, double R[])
 {
     int p = c->degree, mu = c->span[piece];
     double total = 0;
-    if (c->count == p + 1)
-        bernstein_d(p, (t - c->knots[mu]) * c->inverse[0], R);
-    else
+    if (c->pieces == 1 && c->count == p + 1) { /* C(p,m) s^m (1-s)^{p-m} w_m */
+        double s = (t - c->knots[mu]) * c->inverse[0], r = (c->knots[mu + 1] - t) * c->inverse[0], power = 1;
+        for (int m = 0; m <= p; m++, power *= s)
+            R[m] = c->scaled[m] * power;
+        power = 1;
+        for (int m = p; m >= 0; m--, power *= r) {
+            R[m] *= power;
+            total += R[m];
+        }
+    } else {
         bspline_basis_d(p, c->knots, mu, t, R);
-    for (int m = 0; m <= p; m++) {
-        R[m] *= c->weights[mu - p + m];
-        total += R[m];
+        for (int m = 0; m <= p; m++) {
+            R[m] *= c->weights[mu - p + m];
+            total += R[m];
+        }
     }
     total = 1 / total;
     for (int m = 0; m <= p; m++)

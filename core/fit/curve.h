@@ -13,6 +13,7 @@ typedef struct fit_curve {
     int *span;                        /* of each piece: u_span < u_{span+1}                       */
     double *inverse;                  /* of each piece: 1/(u_{span+1} - u_span)                   */
     double *bezier;                   /* (p+1)(dim+1) homogeneous coordinates of each piece       */
+    double *scaled;                   /* of one piece: binomial coefficients times weights        */
 } fit_curve;
 
 /* NULL when there is no memory.  The points are 0, the weights 1. */

@@ -101,6 +101,7 @@ static void problem_free(fit_problem *p)
     free(p->unknown);
     free(p->first);
     free(p->reach);
+    free(p->slot);
 }
 
 /* Knots of the initial curve, or as given, or even. */
@@ -135,7 +136,8 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
     p->unknown = malloc((size_t)(n * (p->dim + 1)) * sizeof *p->unknown);
     p->first = malloc((size_t)(n - d + 1) * sizeof *p->first);
     p->reach = malloc((size_t)((n - d) * (d + 1) * (p->dim + 1)) * sizeof *p->reach);
-    REQUIRE(p->unknown && p->first && p->reach, CAGD_FIT_NO_MEMORY);
+    p->slot = malloc((size_t)((n - d) * (d + 1) * (p->dim + 1)) * sizeof *p->slot);
+    REQUIRE(p->unknown && p->first && p->reach && p->slot, CAGD_FIT_NO_MEMORY);
     for (int i = 0; i < n; i++) {
         int end = i == 0 || i == n - 1, gauge = i == 0 || (one_span && i == n - 1);
         if (o->free & CAGD_FIT_WEIGHTS && !gauge)
@@ -150,8 +152,11 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
             continue;
         p->first[pieces++] = at;
         for (int k = 0; k < p->unknowns; k++)
-            if (mu - d <= p->unknown[k].index && p->unknown[k].index <= mu)
+            if (mu - d <= p->unknown[k].index && p->unknown[k].index <= mu) {
+                p->slot[at] = p->unknown[k];
+                p->slot[at].index -= mu - d;
                 p->reach[at++] = k;
+            }
     }
     p->first[pieces] = at;
     return CAGD_FIT_OK;
@@ -339,56 +344,132 @@ static int on_bound(const fit_problem *p, int k, double x)
     return p->unknown[k].is_weight && (x == p->low || x == p->high);
 }
 
-/* Gauss-Newton steps to the end: as long as they shrink the part of the residuals that the unknowns can still take away.  The
- * minimiser compares costs, which near the minimum say nothing any more when the gradient still does. */
-static int polish(fit_objective *o, int *fixed, double tolerance, int most, fit_outcome *outcome)
+/* What is left out of the Gauss-Newton step x -> x + d(x): the second derivatives.  Near the minimum d is nearly linear, and
+ * pairs of earlier differences tell how: a step s with d(x + s) = 0 in their span (Anderson's acceleration).  The differences
+ * of d are kept orthonormal, those of x + d follow. */
+enum { MEMORY = 8 };
+typedef struct memory {
+    int n, pairs;
+    double *q, *u; /* MEMORY rows of n */
+} memory;
+
+static double product(int n, const double a[], const double b[])
 {
-    const fit_problem *p = o->problem;
-    int n = p->unknowns, good = 1;
-    double *step = malloc(2 * (size_t)n * sizeof *step), *next = step != NULL ? step + n : NULL, before = INFINITY,
-           length = 0;
+    double sum = 0;
+    for (int k = 0; k < n; k++)
+        sum += a[k] * b[k];
+    return sum;
+}
+
+static void subtract(int n, double factor, const double a[], double from[])
+{
+    for (int k = 0; k < n; k++)
+        from[k] -= factor * a[k];
+}
+
+/* moved, and changed: of x, and of d.  Both are overwritten. */
+static void remember(memory *m, double moved[], double changed[])
+{
+    int n = m->n;
+    if (m->pairs == MEMORY || m->pairs == n)
+        m->pairs = 0;
+    subtract(n, -1, changed, moved);
+    for (int j = 0; j < m->pairs; j++) {
+        double part = product(n, m->q + j * n, changed);
+        subtract(n, part, m->q + j * n, changed);
+        subtract(n, part, m->u + j * n, moved);
+    }
+    double length = sqrt(product(n, changed, changed));
+    if (!(length > 0))
+        return;
+    for (int k = 0; k < n; k++) {
+        m->q[m->pairs * n + k] = changed[k] / length;
+        m->u[m->pairs * n + k] = moved[k] / length;
+    }
+    m->pairs++;
+}
+
+static void accelerate(const memory *m, const double d[], double rest[], double step[])
+{
+    int n = m->n;
+    memcpy(rest, d, (size_t)n * sizeof *rest);
+    memcpy(step, d, (size_t)n * sizeof *step);
+    for (int j = 0; j < m->pairs; j++) {
+        double part = product(n, m->q + j * n, rest);
+        subtract(n, part, m->q + j * n, rest);
+        subtract(n, part, m->u + j * n, step);
+    }
+}
+
+/* The Gauss-Newton step d at what was evaluated last, and *left, the length of the part of the residuals it takes away. */
+static int gauss_newton(const fit_objective *f, const int fixed[], double d[], double *left)
+{
+    const fit_problem *p = f->problem;
+    int n = p->unknowns;
+    fit_rank rank;
+    *left = INFINITY;
+    if (!isfinite(f->cost))
+        return 1;
+    if (!fit_rank_of(n, equations(p), roundings(p), f->triangle, n + 1, fixed, &rank))
+        return 0;
+    *left = fit_rank_step(&rank, f->triangle + n, n + 1, d);
+    fit_rank_free(&rank);
+    return 1;
+}
+
+/* To the end, as long as the steps shrink the part of the residuals that the unknowns can still take away.  The minimiser
+ * compares costs, which near the minimum say nothing any more when the gradient still does.  *left: that part. */
+static int polish(fit_objective *f, int fixed[], double tolerance, int most, double *left, fit_outcome *outcome)
+{
+    const fit_problem *p = f->problem;
+    int n = p->unknowns, good;
+    size_t room = (size_t)n;
+    double *work = malloc((2 * MEMORY + 6) * room * sizeof *work), after;
     cagd_fit_step *longer = realloc(outcome->history, (size_t)(outcome->steps + most + 1) * sizeof *longer);
     if (longer != NULL)
         outcome->history = longer;
-    good = step && longer;
-    for (int k = 0; good && k < n; k++)
-        fixed[k] = on_bound(p, k, o->theta[k]);
-    for (int i = 0; good; i++) {
-        fit_rank rank;
-        if (!isfinite(o->cost))
-            break;
-        good = fit_rank_of(n, equations(p), roundings(p), o->triangle, n + 1, fixed, &rank);
-        if (!good)
-            break;
-        double left = fit_rank_step(&rank, o->triangle + n, n + 1, step);
-        fit_rank_free(&rank);
-        if (i > 0) {
-            int better = left < before;
-            outcome->history[outcome->steps++] =
-                (cagd_fit_step){++outcome->iterations, better, o->cost, largest_gradient(o), length, INFINITY};
-            if (!better)
-                break;
-            fit_objective_accept(o);
-            if (left > before / 2)
-                break;
-        }
-        if (left <= tolerance * sqrt(2 * o->cost) || i == most)
-            break;
-        before = left;
-        length = 0;
+    if (work == NULL || longer == NULL) {
+        free(work);
+        return 0;
+    }
+    memory m = {n, 0, work, work + MEMORY * n};
+    double *d = m.u + MEMORY * n, *next = d + n, *next_d = next + n, *step = next_d + n, *rest = step + n;
+    for (int k = 0; k < n; k++)
+        fixed[k] = on_bound(p, k, f->theta[k]);
+    good = gauss_newton(f, fixed, d, left);
+    for (int i = 0; good && i<most && * left> tolerance * sqrt(2 * f->cost); i++) {
         int inside = 1;
+        accelerate(&m, d, rest, step);
         for (int k = 0; k < n; k++) {
-            next[k] = o->theta[k] + step[k];
-            length += step[k] * step[k];
-            if (p->unknown[k].is_weight && (next[k] < p->low || next[k] > p->high))
-                inside = 0;
+            next[k] = f->theta[k] + step[k];
+            inside = inside && !(p->unknown[k].is_weight && (next[k] < p->low || next[k] > p->high));
         }
         if (!inside)
             break;
-        length = sqrt(length);
-        fit_objective_evaluate(o, next, 1);
+        fit_objective_evaluate(f, next, 1);
+        good = gauss_newton(f, fixed, next_d, &after);
+        int better = after < *left;
+        outcome->history[outcome->steps++] = (cagd_fit_step){
+            ++outcome->iterations, better, f->cost, largest_gradient(f), sqrt(product(n, step, step)), INFINITY};
+        if (!better && m.pairs == 0)
+            break;
+        if (!better) {
+            m.pairs = 0;
+            continue;
+        }
+        for (int k = 0; k < n; k++) {
+            rest[k] = next[k] - f->theta[k];
+            step[k] = next_d[k] - d[k];
+        }
+        remember(&m, rest, step);
+        fit_objective_accept(f);
+        memcpy(d, next_d, room * sizeof *d);
+        int stalls = after > *left / 2 && m.pairs > 2; /* only rounding is left, or nothing is gained by going on */
+        *left = after;
+        if (stalls)
+            break;
     }
-    free(step);
+    free(work);
     return good;
 }
 
@@ -430,7 +511,8 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
     int n = p->unknowns, most = o->max_iterations;
     size_t room = (size_t)n;
     fit_objective *f = a->objective;
-    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n, cost, reached = HUGE_VAL;
+    double *low = malloc(3 * room * sizeof *low), *high = low + n, *theta = high + n;
+    double cost, left = 0, reached = HUGE_VAL, aim = sqrt(tolerance);
     int *fixed = malloc(room * sizeof *fixed), good = low && fixed;
     if (good) {
         bounds_of(p, low, high);
@@ -439,6 +521,7 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
             f->theta[k] = fmin(fmax(f->theta[k], low[k]), high[k]);
         memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
         fit_curve_copy(f->curve, a->curve);
+        f->limit = ROUGH;
         fit_objective_evaluate(f, f->theta, 1);
         fit_objective_accept(f);
         a->initial_cost = f->cost;
@@ -447,8 +530,7 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
         fit_outcome outcome = {0};
         memcpy(theta, f->theta, room * sizeof *theta);
         f->limit = rough ? ROUGH : FOOT_EXACT;
-        f->evaluated = 0;
-        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high, rough ? ROUGHLY : tolerance, rough,
+        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high, rough ? ROUGHLY : aim, rough,
                             most - a->outcome.iterations, theta, &a->radius, &outcome) &&
                append(&a->outcome, &outcome);
         if (!good)
@@ -458,8 +540,16 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
             break;
         if (rough && a->outcome.iterations < most)
             continue;
-        if (a->outcome.termination == CAGD_FIT_CONVERGED)
-            good = polish(f, fixed, tolerance, most, &a->outcome);
+        if (a->outcome.termination == CAGD_FIT_CONVERGED) {
+            good = polish(f, fixed, tolerance, most, &left, &a->outcome);
+            settle(f);
+            /* A decrease of the cost is left that counts: the steps of Gauss and Newton did not converge. */
+            if (good && aim > tolerance && left * left > tolerance * 2 * f->cost + cost_blur(p, f->cost) &&
+                a->outcome.iterations < most) {
+                aim = tolerance;
+                continue;
+            }
+        }
         settle(f);
         if (!(f->cost < reached)) /* the minimiser went back to the feet it had: no third time */
             break;
@@ -510,7 +600,7 @@ static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
 
 /* Points for the way to the minimum: so many for each unknown suffice.  More are taken eight times as many at a time; every
  * time the minimum moves by a fraction of what the fewer points left undetermined. */
-enum { ENOUGH = 10, TIMES = 8 };
+enum { ENOUGH = 20, TIMES = 8 };
 
 static int attempt_new(const fit_problem *p, attempt *a)
 {
@@ -536,19 +626,17 @@ static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
     fit_problem few;
     attempt rough = {0};
     double cost;
-    if (p->points <= ENOUGH * p->unknowns)
+    if (p->points / TIMES < ENOUGH * p->unknowns)
         return 1;
     if (!thinned(p, TIMES, &few))
         return 0;
     int good = approach(&few, o, a) && attempt_new(&few, &rough);
     if (good) {
         fit_curve_copy(rough.curve, a->curve);
-        rough.radius = a->radius;
         good = fit_feet_search(&few, rough.curve, rough.feet, &cost) && eliminated(&few, o, ROUGHLY, &rough);
     }
     if (good) {
         fit_curve_copy(a->curve, rough.objective->curve);
-        a->radius = rough.radius;
         good = append(&a->outcome, &rough.outcome);
         rough.outcome.history = NULL;
     }

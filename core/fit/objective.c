@@ -103,56 +103,56 @@ static int directions(int dim, fit_foot_kind kind, const double tangent[], doubl
     return 2;
 }
 
-/* The rows of point i at its foot t; returns the squared distance in units of the standard deviation. */
-static double point_rows(fit_objective *o, int i, fit_foot_kind kind, double t, const double D[], int weighted,
-                         double *loss)
+/* The rows of point i at its foot t, in `dim` dimensions, a constant for the compiler; returns its loss. */
+static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot_kind kind, double t, const double D[],
+                                int weighted)
 {
     const fit_problem *p = o->problem;
     const fit_curve *curve = o->curve;
-    int dim = p->dim, piece = fit_curve_piece(curve, t), low = curve->span[piece] - p->degree;
-    const double *q = p->Q + (size_t)i * (size_t)dim;
-    double R[MAX_DEGREE + 1], n[3][3], precision = p->precision[i], left[3], off[3] = {0}, square = 0, slope;
-    int count = directions(dim, kind, D + dim, n);
+    const int piece = curve->pieces == 1 ? 0 : fit_curve_piece(curve, t), degree = p->degree;
+    const double *q = p->Q + (size_t)i * (size_t)dim, *P = curve->points + (curve->span[piece] - degree) * dim;
+    double R[MAX_DEGREE + 1], n[3][3], precision = p->precision[i], left[3], square = 0, slope = 1;
+    const int count = directions(dim, kind, D + dim, n);
     fit_curve_shares(curve, piece, t, R);
-    for (int c = 0; c < dim; c++)
-        off[c] = q[c] - D[c];
     for (int r = 0; r < count; r++) {
-        left[r] = precision * (n[r][0] * off[0] + n[r][1] * off[1] + (dim == 3 ? n[r][2] * off[2] : 0));
+        left[r] = 0;
+        for (int c = 0; c < dim; c++)
+            left[r] += n[r][c] * (q[c] - D[c]);
+        left[r] *= precision;
         square += left[r] * left[r];
     }
-    *loss = fit_problem_loss(p, square, &slope);
-    double factor = weighted ? sqrt(slope) : 1, scale = -factor * precision;
-    const int *reach = p->reach + p->first[piece];
-    int reaches = p->first[piece + 1] - p->first[piece];
+    const double loss = p->loss == CAGD_FIT_SQUARES ? square : fit_problem_loss(p, square, &slope);
+    const double factor = weighted ? sqrt(slope) : 1, scale = -factor * precision;
+    const cagd_fit_unknown *slot = p->slot + p->first[piece], *end = p->slot + p->first[piece + 1];
     for (int r = 0; r < count; r++) {
         int stride;
         double *row = fit_reduction_row(o->rows, piece, &stride);
-        for (int j = 0; j < reaches; j++, row += stride) {
-            cagd_fit_unknown u = p->unknown[reach[j]];
-            double share = R[u.index - low] * scale;
-            if (u.is_weight) {
-                const double *P = curve->points + u.index * dim;
-                share *= n[r][0] * (P[0] - D[0]) + n[r][1] * (P[1] - D[1]) + (dim == 3 ? n[r][2] * (P[2] - D[2]) : 0);
-            } else
-                share *= n[r][u.coordinate];
-            *row = share;
+        for (const cagd_fit_unknown *u = slot; u < end; u++, row += stride) {
+            double along = n[r][u->coordinate];
+            if (u->is_weight) {
+                along = 0;
+                for (int c = 0; c < dim; c++)
+                    along += n[r][c] * (P[u->index * dim + c] - D[c]);
+            }
+            *row = R[u->index] * scale * along;
         }
         *row = factor * left[r];
     }
-    return square;
+    return loss;
 }
 
 void fit_objective_evaluate(fit_objective *o, const double theta[], int weighted)
 {
     const fit_problem *p = o->problem;
     int n = p->unknowns + 1;
-    double sum = 0, lost = 0, D[9], loss;
+    double sum = 0, lost = 0, D[9];
     fit_problem_set(p, theta, o->curve);
     fit_reduction_clear(o->rows);
     for (int i = 0; i < p->points; i++) {
         double t = o->feet[i];
         fit_foot_kind kind = fit_foot_near(o->curve, p->Q + (size_t)i * (size_t)p->dim, o->limit, &t, D);
-        point_rows(o, i, kind, t, D, weighted, &loss);
+        double loss =
+            p->dim == 2 ? point_rows(o, 2, i, kind, t, D, weighted) : point_rows(o, 3, i, kind, t, D, weighted);
         o->new_feet[i] = t;
         double next = sum + (loss - lost); /* with the rounding of the last sum taken off: Kahan */
         lost = (next - sum) - (loss - lost);

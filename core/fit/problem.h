@@ -25,8 +25,9 @@ typedef struct fit_problem {
     double *knots;
     int unknowns;
     cagd_fit_unknown *unknown;
-    int *first, *reach; /* of each piece, the unknowns its rows reach; see reduction.h    */
-    double low, high;   /* bounds on the logarithms of weights                            */
+    int *first, *reach;     /* of each piece, the unknowns its rows reach; see reduction.h    */
+    cagd_fit_unknown *slot; /* the same unknowns, `index` counted from the first point of the piece */
+    double low, high;       /* bounds on the logarithms of weights                            */
 } fit_problem;
 
 /* theta to curve and back. */

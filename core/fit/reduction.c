@@ -28,25 +28,23 @@ static int triangle_new(triangle *t, int columns)
     return t->a != NULL;
 }
 
-static double dot(int n, const double a[restrict], const double b[restrict])
+/* Eight sums at a time, which the compiler keeps in vectors; n is a multiple of 8, rows that are not there being 0. */
+static inline double dot(int n, const double a[restrict], const double b[restrict])
 {
-    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-    int i = 0;
-    for (; i + 3 < n; i += 4) {
-        s0 += a[i] * b[i];
-        s1 += a[i + 1] * b[i + 1];
-        s2 += a[i + 2] * b[i + 2];
-        s3 += a[i + 3] * b[i + 3];
-    }
-    for (; i < n; i++)
-        s0 += a[i] * b[i];
-    return (s0 + s1) + (s2 + s3);
+    double s[8] = {0};
+    for (int i = 0; i < n; i += 8)
+        for (int k = 0; k < 8; k++)
+            s[k] += a[i + k] * b[i + k];
+    return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
 }
 
 /* Householder's reflections of the new rows into the triangle: column k has the vector (a_kk + sign |.|, new rows). */
 static void absorb(triangle *t)
 {
-    int n = t->columns, stride = stride_of(t), rows = t->rows;
+    int n = t->columns, stride = stride_of(t), rows = (t->rows + 7) / 8 * 8;
+    for (int k = 0; k < n; k++)
+        for (int i = t->rows; i < rows; i++)
+            t->a[k * stride + n + i] = 0;
     for (int k = 0; k < n; k++) {
         double *v = t->a + k * stride, *tail = v + n, square = dot(rows, tail, tail);
         if (square == 0)

@@ -15,7 +15,7 @@
 
 #include <cmocka.h>
 
-enum { MOST = 4000 };
+enum { MOST = 1000 };
 static double Q[MOST * 3];
 static uint32_t state_of_noise;
 
@@ -310,11 +310,11 @@ static void the_same_again(void **state)
     (void)state;
     o.degree = 3;
     o.count = 6;
-    o.starts = 3;
+    o.starts = 2;
     cagd_fit_result *a = fit(&data, &o), *b = fit(&data, &o);
     assert_memory_equal(a->value, b->value, (size_t)a->unknowns * sizeof *a->value);
     assert_memory_equal(a->feet, b->feet, MOST * sizeof *a->feet);
-    assert_true(a->agreeing_starts >= 1 && a->agreeing_starts <= 3);
+    assert_true(a->agreeing_starts >= 1 && a->agreeing_starts <= 2);
     cagd_fit_free(a);
     cagd_fit_free(b);
 }
