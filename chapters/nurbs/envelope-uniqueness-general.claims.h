@@ -131,6 +131,7 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
 :degrees: 1..6 sampled 7
 :scope: the knots variables for $p\le4$, numbers above
+:scope: the gaps of the knots variables for $k\le4$, the numbers 1, 2, … above; the points, $t$ and $\tau$ variables
 :control: $t$ in the place of $\tau$ in the first term
 :::
 
