@@ -131,7 +131,6 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
 :degrees: 1..6 sampled 7
 :scope: the knots variables for $p\le4$, numbers above
-:scope: the gaps of the knots variables for $k\le4$, the numbers 1, 2, … above; the points, $t$ and $\tau$ variables
 :control: $t$ in the place of $\tau$ in the first term
 :::
 
@@ -564,6 +563,7 @@ corners arise.
   minor is positive.  If the points $r_{j-k+1},\dots,r_j$ are the corners of a strictly convex polygon in this order,
   all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 5
+:scope: the gaps of the knots variables for $k\le4$, the numbers 1, 2, … above; the points, $t$ and $\tau$ variables
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
 */
