@@ -152,6 +152,14 @@ CLAIM(equally_spaced_points_make_a_line)
     agree(T, !is_zero_q(c[3]));
 }
 
+CLAIM(curve_does_not_end_in_its_second_point)
+{
+    num b[3] = {from_int(0), from_int(0), from_int(1)}, end;
+    G(decasteljau)(T->planted ? 1 : 2, 1, b, from_int(1), &end);
+    about(T, "P(1) and P_1");
+    same(T, end, b[1]);
+}
+
 CLAIM(zero_power_zero_takes_away_the_end)
 {
     static const int from[4] = {1, 1, 2, 3};
@@ -170,9 +178,32 @@ CLAIM(zero_power_zero_takes_away_the_end)
 :::{statement} slides-ch4:4-ends
 :title: The curve begins and ends with the polygon
 :zh: 曲线过首末控制顶点
-:printed: $P(0)=P_0$, $P(1)=P_n$: the curve passes through the first and the last point
+:printed: $P(0)=P_0$; the curve passes through the first point of the sequence and the last
 :holds-by: end_derivatives_are_end_differences
 :figure: edges_and_end_tangents
+:::
+
+:::{statement} slides-ch4:4-ends-value-at-1
+:title: The value at t = 1
+:zh: t=1 处的值
+:printed: P(1)=P_1
+:refuted-by: curve_does_not_end_in_its_second_point
+:class: misprint
+:corrected: P(1)=P_n
+:corrected-by: end_derivatives_are_end_differences
+:figure: edges_and_end_tangents
+
+The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1$ it is $P_1$.
+:::
+
+:::{claim} curve_does_not_end_in_its_second_point
+:title: With three points the curve does not end in the second
+:zh: 曲线终点不是 P1
+:kind: counterexample
+:given: $n=2$, the points $0,0,1$ of a line
+:then: $P(1)=1$, and $P_1=0$
+:method: The value by the kernel.
+:control: $n=1$, the points $0,0$
 :::
 
 :::{statement} slides-ch4:4-derivative-by-basis

@@ -112,9 +112,9 @@ Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.
 :zh: C2 条件下的 Q2
 :printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
 :holds-by: three_points_make_c2
-:hypothesis: open_joint_has_no_second_point | $Q_0=P_3$, which the slides recall, and nothing else: true for every $a$
+:needs: open_joint_has_no_second_point | $Q_0=P_3$
 
-With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
+It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
 :::
 
 :::{claim} second_derivative_of_a_cubic
