@@ -23,8 +23,9 @@ The degree is at most $n$: see the next entry.
 :title: The curve of n+1 points has degree n
 :zh: 曲线的次数
 :printed: what $n+1$ points determine is a Bézier curve of degree $n$
+:holds-by: bernstein_to_power_keeps_polynomial
+:reading: bernstein_to_power_keeps_polynomial | as a name: written in Bernstein polynomials of degree $n$, so of degree at most $n$: true
 :reading: equally_spaced_points_make_a_line | a polynomial of exactly this degree: false
-:reading: bernstein_to_power_keeps_polynomial | written in Bernstein polynomials of degree $n$, so of degree at most $n$: true
 :::
 
 :::{claim} equally_spaced_points_make_a_line
@@ -211,8 +212,9 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :zh: 导矢:逐项求导
 :printed: P'(t)=\sum_{i=0}^n\frac{n!}{i!(n-i)!}\bigl(i\,t^{i-1}(1-t)^{n-i}-(n-i)\,t^i(1-t)^{n-i-1}\bigr)P_i
 :holds-by: derivative_in_three_steps
-:hypothesis: first_term_divides_by_zero | $0<t<1$, or the products with a factor $i=0$ or $n-i=0$ are left out: at $t=0$ and $t=1$, the two
-  places where the slides use the derivative, they are $0\cdot0^{-1}$
+:reading: derivative_in_three_steps | products with a factor $i=0$ or $n-i=0$ are not there, or $0<t<1$: true
+:reading: first_term_divides_by_zero | every factor by itself: at $t=0$ and $t=1$, the two places where the slides use the derivative, two
+  products are $0\cdot0^{-1}$, of which the convention for $0^0$ says nothing
 :::
 
 :::{statement} slides-ch4:4-derivative-terms
@@ -220,7 +222,8 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :zh: 导矢:逐项展开
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
 :holds-by: derivative_in_three_steps
-:hypothesis: terms_in_a_row_need_two_edges | $n\ge2$: for $n=1$ there is no $(n-2)!$, and the terms with it are not there
+:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, which for $n=1$ are the first and the last alone: true
+:reading: terms_in_a_row_need_two_edges | all that are written out, for $n=1$ as well: false, there is no $(n-2)!$
 
 The signs are lost; each is determined by the sum before.
 :::

@@ -119,6 +119,7 @@ Between the first two of these lines stands another, which is the next entry.  F
 :class: misprint
 :corrected: $(1-t)^{n-i}$ in the second sum; the first is right
 :corrected-by: proof_of_the_recursion_line_by_line
+:figure: second_line_of_the_proof
 
 With $i$ for $i+1$ the power of $t$ and the binomial are shifted, and the power of $1-t$ is not.  The signs of the exponent are lost; that it
 consists of $n$, $i$ and 1, as that of the first sum does, is there to be read, and no signs make $n-i$ of it.  The next line is right again.

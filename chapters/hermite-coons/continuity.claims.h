@@ -548,7 +548,7 @@ there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even 
 :zh: C0、C1、C2 的几何意义
 :printed: Geometrically $C^0$, $C^1$, $C^2$ mean that the graph of the function, the direction of its tangent, its curvature are continuous.
 :holds-by: curvature_of_a_graph
-:hypothesis: derivative_is_continuous_at_the_cusp | $P'\ne0$ where the curve has a parameter; graphs, of which the slides speak, have it always
+:hypothesis: tangent_turns_back_at_a_smooth_parameter | $P'\ne0$ where the curve has a parameter; graphs, of which the slides speak, have it always
 :reading: curvature_of_a_graph | from the class to the figure, for graphs: true
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs: false
 :reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: false, the tangent may turn back
@@ -569,6 +569,16 @@ $(1+f'^2)^{3/2}$.
   $\frac1{s^2}$, beyond every bound: at $s=10^{-3}$ it is $10^6$, which is not at most 1000
 :method: Derivatives of the graph by the power kernel, the quotient at the one $s$; that it is at most 1000 is refuted.
 :control: $s=\frac1{10}$
+:::
+
+:::{claim} tangent_turns_back_at_a_smooth_parameter
+:title: A polynomial curve whose tangent turns back
+:zh: 多项式曲线在尖点处切向反转
+:kind: counterexample
+:given: $P(t)=(t^3,t^2)$, which has continuous derivatives of every order
+:then: $P'(-h)\cdot P'(h)=9h^4-4h^2<0$ for $0<h<\frac23$: however near to the origin, the tangents before and after make an obtuse angle
+:method: The derivatives by the power kernel at $h=\frac1{1000}$; that their product is not negative is refuted.
+:control: $P(t)=(t^3+t,t^2)$
 :::
 
 :::{claim} curvature_of_a_graph
@@ -787,6 +797,17 @@ CLAIM(upright_tangent_is_continuous_and_not_c1)
     show(T, "f(h)/h", quotient);
     about(T, "whether the quotient is at most 1000");
     agree(T, compare_q(quotient, from_int(1000)) <= 0);
+}
+
+CLAIM(tangent_turns_back_at_a_smooth_parameter)
+{
+    num zero = from_int(0), one = from_int(1), h = from_ratio(1, 1000), before[4], after[4];
+    num cusp[8] = {zero, zero, from_int(T->planted), zero, zero, one, one, zero};
+    power_derivatives_q(3, plane, cusp, neg(h), 1, before);
+    power_derivatives_q(3, plane, cusp, h, 1, after);
+    show_points(T, "P'(-1/1000), P'(1/1000)", 2, plane, (num[]){before[2], before[3], after[2], after[3]});
+    about(T, "whether the product of the derivatives is not negative");
+    nonnegative(T, add(mul(before[2], after[2]), mul(before[3], after[3])));
 }
 
 /* Compare the squares of the curvatures of the curves with (1,0), (0,1) and with (first,0), (along,second). */
