@@ -53,7 +53,8 @@ A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta
 :corrected-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
 
-With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not.
+With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not.  Or
+the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is printed in both of its forms.
 :::
 
 :::{statement} slides-ch4:4-recursion
