@@ -99,8 +99,8 @@ The signs are lost; the coefficients of powers of $t$ leave one choice.
   $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
 :holds-by: three_points_make_c2
 :hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well, $a=1$: the slides come from $G^1$ with any $a>0$
-:reading: printed_condition_divides_the_curvature | with the condition for $G^1$ and $a\ne1$: not $C^2$, and not $G^2$ either; the curvature is
-  divided by $a^2$
+:reading: equal_second_derivatives_with_unequal_first | with the condition for $G^1$ alone: for $a\ne1$ not $C^2$, and not $G^2$ either
+:reading: printed_condition_divides_the_curvature | what it does to the curvature at such a joint: the curvature is divided by $a^2$
 :figure: second_derivatives_alone
 :striking: 45
 

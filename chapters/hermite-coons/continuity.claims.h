@@ -55,18 +55,21 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 :title: Complicated shapes without a parameter
 :zh: 难以灵活地构造复杂的曲线、曲面
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
-:reading: parametric_cubic_crosses_itself | by $y=f(x)$: true so far as no graph has the shape of this curve
-:reading: nodal_cubic_has_an_equation | by $f(x,y)=0$: there are equations of such shapes as well; whether they are hard to find is no
-  statement of mathematics
+:holds-by: parametric_cubic_crosses_itself
+:hypothesis: nodal_cubic_has_an_equation | explicit equations $y=f(x)$ are meant: a curve that crosses itself has none, but it may have an equation
+  $f(x,y)=0$
 :figure: graphs_and_axes
+
+Hard and flexibly are read as what cannot be done at all.
 :::
 
 :::{claim} nodal_cubic_has_an_equation
 :title: The cubic that crosses itself has an equation
 :zh: 自交三次曲线的隐式方程
-:given: $P(t)=(t^2-1,t^3-t)$, any $t$
-:then: $y^2=x^2(x+1)$
-:method: The point by the power kernel, $t$ a variable.
+:kind: counterexample
+:given: $P(t)=(t^2-1,t^3-t)$
+:then: $y^2=x^2(x+1)$ for every $t$
+:method: The difference is a polynomial of degree at most 6 in $t$; its values at $t=0,\dots,6$.  That one of them is not 0 is refuted.
 :control: $y^2=x^2(x-1)$
 :::
 
@@ -315,15 +318,6 @@ CLAIM(circle_has_an_upright_tangent)
     about(T, "R'(0)");
     same(T, D[2], zero);
     same(T, D[3], from_int(2));
-}
-
-CLAIM(nodal_cubic_has_an_equation)
-{
-    num zero = from_int(0), one = from_int(1), t = parameter(T, "t"), P[2];
-    num loop[8] = {neg(one), zero, zero, neg(one), one, zero, zero, one};
-    G(power_point)(3, plane, loop, t, P);
-    num factor = T->planted ? sub(P[0], one) : add(P[0], one);
-    same(T, mul(P[1], P[1]), mul(mul(P[0], P[0]), factor));
 }
 
 CLAIM(graphs_over_one_axis_meet_in_one_curve)
@@ -628,8 +622,18 @@ Derivatives by the arc length are found from those by another parameter where $P
 :hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
 :needs: negative_ratio_turns_back | equal in direction: proportional with a negative factor is a curve that turns back
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ: true
-:reading: segment_in_its_parameter | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
+:reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
 :figure: joints_of_order
+:::
+
+:::{claim} halves_of_a_segment_have_one_speed
+:title: Two halves of a segment meet with equal derivatives
+:zh: 线段两半在公共点处导矢相等
+:kind: counterexample
+:given: the segment from $(0,0)$ to $(2,0)$ and its halves, each over $[0,1]$
+:then: the derivatives at $(1,0)$ are $(1,0)$ and $(1,0)$
+:method: The derivatives by the kernel; that the squares of their lengths differ is refuted.
+:control: the second half over $[0,\frac12]$
 :::
 
 :::{statement} slides-ch4:1-g2
@@ -808,6 +812,35 @@ CLAIM(tangent_turns_back_at_a_smooth_parameter)
     show_points(T, "P'(-1/1000), P'(1/1000)", 2, plane, (num[]){before[2], before[3], after[2], after[3]});
     about(T, "whether the product of the derivatives is not negative");
     nonnegative(T, add(mul(before[2], after[2]), mul(before[3], after[3])));
+}
+
+CLAIM(halves_of_a_segment_have_one_speed)
+{
+    num zero = from_int(0), one = from_int(1), two = from_int(2), D[4], E[4];
+    num first[4] = {zero, zero, one, zero}, second[4] = {one, zero, two, zero};
+    bezier_derivatives_q(1, plane, first, one, 1, D);
+    bezier_derivatives_q(1, plane, second, zero, 1, E);
+    if (T->planted)
+        E[2] = mul(two, E[2]);
+    show_points(T, "the derivatives at the joint", 2, plane, (num[]){D[2], D[3], E[2], E[3]});
+    about(T, "whether their lengths differ");
+    agree(T, !equal_q(norm_squared_q(plane, D + 2), norm_squared_q(plane, E + 2)));
+}
+
+CLAIM(nodal_cubic_has_an_equation)
+{
+    num zero = from_int(0), one = from_int(1), P[2], value[7];
+    num loop[8] = {neg(one), zero, zero, neg(one), one, zero, zero, one};
+    int all = 1;
+    for (int k = 0; k <= 6; k++) {
+        power_point_q(3, plane, loop, from_int(k), P);
+        num factor = T->planted ? sub(P[0], one) : add(P[0], one);
+        value[k] = sub(mul(P[1], P[1]), mul(mul(P[0], P[0]), factor));
+        all = all && is_zero_q(value[k]);
+    }
+    show_points(T, "the difference at t = 0, ..., 6", 7, 1, value);
+    about(T, "whether one of them is not 0");
+    agree(T, !all);
 }
 
 /* Compare the squares of the curvatures of the curves with (1,0), (0,1) and with (first,0), (along,second). */
