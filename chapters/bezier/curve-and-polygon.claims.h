@@ -23,8 +23,9 @@ The degree is at most $n$: see the next entry.
 :title: The curve of n+1 points has degree n
 :zh: 曲线的次数
 :printed: what $n+1$ points determine is a Bézier curve of degree $n$
+:holds-by: bernstein_to_power_keeps_polynomial
+:reading: bernstein_to_power_keeps_polynomial | as a name: written in Bernstein polynomials of degree $n$, so of degree at most $n$: true
 :reading: equally_spaced_points_make_a_line | a polynomial of exactly this degree: false
-:reading: bernstein_to_power_keeps_polynomial | written in Bernstein polynomials of degree $n$, so of degree at most $n$: true
 :::
 
 :::{claim} equally_spaced_points_make_a_line
@@ -152,6 +153,14 @@ CLAIM(equally_spaced_points_make_a_line)
     agree(T, !is_zero_q(c[3]));
 }
 
+CLAIM(curve_does_not_end_in_its_second_point)
+{
+    num b[3] = {from_int(0), from_int(0), from_int(1)}, end;
+    G(decasteljau)(T->planted ? 1 : 2, 1, b, from_int(1), &end);
+    about(T, "P(1) and P_1");
+    same(T, end, b[1]);
+}
+
 CLAIM(zero_power_zero_takes_away_the_end)
 {
     static const int from[4] = {1, 1, 2, 3};
@@ -170,9 +179,32 @@ CLAIM(zero_power_zero_takes_away_the_end)
 :::{statement} slides-ch4:4-ends
 :title: The curve begins and ends with the polygon
 :zh: 曲线过首末控制顶点
-:printed: $P(0)=P_0$, $P(1)=P_n$: the curve passes through the first and the last point
+:printed: $P(0)=P_0$; the curve passes through the first point of the sequence and the last
 :holds-by: end_derivatives_are_end_differences
 :figure: edges_and_end_tangents
+:::
+
+:::{statement} slides-ch4:4-ends-value-at-1
+:title: The value at t = 1
+:zh: t=1 处的值
+:printed: P(1)=P_1
+:refuted-by: curve_does_not_end_in_its_second_point
+:class: misprint
+:corrected: P(1)=P_n
+:corrected-by: end_derivatives_are_end_differences
+:figure: edges_and_end_tangents
+
+The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1$ it is $P_1$.
+:::
+
+:::{claim} curve_does_not_end_in_its_second_point
+:title: With three points the curve does not end in the second
+:zh: 曲线终点不是 P1
+:kind: counterexample
+:given: $n=2$, the points $0,0,1$ of a line
+:then: $P(1)=1$, and $P_1=0$
+:method: The value by the kernel.
+:control: $n=1$, the points $0,0$
 :::
 
 :::{statement} slides-ch4:4-derivative-by-basis
@@ -180,8 +212,9 @@ CLAIM(zero_power_zero_takes_away_the_end)
 :zh: 导矢:逐项求导
 :printed: P'(t)=\sum_{i=0}^n\frac{n!}{i!(n-i)!}\bigl(i\,t^{i-1}(1-t)^{n-i}-(n-i)\,t^i(1-t)^{n-i-1}\bigr)P_i
 :holds-by: derivative_in_three_steps
-:hypothesis: first_term_divides_by_zero | $0<t<1$, or the products with a factor $i=0$ or $n-i=0$ are left out: at $t=0$ and $t=1$, the two
-  places where the slides use the derivative, they are $0\cdot0^{-1}$
+:reading: derivative_in_three_steps | products with a factor $i=0$ or $n-i=0$ are not there, or $0<t<1$: true
+:reading: first_term_divides_by_zero | every factor by itself: at $t=0$ and $t=1$, the two places where the slides use the derivative, two
+  products are $0\cdot0^{-1}$, of which the convention for $0^0$ says nothing
 :::
 
 :::{statement} slides-ch4:4-derivative-terms
@@ -189,7 +222,8 @@ CLAIM(zero_power_zero_takes_away_the_end)
 :zh: 导矢:逐项展开
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
 :holds-by: derivative_in_three_steps
-:hypothesis: terms_in_a_row_need_two_edges | $n\ge2$: for $n=1$ there is no $(n-2)!$, and the terms with it are not there
+:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, which for $n=1$ are the first and the last alone: true
+:reading: terms_in_a_row_need_two_edges | all that are written out, for $n=1$ as well: false, there is no $(n-2)!$
 
 The signs are lost; each is determined by the sum before.
 :::

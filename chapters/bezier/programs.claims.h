@@ -110,14 +110,12 @@ For Q, $n$ places are enough, and one for $n=0$ is none too few.
 :::{statement} slides-ch4:4-program-delete
 :title: The arrays are released
 :zh: 释放数组
-:printed: delete R; delete Q;
-:refuted-by: program_releases_arrays_as_numbers
-:class: false
-:corrected: delete[] R; delete[] Q;
-:corrected-by: program_stays_in_its_arrays
+:printed: delete R; delete Q; where no square bracket of the program is left to be read
+:reading: program_stays_in_its_arrays | delete[] R; delete[] Q; with brackets that are lost like all others: right
+:reading: program_releases_arrays_as_numbers | delete R; delete Q; as it stands: wrong
 
-What was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  All arrays that are made are
-released once, in one way or the other: in this sense nothing leaks.
+What was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  In the text at hand new double[n+1] is
+without its brackets as well, so that it does not tell which was printed.  Either way each array is released once.
 :::
 
 :::{claim} program_stays_in_its_arrays

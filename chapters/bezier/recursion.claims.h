@@ -11,9 +11,10 @@ chapter.  Here are the sentences of the slides, and their proof line by line.
 :title: With more points the polyline comes as near to the curve as one likes
 :zh: 折线逼近曲线
 :printed: Enough values of $t$ are chosen, and the points of the curve joined by segments; with more points the polyline and the curve
-  come arbitrarily near to each other.
+  can come arbitrarily near to each other.
 :holds-by: second_differences_of_a_piece polygon_and_curve_are_near_the_chord
-:hypothesis: many_points_may_crowd | the largest step of the parameter tends to 0: more points alone do not suffice
+:reading: second_differences_of_a_piece | the points can be chosen so, with steps of the parameter that tend to 0: true
+:reading: many_points_may_crowd | however the points are chosen, if only there are many: false
 :figure: crowded_points
 
 A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta^2P_j|$ away from its chord.
@@ -52,7 +53,8 @@ A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta
 :corrected-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
 
-With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not.
+With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not.  Or
+the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is printed in both of its forms.
 :::
 
 :::{statement} slides-ch4:4-recursion
@@ -103,12 +105,35 @@ With $P_{k,l}$ the curve of $P_k,\dots,P_l$; $n\ge1$, and any $t$.
 :title: The proof of the recursion
 :zh: 递推关系的证明
 :printed: the right side is $(1-t)\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i+t\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_{i+1}$
-  $=(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i}P_i+t^{n-1}P_n\Bigr)$
   $=(1-t)^nP_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i}P_i+\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^i(1-t)^{n-i}P_i+t^nP_n$
   $=(1-t)^nP_0+\sum_{i=1}^{n-1}(C_{n-1}^i+C_{n-1}^{i-1})t^i(1-t)^{n-i}P_i+t^nP_n=\sum_{i=0}^nC_n^it^i(1-t)^{n-i}P_i$, the left side
 :holds-by: proof_of_the_recursion_line_by_line binomials_add_up
 
-For $n=1$ the sums from 1 to $n-1$ are empty.
+Between the first two of these lines stands another, which is the next entry.  For $n=1$ the sums from 1 to $n-1$ are empty.
+:::
+
+:::{statement} slides-ch4:4-recursion-proof-line-2
+:title: The second line of the proof
+:zh: 证明第二行中 (1-t) 的指数
+:printed: the right side is $(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i-1}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i-1}P_i+t^{n-1}P_n\Bigr)$
+:refuted-by: exponent_of_the_second_line_is_not_shifted
+:class: misprint
+:corrected: $(1-t)^{n-i}$ in the second sum; the first is right
+:corrected-by: proof_of_the_recursion_line_by_line
+:figure: second_line_of_the_proof
+
+With $i$ for $i+1$ the power of $t$ and the binomial are shifted, and the power of $1-t$ is not.  The signs of the exponent are lost; that it
+consists of $n$, $i$ and 1, as that of the first sum does, is there to be read, and no signs make $n-i$ of it.  The next line is right again.
+:::
+
+:::{claim} exponent_of_the_second_line_is_not_shifted
+:title: With two edges the second line has another sum
+:zh: n=2 时证明第二行不成立
+:kind: counterexample
+:given: $n=2$, the points $0,1,0$ of a line, $t=\frac12$; the second line with $(1-t)^{n-i-1}$ in both sums
+:then: the value is $\frac34$, and the curve is at $\frac12$; with $(1-t)^{n-i+1}$ in the second sum the value is $\frac38$
+:method: The line as printed, with either sign of the 1, against the curve from the definition.
+:control: $(1-t)^{n-i}$ in the second sum
 :::
 
 :::{claim} binomials_add_up
@@ -241,6 +266,24 @@ CLAIM(many_points_may_crowd)
     show(T, "from the chord down to the curve", gap);
     about(T, "whether that is at most 1/100");
     nonnegative(T, sub(from_ratio(1, 100), gap));
+}
+
+CLAIM(exponent_of_the_second_line_is_not_shifted)
+{
+    enum { n = 2 };
+    num P[n + 1] = {from_int(0), from_int(1), from_int(0)}, t = from_ratio(1, 2), s = sub(from_int(1), t);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        num low = mul(G(power)(s, n - 1), P[0]), high = mul(G(power)(t, n - 1), P[n]);
+        for (int i = 1; i < n; i++) {
+            num shifted = mul(G(power)(t, i - 1), G(power)(s, T->planted ? n - i : n - i + sign));
+            low = add(low, mul(mul(G(choose)(n - 1, i), mul(G(power)(t, i), G(power)(s, n - i - 1))), P[i]));
+            high = add(high, mul(mul(G(choose)(n - 1, i - 1), shifted), P[i]));
+        }
+        num line = add(mul(s, low), mul(t, high));
+        show(T, sign < 0 ? "the line with n-i-1" : "the line with n-i+1", line);
+        about(T, "the second line and the curve");
+        same(T, line, G(curve)(n, 1, P, 0, t));
+    }
 }
 
 CLAIM(one_point_too_many_breaks_the_recursion)

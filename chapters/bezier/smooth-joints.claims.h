@@ -99,8 +99,8 @@ The signs are lost; the coefficients of powers of $t$ leave one choice.
   $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
 :holds-by: three_points_make_c2
 :hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well, $a=1$: the slides come from $G^1$ with any $a>0$
-:reading: printed_condition_divides_the_curvature | with the condition for $G^1$ and $a\ne1$: not $C^2$, and not $G^2$ either; the curvature is
-  divided by $a^2$
+:reading: equal_second_derivatives_with_unequal_first | with the condition for $G^1$ alone: for $a\ne1$ not $C^2$, and not $G^2$ either
+:reading: printed_condition_divides_the_curvature | what it does to the curvature at such a joint: the curvature is divided by $a^2$
 :figure: second_derivatives_alone
 :striking: 45
 
@@ -112,9 +112,9 @@ Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.
 :zh: C2 条件下的 Q2
 :printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
 :holds-by: three_points_make_c2
-:hypothesis: open_joint_has_no_second_point | $Q_0=P_3$, which the slides recall, and nothing else: true for every $a$
+:needs: open_joint_has_no_second_point | $Q_0=P_3$
 
-With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
+It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
 :::
 
 :::{claim} second_derivative_of_a_cubic

@@ -163,7 +163,7 @@ The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or
 :corrected-by: exact_values_of_the_table
 :figure: worked_table
 
-The sum with the rounded factors is 3.2602; nothing near leads to 3.248.
+The sum with the rounded factors is 3.2602; nothing near leads to 3.248, whose digits after the point are those of $x(0.35)$ in the same column.
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.85-y
@@ -176,7 +176,7 @@ The sum with the rounded factors is 3.2602; nothing near leads to 3.248.
 :corrected-by: exact_values_of_the_table
 :figure: worked_table
 
-The sum with the rounded factors is 1.7646.  The table has the right value, 1.765, in the row of $t=0.15$, and $y(0.85)=y(0.15)$.
+The sum with the rounded factors is 1.7646.  The table has the right value, 1.765, in the row of $t=0.15$, and $y(0.85)=y(0.15)$: a digit, 6, is left out.
 :::
 
 :::{statement} slides-ch4:table-bezier-row-1-basis

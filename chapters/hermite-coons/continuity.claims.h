@@ -51,6 +51,28 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 :figure: graphs_and_axes
 :::
 
+:::{statement} slides-ch4:1-hard-to-construct
+:title: Complicated shapes without a parameter
+:zh: 难以灵活地构造复杂的曲线、曲面
+:printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
+:holds-by: parametric_cubic_crosses_itself
+:hypothesis: nodal_cubic_has_an_equation | explicit equations $y=f(x)$ are meant: a curve that crosses itself has none, but it may have an equation
+  $f(x,y)=0$
+:figure: graphs_and_axes
+
+Hard and flexibly are read as what cannot be done at all.
+:::
+
+:::{claim} nodal_cubic_has_an_equation
+:title: The cubic that crosses itself has an equation
+:zh: 自交三次曲线的隐式方程
+:kind: counterexample
+:given: $P(t)=(t^2-1,t^3-t)$
+:then: $y^2=x^2(x+1)$ for every $t$
+:method: The difference is a polynomial of degree at most 6 in $t$; its values at $t=0,\dots,6$.  That one of them is not 0 is refuted.
+:control: $y^2=x^2(x-1)$
+:::
+
 :::{statement} slides-ch4:1-parametric-slope
 :title: With a parameter an infinite slope is easy to handle
 :zh: 参数方程便于处理斜率无穷大
@@ -72,13 +94,37 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 :zh: 空间曲线与两张柱面的交线
 :printed: Explicit equations without a parameter describe plane curves only; a space curve has to be defined as the intersection of two
   cylinders.
-:refuted-by: two_cylinders_hold_more_than_the_curve closed_curve_is_no_pair_of_graphs
-:class: false
-:corrected: The equations $y=f(x)$, $z=g(x)$ are two cylinders, whose intersection is a curve with one point for each $x$.  The cylinders over
-  two projections of another curve contain it, and may contain more: $x^2+y^2=1$ and $x^2+z^2=1$ have the ellipses of $z=y$ and of
-  $z=-y$ in common, and nothing else.
-:corrected-by: two_cylinders_are_two_ellipses
+:holds-by: graphs_over_one_axis_meet_in_one_curve
+:hypothesis: closed_curve_is_no_pair_of_graphs | explicit equations $y=f(x)$, $z=g(x)$ mean one point for each $x$, or for each value of another coordinate
+:hypothesis: no_two_projections_give_the_circle | where cylinders are taken over two projections, the curve is all that they have in common; for some curves no choice
+  of two will do
+:reading: two_cylinders_hold_more_than_the_curve | the cylinders over the projections of $x^2+y^2=1$, $z=y$ along $z$ and $y$: false, there is more
+:reading: two_cylinders_are_two_ellipses | what they have in common: the ellipses of $z=y$ and of $z=-y$
 :figure: two_cylinders
+
+The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
+:::
+
+:::{claim} graphs_over_one_axis_meet_in_one_curve
+:title: Two graphs over one axis are two cylinders that meet in one curve
+:zh: 两个显式方程所表示的柱面之交线
+:given: $y=f(x)$ and $z=g(x)$ with polynomials of degree $n$ whose Bernstein coefficients are $f_i$ and $g_i$, any $f$, $g$ and $t$
+:then: the curve of the points $(\frac in,f_i,g_i)$ is at $(t,f(t),g(t))$: on both cylinders, with one point for each $x$
+:method: The point by `decasteljau`, the functions by their powers, everything a variable.  Of the points with $x=t$ no other satisfies
+  both equations.
+:degrees: 1..6 sampled 10
+:control: $f$ and $g$ exchanged
+:::
+
+:::{claim} no_two_projections_give_the_circle
+:title: A circle that no two of its three projections determine
+:zh: 任两张投影柱面都不能确定的圆
+:kind: counterexample
+:given: the circle $x^2+y^2+z^2=2$, $x+y+z=0$; its projections along the axes are $x^2+xy+y^2=1$, $x^2+xz+z^2=1$, $y^2+yz+z^2=1$
+:then: each of the points $(1,0,0)$, $(0,1,0)$, $(0,0,1)$ is on two of the three cylinders, and none on the circle
+:method: On the plane $z=-x-y$, and $x^2+y^2+z^2=2$ becomes the first equation, likewise the others.  The equations of two cylinders at each point;
+  then $x+y+z$, which should be 0.
+:control: the points $(1,0,-1)$, $(-1,1,0)$, $(0,-1,1)$
 :::
 
 :::{claim} two_cylinders_hold_more_than_the_curve
@@ -153,7 +199,7 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 :::{statement} slides-ch4:1-freedom
 :title: More freedom for the shape
 :zh: 参数形式自由度更大
-:printed: With a parameter there is more freedom to control the shape of curves and surfaces.
+:printed: With a parameter there is more freedom to control the shape of curves and surfaces, and more that can be described.
 :holds-by: parametric_cubic_crosses_itself
 :figure: graphs_and_axes
 
@@ -206,6 +252,22 @@ graph has.
 For a polynomial the bound is that of its Bernstein coefficients: the value is an average of them.
 :::
 
+:::{statement} slides-ch4:1-part
+:title: A part of a curve or of a surface
+:zh: 用参数范围界定曲线或曲面的一部分
+:printed: A part of a curve or of a surface can simply be marked off by $a\le t\le b$.
+:holds-by: interval_kernel_gives_the_part surface_part_is_the_piece
+
+For a surface this is one range for each of the two parameters, when the part is a rectangle of them.
+:::
+
+:::{statement} slides-ch4:1-pieces
+:title: Pieces that are joined smoothly
+:zh: 便于分段、分片描述与光顺连接
+:printed: With $t\in[0,1]$ curves and surfaces are conveniently described piece by piece, and smooth joints are easy to make.
+:holds-by: interval_kernel_gives_the_part surface_part_is_the_piece three_points_make_c2
+:::
+
 :::{statement} slides-ch4:1-two-kinds
 :title: Curves through the points, and curves with a control polygon
 :zh: 插值曲线与逼近曲线
@@ -219,9 +281,12 @@ For a polynomial the bound is that of its Bernstein coefficients: the value is a
 :title: Approximation is nearest in some sense
 :zh: 逼近指某种意义下最佳
 :printed: Approximation: a curve is constructed that is nearest to the points in some sense.
-:reading: parabola_through_the_points_is_nearer | the distance from the points: then a Bézier curve, approximating by the words before,
-  is no approximation, since a curve of the same degree through the points is nearer
-:reading: nearest_line_meets_no_datum | the least sum of squares among simpler curves: a problem with one solution, without a control polygon
+:definition: yes
+:checked-by: parabola_through_the_points_is_nearer nearest_line_meets_no_datum
+
+In which sense is left open.  By the distance from the points a Bézier curve, approximating by the words before, is no approximation, since a
+curve of the same degree through the points is nearer; the least sum of squares among simpler curves is a problem with one
+solution, and has no control polygon.
 :::
 
 :::{claim} parabola_through_the_points_is_nearer
@@ -253,6 +318,24 @@ CLAIM(circle_has_an_upright_tangent)
     about(T, "R'(0)");
     same(T, D[2], zero);
     same(T, D[3], from_int(2));
+}
+
+CLAIM(graphs_over_one_axis_meet_in_one_curve)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), b[(MAX_DEGREE + 1) * space], P[space], low[2][MAX_DEGREE + 1];
+    struct G(poly) f = G(free_poly)(T, "f", n), g = G(free_poly)(T, "g", n);
+    G(power_to_bernstein)(n, T->planted ? g.c : f.c, low[0]);
+    G(power_to_bernstein)(n, T->planted ? f.c : g.c, low[1]);
+    for (int i = 0; i <= n; i++) {
+        b[i * space] = from_ratio(i, n);
+        b[i * space + 1] = low[0][i];
+        b[i * space + 2] = low[1][i];
+    }
+    G(decasteljau)(n, space, b, t, P);
+    same(T, P[0], t);
+    same(T, P[1], G(at)(f, 0, t));
+    same(T, P[2], G(at)(g, 0, t));
 }
 
 CLAIM(two_cylinders_are_two_ellipses)
@@ -337,6 +420,23 @@ CLAIM(two_cylinders_hold_more_than_the_curve)
     same(T, z, y);
 }
 
+CLAIM(no_two_projections_give_the_circle)
+{
+    for (int k = 0; k < space; k++) { /* the axis of the point */
+        num p[space], one = from_int(1);
+        for (int c = 0; c < space; c++)
+            p[c] = from_int(c == k ? 1 : T->planted && c == (k + 2) % space ? -1 : 0);
+        show_points(T, "a point", 1, space, p);
+        about(T, "the equations of the two cylinders over planes with the axis of the point");
+        for (int j = 1; j <= 2; j++) {
+            num a = p[k], b = p[(k + j) % space];
+            same(T, add(mul(a, a), add(mul(a, b), mul(b, b))), one);
+        }
+        about(T, "x + y + z");
+        vanishes(T, add(p[0], add(p[1], p[2])));
+    }
+}
+
 CLAIM(closed_curve_is_no_pair_of_graphs)
 {
     num a = from_ratio(3, 5), b = from_ratio(4, 5), other = T->planted ? b : neg(b);
@@ -393,15 +493,13 @@ CLAIM(parabola_through_the_points_is_nearer)
 :zh: 参数连续性 C^k 的定义
 :printed: A function that has equal left and right derivatives at $x_0$ up to the order $k$ is called $k$ times continuously differentiable
   at $x_0$, or continuous of order $k$, $C^k$.
-:refuted-by: equal_derivatives_are_not_continuous equal_limits_do_not_make_a_continuous_function
-:class: missing-hypothesis
-:corrected: On both sides the function is a polynomial (or another function with $k$ continuous derivatives up to $x_0$), and the values and
-  the derivatives up to the order $k$ of both are equal: then the two sides differ by a multiple of $(x-x_0)^{k+1}$, and the whole
-  has $k$ continuous derivatives.
-:corrected-by: equal_derivatives_leave_a_power
+:holds-by: equal_derivatives_leave_a_power
+:hypothesis: equal_derivatives_are_not_continuous | on either side the function has $k$ continuous derivatives up to $x_0$, as pieces that
+  are polynomials have
+:hypothesis: equal_limits_do_not_make_a_continuous_function | the values are counted as the derivatives of order 0
 :figure: differentiable_without_continuity
 
-Read with difference quotients from either side, the condition says that $f$ is differentiable at $x_0$, and not that $f'$ is continuous
+It is right for all curves of the slides: two polynomials with these equalities differ by a multiple of $(x-x_0)^{k+1}$.  Read with difference quotients from either side, the condition says that $f$ is differentiable at $x_0$, and not that $f'$ is continuous
 there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even say that $f$ is continuous.
 :::
 
@@ -443,17 +541,17 @@ there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even 
 :title: What C0, C1 and C2 mean for the figure
 :zh: C0、C1、C2 的几何意义
 :printed: Geometrically $C^0$, $C^1$, $C^2$ mean that the graph of the function, the direction of its tangent, its curvature are continuous.
-:refuted-by: upright_tangent_is_continuous_and_not_c1
-:class: missing-hypothesis
-:corrected: A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
-  $f''/(1+f'^2)^{3/2}$.  Conversely this holds where no tangent is upright, since $f'$ is the slope and $f''$ the curvature times
-  $(1+f'^2)^{3/2}$.  For a curve with a parameter neither follows: it needs $P'\ne0$, and says nothing of the speed.
-:corrected-by: curvature_of_a_graph
+:holds-by: curvature_of_a_graph
+:hypothesis: tangent_turns_back_at_a_smooth_parameter | $P'\ne0$ where the curve has a parameter; graphs, of which the slides speak, have it always
 :reading: curvature_of_a_graph | from the class to the figure, for graphs: true
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs: false
 :reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: false, the tangent may turn back
 :reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter: false
 :figure: upright_cube_root
+
+A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
+$f''/(1+f'^2)^{3/2}$.  Conversely this holds where no tangent is upright, since $f'$ is the slope and $f''$ the curvature times
+$(1+f'^2)^{3/2}$.
 :::
 
 :::{claim} upright_tangent_is_continuous_and_not_c1
@@ -465,6 +563,16 @@ there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even 
   $\frac1{s^2}$, beyond every bound: at $s=10^{-3}$ it is $10^6$, which is not at most 1000
 :method: Derivatives of the graph by the power kernel, the quotient at the one $s$; that it is at most 1000 is refuted.
 :control: $s=\frac1{10}$
+:::
+
+:::{claim} tangent_turns_back_at_a_smooth_parameter
+:title: A polynomial curve whose tangent turns back
+:zh: 多项式曲线在尖点处切向反转
+:kind: counterexample
+:given: $P(t)=(t^3,t^2)$, which has continuous derivatives of every order
+:then: $P'(-h)\cdot P'(h)=9h^4-4h^2<0$ for $0<h<\frac23$: however near to the origin, the tangents before and after make an obtuse angle
+:method: The derivatives by the power kernel at $h=\frac1{1000}$; that their product is not negative is refuted.
+:control: $P(t)=(t^3+t,t^2)$
 :::
 
 :::{claim} curvature_of_a_graph
@@ -486,7 +594,7 @@ there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even 
 :definition: yes
 :checked-by: conditions_make_one_curve_in_another_parameter
 
-The arc length is a parameter only where $P'\ne0$.
+Derivatives by the arc length are found from those by another parameter where $P'\ne0$.
 :::
 
 :::{statement} slides-ch4:1-g0
@@ -514,8 +622,18 @@ The arc length is a parameter only where $P'\ne0$.
 :hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
 :needs: negative_ratio_turns_back | equal in direction: proportional with a negative factor is a curve that turns back
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ: true
-:reading: segment_in_its_parameter | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
+:reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
 :figure: joints_of_order
+:::
+
+:::{claim} halves_of_a_segment_have_one_speed
+:title: Two halves of a segment meet with equal derivatives
+:zh: 线段两半在公共点处导矢相等
+:kind: counterexample
+:given: the segment from $(0,0)$ to $(2,0)$ and its halves, each over $[0,1]$
+:then: the derivatives at $(1,0)$ are $(1,0)$ and $(1,0)$
+:method: The derivatives by the kernel; that the squares of their lengths differ is refuted.
+:control: the second half over $[0,\frac12]$
 :::
 
 :::{statement} slides-ch4:1-g2
@@ -683,6 +801,46 @@ CLAIM(upright_tangent_is_continuous_and_not_c1)
     show(T, "f(h)/h", quotient);
     about(T, "whether the quotient is at most 1000");
     agree(T, compare_q(quotient, from_int(1000)) <= 0);
+}
+
+CLAIM(tangent_turns_back_at_a_smooth_parameter)
+{
+    num zero = from_int(0), one = from_int(1), h = from_ratio(1, 1000), before[4], after[4];
+    num cusp[8] = {zero, zero, from_int(T->planted), zero, zero, one, one, zero};
+    power_derivatives_q(3, plane, cusp, neg(h), 1, before);
+    power_derivatives_q(3, plane, cusp, h, 1, after);
+    show_points(T, "P'(-1/1000), P'(1/1000)", 2, plane, (num[]){before[2], before[3], after[2], after[3]});
+    about(T, "whether the product of the derivatives is not negative");
+    nonnegative(T, add(mul(before[2], after[2]), mul(before[3], after[3])));
+}
+
+CLAIM(halves_of_a_segment_have_one_speed)
+{
+    num zero = from_int(0), one = from_int(1), two = from_int(2), D[4], E[4];
+    num first[4] = {zero, zero, one, zero}, second[4] = {one, zero, two, zero};
+    bezier_derivatives_q(1, plane, first, one, 1, D);
+    bezier_derivatives_q(1, plane, second, zero, 1, E);
+    if (T->planted)
+        E[2] = mul(two, E[2]);
+    show_points(T, "the derivatives at the joint", 2, plane, (num[]){D[2], D[3], E[2], E[3]});
+    about(T, "whether their lengths differ");
+    agree(T, !equal_q(norm_squared_q(plane, D + 2), norm_squared_q(plane, E + 2)));
+}
+
+CLAIM(nodal_cubic_has_an_equation)
+{
+    num zero = from_int(0), one = from_int(1), P[2], value[7];
+    num loop[8] = {neg(one), zero, zero, neg(one), one, zero, zero, one};
+    int all = 1;
+    for (int k = 0; k <= 6; k++) {
+        power_point_q(3, plane, loop, from_int(k), P);
+        num factor = T->planted ? sub(P[0], one) : add(P[0], one);
+        value[k] = sub(mul(P[1], P[1]), mul(mul(P[0], P[0]), factor));
+        all = all && is_zero_q(value[k]);
+    }
+    show_points(T, "the difference at t = 0, ..., 6", 7, 1, value);
+    about(T, "whether one of them is not 0");
+    agree(T, !all);
 }
 
 /* Compare the squares of the curvatures of the curves with (1,0), (0,1) and with (first,0), (along,second). */
