@@ -30,6 +30,9 @@ const char *cagd_fit_status_text(cagd_fit_status status)
         return "all points are equal";
     case CAGD_FIT_NO_MEMORY:
         return "there is not enough memory";
+    case CAGD_FIT_OUT_OF_RANGE:
+        return "coordinates or standard deviations are so large or so small that squared distances leave the range of "
+               "numbers";
     }
     return "unknown status";
 }
@@ -162,7 +165,12 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
     return CAGD_FIT_OK;
 }
 
-static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p)
+/* Squared distances, their sum, and the square of what rounding makes of a distance, 2^-106 of it, are numbers without underflow
+ * or overflow when the distance lies between 2^-400 and 2^400: 2*400 + 31 < 1024 and 2*400 + 106 < 1022. */
+enum { RANGE = 400 };
+static int in_range(double x) { return x >= ldexp(1, -RANGE) && x <= ldexp(1, RANGE); }
+
+static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p, int *where)
 {
     int dim = data->dim, e;
     size_t numbers = (size_t)data->count * (size_t)dim;
@@ -181,14 +189,19 @@ static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p)
         }
         extent = fmax(extent, high[c] / 2 - low[c] / 2);
     }
+    REQUIRE(in_range(extent), CAGD_FIT_OUT_OF_RANGE);
     frexp(extent, &e); /* extent < 2^e, the half of the widest side */
     p->unit = ldexp(1, e);
     for (int c = 0; c < dim; c++)
         p->centre[c] = 2 * p->unit * rint((low[c] / 2 + high[c] / 2) / (2 * p->unit));
     for (size_t m = 0; m < numbers; m++)
         p->Q[m] = (data->points[m] - p->centre[m % (size_t)dim]) / p->unit;
-    for (int i = 0; i < data->count; i++)
+    for (int i = 0; i < data->count; i++) {
         p->precision[i] = data->sigma != NULL ? p->unit / data->sigma[i] : p->unit;
+        *where = i;
+        REQUIRE(in_range(p->precision[i]), CAGD_FIT_OUT_OF_RANGE);
+    }
+    *where = -1;
     return CAGD_FIT_OK;
 }
 
@@ -265,7 +278,7 @@ static int found_curve(const fit_problem *p, const cagd_fit_options *o, fit_curv
                     try->weights[p->unknown[k].index] = fmin(fmax(inner[w], exp(p->low)), exp(p->high));
             double cost;
             good = fit_initial_curve(p, order, try, &cost);
-            if (good && cost < best) {
+            if (good && (cost < best || (guess == 0 && w == 0))) {
                 best = cost;
                 fit_curve_copy(curve, try);
             }
@@ -291,7 +304,7 @@ static int append(fit_outcome *all, fit_outcome *more)
         *all = *more;
         return 1;
     }
-    cagd_fit_step *longer = realloc(all->history, (size_t)(all->steps + more->steps) * sizeof *longer);
+    cagd_fit_step *longer = realloc(all->history, (size_t)(all->steps + more->steps + 1) * sizeof *longer);
     if (longer == NULL) {
         free(more->history);
         return 0;
@@ -407,8 +420,12 @@ static int gauss_newton(const fit_objective *f, const int fixed[], double d[], d
     const fit_problem *p = f->problem;
     int n = p->unknowns;
     fit_rank rank;
+    double size = f->cost;
     *left = INFINITY;
-    if (!isfinite(f->cost))
+    memset(d, 0, (size_t)n * sizeof *d);
+    for (int k = 0; k < n * (n + 1); k++)
+        size += fabs(f->triangle[k]);
+    if (!isfinite(size))
         return 1;
     if (!fit_rank_of(n, equations(p), roundings(p), f->triangle, n + 1, fixed, &rank))
         return 0;
@@ -586,7 +603,7 @@ static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
     fit_curve_copy(f->curve, a->curve);
     if (!fit_minimise_plain(p, a->curve, o->tolerance, o->max_iterations, f->theta, a->feet, &a->outcome))
         return 0;
-    a->initial_cost = a->outcome.history[0].cost;
+    a->initial_cost = a->outcome.steps > 0 ? a->outcome.history[0].cost : HUGE_VAL;
     for (int i = 0; i < p->points; i++) {
         f->feet[i] = fmin(fmax(a->feet[i], fit_curve_start(a->curve)), fit_curve_end(a->curve));
         if (f->feet[i] != a->feet[i]) {
@@ -645,6 +662,46 @@ static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
     return good;
 }
 
+/* The largest share R_index at the measured points, and at the middles of the pieces; from `enough` on it may be a smaller one. */
+static double largest_share(const fit_problem *p, const fit_objective *f, int index, double enough)
+{
+    const fit_curve *curve = f->curve;
+    double R[MAX_DEGREE + 1], largest = 0;
+    for (int i = -curve->pieces; largest < enough && i < p->points; i++) {
+        int piece = i < 0 ? i + curve->pieces : fit_curve_piece(curve, f->feet[i]);
+        int mu = curve->span[piece], m = index - mu + p->degree;
+        if (m < 0 || m > p->degree)
+            continue;
+        fit_curve_shares(curve, piece, i < 0 ? (curve->knots[mu] + curve->knots[mu + 1]) / 2 : f->feet[i], R);
+        largest = fmax(largest, R[m]);
+    }
+    return largest;
+}
+
+/* An attempt fails whose curve is none, or has lost a point: when its share would be taken away by rounding, the cost falls
+ * towards a weight 0 without a minimum, and nothing that is said about the point means anything. */
+static void judge(const fit_problem *p, attempt *a)
+{
+    const fit_objective *f = a->objective;
+    fit_outcome *outcome = &a->outcome;
+    if (!isfinite(f->cost)) {
+        outcome->termination = CAGD_FIT_FAILED;
+        snprintf(outcome->message, sizeof outcome->message, "The distances have left the range of numbers.");
+        return;
+    }
+    for (int k = 0; k < p->unknowns; k++) {
+        int index = p->unknown[k].index;
+        if (!p->unknown[k].is_weight || largest_share(p, f, index, DBL_EPSILON / 2) >= DBL_EPSILON / 2)
+            continue;
+        outcome->termination = CAGD_FIT_FAILED;
+        snprintf(outcome->message, sizeof outcome->message,
+                 "Weight %d went to 0 (%.2g), so that its point no longer changes the curve: there is no minimum "
+                 "here; other starts, or bounds on the weights, may help.",
+                 index, f->curve->weights[index]);
+        return;
+    }
+}
+
 /* The attempt from start number `start`. */
 static int try_start(const fit_problem *p, const cagd_fit_options *o, int start, attempt *a)
 {
@@ -666,7 +723,10 @@ static int try_start(const fit_problem *p, const cagd_fit_options *o, int start,
     if (good && o->method == CAGD_FIT_ELIMINATED)
         good = approach(p, o, a);
     good = good && fit_feet_search(p, a->curve, a->feet, &cost);
-    return good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
+    good = good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
+    if (good)
+        judge(p, a);
+    return good;
 }
 
 /* ---- The result -------------------------------------------------------------------------------------------- */
@@ -811,17 +871,20 @@ static int better(const fit_problem *p, const attempt *a, const attempt *b)
     return a_failed == b_failed ? a->objective->cost < was - cost_blur(p, was) : b_failed;
 }
 
-/* All starts; the best stays. */
+/* All starts, and as long as none has come to a minimum some more; the best stays. */
+enum { MORE_STARTS = 8 };
 static cagd_fit_status run(const fit_problem *p, const cagd_fit_options *o, cagd_fit_result **result)
 {
     attempt best = {0};
-    int best_start = 0, good = 1;
-    double *costs = numbers((size_t)o->starts);
-    for (int start = 0; costs && good && start < o->starts; start++) {
+    int best_start = 0, good = 1, starts = 0, most = o->starts + (o->free & CAGD_FIT_WEIGHTS ? MORE_STARTS : 0);
+    double *costs = numbers((size_t)most);
+    for (int start = 0; costs && good && start < most; start++) {
+        if (start >= o->starts && best.outcome.termination == CAGD_FIT_CONVERGED)
+            break;
         attempt a;
         good = attempt_new(p, &a) && try_start(p, o, start, &a);
         if (good) {
-            costs[start] = a.objective->cost;
+            costs[starts++] = a.objective->cost;
             if (start == 0 || better(p, &a, &best)) {
                 attempt worse = best;
                 best = a;
@@ -836,7 +899,7 @@ static cagd_fit_status run(const fit_problem *p, const cagd_fit_options *o, cagd
     if (*result != NULL) {
         double cost = (*result)->cost, blur = sqrt(o->tolerance) * cost + cost_blur(p, cost);
         (*result)->best_start = best_start;
-        for (int start = 0; start < o->starts; start++) /* the minimiser knows costs to its tolerance */
+        for (int start = 0; start < starts; start++) /* the minimiser knows costs to its tolerance */
             (*result)->agreeing_starts += costs[start] - cost <= blur;
     }
     attempt_free(&best);
@@ -863,7 +926,7 @@ cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *opti
     p.unordered = options->unordered;
     p.low = log(options->weight_low);
     p.high = log(options->weight_high);
-    status = make_points(data, &p);
+    status = make_points(data, &p, where);
     if (status == CAGD_FIT_OK)
         status = make_knots(options, &p);
     if (status == CAGD_FIT_OK)
