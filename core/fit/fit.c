@@ -9,6 +9,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -678,27 +679,45 @@ static double largest_share(const fit_problem *p, const fit_objective *f, int in
     return largest;
 }
 
-/* An attempt fails whose curve is none, or has lost a point: when its share would be taken away by rounding, the cost falls
- * towards a weight 0 without a minimum, and nothing that is said about the point means anything. */
-static void judge(const fit_problem *p, attempt *a)
+static void fail(attempt *a, const char *form, ...)
+{
+    va_list values;
+    va_start(values, form);
+    a->outcome.termination = CAGD_FIT_FAILED;
+    vsnprintf(a->outcome.message, sizeof a->outcome.message, form, values);
+    va_end(values);
+}
+
+/* Whether the gradient along log w_k is small only because the weight hardly counts, not because the residuals are orthogonal
+ * to its column of the Jacobian: Gauss and Newton's step in it alone would take more than sqrt(tolerance) of the cost away, and
+ * the weight from one end of the precision to the other, 2^53 times what it is. */
+static int runs_away(const fit_problem *p, const fit_objective *f, double tolerance, int k)
+{
+    int n = p->unknowns;
+    double g = gradient(f, k), square = 0;
+    for (int i = 0; i <= k; i++)
+        square += f->triangle[i * (n + 1) + k] * f->triangle[i * (n + 1) + k];
+    return g * g > 2 * (sqrt(tolerance) * f->cost + cost_blur(p, f->cost)) * square &&
+           fabs(g) > -log(DBL_EPSILON / 2) * square;
+}
+
+/* What the minimiser calls converged is none when the curve is none; when it has lost a point, whose share rounding would
+ * take away; or when a weight runs away: then the cost falls towards a weight 0 or infinity without a minimum. */
+static void judge(const fit_problem *p, const cagd_fit_options *o, attempt *a)
 {
     const fit_objective *f = a->objective;
-    fit_outcome *outcome = &a->outcome;
-    if (!isfinite(f->cost)) {
-        outcome->termination = CAGD_FIT_FAILED;
-        snprintf(outcome->message, sizeof outcome->message, "The distances have left the range of numbers.");
-        return;
-    }
-    for (int k = 0; k < p->unknowns; k++) {
+    if (!isfinite(f->cost))
+        fail(a, "The distances have left the range of numbers.");
+    for (int k = 0; isfinite(f->cost) && k < p->unknowns; k++) {
         int index = p->unknown[k].index;
-        if (!p->unknown[k].is_weight || largest_share(p, f, index, DBL_EPSILON / 2) >= DBL_EPSILON / 2)
+        double w = f->curve->weights[index];
+        if (!p->unknown[k].is_weight || on_bound(p, k, f->theta[k]))
             continue;
-        outcome->termination = CAGD_FIT_FAILED;
-        snprintf(outcome->message, sizeof outcome->message,
-                 "Weight %d went to 0 (%.2g), so that its point no longer changes the curve: there is no minimum "
-                 "here; other starts, or bounds on the weights, may help.",
-                 index, f->curve->weights[index]);
-        return;
+        if (largest_share(p, f, index, DBL_EPSILON / 2) < DBL_EPSILON / 2 || runs_away(p, f, o->tolerance, k))
+            fail(a,
+                 "No minimum was found: the cost falls ever slower while weight %d goes to %s (it is %.2g); other "
+                 "starts, or bounds on the weights, may help.",
+                 index, w < 1 ? "0" : "infinity", w);
     }
 }
 
@@ -725,7 +744,7 @@ static int try_start(const fit_problem *p, const cagd_fit_options *o, int start,
     good = good && fit_feet_search(p, a->curve, a->feet, &cost);
     good = good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
     if (good)
-        judge(p, a);
+        judge(p, o, a);
     return good;
 }
 
@@ -885,7 +904,8 @@ static cagd_fit_status run(const fit_problem *p, const cagd_fit_options *o, cagd
         good = attempt_new(p, &a) && try_start(p, o, start, &a);
         if (good) {
             costs[starts++] = a.objective->cost;
-            if (start == 0 || better(p, &a, &best)) {
+            if (start == 0 ||
+                (better(p, &a, &best) && (start < o->starts || a.outcome.termination == CAGD_FIT_CONVERGED))) {
                 attempt worse = best;
                 best = a;
                 a = worse;
