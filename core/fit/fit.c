@@ -295,6 +295,7 @@ typedef struct attempt {
     double *feet;
     fit_objective *objective; /* where it ends: evaluated at theta                                       */
     double initial_cost, radius;
+    int near; /* the start is already near the minimum of all points                                     */
     fit_outcome outcome;
 } attempt;
 
@@ -520,8 +521,9 @@ static void swap_feet(fit_objective *f, attempt *a)
 
 /* The way to the minimum is made with feet of which Taylor's polynomial is the curve over 1/256 of the length on which it
  * changes; near the minimum it is exact. */
-#define ROUGH   0x1p-8
-#define ROUGHLY 1e-4
+#define ROUGH    0x1p-8
+#define ROUGHLY  1e-4
+#define AVERAGED 1e-8
 
 /* To minimise from curve and feet of the attempt, and again when a search finds better feet. */
 static int eliminated(const fit_problem *p, const cagd_fit_options *o, double tolerance, attempt *a)
@@ -539,22 +541,23 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
             f->theta[k] = fmin(fmax(f->theta[k], low[k]), high[k]);
         memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
         fit_curve_copy(f->curve, a->curve);
-        f->limit = ROUGH;
+        f->limit = a->near ? FOOT_EXACT : ROUGH;
         fit_objective_evaluate(f, f->theta, 1);
         fit_objective_accept(f);
         a->initial_cost = f->cost;
     }
-    for (int rough = 1; good; rough = 0) {
+    for (int rough = !a->near; good; rough = 0) {
         fit_outcome outcome = {0};
         memcpy(theta, f->theta, room * sizeof *theta);
         f->limit = rough ? ROUGH : FOOT_EXACT;
-        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high, rough ? ROUGHLY : aim, rough,
+        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high,
+                            rough ? (tolerance >= AVERAGED ? tolerance : ROUGHLY) : aim, rough,
                             most - a->outcome.iterations, theta, &a->radius, &outcome) &&
                append(&a->outcome, &outcome);
         if (!good)
             break;
         settle(f);
-        if (rough && tolerance == ROUGHLY)
+        if (tolerance >= AVERAGED)
             break;
         if (rough && a->outcome.iterations < most)
             continue;
@@ -616,8 +619,8 @@ static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
     return 1;
 }
 
-/* Points for the way to the minimum: so many for each unknown suffice.  More are taken eight times as many at a time; every
- * time the minimum moves by a fraction of what the fewer points left undetermined. */
+/* Points for the way to the minimum: so many for each unknown suffice to come near; TIMES as many means of points with
+ * neighbouring feet know the minimum nearly as well as all points do. */
 enum { ENOUGH = 20, TIMES = 8 };
 
 static int attempt_new(const fit_problem *p, attempt *a)
@@ -637,21 +640,59 @@ static void attempt_free(attempt *a)
     free(a->outcome.history);
 }
 
-/* Most of the way, from the curve of the attempt, which becomes what is reached: with an eighth of the points, and before
- * that with fewer.  most: of the points. */
-static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
+/* Means of points whose feet t lie in one of `groups` equal parts of the domain, with the curvature taken out: the mean of what
+ * the points are off the curve, put to the curve at the mean of the feet, which become feet[]. */
+static int averaged(const fit_problem *p, const fit_curve *curve, const double t[], int groups, fit_problem *few,
+                    double feet[])
 {
-    fit_problem few;
-    attempt rough = {0};
-    double cost;
-    if (p->points / TIMES < ENOUGH * p->unknowns)
-        return 1;
-    if (!thinned(p, TIMES, &few))
+    int dim = p->dim, count = 0;
+    double start = fit_curve_start(curve), part = (fit_curve_end(curve) - start) / groups, D[9];
+    *few = *p;
+    few->Q = calloc((size_t)groups * (size_t)dim, sizeof *few->Q);
+    few->precision = calloc((size_t)groups, sizeof *few->precision);
+    if (few->Q == NULL || few->precision == NULL) {
+        points_free(few);
         return 0;
-    int good = approach(&few, o, a) && attempt_new(&few, &rough);
+    }
+    for (int g = 0; g < groups; g++)
+        feet[g] = 0;
+    for (int i = 0; i < p->points; i++) {
+        double share = p->precision[i] * p->precision[i];
+        int g = (int)((t[i] - start) / part);
+        g = g < 0 ? 0 : g < groups ? g : groups - 1;
+        fit_curve_derivatives(curve, t[i], D);
+        for (int c = 0; c < dim; c++)
+            few->Q[g * dim + c] += share * (p->Q[(size_t)i * (size_t)dim + (size_t)c] - D[c]);
+        feet[g] += share * (t[i] - start);
+        few->precision[g] += share;
+    }
+    for (int g = 0; g < groups; g++) {
+        double all = few->precision[g];
+        if (!(all > 0))
+            continue;
+        feet[count] = start + feet[g] / all;
+        fit_curve_derivatives(curve, feet[count], D);
+        for (int c = 0; c < dim; c++)
+            few->Q[count * dim + c] = D[c] + few->Q[g * dim + c] / all;
+        few->precision[count++] = sqrt(all);
+    }
+    few->points = count;
+    return 1;
+}
+
+/* From the curve of the attempt, which becomes what is reached, and its feet, with other points. */
+static int approach_with(const fit_problem *few, const cagd_fit_options *o, double tolerance, const double feet[],
+                         attempt *a)
+{
+    attempt rough;
+    double cost;
+    int good = attempt_new(few, &rough);
     if (good) {
         fit_curve_copy(rough.curve, a->curve);
-        good = fit_feet_search(&few, rough.curve, rough.feet, &cost) && eliminated(&few, o, ROUGHLY, &rough);
+        if (feet != NULL)
+            memcpy(rough.feet, feet, (size_t)few->points * sizeof *feet);
+        good = (feet != NULL || fit_feet_search(few, rough.curve, rough.feet, &cost)) &&
+               eliminated(few, o, tolerance, &rough);
     }
     if (good) {
         fit_curve_copy(a->curve, rough.objective->curve);
@@ -659,7 +700,32 @@ static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
         rough.outcome.history = NULL;
     }
     attempt_free(&rough);
+    return good;
+}
+
+/* Most of the way, and the feet of all points: with few points, and then with means of all, unless large errors are to count
+ * less than in a mean. */
+static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
+{
+    fit_problem few;
+    int enough = ENOUGH * p->unknowns, groups = TIMES * enough;
+    double cost, *feet;
+    if (p->points < 2 * groups)
+        return fit_feet_search(p, a->curve, a->feet, &cost);
+    if (!thinned(p, p->points / enough, &few))
+        return 0;
+    int good = approach_with(&few, o, ROUGHLY, NULL, a);
     points_free(&few);
+    good = good && fit_feet_search(p, a->curve, a->feet, &cost);
+    if (!good || p->loss != CAGD_FIT_SQUARES)
+        return good;
+    feet = malloc((size_t)groups * sizeof *feet);
+    good = feet != NULL && averaged(p, a->curve, a->feet, groups, &few, feet);
+    if (good) {
+        a->near = good = equations(&few) < p->unknowns || approach_with(&few, o, AVERAGED, feet, a);
+        points_free(&few);
+    }
+    free(feet);
     return good;
 }
 
@@ -739,9 +805,8 @@ static int try_start(const fit_problem *p, const cagd_fit_options *o, int start,
             good = fit_initial_improve(&few, a->curve);
     }
     points_free(&few);
-    if (good && o->method == CAGD_FIT_ELIMINATED)
-        good = approach(p, o, a);
-    good = good && fit_feet_search(p, a->curve, a->feet, &cost);
+    good =
+        good && (o->method == CAGD_FIT_ELIMINATED ? approach(p, o, a) : fit_feet_search(p, a->curve, a->feet, &cost));
     good = good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
     if (good)
         judge(p, o, a);
