@@ -621,7 +621,7 @@ static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
 
 /* Points for the way to the minimum: so many for each unknown suffice to come near; TIMES as many means of points with
  * neighbouring feet know the minimum nearly as well as all points do. */
-enum { ENOUGH = 20, TIMES = 8 };
+enum { ENOUGH = 20, TIMES = 4 };
 
 static int attempt_new(const fit_problem *p, attempt *a)
 {
