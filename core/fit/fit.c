@@ -712,7 +712,7 @@ static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
     double cost, *feet;
     if (p->points < 2 * groups)
         return fit_feet_search(p, a->curve, a->feet, &cost);
-    if (!thinned(p, p->points / enough, &few))
+    if (!thinned(p, p->points / (p->loss == CAGD_FIT_SQUARES ? enough : groups), &few))
         return 0;
     int good = approach_with(&few, o, ROUGHLY, NULL, a);
     points_free(&few);
