@@ -58,7 +58,8 @@ typedef struct cagd_fit_options {
     cagd_fit_loss loss;
     double loss_scale;              /* a > 0                                                                 */
     double weight_low, weight_high; /* 0 <= weight_low < 1 < weight_high <= infinity: bounds on the weights */
-    int starts;                     /* >= 1: the first from initial, the others with other weights           */
+    int starts;                     /* >= 1: the first from initial, the others with other weights; up to 8  */
+                                    /* more when none of them comes to a minimum                             */
     unsigned long seed;             /* of the other starts                                                   */
     double tolerance;               /* > 0: relative, on the decrease of the cost, on the gradient, the step */
     int max_iterations;             /* >= 1                                                                  */
@@ -76,7 +77,8 @@ typedef enum cagd_fit_status {
     CAGD_FIT_BAD_CURVE,   /* the initial curve, or the knots, are none                                   */
     CAGD_FIT_TOO_FEW,     /* fewer equations, N (dim-1), than unknowns, or fewer than 2 points           */
     CAGD_FIT_ALL_EQUAL,   /* all points are equal                                                        */
-    CAGD_FIT_NO_MEMORY
+    CAGD_FIT_NO_MEMORY,
+    CAGD_FIT_OUT_OF_RANGE /* squared distances would leave the range of numbers; `where` is the index of the point, or -1 */
 } cagd_fit_status;
 
 /* What an unknown is: the logarithm of weight `index`, or coordinate `coordinate` of point `index`. */

@@ -232,6 +232,12 @@ try {
     };
     const int both = Eigen::ComputeFullU | Eigen::ComputeFullV;
     Eigen::MatrixXd A = Eigen::Map<const Matrix>(a, n, n);
+    if (!A.allFinite()) { /* the methods would not end, or leave their results unset */
+        std::fill(U, U + n * n, 0.0);
+        std::fill(V, V + n * n, 0.0);
+        std::fill(s, s + n, 0.0);
+        return 1;
+    }
     if (n <= 32) /* Jacobi's method is the more accurate one, and slow for large n */
         fill(Eigen::JacobiSVD<Eigen::MatrixXd>(A, both));
     else

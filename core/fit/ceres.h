@@ -30,7 +30,8 @@ int fit_minimise(int unknowns, int rows, fit_function function, void *context, c
 int fit_minimise_plain(const fit_problem *problem, const fit_curve *curve, double tolerance, int max_iterations,
                        double theta[], double feet[], fit_outcome *outcome);
 
-/* a = U diag(s) V^T for n x n numbers by rows; s decreasing; U and V by rows. */
+/* a = U diag(s) V^T for n x n numbers by rows; s decreasing; U and V by rows.  All 0 when an
+ * entry of a is not a number. */
 int fit_svd(int n, const double a[], double U[], double s[], double V[]);
 
 #ifdef __cplusplus

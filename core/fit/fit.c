@@ -9,6 +9,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +31,9 @@ const char *cagd_fit_status_text(cagd_fit_status status)
         return "all points are equal";
     case CAGD_FIT_NO_MEMORY:
         return "there is not enough memory";
+    case CAGD_FIT_OUT_OF_RANGE:
+        return "coordinates or standard deviations are so large or so small that squared distances leave the range of "
+               "numbers";
     }
     return "unknown status";
 }
@@ -162,7 +166,12 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
     return CAGD_FIT_OK;
 }
 
-static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p)
+/* Squared distances, their sum, and the square of what rounding makes of a distance, 2^-106 of it, are numbers without underflow
+ * or overflow when the distance lies between 2^-400 and 2^400: 2*400 + 31 < 1024 and 2*400 + 106 < 1022. */
+enum { RANGE = 400 };
+static int in_range(double x) { return x >= ldexp(1, -RANGE) && x <= ldexp(1, RANGE); }
+
+static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p, int *where)
 {
     int dim = data->dim, e;
     size_t numbers = (size_t)data->count * (size_t)dim;
@@ -181,14 +190,19 @@ static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p)
         }
         extent = fmax(extent, high[c] / 2 - low[c] / 2);
     }
+    REQUIRE(in_range(extent), CAGD_FIT_OUT_OF_RANGE);
     frexp(extent, &e); /* extent < 2^e, the half of the widest side */
     p->unit = ldexp(1, e);
     for (int c = 0; c < dim; c++)
         p->centre[c] = 2 * p->unit * rint((low[c] / 2 + high[c] / 2) / (2 * p->unit));
     for (size_t m = 0; m < numbers; m++)
         p->Q[m] = (data->points[m] - p->centre[m % (size_t)dim]) / p->unit;
-    for (int i = 0; i < data->count; i++)
+    for (int i = 0; i < data->count; i++) {
         p->precision[i] = data->sigma != NULL ? p->unit / data->sigma[i] : p->unit;
+        *where = i;
+        REQUIRE(in_range(p->precision[i]), CAGD_FIT_OUT_OF_RANGE);
+    }
+    *where = -1;
     return CAGD_FIT_OK;
 }
 
@@ -265,7 +279,7 @@ static int found_curve(const fit_problem *p, const cagd_fit_options *o, fit_curv
                     try->weights[p->unknown[k].index] = fmin(fmax(inner[w], exp(p->low)), exp(p->high));
             double cost;
             good = fit_initial_curve(p, order, try, &cost);
-            if (good && cost < best) {
+            if (good && (cost < best || (guess == 0 && w == 0))) {
                 best = cost;
                 fit_curve_copy(curve, try);
             }
@@ -281,6 +295,7 @@ typedef struct attempt {
     double *feet;
     fit_objective *objective; /* where it ends: evaluated at theta                                       */
     double initial_cost, radius;
+    int near; /* the start is already near the minimum of all points                                     */
     fit_outcome outcome;
 } attempt;
 
@@ -291,7 +306,7 @@ static int append(fit_outcome *all, fit_outcome *more)
         *all = *more;
         return 1;
     }
-    cagd_fit_step *longer = realloc(all->history, (size_t)(all->steps + more->steps) * sizeof *longer);
+    cagd_fit_step *longer = realloc(all->history, (size_t)(all->steps + more->steps + 1) * sizeof *longer);
     if (longer == NULL) {
         free(more->history);
         return 0;
@@ -407,8 +422,12 @@ static int gauss_newton(const fit_objective *f, const int fixed[], double d[], d
     const fit_problem *p = f->problem;
     int n = p->unknowns;
     fit_rank rank;
+    double size = f->cost;
     *left = INFINITY;
-    if (!isfinite(f->cost))
+    memset(d, 0, (size_t)n * sizeof *d);
+    for (int k = 0; k < n * (n + 1); k++)
+        size += fabs(f->triangle[k]);
+    if (!isfinite(size))
         return 1;
     if (!fit_rank_of(n, equations(p), roundings(p), f->triangle, n + 1, fixed, &rank))
         return 0;
@@ -502,8 +521,9 @@ static void swap_feet(fit_objective *f, attempt *a)
 
 /* The way to the minimum is made with feet of which Taylor's polynomial is the curve over 1/256 of the length on which it
  * changes; near the minimum it is exact. */
-#define ROUGH   0x1p-8
-#define ROUGHLY 1e-4
+#define ROUGH    0x1p-8
+#define ROUGHLY  1e-4
+#define AVERAGED 1e-8
 
 /* To minimise from curve and feet of the attempt, and again when a search finds better feet. */
 static int eliminated(const fit_problem *p, const cagd_fit_options *o, double tolerance, attempt *a)
@@ -521,22 +541,23 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
             f->theta[k] = fmin(fmax(f->theta[k], low[k]), high[k]);
         memcpy(f->feet, a->feet, (size_t)p->points * sizeof *f->feet);
         fit_curve_copy(f->curve, a->curve);
-        f->limit = ROUGH;
+        f->limit = a->near ? FOOT_EXACT : ROUGH;
         fit_objective_evaluate(f, f->theta, 1);
         fit_objective_accept(f);
         a->initial_cost = f->cost;
     }
-    for (int rough = 1; good; rough = 0) {
+    for (int rough = !a->near; good; rough = 0) {
         fit_outcome outcome = {0};
         memcpy(theta, f->theta, room * sizeof *theta);
         f->limit = rough ? ROUGH : FOOT_EXACT;
-        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high, rough ? ROUGHLY : aim, rough,
+        good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high,
+                            rough ? (tolerance >= AVERAGED ? tolerance : ROUGHLY) : aim, rough,
                             most - a->outcome.iterations, theta, &a->radius, &outcome) &&
                append(&a->outcome, &outcome);
         if (!good)
             break;
         settle(f);
-        if (rough && tolerance == ROUGHLY)
+        if (tolerance >= AVERAGED)
             break;
         if (rough && a->outcome.iterations < most)
             continue;
@@ -586,7 +607,7 @@ static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
     fit_curve_copy(f->curve, a->curve);
     if (!fit_minimise_plain(p, a->curve, o->tolerance, o->max_iterations, f->theta, a->feet, &a->outcome))
         return 0;
-    a->initial_cost = a->outcome.history[0].cost;
+    a->initial_cost = a->outcome.steps > 0 ? a->outcome.history[0].cost : HUGE_VAL;
     for (int i = 0; i < p->points; i++) {
         f->feet[i] = fmin(fmax(a->feet[i], fit_curve_start(a->curve)), fit_curve_end(a->curve));
         if (f->feet[i] != a->feet[i]) {
@@ -598,9 +619,9 @@ static int plain(const fit_problem *p, const cagd_fit_options *o, attempt *a)
     return 1;
 }
 
-/* Points for the way to the minimum: so many for each unknown suffice.  More are taken eight times as many at a time; every
- * time the minimum moves by a fraction of what the fewer points left undetermined. */
-enum { ENOUGH = 20, TIMES = 8 };
+/* Points for the way to the minimum: so many for each unknown suffice to come near; TIMES as many means of points with
+ * neighbouring feet know the minimum nearly as well as all points do. */
+enum { ENOUGH = 20, TIMES = 4 };
 
 static int attempt_new(const fit_problem *p, attempt *a)
 {
@@ -619,21 +640,59 @@ static void attempt_free(attempt *a)
     free(a->outcome.history);
 }
 
-/* Most of the way, from the curve of the attempt, which becomes what is reached: with an eighth of the points, and before
- * that with fewer.  most: of the points. */
-static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
+/* Means of points whose feet t lie in one of `groups` equal parts of the domain, with the curvature taken out: the mean of what
+ * the points are off the curve, put to the curve at the mean of the feet, which become feet[]. */
+static int averaged(const fit_problem *p, const fit_curve *curve, const double t[], int groups, fit_problem *few,
+                    double feet[])
 {
-    fit_problem few;
-    attempt rough = {0};
-    double cost;
-    if (p->points / TIMES < ENOUGH * p->unknowns)
-        return 1;
-    if (!thinned(p, TIMES, &few))
+    int dim = p->dim, count = 0;
+    double start = fit_curve_start(curve), part = (fit_curve_end(curve) - start) / groups, D[9];
+    *few = *p;
+    few->Q = calloc((size_t)groups * (size_t)dim, sizeof *few->Q);
+    few->precision = calloc((size_t)groups, sizeof *few->precision);
+    if (few->Q == NULL || few->precision == NULL) {
+        points_free(few);
         return 0;
-    int good = approach(&few, o, a) && attempt_new(&few, &rough);
+    }
+    for (int g = 0; g < groups; g++)
+        feet[g] = 0;
+    for (int i = 0; i < p->points; i++) {
+        double share = p->precision[i] * p->precision[i];
+        int g = (int)((t[i] - start) / part);
+        g = g < 0 ? 0 : g < groups ? g : groups - 1;
+        fit_curve_derivatives(curve, t[i], D);
+        for (int c = 0; c < dim; c++)
+            few->Q[g * dim + c] += share * (p->Q[(size_t)i * (size_t)dim + (size_t)c] - D[c]);
+        feet[g] += share * (t[i] - start);
+        few->precision[g] += share;
+    }
+    for (int g = 0; g < groups; g++) {
+        double all = few->precision[g];
+        if (!(all > 0))
+            continue;
+        feet[count] = start + feet[g] / all;
+        fit_curve_derivatives(curve, feet[count], D);
+        for (int c = 0; c < dim; c++)
+            few->Q[count * dim + c] = D[c] + few->Q[g * dim + c] / all;
+        few->precision[count++] = sqrt(all);
+    }
+    few->points = count;
+    return 1;
+}
+
+/* From the curve of the attempt, which becomes what is reached, and its feet, with other points. */
+static int approach_with(const fit_problem *few, const cagd_fit_options *o, double tolerance, const double feet[],
+                         attempt *a)
+{
+    attempt rough;
+    double cost;
+    int good = attempt_new(few, &rough);
     if (good) {
         fit_curve_copy(rough.curve, a->curve);
-        good = fit_feet_search(&few, rough.curve, rough.feet, &cost) && eliminated(&few, o, ROUGHLY, &rough);
+        if (feet != NULL)
+            memcpy(rough.feet, feet, (size_t)few->points * sizeof *feet);
+        good = (feet != NULL || fit_feet_search(few, rough.curve, rough.feet, &cost)) &&
+               eliminated(few, o, tolerance, &rough);
     }
     if (good) {
         fit_curve_copy(a->curve, rough.objective->curve);
@@ -641,8 +700,91 @@ static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
         rough.outcome.history = NULL;
     }
     attempt_free(&rough);
-    points_free(&few);
     return good;
+}
+
+/* Most of the way, and the feet of all points: with few points, and then with means of all, unless large errors are to count
+ * less than in a mean. */
+static int approach(const fit_problem *p, const cagd_fit_options *o, attempt *a)
+{
+    fit_problem few;
+    int enough = ENOUGH * p->unknowns, groups = TIMES * enough;
+    double cost, *feet;
+    if (p->points < 2 * groups)
+        return fit_feet_search(p, a->curve, a->feet, &cost);
+    if (!thinned(p, p->points / (p->loss == CAGD_FIT_SQUARES ? enough : groups), &few))
+        return 0;
+    int good = approach_with(&few, o, ROUGHLY, NULL, a);
+    points_free(&few);
+    good = good && fit_feet_search(p, a->curve, a->feet, &cost);
+    if (!good || p->loss != CAGD_FIT_SQUARES)
+        return good;
+    feet = malloc((size_t)groups * sizeof *feet);
+    good = feet != NULL && averaged(p, a->curve, a->feet, groups, &few, feet);
+    if (good) {
+        a->near = good = equations(&few) < p->unknowns || approach_with(&few, o, AVERAGED, feet, a);
+        points_free(&few);
+    }
+    free(feet);
+    return good;
+}
+
+/* The largest share R_index at the measured points, and at the middles of the pieces; from `enough` on it may be a smaller one. */
+static double largest_share(const fit_problem *p, const fit_objective *f, int index, double enough)
+{
+    const fit_curve *curve = f->curve;
+    double R[MAX_DEGREE + 1], largest = 0;
+    for (int i = -curve->pieces; largest < enough && i < p->points; i++) {
+        int piece = i < 0 ? i + curve->pieces : fit_curve_piece(curve, f->feet[i]);
+        int mu = curve->span[piece], m = index - mu + p->degree;
+        if (m < 0 || m > p->degree)
+            continue;
+        fit_curve_shares(curve, piece, i < 0 ? (curve->knots[mu] + curve->knots[mu + 1]) / 2 : f->feet[i], R);
+        largest = fmax(largest, R[m]);
+    }
+    return largest;
+}
+
+static void fail(attempt *a, const char *form, ...)
+{
+    va_list values;
+    va_start(values, form);
+    a->outcome.termination = CAGD_FIT_FAILED;
+    vsnprintf(a->outcome.message, sizeof a->outcome.message, form, values);
+    va_end(values);
+}
+
+/* Whether the gradient along log w_k is small only because the weight hardly counts, not because the residuals are orthogonal
+ * to its column of the Jacobian: Gauss and Newton's step in it alone would take more than sqrt(tolerance) of the cost away, and
+ * the weight from one end of the precision to the other, 2^53 times what it is. */
+static int runs_away(const fit_problem *p, const fit_objective *f, double tolerance, int k)
+{
+    int n = p->unknowns;
+    double g = gradient(f, k), square = 0;
+    for (int i = 0; i <= k; i++)
+        square += f->triangle[i * (n + 1) + k] * f->triangle[i * (n + 1) + k];
+    return g * g > 2 * (sqrt(tolerance) * f->cost + cost_blur(p, f->cost)) * square &&
+           fabs(g) > -log(DBL_EPSILON / 2) * square;
+}
+
+/* What the minimiser calls converged is none when the curve is none; when it has lost a point, whose share rounding would
+ * take away; or when a weight runs away: then the cost falls towards a weight 0 or infinity without a minimum. */
+static void judge(const fit_problem *p, const cagd_fit_options *o, attempt *a)
+{
+    const fit_objective *f = a->objective;
+    if (!isfinite(f->cost))
+        fail(a, "The distances have left the range of numbers.");
+    for (int k = 0; isfinite(f->cost) && k < p->unknowns; k++) {
+        int index = p->unknown[k].index;
+        double w = f->curve->weights[index];
+        if (!p->unknown[k].is_weight || on_bound(p, k, f->theta[k]))
+            continue;
+        if (largest_share(p, f, index, DBL_EPSILON / 2) < DBL_EPSILON / 2 || runs_away(p, f, o->tolerance, k))
+            fail(a,
+                 "No minimum was found: the cost falls ever slower while weight %d goes to %s (it is %.2g); other "
+                 "starts, or bounds on the weights, may help.",
+                 index, w < 1 ? "0" : "infinity", w);
+    }
 }
 
 /* The attempt from start number `start`. */
@@ -663,10 +805,12 @@ static int try_start(const fit_problem *p, const cagd_fit_options *o, int start,
             good = fit_initial_improve(&few, a->curve);
     }
     points_free(&few);
-    if (good && o->method == CAGD_FIT_ELIMINATED)
-        good = approach(p, o, a);
-    good = good && fit_feet_search(p, a->curve, a->feet, &cost);
-    return good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
+    good =
+        good && (o->method == CAGD_FIT_ELIMINATED ? approach(p, o, a) : fit_feet_search(p, a->curve, a->feet, &cost));
+    good = good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
+    if (good)
+        judge(p, o, a);
+    return good;
 }
 
 /* ---- The result -------------------------------------------------------------------------------------------- */
@@ -811,18 +955,22 @@ static int better(const fit_problem *p, const attempt *a, const attempt *b)
     return a_failed == b_failed ? a->objective->cost < was - cost_blur(p, was) : b_failed;
 }
 
-/* All starts; the best stays. */
+/* All starts, and as long as none has come to a minimum some more; the best stays. */
+enum { MORE_STARTS = 8 };
 static cagd_fit_status run(const fit_problem *p, const cagd_fit_options *o, cagd_fit_result **result)
 {
     attempt best = {0};
-    int best_start = 0, good = 1;
-    double *costs = numbers((size_t)o->starts);
-    for (int start = 0; costs && good && start < o->starts; start++) {
+    int best_start = 0, good = 1, starts = 0, most = o->starts + (o->free & CAGD_FIT_WEIGHTS ? MORE_STARTS : 0);
+    double *costs = numbers((size_t)most);
+    for (int start = 0; costs && good && start < most; start++) {
+        if (start >= o->starts && best.outcome.termination == CAGD_FIT_CONVERGED)
+            break;
         attempt a;
         good = attempt_new(p, &a) && try_start(p, o, start, &a);
         if (good) {
-            costs[start] = a.objective->cost;
-            if (start == 0 || better(p, &a, &best)) {
+            costs[starts++] = a.objective->cost;
+            if (start == 0 ||
+                (better(p, &a, &best) && (start < o->starts || a.outcome.termination == CAGD_FIT_CONVERGED))) {
                 attempt worse = best;
                 best = a;
                 a = worse;
@@ -836,7 +984,7 @@ static cagd_fit_status run(const fit_problem *p, const cagd_fit_options *o, cagd
     if (*result != NULL) {
         double cost = (*result)->cost, blur = sqrt(o->tolerance) * cost + cost_blur(p, cost);
         (*result)->best_start = best_start;
-        for (int start = 0; start < o->starts; start++) /* the minimiser knows costs to its tolerance */
+        for (int start = 0; start < starts; start++) /* the minimiser knows costs to its tolerance */
             (*result)->agreeing_starts += costs[start] - cost <= blur;
     }
     attempt_free(&best);
@@ -863,7 +1011,7 @@ cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *opti
     p.unordered = options->unordered;
     p.low = log(options->weight_low);
     p.high = log(options->weight_high);
-    status = make_points(data, &p);
+    status = make_points(data, &p, where);
     if (status == CAGD_FIT_OK)
         status = make_knots(options, &p);
     if (status == CAGD_FIT_OK)

@@ -141,6 +141,16 @@ static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot
     return loss;
 }
 
+/* Whether weights and points are numbers, and no weight has vanished. */
+static int is_curve(const fit_problem *p, const double theta[], const fit_curve *curve)
+{
+    int good = 1;
+    for (int k = 0; k < p->unknowns; k++)
+        good =
+            good && isfinite(theta[k]) && (!p->unknown[k].is_weight || isnormal(curve->weights[p->unknown[k].index]));
+    return good;
+}
+
 void fit_objective_evaluate(fit_objective *o, const double theta[], int weighted)
 {
     const fit_problem *p = o->problem;
@@ -148,8 +158,11 @@ void fit_objective_evaluate(fit_objective *o, const double theta[], int weighted
     double sum = 0, lost = 0, D[9];
     fit_problem_set(p, theta, o->curve);
     fit_reduction_clear(o->rows);
+    const int curve = is_curve(p, theta, o->curve);
     for (int i = 0; i < p->points; i++) {
-        double t = o->feet[i];
+        double t = o->new_feet[i] = o->feet[i];
+        if (!curve)
+            continue;
         fit_foot_kind kind = fit_foot_near(o->curve, p->Q + (size_t)i * (size_t)p->dim, o->limit, &t, D);
         double loss =
             p->dim == 2 ? point_rows(o, 2, i, kind, t, D, weighted) : point_rows(o, 3, i, kind, t, D, weighted);
@@ -160,7 +173,7 @@ void fit_objective_evaluate(fit_objective *o, const double theta[], int weighted
     }
     memcpy(o->triangle, fit_reduction_triangle(o->rows), (size_t)(n * n) * sizeof *o->triangle);
     memmove(o->new_theta, theta, (size_t)p->unknowns * sizeof *theta);
-    o->cost = sum / 2;
+    o->cost = curve ? sum / 2 : HUGE_VAL;
     o->evaluated = weighted;
 }
 

@@ -415,12 +415,52 @@ static void bad_arguments_are_refused(void **state)
     refused(&d, &good, CAGD_FIT_BAD_DATA, 17);
     sigma[17] = INFINITY;
     refused(&d, &good, CAGD_FIT_BAD_DATA, 17);
+    sigma[17] = 1e-200;
+    refused(&d, &good, CAGD_FIT_OUT_OF_RANGE, 17);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        for (int m = 0; m < 40; m++)
+            points[m] = ldexp(Q[m], 500 * sign);
+        d = (cagd_fit_data){20, 2, points, NULL};
+        refused(&d, &good, CAGD_FIT_OUT_OF_RANGE, -1);
+    }
     cagd_fit_free(NULL);
+}
+
+/* The middle point lies on one side of the chord, all measured points on the other: the smaller the weight the better. */
+static void a_weight_that_goes_to_zero_is_no_minimum(void **state)
+{
+    (void)state;
+    static const double knots[] = {0, 0, 0, 1, 1, 1}, P[] = {0, 0, 0.5, 0.5, 1, 0}, w[] = {1, 1, 1};
+    static const cagd_spline above = {2, 3, 2, knots, P, w};
+    double below[40];
+    for (int i = 0; i < 20; i++) {
+        double x = (i + 0.5) / 20;
+        below[2 * i] = x, below[2 * i + 1] = -0.1 * x * (1 - x);
+    }
+    cagd_fit_data data = {20, 2, below, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_result *r;
+    o.initial = &above;
+    o.free = CAGD_FIT_WEIGHTS;
+    for (int method = 0; method < 2; method++) {
+        o.method = method ? CAGD_FIT_PLAIN : CAGD_FIT_ELIMINATED;
+        assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_OK);
+        assert_int_equal(r->termination, CAGD_FIT_FAILED);
+        assert_non_null(strstr(r->message, "weight 1"));
+        cagd_fit_free(r);
+    }
+    o.weight_low = 0.01; /* then the bound is the minimum */
+    o.method = CAGD_FIT_ELIMINATED;
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_OK);
+    assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
+    assert_true(r->at_bound[0]);
+    cagd_fit_free(r);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_weight_that_goes_to_zero_is_no_minimum),
         cmocka_unit_test(derivatives_are_those_of_the_kernels),
         cmocka_unit_test(feet_are_orthogonal),
         cmocka_unit_test(triangles_keep_the_normal_equations),
