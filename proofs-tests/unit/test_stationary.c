@@ -138,12 +138,18 @@ static void feet_at_the_ends(void **state)
     data.count += 3;
     stationary_verdict v = stationary_check(&problem);
     assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
-    points[2 * last + 2] = 66, points[2 * last + 3] = 3; /* its foot is inside */
-    v = stationary_check(&problem);
-    assert_true(!v.verified && v.where == last + 1);
     points[2 * last + 2] = 66, points[2 * last + 3] = 0; /* its foot is the end, but only just */
     v = stationary_check(&problem);
-    assert_true(!v.verified && v.where == last + 1);
+    assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
+    feet[last + 1] = 0x1p-60; /* nearly the end */
+    v = stationary_check(&problem);
+    assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
+    points[2 * last] = 65 - 0x1p-40, points[2 * last + 1] = 0; /* nearly the fixed end */
+    v = stationary_check(&problem);
+    assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
+    points[2 * last + 2] = 66, points[2 * last + 3] = 3, feet[last + 1] = 0; /* its foot is inside: no minimum here */
+    v = stationary_check(&problem);
+    assert_true(!v.verified);
 }
 
 /* Where the ends may slide along the circle, no curve is alone; across these directions it is. */
