@@ -430,14 +430,14 @@ static void print_statistics(const struct fit *f)
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
     if (ends_taken_as_exact(f))
         say("Ends",
-            "the first and the last point are taken as exact: their errors move the whole curve and are not in the "
-            "standard errors; --free %sinner,ends fits the ends too",
+            "the first and the last point are taken as exact: their errors move the whole curve, weights with it, and "
+            "are not in the standard errors; --free %sinner,ends fits the ends too, which then slide along the curve",
             f->options.free & CAGD_FIT_WEIGHTS ? "weights," : "");
     double cusp;
     if (cagd_fit_has_cusp(r, &cusp))
         say("Cusp",
-            "at t = %.6g the curve turns on a radius smaller than the distances, as at a cusp: standard errors, rank "
-            "and free directions take the curve as smooth there and mean nothing",
+            "at t = %.6g the curve turns on a radius no larger than the distances, as at a cusp: standard errors, rank "
+            "and free directions, which take the curve as smooth there, cannot be relied on",
             cusp);
     if (r->unknowns > 0) {
         print_free_directions(r);
