@@ -210,12 +210,33 @@ static void a_weight_that_is_zero(void **state)
     assert_true(two[0] == 0 && isinf(two[1]) && isinf(error[1]));
 }
 
+/* The cubic with the cusp (1/2, 3/4) at t = 1/2, and with its middle points moved by e towards one another or apart:  C'(1/2) = (3e/2, 0) and
+ * C''(1/2) = (0, -6), hence the radius 3/8 e^2. */
+static void which_curves_turn_as_at_a_cusp(void **state)
+{
+    (void)state;
+    static const double e = 0x1p-5, cubic_knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    double t = -1, P[] = {0, 0, 1, 1, 0, 1, 1, 0};
+    cagd_fit_result r = {.curve = {3, 4, 2, cubic_knots, P, NULL}};
+    assert_true(cagd_fit_has_cusp(&r, &t) && near(t, 0.5));
+    for (int side = -1; side <= 1; side += 2) {
+        P[2] = 1 + side * e, P[4] = -side * e; /* a loop for +, else a smooth turn */
+        r.rms = 0, t = -1;
+        assert_true(!cagd_fit_has_cusp(&r, &t) && t == -1);
+    }
+    P[2] = 1 - e, P[4] = e;
+    r.rms = 0.99 * 3 / 8 * e * e;
+    assert_true(!cagd_fit_has_cusp(&r, &t));
+    r.rms = 1.01 * 3 / 8 * e * e;
+    assert_true(cagd_fit_has_cusp(&r, &t) && near(t, 0.5));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(quantiles_to_the_last_digit), cmocka_unit_test(losses_have_their_derivatives),
         cmocka_unit_test(unknown_standard_deviations), cmocka_unit_test(given_standard_deviations),
         cmocka_unit_test(robust_covariance),           cmocka_unit_test(which_conic),
-        cmocka_unit_test(a_weight_that_is_zero)};
+        cmocka_unit_test(a_weight_that_is_zero),       cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
