@@ -100,6 +100,10 @@ static void put_column(double value, double error, int width)
 static void put_interval(struct estimate e)
 {
     fputs("     ", stdout);
+    if (isfinite(e.error) && isinf(e.high)) { /* only weights and invariants, through their logarithms */
+        fputs("as good as every number > 0", stdout);
+        return;
+    }
     put_rounded(stdout, e.low, e.error);
     fputs(" to ", stdout);
     put_rounded(stdout, e.high, e.error);

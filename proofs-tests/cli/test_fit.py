@@ -449,6 +449,14 @@ class Fits(Case):
         self.assertEqual(self.fit(table(rows))["conic"]["kind"], "unknown")
         self.assertIn("by its given weights", self.text(quadratic(30, 1, 0.01), "--free", "inner"))
 
+    def test_no_number_is_infinite(self):
+        """Weights of a line are as good as undetermined."""
+        r = random.Random(4)
+        rows = [[i / 9 + r.gauss(0, 0.01), i / 9 + r.gauss(0, 0.01)] for i in range(30)]
+        for degree in "2", "3":
+            words = self.text(rows, "--degree", degree, "--no-verify").replace("nan", "inf").split()
+            self.assertNotIn("inf", [w.strip("-+") for w in words])
+
     def test_alone_is_said_only_beyond_the_radius(self):
         """Only weights, only points, or both: the part is there where the fields of the JSON say something."""
         rows = quadratic(40, 0.75, 0.01)
