@@ -16,6 +16,9 @@ static const char coordinate[] = "xyz";
 
 /* ---- estimates ------------------------------------------------------------------------------------- */
 
+/* Whether binary64 has a number for a weight, or for I_j. */
+static int in_range(double positive) { return positive > 0 && isfinite(positive); }
+
 struct estimate unknown_estimate(const cagd_fit_result *r, int k)
 {
     double value = r->value[k], error = NAN;
@@ -27,6 +30,8 @@ struct estimate unknown_estimate(const cagd_fit_result *r, int k)
         e.error = e.value * error;
         e.low = exp(e.low);
         e.high = exp(e.high);
+        if (!in_range(e.value))
+            e.error = NAN;
     }
     return e;
 }
@@ -35,6 +40,8 @@ struct estimate unknown_estimate(const cagd_fit_result *r, int k)
 struct estimate invariant_estimate(const cagd_fit_result *r, int j)
 {
     double value = r->invariant[j], error = isfinite(r->invariant_error[j]) ? r->invariant_error[j] : NAN;
+    if (!in_range(value))
+        return (struct estimate){value, NAN, NAN, NAN};
     double factor = exp(r->quantile * error / value);
     return (struct estimate){value, error, value / factor, value * factor};
 }
@@ -93,6 +100,10 @@ static void put_column(double value, double error, int width)
 static void put_interval(struct estimate e)
 {
     fputs("     ", stdout);
+    if (isfinite(e.error) && isinf(e.high)) { /* only weights and invariants, through their logarithms */
+        fputs("as good as every number > 0", stdout);
+        return;
+    }
     put_rounded(stdout, e.low, e.error);
     fputs(" to ", stdout);
     put_rounded(stdout, e.high, e.error);
@@ -202,6 +213,17 @@ static const char *power_of_ten(double x, double towards(double), char text[16])
     return text;
 }
 
+/* A stationary point is that one if no coordinate and no logarithm of a weight is farther away than this; 0 where nothing
+ * is said. */
+static double alone_within(const struct fit *f)
+{
+    double alone = INFINITY;
+    for (int k = 0; k < f->result->unknowns; k++)
+        if (!f->result->at_bound[k])
+            alone = fmin(alone, f->result->unknown[k].is_weight ? f->verdict.weight_alone : f->verdict.point_alone);
+    return isfinite(alone) ? alone : 0;
+}
+
 /* What the check in intervals found. */
 static void print_verdict(const struct fit *f)
 {
@@ -210,18 +232,16 @@ static void print_verdict(const struct fit *f)
         return;
     struct line l;
     FILE *out = begin(&l);
-    double near = fmax(v->point_radius, v->weight_radius), alone = fmax(v->point_alone, v->weight_alone);
-    if (v->point_alone > 0 && v->weight_alone > 0)
-        alone = fmin(v->point_alone, v->weight_alone);
+    double near = fmax(v->point_radius, v->weight_radius), alone = alone_within(f);
     char within[16], only[16];
-    if (v->verified)
-        fprintf(out,
-                "verified in intervals: %s%s lies within %s of these coordinates and logarithms of weights, and is the "
-                "only stationary point within %s",
+    if (v->verified) {
+        fprintf(out, "verified in intervals: %s%s lies within %s of these coordinates and logarithms of weights",
                 v->minimum ? "a strict local minimum" : "a stationary point",
                 v->dimension < free_unknowns(f->result) ? ", up to the free directions," : "",
-                power_of_ten(near, ceil, within), power_of_ten(alone, floor, only));
-    else {
+                power_of_ten(near, ceil, within));
+        if (alone > 0 && (near == 0 || floor(log10(alone)) > ceil(log10(near))))
+            fprintf(out, ", and is the only stationary point within %s", power_of_ten(alone, floor, only));
+    } else {
         fprintf(out, "not verified: %s", v->reason);
         if (v->where >= 0)
             fprintf(out, " (point %d, line %d)", v->where + 1, f->points.line[v->where]);
@@ -242,6 +262,8 @@ static void print_estimates(const struct fit *f)
         put_column(e.value, e.error, 17);
         if (r->at_bound[k]) {
             puts("  on its bound");
+        } else if (r->unknown[k].is_weight && !in_range(e.value)) {
+            puts("  beyond the range of numbers");
         } else if (!r->determined[k]) {
             puts("  not determined");
         } else if (!isfinite(e.error)) {
@@ -261,7 +283,9 @@ static void print_estimates(const struct fit *f)
         if (isfinite(e.error) && e.error > 0) {
             put_column(e.error, e.error, 18);
             put_interval(e);
-        } else if (!(e.error == 0))
+        } else if (!in_range(e.value))
+            fputs("  beyond the range of numbers", stdout);
+        else if (!(e.error == 0))
             fputs("  not determined", stdout);
         puts("");
     }
@@ -329,6 +353,13 @@ static void print_correlations(const cagd_fit_result *r)
     if (all > count)
         fprintf(out, ", and %d more of %g or more", all - count, LARGE);
     end(&l, "Correlations");
+}
+
+/* Measured points at which the curve has to begin and end, although the others do not lie on it. */
+static int ends_taken_as_exact(const struct fit *f)
+{
+    return f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS) &&
+           (f->data.sigma != NULL || f->result->scale_squared > 0);
 }
 
 /* The unknowns that a free direction moves most, and how. */
@@ -401,6 +432,17 @@ static void print_statistics(const struct fit *f)
             sqrt(r->scale_squared), r->quantile);
     else
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
+    if (ends_taken_as_exact(f))
+        say("Ends",
+            "the first and the last point are taken as exact: their errors move the whole curve, weights with it, and "
+            "are not in the standard errors; --free %sinner,ends fits the ends too, which then slide along the curve",
+            f->options.free & CAGD_FIT_WEIGHTS ? "weights," : "");
+    double cusp;
+    if (cagd_fit_has_cusp(r, &cusp))
+        say("Cusp",
+            "at t = %.6g the curve turns on a radius no larger than the distances, as at a cusp: standard errors, rank "
+            "and free directions, which take the curve as smooth there, cannot be relied on",
+            cusp);
     if (r->unknowns > 0) {
         print_free_directions(r);
         print_correlations(r);
@@ -577,6 +619,8 @@ json_t *fit_json(const struct fit *f)
     json_t *distances = json_pack("{s:o, s:o, s:i, s:i, s:i, s:i}", "rms", real(r->rms), "largest", real(r->largest),
                                   "largest_point", r->largest_at + 1, "largest_line", f->points.line[r->largest_at],
                                   "feet_at_ends", ends, "feet_out_of_order", r->out_of_order);
+    double cusp;
+    int has_cusp = cagd_fit_has_cusp(r, &cusp);
     json_t *statistics =
         json_pack("{s:o, s:o, s:i, s:o, s:o, s:o, s:s, s:f, s:o}", "chi_squared", real(r->chi_squared),
                   "reduced_chi_squared", real(r->reduced_chi_squared), "degrees_of_freedom", r->degrees_of_freedom,
@@ -584,14 +628,14 @@ json_t *fit_json(const struct fit *f)
                   f->data.sigma != NULL && o->loss == CAGD_FIT_SQUARES ? "the given standard deviations"
                                                                        : "the scatter of the points",
                   "level", 0.95, "quantile", real(r->quantile));
-    return json_pack("{s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema",
-                     "cagd-fit-1", "converged", r->termination == CAGD_FIT_CONVERGED, "points", points, "options",
-                     options, "minimiser", minimiser, "curve", fitted_curve_json(&r->curve), "unknowns",
-                     unknowns_json(r), "rank", r->rank, "free_directions",
-                     matrix_json(flat, r->unknowns, r->free_directions), "covariance",
-                     matrix_json(r->unknowns, r->unknowns, r->covariance), "correlations", correlations_json(r),
-                     "invariants", invariants, "conic", conic_json(r), "statistics", statistics, "distances", distances,
-                     "verification", verdict_json(f));
+    return json_pack(
+        "{s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:b, s:o, s:o}", "schema",
+        "cagd-fit-1", "converged", r->termination == CAGD_FIT_CONVERGED, "points", points, "options", options,
+        "minimiser", minimiser, "curve", fitted_curve_json(&r->curve), "unknowns", unknowns_json(r), "rank", r->rank,
+        "free_directions", matrix_json(flat, r->unknowns, r->free_directions), "covariance",
+        matrix_json(r->unknowns, r->unknowns, r->covariance), "correlations", correlations_json(r), "invariants",
+        invariants, "conic", conic_json(r), "statistics", statistics, "distances", distances, "ends_taken_as_exact",
+        ends_taken_as_exact(f), "cusp", has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
 }
 
 /* ---- files ----------------------------------------------------------------------------------------- */

@@ -66,9 +66,15 @@ static num_i square(num_i a)
 /* A number no smaller than any |x|, x of a. */
 static double size_of(num_i a) { return fmax(-lower_i(a), upper_i(a)); }
 
-static int is_interior(num_i a, num_i b)
+/* The numbers of T that are nearest to those of a. */
+static num_i within(num_i T, num_i a)
 {
-    return mpfr_greater_p(a.at->lo, b.at->lo) && mpfr_less_p(a.at->hi, b.at->hi);
+    struct interval *r = region_slot(SLOT_INTERVAL);
+    mpfr_max(r->lo, a.at->lo, T.at->lo, MPFR_RNDD);
+    mpfr_min(r->lo, r->lo, T.at->hi, MPFR_RNDD);
+    mpfr_min(r->hi, a.at->hi, T.at->hi, MPFR_RNDU);
+    mpfr_max(r->hi, r->hi, T.at->lo, MPFR_RNDU);
+    return (num_i){r};
 }
 
 static num_i inner(int dim, const num_i a[], const num_i b[])
@@ -289,10 +295,13 @@ static int is_fixed_end(const struct box *b, int i, int end)
     return 1;
 }
 
-enum foot { NO_FOOT, FOOT_INSIDE, FOOT_AT_END, FOOT_ON_FIXED_END };
+enum foot { NO_FOOT, FOOT_INSIDE, FOOT_AT_END, FOOT_NEAR_END, FOOT_ON_FIXED_END };
 
 /* The foot of point i for all unknowns of the box, near t; v is what is seen from there.  The width of the result is proportional
- * to the way from t: from farther away than 2^-45 of the domain it is gone once more, which the caller sees by *again. */
+ * to the way from t: from farther away than 2^-45 of the domain it is gone once more, which the caller sees by *again.
+ *
+ * NEAR_END: phi increases on an interval T that begins or finishes at an end of the domain, and has the right sign at the other
+ * end of T: the only nearest point in T is the zero of phi, or the end where phi has none there.  v is what is seen from T. */
 static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *v, double *again)
 {
     const cagd_spline *curve = b->problem->curve;
@@ -308,31 +317,34 @@ static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *
     num_i here = number(t), phi;
     if (!look(b, i, here, v))
         return NO_FOOT;
-    if (end >= 0) {
-        b->reason = at_end;
-        return sign_i(v->phi) == (end == 0 ? 1 : -1) ? FOOT_AT_END : NO_FOOT;
-    }
+    if (end >= 0 && sign_i(v->phi) == (end == 0 ? 1 : -1))
+        return FOOT_AT_END;
     if (sign_i(v->slope) <= 0) {
-        b->reason = no_foot;
+        b->reason = end >= 0 ? at_end : no_foot;
         return NO_FOOT;
     }
     phi = v->phi;
     double h = 2 * size_of(div_i(phi, v->slope)) + ldexp(last - first, -INTERVAL_PRECISION / 2);
     for (int attempt = 0; attempt < 4; attempt++, h *= 4) {
-        num_i T = add_i(here, between(-h, h));
-        if (mpfr_cmp_d(T.at->lo, first) < 0 || mpfr_cmp_d(T.at->hi, last) > 0) {
-            b->reason = at_end;
-            return NO_FOOT;
-        }
+        num_i T = within(between(first, last), add_i(here, between(-h, h)));
+        int below = mpfr_cmp_d(T.at->lo, first) <= 0, above = mpfr_cmp_d(T.at->hi, last) >= 0;
         if (!look(b, i, T, v))
             return NO_FOOT;
         if (sign_i(v->slope) <= 0)
             break;
         num_i next = sub_i(here, div_i(phi, v->slope));
         *again = lower_i(next) / 2 + upper_i(next) / 2;
-        if (is_interior(next, T))
-            return b->is_point && !look(b, i, next, v) ? NO_FOOT
-                                                       : FOOT_INSIDE; /* of a box T is seen, which is not much wider */
+        int from_end = below && !mpfr_greater_p(next.at->lo, T.at->lo);
+        int to_end = above && !mpfr_less_p(next.at->hi, T.at->hi);
+        if ((from_end || mpfr_greater_p(next.at->lo, T.at->lo)) && (to_end || mpfr_less_p(next.at->hi, T.at->hi))) {
+            if (from_end || to_end) {
+                *again = from_end ? first : last;
+                next = within(T, next);
+            }
+            if (b->is_point && !look(b, i, next, v)) /* of a box T is seen, which is not much wider */
+                return NO_FOOT;
+            return from_end || to_end ? FOOT_NEAR_END : FOOT_INSIDE;
+        }
     }
     b->reason = no_foot;
     return NO_FOOT;
@@ -344,7 +356,8 @@ static enum foot enclose_foot(struct box *b, int i, struct view *v)
     double t = b->problem->feet[i], again = t,
            far = ldexp(curve->knots[curve->count] - curve->knots[curve->degree], -45);
     enum foot foot = enclose_foot_near(b, i, t, v, &again);
-    return foot == FOOT_INSIDE && fabs(again - t) > far ? enclose_foot_near(b, i, again, v, &again) : foot;
+    int nearer = (foot == FOOT_INSIDE && fabs(again - t) > far) || (foot == FOOT_NEAR_END && again != t);
+    return nearer ? enclose_foot_near(b, i, again, v, &again) : foot;
 }
 
 /* rho'(s) and rho''(s), the latter the hull of both one-sided values where it jumps. */
@@ -431,14 +444,17 @@ static int add_point(struct box *b, int i)
     for (int k = 0; k < entries; k++) {
         struct entry *e = &entry[k];
         accumulate(&b->gradient[e->unknown], mul_i(first, e->slope));
-        num_i turn = foot == FOOT_INSIDE ? div_i(e->turn, v.slope) : number(0);
+        int moves = foot == FOOT_INSIDE || foot == FOOT_NEAR_END;
+        num_i turn = moves ? div_i(e->turn, v.slope) : number(0);
         num_i bend = mul_i(second, e->slope);
         for (int l = k; l < entries; l++) {
             struct entry *f = &entry[l];
             int low = e->unknown < f->unknown ? e->unknown : f->unknown, high = e->unknown + f->unknown - low;
             num_i part = second_part(&v, dim, away, A, e, f);
-            if (foot == FOOT_INSIDE)
-                part = sub_i(part, k == l ? div_i(square(e->turn), v.slope) : mul_i(turn, f->turn));
+            if (moves) {
+                num_i quotient = k == l ? div_i(square(e->turn), v.slope) : mul_i(turn, f->turn);
+                part = sub_i(part, foot == FOOT_INSIDE ? quotient : hull(number(0), quotient));
+            }
             part = mul_i(first, part);
             if (problem->loss != CAGD_FIT_SQUARES)
                 part = add_i(part, mul_i(bend, f->slope));

@@ -7,10 +7,11 @@
  *     foot        For all theta of a box the foot t_i(theta), where phi = (C - Q_i).C' = 0, exists and is the only one in an
  *                 interval T_i, with phi' > 0, so that it is a nearest point in T_i: Newton's operator
  *                 t_i - phi(t_i, box)/phi'(T_i, box) lies in the interior of T_i.  At an end of the domain the sign of phi
- *                 over the box says that the foot stays there.
+ *                 over the box says that the foot stays there; when the box leaves open whether the foot is at the
+ *                 end or inside, both cases are enclosed.
  *     gradient    of F: by the envelope theorem sum_i rho'(s_i)/sigma_i^2 D_i.C_a, D_i = C(t_i) - Q_i, s_i = |D_i|^2/sigma_i^2.
  *     Hessian     sum_i rho'/sigma_i^2 (C_a.C_b + D.C_ab - (C_a.C' + D.C_a')(C_b.C' + D.C_b')/phi') + 2 rho''/sigma_i^4 D.C_a D.C_b,
- *                 without the quotient where the foot stays at an end.  Where rho'' or a second derivative by t jumps, the
+ *                 without the quotient where the foot stays at an end.  Where rho'' or a second derivative by t jumps, or a foot comes to an end, the
  *                 gradient is still Lipschitz, and the hull of both values is taken: that is enough for the mean value theorem
  *                 that follows.
  *     Krawczyk    theta = theta_0 + W y, with W chosen such that S W^T H W is nearly 1, S a diagonal of signs.  If

@@ -148,7 +148,7 @@ const char *cagd_fit_status_text(cagd_fit_status status);
  * but its being less than 1 does not; the error is then that of the generalised inverse. */
 typedef enum cagd_fit_conic_kind {
     CAGD_FIT_NOT_QUADRATIC,   /* the curve has another degree or several spans; the rest is 0                */
-    CAGD_FIT_CONIC_UNKNOWN,   /* there is no standard error                                                 */
+    CAGD_FIT_CONIC_UNKNOWN,   /* there is no standard error, or the weight is undetermined or on its bound  */
     CAGD_FIT_STRAIGHT,        /* not told from a straight line                                              */
     CAGD_FIT_CONIC_UNDECIDED, /* the interval of log I_1 contains 0                                         */
     CAGD_FIT_CONIC_CERTAIN    /* the type is that of all weights in the interval, or the weights are given  */
@@ -162,6 +162,14 @@ typedef struct cagd_fit_conic {
 } cagd_fit_conic;
 
 cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
+
+/* Whether the fitted curve turns as at a cusp (尖点), and at which parameter, *t.
+ *
+ * Where the speed |C'| is smallest, C' is orthogonal to C'', and the radius of curvature is |C'|^2/|C''|.  Feet, rank and
+ * standard errors come from distances to tangents, which have a meaning as long as the distances are smaller than the radii of
+ * curvature.  1: at *t, where the radius is smallest of all such places, it is not larger than the root mean square of the distances or
+ * the roundings of coordinates.  0: there is no such place; *t is as before. */
+int cagd_fit_has_cusp(const cagd_fit_result *result, double *t);
 
 #ifdef __cplusplus
 }

@@ -923,6 +923,23 @@ static int fill_uncertainty(const fit_problem *p, attempt *a, cagd_fit_result *r
     return good;
 }
 
+/* What is given is not rounded by way of working coordinates. */
+static void restore_given_points(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_result *r)
+{
+    int n = r->curve.count, dim = r->curve.dim;
+    double *points = (double *)r->curve.points;
+    for (int j = 0; j < n; j++) {
+        int given = 1;
+        for (int k = 0; k < r->unknowns; k++)
+            given &= r->unknown[k].is_weight || r->unknown[k].index != j;
+        const double *from = o->initial != NULL ? o->initial->points + j * dim
+                             : j == 0           ? data->points
+                                                : data->points + (size_t)(data->count - 1) * (size_t)dim;
+        if (given && (o->initial != NULL || j == 0 || j == n - 1))
+            memcpy(points + j * dim, from, (size_t)dim * sizeof *points);
+    }
+}
+
 static cagd_fit_result *make_result(const fit_problem *p, attempt *a)
 {
     cagd_fit_result *r = calloc(1, sizeof *r);
@@ -1025,8 +1042,10 @@ cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *opti
         status = CAGD_FIT_TOO_FEW;
     if (status == CAGD_FIT_OK)
         status = run(&p, options, result);
-    if (status == CAGD_FIT_OK)
+    if (status == CAGD_FIT_OK) {
+        restore_given_points(data, options, *result);
         fit_statistics(data, options, *result);
+    }
     problem_free(&p);
     return status;
 }

@@ -167,19 +167,32 @@ static double log_invariant_derivative(const cagd_fit_unknown *by, const void *f
     return !by->is_weight ? 0 : away == 0 ? 2 : away == 1 || away == -1 ? -1 : 0;
 }
 
+/* The logarithm is known also of a weight that is itself 0 or infinite in binary64. */
+static double log_weight(const cagd_fit_result *result, int j)
+{
+    double w = result->curve.weights[j];
+    for (int k = 0; k < result->unknowns && !(w > 0 && isfinite(w)); k++)
+        if (result->unknown[k].is_weight && result->unknown[k].index == j)
+            return result->value[k];
+    return log(w);
+}
+
 static double log_invariant(const cagd_fit_result *result, int j)
 {
-    const double *w = result->curve.weights;
-    return w == NULL ? 0 : log(w[j] / w[j - 1]) + log(w[j] / w[j + 1]);
+    if (result->curve.weights == NULL)
+        return 0;
+    double before = log_weight(result, j - 1), here = log_weight(result, j), after = log_weight(result, j + 1);
+    return here - before + (here - after);
 }
 
 static void fill_invariants(cagd_fit_result *result)
 {
     for (int j = 1; j <= result->invariants; j++) {
         double I = exp(log_invariant(result, j)), error = I * error_of(result, log_invariant_derivative, &j);
-        if (result->curve.weights != NULL) /* the same without the roundings of a logarithm */
-            I = result->curve.weights[j] / result->curve.weights[j - 1] *
-                (result->curve.weights[j] / result->curve.weights[j + 1]);
+        const double *w = result->curve.weights;
+        double quotient = w != NULL ? w[j] / w[j - 1] * (w[j] / w[j + 1]) : NAN;
+        if (quotient > 0 && isfinite(quotient)) /* the same without the roundings of a logarithm */
+            I = quotient;
         for (int a = 0; a < result->unknowns; a++)
             if (log_invariant_derivative(&result->unknown[a], &j) != 0 && !result->at_bound[a] &&
                 !result->determined[a])
@@ -230,6 +243,23 @@ static double height_derivative(const cagd_fit_unknown *by, const void *f)
     return by->is_weight ? 0 : share * at->normal[by->coordinate];
 }
 
+enum { GIVEN, ON_BOUND, NOT_DETERMINED, DETERMINED };
+
+/* What is known of log I_1.  Free ends slide in two directions, which leave the type as it is. */
+static int knowledge_of_type(const cagd_fit_result *result)
+{
+    int one = 1, knowledge = GIVEN, ends = 0;
+    for (int a = 0; a < result->unknowns; a++)
+        ends |= !result->unknown[a].is_weight && result->unknown[a].index != 1;
+    for (int a = 0; a < result->unknowns; a++)
+        if (log_invariant_derivative(&result->unknown[a], &one) != 0) {
+            int sliding = ends && result->flat <= 2;
+            int known = result->at_bound[a] ? ON_BOUND : result->determined[a] || sliding ? DETERMINED : NOT_DETERMINED;
+            knowledge = knowledge == GIVEN || known < knowledge ? known : knowledge;
+        }
+    return knowledge;
+}
+
 cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result)
 {
     cagd_fit_conic conic = {.kind = CAGD_FIT_NOT_QUADRATIC, .text = "not a curve of degree 2 in one span"};
@@ -244,13 +274,20 @@ cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result)
     double error = error_of(result, height_derivative, &at);
     cagd_conic_classify_weights(curve->weights != NULL ? curve->weights : equal, &conic.type);
     int ellipse = conic.type == CAGD_ELLIPSE, parabola = conic.type == CAGD_PARABOLA;
+    int knowledge = knowledge_of_type(result);
     if (isnan(conic.error) || isnan(error)) {
         conic.kind = CAGD_FIT_CONIC_UNKNOWN;
         conic.text = "of a type whose uncertainty is unknown: there are no degrees of freedom";
     } else if (at.h <= result->quantile * error || at.h == 0) {
         conic.kind = CAGD_FIT_STRAIGHT;
         conic.text = "cannot tell a conic from a straight line";
-    } else if (conic.error == 0) {
+    } else if (knowledge == NOT_DETERMINED) {
+        conic.kind = CAGD_FIT_CONIC_UNKNOWN;
+        conic.text = "of a type that the points do not determine";
+    } else if (knowledge == ON_BOUND) {
+        conic.kind = CAGD_FIT_CONIC_UNKNOWN;
+        conic.text = ellipse ? "an ellipse whose weight is on its bound" : "a hyperbola whose weight is on its bound";
+    } else if (knowledge == GIVEN) {
         conic.kind = CAGD_FIT_CONIC_CERTAIN;
         conic.text = ellipse    ? "an ellipse, by its given weights"
                      : parabola ? "a parabola, by its given weights"

@@ -409,6 +409,76 @@ class Fits(Case):
         self.assertIn("5 of 7", text)
         self.assertIn("not determined", text)
 
+    def text(self, rows, *options):
+        """The report, every run of blanks as one."""
+        r = run("fit", self.file(table(rows)), *options)
+        self.assertEqual(r.stderr, b"")
+        return " ".join(r.stdout.decode().split())
+
+    def test_ends_taken_as_exact_are_said(self):
+        said = "the first and the last point are taken as exact"
+        rows = quadratic(40, 0.75, 0.01)
+        self.assertIn(said, self.text(rows))
+        self.assertIn("--free inner,ends fits", self.text(rows, "--free", "inner"))
+        self.assertTrue(self.fit(table(rows))["ends_taken_as_exact"])
+        for options in ["--free", "weights,inner,ends"], ["--initial", self.start(rows)]:
+            self.assertNotIn(said, self.text(rows, *options))
+            self.assertFalse(self.fit(table(rows), *options)["ends_taken_as_exact"])
+        self.assertNotIn(said, self.text([[0, 0], [1, 1], [2, 0]]))
+
+    def test_ends_are_the_points_to_the_last_bit(self):
+        """Working coordinates, here about x = 4, are coarser; the check knows that the curve ends in the points."""
+        rows = [[x + 0.05, y] for x, y in quadratic(40, 0.75, 0.01)]
+        d = self.fit(table(rows))
+        self.assertEqual([d["curve"]["points"][0], d["curve"]["points"][2]], [rows[0], rows[-1]])
+        self.assertEqual(d["verification"]["status"], "verified")
+
+    def test_feet_near_the_ends_are_verified(self):
+        """A point on the normal at the end, which is the same for all weights, or beside it."""
+        for beyond in -1e-17, 0, 1e-17, 1e-9:
+            rows = quadratic(40, 1, 0.01)
+            start = self.file(json.dumps({"kind": "rational-bezier", "points": [[0, 0], [2, 2], [4, 0]],
+                                          "weights": [1, 1, 1]}), "parabola.json")
+            rows.insert(0, [-0.5 - beyond, 0.5 - beyond])
+            d = self.fit(table(rows), "--initial", start, "--free", "weights")
+            self.assertEqual(d["verification"]["status"], "verified", (beyond, d["verification"]))
+
+    def test_an_undetermined_weight_is_not_called_given(self):
+        rows = [[0, 0], [1, 1], [2, 0]]
+        self.assertIn("Conic of a type that the points do not determine", self.text(rows))
+        self.assertEqual(self.fit(table(rows))["conic"]["kind"], "unknown")
+        self.assertIn("by its given weights", self.text(quadratic(30, 1, 0.01), "--free", "inner"))
+
+    def test_no_number_is_infinite(self):
+        """Weights of a line are as good as undetermined."""
+        r = random.Random(4)
+        rows = [[i / 9 + r.gauss(0, 0.01), i / 9 + r.gauss(0, 0.01)] for i in range(30)]
+        for degree in "2", "3":
+            words = self.text(rows, "--degree", degree, "--no-verify").replace("nan", "inf").split()
+            self.assertNotIn("inf", [w.strip("-+") for w in words])
+
+    def test_alone_is_said_only_beyond_the_radius(self):
+        """Only weights, only points, or both: the part is there where the fields of the JSON say something."""
+        rows = quadratic(40, 0.75, 0.01)
+        for options, fields in [(["--free", "inner"], ["point"]), (["--initial", self.start(rows), "--free", "weights"], ["weight"]),
+                                ([], ["point", "weight"])]:
+            v = self.fit(table(rows), *options)["verification"]
+            alone, near = min(v[f + "_alone"] for f in fields), max(v[f + "_radius"] for f in fields)
+            self.assertGreater(alone, 100 * near)
+            self.assertIn("only stationary point within 1e%d" % math.floor(math.log10(alone)), self.text(rows, *options))
+
+    def test_a_cusp_is_said(self):
+        def cubic(n, P, noise):
+            r = random.Random(7)
+            return [[sum(b * p[c] for b, p in zip([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3], P))
+                     + r.gauss(0, noise) for c in (0, 1)] for t in (i / (n - 1) for i in range(n))]
+        for noise in 0, 0.002:
+            rows = cubic(61, [(0, 0), (1, 1), (0, 1), (1, 0)], noise)
+            self.assertAlmostEqual(self.fit(table(rows), "--degree", "3")["cusp"], 0.5, 2)
+            self.assertIn("as at a cusp", self.text(rows, "--degree", "3"))
+        rows = cubic(61, [(0, 0), (1, 1), (0.2, 1), (1, 0)], 1e-4)
+        self.assertIsNone(self.fit(table(rows), "--degree", "3")["cusp"])
+
     def test_bounds(self):
         d = self.fit(table(quadratic(40, 0.3, 0.01)), "--weights-between", "1/2:2")
         w = d["unknowns"][0]

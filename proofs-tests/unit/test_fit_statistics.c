@@ -179,6 +179,56 @@ static void which_conic(void **state)
     assert_string_equal(cagd_fit_conic_of(&result).text, "a parabola, by its given weights");
     result.curve.degree = 3;
     assert_int_equal(cagd_fit_conic_of(&result).kind, CAGD_FIT_NOT_QUADRATIC);
+    conic(1);
+    data.sigma = sigma;
+    memset(covariance, 0, sizeof covariance); /* of rank 0: nothing is given, and nothing known */
+    determined[0] = determined[1] = determined[2] = 0, result.rank = 0, result.flat = 3;
+    fit_statistics(&data, &options, &result);
+    assert_int_equal(cagd_fit_conic_of(&result).kind, CAGD_FIT_CONIC_UNKNOWN);
+    assert_string_equal(cagd_fit_conic_of(&result).text, "of a type that the points do not determine");
+    conic(0.5);
+    data.sigma = sigma;
+    at_bound[0] = 1;
+    fit_statistics(&data, &options, &result);
+    assert_string_equal(cagd_fit_conic_of(&result).text, "an ellipse whose weight is on its bound");
+}
+
+/* Whose logarithm is known when it is 0 in binary64: log I_1 = 2 (-800), log I_2 of a cubic 800 + 800. */
+static void a_weight_that_is_zero(void **state)
+{
+    (void)state;
+    static double value[3] = {-800, 1, 2}, four[4] = {1, 0, 1, 1}, two[2], error[2];
+    conic(0);
+    data.sigma = sigma;
+    result.value = value;
+    fit_statistics(&data, &options, &result);
+    cagd_fit_conic c = cagd_fit_conic_of(&result);
+    assert_true(invariant[0] == 0 && invariant_error[0] == 0 && c.log_invariant == -1600 && near(c.error, 0.4));
+    result.curve.degree = 3, result.curve.count = 4, result.curve.weights = four;
+    result.invariants = 2, result.invariant = two, result.invariant_error = error;
+    fit_statistics(&data, &options, &result);
+    assert_true(two[0] == 0 && isinf(two[1]) && isinf(error[1]));
+}
+
+/* The cubic with the cusp (1/2, 3/4) at t = 1/2, and with its middle points moved by e towards one another or apart:  C'(1/2) = (3e/2, 0) and
+ * C''(1/2) = (0, -6), hence the radius 3/8 e^2. */
+static void which_curves_turn_as_at_a_cusp(void **state)
+{
+    (void)state;
+    static const double e = 0x1p-5, cubic_knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    double t = -1, P[] = {0, 0, 1, 1, 0, 1, 1, 0};
+    cagd_fit_result r = {.curve = {3, 4, 2, cubic_knots, P, NULL}};
+    assert_true(cagd_fit_has_cusp(&r, &t) && near(t, 0.5));
+    for (int side = -1; side <= 1; side += 2) {
+        P[2] = 1 + side * e, P[4] = -side * e; /* a loop for +, else a smooth turn */
+        r.rms = 0, t = -1;
+        assert_true(!cagd_fit_has_cusp(&r, &t) && t == -1);
+    }
+    P[2] = 1 - e, P[4] = e;
+    r.rms = 0.99 * 3 / 8 * e * e;
+    assert_true(!cagd_fit_has_cusp(&r, &t));
+    r.rms = 1.01 * 3 / 8 * e * e;
+    assert_true(cagd_fit_has_cusp(&r, &t) && near(t, 0.5));
 }
 
 int main(void)
@@ -186,6 +236,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(quantiles_to_the_last_digit), cmocka_unit_test(losses_have_their_derivatives),
         cmocka_unit_test(unknown_standard_deviations), cmocka_unit_test(given_standard_deviations),
-        cmocka_unit_test(robust_covariance),           cmocka_unit_test(which_conic)};
+        cmocka_unit_test(robust_covariance),           cmocka_unit_test(which_conic),
+        cmocka_unit_test(a_weight_that_is_zero),       cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -138,12 +138,60 @@ static void feet_at_the_ends(void **state)
     data.count += 3;
     stationary_verdict v = stationary_check(&problem);
     assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
-    points[2 * last + 2] = 66, points[2 * last + 3] = 3; /* its foot is inside */
-    v = stationary_check(&problem);
-    assert_true(!v.verified && v.where == last + 1);
     points[2 * last + 2] = 66, points[2 * last + 3] = 0; /* its foot is the end, but only just */
     v = stationary_check(&problem);
-    assert_true(!v.verified && v.where == last + 1);
+    assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
+    feet[last + 1] = 0x1p-60; /* nearly the end */
+    v = stationary_check(&problem);
+    assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
+    points[2 * last] = 65 - 0x1p-40, points[2 * last + 1] = 0; /* nearly the fixed end */
+    v = stationary_check(&problem);
+    assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
+    points[2 * last + 2] = 66, points[2 * last + 3] = 3, feet[last + 1] = 0; /* its foot is inside: no minimum here */
+    v = stationary_check(&problem);
+    assert_true(!v.verified);
+}
+
+/* Of the points below, on and above the normal at the end (65, 0), the box has feet at the end and inside; gradients at its
+ * corners, where every foot is one or the other, and the way between corners, are in the enclosures. */
+static void a_foot_at_the_end_or_inside(void **state)
+{
+    (void)state;
+    enum { CORNERS = 8 };
+    static const double h = 0x1p-10, none[3] = {0, 0, 0}, box[3] = {0x1p-10, 0x1p-10, 0x1p-10};
+    double low[3], high[3], hessian_low[9], hessian_high[9], g[CORNERS][3], above[3], unused_low[9], unused_high[9];
+    int where, inside = 0;
+    circle(1);
+    data.count = 1;
+    for (int place = -1; place <= 1; place++) {
+        points[0] = 77, points[1] = place * 0x1p-14;
+        feet[0] = 0;
+        assert_true(stationary_enclosures(&problem, box, low, high, hessian_low, hessian_high, &where));
+        for (int k = 0; k < CORNERS; k++) {
+            double step[3];
+            for (int a = 0; a < 3; a++)
+                step[a] = k >> a & 1 ? h : -h;
+            weights[1] = exp(step[0]), control[2] = 65 + step[1], control[3] = 65 + step[2];
+            assert_true(stationary_enclosures(&problem, none, g[k], above, unused_low, unused_high, &where));
+            inside += g[k][1] != 0;
+            for (int a = 0; a < 3; a++)
+                assert_true(low[a] <= g[k][a] && above[a] <= high[a]);
+        }
+        circle(1);
+        data.count = 1;
+        for (int k = 0; k < CORNERS; k++)
+            for (int l = 0; l < CORNERS; l++)
+                for (int a = 0; a < 3; a++) { /* g(k) - g(l) is in H (k - l) */
+                    double least = 0, most = 0, rounding = 0x1p-40;
+                    for (int b = 0; b < 3; b++) {
+                        double way = h * ((k >> b & 1) - (l >> b & 1)) * 2;
+                        least += way * (way > 0 ? hessian_low : hessian_high)[3 * a + b];
+                        most += way * (way > 0 ? hessian_high : hessian_low)[3 * a + b];
+                    }
+                    assert_true(least - rounding <= g[k][a] - g[l][a] && g[k][a] - g[l][a] <= most + rounding);
+                }
+    }
+    assert_true(0 < inside && inside < 3 * CORNERS);
 }
 
 /* Where the ends may slide along the circle, no curve is alone; across these directions it is. */
@@ -318,6 +366,7 @@ int main(void)
         cmocka_unit_test(what_is_not_near_is_refused),
         cmocka_unit_test(wrong_feet_are_refused),
         cmocka_unit_test(feet_at_the_ends),
+        cmocka_unit_test(a_foot_at_the_end_or_inside),
         cmocka_unit_test(free_directions_are_left_out),
         cmocka_unit_test(the_enclosures_hold_the_differences),
         cmocka_unit_test(many_points_take_seconds)};
