@@ -520,13 +520,15 @@ static void swap_feet(fit_objective *f, attempt *a)
 }
 
 /* The way to the minimum is made with feet of which Taylor's polynomial is the curve over 1/256 of the length on which it
- * changes; near the minimum it is exact. */
+ * changes; near the minimum it is exact.  The way ends where a step gains less than ROUGHLY of the cost, with means of points
+ * AVERAGED: these two say when the next stage begins, and are no part of a result, whose last stage ends by `tolerance`. */
 #define ROUGH    0x1p-8
 #define ROUGHLY  1e-4
 #define AVERAGED 1e-8
 
-/* To minimise from curve and feet of the attempt, and again when a search finds better feet. */
-static int eliminated(const fit_problem *p, const cagd_fit_options *o, double tolerance, attempt *a)
+/* To minimise from curve and feet of the attempt, and again when a search finds better feet; for approaching only to come
+ * near, with rough feet. */
+static int eliminated(const fit_problem *p, const cagd_fit_options *o, double tolerance, int approaching, attempt *a)
 {
     int n = p->unknowns, most = o->max_iterations;
     size_t room = (size_t)n;
@@ -551,13 +553,13 @@ static int eliminated(const fit_problem *p, const cagd_fit_options *o, double to
         memcpy(theta, f->theta, room * sizeof *theta);
         f->limit = rough ? ROUGH : FOOT_EXACT;
         good = fit_minimise(n, n + 1, fit_objective_residuals, f, low, high,
-                            rough ? (tolerance >= AVERAGED ? tolerance : ROUGHLY) : aim, rough,
+                            rough ? (approaching ? tolerance : ROUGHLY) : aim, rough,
                             most - a->outcome.iterations, theta, &a->radius, &outcome) &&
                append(&a->outcome, &outcome);
         if (!good)
             break;
         settle(f);
-        if (tolerance >= AVERAGED)
+        if (approaching)
             break;
         if (rough && a->outcome.iterations < most)
             continue;
@@ -692,7 +694,7 @@ static int approach_with(const fit_problem *few, const cagd_fit_options *o, doub
         if (feet != NULL)
             memcpy(rough.feet, feet, (size_t)few->points * sizeof *feet);
         good = (feet != NULL || fit_feet_search(few, rough.curve, rough.feet, &cost)) &&
-               eliminated(few, o, tolerance, &rough);
+               eliminated(few, o, tolerance, 1, &rough);
     }
     if (good) {
         fit_curve_copy(a->curve, rough.objective->curve);
@@ -807,7 +809,7 @@ static int try_start(const fit_problem *p, const cagd_fit_options *o, int start,
     points_free(&few);
     good =
         good && (o->method == CAGD_FIT_ELIMINATED ? approach(p, o, a) : fit_feet_search(p, a->curve, a->feet, &cost));
-    good = good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, a));
+    good = good && (o->method == CAGD_FIT_PLAIN ? plain(p, o, a) : eliminated(p, o, o->tolerance, 0, a));
     if (good)
         judge(p, o, a);
     return good;
