@@ -378,6 +378,11 @@ class Results(Case):
                       f"point {largest['largest_point']} (line {largest['largest_line']})", "3 of 3"]:
             self.assertIn(words, text)
 
+    def test_a_loose_tolerance_still_ends_at_orthogonal_feet(self):
+        for tolerance in "1e-8", "1e-6", "1e-3":
+            text = run("fit", ARCH, "--tolerance", tolerance).stdout.decode()
+            self.assertIn("verified in intervals: a strict local minimum", text, tolerance)
+
     def test_verbose_prints_the_iterations(self):
         text = run("fit", ARCH, "--verbose").stdout.decode()
         table = re.findall(r"^ +(\d+) +([\d.e+-]+) +[\d.e+-]+ +[\d.e+-]+ +(?:[\d.e+-]+|inf)", text, re.M)
