@@ -1,8 +1,10 @@
 #include "chapters/frame/certificate.h"
+#include "chapters/frame/parallel.h"
 #include "chapters/frame/tex.h"
 #include "cli/command.h"
 #include "exact/region.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -140,20 +142,35 @@ static void print_tap(const claim_result *results, int count)
     }
 }
 
+/* The certificates of claims that are yet to be written, on several threads. */
+struct certificates {
+    const char *folder;
+    const claim_result *results;
+    atomic_int bad;
+};
+
+static void write_certificate(void *context, int k)
+{
+    struct certificates *c = context;
+    if (c->bad)
+        return;
+    char path[4096], *text = certificate_of_claim(&c->results[k]);
+    snprintf(path, sizeof path, "%s/claims/%s.json", c->folder, c->results[k].claim->name);
+    if (write_text_file(path, text) != 0)
+        c->bad = 1;
+    free(text);
+}
+
 /* DIR/claims/NAME.json for every claim, and DIR/KEY/PLACE.json for every statement that they decide. */
-static int write_certificates(const char *folder, const claim_result *results, int count)
+static int write_certificates(const char *folder, const claim_result *results, int count, int jobs)
 {
     char path[4096];
-    int bad = 0;
     snprintf(path, sizeof path, "%s/claims", folder);
     if (make_folder(path) != 0)
         return -1;
-    for (int k = 0; k < count && !bad; k++) {
-        char *text = certificate_of_claim(&results[k]);
-        snprintf(path, sizeof path, "%s/claims/%s.json", folder, results[k].claim->name);
-        bad = write_text_file(path, text) != 0;
-        free(text);
-    }
+    struct certificates c = {.folder = folder, .results = results};
+    in_parallel(jobs, count, write_certificate, &c);
+    int bad = c.bad;
     for (const statement *s = all_statements; s->id != NULL && !bad; s++) {
         statement_result r = derive(s, results, count);
         size_t key = strcspn(s->id, ":");
@@ -226,7 +243,7 @@ int run_verify(int argc, char **argv)
     int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
     if (a.junit != NULL && write_junit(a.junit, results, count) != 0)
         code = EXIT_INTERNAL;
-    if (a.certificates != NULL && write_certificates(a.certificates, results, count) != 0)
+    if (a.certificates != NULL && write_certificates(a.certificates, results, count, a.jobs) != 0)
         code = EXIT_INTERNAL;
     int statements = a.report != NULL ? write_report(a.report, results, count) : 0;
     if (statements != 0 && code != EXIT_INTERNAL)

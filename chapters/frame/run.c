@@ -2,6 +2,7 @@
 
 #include "chapters/frame/case.h"
 #include "chapters/frame/judge.h"
+#include "chapters/frame/parallel.h"
 #include "exact/region.h"
 
 #include <pthread.h>
@@ -150,39 +151,6 @@ static type_result judge_type(const struct plan *p)
     return r;
 }
 
-/* ---- all claims, on several threads ------------------------------------------------------------- */
-
-struct task {
-    struct plan plan;
-    type_result *result;
-};
-struct queue {
-    pthread_mutex_t lock;
-    struct task *tasks;
-    int next, done, total;
-    const run_options *options;
-};
-
-static void *work(void *arg)
-{
-    struct queue *q = arg;
-    for (;;) {
-        pthread_mutex_lock(&q->lock);
-        int k = q->next < q->total ? q->next++ : -1;
-        pthread_mutex_unlock(&q->lock);
-        if (k < 0)
-            break;
-        *q->tasks[k].result = judge_type(&q->tasks[k].plan);
-        pthread_mutex_lock(&q->lock);
-        q->done++;
-        if (q->options->progress != NULL)
-            q->options->progress(q->options->context, q->done, q->total, q->tasks[k].plan.claim->name);
-        pthread_mutex_unlock(&q->lock);
-    }
-    exact_thread_end();
-    return NULL;
-}
-
 static evidence evidence_of(const claim *c, number_type t)
 {
     static const evidence by_type[NUMBER_TYPES] = {PROVED, SAMPLED, ENCLOSED, MEASURED};
@@ -320,13 +288,36 @@ static void conclude(claim_result *r)
     r->scope = scope_of(r);
 }
 
+/* ---- all claims, on several threads ------------------------------------------------------------- */
+
+struct task {
+    struct plan plan;
+    type_result *result;
+};
+struct agenda {
+    struct task *tasks;
+    int done, total;
+    pthread_mutex_t lock; /* of `done` and the report of progress */
+    const run_options *options;
+};
+
+static void judge_task(void *context, int k)
+{
+    struct agenda *a = context;
+    *a->tasks[k].result = judge_type(&a->tasks[k].plan);
+    pthread_mutex_lock(&a->lock);
+    a->done++;
+    if (a->options->progress != NULL)
+        a->options->progress(a->options->context, a->done, a->total, a->tasks[k].plan.claim->name);
+    pthread_mutex_unlock(&a->lock);
+}
+
 claim_result *judge_claims(const claim *const list[], int count, const run_options *options)
 {
     claim_result *results = calloc((size_t)count + 1, sizeof *results);
     struct task *tasks = calloc((size_t)count * NUMBER_TYPES + 1, sizeof *tasks);
-    int jobs = options->jobs < 1 ? 1 : options->jobs, total = 0;
-    pthread_t *threads = calloc((size_t)jobs, sizeof *threads);
-    if (results == NULL || tasks == NULL || threads == NULL)
+    int total = 0;
+    if (results == NULL || tasks == NULL)
         abort();
     for (int k = 0; k < count; k++) {
         results[k].claim = list[k];
@@ -334,17 +325,10 @@ claim_result *judge_claims(const claim *const list[], int count, const run_optio
             if (list[k]->body[t] != NULL)
                 tasks[total++] = (struct task){{list[k], t, options->deep}, &results[k].by[t]};
     }
-    struct queue q = {.tasks = tasks, .total = total, .options = options};
-    pthread_mutex_init(&q.lock, NULL);
-    int started = 0;
-    while (started < jobs && pthread_create(&threads[started], NULL, work, &q) == 0)
-        started++;
-    if (started == 0)
-        work(&q);
-    for (int k = 0; k < started; k++)
-        pthread_join(threads[k], NULL);
-    pthread_mutex_destroy(&q.lock);
-    free(threads);
+    struct agenda agenda = {.tasks = tasks, .total = total, .options = options};
+    pthread_mutex_init(&agenda.lock, NULL);
+    in_parallel(options->jobs, total, judge_task, &agenda);
+    pthread_mutex_destroy(&agenda.lock);
     free(tasks);
     for (int k = 0; k < count; k++)
         conclude(&results[k]);

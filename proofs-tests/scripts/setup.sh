@@ -45,5 +45,5 @@ build() {
 
 mkdir -p build
 log=build/log.txt
-libraries="libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev libcalcium-dev libjansson-dev libxml2-dev libceres-dev"
+libraries="libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev libcalcium-dev libjansson-dev libxml2-dev libceres-dev libmimalloc-dev"
 tools="gcc g++ libc6-dev cmake ninja-build pkg-config"
