@@ -1,11 +1,12 @@
 """The same source gives the same bytes: builds a preset and compares its output with that of another build.
 
-    test_same_output.py ROOT PRESET WHOLE_RUN
+    test_same_output.py ROOT PRESET WHOLE_RUN [all]
 
 WHOLE_RUN is the folder that whole_run.py wrote with the other build.  To be quick the preset is built with the number
-types that are computed by this project's own code and the compiler's: binary64, and rationals.  What the claims did in
-these types, with every exhibit and measured error, is compared byte for byte, and so is every figure.  The preset
-`sanitize` is gcc at -O0: with it, this is also the run over everything that no sanitizer may complain about.
+types that are computed by this project's own code and the compiler's: binary64, and rationals; with `all`, in every
+type, which takes minutes.  What the claims did in these types, with every exhibit and measured error, is compared byte
+for byte, and so is every figure.  The preset `sanitize` is gcc at -O0: with it, this is also the run over everything
+that no sanitizer may complain about.
 """
 import json
 import pathlib
@@ -13,13 +14,14 @@ import subprocess
 import sys
 import tempfile
 
-TYPES = ("rational", "double")
 root, preset, reference = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
+every_type = sys.argv[4:] == ["all"]
+TYPES = ("field", "rational", "interval", "double") if every_type else ("rational", "double")
 sys.path.insert(0, str(root / "proofs-tests" / "whole-run"))
 from whole_run import whole_run  # noqa: E402
 
-folder = root / "build" / (preset if preset == "sanitize" else f"{preset}-two-types")
-options = [] if preset == "sanitize" else ["-DBUILD_TESTING=OFF", "-DCAGD_TYPES=RATIONAL;DOUBLE"]
+folder = root / "build" / (preset if preset == "sanitize" else f"{preset}-{len(TYPES)}-types")
+options = [] if preset == "sanitize" else ["-DBUILD_TESTING=OFF", "-DCAGD_TYPES=" + ";".join(TYPES).upper()]
 subprocess.run(["cmake", "--preset", preset, "-B", str(folder), *options], cwd=root, check=True, stdout=subprocess.DEVNULL)
 subprocess.run(["cmake", "--build", str(folder), "--target", "cagd"], cwd=root, check=True, stdout=subprocess.DEVNULL)
 
