@@ -1,5 +1,7 @@
 #include "exact/trace.h"
 
+#include "exact/region.h"
+
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -170,11 +172,13 @@ int trace_known(const void *slot)
     return p->slot != NULL ? p->node : -1;
 }
 
-/* Begins a node for the slot, whose arguments the caller puts, and its bracket; 0 when there are too many. */
+/* Begins a node for the slot, whose arguments the caller puts, and its bracket; 0 when there are too many.  The rest of
+ * the computation is of no use then, and the fault lets the field hurry to its end. */
 static int begin_node(const void *slot, const char *op)
 {
     if (tracing->gave_up || tracing->count >= tracing->most) {
         tracing->gave_up = 1;
+        region_faults |= FAULT_UNABLE;
         return 0;
     }
     separate(&tracing->nodes);

@@ -24,7 +24,7 @@
 struct trace;
 extern _Thread_local struct trace *tracing; /* NULL when no trace is open in this thread */
 
-/* Open a trace that gives up beyond `most` nodes.  One at a time in a thread. */
+/* Open a trace that gives up, with the fault UNABLE, beyond `most` nodes.  One at a time in a thread. */
 void trace_open(size_t most);
 void trace_close(void); /* forgets everything */
 void trace_again(void); /* the same as close and open, where a computation begins anew; nothing without a trace */
