@@ -55,8 +55,7 @@ enum {
     KERNELS = sizeof names / sizeof names[0],
     NUMBERS = MAX_ORDER * MAX_ORDER,
     WEIGHTS = MAX_DEGREE + 1,
-    RESULTS = (MAX_DEGREE + 2) * (MAX_DEGREE + 1),
-    TRIALS = 40
+    RESULTS = (MAX_DEGREE + 2) * (MAX_DEGREE + 1)
 };
 static int matrix_order(int n) { return n < MAX_ORDER ? n : MAX_ORDER; }
 
