@@ -36,7 +36,7 @@ FIGURE(lengths_of_the_tangents)
     for (int k = 0; k < 3; k++) {
         svg_point P = at(r(k, 2), k == 1 ? r(3, 5) : q(0));
         svg_mark(s, P, SVG_POINT, SVG_USUAL);
-        svg_label(s, P, k == 0 ? SVG_W : k == 1 ? SVG_E : SVG_E, SVG_POINT, names[k]);
+        svg_label(s, P, k == 0 ? SVG_W : k == 1 ? SVG_S : SVG_E, SVG_POINT, names[k]);
     }
     svg_legend_line(s, SVG_CURVE_2, "$α=β=1$, a parabola");
     svg_legend_line(s, SVG_CURVE, "$α=β=3$, a cusp");
