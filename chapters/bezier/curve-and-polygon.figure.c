@@ -23,7 +23,8 @@ FIGURE(bezier_hull)
     svg_bezier(s, 5, beyond, SVG_WRONG);
     bezier_on_interval_q(5, 2, b, r(-1, 8), q(0), beyond);
     svg_bezier(s, 5, beyond, SVG_WRONG);
-    svg_control_polygon(s, 5, b, "P");
+    static const enum svg_direction towards[] = {SVG_W, SVG_N, SVG_SE, SVG_NW, SVG_NE, SVG_E};
+    svg_control_polygon_towards(s, 5, b, "P", towards);
     svg_bezier(s, 5, b, SVG_CURVE);
     svg_legend_line(s, SVG_CURVE, "$0≤t≤1$");
     svg_legend_line(s, SVG_WRONG, "$t<0$ and $t>1$");
@@ -49,7 +50,8 @@ FIGURE(edges_and_end_tangents)
     hodograph_q(3, 2, D);
     svg_panel(s, window(q(-1), q(-10), q(10), q(10)), 170, 0, "$P\\'(t)$");
     svg_axes(s, q(5), q(5), NULL, NULL);
-    svg_control_polygon(s, 2, D, "D");
+    static const enum svg_direction towards[] = {SVG_W, SVG_NE, SVG_W};
+    svg_control_polygon_towards(s, 2, D, "D", towards);
     svg_bezier(s, 2, D, SVG_CURVE_2);
     svg_legend_line(s, SVG_CURVE, "the curve");
     svg_legend_line(s, SVG_CURVE_2, "its derivative");

@@ -48,7 +48,7 @@ FIGURE(one_place_too_many)
             svg_area(s, 5, box, SVG_WRONG);
         svg_polyline(s, 5, box, k == 4 ? SVG_WRONG : SVG_AXIS);
         svg_mark(s, svg_pair(P), role, SVG_USUAL);
-        svg_label(s, svg_pair(P), k < 2 ? SVG_NW : SVG_NE, role, name);
+        svg_label(s, svg_pair(P), k < 2 ? SVG_NW : k < 4 ? SVG_NE : SVG_W, role, name);
         svg_label(s, at(div_q(add_q(x, next), q(2)), div_q(add_q(low, high), q(2))), SVG_HERE, role, name);
     }
     svg_legend_line(s, SVG_CURVE, "the curve");
