@@ -92,3 +92,22 @@ FIGURE(read_from_either_end)
     svg_legend_line(s, SVG_WRONG, "the mirror image");
     return s;
 }
+
+FIGURE(degrees_one_to_three)
+{
+    svg *s =
+        svg_new("degrees_one_to_three", "Bézier curves of degree 1, 2 and 3",
+                "A segment, an arc of a parabola and a cubic, each with its polygon of two, three and four points.");
+    static const int from[3][8] = {{0, 0, 4, 3}, {0, 0, 3, 4, 4, 0}, {0, 0, 0, 3, 3, 4, 4, 0}};
+    static const enum svg_direction towards[3][4] = {
+        {SVG_S, SVG_N}, {SVG_S, SVG_N, SVG_S}, {SVG_S, SVG_NW, SVG_N, SVG_S}};
+    static const char *const caption[3] = {"$n=1$", "$n=2$", "$n=3$"};
+    for (int n = 1; n <= 3; n++) {
+        num_q b[8];
+        integers(2 * (n + 1), from[n - 1], b);
+        svg_panel(s, window(q(-1), q(-1), q(5), q(5)), 200, 0, caption[n - 1]);
+        svg_control_polygon_towards(s, n, b, "P", towards[n - 1]);
+        svg_bezier(s, n, b, SVG_CURVE);
+    }
+    return s;
+}

@@ -999,6 +999,7 @@ curvature.
 :zh: 行列式为零则为平面曲线
 :printed: If this is zero, the parametric cubic is a plane curve.
 :holds-by: cubic_is_plane_when_determinant_vanishes
+:figure: plane_cubics
 :::
 
 :::{claim} cubic_is_plane_when_determinant_vanishes

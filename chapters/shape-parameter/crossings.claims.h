@@ -97,6 +97,7 @@ different from 0; in the other cases they need not be.
 :zh: 情形 1
 :printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
 :holds-by: combination_begins_and_ends_with_its_coefficients
+:figure: roots_at_minus_seven
 
 Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is odd
 when $f(0)=k_0$ and $f(1)=k_7$ have different signs.  The lemma that is cited for $k_7<0$ is not in the text, and not needed: seven

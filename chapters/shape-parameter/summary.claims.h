@@ -50,6 +50,7 @@ One parameter serves both directions; the kernel has one for each.  The points a
 :printed: the curve takes more computation than the Bézier curve of degree seven, and can be computed by Horner's rule
 :holds-by: horner_rule_computes_the_curve degree_eight_takes_more_operations
 :hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by the same method
+:figure: operations_for_a_point
 
 By Horner's rule the degree $n$ takes $2(d+1)n$ products and $dn+1$ sums for $d$ coordinates, by de Casteljau's algorithm $dn(n+1)$ products
 and $\frac12dn(n+1)+n$ sums; here $n=8$ against $n=7$.  In addition the nine Bézier points have to be computed once for each $\beta$.
