@@ -6,6 +6,8 @@
  * values, so that places of knots of different vectors can be compared.  Nothing here uses a kernel. */
 #include <string.h>
 
+#include "chapters/frame/elementary.h"
+
 #include "chapters/frame/claims_on.h"
 
 /* The distinct values of a pattern: increasing numbers; in the field variables, but for the degrees above 4 the numbers
@@ -35,14 +37,6 @@ static inline void G(increasing_knots)(trial *T, int count, num x[])
     x[0] = from_int(0);
     for (int i = 1; i < count; i++)
         x[i] = add(x[i - 1], FIELD && T->degree > 4 ? from_int(i) : positive(T, "h", i));
-}
-
-/* Compares: a > 0, which is to say that it is not negative and has a reciprocal. */
-static inline void G(must_be_positive)(trial *T, num a)
-{
-    num one = from_int(1);
-    nonnegative(T, a);
-    same(T, mul(a, div(one, a)), one);
 }
 
 /* The knots of a pattern over the values x, and their places; returns how many there are. */

@@ -3,6 +3,8 @@
  * The places of definition.h are doubled here: an existing knot has an even place, and an odd place is free for a knot
  * that is put into the interval on its left.  An interval is named by the place at its left end, so that everything of
  * definition.h works unchanged.  Nothing here uses a kernel.  Included after definition.h. */
+#include "chapters/frame/elementary.h"
+
 #include "chapters/frame/claims_on.h"
 
 enum { HIGHEST = 16 }; /* degree */
@@ -237,21 +239,6 @@ static inline void G(free_control_points)(trial *T, int n, int dim, num c[])
             c[i * dim + k] = unknown(T, name[k], i);
 }
 
-/* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The inexact types
- * refute only. */
-static inline void G(must_be_positive)(trial *T, num a)
-{
-    nonnegative(T, a);
-#if FIELD
-    agree(T, !is_zero_f(a));
-#elif RATIONAL
-    agree(T, !is_zero_q(a));
-#elif INTERVAL
-    agree(T, upper_i(a) > 0);
-#else
-    agree(T, a.v + error_bound_m(a) > 0);
-#endif
-}
 /* L: the knots of K and one more, x, at a place; an odd place is the interval on its left.  L may be K. */
 static inline void G(put_knot)(const struct G(knots) * K, int place, num x, struct G(knots) * L)
 {
