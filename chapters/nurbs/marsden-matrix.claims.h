@@ -96,7 +96,7 @@ Both are the matrix of the span, so they are equal, whatever the multiplicities 
 :then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ as printed, and `bspline_matrix_by_marsden` has these entries
 :method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the B-splines
   by their definition.
-:degrees: 0..3 sampled 4
+:degrees: 0..4 sampled 4
 :defines: bspline_matrix_by_marsden
 :control: the cofactors transposed
 :::
@@ -205,7 +205,7 @@ A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of
 :given: orders $k=p+1$, simple knots and $t$ variables
 :then: $\det G\,N_{i,k}(t)=\sum_\mu g^*_{\mu i}t^\mu$
 :method: Determinants and cofactors of the kernels; the B-splines by definition.
-:degrees: 0..3 sampled 7
+:degrees: 0..4 sampled 7
 :control: the cofactors transposed
 :::
 

@@ -364,7 +364,7 @@ CLAIM(k_fold_knot_tears_the_curve)
   $|r'\times r''|^2/|r'|^6$ and $(r',r'',r^{(3)})/|r'\times r''|^2$
 :method: Derivatives of the quotient of sums as rational functions of $t$; curvature and torsion at $t=\frac13$ with whole weights and
   points of which one coordinate is a variable.
-:degrees: 2..3
+:degrees: 2..4
 :defines: nurbs_derivatives nurbs_curvature_squared nurbs_torsion
 :control: the weights 1 for the kernels
 :::
