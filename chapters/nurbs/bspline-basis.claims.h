@@ -400,7 +400,8 @@ CLAIM(bspline_basis_derivatives_follow_definition)
 :given: several segments, the distinct knots variables
 :then: $\int N_{i,p}\,dt=\frac{u_{i+p+1}-u_i}{p+1}$
 :method: The polynomial of each interval, from the recursion by its letter, integrated power by power; also outside the domain.
-:degrees: 0..4 sampled 7
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: divided by $p$ or, for $p=0$, by 2
 :::
 */

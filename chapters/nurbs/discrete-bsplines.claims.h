@@ -119,7 +119,7 @@ CLAIM(discrete_bsplines_satisfy_refinement_equation)
   combination of $c_{\mu-p},\dots,c_\mu$
 :method: The values of the kernel are fractions of polynomials with positive coefficients only, or the zero element.
 :types: field rational
-:degrees: 0..4 sampled 8
+:degrees: 0..5 sampled 8
 :control: the knot $v_j$ in the place of $v_{j+p}$
 :::
 */

@@ -195,7 +195,7 @@ A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of
 :given: orders $k=p+1$, simple knots, $t$ and numbers $c_0,\dots,c_{k-1}$, all variables
 :then: $\sum_\mu c_\mu t^\mu=\sum_i(G^Tc)_iN_{i,k}(t)$; so $G^Tc=0$ makes the polynomial vanish, and $c=0$
 :method: Both sides at a variable $t$.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: $G$ in the place of its transpose
 :::
 
