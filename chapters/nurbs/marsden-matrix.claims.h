@@ -107,9 +107,11 @@ Both are the matrix of the span, so they are equal, whatever the multiplicities 
 :given: every pattern of the 2k knots around a span up to the order 4, variables; order 5 with simple knots and the knots
   of Bernstein, variables, and with every other pattern for $t_r=0$, $t_{r+1}=1$; random patterns in the other number types
 :then: `bspline_matrix_by_differences`, `bspline_matrix_by_marsden` and `bspline_matrix` give the same matrix
-:method: Entry by entry; for $t_r=0$, $t_{r+1}=1$ the first and the third, and `coefficient_matrix_is_affinely_invariant`.  `bspline_matrix` and `bspline_matrix_by_marsden` divide by differences of knots on the two sides
-  of the span only, so with simple variable knots they agree for coincident ones as well; the case distinctions of the
-  other kernel are settled column by column in the section before.
+:method: Entry by entry; where $t_r=0$ and $t_{r+1}=1$, the first and the third, which do not change when all knots are moved and
+  stretched, by `column_by_differences_is_the_function` and `coefficient_matrix_is_affinely_invariant`.  `bspline_matrix` and
+  `bspline_matrix_by_marsden` divide by differences of knots on the two sides of the span only, so with simple variable knots
+  they agree for coincident ones as well; the case distinctions of the other kernel are settled column by column in the
+  section before.
 :degrees: 0..4 sampled 6
 :scope: every multiplicity; in order 5 the knots are variables but for $t_r=0$, $t_{r+1}=1$
 :control: the knot $t_{r+2}$ is moved for the second matrix
