@@ -324,11 +324,19 @@ static void matrices_by_hand(void **state)
     elementary_symmetric_q(0, u, out + 9);
     assert_numbers(10, out, (int[]){1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, 1);
     assert_int_equal(region_faults, 0);
-    /* Two equal knots where all should be different; an empty span. */
+    /* The formula for simple knots: with two equal ones to the left of the span it is right, to the right undefined. */
+    num_q same[9];
     u[1] = u[0];
+    bspline_matrix_simple_q(2, u, 2, out);
+    bspline_matrix_q(2, u, 2, same);
+    assert_int_equal(region_faults, 0);
+    for (int k = 0; k < 9; k++)
+        assert_true(equal_q(out[k], same[k]));
+    u[4] = u[3];
     bspline_matrix_simple_q(2, u, 2, out);
     assert_int_equal(region_faults, FAULT_UNDEFINED);
     region_faults = 0;
+    /* An empty span. */
     out[0] = marsden_determinant_q(1, u, 0);
     assert_numbers(1, out, (int[]){0}, 1);
     assert_int_equal(region_faults, 0);
