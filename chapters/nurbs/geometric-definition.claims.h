@@ -184,7 +184,7 @@ CLAIM(legs_are_run_through)
   span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve, and the condition of the envelope
   is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by
   `first_level_condition_factors` with $t$ and $\tau$ exchanged.
-:degrees: 2..3 sampled 5
+:degrees: 2..4 sampled 5
 :control: the segment of the first span for every span
 :::
 */

@@ -300,7 +300,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
   of `bspline_refine`
 :method: The field, all knots, weights and points variables.  For more knots by induction: every two neighbours in the order may be
   exchanged.
-:degrees: 2..4 sampled 5
+:degrees: 2..6 sampled 7
 :scope: n stands for the order k
 :control: the second knot inserted with the weights of the old polygon
 :::
@@ -373,7 +373,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
   homogeneous points is any coordinate.  Later parameters leave the vertices of the earlier ones alone, so more than two are
   treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
   at $t',\dots,t'$.
-:degrees: 2..4 sampled 6
+:degrees: 2..5 sampled 6
 :scope: n stands for the order k
 :control: the second vertex counted one too low
 :::

@@ -491,7 +491,8 @@ The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,
 :then: the numerator of $r(t)-\sum N_{i,k}r_i$ has as coefficient of $r_i$ the number
   $N_{i,k}(t)\,(w_i-w(t))$; it vanishes for all $i$ and $t$ only if $w(t)$ is the constant $w_i$
 :method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
-:degrees: 1..4 sampled 8
+:degrees: 1..6 sampled 8
+:scope: the knots variables for $p\le4$, numbers above
 :control: the weight of one point doubled on one side
 :::
 */
