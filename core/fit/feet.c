@@ -53,10 +53,12 @@ fit_foot_kind fit_foot(const fit_curve *c, const double q[], double *t, double D
     return fit_foot_near(c, q, FOOT_EXACT, t, D);
 }
 
-/* An inscribed polygon: the points of the curve at t[0] < ... < t[sides]; `deep` bounds how far the curve is from a side. */
+/* An inscribed polygon: the points of the curve at t[0] < ... < t[sides]; `deep` bounds how far the curve is from a side.  Of
+ * the sides: where they begin, their vectors, and one over the square of their lengths, coordinate by coordinate. */
 typedef struct polygon {
     int sides, dim;
     double *t, *point, *deep;
+    double *begin[3], *vector[3], *inverse;
 } polygon;
 
 enum { MOST_SIDES = 4096, FEWEST_SIDES = 64, PER_PIECE = 8, ANCHORS = 512 };
@@ -66,9 +68,33 @@ static void polygon_free(polygon *g)
     free(g->t);
     free(g->point);
     free(g->deep);
+    free(g->inverse);
 }
 
 static double distance(int dim, const double a[], const double b[]) { return sqrt(fit_distance_squared(dim, a, b)); }
+
+/* The sides in their arrays; 0 when there is no memory. */
+static int polygon_sides(polygon *g)
+{
+    size_t n = (size_t)g->sides, dim = (size_t)g->dim;
+    g->inverse = malloc((2 * dim + 1) * n * sizeof *g->inverse);
+    if (g->inverse == NULL)
+        return 0;
+    for (size_t c = 0; c < dim; c++) {
+        g->begin[c] = g->inverse + (1 + c) * n;
+        g->vector[c] = g->inverse + (1 + dim + c) * n;
+    }
+    for (size_t k = 0; k < n; k++) {
+        const double *a = g->point + k * dim, *b = a + dim;
+        double square = fit_distance_squared(g->dim, a, b);
+        for (size_t c = 0; c < dim; c++) {
+            g->begin[c][k] = a[c];
+            g->vector[c][k] = b[c] - a[c];
+        }
+        g->inverse[k] = square > 0 ? 1 / square : 0;
+    }
+    return 1;
+}
 
 /* Sides are halved until none is longer than its part of the whole, nor as deep as an eighth of its length. */
 static int polygon_new(polygon *g, const fit_curve *curve)
@@ -76,8 +102,7 @@ static int polygon_new(polygon *g, const fit_curve *curve)
     int dim = curve->dim, n = 0;
     size_t room = MOST_SIDES + 2 * PER_PIECE * (size_t)curve->pieces;
     double D[9], *t = malloc(room * sizeof *t), *next = malloc(room * sizeof *next), longest = 0;
-    g->dim = dim;
-    g->t = t;
+    *g = (polygon){.dim = dim, .t = t};
     g->point = malloc(room * (size_t)dim * sizeof *g->point);
     g->deep = malloc(room * sizeof *g->deep);
     if (!t || !next || !g->point || !g->deep) {
@@ -120,43 +145,57 @@ static int polygon_new(polygon *g, const fit_curve *curve)
     }
     g->sides = n;
     free(next);
-    return 1;
+    return polygon_sides(g);
 }
 
-/* The squared distance of q from side k, and where on it, 0 ... 1, it is. */
-static inline double from_side(const polygon *g, int k, const double q[], double *where)
+/* Where on side k, 0 ... 1, the point is that q is nearest to. */
+static inline double where_on_side(const polygon *g, const int dim, int k, const double q[])
 {
-    int dim = g->dim;
-    const double *a = g->point + k * dim, *b = a + dim;
-    double along = 0, square = 0, rest = 0, s = 0;
-    for (int c = 0; c < dim; c++) {
-        along += (q[c] - a[c]) * (b[c] - a[c]);
-        square += (b[c] - a[c]) * (b[c] - a[c]);
-    }
-    if (along > 0)
-        s = along < square ? along / square : 1;
-    for (int c = 0; c < dim; c++) {
-        double d = q[c] - a[c] - s * (b[c] - a[c]);
-        rest += d * d;
-    }
-    *where = s;
-    return rest;
+    double along = 0;
+    for (int c = 0; c < dim; c++)
+        along += (q[c] - g->begin[c][k]) * g->vector[c][k];
+    along *= g->inverse[k];
+    along = along > 0 ? along : 0;
+    return along < 1 ? along : 1;
 }
 
-static inline double on_side(const polygon *g, int k, double where)
+/* The squared distances of q from the sides first ... last, `dim` being a constant for the compiler. */
+static inline void from_sides_of(const polygon *g, const int dim, const double q[], int first, int last,
+                                 double square[restrict])
 {
-    return g->t[k] + where * (g->t[k + 1] - g->t[k]);
+    for (int k = first; k <= last; k++) {
+        double s = where_on_side(g, dim, k, q), rest = 0;
+        for (int c = 0; c < dim; c++) {
+            double d = q[c] - g->begin[c][k] - s * g->vector[c][k];
+            rest += d * d;
+        }
+        square[k] = rest;
+    }
+}
+
+static void from_sides(const polygon *g, const double q[], int first, int last, double square[])
+{
+    if (g->dim == 2)
+        from_sides_of(g, 2, q, first, last, square);
+    else
+        from_sides_of(g, 3, q, first, last, square);
+}
+
+static double on_side(const polygon *g, int k, const double q[])
+{
+    return g->t[k] + where_on_side(g, g->dim, k, q) * (g->t[k + 1] - g->t[k]);
 }
 
 /* The nearest of the feet that are reached from sides first ... last, and its squared distance; only sides whose part of the
- * curve may be nearer than the best one are tried, and of neighbours the nearest. */
-static double nearest(const fit_curve *curve, const polygon *g, const double q[], int first, int last, double square[],
-                      double *smallest)
+ * curve may be nearer than the best one are tried, and of neighbours the nearest.  A foot that is known and lies on such a side or
+ * beside it is the one that is reached from there. */
+static double nearest(const fit_curve *curve, const polygon *g, const double q[], int first, int last,
+                      const double *known, double square[], double *smallest)
 {
     int dim = g->dim;
-    double best = HUGE_VAL, found = g->t[first], where, D[9];
+    double best = HUGE_VAL, found = g->t[first], D[9];
+    from_sides(g, q, first, last, square);
     for (int k = first; k <= last; k++) {
-        square[k] = from_side(g, k, q, &where);
         double most = sqrt(square[k]) + g->deep[k];
         best = most < best ? most : best;
     }
@@ -165,9 +204,14 @@ static double nearest(const fit_curve *curve, const polygon *g, const double q[]
         if ((k > first && square[k - 1] < square[k]) || (k < last && square[k + 1] <= square[k]) ||
             sqrt(square[k]) - g->deep[k] > best)
             continue;
-        from_side(g, k, q, &where);
-        double t = on_side(g, k, where);
-        fit_foot(curve, q, &t, D);
+        double t;
+        if (known != NULL && g->t[k > 0 ? k - 1 : 0] <= *known && *known <= g->t[k + 2 < g->sides ? k + 2 : g->sides]) {
+            t = *known;
+            fit_curve_derivatives(curve, t, D);
+        } else {
+            t = on_side(g, k, q);
+            fit_foot(curve, q, &t, D);
+        }
         double d = fit_distance_squared(dim, D, q);
         if (d < *smallest)
             *smallest = d, found = t;
@@ -177,10 +221,10 @@ static double nearest(const fit_curve *curve, const polygon *g, const double q[]
 
 /* The sides of the anchors, points 0, stride, 2 stride, ...: side[i] not decreasing, with the smallest sum of losses.  Dynamic
  * programming, Bellman. */
-static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int stride, int side[])
+static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int stride, double square[], int side[])
 {
     int m = g->sides;
-    double *sum = calloc((size_t)m, sizeof *sum), slope, where;
+    double *sum = calloc((size_t)m, sizeof *sum), slope;
     int *from = malloc((size_t)anchors * (size_t)m * sizeof *from);
     if (sum == NULL || from == NULL) {
         free(sum);
@@ -188,15 +232,17 @@ static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int
         return 0;
     }
     for (int i = 0; i < anchors; i++) {
-        const double *q = p->Q + (size_t)(i * stride) * (size_t)p->dim;
         double weight = p->precision[i * stride] * p->precision[i * stride];
+        from_sides(g, p->Q + (size_t)(i * stride) * (size_t)p->dim, 0, m - 1, square);
+        for (int k = 0; p->loss != CAGD_FIT_SQUARES && k < m; k++)
+            square[k] = fit_problem_loss(p, square[k] * weight, &slope) / weight;
         int before = 0;
         double smallest = sum[0];
         for (int k = 0; k < m; k++) {
             if (sum[k] < smallest)
                 smallest = sum[k], before = k;
             from[i * m + k] = before;
-            sum[k] = smallest + fit_problem_loss(p, from_side(g, k, q, &where) * weight, &slope);
+            sum[k] = smallest + square[k] * weight;
         }
     }
     int k = 0;
@@ -212,25 +258,48 @@ static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int
     return 1;
 }
 
-int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[], double *cost)
+/* Both searches: *cost of the feet t, *before of the known ones, if there are any. */
+static int search(const fit_problem *p, const fit_curve *curve, const double *known, double t[], double *cost,
+                  double *before)
 {
     polygon g;
     int good = polygon_new(&g, curve), stride = (p->points - 1) / ANCHORS + 1, anchors = (p->points - 1) / stride + 1;
-    double *square = good ? malloc((size_t)g.sides * sizeof *square) : NULL, slope;
+    double *square = good ? malloc((size_t)g.sides * sizeof *square) : NULL, slope, D[9];
     int *side = malloc((size_t)anchors * sizeof *side);
-    good = good && square && side && (p->unordered || anchor_sides(p, &g, anchors, stride, side));
-    *cost = 0;
+    good = good && square && side && (p->unordered || anchor_sides(p, &g, anchors, stride, square, side));
+    *cost = *before = 0;
     for (int i = 0; good && i < p->points; i++) {
+        const double *q = p->Q + (size_t)i * (size_t)p->dim, weight = p->precision[i] * p->precision[i];
         int a = i / stride, anchor = !p->unordered && i % stride == 0;
         int first = p->unordered ? 0 : side[a], last = anchor ? first : g.sides - 1;
         if (!p->unordered && !anchor && a + 1 < anchors)
             last = side[a + 1];
-        double distance_squared;
-        t[i] = nearest(curve, &g, p->Q + (size_t)i * (size_t)p->dim, first, last, square, &distance_squared);
-        *cost += fit_problem_loss(p, distance_squared * p->precision[i] * p->precision[i], &slope) / 2;
+        double here;
+        t[i] = nearest(curve, &g, q, first, last, known != NULL ? &known[i] : NULL, square, &here);
+        here = fit_problem_loss(p, here * weight, &slope) / 2;
+        *cost += here;
+        if (known != NULL && known[i] != t[i]) {
+            fit_curve_derivatives(curve, known[i], D);
+            here = fit_problem_loss(p, fit_distance_squared(p->dim, D, q) * weight, &slope) / 2;
+        }
+        *before += here;
     }
     polygon_free(&g);
     free(square);
     free(side);
+    return good;
+}
+
+int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[], double *cost)
+{
+    double before;
+    return search(p, curve, NULL, t, cost, &before);
+}
+
+int fit_feet_improve(const fit_problem *p, const fit_curve *curve, const double known[], double t[], double *gain)
+{
+    double cost, before;
+    int good = search(p, curve, known, t, &cost, &before);
+    *gain = before - cost;
     return good;
 }
