@@ -69,107 +69,122 @@ static double floor_of(const fit_problem *p)
     return sqrt(2 * fit_problem_blur(p, 0) * p->unknowns / fit_problem_equations(p));
 }
 
-/* Newton's steps to the end, as long as they shrink what the unknowns can still take away of the residuals.  The minimiser
- * compares costs, which near the minimum say nothing any more when the gradient still does.  *left: that part. */
-static int polish(const fit_problem *p, const cagd_fit_options *o, double tolerance, double *left, fit_attempt *a)
+/* Where Ceres hands over to Newton: when a step gains less than this part of the cost.  It says who goes the last steps, not where
+ * they lead.  A step that shrinks |y| to a part of STEADY has a Hessian matrix that need not be summed up anew. */
+#define NEARLY 1e-4
+#define STEADY 0.01
+
+int fit_descend_near(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
     fit_objective *f = a->objective;
-    int n = p->unknowns;
-    double *step = malloc(4 * (size_t)n * sizeof *step), enough = floor_of(p);
-    int *fixed = malloc((size_t)n * sizeof *fixed), good = step && fixed;
+    f->limit = FOOT_ROUGH;
+    f->newton = 0;
+    fit_objective_begin(f, a->curve, a->feet);
+    a->initial_cost = f->cost;
+    return run_ceres(p, o, fmax(NEARLY, o->tolerance), a);
+}
+
+/* x + step, or 0 if this passes a bound; *length: of the step. */
+static int step_from(const fit_objective *f, const fit_model *model, const double low[], const double high[],
+                     double next[], double *length)
+{
+    int n = f->problem->unknowns, inside = 1;
+    double square = 0;
+    fit_model_step(model, next);
+    for (int k = 0; k < n; k++) {
+        square += next[k] * next[k];
+        next[k] += f->x[k];
+        inside = inside && low[k] <= next[k] && next[k] <= high[k];
+    }
+    *length = sqrt(square);
+    return inside;
+}
+
+int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double tolerance, double *left, fit_attempt *a)
+{
+    fit_objective *f = a->objective;
+    int n = p->unknowns, steady = 0;
+    double *low = malloc(3 * (size_t)n * sizeof *low), enough = floor_of(p), length;
+    int *fixed = malloc((size_t)n * sizeof *fixed), good = low && fixed;
     fit_model model = {0};
-    if (good)
-        fit_problem_bounds(p, f->base, step + 2 * n, step + 3 * n);
+    if (good) {
+        fit_problem_bounds(p, f->base, low, low + n);
+        f->evaluated = f->evaluated && f->newton;
+        f->newton = 1;
+        fit_objective_at(f, f->x);
+        fit_objective_accept(f);
+    }
     for (int k = 0; good && k < n; k++)
         fixed[k] = fit_problem_on_bound(p, k, f->curve);
     good = good && fit_model_of(f, fixed, &model);
     *left = model.left;
     for (int i = 0; good && i<o->max_iterations && * left> fmax(enough, tolerance * sqrt(2 * f->cost)); i++) {
-        int inside = 1;
-        double *next = step + n, *low = next + n, *high = low + n, square = 0;
-        fit_model_step(&model, step);
-        fit_model_free(&model);
-        for (int k = 0; k < n; k++) {
-            next[k] = f->x[k] + step[k];
-            square += step[k] * step[k];
-            inside = inside && low[k] <= next[k] && next[k] <= high[k];
-        }
-        if (!inside)
+        double *next = low + 2 * n;
+        if (!step_from(f, &model, low, low + n, next, &length))
             break;
+        fit_model_free(&model);
+        f->newton = !steady;
         fit_objective_evaluate(f, next, 1);
         good = fit_model_of(f, fixed, &model);
         int better = good && isfinite(f->cost) && model.left < *left;
-        good = good && fit_attempt_step(a, better, sqrt(square));
+        good = good && fit_attempt_step(a, better, length);
         if (!better)
             break;
         fit_objective_accept(f);
         int stalls = model.left > *left / 2; /* only rounding is left, or nothing is gained by going on */
+        steady = model.left < *left * STEADY;
         *left = model.left;
         if (stalls)
             break;
     }
+    f->newton = 1;
     if (good) {
         fit_objective_at(f, f->x);
         fit_objective_accept(f);
     }
     fit_model_free(&model);
-    free(step);
+    free(low);
     free(fixed);
     return good;
 }
 
-/* Where Ceres hands over to Newton: when a step gains less than this part of the cost.  It says who goes the last steps, not where
- * they lead. */
-#define NEARLY 1e-4
-
-int fit_descend_near(const fit_problem *p, const cagd_fit_options *o, double tolerance, fit_attempt *a)
+/* Whether Newton's steps have converged, so that no decrease of the cost is left that counts. */
+static int converged(const fit_problem *p, const cagd_fit_options *o, const fit_objective *f, double left)
 {
-    fit_objective *f = a->objective;
-    double left;
-    f->limit = FOOT_ROUGH;
-    f->newton = tolerance < NEARLY;
-    fit_objective_begin(f, a->curve, a->feet);
-    a->initial_cost = f->cost;
-    return run_ceres(p, o, NEARLY, a) && (tolerance >= NEARLY || polish(p, o, tolerance, &left, a));
+    return left * left <= o->tolerance * 2 * f->cost + fit_problem_blur(p, f->cost);
 }
 
 int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
     fit_objective *f = a->objective;
-    double left, gain, aim = fmax(NEARLY, o->tolerance);
-    int good = 1;
+    double left, gain;
+    int good = 1, near = a->outcome.termination == CAGD_FIT_CONVERGED;
     f->limit = FOOT_EXACT;
     f->newton = 1;
     fit_objective_begin(f, a->curve, a->feet);
-    a->initial_cost = f->cost;
-    while (good) {
-        good = run_ceres(p, o, aim, a);
-        if (good && a->outcome.termination == CAGD_FIT_CONVERGED) {
-            good = polish(p, o, o->tolerance, &left, a);
-            /* A decrease of the cost is left that counts: Newton's steps did not converge. */
-            if (good && aim > o->tolerance && left * left > o->tolerance * 2 * f->cost + fit_problem_blur(p, f->cost) &&
-                a->outcome.iterations < o->max_iterations) {
-                aim = o->tolerance;
-                continue;
-            }
+    for (;; near = 1) {
+        if (good && near)
+            good = fit_descend_newton(p, o, o->tolerance, &left, a);
+        if (good && (!near || !converged(p, o, f, left)) && a->outcome.iterations < o->max_iterations) {
+            good = run_ceres(p, o, o->tolerance, a);
+            if (good && a->outcome.termination == CAGD_FIT_CONVERGED)
+                good = fit_descend_newton(p, o, o->tolerance, &left, a);
         }
         good = good && fit_feet_improve(p, f->curve, f->feet, a->feet, &gain);
         if (!good || gain <= fit_problem_blur(p, f->cost) || a->outcome.iterations >= o->max_iterations)
-            break;
+            return good;
         double *feet = f->feet, cost = f->cost;
         f->feet = a->feet;
         fit_objective_evaluate(f, f->x, 1);
         int better = f->cost < cost - fit_problem_blur(p, cost);
         f->feet = better ? f->feet : feet;
         a->feet = better ? feet : a->feet;
-        if (!better) {
+        if (!better)
             fit_objective_evaluate(f, f->x, 1);
-            fit_objective_accept(f);
-            break;
-        }
         fit_objective_accept(f);
+        if (!better)
+            return good;
     }
-    return good;
 }
 
 int fit_descend_plain(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)

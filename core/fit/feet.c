@@ -61,7 +61,7 @@ typedef struct polygon {
     double *begin[3], *vector[3], *inverse;
 } polygon;
 
-enum { MOST_SIDES = 4096, FEWEST_SIDES = 64, PER_PIECE = 8, ANCHORS = 512 };
+enum { MOST_SIDES = 4096, FEWEST_SIDES = 64, PER_PIECE = 8, ANCHORS = 128 };
 
 static void polygon_free(polygon *g)
 {
@@ -96,55 +96,53 @@ static int polygon_sides(polygon *g)
     return 1;
 }
 
-/* Sides are halved until none is longer than its part of the whole, nor as deep as an eighth of its length. */
+/* Sides are halved until none is longer than its part of the whole, nor as deep as an eighth of its length; `room` is for so many
+ * more.  From t[sides], whose point is there, to `end`. */
+static void add_sides(polygon *g, const fit_curve *curve, double end, const double at_end[], double longest, int *room)
+{
+    int dim = g->dim, k = g->sides;
+    const double start = g->t[k], middle = start + (end - start) / 2, *a = g->point + k * dim;
+    double D[9];
+    fit_curve_derivatives(curve, middle, D);
+    double length = distance(dim, a, at_end), way = distance(dim, a, D) + distance(dim, D, at_end);
+    if ((length > longest || way > longest * 2 || (way > length * 1.125 && way > longest / 8)) && *room > 0 &&
+        start < middle && middle < end) {
+        --*room;
+        add_sides(g, curve, middle, D, longest, room);
+        add_sides(g, curve, end, at_end, longest, room);
+        return;
+    }
+    g->deep[k] = sqrt(fmax(0, way * way - length * length));
+    g->t[k + 1] = end;
+    memcpy(g->point + (k + 1) * dim, at_end, (size_t)dim * sizeof *at_end);
+    g->sides++;
+}
+
 static int polygon_new(polygon *g, const fit_curve *curve)
 {
-    int dim = curve->dim, n = 0;
-    size_t room = MOST_SIDES + 2 * PER_PIECE * (size_t)curve->pieces;
-    double D[9], *t = malloc(room * sizeof *t), *next = malloc(room * sizeof *next), longest = 0;
-    *g = (polygon){.dim = dim, .t = t};
-    g->point = malloc(room * (size_t)dim * sizeof *g->point);
-    g->deep = malloc(room * sizeof *g->deep);
-    if (!t || !next || !g->point || !g->deep) {
-        free(next);
+    int dim = curve->dim, room = MOST_SIDES, first = PER_PIECE * curve->pieces;
+    size_t most = (size_t)(room + first + 1);
+    double D[9], before[3], length = 0, start = fit_curve_start(curve);
+    *g = (polygon){.dim = dim};
+    g->t = malloc(most * sizeof *g->t);
+    g->point = malloc(most * (size_t)dim * sizeof *g->point);
+    g->deep = malloc(most * sizeof *g->deep);
+    if (!g->t || !g->point || !g->deep)
         return 0;
-    }
-    for (int k = 0; k < curve->pieces; k++)
-        for (int i = 0; i < PER_PIECE; i++) {
-            double a = curve->knots[curve->span[k]], b = curve->knots[curve->span[k] + 1];
-            t[n++] = a + (b - a) * i / PER_PIECE;
+    g->t[0] = start;
+    fit_curve_derivatives(curve, start, D);
+    memcpy(g->point, D, (size_t)dim * sizeof *D);
+    for (int pass = 0; pass < 2; pass++) /* first the length of a coarse polygon */
+        for (int k = 0; k < first; k++) {
+            double a = curve->knots[curve->span[k / PER_PIECE]], b = curve->knots[curve->span[k / PER_PIECE] + 1];
+            double end = k % PER_PIECE == PER_PIECE - 1 ? b : a + (b - a) * (k % PER_PIECE + 1) / PER_PIECE;
+            memcpy(before, k == 0 ? g->point : D, (size_t)dim * sizeof *D);
+            fit_curve_derivatives(curve, end, D);
+            if (pass == 0)
+                length += distance(dim, before, D);
+            else
+                add_sides(g, curve, end, D, length / FEWEST_SIDES, &room);
         }
-    t[n] = fit_curve_end(curve);
-    for (int split = 1; split;) {
-        double total = 0;
-        for (int i = 0; i <= n; i++) {
-            fit_curve_derivatives(curve, t[i], D);
-            memcpy(g->point + i * dim, D, (size_t)dim * sizeof *D);
-            total += i > 0 ? distance(dim, g->point + i * dim, g->point + (i - 1) * dim) : 0;
-        }
-        longest = total / FEWEST_SIDES;
-        int m = 0, left = (int)room - 1 - n;
-        split = 0;
-        for (int i = 0; i < n; i++) {
-            const double *a = g->point + i * dim, *b = a + dim;
-            double middle = t[i] + (t[i + 1] - t[i]) / 2, length = distance(dim, a, b);
-            fit_curve_derivatives(curve, middle, D);
-            double way = distance(dim, a, D) + distance(dim, D, b);
-            g->deep[i] = sqrt(fmax(0, way * way - length * length));
-            next[m++] = t[i];
-            if ((length > longest || way > longest * 2 || (way > length * 1.125 && way > longest / 8)) && left > 0 &&
-                t[i] < middle && middle < t[i + 1]) {
-                next[m++] = middle;
-                left--;
-                split = 1;
-            }
-        }
-        next[m] = t[n];
-        n = m;
-        memcpy(t, next, (size_t)(n + 1) * sizeof *t);
-    }
-    g->sides = n;
-    free(next);
     return polygon_sides(g);
 }
 
@@ -186,6 +184,12 @@ static double on_side(const polygon *g, int k, const double q[])
     return g->t[k] + where_on_side(g, g->dim, k, q) * (g->t[k + 1] - g->t[k]);
 }
 
+/* Whether t is on side k or beside it. */
+static int beside(const polygon *g, int k, double t)
+{
+    return g->t[k > 0 ? k - 1 : 0] <= t && t <= g->t[k + 2 < g->sides ? k + 2 : g->sides];
+}
+
 /* The nearest of the feet that are reached from sides first ... last, and its squared distance; only sides whose part of the
  * curve may be nearer than the best one are tried, and of neighbours the nearest.  A foot that is known and lies on such a side or
  * beside it is the one that is reached from there. */
@@ -200,12 +204,14 @@ static double nearest(const fit_curve *curve, const polygon *g, const double q[]
         best = most < best ? most : best;
     }
     *smallest = HUGE_VAL;
+    if (known != NULL && first == last && beside(g, first, *known))
+        return *known;
     for (int k = first; k <= last; k++) {
         if ((k > first && square[k - 1] < square[k]) || (k < last && square[k + 1] <= square[k]) ||
             sqrt(square[k]) - g->deep[k] > best)
             continue;
         double t;
-        if (known != NULL && g->t[k > 0 ? k - 1 : 0] <= *known && *known <= g->t[k + 2 < g->sides ? k + 2 : g->sides]) {
+        if (known != NULL && beside(g, k, *known)) {
             t = *known;
             fit_curve_derivatives(curve, t, D);
         } else {
@@ -258,48 +264,87 @@ static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int
     return 1;
 }
 
-/* Both searches: *cost of the feet t, *before of the known ones, if there are any. */
-static int search(const fit_problem *p, const fit_curve *curve, const double *known, double t[], double *cost,
-                  double *before)
+/* The sides a ... b on which the foot of a point is looked for: all, that of the anchor, or those between two anchors. */
+typedef struct search {
+    polygon polygon;
+    int stride, anchors;
+    int *side;
+    double *square;
+} search;
+
+static void search_free(search *s)
 {
-    polygon g;
-    int good = polygon_new(&g, curve), stride = (p->points - 1) / ANCHORS + 1, anchors = (p->points - 1) / stride + 1;
-    double *square = good ? malloc((size_t)g.sides * sizeof *square) : NULL, slope, D[9];
-    int *side = malloc((size_t)anchors * sizeof *side);
-    good = good && square && side && (p->unordered || anchor_sides(p, &g, anchors, stride, square, side));
-    *cost = *before = 0;
+    polygon_free(&s->polygon);
+    free(s->side);
+    free(s->square);
+}
+
+static int search_new(search *s, const fit_problem *p, const fit_curve *curve)
+{
+    *s = (search){.stride = (p->points - 1) / ANCHORS + 1};
+    s->anchors = (p->points - 1) / s->stride + 1;
+    int good = polygon_new(&s->polygon, curve);
+    s->side = malloc((size_t)s->anchors * sizeof *s->side);
+    s->square = good ? malloc((size_t)s->polygon.sides * sizeof *s->square) : NULL;
+    return good && s->side && s->square &&
+           (p->unordered || anchor_sides(p, &s->polygon, s->anchors, s->stride, s->square, s->side));
+}
+
+static void sides_of(const search *s, const fit_problem *p, int i, int *first, int *last)
+{
+    int a = i / s->stride, anchor = i % s->stride == 0;
+    *first = p->unordered ? 0 : s->side[a];
+    *last = p->unordered || (!anchor && a + 1 >= s->anchors) ? s->polygon.sides - 1 : s->side[anchor ? a : a + 1];
+}
+
+int fit_feet_guess(const fit_problem *p, const fit_curve *curve, double t[])
+{
+    search s;
+    int good = search_new(&s, p, curve), first, last;
     for (int i = 0; good && i < p->points; i++) {
-        const double *q = p->Q + (size_t)i * (size_t)p->dim, weight = p->precision[i] * p->precision[i];
-        int a = i / stride, anchor = !p->unordered && i % stride == 0;
-        int first = p->unordered ? 0 : side[a], last = anchor ? first : g.sides - 1;
-        if (!p->unordered && !anchor && a + 1 < anchors)
-            last = side[a + 1];
-        double here;
-        t[i] = nearest(curve, &g, q, first, last, known != NULL ? &known[i] : NULL, square, &here);
-        here = fit_problem_loss(p, here * weight, &slope) / 2;
-        *cost += here;
-        if (known != NULL && known[i] != t[i]) {
-            fit_curve_derivatives(curve, known[i], D);
-            here = fit_problem_loss(p, fit_distance_squared(p->dim, D, q) * weight, &slope) / 2;
-        }
-        *before += here;
+        const double *q = p->Q + (size_t)i * (size_t)p->dim;
+        sides_of(&s, p, i, &first, &last);
+        from_sides(&s.polygon, q, first, last, s.square);
+        int best = first;
+        for (int k = first + 1; k <= last; k++)
+            best = s.square[k] < s.square[best] ? k : best;
+        t[i] = on_side(&s.polygon, best, q);
     }
-    polygon_free(&g);
-    free(square);
-    free(side);
+    search_free(&s);
     return good;
 }
 
 int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[], double *cost)
 {
-    double before;
-    return search(p, curve, NULL, t, cost, &before);
+    search s;
+    int good = search_new(&s, p, curve), first, last;
+    double slope, square;
+    *cost = 0;
+    for (int i = 0; good && i < p->points; i++) {
+        sides_of(&s, p, i, &first, &last);
+        t[i] = nearest(curve, &s.polygon, p->Q + (size_t)i * (size_t)p->dim, first, last, NULL, s.square, &square);
+        *cost += fit_problem_loss(p, square * p->precision[i] * p->precision[i], &slope) / 2;
+    }
+    search_free(&s);
+    return good;
 }
 
 int fit_feet_improve(const fit_problem *p, const fit_curve *curve, const double known[], double t[], double *gain)
 {
-    double cost, before;
-    int good = search(p, curve, known, t, &cost, &before);
-    *gain = before - cost;
+    search s;
+    int good = search_new(&s, p, curve), first, last;
+    double slope, square, D[9];
+    *gain = 0;
+    for (int i = 0; good && i < p->points; i++) {
+        const double *q = p->Q + (size_t)i * (size_t)p->dim, weight = p->precision[i] * p->precision[i];
+        sides_of(&s, p, i, &first, &last);
+        t[i] = nearest(curve, &s.polygon, q, first, last, &known[i], s.square, &square);
+        if (t[i] == known[i])
+            continue;
+        *gain -= fit_problem_loss(p, square * weight, &slope) / 2;
+        fit_curve_derivatives(curve, known[i], D);
+        *gain += fit_problem_loss(p, fit_distance_squared(p->dim, D, q) * weight, &slope) / 2;
+    }
+    search_free(&s);
     return good;
 }

@@ -23,8 +23,11 @@ fit_foot_kind fit_foot_near(const fit_curve *curve, const double q[], double lim
  * is no memory. */
 int fit_feet_search(const fit_problem *problem, const fit_curve *curve, double t[], double *cost);
 
-/* The same for a curve on which the feet of all points are known: t, the feet that the search prefers, and *gain, by how much they
- * lower half the sum of losses. */
+/* The same on the polygon alone: where to look for the feet. */
+int fit_feet_guess(const fit_problem *problem, const fit_curve *curve, double t[]);
+
+/* The search for a curve on which the feet of all points are known: t, the feet that the search prefers, and *gain, by how much they lower
+ * half the sum of losses. */
 int fit_feet_improve(const fit_problem *problem, const fit_curve *curve, const double known[], double t[],
                      double *gain);
 #endif

@@ -186,7 +186,7 @@ static int is_curve(const fit_problem *p, const double x[], const fit_curve *cur
 }
 
 /* Columns and curvature by weights become those by y, w = b phi(y): a factor dw/dy, and phi''/phi' times the gradient. */
-static void by_weights(fit_objective *o, const double x[])
+static void by_weights(fit_objective *o, const double x[], int newton)
 {
     const fit_problem *p = o->problem;
     int n = p->unknowns;
@@ -196,10 +196,11 @@ static void by_weights(fit_objective *o, const double x[])
         double slope = o->base->weights[p->unknown[k].index] * fit_problem_slope(x[k]);
         for (int i = 0; i < n; i++) {
             o->triangle[i * (n + 1) + k] *= slope;
-            o->curvature[i * n + k] *= slope;
-            o->curvature[k * n + i] *= slope;
+            if (newton)
+                o->curvature[i * n + k] *= slope, o->curvature[k * n + i] *= slope;
         }
-        o->curvature[k * n + k] += fit_problem_bend(x[k]) * fit_objective_gradient(o, k);
+        if (newton)
+            o->curvature[k * n + k] += fit_problem_bend(x[k]) * fit_objective_gradient(o, k);
     }
 }
 
@@ -212,7 +213,8 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
     for (int j = 0; j < p->count; j++)
         o->inverse[j] = 1 / o->curve->weights[j];
     fit_reduction_clear(o->rows);
-    fit_curvature_clear(o->second);
+    if (weighted && o->newton)
+        fit_curvature_clear(o->second);
     const int curve = is_curve(p, x, o->curve);
     for (int i = 0; i < p->points; i++) {
         double t = o->new_feet[i] = o->feet[i];
@@ -227,8 +229,9 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
         sum = next;
     }
     memcpy(o->triangle, fit_reduction_triangle(o->rows), (size_t)(n * n) * sizeof *o->triangle);
-    o->curvature = fit_curvature_matrix(o->second);
-    by_weights(o, x);
+    if (weighted && o->newton)
+        o->curvature = fit_curvature_matrix(o->second);
+    by_weights(o, x, weighted && o->newton);
     memmove(o->new_x, x, (size_t)p->unknowns * sizeof *x);
     o->cost = curve ? sum / 2 : HUGE_VAL;
     o->evaluated = weighted;

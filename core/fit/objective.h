@@ -30,7 +30,7 @@ typedef struct fit_objective {
     double *new_feet, *new_x; /* of the last evaluation                                               */
     double *triangle;         /* of that one: (unknowns+1)^2                                          */
     double *curvature;        /* and what is left out of its R^T R, the Hessian matrix: unknowns^2    */
-    int newton;               /* whether the curvature is asked for                                   */
+    int newton;               /* whether the curvature is summed up, or stays what it was             */
     double limit;             /* of fit_foot_near                                                     */
     double cost, accepted;    /* of the last evaluation, and of what was accepted                     */
     int evaluated;            /* whether there was one                                                */

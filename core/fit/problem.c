@@ -80,8 +80,7 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
 
 /* Squared distances, their sum, and the square of what rounding makes of a distance, 2^-106 of it, are numbers without underflow
  * or overflow when the distance lies between 2^-400 and 2^400: 2*400 + 31 < 1024 and 2*400 + 106 < 1022. */
-enum { RANGE = 400 };
-static int in_range(double x) { return x >= ldexp(1, -RANGE) && x <= ldexp(1, RANGE); }
+static int in_range(double x) { return x >= 0x1p-400 && x <= 0x1p+400; }
 
 static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p, int *where)
 {
@@ -107,8 +106,9 @@ static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p, in
     p->unit = ldexp(1, e);
     for (int c = 0; c < dim; c++)
         p->centre[c] = 2 * p->unit * rint((low[c] / 2 + high[c] / 2) / (2 * p->unit));
-    for (size_t m = 0; m < numbers; m++)
-        p->Q[m] = (data->points[m] - p->centre[m % (size_t)dim]) / p->unit;
+    for (int c = 0; c < dim; c++) /* the unit is a power of two */
+        for (size_t m = (size_t)c; m < numbers; m += (size_t)dim)
+            p->Q[m] = (data->points[m] - p->centre[c]) / p->unit;
     for (int i = 0; i < data->count; i++) {
         p->precision[i] = data->sigma != NULL ? p->unit / data->sigma[i] : p->unit;
         *where = i;

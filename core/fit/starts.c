@@ -30,12 +30,14 @@ static void guess_weights(const fit_problem *p, const cagd_fit_options *o, int g
 static int carried(const fit_problem *p, const cagd_fit_options *o, fit_curve *curve, double *cost)
 {
     fit_attempt a;
+    double left;
     cagd_fit_options few_steps = *o;
     few_steps.max_iterations = o->max_iterations < STEPS ? o->max_iterations : STEPS;
     int good = fit_attempt_new(p, &a);
     if (good) {
         fit_curve_copy(a.curve, curve);
-        good = fit_feet_search(p, curve, a.feet, cost) && fit_descend_near(p, &few_steps, TELLING, &a);
+        good = fit_feet_guess(p, curve, a.feet) && fit_descend_near(p, &few_steps, &a) &&
+               fit_descend_newton(p, &few_steps, TELLING, &left, &a);
     }
     if (good) {
         *cost = a.objective->cost;
