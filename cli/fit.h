@@ -18,7 +18,21 @@ struct fit {
     stationary_verdict verdict;
 };
 
-/* ---- numbers of the result, by the formulas that its header states (fit_report.c) ----------------- */
+/* What cagd fit is asked. */
+struct fit_arguments {
+    const char *path, *initial, *residuals, *svg, *curve;
+    struct columns columns;
+    cagd_fit_options options;
+    const char *knots; /* as given; NULL: none */
+    double *inner;     /* the inner knots; the caller frees them */
+    int inner_knots, degree_given;
+    double sigma; /* of every point; 0: not given */
+    int json, verbose, verify;
+};
+/* A usage error ends the program. */
+struct fit_arguments read_fit_arguments(int argc, char **argv); /* fit_options.c */
+
+/* ---- numbers of the result, by the formulas that its header states (fit_numbers.c) ----------------- */
 
 /* An estimate with its standard error and 95 % interval.  Weights are fitted by their logarithms: the error is
  * that of the logarithm times the weight, the interval that of the logarithm, exponentiated. */
@@ -27,15 +41,22 @@ struct estimate {
 };
 struct estimate unknown_estimate(const cagd_fit_result *r, int k);
 struct estimate invariant_estimate(const cagd_fit_result *r, int j);
-/* "w_1" or "P_1 x" without the underscore. */
+/* Whether binary64 has a number for a weight, or for I_j. */
+int in_range(double positive);
+double correlation(const cagd_fit_result *r, int i, int j);
+/* Those that do not stand on a bound. */
+int free_unknowns(const cagd_fit_result *r);
+/* Measured points at which the curve has to begin and end, although the others do not lie on it. */
+int ends_taken_as_exact(const struct fit *f);
+/* "w1" or "P1 x". */
 void unknown_name(const cagd_fit_result *r, int k, char name[32]);
 /* The value with as many decimals as show two digits of its error. */
 void put_rounded(FILE *out, double value, double error);
 
 /* ---- what is printed and written ------------------------------------------------------------------ */
 
-void print_fit(const struct fit *f, int verbose);
-json_t *fit_json(const struct fit *f);
+void print_fit(const struct fit *f, int verbose);           /* fit_text.c    */
+json_t *fit_json(const struct fit *f);                      /* fit_json.c    */
 json_t *fitted_curve_json(const cagd_spline *c);            /* as read_curve reads it; binary64 in 17 digits */
 int write_curve(const struct fit *f, const char *path);     /* each: 0, or a line on stderr        */
 int write_residuals(const struct fit *f, const char *path); /* CSV                                 */

@@ -1,31 +1,34 @@
 /* stationary.h -- is a fitted curve stationary?  A check in intervals, after the fact.
  *
- * A minimiser in binary64 ends somewhere.  Here its end is taken as exact numbers: theta_0 the unknowns, P and w the points
- * and weights, t_i the feet; and it is decided whether the sum of squared distances F(theta) has a stationary point (驻点)
- * near theta_0.  Nothing of the minimiser is used.
+ * A minimiser in binary64 ends somewhere.  Here its end is taken as exact numbers: theta_0 the unknowns, P and w the
+ * points and weights, t_i the feet; and it is decided whether the sum of squared distances F(theta) has a stationary
+ * point (驻点) near theta_0.  Nothing of the minimiser is used.
  *
- *     foot        For all theta of a box the foot t_i(theta), where phi = (C - Q_i).C' = 0, exists and is the only one in an
- *                 interval T_i, with phi' > 0, so that it is a nearest point in T_i: Newton's operator
- *                 t_i - phi(t_i, box)/phi'(T_i, box) lies in the interior of T_i.  At an end of the domain the sign of phi
- *                 over the box says that the foot stays there; when the box leaves open whether the foot is at the
- *                 end or inside, both cases are enclosed.
- *     gradient    of F: by the envelope theorem sum_i rho'(s_i)/sigma_i^2 D_i.C_a, D_i = C(t_i) - Q_i, s_i = |D_i|^2/sigma_i^2.
- *     Hessian     sum_i rho'/sigma_i^2 (C_a.C_b + D.C_ab - (C_a.C' + D.C_a')(C_b.C' + D.C_b')/phi') + 2 rho''/sigma_i^4 D.C_a D.C_b,
- *                 without the quotient where the foot stays at an end.  Where rho'' or a second derivative by t jumps, or a foot comes to an end, the
- *                 gradient is still Lipschitz, and the hull of both values is taken: that is enough for the mean value theorem
- *                 that follows.
+ *     foot        For all theta of a box the foot t_i(theta), where phi = (C - Q_i).C' = 0, exists and is the only
+ *                 one in an interval T_i, with phi' > 0, so that it is a nearest point in T_i: Newton's operator
+ *                 t_i - phi(t_i, box)/phi'(T_i, box) lies in the interior of T_i.  At an end of the domain the sign
+ *                 of phi over the box says that the foot stays there; when the box leaves open whether the foot is
+ *                 at the end or inside, both cases are enclosed.
+ *     gradient    of F: by the envelope theorem sum_i rho'(s_i)/sigma_i^2 D_i.C_a, D_i = C(t_i) - Q_i,
+ *                 s_i = |D_i|^2/sigma_i^2.
+ *     Hessian     sum_i rho'/sigma_i^2 (C_a.C_b + D.C_ab - (C_a.C' + D.C_a')(C_b.C' + D.C_b')/phi')
+ *                 + 2 rho''/sigma_i^4 D.C_a D.C_b, without the quotient where the foot stays at an end.  Where rho''
+ *                 or a second derivative by t jumps, or a foot comes to an end, the gradient is still Lipschitz, and
+ *                 the hull of both values is taken: that is enough for the mean value theorem that follows.
  *     Krawczyk    theta = theta_0 + W y, with W chosen such that S W^T H W is nearly 1, S a diagonal of signs.  If
- *                 q = max-norm of 1 - S W^T H(box) W < 1 and eta = max-norm of W^T g(theta_0) < (1-q) r, there is exactly one
- *                 stationary point with |y| <= r, and it has |y| <= eta/(1-q).  When all signs are +, the Hessian is
- *                 positive definite over the box, and the point is a strict local minimum.  When that fails at theta_0
- *                 itself, it is tried again at the end of a step of Newton's method; what is reported are distances from
- *                 theta_0.
+ *                 q = max-norm of 1 - S W^T H(box) W < 1 and eta = max-norm of W^T g(theta_0) < (1-q) r, there is
+ *                 exactly one stationary point with |y| <= r, and it has |y| <= eta/(1-q).  When all signs are +,
+ *                 the Hessian is positive definite over the box, and the point is a strict local minimum.  When that
+ *                 fails at theta_0 itself, it is tried again at the end of a step of Newton's method; what is
+ *                 reported are distances from theta_0.
  *
- * Unknowns that are held, such as weights on a bound, are left out.  Along free directions F is flat, no stationary point is
- * alone; then W spans a complement of these directions, and what is said is said of the curves theta_0 + W y.
+ * Unknowns that are held, such as weights on a bound, are left out.  Along free directions F is flat, no stationary
+ * point is alone; then W spans a complement of these directions, and what is said is said of the curves
+ * theta_0 + W y.
  *
  * The local claim is all: another foot may be nearer, another minimum lower.
- * Source: R. Krawczyk, Computing 4 (1969); R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction to Interval Analysis, 2009, 8. */
+ * Source: R. Krawczyk, Computing 4 (1969); R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction to Interval
+ * Analysis, 2009, 8. */
 #ifndef CAGD_STATIONARY_H
 #define CAGD_STATIONARY_H
 
@@ -63,9 +66,9 @@ stationary_verdict stationary_check(const stationary_problem *problem);
 stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
                                         const cagd_fit_result *result);
 
-/* Enclosures of gradient and Hessian of F over the box of unknowns no farther than radius[a] from the given ones, a = 0, ...,
- * unknowns-1; of the weights in their logarithms, radius <= 1.  Arrays of unknowns, and of unknowns x unknowns
- * numbers.  Returns 1, or 0 where a foot cannot be enclosed, and then *where is the index of its point. */
+/* Enclosures of gradient and Hessian of F over the box of unknowns no farther than radius[a] from the given ones,
+ * a = 0, ..., unknowns-1; of the weights in their logarithms, radius <= 1.  Arrays of unknowns, and of unknowns x
+ * unknowns numbers.  Returns 1, or 0 where a foot cannot be enclosed, and then *where is the index of its point. */
 int stationary_enclosures(const stationary_problem *problem, const double radius[], double gradient_low[],
                           double gradient_high[], double hessian_low[], double hessian_high[], int *where);
 #endif

@@ -1,5 +1,5 @@
 /* test_certified.c -- the fit on the problems whose answers are certified (NAME.json beside NAME.csv; see generate.py and
- * certify.c): how many digits agree, and whether these are as many as binary64 allows.
+ * certify): how many digits agree, and whether these are as many as binary64 allows.
  *
  *     test_certified FOLDER [NAME ...]       without names all problems of the folder
  *

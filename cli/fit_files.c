@@ -1,0 +1,59 @@
+/* fit_files.c -- the files of a fit: its curve, and its residuals as a table. */
+#include "cli/fit.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const char coordinate[] = "xyz";
+
+int write_curve(const struct fit *f, const char *path)
+{
+    json_t *curve = fitted_curve_json(&f->result->curve);
+    char *text = json_dumps(curve, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    struct output *o = output_open(path);
+    if (o != NULL)
+        fprintf(output_stream(o), "%s\n", text);
+    int code = o == NULL ? -1 : output_close(o);
+    free(text);
+    json_decref(curve);
+    return code;
+}
+
+/* One row a point: its number, its line in the file, its coordinates, the parameter of the foot and the foot, the
+ * residual in every coordinate, the distance, and that over the standard deviation, which is the estimated one where
+ * none is given. */
+int write_residuals(const struct fit *f, const char *path)
+{
+    const cagd_fit_result *r = f->result;
+    int dim = f->data.dim;
+    struct output *o = output_open(path);
+    if (o == NULL)
+        return -1;
+    FILE *out = output_stream(o);
+    fputs("row,line", out);
+    for (int x = 0; x < dim; x++)
+        fprintf(out, ",%c", coordinate[x]);
+    fputs(",t", out);
+    for (int x = 0; x < dim; x++)
+        fprintf(out, ",foot_%c", coordinate[x]);
+    for (int x = 0; x < dim; x++)
+        fprintf(out, ",residual_%c", coordinate[x]);
+    fputs(",distance,standardised\n", out);
+    for (int i = 0; i < r->count; i++) {
+        const double *Q = f->data.points + i * dim, *e = r->residuals + i * dim;
+        double sigma = f->data.sigma != NULL ? f->data.sigma[i] : sqrt(r->scale_squared);
+        fprintf(out, "%d,%d", i + 1, f->points.line[i]);
+        for (int x = 0; x < dim; x++)
+            fprintf(out, ",%.17g", Q[x]);
+        fprintf(out, ",%.17g", r->feet[i]);
+        for (int x = 0; x < dim; x++)
+            fprintf(out, ",%.17g", Q[x] - e[x]);
+        for (int x = 0; x < dim; x++)
+            fprintf(out, ",%.17g", e[x]);
+        fprintf(out, ",%.17g,", r->distances[i]);
+        if (isfinite(sigma) && sigma > 0)
+            fprintf(out, "%.17g", r->distances[i] / sigma);
+        fputs("\n", out);
+    }
+    return output_close(o);
+}

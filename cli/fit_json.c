@@ -1,0 +1,166 @@
+/* fit_json.c -- everything about a fit as JSON, and the curve as cagd curve reads it. */
+#include "cli/fit.h"
+
+#include <math.h>
+
+static json_t *real(double x) { return isfinite(x) ? json_real(x) : json_null(); }
+
+static json_t *reals(int count, const double x[])
+{
+    json_t *array = json_array();
+    for (int i = 0; i < count; i++)
+        json_array_append_new(array, real(x[i]));
+    return array;
+}
+
+json_t *fitted_curve_json(const cagd_spline *c)
+{
+    int bezier = c->count == c->degree + 1;
+    for (int i = 0; i < c->count + c->degree + 1; i++)
+        bezier = bezier && c->knots[i] == (i > c->degree);
+    json_t *points = json_array();
+    for (int j = 0; j < c->count; j++)
+        json_array_append_new(points, reals(c->dim, c->points + j * c->dim));
+    json_t *curve = json_pack("{s:s, s:i, s:o, s:o}", "kind", bezier ? "rational-bezier" : "nurbs", "degree", c->degree,
+                              "points", points, "weights", reals(c->count, c->weights));
+    if (!bezier)
+        json_object_set_new(curve, "knots", reals(c->count + c->degree + 1, c->knots));
+    return curve;
+}
+
+static json_t *estimate_json(struct estimate e)
+{
+    return json_pack("{s:o, s:o, s:o, s:o}", "value", real(e.value), "standard_error", real(e.error), "low",
+                     real(e.low), "high", real(e.high));
+}
+
+static json_t *unknowns_json(const cagd_fit_result *r)
+{
+    json_t *list = json_array();
+    for (int k = 0; k < r->unknowns; k++) {
+        const cagd_fit_unknown *u = &r->unknown[k];
+        char name[32];
+        unknown_name(r, k, name);
+        json_t *j =
+            json_pack("{s:s, s:s, s:i}", "name", name, "kind", u->is_weight ? "weight" : "point", "index", u->index);
+        if (!u->is_weight)
+            json_object_set_new(j, "coordinate", json_integer(u->coordinate));
+        json_t *estimate = estimate_json(unknown_estimate(r, k));
+        json_object_update(j, estimate);
+        json_decref(estimate);
+        json_object_set_new(j, "determined", json_boolean(r->determined[k]));
+        json_object_set_new(j, "at_bound", json_boolean(r->at_bound[k]));
+        json_array_append_new(list, j);
+    }
+    return list;
+}
+
+static json_t *correlations_json(const cagd_fit_result *r)
+{
+    json_t *rows = json_array();
+    for (int i = 0; i < r->unknowns; i++) {
+        json_t *row = json_array();
+        for (int j = 0; j < r->unknowns; j++)
+            json_array_append_new(row, real(correlation(r, i, j)));
+        json_array_append_new(rows, row);
+    }
+    return rows;
+}
+
+static json_t *matrix_json(int rows, int columns, const double a[])
+{
+    json_t *list = json_array();
+    for (int i = 0; i < rows; i++)
+        json_array_append_new(list, reals(columns, a + (size_t)i * (size_t)columns));
+    return list;
+}
+
+static json_t *conic_json(const cagd_fit_result *r)
+{
+    static const char *const kind[] = {"", "unknown", "straight", "undecided", "certain"};
+    static const char *const type[] = {"ellipse", "parabola", "hyperbola"};
+    cagd_fit_conic c = cagd_fit_conic_of(r);
+    if (c.kind == CAGD_FIT_NOT_QUADRATIC)
+        return json_null();
+    return json_pack("{s:s, s:s, s:s, s:o, s:o}", "verdict", c.text, "kind", kind[c.kind], "type", type[c.type],
+                     "log_invariant", real(c.log_invariant), "standard_error", real(c.error));
+}
+
+static json_t *verdict_json(const struct fit *f)
+{
+    const stationary_verdict *v = &f->verdict;
+    if (!f->checked)
+        return json_pack("{s:s}", "status", "not asked");
+    if (v->verified)
+        return json_pack("{s:s, s:b, s:i, s:o, s:o, s:o, s:o}", "status", "verified", "strict_minimum", v->minimum,
+                         "dimension", v->dimension, "weight_radius", real(v->weight_radius), "point_radius",
+                         real(v->point_radius), "weight_alone", real(v->weight_alone), "point_alone",
+                         real(v->point_alone));
+    return json_pack("{s:s, s:s, s:o}", "status", "not verified", "reason", v->reason, "point",
+                     v->where >= 0 ? json_integer(v->where + 1) : json_null());
+}
+
+static json_t *history_json(const cagd_fit_result *r)
+{
+    json_t *list = json_array();
+    for (int k = 0; k < r->steps; k++) {
+        const cagd_fit_step *s = &r->history[k];
+        json_array_append_new(list, json_pack("{s:i, s:b, s:o, s:o, s:o, s:o}", "iteration", s->iteration, "accepted",
+                                              s->accepted, "cost", real(s->cost), "gradient", real(s->gradient_norm),
+                                              "step", real(s->step_norm), "trust_radius", real(s->trust_radius)));
+    }
+    return list;
+}
+
+json_t *fit_json(const struct fit *f)
+{
+    static const char *const termination[] = {"converged", "not converged", "failed"};
+    static const char *const loss_name[] = {"squares", "huber", "cauchy"};
+    static const char *const part[] = {"weights", "inner", "ends"};
+    const cagd_fit_result *r = f->result;
+    const cagd_fit_options *o = &f->options;
+    json_t *free = json_array(), *invariants = json_array();
+    for (int k = 0; k < 3; k++)
+        if (o->free & 1 << k)
+            json_array_append_new(free, json_string(part[k]));
+    for (int j = 0; j < r->invariants; j++)
+        json_array_append_new(invariants, estimate_json(invariant_estimate(r, j)));
+    int flat = free_unknowns(r) - r->rank, ends = 0;
+    for (int i = 0; i < r->count; i++)
+        ends += r->foot_at_end[i];
+    json_t *points =
+        json_pack("{s:s, s:i, s:i, s:s}", "file", f->path, "count", f->data.count, "dimension", f->data.dim, "sigma",
+                  f->data.sigma == NULL ? "unknown"
+                  : f->sigma_given      ? "one"
+                                        : "column");
+    json_t *options =
+        json_pack("{s:o, s:s, s:o, s:b, s:o, s:o, s:i, s:I, s:o, s:i}", "free", free, "loss", loss_name[o->loss],
+                  "scale", o->loss == CAGD_FIT_SQUARES ? json_null() : real(o->loss_scale), "unordered", o->unordered,
+                  "weight_low", real(o->weight_low), "weight_high", real(o->weight_high), "starts", o->starts, "seed",
+                  (json_int_t)o->seed, "tolerance", real(o->tolerance), "max_iterations", o->max_iterations);
+    json_t *minimiser =
+        json_pack("{s:s, s:s, s:i, s:i, s:i, s:o, s:o, s:o, s:o}", "termination", termination[r->termination],
+                  "message", r->message, "iterations", r->iterations, "best_start", r->best_start, "agreeing_starts",
+                  r->agreeing_starts, "initial_cost", real(r->initial_cost), "cost", real(r->cost), "gradient",
+                  real(r->gradient_norm), "history", history_json(r));
+    json_t *distances = json_pack("{s:o, s:o, s:i, s:i, s:i, s:i}", "rms", real(r->rms), "largest", real(r->largest),
+                                  "largest_point", r->largest_at + 1, "largest_line", f->points.line[r->largest_at],
+                                  "feet_at_ends", ends, "feet_out_of_order", r->out_of_order);
+    double cusp;
+    int has_cusp = cagd_fit_has_cusp(r, &cusp);
+    json_t *statistics =
+        json_pack("{s:o, s:o, s:i, s:o, s:o, s:o, s:s, s:f, s:o}", "chi_squared", real(r->chi_squared),
+                  "reduced_chi_squared", real(r->reduced_chi_squared), "degrees_of_freedom", r->degrees_of_freedom,
+                  "aic", real(r->aic), "bic", real(r->bic), "scale_squared", real(r->scale_squared), "scaled_by",
+                  f->data.sigma != NULL && o->loss == CAGD_FIT_SQUARES ? "the given standard deviations"
+                                                                       : "the scatter of the points",
+                  "level", 0.95, "quantile", real(r->quantile));
+    return json_pack(
+        "{s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:b, s:o, s:o}", "schema",
+        "cagd-fit-1", "converged", r->termination == CAGD_FIT_CONVERGED, "points", points, "options", options,
+        "minimiser", minimiser, "curve", fitted_curve_json(&r->curve), "unknowns", unknowns_json(r), "rank", r->rank,
+        "free_directions", matrix_json(flat, r->unknowns, r->free_directions), "covariance",
+        matrix_json(r->unknowns, r->unknowns, r->covariance), "correlations", correlations_json(r), "invariants",
+        invariants, "conic", conic_json(r), "statistics", statistics, "distances", distances, "ends_taken_as_exact",
+        ends_taken_as_exact(f), "cusp", has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
+}

@@ -1,0 +1,86 @@
+/* fit_numbers.c -- estimates, intervals and counts, by the formulas that cagd_fit.h states for its result. */
+#include "cli/fit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int in_range(double positive) { return positive > 0 && isfinite(positive); }
+
+struct estimate unknown_estimate(const cagd_fit_result *r, int k)
+{
+    double value = r->value[k], error = NAN;
+    if (!r->at_bound[k] && r->determined[k])
+        error = sqrt(r->covariance[(size_t)k * (size_t)r->unknowns + (size_t)k]);
+    struct estimate e = {value, error, value - r->quantile * error, value + r->quantile * error};
+    if (r->unknown[k].is_weight) {
+        e.value = exp(value);
+        e.error = e.value * error;
+        e.low = exp(e.low);
+        e.high = exp(e.high);
+        if (!in_range(e.value))
+            e.error = NAN;
+    }
+    return e;
+}
+
+/* By the error of log I_j, as for weights. */
+struct estimate invariant_estimate(const cagd_fit_result *r, int j)
+{
+    double value = r->invariant[j], error = isfinite(r->invariant_error[j]) ? r->invariant_error[j] : NAN;
+    if (!in_range(value))
+        return (struct estimate){value, NAN, NAN, NAN};
+    double factor = exp(r->quantile * error / value);
+    return (struct estimate){value, error, value / factor, value * factor};
+}
+
+void unknown_name(const cagd_fit_result *r, int k, char name[32])
+{
+    const cagd_fit_unknown *u = &r->unknown[k];
+    if (u->is_weight)
+        snprintf(name, 32, "w%d", u->index);
+    else
+        snprintf(name, 32, "P%d %c", u->index, "xyz"[u->coordinate]);
+}
+
+double correlation(const cagd_fit_result *r, int i, int j)
+{
+    size_t n = (size_t)r->unknowns, a = (size_t)i, b = (size_t)j;
+    return r->covariance[a * n + b] / sqrt(r->covariance[a * n + a] * r->covariance[b * n + b]);
+}
+
+int free_unknowns(const cagd_fit_result *r)
+{
+    int count = 0;
+    for (int k = 0; k < r->unknowns; k++)
+        count += !r->at_bound[k];
+    return count;
+}
+
+int ends_taken_as_exact(const struct fit *f)
+{
+    return f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS) &&
+           (f->data.sigma != NULL || f->result->scale_squared > 0);
+}
+
+void put_rounded(FILE *out, double value, double error)
+{
+    enum { LONGEST = 12 };
+    if (!isfinite(error) || !(error > 0)) {
+        fprintf(out, "%.10g", value);
+        return;
+    }
+    char digits[32];
+    snprintf(digits, sizeof digits, "%.1e", error); /* whose exponent is that of the rounded error */
+    int places = 1 - atoi(strchr(digits, 'e') + 1);
+    double size = fmax(fabs(value), fabs(error));
+    int whole = size > 0 ? (int)floor(log10(size)) : 0;
+    if (places >= 0 && places <= LONGEST && whole < LONGEST)
+        fprintf(out, "%.*f", places, value);
+    else if (places < 0 && whole < LONGEST)
+        fprintf(out, "%.0f", value);
+    else
+        fprintf(out, "%.*e",
+                value != 0 && places + (int)floor(log10(fabs(value))) > 0 ? places + (int)floor(log10(fabs(value))) : 1,
+                value);
+}

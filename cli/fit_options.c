@@ -1,0 +1,284 @@
+/* fit_options.c -- what cagd fit is asked: its options, read and checked. */
+#include "cli/fit.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    KEY_DEGREE = 256,
+    KEY_KNOTS,
+    KEY_CONTROL_POINTS,
+    KEY_FREE,
+    KEY_INITIAL,
+    KEY_BETWEEN,
+    KEY_LOSS,
+    KEY_SCALE,
+    KEY_UNORDERED,
+    KEY_DIM,
+    KEY_SIGMA_COLUMN,
+    KEY_SIGMA,
+    KEY_STARTS,
+    KEY_SEED,
+    KEY_TOLERANCE,
+    KEY_ITERATIONS,
+    KEY_NO_VERIFY,
+    KEY_JSON,
+    KEY_RESIDUALS,
+    KEY_SVG,
+    KEY_CURVE,
+    MOST_CONTROL_POINTS = 10000,
+    MOST_ROUNDS = 1000000
+};
+
+static double positive(struct argp_state *state, const char *option, const char *text)
+{
+    double x = to_double_q(exact_number(state, option, text));
+    if (!(x > 0) || !isfinite(x))
+        argp_error(state, "%s takes a number > 0, not '%s'", option, text);
+    return x;
+}
+
+/* "weights,inner,ends" */
+static int parts(struct argp_state *state, const char *text)
+{
+    static const char *const part[] = {"weights", "inner", "ends"};
+    int sum = 0;
+    for (const char *s = text;; s++) {
+        size_t n = strcspn(s, ",");
+        int k = 0;
+        while (k < 3 && (strlen(part[k]) != n || strncmp(s, part[k], n) != 0))
+            k++;
+        if (k == 3)
+            argp_error(state, "--free takes a list of weights, inner and ends, not '%s'", text);
+        else
+            sum |= 1 << k;
+        if (*(s += n) == '\0')
+            return sum;
+    }
+}
+
+/* LOW:HIGH with 0 < LOW < 1 < HIGH. */
+static void bounds(struct argp_state *state, const char *text, cagd_fit_options *o)
+{
+    const char *colon = strchr(text, ':');
+    char *low = colon == NULL ? NULL : strndup(text, (size_t)(colon - text));
+    if (low == NULL)
+        argp_error(state, "--weights-between takes LOW:HIGH, not '%s'", text);
+    else {
+        o->weight_low = positive(state, "--weights-between", low);
+        o->weight_high = positive(state, "--weights-between", colon + 1);
+        if (!(o->weight_low < 1 && 1 < o->weight_high))
+            argp_error(state, "--weights-between takes LOW:HIGH with LOW < 1 < HIGH, not '%s': the first weight is 1",
+                       text);
+    }
+    free(low);
+}
+
+static cagd_fit_loss loss(struct argp_state *state, const char *text)
+{
+    static const char *const name[] = {"squares", "huber", "cauchy"};
+    for (int k = 0; k < 3; k++)
+        if (strcmp(text, name[k]) == 0)
+            return (cagd_fit_loss)k;
+    argp_error(state, "--loss takes squares, huber or cauchy, not '%s'", text);
+    return CAGD_FIT_SQUARES;
+}
+
+/* Increasing numbers between 0 and 1, separated by commas. */
+static void read_knots(struct argp_state *state, struct fit_arguments *a)
+{
+    const char *s = a->knots;
+    if (*s == '\0')
+        return;
+    for (;; s++) {
+        size_t n = strcspn(s, ",");
+        char *text = strndup(s, n);
+        double *more = realloc(a->inner, (size_t)(a->inner_knots + 1) * sizeof *more);
+        if (text == NULL || more == NULL)
+            abort();
+        a->inner = more;
+        double u = more[a->inner_knots] = positive(state, "--knots", text);
+        free(text);
+        if (!(u < 1))
+            argp_error(state, "--knots takes inner knots between 0 and 1, not %.*s", (int)n, s);
+        if (a->inner_knots > 0 && u < more[a->inner_knots - 1])
+            argp_error(state, "--knots takes increasing numbers: %.*s is smaller than the one before", (int)n, s);
+        a->inner_knots++;
+        if (*(s += n) == '\0')
+            break;
+    }
+    if (a->inner_knots > MOST_CONTROL_POINTS)
+        argp_error(state, "at most %d inner knots", MOST_CONTROL_POINTS);
+}
+
+static void finish(struct argp_state *state, struct fit_arguments *a)
+{
+    cagd_fit_options *o = &a->options;
+    if (a->initial != NULL && (a->degree_given || a->knots != NULL || o->count != 0))
+        argp_error(state, "--initial gives degree and knots; --degree, --knots and --control-points do not go with it");
+    if (a->knots != NULL && o->count != 0)
+        argp_error(state, "the knots give the number of control points; --control-points does not go with --knots");
+    if (o->count != 0 && o->count < o->degree + 1)
+        argp_error(state, "--control-points %d: a curve of degree %d has at least %d", o->count, o->degree,
+                   o->degree + 1);
+    if (a->initial == NULL && !(o->free & CAGD_FIT_INNER_POINTS) && o->degree > 1)
+        argp_error(state, "without --initial the inner points are free: --free needs inner");
+    if (o->loss == CAGD_FIT_SQUARES && o->loss_scale != 0)
+        argp_error(state, "--scale belongs to --loss huber or --loss cauchy");
+    if (o->loss != CAGD_FIT_SQUARES && o->loss_scale == 0)
+        argp_error(state,
+                   "--loss %s needs --scale A, the distance (in standard deviations where these are given) from "
+                   "which on points count less",
+                   o->loss == CAGD_FIT_HUBER ? "huber" : "cauchy");
+    if (o->loss_scale == 0)
+        o->loss_scale = 1;
+    if (a->sigma != 0 && a->columns.sigma != NULL)
+        argp_error(state, "--sigma and --sigma-column exclude one another");
+    if (a->knots != NULL)
+        read_knots(state, a);
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct fit_arguments *a = state->input;
+    cagd_fit_options *o = &a->options;
+    switch (key) {
+    case KEY_DEGREE:
+        o->degree = whole_number(state, "--degree", arg, 1, CAGD_MAX_DEGREE);
+        a->degree_given = 1;
+        break;
+    case KEY_KNOTS:
+        a->knots = arg;
+        break;
+    case KEY_CONTROL_POINTS:
+        o->count = whole_number(state, "--control-points", arg, 2, MOST_CONTROL_POINTS);
+        break;
+    case KEY_FREE:
+        o->free = parts(state, arg);
+        break;
+    case KEY_INITIAL:
+        a->initial = arg;
+        break;
+    case KEY_BETWEEN:
+        bounds(state, arg, o);
+        break;
+    case KEY_LOSS:
+        o->loss = loss(state, arg);
+        break;
+    case KEY_SCALE:
+        o->loss_scale = positive(state, "--scale", arg);
+        break;
+    case KEY_UNORDERED:
+        o->unordered = 1;
+        break;
+    case KEY_DIM:
+        a->columns.dim = whole_number(state, "--dim", arg, 2, 3);
+        break;
+    case KEY_SIGMA_COLUMN:
+        a->columns.sigma = arg;
+        break;
+    case KEY_SIGMA:
+        a->sigma = positive(state, "--sigma", arg);
+        break;
+    case KEY_STARTS:
+        o->starts = whole_number(state, "--starts", arg, 1, MOST_ROUNDS);
+        break;
+    case KEY_SEED:
+        o->seed = (unsigned long)whole_number(state, "--seed", arg, 0, INT_MAX);
+        break;
+    case KEY_TOLERANCE:
+        o->tolerance = positive(state, "--tolerance", arg);
+        break;
+    case KEY_ITERATIONS:
+        o->max_iterations = whole_number(state, "--max-iterations", arg, 1, MOST_ROUNDS);
+        break;
+    case KEY_NO_VERIFY:
+        a->verify = 0;
+        break;
+    case KEY_JSON:
+        a->json = 1;
+        break;
+    case KEY_RESIDUALS:
+        a->residuals = arg;
+        break;
+    case KEY_SVG:
+        a->svg = arg;
+        break;
+    case KEY_CURVE:
+        a->curve = arg;
+        break;
+    case 'v':
+        a->verbose = 1;
+        break;
+    case ARGP_KEY_ARG:
+        if (a->path != NULL)
+            argp_error(state, "one file of points at a time: '%s' or '%s'?", a->path, arg);
+        a->path = arg;
+        break;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "expected the file of the points");
+        break;
+    case ARGP_KEY_END:
+        finish(state, a);
+        break;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+struct fit_arguments read_fit_arguments(int argc, char **argv)
+{
+    static const struct argp_option options[] = {
+        {"degree", KEY_DEGREE, "P", 0, "Degree of the curve (default: 2)", 1},
+        {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
+        {"control-points", KEY_CONTROL_POINTS, "N", 0, "So many control points, over even knots", 1},
+        {"free", KEY_FREE, "LIST", 0,
+         "What may move, of weights, inner and ends (default: weights,inner; the ends are then the first "
+         "and the last point)",
+         1},
+        {"initial", KEY_INITIAL, "CURVE.json", 0, "Where to start; gives degree and knots, and what is not free", 1},
+        {"weights-between", KEY_BETWEEN, "LOW:HIGH", 0, "Bounds on the weights", 1},
+        {"loss", KEY_LOSS, "NAME", 0, "squares, huber or cauchy (default: squares)", 2},
+        {"scale", KEY_SCALE, "A", 0, "Of the loss, in standard deviations where these are given", 2},
+        {"unordered", KEY_UNORDERED, 0, 0, "The points come in no order", 2},
+        {"dim", KEY_DIM, "D", 0, "So many coordinates, 2 or 3, where columns have no names", 3},
+        {"sigma-column", KEY_SIGMA_COLUMN, "C", 0, "The column, by name or number, of standard deviations", 3},
+        {"sigma", KEY_SIGMA, "S", 0, "One standard deviation for all coordinates", 3},
+        {"starts", KEY_STARTS, "N", 0, "Start N times, with other weights (default: 1)", 4},
+        {"seed", KEY_SEED, "N", 0, "Of the other starts (default: 1)", 4},
+        {"tolerance", KEY_TOLERANCE, "E", 0, "Relative, of convergence (default: 1e-14)", 4},
+        {"max-iterations", KEY_ITERATIONS, "N", 0, "At most N iterations (default: 200)", 4},
+        {"no-verify", KEY_NO_VERIFY, 0, 0, "Do not verify the minimum in intervals", 4},
+        {"json", KEY_JSON, 0, 0, "Print everything as JSON", 5},
+        {"verbose", 'v', 0, 0, "Print the iterations too", 5},
+        {"curve", KEY_CURVE, "FILE", 0, "Write the curve, for cagd curve", 5},
+        {"residuals", KEY_RESIDUALS, "FILE", 0, "Write foot points, residuals and distances as CSV", 5},
+        {"svg", KEY_SVG, "FILE", 0, "Write a picture", 5},
+        {0}};
+    static const struct argp argp = {
+        options,
+        parse,
+        "POINTS.csv",
+        "Fits a rational curve to measured points: the least sum of squared orthogonal distances.\n\n"
+        "Examples:\n"
+        "  cagd fit points.csv\n"
+        "  cagd fit points.csv --degree 3 --svg points.svg --residuals residuals.csv\n"
+        "  cagd fit points.csv --control-points 8 --degree 3 --loss huber --scale 2\n"
+        "  cagd fit points.csv --initial arc.json --free weights --json\n"
+        "  cagd fit points.csv --curve arc.json && cagd curve arc.json --at 1/2\n\v"
+        "A point a line: x y, x y z, and perhaps its standard deviation sigma, separated by commas, semicolons, tabs "
+        "or blanks, with decimal points or, where commas do not separate, decimal commas.  A first line without "
+        "numbers "
+        "names the columns; three columns without names need --dim 2 (x y sigma) or --dim 3.  Lines that begin with # "
+        "are comments; - is standard input.  Exit status 1: not converged.",
+        NULL,
+        NULL,
+        NULL};
+    struct fit_arguments a = {.options = cagd_fit_defaults(), .verify = 1};
+    a.options.loss_scale = 0;
+    parse_arguments(&argp, argc, argv, &a);
+    return a;
+}
