@@ -31,12 +31,20 @@ static inline num G(power)(num a, int k)
     return product;
 }
 
-/* Compare: a > 0, which is to say that it is not negative and has a reciprocal. */
+/* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The inexact types
+ * refute only. */
 static inline void G(must_be_positive)(trial *T, num a)
 {
-    num one = from_int(1);
     nonnegative(T, a);
-    same(T, mul(a, div(one, a)), one);
+#if FIELD
+    agree(T, !is_zero_f(a));
+#elif RATIONAL
+    agree(T, !is_zero_q(a));
+#elif INTERVAL
+    agree(T, upper_i(a) > 0);
+#else
+    agree(T, a.v + error_bound_m(a) > 0);
+#endif
 }
 #include "chapters/frame/claims_off.h"
 #endif
