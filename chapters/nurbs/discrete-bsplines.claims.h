@@ -156,7 +156,7 @@ product of these matrices, and so, by the formula of Cauchy and Binet, no minor 
 
 For the theorem of Schoenberg and Whitney every order of knots and sites is a case of its own, and a determinant of order $n$ of
 rational functions of all the gaps: with $n=5$ both the cases and the determinants are too many for a proof in passing, so that
-the field stops at four functions, and the general reason is the claim before.
+the field stops at four functions; that no minor is negative is known in general from the next two claims.
 
 :::{claim} bspline_collocation_is_product_of_insertions
 :title: The values of all B-splines at a site are a row of a product of insertion matrices
