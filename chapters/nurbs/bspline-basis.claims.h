@@ -14,7 +14,7 @@ Which knots coincide is enumerated by a program, `patterns.h`, in this section a
 degree $p\le3$ means all $4^{p-1}$ patterns of the $p$ knots on either side of an interval; for larger $p$ it means simple
 knots, clamped ends, and each multiplicity of one end against the complementary one of the other.  *Several segments* means an
 inner knot of every multiplicity $0,\dots,p+1$ between ends that are simple, clamped, or clamped and double, and for $p\le2$
-all patterns of $2p+3$ knots as well.  The field meets all of them; where numbers are random, so is a selection of the
+all patterns of $2p+3$ knots as well; where it is said that two knots are $0$ and $1$, the simple and the clamped ends.  The field meets all of them; where numbers are random, so is a selection of the
 patterns.
 
 :::{claim} bspline_basis_follows_definition

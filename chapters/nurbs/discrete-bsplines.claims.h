@@ -154,6 +154,10 @@ Insertion of one knot is a matrix with the numbers $a_i\ge0$ and $1-a_i\ge0$ on 
 negative.  If every site $x$ is inserted up to the multiplicity $p$, the values $N_{0,p}(x),\dots,N_{n-1,p}(x)$ are a row of the
 product of these matrices, and so, by the formula of Cauchy and Binet, no minor of the collocation matrix is negative.
 
+For the theorem of Schoenberg and Whitney every order of knots and sites is a case of its own, and a determinant of order $n$ of
+rational functions of all the gaps: with $n=5$ both the cases and the determinants are too many for a proof in passing, so that
+the field stops at four functions; that no minor is negative is known in general from the next two claims.
+
 :::{claim} bspline_collocation_is_product_of_insertions
 :title: The values of all B-splines at a site are a row of a product of insertion matrices
 :zh: 配置矩阵是插入节点矩阵之积的子矩阵
@@ -259,7 +263,7 @@ CLAIM(bspline_collocation_is_totally_nonnegative)
 :title: Interpolation has one solution exactly when every B-spline is positive at its site
 :zh: Schoenberg–Whitney 定理
 :given: $n=2,3$ B-splines of degree 1 and $n=3$ of degree 2 over knots of every good pattern with a span at both ends of the
-  domain, and $n=4$ of both degrees over clamped knots; $n$ sites $x_0<\dots<x_{n-1}$ of the domain in every position to the knots, on knots too; the lengths
+  domain, and $n=4$ of the degrees 1, 2 and 3 over clamped knots; $n$ sites $x_0<\dots<x_{n-1}$ of the domain in every position to the knots, on knots too; the lengths
   between neighbours in the order of all knots and sites positive variables
 :then: $\det\bigl(N_{j,p}(x_i)\bigr)>0$ if $N_{i,p}(x_i)>0$ for all $i$, and otherwise the determinant is $0$
 :method: The determinant, without division, of the values of the recursion of de Boor and Cox by its letter, once for every order
@@ -268,7 +272,7 @@ CLAIM(bspline_collocation_is_totally_nonnegative)
   left.
 :types: field
 :degrees: 1..3
-:scope: at most three B-splines of degree 1 or 2 and four over clamped knots; every pattern of multiplicities and every position
+:scope: at most three B-splines of degree 1 or 2, and four of degree 1 to 3 over clamped knots; every pattern of multiplicities and every position
   of the sites
 :control: the first and the second site exchanged
 :::

@@ -43,7 +43,8 @@ usual properties is decided.  Convexity and the number of intersections follow i
 #include "chapters/frame/claims_on.h"
 
 static const char *const G(kinds)[][3] = {
-    {NULL}, {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL}, {"5125", NULL}, {"6136", NULL}, {"7147", NULL}};
+    {NULL},         {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL},
+    {"5125", NULL}, {"6136", NULL},        {"7147", NULL}};
 
 CLAIM(moved_point_changes_its_support)
 {

@@ -39,6 +39,7 @@ crossings, and says so.
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts, as one intersection or as infinitely many
 :hypothesis: knot_before_the_domain_asks_for_another_point | the knots are in the domain
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | and greater than $t_1$
 :needs: insertion_with_mixed_weights_crosses_more | positive weights
 :reading: averages_between_neighbours_keep_sign_changes | crossings
 :reading: cut_corners_meet_a_line_no_more | common points, a piece on the line counting once
