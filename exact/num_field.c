@@ -1,6 +1,6 @@
 #include "exact/num_field.h"
 
-#include "exact/num_field_slot.h"
+#include "exact/fraction.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_mpoly_factor.h>
@@ -22,7 +22,12 @@ const fmpz_mpoly_ctx_struct *field_context(void)
         field_open(1);
     return field.ctx;
 }
-void field_slot_init(void *p) { fmpz_mpoly_q_init(((struct field_element *)p)->x, field_context()); }
+void field_slot_init(void *p)
+{
+    struct field_element *element = p;
+    fmpz_mpoly_q_init(element->x, field_context());
+    element->denominator = (struct factored){.known = 1};
+}
 void field_slot_clear(void *p) { fmpz_mpoly_q_clear(((struct field_element *)p)->x, field_context()); }
 
 void field_open(int variables)
@@ -34,11 +39,14 @@ void field_open(int variables)
     fmpz_mpoly_ctx_init(field.ctx, field.capacity, ORD_LEX);
     field.open = 1;
     field.known = 0;
+    fraction_open();
 }
 void field_close(void)
 {
-    if (field.open)
+    if (field.open) {
+        fraction_close();
         fmpz_mpoly_ctx_clear(field.ctx);
+    }
     field.open = 0;
 }
 
@@ -119,23 +127,24 @@ int field_variable_f(num_f a)
 }
 
 /* After a fault the values mean nothing, so no more work is spent on them. */
-typedef void field_operation(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
+typedef void field_operation(struct field_element *, const struct field_element *, const struct field_element *);
 static num_f combine(const char *name, field_operation *op, num_f a, num_f b)
 {
     struct field_element *r = fresh();
     if (region_faults == 0)
-        op(r->x, a.at->x, b.at->x, field.ctx);
+        op(r, a.at, b.at);
     return made_of(name, r, a, &b);
 }
 static int is_zero(num_f a) { return fmpz_mpoly_q_is_zero(a.at->x, field_context()); }
-num_f add_f(num_f a, num_f b) { return combine("+", fmpz_mpoly_q_add, a, b); }
-num_f sub_f(num_f a, num_f b) { return combine("-", fmpz_mpoly_q_sub, a, b); }
-num_f mul_f(num_f a, num_f b) { return combine("*", fmpz_mpoly_q_mul, a, b); }
-num_f div_f(num_f a, num_f b) { return is_zero(b) ? fault_f(FAULT_UNDEFINED) : combine("/", fmpz_mpoly_q_div, a, b); }
+num_f add_f(num_f a, num_f b) { return combine("+", fraction_add, a, b); }
+num_f sub_f(num_f a, num_f b) { return combine("-", fraction_sub, a, b); }
+num_f mul_f(num_f a, num_f b) { return combine("*", fraction_mul, a, b); }
+num_f div_f(num_f a, num_f b) { return is_zero(b) ? fault_f(FAULT_UNDEFINED) : combine("/", fraction_div, a, b); }
 num_f neg_f(num_f a)
 {
     struct field_element *r = fresh();
     fmpz_mpoly_q_neg(r->x, a.at->x, field.ctx);
+    r->denominator = a.at->denominator;
     return made_of("neg", r, a, NULL);
 }
 
@@ -191,6 +200,7 @@ num_f root_f(int n, num_f a)
     if (n < 1 || !polynomial_root(fmpz_mpoly_q_numref(r->x), n, fmpz_mpoly_q_numref(a.at->x)) ||
         !polynomial_root(fmpz_mpoly_q_denref(r->x), n, fmpz_mpoly_q_denref(a.at->x)))
         return fault_f(FAULT_UNABLE);
+    r->denominator = (struct factored){.known = fmpz_mpoly_is_fmpz(fmpz_mpoly_q_denref(r->x), field.ctx) != 0};
     return (num_f){r};
 }
 

@@ -10,8 +10,15 @@
 #include <calcium/fmpz_mpoly_q.h>
 #endif
 
+enum { FIELD_MOST_FACTORS = 200, FIELD_MOST_IN_DENOMINATOR = 24, FIELD_MOST_POWER = 200 };
+
+/* c prod f_k^power[k]: the irreducible f_k by their numbers in fraction.c, no two the same, and c an integer. */
+struct factored {
+    unsigned char known, count, factor[FIELD_MOST_IN_DENOMINATOR], power[FIELD_MOST_IN_DENOMINATOR];
+};
 struct field_element {
-    fmpz_mpoly_q_t x; /* in lowest terms */
+    fmpz_mpoly_q_t x;            /* in lowest terms                                    */
+    struct factored denominator; /* of x; known = 0: nobody has factored it            */
 };
 void field_slot_init(void *p);
 void field_slot_clear(void *p);

@@ -43,18 +43,24 @@ static inline int G(span_of_interval)(int count, const int place[], int interval
  *     N_{i,p} = (t - u_i)/(u_{i+p} - u_i) N_{i,p-1} + (u_{i+p+1} - t)/(u_{i+p+1} - u_{i+1}) N_{i+1,p-1}. */
 static inline num G(cox_de_boor)(int p, const num u[], const int place[], int i, int interval, num t)
 {
-    num N[MAX_DEGREE + 1]; /* N[m] is N_{i+m,q}(t); every value is computed once */
-    for (int m = 0; m <= p; m++)
-        N[m] = from_int(place[i + m] <= interval && interval < place[i + m + 1]);
+    num N[MAX_DEGREE + 1]; /* N[m] is N_{i+m,q}(t); every value is computed once, and none whose both parts are 0 */
+    int some[MAX_DEGREE + 1];
+    for (int m = 0; m <= p; m++) {
+        some[m] = place[i + m] <= interval && interval < place[i + m + 1];
+        N[m] = from_int(some[m]);
+    }
     for (int q = 1; q <= p; q++)
         for (int m = 0; m <= p - q; m++) {
             int first = i + m, last = first + q;
+            int from_left = some[m] && place[first] < place[last];
+            int from_right = some[m + 1] && place[first + 1] < place[last + 1];
             num value = from_int(0);
-            if (place[first] < place[last])
+            if (from_left)
                 value = mul(div(sub(t, u[first]), sub(u[last], u[first])), N[m]);
-            if (place[first + 1] < place[last + 1])
+            if (from_right)
                 value = add(value, mul(div(sub(u[last + 1], t), sub(u[last + 1], u[first + 1])), N[m + 1]));
             N[m] = value;
+            some[m] = from_left || from_right;
         }
     return N[0];
 }

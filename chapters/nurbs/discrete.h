@@ -71,15 +71,15 @@ static inline void G(weighted_points)(trial *T, int n, int dim, num R[], num w[]
     }
 }
 
-/* Formula (4.1.2) for t in an interval, every term of both sums: out, dim coordinates; returns the denominator. */
-static inline num G(nurbs_by_definition)(int n, int p, int dim, const num u[], const int place[], const num R[],
-                                         const num w[], int interval, num t, num out[])
+/* Formula (4.1.2) with the values N of the B-splines, every term of both sums: out, dim coordinates; returns the
+ * denominator. */
+static inline num G(nurbs_of_basis)(int n, int dim, const num N[], const num R[], const num w[], num out[])
 {
     num total = from_int(0);
     for (int c = 0; c < dim; c++)
         out[c] = from_int(0);
     for (int i = 0; i < n; i++) {
-        num share = mul(G(cox_de_boor)(p, u, place, i, interval, t), w[i]);
+        num share = mul(N[i], w[i]);
         total = add(total, share);
         for (int c = 0; c < dim; c++)
             out[c] = add(out[c], mul(share, R[i * dim + c]));
@@ -89,24 +89,40 @@ static inline num G(nurbs_by_definition)(int n, int p, int dim, const num u[], c
     return total;
 }
 
+/* The same for t in an interval. */
+static inline num G(nurbs_by_definition)(int n, int p, int dim, const num u[], const int place[], const num R[],
+                                         const num w[], int interval, num t, num out[])
+{
+    num N[MOST_KNOTS];
+    for (int i = 0; i < n; i++)
+        N[i] = G(cox_de_boor)(p, u, place, i, interval, t);
+    return G(nurbs_of_basis)(n, dim, N, R, w, out);
+}
+
 /* The discrete B-spline alpha_{i,p}(j) of the knots u and their refinement v, by its recursion, 0/0 being 0:
  *     alpha_{i,0}(j) = 1 if u_i <= v_j < u_{i+1}, and 0 otherwise,
  *     alpha_{i,p}(j) = (v_{j+p} - u_i)/(u_{i+p} - u_i) alpha_{i,p-1}(j)
  *                    + (u_{i+p+1} - v_{j+p})/(u_{i+p+1} - u_{i+1}) alpha_{i+1,p-1}(j). */
 static inline num G(alpha)(int p, const num u[], const int place[], const num v[], const int at[], int i, int j)
 {
-    num a[MAX_DEGREE + 1]; /* a[m] is alpha_{i+m,q}(j); every value is computed once */
-    for (int m = 0; m <= p; m++)
-        a[m] = from_int(place[i + m] <= at[j] && at[j] < place[i + m + 1]);
+    num a[MAX_DEGREE + 1]; /* a[m] is alpha_{i+m,q}(j); every value is computed once, and none whose both parts are 0 */
+    int some[MAX_DEGREE + 1];
+    for (int m = 0; m <= p; m++) {
+        some[m] = place[i + m] <= at[j] && at[j] < place[i + m + 1];
+        a[m] = from_int(some[m]);
+    }
     for (int q = 1; q <= p; q++)
         for (int m = 0; m <= p - q; m++) {
             int first = i + m, last = first + q;
+            int from_left = some[m] && place[first] < place[last];
+            int from_right = some[m + 1] && place[first + 1] < place[last + 1];
             num value = from_int(0);
-            if (place[first] < place[last])
+            if (from_left)
                 value = mul(div(sub(v[j + q], u[first]), sub(u[last], u[first])), a[m]);
-            if (place[first + 1] < place[last + 1])
+            if (from_right)
                 value = add(value, mul(div(sub(u[last + 1], v[j + q]), sub(u[last + 1], u[first + 1])), a[m + 1]));
             a[m] = value;
+            some[m] = from_left || from_right;
         }
     return a[0];
 }

@@ -531,12 +531,15 @@ CLAIM(only_proportional_weights_give_the_bspline)
     G(distinct_knots)(T, count, x);
     G(knots_at)(pattern, x, u, place);
     G(weighted_points)(T, p + 1, 1, R, w);
+    num N[MOST_KNOTS];
+    for (int i = 0; i <= p; i++)
+        N[i] = G(cox_de_boor)(p, u, place, i, p, t);
     for (int i = 0; i <= p; i++) {
         for (int k = 0; k <= p; k++)
             R[k] = from_int(k == i);
-        num total = G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, p, t, &P);
-        num N = G(cox_de_boor)(p, u, place, i, p, t), weight = T->planted && i == p ? add(w[i], w[i]) : w[i];
-        same(T, mul(total, sub(P, N)), mul(N, sub(weight, total)));
+        num total = G(nurbs_of_basis)(p + 1, 1, N, R, w, &P);
+        num weight = T->planted && i == p ? add(w[i], w[i]) : w[i];
+        same(T, mul(total, sub(P, N[i])), mul(N[i], sub(weight, total)));
     }
 }
 
