@@ -118,7 +118,7 @@ int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double t
         fixed[k] = fit_problem_on_bound(p, k, f->curve);
     good = good && fit_model_of(f, fixed, &model);
     *left = model.left;
-    for (int i = 0; good && i<o->max_iterations && * left> fmax(enough, tolerance * sqrt(2 * f->cost)); i++) {
+    while (good && a->outcome.iterations < o->max_iterations && fmax(enough, tolerance * sqrt(2 * f->cost)) < *left) {
         double *next = low + 2 * n;
         if (!step_from(f, &model, low, low + n, next, &length))
             break;
@@ -157,7 +157,7 @@ static int converged(const fit_problem *p, const cagd_fit_options *o, const fit_
 int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
     fit_objective *f = a->objective;
-    double left, gain;
+    double left = HUGE_VAL, gain;
     int good = 1, near = a->outcome.termination == CAGD_FIT_CONVERGED;
     f->limit = FOOT_EXACT;
     f->newton = 1;
@@ -169,6 +169,10 @@ int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
             good = run_ceres(p, o, o->tolerance, a);
             if (good && a->outcome.termination == CAGD_FIT_CONVERGED)
                 good = fit_descend_newton(p, o, o->tolerance, &left, a);
+        }
+        if (good && a->outcome.iterations >= o->max_iterations && !converged(p, o, f, left)) {
+            a->outcome.termination = CAGD_FIT_NOT_CONVERGED;
+            snprintf(a->outcome.message, sizeof a->outcome.message, "Maximum number of iterations reached.");
         }
         good = good && fit_feet_improve(p, f->curve, f->feet, a->feet, &gain);
         if (!good || gain <= fit_problem_blur(p, f->cost) || a->outcome.iterations >= o->max_iterations)
