@@ -70,9 +70,8 @@ static double floor_of(const fit_problem *p)
 }
 
 /* Where Ceres hands over to Newton: when a step gains less than this part of the cost.  It says who goes the last steps, not where
- * they lead.  A step that shrinks |y| to a part of STEADY has a Hessian matrix that need not be summed up anew. */
+ * they lead.  */
 #define NEARLY 1e-4
-#define STEADY 0.01
 
 int fit_descend_near(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
@@ -132,7 +131,7 @@ int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double t
             break;
         fit_objective_accept(f);
         int stalls = model.left > *left / 2; /* only rounding is left, or nothing is gained by going on */
-        steady = model.left < *left * STEADY;
+        steady = model.left * (model.left / *left) < enough; /* another step is the last */
         *left = model.left;
         if (stalls)
             break;

@@ -5,6 +5,7 @@
 #include "core/fit/few.h"
 #include "core/fit/initial.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -47,6 +48,21 @@ static int carried(const fit_problem *p, const cagd_fit_options *o, fit_curve *c
     return good;
 }
 
+/* Whether half of the digits of binary64 tell every weight from 0 and infinity, and every point; working coordinates are of the order
+ * of 1.  Curves whose cost falls towards such a weight lie on the way to no minimum. */
+static int sound(const fit_problem *p, const fit_curve *curve)
+{
+    double most = 1 / sqrt(DBL_EPSILON);
+    for (int i = 0; i < p->count; i++) {
+        if (!(curve->weights[i] * most >= 1 && curve->weights[i] <= most))
+            return 0;
+        for (int c = 0; c < p->dim; c++)
+            if (!(fabs(curve->points[i * p->dim + c]) <= most))
+                return 0;
+    }
+    return 1;
+}
+
 /* The best of the curves that begin with some order of the points, if they have none, and some weights, if these are free. */
 static int found(const fit_problem *p, const cagd_fit_options *o, fit_curve *curve)
 {
@@ -61,12 +77,15 @@ static int found(const fit_problem *p, const cagd_fit_options *o, fit_curve *cur
         for (int guess = 0; good && guess < guesses && best > nothing; guess++) {
             double cost;
             guess_weights(p, o, guess, try);
-            good = fit_initial_curve(p, order, try, &cost) && carried(p, o, try, &cost);
-            if (good && (cost < best || first)) {
+            good = fit_initial_curve(p, order, try, &cost);
+            if (good && first) /* if nothing else will do */
+                fit_curve_copy(curve, try);
+            first = 0;
+            good = good && carried(p, o, try, &cost);
+            if (good && cost < best && sound(p, try)) {
                 best = cost;
                 fit_curve_copy(curve, try);
             }
-            first = 0;
         }
     }
     free(order);
