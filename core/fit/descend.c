@@ -69,18 +69,14 @@ static double floor_of(const fit_problem *p)
     return sqrt(2 * fit_problem_blur(p, 0) * p->unknowns / fit_problem_equations(p));
 }
 
-/* Where Ceres hands over to Newton: when a step gains less than this part of the cost.  It says who goes the last steps, not where
- * they lead.  */
-#define NEARLY 1e-4
-
 int fit_descend_near(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
     fit_objective *f = a->objective;
-    f->limit = FOOT_ROUGH;
+    f->limit = p->strategy.rough;
     f->newton = 0;
     fit_objective_begin(f, a->curve, a->feet);
     a->initial_cost = f->cost;
-    return run_ceres(p, o, fmax(NEARLY, o->tolerance), a);
+    return run_ceres(p, o, fmax(p->strategy.nearly, o->tolerance), a);
 }
 
 /* x + step, or 0 if this passes a bound; *length: of the step. */
