@@ -41,31 +41,30 @@ static inline int feet(const fit_curve *curve, const int p, double limit, lanes 
 {
     const double start = curve->knots[p], end = curve->knots[p + 1], length = end - start;
     int found[LANES] = {0}, left = LANES;
+    lanes blur;
+    for (int l = 0; l < LANES; l++)
+        blur[l] = (2 * p + 2) * DBL_EPSILON * fmax(1, fmax(fabs(Q[0][l]), fabs(Q[1][l])));
     for (int looks = 0; left > 0 && looks < LOOKS; looks++) {
-        lanes E[6], f, slope, step, square, small, exact;
+        lanes E[6], slope, step, square, along, across, exact;
         derivatives(curve, p, t, E);
         for (int l = 0; l < LANES; l++) {
-            double x = E[0][l] - Q[0][l], y = E[1][l] - Q[1][l];
-            double size = fmax(1, fmax(fabs(Q[0][l]), fabs(Q[1][l]))), blur = (2 * p + 2) * DBL_EPSILON * size;
-            f[l] = x * E[2][l] + y * E[3][l];
+            double x = E[0][l] - Q[0][l], y = E[1][l] - Q[1][l], f = x * E[2][l] + y * E[3][l];
             square[l] = E[2][l] * E[2][l] + E[3][l] * E[3][l];
             slope[l] = square[l] + (x * E[4][l] + y * E[5][l]);
-            step[l] = -f[l] / slope[l];
-            double bend = E[4][l] * E[4][l] + E[5][l] * E[5][l], part = slope[l] < square[l] ? slope[l] : square[l];
-            double way = step[l] * step[l] * square[l], allowed = limit * limit * part * part;
-            small[l] = fmax(way * square[l] - allowed * length * length, way * bend - allowed);
-            exact[l] = f[l] * f[l] - blur * blur * square[l];
+            step[l] = -f / slope[l];
+            along[l] = step[l] * step[l] * square[l] * square[l];
+            across[l] = step[l] * step[l] * square[l] * (E[4][l] * E[4][l] + E[5][l] * E[5][l]);
+            exact[l] = f * f - blur[l] * blur[l] * square[l];
         }
         for (int l = 0; l < LANES; l++) {
             if (found[l])
                 continue;
-            double next = t[l] + step[l];
+            double next = t[l] + step[l], part = slope[l] < square[l] ? slope[l] : square[l];
+            double allowed = limit * limit * part * part;
             int inside = start < next && next < end;
-            if (!(slope[l] > 0 && square[l] > 0))
+            if (!(slope[l] > 0 && square[l] > 0) || (!(exact[l] <= 0) && !inside))
                 return 0;
-            if (!(exact[l] <= 0) && !inside)
-                return 0;
-            if (!(exact[l] <= 0) && !(small[l] <= 0)) {
+            if (!(exact[l] <= 0) && !(along[l] <= allowed * length * length && across[l] <= allowed)) {
                 t[l] = next;
                 continue;
             }
@@ -88,28 +87,32 @@ static inline void shares(const fit_curve *curve, const int p, const lanes t, la
 {
     const double start = curve->knots[p], end = curve->knots[p + 1], inverse = curve->inverse[0], factor = p * inverse;
     const double *w = curve->weights;
+    lanes b[3], total = {0}, slope = {0};
     for (int l = 0; l < LANES; l++) {
-        double s = (t[l] - start) * inverse, r = (end - t[l]) * inverse, before = 0, total = 0, slope = 0;
-        const double b[3] = {p == 2 ? r : r * r, p == 2 ? s : 2 * s * r, s * s};
-        for (int m = 0; m <= p; m++) {
-            double here = m < p ? b[m] : 0;
+        double s = (t[l] - start) * inverse, r = (end - t[l]) * inverse;
+        b[0][l] = p == 2 ? r : r * r;
+        b[1][l] = p == 2 ? s : 2 * s * r;
+        b[2][l] = s * s;
+    }
+    for (int m = 0; m <= p; m++)
+        for (int l = 0; l < LANES; l++) {
+            double s = (t[l] - start) * inverse, r = (end - t[l]) * inverse;
+            double before = m > 0 ? b[m - 1][l] : 0, here = m < p ? b[m][l] : 0;
             N[m][l] = r * here + s * before;
             N1[m][l] = factor * (before - here);
-            total += N[m][l] * w[m];
-            slope += N1[m][l] * w[m];
-            before = here;
+            total[l] += N[m][l] * w[m];
+            slope[l] += N1[m][l] * w[m];
         }
-        total = 1 / total;
-        for (int m = 0; m <= p; m++) {
-            N[m][l] *= total;
-            N1[m][l] = (N1[m][l] - N[m][l] * slope) * total;
+    for (int m = 0; m <= p; m++)
+        for (int l = 0; l < LANES; l++) {
+            N[m][l] /= total[l];
+            N1[m][l] = (N1[m][l] - N[m][l] * slope[l]) / total[l];
         }
-    }
 }
 
 /* As point_rows and point_curvature in objective.c. */
-static inline void rows(fit_objective *o, const int p, int i, lanes Q[2], const lanes t, lanes D[6],
-                        int newton, double loss[])
+static inline void rows(fit_objective *o, const int p, int i, lanes Q[2], const lanes t, lanes D[6], int newton,
+                        double loss[])
 {
     const fit_problem *problem = o->problem;
     const double *precision = problem->precision + i;
@@ -126,8 +129,8 @@ static inline void rows(fit_objective *o, const int p, int i, lanes Q[2], const 
         double bend = r[0][l] * D[4][l] + r[1][l] * D[5][l];
         slide[l] = r[0][l] * D[2][l] + r[1][l] * D[3][l];
         scale[l] = -precision[l] * precision[l];
-        f[l] = speed + bend > 0 ? scale[l] / (speed + bend) : 0;
-        kappa[l] = speed + bend > 0 ? bend / speed : 0;
+        f[l] = scale[l] / (speed + bend); /* positive, or there would be no foot */
+        kappa[l] = bend / speed;
     }
     const cagd_fit_unknown *slot = problem->slot, *end = slot + problem->first[1];
     int stride, pairs_stride = 0;
