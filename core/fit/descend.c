@@ -62,11 +62,12 @@ static int run_ceres(const fit_problem *p, const cagd_fit_options *o, double tol
     return good;
 }
 
-/* What rounding leaves of |y|: the residuals are off by b_i, fit_problem_blur, and y has the part of it that falls to the
- * unknowns. */
-static double floor_of(const fit_problem *p)
+/* What rounding leaves of |y|: the residuals are off by b_i, fit_problem_blur, of which y has the part that falls to the unknowns; and
+ * every row is rounded, as often one way as the other, when it is taken into the triangle. */
+static double floor_of(const fit_problem *p, double cost)
 {
-    return sqrt(2 * fit_problem_blur(p, 0) * p->unknowns / fit_problem_equations(p));
+    return sqrt(2 * fit_problem_blur(p, 0) * p->unknowns / fit_problem_equations(p)) +
+           DBL_EPSILON / 2 * sqrt(2 * cost * p->points * fit_problem_roundings(p));
 }
 
 int fit_descend_near(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
@@ -99,7 +100,7 @@ int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double t
 {
     fit_objective *f = a->objective;
     int n = p->unknowns, steady = 0;
-    double *low = malloc(3 * (size_t)n * sizeof *low), enough = floor_of(p), length;
+    double *low = malloc(3 * (size_t)n * sizeof *low), enough = floor_of(p, f->cost), length;
     int *fixed = malloc((size_t)n * sizeof *fixed), good = low && fixed;
     fit_model model = {0};
     if (good) {
