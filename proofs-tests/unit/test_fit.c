@@ -162,6 +162,59 @@ static void triangles_keep_the_normal_equations(void **state)
     fit_reduction_free(r);
 }
 
+/* R^T R and what is left out of it are the second derivatives of F: central differences of the gradient, by steps h, are off by h^2 and
+ * by roundings over h.  Plane curves of one span, others, and a robust loss take different ways. */
+static void the_model_has_the_second_derivatives(void **state)
+{
+    enum { MOST_UNKNOWNS = 20 };
+    const cagd_spline *curves[] = {&conic, &cubic, &in_space, &spline};
+    const double h = 1e-5;
+    (void)state;
+    for (int k = 0; k < 4; k++)
+        for (int loss = CAGD_FIT_SQUARES; loss <= CAGD_FIT_CAUCHY; loss += CAGD_FIT_CAUCHY - CAGD_FIT_SQUARES) {
+            cagd_fit_data data = sample(curves[k], 43, 0.1, 0.9, 0.05);
+            cagd_fit_options o = cagd_fit_defaults();
+            fit_problem p;
+            int where, n;
+            double H[MOST_UNKNOWNS][MOST_UNKNOWNS] = {{0}}, x[MOST_UNKNOWNS], slope[2][MOST_UNKNOWNS], cost,
+                   largest = 0;
+            o.initial = curves[k], o.loss = (cagd_fit_loss)loss, o.loss_scale = 0.05;
+            assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+            fit_objective *f = fit_objective_new(&p);
+            fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
+            double *feet = malloc((size_t)p.points * sizeof *feet);
+            assert_true(f != NULL && c != NULL && feet != NULL);
+            assert_int_equal(fit_problem_curve(&p, curves[k], c), CAGD_FIT_OK);
+            assert_true(fit_feet_search(&p, c, feet, &cost));
+            n = p.unknowns;
+            f->newton = 1;
+            fit_objective_begin(f, c, feet);
+            for (int a = 0; a < n; a++)
+                for (int b = 0; b < n; b++) {
+                    H[a][b] = f->curvature[a * n + b];
+                    for (int i = 0; i < n; i++)
+                        H[a][b] += f->triangle[i * (n + 1) + a] * f->triangle[i * (n + 1) + b];
+                    largest = fmax(largest, fabs(H[a][b]));
+                }
+            memcpy(x, f->x, (size_t)n * sizeof *x);
+            for (int a = 0; a < n; a++) {
+                for (int side = 0; side < 2; side++) {
+                    x[a] = f->x[a] + (side ? h : -h);
+                    fit_objective_evaluate(f, x, 1);
+                    for (int b = 0; b < n; b++)
+                        slope[side][b] = fit_objective_gradient(f, b);
+                }
+                x[a] = f->x[a];
+                for (int b = 0; b < n; b++)
+                    assert_true(fabs((slope[1][b] - slope[0][b]) / (2 * h) - H[a][b]) < 1e-6 * largest);
+            }
+            fit_objective_free(f);
+            fit_curve_free(c);
+            fit_problem_free(&p);
+            free(feet);
+        }
+}
+
 /* ---- Known curves ------------------------------------------------------------------------------------------ */
 
 static void noise_free_curves_come_back(void **state)
@@ -525,6 +578,7 @@ int main(void)
         cmocka_unit_test(derivatives_are_those_of_the_kernels),
         cmocka_unit_test(feet_are_orthogonal),
         cmocka_unit_test(triangles_keep_the_normal_equations),
+        cmocka_unit_test(the_model_has_the_second_derivatives),
         cmocka_unit_test(noise_free_curves_come_back),
         cmocka_unit_test(free_ends_slide),
         cmocka_unit_test(both_methods_find_one_minimum),
