@@ -28,7 +28,7 @@ static int approach_with(const fit_problem *few, const cagd_fit_options *o, cons
 int fit_approach(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
     fit_problem few;
-    int enough = FIT_ENOUGH * p->unknowns, groups = FIT_TIMES * enough;
+    int enough = p->strategy.enough * p->unknowns, groups = p->strategy.times * enough;
     double *feet;
     if (p->points < 2 * groups) { /* few enough themselves */
         int good = fit_feet_guess(p, a->curve, a->feet) && fit_descend_near(p, o, a);

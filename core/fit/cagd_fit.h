@@ -18,6 +18,13 @@
  * one span: then it is the standard form (标准型).  What is left undetermined, such as ends that slide along the curve, is
  * found by the rank of the problem and reported.
  *
+ * Ends (端点).  Ends that are not free are the first and the last measured point as they are, with errors that no standard error knows
+ * of.  Free ends are fitted as well; but where a curve is cut off is no property of its points, and the ends slide.  The slide is not
+ * stopped by a rule, such as that the first and the last point have their feet at the ends: the weights of a piece of a curve
+ * change with the cut, which would then hang on two single points, outliers or not, and their standard errors would say how well
+ * the cut is known and not the curve.  What does not change with the cut, points, distances and the type of a conic, is
+ * reported all the same.
+ *
  * Memory.  The caller owns the arguments, which are only read.  A result is made by cagd_fit and released by
  * cagd_fit_free, with all arrays it points to.  Nothing is printed. */
 #ifndef CAGD_FIT_H
@@ -58,8 +65,9 @@ typedef struct cagd_fit_options {
     cagd_fit_loss loss;
     double loss_scale;              /* a > 0                                                                 */
     double weight_low, weight_high; /* 0 <= weight_low < 1 < weight_high <= infinity: bounds on the weights */
-    int starts;                     /* >= 1: the first from initial, the others with other weights; up to 8  */
-                                    /* more when none of them comes to a minimum                             */
+    int starts;                     /* >= 1: the first from initial, or the best of many curves found from   */
+                                    /* the points; the others with other weights; up to 8 more when none of  */
+                                    /* them comes to a minimum                                               */
     unsigned long seed;             /* of the other starts                                                   */
     double tolerance;               /* > 0: relative, on the decrease of the cost, on the gradient, the step */
     int max_iterations;             /* >= 1                                                                  */

@@ -14,7 +14,7 @@ void fit_curvature_free(fit_curvature *curvature); /* NULL is allowed */
 /* Forgets all products. */
 void fit_curvature_clear(fit_curvature *curvature);
 
-/* Where the next `count` <= 8 pairs of the piece are to be written: of each unknown the numbers of the x, `stride` apart, and behind them
+/* Where the next `count` <= 32 pairs of the piece are to be written: of each unknown the numbers of the x, `stride` apart, and behind them
  * those of the y. */
 double *fit_curvature_pairs(fit_curvature *curvature, int piece, int count, int *stride);
 

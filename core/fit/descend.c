@@ -62,26 +62,22 @@ static int run_ceres(const fit_problem *p, const cagd_fit_options *o, double tol
     return good;
 }
 
-/* What rounding leaves of |y|: the residuals are off by b_i, fit_problem_blur, and y has the part of it that falls to the
- * unknowns. */
-static double floor_of(const fit_problem *p)
+/* What rounding leaves of |y|: the residuals are off by b_i, fit_problem_blur, of which y has the part that falls to the unknowns; and
+ * every row is rounded, as often one way as the other, when it is taken into the triangle. */
+static double floor_of(const fit_problem *p, double cost)
 {
-    return sqrt(2 * fit_problem_blur(p, 0) * p->unknowns / fit_problem_equations(p));
+    return sqrt(2 * fit_problem_blur(p, 0) * p->unknowns / fit_problem_equations(p)) +
+           DBL_EPSILON / 2 * sqrt(2 * cost * p->points * fit_problem_roundings(p));
 }
-
-/* Where Ceres hands over to Newton: when a step gains less than this part of the cost.  It says who goes the last steps, not where
- * they lead.  A step that shrinks |y| to a part of STEADY has a Hessian matrix that need not be summed up anew. */
-#define NEARLY 1e-4
-#define STEADY 0.01
 
 int fit_descend_near(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
     fit_objective *f = a->objective;
-    f->limit = FOOT_ROUGH;
+    f->limit = p->strategy.rough;
     f->newton = 0;
     fit_objective_begin(f, a->curve, a->feet);
     a->initial_cost = f->cost;
-    return run_ceres(p, o, fmax(NEARLY, o->tolerance), a);
+    return run_ceres(p, o, fmax(p->strategy.nearly, o->tolerance), a);
 }
 
 /* x + step, or 0 if this passes a bound; *length: of the step. */
@@ -104,7 +100,7 @@ int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double t
 {
     fit_objective *f = a->objective;
     int n = p->unknowns, steady = 0;
-    double *low = malloc(3 * (size_t)n * sizeof *low), enough = floor_of(p), length;
+    double *low = malloc(3 * (size_t)n * sizeof *low), enough = floor_of(p, f->cost), length;
     int *fixed = malloc((size_t)n * sizeof *fixed), good = low && fixed;
     fit_model model = {0};
     if (good) {
@@ -118,7 +114,7 @@ int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double t
         fixed[k] = fit_problem_on_bound(p, k, f->curve);
     good = good && fit_model_of(f, fixed, &model);
     *left = model.left;
-    for (int i = 0; good && i<o->max_iterations && * left> fmax(enough, tolerance * sqrt(2 * f->cost)); i++) {
+    while (good && a->outcome.iterations < o->max_iterations && fmax(enough, tolerance * sqrt(2 * f->cost)) < *left) {
         double *next = low + 2 * n;
         if (!step_from(f, &model, low, low + n, next, &length))
             break;
@@ -132,7 +128,7 @@ int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double t
             break;
         fit_objective_accept(f);
         int stalls = model.left > *left / 2; /* only rounding is left, or nothing is gained by going on */
-        steady = model.left < *left * STEADY;
+        steady = model.left * (model.left / *left) < enough; /* another step is the last */
         *left = model.left;
         if (stalls)
             break;
@@ -157,7 +153,7 @@ static int converged(const fit_problem *p, const cagd_fit_options *o, const fit_
 int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
     fit_objective *f = a->objective;
-    double left, gain;
+    double left = HUGE_VAL, gain;
     int good = 1, near = a->outcome.termination == CAGD_FIT_CONVERGED;
     f->limit = FOOT_EXACT;
     f->newton = 1;
@@ -169,6 +165,10 @@ int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
             good = run_ceres(p, o, o->tolerance, a);
             if (good && a->outcome.termination == CAGD_FIT_CONVERGED)
                 good = fit_descend_newton(p, o, o->tolerance, &left, a);
+        }
+        if (good && a->outcome.iterations >= o->max_iterations && !converged(p, o, f, left)) {
+            a->outcome.termination = CAGD_FIT_NOT_CONVERGED;
+            snprintf(a->outcome.message, sizeof a->outcome.message, "Maximum number of iterations reached.");
         }
         good = good && fit_feet_improve(p, f->curve, f->feet, a->feet, &gain);
         if (!good || gain <= fit_problem_blur(p, f->cost) || a->outcome.iterations >= o->max_iterations)

@@ -61,7 +61,8 @@ typedef struct polygon {
     double *begin[3], *vector[3], *inverse;
 } polygon;
 
-enum { MOST_SIDES = 4096, FEWEST_SIDES = 64, PER_PIECE = 8, ANCHORS = 128 };
+/* Sides of the polygon: never more, and those of each piece to begin with. */
+enum { MOST_SIDES = 4096, PER_PIECE = 8 };
 
 static void polygon_free(polygon *g)
 {
@@ -118,7 +119,7 @@ static void add_sides(polygon *g, const fit_curve *curve, double end, const doub
     g->sides++;
 }
 
-static int polygon_new(polygon *g, const fit_curve *curve)
+static int polygon_new(polygon *g, const fit_curve *curve, int sides)
 {
     int dim = curve->dim, room = MOST_SIDES, first = PER_PIECE * curve->pieces;
     size_t most = (size_t)(room + first + 1);
@@ -141,7 +142,7 @@ static int polygon_new(polygon *g, const fit_curve *curve)
             if (pass == 0)
                 length += distance(dim, before, D);
             else
-                add_sides(g, curve, end, D, length / FEWEST_SIDES, &room);
+                add_sides(g, curve, end, D, length / sides, &room);
         }
     return polygon_sides(g);
 }
@@ -281,9 +282,9 @@ static void search_free(search *s)
 
 static int search_new(search *s, const fit_problem *p, const fit_curve *curve)
 {
-    *s = (search){.stride = (p->points - 1) / ANCHORS + 1};
+    *s = (search){.stride = (p->points - 1) / p->strategy.anchors + 1};
     s->anchors = (p->points - 1) / s->stride + 1;
-    int good = polygon_new(&s->polygon, curve);
+    int good = polygon_new(&s->polygon, curve, p->strategy.sides);
     s->side = malloc((size_t)s->anchors * sizeof *s->side);
     s->square = good ? malloc((size_t)s->polygon.sides * sizeof *s->square) : NULL;
     return good && s->side && s->square &&

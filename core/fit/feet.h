@@ -14,7 +14,6 @@ fit_foot_kind fit_foot(const fit_curve *curve, const double q[], double *t, doub
 /* The same with Taylor's polynomial of second order in place of the curve for steps shorter than `limit` times the length on
  * which the curve changes; FOOT_EXACT, an eighth of the cube root of the precision, makes no difference. */
 #define FOOT_EXACT 0x1p-21
-#define FOOT_ROUGH 0x1p-8 /* for the way to the minimum */
 fit_foot_kind fit_foot_near(const fit_curve *curve, const double q[], double limit, double *t, double D[]);
 
 /* The feet t of all points, found without knowledge of earlier ones, and *cost, half the sum of their losses.  Points in any

@@ -49,6 +49,16 @@ cagd_fit_options cagd_fit_defaults(void)
                               .method = CAGD_FIT_ELIMINATED};
 }
 
+const fit_strategy fit_usual_strategy = {.nearly = 1e-4,
+                                         .rough = 0x1p-8,
+                                         .enough = 20,
+                                         .times = 4,
+                                         .anchors = 128,
+                                         .sides = 64,
+                                         .guesses = 13,
+                                         .steps = 40,
+                                         .telling = 1e-3};
+
 /* The attempt from start number `start`. */
 static int try_start(const fit_problem *p, const cagd_fit_options *o, int start, fit_attempt *a)
 {
@@ -120,8 +130,8 @@ static cagd_fit_status check_initial(const fit_problem *p, const cagd_spline *in
     return status;
 }
 
-cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
-                         int *where)
+cagd_fit_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options *options,
+                                  const fit_strategy *strategy, cagd_fit_result **result, int *where)
 {
     int ignored;
     fit_problem p;
@@ -134,7 +144,7 @@ cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *opti
         status = fit_check_data(data, where);
     if (status != CAGD_FIT_OK)
         return status;
-    status = fit_problem_make(data, options, &p, where);
+    status = fit_problem_make(data, options, strategy, &p, where);
     if (status == CAGD_FIT_OK && options->initial != NULL)
         status = check_initial(&p, options->initial);
     if (status == CAGD_FIT_OK && fit_problem_equations(&p) < p.unknowns)
@@ -145,4 +155,10 @@ cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *opti
         fit_statistics(data, options, *result);
     fit_problem_free(&p);
     return status;
+}
+
+cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                         int *where)
+{
+    return fit_with_strategy(data, options, &fit_usual_strategy, result, where);
 }

@@ -1,5 +1,6 @@
 #include "core/fit/objective.h"
 
+#include "core/fit/batch.h"
 #include "core/fit/statistics.h"
 #include "core/number/limits.h"
 
@@ -204,11 +205,23 @@ static void by_weights(fit_objective *o, const double x[], int newton)
     }
 }
 
+/* Foot and rows of point i; returns its loss. */
+static double point(fit_objective *o, int i, int curve, int weighted)
+{
+    const fit_problem *p = o->problem;
+    double t = o->new_feet[i] = o->feet[i], D[9];
+    if (!curve)
+        return 0;
+    fit_foot_kind kind = fit_foot_near(o->curve, p->Q + (size_t)i * (size_t)p->dim, o->limit, &t, D);
+    o->new_feet[i] = t;
+    return p->dim == 2 ? point_rows(o, 2, i, kind, t, D, weighted) : point_rows(o, 3, i, kind, t, D, weighted);
+}
+
 void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
 {
     const fit_problem *p = o->problem;
     int n = p->unknowns + 1;
-    double sum = 0, lost = 0, D[9];
+    double sum = 0, lost = 0;
     fit_problem_set(p, o->base, x, o->curve);
     for (int j = 0; j < p->count; j++)
         o->inverse[j] = 1 / o->curve->weights[j];
@@ -216,17 +229,18 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
     if (weighted && o->newton)
         fit_curvature_clear(o->second);
     const int curve = is_curve(p, x, o->curve);
-    for (int i = 0; i < p->points; i++) {
-        double t = o->new_feet[i] = o->feet[i];
-        if (!curve)
-            continue;
-        fit_foot_kind kind = fit_foot_near(o->curve, p->Q + (size_t)i * (size_t)p->dim, o->limit, &t, D);
-        double loss =
-            p->dim == 2 ? point_rows(o, 2, i, kind, t, D, weighted) : point_rows(o, 3, i, kind, t, D, weighted);
-        o->new_feet[i] = t;
-        double next = sum + (loss - lost); /* with the rounding of the last sum taken off: Kahan */
-        lost = (next - sum) - (loss - lost);
-        sum = next;
+    for (int i = 0, count; i < p->points; i += count) {
+        double loss[FIT_BATCH];
+        count = curve && fit_batch(o, i, weighted, loss) ? FIT_BATCH : 0;
+        if (count == 0) { /* one by one, as many */
+            for (; count < FIT_BATCH && i + count < p->points; count++)
+                loss[count] = point(o, i + count, curve, weighted);
+        }
+        for (int k = 0; k < count; k++) {
+            double next = sum + (loss[k] - lost); /* with the rounding of the last sum taken off: Kahan */
+            lost = (next - sum) - (loss[k] - lost);
+            sum = next;
+        }
     }
     memcpy(o->triangle, fit_reduction_triangle(o->rows), (size_t)(n * n) * sizeof *o->triangle);
     if (weighted && o->newton)

@@ -118,9 +118,10 @@ static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p, in
     return CAGD_FIT_OK;
 }
 
-cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *o, fit_problem *p, int *where)
+cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *o, const fit_strategy *strategy,
+                                 fit_problem *p, int *where)
 {
-    *p = (fit_problem){.loss = o->loss, .loss_scale = o->loss_scale, .unordered = o->unordered};
+    *p = (fit_problem){.strategy = *strategy, .loss = o->loss, .loss_scale = o->loss_scale, .unordered = o->unordered};
     p->low = o->weight_low;
     p->high = o->weight_high;
     cagd_fit_status status = make_points(data, p, where);

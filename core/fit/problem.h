@@ -8,12 +8,14 @@
 
 #include "core/fit/cagd_fit.h"
 #include "core/fit/curve.h"
+#include "core/fit/strategy.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct fit_problem {
+    fit_strategy strategy;
     int points, dim;
     double *Q;         /* the measured points in working coordinates                     */
     double *precision; /* 1/sigma of each                                                */
@@ -31,8 +33,8 @@ typedef struct fit_problem {
 } fit_problem;
 
 /* From checked data and options.  Whatever is returned, fit_problem_free releases it. */
-cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *options, fit_problem *problem,
-                                 int *where);
+cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *options,
+                                 const fit_strategy *strategy, fit_problem *problem, int *where);
 void fit_problem_free(fit_problem *problem);
 
 /* A given curve in the gauge and in working coordinates. */

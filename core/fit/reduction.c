@@ -125,6 +125,16 @@ double *fit_reduction_row(fit_reduction *r, int piece, int *stride)
     return next_row(&r->piece[piece]);
 }
 
+double *fit_reduction_rows(fit_reduction *r, int piece, int count, int *stride)
+{
+    triangle *t = &r->piece[piece];
+    if (t->rows + count > ROWS)
+        absorb(t);
+    *stride = stride_of(t);
+    t->rows += count;
+    return t->a + t->columns + t->rows - count;
+}
+
 const double *fit_reduction_triangle(fit_reduction *r)
 {
     int n = r->unknowns + r->sides, stride = stride_of(&r->all);

@@ -19,6 +19,9 @@ void fit_reduction_clear(fit_reduction *reduction);
 /* Where the next row of the piece is to be written: its coefficients, then its right-hand sides, `stride` apart. */
 double *fit_reduction_row(fit_reduction *reduction, int piece, int *stride);
 
+/* The same for the next `count` <= 8 rows: those of one column lie side by side. */
+double *fit_reduction_rows(fit_reduction *reduction, int piece, int count, int *stride);
+
 /* The triangle of all rows: (unknowns+sides)^2 numbers by rows, zero below the diagonal.  Valid until the next
  * call. */
 const double *fit_reduction_triangle(fit_reduction *reduction);

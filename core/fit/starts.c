@@ -1,17 +1,14 @@
 #include "core/fit/starts.h"
 
-#include "core/fit/approach.h"
 #include "core/fit/descend.h"
 #include "core/fit/few.h"
 #include "core/fit/initial.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* How many weights are tried without knowledge, equal ones and others, how many steps each of them has, and how near to its minimum it
- * comes.  What is not found here is found by no tolerance. */
-enum { EVEN = 3, UNEVEN = 13, STEPS = 40 };
-#define TELLING 1e-3
+enum { EVEN = 3 }; /* guesses with the same weight for all inner points */
 
 /* The weights of guess number `guess`. */
 static void guess_weights(const fit_problem *p, const cagd_fit_options *o, int guess, fit_curve *curve)
@@ -32,12 +29,12 @@ static int carried(const fit_problem *p, const cagd_fit_options *o, fit_curve *c
     fit_attempt a;
     double left;
     cagd_fit_options few_steps = *o;
-    few_steps.max_iterations = o->max_iterations < STEPS ? o->max_iterations : STEPS;
+    few_steps.max_iterations = o->max_iterations < p->strategy.steps ? o->max_iterations : p->strategy.steps;
     int good = fit_attempt_new(p, &a);
     if (good) {
         fit_curve_copy(a.curve, curve);
         good = fit_feet_guess(p, curve, a.feet) && fit_descend_near(p, &few_steps, &a) &&
-               fit_descend_newton(p, &few_steps, TELLING, &left, &a);
+               fit_descend_newton(p, &few_steps, p->strategy.telling, &left, &a);
     }
     if (good) {
         *cost = a.objective->cost;
@@ -47,10 +44,26 @@ static int carried(const fit_problem *p, const cagd_fit_options *o, fit_curve *c
     return good;
 }
 
+/* Whether half of the digits of binary64 tell every weight from 0 and infinity, and every point; working coordinates are of the order
+ * of 1.  Curves whose cost falls towards such a weight lie on the way to no minimum. */
+static int sound(const fit_problem *p, const fit_curve *curve)
+{
+    double most = 1 / sqrt(DBL_EPSILON);
+    for (int i = 0; i < p->count; i++) {
+        if (!(curve->weights[i] * most >= 1 && curve->weights[i] <= most))
+            return 0;
+        for (int c = 0; c < p->dim; c++)
+            if (!(fabs(curve->points[i * p->dim + c]) <= most))
+                return 0;
+    }
+    return 1;
+}
+
 /* The best of the curves that begin with some order of the points, if they have none, and some weights, if these are free. */
 static int found(const fit_problem *p, const cagd_fit_options *o, fit_curve *curve)
 {
-    int *order = malloc((size_t)p->points * sizeof *order), guesses = o->free & CAGD_FIT_WEIGHTS ? EVEN + UNEVEN : 1;
+    int *order = malloc((size_t)p->points * sizeof *order),
+        guesses = o->free & CAGD_FIT_WEIGHTS ? EVEN + p->strategy.guesses : 1;
     fit_curve *try = fit_curve_new(p->degree, p->count, p->dim, p->knots);
     double best = INFINITY, nothing = fit_problem_blur(p, 0);
     int good = order != NULL && try != NULL, first = 1;
@@ -61,12 +74,15 @@ static int found(const fit_problem *p, const cagd_fit_options *o, fit_curve *cur
         for (int guess = 0; good && guess < guesses && best > nothing; guess++) {
             double cost;
             guess_weights(p, o, guess, try);
-            good = fit_initial_curve(p, order, try, &cost) && carried(p, o, try, &cost);
-            if (good && (cost < best || first)) {
+            good = fit_initial_curve(p, order, try, &cost);
+            if (good && first) /* if nothing else will do */
+                fit_curve_copy(curve, try);
+            first = 0;
+            good = good && carried(p, o, try, &cost);
+            if (good && cost < best && sound(p, try)) {
                 best = cost;
                 fit_curve_copy(curve, try);
             }
-            first = 0;
         }
     }
     free(order);
@@ -77,7 +93,7 @@ static int found(const fit_problem *p, const cagd_fit_options *o, fit_curve *cur
 int fit_start(const fit_problem *p, const cagd_fit_options *o, int start, fit_curve *curve)
 {
     fit_problem few;
-    int good = fit_few_thinned(p, (p->points - 1) / (FIT_ENOUGH * FIT_TIMES * p->unknowns) + 1, &few);
+    int good = fit_few_thinned(p, (p->points - 1) / (p->strategy.enough * p->strategy.times * p->unknowns) + 1, &few);
     if (!good)
         return 0;
     if (o->initial != NULL)

@@ -3,6 +3,7 @@
 #include "core/fit/feet.h"
 #include "core/fit/objective.h"
 #include "core/fit/reduction.h"
+#include "core/fit/strategy.h"
 #include "core/kernels_d.h"
 
 #include <float.h>
@@ -159,6 +160,59 @@ static void triangles_keep_the_normal_equations(void **state)
             }
     }
     fit_reduction_free(r);
+}
+
+/* R^T R and what is left out of it are the second derivatives of F: central differences of the gradient, by steps h, are off by h^2 and
+ * by roundings over h.  Plane curves of one span, others, and a robust loss take different ways. */
+static void the_model_has_the_second_derivatives(void **state)
+{
+    enum { MOST_UNKNOWNS = 20 };
+    const cagd_spline *curves[] = {&conic, &cubic, &in_space, &spline};
+    const double h = 1e-5;
+    (void)state;
+    for (int k = 0; k < 4; k++)
+        for (int loss = CAGD_FIT_SQUARES; loss <= CAGD_FIT_CAUCHY; loss += CAGD_FIT_CAUCHY - CAGD_FIT_SQUARES) {
+            cagd_fit_data data = sample(curves[k], 43, 0.1, 0.9, 0.05);
+            cagd_fit_options o = cagd_fit_defaults();
+            fit_problem p;
+            int where, n;
+            double H[MOST_UNKNOWNS][MOST_UNKNOWNS] = {{0}}, x[MOST_UNKNOWNS], slope[2][MOST_UNKNOWNS], cost,
+                   largest = 0;
+            o.initial = curves[k], o.loss = (cagd_fit_loss)loss, o.loss_scale = 0.05;
+            assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+            fit_objective *f = fit_objective_new(&p);
+            fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
+            double *feet = malloc((size_t)p.points * sizeof *feet);
+            assert_true(f != NULL && c != NULL && feet != NULL);
+            assert_int_equal(fit_problem_curve(&p, curves[k], c), CAGD_FIT_OK);
+            assert_true(fit_feet_search(&p, c, feet, &cost));
+            n = p.unknowns;
+            f->newton = 1;
+            fit_objective_begin(f, c, feet);
+            for (int a = 0; a < n; a++)
+                for (int b = 0; b < n; b++) {
+                    H[a][b] = f->curvature[a * n + b];
+                    for (int i = 0; i < n; i++)
+                        H[a][b] += f->triangle[i * (n + 1) + a] * f->triangle[i * (n + 1) + b];
+                    largest = fmax(largest, fabs(H[a][b]));
+                }
+            memcpy(x, f->x, (size_t)n * sizeof *x);
+            for (int a = 0; a < n; a++) {
+                for (int side = 0; side < 2; side++) {
+                    x[a] = f->x[a] + (side ? h : -h);
+                    fit_objective_evaluate(f, x, 1);
+                    for (int b = 0; b < n; b++)
+                        slope[side][b] = fit_objective_gradient(f, b);
+                }
+                x[a] = f->x[a];
+                for (int b = 0; b < n; b++)
+                    assert_true(fabs((slope[1][b] - slope[0][b]) / (2 * h) - H[a][b]) < 1e-6 * largest);
+            }
+            fit_objective_free(f);
+            fit_curve_free(c);
+            fit_problem_free(&p);
+            free(feet);
+        }
 }
 
 /* ---- Known curves ------------------------------------------------------------------------------------------ */
@@ -322,6 +376,63 @@ static void the_same_again(void **state)
     cagd_fit_free(b);
 }
 
+/* Random cubics with weights between 1/4 and 4, through points without noise: the curve is found again, or one with the same points,
+ * nearly always without any knowledge. */
+static void random_cubics_come_back(void **state)
+{
+    enum { CURVES = 100, POINTS = 60 };
+    int found = 0;
+    (void)state;
+    for (int k = 0; k < CURVES; k++) {
+        double P[8], w[4] = {1, 1, 1, 1};
+        state_of_noise = (uint32_t)(7919 * k + 1);
+        for (int m = 0; m < 8; m++)
+            P[m] = noise();
+        for (int m = 1; m < 3; m++)
+            w[m] = exp(noise() * log(4));
+        const cagd_spline s = {3, 4, 2, bezier_knots, P, w};
+        cagd_fit_data data = sample(&s, POINTS, 0, 1, 0);
+        cagd_fit_options o = cagd_fit_defaults();
+        o.degree = 3;
+        cagd_fit_result *r = fit(&data, &o);
+        found += r->rms < 1e-10;
+        cagd_fit_free(r);
+    }
+    print_message("%d of %d cubics found\n", found, CURVES);
+    assert_true(found >= 95);
+}
+
+/* Every number of the strategy, halved and doubled, with few points and with many, with and without a curve to start from: cost and
+ * estimates are the same. */
+static void the_strategy_does_not_change_the_result(void **state)
+{
+    (void)state;
+    for (int many = 0; many < 2; many++)
+        for (int given = 0; given < 2; given++) {
+            cagd_fit_data data = sample(&cubic, many ? MOST : 70, 0, 1, 0.002);
+            cagd_fit_options o = cagd_fit_defaults();
+            o.degree = 3;
+            o.initial = given ? &cubic : NULL;
+            cagd_fit_result *usual = fit(&data, &o), *r;
+            for (int change = 0; change < 18; change++) {
+                fit_strategy s = fit_usual_strategy;
+                double factor = change % 2 ? 2 : 0.5, *real[] = {&s.nearly, &s.rough, &s.telling};
+                int *whole[] = {&s.enough, &s.times, &s.anchors, &s.sides, &s.guesses, &s.steps};
+                if (change / 2 < 3)
+                    *real[change / 2] *= factor;
+                else
+                    *whole[change / 2 - 3] = (int)(factor * *whole[change / 2 - 3]);
+                assert_int_equal(fit_with_strategy(&data, &o, &s, &r, NULL), CAGD_FIT_OK);
+                assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
+                assert_true(fabs(r->cost / usual->cost - 1) < 1e-12);
+                for (int k = 0; k < r->unknowns; k++)
+                    assert_true(fabs(r->value[k] - usual->value[k]) < 1e-9);
+                cagd_fit_free(r);
+            }
+            cagd_fit_free(usual);
+        }
+}
+
 /* ---- Refusals ---------------------------------------------------------------------------------------------- */
 
 static void refused(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_status expected, int place)
@@ -467,6 +578,7 @@ int main(void)
         cmocka_unit_test(derivatives_are_those_of_the_kernels),
         cmocka_unit_test(feet_are_orthogonal),
         cmocka_unit_test(triangles_keep_the_normal_equations),
+        cmocka_unit_test(the_model_has_the_second_derivatives),
         cmocka_unit_test(noise_free_curves_come_back),
         cmocka_unit_test(free_ends_slide),
         cmocka_unit_test(both_methods_find_one_minimum),
@@ -475,6 +587,8 @@ int main(void)
         cmocka_unit_test(a_robust_loss_leaves_outliers_out),
         cmocka_unit_test(place_and_unit_do_not_matter),
         cmocka_unit_test(the_same_again),
+        cmocka_unit_test(random_cubics_come_back),
+        cmocka_unit_test(the_strategy_does_not_change_the_result),
         cmocka_unit_test(bad_arguments_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
