@@ -88,14 +88,22 @@ static json_t *conic_json(const cagd_fit_result *r)
 
 static json_t *verdict_json(const struct fit *f)
 {
+    /* what the cost does when weights leave their bounds */
+    static const char *const bounds[] = {NULL, "grows", "falls", "not known"};
     const stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return json_pack("{s:s}", "status", "not asked");
-    if (v->verified)
-        return json_pack("{s:s, s:b, s:i, s:o, s:o, s:o, s:o}", "status", "verified", "strict_minimum", v->minimum,
-                         "dimension", v->dimension, "weight_radius", real(v->weight_radius), "point_radius",
+    if (v->verified) {
+        char name[32];
+        if (v->bound >= 0)
+            unknown_name(f->result, v->bound, name);
+        return json_pack("{s:s, s:b, s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "status", "verified", "strict_minimum",
+                         v->minimum, "dimension", v->dimension, "weight_radius", real(v->weight_radius), "point_radius",
                          real(v->point_radius), "weight_alone", real(v->weight_alone), "point_alone",
-                         real(v->point_alone));
+                         real(v->point_alone), "leaving_bounds",
+                         bounds[v->bounds] != NULL ? json_string(bounds[v->bounds]) : json_null(), "bound",
+                         v->bound >= 0 ? json_string(name) : json_null());
+    }
     return json_pack("{s:s, s:s, s:o}", "status", "not verified", "reason", v->reason, "point",
                      v->where >= 0 ? json_integer(v->where + 1) : json_null());
 }

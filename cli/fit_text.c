@@ -151,14 +151,29 @@ static void print_verdict(const struct fit *f)
     struct line l;
     FILE *out = begin(&l);
     double near = fmax(v->point_radius, v->weight_radius), alone = alone_within(f);
-    char within[16], only[16];
+    int bounds = v->bounds != STATIONARY_NO_BOUNDS, all_held = free_unknowns(f->result) == 0;
+    char within[16], only[16], name[32] = "";
+    if (v->bound >= 0)
+        unknown_name(f->result, v->bound, name);
     if (v->verified) {
-        fprintf(out, "verified in intervals: %s%s lies within %s of these coordinates and logarithms of weights",
-                v->minimum ? "a strict local minimum" : "a stationary point",
-                v->dimension < free_unknowns(f->result) ? ", up to the free directions," : "",
-                power_of_ten(near, ceil, within));
+        fprintf(out, "verified in intervals: %s",
+                v->minimum ? bounds ? "a strict local minimum within the bounds" : "a strict local minimum"
+                : bounds   ? "among the curves with these weights on their bounds a stationary point"
+                           : "a stationary point that is NO minimum");
+        if (all_held)
+            fputs(", with all weights on bounds", out);
+        else
+            fprintf(out, "%s lies within %s of these coordinates and logarithms of weights",
+                    v->dimension < free_unknowns(f->result) ? ", up to the free directions," : "",
+                    power_of_ten(near, ceil, within));
         if (alone > 0 && (near == 0 || floor(log10(alone)) > ceil(log10(near))))
-            fprintf(out, ", and is the only stationary point within %s", power_of_ten(alone, floor, only));
+            fprintf(out, ", and is the only %s within %s",
+                    bounds ? "one with these weights on their bounds" : "stationary point",
+                    power_of_ten(alone, floor, only));
+        if (v->bounds == STATIONARY_FALLS)
+            fprintf(out, "; it is NO minimum: the cost falls when %s leaves its bound", name);
+        if (v->bounds == STATIONARY_OPEN)
+            fprintf(out, "; whether the cost grows or falls when %s leaves its bound is not known", name);
     } else {
         fprintf(out, "not verified: %s", v->reason);
         if (v->where >= 0)

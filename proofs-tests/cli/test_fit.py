@@ -493,6 +493,24 @@ class Fits(Case):
         self.assertIn("on its bound", run("fit", self.file(table(quadratic(40, 0.3, 0.01))), "--weights-between",
                                           "0.5:2").stdout.decode())
 
+    def test_the_cost_grows_from_a_bound(self):
+        for w, bound, options in [(0.3, 0.5, []), (3, 2, []), (0.3, 0.5, ["--free", "weights", "--initial"])]:
+            rows = quadratic(40, w, 0.01)
+            if options:
+                options = options + [self.start(rows)]
+            d = self.fit(table(rows), "--weights-between", "1/2:2", *options)
+            self.assertAlmostEqual(d["curve"]["weights"][1], bound, 12)
+            v = d["verification"]
+            self.assertEqual((v["status"], v["strict_minimum"], v["leaving_bounds"], v["bound"]),
+                             ("verified", True, "grows", None))
+            self.assertEqual(v["dimension"], 0 if options else 2)
+            said = self.text(rows, "--weights-between", "1/2:2", *options)
+            self.assertIn("a strict local minimum within the bounds", said)
+            self.assertEqual("with all weights on bounds" in said, bool(options))
+            self.assertNotIn("stationary point", said)
+        v = self.fit(table(quadratic(40, 0.75, 0.01)), "--weights-between", "1/2:2")["verification"]
+        self.assertEqual((v["leaving_bounds"], v["bound"]), (None, None))
+
     def test_robust_loss_bounds_outliers(self):
         """An outlier that goes farther away takes the least squares along, and no robust fit."""
         for options, low, high in [((), 0.1, 9), (("--loss", "huber", "--scale", "0.02"), 0, 0.002),
