@@ -7,10 +7,23 @@
 
 int in_range(double positive) { return positive > 0 && isfinite(positive); }
 
-struct estimate unknown_estimate(const cagd_fit_result *r, int k)
+int is_minimum(const struct fit *f)
 {
+    const stationary_verdict *v = &f->verdict;
+    int refuted = f->checked && v->verified && !v->minimum && v->bounds != STATIONARY_OPEN;
+    return f->result->termination == CAGD_FIT_CONVERGED && !refuted;
+}
+
+double deviation_of(const struct fit *f, int i)
+{
+    return f->data.sigma != NULL ? f->data.sigma[i] : is_minimum(f) ? sqrt(f->result->scale_squared) : NAN;
+}
+
+struct estimate unknown_estimate(const struct fit *f, int k)
+{
+    const cagd_fit_result *r = f->result;
     double value = r->value[k], error = NAN;
-    if (!r->at_bound[k] && r->determined[k])
+    if (!r->at_bound[k] && r->determined[k] && is_minimum(f))
         error = sqrt(r->covariance[(size_t)k * (size_t)r->unknowns + (size_t)k]);
     struct estimate e = {value, error, value - r->quantile * error, value + r->quantile * error};
     if (r->unknown[k].is_weight) {
@@ -25,9 +38,11 @@ struct estimate unknown_estimate(const cagd_fit_result *r, int k)
 }
 
 /* By the error of log I_j, as for weights. */
-struct estimate invariant_estimate(const cagd_fit_result *r, int j)
+struct estimate invariant_estimate(const struct fit *f, int j)
 {
-    double value = r->invariant[j], error = isfinite(r->invariant_error[j]) ? r->invariant_error[j] : NAN;
+    const cagd_fit_result *r = f->result;
+    double value = r->invariant[j],
+           error = is_minimum(f) && isfinite(r->invariant_error[j]) ? r->invariant_error[j] : NAN;
     if (!in_range(value))
         return (struct estimate){value, NAN, NAN, NAN};
     double factor = exp(r->quantile * error / value);

@@ -273,7 +273,7 @@ struct fit_arguments read_fit_arguments(int argc, char **argv)
         "or blanks, with decimal points or, where commas do not separate, decimal commas.  A first line without "
         "numbers "
         "names the columns; three columns without names need --dim 2 (x y sigma) or --dim 3.  Lines that begin with # "
-        "are comments; - is standard input.  Exit status 1: not converged.",
+        "are comments; - is standard input.  Exit status 1: not converged, or to no minimum.",
         NULL,
         NULL,
         NULL};

@@ -185,11 +185,14 @@ static void print_verdict(const struct fit *f)
 static void print_estimates(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
-    if (r->unknowns > 0)
+    int minimum = is_minimum(f);
+    if (r->unknowns > 0 && minimum)
         printf("\n%12s%17s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
+    else if (r->unknowns > 0)
+        printf("\n%12s%17s\n", "", "reached");
     for (int k = 0; k < r->unknowns; k++) {
         char name[32];
-        struct estimate e = unknown_estimate(r, k);
+        struct estimate e = unknown_estimate(f, k);
         unknown_name(r, k, name);
         printf("  %-10s", name);
         put_column(e.value, e.error, 17);
@@ -197,6 +200,8 @@ static void print_estimates(const struct fit *f)
             puts("  on its bound");
         } else if (r->unknown[k].is_weight && !in_range(e.value)) {
             puts("  beyond the range of numbers");
+        } else if (!minimum) {
+            puts("");
         } else if (!r->determined[k]) {
             puts("  not determined");
         } else if (!isfinite(e.error)) {
@@ -209,7 +214,7 @@ static void print_estimates(const struct fit *f)
     }
     for (int j = 0; j < r->invariants; j++) {
         char name[32];
-        struct estimate e = invariant_estimate(r, j);
+        struct estimate e = invariant_estimate(f, j);
         snprintf(name, sizeof name, "I%d", j + 1);
         printf("  %-10s", name);
         put_column(e.value, e.error, 17);
@@ -218,7 +223,7 @@ static void print_estimates(const struct fit *f)
             put_interval(e);
         } else if (!in_range(e.value))
             fputs("  beyond the range of numbers", stdout);
-        else if (!(e.error == 0))
+        else if (minimum && !(e.error == 0))
             fputs("  not determined", stdout);
         puts("");
     }
@@ -321,10 +326,9 @@ static void print_free_directions(const cagd_fit_result *r)
     }
 }
 
-static void print_statistics(const struct fit *f)
+static void print_distances(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
-    int known = f->data.sigma != NULL && f->options.loss == CAGD_FIT_SQUARES;
     struct line l;
     FILE *out = begin(&l);
     fprintf(out, "root mean square %.4g, largest %.4g at point %d (line %d)", r->rms, r->largest, r->largest_at + 1,
@@ -337,7 +341,15 @@ static void print_statistics(const struct fit *f)
     if (r->out_of_order > 0)
         fprintf(out, "; %d of the feet overtake%s the one before", r->out_of_order, r->out_of_order == 1 ? "s" : "");
     end(&l, "Distances");
-    out = begin(&l);
+}
+
+/* What is true of a minimum only. */
+static void print_statistics(const struct fit *f)
+{
+    const cagd_fit_result *r = f->result;
+    int known = f->data.sigma != NULL && f->options.loss == CAGD_FIT_SQUARES;
+    struct line l;
+    FILE *out = begin(&l);
     fprintf(out, "%.6g on %d degree%s of freedom", r->chi_squared, r->degrees_of_freedom,
             plural(r->degrees_of_freedom));
     if (isfinite(r->reduced_chi_squared))
@@ -398,5 +410,13 @@ void print_fit(const struct fit *f, int verbose)
     print_estimates(f);
     print_fixed(f);
     puts("");
-    print_statistics(f);
+    print_distances(f);
+    if (is_minimum(f))
+        print_statistics(f);
+    else
+        say("No statistics",
+            "%s; standard errors, 95 %% intervals, rank, correlations and the type of a conic belong to a minimum",
+            f->result->termination == CAGD_FIT_CONVERGED
+                ? "the curve was verified to be no minimum"
+                : "the minimiser did not come to its end, and the numbers are those of the last curve that it reached");
 }

@@ -266,7 +266,7 @@ class Results(Case):
     def test_the_schema(self):
         d = self.doc
         self.assertEqual(d["schema"], "cagd-fit-1")
-        self.assertIs(d["converged"], True)
+        self.assertEqual((d["converged"], d["at_minimum"]), (True, True))
         n = len(d["unknowns"])
         for field in "covariance", "correlations":
             self.assertEqual([len(row) for row in d[field]], [n] * n)
@@ -403,6 +403,54 @@ class Fits(Case):
         r = run("fit", self.file(rows), "--max-iterations", "1")
         self.assertEqual((r.returncode, r.stderr), (1, b""))
         self.assertIn("NOT converged", r.stdout.decode())
+
+    def no_statistics(self, rows, *options):
+        """Of a curve that is no minimum nothing is said that is true of minima only."""
+        path, svg, residuals = self.file(table(rows)), self.folder / "p.svg", self.folder / "r.csv"
+        d = self.fit(path, *options, "--residuals", residuals, "--svg", svg, code=1)
+        self.assertEqual((d["converged"], d["at_minimum"]), (False, False))
+        for field in "rank", "covariance", "correlations", "free_directions", "conic":
+            self.assertIsNone(d[field], field)
+        self.assertEqual({k for k, v in d["statistics"].items() if v is not None}, {"chi_squared", "level"})
+        for e in d["unknowns"] + d["invariants"]:
+            self.assertEqual([e[k] for k in ("standard_error", "low", "high")], [None] * 3)
+        with residuals.open() as file:
+            kept = list(csv.DictReader(file))
+        self.assertTrue(all(row["standardised"] == "" and row["distance"] != "" for row in kept))
+        rms = math.sqrt(sum(float(row["distance"]) ** 2 for row in kept) / len(kept))
+        self.assertAlmostEqual(rms / d["distances"]["rms"], 1, 12)
+        for word in "closest", "±":
+            self.assertNotIn(word, svg.read_text())
+        r = run("fit", path, *options)
+        said = " ".join(r.stdout.decode().split())
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("No statistics", said)
+        for word in ("interval ", "standard error ", "Conic ", "Rank ", "Correlations", "AIC", "as good as",
+                     "not determined", "Ends "):
+            self.assertNotIn(word, said)
+        return d
+
+    def test_no_statistics_without_a_minimum(self):
+        self.no_statistics(quadratic(40, 0.75, 0.05), "--max-iterations", "1")
+        # A circle but for a gap: degree 2 in one span cannot be that, and the weight runs away.
+        gap = [[math.cos(math.pi * i / 20), math.sin(math.pi * i / 20)] for i in range(40)]
+        self.assertEqual(self.no_statistics(gap)["minimiser"]["termination"], "failed")
+
+    def test_a_closed_circle_is_not_called_a_conic(self):
+        """Its first and last point are one: the best curve of degree 2 is a line to and fro, with a cusp."""
+        circle = [[math.cos(math.pi * i / 20), math.sin(math.pi * i / 20)] for i in range(40)]
+        said = self.text(circle + circle[:1])
+        self.assertNotIn("an ellipse", said)
+        self.assertIn("as at a cusp", said)
+        self.assertIn("not verified", said)
+
+    def test_given_deviations_standardise_without_a_minimum(self):
+        residuals = self.folder / "r.csv"
+        self.fit(table(quadratic(40, 0.75, 0.05)), "--sigma", "0.05", "--max-iterations", "1", "--residuals", residuals,
+                 code=1)
+        with residuals.open() as file:
+            for row in csv.DictReader(file):
+                self.assertAlmostEqual(float(row["standardised"]) * 0.05, float(row["distance"]), 14)
 
     def test_free_directions_are_said(self):
         rows = table(quadratic(40, 0.75, 0.01))
