@@ -436,6 +436,20 @@ class Fits(Case):
         gap = [[math.cos(math.pi * i / 20), math.sin(math.pi * i / 20)] for i in range(40)]
         self.assertEqual(self.no_statistics(gap)["minimiser"]["termination"], "failed")
 
+    def test_a_saddle_is_found_out(self):
+        """A line between two rows of points: by symmetry stationary, and nearer to one row the cost is lower."""
+        rows = [[i / 10, side] for i in range(1, 10) for side in (1, -1)]
+        line = self.file(json.dumps({"kind": "rational-bezier", "points": [[0, 0], [0.5, 0], [1, 0]],
+                                     "weights": [1, 1, 1]}), "line.json")
+        options = ["--initial", line, "--free", "inner", "--unordered"]
+        d = self.fit(table(rows), *options, code=1)
+        self.assertEqual((d["converged"], d["at_minimum"], d["rank"]), (True, False, None))
+        self.assertEqual((d["verification"]["status"], d["verification"]["strict_minimum"]), ("verified", False))
+        said = self.text(rows, *options)
+        self.assertIn("a stationary point that is NO minimum", said)
+        self.assertIn("No statistics the curve was verified to be no minimum", said)
+        self.assertNotIn("95 % interval ", said)
+
     def test_a_closed_circle_is_not_called_a_conic(self):
         """Its first and last point are one: the best curve of degree 2 is a line to and fro, with a cusp."""
         circle = [[math.cos(math.pi * i / 20), math.sin(math.pi * i / 20)] for i in range(40)]
