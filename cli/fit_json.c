@@ -146,11 +146,11 @@ json_t *fit_json(const struct fit *f)
     int flat = free_unknowns(r) - r->rank, ends = 0;
     for (int i = 0; i < r->count; i++)
         ends += r->foot_at_end[i];
-    json_t *points =
-        json_pack("{s:s, s:i, s:i, s:s}", "file", f->path, "count", f->data.count, "dimension", f->data.dim, "sigma",
-                  f->data.sigma == NULL ? "unknown"
-                  : f->sigma_given      ? "one"
-                                        : "column");
+    json_t *points = json_pack("{s:o, s:i, s:i, s:s}", "file", path_json(f->path), "count", f->data.count, "dimension",
+                               f->data.dim, "sigma",
+                               f->data.sigma == NULL ? "unknown"
+                               : f->sigma_given      ? "one"
+                                                     : "column");
     json_t *options =
         json_pack("{s:o, s:s, s:o, s:b, s:o, s:o, s:i, s:I, s:o, s:i}", "free", free, "loss", loss_name[o->loss],
                   "scale", o->loss == CAGD_FIT_SQUARES ? json_null() : real(o->loss_scale), "unordered", o->unordered,
@@ -166,14 +166,15 @@ json_t *fit_json(const struct fit *f)
                                   "feet_at_ends", ends, "feet_out_of_order", r->out_of_order);
     double cusp;
     int has_cusp = cagd_fit_has_cusp(r, &cusp);
+    int robust = o->loss != CAGD_FIT_SQUARES; /* the sum of losses has no known distribution */
     const char *scaled_by = f->data.sigma != NULL && o->loss == CAGD_FIT_SQUARES ? "the given standard deviations"
                                                                                  : "the scatter of the points";
-    json_t *statistics =
-        json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:f, s:o}", "chi_squared", real(r->chi_squared),
-                  "reduced_chi_squared", of_minimum(f, real(r->reduced_chi_squared)), "degrees_of_freedom",
-                  of_minimum(f, json_integer(r->degrees_of_freedom)), "aic", of_minimum(f, real(r->aic)), "bic",
-                  of_minimum(f, real(r->bic)), "scale_squared", of_minimum(f, real(r->scale_squared)), "scaled_by",
-                  of_minimum(f, json_string(scaled_by)), "level", 0.95, "quantile", of_minimum(f, real(r->quantile)));
+    json_t *statistics = json_pack(
+        "{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:f, s:o}", "chi_squared", real(r->chi_squared), "reduced_chi_squared",
+        of_minimum(f, real(robust ? NAN : r->reduced_chi_squared)), "degrees_of_freedom",
+        of_minimum(f, json_integer(r->degrees_of_freedom)), "aic", of_minimum(f, real(robust ? NAN : r->aic)), "bic",
+        of_minimum(f, real(robust ? NAN : r->bic)), "scale_squared", of_minimum(f, real(r->scale_squared)), "scaled_by",
+        of_minimum(f, json_string(scaled_by)), "level", 0.95, "quantile", of_minimum(f, real(r->quantile)));
     json_t *document = json_pack("{s:s, s:b, s:b, s:o, s:o, s:o, s:o}", "schema", "cagd-fit-1", "converged",
                                  r->termination == CAGD_FIT_CONVERGED, "at_minimum", is_minimum(f), "points", points,
                                  "options", options, "minimiser", minimiser, "curve", fitted_curve_json(&r->curve));
@@ -183,9 +184,9 @@ json_t *fit_json(const struct fit *f)
                   of_minimum(f, matrix_json(flat, r->unknowns, r->free_directions)), "covariance",
                   of_minimum(f, matrix_json(r->unknowns, r->unknowns, r->covariance)), "correlations",
                   of_minimum(f, correlations_json(r)), "invariants", invariants, "conic", of_minimum(f, conic_json(r)));
-    json_t *rest =
-        json_pack("{s:o, s:o, s:b, s:o, s:o}", "statistics", statistics, "distances", distances, "ends_taken_as_exact",
-                  ends_taken_as_exact(f), "cusp", has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
+    json_t *rest = json_pack("{s:o, s:o, s:b, s:b, s:o, s:o}", "statistics", statistics, "distances", distances,
+                             "points_on_curve", is_on_curve(f), "ends_taken_as_exact", ends_taken_as_exact(f), "cusp",
+                             has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
     json_object_update(document, of_unknowns);
     json_object_update(document, rest);
     json_decref(of_unknowns);

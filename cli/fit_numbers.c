@@ -1,6 +1,7 @@
 /* fit_numbers.c -- estimates, intervals and counts, by the formulas that cagd_fit.h states for its result. */
 #include "cli/fit.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +13,17 @@ int is_minimum(const struct fit *f)
     const stationary_verdict *v = &f->verdict;
     int refuted = f->checked && v->verified && !v->minimum && v->bounds != STATIONARY_OPEN;
     return f->result->termination == CAGD_FIT_CONVERGED && !refuted;
+}
+
+int is_on_curve(const struct fit *f)
+{
+    const cagd_spline *c = &f->result->curve;
+    double size = 0;
+    for (int m = 0; m < c->count * c->dim; m++)
+        size = fmax(size, fabs(c->points[m]));
+    for (int m = 0; m < f->data.count * f->data.dim; m++)
+        size = fmax(size, fabs(f->data.points[m]));
+    return f->result->rms <= (2 * c->degree + 2) * DBL_EPSILON * size;
 }
 
 double deviation_of(const struct fit *f, int i)
@@ -78,24 +90,55 @@ int ends_taken_as_exact(const struct fit *f)
            (f->data.sigma != NULL || f->result->scale_squared > 0);
 }
 
+/* The exponent of x as %.*e with so many decimals writes it. */
+static int exponent_of(double x, int decimals)
+{
+    char digits[48];
+    snprintf(digits, sizeof digits, "%.*e", decimals, x);
+    return atoi(strchr(digits, 'e') + 1);
+}
+
 void put_rounded(FILE *out, double value, double error)
 {
-    enum { LONGEST = 12 };
+    enum { LONGEST = 12, MOST_ZEROS = 4, EXACT = 17 };
     if (!isfinite(error) || !(error > 0)) {
         fprintf(out, "%.10g", value);
         return;
     }
-    char digits[32];
-    snprintf(digits, sizeof digits, "%.1e", error); /* whose exponent is that of the rounded error */
-    int places = 1 - atoi(strchr(digits, 'e') + 1);
+    int places = 1 - exponent_of(error, 1); /* of the second digit of the error, as it is rounded */
     double size = fmax(fabs(value), fabs(error));
-    int whole = size > 0 ? (int)floor(log10(size)) : 0;
-    if (places >= 0 && places <= LONGEST && whole < LONGEST)
-        fprintf(out, "%.*f", places, value);
-    else if (places < 0 && whole < LONGEST)
-        fprintf(out, "%.0f", value);
-    else
-        fprintf(out, "%.*e",
-                value != 0 && places + (int)floor(log10(fabs(value))) > 0 ? places + (int)floor(log10(fabs(value))) : 1,
-                value);
+    int whole = size > 0 ? exponent_of(size, 1) : 0;
+    if (-MOST_ZEROS <= places && -MOST_ZEROS <= whole && places + whole < EXACT && whole < LONGEST) {
+        fprintf(out, "%.*f", places > 0 ? places : 0, value);
+        return;
+    }
+    int decimals = value != 0 ? places + exponent_of(value, 1) : 1;
+    fprintf(out, "%.*e", decimals < 1 ? 1 : decimals > EXACT ? EXACT : decimals, value);
+}
+
+/* How many bytes the character of UTF-8 that begins at s has; 0 where none does. */
+static size_t character(const char *s)
+{
+    for (size_t length = 1; length <= 4 && s[length - 1] != '\0'; length++) {
+        json_t *one = json_stringn(s, length);
+        json_decref(one);
+        if (one != NULL)
+            return length;
+    }
+    return 0;
+}
+
+json_t *path_json(const char *path)
+{
+    char *text;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    for (size_t length; *path != '\0'; path += length > 0 ? length : 1) {
+        length = character(path);
+        fprintf(out, "%.*s", length > 0 ? (int)length : 3, length > 0 ? path : "\xEF\xBF\xBD");
+    }
+    fclose(out);
+    json_t *json = json_string(text);
+    free(text);
+    return json;
 }

@@ -6,6 +6,7 @@ import csv
 import itertools
 import json
 import math
+import os
 import pathlib
 import random
 import re
@@ -177,6 +178,12 @@ class Mistakes(Case):
             with self.subTest(row):
                 self.refuses(self.GOOD + row + "\n", words)
                 self.refuses((self.GOOD + row).replace("\n", "\r\n"), words)
+
+    def test_knots_that_break_the_curve(self):
+        path = self.file(self.GOOD)
+        for degree, knots in ("2", "0.25,0.5,0.5,0.5"), ("1", "0.5,0.5"):
+            self.refuses_usage(path, "--degree", degree, "--knots", knots,
+                               words=["--knots: 0.5 stands more than " + degree + " times"])
 
     def test_decimal_marks_are_not_mixed(self):
         self.refuses("1.5;2\n1;2,5\n", ["line 2", "decimal comma", "line 1 a decimal point"])
@@ -391,6 +398,50 @@ class Results(Case):
 
 
 class Fits(Case):
+    def test_a_name_that_is_no_utf8(self):
+        path = self.folder / os.fsdecode(b"b\xff\xc3d.csv")
+        path.write_text(table(quadratic(9)))
+        d = self.fit(path, "--no-verify")
+        self.assertTrue(d["points"]["file"].endswith("/b\ufffd\ufffdd.csv"))
+
+    def test_numbers_keep_their_digits_at_every_size(self):
+        """The unit of length changes the coordinates, and nothing else."""
+        rows = quadratic(30, 0.75, 0.01)
+        for unit in 1e-12, 1, 1e12:
+            said = self.text([[unit * x, unit * y] for x, y in rows])
+            for line in ["w1 0.739 0.024 0.691 to 0.791", "I1 0.546 0.036 0.477 to 0.625", "an ellipse at 95 %"]:
+                self.assertIn(line, said)
+            numbers = re.search(r"P1 x (\S+) (\S+) (\S+) to (\S+) ", said).groups()
+            for number, wanted in zip(numbers, (1.002, 0.020, 0.960, 1.043)):
+                self.assertAlmostEqual(float(number) / unit, wanted, 9)
+                self.assertLessEqual(len(number), len("1.002e+12"))
+            near = re.search(r"lies within (\S+) of these coordinates and (?:(\S+) of these )?logarithms of weights", said)
+            self.assertEqual(near[2] is not None, unit != 1)
+            self.assertLess(float(near[1]) / unit, 1e-13)
+            self.assertLess(float(near[2] or near[1]), 1e-13)
+
+    def test_points_on_the_curve_are_said(self):
+        """Then the standard errors are those of the arithmetic."""
+        for rows, on_curve in [(quadratic(15), True), (quadratic(15, 0.75, 1e-9), False),
+                               ([[1e9 * x, 1e9 * y] for x, y in quadratic(15)], True)]:
+            self.assertIs(self.fit(table(rows))["points_on_curve"], on_curve)
+            self.assertEqual("not of a measurement" in self.text(rows), on_curve)
+        self.assertNotIn("not of a measurement", self.text(quadratic(15), "--sigma", "0.1"))
+
+    def test_a_robust_loss_is_no_chi_squared(self):
+        options = ["--loss", "cauchy", "--scale", "0.03"]
+        rows = quadratic(60, 0.75, 0.01)
+        rows[20][1] += 50
+        statistics = self.fit(table(rows), *options)["statistics"]
+        self.assertEqual([statistics[k] for k in ("aic", "bic", "reduced_chi_squared")], [None] * 3)
+        said = self.text(rows, *options)
+        self.assertIn("Loss %.6g, the sum over all points" % statistics["chi_squared"], said)
+        for word in "Chi-squared", "AIC":
+            self.assertNotIn(word, said)
+
+    def test_ends_of_points_in_no_order(self):
+        self.assertIn("it begins and ends in two of the points", self.text(quadratic(20, 0.75, 0.01), "--unordered"))
+
     def test_points_on_a_curve(self):
         for w in 0.3, 1.0, 2.5:
             d = self.fit(table(quadratic(15, w)))
