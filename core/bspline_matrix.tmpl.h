@@ -177,9 +177,11 @@ static inline void G(bspline_matrix_by_marsden)(int p, const num u[restrict], in
     }
 }
 
-/* The matrix A when u[mu-p], ..., u[mu+p+1] are all different (formula 4.4.23, its sign and exponent put right):
+/* The matrix A when u[mu+1], ..., u[mu+p+1] are all different (formula 4.4.23, its sign and exponent put right), whatever
+ * the multiplicities up to u[mu]:
  *     a_{ji} = C(p,j) (u[i+k] - u[i]) (u[mu] - u[mu+1])^j sum_l (u[l] - u[mu])^{p-j} / prod_{m != l} (u[l] - u[m]),
- * the sum over l = mu+1, ..., i+k, the product over m = i, ..., i+k.  UNDEFINED when two are equal. */
+ * the sum over l = mu+1, ..., i+k, the product over m = i, ..., i+k.  UNDEFINED when two of those to the
+ * right of u[mu] are equal. */
 static inline void G(bspline_matrix_simple)(int p, const num u[restrict], int mu, num A[restrict])
 {
     int k = p + 1;

@@ -151,6 +151,9 @@ void svg_circle(svg *s, svg_point centre, num_q radius, enum svg_role role);
 
 /* The polygon R_0 ... R_n with its points, labelled letter_0, ..., letter_n on the outer side. */
 void svg_control_polygon(svg *s, int degree, const num_q R[], const char *letter);
+/* The same with the labels where towards[0], ..., towards[degree] say. */
+void svg_control_polygon_towards(svg *s, int degree, const num_q R[], const char *letter,
+                                 const enum svg_direction towards[]);
 
 /* The matrix m, row after row, as tinted cells: cell (i, j) is the square j <= x <= j + 1,
  * rows - 1 - i <= y <= rows - i.  The tint grows with |m| / max |m|; negative entries have the

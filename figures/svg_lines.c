@@ -267,23 +267,29 @@ void svg_circle(svg *s, svg_point centre, num_q radius, enum svg_role role)
 }
 
 /* A label stands away from the neighbours of its point. */
-static void control_point(svg *s, int degree, const num_q R[], int i, const char *letter)
+static enum svg_direction outwards(int degree, const num_q R[], int i)
 {
     int before = i > 0 ? i - 1 : degree > 0, after = i < degree ? i + 1 : i > 0 ? i - 1 : 0;
-    svg_point P = svg_pair(R + 2 * i), inner = middle(svg_pair(R + 2 * before), svg_pair(R + 2 * after));
-    struct string name = {0};
-    put(&name, "%s_{%d}", letter, i);
-    svg_mark(s, P, SVG_POLYGON, SVG_USUAL);
-    svg_label(s, P, svg_direction_of(inner, P), SVG_POINT, content(&name));
-    free_string(&name);
+    return svg_direction_of(middle(svg_pair(R + 2 * before), svg_pair(R + 2 * after)), svg_pair(R + 2 * i));
 }
 
 void svg_control_polygon(svg *s, int degree, const num_q R[], const char *letter)
 {
+    svg_control_polygon_towards(s, degree, R, letter, NULL);
+}
+
+void svg_control_polygon_towards(svg *s, int degree, const num_q R[], const char *letter,
+                                 const enum svg_direction towards[])
+{
     svg_polyline(s, degree + 1, R, SVG_POLYGON);
     for (int i = 0; i <= degree; i++) {
         region_mark mark = region_open();
-        control_point(s, degree, R, i, letter);
+        svg_point P = svg_pair(R + 2 * i);
+        struct string name = {0};
+        put(&name, "%s_{%d}", letter, i);
+        svg_mark(s, P, SVG_POLYGON, SVG_USUAL);
+        svg_label(s, P, towards != NULL ? towards[i] : outwards(degree, R, i), SVG_POINT, content(&name));
+        free_string(&name);
         region_drop(mark);
     }
 }

@@ -210,7 +210,6 @@ def random_runs(case, bound):
 
 # ---- decisions ------------------------------------------------------------------------------------------
 Q = Rationals
-
 def squarefree(p):
     """Yun: [(factor, multiplicity)]."""
     slope = p_derivative(Q, p)
@@ -263,7 +262,6 @@ def sign_pattern(p, a, b, left, right):
         k += 1
     positive = p_value(Q, p, a + (b - a) / k) > 0
     return 5 if r["crossings"] else (2 if positive else 3) if r["distinct"] else 1 if positive else 4
-
 def curve_and_line(R, w, line):
     weighted = [p_bernstein(Q, [wi * x for wi, x in zip(w, R[c::2])]) for c in (0, 1)] + [p_bernstein(Q, w)]
     common = p_gcd(Q, p_gcd(Q, weighted[0], weighted[1]), weighted[2])
@@ -278,7 +276,6 @@ def curve_and_line(R, w, line):
     inside, closed = count_roots(f, 0, 1, False, False), count_roots(f, 0, 1, True, True)
     jumps = count_roots(p_mul(Q, g, W), 0, 1, False, False)["crossings"] - inside["crossings"]
     return [0, closed["distinct"], inside["distinct"], inside["crossings"], inside["touches"], poles, jumps]
-
 def polygon_and_line(R, line):
     P = list(zip(R[::2], R[1::2]))
     side = [line[0] * x + line[1] * y + line[2] for x, y in P]
@@ -300,7 +297,6 @@ def polygon_and_line(R, line):
         components += end is None or low > end
         end = high if end is None else max(end, high)
     return [sum(x != y for x, y in zip(signs, signs[1:])), runs, components, contained]
-
 def turn(a, b, c):
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 def convex_polygon(flat, closed):
@@ -328,7 +324,6 @@ def convex_polygon(flat, closed):
         if all(sign * t >= 0 for t in turns) and all(sign * turn(P[0], P[i], P[i + 1]) >= 0 for i in range(1, n - 1)):
             return len(set(P)) == n
     return False
-
 def determinant(M):
     M, d = [list(row) for row in M], Fraction(1)
     for k in range(len(M)):
@@ -342,7 +337,6 @@ def determinant(M):
             f = M[i][k] / M[k][k]
             M[i] = [x - f * y for x, y in zip(M[i], M[k])]
     return d
-
 def all_minors(M, strict):
     rows, columns = len(M), len(M[0]) if M else 0
     cells = [(i, j) for i in range(rows) for j in range(columns)]
@@ -363,7 +357,6 @@ def all_minors(M, strict):
                 minors[r, c] = m
         below = minors
     return True
-
 def check_hull(f, v):
     d, P, x = f["dim"], [v[i] for i in f["points"]], [v[i] for i in f["x"]]
     points_ = [P[i : i + d] for i in range(0, len(P), d)]
@@ -376,7 +369,6 @@ def check_hull(f, v):
         normal, offset = [v[i] for i in f["normal"]], v[f["offset"][0]]
         require(len(normal) == d and all(dot(normal, p) <= offset for p in points_) and dot(normal, x) > offset,
                 "the plane does not separate")
-
 def check_hull_vertices(f, v):
     P = [v[i] for i in f["points"]]
     P = [tuple(P[i : i + 2]) for i in range(0, len(P), 2)]
@@ -391,8 +383,21 @@ def check_hull_vertices(f, v):
         n = len(V)
         require(all(turn(V[i], V[(i + 1) % n], V[(i + 2) % n]) > 0 for i in range(n)), "not convex")
         require(all(turn(V[i], V[(i + 1) % n], p) >= 0 for p in P for i in range(n)), "a point outside")
-
-def check_fact(f, v):
+def check_operations(f, nodes):
+    """Sums and products below the nodes `out`; a product with a constant that is a power of two is a shift."""
+    def power_of_two(op, *a):
+        x = Fraction(a[0]) if op == "c" else Fraction(0)
+        return x > 0 and x.numerator & (x.numerator - 1) == x.denominator & (x.denominator - 1) == 0 or (
+            op == "*" and all(power_of_two(*nodes[i]) for i in a))
+    below, count = set(f["out"]), {"additions": 0, "multiplications": 0, "shifts": 0}
+    for i in range(len(nodes) - 1, -1, -1):
+        op, *a = nodes[i]
+        if i in below and op not in "xco":
+            require(op in "+-*", "an operation of another kind")
+            count["additions" if op != "*" else "shifts" if any(power_of_two(*nodes[j]) for j in a) else "multiplications"] += 1
+            below.update(a)
+    require(all(f[key] == number for key, number in count.items()), "the number of operations")
+def check_fact(f, v, nodes):
     kind, get = f["fact"], lambda field: [v[i] for i in f[field]]
     number = lambda i: None if i < 0 else v[i]
     if kind in ("order", "equal"):
@@ -414,6 +419,8 @@ def check_fact(f, v):
         require(f["is"] == curve_and_line(get("R"), get("w"), get("line")), "a curve and a line")
     elif kind == "polygon_and_line":
         require(f["is"] == polygon_and_line(get("R"), get("line")), "a polygon and a line")
+    elif kind == "operations":
+        check_operations(f, nodes)
     elif kind == "hull":
         check_hull(f, v)
     elif kind == "hull_vertices":
@@ -460,7 +467,6 @@ def check_coefficient_signs(step):
 # ---- claims and statements --------------------------------------------------------------------------------
 def good(step):
     return step.get("equal", step.get("agree", step.get("good", True)))
-
 def check_case(case, proved):
     require(all(isinstance(x, list) and len(x) == 2 for x in case["inputs"]), "the inputs")
     steps = case["steps"]
@@ -475,7 +481,7 @@ def check_case(case, proved):
             require(s["good"] == (v[s["nonnegative"]] >= 0), "the sign of a number")
         elif "fact" in s:
             facts += 1
-            check_fact(s, v)
+            check_fact(s, v, case["nodes"])
         else:
             require(isinstance(s["agree"], bool), "a step without meaning")
             comparisons += 1
@@ -485,7 +491,6 @@ def check_case(case, proved):
     if proved or case["type"] == "field":
         check_identity(case, facts > 0)
     return all(good(s) for s in steps)
-
 def check_identity(case, branches):
     """What is equal is so for all inputs; a sign was read off a fraction that is the node."""
     steps, d = case["steps"], degrees(case["nodes"])
@@ -515,7 +520,6 @@ def check_claim(c):
         raise Cannot("no program")
     holds = [check_case(case, evidence == "proved") for case in c["cases"]]
     require(all(holds) if outcome == "holds" else not any(holds), "the outcome does not follow")
-
 def derived(s, claims):
     """Verdict and evidence from the claims, by their roles."""
     of = lambda *roles: [claims[l["claim"]]["evidence"] for l in s["links"] if "claim" in l and l["role"] in roles]
@@ -531,7 +535,6 @@ def derived(s, claims):
     if for_it:
         return ("conditional" if "hypothesis" in roles else "holds"), weakest(for_it)
     return "open", "none"
-
 def check_statement(s, claim_of):
     claims, unable = {}, None
     for link in s["links"]:

@@ -150,10 +150,10 @@ CLAIM(bernstein_largest_at_its_node)
     num n = add(i, rest), share = inside(T, "s");
     num node = div(i, n), after = add(node, mul(sub(one, node), share));
     about(T, "i - n t before the node");
-    G(above_zero)(T, sub(i, mul(n, mul(node, share))));
+    G(must_be_positive)(T, sub(i, mul(n, mul(node, share))));
     about(T, "n t - i after the node");
     num falling = sub(mul(n, after), i);
-    G(above_zero)(T, T->planted ? neg(falling) : falling);
+    G(must_be_positive)(T, T->planted ? neg(falling) : falling);
     about(T, "i - n t at the node");
     vanishes(T, sub(i, mul(n, node)));
 }
@@ -199,7 +199,7 @@ CLAIM(bernstein_positive_inside)
     num t = inside(T, "s"), B[MAX_DEGREE + 1];
     G(bernstein)(n, T->planted ? neg(t) : t, B);
     for (int i = 0; i <= n; i++)
-        G(above_zero)(T, B[i]);
+        G(must_be_positive)(T, B[i]);
 }
 
 /*
@@ -223,9 +223,9 @@ CLAIM(bernstein_alternates_outside)
     G(bernstein)(n, neg(s), before);
     G(bernstein)(n, add(one, s), after);
     for (int i = 0; i <= n; i++) {
-        G(above_zero)(T, i % 2 == 0 ? before[i] : neg(before[i]));
+        G(must_be_positive)(T, i % 2 == 0 ? before[i] : neg(before[i]));
         int exponent = T->planted ? i : n - i;
-        G(above_zero)(T, exponent % 2 == 0 ? after[i] : neg(after[i]));
+        G(must_be_positive)(T, exponent % 2 == 0 ? after[i] : neg(after[i]));
     }
 }
 
@@ -436,7 +436,7 @@ CLAIM(bernstein_basis_is_independent)
         product = mul(product, G(choose)(n, i));
     }
     same(T, G(determinant)(n + 1, M), product);
-    G(above_zero)(T, product);
+    G(must_be_positive)(T, product);
 }
 
 /*

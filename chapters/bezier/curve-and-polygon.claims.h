@@ -26,6 +26,7 @@ The degree is at most $n$: see the next entry.
 :holds-by: bernstein_to_power_keeps_polynomial
 :reading: bernstein_to_power_keeps_polynomial | as a name: written in Bernstein polynomials of degree $n$, so of degree at most $n$: true
 :reading: equally_spaced_points_make_a_line | a polynomial of exactly this degree: false
+:figure: degrees_one_to_three
 :::
 
 :::{claim} equally_spaced_points_make_a_line
@@ -44,6 +45,7 @@ The degree is at most $n$: see the next entry.
 :printed: $B_{i,n}(t)=\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}=C_n^it^i(1-t)^{n-i}$, $i=0,1,\dots,n$
 :definition: yes
 :checked-by: bernstein_is_binomial_form
+:figure: bernstein_basis
 :::
 
 :::{statement} slides-ch4:4-conventions
@@ -71,6 +73,7 @@ With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0
 :zh: 一次 Bézier 曲线
 :printed: P(t)=(1-t)P_0+tP_1,\quad0\le t\le1
 :holds-by: small_degrees_written_out
+:figure: degrees_one_to_three
 :::
 
 :::{statement} slides-ch4:4-degree-2
@@ -78,6 +81,7 @@ With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0
 :zh: 二次 Bézier 曲线及其矩阵形式
 :printed: P(t)=(1-t)^2P_0+2t(1-t)P_1+t^2P_2=[t^2\;t\;1]\begin{bmatrix}1&-2&1\\-2&2&0\\1&0&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\end{bmatrix}
 :holds-by: small_degrees_written_out
+:figure: degrees_one_to_three
 
 The signs of the six numbers are lost.  Each column is the list of the coefficients of one Bernstein polynomial, which are what they are: of
 the 64 choices one is true.
@@ -88,6 +92,7 @@ the 64 choices one is true.
 :zh: 三次 Bézier 曲线及其矩阵形式
 :printed: P(t)=(1-t)^3P_0+3t(1-t)^2P_1+3t^2(1-t)P_2+t^3P_3=[t^3\;t^2\;t\;1]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\\-3&3&0&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}
 :holds-by: small_degrees_written_out
+:figure: degrees_one_to_three
 
 Ten signs are lost, and one of 1024 choices is true.
 :::
@@ -215,6 +220,7 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :reading: derivative_in_three_steps | products with a factor $i=0$ or $n-i=0$ are not there, or $0<t<1$: true
 :reading: first_term_divides_by_zero | every factor by itself: at $t=0$ and $t=1$, the two places where the slides use the derivative, two
   products are $0\cdot0^{-1}$, of which the convention for $0^0$ says nothing
+:figure: edges_and_end_tangents
 :::
 
 :::{statement} slides-ch4:4-derivative-terms
@@ -224,6 +230,7 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :holds-by: derivative_in_three_steps
 :reading: derivative_in_three_steps | the $2n$ terms from the first to the last, which for $n=1$ are the first and the last alone: true
 :reading: terms_in_a_row_need_two_edges | all that are written out, for $n=1$ as well: false, there is no $(n-2)!$
+:figure: edges_and_end_tangents
 
 The signs are lost; each is determined by the sum before.
 :::
@@ -331,6 +338,7 @@ CLAIM(terms_in_a_row_need_two_edges)
 :zh: 基函数的对称性
 :printed: B_{i,n}(t)=\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}=B_{n-i,n}(1-t)
 :holds-by: bernstein_is_symmetric
+:figure: bernstein_basis
 :::
 
 :::{statement} slides-ch4:4-symmetry
@@ -370,6 +378,7 @@ CLAIM(terms_in_a_row_need_two_edges)
 :zh: 凸包的定义
 :printed: the set $M=\Bigl\{\sum_{i=0}^n\lambda_iP_i\Bigm|\sum_{i=0}^n\lambda_i=1,\ 0\le\lambda_i\le1,\ i=0,1,\dots,n\Bigr\}$
 :definition: yes
+:figure: bezier_hull
 :::
 
 :::{statement} slides-ch4:4-partition
@@ -378,6 +387,7 @@ CLAIM(terms_in_a_row_need_two_edges)
 :printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
 :holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :needs: bernstein_alternates_outside | $0\le t\le1$
+:figure: bernstein_basis
 
 At most 1 because the others are not negative.
 :::

@@ -23,7 +23,8 @@ FIGURE(bezier_hull)
     svg_bezier(s, 5, beyond, SVG_WRONG);
     bezier_on_interval_q(5, 2, b, r(-1, 8), q(0), beyond);
     svg_bezier(s, 5, beyond, SVG_WRONG);
-    svg_control_polygon(s, 5, b, "P");
+    static const enum svg_direction towards[] = {SVG_W, SVG_N, SVG_SE, SVG_NW, SVG_NE, SVG_E};
+    svg_control_polygon_towards(s, 5, b, "P", towards);
     svg_bezier(s, 5, b, SVG_CURVE);
     svg_legend_line(s, SVG_CURVE, "$0≤t≤1$");
     svg_legend_line(s, SVG_WRONG, "$t<0$ and $t>1$");
@@ -49,7 +50,8 @@ FIGURE(edges_and_end_tangents)
     hodograph_q(3, 2, D);
     svg_panel(s, window(q(-1), q(-10), q(10), q(10)), 170, 0, "$P\\'(t)$");
     svg_axes(s, q(5), q(5), NULL, NULL);
-    svg_control_polygon(s, 2, D, "D");
+    static const enum svg_direction towards[] = {SVG_W, SVG_NE, SVG_W};
+    svg_control_polygon_towards(s, 2, D, "D", towards);
     svg_bezier(s, 2, D, SVG_CURVE_2);
     svg_legend_line(s, SVG_CURVE, "the curve");
     svg_legend_line(s, SVG_CURVE_2, "its derivative");
@@ -88,5 +90,24 @@ FIGURE(read_from_either_end)
     svg_legend_line(s, SVG_CURVE, "the curve, $t$ of $P_0,...,P_n$");
     svg_legend_line(s, SVG_CURVE_2, "$t$ of $P_n,...,P_0$");
     svg_legend_line(s, SVG_WRONG, "the mirror image");
+    return s;
+}
+
+FIGURE(degrees_one_to_three)
+{
+    svg *s =
+        svg_new("degrees_one_to_three", "Bézier curves of degree 1, 2 and 3",
+                "A segment, an arc of a parabola and a cubic, each with its polygon of two, three and four points.");
+    static const int from[3][8] = {{0, 0, 4, 3}, {0, 0, 3, 4, 4, 0}, {0, 0, 0, 3, 3, 4, 4, 0}};
+    static const enum svg_direction towards[3][4] = {
+        {SVG_S, SVG_N}, {SVG_S, SVG_N, SVG_S}, {SVG_S, SVG_NW, SVG_N, SVG_S}};
+    static const char *const caption[3] = {"$n=1$", "$n=2$", "$n=3$"};
+    for (int n = 1; n <= 3; n++) {
+        num_q b[8];
+        integers(2 * (n + 1), from[n - 1], b);
+        svg_panel(s, window(q(-1), q(-1), q(5), q(5)), 200, 0, caption[n - 1]);
+        svg_control_polygon_towards(s, n, b, "P", towards[n - 1]);
+        svg_bezier(s, n, b, SVG_CURVE);
+    }
     return s;
 }

@@ -22,7 +22,7 @@ FIGURE(casteljau_triangle)
                 "again, until the point of the curve at t = 2/5 is left.");
     cubic(b);
     svg_panel(s, (svg_window){from_int_q(-1), from_int_q(-1), from_int_q(11), from_int_q(8)}, 460, 0,
-              "Every edge is divided in the ratio $t:(1-t)$, here $t = 2/5$, until one point is left.");
+              "every edge divided in the ratio $t:(1-t)$, $t=2/5$");
     svg_bezier(s, CUBIC, b, SVG_CURVE);
     svg_control_polygon(s, CUBIC, b, "b");
     for (int m = 0; m < 2 * (CUBIC + 1); m++)
@@ -50,7 +50,7 @@ FIGURE(bezier_split)
     cubic(b);
     bezier_split_q(CUBIC, 2, b, from_ratio_q(2, 5), left, right);
     svg_panel(s, (svg_window){from_int_q(-1), from_int_q(-1), from_int_q(11), from_int_q(8)}, 460, 0,
-              "The sides of the triangle at $t = 2/5$: the polygons of the parts over $[0,t]$ and $[t,1]$.");
+              "the two sides of the triangle at $t=2/5$");
     svg_polyline(s, CUBIC + 1, b, SVG_MUTED);
     svg_bezier(s, CUBIC, left, SVG_CURVE);
     svg_bezier(s, CUBIC, right, SVG_CURVE_2);

@@ -2,31 +2,9 @@
  *
  * The other side of this chapter's comparisons.  Nothing here follows a recurrence of the kernels, or
  * uses their binomial coefficients; nothing is fast.  Generic text, for the sections of this chapter. */
+#include "chapters/frame/elementary.h"
+
 #include "chapters/frame/claims_on.h"
-
-static inline num G(factorial)(int n)
-{
-    num product = from_int(1);
-    for (int k = 2; k <= n; k++)
-        product = mul(product, from_int(k));
-    return product;
-}
-
-/* n!/(i! (n-i)!), and 0 for i < 0 and i > n */
-static inline num G(choose)(int n, int i)
-{
-    if (i < 0 || i > n)
-        return from_int(0);
-    return div(G(factorial)(n), mul(G(factorial)(i), G(factorial)(n - i)));
-}
-
-static inline num G(power)(num a, int k)
-{
-    num product = from_int(1);
-    for (; k > 0; k--)
-        product = mul(product, a);
-    return product;
-}
 
 /* B_i^n(t) = C(n,i) (1-t)^{n-i} t^i */
 static inline num G(basis)(int n, int i, num t)
@@ -98,21 +76,5 @@ static inline void G(free_points)(trial *T, int n, int dim, num b[])
     for (int i = 0; i <= n; i++)
         for (int c = 0; c < dim; c++)
             b[i * dim + c] = unknown(T, name[c], i);
-}
-
-/* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The
- * inexact types refute only. */
-static inline void G(above_zero)(trial *T, num a)
-{
-    nonnegative(T, a);
-#if FIELD
-    agree(T, !is_zero_f(a));
-#elif RATIONAL
-    agree(T, !is_zero_q(a));
-#elif INTERVAL
-    agree(T, upper_i(a) > 0);
-#else
-    agree(T, a.v + error_bound_m(a) > 0);
-#endif
 }
 #include "chapters/frame/claims_off.h"

@@ -25,6 +25,7 @@ happens in binary64, where the parameter is a sum of rounded steps.
   result is R[0], the value of the curve at $t$
 :holds-by: program_computes_the_curve
 :hypothesis: difference_loses_the_last_point | exact arithmetic: in binary64 the result at $t=1$ need not be the last point
+:figure: last_point_lost
 :::
 
 :::{statement} slides-ch4:4-program-step
@@ -32,6 +33,7 @@ happens in binary64, where the parameter is a sum of rounded steps.
 :zh: 程序注释:n 次曲线由两条 n-1 次曲线线性组合
 :printed: the value of a curve of degree $n$ at $t$ is found by a linear combination of the values of two curves of degree $n-1$ at $t$
 :holds-by: curve_blends_two_curves_of_one_point_less program_computes_the_curve
+:figure: two_curves_of_one_point_less
 :::
 
 :::{claim} program_computes_the_curve

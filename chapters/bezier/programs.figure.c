@@ -48,10 +48,31 @@ FIGURE(one_place_too_many)
             svg_area(s, 5, box, SVG_WRONG);
         svg_polyline(s, 5, box, k == 4 ? SVG_WRONG : SVG_AXIS);
         svg_mark(s, svg_pair(P), role, SVG_USUAL);
-        svg_label(s, svg_pair(P), k < 2 ? SVG_NW : SVG_NE, role, name);
+        svg_label(s, svg_pair(P), k < 2 ? SVG_NW : k < 4 ? SVG_NE : SVG_W, role, name);
         svg_label(s, at(div_q(add_q(x, next), q(2)), div_q(add_q(low, high), q(2))), SVG_HERE, role, name);
     }
     svg_legend_line(s, SVG_CURVE, "the curve");
     svg_legend_area(s, SVG_WRONG, "written beyond the end");
+    return s;
+}
+
+FIGURE(last_point_lost)
+{
+    svg *s = svg_new("last_point_lost", "What the program makes of the last point",
+                     "A segment from 1 to P_1, for P_1 = 0 to 8 in units of 2 to the power of -54: the result of the "
+                     "program at t = 1, rounded after each operation, is P_1 only for the even numbers.");
+    num_q unit = from_double_q(0x1p-54);
+    svg_panel(s, window(q(0), q(0), q(9), q(9)), 330, 0, "the result at $t=1$ against $P_1$, in units of $2^{-54}$");
+    svg_axes(s, q(2), q(2), "P_1", NULL);
+    svg_segment(s, svg_at(0, 0), svg_at(9, 9), SVG_MUTED);
+    for (int m = 0; m <= 8; m++) {
+        num_q result = binary64(add_q(q(1), binary64(sub_q(mul_q(q(m), unit), q(1)))));
+        num_q place = div_q(result, unit);
+        int right = compare_q(place, q(m)) == 0;
+        svg_segment(s, svg_at(m, m), at(q(m), place), SVG_FAMILY);
+        svg_mark(s, at(q(m), place), right ? SVG_RIGHT : SVG_WRONG, SVG_USUAL);
+    }
+    svg_legend_mark(s, SVG_RIGHT, SVG_USUAL, "it is $P_1$");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "it is not");
     return s;
 }

@@ -72,6 +72,7 @@ With $P_{k,l}$ the curve of $P_k,\dots,P_l$; $n\ge1$, and any $t$.
 :zh: 递推关系的另一形式
 :printed: P_{0,n}(t)=P_{0,n-1}(t)+t\bigl(P_{1,n}(t)-P_{0,n-1}(t)\bigr)
 :holds-by: curve_blends_two_curves_of_one_point_less
+:figure: two_curves_of_one_point_less
 :::
 
 :::{claim} curve_blends_two_curves_of_one_point_less
@@ -108,6 +109,7 @@ With $P_{k,l}$ the curve of $P_k,\dots,P_l$; $n\ge1$, and any $t$.
   $=(1-t)^nP_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i}P_i+\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^i(1-t)^{n-i}P_i+t^nP_n$
   $=(1-t)^nP_0+\sum_{i=1}^{n-1}(C_{n-1}^i+C_{n-1}^{i-1})t^i(1-t)^{n-i}P_i+t^nP_n=\sum_{i=0}^nC_n^it^i(1-t)^{n-i}P_i$, the left side
 :holds-by: proof_of_the_recursion_line_by_line binomials_add_up
+:figure: two_curves_of_one_point_less
 
 Between the first two of these lines stands another, which is the next entry.  For $n=1$ the sums from 1 to $n-1$ are empty.
 :::

@@ -12,6 +12,7 @@ are the ones just treated.
 :zh: 位置连续条件
 :printed: $P_3=Q_0$ makes the two curves continuous at the joint.
 :holds-by: end_derivatives_are_end_differences
+:figure: joint_of_cubics
 :::
 
 :::{statement} slides-ch4:4-joint-derivatives
@@ -19,6 +20,7 @@ are the ones just treated.
 :zh: 连接点处的导矢
 :printed: $Q_0'=3(Q_1-Q_0)$, $P_3'=3(P_3-P_2)$
 :holds-by: end_derivatives_are_end_differences
+:figure: joint_of_cubics
 :::
 
 :::{statement} slides-ch4:4-joint-g1
@@ -81,6 +83,7 @@ For $P_2\ne P_3$ it is necessary and sufficient; for $P_2=P_3$ it says that $Q_1
 :zh: 三次曲线的二阶导矢
 :printed: P''(t)=[6t\;\;2]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}=(-6t+6)P_0+(18t-12)P_1+(-18t+6)P_2+6tP_3
 :holds-by: second_derivative_of_a_cubic
+:figure: second_derivatives_alone
 
 The signs are lost; the coefficients of powers of $t$ leave one choice.
 :::
@@ -90,6 +93,7 @@ The signs are lost; the coefficients of powers of $t$ leave one choice.
 :zh: 连接点处的二阶导矢
 :printed: $P''(1)=6P_1-12P_2+6P_3$, $Q''(0)=6Q_0-12Q_1+6Q_2$
 :holds-by: second_derivative_of_a_cubic
+:figure: second_derivatives_alone
 :::
 
 :::{statement} slides-ch4:4-joint-c2
@@ -113,6 +117,7 @@ Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.
 :printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
 :holds-by: three_points_make_c2
 :needs: open_joint_has_no_second_point | $Q_0=P_3$
+:figure: second_derivatives_alone
 
 It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
 :::

@@ -184,7 +184,7 @@ CLAIM(surface_functions_sum_to_one_and_are_positive)
             P[i] = from_int(i == k);
         G(bezier_surface_point)(n, m, 1, P, u, T->planted ? neg(w) : w, &value);
         about(T, "a function");
-        G(above_zero)(T, value);
+        G(must_be_positive)(T, value);
         sum = add(sum, value);
     }
     about(T, "the sum");

@@ -97,7 +97,7 @@ CLAIM(bernstein_collocation_is_totally_positive)
             for (int j = 0, at = 0; j <= n; j++)
                 if (columns >> j & 1)
                     M[i * order + at++] = rows[i * (n + 1) + j];
-        G(above_zero)(T, G(determinant)(order, M));
+        G(must_be_positive)(T, G(determinant)(order, M));
     }
 }
 #elif RATIONAL
@@ -168,7 +168,7 @@ CLAIM(blocks_of_coefficients_are_independent)
                 k += begins && j > 0;
                 M[i * blocks + k] = begins ? part : add(M[i * blocks + k], part);
             }
-        G(above_zero)(T, G(determinant)(blocks, M));
+        G(must_be_positive)(T, G(determinant)(blocks, M));
     }
 }
 #endif

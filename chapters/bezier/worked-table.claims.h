@@ -18,6 +18,7 @@ heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradict
 :zh: t=0 处的四个基函数值
 :printed: $t=0$: $(1-t)^3=1$, $3t(1-t)^2=0$, $3t^2(1-t)=0$, $t^3=0$
 :holds-by: table_row_of_start
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0-x
@@ -25,6 +26,7 @@ heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradict
 :zh: t=0 处的横坐标
 :printed: x(0)=1
 :holds-by: table_row_of_start
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0-y
@@ -32,6 +34,7 @@ heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradict
 :zh: t=0 处的纵坐标
 :printed: y(0)=1
 :holds-by: table_row_of_start
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.15-basis
@@ -39,6 +42,7 @@ heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradict
 :zh: t=0.15 处的四个基函数值
 :printed: $t=0.15$: $(1-t)^3=0.614$, $3t(1-t)^2=0.325$, $3t^2(1-t)=0.0574$, $t^3=0.0034$
 :holds-by: table_row_of_fifteen_hundredths
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.15-x
@@ -59,6 +63,7 @@ The sum with the rounded factors of this row is 1.5038: the third digit after th
 :zh: t=0.15 处的纵坐标
 :printed: y(0.15)=1.765
 :holds-by: table_row_of_fifteen_hundredths
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.35-basis
@@ -66,6 +71,7 @@ The sum with the rounded factors of this row is 1.5038: the third digit after th
 :zh: t=0.35 处的四个基函数值
 :printed: $t=0.35$: $(1-t)^3=0.275$, $3t(1-t)^2=0.444$, $3t^2(1-t)=0.239$, $t^3=0.043$
 :holds-by: table_row_of_thirty_five_hundredths
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.35-x
@@ -100,6 +106,7 @@ The sum with the rounded factors is 2.367: two digits have changed places.  The 
 :zh: t=0.5 处的四个基函数值
 :printed: $t=0.5$: $(1-t)^3=0.125$, $3t(1-t)^2=0.375$, $3t^2(1-t)=0.375$, $t^3=0.125$
 :holds-by: table_row_of_middle
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.5-x
@@ -107,6 +114,7 @@ The sum with the rounded factors is 2.367: two digits have changed places.  The 
 :zh: t=0.5 处的横坐标
 :printed: x(0.5)=2.75
 :holds-by: table_row_of_middle
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.5-y
@@ -114,6 +122,7 @@ The sum with the rounded factors is 2.367: two digits have changed places.  The 
 :zh: t=0.5 处的纵坐标
 :printed: y(0.5)=2.5
 :holds-by: table_row_of_middle
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.65-basis
@@ -121,6 +130,7 @@ The sum with the rounded factors is 2.367: two digits have changed places.  The 
 :zh: t=0.65 处的四个基函数值
 :printed: $t=0.65$: $(1-t)^3=0.043$, $3t(1-t)^2=0.239$, $3t^2(1-t)=0.444$, $t^3=0.275$
 :holds-by: table_row_of_sixty_five_hundredths
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.65-x
@@ -142,6 +152,7 @@ It is what the rounded factors of the row give.
 :zh: t=0.65 处的纵坐标
 :printed: y(0.65)=2.36
 :holds-by: table_row_of_sixty_five_hundredths
+:figure: worked_table
 
 The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or cut off.  The sum with the rounded factors is 2.367.
 :::
@@ -151,6 +162,7 @@ The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or
 :zh: t=0.85 处的四个基函数值
 :printed: $t=0.85$: $(1-t)^3=0.0034$, $3t(1-t)^2=0.0574$, $3t^2(1-t)=0.325$, $t^3=0.614$
 :holds-by: table_row_of_eighty_five_hundredths
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.85-x
@@ -184,6 +196,7 @@ The sum with the rounded factors is 1.7646.  The table has the right value, 1.76
 :zh: t=1 处的四个基函数值
 :printed: $t=1$: $(1-t)^3=0$, $3t(1-t)^2=0$, $3t^2(1-t)=0$, $t^3=1$
 :holds-by: table_row_of_end
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-1-x
@@ -191,6 +204,7 @@ The sum with the rounded factors is 1.7646.  The table has the right value, 1.76
 :zh: t=1 处的横坐标
 :printed: x(1)=3
 :holds-by: table_row_of_end
+:figure: worked_table
 :::
 
 :::{statement} slides-ch4:table-bezier-row-1-y
@@ -198,6 +212,7 @@ The sum with the rounded factors is 1.7646.  The table has the right value, 1.76
 :zh: t=1 处的纵坐标
 :printed: y(1)=1
 :holds-by: table_row_of_end
+:figure: worked_table
 :::
 
 ## What decides them

@@ -173,9 +173,9 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 1-3 | circles | `small_steps_multiply_the_radius` `second_orbit_never_closes` `ellipse_lies_between_two_circles` `third_matrix_by_the_radius` | |
 | 1-4 | description of parametric curves | `horner_computes_the_sum_of_powers` `additions_step_along_the_curve` `cusp_of_the_example_is_a_cusp` `sign_of_delta_tells_the_form` `torsion_by_speed_and_curvature` | |
 | 1-5 | control of shape | `conditions_make_one_curve_in_another_parameter` `pieces_in_new_powers` `fractional_change_of_a_power_curve` | the end of the section |
-| 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` | theory of surfaces |
-| 1-7 | points of parametric surfaces | `tensor_kernel_is_the_matrix_product` `surface_kernel_gives_the_double_sum` | differences |
-| 1-8 | control of the shape of surfaces | `borders_and_cross_derivatives_are_kept` | joints of surfaces |
+| 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` `surface_normal_is_the_cross_product` | curvature of surfaces |
+| 1-7 | points of parametric surfaces | `tensor_kernel_is_the_matrix_product` `surface_kernel_computes_the_double_sum` `surface_derivatives_of_every_order` | differences |
+| 1-8 | control of the shape of surfaces | `borders_and_cross_derivatives_are_kept` `surface_part_is_the_piece` | joints of surfaces |
 | 1-9 | interpolation by Lagrange | `lagrange_functions_keep_every_polynomial` `one_cubic_passes_through_four_data` `divided_difference_is_leading_coefficient` | parameters for points |
 | 2-1 | display in space | | all of it |
 | 2-2 | affine maps | `bezier_curve_moves_with_its_points` `total_degree_survives_affine_maps` | maps of space as matrices |
@@ -206,7 +206,7 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 5-2 | Bernstein polynomials | `bernstein_is_binomial_form` `bernstein_sums_to_one` `bernstein_positive_inside` `bernstein_recurrence` | |
 | 5-3 | properties of Bézier curves | `curve_points_are_convex_combinations` `line_crosses_curve_at_most_as_often_as_polygon` `reversed_points_reverse_the_curve` | |
 | 5-4 | elevation, division, joining | `elevation_keeps_bezier_curve` `split_gives_the_two_parts` `conditions_make_one_curve_in_another_parameter` | |
-| 5-5 | Bézier surfaces | | all of it |
+| 5-5 | Bézier surfaces | `surface_kernel_computes_the_double_sum` `parameter_lines_are_bezier_curves` `surface_functions_sum_to_one_and_are_positive` `corners_of_the_net_give_tangents_normal_and_twist` `collapsed_border_has_no_normal` | joints of surfaces |
 | 5-6 | triangular patches | | all of it |
 | 5-7 | interpolating cubic Bézier curves | `end_data_determine_the_cubic` | systems of equations |
 | 6-1 | uniform cubic B-spline curves | `uniform_matrix_is_the_matrix` `matrix_gives_homogeneous_curve` | geometric properties of the cubic |

@@ -400,7 +400,9 @@ $t=0$ and stays on one side.
 :zh: 拐点满足二次方程
 :printed: This is a quadratic equation of $t$, the parameter running over $[0,1]$.
 :holds-by: turning_of_a_cubic_is_quadratic
-:figure: forms_of_a_cubic
+:hypothesis: graph_of_a_cubic_turns_linearly | $A\times B\ne0$.  Otherwise the equation is of lower degree, as for every graph $y=f(x)$ of a
+  cubic function: one inflection.
+:figure: degrees_two_and_three
 :::
 
 :::{statement} hu-1987:1-4-two-inflections
@@ -423,6 +425,16 @@ $t=0$ and stays on one side.
   unless the cubic is a line.
 :defines: cubic_minors inflection_polynomial
 :control: the factor 2 in the place of the first 3
+:::
+
+:::{claim} graph_of_a_cubic_turns_linearly
+:title: For the graph of a cubic function the equation of the inflections is linear
+:zh: 三次函数图形的拐点方程是一次的
+:kind: counterexample
+:given: $P(t)=(t,t^3)$
+:then: $P'\times P''=6t$: one inflection, at 0, and no second root anywhere
+:method: The kernels; that the coefficient of $t^2$ is not 0 is refuted.
+:control: $P(t)=(t+t^2,t^3)$
 :::
 
 :::{claim} line_has_curvature_zero_everywhere
@@ -547,6 +559,19 @@ CLAIM(cusp_has_no_such_factor)
     int parallel = is_zero_q(G(cross2)(D + 2, D + 4));
     about(T, "P' x P'' being 0, whether P' is not 0, or P'' is 0");
     agree(T, !parallel || !is_zero_q(G(norm_squared)(2, D + 2)) || is_zero_q(G(norm_squared)(2, D + 4)));
+}
+
+CLAIM(graph_of_a_cubic_turns_linearly)
+{
+    num c[8], m[3], f[3];
+    for (int k = 0; k < 8; k++)
+        c[k] = from_int(k == 2 || k == 7 || (k == 4 && T->planted));
+    G(cubic_minors)(c, m);
+    G(inflection_polynomial)(m, f);
+    show_points(T, "D, C, B, A", 4, 2, c);
+    show_text(T, "P' x P''", "%s", poly_to_string(poly_from_q(3, f), "t"));
+    about(T, "whether the coefficient of t^2 is not 0");
+    agree(T, !is_zero_q(f[2]));
 }
 
 CLAIM(line_has_curvature_zero_everywhere)
@@ -974,6 +999,7 @@ curvature.
 :zh: 行列式为零则为平面曲线
 :printed: If this is zero, the parametric cubic is a plane curve.
 :holds-by: cubic_is_plane_when_determinant_vanishes
+:figure: plane_cubics
 :::
 
 :::{claim} cubic_is_plane_when_determinant_vanishes

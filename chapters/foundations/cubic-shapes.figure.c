@@ -36,7 +36,7 @@ FIGURE(lengths_of_the_tangents)
     for (int k = 0; k < 3; k++) {
         svg_point P = at(r(k, 2), k == 1 ? r(3, 5) : q(0));
         svg_mark(s, P, SVG_POINT, SVG_USUAL);
-        svg_label(s, P, k == 0 ? SVG_W : k == 1 ? SVG_E : SVG_E, SVG_POINT, names[k]);
+        svg_label(s, P, k == 0 ? SVG_W : k == 1 ? SVG_S : SVG_E, SVG_POINT, names[k]);
     }
     svg_legend_line(s, SVG_CURVE_2, "$α=β=1$, a parabola");
     svg_legend_line(s, SVG_CURVE, "$α=β=3$, a cusp");
@@ -238,5 +238,58 @@ FIGURE(determinants_of_the_derivatives)
     svg_legend_line(s, SVG_RIGHT, "$-12(A,B,C)$");
     svg_legend_line(s, SVG_WRONG, "with the printed entry");
     svg_legend_line(s, SVG_CURVE_2, "with two equal rows");
+    return s;
+}
+
+/* x to the right, y to the back, z upwards. */
+static void project(const num_q X[], num_q out[])
+{
+    out[0] = add_q(X[0], mul_q(r(2, 5), X[1]));
+    out[1] = add_q(X[2], mul_q(r(1, 4), X[1]));
+}
+
+/* The cubic with the coefficients D, C, B, A in space, t from -1 to 1. */
+static void put_space_cubic(svg *s, const num_q c[], enum svg_role role)
+{
+    num_q seen[8];
+    for (int k = 0; k < 4; k++)
+        project(c + 3 * k, seen + 2 * k);
+    put_power_curve(s, 3, seen, q(-1), q(1), role);
+}
+
+FIGURE(plane_cubics)
+{
+    svg *s =
+        svg_new("plane_cubics", "A cubic in a plane, and one in none",
+                "Left, the cubic (t, t³, (t + t³)/2), whose determinant (A, B, C) is 0, in the shaded plane.  Right, "
+                "the cubic (t, t², t³) with the determinant -1, and its shadow in the plane of its tangent and its "
+                "second derivative at t = 0: it passes through this plane.");
+    for (int twisted = 0; twisted <= 1; twisted++) {
+        num_q c[12], shadow[12], corner[8];
+        for (int m = 0; m < 12; m++)
+            c[m] = q(0);
+        c[3] = q(1); /* C */
+        if (twisted) {
+            c[7] = c[11] = q(1); /* B, A */
+        } else {
+            c[5] = c[11] = r(1, 2);
+            c[10] = q(1);
+        }
+        for (int m = 0; m < 12; m++)
+            shadow[m] = m % 3 == 2 ? q(0) : c[m];
+        for (int k = 0; k < 4; k++) {
+            num_q x = q(k == 1 || k == 2 ? 1 : -1), y = q(k < 2 ? -1 : 1);
+            project((num_q[]){x, y, twisted ? q(0) : div_q(add_q(x, y), q(2))}, corner + 2 * k);
+        }
+        svg_panel(s, window(r(-3, 2), r(-3, 2), r(3, 2), r(3, 2)), 300, 0,
+                  twisted ? "$(t,t^2,t^3)$: $(A,B,C)=-1$" : "$(t,t^3,(t+t^3)/2)$: $(A,B,C)=0$");
+        svg_area(s, 4, corner, SVG_FILL);
+        if (twisted)
+            put_space_cubic(s, shadow, SVG_MUTED);
+        put_space_cubic(s, c, SVG_CURVE);
+    }
+    svg_legend_line(s, SVG_CURVE, "the cubic");
+    svg_legend_area(s, SVG_FILL, "a plane");
+    svg_legend_line(s, SVG_MUTED, "its shadow");
     return s;
 }

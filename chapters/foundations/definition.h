@@ -2,15 +2,9 @@
  *
  * The other side of this chapter's comparisons: no rule of Horner, no differences, no derivatives of kernels.
  * Generic text, for the sections of this chapter. */
-#include "chapters/frame/claims_on.h"
+#include "chapters/frame/elementary.h"
 
-static inline num G(power)(num a, int k)
-{
-    num product = from_int(1);
-    for (; k > 0; k--)
-        product = mul(product, a);
-    return product;
-}
+#include "chapters/frame/claims_on.h"
 
 /* Coordinate j of sum_k c_k t^k, term by term. */
 static inline num G(power_sum)(int n, int dim, const num c[], int j, num t)

@@ -98,7 +98,7 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 #include "chapters/foundations/definition.h"
 
 #if RATIONAL
-#include "chapters/foundations/counting.h"
+#include "chapters/frame/counting.h"
 #include "exact/roots.h"
 #include "exact/sign.h"
 
@@ -280,35 +280,61 @@ CLAIM(horner_computes_the_sum_of_powers)
 static const num_c some_number = {0};
 
 /* sum c_k t^k for dim coordinates as it is written: with the powers kept, each is computed once for all coordinates. */
-static struct operations cost_of_powers(int n, int dim, int kept)
+#define SUM_OF_POWERS(S)                                                                                               \
+    static void sum_of_powers_##S(int n, int dim, int kept, const num_##S c[], num_##S t, num_##S P[])                 \
+    {                                                                                                                  \
+        num_##S power[MAX_DEGREE + 1];                                                                                 \
+        power[1] = t;                                                                                                  \
+        for (int k = 2; kept && k <= n; k++)                                                                           \
+            power[k] = mul_##S(power[k - 1], t);                                                                       \
+        for (int j = 0; j < dim; j++) {                                                                                \
+            P[j] = c[j];                                                                                               \
+            for (int k = 1; k <= n; k++) {                                                                             \
+                num_##S term = c[k * dim + j];                                                                         \
+                for (int i = 0; i < (kept ? 1 : k); i++)                                                               \
+                    term = mul_##S(term, kept ? power[k] : t);                                                         \
+                P[j] = add_##S(P[j], term);                                                                            \
+            }                                                                                                          \
+        }                                                                                                              \
+    }
+SUM_OF_POWERS(c)
+SUM_OF_POWERS(q)
+
+/* Both are run in the type that counts, and in rationals for others to count. */
+static struct operations cost_of_powers(trial *T, int n, int dim, int kept)
 {
+    num_c c[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM];
+    num_q x[(MAX_DEGREE + 1) * MAX_DIM], at[MAX_DIM];
+    for (int m = 0; m < (n + 1) * dim; m++) {
+        c[m] = some_number;
+        x[m] = unknown_q(T, "c", m);
+    }
+    sum_of_powers_q(n, dim, kept, x, parameter_q(T, "t"), at);
     counted = (struct operations){0};
-    if (kept)
-        for (int k = 2; k <= n; k++)
-            mul_c(some_number, some_number);
-    for (int j = 0; j < dim; j++)
-        for (int k = 1; k <= n; k++) {
-            for (int i = 0; i < (kept ? 1 : k); i++)
-                mul_c(some_number, some_number);
-            add_c(some_number, some_number);
-        }
+    sum_of_powers_c(n, dim, kept, c, some_number, P);
+    note_cost(dim, at, counted);
     return counted;
 }
 
-static struct operations cost_of_horner(int n, int dim)
+static struct operations cost_of_horner(trial *T, int n, int dim)
 {
     num_c c[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM];
-    for (int m = 0; m < (n + 1) * dim; m++)
+    num_q x[(MAX_DEGREE + 1) * MAX_DIM], at[MAX_DIM];
+    for (int m = 0; m < (n + 1) * dim; m++) {
         c[m] = some_number;
+        x[m] = unknown_q(T, "c", m);
+    }
+    power_point_q(n, dim, x, parameter_q(T, "t"), at);
     counted = (struct operations){0};
     power_point_c(n, dim, c, some_number, P);
+    note_cost(dim, at, counted);
     return counted;
 }
 
 CLAIM(multiplications_are_six_and_three)
 {
     for (int n = 1; n <= 12; n++) {
-        struct operations powers = cost_of_powers(n, 1, T->planted), horner = cost_of_horner(n, 1);
+        struct operations powers = cost_of_powers(T, n, 1, T->planted), horner = cost_of_horner(T, n, 1);
         agree(T, powers.multiplications == n * (n + 1) / 2 && powers.additions == n);
         agree(T, horner.multiplications == n && horner.additions == n && horner.shifts == 0);
     }
@@ -316,7 +342,7 @@ CLAIM(multiplications_are_six_and_three)
 
 CLAIM(kept_powers_need_five)
 {
-    int multiplications = cost_of_powers(3, 1, !T->planted).multiplications;
+    int multiplications = cost_of_powers(T, 3, 1, !T->planted).multiplications;
     about(T, "the multiplications before Horner's rule");
     same(T, from_int(multiplications), from_int(6));
 }
@@ -324,8 +350,8 @@ CLAIM(kept_powers_need_five)
 CLAIM(multiplications_with_kept_powers)
 {
     for (int d = 1; d <= 3; d++) {
-        agree(T, cost_of_powers(3, d, !T->planted).multiplications == 2 + 3 * d);
-        agree(T, cost_of_horner(3, d).multiplications == 3 * d);
+        agree(T, cost_of_powers(T, 3, d, !T->planted).multiplications == 2 + 3 * d);
+        agree(T, cost_of_horner(T, 3, d).multiplications == 3 * d);
     }
 }
 #endif
@@ -664,16 +690,23 @@ CLAIM(additions_step_along_the_curve)
 }
 
 #if RATIONAL
-static struct operations cost_of_step(int n, int dim, int scaled, int power_of_two)
+static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int power_of_two)
 {
     num_c d[(MAX_DEGREE + 1) * MAX_DIM], delta = {power_of_two};
-    for (int m = 0; m < (n + 1) * dim; m++)
+    num_q x[(MAX_DEGREE + 1) * MAX_DIM], step = power_of_two ? from_ratio_q(1, 256) : parameter_q(T, "d");
+    for (int m = 0; m < (n + 1) * dim; m++) {
         d[m] = some_number;
+        x[m] = unknown_q(T, "e", m);
+    }
     counted = (struct operations){0};
-    if (scaled)
+    if (scaled) {
         scaled_difference_step_c(n, dim, delta, d);
-    else
+        scaled_difference_step_q(n, dim, step, x);
+    } else {
         difference_step_c(n, dim, d);
+        difference_step_q(n, dim, x);
+    }
+    note_cost((n + 1) * dim, x, counted);
     return counted;
 }
 
@@ -681,7 +714,7 @@ CLAIM(step_costs_additions_only)
 {
     for (int n = 1; n <= 12; n++)
         for (int d = 1; d <= 3; d++) {
-            struct operations plain = cost_of_step(n, d, 0, 1), scaled = cost_of_step(n, d, 1, !T->planted);
+            struct operations plain = cost_of_step(T, n, d, 0, 1), scaled = cost_of_step(T, n, d, 1, !T->planted);
             agree(T, plain.additions == n * d && plain.multiplications == 0 && plain.shifts == 0);
             agree(T, scaled.additions == n * d && scaled.multiplications == 0 && scaled.shifts == n * d);
         }
@@ -689,7 +722,7 @@ CLAIM(step_costs_additions_only)
 
 CLAIM(other_steps_need_multiplications)
 {
-    struct operations step = cost_of_step(3, 1, 1, T->planted);
+    struct operations step = cost_of_step(T, 3, 1, 1, T->planted);
     show_text(T, "multiplications", "%d", step.multiplications);
     about(T, "that there is no multiplication");
     agree(T, step.multiplications == 0);
@@ -714,12 +747,14 @@ CLAIM(table_costs_shifts_and_additions)
 {
     num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {!T->planted};
     num x[4], d[4], table[4], delta = from_ratio(1, 256), power = from_int(1);
-    counted = (struct operations){0};
-    table_by_shifts_c(c, step, e);
-    agree(T, counted.shifts == 6 && counted.additions == 4 && counted.multiplications == 0);
     for (int k = 0; k < 4; k++)
         x[k] = unknown(T, "c", k);
     table_by_shifts_q(x, delta, table);
+    counted = (struct operations){0};
+    table_by_shifts_c(c, step, e);
+    if (!T->planted)
+        note_cost(4, table, counted);
+    agree(T, counted.shifts == 6 && counted.additions == 4 && counted.multiplications == 0);
     G(power_differences)(3, 1, x, delta, d);
     for (int k = 0; k < 4; k++, power = mul(power, delta))
         same(T, table[k], div(d[k], power));

@@ -40,7 +40,7 @@ FIGURE(forward_differences)
     for (int k = 0; k <= 4; k++) {
         svg_point P = power_curve_point(3, c, r(k, 4));
         svg_mark(s, P, SVG_POINT, SVG_USUAL);
-        svg_label(s, P, k == 0 ? SVG_W : k < 3 ? SVG_N : SVG_S, SVG_POINT, names[k]);
+        svg_label(s, P, k == 0 ? SVG_W : k < 3 ? SVG_N : k == 3 ? SVG_S : SVG_E, SVG_POINT, names[k]);
     }
     svg_arrow(s, power_curve_point(3, c, r(1, 4)), power_curve_point(3, c, r(2, 4)), SVG_RIGHT);
     svg_arrow(s, power_curve_point(3, c, r(1, 4)), power_curve_point(3, c, q(0)), SVG_WRONG);

@@ -630,9 +630,10 @@ CLAIM(projective_image_is_not_the_curve_of_the_images)
 :title: Some curves have the convex hull property and diminish variation
 :zh: 凸包性与变差减小性
 :printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
-:holds-by: curve_points_are_convex_combinations line_crosses_curve_at_most_as_often_as_polygon
+:holds-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
 
-Bézier curves are such curves.
+Bézier curves are such curves, by proof at least those of degree up to four: along a line $ax+by+c=0$ the coefficients are $ax_i+by_i+c$,
+whose changes of sign are the crossings of the polygon.
 :::
 */
 CLAIM(division_keeps_power_curve)

@@ -100,6 +100,8 @@ Hard and flexibly are read as what cannot be done at all.
   of two will do
 :reading: two_cylinders_hold_more_than_the_curve | the cylinders over the projections of $x^2+y^2=1$, $z=y$ along $z$ and $y$: false, there is more
 :reading: two_cylinders_are_two_ellipses | what they have in common: the ellipses of $z=y$ and of $z=-y$
+:reading: two_cylinders_of_the_circle_hold_an_ellipse | for the circle of $x^2+y^2+z^2=2$, $x+y+z=0$, what two of its cylinders have in
+  common: the circle and an ellipse of a plane in which two coordinates are equal
 :figure: two_cylinders
 
 The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
@@ -125,6 +127,17 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
 :method: On the plane $z=-x-y$, and $x^2+y^2+z^2=2$ becomes the first equation, likewise the others.  The equations of two cylinders at each point;
   then $x+y+z$, which should be 0.
 :control: the points $(1,0,-1)$, $(-1,1,0)$, $(0,-1,1)$
+:::
+
+:::{claim} two_cylinders_of_the_circle_hold_an_ellipse
+:title: Two of the three cylinders of the circle meet in it and in an ellipse
+:zh: 该圆的任两张投影柱面还交于一椭圆
+:given: any $x,y,z$
+:then: $(x^2+xy+y^2-1)-(x^2+xz+z^2-1)=(y-z)(x+y+z)$, the same with the letters changed, and where $x+y+z=0$ twice the first bracket is
+  $x^2+y^2+z^2-2$
+:method: Identities.  A point of both cylinders has $x+y+z=0$, and then it is on the circle; or $y=z$, where $x^2+xy+y^2=1$ is an ellipse,
+  $(x+\frac y2)^2+\frac34y^2=1$.
+:control: $(y+z)(x+y+z)$ on the right
 :::
 
 :::{claim} two_cylinders_hold_more_than_the_curve
@@ -343,6 +356,25 @@ CLAIM(two_cylinders_are_two_ellipses)
     num x = unknown(T, "x", 0), y = unknown(T, "y", 0), z = unknown(T, "z", 0), one = from_int(1);
     num first = sub(add(mul(x, x), mul(y, y)), one), second = sub(add(mul(x, x), mul(z, z)), one);
     same(T, sub(first, second), mul(sub(y, z), T->planted ? sub(y, z) : add(y, z)));
+}
+
+CLAIM(two_cylinders_of_the_circle_hold_an_ellipse)
+{
+    num x[space], bracket[space], sum = from_int(0), one = from_int(1); /* bracket[k]: the cylinder along axis k */
+    for (int k = 0; k < space; k++) {
+        x[k] = unknown(T, "x", k);
+        sum = add(sum, x[k]);
+    }
+    for (int k = 0; k < space; k++) {
+        num a = x[(k + 1) % space], b = x[(k + 2) % space];
+        bracket[k] = sub(add(mul(a, a), add(mul(a, b), mul(b, b))), one);
+    }
+    for (int k = 0; k < space; k++) {
+        num a = x[(k + 1) % space], b = x[(k + 2) % space];
+        same(T, sub(bracket[(k + 2) % space], bracket[(k + 1) % space]), mul(T->planted ? add(a, b) : sub(a, b), sum));
+    }
+    num last = neg(add(x[0], x[1])), squares = add(mul(x[0], x[0]), add(mul(x[1], x[1]), mul(last, last)));
+    same(T, mul(from_int(2), bracket[2]), sub(squares, from_int(2)));
 }
 
 CLAIM(segment_in_its_parameter)

@@ -38,7 +38,7 @@ FIGURE(worked_patch)
             }
         static const char *const name[4] = {"P_0", "P_1", "P_2", "P_3"};
         static const enum svg_direction beside[2][4] = {{SVG_SW, SVG_NW, SVG_SE, SVG_NE},
-                                                        {SVG_SE, SVG_S, SVG_E, SVG_E}};
+                                                        {SVG_SE, SVG_S, SVG_SE, SVG_E}};
         for (int k = 0; k < 4; k++) {
             num_q P[3], seen[2];
             hermite_tensor_q(3, corners, q(k / 2), q(k % 2), 0, 0, P);

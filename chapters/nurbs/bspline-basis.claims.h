@@ -14,7 +14,7 @@ Which knots coincide is enumerated by a program, `patterns.h`, in this section a
 degree $p\le3$ means all $4^{p-1}$ patterns of the $p$ knots on either side of an interval; for larger $p$ it means simple
 knots, clamped ends, and each multiplicity of one end against the complementary one of the other.  *Several segments* means an
 inner knot of every multiplicity $0,\dots,p+1$ between ends that are simple, clamped, or clamped and double, and for $p\le2$
-all patterns of $2p+3$ knots as well.  The field meets all of them; where numbers are random, so is a selection of the
+all patterns of $2p+3$ knots as well; where it is said that two knots are $0$ and $1$, the simple and the clamped ends.  The field meets all of them; where numbers are random, so is a selection of the
 patterns.
 
 :::{claim} bspline_basis_follows_definition
@@ -249,7 +249,7 @@ determinant says it once more.
   only.  It is the Wronskian of the $p+1$ polynomials, which is constant, over $1!\,2!\cdots p!$.  If a
   combination of all $n$ vanishes on the domain it does on each span, so every coefficient of it is $0$, as each $N_{i,p}$,
   $0\le i<n$, belongs to a span of the domain when $u_p<u_{p+1}$ and $u_{n-1}<u_n$.
-:degrees: 0..3 sampled 7
+:degrees: 0..4 sampled 7
 :types: field rational
 :control: the first B-spline taken twice
 :::
@@ -400,7 +400,8 @@ CLAIM(bspline_basis_derivatives_follow_definition)
 :given: several segments, the distinct knots variables
 :then: $\int N_{i,p}\,dt=\frac{u_{i+p+1}-u_i}{p+1}$
 :method: The polynomial of each interval, from the recursion by its letter, integrated power by power; also outside the domain.
-:degrees: 0..4 sampled 7
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: divided by $p$ or, for $p=0$, by 2
 :::
 */

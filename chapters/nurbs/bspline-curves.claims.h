@@ -193,7 +193,8 @@ CLAIM(bspline_points_are_values_of_the_blossom)
 :then: exchanging two neighbouring arguments of `bspline_blossom` changes nothing, hence no permutation does; and
   $f[\dots,(1-b)x_k+bv,\dots]=(1-b)f[\dots,x_k,\dots]+b\,f[\dots,v,\dots]$ for every $k$
 :method: The values of the kernel, everything a variable.
-:degrees: 1..4 sampled 9
+:degrees: 1..6 sampled 9
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the factors $1-b$ and $b$ exchanged
 :::
 */

@@ -12,8 +12,10 @@ with one segment, in its Bézier form.
 :then: with every knot of the domain once more, the spline of degree $p+1$ of the points of `bspline_elevate` is the old one; it does
   not matter which admissible span a point is computed from
 :method: Both splines in powers, from the recursion of de Boor and Cox by its letter, once with the first admissible span for every
-  point, once with the last.
-:degrees: 0..3 sampled 7
+  point, once with the last.  For $p=4$, `kernels_move_with_their_knots` goes
+  from two knots $0$ and $1$ to any.
+:degrees: 0..4 sampled 7
+:scope: the distinct knots variables; for $p=4$ two neighbours among them are $0$ and $1$
 :defines: bspline_elevate
 :control: the last point replaced by the one before it
 :::
@@ -57,7 +59,7 @@ static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
     }
 }
 
-CLAIM(elevation_keeps_bspline_curve) { G(check_elevation_keeps_bspline_curve)(T, 0); }
+CLAIM(elevation_keeps_bspline_curve) { G(check_elevation_keeps_bspline_curve)(T, T->degree > 3 ? UNIT : 0); }
 
 #if FIELD
 /*
@@ -118,22 +120,24 @@ CLAIM(bezier_reduction_inverts_elevation)
 :::{claim} reduction_inverts_bspline_elevation
 :title: A spline of lower degree gives its points back, and elevation tells every other one
 :zh: B 样条降阶与检验
-:given: several segments, each point with a span in the domain, the distinct knots variables, points
-:then: `bspline_reduce` applied to the points of `bspline_elevate` gives the points before; applied to free points over the same knots and
+:given: several segments of a spline of degree $p$, which is reduced from degree $p+1$, each point with a span in the domain, the distinct knots variables, points
+:then: `bspline_reduce` applied to the points of `bspline_elevate` gives the points before; applied to the points $1,0,\dots,0$ over the same knots and
   elevated again, it does not give these points
 :method: Both kernels one after the other, everything a variable, with the first admissible span and with the last; what is elevated is of
-  lower degree, so for any other points the test must fail, and for the free ones it does.
-:degrees: 1..2 sampled 7
+  lower degree, so for any other points the test must fail, and for these it does.  For $p\ge3$, `kernels_move_with_their_knots` goes
+  from two knots $0$ and $1$ to any.
+:degrees: 1..3 sampled 7
+:scope: the distinct knots variables; for $p\ge3$ two neighbours among them are $0$ and $1$
 :types: field rational
 :defines: bspline_reduce
 :control: the last point is moved before it is reduced
 :::
 */
 #if FIELD || RATIONAL
-CLAIM(reduction_inverts_bspline_elevation)
+static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS], down[MOST_KNOTS];
-    struct G(knots) K = {0}, L;
+    struct G(knots) K = {.kind = kind}, L;
     num c[MOST_KNOTS * dim], d[MOST_KNOTS * dim], back[MOST_KNOTS * dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (K.place[p] == K.place[p + 1] || K.place[K.n - 1] == K.place[K.n])
@@ -153,9 +157,10 @@ CLAIM(reduction_inverts_bspline_elevation)
                 same(T, back[i], c[i]);
             if (last)
                 continue;
-            about(T, "free points are not of lower degree");
+            about(T, "not every spline is of lower degree");
             int off = 0;
-            G(free_control_points)(T, L.n, dim, d);
+            for (int i = 0; i < L.n * dim; i++)
+                d[i] = from_int(i < dim);
             G(bspline_reduce)(p + 1, dim, L.u, d, K.n, K.u, down, back);
             num again[MOST_KNOTS * dim];
             G(bspline_elevate)(p, dim, K.u, back, L.n, L.u, span, again);
@@ -170,5 +175,28 @@ CLAIM(reduction_inverts_bspline_elevation)
         }
     }
 }
+
+CLAIM(reduction_inverts_bspline_elevation)
+{
+    G(check_reduction_inverts_bspline_elevation)(T, T->degree > 2 ? UNIT : 0);
+}
+#endif
+
+#if FIELD
+/*
+:::{claim} reduction_in_higher_degrees
+:title: Reduction in higher degrees
+:zh: 高次时的降阶
+:given: as for `reduction_inverts_bspline_elevation`, but over the knots $0,1,3,6,10,\dots$ with simple and with clamped ends; the spline
+  that is reduced is of degree $p+1$
+:then: the same in these degrees
+:method: The same computation; points are variables.
+:types: field
+:degrees: 5..5
+:scope: the distinct knots $0,1,3,6,10,\dots$
+:control: the last point is moved before it is reduced
+:::
+*/
+CLAIM(reduction_in_higher_degrees) { G(check_reduction_inverts_bspline_elevation)(T, INTEGERS); }
 #endif
 #include "chapters/frame/claims_off.h"

@@ -87,7 +87,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
   quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
 :method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
   is any coordinate, so one suffices.
-:degrees: 0..3 sampled 7
+:degrees: 0..4 sampled 7
 :control: the last weight left out
 :::
 
@@ -108,7 +108,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 :given: orders $k=p+1$, simple knots $t_i$, numbers $a\ne0$ and $b$, all variables
 :then: the matrix of the knots $a\,t_i+b$ is that of the $t_i$
 :method: The two matrices of the kernel.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: the first inner knot is not moved
 :::
 */

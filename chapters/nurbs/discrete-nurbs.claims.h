@@ -87,7 +87,8 @@ With positive weights all new weights lie between the least and the greatest of 
   of the domain, up to the multiplicity $k$ and beyond; every interval of the domain, any $t$
 :then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
 :method: Both recursions by their letter.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $\alpha_{i,k}(j)$ taken at $j+1$
 :::
 
@@ -97,7 +98,8 @@ With positive weights all new weights lie between the least and the greatest of 
 :given: the same pairs; every $j$ with $v_j$ in the domain
 :then: `discrete_bsplines` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
 :method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :defines: discrete_bsplines
 :control: $v_{j+1}$ replaced by $v_j$
 :::
@@ -109,7 +111,8 @@ With positive weights all new weights lie between the least and the greatest of 
 :then: $\alpha_{i,k}(j)\ge0$ and $\sum_{i=1}^n\alpha_{i,k}(j)=1$; so with positive weights $w_j^{(T,T')}$ is between the least and
   the greatest of them
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the share of $r_1$ left out of the sum
 :::
 */
@@ -125,6 +128,8 @@ static const char *const G(pairs)[][13] = {
     {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", "313", "030", NULL},
     {"4004", "0110", "40104", "01010", "4204", "0120", "11111111", "00001000", NULL},
     {"50105", "01010", "50205", "02100", NULL},
+    {"60106", "01010", "60306", "02100", NULL},
+    {"70107", "01010", "70307", "02110", NULL},
 };
 
 /* One pair: knots u of n points, their refinement v of m points. */
@@ -237,7 +242,8 @@ CLAIM(discrete_bsplines_are_shares)
 :given: the same pairs; weights and points; every interval of the domain, any $t$
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the new weights taken as 1 in (4.1.8)
 :::
 
@@ -247,7 +253,8 @@ CLAIM(discrete_bsplines_are_shares)
 :given: one knot inserted between knots and at a knot of every multiplicity below $k$; points and weights, values variables
 :then: `nurbs_insert` gives the knots $T\oplus\{\tau\}$ and the points and weights of (4.1.6)
 :method: The kernel against all sums by their letter.
-:degrees: 1..4 sampled 5
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :defines: nurbs_insert
 :control: the knot inserted at the next value
 :::
@@ -388,7 +395,8 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :given: triples $T$, $T_1$, $T_2$ of patterns, values variables, with equal knots in $T_1$ and $T_2$ among them
 :then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
 :method: All by the recursion by its letter.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $T_1$ and $T_2$ exchanged in the second factor only
 :::
 
@@ -398,7 +406,8 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :given: the same triples; points and weights
 :then: (4.1.7), and the same for the weights
 :method: (4.1.6) for one step and for two, all sums by their letter.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: the weights after the first step taken as 1
 :::
 
@@ -408,7 +417,8 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :given: $T=\{x_0^k,x_1^m,x_4^k\}$, $0\le m<k$, and two knots $x_1$ or $x_2$, and $x_3$; points and weights
 :then: the points, weights and knots are the same
 :method: The kernel `nurbs_insert` twice, in both orders, for every $m$.
-:degrees: 1..4 sampled 6
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the second order with another second knot
 :::
 
@@ -419,7 +429,8 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :let: $s_i=a_iw_i/(a_iw_i+(1-a_i)w_{i-1})$ with $a_i=(\tau-t_i)/(t_{i+k-1}-t_i)$
 :then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
 :method: The kernel; signs are read off coefficients.
-:degrees: 1..4 sampled 6
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: $s_i$ without the weights
 :::
 */
@@ -430,6 +441,8 @@ static const char *const G(triples)[][10] = {
     {"3003", "0100", "0010", "303", "010", "010", "3103", "0100", "0010", NULL},
     {"4004", "0100", "0010", "404", "020", "010", "4104", "0110", "0100", NULL},
     {"50105", "01010", "00100", NULL},
+    {"60206", "01010", "00110", NULL},
+    {"70207", "01010", "00110", NULL},
 };
 
 CLAIM(discrete_bsplines_compose)

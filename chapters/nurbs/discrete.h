@@ -6,6 +6,8 @@
  * values, so that places of knots of different vectors can be compared.  Nothing here uses a kernel. */
 #include <string.h>
 
+#include "chapters/frame/elementary.h"
+
 #include "chapters/frame/claims_on.h"
 
 /* The distinct values of a pattern: increasing numbers; in the field variables, but for the degrees above 4 the numbers
@@ -35,14 +37,6 @@ static inline void G(increasing_knots)(trial *T, int count, num x[])
     x[0] = from_int(0);
     for (int i = 1; i < count; i++)
         x[i] = add(x[i - 1], FIELD && T->degree > 4 ? from_int(i) : positive(T, "h", i));
-}
-
-/* Compares: a > 0, which is to say that it is not negative and has a reciprocal. */
-static inline void G(must_be_positive)(trial *T, num a)
-{
-    num one = from_int(1);
-    nonnegative(T, a);
-    same(T, mul(a, div(one, a)), one);
 }
 
 /* The knots of a pattern over the values x, and their places; returns how many there are. */
@@ -101,15 +95,20 @@ static inline num G(nurbs_by_definition)(int n, int p, int dim, const num u[], c
  *                    + (u_{i+p+1} - v_{j+p})/(u_{i+p+1} - u_{i+1}) alpha_{i+1,p-1}(j). */
 static inline num G(alpha)(int p, const num u[], const int place[], const num v[], const int at[], int i, int j)
 {
-    if (p == 0)
-        return from_int(place[i] <= at[j] && at[j] < place[i + 1]);
-    num value = from_int(0);
-    if (place[i] < place[i + p])
-        value = mul(div(sub(v[j + p], u[i]), sub(u[i + p], u[i])), G(alpha)(p - 1, u, place, v, at, i, j));
-    if (place[i + 1] < place[i + p + 1])
-        value = add(value, mul(div(sub(u[i + p + 1], v[j + p]), sub(u[i + p + 1], u[i + 1])),
-                               G(alpha)(p - 1, u, place, v, at, i + 1, j)));
-    return value;
+    num a[MAX_DEGREE + 1]; /* a[m] is alpha_{i+m,q}(j); every value is computed once */
+    for (int m = 0; m <= p; m++)
+        a[m] = from_int(place[i + m] <= at[j] && at[j] < place[i + m + 1]);
+    for (int q = 1; q <= p; q++)
+        for (int m = 0; m <= p - q; m++) {
+            int first = i + m, last = first + q;
+            num value = from_int(0);
+            if (place[first] < place[last])
+                value = mul(div(sub(v[j + q], u[first]), sub(u[last], u[first])), a[m]);
+            if (place[first + 1] < place[last + 1])
+                value = add(value, mul(div(sub(u[last + 1], v[j + q]), sub(u[last + 1], u[first + 1])), a[m + 1]));
+            a[m] = value;
+        }
+    return a[0];
 }
 
 /* Formula (4.1.6): the m points S and weights z over the refinement v of the knots u of n points. */

@@ -55,7 +55,7 @@ The order of the $\tau_i$ is used nowhere in the identities of this section; tha
   $l_i!\,(s_0+s_1\tau_i)\prod_{m\ne i}(\tau_i-\tau_m)^{l_m}$, not 0
 :method: The derivatives are those of the rational function of $t$ in the field.
 :types: field
-:degrees: 0..4
+:degrees: 0..6
 :control: the multiplicity of the last node counted as one more
 :::
 
@@ -262,7 +262,7 @@ The determinant is a product of factorials and differences, none of them 0.
 :then: entry $b(i,j)$ of $H(T;1,\dots,t^k)\,c$ is the $j$-th derivative at $\tau_i$ of $c_0+\dots+c_kt^k$
 :method: The product with the matrix of the kernel against the derivatives of the polynomial in the field.
 :types: field
-:degrees: 0..4
+:degrees: 0..6
 :control: the coefficients $c_0$ and $c_k$ exchanged
 :::
 
@@ -273,7 +273,7 @@ The determinant is a product of factorials and differences, none of them 0.
 :then: $\det H(T;1,\dots,t^k)$ is the printed product, and `confluent_vandermonde_determinant` computes it
 :method: The determinant of the matrix of derivatives, by sums over all permutations up to $k=3$ and by
   Bird's algorithm, against the product written out factor by factor.
-:degrees: 0..4 sampled 8
+:degrees: 0..6 sampled 8
 :defines: confluent_vandermonde_determinant
 :control: the exponents $l_il_j$ taken as 1
 :::
@@ -514,7 +514,7 @@ values of $f$ are free no other weights do the same.
 :then: `divided_difference` of its values and derivatives is $c_k$
 :method: Every osculation problem has one solution $g$, and $f$ enters by its values only, which are those of $g$; so it
   is enough to know the claim for polynomials $g$.
-:degrees: 0..4 sampled 8
+:degrees: 0..6 sampled 8
 :defines: divided_difference
 :control: $c_0$ on the right
 :::
@@ -525,7 +525,7 @@ values of $f$ are free no other weights do the same.
 :given: every set of multiplicities of $k+1$ nodes, the nodes and the $k+1$ values and derivatives of $f$ variables
 :then: $\det H(T;1,\dots,t^{k-1},f)/\det H(T;1,\dots,t^k)$ is the divided difference of the table
 :method: Both determinants are computed from the matrices.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: $f$ in the first column, in the place of the powers $t^0$
 :::
 
@@ -536,7 +536,7 @@ values of $f$ are free no other weights do the same.
 :then: $\alpha_{ij}=\beta_{b(i,j)}/\det$, with the printed product for the determinant and the printed $b(i,j)$, is
   what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
 :method: The cofactors are determinants of order $k$ of the matrix of derivatives.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :defines: divided_weights
 :control: minors in the place of cofactors
 :::
@@ -559,7 +559,7 @@ values of $f$ are free no other weights do the same.
 :then: for the $f$ whose only nonzero datum is $f^{(j)}(\tau_i)=1$ the sum with $\gamma$ is $\gamma_{ij}$ and the
   divided difference is $\alpha_{ij}$; so the sums agree for all $f$ only when $\gamma=\alpha$
 :method: The table of divided differences on each unit vector of data against the weights of the kernel.
-:degrees: 0..4 sampled 8
+:degrees: 0..6 sampled 8
 :control: the data of the neighbouring unit vector
 :::
 */

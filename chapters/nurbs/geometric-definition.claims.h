@@ -39,6 +39,8 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :zh: 多边形的统一表示
 :printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
 :holds-by: polygon_is_the_curve_of_order_two
+:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$: by the
+  letter the sum is $0/0$ there, and the polygon lacks $\mathbf r_n$
 :figure: nurbs_polygons
 :::
 
@@ -112,7 +114,8 @@ no recursion and the polygon is the curve.
 :::{claim} polygon_is_the_curve_of_order_two
 :title: The sum over all points is the printed leg on every span
 :zh: 二阶曲线的每一段
-:given: $n=5$ points with weights, knots $t_1<\dots<t_7$; every span; any $t$
+:given: $n=5$ points with weights; seven simple knots, and double knots inside, at one end, at the other and at both; every span
+  that is not empty; any $t$
 :then: $\sum_{i=1}^nN_{i,2}(t)w_ir_i/\sum_{i=1}^nN_{i,2}(t)w_i$ is the printed quotient, $j=2,\dots,n$
 :method: The sums by the recursion of de Boor and Cox as it is defined, with all indices; one coordinate, everything a
   variable.
@@ -135,21 +138,52 @@ no recursion and the polygon is the curve.
 
 #include "chapters/frame/claims_on.h"
 
+#if RATIONAL
+/*
+:::{claim} polygon_end_belongs_to_no_interval
+:title: At a double right end the sum of order 2 is 0/0
+:zh: 右端二重时二阶曲线终点无定义
+:kind: counterexample
+:given: $k=n=2$, knots $0,0,1,1$ and then $2$; $t=t_{n+1}=1$, which lies in $[t_4,t_5)$ and in no interval before
+:then: $\sum_{i=1}^2N_{i,2}(1)=0$
+:method: The recursion by its letter for the interval $[1,2)$.
+:control: the knots $0,0,1,2$
+:::
+*/
+CLAIM(polygon_end_belongs_to_no_interval)
+{
+    int place[] = {0, 0, 1, T->planted ? 2 : 1, 2};
+    num u[5], one = from_int(1), sum = from_int(0);
+    for (int i = 0; i < 5; i++)
+        u[i] = from_int(place[i]);
+    for (int i = 0; i < 2; i++)
+        sum = add(sum, G(cox_de_boor)(1, u, place, i, 1, one));
+    show_points(T, "knots", 5, 1, u);
+    about(T, "the sum of both functions at t = 1, and 1");
+    same(T, sum, one);
+}
+#endif
+
 CLAIM(polygon_is_the_curve_of_order_two)
 {
+    static const char *const kinds[] = {"1111111", "112111", "211111", "111112", "21112", "2122"};
     int n = 5;
     num u[MOST_KNOTS], R[8], w[8], H[8], t = parameter(T, "t");
     int place[MOST_KNOTS];
-    G(knots_of_pattern)(T, "1111111", u, place);
     G(free_curve)(T, n - 1, 1, R, w);
     for (int i = 0; i < n; i++)
         H[i] = mul(w[i], R[i]);
-    for (int j = 2; j <= n; j++) { /* t_j = u[j-1], r_j = R[j-1] */
-        num up = sub(t, u[j - 1]), down = sub(u[j], t);
-        num left = mul(down, w[T->planted ? j - 1 : j - 2]), right = mul(up, w[T->planted ? j - 2 : j - 1]);
-        num leg = div(add(mul(left, R[j - 2]), mul(right, R[j - 1])), add(left, right));
-        num above = G(spline)(n, 1, 1, u, place, H, 0, j - 1, t), below = G(spline)(n, 1, 1, u, place, w, 0, j - 1, t);
-        same(T, div(above, below), leg);
+    for (int kind = 0; kind < 6; kind++) {
+        G(knots_of_pattern)(T, kinds[kind], u, place);
+        for (int j = 2; j <= n; j++) { /* t_j = u[j-1], r_j = R[j-1] */
+            if (place[j - 1] == place[j])
+                continue;
+            num up = sub(t, u[j - 1]), down = sub(u[j], t);
+            num left = mul(down, w[T->planted ? j - 1 : j - 2]), right = mul(up, w[T->planted ? j - 2 : j - 1]);
+            num leg = div(add(mul(left, R[j - 2]), mul(right, R[j - 1])), add(left, right));
+            num above = G(spline)(n, 1, 1, u, place, H, 0, place[j - 1], t);
+            same(T, div(above, G(spline)(n, 1, 1, u, place, w, 0, place[j - 1], t)), leg);
+        }
     }
 }
 
@@ -184,7 +218,7 @@ CLAIM(legs_are_run_through)
   span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve, and the condition of the envelope
   is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by
   `first_level_condition_factors` with $t$ and $\tau$ exchanged.
-:degrees: 2..3 sampled 5
+:degrees: 2..4 sampled 5
 :control: the segment of the first span for every span
 :::
 */

@@ -82,11 +82,10 @@ FIGURE(recursion_indices)
                 svg_arrow(s, at(q(level - 1), q(from)), at(sub_q(q(level), r(1, 10)), sub_q(q(i), r(i - from, 10))),
                           good ? SVG_FAMILY : SVG_WRONG);
             svg_mark(s, svg_at(level, i), good ? SVG_POINT : SVG_WRONG, SVG_USUAL);
-            svg_label(s, svg_at(level, i),
-                      level == 0   ? SVG_W
-                      : level == 1 ? SVG_N
-                                   : SVG_E,
-                      good ? SVG_POINT : SVG_WRONG, name);
+            if (level == 1)
+                svg_label_at(s, svg_at(level, i), SVG_MIDDLE, 0, 105, good ? SVG_POINT : SVG_WRONG, name);
+            else
+                svg_label(s, svg_at(level, i), level == 0 ? SVG_W : SVG_E, good ? SVG_POINT : SVG_WRONG, name);
         }
     svg_legend_mark(s, SVG_POINT, SVG_USUAL, "$i=r+1,…,n$");
     svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "asked for by $i=2$ on level 2");

@@ -76,7 +76,7 @@ With the polynomials of the span in the places of the $N_{i,k}$ it holds for all
   greater orders random patterns in rationals
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: As for simple knots, with the rule $0/0=0$ in the definition of the B-splines.
-:degrees: 0..3 sampled 7
+:degrees: 0..4 sampled 7
 :control: $x$ and $t$ exchanged on the right
 :::
 

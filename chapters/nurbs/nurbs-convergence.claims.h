@@ -160,7 +160,8 @@ The bound is attained by the parabola with equal gaps: the order is two, exactly
 :then: $\sum_{i=1}^nN_{i,k}(t)\,\xi_i=t$
 :method: The recursion by its letter.  With $N_{i,k}\ge0$ and $\sum N_{i,k}=1$ (`basis_is_a_partition_of_unity`) this is all that the
   argument above needs of the B-splines.
-:degrees: 1..4 sampled 6
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $\xi_i$ taken at $i+1$
 :::
 
@@ -186,7 +187,8 @@ The bound is attained by the parabola with equal gaps: the order is two, exactly
 :then: the points of $f''$ after the insertion are those that the insertion into the spline $f''$ of degree $p-2$ gives: each is
   $(1-a)c_{i-1}''+a\,c_i''$ with $0\le a\le1$; so $\max|c_i''|$ does not grow
 :method: The kernels for differences and insertion, in both orders; the coefficients by their signs.
-:degrees: 2..4 sampled 8
+:degrees: 2..6 sampled 8
+:scope: the knots variables for $p\le4$, numbers above
 :control: the difference taken once only after the insertion, with the spline $f'$
 :::
 

@@ -63,6 +63,8 @@ and the only one.
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
 :hypothesis: knot_before_the_domain_asks_for_another_point | the knots are in the domain, $t_k\le\tau\le t_{n+1}$
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau>t_1$: when $t_k$ is a $k$-fold knot it is not inserted
+  again
 :needs: mixed_weights_cut_beside_the_edges | positive weights
 :figure: cutting_corners
 
@@ -78,6 +80,8 @@ insertion involve three rows and so six columns at most, so that their signs are
 :needs: mixed_weights_cut_beside_the_edges | positive weights
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once, else $A(\Gamma_k^{(T)}(T'))$ need not
   exist; or $A$ is taken as the hull
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau>t_1$
 :figure: hulls_of_knot_sets
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
@@ -90,6 +94,8 @@ Every new vertex is on an edge, hence in the hull; for hulls it is true of every
   s_i=\alpha_iw_i/[(1-\alpha_i)w_{i-1}+\alpha_iw_i]
 :holds-by: inserted_points_divide_the_edges printed_insertion_keeps_the_curve
 :needs: vanishing_weight_loses_the_new_point | positive weights
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: where_hypotheses_are_needed
 
 The same as (2.9.1) in homogeneous coordinates; the new weights are the denominators.
@@ -127,6 +133,8 @@ then $\mu\le0$, and $\alpha_1=0$ asks for a point $r_0$.
 :printed: hence $\Gamma_k^{(T)}(T')$ is an inscribed polygon of $\Gamma_k^{(T)}(\Phi)$
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :needs: mixed_weights_cut_beside_the_edges | positive weights
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: cutting_corners
 
 The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order of the edges; both ends stay.
@@ -160,6 +168,8 @@ With the new weights, which the notation does not show; in the second equation t
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
 :needs: mixed_weights_cut_beside_the_edges | positive weights
+:hypothesis: knot_before_the_domain_asks_for_another_point | every knot is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | every knot $>t_1$
 :figure: hulls_of_knot_sets
 :::
 
@@ -300,7 +310,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
   of `bspline_refine`
 :method: The field, all knots, weights and points variables.  For more knots by induction: every two neighbours in the order may be
   exchanged.
-:degrees: 2..4 sampled 5
+:degrees: 2..6 sampled 7
 :scope: n stands for the order k
 :control: the second knot inserted with the weights of the old polygon
 :::
@@ -373,7 +383,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
   homogeneous points is any coordinate.  Later parameters leave the vertices of the earlier ones alone, so more than two are
   treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
   at $t',\dots,t'$.
-:degrees: 2..4 sampled 6
+:degrees: 2..5 sampled 6
 :scope: n stands for the order k
 :control: the second vertex counted one too low
 :::

@@ -27,7 +27,7 @@ FIGURE(what_convex_must_mean)
     struct nurbs c = nurbs_of(4, 2, back, NULL, two_intervals), cut = with_knot(c, from_ratio_q(3, 2));
     svg_panel(s, window(-1, -1, 6, 6, 5), 230, 0,
               "$r_1 = r_3$: there and back;\n$r(3/2)$ is inside the hull of the curve");
-    svg_heading(s, SVG_WRONG, "convex as a set, turning back");
+    svg_heading(s, SVG_WRONG, "a set: turning back");
     num_q triangle[6];
     const num_q at[] = {from_int_q(0), from_ratio_q(2, 3), from_int_q(2)};
     for (int i = 0; i < 3; i++) {
@@ -46,7 +46,7 @@ FIGURE(what_convex_must_mean)
     cut = with_knot(c, from_ratio_q(1, 2));
     svg_panel(s, window(-2, -2, 12, 12, 5), 230, 0,
               "$r_4 = r_1$, $r_5 = r_2$; with the knot $1/2$\nan edge is inside the hull");
-    svg_heading(s, SVG_WRONG, "convex as a set, overlapping");
+    svg_heading(s, SVG_WRONG, "a set: overlapping");
     svg_area(s, 3, c.R, SVG_FILL);
     draw_numbered(s, c, over_side);
     draw_marked(s, cut, SVG_CURVE_2);
@@ -55,7 +55,7 @@ FIGURE(what_convex_must_mean)
     c = nurbs_of(4, 2, once, NULL, two_intervals);
     cut = with_knot(with_knot(c, from_ratio_q(1, 2)), from_ratio_q(3, 2));
     svg_panel(s, window(-1, -1, 5, 5, 1), 230, 0, "every polygon and the curve\nare on the boundary of their hulls");
-    svg_heading(s, SVG_RIGHT, "convex, run through once");
+    svg_heading(s, SVG_RIGHT, "run through once");
     svg_area(s, c.n, c.R, SVG_FILL);
     draw_numbered(s, c, once_side);
     draw_marked(s, cut, SVG_CURVE_2);
@@ -153,8 +153,8 @@ FIGURE(mixed_weights_and_convexity)
     mark_inflections(s, c);
     svg_legend_line(s, SVG_CURVE, "curve");
     svg_legend_line(s, SVG_POLYGON, "polygon");
-    svg_legend_line(s, SVG_WRONG, "with the knot inserted");
-    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "inflection, or vertex off its edge");
+    svg_legend_line(s, SVG_WRONG, "with the knot");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "inflection; vertex off its edge");
     return s;
 }
 
@@ -192,7 +192,7 @@ FIGURE(convex_polygon_convex_spline)
     static const long square[] = {0, 0, 1, 0, 1, 1, 0, 1}, torn[] = {0, 0, 2, 2, 4, 4};
     static const enum svg_direction corner[] = {SVG_SW, SVG_SE, SVG_NE, SVG_NW};
     svg_panel(s, window(-1, -1, 3, 3, 2), 210, 0, "$k = 2$, knots $0, 0, 1, 1, 2, 2$:\nthe curve jumps at $t = 1$");
-    svg_heading(s, SVG_WRONG, "a knot of multiplicity $k$");
+    svg_heading(s, SVG_WRONG, "a $k$-fold knot");
     c = nurbs_of(4, 1, square, NULL, torn);
     draw_numbered(s, c, corner);
     draw_nurbs(s, c, SVG_CURVE);

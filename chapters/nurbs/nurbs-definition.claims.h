@@ -408,9 +408,15 @@ This is a polynomial spline in four-dimensional space; the rational curve is its
 :title: The curve in affine coordinates
 :zh: 仿射坐标下的表示
 :printed: r(t)=\left(\frac{X(t)}{w(t)},\frac{Y(t)}{w(t)},\frac{Z(t)}{w(t)}\right)=\sum_{i=1}^nN_{i,k}(t)w_ir_i\Big/
-  \sum_{i=1}^nN_{i,k}(t)w_i,\quad r_i=(x_i,y_i,z_i)
+  \sum_{i=1}^nN_{i,k}(t)w_i,\quad r_i=(x_i,y_i,z_i),\quad t_k\le t\le t_{n+1},\ n\ge k
 :holds-by: nurbs_point_is_the_weighted_mean basis_is_a_partition_of_unity
+:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$
+:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
+  $t_{n+1}=\dots=t_{n+k}$: otherwise both quotients are $0/0$ there
+:needs: negative_weight_makes_a_pole | positive weights
 :figure: nurbs_definition
+
+The equation of both forms is true wherever $w(t)\ne0$; what has to be added concerns the range of $t$ that is printed with it.
 :::
 
 :::{claim} nurbs_point_is_the_weighted_mean
@@ -491,7 +497,8 @@ The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,
 :then: the numerator of $r(t)-\sum N_{i,k}r_i$ has as coefficient of $r_i$ the number
   $N_{i,k}(t)\,(w_i-w(t))$; it vanishes for all $i$ and $t$ only if $w(t)$ is the constant $w_i$
 :method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
-:degrees: 1..4 sampled 8
+:degrees: 1..6 sampled 8
+:scope: the knots variables for $p\le4$, numbers above
 :control: the weight of one point doubled on one side
 :::
 */
@@ -539,8 +546,11 @@ CLAIM(only_proportional_weights_give_the_bspline)
 :zh: n=k 且两端为 k-1 重节点时退化为有理 Bézier 曲线
 :printed: For $n=k$, $t_2=t_3=\dots=t_k<t_{k+1}=t_{k+2}=\dots=t_{2k-1}$ it degenerates to the rational Bézier curve of
   degree $k-1$,
-  $r(t)=\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*r_i^*\Big/\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*$
+  $r(t)=\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*r_i^*\Big/\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*$,
+  $t_k\le t\le t_{k+1}$
 :holds-by: bezier_knots_give_rational_bezier
+:hypothesis: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ the limit from the left is meant, when $t_{2k}=t_{k+1}$: by the
+  letter all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
 :reading: bezier_knots_give_rational_bezier | the starred data are the given ones, $w_i^*=w_i$ and $r_i^*=r_i$: true, and the star is
   idle
 :reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over any knots: true as well, but then
@@ -548,7 +558,7 @@ CLAIM(only_proportional_weights_give_the_bspline)
 :needs: simple_knots_need_other_points | the condition on the knots: otherwise the starred data differ from the given ones
 :figure: bezier_knots
 
-The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask anything of them.
+The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask anything of them, but for the last value of $t$.
 :::
 
 :::{claim} bezier_knots_give_rational_bezier
@@ -603,6 +613,32 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
     G(decasteljau)(p, 1, T->planted ? H : b, div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
     same(T, value, G(spline)(p + 1, p, 1, u, place, H, 0, p, t));
 }
+
+/*
+:::{claim} bezier_end_belongs_to_no_interval
+:title: At the end of k-fold Bézier knots the quotient by B-splines is 0/0
+:zh: 右端 k 重时按半开区间 Bézier 终点无定义
+:kind: counterexample
+:given: $k=n=3$, knots $0,0,0,1,1,1$ and then $2$; $t=t_{k+1}=1$, which lies in $[t_6,t_7)$ and in no interval before
+:then: $\sum_{i=1}^3N_{i,3}(1)=0$, while $\sum_{i=1}^3B_{i-1}^2(1)=1$
+:method: The recursion by its letter for the interval $[1,2)$; the Bernstein polynomials of the kernel.
+:control: $t_{2k}=2$ in the place of $1$
+:::
+*/
+#if RATIONAL
+CLAIM(bezier_end_belongs_to_no_interval)
+{
+    num x[] = {from_int(0), from_int(1), from_int(2)}, u[7], B[3], sum = from_int(0), one = from_int(1);
+    int place[7], count = G(knots_at)(T->planted ? "322" : "331", x, u, place);
+    num total = G(denominator)(3, 2, u, place, NULL, 1, one);
+    G(bernstein)(2, one, B);
+    for (int i = 0; i < 3; i++)
+        sum = add(sum, B[i]);
+    show_points(T, "knots", count, 1, u);
+    about(T, "the sum of the B-splines and that of the Bernstein polynomials at t = 1");
+    same(T, total, sum);
+}
+#endif
 
 /*
 :::{claim} simple_knots_need_other_points

@@ -594,7 +594,7 @@ hypotheses are fulfilled: all $w_i^{[r]}$ are equal.
   of the segment that contains $t$
 :method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates; the sum of
   all terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
-:degrees: 2..3 sampled 5
+:degrees: 2..4 sampled 5
 :control: the polar form of the first segment for every span
 :::
 */

@@ -10,8 +10,10 @@ $(w_iR_i,w_i)$.  The kernels keep weights and points apart.
 :given: several segments, the distinct knots variables, points and weights; every interval of the domain; any $t$
 :then: `nurbs_homogenize` gives $(w_iR_i,w_i)$ for the points of the span, `nurbs_weight` gives $w(t)=\sum_{i=0}^{n-1}N_{i,p}(t)w_i$,
   `nurbs_point` and `nurbs_deboor` give $R(t)$
-:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
-:degrees: 0..3 sampled 7
+:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.  For $p=4$, `kernels_move_with_their_knots` goes
+  from two knots $0$ and $1$ to any.
+:degrees: 0..4 sampled 7
+:scope: the distinct knots variables; for $p=4$ two neighbours among them are $0$ and $1$
 :defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
 :control: the weights taken backwards
 :::
@@ -34,7 +36,7 @@ static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
 CLAIM(nurbs_point_is_the_quotient)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knots) K = {.kind = p > 3 ? UNIT : 0};
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], z[MOST_KNOTS], P[dim], Q[dim], H[(HIGHEST + 1) * (dim + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_nurbs)(T, K.n, dim, R, w);
@@ -131,7 +133,7 @@ CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
   of multiplicity at most $p$
 :then: the knots of `nurbs_insert` are the old ones and the new one, and its weights $z_j$ and $z_jS_j$ are the points of the splines $w$ and $wR$
 :method: Both pairs of splines in powers, from the recursion of de Boor and Cox by its letter.  In the field $w_iR_i$ are the variables, and $R_i$
-  their quotients by the variables $w_i$.
+  their quotients by the variables $w_i$.  Higher degrees are left to `nurbs_insertion_is_that_of_homogeneous_points`.
 :degrees: 0..2 sampled 6
 :defines: nurbs_insert
 :control: the last of the new weights is replaced by its neighbour
@@ -166,6 +168,50 @@ CLAIM(nurbs_insertion_keeps_curve)
             G(same_spline)(T, 1, &K, w, &L, z);
             about(T, "the points");
             G(same_spline)(T, dim, &K, H, &L, S);
+        }
+    }
+}
+
+/*
+:::{claim} nurbs_insertion_is_that_of_homogeneous_points
+:title: The weights and points after insertion are those of homogeneous points
+:zh: NURBS 插入节点与齐次坐标
+:given: several segments, points and weights; a new knot in every interval of the domain and at every knot of it of multiplicity at
+  most $p$
+:then: the weights $z_j$ of `nurbs_insert` and $z_jS_j$ are the points that `bspline_insert` gives for $w$ and for $wR$
+:method: Two kernels that share no code.  That the second keeps splines is known from `boehm_insertion_keeps_curve` and
+  `boehm_insertion_in_higher_degrees`, so the first keeps curves in the same degrees.
+:degrees: 0..6 sampled 8
+:scope: the distinct knots variables for $p\le4$, numbers above
+:control: the last of the new weights is replaced by its neighbour
+:::
+*/
+CLAIM(nurbs_insertion_is_that_of_homogeneous_points)
+{
+    int p = T->degree;
+    struct G(knots) K = {0};
+    num R[MOST_KNOTS * dim], w[MOST_KNOTS], H[MOST_KNOTS * dim], S[MOST_KNOTS * dim], z[MOST_KNOTS], v[MOST_KNOTS];
+    num d[MOST_KNOTS * dim], weight[MOST_KNOTS];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(free_nurbs)(T, K.n, dim, R, w);
+        for (int i = 0; i < K.n * dim; i++)
+            H[i] = mul(w[i / dim], R[i]);
+        for (int place = K.place[p]; place < K.place[K.n]; place++) {
+            int mu = G(span_of_interval)(K.count, K.place, place);
+            if (G(multiplicity_at)(&K, place) > p)
+                continue;
+            num x = G(knot_for)(T, &K, place, "s");
+            G(nurbs_insert)(K.n, p, dim, K.u, mu, R, w, x, v, S, z);
+            if (T->planted && p > 0)
+                z[mu] = z[mu - 1];
+            G(bspline_insert)(K.n, p, 1, K.u, mu, w, x, v, weight);
+            G(bspline_insert)(K.n, p, dim, K.u, mu, H, x, v, d);
+            about(T, "the weights");
+            for (int i = 0; i <= K.n; i++)
+                same(T, z[i], weight[i]);
+            about(T, "the points");
+            for (int i = 0; i < (K.n + 1) * dim; i++)
+                same(T, mul(z[i / dim], S[i]), d[i]);
         }
     }
 }
@@ -248,7 +294,7 @@ CLAIM(nurbs_derivatives_are_those_of_the_quotient)
 :method: The quotient of the two polynomials is an element of the field, which differentiates it formally $r$ times; here $r$ is the number that
   is called $n$.  In rationals the series at $t$ are divided.
 :types: field rational
-:degrees: 0..3 sampled 5
+:degrees: 0..4 sampled 5
 :defines: quotient_derivatives
 :control: the second derivative of $w$, or for $r<2$ its value, doubled
 :::
@@ -306,7 +352,7 @@ CLAIM(quotient_derivatives_follow_the_field)
   In the field the variables are, as before, the coefficients of $P$ in powers about $t$.  In a greater degree
   there are further coefficients, on which $P$, $P'$ and $P''$ do not depend.
 :types: field rational
-:degrees: 1..3 sampled 6
+:degrees: 1..4 sampled 6
 :defines: nurbs_curvature_squared
 :control: $P''$ doubled in the formula
 :::
@@ -378,7 +424,8 @@ CLAIM(nurbs_curvature_from_homogeneous_coordinates)
 :then: with $P=(w,x,y,z)$ the homogeneous curve, `nurbs_torsion` gives $w^2\det(P,P',P'',P''')$ over the sum of the squares of the minors of
   $(P,P',P'')$ in the columns $yzw$, $zxw$ and $xyw$
 :method: As for the curvature: the derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter, no derivative of a
-  quotient, and in the field the coefficients of $P$ about $t$ as variables.
+  quotient, and in the field the coefficients of $P$ about $t$ as variables.  In a
+  greater degree there are further coefficients, on which $P,\dots,P'''$ do not depend.
 :types: field rational
 :degrees: 3..3 sampled 7
 :defines: nurbs_torsion
@@ -408,4 +455,106 @@ CLAIM(nurbs_torsion_from_homogeneous_coordinates)
     }
 }
 #endif
+
+/*
+## Other units
+
+Nothing changes when knots and parameters are counted from another point and in another unit.  So knots may be so moved that
+two neighbours among them are $0$ and $1$, and what then holds for all splines holds for all knots.  For a kernel this is a
+property that it could lack.
+
+:::{claim} kernels_move_with_their_knots
+:title: Moved and stretched together, knots and parameters give the same points
+:zh: 节点与参数的仿射变换不改变结果
+:given: several segments with simple and with clamped ends; in the field the ends of the first interval of the domain $0$ and $1$
+  and the other distinct knots variables; points and weights; a parameter in every
+  interval of the domain; numbers $a\ne0$ and $b$
+:then: `bspline_insert`, `bspline_split`, `bspline_refine`, `bspline_elevate`, `bspline_reduce`, `discrete_bsplines`, `nurbs_point`
+  and `nurbs_weight` give the same for the knots $au_i+b$ and the parameter $at+b$ as for $u_i$ and $t$
+:method: Every kernel twice, elevation and reduction where there is one inner knot at most.  By the recursion of de Boor and Cox, in which only quotients of differences occur, the same is
+  true of the B-splines.  Any knots are $au_i+b$ for knots $u_i$ of the kind given, $a$ being the length of an interval.
+:degrees: 0..4 sampled 7
+:control: the parameter is moved by $b$ and not stretched; in degree 0, the points are moved
+:::
+*/
+static void G(same_points)(trial *T, int count, const num a[], const num b[])
+{
+    for (int i = 0; i < count; i++)
+        same(T, a[i], b[i]);
+}
+
+CLAIM(kernels_move_with_their_knots)
+{
+    int p = T->degree, span[MOST_KNOTS];
+    struct G(knots) K = {.kind = UNIT}, F, E;
+    num R[MOST_KNOTS * dim], w[MOST_KNOTS], moved[MOST_KNOTS], finer[MOST_KNOTS], a = positive(T, "a", 0);
+    num b = unknown(T, "b", 0), c[2][MOST_KNOTS * dim], d[2][MOST_KNOTS * dim], v[MOST_KNOTS], v2[MOST_KNOTS];
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
+        G(free_nurbs)(T, K.n, dim, R, w);
+        for (int i = 0; i < K.count; i++)
+            moved[i] = add(mul(a, K.u[i]), b);
+        const num *knots[2] = {K.u, moved};
+        for (int mu = p; mu < K.n; mu++) {
+            if (K.place[mu] == K.place[mu + 1])
+                continue;
+            num t = G(in_interval)(T, &K, mu, "t"), at = add(T->planted ? t : mul(a, t), b), x[HIGHEST + 1], weight[2];
+            for (int m = 0; m < 2; m++) {
+                num s = m == 0 ? t : at;
+                G(nurbs_point)(p, dim, knots[m], mu, R, w, s, c[m]);
+                weight[m] = G(nurbs_weight)(p, knots[m], mu, w, s);
+            }
+            about(T, "the point and its weight");
+            G(same_points)(T, dim, c[1], c[0]);
+            same(T, weight[1], weight[0]);
+            if (T->planted && p == 0)
+                R[0] = add(R[0], from_int(1));
+            about(T, "a new knot");
+            for (int m = 0; m < 2; m++)
+                G(bspline_insert)(K.n, p, dim, knots[m], mu, R, m == 0 ? t : at, v, c[m]);
+            G(same_points)(T, (K.n + 1) * dim, c[1], c[0]);
+            about(T, "both parts");
+            for (int m = 0; m < 2; m++)
+                G(bspline_split)(K.n, p, dim, knots[m], mu, 0, R, m == 0 ? t : at, v, c[m], v2, d[m]);
+            G(same_points)(T, (mu + 1) * dim, c[1], c[0]);
+            G(same_points)(T, (K.n - mu + p) * dim, d[1], d[0]);
+            about(T, "discrete B-splines");
+            for (int m = 0; m < 2; m++) {
+                for (int r = 0; r < p; r++)
+                    x[r] = r == 0 ? (m == 0 ? t : at) : knots[m][mu + r];
+                G(discrete_bsplines)(p, knots[m], mu, x, c[m]);
+            }
+            G(same_points)(T, p + 1, c[1], c[0]);
+            about(T, "a finer knot vector");
+            G(put_knot)(&K, K.place[mu] + 1, t, &F);
+            if (!G(spans_over)(&K, F.n, p, F.place, 0, span))
+                continue;
+            for (int i = 0; i < F.count; i++)
+                finer[i] = add(mul(a, F.u[i]), b);
+            for (int m = 0; m < 2; m++)
+                G(bspline_refine)(p, dim, knots[m], R, F.n, m == 0 ? F.u : finer, span, c[m]);
+            G(same_points)(T, F.n * dim, c[1], c[0]);
+        }
+        if (K.n > p + 2)
+            continue;
+        E = K;
+        for (int place = K.place[p]; place <= K.place[K.n]; place += 2)
+            G(put_knot)(&E, place, K.u[G(span_of_interval)(K.count, K.place, place)], &E);
+        E.p = p + 1, E.n = E.count - p - 2;
+        if (!G(spans_over)(&K, E.n, p + 1, E.place, 0, span))
+            continue;
+        for (int i = 0; i < E.count; i++)
+            finer[i] = add(mul(a, E.u[i]), b);
+        about(T, "a degree more");
+        for (int m = 0; m < 2; m++)
+            G(bspline_elevate)(p, dim, knots[m], R, E.n, m == 0 ? E.u : finer, span, c[m]);
+        G(same_points)(T, E.n * dim, c[1], c[0]);
+        if (p == 0 || !G(spans_over)(&E, K.n, p, K.place, 0, span))
+            continue;
+        about(T, "a degree less");
+        G(free_control_points)(T, E.n, dim, R);
+        for (int m = 0; m < 2; m++)
+            G(bspline_reduce)(p + 1, dim, m == 0 ? E.u : finer, R, K.n, knots[m], span, d[m]);
+        G(same_points)(T, K.n * dim, d[1], d[0]);
+    }
+}
 #include "chapters/frame/claims_off.h"

@@ -30,7 +30,8 @@ usual properties is decided.  Convexity and the number of intersections follow i
 :then: $r_i+\Delta$ in the place of $r_i$ changes $r(t)$ by $N_{i,k}w_i\Delta/w(t)$; $w_i+\delta$ in the place of $w_i$ changes it
   by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
 :method: All terms of the definition, before and after.
-:degrees: 1..4 sampled 5
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :control: $\Delta$ doubled on the right
 :::
 */
@@ -42,7 +43,8 @@ usual properties is decided.  Convexity and the number of intersections follow i
 #include "chapters/frame/claims_on.h"
 
 static const char *const G(kinds)[][3] = {
-    {NULL}, {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL}, {"5125", NULL}, {"6136", NULL}};
+    {NULL},         {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL},
+    {"5125", NULL}, {"6136", NULL},        {"7147", NULL}};
 
 CLAIM(moved_point_changes_its_support)
 {
@@ -364,7 +366,7 @@ CLAIM(k_fold_knot_tears_the_curve)
   $|r'\times r''|^2/|r'|^6$ and $(r',r'',r^{(3)})/|r'\times r''|^2$
 :method: Derivatives of the quotient of sums as rational functions of $t$; curvature and torsion at $t=\frac13$ with whole weights and
   points of which one coordinate is a variable.
-:degrees: 2..3
+:degrees: 2..4
 :defines: nurbs_derivatives nurbs_curvature_squared nurbs_torsion
 :control: the weights 1 for the kernels
 :::
@@ -429,7 +431,7 @@ CLAIM(nurbs_derivatives_are_derivatives)
   $\kappa^2(t_k)=\bigl(\frac{k-2}{k-1}\frac{\Delta_1}{\Delta_2}\frac{w_1w_3}{w_2^2}\bigr)^2\frac{(a\times b)^2}{|a|^6}$, and in
   space $\tau(t_k)=\frac{k-3}{k-1}\frac{\Delta_1}{\Delta_3}\frac{w_1w_4}{w_2w_3}\frac{(a,b,c)}{|a\times b|^2}$
 :method: The kernels at $t=t_k$; for $k=3$ without the torsion.  With equal $\Delta_i$ these are the formulas of rational Bézier curves.
-:degrees: 2..5 sampled 7
+:degrees: 2..6 sampled 7
 :control: $\Delta_1/\Delta_2$ left out
 :::
 */
@@ -482,7 +484,8 @@ CLAIM(clamped_end_is_the_first_point)
   curve
 :method: The kernel `bspline_periodic` for the continuation, the derivatives by the kernel on the first and on the last span;
   homogeneous coordinates, one coordinate.
-:degrees: 1..4 sampled 7
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
 :control: the order $k-1$ as well
 :::
 */

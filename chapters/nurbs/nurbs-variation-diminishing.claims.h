@@ -39,6 +39,7 @@ crossings, and says so.
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts, as one intersection or as infinitely many
 :hypothesis: knot_before_the_domain_asks_for_another_point | the knots are in the domain
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | and greater than $t_1$
 :needs: insertion_with_mixed_weights_crosses_more | positive weights
 :reading: averages_between_neighbours_keep_sign_changes | crossings
 :reading: cut_corners_meet_a_line_no_more | common points, a piece on the line counting once
@@ -159,7 +160,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :then: $a\,x(t)+b\,y(t)+c=\sum_iN_{i,k}(t)w_i(ax_i+by_i+c)\big/\sum_iN_{i,k}(t)w_i$ on both intervals
 :method: The curve by the kernel, the right side by the definition of B-splines; everything a variable.  So every line may be taken as
   the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
-:degrees: 1..4 sampled 6
+:degrees: 1..6 sampled 7
 :scope: n stands for the order k
 :control: the constant $c$ left out at the last vertex
 :::
@@ -211,7 +212,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :then: the curve is the rational Bézier curve of degree $k-1$ of the same points and weights in $(t-x_0)/(x_1-x_0)$; with equal weights
   it is $\sum N_{i,k}r_i$
 :method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
-:degrees: 1..5 sampled 7
+:degrees: 1..6 sampled 7
 :scope: n stands for the order k
 :control: the first two weights exchanged; for $k=1$ the point moved
 :::

@@ -89,13 +89,14 @@ FIGURE(points_of_the_line_as_vertices)
     for (int j = 0; j < 3; j++)
         for (int times = 0; times < 2; times++)
             cut = with_knot(cut, root[j]);
-    svg_panel(s, svg_integer_window(-1, -4, 7, 4), 380, 0, NULL);
+    svg_panel(s, svg_integer_window(-1, -4, 7, 4), 540, 320,
+              "The points of the line have the parameters $3/5$, $1$ and $7/5$.");
     draw_axis(s);
     draw_numbered(s, c, side);
     draw_marked(s, cut, SVG_RIGHT);
     draw_nurbs(s, c, SVG_CURVE);
-    static const char *const name[] = {"r(3/5)", "r(1)", "r(7/5)"};
-    static const enum svg_direction beside[] = {SVG_NW, SVG_NE, SVG_SE};
+    static const char *const name[] = {"3/5", "1", "7/5"};
+    static const enum svg_direction beside[] = {SVG_SE, SVG_NE, SVG_NW};
     for (int j = 0; j < 3; j++) {
         svg_mark(s, nurbs_at(c, root[j]), SVG_CURVE, SVG_USUAL);
         svg_label(s, nurbs_at(c, root[j]), beside[j], SVG_CURVE, name[j]);

@@ -6,6 +6,8 @@
  * text. */
 #include "chapters/nurbs/definition.h"
 
+#include "chapters/frame/elementary.h"
+
 #include "chapters/frame/claims_on.h"
 
 enum { LARGEST_ORDER = 9 };
@@ -15,30 +17,6 @@ struct G(span) {
     num t[2 * LARGEST_ORDER];     /* the knots                                                    */
     int group[2 * LARGEST_ORDER]; /* group[a] = group[b] just when t[a] = t[b]; nondecreasing     */
 };
-
-static inline num G(factorial)(int n)
-{
-    num product = from_int(1);
-    for (int k = 2; k <= n; k++)
-        product = mul(product, from_int(k));
-    return product;
-}
-
-/* n!/(i! (n-i)!), and 0 for i < 0 and i > n */
-static inline num G(choose)(int n, int i)
-{
-    if (i < 0 || i > n)
-        return from_int(0);
-    return div(G(factorial)(n), mul(G(factorial)(i), G(factorial)(n - i)));
-}
-
-static inline num G(power)(num a, int k)
-{
-    num product = from_int(1);
-    for (; k > 0; k--)
-        product = mul(product, a);
-    return product;
-}
 
 /* a for even n, -a for odd n */
 static inline num G(signed_by)(int n, num a) { return n % 2 == 0 ? a : neg(a); }

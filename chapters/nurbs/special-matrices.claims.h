@@ -95,7 +95,7 @@ $k$ is wrong alone.
 :given: orders $k=p+1$, simple knots and $t$ variables
 :then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
 :method: The weights of `divided_weights`, the B-splines by definition.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :control: the sum begins at $l=r$
 :::
 
@@ -105,7 +105,7 @@ $k$ is wrong alone.
 :given: orders $k=p+1$, odd and even, simple knots and $u$ variables
 :then: the columns of `bspline_matrix_simple` are the $N_{i,k}$ in powers of $u$
 :method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
-:degrees: 0..4 sampled 7
+:degrees: 0..5 sampled 7
 :defines: bspline_matrix_simple
 :control: the rows in the opposite order
 :::

@@ -68,6 +68,8 @@ recognises.  First the tools: determinants and resultants, each against its defi
 #include "exact/roots.h"
 #include "exact/sturm.h"
 
+#include "chapters/frame/elementary.h"
+
 #include "chapters/frame/claims_on.h"
 
 /* The sum over the permutations of rows i, ..., n-1 into the columns not yet used. */
@@ -92,8 +94,6 @@ static num G(horner)(int n, const num a[], num z)
         sum = add(mul(sum, z), a[i]);
     return sum;
 }
-
-static num G(power)(num z, int k) { return k == 0 ? from_int(1) : mul(z, G(power)(z, k - 1)); }
 
 static long G(pascal)(int n, int i)
 {

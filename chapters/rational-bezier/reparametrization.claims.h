@@ -36,6 +36,8 @@ Every projective map of the parameter line that fixes $0$ and $1$ has this form,
 */
 #include "exact/sign.h"
 
+#include "chapters/frame/elementary.h"
+
 #include "chapters/frame/claims_on.h"
 
 /* The parameter t = a u / (a u + b (1-u)) of formula 3.2.10. */
@@ -53,9 +55,6 @@ static void G(free_curve)(trial *T, int n, num R[], num w[])
         R[i] = unknown(T, "R", i);
     }
 }
-
-/* a^k */
-static num G(power)(num a, int k) { return k == 0 ? from_int(1) : mul(a, G(power)(a, k - 1)); }
 
 #if FIELD
 CLAIM(fractional_change_runs_once)

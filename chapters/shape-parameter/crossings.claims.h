@@ -97,6 +97,7 @@ different from 0; in the other cases they need not be.
 :zh: 情形 1
 :printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
 :holds-by: combination_begins_and_ends_with_its_coefficients
+:figure: roots_at_minus_seven
 
 Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is odd
 when $f(0)=k_0$ and $f(1)=k_7$ have different signs.  The lemma that is cited for $k_7<0$ is not in the text, and not needed: seven
@@ -144,9 +145,9 @@ The method makes no use of the range of $\beta$, and in the range of the text th
 :zh: 式 (19)
 :printed: $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$ is at most the number of intersections of $L$ with the polygon
 :holds-by: sign_changes_are_polygon_crossings
-:needs: self_crossing_polygon_meets_the_line_once | intersections are counted along the polygon; as points of the plane they
+:hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane they
   may be fewer
-:figure: line_along_an_edge
+:figure: polygon_crossing_itself
 :::
 
 :::{statement} deng-zhang-2022:eq-20
@@ -186,7 +187,7 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not on a line;
   false for every $\beta$ with $-7\le\beta<-\frac{21}4$
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes third_function_has_a_zero_for_every_smaller_beta
+  roots_are_at_most_sign_changes four_vertices_of_a_convex_polygon_do_not_alternate third_function_has_a_zero_for_every_smaller_beta
 :figure: convexity_lost
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0$ and $P_7$ on it
@@ -197,7 +198,7 @@ none; so together with the ends there are never more than two common points.
 :title: A line meets a convex polygon at most twice
 :zh: 直线与凸控制多边形的交点
 :printed: a line meets the (convex) control polygon at most twice
-:holds-by: sign_changes_are_polygon_crossings
+:holds-by: four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
 :hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
 :figure: line_along_an_edge
 :::
@@ -342,6 +343,28 @@ none; so together with the ends there are never more than two common points.
 :then: the line meets the edge $P_3P_4$ in all its points, and the two numbers $u\cdot(P_j-Q)$ are 0
 :method: The signs at the two ends are computed; different signs are asked for.
 :control: the line $x=\frac72$
+:::
+
+:::{claim} polygon_that_crosses_itself_on_the_line
+:title: A polygon that crosses itself on the line has more changes of sign than points there
+:zh: 控制多边形在直线上自交
+:kind: counterexample
+:given: $P_0,\dots,P_7=(-2,2),(2,-2),(2,-3),(1,-3),(-1,-3),(-2,-3),(-2,-2),(2,2)$, $Q=(0,0)$, $u=(0,1)$
+:then: $SA=2$, and the polygon has one point on the line, the origin, which it passes twice
+:method: Changes of sign, and the connected components of the common points in the plane, counted exactly.
+:control: $P_7=(3,2)$
+:::
+
+:::{claim} four_vertices_of_a_convex_polygon_do_not_alternate
+:title: Four vertices of a convex polygon are not on alternate sides of a line
+:zh: 凸多边形的四个顶点不会交替位于直线两侧
+:given: any $P_i,P_j,P_k,P_l$ of the plane, any line function $f(x,y)=ax+by+c$; $D_{ijk}$ the determinant of $P_j-P_i$ and $P_k-P_i$
+:then: $D_{jkl}f(P_i)+D_{ijl}f(P_k)=D_{ikl}f(P_j)+D_{ijk}f(P_l)$
+:method: An identity in the coordinates.  For $i<j<k<l$ in a polygon that is convex, counterclockwise, the four determinants are not
+  negative.  With $f(P_i),f(P_k)\ge0\ge f(P_j),f(P_l)$ both sides are 0: every product is.  So when the signs are strict the four points
+  are on one line, to and fro, and the polygon is not convex; hence there are no three changes of sign.  With $f(P_i)=0$ two changes
+  among the other three, and with $f(P_i)=f(P_l)=0$ one, are excluded in the same way.
+:control: $D_{ikl}$ and $D_{ijl}$ exchanged
 :::
 
 :::{claim} curve_and_line_share_an_end
@@ -656,6 +679,20 @@ CLAIM(line_through_an_edge_has_no_two_sides)
     agree(T, sign_q(side[0]) * sign_q(side[1]) < 0);
 }
 
+CLAIM(polygon_that_crosses_itself_on_the_line)
+{
+    static const int vertex[16] = {-2, 2, 2, -2, 2, -3, 1, -3, -1, -3, -2, -3, -2, -2, 2, 2};
+    num P[16];
+    for (int m = 0; m < 16; m++)
+        P[m] = from_int(vertex[m] + (m == 14 && T->planted));
+    struct polygon_meets_line m = polygon_meets_line(7, P, G(horizontal)(from_int(0)));
+    show_points(T, "P", 8, dim, P);
+    show_text(T, "changes of sign", "%d", m.crossings);
+    show_text(T, "points on the line", "%d", m.components);
+    about(T, "no more changes of sign than points");
+    agree(T, m.crossings <= m.components);
+}
+
 CLAIM(curve_and_line_share_an_end)
 {
     num P[8 * dim];
@@ -667,6 +704,25 @@ CLAIM(curve_and_line_share_an_end)
     agree(T, m.common_closed == m.common_open && m.common_closed <= polygon_crossings(7, P, L));
 }
 #endif
+
+/* The determinant of Q - P and R - P. */
+static num G(turn)(const num P[], const num Q[], const num R[])
+{
+    num q[dim] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, r[dim] = {sub(R[0], P[0]), sub(R[1], P[1])};
+    return G(cross2)(q, r);
+}
+
+CLAIM(four_vertices_of_a_convex_polygon_do_not_alternate)
+{
+    num P[4 * dim], f[4], a = unknown(T, "a", 0), b = unknown(T, "b", 0), c = unknown(T, "c", 0);
+    G(free_points)(T, 3, dim, P);
+    const num *i = P, *j = P + dim, *k = P + 2 * dim, *l = P + 3 * dim;
+    for (int m = 0; m < 4; m++)
+        f[m] = add(mul(a, P[m * dim]), add(mul(b, P[m * dim + 1]), c));
+    num ikl = G(turn)(i, k, l), ijl = G(turn)(i, j, l);
+    num left = add(mul(G(turn)(j, k, l), f[0]), mul(T->planted ? ikl : ijl, f[2]));
+    same(T, left, add(mul(T->planted ? ijl : ikl, f[1]), mul(G(turn)(i, j, k), f[3])));
+}
 
 CLAIM(line_function_of_the_curve)
 {

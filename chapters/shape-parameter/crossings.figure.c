@@ -111,6 +111,26 @@ FIGURE(line_along_an_edge)
     return s;
 }
 
+FIGURE(polygon_crossing_itself)
+{
+    svg *s =
+        svg_new("polygon_crossing_itself", "A polygon that crosses itself on a line",
+                "A polygon of eight points whose first and last edges meet the x-axis in the same point: it changes "
+                "sides twice and has one point on the line.");
+    static const int vertex[16] = {-2, 2, 2, -2, 2, -3, 1, -3, -1, -3, -2, -3, -2, -2, 2, 2};
+    static const enum svg_direction towards[] = {SVG_NW, SVG_E, SVG_E, SVG_S, SVG_S, SVG_W, SVG_W, SVG_NE};
+    num_q P[16];
+    points(8, vertex, P);
+    svg_panel(s, window(r(-7, 2), r(-7, 2), r(7, 2), r(5, 2)), 380, 0, "$SA=2$, one point on $L$");
+    svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_RIGHT);
+    svg_label(s, svg_at(3, 0), SVG_N, SVG_RIGHT, "L");
+    svg_control_polygon_towards(s, 7, P, "P", towards);
+    svg_mark(s, svg_at(0, 0), SVG_WRONG, SVG_USUAL);
+    svg_legend_line(s, SVG_POLYGON, "the polygon");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "the point, passed twice");
+    return s;
+}
+
 FIGURE(zero_at_the_beginning)
 {
     svg *s = svg_new(

@@ -6,26 +6,9 @@
 #include "exact/sign.h"
 #endif
 
+#include "chapters/frame/elementary.h"
+
 #include "chapters/frame/claims_on.h"
-
-static inline num G(power)(num a, int k)
-{
-    num product = from_int(1);
-    for (; k > 0; k--)
-        product = mul(product, a);
-    return product;
-}
-
-/* n!/(i! (n-i)!), and 0 for i < 0 and i > n */
-static inline num G(choose)(int n, int i)
-{
-    num value = from_int(i >= 0 && i <= n);
-    for (int k = 1; k <= n && i >= 0 && i <= n; k++) {
-        value = mul(value, from_int(k));
-        value = div(value, from_int(k <= i ? k : k - i));
-    }
-    return value;
-}
 
 /* (1-t)^a t^b */
 static inline num G(product_of_powers)(int a, int b, num t)

@@ -48,9 +48,13 @@ One parameter serves both directions; the kernel has one for each.  The points a
 :title: The curve can be computed by Horner's rule
 :zh: 海纳算法
 :printed: the curve takes more computation than the Bézier curve of degree seven, and can be computed by Horner's rule
-:holds-by: horner_rule_computes_the_curve
+:holds-by: horner_rule_computes_the_curve degree_eight_takes_more_operations
+:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by the same method
+:figure: operations_for_a_point
 
-A curve of degree eight has one term more.  The nine Bézier points have to be computed once for each $\beta$.
+By Horner's rule the degree $n$ takes $2(d+1)n$ products and $dn+1$ sums for $d$ coordinates, by de Casteljau's algorithm $dn(n+1)$ products
+and $\frac12dn(n+1)+n$ sums; here $n=8$ against $n=7$.  In addition the nine Bézier points have to be computed once for each $\beta$.
+For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no more to compute.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-meaning
@@ -174,8 +178,41 @@ A curve of degree eight has one term more.  The nine Bézier points have to be c
 :degrees: 2..7 sampled 14
 :control: $t$ and $1-t$ exchanged
 :::
+
+:::{claim} degree_eight_takes_more_operations
+:title: A point of a curve of degree eight takes more operations than one of degree seven
+:zh: 八次曲线上点的运算次数多于七次
+:kind: decision
+:given: the degrees 7 and 8, one to three coordinates $d$; `horner_bernstein` and `decasteljau`
+:then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ and
+  $\frac12dn(n+1)+n$; all are more for $n=8$ than for $n=7$
+:method: The kernels are run in the number type that counts; products with powers of two are counted with the others.
+:scope: one to three coordinates
+:control: the degree 7 in both places
+:::
+
+:::{claim} horner_for_nine_points_beats_de_casteljau_for_eight
+:title: Horner's rule for degree eight takes fewer operations than de Casteljau's algorithm for degree seven
+:zh: 不同算法之间八次反而更省
+:kind: counterexample
+:given: the plane; `horner_bernstein` in degree 8, `decasteljau` in degree 7
+:then: 48 products against 112, and 17 sums against 63
+:method: The kernels are run in the number type that counts.
+:control: `decasteljau` in degree 8
+:::
 */
 #include "chapters/shape-parameter/definition.h"
+
+#if RATIONAL
+#include "chapters/frame/counting.h"
+
+/* The kernels of Bézier curves once more in the number type that counts. */
+#undef G
+#define G(name) name##_c
+#include "core/bezier.tmpl.h"
+#undef G
+#define G(name) name##_q
+#endif
 
 #include "chapters/frame/claims_on.h"
 
@@ -260,4 +297,51 @@ CLAIM(horner_rule_computes_the_curve)
     for (int c = 0; c < dim; c++)
         same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
 }
+
+#if RATIONAL
+enum method { HORNER, DE_CASTELJAU };
+
+/* What a point of n+1 Bézier points of `coordinates` coordinates costs, in the type that counts, and in rationals for others. */
+static struct operations cost_of_point(trial *T, enum method method, int n, int coordinates)
+{
+    num_c b[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], some_number = {0};
+    num_q x[(MAX_DEGREE + 1) * MAX_DIM], at[MAX_DIM], t = parameter_q(T, "t");
+    for (int m = 0; m < (n + 1) * coordinates; m++) {
+        b[m] = some_number;
+        x[m] = unknown_q(T, "x", m);
+    }
+    (method == HORNER ? horner_bernstein_q : decasteljau_q)(n, coordinates, x, t, at);
+    counted = (struct operations){0};
+    (method == HORNER ? horner_bernstein_c : decasteljau_c)(n, coordinates, b, some_number, P);
+    note_cost(coordinates, at, counted);
+    return counted;
+}
+static int products(struct operations cost) { return cost.multiplications + cost.shifts; }
+
+CLAIM(degree_eight_takes_more_operations)
+{
+    for (int d = 1; d <= 3; d++) {
+        for (int n = 7; n <= 8; n++) {
+            struct operations horner = cost_of_point(T, HORNER, n, d), triangle = cost_of_point(T, DE_CASTELJAU, n, d);
+            agree(T, products(horner) == 2 * (d + 1) * n && horner.additions == d * n + 1);
+            agree(T, products(triangle) == d * n * (n + 1) && 2 * (triangle.additions - n) == d * n * (n + 1));
+        }
+        for (enum method method = HORNER; method <= DE_CASTELJAU; method++) {
+            struct operations eight = cost_of_point(T, method, T->planted ? 7 : 8, d);
+            struct operations seven = cost_of_point(T, method, 7, d);
+            agree(T, products(eight) > products(seven) && eight.additions > seven.additions);
+        }
+    }
+}
+
+CLAIM(horner_for_nine_points_beats_de_casteljau_for_eight)
+{
+    struct operations eight = cost_of_point(T, T->planted ? DE_CASTELJAU : HORNER, 8, dim);
+    struct operations seven = cost_of_point(T, DE_CASTELJAU, 7, dim);
+    show_text(T, "degree 8", "%d products, %d sums", products(eight), eight.additions);
+    show_text(T, "degree 7", "%d products, %d sums", seven.multiplications + seven.shifts, seven.additions);
+    about(T, "whether degree 8 takes more products and more sums");
+    agree(T, products(eight) > products(seven) && eight.additions > seven.additions);
+}
+#endif
 #include "chapters/frame/claims_off.h"

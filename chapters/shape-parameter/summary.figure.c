@@ -1,5 +1,13 @@
 /* summary.figure.c -- drawings for summary.claims.h. */
+#include "chapters/frame/counting.h"
 #include "chapters/shape-parameter/drawing.h"
+
+/* The kernels of Bézier curves in the type that counts. */
+#define G(name) name##_c
+#include "core/bezier.tmpl.h"
+#undef G
+
+#include <stdio.h>
 
 FIGURE(petals)
 {
@@ -51,5 +59,38 @@ FIGURE(shape_surface)
                 svg_polyline(s, 8, line, i % 7 == 0 ? SVG_CURVE : SVG_FAMILY);
             }
     }
+    return s;
+}
+
+FIGURE(operations_for_a_point)
+{
+    svg *s =
+        svg_new("operations_for_a_point", "The operations for a point of a curve of the plane",
+                "Bars for the products and the sums: Horner's rule in the degrees 7 and 8, de Casteljau's algorithm in "
+                "the degrees 7 and 8.  By either method the degree 8 takes more; by Horner's rule it takes less than "
+                "half of what de Casteljau's algorithm takes in degree 7.");
+    static const char *const name[4] = {"Horner\\'s rule, $n=7$", "Horner\\'s rule, $n=8$", "de Casteljau, $n=7$",
+                                        "de Casteljau, $n=8$"};
+    svg_panel(s, window(q(-60), r(-1, 2), q(165), r(15, 2)), 560, 220, "operations for one point, two coordinates");
+    for (int tick = 0; tick <= 150; tick += 50)
+        svg_line(s, svg_at(tick, 0), svg_at(tick, 1), SVG_MUTED);
+    for (int bar = 0; bar < 4; bar++) {
+        num_c b[2 * (MAX_DEGREE + 1)] = {{0}}, P[2], t = {0};
+        counted = (struct operations){0};
+        (bar < 2 ? horner_bernstein_c : decasteljau_c)(7 + bar % 2, 2, b, t, P);
+        for (int sums = 0; sums <= 1; sums++) {
+            char number[16];
+            int count = sums ? counted.additions : counted.multiplications + counted.shifts;
+            num_q high = sub_q(q(7 - 2 * bar), r(7 * sums, 10)), low = sub_q(high, r(3, 5));
+            num_q box[8] = {q(0), low, q(count), low, q(count), high, q(0), high};
+            svg_area(s, 4, box, sums ? SVG_CURVE_2 : SVG_CURVE);
+            svg_polyline(s, 4, box, sums ? SVG_CURVE_2 : SVG_CURVE);
+            snprintf(number, sizeof number, "%d", count);
+            svg_label(s, at(q(count), div_q(add_q(low, high), q(2))), SVG_E, SVG_POINT, number);
+        }
+        svg_note(s, at(q(0), sub_q(q(7 - 2 * bar), r(13, 20))), SVG_W, SVG_POINT, name[bar]);
+    }
+    svg_legend_area(s, SVG_CURVE, "products");
+    svg_legend_area(s, SVG_CURVE_2, "sums");
     return s;
 }

@@ -44,7 +44,7 @@ enum { CAGD_FIT_WEIGHTS = 1, CAGD_FIT_INNER_POINTS = 2, CAGD_FIT_END_POINTS = 4 
 typedef enum cagd_fit_loss { CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY } cagd_fit_loss;
 
 /* ELIMINATED: the foot points are functions of theta, and Ceres sees theta alone.  PLAIN: every foot point is an unknown of
- * one Ceres problem with derivatives by automatic differentiation and default options; for comparison. */
+ * one Ceres problem with derivatives by their formulas and default options; for comparison. */
 typedef enum cagd_fit_method { CAGD_FIT_ELIMINATED, CAGD_FIT_PLAIN } cagd_fit_method;
 
 typedef struct cagd_fit_options {

@@ -1,6 +1,11 @@
 #include "core/fit/ceres.h"
 
-#include <ceres/ceres.h>
+#include "core/number/limits.h"
+
+#include <ceres/cost_function.h>
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
 #include <glog/logging.h>
 
 #include <Eigen/SVD>
@@ -9,8 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
-#include <vector>
+#include <limits>
 
 namespace
 {
@@ -77,102 +81,90 @@ ceres::Solver::Options quiet(double tolerance, int max_iterations)
     return options;
 }
 
-/* Point i: (Q - C(t; theta))/sigma. */
-class Distance
+/* Point i: (Q - C(t; theta))/sigma, with its derivatives by theta and by t. */
+class Distance : public ceres::CostFunction
 {
   public:
     Distance(const fit_problem &p, const fit_curve &c, int i)
         : problem(p), curve(c), q(p.Q + static_cast<size_t>(i) * static_cast<size_t>(p.dim)), precision(p.precision[i])
     {
+        set_num_residuals(p.dim);
+        *mutable_parameter_block_sizes() = {p.unknowns, 1};
     }
 
-    /* As AutoDiffCostFunction and as DynamicAutoDiffCostFunction call it. */
-    template <typename T> bool operator()(const T *theta, const T *t, T *residuals) const
+    bool Evaluate(double const *const *parameters, double *residuals, double **jacobians) const override
     {
-        int degree = curve.degree, dim = curve.dim, piece = fit_curve_piece(&curve, value(*t));
-        int mu = curve.span[piece], low = mu - degree;
-        const double *u = curve.knots;
-        T N[65], w[65], P[65 * 3], total(0.0), sum[3] = {T(0.0), T(0.0), T(0.0)};
-        for (int m = 0; m <= degree; m++) {
-            w[m] = T(curve.weights[low + m]);
-            for (int c = 0; c < dim; c++)
-                P[m * dim + c] = T(curve.points[(low + m) * dim + c]);
-        }
-        for (int j = problem.first[piece]; j < problem.first[piece + 1]; j++) {
-            int k = problem.reach[j];
-            const cagd_fit_unknown &is = problem.unknown[k];
+        const double *theta = parameters[0], t = *parameters[1], *u = curve.knots;
+        const int p = curve.degree, dim = curve.dim, n = problem.unknowns;
+        const int piece = fit_curve_piece(&curve, t), mu = curve.span[piece], low = mu - p;
+        const int *reach = problem.reach + problem.first[piece], *end = problem.reach + problem.first[piece + 1];
+        double w[MAX_DEGREE + 1], P[(MAX_DEGREE + 1) * 3], N[MAX_DEGREE + 1], N1[MAX_DEGREE + 1];
+        std::copy_n(curve.weights + low, p + 1, w);
+        std::copy_n(curve.points + low * dim, (p + 1) * dim, P);
+        for (const int *k = reach; k < end; k++) {
+            const cagd_fit_unknown &is = problem.unknown[*k];
             if (is.is_weight)
-                w[is.index - low] = exp(theta[k]);
+                w[is.index - low] = std::exp(theta[*k]);
             else
-                P[(is.index - low) * dim + is.coordinate] = theta[k];
+                P[(is.index - low) * dim + is.coordinate] = theta[*k];
         }
-        N[0] = T(1.0);
-        for (int k = 1; k <= degree; k++) {
-            T carry(0.0);
+        N[0] = 1;
+        for (int k = 1; k <= p; k++) { /* Cox and de Boor; at last the derivatives as well */
+            double carry = 0, carry1 = 0;
             for (int m = 0; m < k; m++) {
                 int i = mu - k + 1 + m;
-                T share = N[m] / (u[i + k] - u[i]);
-                N[m] = carry + (u[i + k] - *t) * share;
-                carry = (*t - u[i]) * share;
+                double share = N[m] / (u[i + k] - u[i]);
+                N1[m] = carry1 - p * share;
+                carry1 = p * share;
+                N[m] = carry + (u[i + k] - t) * share;
+                carry = (t - u[i]) * share;
             }
+            N1[k] = carry1;
             N[k] = carry;
         }
-        for (int m = 0; m <= degree; m++) {
-            N[m] *= w[m];
-            total += N[m];
-            for (int c = 0; c < dim; c++)
-                sum[c] += N[m] * P[m * dim + c];
+        double W = 0, W1 = 0, C[3] = {0, 0, 0}, C1[3] = {0, 0, 0};
+        for (int m = 0; m <= p; m++) {
+            W += N[m] *= w[m];
+            W1 += N1[m] *= w[m];
+            for (int c = 0; c < dim; c++) {
+                C[c] += N[m] * P[m * dim + c];
+                C1[c] += N1[m] * P[m * dim + c];
+            }
         }
-        for (int c = 0; c < dim; c++)
-            residuals[c] = (q[c] - sum[c] / total) * precision;
+        for (int c = 0; c < dim; c++) {
+            C[c] /= W;
+            residuals[c] = (q[c] - C[c]) * precision;
+        }
+        if (jacobians != nullptr && jacobians[0] != nullptr) {
+            std::fill_n(jacobians[0], dim * n, 0.0);
+            for (const int *k = reach; k < end; k++) {
+                const cagd_fit_unknown &is = problem.unknown[*k];
+                const int m = is.index - low;
+                const double share = -precision * N[m] / W;
+                for (int c = 0; c < dim; c++)
+                    jacobians[0][c * n + *k] = share * (is.is_weight         ? P[m * dim + c] - C[c]
+                                                        : c == is.coordinate ? 1
+                                                                             : 0);
+            }
+        }
+        if (jacobians != nullptr && jacobians[1] != nullptr)
+            for (int c = 0; c < dim; c++)
+                jacobians[1][c] = -precision * (C1[c] - W1 * C[c]) / W;
         return true;
-    }
-    template <typename T> bool operator()(T const *const *parameters, T *residuals) const
-    {
-        return (*this)(parameters[0], parameters[1], residuals);
     }
 
   private:
-    static double value(double t) { return t; }
-    template <typename T, int N> static double value(const ceres::Jet<T, N> &t) { return t.a; }
     const fit_problem &problem;
     const fit_curve &curve;
     const double *q;
     double precision;
 };
 
-template <int DIM, int M> ceres::CostFunction *sized(const fit_problem &p, const fit_curve &c, int i)
-{
-    return new ceres::AutoDiffCostFunction<Distance, DIM, M, 1>(new Distance(p, c, i));
-}
-
-/* Where the compiler knows the sizes, as it does here for weights and inner points of conics and cubics, automatic
- * differentiation is several times faster. */
-ceres::CostFunction *distance(const fit_problem &p, const fit_curve &c, int i)
-{
-    switch (p.dim * 100 + p.unknowns) {
-    case 203:
-        return sized<2, 3>(p, c, i);
-    case 206:
-        return sized<2, 6>(p, c, i);
-    case 304:
-        return sized<3, 4>(p, c, i);
-    case 308:
-        return sized<3, 8>(p, c, i);
-    default:
-        auto *f = new ceres::DynamicAutoDiffCostFunction<Distance, 8>(new Distance(p, c, i));
-        f->AddParameterBlock(p.unknowns);
-        f->AddParameterBlock(1);
-        f->SetNumResiduals(p.dim);
-        return f;
-    }
-}
-
 } // namespace
 
 extern "C" int fit_minimise(int unknowns, int rows, fit_function function, void *context, const double low[],
-                            const double high[], double tolerance, int valley, int max_iterations, double theta[],
-                            double *radius, fit_outcome *outcome)
+                            const double high[], double tolerance, int max_iterations, double theta[], double *radius,
+                            fit_outcome *outcome)
 try {
     Silence silence;
     ceres::Problem problem;
@@ -184,9 +176,11 @@ try {
             problem.SetParameterUpperBound(theta, k, high[k]);
     }
     ceres::Solver::Options options = quiet(tolerance, max_iterations);
+    options.gradient_tolerance = 0; /* it would be one in units of the data */
+    options.parameter_tolerance = std::numeric_limits<double>::epsilon();
     options.linear_solver_type = ceres::DENSE_QR;
     options.initial_trust_region_radius = *radius;
-    options.use_nonmonotonic_steps = valley != 0;
+    options.use_nonmonotonic_steps = true; /* along curved valleys */
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     if (!summary.iterations.empty())
@@ -206,14 +200,14 @@ try {
                                     : p->loss == CAGD_FIT_CAUCHY
                                         ? static_cast<ceres::LossFunction *>(new ceres::CauchyLoss(p->loss_scale))
                                         : nullptr;
-        problem.AddResidualBlock(distance(*p, *curve, i), loss, theta, feet + i);
+        problem.AddResidualBlock(new Distance(*p, *curve, i), loss, theta, feet + i);
     }
     for (int k = 0; k < p->unknowns; k++)
         if (p->unknown[k].is_weight) {
-            if (std::isfinite(p->low))
-                problem.SetParameterLowerBound(theta, k, p->low);
+            if (p->low > 0)
+                problem.SetParameterLowerBound(theta, k, std::log(p->low));
             if (std::isfinite(p->high))
-                problem.SetParameterUpperBound(theta, k, p->high);
+                problem.SetParameterUpperBound(theta, k, std::log(p->high));
         }
     ceres::Solver::Summary summary;
     ceres::Solve(quiet(tolerance, max_iterations), &problem, &summary);
@@ -225,23 +219,17 @@ try {
 extern "C" int fit_svd(int n, const double a[], double U[], double s[], double V[])
 try {
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    auto fill = [&](const auto &svd) {
-        Eigen::Map<Matrix>(U, n, n) = svd.matrixU();
-        Eigen::Map<Matrix>(V, n, n) = svd.matrixV();
-        Eigen::Map<Eigen::VectorXd>(s, n) = svd.singularValues();
-    };
-    const int both = Eigen::ComputeFullU | Eigen::ComputeFullV;
     Eigen::MatrixXd A = Eigen::Map<const Matrix>(a, n, n);
-    if (!A.allFinite()) { /* the methods would not end, or leave their results unset */
+    if (!A.allFinite()) { /* the method would not end, or leave its results unset */
         std::fill(U, U + n * n, 0.0);
         std::fill(V, V + n * n, 0.0);
         std::fill(s, s + n, 0.0);
         return 1;
     }
-    if (n <= 32) /* Jacobi's method is the more accurate one, and slow for large n */
-        fill(Eigen::JacobiSVD<Eigen::MatrixXd>(A, both));
-    else
-        fill(Eigen::BDCSVD<Eigen::MatrixXd>(A, both));
+    Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Map<Matrix>(U, n, n) = svd.matrixU();
+    Eigen::Map<Matrix>(V, n, n) = svd.matrixV();
+    Eigen::Map<Eigen::VectorXd>(s, n) = svd.singularValues();
     return 1;
 } catch (const std::bad_alloc &) {
     return 0;

@@ -20,13 +20,12 @@ typedef struct fit_outcome {
 } fit_outcome;
 
 /* Minimises half the sum of squares from theta, which becomes the minimum; low and high are bounds, infinite for none.
- * valley: the cost may increase for a few steps, which helps along curved valleys.  *radius is that of the trust region, at the start and at the end. */
+ * *radius is that of the trust region, at the start and at the end. */
 int fit_minimise(int unknowns, int rows, fit_function function, void *context, const double low[], const double high[],
-                 double tolerance, int valley, int max_iterations, double theta[], double *radius,
-                 fit_outcome *outcome);
+                 double tolerance, int max_iterations, double theta[], double *radius, fit_outcome *outcome);
 
-/* The same minimum as one Ceres problem of all unknowns: theta and a foot for every point, derivatives by automatic
- * differentiation, default options but for tolerance and number of iterations. */
+/* The same minimum as one Ceres problem of all unknowns: theta and a foot for every point, derivatives by their formulas,
+ * default options but for tolerance and number of iterations. */
 int fit_minimise_plain(const fit_problem *problem, const fit_curve *curve, double tolerance, int max_iterations,
                        double theta[], double feet[], fit_outcome *outcome);
 

@@ -15,7 +15,7 @@ void fit_curve_free(fit_curve *c)
     free(c->span);
     free(c->inverse);
     free(c->bezier);
-    free(c->scaled);
+    free(c->choose);
     free(c);
 }
 
@@ -30,16 +30,18 @@ fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[])
     c->points = calloc(n * d, sizeof *c->points);
     c->weights = malloc(n * sizeof *c->weights);
     c->span = malloc(n * sizeof *c->span);
-    c->scaled = malloc((p + 1) * sizeof *c->scaled);
+    c->choose = malloc(p * sizeof *c->choose);
     c->inverse = malloc(n * sizeof *c->inverse);
     c->bezier = malloc((n - p) * (p + 1) * (d + 1) * sizeof *c->bezier);
-    if (!c->knots || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier || !c->scaled) {
+    if (!c->knots || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier || !c->choose) {
         fit_curve_free(c);
         return NULL;
     }
     memcpy(c->knots, knots, (n + p + 1) * sizeof *knots);
     for (int i = 0; i < count; i++)
         c->weights[i] = 1;
+    for (int i = 0; i < degree; i++)
+        c->choose[i] = (double)binomial(degree - 1, i);
     for (int mu = degree; mu < count; mu++)
         if (knots[mu] < knots[mu + 1]) {
             c->inverse[c->pieces] = 1 / (knots[mu + 1] - knots[mu]);
@@ -59,8 +61,6 @@ void fit_curve_copy(fit_curve *to, const fit_curve *from)
 void fit_curve_update(fit_curve *c)
 {
     int p = c->degree, d = c->dim;
-    for (int i = 0; i <= p; i++)
-        c->scaled[i] = (double)binomial(p, i) * c->weights[i];
     for (int k = 0; k < c->pieces; k++) {
         double H[(MAX_DEGREE + 1) * MAX_DIM], x[MAX_DEGREE + 1], *b = c->bezier + k * (p + 1) * (d + 1);
         int mu = c->span[k];
@@ -86,27 +86,45 @@ int fit_curve_piece(const fit_curve *c, double t)
     return low;
 }
 
-void fit_curve_shares(const fit_curve *c, int piece, double t, double R[])
+/* Bernstein's polynomials of degree p-1 give those of degree p, B_m = r b_m + s b_{m-1}, and B_m' = p (b_{m-1} - b_m)/length. */
+static inline void bernstein(const fit_curve *c, double t, double N[], double N1[])
 {
-    int p = c->degree, mu = c->span[piece];
-    double total = 0;
-    if (c->pieces == 1 && c->count == p + 1) { /* C(p,m) s^m (1-s)^{p-m} w_m */
-        double s = (t - c->knots[mu]) * c->inverse[0], r = (c->knots[mu + 1] - t) * c->inverse[0], power = 1;
-        for (int m = 0; m <= p; m++, power *= s)
-            R[m] = c->scaled[m] * power;
-        power = 1;
-        for (int m = p; m >= 0; m--, power *= r) {
-            R[m] *= power;
-            total += R[m];
-        }
-    } else {
-        bspline_basis_d(p, c->knots, mu, t, R);
-        for (int m = 0; m <= p; m++) {
-            R[m] *= c->weights[mu - p + m];
-            total += R[m];
-        }
+    const int p = c->degree, mu = c->span[0];
+    const double s = (t - c->knots[mu]) * c->inverse[0], r = (c->knots[mu + 1] - t) * c->inverse[0];
+    const double factor = p * c->inverse[0];
+    double b[MAX_DEGREE], power = 1, before = 0;
+    for (int m = 0; m < p; m++, power *= s)
+        b[m] = c->choose[m] * power;
+    power = 1;
+    for (int m = p - 1; m >= 0; m--, power *= r)
+        b[m] *= power;
+    for (int m = 0; m < p; m++) {
+        N[m] = r * b[m] + s * before;
+        N1[m] = factor * (before - b[m]);
+        before = b[m];
+    }
+    N[p] = s * before;
+    N1[p] = factor * before;
+}
+
+void fit_curve_shares(const fit_curve *c, int piece, double t, double R[], double R1[])
+{
+    const int p = c->degree, mu = c->span[piece];
+    const double *w = c->weights + mu - p;
+    double N[2 * (MAX_DEGREE + 1)], *N1 = N + p + 1, total = 0, slope = 0;
+    if (c->count == p + 1)
+        bernstein(c, t, N, N1);
+    else
+        bspline_basis_derivatives_d(p, c->knots, mu, t, 2, N);
+    for (int m = 0; m <= p; m++) {
+        R[m] = N[m] * w[m];
+        R1[m] = N1[m] * w[m];
+        total += R[m];
+        slope += R1[m];
     }
     total = 1 / total;
-    for (int m = 0; m <= p; m++)
+    for (int m = 0; m <= p; m++) {
         R[m] *= total;
+        R1[m] = (R1[m] - R[m] * slope) * total;
+    }
 }

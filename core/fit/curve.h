@@ -13,7 +13,7 @@ typedef struct fit_curve {
     int *span;                        /* of each piece: u_span < u_{span+1}                       */
     double *inverse;                  /* of each piece: 1/(u_{span+1} - u_span)                   */
     double *bezier;                   /* (p+1)(dim+1) homogeneous coordinates of each piece       */
-    double *scaled;                   /* of one piece: binomial coefficients times weights        */
+    double *choose;                   /* binomial coefficients of p-1                             */
 } fit_curve;
 
 /* NULL when there is no memory.  The points are 0, the weights 1. */
@@ -35,8 +35,8 @@ int fit_curve_piece(const fit_curve *curve, double t);
 /* D: the point and the first two derivatives at t, 3 rows of dim coordinates. */
 void fit_curve_derivatives(const fit_curve *curve, double t, double D[]);
 
-/* R[m] = N_i w_i / sum N w at t, i = span-p+m, m = 0, ..., p: what the point moves with point i. */
-void fit_curve_shares(const fit_curve *curve, int piece, double t, double R[]);
+/* R[m] = N_i w_i / sum N w at t, i = span-p+m, m = 0, ..., p: what the point moves with point i; and dR/dt. */
+void fit_curve_shares(const fit_curve *curve, int piece, double t, double R[], double slopes[]);
 
 #ifdef __cplusplus
 }

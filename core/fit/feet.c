@@ -53,121 +53,171 @@ fit_foot_kind fit_foot(const fit_curve *c, const double q[], double *t, double D
     return fit_foot_near(c, q, FOOT_EXACT, t, D);
 }
 
-/* An inscribed polygon: the points of the curve at t[0] < ... < t[sides]; `deep` bounds how far the curve is from a side. */
+/* An inscribed polygon: the points of the curve at t[0] < ... < t[sides]; `deep` bounds how far the curve is from a side.  Of
+ * the sides: where they begin, their vectors, and one over the square of their lengths, coordinate by coordinate. */
 typedef struct polygon {
     int sides, dim;
     double *t, *point, *deep;
+    double *begin[3], *vector[3], *inverse;
 } polygon;
 
-enum { MOST_SIDES = 4096, FEWEST_SIDES = 64, PER_PIECE = 8, ANCHORS = 512 };
+enum { MOST_SIDES = 4096, FEWEST_SIDES = 64, PER_PIECE = 8, ANCHORS = 128 };
 
 static void polygon_free(polygon *g)
 {
     free(g->t);
     free(g->point);
     free(g->deep);
+    free(g->inverse);
 }
 
 static double distance(int dim, const double a[], const double b[]) { return sqrt(fit_distance_squared(dim, a, b)); }
 
-/* Sides are halved until none is longer than its part of the whole, nor as deep as an eighth of its length. */
-static int polygon_new(polygon *g, const fit_curve *curve)
+/* The sides in their arrays; 0 when there is no memory. */
+static int polygon_sides(polygon *g)
 {
-    int dim = curve->dim, n = 0;
-    size_t room = MOST_SIDES + 2 * PER_PIECE * (size_t)curve->pieces;
-    double D[9], *t = malloc(room * sizeof *t), *next = malloc(room * sizeof *next), longest = 0;
-    g->dim = dim;
-    g->t = t;
-    g->point = malloc(room * (size_t)dim * sizeof *g->point);
-    g->deep = malloc(room * sizeof *g->deep);
-    if (!t || !next || !g->point || !g->deep) {
-        free(next);
+    size_t n = (size_t)g->sides, dim = (size_t)g->dim;
+    g->inverse = malloc((2 * dim + 1) * n * sizeof *g->inverse);
+    if (g->inverse == NULL)
         return 0;
+    for (size_t c = 0; c < dim; c++) {
+        g->begin[c] = g->inverse + (1 + c) * n;
+        g->vector[c] = g->inverse + (1 + dim + c) * n;
     }
-    for (int k = 0; k < curve->pieces; k++)
-        for (int i = 0; i < PER_PIECE; i++) {
-            double a = curve->knots[curve->span[k]], b = curve->knots[curve->span[k] + 1];
-            t[n++] = a + (b - a) * i / PER_PIECE;
+    for (size_t k = 0; k < n; k++) {
+        const double *a = g->point + k * dim, *b = a + dim;
+        double square = fit_distance_squared(g->dim, a, b);
+        for (size_t c = 0; c < dim; c++) {
+            g->begin[c][k] = a[c];
+            g->vector[c][k] = b[c] - a[c];
         }
-    t[n] = fit_curve_end(curve);
-    for (int split = 1; split;) {
-        double total = 0;
-        for (int i = 0; i <= n; i++) {
-            fit_curve_derivatives(curve, t[i], D);
-            memcpy(g->point + i * dim, D, (size_t)dim * sizeof *D);
-            total += i > 0 ? distance(dim, g->point + i * dim, g->point + (i - 1) * dim) : 0;
-        }
-        longest = total / FEWEST_SIDES;
-        int m = 0, left = (int)room - 1 - n;
-        split = 0;
-        for (int i = 0; i < n; i++) {
-            const double *a = g->point + i * dim, *b = a + dim;
-            double middle = t[i] + (t[i + 1] - t[i]) / 2, length = distance(dim, a, b);
-            fit_curve_derivatives(curve, middle, D);
-            double way = distance(dim, a, D) + distance(dim, D, b);
-            g->deep[i] = sqrt(fmax(0, way * way - length * length));
-            next[m++] = t[i];
-            if ((length > longest || way > longest * 2 || (way > length * 1.125 && way > longest / 8)) && left > 0 &&
-                t[i] < middle && middle < t[i + 1]) {
-                next[m++] = middle;
-                left--;
-                split = 1;
-            }
-        }
-        next[m] = t[n];
-        n = m;
-        memcpy(t, next, (size_t)(n + 1) * sizeof *t);
+        g->inverse[k] = square > 0 ? 1 / square : 0;
     }
-    g->sides = n;
-    free(next);
     return 1;
 }
 
-/* The squared distance of q from side k, and where on it, 0 ... 1, it is. */
-static inline double from_side(const polygon *g, int k, const double q[], double *where)
+/* Sides are halved until none is longer than its part of the whole, nor as deep as an eighth of its length; `room` is for so many
+ * more.  From t[sides], whose point is there, to `end`. */
+static void add_sides(polygon *g, const fit_curve *curve, double end, const double at_end[], double longest, int *room)
 {
-    int dim = g->dim;
-    const double *a = g->point + k * dim, *b = a + dim;
-    double along = 0, square = 0, rest = 0, s = 0;
-    for (int c = 0; c < dim; c++) {
-        along += (q[c] - a[c]) * (b[c] - a[c]);
-        square += (b[c] - a[c]) * (b[c] - a[c]);
+    int dim = g->dim, k = g->sides;
+    const double start = g->t[k], middle = start + (end - start) / 2, *a = g->point + k * dim;
+    double D[9];
+    fit_curve_derivatives(curve, middle, D);
+    double length = distance(dim, a, at_end), way = distance(dim, a, D) + distance(dim, D, at_end);
+    if ((length > longest || way > longest * 2 || (way > length * 1.125 && way > longest / 8)) && *room > 0 &&
+        start < middle && middle < end) {
+        --*room;
+        add_sides(g, curve, middle, D, longest, room);
+        add_sides(g, curve, end, at_end, longest, room);
+        return;
     }
-    if (along > 0)
-        s = along < square ? along / square : 1;
-    for (int c = 0; c < dim; c++) {
-        double d = q[c] - a[c] - s * (b[c] - a[c]);
-        rest += d * d;
-    }
-    *where = s;
-    return rest;
+    g->deep[k] = sqrt(fmax(0, way * way - length * length));
+    g->t[k + 1] = end;
+    memcpy(g->point + (k + 1) * dim, at_end, (size_t)dim * sizeof *at_end);
+    g->sides++;
 }
 
-static inline double on_side(const polygon *g, int k, double where)
+static int polygon_new(polygon *g, const fit_curve *curve)
 {
-    return g->t[k] + where * (g->t[k + 1] - g->t[k]);
+    int dim = curve->dim, room = MOST_SIDES, first = PER_PIECE * curve->pieces;
+    size_t most = (size_t)(room + first + 1);
+    double D[9], before[3], length = 0, start = fit_curve_start(curve);
+    *g = (polygon){.dim = dim};
+    g->t = malloc(most * sizeof *g->t);
+    g->point = malloc(most * (size_t)dim * sizeof *g->point);
+    g->deep = malloc(most * sizeof *g->deep);
+    if (!g->t || !g->point || !g->deep)
+        return 0;
+    g->t[0] = start;
+    fit_curve_derivatives(curve, start, D);
+    memcpy(g->point, D, (size_t)dim * sizeof *D);
+    for (int pass = 0; pass < 2; pass++) /* first the length of a coarse polygon */
+        for (int k = 0; k < first; k++) {
+            double a = curve->knots[curve->span[k / PER_PIECE]], b = curve->knots[curve->span[k / PER_PIECE] + 1];
+            double end = k % PER_PIECE == PER_PIECE - 1 ? b : a + (b - a) * (k % PER_PIECE + 1) / PER_PIECE;
+            memcpy(before, k == 0 ? g->point : D, (size_t)dim * sizeof *D);
+            fit_curve_derivatives(curve, end, D);
+            if (pass == 0)
+                length += distance(dim, before, D);
+            else
+                add_sides(g, curve, end, D, length / FEWEST_SIDES, &room);
+        }
+    return polygon_sides(g);
+}
+
+/* Where on side k, 0 ... 1, the point is that q is nearest to. */
+static inline double where_on_side(const polygon *g, const int dim, int k, const double q[])
+{
+    double along = 0;
+    for (int c = 0; c < dim; c++)
+        along += (q[c] - g->begin[c][k]) * g->vector[c][k];
+    along *= g->inverse[k];
+    along = along > 0 ? along : 0;
+    return along < 1 ? along : 1;
+}
+
+/* The squared distances of q from the sides first ... last, `dim` being a constant for the compiler. */
+static inline void from_sides_of(const polygon *g, const int dim, const double q[], int first, int last,
+                                 double square[restrict])
+{
+    for (int k = first; k <= last; k++) {
+        double s = where_on_side(g, dim, k, q), rest = 0;
+        for (int c = 0; c < dim; c++) {
+            double d = q[c] - g->begin[c][k] - s * g->vector[c][k];
+            rest += d * d;
+        }
+        square[k] = rest;
+    }
+}
+
+static void from_sides(const polygon *g, const double q[], int first, int last, double square[])
+{
+    if (g->dim == 2)
+        from_sides_of(g, 2, q, first, last, square);
+    else
+        from_sides_of(g, 3, q, first, last, square);
+}
+
+static double on_side(const polygon *g, int k, const double q[])
+{
+    return g->t[k] + where_on_side(g, g->dim, k, q) * (g->t[k + 1] - g->t[k]);
+}
+
+/* Whether t is on side k or beside it. */
+static int beside(const polygon *g, int k, double t)
+{
+    return g->t[k > 0 ? k - 1 : 0] <= t && t <= g->t[k + 2 < g->sides ? k + 2 : g->sides];
 }
 
 /* The nearest of the feet that are reached from sides first ... last, and its squared distance; only sides whose part of the
- * curve may be nearer than the best one are tried, and of neighbours the nearest. */
-static double nearest(const fit_curve *curve, const polygon *g, const double q[], int first, int last, double square[],
-                      double *smallest)
+ * curve may be nearer than the best one are tried, and of neighbours the nearest.  A foot that is known and lies on such a side or
+ * beside it is the one that is reached from there. */
+static double nearest(const fit_curve *curve, const polygon *g, const double q[], int first, int last,
+                      const double *known, double square[], double *smallest)
 {
     int dim = g->dim;
-    double best = HUGE_VAL, found = g->t[first], where, D[9];
+    double best = HUGE_VAL, found = g->t[first], D[9];
+    from_sides(g, q, first, last, square);
     for (int k = first; k <= last; k++) {
-        square[k] = from_side(g, k, q, &where);
         double most = sqrt(square[k]) + g->deep[k];
         best = most < best ? most : best;
     }
     *smallest = HUGE_VAL;
+    if (known != NULL && first == last && beside(g, first, *known))
+        return *known;
     for (int k = first; k <= last; k++) {
         if ((k > first && square[k - 1] < square[k]) || (k < last && square[k + 1] <= square[k]) ||
             sqrt(square[k]) - g->deep[k] > best)
             continue;
-        from_side(g, k, q, &where);
-        double t = on_side(g, k, where);
-        fit_foot(curve, q, &t, D);
+        double t;
+        if (known != NULL && beside(g, k, *known)) {
+            t = *known;
+            fit_curve_derivatives(curve, t, D);
+        } else {
+            t = on_side(g, k, q);
+            fit_foot(curve, q, &t, D);
+        }
         double d = fit_distance_squared(dim, D, q);
         if (d < *smallest)
             *smallest = d, found = t;
@@ -177,10 +227,10 @@ static double nearest(const fit_curve *curve, const polygon *g, const double q[]
 
 /* The sides of the anchors, points 0, stride, 2 stride, ...: side[i] not decreasing, with the smallest sum of losses.  Dynamic
  * programming, Bellman. */
-static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int stride, int side[])
+static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int stride, double square[], int side[])
 {
     int m = g->sides;
-    double *sum = calloc((size_t)m, sizeof *sum), slope, where;
+    double *sum = calloc((size_t)m, sizeof *sum), slope;
     int *from = malloc((size_t)anchors * (size_t)m * sizeof *from);
     if (sum == NULL || from == NULL) {
         free(sum);
@@ -188,15 +238,17 @@ static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int
         return 0;
     }
     for (int i = 0; i < anchors; i++) {
-        const double *q = p->Q + (size_t)(i * stride) * (size_t)p->dim;
         double weight = p->precision[i * stride] * p->precision[i * stride];
+        from_sides(g, p->Q + (size_t)(i * stride) * (size_t)p->dim, 0, m - 1, square);
+        for (int k = 0; p->loss != CAGD_FIT_SQUARES && k < m; k++)
+            square[k] = fit_problem_loss(p, square[k] * weight, &slope) / weight;
         int before = 0;
         double smallest = sum[0];
         for (int k = 0; k < m; k++) {
             if (sum[k] < smallest)
                 smallest = sum[k], before = k;
             from[i * m + k] = before;
-            sum[k] = smallest + fit_problem_loss(p, from_side(g, k, q, &where) * weight, &slope);
+            sum[k] = smallest + square[k] * weight;
         }
     }
     int k = 0;
@@ -212,25 +264,87 @@ static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int
     return 1;
 }
 
+/* The sides a ... b on which the foot of a point is looked for: all, that of the anchor, or those between two anchors. */
+typedef struct search {
+    polygon polygon;
+    int stride, anchors;
+    int *side;
+    double *square;
+} search;
+
+static void search_free(search *s)
+{
+    polygon_free(&s->polygon);
+    free(s->side);
+    free(s->square);
+}
+
+static int search_new(search *s, const fit_problem *p, const fit_curve *curve)
+{
+    *s = (search){.stride = (p->points - 1) / ANCHORS + 1};
+    s->anchors = (p->points - 1) / s->stride + 1;
+    int good = polygon_new(&s->polygon, curve);
+    s->side = malloc((size_t)s->anchors * sizeof *s->side);
+    s->square = good ? malloc((size_t)s->polygon.sides * sizeof *s->square) : NULL;
+    return good && s->side && s->square &&
+           (p->unordered || anchor_sides(p, &s->polygon, s->anchors, s->stride, s->square, s->side));
+}
+
+static void sides_of(const search *s, const fit_problem *p, int i, int *first, int *last)
+{
+    int a = i / s->stride, anchor = i % s->stride == 0;
+    *first = p->unordered ? 0 : s->side[a];
+    *last = p->unordered || (!anchor && a + 1 >= s->anchors) ? s->polygon.sides - 1 : s->side[anchor ? a : a + 1];
+}
+
+int fit_feet_guess(const fit_problem *p, const fit_curve *curve, double t[])
+{
+    search s;
+    int good = search_new(&s, p, curve), first, last;
+    for (int i = 0; good && i < p->points; i++) {
+        const double *q = p->Q + (size_t)i * (size_t)p->dim;
+        sides_of(&s, p, i, &first, &last);
+        from_sides(&s.polygon, q, first, last, s.square);
+        int best = first;
+        for (int k = first + 1; k <= last; k++)
+            best = s.square[k] < s.square[best] ? k : best;
+        t[i] = on_side(&s.polygon, best, q);
+    }
+    search_free(&s);
+    return good;
+}
+
 int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[], double *cost)
 {
-    polygon g;
-    int good = polygon_new(&g, curve), stride = (p->points - 1) / ANCHORS + 1, anchors = (p->points - 1) / stride + 1;
-    double *square = good ? malloc((size_t)g.sides * sizeof *square) : NULL, slope;
-    int *side = malloc((size_t)anchors * sizeof *side);
-    good = good && square && side && (p->unordered || anchor_sides(p, &g, anchors, stride, side));
+    search s;
+    int good = search_new(&s, p, curve), first, last;
+    double slope, square;
     *cost = 0;
     for (int i = 0; good && i < p->points; i++) {
-        int a = i / stride, anchor = !p->unordered && i % stride == 0;
-        int first = p->unordered ? 0 : side[a], last = anchor ? first : g.sides - 1;
-        if (!p->unordered && !anchor && a + 1 < anchors)
-            last = side[a + 1];
-        double distance_squared;
-        t[i] = nearest(curve, &g, p->Q + (size_t)i * (size_t)p->dim, first, last, square, &distance_squared);
-        *cost += fit_problem_loss(p, distance_squared * p->precision[i] * p->precision[i], &slope) / 2;
+        sides_of(&s, p, i, &first, &last);
+        t[i] = nearest(curve, &s.polygon, p->Q + (size_t)i * (size_t)p->dim, first, last, NULL, s.square, &square);
+        *cost += fit_problem_loss(p, square * p->precision[i] * p->precision[i], &slope) / 2;
     }
-    polygon_free(&g);
-    free(square);
-    free(side);
+    search_free(&s);
+    return good;
+}
+
+int fit_feet_improve(const fit_problem *p, const fit_curve *curve, const double known[], double t[], double *gain)
+{
+    search s;
+    int good = search_new(&s, p, curve), first, last;
+    double slope, square, D[9];
+    *gain = 0;
+    for (int i = 0; good && i < p->points; i++) {
+        const double *q = p->Q + (size_t)i * (size_t)p->dim, weight = p->precision[i] * p->precision[i];
+        sides_of(&s, p, i, &first, &last);
+        t[i] = nearest(curve, &s.polygon, q, first, last, &known[i], s.square, &square);
+        if (t[i] == known[i])
+            continue;
+        *gain -= fit_problem_loss(p, square * weight, &slope) / 2;
+        fit_curve_derivatives(curve, known[i], D);
+        *gain += fit_problem_loss(p, fit_distance_squared(p->dim, D, q) * weight, &slope) / 2;
+    }
+    search_free(&s);
     return good;
 }

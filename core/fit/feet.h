@@ -14,6 +14,7 @@ fit_foot_kind fit_foot(const fit_curve *curve, const double q[], double *t, doub
 /* The same with Taylor's polynomial of second order in place of the curve for steps shorter than `limit` times the length on
  * which the curve changes; FOOT_EXACT, an eighth of the cube root of the precision, makes no difference. */
 #define FOOT_EXACT 0x1p-21
+#define FOOT_ROUGH 0x1p-8 /* for the way to the minimum */
 fit_foot_kind fit_foot_near(const fit_curve *curve, const double q[], double limit, double *t, double D[]);
 
 /* The feet t of all points, found without knowledge of earlier ones, and *cost, half the sum of their losses.  Points in any
@@ -21,4 +22,12 @@ fit_foot_kind fit_foot_near(const fit_curve *curve, const double q[], double lim
  * the feet, not decreasing, with the smallest sum of losses, and from there the feet on the curve.  Returns 0 when there
  * is no memory. */
 int fit_feet_search(const fit_problem *problem, const fit_curve *curve, double t[], double *cost);
+
+/* The same on the polygon alone: where to look for the feet. */
+int fit_feet_guess(const fit_problem *problem, const fit_curve *curve, double t[]);
+
+/* The search for a curve on which the feet of all points are known: t, the feet that the search prefers, and *gain, by how much they lower
+ * half the sum of losses. */
+int fit_feet_improve(const fit_problem *problem, const fit_curve *curve, const double known[], double t[],
+                     double *gain);
 #endif

@@ -149,9 +149,9 @@ static int solve_points(const fit_problem *p, const double t[], int robust, fit_
     double *work = malloc((3 * mm + (size_t)m + 1) * sizeof *work);
     good = rows && work;
     for (int i = 0; good && i < p->points; i++) {
-        double R[MAX_DEGREE + 1], D[9], slope = 1;
+        double R[MAX_DEGREE + 1], R1[MAX_DEGREE + 1], D[9], slope = 1;
         int piece = fit_curve_piece(curve, t[i]), low = curve->span[piece] - degree, stride;
-        fit_curve_shares(curve, piece, t[i], R);
+        fit_curve_shares(curve, piece, t[i], R, R1);
         fit_curve_derivatives(curve, t[i], D);
         double square = fit_distance_squared(dim, D, point_of(p, i)) * p->precision[i] * p->precision[i];
         if (robust)
@@ -254,7 +254,7 @@ void fit_initial_weights(const fit_problem *p, unsigned long seed, int start, fi
         if (p->unknown[k].is_weight) {
             uint64_t bits = scrambled(scrambled(scrambled(seed) + (uint64_t)start) + (uint64_t)k);
             double even = (double)(bits >> 11) * 0x1p-53; /* 0 <= even < 1 */
-            double low = fmax(p->low, -range), high = fmin(p->high, range);
+            double low = fmax(log(p->low), -range), high = fmin(log(p->high), range);
             curve->weights[p->unknown[k].index] = exp(low + even * (high - low));
         }
     fit_curve_update(curve);

@@ -7,35 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void fit_problem_set(const fit_problem *p, const double theta[], fit_curve *curve)
-{
-    for (int k = 0; k < p->unknowns; k++) {
-        cagd_fit_unknown u = p->unknown[k];
-        if (u.is_weight)
-            curve->weights[u.index] = exp(theta[k]);
-        else
-            curve->points[u.index * p->dim + u.coordinate] = theta[k];
-    }
-    fit_curve_update(curve);
-}
-
-void fit_problem_get(const fit_problem *p, const fit_curve *curve, double theta[])
-{
-    for (int k = 0; k < p->unknowns; k++) {
-        cagd_fit_unknown u = p->unknown[k];
-        theta[k] = u.is_weight ? log(curve->weights[u.index]) : curve->points[u.index * p->dim + u.coordinate];
-    }
-}
-
-double fit_problem_loss(const fit_problem *p, double x, double *slope)
-{
-    double value[3] = {x, 1, 0};
-    if (p->loss != CAGD_FIT_SQUARES)
-        fit_loss(p->loss, p->loss_scale, x, value);
-    *slope = value[1];
-    return value[0];
-}
-
 fit_objective *fit_objective_new(const fit_problem *p)
 {
     fit_objective *o = calloc(1, sizeof *o);
@@ -47,12 +18,17 @@ fit_objective *fit_objective_new(const fit_problem *p)
     o->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
     if (o->curve != NULL)
         o->rows = fit_reduction_new(p->unknowns, 1, o->curve->pieces, p->first, p->reach);
+    if (o->curve != NULL)
+        o->second = fit_curvature_new(p->unknowns, o->curve->pieces, p->first, p->reach);
     o->feet = malloc(points * sizeof *o->feet);
     o->new_feet = malloc(points * sizeof *o->new_feet);
-    o->theta = malloc(n * sizeof *o->theta);
-    o->new_theta = malloc(n * sizeof *o->new_theta);
+    o->x = malloc(n * sizeof *o->x);
+    o->new_x = malloc(n * sizeof *o->new_x);
     o->triangle = malloc(n * n * sizeof *o->triangle);
-    if (!o->curve || !o->rows || !o->feet || !o->new_feet || !o->theta || !o->new_theta || !o->triangle) {
+    o->base = fit_curve_new(p->degree, p->count, p->dim, p->knots);
+    o->inverse = malloc((size_t)p->count * sizeof *o->inverse);
+    if (!o->curve || !o->rows || !o->second || !o->feet || !o->new_feet || !o->x || !o->new_x || !o->triangle ||
+        !o->base || !o->inverse) {
         fit_objective_free(o);
         return NULL;
     }
@@ -65,11 +41,14 @@ void fit_objective_free(fit_objective *o)
         return;
     fit_curve_free(o->curve);
     fit_reduction_free(o->rows);
+    fit_curvature_free(o->second);
     free(o->feet);
     free(o->new_feet);
-    free(o->theta);
-    free(o->new_theta);
+    free(o->x);
+    free(o->new_x);
     free(o->triangle);
+    fit_curve_free(o->base);
+    free(o->inverse);
     free(o);
 }
 
@@ -103,6 +82,53 @@ static int directions(int dim, fit_foot_kind kind, const double tangent[], doubl
     return 2;
 }
 
+/* What the second derivatives of point i add to the Hessian matrix, r = (C - Q)/s_i and derivatives in units of s_i.
+ *
+ * Along x_j and x_k  r . C_jk,  and where the foot moves,  (tau_j tau_k)/|C'|^2 - (tau_j + rho_j)(tau_k + rho_k)/f,
+ * f = |C'|^2 + r . C'',  tau_j = C_j . C',  rho_j = r . C'_j:  rows of distances lack the tangential part of C_j . C_k, and
+ * the foot takes a part of it away.  The two nearly cancel; their difference is -(rho_j a_k + tau_j b_k)/f, a = rho + tau,
+ * b = rho - kappa tau, kappa = r . C''/|C'|^2.  With h_j = r . C_j, and e_j = N_j/(sum N w) for weights, 0 for the others,
+ * r . C_jk = -(h_j e_k + e_j h_k).  The loss multiplies with rho' and adds 2 rho'' h_j h_k. */
+static inline void point_curvature(fit_objective *o, const int dim, int i, int piece, fit_foot_kind kind,
+                                   const double D[], const double B[], const double N[], const double N1[],
+                                   const double loss[3])
+{
+    const fit_problem *p = o->problem;
+    const double *q = p->Q + (size_t)i * (size_t)dim, *D1 = D + dim, *D2 = D1 + dim;
+    const double precision = p->precision[i], scale = -loss[1] * precision * precision;
+    double r[3], speed = 0, bend = 0, slide = 0;
+    for (int c = 0; c < dim; c++) {
+        r[c] = D[c] - q[c];
+        speed += D1[c] * D1[c];
+        bend += r[c] * D2[c];
+        slide += r[c] * D1[c];
+    }
+    const int moves = kind == FOOT_ORTHOGONAL && speed + bend > 0, robust = p->loss != CAGD_FIT_SQUARES;
+    const double f = moves ? scale / (speed + bend) : 0, kappa = moves ? bend / speed : 0;
+    const cagd_fit_unknown *slot = p->slot + p->first[piece], *end = p->slot + p->first[piece + 1];
+    const int n = (int)(end - slot);
+    int stride;
+    double *x = fit_curvature_pairs(o->second, piece, 4 + robust, &stride), *y = x + n * stride;
+    for (const cagd_fit_unknown *u = slot; u < end; u++, x += stride, y += stride) {
+        double along = D1[u->coordinate], off = r[u->coordinate], fixed = 0;
+        if (u->is_weight) {
+            along = off = 0;
+            for (int c = 0; c < dim; c++) {
+                along += (B[u->index * dim + c] - D[c]) * D1[c];
+                off += (B[u->index * dim + c] - D[c]) * r[c];
+            }
+            fixed = N[u->index];
+        }
+        const double tau = N[u->index] * along, rho = N1[u->index] * off - fixed * slide, hold = N[u->index] * off;
+        x[0] = f * rho, y[0] = rho + tau;
+        x[1] = f * tau, y[1] = rho - kappa * tau;
+        x[2] = scale * hold, y[2] = fixed;
+        x[3] = scale * fixed, y[3] = hold;
+        if (robust)
+            x[4] = 2 * loss[2] * precision * precision * precision * precision * hold, y[4] = hold;
+    }
+}
+
 /* The rows of point i at its foot t, in `dim` dimensions, a constant for the compiler; returns its loss. */
 static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot_kind kind, double t, const double D[],
                                 int weighted)
@@ -110,10 +136,15 @@ static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot
     const fit_problem *p = o->problem;
     const fit_curve *curve = o->curve;
     const int piece = curve->pieces == 1 ? 0 : fit_curve_piece(curve, t), degree = p->degree;
-    const double *q = p->Q + (size_t)i * (size_t)dim, *P = curve->points + (curve->span[piece] - degree) * dim;
-    double R[MAX_DEGREE + 1], n[3][3], precision = p->precision[i], left[3], square = 0, slope = 1;
+    const double *q = p->Q + (size_t)i * (size_t)dim, *B = o->base->points + (curve->span[piece] - degree) * dim,
+                 *inverse = o->inverse + curve->span[piece] - degree;
+    double N[MAX_DEGREE + 1], N1[MAX_DEGREE + 1], n[3][3], precision = p->precision[i], left[3], square = 0;
     const int count = directions(dim, kind, D + dim, n);
-    fit_curve_shares(curve, piece, t, R);
+    fit_curve_shares(curve, piece, t, N, N1);
+    for (int m = 0; m <= degree; m++) { /* without their weights: N/(sum N w) */
+        N[m] *= inverse[m];
+        N1[m] *= inverse[m];
+    }
     for (int r = 0; r < count; r++) {
         left[r] = 0;
         for (int c = 0; c < dim; c++)
@@ -121,8 +152,10 @@ static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot
         left[r] *= precision;
         square += left[r] * left[r];
     }
-    const double loss = p->loss == CAGD_FIT_SQUARES ? square : fit_problem_loss(p, square, &slope);
-    const double factor = weighted ? sqrt(slope) : 1, scale = -factor * precision;
+    double loss[3] = {square, 1, 0};
+    if (p->loss != CAGD_FIT_SQUARES)
+        fit_loss(p->loss, p->loss_scale, square, loss);
+    const double factor = weighted ? sqrt(loss[1]) : 1, scale = -factor * precision;
     const cagd_fit_unknown *slot = p->slot + p->first[piece], *end = p->slot + p->first[piece + 1];
     for (int r = 0; r < count; r++) {
         int stride;
@@ -132,33 +165,57 @@ static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot
             if (u->is_weight) {
                 along = 0;
                 for (int c = 0; c < dim; c++)
-                    along += n[r][c] * (P[u->index * dim + c] - D[c]);
+                    along += n[r][c] * (B[u->index * dim + c] - D[c]);
             }
-            *row = R[u->index] * scale * along;
+            *row = N[u->index] * scale * along;
         }
         *row = factor * left[r];
     }
-    return loss;
+    if (weighted && o->newton)
+        point_curvature(o, dim, i, piece, kind, D, B, N, N1, loss);
+    return loss[0];
 }
 
 /* Whether weights and points are numbers, and no weight has vanished. */
-static int is_curve(const fit_problem *p, const double theta[], const fit_curve *curve)
+static int is_curve(const fit_problem *p, const double x[], const fit_curve *curve)
 {
     int good = 1;
     for (int k = 0; k < p->unknowns; k++)
-        good =
-            good && isfinite(theta[k]) && (!p->unknown[k].is_weight || isnormal(curve->weights[p->unknown[k].index]));
+        good = good && isfinite(x[k]) && (!p->unknown[k].is_weight || isnormal(curve->weights[p->unknown[k].index]));
     return good;
 }
 
-void fit_objective_evaluate(fit_objective *o, const double theta[], int weighted)
+/* Columns and curvature by weights become those by y, w = b phi(y): a factor dw/dy, and phi''/phi' times the gradient. */
+static void by_weights(fit_objective *o, const double x[], int newton)
+{
+    const fit_problem *p = o->problem;
+    int n = p->unknowns;
+    for (int k = 0; k < n; k++) {
+        if (!p->unknown[k].is_weight)
+            continue;
+        double slope = o->base->weights[p->unknown[k].index] * fit_problem_slope(x[k]);
+        for (int i = 0; i < n; i++) {
+            o->triangle[i * (n + 1) + k] *= slope;
+            if (newton)
+                o->curvature[i * n + k] *= slope, o->curvature[k * n + i] *= slope;
+        }
+        if (newton)
+            o->curvature[k * n + k] += fit_problem_bend(x[k]) * fit_objective_gradient(o, k);
+    }
+}
+
+void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
 {
     const fit_problem *p = o->problem;
     int n = p->unknowns + 1;
     double sum = 0, lost = 0, D[9];
-    fit_problem_set(p, theta, o->curve);
+    fit_problem_set(p, o->base, x, o->curve);
+    for (int j = 0; j < p->count; j++)
+        o->inverse[j] = 1 / o->curve->weights[j];
     fit_reduction_clear(o->rows);
-    const int curve = is_curve(p, theta, o->curve);
+    if (weighted && o->newton)
+        fit_curvature_clear(o->second);
+    const int curve = is_curve(p, x, o->curve);
     for (int i = 0; i < p->points; i++) {
         double t = o->new_feet[i] = o->feet[i];
         if (!curve)
@@ -172,41 +229,69 @@ void fit_objective_evaluate(fit_objective *o, const double theta[], int weighted
         sum = next;
     }
     memcpy(o->triangle, fit_reduction_triangle(o->rows), (size_t)(n * n) * sizeof *o->triangle);
-    memmove(o->new_theta, theta, (size_t)p->unknowns * sizeof *theta);
+    if (weighted && o->newton)
+        o->curvature = fit_curvature_matrix(o->second);
+    by_weights(o, x, weighted && o->newton);
+    memmove(o->new_x, x, (size_t)p->unknowns * sizeof *x);
     o->cost = curve ? sum / 2 : HUGE_VAL;
     o->evaluated = weighted;
 }
 
-void fit_objective_at(fit_objective *o, const double theta[])
+void fit_objective_at(fit_objective *o, const double x[])
 {
-    if (!o->evaluated || memcmp(theta, o->new_theta, (size_t)o->problem->unknowns * sizeof *theta) != 0)
-        fit_objective_evaluate(o, theta, 1);
+    if (!o->evaluated || memcmp(x, o->new_x, (size_t)o->problem->unknowns * sizeof *x) != 0)
+        fit_objective_evaluate(o, x, 1);
 }
 
 void fit_objective_accept(fit_objective *o)
 {
+    o->accepted = o->cost;
     memcpy(o->feet, o->new_feet, (size_t)o->problem->points * sizeof *o->feet);
-    memcpy(o->theta, o->new_theta, (size_t)o->problem->unknowns * sizeof *o->theta);
+    memcpy(o->x, o->new_x, (size_t)o->problem->unknowns * sizeof *o->x);
 }
 
-int fit_objective_residuals(void *objective, const double theta[], double residuals[], double jacobian[])
+void fit_objective_begin(fit_objective *o, const fit_curve *curve, const double feet[])
 {
-    fit_objective *o = objective;
-    int n = o->problem->unknowns;
-    fit_objective_at(o, theta);
-    if (!isfinite(o->cost))
-        return 0;
-    double rest = 2 * o->cost;
+    const fit_problem *p = o->problem;
+    fit_curve_copy(o->curve, curve);
+    fit_curve_copy(o->base, curve);
+    memcpy(o->feet, feet, (size_t)p->points * sizeof *feet);
+    for (int k = 0; k < p->unknowns; k++)
+        if (p->unknown[k].is_weight) {
+            double *w = &o->curve->weights[p->unknown[k].index];
+            *w = fmin(fmax(*w, p->low), p->high);
+        }
+    fit_problem_get(p, o->base, o->curve, o->x);
+    fit_objective_evaluate(o, o->x, 1);
+    fit_objective_accept(o);
+}
+
+/* Along log w_j the weight moves by w_j and w_j (P_j - B_j) by itself, along P_j by w_j. */
+void fit_objective_by_theta(fit_objective *o)
+{
+    const fit_problem *p = o->problem;
+    int n = p->unknowns, rows = n + 1;
     for (int k = 0; k < n; k++) {
-        residuals[k] = o->triangle[k * (n + 1) + n];
-        rest -= residuals[k] * residuals[k];
+        cagd_fit_unknown u = p->unknown[k];
+        double w = o->curve->weights[u.index];
+        double scale = u.is_weight ? o->base->weights[u.index] * fit_problem_slope(o->x[k]) : 1;
+        for (int i = 0; i < n; i++) {
+            double *row = o->triangle + i * rows, by_point = 0;
+            for (int m = k + 1; u.is_weight && m < n && p->unknown[m].index == u.index; m++) {
+                int c = u.index * p->dim + p->unknown[m].coordinate;
+                by_point += row[m] * (o->curve->points[c] - o->base->points[c]);
+            }
+            row[k] = w * (row[k] / scale + by_point);
+        }
     }
-    residuals[n] = sqrt(fmax(0, rest));
-    if (jacobian != NULL) {
-        for (int k = 0; k < n; k++)
-            memcpy(jacobian + k * n, o->triangle + k * (n + 1), (size_t)n * sizeof *jacobian);
-        memset(jacobian + n * n, 0, (size_t)n * sizeof *jacobian);
-        fit_objective_accept(o);
-    }
-    return 1;
+    o->evaluated = 0;
+}
+
+double fit_objective_gradient(const fit_objective *o, int k)
+{
+    int n = o->problem->unknowns;
+    double g = 0;
+    for (int i = 0; i < n; i++)
+        g += o->triangle[i * (n + 1) + k] * o->triangle[i * (n + 1) + n];
+    return g;
 }

@@ -43,7 +43,8 @@ class Tampered(unittest.TestCase):
         write_certificates(cls.root, "elevation_keeps_rational_curve", "curve_points_are_convex_combinations",
                            "roots_are_at_most_sign_changes", "designed_curves_cross_no_more", "end_curvature_at_zero",
                            "curve_points_have_hull_certificates", "wang-ch3:prop-3.2.4-step-2",
-                           "third_way_closes_for_two_radii", "totally_positive_exactly_in_the_range")
+                           "third_way_closes_for_two_radii", "totally_positive_exactly_in_the_range",
+                           "step_costs_additions_only")
         cls.kept = {p: p.read_text() for p in cls.root.rglob("*.json")}
         before = recheck(cls.root)
         assert before.returncode == 0, before.stdout
@@ -90,6 +91,7 @@ class Tampered(unittest.TestCase):
     PROVED, SIGNS, ROOTS = "elevation_keeps_rational_curve", "curve_points_are_convex_combinations", "roots_are_at_most_sign_changes"
     LINES, HULL = "designed_curves_cross_no_more", "curve_points_have_hull_certificates"
     WHOLE, MINORS = "third_way_closes_for_two_radii", "totally_positive_exactly_in_the_range"
+    COST = "step_costs_additions_only"
     FAILS = "printed_second_derivative_of_quotient_is_wrong"
 
     def tamper(self, name, change):
@@ -117,9 +119,10 @@ class Tampered(unittest.TestCase):
             self.last(c["steps"], "fact", "curve_and_line")))
         self.tamper(self.HULL, lambda c: (lambda f: f["coefficients"].reverse())(self.last(c["steps"], "fact", "hull")))
         self.tamper(self.HULL, lambda c: (lambda f: f.update({"is": 0}))(self.last(c["steps"], "fact", "hull")))
-
         self.tamper(self.WHOLE, lambda c: (lambda f: f.update({"is": 1 - f["is"]}))(self.last(c["steps"], "fact", "whole")))
         self.tamper(self.MINORS, lambda c: (lambda f: f.update({"is": 1 - f["is"]}))(self.last(c["steps"], "fact", "minors")))
+        for kind in ("additions", "multiplications", "shifts"):
+            self.tamper(self.COST, lambda c: (lambda f: f.update({kind: f[kind] + 1}))(self.last(c["steps"], "fact", "operations")))
 
     def test_counterexamples(self):
         self.tamper(self.FAILS, lambda c: self.last(c["steps"], "same").update(equal=True))

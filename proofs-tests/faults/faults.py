@@ -11,6 +11,7 @@ they define; with --types only these number types.  equivalent.txt lists the rep
 reason.
 """
 import argparse
+import json
 import os
 import pathlib
 import random
@@ -153,7 +154,9 @@ class Copy:
                   *(["-DCAGD_CHAPTERS=" + ";".join(chapters)] if chapters else []))
 
     def must(self, *command):
-        subprocess.run(command, cwd=self.root, check=True, stdout=subprocess.DEVNULL)
+        r = subprocess.run(command, cwd=self.root, stdout=subprocess.PIPE, text=True)
+        if r.returncode != 0:
+            raise SystemExit(r.stdout)
 
     def compiles(self, fault):
         """Whether the kernels are C with this fault, as it would be written: seen by the double instance."""
@@ -170,6 +173,8 @@ class Copy:
                 text = text[: f["start"]] + f["switched"] + text[f["end"] :]
             (self.root / "core" / name).write_text(SWITCH + text)
         self.must("cmake", "--build", "build", "--target", "cagd", "-j", self.jobs)
+        listed = subprocess.run(["build/cagd", "list", "--json"], cwd=self.root, check=True, capture_output=True).stdout
+        self.claims = {claim["name"] for claim in json.loads(listed)["claims"]}
 
     def holds(self, number, *patterns):
         """Whether these claims, or all, are as expected with this fault; 0 is none.  A crash is no success."""
@@ -223,7 +228,9 @@ def main():
                 print("cagd verify fails without any fault")
                 return 1
             for f in batch:
-                began, claims = time.monotonic(), defining.get(f["kernel"], [])
+                # A claim may have no body in the number types that were built.
+                claims = [claim for claim in defining.get(f["kernel"], []) if claim in copy.claims]
+                began = time.monotonic()
                 outcome = "SURVIVES"
                 if claims and not copy.holds(f["number"], *claims):
                     outcome = "by its claim"

@@ -894,6 +894,7 @@ REFERENCE(shape_surface_point)
 }
 
 #include "proofs-tests/unit/spline_references.h"
+#include "proofs-tests/unit/matrix_references.h"
 #include "proofs-tests/unit/surface_references.h"
 
 typedef void reference(const struct data_q *D, num out[]);

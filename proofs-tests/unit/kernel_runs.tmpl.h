@@ -520,6 +520,7 @@ RUN(shape_surface_point)
 #include "core/number/generic_off.h"
 #include "core/number/generic_on.h"
 #include "proofs-tests/unit/spline_runs.tmpl.h"
+#include "proofs-tests/unit/matrix_runs.tmpl.h"
 #include "proofs-tests/unit/surface_runs.tmpl.h"
 
 #define ENTRY(name) G(run_##name),

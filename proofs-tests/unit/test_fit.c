@@ -77,7 +77,7 @@ static void derivatives_are_those_of_the_kernels(void **state)
     for (int k = 0; k < 4; k++) {
         const cagd_spline *s = curves[k];
         fit_curve *c = curve_of(s);
-        double D[9], E[9], R[4];
+        double D[9], E[9], R[4], R1[4];
         for (int i = 0; i <= 40; i++) {
             double t = i / 40.0;
             fit_curve_derivatives(c, t, D);
@@ -85,12 +85,15 @@ static void derivatives_are_those_of_the_kernels(void **state)
             for (int m = 0; m < 3 * s->dim; m++) /* values up to 200 by cancellation, some 60 roundings */
                 assert_true(fabs(D[m] - E[m]) <= 64 * DBL_EPSILON * 200);
             int piece = fit_curve_piece(c, t), low = c->span[piece] - s->degree;
-            fit_curve_shares(c, piece, t, R);
+            fit_curve_shares(c, piece, t, R, R1);
             for (int x = 0; x < s->dim; x++) {
-                double sum = 0;
-                for (int m = 0; m <= s->degree; m++)
+                double sum = 0, slope = 0;
+                for (int m = 0; m <= s->degree; m++) {
                     sum += R[m] * s->points[(low + m) * s->dim + x];
+                    slope += R1[m] * s->points[(low + m) * s->dim + x];
+                }
                 assert_true(fabs(sum - E[x]) <= 64 * DBL_EPSILON * 5);
+                assert_true(fabs(slope - E[s->dim + x]) <= 64 * DBL_EPSILON * 200);
             }
         }
         fit_curve_free(c);

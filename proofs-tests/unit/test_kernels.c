@@ -45,7 +45,11 @@
     _(nurbs_basis_by_weights) _(nurbs_by_weights) _(nurbs_by_two_weights) _(bezier_surface_transpose)                  \
     _(bezier_surface_line) _(bezier_surface_point) _(bezier_surface_derivatives) _(bezier_surface_normal)              \
     _(bezier_surface_part) _(hermite_blending) _(hermite_cubic) _(lagrange_blending) _(hermite_interpolant)            \
-    _(coons_patch) _(hermite_tensor)
+    _(coons_patch) _(hermite_tensor) _(divided_difference) _(confluent_vandermonde)                                    \
+    _(confluent_vandermonde_determinant) _(divided_weights) _(bspline_matrix) _(bspline_column_by_differences)         \
+    _(bspline_matrix_by_differences) _(marsden_coefficients) _(elementary_symmetric) _(marsden_matrix)                 \
+    _(marsden_determinant) _(cofactor) _(bspline_matrix_by_marsden) _(bspline_matrix_simple) _(bspline_matrix_uniform) \
+    _(bernstein_matrix)
 /* clang-format on */
 
 #define ENTRY(name) #name,
@@ -55,8 +59,7 @@ enum {
     KERNELS = sizeof names / sizeof names[0],
     NUMBERS = MAX_ORDER * MAX_ORDER,
     WEIGHTS = MAX_DEGREE + 1,
-    RESULTS = (MAX_DEGREE + 2) * (MAX_DEGREE + 1),
-    TRIALS = 40
+    RESULTS = (MAX_DEGREE + 2) * (MAX_DEGREE + 1)
 };
 static int matrix_order(int n) { return n < MAX_ORDER ? n : MAX_ORDER; }
 
@@ -215,6 +218,134 @@ static void standard_form_in_every_degree(void **state)
     }
 }
 
+static void assert_numbers(int count, const num_q got[], const int expected[], int over)
+{
+    for (int k = 0; k < count; k++)
+        assert_true(equal_q(got[k], from_ratio_q(expected[k], over)));
+}
+
+/* Nodes 1, 1, 2, 2: a divided difference of t^5 of order 3 is the sum of all products of two nodes, 23. */
+static void divided_differences_by_hand(void **state)
+{
+    (void)state;
+    int two_double[2] = {2, 2}, double_and_simple[2] = {2, 1}, triple_and_simple[2] = {3, 1}, one = 1, three = 3;
+    num_q tau[2] = {from_int_q(1), from_int_q(2)}, out[16];
+    num_q fifth[4] = {from_int_q(1), from_int_q(5), from_int_q(32), from_int_q(80)};
+    region_faults = 0;
+    out[0] = divided_difference_q(2, two_double, tau, fifth);
+    assert_numbers(1, out, (int[]){23}, 1);
+    confluent_vandermonde_q(2, two_double, tau, out);
+    assert_numbers(16, out, (int[]){1, 1, 1, 1, 0, 1, 2, 3, 1, 2, 4, 8, 0, 1, 4, 12}, 1);
+    tau[1] = from_int_q(3);
+    out[0] = confluent_vandermonde_determinant_q(2, two_double, tau);
+    out[1] = confluent_vandermonde_determinant_q(2, triple_and_simple, tau);
+    assert_numbers(2, out, (int[]){16, 16}, 1);
+    /* [0,0,2]f = ((f(2) - f(0))/2 - f'(0))/2 */
+    tau[0] = from_int_q(0), tau[1] = from_int_q(2);
+    divided_weights_q(2, double_and_simple, tau, out);
+    assert_numbers(3, out, (int[]){-1, -2, 1}, 4);
+    /* One node: the value, and half of the second derivative. */
+    out[0] = divided_difference_q(1, &one, tau, fifth);
+    out[1] = divided_difference_q(1, &three, tau, fifth);
+    divided_weights_q(1, &three, tau, out + 2);
+    assert_numbers(5, out, (int[]){2, 32, 0, 0, 1}, 2);
+    divided_weights_q(1, &one, tau, out);
+    confluent_vandermonde_q(1, &one, tau, out + 1);
+    out[2] = confluent_vandermonde_determinant_q(1, &one, tau);
+    assert_numbers(3, out, (int[]){1, 1, 1}, 1);
+    assert_int_equal(region_faults, 0);
+    /* Two nodes that are said to be different and are not. */
+    tau[1] = tau[0];
+    out[0] = confluent_vandermonde_determinant_q(2, two_double, tau);
+    assert_numbers(1, out, (int[]){0}, 1);
+    assert_int_equal(region_faults, 0);
+    divided_difference_q(2, two_double, tau, fifth);
+    assert_int_equal(region_faults, FAULT_UNDEFINED);
+    region_faults = 0;
+    divided_weights_q(2, two_double, tau, out);
+    assert_int_equal(region_faults, FAULT_UNDEFINED);
+    region_faults = 0;
+}
+
+/* The cubic matrices of equidistant knots and of Bézier, as every textbook has them. */
+static void matrices_by_hand(void **state)
+{
+    (void)state;
+    static const int uniform[16] = {1, 4, 1, 0, -3, 0, 3, 0, 3, -6, 3, 0, -1, 3, -3, 1};
+    static const int bezier[16] = {1, 0, 0, 0, -3, 3, 0, 0, 3, -6, 3, 0, -1, 3, -3, 1};
+    num_q u[8], out[16], x[3] = {from_int_q(1), from_int_q(2), from_int_q(3)};
+    int group[8];
+    region_faults = 0;
+    for (int kind = 0; kind < 2; kind++) {
+        const int *expected = kind == 0 ? uniform : bezier, over = kind == 0 ? 6 : 1;
+        for (int i = 0; i < 8; i++) {
+            group[i] = kind == 0 ? i : i > 3;
+            u[i] =
+                from_ratio_q(5 * group[i] - 7, 3); /* the matrix does not see where the knots are, and how far apart */
+        }
+        bspline_matrix_q(3, u, 3, out);
+        assert_numbers(16, out, expected, over);
+        bspline_matrix_by_differences_q(3, u, group, 3, out);
+        assert_numbers(16, out, expected, over);
+        bspline_matrix_by_marsden_q(3, u, 3, out);
+        assert_numbers(16, out, expected, over);
+        if (kind == 0) {
+            bspline_matrix_simple_q(3, u, 3, out);
+            assert_numbers(16, out, expected, over);
+            bspline_matrix_uniform_q(3, out);
+        } else {
+            bernstein_matrix_q(3, out);
+        }
+        assert_numbers(16, out, expected, over);
+    }
+    elementary_symmetric_q(3, x, out);
+    assert_numbers(4, out, (int[]){1, 6, 11, 6}, 1);
+    /* Knots 0, 1, ..., 5 and the span [2, 3]: t = 3/2 N_0 + 5/2 N_1 + 7/2 N_2, det = 2 1 2 / 2. */
+    for (int i = 0; i < 6; i++)
+        u[i] = from_int_q(group[i] = i);
+    marsden_matrix_q(2, u, 2, out);
+    assert_numbers(9, out, (int[]){2, 2, 2, 3, 5, 7, 4, 12, 24}, 2);
+    out[1] = cofactor_q(3, out, 0, 1); /* -(3/2 12 - 7/2 2) */
+    out[0] = marsden_determinant_q(2, u, 2);
+    assert_numbers(2, out, (int[]){2, -11}, 1);
+    marsden_coefficients_q(2, u, 2, from_int_q(10), out);
+    assert_numbers(3, out, (int[]){72, 56, 42}, 1);
+    /* Degree 0: one function, which is 1. */
+    bspline_matrix_q(0, u, 0, out);
+    bspline_matrix_by_differences_q(0, u, group, 0, out + 1);
+    bspline_matrix_by_marsden_q(0, u, 0, out + 2);
+    bspline_matrix_simple_q(0, u, 0, out + 3);
+    bspline_matrix_uniform_q(0, out + 4);
+    bernstein_matrix_q(0, out + 5);
+    marsden_matrix_q(0, u, 0, out + 6);
+    out[7] = marsden_determinant_q(0, u, 0);
+    out[8] = cofactor_q(1, u, 0, 0);
+    elementary_symmetric_q(0, u, out + 9);
+    assert_numbers(10, out, (int[]){1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, 1);
+    assert_int_equal(region_faults, 0);
+    /* The formula for simple knots: with two equal ones to the left of the span it is right, to the right undefined. */
+    num_q same[9];
+    u[1] = u[0];
+    bspline_matrix_simple_q(2, u, 2, out);
+    bspline_matrix_q(2, u, 2, same);
+    assert_int_equal(region_faults, 0);
+    for (int k = 0; k < 9; k++)
+        assert_true(equal_q(out[k], same[k]));
+    u[4] = u[3];
+    bspline_matrix_simple_q(2, u, 2, out);
+    assert_int_equal(region_faults, FAULT_UNDEFINED);
+    region_faults = 0;
+    /* An empty span. */
+    out[0] = marsden_determinant_q(1, u, 0);
+    assert_numbers(1, out, (int[]){0}, 1);
+    assert_int_equal(region_faults, 0);
+    for (int i = 0; i < 4; i++)
+        u[i] = from_int_q(i - (i > 1));
+    bspline_matrix_by_marsden_q(1, u, 1, out);
+    assert_int_equal(region_faults, FAULT_UNDEFINED);
+    region_faults = 0;
+}
+
 /* What has no value is UNDEFINED; a root that is not rational is UNABLE. */
 static void faults_are_told_apart(void **state)
 {
@@ -247,9 +378,11 @@ static int close_numbers(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[KERNELS + 2] = {
+    struct CMUnitTest tests[KERNELS + 4] = {
         [KERNELS] = cmocka_unit_test(standard_form_in_every_degree),
         [KERNELS + 1] = cmocka_unit_test(faults_are_told_apart),
+        [KERNELS + 2] = cmocka_unit_test(divided_differences_by_hand),
+        [KERNELS + 3] = cmocka_unit_test(matrices_by_hand),
     };
     for (int k = 0; k < KERNELS; k++)
         tests[k] = (struct CMUnitTest){names[k], kernel_agrees, NULL, NULL, (void *)&names[k]};

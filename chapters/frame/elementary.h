@@ -1,0 +1,50 @@
+/* elementary.h -- factorials, binomial coefficients and powers straight from the definitions, and a comparison with 0.
+ *
+ * For the other side of the chapters' comparisons: nothing here follows the kernels or uses their binomial coefficients;
+ * nothing is fast.  Generic text; a section includes it for its one number type. */
+#ifndef CAGD_ELEMENTARY_H
+#define CAGD_ELEMENTARY_H
+
+#include "chapters/frame/claims_on.h"
+
+static inline num G(factorial)(int n)
+{
+    num product = from_int(1);
+    for (int k = 2; k <= n; k++)
+        product = mul(product, from_int(k));
+    return product;
+}
+
+/* n!/(i! (n-i)!), and 0 for i < 0 and i > n */
+static inline num G(choose)(int n, int i)
+{
+    if (i < 0 || i > n)
+        return from_int(0);
+    return div(G(factorial)(n), mul(G(factorial)(i), G(factorial)(n - i)));
+}
+
+static inline num G(power)(num a, int k)
+{
+    num product = from_int(1);
+    for (; k > 0; k--)
+        product = mul(product, a);
+    return product;
+}
+
+/* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The inexact types
+ * refute only. */
+static inline void G(must_be_positive)(trial *T, num a)
+{
+    nonnegative(T, a);
+#if FIELD
+    agree(T, !is_zero_f(a));
+#elif RATIONAL
+    agree(T, !is_zero_q(a));
+#elif INTERVAL
+    agree(T, upper_i(a) > 0);
+#else
+    agree(T, a.v + error_bound_m(a) > 0);
+#endif
+}
+#include "chapters/frame/claims_off.h"
+#endif

@@ -1,0 +1,19 @@
+/* arguments.h -- whether data and options are what cagd_fit.h says. */
+#ifndef CAGD_FIT_ARGUMENTS_H
+#define CAGD_FIT_ARGUMENTS_H
+
+#include "core/fit/cagd_fit.h"
+
+/* Returns `status` unless the condition is true. */
+#define REQUIRE(condition, status)                                                                                     \
+    do {                                                                                                               \
+        if (!(condition))                                                                                              \
+            return status;                                                                                             \
+    } while (0)
+
+/* CAGD_FIT_OK or what is wrong; knots and the initial curve are checked where they are taken in, problem.h. */
+cagd_fit_status fit_check_options(const cagd_fit_options *options);
+
+/* The same; *where: the index of the point that is wrong, or -1. */
+cagd_fit_status fit_check_data(const cagd_fit_data *data, int *where);
+#endif

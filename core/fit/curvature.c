@@ -1,0 +1,115 @@
+#include "core/fit/curvature.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { PAIRS = 64 }; /* added up at once */
+
+/* The unknowns of a piece: rows of PAIRS numbers, those of all x, then those of all y; and the sum so far, above the diagonal. */
+typedef struct block {
+    int unknowns, pairs;
+    double *pair, *sum;
+} block;
+
+struct fit_curvature {
+    int unknowns, pieces;
+    const int *first, *reach;
+    block *piece;
+    double *matrix;
+};
+
+void fit_curvature_free(fit_curvature *c)
+{
+    if (c == NULL)
+        return;
+    for (int k = 0; c->piece != NULL && k < c->pieces; k++) {
+        free(c->piece[k].pair);
+        free(c->piece[k].sum);
+    }
+    free(c->piece);
+    free(c->matrix);
+    free(c);
+}
+
+fit_curvature *fit_curvature_new(int unknowns, int pieces, const int first[], const int reach[])
+{
+    fit_curvature *c = calloc(1, sizeof *c);
+    if (c == NULL)
+        return NULL;
+    c->unknowns = unknowns, c->pieces = pieces, c->first = first, c->reach = reach;
+    c->piece = calloc((size_t)pieces, sizeof *c->piece);
+    c->matrix = malloc((size_t)unknowns * (size_t)unknowns * sizeof *c->matrix);
+    int good = c->piece && c->matrix;
+    for (int k = 0; good && k < pieces; k++) {
+        size_t n = (size_t)(first[k + 1] - first[k]);
+        c->piece[k].unknowns = (int)n;
+        c->piece[k].pair = malloc((2 * n * PAIRS + 1) * sizeof *c->piece[k].pair);
+        c->piece[k].sum = malloc((n * n + 1) * sizeof *c->piece[k].sum);
+        good = c->piece[k].pair && c->piece[k].sum;
+    }
+    if (!good) {
+        fit_curvature_free(c);
+        return NULL;
+    }
+    fit_curvature_clear(c);
+    return c;
+}
+
+void fit_curvature_clear(fit_curvature *c)
+{
+    for (int k = 0; k < c->pieces; k++) {
+        block *b = &c->piece[k];
+        memset(b->sum, 0, (size_t)b->unknowns * (size_t)b->unknowns * sizeof *b->sum);
+        b->pairs = 0;
+    }
+}
+
+/* Four sums at a time, which the compiler keeps in vectors. */
+static inline double dot(int n, const double a[restrict], const double b[restrict])
+{
+    double s[4] = {0};
+    for (int i = 0; i < n; i += 4)
+        for (int k = 0; k < 4; k++)
+            s[k] += a[i + k] * b[i + k];
+    return (s[0] + s[1]) + (s[2] + s[3]);
+}
+
+static void add_up(block *b)
+{
+    int n = b->unknowns, pairs = (b->pairs + 3) / 4 * 4;
+    for (int j = 0; j < 2 * n; j++)
+        for (int i = b->pairs; i < pairs; i++)
+            b->pair[j * PAIRS + i] = 0;
+    for (int j = 0; j < n; j++)
+        for (int k = j; k < n; k++)
+            b->sum[j * n + k] += dot(pairs, b->pair + j * PAIRS, b->pair + (n + k) * PAIRS);
+    b->pairs = 0;
+}
+
+double *fit_curvature_pairs(fit_curvature *c, int piece, int count, int *stride)
+{
+    block *b = &c->piece[piece];
+    if (b->pairs + count > PAIRS)
+        add_up(b);
+    *stride = PAIRS;
+    b->pairs += count;
+    return b->pair + b->pairs - count;
+}
+
+double *fit_curvature_matrix(fit_curvature *c)
+{
+    int n = c->unknowns;
+    memset(c->matrix, 0, (size_t)n * (size_t)n * sizeof *c->matrix);
+    for (int piece = 0; piece < c->pieces; piece++) {
+        block *b = &c->piece[piece];
+        const int *reach = c->reach + c->first[piece];
+        add_up(b);
+        for (int j = 0; j < b->unknowns; j++)
+            for (int k = j; k < b->unknowns; k++)
+                c->matrix[reach[j] * n + reach[k]] += b->sum[j * b->unknowns + k];
+    }
+    for (int j = 0; j < n; j++)
+        for (int k = 0; k < j; k++)
+            c->matrix[j * n + k] = c->matrix[k * n + j];
+    return c->matrix;
+}

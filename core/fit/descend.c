@@ -1,0 +1,211 @@
+#include "core/fit/descend.h"
+
+#include "core/fit/model.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A fit_function: the triangle (R z; 0 e) with e such that half the sum of squares is F, unknowns + 1 residuals for any number of
+ * points; and what rounding makes of F = 0, below which no decrease counts. */
+static int residuals(void *objective, const double x[], double left[], double jacobian[])
+{
+    fit_objective *f = objective;
+    int n = f->problem->unknowns;
+    fit_objective_at(f, x);
+    if (!isfinite(f->cost))
+        return 0;
+    double rest = 2 * f->cost;
+    for (int k = 0; k < n; k++) {
+        left[k] = f->triangle[k * (n + 1) + n];
+        rest -= left[k] * left[k];
+    }
+    left[n] = sqrt(fmax(0, rest) + 2 * fit_problem_blur(f->problem, 0));
+    if (jacobian != NULL) {
+        for (int k = 0; k < n; k++)
+            memcpy(jacobian + k * n, f->triangle + k * (n + 1), (size_t)n * sizeof *jacobian);
+        memset(jacobian + n * n, 0, (size_t)n * sizeof *jacobian);
+        fit_objective_accept(f);
+    }
+    return 1;
+}
+
+/* The objective at the better of what was accepted and what was evaluated last: Ceres does not go the last step when it is short. */
+static void settle(fit_objective *f)
+{
+    if (f->evaluated && f->cost < f->accepted)
+        fit_objective_accept(f);
+    fit_objective_at(f, f->x);
+    fit_objective_accept(f);
+}
+
+static int run_ceres(const fit_problem *p, const cagd_fit_options *o, double tolerance, fit_attempt *a)
+{
+    int n = p->unknowns;
+    int left = o->max_iterations - a->outcome.iterations;
+    size_t room = (size_t)n;
+    fit_outcome outcome = {0};
+    double *low = malloc(3 * room * sizeof *low);
+    int good = low != NULL;
+    if (good) {
+        double *high = low + n, *x = high + n;
+        fit_problem_bounds(p, a->objective->base, low, high);
+        memcpy(x, a->objective->x, room * sizeof *x);
+        good = fit_minimise(n, n + 1, residuals, a->objective, low, high, tolerance, left > 0 ? left : 0, x, &a->radius,
+                            &outcome) &&
+               fit_attempt_append(a, &outcome);
+        settle(a->objective);
+    }
+    free(low);
+    return good;
+}
+
+/* What rounding leaves of |y|: the residuals are off by b_i, fit_problem_blur, and y has the part of it that falls to the
+ * unknowns. */
+static double floor_of(const fit_problem *p)
+{
+    return sqrt(2 * fit_problem_blur(p, 0) * p->unknowns / fit_problem_equations(p));
+}
+
+/* Where Ceres hands over to Newton: when a step gains less than this part of the cost.  It says who goes the last steps, not where
+ * they lead.  A step that shrinks |y| to a part of STEADY has a Hessian matrix that need not be summed up anew. */
+#define NEARLY 1e-4
+#define STEADY 0.01
+
+int fit_descend_near(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
+{
+    fit_objective *f = a->objective;
+    f->limit = FOOT_ROUGH;
+    f->newton = 0;
+    fit_objective_begin(f, a->curve, a->feet);
+    a->initial_cost = f->cost;
+    return run_ceres(p, o, fmax(NEARLY, o->tolerance), a);
+}
+
+/* x + step, or 0 if this passes a bound; *length: of the step. */
+static int step_from(const fit_objective *f, const fit_model *model, const double low[], const double high[],
+                     double next[], double *length)
+{
+    int n = f->problem->unknowns, inside = 1;
+    double square = 0;
+    fit_model_step(model, next);
+    for (int k = 0; k < n; k++) {
+        square += next[k] * next[k];
+        next[k] += f->x[k];
+        inside = inside && low[k] <= next[k] && next[k] <= high[k];
+    }
+    *length = sqrt(square);
+    return inside;
+}
+
+int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double tolerance, double *left, fit_attempt *a)
+{
+    fit_objective *f = a->objective;
+    int n = p->unknowns, steady = 0;
+    double *low = malloc(3 * (size_t)n * sizeof *low), enough = floor_of(p), length;
+    int *fixed = malloc((size_t)n * sizeof *fixed), good = low && fixed;
+    fit_model model = {0};
+    if (good) {
+        fit_problem_bounds(p, f->base, low, low + n);
+        f->evaluated = f->evaluated && f->newton;
+        f->newton = 1;
+        fit_objective_at(f, f->x);
+        fit_objective_accept(f);
+    }
+    for (int k = 0; good && k < n; k++)
+        fixed[k] = fit_problem_on_bound(p, k, f->curve);
+    good = good && fit_model_of(f, fixed, &model);
+    *left = model.left;
+    for (int i = 0; good && i<o->max_iterations && * left> fmax(enough, tolerance * sqrt(2 * f->cost)); i++) {
+        double *next = low + 2 * n;
+        if (!step_from(f, &model, low, low + n, next, &length))
+            break;
+        fit_model_free(&model);
+        f->newton = !steady;
+        fit_objective_evaluate(f, next, 1);
+        good = fit_model_of(f, fixed, &model);
+        int better = good && isfinite(f->cost) && model.left < *left;
+        good = good && fit_attempt_step(a, better, length);
+        if (!better)
+            break;
+        fit_objective_accept(f);
+        int stalls = model.left > *left / 2; /* only rounding is left, or nothing is gained by going on */
+        steady = model.left < *left * STEADY;
+        *left = model.left;
+        if (stalls)
+            break;
+    }
+    f->newton = 1;
+    if (good) {
+        fit_objective_at(f, f->x);
+        fit_objective_accept(f);
+    }
+    fit_model_free(&model);
+    free(low);
+    free(fixed);
+    return good;
+}
+
+/* Whether Newton's steps have converged, so that no decrease of the cost is left that counts. */
+static int converged(const fit_problem *p, const cagd_fit_options *o, const fit_objective *f, double left)
+{
+    return left * left <= o->tolerance * 2 * f->cost + fit_problem_blur(p, f->cost);
+}
+
+int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
+{
+    fit_objective *f = a->objective;
+    double left, gain;
+    int good = 1, near = a->outcome.termination == CAGD_FIT_CONVERGED;
+    f->limit = FOOT_EXACT;
+    f->newton = 1;
+    fit_objective_begin(f, a->curve, a->feet);
+    for (;; near = 1) {
+        if (good && near)
+            good = fit_descend_newton(p, o, o->tolerance, &left, a);
+        if (good && (!near || !converged(p, o, f, left)) && a->outcome.iterations < o->max_iterations) {
+            good = run_ceres(p, o, o->tolerance, a);
+            if (good && a->outcome.termination == CAGD_FIT_CONVERGED)
+                good = fit_descend_newton(p, o, o->tolerance, &left, a);
+        }
+        good = good && fit_feet_improve(p, f->curve, f->feet, a->feet, &gain);
+        if (!good || gain <= fit_problem_blur(p, f->cost) || a->outcome.iterations >= o->max_iterations)
+            return good;
+        double *feet = f->feet, cost = f->cost;
+        f->feet = a->feet;
+        fit_objective_evaluate(f, f->x, 1);
+        int better = f->cost < cost - fit_problem_blur(p, cost);
+        f->feet = better ? f->feet : feet;
+        a->feet = better ? feet : a->feet;
+        if (!better)
+            fit_objective_evaluate(f, f->x, 1);
+        fit_objective_accept(f);
+        if (!better)
+            return good;
+    }
+}
+
+int fit_descend_plain(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
+{
+    double *theta = malloc((size_t)p->unknowns * sizeof *theta), start = fit_curve_start(a->curve),
+           end = fit_curve_end(a->curve);
+    if (theta == NULL)
+        return 0;
+    fit_problem_theta(p, a->curve, theta);
+    fit_problem_curve_of(p, theta, a->curve);
+    int good = fit_minimise_plain(p, a->curve, o->tolerance, o->max_iterations, theta, a->feet, &a->outcome);
+    fit_problem_curve_of(p, theta, a->curve);
+    free(theta);
+    for (int i = 0; good && i < p->points; i++)
+        if (a->feet[i] < start || a->feet[i] > end) {
+            a->feet[i] = fmin(fmax(a->feet[i], start), end);
+            a->outcome.termination = CAGD_FIT_FAILED;
+            snprintf(a->outcome.message, sizeof a->outcome.message, "The foot of point %d left the domain.", i);
+        }
+    if (good)
+        fit_objective_begin(a->objective, a->curve, a->feet);
+    a->initial_cost = good && a->outcome.steps > 0 ? a->outcome.history[0].cost : HUGE_VAL;
+    return good;
+}

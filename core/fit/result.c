@@ -1,0 +1,158 @@
+#include "core/fit/result.h"
+
+#include "core/fit/rank.h"
+#include "core/fit/statistics.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void cagd_fit_free(cagd_fit_result *r)
+{
+    if (r == NULL)
+        return;
+    free((void *)r->curve.knots);
+    free((void *)r->curve.points);
+    free((void *)r->curve.weights);
+    free(r->feet), free(r->residuals), free(r->distances), free(r->foot_at_end);
+    free(r->history);
+    free(r->unknown), free(r->value), free(r->at_bound);
+    free(r->covariance), free(r->free_directions), free(r->determined);
+    free(r->invariant), free(r->invariant_error);
+    free(r);
+}
+
+static double *numbers(size_t count) { return calloc(count + 1, sizeof(double)); }
+
+/* Points of the curve and of theta in the coordinates of the data. */
+static int fill_curve(const fit_problem *p, const fit_attempt *a, cagd_fit_result *r)
+{
+    int n = p->count, dim = p->dim;
+    double *knots = numbers((size_t)(n + p->degree + 1)), *points = numbers((size_t)(n * dim)),
+           *weights = numbers((size_t)n);
+    r->curve = (cagd_spline){p->degree, n, dim, knots, points, weights};
+    r->unknowns = p->unknowns;
+    r->unknown = malloc((size_t)p->unknowns * sizeof *r->unknown);
+    r->value = numbers((size_t)p->unknowns);
+    r->at_bound = calloc((size_t)p->unknowns, sizeof *r->at_bound);
+    if (!knots || !points || !weights || !r->unknown || !r->value || !r->at_bound)
+        return 0;
+    memcpy(knots, p->knots, (size_t)(n + p->degree + 1) * sizeof *knots);
+    memcpy(weights, a->objective->curve->weights, (size_t)n * sizeof *weights);
+    for (int m = 0; m < n * dim; m++)
+        points[m] = p->centre[m % dim] + p->unit * a->objective->curve->points[m];
+    for (int k = 0; k < p->unknowns; k++) {
+        cagd_fit_unknown u = r->unknown[k] = p->unknown[k];
+        r->value[k] = u.is_weight ? log(weights[u.index]) : points[u.index * dim + u.coordinate];
+        r->at_bound[k] = fit_problem_on_bound(p, k, a->objective->curve);
+    }
+    return 1;
+}
+
+static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_result *r)
+{
+    int dim = p->dim;
+    size_t count = (size_t)p->points;
+    r->count = p->points;
+    r->feet = numbers(count);
+    r->residuals = numbers(count * (size_t)dim);
+    r->distances = numbers(count);
+    r->foot_at_end = calloc(count, sizeof *r->foot_at_end);
+    if (!r->feet || !r->residuals || !r->distances || !r->foot_at_end)
+        return 0;
+    double sum = 0;
+    for (int i = 0; i < p->points; i++) {
+        const double *q = p->Q + (size_t)i * (size_t)dim;
+        double *left = r->residuals + (size_t)i * (size_t)dim, D[9], t = a->objective->feet[i], square = 0;
+        r->foot_at_end[i] = fit_foot(a->objective->curve, q, &t, D) == FOOT_AT_END;
+        r->feet[i] = t;
+        for (int c = 0; c < dim; c++) {
+            left[c] = p->unit * (q[c] - D[c]);
+            square += left[c] * left[c];
+        }
+        double side = dim == 2 ? D[2] * left[1] - D[3] * left[0] : 1;
+        r->distances[i] = side < 0 ? -sqrt(square) : sqrt(square);
+        sum += square;
+        if (sqrt(square) > r->largest) {
+            r->largest = sqrt(square);
+            r->largest_at = i;
+        }
+        r->out_of_order += !p->unordered && i > 0 && t < r->feet[i - 1];
+    }
+    r->rms = sqrt(sum / p->points);
+    return 1;
+}
+
+/* Rank, covariance and flat directions; lengths go back to the coordinates of the data. */
+static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_result *r)
+{
+    int n = p->unknowns, good;
+    size_t nn = (size_t)n * (size_t)n;
+    fit_objective *f = a->objective;
+    fit_rank rank;
+    r->covariance = numbers(nn);
+    r->free_directions = numbers(nn);
+    r->determined = calloc((size_t)n, sizeof *r->determined);
+    if (!r->covariance || !r->free_directions || !r->determined)
+        return 0;
+    for (int k = 0; k < n; k++) {
+        double g = fabs(fit_objective_gradient(f, k)) / (p->unknown[k].is_weight ? 1 : p->unit);
+        r->gradient_norm = r->at_bound[k] ? r->gradient_norm : fmax(r->gradient_norm, g);
+    }
+    if (p->loss != CAGD_FIT_SQUARES)
+        fit_objective_evaluate(f, f->x, 0), fit_objective_by_theta(f);
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < n && !p->unknown[k].is_weight; i++)
+            f->triangle[i * (n + 1) + k] /= p->unit;
+    good = fit_rank_of(n, fit_problem_equations(p), fit_problem_roundings(p), f->triangle, n + 1, r->at_bound, &rank);
+    if (good) {
+        r->rank = rank.rank;
+        r->flat = rank.flat;
+        fit_rank_report(&rank, r->at_bound, r->covariance, r->free_directions, r->determined);
+        fit_rank_free(&rank);
+    }
+    return good;
+}
+
+/* What is given is not rounded by way of working coordinates. */
+static void restore_given_points(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_result *r)
+{
+    int n = r->curve.count, dim = r->curve.dim;
+    double *points = (double *)r->curve.points;
+    for (int j = 0; j < n; j++) {
+        int given = 1;
+        for (int k = 0; k < r->unknowns; k++)
+            given &= r->unknown[k].is_weight || r->unknown[k].index != j;
+        const double *from = o->initial != NULL ? o->initial->points + j * dim
+                             : j == 0           ? data->points
+                                                : data->points + (size_t)(data->count - 1) * (size_t)dim;
+        if (given && (o->initial != NULL || j == 0 || j == n - 1))
+            memcpy(points + j * dim, from, (size_t)dim * sizeof *points);
+    }
+}
+
+cagd_fit_result *fit_result_make(const cagd_fit_data *data, const cagd_fit_options *o, const fit_problem *p,
+                                 fit_attempt *a)
+{
+    cagd_fit_result *r = calloc(1, sizeof *r);
+    if (r == NULL)
+        return NULL;
+    r->cost = a->objective->cost;
+    r->invariants = p->count == p->degree + 1 ? p->degree - 1 : 0;
+    r->invariant = numbers((size_t)r->invariants);
+    r->invariant_error = numbers((size_t)r->invariants);
+    if (!r->invariant || !r->invariant_error || !fill_curve(p, a, r) || !fill_points(p, a, r) ||
+        !fill_uncertainty(p, a, r)) {
+        cagd_fit_free(r);
+        return NULL;
+    }
+    r->termination = a->outcome.termination;
+    r->iterations = a->outcome.iterations;
+    r->initial_cost = a->initial_cost;
+    r->steps = a->outcome.steps;
+    r->history = a->outcome.history;
+    a->outcome.history = NULL;
+    memcpy(r->message, a->outcome.message, sizeof r->message);
+    restore_given_points(data, o, r);
+    return r;
+}
