@@ -96,7 +96,7 @@ static int write_and_print(const struct fit_arguments *a, const struct fit *f)
         print_json_exactly(fit_json(f));
     else
         print_fit(f, a->verbose);
-    return f->result->termination == CAGD_FIT_CONVERGED ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
+    return is_minimum(f) ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
 }
 
 static int fit_points(const struct fit_arguments *a, struct fit *f)

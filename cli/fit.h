@@ -34,13 +34,25 @@ struct fit_arguments read_fit_arguments(int argc, char **argv); /* fit_options.c
 
 /* ---- numbers of the result, by the formulas that its header states (fit_numbers.c) ----------------- */
 
+/* Whether the curve is a minimum, as far as is known: the minimiser converged, and the check did not find that it is
+ * none.  What is said of standard errors, rank and probabilities is true only of a minimum; otherwise the numbers
+ * belong to the last curve that was reached, and nothing more is said of them. */
+int is_minimum(const struct fit *f);
+/* Whether the points lie on the curve: the distances are no larger than what coordinates of the curve are off by in
+ * binary64, p steps of de Casteljau on homogeneous coordinates and a division.  Then their scatter says nothing of
+ * measurements. */
+int is_on_curve(const struct fit *f);
+/* The standard deviation of point i, given or estimated; NAN where it is neither. */
+double deviation_of(const struct fit *f, int i);
+
 /* An estimate with its standard error and 95 % interval.  Weights are fitted by their logarithms: the error is
- * that of the logarithm times the weight, the interval that of the logarithm, exponentiated. */
+ * that of the logarithm times the weight, the interval that of the logarithm, exponentiated.  The error is NAN where
+ * there is none. */
 struct estimate {
     double value, error, low, high;
 };
-struct estimate unknown_estimate(const cagd_fit_result *r, int k);
-struct estimate invariant_estimate(const cagd_fit_result *r, int j);
+struct estimate unknown_estimate(const struct fit *f, int k);
+struct estimate invariant_estimate(const struct fit *f, int j);
 /* Whether binary64 has a number for a weight, or for I_j. */
 int in_range(double positive);
 double correlation(const cagd_fit_result *r, int i, int j);
@@ -52,6 +64,8 @@ int ends_taken_as_exact(const struct fit *f);
 void unknown_name(const cagd_fit_result *r, int k, char name[32]);
 /* The value with as many decimals as show two digits of its error. */
 void put_rounded(FILE *out, double value, double error);
+/* A text of the file system as JSON: what is no UTF-8 becomes U+FFFD. */
+json_t *path_json(const char *path);
 
 /* ---- what is printed and written ------------------------------------------------------------------ */
 

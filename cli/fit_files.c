@@ -21,7 +21,7 @@ int write_curve(const struct fit *f, const char *path)
 
 /* One row a point: its number, its line in the file, its coordinates, the parameter of the foot and the foot, the
  * residual in every coordinate, the distance, and that over the standard deviation, which is the estimated one where
- * none is given. */
+ * none is given, and nothing where the curve is no minimum. */
 int write_residuals(const struct fit *f, const char *path)
 {
     const cagd_fit_result *r = f->result;
@@ -41,7 +41,7 @@ int write_residuals(const struct fit *f, const char *path)
     fputs(",distance,standardised\n", out);
     for (int i = 0; i < r->count; i++) {
         const double *Q = f->data.points + i * dim, *e = r->residuals + i * dim;
-        double sigma = f->data.sigma != NULL ? f->data.sigma[i] : sqrt(r->scale_squared);
+        double sigma = deviation_of(f, i);
         fprintf(out, "%d,%d", i + 1, f->points.line[i]);
         for (int x = 0; x < dim; x++)
             fprintf(out, ",%.17g", Q[x]);

@@ -34,8 +34,9 @@ static json_t *estimate_json(struct estimate e)
                      real(e.low), "high", real(e.high));
 }
 
-static json_t *unknowns_json(const cagd_fit_result *r)
+static json_t *unknowns_json(const struct fit *f)
 {
+    const cagd_fit_result *r = f->result;
     json_t *list = json_array();
     for (int k = 0; k < r->unknowns; k++) {
         const cagd_fit_unknown *u = &r->unknown[k];
@@ -45,10 +46,10 @@ static json_t *unknowns_json(const cagd_fit_result *r)
             json_pack("{s:s, s:s, s:i}", "name", name, "kind", u->is_weight ? "weight" : "point", "index", u->index);
         if (!u->is_weight)
             json_object_set_new(j, "coordinate", json_integer(u->coordinate));
-        json_t *estimate = estimate_json(unknown_estimate(r, k));
+        json_t *estimate = estimate_json(unknown_estimate(f, k));
         json_object_update(j, estimate);
         json_decref(estimate);
-        json_object_set_new(j, "determined", json_boolean(r->determined[k]));
+        json_object_set_new(j, "determined", is_minimum(f) ? json_boolean(r->determined[k]) : json_null());
         json_object_set_new(j, "at_bound", json_boolean(r->at_bound[k]));
         json_array_append_new(list, j);
     }
@@ -88,14 +89,22 @@ static json_t *conic_json(const cagd_fit_result *r)
 
 static json_t *verdict_json(const struct fit *f)
 {
+    /* what the cost does when weights leave their bounds */
+    static const char *const bounds[] = {NULL, "grows", "falls", "not known"};
     const stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return json_pack("{s:s}", "status", "not asked");
-    if (v->verified)
-        return json_pack("{s:s, s:b, s:i, s:o, s:o, s:o, s:o}", "status", "verified", "strict_minimum", v->minimum,
-                         "dimension", v->dimension, "weight_radius", real(v->weight_radius), "point_radius",
+    if (v->verified) {
+        char name[32];
+        if (v->bound >= 0)
+            unknown_name(f->result, v->bound, name);
+        return json_pack("{s:s, s:b, s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "status", "verified", "strict_minimum",
+                         v->minimum, "dimension", v->dimension, "weight_radius", real(v->weight_radius), "point_radius",
                          real(v->point_radius), "weight_alone", real(v->weight_alone), "point_alone",
-                         real(v->point_alone));
+                         real(v->point_alone), "leaving_bounds",
+                         bounds[v->bounds] != NULL ? json_string(bounds[v->bounds]) : json_null(), "bound",
+                         v->bound >= 0 ? json_string(name) : json_null());
+    }
     return json_pack("{s:s, s:s, s:o}", "status", "not verified", "reason", v->reason, "point",
                      v->where >= 0 ? json_integer(v->where + 1) : json_null());
 }
@@ -112,6 +121,15 @@ static json_t *history_json(const cagd_fit_result *r)
     return list;
 }
 
+/* The value, which is then owned by the caller alone; null where the curve is no minimum. */
+static json_t *of_minimum(const struct fit *f, json_t *value)
+{
+    if (is_minimum(f))
+        return value;
+    json_decref(value);
+    return json_null();
+}
+
 json_t *fit_json(const struct fit *f)
 {
     static const char *const termination[] = {"converged", "not converged", "failed"};
@@ -124,15 +142,15 @@ json_t *fit_json(const struct fit *f)
         if (o->free & 1 << k)
             json_array_append_new(free, json_string(part[k]));
     for (int j = 0; j < r->invariants; j++)
-        json_array_append_new(invariants, estimate_json(invariant_estimate(r, j)));
+        json_array_append_new(invariants, estimate_json(invariant_estimate(f, j)));
     int flat = free_unknowns(r) - r->rank, ends = 0;
     for (int i = 0; i < r->count; i++)
         ends += r->foot_at_end[i];
-    json_t *points =
-        json_pack("{s:s, s:i, s:i, s:s}", "file", f->path, "count", f->data.count, "dimension", f->data.dim, "sigma",
-                  f->data.sigma == NULL ? "unknown"
-                  : f->sigma_given      ? "one"
-                                        : "column");
+    json_t *points = json_pack("{s:o, s:i, s:i, s:s}", "file", path_json(f->path), "count", f->data.count, "dimension",
+                               f->data.dim, "sigma",
+                               f->data.sigma == NULL ? "unknown"
+                               : f->sigma_given      ? "one"
+                                                     : "column");
     json_t *options =
         json_pack("{s:o, s:s, s:o, s:b, s:o, s:o, s:i, s:I, s:o, s:i}", "free", free, "loss", loss_name[o->loss],
                   "scale", o->loss == CAGD_FIT_SQUARES ? json_null() : real(o->loss_scale), "unordered", o->unordered,
@@ -148,19 +166,30 @@ json_t *fit_json(const struct fit *f)
                                   "feet_at_ends", ends, "feet_out_of_order", r->out_of_order);
     double cusp;
     int has_cusp = cagd_fit_has_cusp(r, &cusp);
-    json_t *statistics =
-        json_pack("{s:o, s:o, s:i, s:o, s:o, s:o, s:s, s:f, s:o}", "chi_squared", real(r->chi_squared),
-                  "reduced_chi_squared", real(r->reduced_chi_squared), "degrees_of_freedom", r->degrees_of_freedom,
-                  "aic", real(r->aic), "bic", real(r->bic), "scale_squared", real(r->scale_squared), "scaled_by",
-                  f->data.sigma != NULL && o->loss == CAGD_FIT_SQUARES ? "the given standard deviations"
-                                                                       : "the scatter of the points",
-                  "level", 0.95, "quantile", real(r->quantile));
-    return json_pack(
-        "{s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:b, s:o, s:o}", "schema",
-        "cagd-fit-1", "converged", r->termination == CAGD_FIT_CONVERGED, "points", points, "options", options,
-        "minimiser", minimiser, "curve", fitted_curve_json(&r->curve), "unknowns", unknowns_json(r), "rank", r->rank,
-        "free_directions", matrix_json(flat, r->unknowns, r->free_directions), "covariance",
-        matrix_json(r->unknowns, r->unknowns, r->covariance), "correlations", correlations_json(r), "invariants",
-        invariants, "conic", conic_json(r), "statistics", statistics, "distances", distances, "ends_taken_as_exact",
-        ends_taken_as_exact(f), "cusp", has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
+    int robust = o->loss != CAGD_FIT_SQUARES; /* the sum of losses has no known distribution */
+    const char *scaled_by = f->data.sigma != NULL && o->loss == CAGD_FIT_SQUARES ? "the given standard deviations"
+                                                                                 : "the scatter of the points";
+    json_t *statistics = json_pack(
+        "{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:f, s:o}", "chi_squared", real(r->chi_squared), "reduced_chi_squared",
+        of_minimum(f, real(robust ? NAN : r->reduced_chi_squared)), "degrees_of_freedom",
+        of_minimum(f, json_integer(r->degrees_of_freedom)), "aic", of_minimum(f, real(robust ? NAN : r->aic)), "bic",
+        of_minimum(f, real(robust ? NAN : r->bic)), "scale_squared", of_minimum(f, real(r->scale_squared)), "scaled_by",
+        of_minimum(f, json_string(scaled_by)), "level", 0.95, "quantile", of_minimum(f, real(r->quantile)));
+    json_t *document = json_pack("{s:s, s:b, s:b, s:o, s:o, s:o, s:o}", "schema", "cagd-fit-1", "converged",
+                                 r->termination == CAGD_FIT_CONVERGED, "at_minimum", is_minimum(f), "points", points,
+                                 "options", options, "minimiser", minimiser, "curve", fitted_curve_json(&r->curve));
+    json_t *of_unknowns =
+        json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "unknowns", unknowns_json(f), "rank",
+                  of_minimum(f, json_integer(r->rank)), "free_directions",
+                  of_minimum(f, matrix_json(flat, r->unknowns, r->free_directions)), "covariance",
+                  of_minimum(f, matrix_json(r->unknowns, r->unknowns, r->covariance)), "correlations",
+                  of_minimum(f, correlations_json(r)), "invariants", invariants, "conic", of_minimum(f, conic_json(r)));
+    json_t *rest = json_pack("{s:o, s:o, s:b, s:b, s:o, s:o}", "statistics", statistics, "distances", distances,
+                             "points_on_curve", is_on_curve(f), "ends_taken_as_exact", ends_taken_as_exact(f), "cusp",
+                             has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
+    json_object_update(document, of_unknowns);
+    json_object_update(document, rest);
+    json_decref(of_unknowns);
+    json_decref(rest);
+    return document;
 }

@@ -105,6 +105,9 @@ static void read_knots(struct argp_state *state, struct fit_arguments *a)
             argp_error(state, "--knots takes inner knots between 0 and 1, not %.*s", (int)n, s);
         if (a->inner_knots > 0 && u < more[a->inner_knots - 1])
             argp_error(state, "--knots takes increasing numbers: %.*s is smaller than the one before", (int)n, s);
+        if (a->inner_knots >= a->options.degree && u == more[a->inner_knots - a->options.degree])
+            argp_error(state, "--knots: %.*s stands more than %d times, which would break a curve of degree %d", (int)n,
+                       s, a->options.degree, a->options.degree);
         a->inner_knots++;
         if (*(s += n) == '\0')
             break;
@@ -273,7 +276,7 @@ struct fit_arguments read_fit_arguments(int argc, char **argv)
         "or blanks, with decimal points or, where commas do not separate, decimal commas.  A first line without "
         "numbers "
         "names the columns; three columns without names need --dim 2 (x y sigma) or --dim 3.  Lines that begin with # "
-        "are comments; - is standard input.  Exit status 1: not converged.",
+        "are comments; - is standard input.  Exit status 1: not converged, or to no minimum.",
         NULL,
         NULL,
         NULL};

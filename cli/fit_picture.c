@@ -187,7 +187,7 @@ static void label_control_point(svg *s, const struct view *v, int j)
         struct estimate e = {r->curve.weights[j], NAN, NAN, NAN};
         for (int k = 0; k < r->unknowns; k++)
             if (r->unknown[k].is_weight && r->unknown[k].index == j)
-                e = unknown_estimate(r, k);
+                e = unknown_estimate(v->f, k);
         fprintf(out, ",  w_{%d} = ", j);
         if (isfinite(e.error)) {
             put_rounded(out, e.value, e.error);
@@ -295,7 +295,7 @@ static void draw_distances(svg *s, const struct fit *f)
     const cagd_spline *c = &r->curve;
     region_mark mark = region_open();
     int standardised = f->data.sigma != NULL, plane = f->data.dim == 2;
-    double band = 2 * (standardised ? 1 : sqrt(r->scale_squared)), size = 0;
+    double band = 2 * (standardised ? 1 : deviation_of(f, 0)), size = 0;
     double *d = region_bytes((size_t)r->count * sizeof *d);
     for (int i = 0; i < r->count; i++) {
         d[i] = r->distances[i] / (standardised ? f->data.sigma[i] : 1);
@@ -350,20 +350,23 @@ static void describe(const struct fit *f, FILE *out)
 {
     const cagd_fit_result *r = f->result;
     fprintf(out,
-            "%d measured points %s; the rational curve of degree %d with %d control points that comes closest to them, "
-            "with its control polygon; below, the %s of every point over the parameter of its foot, with a "
-            "band of two standard deviations. Root mean square distance %.3g, largest %.3g.",
+            "%d measured points %s; %s rational curve of degree %d with %d control points%s, "
+            "with its control polygon; below, the %s of every point over the parameter of its foot%s. "
+            "Root mean square distance %.3g, largest %.3g.",
             f->data.count, f->data.dim == 2 ? "in the plane" : "in space, from above and from the front",
-            r->curve.degree, r->curve.count, f->data.dim == 2 ? "signed distance" : "distance", r->rms, r->largest);
+            is_minimum(f) ? "the" : "a", r->curve.degree, r->curve.count,
+            is_minimum(f) ? " that comes closest to them" : " that the minimiser reached, not known to be a minimum",
+            f->data.dim == 2 ? "signed distance" : "distance",
+            isfinite(deviation_of(f, 0)) ? ", with a band of two standard deviations" : "", r->rms, r->largest);
 }
 
 static void legend(svg *s, const struct fit *f)
 {
     int bars = f->data.sigma != NULL && f->data.count <= MOST_MARKS;
     svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
-    svg_legend_line(s, SVG_CURVE, "fitted curve");
+    svg_legend_line(s, SVG_CURVE, is_minimum(f) ? "fitted curve" : "curve, no minimum");
     svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control points");
-    if (isfinite(f->result->scale_squared))
+    if (isfinite(deviation_of(f, 0)))
         svg_legend_area(s, SVG_FILL, f->data.dim == 2 ? "$± 2 s$" : "up to $2 s$");
 }
 

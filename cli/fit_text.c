@@ -100,7 +100,8 @@ static void print_heading(const struct fit *f)
         if (f->options.free & 1 << k)
             fprintf(out, "%s%s", said++ > 0 ? ", " : "", part[k]);
     if (f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS))
-        fputs("; it begins and ends in the first and the last point", out);
+        fprintf(out, "; it begins and ends in %s",
+                f->options.unordered ? "two of the points" : "the first and the last point");
     end(&l, "Curve");
     if (f->options.loss == CAGD_FIT_SQUARES)
         say("Minimised", "half the sum of the squared orthogonal distances%s",
@@ -121,25 +122,60 @@ static void print_heading(const struct fit *f)
     end(&l, "Minimiser");
 }
 
-/* x rounded up or down to a power of ten. */
+/* x rounded up or down to a power of ten; nothing below 1e-300 is told apart. */
 static const char *power_of_ten(double x, double towards(double), char text[16])
 {
     if (x > 0)
-        snprintf(text, 16, "1e%.0f", towards(log10(x)));
+        snprintf(text, 16, "1e%.0f", fmax(towards(log10(x)), -300));
     else
         strcpy(text, "0");
     return text;
 }
 
-/* A stationary point is that one if no coordinate and no logarithm of a weight is farther away than this; 0 where
- * nothing is said. */
-static double alone_within(const struct fit *f)
+/* Whether there is a power of ten between. */
+static int is_farther(double x, double y) { return x > 0 && (y == 0 || floor(log10(x)) > ceil(log10(y))); }
+
+/* How near the minimum is, and how far away there is no other: for coordinates and for logarithms of weights, whose
+ * units may be so different that one number does not do for both. */
+struct reach {
+    int apart;
+    double point, weight, point_alone, weight_alone;
+};
+static struct reach reach_of(const struct fit *f)
 {
-    double alone = INFINITY;
+    const stationary_verdict *v = &f->verdict;
+    struct reach r = {0, v->point_radius, v->weight_radius, v->point_alone, v->weight_alone};
+    int points = 0, weights = 0;
     for (int k = 0; k < f->result->unknowns; k++)
         if (!f->result->at_bound[k])
-            alone = fmin(alone, f->result->unknown[k].is_weight ? f->verdict.weight_alone : f->verdict.point_alone);
-    return isfinite(alone) ? alone : 0;
+            *(f->result->unknown[k].is_weight ? &weights : &points) = 1;
+    r.apart = points && weights && r.point > 0 && r.weight > 0 && fabs(log10(r.point / r.weight)) > 3;
+    if (!r.apart) {
+        r.point = r.weight = fmax(r.point, r.weight);
+        r.point_alone = !points ? r.weight_alone : !weights ? r.point_alone : fmin(r.point_alone, r.weight_alone);
+        r.weight_alone = r.point_alone;
+    }
+    return r;
+}
+
+static void put_reach(const struct fit *f, FILE *out)
+{
+    const stationary_verdict *v = &f->verdict;
+    struct reach r = reach_of(f);
+    char point[16], weight[16];
+    power_of_ten(r.point, ceil, point);
+    if (r.apart)
+        fprintf(out, "%s of these coordinates and %s of these logarithms of weights", point,
+                power_of_ten(r.weight, ceil, weight));
+    else
+        fprintf(out, "%s of these coordinates and logarithms of weights", point);
+    if (!is_farther(r.point_alone, r.point) || !is_farther(r.weight_alone, r.weight))
+        return;
+    fprintf(out, ", and is the only %s within %s",
+            v->bounds != STATIONARY_NO_BOUNDS ? "one with these weights on their bounds" : "stationary point",
+            power_of_ten(r.point_alone, floor, point));
+    if (r.apart)
+        fprintf(out, " and %s of them", power_of_ten(r.weight_alone, floor, weight));
 }
 
 /* What the check in intervals found. */
@@ -150,15 +186,26 @@ static void print_verdict(const struct fit *f)
         return;
     struct line l;
     FILE *out = begin(&l);
-    double near = fmax(v->point_radius, v->weight_radius), alone = alone_within(f);
-    char within[16], only[16];
+    int bounds = v->bounds != STATIONARY_NO_BOUNDS;
+    char name[32] = "";
+    if (v->bound >= 0)
+        unknown_name(f->result, v->bound, name);
     if (v->verified) {
-        fprintf(out, "verified in intervals: %s%s lies within %s of these coordinates and logarithms of weights",
-                v->minimum ? "a strict local minimum" : "a stationary point",
-                v->dimension < free_unknowns(f->result) ? ", up to the free directions," : "",
-                power_of_ten(near, ceil, within));
-        if (alone > 0 && (near == 0 || floor(log10(alone)) > ceil(log10(near))))
-            fprintf(out, ", and is the only stationary point within %s", power_of_ten(alone, floor, only));
+        fprintf(out, "verified in intervals: %s",
+                v->minimum ? bounds ? "a strict local minimum within the bounds" : "a strict local minimum"
+                : bounds   ? "among the curves with these weights on their bounds a stationary point"
+                           : "a stationary point that is NO minimum");
+        if (free_unknowns(f->result) == 0) {
+            fputs(", with all weights on bounds", out);
+        } else {
+            fprintf(out, "%s lies within ",
+                    v->dimension < free_unknowns(f->result) ? ", up to the free directions," : "");
+            put_reach(f, out);
+        }
+        if (v->bounds == STATIONARY_FALLS)
+            fprintf(out, "; it is NO minimum: the cost falls when %s leaves its bound", name);
+        if (v->bounds == STATIONARY_OPEN)
+            fprintf(out, "; whether the cost grows or falls when %s leaves its bound is not known", name);
     } else {
         fprintf(out, "not verified: %s", v->reason);
         if (v->where >= 0)
@@ -170,11 +217,14 @@ static void print_verdict(const struct fit *f)
 static void print_estimates(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
-    if (r->unknowns > 0)
+    int minimum = is_minimum(f);
+    if (r->unknowns > 0 && minimum)
         printf("\n%12s%17s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
+    else if (r->unknowns > 0)
+        printf("\n%12s%17s\n", "", "reached");
     for (int k = 0; k < r->unknowns; k++) {
         char name[32];
-        struct estimate e = unknown_estimate(r, k);
+        struct estimate e = unknown_estimate(f, k);
         unknown_name(r, k, name);
         printf("  %-10s", name);
         put_column(e.value, e.error, 17);
@@ -182,6 +232,8 @@ static void print_estimates(const struct fit *f)
             puts("  on its bound");
         } else if (r->unknown[k].is_weight && !in_range(e.value)) {
             puts("  beyond the range of numbers");
+        } else if (!minimum) {
+            puts("");
         } else if (!r->determined[k]) {
             puts("  not determined");
         } else if (!isfinite(e.error)) {
@@ -194,7 +246,7 @@ static void print_estimates(const struct fit *f)
     }
     for (int j = 0; j < r->invariants; j++) {
         char name[32];
-        struct estimate e = invariant_estimate(r, j);
+        struct estimate e = invariant_estimate(f, j);
         snprintf(name, sizeof name, "I%d", j + 1);
         printf("  %-10s", name);
         put_column(e.value, e.error, 17);
@@ -203,7 +255,7 @@ static void print_estimates(const struct fit *f)
             put_interval(e);
         } else if (!in_range(e.value))
             fputs("  beyond the range of numbers", stdout);
-        else if (!(e.error == 0))
+        else if (minimum && !(e.error == 0))
             fputs("  not determined", stdout);
         puts("");
     }
@@ -306,10 +358,9 @@ static void print_free_directions(const cagd_fit_result *r)
     }
 }
 
-static void print_statistics(const struct fit *f)
+static void print_distances(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
-    int known = f->data.sigma != NULL && f->options.loss == CAGD_FIT_SQUARES;
     struct line l;
     FILE *out = begin(&l);
     fprintf(out, "root mean square %.4g, largest %.4g at point %d (line %d)", r->rms, r->largest, r->largest_at + 1,
@@ -322,14 +373,28 @@ static void print_statistics(const struct fit *f)
     if (r->out_of_order > 0)
         fprintf(out, "; %d of the feet overtake%s the one before", r->out_of_order, r->out_of_order == 1 ? "s" : "");
     end(&l, "Distances");
-    out = begin(&l);
-    fprintf(out, "%.6g on %d degree%s of freedom", r->chi_squared, r->degrees_of_freedom,
-            plural(r->degrees_of_freedom));
-    if (isfinite(r->reduced_chi_squared))
-        fprintf(out, "; reduced %.4g", r->reduced_chi_squared);
-    if (isfinite(r->aic) && isfinite(r->bic))
-        fprintf(out, "; AIC %.6g, BIC %.6g", r->aic, r->bic);
-    end(&l, "Chi-squared");
+}
+
+/* What is true of a minimum only. */
+static void print_statistics(const struct fit *f)
+{
+    const cagd_fit_result *r = f->result;
+    int known = f->data.sigma != NULL && f->options.loss == CAGD_FIT_SQUARES;
+    struct line l;
+    FILE *out = begin(&l);
+    if (f->options.loss == CAGD_FIT_SQUARES) {
+        fprintf(out, "%.6g on %d degree%s of freedom", r->chi_squared, r->degrees_of_freedom,
+                plural(r->degrees_of_freedom));
+        if (isfinite(r->reduced_chi_squared))
+            fprintf(out, "; reduced %.4g", r->reduced_chi_squared);
+        if (isfinite(r->aic) && isfinite(r->bic))
+            fprintf(out, "; AIC %.6g, BIC %.6g", r->aic, r->bic);
+        end(&l, "Chi-squared");
+    } else {
+        fprintf(out, "%.6g, the sum over all points, which is twice what was minimised; %d degree%s of freedom",
+                r->chi_squared, r->degrees_of_freedom, plural(r->degrees_of_freedom));
+        end(&l, "Loss");
+    }
     if (known)
         say("Standard errors",
             "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution, "
@@ -343,10 +408,15 @@ static void print_statistics(const struct fit *f)
             sqrt(r->scale_squared), r->quantile);
     else
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
+    if (!known && is_on_curve(f) && r->scale_squared > 0)
+        say("Rounding",
+            "the distances are no larger than the roundings of binary64: the points lie on the curve, and the standard "
+            "errors are those of the arithmetic, not of a measurement");
     if (ends_taken_as_exact(f))
         say("Ends",
-            "the first and the last point are taken as exact: their errors move the whole curve, weights with it, and "
+            "%s are taken as exact: their errors move the whole curve, weights with it, and "
             "are not in the standard errors; --free %sinner,ends fits the ends too, which then slide along the curve",
+            f->options.unordered ? "two of the points, at the ends," : "the first and the last point",
             f->options.free & CAGD_FIT_WEIGHTS ? "weights," : "");
     double cusp;
     if (cagd_fit_has_cusp(r, &cusp))
@@ -383,5 +453,13 @@ void print_fit(const struct fit *f, int verbose)
     print_estimates(f);
     print_fixed(f);
     puts("");
-    print_statistics(f);
+    print_distances(f);
+    if (is_minimum(f))
+        print_statistics(f);
+    else
+        say("No statistics",
+            "%s; standard errors, 95 %% intervals, rank, correlations and the type of a conic belong to a minimum",
+            f->result->termination == CAGD_FIT_CONVERGED
+                ? "the curve was verified to be no minimum"
+                : "the minimiser did not come to its end, and the numbers are those of the last curve that it reached");
 }

@@ -287,6 +287,20 @@ static int degree(const fmpz_mpoly_t p, num_f variable)
 int degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_numref(a.at->x), variable); }
 int denominator_degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_denref(a.at->x), variable); }
 
+int has_degrees_f(num_f a, num_f variable, int numerator, int denominator)
+{
+    int is[] = {degree_f(a, variable), denominator_degree_f(a, variable)};
+    if (trace_noting()) {
+        int of[] = {trace_field_element(a), trace_field_element(variable)};
+        if (trace_fact("degrees")) {
+            trace_put_list("of", 2, of);
+            trace_put_list("is", 2, is);
+            trace_fact_end();
+        }
+    }
+    return is[0] == numerator && is[1] == denominator;
+}
+
 /* Does the printed polynomial need no parentheses above (below) the bar of a fraction? */
 static int stands_alone(const char *text, int below)
 {

@@ -41,6 +41,7 @@ num_f substitute_f(num_f a, num_f variable, num_f value); /* UNDEFINED at a pole
 int degree_f(num_f a, num_f variable);                    /* of the numerator; -1 for 0; these four are
                                                   UNDEFINED unless it is a variable        */
 int denominator_degree_f(num_f a, num_f variable);
+int has_degrees_f(num_f a, num_f variable, int numerator, int denominator); /* both; noted as a fact (trace.h) */
 num_f coefficient_f(num_f a, num_f variable, int k); /* of variable^k, k >= 0, as it is a polynomial
                                                   in it: UNDEFINED if the denominator has it  */
 int field_variable_f(num_f variable);                /* its index, or -1 for any other element   */

@@ -135,6 +135,28 @@ static double estimated_contraction(struct box *b, int k, double r, const double
     return stationary_enclose(b, radius, stride) ? stride * contraction(b, k, W, NULL) : NAN;
 }
 
+/* The signs of the multipliers over the box; when it cannot be enclosed they are not known. */
+static void leave_bounds(struct box *b, const double radius[], stationary_verdict *verdict)
+{
+    int enclosed = -1; /* not tried */
+    for (int a = 0; a < b->n; a++) {
+        int hold = is_held(b->problem, a) ? b->problem->held[a] : STATIONARY_FREE, sign = 0;
+        if (hold != STATIONARY_AT_LOW && hold != STATIONARY_AT_HIGH)
+            continue;
+        if (enclosed < 0)
+            enclosed = stationary_enclose(b, radius, 1);
+        if (enclosed)
+            sign = sign_i((num_i){&b->gradient[a]}) * (hold == STATIONARY_AT_LOW ? 1 : -1);
+        enum stationary_bounds now = sign > 0 ? STATIONARY_GROWS : sign < 0 ? STATIONARY_FALLS : STATIONARY_OPEN;
+        if (verdict->bounds == STATIONARY_NO_BOUNDS || (now == STATIONARY_FALLS && verdict->bounds != now) ||
+            (now == STATIONARY_OPEN && verdict->bounds == STATIONARY_GROWS)) {
+            verdict->bounds = now;
+            verdict->bound = now == STATIONARY_GROWS ? -1 : a;
+        }
+        verdict->minimum &= now == STATIONARY_GROWS;
+    }
+}
+
 /* The stationary point y is -S W^T g + (1 - S W^T H W) y for some H of the box: it is as far away as Newton's step,
  * but for q |y|.  Radii are tried: first 2^-24 of the unit, farther where the contraction leaves room, nearer where
  * it fails.  q is nearly proportional to the radius. */
@@ -197,6 +219,26 @@ static void try_radii(struct box *b, int k, double eta, const double W[], const 
     }
     verdict->weight_alone = alone;
     verdict->point_alone = nextafter(alone * data_unit, 0);
+    for (int a = 0; a < n; a++)
+        radius[a] = is_held(b->problem, a) ? 0 : product_up(reach[a], near);
+    leave_bounds(b, radius, verdict);
+}
+
+/* No unknown is free, and some stand on bounds: the curve is what it is, and the multipliers decide. */
+static void check_bounds_alone(struct box *b, double radius[], stationary_verdict *verdict)
+{
+    int at_bound = 0;
+    for (int a = 0; a < b->n; a++) {
+        radius[a] = 0;
+        if (!is_held(b->problem, a))
+            return;
+        at_bound |= b->problem->held[a] != STATIONARY_HELD;
+    }
+    if (!at_bound)
+        return;
+    verdict->verified = verdict->minimum = 1;
+    verdict->reason = NULL;
+    leave_bounds(b, radius, verdict);
 }
 
 /* What the check works with, besides the box; arrays of unknowns numbers each, in one piece of memory. */
@@ -256,6 +298,8 @@ static void add_way(const stationary_problem *problem, const double moved[], dou
         double *way = problem->unknown[a].is_weight ? &weights : &coordinates;
         *way = fmax(*way, moved[a]);
     }
+    if (weights == 0 && coordinates == 0)
+        return;
     verdict->weight_radius = nextafter(verdict->weight_radius + weights, INFINITY);
     verdict->point_radius = nextafter(verdict->point_radius + coordinates, INFINITY);
     double less = nextafter(fmax(weights, nextafter(coordinates / data_unit, INFINITY)), INFINITY);
@@ -266,7 +310,7 @@ static void add_way(const stationary_problem *problem, const double moved[], dou
 stationary_verdict stationary_check(const stationary_problem *problem)
 {
     enum { MOVES = 4 };
-    stationary_verdict verdict = {.where = -1, .reason = no_memory};
+    stationary_verdict verdict = {.bound = -1, .where = -1, .reason = no_memory};
     struct workspace s = {0};
     cagd_spline centre = *problem->curve;
     stationary_problem moving = *problem;
@@ -290,7 +334,11 @@ stationary_verdict stationary_check(const stationary_problem *problem)
         }
         verdict.dimension = stationary_directions(&b, s.W, s.inverse, s.sign);
         if (verdict.dimension == 0) {
-            verdict.reason = b.n == 0 ? "nothing is free" : "the Hessian is singular";
+            int free_ones = 0;
+            for (int a = 0; a < b.n; a++)
+                free_ones += !is_held(&moving, a);
+            verdict.reason = free_ones == 0 ? "nothing is free" : "the Hessian is singular";
+            check_bounds_alone(&b, s.radius, &verdict);
             break;
         }
         reaches(b.n, verdict.dimension, s.W, s.reach);
@@ -311,12 +359,23 @@ stationary_verdict stationary_check(const stationary_problem *problem)
     return verdict;
 }
 
+/* The bound on which weight a stands: the nearer one. */
+static int bound_of(const cagd_fit_options *options, double log_weight)
+{
+    double below = log_weight - log(options->weight_low), above = log(options->weight_high) - log_weight;
+    return below < above ? STATIONARY_AT_LOW : STATIONARY_AT_HIGH;
+}
+
 stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
                                         const cagd_fit_result *result)
 {
-    int held = 0;
-    for (int a = 0; a < result->unknowns; a++)
-        held += result->at_bound[a] != 0;
+    int count = 0, *held = malloc(((size_t)result->unknowns + 1) * sizeof *held);
+    if (held == NULL)
+        return (stationary_verdict){.bound = -1, .where = -1, .reason = no_memory};
+    for (int a = 0; a < result->unknowns; a++) {
+        held[a] = result->at_bound[a] ? bound_of(options, result->value[a]) : STATIONARY_FREE;
+        count += held[a] != STATIONARY_FREE;
+    }
     stationary_problem problem = {.data = data,
                                   .loss = options->loss,
                                   .loss_scale = options->loss_scale,
@@ -324,8 +383,10 @@ stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fi
                                   .feet = result->feet,
                                   .unknowns = result->unknowns,
                                   .unknown = result->unknown,
-                                  .held = result->at_bound,
-                                  .free_count = result->unknowns - held - result->rank,
+                                  .held = held,
+                                  .free_count = result->unknowns - count - result->rank,
                                   .free_directions = result->free_directions};
-    return stationary_check(&problem);
+    stationary_verdict verdict = stationary_check(&problem);
+    free(held);
+    return verdict;
 }

@@ -22,9 +22,14 @@
  *                 fails at theta_0 itself, it is tried again at the end of a step of Newton's method; what is
  *                 reported are distances from theta_0.
  *
- * Unknowns that are held, such as weights on a bound, are left out.  Along free directions F is flat, no stationary
- * point is alone; then W spans a complement of these directions, and what is said is said of the curves
- * theta_0 + W y.
+ *     bounds      Unknowns that are held are left out.  On a bound F need not be stationary; it has to grow towards the
+ *                 inside: the derivative of F by that unknown, the multiplier (乘子), is enclosed over |y| <= eta/(1-q),
+ *                 where the stationary point is.  When it grows from every bound and all signs are +, the point is a
+ *                 strict local minimum among all curves within the bounds: a step that leaves bounds adds a term of
+ *                 first order, one that does not adds the positive one of second order.
+ *
+ * Along free directions F is flat, no stationary point is alone; then W spans a complement of these directions, and
+ * what is said is said of the curves theta_0 + W y.
  *
  * The local claim is all: another foot may be nearer, another minimum lower.
  * Source: R. Krawczyk, Computing 4 (1969); R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction to Interval
@@ -33,6 +38,10 @@
 #define CAGD_STATIONARY_H
 
 #include "core/fit/cagd_fit.h"
+
+/* HELD: left out.  AT_LOW, AT_HIGH: held because it stands on a bound, which is below, or above, all others that are
+ * allowed. */
+enum stationary_hold { STATIONARY_FREE, STATIONARY_HELD, STATIONARY_AT_LOW, STATIONARY_AT_HIGH };
 
 /* Everything is read only; points, weights, feet in the order of cagd_fit_data and cagd_spline. */
 typedef struct stationary_problem {
@@ -43,19 +52,25 @@ typedef struct stationary_problem {
     const double *feet;
     int unknowns;
     const cagd_fit_unknown *unknown;
-    const int *held; /* of the unknowns, 1: left out; may be NULL                           */
+    const int *held; /* a stationary_hold of each unknown; NULL: all are free                      */
     int free_count;
     const double *free_directions; /* free_count x unknowns, linearly independent; NULL when there are none */
 } stationary_problem;
 
+/* What F does when the unknowns leave their bounds.  GROWS: it grows, whichever does.  FALLS: there is one with
+ * which it falls.  OPEN: of none that is known, but of one the sign is not. */
+enum stationary_bounds { STATIONARY_NO_BOUNDS, STATIONARY_GROWS, STATIONARY_FALLS, STATIONARY_OPEN };
+
 typedef struct stationary_verdict {
     int verified;  /* 1: exactly one stationary point, as said above                                   */
-    int minimum;   /* 1: it is a strict local minimum                                                  */
+    int minimum;   /* 1: it is a strict local minimum, within the bounds                               */
     int dimension; /* of the space in which that was decided: unknowns not held, less free directions */
     double weight_radius, point_radius; /* the stationary point is no farther away than this in the logarithm of any
                                            weight, and in any coordinate; rounded up                       */
     double weight_alone, point_alone;   /* a stationary point that is no farther away than this is that one;
                                            rounded down, 0 where nothing is said                           */
+    enum stationary_bounds bounds;      /* NO_BOUNDS also when not verified                                     */
+    int bound;          /* the unknown at whose bound F falls, or the sign is not known; otherwise -1                */
     int where;          /* index of the measured point that the reason is about, or -1                     */
     const char *reason; /* why not verified, a sentence without full stop; NULL when verified; static     */
 } stationary_verdict;

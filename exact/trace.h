@@ -64,6 +64,7 @@ void trace_same(int i, int j, int equal);
 void trace_agree(int condition);
 void trace_nonnegative(int i, int good, const char *text, int sign); /* text may be NULL */
 /* {"fact":"order","of":[i,j],"is":-1}, {"fact":"equal","of":[i,j],"is":0}; b NULL, j = -1: against 0.
+ * {"fact":"degrees","of":[i,j],"is":[3,1]}: of numerator and denominator of i, in lowest terms, in the input j.
  * {"fact":"whole","of":[i,-1],"is":1}: whether number i is an integer. */
 void trace_order(mpq_srcptr a, mpq_srcptr b, int order);
 void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal);

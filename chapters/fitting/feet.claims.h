@@ -253,8 +253,7 @@ CLAIM(degree_of_the_equation_of_the_foot)
         G(rational_derivatives)(n, 2, R, rational ? w : one, t, 1, D);
         num phi = add(mul(D[0], D[2]), mul(D[1], D[3]));
         show(T, rational ? "degree, rational" : "degree, polynomial", from_int(degree_f(phi, t)));
-        agree(T, degree_f(phi, t) == (rational ? 3 * n - 2 + T->planted : 2 * n - 1));
-        agree(T, denominator_degree_f(phi, t) == (rational ? 3 * n : 0));
+        agree(T, has_degrees_f(phi, t, rational ? 3 * n - 2 + T->planted : 2 * n - 1, rational ? 3 * n : 0));
     }
 }
 #endif

@@ -6,6 +6,7 @@ import csv
 import itertools
 import json
 import math
+import os
 import pathlib
 import random
 import re
@@ -178,6 +179,12 @@ class Mistakes(Case):
                 self.refuses(self.GOOD + row + "\n", words)
                 self.refuses((self.GOOD + row).replace("\n", "\r\n"), words)
 
+    def test_knots_that_break_the_curve(self):
+        path = self.file(self.GOOD)
+        for degree, knots in ("2", "0.25,0.5,0.5,0.5"), ("1", "0.5,0.5"):
+            self.refuses_usage(path, "--degree", degree, "--knots", knots,
+                               words=["--knots: 0.5 stands more than " + degree + " times"])
+
     def test_decimal_marks_are_not_mixed(self):
         self.refuses("1.5;2\n1;2,5\n", ["line 2", "decimal comma", "line 1 a decimal point"])
         self.refuses("1;2,5\n1.5;2\n", ["line 2", "decimal point", "line 1 a decimal comma"])
@@ -266,7 +273,7 @@ class Results(Case):
     def test_the_schema(self):
         d = self.doc
         self.assertEqual(d["schema"], "cagd-fit-1")
-        self.assertIs(d["converged"], True)
+        self.assertEqual((d["converged"], d["at_minimum"]), (True, True))
         n = len(d["unknowns"])
         for field in "covariance", "correlations":
             self.assertEqual([len(row) for row in d[field]], [n] * n)
@@ -391,6 +398,50 @@ class Results(Case):
 
 
 class Fits(Case):
+    def test_a_name_that_is_no_utf8(self):
+        path = self.folder / os.fsdecode(b"b\xff\xc3d.csv")
+        path.write_text(table(quadratic(9)))
+        d = self.fit(path, "--no-verify")
+        self.assertTrue(d["points"]["file"].endswith("/b\ufffd\ufffdd.csv"))
+
+    def test_numbers_keep_their_digits_at_every_size(self):
+        """The unit of length changes the coordinates, and nothing else."""
+        rows = quadratic(30, 0.75, 0.01)
+        for unit in 1e-12, 1, 1e12:
+            said = self.text([[unit * x, unit * y] for x, y in rows])
+            for line in ["w1 0.739 0.024 0.691 to 0.791", "I1 0.546 0.036 0.477 to 0.625", "an ellipse at 95 %"]:
+                self.assertIn(line, said)
+            numbers = re.search(r"P1 x (\S+) (\S+) (\S+) to (\S+) ", said).groups()
+            for number, wanted in zip(numbers, (1.002, 0.020, 0.960, 1.043)):
+                self.assertAlmostEqual(float(number) / unit, wanted, 9)
+                self.assertLessEqual(len(number), len("1.002e+12"))
+            near = re.search(r"lies within (\S+) of these coordinates and (?:(\S+) of these )?logarithms of weights", said)
+            self.assertEqual(near[2] is not None, unit != 1)
+            self.assertLess(float(near[1]) / unit, 1e-13)
+            self.assertLess(float(near[2] or near[1]), 1e-13)
+
+    def test_points_on_the_curve_are_said(self):
+        """Then the standard errors are those of the arithmetic."""
+        for rows, on_curve in [(quadratic(15), True), (quadratic(15, 0.75, 1e-9), False),
+                               ([[1e9 * x, 1e9 * y] for x, y in quadratic(15)], True)]:
+            self.assertIs(self.fit(table(rows))["points_on_curve"], on_curve)
+            self.assertEqual("not of a measurement" in self.text(rows), on_curve)
+        self.assertNotIn("not of a measurement", self.text(quadratic(15), "--sigma", "0.1"))
+
+    def test_a_robust_loss_is_no_chi_squared(self):
+        options = ["--loss", "cauchy", "--scale", "0.03"]
+        rows = quadratic(60, 0.75, 0.01)
+        rows[20][1] += 50
+        statistics = self.fit(table(rows), *options)["statistics"]
+        self.assertEqual([statistics[k] for k in ("aic", "bic", "reduced_chi_squared")], [None] * 3)
+        said = self.text(rows, *options)
+        self.assertIn("Loss %.6g, the sum over all points" % statistics["chi_squared"], said)
+        for word in "Chi-squared", "AIC":
+            self.assertNotIn(word, said)
+
+    def test_ends_of_points_in_no_order(self):
+        self.assertIn("it begins and ends in two of the points", self.text(quadratic(20, 0.75, 0.01), "--unordered"))
+
     def test_points_on_a_curve(self):
         for w in 0.3, 1.0, 2.5:
             d = self.fit(table(quadratic(15, w)))
@@ -403,6 +454,68 @@ class Fits(Case):
         r = run("fit", self.file(rows), "--max-iterations", "1")
         self.assertEqual((r.returncode, r.stderr), (1, b""))
         self.assertIn("NOT converged", r.stdout.decode())
+
+    def no_statistics(self, rows, *options):
+        """Of a curve that is no minimum nothing is said that is true of minima only."""
+        path, svg, residuals = self.file(table(rows)), self.folder / "p.svg", self.folder / "r.csv"
+        d = self.fit(path, *options, "--residuals", residuals, "--svg", svg, code=1)
+        self.assertEqual((d["converged"], d["at_minimum"]), (False, False))
+        for field in "rank", "covariance", "correlations", "free_directions", "conic":
+            self.assertIsNone(d[field], field)
+        self.assertEqual({k for k, v in d["statistics"].items() if v is not None}, {"chi_squared", "level"})
+        for e in d["unknowns"] + d["invariants"]:
+            self.assertEqual([e[k] for k in ("standard_error", "low", "high")], [None] * 3)
+        with residuals.open() as file:
+            kept = list(csv.DictReader(file))
+        self.assertTrue(all(row["standardised"] == "" and row["distance"] != "" for row in kept))
+        rms = math.sqrt(sum(float(row["distance"]) ** 2 for row in kept) / len(kept))
+        self.assertAlmostEqual(rms / d["distances"]["rms"], 1, 12)
+        for word in "closest", "±":
+            self.assertNotIn(word, svg.read_text())
+        r = run("fit", path, *options)
+        said = " ".join(r.stdout.decode().split())
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("No statistics", said)
+        for word in ("interval ", "standard error ", "Conic ", "Rank ", "Correlations", "AIC", "as good as",
+                     "not determined", "Ends "):
+            self.assertNotIn(word, said)
+        return d
+
+    def test_no_statistics_without_a_minimum(self):
+        self.no_statistics(quadratic(40, 0.75, 0.05), "--max-iterations", "1")
+        # A circle but for a gap: degree 2 in one span cannot be that, and the weight runs away.
+        gap = [[math.cos(math.pi * i / 20), math.sin(math.pi * i / 20)] for i in range(40)]
+        self.assertEqual(self.no_statistics(gap)["minimiser"]["termination"], "failed")
+
+    def test_a_saddle_is_found_out(self):
+        """A line between two rows of points: by symmetry stationary, and nearer to one row the cost is lower."""
+        rows = [[i / 10, side] for i in range(1, 10) for side in (1, -1)]
+        line = self.file(json.dumps({"kind": "rational-bezier", "points": [[0, 0], [0.5, 0], [1, 0]],
+                                     "weights": [1, 1, 1]}), "line.json")
+        options = ["--initial", line, "--free", "inner", "--unordered"]
+        d = self.fit(table(rows), *options, code=1)
+        self.assertEqual((d["converged"], d["at_minimum"], d["rank"]), (True, False, None))
+        self.assertEqual((d["verification"]["status"], d["verification"]["strict_minimum"]), ("verified", False))
+        said = self.text(rows, *options)
+        self.assertIn("a stationary point that is NO minimum", said)
+        self.assertIn("No statistics the curve was verified to be no minimum", said)
+        self.assertNotIn("95 % interval ", said)
+
+    def test_a_closed_circle_is_not_called_a_conic(self):
+        """Its first and last point are one: the best curve of degree 2 is a line to and fro, with a cusp."""
+        circle = [[math.cos(math.pi * i / 20), math.sin(math.pi * i / 20)] for i in range(40)]
+        said = self.text(circle + circle[:1])
+        self.assertNotIn("an ellipse", said)
+        self.assertIn("as at a cusp", said)
+        self.assertIn("not verified", said)
+
+    def test_given_deviations_standardise_without_a_minimum(self):
+        residuals = self.folder / "r.csv"
+        self.fit(table(quadratic(40, 0.75, 0.05)), "--sigma", "0.05", "--max-iterations", "1", "--residuals", residuals,
+                 code=1)
+        with residuals.open() as file:
+            for row in csv.DictReader(file):
+                self.assertAlmostEqual(float(row["standardised"]) * 0.05, float(row["distance"]), 14)
 
     def test_free_directions_are_said(self):
         rows = table(quadratic(40, 0.75, 0.01))
@@ -492,6 +605,24 @@ class Fits(Case):
         self.assertIsNone(w["standard_error"])
         self.assertIn("on its bound", run("fit", self.file(table(quadratic(40, 0.3, 0.01))), "--weights-between",
                                           "0.5:2").stdout.decode())
+
+    def test_the_cost_grows_from_a_bound(self):
+        for w, bound, options in [(0.3, 0.5, []), (3, 2, []), (0.3, 0.5, ["--free", "weights", "--initial"])]:
+            rows = quadratic(40, w, 0.01)
+            if options:
+                options = options + [self.start(rows)]
+            d = self.fit(table(rows), "--weights-between", "1/2:2", *options)
+            self.assertAlmostEqual(d["curve"]["weights"][1], bound, 12)
+            v = d["verification"]
+            self.assertEqual((v["status"], v["strict_minimum"], v["leaving_bounds"], v["bound"]),
+                             ("verified", True, "grows", None))
+            self.assertEqual(v["dimension"], 0 if options else 2)
+            said = self.text(rows, "--weights-between", "1/2:2", *options)
+            self.assertIn("a strict local minimum within the bounds", said)
+            self.assertEqual("with all weights on bounds" in said, bool(options))
+            self.assertNotIn("stationary point", said)
+        v = self.fit(table(quadratic(40, 0.75, 0.01)), "--weights-between", "1/2:2")["verification"]
+        self.assertEqual((v["leaving_bounds"], v["bound"]), (None, None))
 
     def test_robust_loss_bounds_outliers(self):
         """An outlier that goes farther away takes the least squares along, and no robust fit."""

@@ -22,8 +22,8 @@ static stationary_problem problem;
 static const int pythagorean[][2] = {{63, 16}, {60, 25}, {56, 33}, {52, 39}, {39, 52}, {33, 56}, {25, 60}, {16, 63}};
 enum { PYTHAGOREAN = sizeof pythagorean / sizeof pythagorean[0] };
 
-/* The points themselves, or each of them twice, nearer to the centre and farther from it by the factor 1 -+ 1/16.  Their feet
- * are the points; the residuals cancel in pairs, so that the circle is stationary for every loss. */
+/* The points themselves, or each of them twice, nearer to the centre and farther from it by the factor 1 -+ 1/16.
+ * Their feet are the points; the residuals cancel in pairs, so that the circle is stationary for every loss. */
 static void circle(int pairs)
 {
     static const double k[] = {0, 0, 0, 1, 1, 1}, P[] = {65, 0, 65, 65, 0, 65}, w[] = {1, 1, 2};
@@ -152,8 +152,8 @@ static void feet_at_the_ends(void **state)
     assert_true(!v.verified);
 }
 
-/* Of the points below, on and above the normal at the end (65, 0), the box has feet at the end and inside; gradients at its
- * corners, where every foot is one or the other, and the way between corners, are in the enclosures. */
+/* Of the points below, on and above the normal at the end (65, 0), the box has feet at the end and inside; gradients
+ * at its corners, where every foot is one or the other, and the way between corners, are in the enclosures. */
 static void a_foot_at_the_end_or_inside(void **state)
 {
     (void)state;
@@ -205,10 +205,10 @@ static void free_directions_are_left_out(void **state)
     problem.unknowns = 5;
     stationary_verdict v = stationary_check(&problem);
     assert_false(v.verified);
-    /* Weights in the gauge w_0 = 1, w_2 = 2.  With the end (65 cos a, 65 sin a) instead of (65, 0), a small: the middle point
-     * (65, 65) becomes (65 - 65 a, 65) to first order, where the tangents meet; the end (65, 65 a); and
-     * I_1 = w_1^2/2 = cos^2 of half the angle pi/2 - a, which is (1 + sin a)/2, so that log w_1 grows by a/2.  The same at the other
-     * end, with coordinates exchanged. */
+    /* Weights in the gauge w_0 = 1, w_2 = 2.  With the end (65 cos a, 65 sin a) instead of (65, 0), a small: the
+     * middle point (65, 65) becomes (65 - 65 a, 65) to first order, where the tangents meet; the end (65, 65 a); and
+     * I_1 = w_1^2/2 = cos^2 of half the angle pi/2 - a, which is (1 + sin a)/2, so that log w_1 grows by a/2.  The
+     * same at the other end, with coordinates exchanged. */
     static const double directions[] = {0.5, -65, 0, 65, 0, 0.5, 0, -65, 0, 65};
     problem.free_directions = directions;
     problem.free_count = 2;
@@ -304,8 +304,8 @@ static void move(int a, double by)
         control[u->index * curve.dim + u->coordinate] += by;
 }
 
-/* By the mean value theorem F(theta + h) - F(theta) lies in h times the gradient over the box between, and so do the differences
- * of the gradient in h times the Hessian. */
+/* By the mean value theorem F(theta + h) - F(theta) lies in h times the gradient over the box between, and so do the
+ * differences of the gradient in h times the Hessian. */
 static void the_enclosures_hold_the_differences(void **state)
 {
     (void)state;
@@ -342,6 +342,68 @@ static void the_enclosures_hold_the_differences(void **state)
     assert_true(done > 20);
 }
 
+/* Points nearer to the centre than the circle, on it, or farther away: the weight, which alone is unknown, ought to
+ * be smaller, what it is, or larger.  On its low bound it must be larger, on its high one smaller. */
+static void what_a_bound_forbids_alone(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side++)
+        for (int hold = STATIONARY_HELD; hold <= STATIONARY_AT_HIGH; hold++) {
+            circle(0);
+            for (int m = 0; m < 2 * data.count; m++)
+                points[m] *= 1 + side * 0x1p-7;
+            problem.unknowns = 1;
+            problem.held = &hold;
+            stationary_verdict v = stationary_check(&problem);
+            assert_true(v.dimension == 0 && v.weight_radius == 0);
+            if (hold == STATIONARY_HELD) {
+                assert_true(!v.verified && !v.minimum && v.bounds == STATIONARY_NO_BOUNDS && v.reason != NULL);
+                continue;
+            }
+            int grows = hold == STATIONARY_AT_LOW ? -side : side;
+            assert_true(v.verified && v.minimum == (grows > 0) && v.bound == (grows > 0 ? -1 : 0));
+            assert_int_equal(v.bounds, grows > 0 ? STATIONARY_GROWS : grows < 0 ? STATIONARY_FALLS : STATIONARY_OPEN);
+        }
+}
+
+/* Newton's method for the middle point, the weight being what it is. */
+static void settle_the_middle_point(void)
+{
+    static const double none[3] = {0, 0, 0};
+    for (int step = 0; step < 20; step++) {
+        double g[3], above[3], H[9], H_above[9];
+        int where, at_end;
+        for (int i = 0; i < data.count; i++)
+            feet[i] = foot_of(points + 2 * i, feet[i], &at_end);
+        assert_true(stationary_enclosures(&problem, none, g, above, H, H_above, &where));
+        double det = H[4] * H[8] - H[5] * H[7];
+        control[2] -= (H[8] * g[1] - H[5] * g[2]) / det;
+        control[3] -= (H[4] * g[2] - H[7] * g[1]) / det;
+    }
+}
+
+/* The weight of the circle is 1: where it is kept from growing to 1, or from falling to 1, the bound holds it. */
+static void what_a_bound_forbids_beside_free_points(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side++)
+        for (int hold = STATIONARY_HELD; hold <= STATIONARY_AT_HIGH; hold++) {
+            int held[3] = {hold, STATIONARY_FREE, STATIONARY_FREE};
+            circle(1);
+            weights[1] = 1 + side * 0x1p-5;
+            settle_the_middle_point();
+            problem.held = held;
+            stationary_verdict v = stationary_check(&problem);
+            assert_true(v.verified && v.dimension == 2 && v.reason == NULL && v.point_radius < 0x1p-30);
+            int grows = hold == STATIONARY_HELD ? 1 : hold == STATIONARY_AT_LOW ? side : -side;
+            assert_true(v.minimum == (grows > 0) && v.bound == (grows > 0 ? -1 : 0));
+            assert_int_equal(v.bounds, hold == STATIONARY_HELD ? STATIONARY_NO_BOUNDS
+                                       : grows > 0             ? STATIONARY_GROWS
+                                       : grows < 0             ? STATIONARY_FALLS
+                                                               : STATIONARY_OPEN);
+        }
+}
+
 static void many_points_take_seconds(void **state)
 {
     (void)state;
@@ -369,6 +431,8 @@ int main(void)
         cmocka_unit_test(a_foot_at_the_end_or_inside),
         cmocka_unit_test(free_directions_are_left_out),
         cmocka_unit_test(the_enclosures_hold_the_differences),
+        cmocka_unit_test(what_a_bound_forbids_alone),
+        cmocka_unit_test(what_a_bound_forbids_beside_free_points),
         cmocka_unit_test(many_points_take_seconds)};
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
     exact_thread_end();

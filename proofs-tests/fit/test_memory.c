@@ -1,0 +1,193 @@
+/* test_memory.c -- a fit without memory: the k-th allocation fails, for k = 1, 2, 3, ... until the fit does without
+ * so many; alone, and with all later ones.
+ *
+ * The C files of the fit are compiled once more into this program, where malloc, calloc, realloc and free are called
+ * test_malloc, ...: so the functions below; what Ceres takes for itself is left alone.  Asked is: the status
+ * CAGD_FIT_NO_MEMORY without a result, every block given back, and afterwards the same fit as before. */
+#include "core/fit/cagd_fit.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- memory ----------------------------------------------------------------------------------------- */
+
+void *test_malloc(size_t size);
+void *test_calloc(size_t count, size_t size);
+void *test_realloc(void *block, size_t size);
+void test_free(void *block);
+
+/* The blocks that are held, by address, in a list; there are few at a time. */
+enum { ROOM = 1 << 12 };
+static const void *held[ROOM];
+static long asked, fail_at, fail_until, refused; /* fail_at 0: none */
+static int blocks;
+
+static void *keep(void *block)
+{
+    if (block != NULL && blocks == ROOM)
+        abort();
+    if (block != NULL)
+        held[blocks++] = block;
+    return block;
+}
+
+/* What the shim of Ceres took, such as the table of iterations, is not there. */
+static void forget(const void *block)
+{
+    int i = blocks - 1;
+    while (i >= 0 && held[i] != block)
+        i--;
+    if (i >= 0)
+        held[i] = held[--blocks];
+}
+
+static int refuses(void)
+{
+    asked++;
+    int now = fail_at > 0 && asked >= fail_at && asked < fail_until;
+    refused += now;
+    return now;
+}
+
+void *test_malloc(size_t size) { return refuses() ? NULL : keep(malloc(size)); }
+void *test_calloc(size_t count, size_t size) { return refuses() ? NULL : keep(calloc(count, size)); }
+void *test_realloc(void *block, size_t size)
+{
+    if (refuses())
+        return NULL;
+    forget(block);
+    void *moved = realloc(block, size);
+    if (moved == NULL)
+        abort();
+    return keep(moved);
+}
+void test_free(void *block)
+{
+    forget(block);
+    free(block);
+}
+
+/* ---- fits ------------------------------------------------------------------------------------------- */
+
+enum { POINTS = 14, MOST_DIM = 3, MANY = 40 };
+static double points[POINTS * MOST_DIM], sigma[POINTS];
+
+/* Points of an arc, off it by a little that no random numbers are needed for. */
+static cagd_fit_data arc(int dim, int with_sigma)
+{
+    for (int i = 0; i < POINTS; i++) {
+        double a = 2.4 * i / (POINTS - 1), off = 0.01 * sin(7.0 * i * i);
+        double at[MOST_DIM] = {(2 + off) * cos(a), (1 + off) * sin(a), a / 3 - off};
+        memcpy(points + i * dim, at, (size_t)dim * sizeof(double));
+        sigma[i] = 0.01 + 0.001 * (i % 3);
+    }
+    return (cagd_fit_data){POINTS, dim, points, with_sigma ? sigma : NULL};
+}
+
+static const double start_knots[] = {0, 0, 0, 1, 1, 1}, start_points[] = {2, 0, 1, 1, -1.5, 0.7},
+                    start_weights[] = {1, 0.7, 1};
+static const cagd_spline start = {2, 3, 2, start_knots, start_points, start_weights};
+
+struct kind {
+    const char *name;
+    int dim, sigma;
+    void (*change)(cagd_fit_options *o);
+};
+static void as_usual(cagd_fit_options *o) { (void)o; }
+static void all_free(cagd_fit_options *o)
+{
+    o->free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS;
+    o->initial = &start;
+}
+static void spline(cagd_fit_options *o)
+{
+    o->count = 4;
+    o->free = CAGD_FIT_INNER_POINTS;
+}
+static void two_starts(cagd_fit_options *o) { o->starts = 2; }
+static void cubic_in_space(cagd_fit_options *o) { o->degree = 3; }
+static void robust(cagd_fit_options *o)
+{
+    o->loss = CAGD_FIT_CAUCHY;
+    o->loss_scale = 0.02;
+    o->weight_low = 0.5;
+    o->weight_high = 2;
+}
+static void unordered(cagd_fit_options *o) { o->unordered = 1; }
+static void plain(cagd_fit_options *o) { o->method = CAGD_FIT_PLAIN; }
+static const struct kind kinds[] = {{"usual", 2, 0, as_usual},       {"all free", 2, 1, all_free},
+                                    {"spline", 2, 0, spline},        {"two starts", 2, 1, two_starts},
+                                    {"space", 3, 1, cubic_in_space}, {"robust", 2, 0, robust},
+                                    {"unordered", 2, 0, unordered},  {"plain", 2, 0, plain}};
+
+static cagd_fit_status fit(const struct kind *kind, cagd_fit_result **result)
+{
+    cagd_fit_data data = arc(kind->dim, kind->sigma);
+    cagd_fit_options options = cagd_fit_defaults();
+    kind->change(&options);
+    return cagd_fit(&data, &options, result, NULL);
+}
+
+/* 1 and a line where something is wrong. */
+static int complain(const struct kind *kind, long k, const char *what)
+{
+    printf("%s, allocation %ld: %s\n", kind->name, k, what);
+    return 1;
+}
+
+/* The allocations from the k-th to the one before `until` fail.  *reached: whether there was one. */
+static int fit_without(const struct kind *kind, long k, long until, int *reached)
+{
+    cagd_fit_result *result = (cagd_fit_result *)points; /* which must be changed */
+    int before = blocks, wrong = 0;
+    asked = refused = 0;
+    fail_at = k;
+    fail_until = until;
+    cagd_fit_status status = fit(kind, &result);
+    fail_at = 0;
+    *reached = refused > 0;
+    if (*reached && (status != CAGD_FIT_NO_MEMORY || result != NULL))
+        wrong |= complain(kind, k, result != NULL ? "a result" : cagd_fit_status_text(status));
+    if (!*reached && status != CAGD_FIT_OK)
+        wrong |= complain(kind, k, cagd_fit_status_text(status));
+    if (status == CAGD_FIT_OK)
+        cagd_fit_free(result);
+    if (blocks != before)
+        wrong |= complain(kind, k, "blocks are not given back");
+    blocks = before;
+    return wrong;
+}
+
+static int try_kind(const struct kind *kind)
+{
+    int wrong = 0, reached = 1;
+    cagd_fit_result *result, *again;
+    fail_at = 0;
+    if (fit(kind, &result) != CAGD_FIT_OK) /* what libraries allocate once is there afterwards */
+        return complain(kind, 0, "no fit");
+    long k = 1, tried = 0;
+    for (; reached; k += 1 + k / MANY, tried++) /* all of the first ones, then fewer and fewer */
+        wrong += fit_without(kind, k, k + 1, &reached) + (reached && fit_without(kind, k, LONG_MAX, &reached));
+    if (fit(kind, &again) != CAGD_FIT_OK)
+        return complain(kind, 0, "no fit any more");
+    if (memcmp(result->value, again->value, (size_t)result->unknowns * sizeof(double)) != 0)
+        wrong += complain(kind, 0, "not the same fit afterwards");
+    cagd_fit_free(result);
+    cagd_fit_free(again);
+    printf("%-10s %5ld of some %ld allocations\n", kind->name, tried, k);
+    return wrong + (tried < 10 && complain(kind, k, "hardly any allocation was seen"));
+}
+
+int main(void)
+{
+    int wrong = 0;
+    cagd_fit_free(NULL);
+    for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++)
+        wrong += try_kind(&kinds[k]);
+    if (blocks != 0)
+        wrong += printf("%d blocks are held at the end\n", blocks) > 0;
+    return wrong != 0;
+}
