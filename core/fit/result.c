@@ -114,7 +114,20 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
     return good;
 }
 
-/* What is given is not rounded by way of working coordinates. */
+/* The measured point that is nearest to P: for an end that is one of them, but for rounding, that one. */
+static const double *nearest_measured(const cagd_fit_data *data, const double P[])
+{
+    const double *nearest = data->points;
+    for (int i = 1; i < data->count; i++) {
+        const double *Q = data->points + (size_t)i * (size_t)data->dim;
+        if (fit_distance_squared(data->dim, Q, P) < fit_distance_squared(data->dim, nearest, P))
+            nearest = Q;
+    }
+    return nearest;
+}
+
+/* What is given is not rounded by way of working coordinates.  Without an initial curve fixed ends are measured points: the first
+ * and the last one, or those which the guessed order begins and ends with. */
 static void restore_given_points(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_result *r)
 {
     int n = r->curve.count, dim = r->curve.dim;
@@ -123,11 +136,13 @@ static void restore_given_points(const cagd_fit_data *data, const cagd_fit_optio
         int given = 1;
         for (int k = 0; k < r->unknowns; k++)
             given &= r->unknown[k].is_weight || r->unknown[k].index != j;
+        if (!given || (o->initial == NULL && j > 0 && j < n - 1))
+            continue;
         const double *from = o->initial != NULL ? o->initial->points + j * dim
+                             : o->unordered     ? nearest_measured(data, points + j * dim)
                              : j == 0           ? data->points
                                                 : data->points + (size_t)(data->count - 1) * (size_t)dim;
-        if (given && (o->initial != NULL || j == 0 || j == n - 1))
-            memcpy(points + j * dim, from, (size_t)dim * sizeof *points);
+        memcpy(points + j * dim, from, (size_t)dim * sizeof *points);
     }
 }
 

@@ -299,6 +299,16 @@ static void order_does_not_matter_when_there_is_none(void **state)
     o.free |= CAGD_FIT_END_POINTS;
     cagd_fit_result *found = fit(&in_any, &o);
     assert_true(found->cost < any->cost);
+    /* Fixed ends are those which the guessed order has, and the curve is the one whose residuals are told. */
+    o.free &= ~CAGD_FIT_END_POINTS;
+    cagd_fit_result *fixed = fit(&in_any, &o);
+    for (int i = 0; i < 101; i++) {
+        double P[2];
+        cagd_spline_point(&fixed->curve, fixed->feet[i], CAGD_RIGHT, P);
+        for (int c = 0; c < 2; c++)
+            assert_true(fabs(P[c] + fixed->residuals[2 * i + c] - shuffled[2 * i + c]) < 1e-12);
+    }
+    cagd_fit_free(fixed);
     cagd_fit_free(ordered);
     cagd_fit_free(any);
     cagd_fit_free(found);
