@@ -13,8 +13,8 @@ static const char *const kind_name[] = {"identity", "decision", "counterexample"
 static const char *const role_name[] = {"holds-by", "refuted-by", "corrected-by", "hypothesis",
                                         "needs",    "reading",    "checked-by"};
 
-/* Case k, recorded, unless its program is too long. */
-static int record(FILE *out, const claim *c, number_type type, int k, size_t most)
+/* Case k, recorded behind `before`, unless its program is too long. */
+static int record(FILE *out, const char *before, const claim *c, number_type type, int k, size_t most)
 {
     struct plan plan = {c, type, 0};
     trace_open(most);
@@ -22,7 +22,7 @@ static int record(FILE *out, const claim *c, number_type type, int k, size_t mos
     forget_exhibits(T.shown, T.exhibits);
     int whole = trace_nodes() != NULL;
     if (whole)
-        fprintf(out, "{\"type\":\"%s\",\"degree\":%d,\n\"inputs\":%s,\"nodes\":%s,\"steps\":%s}",
+        fprintf(out, "%s{\"type\":\"%s\",\"degree\":%d,\n\"inputs\":%s,\"nodes\":%s,\"steps\":%s}", before,
                 number_type_name[type], T.degree, trace_inputs(), trace_nodes(), trace_steps());
     trace_close();
     return whole;
@@ -45,12 +45,10 @@ char *certificate_of_claim(const claim_result *r)
     number_type type = r->evidence == PROVED || c->body[RATIONAL_TYPE] == NULL ? FIELD_TYPE : RATIONAL_TYPE;
     if (c->body[type] != NULL) {
         int k = c->degree_high - c->degree_low;
-        while (k >= 0 && !record(out, c, type, k, MOST_NODES))
+        while (k >= 0 && !record(out, "", c, type, k, MOST_NODES))
             k--;
-        if (k > 0)
-            fputs(",\n", out);
         if (k != 0)
-            record(out, c, type, 0, k < 0 ? MOST_AT_ALL : MOST_NODES);
+            record(out, k > 0 ? ",\n" : "", c, type, 0, k < 0 ? MOST_AT_ALL : MOST_NODES);
     }
     fputs("]}\n", out);
     fclose(out);
