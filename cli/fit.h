@@ -14,8 +14,9 @@ struct fit {
     cagd_fit_data data;
     cagd_fit_options options;
     const cagd_fit_result *result;
-    int checked; /* whether it was asked to verify the minimum */
+    int checked; /* whether it was asked to verify the minimum, or the feet where nothing is free */
     stationary_verdict verdict;
+    nearest_verdict nearest;
 };
 
 /* What cagd fit is asked. */
@@ -34,8 +35,10 @@ struct fit_arguments read_fit_arguments(int argc, char **argv); /* fit_options.c
 
 /* ---- numbers of the result, by the formulas that its header states (fit_numbers.c) ----------------- */
 
+/* Whether only the distances from a given curve were asked for. */
+static inline int nothing_is_free(const struct fit *f) { return f->options.free == 0; }
 /* Whether the curve is a minimum, as far as is known: the minimiser converged, and the check did not find that it is
- * none.  What is said of standard errors, rank and probabilities is true only of a minimum; otherwise the numbers
+ * none; where nothing is free, that no foot was found not to be the nearest point.  What is said of standard errors, rank and probabilities is true only of a minimum; otherwise the numbers
  * belong to the last curve that was reached, and nothing more is said of them. */
 int is_minimum(const struct fit *f);
 /* Whether the points lie on the curve: the distances are no larger than what coordinates of the curve are off by in

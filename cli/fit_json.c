@@ -94,6 +94,16 @@ static json_t *verdict_json(const struct fit *f)
     const stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return json_pack("{s:s}", "status", "not asked");
+    if (nothing_is_free(f)) {
+        const nearest_verdict *n = &f->nearest;
+        return json_pack("{s:s, s:o, s:o, s:o}", "status",
+                         n->verified  ? "verified"
+                         : n->refuted ? "refuted"
+                                      : "not verified",
+                         "excess", n->verified ? real(n->excess) : json_null(), "reason",
+                         n->verified ? json_null() : json_string(n->reason), "point",
+                         n->where >= 0 ? json_integer(n->where + 1) : json_null());
+    }
     if (v->verified) {
         char name[32];
         if (v->bound >= 0)

@@ -12,6 +12,7 @@ int is_minimum(const struct fit *f)
 {
     const stationary_verdict *v = &f->verdict;
     int refuted = f->checked && v->verified && !v->minimum && v->bounds != STATIONARY_OPEN;
+    refuted |= f->checked && f->nearest.refuted;
     return f->result->termination == CAGD_FIT_CONVERGED && !refuted;
 }
 

@@ -174,7 +174,7 @@ static enum svg_direction away(const struct view *v, int j)
     return svg_direction_of(svg_at(0, 0), (svg_point){from_double_q(x), from_double_q(y)});
 }
 
-/* Its name; in the plane and among few also its weight, unless that is 1. */
+/* Its name; in the plane and among few, unless it is an end, which may stand at the margin, also its weight if that is not 1. */
 static void label_control_point(svg *s, const struct view *v, int j)
 {
     const cagd_fit_result *r = v->f->result;
@@ -183,7 +183,7 @@ static void label_control_point(svg *s, const struct view *v, int j)
     size_t size;
     FILE *out = open_memstream(&text, &size);
     fprintf(out, "P_{%d}", j);
-    if (dim == 2 && r->curve.count <= MOST_WEIGHTS && r->curve.weights[j] != 1) {
+    if (dim == 2 && r->curve.count <= MOST_WEIGHTS && j > 0 && j < r->curve.count - 1 && r->curve.weights[j] != 1) {
         struct estimate e = {r->curve.weights[j], NAN, NAN, NAN};
         for (int k = 0; k < r->unknowns; k++)
             if (r->unknown[k].is_weight && r->unknown[k].index == j)
@@ -354,8 +354,10 @@ static void describe(const struct fit *f, FILE *out)
             "with its control polygon; below, the %s of every point over the parameter of its foot%s. "
             "Root mean square distance %.3g, largest %.3g.",
             f->data.count, f->data.dim == 2 ? "in the plane" : "in space, from above and from the front",
-            is_minimum(f) ? "the" : "a", r->curve.degree, r->curve.count,
-            is_minimum(f) ? " that comes closest to them" : " that the minimiser reached, not known to be a minimum",
+            is_minimum(f) && !nothing_is_free(f) ? "the" : "a", r->curve.degree, r->curve.count,
+            nothing_is_free(f) ? " that is given"
+            : is_minimum(f)    ? " that comes closest to them"
+                               : " that the minimiser reached, not known to be a minimum",
             f->data.dim == 2 ? "signed distance" : "distance",
             isfinite(deviation_of(f, 0)) ? ", with a band of two standard deviations" : "", r->rms, r->largest);
 }
@@ -364,7 +366,10 @@ static void legend(svg *s, const struct fit *f)
 {
     int bars = f->data.sigma != NULL && f->data.count <= MOST_MARKS;
     svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
-    svg_legend_line(s, SVG_CURVE, is_minimum(f) ? "fitted curve" : "curve, no minimum");
+    svg_legend_line(s, SVG_CURVE,
+                    nothing_is_free(f) ? "given curve"
+                    : is_minimum(f)    ? "fitted curve"
+                                       : "curve, no minimum");
     svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control points");
     if (isfinite(deviation_of(f, 0)))
         svg_legend_area(s, SVG_FILL, f->data.dim == 2 ? "$± 2 s$" : "up to $2 s$");
@@ -377,7 +382,10 @@ int write_picture(const struct fit *f, const char *path)
     FILE *out = open_memstream(&description, &size);
     describe(f, out);
     fclose(out);
-    svg *s = svg_new("fit", "A rational curve fitted to measured points", description);
+    svg *s = svg_new("fit",
+                     nothing_is_free(f) ? "Measured points and a given rational curve"
+                                        : "A rational curve fitted to measured points",
+                     description);
     free(description);
     if (f->data.dim == 2) {
         draw_view(s, f, 0, 1, WIDTH, NULL);

@@ -95,7 +95,7 @@ static void print_heading(const struct fit *f)
     else
         fprintf(out, "NURBS curve of degree %d with %d segments and %d control points", c->degree, segments, c->count);
     static const char *const part[] = {"weights", "inner points", "end points"};
-    fputs("; free: ", out);
+    fputs(nothing_is_free(f) ? "; nothing is free" : "; free: ", out);
     for (int k = 0, said = 0; k < 3; k++)
         if (f->options.free & 1 << k)
             fprintf(out, "%s%s", said++ > 0 ? ", " : "", part[k]);
@@ -103,6 +103,10 @@ static void print_heading(const struct fit *f)
         fprintf(out, "; it begins and ends in %s",
                 f->options.unordered ? "two of the points" : "the first and the last point");
     end(&l, "Curve");
+    if (nothing_is_free(f)) {
+        say("Feet", "the nearest points of the whole curve");
+        return;
+    }
     if (f->options.loss == CAGD_FIT_SQUARES)
         say("Minimised", "half the sum of the squared orthogonal distances%s",
             f->data.sigma != NULL ? " over the squared standard deviations" : "");
@@ -178,12 +182,30 @@ static void put_reach(const struct fit *f, FILE *out)
         fprintf(out, " and %s of them", power_of_ten(r.weight_alone, floor, weight));
 }
 
+/* What the check in intervals found of the feet. */
+static void print_nearest(const struct fit *f)
+{
+    const nearest_verdict *n = &f->nearest;
+    char text[16];
+    if (n->verified)
+        say("Verification",
+            "verified in intervals: no point of the curve is nearer to any of the points than its foot by more than %s",
+            power_of_ten(n->excess, ceil, text));
+    else
+        say("Verification", "%s: %s (point %d, line %d)", n->refuted ? "refuted in intervals" : "not verified",
+            n->reason, n->where + 1, f->points.line[n->where]);
+}
+
 /* What the check in intervals found. */
 static void print_verdict(const struct fit *f)
 {
     const stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return;
+    if (nothing_is_free(f)) {
+        print_nearest(f);
+        return;
+    }
     struct line l;
     FILE *out = begin(&l);
     int bounds = v->bounds != STATIONARY_NO_BOUNDS;
@@ -222,6 +244,8 @@ static void print_estimates(const struct fit *f)
         printf("\n%12s%17s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
     else if (r->unknowns > 0)
         printf("\n%12s%17s\n", "", "reached");
+    else
+        puts("");
     for (int k = 0; k < r->unknowns; k++) {
         char name[32];
         struct estimate e = unknown_estimate(f, k);
@@ -244,7 +268,7 @@ static void print_estimates(const struct fit *f)
             puts("");
         }
     }
-    for (int j = 0; j < r->invariants; j++) {
+    for (int j = 0; j < r->invariants && r->unknowns > 0; j++) {
         char name[32];
         struct estimate e = invariant_estimate(f, j);
         snprintf(name, sizeof name, "I%d", j + 1);
@@ -395,7 +419,11 @@ static void print_statistics(const struct fit *f)
                 r->chi_squared, r->degrees_of_freedom, plural(r->degrees_of_freedom));
         end(&l, "Loss");
     }
-    if (known)
+    if (nothing_is_free(f)) {
+        if (!known && r->scale_squared > 0)
+            say("Deviation", "standard deviation %.4g%s, estimated from the distances", sqrt(r->scale_squared),
+                f->data.sigma != NULL ? " of the given ones" : "");
+    } else if (known)
         say("Standard errors",
             "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution, "
             "for weights and invariants of the logarithms)",
@@ -410,8 +438,9 @@ static void print_statistics(const struct fit *f)
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
     if (!known && is_on_curve(f) && r->scale_squared > 0)
         say("Rounding",
-            "the distances are no larger than the roundings of binary64: the points lie on the curve, and the standard "
-            "errors are those of the arithmetic, not of a measurement");
+            "the distances are no larger than the roundings of binary64: the points lie on the curve, and %s "
+            "the arithmetic, not of a measurement",
+            nothing_is_free(f) ? "the deviation is that of" : "the standard errors are those of");
     if (ends_taken_as_exact(f))
         say("Ends",
             "%s are taken as exact: their errors move the whole curve, weights with it, and "
@@ -419,7 +448,7 @@ static void print_statistics(const struct fit *f)
             f->options.unordered ? "two of the points, at the ends," : "the first and the last point",
             f->options.free & CAGD_FIT_WEIGHTS ? "weights," : "");
     double cusp;
-    if (cagd_fit_has_cusp(r, &cusp))
+    if (!nothing_is_free(f) && cagd_fit_has_cusp(r, &cusp))
         say("Cusp",
             "at t = %.6g the curve turns on a radius no larger than the distances, as at a cusp: standard errors, rank "
             "and free directions, which take the curve as smooth there, cannot be relied on",
@@ -459,7 +488,8 @@ void print_fit(const struct fit *f, int verbose)
     else
         say("No statistics",
             "%s; standard errors, 95 %% intervals, rank, correlations and the type of a conic belong to a minimum",
-            f->result->termination == CAGD_FIT_CONVERGED
+            nothing_is_free(f) ? "a foot was verified not to be the nearest point of the curve"
+            : f->result->termination == CAGD_FIT_CONVERGED
                 ? "the curve was verified to be no minimum"
                 : "the minimiser did not come to its end, and the numbers are those of the last curve that it reached");
 }

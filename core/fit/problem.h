@@ -22,7 +22,7 @@ typedef struct fit_problem {
     double centre[3], unit;
     cagd_fit_loss loss;
     double loss_scale;
-    int unordered;
+    int unordered, nothing_free; /* feet alone: those of points in any order            */
     int degree, count;
     double *knots;
     int unknowns;
@@ -37,8 +37,8 @@ cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_optio
                                  const fit_strategy *strategy, fit_problem *problem, int *where);
 void fit_problem_free(fit_problem *problem);
 
-/* A given curve in the gauge and in working coordinates. */
-cagd_fit_status fit_problem_curve(const fit_problem *problem, const cagd_spline *given, fit_curve *curve);
+/* The checked initial curve in working coordinates and in the gauge; when nothing is free with its weights as they are, but for a power of two. */
+void fit_problem_curve(const fit_problem *problem, const cagd_spline *given, fit_curve *curve);
 
 /* x to curve and back: x holds w_j (P_j - B_j) for the coordinates of a point and y_j, w_j = b_j phi(y_j), for a weight, b_j and
  * B_j being weight and point of the base, a curve nearby.  phi(y) is 1 + y, or positive all the same below -1/2.  A homogeneous

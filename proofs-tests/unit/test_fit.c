@@ -184,7 +184,7 @@ static void the_model_has_the_second_derivatives(void **state)
             fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
             double *feet = malloc((size_t)p.points * sizeof *feet);
             assert_true(f != NULL && c != NULL && feet != NULL);
-            assert_int_equal(fit_problem_curve(&p, curves[k], c), CAGD_FIT_OK);
+            fit_problem_curve(&p, curves[k], c);
             assert_true(fit_feet_search(&p, c, feet, &cost));
             n = p.unknowns;
             f->newton = 1;
@@ -443,6 +443,103 @@ static void the_strategy_does_not_change_the_result(void **state)
         }
 }
 
+/* ---- Nothing free ------------------------------------------------------------------------------------------- */
+
+/* A quarter of an ellipse in no gauge, a cubic with a loop, one with a cusp, a polygon. */
+static const double other_weights[] = {2, 1, 3, 0.5}, loop_points[] = {0, 0, 4, 3, -1, 3, 3, 0},
+                    cusp_points[] = {0, 0, 1, 1, 0, 1, 1, 0};
+static const cagd_spline ungauged = {2, 3, 2, bezier_knots + 1, conic_points, other_weights};
+static const cagd_spline ungauged_cubic = {3, 4, 2, bezier_knots, cubic_points, other_weights};
+static const cagd_spline loop = {3, 4, 2, bezier_knots, loop_points, NULL};
+static const cagd_spline cusp = {3, 4, 2, bezier_knots, cusp_points, NULL};
+static const double polygon_knots[] = {0, 0, 0.25, 0.5, 1, 1};
+static const cagd_spline polygon = {1, 4, 2, polygon_knots, cubic_points, NULL};
+
+/* No point of the curve among very many is nearer than the foot, which is where the parameter says on the curve as it was given. */
+static void feet_on_a_given_curve_are_nearest_points(void **state)
+{
+    enum { N = 60, FINE = 4000 };
+    const cagd_spline *curves[] = {&ungauged, &ungauged_cubic, &in_space, &spline, &loop, &cusp, &polygon};
+    (void)state;
+    for (int k = 0; k < 7; k++)
+        for (int method = CAGD_FIT_ELIMINATED; method <= CAGD_FIT_PLAIN; method++) {
+            const cagd_spline *s = curves[k];
+            int dim = s->dim;
+            double P[3], sum = 0, largest = 0;
+            state_of_noise = (uint32_t)(11 + k);
+            for (int m = 0; m < N * dim; m++)
+                Q[m] = 1 + 3 * noise();
+            cagd_fit_data data = {N, dim, Q, NULL};
+            cagd_fit_options o = cagd_fit_defaults();
+            o.free = 0;
+            o.initial = s;
+            o.starts = 3;
+            o.method = (cagd_fit_method)method;
+            cagd_fit_result *r = fit(&data, &o);
+            assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
+            assert_true(r->unknowns == 0 && r->rank == 0 && r->flat == 0 && r->iterations == 0 && r->steps == 0);
+            assert_int_equal(r->degrees_of_freedom, N * (dim - 1));
+            assert_memory_equal(r->curve.points, s->points, (size_t)(s->count * dim) * sizeof *Q);
+            for (int j = 0; j < s->count; j++)
+                assert_true(r->curve.weights[j] == (s->weights != NULL ? s->weights[j] : 1));
+            int overtaking = 0;
+            for (int i = 0; i < N; i++) {
+                double square = 0, distance = fabs(r->distances[i]);
+                assert_int_equal(cagd_spline_point(s, r->feet[i], CAGD_RIGHT, P), CAGD_OK);
+                for (int c = 0; c < dim; c++) {
+                    assert_true(fabs(Q[i * dim + c] - P[c] - r->residuals[i * dim + c]) < 1e-13);
+                    square += (Q[i * dim + c] - P[c]) * (Q[i * dim + c] - P[c]);
+                }
+                assert_true(fabs(distance - sqrt(square)) < 1e-13);
+                sum += square;
+                overtaking += i > 0 && r->feet[i] < r->feet[i - 1];
+                if (distance > largest) {
+                    largest = distance;
+                    assert_true(fabs(r->distances[r->largest_at]) >= largest);
+                }
+                for (int f = 0; f <= FINE; f++) {
+                    assert_int_equal(cagd_spline_point(s, (double)f / FINE, CAGD_RIGHT, P), CAGD_OK);
+                    assert_true(fit_distance_squared(dim, P, Q + i * dim) >= square * (1 - 0x1p-40) - 0x1p-80);
+                }
+            }
+            assert_true(fabs(r->rms / sqrt(sum / N) - 1) < 1e-13 && r->largest == largest);
+            assert_true(fabs(r->chi_squared / sum - 1) < 1e-13 && fabs(2 * r->cost / sum - 1) < 1e-13);
+            assert_int_equal(r->out_of_order, overtaking);
+            cagd_fit_free(r);
+        }
+}
+
+/* One point suffices, anywhere, also when the curve is but a point; weights of any size are no other curve. */
+static void a_single_point_has_its_distance(void **state)
+{
+    static const double equal[] = {1, 1, 1, 1, 1, 1};
+    double q[] = {1.5, 9}, huge[3];
+    cagd_spline point = {2, 3, 2, bezier_knots + 1, equal, NULL}, heavy = ungauged;
+    cagd_fit_data data = {1, 2, q, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    o.free = 0;
+    o.initial = &ungauged;
+    cagd_fit_result *r = fit(&data, &o), *s;
+    for (int j = 0; j < 3; j++)
+        huge[j] = ldexp(other_weights[j], 1020);
+    heavy.weights = huge;
+    o.initial = &heavy;
+    s = fit(&data, &o);
+    assert_true(s->distances[0] == r->distances[0] && s->feet[0] == r->feet[0]);
+    assert_memory_equal(s->curve.weights, huge, sizeof huge);
+    cagd_fit_free(r);
+    cagd_fit_free(s);
+    o.initial = &point;
+    r = fit(&data, &o);
+    assert_true(fabs(fabs(r->distances[0]) - sqrt(64.25)) < 1e-14);
+    cagd_fit_free(r);
+    q[0] = q[1] = 1;
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_ALL_EQUAL);
+    data.count = 0;
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_TOO_FEW);
+}
+
 /* ---- Refusals ---------------------------------------------------------------------------------------------- */
 
 static void refused(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_status expected, int place)
@@ -468,6 +565,7 @@ static void bad_arguments_are_refused(void **state)
         refused(&data, &o, status, -1);                                                                                \
     } while (0)
     OPTION(o.free = 0, CAGD_FIT_BAD_OPTIONS);
+    OPTION((o.degree = 1, o.free = 0), CAGD_FIT_BAD_OPTIONS);
     OPTION(o.free = 8, CAGD_FIT_BAD_OPTIONS);
     OPTION(o.free = CAGD_FIT_WEIGHTS, CAGD_FIT_BAD_OPTIONS);
     OPTION(o.degree = 0, CAGD_FIT_BAD_OPTIONS);
@@ -599,6 +697,8 @@ int main(void)
         cmocka_unit_test(the_same_again),
         cmocka_unit_test(random_cubics_come_back),
         cmocka_unit_test(the_strategy_does_not_change_the_result),
+        cmocka_unit_test(feet_on_a_given_curve_are_nearest_points),
+        cmocka_unit_test(a_single_point_has_its_distance),
         cmocka_unit_test(bad_arguments_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
