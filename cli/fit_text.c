@@ -15,12 +15,12 @@ static const double LARGE = 0.9; /* correlations that are printed */
 /* ---- numbers in a table ---------------------------------------------------------------------------- */
 
 /* The same in a column that ends at `width`. */
-static void put_column(double value, double error, int width)
+static void put_column(double origin, double value, double error, int width)
 {
     char *text;
     size_t size;
     FILE *out = open_memstream(&text, &size);
-    put_rounded(out, value, error);
+    put_rounded(out, origin, value, error);
     fclose(out);
     printf("%*s", width, text);
     free(text);
@@ -33,9 +33,9 @@ static void put_interval(struct estimate e)
         fputs("as good as every number > 0", stdout);
         return;
     }
-    put_rounded(stdout, e.low, e.error);
+    put_rounded(stdout, e.origin, e.low, e.error);
     fputs(" to ", stdout);
-    put_rounded(stdout, e.high, e.error);
+    put_rounded(stdout, e.origin, e.high, e.error);
 }
 
 static const char *plural(int n) { return n == 1 ? "" : "s"; }
@@ -251,7 +251,7 @@ static void print_estimates(const struct fit *f)
         struct estimate e = unknown_estimate(f, k);
         unknown_name(r, k, name);
         printf("  %-10s", name);
-        put_column(e.value, e.error, 17);
+        put_column(e.origin, e.value, e.error, 17);
         if (r->at_bound[k]) {
             puts("  on its bound");
         } else if (r->unknown[k].is_weight && !in_range(e.value)) {
@@ -263,7 +263,7 @@ static void print_estimates(const struct fit *f)
         } else if (!isfinite(e.error)) {
             puts("  no standard error");
         } else {
-            put_column(e.error, e.error, 18);
+            put_column(0, e.error, e.error, 18);
             put_interval(e);
             puts("");
         }
@@ -273,9 +273,9 @@ static void print_estimates(const struct fit *f)
         struct estimate e = invariant_estimate(f, j);
         snprintf(name, sizeof name, "I%d", j + 1);
         printf("  %-10s", name);
-        put_column(e.value, e.error, 17);
+        put_column(0, e.value, e.error, 17);
         if (isfinite(e.error) && e.error > 0) {
-            put_column(e.error, e.error, 18);
+            put_column(0, e.error, e.error, 18);
             put_interval(e);
         } else if (!in_range(e.value))
             fputs("  beyond the range of numbers", stdout);
@@ -301,8 +301,10 @@ static void print_fixed(const struct fit *f)
             }
         if (!point) {
             fprintf(out, "%sP%d = (", said++ > 0 ? ", " : "", j);
-            for (int x = 0; x < c->dim; x++)
-                fprintf(out, "%s%.10g", x > 0 ? ", " : "", c->points[j * c->dim + x]);
+            for (int x = 0; x < c->dim; x++) {
+                fputs(x > 0 ? ", " : "", out);
+                put_given(out, f->result->origin[x], c->points[j * c->dim + x]);
+            }
             fputs(")", out);
         }
         if (!weight)
@@ -399,6 +401,30 @@ static void print_distances(const struct fit *f)
     end(&l, "Distances");
 }
 
+/* Errors that standard errors do not know of: the measured coordinates are no finer than binary64 is so far from 0. */
+static void print_spacing(const struct fit *f)
+{
+    const cagd_fit_result *r = f->result;
+    double widest = 0;
+    int finest = -1;
+    for (int k = 0; k < r->unknowns; k++)
+        if (is_finer_than_its_points(f, k)) {
+            widest = fmax(widest, spacing_of(f, r->unknown[k].coordinate));
+            if (finest < 0 || unknown_estimate(f, k).error < unknown_estimate(f, finest).error)
+                finest = k;
+        }
+    if (finest < 0)
+        return;
+    char name[32];
+    unknown_name(r, finest, name);
+    say("Far from 0",
+        "in binary64 the coordinates of the points are rounded to steps of %.2g, which is more than standard errors, "
+        "%.2g of %s: "
+        "what the roundings have in common is not in these; estimates are from an origin nearby, so that nothing more "
+        "is lost",
+        widest, unknown_estimate(f, finest).error, name);
+}
+
 /* What is true of a minimum only. */
 static void print_statistics(const struct fit *f)
 {
@@ -441,6 +467,7 @@ static void print_statistics(const struct fit *f)
             "the distances are no larger than the roundings of binary64: the points lie on the curve, and %s "
             "the arithmetic, not of a measurement",
             nothing_is_free(f) ? "the deviation is that of" : "the standard errors are those of");
+    print_spacing(f);
     if (ends_taken_as_exact(f))
         say("Ends",
             "%s are taken as exact: their errors move the whole curve, weights with it, and "

@@ -77,7 +77,7 @@ typedef struct stationary_verdict {
 
 stationary_verdict stationary_check(const stationary_problem *problem);
 
-/* The same of the result of a fit. */
+/* The same of the result of a fit, from its origin: the coordinates of which the verdict speaks are `relative`. */
 stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
                                         const cagd_fit_result *result);
 

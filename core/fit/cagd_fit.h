@@ -30,6 +30,10 @@
  * only says how many feet overtake the one before.  The curve, its gauge with it, stays as it is given, and parameters of feet are
  * those of the given curve.  There are no unknowns: rank 0, N (dim-1) degrees of freedom.
  *
+ * Far from the origin (远离原点).  The fit is computed in coordinates from an origin of its own, which is subtracted from the measured
+ * coordinates without rounding; so nothing is lost where these are so large that the steps of binary64 are no longer small against the
+ * curve.  The curve itself may not have its points in binary64 there: curve, value and feet are rounded to it, `relative` is not.
+ *
  * Memory.  The caller owns the arguments, which are only read.  A result is made by cagd_fit and released by
  * cagd_fit_free, with all arrays it points to.  Nothing is printed. */
 #ifndef CAGD_FIT_H
@@ -110,6 +114,8 @@ typedef enum cagd_fit_termination { CAGD_FIT_CONVERGED, CAGD_FIT_NOT_CONVERGED, 
 typedef struct cagd_fit_result {
     /* the curve, in the gauge above; with nothing free, as given */
     cagd_spline curve;
+    double origin[3]; /* measured coordinates less these are exact in binary64                         */
+    double *relative; /* the points of the curve less the origin, which are what was fitted and verified */
     /* the foot points and what is left: residuals[i*dim + c] = coordinate c of Q_i - C(feet[i]); distances[i] its length, in
      * the plane with the sign + on the left of the curve */
     int count;

@@ -108,15 +108,20 @@ static cagd_fit_status make_points(const cagd_fit_data *data, const cagd_fit_opt
             enclose(p->count, dim, c, o->initial->points, &low[c], &high[c]);
         extent = fmax(extent, high[c] / 2 - low[c] / 2);
     }
-    REQUIRE(extent > 0, CAGD_FIT_ALL_EQUAL);
+    REQUIRE(extent > 0 || o->free != 0, CAGD_FIT_ALL_EQUAL);
     REQUIRE(in_range(extent), CAGD_FIT_OUT_OF_RANGE);
     frexp(extent, &e); /* extent < 2^e, the half of the widest side */
     p->unit = ldexp(1, e);
-    for (int c = 0; c < dim; c++)
-        p->centre[c] = 2 * p->unit * rint((low[c] / 2 + high[c] / 2) / (2 * p->unit));
+    for (int c = 0; c < dim; c++) {
+        int far = fmax(low[c], -high[c]) / 3 >= extent;
+        p->centre[c] = far ? p->unit * rint((low[c] / 2 + high[c] / 2) / p->unit) : 0;
+    }
+    p->size = 2;
     for (int c = 0; c < dim; c++) /* the unit is a power of two */
         for (size_t m = (size_t)c; m < numbers; m += (size_t)dim)
             p->Q[m] = (data->points[m] - p->centre[c]) / p->unit;
+    for (size_t m = 0; m < numbers; m++)
+        p->size = fmax(p->size, fabs(p->Q[m]));
     for (int i = 0; i < data->count; i++) {
         p->precision[i] = data->sigma != NULL ? p->unit / data->sigma[i] : p->unit;
         *where = i;
@@ -270,7 +275,7 @@ double fit_problem_blur(const fit_problem *p, double cost)
 {
     double sum = 0;
     for (int i = 0; i < p->points; i++) {
-        double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * 2;
+        double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * p->size;
         sum += blur * blur;
     }
     return sqrt(2 * cost * sum) + sum / 2 + p->points * DBL_EPSILON * cost;

@@ -14,6 +14,7 @@ void cagd_fit_free(cagd_fit_result *r)
     free((void *)r->curve.knots);
     free((void *)r->curve.points);
     free((void *)r->curve.weights);
+    free(r->relative);
     free(r->feet), free(r->residuals), free(r->distances), free(r->foot_at_end);
     free(r->history);
     free(r->unknown), free(r->value), free(r->at_bound);
@@ -31,16 +32,20 @@ static int fill_curve(const fit_problem *p, const fit_attempt *a, cagd_fit_resul
     double *knots = numbers((size_t)(n + p->degree + 1)), *points = numbers((size_t)(n * dim)),
            *weights = numbers((size_t)n);
     r->curve = (cagd_spline){p->degree, n, dim, knots, points, weights};
+    r->relative = numbers((size_t)(n * dim));
+    memcpy(r->origin, p->centre, sizeof r->origin);
     r->unknowns = p->unknowns;
     r->unknown = malloc(((size_t)p->unknowns + 1) * sizeof *r->unknown);
     r->value = numbers((size_t)p->unknowns);
     r->at_bound = calloc((size_t)p->unknowns + 1, sizeof *r->at_bound);
-    if (!knots || !points || !weights || !r->unknown || !r->value || !r->at_bound)
+    if (!knots || !points || !weights || !r->relative || !r->unknown || !r->value || !r->at_bound)
         return 0;
     memcpy(knots, p->knots, (size_t)(n + p->degree + 1) * sizeof *knots);
     memcpy(weights, a->objective->curve->weights, (size_t)n * sizeof *weights);
-    for (int m = 0; m < n * dim; m++)
-        points[m] = p->centre[m % dim] + p->unit * a->objective->curve->points[m];
+    for (int m = 0; m < n * dim; m++) {
+        r->relative[m] = p->unit * a->objective->curve->points[m];
+        points[m] = p->centre[m % dim] + r->relative[m];
+    }
     for (int k = 0; k < p->unknowns; k++) {
         cagd_fit_unknown u = r->unknown[k] = p->unknown[k];
         r->value[k] = u.is_weight ? log(weights[u.index]) : points[u.index * dim + u.coordinate];
@@ -116,14 +121,18 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
     return good;
 }
 
-/* The measured point that is nearest to P: for an end that is one of them, but for rounding, that one. */
-static const double *nearest_measured(const cagd_fit_data *data, const double P[])
+/* The measured point that is nearest to P, which is told from the origin: for an end that is one of them, but for rounding, that one. */
+static const double *nearest_measured(const cagd_fit_data *data, const double origin[], const double P[])
 {
     const double *nearest = data->points;
-    for (int i = 1; i < data->count; i++) {
+    double smallest = HUGE_VAL;
+    for (int i = 0; i < data->count; i++) {
         const double *Q = data->points + (size_t)i * (size_t)data->dim;
-        if (fit_distance_squared(data->dim, Q, P) < fit_distance_squared(data->dim, nearest, P))
-            nearest = Q;
+        double square = 0;
+        for (int c = 0; c < data->dim; c++)
+            square += (Q[c] - origin[c] - P[c]) * (Q[c] - origin[c] - P[c]);
+        if (square < smallest)
+            smallest = square, nearest = Q;
     }
     return nearest;
 }
@@ -143,10 +152,12 @@ static void restore_given_points(const cagd_fit_data *data, const cagd_fit_optio
         if (!given || (o->initial == NULL && j > 0 && j < n - 1))
             continue;
         const double *from = o->initial != NULL ? o->initial->points + j * dim
-                             : o->unordered     ? nearest_measured(data, points + j * dim)
+                             : o->unordered     ? nearest_measured(data, r->origin, r->relative + j * dim)
                              : j == 0           ? data->points
                                                 : data->points + (size_t)(data->count - 1) * (size_t)dim;
         memcpy(points + j * dim, from, (size_t)dim * sizeof *points);
+        for (int c = 0; c < dim; c++)
+            r->relative[j * dim + c] = from[c] - r->origin[c];
     }
 }
 

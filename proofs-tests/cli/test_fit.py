@@ -3,6 +3,7 @@
     python3 test_fit.py CAGD ROOT
 """
 import csv
+import decimal
 import itertools
 import json
 import math
@@ -426,6 +427,45 @@ class Fits(Case):
             self.assertEqual(near[2] is not None, unit != 1)
             self.assertLess(float(near[1]) / unit, 1e-13)
             self.assertLess(float(near[2] or near[1]), 1e-13)
+
+    def test_far_from_the_origin(self):
+        """Points that are exact there too: the same fit, verified, with all digits; and steps of binary64 are said where they are coarse."""
+        near = [[round(4096 * x) / 4096, round(4096 * y) / 4096] for x, y in quadratic(60, 0.75, 0.01)]
+        wanted = self.fit(table(near))
+        for shift in 1e6, 1e12:
+            rows = [[x + shift, y - shift] for x, y in near]
+            d = self.fit(table(rows))
+            v = d["verification"]
+            self.assertEqual((v["status"], v["strict_minimum"]), ("verified", True))
+            self.assertLess(v["point_radius"], 1e-12)
+            self.assertFalse(d["points_on_curve"] or d["finer_than_points"])
+            for u, w in zip(d["unknowns"], wanted["unknowns"], strict=True):
+                self.assertAlmostEqual(u["standard_error"] / w["standard_error"], 1, 9)
+                if u["kind"] == "point":
+                    c = u["coordinate"]
+                    self.assertAlmostEqual(u["from_origin"] + (d["origin"][c] - [shift, -shift][c]), w["value"], 11)
+                    self.assertEqual(u["value"], d["origin"][c] + u["from_origin"])
+            said = self.text(rows, "--svg", self.folder / "p.svg")
+            for c, axis in enumerate("xy"):
+                printed = re.search(rf"P1 {axis} (\S+) (\S+) (\S+) to (\S+) ", said).groups()
+                printed = [decimal.Decimal(x) - decimal.Decimal([shift, -shift][c]) for x in (printed[0], *printed[2:])]
+                u = wanted["unknowns"][1 + c]
+                for x, y in zip(printed, (u["value"], u["low"], u["high"])):
+                    self.assertLess(abs(float(x) - y), 0.00051)
+            self.assertIn(">%d<" % shift, self.writing(self.folder / "p.svg"))
+            self.assertNotIn("Far from 0", said)
+        r = random.Random(5)
+        curve = lambda t, w=0.75: [(2 * t * (1 - t) * w + 4 * t * t) / (1 - 2 * t * (1 - t) * (1 - w)), 4 * t * (1 - t) * w / (1 - 2 * t * (1 - t) * (1 - w))]
+        rows = [[c + 1e12 + r.gauss(0, 4e-4) for c in curve(i / 2999)] for i in range(3000)]
+        self.assertTrue(self.fit(table(rows))["finer_than_points"])
+        self.assertRegex(self.text(rows), r"Far from 0 .* rounded to steps of 0\.00012, which is more than standard errors")
+        rows = [[c + 1e12 for c in curve(i / 59)] for i in range(60)]
+        self.assertTrue(self.fit(table(rows))["points_on_curve"])
+
+    def writing(self, svg):
+        """All text of a picture, pieces apart."""
+        texts = xml.dom.minidom.parse(str(svg)).getElementsByTagName("text")
+        return "".join(">" + re.sub("<[^>]*>", "<>", t.toxml()) + "<" for t in texts)
 
     def test_points_on_the_curve_are_said(self):
         """Then the standard errors are those of the arithmetic."""

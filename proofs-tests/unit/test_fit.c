@@ -370,6 +370,90 @@ static void place_and_unit_do_not_matter(void **state)
     cagd_fit_free(there);
 }
 
+/* x - c without rounding: what two-sum finds of it is zero (O. Moller, 1965). */
+static int is_exact_difference(double x, double c, double d)
+{
+    double back = d - x;
+    return (x - (d - back)) + (-c - back) == 0;
+}
+
+/* Working coordinates lose nothing, however far away the points are, and wherever the nearest of them is. */
+static void working_coordinates_are_exact(void **state)
+{
+    const cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    state_of_noise = 5;
+    for (int k = 0; k < 4000; k++) {
+        enum { N = 12 };
+        /* of all sizes, and a half of them near the threshold, 3 h */
+        double far = k % 2 ? 3 + 0.01 * noise() + 2 * (k % 4 == 1) : exp(32 * noise()), scale = exp(30 * noise());
+        fit_problem p;
+        int where;
+        for (int i = 0; i < N; i++)
+            for (int c = 0; c < 2; c++)
+                Q[2 * i + c] =
+                    (c ? 1 : -1) * scale * (far + 1 + (i < 2 ? 2 * i - 1 : noise() * exp(20 * noise() - 20)));
+        cagd_fit_data data = {N, 2, Q, NULL};
+        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+        for (int m = 0; m < 2 * N; m++) {
+            assert_true(is_exact_difference(Q[m], p.centre[m % 2], p.Q[m] * p.unit));
+            assert_true(fabs(p.Q[m]) <= p.size && p.size <= 5);
+        }
+        fit_problem_free(&p);
+    }
+}
+
+/* Coordinates that are multiples of 2^-12 can be shifted by 1e12, where binary64 has steps of 2^-13, without rounding.  Then everything is
+ * the same, standard errors with it, and the points of the curve are where they were from the shifted origin, to the precision of
+ * those that are near. */
+static void shifts_change_nothing(void **state)
+{
+    static const double shifts[] = {0, 1e6, 1e12};
+    const cagd_spline *curves[] = {&conic, &cubic, &in_space, &spline};
+    (void)state;
+    for (int k = 0; k < 4; k++)
+        for (int unit = -40; unit <= 0; unit += 40) {
+            const cagd_spline *s = curves[k];
+            int dim = s->dim, N = 70;
+            double near[3 * 70];
+            sample(s, N, 0, 1, 0.01);
+            for (int m = 0; m < N * dim; m++)
+                near[m] = ldexp(rint(ldexp(Q[m], 12)), -12);
+            cagd_fit_options o = cagd_fit_defaults();
+            o.degree = s->degree, o.count = s->count, o.knots = s->knots;
+            cagd_fit_result *first = NULL;
+            for (int j = 0; j < 3; j++) {
+                double shift[3] = {shifts[j], -shifts[j], shifts[j] / 2};
+                for (int m = 0; m < N * dim; m++)
+                    Q[m] = ldexp(near[m] + shift[m % dim], unit);
+                cagd_fit_data data = {N, dim, Q, NULL};
+                cagd_fit_result *r = fit(&data, &o);
+                first = j == 0 ? r : first;
+                assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
+                assert_true(r->rank == first->rank && r->largest_at == first->largest_at);
+                assert_true(fabs(r->cost / first->cost - 1) < 1e-12 && fabs(r->rms / first->rms - 1) < 1e-12);
+                for (int m = 0; m < s->count * dim; m++) {
+                    int c = m % dim;
+                    double from_shift = ldexp(r->relative[m], -unit) + (ldexp(r->origin[c], -unit) - shift[c]);
+                    assert_true(fabs(from_shift - ldexp(first->curve.points[m], -unit)) < 1e-11);
+                    assert_true(r->curve.points[m] == r->origin[c] + r->relative[m]);
+                }
+                for (int i = 0; i < s->count; i++)
+                    assert_true(fabs(r->curve.weights[i] / first->curve.weights[i] - 1) < 1e-11);
+                for (int a = 0; a < r->unknowns; a++)
+                    assert_true(fabs(r->covariance[a * r->unknowns + a] / first->covariance[a * r->unknowns + a] - 1) <
+                                1e-9);
+                cagd_fit_conic here = cagd_fit_conic_of(r), there = cagd_fit_conic_of(first);
+                assert_true(here.kind == there.kind && here.type == there.type);
+                double t;
+                assert_int_equal(cagd_fit_has_cusp(r, &t), 0);
+                if (j > 0)
+                    cagd_fit_free(r);
+            }
+            cagd_fit_free(first);
+        }
+}
+
 static void the_same_again(void **state)
 {
     cagd_fit_data data = sample(&spline, MOST, 0, 1, 0.01);
@@ -694,6 +778,8 @@ int main(void)
         cmocka_unit_test(bounds_hold),
         cmocka_unit_test(a_robust_loss_leaves_outliers_out),
         cmocka_unit_test(place_and_unit_do_not_matter),
+        cmocka_unit_test(working_coordinates_are_exact),
+        cmocka_unit_test(shifts_change_nothing),
         cmocka_unit_test(the_same_again),
         cmocka_unit_test(random_cubics_come_back),
         cmocka_unit_test(the_strategy_does_not_change_the_result),
