@@ -2,9 +2,10 @@
 #ifndef CAGD_FIT_BATCH_H
 #define CAGD_FIT_BATCH_H
 
+#include "core/fit/lanes.h"
 #include "core/fit/objective.h"
 
-enum { FIT_BATCH = 8 };
+enum { FIT_BATCH = LANES };
 
 /* The points i, ..., i + FIT_BATCH - 1 of a conic or cubic of the plane, in one span and with squares for a loss: their feet from
  * feet[] go to new_feet[], their rows and products of second derivatives are taken in, and their losses returned.  0, and nothing done, when the curve is

@@ -1,5 +1,6 @@
 #include "core/fit/feet.h"
 
+#include "core/fit/lanes.h"
 #include "core/number/limits.h"
 
 #include <float.h>
@@ -37,11 +38,28 @@ static inline double inner(int dim, const double a[], const double b[])
 #undef DIM
 #undef DEGREE
 
-void fit_curve_derivatives(const fit_curve *c, double t, double D[]) { derivatives_any(c, t, D); }
+static int shape_of(const fit_curve *c) { return c->dim * 100 + c->degree; }
+
+void fit_curve_derivatives(const fit_curve *c, double t, double D[])
+{
+    switch (shape_of(c)) {
+    case 202:
+        derivatives_conic(c, t, D);
+        break;
+    case 203:
+        derivatives_cubic(c, t, D);
+        break;
+    case 303:
+        derivatives_space_cubic(c, t, D);
+        break;
+    default:
+        derivatives_any(c, t, D);
+    }
+}
 
 fit_foot_kind fit_foot_near(const fit_curve *c, const double q[], double limit, double *t, double D[])
 {
-    int shape = c->dim * 100 + c->degree;
+    int shape = shape_of(c);
     return shape == 202   ? newton_conic(c, q, limit, t, D)
            : shape == 203 ? newton_cubic(c, q, limit, t, D)
            : shape == 303 ? newton_space_cubic(c, q, limit, t, D)
@@ -148,7 +166,7 @@ static int polygon_new(polygon *g, const fit_curve *curve, int sides)
 }
 
 /* Where on side k, 0 ... 1, the point is that q is nearest to. */
-static inline double where_on_side(const polygon *g, const int dim, int k, const double q[])
+INLINE double where_on_side(const polygon *g, const int dim, int k, const double q[])
 {
     double along = 0;
     for (int c = 0; c < dim; c++)
@@ -159,7 +177,7 @@ static inline double where_on_side(const polygon *g, const int dim, int k, const
 }
 
 /* The squared distances of q from the sides first ... last, `dim` being a constant for the compiler. */
-static inline void from_sides_of(const polygon *g, const int dim, const double q[], int first, int last,
+INLINE void from_sides_of(const polygon *g, const int dim, const double q[], int first, int last,
                                  double square[restrict])
 {
     for (int k = first; k <= last; k++) {
@@ -172,7 +190,7 @@ static inline void from_sides_of(const polygon *g, const int dim, const double q
     }
 }
 
-static void from_sides(const polygon *g, const double q[], int first, int last, double square[])
+WIDE static void from_sides(const polygon *g, const double q[], int first, int last, double square[])
 {
     if (g->dim == 2)
         from_sides_of(g, 2, q, first, last, square);
