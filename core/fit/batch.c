@@ -41,6 +41,8 @@ INLINE int feet(const fit_curve *curve, const int p, double limit, const lanes Q
         double x = fabs(along[l]), y = fabs(across[l]), size = x > y ? x : y;
         blur[l] = (2 * p + 2) * DBL_EPSILON * (size > 1 ? size : 1);
     }
+    for (int j = 0; j < 6; j++)
+        D[j] = (lanes){0};
     for (int looks = 0; looks < LOOKS; looks++) {
         lanes E[6], h;
         derivatives(curve, p, t, E);
@@ -53,7 +55,8 @@ INLINE int feet(const fit_curve *curve, const int p, double limit, const lanes Q
         long long lost = 0, open = 0;
         for (int l = 0; l < LANES; l++) {
             const double part = slope[l] < square[l] ? slope[l] : square[l], allowed = limit * limit * part * part;
-            const long long exact = left[l] <= blur[l] * blur[l] * square[l], inside = (start < next[l]) & (next[l] < end);
+            const long long exact = left[l] <= blur[l] * blur[l] * square[l],
+                            inside = (start < next[l]) & (next[l] < end);
             const long long regular = (slope[l] > 0) & (square[l] > 0);
             const long long near = (along[l] <= allowed * length * length) & (across[l] <= allowed);
             lost |= (1 - found[l]) & (1 - (regular & (exact | inside)));
@@ -143,7 +146,7 @@ INLINE void rows(fit_objective *o, const int p, int i, const lanes Q[2], const l
         if (!newton)
             continue;
         const lanes tau = M * along, rho = M1 * off - fixed * slide, hold = M * off;
-        const lanes pair[8] = {f * rho,    f * tau,           scale * hold, scale * fixed,
+        const lanes pair[8] = {f * rho,   f * tau,           scale * hold, scale * fixed,
                                rho + tau, rho - kappa * tau, fixed,        hold};
         for (int k = 0; k < 4; k++) {
             lanes_put(x + k * LANES, &pair[k]);
@@ -156,7 +159,7 @@ INLINE void rows(fit_objective *o, const int p, int i, const lanes Q[2], const l
 
 INLINE int batch(fit_objective *o, const int p, int i, int newton, double loss[])
 {
-    lanes Q[2], t, D[6] = {{0}};
+    lanes Q[2], t, D[6];
     lanes_get(&t, o->feet + i);
     for (int l = 0; l < LANES; l++)
         for (int c = 0; c < 2; c++)

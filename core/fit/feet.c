@@ -178,7 +178,7 @@ INLINE double where_on_side(const polygon *g, const int dim, int k, const double
 
 /* The squared distances of q from the sides first ... last, `dim` being a constant for the compiler. */
 INLINE void from_sides_of(const polygon *g, const int dim, const double q[], int first, int last,
-                                 double square[restrict])
+                          double square[restrict])
 {
     for (int k = first; k <= last; k++) {
         double s = where_on_side(g, dim, k, q), rest = 0;

@@ -236,7 +236,8 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
             for (; count < FIT_BATCH && i + count < p->points; count++)
                 loss[count] = point(o, i + count, curve, weighted);
         }
-        for (int k = 0; k < FIT_BATCH; k++) { /* so many sums, each with the rounding of the last one taken off: Kahan */
+        for (int k = 0; k < FIT_BATCH;
+             k++) { /* so many sums, each with the rounding of the last one taken off: Kahan */
             double more = loss[k] - lost[k], next = sum[k] + more;
             lost[k] = (next - sum[k]) - more;
             sum[k] = next;
