@@ -1,6 +1,6 @@
 #include "core/fit/feet.h"
 
-#include "core/fit/lanes.h"
+#include "core/fit/wide.h"
 #include "core/number/limits.h"
 
 #include <float.h>

@@ -16,6 +16,7 @@ fit_objective *fit_objective_new(const fit_problem *p)
     size_t n = (size_t)p->unknowns + 1, points = (size_t)p->points;
     o->problem = p;
     o->limit = FOOT_EXACT;
+    o->width = fit_batch_widest();
     o->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
     if (o->curve != NULL)
         o->rows = fit_reduction_new(p->unknowns, 1, o->curve->pieces, p->first, p->reach);

@@ -1,6 +1,6 @@
 #include "core/fit/reduction.h"
 
-#include "core/fit/lanes.h"
+#include "core/fit/wide.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -21,48 +21,38 @@ struct fit_reduction {
     double *by_rows;
 };
 
-static int stride_of(const triangle *t) { return ROWS + (t->columns + LANES - 1) / LANES * LANES; }
+static int stride_of(const triangle *t) { return ROWS + (t->columns + WIDE_SUMS - 1) / WIDE_SUMS * WIDE_SUMS; }
 
 static int triangle_new(triangle *t, int columns)
 {
     t->columns = columns;
     size_t size = (size_t)columns * (size_t)stride_of(t) * sizeof *t->a;
-    t->a = aligned_alloc(sizeof(lanes), size);
+    t->a = aligned_alloc(WIDE_SUMS * sizeof *t->a, size);
     if (t->a != NULL)
         memset(t->a, 0, size);
     return t->a != NULL;
 }
 
-INLINE double dot(int n, const lanes a[], const lanes b[])
-{
-    lanes s = {0};
-    for (int i = 0; i < n; i++)
-        s += a[i] * b[i];
-    return lanes_sum(&s);
-}
-
 /* Householder's reflections of the new rows into the triangle: column k has the vector (a_kk + sign |.|, new rows). */
 WIDE static void absorb(triangle *t)
 {
-    int n = t->columns, stride = stride_of(t), rows = (t->rows + LANES - 1) / LANES;
+    int n = t->columns, stride = stride_of(t), rows = (t->rows + WIDE_SUMS - 1) / WIDE_SUMS * WIDE_SUMS;
     for (int k = 0; k < n; k++)
-        for (int i = t->rows; i < rows * LANES; i++)
+        for (int i = t->rows; i < rows; i++)
             t->a[k * stride + i] = 0;
     for (int k = 0; k < n; k++) {
         double *column = t->a + k * stride, at = column[ROWS + k];
-        const lanes *tail = (const lanes *)column;
-        const double square = dot(rows, tail, tail);
+        const double square = wide_dot(rows, column, column);
         if (square == 0)
             continue;
         const double length = sqrt(at * at + square), head = at > 0 ? at + length : at - length;
         const double factor = 2 / (head * head + square);
         for (int j = k + 1; j < n; j++) {
-            double *w = t->a + j * stride + ROWS + k;
-            lanes *end = (lanes *)(t->a + j * stride);
-            const double share = factor * (head * *w + dot(rows, tail, end));
-            *w -= share * head;
+            double *w = t->a + j * stride;
+            const double share = factor * (head * w[ROWS + k] + wide_dot(rows, column, w));
+            w[ROWS + k] -= share * head;
             for (int i = 0; i < rows; i++)
-                end[i] -= share * tail[i];
+                w[i] -= share * column[i];
         }
         column[ROWS + k] = at > 0 ? -length : length;
     }

@@ -1,4 +1,5 @@
 /* test_fit.c -- curves fitted to points: the parts against their definitions, known curves found again, what is refused. */
+#include "core/fit/batch.h"
 #include "core/fit/cagd_fit.h"
 #include "core/fit/feet.h"
 #include "core/fit/objective.h"
@@ -213,6 +214,54 @@ static void the_model_has_the_second_derivatives(void **state)
             fit_problem_free(&p);
             free(feet);
         }
+}
+
+/* Points in vectors of every width that the processor has: the same numbers; and one by one: the same but for rounding. */
+static void vectors_of_any_width_give_the_same(void **state)
+{
+    enum { N = 43, MOST_NUMBERS = 2 * 7 * 7 + N + 1 };
+    const cagd_spline *curves[] = {&conic, &cubic};
+    static const int widths[] = {2, 4, 8, 0};
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        cagd_fit_data data = sample(curves[k], N, 0.1, 0.9, 0.05);
+        cagd_fit_options o = cagd_fit_defaults();
+        fit_problem p;
+        int where, compared = 0;
+        double number[4][MOST_NUMBERS], cost, feet[N];
+        o.initial = curves[k];
+        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+        fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
+        assert_non_null(c);
+        assert_int_equal(fit_problem_curve(&p, curves[k], c), CAGD_FIT_OK);
+        assert_true(fit_feet_search(&p, c, feet, &cost));
+        for (int i = 0; i < N; i++) /* a few steps from the feet, some more than others */
+            feet[i] += 0.004 * (i % 5 - 2);
+        for (int w = 0; w < 4; w++) {
+            if (widths[w] > fit_batch_widest())
+                continue;
+            fit_objective *f = fit_objective_new(&p);
+            size_t n = (size_t)p.unknowns, triangle = (n + 1) * (n + 1);
+            assert_non_null(f);
+            f->newton = 1;
+            f->width = widths[w];
+            fit_objective_begin(f, c, feet);
+            assert_true(triangle + n * n + N + 1 <= MOST_NUMBERS);
+            memcpy(number[w], f->triangle, triangle * sizeof(double));
+            memcpy(number[w] + triangle, f->curvature, n * n * sizeof(double));
+            memcpy(number[w] + triangle + n * n, f->feet, N * sizeof(double));
+            number[w][triangle + n * n + N] = f->cost;
+            for (size_t i = 0; w > 0 && i < triangle + n * n + N + 1; i++, compared++)
+                if (widths[w] > 0)
+                    assert_true(number[w][i] == number[0][i]);
+                else
+                    assert_true(fabs(number[w][i] - number[0][i]) < 1e-12 * fmax(1, fabs(number[0][i])));
+            fit_objective_free(f);
+        }
+        assert_true(compared > 0);
+        fit_curve_free(c);
+        fit_problem_free(&p);
+    }
 }
 
 /* ---- Known curves ------------------------------------------------------------------------------------------ */
@@ -589,6 +638,7 @@ int main(void)
         cmocka_unit_test(feet_are_orthogonal),
         cmocka_unit_test(triangles_keep_the_normal_equations),
         cmocka_unit_test(the_model_has_the_second_derivatives),
+        cmocka_unit_test(vectors_of_any_width_give_the_same),
         cmocka_unit_test(noise_free_curves_come_back),
         cmocka_unit_test(free_ends_slide),
         cmocka_unit_test(both_methods_find_one_minimum),
