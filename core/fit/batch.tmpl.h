@@ -1,6 +1,6 @@
 /* batch.tmpl.h -- FIT_BATCH points, LANES at a time in vectors of the compiler's, compiled once for every width: NAME completes the
  * names, TARGET names the processor that has such vectors.  All widths compute the same numbers, since products and sums are
- * rounded one by one.  Vectors are passed by pointers, which is the same for all processors. */
+ * rounded one by one. */
 #define lanes NAME(lanes)
 #define mask  NAME(mask)
 typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
