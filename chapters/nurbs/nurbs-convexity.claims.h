@@ -253,16 +253,16 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :::{claim} printed_insertion_keeps_the_curve
 :title: The printed points, weights and knots give the same curve
 :zh: 所印嵌入公式不改变曲线
-:given: orders $k=1,\dots,4$ (sampled to $6$): all knots simple; both ends of multiplicity $k$ and one knot between, of any
+:given: orders $k=1,\dots,6$ (sampled to $7$): all knots simple; both ends of multiplicity $k$ and one knot between, of any
   multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or the knot at its right end
 :let: $c_i$ any numbers, weights equal
 :then: $\sum_iN_{i,k}(t)c_i=\sum_iN'_{i,k}(t)c'_i$ on every interval of the domain, $c'_i=(1-\alpha_i)c_{i-1}+\alpha_ic_i$ with the
   printed $\alpha_i$
-:method: Both sums by the recursion of de Boor and Cox as it is defined; knots, $\tau$, $t$ and $c_i$ variables.  The
-  coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
+:method: Both sums by the recursion of de Boor and Cox as it is defined; $\tau$, $t$, $c_i$ and the distinct knots are
+  variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
   `inserted_points_divide_the_edges` it holds for any weights.
-:degrees: 1..4 sampled 6
-:scope: n stands for the order k
+:degrees: 1..6 sampled 7
+:scope: n stands for the order k; the distinct knots variables for k up to 5, numbers above
 :control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
 :::
 
@@ -644,6 +644,8 @@ CLAIM(printed_insertion_keeps_the_curve)
             snprintf(pattern, sizeof pattern, "%d%d%d", k, m, k);
         }
         struct G(knots) K = G(pattern)(T, pattern);
+        for (int i = 1; FIELD && k > 5 && i <= K.count; i++) /* 0, 1, 3, 6, 10, ...; places are multiples of 4 */
+            K.t[i] = from_int(K.place[i] / 4 * (K.place[i] / 4 + 1) / 2);
         for (int place = K.place[k]; place <= K.place[K.count - k + 1]; place += 2) /* knots, and numbers between */
             if (place > K.place[1])
                 G(compare_curves)(T, k, &K, place);
