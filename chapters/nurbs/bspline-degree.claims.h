@@ -172,10 +172,7 @@ static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
     }
 }
 
-CLAIM(reduction_inverts_bspline_elevation)
-{
-    G(check_reduction_inverts_bspline_elevation)(T, 0);
-}
+CLAIM(reduction_inverts_bspline_elevation) { G(check_reduction_inverts_bspline_elevation)(T, 0); }
 #endif
 
 #if FIELD

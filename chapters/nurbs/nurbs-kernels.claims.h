@@ -131,8 +131,8 @@ CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
   of multiplicity at most $p$
 :then: the knots of `nurbs_insert` are the old ones and the new one, and its weights $z_j$ and $z_jS_j$ are the points of the splines $w$ and $wR$
 :method: Both pairs of splines in powers, from the recursion of de Boor and Cox by its letter.  In the field $w_iR_i$ are the variables, and $R_i$
-  their quotients by the variables $w_i$.  Degree 5 would cost more than all of these together; from there
-  on it is left to `nurbs_insertion_is_that_of_homogeneous_points`.
+  their quotients by the variables $w_i$.  From degree 5 on it is left to
+  `nurbs_insertion_is_that_of_homogeneous_points`.
 :degrees: 0..4 sampled 6
 :defines: nurbs_insert
 :control: the last of the new weights is replaced by its neighbour
