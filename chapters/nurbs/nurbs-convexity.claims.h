@@ -376,14 +376,14 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :::{claim} inserted_parameters_become_vertices
 :title: Points of the curve become vertices
 :zh: 曲线上的点成为顶点
-:given: orders $k=2,3,4$, ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k-1$; two parameters $t'_1<t'_2$, each
+:given: orders $k=2,\dots,6$, ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k-1$; two parameters $t'_1<t'_2$, each
   inserted $k-1$ times: both in one interval, in different ones, at the inner knot, at the right end
 :then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$
 :method: The printed insertions and the curve by its definition, knots, parameters and points variables; a coordinate of the
   homogeneous points is any coordinate.  Later parameters leave the vertices of the earlier ones alone, so more than two are
   treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
   at $t',\dots,t'$.
-:degrees: 2..5 sampled 6
+:degrees: 2..6 sampled 6
 :scope: n stands for the order k
 :control: the second vertex counted one too low
 :::

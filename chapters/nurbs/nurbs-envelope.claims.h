@@ -66,8 +66,7 @@ CLAIM(segment_needs_the_points_of_its_span)
                 pattern[i] = (char)('0' + (i == p + 1 ? many : 1));
         num u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], H[MOST_KNOTS], S[2], t = parameter(T, "t");
         int place[MOST_KNOTS], count = G(knots_of_pattern)(T, pattern, u, place);
-        for (int i = 0; FIELD && p > 4 && i < count; i++)
-            u[i] = from_int(place[i] * (place[i] + 1) / 2);
+        G(numbers_above)(4, p, count, place, u);
         G(free_curve)(T, n - 1, 1, R, w);
         for (int i = 0; i < n; i++)
             H[i] = mul(w[i], R[i]);
@@ -602,7 +601,8 @@ hypotheses are fulfilled: all $w_i^{[r]}$ are equal.
   of the segment that contains $t$
 :method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates; the sum of
   all terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
-:degrees: 2..4 sampled 5
+:degrees: 2..6 sampled 6
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the polar form of the first segment for every span
 :::
 */
@@ -630,6 +630,7 @@ CLAIM(whole_member_is_polar_on_every_span)
             pattern[i] = kind == 1 && i == p + 1 ? '2' : '1';
         num u[MOST_KNOTS], H[2 * MOST_KNOTS], h[2][MOST_KNOTS], t = parameter(T, "t"), tau = parameter(T, "s");
         int place[MOST_KNOTS], count = G(knots_of_pattern)(T, pattern, u, place);
+        G(numbers_above)(4, p, count, place, u);
         for (int m = 0; m < 2 * n; m++) {
             H[m] = unknown(T, "H", m);
             h[m % 2][m / 2] = H[m];

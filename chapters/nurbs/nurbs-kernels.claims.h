@@ -11,7 +11,8 @@ $(w_iR_i,w_i)$.  The kernels keep weights and points apart.
 :then: `nurbs_homogenize` gives $(w_iR_i,w_i)$ for the points of the span, `nurbs_weight` gives $w(t)=\sum_{i=0}^{n-1}N_{i,p}(t)w_i$,
   `nurbs_point` and `nurbs_deboor` give $R(t)$
 :method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
-:degrees: 0..4 sampled 7
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
 :control: the weights taken backwards
 :::
@@ -81,7 +82,8 @@ CLAIM(nurbs_point_is_the_quotient)
 :then: after the levels $1,\dots,r$ at $\tau$, $\sum_iw_i^rN_{i,p-r}(t)$ and $\sum_iw_i^rR_i^rN_{i,p-r}(t)$ are the polar forms of $w$ and of $wR$
   with $r$ arguments $\tau$ and $p-r$ arguments $t$; the last point and weight of each level are left as they were
 :method: The sums, with the B-splines from the recursion by its letter, against the polar forms in elementary symmetric polynomials.
-:degrees: 1..4 sampled 8
+:degrees: 1..6 sampled 8
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: nurbs_deboor_level
 :control: the parameter of the last level is $t$
 :::
@@ -227,7 +229,8 @@ CLAIM(nurbs_insertion_is_that_of_homogeneous_points)
   are divided, term by term, and the coefficient of order $k$ is $R^{(k)}(t)/k!$.  In the field the variables are the
   coefficients of numerator and denominator in powers about $t$, and the points are the values of their polar forms: every
   segment has such coefficients.
-:degrees: 0..4 sampled 7
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: nurbs_derivatives
 :control: $w'(t)$ doubled in the division
 :::
