@@ -204,7 +204,7 @@ CLAIM(bspline_is_positive_inside_its_support)
 :method: The polynomials of the interval on the right of $\xi$ in powers of $t-\xi$, from the recursion by its letter: the
   constant coefficient.
 :types: field rational
-:degrees: 0..5 sampled 7
+:degrees: 0..4 sampled 7
 :control: the next B-spline is taken
 :::
 */

@@ -123,6 +123,7 @@ CLAIM(rational_triangle_follows_the_recursion)
 :method: The recursions by their letter, and the kernel, against the sums of all terms of (4.1.2).  Both sides are rational functions
   of $t$: at the right end of a closed interval the recursion gives the limit from the left.
 :degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
 :defines: nurbs_deboor
 :control: the point $r_{j-1}^{[k-2]}(t)$
 :::
@@ -143,7 +144,7 @@ CLAIM(rational_triangle_gives_the_point)
     num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], point, out, t = unknown(T, "t", 0);
     for (int m = 0; G(kinds)[p][m] != NULL; m++) {
         const char *pattern = G(kinds)[p][m];
-        G(distinct_knots)(T, (int)strlen(pattern), 6, x);
+        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - k;
         G(weighted_points)(T, n, 1, R, w);
         for (int interval = place[p]; interval < place[n]; interval++) {
