@@ -76,7 +76,7 @@ static int complain(const struct fit *f, cagd_fit_status status, int where)
                 name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", n * (dim - 1),
                 n * (dim - 1) == 1 ? "" : "s", asked, asked == 1 ? "" : "s",
                 asked <= 2 * (dim - 1) ? 2 : (asked + dim - 2) / (dim - 1));
-    else if (status == CAGD_FIT_BAD_OPTIONS && asked == 0)
+    else if (status == CAGD_FIT_BAD_OPTIONS && asked == 0 && f->options.free != 0)
         fprintf(stderr, "cagd: %s: nothing is free: of what --free names the curve has nothing that could move\n",
                 name);
     else if (status == CAGD_FIT_BAD_DATA && where >= 0)
@@ -126,10 +126,12 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
     if (status != CAGD_FIT_OK)
         return complain(f, status, where);
     f->result = result;
-    f->checked = a->verify && result->unknowns > 0;
+    f->checked = a->verify;
     if (f->checked && is_terminal(stderr))
         fputs("verifying in intervals ...", stderr);
-    if (f->checked)
+    if (f->checked && nothing_is_free(f))
+        f->nearest = stationary_nearest(&f->data, &result->curve, result->feet);
+    else if (f->checked)
         f->verdict = stationary_check_fit(&f->data, &f->options, result);
     end_progress();
     int code = write_and_print(a, f);

@@ -14,8 +14,9 @@ struct fit {
     cagd_fit_data data;
     cagd_fit_options options;
     const cagd_fit_result *result;
-    int checked; /* whether it was asked to verify the minimum */
+    int checked; /* whether it was asked to verify the minimum, or the feet where nothing is free */
     stationary_verdict verdict;
+    nearest_verdict nearest;
 };
 
 /* What cagd fit is asked. */
@@ -34,8 +35,10 @@ struct fit_arguments read_fit_arguments(int argc, char **argv); /* fit_options.c
 
 /* ---- numbers of the result, by the formulas that its header states (fit_numbers.c) ----------------- */
 
+/* Whether only the distances from a given curve were asked for. */
+static inline int nothing_is_free(const struct fit *f) { return f->options.free == 0; }
 /* Whether the curve is a minimum, as far as is known: the minimiser converged, and the check did not find that it is
- * none.  What is said of standard errors, rank and probabilities is true only of a minimum; otherwise the numbers
+ * none; where nothing is free, that no foot was found not to be the nearest point.  What is said of standard errors, rank and probabilities is true only of a minimum; otherwise the numbers
  * belong to the last curve that was reached, and nothing more is said of them. */
 int is_minimum(const struct fit *f);
 /* Whether the points lie on the curve: the distances are no larger than what coordinates of the curve are off by in
@@ -47,9 +50,9 @@ double deviation_of(const struct fit *f, int i);
 
 /* An estimate with its standard error and 95 % interval.  Weights are fitted by their logarithms: the error is
  * that of the logarithm times the weight, the interval that of the logarithm, exponentiated.  The error is NAN where
- * there is none. */
+ * there is none.  Of a coordinate value, low and high are counted from the origin of the fit. */
 struct estimate {
-    double value, error, low, high;
+    double value, error, low, high, origin;
 };
 struct estimate unknown_estimate(const struct fit *f, int k);
 struct estimate invariant_estimate(const struct fit *f, int j);
@@ -62,8 +65,14 @@ int free_unknowns(const cagd_fit_result *r);
 int ends_taken_as_exact(const struct fit *f);
 /* "w1" or "P1 x". */
 void unknown_name(const cagd_fit_result *r, int k, char name[32]);
-/* The value with as many decimals as show two digits of its error. */
-void put_rounded(FILE *out, double value, double error);
+/* How far apart the numbers of binary64 are at coordinate c of the measured points, where it is largest. */
+double spacing_of(const struct fit *f, int c);
+/* Whether that is more than the standard error of unknown k, a coordinate. */
+int is_finer_than_its_points(const struct fit *f, int k);
+/* origin + value, exactly, with as many decimals as show two digits of the error of the value. */
+void put_rounded(FILE *out, double origin, double value, double error);
+/* A coordinate that is given: ten digits, or as many as tell it from other numbers where ten do not. */
+void put_given(FILE *out, double origin, double x);
 /* A text of the file system as JSON: what is no UTF-8 becomes U+FFFD. */
 json_t *path_json(const char *path);
 

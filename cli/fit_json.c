@@ -30,8 +30,8 @@ json_t *fitted_curve_json(const cagd_spline *c)
 
 static json_t *estimate_json(struct estimate e)
 {
-    return json_pack("{s:o, s:o, s:o, s:o}", "value", real(e.value), "standard_error", real(e.error), "low",
-                     real(e.low), "high", real(e.high));
+    return json_pack("{s:o, s:o, s:o, s:o}", "value", real(e.origin + e.value), "standard_error", real(e.error), "low",
+                     real(e.origin + e.low), "high", real(e.origin + e.high));
 }
 
 static json_t *unknowns_json(const struct fit *f)
@@ -46,7 +46,10 @@ static json_t *unknowns_json(const struct fit *f)
             json_pack("{s:s, s:s, s:i}", "name", name, "kind", u->is_weight ? "weight" : "point", "index", u->index);
         if (!u->is_weight)
             json_object_set_new(j, "coordinate", json_integer(u->coordinate));
-        json_t *estimate = estimate_json(unknown_estimate(f, k));
+        struct estimate e = unknown_estimate(f, k);
+        if (!u->is_weight)
+            json_object_set_new(j, "from_origin", real(e.value));
+        json_t *estimate = estimate_json(e);
         json_object_update(j, estimate);
         json_decref(estimate);
         json_object_set_new(j, "determined", is_minimum(f) ? json_boolean(r->determined[k]) : json_null());
@@ -94,6 +97,16 @@ static json_t *verdict_json(const struct fit *f)
     const stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return json_pack("{s:s}", "status", "not asked");
+    if (nothing_is_free(f)) {
+        const nearest_verdict *n = &f->nearest;
+        return json_pack("{s:s, s:o, s:o, s:o}", "status",
+                         n->verified  ? "verified"
+                         : n->refuted ? "refuted"
+                                      : "not verified",
+                         "excess", n->verified ? real(n->excess) : json_null(), "reason",
+                         n->verified ? json_null() : json_string(n->reason), "point",
+                         n->where >= 0 ? json_integer(n->where + 1) : json_null());
+    }
     if (v->verified) {
         char name[32];
         if (v->bound >= 0)
@@ -178,6 +191,11 @@ json_t *fit_json(const struct fit *f)
     json_t *document = json_pack("{s:s, s:b, s:b, s:o, s:o, s:o, s:o}", "schema", "cagd-fit-1", "converged",
                                  r->termination == CAGD_FIT_CONVERGED, "at_minimum", is_minimum(f), "points", points,
                                  "options", options, "minimiser", minimiser, "curve", fitted_curve_json(&r->curve));
+    int finer = 0;
+    for (int k = 0; k < r->unknowns; k++)
+        finer |= is_finer_than_its_points(f, k);
+    json_object_set_new(document, "origin", reals(f->data.dim, r->origin));
+    json_object_set_new(document, "finer_than_points", json_boolean(finer));
     json_t *of_unknowns =
         json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "unknowns", unknowns_json(f), "rank",
                   of_minimum(f, json_integer(r->rank)), "free_directions",

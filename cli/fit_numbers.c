@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,18 +13,37 @@ int is_minimum(const struct fit *f)
 {
     const stationary_verdict *v = &f->verdict;
     int refuted = f->checked && v->verified && !v->minimum && v->bounds != STATIONARY_OPEN;
+    refuted |= f->checked && f->nearest.refuted;
     return f->result->termination == CAGD_FIT_CONVERGED && !refuted;
 }
 
 int is_on_curve(const struct fit *f)
 {
-    const cagd_spline *c = &f->result->curve;
-    double size = 0;
-    for (int m = 0; m < c->count * c->dim; m++)
-        size = fmax(size, fabs(c->points[m]));
+    const cagd_fit_result *r = f->result;
+    const cagd_spline *curve = &r->curve;
+    double size = 0, rounding = 0;
+    for (int m = 0; m < curve->count * curve->dim; m++)
+        size = fmax(size, fabs(r->relative[m]));
     for (int m = 0; m < f->data.count * f->data.dim; m++)
-        size = fmax(size, fabs(f->data.points[m]));
-    return f->result->rms <= (2 * c->degree + 2) * DBL_EPSILON * size;
+        size = fmax(size, fabs(f->data.points[m] - r->origin[m % f->data.dim]));
+    for (int c = 0; c < f->data.dim; c++)
+        rounding = hypot(rounding, spacing_of(f, c) / 2);
+    return r->rms <= (2 * curve->degree + 2) * DBL_EPSILON * size + rounding;
+}
+
+double spacing_of(const struct fit *f, int c)
+{
+    double size = 0;
+    for (int i = 0; i < f->data.count; i++)
+        size = fmax(size, fabs(f->data.points[i * f->data.dim + c]));
+    return nextafter(size, INFINITY) - size;
+}
+
+int is_finer_than_its_points(const struct fit *f, int k)
+{
+    struct estimate e = unknown_estimate(f, k);
+    const cagd_fit_unknown *u = &f->result->unknown[k];
+    return !u->is_weight && e.error > 0 && spacing_of(f, u->coordinate) > e.error;
 }
 
 double deviation_of(const struct fit *f, int i)
@@ -34,11 +54,13 @@ double deviation_of(const struct fit *f, int i)
 struct estimate unknown_estimate(const struct fit *f, int k)
 {
     const cagd_fit_result *r = f->result;
-    double value = r->value[k], error = NAN;
+    const cagd_fit_unknown *u = &r->unknown[k];
+    double value = u->is_weight ? r->value[k] : r->relative[u->index * r->curve.dim + u->coordinate], error = NAN;
     if (!r->at_bound[k] && r->determined[k] && is_minimum(f))
         error = sqrt(r->covariance[(size_t)k * (size_t)r->unknowns + (size_t)k]);
-    struct estimate e = {value, error, value - r->quantile * error, value + r->quantile * error};
-    if (r->unknown[k].is_weight) {
+    struct estimate e = {value, error, value - r->quantile * error, value + r->quantile * error,
+                         u->is_weight ? 0 : r->origin[u->coordinate]};
+    if (u->is_weight) {
         e.value = exp(value);
         e.error = e.value * error;
         e.low = exp(e.low);
@@ -56,9 +78,9 @@ struct estimate invariant_estimate(const struct fit *f, int j)
     double value = r->invariant[j],
            error = is_minimum(f) && isfinite(r->invariant_error[j]) ? r->invariant_error[j] : NAN;
     if (!in_range(value))
-        return (struct estimate){value, NAN, NAN, NAN};
+        return (struct estimate){value, NAN, NAN, NAN, 0};
     double factor = exp(r->quantile * error / value);
-    return (struct estimate){value, error, value / factor, value * factor};
+    return (struct estimate){value, error, value / factor, value * factor, 0};
 }
 
 void unknown_name(const cagd_fit_result *r, int k, char name[32])
@@ -98,22 +120,48 @@ static int exponent_of(double x, int decimals)
     return atoi(strchr(digits, 'e') + 1);
 }
 
-void put_rounded(FILE *out, double value, double error)
+/* origin + value, to so many decimals of the form e or f; the sum of two binary64 has less than 2200 bits. */
+static void put_sum(FILE *out, char form, int decimals, double origin, double value)
 {
-    enum { LONGEST = 12, MOST_ZEROS = 4, EXACT = 17 };
+    char format[] = "%.*RNf", text[100];
+    mpfr_t sum;
+    mpfr_init2(sum, 2200);
+    mpfr_set_d(sum, origin, MPFR_RNDN);
+    mpfr_add_d(sum, sum, value, MPFR_RNDN);
+    format[5] = form;
+    mpfr_snprintf(text, sizeof text, format, decimals, sum);
+    fputs(text, out);
+    mpfr_clear(sum);
+}
+
+void put_given(FILE *out, double origin, double x)
+{
+    char text[40];
+    for (int digits = 10; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, x);
+        if (origin == 0 || strtod(text, NULL) == x)
+            break;
+    }
+    fputs(text, out);
+}
+
+void put_rounded(FILE *out, double origin, double value, double error)
+{
+    enum { LONGEST = 12, MOST_ZEROS = 4, EXACT = 17, MOST = 40 };
+    double whole_value = origin + value;
     if (!isfinite(error) || !(error > 0)) {
-        fprintf(out, "%.10g", value);
+        put_given(out, origin, whole_value);
         return;
     }
     int places = 1 - exponent_of(error, 1); /* of the second digit of the error, as it is rounded */
-    double size = fmax(fabs(value), fabs(error));
+    double size = fmax(fabs(whole_value), fabs(error));
     int whole = size > 0 ? exponent_of(size, 1) : 0;
     if (-MOST_ZEROS <= places && -MOST_ZEROS <= whole && places + whole < EXACT && whole < LONGEST) {
-        fprintf(out, "%.*f", places > 0 ? places : 0, value);
+        put_sum(out, 'f', places > 0 ? places : 0, origin, value);
         return;
     }
-    int decimals = value != 0 ? places + exponent_of(value, 1) : 1;
-    fprintf(out, "%.*e", decimals < 1 ? 1 : decimals > EXACT ? EXACT : decimals, value);
+    int decimals = whole_value != 0 ? places + exponent_of(whole_value, 1) : 1, most = origin != 0 ? MOST : EXACT;
+    put_sum(out, 'e', decimals < 1 ? 1 : decimals > most ? most : decimals, origin, value);
 }
 
 /* How many bytes the character of UTF-8 that begins at s has; 0 where none does. */

@@ -40,18 +40,20 @@ static double positive(struct argp_state *state, const char *option, const char 
     return x;
 }
 
-/* "weights,inner,ends" */
+/* "weights,inner,ends", or "none". */
 static int parts(struct argp_state *state, const char *text)
 {
     static const char *const part[] = {"weights", "inner", "ends"};
     int sum = 0;
+    if (strcmp(text, "none") == 0)
+        return 0;
     for (const char *s = text;; s++) {
         size_t n = strcspn(s, ",");
         int k = 0;
         while (k < 3 && (strlen(part[k]) != n || strncmp(s, part[k], n) != 0))
             k++;
         if (k == 3)
-            argp_error(state, "--free takes a list of weights, inner and ends, not '%s'", text);
+            argp_error(state, "--free takes a list of weights, inner and ends, or none, not '%s'", text);
         else
             sum |= 1 << k;
         if (*(s += n) == '\0')
@@ -126,6 +128,8 @@ static void finish(struct argp_state *state, struct fit_arguments *a)
     if (o->count != 0 && o->count < o->degree + 1)
         argp_error(state, "--control-points %d: a curve of degree %d has at least %d", o->count, o->degree,
                    o->degree + 1);
+    if (a->initial == NULL && o->free == 0)
+        argp_error(state, "--free none takes the distances from a given curve, and needs --initial CURVE.json");
     if (a->initial == NULL && !(o->free & CAGD_FIT_INNER_POINTS) && o->degree > 1)
         argp_error(state, "without --initial the inner points are free: --free needs inner");
     if (o->loss == CAGD_FIT_SQUARES && o->loss_scale != 0)
@@ -240,7 +244,7 @@ struct fit_arguments read_fit_arguments(int argc, char **argv)
         {"control-points", KEY_CONTROL_POINTS, "N", 0, "So many control points, over even knots", 1},
         {"free", KEY_FREE, "LIST", 0,
          "What may move, of weights, inner and ends (default: weights,inner; the ends are then the first "
-         "and the last point)",
+         "and the last point); none: only the distances from the curve of --initial",
          1},
         {"initial", KEY_INITIAL, "CURVE.json", 0, "Where to start; gives degree and knots, and what is not free", 1},
         {"weights-between", KEY_BETWEEN, "LOW:HIGH", 0, "Bounds on the weights", 1},
@@ -271,12 +275,14 @@ struct fit_arguments read_fit_arguments(int argc, char **argv)
         "  cagd fit points.csv --degree 3 --svg points.svg --residuals residuals.csv\n"
         "  cagd fit points.csv --control-points 8 --degree 3 --loss huber --scale 2\n"
         "  cagd fit points.csv --initial arc.json --free weights --json\n"
+        "  cagd fit points.csv --initial arc.json --free none --residuals distances.csv\n"
         "  cagd fit points.csv --curve arc.json && cagd curve arc.json --at 1/2\n\v"
         "A point a line: x y, x y z, and perhaps its standard deviation sigma, separated by commas, semicolons, tabs "
         "or blanks, with decimal points or, where commas do not separate, decimal commas.  A first line without "
         "numbers "
         "names the columns; three columns without names need --dim 2 (x y sigma) or --dim 3.  Lines that begin with # "
-        "are comments; - is standard input.  Exit status 1: not converged, or to no minimum.",
+        "are comments; - is standard input.  Exit status 1: not converged, or to no minimum; with --free none, a foot "
+        "that was verified not to be the nearest point.",
         NULL,
         NULL,
         NULL};

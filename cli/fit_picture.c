@@ -55,13 +55,23 @@ static int power_of(double size)
     return e >= 6 || e <= -4 ? e : 0;
 }
 
-/* x 10^-e exactly, x a binary64. */
-static num_q scaled(double x, int e)
+static num_q times_power(num_q x, int e)
 {
-    num_q y = from_double_q(x), ten = from_int_q(10);
+    num_q ten = from_int_q(10);
     for (int i = 0; i < abs(e); i++)
-        y = e > 0 ? div_q(y, ten) : mul_q(y, ten);
-    return y;
+        x = e > 0 ? mul_q(x, ten) : div_q(x, ten);
+    return x;
+}
+
+/* x 10^-e exactly, x a binary64. */
+static num_q scaled(double x, int e) { return times_power(from_double_q(x), -e); }
+
+/* What is subtracted from coordinates of an interval that is so far from 0 that ticks would have more than some five digits: a number
+ * with few digits that is no farther from it than ten times its length. */
+static double base_of(const struct scale *s, double size)
+{
+    double far = fmin(fabs(s->low), fabs(s->high)), unit = pow(10, ceil(log10(size)));
+    return s->low * s->high > 0 && far > 2e4 * size ? unit * 10 * trunc(s->low / (10 * unit)) : 0;
 }
 
 /* ---- a view: two coordinates, to one scale --------------------------------------------------------- */
@@ -69,20 +79,40 @@ static num_q scaled(double x, int e)
 struct view {
     const struct fit *f;
     int a, b;          /* the coordinates that are shown        */
-    int power;         /* they are shown divided by 10^power    */
+    double base[2];    /* what is subtracted from them          */
+    int power;         /* and what is left is divided by 10^power */
     struct scale x, y; /* in numbers as shown                   */
 };
 
+/* A length. */
 static num_q shown(const struct view *v, double x) { return scaled(x, v->power); }
 
-static svg_point shown_at(const struct view *v, const double P[])
+/* The point with these coordinates from the origin, NULL: from 0. */
+static svg_point shown_from(const struct view *v, const double origin[], const double P[])
 {
-    return (svg_point){shown(v, P[v->a]), shown(v, P[v->b])};
+    num_q at[2];
+    for (int k = 0; k < 2; k++) {
+        int c = k == 0 ? v->a : v->b;
+        num_q x = sub_q(from_double_q(P[c]), from_double_q(v->base[k]));
+        x = origin != NULL ? add_q(x, from_double_q(origin[c])) : x;
+        at[k] = times_power(x, -v->power);
+    }
+    return svg_pair(at);
 }
 
-static int inside(const struct view *v, const double P[])
+static svg_point shown_at(const struct view *v, const double P[]) { return shown_from(v, NULL, P); }
+
+/* Control point j. */
+static svg_point control_point(const struct view *v, int j)
 {
-    double x = to_double_q(shown(v, P[v->a])), y = to_double_q(shown(v, P[v->b]));
+    const cagd_fit_result *r = v->f->result;
+    return shown_from(v, r->origin, r->relative + j * r->curve.dim);
+}
+
+static int inside(const struct view *v, int j)
+{
+    svg_point at = control_point(v, j);
+    double x = to_double_q(at.x), y = to_double_q(at.y);
     return v->x.low <= x && x <= v->x.high && v->y.low <= y && y <= v->y.high;
 }
 
@@ -90,7 +120,7 @@ static int inside(const struct view *v, const double P[])
 static struct view new_view(const struct fit *f, int a, int b, int width)
 {
     const cagd_spline *c = &f->result->curve;
-    struct view v = {f, a, b, 0, {INFINITY, -INFINITY, {0}}, {INFINITY, -INFINITY, {0}}};
+    struct view v = {f, a, b, {0, 0}, 0, {INFINITY, -INFINITY, {0}}, {INFINITY, -INFINITY, {0}}};
     int dim = c->dim;
     for (int i = 0; i < f->data.count; i++)
         for (int k = 0; k < 2; k++) {
@@ -109,11 +139,13 @@ static struct view new_view(const struct fit *f, int a, int b, int width)
         v.x = x;
         v.y = y;
     }
-    v.power = power_of(fmax(v.x.high - v.x.low, v.y.high - v.y.low));
-    double unit = pow(10, v.power), size = fmax(v.x.high - v.x.low, v.y.high - v.y.low) / unit;
-    double room = size * MARGIN / width;
-    v.x = (struct scale){v.x.low / unit - room, v.x.high / unit + room, {0}};
-    v.y = (struct scale){v.y.low / unit - room, v.y.high / unit + room, {0}};
+    double extent = fmax(v.x.high - v.x.low, v.y.high - v.y.low);
+    v.power = power_of(extent);
+    v.base[0] = base_of(&v.x, extent);
+    v.base[1] = base_of(&v.y, extent);
+    double unit = pow(10, v.power), room = extent / unit * MARGIN / width;
+    v.x = (struct scale){(v.x.low - v.base[0]) / unit - room, (v.x.high - v.base[0]) / unit + room, {0}};
+    v.y = (struct scale){(v.y.low - v.base[1]) / unit - room, (v.y.high - v.base[1]) / unit + room, {0}};
     return v;
 }
 
@@ -137,7 +169,9 @@ static void shape(struct view *v, int width)
 
 static void draw_curve(svg *s, const struct view *v)
 {
-    const cagd_spline *c = &v->f->result->curve;
+    cagd_spline near = v->f->result->curve;
+    const cagd_spline *c = &near;
+    near.points = v->f->result->relative;
     int p = c->degree;
     double P[(CAGD_MAX_DEGREE + 1) * CAGD_MAX_DIM], w[CAGD_MAX_DEGREE + 1];
     for (int mu = p; mu < c->count; mu++) {
@@ -146,7 +180,7 @@ static void draw_curve(svg *s, const struct view *v)
         region_mark mark = region_open();
         num_q R[2 * (CAGD_MAX_DEGREE + 1)], W[CAGD_MAX_DEGREE + 1];
         for (int i = 0; i <= p; i++) {
-            svg_point at = shown_at(v, P + i * c->dim);
+            svg_point at = shown_from(v, v->f->result->origin, P + i * c->dim);
             R[2 * i] = at.x;
             R[2 * i + 1] = at.y;
             W[i] = from_double_q(w[i]);
@@ -160,7 +194,7 @@ static void draw_curve(svg *s, const struct view *v)
 static enum svg_direction away(const struct view *v, int j)
 {
     const cagd_spline *c = &v->f->result->curve;
-    const double *P = c->points + j * c->dim;
+    const double *P = v->f->result->relative + j * c->dim;
     double x = 0, y = 0;
     for (int k = -1; k <= 1; k += 2)
         if (j + k >= 0 && j + k < c->count) {
@@ -174,7 +208,7 @@ static enum svg_direction away(const struct view *v, int j)
     return svg_direction_of(svg_at(0, 0), (svg_point){from_double_q(x), from_double_q(y)});
 }
 
-/* Its name; in the plane and among few also its weight, unless that is 1. */
+/* Its name; in the plane and among few, unless it is an end, which may stand at the margin, also its weight if that is not 1. */
 static void label_control_point(svg *s, const struct view *v, int j)
 {
     const cagd_fit_result *r = v->f->result;
@@ -183,21 +217,21 @@ static void label_control_point(svg *s, const struct view *v, int j)
     size_t size;
     FILE *out = open_memstream(&text, &size);
     fprintf(out, "P_{%d}", j);
-    if (dim == 2 && r->curve.count <= MOST_WEIGHTS && r->curve.weights[j] != 1) {
-        struct estimate e = {r->curve.weights[j], NAN, NAN, NAN};
+    if (dim == 2 && r->curve.count <= MOST_WEIGHTS && j > 0 && j < r->curve.count - 1 && r->curve.weights[j] != 1) {
+        struct estimate e = {r->curve.weights[j], NAN, NAN, NAN, 0};
         for (int k = 0; k < r->unknowns; k++)
             if (r->unknown[k].is_weight && r->unknown[k].index == j)
                 e = unknown_estimate(v->f, k);
         fprintf(out, ",  w_{%d} = ", j);
         if (isfinite(e.error)) {
-            put_rounded(out, e.value, e.error);
+            put_rounded(out, 0, e.value, e.error);
             fputs(" ± ", out);
-            put_rounded(out, e.error, e.error);
+            put_rounded(out, 0, e.error, e.error);
         } else
             fprintf(out, "%.4g", e.value);
     }
     fclose(out);
-    svg_label(s, shown_at(v, r->curve.points + j * dim), away(v, j), SVG_POLYGON, text);
+    svg_label(s, control_point(v, j), away(v, j), SVG_POLYGON, text);
     free(text);
 }
 
@@ -206,15 +240,15 @@ static void draw_polygon(svg *s, const struct view *v)
     const cagd_spline *c = &v->f->result->curve;
     num_q *P = region_bytes((size_t)(2 * c->count) * sizeof *P);
     for (int j = 0; j < c->count; j++) {
-        svg_point at = shown_at(v, c->points + j * c->dim);
+        svg_point at = control_point(v, j);
         P[2 * j] = at.x;
         P[2 * j + 1] = at.y;
     }
     for (int j = 1; j < c->count; j++) /* a leg between points that are not seen would only puzzle */
-        if (inside(v, c->points + (j - 1) * c->dim) || inside(v, c->points + j * c->dim))
+        if (inside(v, j - 1) || inside(v, j))
             svg_polyline(s, 2, P + 2 * j - 2, SVG_POLYGON);
     for (int j = 0; j < c->count; j++)
-        if (inside(v, c->points + j * c->dim)) {
+        if (inside(v, j)) {
             svg_mark(s, svg_pair(P + 2 * j), SVG_POLYGON, SVG_USUAL);
             if (c->count <= MOST_LABELS)
                 label_control_point(s, v, j);
@@ -263,7 +297,24 @@ static void axis_name(char name[64], const char *what, int power)
         snprintf(name, 64, "%s/10^{%s%d}", what, power < 0 ? "-" : "", abs(power));
 }
 
-static void draw_view(svg *s, const struct fit *f, int a, int b, int width, const char *caption)
+/* What the view shows, and from where its coordinates are counted. */
+static char *caption_of(const struct view *v, const char *what, const char *const coordinate[])
+{
+    char *text;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    fputs(what, out);
+    const char *before = *what != '\0' ? "; " : "";
+    for (int k = 0; k < 2; k++)
+        if (v->base[k] != 0) {
+            fprintf(out, "%s$%s$ from $%.15g$", before, coordinate[k == 0 ? v->a : v->b], v->base[k]);
+            before = ", ";
+        }
+    fclose(out);
+    return text;
+}
+
+static void draw_view(svg *s, const struct fit *f, int a, int b, int width, const char *what)
 {
     static const char *const coordinate[] = {"x", "y", "z"};
     region_mark mark = region_open();
@@ -274,7 +325,9 @@ static void draw_view(svg *s, const struct fit *f, int a, int b, int width, cons
     char x_name[64], y_name[64];
     axis_name(x_name, coordinate[a], v.power);
     axis_name(y_name, coordinate[b], v.power);
-    svg_panel(s, window, width, 0, caption);
+    char *caption = caption_of(&v, what, coordinate);
+    svg_panel(s, window, width, 0, *caption != '\0' ? caption : NULL);
+    free(caption);
     svg_grid(s, v.x.step, v.y.step);
     svg_scales(s, v.x.step, v.y.step, x_name, y_name);
     if (f->data.sigma != NULL && f->data.count <= MOST_MARKS)
@@ -354,8 +407,10 @@ static void describe(const struct fit *f, FILE *out)
             "with its control polygon; below, the %s of every point over the parameter of its foot%s. "
             "Root mean square distance %.3g, largest %.3g.",
             f->data.count, f->data.dim == 2 ? "in the plane" : "in space, from above and from the front",
-            is_minimum(f) ? "the" : "a", r->curve.degree, r->curve.count,
-            is_minimum(f) ? " that comes closest to them" : " that the minimiser reached, not known to be a minimum",
+            is_minimum(f) && !nothing_is_free(f) ? "the" : "a", r->curve.degree, r->curve.count,
+            nothing_is_free(f) ? " that is given"
+            : is_minimum(f)    ? " that comes closest to them"
+                               : " that the minimiser reached, not known to be a minimum",
             f->data.dim == 2 ? "signed distance" : "distance",
             isfinite(deviation_of(f, 0)) ? ", with a band of two standard deviations" : "", r->rms, r->largest);
 }
@@ -364,7 +419,10 @@ static void legend(svg *s, const struct fit *f)
 {
     int bars = f->data.sigma != NULL && f->data.count <= MOST_MARKS;
     svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
-    svg_legend_line(s, SVG_CURVE, is_minimum(f) ? "fitted curve" : "curve, no minimum");
+    svg_legend_line(s, SVG_CURVE,
+                    nothing_is_free(f) ? "given curve"
+                    : is_minimum(f)    ? "fitted curve"
+                                       : "curve, no minimum");
     svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control points");
     if (isfinite(deviation_of(f, 0)))
         svg_legend_area(s, SVG_FILL, f->data.dim == 2 ? "$± 2 s$" : "up to $2 s$");
@@ -377,10 +435,13 @@ int write_picture(const struct fit *f, const char *path)
     FILE *out = open_memstream(&description, &size);
     describe(f, out);
     fclose(out);
-    svg *s = svg_new("fit", "A rational curve fitted to measured points", description);
+    svg *s = svg_new("fit",
+                     nothing_is_free(f) ? "Measured points and a given rational curve"
+                                        : "A rational curve fitted to measured points",
+                     description);
     free(description);
     if (f->data.dim == 2) {
-        draw_view(s, f, 0, 1, WIDTH, NULL);
+        draw_view(s, f, 0, 1, WIDTH, "");
     } else {
         draw_view(s, f, 0, 1, VIEW_WIDTH, "from above");
         draw_view(s, f, 0, 2, VIEW_WIDTH, "from the front");

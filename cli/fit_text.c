@@ -15,12 +15,12 @@ static const double LARGE = 0.9; /* correlations that are printed */
 /* ---- numbers in a table ---------------------------------------------------------------------------- */
 
 /* The same in a column that ends at `width`. */
-static void put_column(double value, double error, int width)
+static void put_column(double origin, double value, double error, int width)
 {
     char *text;
     size_t size;
     FILE *out = open_memstream(&text, &size);
-    put_rounded(out, value, error);
+    put_rounded(out, origin, value, error);
     fclose(out);
     printf("%*s", width, text);
     free(text);
@@ -33,9 +33,9 @@ static void put_interval(struct estimate e)
         fputs("as good as every number > 0", stdout);
         return;
     }
-    put_rounded(stdout, e.low, e.error);
+    put_rounded(stdout, e.origin, e.low, e.error);
     fputs(" to ", stdout);
-    put_rounded(stdout, e.high, e.error);
+    put_rounded(stdout, e.origin, e.high, e.error);
 }
 
 static const char *plural(int n) { return n == 1 ? "" : "s"; }
@@ -95,7 +95,7 @@ static void print_heading(const struct fit *f)
     else
         fprintf(out, "NURBS curve of degree %d with %d segments and %d control points", c->degree, segments, c->count);
     static const char *const part[] = {"weights", "inner points", "end points"};
-    fputs("; free: ", out);
+    fputs(nothing_is_free(f) ? "; nothing is free" : "; free: ", out);
     for (int k = 0, said = 0; k < 3; k++)
         if (f->options.free & 1 << k)
             fprintf(out, "%s%s", said++ > 0 ? ", " : "", part[k]);
@@ -103,6 +103,10 @@ static void print_heading(const struct fit *f)
         fprintf(out, "; it begins and ends in %s",
                 f->options.unordered ? "two of the points" : "the first and the last point");
     end(&l, "Curve");
+    if (nothing_is_free(f)) {
+        say("Feet", "the nearest points of the whole curve");
+        return;
+    }
     if (f->options.loss == CAGD_FIT_SQUARES)
         say("Minimised", "half the sum of the squared orthogonal distances%s",
             f->data.sigma != NULL ? " over the squared standard deviations" : "");
@@ -178,12 +182,30 @@ static void put_reach(const struct fit *f, FILE *out)
         fprintf(out, " and %s of them", power_of_ten(r.weight_alone, floor, weight));
 }
 
+/* What the check in intervals found of the feet. */
+static void print_nearest(const struct fit *f)
+{
+    const nearest_verdict *n = &f->nearest;
+    char text[16];
+    if (n->verified)
+        say("Verification",
+            "verified in intervals: no point of the curve is nearer to any of the points than its foot by more than %s",
+            power_of_ten(n->excess, ceil, text));
+    else
+        say("Verification", "%s: %s (point %d, line %d)", n->refuted ? "refuted in intervals" : "not verified",
+            n->reason, n->where + 1, f->points.line[n->where]);
+}
+
 /* What the check in intervals found. */
 static void print_verdict(const struct fit *f)
 {
     const stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return;
+    if (nothing_is_free(f)) {
+        print_nearest(f);
+        return;
+    }
     struct line l;
     FILE *out = begin(&l);
     int bounds = v->bounds != STATIONARY_NO_BOUNDS;
@@ -222,12 +244,14 @@ static void print_estimates(const struct fit *f)
         printf("\n%12s%17s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
     else if (r->unknowns > 0)
         printf("\n%12s%17s\n", "", "reached");
+    else
+        puts("");
     for (int k = 0; k < r->unknowns; k++) {
         char name[32];
         struct estimate e = unknown_estimate(f, k);
         unknown_name(r, k, name);
         printf("  %-10s", name);
-        put_column(e.value, e.error, 17);
+        put_column(e.origin, e.value, e.error, 17);
         if (r->at_bound[k]) {
             puts("  on its bound");
         } else if (r->unknown[k].is_weight && !in_range(e.value)) {
@@ -239,19 +263,19 @@ static void print_estimates(const struct fit *f)
         } else if (!isfinite(e.error)) {
             puts("  no standard error");
         } else {
-            put_column(e.error, e.error, 18);
+            put_column(0, e.error, e.error, 18);
             put_interval(e);
             puts("");
         }
     }
-    for (int j = 0; j < r->invariants; j++) {
+    for (int j = 0; j < r->invariants && r->unknowns > 0; j++) {
         char name[32];
         struct estimate e = invariant_estimate(f, j);
         snprintf(name, sizeof name, "I%d", j + 1);
         printf("  %-10s", name);
-        put_column(e.value, e.error, 17);
+        put_column(0, e.value, e.error, 17);
         if (isfinite(e.error) && e.error > 0) {
-            put_column(e.error, e.error, 18);
+            put_column(0, e.error, e.error, 18);
             put_interval(e);
         } else if (!in_range(e.value))
             fputs("  beyond the range of numbers", stdout);
@@ -277,8 +301,10 @@ static void print_fixed(const struct fit *f)
             }
         if (!point) {
             fprintf(out, "%sP%d = (", said++ > 0 ? ", " : "", j);
-            for (int x = 0; x < c->dim; x++)
-                fprintf(out, "%s%.10g", x > 0 ? ", " : "", c->points[j * c->dim + x]);
+            for (int x = 0; x < c->dim; x++) {
+                fputs(x > 0 ? ", " : "", out);
+                put_given(out, f->result->origin[x], c->points[j * c->dim + x]);
+            }
             fputs(")", out);
         }
         if (!weight)
@@ -375,6 +401,30 @@ static void print_distances(const struct fit *f)
     end(&l, "Distances");
 }
 
+/* Errors that standard errors do not know of: the measured coordinates are no finer than binary64 is so far from 0. */
+static void print_spacing(const struct fit *f)
+{
+    const cagd_fit_result *r = f->result;
+    double widest = 0;
+    int finest = -1;
+    for (int k = 0; k < r->unknowns; k++)
+        if (is_finer_than_its_points(f, k)) {
+            widest = fmax(widest, spacing_of(f, r->unknown[k].coordinate));
+            if (finest < 0 || unknown_estimate(f, k).error < unknown_estimate(f, finest).error)
+                finest = k;
+        }
+    if (finest < 0)
+        return;
+    char name[32];
+    unknown_name(r, finest, name);
+    say("Far from 0",
+        "in binary64 the coordinates of the points are rounded to steps of %.2g, which is more than standard errors, "
+        "%.2g of %s: "
+        "what the roundings have in common is not in these; estimates are from an origin nearby, so that nothing more "
+        "is lost",
+        widest, unknown_estimate(f, finest).error, name);
+}
+
 /* What is true of a minimum only. */
 static void print_statistics(const struct fit *f)
 {
@@ -395,7 +445,11 @@ static void print_statistics(const struct fit *f)
                 r->chi_squared, r->degrees_of_freedom, plural(r->degrees_of_freedom));
         end(&l, "Loss");
     }
-    if (known)
+    if (nothing_is_free(f)) {
+        if (!known && r->scale_squared > 0)
+            say("Deviation", "standard deviation %.4g%s, estimated from the distances", sqrt(r->scale_squared),
+                f->data.sigma != NULL ? " of the given ones" : "");
+    } else if (known)
         say("Standard errors",
             "from the given standard deviations; 95 %% intervals: %.4g of them to either side (normal distribution, "
             "for weights and invariants of the logarithms)",
@@ -410,8 +464,10 @@ static void print_statistics(const struct fit *f)
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
     if (!known && is_on_curve(f) && r->scale_squared > 0)
         say("Rounding",
-            "the distances are no larger than the roundings of binary64: the points lie on the curve, and the standard "
-            "errors are those of the arithmetic, not of a measurement");
+            "the distances are no larger than the roundings of binary64: the points lie on the curve, and %s "
+            "the arithmetic, not of a measurement",
+            nothing_is_free(f) ? "the deviation is that of" : "the standard errors are those of");
+    print_spacing(f);
     if (ends_taken_as_exact(f))
         say("Ends",
             "%s are taken as exact: their errors move the whole curve, weights with it, and "
@@ -419,7 +475,7 @@ static void print_statistics(const struct fit *f)
             f->options.unordered ? "two of the points, at the ends," : "the first and the last point",
             f->options.free & CAGD_FIT_WEIGHTS ? "weights," : "");
     double cusp;
-    if (cagd_fit_has_cusp(r, &cusp))
+    if (!nothing_is_free(f) && cagd_fit_has_cusp(r, &cusp))
         say("Cusp",
             "at t = %.6g the curve turns on a radius no larger than the distances, as at a cusp: standard errors, rank "
             "and free directions, which take the curve as smooth there, cannot be relied on",
@@ -459,7 +515,8 @@ void print_fit(const struct fit *f, int verbose)
     else
         say("No statistics",
             "%s; standard errors, 95 %% intervals, rank, correlations and the type of a conic belong to a minimum",
-            f->result->termination == CAGD_FIT_CONVERGED
+            nothing_is_free(f) ? "a foot was verified not to be the nearest point of the curve"
+            : f->result->termination == CAGD_FIT_CONVERGED
                 ? "the curve was verified to be no minimum"
                 : "the minimiser did not come to its end, and the numbers are those of the last curve that it reached");
 }

@@ -369,17 +369,28 @@ static int bound_of(const cagd_fit_options *options, double log_weight)
 stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
                                         const cagd_fit_result *result)
 {
+    size_t numbers = (size_t)data->count * (size_t)data->dim;
     int count = 0, *held = malloc(((size_t)result->unknowns + 1) * sizeof *held);
-    if (held == NULL)
+    double *points = malloc(numbers * sizeof *points);
+    if (held == NULL || points == NULL) {
+        free(held);
+        free(points);
         return (stationary_verdict){.bound = -1, .where = -1, .reason = no_memory};
+    }
+    for (size_t m = 0; m < numbers; m++)
+        points[m] = data->points[m] - result->origin[m % (size_t)data->dim]; /* exactly */
+    cagd_fit_data near = *data;
+    cagd_spline curve = result->curve;
+    near.points = points;
+    curve.points = result->relative;
     for (int a = 0; a < result->unknowns; a++) {
         held[a] = result->at_bound[a] ? bound_of(options, result->value[a]) : STATIONARY_FREE;
         count += held[a] != STATIONARY_FREE;
     }
-    stationary_problem problem = {.data = data,
+    stationary_problem problem = {.data = &near,
                                   .loss = options->loss,
                                   .loss_scale = options->loss_scale,
-                                  .curve = &result->curve,
+                                  .curve = &curve,
                                   .feet = result->feet,
                                   .unknowns = result->unknowns,
                                   .unknown = result->unknown,
@@ -388,5 +399,6 @@ stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fi
                                   .free_directions = result->free_directions};
     stationary_verdict verdict = stationary_check(&problem);
     free(held);
+    free(points);
     return verdict;
 }

@@ -77,9 +77,23 @@ typedef struct stationary_verdict {
 
 stationary_verdict stationary_check(const stationary_problem *problem);
 
-/* The same of the result of a fit. */
+/* The same of the result of a fit, from its origin: the coordinates of which the verdict speaks are `relative`. */
 stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
                                         const cagd_fit_result *result);
+
+/* Whether the feet are the nearest points of the whole curve, which is what is left to verify where nothing is free.  Branch and bound:
+ * the curve is divided until each part is known to come no nearer to the point than its foot does, but for an excess that is
+ * at most 2^-44 of the size of points and curve.  Corners, cusps, ends of the curve, and points that are as near to two places are no
+ * exceptions; a point that is as near to a whole arc is one, and is left undecided. */
+typedef struct nearest_verdict {
+    int verified;       /* 1: no point of the curve is nearer to any measured point than its foot, but for `excess` */
+    int refuted;        /* 1: some point of it is nearer to point `where`, by more than 2^-44 of the size            */
+    double excess;      /* rounded up                                                                         */
+    int where;          /* index of the measured point that the reason is about, or -1                        */
+    const char *reason; /* why not verified, a sentence without full stop; NULL when verified; static         */
+} nearest_verdict;
+
+nearest_verdict stationary_nearest(const cagd_fit_data *data, const cagd_spline *curve, const double feet[]);
 
 /* Enclosures of gradient and Hessian of F over the box of unknowns no farther than radius[a] from the given ones,
  * a = 0, ..., unknowns-1; of the weights in their logarithms, radius <= 1.  Arrays of unknowns, and of unknowns x

@@ -6,7 +6,7 @@
 cagd_fit_status fit_check_options(const cagd_fit_options *o)
 {
     const int all = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS;
-    REQUIRE(o->free != 0 && (o->free & ~all) == 0, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE((o->free & ~all) == 0, CAGD_FIT_BAD_OPTIONS);
     REQUIRE(o->loss == CAGD_FIT_SQUARES || o->loss == CAGD_FIT_HUBER || o->loss == CAGD_FIT_CAUCHY,
             CAGD_FIT_BAD_OPTIONS);
     REQUIRE(isfinite(o->loss_scale) && o->loss_scale > 0, CAGD_FIT_BAD_OPTIONS);
@@ -14,11 +14,12 @@ cagd_fit_status fit_check_options(const cagd_fit_options *o)
     REQUIRE(o->starts >= 1 && o->max_iterations >= 1, CAGD_FIT_BAD_OPTIONS);
     REQUIRE(isfinite(o->tolerance) && o->tolerance > 0, CAGD_FIT_BAD_OPTIONS);
     REQUIRE(o->method == CAGD_FIT_ELIMINATED || o->method == CAGD_FIT_PLAIN, CAGD_FIT_BAD_OPTIONS);
-    REQUIRE(o->initial != NULL || (o->free & CAGD_FIT_INNER_POINTS) || o->degree == 1, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(o->initial != NULL || (o->free & CAGD_FIT_INNER_POINTS) || (o->free != 0 && o->degree == 1),
+            CAGD_FIT_BAD_OPTIONS);
     return CAGD_FIT_OK;
 }
 
-cagd_fit_status fit_check_data(const cagd_fit_data *data, int *where)
+cagd_fit_status fit_check_data(const cagd_fit_data *data, int nothing_free, int *where)
 {
     REQUIRE(data->points != NULL && data->count >= 0 && (data->dim == 2 || data->dim == 3), CAGD_FIT_BAD_DATA);
     int equal = 1;
@@ -34,7 +35,7 @@ cagd_fit_status fit_check_data(const cagd_fit_data *data, int *where)
         REQUIRE(isfinite(data->sigma[i]) && data->sigma[i] > 0, CAGD_FIT_BAD_DATA);
     }
     *where = -1;
-    REQUIRE(data->count >= 2, CAGD_FIT_TOO_FEW);
-    REQUIRE(!equal, CAGD_FIT_ALL_EQUAL);
+    REQUIRE(data->count >= (nothing_free ? 1 : 2), CAGD_FIT_TOO_FEW);
+    REQUIRE(!equal || nothing_free, CAGD_FIT_ALL_EQUAL);
     return CAGD_FIT_OK;
 }

@@ -25,6 +25,15 @@
  * the cut is known and not the curve.  What does not change with the cut, points, distances and the type of a conic, is
  * reported all the same.
  *
+ * Nothing free (只求垂足).  With an initial curve and free = 0 the distances of the points from that curve are told, and nothing is
+ * estimated.  One point is enough then.  The foot of each is the nearest point of the whole curve, whatever the order of the points, which
+ * only says how many feet overtake the one before.  The curve, its gauge with it, stays as it is given, and parameters of feet are
+ * those of the given curve.  There are no unknowns: rank 0, N (dim-1) degrees of freedom.
+ *
+ * Far from the origin (远离原点).  The fit is computed in coordinates from an origin of its own, which is subtracted from the measured
+ * coordinates without rounding; so nothing is lost where these are so large that the steps of binary64 are no longer small against the
+ * curve.  The curve itself may not have its points in binary64 there: curve, value and feet are rounded to it, `relative` is not.
+ *
  * Memory.  The caller owns the arguments, which are only read.  A result is made by cagd_fit and released by
  * cagd_fit_free, with all arrays it points to.  Nothing is printed. */
 #ifndef CAGD_FIT_H
@@ -60,7 +69,7 @@ typedef struct cagd_fit_options {
     const cagd_spline *initial; /* where to start; NULL: found from the points.  Gives degree and knots  */
     int free;                   /* CAGD_FIT_... added up; what is not free stays as in initial; without  */
                                 /* initial the inner points must be free, and ends that are not free are */
-                                /* the first and the last measured point                                 */
+                                /* the first and the last measured point; 0, with initial: only the feet */
     int unordered;              /* 0: the points come in order along the curve; 1: in any order          */
     cagd_fit_loss loss;
     double loss_scale;              /* a > 0                                                                 */
@@ -83,8 +92,8 @@ typedef enum cagd_fit_status {
     CAGD_FIT_BAD_DATA,    /* `where` is the index of the point, or -1                                     */
     CAGD_FIT_BAD_OPTIONS, /* an option is outside its range                                              */
     CAGD_FIT_BAD_CURVE,   /* the initial curve, or the knots, are none                                   */
-    CAGD_FIT_TOO_FEW,     /* fewer equations, N (dim-1), than unknowns, or fewer than 2 points           */
-    CAGD_FIT_ALL_EQUAL,   /* all points are equal                                                        */
+    CAGD_FIT_TOO_FEW,     /* fewer equations, N (dim-1), than unknowns, or fewer than 2 points, or none  */
+    CAGD_FIT_ALL_EQUAL,   /* all points are equal; with nothing free, and the curve is that point, too   */
     CAGD_FIT_NO_MEMORY,
     CAGD_FIT_OUT_OF_RANGE /* squared distances would leave the range of numbers; `where` is the index of the point, or -1 */
 } cagd_fit_status;
@@ -103,8 +112,10 @@ typedef struct cagd_fit_step {
 typedef enum cagd_fit_termination { CAGD_FIT_CONVERGED, CAGD_FIT_NOT_CONVERGED, CAGD_FIT_FAILED } cagd_fit_termination;
 
 typedef struct cagd_fit_result {
-    /* the curve, in the gauge above */
+    /* the curve, in the gauge above; with nothing free, as given */
     cagd_spline curve;
+    double origin[3]; /* measured coordinates less these are exact in binary64                         */
+    double *relative; /* the points of the curve less the origin, which are what was fitted and verified */
     /* the foot points and what is left: residuals[i*dim + c] = coordinate c of Q_i - C(feet[i]); distances[i] its length, in
      * the plane with the sign + on the left of the curve */
     int count;

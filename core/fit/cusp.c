@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stddef.h>
 
 /* Places between two knots that are looked at, for each degree: |C'|^2 is N/w^4, N of degree 4p-4 and w of degree p, hence
  * has less than 8p places where it is stationary, every other one a minimum. */
@@ -57,7 +58,9 @@ static double rounding(const cagd_spline *curve)
 
 int cagd_fit_has_cusp(const cagd_fit_result *result, double *t)
 {
-    const cagd_spline *curve = &result->curve;
+    cagd_spline near = result->curve; /* the same curve where binary64 is finest */
+    const cagd_spline *curve = &near;
+    near.points = result->relative != NULL ? result->relative : near.points;
     double smallest = fmax(result->rms, rounding(curve)), squares[2];
     int found = 0, places = PER_DEGREE * curve->degree;
     for (int mu = curve->degree; mu < curve->count; mu++) {

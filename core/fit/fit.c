@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 const char *cagd_fit_status_text(cagd_fit_status status)
 {
@@ -59,12 +60,26 @@ const fit_strategy fit_usual_strategy = {.nearly = 1e-3,
                                          .steps = 40,
                                          .telling = 1e-3};
 
+/* Nothing is free: the feet on the given curve, and the cost. */
+static int feet_alone(const fit_problem *p, fit_attempt *a)
+{
+    double cost;
+    int good = fit_feet_search(p, a->curve, a->feet, &cost);
+    if (good)
+        fit_objective_begin(a->objective, a->curve, a->feet);
+    a->initial_cost = a->objective->cost;
+    strcpy(a->outcome.message, "Nothing is free: the feet of the points on the given curve.");
+    return good;
+}
+
 /* The attempt from start number `start`. */
 static int try_start(const fit_problem *p, const cagd_fit_options *o, int start, fit_attempt *a)
 {
     double cost;
     int good = fit_start(p, o, start, a->curve);
-    if (o->method == CAGD_FIT_PLAIN)
+    if (p->nothing_free)
+        good = good && feet_alone(p, a);
+    else if (o->method == CAGD_FIT_PLAIN)
         good = good && fit_feet_search(p, a->curve, a->feet, &cost) && fit_descend_plain(p, o, a);
     else
         good = good && fit_approach(p, o, a) && fit_descend(p, o, a);
@@ -89,7 +104,8 @@ static cagd_fit_status run(const cagd_fit_data *data, const cagd_fit_options *o,
                            cagd_fit_result **result)
 {
     fit_attempt best = {0};
-    int best_start = 0, good = 1, starts = 0, most = o->starts + (o->free & CAGD_FIT_WEIGHTS ? MORE_STARTS : 0);
+    int best_start = 0, good = 1, starts = 0;
+    int most = p->nothing_free ? 1 : o->starts + (o->free & CAGD_FIT_WEIGHTS ? MORE_STARTS : 0);
     double *costs = malloc((size_t)most * sizeof *costs);
     for (int start = 0; costs && good && start < most; start++) {
         if (start >= o->starts && best.outcome.termination == CAGD_FIT_CONVERGED)
@@ -121,15 +137,6 @@ static cagd_fit_status run(const cagd_fit_data *data, const cagd_fit_options *o,
     return *result != NULL ? CAGD_FIT_OK : CAGD_FIT_NO_MEMORY;
 }
 
-/* Whether the initial curve is one. */
-static cagd_fit_status check_initial(const fit_problem *p, const cagd_spline *initial)
-{
-    fit_curve *curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
-    cagd_fit_status status = curve != NULL ? fit_problem_curve(p, initial, curve) : CAGD_FIT_NO_MEMORY;
-    fit_curve_free(curve);
-    return status;
-}
-
 cagd_fit_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options *options,
                                   const fit_strategy *strategy, cagd_fit_result **result, int *where)
 {
@@ -141,12 +148,10 @@ cagd_fit_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_opti
     *where = -1;
     cagd_fit_status status = fit_check_options(options);
     if (status == CAGD_FIT_OK)
-        status = fit_check_data(data, where);
+        status = fit_check_data(data, options->free == 0, where);
     if (status != CAGD_FIT_OK)
         return status;
     status = fit_problem_make(data, options, strategy, &p, where);
-    if (status == CAGD_FIT_OK && options->initial != NULL)
-        status = check_initial(&p, options->initial);
     if (status == CAGD_FIT_OK && fit_problem_equations(&p) < p.unknowns)
         status = CAGD_FIT_TOO_FEW;
     if (status == CAGD_FIT_OK)

@@ -61,7 +61,7 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
         for (int c = 0; o->free & (end ? CAGD_FIT_END_POINTS : CAGD_FIT_INNER_POINTS) && c < p->dim; c++)
             p->unknown[p->unknowns++] = (cagd_fit_unknown){0, i, c};
     }
-    REQUIRE(p->unknowns > 0, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(p->unknowns > 0 || o->free == 0, CAGD_FIT_BAD_OPTIONS);
     int pieces = 0, at = 0;
     for (int mu = d; mu < n; mu++) {
         if (!(p->knots[mu] < p->knots[mu + 1]))
@@ -82,33 +82,46 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
  * or overflow when the distance lies between 2^-400 and 2^400: 2*400 + 31 < 1024 and 2*400 + 106 < 1022. */
 static int in_range(double x) { return x >= 0x1p-400 && x <= 0x1p+400; }
 
-static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p, int *where)
+/* The coordinates c of all points lie between low and high. */
+static void enclose(int count, int dim, int c, const double points[], double *low, double *high)
+{
+    for (int i = 0; i < count; i++) {
+        double x = points[(size_t)i * (size_t)dim + (size_t)c];
+        *low = fmin(*low, x);
+        *high = fmax(*high, x);
+    }
+}
+
+static cagd_fit_status make_points(const cagd_fit_data *data, const cagd_fit_options *o, fit_problem *p, int *where)
 {
     int dim = data->dim, e;
     size_t numbers = (size_t)data->count * (size_t)dim;
     double low[3], high[3], extent = 0;
     p->points = data->count;
-    p->dim = dim;
     p->Q = malloc(numbers * sizeof *p->Q);
     p->precision = malloc((size_t)data->count * sizeof *p->precision);
     REQUIRE(p->Q && p->precision, CAGD_FIT_NO_MEMORY);
     for (int c = 0; c < dim; c++) {
         low[c] = high[c] = data->points[c];
-        for (int i = 1; i < data->count; i++) {
-            double x = data->points[(size_t)i * (size_t)dim + (size_t)c];
-            low[c] = fmin(low[c], x);
-            high[c] = fmax(high[c], x);
-        }
+        enclose(data->count, dim, c, data->points, &low[c], &high[c]);
+        if (o->free == 0) /* a single point has no size, and the curve may be anywhere */
+            enclose(p->count, dim, c, o->initial->points, &low[c], &high[c]);
         extent = fmax(extent, high[c] / 2 - low[c] / 2);
     }
+    REQUIRE(extent > 0 || o->free != 0, CAGD_FIT_ALL_EQUAL);
     REQUIRE(in_range(extent), CAGD_FIT_OUT_OF_RANGE);
     frexp(extent, &e); /* extent < 2^e, the half of the widest side */
     p->unit = ldexp(1, e);
-    for (int c = 0; c < dim; c++)
-        p->centre[c] = 2 * p->unit * rint((low[c] / 2 + high[c] / 2) / (2 * p->unit));
+    for (int c = 0; c < dim; c++) {
+        int far = fmax(low[c], -high[c]) / 3 >= extent;
+        p->centre[c] = far ? p->unit * rint((low[c] / 2 + high[c] / 2) / p->unit) : 0;
+    }
+    p->size = 2;
     for (int c = 0; c < dim; c++) /* the unit is a power of two */
         for (size_t m = (size_t)c; m < numbers; m += (size_t)dim)
             p->Q[m] = (data->points[m] - p->centre[c]) / p->unit;
+    for (size_t m = 0; m < numbers; m++)
+        p->size = fmax(p->size, fabs(p->Q[m]));
     for (int i = 0; i < data->count; i++) {
         p->precision[i] = data->sigma != NULL ? p->unit / data->sigma[i] : p->unit;
         *where = i;
@@ -118,15 +131,34 @@ static cagd_fit_status make_points(const cagd_fit_data *data, fit_problem *p, in
     return CAGD_FIT_OK;
 }
 
+/* Whether the initial curve is one; without any there is nothing to be checked. */
+static cagd_fit_status check_initial(const fit_problem *p, const cagd_spline *initial)
+{
+    if (initial == NULL)
+        return CAGD_FIT_OK;
+    REQUIRE(initial->dim == p->dim && initial->points != NULL, CAGD_FIT_BAD_CURVE);
+    for (int i = 0; i < p->count; i++)
+        REQUIRE(initial->weights == NULL || (isfinite(initial->weights[i]) && initial->weights[i] > 0),
+                CAGD_FIT_BAD_CURVE);
+    for (int m = 0; m < p->count * p->dim; m++)
+        REQUIRE(isfinite(initial->points[m]), CAGD_FIT_BAD_CURVE);
+    return CAGD_FIT_OK;
+}
+
 cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *o, const fit_strategy *strategy,
                                  fit_problem *p, int *where)
 {
-    *p = (fit_problem){.strategy = *strategy, .loss = o->loss, .loss_scale = o->loss_scale, .unordered = o->unordered};
+    *p = (fit_problem){.strategy = *strategy, .loss = o->loss, .loss_scale = o->loss_scale};
+    p->unordered = o->unordered || o->free == 0;
     p->low = o->weight_low;
     p->high = o->weight_high;
-    cagd_fit_status status = make_points(data, p, where);
+    p->nothing_free = o->free == 0;
+    p->dim = data->dim;
+    cagd_fit_status status = make_knots(o, p);
     if (status == CAGD_FIT_OK)
-        status = make_knots(o, p);
+        status = check_initial(p, o->initial);
+    if (status == CAGD_FIT_OK)
+        status = make_points(data, o, p, where);
     if (status == CAGD_FIT_OK)
         status = make_unknowns(o, p);
     if (status == CAGD_FIT_OK)
@@ -134,19 +166,22 @@ cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_optio
     return status;
 }
 
-cagd_fit_status fit_problem_curve(const fit_problem *p, const cagd_spline *initial, fit_curve *curve)
+void fit_problem_curve(const fit_problem *p, const cagd_spline *initial, fit_curve *curve)
 {
-    int n = p->count;
-    REQUIRE(initial->dim == p->dim && initial->points != NULL, CAGD_FIT_BAD_CURVE);
+    int n = p->count, e;
+    double largest = 0;
     for (int i = 0; i < n; i++) {
-        double w = initial->weights != NULL ? initial->weights[i] : 1;
-        REQUIRE(isfinite(w) && w > 0, CAGD_FIT_BAD_CURVE);
-        curve->weights[i] = w;
-        for (int c = 0; c < p->dim; c++) {
-            double x = initial->points[i * p->dim + c];
-            REQUIRE(isfinite(x), CAGD_FIT_BAD_CURVE);
-            curve->points[i * p->dim + c] = (x - p->centre[c]) / p->unit;
-        }
+        curve->weights[i] = initial->weights != NULL ? initial->weights[i] : 1;
+        largest = fmax(largest, curve->weights[i]);
+        for (int c = 0; c < p->dim; c++)
+            curve->points[i * p->dim + c] = (initial->points[i * p->dim + c] - p->centre[c]) / p->unit;
+    }
+    if (p->nothing_free) { /* its own parameter; a power of two is no gauge, and keeps sums of weights in range */
+        frexp(largest, &e);
+        for (int i = 0; i < n; i++)
+            curve->weights[i] = ldexp(curve->weights[i], -e);
+        fit_curve_update(curve);
+        return;
     }
     double first = log(curve->weights[0]),
            slope = n == p->degree + 1 ? (log(curve->weights[n - 1]) - first) / p->degree : 0;
@@ -155,7 +190,6 @@ cagd_fit_status fit_problem_curve(const fit_problem *p, const cagd_spline *initi
             curve->weights[i] =
                 i == 0 || (i == n - 1 && slope != 0) ? 1 : exp(log(curve->weights[i]) - first - i * slope);
     fit_curve_update(curve);
-    return CAGD_FIT_OK;
 }
 
 /* phi(y) = 1 + y, from -1/2 on; below it falls like an exponential function and stays positive. */
@@ -243,7 +277,7 @@ void fit_problem_round(fit_problem *p)
 {
     p->rounding = 0;
     for (int i = 0; i < p->points; i++) {
-        double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * 2;
+        double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * p->size;
         p->rounding += blur * blur;
     }
 }

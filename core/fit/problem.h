@@ -1,7 +1,10 @@
 /* problem.h -- the fit as its parts see it.
  *
  * Everything is computed in working coordinates (x - centre)/unit with a power of two as unit, so that coordinates are of
- * the order of 1; the centre is 0 where the data surround or touch the origin, and few bits long elsewhere.  Distances
+ * the order of 1.  Those of measured points are exact (无舍入), however far from the origin they lie: in each coordinate the centre is
+ * 0 unless all |x| >= 3h, 2h being the widest side of the data; and then it is the middle, but for half of the unit, h < unit <= 2h.
+ * With |centre - middle| <= h and middle - h <= x <= middle + h this is |centre - x| <= 2h, hence x/2 <= centre <= 2x for x >= 3h,
+ * where binary64 subtracts without rounding (P. H. Sterbenz, Floating-Point Computation, 1974, 4.3).  Distances
  * are scaled back by 1/sigma, which is in units of the working coordinates: F is that of cagd_fit.h. */
 #ifndef CAGD_FIT_PROBLEM_H
 #define CAGD_FIT_PROBLEM_H
@@ -20,9 +23,10 @@ typedef struct fit_problem {
     double *Q;         /* the measured points in working coordinates                     */
     double *precision; /* 1/sigma of each                                                */
     double centre[3], unit;
+    double size; /* no coordinate of Q is larger; at least 2                              */
     cagd_fit_loss loss;
     double loss_scale;
-    int unordered;
+    int unordered, nothing_free; /* feet alone: those of points in any order            */
     int degree, count;
     double *knots;
     int unknowns;
@@ -38,8 +42,8 @@ cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_optio
                                  const fit_strategy *strategy, fit_problem *problem, int *where);
 void fit_problem_free(fit_problem *problem);
 
-/* A given curve in the gauge and in working coordinates. */
-cagd_fit_status fit_problem_curve(const fit_problem *problem, const cagd_spline *given, fit_curve *curve);
+/* The checked initial curve in working coordinates and in the gauge; when nothing is free with its weights as they are, but for a power of two. */
+void fit_problem_curve(const fit_problem *problem, const cagd_spline *given, fit_curve *curve);
 
 /* x to curve and back: x holds w_j (P_j - B_j) for the coordinates of a point and y_j, w_j = b_j phi(y_j), for a weight, b_j and
  * B_j being weight and point of the base, a curve nearby.  phi(y) is 1 + y, or positive all the same below -1/2.  A homogeneous

@@ -14,6 +14,7 @@ void cagd_fit_free(cagd_fit_result *r)
     free((void *)r->curve.knots);
     free((void *)r->curve.points);
     free((void *)r->curve.weights);
+    free(r->relative);
     free(r->feet), free(r->residuals), free(r->distances), free(r->foot_at_end);
     free(r->history);
     free(r->unknown), free(r->value), free(r->at_bound);
@@ -31,16 +32,20 @@ static int fill_curve(const fit_problem *p, const fit_attempt *a, cagd_fit_resul
     double *knots = numbers((size_t)(n + p->degree + 1)), *points = numbers((size_t)(n * dim)),
            *weights = numbers((size_t)n);
     r->curve = (cagd_spline){p->degree, n, dim, knots, points, weights};
+    r->relative = numbers((size_t)(n * dim));
+    memcpy(r->origin, p->centre, sizeof r->origin);
     r->unknowns = p->unknowns;
-    r->unknown = malloc((size_t)p->unknowns * sizeof *r->unknown);
+    r->unknown = malloc(((size_t)p->unknowns + 1) * sizeof *r->unknown);
     r->value = numbers((size_t)p->unknowns);
-    r->at_bound = calloc((size_t)p->unknowns, sizeof *r->at_bound);
-    if (!knots || !points || !weights || !r->unknown || !r->value || !r->at_bound)
+    r->at_bound = calloc((size_t)p->unknowns + 1, sizeof *r->at_bound);
+    if (!knots || !points || !weights || !r->relative || !r->unknown || !r->value || !r->at_bound)
         return 0;
     memcpy(knots, p->knots, (size_t)(n + p->degree + 1) * sizeof *knots);
     memcpy(weights, a->objective->curve->weights, (size_t)n * sizeof *weights);
-    for (int m = 0; m < n * dim; m++)
-        points[m] = p->centre[m % dim] + p->unit * a->objective->curve->points[m];
+    for (int m = 0; m < n * dim; m++) {
+        r->relative[m] = p->unit * a->objective->curve->points[m];
+        points[m] = p->centre[m % dim] + r->relative[m];
+    }
     for (int k = 0; k < p->unknowns; k++) {
         cagd_fit_unknown u = r->unknown[k] = p->unknown[k];
         r->value[k] = u.is_weight ? log(weights[u.index]) : points[u.index * dim + u.coordinate];
@@ -49,7 +54,7 @@ static int fill_curve(const fit_problem *p, const fit_attempt *a, cagd_fit_resul
     return 1;
 }
 
-static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_result *r)
+static int fill_points(const fit_problem *p, const cagd_fit_options *o, const fit_attempt *a, cagd_fit_result *r)
 {
     int dim = p->dim;
     size_t count = (size_t)p->points;
@@ -77,7 +82,7 @@ static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_resu
             r->largest = sqrt(square);
             r->largest_at = i;
         }
-        r->out_of_order += !p->unordered && i > 0 && t < r->feet[i - 1];
+        r->out_of_order += !o->unordered && i > 0 && t < r->feet[i - 1];
     }
     r->rms = sqrt(sum / p->points);
     return 1;
@@ -92,9 +97,11 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
     fit_rank rank;
     r->covariance = numbers(nn);
     r->free_directions = numbers(nn);
-    r->determined = calloc((size_t)n, sizeof *r->determined);
+    r->determined = calloc((size_t)n + 1, sizeof *r->determined);
     if (!r->covariance || !r->free_directions || !r->determined)
         return 0;
+    if (n == 0)
+        return 1;
     for (int k = 0; k < n; k++) {
         double g = fabs(fit_objective_gradient(f, k)) / (p->unknown[k].is_weight ? 1 : p->unit);
         r->gradient_norm = r->at_bound[k] ? r->gradient_norm : fmax(r->gradient_norm, g);
@@ -114,14 +121,18 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
     return good;
 }
 
-/* The measured point that is nearest to P: for an end that is one of them, but for rounding, that one. */
-static const double *nearest_measured(const cagd_fit_data *data, const double P[])
+/* The measured point that is nearest to P, which is told from the origin: for an end that is one of them, but for rounding, that one. */
+static const double *nearest_measured(const cagd_fit_data *data, const double origin[], const double P[])
 {
     const double *nearest = data->points;
-    for (int i = 1; i < data->count; i++) {
+    double smallest = HUGE_VAL;
+    for (int i = 0; i < data->count; i++) {
         const double *Q = data->points + (size_t)i * (size_t)data->dim;
-        if (fit_distance_squared(data->dim, Q, P) < fit_distance_squared(data->dim, nearest, P))
-            nearest = Q;
+        double square = 0;
+        for (int c = 0; c < data->dim; c++)
+            square += (Q[c] - origin[c] - P[c]) * (Q[c] - origin[c] - P[c]);
+        if (square < smallest)
+            smallest = square, nearest = Q;
     }
     return nearest;
 }
@@ -131,18 +142,22 @@ static const double *nearest_measured(const cagd_fit_data *data, const double P[
 static void restore_given_points(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_result *r)
 {
     int n = r->curve.count, dim = r->curve.dim;
-    double *points = (double *)r->curve.points;
+    double *points = (double *)r->curve.points, *weights = (double *)r->curve.weights;
     for (int j = 0; j < n; j++) {
         int given = 1;
+        if (o->free == 0) /* in no gauge */
+            weights[j] = o->initial->weights != NULL ? o->initial->weights[j] : 1;
         for (int k = 0; k < r->unknowns; k++)
             given &= r->unknown[k].is_weight || r->unknown[k].index != j;
         if (!given || (o->initial == NULL && j > 0 && j < n - 1))
             continue;
         const double *from = o->initial != NULL ? o->initial->points + j * dim
-                             : o->unordered     ? nearest_measured(data, points + j * dim)
+                             : o->unordered     ? nearest_measured(data, r->origin, r->relative + j * dim)
                              : j == 0           ? data->points
                                                 : data->points + (size_t)(data->count - 1) * (size_t)dim;
         memcpy(points + j * dim, from, (size_t)dim * sizeof *points);
+        for (int c = 0; c < dim; c++)
+            r->relative[j * dim + c] = from[c] - r->origin[c];
     }
 }
 
@@ -156,7 +171,7 @@ cagd_fit_result *fit_result_make(const cagd_fit_data *data, const cagd_fit_optio
     r->invariants = p->count == p->degree + 1 ? p->degree - 1 : 0;
     r->invariant = numbers((size_t)r->invariants);
     r->invariant_error = numbers((size_t)r->invariants);
-    if (!r->invariant || !r->invariant_error || !fill_curve(p, a, r) || !fill_points(p, a, r) ||
+    if (!r->invariant || !r->invariant_error || !fill_curve(p, a, r) || !fill_points(p, o, a, r) ||
         !fill_uncertainty(p, a, r)) {
         cagd_fit_free(r);
         return NULL;

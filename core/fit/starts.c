@@ -93,6 +93,10 @@ static int found(const fit_problem *p, const cagd_fit_options *o, fit_curve *cur
 int fit_start(const fit_problem *p, const cagd_fit_options *o, int start, fit_curve *curve)
 {
     fit_problem few;
+    if (p->nothing_free) {
+        fit_problem_curve(p, o->initial, curve);
+        return 1;
+    }
     int good = fit_few_thinned(p, (p->points - 1) / (p->strategy.enough * p->strategy.times * p->unknowns) + 1, &few);
     if (!good)
         return 0;

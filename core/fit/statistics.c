@@ -216,12 +216,12 @@ struct height {
     double h, s, normal[3];
 };
 
-static struct height height_of(const cagd_spline *curve)
+static struct height height_of(const cagd_fit_result *result)
 {
-    const double *P = curve->points;
+    const double *P = result->relative != NULL ? result->relative : result->curve.points;
     struct height at = {0};
     double chord = 0, along = 0;
-    int dim = curve->dim;
+    int dim = result->curve.dim;
     for (int c = 0; c < dim; c++) {
         chord += (P[2 * dim + c] - P[c]) * (P[2 * dim + c] - P[c]);
         along += (P[dim + c] - P[c]) * (P[2 * dim + c] - P[c]);
@@ -270,7 +270,7 @@ cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result)
     double equal[3] = {1, 1, 1};
     conic.log_invariant = log_invariant(result, 1);
     conic.error = error_of(result, log_invariant_derivative, &one);
-    struct height at = height_of(curve);
+    struct height at = height_of(result);
     double error = error_of(result, height_derivative, &at);
     cagd_conic_classify_weights(curve->weights != NULL ? curve->weights : equal, &conic.type);
     int ellipse = conic.type == CAGD_ELLIPSE, parabola = conic.type == CAGD_PARABOLA;

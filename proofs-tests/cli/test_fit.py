@@ -3,6 +3,7 @@
     python3 test_fit.py CAGD ROOT
 """
 import csv
+import decimal
 import itertools
 import json
 import math
@@ -225,13 +226,20 @@ class Mistakes(Case):
     def test_nothing_free(self):
         self.refuses(self.GOOD, ["nothing is free", "--free"], "--degree", "1")
 
+    def test_distances_need_a_curve(self):
+        path = self.file(self.GOOD)
+        for degree in "1", "2":
+            self.refuses_usage(path, "--free", "none", "--degree", degree, words=["--free none", "--initial"])
+        for free in "none,weights", "weights,none", "":
+            self.refuses_usage(path, "--free", free, words=["weights, inner and ends, or none", f"'{free}'"])
+
     def test_options(self):
         path = self.file(self.GOOD)
         for options, words in [
                 (("--degree", "0"), ["--degree", "from 1 to 64"]), (("--degree", "two"), ["'two'"]),
                 (("--knots", "0.5,0.25"), ["increasing", "0.25"]), (("--knots", "1"), ["between 0 and 1"]),
                 (("--knots", "x"), ["'x'"]), (("--knots", "0.5", "--control-points", "4"), ["--control-points"]),
-                (("--control-points", "2"), ["at least 3"]), (("--free", "all"), ["weights, inner and ends", "'all'"]),
+                (("--control-points", "2"), ["at least 3"]), (("--free", "all"), ["weights, inner and ends, or none", "'all'"]),
                 (("--free", "weights"), ["--initial", "inner"]), (("--loss", "l1"), ["squares, huber or cauchy"]),
                 (("--loss", "huber"), ["--scale"]), (("--scale", "2"), ["--loss"]), (("--scale", "-1"), ["> 0"]),
                 (("--weights-between", "2:3"), ["LOW < 1 < HIGH"]), (("--weights-between", "2"), ["LOW:HIGH"]),
@@ -420,6 +428,45 @@ class Fits(Case):
             self.assertLess(float(near[1]) / unit, 1e-13)
             self.assertLess(float(near[2] or near[1]), 1e-13)
 
+    def test_far_from_the_origin(self):
+        """Points that are exact there too: the same fit, verified, with all digits; and steps of binary64 are said where they are coarse."""
+        near = [[round(4096 * x) / 4096, round(4096 * y) / 4096] for x, y in quadratic(60, 0.75, 0.01)]
+        wanted = self.fit(table(near))
+        for shift in 1e6, 1e12:
+            rows = [[x + shift, y - shift] for x, y in near]
+            d = self.fit(table(rows))
+            v = d["verification"]
+            self.assertEqual((v["status"], v["strict_minimum"]), ("verified", True))
+            self.assertLess(v["point_radius"], 1e-12)
+            self.assertFalse(d["points_on_curve"] or d["finer_than_points"])
+            for u, w in zip(d["unknowns"], wanted["unknowns"], strict=True):
+                self.assertAlmostEqual(u["standard_error"] / w["standard_error"], 1, 9)
+                if u["kind"] == "point":
+                    c = u["coordinate"]
+                    self.assertAlmostEqual(u["from_origin"] + (d["origin"][c] - [shift, -shift][c]), w["value"], 11)
+                    self.assertEqual(u["value"], d["origin"][c] + u["from_origin"])
+            said = self.text(rows, "--svg", self.folder / "p.svg")
+            for c, axis in enumerate("xy"):
+                printed = re.search(rf"P1 {axis} (\S+) (\S+) (\S+) to (\S+) ", said).groups()
+                printed = [decimal.Decimal(x) - decimal.Decimal([shift, -shift][c]) for x in (printed[0], *printed[2:])]
+                u = wanted["unknowns"][1 + c]
+                for x, y in zip(printed, (u["value"], u["low"], u["high"])):
+                    self.assertLess(abs(float(x) - y), 0.00051)
+            self.assertIn(">%d<" % shift, self.writing(self.folder / "p.svg"))
+            self.assertNotIn("Far from 0", said)
+        r = random.Random(5)
+        curve = lambda t, w=0.75: [(2 * t * (1 - t) * w + 4 * t * t) / (1 - 2 * t * (1 - t) * (1 - w)), 4 * t * (1 - t) * w / (1 - 2 * t * (1 - t) * (1 - w))]
+        rows = [[c + 1e12 + r.gauss(0, 4e-4) for c in curve(i / 2999)] for i in range(3000)]
+        self.assertTrue(self.fit(table(rows))["finer_than_points"])
+        self.assertRegex(self.text(rows), r"Far from 0 .* rounded to steps of 0\.00012, which is more than standard errors")
+        rows = [[c + 1e12 for c in curve(i / 59)] for i in range(60)]
+        self.assertTrue(self.fit(table(rows))["points_on_curve"])
+
+    def writing(self, svg):
+        """All text of a picture, pieces apart."""
+        texts = xml.dom.minidom.parse(str(svg)).getElementsByTagName("text")
+        return "".join(">" + re.sub("<[^>]*>", "<>", t.toxml()) + "<" for t in texts)
+
     def test_points_on_the_curve_are_said(self):
         """Then the standard errors are those of the arithmetic."""
         for rows, on_curve in [(quadratic(15), True), (quadratic(15, 0.75, 1e-9), False),
@@ -447,6 +494,70 @@ class Fits(Case):
             d = self.fit(table(quadratic(15, w)))
             self.assertAlmostEqual(d["curve"]["weights"][1] / w, 1, 10)
             self.assertAlmostEqual(d["curve"]["points"][1][1], 2, 9)
+
+    def test_distances_from_a_given_curve(self):
+        """Nothing is free: feet, distances and their statistics, and nothing of what is estimated."""
+        rows = quadratic(40, 0.75, 0.01)
+        weights = [2, 1.5, 2]
+        curve = self.file(json.dumps({"kind": "rational-bezier", "points": [[0, 0], [1, 2], [4, 0]], "weights": weights}), "c.json")
+        svg, out = self.folder / "p.svg", self.folder / "r.csv"
+        for sigma in [], ["--sigma", "0.02"]:
+            options = ["--initial", curve, "--free", "none", *sigma]
+            d = self.fit(table(rows), *options, "--svg", svg, "--residuals", out)
+            for field in "unknowns", "free_directions", "covariance", "correlations":
+                self.assertEqual(d[field], [])
+            self.assertEqual((d["rank"], d["options"]["free"], d["minimiser"]["history"]), (0, [], []))
+            self.assertEqual((d["converged"], d["at_minimum"]), (True, True))
+            self.assertEqual(d["curve"], {**json.loads(curve.read_text()), "degree": 2})
+            self.assertEqual(d["verification"]["status"], "verified")
+            self.assertLess(d["verification"]["excess"], 1e-12)
+            table_of = list(csv.DictReader(out.read_text().splitlines()))
+            total = 0
+            for row, (x, y) in zip(table_of, rows, strict=True):
+                t, distance = float(row["t"]), abs(float(row["distance"]))
+                b = [(1 - t) ** 2 * 2, 2 * t * (1 - t) * 1.5, t * t * 2]
+                foot = [(b[1] + 4 * b[2]) / sum(b), 2 * b[1] / sum(b)]
+                self.assertAlmostEqual(math.dist(foot, (x, y)), distance, 13)
+                self.assertAlmostEqual(math.dist(foot, (float(row["foot_x"]), float(row["foot_y"]))), 0, 13)
+                for k in range(501):
+                    s = k / 500
+                    b = [(1 - s) ** 2 * 2, 2 * s * (1 - s) * 1.5, s * s * 2]
+                    self.assertGreaterEqual(math.dist([(b[1] + 4 * b[2]) / sum(b), 2 * b[1] / sum(b)], (x, y)), distance - 1e-14)
+                total += (distance / (0.02 if sigma else 1)) ** 2
+            statistics = d["statistics"]
+            self.assertAlmostEqual(statistics["chi_squared"] / total, 1, 12)
+            self.assertEqual(statistics["degrees_of_freedom"], 40)
+            xml.dom.minidom.parse(str(svg))
+            self.assertIn("given curve", svg.read_text())
+            said = self.text(rows, *options)
+            self.assertIn("nothing is free", said)
+            self.assertIn("no point of the curve is nearer to any of the points than its foot", said)
+            self.assertIn("w0 = 2, P1 = (1, 2), w1 = 1.5", said)
+            self.assertEqual("Deviation standard deviation" in said, not sigma)
+            for word in "Standard errors", "95 %", "Rank", "Correlations", "Minimiser", "estimate ":
+                self.assertNotIn(word, said)
+        d = self.fit(table(rows), "--initial", curve, "--free", "none", "--no-verify", "--loss", "cauchy", "--scale", "0.01")
+        self.assertEqual(d["verification"], {"status": "not asked"})
+        largest = d["distances"]["largest_point"]
+        self.assertEqual(abs(float(table_of[largest - 1]["distance"])), d["distances"]["largest"])
+
+    def test_the_distance_of_one_point(self):
+        curve = self.file(json.dumps({"kind": "bspline", "degree": 1, "points": [[0, 0], [1, 2], [2, 0]], "knots": [0, 0, 0.5, 1, 1]}), "c.json")
+        for point, distance, t in [([1, 5], 3, 0.5), ([-3, -4], 5, 0), ([1, 0], 2 / math.sqrt(5), None)]:
+            d = self.fit(table([point]), "--initial", curve, "--free", "none", "--residuals", self.folder / "r.csv")
+            self.assertAlmostEqual(d["distances"]["rms"], distance, 14)
+            self.assertEqual(d["verification"]["status"], "verified")
+            if t is not None:
+                row, = csv.DictReader((self.folder / "r.csv").read_text().splitlines())
+                self.assertAlmostEqual(float(row["t"]), t, 15)
+
+    def test_what_cannot_be_verified_is_said(self):
+        """The centre of a circle is as near to all of it."""
+        curve = self.file(json.dumps({"kind": "rational-bezier", "points": [[1, 0], [1, 1], [0, 1]], "weights": [1, 1, 2]}), "c.json")
+        d = self.fit(table([[0, 0]]), "--initial", curve, "--free", "none")
+        self.assertEqual((d["verification"]["status"], d["verification"]["point"]), ("not verified", 1))
+        self.assertAlmostEqual(d["distances"]["rms"], 1, 14)
+        self.assertIn("not verified: ", self.text([[0, 0]], "--initial", curve, "--free", "none"))
 
     def test_not_converged(self):
         rows = table(quadratic(40, 0.75, 0.05))

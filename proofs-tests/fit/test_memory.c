@@ -122,11 +122,16 @@ static void robust(cagd_fit_options *o)
     o->weight_high = 2;
 }
 static void unordered(cagd_fit_options *o) { o->unordered = 1; }
+static void feet_alone(cagd_fit_options *o)
+{
+    o->free = 0;
+    o->initial = &start;
+}
 static void plain(cagd_fit_options *o) { o->method = CAGD_FIT_PLAIN; }
-static const struct kind kinds[] = {{"usual", 2, 0, as_usual},       {"all free", 2, 1, all_free},
-                                    {"spline", 2, 0, spline},        {"two starts", 2, 1, two_starts},
-                                    {"space", 3, 1, cubic_in_space}, {"robust", 2, 0, robust},
-                                    {"unordered", 2, 0, unordered},  {"plain", 2, 0, plain}};
+static const struct kind kinds[] = {
+    {"usual", 2, 0, as_usual},        {"all free", 2, 1, all_free},    {"spline", 2, 0, spline},
+    {"two starts", 2, 1, two_starts}, {"space", 3, 1, cubic_in_space}, {"robust", 2, 0, robust},
+    {"unordered", 2, 0, unordered},   {"plain", 2, 0, plain},          {"feet alone", 2, 1, feet_alone}};
 
 static cagd_fit_status fit(const struct kind *kind, cagd_fit_result **result)
 {

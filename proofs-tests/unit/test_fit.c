@@ -185,7 +185,7 @@ static void the_model_has_the_second_derivatives(void **state)
             fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
             double *feet = malloc((size_t)p.points * sizeof *feet);
             assert_true(f != NULL && c != NULL && feet != NULL);
-            assert_int_equal(fit_problem_curve(&p, curves[k], c), CAGD_FIT_OK);
+            fit_problem_curve(&p, curves[k], c);
             assert_true(fit_feet_search(&p, c, feet, &cost));
             n = p.unknowns;
             f->newton = 1;
@@ -419,6 +419,90 @@ static void place_and_unit_do_not_matter(void **state)
     cagd_fit_free(there);
 }
 
+/* x - c without rounding: what two-sum finds of it is zero (O. Moller, 1965). */
+static int is_exact_difference(double x, double c, double d)
+{
+    double back = d - x;
+    return (x - (d - back)) + (-c - back) == 0;
+}
+
+/* Working coordinates lose nothing, however far away the points are, and wherever the nearest of them is. */
+static void working_coordinates_are_exact(void **state)
+{
+    const cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    state_of_noise = 5;
+    for (int k = 0; k < 4000; k++) {
+        enum { N = 12 };
+        /* of all sizes, and a half of them near the threshold, 3 h */
+        double far = k % 2 ? 3 + 0.01 * noise() + 2 * (k % 4 == 1) : exp(32 * noise()), scale = exp(30 * noise());
+        fit_problem p;
+        int where;
+        for (int i = 0; i < N; i++)
+            for (int c = 0; c < 2; c++)
+                Q[2 * i + c] =
+                    (c ? 1 : -1) * scale * (far + 1 + (i < 2 ? 2 * i - 1 : noise() * exp(20 * noise() - 20)));
+        cagd_fit_data data = {N, 2, Q, NULL};
+        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+        for (int m = 0; m < 2 * N; m++) {
+            assert_true(is_exact_difference(Q[m], p.centre[m % 2], p.Q[m] * p.unit));
+            assert_true(fabs(p.Q[m]) <= p.size && p.size <= 5);
+        }
+        fit_problem_free(&p);
+    }
+}
+
+/* Coordinates that are multiples of 2^-12 can be shifted by 1e12, where binary64 has steps of 2^-13, without rounding.  Then everything is
+ * the same, standard errors with it, and the points of the curve are where they were from the shifted origin, to the precision of
+ * those that are near. */
+static void shifts_change_nothing(void **state)
+{
+    static const double shifts[] = {0, 1e6, 1e12};
+    const cagd_spline *curves[] = {&conic, &cubic, &in_space, &spline};
+    (void)state;
+    for (int k = 0; k < 4; k++)
+        for (int unit = -40; unit <= 0; unit += 40) {
+            const cagd_spline *s = curves[k];
+            int dim = s->dim, N = 70;
+            double near[3 * 70];
+            sample(s, N, 0, 1, 0.01);
+            for (int m = 0; m < N * dim; m++)
+                near[m] = ldexp(rint(ldexp(Q[m], 12)), -12);
+            cagd_fit_options o = cagd_fit_defaults();
+            o.degree = s->degree, o.count = s->count, o.knots = s->knots;
+            cagd_fit_result *first = NULL;
+            for (int j = 0; j < 3; j++) {
+                double shift[3] = {shifts[j], -shifts[j], shifts[j] / 2};
+                for (int m = 0; m < N * dim; m++)
+                    Q[m] = ldexp(near[m] + shift[m % dim], unit);
+                cagd_fit_data data = {N, dim, Q, NULL};
+                cagd_fit_result *r = fit(&data, &o);
+                first = j == 0 ? r : first;
+                assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
+                assert_true(r->rank == first->rank && r->largest_at == first->largest_at);
+                assert_true(fabs(r->cost / first->cost - 1) < 1e-12 && fabs(r->rms / first->rms - 1) < 1e-12);
+                for (int m = 0; m < s->count * dim; m++) {
+                    int c = m % dim;
+                    double from_shift = ldexp(r->relative[m], -unit) + (ldexp(r->origin[c], -unit) - shift[c]);
+                    assert_true(fabs(from_shift - ldexp(first->curve.points[m], -unit)) < 1e-11);
+                    assert_true(r->curve.points[m] == r->origin[c] + r->relative[m]);
+                }
+                for (int i = 0; i < s->count; i++)
+                    assert_true(fabs(r->curve.weights[i] / first->curve.weights[i] - 1) < 1e-11);
+                for (int a = 0; a < r->unknowns; a++)
+                    assert_true(fabs(r->covariance[a * r->unknowns + a] / first->covariance[a * r->unknowns + a] - 1) <
+                                1e-9);
+                cagd_fit_conic here = cagd_fit_conic_of(r), there = cagd_fit_conic_of(first);
+                assert_true(here.kind == there.kind && here.type == there.type);
+                double t;
+                assert_int_equal(cagd_fit_has_cusp(r, &t), 0);
+                if (j > 0)
+                    cagd_fit_free(r);
+            }
+            cagd_fit_free(first);
+        }
+}
+
 static void the_same_again(void **state)
 {
     cagd_fit_data data = sample(&spline, MOST, 0, 1, 0.01);
@@ -492,6 +576,103 @@ static void the_strategy_does_not_change_the_result(void **state)
         }
 }
 
+/* ---- Nothing free ------------------------------------------------------------------------------------------- */
+
+/* A quarter of an ellipse in no gauge, a cubic with a loop, one with a cusp, a polygon. */
+static const double other_weights[] = {2, 1, 3, 0.5}, loop_points[] = {0, 0, 4, 3, -1, 3, 3, 0},
+                    cusp_points[] = {0, 0, 1, 1, 0, 1, 1, 0};
+static const cagd_spline ungauged = {2, 3, 2, bezier_knots + 1, conic_points, other_weights};
+static const cagd_spline ungauged_cubic = {3, 4, 2, bezier_knots, cubic_points, other_weights};
+static const cagd_spline loop = {3, 4, 2, bezier_knots, loop_points, NULL};
+static const cagd_spline cusp = {3, 4, 2, bezier_knots, cusp_points, NULL};
+static const double polygon_knots[] = {0, 0, 0.25, 0.5, 1, 1};
+static const cagd_spline polygon = {1, 4, 2, polygon_knots, cubic_points, NULL};
+
+/* No point of the curve among very many is nearer than the foot, which is where the parameter says on the curve as it was given. */
+static void feet_on_a_given_curve_are_nearest_points(void **state)
+{
+    enum { N = 60, FINE = 4000 };
+    const cagd_spline *curves[] = {&ungauged, &ungauged_cubic, &in_space, &spline, &loop, &cusp, &polygon};
+    (void)state;
+    for (int k = 0; k < 7; k++)
+        for (int method = CAGD_FIT_ELIMINATED; method <= CAGD_FIT_PLAIN; method++) {
+            const cagd_spline *s = curves[k];
+            int dim = s->dim;
+            double P[3], sum = 0, largest = 0;
+            state_of_noise = (uint32_t)(11 + k);
+            for (int m = 0; m < N * dim; m++)
+                Q[m] = 1 + 3 * noise();
+            cagd_fit_data data = {N, dim, Q, NULL};
+            cagd_fit_options o = cagd_fit_defaults();
+            o.free = 0;
+            o.initial = s;
+            o.starts = 3;
+            o.method = (cagd_fit_method)method;
+            cagd_fit_result *r = fit(&data, &o);
+            assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
+            assert_true(r->unknowns == 0 && r->rank == 0 && r->flat == 0 && r->iterations == 0 && r->steps == 0);
+            assert_int_equal(r->degrees_of_freedom, N * (dim - 1));
+            assert_memory_equal(r->curve.points, s->points, (size_t)(s->count * dim) * sizeof *Q);
+            for (int j = 0; j < s->count; j++)
+                assert_true(r->curve.weights[j] == (s->weights != NULL ? s->weights[j] : 1));
+            int overtaking = 0;
+            for (int i = 0; i < N; i++) {
+                double square = 0, distance = fabs(r->distances[i]);
+                assert_int_equal(cagd_spline_point(s, r->feet[i], CAGD_RIGHT, P), CAGD_OK);
+                for (int c = 0; c < dim; c++) {
+                    assert_true(fabs(Q[i * dim + c] - P[c] - r->residuals[i * dim + c]) < 1e-13);
+                    square += (Q[i * dim + c] - P[c]) * (Q[i * dim + c] - P[c]);
+                }
+                assert_true(fabs(distance - sqrt(square)) < 1e-13);
+                sum += square;
+                overtaking += i > 0 && r->feet[i] < r->feet[i - 1];
+                if (distance > largest) {
+                    largest = distance;
+                    assert_true(fabs(r->distances[r->largest_at]) >= largest);
+                }
+                for (int f = 0; f <= FINE; f++) {
+                    assert_int_equal(cagd_spline_point(s, (double)f / FINE, CAGD_RIGHT, P), CAGD_OK);
+                    assert_true(fit_distance_squared(dim, P, Q + i * dim) >= square * (1 - 0x1p-40) - 0x1p-80);
+                }
+            }
+            assert_true(fabs(r->rms / sqrt(sum / N) - 1) < 1e-13 && r->largest == largest);
+            assert_true(fabs(r->chi_squared / sum - 1) < 1e-13 && fabs(2 * r->cost / sum - 1) < 1e-13);
+            assert_int_equal(r->out_of_order, overtaking);
+            cagd_fit_free(r);
+        }
+}
+
+/* One point suffices, anywhere, also when the curve is but a point; weights of any size are no other curve. */
+static void a_single_point_has_its_distance(void **state)
+{
+    static const double equal[] = {1, 1, 1, 1, 1, 1};
+    double q[] = {1.5, 9}, huge[3];
+    cagd_spline point = {2, 3, 2, bezier_knots + 1, equal, NULL}, heavy = ungauged;
+    cagd_fit_data data = {1, 2, q, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    (void)state;
+    o.free = 0;
+    o.initial = &ungauged;
+    cagd_fit_result *r = fit(&data, &o), *s;
+    for (int j = 0; j < 3; j++)
+        huge[j] = ldexp(other_weights[j], 1020);
+    heavy.weights = huge;
+    o.initial = &heavy;
+    s = fit(&data, &o);
+    assert_true(s->distances[0] == r->distances[0] && s->feet[0] == r->feet[0]);
+    assert_memory_equal(s->curve.weights, huge, sizeof huge);
+    cagd_fit_free(r);
+    cagd_fit_free(s);
+    o.initial = &point;
+    r = fit(&data, &o);
+    assert_true(fabs(fabs(r->distances[0]) - sqrt(64.25)) < 1e-14);
+    cagd_fit_free(r);
+    q[0] = q[1] = 1;
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_ALL_EQUAL);
+    data.count = 0;
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_TOO_FEW);
+}
+
 /* ---- Refusals ---------------------------------------------------------------------------------------------- */
 
 static void refused(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_status expected, int place)
@@ -517,6 +698,7 @@ static void bad_arguments_are_refused(void **state)
         refused(&data, &o, status, -1);                                                                                \
     } while (0)
     OPTION(o.free = 0, CAGD_FIT_BAD_OPTIONS);
+    OPTION((o.degree = 1, o.free = 0), CAGD_FIT_BAD_OPTIONS);
     OPTION(o.free = 8, CAGD_FIT_BAD_OPTIONS);
     OPTION(o.free = CAGD_FIT_WEIGHTS, CAGD_FIT_BAD_OPTIONS);
     OPTION(o.degree = 0, CAGD_FIT_BAD_OPTIONS);
@@ -646,9 +828,13 @@ int main(void)
         cmocka_unit_test(bounds_hold),
         cmocka_unit_test(a_robust_loss_leaves_outliers_out),
         cmocka_unit_test(place_and_unit_do_not_matter),
+        cmocka_unit_test(working_coordinates_are_exact),
+        cmocka_unit_test(shifts_change_nothing),
         cmocka_unit_test(the_same_again),
         cmocka_unit_test(random_cubics_come_back),
         cmocka_unit_test(the_strategy_does_not_change_the_result),
+        cmocka_unit_test(feet_on_a_given_curve_are_nearest_points),
+        cmocka_unit_test(a_single_point_has_its_distance),
         cmocka_unit_test(bad_arguments_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

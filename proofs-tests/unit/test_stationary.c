@@ -419,6 +419,69 @@ static void many_points_take_seconds(void **state)
     assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-45);
 }
 
+/* Points of the circle moved in and out have their feet there, and the centre, from which all points are as far, is left undecided; any other foot is refused as soon as it
+ * is farther from the point than its place says. */
+static void the_nearest_points_of_a_circle(void **state)
+{
+    (void)state;
+    for (int pairs = 0; pairs < 2; pairs++) {
+        circle(pairs);
+        nearest_verdict v = stationary_nearest(&data, &curve, feet);
+        assert_true(v.verified && !v.refuted && v.where == -1 && v.reason == NULL && v.excess <= 65 * 0x1p-44);
+        for (int i = 0; i < data.count; i += 3) {
+            double good = feet[i];
+            for (int side = -1; side <= 1; side += 2) {
+                feet[i] = good + side * 0x1p-12;
+                v = stationary_nearest(&data, &curve, feet);
+                assert_true(!v.verified && v.refuted && v.where == i && v.reason != NULL);
+                feet[i] = good + side * 0x1p-46; /* farther by less than what is allowed */
+                assert_true(stationary_nearest(&data, &curve, feet).verified || !pairs);
+            }
+            feet[i] = good < 0.5 ? 1 : 0;
+            assert_true(stationary_nearest(&data, &curve, feet).refuted);
+            feet[i] = 2;
+            v = stationary_nearest(&data, &curve, feet);
+            assert_true(!v.verified && !v.refuted && v.where == i);
+            feet[i] = good;
+        }
+    }
+    data.count = 1;
+    points[0] = points[1] = 0;
+    feet[0] = 0.375;
+    nearest_verdict v = stationary_nearest(&data, &curve, feet);
+    assert_true(!v.verified && !v.refuted && v.where == 0 && v.reason != NULL);
+}
+
+/* A polygon with corners, and a curve that crosses itself: the nearest point may be a corner, an end, or on the other branch. */
+static void the_nearest_points_at_corners_and_crossings(void **state)
+{
+    static const double corner[] = {0, 0, 0.5, 1, 1}, angle[] = {0, 0, 1, 1, 2, 0};
+    static const double knots_of_loop[] = {0, 0, 0, 0, 1, 1, 1, 1}, loop[] = {0, 0, 4, 3, -1, 3, 3, 0};
+    (void)state;
+    curve = (cagd_spline){1, 3, 2, corner, angle, NULL};
+    data = (cagd_fit_data){3, 2, points, NULL};
+    static const double Q[] = {1, 5, -3, -1, 1, 0}, at[] = {0.5, 0, 0.25};
+    memcpy(points, Q, sizeof Q);
+    memcpy(feet, at, sizeof at);
+    assert_true(stationary_nearest(&data, &curve, feet).verified);
+    feet[2] = 0.75; /* as near */
+    assert_true(stationary_nearest(&data, &curve, feet).verified);
+    feet[0] = 1;
+    assert_true(stationary_nearest(&data, &curve, feet).refuted);
+    /* By symmetry both branches are as near to a point of the axis x = 3/2, and elsewhere one of them is nearer. */
+    curve = (cagd_spline){3, 4, 2, knots_of_loop, loop, NULL};
+    data.count = 1;
+    for (int side = -1; side <= 1; side++) {
+        double t = 0.125, left = 1 - t;
+        double C[2] = {3 * t * left * left * 4 - 3 * t * t * left + 3 * t * t * t, 9 * t * left};
+        points[0] = C[0] + side * 0x1p-20;
+        points[1] = C[1];
+        feet[0] = t;
+        nearest_verdict v = stationary_nearest(&data, &curve, feet);
+        assert_true(side == 0 ? v.verified : v.refuted);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -433,6 +496,8 @@ int main(void)
         cmocka_unit_test(the_enclosures_hold_the_differences),
         cmocka_unit_test(what_a_bound_forbids_alone),
         cmocka_unit_test(what_a_bound_forbids_beside_free_points),
+        cmocka_unit_test(the_nearest_points_of_a_circle),
+        cmocka_unit_test(the_nearest_points_at_corners_and_crossings),
         cmocka_unit_test(many_points_take_seconds)};
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
     exact_thread_end();
