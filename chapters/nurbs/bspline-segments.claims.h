@@ -190,13 +190,14 @@ CLAIM(split_in_higher_degrees) { G(check_split_gives_both_parts_of_bspline)(T, I
 :::{claim} periodic_spline_closes
 :title: A periodic spline repeats, and its seam is a knot as any other
 :zh: 周期 B 样条
-:given: the knots of one period, $u_0<u_m$, with every pattern of multiplicities for $m\le4$, the multiplicity of $u_0=u_m$ counted around, none
+:given: the knots of one period, $u_0<u_m$, with every pattern of multiplicities for $m\le4$ and for $m=p$, the multiplicity of $u_0=u_m$ counted around, none
   above $p$; $m\ge p$ points
 :then: with `bspline_periodic` the knots and points satisfy $v_{i+m}=v_i+(u_m-u_0)$ and $d_{i+m}=d_i$, the domain is $[u_0,u_m]$ with
   $v_{p+i}=u_i$ and $d_i=c_i$, and the derivatives at both ends of the domain agree up to the order $p$ minus the multiplicity
 :method: The knots and points by their indices; the segments at both ends in powers about the ends, from the recursion of de Boor and Cox
   by its letter.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: bspline_periodic
 :control: the last point of the result is moved
 :::

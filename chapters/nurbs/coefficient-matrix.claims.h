@@ -86,7 +86,8 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 :then: $(1,\dots,u^p)A\,(\tilde r_{r-p},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$, and the
   quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
 :method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
-  is any coordinate, so one suffices.
+  is any coordinate, so one suffices.  Both sides are linear in $w_ir_i$ and in $w_i$, so that degree 5 is contained in
+  `matrix_holds_the_powers_of_the_basis`.
 :degrees: 0..4 sampled 7
 :control: the last weight left out
 :::

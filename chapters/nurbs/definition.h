@@ -28,6 +28,13 @@ static inline int G(knots_of_pattern)(trial *T, const char *pattern, num u[], in
     return count;
 }
 
+/* In the field above degree `highest`: the knots 0, 1, 3, 6, 10, ... in the place of the variables. */
+static inline void G(numbers_above)(int highest, int p, int count, const int place[], num u[])
+{
+    for (int i = 0; FIELD && p > highest && i < count; i++)
+        u[i] = from_int(place[i] * (place[i] + 1) / 2);
+}
+
 /* The span of an interval: the last knot at its left end. */
 static inline int G(span_of_interval)(int count, const int place[], int interval)
 {

@@ -14,10 +14,8 @@ other in the place of $t$.
 :then: with $\alpha_{\mu-p}(j),\dots,\alpha_\mu(j)$ of `discrete_bsplines`, $u_\mu\le v_j<u_{\mu+1}$, and $\alpha_i(j)=0$ for the
   other $i$: $N_{i,p}=\sum_j\alpha_i(j)\,M_{j,p}$ for every $i$, and $\sum_i\alpha_i(j)=1$ for every $j$
 :method: Both sides in powers, on every interval of $v$ in the domain, the B-splines over $u$ and over $v$ from the recursion of
-  de Boor and Cox by its letter.  As the $M_{j,p}$ are independent there are no other such numbers.  For $p=4$, `kernels_move_with_their_knots` goes
-  from two knots $0$ and $1$ to any.
+  de Boor and Cox by its letter.  As the $M_{j,p}$ are independent there are no other such numbers.
 :degrees: 0..4 sampled 8
-:scope: the distinct knots variables; for $p=4$ two neighbours among them are $0$ and $1$
 :defines: discrete_bsplines
 :control: one of the knots $v_{j+1},\dots,v_{j+p}$ replaced by $v_j$
 :::
@@ -78,7 +76,7 @@ static int G(ends_are_spans)(const struct G(knots) * K)
 CLAIM(discrete_bsplines_satisfy_refinement_equation)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = p > 3 ? UNIT : 0}, L;
+    struct G(knots) K = {0}, L;
     num a[MOST_KNOTS * MOST_KNOTS], N[MOST_KNOTS * (HIGHEST + 1)], M[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         if (!G(ends_are_spans)(&K))

@@ -88,7 +88,6 @@ With positive weights all new weights lie between the least and the greatest of 
 :then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
 :method: Both recursions by their letter.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
 :control: $\alpha_{i,k}(j)$ taken at $j+1$
 :::
 
@@ -99,7 +98,6 @@ With positive weights all new weights lie between the least and the greatest of 
 :then: `discrete_bsplines` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
 :method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
 :defines: discrete_bsplines
 :control: $v_{j+1}$ replaced by $v_j$
 :::
@@ -112,7 +110,6 @@ With positive weights all new weights lie between the least and the greatest of 
   the greatest of them
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
 :control: the share of $r_1$ left out of the sum
 :::
 */
@@ -176,7 +173,7 @@ CLAIM(discrete_bsplines_refine_the_basis)
     struct G(refinement) r;
     num t = unknown(T, "t", 0);
     for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
-        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), r.x);
+        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
         G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
         for (int interval = r.place[p]; interval < r.place[r.n]; interval++)
             for (int i = 0; i < r.n; i++) {
@@ -196,7 +193,7 @@ CLAIM(discrete_bsplines_follow_definition)
     int p = T->degree;
     struct G(refinement) r;
     for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
-        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), r.x);
+        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
         G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
         for (int j = 0; j < r.m; j++) {
             num a[MAX_DEGREE + 1], arguments[MAX_DEGREE + 1];
@@ -218,7 +215,7 @@ CLAIM(discrete_bsplines_are_shares)
     int p = T->degree;
     struct G(refinement) r;
     for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
-        G(increasing_knots)(T, (int)strlen(G(pairs)[p][k]), r.x);
+        G(increasing_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
         G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
         for (int j = 0; j < r.m; j++) {
             num sum = from_int(0);
@@ -243,7 +240,6 @@ CLAIM(discrete_bsplines_are_shares)
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
 :control: the new weights taken as 1 in (4.1.8)
 :::
 
@@ -254,7 +250,6 @@ CLAIM(discrete_bsplines_are_shares)
 :then: `nurbs_insert` gives the knots $T\oplus\{\tau\}$ and the points and weights of (4.1.6)
 :method: The kernel against all sums by their letter.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
 :defines: nurbs_insert
 :control: the knot inserted at the next value
 :::
@@ -265,7 +260,7 @@ CLAIM(refined_data_give_the_same_curve)
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
     for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
-        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), r.x);
+        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
         G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
         G(weighted_points)(T, r.n, 1, R, w);
         G(refined_by_definition)(r.n, p, 1, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
@@ -290,7 +285,7 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
         char old[] = {(char)('1' + p), (char)('0' + times), '0', (char)('1' + p), '\0'};
         num R[2 * MOST_KNOTS], w[MOST_KNOTS], S[2 * MOST_KNOTS], z[MOST_KNOTS];
         num v[MOST_KNOTS], kernel_S[2 * MOST_KNOTS], kernel_z[MOST_KNOTS];
-        G(distinct_knots)(T, 4, r.x);
+        G(distinct_knots)(T, 4, 6, r.x);
         G(refine_pair)(old, "0100", p, &r);
         G(weighted_points)(T, r.n, 2, R, w);
         G(refined_by_definition)(r.n, p, 2, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
@@ -396,7 +391,6 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
 :method: All by the recursion by its letter.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
 :control: $T_1$ and $T_2$ exchanged in the second factor only
 :::
 
@@ -407,7 +401,6 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :then: (4.1.7), and the same for the weights
 :method: (4.1.6) for one step and for two, all sums by their letter.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
 :control: the weights after the first step taken as 1
 :::
 
@@ -418,7 +411,6 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :then: the points, weights and knots are the same
 :method: The kernel `nurbs_insert` twice, in both orders, for every $m$.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
 :control: the second order with another second knot
 :::
 
@@ -430,7 +422,6 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
 :method: The kernel; signs are read off coefficients.
 :degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
 :control: $s_i$ without the weights
 :::
 */
@@ -454,7 +445,7 @@ CLAIM(discrete_bsplines_compose)
         char between[MOST_KNOTS], both[MOST_KNOTS];
         G(union_of_patterns)(old, T->planted ? two : one, between);
         G(union_of_patterns)(one, two, both);
-        G(distinct_knots)(T, (int)strlen(old), whole_step.x);
+        G(distinct_knots)(T, (int)strlen(old), 6, whole_step.x);
         first = second = whole_step;
         G(refine_pair)(old, both, p, &whole_step);
         G(refine_pair)(old, one, p, &first);
@@ -481,7 +472,7 @@ CLAIM(steps_of_refinement_compose)
         num S2[MOST_KNOTS], z2[MOST_KNOTS];
         G(union_of_patterns)(old, one, between);
         G(union_of_patterns)(one, two, both);
-        G(distinct_knots)(T, (int)strlen(old), whole_step.x);
+        G(distinct_knots)(T, (int)strlen(old), 6, whole_step.x);
         first = second = whole_step;
         G(refine_pair)(old, both, p, &whole_step);
         G(refine_pair)(old, one, p, &first);
@@ -509,7 +500,7 @@ CLAIM(insertions_commute)
         for (int at_knot = 0; at_knot <= (m > 0); at_knot++) {
             char pattern[] = {(char)('1' + p), (char)('0' + m), '0', '0', (char)('1' + p), '\0'};
             num x[5], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], v[2][MOST_KNOTS], S[2][MOST_KNOTS], z[2][MOST_KNOTS];
-            G(distinct_knots)(T, 5, x);
+            G(distinct_knots)(T, 5, 6, x);
             int n = G(knots_at)(pattern, x, u, place) - p - 1, mu = p + m;
             num first = x[at_knot ? 1 : 2], last = x[3];
             G(weighted_points)(T, n, 1, R, w);
@@ -538,7 +529,7 @@ CLAIM(insertion_cuts_the_corners)
 {
     int p = T->degree, mu = p, n = p + 1;
     num u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], v[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS];
-    G(increasing_knots)(T, 2 * p + 2, u);
+    G(increasing_knots)(T, 2 * p + 2, 6, u);
     G(weighted_points)(T, n, 1, R, w);
     num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
     G(nurbs_insert)(n, p, 1, u, mu, R, w, knot, v, S, z);
@@ -612,7 +603,7 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
   variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and so are $r_{\mu+1},\dots,r_{\mu+m}$; the values from both sides agree
 :method: (4.1.6) by its letter, against (4.1.2) on the interval on the left and on the right; $\mu$ is the number of knots before $t'$.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
 :control: $r_{\mu-1}$, or $r_2$ where $\mu=1$
 :::
 
@@ -622,7 +613,7 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :given: the same knots; $m=0,\dots,k-1$
 :then: $r_\mu^{(T,\{t'\}^{k-1-m})}=r(t')$
 :method: As before; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
 :control: one insertion less, for $m<k-1$
 :::
 
@@ -632,7 +623,7 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :given: the same knots, $m=0,\dots,k$; also $t'=x_0$, the $k$-fold left end; $\mu$ the number of knots up to $t'$
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t'+)$
 :method: As before.
-:degrees: 1..4 sampled 4
+:degrees: 1..6 sampled 6
 :control: the value from the left
 :::
 */
@@ -659,7 +650,7 @@ CLAIM(repeated_insertion_reaches_the_curve)
     int p = T->degree;
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], left, right;
-    G(distinct_knots)(T, 5, r.x);
+    G(distinct_knots)(T, 5, 6, r.x);
     for (int m = 0; m <= p + 1; m++) {
         int end = m > p, where = end ? 4 : 2; /* the last case is the right end */
         G(repeated)(p, where, m, p, &r);
@@ -685,7 +676,7 @@ CLAIM(fewer_insertions_suffice)
     int p = T->degree;
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], left;
-    G(distinct_knots)(T, 5, r.x);
+    G(distinct_knots)(T, 5, 6, r.x);
     for (int m = 0; m <= p; m++) {
         G(repeated)(p, 2, m, T->planted && m < p ? p - m - 1 : p - m, &r);
         G(weighted_points)(T, r.n, 1, R, w);
@@ -700,7 +691,7 @@ CLAIM(right_value_with_the_other_interval)
     int p = T->degree;
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], value;
-    G(distinct_knots)(T, 5, r.x);
+    G(distinct_knots)(T, 5, 6, r.x);
     for (int m = 0; m <= p + 2; m++) {
         int start = m > p + 1, where = start ? 0 : 2; /* the last case is the left end */
         G(repeated)(p, where, start ? p + 1 : m, p, &r);

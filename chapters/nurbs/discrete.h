@@ -10,33 +10,27 @@
 
 #include "chapters/frame/claims_on.h"
 
-/* The distinct values of a pattern: increasing numbers; in the field variables, but for the degrees above 4 the numbers
- * 0, 1, 3, 6, 10, .... */
-static inline void G(distinct_knots)(trial *T, int count, num x[])
+/* The distinct values of a pattern: increasing numbers; in the field variables for the degrees up to `highest`, and the
+ * numbers 0, 1, 3, 6, 10, ... above. */
+static inline void G(distinct_knots)(trial *T, int count, int highest, num x[])
 {
-#if FIELD
-    if (T->degree > 4) {
-        for (int i = 0; i < count; i++)
-            x[i] = from_int(i * (i + 1) / 2);
-        return;
-    }
-#endif
-    x[0] = unknown(T, "x", 0);
+    int numbers = FIELD && T->degree > highest;
+    x[0] = numbers ? from_int(0) : unknown(T, "x", 0);
     for (int i = 1; i < count; i++)
-#if FIELD
-        x[i] = unknown(T, "x", i);
-#else
-        x[i] = add(x[i - 1], positive(T, "h", i));
-#endif
+        if (numbers)
+            x[i] = from_int(i * (i + 1) / 2);
+        else
+            x[i] = FIELD ? unknown(T, "x", i) : add(x[i - 1], positive(T, "h", i));
 }
 
-/* The same as sums of positive gaps h_1, h_2, ... from x_0 = 0, so that a sign can be read off; B-splines depend on
- * differences of knots and parameter alone.  In the field the gaps are 1, 2, 3, ... for the degrees above 4. */
-static inline void G(increasing_knots)(trial *T, int count, num x[])
+/* Such knots as sums of positive gaps h_1, h_2, ... from x_0 = 0, so that a sign can be read off; B-splines depend on
+ * differences of knots and parameter alone.  In the field the gaps are variables for the degrees up to `highest`, and
+ * 1, 2, 3, ... above. */
+static inline void G(increasing_knots)(trial *T, int count, int highest, num x[])
 {
     x[0] = from_int(0);
     for (int i = 1; i < count; i++)
-        x[i] = add(x[i - 1], FIELD && T->degree > 4 ? from_int(i) : positive(T, "h", i));
+        x[i] = add(x[i - 1], FIELD && T->degree > highest ? from_int(i) : positive(T, "h", i));
 }
 
 /* The knots of a pattern over the values x, and their places; returns how many there are. */

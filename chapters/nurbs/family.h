@@ -29,12 +29,7 @@ static inline void G(knots_of_span)(trial *T, int p, int shape, num u[], int pla
             pattern[length++] = '1';
     }
     int count = G(knots_of_pattern)(T, pattern, u, place);
-#if FIELD
-    for (int i = 0; p > 4 && i < count; i++)
-        u[i] = from_int(place[i] * (place[i] + 1) / 2);
-#else
-    (void)count;
-#endif
+    G(numbers_above)(4, p, count, place, u);
 }
 
 /* The same with u_0 = 0 and the positive gaps as data, for questions of sign; in the field they are 1, 2, 3, ... for

@@ -218,7 +218,8 @@ CLAIM(legs_are_run_through)
   span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve, and the condition of the envelope
   is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by
   `first_level_condition_factors` with $t$ and $\tau$ exchanged.
-:degrees: 2..4 sampled 5
+:degrees: 2..6 sampled 6
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the segment of the first span for every span
 :::
 */
@@ -230,7 +231,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
         pattern[i] = '1';
     num u[MOST_KNOTS], H[2 * MOST_KNOTS], h[2][MOST_KNOTS], t = parameter(T, "t"), tau = parameter(T, "s");
     int place[MOST_KNOTS];
-    G(knots_of_pattern)(T, pattern, u, place);
+    G(numbers_above)(4, p, G(knots_of_pattern)(T, pattern, u, place), place, u);
     for (int m = 0; m < 2 * n; m++) {
         H[m] = unknown(T, "H", m);
         h[m % 2][m / 2] = H[m];

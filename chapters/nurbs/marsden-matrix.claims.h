@@ -186,7 +186,8 @@ A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of
 :given: every pattern of the 2k knots around a span up to the order 4, the steps from each different knot to the next
   positive variables
 :then: $\det G>0$
-:method: Written in the steps all coefficients are positive, and there is one at least.
+:method: Written in the steps all coefficients are positive, and there is one at least.  For greater orders there is
+  `marsden_determinant_is_product`, where every factor is positive: $t_a\le t_r<t_{r+1}\le t_b$.
 :types: field
 :degrees: 0..3
 :control: the determinant with its first two columns exchanged

@@ -161,7 +161,6 @@ The bound is attained by the parabola with equal gaps: the order is two, exactly
 :method: The recursion by its letter.  With $N_{i,k}\ge0$ and $\sum N_{i,k}=1$ (`basis_is_a_partition_of_unity`) this is all that the
   argument above needs of the B-splines.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
 :control: $\xi_i$ taken at $i+1$
 :::
 
@@ -188,7 +187,6 @@ The bound is attained by the parabola with equal gaps: the order is two, exactly
   $(1-a)c_{i-1}''+a\,c_i''$ with $0\le a\le1$; so $\max|c_i''|$ does not grow
 :method: The kernels for differences and insertion, in both orders; the coefficients by their signs.
 :degrees: 2..6 sampled 8
-:scope: the knots variables for $p\le4$, numbers above
 :control: the difference taken once only after the insertion, with the spline $f'$
 :::
 
@@ -223,7 +221,7 @@ CLAIM(greville_abscissae_reproduce_the_line)
     num x[MOST_KNOTS], u[MOST_KNOTS], xi[MOST_KNOTS], t = unknown(T, "t", 0);
     for (int k = 0; kinds[p - 1][k] != NULL; k++) {
         const char *pattern = kinds[p - 1][k];
-        G(distinct_knots)(T, (int)strlen(pattern), x);
+        G(distinct_knots)(T, (int)strlen(pattern), 6, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
         for (int i = 0; i < n; i++)
             xi[i] = G(greville)(p, u, T->planted && i + 1 < n ? i + 1 : i);
@@ -237,7 +235,7 @@ CLAIM(second_differences_are_averaged)
     int p = T->degree, n = p + 2, mu = p;
     num u[MOST_KNOTS], c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], e[MOST_KNOTS], after[MOST_KNOTS];
     num before[MOST_KNOTS], y[MOST_KNOTS], inserted[MOST_KNOTS];
-    G(increasing_knots)(T, n + p + 1, u);
+    G(increasing_knots)(T, n + p + 1, 6, u);
     for (int i = 0; i < n; i++)
         c[i] = unknown(T, "c", i);
     num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
@@ -332,7 +330,7 @@ CLAIM(polygon_is_within_the_bound_of_the_spline)
     int p = T->degree, place[MOST_KNOTS];
     num x[MOST_KNOTS], u[MOST_KNOTS], xi[MOST_KNOTS], e[MOST_KNOTS], c[MOST_KNOTS], parabola[MOST_KNOTS];
     for (int k = 0; kinds[p - 2][k] != NULL; k++) {
-        G(increasing_knots)(T, (int)strlen(kinds[p - 2][k]), x);
+        G(increasing_knots)(T, (int)strlen(kinds[p - 2][k]), 6, x);
         int count = G(knots_at)(kinds[p - 2][k], x, u, place), n = count - p - 1;
         num largest = from_int(0);
         for (int i = 0; i < n; i++) {

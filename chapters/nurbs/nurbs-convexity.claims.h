@@ -253,16 +253,16 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :::{claim} printed_insertion_keeps_the_curve
 :title: The printed points, weights and knots give the same curve
 :zh: 所印嵌入公式不改变曲线
-:given: orders $k=1,\dots,4$ (sampled to $6$): all knots simple; both ends of multiplicity $k$ and one knot between, of any
+:given: orders $k=1,\dots,6$ (sampled to $7$): all knots simple; both ends of multiplicity $k$ and one knot between, of any
   multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or the knot at its right end
 :let: $c_i$ any numbers, weights equal
 :then: $\sum_iN_{i,k}(t)c_i=\sum_iN'_{i,k}(t)c'_i$ on every interval of the domain, $c'_i=(1-\alpha_i)c_{i-1}+\alpha_ic_i$ with the
   printed $\alpha_i$
-:method: Both sums by the recursion of de Boor and Cox as it is defined; knots, $\tau$, $t$ and $c_i$ variables.  The
-  coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
+:method: Both sums by the recursion of de Boor and Cox as it is defined; $\tau$, $t$, $c_i$ and the distinct knots are
+  variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
   `inserted_points_divide_the_edges` it holds for any weights.
-:degrees: 1..4 sampled 6
-:scope: n stands for the order k
+:degrees: 1..6 sampled 7
+:scope: n stands for the order k; the distinct knots variables for k up to 5, numbers above
 :control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
 :::
 
@@ -376,14 +376,14 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :::{claim} inserted_parameters_become_vertices
 :title: Points of the curve become vertices
 :zh: 曲线上的点成为顶点
-:given: orders $k=2,3,4$, ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k-1$; two parameters $t'_1<t'_2$, each
+:given: orders $k=2,\dots,6$, ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k-1$; two parameters $t'_1<t'_2$, each
   inserted $k-1$ times: both in one interval, in different ones, at the inner knot, at the right end
 :then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$
 :method: The printed insertions and the curve by its definition, knots, parameters and points variables; a coordinate of the
   homogeneous points is any coordinate.  Later parameters leave the vertices of the earlier ones alone, so more than two are
   treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
   at $t',\dots,t'$.
-:degrees: 2..5 sampled 6
+:degrees: 2..6 sampled 6
 :scope: n stands for the order k
 :control: the second vertex counted one too low
 :::
@@ -644,6 +644,8 @@ CLAIM(printed_insertion_keeps_the_curve)
             snprintf(pattern, sizeof pattern, "%d%d%d", k, m, k);
         }
         struct G(knots) K = G(pattern)(T, pattern);
+        for (int i = 1; FIELD && k > 5 && i <= K.count; i++) /* 0, 1, 3, 6, 10, ...; places are multiples of 4 */
+            K.t[i] = from_int(K.place[i] / 4 * (K.place[i] / 4 + 1) / 2);
         for (int place = K.place[k]; place <= K.place[K.count - k + 1]; place += 2) /* knots, and numbers between */
             if (place > K.place[1])
                 G(compare_curves)(T, k, &K, place);

@@ -85,7 +85,7 @@ CLAIM(rational_triangle_follows_the_recursion)
 {
     int p = T->degree, k = p + 1, j = k;
     num u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS], t = unknown(T, "t", 0);
-    G(distinct_knots)(T, 2 * k, u);
+    G(distinct_knots)(T, 2 * k, 4, u);
     G(weighted_points)(T, k, 2, R, w);
     for (int m = 0; m < k; m++) {
         v[m] = w[m];
@@ -144,7 +144,7 @@ CLAIM(rational_triangle_gives_the_point)
     num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], point, out, t = unknown(T, "t", 0);
     for (int m = 0; G(kinds)[p][m] != NULL; m++) {
         const char *pattern = G(kinds)[p][m];
-        G(distinct_knots)(T, (int)strlen(pattern), x);
+        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - k;
         G(weighted_points)(T, n, 1, R, w);
         for (int interval = place[p]; interval < place[n]; interval++) {
@@ -367,7 +367,7 @@ CLAIM(every_level_divides_its_edges)
 {
     int p = T->degree, k = p + 1, mu = p;
     num u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS];
-    G(increasing_knots)(T, 2 * k, u);
+    G(increasing_knots)(T, 2 * k, 4, u);
     G(weighted_points)(T, k, 2, R, w);
     num t = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
     for (int r = 1; r <= p; r++) {
@@ -395,7 +395,7 @@ CLAIM(weights_of_levels_are_positive)
 {
     int p = T->degree, k = p + 1, j = k;
     num u[MOST_KNOTS], w[MOST_KNOTS];
-    G(increasing_knots)(T, 2 * k, u);
+    G(increasing_knots)(T, 2 * k, 4, u);
     for (int i = 0; i < k; i++) {
         num weight = positive(T, "w", i);
         w[i] = T->planted ? neg(weight) : weight;

@@ -107,7 +107,7 @@ CLAIM(basis_is_a_partition_of_unity)
     num x[MOST_KNOTS], u[MOST_KNOTS];
     for (int k = 0; G(kinds)[p][k] != NULL; k++) {
         const char *pattern = G(kinds)[p][k];
-        G(increasing_knots)(T, (int)strlen(pattern), x);
+        G(increasing_knots)(T, (int)strlen(pattern), 4, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
         for (int interval = place[p]; interval < place[n]; interval++) {
             int mu = G(span_of_interval)(count, place, interval);
@@ -146,7 +146,7 @@ CLAIM(every_point_counts)
     num x[MOST_KNOTS], u[MOST_KNOTS];
     for (int k = 0; G(kinds)[p][k] != NULL; k++) {
         const char *pattern = G(kinds)[p][k];
-        G(increasing_knots)(T, (int)strlen(pattern), x);
+        G(increasing_knots)(T, (int)strlen(pattern), 4, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
         if (place[p] == place[p + 1] || place[n - 1] == place[n])
             continue;
@@ -336,7 +336,6 @@ CLAIM(negative_weight_makes_a_pole)
 :method: The recursion by its letter with both knots and with two other variables.  The $N_{i,k}$ with $1\le i\le n$ contain
   $t_1,\dots,t_{n+k}$ only.
 :degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
 :control: the second knot replaced as well
 :::
 
@@ -357,7 +356,7 @@ CLAIM(outer_knots_do_not_count)
     char pattern[MOST_KNOTS] = "";
     num x[MOST_KNOTS], u[MOST_KNOTS], t = unknown(T, "t", 0);
     memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, x);
+    G(distinct_knots)(T, count, 6, x);
     G(knots_at)(pattern, x, u, place);
     for (int interval = p; interval < n; interval++) {
         num before[MOST_KNOTS];
@@ -378,7 +377,7 @@ CLAIM(control_point_of_space_is_not_enough)
 {
     num x[4], u[4], R[2], w[2], v[2], before, after, t = unknown(T, "t", 0), factor = positive(T, "lambda", 0);
     int place[4];
-    G(distinct_knots)(T, 4, x);
+    G(distinct_knots)(T, 4, 6, x);
     G(knots_at)("1111", x, u, place);
     G(weighted_points)(T, 2, 1, R, w);
     v[0] = T->planted ? mul(factor, w[0]) : w[0];
@@ -440,7 +439,7 @@ CLAIM(nurbs_point_is_the_weighted_mean)
     num x[MOST_KNOTS], u[MOST_KNOTS], R[3 * MOST_KNOTS], w[MOST_KNOTS], P[3], Q[3], t = unknown(T, "t", 0);
     for (int k = 0; G(kinds)[p][k] != NULL; k++) {
         const char *pattern = G(kinds)[p][k];
-        G(distinct_knots)(T, (int)strlen(pattern), x);
+        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1, dim = 1 + k % 3;
         G(weighted_points)(T, n, dim, R, w);
         for (int interval = place[p]; interval < place[n]; interval++) {
@@ -508,7 +507,7 @@ CLAIM(equal_weights_give_bspline)
     num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, t = unknown(T, "t", 0), same_weight;
     for (int k = 0; G(kinds)[p][k] != NULL; k++) {
         const char *pattern = G(kinds)[p][k];
-        G(distinct_knots)(T, (int)strlen(pattern), x);
+        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
         G(weighted_points)(T, n, 1, R, w);
         same_weight = w[0];
@@ -528,7 +527,7 @@ CLAIM(only_proportional_weights_give_the_bspline)
     char pattern[MOST_KNOTS] = "";
     num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, t = unknown(T, "t", 0);
     memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, x);
+    G(distinct_knots)(T, count, 4, x);
     G(knots_at)(pattern, x, u, place);
     G(weighted_points)(T, p + 1, 1, R, w);
     num N[MOST_KNOTS];
@@ -571,7 +570,6 @@ The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask a
 :then: $r(t)$ is the rational Bézier curve of $r_1,\dots,r_k$ and $w_1,\dots,w_k$ at $(t-t_k)/(t_{k+1}-t_k)$
 :method: The curve from the definition against the kernel for rational Bézier curves.
 :degrees: 1..6 sampled 9
-:scope: the knots variables for $p\le4$, numbers above
 :control: the weights taken in the opposite order
 :::
 
@@ -591,7 +589,7 @@ CLAIM(bezier_knots_give_rational_bezier)
     int p = T->degree, place[MOST_KNOTS];
     char pattern[] = {'1', (char)('0' + p), (char)('0' + p), '1', '\0'};
     num x[4], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], v[MOST_KNOTS], P[2], Q[2], t = unknown(T, "t", 0);
-    G(distinct_knots)(T, 4, x);
+    G(distinct_knots)(T, 4, 6, x);
     G(knots_at)(pattern, x, u, place);
     G(weighted_points)(T, p + 1, 2, R, w);
     for (int i = 0; i <= p; i++)
@@ -608,7 +606,7 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
     char pattern[MOST_KNOTS] = "";
     num x[MOST_KNOTS], u[MOST_KNOTS], H[MOST_KNOTS], b[MOST_KNOTS], value, t = unknown(T, "t", 0);
     memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, x);
+    G(distinct_knots)(T, count, 4, x);
     G(knots_at)(pattern, x, u, place);
     for (int i = 0; i <= p; i++)
         H[i] = unknown(T, "H", i);

@@ -38,28 +38,35 @@ $t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 :::{claim} segment_needs_the_points_of_its_span
 :title: On a span the sum over all points is the sum over the k points of the span
 :zh: 在一段上全部项之和即该段 k 项之和
-:given: $k=p+1$; $p+3$ points and weights over the knots of two patterns, simple knots and one double knot inside,
-  their distinct values variables; every span; any $t$
+:given: $k=p+1$; $p+3$ points and weights over knots of these patterns: an inner knot of every multiplicity $1,\dots,k$ among
+  simple ones, and $k$-fold ends with two simple knots between; every span; any $t$
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
-:degrees: 1..4 sampled 5
+:degrees: 1..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the first point of the span left out
 :::
 */
 #include "chapters/nurbs/family.h"
+
+#include <stdio.h>
 
 #include "chapters/frame/claims_on.h"
 
 CLAIM(segment_needs_the_points_of_its_span)
 {
     int p = T->degree, n = p + 3;
-    for (int kind = 0; kind < 2; kind++) {
+    for (int many = 1; many <= p + 2; many++) {
         char pattern[MOST_KNOTS] = {0};
-        for (int i = 0; i < n + p + 1 - kind; i++)
-            pattern[i] = kind == 1 && i == p + 1 ? '2' : '1';
+        if (many > p + 1)
+            snprintf(pattern, sizeof pattern, "%d11%d", p + 1, p + 1);
+        else
+            for (int i = 0; i < n + p + 2 - many; i++)
+                pattern[i] = (char)('0' + (i == p + 1 ? many : 1));
         num u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], H[MOST_KNOTS], S[2], t = parameter(T, "t");
         int place[MOST_KNOTS], count = G(knots_of_pattern)(T, pattern, u, place);
+        G(numbers_above)(4, p, count, place, u);
         G(free_curve)(T, n - 1, 1, R, w);
         for (int i = 0; i < n; i++)
             H[i] = mul(w[i], R[i]);
@@ -594,7 +601,8 @@ hypotheses are fulfilled: all $w_i^{[r]}$ are equal.
   of the segment that contains $t$
 :method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates; the sum of
   all terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
-:degrees: 2..4 sampled 5
+:degrees: 2..6 sampled 6
+:scope: the distinct knots variables for $p\le4$, numbers above
 :control: the polar form of the first segment for every span
 :::
 */
@@ -622,6 +630,7 @@ CLAIM(whole_member_is_polar_on_every_span)
             pattern[i] = kind == 1 && i == p + 1 ? '2' : '1';
         num u[MOST_KNOTS], H[2 * MOST_KNOTS], h[2][MOST_KNOTS], t = parameter(T, "t"), tau = parameter(T, "s");
         int place[MOST_KNOTS], count = G(knots_of_pattern)(T, pattern, u, place);
+        G(numbers_above)(4, p, count, place, u);
         for (int m = 0; m < 2 * n; m++) {
             H[m] = unknown(T, "H", m);
             h[m % 2][m / 2] = H[m];

@@ -53,7 +53,7 @@ CLAIM(moved_point_changes_its_support)
     num move = unknown(T, "d", 0), more = positive(T, "e", 0), applied = T->planted ? add(move, move) : move;
     for (int k = 0; G(kinds)[p][k] != NULL; k++) {
         const char *pattern = G(kinds)[p][k];
-        G(distinct_knots)(T, (int)strlen(pattern), x);
+        G(distinct_knots)(T, (int)strlen(pattern), 4, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
         G(weighted_points)(T, n, 1, R, w);
         for (int interval = place[p]; interval < place[n]; interval++) {
@@ -112,7 +112,7 @@ CLAIM(point_is_in_the_hull_of_k_points)
     num x[MOST_KNOTS], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2];
     for (int k = 0; G(kinds)[p][k] != NULL; k++) {
         const char *pattern = G(kinds)[p][k];
-        G(distinct_knots)(T, (int)strlen(pattern), x);
+        G(distinct_knots)(T, (int)strlen(pattern), 6, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
         G(weighted_points)(T, n, 2, R, w);
         for (int interval = place[p]; interval < place[n]; interval++) {
@@ -171,7 +171,7 @@ CLAIM(nurbs_moves_with_its_points)
     char pattern[MOST_KNOTS] = "";
     num x[MOST_KNOTS], u[MOST_KNOTS], R[2 * MOST_KNOTS], w[MOST_KNOTS], M[4], v[2], P[2], Q[2], t = unknown(T, "t", 0);
     memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, x);
+    G(distinct_knots)(T, count, 4, x);
     G(knots_at)(pattern, x, u, place);
     G(weighted_points)(T, p + 1, 2, R, w);
     for (int k = 0; k < 4; k++)
@@ -196,7 +196,7 @@ CLAIM(reversed_data_reverse_the_nurbs)
     num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
     num y[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS];
     memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, x);
+    G(distinct_knots)(T, count, 4, x);
     G(knots_at)(pattern, x, u, place);
     G(weighted_points)(T, p + 1, 1, R, w);
     for (int i = 0; i < count; i++)
@@ -221,7 +221,6 @@ CLAIM(reversed_data_reverse_the_nurbs)
   the derivatives of numerator and denominator, and by the rule for quotients those of the NURBS curve
 :method: The derivatives by the kernel on the two spans that meet at the knot; functions that do not count on a span are $0$ there.
 :degrees: 1..6 sampled 8
-:scope: the knots variables for $p\le4$, numbers above
 :control: the order $k-m$ as well
 :::
 
@@ -240,7 +239,7 @@ CLAIM(sides_agree_up_to_order_less_multiplicity)
 {
     int p = T->degree, place[MOST_KNOTS];
     num x[MOST_KNOTS], u[MOST_KNOTS], left[81], right[81];
-    G(distinct_knots)(T, 2 * p + 3, x);
+    G(distinct_knots)(T, 2 * p + 3, 6, x);
     for (int m = 1; m <= p; m++) {
         char pattern[MOST_KNOTS] = "";
         memset(pattern, '1', (size_t)(2 * p + 3));
@@ -497,7 +496,7 @@ CLAIM(periodic_data_close_the_curve)
     int p = T->degree;
     for (int m = p + 1; m <= p + 2; m++) {
         num u[MOST_KNOTS], c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], first[MAX_DEGREE], last[MAX_DEGREE];
-        G(distinct_knots)(T, m + 1, u);
+        G(distinct_knots)(T, m + 1, 4, u);
         for (int i = 0; i < m; i++)
             c[i] = unknown(T, "H", i);
         G(bspline_periodic)(m, p, 1, u, c, v, d);

@@ -88,7 +88,7 @@ CLAIM(circle_is_a_nurbs_curve)
 {
     num x[5], u[12], R[18], w[9], P[2], t = unknown(T, "t", 0);
     int place[12];
-    G(distinct_knots)(T, 5, x);
+    G(distinct_knots)(T, 5, 6, x);
     G(knots_at)("32223", x, u, place);
     G(circle)(T->planted, R, w);
     for (int interval = 0; interval < 4; interval++) {
@@ -119,7 +119,7 @@ CLAIM(circle_is_run_through_once)
 {
     num x[5], u[12], R[18], w[9], D[4], s = positive(T, "s", 0), part = div(s, add(s, from_int(1)));
     int place[12];
-    G(increasing_knots)(T, 5, x);
+    G(increasing_knots)(T, 5, 6, x);
     G(knots_at)("32223", x, u, place);
     G(circle)(0, R, w);
     for (int i = 0; T->planted && i < 9; i++)

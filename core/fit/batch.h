@@ -10,4 +10,8 @@ enum { FIT_BATCH = 8 };
  * feet[] go to new_feet[], their rows and products of second derivatives are taken in, and their losses returned.  0, and nothing done, when the curve is
  * another one or a foot is not found in a few steps of Newton's from the last one: then they are taken one by one. */
 int fit_batch(fit_objective *objective, int i, int weighted, double loss[]);
+
+/* The number of points in one vector of this processor, 2, 4 or 8.  The objective's `width` may be less: the numbers are the same;
+ * or 0: all points are taken one by one. */
+int fit_batch_widest(void);
 #endif

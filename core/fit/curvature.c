@@ -1,9 +1,11 @@
 #include "core/fit/curvature.h"
 
+#include "core/fit/wide.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-enum { PAIRS = 64 }; /* added up at once */
+enum { PAIRS = 128 }; /* added up at once, a multiple of WIDE_SUMS */
 
 /* The unknowns of a piece: rows of PAIRS numbers, those of all x, then those of all y; and the sum so far, above the diagonal. */
 typedef struct block {
@@ -43,7 +45,7 @@ fit_curvature *fit_curvature_new(int unknowns, int pieces, const int first[], co
     for (int k = 0; good && k < pieces; k++) {
         size_t n = (size_t)(first[k + 1] - first[k]);
         c->piece[k].unknowns = (int)n;
-        c->piece[k].pair = malloc((2 * n * PAIRS + 1) * sizeof *c->piece[k].pair);
+        c->piece[k].pair = aligned_alloc(WIDE_SUMS * sizeof(double), (2 * n + 1) * PAIRS * sizeof *c->piece[k].pair);
         c->piece[k].sum = malloc((n * n + 1) * sizeof *c->piece[k].sum);
         good = c->piece[k].pair && c->piece[k].sum;
     }
@@ -64,25 +66,15 @@ void fit_curvature_clear(fit_curvature *c)
     }
 }
 
-/* Four sums at a time, which the compiler keeps in vectors. */
-static inline double dot(int n, const double a[restrict], const double b[restrict])
+WIDE static void add_up(block *b)
 {
-    double s[4] = {0};
-    for (int i = 0; i < n; i += 4)
-        for (int k = 0; k < 4; k++)
-            s[k] += a[i + k] * b[i + k];
-    return (s[0] + s[1]) + (s[2] + s[3]);
-}
-
-static void add_up(block *b)
-{
-    int n = b->unknowns, pairs = (b->pairs + 3) / 4 * 4;
+    int n = b->unknowns, pairs = (b->pairs + WIDE_SUMS - 1) / WIDE_SUMS * WIDE_SUMS;
     for (int j = 0; j < 2 * n; j++)
         for (int i = b->pairs; i < pairs; i++)
             b->pair[j * PAIRS + i] = 0;
     for (int j = 0; j < n; j++)
         for (int k = j; k < n; k++)
-            b->sum[j * n + k] += dot(pairs, b->pair + j * PAIRS, b->pair + (n + k) * PAIRS);
+            b->sum[j * n + k] += wide_dot(pairs, b->pair + j * PAIRS, b->pair + (n + k) * PAIRS);
     b->pairs = 0;
 }
 

@@ -150,22 +150,35 @@ static int converged(const fit_problem *p, const cagd_fit_options *o, const fit_
     return left * left <= o->tolerance * 2 * f->cost + fit_problem_blur(p, f->cost);
 }
 
+/* To a minimum, near which the objective is or is not.  Where Newton's steps lead no further Ceres goes on, every time until it gains much
+ * less, and at last to the tolerance of the options. */
+static int to_minimum(const fit_problem *p, const cagd_fit_options *o, int near, double *left, fit_attempt *a)
+{
+    int good = 1, last = 0;
+    *left = HUGE_VAL;
+    if (near)
+        good = fit_descend_newton(p, o, o->tolerance, left, a);
+    for (double gain = p->strategy.nearly;
+         good && !last && !(near && converged(p, o, a->objective, *left)) && a->outcome.iterations < o->max_iterations;
+         near = 1, gain *= p->strategy.nearly) {
+        last = gain <= o->tolerance;
+        good = run_ceres(p, o, fmax(gain, o->tolerance), a);
+        if (good && a->outcome.termination == CAGD_FIT_CONVERGED)
+            good = fit_descend_newton(p, o, o->tolerance, left, a);
+    }
+    return good;
+}
+
 int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
 {
     fit_objective *f = a->objective;
-    double left = HUGE_VAL, gain;
+    double left, gain;
     int good = 1, near = a->outcome.termination == CAGD_FIT_CONVERGED;
     f->limit = FOOT_EXACT;
     f->newton = 1;
     fit_objective_begin(f, a->curve, a->feet);
     for (;; near = 1) {
-        if (good && near)
-            good = fit_descend_newton(p, o, o->tolerance, &left, a);
-        if (good && (!near || !converged(p, o, f, left)) && a->outcome.iterations < o->max_iterations) {
-            good = run_ceres(p, o, o->tolerance, a);
-            if (good && a->outcome.termination == CAGD_FIT_CONVERGED)
-                good = fit_descend_newton(p, o, o->tolerance, &left, a);
-        }
+        good = good && to_minimum(p, o, near, &left, a);
         if (good && a->outcome.iterations >= o->max_iterations && !converged(p, o, f, left)) {
             a->outcome.termination = CAGD_FIT_NOT_CONVERGED;
             snprintf(a->outcome.message, sizeof a->outcome.message, "Maximum number of iterations reached.");

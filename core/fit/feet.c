@@ -1,5 +1,6 @@
 #include "core/fit/feet.h"
 
+#include "core/fit/wide.h"
 #include "core/number/limits.h"
 
 #include <float.h>
@@ -37,11 +38,28 @@ static inline double inner(int dim, const double a[], const double b[])
 #undef DIM
 #undef DEGREE
 
-void fit_curve_derivatives(const fit_curve *c, double t, double D[]) { derivatives_any(c, t, D); }
+static int shape_of(const fit_curve *c) { return c->dim * 100 + c->degree; }
+
+void fit_curve_derivatives(const fit_curve *c, double t, double D[])
+{
+    switch (shape_of(c)) {
+    case 202:
+        derivatives_conic(c, t, D);
+        break;
+    case 203:
+        derivatives_cubic(c, t, D);
+        break;
+    case 303:
+        derivatives_space_cubic(c, t, D);
+        break;
+    default:
+        derivatives_any(c, t, D);
+    }
+}
 
 fit_foot_kind fit_foot_near(const fit_curve *c, const double q[], double limit, double *t, double D[])
 {
-    int shape = c->dim * 100 + c->degree;
+    int shape = shape_of(c);
     return shape == 202   ? newton_conic(c, q, limit, t, D)
            : shape == 203 ? newton_cubic(c, q, limit, t, D)
            : shape == 303 ? newton_space_cubic(c, q, limit, t, D)
@@ -63,7 +81,7 @@ typedef struct polygon {
 } polygon;
 
 /* Sides of the polygon: never more, and those of each piece to begin with. */
-enum { MOST_SIDES = 4096, PER_PIECE = 8 };
+enum { MOST_SIDES = 1024, PER_PIECE = 8 };
 
 static void polygon_free(polygon *g)
 {
@@ -149,7 +167,7 @@ static int polygon_new(polygon *g, const fit_curve *curve, int sides)
 }
 
 /* Where on side k, 0 ... 1, the point is that q is nearest to. */
-static inline double where_on_side(const polygon *g, const int dim, int k, const double q[])
+INLINE double where_on_side(const polygon *g, const int dim, int k, const double q[])
 {
     double along = 0;
     for (int c = 0; c < dim; c++)
@@ -160,8 +178,8 @@ static inline double where_on_side(const polygon *g, const int dim, int k, const
 }
 
 /* The squared distances of q from the sides first ... last, `dim` being a constant for the compiler. */
-static inline void from_sides_of(const polygon *g, const int dim, const double q[], int first, int last,
-                                 double square[restrict])
+INLINE void from_sides_of(const polygon *g, const int dim, const double q[], int first, int last,
+                          double square[restrict])
 {
     for (int k = first; k <= last; k++) {
         double s = where_on_side(g, dim, k, q), rest = 0;
@@ -173,7 +191,7 @@ static inline void from_sides_of(const polygon *g, const int dim, const double q
     }
 }
 
-static void from_sides(const polygon *g, const double q[], int first, int last, double square[])
+WIDE static void from_sides(const polygon *g, const double q[], int first, int last, double square[])
 {
     if (g->dim == 2)
         from_sides_of(g, 2, q, first, last, square);
@@ -227,12 +245,39 @@ static double nearest(const fit_curve *curve, const polygon *g, const double q[]
     return found;
 }
 
-/* The sides of the anchors, points 0, stride, 2 stride, ...: side[i] not decreasing, with the smallest sum of losses.  Dynamic
- * programming, Bellman. */
-static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int stride, double square[], int side[])
+/* The losses of anchor i, point i stride, on all sides. */
+static void anchor_losses(const fit_problem *p, const polygon *g, int i, int stride, double loss[])
 {
+    const size_t at = (size_t)i * (size_t)stride;
+    double weight = p->precision[at] * p->precision[at], slope;
+    from_sides(g, p->Q + at * (size_t)p->dim, 0, g->sides - 1, loss);
+    for (int k = 0; k < g->sides; k++)
+        loss[k] = p->loss == CAGD_FIT_SQUARES ? loss[k] * weight : fit_problem_loss(p, loss[k] * weight, &slope);
+}
+
+/* Each anchor on the side that it is nearest to; whether these sides do not decrease, so that their sum of losses is the smallest. */
+static int nearest_sides(const fit_problem *p, const polygon *g, int anchors, int stride, double square[], int side[])
+{
+    for (int i = 0; i < anchors; i++) {
+        int best = 0;
+        from_sides(g, p->Q + (size_t)i * (size_t)stride * (size_t)p->dim, 0, g->sides - 1, square);
+        for (int k = 1; k < g->sides; k++)
+            best = square[k] < square[best] ? k : best;
+        side[i] = best;
+        if (i > 0 && best < side[i - 1])
+            return 0;
+    }
+    return 1;
+}
+
+/* The sides of the anchors: side[i] not decreasing, with the smallest sum of losses.  Dynamic programming, Bellman.  0 when there is no
+ * memory. */
+static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int stride, double loss[], int side[])
+{
+    if (nearest_sides(p, g, anchors, stride, loss, side))
+        return 1;
     int m = g->sides;
-    double *sum = calloc((size_t)m, sizeof *sum), slope;
+    double *sum = calloc((size_t)m, sizeof *sum);
     int *from = malloc((size_t)anchors * (size_t)m * sizeof *from);
     if (sum == NULL || from == NULL) {
         free(sum);
@@ -240,17 +285,14 @@ static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int
         return 0;
     }
     for (int i = 0; i < anchors; i++) {
-        double weight = p->precision[i * stride] * p->precision[i * stride];
-        from_sides(g, p->Q + (size_t)(i * stride) * (size_t)p->dim, 0, m - 1, square);
-        for (int k = 0; p->loss != CAGD_FIT_SQUARES && k < m; k++)
-            square[k] = fit_problem_loss(p, square[k] * weight, &slope) / weight;
+        anchor_losses(p, g, i, stride, loss);
         int before = 0;
         double smallest = sum[0];
         for (int k = 0; k < m; k++) {
             if (sum[k] < smallest)
                 smallest = sum[k], before = k;
             from[i * m + k] = before;
-            sum[k] = smallest + square[k] * weight;
+            sum[k] = smallest + loss[k];
         }
     }
     int k = 0;

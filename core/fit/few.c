@@ -28,6 +28,7 @@ int fit_few_thinned(const fit_problem *p, int stride, fit_problem *few)
         memcpy(few->Q + (size_t)k * dim, p->Q + (size_t)i * dim, dim * sizeof *few->Q);
         few->precision[k] = p->precision[i];
     }
+    fit_problem_round(few);
     return 1;
 }
 
@@ -66,5 +67,6 @@ int fit_few_means(const fit_problem *p, const fit_curve *curve, const double t[]
         few->precision[count++] = sqrt(all);
     }
     few->points = count;
+    fit_problem_round(few);
     return 1;
 }

@@ -62,11 +62,11 @@ cagd_fit_options cagd_fit_defaults(void)
  *                                                                  as such a fit has taken by then
  *
  * They trade time for the chance of the lowest of several minima; what a minimum is does not depend on them. */
-const fit_strategy fit_usual_strategy = {.nearly = 1e-4,
-                                         .rough = 0x1p-8,
+const fit_strategy fit_usual_strategy = {.nearly = 1e-3,
+                                         .rough = 0x1p-6,
                                          .enough = 20,
                                          .times = 4,
-                                         .anchors = 128,
+                                         .anchors = 64,
                                          .sides = 64,
                                          .guesses = 13,
                                          .steps = 40,

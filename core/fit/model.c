@@ -1,13 +1,14 @@
 #include "core/fit/model.h"
 
+#include "core/fit/rank.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 void fit_model_free(fit_model *m)
 {
-    fit_rank_free(&m->rank);
-    free(m->L);
+    free(m->W);
     memset(m, 0, sizeof *m);
 }
 
@@ -19,23 +20,62 @@ static double product(int n, const double a[], const double b[])
     return sum;
 }
 
-/* M, below the diagonal of L; `half` has room for n^2 numbers. */
-static void relative_curvature(const fit_rank *r, const double S[], double half[], double L[])
+/* W = R^-1, unless R may lose a rank by the measure of rank.h: with columns scaled to length 1, R D^-1, its largest singular value is at
+ * most sqrt(n), and its smallest one at least 1/|D R^-1|, Frobenius's norm. */
+static int invert(const fit_problem *p, int n, const double R[], int stride, double W[])
 {
-    int n = r->n;
-    for (int j = 0; j < r->rank; j++)
+    double norm = 0;
+    for (int k = 0; k < n; k++)
+        for (int i = n - 1; i >= 0; i--) {
+            double sum = i == k;
+            for (int j = i + 1; j <= k; j++)
+                sum -= R[i * stride + j] * W[j * n + k];
+            W[i * n + k] = i <= k ? sum / R[i * stride + i] : 0;
+        }
+    for (int k = 0; k < n; k++) {
+        double column = 0;
+        for (int i = 0; i <= k; i++)
+            column += R[i * stride + k] * R[i * stride + k];
+        norm += column * product(n, W + k * n, W + k * n);
+    }
+    return fit_rank_threshold(n, fit_problem_equations(p), fit_problem_roundings(p)) * sqrt(n * norm) < 1;
+}
+
+/* W = D^-1 V s^-1, and U^T z, of the singular values that count; the rank, or -1 when there is no memory. */
+static int decompose(const fit_problem *p, int n, const double R[], const int fixed[], double W[], double z[])
+{
+    fit_rank r;
+    if (!fit_rank_of(n, fit_problem_equations(p), fit_problem_roundings(p), R, n + 1, fixed, &r))
+        return -1;
+    for (int j = 0; j < r.rank; j++) {
+        z[j] = 0;
+        for (int i = 0; i < n; i++) {
+            W[i * n + j] = r.V[i * n + j] / r.s[j] / r.scale[i];
+            z[j] += r.U[i * n + j] * R[i * (n + 1) + n];
+        }
+    }
+    int rank = r.rank;
+    fit_rank_free(&r);
+    return rank;
+}
+
+/* M, below the diagonal of L; `half` has room for n^2 numbers. */
+static void relative_curvature(const fit_model *m, const double S[], double half[])
+{
+    int n = m->n;
+    for (int j = 0; j < m->rank; j++)
         for (int k = 0; k < n; k++) {
             double sum = 0;
             for (int i = 0; i < n; i++)
-                sum += r->V[i * n + j] / r->scale[i] * S[i * n + k];
-            half[j * n + k] = sum / r->s[j];
+                sum += m->W[i * n + j] * S[i * n + k];
+            half[j * n + k] = sum;
         }
-    for (int j = 0; j < r->rank; j++)
+    for (int j = 0; j < m->rank; j++)
         for (int i = 0; i <= j; i++) {
             double sum = 0;
             for (int k = 0; k < n; k++)
-                sum += half[j * n + k] * r->V[k * n + i] / r->scale[k];
-            L[j * n + i] = sum / r->s[i];
+                sum += half[j * n + k] * m->W[k * n + i];
+            m->L[j * n + i] = sum;
         }
 }
 
@@ -64,57 +104,46 @@ static double forward(int n, int rank, const double L[], double y[])
 int fit_model_of(const fit_objective *f, const int fixed[], fit_model *m)
 {
     const fit_problem *p = f->problem;
-    int n = p->unknowns;
+    int n = p->unknowns, held = 0;
     size_t nn = (size_t)n * (size_t)n;
-    memset(m, 0, sizeof *m);
-    m->L = malloc((2 * nn + 2 * (size_t)n) * sizeof *m->L);
-    if (m->L == NULL ||
-        !fit_rank_of(n, fit_problem_equations(p), fit_problem_roundings(p), f->triangle, n + 1, fixed, &m->rank)) {
+    *m = (fit_model){.n = n, .W = malloc((3 * nn + 3 * (size_t)n) * sizeof *m->W)};
+    if (m->W == NULL)
+        return 0;
+    m->L = m->W + nn, m->z = m->L + 2 * nn, m->y = m->z + n, m->v = m->y + n;
+    for (int k = 0; k < n; k++) {
+        held += fixed[k] != 0;
+        m->z[k] = f->triangle[k * (n + 1) + n];
+    }
+    m->rank = held == 0 && invert(p, n, f->triangle, n + 1, m->W) ? n : decompose(p, n, f->triangle, fixed, m->W, m->z);
+    if (m->rank < 0) {
         fit_model_free(m);
         return 0;
     }
-    double *half = m->L + nn, z;
-    m->y = half + nn, m->v = m->y + n;
-    relative_curvature(&m->rank, f->curvature, half, m->L);
-    for (int newton = root(n, m->rank.rank, m->L);; newton = 0) {
-        for (int j = 0; j < m->rank.rank; j++) {
+    relative_curvature(m, f->curvature, m->L + nn);
+    for (int newton = root(n, m->rank, m->L);; newton = 0) {
+        for (int j = 0; j < m->rank; j++) {
             for (int i = 0; !newton && i <= j; i++)
                 m->L[j * n + i] = i == j;
-            z = 0;
-            for (int i = 0; i < n; i++)
-                z += m->rank.U[i * n + j] * f->triangle[i * (n + 1) + n];
-            m->y[j] = z;
+            m->y[j] = m->z[j];
         }
-        m->left = forward(n, m->rank.rank, m->L, m->y);
+        m->left = forward(n, m->rank, m->L, m->y);
         if (!newton || m->left * m->left <= 2 * f->cost)
             break;
     }
     return 1;
 }
 
-void fit_model_jacobian(const fit_model *m, double J[])
-{
-    const fit_rank *r = &m->rank;
-    int n = r->n;
-    memset(J, 0, (size_t)n * (size_t)n * sizeof *J);
-    for (int j = 0; j < r->rank; j++)
-        for (int i = 0; i <= j; i++)
-            for (int k = 0; k < n; k++)
-                J[i * n + k] += m->L[j * n + i] * r->s[j] * r->V[k * n + j] * r->scale[k];
-}
-
 void fit_model_step(const fit_model *m, double x[])
 {
-    const fit_rank *r = &m->rank;
-    int n = r->n;
+    int n = m->n;
     for (int k = 0; k < n; k++)
         x[k] = 0;
-    for (int j = r->rank - 1; j >= 0; j--) { /* L^T v = y, from the last one up */
+    for (int j = m->rank - 1; j >= 0; j--) { /* L^T v = y, from the last one up */
         double v = m->y[j];
-        for (int i = j + 1; i < r->rank; i++)
+        for (int i = j + 1; i < m->rank; i++)
             v -= m->L[i * n + j] * m->v[i];
         m->v[j] = v /= m->L[j * n + j];
         for (int k = 0; k < n; k++)
-            x[k] -= v / r->s[j] * r->V[k * n + j] / r->scale[k];
+            x[k] -= v * m->W[k * n + j];
     }
 }

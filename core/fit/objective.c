@@ -16,6 +16,7 @@ fit_objective *fit_objective_new(const fit_problem *p)
     size_t n = (size_t)p->unknowns + 1, points = (size_t)p->points;
     o->problem = p;
     o->limit = FOOT_EXACT;
+    o->width = fit_batch_widest();
     o->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
     if (o->curve != NULL)
         o->rows = fit_reduction_new(p->unknowns, 1, o->curve->pieces, p->first, p->reach);
@@ -221,7 +222,7 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
 {
     const fit_problem *p = o->problem;
     int n = p->unknowns + 1;
-    double sum = 0, lost = 0;
+    double sum[FIT_BATCH] = {0}, lost[FIT_BATCH] = {0};
     fit_problem_set(p, o->base, x, o->curve);
     for (int j = 0; j < p->count; j++)
         o->inverse[j] = 1 / o->curve->weights[j];
@@ -230,24 +231,27 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
         fit_curvature_clear(o->second);
     const int curve = is_curve(p, x, o->curve);
     for (int i = 0, count; i < p->points; i += count) {
-        double loss[FIT_BATCH];
+        double loss[FIT_BATCH] = {0};
         count = curve && fit_batch(o, i, weighted, loss) ? FIT_BATCH : 0;
         if (count == 0) { /* one by one, as many */
             for (; count < FIT_BATCH && i + count < p->points; count++)
                 loss[count] = point(o, i + count, curve, weighted);
         }
-        for (int k = 0; k < count; k++) {
-            double next = sum + (loss[k] - lost); /* with the rounding of the last sum taken off: Kahan */
-            lost = (next - sum) - (loss[k] - lost);
-            sum = next;
+        for (int k = 0; k < FIT_BATCH;
+             k++) { /* so many sums, each with the rounding of the last one taken off: Kahan */
+            double more = loss[k] - lost[k], next = sum[k] + more;
+            lost[k] = (next - sum[k]) - more;
+            sum[k] = next;
         }
     }
+    for (int k = 1; k < FIT_BATCH; k++)
+        sum[0] += sum[k];
     memcpy(o->triangle, fit_reduction_triangle(o->rows), (size_t)(n * n) * sizeof *o->triangle);
     if (weighted && o->newton)
         o->curvature = fit_curvature_matrix(o->second);
     by_weights(o, x, weighted && o->newton);
     memmove(o->new_x, x, (size_t)p->unknowns * sizeof *x);
-    o->cost = curve ? sum / 2 : HUGE_VAL;
+    o->cost = curve ? sum[0] / 2 : HUGE_VAL;
     o->evaluated = weighted;
 }
 

@@ -32,6 +32,7 @@ typedef struct fit_objective {
     double *curvature;        /* and what is left out of its R^T R, the Hessian matrix: unknowns^2    */
     int newton;               /* whether the curvature is summed up, or stays what it was             */
     double limit;             /* of fit_foot_near                                                     */
+    int width;                /* of the vectors in batch.h                                            */
     double cost, accepted;    /* of the last evaluation, and of what was accepted                     */
     int evaluated;            /* whether there was one                                                */
 } fit_objective;

@@ -161,6 +161,8 @@ cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_optio
         status = make_points(data, o, p, where);
     if (status == CAGD_FIT_OK)
         status = make_unknowns(o, p);
+    if (status == CAGD_FIT_OK)
+        fit_problem_round(p);
     return status;
 }
 
@@ -271,12 +273,16 @@ int fit_problem_on_bound(const fit_problem *p, int k, const fit_curve *curve)
     return p->unknown[k].is_weight && (w == p->low || w == p->high);
 }
 
-double fit_problem_blur(const fit_problem *p, double cost)
+void fit_problem_round(fit_problem *p)
 {
-    double sum = 0;
+    p->rounding = 0;
     for (int i = 0; i < p->points; i++) {
         double blur = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * p->size;
-        sum += blur * blur;
+        p->rounding += blur * blur;
     }
-    return sqrt(2 * cost * sum) + sum / 2 + p->points * DBL_EPSILON * cost;
+}
+
+double fit_problem_blur(const fit_problem *p, double cost)
+{
+    return sqrt(2 * cost * p->rounding) + p->rounding / 2 + p->points * DBL_EPSILON * cost;
 }

@@ -34,6 +34,7 @@ typedef struct fit_problem {
     int *first, *reach;     /* of each piece, the unknowns its rows reach; see reduction.h    */
     cagd_fit_unknown *slot; /* the same unknowns, `index` counted from the first point of the piece */
     double low, high;       /* bounds on the weights                                          */
+    double rounding;        /* sum b_i^2, see fit_problem_blur                                */
 } fit_problem;
 
 /* From checked data and options.  Whatever is returned, fit_problem_free releases it. */
@@ -74,6 +75,9 @@ int fit_problem_on_bound(const fit_problem *problem, int k, const fit_curve *cur
  * half the sum of their squares by at most sum |r_i| b_i + b_i^2/2, by Cauchy and Schwarz at most sqrt(2 cost sum b_i^2) + sum b_i^2/2;
  * with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
 double fit_problem_blur(const fit_problem *problem, double cost);
+
+/* Sums the b_i^2: to be called when the points or their precision have changed. */
+void fit_problem_round(fit_problem *problem);
 
 /* |a - b|^2 */
 static inline double fit_distance_squared(int dim, const double a[], const double b[])

@@ -13,6 +13,8 @@ void fit_rank_free(fit_rank *r)
     memset(r, 0, sizeof *r);
 }
 
+double fit_rank_threshold(int n, int rows, int roundings) { return DBL_EPSILON / 2 * sqrt(n) * (rows + roundings); }
+
 int fit_rank_of(int n, int rows, int roundings, const double R[], int stride, const int fixed[], fit_rank *r)
 {
     size_t nn = (size_t)n * (size_t)n;
@@ -36,29 +38,12 @@ int fit_rank_of(int n, int rows, int roundings, const double R[], int stride, co
         fit_rank_free(r);
         return 0;
     }
-    r->smallest = DBL_EPSILON / 2 * sqrt(n) * (rows + roundings) * r->s[0];
+    r->smallest = fit_rank_threshold(n, rows, roundings) * r->s[0];
     r->rank = 0;
     while (r->rank < n && r->s[r->rank] > r->smallest)
         r->rank++;
     r->flat = n - held - r->rank;
     return 1;
-}
-
-double fit_rank_step(const fit_rank *r, const double z[], int z_stride, double x[])
-{
-    int n = r->n;
-    double square = 0;
-    for (int k = 0; k < n; k++)
-        x[k] = 0;
-    for (int j = 0; j < r->rank; j++) {
-        double part = 0;
-        for (int i = 0; i < n; i++)
-            part += r->U[i * n + j] * z[i * z_stride];
-        square += part * part;
-        for (int k = 0; k < n; k++)
-            x[k] -= part / r->s[j] * r->V[k * n + j] / r->scale[k];
-    }
-    return sqrt(square);
 }
 
 void fit_rank_report(const fit_rank *r, const int fixed[], double covariance[], double flat[], int determined[])

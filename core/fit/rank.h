@@ -12,12 +12,12 @@ typedef struct fit_rank {
     double *U, *s, *V; /* of the scaled R, by rows                                                     */
 } fit_rank;
 
+/* Singular values below this part of the largest one count as 0. */
+double fit_rank_threshold(int n, int rows, int roundings);
+
 /* Returns 0 when there is no memory. */
 int fit_rank_of(int n, int rows, int roundings, const double R[], int stride, const int fixed[], fit_rank *rank);
 void fit_rank_free(fit_rank *rank);
-
-/* The shortest (in scaled columns) x with |R x + z| smallest; returns the length of the part of z that it takes away. */
-double fit_rank_step(const fit_rank *rank, const double z[], int z_stride, double x[]);
 
 /* covariance[n n] = (R^T R)^+ in scaled columns; flat_directions[flat n], orthonormal; determined[k] = 1 where no flat direction
  * moves unknown k and it is not fixed. */

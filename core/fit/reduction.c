@@ -1,12 +1,14 @@
 #include "core/fit/reduction.h"
 
+#include "core/fit/wide.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS = 32 }; /* taken in at once */
+enum { ROWS = 64 }; /* taken in at once */
 
-/* Columns one after the other, each with the places of the triangle first and those of new rows behind. */
+/* Columns one after the other, each with the new rows first and the places of the triangle behind. */
 typedef struct triangle {
     int columns, rows; /* rows: new ones */
     double *a;
@@ -19,46 +21,40 @@ struct fit_reduction {
     double *by_rows;
 };
 
-static int stride_of(const triangle *t) { return t->columns + ROWS; }
+static int stride_of(const triangle *t) { return ROWS + (t->columns + WIDE_SUMS - 1) / WIDE_SUMS * WIDE_SUMS; }
 
 static int triangle_new(triangle *t, int columns)
 {
     t->columns = columns;
-    t->a = calloc((size_t)columns * (size_t)(columns + ROWS), sizeof *t->a);
+    size_t size = (size_t)columns * (size_t)stride_of(t) * sizeof *t->a;
+    t->a = aligned_alloc(WIDE_SUMS * sizeof *t->a, size);
+    if (t->a != NULL)
+        memset(t->a, 0, size);
     return t->a != NULL;
 }
 
-/* Eight sums at a time, which the compiler keeps in vectors; n is a multiple of 8, rows that are not there being 0. */
-static inline double dot(int n, const double a[restrict], const double b[restrict])
-{
-    double s[8] = {0};
-    for (int i = 0; i < n; i += 8)
-        for (int k = 0; k < 8; k++)
-            s[k] += a[i + k] * b[i + k];
-    return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
-}
-
 /* Householder's reflections of the new rows into the triangle: column k has the vector (a_kk + sign |.|, new rows). */
-static void absorb(triangle *t)
+WIDE static void absorb(triangle *t)
 {
-    int n = t->columns, stride = stride_of(t), rows = (t->rows + 7) / 8 * 8;
+    int n = t->columns, stride = stride_of(t), rows = (t->rows + WIDE_SUMS - 1) / WIDE_SUMS * WIDE_SUMS;
     for (int k = 0; k < n; k++)
         for (int i = t->rows; i < rows; i++)
-            t->a[k * stride + n + i] = 0;
+            t->a[k * stride + i] = 0;
     for (int k = 0; k < n; k++) {
-        double *v = t->a + k * stride, *tail = v + n, square = dot(rows, tail, tail);
+        double *column = t->a + k * stride, at = column[ROWS + k];
+        const double square = wide_dot(rows, column, column);
         if (square == 0)
             continue;
-        double length = sqrt(v[k] * v[k] + square), head = v[k] > 0 ? v[k] + length : v[k] - length;
-        double factor = 2 / (head * head + square);
+        const double length = sqrt(at * at + square), head = at > 0 ? at + length : at - length;
+        const double factor = 2 / (head * head + square);
         for (int j = k + 1; j < n; j++) {
-            double *w = t->a + j * stride, *end = w + n;
-            double share = factor * (head * w[k] + dot(rows, tail, end));
-            w[k] -= share * head;
+            double *w = t->a + j * stride;
+            const double share = factor * (head * w[ROWS + k] + wide_dot(rows, column, w));
+            w[ROWS + k] -= share * head;
             for (int i = 0; i < rows; i++)
-                end[i] -= share * tail[i];
+                w[i] -= share * column[i];
         }
-        v[k] = v[k] > 0 ? -length : length;
+        column[ROWS + k] = at > 0 ? -length : length;
     }
     t->rows = 0;
 }
@@ -67,7 +63,7 @@ static double *next_row(triangle *t)
 {
     if (t->rows == ROWS)
         absorb(t);
-    return t->a + t->columns + t->rows++;
+    return t->a + t->rows++;
 }
 
 void fit_reduction_free(fit_reduction *r)
@@ -132,7 +128,7 @@ double *fit_reduction_rows(fit_reduction *r, int piece, int count, int *stride)
         absorb(t);
     *stride = stride_of(t);
     t->rows += count;
-    return t->a + t->columns + t->rows - count;
+    return t->a + t->rows - count;
 }
 
 const double *fit_reduction_triangle(fit_reduction *r)
@@ -149,12 +145,12 @@ const double *fit_reduction_triangle(fit_reduction *r)
             for (int j = 0; j < n; j++)
                 row[j * stride] = 0;
             for (int j = i; j < t->columns; j++)
-                row[(j < own ? reach[j] : r->unknowns + j - own) * stride] = t->a[j * stride_of(t) + i];
+                row[(j < own ? reach[j] : r->unknowns + j - own) * stride] = t->a[j * stride_of(t) + ROWS + i];
         }
     }
     absorb(&r->all);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
-            r->by_rows[i * n + j] = i <= j ? r->all.a[j * stride + i] : 0;
+            r->by_rows[i * n + j] = i <= j ? r->all.a[j * stride + ROWS + i] : 0;
     return r->by_rows;
 }

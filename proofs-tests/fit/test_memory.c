@@ -1,7 +1,7 @@
 /* test_memory.c -- a fit without memory: the k-th allocation fails, for k = 1, 2, 3, ... until the fit does without
  * so many; alone, and with all later ones.
  *
- * The C files of the fit are compiled once more into this program, where malloc, calloc, realloc and free are called
+ * The C files of the fit are compiled once more into this program, where malloc, aligned_alloc, calloc, realloc and free are called
  * test_malloc, ...: so the functions below; what Ceres takes for itself is left alone.  Asked is: the status
  * CAGD_FIT_NO_MEMORY without a result, every block given back, and afterwards the same fit as before. */
 #include "core/fit/cagd_fit.h"
@@ -15,6 +15,7 @@
 /* ---- memory ----------------------------------------------------------------------------------------- */
 
 void *test_malloc(size_t size);
+void *test_aligned_alloc(size_t alignment, size_t size);
 void *test_calloc(size_t count, size_t size);
 void *test_realloc(void *block, size_t size);
 void test_free(void *block);
@@ -53,6 +54,10 @@ static int refuses(void)
 }
 
 void *test_malloc(size_t size) { return refuses() ? NULL : keep(malloc(size)); }
+void *test_aligned_alloc(size_t alignment, size_t size)
+{
+    return refuses() ? NULL : keep(aligned_alloc(alignment, size));
+}
 void *test_calloc(size_t count, size_t size) { return refuses() ? NULL : keep(calloc(count, size)); }
 void *test_realloc(void *block, size_t size)
 {

@@ -1,0 +1,28 @@
+/* wide.h -- vectors of the processor's width for the loops that take most of the time.
+ *
+ * A function marked WIDE is compiled for several processors, and the program chooses among them when it starts.  All of them compute the
+ * same numbers: sums are made of WIDE_SUMS sums side by side, and every product and sum is rounded by itself. */
+#ifndef CAGD_FIT_WIDE_H
+#define CAGD_FIT_WIDE_H
+
+#if defined(__x86_64__) && defined(__ELF__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+#define FIT_WIDER
+#define WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
+#else
+#define WIDE
+#endif
+/* What such a function calls has to become a part of it. */
+#define INLINE static inline __attribute__((always_inline))
+
+enum { WIDE_SUMS = 8 };
+
+/* a . b; n is a multiple of WIDE_SUMS. */
+INLINE double wide_dot(int n, const double a[restrict], const double b[restrict])
+{
+    double s[WIDE_SUMS] = {0};
+    for (int i = 0; i < n; i += WIDE_SUMS)
+        for (int k = 0; k < WIDE_SUMS; k++)
+            s[k] += a[i + k] * b[i + k];
+    return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
+}
+#endif
