@@ -262,6 +262,31 @@ static void the_nearer_of_two_feet_is_found(void **state)
     }
 }
 
+/* Where C'' = 0 and C''' is large, Taylor's polynomial of second order is no curve for long: what is told of the foot of the cubic (s, 32 (s -
+ * 1/2)^3) at s = 1/2 is the curve at the parameter that is told, from wherever Newton's method comes and however long the domain is. */
+static void the_foot_is_on_the_curve(void **state)
+{
+    static const double P[] = {0, -4, 1 / 3.0, 4, 2 / 3.0, -4, 1, 4};
+    (void)state;
+    for (int scale = -20; scale <= 20; scale += 10) {
+        double length = ldexp(1, scale), knots[] = {0, 0, 0, 0, length, length, length, length}, q[] = {0.5, 0.125};
+        fit_curve *c = fit_curve_new(3, 4, 2, knots);
+        assert_non_null(c);
+        memcpy(c->points, P, sizeof P);
+        fit_curve_update(c);
+        for (int i = 0; i < 60; i++) {
+            double D[9], E[9], t = length * (0.5 + ldexp(i % 2 ? 0.7 : -0.9, -9 - i / 2));
+            assert_int_equal(fit_foot(c, q, &t, D), FOOT_ORTHOGONAL);
+            fit_curve_derivatives(c, t, E);
+            for (int m = 0; m < 2; m++)
+                assert_true(fabs(D[m] - E[m]) <= 16 * DBL_EPSILON);
+            assert_true(fabs(t / length - 0.5) <
+                        16 * FOOT_EXACT * FOOT_EXACT); /* half of the second derivative of phi is 12 */
+        }
+        fit_curve_free(c);
+    }
+}
+
 /* The largest degree has its place in all arrays, which the sanitizers see; the points of a line are its own feet. */
 static void the_largest_degree(void **state)
 {
@@ -292,13 +317,10 @@ static void the_largest_degree(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unknowns_are_the_curve),
-        cmocka_unit_test(the_blur_is_what_is_said),
-        cmocka_unit_test(means_are_weighted_by_precision),
-        cmocka_unit_test(orders_are_found),
-        cmocka_unit_test(what_better_feet_gain),
-        cmocka_unit_test(the_nearer_of_two_feet_is_found),
-        cmocka_unit_test(the_largest_degree),
+        cmocka_unit_test(unknowns_are_the_curve),          cmocka_unit_test(the_blur_is_what_is_said),
+        cmocka_unit_test(means_are_weighted_by_precision), cmocka_unit_test(orders_are_found),
+        cmocka_unit_test(what_better_feet_gain),           cmocka_unit_test(the_nearer_of_two_feet_is_found),
+        cmocka_unit_test(the_foot_is_on_the_curve),        cmocka_unit_test(the_largest_degree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
