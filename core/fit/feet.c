@@ -75,6 +75,7 @@ fit_foot_kind fit_foot(const fit_curve *c, const double q[], double *t, double D
  * the sides: where they begin, their vectors, and one over the square of their lengths, coordinate by coordinate. */
 typedef struct polygon {
     int sides, dim;
+    int thorough; /* every side that may be nearest is tried, as two of them that are nearly as near may be neighbours */
     double *t, *point, *deep;
     double *begin[3], *vector[3], *inverse;
 } polygon;
@@ -210,7 +211,7 @@ static int beside(const polygon *g, int k, double t)
 }
 
 /* The nearest of the feet that are reached from sides first ... last, and its squared distance; only sides whose part of the
- * curve may be nearer than the best one are tried, and of neighbours the nearest.  A foot that is known and lies on such a side or
+ * curve may be nearer than the best one are tried, and of neighbours the nearest, or all.  A foot that is known and lies on such a side or
  * beside it is the one that is reached from there. */
 static double nearest(const fit_curve *curve, const polygon *g, const double q[], int first, int last,
                       const double *known, double square[], double *smallest)
@@ -226,8 +227,8 @@ static double nearest(const fit_curve *curve, const polygon *g, const double q[]
     if (known != NULL && first == last && beside(g, first, *known))
         return *known;
     for (int k = first; k <= last; k++) {
-        if ((k > first && square[k - 1] < square[k]) || (k < last && square[k + 1] <= square[k]) ||
-            sqrt(square[k]) - g->deep[k] > best)
+        int farther = (k > first && square[k - 1] < square[k]) || (k < last && square[k + 1] <= square[k]);
+        if ((farther && !g->thorough) || sqrt(square[k]) - g->deep[k] > best)
             continue;
         double t;
         if (known != NULL && beside(g, k, *known)) {
@@ -327,6 +328,7 @@ static int search_new(search *s, const fit_problem *p, const fit_curve *curve)
     *s = (search){.stride = (p->points - 1) / p->strategy.anchors + 1};
     s->anchors = (p->points - 1) / s->stride + 1;
     int good = polygon_new(&s->polygon, curve, p->strategy.sides);
+    s->polygon.thorough = p->nothing_free;
     s->side = malloc((size_t)s->anchors * sizeof *s->side);
     s->square = good ? malloc((size_t)s->polygon.sides * sizeof *s->square) : NULL;
     return good && s->side && s->square &&

@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUNDS = 8, GROUPS = 64 };
-
 static const double *point_of(const fit_problem *p, int i) { return p->Q + (size_t)i * (size_t)p->dim; }
 
 /* Order ------------------------------------------------------------------------------------------------------- */
@@ -95,11 +93,13 @@ int fit_initial_order(const fit_problem *p, int guess, int order[])
 }
 
 /* Parameters along the chords between the centres of groups of points: single points may be scattered by more than they
- * are apart. */
-static void chord_parameters(const fit_problem *p, const int order[], double start, double end, double t[])
+ * are apart.  Returns 0 when there is no memory. */
+static int chord_parameters(const fit_problem *p, const int order[], double start, double end, double t[])
 {
-    int n = p->points, dim = p->dim, groups = n < GROUPS ? n : GROUPS;
-    double length = 0, before[3] = {0}, at[GROUPS];
+    int n = p->points, dim = p->dim, groups = n < p->strategy.groups ? n : p->strategy.groups;
+    double length = 0, before[3] = {0}, *at = malloc((size_t)groups * sizeof *at);
+    if (at == NULL)
+        return 0;
     for (int g = 0; g < groups; g++) {
         int low = (int)((long)n * g / groups), high = (int)((long)n * (g + 1) / groups);
         double centre[3] = {0};
@@ -116,6 +116,8 @@ static void chord_parameters(const fit_problem *p, const int order[], double sta
         double x = at[g] + (place - g) * (at[g + 1] - at[g]);
         t[order[i]] = start + (end - start) * (length > 0 ? x / length : (double)i / (n - 1));
     }
+    free(at);
+    return 1;
 }
 
 /* Linear least squares --------------------------------------------------------------------------------------------- */
@@ -193,14 +195,14 @@ static int solve_points(const fit_problem *p, const double t[], int robust, fit_
 static int improve(const fit_problem *p, fit_curve *curve, double t[], double *cost)
 {
     double D[9], slope;
-    for (int round = 0; round <= ROUNDS; round++) {
+    for (int round = 0; round <= p->strategy.rounds; round++) {
         *cost = 0;
         for (int i = 0; i < p->points; i++) {
             fit_foot(curve, point_of(p, i), &t[i], D);
             double square = fit_distance_squared(p->dim, D, point_of(p, i)) * p->precision[i] * p->precision[i];
             *cost += fit_problem_loss(p, square, &slope) / 2;
         }
-        if (round < ROUNDS && !solve_points(p, t, 1, curve))
+        if (round < p->strategy.rounds && !solve_points(p, t, 1, curve))
             return 0;
     }
     return 1;
@@ -220,8 +222,8 @@ int fit_initial_curve(const fit_problem *p, const int order[], fit_curve *curve,
             curve->points[i * dim + c] = i == n ? to[c] : from[c] + along * (to[c] - from[c]);
     }
     fit_curve_update(curve);
-    chord_parameters(p, order, fit_curve_start(curve), fit_curve_end(curve), t);
-    int good = solve_points(p, t, 0, curve) && improve(p, curve, t, cost) &&
+    int good = chord_parameters(p, order, fit_curve_start(curve), fit_curve_end(curve), t) &&
+               solve_points(p, t, 0, curve) && improve(p, curve, t, cost) &&
                (!p->unordered || fit_feet_search(p, curve, t, cost));
     free(t);
     return good;
@@ -249,12 +251,12 @@ static uint64_t scrambled(uint64_t x)
 
 void fit_initial_weights(const fit_problem *p, unsigned long seed, int start, fit_curve *curve)
 {
-    const double range = log(16);
     for (int k = 0; k < p->unknowns; k++)
         if (p->unknown[k].is_weight) {
             uint64_t bits = scrambled(scrambled(scrambled(seed) + (uint64_t)start) + (uint64_t)k);
             double even = (double)(bits >> 11) * 0x1p-53; /* 0 <= even < 1 */
-            double low = fmax(log(p->low), -range), high = fmin(log(p->high), range);
+            double low = fmax(log(p->low), -log(p->strategy.spread)),
+                   high = fmin(log(p->high), log(p->strategy.spread));
             curve->weights[p->unknown[k].index] = exp(low + even * (high - low));
         }
     fit_curve_update(curve);

@@ -18,6 +18,7 @@ int fit_initial_curve(const fit_problem *problem, const int order[], fit_curve *
 /* A few rounds more of it, for a curve that is there. */
 int fit_initial_improve(const fit_problem *problem, fit_curve *curve);
 
-/* Other weights for the free ones: logarithms even between -range and range, from a seeded generator. */
+/* Other weights for the free ones: logarithms even between those of 1/spread and spread (strategy.h), or the bounds, from a
+ * seeded generator. */
 void fit_initial_weights(const fit_problem *problem, unsigned long seed, int start, fit_curve *curve);
 #endif

@@ -21,7 +21,11 @@ typedef struct fit_strategy {
     int sides;      /* no side of that polygon is longer than one over this of the whole                       */
     int guesses;    /* so many uneven weights are tried where no curve is given,                               */
     int steps;      /* with at most so many steps each,                                                        */
+    double spread;  /* between one over this and this,                                                         */
     double telling; /* to where the unknowns can take away no more than this part of the residuals             */
+    int groups;     /* the chords of points that no curve is given for are those of so many means              */
+    int rounds;     /* so often the points of the curve and the feet are found in turn before weights move       */
+    int more;       /* so many starts more are made when none comes to a minimum                               */
 } fit_strategy;
 
 /* What cagd_fit does. */

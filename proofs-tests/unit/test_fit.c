@@ -3,6 +3,7 @@
 #include "core/fit/cagd_fit.h"
 #include "core/fit/feet.h"
 #include "core/fit/objective.h"
+#include "core/fit/rank.h"
 #include "core/fit/reduction.h"
 #include "core/fit/strategy.h"
 #include "core/kernels_d.h"
@@ -172,14 +173,17 @@ static void the_model_has_the_second_derivatives(void **state)
     const double h = 1e-5;
     (void)state;
     for (int k = 0; k < 4; k++)
-        for (int loss = CAGD_FIT_SQUARES; loss <= CAGD_FIT_CAUCHY; loss += CAGD_FIT_CAUCHY - CAGD_FIT_SQUARES) {
+        for (int variant = 0; variant < 4;
+             variant++) { /* low: weights a half of the base and less, where phi is bent */
+            int low = variant / 2;
+            cagd_fit_loss loss = variant % 2 ? CAGD_FIT_CAUCHY : CAGD_FIT_SQUARES;
             cagd_fit_data data = sample(curves[k], 43, 0.1, 0.9, 0.05);
             cagd_fit_options o = cagd_fit_defaults();
             fit_problem p;
             int where, n;
             double H[MOST_UNKNOWNS][MOST_UNKNOWNS] = {{0}}, x[MOST_UNKNOWNS], slope[2][MOST_UNKNOWNS], cost,
                    largest = 0;
-            o.initial = curves[k], o.loss = (cagd_fit_loss)loss, o.loss_scale = 0.05;
+            o.initial = curves[k], o.loss = loss, o.loss_scale = 0.05;
             assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
             fit_objective *f = fit_objective_new(&p);
             fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
@@ -190,6 +194,13 @@ static void the_model_has_the_second_derivatives(void **state)
             n = p.unknowns;
             f->newton = 1;
             fit_objective_begin(f, c, feet);
+            memcpy(x, f->x, (size_t)n * sizeof *x);
+            if (low) {
+                for (int a = 0; a < n; a++)
+                    x[a] = p.unknown[a].is_weight ? -0.75 : x[a];
+                fit_objective_evaluate(f, x, 1);
+                fit_objective_accept(f);
+            }
             for (int a = 0; a < n; a++)
                 for (int b = 0; b < n; b++) {
                     H[a][b] = f->curvature[a * n + b];
@@ -197,7 +208,6 @@ static void the_model_has_the_second_derivatives(void **state)
                         H[a][b] += f->triangle[i * (n + 1) + a] * f->triangle[i * (n + 1) + b];
                     largest = fmax(largest, fabs(H[a][b]));
                 }
-            memcpy(x, f->x, (size_t)n * sizeof *x);
             for (int a = 0; a < n; a++) {
                 for (int side = 0; side < 2; side++) {
                     x[a] = f->x[a] + (side ? h : -h);
@@ -214,6 +224,68 @@ static void the_model_has_the_second_derivatives(void **state)
             fit_problem_free(&p);
             free(feet);
         }
+}
+
+/* Two nearly parallel columns of length 1 have the singular values sqrt(1 + c) and sqrt(1 - c), c the cosine between them. */
+static void rank_is_that_of_the_stated_threshold(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        int rows = 300, roundings = 28;
+        double threshold = DBL_EPSILON / 2 * sqrt(2) * (rows + roundings) * sqrt(2),
+               wanted = threshold * (1 + side * 0.05);
+        double angle = 2 * asin(wanted / sqrt(2)), R[] = {3, 5 * cos(angle), 0, 5 * sin(angle)}; /* lengths 3 and 5 */
+        static const int fixed[2] = {0, 0}, one_fixed[2] = {0, 1};
+        fit_rank r;
+        assert_true(fit_rank_of(2, rows, roundings, R, 2, fixed, &r));
+        assert_true(fabs(r.smallest / threshold - 1) < 1e-12);
+        assert_int_equal(r.rank, side > 0 ? 2 : 1);
+        assert_int_equal(r.flat, 2 - r.rank);
+        if (side < 0) { /* flat is x_0 : x_1 = 5 : -3, and neither of the two is determined */
+            double covariance[4], flat[2];
+            int determined[2];
+            fit_rank_report(&r, fixed, covariance, flat, determined);
+            assert_true(fabs(flat[0] * 3 + flat[1] * 5) < 1e-12 && fabs(hypot(flat[0], flat[1]) - 1) < 1e-15);
+            assert_true(!determined[0] && !determined[1]);
+            /* of the scaled columns, both 1: (1/2 1/2)^T (1/2 1/2)/... the generalised inverse of [1 1; 1 1] is a quarter of it */
+            assert_true(fabs(covariance[0] * 9 - 0.25) < 1e-9 && fabs(covariance[1] * 15 - 0.25) < 1e-9 &&
+                        fabs(covariance[3] * 25 - 0.25) < 1e-9);
+        }
+        fit_rank_free(&r);
+        assert_true(fit_rank_of(2, rows, roundings, R, 2, one_fixed, &r));
+        assert_true(r.rank == 1 && r.flat == 0);
+        fit_rank_free(&r);
+    }
+}
+
+/* Two points between the sides of a U, each nearer to the side that comes too early or too late for the other: both get feet on the
+ * side that the better known one is nearer to. */
+static void order_is_kept_for_the_sake_of_what_is_known_best(void **state)
+{
+    static const double k[] = {0, 0, 1 / 3.0, 2 / 3.0, 1, 1}, P[] = {-1, 10, -1, 0, 1, 0, 1, 10};
+    static const double between[] = {0.2, 5, -0.2, 5};
+    const cagd_spline u = {1, 4, 2, k, P, NULL};
+    (void)state;
+    for (int best = 0; best < 2; best++) {
+        double sigma[2] = {best == 0 ? 0.5 : 1, best == 1 ? 0.5 : 1}, t[2], cost;
+        cagd_fit_data data = {2, 2, between, sigma};
+        cagd_fit_options o = cagd_fit_defaults();
+        fit_problem p;
+        int where;
+        o.initial = &u;
+        o.free = CAGD_FIT_WEIGHTS;
+        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+        fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
+        assert_non_null(c);
+        fit_problem_curve(&p, &u, c);
+        assert_true(fit_feet_search(&p, c, t, &cost));
+        for (int i = 0; i < 2; i++)
+            assert_true(best == 0 ? t[i] > 2 / 3.0 : t[i] < 1 / 3.0);
+        /* squares 0.8^2 and 1.2^2, the former over a variance of 1/4 */
+        assert_true(fabs(2 * cost - (0.64 * 4 + 1.44)) < 1e-12);
+        fit_curve_free(c);
+        fit_problem_free(&p);
+    }
 }
 
 /* Points in vectors of every width that the processor has: the same numbers; and one by one: the same but for rounding. */
@@ -262,6 +334,29 @@ static void vectors_of_any_width_give_the_same(void **state)
         fit_curve_free(c);
         fit_problem_free(&p);
     }
+}
+
+/* The radius of curvature of this cubic at 1/2, where it is slowest, is 3/8 e^2: C' = (-3e/2, 0), C'' = (0, -6).  Whether the curve turns as
+ * at a cusp is decided by 8 u times its size, or by the distances when they are larger. */
+static void a_cusp_is_one_from_the_stated_radius_on(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side += 2)
+        for (int rounding = 0; rounding < 2; rounding++) {
+            double rms = rounding ? 0 : 1e-6, threshold = rounding ? 8 * DBL_EPSILON : rms;
+            double e = sqrt(threshold * (1 + side * 0.01) * 8 / 3), t = -1;
+            double P[] = {0, 0, 1 + e, 1, -e, 1, 1, 0}, w[] = {1, 1, 1, 1};
+            cagd_fit_result r = {.curve = {3, 4, 2, bezier_knots, P, w}, .relative = P, .rms = rms};
+            assert_int_equal(cagd_fit_has_cusp(&r, &t), side < 0);
+            assert_true(side < 0 ? fabs(t - 0.5) < 1e-7 : t == -1);
+        }
+    /* Wherever it is: |C'|^2 has its minimum there, to the last bits. */
+    double t, low[9], high[9];
+    cagd_fit_result r = {.curve = spline, .relative = (double *)spline_points, .rms = 1};
+    assert_int_equal(cagd_fit_has_cusp(&r, &t), 1);
+    cagd_spline_derivatives(&spline, t - 1e-9, CAGD_RIGHT, 2, low);
+    cagd_spline_derivatives(&spline, t + 1e-9, CAGD_RIGHT, 2, high);
+    assert_true(low[2] * low[4] + low[3] * low[5] < 0 && high[2] * high[4] + high[3] * high[5] > 0);
 }
 
 /* ---- Known curves ------------------------------------------------------------------------------------------ */
@@ -557,6 +652,34 @@ static void random_cubics_come_back(void **state)
     assert_true(found >= 95);
 }
 
+/* The domain is any interval: feet go with it, and nothing else changes but by roundings. */
+static void the_domain_may_be_any_interval(void **state)
+{
+    const cagd_spline *curves[] = {&conic, &cubic, &in_space, &spline};
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        const cagd_spline *s = curves[k];
+        cagd_fit_data data = sample(s, 50, 0, 1, 0.01);
+        cagd_fit_options o = cagd_fit_defaults();
+        double knots[16];
+        o.degree = s->degree, o.count = s->count, o.knots = s->knots;
+        cagd_fit_result *usual = fit(&data, &o);
+        for (int i = 0; i < s->count + s->degree + 1; i++)
+            knots[i] = 2 + 5 * s->knots[i];
+        o.knots = knots;
+        cagd_fit_result *other = fit(&data, &o);
+        assert_int_equal(other->termination, CAGD_FIT_CONVERGED);
+        assert_true(fabs(other->cost / usual->cost - 1) < 1e-12 && other->rank == usual->rank);
+        for (int i = 0; i < 50; i++)
+            assert_true(fabs(other->feet[i] - 2 - 5 * usual->feet[i]) < 1e-9);
+        for (int a = 0; a < usual->unknowns; a++)
+            assert_true(fabs(other->value[a] - usual->value[a]) < 1e-9);
+        assert_true(usual->iterations + 4 >= other->iterations && other->iterations + 4 >= usual->iterations);
+        cagd_fit_free(usual);
+        cagd_fit_free(other);
+    }
+}
+
 /* Every number of the strategy, halved and doubled, with few points and with many, with and without a curve to start from: cost and
  * estimates are the same. */
 static void the_strategy_does_not_change_the_result(void **state)
@@ -569,14 +692,15 @@ static void the_strategy_does_not_change_the_result(void **state)
             o.degree = 3;
             o.initial = given ? &cubic : NULL;
             cagd_fit_result *usual = fit(&data, &o), *r;
-            for (int change = 0; change < 18; change++) {
+            for (int change = 0; change < 26; change++) {
                 fit_strategy s = fit_usual_strategy;
-                double factor = change % 2 ? 2 : 0.5, *real[] = {&s.nearly, &s.rough, &s.telling};
-                int *whole[] = {&s.enough, &s.times, &s.anchors, &s.sides, &s.guesses, &s.steps};
-                if (change / 2 < 3)
+                double factor = change % 2 ? 2 : 0.5, *real[] = {&s.nearly, &s.rough, &s.telling, &s.spread};
+                int *whole[] = {&s.enough, &s.times,  &s.anchors, &s.sides, &s.guesses,
+                                &s.steps,  &s.groups, &s.rounds,  &s.more};
+                if (change / 2 < 4)
                     *real[change / 2] *= factor;
                 else
-                    *whole[change / 2 - 3] = (int)(factor * *whole[change / 2 - 3]);
+                    *whole[change / 2 - 4] = (int)(factor * *whole[change / 2 - 4]);
                 assert_int_equal(fit_with_strategy(&data, &o, &s, &r, NULL), CAGD_FIT_OK);
                 assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
                 assert_true(fabs(r->cost / usual->cost - 1) < 1e-12);
@@ -832,6 +956,9 @@ int main(void)
         cmocka_unit_test(feet_are_orthogonal),
         cmocka_unit_test(triangles_keep_the_normal_equations),
         cmocka_unit_test(the_model_has_the_second_derivatives),
+        cmocka_unit_test(rank_is_that_of_the_stated_threshold),
+        cmocka_unit_test(order_is_kept_for_the_sake_of_what_is_known_best),
+        cmocka_unit_test(a_cusp_is_one_from_the_stated_radius_on),
         cmocka_unit_test(vectors_of_any_width_give_the_same),
         cmocka_unit_test(noise_free_curves_come_back),
         cmocka_unit_test(free_ends_slide),
@@ -844,6 +971,7 @@ int main(void)
         cmocka_unit_test(shifts_change_nothing),
         cmocka_unit_test(the_same_again),
         cmocka_unit_test(random_cubics_come_back),
+        cmocka_unit_test(the_domain_may_be_any_interval),
         cmocka_unit_test(the_strategy_does_not_change_the_result),
         cmocka_unit_test(feet_on_a_given_curve_are_nearest_points),
         cmocka_unit_test(a_single_point_has_its_distance),

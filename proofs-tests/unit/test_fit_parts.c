@@ -1,0 +1,304 @@
+/* test_fit_parts.c -- what a fit is made of, each part against its definition. */
+#include "core/fit/feet.h"
+#include "core/fit/few.h"
+#include "core/fit/initial.h"
+#include "core/fit/problem.h"
+#include "core/fit/strategy.h"
+#include "core/number/limits.h"
+
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const double conic_knots[] = {0, 0, 0, 1, 1, 1}, line_knots[] = {0, 0, 1, 1};
+static const double spline_knots[] = {0, 0, 0, 0, 0.4, 0.7, 1, 1, 1, 1};
+static const double spline_points[] = {0, 0, 0, 1, 2, -1, 2, -1, 2, 3, 1, 1, 4, 1.5, -1, 5, 0, 0};
+static const double spline_weights[] = {1, 2, 0.7, 1.4, 0.8, 1.3};
+static const cagd_spline in_space = {3, 6, 3, spline_knots, spline_points, spline_weights};
+
+/* A problem with all free and its initial curve in working coordinates. */
+struct made {
+    fit_problem p;
+    fit_curve *curve;
+};
+
+static struct made make(const cagd_fit_data *data, const cagd_spline *initial, int unordered)
+{
+    struct made m;
+    int where;
+    cagd_fit_options o = cagd_fit_defaults();
+    o.initial = initial;
+    o.free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS;
+    o.unordered = unordered;
+    assert_int_equal(fit_problem_make(data, &o, &fit_usual_strategy, &m.p, &where), CAGD_FIT_OK);
+    m.curve = fit_curve_new(m.p.degree, m.p.count, m.p.dim, m.p.knots);
+    assert_non_null(m.curve);
+    fit_problem_curve(&m.p, initial, m.curve);
+    return m;
+}
+
+static void release(struct made *m)
+{
+    fit_curve_free(m->curve);
+    fit_problem_free(&m->p);
+}
+
+/* Points around the curve, with standard deviations of their own. */
+enum { N = 40 };
+static double Q[3 * N], sigma[N];
+static cagd_fit_data around(int dim, double far)
+{
+    for (int i = 0; i < N; i++) {
+        sigma[i] = 0.5 + (i * 7 % 5) / 4.0;
+        for (int c = 0; c < dim; c++)
+            Q[i * dim + c] = far + 2 + 3 * sin(1.0 + 7 * i + 3 * c + i * c);
+    }
+    return (cagd_fit_data){N, dim, Q, sigma};
+}
+
+static void unknowns_are_the_curve(void **state)
+{
+    (void)state;
+    cagd_fit_data data = around(3, 0);
+    struct made m = make(&data, &in_space, 0), other = make(&data, &in_space, 0);
+    fit_problem *p = &m.p;
+    double theta[64], x[64];
+    assert_int_equal(p->unknowns, 6 * 3 + 5); /* the first weight is 1 */
+    fit_problem_theta(p, m.curve, theta);
+    for (int k = 0, j = 0; j < 6; j++) {
+        if (j > 0) {
+            assert_true(p->unknown[k].is_weight && p->unknown[k].index == j);
+            assert_true(fabs(theta[k++] - log(spline_weights[j])) < 1e-15);
+        }
+        for (int c = 0; c < 3; c++, k++) {
+            assert_true(!p->unknown[k].is_weight && p->unknown[k].index == j && p->unknown[k].coordinate == c);
+            assert_true(fabs(theta[k] * p->unit + p->centre[c] - spline_points[3 * j + c]) < 1e-15);
+        }
+    }
+    for (int j = 0; j < 6; j++)
+        other.curve->weights[j] = 1 + (j > 0) * 0.25 * j;
+    for (int i = 0; i < 18; i++)
+        other.curve->points[i] = 0.125 * i;
+    fit_problem_get(p, m.curve, other.curve, x); /* w (P - B), and w = b (1 + y) */
+    for (int k = 0; k < p->unknowns; k++) {
+        int j = p->unknown[k].index, c = 3 * j + p->unknown[k].coordinate;
+        double w = 1 + (j > 0) * 0.25 * j,
+               wanted = p->unknown[k].is_weight ? w / m.curve->weights[j] - 1 : w * (0.125 * c - m.curve->points[c]);
+        assert_true(x[k] < -0.5 || fabs(x[k] - wanted) < 1e-14);
+    }
+    fit_problem_theta(p, other.curve, theta);
+    fit_problem_set(p, m.curve, x, m.curve);
+    for (int i = 0; i < 18; i++)
+        assert_true(fabs(m.curve->points[i] - 0.125 * i) < 1e-14);
+    fit_problem_curve_of(p, theta, m.curve);
+    for (int i = 0; i < 18; i++)
+        assert_true(m.curve->points[i] == 0.125 * i);
+    for (int j = 1; j < 6; j++)
+        assert_true(fabs(m.curve->weights[j] / (1 + 0.25 * j) - 1) < 1e-15);
+    release(&m);
+    release(&other);
+}
+
+/* sum |r_i| b_i + b_i^2/2 by Cauchy and Schwarz, and the rounding of the sum. */
+static void the_blur_is_what_is_said(void **state)
+{
+    (void)state;
+    for (int far = 0; far <= 100; far += 20) {
+        cagd_fit_data data = around(3, far);
+        struct made m = make(&data, &in_space, 0);
+        double size = 2, squares = 0, cost = 3.25;
+        for (int i = 0; i < N; i++)
+            for (int c = 0; c < 3; c++)
+                size = fmax(size, fabs(Q[3 * i + c] - m.p.centre[c]) / m.p.unit);
+        for (int i = 0; i < N; i++)
+            squares += pow((2 * 3 + 2) * DBL_EPSILON * size * m.p.unit / sigma[i], 2);
+        double wanted = sqrt(2 * cost) * sqrt(squares) + squares / 2 + N * DBL_EPSILON * cost;
+        assert_true(fabs(fit_problem_blur(&m.p, cost) / wanted - 1) < 1e-12);
+        assert_true(fabs(fit_problem_blur(&m.p, 0) / (squares / 2) - 1) < 1e-12);
+        release(&m);
+    }
+}
+
+/* On a line the mean of points, by their precision, lies over the mean of their feet. */
+static void means_are_weighted_by_precision(void **state)
+{
+    static const double P[] = {-1, -1, 1, 1};
+    static const cagd_spline line = {1, 2, 2, line_knots, P, NULL};
+    (void)state;
+    cagd_fit_data data = around(2, 0);
+    for (int i = 0; i < 2 * N; i++)
+        Q[i] = (Q[i] - 2) / 4;
+    struct made m = make(&data, &line, 0);
+    double t[N], feet[4], D[9];
+    for (int i = 0; i < N; i++)
+        t[i] = (i + 0.5) / N;
+    fit_problem few;
+    assert_true(fit_few_means(&m.p, m.curve, t, 4, &few, feet));
+    assert_int_equal(few.points, 4);
+    for (int g = 0; g < 4; g++) {
+        double share = 0, foot = 0, off[2] = {0, 0};
+        for (int i = g * N / 4; i < (g + 1) * N / 4; i++) {
+            double weight = pow(m.p.unit / sigma[i], 2);
+            share += weight;
+            foot += weight * t[i];
+            for (int c = 0; c < 2; c++)
+                off[c] += weight * ((Q[2 * i + c] - m.p.centre[c]) / m.p.unit - (2 * t[i] - 1) / m.p.unit);
+        }
+        assert_true(fabs(feet[g] - foot / share) < 1e-14);
+        assert_true(fabs(few.precision[g] / sqrt(share) - 1) < 1e-14);
+        fit_curve_derivatives(m.curve, feet[g], D);
+        for (int c = 0; c < 2; c++)
+            assert_true(fabs(few.Q[2 * g + c] - D[c] - off[c] / share) < 1e-14);
+    }
+    fit_few_free(&few);
+    assert_true(fit_few_thinned(&m.p, 7, &few)); /* 0, 7, ..., 35, and 39 */
+    assert_int_equal(few.points, 7);
+    for (int k = 0; k < 7; k++) {
+        int i = k < 6 ? 7 * k : 39;
+        assert_true(few.precision[k] == m.p.precision[i] && few.Q[2 * k] == m.p.Q[2 * i] &&
+                    few.Q[2 * k + 1] == m.p.Q[2 * i + 1]);
+    }
+    fit_few_free(&few);
+    release(&m);
+}
+
+/* Points in no order, of which each guess finds the order of one kind: along a line, around a centre, from neighbour to neighbour;
+ * all of them where 0 is not. */
+static void orders_are_found(void **state)
+{
+    static const double P[] = {0, 0, 1, 1};
+    static const cagd_spline line = {1, 2, 2, line_knots, P, NULL};
+    (void)state;
+    for (int guess = 0; guess < FIT_ORDERS; guess++)
+        for (int turn = 0; turn < 4; turn++) {
+            int order[N];
+            for (int i = 0; i < N; i++) {
+                int k = i * 17 % N; /* the i-th given is the k-th along the curve */
+                double s = (double)k / (N - 1),
+                       angle = guess == 0   ? 0
+                               : guess == 1 ? 0.3 + 5.2 * s
+                                            : 9 * s,
+                       radius = guess == 1 ? 1 : 0.3 + 0.7 * s;
+                double x = guess == 0 ? 2 * s - 1 : radius * cos(angle + turn),
+                       y = guess == 0 ? 0.1 * s * s : radius * sin(angle + turn);
+                double a = guess == 0 ? turn * 0.7 : 0;
+                Q[2 * i] = 2.3 + cos(a) * x - sin(a) * y;
+                Q[2 * i + 1] = -2.1 + sin(a) * x + cos(a) * y;
+            }
+            cagd_fit_data data = {N, 2, Q, NULL};
+            struct made m = make(&data, &line, 1);
+            assert_true(m.p.centre[0] == 0 && m.p.centre[1] == 0);
+            assert_true(fit_initial_order(&m.p, guess, order));
+            int forward = order[0] * 17 % N == 0;
+            for (int k = 0; k < N; k++)
+                assert_int_equal(order[k] * 17 % N, forward ? k : N - 1 - k);
+            release(&m);
+        }
+}
+
+/* What the search says it gains is the difference of the costs. */
+static void what_better_feet_gain(void **state)
+{
+    static const double k[] = {0, 0, 1 / 3.0, 2 / 3.0, 1, 1}, P[] = {-1, 10, -1, 0, 1, 0, 1, 10};
+    static const cagd_spline u = {1, 4, 2, k, P, NULL};
+    (void)state;
+    for (int i = 0; i < N; i++) {
+        sigma[i] = 0.5 + (i * 7 % 5) / 4.0;
+        Q[2 * i] = 0.8 * sin(3.0 * i + 1);
+        Q[2 * i + 1] = 1 + 9.0 * i / N;
+    }
+    cagd_fit_data data = {N, 2, Q, sigma};
+    struct made m = make(&data, &u, 1);
+    double known[N], t[N], best[N], gain, cost, D[9], before = 0, after = 0;
+    for (int i = 0; i < N; i++) /* on the left side, or the right one */
+        known[i] = i % 3 == 0 ? Q[2 * i + 1] / 30 + 2 / 3.0 : (10 - Q[2 * i + 1]) / 30;
+    assert_true(fit_feet_search(&m.p, m.curve, best, &cost));
+    assert_true(fit_feet_improve(&m.p, m.curve, known, t, &gain));
+    for (int i = 0; i < N; i++) {
+        double weight = pow(m.p.precision[i], 2) / 2;
+        assert_true(fabs(t[i] - best[i]) < 1e-14);
+        assert_true(Q[2 * i] < 0 ? t[i] < 1 / 3.0 || Q[2 * i + 1] < 1 + Q[2 * i] : t[i] > 1 / 3.0);
+        fit_curve_derivatives(m.curve, known[i], D);
+        before += weight * fit_distance_squared(2, D, m.p.Q + 2 * i);
+        fit_curve_derivatives(m.curve, t[i], D);
+        after += weight * fit_distance_squared(2, D, m.p.Q + 2 * i);
+    }
+    assert_true(fabs(cost / after - 1) < 1e-13 && fabs(gain / (before - after) - 1) < 1e-12 && gain > 1);
+    release(&m);
+}
+
+/* Beside the axis of a conic that is symmetric, with a parameter that is not, the two feet are nearly as near; so they are on a polygon that
+ * is inscribed in it, on which the other one may be nearer. */
+static void the_nearer_of_two_feet_is_found(void **state)
+{
+    static const double P[] = {0, 0, 1.5, 3, 3, 0};
+    (void)state;
+    for (int k = -6; k <= 6; k++) {
+        double factor = exp(0.35 * k), w[] = {1, 0.9 * factor, factor * factor};
+        const cagd_spline conic = {2, 3, 2, conic_knots, P, w};
+        for (int i = 0; i < N; i++) { /* above the chord, below the centre of curvature at the vertex */
+            double off = exp(-1 - i % 10 * 1.5) * (i % 2 ? 1 : -1);
+            Q[2 * i] = 1.5 + off;
+            Q[2 * i + 1] = -0.2 + 0.02 * i;
+        }
+        cagd_fit_data data = {N, 2, Q, NULL};
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        o.initial = &conic;
+        o.free = 0;
+        assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_OK);
+        for (int i = 0; i < N; i++) {
+            double foot = Q[2 * i] - r->residuals[2 * i];
+            assert_true(Q[2 * i] < 1.5 ? foot < 1.5 : foot > 1.5);
+        }
+        cagd_fit_free(r);
+    }
+}
+
+/* The largest degree has its place in all arrays, which the sanitizers see; the points of a line are its own feet. */
+static void the_largest_degree(void **state)
+{
+    enum { DEGREE = CAGD_MAX_DEGREE };
+    double k[2 * DEGREE + 2], P[2 * (DEGREE + 1)];
+    (void)state;
+    for (int i = 0; i <= DEGREE; i++) {
+        k[i] = 0, k[DEGREE + 1 + i] = 1;
+        P[2 * i] = (double)i / DEGREE, P[2 * i + 1] = 2 * P[2 * i];
+    }
+    for (int i = 0; i < N; i++)
+        Q[2 * i] = (i + 0.5) / N, Q[2 * i + 1] = (2 * i + 1.0) / N;
+    const cagd_spline line = {DEGREE, DEGREE + 1, 2, k, P, NULL};
+    cagd_fit_data data = {N, 2, Q, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_result *r;
+    o.initial = &line;
+    for (int free = 0; free <= CAGD_FIT_END_POINTS; free += CAGD_FIT_END_POINTS) {
+        o.free = free;
+        assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_OK);
+        assert_true(r->rms < 1e-13);
+        for (int i = 0; i < N && free == 0; i++)
+            assert_true(fabs(r->feet[i] - (i + 0.5) / N) < 1e-12);
+        cagd_fit_free(r);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(unknowns_are_the_curve),
+        cmocka_unit_test(the_blur_is_what_is_said),
+        cmocka_unit_test(means_are_weighted_by_precision),
+        cmocka_unit_test(orders_are_found),
+        cmocka_unit_test(what_better_feet_gain),
+        cmocka_unit_test(the_nearer_of_two_feet_is_found),
+        cmocka_unit_test(the_largest_degree),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
