@@ -77,6 +77,8 @@ With positive weights all new weights lie between the least and the greatest of 
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: still true, the new $N_{j,k}$ between its
   copies being zero; such $r_j$ do not count and are points of the curve
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist: $T'$ in the domain, and to the left of $t_{n+1}$ when
+  that is a $k$-fold knot; otherwise a term of the sum is $0\cdot\frac00$
 :figure: insertions_commute
 :::
 
@@ -368,6 +370,8 @@ CLAIM(negative_weight_loses_a_new_point)
 :printed: r_{j,k}^{(T,T')}=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)}r_{l,k}^{(T,T_1)}\Big/
   \sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)},\quad T'=T_1\oplus T_2
 :holds-by: steps_of_refinement_compose discrete_bsplines_compose
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, for $T_1$ and for $T'$, as there: a knot of $T_1$ at a
+  $k$-fold right end gives an $r_l^{(T,T_1)}$ that is $\frac00$, and the sum has it
 :figure: insertions_commute
 
 The weights follow the same way, which the source does not print.
@@ -559,7 +563,8 @@ Insert one knot often enough and a new point is the point of the curve.
 :holds-by: repeated_insertion_reaches_the_curve
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
-:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no $r_0$
+:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no
+  $r_0$; or, if copies of $t_k$ follow on an earlier $t_1$, it is the left limit, from outside the domain
 :reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: true for every
   multiplicity $0,\dots,k$ and at $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
 :reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: for a knot of multiplicity $m$ insert it $k-1-m$
@@ -600,10 +605,12 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :title: The point with the index of (4.1.9) is the point of the curve, for every multiplicity below k
 :zh: 对每个小于 k 的重数 (4.1.9) 成立
 :given: $T$ with the ends $x_0^k$, $x_4^k$, simple knots $x_1$, $x_3$ and $x_2=t'$ of every multiplicity $m=0,\dots,k-1$, values
-  variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points
+  variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points, and $t'=x_1$ of the
+  multiplicity $1,\dots,k-1$ after $x_0^{k-m}$, the beginning of the domain
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and so are $r_{\mu+1},\dots,r_{\mu+m}$; the values from both sides agree
-:method: (4.1.6) by its letter, against (4.1.2) on the interval on the left and on the right; $\mu$ is the number of knots before $t'$.
-:degrees: 1..6 sampled 6
+:method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
+  knots before $t'$.
+:degrees: 0..6 sampled 6
 :control: $r_{\mu-1}$, or $r_2$ where $\mu=1$
 :::
 
@@ -627,11 +634,13 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :control: the value from the left
 :::
 */
-/* T with t' = x_where of multiplicity m, and t' inserted `times` times. */
+/* T with t' = x_where of multiplicity m, and t' inserted `times` times; x_1 is then the beginning of the domain. */
 static void G(repeated)(int p, int where, int m, int times, struct G(refinement) * r)
 {
     char old[] = {(char)('1' + p), '1', '1', '1', (char)('1' + p), '\0'}, new[] = "00000";
     old[where] = (char)('0' + m);
+    if (where == 1)
+        old[0] = (char)('1' + p - m);
     new[where] = (char)('0' + times);
     G(refine_pair)(old, new, p, r);
 }
@@ -649,25 +658,25 @@ CLAIM(repeated_insertion_reaches_the_curve)
 {
     int p = T->degree;
     struct G(refinement) r;
-    num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], left, right;
+    num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], value, right;
     G(distinct_knots)(T, 5, 6, r.x);
-    for (int m = 0; m <= p + 1; m++) {
-        int end = m > p, where = end ? 4 : 2; /* the last case is the right end */
-        G(repeated)(p, where, m, p, &r);
+    for (int m = -p; m <= p + 1; m++) { /* first the beginning, last the right end of the domain */
+        int start = (m < 0), end = (m > p), where = start ? 1 : end ? 4 : 2, many = start ? -m : m;
+        G(repeated)(p, where, many, p, &r);
         G(weighted_points)(T, r.n, 1, R, w);
         int mu = G(knots_below)(&r, where); /* the printed index, from 1 */
         G(refined_by_definition)(r.n, p, 1, r.u, r.place, R, w, end ? mu : r.m, r.v, r.at, S, z);
-        G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, where - 1, r.x[where], &left);
-        about(T, "r_mu and the curve from the left");
-        same(T, S[T->planted ? (mu > 1 ? mu - 2 : 1) : mu - 1], left);
-        if (end)
-            continue;
-        G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, where, r.x[where], &right);
-        about(T, "both sides");
-        same(T, left, right);
+        G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, start ? where : where - 1, r.x[where], &value);
+        about(T, start ? "r_mu and the curve from the right" : "r_mu and the curve from the left");
+        same(T, S[T->planted ? (mu > 1 ? mu - 2 : 1) : mu - 1], value);
+        if (where == 2) {
+            G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, where, r.x[where], &right);
+            about(T, "both sides");
+            same(T, value, right);
+        }
         about(T, "the other points at t'");
-        for (int j = mu + 1; j <= mu + m; j++)
-            same(T, S[j - 1], left);
+        for (int j = mu + 1; j <= mu + many && !end; j++)
+            same(T, S[j - 1], value);
     }
 }
 

@@ -167,6 +167,8 @@ With the new weights, which the notation does not show; in the second equation t
 :zh: 凸包包含链
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
+  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | positive weights
 :hypothesis: knot_before_the_domain_asks_for_another_point | every knot is in the domain: before it the edge $r_0r_1$ is asked for
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | every knot $>t_1$
@@ -200,6 +202,8 @@ polygon (`periodic_curves_of_convex_polygons_are_convex`).
 :zh: 凸包之交
 :printed: A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
+  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | the sets of knots increase
 :figure: hulls_of_knot_sets
 
@@ -225,6 +229,8 @@ corollary 4.1.1 is that of the $T'_m$.
 :zh: 凸包的极限
 :printed: A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))
 :holds-by: inserted_polygons_stay_convex inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
+  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | the sets of knots increase
 :figure: hulls_of_knot_sets
 

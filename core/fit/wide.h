@@ -5,7 +5,9 @@
 #ifndef CAGD_FIT_WIDE_H
 #define CAGD_FIT_WIDE_H
 
-#if defined(__x86_64__) && defined(__ELF__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+#include <stdlib.h> /* says whether the C library is glibc, which can choose among functions */
+
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
 #define FIT_WIDER
 #define WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
