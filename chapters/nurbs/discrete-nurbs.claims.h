@@ -242,6 +242,7 @@ CLAIM(discrete_bsplines_are_shares)
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
 :degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le5$, numbers above
 :control: the new weights taken as 1 in (4.1.8)
 :::
 
@@ -262,7 +263,7 @@ CLAIM(refined_data_give_the_same_curve)
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
     for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
-        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
+        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 5, r.x);
         G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
         G(weighted_points)(T, r.n, 1, R, w);
         G(refined_by_definition)(r.n, p, 1, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
@@ -611,6 +612,7 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
   knots before $t'$.
 :degrees: 0..6 sampled 6
+:scope: the knots variables for $p\le5$, numbers above
 :control: $r_{\mu-1}$, or $r_2$ where $\mu=1$
 :::
 
@@ -621,6 +623,7 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :then: $r_\mu^{(T,\{t'\}^{k-1-m})}=r(t')$
 :method: As before; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
 :degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le5$, numbers above
 :control: one insertion less, for $m<k-1$
 :::
 
@@ -631,6 +634,7 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t'+)$
 :method: As before.
 :degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le5$, numbers above
 :control: the value from the left
 :::
 */
@@ -659,7 +663,7 @@ CLAIM(repeated_insertion_reaches_the_curve)
     int p = T->degree;
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], value, right;
-    G(distinct_knots)(T, 5, 6, r.x);
+    G(distinct_knots)(T, 5, 5, r.x);
     for (int m = -p; m <= p + 1; m++) { /* first the beginning, last the right end of the domain */
         int start = (m < 0), end = (m > p), where = start ? 1 : end ? 4 : 2, many = start ? -m : m;
         G(repeated)(p, where, many, p, &r);
@@ -685,7 +689,7 @@ CLAIM(fewer_insertions_suffice)
     int p = T->degree;
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], left;
-    G(distinct_knots)(T, 5, 6, r.x);
+    G(distinct_knots)(T, 5, 5, r.x);
     for (int m = 0; m <= p; m++) {
         G(repeated)(p, 2, m, T->planted && m < p ? p - m - 1 : p - m, &r);
         G(weighted_points)(T, r.n, 1, R, w);
@@ -700,7 +704,7 @@ CLAIM(right_value_with_the_other_interval)
     int p = T->degree;
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], value;
-    G(distinct_knots)(T, 5, 6, r.x);
+    G(distinct_knots)(T, 5, 5, r.x);
     for (int m = 0; m <= p + 2; m++) {
         int start = m > p + 1, where = start ? 0 : 2; /* the last case is the left end */
         G(repeated)(p, where, start ? p + 1 : m, p, &r);

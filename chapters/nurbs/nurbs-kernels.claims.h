@@ -10,9 +10,10 @@ $(w_iR_i,w_i)$.  The kernels keep weights and points apart.
 :given: several segments, the distinct knots variables, points and weights; every interval of the domain; any $t$
 :then: `nurbs_homogenize` gives $(w_iR_i,w_i)$ for the points of the span, `nurbs_weight` gives $w(t)=\sum_{i=0}^{n-1}N_{i,p}(t)w_i$,
   `nurbs_point` and `nurbs_deboor` give $R(t)$
-:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
+:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.  For $p=4$,
+  `kernels_move_with_their_knots` goes from two knots $0$ and $1$ to any.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
+:scope: the distinct knots variables for $p\le4$, two neighbours among them $0$ and $1$ for $p=4$, numbers above
 :defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
 :control: the weights taken backwards
 :::
@@ -35,7 +36,7 @@ static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
 CLAIM(nurbs_point_is_the_quotient)
 {
     int p = T->degree;
-    struct G(knots) K = {0};
+    struct G(knots) K = {.kind = p == 4 ? UNIT : 0};
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], z[MOST_KNOTS], P[dim], Q[dim], H[(HIGHEST + 1) * (dim + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_nurbs)(T, K.n, dim, R, w);
@@ -133,9 +134,9 @@ CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
   of multiplicity at most $p$
 :then: the knots of `nurbs_insert` are the old ones and the new one, and its weights $z_j$ and $z_jS_j$ are the points of the splines $w$ and $wR$
 :method: Both pairs of splines in powers, from the recursion of de Boor and Cox by its letter.  In the field $w_iR_i$ are the variables, and $R_i$
-  their quotients by the variables $w_i$.  From degree 5 on it is left to
-  `nurbs_insertion_is_that_of_homogeneous_points`.
-:degrees: 0..4 sampled 6
+  their quotients by the variables $w_i$.  From degree 4 on it is left to
+  `nurbs_insertion_is_that_of_homogeneous_points`, whose time grows less.
+:degrees: 0..3 sampled 6
 :defines: nurbs_insert
 :control: the last of the new weights is replaced by its neighbour
 :::
