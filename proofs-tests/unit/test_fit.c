@@ -288,42 +288,60 @@ static void order_is_kept_for_the_sake_of_what_is_known_best(void **state)
     }
 }
 
-/* Points in vectors of every width that the processor has: the same numbers; and one by one: the same but for rounding. */
+/* Points in vectors of every width that the processor has: the same numbers; and one by one: the same but for rounding.  On short
+ * domains, too, with feet that are taken from Taylor's polynomial, and on a curve that bends so little that only the length of a step can
+ * say whether it is the last. */
 static void vectors_of_any_width_give_the_same(void **state)
 {
     enum { N = 43, MOST_NUMBERS = 2 * 7 * 7 + N + 1 };
-    const cagd_spline *curves[] = {&conic, &cubic};
+    static const double even_points[] = {0, 0, 1 / 3.0, 1e-6, 2 / 3.0, -1e-6, 1.00001, 0},
+                        even_weights[] = {1, 1, 1, 1};
+    static const cagd_spline nearly_even = {3, 4, 2, bezier_knots, even_points, even_weights};
+    const cagd_spline *curves[] = {&conic, &cubic, &nearly_even};
     static const int widths[] = {2, 4, 8, 0};
+    static const double lengths[] = {1, 5, 0x1p-30};
     (void)state;
-    for (int k = 0; k < 2; k++) {
-        cagd_fit_data data = sample(curves[k], N, 0.1, 0.9, 0.05);
+    for (int k = 0; k < 18; k++) {
+        const int shape = k / 6, rough = k / 3 % 2;
+        cagd_fit_data data = sample(curves[shape], N, 0.1, 0.9, shape < 2 ? 0.05 : 0.001);
         cagd_fit_options o = cagd_fit_defaults();
+        cagd_spline initial = *curves[shape];
         fit_problem p;
         int where, compared = 0;
-        double number[4][MOST_NUMBERS], cost, feet[N];
-        o.initial = curves[k];
+        double number[4][MOST_NUMBERS], cost, feet[N], stretched[8], length = lengths[k % 3];
+        for (int i = 0; i < initial.degree + initial.count + 1; i++)
+            stretched[i] = length * initial.knots[i];
+        initial.knots = stretched;
+        o.initial = &initial;
         assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
         fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
         assert_non_null(c);
-        fit_problem_curve(&p, curves[k], c);
+        fit_problem_curve(&p, &initial, c);
         assert_true(fit_feet_search(&p, c, feet, &cost));
         for (int i = 0; i < N; i++) /* a few steps from the feet, some more than others */
-            feet[i] += 0.004 * (i % 5 - 2);
+            feet[i] += 0.004 * (i % 5 - 2) * length;
         for (int w = 0; w < 4; w++) {
             if (widths[w] > fit_batch_widest())
                 continue;
             fit_objective *f = fit_objective_new(&p);
-            size_t n = (size_t)p.unknowns, triangle = (n + 1) * (n + 1);
+            size_t n = (size_t)p.unknowns, triangle = (n + 1) * (n + 1), all = triangle + n * n + N + 1;
             assert_non_null(f);
             f->newton = 1;
             f->width = widths[w];
+            f->limit = rough ? p.strategy.rough : FOOT_EXACT;
             fit_objective_begin(f, c, feet);
-            assert_true(triangle + n * n + N + 1 <= MOST_NUMBERS);
-            memcpy(number[w], f->triangle, triangle * sizeof(double));
+            assert_true(all <= MOST_NUMBERS);
+            for (size_t a = 0; a <= n; a++) /* R^T R, and R^T z; R itself may be known less well */
+                for (size_t b = 0; b <= n; b++) {
+                    number[w][a * (n + 1) + b] = 0;
+                    for (size_t i = 0; i <= n; i++)
+                        number[w][a * (n + 1) + b] += f->triangle[i * (n + 1) + a] * f->triangle[i * (n + 1) + b];
+                }
             memcpy(number[w] + triangle, f->curvature, n * n * sizeof(double));
-            memcpy(number[w] + triangle + n * n, f->feet, N * sizeof(double));
-            number[w][triangle + n * n + N] = f->cost;
-            for (size_t i = 0; w > 0 && i < triangle + n * n + N + 1; i++, compared++)
+            for (size_t i = 0; i < N; i++)
+                number[w][triangle + n * n + i] = f->feet[i] / length;
+            number[w][all - 1] = f->cost;
+            for (size_t i = 0; w > 0 && i < all; i++, compared++)
                 if (widths[w] > 0)
                     assert_true(number[w][i] == number[0][i]);
                 else
