@@ -257,16 +257,32 @@ static void anchor_losses(const fit_problem *p, const polygon *g, int i, int str
         loss[k] = p->loss == CAGD_FIT_SQUARES ? loss[k] * weight : fit_problem_loss(p, loss[k] * weight, &slope);
 }
 
+/* The first of the smallest of n numbers.  Minima of WIDE_SUMS columns, side by side, and then of these. */
+WIDE static int smallest_of(int n, const double x[])
+{
+    double least[WIDE_SUMS], smallest = HUGE_VAL;
+    int i = 0, first = 0;
+    for (int k = 0; k < WIDE_SUMS; k++)
+        least[k] = HUGE_VAL;
+    for (; i + WIDE_SUMS <= n; i += WIDE_SUMS)
+        for (int k = 0; k < WIDE_SUMS; k++)
+            least[k] = x[i + k] < least[k] ? x[i + k] : least[k];
+    for (; i < n; i++)
+        smallest = x[i] < smallest ? x[i] : smallest;
+    for (int k = 0; k < WIDE_SUMS; k++)
+        smallest = least[k] < smallest ? least[k] : smallest;
+    while (first < n - 1 && x[first] != smallest)
+        first++;
+    return first;
+}
+
 /* Each anchor on the side that it is nearest to; whether these sides do not decrease, so that their sum of losses is the smallest. */
 static int nearest_sides(const fit_problem *p, const polygon *g, int anchors, int stride, double square[], int side[])
 {
     for (int i = 0; i < anchors; i++) {
-        int best = 0;
         from_sides(g, p->Q + (size_t)i * (size_t)stride * (size_t)p->dim, 0, g->sides - 1, square);
-        for (int k = 1; k < g->sides; k++)
-            best = square[k] < square[best] ? k : best;
-        side[i] = best;
-        if (i > 0 && best < side[i - 1])
+        side[i] = smallest_of(g->sides, square);
+        if (i > 0 && side[i] < side[i - 1])
             return 0;
     }
     return 1;

@@ -161,17 +161,19 @@ static int by_seconds(const void *a, const void *b)
     return (x->seconds > y->seconds) - (x->seconds < y->seconds);
 }
 
-/* The median of some fits after a first one, or that one if no more are asked for. */
-enum { MORE = 9, REPEATED = 7 };
+/* The median of the fits after a first one, at least nine and for a tenth of a second, or that one if no more are asked for. */
+enum { LEAST = 9, MANY = 1000, REPEATED = 7 };
 static outcome several(int N, const double *Q, outcome (*method)(int, const double *), int more)
 {
-    outcome first = method(N, Q), o[MORE] = {first};
-    for (int k = 0; k < more; k++)
-        o[k] = method(N, Q);
-    if (more > 0)
-        qsort(o, (size_t)more, sizeof *o, by_seconds);
-    o[more / 2].first = first.seconds;
-    return o[more / 2];
+    static outcome o[MANY];
+    outcome first = o[0] = method(N, Q);
+    int count = 0;
+    for (double begin = now(); more && count < MANY && (count < LEAST || now() - begin < 0.1); count++)
+        o[count] = method(N, Q);
+    if (more)
+        qsort(o, (size_t)count, sizeof *o, by_seconds);
+    o[count / 2].first = first.seconds;
+    return o[count / 2];
 }
 
 /* One run in a process of its own. */
@@ -266,7 +268,7 @@ int main(int argc, char **argv)
         for (int k = 0; k < REPEATED; k++)
             for (int m = 0; m < count; m++)
                 if (sizes[s] <= methods[m].largest && (k == 0 || m < 2))
-                    runs[m][k] = run(sizes[s], methods[m].method, m < 2 ? MORE : 0);
+                    runs[m][k] = run(sizes[s], methods[m].method, m < 2);
         double best = HUGE_VAL;
         for (int m = 0; m < count; m++) {
             if (sizes[s] > methods[m].largest)
