@@ -178,7 +178,10 @@ try {
     ceres::Solver::Options options = quiet(tolerance, max_iterations);
     options.gradient_tolerance = 0; /* it would be one in units of the data */
     options.parameter_tolerance = std::numeric_limits<double>::epsilon();
-    options.linear_solver_type = ceres::DENSE_QR;
+    /* normal equations know half of the digits, which is enough on the way */
+    options.linear_solver_type = tolerance > std::sqrt(std::numeric_limits<double>::epsilon())
+                                     ? ceres::DENSE_NORMAL_CHOLESKY
+                                     : ceres::DENSE_QR;
     options.initial_trust_region_radius = *radius;
     options.use_nonmonotonic_steps = true; /* along curved valleys */
     ceres::Solver::Summary summary;

@@ -65,7 +65,7 @@ cagd_fit_options cagd_fit_defaults(void)
  *     more     0, 2, 4, 8, 16           3 + 10, 4 + 11, 6 + 12, 8 + 12, 8 + 12    in 1, 2.5, 3.5, 5 and 5 times the time
  *
  * They trade time for the chance of the lowest of several minima; what a minimum is does not depend on them. */
-const fit_strategy fit_usual_strategy = {.nearly = 1e-3,
+const fit_strategy fit_usual_strategy = {.nearly = 1e-4,
                                          .rough = 0x1p-6,
                                          .enough = 20,
                                          .times = 4,

@@ -58,21 +58,21 @@ static long double student_probability(int nu, long double theta, long double *d
     return 2 / pi * (theta + sinl(theta) * cosl(theta) * sum);
 }
 
-/* P is increasing and concave in theta, hence Newton's method from the left, where the normal quantile lies, increases to the
- * solution; it ends when rounding stops it.  For many degrees of freedom the expansion about the normal quantile
- * is used, whose first term left out is of the size of nu^{-5} < 2^{-61}.  Source: ibid., 26.7.5. */
+/* For many degrees of freedom the expansion about the normal quantile is used, whose first term left out is of the size of
+ * nu^{-5} < 2^{-61}.  For fewer, P is increasing and concave in theta, hence Newton's method from the left increases to the solution;
+ * it ends when rounding stops it.  It begins with three terms of the expansion, which all lie below.  Source: ibid., 26.7.5. */
 double fit_student_quantile(int nu)
 {
     const long double wanted = 0.95L, z = normal_quantile, n = nu, y = z * z;
     if (nu < 1)
         return NAN;
+    const long double g1 = z * (y + 1) / 4, g2 = z * ((5 * y + 16) * y + 3) / 96;
     if (nu > 5000) {
-        long double g1 = z * (y + 1) / 4, g2 = z * ((5 * y + 16) * y + 3) / 96;
         long double g3 = z * (((3 * y + 19) * y + 17) * y - 15) / 384;
         long double g4 = z * ((((79 * y + 776) * y + 1482) * y - 1920) * y - 945) / 92160;
         return (double)(z + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n);
     }
-    long double theta = atanl(z / sqrtl(n)), density;
+    long double theta = atanl((z + (g1 + g2 / n) / n) / sqrtl(n)), density;
     for (int step = 0; step < 64; step++) {
         long double missing = wanted - student_probability(nu, theta, &density), next = theta + missing / density;
         if (!(next > theta))
