@@ -111,7 +111,7 @@ int fit_model_of(const fit_objective *f, const int fixed[], fit_model *m)
         return 0;
     m->L = m->W + nn, m->z = m->L + 2 * nn, m->y = m->z + n, m->v = m->y + n;
     for (int k = 0; k < n; k++) {
-        held += fixed[k] != 0;
+        held = held || fixed[k];
         m->z[k] = f->triangle[k * (n + 1) + n];
     }
     m->rank = held == 0 && invert(p, n, f->triangle, n + 1, m->W) ? n : decompose(p, n, f->triangle, fixed, m->W, m->z);

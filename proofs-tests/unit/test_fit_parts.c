@@ -2,6 +2,7 @@
 #include "core/fit/feet.h"
 #include "core/fit/few.h"
 #include "core/fit/initial.h"
+#include "core/fit/model.h"
 #include "core/fit/problem.h"
 #include "core/fit/strategy.h"
 #include "core/number/limits.h"
@@ -314,13 +315,84 @@ static void the_largest_degree(void **state)
     }
 }
 
+/* R = (1 0 0; 0 1 1; 0 0 e): its rank is 2 when e is nothing, and 3, by R itself, when it is small.  Second derivatives are left out where the
+ * model would end below zero. */
+static void the_model_keeps_to_rank_and_cost(void **state)
+{
+    (void)state;
+    for (int tiny = 0; tiny < 2; tiny++)
+        for (int held = 0; held < 3; held++) {
+            double e = tiny ? 1e-17 : 1e-6, R[3 * 4] = {1, 0, 0, 1, 0, 1, 1, 2, 0, 0, e, 3 * e}, S[9] = {0}, x[3];
+            int fixed[3] = {held & 1, held & 2, 0};
+            fit_problem p = {.points = N, .dim = 2, .degree = 3, .unknowns = 3};
+            fit_objective f = {.problem = &p, .triangle = R, .curvature = S, .cost = 100};
+            fit_model m;
+            assert_true(fit_model_of(&f, fixed, &m));
+            assert_int_equal(m.rank, held == 2 ? 2 : 3 - tiny - (held > 0));
+            fit_model_step(&m, x);
+            if (held == 0 && !tiny) /* R x + z = 0 */
+                assert_true(fabs(x[0] + 1) < 1e-14 && fabs(x[1] - 1) < 1e-9 && fabs(x[2] + 3) < 1e-9);
+            else if (held == 0) /* the shortest of |x_1 + x_2 + 2| = 0 in columns of length 1 */
+                assert_true(fabs(x[0] + 1) < 1e-14 && fabs(x[1] + 1) < 1e-14 && fabs(x[2] + 1) < 1e-14);
+            else
+                assert_true(x[held - 1] == 0);
+            fit_model_free(&m);
+        }
+    for (int below = 0; below < 2; below++) { /* |y|^2 = 2 with the second derivative, 1 without */
+        double R[2] = {1, 1}, S = -0.5, x;
+        int fixed = 0;
+        fit_problem p = {.points = N, .dim = 2, .degree = 3, .unknowns = 1};
+        fit_objective f = {.problem = &p, .triangle = R, .curvature = &S, .cost = below ? 0.6 : 1.5};
+        fit_model m;
+        assert_true(fit_model_of(&f, &fixed, &m));
+        assert_true(fabs(m.left * m.left - (below ? 1 : 2)) < 1e-14);
+        fit_model_step(&m, &x);
+        assert_true(fabs(x + (below ? 1 : 2)) < 1e-14);
+        fit_model_free(&m);
+    }
+}
+
+/* Points in order along a loop keep to their leg where another one is nearer. */
+static void feet_in_order_keep_to_their_leg(void **state)
+{
+    enum { MANY = 500 };
+    static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1}, P[] = {0, 0, 4, 3, -3, 3, 1, 0};
+    static const cagd_spline loop = {3, 4, 2, knots, P, NULL};
+    static double on[2 * MANY];
+    (void)state;
+    for (int i = 0; i < MANY; i++) {
+        double t = i / (MANY - 1.0), *q = on + 2 * i;
+        assert_int_equal(cagd_spline_point(&loop, t, CAGD_RIGHT, q), CAGD_OK);
+        q[0] += 0.08; /* near the crossing this is across the other leg */
+    }
+    cagd_fit_data data = {MANY, 2, on, NULL};
+    struct made ordered = make(&data, &loop, 0), any = make(&data, &loop, 1);
+    double t[MANY], cost;
+    int astray = 0;
+    assert_true(fit_feet_search(&any.p, any.curve, t, &cost));
+    for (int i = 0; i < MANY; i++)
+        astray += fabs(t[i] - i / (MANY - 1.0)) > 0.2;
+    assert_true(astray > 4); /* otherwise this would test nothing */
+    assert_true(fit_feet_search(&ordered.p, ordered.curve, t, &cost));
+    for (int i = 0; i < MANY; i++)
+        assert_true(fabs(t[i] - i / (MANY - 1.0)) < 0.2);
+    release(&ordered);
+    release(&any);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unknowns_are_the_curve),          cmocka_unit_test(the_blur_is_what_is_said),
-        cmocka_unit_test(means_are_weighted_by_precision), cmocka_unit_test(orders_are_found),
-        cmocka_unit_test(what_better_feet_gain),           cmocka_unit_test(the_nearer_of_two_feet_is_found),
-        cmocka_unit_test(the_foot_is_on_the_curve),        cmocka_unit_test(the_largest_degree),
+        cmocka_unit_test(unknowns_are_the_curve),
+        cmocka_unit_test(the_blur_is_what_is_said),
+        cmocka_unit_test(means_are_weighted_by_precision),
+        cmocka_unit_test(orders_are_found),
+        cmocka_unit_test(what_better_feet_gain),
+        cmocka_unit_test(the_nearer_of_two_feet_is_found),
+        cmocka_unit_test(the_foot_is_on_the_curve),
+        cmocka_unit_test(the_largest_degree),
+        cmocka_unit_test(the_model_keeps_to_rank_and_cost),
+        cmocka_unit_test(feet_in_order_keep_to_their_leg),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
