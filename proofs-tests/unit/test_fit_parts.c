@@ -338,6 +338,16 @@ static void the_model_keeps_to_rank_and_cost(void **state)
                 assert_true(x[held - 1] == 0);
             fit_model_free(&m);
         }
+    for (int far = 0; far < 2; far++) { /* what is small counts against the length of its column */
+        double R[2 * 3] = {1, far ? 1e12 : 1, 1, 0, 1e-6, 1}, S[4] = {0};
+        int fixed[2] = {0, 0};
+        fit_problem p = {.points = N, .dim = 2, .degree = 3, .unknowns = 2};
+        fit_objective f = {.problem = &p, .triangle = R, .curvature = S, .cost = 100};
+        fit_model m;
+        assert_true(fit_model_of(&f, fixed, &m));
+        assert_int_equal(m.rank, far ? 1 : 2);
+        fit_model_free(&m);
+    }
     for (int below = 0; below < 2; below++) { /* |y|^2 = 2 with the second derivative, 1 without */
         double R[2] = {1, 1}, S = -0.5, x;
         int fixed = 0;
