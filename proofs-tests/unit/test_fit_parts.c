@@ -384,8 +384,12 @@ static void feet_in_order_keep_to_their_leg(void **state)
         astray += fabs(t[i] - i / (MANY - 1.0)) > 0.2;
     assert_true(astray > 4); /* otherwise this would test nothing */
     assert_true(fit_feet_search(&ordered.p, ordered.curve, t, &cost));
-    for (int i = 0; i < MANY; i++)
-        assert_true(fabs(t[i] - i / (MANY - 1.0)) < 0.2);
+    for (int i = 0; i < MANY; i++) {
+        double s = i / (MANY - 1.0), D[9];
+        assert_true(fabs(t[i] - s) < 0.2);
+        fit_foot(ordered.curve, ordered.p.Q + 2 * i, &s, D);
+        assert_true(fabs(t[i] - s) < 1e-9);
+    }
     release(&ordered);
     release(&any);
 }
