@@ -648,7 +648,7 @@ static void the_same_again(void **state)
  * nearly always without any knowledge. */
 static void random_cubics_come_back(void **state)
 {
-    enum { CURVES = 100, POINTS = 60 };
+    enum { POINTS = 60 };
     int found = 0;
     (void)state;
     for (int k = 0; k < CURVES; k++) {
@@ -667,7 +667,7 @@ static void random_cubics_come_back(void **state)
         cagd_fit_free(r);
     }
     print_message("%d of %d cubics found\n", found, CURVES);
-    assert_true(found >= 95);
+    assert_true(100 * found >= 95 * CURVES);
 }
 
 /* The domain is any interval: feet go with it, and nothing else changes but by roundings. */

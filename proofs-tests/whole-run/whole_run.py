@@ -15,9 +15,12 @@ def whole_run(cagd, folder, *options):
     folder = pathlib.Path(folder)
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    subprocess.run([cagd, "figures", "--out", str(folder / "figures")], check=True, stdout=subprocess.DEVNULL)
+    figures = subprocess.Popen([cagd, "figures", "--out", str(folder / "figures")], stdout=subprocess.DEVNULL)
     with open(folder / "verify.json", "w") as said:
-        return subprocess.run([cagd, "verify", "--json", *options], stdout=said).returncode
+        status = subprocess.run([cagd, "verify", "--json", *options], stdout=said).returncode
+    if figures.wait() != 0:
+        raise RuntimeError("the figures were not drawn")
+    return status
 
 
 if __name__ == "__main__":
