@@ -3,7 +3,7 @@
 #include <flint/fmpz_mpoly_factor.h>
 #include <string.h>
 
-enum { MOST_FACTORED = 400, REMEMBERED = 64 }; /* terms of a divisor that is factored, unless it is linear */
+enum { MOST_FACTORED = 400, REMEMBERED = 64 }; /* terms of a divisor that FLINT factors */
 
 /* The irreducible factors seen so far: primitive, with positive leading coefficient, no two equal. */
 static _Thread_local struct {
@@ -31,6 +31,8 @@ void fraction_close(void)
         fmpz_mpoly_clear(&divisors.poly[--divisors.count], field_context());
 }
 
+const fmpz_mpoly_struct *fraction_factor(int number) { return &factors.poly[number]; }
+
 /* Its index in the list, upon which p is put if it is new; -1 when the list is full. */
 static int number_of_factor(const fmpz_mpoly_t p)
 {
@@ -47,36 +49,35 @@ static int number_of_factor(const fmpz_mpoly_t p)
 
 /* ---- contents ------------------------------------------------------------------------------------- */
 
-static void content(fmpz_t c, const fmpz_mpoly_t p) { _fmpz_vec_content(c, p->coeffs, p->length); }
-
-/* p divided by an integer, so that it is primitive with positive leading coefficient. */
-static void make_primitive(fmpz_mpoly_t primitive, const fmpz_mpoly_t p)
+/* p divided by an integer, so that it is primitive with positive leading coefficient; p = c primitive, p != 0. */
+static void make_primitive(fmpz_mpoly_t primitive, fmpz_t c, const fmpz_mpoly_t p)
 {
-    fmpz_t c;
-    fmpz_init(c);
-    content(c, p);
+    _fmpz_vec_content(c, p->coeffs, p->length);
     if (fmpz_sgn(p->coeffs) < 0)
         fmpz_neg(c, c);
     fmpz_mpoly_scalar_divexact_fmpz(primitive, p, c, field_context());
-    fmpz_clear(c);
 }
 
-/* Both without the common divisor of the integers that divide them. */
-static void reduce_contents(fmpz_mpoly_t p, fmpz_mpoly_t q)
+/* p and c > 0 without the common divisor of the integers that divide them. */
+static void reduce_content(fmpz_mpoly_t p, fmpz_t c)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
-    fmpz_t a, b;
-    fmpz_init(a), fmpz_init(b);
-    content(a, q);
-    if (!fmpz_is_one(a)) {
-        content(b, p);
-        fmpz_gcd(a, a, b);
-        if (!fmpz_is_one(a)) {
-            fmpz_mpoly_scalar_divexact_fmpz(p, p, a, ctx);
-            fmpz_mpoly_scalar_divexact_fmpz(q, q, a, ctx);
-        }
+    if (fmpz_is_one(c))
+        return;
+    fmpz_t g;
+    fmpz_init_set(g, c);
+    for (slong k = 0; k < p->length && !fmpz_is_one(g); k++)
+        fmpz_gcd(g, g, p->coeffs + k);
+    if (!fmpz_is_one(g)) {
+        fmpz_mpoly_scalar_divexact_fmpz(p, p, g, field_context());
+        fmpz_divexact(c, c, g);
     }
-    fmpz_clear(a), fmpz_clear(b);
+    fmpz_clear(g);
+}
+
+static void multiply_by_integer(fmpz_mpoly_t p, const fmpz_t c)
+{
+    if (!fmpz_is_one(c))
+        fmpz_mpoly_scalar_mul_fmpz(p, p, c, field_context());
 }
 
 /* ---- lists of factors ----------------------------------------------------------------------------- */
@@ -92,6 +93,8 @@ static int power_in(const struct factored *d, int factor)
 /* d = d f^power; 0 when that is too much. */
 static int multiply_by(struct factored *d, int factor, int power)
 {
+    if (power == 0)
+        return 1;
     int k = 0;
     while (k < d->count && d->factor[k] != factor)
         k++;
@@ -104,6 +107,17 @@ static int multiply_by(struct factored *d, int factor, int power)
     }
     d->power[k] = (unsigned char)(d->power[k] + power);
     return 1;
+}
+
+static void drop_trivial(struct factored *d)
+{
+    int kept = 0;
+    for (int k = 0; k < d->count; k++)
+        if (d->power[k] > 0) {
+            d->factor[kept] = d->factor[k];
+            d->power[kept++] = d->power[k];
+        }
+    d->count = (unsigned char)kept;
 }
 
 /* p = p f^power */
@@ -128,10 +142,65 @@ static int divide_out(fmpz_mpoly_t p, int factor, int most)
     return times;
 }
 
-/* |p| = c prod f^e with the factors into d; 0 where it is not found. */
-static int factorise_anew(struct factored *d, const fmpz_mpoly_t p)
+/* p without the factors that the list `of` has and `own`, the denominator of p, has not; d loses them. */
+static void cancel(fmpz_mpoly_t p, const struct factored *own, const struct factored *of, struct factored *d)
+{
+    for (int k = 0; k < of->count; k++)
+        if (power_in(own, of->factor[k]) == 0) {
+            int times = divide_out(p, of->factor[k], of->power[k]);
+            for (int j = 0; times > 0 && j < d->count; j++)
+                if (d->factor[j] == of->factor[k])
+                    d->power[j] = (unsigned char)(d->power[j] - times);
+        }
+}
+
+/* ---- the factors of a divisor ------------------------------------------------------------------------ */
+
+static int factorise(struct factored *d, const fmpz_mpoly_t p);
+
+/* The variable in which p is linear and has the shortest coefficient, with that coefficient; -1 when there is none. */
+static int linear_variable(fmpz_mpoly_t coefficient, const fmpz_mpoly_t p)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
+    int best = -1;
+    fmpz_mpoly_t slope;
+    fmpz_mpoly_init(slope, ctx);
+    for (int v = 0; v < fmpz_mpoly_ctx_nvars(ctx); v++)
+        if (fmpz_mpoly_degree_si(p, v, ctx) == 1) {
+            fmpz_mpoly_derivative(slope, p, v, ctx);
+            if (best < 0 || fmpz_mpoly_length(slope, ctx) < fmpz_mpoly_length(coefficient, ctx)) {
+                fmpz_mpoly_swap(coefficient, slope, ctx);
+                best = v;
+            }
+        }
+    fmpz_mpoly_clear(slope, ctx);
+    return best;
+}
+
+/* p = a x + b.  What divides p and is free of x divides a and b; the rest of p is linear in x, so it is irreducible. */
+static int factorise_linear(struct factored *d, const fmpz_mpoly_t p, const fmpz_mpoly_t a)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    struct factored candidates;
+    if (!factorise(&candidates, a))
+        return 0;
+    fmpz_t c;
+    fmpz_mpoly_t rest;
+    fmpz_init(c), fmpz_mpoly_init(rest, ctx);
+    make_primitive(rest, c, p);
+    int found = 1;
+    for (int k = 0; found && k < candidates.count; k++)
+        found = multiply_by(d, candidates.factor[k], divide_out(rest, candidates.factor[k], candidates.power[k]));
+    int number = found ? number_of_factor(rest) : -1;
+    fmpz_clear(c), fmpz_mpoly_clear(rest, ctx);
+    return number >= 0 && multiply_by(d, number, 1);
+}
+
+static int factorise_by_flint(struct factored *d, const fmpz_mpoly_t p)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (fmpz_mpoly_length(p, ctx) > MOST_FACTORED)
+        return 0;
     fmpz_mpoly_factor_t f;
     fmpz_mpoly_factor_init(f, ctx);
     int found = fmpz_mpoly_factor(f, p, ctx);
@@ -143,86 +212,100 @@ static int factorise_anew(struct factored *d, const fmpz_mpoly_t p)
     return found;
 }
 
+static int factorise_anew(struct factored *d, const fmpz_mpoly_t p)
+{
+    fmpz_mpoly_t coefficient;
+    fmpz_mpoly_init(coefficient, field_context());
+    int found = linear_variable(coefficient, p) >= 0 ? factorise_linear(d, p, coefficient) : factorise_by_flint(d, p);
+    fmpz_mpoly_clear(coefficient, field_context());
+    return found;
+}
+
+/* p = c prod f^e, p != 0, with an integer c and the factors into d; 0 where they are not found. */
 static int factorise(struct factored *d, const fmpz_mpoly_t p)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
     *d = (struct factored){.known = 1};
     if (fmpz_mpoly_is_fmpz(p, ctx))
         return 1;
-    if (fmpz_mpoly_length(p, ctx) > MOST_FACTORED)
-        return 0;
     int k = 0;
     while (k < divisors.count && !fmpz_mpoly_equal(&divisors.poly[k], p, ctx))
         k++;
-    if (k == divisors.count) {
-        k = divisors.next;
-        divisors.next = (k + 1) % REMEMBERED;
-        if (k == divisors.count)
-            fmpz_mpoly_init(&divisors.poly[divisors.count++], ctx);
-        fmpz_mpoly_set(&divisors.poly[k], p, ctx);
-        if (fmpz_mpoly_total_degree_si(p, ctx) == 1) {
-            fmpz_mpoly_t primitive;
-            fmpz_mpoly_init(primitive, ctx);
-            make_primitive(primitive, p);
-            int factor = number_of_factor(primitive);
-            fmpz_mpoly_clear(primitive, ctx);
-            divisors.found[k] = factor >= 0 && multiply_by(d, factor, 1);
-        } else {
-            divisors.found[k] = factorise_anew(d, p);
-        }
-        divisors.factored[k] = *d;
+    if (k < divisors.count) {
+        *d = divisors.factored[k];
+        return divisors.found[k];
     }
-    *d = divisors.factored[k];
-    return divisors.found[k];
+    int found = factorise_anew(d, p);
+    k = divisors.next;
+    divisors.next = (k + 1) % REMEMBERED;
+    if (k == divisors.count)
+        fmpz_mpoly_init(&divisors.poly[divisors.count++], ctx);
+    fmpz_mpoly_set(&divisors.poly[k], p, ctx);
+    divisors.factored[k] = *d;
+    return divisors.found[k] = found;
 }
 
-/* ---- arithmetic ----------------------------------------------------------------------------------- */
+/* ---- to FLINT and back -------------------------------------------------------------------------------- */
+
+void fraction_denominator(fmpz_mpoly_t q, const struct field_element *a)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (!a->factors.known) {
+        fmpz_mpoly_set(q, a->rest, ctx);
+        return;
+    }
+    fmpz_mpoly_set_fmpz(q, a->content, ctx);
+    for (int k = 0; k < a->factors.count; k++)
+        expand_by(q, a->factors.factor[k], a->factors.power[k]);
+}
+
+void fraction_get(fmpz_mpoly_q_t x, const struct field_element *a)
+{
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(x), a->numerator, field_context());
+    fraction_denominator(fmpz_mpoly_q_denref(x), a);
+}
+
+/* r = x, which is given up. */
+static void set(struct field_element *r, fmpz_mpoly_q_t x)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    fmpz_mpoly_swap(r->numerator, fmpz_mpoly_q_numref(x), ctx);
+    r->factors = (struct factored){.known = fmpz_mpoly_is_fmpz(fmpz_mpoly_q_denref(x), ctx) != 0};
+    if (r->factors.known)
+        fmpz_mpoly_get_fmpz(r->content, fmpz_mpoly_q_denref(x), ctx);
+    else
+        fmpz_mpoly_swap(r->rest, fmpz_mpoly_q_denref(x), ctx);
+}
 
 typedef void by_flint(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
 
-/* Without the lists; what has a constant denominator has no factors in it all the same. */
 static void leave_to(by_flint *operation, struct field_element *r, const struct field_element *a,
                      const struct field_element *b)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    operation(r->x, a->x, b->x, ctx);
-    r->denominator = (struct factored){.known = fmpz_mpoly_is_fmpz(fmpz_mpoly_q_denref(r->x), ctx) != 0};
+    fmpz_mpoly_q_t x, y, z;
+    fmpz_mpoly_q_init(x, ctx), fmpz_mpoly_q_init(y, ctx), fmpz_mpoly_q_init(z, ctx);
+    fraction_get(x, a), fraction_get(y, b);
+    operation(z, x, y, ctx);
+    set(r, z);
+    fmpz_mpoly_q_clear(x, ctx), fmpz_mpoly_q_clear(y, ctx), fmpz_mpoly_q_clear(z, ctx);
 }
 
-static int both_known(const struct field_element *a, const struct field_element *b)
-{
-    return a->denominator.known && b->denominator.known && (a->denominator.count > 0 || b->denominator.count > 0);
-}
+/* ---- arithmetic ----------------------------------------------------------------------------------- */
 
-static void drop_trivial(struct factored *d)
-{
-    int kept = 0;
-    for (int k = 0; k < d->count; k++)
-        if (d->power[k] > 0) {
-            d->factor[kept] = d->factor[k];
-            d->power[kept++] = d->power[k];
-        }
-    d->count = (unsigned char)kept;
-}
+static int is_zero(const struct field_element *a) { return a->numerator->length == 0; }
 
-/* r has its numerator, and a denominator with the factors d and more: those that cancelled.  In lowest terms but for
- * integers. */
-static void finish(struct field_element *r, struct factored *d, int cancelled)
+/* r has its numerator and content; its denominator has the factors d, of which some may have cancelled. */
+static void finish(struct field_element *r, struct factored *d)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
-    fmpz_mpoly_struct *denominator = fmpz_mpoly_q_denref(r->x);
-    if (cancelled) {
-        fmpz_t c;
-        fmpz_init(c);
-        content(c, denominator);
-        fmpz_mpoly_set_fmpz(denominator, c, ctx);
-        fmpz_clear(c);
-        for (int k = 0; k < d->count; k++)
-            expand_by(denominator, d->factor[k], d->power[k]);
-        drop_trivial(d);
+    if (is_zero(r)) {
+        fmpz_one(r->content);
+        r->factors = (struct factored){.known = 1};
+        return;
     }
-    reduce_contents(fmpz_mpoly_q_numref(r->x), denominator);
-    r->denominator = *d;
+    drop_trivial(d);
+    r->factors = *d;
+    reduce_content(r->numerator, r->content);
 }
 
 /* Over the least common multiple of the denominators.  A factor f with different powers in them does not divide the new
@@ -231,9 +314,9 @@ static void add_or_subtract(by_flint *operation, struct field_element *r, const 
                             const struct field_element *b)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    const struct factored *da = &a->denominator, *db = &b->denominator;
+    const struct factored *da = &a->factors, *db = &b->factors;
     struct factored d = *da;
-    int fits = both_known(a, b), cancelled = 0;
+    int fits = da->known && db->known;
     for (int k = 0; fits && k < db->count; k++) {
         int more = db->power[k] - power_in(da, db->factor[k]);
         fits = more <= 0 || multiply_by(&d, db->factor[k], more);
@@ -242,78 +325,28 @@ static void add_or_subtract(by_flint *operation, struct field_element *r, const 
         leave_to(operation, r, a, b);
         return;
     }
-    fmpz_mpoly_struct *numerator = fmpz_mpoly_q_numref(r->x), *denominator = fmpz_mpoly_q_denref(r->x);
     fmpz_mpoly_t other;
-    fmpz_t ca, cb, g;
-    fmpz_init(ca), fmpz_init(cb), fmpz_init(g), fmpz_mpoly_init(other, ctx);
-    content(ca, fmpz_mpoly_q_denref(a->x)), content(cb, fmpz_mpoly_q_denref(b->x));
-    fmpz_gcd(g, ca, cb);
-    fmpz_divexact(ca, ca, g), fmpz_divexact(cb, cb, g);
-    fmpz_mpoly_scalar_mul_fmpz(numerator, fmpz_mpoly_q_numref(a->x), cb, ctx);
-    fmpz_mpoly_scalar_mul_fmpz(other, fmpz_mpoly_q_numref(b->x), ca, ctx);
-    fmpz_mpoly_scalar_mul_fmpz(denominator, fmpz_mpoly_q_denref(a->x), cb, ctx);
+    fmpz_t ca, cb;
+    fmpz_mpoly_init(other, ctx), fmpz_init_set(ca, a->content), fmpz_init_set(cb, b->content);
+    if (!fmpz_is_one(ca) && !fmpz_is_one(cb)) {
+        fmpz_gcd(r->content, ca, cb);
+        fmpz_divexact(ca, ca, r->content), fmpz_divexact(cb, cb, r->content);
+    }
+    fmpz_mul(r->content, a->content, cb);
+    fmpz_mpoly_set(r->numerator, a->numerator, ctx), fmpz_mpoly_set(other, b->numerator, ctx);
+    multiply_by_integer(r->numerator, cb), multiply_by_integer(other, ca);
     for (int k = 0; k < d.count; k++) {
         int in_a = power_in(da, d.factor[k]), in_b = power_in(db, d.factor[k]);
-        expand_by(numerator, d.factor[k], in_b - in_a);
-        expand_by(denominator, d.factor[k], in_b - in_a);
+        expand_by(r->numerator, d.factor[k], in_b - in_a);
         expand_by(other, d.factor[k], in_a - in_b);
     }
-    (operation == fmpz_mpoly_q_add ? fmpz_mpoly_add : fmpz_mpoly_sub)(numerator, numerator, other, ctx);
-    if (fmpz_mpoly_is_zero(numerator, ctx)) {
-        fmpz_mpoly_one(denominator, ctx);
-        r->denominator = (struct factored){.known = 1};
-    } else {
-        for (int k = 0; k < d.count; k++)
-            if (power_in(da, d.factor[k]) == power_in(db, d.factor[k])) {
-                int times = divide_out(numerator, d.factor[k], d.power[k]);
-                d.power[k] = (unsigned char)(d.power[k] - times);
-                cancelled += times;
-            }
-        finish(r, &d, cancelled);
-    }
-    fmpz_clear(ca), fmpz_clear(cb), fmpz_clear(g), fmpz_mpoly_clear(other, ctx);
+    (operation == fmpz_mpoly_q_add ? fmpz_mpoly_add : fmpz_mpoly_sub)(r->numerator, r->numerator, other, ctx);
+    for (int k = 0; k < d.count && !is_zero(r); k++)
+        if (power_in(da, d.factor[k]) == power_in(db, d.factor[k]))
+            d.power[k] = (unsigned char)(d.power[k] - divide_out(r->numerator, d.factor[k], d.power[k]));
+    finish(r, &d);
+    fmpz_clear(ca), fmpz_clear(cb), fmpz_mpoly_clear(other, ctx);
 }
-
-/* p without the factors that the denominator `of` has and `own`, the denominator of p, has not; d loses them. */
-static int cancel(fmpz_mpoly_t p, const struct factored *own, const struct factored *of, struct factored *d)
-{
-    int cancelled = 0;
-    for (int k = 0; k < d->count; k++) {
-        int most = power_in(of, d->factor[k]);
-        if (most > 0 && power_in(own, d->factor[k]) == 0) {
-            int times = divide_out(p, d->factor[k], most);
-            d->power[k] = (unsigned char)(d->power[k] - times);
-            cancelled += times;
-        }
-    }
-    return cancelled;
-}
-
-static void multiply(by_flint *operation, struct field_element *r, const struct field_element *a,
-                     const struct field_element *b, const struct field_element *original)
-{
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
-    const struct factored *da = &a->denominator, *db = &b->denominator;
-    struct factored d = *da;
-    int fits = both_known(a, b) && !fmpz_mpoly_q_is_zero(a->x, ctx) && !fmpz_mpoly_q_is_zero(b->x, ctx);
-    for (int k = 0; fits && k < db->count; k++)
-        fits = multiply_by(&d, db->factor[k], db->power[k]);
-    if (!fits) {
-        leave_to(operation, r, a, original);
-        return;
-    }
-    fmpz_mpoly_struct *numerator = fmpz_mpoly_q_numref(r->x), *denominator = fmpz_mpoly_q_denref(r->x);
-    fmpz_mpoly_t other;
-    fmpz_mpoly_init(other, ctx);
-    fmpz_mpoly_set(numerator, fmpz_mpoly_q_numref(a->x), ctx);
-    fmpz_mpoly_set(other, fmpz_mpoly_q_numref(b->x), ctx);
-    int cancelled = cancel(numerator, da, db, &d) + cancel(other, db, da, &d);
-    fmpz_mpoly_mul(numerator, numerator, other, ctx);
-    fmpz_mpoly_mul(denominator, fmpz_mpoly_q_denref(a->x), fmpz_mpoly_q_denref(b->x), ctx);
-    finish(r, &d, cancelled);
-    fmpz_mpoly_clear(other, ctx);
-}
-
 void fraction_add(struct field_element *r, const struct field_element *a, const struct field_element *b)
 {
     add_or_subtract(fmpz_mpoly_q_add, r, a, b);
@@ -322,42 +355,166 @@ void fraction_sub(struct field_element *r, const struct field_element *a, const 
 {
     add_or_subtract(fmpz_mpoly_q_sub, r, a, b);
 }
+
 void fraction_mul(struct field_element *r, const struct field_element *a, const struct field_element *b)
 {
-    multiply(fmpz_mpoly_q_mul, r, a, b, b);
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (is_zero(a) || is_zero(b))
+        return;
+    struct factored d = a->factors;
+    int fits = a->factors.known && b->factors.known;
+    for (int k = 0; fits && k < b->factors.count; k++)
+        fits = multiply_by(&d, b->factors.factor[k], b->factors.power[k]);
+    if (!fits) {
+        leave_to(fmpz_mpoly_q_mul, r, a, b);
+        return;
+    }
+    fmpz_mpoly_t other;
+    fmpz_mpoly_init(other, ctx);
+    fmpz_mpoly_set(r->numerator, a->numerator, ctx), fmpz_mpoly_set(other, b->numerator, ctx);
+    cancel(r->numerator, &a->factors, &b->factors, &d);
+    cancel(other, &b->factors, &a->factors, &d);
+    fmpz_mpoly_mul(r->numerator, r->numerator, other, ctx);
+    fmpz_mul(r->content, a->content, b->content);
+    finish(r, &d);
+    fmpz_mpoly_clear(other, ctx);
 }
 
-/* a times 1/b */
+/* a/b = (p/A)/(q/B) = p (B/A)/q: what A and B have in common cancels by comparing lists, p and q by trial division. */
 void fraction_div(struct field_element *r, const struct field_element *a, const struct field_element *b)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    struct field_element inverse;
-    if (!a->denominator.known || !b->denominator.known || !factorise(&inverse.denominator, fmpz_mpoly_q_numref(b->x))) {
+    if (is_zero(a))
+        return;
+    struct factored divisor, d = a->factors;
+    const struct factored *B = &b->factors;
+    int fits = a->factors.known && B->known && factorise(&divisor, b->numerator);
+    for (int k = 0; fits && k < divisor.count; k++)
+        fits = multiply_by(&d, divisor.factor[k], divisor.power[k]);
+    if (!fits) {
         leave_to(fmpz_mpoly_q_div, r, a, b);
         return;
     }
-    fmpz_mpoly_q_init(inverse.x, ctx);
-    fmpz_mpoly_struct *numerator = fmpz_mpoly_q_numref(inverse.x), *denominator = fmpz_mpoly_q_denref(inverse.x);
-    fmpz_mpoly_set(numerator, fmpz_mpoly_q_denref(b->x), ctx);
-    fmpz_mpoly_set(denominator, fmpz_mpoly_q_numref(b->x), ctx);
-    if (fmpz_sgn(denominator->coeffs) < 0) {
-        fmpz_mpoly_neg(numerator, numerator, ctx);
-        fmpz_mpoly_neg(denominator, denominator, ctx);
+    fmpz_mpoly_set(r->numerator, a->numerator, ctx);
+    cancel(r->numerator, &a->factors, &divisor, &d);
+    for (int k = 0; k < B->count; k++) {
+        int common = 0;
+        for (int j = 0; j < d.count; j++)
+            if (d.factor[j] == B->factor[k]) {
+                common = d.power[j] < B->power[k] ? d.power[j] : B->power[k];
+                d.power[j] = (unsigned char)(d.power[j] - common);
+            }
+        expand_by(r->numerator, B->factor[k], B->power[k] - common);
     }
-    multiply(fmpz_mpoly_q_div, r, a, &inverse, b);
-    fmpz_mpoly_q_clear(inverse.x, ctx);
+    multiply_by_integer(r->numerator, b->content);
+    fmpz_t c;
+    fmpz_init(c);
+    _fmpz_vec_content(c, b->numerator->coeffs, b->numerator->length);
+    if (fmpz_sgn(b->numerator->coeffs) < 0)
+        fmpz_mpoly_neg(r->numerator, r->numerator, ctx);
+    fmpz_mul(r->content, a->content, c);
+    finish(r, &d);
+    fmpz_clear(c);
 }
 
-int fraction_list_is_true(const struct field_element *a)
+void fraction_over_denominator_of(struct field_element *r, const fmpz_mpoly_t p, const struct field_element *a)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    fmpz_mpoly_t product;
-    fmpz_mpoly_init(product, ctx);
-    fmpz_mpoly_one(product, ctx);
-    for (int k = 0; k < a->denominator.count; k++)
-        expand_by(product, a->denominator.factor[k], a->denominator.power[k]);
-    int whole =
-        fmpz_mpoly_divides(product, fmpz_mpoly_q_denref(a->x), product, ctx) && fmpz_mpoly_is_fmpz(product, ctx);
-    fmpz_mpoly_clear(product, ctx);
-    return whole || !a->denominator.known;
+    static const struct factored none = {.known = 1};
+    if (a->factors.known) {
+        struct factored d = a->factors;
+        fmpz_mpoly_set(r->numerator, p, ctx);
+        fmpz_set(r->content, a->content);
+        if (!is_zero(r))
+            cancel(r->numerator, &none, &a->factors, &d);
+        finish(r, &d);
+        return;
+    }
+    fmpz_mpoly_q_t x;
+    fmpz_mpoly_q_init(x, ctx);
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(x), p, ctx);
+    fmpz_mpoly_set(fmpz_mpoly_q_denref(x), a->rest, ctx);
+    fmpz_mpoly_q_canonicalise(x, ctx);
+    set(r, x);
+    fmpz_mpoly_q_clear(x, ctx);
+}
+
+/* (p/q)' = (p' q - p q')/q^2 where q is not factored.  With q = c prod f^e it is, over the product F of the factors f that
+ * have a slope, (p' F - p sum e f' F/f)/(q F), and no f in F divides that numerator: it divides all its terms but one. */
+void fraction_derivative(struct field_element *r, const struct field_element *a, int variable)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    struct factored d = a->factors, constant = {.known = 1};
+    fmpz_mpoly_t F, sum, slope, term;
+    fmpz_mpoly_init(F, ctx), fmpz_mpoly_init(sum, ctx), fmpz_mpoly_init(slope, ctx), fmpz_mpoly_init(term, ctx);
+    fmpz_mpoly_one(F, ctx);
+    int fits = a->factors.known;
+    for (int k = 0; fits && k < a->factors.count; k++) {
+        const fmpz_mpoly_struct *f = &factors.poly[a->factors.factor[k]];
+        fmpz_mpoly_derivative(slope, f, variable, ctx);
+        if (fmpz_mpoly_is_zero(slope, ctx)) {
+            multiply_by(&constant, a->factors.factor[k], a->factors.power[k]);
+        } else { /* sum = sum f + e f' F */
+            fmpz_mpoly_mul(term, slope, F, ctx);
+            fmpz_mpoly_scalar_mul_si(term, term, a->factors.power[k], ctx);
+            fmpz_mpoly_mul(sum, sum, f, ctx);
+            fmpz_mpoly_add(sum, sum, term, ctx);
+            fmpz_mpoly_mul(F, F, f, ctx);
+            fits = multiply_by(&d, a->factors.factor[k], 1);
+        }
+    }
+    if (fits) {
+        static const struct factored none = {.known = 1};
+        fmpz_mpoly_derivative(slope, a->numerator, variable, ctx);
+        fmpz_mpoly_mul(r->numerator, slope, F, ctx);
+        fmpz_mpoly_mul(term, a->numerator, sum, ctx);
+        fmpz_mpoly_sub(r->numerator, r->numerator, term, ctx);
+        fmpz_set(r->content, a->content);
+        if (!is_zero(r))
+            cancel(r->numerator, &none, &constant, &d);
+        finish(r, &d);
+    } else {
+        fmpz_mpoly_q_t x;
+        fmpz_mpoly_q_init(x, ctx);
+        fraction_denominator(F, a);
+        fmpz_mpoly_derivative(slope, a->numerator, variable, ctx);
+        fmpz_mpoly_mul(fmpz_mpoly_q_numref(x), slope, F, ctx);
+        fmpz_mpoly_derivative(slope, F, variable, ctx);
+        fmpz_mpoly_mul(term, a->numerator, slope, ctx);
+        fmpz_mpoly_sub(fmpz_mpoly_q_numref(x), fmpz_mpoly_q_numref(x), term, ctx);
+        fmpz_mpoly_mul(fmpz_mpoly_q_denref(x), F, F, ctx);
+        fmpz_mpoly_q_canonicalise(x, ctx);
+        set(r, x);
+        fmpz_mpoly_q_clear(x, ctx);
+    }
+    fmpz_mpoly_clear(F, ctx), fmpz_mpoly_clear(sum, ctx), fmpz_mpoly_clear(slope, ctx), fmpz_mpoly_clear(term, ctx);
+}
+
+/* ---- questions ---------------------------------------------------------------------------------------- */
+
+static int same_denominators(const struct field_element *a, const struct field_element *b)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (a->factors.known && b->factors.known) {
+        int same = fmpz_equal(a->content, b->content) && a->factors.count == b->factors.count;
+        for (int k = 0; same && k < a->factors.count; k++)
+            same = power_in(&b->factors, a->factors.factor[k]) == a->factors.power[k];
+        return same;
+    }
+    fmpz_mpoly_t p, q;
+    fmpz_mpoly_init(p, ctx), fmpz_mpoly_init(q, ctx);
+    fraction_denominator(p, a), fraction_denominator(q, b);
+    int same = fmpz_mpoly_equal(p, q, ctx);
+    fmpz_mpoly_clear(p, ctx), fmpz_mpoly_clear(q, ctx);
+    return same;
+}
+
+int fraction_equal(const struct field_element *a, const struct field_element *b)
+{
+    return fmpz_mpoly_equal(a->numerator, b->numerator, field_context()) && same_denominators(a, b);
+}
+
+int fraction_is_polynomial(const struct field_element *a)
+{
+    return a->factors.known && a->factors.count == 0 && fmpz_is_one(a->content);
 }

@@ -25,10 +25,19 @@ const fmpz_mpoly_ctx_struct *field_context(void)
 void field_slot_init(void *p)
 {
     struct field_element *element = p;
-    fmpz_mpoly_q_init(element->x, field_context());
-    element->denominator = (struct factored){.known = 1};
+    fmpz_mpoly_init(element->numerator, field_context());
+    fmpz_mpoly_init(element->rest, field_context());
+    fmpz_init_set_ui(element->content, 1);
+    element->factors.known = 1;
+    element->factors.count = 0;
 }
-void field_slot_clear(void *p) { fmpz_mpoly_q_clear(((struct field_element *)p)->x, field_context()); }
+void field_slot_clear(void *p)
+{
+    struct field_element *element = p;
+    fmpz_mpoly_clear(element->numerator, field_context());
+    fmpz_mpoly_clear(element->rest, field_context());
+    fmpz_clear(element->content);
+}
 
 void field_open(int variables)
 {
@@ -109,7 +118,7 @@ num_f variable_f(const char *name)
         snprintf(field.name[field.known++], sizeof field.name[0], "%s", name);
     }
     struct field_element *r = fresh();
-    fmpz_mpoly_q_gen(r->x, v, ctx);
+    fmpz_mpoly_gen(r->numerator, v, ctx);
     if (trace_noting())
         trace_variable(r, name);
     return (num_f){r};
@@ -118,10 +127,10 @@ num_f variable_f(const char *name)
 int field_variable_f(num_f a)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(a.at->x), ctx))
+    if (!fraction_is_polynomial(a.at) || fmpz_mpoly_length(a.at->numerator, ctx) != 1)
         return -1;
     for (int v = 0; v < field.known; v++)
-        if (fmpz_mpoly_is_gen(fmpz_mpoly_q_numref(a.at->x), v, ctx))
+        if (fmpz_mpoly_is_gen(a.at->numerator, v, ctx))
             return v;
     return -1;
 }
@@ -135,27 +144,55 @@ static num_f combine(const char *name, field_operation *op, num_f a, num_f b)
         op(r, a.at, b.at);
     return made_of(name, r, a, &b);
 }
-static int is_zero(num_f a) { return fmpz_mpoly_q_is_zero(a.at->x, field_context()); }
-num_f add_f(num_f a, num_f b) { return combine("+", fraction_add, a, b); }
-num_f sub_f(num_f a, num_f b) { return combine("-", fraction_sub, a, b); }
-num_f mul_f(num_f a, num_f b) { return combine("*", fraction_mul, a, b); }
-num_f div_f(num_f a, num_f b) { return is_zero(b) ? fault_f(FAULT_UNDEFINED) : combine("/", fraction_div, a, b); }
+static int is_zero(num_f a) { return fmpz_mpoly_is_zero(a.at->numerator, field_context()); }
+static int is_one(num_f a)
+{
+    return fmpz_mpoly_is_one(a.at->numerator, field_context()) && fraction_is_polynomial(a.at);
+}
+
+/* Values do not change, so a + 0 is a itself; but each node of a trace is a value of its own. */
+num_f add_f(num_f a, num_f b)
+{
+    if (tracing == NULL && (is_zero(a) || is_zero(b)))
+        return is_zero(a) ? b : a;
+    return combine("+", fraction_add, a, b);
+}
+num_f sub_f(num_f a, num_f b)
+{
+    if (tracing == NULL && is_zero(b))
+        return a;
+    return combine("-", fraction_sub, a, b);
+}
+num_f mul_f(num_f a, num_f b)
+{
+    if (tracing == NULL && (is_zero(a) || is_one(a) || is_zero(b) || is_one(b)))
+        return is_zero(a) || is_one(b) ? a : b;
+    return combine("*", fraction_mul, a, b);
+}
+num_f div_f(num_f a, num_f b)
+{
+    if (is_zero(b))
+        return fault_f(FAULT_UNDEFINED);
+    if (tracing == NULL && (is_zero(a) || is_one(b)))
+        return a;
+    return combine("/", fraction_div, a, b);
+}
 num_f neg_f(num_f a)
 {
     struct field_element *r = fresh();
-    fmpz_mpoly_q_neg(r->x, a.at->x, field.ctx);
-    r->denominator = a.at->denominator;
+    fmpz_mpoly_neg(r->numerator, a.at->numerator, field.ctx);
+    fmpz_mpoly_set(r->rest, a.at->rest, field.ctx);
+    fmpz_set(r->content, a.at->content);
+    r->factors = a.at->factors;
     return made_of("neg", r, a, NULL);
 }
 
 num_f from_rational_f(num_q a)
 {
     struct field_element *r = fresh();
-    fmpq_t x;
-    fmpq_init(x);
-    fmpq_set_mpq(x, a.at);
-    fmpz_mpoly_q_set_fmpq(r->x, x, field_context());
-    fmpq_clear(x);
+    fmpz_set_mpz(r->content, mpq_numref(a.at));
+    fmpz_mpoly_set_fmpz(r->numerator, r->content, field_context());
+    fmpz_set_mpz(r->content, mpq_denref(a.at));
     if (trace_noting())
         trace_alias(r, trace_number(a.at));
     return (num_f){r};
@@ -196,12 +233,14 @@ num_f root_f(int n, num_f a)
 {
     if (n == 1)
         return a;
-    struct field_element *r = fresh();
-    if (n < 1 || !polynomial_root(fmpz_mpoly_q_numref(r->x), n, fmpz_mpoly_q_numref(a.at->x)) ||
-        !polynomial_root(fmpz_mpoly_q_denref(r->x), n, fmpz_mpoly_q_denref(a.at->x)))
-        return fault_f(FAULT_UNABLE);
-    r->denominator = (struct factored){.known = fmpz_mpoly_is_fmpz(fmpz_mpoly_q_denref(r->x), field.ctx) != 0};
-    return (num_f){r};
+    struct field_element *p = fresh(), *q = fresh();
+    fmpz_mpoly_t denominator;
+    fmpz_mpoly_init(denominator, field.ctx);
+    fraction_denominator(denominator, a.at);
+    int found = n >= 1 && polynomial_root(p->numerator, n, a.at->numerator) &&
+                polynomial_root(q->numerator, n, denominator);
+    fmpz_mpoly_clear(denominator, field.ctx);
+    return found ? div_f((num_f){p}, (num_f){q}) : fault_f(FAULT_UNABLE);
 }
 
 int is_zero_f(num_f a)
@@ -212,36 +251,32 @@ int is_zero_f(num_f a)
     return zero;
 }
 
+int equal_f(num_f a, num_f b) { return fraction_equal(a.at, b.at); }
+
 int is_constant_f(num_f a, num_q *value)
 {
-    if (!fmpz_mpoly_q_is_fmpq(a.at->x, field_context()))
+    if (!fmpz_mpoly_is_fmpz(a.at->numerator, field_context()) || !a.at->factors.known || a.at->factors.count > 0)
         return 0;
     if (value != NULL) {
-        fmpz_t n, d;
+        fmpz_t n;
         mpq_t x;
-        fmpz_init(n), fmpz_init(d), mpq_init(x);
-        fmpz_mpoly_get_fmpz(n, fmpz_mpoly_q_numref(a.at->x), field.ctx);
-        fmpz_mpoly_get_fmpz(d, fmpz_mpoly_q_denref(a.at->x), field.ctx);
-        fmpz_get_mpz(mpq_numref(x), n), fmpz_get_mpz(mpq_denref(x), d);
+        fmpz_init(n), mpq_init(x);
+        fmpz_mpoly_get_fmpz(n, a.at->numerator, field.ctx);
+        fmpz_get_mpz(mpq_numref(x), n), fmpz_get_mpz(mpq_denref(x), a.at->content);
         *value = from_mpq_q(x);
-        fmpz_clear(n), fmpz_clear(d), mpq_clear(x);
+        fmpz_clear(n), mpq_clear(x);
     }
     return 1;
 }
 
-/* (p/q)' = (p' q - p q')/q^2 */
 num_f derivative_f(num_f a, num_f variable)
 {
     int v = field_variable_f(variable);
     if (v < 0)
         return fault_f(FAULT_UNDEFINED);
-    struct field_element *p = fresh(), *q = fresh(), *dp = fresh(), *dq = fresh();
-    fmpz_mpoly_set(fmpz_mpoly_q_numref(p->x), fmpz_mpoly_q_numref(a.at->x), field.ctx);
-    fmpz_mpoly_set(fmpz_mpoly_q_numref(q->x), fmpz_mpoly_q_denref(a.at->x), field.ctx);
-    fmpz_mpoly_derivative(fmpz_mpoly_q_numref(dp->x), fmpz_mpoly_q_numref(p->x), v, field.ctx);
-    fmpz_mpoly_derivative(fmpz_mpoly_q_numref(dq->x), fmpz_mpoly_q_numref(q->x), v, field.ctx);
-    num_f P = {p}, Q = {q}, dP = {dp}, dQ = {dq};
-    return div_f(sub_f(mul_f(dP, Q), mul_f(P, dQ)), mul_f(Q, Q));
+    struct field_element *r = fresh();
+    fraction_derivative(r, a.at, v);
+    return (num_f){r};
 }
 
 /* p(value) for a polynomial p: its coefficients in powers of the variable, by Horner's rule. */
@@ -257,7 +292,7 @@ static num_f horner(const fmpz_mpoly_t p, int v, num_f value)
         for (slong step = j == 0 ? e : high; step > e; step--)
             sum = mul_f(sum, value);
         struct field_element *c = fresh();
-        fmpz_mpoly_univar_get_term_coeff(fmpz_mpoly_q_numref(c->x), u, j, field.ctx);
+        fmpz_mpoly_univar_get_term_coeff(c->numerator, u, j, field.ctx);
         sum = add_f(sum, (num_f){c});
         high = e;
     }
@@ -272,7 +307,12 @@ num_f substitute_f(num_f a, num_f variable, num_f value)
     int v = field_variable_f(variable);
     if (v < 0)
         return fault_f(FAULT_UNDEFINED);
-    return div_f(horner(fmpz_mpoly_q_numref(a.at->x), v, value), horner(fmpz_mpoly_q_denref(a.at->x), v, value));
+    fmpz_mpoly_t denominator;
+    fmpz_mpoly_init(denominator, field.ctx);
+    fraction_denominator(denominator, a.at);
+    num_f r = div_f(horner(a.at->numerator, v, value), horner(denominator, v, value));
+    fmpz_mpoly_clear(denominator, field.ctx);
+    return r;
 }
 
 static int degree(const fmpz_mpoly_t p, num_f variable)
@@ -284,8 +324,16 @@ static int degree(const fmpz_mpoly_t p, num_f variable)
     }
     return (int)fmpz_mpoly_degree_si(p, v, field.ctx);
 }
-int degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_numref(a.at->x), variable); }
-int denominator_degree_f(num_f a, num_f variable) { return degree(fmpz_mpoly_q_denref(a.at->x), variable); }
+int degree_f(num_f a, num_f variable) { return degree(a.at->numerator, variable); }
+int denominator_degree_f(num_f a, num_f variable)
+{
+    fmpz_mpoly_t denominator;
+    fmpz_mpoly_init(denominator, field.ctx);
+    fraction_denominator(denominator, a.at);
+    int n = degree(denominator, variable);
+    fmpz_mpoly_clear(denominator, field.ctx);
+    return n;
+}
 
 int has_degrees_f(num_f a, num_f variable, int numerator, int denominator)
 {
@@ -311,16 +359,17 @@ num_f coefficient_f(num_f a, num_f variable, int k)
 {
     if (denominator_degree_f(a, variable) != 0)
         return fault_f(FAULT_UNDEFINED);
-    struct field_element *p = fresh(), *q = fresh();
+    struct field_element *r = fresh();
+    fmpz_mpoly_t p;
     fmpz_mpoly_univar_t u;
-    fmpz_mpoly_univar_init(u, field.ctx);
-    fmpz_mpoly_to_univar(u, fmpz_mpoly_q_numref(a.at->x), field_variable_f(variable), field.ctx);
+    fmpz_mpoly_init(p, field.ctx), fmpz_mpoly_univar_init(u, field.ctx);
+    fmpz_mpoly_to_univar(u, a.at->numerator, field_variable_f(variable), field.ctx);
     for (slong j = 0; j < fmpz_mpoly_univar_length(u, field.ctx); j++)
         if (fmpz_mpoly_univar_get_term_exp_si(u, j, field.ctx) == k)
-            fmpz_mpoly_univar_get_term_coeff(fmpz_mpoly_q_numref(p->x), u, j, field.ctx);
-    fmpz_mpoly_univar_clear(u, field.ctx);
-    fmpz_mpoly_set(fmpz_mpoly_q_numref(q->x), fmpz_mpoly_q_denref(a.at->x), field.ctx);
-    return div_f((num_f){p}, (num_f){q});
+            fmpz_mpoly_univar_get_term_coeff(p, u, j, field.ctx);
+    fraction_over_denominator_of(r, p, a.at);
+    fmpz_mpoly_clear(p, field.ctx), fmpz_mpoly_univar_clear(u, field.ctx);
+    return (num_f){r};
 }
 
 const char *to_string_f(num_f a)
@@ -329,8 +378,12 @@ const char *to_string_f(num_f a)
     for (int v = 0; v < FIELD_MAX_VARIABLES; v++)
         names[v] = v < field.known ? field.name[v] : "?";
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    char *p = fmpz_mpoly_get_str_pretty(fmpz_mpoly_q_numref(a.at->x), names, ctx);
-    char *q = fmpz_mpoly_get_str_pretty(fmpz_mpoly_q_denref(a.at->x), names, ctx);
+    fmpz_mpoly_t denominator;
+    fmpz_mpoly_init(denominator, ctx);
+    fraction_denominator(denominator, a.at);
+    char *p = fmpz_mpoly_get_str_pretty(a.at->numerator, names, ctx);
+    char *q = fmpz_mpoly_get_str_pretty(denominator, names, ctx);
+    fmpz_mpoly_clear(denominator, ctx);
     size_t room = strlen(p) + strlen(q) + 6;
     char *text = region_bytes(room);
     if (strcmp(q, "1") == 0)
@@ -360,6 +413,10 @@ static int coefficients_sign(const fmpz_mpoly_t p)
 }
 int coefficients_sign_f(num_f a)
 {
-    int p = coefficients_sign(fmpz_mpoly_q_numref(a.at->x)), q = coefficients_sign(fmpz_mpoly_q_denref(a.at->x));
+    fmpz_mpoly_t denominator;
+    fmpz_mpoly_init(denominator, field_context());
+    fraction_denominator(denominator, a.at);
+    int p = coefficients_sign(a.at->numerator), q = coefficients_sign(denominator);
+    fmpz_mpoly_clear(denominator, field.ctx);
     return p == 2 || q == 2 ? -2 : p * q;
 }

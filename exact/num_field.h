@@ -35,6 +35,7 @@ num_f root_f(int n, num_f a); /* n >= 1; one of the two roots for even n; UNABLE
                                  an n-th power                                             */
 
 int is_zero_f(num_f a);
+int equal_f(num_f a, num_f b);                            /* the same function; not noted in a trace      */
 int is_constant_f(num_f a, num_q *value);                 /* value may be NULL                        */
 num_f derivative_f(num_f a, num_f variable);              /* formal partial derivative                */
 num_f substitute_f(num_f a, num_f variable, num_f value); /* UNDEFINED at a pole           */

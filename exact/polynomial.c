@@ -1,5 +1,6 @@
 #include "exact/polynomial.h"
 
+#include "exact/fraction.h"
 #include "exact/num_field_slot.h"
 #include "exact/polynomial_slot.h"
 
@@ -196,8 +197,16 @@ static poly univariate(const fmpz_mpoly_t a, int v)
 void poly_from_field(num_f a, num_f variable, poly *numerator, poly *denominator)
 {
     int v = field_variable_f(variable);
-    *numerator = v < 0 ? fault(FAULT_UNDEFINED) : univariate(fmpz_mpoly_q_numref(a.at->x), v);
-    *denominator = v < 0 ? fault(FAULT_UNDEFINED) : univariate(fmpz_mpoly_q_denref(a.at->x), v);
+    if (v < 0) {
+        *numerator = *denominator = fault(FAULT_UNDEFINED);
+        return;
+    }
+    fmpz_mpoly_t q;
+    fmpz_mpoly_init(q, field_context());
+    fraction_denominator(q, a.at);
+    *numerator = univariate(a.at->numerator, v);
+    *denominator = univariate(q, v);
+    fmpz_mpoly_clear(q, field_context());
 }
 
 /* Yun: with c = gcd(p, p'), w = p/c is the product of all factors, and w divides out one

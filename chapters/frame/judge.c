@@ -169,9 +169,7 @@ void agree(trial *T, int condition)
 
 void same_f(trial *T, num_f a, num_f b)
 {
-    trace_pause();
-    int equal = is_zero_f(sub_f(a, b));
-    trace_resume();
+    int equal = equal_f(a, b);
     if (trace_noting()) {
         int left = trace_field_element(a), right = trace_field_element(b);
         trace_same(left, right, equal);
