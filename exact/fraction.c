@@ -31,8 +31,6 @@ void fraction_close(void)
         fmpz_mpoly_clear(&divisors.poly[--divisors.count], field_context());
 }
 
-const fmpz_mpoly_struct *fraction_factor(int number) { return &factors.poly[number]; }
-
 /* Its index in the list, upon which p is put if it is new; -1 when the list is full. */
 static int number_of_factor(const fmpz_mpoly_t p)
 {
@@ -257,6 +255,17 @@ void fraction_denominator(fmpz_mpoly_t q, const struct field_element *a)
     fmpz_mpoly_set_fmpz(q, a->content, ctx);
     for (int k = 0; k < a->factors.count; k++)
         expand_by(q, a->factors.factor[k], a->factors.power[k]);
+}
+
+int fraction_denominator_degree(const struct field_element *a, int variable)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (!a->factors.known)
+        return (int)fmpz_mpoly_degree_si(a->rest, variable, ctx);
+    slong degree = 0;
+    for (int k = 0; k < a->factors.count; k++)
+        degree += a->factors.power[k] * fmpz_mpoly_degree_si(&factors.poly[a->factors.factor[k]], variable, ctx);
+    return (int)degree;
 }
 
 void fraction_get(fmpz_mpoly_q_t x, const struct field_element *a)

@@ -28,9 +28,7 @@ int fraction_is_polynomial(const struct field_element *a); /* over the integers:
 /* What FLINT has for it; and the denominator alone, multiplied out. */
 void fraction_get(fmpz_mpoly_q_t x, const struct field_element *a);
 void fraction_denominator(fmpz_mpoly_t q, const struct field_element *a);
-
-/* The polynomial with this number in a list of factors. */
-const fmpz_mpoly_struct *fraction_factor(int number);
+int fraction_denominator_degree(const struct field_element *a, int variable);
 
 /* The factors that denominators of this thread's field were found to have, begun anew with each field. */
 void fraction_open(void);

@@ -127,7 +127,7 @@ num_f variable_f(const char *name)
 int field_variable_f(num_f a)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    if (!fraction_is_polynomial(a.at) || fmpz_mpoly_length(a.at->numerator, ctx) != 1)
+    if (!fraction_is_polynomial(a.at) || !fmpz_mpoly_is_gen(a.at->numerator, -1, ctx))
         return -1;
     for (int v = 0; v < field.known; v++)
         if (fmpz_mpoly_is_gen(a.at->numerator, v, ctx))
@@ -315,24 +315,23 @@ num_f substitute_f(num_f a, num_f variable, num_f value)
     return r;
 }
 
-static int degree(const fmpz_mpoly_t p, num_f variable)
+/* The index of the variable; UNDEFINED, and -1, when it is none. */
+static int index_of(num_f variable)
 {
     int v = field_variable_f(variable);
-    if (v < 0) {
+    if (v < 0)
         fault_f(FAULT_UNDEFINED);
-        return -1;
-    }
-    return (int)fmpz_mpoly_degree_si(p, v, field.ctx);
+    return v;
 }
-int degree_f(num_f a, num_f variable) { return degree(a.at->numerator, variable); }
+int degree_f(num_f a, num_f variable)
+{
+    int v = index_of(variable);
+    return v < 0 ? -1 : (int)fmpz_mpoly_degree_si(a.at->numerator, v, field.ctx);
+}
 int denominator_degree_f(num_f a, num_f variable)
 {
-    fmpz_mpoly_t denominator;
-    fmpz_mpoly_init(denominator, field.ctx);
-    fraction_denominator(denominator, a.at);
-    int n = degree(denominator, variable);
-    fmpz_mpoly_clear(denominator, field.ctx);
-    return n;
+    int v = index_of(variable);
+    return v < 0 ? -1 : fraction_denominator_degree(a.at, v);
 }
 
 int has_degrees_f(num_f a, num_f variable, int numerator, int denominator)

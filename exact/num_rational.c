@@ -53,20 +53,30 @@ void trace_put_numbers(const char *field, int count, const num_q x[])
     trace_put_list(field, count, node);
 }
 
+/* Values do not change, so a + 0 is a itself; but each node of a trace is a value of its own. */
+static int is_zero(num_q a) { return tracing == NULL && mpq_sgn(a.at) == 0; }
+static int is_one(num_q a) { return tracing == NULL && mpq_cmp_ui(a.at, 1, 1) == 0; }
+
 num_q add_q(num_q a, num_q b)
 {
+    if (is_zero(a) || is_zero(b))
+        return is_zero(a) ? b : a;
     mpq_ptr r = fresh();
     mpq_add(r, a.at, b.at);
     return noted("+", r, a.at, b.at);
 }
 num_q sub_q(num_q a, num_q b)
 {
+    if (is_zero(b))
+        return a;
     mpq_ptr r = fresh();
     mpq_sub(r, a.at, b.at);
     return noted("-", r, a.at, b.at);
 }
 num_q mul_q(num_q a, num_q b)
 {
+    if (is_zero(a) || is_zero(b) || is_one(a) || is_one(b))
+        return is_zero(a) || is_one(b) ? a : b;
     mpq_ptr r = fresh();
     mpq_mul(r, a.at, b.at);
     return noted("*", r, a.at, b.at);
@@ -75,6 +85,8 @@ num_q div_q(num_q a, num_q b)
 {
     if (mpq_sgn(b.at) == 0)
         return fault_q(FAULT_UNDEFINED);
+    if (is_zero(a) || is_one(b))
+        return a;
     mpq_ptr r = fresh();
     mpq_div(r, a.at, b.at);
     return noted("/", r, a.at, b.at);
