@@ -237,8 +237,8 @@ num_f root_f(int n, num_f a)
     fmpz_mpoly_t denominator;
     fmpz_mpoly_init(denominator, field.ctx);
     fraction_denominator(denominator, a.at);
-    int found = n >= 1 && polynomial_root(p->numerator, n, a.at->numerator) &&
-                polynomial_root(q->numerator, n, denominator);
+    int found =
+        n >= 1 && polynomial_root(p->numerator, n, a.at->numerator) && polynomial_root(q->numerator, n, denominator);
     fmpz_mpoly_clear(denominator, field.ctx);
     return found ? div_f((num_f){p}, (num_f){q}) : fault_f(FAULT_UNABLE);
 }
