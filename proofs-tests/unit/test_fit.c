@@ -746,7 +746,7 @@ static const cagd_spline polygon = {1, 4, 2, polygon_knots, cubic_points, NULL};
 /* No point of the curve among very many is nearer than the foot, which is where the parameter says on the curve as it was given. */
 static void feet_on_a_given_curve_are_nearest_points(void **state)
 {
-    enum { N = 60, FINE = 4000 };
+    enum { N = 60 };
     const cagd_spline *curves[] = {&ungauged, &ungauged_cubic, &in_space, &spline, &loop, &cusp, &polygon};
     (void)state;
     for (int k = 0; k < 7; k++)

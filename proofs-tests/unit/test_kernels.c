@@ -96,18 +96,40 @@ static int pick(uint64_t *seed, int low, int high)
     return low + (int)((z ^ (z >> 31)) % (uint64_t)(high - low + 1));
 }
 
-/* The data of a trial are short dyadic numbers: the same in every number type.  The first trials have
- * t = 0, t = 1, and the largest degree. */
-static double x_d[NUMBERS], w_d[WEIGHTS];
-static struct data_d draw(uint64_t seed, int trial)
+/* The data of a trial are short dyadic numbers: the same in every number type.  Points and weights, which take long to be
+ * put into all number types, are those of all kernels; degree, dimension, order and parameters are drawn for each kernel.
+ * The first trials have t = 0, t = 1, and the largest degree. */
+static struct {
+    double x_d[NUMBERS], w_d[WEIGHTS];
+    num_m x_m[NUMBERS], w_m[WEIGHTS];
+    num_q x_q[NUMBERS], w_q[WEIGHTS];
+    num_i x_i[NUMBERS], w_i[WEIGHTS];
+    num_f x_f[NUMBERS], w_f[WEIGHTS];
+} drawn[TRIALS];
+
+static void draw_points_and_weights(int trial)
 {
-    struct data_d D = {.x = x_d, .w = w_d};
+    uint64_t seed = seed_of("points and weights") + (uint64_t)trial;
     for (int i = 0; i < NUMBERS; i++)
-        x_d[i] = (2 * pick(&seed, 0, 1) - 1) * pick(&seed, 1, 4095) * 0x1p-10;
+        drawn[trial].x_d[i] = (2 * pick(&seed, 0, 1) - 1) * pick(&seed, 1, 4095) * 0x1p-10;
     for (int i = 0; i < WEIGHTS; i++) {
         double square_root = pick(&seed, 3, 63) * 0x1p-4;
-        w_d[i] = square_root * square_root;
+        drawn[trial].w_d[i] = square_root * square_root;
     }
+#define IN_ALL_TYPES(name, count)                                                                                      \
+    for (int i = 0; i < count; i++) {                                                                                  \
+        drawn[trial].name##_m[i] = exact_m(drawn[trial].name##_d[i]);                                                  \
+        drawn[trial].name##_q[i] = from_double_q(drawn[trial].name##_d[i]);                                            \
+        drawn[trial].name##_i[i] = from_rational_i(drawn[trial].name##_q[i]);                                          \
+        drawn[trial].name##_f[i] = from_rational_f(drawn[trial].name##_q[i]);                                          \
+    }
+    IN_ALL_TYPES(x, NUMBERS)
+    IN_ALL_TYPES(w, WEIGHTS)
+}
+
+static struct data_d draw(uint64_t seed, int trial)
+{
+    struct data_d D = {.x = drawn[trial].x_d, .w = drawn[trial].w_d};
     D.n = trial == 2 ? MAX_DEGREE : pick(&seed, 1, 7);
     D.dim = pick(&seed, 1, MAX_DIM - 1);
     D.r = pick(&seed, 0, 5);
@@ -118,33 +140,13 @@ static struct data_d draw(uint64_t seed, int trial)
 static num_i from_double_i(double x) { return from_rational_i(from_double_q(x)); }
 static num_f from_double_f(double x) { return from_rational_f(from_double_q(x)); }
 
-/* The same data and their results in another number type. */
-#define RUN_IN(suffix, from_double, kernel, D, results)                                                                \
-    static int results_in_##suffix(int kernel, struct data_d D, num_##suffix results[])                                \
+/* The same data in another number type. */
+#define DATA_IN(suffix, from_double, D, trial)                                                                         \
+    (struct data_##suffix)                                                                                             \
     {                                                                                                                  \
-        num_##suffix x[NUMBERS], w[WEIGHTS];                                                                           \
-        for (int i = 0; i < NUMBERS; i++)                                                                              \
-            x[i] = from_double(D.x[i]);                                                                                \
-        for (int i = 0; i < WEIGHTS; i++)                                                                              \
-            w[i] = from_double(D.w[i]);                                                                                \
-        struct data_##suffix E = {D.n, D.dim, D.r, x, w, from_double(D.t), from_double(D.u)};                          \
-        return runs_##suffix[kernel](&E, results);                                                                     \
+        (D).n, (D).dim, (D).r, drawn[trial].x_##suffix, drawn[trial].w_##suffix, from_double((D).t),                   \
+            from_double((D).u)                                                                                         \
     }
-RUN_IN(m, exact_m, kernel, D, results)
-RUN_IN(q, from_double_q, kernel, D, results)
-RUN_IN(i, from_double_i, kernel, D, results)
-RUN_IN(f, from_double_f, kernel, D, results)
-
-static void reference_results(int kernel, struct data_d D, num_q results[])
-{
-    num_q x[NUMBERS], w[WEIGHTS];
-    for (int i = 0; i < NUMBERS; i++)
-        x[i] = from_double_q(D.x[i]);
-    for (int i = 0; i < WEIGHTS; i++)
-        w[i] = from_double_q(D.w[i]);
-    struct data_q E = {D.n, D.dim, D.r, x, w, from_double_q(D.t), from_double_q(D.u)};
-    references[kernel](&E, results);
-}
 
 /* |v - exact| <= bound, decided in rationals. */
 static int within(double v, double bound, num_q exact)
@@ -166,14 +168,18 @@ static void kernel_agrees(void **state)
         region_mark mark = region_open();
         region_faults = 0;
         struct data_d D = draw(seed_of(names[kernel]) + (uint64_t)trial, trial);
+        struct data_m D_m = DATA_IN(m, exact_m, D, trial);
+        struct data_q D_q = DATA_IN(q, from_double_q, D, trial);
+        struct data_i D_i = DATA_IN(i, from_double_i, D, trial);
+        struct data_f D_f = DATA_IN(f, from_double_f, D, trial);
         int count = runs_d[kernel](&D, d);
-        assert_int_equal(results_in_m(kernel, D, m), count);
-        assert_int_equal(results_in_q(kernel, D, q), count);
-        assert_int_equal(results_in_f(kernel, D, f), count);
-        reference_results(kernel, D, definition);
+        assert_int_equal(runs_m[kernel](&D_m, m), count);
+        assert_int_equal(runs_q[kernel](&D_q, q), count);
+        assert_int_equal(runs_f[kernel](&D_f, f), count);
+        references[kernel](&D_q, definition);
         if (region_faults != 0)
             fail_msg("%s, trial %d: faults %u", names[kernel], trial, region_faults);
-        assert_int_equal(results_in_i(kernel, D, interval), count);
+        assert_int_equal(runs_i[kernel](&D_i, interval), count);
 
         for (int k = 0; k < count; k++, compared++) {
             num_q constant;
@@ -365,6 +371,8 @@ static int open_numbers(void **state)
 {
     (void)state;
     field_open(1);
+    for (int trial = 0; trial < TRIALS; trial++)
+        draw_points_and_weights(trial);
     return 0;
 }
 static int close_numbers(void **state)
