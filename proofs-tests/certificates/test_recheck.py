@@ -20,8 +20,9 @@ def recheck(folder):
     return subprocess.run([sys.executable, RECHECK, str(folder)], capture_output=True, text=True)
 
 
-def write_certificates(folder, *patterns):
-    subprocess.run([CAGD, "verify", "--certificates", str(folder), *patterns], check=True, stdout=subprocess.DEVNULL)
+def certificate(name):
+    """The text of a certificate of the run over everything."""
+    return (WHOLE_RUN / "certificates" / name).read_text()
 
 
 class Everything(unittest.TestCase):
@@ -36,42 +37,41 @@ class Everything(unittest.TestCase):
         self.assertLessEqual(len(pathlib.Path(RECHECK).read_text().splitlines()), 600)
 
 
-class Tampered(unittest.TestCase):
-    """One statement with a claim that is proved, one with signs of coefficients, one with root counts, one that fails."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.root = pathlib.Path(cls.folder.name)
-        write_certificates(cls.root, "elevation_keeps_rational_curve", "curve_points_are_convex_combinations",
-                           "roots_are_at_most_sign_changes", "designed_curves_cross_no_more", "end_curvature_at_zero",
-                           "curve_points_have_hull_certificates", "wang-ch3:prop-3.2.4-step-2",
-                           "third_way_closes_for_two_radii", "totally_positive_exactly_in_the_range",
-                           "step_costs_additions_only")
-        cls.kept = {p: p.read_text() for p in cls.root.rglob("*.json")}
-        before = recheck(cls.root)
-        assert before.returncode == 0, before.stdout
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
-    def claim(self, name):
-        return self.root / "claims" / f"{name}.json"
-
-    def refuses(self, path, change):
-        """After the change recheck.py says `wrong`; without it, it does not.  A claim is rechecked by itself."""
-        document = json.loads(self.kept[path])
-        changed = change(document)
-        alone = path.parent.name == "claims"
+class Patterns(unittest.TestCase):
+    def test_a_part_has_the_certificates_of_the_whole(self):
+        """The claims of one statement, and one claim more."""
         with tempfile.TemporaryDirectory() as folder:
-            for other, text in self.kept.items():
-                if other == path or not alone:
-                    place = pathlib.Path(folder) / other.relative_to(self.root)
-                    place.parent.mkdir(exist_ok=True)
-                    if other == path:
-                        text = changed if isinstance(changed, str) else json.dumps(document)
-                    place.write_text(text)
+            subprocess.run([CAGD, "verify", "--certificates", folder, Tampered.STATEMENT_ID, Tampered.PROVED], check=True,
+                           stdout=subprocess.DEVNULL)
+            written = {str(p.relative_to(folder)): p.read_text() for p in pathlib.Path(folder).rglob("*.json")}
+            r = recheck(folder)
+        self.assertLessEqual({Tampered.STATEMENT, *map(claim, (Tampered.PROVED, Tampered.FAILS))}, set(written))
+        for name, text in written.items():
+            self.assertEqual(text, certificate(name), name)
+        self.assertEqual((r.returncode, r.stderr), (0, ""), r.stdout)
+
+
+def claim(name):
+    return f"claims/{name}.json"
+
+
+class Tampered(unittest.TestCase):
+    """One statement with a claim that is proved, one with signs of coefficients, one with root counts, one that fails.
+    The certificates are those of the run over everything, in which nothing is wrong."""
+
+    def refuses(self, name, change):
+        """After the change recheck.py says `wrong`.  A claim is rechecked by itself, a statement with its claims."""
+        original = certificate(name)
+        document = json.loads(original)
+        texts = {claim(link["claim"]): certificate(claim(link["claim"])) for link in document.get("links", [])}
+        changed = change(document)
+        texts[name] = changed if isinstance(changed, str) else json.dumps(document)
+        self.assertNotEqual(texts[name], json.dumps(json.loads(original)))
+        with tempfile.TemporaryDirectory() as folder:
+            for other, text in texts.items():
+                place = pathlib.Path(folder) / other
+                place.parent.mkdir(exist_ok=True)
+                place.write_text(text)
             r = recheck(folder)
         self.assertEqual(r.returncode, 1, r.stdout + r.stderr)
         self.assertIn("wrong (", r.stdout)
@@ -96,9 +96,10 @@ class Tampered(unittest.TestCase):
     WHOLE, MINORS = "third_way_closes_for_two_radii", "totally_positive_exactly_in_the_range"
     COST = "step_costs_additions_only"
     FAILS = "printed_second_derivative_of_quotient_is_wrong"
+    STATEMENT, STATEMENT_ID = "wang-ch3/prop-3.2.4-step-2.json", "wang-ch3:prop-3.2.4-step-2"
 
     def tamper(self, name, change):
-        self.refuses(self.claim(name), lambda d: change(d["cases"][0]))
+        self.refuses(claim(name), lambda d: change(d["cases"][0]))
 
     def test_programs(self):
         self.tamper(self.PROVED, lambda c: self.node(c, "*").__setitem__(0, "+"))
@@ -129,16 +130,15 @@ class Tampered(unittest.TestCase):
 
     def test_counterexamples(self):
         self.tamper(self.FAILS, lambda c: self.last(c["steps"], "same").update(equal=True))
-        self.refuses(self.claim(self.FAILS), lambda d: d.update(outcome="holds"))
+        self.refuses(claim(self.FAILS), lambda d: d.update(outcome="holds"))
 
     def test_claims_and_statements(self):
-        statement = self.root / "wang-ch3" / "prop-3.2.4-step-2.json"
-        self.refuses(self.claim(self.ROOTS), lambda d: d.update(evidence="proved"))
-        self.refuses(statement, lambda d: d.update(verdict="holds"))
-        self.refuses(statement, lambda d: d.update(evidence="proved"))
-        self.refuses(statement, lambda d: d["links"].append({"role": "holds-by", "claim": self.FAILS}))
-        self.refuses(statement, lambda d: d["links"].append({"role": "holds-by", "claim": "no_such_claim"}))
-        self.refuses(statement, lambda d: json.dumps(d)[:-20])
+        self.refuses(claim(self.ROOTS), lambda d: d.update(evidence="proved"))
+        self.refuses(self.STATEMENT, lambda d: d.update(verdict="holds"))
+        self.refuses(self.STATEMENT, lambda d: d.update(evidence="proved"))
+        self.refuses(self.STATEMENT, lambda d: d["links"].append({"role": "holds-by", "claim": self.FAILS}))
+        self.refuses(self.STATEMENT, lambda d: d["links"].append({"role": "holds-by", "claim": "no_such_claim"}))
+        self.refuses(self.STATEMENT, lambda d: json.dumps(d)[:-20])
 
 
 if __name__ == "__main__":
