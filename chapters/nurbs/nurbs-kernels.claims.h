@@ -10,10 +10,9 @@ $(w_iR_i,w_i)$.  The kernels keep weights and points apart.
 :given: several segments, the distinct knots variables, points and weights; every interval of the domain; any $t$
 :then: `nurbs_homogenize` gives $(w_iR_i,w_i)$ for the points of the span, `nurbs_weight` gives $w(t)=\sum_{i=0}^{n-1}N_{i,p}(t)w_i$,
   `nurbs_point` and `nurbs_deboor` give $R(t)$
-:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.  For $p=4$,
-  `kernels_move_with_their_knots` goes from two knots $0$ and $1$ to any.
+:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
 :degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, two neighbours among them $0$ and $1$ for $p=4$, numbers above
+:scope: the distinct knots variables for $p\le4$, numbers above
 :defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
 :control: the weights taken backwards
 :::
@@ -36,7 +35,7 @@ static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
 CLAIM(nurbs_point_is_the_quotient)
 {
     int p = T->degree;
-    struct G(knots) K = {.kind = p == 4 ? UNIT : 0};
+    struct G(knots) K = {0};
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], z[MOST_KNOTS], P[dim], Q[dim], H[(HIGHEST + 1) * (dim + 1)];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_nurbs)(T, K.n, dim, R, w);
@@ -462,20 +461,17 @@ CLAIM(nurbs_torsion_from_homogeneous_coordinates)
 /*
 ## Other units
 
-Nothing changes when knots and parameters are counted from another point and in another unit.  So knots may be so moved that
-two neighbours among them are $0$ and $1$, and what then holds for all splines holds for all knots.  For a kernel this is a
-property that it could lack.
+Nothing changes when knots and parameters are counted from another point and in another unit.  For a kernel this is a property
+that it could lack.
 
 :::{claim} kernels_move_with_their_knots
 :title: Moved and stretched together, knots and parameters give the same points
 :zh: 节点与参数的仿射变换不改变结果
-:given: several segments with simple and with clamped ends; in the field the ends of the first interval of the domain $0$ and $1$
-  and the other distinct knots variables; points and weights; a parameter in every
-  interval of the domain; numbers $a\ne0$ and $b$
+:given: several segments, the distinct knots variables, points and weights; a parameter in every interval of the domain; numbers
+  $a\ne0$ and $b$
 :then: `bspline_insert`, `bspline_split`, `bspline_refine`, `bspline_elevate`, `bspline_reduce`, `discrete_bsplines`, `nurbs_point`
   and `nurbs_weight` give the same for the knots $au_i+b$ and the parameter $at+b$ as for $u_i$ and $t$
-:method: Every kernel twice, elevation and reduction where there is one inner knot at most.  By the recursion of de Boor and Cox, in which only quotients of differences occur, the same is
-  true of the B-splines.  Any knots are $au_i+b$ for knots $u_i$ of the kind given, $a$ being the length of an interval.
+:method: Every kernel twice, elevation and reduction where there is one inner knot at most.
 :degrees: 0..4 sampled 7
 :control: the parameter is moved by $b$ and not stretched; in degree 0, the points are moved
 :::
@@ -489,7 +485,7 @@ static void G(same_points)(trial *T, int count, const num a[], const num b[])
 CLAIM(kernels_move_with_their_knots)
 {
     int p = T->degree, span[MOST_KNOTS];
-    struct G(knots) K = {.kind = UNIT}, F, E;
+    struct G(knots) K = {0}, F, E;
     num R[MOST_KNOTS * dim], w[MOST_KNOTS], moved[MOST_KNOTS], finer[MOST_KNOTS], a = positive(T, "a", 0);
     num b = unknown(T, "b", 0), c[2][MOST_KNOTS * dim], d[2][MOST_KNOTS * dim], v[MOST_KNOTS], v2[MOST_KNOTS];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {

@@ -8,13 +8,12 @@
 #include "chapters/frame/claims_on.h"
 
 enum { HIGHEST = 16 }; /* degree */
-enum { LENGTHS = 1, INTEGERS, UNIT };
+enum { LENGTHS = 1, INTEGERS };
 
 struct G(knots) {
     int kind; /* 0: all distinct knots are variables of the field for p <= 4.  LENGTHS: the knots are x_0, x_0 + h_1,
                         x_0 + h_1 + h_2, ... with positive variables h, for statements about signs, which are read off
-                        coefficients.  INTEGERS: they are 0, 1, 3, 6, 10, ..., for higher degrees.  UNIT: variables of
-                        the field but for the ends of the first interval of the domain, which are 0 and 1          */
+                        coefficients.  INTEGERS: they are 0, 1, 3, 6, 10, ..., for higher degrees                  */
     int p, n, count; /* count = n+p+1 */
     num u[MOST_KNOTS];
     int place[MOST_KNOTS];
@@ -42,9 +41,6 @@ static inline int G(knots_good)(trial *T, int p, const char *pattern, struct G(k
         }
     } else {
         K->count = G(knots_of_pattern)(T, pattern, K->u, K->place);
-        for (int i = 0; i < K->count && FIELD && kind == UNIT; i++)
-            if (K->place[i] == K->place[p] || K->place[i] == K->place[p] + 1)
-                K->u[i] = from_int(K->place[i] - K->place[p]);
     }
     K->n = K->count - p - 1;
     for (int i = 0; i < K->count; i++)
@@ -117,14 +113,14 @@ static inline int G(segment_knots)(trial *T, int p, int k, struct G(knots) * K)
 }
 
 /* Several segments: an inner knot of every multiplicity 0, ..., p+1 between ends that are simple, clamped, and clamped and
- * double; for p <= 2 then also all patterns of 2p+3 knots that are good for degree p.  Over integers, and where two knots
- * are 0 and 1, only simple and clamped ends.  Used as segment_knots. */
+ * double; for p <= 2 then also all patterns of 2p+3 knots that are good for degree p.  Over integers
+ * only simple and clamped ends.  Used as segment_knots. */
 static inline int G(several_knots)(trial *T, int p, int k, struct G(knots) * K)
 {
     char pattern[MOST_KNOTS];
     k = G(next_pattern)(T, p, k);
     int inner = (k + 1) % (p + 2), ends = k / (p + 2), at = 0;
-    if ((G(kind_for)(K, p) == INTEGERS || (FIELD && K->kind == UNIT)) && ends > 1)
+    if (G(kind_for)(K, p) == INTEGERS && ends > 1)
         return 0;
     if (ends > 2) {
         for (int bits = k - 3 * (p + 2); p <= 2 && bits < 1 << (2 * p + 2); bits++) {
