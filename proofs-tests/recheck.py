@@ -179,7 +179,7 @@ class Program:
             else:
                 require(not any(isinstance(i, int) and i < 0 for i in a), "a negative argument")
                 v.append(make[op](*a))
-        return [v[i] for i in self.place]
+        return {k: v[i] for k, i in enumerate(self.place)} # by node: a negative number is none
     def degrees(self):
         """For each node (numerator, denominator) degrees in the inputs, or None where it is not known to be rational in them."""
         d = []
@@ -195,7 +195,7 @@ class Program:
             else:
                 (n, m), (k, l) = d[a[0]], d[a[1]]
                 d.append((n + k, m + l) if op == "*" else (n + l, m + k) if op == "/" else (max(n + l, k + m), m + l))
-        return [d[i] for i in self.place]
+        return {k: d[i] for k, i in enumerate(self.place)}
     def random_runs(self, bound):
         """Enough runs at random inputs, from the text of the case alone, for differences of degree at most `bound`."""
         if bound.bit_length() > 120:

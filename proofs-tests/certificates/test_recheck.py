@@ -109,6 +109,7 @@ class Tampered(unittest.TestCase):
         self.tamper(self.PROVED, lambda c: self.node(c, "*").__setitem__(1, len(c["nodes"]) + 5))
         self.tamper(self.PROVED, lambda c: self.node(c, "*").__setitem__(0, "**"))
         self.tamper(self.PROVED, lambda c: self.last(c["steps"], "same")["same"].__setitem__(0, 0))
+        self.tamper(self.PROVED, lambda c: self.last(c["steps"], "same")["same"].__setitem__(0, -1))
 
     def test_steps(self):
         self.tamper(self.PROVED, lambda c: self.last(c["steps"], "same").update(equal=False))
