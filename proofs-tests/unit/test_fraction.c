@@ -23,6 +23,24 @@ static long pick(long low, long high)
 }
 static num_f variable(long k) { return variable_f((const char *[]){"a", "b", "c", "d", "e"}[k]); }
 
+/* 1 + c_1 a + c_2 b + ... */
+static num_f linear(void)
+{
+    num_f sum = from_int_f(1);
+    for (long k = 0; k < VARIABLES; k++)
+        sum = add_f(sum, mul_f(from_int_f(pick(1, 3)), variable(k)));
+    return sum;
+}
+static num_f power(num_f x, int n)
+{
+    num_f r = from_int_f(1);
+    for (int k = 0; k < n; k++)
+        r = mul_f(r, x);
+    return r;
+}
+/* 1287 terms, linear in no variable: too long to be factored. */
+static num_f long_polynomial(void) { return add_f(power(linear(), 8), variable(pick(0, VARIABLES - 1))); }
+
 /* A difference of two variables, a number times one, a quadratic, or now and then a long polynomial. */
 static num_f factor(void)
 {
@@ -32,31 +50,28 @@ static num_f factor(void)
         return add_f(mul_f(x, y), from_int_f(pick(1, 3)));
     case 1:
         return mul_f(x, from_int_f(pick(1, 6)));
-    case 2: {
-        num_f sum = from_int_f(1);
-        for (long k = 0; k < VARIABLES; k++)
-            sum = add_f(sum, mul_f(from_int_f(pick(1, 3)), variable(k)));
-        num_f power = sum;
-        for (int k = 1; k < 8; k++) /* 1287 terms */
-            power = mul_f(power, sum);
-        return pick(0, 9) == 0 ? add_f(power, x) : sum;
-    }
+    case 2:
+        return pick(0, 9) == 0 ? long_polynomial() : linear();
     default:
         return sub_f(sub_f(x, y), from_int_f(pick(0, 1)));
     }
 }
 
-static num_f random_fraction(void)
+/* A product of up to three factors, of which short ones are repeated now and then; not 0. */
+static num_f product(void)
 {
-    num_f p = from_ratio_f(pick(-6, 6), pick(1, 6)), q = from_int_f(pick(1, 4));
-    for (long k = pick(0, 3); k > 0; k--)
-        p = mul_f(p, factor());
+    num_f q = from_int_f(1), f = factor();
     for (long k = pick(0, 3); k > 0; k--) {
-        num_f f = factor();
+        if (pick(0, 2) > 0 || fmpz_mpoly_length(f.at->numerator, field_context()) > 100)
+            f = factor();
         if (!is_zero_f(f))
             q = mul_f(q, f);
     }
-    return div_f(p, q);
+    return q;
+}
+static num_f random_fraction(void)
+{
+    return div_f(mul_f(from_ratio_f(pick(-6, 6), pick(1, 6)), product()), mul_f(from_int_f(pick(1, 4)), product()));
 }
 
 typedef void operation(struct field_element *, const struct field_element *, const struct field_element *);
@@ -131,6 +146,49 @@ static void over_denominator_agrees(num_f a, num_f b)
     fmpz_mpoly_q_clear(x, ctx), field_slot_clear(&r);
 }
 
+/* Two fractions with the same numerator, or nearly, over denominators that differ in an integer, in one factor, or not at all. */
+static int alike, different;
+static void equality_agrees(void)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    num_f p = from_int_f(7), f = product(), g = product(), q = mul_f(f, g);
+    for (long k = 0; k < VARIABLES; k++)
+        p = add_f(p, mul_f(from_int_f(k + 1), variable(k)));
+    num_f x = div_f(div_f(p, f), g), y;
+    switch (pick(0, 6)) {
+    case 0:
+        y = div_f(p, mul_f(g, f));
+        break;
+    case 1:
+        y = div_f(p, mul_f(from_int_f(5), q));
+        break;
+    case 2:
+        y = div_f(p, mul_f(q, sub_f(variable(0), variable(1))));
+        break;
+    case 3:
+        y = div_f(p, mul_f(f, mul_f(g, g)));
+        break;
+    case 4:
+        y = div_f(p, mul_f(f, product()));
+        break;
+    case 5: /* FLINT has it without the factors */
+        x = div_f(p, f), q = long_polynomial();
+        y = mul_f(div_f(p, q), div_f(q, f));
+        break;
+    default:
+        y = div_f(add_f(p, from_int_f(1)), q);
+    }
+    fmpz_mpoly_q_t a, b;
+    fmpz_mpoly_q_init(a, ctx), fmpz_mpoly_q_init(b, ctx);
+    fraction_get(a, x.at), fraction_get(b, y.at);
+    int same = fmpz_mpoly_q_equal(a, b, ctx);
+    assert_int_equal(equal_f(x, y), same);
+    assert_int_equal(equal_f(y, x), same);
+    alike += same;
+    different += !same && fmpz_mpoly_equal(fmpz_mpoly_q_numref(a), fmpz_mpoly_q_numref(b), ctx);
+    fmpz_mpoly_q_clear(a, ctx), fmpz_mpoly_q_clear(b, ctx);
+}
+
 static void fractions_are_those_of_flint(void **state)
 {
     (void)state;
@@ -138,8 +196,16 @@ static void fractions_are_those_of_flint(void **state)
     for (int round = 0; round < ROUNDS; round++) {
         region_mark mark = region_open();
         num_f a = random_fraction(), b = random_fraction(), c = random_fraction();
-        if (pick(0, 2) == 0) /* common factors, and sums in which something cancels */
+        switch (pick(0, 4)) { /* common factors, and sums in which something cancels */
+        case 0:
             b = sub_f(c, a);
+            break;
+        case 1:
+            b = div_f(a, product());
+            break;
+        case 2:
+            a = div_f(b, product());
+        }
         agrees(fraction_add, fmpz_mpoly_q_add, a, b);
         agrees(fraction_sub, fmpz_mpoly_q_sub, a, b);
         agrees(fraction_sub, fmpz_mpoly_q_sub, a, a);
@@ -149,9 +215,36 @@ static void fractions_are_those_of_flint(void **state)
         derivative_agrees(a, round % VARIABLES);
         over_denominator_agrees(a, b);
         assert_true(equal_f(add_f(add_f(a, b), c), add_f(a, add_f(b, c))));
+        equality_agrees();
         region_drop(mark);
     }
-    assert_true(listed > ROUNDS && not_factored > ROUNDS / 20);
+    assert_true(listed > ROUNDS && not_factored > ROUNDS / 20 && alike > ROUNDS / 10 && different > ROUNDS / 4);
+    region_free_all();
+    field_close();
+    flint_cleanup();
+}
+
+/* (1 + x f^2)/(g f^2) by x is 1/g; and powers up to the greatest that a list holds, and beyond. */
+static void powers_of_factors(void **state)
+{
+    (void)state;
+    field_open(VARIABLES);
+    num_f x = variable(0), f = sub_f(variable(1), variable(2)), g = add_f(variable(3), from_int_f(2)),
+          one = from_int_f(1);
+    num_f a = div_f(div_f(add_f(one, mul_f(x, power(f, 2))), g), power(f, 2));
+    derivative_agrees(a, 0);
+    assert_true(equal_f(derivative_f(a, x), div_f(one, g)));
+    num_f half = one;
+    for (int k = 0; k < FIELD_MOST_POWER / 2; k++)
+        half = div_f(half, f);
+    agrees(fraction_mul, fmpz_mpoly_q_mul, half, half);
+    num_f most = mul_f(half, half), beyond = div_f(most, f);
+    assert_true(most.at->factors.known && !beyond.at->factors.known);
+    agrees(fraction_mul, fmpz_mpoly_q_mul, div_f(one, mul_f(g, f)), most);
+    agrees(fraction_div, fmpz_mpoly_q_div, most, mul_f(f, g));
+    agrees(fraction_add, fmpz_mpoly_q_add, most, beyond);
+    agrees(fraction_sub, fmpz_mpoly_q_sub, beyond, half);
+    assert_true(equal_f(mul_f(beyond, f), most) && equal_f(most, mul_f(beyond, f)));
     region_free_all();
     field_close();
     flint_cleanup();
@@ -159,6 +252,7 @@ static void fractions_are_those_of_flint(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(fractions_are_those_of_flint)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(fractions_are_those_of_flint),
+                                       cmocka_unit_test(powers_of_factors)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
