@@ -518,6 +518,8 @@ static int same_denominators(const struct field_element *a, const struct field_e
     return same;
 }
 
+/* The lowest terms are unique.  Whatever the lists are, what is called equal here is equal: the same numerator over the same
+ * product. */
 int fraction_equal(const struct field_element *a, const struct field_element *b)
 {
     return fmpz_mpoly_equal(a->numerator, b->numerator, field_context()) && same_denominators(a, b);

@@ -77,7 +77,7 @@ void test_free(void *block)
 
 /* ---- fits ------------------------------------------------------------------------------------------- */
 
-enum { POINTS = 14, MOST_DIM = 3, MANY = 40 };
+enum { POINTS = 14, MOST_DIM = 3 };
 static double points[POINTS * MOST_DIM], sigma[POINTS];
 
 /* Points of an arc, off it by a little that no random numbers are needed for. */
