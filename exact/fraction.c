@@ -1,5 +1,6 @@
 #include "exact/fraction.h"
 
+#include <flint/fmpq.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <string.h>
 
@@ -72,10 +73,16 @@ static void reduce_content(fmpz_mpoly_t p, fmpz_t c)
     fmpz_clear(g);
 }
 
-static void multiply_by_integer(fmpz_mpoly_t p, const fmpz_t c)
+/* The next functions give p itself where there is nothing to do, and otherwise the result, which they put into `room`.
+ * `room` may be p. */
+
+/* p c */
+static const fmpz_mpoly_struct *times_integer(fmpz_mpoly_t room, const fmpz_mpoly_struct *p, const fmpz_t c)
 {
-    if (!fmpz_is_one(c))
-        fmpz_mpoly_scalar_mul_fmpz(p, p, c, field_context());
+    if (fmpz_is_one(c))
+        return p;
+    fmpz_mpoly_scalar_mul_fmpz(room, p, c, field_context());
+    return room;
 }
 
 /* ---- lists of factors ----------------------------------------------------------------------------- */
@@ -118,11 +125,12 @@ static void drop_trivial(struct factored *d)
     d->count = (unsigned char)kept;
 }
 
-/* p = p f^power */
-static void expand_by(fmpz_mpoly_t p, int factor, int power)
+/* p f^power; p for a negative power */
+static const fmpz_mpoly_struct *times_power(fmpz_mpoly_t room, const fmpz_mpoly_struct *p, int factor, int power)
 {
-    for (; power > 0; power--)
-        fmpz_mpoly_mul(p, p, &factors.poly[factor], field_context());
+    for (; power > 0; power--, p = room)
+        fmpz_mpoly_mul(room, p, &factors.poly[factor], field_context());
+    return p;
 }
 
 /* p = p/f as often as f divides p, at most `most` times; how often it was. */
@@ -141,15 +149,20 @@ static int divide_out(fmpz_mpoly_t p, int factor, int most)
 }
 
 /* p without the factors that the list `of` has and `own`, the denominator of p, has not; d loses them. */
-static void cancel(fmpz_mpoly_t p, const struct factored *own, const struct factored *of, struct factored *d)
+static const fmpz_mpoly_struct *cancelled(fmpz_mpoly_t room, const fmpz_mpoly_struct *p, const struct factored *own,
+                                          const struct factored *of, struct factored *d)
 {
     for (int k = 0; k < of->count; k++)
         if (power_in(own, of->factor[k]) == 0) {
-            int times = divide_out(p, of->factor[k], of->power[k]);
+            if (p != room)
+                fmpz_mpoly_set(room, p, field_context());
+            p = room;
+            int times = divide_out(room, of->factor[k], of->power[k]);
             for (int j = 0; times > 0 && j < d->count; j++)
                 if (d->factor[j] == of->factor[k])
                     d->power[j] = (unsigned char)(d->power[j] - times);
         }
+    return p;
 }
 
 /* ---- the factors of a divisor ------------------------------------------------------------------------ */
@@ -254,7 +267,7 @@ void fraction_denominator(fmpz_mpoly_t q, const struct field_element *a)
     }
     fmpz_mpoly_set_fmpz(q, a->content, ctx);
     for (int k = 0; k < a->factors.count; k++)
-        expand_by(q, a->factors.factor[k], a->factors.power[k]);
+        times_power(q, q, a->factors.factor[k], a->factors.power[k]);
 }
 
 int fraction_denominator_degree(const struct field_element *a, int variable)
@@ -285,6 +298,33 @@ static void set(struct field_element *r, fmpz_mpoly_q_t x)
     else
         fmpz_mpoly_swap(r->rest, fmpz_mpoly_q_denref(x), ctx);
 }
+
+/* ---- numbers, the most frequent operands ---------------------------------------------------------------- */
+
+static int is_number(const struct field_element *a)
+{
+    return a->factors.known && a->factors.count == 0 && fmpz_mpoly_is_fmpz(a->numerator, field_context());
+}
+
+typedef void on_numbers(fmpz_t, fmpz_t, const fmpz_t, const fmpz_t, const fmpz_t, const fmpz_t);
+
+/* r = the operation on a and b, if both are numbers. */
+static int are_numbers(on_numbers *operation, struct field_element *r, const struct field_element *a,
+                       const struct field_element *b)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (!is_number(a) || !is_number(b))
+        return 0;
+    fmpz_t p, q, result;
+    fmpz_init(p), fmpz_init(q), fmpz_init(result);
+    fmpz_mpoly_get_fmpz(p, a->numerator, ctx), fmpz_mpoly_get_fmpz(q, b->numerator, ctx);
+    operation(result, r->content, p, a->content, q, b->content);
+    fmpz_mpoly_set_fmpz(r->numerator, result, ctx);
+    fmpz_clear(p), fmpz_clear(q), fmpz_clear(result);
+    return 1;
+}
+
+/* ---- whatever is not factored ---------------------------------------------------------------------------- */
 
 typedef void by_flint(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
 
@@ -319,10 +359,12 @@ static void finish(struct field_element *r, struct factored *d)
 
 /* Over the least common multiple of the denominators.  A factor f with different powers in them does not divide the new
  * numerator: it divides just one of its two terms, as a and b are in lowest terms. */
-static void add_or_subtract(by_flint *operation, struct field_element *r, const struct field_element *a,
+static void add_or_subtract(int sign, struct field_element *r, const struct field_element *a,
                             const struct field_element *b)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
+    if (are_numbers(sign > 0 ? _fmpq_add : _fmpq_sub, r, a, b))
+        return;
     const struct factored *da = &a->factors, *db = &b->factors;
     struct factored d = *da;
     int fits = da->known && db->known;
@@ -331,44 +373,45 @@ static void add_or_subtract(by_flint *operation, struct field_element *r, const 
         fits = more <= 0 || multiply_by(&d, db->factor[k], more);
     }
     if (!fits) {
-        leave_to(operation, r, a, b);
+        leave_to(sign > 0 ? fmpz_mpoly_q_add : fmpz_mpoly_q_sub, r, a, b);
         return;
     }
-    fmpz_mpoly_t other;
+    fmpz_mpoly_t p, q;
     fmpz_t ca, cb;
-    fmpz_mpoly_init(other, ctx), fmpz_init_set(ca, a->content), fmpz_init_set(cb, b->content);
+    fmpz_mpoly_init(p, ctx), fmpz_mpoly_init(q, ctx);
+    fmpz_init_set(ca, a->content), fmpz_init_set(cb, b->content);
     if (!fmpz_is_one(ca) && !fmpz_is_one(cb)) {
         fmpz_gcd(r->content, ca, cb);
         fmpz_divexact(ca, ca, r->content), fmpz_divexact(cb, cb, r->content);
     }
     fmpz_mul(r->content, a->content, cb);
-    fmpz_mpoly_set(r->numerator, a->numerator, ctx), fmpz_mpoly_set(other, b->numerator, ctx);
-    multiply_by_integer(r->numerator, cb), multiply_by_integer(other, ca);
+    const fmpz_mpoly_struct *terms_of_a = times_integer(p, a->numerator, cb);
+    const fmpz_mpoly_struct *terms_of_b = times_integer(q, b->numerator, ca);
     for (int k = 0; k < d.count; k++) {
-        int in_a = power_in(da, d.factor[k]), in_b = power_in(db, d.factor[k]);
-        expand_by(r->numerator, d.factor[k], in_b - in_a);
-        expand_by(other, d.factor[k], in_a - in_b);
+        int more_in_b = power_in(db, d.factor[k]) - power_in(da, d.factor[k]);
+        terms_of_a = times_power(p, terms_of_a, d.factor[k], more_in_b);
+        terms_of_b = times_power(q, terms_of_b, d.factor[k], -more_in_b);
     }
-    (operation == fmpz_mpoly_q_add ? fmpz_mpoly_add : fmpz_mpoly_sub)(r->numerator, r->numerator, other, ctx);
+    (sign > 0 ? fmpz_mpoly_add : fmpz_mpoly_sub)(r->numerator, terms_of_a, terms_of_b, ctx);
     for (int k = 0; k < d.count && !is_zero(r); k++)
         if (power_in(da, d.factor[k]) == power_in(db, d.factor[k]))
             d.power[k] = (unsigned char)(d.power[k] - divide_out(r->numerator, d.factor[k], d.power[k]));
     finish(r, &d);
-    fmpz_clear(ca), fmpz_clear(cb), fmpz_mpoly_clear(other, ctx);
+    fmpz_clear(ca), fmpz_clear(cb), fmpz_mpoly_clear(p, ctx), fmpz_mpoly_clear(q, ctx);
 }
 void fraction_add(struct field_element *r, const struct field_element *a, const struct field_element *b)
 {
-    add_or_subtract(fmpz_mpoly_q_add, r, a, b);
+    add_or_subtract(1, r, a, b);
 }
 void fraction_sub(struct field_element *r, const struct field_element *a, const struct field_element *b)
 {
-    add_or_subtract(fmpz_mpoly_q_sub, r, a, b);
+    add_or_subtract(-1, r, a, b);
 }
 
 void fraction_mul(struct field_element *r, const struct field_element *a, const struct field_element *b)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    if (is_zero(a) || is_zero(b))
+    if (is_zero(a) || is_zero(b) || are_numbers(_fmpq_mul, r, a, b))
         return;
     struct factored d = a->factors;
     int fits = a->factors.known && b->factors.known;
@@ -378,22 +421,26 @@ void fraction_mul(struct field_element *r, const struct field_element *a, const 
         leave_to(fmpz_mpoly_q_mul, r, a, b);
         return;
     }
-    fmpz_mpoly_t other;
-    fmpz_mpoly_init(other, ctx);
-    fmpz_mpoly_set(r->numerator, a->numerator, ctx), fmpz_mpoly_set(other, b->numerator, ctx);
-    cancel(r->numerator, &a->factors, &b->factors, &d);
-    cancel(other, &b->factors, &a->factors, &d);
-    fmpz_mpoly_mul(r->numerator, r->numerator, other, ctx);
+    fmpz_mpoly_t room_a, room_b;
+    fmpz_mpoly_init(room_a, ctx), fmpz_mpoly_init(room_b, ctx);
+    const fmpz_mpoly_struct *p = cancelled(room_a, a->numerator, &a->factors, &b->factors, &d);
+    const fmpz_mpoly_struct *q = cancelled(room_b, b->numerator, &b->factors, &a->factors, &d);
+    if (fmpz_mpoly_is_fmpz(p, ctx))
+        fmpz_mpoly_scalar_mul_fmpz(r->numerator, q, p->coeffs, ctx);
+    else if (fmpz_mpoly_is_fmpz(q, ctx))
+        fmpz_mpoly_scalar_mul_fmpz(r->numerator, p, q->coeffs, ctx);
+    else
+        fmpz_mpoly_mul(r->numerator, p, q, ctx);
     fmpz_mul(r->content, a->content, b->content);
     finish(r, &d);
-    fmpz_mpoly_clear(other, ctx);
+    fmpz_mpoly_clear(room_a, ctx), fmpz_mpoly_clear(room_b, ctx);
 }
 
 /* a/b = (p/A)/(q/B) = p (B/A)/q: what A and B have in common cancels by comparing lists, p and q by trial division. */
 void fraction_div(struct field_element *r, const struct field_element *a, const struct field_element *b)
 {
     const fmpz_mpoly_ctx_struct *ctx = field_context();
-    if (is_zero(a))
+    if (is_zero(a) || are_numbers(_fmpq_div, r, a, b))
         return;
     struct factored divisor, d = a->factors;
     const struct factored *B = &b->factors;
@@ -405,7 +452,7 @@ void fraction_div(struct field_element *r, const struct field_element *a, const 
         return;
     }
     fmpz_mpoly_set(r->numerator, a->numerator, ctx);
-    cancel(r->numerator, &a->factors, &divisor, &d);
+    cancelled(r->numerator, r->numerator, &a->factors, &divisor, &d);
     for (int k = 0; k < B->count; k++) {
         int common = 0;
         for (int j = 0; j < d.count; j++)
@@ -413,9 +460,9 @@ void fraction_div(struct field_element *r, const struct field_element *a, const 
                 common = d.power[j] < B->power[k] ? d.power[j] : B->power[k];
                 d.power[j] = (unsigned char)(d.power[j] - common);
             }
-        expand_by(r->numerator, B->factor[k], B->power[k] - common);
+        times_power(r->numerator, r->numerator, B->factor[k], B->power[k] - common);
     }
-    multiply_by_integer(r->numerator, b->content);
+    times_integer(r->numerator, r->numerator, b->content);
     fmpz_t c;
     fmpz_init(c);
     _fmpz_vec_content(c, b->numerator->coeffs, b->numerator->length);
@@ -435,7 +482,7 @@ void fraction_over_denominator_of(struct field_element *r, const fmpz_mpoly_t p,
         fmpz_mpoly_set(r->numerator, p, ctx);
         fmpz_set(r->content, a->content);
         if (!is_zero(r))
-            cancel(r->numerator, &none, &a->factors, &d);
+            cancelled(r->numerator, r->numerator, &none, &a->factors, &d);
         finish(r, &d);
         return;
     }
@@ -480,7 +527,7 @@ void fraction_derivative(struct field_element *r, const struct field_element *a,
         fmpz_mpoly_sub(r->numerator, r->numerator, term, ctx);
         fmpz_set(r->content, a->content);
         if (!is_zero(r))
-            cancel(r->numerator, &none, &constant, &d);
+            cancelled(r->numerator, r->numerator, &none, &constant, &d);
         finish(r, &d);
     } else {
         fmpz_mpoly_q_t x;
