@@ -32,23 +32,49 @@ struct trace {
     int paused, gave_up, input_count;
 };
 
+/* There is room for n more bytes and the 0 at the end. */
+static void make_room(struct text *t, size_t n)
+{
+    if (t->length + n < t->room)
+        return;
+    t->room = 2 * t->room + n + 256;
+    t->at = realloc(t->at, t->room);
+    if (t->at == NULL)
+        abort();
+}
+
 static void put(struct text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 static void put(struct text *t, const char *format, ...)
 {
-    va_list list;
-    va_start(list, format);
-    int n = vsnprintf(NULL, 0, format, list);
-    va_end(list);
-    if (t->length + (size_t)n + 2 > t->room) {
-        t->room = 2 * t->room + (size_t)n + 256;
-        t->at = realloc(t->at, t->room);
-        if (t->at == NULL)
-            abort();
+    make_room(t, 0);
+    for (int n = 0;; make_room(t, (size_t)n)) {
+        va_list list;
+        va_start(list, format);
+        n = vsnprintf(t->at + t->length, t->room - t->length, format, list);
+        va_end(list);
+        if (t->length + (size_t)n < t->room) {
+            t->length += (size_t)n;
+            return;
+        }
     }
-    va_start(list, format);
-    vsnprintf(t->at + t->length, t->room - t->length, format, list);
-    va_end(list);
-    t->length += (size_t)n;
+}
+
+/* Nodes are written by the million, so without format. */
+static void put_word(struct text *t, const char *word)
+{
+    size_t n = strlen(word);
+    make_room(t, n);
+    memcpy(t->at + t->length, word, n + 1);
+    t->length += n;
+}
+static void put_index(struct text *t, int k)
+{
+    char digits[16], *at = digits + sizeof digits - 1;
+    *at = '\0';
+    do
+        *--at = (char)('0' + k % 10);
+    while ((k /= 10) > 0);
+    put_word(t, at);
 }
 
 /* A comma unless something was just opened. */
@@ -56,7 +82,7 @@ static void separate(struct text *t)
 {
     char last = t->length > 0 ? t->at[t->length - 1] : '[';
     if (last != '[' && last != '{' && last != ':')
-        put(t, ",");
+        put_word(t, ",");
 }
 
 static void put_value(struct text *t, mpq_srcptr x)
@@ -65,11 +91,11 @@ static void put_value(struct text *t, mpq_srcptr x)
         put(t, "null");
         return;
     }
-    char *s = mpq_get_str(NULL, 10, x);
-    void (*release)(void *, size_t);
-    put(t, "\"%s\"", s);
-    mp_get_memory_functions(NULL, NULL, &release);
-    release(s, strlen(s) + 1);
+    put_word(t, "\"");
+    make_room(t, mpz_sizeinbase(mpq_numref(x), 10) + mpz_sizeinbase(mpq_denref(x), 10) + 3);
+    mpq_get_str(t->at + t->length, 10, x);
+    t->length += strlen(t->at + t->length);
+    put_word(t, "\"");
 }
 
 void trace_open(size_t most)
@@ -182,7 +208,9 @@ static int begin_node(const void *slot, const char *op)
         return 0;
     }
     separate(&tracing->nodes);
-    put(&tracing->nodes, "[\"%s\"", op);
+    put_word(&tracing->nodes, "[\"");
+    put_word(&tracing->nodes, op);
+    put_word(&tracing->nodes, "\"");
     hold(slot, (int)tracing->count++);
     return 1;
 }
@@ -191,9 +219,11 @@ void trace_node(const void *slot, const char *op, int count, const int argument[
 {
     if (!begin_node(slot, op))
         return;
-    for (int k = 0; k < count; k++)
-        put(&tracing->nodes, ",%d", argument[k]);
-    put(&tracing->nodes, "]");
+    for (int k = 0; k < count; k++) {
+        put_word(&tracing->nodes, ",");
+        put_index(&tracing->nodes, argument[k]);
+    }
+    put_word(&tracing->nodes, "]");
 }
 
 void trace_literal(const void *slot, const char *op, int count, mpq_srcptr (*get)(const void *list, int k),
@@ -202,10 +232,10 @@ void trace_literal(const void *slot, const char *op, int count, mpq_srcptr (*get
     if (!begin_node(slot, op))
         return;
     for (int k = 0; k < count; k++) {
-        put(&tracing->nodes, ",");
+        put_word(&tracing->nodes, ",");
         put_value(&tracing->nodes, get(list, k));
     }
-    put(&tracing->nodes, "]");
+    put_word(&tracing->nodes, "]");
 }
 
 static mpq_srcptr itself(const void *number, int k)
