@@ -32,9 +32,9 @@ FIGURE(pencil_of_conics)
     const num_q lambda[] = {q(-2),   r(-1, 2), r(-1, 8), q(0),    r(1, 8), r(1, 3),
                             r(2, 3), r(7, 8),  q(1),     r(9, 8), r(3, 2), q(3)};
     for (size_t k = 0; k < sizeof lambda / sizeof *lambda; k++)
-        svg_implicit(s, member, &lambda[k], 160, SVG_FAMILY);
+        svg_implicit(s, member, &lambda[k], 80, SVG_FAMILY);
     num_q half = r(1, 2);
-    svg_implicit(s, member, &half, 200, SVG_CURVE);
+    svg_implicit(s, member, &half, 80, SVG_CURVE);
     svg_line(s, svg_at(-1, -1), svg_at(1, 1), SVG_WRONG);
     svg_line(s, svg_at(-1, 1), svg_at(1, -1), SVG_WRONG);
     for (int k = 0; k < 4; k++)
@@ -47,7 +47,7 @@ FIGURE(pencil_of_conics)
     svg_frame(s);
     const num_q touching[] = {q(-1), r(-1, 4), r(-1, 20), q(0), r(1, 20), r(1, 9), r(1, 5), r(1, 3), r(3, 5), r(3, 2)};
     for (size_t k = 0; k < sizeof touching / sizeof *touching; k++)
-        svg_implicit(s, touching_member, &touching[k], 160, SVG_FAMILY);
+        svg_implicit(s, touching_member, &touching[k], 120, SVG_FAMILY);
     svg_line(s, svg_at(0, 0), svg_at(0, 1), SVG_WRONG);
     svg_line(s, svg_at(1, 0), svg_at(0, 1), SVG_WRONG);
     svg_mark(s, svg_at(1, 0), SVG_POINT, SVG_USUAL);
