@@ -51,10 +51,14 @@ static void points_of(int n, int dim, const num c[], int at, num b[])
 /* d_j: the coefficients of c(u + h s) in powers of s, by the binomial theorem */
 static void compose(int n, const num c[], num u, num h, num d[])
 {
+    num power_of_u[MAX_DEGREE + 1];
+    for (int k = 0; k <= n; k++)
+        power_of_u[k] = power(u, k);
     for (int j = 0; j <= n; j++) {
         d[j] = from_int(0);
         for (int k = j; k <= n; k++)
-            d[j] = add(d[j], mul(c[k], mul(choose(k, j), mul(power(u, k - j), power(h, j)))));
+            d[j] = add(d[j], mul(c[k], mul(choose(k, j), power_of_u[k - j])));
+        d[j] = mul(d[j], power(h, j));
     }
 }
 static num factorial(int k) { return k == 0 ? from_int(1) : mul(from_int(k), factorial(k - 1)); }
@@ -821,10 +825,9 @@ static void shape_functions(int n, num beta, num t, num out[])
 {
     int last = n == 0 ? 7 : n;
     for (int i = 0; i <= last; i++) {
-        num unit[MAX_DEGREE + 1], c[MAX_DEGREE + 2];
-        for (int j = 0; j <= last; j++)
-            unit[j] = from_int(i == j);
-        shape_powers(n, 1, unit, beta, 0, c);
+        num c[MAX_DEGREE + 2];
+        for (int k = 0; k <= last + 1; k++)
+            c[k] = n == 0 ? in_printed_function(i, beta, k) : in_shape_function(n, i, beta, k);
         out[i] = derivative_at(last + 1, c, 0, t);
     }
 }
