@@ -149,8 +149,8 @@ class Copy:
         self.root, self.jobs = pathlib.Path(folder) / "tree", str(jobs)
         shutil.copytree(ROOT, self.root, ignore=shutil.ignore_patterns("build", "build-*", ".git"))
         self.original = {path.name: path.read_text() for path in (self.root / "core").glob("*.tmpl.h")}
-        self.must("cmake", "-G", "Ninja", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Release",
-                  "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DBUILD_TESTING=OFF", "-DCAGD_TYPES=" + ";".join(types),
+        self.must("cmake", "-G", "Ninja", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug",
+                  "-DCMAKE_C_FLAGS_DEBUG=-O0", "-DBUILD_TESTING=OFF", "-DCAGD_TYPES=" + ";".join(types),
                   *(["-DCAGD_CHAPTERS=" + ";".join(chapters)] if chapters else []))
 
     def must(self, *command):
