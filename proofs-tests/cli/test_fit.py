@@ -776,7 +776,7 @@ class Fits(Case):
                               (table([[i, 2 * i] for i in range(9)]), []),
                               (table([[5e6 + x, 4e-9 * y] for x, y in quadratic(30)]), []),
                               (table([[x, math.sin(x)] for x in (6 * i / 59 for i in range(60))]),
-                               ["--degree", "3", "--control-points", "12"])]:
+                               ["--degree", "3", "--control-points", "12", "--max-iterations", "20"])]:
             svg = self.folder / "p.svg"
             r = run("fit", self.file(text), "--svg", svg, "--no-verify", *options)
             self.assertIn(r.returncode, (0, 1), r)
