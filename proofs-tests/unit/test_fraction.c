@@ -111,6 +111,15 @@ static void agrees(operation *op, reference *by_flint, num_f a, num_f b)
     fmpz_mpoly_q_clear(expected, ctx), fmpz_mpoly_q_clear(x, ctx), fmpz_mpoly_q_clear(y, ctx), field_slot_clear(&r);
 }
 
+static void all_operations_agree(num_f a, num_f b)
+{
+    agrees(fraction_add, fmpz_mpoly_q_add, a, b);
+    agrees(fraction_sub, fmpz_mpoly_q_sub, a, b);
+    agrees(fraction_mul, fmpz_mpoly_q_mul, a, b);
+    if (!is_zero_f(b))
+        agrees(fraction_div, fmpz_mpoly_q_div, a, b);
+}
+
 /* (p/q)' = (p' q - p q')/q^2 */
 static void derivative_agrees(num_f a, int variable)
 {
@@ -212,12 +221,8 @@ static void fractions_are_those_of_flint(void **state)
         case 4:
             a = is_zero_f(b) ? a : div_f(product(), b);
         }
-        agrees(fraction_add, fmpz_mpoly_q_add, a, b);
-        agrees(fraction_sub, fmpz_mpoly_q_sub, a, b);
+        all_operations_agree(a, b);
         agrees(fraction_sub, fmpz_mpoly_q_sub, a, a);
-        agrees(fraction_mul, fmpz_mpoly_q_mul, a, b);
-        if (!is_zero_f(b))
-            agrees(fraction_div, fmpz_mpoly_q_div, a, b);
         derivative_agrees(a, round % VARIABLES);
         over_denominator_agrees(a, b);
         assert_true(equal_f(add_f(add_f(a, b), c), add_f(a, add_f(b, c))));
@@ -251,6 +256,35 @@ static void powers_of_factors(void **state)
     agrees(fraction_add, fmpz_mpoly_q_add, most, beyond);
     agrees(fraction_sub, fmpz_mpoly_q_sub, beyond, half);
     assert_true(equal_f(mul_f(beyond, f), most) && equal_f(most, mul_f(beyond, f)));
+    for (int k = 0; k < 256; k++) { /* of two factors, each up to the third */
+        region_mark mark = region_open();
+        num_f p = add_f(x, mul_f(power(f, k % 2), power(g, k % 3))), q = add_f(x, from_int_f(2));
+        all_operations_agree(div_f(p, mul_f(power(f, k % 4), power(g, k / 4 % 4))),
+                             div_f(q, mul_f(power(f, k / 16 % 4), power(g, k / 64))));
+        region_drop(mark);
+    }
+    region_free_all();
+    field_close();
+    flint_cleanup();
+}
+
+/* Numbers with numbers and with what is none. */
+static void numbers(void **state)
+{
+    (void)state;
+    field_open(VARIABLES);
+    num_f x = variable(0), others[] = {x, sub_f(x, from_int_f(3)), div_f(from_int_f(2), sub_f(x, variable(1)))};
+    for (int m = -4; m <= 4; m++)
+        for (int n = 1; n <= 6; n++) {
+            num_f a = from_ratio_f(m, n);
+            for (int i = -4; i <= 4; i++)
+                for (int j = 1; j <= 6; j++)
+                    all_operations_agree(a, from_ratio_f(i, j));
+            for (int k = 0; k < 3; k++) {
+                all_operations_agree(a, others[k]);
+                all_operations_agree(others[k], a);
+            }
+        }
     region_free_all();
     field_close();
     flint_cleanup();
@@ -259,6 +293,6 @@ static void powers_of_factors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(fractions_are_those_of_flint),
-                                       cmocka_unit_test(powers_of_factors)};
+                                       cmocka_unit_test(powers_of_factors), cmocka_unit_test(numbers)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
