@@ -8,7 +8,7 @@ _cagd() {
         verify) COMPREPLY=($(compgen -W "--json --tap --junit --certificates --report --jobs --deep --shard --help" -- "$word")) ;;
         ledger) COMPREPLY=($(compgen -W "--json --summary --striking --jobs --help" -- "$word")) ;;
         show) COMPREPLY=($(compgen -W "--json --jobs --help" -- "$word")) ;;
-        figures) COMPREPLY=($(compgen -W "--out --list --help" -- "$word")) ;;
+        figures) COMPREPLY=($(compgen -W "--out --list --jobs --help" -- "$word")) ;;
         curve)
             COMPREPLY=($(compgen -W "--at --derivatives --left --insert --remove --elevate --reduce --split --bezier --json \
                 --help" -- "$word")) ;;
@@ -23,7 +23,7 @@ _cagd() {
     elif [ "$command" = fit ] && [ "${COMP_WORDS[COMP_CWORD - 1]}" = --loss ]; then
         COMPREPLY=($(compgen -W "squares huber cauchy" -- "$word"))
     elif [ "$command" = fit ] && [ "${COMP_WORDS[COMP_CWORD - 1]}" = --free ]; then
-        COMPREPLY=($(compgen -W "weights inner ends weights,inner weights,inner,ends" -- "$word"))
+        COMPREPLY=($(compgen -W "weights inner ends weights,inner weights,inner,ends none" -- "$word"))
     elif [ "$command" = curve ] || [ "$command" = fit ]; then
         COMPREPLY=($(compgen -f -- "$word"))
     else

@@ -1,15 +1,17 @@
+#include "chapters/frame/parallel.h"
 #include "cli/command.h"
 #include "exact/region.h"
 #include "figures/svg.h"
 
 #include <fnmatch.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 struct arguments {
     struct patterns patterns;
     const char *out;
-    int list;
+    int list, jobs;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -21,6 +23,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case 'l':
         a->list = 1;
+        break;
+    case 'j':
+        a->jobs = whole_number(state, "--jobs", arg, 1, 64);
         break;
     case ARGP_KEY_ARGS:
         a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
@@ -39,11 +44,35 @@ static int wanted(const char *name, const struct patterns *p)
     return p->count == 0;
 }
 
+struct work {
+    const char *folder;
+    const figure **list;
+    atomic_int failed;
+};
+
+/* Figure k, unless another one failed. */
+static void draw(void *context, int k)
+{
+    struct work *w = context;
+    if (w->failed > 0)
+        return;
+    region_mark mark = region_open();
+    struct svg *s = w->list[k]->draw();
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s.svg", w->folder, w->list[k]->name);
+    if (svg_text(s) == NULL)
+        fprintf(stderr, "cagd: figure '%s' cannot be drawn: %s\n", w->list[k]->name, svg_failed(s));
+    w->failed += svg_text(s) == NULL || write_text_file(path, svg_text(s)) != 0;
+    svg_free(s);
+    region_drop(mark);
+}
+
 int run_figures(int argc, char **argv)
 {
     static const struct argp_option options[] = {
         {"out", 'o', "DIR", 0, "Folder to write to (default: the current one)", 0},
         {"list", 'l', 0, 0, "Only print the names", 0},
+        {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
         {0}};
     static const struct argp argp = {options,
                                      parse,
@@ -56,7 +85,7 @@ int run_figures(int argc, char **argv)
                                      NULL,
                                      NULL,
                                      NULL};
-    struct arguments a = {.out = "."};
+    struct arguments a = {.out = ".", .jobs = processors()};
     parse_arguments(&argp, argc, argv, &a);
     for (int k = 0; k < a.patterns.count; k++) {
         int found = 0;
@@ -69,30 +98,26 @@ int run_figures(int argc, char **argv)
     }
     if (!a.list && make_folder(a.out) != 0)
         return EXIT_INTERNAL;
-    int code = EXIT_AS_EXPECTED, drawn = 0;
-    for (const figure *f = all_figures; f->name != NULL && code == EXIT_AS_EXPECTED; f++) {
-        if (!wanted(f->name, &a.patterns))
-            continue;
-        if (a.list) {
-            puts(f->name);
-            continue;
-        }
-        region_mark mark = region_open();
-        struct svg *s = f->draw();
-        char path[4096];
-        snprintf(path, sizeof path, "%s/%s.svg", a.out, f->name);
-        if (svg_text(s) == NULL) {
-            fprintf(stderr, "cagd: figure '%s' cannot be drawn: %s\n", f->name, svg_failed(s));
-            code = EXIT_INTERNAL;
-        } else if (write_text_file(path, svg_text(s)) != 0) {
-            code = EXIT_INTERNAL;
-        }
-        svg_free(s);
-        region_drop(mark);
-        drawn++;
-    }
-    if (!a.list && code == EXIT_AS_EXPECTED)
-        printf("%d figures in %s\n", drawn, a.out);
-    exact_thread_end();
-    return code;
+    int count = 0;
+    while (all_figures[count].name != NULL)
+        count++;
+    const figure **list = calloc((size_t)count + 1, sizeof *list);
+    if (list == NULL)
+        abort();
+    count = 0;
+    for (const figure *f = all_figures; f->name != NULL; f++)
+        if (wanted(f->name, &a.patterns))
+            list[count++] = f;
+    struct work w = {.folder = a.out, .list = list};
+    if (a.list)
+        for (int k = 0; k < count; k++)
+            puts(list[k]->name);
+    else
+        in_parallel(a.jobs, count, draw, &w);
+    free(list);
+    if (w.failed > 0)
+        return EXIT_INTERNAL;
+    if (!a.list)
+        printf("%d figures in %s\n", count, a.out);
+    return EXIT_AS_EXPECTED;
 }

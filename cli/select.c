@@ -40,7 +40,7 @@ int claim_matches(const claim *c, const struct patterns *p)
     if (p->count == 0 || any_name(p, c))
         return 1;
     for (const statement *s = all_statements; s->id != NULL; s++)
-        if (any(p, s->id) && names(s, c->name))
+        if (names(s, c->name) && any(p, s->id))
             return 1;
     return 0;
 }
@@ -50,7 +50,7 @@ int statement_matches(const statement *s, const struct patterns *p)
     if (p->count == 0 || any(p, s->id))
         return 1;
     for (const claim *c = all_claims; c->name != NULL; c++)
-        if (any_name(p, c) && names(s, c->name))
+        if (names(s, c->name) && any_name(p, c))
             return 1;
     return 0;
 }

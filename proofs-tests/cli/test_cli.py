@@ -74,6 +74,23 @@ class Usage(Case):
             self.assertLess(r.stdout.index("Examples"), r.stdout.index("--help"))
         self.assertIn("Examples", run("--help").stdout)
 
+    def test_manual_and_completion_have_the_options_of_every_command(self):
+        manual = (ROOT / "cli" / "cagd.1").read_text().replace("\\", "").replace("fB", "").replace("fR", "")
+        synopsis = re.search(r"\.SH SYNOPSIS\n(.*?)\n\.SH", manual, re.S).group(1)
+        forms = re.findall(r"^\.B cagd (\w+)\n(.*?)(?=^\.b|\Z)", synopsis, re.S | re.M)
+        completion = (ROOT / "cli" / "completion.bash").read_text()
+        completed = dict(re.findall(r'(\w+)\)\s*COMPREPLY=\(\$\(compgen -W "(.*?)"', completion.replace("\\\n", " "), re.S))
+        option = re.compile(r"(?<![\w-])--[a-z-]+")
+        commands = re.findall(r"^  (\w+)  ", run("--help").stdout, re.M)
+        self.assertEqual({command for command, _ in forms}, set(commands))
+        for command in commands:
+            with self.subTest(command=command):
+                usage = run(command, "--usage").stdout
+                own = set(option.findall(usage)) - {"--help", "--usage"}
+                named = {o for c, text in forms if c == command for o in option.findall(text)}
+                self.assertEqual(named, own)
+                self.assertEqual(set(option.findall(completed.get(command, completed.get("*", "--json")))) - {"--help"}, own)
+
     def test_version(self):
         self.assertRegex(run("--version").stdout, r"^cagd \d+\.\d+\.\d+\n$")
 
@@ -339,6 +356,19 @@ class Figures(Case):
         self.assertEqual(sorted(drawn), sorted(kept))
         for name in drawn:
             self.assertEqual(drawn[name], kept[name], name)
+
+    def test_jobs_do_not_change_them(self):
+        for jobs in "1", "3":
+            with tempfile.TemporaryDirectory() as folder:
+                self.assertEqual(run("figures", "--jobs", jobs, "--out", folder, "e*").returncode, 0)
+                drawn = {p.name: p.read_bytes() for p in pathlib.Path(folder).iterdir()}
+            self.assertGreater(len(drawn), 10)
+            for name, text in drawn.items():
+                self.assertEqual(text, (ROOT / "figures" / "gallery" / name).read_bytes(), name)
+
+    def test_nothing_more_is_drawn_after_a_failure(self):
+        r = run("figures", "--jobs", "1", "--out", "/proc/self", "e*")
+        self.assertEqual((r.returncode, r.stdout, len(r.stderr.splitlines())), (3, "", 1))
 
     def test_figures_are_accessible(self):
         for path in (ROOT / "figures" / "gallery").glob("*.svg"):
