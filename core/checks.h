@@ -5,15 +5,11 @@
 
 #include "core/cagd.h"
 #include "core/kernels_d.h"
+#include "core/require.h"
 
 #include <math.h>
 #include <stddef.h>
 
-#define REQUIRE(condition, status)                                                                                     \
-    do {                                                                                                               \
-        if (!(condition))                                                                                              \
-            return status;                                                                                             \
-    } while (0)
 #define PASS(expression)                                                                                               \
     do {                                                                                                               \
         cagd_status passed = (expression);                                                                             \

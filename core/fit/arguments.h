@@ -3,13 +3,7 @@
 #define CAGD_FIT_ARGUMENTS_H
 
 #include "core/fit/cagd_fit.h"
-
-/* Returns `status` unless the condition is true. */
-#define REQUIRE(condition, status)                                                                                     \
-    do {                                                                                                               \
-        if (!(condition))                                                                                              \
-            return status;                                                                                             \
-    } while (0)
+#include "core/require.h"
 
 /* CAGD_FIT_OK or what is wrong; knots and the initial curve are checked where they are taken in, problem.h. */
 cagd_fit_status fit_check_options(const cagd_fit_options *options);
