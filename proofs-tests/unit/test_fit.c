@@ -733,7 +733,8 @@ static void the_strategy_does_not_change_the_result(void **state)
 
 /* ---- Nothing free ------------------------------------------------------------------------------------------- */
 
-/* A quarter of an ellipse in no gauge, a cubic with a loop, one with a cusp, a polygon. */
+/* A quarter of an ellipse in no gauge, a cubic with a loop, one with a cusp, a polygon, and one whose sides lie closer to each other
+ * than the ends of the pieces into which a search divides them. */
 static const double other_weights[] = {2, 1, 3, 0.5}, loop_points[] = {0, 0, 4, 3, -1, 3, 3, 0},
                     cusp_points[] = {0, 0, 1, 1, 0, 1, 1, 0};
 static const cagd_spline ungauged = {2, 3, 2, bezier_knots + 1, conic_points, other_weights};
@@ -742,21 +743,23 @@ static const cagd_spline loop = {3, 4, 2, bezier_knots, loop_points, NULL};
 static const cagd_spline cusp = {3, 4, 2, bezier_knots, cusp_points, NULL};
 static const double polygon_knots[] = {0, 0, 0.25, 0.5, 1, 1};
 static const cagd_spline polygon = {1, 4, 2, polygon_knots, cubic_points, NULL};
+static const double hairpin_knots[] = {0, 0, 0.5, 1, 1}, hairpin_points[] = {-2, 0, 4, 0x1p-5, -2, 0x1p-4};
+static const cagd_spline hairpin = {1, 3, 2, hairpin_knots, hairpin_points, NULL};
 
 /* No point of the curve among very many is nearer than the foot, which is where the parameter says on the curve as it was given. */
 static void feet_on_a_given_curve_are_nearest_points(void **state)
 {
     enum { N = 60 };
-    const cagd_spline *curves[] = {&ungauged, &ungauged_cubic, &in_space, &spline, &loop, &cusp, &polygon};
+    const cagd_spline *curves[] = {&ungauged, &ungauged_cubic, &in_space, &spline, &loop, &cusp, &polygon, &hairpin};
     (void)state;
-    for (int k = 0; k < 7; k++)
+    for (int k = 0; k < 8; k++)
         for (int method = CAGD_FIT_ELIMINATED; method <= CAGD_FIT_PLAIN; method++) {
             const cagd_spline *s = curves[k];
             int dim = s->dim;
             double P[3], sum = 0, largest = 0;
             state_of_noise = (uint32_t)(11 + k);
             for (int m = 0; m < N * dim; m++)
-                Q[m] = 1 + 3 * noise();
+                Q[m] = (1 + 3 * noise()) * (s == &hairpin && m % 2 == 1 ? 0x1p-6 : 1);
             cagd_fit_data data = {N, dim, Q, NULL};
             cagd_fit_options o = cagd_fit_defaults();
             o.free = 0;
