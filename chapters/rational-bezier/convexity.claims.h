@@ -32,8 +32,8 @@ When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
 :figure: convex_polygon_convex_curve
 
-If all $D_{ijk}\ge0$ and one is positive, any three points of the curve in their order turn left, none are on one line, and the
-curve with its chord bounds a convex region; if all $D_{ijk}$ vanish, polygon and curve are on a line.  The formula is Cauchy's
+If all $D_{ijk}\ge0$ and one is positive, any three points of the curve with parameters in $(0,1)$ turn left in their order, none are on one
+line, and the curve with its chord bounds a convex region; if all $D_{ijk}$ vanish, polygon and curve are on a line.  The formula is Cauchy's
 and Binet's for every $n$, and the Wronskian is computed for every $n$, so that the curvature has one sign in every degree.
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
 :::

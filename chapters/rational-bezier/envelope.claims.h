@@ -131,7 +131,7 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :needs: member_may_lose_a_point | the weights are positive
 :figure: envelope_cusp
 
-The two derivatives are parallel and, for $r\ge1$, never equal.
+The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.
 :::
 
 :::{statement} wang-ch3:thm-3.3.2-range
@@ -251,14 +251,15 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   $n=4$ on
 :corrected: the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; it is
   $\mathbf R$ alone when the control polygon is strictly convex, so always for $n=2$ and a true triangle; for $r=1$
-  and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R$ has no inflection in $[a,b]$
+  and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
 :corrected-by: envelope_condition_factors envelope_condition_of_points polar_derivatives
   convex_polygon_has_one_envelope inflections_give_the_other_envelopes triangle_has_one_envelope
 :figure: envelope_extra
 
 When all points lie on a line the condition holds everywhere and the envelope loses its meaning
 (`flat_polygon_has_no_envelope`).  The further envelopes are curves of their own: for $r=1$ a segment of the tangent at
-an inflection $\tau$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is the tangent at the inflection.
+a $\tau$ where $R'\times R''=0$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is this tangent.  Such a $\tau$ is
+mostly an inflection; but a curve may be flat there and not change its side (`flat_point_has_another_envelope`).
 :::
 
 :::{claim} envelope_condition_of_points
@@ -456,8 +457,8 @@ static void G(convex_quartic)(num R[])
     }
 }
 
-/* Is R' x R'' > 0 on [0,1] for the polynomial curve R of degree n? */
-static int G(turns_left)(int n, const num R[])
+/* The sign of R' x R'' on [0,1] for the polynomial curve R of degree n. */
+static enum sign_pattern G(turning)(int n, const num R[])
 {
     num x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
     for (int i = 0; i <= n; i++) {
@@ -466,15 +467,39 @@ static int G(turns_left)(int n, const num R[])
     }
     poly x1 = poly_derivative(poly_from_bernstein(n, x)), y1 = poly_derivative(poly_from_bernstein(n, y));
     poly turn = poly_sub(poly_mul(x1, poly_derivative(y1)), poly_mul(y1, poly_derivative(x1)));
-    return sign_on(turn, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+    return sign_on(turn, from_int(0), from_int(1), CLOSED);
 }
 
 CLAIM(convex_quartic_has_another_envelope)
 {
     num R[10], c = from_ratio(3, 4);
     G(convex_quartic)(R);
-    if (G(turns_left)(4, R))
+    if (G(turning)(4, R) == SIGN_POSITIVE)
         G(envelope_point_on_curve)(T, 4, R, 2, c, T->planted ? c : from_ratio(1, 4));
+}
+
+/*
+:::{claim} flat_point_has_another_envelope
+:title: The family of (τ, τ⁴), which is flat at 0 and bends to one side, has the axis y = 0 as a second envelope
+:zh: 曲线 (τ,τ⁴) 无拐点而在 0 处平坦，其族以 y=0 为另一包络
+:kind: counterexample
+:given: $(\tau,\tau^4)$, $-1\le\tau\le1$: points $(-1,1),(-\frac12,-1),(0,1),(\frac12,-1),(1,1)$, weights 1; $r=1$; the member of
+  $c=\frac12$ at $t=0$, both as values of $\tau$
+:then: there the envelope condition is satisfied at the point $(\frac18,0)$, which is not on the curve; $R'\times R''\ge0$ throughout
+:method: As for the cubic; that $R'\times R''$ is nowhere negative is decided first, by its sign as a polynomial.
+:control: the same member at $t=c$
+:::
+*/
+CLAIM(flat_point_has_another_envelope)
+{
+    static const int y[5] = {1, -1, 1, -1, 1};
+    num R[10], c = from_ratio(3, 4);
+    for (int i = 0; i < 5; i++) {
+        R[2 * i] = from_ratio(i - 2, 2);
+        R[2 * i + 1] = from_int(y[i]);
+    }
+    if (G(turning)(4, R) == SIGN_NONNEGATIVE)
+        G(envelope_point_on_curve)(T, 4, R, 1, c, T->planted ? c : from_ratio(1, 2));
 }
 #endif
 
@@ -559,7 +584,7 @@ CLAIM(flat_polygon_has_no_envelope)
 
 /*
 When does $w_r$ have no zero?  For $n=2$ it is a constant.  For $r=1$ it depends on $t$ alone, for $r=n-1$ on $c$ alone,
-and its zeros are the inflections of $R$.  In between inflections do not decide, but the control polygon does: write
+and its zeros are those of $R'\times R''$, such as inflections.  In between inflections do not decide, but the control polygon does: write
 $\beta_i$ for the coefficients of $(1-c+cz)^{r-1}(1-t+tz)^{n-r-1}$; then
 
 $$w_r(c,t)=\sum_{i<j<k}\begin{vmatrix}\beta_i&\beta_j&\beta_k\\\beta_{i-1}&\beta_{j-1}&\beta_{k-1}\\

@@ -12,9 +12,10 @@ all triangles.
 :zh: 与两直线切于定点的曲线束
 :printed: $(1-\lambda)l_1l_2+\lambda l_3^2=0$ represents the pencil of the conics through $R_0$ and $R_2$ that touch
   $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
-:holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings
+:holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
-:hypothesis: flat_frame_has_no_tangent | $l_1$, $l_2$, $l_3$ meet in three different points.
+:hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$, so that $l_3$ joins two points; $l_1$ and
+  $l_2$ may be parallel.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted, as in (3.1.2).
 :figure: limings_pencil
 :::
@@ -91,6 +92,44 @@ CLAIM(conics_touching_two_lines_are_limings)
     num kappa = add(sub(sub(c1, c2), c3), c4);
     num member = add(mul(S[0], mul(s, s)), mul(mul(two, T->planted ? S[1] : sub(S[1], S[0])), mul(x, y)));
     num rest = add(mul(kappa, sub(mul(y, y), mul(two, y))), add(mul(c2, x), add(mul(c4, y), sub(c1, c2))));
+    same(T, G(form)(S, x, y), add(member, rest));
+}
+
+/*
+:::{claim} conics_touching_parallel_lines_are_limings
+:title: The same with two parallel lines
+:zh: 两条平行线时亦然
+:given: $l_1=x-1$, $l_2=x+1$, $l_3=y$, $R_0=(1,0)$, $R_2=(-1,0)$, a number $\lambda$, and any conic $S$
+:let: $c_1=S(R_0)$, $c_2=S(R_2)$, $c_3=S_y(R_0)$, $c_4=S_y(R_2)$
+:then: the gradient of $(1-\lambda)l_1l_2+\lambda l_3^2$ is $(1-\lambda)(2,0)$ in $R_0$ and $(1-\lambda)(-2,0)$ in $R_2$; and
+  $S=A\,l_1l_2+C\,l_3^2+\frac{c_3-c_4}2xy+\frac{c_1-c_2}2x+\frac{c_3+c_4}2y+\frac{c_1+c_2}2$, so that a conic through $R_0$ and
+  $R_2$ whose gradient has no component along the lines there, all $c_i$ being 0, is a combination of $l_1l_2$ and $l_3^2$
+:method: Identities in $\lambda$, $x$, $y$ and the six coefficients of $S$.  An affine map takes any two parallel lines, and a third that
+  cuts them, to these.
+:control: $c_3+c_4$ for $c_3-c_4$
+:::
+*/
+CLAIM(conics_touching_parallel_lines_are_limings)
+{
+    num S[6], M[6], g0[2], g2[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), lambda = unknown(T, "k", 0);
+    num zero = from_int(0), one = from_int(1), minus = from_int(-1), half = from_ratio(1, 2), mu = sub(one, lambda);
+    num l1[3] = {one, zero, minus}, l2[3] = {one, zero, one}, l3[3] = {zero, one, zero};
+    G(liming)(lambda, l1, l2, l3, M);
+    G(conic_gradient)(M, one, zero, g0);
+    G(conic_gradient)(M, minus, zero, g2);
+    about(T, "the gradients of the members");
+    same(T, g0[0], mul(mu, from_int(2)));
+    same(T, g2[0], mul(mu, from_int(-2)));
+    vanishes(T, g0[1]);
+    vanishes(T, g2[1]);
+    G(six)(T, "S", S);
+    G(conic_gradient)(S, one, zero, g0);
+    G(conic_gradient)(S, minus, zero, g2);
+    num c1 = G(form)(S, one, zero), c2 = G(form)(S, minus, zero), c3 = g0[1], c4 = g2[1];
+    num member = add(mul(S[0], sub(mul(x, x), one)), mul(S[2], mul(y, y)));
+    num rest = add(mul(mul(half, T->planted ? add(c3, c4) : sub(c3, c4)), mul(x, y)), mul(mul(half, sub(c1, c2)), x));
+    rest = add(rest, add(mul(mul(half, add(c3, c4)), y), mul(half, add(c1, c2))));
+    about(T, "any conic");
     same(T, G(form)(S, x, y), add(member, rest));
 }
 

@@ -692,11 +692,11 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
 :::{statement} wang-ch3:thm-3.2.1-proof-other-degrees
 :title: The proof for n = 5 contains those for n = 2, 3, 4
 :zh: 仅就 n=5 证明必要性
-:printed: It suffices to show the case $n=5$
+:printed: Now the necessity is proved for $n=5$ only.
 :holds-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
   backward_run_flattens_the_first_edges
 
-$n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
+The theorem is stated for $n=2$ to 5, so that this proof has to contain the others, and it does.  $n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
 $\tau(0)$ gives $I_2$.
 :::
 */

@@ -167,6 +167,8 @@ The formulas (3.3.1) themselves follow, one branch at a time.
 :zh: 对分子分母分别应用多项式情形
 :printed: Theorem 1.4.1, applied to the numerator and the denominator of (3.2.2), gives the theorem
 :holds-by: numerator_and_denominator_are_cut_alike
+
+Chapter 1 of the source is not at hand; its theorem is taken to be subdivision by de Casteljau.
 :::
 
 :::{claim} numerator_and_denominator_are_cut_alike
@@ -426,6 +428,8 @@ CLAIM(cut_outside_can_fail)
 :zh: 多项式情形的推广
 :printed: The theorem is a generalisation of theorem 1.4.1
 :holds-by: equal_weights_give_polynomial_triangle
+
+Theorem 1.4.1 is taken as in the entry on the proof.
 :::
 
 :::{claim} equal_weights_give_polynomial_triangle

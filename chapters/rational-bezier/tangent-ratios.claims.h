@@ -203,6 +203,34 @@ CLAIM(tangent_parallel_to_the_first_side)
     about(T, "whether the denominator is not 0");
     agree(T, !is_zero_q(G(form)(S, R[0], R[1])) || !is_zero_q(g[0]) || !is_zero_q(bottom));
 }
+
+/*
+:::{claim} ends_have_no_ratios
+:title: At the ends of the curve the tangent is a side, and there are no ratios
+:zh: 端点处切线即边，比值无定义
+:kind: counterexample
+:given: $\lambda=\frac12$ and $R=R_0=(1,0)$, a point of every curve of (3.1.4)
+:then: $(1-\lambda)y=0$ and $-2\lambda(x+y-1)=0$: the printed $g_1$ is $\frac00$, and the tangent $l_1$ has no point $A$
+:method: The value and the gradient of $S$ at $R$, and both numbers.
+:control: $R=(\frac13,\frac13)$
+:::
+*/
+CLAIM(ends_have_no_ratios)
+{
+    num S[6], g[2], half = from_ratio(1, 2), R[2] = {from_int(1), from_int(0)};
+    if (T->planted)
+        R[0] = R[1] = from_ratio(1, 3);
+    G(frame_conic)(half, -1, S);
+    G(conic_gradient)(S, R[0], R[1], g);
+    num below = mul(half, R[1]), above = sub(from_int(1), add(R[0], R[1]));
+    show_points(T, "R", 1, 2, R);
+    show(T, "S(R)", G(form)(S, R[0], R[1]));
+    show_points(T, "gradient", 1, 2, g);
+    show(T, "numerator of g1", above);
+    show(T, "denominator of g1", below);
+    about(T, "R being on the curve, whether the tangent cuts the first side in one point and the denominator is not 0");
+    agree(T, !is_zero_q(G(form)(S, R[0], R[1])) || (!is_zero_q(g[0]) && !is_zero_q(below)));
+}
 #endif
 
 /*
@@ -227,6 +255,8 @@ CLAIM(tangent_parallel_to_the_first_side)
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
+:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else there is no $A$.
+:hypothesis: ends_have_no_ratios | $R\ne R_0,R_2$.
 
 On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
 :::
@@ -238,6 +268,8 @@ On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
+:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else there is no $B$.
+:hypothesis: ends_have_no_ratios | $R\ne R_0,R_2$.
 :::
 
 :::{claim} ratios_on_the_curve
@@ -409,7 +441,8 @@ CLAIM(plus_sign_turns_the_ratio)
 :class: missing-hypothesis
 :refuted-by: product_of_ratios_can_be_negative
 :corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on every curve of (3.1.4) with the minus sign and $0<\lambda<1$,
-  in the triangle and outside
+  in the triangle and outside, at every point where both ratios exist: all but $R_0$, $R_2$ and those with a tangent parallel
+  to a side
 :corrected-by: product_of_ratios_is_positive_inside product_of_ratios_is_constant
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
@@ -428,6 +461,8 @@ $-4\lambda/(1-\lambda)$.
 :zh: g_1 g_2 与动点无关
 :printed: The value of $g_1g_2$ does not depend on the moving point $R$.
 :holds-by: product_of_ratios_is_constant
+:hypothesis: ends_have_no_ratios | $R\ne R_0,R_2$ and no tangent parallel to a side, so that both ratios exist.
+:hypothesis: double_line_has_no_tangent | $\lambda\ne1$, and $\lambda\ne0$: the curve is no pair of lines.
 :figure: tangent_ratios
 :::
 
