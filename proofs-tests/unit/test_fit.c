@@ -800,6 +800,63 @@ static void feet_on_a_given_curve_are_nearest_points(void **state)
         }
 }
 
+/* The nearest of FINE + 1 points of the curve, and its squared distance. */
+static int nearest_of_many(const cagd_spline *s, const double q[], double *square)
+{
+    int nearest = 0;
+    double P[3];
+    *square = HUGE_VAL;
+    for (int f = 0; f <= FINE; f++) {
+        assert_int_equal(cagd_spline_point(s, (double)f / FINE, CAGD_RIGHT, P), CAGD_OK);
+        double d = fit_distance_squared(s->dim, P, q);
+        if (d < *square)
+            *square = d, nearest = f;
+    }
+    return nearest;
+}
+
+/* Points that are nearly as far from two parts of a curve: between two points with feet far from each other, by halving. */
+static void feet_of_points_between_two_parts_are_nearest_points(void **state)
+{
+    enum { PAIRS = 12, HALVINGS = 16 };
+    const cagd_spline *curves[] = {&ungauged_cubic, &spline, &loop, &polygon, &hairpin};
+    int between = 0;
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        const cagd_spline *s = curves[k];
+        int count = 0;
+        double square;
+        state_of_noise = (uint32_t)(101 + k);
+        while (count < 2 * PAIRS) {
+            double *a = Q + 2 * count, *b = a + 2;
+            for (int m = 0; m < 4; m++)
+                a[m] = (1 + 3 * noise()) * (s == &hairpin && m % 2 == 1 ? 0x1p-6 : 1);
+            int from = nearest_of_many(s, a, &square), to = nearest_of_many(s, b, &square);
+            for (int h = 0; h < HALVINGS && abs(to - from) > FINE / 16; h++) {
+                double middle[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+                int there = nearest_of_many(s, middle, &square);
+                if (abs(there - from) < abs(there - to))
+                    memcpy(a, middle, sizeof middle), from = there;
+                else
+                    memcpy(b, middle, sizeof middle), to = there;
+            }
+            between += abs(to - from) > FINE / 16;
+            count += 2;
+        }
+        cagd_fit_data data = {count, 2, Q, NULL};
+        cagd_fit_options o = cagd_fit_defaults();
+        o.free = 0;
+        o.initial = s;
+        cagd_fit_result *r = fit(&data, &o);
+        for (int i = 0; i < count; i++) {
+            nearest_of_many(s, Q + 2 * i, &square);
+            assert_true(r->distances[i] * r->distances[i] <= square * (1 + 0x1p-40) + 0x1p-80);
+        }
+        cagd_fit_free(r);
+    }
+    assert_true(between > PAIRS);
+}
+
 /* One point suffices, anywhere, also when the curve is but a point; weights of any size are no other curve. */
 static void a_single_point_has_its_distance(void **state)
 {
@@ -996,6 +1053,7 @@ int main(void)
         cmocka_unit_test(the_domain_may_be_any_interval),
         cmocka_unit_test(the_strategy_does_not_change_the_result),
         cmocka_unit_test(feet_on_a_given_curve_are_nearest_points),
+        cmocka_unit_test(feet_of_points_between_two_parts_are_nearest_points),
         cmocka_unit_test(a_single_point_has_its_distance),
         cmocka_unit_test(bad_arguments_are_refused),
     };
