@@ -11,9 +11,11 @@ the parameter on the second piece the two are one curve with continuous derivati
 :printed: Pieces are to be joined with continuous position, slope and curvature, which is called $C^0$, $C^1$, $C^2$ continuity.
 :refuted-by: continuous_slope_with_another_speed
 :class: false
-:corrected: The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the vector of curvature when (1-5-1)
-  to (1-5-3) hold: the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
+:corrected: Let $P_{\mathrm I}'(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the vector
+  of curvature when (1-5-1) to (1-5-3) hold: the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
 :corrected-by: conditions_make_one_curve_in_another_parameter
+:hypothesis: vanishing_derivatives_hide_a_corner | $P_{\mathrm I}'(1)\ne0$, in the correction: where all derivatives are 0 the conditions
+  hold at a corner.
 :figure: joints_of_order
 
 By the definition of $C^r$ in section 1-4 the derivatives themselves have to be continuous.
@@ -62,8 +64,8 @@ One letter for both curves; read as it stands, it makes one curve closed.  Also 
   lengths of the tangent vectors of $P_{\mathrm I}$ and $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | $\lambda>0$, as for a quotient of lengths: with $\lambda<0$ the curve turns on its heel.
-:hypothesis: singular_end_has_no_ratio | Both derivatives are not 0 at the joint: a quotient of lengths does not exist otherwise, and the
-  tangents may be one although no $\lambda$ is.
+:needs: singular_end_has_no_ratio | Neither derivative is 0 at the joint, as where there are unit tangent vectors: otherwise a quotient of
+  lengths does not exist, and the tangents may be one although no $\lambda$ is.
 :figure: joints_of_order
 :::
 
@@ -189,6 +191,9 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :printed: $\ddot P_{\mathrm{II}}(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the
   curvature continuous at the joint.
 :holds-by: condition_keeps_the_curvature_vector
+:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$, as for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of
+  the second piece need not be bounded.
+:needs: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, as where there is a unit tangent vector.
 :figure: joints_of_order
 :::
 
@@ -197,6 +202,8 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector
+:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$ and $\dot P_{\mathrm I}(1)\ne0$, as in the conditions before it: with $\lambda=0$ a $\beta\ne0$ makes
+  an unbounded curvature.
 :figure: joints_of_order
 :::
 
@@ -210,15 +217,38 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :control: $\lambda$ in the place of $\lambda^2$
 :::
 
+:::{claim} zero_ratio_has_unbounded_curvature
+:title: With the ratio 0 the conditions hold and the curvature is unbounded
+:zh: 比值为零时曲率无界
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(t,0)$, $P_{\mathrm{II}}(t)=(1+t^2,t^3)$; $\lambda=0$, $\beta=2$
+:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2=\frac{36}{(4+9t^2)^3}$, which tends to $\frac9{16}$ with $t\to0$
+:method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0 at $t=0$,
+  as for a bounded $K$, is refuted.
+:control: $P_{\mathrm{II}}(t)=(1+t^2,t^4)$, where $K^2=\frac4{(1+4t^4)^3}$ is bounded
+:::
+
+:::{claim} vanishing_derivatives_hide_a_corner
+:title: Where all derivatives vanish the conditions hold at a corner
+:zh: 导矢全为零时条件成立而有角点
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(-(1-t)^3,0)$, $P_{\mathrm{II}}(t)=(0,t^3)$; $\lambda=1$, $\beta=0$
+:then: (1-5-1) to (1-5-3) hold, every vector in them being $(0,0)$; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
+  along the $y$-axis, $y'>0$: a corner of a right angle
+:method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That they are one is refuted.
+:control: $P_{\mathrm{II}}(t)=(t^3,0)$
+:::
+
 :::{statement} hu-1987:1-5-3-necessary
 :title: For a continuous curvature the condition has to be satisfied
 :zh: 曲率连续的必要性
 :printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
 :refuted-by: equal_curvatures_to_different_sides
 :class: missing-hypothesis
-:corrected: The condition, with $\lambda>0$, is necessary and sufficient for continuity of the unit tangent and of the vector of
-  curvature; for plane curves, of the curvature with its sign.
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  The condition, with $\lambda>0$, is necessary and sufficient for continuity of the unit tangent and of
+  the vector of curvature; for plane curves, of the curvature with its sign.
 :corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
+:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, in the correction: without it the condition does not suffice.
 :figure: same_curvature_other_side
 :striking: 43
 
@@ -289,6 +319,70 @@ CLAIM(condition_keeps_the_curvature_vector)
 }
 
 #if RATIONAL
+#include "exact/sign.h"
+
+/* Whether P = E, P' = lambda P', P'' = lambda^2 P'' + beta P' for two pieces with P, P', P'' in D and in E. */
+static int conditions_hold(const num D[], const num E[], num lambda, num beta)
+{
+    int hold = 1;
+    for (int j = 0; j < dim; j++) {
+        num second = add(mul(mul(lambda, lambda), D[2 * dim + j]), mul(beta, D[dim + j]));
+        hold &= equal_q(E[j], D[j]) && equal_q(E[dim + j], mul(lambda, D[dim + j])) && equal_q(E[2 * dim + j], second);
+    }
+    return hold;
+}
+
+CLAIM(zero_ratio_has_unbounded_curvature)
+{
+    int degree = T->planted ? 4 : 3;
+    num first[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, second[10], D[6], E[6], U[2];
+    poly component[2], turn[2];
+    for (int m = 0; m < 10; m++)
+        second[m] = from_int(m == 0 || m == 4 || m == 2 * degree + 1);
+    G(power_derivatives)(1, dim, first, from_int(1), 2, D);
+    G(power_derivatives)(4, dim, second, from_int(0), 2, E);
+    for (int j = 0; j < dim; j++) {
+        num c[5];
+        for (int k = 0; k < 5; k++)
+            c[k] = second[dim * k + j];
+        component[j] = poly_derivative(poly_from_q(5, c));
+        turn[j] = poly_derivative(component[j]);
+        U[j] = poly_coefficient(component[j], 1); /* P' = t U, at t = 0 */
+    }
+    poly product = poly_sub(poly_mul(component[0], turn[1]), poly_mul(component[1], turn[0]));
+    num v = poly_coefficient(product, 2), limit = div(mul(v, v), G(power)(G(norm_squared)(dim, U), 3));
+    int divided = is_zero_q(poly_coefficient(product, 0)) && is_zero_q(poly_coefficient(product, 1));
+    show_points(T, "P, P', P'' of the first piece", 3, 2, D);
+    show_points(T, "P, P', P'' of the second piece", 3, 2, E);
+    show_text(T, "P' x P'' of the second piece", "%s", poly_to_string(product, "t"));
+    show(T, "limit of t^2 K^2", limit);
+    about(T, "the conditions holding, whether t^2 K^2 tends to 0");
+    agree(T, !(conditions_hold(D, E, from_int(0), from_int(2)) && divided) || is_zero_q(limit));
+}
+
+CLAIM(vanishing_derivatives_hide_a_corner)
+{
+    int axis = T->planted ? 0 : 1;
+    num first[8], second[8], D[6], E[6], zero = from_int(0), one = from_int(1), x[4];
+    const int cube[4] = {-1, 3, -3, 1};
+    for (int k = 0; k < 4; k++)
+        for (int j = 0; j < dim; j++) {
+            first[dim * k + j] = from_int(j == 0 ? cube[k] : 0);
+            second[dim * k + j] = from_int(j == axis && k == 3);
+        }
+    G(power_derivatives)(3, dim, first, one, 2, D);
+    G(power_derivatives)(3, dim, second, zero, 2, E);
+    for (int k = 0; k < 4; k++)
+        x[k] = first[dim * k];
+    int forward = sign_on(poly_derivative(poly_from_q(4, x)), zero, one, OPEN) == SIGN_POSITIVE;
+    show_points(T, "D, C, B, A of the first piece", 4, 2, first);
+    show_points(T, "D, C, B, A of the second piece", 4, 2, second);
+    show_points(T, "P, P', P'' of both at the joint", 6, 2,
+                (num[]){D[0], D[1], D[2], D[3], D[4], D[5], E[0], E[1], E[2], E[3], E[4], E[5]});
+    about(T, "the conditions holding, whether both pieces have one direction");
+    agree(T, !(conditions_hold(D, E, one, zero) && forward) || axis == 0);
+}
+
 CLAIM(equal_curvatures_to_different_sides)
 {
     num first[6] = {from_int(-1), from_int(1), from_int(1), from_int(-2), from_int(0), from_int(1)}, D[6], E[6];
