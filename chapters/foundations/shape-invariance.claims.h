@@ -79,9 +79,9 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
 :printed: Because $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$, the curve is the straight line that joins $P_0$ and $P_1$.
 :refuted-by: ends_alone_make_no_straight_line
 :class: invalid-proof
-:corrected: $P(t)$ is on the line through $P_0\ne P_1$ for a $t$ of $(0,1)$ exactly when $P_0$, $P_1$ and the origin are on
-  one line: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$.
-:corrected-by: two_cubes_miss_the_chord_by_a_product
+:corrected: The curve is the segment $P_0P_1$ exactly when the origin is on this segment.  $P(t)$ is on the line through $P_0\ne P_1$
+  for a $t$ of $(0,1)$ exactly when the origin is on this line: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$.
+:corrected-by: two_cubes_miss_the_chord_by_a_product two_cubes_fill_segments_with_the_origin
 :figure: two_cubes_and_their_image
 
 The conclusion is true for the printed points and the reason given for it is not one: two lines further down the source
@@ -108,7 +108,39 @@ itself has the same factors and a curve.
   the two points and the origin are on one line.
 :control: the factor 2 in the place of 3
 :::
+
+:::{claim} two_cubes_fill_segments_with_the_origin
+:title: On a line through the origin the example is the segment if the origin is between the points, and leaves it otherwise
+:zh: 共线时曲线为线段的充要条件
+:given: a line through the origin with coordinate $x$; $P_0$ at $p_0$, $P_1$ at $p_1$; $f(t)=p_0(1-t)^3+p_1t^3$; any $t$ of $(0,1)$ and $p,q>0$
+:then: for $p_0=-p$, $p_1=q$: $f'(t)=3p(1-t)^2+3qt^2\ge0$, so $f$ runs from $p_0$ to $p_1$ once and never back; for $p_0=p$, $p_1=p+q$: $f'(0)=-3p<0$, so the curve
+  begins by leaving the segment; for $p_0=1$, $p_1=2$: $f(\frac12)=\frac38$
+:method: The derivative by the definition.  $p_0=p_1=p$ is $q=0$ in the second; a point in the origin is the claim above; the other cases are
+  these with another direction of the line, or with $t$ and $1-t$ exchanged.
+:control: $p_0=p$ in the first case
+:::
 */
+CLAIM(two_cubes_fill_segments_with_the_origin)
+{
+    num p = positive(T, "p", 0), q = positive(T, "q", 0), t = inside(T, "t"), zero = from_int(0);
+    num ends[3][2] = {{T->planted ? p : neg(p), q}, {p, add(p, q)}, {from_int(1), from_int(2)}}, c[3][4];
+    for (int k = 0; k < 3; k++) {
+        num three = mul(from_int(3), ends[k][0]);
+        c[k][0] = ends[k][0];
+        c[k][1] = neg(three);
+        c[k][2] = three;
+        c[k][3] = sub(ends[k][1], ends[k][0]);
+    }
+    about(T, "f'");
+    num speed = G(power_sum_derivative)(3, 1, c[0], 0, 1, t), rest = sub(from_int(1), t);
+    num sum = mul(from_int(3), add(mul(p, mul(rest, rest)), mul(q, mul(t, t))));
+    same(T, speed, sum);
+    nonnegative(T, sum);
+    same(T, G(power_sum_derivative)(3, 1, c[1], 0, 1, zero), mul(from_int(-3), p));
+    about(T, "f(1/2)");
+    same(T, G(power_sum)(3, 1, c[2], 0, from_ratio(1, 2)), from_ratio(3, 8));
+}
+
 CLAIM(two_cubes_from_the_origin_trace_the_segment)
 {
     num t = parameter(T, "t"), P[4] = {from_int(0), from_int(0), unknown(T, "x", 1), unknown(T, "y", 1)};
@@ -526,17 +558,30 @@ CLAIM(sum_of_two_cubes_is_less_than_one)
 /*
 ## What is said of parametric curves in general
 
-Section 1-4 of the source praises the parametric form for what section 1-2 has just shown it not to have.
+Section 1-4 of the source praises the parametric form.  It means a vector function $P(t)=[x(t)\;y(t)\;z(t)]$, and maps its values; section 1-2 has
+moved control points, which is another thing.
 
 :::{statement} hu-1987:1-4-advantage-invariance
 :title: Parametric curves are geometrically invariant
 :zh: 参数曲线的几何不变性
 :printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates.
-:holds-by: matrices_pass_to_the_points translation_adds_the_sum_of_the_functions
-:hypothesis: ends_alone_make_no_straight_line | The functions have the sum 1 (relation of Cauchy), so that the curve belongs to
-  its points; (1-2-1) is parametric, too.
-:hypothesis: image_keeps_no_chord | The same in the source's own example: the segment becomes a curve.
+:holds-by: image_of_a_power_curve_is_one
+:reading: image_of_a_power_curve_is_one | The curve is a vector function, and its image $P(t)\,T+m$ is one of the same kind: true.
+:reading: image_keeps_no_chord | All coefficients are moved as points, as in section 1-2: true if the functions have the sum 1 (relation of
+  Cauchy), and not for (1-2-1), which is parametric, too.
 :figure: two_cubes_and_their_image
+
+A graph $y=f(x)$, turned, need not be a graph: `turned_graph_is_no_graph`.
+:::
+
+:::{claim} image_of_a_power_curve_is_one
+:title: The image of a polynomial curve is the polynomial curve of the mapped coefficients
+:zh: 多项式曲线的仿射象
+:given: any coefficients of degree $n$ in space, any $3\times3$ matrix $T$, any $m$ and $t$
+:then: $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
+:method: Both sides with everything a variable.
+:degrees: 1..6 sampled 12
+:control: $m$ added to the last coefficient as well
 :::
 
 :::{claim} image_keeps_no_chord
@@ -553,13 +598,13 @@ Section 1-4 of the source praises the parametric form for what section 1-2 has j
 :title: Parametric curves are easily mapped by affine and projective maps
 :zh: 参数曲线易于作仿射与射影变换
 :printed: Affine and projective transformations of parametric curves are easily carried out.
-:holds-by: bezier_curve_moves_with_its_points matrices_pass_to_the_points
-:hypothesis: projective_image_is_not_the_curve_of_the_images | A projective map is applied to homogeneous points, of dimension one
-  higher, and the curve becomes a rational one.  Applied to the points themselves it gives another curve.
+:holds-by: bezier_curve_moves_with_its_points matrices_pass_to_the_points image_of_a_power_curve_is_one
+:reading: matrices_pass_to_the_points | The points of the curve are mapped, $[x(t)\;y(t)\;z(t)\;1]$ by a matrix and then divided: easy, and true.
+:reading: projective_image_is_not_the_curve_of_the_images | Control points are mapped, and a curve is made from their images: by an affine map the
+  image; by a projective one another curve, unless it is applied to homogeneous points, and then the curve is a rational one.
 :figure: projective_image_of_a_parabola
 
-An affine map is applied to the points, by the relation of Cauchy.  A projective map is a matrix for the homogeneous
-coordinates, and matrices pass to the points.
+A projective map is a matrix for the homogeneous coordinates, and matrices pass to the points.
 :::
 
 :::{claim} projective_image_is_not_the_curve_of_the_images
@@ -572,6 +617,31 @@ coordinates, and matrices pass to the points.
 :control: the weights $1,1,2$ for the images
 :::
 */
+CLAIM(image_of_a_power_curve_is_one)
+{
+    enum { space = 3 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * space], d[(MAX_DEGREE + 1) * space], M[space * space], m[space], t = parameter(T, "t");
+    G(free_coefficients)(T, n, space, c);
+    for (int k = 0; k < space * space; k++)
+        M[k] = unknown(T, "t", k);
+    for (int j = 0; j < space; j++) {
+        m[j] = unknown(T, "m", j);
+        for (int k = 0; k <= n; k++) {
+            num sum = k == 0 || (T->planted && k == n) ? m[j] : from_int(0);
+            for (int i = 0; i < space; i++)
+                sum = add(sum, mul(c[k * space + i], M[i * space + j]));
+            d[k * space + j] = sum;
+        }
+    }
+    for (int j = 0; j < space; j++) {
+        num image = m[j];
+        for (int i = 0; i < space; i++)
+            image = add(image, mul(G(power_sum)(n, space, c, i, t), M[i * space + j]));
+        same(T, G(power_sum)(n, space, d, j, t), image);
+    }
+}
+
 #if RATIONAL
 CLAIM(image_keeps_no_chord)
 {
