@@ -15,6 +15,21 @@ $\delta=3b^2-4ac$.
 :figure: lengths_of_the_tangents
 :::
 
+:::{statement} hu-1987:1-4-hermite-data
+:title: The names of the data at the ends
+:zh: 端点数据的记号
+:printed: given the position vector $\dot Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and the position vector $\dot Q_1$ and the tangent vector
+  $\dot Q_1$ at $t=1$
+:refuted-by: position_is_not_the_tangent
+:class: misprint
+:corrected: the position vector $Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and $Q_1$ and $\dot Q_1$ at $t=1$
+:corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
+
+One symbol for two data.  If it means the tangent, $C$ is right below and $A$, $B$, $D$ are not; if it means the position, $D$ is right and
+$A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
+:::
+
 :::{statement} hu-1987:1-4-hermite-a
 :title: The coefficient A from the data at the ends
 :zh: 系数 A
@@ -44,6 +59,8 @@ The position vectors have been given the dots of the tangent vectors, here, in $
 :zh: 系数 C
 :printed: C=\dot Q_0
 :holds-by: end_data_determine_the_cubic
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector: true
+:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$: false
 :figure: ends_with_lost_letters
 :::
 
@@ -55,6 +72,8 @@ The position vectors have been given the dots of the tangent vectors, here, in $
 :class: misprint
 :corrected: D=Q_0
 :corrected-by: end_data_determine_the_cubic
+:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before: false
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too: true
 :figure: ends_with_lost_letters
 :::
 
@@ -66,6 +85,26 @@ The position vectors have been given the dots of the tangent vectors, here, in $
   coefficients
 :method: Both ways round with everything a variable: values and derivatives by the definition.
 :control: $\dot Q_1$ left out of $B$
+:::
+
+:::{claim} position_is_not_the_tangent
+:title: The position at the beginning is not the tangent there
+:zh: 端点位置矢量不等于切矢
+:kind: counterexample
+:given: $P(t)=t$ on a line: $A=B=D=0$, $C=1$
+:then: $P(0)=0$ and $\dot P(0)=1$: no $\dot Q_0$ is both, and $C\ne P(0)$
+:method: Value and derivative by the kernel.
+:control: $P(t)=1+t$
+:::
+
+:::{claim} positions_for_the_dots_miss_three_coefficients
+:title: With positions for all dotted letters three coefficients are wrong
+:zh: 记号全作位置矢量时三个系数有误
+:kind: decision
+:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; the printed coefficients with $Q_i$ for every letter
+:then: $A=-1$, $B=2$, $C=0$, $D=0$, in the place of $0,0,1,0$: $D$ alone is right
+:method: Each against the corrected one, exactly.
+:control: $Q_0=1$, where $C$ is right, too
 :::
 
 :::{claim} dotted_first_coefficient_misses_the_end
@@ -156,6 +195,25 @@ static void with_printed_coefficient(trial *T, int k, num value, num c[])
     show_points(T, "D, C, B, A", 4, 1, c);
 }
 
+CLAIM(position_is_not_the_tangent)
+{
+    num c[4] = {from_int(T->planted), from_int(1), from_int(0), from_int(0)}, D[2];
+    G(power_derivatives)(3, 1, c, from_int(0), 1, D);
+    show_points(T, "D, C, B, A", 4, 1, c);
+    about(T, "P(0) and P'(0)");
+    same(T, D[0], D[1]);
+}
+
+CLAIM(positions_for_the_dots_miss_three_coefficients)
+{
+    int q0 = T->planted, q1 = 1;
+    num Q[2] = {from_int(q0), from_int(q1)}, V[2] = {from_int(1), from_int(1)}, c[4];
+    const int printed[4] = {q0, q0, 3 * (q1 - q0) - 2 * q0 - q1, 2 * (q0 - q1) + q0 + q1};
+    G(cubic_of_ends)(1, Q, V, c);
+    for (int k = 0; k < 4; k++)
+        agree(T, equal_q(c[k], from_int(printed[k])) == (k == 0));
+}
+
 CLAIM(dotted_first_coefficient_misses_the_end)
 {
     num c[4];
@@ -187,9 +245,14 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
 :zh: 切矢大小不同则形状不同
 :printed: If two curves have the same position vectors at the beginning and at the end, and the same directions of the tangent
   vectors, but different lengths of these, the shapes of the two curves are different.
-:holds-by: other_lengths_give_another_cubic
-:hypothesis: tangents_along_the_chord_keep_the_segment | The tangents are not both parallel to the chord: there the curve is the
-  segment for many lengths.
+:holds-by: other_lengths_give_another_cubic congruent_cubics_have_these_lengths
+:hypothesis: tangents_along_the_chord_keep_the_segment | $Q_1-Q_0$, $\dot Q_0$ and $\dot Q_1$ are not all parallel: if they are, the curve can be
+  one segment for many lengths.
+:hypothesis: exchanged_lengths_turn_the_cubic | The lengths of one curve are not those of the other with the two ends exchanged, if curves that
+  can be moved onto each other have one shape, as in section 1-2: such a curve can be the first one, turned, or a mirror image.
+:reading: other_lengths_give_another_cubic | the shape is the set of the points: true with the first hypothesis alone
+:reading: exchanged_lengths_turn_the_cubic | the shape is what rotations and translations keep: false with the first hypothesis alone, true with
+  both
 :figure: lengths_of_the_tangents
 :::
 
@@ -209,8 +272,31 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
 :then: the second curve is not contained in the implicit equation of the first
 :method: The equation by Bézout's determinant, at ten points of the second curve: a polynomial of degree at most 9 in $t$ that is
   not 0 at all of them.  That no exception remains: two cubics with one arc are $P_2(t)=P_1(\phi(t))$ with a fractional
-  linear $\phi$, as soon as they are no line; polynomials leave only the affine ones, and the ends fix $\phi(t)=t$.
+  linear $\phi$, as soon as they are no line; polynomials leave only the affine ones, so $\phi(t)=t$ or $\phi(t)=1-t$.  The first makes the
+  lengths equal; the second makes $Q_0=Q_1$ and the tangents parallel.
 :control: the lengths equal
+:::
+
+:::{claim} congruent_cubics_have_these_lengths
+:title: A cubic that is moved, or moved and run backward, has the same lengths, or the same with the ends exchanged
+:zh: 合同的三次曲线切矢长度相同或两端互换
+:given: any plane cubic; a rotation by any angle, with or without a reflection, and any translation
+:then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot Q_1|$, $|\dot Q_0|$
+:method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes one to
+  the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
+:control: the lengths of $P(1-t)$ not exchanged
+:::
+
+:::{claim} exchanged_lengths_turn_the_cubic
+:title: With exchanged lengths the cubic is the first one, turned over
+:zh: 两端长度互换得旋转后的同一曲线
+:kind: counterexample
+:given: $Q_0=(0,0)$, $Q_1=(1,0)$; tangents $(1,1)$, $(2,2)$ for $P$, and $(2,2)$, $(1,1)$ for $W$
+:then: $W(t)=(1,0)-P(1-t)$: $W$ is $P$ turned by two right angles about $(\frac12,0)$.  Ends and directions are the same, the lengths are not, and no
+  tangent is along the chord
+:method: The coefficients of $W(t)+P(1-t)$ by the kernel; that they are not $(1,0),(0,0),(0,0),(0,0)$ is refuted.  With $(1,1)$, $(2,-2)$ and
+  $(2,2)$, $(1,-1)$ it is the reflection $(x,y)\mapsto(1-x,y)$, checked likewise.
+:control: the tangents of the second curve both of the length of the longer one
 :::
 
 :::{claim} tangents_along_the_chord_keep_the_segment
@@ -223,6 +309,36 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
 :control: the second curve with tangents $(2,1)$ and $(\frac12,0)$
 :::
 */
+CLAIM(congruent_cubics_have_these_lengths)
+{
+    num c[4 * dim], image[4 * dim], D[2][dim], E[2][dim], one = from_int(1);
+    struct G(turn) angle = G(turn_by)(parameter(T, "a"));
+    G(free_coefficients)(T, 3, dim, c);
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < dim; j++)
+            D[end][j] = G(power_sum_derivative)(3, dim, c, j, 1, from_int(end));
+    for (int kind = 0; kind < 4; kind++) { /* reflected or not, run backward or not */
+        int backward = kind / 2;
+        if (backward)
+            G(power_on_interval)(3, dim, c, one, from_int(0), image);
+        for (int k = 0; k < 4; k++) {
+            num x = (backward ? image : c)[dim * k], y = (backward ? image : c)[dim * k + 1];
+            if (kind % 2)
+                y = neg(y);
+            image[dim * k] = sub(mul(angle.cos, x), mul(angle.sin, y));
+            image[dim * k + 1] = add(mul(angle.sin, x), mul(angle.cos, y));
+        }
+        for (int j = 0; j < dim; j++)
+            image[j] = add(image[j], unknown(T, "m", j));
+        for (int end = 0; end < 2; end++) {
+            for (int j = 0; j < dim; j++)
+                E[end][j] = G(power_sum_derivative)(3, dim, image, j, 1, from_int(end));
+            int other = backward && !T->planted ? 1 - end : end;
+            same(T, G(norm_squared)(dim, E[end]), G(norm_squared)(dim, D[other]));
+        }
+    }
+}
+
 #if RATIONAL
 #include "exact/sign.h"
 
@@ -258,6 +374,39 @@ CLAIM(other_lengths_give_another_cubic)
         leaves |= !is_zero_q(G(implicit_value)(3, R, weights, P[0], P[1]));
     }
     agree(T, leaves);
+}
+
+/* Whether (1,0) - P(1-t), or with a reflection (1 - x, y)(1-t), is the cubic W. */
+static int is_turned_over(const num P[], const num W[], int reflection)
+{
+    num back[8];
+    int same_curve = 1;
+    G(power_on_interval)(3, dim, P, from_int(1), from_int(0), back);
+    for (int m = 0; m < 8; m++) {
+        num image = sub(from_int(m == 0), back[m]);
+        same_curve &= equal_q(W[m], m % 2 == 1 && reflection ? back[m] : image);
+    }
+    return same_curve;
+}
+
+CLAIM(exchanged_lengths_turn_the_cubic)
+{
+    num Q[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, P[8], W[8];
+    int turned = 1;
+    for (int reflection = 0; reflection < 2; reflection++) {
+        int up = reflection ? -1 : 1, last = T->planted ? 2 : 1;
+        num V[4] = {from_int(1), from_int(1), from_int(2), from_int(2 * up)};
+        num U[4] = {from_int(2), from_int(2), from_int(last), from_int(last * up)};
+        G(cubic_of_ends)(dim, Q, V, P);
+        G(cubic_of_ends)(dim, Q, U, W);
+        show_points(T, reflection ? "tangents, reflected" : "tangents, turned", 4, 2,
+                    (num[]){V[0], V[1], V[2], V[3], U[0], U[1], U[2], U[3]});
+        show_points(T, "D, C, B, A of both curves", 4, 2, P);
+        show_points(T, "and", 4, 2, W);
+        turned = turned && is_turned_over(P, W, reflection);
+    }
+    about(T, "whether the second curve is no image of the first");
+    agree(T, !turned);
 }
 
 /* Whether the cubic runs once and forward along the x-axis from 0 to 1. */
@@ -336,6 +485,8 @@ The third dot is lost in this line, and in those that use it.
 :class: misprint
 :corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed
 :corrected-by: curvature_and_torsion_belong_to_arc_length
+:reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc, as everywhere else: false
+:reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, which the text at hand does not say: true
 :figure: curvature_and_the_speed
 
 One more dot is lost.  Without it the letter is the length of the arc, and then the quotient depends on where the length is
@@ -598,8 +749,8 @@ CLAIM(line_has_curvature_zero_everywhere)
 :holds-by: each_form_occurs sign_of_delta_tells_the_form signs_decide_the_form
 :figure: forms_of_a_cubic
 
-Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve, and on the arc by the lengths of the tangents, for all of them:
-`signs_decide_the_form`.
+Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve if $a=A\times B\ne0$: `delta_does_not_tell_graphs` has others.  On the arc it is decided by the lengths of the tangents, for all of them, where these point along the sides of a triangle
+$Q_0MQ_1$, towards $M$ and away from it: `signs_decide_the_form`.  Parallel tangents are not among them.
 :::
 
 :::{claim} sign_of_delta_tells_the_form
@@ -613,6 +764,16 @@ Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve, and on the arc 
   $a\ne0$: that remainder is computed for free coefficients.
 :defines: cubic_delta double_point_polynomial cubic_double_point
 :control: $\delta=b^2-4ac$
+:::
+
+:::{claim} delta_does_not_tell_graphs
+:title: Delta is 0 without a cusp, and positive with one inflection, where the cubic is a graph
+:zh: A×B=0 时判别式不能区分形态
+:kind: decision
+:given: $(t,t^2)$ and $(t,t^3)$, both with $a=A\times B=0$
+:then: $(a,b,c)=(0,0,-1)$, $\delta=0$, and $P'=(1,2t)\ne0$; $(a,b,c)=(0,-1,0)$, $\delta=3$, and $P'\times P''=6t$ has one zero
+:method: The kernels for cubics; zeros by root counts from $-1$ to 1, outside of which a polynomial of degree 1 without constant has none.
+:control: $(t,t^2+t^3)$ in the place of $(t,t^2)$
 :::
 
 :::{claim} merged_inflections_are_a_cusp
@@ -820,6 +981,23 @@ CLAIM(signs_decide_the_form)
 }
 
 #if RATIONAL
+CLAIM(delta_does_not_tell_graphs)
+{
+    for (int top = 2; top <= 3; top++) {
+        num c[8], m[3], f[3];
+        for (int k = 0; k < 8; k++)
+            c[k] = from_int(k == 2 || k == 2 * top + 1 || (k == 7 && T->planted));
+        G(cubic_minors)(c, m);
+        G(inflection_polynomial)(m, f);
+        same(T, m[0], from_int(0));
+        same(T, m[1], from_int(top == 2 ? 0 : -1));
+        same(T, m[2], from_int(top == 2 ? -1 : 0));
+        same(T, G(cubic_delta)(m), from_int(top == 2 ? 0 : 3));
+        poly turning = poly_from_q(3, f);
+        agree(T, count_roots(turning, from_int(-1), from_int(1), OPEN).distinct == (top == 2 ? 0 : 1));
+    }
+}
+
 /* Inflections, and parameters of the double point, in (0,1). */
 static void events_of(num alpha, num beta, int *inflections, int *doubles, num *delta)
 {
