@@ -89,8 +89,9 @@ CLAIM(regularity_is_a_sum_of_squares)
 :zh: 正则点处切线唯一
 :printed: At regular points of a curve a unique tangent can be determined.
 :holds-by: chord_turns_into_the_derivative
-:hypothesis: double_point_has_two_tangents | The point belongs to one parameter only: a point is passed twice at a loop, and has a
-  tangent for each passage, though both parameters are regular.
+:reading: chord_turns_into_the_derivative | A regular point is a parameter, as in the definition: it has one tangent.
+:reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage, though
+  both parameters are regular.
 :figure: regular_double_point
 :::
 
@@ -282,6 +283,49 @@ CLAIM(derivative_is_continuous_at_the_cusp)
         limit = neg(from_int(sign_q(poly_coefficient(dy, 1))));
     about(T, "whether a one-sided limit of P' differs from P' at the cusp");
     agree(T, !equal_q(poly_coefficient(dx, 0), at[0]) || !equal_q(limit, at[1]));
+}
+#endif
+
+/*
+:::{statement} hu-1987:1-4-singular-anomalies
+:title: At singular points all kinds of anomalies appear
+:zh: 奇异点处出现异常情况
+:printed: At singular points, however, all kinds of abnormal cases will appear.
+:holds-by: cusp_of_the_example_is_a_cusp point_moves_forward_back_and_forward
+:hypothesis: singular_point_of_a_plain_segment | No other parameter makes the curve regular and runs in the same sense: otherwise the point only
+  stands still for a moment, and nothing is seen.
+:figure: one_line_two_parameters
+
+The source's own anomalies are a change of direction: at the cusp, and twice on the line that follows.
+:::
+
+:::{claim} singular_point_of_a_plain_segment
+:title: A segment run once and forward, with a singular point in the middle
+:zh: 含奇异点的普通线段
+:kind: counterexample
+:given: $x=y=\phi_1(t)=4t^3-6t^2+3t$, the abscissa of the example with the cusp
+:then: $\phi_1'=3(2t-1)^2$: the curve is singular at $t=\frac12$ only, runs from $(0,0)$ to $(1,1)$ once and never back, and has the tangent $(1,1)$
+  everywhere
+:method: $\phi_1$ at the ends, the sign of $\phi_1'$ and its zeros on $[0,1]$ by root counts; that it is singular nowhere, or goes back somewhere,
+  is refuted.
+:control: the line that follows, $10t^3-15t^2+6t$
+:::
+*/
+#if RATIONAL
+CLAIM(singular_point_of_a_plain_segment)
+{
+    static const int coefficients[2][4] = {{0, 3, -6, 4}, {0, 6, -15, 10}};
+    num c[4], zero = from_int(0), one = from_int(1);
+    for (int k = 0; k < 4; k++)
+        c[k] = from_int(coefficients[T->planted][k]);
+    poly run = poly_from_q(4, c), speed = poly_derivative(run);
+    int whole_segment = is_zero_q(poly_value(run, zero)) && equal_q(poly_value(run, one), one);
+    int singular = count_roots(speed, zero, one, CLOSED).distinct;
+    show_text(T, "x = y", "%s", poly_to_string(run, "t"));
+    show_text(T, "x' = y'", "%s", poly_to_string(speed, "t"));
+    show_text(T, "singular parameters in [0,1]", "%d", singular);
+    about(T, "a point being singular, whether the curve goes back somewhere");
+    agree(T, !whole_segment || singular == 0 || sign_on(speed, zero, one, CLOSED) != SIGN_NONNEGATIVE);
 }
 #endif
 
