@@ -59,8 +59,9 @@ The word printed is "surface", the example is a curve; for a polynomial curve th
 :printed: In CAGD the lowest degree of parametric curves given by polynomials is three.
 :refuted-by: quadratic_curve_is_in_use
 :class: false
-:corrected: Three is the lowest degree of a polynomial curve that leaves every plane, and of a plane one with an inflection.
+:corrected: Three is the lowest degree of a polynomial curve that leaves every plane, and of a plane one, no line, with an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
+:hypothesis: lines_of_lower_degree_have_curvature_zero | No line, in the correction: a line has curvature 0 everywhere.
 :figure: degrees_two_and_three
 
 The table of contents of the source has a section on uniform quadratic B-spline surfaces.
@@ -77,12 +78,22 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 :::
 
 :::{claim} quadratics_are_plane_and_turn_to_one_side
-:title: A quadratic curve is plane and has no inflection
-:zh: 二次曲线为平面曲线且无拐点
+:title: A quadratic curve is plane and, unless it is a line, has no inflection
+:zh: 二次曲线为平面曲线,非直线时无拐点
 :given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
 :then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
-:method: The derivatives by the kernel, everything a variable.
+:method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve is a line.
 :control: a coefficient $c_3$ added
+:::
+
+:::{claim} lines_of_lower_degree_have_curvature_zero
+:title: Lines of degree one and two have curvature zero everywhere
+:zh: 一、二次直线的曲率恒为零
+:kind: counterexample
+:given: $(t,0)$ and $(t+t^2,0)$ on $[0,1]$
+:then: $P'\ne0$ and $P'\times P''=0$ everywhere
+:method: The kernels for cubics, with the third coefficients 0, and the sign of $x'$; that $P'\times P''$ is not 0 everywhere is refuted.
+:control: $(t,t^2)$ in the place of $(t,0)$
 :::
 
 :::{claim} cubics_leave_the_plane_and_inflect
@@ -151,6 +162,25 @@ CLAIM(quadratic_curve_is_in_use)
     show(T, "P' x P'' at t = 1/3", G(cross2)(D + 2, D + 4));
     about(T, "whether the degree is at least 3");
     agree(T, degree >= 3 || is_zero_q(G(cross2)(D + 2, D + 4)));
+}
+
+CLAIM(lines_of_lower_degree_have_curvature_zero)
+{
+    int everywhere = 1;
+    for (int degree = 1; degree <= 2; degree++) {
+        num c[8], minors[3], f[3];
+        for (int m = 0; m < 8; m++)
+            c[m] = from_int(m == 2 || (m == 4 && degree == 2) || (m == 5 && degree == 1 && T->planted));
+        G(cubic_minors)(c, minors);
+        G(inflection_polynomial)(minors, f);
+        poly x = poly_from_q(3, (num[]){c[0], c[2], c[4]});
+        show_points(T, "coefficients", degree + 1, 2, c);
+        show_text(T, "P' x P''", "%s", poly_to_string(poly_from_q(3, f), "t"));
+        everywhere = everywhere && poly_is_zero(poly_from_q(3, f)) &&
+                     sign_on(poly_derivative(x), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+    }
+    about(T, "whether P' x P'' is not 0 somewhere");
+    agree(T, !everywhere);
 }
 
 CLAIM(cubics_leave_the_plane_and_inflect)
@@ -765,10 +795,13 @@ CLAIM(table_costs_shifts_and_additions)
 ### The scaled table
 
 :::{statement} hu-1987:1-4-small-differences
-:title: The differences from the third on are small
+:title: The differences after the third are small
 :zh: 高阶差分已相当小
 :printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
 :holds-by: third_difference_loses_three_bytes
+:reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0, for every $\delta$
+:reading: third_difference_loses_three_bytes | from the third on, against the coefficients: true, $6A/2^{24}$
+:reading: third_difference_exceeds_the_first | from the third on, against the differences before it: false
 :figure: forward_differences
 :::
 
@@ -780,6 +813,16 @@ CLAIM(table_costs_shifts_and_additions)
 :method: The table of a cubic as one of degree 4 by the kernel, so that the fourth difference comes from five points; everything but the
   step a variable.
 :control: the step $\delta=2^{-7}$
+:::
+
+:::{claim} third_difference_exceeds_the_first
+:title: The third difference is six times the first
+:zh: 三阶差分为一阶差分的六倍
+:kind: counterexample
+:given: $P(t)=t^3$, $\delta=2^{-8}$
+:then: $\Delta P_0=2^{-24}$, $\Delta^2P_0=\Delta^3P_0=6\cdot2^{-24}$
+:method: The table by the kernel; that the third is less than the first is refuted.
+:control: $P(t)=t+t^3$
 :::
 
 :::{statement} hu-1987:1-4-4
@@ -820,6 +863,17 @@ Four rows, and with three coordinates the $4\times3$ matrix that is announced.
 :figure: stepping_and_rounding
 :::
 */
+#if RATIONAL
+CLAIM(third_difference_exceeds_the_first)
+{
+    num c[4] = {from_int(0), from_int(T->planted), from_int(0), from_int(1)}, d[4];
+    G(power_differences)(3, 1, c, from_ratio(1, 256), d);
+    show_points(T, "table", 4, 1, d);
+    about(T, "whether the third difference is less than the first");
+    agree(T, compare_q(d[3], d[1]) < 0);
+}
+#endif
+
 CLAIM(third_difference_loses_three_bytes)
 {
     num c[5], d[5], delta = from_ratio(1, T->planted ? 128 : 256);
