@@ -179,7 +179,7 @@ To first order, which is what the approximation means.  What the second order do
   generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
 :hypothesis: short_registers_stop_the_point | The registers keep the bits that are shifted out.  In integers a point with
-  coordinates below $2^m$ does not move at all; and to be exact, every step needs $m$ bits more.
+  coordinates from 0 to $2^m-1$ does not move at all; and to be exact, every step needs $m$ bits more.
 :figure: circles_in_integers
 :::
 
@@ -860,6 +860,8 @@ The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of
 :zh: 第三种方法的转角
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
 :holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
+:needs: negative_cosine_is_not_the_root | $0<\theta\le\frac\pi2$, as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is not
+  $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
 :figure: step_of_the_third_way
 :::
 

@@ -29,7 +29,7 @@ unless the ledger has an entry of it.
 :printed: § 9-1 (225), § 9-2 (237), § 9-3 (234), § 9-4 (237)
 :refuted-by: page_of_a_section_before_the_one_before
 :class: misprint
-:corrected: § 9-2 begins on a page from 225 to 234; every other page number is not less than the one before it.
+:corrected: § 9-2 begins on a page from 226 to 233; all other page numbers increase strictly.
 :corrected-by: other_pages_do_not_decrease
 :figure: pages_of_the_sections
 :::
@@ -58,11 +58,11 @@ Which of the three numbers is wrong cannot be decided from the table.
 :::
 
 :::{claim} other_pages_do_not_decrease
-:title: Without 9-2 all pages are in order
-:zh: 其余页码不减
+:title: Without 9-2 all pages increase
+:zh: 其余页码严格递增
 :kind: decision
 :given: the pages of all seventy sections but 9-2
-:then: none is less than the one before it; so 9-2 is between the pages 225 of 9-1 and 234 of 9-3
+:then: each is more than the one before it; so, if 9-2 is no exception, it is between the pages 225 of 9-1 and 234 of 9-3
 :method: Neighbours are compared.
 :control: 9-2 with its printed page
 :::
@@ -106,8 +106,8 @@ static const int section_page[CHAPTERS][MOST + 1] = {
     {225, 237, 234, 237, 242, 244, 248},
 };
 
-/* Whether no page is less than the one before, the second section of the last chapter left out if asked for. */
-static int pages_do_not_decrease(int first_chapter, int without)
+/* Whether every page is more than the one before, the second section of the last chapter left out if asked for. */
+static int pages_increase(int first_chapter, int without)
 {
     num last = from_int(0);
     int good = 1;
@@ -115,7 +115,7 @@ static int pages_do_not_decrease(int first_chapter, int without)
         for (int k = 0; section_page[c][k] != 0; k++)
             if (!(without && c == CHAPTERS - 1 && k == 1)) {
                 num page = from_int(section_page[c][k]);
-                good &= compare_q(last, page) <= 0;
+                good &= compare_q(last, page) < 0;
                 last = page;
             }
     return good;
@@ -141,10 +141,10 @@ CLAIM(page_of_a_section_before_the_one_before)
     const int *p = section_page[CHAPTERS - 1];
     show_text(T, "pages of 9-1, 9-2, 9-3, 9-4", "%d, %d, %d, %d", p[0], p[1], p[2], p[3]);
     about(T, "whether the pages are in order");
-    agree(T, pages_do_not_decrease(CHAPTERS - 1, T->planted));
+    agree(T, pages_increase(CHAPTERS - 1, T->planted));
 }
 
-CLAIM(other_pages_do_not_decrease) { agree(T, pages_do_not_decrease(0, !T->planted)); }
+CLAIM(other_pages_do_not_decrease) { agree(T, pages_increase(0, !T->planted)); }
 
 CLAIM(second_chapter_begins_before_its_first_section)
 {
