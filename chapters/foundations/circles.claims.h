@@ -130,6 +130,50 @@ CLAIM(rotated_points_are_equally_spaced)
 }
 
 /*
+:::{statement} hu-1987:1-3-trigonometric
+:title: The first way needs trigonometric functions
+:zh: 需要三角函数计算
+:printed: With hardware the algorithm needs products of matrices, and trigonometric functions have to be computed as well.
+:holds-by: rotation_matrix_adds_the_angle
+:hypothesis: rational_step_has_no_angle | The angle $\Delta\theta$ is prescribed.  Then it takes two values, $\cos\Delta\theta$ and $\sin\Delta\theta$, once for all points; a
+  step that need only be small and constant takes none.
+:figure: three_generators
+:::
+
+:::{claim} rational_step_has_no_angle
+:title: Equal steps on the circle without a trigonometric function
+:zh: 不用三角函数的等步长旋转
+:kind: counterexample
+:given: the matrix with $\frac{1-a^2}{1+a^2}=\frac{255}{257}$ and $\frac{2a}{1+a^2}=\frac{32}{257}$, $a=\frac1{16}$; 100 steps from $(1,0)$
+:then: all points are on the circle, at equal distances
+:method: The squares of radius and distance, exactly; the matrix takes additions and divisions only; that one differs is refuted.
+:control: (1-3-5) with $\varepsilon=\frac18$
+:::
+*/
+#if RATIONAL
+CLAIM(rational_step_has_no_angle)
+{
+    num M[4], P[2] = {from_int(1), from_int(0)}, last[2], first_edge = from_int(0);
+    int differs = 0;
+    G(rotation)(G(turn_by)(from_ratio(1, 16)), M);
+    if (T->planted)
+        G(small_step)(from_ratio(1, 8), M);
+    show_points(T, "the matrix", 2, 2, M);
+    for (int k = 1; k <= 100; k++) {
+        last[0] = P[0], last[1] = P[1];
+        G(steps)(1, M, P);
+        num edge[2] = {sub(P[0], last[0]), sub(P[1], last[1])}, square = G(norm_squared)(2, edge);
+        if (k == 1)
+            first_edge = square;
+        differs |= !equal_q(square, first_edge) || !equal_q(G(norm_squared)(2, P), from_int(1));
+    }
+    show(T, "square of the distance", first_edge);
+    about(T, "whether a radius or a distance differs from the others");
+    agree(T, differs);
+}
+#endif
+
+/*
 ## The first way, simplified
 
 :::{statement} hu-1987:1-3-3
@@ -203,6 +247,17 @@ To first order, which is what the approximation means.  What the second order do
 :method: The step in integers, $y_1=y_0+\lfloor x_0/16\rfloor$, against the exact one.
 :control: $x_0=160$, whose shifted value is exact
 :::
+
+:::{claim} short_coordinates_never_move
+:title: Points with coordinates from 0 to 2^m - 1 stand still, and negative coordinates do not
+:zh: 非负短坐标的点不动
+:kind: decision
+:given: $m=1,\dots,6$, all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$
+:then: $x_1=x$, $y_1=y$ for all of them; for $m=4$, $(10,-5)$ becomes $(11,-5)$, because $\lfloor-5/16\rfloor=-1$
+:method: The step in integers, at every point.
+:scope: m = 1 to 6
+:control: coordinates up to $2^m$
+:::
 */
 #if FIELD
 CLAIM(small_step_is_the_rotation_to_first_order)
@@ -245,6 +300,20 @@ CLAIM(exact_steps_need_m_more_bits_each)
             agree(T, is_whole_q(x) && is_whole_q(y));
             agree(T, !is_whole_q(mul(half, x)) || !is_whole_q(mul(half, y)));
         }
+}
+
+static int floor_quotient(int x, int unit) { return x >= 0 ? x / unit : -((unit - 1 - x) / unit); }
+
+CLAIM(short_coordinates_never_move)
+{
+    for (int m = 1; m <= 6; m++) {
+        int unit = 1 << m, most = T->planted ? unit : unit - 1;
+        for (int x = 0; x <= most; x++)
+            for (int y = 0; y <= most; y++)
+                agree(T, floor_quotient(x, unit) == 0 && floor_quotient(y, unit) == 0);
+    }
+    same(T, from_int(10 - floor_quotient(-5, 16)), from_int(11));
+    same(T, from_int(-5 + floor_quotient(10, 16)), from_int(-5));
 }
 
 CLAIM(short_registers_stop_the_point)

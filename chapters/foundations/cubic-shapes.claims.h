@@ -253,7 +253,7 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
 :reading: other_lengths_give_another_cubic | the shape is the set of the points: true with the first hypothesis alone
 :reading: exchanged_lengths_turn_the_cubic | the shape is what rotations and translations keep: false with the first hypothesis alone, true with
   both
-:figure: lengths_of_the_tangents
+:figure: exchanged_lengths
 :::
 
 :::{statement} hu-1987:1-4-lengths-matter

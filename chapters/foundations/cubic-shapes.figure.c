@@ -44,6 +44,28 @@ FIGURE(lengths_of_the_tangents)
     return s;
 }
 
+FIGURE(exchanged_lengths)
+{
+    svg *s = svg_new("exchanged_lengths", "Two lengths exchanged: the same shape",
+                     "A cubic with the tangents (1, 1) and (2, 2) at its ends, and one with (2, 2) and (1, 1): each is "
+                     "the other, turned by two right angles about the middle of the chord.");
+    static const int coefficients[2][8] = {{0, 0, 1, 1, -1, -4, 1, 3}, {0, 0, 2, 2, -2, -5, 1, 3}};
+    static const enum svg_role roles[2] = {SVG_CURVE, SVG_CURVE_2};
+    svg_panel(s, window(r(-1, 10), r(-3, 10), r(11, 10), r(3, 10)), 480, 0, "");
+    svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_MUTED);
+    for (int k = 0; k < 2; k++) {
+        num_q c[8];
+        fractions(8, coefficients[k], 1, c);
+        put_power_curve(s, 3, c, q(0), q(1), roles[k]);
+        svg_mark(s, svg_at(k, 0), SVG_POINT, SVG_USUAL);
+        svg_label(s, svg_at(k, 0), k ? SVG_E : SVG_W, SVG_POINT, k ? "Q_1" : "Q_0");
+    }
+    svg_mark(s, at(r(1, 2), q(0)), SVG_MUTED, SVG_USUAL);
+    svg_legend_line(s, SVG_CURVE, "tangents $(1,1)$, $(2,2)$");
+    svg_legend_line(s, SVG_CURVE_2, "tangents $(2,2)$, $(1,1)$");
+    return s;
+}
+
 /* The turning at the ends, up to a positive factor, and the cusps: 3 - 2y, 3 - 2x, (x-2)(y-2) - 1. */
 static num_q one_inflection(svg_point P, const void *data)
 {

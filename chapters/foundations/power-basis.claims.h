@@ -840,8 +840,25 @@ CLAIM(table_costs_shifts_and_additions)
 :printed: \begin{bmatrix}P_0\\\frac1\delta\Delta P_0\\\frac1{\delta^2}\Delta^2P_0\\\frac1{\delta^3}\Delta^3P_0\end{bmatrix}=\begin{bmatrix}D\\A\delta^2+B\delta+C\\6A\delta+2B\\6A\end{bmatrix}
 :holds-by: scaled_table_is_as_printed
 :figure: forward_differences
+:::
 
-Four rows, and with three coordinates the $4\times3$ matrix that is announced.
+:::{statement} hu-1987:1-4-difference-matrix
+:title: The matrix of differences
+:zh: 差分矩阵
+:printed: Written as a matrix, the formulas above give the $4\times3$ matrix of differences (1-4-5).
+:holds-by: scaled_table_is_as_printed
+:reading: scaled_table_is_as_printed | the differences at $t=0$ as rows, in three coordinates: true; in the plane the matrix is $4\times2$
+:reading: step_multiplies_by_a_square_matrix | the step (1-4-4), which stands above, as a matrix: that one is $4\times4$
+:figure: forward_differences
+:::
+
+:::{claim} step_multiplies_by_a_square_matrix
+:title: The step of the scaled table is a matrix with four rows and four columns
+:zh: 差分递推的方阵
+:given: any four rows $d_0,\dots,d_3$ with three coordinates, any $\delta$
+:then: `scaled_difference_step` multiplies them from the left by the matrix with 1 in the diagonal and $\delta$ to the right of it
+:method: The kernel against the product of the matrices, everything a variable.
+:control: $\delta$ to the left of the diagonal
 :::
 
 :::{claim} scaled_table_is_as_printed
@@ -863,6 +880,25 @@ Four rows, and with three coordinates the $4\times3$ matrix that is announced.
 :figure: stepping_and_rounding
 :::
 */
+CLAIM(step_multiplies_by_a_square_matrix)
+{
+    enum { space = 3 };
+    num d[4 * space], next[4 * space], delta = parameter(T, "d");
+    G(free_coefficients)(T, 3, space, d);
+    for (int k = 0; k < 4; k++)
+        for (int j = 0; j < space; j++) {
+            num sum = from_int(0);
+            for (int i = 0; i < 4; i++) {
+                num entry = i == k ? from_int(1) : i == (T->planted ? k - 1 : k + 1) ? delta : from_int(0);
+                sum = add(sum, mul(entry, d[i * space + j]));
+            }
+            next[k * space + j] = sum;
+        }
+    G(scaled_difference_step)(3, space, delta, d);
+    for (int m = 0; m < 4 * space; m++)
+        same(T, d[m], next[m]);
+}
+
 #if RATIONAL
 CLAIM(third_difference_exceeds_the_first)
 {

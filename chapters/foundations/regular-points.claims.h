@@ -294,7 +294,7 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :holds-by: cusp_of_the_example_is_a_cusp point_moves_forward_back_and_forward
 :hypothesis: singular_point_of_a_plain_segment | No other parameter makes the curve regular and runs in the same sense: otherwise the point only
   stands still for a moment, and nothing is seen.
-:figure: one_line_two_parameters
+:figure: singular_point_of_a_segment
 
 The source's own anomalies are a change of direction: at the cusp, and twice on the line that follows.
 :::

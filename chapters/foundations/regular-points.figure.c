@@ -89,3 +89,32 @@ FIGURE(one_line_two_parameters)
     svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "the singular points");
     return s;
 }
+
+/* (t, 4t^3 - 6t^2 + 3t) */
+static svg_point standing(num_q t, const void *data)
+{
+    (void)data;
+    num_q slope = add_q(q(3), mul_q(t, add_q(q(-6), mul_q(q(4), t))));
+    return at(t, mul_q(t, slope));
+}
+
+FIGURE(singular_point_of_a_segment)
+{
+    svg *s = svg_new("singular_point_of_a_segment", "A segment with a singular point that is not seen",
+                     "Left the place on the segment x = y against the parameter: it stands still for t = 1/2 and goes "
+                     "forward before and after.  Right the curve: a segment, with the points of the parameters t = 0, "
+                     "1/4, ..., 1.");
+    svg_panel(s, window(q(0), q(0), q(1), q(1)), 300, 0, "the place $x=y$ against $t$");
+    svg_axes(s, r(1, 4), r(1, 4), "t", "x");
+    svg_plot(s, standing, NULL, q(0), q(1), 32, SVG_CURVE);
+    svg_mark(s, at(r(1, 2), r(1, 2)), SVG_WRONG, SVG_USUAL);
+    svg_panel(s, window(r(-1, 10), r(-1, 10), r(11, 10), r(11, 10)), 300, 0, "the curve");
+    svg_segment(s, svg_at(0, 0), svg_at(1, 1), SVG_CURVE);
+    for (int k = 0; k <= 4; k++) {
+        num_q place = standing(r(k, 4), NULL).y;
+        svg_mark(s, at(place, place), k == 2 ? SVG_WRONG : SVG_POINT, SVG_USUAL);
+    }
+    svg_legend_line(s, SVG_CURVE, "$x=y=φ_1(t)$");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "the singular point");
+    return s;
+}
