@@ -749,8 +749,10 @@ CLAIM(line_has_curvature_zero_everywhere)
 :holds-by: each_form_occurs sign_of_delta_tells_the_form signs_decide_the_form
 :figure: forms_of_a_cubic
 
-Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve if $a=A\times B\ne0$: `delta_does_not_tell_graphs` has others.  On the arc it is decided by the lengths of the tangents, for all of them, where these point along the sides of a triangle
-$Q_0MQ_1$, towards $M$ and away from it: `signs_decide_the_form`.  Parallel tangents are not among them.
+Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve if $a=A\times B\ne0$; not so for $a=0$: `delta_does_not_tell_graphs`.  On the
+arc it is decided by the lengths of the tangents, for all of them, where these point along the sides of a triangle $Q_0MQ_1$, towards $M$
+and away from it, `signs_decide_the_form`, and where they are parallel, `parallel_tangents_give_an_s_or_an_arch`.  Directions in which the
+one or the other points backward are not among them.
 :::
 
 :::{claim} sign_of_delta_tells_the_form
@@ -821,6 +823,18 @@ $Q_0MQ_1$, towards $M$ and away from it: `signs_decide_the_form`.  Parallel tang
   $\alpha\ge\beta$: it needs $g_2>0$, $\beta>\alpha(3-2\alpha)$, so $\alpha>1$, and $g_1<0$, $\beta(3-2\alpha)<4-3\alpha$, which contradict each other
   by the last identity.
 :control: $3-\alpha$ in the place of $3-2\alpha$ in $f_2$ and in the last identity
+:::
+
+:::{claim} parallel_tangents_give_an_s_or_an_arch
+:title: With parallel tangents the arc has one inflection or none, and no loop
+:zh: 端切矢平行时曲线段的形态
+:given: any $Q_0$, $Q_1$ and $e$ in the plane, $w=(Q_1-Q_0)\times e$; $\dot Q_0=\lambda e$, and $\dot Q_1=\mu e$ or $-\mu e$; any $\lambda,\mu>0$
+:then: in one sense: $\delta=12\lambda\mu w^2$, $P'\times P''$ is $-6\lambda w$ at 0 and $6\mu w$ at 1; in opposite senses: it has the Bernstein coefficients
+  $-6\lambda w,0,-6\mu w$, and the polynomial of the double point is $\lambda(\lambda-3\mu)w^2$ at 0 and $\mu(\mu-3\lambda)w^2$ at 1
+:method: The kernels, everything a variable.  Let $w\ne0$.  In one sense a quadratic changes its sign: one inflection, and no double point as
+  $\delta>0$.  In opposite senses there is no zero on the arc, so neither inflection nor cusp, and no loop: for that both values would have
+  to be positive, $\lambda>3\mu$ and $\mu>3\lambda$.
+:control: $\lambda-2\mu$ in the place of $\lambda-3\mu$
 :::
 
 :::{claim} forms_by_the_lengths_of_the_tangents
@@ -978,6 +992,39 @@ CLAIM(signs_decide_the_form)
     num gap = sub(three, twice), rest = sub(four, mul(three, alpha));
     about(T, "the contradiction");
     same(T, sub(mul(alpha, mul(gap, gap)), rest), mul(four, G(power)(sub(alpha, one), 3)));
+}
+
+CLAIM(parallel_tangents_give_an_s_or_an_arch)
+{
+    num lambda = positive(T, "l", 0), mu = positive(T, "m", 0), Q[4], e[2], V[4], c[8], m[3], f[3], g[3];
+    for (int k = 0; k < 4; k++)
+        Q[k] = unknown(T, "q", k);
+    for (int j = 0; j < dim; j++) {
+        e[j] = unknown(T, "e", j);
+        V[j] = mul(lambda, e[j]);
+    }
+    num chord[2] = {sub(Q[2], Q[0]), sub(Q[3], Q[1])}, w = G(cross2)(chord, e), ww = mul(w, w);
+    for (int opposite = 0; opposite < 2; opposite++) {
+        num last = opposite ? neg(mu) : mu;
+        for (int j = 0; j < dim; j++)
+            V[dim + j] = mul(last, e[j]);
+        G(cubic_of_ends)(dim, Q, V, c);
+        G(cubic_minors)(c, m);
+        G(inflection_polynomial)(m, f);
+        G(double_point_polynomial)(m, g);
+        about(T, "the turning");
+        same(T, f[0], mul(from_int(-6), mul(lambda, w)));
+        same(T, add(f[0], add(f[1], f[2])), mul(from_int(6), mul(last, w)));
+        if (!opposite) {
+            same(T, G(cubic_delta)(m), mul(from_int(12), mul(mul(lambda, mu), ww)));
+            continue;
+        }
+        vanishes(T, add(f[0], mul(from_ratio(1, 2), f[1])));
+        about(T, "the double point");
+        num first = sub(lambda, mul(from_int(T->planted ? 2 : 3), mu)), second = sub(mu, mul(from_int(3), lambda));
+        same(T, g[0], mul(mul(lambda, first), ww));
+        same(T, add(g[0], add(g[1], g[2])), mul(mul(mu, second), ww));
+    }
 }
 
 #if RATIONAL
