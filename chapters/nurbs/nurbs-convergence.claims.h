@@ -13,6 +13,8 @@ of the curve, and then with the square of the largest gap; an explicit bound is 
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
 :hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve, for which $(k-1)$-fold $t_k$ and
   $t_{n+1}$ suffice ($t_2=\dots=t_k$, $t_{n+1}=\dots=t_{n+k-1}$): otherwise $r_1$, a vertex of every polygon, keeps its distance
+:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide: otherwise every
+  polygon keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | positive weights
 :reading: first_vertex_stays_off_the_curve | the polygon is the whole polygon, as after (4.1.1): the hypothesis is needed
 :reading: polygon_is_within_the_bound_of_the_spline | only the part of the polygon over the domain is meant: true for unclamped knots, too,
@@ -20,8 +22,9 @@ of the curve, and then with the square of the largest gap; an explicit bound is 
 :figure: nurbs_polygons_converge
 :striking: 42
 
-Choose for $T_m'$ the knots that halve every gap $m$ times: nested, and $h_m\to0$.  At a knot of multiplicity $k-1$ or more the polygon
-passes through the curve, or the curve is torn as the polygon is, and either side is treated alone.
+Choose for $T_m'$ the knots that halve every gap $m$ times: nested, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon
+passes through the curve, and either side is treated alone.  At a $k$-fold one either side converges, but the polygon is connected and
+the curve need not be: the limit is the curve together with the edges over its jumps.
 :::
 
 :::{statement} wang-ch4:remark-4.1.1-convergence
@@ -32,6 +35,7 @@ passes through the curve, or the curve is torn as the polygon is, and either sid
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, $h_m\to0$; infinitely many do not suffice
 :hypothesis: first_vertex_stays_off_the_curve | the polygon begins and ends with the curve
+:hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold, or the points there coincide
 :figure: no_convergence
 :::
 
@@ -400,8 +404,66 @@ CLAIM(polygon_is_within_the_bound_of_the_spline)
   near the curve.  No knot in $(0,1)$ changes $r_3=f[1,2]$.
 :control: $T'$ with $1+\frac18,\dots,1+\frac78$ besides
 :::
+
+:::{claim} polygons_keep_the_edge_over_a_jump
+:title: Over a k-fold knot every polygon keeps the edge that joins the two parts of the curve
+:zh: k 重节点处多边形始终保留连接两段的边
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1,2,2,2$, points $(0,0),(1,-1),(2,0),(2,1),(1,2),(0,1)$, weights $1$; $T_m'$ halves every gap $m$ times,
+  $m=1,2,3$
+:then: every $\Gamma_k^{(T)}(T_m')$ has the edge from $(2,0)$ to $(2,1)$, while the curve has $y\le0$ on $[0,1)$ and $y\ge1$ on
+  $[1,2]$: the middle of the edge is at a distance of at least $\frac12$ from it
+:method: (4.1.6) by its letter; the curve lies in the hulls of its Bézier points.  For every $T'$: the last point that the knots up to
+  $1$ have is $(2,0)$, the first of the others $(2,1)$; $1$ inserted again repeats one of them.
+:control: the knots $0,0,0,1,1,\frac32,2,2,2$
+:::
 */
 #if RATIONAL
+CLAIM(polygons_keep_the_edge_over_a_jump)
+{
+    static const int jump[] = {0, 0, 0, 2, 2, 2, 4, 4, 4}, joined[] = {0, 0, 0, 2, 2, 3, 4, 4, 4}; /* twice the knots */
+    static const int point[] = {0, 0, 1, -1, 2, 0, 2, 1, 1, 2, 0, 1};
+    const int *knot = T->planted ? joined : jump;
+    num u[9], R[12], w[6], b[6], S[2 * MOST_KNOTS], z[MOST_KNOTS], one = from_int(1);
+    int n = 6, apart = 1, kept = 0;
+    for (int i = 0; i < 9; i++)
+        u[i] = from_ratio(knot[i], 2);
+    for (int i = 0; i < 6; i++) {
+        w[i] = one;
+        R[2 * i] = from_int(point[2 * i]);
+        R[2 * i + 1] = from_int(point[2 * i + 1]);
+    }
+    for (int mu = 2; mu < n; mu++)
+        if (knot[mu] < knot[mu + 1]) {
+            G(bspline_to_bezier)(2, 2, u, mu, R, b);
+            for (int i = 0; i < 3; i++)
+                apart &= mu == 2 ? sign_q(b[2 * i + 1]) <= 0 : sign_q(sub(b[2 * i + 1], one)) >= 0;
+        }
+    show_points(T, "knots", 9, 1, u);
+    show_points(T, "r", n, 2, R);
+    for (int m = 1; m <= 3; m++) {
+        int parts = 1 << m, place[9], at[MOST_KNOTS], count = 0, edges = 0; /* places in units of 1/2^(m+1) */
+        num v[MOST_KNOTS];
+        for (int i = 0; i < 9; i++) {
+            int gap = i < 8 ? knot[i + 1] - knot[i] : 0;
+            place[i] = parts * knot[i];
+            for (int l = 0; l < (gap > 0 ? parts : 1); l++, count++) {
+                at[count] = place[i] + l * gap;
+                v[count] = from_ratio(at[count], 2 * parts);
+            }
+        }
+        G(refined_by_definition)(n, 2, 2, u, place, R, w, count - 3, v, at, S, z);
+        for (int j = 0; j + 1 < count - 3; j++)
+            edges += equal_q(S[2 * j], R[4]) && equal_q(S[2 * j + 1], R[5]) && equal_q(S[2 * j + 2], R[6]) &&
+                     equal_q(S[2 * j + 3], R[7]);
+        kept += edges == 1;
+        if (m == 1)
+            show_points(T, "the first polygon", count - 3, 2, S);
+    }
+    about(T, "the curve having no point between y = 0 and y = 1, the edge from (2,0) to (2,1) goes away");
+    agree(T, !apart || kept < 3);
+}
+
 CLAIM(first_vertex_stays_off_the_curve)
 {
     static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3};

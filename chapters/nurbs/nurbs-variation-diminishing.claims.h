@@ -7,9 +7,9 @@ replaces two sides of a triangle by the third; and that by insertion every point
 
 What is counted decides whether it is true.  The source says *number of points of intersection* and nothing more.
 Counted along the curve and along the polygon it is true: for crossings, which are changes of side, and for common points
-too, if an edge or a piece of curve on the line counts as one intersection (or as infinitely many).  As points
+too, if an edge or a piece of curve on the line counts as one intersection.  As points
 of the plane, each counted once however often the polygon runs through it, it is false; and it is false if an edge on the line is
-not counted.
+not counted, or, for insertion, if it counts as infinitely many points.
 
 :::{statement} wang-ch4:lemma-4.2.2-count
 :title: The number of intersections with a line
@@ -22,10 +22,11 @@ not counted.
 :reading: designed_splines_meet_no_more | common points counted along the curve, a piece on the line counting once
 :reading: self_crossing_polygon_gains_points_on_a_line | points of the plane, each counted once
 :reading: edge_on_the_line_must_be_counted | points that are not on an edge or piece of curve on the line
+:reading: cut_corner_lies_on_the_line | points, of which an edge on the line has infinitely many
 :figure: what_must_be_counted
 
-With the first two meanings the statements below are true, with the others false; points of the plane will do for a polygon that
-does not meet itself on the line.  The source's chapter on Bézier curves means
+With the first two meanings the statements below are true, with the others false; points of the plane will do, an edge or piece
+on the line counting once, for a polygon that does not meet itself on the line.  The source's chapter on Bézier curves means
 crossings, and says so.
 :::
 
@@ -37,7 +38,8 @@ crossings, and says so.
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points of the plane
-:hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts, as one intersection or as infinitely many
+:hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
+:hypothesis: cut_corner_lies_on_the_line | and counts as one intersection, not as infinitely many points
 :hypothesis: knot_before_the_domain_asks_for_another_point | the knots are in the domain
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | and greater than $t_1$
 :needs: insertion_with_mixed_weights_crosses_more | positive weights
@@ -123,6 +125,7 @@ the curve does.
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | counted along the polygon; as points of the plane there is no
   contradiction, and there cannot be
+:hypothesis: cut_corner_lies_on_the_line | an edge on the line counts as one intersection
 :figure: what_must_be_counted
 :::
 
@@ -247,6 +250,17 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :then: outside its edge on the line the polygon has no common point with it; the new polygon has the vertex $(\frac32,0)$ and no edge
   there, and the curve crosses at this point
 :method: Common points less those on edges of the polygon; the curve by counting roots.
+:control: the edge counted as one intersection
+:::
+
+:::{claim} cut_corner_lies_on_the_line
+:title: A corner cut along the line puts an edge on it
+:zh: 沿直线割角
+:kind: counterexample
+:given: $k=n=3$, knots $0,0,0,2,2,2$, weights $1$, points $(0,0),(1,1),(2,0)$, the line $y=\frac12$; $T'=\{1\}$
+:then: the polygon has two points on the line; the new polygon $(0,0),(\frac12,\frac12),(\frac32,\frac12),(2,0)$ has an edge on it,
+  infinitely many points
+:method: The printed insertion; points and edges by `exact/crossings.h`, the heights taken less $\frac12$.
 :control: the edge counted as one intersection
 :::
 
@@ -642,6 +656,27 @@ CLAIM(edge_on_the_line_must_be_counted)
     show_text(T, "intersections of the curve", "%d", curve_of(&g).common);
     about(T, "the new polygon has no more than the old one, or the curve has no more");
     agree(T, new <= old || curve_of(&g).common <= old);
+}
+
+CLAIM(cut_corner_lies_on_the_line)
+{
+    static const long knot[] = {0, 0, 0, 2, 2, 2};
+    static const int y[] = {0, 1, 0};
+    struct graph g;
+    graph_of(&g, 3, 3, knot, y, 0);
+    for (int i = 1; i <= 3; i++)
+        g.r[2 * i] = from_int(i - 1);
+    struct graph cut = with_knot(&g, from_int(1));
+    struct line line = {from_int(0), from_int(1), from_ratio(-1, 2)};
+    struct polygon_meets_line before = polygon_meets_line(2, g.r + 2, line),
+                              after = polygon_meets_line(3, cut.r + 2, line);
+    int finite = before.contained_edges == 0, infinite = after.contained_edges > 0 && !T->planted;
+    show_points(T, "r", 3, 2, g.r + 2);
+    show_points(T, "r'", 4, 2, cut.r + 2);
+    show_text(T, "points of the polygon on y = 1/2", "%d", before.common_runs);
+    show_text(T, "edges of the new polygon on y = 1/2", "%d", after.contained_edges);
+    about(T, "the new polygon has no more points on the line");
+    agree(T, !finite || (!infinite && after.common_runs <= before.common_runs));
 }
 
 CLAIM(jump_crosses_the_line_without_a_point)
