@@ -31,8 +31,8 @@ vanishing curvature or torsion, and its members have them.
   $\ne0$ everywhere: false for $k=7$, $r=3$
 :reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be
   meant: false for $k=6$, $r=3$, with an inflection
-:reading: curvatures_have_a_fixed_ratio | the same for plane segments without an inflection in the closed span,
-  $\tau(t)$ continuous on it: true; there is a fixed point $\tau(t)=t$, and a second solution through it needs
+:reading: curvatures_have_a_fixed_ratio | the same, in plane or space, with $\mathbf r'\times\mathbf r''\ne0$ on the
+  closed span and $\tau(t)$ continuous on it: true; there is a fixed point $\tau(t)=t$, and a second solution through it needs
   $\mathbf r'\times\mathbf r''=0$ there
 :corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has
   $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
@@ -42,8 +42,8 @@ vanishing curvature or torsion, and its members have them.
 :figure: nurbs_envelope_square
 
 For $r=k-2$ the level before consists of conics: a conic without curvature is a line or a point, and it is one when
-$\mathbf r'\times\mathbf r''=0$ at $\tau$.  For plane curves $r$ and $k-1-r$ have the same solutions with $t$ and
-$\tau$ exchanged.  In space two equations have to be fulfilled, so as a rule single pairs are left and no curve; for
+$\mathbf r'\times\mathbf r''=0$ at $\tau$.  As $f[\tau^r,t^{k-1-r}]$ says, $r$ and $k-1-r$ have the same solutions
+with $t$ and $\tau$ exchanged, in every dimension.  In space two equations have to be fulfilled, so as a rule single pairs are left and no curve; for
 $k=7$ there can be a curve.
 :::
 

@@ -65,7 +65,11 @@ not exist.
   r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)
 :definition: yes
 :checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
-:hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$ vanishes for $\tau\in[t_k,t_{n+1}]$
+:hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
+:hypothesis: lower_level_lacks_a_point | nor any $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with $t_i=t_{i+2}$, whose $N_{i,2}$
+  is 0, are left out
+:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$
 :figure: nurbs_polygons
 :::
 

@@ -208,14 +208,16 @@ As printed nothing ties $j$ to the interval that contains $t$.
 :::
 
 :::{statement} wang-ch4:alg-4.1.1-end
-:title: The algorithm reaches every point of the curve
-:zh: 算法适用于曲线上任意一点
+:title: The algorithm is for every parameter of the half-open intervals
+:zh: 算法适用于各半开区间内的任意参数
 :printed: The algorithm is for the curve (4.1.2), $t_k\le t\le t_{n+1}$, and any fixed $t$ of an interval half-open on the right,
   $k\le j\le n$
 :holds-by: rational_triangle_gives_the_point
-:hypothesis: end_is_in_no_interval | $t<t_{n+1}$, or the last interval that is not empty closed: none of the intervals contains
-  $t_{n+1}$
+:reading: rational_triangle_gives_the_point | for the printed intervals: true
+:reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
 :figure: missing_end
+
+For $t_{n+1}$ the last interval that is not empty is taken closed.
 :::
 
 :::{claim} other_interval_gives_other_point

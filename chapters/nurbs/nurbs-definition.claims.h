@@ -472,6 +472,8 @@ CLAIM(nurbs_point_is_the_weighted_mean)
 :zh: 权相等时退化为 B 样条曲线
 :printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
 :holds-by: equal_weights_give_bspline
+:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=\dots=t_{n+k}$: by the
+  letter (4.1.2) is $0/0$ there, and (2.2.1) is $0$
 :reading: only_proportional_weights_give_the_bspline | as a criterion: for points in general position no other weights do
 :figure: nurbs_definition
 

@@ -578,36 +578,41 @@ CLAIM(negative_weight_takes_a_point_away)
 :printed: for the whole curve put $t,\tau\in[t_k,t_{n+1}]$ in (4.1.3) and (4.1.4), take $[t_k,t_{n+1}]$ as the domain
   in (4.3.2) and (4.3.3) and let the sums of (4.3.3) run from $r+1$ to $n$; the same holds
 :holds-by: whole_member_is_polar_on_every_span member_of_span_touches_curve
-:hypothesis: extrapolated_weight_vanishes | $w_i^{[r]}(\tau)\ne0$ for all $\tau$ and $i=r+1,\dots,n$; outside its own
-  span the recursion extrapolates, and a point of the member may not exist although all weights are positive
+:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$, $\rho=r$; outside its
+  own span the recursion extrapolates, and a point of the member may not exist although all weights are positive
+:hypothesis: lower_level_lacks_a_point | and for the levels $\rho=1,\dots,r-1$ as well, since (4.1.4) asks for their points; or the
+  products $w_i^{[\rho]}\mathbf r_i^{[\rho]}$ are computed by (4.1.3)
 :hypothesis: extrapolated_member_has_a_pole | no denominator of a member vanishes; with a negative $w_i^{[r]}(\tau)$
   it may
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or 0/0 counts as 0; else
-  (4.1.3) divides by 0
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most $(k-r)$-fold, or the terms with $t_i=t_{i+k-r}$,
+  whose $N_{i,k-r}$ is 0, are left out; else (4.1.3) divides by 0
+:hypothesis: whole_member_ends_in_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=\dots=t_{n+k-r}$:
+  otherwise (4.3.3) is $0/0$ there
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
 :figure: nurbs_envelope_whole
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
-the span of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first two
-hypotheses are fulfilled: all $w_i^{[r]}$ are equal.
+the span of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first three
+hypotheses are fulfilled: all $w_i^{[r]}$ are equal.  What is left out is not asked for elsewhere: if $t_i=t_{i+k-r+1}$, then
+$t_i=t_{i+k-r}$ and $t_{i+1}=t_{i+1+k-r}$, and the points of the next level that would need $i$ are left out too.
 :::
 
 :::{claim} whole_member_is_polar_on_every_span
 :title: On every span the whole member is the polar form of the segment of that span
 :zh: 整条族曲线在每一段上都是该段的极形式
-:given: $k=p+1$; $n=k+2$ points with weights over simple knots, and over knots one of which, inside, is double; any
-  $\tau$, $t$ in each span; $r=1,\dots,k-2$
+:given: $k=p+1$; points with weights over simple knots, and over knots one of which, inside, is double, $(k-1)$-fold or
+  $k$-fold; any $\tau$, $t$ in each span; $r=1,\dots,k-2$
 :then: $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$ with the polar form $f$
   of the segment that contains $t$
-:method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates; the sum of
-  all terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
+:method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates, without the $i$ with
+  $t_i=t_{i+k-r}$; the sum of the other terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
 :degrees: 2..6 sampled 6
 :scope: the distinct knots variables for $p\le4$, numbers above
 :control: the polar form of the first segment for every span
 :::
 */
 /* The level r of (4.1.3) for all indices, in place: h_i, i = 0, ..., n-1, in the numbering from 0, become the h_i of
- * i = r, ..., n-1; those below stay.  Where a divisor is 0 the result is 0. */
+ * i = r, ..., n-1; those below stay.  Where a divisor is 0 there is no result, and none is asked for (h_i is set to 0). */
 static void G(whole_level)(int n, int p, const num u[], const int place[], int r, num h[], num tau)
 {
     for (int i = n - 1; i >= r; i--) {
@@ -623,11 +628,12 @@ static void G(whole_level)(int n, int p, const num u[], const int place[], int r
 
 CLAIM(whole_member_is_polar_on_every_span)
 {
-    int p = T->degree, n = p + 3;
-    for (int kind = 0; kind < 2; kind++) {
+    int p = T->degree;
+    for (int kind = 0; kind < 4; kind++) {
         char pattern[MOST_KNOTS] = {0};
-        for (int i = 0; i < n + p + 1 - kind; i++)
-            pattern[i] = kind == 1 && i == p + 1 ? '2' : '1';
+        int many = kind < 2 ? kind + 1 : p + kind - 2, n = kind < 2 ? p + 3 : p + many + 1;
+        for (int i = 0; i < n + p + 2 - many; i++)
+            pattern[i] = (char)('0' + (i == p + 1 ? many : 1));
         num u[MOST_KNOTS], H[2 * MOST_KNOTS], h[2][MOST_KNOTS], t = parameter(T, "t"), tau = parameter(T, "s");
         int place[MOST_KNOTS], count = G(knots_of_pattern)(T, pattern, u, place);
         G(numbers_above)(4, p, count, place, u);
@@ -647,7 +653,8 @@ CLAIM(whole_member_is_polar_on_every_span)
                 for (int c = 0; c < 2; c++) {
                     num sum = from_int(0);
                     for (int i = r; i < n; i++)
-                        sum = add(sum, mul(h[c][i], G(cox_de_boor)(p - r, u, place, i, interval, t)));
+                        if (place[i] < place[i + p + 1 - r])
+                            sum = add(sum, mul(h[c][i], G(cox_de_boor)(p - r, u, place, i, interval, t)));
                     same(T, sum, f[c]);
                 }
             }
@@ -685,6 +692,71 @@ CLAIM(extrapolated_weight_vanishes)
     agree(T, !is_zero_q(w[1]) && !is_zero_q(w[2]) && !is_zero_q(w[3]));
 }
 /*
+:::{claim} lower_level_lacks_a_point
+:title: A point of a lower level may be missing although no weight of the level vanishes
+:zh: 本层权均不为零时低层仍可能缺控制顶点
+:kind: counterexample
+:given: $k=4$, $n=5$, the knots $t_i=i$, weights $1,1,1,1,4$, domain $[4,6]$; $r=2$, $\tau=4$
+:then: $w_i^{[2]}(4)=1,1,\frac32$ for $i=3,4,5$, but $w_5^{[1]}(4)=0$: $\mathbf r_5^{[1]}(4)$ is not defined, and
+  $\mathbf r_5^{[2]}(4)$ is a mean of it and $\mathbf r_4^{[1]}(4)$
+:method: (4.1.3) for all indices, exactly; that with the weights of level 2 those of level 1 are not 0 is what is compared.
+:control: the last weight 2
+:::
+*/
+CLAIM(lower_level_lacks_a_point)
+{
+    num u[9], w[5], tau = from_int(4);
+    int place[9], given = 1, all = 1;
+    for (int i = 0; i < 9; i++) {
+        u[i] = from_int(i + 1);
+        place[i] = i;
+    }
+    for (int i = 0; i < 5; i++)
+        w[i] = from_int(i < 4 ? 1 : T->planted ? 2 : 4);
+    show_points(T, "t_i", 9, 1, u);
+    show_points(T, "w_i", 5, 1, w);
+    show(T, "τ", tau);
+    G(whole_level)(5, 3, u, place, 1, w, tau);
+    show_points(T, "w_2^{[1]}, ..., w_5^{[1]}", 4, 1, w + 1);
+    for (int i = 1; i < 5; i++)
+        all &= !is_zero_q(w[i]);
+    G(whole_level)(5, 3, u, place, 2, w, tau);
+    show_points(T, "w_3^{[2]}, w_4^{[2]}, w_5^{[2]}", 3, 1, w + 2);
+    for (int i = 2; i < 5; i++)
+        given &= !is_zero_q(w[i]);
+    about(T, "the weights of level 2 not being 0, those of level 1 are not 0");
+    agree(T, !given || all);
+}
+/*
+:::{claim} whole_member_ends_in_no_interval
+:title: At the end of a clamped curve numerator and denominator of a member are 0
+:zh: 端点为重节点时族曲线在右端为 0/0
+:kind: counterexample
+:given: $k=4$, $n=5$, the knots $0,0,0,0,1,2,2,2,2$ and then $3$, weights 1; $r=1$, $\tau=2$; $t=t_{n+1}=2$, which lies in
+  $[t_9,t_{10})$ and in no interval before.  For the control the limit from the left.
+:then: $\sum_{i=2}^5N_{i,3}(2)w_i^{[1]}(2)=0$
+:method: Both recursions by their letter, for the interval $[2,3)$.
+:control: the interval $[1,2)$
+:::
+*/
+CLAIM(whole_member_ends_in_no_interval)
+{
+    static const int place[10] = {0, 0, 0, 0, 1, 2, 2, 2, 2, 3};
+    num u[10], w[5], t = from_int(2), sum = from_int(0);
+    for (int i = 0; i < 10; i++)
+        u[i] = from_int(place[i]);
+    for (int i = 0; i < 5; i++)
+        w[i] = from_int(1);
+    G(whole_level)(5, 3, u, place, 1, w, t);
+    for (int i = 1; i < 5; i++)
+        sum = add(sum, mul(w[i], G(cox_de_boor)(2, u, place, i, T->planted ? 1 : 2, t)));
+    show_points(T, "knots", 10, 1, u);
+    show_points(T, "w_2^{[1]}, ..., w_5^{[1]}", 4, 1, w + 1);
+    show(T, "denominator at t = 2", sum);
+    about(T, "the denominator of the member is not 0");
+    agree(T, !is_zero_q(sum));
+}
+/*
 :::{claim} extrapolated_member_has_a_pole
 :title: With positive weights a member of the whole curve may run to infinity
 :zh: 权全为正时整条曲线的族曲线也可能有极点
@@ -720,7 +792,8 @@ CLAIM(extrapolated_member_has_a_pole)
 :zh: 内节点重数达 k-r+1 时递推分母为零
 :kind: counterexample
 :given: $k=4$, $n=7$, the knots $0,0,0,0,1,1,1,2,2,2,2$ of two cubic segments; $r=2$, $i=5$
-:then: $t_{i+k-r}-t_i=0$ for an index of $r+1,\dots,n$
+:then: $t_{i+k-r}-t_i=0$ for an index of $r+1,\dots,n$; at $\tau=\frac32$ the printed coefficient of $w_i^{[r-1]}$ is
+  $\frac12\big/0$
 :method: All divisors of (4.1.3) for $i=r+1,\dots,n$ are computed; that none is 0 is what is compared.
 :control: the inner knot double, $n=6$
 :::
@@ -737,6 +810,7 @@ CLAIM(high_knot_leaves_a_point_undefined)
         if (t[i + k - r - 1] == t[i - 1]) {
             zero = 1;
             show_text(T, "i", "%d", i);
+            show(T, "τ - t_i for τ = 3/2", sub(from_ratio(3, 2), u[i - 1]));
         }
     show_points(T, "t_i", n + k, 1, u);
     about(T, "no divisor t_{i+k-r} - t_i is 0");
@@ -759,14 +833,14 @@ recursion.
 :::
 
 :::{statement} wang-ch4:cor-4.3.1-bezier
-:title: Between (k-1)-fold knots the family is that of the rational Bézier curve
-:zh: 两端均为 k-1 重节点时即有理 Bézier 曲线的包络定理
+:title: Between (k-1)-fold knots the theorem on rational Bézier curves results
+:zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
 :printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
-:holds-by: bezier_span_gives_the_bezier_family
+:reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2: true
+:reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches: true, wherever
+  $\mathbf r'\ne0$
+:reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2, with contact of order $n-r$, $n=k-1$: false, there as here
 :figure: bezier_knots
-
-What results is the envelope; that the contact is of order $n-r$, which theorem 3.3.2 adds, is false there as it would
-be here.
 :::
 
 :::{statement} wang-ch4:formula-4.3.8

@@ -12,6 +12,7 @@ this can be computed is decided here.
 :printed: The nonuniform B-spline curve, a piecewise polynomial, is generalised to the piecewise rational NURBS curve,
   of which B-spline curves and rational Bézier curves are special cases
 :holds-by: nurbs_point_is_the_weighted_mean equal_weights_give_bspline bezier_knots_give_rational_bezier
+:hypothesis: right_end_belongs_to_no_interval | at a $k$-fold right end $t_{n+1}$ the limit from the left is meant
 :figure: nurbs_circle
 :::
 
