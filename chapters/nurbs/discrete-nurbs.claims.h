@@ -63,11 +63,17 @@ $i=j$ and $0$ otherwise.
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :needs: negative_weight_loses_a_new_point | positive weights: otherwise a new weight may be $0$, and there is no new point though the
   curve is there
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in the domain, and to the left of $t_{n+1}$ when that is a $k$-fold knot:
-  otherwise all $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
+  $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
+:reading: knots_outside_the_domain_cut_corners | with the $\alpha$ of 2.10 as they are read here, intervals closed on the left: true for
+  $T'$ outside the domain, too
+:reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
+  closed on the right: then $\tau=t_1$ is excluded, and a $k$-fold right end may be inserted, which repeats $r_n$
+  (`both_conventions_of_the_span_are_right`)
 :figure: nurbs_polygons_converge
 
-With positive weights all new weights lie between the least and the greatest of the old ones.
+With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; a knot outside
+makes the weight of an end smaller.
 :::
 
 :::{statement} wang-ch4:formula-4.1.8
@@ -77,8 +83,9 @@ With positive weights all new weights lie between the least and the greatest of 
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: still true, the new $N_{j,k}$ between its
   copies being zero; such $r_j$ do not count and are points of the curve
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist: $T'$ in the domain, and to the left of $t_{n+1}$ when
-  that is a $k$-fold knot; otherwise a term of the sum is $0\cdot\frac00$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, as there; otherwise a term of the sum is
+  $0\cdot\frac00$
+:reading: knots_outside_the_domain_cut_corners | $T'$ outside the domain, in $(t_1,t_{n+k})$: true
 :figure: insertions_commute
 :::
 
@@ -121,10 +128,11 @@ With positive weights all new weights lie between the least and the greatest of 
 #include "chapters/frame/claims_on.h"
 
 /* Pairs T, T' over common values for each degree. */
-static const char *const G(pairs)[][13] = {
+static const char *const G(pairs)[][16] = {
     {NULL},
-    {"202", "010", "1111", "0010", "2112", "0100", "2012", "0220", NULL},
-    {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", "313", "030", NULL},
+    {"202", "010", "1111", "0010", "2112", "0100", "2012", "0220", "202", "100", NULL},
+    {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", "313", "030", "303", "110",
+     NULL},
     {"4004", "0110", "40104", "01010", "4204", "0120", "11111111", "00001000", NULL},
     {"50105", "01010", "50205", "02100", NULL},
     {"60106", "01010", "60306", "02100", NULL},
@@ -246,6 +254,22 @@ CLAIM(discrete_bsplines_are_shares)
 :control: the new weights taken as 1 in (4.1.8)
 :::
 
+:::{claim} knots_outside_the_domain_cut_corners
+:title: A knot outside the domain cuts corners of the polygon as well, and keeps the curve
+:zh: 定义域外的节点同样割角且不改变曲线
+:given: simple knots, $n=k+1$; one knot $\tau$ inside an interval of $(t_1,t_k)$ or $(t_{n+1},t_{n+k})$, or at one of the knots there; positive
+  gaps and weights
+:then: new point $j$ has no share but in $r_{j-1}$ and $r_j$, and both shares are nonnegative; they sum up to $1$ for $1<j\le n$, while
+  $r_1'=r_1$ with $\alpha_{1,k}(1)=\frac{\tau-t_1}{t_k-t_1}$ or $1$ and $r_{n+1}'=r_n$ with
+  $\alpha_{n,k}(n+1)=\frac{t_{n+k}-\tau}{t_{n+k}-t_{n+1}}$ or $1$; and (4.1.8) is (4.1.2) on the domain
+:method: (4.1.6) and both curves by their letter; signs are read off coefficients in the gaps.  More knots one after the other, by
+  (4.1.7).
+:types: field rational
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le3$, numbers above
+:control: the first or the last share, that which is less than $1$, taken as $1$
+:::
+
 :::{claim} nurbs_insertion_is_one_discrete_step
 :title: Boehm's insertion with weights is (4.1.6) for one knot
 :zh: 带权的 Boehm 嵌入公式即单节点的 (4.1.6)
@@ -279,6 +303,59 @@ CLAIM(refined_data_give_the_same_curve)
         }
     }
 }
+
+#if FIELD || RATIONAL
+CLAIM(knots_outside_the_domain_cut_corners)
+{
+    int p = T->degree, n = p + 2;
+    struct G(refinement) r;
+    num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], P, Q, t = unknown(T, "t", 0), one = from_int(1);
+    for (int which = 0; which < 4 * p; which++) { /* p gaps on either side, and their ends towards the domain */
+        int right = which % 2, at_knot = which / 2 % 2, gap = which / 4;
+        int before = right ? n + gap + 1 : gap + 1; /* so many knots are before the gap */
+        char old[MOST_KNOTS] = {0}, new[MOST_KNOTS] = {0};
+        if (at_knot && gap + 1 == p)
+            continue; /* t_k is in the domain, and t_{n+k} is excluded */
+        for (int i = 0; i < n + p + 2; i++) {
+            old[i] = (char)('0' + (i != before));
+            new[i] = (char)('0' + (i == before + at_knot));
+        }
+        G(increasing_knots)(T, n + p + 2, 3, r.x);
+        G(refine_pair)(old, new, p, &r);
+        G(weighted_points)(T, n, 1, R, w);
+        num tau = r.x[before + at_knot];
+        for (int j = 0; j < r.m; j++) {
+            num share[MOST_KNOTS], both = from_int(0);
+            for (int i = 0; i < n; i++) {
+                share[i] = G(alpha)(p, r.u, r.place, r.v, r.at, i, j);
+                about(T, "the shares of the neighbours");
+                if (i == j - 1 || i == j) {
+                    nonnegative(T, share[i]);
+                    both = add(both, share[i]);
+                } else {
+                    same(T, share[i], from_int(0));
+                }
+            }
+            num sum = one;
+            if (j == 0 && !right && !T->planted)
+                sum = div(sub(tau, r.u[0]), sub(r.u[p], r.u[0]));
+            if (j == n && right && !T->planted)
+                sum = div(sub(r.u[n + p], tau), sub(r.u[n + p], r.u[n]));
+            about(T, "their sum");
+            same(T, both, sum);
+        }
+        G(refined_by_definition)(n, p, 1, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
+        for (int interval = r.place[p]; interval < r.place[n]; interval++) {
+            num total = G(nurbs_by_definition)(n, p, 1, r.u, r.place, R, w, interval, t, &P);
+            num refined = G(nurbs_by_definition)(r.m, p, 1, r.v, r.at, S, z, interval, t, &Q);
+            about(T, "the curve");
+            same(T, Q, P);
+            about(T, "its denominator");
+            same(T, refined, total);
+        }
+    }
+}
+#endif
 
 CLAIM(nurbs_insertion_is_one_discrete_step)
 {
@@ -392,7 +469,8 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :::{claim} discrete_bsplines_compose
 :title: The discrete B-splines of two steps multiply like matrices
 :zh: 两步离散 B 样条按矩阵乘法复合
-:given: triples $T$, $T_1$, $T_2$ of patterns, values variables, with equal knots in $T_1$ and $T_2$ among them
+:given: triples $T$, $T_1$, $T_2$ of patterns, values variables, with equal knots in $T_1$ and $T_2$ among them, and with knots outside the
+  domain
 :then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
 :method: All by the recursion by its letter.
 :degrees: 1..6 sampled 6
@@ -431,12 +509,13 @@ cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section
 :::
 */
 /* Triples T, T_1, T_2. */
-static const char *const G(triples)[][10] = {
+static const char *const G(triples)[][16] = {
     {NULL},
-    {"2002", "0100", "0010", "212", "010", "010", NULL},
-    {"3003", "0100", "0010", "303", "010", "010", "3103", "0100", "0010", NULL},
-    {"4004", "0100", "0010", "404", "020", "010", "4104", "0110", "0100", NULL},
-    {"50105", "01010", "00100", NULL},
+    {"2002", "0100", "0010", "212", "010", "010", "202", "100", "110", "1011", "0200", "0010", NULL},
+    {"3003", "0100", "0010", "303", "010", "010", "3103", "0100", "0010", "101111", "010000", "011010", "303", "100",
+     "110", NULL},
+    {"4004", "0100", "0010", "404", "020", "010", "4104", "0110", "0100", "2111111", "0200010", "0100010", NULL},
+    {"50105", "01010", "00100", "4123", "0110", "0110", NULL},
     {"60206", "01010", "00110", NULL},
     {"70207", "01010", "00110", NULL},
 };
@@ -595,7 +674,7 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :zh: NURBS 曲线的离散结构
 :printed: Let $t'\in(t_u,t_{u+1}]$, read as $(t_\mu,t_{\mu+1}]$, $T'=T_1\oplus T_2$, and let the new points and weights be (4.1.6): then (4.1.7), (4.1.8) and (4.1.9)
 :holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in the domain, and to the left of $t_{n+1}$ when that is $k$-fold
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :hypothesis: left_value_at_a_k_fold_knot | for (4.1.9): inside the domain $t'$ is at most a $(k-1)$-fold knot
 :hypothesis: clamped_start_has_no_such_point | for (4.1.9): $t'>t_k$ when $t_k$ is a $k$-fold knot
 :needs: negative_weight_loses_a_new_point | positive weights

@@ -59,16 +59,22 @@ and the only one.
 :printed: if the control polygon $\Gamma_k^{(T)}(\Phi)$ of a plane NURBS curve is a convex curve, then $\Gamma_k^{(T)}(T')$ is a
   convex curve for every finite set $T'$ of knots
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
-  insertion_ratios_are_between_zero_and_one printed_insertion_keeps_the_curve
+  insertion_ratios_are_between_zero_and_one printed_insertion_keeps_the_curve knots_outside_the_domain_cut_corners
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
-:hypothesis: knot_before_the_domain_asks_for_another_point | the knots are in the domain, $t_k\le\tau\le t_{n+1}$
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau>t_1$: when $t_k$ is a $k$-fold knot it is not inserted
-  again
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
+:reading: knots_outside_the_domain_cut_corners | $\Gamma_k^{(T)}(T')$ is made of (4.1.6), with intervals closed on the left: knots
+  outside the domain are allowed
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof and for knots before the domain with the
+  edge $r_0r_1$: then the knots have to be in the domain, $t_k\le\tau\le t_{n+1}$
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, intervals closed on the right: and $\tau>t_1$; when $t_k$ is a
+  $k$-fold knot it is not inserted again
 :needs: mixed_weights_cut_beside_the_edges | positive weights
 :figure: cutting_corners
 
-Every multiplicity is allowed, $k-1$, $k$ and more: a vertex is then repeated.  $T'$ is a multiset.  The minors of an
+Every multiplicity is allowed, $k-1$, $k$ and more: a vertex is then repeated.  A knot outside the domain makes the weight of an end
+smaller and cuts corners like the others: the first row of $M$ is $\alpha_1,0,\dots$, or the last $\dots,0,1-\alpha_{n+1}$.
+ $T'$ is a multiset.  The minors of an
 insertion involve three rows and so six columns at most, so that their signs are decided for every $n$.
 :::
 
@@ -76,12 +82,14 @@ insertion involve three rows and so six columns at most, so that their signs are
 :title: The hulls decrease
 :zh: 凸包递减
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
 :needs: mixed_weights_cut_beside_the_edges | positive weights
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once, else $A(\Gamma_k^{(T)}(T'))$ need not
   exist; or $A$ is taken as the hull
-:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau$ is in the domain: before it the edge $r_0r_1$ is asked for
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau>t_1$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
+:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same: and greater than $t_1$
 :figure: hulls_of_knot_sets
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
@@ -166,12 +174,14 @@ With the new weights, which the notation does not show; in the second equation t
 :title: The chain of hulls in the induction
 :zh: 凸包包含链
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
-:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
 :hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
   $A$ of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | positive weights
-:hypothesis: knot_before_the_domain_asks_for_another_point | every knot is in the domain: before it the edge $r_0r_1$ is asked for
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | every knot $>t_1$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
+:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same: and greater than $t_1$
 :figure: hulls_of_knot_sets
 :::
 

@@ -36,15 +36,18 @@ crossings, and says so.
 :printed: for every line $\boldsymbol L$ and every set $T'$ of knots to be inserted
   $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges knots_outside_the_domain_cut_corners
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | and counts as one intersection, not as infinitely many points
-:hypothesis: knot_before_the_domain_asks_for_another_point | the knots are in the domain
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | and greater than $t_1$
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
 :needs: insertion_with_mixed_weights_crosses_more | positive weights
 :reading: averages_between_neighbours_keep_sign_changes | crossings
 :reading: cut_corners_meet_a_line_no_more | common points, a piece on the line counting once
+:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the knots have to be in
+  the domain
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same: and greater than $t_1$
 :figure: line_and_cut_corners
 
 The source gives no proof.  Any multiplicities are allowed.  The argument is about one corner at a time and holds
