@@ -677,6 +677,32 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 /*
 ## The plane case
 
+:::{statement} wang-ch4:thm-4.3.2-coordinates
+:title: The plane of the family may be taken as z = 0
+:zh: 可设族所在平面为 z=0
+:printed: hence one may put $\mathbf r_i=(x_i,y_i,0)$, $\mathbf r(t)=(x(t),y(t),0)$, $\mathbf
+  r^{[k-1]}(t,\tau)=(x^{[k-1]}(t,\tau),y^{[k-1]}(t,\tau),0)$
+:holds-by: family_moves_with_its_points
+:figure: nurbs_second_line
+
+What follows, (4.3.13), is (4.3.9): that two derivatives are parallel does not depend on the coordinates.  (4.3.12) does, on the origin,
+which a motion of space moves unless it is a rotation about it; by the step before a rotation is enough, the plane passing through the
+origin.
+:::
+
+:::{claim} family_moves_with_its_points
+:title: Under an affine map of the points the members are mapped, and their derivatives by its linear part
+:zh: 顶点经仿射变换,族曲线随之变换
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$, $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
+:then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by $t$ and by $\tau$ are
+  those of $\mathbf r^{[k-r]}$ under $ax+by$
+:method: Both families by the recursion.  $\ell$ is any coordinate of an affine map; a third coordinate enters as the second does.  A linear
+  map that can be inverted keeps parallel vectors parallel, and makes none so.
+:degrees: 2..4 sampled 6
+:scope: the knots numbers in the field
+:control: $c$ left out at the last point
+:::
+
 :::{statement} wang-ch4:formula-4.3.13
 :title: The condition in the plane
 :zh: 平面情形的包络条件
@@ -760,6 +786,36 @@ This is where the proof breaks: an equation that has to hold at one $t$ is used 
 :control: the sign of the second term
 :::
 */
+CLAIM(family_moves_with_its_points)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1], L[MAX_DEGREE + 1], l[3];
+    num t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 2, R, w);
+    for (int c = 0; c < 3; c++)
+        l[c] = unknown(T, "l", c);
+    for (int i = 0; i <= p; i++) {
+        L[i] = add(mul(l[0], R[2 * i]), mul(l[1], R[2 * i + 1]));
+        L[i] = T->planted && i == p ? L[i] : add(L[i], l[2]);
+    }
+    for (int shape = 0; shape < SHAPES; shape++) {
+        G(knots_of_span)(T, p, shape, u, place);
+        G(numbers_above)(1, p, 2 * p + 2, place, u);
+        for (int r = 1; r <= p - 1; r++) {
+            num D[6], E[3];
+            G(family_derivatives)(p, 2, u, mu, R, w, r, tau, t, D);
+            G(family_derivatives)(p, 1, u, mu, L, w, r, tau, t, E);
+            for (int d = 0; d < 3; d++) {
+                static const char *const what[] = {"the point", "the derivative by t", "the derivative by τ"};
+                num value = add(mul(l[0], D[2 * d]), mul(l[1], D[2 * d + 1]));
+                about(T, what[d]);
+                same(T, E[d], d == 0 ? add(value, l[2]) : value);
+            }
+        }
+    }
+}
+
 #if FIELD
 CLAIM(slope_is_constant_where_nothing_turns)
 {

@@ -230,6 +230,19 @@ CLAIM(marsden_identity_ends_with_the_span)
 The proof takes the recursion of Cox and de Boor from the functions to the coefficients: one level less for the functions
 is one level of de Boor's algorithm for the coefficients.
 
+:::{statement} wang-ch4:thm-4.4.2-proof
+:title: The proof needs nothing but the recursion of de Boor
+:zh: 证明只用 deBoor 递推公式
+:printed: a short new proof is given, which needs only de Boor's formula (2.1.1)
+:holds-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
+:needs: one_level_needs_the_span | that $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on the span, which (2.1.1) says with the functions of
+  order 1, by induction
+:figure: marsden_identity
+
+(2.1.1) is not in the text at hand; it is read as the recursion together with the functions of order 1 from which it begins.  As the
+step of the recursion alone it does not suffice: then the supports are used as well.
+:::
+
 :::{statement} wang-ch4:thm-4.4.2-order-1
 :title: For k = 1 the identity is obvious
 :zh: k=1 时恒等式显然

@@ -2,7 +2,7 @@
 # The polygons converge (离散曲线收敛到 NURBS 曲线)
 
 Insert more and more knots: do the polygons tend to the curve?  They do if the knots become dense, the ends of the polygon are those
-of the curve, and then with the square of the largest gap; an explicit bound is proved here.
+of the curve and the curve does not jump, and then with the square of the largest gap; an explicit bound is proved here.
 
 :::{statement} wang-ch4:cor-4.1.1
 :title: There is a growing sequence of knots for which the polygons converge to the curve
