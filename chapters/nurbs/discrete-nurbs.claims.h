@@ -69,8 +69,8 @@ $i=j$ and $0$ otherwise.
 :reading: knots_outside_the_domain_cut_corners | with the $\alpha$ of 2.10 as they are read here, intervals closed on the left: true for
   $T'$ outside the domain, too
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
-  closed on the right: then $\tau=t_1$ is excluded, and a $k$-fold right end may be inserted, which repeats $r_n$
-  (`both_conventions_of_the_span_are_right`)
+  closed on the right: then $\tau=t_1$ is excluded
+:reading: clamped_end_may_be_inserted_again | with the same: and a $k$-fold right end may be inserted, which repeats $r_n$
 :figure: nurbs_polygons_converge
 
 With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; a knot outside

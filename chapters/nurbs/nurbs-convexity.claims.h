@@ -317,6 +317,17 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :control: the second with $\mu+m+1$ for $\mu+m$
 :::
 
+:::{claim} clamped_end_may_be_inserted_again
+:title: At a k-fold right end the printed convention repeats the last point
+:zh: 右端 k 重节点再嵌入时重复末顶点
+:given: order $k$, ends of multiplicity $k$ and two simple knots between; $\tau=t_{n+1}=\dots=t_{n+k}$, which is in $(t_n,t_{n+1}]$
+:then: $\alpha_i=1$ for $i\le n$ and $\alpha_{n+1}=0$: the new points are $r_1,\dots,r_n,r_n$
+:method: All $\alpha_i$ by the printed cases, with the knots variables.
+:degrees: 2..6
+:scope: n stands for the order k
+:control: $\tau=t_n$, in $(t_{n-1},t_n]$
+:::
+
 :::{claim} knots_are_inserted_in_any_order
 :title: Two insertions give the same points and weights in either order, and those of the Oslo algorithm
 :zh: 嵌节点次序无关
@@ -727,6 +738,16 @@ CLAIM(both_conventions_of_the_span_are_right)
             }
         }
     }
+}
+
+CLAIM(clamped_end_may_be_inserted_again)
+{
+    int k = T->degree, n = k + 2, mu = n - T->planted;
+    char pattern[MOST_KNOTS];
+    snprintf(pattern, sizeof pattern, "%d11%d", k, k);
+    struct G(knots) K = G(pattern)(T, pattern);
+    for (int i = 1; i <= n + 1; i++)
+        same(T, G(printed_alpha)(k, mu, K.t, K.t[mu + 1], i), from_int(i <= n));
 }
 
 /* Inserts at two places, one after the other. */
