@@ -182,15 +182,15 @@ powers of $s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of 
 :title: Roots in (0,1), with multiplicity, against changes of sign
 :zh: 开区间内的根数(计重数)不超过系数变号数
 :kind: decision
-:given: every pattern of the signs $-1,0,1$ of the coefficients $b_0,\dots,b_n$, not all $0$, with the sizes $1,\dots,1$ and with the
-  sizes $7,1,9,2,8,3,5$ and their reverse
+:given: every pattern of the signs $-1,0,1$ of the coefficients $b_0,\dots,b_n$, not all $0$, with the sizes $1,\dots,1$ and, for
+  $n\le6$, with the sizes $7,1,9,2,8,3,5$ and their reverse
 :then: the number of roots of $\sum b_iB_i^n$ in $(0,1)$, each as often as its multiplicity, is at most $V(b)$ and differs from
   it by an even number; the different ones are as many as Sturm's theorem counts
 :method: Each polynomial's roots are counted exactly, by subdivision and by Sturm's chain; the parity holds also where end
   coefficients vanish, because $t$ or $1-t$ is then a factor, and dividing by it
-  changes neither number.
-:degrees: 0..6
-:scope: all $3^{n+1}-1$ patterns of signs, with three choices of sizes
+  changes neither number.  For other sizes and every $n$ it is Descartes' rule, as above.
+:degrees: 0..8
+:scope: all $3^{n+1}-1$ patterns of signs, up to $n=6$ with three choices of sizes, for $n=7,8$ with one
 :control: the roots counted in $[0,1]$
 :::
 */
@@ -216,7 +216,7 @@ CLAIM(roots_are_at_most_sign_changes)
     num b[MAX_DEGREE + 1], zero = from_int(0), one = from_int(1);
     for (int i = 0; i <= n; i++)
         patterns *= 3;
-    for (int sizes = 0; sizes < 3; sizes++)
+    for (int sizes = 0; sizes < (n <= 6 ? 3 : 1); sizes++)
         for (int pattern = 0; pattern < patterns; pattern++) {
             for (int i = 0, rest = pattern; i <= n; i++, rest /= 3)
                 b[i] = from_int((rest % 3 - 1) * (sizes == 0 ? 1 : size[sizes == 1 ? i : n - i]));
