@@ -333,8 +333,8 @@ CLAIM(cubic_of_larger_beta_is_farther)
     static const int at[] = {1, 0, -2, 0, 0, 1, -2, -2};
     num P[4 * dim], one = from_int(1), beta[2] = {from_int(T->planted), from_int(!T->planted)};
     G(integer_points)(4, at, P);
-    int far = G(somewhere_farther_than)(3, P, beta[1], from_ratio(1, 16));
-    far = far && G(larger_is_farther)(T, 3, P, from_int(0), one, from_ratio(1, 25));
+    int far = G(somewhere_farther_than)(0, 3, P, beta[1], from_ratio(1, 16));
+    far = far && G(one_is_farther)(T, 3, P, from_int(0), one, from_ratio(1, 25));
     int away[2] = {0, 0};
     for (int k = 0; k < 2; k++)
         for (int i = 0; i <= 3; i++)
@@ -349,7 +349,7 @@ CLAIM(convex_cubic_of_larger_beta_is_farther)
     num P[4 * dim];
     G(integer_points)(4, at, P);
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(larger_is_farther)(T, 3, P, from_int(0), from_int(1), from_ratio(16, 25));
+    int worse = G(one_is_farther)(T, 3, P, from_int(0), from_int(1), from_ratio(16, 25));
     agree(T, !(polygon_is_convex(3, P, 1, NULL) && worse));
 }
 #endif

@@ -13,14 +13,16 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :class: false
 :corrected: for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
   $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
-  triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; for $n=2$, and in general only then, no
-  point moves away from the polygon while $-2\le\beta\le1$
+  triangle $b_0b_1b_2$, its weight at $b_1$ grows and those at $b_0$ and $b_2$ fall; for $n=2$ no point moves away from the
+  polygon while $-2\le\beta\le1$, for $n=7$ it depends on the polygon
 :corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
   quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+  convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :striking: 11
 
-The first refutation is for both senses at once.  Three points and a cubic are treated in `every-degree`.
+The first refutation is for both senses at once, and all are for the printed and for the corrected functions.  Three points, and
+polygons of four for which it is false, are treated in `every-degree`.
 :::
 
 :::{statement} deng-zhang-2022:property-3.5-bezier
@@ -29,9 +31,10 @@ The first refutation is for both senses at once.  Three points and a cubic are t
 :printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
 :class: false
-:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $0<\beta\le1$ it holds
-  for some polygons and fails for others, convex ones among them; for $n=2$ it is true for $0<\beta\le1$
-:corrected-by: beta_zero_gives_the_bezier_curve quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it holds for
+  some convex polygons and fails for others; for $n=2$ and $0<\beta\le1$ the curve is at least as near
+:corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
+  quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
 :::
 
@@ -51,7 +54,8 @@ The conclusion "so" has no premise about C-Bézier curves.
 :title: A larger beta takes a curve away from its polygon, in two senses at once
 :zh: β 增大而曲线远离控制多边形
 :kind: counterexample
-:given: $P=(-1,-1),(2,0),(2,-2),(1,-2),(1,-2),(0,0),(2,2),(2,1)$, $\beta=0$ and $\beta=1$, corrected functions
+:given: $P=(-1,-1),(2,0),(2,-2),(1,-2),(1,-2),(0,0),(2,2),(2,1)$, $\beta=0$ and $\beta=1$, printed and corrected
+  functions
 :then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{23}{50}$, for $\beta=1$ some point is
   farther; for $\beta=0$ every control point is nearer to the curve than $R$, $R^2=\frac{21}{25}$, for $\beta=1$ one is farther
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by the signs of three
@@ -65,8 +69,9 @@ The conclusion "so" has no premise about C-Bézier curves.
 :zh: 凸多边形:β 由 -21/4 增至 1 时曲线远离多边形
 :kind: counterexample
 :given: the convex polygon $(-1,-2),(2,0),(3,1),(4,3),(-2,4),(-4,-2),(-4,-3),(-3,-3)$, $\beta=-\frac{21}4$ and $\beta=1$,
-  corrected functions
-:then: for $\beta=-\frac{21}4$ every point of the curve is nearer to the polygon than 2, for $\beta=1$ some point is farther
+  printed and corrected functions
+:then: for $\beta=-\frac{21}4$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{24}5$, for $\beta=1$ some point
+  is farther
 :method: As before; `hull.h` decides that the polygon is convex.
 :control: the two values of $\beta$ exchanged
 :::
@@ -75,10 +80,23 @@ The conclusion "so" has no premise about C-Bézier curves.
 :title: A convex polygon to which the Bézier curve is closer
 :zh: 凸多边形:七次 Bezier 曲线更近
 :kind: counterexample
-:given: the convex polygon $(-3,-3),(-3,-4),(-2,-4),(5,0),(4,5),(3,5),(2,4),(-2,-1)$, $\beta=0$ and $\beta=1$, corrected functions
-:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{93}{20}$, for $\beta=1$ some point is
+:given: the convex polygon $(-3,-3),(-3,-4),(-2,-4),(5,0),(4,5),(3,5),(2,4),(-2,-1)$, $\beta=0$ and $\beta=1$, printed and
+  corrected functions
+:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{91}{20}$, for $\beta=1$ some point is
   farther
 :method: As before.
+:control: the two values of $\beta$ exchanged
+:::
+
+:::{claim} convex_polygon_prefers_beta_one
+:title: A convex polygon to which the curve of beta = 1 is closer than the Bézier curve
+:zh: 凸多边形:β=1 的曲线更近
+:kind: decision
+:given: the convex polygon of `larger_beta_is_worse_for_a_convex_polygon`, $\beta=1$ and $\beta=0$, printed and corrected functions
+:then: for $\beta=1$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{111}{20}$, for $\beta=0$ some point is
+  farther
+:method: As before.
+:scope: one polygon
 :control: the two values of $\beta$ exchanged
 :::
 */
@@ -95,24 +113,28 @@ CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
     static const int at[] = {-1, -1, 2, 0, 2, -2, 1, -2, 1, -2, 0, 0, 2, 2, 2, 1};
     num P[8 * dim], small = from_int(T->planted), large = from_int(!T->planted), R_squared = from_ratio(21, 25);
     G(integer_points)(8, at, P);
-    int farther = G(larger_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(23, 50));
-    struct G(path) before = G(path_of)(7, P, small), after = G(path_of)(7, P, large);
-    int away_before = 0, away_after = 0;
-    for (int i = 0; i <= 7; i++) {
-        away_before += G(curve_stays_away)(before, P + i * dim, R_squared);
-        away_after += G(curve_stays_away)(after, P + i * dim, R_squared);
+    int farther = G(one_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(23, 50));
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        struct G(path) before = G(path_in)(printed_ones, 7, P, small), after = G(path_in)(printed_ones, 7, P, large);
+        int away_before = 0, away_after = 0;
+        for (int i = 0; i <= 7; i++) {
+            away_before += G(curve_stays_away)(before, P + i * dim, R_squared);
+            away_after += G(curve_stays_away)(after, P + i * dim, R_squared);
+        }
+        farther = farther && away_before == 0 && away_after > 0;
     }
     about(T, "in one of two senses the larger beta is not farther: curve from polygon, control points from curve");
-    agree(T, !(farther && away_before == 0 && away_after > 0));
+    agree(T, !farther);
 }
+
+static const int G(convex_polygon)[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2, -4, -3, -3, -3};
 
 CLAIM(larger_beta_is_worse_for_a_convex_polygon)
 {
-    static const int at[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2, -4, -3, -3, -3};
     num P[8 * dim];
-    G(integer_points)(8, at, P);
+    G(integer_points)(8, G(convex_polygon), P);
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(larger_is_farther)(T, 7, P, from_ratio(-21, 4), from_int(1), from_int(4));
+    int worse = G(one_is_farther)(T, 7, P, from_ratio(-21, 4), from_int(1), from_ratio(24, 5));
     agree(T, !(polygon_is_convex(7, P, 1, NULL) && worse));
 }
 
@@ -122,8 +144,16 @@ CLAIM(convex_polygon_prefers_the_bezier_curve)
     num P[8 * dim];
     G(integer_points)(8, at, P);
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(larger_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(93, 20));
+    int worse = G(one_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(91, 20));
     agree(T, !(polygon_is_convex(7, P, 1, NULL) && worse));
+}
+
+CLAIM(convex_polygon_prefers_beta_one)
+{
+    num P[8 * dim];
+    G(integer_points)(8, G(convex_polygon), P);
+    agree(T, polygon_is_convex(7, P, 1, NULL));
+    agree(T, G(one_is_farther)(T, 7, P, from_int(1), from_int(0), from_ratio(111, 20)));
 }
 #endif
 #include "chapters/frame/claims_off.h"

@@ -62,7 +62,7 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :zh: β 的几何意义
 :printed: the geometric meaning of $\beta$ is clear: the larger $\beta$ in $-7\le\beta\le1$, the closer the curve to the control
   polygon
-:refuted-by: larger_beta_is_worse_for_a_convex_polygon larger_beta_takes_the_curve_away_from_its_polygon
+:refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
 :corrected: $\beta$ moves each Bézier point $Q_k$ on its edge $P_{k-1}P_k$, and each point of the curve on a straight line, evenly
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
@@ -89,9 +89,9 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :printed: from the point of view of approximation the curve is better than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: for $n=2$ and $0<\beta\le1$ no point is farther from the polygon than the point of the Bézier curve; for $n=7$ it
-  depends on the polygon
-:corrected-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+:corrected: for $n=2$ and $0<\beta\le1$ no point is farther from the polygon than the point of the Bézier curve; for $n=7$,
+  $\beta=1$ it depends on the polygon
+:corrected-by: quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :::
 
@@ -115,9 +115,9 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :printed: the curve has better adjustability and better approximation than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: adjustable it is; whether a curve with $\beta\ne0$ is nearer to its polygon than the one with $\beta=0$ depends on the
-  polygon, and for $n=2$, $0<\beta\le1$ it always is at least as near
-:corrected-by: points_move_evenly_with_beta quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+:corrected: adjustable it is, but for the polygons of `abstract-adjustable`; whether the curve of $\beta=1$ is nearer to its
+  polygon than that of $\beta=0$ depends on the polygon; for $n=2$, $0<\beta\le1$ it is at least as near
+:corrected-by: points_move_evenly_with_beta convex_polygon_prefers_beta_one quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
 :::
 
