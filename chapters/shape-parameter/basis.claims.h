@@ -32,7 +32,7 @@ The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is
 :figure: eight_functions
 :striking: 7
 
-With them 2.2, 2.3, 2.4 and 2.7 are true; 2.1, 2.5 and 2.6 need corrections of their own.  The corrected functions have the
+With them 2.2, 2.3, 2.4 and 2.7 are true, the last two after their own misprints in (8) and (9); 2.1, 2.5 and 2.6 need corrections of their own.  The corrected functions have the
 rule that the printed ones nearly show, and have it in every degree:
 $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with $a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.
 For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
@@ -217,17 +217,15 @@ CLAIM(degree_falls_for_beta_zero)
 :::{statement} deng-zhang-2022:def-2.1-basis
 :title: The functions are a basis
 :zh: 基函数的线性无关性
-:printed: the eight functions are basis functions, $-7\le\beta\le1$
-:refuted-by: a_combination_vanishes two_functions_coincide
-:class: false
-:corrected: the functions, printed or corrected, are linearly independent exactly when $\beta\ne-7$ and
-  $\beta\ne-\frac{21}4$
-:corrected-by: functions_are_independent_but_for_two_values
+:printed: the eight polynomials are called basis functions with the parameter $\beta$, $-7\le\beta\le1$
+:holds-by: functions_are_independent_but_for_two_values
+:hypothesis: two_functions_coincide | $\beta\ne-7$
+:hypothesis: a_combination_vanishes | $\beta\ne-\frac{21}4$
 :figure: dependent_functions
 
-The left end of the printed range is one of the two values, the left end of the true range (property 2.1) the other.
-There different polygons have the same curve.  The space spanned has dimension 8; all polynomials of degree 8 have
-dimension 9, and the space changes with $\beta$.
+The text only gives the name; what is decided is what the word says.  The left end of the printed range is one of the two values,
+the left end of the true range (property 2.1) the other.  There different polygons have the same curve, and the functions span a
+space of dimension 7; otherwise of dimension 8.  All polynomials of degree 8 have dimension 9, and the space changes with $\beta$.
 :::
 
 :::{claim} functions_are_independent_but_for_two_values
@@ -236,11 +234,11 @@ dimension 9, and the space changes with $\beta$.
 :kind: decision
 :given: all complex $\beta$, the printed and the corrected functions
 :then: the nine determinants of order 8 of the $9\times8$ matrix of Bernstein coefficients vanish together exactly for
-  $\beta=-7$ and $\beta=-\frac{21}4$
+  $\beta=-7$ and $\beta=-\frac{21}4$; for these two the rank is 7
 :method: The determinant without row $r$ is, up to positive numbers, the polynomial
   $\nu_0\cdots\nu_{r-1}\varphi_r\cdots\varphi_7$ in $\beta$, since the rows before $r$ leave a lower and those after it an
   upper triangle.  The greatest common divisor of the nine is computed; its squarefree part is
-  $(\beta+7)(\beta+\frac{21}4)$.
+  $(\beta+7)(\beta+\frac{21}4)$.  The two ranks by elimination.
 :scope: all complex beta
 :control: only the last two of the determinants
 :::
@@ -286,6 +284,11 @@ CLAIM(functions_are_independent_but_for_two_values)
         for (int k = 0; k < factors; k++)
             product = poly_mul(product, factor[k]);
         agree(T, poly_equal(product, expected));
+        for (int value = 0; value <= 1; value++) {
+            num E[9 * 8];
+            G(matrix_of)(printed_ones, 7, value == 0 ? from_int(-7) : from_ratio(-21, 4), E);
+            agree(T, G(rank)(9, 8, E) == 7);
+        }
     }
 }
 

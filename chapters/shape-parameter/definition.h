@@ -145,6 +145,39 @@ static inline poly G(combination)(int printed_ones, int n, num beta, const num k
     return poly_from_bernstein(n + 1, c);
 }
 
+/* The rank of a matrix, row by row, which is overwritten. */
+static inline int G(rank)(int rows, int columns, num M[])
+{
+    int rank = 0;
+    for (int c = 0; c < columns && rank < rows; c++) {
+        int pivot = rank;
+        while (pivot < rows && is_zero_q(M[pivot * columns + c]))
+            pivot++;
+        if (pivot == rows)
+            continue;
+        for (int j = c; j < columns; j++) {
+            num kept = M[pivot * columns + j];
+            M[pivot * columns + j] = M[rank * columns + j], M[rank * columns + j] = kept;
+        }
+        for (int r = rank + 1; r < rows; r++) {
+            num factor = div(M[r * columns + c], M[rank * columns + c]);
+            for (int j = c; j < columns && !is_zero_q(factor); j++)
+                M[r * columns + j] = sub(M[r * columns + j], mul(factor, M[rank * columns + j]));
+        }
+        rank++;
+    }
+    return rank;
+}
+
+/* The matrix of the functions for beta = 0 and what is added to it for each unit of beta. */
+static inline void G(matrix_in_beta)(int printed_ones, num E[9 * 8], num D[9 * 8])
+{
+    G(matrix_of)(printed_ones, 7, from_int(0), E);
+    G(matrix_of)(printed_ones, 7, from_int(1), D);
+    for (int m = 0; m < 9 * 8; m++)
+        D[m] = sub(D[m], E[m]);
+}
+
 /* V(k_0, ..., k_n): changes of sign, zeros skipped. */
 static inline int G(sign_changes)(int n, const num k[])
 {

@@ -262,7 +262,7 @@ $t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
 :figure: slopes_in_beta
 :striking: 9
 
-With the sum 1, seven functions cannot behave as printed without a reason; here four of them do not.
+Five of the eight printed functions do not behave as printed: $\hat B_1,\hat B_2,\hat B_3,\hat B_5,\hat B_6$.
 :::
 
 :::{claim} second_function_decreases
