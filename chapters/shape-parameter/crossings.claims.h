@@ -16,9 +16,12 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :zh: 变差缩减性
 :printed: the curve is variation diminishing, $-7\le\beta\le1$
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_at_minus_seven_crosses_a_line_off_its_polygon
+  curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
+:corrected: true for the corrected functions exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings, and for common
+  points unless the curve is on $L$ and the polygon is not; for the printed functions only for $\beta=0$
 :corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries corrected_functions_sum_to_one
+  functions_are_independent_but_for_two_values
   roots_are_at_most_sign_changes averages_between_neighbours_keep_sign_changes
   third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
   printed_sum_in_closed_form
@@ -108,10 +111,10 @@ changes among eight signs leave no other sign for $k_7$.
 :title: The cases of six to one changes of sign by the same method
 :zh: 情形 2
 :printed: for $SA=6,5,4,3,2,1$ it is proved by the same method
-:refuted-by: one_change_of_sign_and_three_roots
+:refuted-by: one_change_of_sign_and_three_roots one_change_of_sign_and_two_roots
 :class: invalid-proof
-:corrected: the method, the signs at the ends, excludes $SA+1$ roots, not $SA+2$; for $-\frac{21}4<\beta\le1$ the conclusion is
-  true by total positivity
+:corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$; when $k_7=0$
+  it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   roots_are_at_most_sign_changes
 :figure: roots_at_minus_seven
@@ -169,6 +172,7 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :zh: 式 (21)
 :printed: the number of intersections of $B_1(t)$ with $L$ is at most $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
+  curve_on_a_line_that_its_polygon_crosses
 :class: false
 :corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the curve is not on
   $L$
@@ -184,14 +188,17 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
   curve_of_a_triangle_meets_a_line_three_times
 :class: false
-:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not on a line;
-  false for every $\beta$ with $-7\le\beta<-\frac{21}4$
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not on a line, and
+  common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   roots_are_at_most_sign_changes four_vertices_of_a_convex_polygon_do_not_alternate third_function_has_a_zero_for_every_smaller_beta
+:reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are possible,
+  at $\beta=-\frac{21}4,0,1$
 :figure: convexity_lost
 
-A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0$ and $P_7$ on it
-none; so together with the ends there are never more than two common points.
+A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on it
+none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is possible, and
+$t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at $\beta=-\frac{21}4$, needs three changes.
 :::
 
 :::{statement} deng-zhang-2022:property-3.7-reason
@@ -295,6 +302,38 @@ none; so together with the ends there are never more than two common points.
 :control: $\beta=-\frac{21}4$
 :::
 
+:::{claim} one_change_of_sign_and_two_roots
+:title: At beta = -7 one change of sign gives two roots when the last coefficient is 0
+:zh: β=-7、k_7=0 时一次变号而有两个根
+:kind: counterexample
+:given: $\beta=-7$, $k=(1,1,1,1,1,-10,-1,0)$, printed functions
+:then: $k_0>0$, $SA=1$, and $f=(t-1)^2(630t^6-638t^5+33t^4+4t^3+3t^2+2t+1)$ has two roots in $(0,1)$; $f(1)=0$ says nothing
+:method: The roots of the exact polynomial are counted.
+:control: $\beta=-\frac{21}4$
+:::
+
+:::{claim} curve_on_a_line_that_its_polygon_crosses
+:title: At beta = -21/4 a curve is on a line that its polygon crosses three times
+:zh: β=-21/4 时曲线全在一条直线上而控制多边形与之相交
+:kind: counterexample
+:given: $\beta=-\frac{21}4$, $P_0=P_1=(0,0)$, $P_2=(1,-1)$, $P_3=(2,\frac{27}5)$, $P_4=(3,-\frac{27}5)$, $P_5=(4,1)$,
+  $P_6=P_7=(5,0)$, the line $y=0$; corrected functions
+:then: the whole curve is on the line, and it is not one point; the polygon has five points on it, $SA=3$
+:method: The curve's Bézier points; `crossings.h` counts the components of the polygon's common points.
+:control: $\beta=-5$
+:::
+
+:::{claim} closed_polygon_has_three_parameters_on_a_line
+:title: The curve of a closed convex polygon may have three parameters on a line
+:zh: 首末点重合的凸多边形:曲线在一直线上有三个参数
+:kind: counterexample
+:given: the convex heptagon $P=(0,0),(2,-1),(4,0),(5,2),(4,4),(2,5),(0,3),(0,0)$, the line $y=x$, $\beta=-\frac{21}4,0,1$; corrected
+  functions
+:then: $t=0$, $t=1$ and one parameter in $(0,1)$ are on the line: three parameters, two points
+:method: The common points are counted exactly by their parameters; `hull.h` decides that the polygon is convex.
+:control: the line $y=x+\frac12$
+:::
+
 :::{claim} printed_curve_crosses_a_line_off_its_polygon
 :title: The printed curve crosses a line that does not meet its polygon
 :zh: 按式 (1) 的曲线穿过与多边形不交的直线
@@ -363,7 +402,7 @@ none; so together with the ends there are never more than two common points.
 :method: An identity in the coordinates.  For $i<j<k<l$ in a polygon that is convex, counterclockwise, the four determinants are not
   negative.  With $f(P_i),f(P_k)\ge0\ge f(P_j),f(P_l)$ both sides are 0: every product is.  So when the signs are strict the four points
   are on one line, to and fro, and the polygon is not convex; hence there are no three changes of sign.  With $f(P_i)=0$ two changes
-  among the other three, and with $f(P_i)=f(P_l)=0$ one, are excluded in the same way.
+  among the other three, and with $f(P_i)=f(P_l)=0$, $P_i\ne P_l$, one, are excluded in the same way; with $P_i=P_l$ one is possible.
 :control: $D_{ikl}$ and $D_{ijl}$ exchanged
 :::
 
@@ -597,6 +636,14 @@ CLAIM(one_change_of_sign_and_three_roots)
     agree(T, G(no_more_roots_than_changes)(T, k, beta));
 }
 
+CLAIM(one_change_of_sign_and_two_roots)
+{
+    static const int k[] = {1, 1, 1, 1, 1, -10, -1, 0};
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    about(T, "no more roots than changes of sign");
+    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+}
+
 static struct line G(horizontal)(num y) { return (struct line){from_int(0), from_int(1), neg(y)}; }
 
 /* How the curve meets the line; shows the data. */
@@ -611,7 +658,10 @@ static struct curve_meets_line G(meets)(trial *T, int printed_ones, const num P[
     show_points(T, "P", 8, dim, P);
     show_text(T, "the line", "(%s) x + (%s) y + (%s) = 0", to_string_q(L.a), to_string_q(L.b), to_string_q(L.c));
     show_text(T, "the curve crosses it", "%d times", m.crossings);
-    show_text(T, "common points with the curve", "%d", m.common_closed);
+    if (m.contained)
+        show_text(T, "common points with the curve", "%s", "all of it");
+    else
+        show_text(T, "common points with the curve", "%d", m.common_closed);
     show_text(T, "the polygon crosses it", "%d times", polygon_crossings(7, P, L));
     return m;
 }
@@ -648,6 +698,35 @@ CLAIM(curve_of_a_triangle_meets_a_line_three_times)
     struct curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
     about(T, "the polygon is not convex, or there are at most two common points");
     agree(T, !polygon_is_convex(7, P, 1, NULL) || m.common_closed <= 2);
+}
+
+CLAIM(curve_on_a_line_that_its_polygon_crosses)
+{
+    static const int fifths[] = {0, 0, -5, 27, -27, 5, 0, 0}, x[] = {0, 0, 1, 2, 3, 4, 5, 5};
+    num P[8 * dim], beta = T->planted ? from_int(-5) : from_ratio(-21, 4);
+    for (int i = 0; i <= 7; i++) {
+        P[i * dim] = from_int(x[i]);
+        P[i * dim + 1] = from_ratio(fifths[i], 5);
+    }
+    struct line L = G(horizontal)(from_int(0));
+    struct curve_meets_line m = G(meets)(T, 0, P, beta, L);
+    struct polygon_meets_line of_polygon = polygon_meets_line(7, P, L);
+    show_text(T, "common points with the polygon", "%d", of_polygon.components);
+    about(T, "the curve is not on the line, or the polygon has an edge on it");
+    agree(T, !m.contained || of_polygon.contained_edges > 0);
+}
+
+CLAIM(closed_polygon_has_three_parameters_on_a_line)
+{
+    static const int heptagon[] = {0, 0, 2, -1, 4, 0, 5, 2, 4, 4, 2, 5, 0, 3, 0, 0};
+    num P[8 * dim], beta[3] = {from_ratio(-21, 4), from_int(0), from_int(1)};
+    int most_two = 0;
+    struct line L = {from_int(1), from_int(-1), T->planted ? from_ratio(1, 2) : from_int(0)};
+    G(integer_points)(8, heptagon, P);
+    for (int m = 0; m < 3; m++)
+        most_two += G(meets)(T, 0, P, beta[m], L).common_closed <= 2;
+    about(T, "the polygon is not convex, or there are at most two common parameters");
+    agree(T, !polygon_is_convex(7, P, 1, NULL) || most_two > 0);
 }
 
 CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)

@@ -8,7 +8,8 @@
 :holds-by: end_points_and_end_derivatives
 :figure: petals
 
-The closed curve is smooth at that point only when $P_1$, $P_0=P_7$ and $P_6$ are on a line, $P_0$ between the others.
+For $\beta\ne-7$ and end edges that are not 0 its tangent is continuous at that point exactly when $P_1$, $P_0=P_7$ and $P_6$ are on a
+line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends are 0, and the second ones give the tangents.
 :::
 
 :::{statement} deng-zhang-2022:fig-3
@@ -77,9 +78,11 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
   edge_is_not_tangent_at_minus_seven
 :class: false
-:corrected: with the corrected functions and $-\frac{21}4\le\beta\le1$ all of them hold
+:corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are not 0; at
+  $\beta=-\frac{21}4$ too, but variation diminution only for crossings
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
-  reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range
+  reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes functions_are_independent_but_for_two_values
 :figure: ranges_of_beta
 :::
 
@@ -103,9 +106,12 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
   edge_is_not_tangent_at_minus_seven curve_of_a_triangle_meets_a_line_three_times
 :class: false
-:corrected: with the corrected functions and $-\frac{21}4\le\beta\le1$ all of them hold
+:corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are not 0,
+  convexity in the sense of property 3.7, for polygons convex when closed and not on a line; at $\beta=-\frac{21}4$ too, but variation
+  diminution only for crossings
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
-  totally_positive_exactly_in_the_range
+  totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
+  four_vertices_of_a_convex_polygon_do_not_alternate functions_are_independent_but_for_two_values
 :figure: ranges_of_beta
 :::
 
