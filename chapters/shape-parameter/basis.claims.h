@@ -32,8 +32,8 @@ The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is
 :figure: eight_functions
 :striking: 7
 
-With them 2.2, 2.3, 2.4 and 2.7 are true, the last two after their own misprints in (8) and (9); 2.1, 2.5 and 2.6 need corrections of their own.  The corrected functions have the
-rule that the printed ones nearly show, and have it in every degree:
+With them 2.2, 2.3, 2.4 and 2.7 are true, the last two after their own misprints in (8) and (9); 2.1, 2.5 and 2.6 need
+corrections of their own.  The corrected functions have the rule that the printed ones nearly show, and have it in every degree:
 $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with $a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.
 For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 :::

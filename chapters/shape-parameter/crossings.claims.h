@@ -133,6 +133,17 @@ The method makes no use of the range of $\beta$, and in the range of the text th
 :figure: roots_at_minus_seven
 :::
 
+:::{statement} deng-zhang-2022:property-3.6-line
+:title: The line through a point with a normal vector
+:zh: 过点 Q、法向量为 u 的直线
+:printed: let $L$ be the line (or plane) through the point $Q$ with the normal vector $u$
+:holds-by: points_of_a_line_by_its_normal
+:hypothesis: no_normal_no_line | $u\ne0$
+:figure: line_along_an_edge
+
+In the plane; in space $u\cdot(X-Q)=0$ is in the same way a plane.
+:::
+
 :::{statement} deng-zhang-2022:property-3.6-sides
 :title: A line that meets an edge has its ends on two sides
 :zh: 边的两端在 L 两侧
@@ -372,6 +383,25 @@ $t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at 
 :then: the polygon is convex and crosses the line twice, the curve crosses it four times
 :method: As before.
 :control: the corrected functions
+:::
+
+:::{claim} points_of_a_line_by_its_normal
+:title: The points with u.(X-Q) = 0 are a line
+:zh: 由法向量确定的直线
+:given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$
+:then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$
+:method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$, and all of these are such.
+:control: $u^\perp=(u_2,u_1)$
+:::
+
+:::{claim} no_normal_no_line
+:title: With the normal vector 0 every point is on L
+:zh: 法向量为零时不成直线
+:kind: counterexample
+:given: $u=(0,0)$, $Q=(0,0)$, the points $(0,0),(1,0),(0,1)$
+:then: all three have $u\cdot(X-Q)=0$, and they are not on a line
+:method: The three products.
+:control: $u=(0,1)$
 :::
 
 :::{claim} line_through_an_edge_has_no_two_sides
@@ -741,6 +771,19 @@ CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
     agree(T, !polygon_is_convex(7, P, 0, NULL) || m.common_closed <= 2);
 }
 
+CLAIM(no_normal_no_line)
+{
+    num X[3 * dim], u[dim] = {from_int(0), from_int(T->planted)};
+    int on_it = 0;
+    G(integer_points)(3, (int[]){0, 0, 1, 0, 0, 1}, X);
+    for (int i = 0; i < 3; i++)
+        on_it += is_zero_q(G(dot)(dim, u, X + i * dim));
+    show_points(T, "u", 1, dim, u);
+    show_points(T, "X", 3, dim, X);
+    about(T, "the three points are not all on L, or they are on a line");
+    agree(T, on_it < 3 || turn_2d(X, X + dim, X + 2 * dim) == 0);
+}
+
 CLAIM(line_through_an_edge_has_no_two_sides)
 {
     num P[2 * dim] = {from_int(3), from_int(12), from_int(4), from_int(12)}, u[dim], Q[dim], side[2];
@@ -789,6 +832,17 @@ static num G(turn)(const num P[], const num Q[], const num R[])
 {
     num q[dim] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, r[dim] = {sub(R[0], P[0]), sub(R[1], P[1])};
     return G(cross2)(q, r);
+}
+
+CLAIM(points_of_a_line_by_its_normal)
+{
+    num w[dim], u[dim] = {unknown(T, "u", 0), unknown(T, "u", 1)};
+    for (int c = 0; c < dim; c++)
+        w[c] = sub(unknown(T, "x", c), unknown(T, "q", c));
+    num across[dim] = {T->planted ? u[1] : neg(u[1]), u[0]};
+    for (int c = 0; c < dim; c++)
+        same(T, mul(G(dot)(dim, u, u), w[c]),
+             add(mul(G(dot)(dim, u, w), u[c]), mul(G(dot)(dim, across, w), across[c])));
 }
 
 CLAIM(four_vertices_of_a_convex_polygon_do_not_alternate)

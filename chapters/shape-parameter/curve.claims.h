@@ -300,7 +300,8 @@ both ends.
 :zh: 端点插值与端边相切
 :printed: the curve interpolates the first and last control point and is tangent to the first and last edge
 :holds-by: end_points_and_end_derivatives
-:hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$, and the end edges are not 0
+:hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
+:hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
 :figure: end_edges
 
 At $\beta=-7$, an end of the printed range, the curve leaves $P_0$ towards $\frac14(5P_1-P_2)$; below $-7$ it would leave

@@ -26,7 +26,7 @@ line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends
 :zh: 双八次 β-Bezier 曲面，式 (22)
 :printed: $B_1(u,v)=\sum_{i=0}^7\sum_{j=0}^7P_{ij}\hat B_i(u)\hat B_j(v)$, $u,v\in[0,1]$, $-7\le\beta\le1$
 :definition: yes
-:checked-by: surface_kernel_gives_the_double_sum
+:checked-by: surface_kernel_gives_the_double_sum printed_surface_is_a_curve_of_curves
 :figure: shape_surface
 
 One parameter serves both directions; the kernel has one for each.  The points are in $\mathbb R^d$, $d=2,3$.
@@ -36,13 +36,32 @@ One parameter serves both directions; the kernel has one for each.  The points a
 :title: The surface has properties like those of the curve
 :zh: 曲面具有与曲线类似的性质
 :printed: it can be proved that the surface has geometric properties similar to those of the curve
-:reading: surface_has_the_corner_points_and_boundary_curves | corners and boundary curves: true, for printed and corrected
-  functions, because the functions other than the first and the last vanish at the ends
-:reading: surface_functions_sum_to_one | hull and affine maps: true with the corrected functions, for both parameters in the
-  true range, resp. all; with the printed ones the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$
-:reading: net_of_straight_lines_gives_a_saddle | preservation of convexity: false; the rows and columns of a net may all be
-  straight and the surface be a saddle, which is convex to no side, for every $\beta$
+:refuted-by: printed_surface_leaves_a_single_point surface_leaves_the_hull_at_minus_seven
+:class: false
+:corrected: corners and boundary curves as printed; with the corrected functions symmetry and affine maps for every $\beta$, the convex
+  hull for $-\frac{21}4\le\beta\le1$
+:corrected-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface surface_functions_sum_to_one
+  nonnegative_exactly_in_the_range
+:reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows and
+  columns are: false; they may all be straight and the surface be a saddle, for every $\beta$
+  (`net_of_straight_lines_gives_a_saddle`)
+:reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say what they are
+  for a net, so that nothing is there to be decided
 :figure: shape_surface
+
+With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.
+:::
+
+:::{statement} deng-zhang-2022:sec-5-adjustable
+:title: The shape of the surface can be adjusted
+:zh: 形状可调的曲面
+:printed: the tensor product gives a surface whose shape can be adjusted
+:holds-by: nets_that_do_not_move
+:hypothesis: surface_that_does_not_move | corrected functions: $P_{ij}$ not constant on each of the four blocks $i,j\le3$;
+  $i\le3<j$; $j\le3<i$; $i,j\ge4$; printed functions: not $P_{ij}=k_ik_jv$ with $k=(0,0,0,0,5,1,1,1)$ and some $v$
+:figure: shape_surface
+
+Different as parametrized surfaces, for one $\beta$ in both directions.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-horner
@@ -123,16 +142,128 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :class: false
 :corrected: adjustable it is, but for the polygons of `abstract-adjustable`; whether the curve of $\beta=1$ is nearer to its
   polygon than that of $\beta=0$ depends on the polygon; for $n=2$, $0<\beta\le1$ it is at least as near
-:corrected-by: points_move_evenly_with_beta convex_polygon_prefers_beta_one quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+:corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one quadratic_distance_to_a_line_shrinks
+  quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
 :::
 
 :::{statement} deng-zhang-2022:sec-1-unique
 :title: Control points and Bernstein polynomials leave no freedom
 :zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线
-:printed: given the control points the Bézier curve is fixed; to change its shape one has to move control points
-:holds-by: beta_zero_gives_the_bezier_curve
+:printed: given the control points and the Bernstein basis the Bézier curve is fixed; to change its shape one has to move control
+  points
+:definition: yes
+:checked-by: decasteljau_evaluates_bezier_curve bernstein_basis_is_independent
 :figure: curves_for_several_beta
+
+The curve is the sum of points times Bernstein polynomials, and no two polygons of one degree have the same one, as parametrized curves.
+:::
+
+:::{statement} deng-zhang-2022:sec-1-bezier-properties
+:title: The good properties of Bézier curves
+:zh: Bezier 曲线的良好特性
+:printed: the Bernstein polynomials have symmetry and end properties; so Bézier curves have end properties, tangency to the end edges,
+  convex hull, symmetry and variation diminution
+:holds-by: bernstein_is_symmetric bernstein_at_ends end_derivatives_are_end_differences bernstein_sums_to_one bernstein_positive_inside
+  reversed_points_reverse_the_curve roots_are_at_most_sign_changes
+:hypothesis: double_end_point_has_no_end_edge | for the tangency: the end edges are not 0
+:figure: end_edges
+
+The text says Bernstein polynomials of any degree; here up to the degrees of these claims.
+:::
+
+:::{statement} deng-zhang-2022:sec-1-weights
+:title: Weights adjust the shape of a rational Bézier curve
+:zh: 权因子可以调整有理 Bezier 曲线的形状
+:printed: rational Bézier curves, with the control points unmoved, have weights, which can adjust the shape of the curve
+:holds-by: growing_weight_pulls_each_point_straight_to_the_vertex
+:hypothesis: weights_in_a_progression_keep_the_shape | the weights are not changed from $w_i$ to $cr^iw_i$, which gives another
+  parametrization of the same curve
+:figure: geometric_weights
+:::
+
+:::{claim} double_end_point_has_no_end_edge
+:title: With a double end point the derivative at the end is 0
+:zh: 端点重合时端点导矢为零
+:kind: counterexample
+:given: $\beta=0$, $P_0=P_1=(0,0)$, $P_i=(i,i^2)$ for $i=2,\dots,7$
+:then: $q'(0)=0$
+:method: The exact derivative; that it is not 0 is asked.
+:control: $P_1=(1,1)$
+:::
+
+:::{claim} weights_in_a_progression_keep_the_shape
+:title: Weights in a geometric progression keep the shape
+:zh: 等比权因子不改变曲线形状
+:kind: counterexample
+:given: $n=2$, the points $(0,0),(1,2),(2,0)$ with the weights $1,2,4$; with the weights $1,1,1$ the curve is $y=2x-x^2$, $0\le x\le2$
+:then: all points of the rational curve are on the same parabola
+:method: With $X,Y,W$ for numerators and denominator: $YW-2XW+X^2$ as a polynomial; that it is not 0 is asked.
+:control: the weights $1,3,4$
+:::
+
+:::{claim} printed_surface_is_a_curve_of_curves
+:title: The surface with the printed functions, row by row
+:zh: 按式 (1)、(22) 的曲面
+:given: the 64 nets of one point 1 and all others 0, any $\beta$, $u$ and $v$
+:then: `shape_point_printed` for the rows and then for the eight points of $v$ gives $\sum_i\sum_jP_{ij}\hat B_i(u)\hat B_j(v)$
+:method: The printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
+:control: $u$ and $v$ exchanged
+:::
+
+:::{claim} reversed_net_reverses_the_surface
+:title: The net reversed in both directions gives the surface backwards
+:zh: 控制网反序,曲面反向
+:given: degrees 3 and 2, any points, $\beta$, $\gamma$, $u$ and $v$; corrected functions
+:then: the surface of the points $P_{3-i,2-j}$ at $(1-u,1-v)$ is that of the $P_{ij}$ at $(u,v)$; the same for one direction alone
+:method: Both by the kernel, everything a variable.  For $n=7$ by the symmetry of the functions.
+:control: $v$ in the place of $1-v$
+:::
+
+:::{claim} printed_surface_leaves_a_single_point
+:title: The printed surface of 64 equal points is no point
+:zh: 64 个顶点重合时按式 (1) 的曲面不是一点
+:kind: counterexample
+:given: $P_{ij}=1$ for all $i$ and $j$, $\beta=1$, $u=v=\frac12$; numbers, which may be a coordinate
+:then: the surface has there the value $\frac{961}{1024}$
+:method: The double sum of the printed functions.
+:control: the corrected functions
+:::
+
+:::{claim} surface_leaves_the_hull_at_minus_seven
+:title: At beta = -7 the surface leaves the convex hull of its net
+:zh: β=-7 时曲面越出凸包
+:kind: counterexample
+:given: $\beta=-7$, $P_{2j}=1$ for all $j$ and all other $P_{ij}=0$, $u=\frac1{20}$, $v=\frac12$; printed and corrected functions
+:then: the value of the surface is negative
+:method: The double sum; it is the sum of the $B_j(v)$, which is positive, times $B_2(u)$.
+:control: $\beta=-\frac{21}4$
+:::
+
+:::{claim} nets_that_do_not_move
+:title: Only nets of constant blocks have the same surface for all beta
+:zh: 与 β 无关的控制网
+:kind: decision
+:given: numbers $P_{ij}$, $i,j=0,\dots,7$, one $\beta$ for both directions, printed and corrected functions
+:then: $\sum_i\sum_jP_{ij}B_i(u)B_j(v)$ is the same for all $\beta$ exactly for nets that are constant on each of the four blocks of
+  $i\le3$, $i\ge4$ and $j\le3$, $j\ge4$ with the corrected functions, for the multiples of $k_ik_j$, $k=(0,0,0,0,5,1,1,1)$, with the
+  printed ones
+:method: With $B_i=e_i+\beta d_i$ the coefficients of $\beta$ and $\beta^2$ are $\sum\sum P_{ij}(e_id_j+d_ie_j)$ and
+  $\sum\sum P_{ij}d_id_j$.  The
+  $162\times64$ matrix of their Bernstein coefficients has rank 60, resp. 63, and the nets named are in its kernel.
+:scope: all real beta, all nets
+:control: the coefficient of $\beta^2$ alone
+:::
+
+:::{claim} surface_that_does_not_move
+:title: A net of four points has one surface for all beta
+:zh: 与 β 无关的曲面
+:kind: counterexample
+:given: $\beta=0$ and $\beta=1$, $P_{ij}=(f_i,f_j,f_if_j)$, $f=(0,0,0,0,1,1,1,1)$, corrected functions
+:then: the Bézier points of the surface, degrees 8 and 8, are the same
+:method: Row $k$ of the matrix gives coefficient $k$ of $\sum f_iB_i$; the surface is $(x,y,z)$ with $x=\sum f_iB_i(u)$, $y=\sum f_jB_j(v)$,
+  $z=xy$, since the functions have the sum 1.  That the coefficients of $\sum f_iB_i$ differ is asked.
+:control: $f_4=0$
 :::
 
 :::{claim} surface_kernel_gives_the_double_sum
@@ -149,10 +280,10 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :::{claim} surface_has_the_corner_points_and_boundary_curves
 :title: Corners and boundary curves of the surface
 :zh: 曲面的角点与边界曲线
-:given: degrees 3 and 2, any points, $\beta$, $\gamma$ and $v$
-:then: for $u=0$ and $u=1$ the surface is the curve with the parameter $\gamma$ of the first and of the last row of points;
+:given: degrees 3 and 2, any points, $\beta$, $\gamma$ and $v$; printed functions, degrees 7 and 7, any points, $\beta$ and $v$
+:then: for $u=0$ and $u=1$ the surface is the curve of the first and of the last row of points, corrected with the parameter $\gamma$;
   the ends of these are the corners
-:method: The surface kernel against the formula of the curve; everything a variable.
+:method: The surface kernel, and `shape_point_printed` twice, against the formulas of the curves; everything a variable.
 :control: the second row in the place of the last
 :::
 
@@ -171,8 +302,19 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :given: $P_{ij}=(i,j,ij)$, degrees $n$ and $n$, any $\beta$, $u$ and $v$
 :then: the surface satisfies $z=xy$: it lies on a hyperbolic paraboloid, which is convex to no side
 :method: The three coordinates by the surface kernel, $\beta$, $u$, $v$ variables.
-:degrees: 2..6 sampled 7
+:degrees: 2..7 sampled 7
 :control: the corner $P_{00}$ moved to $(1,0,0)$
+:::
+
+:::{claim} surface_of_a_net_of_straight_lines_is_not_convex
+:title: A surface of straight rows and columns is above one diagonal and below the other
+:zh: 行列皆直的控制网,其曲面不凸
+:kind: counterexample
+:given: $P_{ij}=(i,j,ij)$, degrees 7 and 7, $\beta=1$, corrected functions; the net as a whole is not convex
+:then: at $u=v=\frac12$ the surface is below the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$, so convex to no side
+:method: The height of the point $(\frac72,\frac72)$ of the surface and of the two chords there.  The control: a net whose columns and
+  rows are convex to one side.
+:control: $P_{ij}=(i,j,i^2+j^2)$
 :::
 
 :::{claim} horner_rule_computes_the_curve
@@ -254,7 +396,198 @@ CLAIM(surface_has_the_corner_points_and_boundary_curves)
             same(T, at, P[row * 3 + 2 * corner]);
         }
     }
+    num R[8 * 8], column[8], points[8];
+    for (int m = 0; m < 8 * 8; m++)
+        R[m] = unknown(T, "w", m);
+    for (int end = 0; end <= 1; end++) {
+        int row = end == 0 ? 0 : T->planted ? 1 : 7;
+        for (int j = 0; j <= 7; j++) {
+            for (int i = 0; i <= 7; i++)
+                column[i] = R[i * 8 + j];
+            G(shape_point_printed)(1, column, beta, from_int(end), points + j);
+        }
+        G(shape_point_printed)(1, points, beta, v, &at);
+        same(T, at, G(printed_curve)(1, R + row * 8, 0, beta, v));
+        for (int corner = 0; corner <= 1; corner++) {
+            G(shape_point_printed)(1, points, beta, from_int(corner), &at);
+            same(T, at, R[row * 8 + 7 * corner]);
+        }
+    }
 }
+
+CLAIM(printed_surface_is_a_curve_of_curves)
+{
+    num beta = G(any_beta)(T), u = parameter(T, "u"), v = parameter(T, "v");
+    for (int i = 0; i <= 7; i++)
+        for (int j = 0; j <= 7; j++) {
+            num row[8], points[8], at;
+            for (int r = 0; r <= 7; r++) {
+                for (int c = 0; c <= 7; c++)
+                    row[c] = from_int(r == i && c == j);
+                G(shape_point_printed)(1, row, beta, T->planted ? u : v, points + r);
+            }
+            G(shape_point_printed)(1, points, beta, T->planted ? v : u, &at);
+            same(T, at, mul(G(printed)(i, beta, u), G(printed)(j, beta, v)));
+        }
+}
+
+CLAIM(reversed_net_reverses_the_surface)
+{
+    num P[4 * 3], R[4 * 3], here, there, beta = G(any_beta)(T), gamma = unknown(T, "gamma", 0);
+    num u = parameter(T, "u"), v = parameter(T, "v"), one = from_int(1);
+    for (int m = 0; m < 4 * 3; m++)
+        P[m] = unknown(T, "z", m);
+    G(shape_surface_point)(3, 2, 1, P, beta, gamma, u, v, &here);
+    for (int turned = 1; turned <= 3; turned++) {
+        int in_u = turned & 1, in_v = turned >> 1;
+        for (int i = 0; i <= 3; i++)
+            for (int j = 0; j <= 2; j++)
+                R[i * 3 + j] = P[(in_u ? 3 - i : i) * 3 + (in_v ? 2 - j : j)];
+        num back = in_v && !T->planted ? sub(one, v) : v;
+        G(shape_surface_point)(3, 2, 1, R, beta, gamma, in_u ? sub(one, u) : u, back, &there);
+        same(T, there, here);
+    }
+}
+
+#if RATIONAL
+CLAIM(printed_surface_leaves_a_single_point)
+{
+    num B[8], sum = from_int(0), one = from_int(1), half = from_ratio(1, 2);
+    if (T->planted)
+        G(shape_basis)(7, one, half, B);
+    else
+        G(shape_basis_printed)(one, half, B);
+    for (int i = 0; i <= 7; i++)
+        for (int j = 0; j <= 7; j++)
+            sum = add(sum, mul(B[i], B[j]));
+    show(T, "the surface at u = v = 1/2", sum);
+    about(T, "the surface and the one value of its points");
+    same(T, sum, one);
+}
+
+CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
+{
+    num P[8 * 8 * 3], at[3], half = from_ratio(1, 2), chord[2];
+    for (int m = 0; m < 64; m++) {
+        int i = m / 8, j = m % 8;
+        P[m * 3] = from_int(i);
+        P[m * 3 + 1] = from_int(j);
+        P[m * 3 + 2] = from_int(T->planted ? i * i + j * j : i * j);
+    }
+    G(shape_surface_point)(7, 7, 3, P, from_int(1), from_int(1), half, half, at);
+    chord[0] = mul(half, add(P[2], P[63 * 3 + 2]));
+    chord[1] = mul(half, add(P[7 * 3 + 2], P[56 * 3 + 2]));
+    show_points(T, "the point of the surface", 1, 3, at);
+    show(T, "height of the first chord", chord[0]);
+    show(T, "height of the second chord", chord[1]);
+    about(T, "the point is on one side of both chords");
+    agree(T, sign_q(sub(at[2], chord[0])) * sign_q(sub(at[2], chord[1])) > 0);
+}
+
+CLAIM(surface_leaves_the_hull_at_minus_seven)
+{
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7), u = from_ratio(1, 20), v = from_ratio(1, 2);
+    int inside = 0;
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        num U[8], V[8], sum = from_int(0);
+        if (printed_ones) {
+            G(shape_basis_printed)(beta, u, U);
+            G(shape_basis_printed)(beta, v, V);
+        } else {
+            G(shape_basis)(7, beta, u, U);
+            G(shape_basis)(7, beta, v, V);
+        }
+        for (int j = 0; j <= 7; j++)
+            sum = add(sum, mul(U[2], V[j]));
+        show_text(T, "functions", "%s", printed_ones ? "printed" : "corrected");
+        show(T, "the surface at (1/20, 1/2)", sum);
+        inside += sign_q(sum) >= 0;
+    }
+    about(T, "the surface is not negative, as its points are");
+    agree(T, inside > 0);
+}
+
+/* The 81 Bernstein coefficients of f_i(u) g_j(v) + g_i(u) f_j(v), the columns i and j of two matrices, halved when f is g. */
+static void G(product_of_columns)(const num F[], const num H[], int i, int j, num out[])
+{
+    for (int r = 0; r <= 8; r++)
+        for (int c = 0; c <= 8; c++)
+            out[r * 9 + c] = F == H ? mul(F[r * 8 + i], F[c * 8 + j])
+                                    : add(mul(F[r * 8 + i], H[c * 8 + j]), mul(H[r * 8 + i], F[c * 8 + j]));
+}
+
+CLAIM(nets_that_do_not_move)
+{
+    static const int k[3][8] = {{1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 5, 1, 1, 1}};
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        static num M[162 * 64];
+        num E[9 * 8], D[9 * 8], first[81], second[81];
+        G(matrix_in_beta)(printed_ones, E, D);
+        for (int i = 0; i <= 7; i++)
+            for (int j = 0; j <= 7; j++) {
+                G(product_of_columns)(E, D, i, j, first);
+                G(product_of_columns)(D, D, i, j, second);
+                for (int r = 0; r < 81; r++) {
+                    M[r * 64 + i * 8 + j] = T->planted ? from_int(0) : first[r];
+                    M[(81 + r) * 64 + i * 8 + j] = second[r];
+                }
+            }
+        for (int a = printed_ones ? 2 : 0; a <= (printed_ones ? 2 : 1); a++)
+            for (int b = printed_ones ? 2 : 0; b <= (printed_ones ? 2 : 1); b++)
+                for (int r = 0; r < 162; r++) {
+                    num sum = from_int(0);
+                    for (int m = 0; m < 64; m++)
+                        sum = add(sum, mul(M[r * 64 + m], from_int(k[a][m / 8] * k[b][m % 8])));
+                    vanishes(T, sum);
+                }
+        agree(T, G(rank)(162, 64, M) == (printed_ones ? 63 : 60));
+    }
+}
+
+CLAIM(surface_that_does_not_move)
+{
+    num f[8], before[9], after[9];
+    int differ = 0;
+    for (int i = 0; i <= 7; i++)
+        f[i] = from_int(i >= 4 + T->planted);
+    G(shape_bezier_points)(7, 1, f, from_int(0), before);
+    G(shape_bezier_points)(7, 1, f, from_int(1), after);
+    for (int k = 0; k <= 8; k++)
+        differ += !equal_q(before[k], after[k]);
+    show_points(T, "f", 8, 1, f);
+    show_points(T, "coefficients, beta = 0", 9, 1, before);
+    show_points(T, "coefficients, beta = 1", 9, 1, after);
+    about(T, "some of the coefficients differ");
+    agree(T, differ > 0);
+}
+
+CLAIM(double_end_point_has_no_end_edge)
+{
+    num P[8 * dim], D[2 * dim];
+    for (int i = 0; i <= 7; i++) {
+        int x = i == 1 ? T->planted : i;
+        P[i * dim] = from_int(x);
+        P[i * dim + 1] = from_int(x * x);
+    }
+    G(bezier_derivatives)(7, dim, P, from_int(0), 1, D);
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "q'(0)", 1, dim, D + dim);
+    about(T, "the derivative is not 0");
+    agree(T, !is_zero_q(D[dim]) || !is_zero_q(D[dim + 1]));
+}
+
+CLAIM(weights_in_a_progression_keep_the_shape)
+{
+    num w[3] = {from_int(1), from_int(T->planted ? 3 : 2), from_int(4)}, zero = from_int(0);
+    num x[3] = {zero, w[1], mul(from_int(2), w[2])}, y[3] = {zero, mul(from_int(2), w[1]), zero};
+    poly W = poly_from_bernstein(2, w), X = poly_from_bernstein(2, x), Y = poly_from_bernstein(2, y);
+    poly gap = poly_sub(poly_mul(Y, W), poly_mul(X, poly_sub(poly_scale(W, from_int(2)), X)));
+    show_points(T, "w", 3, 1, w);
+    show_text(T, "YW-2XW+X^2", "%s", poly_to_string(gap, "t"));
+    about(T, "some point is not on the parabola");
+    agree(T, !poly_is_zero(gap));
+}
+#endif
 
 CLAIM(surface_functions_sum_to_one)
 {
