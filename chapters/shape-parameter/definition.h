@@ -160,9 +160,12 @@ static inline int G(rank)(int rows, int columns, num M[])
             M[pivot * columns + j] = M[rank * columns + j], M[rank * columns + j] = kept;
         }
         for (int r = rank + 1; r < rows; r++) {
+            if (is_zero_q(M[r * columns + c]))
+                continue;
             num factor = div(M[r * columns + c], M[rank * columns + c]);
-            for (int j = c; j < columns && !is_zero_q(factor); j++)
-                M[r * columns + j] = sub(M[r * columns + j], mul(factor, M[rank * columns + j]));
+            for (int j = c; j < columns; j++)
+                if (!is_zero_q(M[rank * columns + j]))
+                    M[r * columns + j] = sub(M[r * columns + j], mul(factor, M[rank * columns + j]));
         }
         rank++;
     }
