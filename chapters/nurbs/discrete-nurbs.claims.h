@@ -66,6 +66,7 @@ $i=j$ and $0$ otherwise.
   curve is there
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
   $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
+:hypothesis: knot_at_an_outer_end_has_no_shares | the same at ends that are single knots
 :reading: knots_outside_the_domain_cut_corners | with the $\alpha$ of 2.10 as they are read here, intervals closed on the left: true for
   $T'$ outside the domain, too
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
@@ -73,8 +74,8 @@ $i=j$ and $0$ otherwise.
 :reading: clamped_end_may_be_inserted_again | with the same: and a $k$-fold right end may be inserted, which repeats $r_n$
 :figure: nurbs_polygons_converge
 
-With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; a knot outside
-makes the weight of an end smaller.
+With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; one knot
+outside makes the weight of an end smaller, several also those next to it, and all stay positive.
 :::
 
 :::{statement} wang-ch4:formula-4.1.8
@@ -263,8 +264,9 @@ CLAIM(discrete_bsplines_are_shares)
 :then: new point $j$ has no share but in $r_{j-1}$ and $r_j$, and both shares are nonnegative; they sum up to $1$ for $1<j\le n$, while
   $r_1'=r_1$ with $\alpha_{1,k}(1)=\frac{\tau-t_1}{t_k-t_1}$ or $1$ and $r_{n+1}'=r_n$ with
   $\alpha_{n,k}(n+1)=\frac{t_{n+k}-\tau}{t_{n+k}-t_{n+1}}$ or $1$; and (4.1.8) is (4.1.2) on the domain
-:method: (4.1.6) and both curves by their letter; signs are read off coefficients in the gaps.  More knots one after the other, by
-  (4.1.7).
+:method: (4.1.6) and both curves by their letter; signs are read off coefficients in the gaps.  The shares are
+  quotients of sums of gaps, whose denominators contain a gap next to $\tau$; it stays positive when others are 0, so that the same is
+  true of multiple knots.  More knots one after the other, by (4.1.7).
 :types: field rational
 :degrees: 1..6 sampled 7
 :scope: the knots variables for $p\le3$, numbers above
@@ -404,8 +406,36 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
 :method: (4.1.6) by its letter.
 :control: $T'=\{1\}$
 :::
+
+:::{claim} knot_at_an_outer_end_has_no_shares
+:title: A knot inserted at a single first or last knot makes a point without shares
+:zh: 在单重首末节点处嵌入节点所得顶点无意义
+:kind: counterexample
+:given: $k=3$, $T=\{0,1,2,3,4,5\}$, weights $1$; $T'=\{0\}$ and the first point, $T'=\{5\}$ and the last of the four
+:then: all $\alpha_{i,3}(j)=0$, so that $w_1^{(T,T')}=0$ and $w_4^{(T,T')}=0$
+:method: (4.1.6) by its letter.
+:control: $T'=\{\frac12\}$ and $T'=\{\frac92\}$
+:::
 */
 #if RATIONAL
+CLAIM(knot_at_an_outer_end_has_no_shares)
+{
+    struct G(refinement) r;
+    for (int end = 0; end < 2; end++) {
+        num sum = from_int(0);
+        for (int i = 0; i < 8; i++)
+            r.x[i] = i == 1 ? from_ratio(1, 2) : i == 6 ? from_ratio(9, 2) : from_int(i == 0 ? 0 : i == 7 ? 5 : i - 1);
+        const char *inserted[2][2] = {{"10000000", "00000001"}, {"01000000", "00000010"}};
+        G(refine_pair)("10111101", inserted[T->planted][end], 2, &r);
+        for (int i = 0; i < r.n; i++)
+            sum = add(sum, G(alpha)(2, r.u, r.place, r.v, r.at, i, end == 0 ? 0 : r.m - 1));
+        show_points(T, "T with T'", r.m + 3, 1, r.v);
+        show(T, end == 0 ? "w_1^(T,T')" : "w_4^(T,T')", sum);
+        about(T, "the new weight is positive");
+        agree(T, sign_q(sum) > 0);
+    }
+}
+
 CLAIM(knot_at_a_k_fold_end_has_no_shares)
 {
     struct G(refinement) r;

@@ -685,15 +685,16 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :holds-by: family_moves_with_its_points
 :figure: nurbs_second_line
 
-What follows, (4.3.13), is (4.3.9): that two derivatives are parallel does not depend on the coordinates.  (4.3.12) does, on the origin,
-which a motion of space moves unless it is a rotation about it; by the step before a rotation is enough, the plane passing through the
-origin.
+What follows, (4.3.13), is (4.3.9): that two derivatives are parallel does not depend on the coordinates.  (4.3.12) does
+depend on them: it refers to the origin, and a motion keeps the origin only if it turns about it.  As the plane passes through the
+origin, by the step before, such a rotation suffices.
 :::
 
 :::{claim} family_moves_with_its_points
 :title: Under an affine map of the points the members are mapped, and their derivatives by its linear part
 :zh: 顶点经仿射变换,族曲线随之变换
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$, $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
+:given: $k=p+1$; simple knots, or the ends of the span $p$-fold, or its left end double; weights and points, any $t$ and $\tau$,
+  $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
 :then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by $t$ and by $\tau$ are
   those of $\mathbf r^{[k-r]}$ under $ax+by$
 :method: Both families by the recursion.  $\ell$ is any coordinate of an affine map; a third coordinate enters as the second does.  A linear

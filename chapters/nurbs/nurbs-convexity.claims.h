@@ -67,14 +67,14 @@ and the only one.
   outside the domain are allowed
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof and for knots before the domain with the
   edge $r_0r_1$: then the knots have to be in the domain, $t_k\le\tau\le t_{n+1}$
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, intervals closed on the right: and $\tau>t_1$; when $t_k$ is a
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same with intervals closed on the right, and $\tau=t_1$ excluded as well; when $t_k$ is a
   $k$-fold knot it is not inserted again
 :needs: mixed_weights_cut_beside_the_edges | positive weights
 :figure: cutting_corners
 
 Every multiplicity is allowed, $k-1$, $k$ and more: a vertex is then repeated.  A knot outside the domain makes the weight of an end
 smaller and cuts corners like the others: the first row of $M$ is $\alpha_1,0,\dots$, or the last $\dots,0,1-\alpha_{n+1}$.
- $T'$ is a multiset.  The minors of an
+$T'$ is a multiset.  The minors of an
 insertion involve three rows and so six columns at most, so that their signs are decided for every $n$.
 :::
 
@@ -89,7 +89,7 @@ insertion involve three rows and so six columns at most, so that their signs are
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
 :reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same: and greater than $t_1$
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
 :figure: hulls_of_knot_sets
 
 Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
@@ -181,7 +181,7 @@ With the new weights, which the notation does not show; in the second equation t
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
 :reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same: and greater than $t_1$
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
 :figure: hulls_of_knot_sets
 :::
 

@@ -25,8 +25,9 @@ not counted, or, for insertion, if it counts as infinitely many points.
 :reading: cut_corner_lies_on_the_line | points, of which an edge on the line has infinitely many
 :figure: what_must_be_counted
 
-With the first two meanings the statements below are true, with the others false; points of the plane will do, an edge or piece
-on the line counting once, for a polygon that does not meet itself on the line.  The source's chapter on Bézier curves means
+With the first two meanings the statements below are true; with the third and the fourth the lemma and the theorem are false; with the
+last the lemma is false, and the step that uses it, while the theorem is true: over a piece of the curve on the line an edge lies there.
+Points of the plane will do, an edge or piece on the line counting once, for a polygon that does not meet itself on the line.  The source's chapter on Bézier curves means
 crossings, and says so.
 :::
 
@@ -47,7 +48,7 @@ crossings, and says so.
 :reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
 :reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the knots have to be in
   the domain
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same: and greater than $t_1$
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
 :figure: line_and_cut_corners
 
 The source gives no proof.  Any multiplicities are allowed.  The argument is about one corner at a time and holds

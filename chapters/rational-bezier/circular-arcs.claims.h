@@ -27,8 +27,9 @@ equal units on the axes, as the special coordinates have them.
 :zh: 等价的几何条件
 :printed: For $I_1<1$ this is equivalent to $x_1=0$, $\omega^2=\frac{l^2}{l^2+y_1^2}=\cos^2\theta$.
 :holds-by: circles_among_the_conics_of_the_curve base_angle_of_the_triangle
-:needs: flat_points_satisfy_the_conditions | $I_1<1$
 :figure: circular_arc
+
+For a true triangle $I_1<1$ follows and is not needed; for three points on a line it makes either side false.
 :::
 
 :::{claim} circles_among_the_conics_of_the_curve
@@ -69,30 +70,6 @@ CLAIM(circles_among_the_conics_of_the_curve)
     about(T, "A - C for points on a line");
     same(T, sub(S[2], S[0]), add(mul(oo, mul(x1, x1)), mul(sub(from_int(1), oo), ll)));
 }
-
-#if RATIONAL
-/*
-:::{claim} flat_points_satisfy_the_conditions
-:title: With a larger invariant three points on a line have A = C and B = 0
-:zh: I_1>1 时共线三点亦有 A=C,B=0
-:kind: counterexample
-:given: $l=1$, $R_1=(\frac35,0)$, $\omega=\frac54$, so that $I_1=\frac{25}{16}$
-:then: $B=0$ and $A=C$, but $x_1\ne0$
-:method: The kernel's conic; $\omega^2x_1^2=(\omega^2-1)l^2$.
-:control: $\omega=\frac45$
-:::
-*/
-CLAIM(flat_points_satisfy_the_conditions)
-{
-    num l = from_int(1), x1 = from_ratio(3, 5), omega = T->planted ? from_ratio(4, 5) : from_ratio(5, 4), S[6];
-    G(special_conic)(l, x1, from_int(0), omega, S);
-    show_points(T, "A ... F", 6, 1, S);
-    show(T, "x1", x1);
-    show(T, "I1", mul(omega, omega));
-    about(T, "A = C and B = 0 being true, whether x1 = 0");
-    agree(T, !(is_zero_q(S[1]) && equal_q(S[0], S[2])) || is_zero_q(x1));
-}
-#endif
 
 /*
 :::{claim} base_angle_of_the_triangle

@@ -258,8 +258,8 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 
 When all points lie on a line the condition holds everywhere and the envelope loses its meaning
 (`flat_polygon_has_no_envelope`).  The further envelopes are curves of their own: for $r=1$ a segment of the tangent at
-a $\tau$ where $R'\times R''=0$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is this tangent.  Such a $\tau$ is
-mostly an inflection; but a curve may be flat there and not change its side (`flat_point_has_another_envelope`).
+a $\tau$ where $R'\times R''=0$ and $R'\ne0$, run through by $p(c,\tau^{n-1})$; for $r=n-1$ the member that is this tangent.  Such a
+$\tau$ is mostly an inflection; but a curve may be flat there and not change its side (`flat_point_has_another_envelope`).
 :::
 
 :::{claim} envelope_condition_of_points
@@ -584,7 +584,7 @@ CLAIM(flat_polygon_has_no_envelope)
 
 /*
 When does $w_r$ have no zero?  For $n=2$ it is a constant.  For $r=1$ it depends on $t$ alone, for $r=n-1$ on $c$ alone,
-and its zeros are those of $R'\times R''$, such as inflections.  In between inflections do not decide, but the control polygon does: write
+and its zeros are those of $R'\times R''$, such as inflections and cusps.  In between inflections do not decide, but the control polygon does: write
 $\beta_i$ for the coefficients of $(1-c+cz)^{r-1}(1-t+tz)^{n-r-1}$; then
 
 $$w_r(c,t)=\sum_{i<j<k}\begin{vmatrix}\beta_i&\beta_j&\beta_k\\\beta_{i-1}&\beta_{j-1}&\beta_{k-1}\\

@@ -10,7 +10,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :printed: x=\frac{g_1}{g_1+2+g_2},\quad y=\frac{g_2}{g_1+2+g_2}
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
-:hypothesis: ends_have_no_ratios | $R\ne R_0,R_2$ and no tangent parallel to a side, so that both ratios exist.
+:hypothesis: end_has_but_one_ratio | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no side.
 :::
 
 :::{statement} wang-ch3:3.1-R-from-g
@@ -19,7 +19,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :printed: \mathbf R=\frac{g_1\mathbf R_0+2\mathbf R_1+g_2\mathbf R_2}{g_1+2+g_2}
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
-:hypothesis: ends_have_no_ratios | $R\ne R_0,R_2$ and no tangent parallel to a side, so that both ratios exist.
+:hypothesis: end_has_but_one_ratio | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no side.
 :::
 
 :::{claim} signed_ratios_give_the_point

@@ -205,17 +205,18 @@ CLAIM(tangent_parallel_to_the_first_side)
 }
 
 /*
-:::{claim} ends_have_no_ratios
-:title: At the ends of the curve the tangent is a side, and there are no ratios
-:zh: 端点处切线即边，比值无定义
+:::{claim} end_has_but_one_ratio
+:title: At an end of the curve the tangent is a side, and one of the two ratios does not exist
+:zh: 端点处切线即边，两比之一无定义
 :kind: counterexample
 :given: $\lambda=\frac12$ and $R=R_0=(1,0)$, a point of every curve of (3.1.4)
-:then: $(1-\lambda)y=0$ and $-2\lambda(x+y-1)=0$: the printed $g_1$ is $\frac00$, and the tangent $l_1$ has no point $A$
+:then: $(1-\lambda)y=0$ and $-2\lambda(x+y-1)=0$: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself, without a point $A$; at $R_2$ it is
+  $g_2$
 :method: The value and the gradient of $S$ at $R$, and both numbers.
 :control: $R=(\frac13,\frac13)$
 :::
 */
-CLAIM(ends_have_no_ratios)
+CLAIM(end_has_but_one_ratio)
 {
     num S[6], g[2], half = from_ratio(1, 2), R[2] = {from_int(1), from_int(0)};
     if (T->planted)
@@ -245,6 +246,7 @@ CLAIM(ends_have_no_ratios)
 :holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point
 :hypothesis: lengths_do_not_tell_points_apart | $R$ lies inside the triangle, or the ratios have signs.
 :hypothesis: tangent_parallel_to_the_first_side | The tangent meets both sides.
+:hypothesis: end_has_but_one_ratio | $R\ne R_0,R_2$.
 :figure: tangent_ratios
 :::
 
@@ -255,8 +257,9 @@ CLAIM(ends_have_no_ratios)
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else there is no $A$.
-:hypothesis: ends_have_no_ratios | $R\ne R_0,R_2$.
+:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut
+  the side in one point.
+:hypothesis: end_has_but_one_ratio | $R\ne R_0$, where the tangent is the side; $g_2$ is 0 there.
 
 On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
 :::
@@ -268,8 +271,8 @@ On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else there is no $B$.
-:hypothesis: ends_have_no_ratios | $R\ne R_0,R_2$.
+:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut the
+  side in one point, as it does not in $R_2$, where it is the side.
 :::
 
 :::{claim} ratios_on_the_curve
@@ -461,8 +464,8 @@ $-4\lambda/(1-\lambda)$.
 :zh: g_1 g_2 与动点无关
 :printed: The value of $g_1g_2$ does not depend on the moving point $R$.
 :holds-by: product_of_ratios_is_constant
-:hypothesis: ends_have_no_ratios | $R\ne R_0,R_2$ and no tangent parallel to a side, so that both ratios exist.
-:hypothesis: double_line_has_no_tangent | $\lambda\ne1$, and $\lambda\ne0$: the curve is no pair of lines.
+:hypothesis: end_has_but_one_ratio | Both ratios exist: $R\ne R_0,R_2$, and the tangent is parallel to no side.
+:hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
 :figure: tangent_ratios
 :::
 
