@@ -65,16 +65,23 @@ static inline struct G(poly) G(free_poly)(trial *T, const char *name, int n)
 }
 
 /* The four functions as they are printed over [t0, t1], index 0 to 3 for g_00, g_01, h_00, h_01:
- *     g_00 = (1 + 2 (t-t0)/(t1-t0)) ((t-t1)/(t0-t1))^2,    g_01 = (1 + 2 (t-t1)/(t0-t1)) ((t-t0)/(t1-t0))^2,
- *     h_00 = (t-t0) ((t-t1)/(t0-t1))^2,                    h_01 = (t-t1) ((t-t0)/(t1-t0))^2. */
+ *     g_00 = (1 - 2 (t-t0)/(t0-t1)) ((t-t1)/(t0-t1))^2,    g_01 = (1 - 2 (t-t1)/(t1-t0)) ((t-t0)/(t1-t0))^2,
+ *     h_00 = (t-t0)/(t1-t0) ((t-t1)/(t0-t1))^2,            h_01 = (t-t1)/(t1-t0) ((t-t0)/(t1-t0))^2. */
 static inline struct G(poly) G(printed_blending)(num t0, num t1, int which)
 {
     struct G(poly) up = G(linear)(t0, t1), down = G(linear)(t1, t0), two = G(constant)(from_int(2));
     struct G(poly) near = which % 2 == 0 ? up : down, far = which % 2 == 0 ? down : up;
-    num gap = which % 2 == 0 ? sub(t1, t0) : sub(t0, t1);
-    struct G(poly) factor =
-        which < 2 ? G(plus)(G(constant)(from_int(1)), G(times)(two, near)) : G(times)(G(constant)(gap), near);
+    struct G(poly) minus = G(constant)(from_int(-1)), back = G(times)(minus, near); /* over the opposite difference */
+    struct G(poly) bracket = G(plus)(G(constant)(from_int(1)), G(times)(minus, G(times)(two, back)));
+    struct G(poly) factor = which < 2 ? bracket : which == 2 ? near : back;
     return G(times)(factor, G(times)(far, far));
+}
+
+/* What is multiplied by datum number `which` in the printed sum: with a derivative h and the length t1 - t0. */
+static inline struct G(poly) G(printed_term)(num t0, num t1, int which)
+{
+    struct G(poly) g = G(printed_blending)(t0, t1, which);
+    return which < 2 ? g : G(times)(g, G(constant)(sub(t1, t0)));
 }
 
 /* Entry (i, j) of the printed matrix: coefficient of u^{3-i} in q_00, q_01, q_10, q_11. */

@@ -9,7 +9,7 @@
 :printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
   $N=m_0+m_1+\dots+m_k-1$
 :holds-by: hermite_interpolant_exists_and_is_unique
-:hypothesis: equal_nodes_have_no_interpolant | the $t_i$ are different
+:needs: equal_nodes_have_no_interpolant | $k+1$ points $t_i$: different ones
 :reading: hermite_interpolant_exists_and_is_unique | of degree at most $N$: there is exactly one
 :reading: straight_data_have_no_cubic | of degree exactly $N$: there may be none
 :figure: hermite_blending_functions
@@ -150,10 +150,11 @@ CLAIM(straight_data_have_no_cubic)
   $(t_1-t_0)^3a_1=f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1$;
   $(t_1-t_0)^3a_0=-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3$
 :holds-by: cubic_coefficients_by_monomials
-:hypothesis: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | two points: $t_0\ne t_1$
 :figure: nodes_that_meet
 
-The signs are lost.  The monomials are linearly independent, so each sign is determined by the value of the sum: one choice is true.
+Printed are the quotients by $(t_1-t_0)^3$.  The signs are lost.  The monomials are linearly independent, so each sign is
+determined by the value of the sum: one choice is true.
 :::
 
 :::{statement} slides-ch4:2-cubic-a2
@@ -322,12 +323,13 @@ CLAIM(square_needs_the_prime)
 :::{statement} slides-ch4:2-cubic-by-data
 :title: The interpolating cubic, ordered by its data
 :zh: 按型值整理的三次插值多项式
-:printed: P(t)=f(t_0)\frac{(t-t_1)^2(2t-3t_0+t_1)}{(t_1-t_0)^3}+f(t_1)\frac{(t-t_0)^2(2t-3t_1+t_0)}{(t_0-t_1)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
+:printed: P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
 :holds-by: cubic_ordered_by_data
-:hypothesis: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | two points: $t_0\ne t_1$
 :figure: nodes_that_meet
 
-The two cubes have the factors in opposite order, which makes up for the sign between the two fractions.
+The signs are lost.  With $(t_0-t_1)^3$ under the first value and $(t_1-t_0)^3$ under the second, as they are printed, both linear factors
+begin with $-2t$.
 :::
 
 :::{claim} cubic_ordered_by_data
@@ -336,27 +338,29 @@ The two cubes have the factors in opposite order, which makes up for the sign be
 :given: $t_0\ne t_1$ and any data
 :then: the printed sum has the values and derivatives prescribed at $t_0$ and $t_1$
 :method: The sum as a polynomial in $t$; everything variable.
-:control: the cube $(t_1-t_0)^3$ under both values
+:control: the cube $(t_0-t_1)^3$ under both values
 :::
 
 :::{statement} slides-ch4:2-blending
 :title: The blending functions over an interval
 :zh: 区间上的混合函数
-:printed: $P_0(t)=f(t_0)g_{00}(t)+f(t_1)g_{01}(t)+f'(t_0)h_{00}(t)+f'(t_1)h_{01}(t)$ with
-  $g_{00}=\bigl(1+2\frac{t-t_0}{t_1-t_0}\bigr)\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$,
-  $g_{01}=\bigl(1+2\frac{t-t_1}{t_0-t_1}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
-  $h_{00}=(t-t_0)\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=(t-t_1)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
+:printed: $P_0(t)=f(t_0)g_{00}(t)+f(t_1)g_{01}(t)+f'(t_0)h_{00}(t)(t_1-t_0)+f'(t_1)h_{01}(t)(t_1-t_0)$ with
+  $g_{00}=\bigl(1-2\frac{t-t_0}{t_0-t_1}\bigr)\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$,
+  $g_{01}=\bigl(1-2\frac{t-t_1}{t_1-t_0}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
+  $h_{00}=\frac{t-t_0}{t_1-t_0}\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=\frac{t-t_1}{t_1-t_0}\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
-:hypothesis: equal_nodes_have_no_interpolant | $t_0\ne t_1$
+:needs: equal_nodes_have_no_interpolant | two ends of an interval: $t_0\ne t_1$
 :figure: hermite_blending_functions
+
+The signs are lost; by the order of $t_0$ and $t_1$ in the denominators that before 2 is a minus both times.
 :::
 
 :::{claim} hermite_kernel_blends_four_data
 :title: The printed functions blend the data to the interpolating cubic and all its derivatives
 :zh: 混合函数给出三次插值曲线及其各阶导数
 :given: $t_0<t_1$, any data, any $t$, orders 0 to 4
-:then: the kernels `hermite_blending` and `hermite_cubic` give the derivatives of the four printed functions and of their sum with
-  the data, and that sum has the data
+:then: the kernel `hermite_blending` gives the derivatives of $g_{00}$, $g_{01}$, $h_{00}(t)(t_1-t_0)$, $h_{01}(t)(t_1-t_0)$, `hermite_cubic` those of
+  the printed sum, and that sum has the data
 :method: The printed functions are multiplied out as polynomials in $t$, and differentiated power by power; everything variable.
 :defines: hermite_blending hermite_cubic
 :control: the two derivatives exchanged
@@ -366,8 +370,9 @@ The two cubes have the factors in opposite order, which makes up for the sign be
 :title: Values and derivatives of the blending functions at the ends
 :zh: 混合函数的端点性质
 :printed: $g_{00}(t_0)=1$, $g_{00}(t_1)=0$, $g_{01}(t_0)=0$, $g_{01}(t_1)=1$, $h_{00}(t_0)=h_{00}(t_1)=h_{01}(t_0)=h_{01}(t_1)=0$;
-  $g_{00}'(t_0)=g_{00}'(t_1)=g_{01}'(t_0)=g_{01}'(t_1)=0$, $h_{00}'(t_0)=1$, $h_{00}'(t_1)=0$, $h_{01}'(t_0)=0$, $h_{01}'(t_1)=1$
+  $g_{00}'(t_0)=g_{00}'(t_1)=g_{01}'(t_0)=g_{01}'(t_1)=0$, $h_{00}'(t_0)=\frac1{t_1-t_0}$, $h_{00}'(t_1)=0$, $h_{01}'(t_0)=0$, $h_{01}'(t_1)=\frac1{t_1-t_0}$
 :holds-by: blending_functions_are_dual_to_the_data
+:needs: equal_nodes_have_no_interpolant | $t_0\ne t_1$
 :figure: hermite_blending_functions
 :::
 
@@ -383,10 +388,11 @@ The case $t_0=0$, $t_1=1$.
 :::
 
 :::{claim} blending_functions_are_dual_to_the_data
-:title: Each blending function has one datum 1 and three data 0
+:title: Each blending function has one datum that is not 0, and three that are
 :zh: 四函数与四型值对偶
 :given: $t_0<t_1$, also $t_0=0$, $t_1=1$
-:then: the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ are those of the unit matrix
+:then: the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ are the matrix with the diagonal
+  $1,1,\frac1{t_1-t_0},\frac1{t_1-t_0}$ and 0 elsewhere; over the unit interval it is the unit matrix
 :method: The printed functions multiplied out and differentiated; $t_0$ and $t_1$ variables, then 0 and 1.
 :control: $h_{00}$ taken for $h_{01}$
 :::
@@ -397,11 +403,12 @@ CLAIM(cubic_ordered_by_data)
     num t0, t1, data[4];
     G(interval)(T, &t0, &t1);
     G(four_data)(T, data);
-    num length = sub(t1, t0), back = T->planted ? length : neg(length), square = mul(length, length);
+    num length = sub(t1, t0), back = neg(length), square = mul(length, length);
     num two = from_int(2), three = from_int(3);
     struct G(poly) up = {1, {neg(t0), from_int(1)}}, down = {1, {neg(t1), from_int(1)}}; /* t - t0, t - t1 */
-    struct G(poly) factor[4] = {{1, {sub(t1, mul(three, t0)), two}}, {1, {sub(t0, mul(three, t1)), two}}, up, down};
-    num under[4] = {mul(square, length), mul(square, back), square, square};
+    struct G(poly)
+        factor[4] = {{1, {sub(mul(three, t0), t1), neg(two)}}, {1, {sub(mul(three, t1), t0), neg(two)}}, up, down};
+    num under[4] = {mul(square, back), mul(square, T->planted ? back : length), square, square};
     struct G(poly) sum = G(constant)(from_int(0));
     for (int i = 0; i < 4; i++) {
         struct G(poly) far = i % 2 == 0 ? down : up;
@@ -419,7 +426,7 @@ CLAIM(hermite_kernel_blends_four_data)
     struct G(poly) sum = G(constant)(from_int(0));
     G(hermite_blending)(t0, t1, t, 4, B);
     for (int i = 0; i < 4; i++) {
-        struct G(poly) g = G(printed_blending)(t0, t1, T->planted && i >= 2 ? 5 - i : i);
+        struct G(poly) g = G(printed_term)(t0, t1, T->planted && i >= 2 ? 5 - i : i);
         about(T, "the blending functions");
         for (int k = 0; k <= 4; k++)
             same(T, B[4 * k + i], G(at)(g, k, t));
@@ -441,7 +448,7 @@ CLAIM(blending_functions_are_dual_to_the_data)
             t0 = from_int(0), t1 = from_int(1);
         for (int i = 0; i < 4; i++) {
             for (int k = 0; k < 4; k++)
-                unit[k] = from_int(k == i);
+                unit[k] = k != i ? from_int(0) : i < 2 ? from_int(1) : div(from_int(1), sub(t1, t0));
             G(osculates)(T, G(printed_blending)(t0, t1, T->planted && i == 3 ? 2 : i), t0, t1, unit);
         }
     }
@@ -455,7 +462,7 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :zh: 过四点的三次 Lagrange 插值
 :printed: $P(t)=\sum_{i=0}^3f(t_i)g_i(t)$ with $g_i(t)=\prod_{j\ne i}\frac{t-t_j}{t_i-t_j}$, written out for $i=0,1,2,3$
 :holds-by: lagrange_functions_keep_every_polynomial
-:hypothesis: equal_nodes_have_no_interpolant | the $t_i$ are different
+:needs: equal_nodes_have_no_interpolant | four different points
 :figure: lagrange_blending_functions
 :::
 
@@ -476,10 +483,11 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :::{statement} slides-ch4:2-substitution
 :title: The blending functions over the unit interval
 :zh: 变换到单位区间
-:printed: $u=\frac{t-t_0}{t_1-t_0}$, $t=t_0+(t_1-t_0)u$: $g_{00}=2u^3-3u^2+1=q_{00}(u)$, $g_{01}=-2u^3+3u^2=q_{01}(u)$,
-  $h_{00}=(u^3-2u^2+u)(t_1-t_0)=q_{10}(u)(t_1-t_0)$, $h_{01}=(u^3-u^2)(t_1-t_0)=q_{11}(u)(t_1-t_0)$; also in the factored forms
-  $(u-1)^2(2u+1)$, $u^2(-2u+3)$, $u(u-1)^2$, $u^2(u-1)$
+:printed: $u=\frac{t-t_0}{t_1-t_0}$, $t=t_0+(t_1-t_0)u$: $g_{00}(t)=(1+2u)(u-1)^2=2u^3-3u^2+1=q_{00}(u)$,
+  $g_{01}(t)=(3-2u)u^2=-2u^3+3u^2=q_{01}(u)$, $h_{00}(t)=u(u-1)^2=u^3-2u^2+u=q_{10}(u)$, $h_{01}(t)=(u-1)u^2=u^3-u^2=q_{11}(u)$; so
+  $P_0(t_0+(t_1-t_0)u)=f(t_0)q_{00}(u)+f(t_1)q_{01}(u)+f'(t_0)(t_1-t_0)q_{10}(u)+f'(t_1)(t_1-t_0)q_{11}(u)$
 :holds-by: unit_blending_functions
+:needs: equal_nodes_have_no_interpolant | $t_0\ne t_1$
 :figure: hermite_blending_functions
 :::
 
@@ -489,6 +497,7 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :printed: $\varphi(0)=f(t_0)$, $\varphi(1)=f(t_1)$, $\varphi'(0)=f'(t_0)(t_1-t_0)$, $\varphi'(1)=f'(t_1)(t_1-t_0)$, and
   $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
 :holds-by: unit_blending_functions
+:needs: equal_nodes_have_no_interpolant | $t_0\ne t_1$
 :figure: hermite_blending_functions
 :::
 
@@ -496,7 +505,8 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :title: In the parameter of the unit interval derivatives are multiplied by the length of the interval
 :zh: 单位区间上的混合函数
 :given: $t_0<t_1$, any data, any $u$, $t=t_0+(t_1-t_0)u$
-:then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the scaled data is the interpolating cubic
+:then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the derivatives times $t_1-t_0$ is the
+  interpolating cubic
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
 :control: the derivatives not multiplied by the length
 :::
@@ -584,13 +594,13 @@ CLAIM(unit_blending_functions)
         struct G(poly) g = G(printed_blending)(t0, t1, i);
         num scale = i < 2 || T->planted ? one : length, power = one, column = from_int(0);
         about(T, "the functions");
-        same(T, G(at)(g, 0, t), mul(scale, q[i]));
+        same(T, G(at)(g, 0, t), q[i]);
         same(T, factored[i], q[i]);
         for (int k = 0; k < 4; k++, power = mul(power, u))
             column = add(column, mul(from_int(G(printed_matrix)(3 - k, i)), power));
         same(T, column, q[i]);
         sum = add(sum, mul(mul(scale, data[i]), q[i]));
-        cubic = add(cubic, mul(data[i], G(at)(g, 0, t)));
+        cubic = add(cubic, mul(data[i], G(at)(G(printed_term)(t0, t1, i), 0, t)));
     }
     about(T, "the curve");
     same(T, sum, cubic);

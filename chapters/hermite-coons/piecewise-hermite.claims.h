@@ -10,20 +10,20 @@ continuous tangent whatever the data are; the second derivative is another matte
 :::{statement} slides-ch4:2-piece
 :title: The cubic on one interval
 :zh: 第 i 段三次 Hermite 插值
-:printed: $P_i(t)=f(t_i)g_{i0}(t)+f(t_{i+1})g_{i1}(t)+f'(t_i)h_{i0}(t)+f'(t_{i+1})h_{i1}(t)$, $i=0,\dots,n-1$, with
-  $g_{i0}=\bigl(1+2\frac{t-t_i}{t_{i+1}-t_i}\bigr)\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$,
-  $g_{i1}=\bigl(1+2\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$,
-  $h_{i0}=(t-t_i)\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=(t-t_{i+1})\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
+:printed: $P_i(t)=f(t_i)g_{i0}(t)+f(t_{i+1})g_{i1}(t)+f'(t_i)h_{i0}(t)(t_{i+1}-t_i)+f'(t_{i+1})h_{i1}(t)(t_{i+1}-t_i)$, $i=0,\dots,n-1$, with
+  $g_{i0}=\bigl(1-2\frac{t-t_i}{t_i-t_{i+1}}\bigr)\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$,
+  $g_{i1}=\bigl(1-2\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigr)\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$,
+  $h_{i0}=\frac{t-t_i}{t_{i+1}-t_i}\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
 :holds-by: base_functions_interpolate_once_continuously
-:hypothesis: equal_nodes_have_no_interpolant | $t_i\ne t_{i+1}$
+:needs: equal_nodes_have_no_interpolant | an interval $[t_i,t_{i+1}]$: $t_i\ne t_{i+1}$
 :figure: nodes_that_meet
 :::
 
 :::{statement} slides-ch4:2-base-functions
 :title: The functions of one datum on the whole interval
 :zh: 整体基函数
-:printed: $a_{i,0}$ is $g_{i-1,1}$ on $[t_{i-1},t_i]$, $g_{i,0}$ on $[t_i,t_{i+1}]$ and 0 elsewhere; $a_{i,1}$ is $h_{i-1,1}$, $h_{i,0}$
-  and 0; for $i=0$ and $i=n$ the piece outside $[t_0,t_n]$ is left out
+:printed: $a_{i,0}$ is $g_{i-1,1}$ on $[t_{i-1},t_i]$, $g_{i,0}$ on $[t_i,t_{i+1}]$ and 0 elsewhere; $a_{i,1}$ is
+  $h_{i-1,1}(t)(t_i-t_{i-1})$, $h_{i,0}(t)(t_{i+1}-t_i)$ and 0; for $i=0$ and $i=n$ the piece outside $[t_0,t_n]$ is left out
 :definition: yes
 :checked-by: base_functions_interpolate_once_continuously
 :figure: piecewise_base_functions
@@ -35,16 +35,20 @@ continuous tangent whatever the data are; the second derivative is another matte
 :printed: $P(t)=\sum_{i=0}^n[f(t_i)a_{i,0}(t)+f'(t_i)a_{i,1}(t)]$ on $[t_0,t_n]$ has just four terms on each $[t_i,t_{i+1}]$ and
   satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$
 :holds-by: base_functions_interpolate_once_continuously
-:hypothesis: equal_nodes_have_no_interpolant | the $t_i$ are different
+:needs: overlapping_intervals_miss_the_data | intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$: $t_0<t_1<\dots<t_n$
 :figure: nodes_that_meet
 :::
 
 :::{statement} slides-ch4:2-piece-of-curve
 :title: The curve on one interval, in points and tangents
 :zh: 单段的四项表示
-:printed: P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)
+:printed: P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+[P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)](t_{i+1}-t_i)
 :holds-by: base_functions_interpolate_once_continuously
+:reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$: true
+:reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval: false for other lengths than 1
 :figure: piecewise_base_functions
+
+The bracket is lost; the one factor at the end belongs to both derivatives.
 :::
 
 :::{statement} slides-ch4:2-smooth
@@ -64,9 +68,29 @@ continuous tangent whatever the data are; the second derivative is another matte
 :given: nodes $t_0<\dots<t_n$, any data, any $t$
 :then: on each of the $n$ intervals the sum of the $2n+2$ terms is what `hermite_cubic` gives for four data; at each node its value
   and derivative are the data, from both sides
-:method: The functions $a_{i,j}$ as printed, interval by interval, all $2n+2$ summed as polynomials; everything variable.
+:method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.
 :degrees: 1..4 sampled 8
 :control: in $a_{0,1}$ the function of the other end
+:::
+
+:::{claim} overlapping_intervals_miss_the_data
+:title: If the nodes go back, two pieces lie over one interval
+:zh: 节点不递增则各段重叠
+:kind: counterexample
+:given: nodes 0, 2, 1, which are different, the values 0, 0, 1 and the derivatives 0
+:then: over $[0,2]$ the curve is the first piece, which is 0, so that $P(t_2)=P(1)=0$, not 1
+:method: The kernel on $[t_0,t_1]$, at $t_2$.
+:control: the value 0 at $t_2$
+:::
+
+:::{claim} scaled_tangent_is_not_scaled_again
+:title: A tangent that contains the length must not be multiplied by it again
+:zh: 切向量不可重复缩放
+:kind: counterexample
+:given: $t_0=0$, $t_1=2$, $f'(0)=1$ and the other data 0; $P_0'=f'(0)(t_1-t_0)=2$
+:then: $P_0'h_{0,0}(t)(t_1-t_0)$ has at 0 the derivative 2, not $f'(0)=1$
+:method: The printed function, multiplied out and differentiated.
+:control: $t_1=1$
 :::
 
 :::{claim} pieces_need_not_have_one_curvature
@@ -97,6 +121,7 @@ continuous tangent whatever the data are; the second derivative is another matte
 :printed: $u=\frac{t-t_i}{t_{i+1}-t_i}$, $t=t_i+u(t_{i+1}-t_i)$:
   $P_i(u)=P_i(2u^3-3u^2+1)+P_{i+1}(-2u^3+3u^2)+P_i'(u^3-2u^2+u)+P_{i+1}'(u^3-u^2)$, and the same by the matrix
 :holds-by: unit_blending_functions one_choice_of_signs_in_the_matrix
+:needs: equal_nodes_have_no_interpolant | an interval: $t_i\ne t_{i+1}$
 :figure: one_tangent_two_lengths
 :::
 
@@ -109,7 +134,8 @@ continuous tangent whatever the data are; the second derivative is another matte
   it is one vector only if they have one length (or $f'(t_i)=0$)
 :figure: one_tangent_two_lengths
 
-The same letter is used for the tangent at the end of one piece, $f'(t_i)(t_i-t_{i-1})$, and at the start of the next.
+The same letter is used for the tangent at the end of one piece, $f'(t_i)(t_i-t_{i-1})$, and at the start of the next, and before, in the sum
+over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 :::
 
 :::{claim} one_scaled_tangent_for_two_pieces_makes_a_jump
@@ -130,9 +156,9 @@ The same letter is used for the tangent at the end of one piece, $f'(t_i)(t_i-t_
 static struct G(poly) G(base_piece)(const num t[], int i, int order, int s)
 {
     if (s == i - 1)
-        return G(printed_blending)(t[s], t[s + 1], 2 * order + 1);
+        return G(printed_term)(t[s], t[s + 1], 2 * order + 1);
     if (s == i)
-        return G(printed_blending)(t[s], t[s + 1], 2 * order);
+        return G(printed_term)(t[s], t[s + 1], 2 * order);
     return G(constant)(from_int(0));
 }
 
@@ -153,7 +179,7 @@ CLAIM(base_functions_interpolate_once_continuously)
         for (int i = 0; i <= n; i++)
             for (int order = 0; order < 2; order++) {
                 int wrong = T->planted && order == 1 && i == 0 && s == 0;
-                struct G(poly) a = wrong ? G(printed_blending)(t[0], t[1], 3) : G(base_piece)(t, i, order, s);
+                struct G(poly) a = wrong ? G(printed_term)(t[0], t[1], 3) : G(base_piece)(t, i, order, s);
                 sum = G(plus)(sum, G(times)(G(constant)(f[order][i]), a));
             }
         for (int end = s; end <= s + 1; end++)
@@ -189,6 +215,25 @@ CLAIM(second_derivatives_meet_on_a_condition)
 }
 
 #if RATIONAL
+CLAIM(overlapping_intervals_miss_the_data)
+{
+    num zero = from_int(0), four[4] = {zero, zero, zero, zero}, value, given = from_int(!T->planted);
+    hermite_cubic_q(1, zero, from_int(2), four, from_int(1), 0, &value);
+    show_points(T, "t_0, t_1, t_2", 3, 1, (num[]){zero, from_int(2), from_int(1)});
+    about(T, "the first piece at t_2, and the value prescribed there");
+    same(T, value, given);
+}
+
+CLAIM(scaled_tangent_is_not_scaled_again)
+{
+    num zero = from_int(0), t1 = from_int(T->planted ? 1 : 2), slope = from_int(1);
+    num scaled = mul(slope, t1);
+    show(T, "t_1 - t_0", t1);
+    show(T, "P_0'", scaled);
+    about(T, "the derivative at t_0, and f'(t_0)");
+    same(T, mul(scaled, G(at)(G(printed_term)(zero, t1, 2), 1, zero)), slope);
+}
+
 CLAIM(pieces_need_not_have_one_curvature)
 {
     num f[3] = {from_int(0), from_int(1), from_int(T->planted ? 0 : 1)}, zero = from_int(0), side[2][3];
