@@ -20,12 +20,26 @@ curves as its borders: a Boolean sum (布尔和).  The same is done with curves 
 The surface of sixteen vectors has them as its points, tangents and twists at the corners.
 :::
 
+:::{statement} slides-ch4:3-blending-pair
+:title: Two functions that blend the borders
+:zh: 两个混合函数
+:definition: yes
+:printed: $f_0(t)$ and $f_1(t)$, $0\le t\le1$, are continuous, $f_0(0)=1$, $f_0(1)=0$, $f_1(0)=0$, $f_1(1)=1$, and $f_0(t)+f_1(t)=1$
+:checked-by: four_curves_are_borders shifted_frame_shifts_the_patch_by_a_product
+:needs: blendings_without_end_values_lose_the_border | the end values: without them the borders are lost
+:needs: blendings_without_sum_one_bend_a_ruling | the sum: without it the ruled surfaces contain no segments
+:figure: boolean_sum
+
+The two parts of what is asked do different things: the end values keep the borders, the sum lets the surface move with its frame.
+:::
+
 :::{statement} slides-ch4:3-ruled
 :title: Two ruled surfaces and the surface of the corners
 :zh: 两张直纹面与角点曲面
 :printed: $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$
 :definition: yes
 :checked-by: sum_of_ruled_surfaces_has_too_much
+:needs: blendings_without_sum_one_bend_a_ruling | $f_0+f_1=1$: else $P_1$ and $P_2$ need not be ruled
 :figure: boolean_sum
 :::
 
@@ -55,6 +69,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
   $u=0$ the right side is $0w+f_0(w)00+f_1(w)01-f_0(w)00-f_1(w)01=0w$
 :holds-by: coons_kernel_is_the_bordered_product four_curves_are_borders
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners
+:needs: blendings_without_end_values_lose_the_border | $f_0(0)=f_1(1)=1$, $f_0(1)=f_1(0)=0$
 :needs: blendings_without_sum_one_move_the_patch | $f_0+f_1=1$: not for the borders, but for a patch that moves with its frame
 :figure: boolean_sum
 :::
@@ -105,6 +120,26 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :then: at $u=w=\frac12$ the patch is $\frac34$, while all its borders are 1
 :method: The kernel.
 :control: $f_0=1-t$, $f_1=t$
+:::
+
+:::{claim} blendings_without_end_values_lose_the_border
+:title: With functions that lack the end values a border is lost
+:zh: 混合函数端点值不符则失去边界
+:kind: counterexample
+:given: $f_0=f_1=\frac12$, whose sum is 1; $0w=(0,w,w(1-w))$, the other borders straight, those of the unit square
+:then: $P(0,\frac12)$ has the height $\frac18$, and the border there $\frac14$
+:method: The kernel, third coordinate.
+:control: $f_0=1-t$, $f_1=t$
+:::
+
+:::{claim} blendings_without_sum_one_bend_a_ruling
+:title: With functions whose sum is not 1 two points are joined by a curve
+:zh: 混合函数之和不为一时直母线弯曲
+:kind: counterexample
+:given: $f_0=(1-u)^2$, $f_1=u^2$, which have the end values; $0w=(0,0,1)$ and $1w=(1,0,1)$ for one $w$
+:then: $P_1(\frac12,w)=(\frac14,0,\frac12)$, while the segment has the height 1
+:method: The sum, coordinate by coordinate.
+:control: $f_0=1-u$, $f_1=u$
 :::
 
 :::{statement} slides-ch4:3-corner-points
@@ -325,6 +360,28 @@ CLAIM(open_corner_loses_the_border)
     coons_patch_q(2, 1, a, b, A, B, M, &P);
     about(T, "P(0, 1/2) and the curve 0w");
     same(T, P, A[0]);
+}
+
+CLAIM(blendings_without_end_values_lose_the_border)
+{
+    num half = from_ratio(1, 2), quarter = from_ratio(1, 4), zero = from_int(0), P;
+    num a[2] = {T->planted ? from_int(1) : half, T->planted ? zero : half}, b[2] = {half, half};
+    num A[2] = {quarter, zero}, B[2] = {zero, zero}, M[4] = {zero, zero, zero, zero};
+    coons_patch_q(2, 1, a, b, A, B, M, &P);
+    show_points(T, "f_0(0), f_1(0)", 2, 1, a);
+    about(T, "the heights of P(0, 1/2) and of 0w");
+    same(T, P, A[0]);
+}
+
+CLAIM(blendings_without_sum_one_bend_a_ruling)
+{
+    num value = T->planted ? from_ratio(1, 2) : from_ratio(1, 4), f[2] = {value, value}, P[3];
+    static const int ends[3][2] = {{0, 1}, {0, 0}, {1, 1}};
+    for (int c = 0; c < 3; c++)
+        P[c] = ruled_q(f, (num[]){from_int(ends[c][0]), from_int(ends[c][1])});
+    show_points(T, "P_1(1/2, w)", 1, 3, P);
+    about(T, "its height and that of the segment");
+    same(T, P[2], from_int(1));
 }
 
 CLAIM(blendings_without_sum_one_move_the_patch)
