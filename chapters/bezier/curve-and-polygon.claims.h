@@ -228,8 +228,8 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :zh: 导矢:逐项展开
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
 :holds-by: derivative_in_three_steps
-:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, which for $n=1$ are the first and the last alone: true
-:reading: terms_in_a_row_need_two_edges | all that are written out, for $n=1$ as well: false, there is no $(n-2)!$
+:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last, for $n=2$ these and the two in $P_1$: true
+:reading: terms_in_a_row_need_three_edges | all six that are written out: needs $n\ge3$; for $n=2$ two of them come twice, for $n=1$ there is no $(n-2)!$
 :figure: edges_and_end_tangents
 
 The signs are lost; each is determined by the sum before.
@@ -271,14 +271,14 @@ The signs are lost; each is determined by the sum before.
 :control: $t=\frac12$
 :::
 
-:::{claim} terms_in_a_row_need_two_edges
-:title: With one edge the row has terms that do not exist
-:zh: n=1 时展开式中出现 (n-2)!
+:::{claim} terms_in_a_row_need_three_edges
+:title: With one edge or two the six terms of the row are not the derivative
+:zh: n=1、2 时六项展开式不成立
 :kind: counterexample
-:given: $n=1$, the points $0,1$, $t=\frac12$; the terms with $(n-2)!$, which have no meaning, left out of the row
-:then: its first two terms and its last two, $-P_0+P_1-P_0+P_1$, have the sum 2, and $P'=1$
-:method: The four terms that have a meaning, against the derivative.
-:control: the first two terms alone
+:given: $n=1$, the points $0,1$, $t=\frac14$, the terms with $(n-2)!$, which have no meaning, left out of the row; $n=2$, the points $0,1,0$, $t=\frac14$
+:then: for $n=1$ four terms are left, $-P_0+P_1-P_0+P_1=2$, and $P'=1$; for $n=2$ the six have the sum 2, and $P'=1$: what is too much is $-2P_1(2t-1)$
+:method: The terms that have a meaning, against the derivative.
+:control: each term once
 :::
 */
 CLAIM(derivative_in_three_steps)
@@ -319,14 +319,21 @@ CLAIM(first_term_divides_by_zero)
     agree(T, !is_zero_q(t));
 }
 
-CLAIM(terms_in_a_row_need_two_edges)
+CLAIM(terms_in_a_row_need_three_edges)
 {
-    num b[2] = {from_int(0), from_int(1)}, D[2], row = sub(b[1], b[0]);
-    G(bezier_derivatives)(1, 1, b, from_ratio(1, 2), 1, D);
-    if (!T->planted)
-        row = add(row, sub(b[1], b[0]));
-    about(T, "the row and the derivative");
-    same(T, row, D[1]);
+    num t = from_ratio(1, 4), s = sub(from_int(1), t), two = from_int(2), D[2];
+    num b[3] = {from_int(0), from_int(1), from_int(0)};
+    for (int n = 1; n <= 2; n++) {
+        num factor = from_int(n), first = n == 1 ? from_int(1) : s, last = n == 1 ? from_int(1) : t;
+        /* the first two terms and the last two; for n = 2 the third and the fourth are -2t P_1 and 2(1-t) P_1 */
+        num left = mul(mul(factor, first), sub(b[1], b[0])), right = mul(mul(factor, last), sub(b[n], b[n - 1]));
+        num row = n == 1 && T->planted ? left : add(left, right);
+        if (n == 2 && !T->planted)
+            row = add(row, mul(mul(two, sub(s, t)), b[1]));
+        bezier_derivatives_q(n, 1, b, t, 1, D);
+        about(T, n == 1 ? "the four terms and the derivative, n = 1" : "the six terms and the derivative, n = 2");
+        same(T, row, D[1]);
+    }
 }
 #endif
 

@@ -39,10 +39,12 @@ are the ones just treated.
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
 :needs: negative_ratio_turns_back | $a>0$
-:hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$
+:hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$: for it to suffice
+:hypothesis: straight_joint_with_a_zero_edge | $Q_0\ne Q_1$: for it to be necessary
 :figure: corner_without_edges
 
-For $P_2\ne P_3$ it is necessary and sufficient; for $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
+For $P_2\ne P_3$ it suffices.  For $P_2\ne P_3$ and $Q_0\ne Q_1$ it is also necessary; a joint with one zero edge can be $G^1$, and more.
+For $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
 :::
 
 :::{statement} slides-ch4:4-joint-g1-point
@@ -74,6 +76,18 @@ For $P_2\ne P_3$ it is necessary and sufficient; for $P_2=P_3$ it says that $Q_1
 :method: First derivatives, which vanish, and second ones at the joint by the kernel; the directions $-P''(1)$ and $Q''(0)$ should have
   the determinant 0.
 :control: $Q_2=(1,0)$
+:::
+
+:::{claim} straight_joint_with_a_zero_edge
+:title: A straight line with one zero edge at the joint has no ratio of the edges
+:zh: 一侧为零边的直线连接无比值
+:kind: counterexample
+:given: $P=(-3,0),(-2,0),(-1,0),(0,0)$, $Q=(0,0),(0,0),(1,0),(3,0)$
+:then: both are parts of one straight line, run through in one direction, so by arc length $G^k$ for every $k$; but $Q_1-Q_0=0$ is
+  $a(P_3-P_2)$ for no $a>0$
+:method: $P(t)=(-3+3t,0)$, $Q(t)=(3t^2,0)$: all second coordinates are 0, and the first coordinates of the points do not decrease.  With
+  $P_3-P_2=(1,0)$ the ratio is the first coordinate of $Q_1-Q_0$, which should be positive.
+:control: $Q_1=(1,0)$
 :::
 
 ## The second derivative
@@ -306,6 +320,27 @@ CLAIM(zero_edges_hide_a_corner)
     show_points(T, "the directions before and after the joint", 2, 2, (num[]){arrives[0], arrives[1], E[4], E[5]});
     about(T, "the determinant of the directions");
     vanishes(T, cross2_q(arrives, E + 4));
+}
+
+CLAIM(straight_joint_with_a_zero_edge)
+{
+    static const int before[8] = {-3, 0, -2, 0, -1, 0, 0, 0}, after[8] = {0, 0, 0, 0, 1, 0, 3, 0};
+    num p[8], q[8];
+    whole_points(8, before, p);
+    whole_points(8, after, q);
+    if (T->planted)
+        q[2] = from_int(1);
+    int straight = 1;
+    for (int i = 0; i <= 3; i++) {
+        straight = straight && is_zero_q(p[2 * i + 1]) && is_zero_q(q[2 * i + 1]);
+        if (i < 3)
+            straight = straight && sign_q(sub(p[2 * i + 2], p[2 * i])) >= 0 && sign_q(sub(q[2 * i + 2], q[2 * i])) >= 0;
+    }
+    show_points(T, "P_3 - P_2 and Q_1 - Q_0", 2, 2,
+                (num[]){sub(p[6], p[4]), sub(p[7], p[5]), sub(q[2], q[0]), sub(q[3], q[1])});
+    num ratio = div(sub(q[2], q[0]), sub(p[6], p[4]));
+    about(T, "whether, where the line is straight, a is positive");
+    agree(T, !straight || sign_q(ratio) > 0);
 }
 
 CLAIM(equal_second_derivatives_with_unequal_first)
