@@ -52,6 +52,7 @@ happens in binary64, where the parameter is a sum of rounded steps.
 :printed: $delt=1/npoints$, $t=0$, and npoints times $t=t+delt$: the parameter is divided into npoints equal parts
 :holds-by: program_ends_at_one_in_exact_arithmetic
 :hypothesis: sum_of_steps_misses_one | exact arithmetic: in binary64 the last parameter need not be 1
+:hypothesis: no_steps_have_no_length | $npoints\ge1$
 :reading: sum_of_steps_is_seldom_one | in binary64: true for 12 of the numbers of steps up to 64
 :figure: last_parameter
 :striking: 46
@@ -63,8 +64,19 @@ happens in binary64, where the parameter is a sum of rounded steps.
 :printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
 :holds-by: program_ends_at_one_in_exact_arithmetic
 :hypothesis: last_point_of_the_example_is_missed | exact arithmetic: in binary64 the last of them need not be the end of the curve
+:hypothesis: no_steps_have_no_length | $npoints\ge1$
 :reading: corrected_program_ends_at_the_last_point | in binary64 with $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$: the ends are exact
 :figure: last_parameter
+:::
+
+:::{claim} no_steps_have_no_length
+:title: For npoints = 0 there is no step
+:zh: npoints=0 时无步长
+:kind: counterexample
+:given: npoints = 0
+:then: the divisor of $delt=1/npoints$ is 0; the loop is run once, at $t=0$
+:method: The divisor; that it is not 0 is refuted.
+:control: npoints = 1
 :::
 
 :::{claim} program_ends_at_one_in_exact_arithmetic
@@ -426,6 +438,14 @@ CLAIM(program_releases_arrays_as_numbers)
     given_array_q(&run, 4, b, &P);
     decas_q(&run, 3, &P, from_ratio(1, 2));
     counted_q(T, "arrays released as if they were numbers", run.memory.released_otherwise, 0);
+}
+
+CLAIM(no_steps_have_no_length)
+{
+    num npoints = from_int(T->planted);
+    show(T, "npoints", npoints);
+    about(T, "whether the divisor is not 0");
+    agree(T, !is_zero_q(npoints));
 }
 
 CLAIM(sum_of_steps_misses_one)

@@ -5,9 +5,10 @@ The slides compute seven points of the cubic with $P_0=(1,1)$, $P_1=(2,3)$, $P_2
 parameter, the four functions $(1-t)^3$, $3t(1-t)^2$, $3t^2(1-t)$, $t^3$, and the point.  The functions are printed with three
 digits, or with two that count, the points with up to four digits after the point.  A number is right here when the exact
 value, rounded to as many digits as are printed, is that number: when the two are at most half a unit of the last printed
-digit apart.
+digit apart.  The slides name no rule; where it matters whether a five is rounded up we say so.
 
-All twenty-eight values of the functions are right.  Of the fourteen coordinates six are wrong.  Two of these are what the
+All twenty-eight values of the functions are right.  Of the fourteen coordinates six are wrong, and one, $y(0.65)$, is right unless fives
+are rounded up.  Two of these are what the
 rounded functions give, whose sum is not 1; the other four are neither that nor the exact value.  The points have the
 heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradicts itself twice.
 
@@ -152,9 +153,11 @@ It is what the rounded factors of the row give.
 :zh: t=0.65 处的纵坐标
 :printed: y(0.65)=2.36
 :holds-by: table_row_of_sixty_five_hundredths
+:hypothesis: five_rounded_up_gives_another_digit | a five is not rounded up: 四舍五入 gives 2.37
 :figure: worked_table
 
-The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or cut off.  The sum with the rounded factors is 2.367.
+The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or cut off.  The sum with the rounded factors is 2.367.  A last
+digit, 5, may also have been left out, as the 6 in the next row.
 :::
 
 :::{statement} slides-ch4:table-bezier-row-0.85-basis
@@ -189,6 +192,7 @@ The sum with the rounded factors is 3.2602; nothing near leads to 3.248, whose d
 :figure: worked_table
 
 The sum with the rounded factors is 1.7646.  The table has the right value, 1.765, in the row of $t=0.15$, and $y(0.85)=y(0.15)$: a digit, 6, is left out.
+To two digits it is 1.76 or 1.77; by no rule of rounding, nor cut off, is it 1.75.
 :::
 
 :::{statement} slides-ch4:table-bezier-row-1-basis
@@ -368,6 +372,16 @@ The sum with the rounded factors is 1.7646.  The table has the right value, 1.76
 :control: $(2.248,2.376)$ in the row of $t=0.35$, as printed
 :::
 
+:::{claim} five_rounded_up_gives_another_digit
+:title: With fives rounded up 2.365 is not 2.36
+:zh: 四舍五入时 2.365 不为 2.36
+:kind: counterexample
+:given: the exact $y(0.65)=2.365$ and the printed 2.36
+:then: a number to which it is rounded, fives up, lies less than half a unit of its last digit below it; 2.36 lies half a unit below
+:method: The sign of the difference, exactly.
+:control: 2.37
+:::
+
 :::{claim} heights_of_the_example_are_symmetric
 :title: The heights of the example are the same at t and at 1 - t
 :zh: 算例中纵坐标关于 t=1/2 对称
@@ -449,6 +463,18 @@ static void wrong_number(trial *T, int row, int c, const char *right)
     show(T, "exact, as a fraction", exact);
     about(T, "the distance from the exact value, and half a unit of the last digit");
     is_rounded(T, T->planted ? right : printed_table[row].point[c], 0, exact);
+}
+
+CLAIM(five_rounded_up_gives_another_digit)
+{
+    const char *rounded = T->planted ? "2.37" : printed_table[4].point[1];
+    num exact = exact_coordinate(4, 1), half = div(last_unit(rounded), from_int(2));
+    show_text(T, "rounded", "%s", rounded);
+    show(T, "exact", exact);
+    num above = sub(add(from_string_q(rounded), half), exact), below = sub(exact, sub(from_string_q(rounded), half));
+    show(T, "what is left to half a unit", above);
+    about(T, "whether it is rounded, fives up");
+    agree(T, sign_q(above) > 0 && sign_q(below) >= 0);
 }
 
 CLAIM(table_row_of_start) { right_numbers(T, 0, 1, 1); }
