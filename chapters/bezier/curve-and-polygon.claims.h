@@ -228,8 +228,10 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :zh: 导矢:逐项展开
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
 :holds-by: derivative_in_three_steps
-:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last, for $n=2$ these and the two in $P_1$: true
-:reading: terms_in_a_row_need_three_edges | all six that are written out: needs $n\ge3$; for $n=2$ two of them come twice, for $n=1$ there is no $(n-2)!$
+:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last,
+  for $n=2$ these and the two with $P_1$: true
+:reading: terms_in_a_row_need_three_edges | all six that are written out: needs $n\ge3$; for $n=2$ two of them come
+  twice, for $n=1$ there is no $(n-2)!$
 :figure: edges_and_end_tangents
 
 The signs are lost; each is determined by the sum before.
@@ -275,8 +277,10 @@ The signs are lost; each is determined by the sum before.
 :title: With one edge or two the six terms of the row are not the derivative
 :zh: n=1、2 时六项展开式不成立
 :kind: counterexample
-:given: $n=1$, the points $0,1$, $t=\frac14$, the terms with $(n-2)!$, which have no meaning, left out of the row; $n=2$, the points $0,1,0$, $t=\frac14$
-:then: for $n=1$ four terms are left, $-P_0+P_1-P_0+P_1=2$, and $P'=1$; for $n=2$ the six have the sum 2, and $P'=1$: what is too much is $-2P_1(2t-1)$
+:given: $n=1$, the points $0,1$, $t=\frac14$, the terms with $(n-2)!$, which have no meaning, left out of the row; $n=2$, the
+  points $0,1,0$, $t=\frac14$
+:then: for $n=1$ four terms are left, $-P_0+P_1-P_0+P_1=2$, and $P'=1$; for $n=2$ the six have the sum 2, and $P'=1$:
+  what is too much is $-2P_1(2t-1)$
 :method: The terms that have a meaning, against the derivative.
 :control: each term once
 :::

@@ -74,7 +74,7 @@ happens in binary64, where the parameter is a sum of rounded steps.
 :zh: npoints=0 时无步长
 :kind: counterexample
 :given: npoints = 0
-:then: the divisor of $delt=1/npoints$ is 0; the loop is run once, at $t=0$
+:then: the divisor of $delt=1/npoints$ is 0
 :method: The divisor; that it is not 0 is refuted.
 :control: npoints = 1
 :::

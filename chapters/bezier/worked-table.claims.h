@@ -7,9 +7,9 @@ digits, or with two that count, the points with up to four digits after the poin
 value, rounded to as many digits as are printed, is that number: when the two are at most half a unit of the last printed
 digit apart.  The slides name no rule; where it matters whether a five is rounded up we say so.
 
-All twenty-eight values of the functions are right.  Of the fourteen coordinates six are wrong, and one, $y(0.65)$, is right unless fives
-are rounded up.  Two of these are what the
-rounded functions give, whose sum is not 1; the other four are neither that nor the exact value.  The points have the
+All twenty-eight values of the functions are right.  Of the fourteen coordinates six are wrong, and one, $y(0.65)$, is right unless
+fives are rounded up.  Two of the six are what the rounded functions give, whose sum is not 1; the other four are neither that nor
+the exact value.  The points have the
 heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradicts itself twice.
 
 ## The numbers, row by row

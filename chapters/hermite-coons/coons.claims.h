@@ -27,7 +27,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :printed: $f_0(t)$ and $f_1(t)$, $0\le t\le1$, are continuous, $f_0(0)=1$, $f_0(1)=0$, $f_1(0)=0$, $f_1(1)=1$, and $f_0(t)+f_1(t)=1$
 :checked-by: four_curves_are_borders shifted_frame_shifts_the_patch_by_a_product
 :needs: blendings_without_end_values_lose_the_border | the end values: without them the borders are lost
-:needs: blendings_without_sum_one_bend_a_ruling | the sum: without it the ruled surfaces contain no segments
+:needs: blendings_without_sum_one_bend_a_ruling | the sum: without it the curves between opposite borders need not be segments
 :figure: boolean_sum
 
 The two parts of what is asked do different things: the end values keep the borders, the sum lets the surface move with its frame.
