@@ -146,7 +146,7 @@ CLAIM(rotated_points_are_equally_spaced)
 :kind: counterexample
 :given: the matrix with $\frac{1-a^2}{1+a^2}=\frac{255}{257}$ and $\frac{2a}{1+a^2}=\frac{32}{257}$, $a=\frac1{16}$; 100 steps from $(1,0)$
 :then: all points are on the circle, at equal distances
-:method: The squares of radius and distance, exactly; the matrix takes additions and divisions only; that one differs is refuted.
+:method: The squares of radius and distance, exactly; the matrix takes the four operations only, no trigonometric function and no root; that one differs is refuted.
 :control: (1-3-5) with $\varepsilon=\frac18$
 :::
 */

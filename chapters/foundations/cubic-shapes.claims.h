@@ -831,9 +831,9 @@ one or the other points backward are not among them.
 :given: any $Q_0$, $Q_1$ and $e$ in the plane, $w=(Q_1-Q_0)\times e$; $\dot Q_0=\lambda e$, and $\dot Q_1=\mu e$ or $-\mu e$; any $\lambda,\mu>0$
 :then: in one sense: $\delta=12\lambda\mu w^2$, $P'\times P''$ is $-6\lambda w$ at 0 and $6\mu w$ at 1; in opposite senses: it has the Bernstein coefficients
   $-6\lambda w,0,-6\mu w$, and the polynomial of the double point is $\lambda(\lambda-3\mu)w^2$ at 0 and $\mu(\mu-3\lambda)w^2$ at 1
-:method: The kernels, everything a variable.  Let $w\ne0$.  In one sense a quadratic changes its sign: one inflection, and no double point as
-  $\delta>0$.  In opposite senses there is no zero on the arc, so neither inflection nor cusp, and no loop: for that both values would have
-  to be positive, $\lambda>3\mu$ and $\mu>3\lambda$.
+:method: The kernels, everything a variable.  Let $w\ne0$.  In one sense a quadratic changes its sign: one inflection, and no double point, as
+  $\delta>0$ or, for $\lambda=\mu$, $a=0$ and the polynomial is the constant $b^2\ne0$.  In opposite senses there is no zero on the arc, so neither
+  inflection nor cusp, and no loop: for that neither value may be negative, $\lambda\ge3\mu$ and $\mu\ge3\lambda$.
 :control: $\lambda-2\mu$ in the place of $\lambda-3\mu$
 :::
 

@@ -202,8 +202,8 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector
-:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$ and $\dot P_{\mathrm I}(1)\ne0$, as in the conditions before it: with $\lambda=0$ a $\beta\ne0$ makes
-  an unbounded curvature.
+:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$ and $\dot P_{\mathrm I}(1)\ne0$, as in the conditions before it: with $\lambda=0$ the
+  curvature of the second piece need not be bounded.
 :figure: joints_of_order
 :::
 
@@ -235,7 +235,8 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :given: $P_{\mathrm I}(t)=(-(1-t)^3,0)$, $P_{\mathrm{II}}(t)=(0,t^3)$; $\lambda=1$, $\beta=0$
 :then: (1-5-1) to (1-5-3) hold, every vector in them being $(0,0)$; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
   along the $y$-axis, $y'>0$: a corner of a right angle
-:method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That they are one is refuted.
+:method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That there is no right angle is
+  refuted.
 :control: $P_{\mathrm{II}}(t)=(t^3,0)$
 :::
 
@@ -245,7 +246,7 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
 :refuted-by: equal_curvatures_to_different_sides
 :class: missing-hypothesis
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  The condition, with $\lambda>0$, is necessary and sufficient for continuity of the unit tangent and of
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The condition, with $\lambda>0$, is necessary and sufficient for continuity of the unit tangent and of
   the vector of curvature; for plane curves, of the curvature with its sign.
 :corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
 :hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, in the correction: without it the condition does not suffice.
@@ -360,27 +361,36 @@ CLAIM(zero_ratio_has_unbounded_curvature)
     agree(T, !(conditions_hold(D, E, from_int(0), from_int(2)) && divided) || is_zero_q(limit));
 }
 
+/* Whether the cubic runs forward along this axis: the derivative of its coordinate is positive on (0,1), that of the other 0. */
+static int runs_forward(const num c[], int axis)
+{
+    num along[4];
+    int straight = 1;
+    for (int k = 0; k < 4; k++) {
+        along[k] = c[dim * k + axis];
+        straight &= k == 0 || is_zero_q(c[dim * k + 1 - axis]);
+    }
+    return straight && sign_on(poly_derivative(poly_from_q(4, along)), from_int(0), from_int(1), OPEN) == SIGN_POSITIVE;
+}
+
 CLAIM(vanishing_derivatives_hide_a_corner)
 {
-    int axis = T->planted ? 0 : 1;
-    num first[8], second[8], D[6], E[6], zero = from_int(0), one = from_int(1), x[4];
+    num first[8], second[8], D[6], E[6], zero = from_int(0), one = from_int(1);
     const int cube[4] = {-1, 3, -3, 1};
     for (int k = 0; k < 4; k++)
         for (int j = 0; j < dim; j++) {
             first[dim * k + j] = from_int(j == 0 ? cube[k] : 0);
-            second[dim * k + j] = from_int(j == axis && k == 3);
+            second[dim * k + j] = from_int(k == 3 && j == (T->planted ? 0 : 1));
         }
     G(power_derivatives)(3, dim, first, one, 2, D);
     G(power_derivatives)(3, dim, second, zero, 2, E);
-    for (int k = 0; k < 4; k++)
-        x[k] = first[dim * k];
-    int forward = sign_on(poly_derivative(poly_from_q(4, x)), zero, one, OPEN) == SIGN_POSITIVE;
     show_points(T, "D, C, B, A of the first piece", 4, 2, first);
     show_points(T, "D, C, B, A of the second piece", 4, 2, second);
     show_points(T, "P, P', P'' of both at the joint", 6, 2,
                 (num[]){D[0], D[1], D[2], D[3], D[4], D[5], E[0], E[1], E[2], E[3], E[4], E[5]});
-    about(T, "the conditions holding, whether both pieces have one direction");
-    agree(T, !(conditions_hold(D, E, one, zero) && forward) || axis == 0);
+    about(T, "the conditions holding, whether there is no right angle between the pieces");
+    agree(T, !(conditions_hold(D, E, one, zero) && runs_forward(first, 0) && !runs_forward(second, 0)) ||
+                 !runs_forward(second, 1));
 }
 
 CLAIM(equal_curvatures_to_different_sides)

@@ -41,7 +41,10 @@ One parameter serves both directions; the kernel has one for each.  The points a
 :corrected: corners and boundary curves as printed; with the corrected functions symmetry and affine maps for every $\beta$, the convex
   hull for $-\frac{21}4\le\beta\le1$
 :corrected-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface surface_functions_sum_to_one
-  nonnegative_exactly_in_the_range
+  nonnegative_exactly_in_the_range corrected_functions_are_mirror_images functions_vanish_to_their_orders_at_the_ends
+:reading: printed_surface_leaves_a_single_point | the properties are those that section 3 prints for the curve: false; this is what is decided
+  above
+:reading: what is true of the curve is true of the surface: the failures are those of the curve, and the correction says what is left
 :reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows and
   columns are: false; they may all be straight and the surface be a saddle, for every $\beta$
   (`net_of_straight_lines_gives_a_saddle`)
@@ -61,7 +64,8 @@ With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$
   $i\le3<j$; $j\le3<i$; $i,j\ge4$; printed functions: not $P_{ij}=k_ik_jv$ with $k=(0,0,0,0,5,1,1,1)$ and some $v$
 :figure: shape_surface
 
-Different as parametrized surfaces, for one $\beta$ in both directions.
+One $\beta$ in both directions, and surfaces with their parameters: then they are not the same for all $\beta$; two values may still give one, as
+$-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27,-27,5,0,0)$, with the corrected functions.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-horner
@@ -98,7 +102,7 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
   edge_is_not_tangent_at_minus_seven
 :class: false
 :corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are not 0; at
-  $\beta=-\frac{21}4$ too, but variation diminution only for crossings
+  $\beta=-\frac{21}4$ too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   roots_are_at_most_sign_changes functions_are_independent_but_for_two_values
@@ -127,7 +131,7 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :class: false
 :corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are not 0,
   convexity in the sense of property 3.7, for polygons convex when closed and not on a line; at $\beta=-\frac{21}4$ too, but variation
-  diminution only for crossings
+  diminution for crossings, and for common points unless the curve is on the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
   four_vertices_of_a_convex_polygon_do_not_alternate functions_are_independent_but_for_two_values
@@ -178,8 +182,19 @@ The text says Bernstein polynomials of any degree; here up to the degrees of the
 :printed: rational Bézier curves, with the control points unmoved, have weights, which can adjust the shape of the curve
 :holds-by: growing_weight_pulls_each_point_straight_to_the_vertex
 :hypothesis: weights_in_a_progression_keep_the_shape | the weights are not changed from $w_i$ to $cr^iw_i$, which gives another
-  parametrization of the same curve
+  parametrization of the same curve, $c,r>0$
+:hypothesis: points_on_a_line_keep_their_segment | the points are not all on a line, where the curve can be one segment for many weights
 :figure: geometric_weights
+:::
+
+:::{claim} points_on_a_line_keep_their_segment
+:title: Three points on a line make one segment with two different middle weights
+:zh: 三点共线时不同权得同一线段
+:kind: counterexample
+:given: points $(0,0),(1,0),(2,0)$; weights $1,1,1$ and $1,3,1$
+:then: both curves run once and forward from $(0,0)$ to $(2,0)$: $y=0$ and $x'>0$ on $[0,1]$
+:method: With $x=\frac NW$, the sign of $N'W-NW'$ on the interval.  That one of them does not is asked.
+:control: the middle point $(1,1)$
 :::
 
 :::{claim} double_end_point_has_no_end_edge
@@ -259,11 +274,13 @@ The text says Bernstein polynomials of any degree; here up to the degrees of the
 :title: A net of four points has one surface for all beta
 :zh: 与 β 无关的曲面
 :kind: counterexample
-:given: $\beta=0$ and $\beta=1$, $P_{ij}=(f_i,f_j,f_if_j)$, $f=(0,0,0,0,1,1,1,1)$, corrected functions
-:then: the Bézier points of the surface, degrees 8 and 8, are the same
+:given: $\beta=0$ and $\beta=1$; with the corrected functions $P_{ij}=(f_i,f_j,f_if_j)$, $f=(0,0,0,0,1,1,1,1)$; with the printed ones
+  $P_{ij}=k_ik_j$, $k=(0,0,0,0,5,1,1,1)$
+:then: the surfaces, of degrees 8 and 8, are the same
 :method: Row $k$ of the matrix gives coefficient $k$ of $\sum f_iB_i$; the surface is $(x,y,z)$ with $x=\sum f_iB_i(u)$, $y=\sum f_jB_j(v)$,
-  $z=xy$, since the functions have the sum 1.  That the coefficients of $\sum f_iB_i$ differ is asked.
-:control: $f_4=0$
+  $z=xy$, since the functions have the sum 1.  That the coefficients of $\sum f_iB_i$ differ is asked; and that the nine values at $t=\frac m8$
+  of $\sum k_iB_i$ do, which determine a polynomial of degree 8.
+:control: $f_4=0$ and $k_4=1$
 :::
 
 :::{claim} surface_kernel_gives_the_double_sum
@@ -352,6 +369,8 @@ The text says Bernstein polynomials of any degree; here up to the degrees of the
 #include "chapters/shape-parameter/definition.h"
 
 #if RATIONAL
+#include "exact/sign.h"
+
 #include "chapters/frame/counting.h"
 
 /* The kernels of Bézier curves once more in the number type that counts. */
@@ -547,6 +566,21 @@ CLAIM(nets_that_do_not_move)
     }
 }
 
+CLAIM(points_on_a_line_keep_their_segment)
+{
+    int other = 0;
+    num y = from_int(T->planted), x[3] = {from_int(0), from_int(1), from_int(2)}, one = from_int(1);
+    for (int middle = 1; middle <= 3; middle += 2) {
+        num w[3] = {one, from_int(middle), one}, above[3] = {x[0], mul(w[1], x[1]), x[2]};
+        poly N = poly_from_bernstein(2, above), W = poly_from_bernstein(2, w);
+        poly forward = poly_sub(poly_mul(poly_derivative(N), W), poly_mul(N, poly_derivative(W)));
+        show_points(T, "weights", 3, 1, w);
+        other |= !is_zero_q(y) || sign_on(forward, from_int(0), one, CLOSED) != SIGN_POSITIVE;
+    }
+    about(T, "whether one of the curves does not run once and forward along the segment");
+    agree(T, other);
+}
+
 CLAIM(surface_that_does_not_move)
 {
     num f[8], before[9], after[9];
@@ -561,6 +595,21 @@ CLAIM(surface_that_does_not_move)
     show_points(T, "coefficients, beta = 0", 9, 1, before);
     show_points(T, "coefficients, beta = 1", 9, 1, after);
     about(T, "some of the coefficients differ");
+    agree(T, differ > 0);
+
+    const int k[8] = {0, 0, 0, 0, T->planted ? 1 : 5, 1, 1, 1};
+    num B[8], sum[2];
+    differ = 0;
+    for (int m = 0; m <= 8; m++) {
+        for (int beta = 0; beta <= 1; beta++) {
+            G(shape_basis_printed)(from_int(beta), from_ratio(m, 8), B);
+            sum[beta] = from_int(0);
+            for (int i = 0; i <= 7; i++)
+                sum[beta] = add(sum[beta], mul(from_int(k[i]), B[i]));
+        }
+        differ += !equal_q(sum[0], sum[1]);
+    }
+    about(T, "some of the values of sum k_i B_i with the printed functions differ");
     agree(T, differ > 0);
 }
 
