@@ -230,8 +230,8 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :holds-by: derivative_in_three_steps
 :reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last,
   for $n=2$ these and the two with $P_1$: true
-:reading: terms_in_a_row_need_three_edges | all six that are written out: needs $n\ge3$; for $n=2$ two of them come
-  twice, for $n=1$ there is no $(n-2)!$
+:reading: terms_in_a_row_come_twice_for_two_edges | all six that are written out: true from $n=3$ on; for $n=2$ two of them come twice
+:reading: terms_in_a_row_come_twice_for_one_edge | the same for $n=1$: there is no $(n-2)!$, and the four others are twice the two
 :figure: edges_and_end_tangents
 
 The signs are lost; each is determined by the sum before.
@@ -273,15 +273,23 @@ The signs are lost; each is determined by the sum before.
 :control: $t=\frac12$
 :::
 
-:::{claim} terms_in_a_row_need_three_edges
-:title: With one edge or two the six terms of the row are not the derivative
-:zh: n=1、2 时六项展开式不成立
+:::{claim} terms_in_a_row_come_twice_for_two_edges
+:title: With two edges two of the six terms come twice
+:zh: n=2 时六项中有两项重复
 :kind: counterexample
-:given: $n=1$, the points $0,1$, $t=\frac14$, the terms with $(n-2)!$, which have no meaning, left out of the row; $n=2$, the
-  points $0,1,0$, $t=\frac14$
-:then: for $n=1$ four terms are left, $-P_0+P_1-P_0+P_1=2$, and $P'=1$; for $n=2$ the six have the sum 2, and $P'=1$:
-  what is too much is $-2P_1(2t-1)$
-:method: The terms that have a meaning, against the derivative.
+:given: $n=2$, the points $0,1,0$, $t=\frac14$
+:then: the six terms have the sum 2, and $P'=1$; what is too much is $-2P_1(2t-1)$
+:method: The terms, against the derivative by the kernel.
+:control: each term once
+:::
+
+:::{claim} terms_in_a_row_come_twice_for_one_edge
+:title: With one edge four terms are left, which are twice the derivative
+:zh: n=1 时剩下的四项为导矢的两倍
+:kind: counterexample
+:given: $n=1$, the points $0,1$; the terms with $(n-2)!$, which have no meaning, left out
+:then: $-P_0+P_1-P_0+P_1=2$, and $P'=1$
+:method: The same.
 :control: each term once
 :::
 */
@@ -323,21 +331,25 @@ CLAIM(first_term_divides_by_zero)
     agree(T, !is_zero_q(t));
 }
 
-CLAIM(terms_in_a_row_need_three_edges)
+CLAIM(terms_in_a_row_come_twice_for_two_edges)
 {
     num t = from_ratio(1, 4), s = sub(from_int(1), t), two = from_int(2), D[2];
     num b[3] = {from_int(0), from_int(1), from_int(0)};
-    for (int n = 1; n <= 2; n++) {
-        num factor = from_int(n), first = n == 1 ? from_int(1) : s, last = n == 1 ? from_int(1) : t;
-        /* the first two terms and the last two; for n = 2 the third and the fourth are -2t P_1 and 2(1-t) P_1 */
-        num left = mul(mul(factor, first), sub(b[1], b[0])), right = mul(mul(factor, last), sub(b[n], b[n - 1]));
-        num row = n == 1 && T->planted ? left : add(left, right);
-        if (n == 2 && !T->planted)
-            row = add(row, mul(mul(two, sub(s, t)), b[1]));
-        bezier_derivatives_q(n, 1, b, t, 1, D);
-        about(T, n == 1 ? "the four terms and the derivative, n = 1" : "the six terms and the derivative, n = 2");
-        same(T, row, D[1]);
-    }
+    /* the first two terms, the last two, and the two between, -2t P_1 and 2(1-t) P_1, which are among them */
+    num row = add(mul(mul(two, s), sub(b[1], b[0])), mul(mul(two, t), sub(b[2], b[1])));
+    if (!T->planted)
+        row = add(row, mul(mul(two, sub(s, t)), b[1]));
+    bezier_derivatives_q(2, 1, b, t, 1, D);
+    about(T, "the six terms and the derivative");
+    same(T, row, D[1]);
+}
+
+CLAIM(terms_in_a_row_come_twice_for_one_edge)
+{
+    num b[2] = {from_int(0), from_int(1)}, D[2], edge = sub(b[1], b[0]);
+    bezier_derivatives_q(1, 1, b, from_ratio(1, 4), 1, D);
+    about(T, "the four terms and the derivative");
+    same(T, T->planted ? edge : add(edge, edge), D[1]);
 }
 #endif
 

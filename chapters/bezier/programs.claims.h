@@ -52,7 +52,7 @@ happens in binary64, where the parameter is a sum of rounded steps.
 :printed: $delt=1/npoints$, $t=0$, and npoints times $t=t+delt$: the parameter is divided into npoints equal parts
 :holds-by: program_ends_at_one_in_exact_arithmetic
 :hypothesis: sum_of_steps_misses_one | exact arithmetic: in binary64 the last parameter need not be 1
-:hypothesis: no_steps_have_no_length | $npoints\ge1$
+:hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
 :reading: sum_of_steps_is_seldom_one | in binary64: true for 12 of the numbers of steps up to 64
 :figure: last_parameter
 :striking: 46
@@ -64,7 +64,6 @@ happens in binary64, where the parameter is a sum of rounded steps.
 :printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
 :holds-by: program_ends_at_one_in_exact_arithmetic
 :hypothesis: last_point_of_the_example_is_missed | exact arithmetic: in binary64 the last of them need not be the end of the curve
-:hypothesis: no_steps_have_no_length | $npoints\ge1$
 :reading: corrected_program_ends_at_the_last_point | in binary64 with $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$: the ends are exact
 :figure: last_parameter
 :::

@@ -37,10 +37,10 @@ are the ones just treated.
 :title: G1 by the edges at the joint
 :zh: G1 连续的控制顶点条件
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
-:holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
+:holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | $a>0$
-:hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$: for it to suffice
-:hypothesis: straight_joint_with_a_zero_edge | $Q_0\ne Q_1$: for it to be necessary
+:hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$: for it to suffice, and with $Q_0\ne Q_1$ for it to be necessary
+:hypothesis: straight_joint_with_a_zero_edge | $Q_0\ne Q_1$: with $P_2\ne P_3$, for it to be necessary
 :figure: corner_without_edges
 
 For $P_2\ne P_3$ it suffices.  For $P_2\ne P_3$ and $Q_0\ne Q_1$ it is also necessary; a joint with one zero edge can be $G^1$, and more.
@@ -85,7 +85,8 @@ For $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
 :given: $P=(-3,0),(-2,0),(-1,0),(0,0)$, $Q=(0,0),(0,0),(1,0),(3,0)$
 :then: both are parts of one straight line, run through in one direction, so by arc length $G^k$ for every $k$; but $Q_1-Q_0=0$ is
   $a(P_3-P_2)$ for no $a>0$
-:method: $P(t)=(-3+3t,0)$, $Q(t)=(3t^2,0)$: all second coordinates are 0, and the first coordinates of the points do not decrease.  With
+:method: $P(t)=(-3+3t,0)$, $Q(t)=(3t^2,0)$: all second coordinates are 0, the first coordinates of the points do not decrease, $Q_0=P_3$, and each
+  polygon has two different ends.  With
   $P_3-P_2=(1,0)$ the ratio is the first coordinate of $Q_1-Q_0$, which should be positive.
 :control: $Q_1=(1,0)$
 :::
@@ -330,7 +331,7 @@ CLAIM(straight_joint_with_a_zero_edge)
     whole_points(8, after, q);
     if (T->planted)
         q[2] = from_int(1);
-    int straight = 1;
+    int straight = equal_q(q[0], p[6]) && sign_q(sub(p[6], p[0])) > 0 && sign_q(sub(q[6], q[0])) > 0;
     for (int i = 0; i <= 3; i++) {
         straight = straight && is_zero_q(p[2 * i + 1]) && is_zero_q(q[2 * i + 1]);
         if (i < 3)
@@ -339,8 +340,8 @@ CLAIM(straight_joint_with_a_zero_edge)
     show_points(T, "P_3 - P_2 and Q_1 - Q_0", 2, 2,
                 (num[]){sub(p[6], p[4]), sub(p[7], p[5]), sub(q[2], q[0]), sub(q[3], q[1])});
     num ratio = div(sub(q[2], q[0]), sub(p[6], p[4]));
-    about(T, "whether, where the line is straight, a is positive");
-    agree(T, !straight || sign_q(ratio) > 0);
+    about(T, "the joined curves being one straight line, whether a is positive");
+    agree(T, straight ? sign_q(ratio) > 0 : !T->planted); /* otherwise neither shows anything */
 }
 
 CLAIM(equal_second_derivatives_with_unequal_first)

@@ -192,7 +192,7 @@ The sum with the rounded factors is 3.2602; nothing near leads to 3.248, whose d
 :figure: worked_table
 
 The sum with the rounded factors is 1.7646.  The table has the right value, 1.765, in the row of $t=0.15$, and $y(0.85)=y(0.15)$: a digit, 6, is left out.
-To two digits it is 1.76 or 1.77; by no rule of rounding, nor cut off, is it 1.75.
+To two digits after the point it is 1.76 or 1.77; by no rule of rounding, nor cut off, is it 1.75.
 :::
 
 :::{statement} slides-ch4:table-bezier-row-1-basis
@@ -377,8 +377,8 @@ To two digits it is 1.76 or 1.77; by no rule of rounding, nor cut off, is it 1.7
 :zh: 四舍五入时 2.365 不为 2.36
 :kind: counterexample
 :given: the exact $y(0.65)=2.365$ and the printed 2.36
-:then: a number to which it is rounded, fives up, lies less than half a unit of its last digit below it; 2.36 lies half a unit below
-:method: The sign of the difference, exactly.
+:then: $y$ is rounded to $r$, fives up, when $r-\frac12$ unit $\le y<r+\frac12$ unit of the last digit; for $r=2.36$ the second is an equality
+:method: Both signs, exactly.
 :control: 2.37
 :::
 

@@ -27,7 +27,8 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :printed: $f_0(t)$ and $f_1(t)$, $0\le t\le1$, are continuous, $f_0(0)=1$, $f_0(1)=0$, $f_1(0)=0$, $f_1(1)=1$, and $f_0(t)+f_1(t)=1$
 :checked-by: four_curves_are_borders shifted_frame_shifts_the_patch_by_a_product
 :needs: blendings_without_end_values_lose_the_border | the end values: without them the borders are lost
-:needs: blendings_without_sum_one_bend_a_ruling | the sum: without it the curves between opposite borders need not be segments
+:needs: blendings_without_sum_one_bend_a_ruling | the sum: with it the curves between opposite borders stay on the line of two points, without it
+  they need not
 :figure: boolean_sum
 
 The two parts of what is asked do different things: the end values keep the borders, the sum lets the surface move with its frame.
@@ -36,10 +37,10 @@ The two parts of what is asked do different things: the end values keep the bord
 :::{statement} slides-ch4:3-ruled
 :title: Two ruled surfaces and the surface of the corners
 :zh: 两张直纹面与角点曲面
-:printed: $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$
+:printed: $P_1(u,w)=f_0(u)\,0w+f_1(u)\,1w$, $P_2(u,w)=f_0(w)\,u0+f_1(w)\,u1$, $P_3(u,w)=f_0(u)f_0(w)\,00+f_0(u)f_1(w)\,01+f_1(u)f_0(w)\,10+f_1(u)f_1(w)\,11$, where $f_0+f_1=1$, $0\le u,w\le1$
 :definition: yes
 :checked-by: sum_of_ruled_surfaces_has_too_much
-:needs: blendings_without_sum_one_bend_a_ruling | $f_0+f_1=1$: else $P_1$ and $P_2$ need not be ruled
+:needs: blendings_without_sum_one_bend_a_ruling | $f_0+f_1=1$: else the curves of $P_1$ from $0w$ to $1w$ need not be straight
 :figure: boolean_sum
 :::
 
@@ -137,7 +138,7 @@ The two parts of what is asked do different things: the end values keep the bord
 :zh: 混合函数之和不为一时直母线弯曲
 :kind: counterexample
 :given: $f_0=(1-u)^2$, $f_1=u^2$, which have the end values; $0w=(0,0,1)$ and $1w=(1,0,1)$ for one $w$
-:then: $P_1(\frac12,w)=(\frac14,0,\frac12)$, while the segment has the height 1
+:then: $P_1(\frac12,w)=(\frac14,0,\frac12)$, while the line through the two points has the height 1
 :method: The sum, coordinate by coordinate.
 :control: $f_0=1-u$, $f_1=u$
 :::
@@ -380,7 +381,7 @@ CLAIM(blendings_without_sum_one_bend_a_ruling)
     for (int c = 0; c < 3; c++)
         P[c] = ruled_q(f, (num[]){from_int(ends[c][0]), from_int(ends[c][1])});
     show_points(T, "P_1(1/2, w)", 1, 3, P);
-    about(T, "its height and that of the segment");
+    about(T, "its height and that of the line");
     same(T, P[2], from_int(1));
 }
 
