@@ -419,6 +419,20 @@ CLAIM(polygon_is_within_the_bound_of_the_spline)
 :::
 */
 #if RATIONAL
+/* Every gap of n whole knots cut into `parts`: the places of the knots and of all, at[0] <= at[1] <= ..., in units of 1/parts.  How many
+ * there are. */
+static int cut_gaps(int n, const int knot[], int parts, int place[], int at[])
+{
+    int count = 0;
+    for (int i = 0; i < n; i++) {
+        int gap = i < n - 1 ? knot[i + 1] - knot[i] : 0;
+        place[i] = parts * knot[i];
+        for (int l = 0; l < (gap > 0 ? parts : 1); l++)
+            at[count++] = place[i] + l * gap;
+    }
+    return count;
+}
+
 CLAIM(polygons_keep_the_edge_over_a_jump)
 {
     static const int jump[] = {0, 0, 0, 2, 2, 2, 4, 4, 4}, joined[] = {0, 0, 0, 2, 2, 3, 4, 4, 4}; /* twice the knots */
@@ -442,16 +456,11 @@ CLAIM(polygons_keep_the_edge_over_a_jump)
     show_points(T, "knots", 9, 1, u);
     show_points(T, "r", n, 2, R);
     for (int m = 1; m <= 3; m++) {
-        int parts = 1 << m, place[9], at[MOST_KNOTS], count = 0, edges = 0; /* places in units of 1/2^(m+1) */
+        int parts = 1 << m, place[9], at[MOST_KNOTS], edges = 0; /* places in units of 1/2^(m+1) */
         num v[MOST_KNOTS];
-        for (int i = 0; i < 9; i++) {
-            int gap = i < 8 ? knot[i + 1] - knot[i] : 0;
-            place[i] = parts * knot[i];
-            for (int l = 0; l < (gap > 0 ? parts : 1); l++, count++) {
-                at[count] = place[i] + l * gap;
-                v[count] = from_ratio(at[count], 2 * parts);
-            }
-        }
+        int count = cut_gaps(9, knot, parts, place, at);
+        for (int i = 0; i < count; i++)
+            v[i] = from_ratio(at[i], 2 * parts);
         G(refined_by_definition)(n, 2, 2, u, place, R, w, count - 3, v, at, S, z);
         for (int j = 0; j + 1 < count - 3; j++)
             edges += equal_q(S[2 * j], R[4]) && equal_q(S[2 * j + 1], R[5]) && equal_q(S[2 * j + 2], R[6]) &&
@@ -478,16 +487,11 @@ CLAIM(first_vertex_stays_off_the_curve)
     show_points(T, "Bézier points of the curve", 3, 2, bezier);
     int near = 0;
     for (int m = 1; m <= 3; m++) {
-        int parts = 1 << m, place[6], at[MOST_KNOTS], count = 0; /* places in units of 1/2^m */
+        int parts = 1 << m, place[6], at[MOST_KNOTS]; /* places in units of 1/2^m */
         num v[MOST_KNOTS];
-        for (int i = 0; i < 6; i++) {
-            int gap = i < 5 ? knot[i + 1] - knot[i] : 0;
-            place[i] = parts * knot[i];
-            for (int l = 0; l < (gap > 0 ? parts : 1); l++, count++) {
-                at[count] = place[i] + l * gap;
-                v[count] = from_ratio(at[count], parts);
-            }
-        }
+        int count = cut_gaps(6, knot, parts, place, at);
+        for (int i = 0; i < count; i++)
+            v[i] = from_ratio(at[i], parts);
         G(refined_by_definition)(3, 2, 2, u, place, R, w, 1, v, at, S, z);
         near += sign_q(sub(S[0], bezier[0])) >= 0;
     }

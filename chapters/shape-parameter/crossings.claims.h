@@ -507,10 +507,7 @@ CLAIM(combination_begins_and_ends_with_its_coefficients)
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
         for (int end = 0; end <= 1; end++) {
             num sum = from_int(0);
-            if (printed_ones)
-                G(shape_basis_printed)(beta, from_int(end), B);
-            else
-                G(shape_basis)(7, beta, from_int(end), B);
+            G(functions_of)(printed_ones, 7, beta, from_int(end), B);
             for (int i = 0; i <= 7; i++)
                 sum = add(sum, mul(k[T->planted && i >= 6 ? 13 - i : i], B[i]));
             same(T, sum, k[end ? 7 : 0]);
@@ -866,13 +863,11 @@ CLAIM(line_function_of_the_curve)
     G(free_points)(T, n, dim, P);
     for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
         num sum = from_int(0);
-        if (printed_ones) {
-            G(shape_basis_printed)(beta, t, B);
+        G(functions_of)(printed_ones, n, beta, t, B);
+        if (printed_ones)
             G(shape_point_printed)(dim, P, beta, t, at);
-        } else {
-            G(shape_basis)(n, beta, t, B);
+        else
             G(shape_point)(n, dim, P, beta, t, at);
-        }
         for (int j = 0; j <= n; j++) {
             num w[dim] = {sub(P[j * dim], Q[0]), sub(P[j * dim + 1], Q[1])};
             sum = add(sum, mul(B[j], T->planted && j == 0 ? G(dot)(dim, P, u) : G(dot)(dim, w, u)));

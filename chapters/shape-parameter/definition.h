@@ -95,6 +95,15 @@ static inline void G(matrix_of)(int printed_ones, int n, num beta, num E[])
     G(shape_matrix)(n, near, far, E);
 }
 
+/* The values of the n+1 functions at t. */
+static inline void G(functions_of)(int printed_ones, int n, num beta, num t, num B[])
+{
+    if (printed_ones)
+        G(shape_basis_printed)(beta, t, B);
+    else
+        G(shape_basis)(n, beta, t, B);
+}
+
 /* The n+2 Bézier points of degree n+1 of the curve of P, dim coordinates, from the matrix. */
 static inline void G(bezier_points_of)(int printed_ones, int n, int dim, const num P[], num beta, num Q[])
 {
