@@ -4,7 +4,7 @@
 
 #include "chapters/frame/figure.h"
 #include "chapters/frame/run.h"
-#include "exact/num_rational.h"
+#include "exact/number/rational.h"
 
 #include <argp.h>
 #include <jansson.h>

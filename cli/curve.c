@@ -1,6 +1,6 @@
 #include "cli/command.h"
+#include "exact/decide/sign.h"
 #include "exact/kernels_q.h"
-#include "exact/sign.h"
 #include "exact/span.h"
 
 #include <math.h>

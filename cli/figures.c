@@ -1,6 +1,6 @@
 #include "chapters/frame/parallel.h"
 #include "cli/command.h"
-#include "exact/region.h"
+#include "exact/number/region.h"
 #include "figures/svg.h"
 
 #include <fnmatch.h>

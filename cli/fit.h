@@ -5,7 +5,7 @@
 #include "cli/command.h"
 #include "cli/points.h"
 #include "core/fit/cagd_fit.h"
-#include "exact/stationary.h"
+#include "exact/fit/stationary.h"
 
 struct fit {
     const char *path;

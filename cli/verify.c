@@ -2,7 +2,7 @@
 #include "chapters/frame/parallel.h"
 #include "chapters/frame/tex.h"
 #include "cli/command.h"
-#include "exact/region.h"
+#include "exact/number/region.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef CAGD_KERNELS_F_H
 #define CAGD_KERNELS_F_H
 
-#include "exact/num_field.h"
+#include "exact/number/field.h"
 
 #define G(name) name##_f
 #include "core/kernels.tmpl.h"

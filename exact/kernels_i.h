@@ -2,7 +2,7 @@
 #ifndef CAGD_KERNELS_I_H
 #define CAGD_KERNELS_I_H
 
-#include "exact/num_interval.h"
+#include "exact/number/interval.h"
 
 #define G(name) name##_i
 #include "core/kernels.tmpl.h"

@@ -2,7 +2,7 @@
 #ifndef CAGD_KERNELS_Q_H
 #define CAGD_KERNELS_Q_H
 
-#include "exact/num_rational.h"
+#include "exact/number/rational.h"
 
 #define G(name) name##_q
 #include "core/kernels.tmpl.h"

@@ -3,7 +3,7 @@
 #define CAGD_EXACT_SPAN_H
 
 #include "core/knots.h"
-#include "exact/num_rational.h"
+#include "exact/number/rational.h"
 
 static inline int before_q(num_q a, num_q b) { return compare_q(a, b) < 0; }
 

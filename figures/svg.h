@@ -28,7 +28,7 @@
 #ifndef CAGD_SVG_H
 #define CAGD_SVG_H
 
-#include "exact/num_rational.h"
+#include "exact/number/rational.h"
 
 typedef struct svg svg;
 

@@ -165,7 +165,7 @@ CLAIM(split_shrinks_second_differences)
 :control: the bound taken as $\frac{\lfloor n/2\rfloor^2}{2n}$
 :::
 */
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 /* max(nt - knot, 0) on the interval [m/n, (m+1)/n], where it is linear. */
 static poly G(kink)(int n, int knot, int m)

@@ -101,7 +101,7 @@ CLAIM(bernstein_collocation_is_totally_positive)
     }
 }
 #elif RATIONAL
-#include "exact/total_positivity.h"
+#include "exact/decide/total_positivity.h"
 
 CLAIM(bernstein_collocation_is_totally_positive)
 {
@@ -194,9 +194,9 @@ powers of $s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of 
 :control: the roots counted in $[0,1]$
 :::
 */
-#include "exact/crossings.h"
-#include "exact/roots.h"
-#include "exact/sturm.h"
+#include "exact/decide/crossings.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sturm.h"
 
 static int G(sign_changes)(int count, const num b[])
 {

@@ -1,5 +1,5 @@
 #include "chapters/frame/figure.h"
-#include "exact/crossings.h"
+#include "exact/decide/crossings.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

@@ -78,7 +78,7 @@ A pull that fades has a price: where points disagree, there are several minima, 
 :::
 */
 #if RATIONAL
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 CLAIM(cauchy_has_one_minimum)
 {

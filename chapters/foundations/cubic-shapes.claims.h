@@ -340,7 +340,7 @@ CLAIM(congruent_cubics_have_these_lengths)
 }
 
 #if RATIONAL
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 /* The Bézier points of the cubic of these ends. */
 static void points_of_ends(const num Q[], const num V[], num R[])

@@ -320,7 +320,7 @@ CLAIM(condition_keeps_the_curvature_vector)
 }
 
 #if RATIONAL
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 /* Whether P = E, P' = lambda P', P'' = lambda^2 P'' + beta P' for two pieces with P, P', P'' in D and in E. */
 static int conditions_hold(const num D[], const num E[], num lambda, num beta)

@@ -110,8 +110,8 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 
 #if RATIONAL
 #include "chapters/frame/counting.h"
-#include "exact/roots.h"
-#include "exact/sign.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sign.h"
 
 /* The kernels in binary64, and those of this section once more in the number type that counts. */
 #undef G

@@ -48,7 +48,7 @@ By this definition the cusp below, whose coordinates are polynomials, is of no c
 #include "chapters/foundations/definition.h"
 
 #if RATIONAL
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 #endif
 
 #include "chapters/frame/claims_on.h"

@@ -235,7 +235,7 @@ is an arc of an irreducible cubic curve, with inflections exactly at $P_0^*$ and
 :::
 */
 #if RATIONAL
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 CLAIM(new_coordinates_are_a_translation)
 {

@@ -1,7 +1,7 @@
 #include "chapters/frame/certificate.h"
 
 #include "chapters/frame/case.h"
-#include "exact/trace.h"
+#include "exact/record/trace.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include "chapters/frame/run.h"
 
 /* JSON, to be freed by the caller.  A certificate of a claim has cases: the straight-line program of the case, in
- * rational functions if the claim is proved in them and otherwise in rationals, its inputs, and the steps that were taken on its values, comparisons and exact decisions (exact/trace.h).  Of
+ * rational functions if the claim is proved in them and otherwise in rationals, its inputs, and the steps that were taken on its values, comparisons and exact decisions (exact/record/trace.h).  Of
  * the degrees that the field visits it has the lowest, and the highest whose program is not too long. */
 char *certificate_of_claim(const claim_result *r);
 char *certificate_of_statement(const statement_result *r);

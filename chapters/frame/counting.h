@@ -7,8 +7,8 @@
 #define CAGD_COUNTING_H
 
 #include "core/number/limits.h"
-#include "exact/num_rational.h"
-#include "exact/trace.h"
+#include "exact/number/rational.h"
+#include "exact/record/trace.h"
 
 typedef struct num_c {
     int is_power_of_two;

@@ -19,9 +19,9 @@
 
 #include "chapters/frame/claim.h"
 #include "core/number/num_measured.h"
-#include "exact/num_field.h"
-#include "exact/num_interval.h"
-#include "exact/num_rational.h"
+#include "exact/number/field.h"
+#include "exact/number/interval.h"
+#include "exact/number/rational.h"
 
 int pick(trial *T, int low, int high);  /* a seeded random integer in [low, high]                     */
 void about(trial *T, const char *what); /* names what the next comparisons are about                  */

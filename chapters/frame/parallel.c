@@ -1,6 +1,6 @@
 #include "chapters/frame/parallel.h"
 
-#include "exact/region.h"
+#include "exact/number/region.h"
 
 #include <pthread.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include "chapters/frame/case.h"
 #include "chapters/frame/judge.h"
 #include "chapters/frame/parallel.h"
-#include "exact/region.h"
+#include "exact/number/region.h"
 
 #include <pthread.h>
 #include <stdio.h>

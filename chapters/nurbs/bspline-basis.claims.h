@@ -31,7 +31,7 @@ patterns.
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
-#include "exact/total_positivity.h"
+#include "exact/decide/total_positivity.h"
 
 #include "chapters/frame/claims_on.h"
 

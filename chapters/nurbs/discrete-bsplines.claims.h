@@ -22,7 +22,7 @@ other in the place of $t$.
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
-#include "exact/total_positivity.h"
+#include "exact/decide/total_positivity.h"
 
 #include "chapters/frame/claims_on.h"
 

@@ -73,7 +73,7 @@ to be compared with $f$.  For straight lines both agree.  For a parabola the def
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
 
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 #include "chapters/frame/claims_on.h"
 

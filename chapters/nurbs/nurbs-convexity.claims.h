@@ -363,7 +363,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :given: all polygons of $n$ points: of the grid $\{0,1,2\}^2$ for $n=3,4$, of $\{0,1,2\}\times\{0,1\}$ for $n=5$, of $\{0,1\}^2$
   for $n=6$
 :then: the polygon is convex when closed by its chord if and only if all $D_{ijl}$, $i<j<l$, are $\ge0$ or all $\le0$, and not all are $0$
-:method: Convexity by `exact/hull.h`, from the turns of the edges; the areas are computed.  For all polygons: let the $D_{ijl}$ be
+:method: Convexity by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.  For all polygons: let the $D_{ijl}$ be
   $\ge0$, one of them positive.  Then no point is on the right of an edge $r_ir_{i+1}$ or of the chord $r_nr_1$, so that
   all edges are on the boundary of the hull, in its direction; and a polygon that comes round a second time has three points
   in clockwise order.  Conversely three points in order of the boundary turn left or are on one line.
@@ -380,7 +380,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :then: if a polygon runs through once and is convex, then each of its edges has all vertices on one side: it is part of the boundary
   of the hull
 :method: An edge is part of the boundary of the hull exactly when no two vertices are on different sides of its line.  Convexity by
-  `exact/hull.h`.
+  `exact/decide/hull.h`.
 :degrees: 3..6
 :scope: the stated polygons
 :control: the converse: every polygon on the boundary of its hull runs through once
@@ -394,7 +394,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
   turn; orders $2,3,4$; simple knots, clamped ends, inner knots of multiplicity $k-1$; weights $1$, $1000$ and $1$ in turn,
   $10^i$, and $\frac1{1000}$ inside; every knot and every middle of an interval inserted $k$ times
 :then: after each insertion the polygon is convex with the same orientation, and every new vertex is on its edge of the polygon before
-:method: The printed formulas in rationals, $\mu$ by comparing; convexity by `exact/hull.h`; on the edge: no turn, and between the ends.
+:method: The printed formulas in rationals, $\mu$ by comparing; convexity by `exact/decide/hull.h`; on the edge: no turn, and between the ends.
 :degrees: 2..4
 :scope: n stands for the order k; the stated curves
 :control: the second point exchanged with the third
@@ -437,7 +437,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
   in turn, and $1,10,100,\dots$
 :then: the Bézier points of all intervals, joined, are a closed convex polygon that runs round once
 :method: That polygon is what one gets by inserting every knot until its multiplicity is $k-1$; it is a polygon for which the
-  theorem holds.  Convexity by `exact/hull.h`.
+  theorem holds.  Convexity by `exact/decide/hull.h`.
 :degrees: 3..4
 :scope: n stands for the order k; the stated curves
 :control: the second point moved across the line of its neighbours
@@ -525,7 +525,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :given: $k=n=4$, knots $0$ and $1$ four times each, the square $(0,0),(1,0),(1,1),(0,1)$, weights $4,-1,4,4$, for which $w(t)>0$;
   $\tau=\frac12$
 :then: $s_2=-\frac13$, $s_3=\frac43$, and the new polygon is not convex
-:method: The printed formulas; convexity by `exact/hull.h`.
+:method: The printed formulas; convexity by `exact/decide/hull.h`.
 :control: the second weight taken as $+1$
 :::
 
@@ -555,7 +555,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :kind: counterexample
 :given: $k=n=3$, knots $0$ and $1$ three times each, points $(0,0),(4,0),(0,4)$, weights $1$; $T_1=\{\frac14\}$, $T_2=\{\frac34\}$
 :then: the second vertex $(3,0)$ of $\Gamma(T_2)$ is not in $A(\Gamma(T_1))$
-:method: The printed formulas; the hull by `exact/hull.h`, with a separating line.
+:method: The printed formulas; the hull by `exact/decide/hull.h`, with a separating line.
 :control: $T_2=\{\frac14,\frac34\}$
 :::
 
@@ -565,7 +565,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :kind: counterexample
 :given: the polygons $(0,0),(1,0),(1,h),(0,h)$, $h=1,\frac12,\frac14,\dots,\frac1{64}$, and their limit $h=0$
 :then: the polygons are convex and each hull contains the next; the limit goes from $(0,0)$ to $(1,0)$ and back
-:method: Convexity of the seven and of the limit by `exact/hull.h`.
+:method: Convexity of the seven and of the limit by `exact/decide/hull.h`.
 :control: the limit taken as that for $h\to1$
 :::
 */
@@ -885,9 +885,9 @@ CLAIM(inserted_parameters_become_vertices)
 }
 
 #if RATIONAL
-#include "exact/hull.h"
-#include "exact/polynomial.h"
-#include "exact/sign.h"
+#include "exact/decide/hull.h"
+#include "exact/decide/polynomial.h"
+#include "exact/decide/sign.h"
 
 static long triangle_area(const long P[], const long Q[], const long R[])
 {

@@ -35,7 +35,7 @@ usual properties is decided.  Convexity and the number of intersections follow i
 :control: $\Delta$ doubled on the right
 :::
 */
-#include "exact/hull.h"
+#include "exact/decide/hull.h"
 
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"

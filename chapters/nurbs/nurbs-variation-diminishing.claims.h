@@ -180,7 +180,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
   all $y_i\in\{-1,0,1\}$; weights $1$, $1000$ and $1$ in turn
 :then: crossings of the curve $\le$ crossings of the polygon with the middles of all intervals inserted $\le$ crossings of the polygon
 :method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the sides on which one
-  interval ends and the next one begins; jumps are counted.  Polygons by `exact/crossings.h`.
+  interval ends and the next one begins; jumps are counted.  Polygons by `exact/decide/crossings.h`.
 :degrees: 2..4
 :scope: n stands for the order k; the stated curves
 :control: the polygon taken without its first vertex
@@ -193,7 +193,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :given: the curves of `designed_splines_cross_no_more`
 :then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the polygon with knots
   inserted $\le$ those of the polygon
-:method: The curve by counting different roots, interval by interval; polygons by `exact/crossings.h`.
+:method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.
 :degrees: 2..4
 :scope: n stands for the order k; the stated curves
 :control: the ends of the polygon not counted
@@ -231,7 +231,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :given: $k=3$, knots $0,0,0,1,2,2,2$, points $(-1,1),(1,-1),(-1,-1),(1,1)$, weights $3,1,1,3$, the line $y=0$;
   $T'=\{\frac12\}^2\oplus\{\frac32\}^2$
 :then: the polygon has one point on the line, the new polygon two, $(-\frac16,0)$ and $(\frac16,0)$
-:method: The printed insertions; connected parts of the set of common points are counted by `exact/crossings.h`.
+:method: The printed insertions; connected parts of the set of common points are counted by `exact/decide/crossings.h`.
 :control: crossings counted: two and two
 :::
 
@@ -264,7 +264,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :given: $k=n=3$, knots $0,0,0,2,2,2$, weights $1$, points $(0,0),(1,1),(2,0)$, the line $y=\frac12$; $T'=\{1\}$
 :then: the polygon has two points on the line; the new polygon $(0,0),(\frac12,\frac12),(\frac32,\frac12),(2,0)$ has an edge on it,
   infinitely many points
-:method: The printed insertion; points and edges by `exact/crossings.h`, the heights taken less $\frac12$.
+:method: The printed insertion; points and edges by `exact/decide/crossings.h`, the heights taken less $\frac12$.
 :control: the edge counted as one intersection
 :::
 
@@ -285,7 +285,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 :given: $k=n=3$, knots $0$ and $1$ three times each, points $(-1,2),(0,5),(1,2)$, weights $2,-1,2$, for which $w(t)>0$;
   $\tau=\frac12$; the line $y=0$
 :then: the new polygon $(-1,2),(-2,-1),(2,-1),(1,2)$ crosses the line twice, the old one does not
-:method: The printed formulas; crossings by `exact/crossings.h`.
+:method: The printed formulas; crossings by `exact/decide/crossings.h`.
 :control: the middle weight taken as $+1$
 :::
 */
@@ -355,8 +355,8 @@ CLAIM(bezier_curves_are_nurbs_curves)
 }
 
 #if RATIONAL
-#include "exact/crossings.h"
-#include "exact/roots.h"
+#include "exact/decide/crossings.h"
+#include "exact/decide/roots.h"
 
 enum { MOST_POINTS = 40 };
 

@@ -44,7 +44,7 @@ For a true triangle $I_1<1$ follows and is not needed; for three points on a lin
 :control: $l^2-y_1^2$ for $l^2+y_1^2$ in the quotient
 :::
 */
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 #include "chapters/frame/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

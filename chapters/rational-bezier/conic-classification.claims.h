@@ -53,8 +53,8 @@ that follows is touched by the factor; only who takes the coefficients (3.5.4) f
 :control: 2 for 4
 :::
 */
-#include "exact/roots.h"
-#include "exact/sturm.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sturm.h"
 
 #include "chapters/frame/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

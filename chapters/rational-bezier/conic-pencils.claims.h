@@ -28,7 +28,7 @@ A conic asks for $(A,B,C)\ne(0,0,0)$.  It may be two lines, one line counted twi
 :control: the product $xy$ counted once, not twice
 :::
 */
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 #include "chapters/frame/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

@@ -1,5 +1,5 @@
 /* conics.h -- what the sections on conics share: the other sides of their claims, written out and
- * without kernels, and the frame of a triangle.  Generic text, included after exact/roots.h and claims_on.h.
+ * without kernels, and the frame of a triangle.  Generic text, included after exact/decide/roots.h and claims_on.h.
  *
  * Coordinates in the frame of a triangle R_0 R_1 R_2 are x and y with
  *     R = R_1 + x (R_0 - R_1) + y (R_2 - R_1). */

@@ -97,7 +97,7 @@ formulas (3.3.1) as they should read, the convergence in the section on subdivis
   points on the border of the grid, stopping or starting anywhere
 :then: if the polygon closed by its chord is convex and counterclockwise, then $D_{ijk}\ge0$ for all $i<j<k$, and not all
   are $0$
-:method: Convexity is decided by `exact/hull.h`, from the turns of the edges; the areas are computed.  For all: three points taken
+:method: Convexity is decided by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.  For all: three points taken
   in order from the boundary of a convex region, counterclockwise, turn left or are collinear.
 :degrees: 2..5
 :scope: the stated polygons
@@ -136,7 +136,7 @@ formulas (3.3.1) as they should read, the convergence in the section on subdivis
 :kind: decision
 :given: the polygons and weights of `designed_convex_polygons_have_convex_curves`, $\lambda=\frac13$
 :then: the joined polygons of the two halves, closed by the chord, are convex
-:method: Computed exactly with the rational subdivision; decided by `exact/hull.h`.
+:method: Computed exactly with the rational subdivision; decided by `exact/decide/hull.h`.
 :degrees: 2..4
 :scope: the stated polygons and weights
 :control: the left half run through backwards
@@ -180,7 +180,7 @@ formulas (3.3.1) as they should read, the convergence in the section on subdivis
 :given: $n=4$, points $(0,0),(1,2),(2,1),(3,2),(4,0)$, all weights $1$
 :then: $\det(P,P',P'')<0$ for $0<t<1$ and $x=4t$, so that the curve with its chord bounds a convex region; the polygon turns to
   both sides
-:method: The sign of the polynomial is decided by counting roots; convexity by `exact/hull.h`.
+:method: The sign of the polynomial is decided by counting roots; convexity by `exact/decide/hull.h`.
 :scope: this curve
 :control: the middle point taken as $(2,-1)$
 :::
@@ -350,9 +350,9 @@ CLAIM(subdivided_polygon_turns_like_its_triangles)
 }
 
 #if RATIONAL
-#include "exact/hull.h"
-#include "exact/sign.h"
-#include "exact/sturm.h"
+#include "exact/decide/hull.h"
+#include "exact/decide/sign.h"
+#include "exact/decide/sturm.h"
 
 static void points_from(int count, const long point[], num_q R[])
 {

@@ -1,6 +1,6 @@
 /* Figures of the section on convexity. */
 #include "chapters/rational-bezier/polygon.h"
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 static void draw(svg *s, struct polygon p)
 {

@@ -259,7 +259,7 @@ CLAIM(coplanar_vertices_give_a_plane_curve)
 }
 
 #if RATIONAL
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 /* Whether the numerator sum w_i z_i B_i^n vanishes and the denominator is positive on [0,1]. */
 static int is_in_plane(int n, const num_q w[], const num_q z[])

@@ -6,8 +6,8 @@ which $R_i$ counts $B_i^n(t)\,\omega_i$ times, $B_i^n(t)=\binom ni(1-t)^{n-i}t^i
 y,\omega z,\omega)$ numerator and denominator of that mean are one polynomial Bézier curve, and this is how the
 source defines it.
 */
-#include "exact/roots.h"
-#include "exact/sturm.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sturm.h"
 
 #include "chapters/frame/claims_on.h"
 

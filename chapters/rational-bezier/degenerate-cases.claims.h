@@ -30,7 +30,7 @@ Besides $\omega>0$ any $\omega\ne0$ will do.
 :control: $\omega_1$ doubled
 :::
 */
-#include "exact/polynomial.h"
+#include "exact/decide/polynomial.h"
 
 #include "chapters/frame/claims_on.h"
 

@@ -274,7 +274,7 @@ $b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.
 */
 #include "chapters/frame/claims_on.h"
 #if RATIONAL
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 CLAIM(elevated_vertex_may_be_at_infinity)
 {

@@ -49,8 +49,8 @@ The indices are in range: level $r$ has the indices $r,\dots,n$.
 :control: one argument $c$ of the polar form replaced by $t$
 :::
 */
-#include "exact/resultant.h"
-#include "exact/sign.h"
+#include "exact/decide/resultant.h"
+#include "exact/decide/sign.h"
 
 #include "chapters/frame/claims_on.h"
 

@@ -92,9 +92,9 @@ irreducible when the parametrisation is proper is cited.
 :control: the last point $(1,0)$ and the middle one $(0,1)$
 :::
 */
-#include "exact/resultant.h"
-#include "exact/roots.h"
-#include "exact/sign.h"
+#include "exact/decide/resultant.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sign.h"
 
 #include "chapters/frame/claims_on.h"
 

@@ -64,9 +64,9 @@ recognises.  First the tools: determinants and resultants, each against its defi
 :control: the rows of the $a_i$ shifted once less
 :::
 */
-#include "exact/resultant.h"
-#include "exact/roots.h"
-#include "exact/sturm.h"
+#include "exact/decide/resultant.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sturm.h"
 
 #include "chapters/frame/elementary.h"
 

@@ -33,7 +33,7 @@ all triangles.
 :control: $l_3^2$ replaced by $l_1l_3$
 :::
 */
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 #include "chapters/frame/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

@@ -33,7 +33,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :control: 1 for 2 in the denominators
 :::
 */
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 #include "chapters/frame/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

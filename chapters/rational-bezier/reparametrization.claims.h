@@ -34,7 +34,7 @@ Every projective map of the parameter line that fixes $0$ and $1$ has this form,
 :control: the sign of the derivative reversed
 :::
 */
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 #include "chapters/frame/elementary.h"
 

@@ -66,7 +66,7 @@ torsions suffices.  What is true in every degree stands after definition 3.2.2.
 :control: $I_2$ for $I_1$; for $n=2$, $I_1$ doubled
 :::
 */
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 #include "chapters/frame/claims_on.h"
 

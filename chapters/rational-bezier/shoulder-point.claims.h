@@ -29,7 +29,7 @@ for $\omega_0=\omega_2$.
 :control: the point at $\frac12$ of the curve itself
 :::
 */
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 #include "chapters/frame/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

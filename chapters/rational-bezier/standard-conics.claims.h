@@ -23,7 +23,7 @@ and gives them simple weights, by a change of the parameter.
 :control: $Y$ with $p$ and $q$ exchanged
 :::
 */
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 #include "chapters/frame/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

@@ -45,7 +45,7 @@ the denominators.
 :control: $1-\lambda$ for $\lambda$
 :::
 */
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 #include "chapters/frame/claims_on.h"
 

@@ -32,7 +32,7 @@ Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where th
 :control: $d=(S_y,S_x)$
 :::
 */
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 #include "chapters/frame/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

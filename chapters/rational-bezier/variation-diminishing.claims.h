@@ -78,9 +78,9 @@ Different roots, or roots counted as often as their multiplicity: the chain is r
 */
 #include "chapters/frame/claims_on.h"
 #if RATIONAL
-#include "exact/crossings.h"
-#include "exact/roots.h"
-#include "exact/sturm.h"
+#include "exact/decide/crossings.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sturm.h"
 
 /* Changes of sign in a sequence of signs, zeros left out. */
 static int sign_changes(int count, const int sign[])
@@ -315,7 +315,7 @@ away one change of sign after the other.
 :then: $V[y_0,\dots,y_n]$ is the number of times that a point which runs along the polygon changes sides
 :method: Between its quarters an edge of these polygons meets the line at most once; the sides of the points at $\frac14$ and
   $\frac34$ of every edge, none of which is an isolated point on the line, are read one after the other.  Compared with
-  $V$ and with the count of `exact/crossings.h`.
+  $V$ and with the count of `exact/decide/crossings.h`.
 :degrees: 1..8
 :scope: all patterns of signs
 :control: zeros counted as positive in $V$

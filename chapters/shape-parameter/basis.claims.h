@@ -83,8 +83,8 @@ For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 :control: the sum without the factor 2
 :::
 */
-#include "exact/resultant.h"
-#include "exact/roots.h"
+#include "exact/decide/resultant.h"
+#include "exact/decide/roots.h"
 
 #include "chapters/shape-parameter/definition.h"
 

@@ -457,11 +457,11 @@ $t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at 
 :control: $P_0$ left without $Q$
 :::
 */
-#include "exact/crossings.h"
-#include "exact/hull.h"
-#include "exact/resultant.h"
-#include "exact/roots.h"
-#include "exact/total_positivity.h"
+#include "exact/decide/crossings.h"
+#include "exact/decide/hull.h"
+#include "exact/decide/resultant.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/total_positivity.h"
 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"

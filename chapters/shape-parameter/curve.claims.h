@@ -85,7 +85,7 @@ Its degree is at most 8; for $\beta=0$ it is at most 7.
 :control: $\beta=1$
 :::
 */
-#include "exact/hull.h"
+#include "exact/decide/hull.h"
 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"

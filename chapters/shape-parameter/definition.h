@@ -3,7 +3,7 @@
  * Nothing here follows the kernels: powers are repeated products, binomial coefficients come from factorials, and
  * the eight printed formulas are written out one by one. */
 #if RATIONAL
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 #endif
 
 #include "chapters/frame/elementary.h"

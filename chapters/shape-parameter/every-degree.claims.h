@@ -34,7 +34,7 @@ in the direction of the triangle's vertex.  For $\beta=-2$ the point is on the c
 :control: the interval begins at $-3$
 :::
 */
-#include "exact/hull.h"
+#include "exact/decide/hull.h"
 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"

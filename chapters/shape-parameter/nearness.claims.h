@@ -100,7 +100,7 @@ The conclusion "so" has no premise about C-Bézier curves.
 :control: the two values of $\beta$ exchanged
 :::
 */
-#include "exact/hull.h"
+#include "exact/decide/hull.h"
 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"

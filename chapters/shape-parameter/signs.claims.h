@@ -44,7 +44,7 @@ For degrees up to five the range $-n\le\beta\le1$ would have been right: see `ev
 :control: the interval begins at $-7$
 :::
 */
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 #include "chapters/shape-parameter/definition.h"
 

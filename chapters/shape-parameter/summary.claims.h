@@ -369,7 +369,7 @@ The text says Bernstein polynomials of any degree; here up to the degrees of the
 #include "chapters/shape-parameter/definition.h"
 
 #if RATIONAL
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 #include "chapters/frame/counting.h"
 

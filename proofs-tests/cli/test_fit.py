@@ -512,7 +512,7 @@ class Fits(Case):
             self.assertEqual(d["verification"]["status"], "verified")
             corners = rows + [[0, 0], [1, 2], [4, 0]]
             excess, size = d["verification"]["excess"], max(max(x) - min(x) for x in zip(*corners))
-            self.assertLessEqual(excess, 2**-44 * size)  # as exact/stationary.h says
+            self.assertLessEqual(excess, 2**-44 * size)  # as exact/fit/stationary.h says
             table_of = list(csv.DictReader(out.read_text().splitlines()))
             total = 0
             for row, (x, y) in zip(table_of, rows, strict=True):

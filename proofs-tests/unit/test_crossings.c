@@ -1,7 +1,7 @@
 /* test_crossings.c -- curves and polygons against lines: planted common points, and definitions. */
 #include "unit_roots.h"
 
-#include "exact/crossings.h"
+#include "exact/decide/crossings.h"
 
 static num_q q(long m) { return from_int_q(m); }
 static struct line line(long a, long b, long c) { return (struct line){q(a), q(b), q(c)}; }

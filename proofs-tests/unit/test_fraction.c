@@ -2,8 +2,8 @@
  * them: sums, differences, products and quotients of random fractions with common factors, some of them repeated, some
  * cancelling, some of a denominator that is too long to be factored.  So are derivatives, a numerator over the denominator
  * of another fraction, and what is said of equality and degrees. */
-#include "exact/fraction.h"
-#include "exact/num_field.h"
+#include "exact/number/field.h"
+#include "exact/number/fraction.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

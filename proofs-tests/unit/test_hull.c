@@ -1,7 +1,7 @@
 /* test_hull.c -- convex hulls against Caratheodory's theorem and against the definitions. */
 #include "unit_exact.h"
 
-#include "exact/hull.h"
+#include "exact/decide/hull.h"
 
 static num_q q(long m) { return from_int_q(m); }
 static int same(const num_q P[], const num_q Q[]) { return equal_q(P[0], Q[0]) && equal_q(P[1], Q[1]); }

@@ -3,7 +3,7 @@
 
 #include "chapters/frame/judge.h"
 #include "chapters/frame/run.h"
-#include "exact/num_field.h"
+#include "exact/number/field.h"
 
 #include <stdio.h>
 #include <stdlib.h>

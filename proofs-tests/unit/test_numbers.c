@@ -2,8 +2,8 @@
 #include "unit_exact.h"
 
 #include "core/number/num_measured.h"
-#include "exact/num_field.h"
-#include "exact/num_interval.h"
+#include "exact/number/field.h"
+#include "exact/number/interval.h"
 
 #include <float.h>
 #include <math.h>

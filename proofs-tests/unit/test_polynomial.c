@@ -1,7 +1,7 @@
 /* test_polynomial.c -- polynomials over Q against their definitions. */
 #include "unit_exact.h"
 
-#include "exact/polynomial.h"
+#include "exact/decide/polynomial.h"
 
 #include <string.h>
 

@@ -1,9 +1,9 @@
 /* test_region.c -- where exact values live and when they die. */
 #include "unit_exact.h"
 
-#include "exact/num_field.h"
-#include "exact/num_interval.h"
-#include "exact/polynomial.h"
+#include "exact/decide/polynomial.h"
+#include "exact/number/field.h"
+#include "exact/number/interval.h"
 
 #include <pthread.h>
 #include <string.h>

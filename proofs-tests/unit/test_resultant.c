@@ -1,7 +1,7 @@
 /* test_resultant.c -- resultants against the product over the roots; determinants against Leibniz. */
 #include "unit_exact.h"
 
-#include "exact/resultant.h"
+#include "exact/decide/resultant.h"
 
 static num_q q(long m) { return from_int_q(m); }
 

@@ -1,7 +1,7 @@
 /* test_roots.c -- Descartes' rule against Sturm's theorem and against planted roots. */
 #include "unit_roots.h"
 
-#include "exact/sturm.h"
+#include "exact/decide/sturm.h"
 
 static num_q from_power_of_two(int e)
 {

@@ -1,7 +1,7 @@
 /* test_sign.c -- the sign of a polynomial on an interval against its planted roots. */
 #include "unit_roots.h"
 
-#include "exact/sign.h"
+#include "exact/decide/sign.h"
 
 /* The sign at a point: of the leading coefficient times (-1)^(roots of odd multiplicity above it). */
 static int planted_sign(const struct planted *f, num_q t)

@@ -1,8 +1,8 @@
 /* test_stationary.c -- the check in intervals: problems whose answer is known exactly, and what must be refused. */
 #include "unit_exact.h"
 
-#include "exact/region.h"
-#include "exact/stationary.h"
+#include "exact/fit/stationary.h"
+#include "exact/number/region.h"
 
 #include <float.h>
 #include <math.h>

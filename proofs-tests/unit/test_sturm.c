@@ -1,7 +1,7 @@
 /* test_sturm.c -- Sturm's theorem against planted roots. */
 #include "unit_roots.h"
 
-#include "exact/sturm.h"
+#include "exact/decide/sturm.h"
 
 static void planted_roots(void **state)
 {

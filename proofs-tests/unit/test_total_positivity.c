@@ -1,7 +1,7 @@
 /* test_total_positivity.c -- elimination against all minors. */
 #include "unit_exact.h"
 
-#include "exact/total_positivity.h"
+#include "exact/decide/total_positivity.h"
 
 #include "core/number/binomial.h"
 

@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "exact/num_rational.h"
-#include "exact/region.h"
+#include "exact/number/rational.h"
+#include "exact/number/region.h"
 
 /* splitmix64: every seed gives the same data on every machine. */
 static uint64_t random_state = 20240607;

@@ -4,7 +4,7 @@
 
 #include "unit_exact.h"
 
-#include "exact/roots.h"
+#include "exact/decide/roots.h"
 
 enum { PLANTED = 6 };
 struct planted {

@@ -1,0 +1,304 @@
+#include "exact/decide/polynomial.h"
+
+#include "exact/decide/polynomial_slot.h"
+#include "exact/number/field_slot.h"
+#include "exact/number/fraction.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpz_mpoly.h>
+#include <flint/fmpz_poly.h>
+#include <string.h>
+
+void polynomial_slot_init(void *p) { fmpq_poly_init(((struct polynomial *)p)->x); }
+void polynomial_slot_clear(void *p) { fmpq_poly_clear(((struct polynomial *)p)->x); }
+
+static struct polynomial *fresh(void)
+{
+    struct polynomial *p = region_slot(SLOT_POLYNOMIAL);
+    if (tracing != NULL)
+        trace_fresh(p);
+    return p;
+}
+
+static poly fault(unsigned which)
+{
+    region_faults |= which;
+    return (poly){fresh()};
+}
+
+/* The two ways between num_q and FLINT's rationals. */
+static void set_coefficient(struct polynomial *p, int k, num_q c)
+{
+    fmpq_t x;
+    fmpq_init(x);
+    fmpq_set_mpq(x, c.at);
+    fmpq_poly_set_coeff_fmpq(p->x, k, x);
+    fmpq_clear(x);
+}
+static num_q rational_of(const fmpq_t x)
+{
+    mpq_t v;
+    mpq_init(v);
+    fmpq_get_mpq(v, x);
+    num_q r = from_mpq_q(v);
+    mpq_clear(v);
+    return r;
+}
+
+/* ---- what is noted in a trace ------------------------------------------------------------------- */
+
+static mpq_srcptr number_of_list(const void *list, int k) { return ((const num_q *)list)[k].at; }
+
+int trace_polynomial(poly p)
+{
+    int node = trace_known(p.at), length = (int)fmpq_poly_degree(p.at->x) + 1;
+    if (node >= 0)
+        return node;
+    num_q *c = region_bytes((size_t)length * sizeof *c);
+    trace_pause();
+    for (int k = 0; k < length; k++)
+        c[k] = poly_coefficient(p, k);
+    trace_resume();
+    trace_literal(p.at, "opoly", length, number_of_list, c);
+    return trace_known(p.at);
+}
+
+/* p was made of the numbers c, or of one or two other polynomials. */
+static poly made_of_numbers(const char *op, struct polynomial *p, int count, const num_q c[])
+{
+    if (trace_noting()) {
+        int *argument = region_bytes((size_t)count * sizeof *argument);
+        for (int k = 0; k < count; k++)
+            argument[k] = trace_number(c[k].at);
+        trace_node(p, op, count, argument);
+    }
+    return (poly){p};
+}
+static poly made_of(const char *op, struct polynomial *p, poly a, const poly *b)
+{
+    if (trace_noting()) {
+        int argument[2] = {trace_polynomial(a), b != NULL ? trace_polynomial(*b) : 0};
+        trace_node(p, op, b != NULL ? 2 : 1, argument);
+    }
+    return (poly){p};
+}
+/* A number c was taken from p, with up to three more arguments. */
+static num_q taken_from(const char *op, num_q c, poly p, int count, const int more[])
+{
+    if (trace_noting()) {
+        int argument[5] = {trace_polynomial(p)};
+        for (int k = 0; k < count; k++)
+            argument[k + 1] = more[k];
+        trace_node(c.at, op, count + 1, argument);
+    }
+    return c;
+}
+static int known_about(const char *fact, poly p, const poly *q, int is)
+{
+    if (trace_noting()) {
+        int of[2] = {trace_polynomial(p), q != NULL ? trace_polynomial(*q) : -1};
+        trace_fact(fact);
+        trace_put_list("of", 2, of);
+        trace_put("is", is);
+        trace_fact_end();
+    }
+    return is;
+}
+
+poly poly_from_q(int len, const num_q c[])
+{
+    struct polynomial *r = fresh();
+    for (int k = len - 1; k >= 0; k--)
+        set_coefficient(r, k, c[k]);
+    return made_of_numbers("poly", r, len, c);
+}
+poly poly_constant(num_q c) { return poly_from_q(1, &c); }
+poly poly_variable(void) { return poly_from_q(2, (num_q[]){from_int_q(0), from_int_q(1)}); }
+
+/* Inside this file degree is asked for without being noted. */
+static int degree(poly p) { return (int)fmpq_poly_degree(p.at->x); }
+
+int poly_degree(poly p) { return known_about("degree", p, NULL, degree(p)); }
+int poly_is_zero(poly p) { return known_about("pequal", p, NULL, fmpq_poly_is_zero(p.at->x)); }
+int poly_equal(poly p, poly q) { return known_about("pequal", p, &q, fmpq_poly_equal(p.at->x, q.at->x)); }
+
+num_q poly_coefficient(poly p, int k)
+{
+    fmpq_t x;
+    fmpq_init(x);
+    fmpq_poly_get_coeff_fmpq(x, p.at->x, k);
+    num_q c = rational_of(x);
+    fmpq_clear(x);
+    return taken_from("coefficient", c, p, 1, &k);
+}
+num_q poly_value(poly p, num_q t)
+{
+    fmpq_t x, y;
+    fmpq_init(x), fmpq_init(y);
+    fmpq_set_mpq(x, t.at);
+    fmpq_poly_evaluate_fmpq(y, p.at->x, x);
+    num_q v = rational_of(y);
+    fmpq_clear(x), fmpq_clear(y);
+    int at = trace_noting() ? trace_number(t.at) : 0;
+    return taken_from("value", v, p, 1, &at);
+}
+
+typedef void poly_operation(fmpq_poly_t, const fmpq_poly_t, const fmpq_poly_t);
+static poly combine(const char *name, poly_operation *op, poly p, poly q)
+{
+    struct polynomial *r = fresh();
+    op(r->x, p.at->x, q.at->x);
+    return made_of(name, r, p, &q);
+}
+poly poly_add(poly p, poly q) { return combine("p+", fmpq_poly_add, p, q); }
+poly poly_sub(poly p, poly q) { return combine("p-", fmpq_poly_sub, p, q); }
+poly poly_mul(poly p, poly q) { return combine("p*", fmpq_poly_mul, p, q); }
+poly poly_compose(poly p, poly q) { return combine("pcompose", fmpq_poly_compose, p, q); }
+poly poly_gcd(poly p, poly q) { return combine("pgcd", fmpq_poly_gcd, p, q); }
+poly poly_quotient(poly p, poly q)
+{
+    return degree(q) < 0 ? fault(FAULT_UNDEFINED) : combine("pquo", fmpq_poly_div, p, q);
+}
+poly poly_remainder(poly p, poly q)
+{
+    return degree(q) < 0 ? fault(FAULT_UNDEFINED) : combine("prem", fmpq_poly_rem, p, q);
+}
+int poly_divides(poly d, poly p) { return degree(d) < 0 ? poly_is_zero(p) : poly_is_zero(poly_remainder(p, d)); }
+poly poly_scale(poly p, num_q c) { return poly_mul(p, poly_constant(c)); }
+poly poly_neg(poly p)
+{
+    struct polynomial *r = fresh();
+    fmpq_poly_neg(r->x, p.at->x);
+    return made_of("pneg", r, p, NULL);
+}
+poly poly_derivative(poly p)
+{
+    struct polynomial *r = fresh();
+    fmpq_poly_derivative(r->x, p.at->x);
+    return made_of("pder", r, p, NULL);
+}
+
+/* A polynomial over Z in several variables, if it depends on variable v alone. */
+static poly univariate(const fmpz_mpoly_t a, int v)
+{
+    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    struct polynomial *r = fresh();
+    fmpz_poly_t x;
+    fmpz_poly_init(x);
+    if (fmpz_mpoly_is_fmpz_poly(a, v, ctx)) {
+        fmpz_mpoly_get_fmpz_poly(x, a, v, ctx);
+        fmpq_poly_set_fmpz_poly(r->x, x);
+    } else {
+        region_faults |= FAULT_UNABLE;
+    }
+    fmpz_poly_clear(x);
+    return (poly){r};
+}
+void poly_from_field(num_f a, num_f variable, poly *numerator, poly *denominator)
+{
+    int v = field_variable_f(variable);
+    if (v < 0) {
+        *numerator = *denominator = fault(FAULT_UNDEFINED);
+        return;
+    }
+    fmpz_mpoly_t q;
+    fmpz_mpoly_init(q, field_context());
+    fraction_denominator(q, a.at);
+    *numerator = univariate(a.at->numerator, v);
+    *denominator = univariate(q, v);
+    fmpz_mpoly_clear(q, field_context());
+}
+
+/* Yun: with c = gcd(p, p'), w = p/c is the product of all factors, and w divides out one
+ * multiplicity after the other. */
+int poly_squarefree(poly p, poly factor[], int multiplicity[])
+{
+    if (degree(p) < 0) {
+        region_faults |= FAULT_UNDEFINED;
+        return 0;
+    }
+    poly slope = poly_derivative(p), c = poly_gcd(p, slope);
+    poly w = poly_quotient(p, c), y = poly_quotient(slope, c);
+    int count = 0;
+    for (int m = 1; degree(w) > 0; m++) {
+        poly z = poly_sub(y, poly_derivative(w)), g = poly_gcd(w, z);
+        if (degree(g) > 0) {
+            factor[count] = g;
+            multiplicity[count++] = m;
+        }
+        w = poly_quotient(w, g);
+        y = poly_quotient(z, g);
+    }
+    return count;
+}
+
+/* t^n p(1/t + shift), for deg p <= n: the change between powers of t and of t/(1-t) takes two
+ * reversals and a shift by one. */
+static void reverse_shift_reverse(fmpq_poly_t p, int n, int shift)
+{
+    fmpq_poly_t line;
+    fmpq_poly_init(line);
+    fmpq_poly_set_coeff_si(line, 1, 1);
+    fmpq_poly_set_coeff_si(line, 0, shift);
+    fmpq_poly_reverse(p, p, n + 1);
+    fmpq_poly_compose(p, p, line);
+    fmpq_poly_reverse(p, p, n + 1);
+    fmpq_poly_clear(line);
+}
+
+/* sum b_i B_i^n(t) = (1-t)^n F(t/(1-t)), F(x) = sum b_i C(n,i) x^i. */
+poly poly_from_bernstein(int n, const num_q b[])
+{
+    struct polynomial *r = fresh();
+    fmpz_t binomial;
+    fmpq_t x;
+    fmpz_init(binomial), fmpq_init(x);
+    for (int i = n; i >= 0; i--) {
+        fmpz_bin_uiui(binomial, (ulong)n, (ulong)i);
+        fmpq_set_mpq(x, b[i].at);
+        fmpq_mul_fmpz(x, x, binomial);
+        fmpq_poly_set_coeff_fmpq(r->x, i, x);
+    }
+    fmpz_clear(binomial), fmpq_clear(x);
+    reverse_shift_reverse(r->x, n, -1);
+    return made_of_numbers("bernstein", r, n + 1, b);
+}
+void poly_to_bernstein(poly p, int n, num_q a, num_q b, num_q out[])
+{
+    struct polynomial *F = fresh();
+    int ends[4] = {0, 0, n, 0};
+    if (trace_noting()) {
+        ends[0] = trace_number(a.at);
+        ends[1] = trace_number(b.at);
+    }
+    trace_pause();
+    if (n < degree(p))
+        region_faults |= FAULT_UNDEFINED;
+    else
+        fmpq_poly_set(F->x, poly_compose(p, poly_from_q(2, (num_q[]){a, sub_q(b, a)})).at->x);
+    reverse_shift_reverse(F->x, n, +1);
+    fmpz_t binomial;
+    fmpq_t x;
+    fmpz_init(binomial), fmpq_init(x);
+    for (int i = 0; i <= n; i++) {
+        fmpz_bin_uiui(binomial, (ulong)n, (ulong)i);
+        fmpq_poly_get_coeff_fmpq(x, F->x, i);
+        fmpq_div_fmpz(x, x, binomial);
+        out[i] = rational_of(x);
+    }
+    fmpz_clear(binomial), fmpq_clear(x);
+    trace_resume();
+    for (int i = 0; i <= n; i++) {
+        ends[3] = i;
+        taken_from("tobernstein", out[i], p, 4, ends);
+    }
+}
+
+const char *poly_to_string(poly p, const char *variable)
+{
+    char *flints = fmpq_poly_get_str_pretty(p.at->x, variable);
+    size_t size = strlen(flints) + 1;
+    char *text = memcpy(region_bytes(size), flints, size);
+    flint_free(flints);
+    return text;
+}

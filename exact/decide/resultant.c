@@ -1,0 +1,143 @@
+#include "exact/decide/resultant.h"
+
+/* Row r times the least common denominator of its entries, in integers. */
+static void clear_denominators(int n, const num_q row[], mpz_t out[], mpz_t common)
+{
+    mpz_set_ui(common, 1);
+    for (int j = 0; j < n; j++)
+        mpz_lcm(common, common, mpq_denref(row[j].at));
+    for (int j = 0; j < n; j++) {
+        mpz_divexact(out[j], common, mpq_denref(row[j].at));
+        mpz_mul(out[j], out[j], mpq_numref(row[j].at));
+    }
+}
+
+/* Bareiss: after step k every entry a_ij, i, j > k, is the minor of rows 0..k, i and columns 0..k, j,
+ * so that division by the pivot of the step before is exact and the last entry is the determinant. */
+static num_q decide_pivoted_determinant_q(int n, const num_q A[])
+{
+    mpz_t *a = region_bytes((size_t)n * (size_t)n * sizeof *a), before, common, product;
+    mpq_t det;
+    mpq_init(det);
+    mpz_init_set_ui(before, 1), mpz_init(common), mpz_init(product);
+    for (int i = 0; i < n * n; i++)
+        mpz_init(a[i]);
+    mpz_ptr denominator = mpq_denref(det);
+    for (int i = 0; i < n; i++) {
+        clear_denominators(n, A + (ptrdiff_t)i * n, a + (ptrdiff_t)i * n, common);
+        mpz_mul(denominator, denominator, common);
+    }
+    int sign = 1;
+    for (int k = 0; k < n && sign != 0; k++) {
+        int p = k;
+        while (p < n && mpz_sgn(a[p * n + k]) == 0)
+            p++;
+        if (p == n) {
+            sign = 0;
+        } else if (p != k) {
+            sign = -sign;
+            for (int j = k; j < n; j++)
+                mpz_swap(a[p * n + j], a[k * n + j]);
+        }
+        for (int i = k + 1; i < n && sign != 0; i++)
+            for (int j = k + 1; j < n; j++) {
+                mpz_mul(product, a[i * n + j], a[k * n + k]);
+                mpz_submul(product, a[i * n + k], a[k * n + j]);
+                mpz_divexact(a[i * n + j], product, before);
+            }
+        mpz_set(before, a[k * n + k]);
+    }
+    mpz_mul_si(mpq_numref(det), before, sign);
+    mpq_canonicalize(det);
+    num_q value = from_mpq_q(det);
+    for (int i = 0; i < n * n; i++)
+        mpz_clear(a[i]);
+    mpz_clear(before), mpz_clear(common), mpz_clear(product), mpq_clear(det);
+    return value;
+}
+num_q pivoted_determinant_q(int n, const num_q A[])
+{
+    trace_pause();
+    num_q answer = decide_pivoted_determinant_q(n, A);
+    trace_resume();
+    if (trace_noting()) {
+        trace_name_numbers(n * n, A);
+        trace_name_numbers(1, &answer);
+        trace_fact("determinant");
+        trace_put("rows", n);
+        trace_put_numbers("A", n * n, A);
+        trace_put_numbers("is", 1, &answer);
+        trace_fact_end();
+    }
+    return answer;
+}
+
+num_f pivoted_determinant_f(int n, const num_f A[])
+{
+    num_f *a = region_bytes((size_t)n * (size_t)n * sizeof *a), before = from_int_f(1);
+    for (int i = 0; i < n * n; i++)
+        a[i] = A[i];
+    int negative = 0;
+    for (int k = 0; k < n; k++) {
+        int p = k;
+        while (p < n && is_zero_f(a[p * n + k]))
+            p++;
+        if (p == n)
+            return from_int_f(0);
+        if (p != k) {
+            negative = !negative;
+            for (int j = k; j < n; j++) {
+                num_f swapped = a[p * n + j];
+                a[p * n + j] = a[k * n + j];
+                a[k * n + j] = swapped;
+            }
+        }
+        for (int i = k + 1; i < n; i++)
+            for (int j = k + 1; j < n; j++) {
+                num_f minor = sub_f(mul_f(a[i * n + j], a[k * n + k]), mul_f(a[i * n + k], a[k * n + j]));
+                a[i * n + j] = div_f(minor, before);
+            }
+        before = a[k * n + k];
+    }
+    return negative ? neg_f(before) : before;
+}
+
+#define G(name) name##_q
+#include "exact/decide/resultant.tmpl.h"
+#undef G
+#define G(name) name##_f
+#include "exact/decide/resultant.tmpl.h"
+#undef G
+
+num_f resultant_by_f(num_f p, num_f q, num_f variable)
+{
+    int m = degree_f(p, variable), n = degree_f(q, variable);
+    if (m < 0 || n < 0) {
+        region_faults |= FAULT_UNDEFINED;
+        return from_int_f(0);
+    }
+    num_f *a = region_bytes((size_t)(m + 1) * sizeof *a), *b = region_bytes((size_t)(n + 1) * sizeof *b);
+    for (int k = 0; k <= m; k++)
+        a[k] = coefficient_f(p, variable, k);
+    for (int k = 0; k <= n; k++)
+        b[k] = coefficient_f(q, variable, k);
+    return resultant_sylvester_f(m, a, n, b);
+}
+
+typedef num_q resultant_of_arrays(int, const num_q[], int, const num_q[]);
+static num_q poly_resultant(resultant_of_arrays *resultant, poly p, poly q)
+{
+    int m = poly_degree(p), n = poly_degree(q);
+    if (m < 0 || n < 0) {
+        region_faults |= FAULT_UNDEFINED;
+        return from_int_q(0);
+    }
+    num_q *a = region_bytes((size_t)(m + 1) * sizeof *a), *b = region_bytes((size_t)(n + 1) * sizeof *b);
+    for (int k = 0; k <= m; k++)
+        a[k] = poly_coefficient(p, k);
+    for (int k = 0; k <= n; k++)
+        b[k] = poly_coefficient(q, k);
+    return resultant(m, a, n, b);
+}
+num_q poly_resultant_sylvester(poly p, poly q) { return poly_resultant(resultant_sylvester_q, p, q); }
+num_q poly_resultant_bezout(poly p, poly q) { return poly_resultant(resultant_bezout_q, p, q); }

@@ -1,0 +1,49 @@
+/* roots.h -- real roots of a polynomial over Q, by Descartes' rule of signs in the Bernstein basis.
+ *
+ * Over an interval a polynomial has at most as many roots inside as its Bernstein coefficients have
+ * changes of sign, and as many modulo 2; so 0 and 1 decide, and de Casteljau's algorithm at 1/2
+ * subdivides what they do not.  A squarefree polynomial is decided after finitely many steps.
+ * Source: J. M. Lane and R. F. Riesenfeld, Bounds on a polynomial, BIT 21 (1981); the end of the
+ * subdivision: N. Obreschkoff; see A. Eigenwillig, V. Sharma, C. Yap, ISSAC 2006. */
+#ifndef CAGD_ROOTS_H
+#define CAGD_ROOTS_H
+
+#include "exact/decide/polynomial.h"
+
+/* [a,b], (a,b), (a,b], [a,b).  For a = b the interval is {a} if CLOSED and otherwise empty. */
+enum ends { CLOSED, OPEN, OPEN_LEFT, OPEN_RIGHT };
+
+struct root_count {
+    int distinct;  /* different roots in the interval                                            */
+    int counted;   /* the same, each as often as its multiplicity                                */
+    int crossings; /* different roots of odd multiplicity in (a,b): there the sign changes       */
+    int touches;   /* different roots of even multiplicity in (a,b): there it does not           */
+};
+
+/* UNDEFINED for p = 0 (every number is a root) and for a > b. */
+struct root_count count_roots(poly p, num_q a, num_q b, enum ends ends);
+
+/* The same over the real line, (a, infinity), (-infinity, b).  UNDEFINED for p = 0. */
+struct root_count count_roots_line(poly p);
+struct root_count count_roots_above(poly p, num_q a);
+struct root_count count_roots_below(poly p, num_q b);
+
+/* A power B of two such that -B < x < B for every root x of p, the complex ones included.
+ * UNDEFINED for p = 0.  Source: M. Fujiwara, Tohoku Math. J. 10 (1916). */
+num_q root_bound(poly p);
+
+/* One real root: the number lo = hi, or the only root of the squarefree polynomial `factor` in the
+ * open interval (lo,hi).  The ends of that interval may be roots themselves, other ones. */
+struct root {
+    num_q lo, hi;
+    int multiplicity; /* in the polynomial that was asked about, a multiple of factor            */
+    poly factor;
+};
+
+/* The different roots in [a,b] in increasing order, in disjoint intervals; the first `room` of them
+ * go to out.  Returns how many there are.  UNDEFINED for p = 0 and for a > b. */
+int isolate_roots(poly p, num_q a, num_q b, struct root out[], int room);
+
+/* The same root with hi - lo <= width, by bisection.  UNDEFINED unless width > 0. */
+struct root refine_root(struct root r, num_q width);
+#endif

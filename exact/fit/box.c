@@ -1,0 +1,244 @@
+/* stationary_box.c -- gradient and Hessian of the cost over a box of unknowns, point by point. */
+#include "exact/fit/box.h"
+
+#include "exact/fit/foot.h"
+#include "exact/fit/interval.h"
+
+#include <stdlib.h>
+
+enum { ENTRIES = WIDTH * MAX_DIM }; /* unknowns that count at one point */
+
+static const char *const pole = "the derivatives at this point cannot be enclosed";
+
+/* ---- the box -------------------------------------------------------------------------------------- */
+
+int stationary_box_new(struct box *b, const stationary_problem *problem)
+{
+    const cagd_spline *curve = problem->curve;
+    size_t count = (size_t)curve->count, dim = (size_t)curve->dim, n = (size_t)problem->unknowns;
+    *b = (struct box){.problem = problem, .n = problem->unknowns, .where = -1};
+    b->of_weight = malloc(count * sizeof(int));
+    b->of_coordinate = malloc(count * dim * sizeof(int));
+    b->knot = malloc((count + (size_t)curve->degree + 1) * sizeof(num_i));
+    b->point = malloc(count * dim * sizeof(num_i));
+    b->weight = malloc(count * sizeof(num_i));
+    b->gradient = malloc((n + 1) * sizeof(struct interval));
+    b->hessian = malloc((n * n + 1) * sizeof(struct interval));
+    if (b->gradient != NULL)
+        sums_init(b->n, b->gradient);
+    if (b->hessian != NULL)
+        sums_init(b->n * b->n, b->hessian);
+    if (b->of_weight == NULL || b->of_coordinate == NULL || b->knot == NULL || b->point == NULL || b->weight == NULL ||
+        b->gradient == NULL || b->hessian == NULL)
+        return 0;
+    for (size_t i = 0; i < count; i++)
+        b->of_weight[i] = -1;
+    for (size_t m = 0; m < count * dim; m++)
+        b->of_coordinate[m] = -1;
+    for (int a = 0; a < b->n; a++) {
+        const cagd_fit_unknown *u = &problem->unknown[a];
+        if (u->is_weight)
+            b->of_weight[u->index] = a;
+        else
+            b->of_coordinate[u->index * curve->dim + u->coordinate] = a;
+    }
+    return 1;
+}
+
+void stationary_box_free(struct box *b)
+{
+    if (b->gradient != NULL)
+        sums_clear(b->n, b->gradient);
+    if (b->hessian != NULL)
+        sums_clear(b->n * b->n, b->hessian);
+    free(b->of_weight);
+    free(b->of_coordinate);
+    free(b->knot);
+    free(b->point);
+    free(b->weight);
+    free(b->gradient);
+    free(b->hessian);
+}
+
+static void box_fill(struct box *b, const double radius[])
+{
+    const cagd_spline *curve = b->problem->curve;
+    b->radius = radius;
+    b->is_point = 1;
+    for (int a = 0; a < b->n; a++)
+        b->is_point &= radius[a] == 0;
+    b->reason = NULL;
+    b->where = -1;
+    for (int i = 0; i < curve->count + curve->degree + 1; i++)
+        b->knot[i] = number(curve->knots[i]);
+    for (int i = 0; i < curve->count; i++) {
+        double w = curve->weights != NULL ? curve->weights[i] : 1;
+        b->weight[i] = b->of_weight[i] < 0 ? number(w) : factor_around(w, radius[b->of_weight[i]]);
+    }
+    for (int m = 0; m < curve->count * curve->dim; m++) {
+        int a = b->of_coordinate[m];
+        b->point[m] = a < 0 ? number(curve->points[m]) : around(curve->points[m], radius[a]);
+    }
+    for (int a = 0; a < b->n; a++) {
+        mpfr_set_zero(b->gradient[a].lo, 1);
+        mpfr_set_zero(b->gradient[a].hi, 1);
+    }
+    for (int m = 0; m < b->n * b->n; m++) {
+        mpfr_set_zero(b->hessian[m].lo, 1);
+        mpfr_set_zero(b->hessian[m].hi, 1);
+    }
+}
+
+/* ---- what a point adds ------------------------------------------------------------------------------ */
+
+/* rho'(s) and rho''(s), the latter the hull of both one-sided values where it jumps. */
+static void loss_derivatives(const stationary_problem *problem, num_i s, num_i *first, num_i *second)
+{
+    num_i one = number(1), a = number(problem->loss_scale), aa = mul_i(a, a);
+    *first = one;
+    *second = number(0);
+    if (problem->loss == CAGD_FIT_CAUCHY) {
+        *first = div_i(one, add_i(one, div_i(s, aa)));
+        *second = neg_i(div_i(mul_i(*first, *first), aa));
+    }
+    if (problem->loss == CAGD_FIT_HUBER && sign_i(sub_i(s, aa)) >= 0 && !mpfr_lessequal_p(s.at->hi, aa.at->lo)) {
+        struct interval *outside = region_slot(SLOT_INTERVAL); /* of s: where it is not less than a^2 */
+        mpfr_max(outside->lo, s.at->lo, aa.at->lo, MPFR_RNDD);
+        mpfr_set(outside->hi, s.at->hi, MPFR_RNDU);
+        num_i beyond = {outside}, root = root_i(2, beyond);
+        num_i slope = div_i(a, root), bend = neg_i(div_i(slope, mul_i(number(2), beyond)));
+        int straddles = mpfr_less_p(s.at->lo, aa.at->hi);
+        *first = straddles ? hull(one, slope) : slope;
+        *second = straddles ? hull(number(0), bend) : bend;
+    }
+}
+
+/* An unknown that counts at this point. */
+struct entry {
+    int unknown, m, c; /* c = -1: the weight of m                                             */
+    num_i slope, turn; /* D.C_a, and C_a.C' + D.C_a' at phi = 0                               */
+};
+
+/* C_e.C_f + D.C_ef for e <= f. */
+static num_i second_part(const struct view *v, int dim, const num_i *away, const num_i *A, const struct entry *e,
+                         const struct entry *f)
+{
+    num_i both = mul_i(v->R[0][e->m], v->R[0][f->m]), sum;
+    if (e->c >= 0 && f->c >= 0)
+        return e->c == f->c ? both : number(0);
+    if (e->c < 0 && f->c < 0) {
+        sum = inner(dim, away + e->m * dim, away + f->m * dim);
+        sum = mul_i(both, sub_i(sum, add_i(A[e->m], A[f->m])));
+        return e->m == f->m ? add_i(sum, mul_i(v->R[0][e->m], A[e->m])) : sum;
+    }
+    const struct entry *w = e->c < 0 ? e : f, *x = e->c < 0 ? f : e;
+    sum = mul_i(both, sub_i(away[w->m * dim + x->c], v->D[x->c]));
+    return w->m == x->m ? add_i(sum, mul_i(v->R[0][x->m], v->D[x->c])) : sum;
+}
+
+/* Adds what point i adds to gradient and Hessian. */
+static int add_point(struct box *b, int i)
+{
+    const stationary_problem *problem = b->problem;
+    struct view v;
+    struct entry entry[ENTRIES];
+    num_i away[WIDTH * MAX_DIM], A[WIDTH], first, second;
+    int dim = problem->curve->dim, entries = 0;
+    enum foot foot = stationary_enclose_foot(b, i, &v);
+    if (foot == NO_FOOT || foot == FOOT_ON_FIXED_END)
+        return foot == FOOT_ON_FIXED_END;
+    num_i sigma = number(problem->data->sigma != NULL ? problem->data->sigma[i] : 1), s = number(0);
+    num_i precision = div_i(number(1), square(sigma));
+    for (int c = 0; c < dim; c++)
+        s = add_i(s, square(v.D[c]));
+    loss_derivatives(problem, mul_i(s, precision), &first, &second);
+    first = mul_i(first, precision);
+    second = mul_i(mul_i(number(2), second), square(precision));
+    for (int m = 0; m < v.width; m++) {
+        int index = v.first + m, a = b->of_weight[index];
+        if (a >= 0) {
+            for (int c = 0; c < dim; c++)
+                away[m * dim + c] = sub_i(v.X[m * dim + c], v.D[c]);
+            A[m] = inner(dim, v.D, away + m * dim);
+            num_i turn = mul_i(v.R[0][m], inner(dim, v.C1, away + m * dim));
+            turn = add_i(turn, mul_i(v.R[1][m], A[m]));
+            entry[entries++] = (struct entry){a, m, -1, mul_i(v.R[0][m], A[m]), turn};
+        }
+        for (int c = 0; c < dim; c++) {
+            a = b->of_coordinate[index * dim + c];
+            if (a >= 0) {
+                num_i turn = add_i(mul_i(v.R[0][m], v.C1[c]), mul_i(v.R[1][m], v.D[c]));
+                entry[entries++] = (struct entry){a, m, c, mul_i(v.R[0][m], v.D[c]), turn};
+            }
+        }
+    }
+    for (int k = 0; k < entries; k++) {
+        struct entry *e = &entry[k];
+        accumulate(&b->gradient[e->unknown], mul_i(first, e->slope));
+        int moves = foot == FOOT_INSIDE || foot == FOOT_NEAR_END;
+        num_i turn = moves ? div_i(e->turn, v.slope) : number(0);
+        num_i bend = mul_i(second, e->slope);
+        for (int l = k; l < entries; l++) {
+            struct entry *f = &entry[l];
+            int low = e->unknown < f->unknown ? e->unknown : f->unknown, high = e->unknown + f->unknown - low;
+            num_i part = second_part(&v, dim, away, A, e, f);
+            if (moves) {
+                num_i quotient = k == l ? div_i(square(e->turn), v.slope) : mul_i(turn, f->turn);
+                part = sub_i(part, foot == FOOT_INSIDE ? quotient : hull(number(0), quotient));
+            }
+            part = mul_i(first, part);
+            if (problem->loss != CAGD_FIT_SQUARES)
+                part = add_i(part, mul_i(bend, f->slope));
+            accumulate(&b->hessian[low * b->n + high], part);
+        }
+    }
+    return 1;
+}
+
+int stationary_enclose(struct box *b, const double radius[], int stride)
+{
+    region_mark mark = region_open();
+    unsigned before = region_faults;
+    int good = 1;
+    region_faults = 0;
+    box_fill(b, radius);
+    for (int i = stride / 2; good && i < b->problem->data->count; i += stride) {
+        region_mark one = region_open();
+        good = add_point(b, i);
+        if (good && region_faults != 0) {
+            b->reason = pole;
+            good = 0;
+        }
+        region_drop(one);
+    }
+    for (int a = 0; good && a < b->n; a++)
+        for (int k = 0; k < a; k++) {
+            mpfr_set(b->hessian[a * b->n + k].lo, b->hessian[k * b->n + a].lo, MPFR_RNDD);
+            mpfr_set(b->hessian[a * b->n + k].hi, b->hessian[k * b->n + a].hi, MPFR_RNDU);
+        }
+    region_drop(mark);
+    region_faults = before;
+    if (good) {
+        b->reason = NULL;
+        b->where = -1;
+    }
+    return good;
+}
+
+int stationary_enclosures(const stationary_problem *problem, const double radius[], double gradient_low[],
+                          double gradient_high[], double hessian_low[], double hessian_high[], int *where)
+{
+    struct box b;
+    int good = stationary_box_new(&b, problem) && stationary_enclose(&b, radius, 1);
+    *where = b.where;
+    for (int a = 0; good && a < b.n; a++) {
+        gradient_low[a] = mpfr_get_d(b.gradient[a].lo, MPFR_RNDD);
+        gradient_high[a] = mpfr_get_d(b.gradient[a].hi, MPFR_RNDU);
+        for (int k = a * b.n; k < (a + 1) * b.n; k++) {
+            hessian_low[k] = mpfr_get_d(b.hessian[k].lo, MPFR_RNDD);
+            hessian_high[k] = mpfr_get_d(b.hessian[k].hi, MPFR_RNDU);
+        }
+    }
+    stationary_box_free(&b);
+    return good;
+}

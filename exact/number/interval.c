@@ -1,0 +1,133 @@
+#include "exact/number/interval.h"
+
+static struct interval *fresh(void) { return region_slot(SLOT_INTERVAL); }
+
+static num_i whole_line(unsigned fault)
+{
+    struct interval *r = fresh();
+    region_faults |= fault;
+    mpfr_set_inf(r->lo, -1);
+    mpfr_set_inf(r->hi, +1);
+    return (num_i){r};
+}
+
+num_i from_rational_i(num_q a)
+{
+    struct interval *r = fresh();
+    mpfr_set_q(r->lo, a.at, MPFR_RNDD);
+    mpfr_set_q(r->hi, a.at, MPFR_RNDU);
+    return (num_i){r};
+}
+num_i from_int_i(long m)
+{
+    struct interval *r = fresh();
+    mpfr_set_si(r->lo, m, MPFR_RNDD);
+    mpfr_set_si(r->hi, m, MPFR_RNDU);
+    return (num_i){r};
+}
+num_i from_ratio_i(long m, long n) { return div_i(from_int_i(m), from_int_i(n)); }
+
+num_i add_i(num_i a, num_i b)
+{
+    struct interval *r = fresh();
+    mpfr_add(r->lo, a.at->lo, b.at->lo, MPFR_RNDD);
+    mpfr_add(r->hi, a.at->hi, b.at->hi, MPFR_RNDU);
+    return (num_i){r};
+}
+num_i sub_i(num_i a, num_i b)
+{
+    struct interval *r = fresh();
+    mpfr_sub(r->lo, a.at->lo, b.at->hi, MPFR_RNDD);
+    mpfr_sub(r->hi, a.at->hi, b.at->lo, MPFR_RNDU);
+    return (num_i){r};
+}
+num_i neg_i(num_i a)
+{
+    struct interval *r = fresh();
+    mpfr_neg(r->lo, a.at->hi, MPFR_RNDD);
+    mpfr_neg(r->hi, a.at->lo, MPFR_RNDU);
+    return (num_i){r};
+}
+
+/* One end of a product.  0 * infinity counts as 0: infinite ends are limits only. */
+static void product(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t rounding)
+{
+    mpfr_mul(r, x, y, rounding);
+    if (mpfr_nan_p(r))
+        mpfr_set_zero(r, 1);
+}
+
+/* Of a, when every point is >= 0: +1; when every point is <= 0: -1; else 0. */
+static int side(num_i a) { return mpfr_sgn(a.at->lo) >= 0 ? 1 : mpfr_sgn(a.at->hi) <= 0 ? -1 : 0; }
+
+/* The ends of a product are products of ends: which, the signs say, unless both factors have points of both. */
+num_i mul_i(num_i a, num_i b)
+{
+    struct interval *r = fresh();
+    int A = side(a), B = side(b);
+    if (A == 0 && B == 0) {
+        mpfr_t other;
+        mpfr_init2(other, INTERVAL_PRECISION);
+        product(r->lo, a.at->lo, b.at->hi, MPFR_RNDD);
+        product(other, a.at->hi, b.at->lo, MPFR_RNDD);
+        mpfr_min(r->lo, r->lo, other, MPFR_RNDD);
+        product(r->hi, a.at->lo, b.at->lo, MPFR_RNDU);
+        product(other, a.at->hi, b.at->hi, MPFR_RNDU);
+        mpfr_max(r->hi, r->hi, other, MPFR_RNDU);
+        mpfr_clear(other);
+        return (num_i){r};
+    }
+    /* the lower end is the least product: of the ends of a that go with that of b, and conversely */
+    mpfr_srcptr a_low = B > 0 || (B == 0 && A < 0) ? a.at->lo : a.at->hi;
+    mpfr_srcptr b_low = A > 0 || (A == 0 && B < 0) ? b.at->lo : b.at->hi;
+    mpfr_srcptr a_high = B > 0 || (B == 0 && A > 0) ? a.at->hi : a.at->lo;
+    mpfr_srcptr b_high = A > 0 || (A == 0 && B > 0) ? b.at->hi : b.at->lo;
+    product(r->lo, a_low, b_low, MPFR_RNDD);
+    product(r->hi, a_high, b_high, MPFR_RNDU);
+    return (num_i){r};
+}
+num_i div_i(num_i a, num_i b)
+{
+    if (mpfr_zero_p(b.at->lo) && mpfr_zero_p(b.at->hi))
+        return whole_line(FAULT_UNDEFINED);
+    if (contains_zero_i(b))
+        return whole_line(FAULT_UNABLE);
+    struct interval *r = fresh();
+    int A = side(a), B = side(b);
+    mpfr_srcptr a_low = B > 0 ? a.at->lo : a.at->hi, a_high = B > 0 ? a.at->hi : a.at->lo;
+    /* the lower end is negative unless A = B, and then it is large where the divisor is small in size */
+    mpfr_srcptr small = B > 0 ? b.at->lo : b.at->hi, large = B > 0 ? b.at->hi : b.at->lo;
+    mpfr_div(r->lo, a_low, A == B ? large : small, MPFR_RNDD);
+    mpfr_div(r->hi, a_high, A == 0 || A == B ? small : large, MPFR_RNDU);
+    return (num_i){r};
+}
+
+num_i root_i(int n, num_i a)
+{
+    if (n < 1 || mpfr_sgn(a.at->hi) < 0)
+        return whole_line(FAULT_UNDEFINED);
+    struct interval *r = fresh();
+    if (mpfr_sgn(a.at->lo) < 0) {
+        region_faults |= FAULT_UNABLE;
+        mpfr_set_zero(r->lo, 1);
+    } else {
+        mpfr_rootn_ui(r->lo, a.at->lo, (unsigned long)n, MPFR_RNDD);
+    }
+    mpfr_rootn_ui(r->hi, a.at->hi, (unsigned long)n, MPFR_RNDU);
+    return (num_i){r};
+}
+
+int contains_i(num_i a, num_q x) { return mpfr_cmp_q(a.at->lo, x.at) <= 0 && mpfr_cmp_q(a.at->hi, x.at) >= 0; }
+int contains_zero_i(num_i a) { return mpfr_sgn(a.at->lo) <= 0 && mpfr_sgn(a.at->hi) >= 0; }
+int sign_i(num_i a) { return mpfr_sgn(a.at->lo) > 0 ? 1 : mpfr_sgn(a.at->hi) < 0 ? -1 : 0; }
+double lower_i(num_i a) { return mpfr_get_d(a.at->lo, MPFR_RNDD); }
+double upper_i(num_i a) { return mpfr_get_d(a.at->hi, MPFR_RNDU); }
+double width_i(num_i a)
+{
+    mpfr_t w;
+    mpfr_init2(w, 53);
+    mpfr_sub(w, a.at->hi, a.at->lo, MPFR_RNDU);
+    double v = mpfr_get_d(w, MPFR_RNDU);
+    mpfr_clear(w);
+    return v;
+}

@@ -1,0 +1,108 @@
+#include "exact/number/region.h"
+
+#include "exact/number/slots.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { CHUNK = 1024, PAGE = 1 << 16 };
+
+/* One growing sequence of slots of one kind: chunk c holds slots c*CHUNK ... c*CHUNK + CHUNK - 1. */
+struct pool {
+    char **chunk;
+    size_t chunks, used, made;
+};
+
+_Thread_local unsigned region_faults;
+static _Thread_local struct pool pools[SLOT_KINDS];
+static _Thread_local struct pool pages; /* used counts bytes, the unused ends of pages included */
+static _Thread_local struct pool large; /* blocks that do not fit in a page, one chunk each     */
+
+static void *must(void *p)
+{
+    if (p == NULL) {
+        fputs("cagd: out of memory\n", stderr);
+        abort();
+    }
+    return p;
+}
+
+static char *one_more_chunk(struct pool *pool, size_t bytes)
+{
+    pool->chunk = must(realloc(pool->chunk, (pool->chunks + 1) * sizeof *pool->chunk));
+    return pool->chunk[pool->chunks++] = must(malloc(bytes));
+}
+
+static void *slot_at(enum slot_kind kind, size_t k)
+{
+    return pools[kind].chunk[k / CHUNK] + k % CHUNK * slot_ops[kind].size;
+}
+
+void *region_slot(enum slot_kind kind)
+{
+    struct pool *pool = &pools[kind];
+    if (pool->used == pool->made) {
+        if (pool->made == pool->chunks * CHUNK)
+            one_more_chunk(pool, CHUNK * slot_ops[kind].size);
+        slot_ops[kind].init(slot_at(kind, pool->made++));
+    }
+    return slot_at(kind, pool->used++);
+}
+
+/* A request that does not fit in the current page starts a new one; a large one has its own chunk. */
+void *region_bytes(size_t n)
+{
+    n = n == 0 ? 16 : (n + 15) & ~(size_t)15;
+    if (n > PAGE)
+        return one_more_chunk(&large, n);
+    if (pages.used % PAGE + n > PAGE)
+        pages.used = (pages.used / PAGE + 1) * PAGE;
+    while (pages.chunks * PAGE < pages.used + n)
+        one_more_chunk(&pages, PAGE);
+    void *p = pages.chunk[pages.used / PAGE] + pages.used % PAGE;
+    pages.used += n;
+    return p;
+}
+
+region_mark region_open(void)
+{
+    region_mark m = {.bytes = pages.used, .large = large.chunks};
+    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++)
+        m.used[kind] = pools[kind].used;
+    return m;
+}
+
+void region_drop(region_mark m)
+{
+    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
+        struct pool *pool = &pools[kind];
+        pool->used = m.used[kind];
+        if (!slot_ops[kind].reusable)
+            while (pool->made > pool->used)
+                slot_ops[kind].clear(slot_at(kind, --pool->made));
+    }
+    pages.used = m.bytes;
+    while (large.chunks > m.large)
+        free(large.chunk[--large.chunks]);
+}
+
+static void free_chunks(struct pool *pool)
+{
+    for (size_t c = 0; c < pool->chunks; c++)
+        free(pool->chunk[c]);
+    free(pool->chunk);
+    *pool = (struct pool){0};
+}
+
+void region_free_all(void)
+{
+    region_drop((region_mark){{0}, 0, 0});
+    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
+        struct pool *pool = &pools[kind];
+        while (pool->made > 0)
+            slot_ops[kind].clear(slot_at(kind, --pool->made));
+        free_chunks(pool);
+    }
+    free_chunks(&pages);
+    free_chunks(&large);
+}

@@ -1,0 +1,364 @@
+#include "exact/record/trace.h"
+
+#include "exact/number/region.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+_Thread_local struct trace *tracing;
+
+struct text {
+    char *at;
+    size_t length, room;
+};
+
+/* Which node a slot holds: open addressing by the address, as many slots as the nodes ask for. */
+struct place {
+    const void *slot;
+    int node;
+};
+
+enum { MOST_VARIABLES = 128, LONGEST_NAME = 16 };
+
+struct trace {
+    char variable[MOST_VARIABLES][LONGEST_NAME];
+    int node_of_variable[MOST_VARIABLES], variables;
+    struct text inputs, nodes, steps;
+    struct place *place;
+    size_t places, taken, most, count;
+    int paused, gave_up, input_count;
+};
+
+/* There is room for n more bytes and the 0 at the end. */
+static void make_room(struct text *t, size_t n)
+{
+    if (t->length + n < t->room)
+        return;
+    t->room = 2 * t->room + n + 256;
+    t->at = realloc(t->at, t->room);
+    if (t->at == NULL)
+        abort();
+}
+
+static void put(struct text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void put(struct text *t, const char *format, ...)
+{
+    make_room(t, 0);
+    for (int n = 0;; make_room(t, (size_t)n)) {
+        va_list list;
+        va_start(list, format);
+        n = vsnprintf(t->at + t->length, t->room - t->length, format, list);
+        va_end(list);
+        if (t->length + (size_t)n < t->room) {
+            t->length += (size_t)n;
+            return;
+        }
+    }
+}
+
+/* Nodes are written by the million, so without format. */
+static void put_word(struct text *t, const char *word)
+{
+    size_t n = strlen(word);
+    make_room(t, n);
+    memcpy(t->at + t->length, word, n + 1);
+    t->length += n;
+}
+static void put_index(struct text *t, int k)
+{
+    char digits[16], *at = digits + sizeof digits - 1;
+    *at = '\0';
+    do
+        *--at = (char)('0' + k % 10);
+    while ((k /= 10) > 0);
+    put_word(t, at);
+}
+
+/* A comma unless something was just opened. */
+static void separate(struct text *t)
+{
+    char last = t->length > 0 ? t->at[t->length - 1] : '[';
+    if (last != '[' && last != '{' && last != ':')
+        put_word(t, ",");
+}
+
+static void put_value(struct text *t, mpq_srcptr x)
+{
+    if (x == NULL) {
+        put(t, "null");
+        return;
+    }
+    put_word(t, "\"");
+    make_room(t, mpz_sizeinbase(mpq_numref(x), 10) + mpz_sizeinbase(mpq_denref(x), 10) + 3);
+    mpq_get_str(t->at + t->length, 10, x);
+    t->length += strlen(t->at + t->length);
+    put_word(t, "\"");
+}
+
+void trace_open(size_t most)
+{
+    tracing = calloc(1, sizeof *tracing);
+    if (tracing == NULL)
+        abort();
+    tracing->most = most;
+    tracing->places = 1024;
+    tracing->place = calloc(tracing->places, sizeof *tracing->place);
+    if (tracing->place == NULL)
+        abort();
+    put(&tracing->inputs, "[");
+    put(&tracing->nodes, "[");
+    put(&tracing->steps, "[");
+}
+
+void trace_close(void)
+{
+    free(tracing->inputs.at);
+    free(tracing->nodes.at);
+    free(tracing->steps.at);
+    free(tracing->place);
+    free(tracing);
+    tracing = NULL;
+}
+
+void trace_again(void)
+{
+    if (tracing == NULL)
+        return;
+    size_t most = tracing->most;
+    trace_close();
+    trace_open(most);
+}
+
+static const char *finished(struct text *t)
+{
+    if (tracing->gave_up)
+        return NULL;
+    if (t->at[t->length - 1] != '\n')
+        put(t, "]\n");
+    return t->at;
+}
+const char *trace_inputs(void) { return finished(&tracing->inputs); }
+const char *trace_nodes(void) { return finished(&tracing->nodes); }
+const char *trace_steps(void) { return finished(&tracing->steps); }
+
+/* ---- nodes ------------------------------------------------------------------------------------ */
+
+static struct place *find(struct place *table, size_t size, const void *slot)
+{
+    size_t k = (size_t)(((uintptr_t)slot >> 4) * 0x9e3779b97f4a7c15u) & (size - 1);
+    while (table[k].slot != NULL && table[k].slot != slot)
+        k = (k + 1) & (size - 1);
+    return &table[k];
+}
+
+static void hold(const void *slot, int node)
+{
+    struct trace *T = tracing;
+    if (2 * T->taken >= T->places) {
+        struct place *larger = calloc(2 * T->places, sizeof *larger);
+        if (larger == NULL)
+            abort();
+        for (size_t k = 0; k < T->places; k++)
+            if (T->place[k].slot != NULL)
+                *find(larger, 2 * T->places, T->place[k].slot) = T->place[k];
+        free(T->place);
+        T->place = larger;
+        T->places *= 2;
+    }
+    struct place *p = find(T->place, T->places, slot);
+    T->taken += p->slot == NULL;
+    *p = (struct place){slot, node};
+}
+
+void trace_pause(void)
+{
+    if (tracing != NULL)
+        tracing->paused++;
+}
+void trace_resume(void)
+{
+    if (tracing != NULL)
+        tracing->paused--;
+}
+int trace_is_noting(void) { return tracing->paused == 0 && !tracing->gave_up; }
+
+void trace_fresh(const void *slot)
+{
+    struct place *p = find(tracing->place, tracing->places, slot);
+    if (p->slot != NULL)
+        p->node = -1;
+}
+
+int trace_known(const void *slot)
+{
+    struct place *p = find(tracing->place, tracing->places, slot);
+    return p->slot != NULL ? p->node : -1;
+}
+
+/* Begins a node for the slot, whose arguments the caller puts, and its bracket; 0 when there are too many.  The rest of
+ * the computation is of no use then, and the fault lets the field hurry to its end. */
+static int begin_node(const void *slot, const char *op)
+{
+    if (tracing->gave_up || tracing->count >= tracing->most) {
+        tracing->gave_up = 1;
+        region_faults |= FAULT_UNABLE;
+        return 0;
+    }
+    separate(&tracing->nodes);
+    put_word(&tracing->nodes, "[\"");
+    put_word(&tracing->nodes, op);
+    put_word(&tracing->nodes, "\"");
+    hold(slot, (int)tracing->count++);
+    return 1;
+}
+
+void trace_node(const void *slot, const char *op, int count, const int argument[])
+{
+    if (!begin_node(slot, op))
+        return;
+    for (int k = 0; k < count; k++) {
+        put_word(&tracing->nodes, ",");
+        put_index(&tracing->nodes, argument[k]);
+    }
+    put_word(&tracing->nodes, "]");
+}
+
+void trace_literal(const void *slot, const char *op, int count, mpq_srcptr (*get)(const void *list, int k),
+                   const void *list)
+{
+    if (!begin_node(slot, op))
+        return;
+    for (int k = 0; k < count; k++) {
+        put_word(&tracing->nodes, ",");
+        put_value(&tracing->nodes, get(list, k));
+    }
+    put_word(&tracing->nodes, "]");
+}
+
+static mpq_srcptr itself(const void *number, int k)
+{
+    (void)k;
+    return number;
+}
+
+int trace_number(mpq_srcptr a)
+{
+    int node = trace_known(a);
+    if (node < 0) {
+        trace_literal(a, "o", 1, itself, a);
+        node = trace_known(a);
+    }
+    return node;
+}
+
+void trace_alias(const void *slot, int node) { hold(slot, node); }
+
+void trace_text(const void *slot, const char *op, const char *text)
+{
+    if (begin_node(slot, op))
+        put(&tracing->nodes, ",\"%s\"]", text);
+}
+
+/* The next input, without its value and bracket. */
+static void begin_input(const void *slot, const char *name, int index)
+{
+    trace_node(slot, "x", 1, &tracing->input_count);
+    tracing->input_count++;
+    separate(&tracing->inputs);
+    put(&tracing->inputs, "[\"%s", name);
+    if (index >= 0)
+        put(&tracing->inputs, "%d", index);
+    put(&tracing->inputs, "\",");
+}
+
+void trace_input(mpq_srcptr r, const char *name, int index)
+{
+    begin_input(r, name, index);
+    put_value(&tracing->inputs, r);
+    put(&tracing->inputs, "]");
+}
+
+/* Any positive value will do; those of splitmix64 have no relations that one would think of. */
+void trace_variable(const void *slot, const char *name)
+{
+    int v = 0;
+    while (v < tracing->variables && strcmp(tracing->variable[v], name) != 0)
+        v++;
+    if (v < tracing->variables) {
+        hold(slot, tracing->node_of_variable[v]);
+        return;
+    }
+    if (v == MOST_VARIABLES || strlen(name) >= LONGEST_NAME) {
+        tracing->gave_up = 1;
+        return;
+    }
+    begin_input(slot, name, -1);
+    uint64_t z = (uint64_t)(v + 1) * 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    put(&tracing->inputs, "\"%d/%d\"]", (int)(z % 997) + 1, (int)((z >> 20) % 89) + 11);
+    strcpy(tracing->variable[v], name);
+    tracing->node_of_variable[tracing->variables++] = trace_known(slot);
+}
+
+/* ---- steps ------------------------------------------------------------------------------------ */
+
+static const char *truth(int condition) { return condition ? "true" : "false"; }
+
+void trace_same(int i, int j, int equal)
+{
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"same\":[%d,%d],\"equal\":%s}", i, j, truth(equal));
+}
+
+void trace_agree(int condition)
+{
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"agree\":%s}", truth(condition));
+}
+
+void trace_nonnegative(int i, int good, const char *text, int sign)
+{
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"nonnegative\":%d,\"good\":%s", i, truth(good));
+    if (text != NULL)
+        put(&tracing->steps, ",\"text\":\"%s\",\"sign\":%d", text, sign);
+    put(&tracing->steps, "}");
+}
+
+void trace_relation(const char *kind, int i, int j, int is)
+{
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"fact\":\"%s\",\"of\":[%d,%d],\"is\":%d}", kind, i, j, is);
+}
+void trace_order(mpq_srcptr a, mpq_srcptr b, int order)
+{
+    int i = trace_number(a), j = b != NULL ? trace_number(b) : -1;
+    trace_relation("order", i, j, (order > 0) - (order < 0));
+}
+void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal)
+{
+    int i = trace_number(a), j = b != NULL ? trace_number(b) : -1;
+    trace_relation("equal", i, j, equal != 0);
+}
+
+int trace_fact(const char *kind)
+{
+    if (!trace_noting())
+        return 0;
+    separate(&tracing->steps);
+    put(&tracing->steps, "{\"fact\":\"%s\"", kind);
+    return 1;
+}
+void trace_put(const char *field, int x) { put(&tracing->steps, ",\"%s\":%d", field, x); }
+void trace_put_list(const char *field, int count, const int x[])
+{
+    put(&tracing->steps, ",\"%s\":[", field);
+    for (int k = 0; k < count; k++)
+        put(&tracing->steps, k > 0 ? ",%d" : "%d", x[k]);
+    put(&tracing->steps, "]");
+}
+void trace_fact_end(void) { put(&tracing->steps, "}"); }
