@@ -1,5 +1,5 @@
-/* fit_options.c -- what cagd fit is asked: its options, read and checked. */
-#include "cli/fit.h"
+/* options.c -- what cagd fit is asked: its options, read and checked. */
+#include "cli/fit/fit.h"
 
 #include <limits.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* fit.c -- cagd fit: reads points and curve, fits, verifies, and has the result told. */
-#include "cli/fit.h"
+#include "cli/fit/fit.h"
 
 #include <math.h>
 #include <stdlib.h>

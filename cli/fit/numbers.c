@@ -1,5 +1,5 @@
-/* fit_numbers.c -- estimates, intervals and counts, by the formulas that cagd_fit.h states for its result. */
-#include "cli/fit.h"
+/* numbers.c -- estimates, intervals and counts, by the formulas that cagd_fit.h states for its result. */
+#include "cli/fit/fit.h"
 
 #include <float.h>
 #include <math.h>

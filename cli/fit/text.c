@@ -1,5 +1,5 @@
-/* fit_text.c -- a fit in words. */
-#include "cli/fit.h"
+/* text.c -- a fit in words. */
+#include "cli/fit/fit.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
-/* fit_picture.c -- the picture of a fit: points, curve, control polygon; below, the distances over the parameter. */
-#include "cli/fit.h"
+/* picture.c -- the picture of a fit: points, curve, control polygon; below, the distances over the parameter. */
+#include "cli/fit/fit.h"
 #include "figures/svg.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* fit_json.c -- everything about a fit as JSON, and the curve as cagd curve reads it. */
-#include "cli/fit.h"
+/* json.c -- everything about a fit as JSON, and the curve as cagd curve reads it. */
+#include "cli/fit/fit.h"
 
 #include <math.h>
 

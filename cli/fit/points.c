@@ -1,4 +1,4 @@
-#include "cli/points.h"
+#include "cli/fit/points.h"
 
 #include <ctype.h>
 #include <errno.h>

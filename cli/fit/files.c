@@ -1,5 +1,5 @@
-/* fit_files.c -- the files of a fit: its curve, and its residuals as a table. */
-#include "cli/fit.h"
+/* files.c -- the files of a fit: its curve, and its residuals as a table. */
+#include "cli/fit/fit.h"
 
 #include <math.h>
 #include <stdlib.h>

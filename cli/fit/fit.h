@@ -3,7 +3,7 @@
 #define CAGD_CLI_FIT_H
 
 #include "cli/command.h"
-#include "cli/points.h"
+#include "cli/fit/points.h"
 #include "core/fit/cagd_fit.h"
 #include "exact/fit/stationary.h"
 
@@ -31,9 +31,9 @@ struct fit_arguments {
     int json, verbose, verify;
 };
 /* A usage error ends the program. */
-struct fit_arguments read_fit_arguments(int argc, char **argv); /* fit_options.c */
+struct fit_arguments read_fit_arguments(int argc, char **argv); /* options.c */
 
-/* ---- numbers of the result, by the formulas that its header states (fit_numbers.c) ----------------- */
+/* ---- numbers of the result, by the formulas that its header states (numbers.c) ----------------- */
 
 /* Whether only the distances from a given curve were asked for. */
 static inline int nothing_is_free(const struct fit *f) { return f->options.free == 0; }
@@ -78,10 +78,10 @@ json_t *path_json(const char *path);
 
 /* ---- what is printed and written ------------------------------------------------------------------ */
 
-void print_fit(const struct fit *f, int verbose);           /* fit_text.c    */
-json_t *fit_json(const struct fit *f);                      /* fit_json.c    */
+void print_fit(const struct fit *f, int verbose);           /* text.c    */
+json_t *fit_json(const struct fit *f);                      /* json.c    */
 json_t *fitted_curve_json(const cagd_spline *c);            /* as read_curve reads it; binary64 in 17 digits */
 int write_curve(const struct fit *f, const char *path);     /* each: 0, or a line on stderr        */
 int write_residuals(const struct fit *f, const char *path); /* CSV                                 */
-int write_picture(const struct fit *f, const char *path);   /* fit_picture.c                       */
+int write_picture(const struct fit *f, const char *path);   /* picture.c                       */
 #endif
