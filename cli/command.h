@@ -82,7 +82,7 @@ int make_folder(const char *path); /* with its parents; 0 on success            
 /* ---- curves (curve_json.c) --------------------------------------------------------------------- */
 
 /* A Bézier, rational Bézier, B-spline or NURBS curve, exactly as a file says it.  A Bézier curve is a spline of one
- * span over 0, ..., 0, 1, ..., 1.  Shapes as in core/bspline.tmpl.h; weights NULL: none.  Lives in the region. */
+ * span over 0, ..., 0, 1, ..., 1.  Shapes as in core/kernels/bspline.tmpl.h; weights NULL: none.  Lives in the region. */
 struct curve {
     int degree, count, dim;
     num_q *knots, *points, *weights;

@@ -5,6 +5,6 @@
 #include "exact/number/field.h"
 
 #define G(name) name##_f
-#include "core/kernels.tmpl.h"
+#include "core/kernels/kernels.tmpl.h"
 #undef G
 #endif

@@ -5,6 +5,6 @@
 #include "exact/number/interval.h"
 
 #define G(name) name##_i
-#include "core/kernels.tmpl.h"
+#include "core/kernels/kernels.tmpl.h"
 #undef G
 #endif

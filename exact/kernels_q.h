@@ -5,6 +5,6 @@
 #include "exact/number/rational.h"
 
 #define G(name) name##_q
-#include "core/kernels.tmpl.h"
+#include "core/kernels/kernels.tmpl.h"
 #undef G
 #endif

@@ -2,12 +2,12 @@
 #ifndef CAGD_EXACT_SPAN_H
 #define CAGD_EXACT_SPAN_H
 
-#include "core/knots.h"
+#include "core/kernels/knots.h"
 #include "exact/number/rational.h"
 
 static inline int before_q(num_q a, num_q b) { return compare_q(a, b) < 0; }
 
 #define G(name) name##_q
-#include "core/span.tmpl.h"
+#include "core/kernels/span.tmpl.h"
 #undef G
 #endif

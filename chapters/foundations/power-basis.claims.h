@@ -115,9 +115,9 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 
 /* The kernels in binary64, and those of this section once more in the number type that counts. */
 #undef G
-#include "core/kernels_d.h"
+#include "core/kernels/kernels_d.h"
 #define G(name) name##_c
-#include "core/power.tmpl.h"
+#include "core/kernels/power.tmpl.h"
 #undef G
 #define G(name) name##_q
 #endif

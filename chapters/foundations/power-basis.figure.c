@@ -1,7 +1,7 @@
 /* Figures of the section on the points of a cubic. */
 #include "chapters/foundations/figures.h"
 
-#include "core/kernels_d.h"
+#include "core/kernels/kernels_d.h"
 
 FIGURE(infinite_slope_and_two_values)
 {

@@ -57,7 +57,7 @@ static inline num_n root_n(int n, num_n a)
 
 #undef G
 #define G(name) name##_n
-#include "core/kernels.tmpl.h"
+#include "core/kernels/kernels.tmpl.h"
 #undef G
 
 enum { counted_points = 18, counted_knots = 2 * counted_points };

@@ -376,7 +376,7 @@ The text says Bernstein polynomials of any degree; here up to the degrees of the
 /* The kernels of Bézier curves once more in the number type that counts. */
 #undef G
 #define G(name) name##_c
-#include "core/bezier.tmpl.h"
+#include "core/kernels/bezier.tmpl.h"
 #undef G
 #define G(name) name##_q
 #endif

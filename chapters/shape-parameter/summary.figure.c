@@ -4,7 +4,7 @@
 
 /* The kernels of Bézier curves in the type that counts. */
 #define G(name) name##_c
-#include "core/bezier.tmpl.h"
+#include "core/kernels/bezier.tmpl.h"
 #undef G
 
 #include <stdio.h>

@@ -39,7 +39,7 @@
 #ifndef CAGD_FIT_H
 #define CAGD_FIT_H
 
-#include "core/cagd.h"
+#include "core/api/cagd.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,6 +1,6 @@
 #include "core/fit/curve.h"
 
-#include "core/kernels_d.h"
+#include "core/kernels/kernels_d.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #include "core/fit/ceres.h"
 #include "core/fit/feet.h"
 #include "core/fit/reduction.h"
-#include "core/kernels_d.h"
+#include "core/kernels/kernels_d.h"
 
 #include <float.h>
 #include <math.h>

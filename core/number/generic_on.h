@@ -3,7 +3,7 @@
  * Before such text is included, G says how names are completed:
  *
  *     #define G(name) name##_q        d binary64        m binary64 with a running error bound
- *     #include "core/kernels.tmpl.h"  q rationals       i intervals
+ *     #include "core/kernels/kernels.tmpl.h"  q rationals       i intervals
  *     #undef G                        f rational functions in named variables
  *
  * Inside the section the plain words below mean num_q, add_q, ... and G(name) names the instance.

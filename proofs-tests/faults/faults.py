@@ -2,7 +2,7 @@
 
     faults.py [--sample N] [--seed S] [--file NAME] [--chapters LIST] [--types LIST] [--shard K/N] [--list] [--jobs N]
 
-Each fault is one replacement at one place of core/*.tmpl.h.  In a copy of the tree every place gets a switch that
+Each fault is one replacement at one place of core/kernels/*.tmpl.h.  In a copy of the tree every place gets a switch that
 chooses, when the program runs, between what stands there and the fault; the switch of one fault is on when the
 environment names its number.  So one build holds as many faults as do not overlap.  A fault is judged first by the
 claims that define its kernel, then, if these all hold, by all claims.  A fault that survives is a claim that
@@ -89,7 +89,7 @@ def without_comments(text):
 
 def faults():
     found = []
-    for path in sorted((ROOT / "core").glob("*.tmpl.h")):
+    for path in sorted((ROOT / "core/kernels").glob("*.tmpl.h")):
         text = path.read_text()
         code = without_comments(text)
         for rule, pattern, becomes in RULES:
@@ -148,7 +148,7 @@ class Copy:
     def __init__(self, folder, jobs, chapters, types):
         self.root, self.jobs = pathlib.Path(folder) / "tree", str(jobs)
         shutil.copytree(ROOT, self.root, ignore=shutil.ignore_patterns("build", "build-*", ".git"))
-        self.original = {path.name: path.read_text() for path in (self.root / "core").glob("*.tmpl.h")}
+        self.original = {path.name: path.read_text() for path in (self.root / "core/kernels").glob("*.tmpl.h")}
         self.must("cmake", "-G", "Ninja", "-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug",
                   "-DCMAKE_C_FLAGS_DEBUG=-O0", "-DBUILD_TESTING=OFF", "-DCAGD_TYPES=" + ";".join(types),
                   *(["-DCAGD_CHAPTERS=" + ";".join(chapters)] if chapters else []))
@@ -160,10 +160,10 @@ class Copy:
 
     def compiles(self, fault):
         """Whether the kernels are C with this fault, as it would be written: seen by the double instance."""
-        path = self.root / "core" / fault["file"]
+        path = self.root / "core/kernels" / fault["file"]
         path.write_text(fault["text"])
-        r = subprocess.run(["cc", "-std=c17", "-fsyntax-only", "-I.", "-include", "core/kernels_d.h", "-include",
-                            "core/span.h", "-x", "c", "/dev/null"], cwd=self.root, capture_output=True)
+        r = subprocess.run(["cc", "-std=c17", "-fsyntax-only", "-I.", "-include", "core/kernels/kernels_d.h", "-include",
+                            "core/kernels/span.h", "-x", "c", "/dev/null"], cwd=self.root, capture_output=True)
         path.write_text(self.original[fault["file"]])
         return r.returncode == 0
 
@@ -171,7 +171,7 @@ class Copy:
         for name, text in self.original.items():
             for f in sorted((f for f in batch if f["file"] == name), key=lambda f: -f["start"]):
                 text = text[: f["start"]] + f["switched"] + text[f["end"] :]
-            (self.root / "core" / name).write_text(SWITCH + text)
+            (self.root / "core/kernels" / name).write_text(SWITCH + text)
         self.must("cmake", "--build", "build", "--target", "cagd", "-j", self.jobs)
         listed = subprocess.run(["build/cagd", "list", "--json"], cwd=self.root, check=True, capture_output=True).stdout
         self.claims = {claim["name"] for claim in json.loads(listed)["claims"]}

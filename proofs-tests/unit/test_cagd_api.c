@@ -1,7 +1,7 @@
 /* test_cagd_api.c -- the public functions: what they compute is the kernels' values, what they refuse
  * is refused with the stated status and without writing. */
-#include "core/cagd.h"
-#include "core/kernels_d.h"
+#include "core/api/cagd.h"
+#include "core/kernels/kernels_d.h"
 
 #include <float.h>
 #include <setjmp.h>

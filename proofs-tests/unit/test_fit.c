@@ -6,7 +6,7 @@
 #include "core/fit/rank.h"
 #include "core/fit/reduction.h"
 #include "core/fit/strategy.h"
-#include "core/kernels_d.h"
+#include "core/kernels/kernels_d.h"
 
 #include <float.h>
 #include <setjmp.h>

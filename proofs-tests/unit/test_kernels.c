@@ -6,8 +6,8 @@
  *     f   is the constant q.
  *
  * The seed is the kernel's name; a failure prints the trial. */
-#include "core/kernels_d.h"
-#include "core/kernels_m.h"
+#include "core/kernels/kernels_d.h"
+#include "core/kernels/kernels_m.h"
 #include "exact/kernels_f.h"
 #include "exact/kernels_i.h"
 #include "exact/kernels_q.h"

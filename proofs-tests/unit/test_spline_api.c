@@ -1,8 +1,8 @@
 /* test_spline_api.c -- the public functions on splines: what they compute is the kernels' values, what they refuse is
  * refused with the stated status and without writing. */
-#include "core/cagd.h"
-#include "core/kernels_d.h"
-#include "core/span.h"
+#include "core/api/cagd.h"
+#include "core/kernels/kernels_d.h"
+#include "core/kernels/span.h"
 
 #include <float.h>
 #include <setjmp.h>

@@ -3,8 +3,8 @@
 #ifndef CAGD_CHECKS_H
 #define CAGD_CHECKS_H
 
-#include "core/cagd.h"
-#include "core/kernels_d.h"
+#include "core/api/cagd.h"
+#include "core/kernels/kernels_d.h"
 #include "core/require.h"
 
 #include <math.h>

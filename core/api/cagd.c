@@ -1,6 +1,6 @@
-#include "core/checks.h"
+#include "core/api/checks.h"
 
-#include "core/kernels_d.h"
+#include "core/kernels/kernels_d.h"
 
 _Static_assert((int)CAGD_MAX_DEGREE == MAX_DEGREE, "the header states the kernels' limit");
 _Static_assert((int)CAGD_MAX_DIM + 1 == MAX_DIM, "one coordinate is left for the weight");

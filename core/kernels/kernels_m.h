@@ -5,6 +5,6 @@
 #include "core/number/num_measured.h"
 
 #define G(name) name##_m
-#include "core/kernels.tmpl.h"
+#include "core/kernels/kernels.tmpl.h"
 #undef G
 #endif

@@ -1,6 +1,6 @@
 /* span.tmpl.h -- where a parameter lies among knots: the decisions that the kernels leave to their callers.
  *
- * Included once for binary64 (core/span.h) and once for rationals (exact/span.h); G(before)(a, b) says a < b.
+ * Included once for binary64 (core/kernels/span.h) and once for rationals (exact/span.h); G(before)(a, b) says a < b.
  * Shapes as in bspline.tmpl.h: n points of degree p, knots u_0, ..., u_{n+p}. */
 #include <stddef.h>
 

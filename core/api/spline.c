@@ -1,5 +1,5 @@
-#include "core/checks.h"
-#include "core/span.h"
+#include "core/api/checks.h"
+#include "core/kernels/span.h"
 
 static cagd_status status_of_knots(knot_fault fault)
 {

@@ -5,6 +5,6 @@
 #include "core/number/num_double.h"
 
 #define G(name) name##_d
-#include "core/kernels.tmpl.h"
+#include "core/kernels/kernels.tmpl.h"
 #undef G
 #endif

@@ -7,7 +7,7 @@
  * Spans.  A span is an index mu, p <= mu <= n-1, with u_mu < u_{mu+1}.  It says which polynomial segment
  * of s is meant: on it only c_{mu-p}, ..., c_mu count, and no divisor below is 0.  t may then be any number;
  * outside [u_mu, u_{mu+1}] the segment is continued as the polynomial that it is.  So a value from the left at
- * a knot is that of the span on the left.  Which span contains t is decided outside (core/span.h for binary64,
+ * a knot is that of the span on the left.  Which span contains t is decided outside (core/kernels/span.h for binary64,
  * exact/span.h for rationals).
  *
  * Results do not overlap arguments unless said.
