@@ -5,6 +5,7 @@
 #include "chapters/frame/figure.h"
 #include "chapters/frame/run.h"
 #include "exact/number/rational.h"
+#include "exact/words.h"
 
 #include <argp.h>
 #include <jansson.h>

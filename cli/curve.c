@@ -2,6 +2,7 @@
 #include "exact/decide/sign.h"
 #include "exact/kernels_q.h"
 #include "exact/span.h"
+#include "exact/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -124,7 +125,7 @@ static int evaluate(const struct arguments *a, const struct curve *c, num_q t, j
     int mu = (a->left ? find_span_left_q : find_span_q)(c->count, c->degree, c->knots, t), dim = c->dim;
     if (mu < 0)
         return complain(a, "there is no point outside the domain, at", t);
-    if (c->weights != NULL && is_zero_q(nurbs_weight_q(c->degree, c->knots, mu, c->weights, t)))
+    if (c->weights != NULL && cagd_is_zero_q(nurbs_weight_q(c->degree, c->knots, mu, c->weights, t)))
         return complain(a, "the total weight is 0, and so there is no point, at", t);
     int rows = a->derivatives > 3 ? a->derivatives + 1 : 4;
     num_q *D = numbers(rows * dim);
@@ -132,8 +133,8 @@ static int evaluate(const struct arguments *a, const struct curve *c, num_q t, j
         nurbs_derivatives_q(c->degree, dim, c->knots, mu, c->points, c->weights, t, rows - 1, D);
     else
         bspline_derivatives_q(c->degree, dim, c->knots, mu, c->points, t, rows, D);
-    int regular = dim > 1 && !is_zero_q(norm_squared_q(dim, D + dim));
-    int turns = dim == 3 && !is_zero_q(gram_q(3, D + 3, D + 6));
+    int regular = dim > 1 && !cagd_is_zero_q(norm_squared_q(dim, D + dim));
+    int turns = dim == 3 && !cagd_is_zero_q(gram_q(3, D + 3, D + 6));
     json_t *value = json_pack("{s:o}", "t", number_json(t));
     if (values == NULL)
         printf("at t = %s%s\n", to_string_q(t), a->left ? ", from the left" : "");
@@ -178,7 +179,8 @@ static int has_poles(const struct curve *c)
         if (!before_q(c->knots[mu], c->knots[mu + 1]))
             continue;
         bspline_to_bezier_q(c->degree, 1, c->knots, mu, c->weights, b);
-        enum sign_pattern s = sign_on(poly_from_bernstein(c->degree, b), from_int_q(0), from_int_q(1), CLOSED);
+        enum cagd_sign_pattern s =
+            cagd_sign_on(poly_from_bernstein(c->degree, b), from_int_q(0), from_int_q(1), CLOSED);
         if (s != SIGN_POSITIVE && s != SIGN_NEGATIVE)
             return 1;
     }
@@ -197,7 +199,7 @@ static void describe(const struct curve *c)
            segments == 1 ? "" : "s");
     fputs("  knots      ", stdout);
     for (int i = 0, times = 1; i <= n + p; i++, times++) {
-        if (i < n + p && equal_q(c->knots[i], c->knots[i + 1]))
+        if (i < n + p && cagd_equal_q(c->knots[i], c->knots[i + 1]))
             continue;
         printf("%s %s", first ? "" : ",", to_string_q(c->knots[i]));
         if (times > 1)
@@ -206,7 +208,7 @@ static void describe(const struct curve *c)
         first = 0;
     }
     puts("");
-    int clamped = equal_q(c->knots[0], c->knots[p]), clamped_end = equal_q(c->knots[n], c->knots[n + p]);
+    int clamped = cagd_equal_q(c->knots[0], c->knots[p]), clamped_end = cagd_equal_q(c->knots[n], c->knots[n + p]);
     printf("  ends        %s\n", clamped && clamped_end ? "clamped"
                                  : clamped              ? "clamped at the start"
                                  : clamped_end          ? "clamped at the end"
@@ -214,8 +216,8 @@ static void describe(const struct curve *c)
     if (c->weights != NULL) {
         int negative = 0, zero = 0;
         for (int i = 0; i < n; i++) {
-            negative += sign_q(c->weights[i]) < 0;
-            zero += is_zero_q(c->weights[i]);
+            negative += cagd_sign_q(c->weights[i]) < 0;
+            zero += cagd_is_zero_q(c->weights[i]);
         }
         printf("  weights     ");
         if (negative == 0 && zero == 0)
@@ -247,7 +249,7 @@ static int curve_of(const struct arguments *a, const struct curve *model, int de
     if (model->weights == NULL)
         return 0;
     for (int i = 0; i < count; i++)
-        if (is_zero_q(H[i * (model->dim + 1) + model->dim])) {
+        if (cagd_is_zero_q(H[i * (model->dim + 1) + model->dim])) {
             fprintf(stderr, "cagd: %s: point %d of the result would have the weight 0\n", a->path, i);
             return -1;
         }
@@ -260,7 +262,7 @@ static int curve_of(const struct arguments *a, const struct curve *model, int de
 static int insert(const struct arguments *a, const struct curve *c, num_q x, struct curve *out)
 {
     int n = c->count, p = c->degree, dim, mu = find_span_q(n, p, c->knots, x);
-    if (mu < 0 || equal_q(x, c->knots[n]))
+    if (mu < 0 || cagd_equal_q(x, c->knots[n]))
         return complain(a, "a knot can be inserted from the start of the domain to before its end, not at", x);
     if (multiplicity_q(n + p + 1, c->knots, x) > p)
         return complain(a, "there are as many knots as the degree allows at", x);
@@ -277,7 +279,7 @@ static int without(const struct arguments *a, const struct curve *c, num_q x, st
     num_q *H = homogeneous(c, &dim), *v = numbers(n + p), *b = numbers((n - 1) * dim), defect[MAX_DIM];
     bspline_remove_q(n, p, dim, c->knots, H, find_span_q(n, p, c->knots, x), times, v, b, defect);
     for (int k = 0; k < dim; k++)
-        if (!is_zero_q(defect[k])) {
+        if (!cagd_is_zero_q(defect[k])) {
             complain(a, "the curve would change without the knot", x);
             return EXIT_NOT_AS_EXPECTED;
         }
@@ -311,7 +313,7 @@ static int reduce(const struct arguments *a, const struct curve *c, struct curve
         bspline_to_bezier_q(p, dim, c->knots, mu, H, b);
         bezier_reduce_q(p, dim, b, lower, defect);
         for (int k = 0; k < dim; k++)
-            if (!is_zero_q(defect[k])) {
+            if (!cagd_is_zero_q(defect[k])) {
                 complain(a, "the curve would change: it is not of lower degree on the segment from", c->knots[mu]);
                 return EXIT_NOT_AS_EXPECTED;
             }
@@ -327,7 +329,7 @@ static int reduce(const struct arguments *a, const struct curve *c, struct curve
 static int split(const struct arguments *a, const struct curve *c, num_q t, struct curve *left, struct curve *right)
 {
     int n = c->count, p = c->degree, dim, mu = find_span_q(n, p, c->knots, t);
-    if (mu < 0 || !before_q(c->knots[p], t) || equal_q(t, c->knots[n]))
+    if (mu < 0 || !before_q(c->knots[p], t) || cagd_equal_q(t, c->knots[n]))
         return complain(a, "a curve is split inside its domain, not at", t);
     int times = multiplicity_q(n + p + 1, c->knots, t), lefts = mu - times + 1, rights = n - mu + p;
     num_q *H = homogeneous(c, &dim), *u = numbers(lefts + p + 1), *v = numbers(rights + p + 1);
@@ -464,6 +466,6 @@ int run_curve(int argc, char **argv)
     parse_arguments(&argp, argc, argv, &a);
     int code = run(&a);
     region_drop(mark);
-    exact_thread_end();
+    cagd_thread_end();
     return code;
 }

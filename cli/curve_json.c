@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "core/number/limits.h"
 #include "exact/span.h"
+#include "exact/words.h"
 
 #include <stdarg.h>
 #include <stdlib.h>

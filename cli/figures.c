@@ -1,6 +1,7 @@
-#include "chapters/frame/parallel.h"
 #include "cli/command.h"
+#include "exact/number/parallel.h"
 #include "exact/number/region.h"
+#include "exact/words.h"
 #include "figures/svg.h"
 
 #include <fnmatch.h>
@@ -113,7 +114,7 @@ int run_figures(int argc, char **argv)
         for (int k = 0; k < count; k++)
             puts(list[k]->name);
     else
-        in_parallel(a.jobs, count, draw, &w);
+        cagd_in_parallel(a.jobs, count, draw, &w);
     free(list);
     if (w.failed > 0)
         return EXIT_INTERNAL;

@@ -1,8 +1,9 @@
 #include "chapters/frame/certificate.h"
-#include "chapters/frame/parallel.h"
 #include "chapters/frame/tex.h"
 #include "cli/command.h"
+#include "exact/number/parallel.h"
 #include "exact/number/region.h"
+#include "exact/words.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -169,7 +170,7 @@ static int write_certificates(const char *folder, const claim_result *results, i
     if (make_folder(path) != 0)
         return -1;
     struct certificates c = {.folder = folder, .results = results};
-    in_parallel(jobs, count, write_certificate, &c);
+    cagd_in_parallel(jobs, count, write_certificate, &c);
     int bad = c.bad;
     for (const statement *s = all_statements; s->id != NULL && !bad; s++) {
         statement_result r = derive(s, results, count);
@@ -249,7 +250,7 @@ int run_verify(int argc, char **argv)
     int statements = a.report != NULL ? write_report(a.report, results, count) : 0;
     if (statements != 0 && code != EXIT_INTERNAL)
         code = statements < 0 ? EXIT_INTERNAL : EXIT_NOT_AS_EXPECTED;
-    exact_thread_end();
+    cagd_thread_end();
     free_results(results, count);
     free(list);
     return code;

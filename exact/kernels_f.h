@@ -3,6 +3,7 @@
 #define CAGD_KERNELS_F_H
 
 #include "exact/number/field.h"
+#include "exact/words.h"
 
 #define G(name) name##_f
 #include "core/kernels/kernels.tmpl.h"

@@ -3,6 +3,7 @@
 #define CAGD_KERNELS_I_H
 
 #include "exact/number/interval.h"
+#include "exact/words.h"
 
 #define G(name) name##_i
 #include "core/kernels/kernels.tmpl.h"

@@ -3,6 +3,7 @@
 #define CAGD_KERNELS_Q_H
 
 #include "exact/number/rational.h"
+#include "exact/words.h"
 
 #define G(name) name##_q
 #include "core/kernels/kernels.tmpl.h"

@@ -4,8 +4,9 @@
 
 #include "core/kernels/knots.h"
 #include "exact/number/rational.h"
+#include "exact/words.h"
 
-static inline int before_q(num_q a, num_q b) { return compare_q(a, b) < 0; }
+static inline int before_q(num_q a, num_q b) { return cagd_compare_q(a, b) < 0; }
 
 #define G(name) name##_q
 #include "core/kernels/span.tmpl.h"

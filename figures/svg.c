@@ -78,7 +78,7 @@ void svg_tolerance(svg *s, num_q units)
 {
     if (svg_failed(s) != NULL)
         return;
-    if (sign_q(units) <= 0)
+    if (cagd_sign_q(units) <= 0)
         svg_fail(s, "a tolerance is positive");
     else
         mpq_set(s->tolerance, units.at);
@@ -103,7 +103,7 @@ void svg_panel(svg *s, svg_window window, int width, int height, const char *cap
         return;
     if (s->panels == MAX_PANELS)
         svg_fail(s, "a figure has at most 12 panels");
-    else if (compare_q(window.x0, window.x1) >= 0 || compare_q(window.y0, window.y1) >= 0)
+    else if (cagd_compare_q(window.x0, window.x1) >= 0 || cagd_compare_q(window.y0, window.y1) >= 0)
         svg_fail(s, "the window of a panel is empty");
     else if (width <= 0 || height < 0)
         svg_fail(s, "a panel is wider than 0 and not lower than 0");
@@ -167,7 +167,7 @@ long hundredths(svg *s, num_q x)
     mpz_clears(a, b, (mpz_ptr)0);
     if (far)
         svg_fail(s, "a point is more than 10^6 units away");
-    return sign_q(x) < 0 ? -size : size;
+    return cagd_sign_q(x) < 0 ? -size : size;
 }
 
 /* ---- The document -----------------------------------------------------------------------------

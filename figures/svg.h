@@ -29,6 +29,7 @@
 #define CAGD_SVG_H
 
 #include "exact/number/rational.h"
+#include "exact/words.h"
 
 typedef struct svg svg;
 

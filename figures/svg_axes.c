@@ -20,7 +20,7 @@ struct ticks {
 static struct ticks ticks_of(svg *s, num_q lo, num_q hi, num_q step)
 {
     struct ticks none = {0, -1}, ticks = none;
-    if (is_zero_q(step))
+    if (cagd_is_zero_q(step))
         return none;
     region_mark mark = region_open();
     num_q low = div_q(lo, step), high = div_q(hi, step);
@@ -28,10 +28,10 @@ static struct ticks ticks_of(svg *s, num_q lo, num_q hi, num_q step)
     mpz_inits(first, last, (mpz_ptr)0);
     mpz_cdiv_q(first, mpq_numref(low.at), mpq_denref(low.at));
     mpz_fdiv_q(last, mpq_numref(high.at), mpq_denref(high.at));
-    if (sign_q(step) > 0 && mpz_fits_slong_p(first) && mpz_fits_slong_p(last))
+    if (cagd_sign_q(step) > 0 && mpz_fits_slong_p(first) && mpz_fits_slong_p(last))
         ticks = (struct ticks){mpz_get_si(first), mpz_get_si(last)};
     mpz_sub(last, last, first);
-    if (sign_q(step) < 0 || mpz_cmp_ui(last, MAX_TICKS) > 0) {
+    if (cagd_sign_q(step) < 0 || mpz_cmp_ui(last, MAX_TICKS) > 0) {
         svg_fail(s, "an axis has at most 200 ticks, a positive step apart");
         ticks = none;
     }
@@ -75,9 +75,9 @@ static bool is_integer(num_q x) { return mpz_cmp_ui(mpq_denref(x.at), 1) == 0; }
 static void put_number(struct string *out, num_q x)
 {
     region_mark mark = region_open();
-    num_q scaled = sign_q(x) < 0 ? neg_q(x) : x, ten = from_int_q(10);
+    num_q scaled = cagd_sign_q(x) < 0 ? neg_q(x) : x, ten = from_int_q(10);
     int places = 0;
-    put(out, sign_q(x) < 0 ? "−" : "");
+    put(out, cagd_sign_q(x) < 0 ? "−" : "");
     for (; places < 12 && !is_integer(scaled); places++)
         scaled = mul_q(scaled, ten);
     if (is_integer(scaled)) {
@@ -86,7 +86,7 @@ static void put_number(struct string *out, num_q x)
         for (int k = whole < 1 ? whole - 1 : 0; k < count; k++)
             put(out, "%s%d", k == whole ? "." : "", k < 0 ? 0 : digits[k] - '0');
     } else {
-        put(out, "%s", to_string_q(x) + (sign_q(x) < 0));
+        put(out, "%s", to_string_q(x) + (cagd_sign_q(x) < 0));
     }
     region_drop(mark);
 }
@@ -102,7 +102,7 @@ static void tick_label(svg *s, struct panel *p, long x, long y, enum svg_anchor 
 }
 
 /* Where the axis across lo ... hi meets this direction: at 0 if that is between, else at lo. */
-static num_q foot(num_q lo, num_q hi) { return sign_q(lo) <= 0 && sign_q(hi) >= 0 ? from_int_q(0) : lo; }
+static num_q foot(num_q lo, num_q hi) { return cagd_sign_q(lo) <= 0 && cagd_sign_q(hi) >= 0 ? from_int_q(0) : lo; }
 
 /* The arrow of an axis reaches over the window by OVERHANG. */
 enum { OVERHANG = 1000, HEAD = 650, WING = 230, TICK = 350 };
@@ -187,7 +187,7 @@ void svg_scales(svg *s, num_q dx, num_q dy, const char *x_name, const char *y_na
 
 /* ---- Matrices --------------------------------------------------------------------------------- */
 
-static num_q size_of(num_q a) { return sign_q(a) < 0 ? neg_q(a) : a; }
+static num_q size_of(num_q a) { return cagd_sign_q(a) < 0 ? neg_q(a) : a; }
 
 /* The tint of |a| <= largest, in eight steps of 0.07, rounded upwards: only 0 has none. */
 static long tint(num_q a, num_q largest)
@@ -207,18 +207,18 @@ static void put_cell(svg *s, struct panel *p, svg_point upper_left, num_q a, num
     svg_point Q = {add_q(P.x, kept(p->scale_x)), add_q(P.y, kept(p->scale_y))};
     long x = hundredths(s, P.x), y = hundredths(s, P.y), width = hundredths(s, Q.x) - x;
     long height = hundredths(s, Q.y) - y, middle = x + width / 2;
-    if (!is_zero_q(a))
+    if (!cagd_is_zero_q(a))
         put(&p->layer[LINES],
             "<rect class=\"c %s\" fill-opacity=\"%h\" x=\"%h\" y=\"%h\" width=\"%h\" height=\"%h\"/>\n",
-            role_class(s, sign_q(a) < 0 ? SVG_CURVE_2 : SVG_CURVE), tint(a, largest), x + 50, y + 50, width - 100,
+            role_class(s, cagd_sign_q(a) < 0 ? SVG_CURVE_2 : SVG_CURVE), tint(a, largest), x + 50, y + 50, width - 100,
             height - 100);
     if (printed) {
         struct string number = {0};
         put_number(&number, a);
         put_text(s, &p->layer[WORDS], middle, y + height / 2 + 420, SVG_MIDDLE, KIND_PLAIN,
-                 is_zero_q(a) ? SVG_MUTED : SVG_POINT, false, content(&number));
+                 cagd_is_zero_q(a) ? SVG_MUTED : SVG_POINT, false, content(&number));
         free_string(&number);
-    } else if (sign_q(a) < 0) {
+    } else if (cagd_sign_q(a) < 0) {
         put(&p->layer[MARKS], "<path class=\"x %s\" d=\"M%h %hH%h\"/>\n", role_class(s, SVG_CURVE_2), x + width / 3,
             y + height / 2, x + width - width / 3);
     }
@@ -248,7 +248,7 @@ void svg_heat(svg *s, int rows, int columns, const num_q m[])
     region_mark mark = region_open();
     num_q largest = from_int_q(0);
     for (int k = 0; k < rows * columns; k++)
-        largest = compare_q(size_of(m[k]), largest) > 0 ? size_of(m[k]) : largest;
+        largest = cagd_compare_q(size_of(m[k]), largest) > 0 ? size_of(m[k]) : largest;
     bool printed = entries_fit(s, p, rows * columns, m);
     for (int i = 0; i < rows; i++)
         for (int j = 0; j < columns; j++)

@@ -45,7 +45,7 @@ static bool is_inside(const struct grid *g, svg_point at)
 {
     unsigned before = region_faults;
     region_faults = 0;
-    bool positive = sign_q(g->F(at, g->data)) > 0;
+    bool positive = cagd_sign_q(g->F(at, g->data)) > 0;
     if (region_faults != 0)
         svg_fail(g->s, "the function of a contour is undefined somewhere in the window");
     region_faults |= before;
@@ -172,7 +172,7 @@ static struct string contour(svg *s, struct panel *p, svg_field *F, const void *
 {
     struct string path = {0};
     region_mark mark = region_open();
-    bool wide = compare_q(kept(p->width), kept(p->height)) >= 0;
+    bool wide = cagd_compare_q(kept(p->width), kept(p->height)) >= 0;
     mpq_srcptr longer = wide ? p->width : p->height, shorter = wide ? p->height : p->width;
     int fewer = 1 + (int)(hundredths(s, mul_q(from_int_q(cells), div_q(kept(shorter), kept(longer)))) - 1) / 100;
     region_drop(mark);

@@ -19,11 +19,11 @@ static int control_points(int degree, const num_q H[], svg_point P[])
     int count = 0, sign = 0;
     for (int i = 0; i <= degree; i++) {
         num_q x = H[3 * i], y = H[3 * i + 1], w = H[3 * i + 2];
-        if (is_zero_q(w) && is_zero_q(x) && is_zero_q(y))
+        if (cagd_is_zero_q(w) && cagd_is_zero_q(x) && cagd_is_zero_q(y))
             continue;
-        if (is_zero_q(w) || sign * sign_q(w) < 0)
+        if (cagd_is_zero_q(w) || sign * cagd_sign_q(w) < 0)
             return 0;
-        sign = sign_q(w);
+        sign = cagd_sign_q(w);
         P[count++] = (svg_point){div_q(x, w), div_q(y, w)};
     }
     return count;
@@ -73,7 +73,7 @@ void svg_rational(svg *s, int degree, const num_q R[], const num_q w[], enum svg
         svg_point at = to_output(p, svg_pair(R + 2 * i));
         P[2 * i] = at.x;
         P[2 * i + 1] = at.y;
-        vanishes = vanishes && is_zero_q(w[i]);
+        vanishes = vanishes && cagd_is_zero_q(w[i]);
     }
     rational_homogenize_q(degree, 2, P, w, H);
     if (vanishes)

@@ -11,13 +11,13 @@ struct range {
 /* Keeps the t with p t <= q.  False when none is left. */
 static bool keep_half(struct range *r, num_q p, num_q q)
 {
-    if (is_zero_q(p))
-        return sign_q(q) >= 0;
+    if (cagd_is_zero_q(p))
+        return cagd_sign_q(q) >= 0;
     num_q t = div_q(q, p);
-    num_q *end = sign_q(p) > 0 ? &r->hi : &r->lo;
-    if (end->at == NULL || sign_q(p) * compare_q(t, *end) < 0)
+    num_q *end = cagd_sign_q(p) > 0 ? &r->hi : &r->lo;
+    if (end->at == NULL || cagd_sign_q(p) * cagd_compare_q(t, *end) < 0)
         *end = t;
-    return r->lo.at == NULL || r->hi.at == NULL || compare_q(r->lo, r->hi) <= 0;
+    return r->lo.at == NULL || r->hi.at == NULL || cagd_compare_q(r->lo, r->hi) <= 0;
 }
 
 /* Keeps the t for which a + t d is in the window (Liang and Barsky).  False when there are none. */
@@ -42,10 +42,10 @@ bool outside(const struct panel *p, int count, const svg_point *P)
 {
     bool left = true, right = true, above = true, below = true;
     for (int i = 0; i < count; i++) {
-        left = left && sign_q(P[i].x) < 0;
-        above = above && sign_q(P[i].y) < 0;
-        right = right && compare_q(P[i].x, kept(p->width)) > 0;
-        below = below && compare_q(P[i].y, kept(p->height)) > 0;
+        left = left && cagd_sign_q(P[i].x) < 0;
+        above = above && cagd_sign_q(P[i].y) < 0;
+        right = right && cagd_compare_q(P[i].x, kept(p->width)) > 0;
+        below = below && cagd_compare_q(P[i].y, kept(p->height)) > 0;
     }
     return left || right || above || below;
 }
@@ -56,14 +56,14 @@ bool near_segment(const svg *s, svg_point P, svg_point a, svg_point b)
 {
     svg_point d = difference(b, a), v = difference(P, a);
     num_q along_d = dot(v, d), length2 = dot(d, d), tolerance2 = mul_q(kept(s->tolerance), kept(s->tolerance));
-    if (sign_q(along_d) <= 0)
-        return compare_q(dot(v, v), tolerance2) <= 0;
-    if (compare_q(along_d, length2) >= 0) {
+    if (cagd_sign_q(along_d) <= 0)
+        return cagd_compare_q(dot(v, v), tolerance2) <= 0;
+    if (cagd_compare_q(along_d, length2) >= 0) {
         svg_point e = difference(P, b);
-        return compare_q(dot(e, e), tolerance2) <= 0;
+        return cagd_compare_q(dot(e, e), tolerance2) <= 0;
     }
     num_q cross = sub_q(mul_q(v.x, d.y), mul_q(v.y, d.x));
-    return compare_q(mul_q(cross, cross), mul_q(tolerance2, length2)) <= 0;
+    return cagd_compare_q(mul_q(cross, cross), mul_q(tolerance2, length2)) <= 0;
 }
 
 /* ---- The pen ---------------------------------------------------------------------------------- */
@@ -169,7 +169,7 @@ void svg_line(svg *s, svg_point a, svg_point b, enum svg_role role)
     struct panel *p = svg_current(s);
     if (p == NULL)
         return;
-    if (equal_q(a.x, b.x) && equal_q(a.y, b.y)) {
+    if (cagd_equal_q(a.x, b.x) && cagd_equal_q(a.y, b.y)) {
         svg_fail(s, "a line needs two points");
         return;
     }
@@ -222,7 +222,7 @@ void svg_arrow(svg *s, svg_point tail, svg_point head, enum svg_role role)
     if (p == NULL)
         return;
     region_mark mark = region_open();
-    if (equal_q(tail.x, head.x) && equal_q(tail.y, head.y))
+    if (cagd_equal_q(tail.x, head.x) && cagd_equal_q(tail.y, head.y))
         svg_fail(s, "an arrow needs two points");
     else
         put_arrow(s, p, to_output(p, tail), to_output(p, head), role);
@@ -253,7 +253,7 @@ void svg_circle(svg *s, svg_point centre, num_q radius, enum svg_role role)
     struct panel *p = svg_current(s);
     if (p == NULL)
         return;
-    if (sign_q(radius) <= 0) {
+    if (cagd_sign_q(radius) <= 0) {
         svg_fail(s, "the radius of a circle is positive");
         return;
     }

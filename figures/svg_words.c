@@ -244,12 +244,12 @@ enum svg_direction svg_direction_of(svg_point from, svg_point to)
         {SVG_SW, SVG_W, SVG_NW}, {SVG_S, SVG_N, SVG_N}, {SVG_SE, SVG_E, SVG_NE}};
     region_mark mark = region_open();
     num_q dx = sub_q(to.x, from.x), dy = sub_q(to.y, from.y);
-    int i = sign_q(dx), j = sign_q(dy);
+    int i = cagd_sign_q(dx), j = cagd_sign_q(dy);
     num_q a = i < 0 ? neg_q(dx) : dx, b = j < 0 ? neg_q(dy) : dy, sum = add_q(a, b);
     num_q square = mul_q(sum, sum), two = from_int_q(2);
-    if (compare_q(square, mul_q(two, mul_q(a, a))) < 0)
+    if (cagd_compare_q(square, mul_q(two, mul_q(a, a))) < 0)
         j = 0;
-    else if (compare_q(square, mul_q(two, mul_q(b, b))) < 0)
+    else if (cagd_compare_q(square, mul_q(two, mul_q(b, b))) < 0)
         i = 0;
     region_drop(mark);
     return compass[i + 1][j + 1];

@@ -190,10 +190,10 @@ CLAIM(curve_stays_near_polygon)
         for (int j = 0; j <= n - 2; j++) {
             a[j] = poly_sub(lifted[j], G(kink)(n, j + 1, m));
             sum = poly_add(sum, a[j]);
-            enum sign_pattern sign = sign_on(a[j], low, high, CLOSED);
+            enum cagd_sign_pattern sign = sign_on(a[j], low, high, CLOSED);
             agree(T, sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE);
         }
-        enum sign_pattern sign = sign_on(poly_sub(poly_constant(bound), sum), low, high, CLOSED);
+        enum cagd_sign_pattern sign = sign_on(poly_sub(poly_constant(bound), sum), low, high, CLOSED);
         agree(T, sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE);
         for (int unit = 0; unit <= n; unit++) {
             for (int i = 0; i <= n; i++)

@@ -221,7 +221,7 @@ CLAIM(roots_are_at_most_sign_changes)
             for (int i = 0, rest = pattern; i <= n; i++, rest /= 3)
                 b[i] = from_int((rest % 3 - 1) * (sizes == 0 ? 1 : size[sizes == 1 ? i : n - i]));
             poly p = poly_from_bernstein(n, b);
-            struct root_count open = count_roots(p, zero, one, OPEN);
+            struct cagd_root_count open = count_roots(p, zero, one, OPEN);
             int counted = T->planted ? count_roots(p, zero, one, CLOSED).counted : open.counted;
             int spare = G(sign_changes)(n + 1, b) - counted;
             agree(T, spare >= 0 && spare % 2 == 0);
@@ -255,7 +255,7 @@ CLAIM(line_crosses_curve_at_most_as_often_as_polygon)
         w[i] = from_int(1);
         b[2 * i + 1] = div(b[2 * i + 1], from_int(8)); /* flat, so that lines often cross */
     }
-    struct line line = {unknown(T, "line", 0), unknown(T, "line", 1), div(unknown(T, "line", 2), from_int(4))};
+    struct cagd_line line = {unknown(T, "line", 0), unknown(T, "line", 1), div(unknown(T, "line", 2), from_int(4))};
     int of_curve = curve_meets_line(n, b, w, line).crossings;
     ends[0] = b[0], ends[1] = b[1], ends[2] = b[2 * n], ends[3] = b[2 * n + 1];
     agree(T, of_curve <= (T->planted ? polygon_crossings(1, ends, line) : polygon_crossings(n, b, line)));

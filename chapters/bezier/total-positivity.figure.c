@@ -22,7 +22,7 @@ FIGURE(line_and_polygon)
     static const int through[2][2] = {{1, 2}, {6, -3}}; /* the ordinates of the line at x = 0 and x = 10 */
     for (int k = 0; k < 2; k++) {
         num_q slope = from_ratio_q(through[k][1] - through[k][0], 10), shift = from_int_q(through[k][0]);
-        struct line line = {slope, from_int_q(-1), shift};
+        struct cagd_line line = {slope, from_int_q(-1), shift};
         char words[160];
         snprintf(words, sizeof words, "crossings of the line with the polygon: %d,\nwith the curve: %d",
                  polygon_crossings(n, b, line), curve_meets_line(n, b, w, line).crossings);

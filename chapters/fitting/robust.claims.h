@@ -86,7 +86,7 @@ CLAIM(cauchy_has_one_minimum)
     num left[] = {neg(three), one}, right[] = {three, one};
     poly l = poly_from_q(2, left), r = poly_from_q(2, right), c = poly_from_q(1, &aa);
     poly whole_numerator = poly_add(poly_mul(l, poly_add(c, poly_mul(r, r))), poly_mul(r, poly_add(c, poly_mul(l, l))));
-    struct root_count found = count_roots_line(whole_numerator);
+    struct cagd_root_count found = count_roots_line(whole_numerator);
     int roots = found.crossings + found.touches;
     show_text(T, "stationary points", "%d", roots);
     about(T, "stationary points");

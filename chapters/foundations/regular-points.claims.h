@@ -511,7 +511,7 @@ CLAIM(point_moves_forward_back_and_forward)
 {
     num c[3] = {from_int(T->planted ? 2 : 1), from_int(-5), from_int(5)}, zero = from_int(0), one = from_int(1);
     poly speed = poly_from_q(3, c);
-    struct root_count roots = count_roots(speed, zero, one, OPEN);
+    struct cagd_root_count roots = count_roots(speed, zero, one, OPEN);
     agree(T, roots.distinct == 2 && roots.crossings == 2);
     agree(T, sign_q(poly_value(speed, zero)) > 0 && sign_q(poly_value(speed, one)) > 0);
     agree(T, sign_q(poly_value(speed, from_ratio(1, 2))) < 0);

@@ -75,11 +75,11 @@ FIGURE(one_line_two_parameters)
     svg_segment(s, svg_at(0, 0), svg_at(1, 1), SVG_CURVE_2);
     svg_plot(s, phi, NULL, q(0), q(1), 48, SVG_CURVE);
     num_q slope[3] = {q(6), q(-30), q(30)};
-    struct root found[2];
+    struct cagd_root found[2];
     int count = isolate_roots(poly_from_q(3, slope), q(0), q(1), found, 2);
     static const char *const names[2] = {"t_1", "t_2"};
     for (int k = 0; k < count; k++) {
-        struct root fine = refine_root(found[k], r(1, 1000000));
+        struct cagd_root fine = refine_root(found[k], r(1, 1000000));
         svg_point P = phi(mul_q(r(1, 2), add_q(fine.lo, fine.hi)), NULL);
         svg_mark(s, P, SVG_WRONG, SVG_USUAL);
         svg_label(s, P, k ? SVG_S : SVG_N, SVG_WRONG, names[k]);

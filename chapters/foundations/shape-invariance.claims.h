@@ -265,7 +265,7 @@ CLAIM(image_of_the_example_turns_everywhere)
     G(inflection_polynomial)(minors, f);
     poly turning = poly_from_q(3, f);
     show_text(T, "P' x P''", "%s", poly_to_string(turning, "t"));
-    enum sign_pattern open = sign_on(turning, from_int(0), from_int(1), OPEN);
+    enum cagd_sign_pattern open = sign_on(turning, from_int(0), from_int(1), OPEN);
     agree(T, open == SIGN_POSITIVE || open == SIGN_NEGATIVE);
     agree(T, is_zero_q(poly_value(turning, from_int(0))) && is_zero_q(poly_value(turning, from_int(1))));
 }

@@ -17,14 +17,14 @@ static const char *const role_name[] = {"holds-by", "refuted-by", "corrected-by"
 static int record(FILE *out, const char *before, const claim *c, number_type type, int k, size_t most)
 {
     struct plan plan = {c, type, 0};
-    trace_open(most);
+    cagd_trace_open(most);
     trial T = run_case(&plan, k, 0, NULL, NULL);
     forget_exhibits(T.shown, T.exhibits);
-    int whole = trace_nodes() != NULL;
+    int whole = cagd_trace_nodes() != NULL;
     if (whole)
         fprintf(out, "%s{\"type\":\"%s\",\"degree\":%d,\n\"inputs\":%s,\"nodes\":%s,\"steps\":%s}", before,
-                number_type_name[type], T.degree, trace_inputs(), trace_nodes(), trace_steps());
-    trace_close();
+                number_type_name[type], T.degree, cagd_trace_inputs(), cagd_trace_nodes(), cagd_trace_steps());
+    cagd_trace_close();
     return whole;
 }
 

@@ -4,7 +4,7 @@
 #define positive    G(positive)
 #define parameter   G(parameter)
 #define whole(...)  G(whole)(__VA_ARGS__)
-#define inside(...) G(inside)(__VA_ARGS__) /* `inside` is also a member of struct hull_certificate */
+#define inside(...) G(inside)(__VA_ARGS__) /* `inside` is also a member of struct cagd_hull_certificate */
 #define same        G(same)
 #define vanishes    G(vanishes)
 #define nonnegative G(nonnegative)

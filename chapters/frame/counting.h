@@ -9,6 +9,7 @@
 #include "core/number/limits.h"
 #include "exact/number/rational.h"
 #include "exact/record/trace.h"
+#include "exact/words.h"
 
 typedef struct num_c {
     int is_power_of_two;
@@ -46,14 +47,14 @@ static inline num_c from_ratio_c(long m, long n)
  * in the type that counts, to be counted by them in the program.  It has no divisions. */
 static inline void note_cost(int count, const num_q out[], struct operations cost)
 {
-    if (!trace_noting())
+    if (!cagd_trace_noting())
         return;
-    trace_name_numbers(count, out);
-    trace_fact("operations");
-    trace_put_numbers("out", count, out);
-    trace_put("additions", cost.additions);
-    trace_put("multiplications", cost.multiplications);
-    trace_put("shifts", cost.shifts);
-    trace_fact_end();
+    cagd_trace_name_numbers(count, out);
+    cagd_trace_fact("operations");
+    cagd_trace_put_numbers("out", count, out);
+    cagd_trace_put("additions", cost.additions);
+    cagd_trace_put("multiplications", cost.multiplications);
+    cagd_trace_put("shifts", cost.shifts);
+    cagd_trace_fact_end();
 }
 #endif

@@ -118,8 +118,8 @@ num_f inside_f(trial *T, const char *name)
 /* The same for a trace: from here on it is an input. */
 static num_q as_input(num_q a, const char *name, int index)
 {
-    if (trace_noting())
-        trace_input(a.at, name, index);
+    if (cagd_trace_noting())
+        cagd_trace_input(a.at, name, index);
     return a;
 }
 
@@ -162,17 +162,17 @@ static int first_failure(trial *T, int good)
 
 void agree(trial *T, int condition)
 {
-    if (trace_noting())
-        trace_agree(condition);
+    if (cagd_trace_noting())
+        cagd_trace_agree(condition);
     (void)first_failure(T, condition);
 }
 
 void same_f(trial *T, num_f a, num_f b)
 {
     int equal = equal_f(a, b);
-    if (trace_noting()) {
-        int left = trace_field_element(a), right = trace_field_element(b);
-        trace_same(left, right, equal);
+    if (cagd_trace_noting()) {
+        int left = cagd_trace_field_element(a), right = cagd_trace_field_element(b);
+        cagd_trace_same(left, right, equal);
     }
     if (first_failure(T, equal)) {
         show_text(T, "left", "%s", text_f(a));
@@ -182,9 +182,9 @@ void same_f(trial *T, num_f a, num_f b)
 void same_q(trial *T, num_q a, num_q b)
 {
     int equal = mpq_equal(a.at, b.at) != 0;
-    if (trace_noting()) {
-        int left = trace_number(a.at), right = trace_number(b.at);
-        trace_same(left, right, equal);
+    if (cagd_trace_noting()) {
+        int left = cagd_trace_number(a.at), right = cagd_trace_number(b.at);
+        cagd_trace_same(left, right, equal);
     }
     if (first_failure(T, equal)) {
         show_text(T, "left", "%s", text_q(a));
@@ -254,16 +254,16 @@ void nonnegative_f(trial *T, num_f a)
     if (sign < -1)
         region_faults |= FAULT_UNABLE;
     take_as_positive(T, a);
-    if (trace_noting())
-        trace_nonnegative(trace_field_element(a), sign != -1, to_string_f(a), sign);
+    if (cagd_trace_noting())
+        cagd_trace_nonnegative(cagd_trace_field_element(a), sign != -1, to_string_f(a), sign);
     if (first_failure(T, sign != -1))
         show_text(T, "negative", "%s", text_f(a));
 }
 void nonnegative_q(trial *T, num_q a)
 {
     int good = mpq_sgn(a.at) >= 0;
-    if (trace_noting())
-        trace_nonnegative(trace_number(a.at), good, NULL, 0);
+    if (cagd_trace_noting())
+        cagd_trace_nonnegative(cagd_trace_number(a.at), good, NULL, 0);
     if (first_failure(T, good))
         show_text(T, "negative", "%s", text_q(a));
 }

@@ -22,6 +22,7 @@
 #include "exact/number/field.h"
 #include "exact/number/interval.h"
 #include "exact/number/rational.h"
+#include "exact/words.h"
 
 int pick(trial *T, int low, int high);  /* a seeded random integer in [low, high]                     */
 void about(trial *T, const char *what); /* names what the next comparisons are about                  */

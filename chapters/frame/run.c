@@ -2,7 +2,7 @@
 
 #include "chapters/frame/case.h"
 #include "chapters/frame/judge.h"
-#include "chapters/frame/parallel.h"
+#include "exact/number/parallel.h"
 #include "exact/number/region.h"
 
 #include <pthread.h>
@@ -70,7 +70,7 @@ trial run_case(const struct plan *p, int k, int planted, char **variables, char 
         region_drop(mark);
         if (!again)
             return T;
-        trace_again();
+        cagd_trace_again();
         forget_exhibits(T.shown, T.exhibits);
     }
 }
@@ -327,7 +327,7 @@ claim_result *judge_claims(const claim *const list[], int count, const run_optio
     }
     struct agenda agenda = {.tasks = tasks, .total = total, .options = options};
     pthread_mutex_init(&agenda.lock, NULL);
-    in_parallel(options->jobs, total, judge_task, &agenda);
+    cagd_in_parallel(options->jobs, total, judge_task, &agenda);
     pthread_mutex_destroy(&agenda.lock);
     free(tasks);
     for (int k = 0; k < count; k++)

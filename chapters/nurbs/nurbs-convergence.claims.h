@@ -323,7 +323,7 @@ static void G(integrated_twice)(int n, int p, const num u[], const num e[], num 
 
 static int G(is_nonnegative)(poly f, num low, num high)
 {
-    enum sign_pattern sign = sign_on(f, low, high, CLOSED);
+    enum cagd_sign_pattern sign = sign_on(f, low, high, CLOSED);
     return sign == SIGN_ZERO || sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE;
 }
 

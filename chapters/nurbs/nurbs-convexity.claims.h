@@ -1091,7 +1091,7 @@ static poly turning_of_span(int p, const num_q u[], int mu, const num_q R[], con
         *weight = P[0][2];
     return sum;
 }
-static enum sign_pattern sign_of_span(poly p) { return sign_on(p, from_int_q(0), from_int_q(1), CLOSED); }
+static enum cagd_sign_pattern sign_of_span(poly p) { return sign_on(p, from_int_q(0), from_int_q(1), CLOSED); }
 
 CLAIM(convex_polygons_have_splines_of_one_turn)
 {
@@ -1105,7 +1105,8 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
             agree(T, !T->planted || !polygon_is_convex(n - 1, r + 2, 1, NULL) || k == 2);
             for (int j = k; j <= n; j++)
                 if (compare_q(t[j], t[j + 1]) < 0) {
-                    enum sign_pattern sign = sign_of_span(turning_of_span(k - 1, t + 1, j - 1, r + 2, w + 1, NULL));
+                    enum cagd_sign_pattern sign =
+                        sign_of_span(turning_of_span(k - 1, t + 1, j - 1, r + 2, w + 1, NULL));
                     agree(T, sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE || sign == SIGN_ZERO);
                 }
             enum { POINTS = 13 };

@@ -114,7 +114,7 @@ static void mark_inflections(svg *s, struct nurbs c)
         int i = (k + 1) % 3, j = (k + 2) % 3;
         sum = poly_add(sum, poly_mul(P[0][k], poly_sub(poly_mul(P[1][i], P[2][j]), poly_mul(P[1][j], P[2][i]))));
     }
-    struct root found[16];
+    struct cagd_root found[16];
     num_q length = sub_q(c.u[c.p + 1], c.u[c.p]);
     int roots = isolate_roots(sum, from_int_q(0), from_int_q(1), found, 16);
     for (int k = 0; k < roots; k++) {

@@ -360,7 +360,7 @@ CLAIM(bezier_curves_are_nurbs_curves)
 
 enum { MOST_POINTS = 40 };
 
-static struct line x_axis(void) { return (struct line){from_int_q(0), from_int_q(1), from_int_q(0)}; }
+static struct cagd_line x_axis(void) { return (struct cagd_line){from_int_q(0), from_int_q(1), from_int_q(0)}; }
 
 /* Groups of neighbouring zeros, and neighbours of different sign. */
 static int intersections(int count, const int y[])
@@ -412,7 +412,7 @@ static struct spline_meets_axis spline_meets_axis(int n, int k, const num_q t[],
             on_the_axis = 1;
             continue;
         }
-        struct root_count inner = count_roots(poly_from_bernstein(p, b), from_int_q(0), from_int_q(1), OPEN);
+        struct cagd_root_count inner = count_roots(poly_from_bernstein(p, b), from_int_q(0), from_int_q(1), OPEN);
         m.crossings += side * sign_q(b[low]) < 0;
         m.crossings += inner.crossings;
         m.common += (low > 0 && !on_the_axis) + inner.distinct + (high < p);
@@ -465,7 +465,7 @@ static struct spline_meets_axis curve_of(const struct graph *g)
         c[i] = mul_q(g->w[i], g->r[2 * i + 1]);
     return spline_meets_axis(g->n, g->k, g->t, c);
 }
-static struct polygon_meets_line polygon_of_graph(const struct graph *g)
+static struct cagd_polygon_meets_line polygon_of_graph(const struct graph *g)
 {
     return polygon_meets_line(g->n - 1, g->r + 2, x_axis());
 }
@@ -549,7 +549,7 @@ static void check_roots(trial *T, const struct graph *g, int roots, const num_q 
             out = with_knot(&out, root[j]);
     }
     struct spline_meets_axis curve = curve_of(g);
-    struct polygon_meets_line polygon = polygon_of_graph(&out);
+    struct cagd_polygon_meets_line polygon = polygon_of_graph(&out);
     for (int j = 0; j < roots; j++)
         agree(T, is_zero_q(out.r[2 * index[j] + 1]));
     agree(T, curve.common == roots);
@@ -604,11 +604,11 @@ CLAIM(self_crossing_polygon_gains_points_on_a_line)
 {
     struct graph g;
     bow(&g);
-    struct polygon_meets_line before = polygon_of_graph(&g);
+    struct cagd_polygon_meets_line before = polygon_of_graph(&g);
     struct graph cut = g;
     for (int times = 0; times < 4; times++)
         cut = with_knot(&cut, from_ratio(times < 2 ? 1 : 3, 2));
-    struct polygon_meets_line after = polygon_of_graph(&cut);
+    struct cagd_polygon_meets_line after = polygon_of_graph(&cut);
     show_points(T, "r", 4, 2, g.r + 2);
     show_points(T, "w", 4, 1, g.w + 1);
     show_points(T, "r'", 8, 2, cut.r + 2);
@@ -627,7 +627,7 @@ CLAIM(self_crossing_polygon_meets_the_line_less_than_its_spline)
     G(nurbs_point)(2, 2, g.t + 1, 2, g.r + 2, g.w + 1, from_ratio(1, 2), P);
     G(nurbs_point)(2, 2, g.t + 1, 3, g.r + 2, g.w + 1, from_ratio(3, 2), Q);
     struct spline_meets_axis curve = curve_of(&g);
-    struct polygon_meets_line polygon = polygon_of_graph(&g);
+    struct cagd_polygon_meets_line polygon = polygon_of_graph(&g);
     show_points(T, "r", 4, 2, g.r + 2);
     show_points(T, "w", 4, 1, g.w + 1);
     show_points(T, "r(1/2)", 1, 2, P);
@@ -650,7 +650,7 @@ CLAIM(edge_on_the_line_must_be_counted)
     for (int i = 1; i <= 4; i++)
         g.r[2 * i] = from_int(i - 1);
     struct graph cut = with_knot(&g, from_ratio(1, 2));
-    struct polygon_meets_line before = polygon_of_graph(&g), after = polygon_of_graph(&cut);
+    struct cagd_polygon_meets_line before = polygon_of_graph(&g), after = polygon_of_graph(&cut);
     int old = before.common_runs - (T->planted ? 0 : before.contained_edges);
     int new = after.common_runs - (T->planted ? 0 : after.contained_edges);
     show_points(T, "r", 4, 2, g.r + 2);
@@ -671,9 +671,9 @@ CLAIM(cut_corner_lies_on_the_line)
     for (int i = 1; i <= 3; i++)
         g.r[2 * i] = from_int(i - 1);
     struct graph cut = with_knot(&g, from_int(1));
-    struct line line = {from_int(0), from_int(1), from_ratio(-1, 2)};
-    struct polygon_meets_line before = polygon_meets_line(2, g.r + 2, line),
-                              after = polygon_meets_line(3, cut.r + 2, line);
+    struct cagd_line line = {from_int(0), from_int(1), from_ratio(-1, 2)};
+    struct cagd_polygon_meets_line before = polygon_meets_line(2, g.r + 2, line),
+                                   after = polygon_meets_line(3, cut.r + 2, line);
     int finite = before.contained_edges == 0, infinite = after.contained_edges > 0 && !T->planted;
     show_points(T, "r", 3, 2, g.r + 2);
     show_points(T, "r'", 4, 2, cut.r + 2);

@@ -181,7 +181,7 @@ CLAIM(curve_points_have_hull_certificates)
                     for (int c = 0; c < dim; c++)
                         x[c] = mul(x[c], div(total, twice));
                 }
-                struct hull_certificate found = hull_membership(dim, n + 1, R, x);
+                struct cagd_hull_certificate found = hull_membership(dim, n + 1, R, x);
                 agree(T, found.inside && hull_certificate_holds(dim, n + 1, R, x, found));
             }
 }
@@ -205,7 +205,7 @@ CLAIM(curve_leaves_hull_with_negative_weight)
     num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, x[2];
     num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2), from_int(1)};
     G(rational_point)(2, 2, R, w, from_ratio(1, 2), x);
-    struct hull_certificate found = hull_membership(2, 3, R, x);
+    struct cagd_hull_certificate found = hull_membership(2, 3, R, x);
     int zeros = count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct;
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
@@ -254,7 +254,7 @@ CLAIM(curve_leaves_hull_outside_the_interval)
 {
     num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)}, x;
     G(rational_point)(1, 1, R, w, T->planted ? from_ratio(1, 2) : from_int(2), &x);
-    struct hull_certificate found = hull_membership(1, 2, R, &x);
+    struct cagd_hull_certificate found = hull_membership(1, 2, R, &x);
     show_points(T, "R", 2, 1, R);
     show_points(T, "ω", 2, 1, w);
     show(T, "R(t)", x);

@@ -441,7 +441,7 @@ static poly turning(int n, const num_q R[], const num_q w[])
     return sum;
 }
 
-static enum sign_pattern sign_inside(poly p) { return sign_on(p, from_int_q(0), from_int_q(1), OPEN); }
+static enum cagd_sign_pattern sign_inside(poly p) { return sign_on(p, from_int_q(0), from_int_q(1), OPEN); }
 
 /* Polygons that are convex and counterclockwise when closed. */
 static const struct {

@@ -47,7 +47,7 @@ FIGURE(convex_polygon_convex_curve)
     draw(s, p);
     /* det(P, P', P'') is a positive multiple of -(1-t)^3 - t (1-t)^2 + 4 t^2 (1-t) - t^3. */
     num_q b[] = {from_int_q(-1), from_ratio_q(-1, 3), from_ratio_q(4, 3), from_int_q(-1)};
-    struct root inflection[3];
+    struct cagd_root inflection[3];
     int inflections = isolate_roots(poly_from_bernstein(3, b), from_int_q(0), from_int_q(1), inflection, 3);
     for (int k = 0; k < inflections; k++)
         mark(s, p, refine_root(inflection[k], from_ratio_q(1, 4096)).lo);

@@ -267,7 +267,7 @@ static int is_in_plane(int n, const num_q w[], const num_q z[])
     num_q b[MAX_DEGREE + 1];
     for (int i = 0; i <= n; i++)
         b[i] = mul_q(w[i], z[i]);
-    enum sign_pattern sign = sign_on(poly_from_bernstein(n, w), from_int_q(0), from_int_q(1), CLOSED);
+    enum cagd_sign_pattern sign = sign_on(poly_from_bernstein(n, w), from_int_q(0), from_int_q(1), CLOSED);
     return poly_is_zero(poly_from_bernstein(n, b)) && sign == SIGN_POSITIVE;
 }
 

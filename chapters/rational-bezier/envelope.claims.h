@@ -458,7 +458,7 @@ static void G(convex_quartic)(num R[])
 }
 
 /* The sign of R' x R'' on [0,1] for the polynomial curve R of degree n. */
-static enum sign_pattern G(turning)(int n, const num R[])
+static enum cagd_sign_pattern G(turning)(int n, const num R[])
 {
     num x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
     for (int i = 0; i <= n; i++) {

@@ -535,8 +535,8 @@ CLAIM(root_counts_survive_the_substitution)
             b[i] = from_int(rest % base - radius);
         poly in_t = poly_from_bernstein(n, b), in_s = in_powers_of_the_ratio(n, b);
         if (!poly_is_zero(in_t)) {
-            struct root_count left = count_roots(in_t, zero, one, T->planted ? OPEN_LEFT : OPEN);
-            struct root_count right = count_roots_above(in_s, zero);
+            struct cagd_root_count left = count_roots(in_t, zero, one, T->planted ? OPEN_LEFT : OPEN);
+            struct cagd_root_count right = count_roots_above(in_s, zero);
             agree(T, left.distinct == right.distinct && left.counted == right.counted);
             agree(T, left.crossings == right.crossings);
             int at_one = is_zero_q(poly_value(in_t, one));
@@ -600,7 +600,10 @@ static void graph(int n, const int y[], num_q R[])
         R[2 * i + 1] = from_int_q(y[i]);
     }
 }
-static struct line horizontal_axis(void) { return (struct line){from_int_q(0), from_int_q(1), from_int_q(0)}; }
+static struct cagd_line horizontal_axis(void)
+{
+    return (struct cagd_line){from_int_q(0), from_int_q(1), from_int_q(0)};
+}
 
 CLAIM(sign_changes_are_polygon_crossings)
 {
@@ -659,7 +662,7 @@ CLAIM(designed_curves_cross_no_more)
             region_mark mark = region_open();
             sign_pattern_of(code, n + 1, y);
             poly g = designed_curve(n, family, y, R, w);
-            struct curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
+            struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
             int polygon = polygon_crossings(n - T->planted, R + 2 * T->planted, horizontal_axis());
             agree(T, curve.crossings <= polygon);
             agree(T, curve.contained == poly_is_zero(g));
@@ -685,7 +688,7 @@ CLAIM(designed_curves_meet_no_more)
             sign_pattern_of(code, n + 1, y);
             poly g = designed_curve(n, family, y, R, w);
             if (!poly_is_zero(g)) {
-                struct curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
+                struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
                 int pieces = polygon_meets_line(n, R, horizontal_axis()).common_runs;
                 pieces -= T->planted ? (y[0] == 0) + (y[n] == 0) : 0;
                 int at_zero = is_zero_q(poly_value(g, from_int(0)));
@@ -731,8 +734,8 @@ CLAIM(self_crossing_polygon_meets_the_line_once)
     show_points(T, "ω", n + 1, 1, w);
     show_points(T, "R(1/3)", 1, 2, P);
     show_points(T, "R(2/3)", 1, 2, Q);
-    struct curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
-    struct polygon_meets_line polygon = polygon_meets_line(n, R, horizontal_axis());
+    struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
+    struct cagd_polygon_meets_line polygon = polygon_meets_line(n, R, horizontal_axis());
     int all = curve.common_closed == 2 && is_zero_q(P[1]) && is_zero_q(Q[1]);
     int points = T->planted ? curve.crossings : 1 + !equal_q(P[0], Q[0]);
     int of_polygon = T->planted ? polygon.crossings : polygon.components;
@@ -747,7 +750,7 @@ CLAIM(mixed_weights_cross_more)
     enum { n = 2 };
     num w[n + 1] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
     num R[2 * (n + 1)] = {from_int(-1), from_int(2), from_int(0), from_int(5), from_int(1), from_int(2)};
-    struct curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
+    struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
     int polygon = polygon_crossings(n, R, horizontal_axis());
     show_points(T, "R", n + 1, 2, R);
     show_points(T, "ω", n + 1, 1, w);
@@ -786,7 +789,7 @@ CLAIM(curve_changes_sides_at_a_pole)
 }
 
 /* The line n = 1 from (0, first) to (1, second), weights 1: what it has in common with y = 0. */
-static struct curve_meets_line straight(int first, int second, poly *numerator)
+static struct cagd_curve_meets_line straight(int first, int second, poly *numerator)
 {
     int y[2] = {first, second};
     num_q R[4], w[2];
@@ -797,7 +800,7 @@ static struct curve_meets_line straight(int first, int second, poly *numerator)
 CLAIM(end_on_the_line_is_no_interior_root)
 {
     poly g;
-    struct curve_meets_line curve = straight(0, 1, &g);
+    struct cagd_curve_meets_line curve = straight(0, 1, &g);
     int points = T->planted ? curve.crossings : curve.common_closed;
     int roots = count_roots(g, from_int(0), from_int(1), OPEN).distinct;
     show_text(T, "y", "0, 1");
@@ -811,7 +814,7 @@ CLAIM(roots_must_be_counted_up_to_one)
 {
     poly g;
     num l = T->planted ? from_int(1) : from_ratio(1, 2);
-    struct curve_meets_line curve = straight(-2, 1, &g);
+    struct cagd_curve_meets_line curve = straight(-2, 1, &g);
     int roots = count_roots(g, from_int(0), l, OPEN).distinct;
     show_text(T, "y", "-2, 1");
     show(T, "l", l);
@@ -840,7 +843,7 @@ CLAIM(touching_polygon_has_no_sign_change)
     int y[3] = {1, 0, 1};
     num R[6];
     graph(2, y, R);
-    struct polygon_meets_line polygon = polygon_meets_line(2, R, horizontal_axis());
+    struct cagd_polygon_meets_line polygon = polygon_meets_line(2, R, horizontal_axis());
     int points = T->planted ? polygon.crossings : polygon.common_runs;
     show_text(T, "y", "1, 0, 1");
     show_text(T, "common points", "%d", points);

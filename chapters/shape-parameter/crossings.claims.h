@@ -602,7 +602,7 @@ CLAIM(parity_of_the_roots)
         k[i] = i % 2 == 0 || (T->planted && i == 7) ? size : neg(size);
     }
     poly f = G(combination)(0, 7, mul(from_int(7), beta), k);
-    struct root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
+    struct cagd_root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
     same(T, poly_value(f, from_int(0)), k[0]);
     same(T, poly_value(f, from_int(1)), k[7]);
     agree(T, roots.counted % 2 == 1 && roots.counted <= 7);
@@ -621,7 +621,7 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
 
 CLAIM(first_coefficient_gives_the_sign)
 {
-    enum ends ends = T->planted ? CLOSED : OPEN_LEFT;
+    enum cagd_ends ends = T->planted ? CLOSED : OPEN_LEFT;
     num low = from_ratio(-21, 4), high = from_int(1);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
@@ -639,7 +639,7 @@ static int G(no_more_roots_than_changes)(trial *T, const int at[], num beta)
     num k[8];
     for (int i = 0; i <= 7; i++)
         k[i] = from_int(at[i]);
-    struct root_count roots = count_roots(G(combination)(1, 7, beta, k), from_int(0), from_int(1), OPEN);
+    struct cagd_root_count roots = count_roots(G(combination)(1, 7, beta, k), from_int(0), from_int(1), OPEN);
     show(T, "beta", beta);
     show_points(T, "k", 8, 1, k);
     show_text(T, "roots in (0,1)", "%d", roots.distinct);
@@ -671,16 +671,16 @@ CLAIM(one_change_of_sign_and_two_roots)
     agree(T, G(no_more_roots_than_changes)(T, k, beta));
 }
 
-static struct line G(horizontal)(num y) { return (struct line){from_int(0), from_int(1), neg(y)}; }
+static struct cagd_line G(horizontal)(num y) { return (struct cagd_line){from_int(0), from_int(1), neg(y)}; }
 
 /* How the curve meets the line; shows the data. */
-static struct curve_meets_line G(meets)(trial *T, int printed_ones, const num P[], num beta, struct line L)
+static struct cagd_curve_meets_line G(meets)(trial *T, int printed_ones, const num P[], num beta, struct cagd_line L)
 {
     num Q[9 * dim], w[9];
     for (int k = 0; k <= 8; k++)
         w[k] = from_int(1);
     G(bezier_points_of)(printed_ones, 7, dim, P, beta, Q);
-    struct curve_meets_line m = curve_meets_line(8, Q, w, L);
+    struct cagd_curve_meets_line m = curve_meets_line(8, Q, w, L);
     show(T, "beta", beta);
     show_points(T, "P", 8, dim, P);
     show_text(T, "the line", "(%s) x + (%s) y + (%s) = 0", to_string_q(L.a), to_string_q(L.b), to_string_q(L.c));
@@ -700,8 +700,8 @@ CLAIM(printed_curve_crosses_a_line_off_its_polygon)
         P[i * dim] = from_int(i);
         P[i * dim + 1] = from_int(1);
     }
-    struct line L = G(horizontal)(from_ratio(63, 64));
-    struct curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), L);
+    struct cagd_line L = G(horizontal)(from_ratio(63, 64));
+    struct cagd_curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), L);
     about(T, "the curve crosses the line no more often than the polygon");
     agree(T, m.crossings <= polygon_crossings(7, P, L));
 }
@@ -711,9 +711,9 @@ static const int G(triangle)[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0
 CLAIM(curve_at_minus_seven_crosses_a_line_off_its_polygon)
 {
     num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
-    struct line L = G(horizontal)(from_ratio(-1, 200));
+    struct cagd_line L = G(horizontal)(from_ratio(-1, 200));
     G(integer_points)(8, G(triangle), P);
-    struct curve_meets_line m = G(meets)(T, 0, P, beta, L);
+    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, L);
     about(T, "the curve crosses the line no more often than the polygon");
     agree(T, m.crossings <= polygon_crossings(7, P, L));
 }
@@ -722,7 +722,7 @@ CLAIM(curve_of_a_triangle_meets_a_line_three_times)
 {
     num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
     G(integer_points)(8, G(triangle), P);
-    struct curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
+    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
     about(T, "the polygon is not convex, or there are at most two common points");
     agree(T, !polygon_is_convex(7, P, 1, NULL) || m.common_closed <= 2);
 }
@@ -735,9 +735,9 @@ CLAIM(curve_on_a_line_that_its_polygon_crosses)
         P[i * dim] = from_int(x[i]);
         P[i * dim + 1] = from_ratio(fifths[i], 5);
     }
-    struct line L = G(horizontal)(from_int(0));
-    struct curve_meets_line m = G(meets)(T, 0, P, beta, L);
-    struct polygon_meets_line of_polygon = polygon_meets_line(7, P, L);
+    struct cagd_line L = G(horizontal)(from_int(0));
+    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, L);
+    struct cagd_polygon_meets_line of_polygon = polygon_meets_line(7, P, L);
     show_text(T, "common points with the polygon", "%d", of_polygon.components);
     int five_points = of_polygon.contained_edges == 0 && of_polygon.components == 5 && of_polygon.crossings == 3;
     about(T, "the polygon having five points on the line and crossing it three times, whether the curve is not on it");
@@ -749,7 +749,7 @@ CLAIM(closed_polygon_has_three_parameters_on_a_line)
     static const int heptagon[] = {0, 0, 2, -1, 4, 0, 5, 2, 4, 4, 2, 5, 0, 3, 0, 0};
     num P[8 * dim], beta[3] = {from_ratio(-21, 4), from_int(0), from_int(1)};
     int most_two = 0;
-    struct line L = {from_int(1), from_int(-1), T->planted ? from_ratio(1, 2) : from_int(0)};
+    struct cagd_line L = {from_int(1), from_int(-1), T->planted ? from_ratio(1, 2) : from_int(0)};
     G(integer_points)(8, heptagon, P);
     for (int m = 0; m < 3; m++)
         most_two += G(meets)(T, 0, P, beta[m], L).common_closed <= 2;
@@ -764,7 +764,7 @@ CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
         P[i * dim] = from_int(i);
         P[i * dim + 1] = from_int(i == 0 || i == 7 ? 100 : 101);
     }
-    struct curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), G(horizontal)(from_ratio(401, 4)));
+    struct cagd_curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), G(horizontal)(from_ratio(401, 4)));
     about(T, "the polygon is not convex, or there are at most two common points");
     agree(T, !polygon_is_convex(7, P, 0, NULL) || m.common_closed <= 2);
 }
@@ -805,7 +805,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
     num P[16];
     for (int m = 0; m < 16; m++)
         P[m] = from_int(vertex[m] + (m == 14 && T->planted));
-    struct polygon_meets_line m = polygon_meets_line(7, P, G(horizontal)(from_int(0)));
+    struct cagd_polygon_meets_line m = polygon_meets_line(7, P, G(horizontal)(from_int(0)));
     show_points(T, "P", 8, dim, P);
     show_text(T, "changes of sign", "%d", m.crossings);
     show_text(T, "points on the line", "%d", m.components);
@@ -818,8 +818,8 @@ CLAIM(curve_and_line_share_an_end)
     num P[8 * dim];
     for (int m = 0; m < 8 * dim; m++)
         P[m] = from_int(m / dim);
-    struct line L = G(horizontal)(T->planted ? from_ratio(7, 2) : from_int(0));
-    struct curve_meets_line m = G(meets)(T, 0, P, from_int(0), L);
+    struct cagd_line L = G(horizontal)(T->planted ? from_ratio(7, 2) : from_int(0));
+    struct cagd_curve_meets_line m = G(meets)(T, 0, P, from_int(0), L);
     about(T, "as many common points as roots in (0,1), and no more than changes of sign");
     agree(T, m.common_closed == m.common_open && m.common_closed <= polygon_crossings(7, P, L));
 }

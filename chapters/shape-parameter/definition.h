@@ -132,7 +132,7 @@ static inline void G(factors_in_beta)(int printed_ones, int n, poly near[], poly
 /* Is p >= 0 on [a,b]? */
 static inline int G(never_negative)(poly p, num a, num b)
 {
-    enum sign_pattern sign = sign_on(p, a, b, CLOSED);
+    enum cagd_sign_pattern sign = sign_on(p, a, b, CLOSED);
     return sign == SIGN_ZERO || sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE;
 }
 

@@ -230,7 +230,7 @@ CLAIM(third_function_has_two_maxima)
 {
     num beta = from_int(T->planted ? -1 : -7);
     poly D = poly_derivative(G(function)(1, 7, 2, beta));
-    struct root_count roots = count_roots(D, from_int(0), from_int(1), OPEN);
+    struct cagd_root_count roots = count_roots(D, from_int(0), from_int(1), OPEN);
     int falls_first = 0;
     for (int k = poly_degree(D); k >= 0; k--)
         if (!is_zero_q(poly_coefficient(D, k)))
@@ -344,8 +344,8 @@ CLAIM(signs_of_the_slopes)
             int printed_third = printed_ones && i == 3;
             int m = printed_third ? 5 : corrected[i][0], of = printed_third ? 9 : corrected[i][1];
             num change = from_ratio(m, T->planted && i == 1 ? 6 : of);
-            enum sign_pattern before = corrected[i][2] > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
-            enum sign_pattern after = before == SIGN_POSITIVE ? SIGN_NEGATIVE : SIGN_POSITIVE;
+            enum cagd_sign_pattern before = corrected[i][2] > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
+            enum cagd_sign_pattern after = before == SIGN_POSITIVE ? SIGN_NEGATIVE : SIGN_POSITIVE;
             if (is_zero_q(change)) {
                 agree(T, sign_on(slope, from_int(0), from_int(1), OPEN) == before);
             } else {

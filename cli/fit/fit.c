@@ -130,9 +130,9 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
     if (f->checked && is_terminal(stderr))
         fputs("verifying in intervals ...", stderr);
     if (f->checked && nothing_is_free(f))
-        f->nearest = stationary_nearest(&f->data, &result->curve, result->feet);
+        f->nearest = cagd_stationary_nearest(&f->data, &result->curve, result->feet);
     else if (f->checked)
-        f->verdict = stationary_check_fit(&f->data, &f->options, result);
+        f->verdict = cagd_stationary_check_fit(&f->data, &f->options, result);
     end_progress();
     int code = write_and_print(a, f);
     cagd_fit_free(result);
@@ -151,6 +151,6 @@ int run_fit(int argc, char **argv)
     }
     free(a.inner);
     region_drop(mark);
-    exact_thread_end();
+    cagd_thread_end();
     return code;
 }

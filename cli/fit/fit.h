@@ -6,6 +6,7 @@
 #include "cli/fit/points.h"
 #include "core/fit/cagd_fit.h"
 #include "exact/fit/stationary.h"
+#include "exact/words.h"
 
 struct fit {
     const char *path;
@@ -15,8 +16,8 @@ struct fit {
     cagd_fit_options options;
     const cagd_fit_result *result;
     int checked; /* whether it was asked to verify the minimum, or the feet where nothing is free */
-    stationary_verdict verdict;
-    nearest_verdict nearest;
+    cagd_stationary_verdict verdict;
+    cagd_nearest_verdict nearest;
 };
 
 /* What cagd fit is asked. */

@@ -94,11 +94,11 @@ static json_t *verdict_json(const struct fit *f)
 {
     /* what the cost does when weights leave their bounds */
     static const char *const bounds[] = {NULL, "grows", "falls", "not known"};
-    const stationary_verdict *v = &f->verdict;
+    const cagd_stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return json_pack("{s:s}", "status", "not asked");
     if (nothing_is_free(f)) {
-        const nearest_verdict *n = &f->nearest;
+        const cagd_nearest_verdict *n = &f->nearest;
         return json_pack("{s:s, s:o, s:o, s:o}", "status",
                          n->verified  ? "verified"
                          : n->refuted ? "refuted"

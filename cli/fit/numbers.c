@@ -11,8 +11,8 @@ int in_range(double positive) { return positive > 0 && isfinite(positive); }
 
 int is_minimum(const struct fit *f)
 {
-    const stationary_verdict *v = &f->verdict;
-    int refuted = f->checked && v->verified && !v->minimum && v->bounds != STATIONARY_OPEN;
+    const cagd_stationary_verdict *v = &f->verdict;
+    int refuted = f->checked && v->verified && !v->minimum && v->bounds != CAGD_STATIONARY_OPEN;
     refuted |= f->checked && f->nearest.refuted;
     return f->result->termination == CAGD_FIT_CONVERGED && !refuted;
 }

@@ -43,15 +43,15 @@ static const char *plural(int n) { return n == 1 ? "" : "s"; }
 /* ---- the text -------------------------------------------------------------------------------------- */
 
 /* A line of the report: its name, and words that are filled into the column beside it. */
-struct line {
+struct cagd_line {
     FILE *out;
     char *text;
     size_t size;
 };
 
-static FILE *begin(struct line *l) { return l->out = open_memstream(&l->text, &l->size); }
+static FILE *begin(struct cagd_line *l) { return l->out = open_memstream(&l->text, &l->size); }
 
-static void end(struct line *l, const char *name)
+static void end(struct cagd_line *l, const char *name)
 {
     enum { INDENT = 20 };
     char *filled;
@@ -68,7 +68,7 @@ static void end(struct line *l, const char *name)
 static void say(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 static void say(const char *name, const char *format, ...)
 {
-    struct line l;
+    struct cagd_line l;
     va_list list;
     va_start(list, format);
     vfprintf(begin(&l), format, list);
@@ -88,7 +88,7 @@ static void print_heading(const struct fit *f)
         f->data.sigma == NULL ? ""
         : f->sigma_given      ? ", with one standard deviation"
                               : ", each with its standard deviation");
-    struct line l;
+    struct cagd_line l;
     FILE *out = begin(&l);
     if (segments == 1)
         fprintf(out, "rational Bézier curve of degree %d", c->degree);
@@ -147,7 +147,7 @@ struct reach {
 };
 static struct reach reach_of(const struct fit *f)
 {
-    const stationary_verdict *v = &f->verdict;
+    const cagd_stationary_verdict *v = &f->verdict;
     struct reach r = {0, v->point_radius, v->weight_radius, v->point_alone, v->weight_alone};
     int points = 0, weights = 0;
     for (int k = 0; k < f->result->unknowns; k++)
@@ -164,7 +164,7 @@ static struct reach reach_of(const struct fit *f)
 
 static void put_reach(const struct fit *f, FILE *out)
 {
-    const stationary_verdict *v = &f->verdict;
+    const cagd_stationary_verdict *v = &f->verdict;
     struct reach r = reach_of(f);
     char point[16], weight[16];
     power_of_ten(r.point, ceil, point);
@@ -176,7 +176,7 @@ static void put_reach(const struct fit *f, FILE *out)
     if (!is_farther(r.point_alone, r.point) || !is_farther(r.weight_alone, r.weight))
         return;
     fprintf(out, ", and is the only %s within %s",
-            v->bounds != STATIONARY_NO_BOUNDS ? "one with these weights on their bounds" : "stationary point",
+            v->bounds != CAGD_STATIONARY_NO_BOUNDS ? "one with these weights on their bounds" : "stationary point",
             power_of_ten(r.point_alone, floor, point));
     if (r.apart)
         fprintf(out, " and %s of them", power_of_ten(r.weight_alone, floor, weight));
@@ -185,7 +185,7 @@ static void put_reach(const struct fit *f, FILE *out)
 /* What the check in intervals found of the feet. */
 static void print_nearest(const struct fit *f)
 {
-    const nearest_verdict *n = &f->nearest;
+    const cagd_nearest_verdict *n = &f->nearest;
     char text[16];
     if (n->verified)
         say("Verification",
@@ -199,16 +199,16 @@ static void print_nearest(const struct fit *f)
 /* What the check in intervals found. */
 static void print_verdict(const struct fit *f)
 {
-    const stationary_verdict *v = &f->verdict;
+    const cagd_stationary_verdict *v = &f->verdict;
     if (!f->checked)
         return;
     if (nothing_is_free(f)) {
         print_nearest(f);
         return;
     }
-    struct line l;
+    struct cagd_line l;
     FILE *out = begin(&l);
-    int bounds = v->bounds != STATIONARY_NO_BOUNDS;
+    int bounds = v->bounds != CAGD_STATIONARY_NO_BOUNDS;
     char name[32] = "";
     if (v->bound >= 0)
         unknown_name(f->result, v->bound, name);
@@ -224,9 +224,9 @@ static void print_verdict(const struct fit *f)
                     v->dimension < free_unknowns(f->result) ? ", up to the free directions," : "");
             put_reach(f, out);
         }
-        if (v->bounds == STATIONARY_FALLS)
+        if (v->bounds == CAGD_STATIONARY_FALLS)
             fprintf(out, "; it is NO minimum: the cost falls when %s leaves its bound", name);
-        if (v->bounds == STATIONARY_OPEN)
+        if (v->bounds == CAGD_STATIONARY_OPEN)
             fprintf(out, "; whether the cost grows or falls when %s leaves its bound is not known", name);
     } else {
         fprintf(out, "not verified: %s", v->reason);
@@ -289,7 +289,7 @@ static void print_estimates(const struct fit *f)
 static void print_fixed(const struct fit *f)
 {
     const cagd_spline *c = &f->result->curve;
-    struct line l;
+    struct cagd_line l;
     FILE *out = begin(&l);
     int said = 0;
     for (int j = 0; j < c->count; j++) {
@@ -338,7 +338,7 @@ static void print_correlations(const cagd_fit_result *r)
         say("Correlations", "none of %g or more", LARGE);
         return;
     }
-    struct line l;
+    struct cagd_line l;
     FILE *out = begin(&l);
     for (int k = 0; k < count; k++) {
         char a[32], b[32];
@@ -368,7 +368,7 @@ static void print_free_directions(const cagd_fit_result *r)
         double largest = 0;
         for (int k = 0; k < r->unknowns; k++)
             largest = fmax(largest, fabs(v[k]));
-        struct line l;
+        struct cagd_line l;
         FILE *out = begin(&l);
         int said = 0;
         for (int k = 0; k < r->unknowns; k++)
@@ -387,7 +387,7 @@ static void print_free_directions(const cagd_fit_result *r)
 static void print_distances(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
-    struct line l;
+    struct cagd_line l;
     FILE *out = begin(&l);
     fprintf(out, "root mean square %.4g, largest %.4g at point %d (line %d)", r->rms, r->largest, r->largest_at + 1,
             f->points.line[r->largest_at]);
@@ -430,7 +430,7 @@ static void print_statistics(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
     int known = f->data.sigma != NULL && f->options.loss == CAGD_FIT_SQUARES;
-    struct line l;
+    struct cagd_line l;
     FILE *out = begin(&l);
     if (f->options.loss == CAGD_FIT_SQUARES) {
         fprintf(out, "%.6g on %d degree%s of freedom", r->chi_squared, r->degrees_of_freedom,

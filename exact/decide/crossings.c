@@ -1,13 +1,17 @@
 #include "exact/decide/crossings.h"
 
 #include "exact/decide/roots.h"
+#include "exact/words.h"
 
 #include <stdlib.h>
 
-static num_q line_at(struct line l, const num_q R[]) { return add_q(add_q(mul_q(l.a, R[0]), mul_q(l.b, R[1])), l.c); }
-static int no_line(struct line l)
+static num_q line_at(struct cagd_line l, const num_q R[])
 {
-    int fault = is_zero_q(l.a) && is_zero_q(l.b);
+    return add_q(add_q(mul_q(l.a, R[0]), mul_q(l.b, R[1])), l.c);
+}
+static int no_line(struct cagd_line l)
+{
+    int fault = cagd_is_zero_q(l.a) && cagd_is_zero_q(l.b);
     region_faults |= fault ? FAULT_UNDEFINED : 0;
     return fault;
 }
@@ -24,7 +28,7 @@ static poly weighted(int n, const num_q w[], const num_q c[])
 /* p without the factors that it shares with q. */
 static poly without_common_roots(poly p, poly q)
 {
-    for (poly g = poly_gcd(p, q); poly_degree(g) > 0; g = poly_gcd(p, g))
+    for (poly g = poly_gcd(p, q); cagd_poly_degree(g) > 0; g = poly_gcd(p, g))
         p = poly_quotient(p, g);
     return p;
 }
@@ -32,12 +36,13 @@ static poly without_common_roots(poly p, poly q)
 /* With x = X/W, y = Y/W in lowest terms, a x + b y + c = g/W, g = a X + b Y + c W.  An affine point
  * is on the line where g = 0 and W != 0; near there W keeps its sign, so that it is g whose parity
  * counts.  The sign of g/W is that of g W: what changes there and not at such a point is a jump. */
-static struct curve_meets_line decide_curve_meets_line(int n, const num_q R[], const num_q w[], struct line line)
+static struct cagd_curve_meets_line decide_curve_meets_line(int n, const num_q R[], const num_q w[],
+                                                            struct cagd_line line)
 {
-    struct curve_meets_line m = {0};
+    struct cagd_curve_meets_line m = {0};
     region_mark mark = region_open();
     poly W = poly_from_bernstein(n, w);
-    if (no_line(line) || poly_is_zero(W)) {
+    if (no_line(line) || cagd_poly_is_zero(W)) {
         region_faults |= FAULT_UNDEFINED;
         region_drop(mark);
         return m;
@@ -48,38 +53,38 @@ static struct curve_meets_line decide_curve_meets_line(int n, const num_q R[], c
     g = poly_add(g, poly_scale(W, line.c));
 
     num_q zero = from_int_q(0), one = from_int_q(1);
-    m.poles = count_roots(W, zero, one, CLOSED).distinct;
-    m.contained = poly_is_zero(g);
+    m.poles = cagd_count_roots(W, zero, one, CLOSED).distinct;
+    m.contained = cagd_poly_is_zero(g);
     if (!m.contained) {
         poly affine = without_common_roots(g, W);
-        struct root_count inside = count_roots(affine, zero, one, OPEN);
-        m.common_closed = count_roots(affine, zero, one, CLOSED).distinct;
+        struct cagd_root_count inside = cagd_count_roots(affine, zero, one, OPEN);
+        m.common_closed = cagd_count_roots(affine, zero, one, CLOSED).distinct;
         m.common_open = inside.distinct;
         m.crossings = inside.crossings;
         m.touches = inside.touches;
-        m.jumps = count_roots(poly_mul(g, W), zero, one, OPEN).crossings - m.crossings;
+        m.jumps = cagd_count_roots(poly_mul(g, W), zero, one, OPEN).crossings - m.crossings;
     }
     region_drop(mark);
     return m;
 }
-struct curve_meets_line curve_meets_line(int n, const num_q R[], const num_q w[], struct line line)
+struct cagd_curve_meets_line cagd_curve_meets_line(int n, const num_q R[], const num_q w[], struct cagd_line line)
 {
-    trace_pause();
-    struct curve_meets_line answer = decide_curve_meets_line(n, R, w, line);
-    trace_resume();
-    if (trace_noting()) {
+    cagd_trace_pause();
+    struct cagd_curve_meets_line answer = decide_curve_meets_line(n, R, w, line);
+    cagd_trace_resume();
+    if (cagd_trace_noting()) {
         num_q l[3] = {line.a, line.b, line.c};
-        trace_name_numbers(2 * n + 2, R);
-        trace_name_numbers(n + 1, w);
-        trace_name_numbers(3, l);
-        trace_fact("curve_and_line");
-        trace_put_numbers("R", 2 * n + 2, R);
-        trace_put_numbers("w", n + 1, w);
-        trace_put_numbers("line", 3, l);
-        trace_put_list("is", 7,
-                       (int[]){answer.contained, answer.common_closed, answer.common_open, answer.crossings,
-                               answer.touches, answer.poles, answer.jumps});
-        trace_fact_end();
+        cagd_trace_name_numbers(2 * n + 2, R);
+        cagd_trace_name_numbers(n + 1, w);
+        cagd_trace_name_numbers(3, l);
+        cagd_trace_fact("curve_and_line");
+        cagd_trace_put_numbers("R", 2 * n + 2, R);
+        cagd_trace_put_numbers("w", n + 1, w);
+        cagd_trace_put_numbers("line", 3, l);
+        cagd_trace_put_list("is", 7,
+                            (int[]){answer.contained, answer.common_closed, answer.common_open, answer.crossings,
+                                    answer.touches, answer.poles, answer.jumps});
+        cagd_trace_fact_end();
     }
     return answer;
 }
@@ -90,7 +95,7 @@ struct stretch {
 };
 static int by_from(const void *p, const void *q)
 {
-    return compare_q(((const struct stretch *)p)->from, ((const struct stretch *)q)->from);
+    return cagd_compare_q(((const struct stretch *)p)->from, ((const struct stretch *)q)->from);
 }
 
 /* Connected components of the union. */
@@ -100,24 +105,24 @@ static int components(int count, struct stretch s[])
     qsort(s, (size_t)count, sizeof *s, by_from);
     for (int k = 0; k < count;) {
         num_q end = s[k].to;
-        for (found++; k < count && compare_q(s[k].from, end) <= 0; k++)
-            if (compare_q(s[k].to, end) > 0)
+        for (found++; k < count && cagd_compare_q(s[k].from, end) <= 0; k++)
+            if (cagd_compare_q(s[k].to, end) > 0)
                 end = s[k].to;
     }
     return found;
 }
 
 /* The place on the line of the foot of the point: (-b, a) is the line's direction. */
-static num_q place(struct line l, const num_q R[]) { return sub_q(mul_q(l.a, R[1]), mul_q(l.b, R[0])); }
+static num_q place(struct cagd_line l, const num_q R[]) { return sub_q(mul_q(l.a, R[1]), mul_q(l.b, R[0])); }
 
 static struct stretch between(num_q p, num_q q)
 {
-    return compare_q(p, q) <= 0 ? (struct stretch){p, q} : (struct stretch){q, p};
+    return cagd_compare_q(p, q) <= 0 ? (struct stretch){p, q} : (struct stretch){q, p};
 }
 
-static struct polygon_meets_line decide_polygon_meets_line(int n, const num_q R[], struct line line)
+static struct cagd_polygon_meets_line decide_polygon_meets_line(int n, const num_q R[], struct cagd_line line)
 {
-    struct polygon_meets_line m = {0};
+    struct cagd_polygon_meets_line m = {0};
     if (no_line(line))
         return m;
     region_mark mark = region_open();
@@ -126,12 +131,12 @@ static struct polygon_meets_line decide_polygon_meets_line(int n, const num_q R[
     num_q value_before = {0}, place_before = {0};
     for (int i = 0; i <= n; i++) {
         num_q value = line_at(line, R + 2 * i), here = place(line, R + 2 * i);
-        int s = sign_q(value), edge = i > 0;
+        int s = cagd_sign_q(value), edge = i > 0;
         if (s == 0) {
             int from_line = edge && s_before == 0;
             common[stretches++] = between(from_line ? place_before : here, here);
             m.common_runs += !from_line;
-            m.contained_edges += from_line && !equal_q(place_before, here);
+            m.contained_edges += from_line && !cagd_equal_q(place_before, here);
         } else if (edge && s == -s_before) { /* the foot moves in proportion to the value */
             num_q ratio = div_q(value_before, sub_q(value_before, value));
             num_q hit = add_q(place_before, mul_q(ratio, sub_q(here, place_before)));
@@ -148,23 +153,26 @@ static struct polygon_meets_line decide_polygon_meets_line(int n, const num_q R[
     region_drop(mark);
     return m;
 }
-struct polygon_meets_line polygon_meets_line(int n, const num_q R[], struct line line)
+struct cagd_polygon_meets_line cagd_polygon_meets_line(int n, const num_q R[], struct cagd_line line)
 {
-    trace_pause();
-    struct polygon_meets_line answer = decide_polygon_meets_line(n, R, line);
-    trace_resume();
-    if (trace_noting()) {
+    cagd_trace_pause();
+    struct cagd_polygon_meets_line answer = decide_polygon_meets_line(n, R, line);
+    cagd_trace_resume();
+    if (cagd_trace_noting()) {
         num_q l[3] = {line.a, line.b, line.c};
-        trace_name_numbers(2 * n + 2, R);
-        trace_name_numbers(3, l);
-        trace_fact("polygon_and_line");
-        trace_put_numbers("R", 2 * n + 2, R);
-        trace_put_numbers("line", 3, l);
-        trace_put_list("is", 4,
-                       (int[]){answer.crossings, answer.common_runs, answer.components, answer.contained_edges});
-        trace_fact_end();
+        cagd_trace_name_numbers(2 * n + 2, R);
+        cagd_trace_name_numbers(3, l);
+        cagd_trace_fact("polygon_and_line");
+        cagd_trace_put_numbers("R", 2 * n + 2, R);
+        cagd_trace_put_numbers("line", 3, l);
+        cagd_trace_put_list("is", 4,
+                            (int[]){answer.crossings, answer.common_runs, answer.components, answer.contained_edges});
+        cagd_trace_fact_end();
     }
     return answer;
 }
 
-int polygon_crossings(int n, const num_q R[], struct line line) { return polygon_meets_line(n, R, line).crossings; }
+int cagd_polygon_crossings(int n, const num_q R[], struct cagd_line line)
+{
+    return cagd_polygon_meets_line(n, R, line).crossings;
+}

@@ -9,11 +9,11 @@
 
 #include "exact/number/rational.h"
 
-struct line {
-    num_q a, b, c;
+struct cagd_line {
+    cagd_num_q a, b, c;
 };
 
-struct curve_meets_line {
+struct cagd_curve_meets_line {
     int contained;     /* the whole curve is on the line; the counts of common points are then 0   */
     int common_closed; /* parameters in [0,1] whose point is on the line                           */
     int common_open;   /* the same in (0,1)                                                        */
@@ -31,9 +31,10 @@ struct curve_meets_line {
  * quotient is 0/0.  Weights may be negative or zero.  Parameters are counted, so that a double point
  * on the line counts twice and a constant curve on it is `contained`.
  * UNDEFINED when all weights are 0 and when a = b = 0. */
-struct curve_meets_line curve_meets_line(int n, const num_q R[], const num_q w[], struct line line);
+struct cagd_curve_meets_line cagd_curve_meets_line(int n, const cagd_num_q R[], const cagd_num_q w[],
+                                                   struct cagd_line line);
 
-struct polygon_meets_line {
+struct cagd_polygon_meets_line {
     int crossings;       /* changes of the sign of a x + b y + c along R_0 ... R_n, zeros skipped  */
     int common_runs;     /* maximal intervals of the polygon's parameter on which it is on the line,
                             single parameters included                                             */
@@ -43,7 +44,7 @@ struct polygon_meets_line {
 
 /* The open polygon R_0 R_1 ... R_n, n >= 0, R[0 .. 2 n + 1].  A closed one repeats its first point.
  * UNDEFINED when a = b = 0. */
-struct polygon_meets_line polygon_meets_line(int n, const num_q R[], struct line line);
+struct cagd_polygon_meets_line cagd_polygon_meets_line(int n, const cagd_num_q R[], struct cagd_line line);
 
-int polygon_crossings(int n, const num_q R[], struct line line); /* the first count alone            */
+int cagd_polygon_crossings(int n, const cagd_num_q R[], struct cagd_line line); /* the first count alone            */
 #endif

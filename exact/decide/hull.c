@@ -1,4 +1,5 @@
 #include "exact/decide/hull.h"
+#include "exact/words.h"
 
 #include <stdlib.h>
 
@@ -10,21 +11,21 @@ static num_q dot(int d, const num_q u[], const num_q v[])
     return sum;
 }
 
-int hull_certificate_holds(int d, int count, const num_q points[], const num_q x[], struct hull_certificate c)
+int cagd_hull_certificate_holds(int d, int count, const num_q points[], const num_q x[], struct cagd_hull_certificate c)
 {
     int good = 1;
     if (!c.inside) {
         for (int j = 0; j < count; j++)
-            good &= compare_q(dot(d, c.normal, points + d * j), c.offset) <= 0;
-        return good && compare_q(c.offset, dot(d, c.normal, x)) < 0;
+            good &= cagd_compare_q(dot(d, c.normal, points + d * j), c.offset) <= 0;
+        return good && cagd_compare_q(c.offset, dot(d, c.normal, x)) < 0;
     }
     for (int i = -1; i < d; i++) { /* i = -1 stands for the coordinate 1 of every point */
         num_q sum = from_int_q(0);
         for (int j = 0; j < count; j++) {
             sum = add_q(sum, i < 0 ? c.coefficient[j] : mul_q(c.coefficient[j], points[d * j + i]));
-            good &= sign_q(c.coefficient[j]) >= 0;
+            good &= cagd_sign_q(c.coefficient[j]) >= 0;
         }
-        good &= equal_q(sum, i < 0 ? from_int_q(1) : x[i]);
+        good &= cagd_equal_q(sum, i < 0 ? from_int_q(1) : x[i]);
     }
     return good;
 }
@@ -54,7 +55,7 @@ static struct tableau first_tableau(int d, int count, const num_q points[], cons
         costs[k] = zero;
     for (int i = 0; i <= d; i++) {
         num_q right = i < d ? x[i] : one, *r = row(t, i);
-        int minus = sign_q(right) < 0;
+        int minus = cagd_sign_q(right) < 0;
         for (int j = 0; j < count; j++) {
             num_q p = i < d ? points[d * j + i] : one;
             r[j] = minus ? neg_q(p) : p;
@@ -78,9 +79,9 @@ static void pivot(struct tableau t, int r, int column)
         p[k] = mul_q(p[k], inverse);
     for (int i = 0; i <= t.rows; i++) {
         num_q *q = row(t, i), factor = q[column];
-        if (i != r && !is_zero_q(factor))
+        if (i != r && !cagd_is_zero_q(factor))
             for (int k = 0; k < t.columns; k++)
-                if (!is_zero_q(p[k]))
+                if (!cagd_is_zero_q(p[k]))
                     q[k] = sub_q(q[k], mul_q(factor, p[k]));
     }
     t.basic[r] = column;
@@ -93,16 +94,16 @@ static void minimise(struct tableau t, int count)
     const num_q *costs = row(t, t.rows);
     for (;;) {
         int column = 0, leaving = -1;
-        while (column < count && sign_q(costs[column]) >= 0)
+        while (column < count && cagd_sign_q(costs[column]) >= 0)
             column++;
         if (column == count)
             return;
         num_q least = {0};
         for (int i = 0; i < t.rows; i++) {
-            if (sign_q(row(t, i)[column]) <= 0)
+            if (cagd_sign_q(row(t, i)[column]) <= 0)
                 continue;
             num_q ratio = div_q(row(t, i)[t.columns - 1], row(t, i)[column]);
-            int order = leaving < 0 ? -1 : compare_q(ratio, least);
+            int order = leaving < 0 ? -1 : cagd_compare_q(ratio, least);
             if (order < 0 || (order == 0 && t.basic[i] < t.basic[leaving])) {
                 leaving = i;
                 least = ratio;
@@ -114,12 +115,12 @@ static void minimise(struct tableau t, int count)
 
 /* At the minimum, y_i = 1 - (reduced cost of a_i) has sigma y . (P_j, 1) <= 0 for all j, and
  * sigma y . (x, 1) is the minimum: if that is positive, a separating hyperplane. */
-static struct hull_certificate decide_hull_membership(int d, int count, const num_q points[], const num_q x[])
+static struct cagd_hull_certificate decide_hull_membership(int d, int count, const num_q points[], const num_q x[])
 {
     struct tableau t = first_tableau(d, count, points, x);
     minimise(t, count);
     const num_q *costs = row(t, t.rows);
-    struct hull_certificate c = {.inside = is_zero_q(costs[t.columns - 1]), .offset = from_int_q(0)};
+    struct cagd_hull_certificate c = {.inside = cagd_is_zero_q(costs[t.columns - 1]), .offset = from_int_q(0)};
     if (c.inside) {
         num_q *lambda = region_bytes((size_t)count * sizeof *lambda);
         for (int j = 0; j < count; j++)
@@ -132,38 +133,38 @@ static struct hull_certificate decide_hull_membership(int d, int count, const nu
         num_q *normal = region_bytes((size_t)d * sizeof *normal);
         for (int i = 0; i < d; i++) {
             num_q y = sub_q(from_int_q(1), costs[count + i]);
-            normal[i] = sign_q(x[i]) < 0 ? neg_q(y) : y;
+            normal[i] = cagd_sign_q(x[i]) < 0 ? neg_q(y) : y;
         }
         c.normal = normal;
         c.offset = sub_q(costs[count + d], from_int_q(1));
     }
-    if (!hull_certificate_holds(d, count, points, x, c))
+    if (!cagd_hull_certificate_holds(d, count, points, x, c))
         region_faults |= FAULT_UNABLE;
     return c;
 }
-struct hull_certificate hull_membership(int d, int count, const num_q points[], const num_q x[])
+struct cagd_hull_certificate cagd_hull_membership(int d, int count, const num_q points[], const num_q x[])
 {
-    trace_pause();
-    struct hull_certificate answer = decide_hull_membership(d, count, points, x);
-    trace_resume();
-    if (trace_noting()) {
-        trace_name_numbers(d * count, points);
-        trace_name_numbers(d, x);
-        trace_name_numbers(answer.inside ? count : d, answer.inside ? answer.coefficient : answer.normal);
+    cagd_trace_pause();
+    struct cagd_hull_certificate answer = decide_hull_membership(d, count, points, x);
+    cagd_trace_resume();
+    if (cagd_trace_noting()) {
+        cagd_trace_name_numbers(d * count, points);
+        cagd_trace_name_numbers(d, x);
+        cagd_trace_name_numbers(answer.inside ? count : d, answer.inside ? answer.coefficient : answer.normal);
         if (!answer.inside)
-            trace_name_numbers(1, &answer.offset);
-        trace_fact("hull");
-        trace_put("dim", d);
-        trace_put_numbers("points", d * count, points);
-        trace_put_numbers("x", d, x);
-        trace_put("is", answer.inside);
+            cagd_trace_name_numbers(1, &answer.offset);
+        cagd_trace_fact("hull");
+        cagd_trace_put("dim", d);
+        cagd_trace_put_numbers("points", d * count, points);
+        cagd_trace_put_numbers("x", d, x);
+        cagd_trace_put("is", answer.inside);
         if (answer.inside)
-            trace_put_numbers("coefficients", count, answer.coefficient);
+            cagd_trace_put_numbers("coefficients", count, answer.coefficient);
         else {
-            trace_put_numbers("normal", d, answer.normal);
-            trace_put_numbers("offset", 1, &answer.offset);
+            cagd_trace_put_numbers("normal", d, answer.normal);
+            cagd_trace_put_numbers("offset", 1, &answer.offset);
         }
-        trace_fact_end();
+        cagd_trace_fact_end();
     }
     return answer;
 }
@@ -175,11 +176,11 @@ static struct vector from_to(const num_q P[2], const num_q Q[2])
 {
     return (struct vector){sub_q(Q[0], P[0]), sub_q(Q[1], P[1])};
 }
-static int cross_sign(struct vector u, struct vector v) { return compare_q(mul_q(u.x, v.y), mul_q(u.y, v.x)); }
-static int dot_sign(struct vector u, struct vector v) { return sign_q(add_q(mul_q(u.x, v.x), mul_q(u.y, v.y))); }
-static int is_zero(struct vector u) { return is_zero_q(u.x) && is_zero_q(u.y); }
+static int cross_sign(struct vector u, struct vector v) { return cagd_compare_q(mul_q(u.x, v.y), mul_q(u.y, v.x)); }
+static int dot_sign(struct vector u, struct vector v) { return cagd_sign_q(add_q(mul_q(u.x, v.x), mul_q(u.y, v.y))); }
+static int is_zero(struct vector u) { return cagd_is_zero_q(u.x) && cagd_is_zero_q(u.y); }
 
-int turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2])
+int cagd_turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2])
 {
     region_mark m = region_open();
     int s = cross_sign(from_to(P, Q), from_to(P, R));
@@ -188,7 +189,7 @@ int turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2])
 }
 
 /* Angles in [0, pi) are above, in [pi, 2 pi) below. */
-static int is_below(struct vector u) { return sign_q(u.y) < 0 || (is_zero_q(u.y) && sign_q(u.x) < 0); }
+static int is_below(struct vector u) { return cagd_sign_q(u.y) < 0 || (cagd_is_zero_q(u.y) && cagd_sign_q(u.x) < 0); }
 
 /* The nonzero edges, the closing one included. */
 static int edges_of(int n, const num_q R[], struct vector edge[])
@@ -245,18 +246,18 @@ static int decide_polygon_is_convex(int n, const num_q points[], int closed, int
         *orientation = side;
     return convex;
 }
-int polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
+int cagd_polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
 {
-    trace_pause();
+    cagd_trace_pause();
     int answer = decide_polygon_is_convex(n, points, closed, orientation);
-    trace_resume();
-    if (trace_noting()) {
-        trace_name_numbers(2 * n + 2, points);
-        trace_fact("convex_polygon");
-        trace_put_numbers("points", 2 * n + 2, points);
-        trace_put("closed", closed != 0);
-        trace_put("is", answer != 0);
-        trace_fact_end();
+    cagd_trace_resume();
+    if (cagd_trace_noting()) {
+        cagd_trace_name_numbers(2 * n + 2, points);
+        cagd_trace_fact("convex_polygon");
+        cagd_trace_put_numbers("points", 2 * n + 2, points);
+        cagd_trace_put("closed", closed != 0);
+        cagd_trace_put("is", answer != 0);
+        cagd_trace_fact_end();
     }
     return answer;
 }
@@ -268,8 +269,8 @@ struct site {
 static int lexicographic(const void *p, const void *q)
 {
     const num_q *P = ((const struct site *)p)->at, *Q = ((const struct site *)q)->at;
-    int s = compare_q(P[0], Q[0]);
-    return s != 0 ? s : compare_q(P[1], Q[1]);
+    int s = cagd_compare_q(P[0], Q[0]);
+    return s != 0 ? s : cagd_compare_q(P[1], Q[1]);
 }
 
 /* Lower chain from left to right, then the upper one back; a point that makes no left turn goes. */
@@ -286,7 +287,7 @@ static int decide_convex_hull_2d(int count, const num_q points[], int vertex[])
         for (int j = 0; j < count; j++) {
             struct site next = site[way == 0 ? j : count - 1 - j];
             while (size >= base + 2 &&
-                   turn_2d(points + 2 * vertex[size - 2], points + 2 * vertex[size - 1], next.at) <= 0)
+                   cagd_turn_2d(points + 2 * vertex[size - 2], points + 2 * vertex[size - 1], next.at) <= 0)
                 size--;
             vertex[size++] = next.index;
         }
@@ -297,17 +298,17 @@ static int decide_convex_hull_2d(int count, const num_q points[], int vertex[])
     region_drop(m);
     return size;
 }
-int convex_hull_2d(int count, const num_q points[], int vertex[])
+int cagd_convex_hull_2d(int count, const num_q points[], int vertex[])
 {
-    trace_pause();
+    cagd_trace_pause();
     int answer = decide_convex_hull_2d(count, points, vertex);
-    trace_resume();
-    if (trace_noting()) {
-        trace_name_numbers(2 * count, points);
-        trace_fact("hull_vertices");
-        trace_put_numbers("points", 2 * count, points);
-        trace_put_list("vertices", answer, vertex);
-        trace_fact_end();
+    cagd_trace_resume();
+    if (cagd_trace_noting()) {
+        cagd_trace_name_numbers(2 * count, points);
+        cagd_trace_fact("hull_vertices");
+        cagd_trace_put_numbers("points", 2 * count, points);
+        cagd_trace_put_list("vertices", answer, vertex);
+        cagd_trace_fact_end();
     }
     return answer;
 }

@@ -3,20 +3,21 @@
 #include "exact/decide/polynomial_slot.h"
 #include "exact/number/field_slot.h"
 #include "exact/number/fraction.h"
+#include "exact/words.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_poly.h>
 #include <string.h>
 
-void polynomial_slot_init(void *p) { fmpq_poly_init(((struct polynomial *)p)->x); }
-void polynomial_slot_clear(void *p) { fmpq_poly_clear(((struct polynomial *)p)->x); }
+void cagd_polynomial_slot_init(void *p) { fmpq_poly_init(((struct cagd_polynomial *)p)->x); }
+void cagd_polynomial_slot_clear(void *p) { fmpq_poly_clear(((struct cagd_polynomial *)p)->x); }
 
-static struct polynomial *fresh(void)
+static struct cagd_polynomial *fresh(void)
 {
-    struct polynomial *p = region_slot(SLOT_POLYNOMIAL);
-    if (tracing != NULL)
-        trace_fresh(p);
+    struct cagd_polynomial *p = cagd_region_slot(SLOT_POLYNOMIAL);
+    if (cagd_tracing != NULL)
+        cagd_trace_fresh(p);
     return p;
 }
 
@@ -27,7 +28,7 @@ static poly fault(unsigned which)
 }
 
 /* The two ways between num_q and FLINT's rationals. */
-static void set_coefficient(struct polynomial *p, int k, num_q c)
+static void set_coefficient(struct cagd_polynomial *p, int k, num_q c)
 {
     fmpq_t x;
     fmpq_init(x);
@@ -49,80 +50,80 @@ static num_q rational_of(const fmpq_t x)
 
 static mpq_srcptr number_of_list(const void *list, int k) { return ((const num_q *)list)[k].at; }
 
-int trace_polynomial(poly p)
+int cagd_trace_polynomial(poly p)
 {
-    int node = trace_known(p.at), length = (int)fmpq_poly_degree(p.at->x) + 1;
+    int node = cagd_trace_known(p.at), length = (int)fmpq_poly_degree(p.at->x) + 1;
     if (node >= 0)
         return node;
     num_q *c = region_bytes((size_t)length * sizeof *c);
-    trace_pause();
+    cagd_trace_pause();
     for (int k = 0; k < length; k++)
         c[k] = poly_coefficient(p, k);
-    trace_resume();
-    trace_literal(p.at, "opoly", length, number_of_list, c);
-    return trace_known(p.at);
+    cagd_trace_resume();
+    cagd_trace_literal(p.at, "opoly", length, number_of_list, c);
+    return cagd_trace_known(p.at);
 }
 
 /* p was made of the numbers c, or of one or two other polynomials. */
-static poly made_of_numbers(const char *op, struct polynomial *p, int count, const num_q c[])
+static poly made_of_numbers(const char *op, struct cagd_polynomial *p, int count, const num_q c[])
 {
-    if (trace_noting()) {
+    if (cagd_trace_noting()) {
         int *argument = region_bytes((size_t)count * sizeof *argument);
         for (int k = 0; k < count; k++)
-            argument[k] = trace_number(c[k].at);
-        trace_node(p, op, count, argument);
+            argument[k] = cagd_trace_number(c[k].at);
+        cagd_trace_node(p, op, count, argument);
     }
     return (poly){p};
 }
-static poly made_of(const char *op, struct polynomial *p, poly a, const poly *b)
+static poly made_of(const char *op, struct cagd_polynomial *p, poly a, const poly *b)
 {
-    if (trace_noting()) {
-        int argument[2] = {trace_polynomial(a), b != NULL ? trace_polynomial(*b) : 0};
-        trace_node(p, op, b != NULL ? 2 : 1, argument);
+    if (cagd_trace_noting()) {
+        int argument[2] = {cagd_trace_polynomial(a), b != NULL ? cagd_trace_polynomial(*b) : 0};
+        cagd_trace_node(p, op, b != NULL ? 2 : 1, argument);
     }
     return (poly){p};
 }
 /* A number c was taken from p, with up to three more arguments. */
 static num_q taken_from(const char *op, num_q c, poly p, int count, const int more[])
 {
-    if (trace_noting()) {
-        int argument[5] = {trace_polynomial(p)};
+    if (cagd_trace_noting()) {
+        int argument[5] = {cagd_trace_polynomial(p)};
         for (int k = 0; k < count; k++)
             argument[k + 1] = more[k];
-        trace_node(c.at, op, count + 1, argument);
+        cagd_trace_node(c.at, op, count + 1, argument);
     }
     return c;
 }
 static int known_about(const char *fact, poly p, const poly *q, int is)
 {
-    if (trace_noting()) {
-        int of[2] = {trace_polynomial(p), q != NULL ? trace_polynomial(*q) : -1};
-        trace_fact(fact);
-        trace_put_list("of", 2, of);
-        trace_put("is", is);
-        trace_fact_end();
+    if (cagd_trace_noting()) {
+        int of[2] = {cagd_trace_polynomial(p), q != NULL ? cagd_trace_polynomial(*q) : -1};
+        cagd_trace_fact(fact);
+        cagd_trace_put_list("of", 2, of);
+        cagd_trace_put("is", is);
+        cagd_trace_fact_end();
     }
     return is;
 }
 
-poly poly_from_q(int len, const num_q c[])
+poly cagd_poly_from_q(int len, const num_q c[])
 {
-    struct polynomial *r = fresh();
+    struct cagd_polynomial *r = fresh();
     for (int k = len - 1; k >= 0; k--)
         set_coefficient(r, k, c[k]);
     return made_of_numbers("poly", r, len, c);
 }
-poly poly_constant(num_q c) { return poly_from_q(1, &c); }
-poly poly_variable(void) { return poly_from_q(2, (num_q[]){from_int_q(0), from_int_q(1)}); }
+poly cagd_poly_constant(num_q c) { return poly_from_q(1, &c); }
+poly cagd_poly_variable(void) { return poly_from_q(2, (num_q[]){from_int_q(0), from_int_q(1)}); }
 
 /* Inside this file degree is asked for without being noted. */
 static int degree(poly p) { return (int)fmpq_poly_degree(p.at->x); }
 
-int poly_degree(poly p) { return known_about("degree", p, NULL, degree(p)); }
-int poly_is_zero(poly p) { return known_about("pequal", p, NULL, fmpq_poly_is_zero(p.at->x)); }
-int poly_equal(poly p, poly q) { return known_about("pequal", p, &q, fmpq_poly_equal(p.at->x, q.at->x)); }
+int cagd_poly_degree(poly p) { return known_about("degree", p, NULL, degree(p)); }
+int cagd_poly_is_zero(poly p) { return known_about("pequal", p, NULL, fmpq_poly_is_zero(p.at->x)); }
+int cagd_poly_equal(poly p, poly q) { return known_about("pequal", p, &q, fmpq_poly_equal(p.at->x, q.at->x)); }
 
-num_q poly_coefficient(poly p, int k)
+num_q cagd_poly_coefficient(poly p, int k)
 {
     fmpq_t x;
     fmpq_init(x);
@@ -131,7 +132,7 @@ num_q poly_coefficient(poly p, int k)
     fmpq_clear(x);
     return taken_from("coefficient", c, p, 1, &k);
 }
-num_q poly_value(poly p, num_q t)
+num_q cagd_poly_value(poly p, num_q t)
 {
     fmpq_t x, y;
     fmpq_init(x), fmpq_init(y);
@@ -139,41 +140,44 @@ num_q poly_value(poly p, num_q t)
     fmpq_poly_evaluate_fmpq(y, p.at->x, x);
     num_q v = rational_of(y);
     fmpq_clear(x), fmpq_clear(y);
-    int at = trace_noting() ? trace_number(t.at) : 0;
+    int at = cagd_trace_noting() ? cagd_trace_number(t.at) : 0;
     return taken_from("value", v, p, 1, &at);
 }
 
 typedef void poly_operation(fmpq_poly_t, const fmpq_poly_t, const fmpq_poly_t);
 static poly combine(const char *name, poly_operation *op, poly p, poly q)
 {
-    struct polynomial *r = fresh();
+    struct cagd_polynomial *r = fresh();
     op(r->x, p.at->x, q.at->x);
     return made_of(name, r, p, &q);
 }
-poly poly_add(poly p, poly q) { return combine("p+", fmpq_poly_add, p, q); }
-poly poly_sub(poly p, poly q) { return combine("p-", fmpq_poly_sub, p, q); }
-poly poly_mul(poly p, poly q) { return combine("p*", fmpq_poly_mul, p, q); }
-poly poly_compose(poly p, poly q) { return combine("pcompose", fmpq_poly_compose, p, q); }
-poly poly_gcd(poly p, poly q) { return combine("pgcd", fmpq_poly_gcd, p, q); }
-poly poly_quotient(poly p, poly q)
+poly cagd_poly_add(poly p, poly q) { return combine("p+", fmpq_poly_add, p, q); }
+poly cagd_poly_sub(poly p, poly q) { return combine("p-", fmpq_poly_sub, p, q); }
+poly cagd_poly_mul(poly p, poly q) { return combine("p*", fmpq_poly_mul, p, q); }
+poly cagd_poly_compose(poly p, poly q) { return combine("pcompose", fmpq_poly_compose, p, q); }
+poly cagd_poly_gcd(poly p, poly q) { return combine("pgcd", fmpq_poly_gcd, p, q); }
+poly cagd_poly_quotient(poly p, poly q)
 {
     return degree(q) < 0 ? fault(FAULT_UNDEFINED) : combine("pquo", fmpq_poly_div, p, q);
 }
-poly poly_remainder(poly p, poly q)
+poly cagd_poly_remainder(poly p, poly q)
 {
     return degree(q) < 0 ? fault(FAULT_UNDEFINED) : combine("prem", fmpq_poly_rem, p, q);
 }
-int poly_divides(poly d, poly p) { return degree(d) < 0 ? poly_is_zero(p) : poly_is_zero(poly_remainder(p, d)); }
-poly poly_scale(poly p, num_q c) { return poly_mul(p, poly_constant(c)); }
-poly poly_neg(poly p)
+int cagd_poly_divides(poly d, poly p)
 {
-    struct polynomial *r = fresh();
+    return degree(d) < 0 ? cagd_poly_is_zero(p) : cagd_poly_is_zero(poly_remainder(p, d));
+}
+poly cagd_poly_scale(poly p, num_q c) { return poly_mul(p, poly_constant(c)); }
+poly cagd_poly_neg(poly p)
+{
+    struct cagd_polynomial *r = fresh();
     fmpq_poly_neg(r->x, p.at->x);
     return made_of("pneg", r, p, NULL);
 }
-poly poly_derivative(poly p)
+poly cagd_poly_derivative(poly p)
 {
-    struct polynomial *r = fresh();
+    struct cagd_polynomial *r = fresh();
     fmpq_poly_derivative(r->x, p.at->x);
     return made_of("pder", r, p, NULL);
 }
@@ -181,8 +185,8 @@ poly poly_derivative(poly p)
 /* A polynomial over Z in several variables, if it depends on variable v alone. */
 static poly univariate(const fmpz_mpoly_t a, int v)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
-    struct polynomial *r = fresh();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
+    struct cagd_polynomial *r = fresh();
     fmpz_poly_t x;
     fmpz_poly_init(x);
     if (fmpz_mpoly_is_fmpz_poly(a, v, ctx)) {
@@ -194,7 +198,7 @@ static poly univariate(const fmpz_mpoly_t a, int v)
     fmpz_poly_clear(x);
     return (poly){r};
 }
-void poly_from_field(num_f a, num_f variable, poly *numerator, poly *denominator)
+void cagd_poly_from_field(num_f a, num_f variable, poly *numerator, poly *denominator)
 {
     int v = field_variable_f(variable);
     if (v < 0) {
@@ -202,16 +206,16 @@ void poly_from_field(num_f a, num_f variable, poly *numerator, poly *denominator
         return;
     }
     fmpz_mpoly_t q;
-    fmpz_mpoly_init(q, field_context());
-    fraction_denominator(q, a.at);
+    fmpz_mpoly_init(q, cagd_field_context());
+    cagd_fraction_denominator(q, a.at);
     *numerator = univariate(a.at->numerator, v);
     *denominator = univariate(q, v);
-    fmpz_mpoly_clear(q, field_context());
+    fmpz_mpoly_clear(q, cagd_field_context());
 }
 
 /* Yun: with c = gcd(p, p'), w = p/c is the product of all factors, and w divides out one
  * multiplicity after the other. */
-int poly_squarefree(poly p, poly factor[], int multiplicity[])
+int cagd_poly_squarefree(poly p, poly factor[], int multiplicity[])
 {
     if (degree(p) < 0) {
         region_faults |= FAULT_UNDEFINED;
@@ -247,9 +251,9 @@ static void reverse_shift_reverse(fmpq_poly_t p, int n, int shift)
 }
 
 /* sum b_i B_i^n(t) = (1-t)^n F(t/(1-t)), F(x) = sum b_i C(n,i) x^i. */
-poly poly_from_bernstein(int n, const num_q b[])
+poly cagd_poly_from_bernstein(int n, const num_q b[])
 {
-    struct polynomial *r = fresh();
+    struct cagd_polynomial *r = fresh();
     fmpz_t binomial;
     fmpq_t x;
     fmpz_init(binomial), fmpq_init(x);
@@ -263,15 +267,15 @@ poly poly_from_bernstein(int n, const num_q b[])
     reverse_shift_reverse(r->x, n, -1);
     return made_of_numbers("bernstein", r, n + 1, b);
 }
-void poly_to_bernstein(poly p, int n, num_q a, num_q b, num_q out[])
+void cagd_poly_to_bernstein(poly p, int n, num_q a, num_q b, num_q out[])
 {
-    struct polynomial *F = fresh();
+    struct cagd_polynomial *F = fresh();
     int ends[4] = {0, 0, n, 0};
-    if (trace_noting()) {
-        ends[0] = trace_number(a.at);
-        ends[1] = trace_number(b.at);
+    if (cagd_trace_noting()) {
+        ends[0] = cagd_trace_number(a.at);
+        ends[1] = cagd_trace_number(b.at);
     }
-    trace_pause();
+    cagd_trace_pause();
     if (n < degree(p))
         region_faults |= FAULT_UNDEFINED;
     else
@@ -287,14 +291,14 @@ void poly_to_bernstein(poly p, int n, num_q a, num_q b, num_q out[])
         out[i] = rational_of(x);
     }
     fmpz_clear(binomial), fmpq_clear(x);
-    trace_resume();
+    cagd_trace_resume();
     for (int i = 0; i <= n; i++) {
         ends[3] = i;
         taken_from("tobernstein", out[i], p, 4, ends);
     }
 }
 
-const char *poly_to_string(poly p, const char *variable)
+const char *cagd_poly_to_string(poly p, const char *variable)
 {
     char *flints = fmpq_poly_get_str_pretty(p.at->x, variable);
     size_t size = strlen(flints) + 1;

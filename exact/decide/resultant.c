@@ -1,5 +1,7 @@
 #include "exact/decide/resultant.h"
 
+#include "exact/words.h"
+
 /* Row r times the least common denominator of its entries, in integers. */
 static void clear_denominators(int n, const num_q row[], mpz_t out[], mpz_t common)
 {
@@ -55,24 +57,24 @@ static num_q decide_pivoted_determinant_q(int n, const num_q A[])
     mpz_clear(before), mpz_clear(common), mpz_clear(product), mpq_clear(det);
     return value;
 }
-num_q pivoted_determinant_q(int n, const num_q A[])
+num_q cagd_pivoted_determinant_q(int n, const num_q A[])
 {
-    trace_pause();
+    cagd_trace_pause();
     num_q answer = decide_pivoted_determinant_q(n, A);
-    trace_resume();
-    if (trace_noting()) {
-        trace_name_numbers(n * n, A);
-        trace_name_numbers(1, &answer);
-        trace_fact("determinant");
-        trace_put("rows", n);
-        trace_put_numbers("A", n * n, A);
-        trace_put_numbers("is", 1, &answer);
-        trace_fact_end();
+    cagd_trace_resume();
+    if (cagd_trace_noting()) {
+        cagd_trace_name_numbers(n * n, A);
+        cagd_trace_name_numbers(1, &answer);
+        cagd_trace_fact("determinant");
+        cagd_trace_put("rows", n);
+        cagd_trace_put_numbers("A", n * n, A);
+        cagd_trace_put_numbers("is", 1, &answer);
+        cagd_trace_fact_end();
     }
     return answer;
 }
 
-num_f pivoted_determinant_f(int n, const num_f A[])
+num_f cagd_pivoted_determinant_f(int n, const num_f A[])
 {
     num_f *a = region_bytes((size_t)n * (size_t)n * sizeof *a), before = from_int_f(1);
     for (int i = 0; i < n * n; i++)
@@ -80,7 +82,7 @@ num_f pivoted_determinant_f(int n, const num_f A[])
     int negative = 0;
     for (int k = 0; k < n; k++) {
         int p = k;
-        while (p < n && is_zero_f(a[p * n + k]))
+        while (p < n && cagd_is_zero_f(a[p * n + k]))
             p++;
         if (p == n)
             return from_int_f(0);
@@ -109,7 +111,7 @@ num_f pivoted_determinant_f(int n, const num_f A[])
 #include "exact/decide/resultant.tmpl.h"
 #undef G
 
-num_f resultant_by_f(num_f p, num_f q, num_f variable)
+num_f cagd_resultant_by_f(num_f p, num_f q, num_f variable)
 {
     int m = degree_f(p, variable), n = degree_f(q, variable);
     if (m < 0 || n < 0) {
@@ -121,13 +123,13 @@ num_f resultant_by_f(num_f p, num_f q, num_f variable)
         a[k] = coefficient_f(p, variable, k);
     for (int k = 0; k <= n; k++)
         b[k] = coefficient_f(q, variable, k);
-    return resultant_sylvester_f(m, a, n, b);
+    return cagd_resultant_sylvester_f(m, a, n, b);
 }
 
 typedef num_q resultant_of_arrays(int, const num_q[], int, const num_q[]);
 static num_q poly_resultant(resultant_of_arrays *resultant, poly p, poly q)
 {
-    int m = poly_degree(p), n = poly_degree(q);
+    int m = cagd_poly_degree(p), n = cagd_poly_degree(q);
     if (m < 0 || n < 0) {
         region_faults |= FAULT_UNDEFINED;
         return from_int_q(0);
@@ -139,5 +141,5 @@ static num_q poly_resultant(resultant_of_arrays *resultant, poly p, poly q)
         b[k] = poly_coefficient(q, k);
     return resultant(m, a, n, b);
 }
-num_q poly_resultant_sylvester(poly p, poly q) { return poly_resultant(resultant_sylvester_q, p, q); }
-num_q poly_resultant_bezout(poly p, poly q) { return poly_resultant(resultant_bezout_q, p, q); }
+num_q cagd_poly_resultant_sylvester(poly p, poly q) { return poly_resultant(cagd_resultant_sylvester_q, p, q); }
+num_q cagd_poly_resultant_bezout(poly p, poly q) { return poly_resultant(cagd_resultant_bezout_q, p, q); }

@@ -1,4 +1,5 @@
 #include "exact/decide/roots.h"
+#include "exact/words.h"
 
 /* A polynomial over an interval, up to a positive factor: integers b_0 ... b_n, each within `slack`
  * of the true ordinate, of sum b_i B_i^n(t), t running from 0 to 1 over the interval.  Large integers
@@ -50,7 +51,7 @@ static void trim(struct ordinates *f)
 
 static struct ordinates ordinates_over(poly p, num_q lo, num_q hi, mp_bitcnt_t bits)
 {
-    int n = poly_degree(p);
+    int n = cagd_poly_degree(p);
     struct ordinates f = new_ordinates(n, bits);
     num_q *b = region_bytes((size_t)(n + 1) * sizeof *b);
     poly_to_bernstein(p, n, lo, hi, b);
@@ -120,17 +121,17 @@ static num_q midpoint(num_q a, num_q b) { return mul_q(from_ratio_q(1, 2), add_q
 
 /* Roots found so far; only the first `room` are kept. */
 struct findings {
-    struct root *out;
+    struct cagd_root *out;
     int room, found;
 };
 static void record(struct findings *all, num_q lo, num_q hi)
 {
     if (all->found < all->room)
-        all->out[all->found] = (struct root){.lo = lo, .hi = hi};
+        all->out[all->found] = (struct cagd_root){.lo = lo, .hi = hi};
     all->found++;
 }
 
-static int is_root(poly p, num_q t) { return is_zero_q(poly_value(p, t)); }
+static int is_root(poly p, num_q t) { return cagd_is_zero_q(poly_value(p, t)); }
 
 /* The roots in the open interval (lo,hi) of a squarefree polynomial, from left to right.  f are its
  * ordinates there; they are used up. */
@@ -160,7 +161,7 @@ static void search(struct findings *all, poly p, struct ordinates f, num_q lo, n
 /* Four bits a degree to begin with: that many are cheap to carry, and making ordinates again is not. */
 static void search_interval(struct findings *all, poly p, num_q lo, num_q hi)
 {
-    mp_bitcnt_t bits = 64 + 4 * (mp_bitcnt_t)poly_degree(p);
+    mp_bitcnt_t bits = 64 + 4 * (mp_bitcnt_t)cagd_poly_degree(p);
     search(all, p, ordinates_over(p, lo, hi, bits), lo, hi);
 }
 
@@ -176,7 +177,7 @@ static int count_inside(poly squarefree, num_q lo, num_q hi)
 /* No roots are asked for where there is no polynomial or no interval. */
 static int undefined(poly p, num_q a, num_q b)
 {
-    int fault = poly_is_zero(p) || compare_q(a, b) > 0;
+    int fault = cagd_poly_is_zero(p) || cagd_compare_q(a, b) > 0;
     region_faults |= fault ? FAULT_UNDEFINED : 0;
     return fault;
 }
@@ -188,34 +189,35 @@ struct squarefree {
 };
 static struct squarefree decompose(poly p)
 {
-    size_t n = (size_t)poly_degree(p);
+    size_t n = (size_t)cagd_poly_degree(p);
     struct squarefree s = {0, region_bytes(n * sizeof(int)), region_bytes(n * sizeof(poly))};
     s.count = poly_squarefree(p, s.factor, s.multiplicity);
     return s;
 }
 
 /* The counts for the trace; no end: infinity. */
-static void note_roots(poly p, const num_q *a, const num_q *b, enum ends ends, struct root_count r)
+static void note_roots(poly p, const num_q *a, const num_q *b, enum cagd_ends ends, struct cagd_root_count r)
 {
-    int node = trace_polynomial(p), low = a != NULL ? trace_number(a->at) : -1,
-        high = b != NULL ? trace_number(b->at) : -1;
-    trace_fact("roots");
-    trace_put("p", node);
-    trace_put_list("from", 2, (int[]){low, high});
-    trace_put_list("with_ends", 2, (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
-    trace_put("distinct", r.distinct);
-    trace_put("counted", r.counted);
-    trace_put("crossings", r.crossings);
-    trace_put("touches", r.touches);
-    trace_fact_end();
+    int node = cagd_trace_polynomial(p), low = a != NULL ? cagd_trace_number(a->at) : -1,
+        high = b != NULL ? cagd_trace_number(b->at) : -1;
+    cagd_trace_fact("roots");
+    cagd_trace_put("p", node);
+    cagd_trace_put_list("from", 2, (int[]){low, high});
+    cagd_trace_put_list("with_ends", 2,
+                        (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
+    cagd_trace_put("distinct", r.distinct);
+    cagd_trace_put("counted", r.counted);
+    cagd_trace_put("crossings", r.crossings);
+    cagd_trace_put("touches", r.touches);
+    cagd_trace_fact_end();
 }
 
-static struct root_count decide_count_roots(poly p, num_q a, num_q b, enum ends ends)
+static struct cagd_root_count decide_count_roots(poly p, num_q a, num_q b, enum cagd_ends ends)
 {
-    struct root_count total = {0};
+    struct cagd_root_count total = {0};
     if (undefined(p, a, b))
         return total;
-    int proper = compare_q(a, b) < 0;
+    int proper = cagd_compare_q(a, b) < 0;
     int with_left = ends == CLOSED || (ends == OPEN_RIGHT && proper);
     int with_right = proper && (ends == CLOSED || ends == OPEN_LEFT);
     region_mark m = region_open();
@@ -234,20 +236,20 @@ static struct root_count decide_count_roots(poly p, num_q a, num_q b, enum ends 
     region_drop(m);
     return total;
 }
-struct root_count count_roots(poly p, num_q a, num_q b, enum ends ends)
+struct cagd_root_count cagd_count_roots(poly p, num_q a, num_q b, enum cagd_ends ends)
 {
-    trace_pause();
-    struct root_count answer = decide_count_roots(p, a, b, ends);
-    trace_resume();
-    if (trace_noting())
+    cagd_trace_pause();
+    struct cagd_root_count answer = decide_count_roots(p, a, b, ends);
+    cagd_trace_resume();
+    if (cagd_trace_noting())
         note_roots(p, &a, &b, ends, answer);
     return answer;
 }
 
 /* |c_{n-k}/c_n| < 2^e gives 2 |c_{n-k}/c_n|^(1/k) < 2^(1 + ceil(e/k)). */
-num_q root_bound(poly p)
+num_q cagd_root_bound(poly p)
 {
-    int n = poly_degree(p);
+    int n = cagd_poly_degree(p);
     if (n < 1) {
         region_faults |= n < 0 ? FAULT_UNDEFINED : 0;
         return from_int_q(1);
@@ -256,7 +258,7 @@ num_q root_bound(poly p)
     for (int k = 1; k <= n; k++) {
         num_q ratio = div_q(poly_coefficient(p, n - k), poly_coefficient(p, n));
         long e = (long)mpz_sizeinbase(mpq_numref(ratio.at), 2) - (long)mpz_sizeinbase(mpq_denref(ratio.at), 2) + 1;
-        if (!is_zero_q(ratio) && e > 0 && (e + k - 1) / k > largest)
+        if (!cagd_is_zero_q(ratio) && e > 0 && (e + k - 1) / k > largest)
             largest = (e + k - 1) / k;
     }
     mpq_t bound;
@@ -269,35 +271,35 @@ num_q root_bound(poly p)
 }
 
 /* Over (a,b), where NULL means infinity. */
-static struct root_count count_without_bound(poly p, const num_q *a, const num_q *b)
+static struct cagd_root_count count_without_bound(poly p, const num_q *a, const num_q *b)
 {
-    trace_pause();
+    cagd_trace_pause();
     num_q B = root_bound(p), low = a != NULL ? *a : neg_q(B), high = b != NULL ? *b : B;
-    if (a != NULL && compare_q(low, high) > 0)
+    if (a != NULL && cagd_compare_q(low, high) > 0)
         high = low;
-    if (b != NULL && compare_q(low, high) > 0)
+    if (b != NULL && cagd_compare_q(low, high) > 0)
         low = high;
-    struct root_count answer = count_roots(p, low, high, OPEN);
-    trace_resume();
-    if (trace_noting())
+    struct cagd_root_count answer = cagd_count_roots(p, low, high, OPEN);
+    cagd_trace_resume();
+    if (cagd_trace_noting())
         note_roots(p, a, b, OPEN, answer);
     return answer;
 }
-struct root_count count_roots_line(poly p) { return count_without_bound(p, NULL, NULL); }
-struct root_count count_roots_above(poly p, num_q a) { return count_without_bound(p, &a, NULL); }
-struct root_count count_roots_below(poly p, num_q b) { return count_without_bound(p, NULL, &b); }
+struct cagd_root_count cagd_count_roots_line(poly p) { return count_without_bound(p, NULL, NULL); }
+struct cagd_root_count cagd_count_roots_above(poly p, num_q a) { return count_without_bound(p, &a, NULL); }
+struct cagd_root_count cagd_count_roots_below(poly p, num_q b) { return count_without_bound(p, NULL, &b); }
 
 /* Which of the coprime factors has the root? */
-static void attribute(struct root *r, struct squarefree s)
+static void attribute(struct cagd_root *r, struct squarefree s)
 {
-    int point = equal_q(r->lo, r->hi), k = 0;
+    int point = cagd_equal_q(r->lo, r->hi), k = 0;
     while (!(point ? is_root(s.factor[k], r->lo) : count_inside(s.factor[k], r->lo, r->hi) == 1))
         k++;
     r->factor = s.factor[k];
     r->multiplicity = s.multiplicity[k];
 }
 
-static int decide_isolate_roots(poly p, num_q a, num_q b, struct root out[], int room)
+static int decide_isolate_roots(poly p, num_q a, num_q b, struct cagd_root out[], int room)
 {
     if (undefined(p, a, b))
         return 0;
@@ -309,7 +311,7 @@ static int decide_isolate_roots(poly p, num_q a, num_q b, struct root out[], int
     struct findings all = {out, room, 0};
     if (is_root(radical, a))
         record(&all, a, a);
-    if (compare_q(a, b) < 0) {
+    if (cagd_compare_q(a, b) < 0) {
         search_interval(&all, radical, a, b);
         if (is_root(radical, b))
             record(&all, b, b);
@@ -318,33 +320,33 @@ static int decide_isolate_roots(poly p, num_q a, num_q b, struct root out[], int
         attribute(&out[r], s);
     return all.found;
 }
-int isolate_roots(poly p, num_q a, num_q b, struct root out[], int room)
+int cagd_isolate_roots(poly p, num_q a, num_q b, struct cagd_root out[], int room)
 {
-    trace_pause();
+    cagd_trace_pause();
     int answer = decide_isolate_roots(p, a, b, out, room);
-    trace_resume();
-    if (trace_noting())
-        note_roots(p, &a, &b, CLOSED, (struct root_count){answer, -1, -1, -1});
+    cagd_trace_resume();
+    if (cagd_trace_noting())
+        note_roots(p, &a, &b, CLOSED, (struct cagd_root_count){answer, -1, -1, -1});
     return answer;
 }
 
 /* The sign of f just above t, where f has at most a simple root at t. */
 static int sign_above(poly f, num_q t)
 {
-    int s = sign_q(poly_value(f, t));
-    return s != 0 ? s : sign_q(poly_value(poly_derivative(f), t));
+    int s = cagd_sign_q(poly_value(f, t));
+    return s != 0 ? s : cagd_sign_q(poly_value(poly_derivative(f), t));
 }
 
-struct root refine_root(struct root r, num_q width)
+struct cagd_root cagd_refine_root(struct cagd_root r, num_q width)
 {
-    if (sign_q(width) <= 0) {
+    if (cagd_sign_q(width) <= 0) {
         region_faults |= FAULT_UNDEFINED;
         return r;
     }
-    int left = equal_q(r.lo, r.hi) ? 0 : sign_above(r.factor, r.lo);
-    while (compare_q(sub_q(r.hi, r.lo), width) > 0) {
+    int left = cagd_equal_q(r.lo, r.hi) ? 0 : sign_above(r.factor, r.lo);
+    while (cagd_compare_q(sub_q(r.hi, r.lo), width) > 0) {
         num_q middle = midpoint(r.lo, r.hi);
-        int s = sign_q(poly_value(r.factor, middle));
+        int s = cagd_sign_q(poly_value(r.factor, middle));
         if (s == left || s == 0)
             r.lo = middle;
         if (s != left)

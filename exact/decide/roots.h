@@ -10,10 +10,10 @@
 
 #include "exact/decide/polynomial.h"
 
-/* [a,b], (a,b), (a,b], [a,b).  For a = b the interval is {a} if CLOSED and otherwise empty. */
-enum ends { CLOSED, OPEN, OPEN_LEFT, OPEN_RIGHT };
+/* [a,b], (a,b), (a,b], [a,b).  For a = b the interval is {a} if CAGD_CLOSED and otherwise empty. */
+enum cagd_ends { CAGD_CLOSED, CAGD_OPEN, CAGD_OPEN_LEFT, CAGD_OPEN_RIGHT };
 
-struct root_count {
+struct cagd_root_count {
     int distinct;  /* different roots in the interval                                            */
     int counted;   /* the same, each as often as its multiplicity                                */
     int crossings; /* different roots of odd multiplicity in (a,b): there the sign changes       */
@@ -21,29 +21,29 @@ struct root_count {
 };
 
 /* UNDEFINED for p = 0 (every number is a root) and for a > b. */
-struct root_count count_roots(poly p, num_q a, num_q b, enum ends ends);
+struct cagd_root_count cagd_count_roots(cagd_poly p, cagd_num_q a, cagd_num_q b, enum cagd_ends ends);
 
 /* The same over the real line, (a, infinity), (-infinity, b).  UNDEFINED for p = 0. */
-struct root_count count_roots_line(poly p);
-struct root_count count_roots_above(poly p, num_q a);
-struct root_count count_roots_below(poly p, num_q b);
+struct cagd_root_count cagd_count_roots_line(cagd_poly p);
+struct cagd_root_count cagd_count_roots_above(cagd_poly p, cagd_num_q a);
+struct cagd_root_count cagd_count_roots_below(cagd_poly p, cagd_num_q b);
 
 /* A power B of two such that -B < x < B for every root x of p, the complex ones included.
  * UNDEFINED for p = 0.  Source: M. Fujiwara, Tohoku Math. J. 10 (1916). */
-num_q root_bound(poly p);
+cagd_num_q cagd_root_bound(cagd_poly p);
 
 /* One real root: the number lo = hi, or the only root of the squarefree polynomial `factor` in the
  * open interval (lo,hi).  The ends of that interval may be roots themselves, other ones. */
-struct root {
-    num_q lo, hi;
+struct cagd_root {
+    cagd_num_q lo, hi;
     int multiplicity; /* in the polynomial that was asked about, a multiple of factor            */
-    poly factor;
+    cagd_poly factor;
 };
 
 /* The different roots in [a,b] in increasing order, in disjoint intervals; the first `room` of them
  * go to out.  Returns how many there are.  UNDEFINED for p = 0 and for a > b. */
-int isolate_roots(poly p, num_q a, num_q b, struct root out[], int room);
+int cagd_isolate_roots(cagd_poly p, cagd_num_q a, cagd_num_q b, struct cagd_root out[], int room);
 
 /* The same root with hi - lo <= width, by bisection.  UNDEFINED unless width > 0. */
-struct root refine_root(struct root r, num_q width);
+struct cagd_root cagd_refine_root(struct cagd_root r, cagd_num_q width);
 #endif

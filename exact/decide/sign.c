@@ -1,26 +1,27 @@
 #include "exact/decide/sign.h"
+#include "exact/words.h"
 
 /* The sign at the first of the points a + (b - a)/k, k = 2, 3, ..., that is no root.  a < b, p != 0. */
 static int sign_somewhere_inside(poly p, num_q a, num_q b)
 {
     int s = 0;
     for (long k = 2; s == 0; k++)
-        s = sign_q(poly_value(p, add_q(a, mul_q(from_ratio_q(1, k), sub_q(b, a)))));
+        s = cagd_sign_q(poly_value(p, add_q(a, mul_q(from_ratio_q(1, k), sub_q(b, a)))));
     return s;
 }
 
-static enum sign_pattern decide_sign_on(poly p, num_q a, num_q b, enum ends ends)
+static enum cagd_sign_pattern decide_sign_on(poly p, num_q a, num_q b, enum cagd_ends ends)
 {
-    int order = compare_q(a, b);
+    int order = cagd_compare_q(a, b);
     if (order > 0 || (order == 0 && ends != CLOSED)) {
         region_faults |= FAULT_UNDEFINED;
         return SIGN_ZERO;
     }
-    if (poly_is_zero(p))
+    if (cagd_poly_is_zero(p))
         return SIGN_ZERO;
     region_mark m = region_open();
-    struct root_count roots = count_roots(p, a, b, ends);
-    int s = order == 0 ? sign_q(poly_value(p, a)) : sign_somewhere_inside(p, a, b);
+    struct cagd_root_count roots = cagd_count_roots(p, a, b, ends);
+    int s = order == 0 ? cagd_sign_q(poly_value(p, a)) : sign_somewhere_inside(p, a, b);
     region_drop(m);
     if (s == 0)
         return SIGN_ZERO;
@@ -30,20 +31,20 @@ static enum sign_pattern decide_sign_on(poly p, num_q a, num_q b, enum ends ends
         return s > 0 ? SIGN_NONNEGATIVE : SIGN_NONPOSITIVE;
     return s > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
 }
-enum sign_pattern sign_on(poly p, num_q a, num_q b, enum ends ends)
+enum cagd_sign_pattern cagd_sign_on(poly p, num_q a, num_q b, enum cagd_ends ends)
 {
-    trace_pause();
-    enum sign_pattern answer = decide_sign_on(p, a, b, ends);
-    trace_resume();
-    if (trace_noting()) {
-        int node = trace_polynomial(p), from[2] = {trace_number(a.at), trace_number(b.at)};
-        trace_fact("sign");
-        trace_put("p", node);
-        trace_put_list("from", 2, from);
-        trace_put_list("with_ends", 2,
-                       (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
-        trace_put("is", (int)answer);
-        trace_fact_end();
+    cagd_trace_pause();
+    enum cagd_sign_pattern answer = decide_sign_on(p, a, b, ends);
+    cagd_trace_resume();
+    if (cagd_trace_noting()) {
+        int node = cagd_trace_polynomial(p), from[2] = {cagd_trace_number(a.at), cagd_trace_number(b.at)};
+        cagd_trace_fact("sign");
+        cagd_trace_put("p", node);
+        cagd_trace_put_list("from", 2, from);
+        cagd_trace_put_list("with_ends", 2,
+                            (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
+        cagd_trace_put("is", (int)answer);
+        cagd_trace_fact_end();
     }
     return answer;
 }

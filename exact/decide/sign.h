@@ -4,15 +4,15 @@
 
 #include "exact/decide/roots.h"
 
-enum sign_pattern {
-    SIGN_ZERO,        /* p = 0 everywhere                                                         */
-    SIGN_POSITIVE,    /* p > 0 on the whole interval                                              */
-    SIGN_NONNEGATIVE, /* p >= 0, and somewhere p = 0 and somewhere p > 0                          */
-    SIGN_NONPOSITIVE, /* p <= 0, and somewhere p = 0 and somewhere p < 0                          */
-    SIGN_NEGATIVE,    /* p < 0 on the whole interval                                              */
-    SIGN_MIXED        /* p < 0 somewhere and p > 0 somewhere                                      */
+enum cagd_sign_pattern {
+    CAGD_SIGN_ZERO,        /* p = 0 everywhere                                                         */
+    CAGD_SIGN_POSITIVE,    /* p > 0 on the whole interval                                              */
+    CAGD_SIGN_NONNEGATIVE, /* p >= 0, and somewhere p = 0 and somewhere p > 0                          */
+    CAGD_SIGN_NONPOSITIVE, /* p <= 0, and somewhere p = 0 and somewhere p < 0                          */
+    CAGD_SIGN_NEGATIVE,    /* p < 0 on the whole interval                                              */
+    CAGD_SIGN_MIXED        /* p < 0 somewhere and p > 0 somewhere                                      */
 };
 
 /* Of p on the interval with the given ends.  UNDEFINED for an empty interval. */
-enum sign_pattern sign_on(poly p, num_q a, num_q b, enum ends ends);
+enum cagd_sign_pattern cagd_sign_on(cagd_poly p, cagd_num_q a, cagd_num_q b, enum cagd_ends ends);
 #endif

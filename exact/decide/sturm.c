@@ -1,4 +1,5 @@
 #include "exact/decide/sturm.h"
+#include "exact/words.h"
 
 /* A polynomial over Z: sum c[k] x^k, c[n] != 0, or n = -1 for zero; with room up to c[room]. */
 struct integral {
@@ -34,7 +35,7 @@ static void make_primitive(struct integral f)
 /* A positive multiple of p. */
 static struct integral from_poly(poly p)
 {
-    struct integral f = new_integral(poly_degree(p));
+    struct integral f = new_integral(cagd_poly_degree(p));
     mpz_t common;
     mpz_init_set_ui(common, 1);
     for (int k = 0; k <= f.n; k++)
@@ -174,8 +175,8 @@ static int variations(struct chain s, struct place x)
 
 static int count(poly p, struct place a, struct place b)
 {
-    int empty = a.infinite == 0 && b.infinite == 0 && compare_q(a.x, b.x) > 0;
-    if (poly_is_zero(p) || empty) {
+    int empty = a.infinite == 0 && b.infinite == 0 && cagd_compare_q(a.x, b.x) > 0;
+    if (cagd_poly_is_zero(p) || empty) {
         region_faults |= FAULT_UNDEFINED;
         return 0;
     }
@@ -192,23 +193,23 @@ static const struct place left_end = {.infinite = -1}, right_end = {.infinite = 
 /* Noted for the trace in the form of roots.c; an end that is not infinite counts on the right. */
 static int noted_count(poly p, struct place a, struct place b)
 {
-    trace_pause();
+    cagd_trace_pause();
     int answer = count(p, a, b);
-    trace_resume();
-    if (trace_noting()) {
-        int node = trace_polynomial(p);
-        int from[2] = {a.infinite ? -1 : trace_number(a.x.at), b.infinite ? -1 : trace_number(b.x.at)};
-        trace_fact("roots");
-        trace_put("p", node);
-        trace_put_list("from", 2, from);
-        trace_put_list("with_ends", 2, (int[]){0, 1});
-        trace_put("distinct", answer);
-        trace_fact_end();
+    cagd_trace_resume();
+    if (cagd_trace_noting()) {
+        int node = cagd_trace_polynomial(p);
+        int from[2] = {a.infinite ? -1 : cagd_trace_number(a.x.at), b.infinite ? -1 : cagd_trace_number(b.x.at)};
+        cagd_trace_fact("roots");
+        cagd_trace_put("p", node);
+        cagd_trace_put_list("from", 2, from);
+        cagd_trace_put_list("with_ends", 2, (int[]){0, 1});
+        cagd_trace_put("distinct", answer);
+        cagd_trace_fact_end();
     }
     return answer;
 }
 
-int sturm_count(poly p, num_q a, num_q b) { return noted_count(p, (struct place){0, a}, (struct place){0, b}); }
-int sturm_count_above(poly p, num_q a) { return noted_count(p, (struct place){0, a}, right_end); }
-int sturm_count_below(poly p, num_q b) { return noted_count(p, left_end, (struct place){0, b}); }
-int sturm_count_line(poly p) { return noted_count(p, left_end, right_end); }
+int cagd_sturm_count(poly p, num_q a, num_q b) { return noted_count(p, (struct place){0, a}, (struct place){0, b}); }
+int cagd_sturm_count_above(poly p, num_q a) { return noted_count(p, (struct place){0, a}, right_end); }
+int cagd_sturm_count_below(poly p, num_q b) { return noted_count(p, left_end, (struct place){0, b}); }
+int cagd_sturm_count_line(poly p) { return noted_count(p, left_end, right_end); }

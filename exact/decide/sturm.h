@@ -10,8 +10,8 @@
 #include "exact/decide/polynomial.h"
 
 /* Different roots in (a,b], (a,infinity), (-infinity,b], on the line.  UNDEFINED for p = 0 and for a > b. */
-int sturm_count(poly p, num_q a, num_q b);
-int sturm_count_above(poly p, num_q a);
-int sturm_count_below(poly p, num_q b);
-int sturm_count_line(poly p);
+int cagd_sturm_count(cagd_poly p, cagd_num_q a, cagd_num_q b);
+int cagd_sturm_count_above(cagd_poly p, cagd_num_q a);
+int cagd_sturm_count_below(cagd_poly p, cagd_num_q b);
+int cagd_sturm_count_line(cagd_poly p);
 #endif

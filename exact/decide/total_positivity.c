@@ -1,6 +1,7 @@
 #include "exact/decide/total_positivity.h"
 
 #include "exact/decide/resultant.h"
+#include "exact/words.h"
 
 /* An integer matrix, its rows and columns positive multiples of the given ones: that changes the
  * sign of no minor.  Entry (i,j) is a[i * down + j * right], so that a transpose is a view. */
@@ -98,14 +99,14 @@ static int reduce_column(struct matrix m, int k)
 /* For the trace: all minors are >= 0, or > 0 if strict, or not all. */
 static void note_minors(int rows, int columns, const num_q A[], int strict, int is)
 {
-    trace_name_numbers(rows * columns, A);
-    trace_fact("minors");
-    trace_put("rows", rows);
-    trace_put("columns", columns);
-    trace_put_numbers("A", rows * columns, A);
-    trace_put("strict", strict != 0);
-    trace_put("is", is != 0);
-    trace_fact_end();
+    cagd_trace_name_numbers(rows * columns, A);
+    cagd_trace_fact("minors");
+    cagd_trace_put("rows", rows);
+    cagd_trace_put("columns", columns);
+    cagd_trace_put_numbers("A", rows * columns, A);
+    cagd_trace_put("strict", strict != 0);
+    cagd_trace_put("is", is != 0);
+    cagd_trace_fact_end();
 }
 
 /* When row k and column k are reduced, what is left is a block of its own, one smaller. */
@@ -126,12 +127,12 @@ static int decide_is_totally_nonnegative(int rows, int columns, const num_q A[])
     region_drop(mark);
     return good;
 }
-int is_totally_nonnegative(int rows, int columns, const num_q A[])
+int cagd_is_totally_nonnegative(int rows, int columns, const num_q A[])
 {
-    trace_pause();
+    cagd_trace_pause();
     int answer = decide_is_totally_nonnegative(rows, columns, A);
-    trace_resume();
-    if (trace_noting())
+    cagd_trace_resume();
+    if (cagd_trace_noting())
         note_minors(rows, columns, A, 0, answer);
     return answer;
 }
@@ -179,12 +180,12 @@ static int decide_is_totally_positive(int rows, int columns, const num_q A[])
     region_drop(mark);
     return good;
 }
-int is_totally_positive(int rows, int columns, const num_q A[])
+int cagd_is_totally_positive(int rows, int columns, const num_q A[])
 {
-    trace_pause();
+    cagd_trace_pause();
     int answer = decide_is_totally_positive(rows, columns, A);
-    trace_resume();
-    if (trace_noting())
+    cagd_trace_resume();
+    if (cagd_trace_noting())
         note_minors(rows, columns, A, 1, answer);
     return answer;
 }
@@ -213,10 +214,10 @@ static num_q minor_value(int order, int columns, const num_q A[], const int row[
     for (int i = 0; i < order; i++)
         for (int j = 0; j < order; j++)
             B[i * order + j] = A[row[i] * columns + column[j]];
-    return pivoted_determinant_q(order, B);
+    return cagd_pivoted_determinant_q(order, B);
 }
 
-static int decide_all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct minor *worst)
+static int decide_all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct cagd_minor *worst)
 {
     int most = rows < columns ? rows : columns;
     int *row = region_bytes((size_t)most * sizeof *row), *column = region_bytes((size_t)most * sizeof *column);
@@ -228,9 +229,9 @@ static int decide_all_minors_nonnegative(int rows, int columns, const num_q A[],
             do {
                 region_mark m = region_open();
                 num_q value = minor_value(order, columns, A, row, column, B);
-                if (sign_q(value) < strict) {
+                if (cagd_sign_q(value) < strict) {
                     if (worst != NULL)
-                        *worst = (struct minor){order, row, column, value};
+                        *worst = (struct cagd_minor){order, row, column, value};
                     return 0;
                 }
                 region_drop(m);
@@ -239,12 +240,12 @@ static int decide_all_minors_nonnegative(int rows, int columns, const num_q A[],
     }
     return 1;
 }
-int all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct minor *worst)
+int cagd_all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct cagd_minor *worst)
 {
-    trace_pause();
+    cagd_trace_pause();
     int answer = decide_all_minors_nonnegative(rows, columns, A, strict, worst);
-    trace_resume();
-    if (trace_noting())
+    cagd_trace_resume();
+    if (cagd_trace_noting())
         note_minors(rows, columns, A, strict, answer);
     return answer;
 }

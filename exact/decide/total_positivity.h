@@ -10,18 +10,18 @@
 /* All minors >= 0?  Neville elimination of rows and columns in turn, singular and rectangular
  * matrices included.  Source: A. Whitney, J. Analyse Math. 2 (1952): the reduction is an equivalence;
  * M. Gasca, J. M. Pena, Linear Algebra Appl. 165 (1992). */
-int is_totally_nonnegative(int rows, int columns, const num_q A[]);
+int cagd_is_totally_nonnegative(int rows, int columns, const cagd_num_q A[]);
 
 /* All minors > 0?  By the criterion of Gasca and Pena: those of consecutive rows and the first
  * columns, and of consecutive columns and the first rows. */
-int is_totally_positive(int rows, int columns, const num_q A[]);
+int cagd_is_totally_positive(int rows, int columns, const cagd_num_q A[]);
 
 /* The definition itself, in exponential time: 1 when every minor is >= 0 (> 0 if strict); else 0, and
  * the first minor of least order that is not goes to *worst, which may be NULL. */
-struct minor {
+struct cagd_minor {
     int order;
     const int *row, *column; /* increasing, `order` of each; they live in the region */
-    num_q value;
+    cagd_num_q value;
 };
-int all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct minor *worst);
+int cagd_all_minors_nonnegative(int rows, int columns, const cagd_num_q A[], int strict, struct cagd_minor *worst);
 #endif

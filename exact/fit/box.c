@@ -3,6 +3,7 @@
 
 #include "exact/fit/foot.h"
 #include "exact/fit/interval.h"
+#include "exact/words.h"
 
 #include <stdlib.h>
 
@@ -12,7 +13,7 @@ static const char *const pole = "the derivatives at this point cannot be enclose
 
 /* ---- the box -------------------------------------------------------------------------------------- */
 
-int stationary_box_new(struct box *b, const stationary_problem *problem)
+int cagd_stationary_box_new(struct box *b, const cagd_stationary_problem *problem)
 {
     const cagd_spline *curve = problem->curve;
     size_t count = (size_t)curve->count, dim = (size_t)curve->dim, n = (size_t)problem->unknowns;
@@ -22,8 +23,8 @@ int stationary_box_new(struct box *b, const stationary_problem *problem)
     b->knot = malloc((count + (size_t)curve->degree + 1) * sizeof(num_i));
     b->point = malloc(count * dim * sizeof(num_i));
     b->weight = malloc(count * sizeof(num_i));
-    b->gradient = malloc((n + 1) * sizeof(struct interval));
-    b->hessian = malloc((n * n + 1) * sizeof(struct interval));
+    b->gradient = malloc((n + 1) * sizeof(struct cagd_interval));
+    b->hessian = malloc((n * n + 1) * sizeof(struct cagd_interval));
     if (b->gradient != NULL)
         sums_init(b->n, b->gradient);
     if (b->hessian != NULL)
@@ -45,7 +46,7 @@ int stationary_box_new(struct box *b, const stationary_problem *problem)
     return 1;
 }
 
-void stationary_box_free(struct box *b)
+void cagd_stationary_box_free(struct box *b)
 {
     if (b->gradient != NULL)
         sums_clear(b->n, b->gradient);
@@ -92,7 +93,7 @@ static void box_fill(struct box *b, const double radius[])
 /* ---- what a point adds ------------------------------------------------------------------------------ */
 
 /* rho'(s) and rho''(s), the latter the hull of both one-sided values where it jumps. */
-static void loss_derivatives(const stationary_problem *problem, num_i s, num_i *first, num_i *second)
+static void loss_derivatives(const cagd_stationary_problem *problem, num_i s, num_i *first, num_i *second)
 {
     num_i one = number(1), a = number(problem->loss_scale), aa = mul_i(a, a);
     *first = one;
@@ -102,7 +103,7 @@ static void loss_derivatives(const stationary_problem *problem, num_i s, num_i *
         *second = neg_i(div_i(mul_i(*first, *first), aa));
     }
     if (problem->loss == CAGD_FIT_HUBER && sign_i(sub_i(s, aa)) >= 0 && !mpfr_lessequal_p(s.at->hi, aa.at->lo)) {
-        struct interval *outside = region_slot(SLOT_INTERVAL); /* of s: where it is not less than a^2 */
+        struct cagd_interval *outside = cagd_region_slot(SLOT_INTERVAL); /* of s: where it is not less than a^2 */
         mpfr_max(outside->lo, s.at->lo, aa.at->lo, MPFR_RNDD);
         mpfr_set(outside->hi, s.at->hi, MPFR_RNDU);
         num_i beyond = {outside}, root = root_i(2, beyond);
@@ -139,12 +140,12 @@ static num_i second_part(const struct view *v, int dim, const num_i *away, const
 /* Adds what point i adds to gradient and Hessian. */
 static int add_point(struct box *b, int i)
 {
-    const stationary_problem *problem = b->problem;
+    const cagd_stationary_problem *problem = b->problem;
     struct view v;
     struct entry entry[ENTRIES];
     num_i away[WIDTH * MAX_DIM], A[WIDTH], first, second;
     int dim = problem->curve->dim, entries = 0;
-    enum foot foot = stationary_enclose_foot(b, i, &v);
+    enum foot foot = cagd_stationary_enclose_foot(b, i, &v);
     if (foot == NO_FOOT || foot == FOOT_ON_FIXED_END)
         return foot == FOOT_ON_FIXED_END;
     num_i sigma = number(problem->data->sigma != NULL ? problem->data->sigma[i] : 1), s = number(0);
@@ -195,7 +196,7 @@ static int add_point(struct box *b, int i)
     return 1;
 }
 
-int stationary_enclose(struct box *b, const double radius[], int stride)
+int cagd_stationary_enclose(struct box *b, const double radius[], int stride)
 {
     region_mark mark = region_open();
     unsigned before = region_faults;
@@ -225,11 +226,11 @@ int stationary_enclose(struct box *b, const double radius[], int stride)
     return good;
 }
 
-int stationary_enclosures(const stationary_problem *problem, const double radius[], double gradient_low[],
-                          double gradient_high[], double hessian_low[], double hessian_high[], int *where)
+int cagd_stationary_enclosures(const cagd_stationary_problem *problem, const double radius[], double gradient_low[],
+                               double gradient_high[], double hessian_low[], double hessian_high[], int *where)
 {
     struct box b;
-    int good = stationary_box_new(&b, problem) && stationary_enclose(&b, radius, 1);
+    int good = cagd_stationary_box_new(&b, problem) && cagd_stationary_enclose(&b, radius, 1);
     *where = b.where;
     for (int a = 0; good && a < b.n; a++) {
         gradient_low[a] = mpfr_get_d(b.gradient[a].lo, MPFR_RNDD);
@@ -239,6 +240,6 @@ int stationary_enclosures(const stationary_problem *problem, const double radius
             hessian_high[k] = mpfr_get_d(b.hessian[k].hi, MPFR_RNDU);
         }
     }
-    stationary_box_free(&b);
+    cagd_stationary_box_free(&b);
     return good;
 }

@@ -1,6 +1,7 @@
-/* stationary_directions.c -- eigenvectors of the scaled Hessian, in binary64: approximate, and what is chosen is
+/* cagd_stationary_directions.c -- eigenvectors of the scaled Hessian, in binary64: approximate, and what is chosen is
  * then taken as exact, so that nothing here has to be right for the verdict to be. */
 #include "exact/fit/directions.h"
+#include "exact/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -102,9 +103,9 @@ static int complement(int n, int rows, double row[], const int allowed[], double
     return columns - spanned;
 }
 
-int stationary_directions(const struct box *b, double W[], double inverse[], int sign[])
+int cagd_stationary_directions(const struct box *b, double W[], double inverse[], int sign[])
 {
-    const stationary_problem *problem = b->problem;
+    const cagd_stationary_problem *problem = b->problem;
     int n = b->n, start, k = 0, f = problem->free_count;
     size_t nn = (size_t)n * (size_t)n;
     double *H = malloc(nn * sizeof(double)), *V = malloc(nn * sizeof(double)), *U = malloc(nn * sizeof(double));

@@ -2,6 +2,7 @@
 #include "exact/fit/foot.h"
 
 #include "exact/fit/interval.h"
+#include "exact/words.h"
 static const char *const no_foot =
     "the foot of this point is not a nearest point of the curve, or not the only one near";
 static const char *const at_end = "the foot of this point cannot be told from the end of the curve";
@@ -144,7 +145,7 @@ static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *
     return NO_FOOT;
 }
 
-enum foot stationary_enclose_foot(struct box *b, int i, struct view *v)
+enum foot cagd_stationary_enclose_foot(struct box *b, int i, struct view *v)
 {
     const cagd_spline *curve = b->problem->curve;
     double t = b->problem->feet[i], again = t,

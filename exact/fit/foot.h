@@ -4,6 +4,7 @@
 
 #include "core/number/limits.h"
 #include "exact/fit/box.h"
+#include "exact/words.h"
 
 /* So many more spans than one may a foot be in, and so many points of the curve count then. */
 enum { MORE_SPANS = 2, WIDTH = MAX_DEGREE + 1 + MORE_SPANS };
@@ -22,5 +23,5 @@ struct view {
 enum foot { NO_FOOT, FOOT_INSIDE, FOOT_AT_END, FOOT_NEAR_END, FOOT_ON_FIXED_END };
 
 /* The foot of point i, near the given one; *v is what is seen from it, but for ON_FIXED_END.  Sets b->where. */
-enum foot stationary_enclose_foot(struct box *b, int i, struct view *v);
+enum foot cagd_stationary_enclose_foot(struct box *b, int i, struct view *v);
 #endif

@@ -5,12 +5,13 @@
 
 #include "exact/kernels_i.h"
 #include "exact/number/region.h"
+#include "exact/words.h"
 
 #include <math.h>
 
 static inline num_i between(double low, double high)
 {
-    struct interval *r = region_slot(SLOT_INTERVAL);
+    struct cagd_interval *r = cagd_region_slot(SLOT_INTERVAL);
     mpfr_set_d(r->lo, low, MPFR_RNDD);
     mpfr_set_d(r->hi, high, MPFR_RNDU);
     return (num_i){r};
@@ -21,7 +22,7 @@ static inline num_i number(double x) { return between(x, x); }
 static inline num_i around(double x, double r) { return add_i(number(x), between(-r, r)); }
 static inline num_i factor_around(double w, double r)
 {
-    struct interval *f = region_slot(SLOT_INTERVAL);
+    struct cagd_interval *f = cagd_region_slot(SLOT_INTERVAL);
     mpfr_set_d(f->lo, r, MPFR_RNDU);
     mpfr_ui_sub(f->lo, 1, f->lo, MPFR_RNDD);
     mpfr_set_d(f->hi, r, MPFR_RNDU);
@@ -33,7 +34,7 @@ static inline num_i factor_around(double w, double r)
 
 static inline num_i hull(num_i a, num_i b)
 {
-    struct interval *r = region_slot(SLOT_INTERVAL);
+    struct cagd_interval *r = cagd_region_slot(SLOT_INTERVAL);
     mpfr_min(r->lo, a.at->lo, b.at->lo, MPFR_RNDD);
     mpfr_max(r->hi, a.at->hi, b.at->hi, MPFR_RNDU);
     return (num_i){r};
@@ -41,7 +42,7 @@ static inline num_i hull(num_i a, num_i b)
 
 static inline num_i square(num_i a)
 {
-    struct interval *r = region_slot(SLOT_INTERVAL);
+    struct cagd_interval *r = cagd_region_slot(SLOT_INTERVAL);
     mpfr_srcptr far = mpfr_cmpabs(a.at->lo, a.at->hi) > 0 ? a.at->lo : a.at->hi;
     mpfr_srcptr near = far == a.at->lo ? a.at->hi : a.at->lo;
     mpfr_sqr(r->hi, far, MPFR_RNDU);
@@ -58,7 +59,7 @@ static inline double size_of(num_i a) { return fmax(-lower_i(a), upper_i(a)); }
 /* The numbers of T that are nearest to those of a. */
 static inline num_i within(num_i T, num_i a)
 {
-    struct interval *r = region_slot(SLOT_INTERVAL);
+    struct cagd_interval *r = cagd_region_slot(SLOT_INTERVAL);
     mpfr_max(r->lo, a.at->lo, T.at->lo, MPFR_RNDD);
     mpfr_min(r->lo, r->lo, T.at->hi, MPFR_RNDD);
     mpfr_min(r->hi, a.at->hi, T.at->hi, MPFR_RNDU);
@@ -75,7 +76,7 @@ static inline num_i inner(int dim, const num_i a[], const num_i b[])
 }
 
 /* Sums that outlive the regions of their terms. */
-static inline void sums_init(int count, struct interval sum[])
+static inline void sums_init(int count, struct cagd_interval sum[])
 {
     for (int k = 0; k < count; k++) {
         mpfr_init2(sum[k].lo, INTERVAL_PRECISION);
@@ -84,14 +85,14 @@ static inline void sums_init(int count, struct interval sum[])
         mpfr_set_zero(sum[k].hi, 1);
     }
 }
-static inline void sums_clear(int count, struct interval sum[])
+static inline void sums_clear(int count, struct cagd_interval sum[])
 {
     for (int k = 0; k < count; k++) {
         mpfr_clear(sum[k].lo);
         mpfr_clear(sum[k].hi);
     }
 }
-static inline void accumulate(struct interval *sum, num_i x)
+static inline void accumulate(struct cagd_interval *sum, num_i x)
 {
     mpfr_add(sum->lo, sum->lo, x.at->lo, MPFR_RNDD);
     mpfr_add(sum->hi, sum->hi, x.at->hi, MPFR_RNDU);

@@ -1,7 +1,8 @@
-/* stationary_nearest.c -- whether feet are the nearest points of a whole curve: branch and bound in intervals. */
+/* cagd_stationary_nearest.c -- whether feet are the nearest points of a whole curve: branch and bound in intervals. */
 #include "core/number/limits.h"
 #include "exact/fit/interval.h"
 #include "exact/fit/stationary.h"
+#include "exact/words.h"
 
 static const char *const undecided =
     "the curve could not be divided into parts so small that their distances are known";
@@ -108,10 +109,10 @@ static int span_of(const cagd_spline *curve, double t)
     return mu;
 }
 
-nearest_verdict stationary_nearest(const cagd_fit_data *data, const cagd_spline *curve, const double feet[])
+cagd_nearest_verdict cagd_stationary_nearest(const cagd_fit_data *data, const cagd_spline *curve, const double feet[])
 {
     enum { MOST_PARTS = 4096 };
-    nearest_verdict verdict = {.verified = 1, .where = -1};
+    cagd_nearest_verdict verdict = {.verified = 1, .where = -1};
     region_mark mark = region_open();
     unsigned before = region_faults;
     int n = curve->count, p = curve->degree, dim = curve->dim;

@@ -4,6 +4,7 @@
 #include "exact/fit/box.h"
 #include "exact/fit/directions.h"
 #include "exact/fit/interval.h"
+#include "exact/words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -132,28 +133,30 @@ static double estimated_contraction(struct box *b, int k, double r, const double
     int stride = b->problem->data->count / 1000;
     for (int a = 0; a < b->n; a++)
         radius[a] = is_held(b->problem, a) ? 0 : r * reach[a];
-    return stationary_enclose(b, radius, stride) ? stride * contraction(b, k, W, NULL) : NAN;
+    return cagd_stationary_enclose(b, radius, stride) ? stride * contraction(b, k, W, NULL) : NAN;
 }
 
 /* The signs of the multipliers over the box; when it cannot be enclosed they are not known. */
-static void leave_bounds(struct box *b, const double radius[], stationary_verdict *verdict)
+static void leave_bounds(struct box *b, const double radius[], cagd_stationary_verdict *verdict)
 {
     int enclosed = -1; /* not tried */
     for (int a = 0; a < b->n; a++) {
-        int hold = is_held(b->problem, a) ? b->problem->held[a] : STATIONARY_FREE, sign = 0;
-        if (hold != STATIONARY_AT_LOW && hold != STATIONARY_AT_HIGH)
+        int hold = is_held(b->problem, a) ? b->problem->held[a] : CAGD_STATIONARY_FREE, sign = 0;
+        if (hold != CAGD_STATIONARY_AT_LOW && hold != CAGD_STATIONARY_AT_HIGH)
             continue;
         if (enclosed < 0)
-            enclosed = stationary_enclose(b, radius, 1);
+            enclosed = cagd_stationary_enclose(b, radius, 1);
         if (enclosed)
-            sign = sign_i((num_i){&b->gradient[a]}) * (hold == STATIONARY_AT_LOW ? 1 : -1);
-        enum stationary_bounds now = sign > 0 ? STATIONARY_GROWS : sign < 0 ? STATIONARY_FALLS : STATIONARY_OPEN;
-        if (verdict->bounds == STATIONARY_NO_BOUNDS || (now == STATIONARY_FALLS && verdict->bounds != now) ||
-            (now == STATIONARY_OPEN && verdict->bounds == STATIONARY_GROWS)) {
+            sign = sign_i((num_i){&b->gradient[a]}) * (hold == CAGD_STATIONARY_AT_LOW ? 1 : -1);
+        enum cagd_stationary_bounds now = sign > 0   ? CAGD_STATIONARY_GROWS
+                                          : sign < 0 ? CAGD_STATIONARY_FALLS
+                                                     : CAGD_STATIONARY_OPEN;
+        if (verdict->bounds == CAGD_STATIONARY_NO_BOUNDS || (now == CAGD_STATIONARY_FALLS && verdict->bounds != now) ||
+            (now == CAGD_STATIONARY_OPEN && verdict->bounds == CAGD_STATIONARY_GROWS)) {
             verdict->bounds = now;
-            verdict->bound = now == STATIONARY_GROWS ? -1 : a;
+            verdict->bound = now == CAGD_STATIONARY_GROWS ? -1 : a;
         }
-        verdict->minimum &= now == STATIONARY_GROWS;
+        verdict->minimum &= now == CAGD_STATIONARY_GROWS;
     }
 }
 
@@ -162,7 +165,7 @@ static void leave_bounds(struct box *b, const double radius[], stationary_verdic
  * it fails.  q is nearly proportional to the radius. */
 static void try_radii(struct box *b, int k, double eta, const double W[], const double inverse[], const int sign[],
                       const double unit[], const double reach[], const double step[], double radius[],
-                      stationary_verdict *verdict)
+                      cagd_stationary_verdict *verdict)
 {
     int n = b->n;
     double largest = 0, size = extent(n, k, W, inverse, unit);
@@ -179,7 +182,7 @@ static void try_radii(struct box *b, int k, double eta, const double W[], const 
         for (int a = 0; a < n; a++)
             radius[a] = is_held(b->problem, a) ? 0 : product_up(reach[a], r);
         int small = product_up(largest, r) <= 0.5;
-        if (small && stationary_enclose(b, radius, 1))
+        if (small && cagd_stationary_enclose(b, radius, 1))
             q = contraction(b, k, W, sign);
         int good = q < 1 && radius_of(eta, q) < r;
         if (good) {
@@ -225,14 +228,14 @@ static void try_radii(struct box *b, int k, double eta, const double W[], const 
 }
 
 /* No unknown is free, and some stand on bounds: the curve is what it is, and the multipliers decide. */
-static void check_bounds_alone(struct box *b, double radius[], stationary_verdict *verdict)
+static void check_bounds_alone(struct box *b, double radius[], cagd_stationary_verdict *verdict)
 {
     int at_bound = 0;
     for (int a = 0; a < b->n; a++) {
         radius[a] = 0;
         if (!is_held(b->problem, a))
             return;
-        at_bound |= b->problem->held[a] != STATIONARY_HELD;
+        at_bound |= b->problem->held[a] != CAGD_STATIONARY_HELD;
     }
     if (!at_bound)
         return;
@@ -247,7 +250,7 @@ struct workspace {
     int *sign;
 };
 
-static int workspace_new(struct workspace *s, const stationary_problem *problem)
+static int workspace_new(struct workspace *s, const cagd_stationary_problem *problem)
 {
     size_t n = (size_t)problem->unknowns, count = (size_t)problem->curve->count, dim = (size_t)problem->curve->dim;
     s->memory = calloc(2 * n * n + 6 * n + count * (dim + 1) + 1, sizeof(double));
@@ -272,7 +275,7 @@ static int workspace_new(struct workspace *s, const stationary_problem *problem)
 
 /* The centre moves by Newton's step, in binary64; moved[a] is no smaller than the way from the reported unknown to it:
  * for a weight |log(v/w)| <= |v - w|/min(v, w). */
-static void move_centre(const stationary_problem *problem, struct workspace *s)
+static void move_centre(const cagd_stationary_problem *problem, struct workspace *s)
 {
     for (int a = 0; a < problem->unknowns; a++) {
         const cagd_fit_unknown *u = &problem->unknown[a];
@@ -290,8 +293,8 @@ static void move_centre(const stationary_problem *problem, struct workspace *s)
 }
 
 /* The radii are those from the reported unknowns, not from the centre. */
-static void add_way(const stationary_problem *problem, const double moved[], double data_unit,
-                    stationary_verdict *verdict)
+static void add_way(const cagd_stationary_problem *problem, const double moved[], double data_unit,
+                    cagd_stationary_verdict *verdict)
 {
     double weights = 0, coordinates = 0;
     for (int a = 0; a < problem->unknowns; a++) {
@@ -307,16 +310,16 @@ static void add_way(const stationary_problem *problem, const double moved[], dou
     verdict->point_alone = fmax(0, nextafter(verdict->point_alone - less * data_unit, 0));
 }
 
-stationary_verdict stationary_check(const stationary_problem *problem)
+cagd_stationary_verdict cagd_stationary_check(const cagd_stationary_problem *problem)
 {
     enum { MOVES = 4 };
-    stationary_verdict verdict = {.bound = -1, .where = -1, .reason = no_memory};
+    cagd_stationary_verdict verdict = {.bound = -1, .where = -1, .reason = no_memory};
     struct workspace s = {0};
     cagd_spline centre = *problem->curve;
-    stationary_problem moving = *problem;
+    cagd_stationary_problem moving = *problem;
     moving.curve = &centre;
     struct box b;
-    int room = stationary_box_new(&b, &moving) & workspace_new(&s, problem);
+    int room = cagd_stationary_box_new(&b, &moving) & workspace_new(&s, problem);
     double size = size_of_data(problem->data), largest = 0;
     centre.points = s.points;
     centre.weights = s.weights;
@@ -325,14 +328,14 @@ stationary_verdict stationary_check(const stationary_problem *problem)
     for (int move = 0; room && !verdict.verified && move <= MOVES; move++) {
         for (int a = 0; a < b.n; a++)
             s.radius[a] = 0;
-        if (!stationary_enclose(&b, s.radius, 1)) {
+        if (!cagd_stationary_enclose(&b, s.radius, 1)) {
             if (move == 0) {
                 verdict.reason = b.n == 0 ? "nothing is free" : b.reason;
                 verdict.where = b.where;
             }
             break;
         }
-        verdict.dimension = stationary_directions(&b, s.W, s.inverse, s.sign);
+        verdict.dimension = cagd_stationary_directions(&b, s.W, s.inverse, s.sign);
         if (verdict.dimension == 0) {
             int free_ones = 0;
             for (int a = 0; a < b.n; a++)
@@ -353,7 +356,7 @@ stationary_verdict stationary_check(const stationary_problem *problem)
     }
     if (verdict.verified)
         add_way(problem, s.moved, size, &verdict);
-    stationary_box_free(&b);
+    cagd_stationary_box_free(&b);
     free(s.memory);
     free(s.sign);
     return verdict;
@@ -363,11 +366,11 @@ stationary_verdict stationary_check(const stationary_problem *problem)
 static int bound_of(const cagd_fit_options *options, double log_weight)
 {
     double below = log_weight - log(options->weight_low), above = log(options->weight_high) - log_weight;
-    return below < above ? STATIONARY_AT_LOW : STATIONARY_AT_HIGH;
+    return below < above ? CAGD_STATIONARY_AT_LOW : CAGD_STATIONARY_AT_HIGH;
 }
 
-stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
-                                        const cagd_fit_result *result)
+cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
+                                                  const cagd_fit_result *result)
 {
     size_t numbers = (size_t)data->count * (size_t)data->dim;
     int count = 0, *held = malloc(((size_t)result->unknowns + 1) * sizeof *held);
@@ -375,7 +378,7 @@ stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fi
     if (held == NULL || points == NULL) {
         free(held);
         free(points);
-        return (stationary_verdict){.bound = -1, .where = -1, .reason = no_memory};
+        return (cagd_stationary_verdict){.bound = -1, .where = -1, .reason = no_memory};
     }
     for (size_t m = 0; m < numbers; m++)
         points[m] = data->points[m] - result->origin[m % (size_t)data->dim]; /* exactly */
@@ -384,20 +387,20 @@ stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fi
     near.points = points;
     curve.points = result->relative;
     for (int a = 0; a < result->unknowns; a++) {
-        held[a] = result->at_bound[a] ? bound_of(options, result->value[a]) : STATIONARY_FREE;
-        count += held[a] != STATIONARY_FREE;
+        held[a] = result->at_bound[a] ? bound_of(options, result->value[a]) : CAGD_STATIONARY_FREE;
+        count += held[a] != CAGD_STATIONARY_FREE;
     }
-    stationary_problem problem = {.data = &near,
-                                  .loss = options->loss,
-                                  .loss_scale = options->loss_scale,
-                                  .curve = &curve,
-                                  .feet = result->feet,
-                                  .unknowns = result->unknowns,
-                                  .unknown = result->unknown,
-                                  .held = held,
-                                  .free_count = result->unknowns - count - result->rank,
-                                  .free_directions = result->free_directions};
-    stationary_verdict verdict = stationary_check(&problem);
+    cagd_stationary_problem problem = {.data = &near,
+                                       .loss = options->loss,
+                                       .loss_scale = options->loss_scale,
+                                       .curve = &curve,
+                                       .feet = result->feet,
+                                       .unknowns = result->unknowns,
+                                       .unknown = result->unknown,
+                                       .held = held,
+                                       .free_count = result->unknowns - count - result->rank,
+                                       .free_directions = result->free_directions};
+    cagd_stationary_verdict verdict = cagd_stationary_check(&problem);
     free(held);
     free(points);
     return verdict;

@@ -41,10 +41,15 @@
 
 /* HELD: left out.  AT_LOW, AT_HIGH: held because it stands on a bound, which is below, or above, all others that are
  * allowed. */
-enum stationary_hold { STATIONARY_FREE, STATIONARY_HELD, STATIONARY_AT_LOW, STATIONARY_AT_HIGH };
+enum cagd_stationary_hold {
+    CAGD_STATIONARY_FREE,
+    CAGD_STATIONARY_HELD,
+    CAGD_STATIONARY_AT_LOW,
+    CAGD_STATIONARY_AT_HIGH
+};
 
 /* Everything is read only; points, weights, feet in the order of cagd_fit_data and cagd_spline. */
-typedef struct stationary_problem {
+typedef struct cagd_stationary_problem {
     const cagd_fit_data *data;
     cagd_fit_loss loss;
     double loss_scale;
@@ -55,13 +60,18 @@ typedef struct stationary_problem {
     const int *held; /* a stationary_hold of each unknown; NULL: all are free                      */
     int free_count;
     const double *free_directions; /* free_count x unknowns, linearly independent; NULL when there are none */
-} stationary_problem;
+} cagd_stationary_problem;
 
 /* What F does when the unknowns leave their bounds.  GROWS: it grows, whichever does.  FALLS: there is one with
  * which it falls.  OPEN: of none that is known, but of one the sign is not. */
-enum stationary_bounds { STATIONARY_NO_BOUNDS, STATIONARY_GROWS, STATIONARY_FALLS, STATIONARY_OPEN };
+enum cagd_stationary_bounds {
+    CAGD_STATIONARY_NO_BOUNDS,
+    CAGD_STATIONARY_GROWS,
+    CAGD_STATIONARY_FALLS,
+    CAGD_STATIONARY_OPEN
+};
 
-typedef struct stationary_verdict {
+typedef struct cagd_stationary_verdict {
     int verified;  /* 1: exactly one stationary point, as said above                                   */
     int minimum;   /* 1: it is a strict local minimum, within the bounds                               */
     int dimension; /* of the space in which that was decided: unknowns not held, less free directions */
@@ -69,35 +79,35 @@ typedef struct stationary_verdict {
                                            weight, and in any coordinate; rounded up                       */
     double weight_alone, point_alone;   /* a stationary point that is no farther away than this is that one;
                                            rounded down, 0 where nothing is said                           */
-    enum stationary_bounds bounds;      /* NO_BOUNDS also when not verified                                     */
+    enum cagd_stationary_bounds bounds; /* NO_BOUNDS also when not verified                                     */
     int bound;          /* the unknown at whose bound F falls, or the sign is not known; otherwise -1                */
     int where;          /* index of the measured point that the reason is about, or -1                     */
     const char *reason; /* why not verified, a sentence without full stop; NULL when verified; static     */
-} stationary_verdict;
+} cagd_stationary_verdict;
 
-stationary_verdict stationary_check(const stationary_problem *problem);
+cagd_stationary_verdict cagd_stationary_check(const cagd_stationary_problem *problem);
 
 /* The same of the result of a fit, from its origin: the coordinates of which the verdict speaks are `relative`. */
-stationary_verdict stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
-                                        const cagd_fit_result *result);
+cagd_stationary_verdict cagd_stationary_check_fit(const cagd_fit_data *data, const cagd_fit_options *options,
+                                                  const cagd_fit_result *result);
 
 /* Whether the feet are the nearest points of the whole curve, which is what is left to verify where nothing is free.  Branch and bound:
  * the curve is divided until each part is known to come no nearer to the point than its foot does, but for an excess that is
  * at most 2^-44 of the size of points and curve.  Corners, cusps, ends of the curve, and points that are as near to two places are no
  * exceptions; a point that is as near to a whole arc is one, and is left undecided. */
-typedef struct nearest_verdict {
+typedef struct cagd_nearest_verdict {
     int verified;       /* 1: no point of the curve is nearer to any measured point than its foot, but for `excess` */
     int refuted;        /* 1: some point of it is nearer to point `where`, by more than 2^-44 of the size            */
     double excess;      /* rounded up                                                                         */
     int where;          /* index of the measured point that the reason is about, or -1                        */
     const char *reason; /* why not verified, a sentence without full stop; NULL when verified; static         */
-} nearest_verdict;
+} cagd_nearest_verdict;
 
-nearest_verdict stationary_nearest(const cagd_fit_data *data, const cagd_spline *curve, const double feet[]);
+cagd_nearest_verdict cagd_stationary_nearest(const cagd_fit_data *data, const cagd_spline *curve, const double feet[]);
 
 /* Enclosures of gradient and Hessian of F over the box of unknowns no farther than radius[a] from the given ones,
  * a = 0, ..., unknowns-1; of the weights in their logarithms, radius <= 1.  Arrays of unknowns, and of unknowns x
  * unknowns numbers.  Returns 1, or 0 where a foot cannot be enclosed, and then *where is the index of its point. */
-int stationary_enclosures(const stationary_problem *problem, const double radius[], double gradient_low[],
-                          double gradient_high[], double hessian_low[], double hessian_high[], int *where);
+int cagd_stationary_enclosures(const cagd_stationary_problem *problem, const double radius[], double gradient_low[],
+                               double gradient_high[], double hessian_low[], double hessian_high[], int *where);
 #endif

@@ -1,6 +1,7 @@
 #include "exact/number/field.h"
 
 #include "exact/number/fraction.h"
+#include "exact/words.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_mpoly_factor.h>
@@ -16,30 +17,30 @@ static _Thread_local struct {
 
 /* Slots are made and cleared with a context of one variable when none is open: FLINT's init and
  * clear use none of it but its size. */
-const fmpz_mpoly_ctx_struct *field_context(void)
+const fmpz_mpoly_ctx_struct *cagd_field_context(void)
 {
     if (!field.open)
         field_open(1);
     return field.ctx;
 }
-void field_slot_init(void *p)
+void cagd_field_slot_init(void *p)
 {
-    struct field_element *element = p;
-    fmpz_mpoly_init(element->numerator, field_context());
-    fmpz_mpoly_init(element->rest, field_context());
+    struct cagd_field_element *element = p;
+    fmpz_mpoly_init(element->numerator, cagd_field_context());
+    fmpz_mpoly_init(element->rest, cagd_field_context());
     fmpz_init_set_ui(element->content, 1);
     element->factors.known = 1;
     element->factors.count = 0;
 }
-void field_slot_clear(void *p)
+void cagd_field_slot_clear(void *p)
 {
-    struct field_element *element = p;
-    fmpz_mpoly_clear(element->numerator, field_context());
-    fmpz_mpoly_clear(element->rest, field_context());
+    struct cagd_field_element *element = p;
+    fmpz_mpoly_clear(element->numerator, cagd_field_context());
+    fmpz_mpoly_clear(element->rest, cagd_field_context());
     fmpz_clear(element->content);
 }
 
-void field_open(int variables)
+void cagd_field_open(int variables)
 {
     field_close();
     if (variables > FIELD_MAX_VARIABLES)
@@ -48,18 +49,18 @@ void field_open(int variables)
     fmpz_mpoly_ctx_init(field.ctx, field.capacity, ORD_LEX);
     field.open = 1;
     field.known = 0;
-    fraction_open();
+    cagd_fraction_open();
 }
-void field_close(void)
+void cagd_field_close(void)
 {
     if (field.open) {
-        fraction_close();
+        cagd_fraction_close();
         fmpz_mpoly_ctx_clear(field.ctx);
     }
     field.open = 0;
 }
 
-const char *field_variables(void)
+const char *cagd_field_variables(void)
 {
     char *text = region_bytes((size_t)field.known * sizeof field.name[0] + 1), *at = text;
     *at = '\0';
@@ -68,27 +69,27 @@ const char *field_variables(void)
     return text;
 }
 
-static struct field_element *fresh(void)
+static struct cagd_field_element *fresh(void)
 {
-    struct field_element *r = region_slot(SLOT_FIELD);
-    if (tracing != NULL)
-        trace_fresh(r);
+    struct cagd_field_element *r = cagd_region_slot(SLOT_FIELD);
+    if (cagd_tracing != NULL)
+        cagd_trace_fresh(r);
     return r;
 }
 
-int trace_field_element(num_f a)
+int cagd_trace_field_element(num_f a)
 {
-    if (trace_known(a.at) < 0)
-        trace_text(a.at, "f", to_string_f(a));
-    return trace_known(a.at);
+    if (cagd_trace_known(a.at) < 0)
+        cagd_trace_text(a.at, "f", to_string_f(a));
+    return cagd_trace_known(a.at);
 }
 
 /* r was made of a, or of a and b. */
-static num_f made_of(const char *op, const struct field_element *r, num_f a, const num_f *b)
+static num_f made_of(const char *op, const struct cagd_field_element *r, num_f a, const num_f *b)
 {
-    if (trace_noting()) {
-        int argument[2] = {trace_field_element(a), b != NULL ? trace_field_element(*b) : 0};
-        trace_node(r, op, b != NULL ? 2 : 1, argument);
+    if (cagd_trace_noting()) {
+        int argument[2] = {cagd_trace_field_element(a), b != NULL ? cagd_trace_field_element(*b) : 0};
+        cagd_trace_node(r, op, b != NULL ? 2 : 1, argument);
     }
     return (num_f){r};
 }
@@ -104,9 +105,9 @@ static num_f fault_f(unsigned fault)
     return zero_f();
 }
 
-num_f variable_f(const char *name)
+num_f cagd_variable_f(const char *name)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (strlen(name) > FIELD_MAX_NAME)
         return fault_f(FAULT_UNABLE);
     int v = 0;
@@ -117,17 +118,17 @@ num_f variable_f(const char *name)
             return fault_f(FAULT_CROWDED);
         snprintf(field.name[field.known++], sizeof field.name[0], "%s", name);
     }
-    struct field_element *r = fresh();
+    struct cagd_field_element *r = fresh();
     fmpz_mpoly_gen(r->numerator, v, ctx);
-    if (trace_noting())
-        trace_variable(r, name);
+    if (cagd_trace_noting())
+        cagd_trace_variable(r, name);
     return (num_f){r};
 }
 
-int field_variable_f(num_f a)
+int cagd_field_variable_f(num_f a)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
-    if (!fraction_is_polynomial(a.at) || !fmpz_mpoly_is_gen(a.at->numerator, -1, ctx))
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
+    if (!cagd_fraction_is_polynomial(a.at) || !fmpz_mpoly_is_gen(a.at->numerator, -1, ctx))
         return -1;
     for (int v = 0; v < field.known; v++)
         if (fmpz_mpoly_is_gen(a.at->numerator, v, ctx))
@@ -136,50 +137,51 @@ int field_variable_f(num_f a)
 }
 
 /* After a fault the values mean nothing, so no more work is spent on them. */
-typedef void field_operation(struct field_element *, const struct field_element *, const struct field_element *);
+typedef void field_operation(struct cagd_field_element *, const struct cagd_field_element *,
+                             const struct cagd_field_element *);
 static num_f combine(const char *name, field_operation *op, num_f a, num_f b)
 {
-    struct field_element *r = fresh();
+    struct cagd_field_element *r = fresh();
     if (region_faults == 0)
         op(r, a.at, b.at);
     return made_of(name, r, a, &b);
 }
-static int is_zero(num_f a) { return fmpz_mpoly_is_zero(a.at->numerator, field_context()); }
+static int is_zero(num_f a) { return fmpz_mpoly_is_zero(a.at->numerator, cagd_field_context()); }
 static int is_one(num_f a)
 {
-    return fmpz_mpoly_is_one(a.at->numerator, field_context()) && fraction_is_polynomial(a.at);
+    return fmpz_mpoly_is_one(a.at->numerator, cagd_field_context()) && cagd_fraction_is_polynomial(a.at);
 }
 
 /* Values do not change, so a + 0 is a itself; but each node of a trace is a value of its own. */
-num_f add_f(num_f a, num_f b)
+num_f cagd_add_f(num_f a, num_f b)
 {
-    if (tracing == NULL && (is_zero(a) || is_zero(b)))
+    if (cagd_tracing == NULL && (is_zero(a) || is_zero(b)))
         return is_zero(a) ? b : a;
-    return combine("+", fraction_add, a, b);
+    return combine("+", cagd_fraction_add, a, b);
 }
-num_f sub_f(num_f a, num_f b)
+num_f cagd_sub_f(num_f a, num_f b)
 {
-    if (tracing == NULL && is_zero(b))
+    if (cagd_tracing == NULL && is_zero(b))
         return a;
-    return combine("-", fraction_sub, a, b);
+    return combine("-", cagd_fraction_sub, a, b);
 }
-num_f mul_f(num_f a, num_f b)
+num_f cagd_mul_f(num_f a, num_f b)
 {
-    if (tracing == NULL && (is_zero(a) || is_one(a) || is_zero(b) || is_one(b)))
+    if (cagd_tracing == NULL && (is_zero(a) || is_one(a) || is_zero(b) || is_one(b)))
         return is_zero(a) || is_one(b) ? a : b;
-    return combine("*", fraction_mul, a, b);
+    return combine("*", cagd_fraction_mul, a, b);
 }
-num_f div_f(num_f a, num_f b)
+num_f cagd_div_f(num_f a, num_f b)
 {
     if (is_zero(b))
         return fault_f(FAULT_UNDEFINED);
-    if (tracing == NULL && (is_zero(a) || is_one(b)))
+    if (cagd_tracing == NULL && (is_zero(a) || is_one(b)))
         return a;
-    return combine("/", fraction_div, a, b);
+    return combine("/", cagd_fraction_div, a, b);
 }
-num_f neg_f(num_f a)
+num_f cagd_neg_f(num_f a)
 {
-    struct field_element *r = fresh();
+    struct cagd_field_element *r = fresh();
     fmpz_mpoly_neg(r->numerator, a.at->numerator, field.ctx);
     fmpz_mpoly_set(r->rest, a.at->rest, field.ctx);
     fmpz_set(r->content, a.at->content);
@@ -187,18 +189,21 @@ num_f neg_f(num_f a)
     return made_of("neg", r, a, NULL);
 }
 
-num_f from_rational_f(num_q a)
+num_f cagd_from_rational_f(num_q a)
 {
-    struct field_element *r = fresh();
+    struct cagd_field_element *r = fresh();
     fmpz_set_mpz(r->content, mpq_numref(a.at));
-    fmpz_mpoly_set_fmpz(r->numerator, r->content, field_context());
+    fmpz_mpoly_set_fmpz(r->numerator, r->content, cagd_field_context());
     fmpz_set_mpz(r->content, mpq_denref(a.at));
-    if (trace_noting())
-        trace_alias(r, trace_number(a.at));
+    if (cagd_trace_noting())
+        cagd_trace_alias(r, cagd_trace_number(a.at));
     return (num_f){r};
 }
-num_f from_int_f(long m) { return from_rational_f(from_int_q(m)); }
-num_f from_ratio_f(long m, long n) { return n == 0 ? fault_f(FAULT_UNDEFINED) : from_rational_f(from_ratio_q(m, n)); }
+num_f cagd_from_int_f(long m) { return from_rational_f(from_int_q(m)); }
+num_f cagd_from_ratio_f(long m, long n)
+{
+    return n == 0 ? fault_f(FAULT_UNDEFINED) : from_rational_f(from_ratio_q(m, n));
+}
 
 /* root = an n-th root of p; 0 when p has none.  With p = c f_1^e_1 f_2^e_2 ..., the f_i squarefree and
  * coprime in pairs, it has one exactly when c has one and n divides every e_i. */
@@ -229,33 +234,33 @@ static int polynomial_root(fmpz_mpoly_t root, int n, const fmpz_mpoly_t p)
     return found;
 }
 
-num_f root_f(int n, num_f a)
+num_f cagd_root_f(int n, num_f a)
 {
     if (n == 1)
         return a;
-    struct field_element *p = fresh(), *q = fresh();
+    struct cagd_field_element *p = fresh(), *q = fresh();
     fmpz_mpoly_t denominator;
     fmpz_mpoly_init(denominator, field.ctx);
-    fraction_denominator(denominator, a.at);
+    cagd_fraction_denominator(denominator, a.at);
     int found =
         n >= 1 && polynomial_root(p->numerator, n, a.at->numerator) && polynomial_root(q->numerator, n, denominator);
     fmpz_mpoly_clear(denominator, field.ctx);
     return found ? div_f((num_f){p}, (num_f){q}) : fault_f(FAULT_UNABLE);
 }
 
-int is_zero_f(num_f a)
+int cagd_is_zero_f(num_f a)
 {
     int zero = is_zero(a);
-    if (trace_noting())
-        trace_relation("equal", trace_field_element(a), -1, zero);
+    if (cagd_trace_noting())
+        cagd_trace_relation("equal", cagd_trace_field_element(a), -1, zero);
     return zero;
 }
 
-int equal_f(num_f a, num_f b) { return fraction_equal(a.at, b.at); }
+int cagd_equal_f(num_f a, num_f b) { return cagd_fraction_equal(a.at, b.at); }
 
-int is_constant_f(num_f a, num_q *value)
+int cagd_is_constant_f(num_f a, num_q *value)
 {
-    if (!fmpz_mpoly_is_fmpz(a.at->numerator, field_context()) || !a.at->factors.known || a.at->factors.count > 0)
+    if (!fmpz_mpoly_is_fmpz(a.at->numerator, cagd_field_context()) || !a.at->factors.known || a.at->factors.count > 0)
         return 0;
     if (value != NULL) {
         fmpz_t n;
@@ -269,13 +274,13 @@ int is_constant_f(num_f a, num_q *value)
     return 1;
 }
 
-num_f derivative_f(num_f a, num_f variable)
+num_f cagd_derivative_f(num_f a, num_f variable)
 {
     int v = field_variable_f(variable);
     if (v < 0)
         return fault_f(FAULT_UNDEFINED);
-    struct field_element *r = fresh();
-    fraction_derivative(r, a.at, v);
+    struct cagd_field_element *r = fresh();
+    cagd_fraction_derivative(r, a.at, v);
     return (num_f){r};
 }
 
@@ -291,7 +296,7 @@ static num_f horner(const fmpz_mpoly_t p, int v, num_f value)
         slong e = fmpz_mpoly_univar_get_term_exp_si(u, j, field.ctx);
         for (slong step = j == 0 ? e : high; step > e; step--)
             sum = mul_f(sum, value);
-        struct field_element *c = fresh();
+        struct cagd_field_element *c = fresh();
         fmpz_mpoly_univar_get_term_coeff(c->numerator, u, j, field.ctx);
         sum = add_f(sum, (num_f){c});
         high = e;
@@ -302,14 +307,14 @@ static num_f horner(const fmpz_mpoly_t p, int v, num_f value)
     return sum;
 }
 
-num_f substitute_f(num_f a, num_f variable, num_f value)
+num_f cagd_substitute_f(num_f a, num_f variable, num_f value)
 {
     int v = field_variable_f(variable);
     if (v < 0)
         return fault_f(FAULT_UNDEFINED);
     fmpz_mpoly_t denominator;
     fmpz_mpoly_init(denominator, field.ctx);
-    fraction_denominator(denominator, a.at);
+    cagd_fraction_denominator(denominator, a.at);
     num_f r = div_f(horner(a.at->numerator, v, value), horner(denominator, v, value));
     fmpz_mpoly_clear(denominator, field.ctx);
     return r;
@@ -323,26 +328,26 @@ static int index_of(num_f variable)
         fault_f(FAULT_UNDEFINED);
     return v;
 }
-int degree_f(num_f a, num_f variable)
+int cagd_degree_f(num_f a, num_f variable)
 {
     int v = index_of(variable);
     return v < 0 ? -1 : (int)fmpz_mpoly_degree_si(a.at->numerator, v, field.ctx);
 }
-int denominator_degree_f(num_f a, num_f variable)
+int cagd_denominator_degree_f(num_f a, num_f variable)
 {
     int v = index_of(variable);
-    return v < 0 ? -1 : fraction_denominator_degree(a.at, v);
+    return v < 0 ? -1 : cagd_fraction_denominator_degree(a.at, v);
 }
 
-int has_degrees_f(num_f a, num_f variable, int numerator, int denominator)
+int cagd_has_degrees_f(num_f a, num_f variable, int numerator, int denominator)
 {
     int is[] = {degree_f(a, variable), denominator_degree_f(a, variable)};
-    if (trace_noting()) {
-        int of[] = {trace_field_element(a), trace_field_element(variable)};
-        if (trace_fact("degrees")) {
-            trace_put_list("of", 2, of);
-            trace_put_list("is", 2, is);
-            trace_fact_end();
+    if (cagd_trace_noting()) {
+        int of[] = {cagd_trace_field_element(a), cagd_trace_field_element(variable)};
+        if (cagd_trace_fact("degrees")) {
+            cagd_trace_put_list("of", 2, of);
+            cagd_trace_put_list("is", 2, is);
+            cagd_trace_fact_end();
         }
     }
     return is[0] == numerator && is[1] == denominator;
@@ -354,11 +359,11 @@ static int stands_alone(const char *text, int below)
     return strpbrk(text[0] == '-' ? text + 1 : text, below ? "+-*" : "+-") == NULL;
 }
 
-num_f coefficient_f(num_f a, num_f variable, int k)
+num_f cagd_coefficient_f(num_f a, num_f variable, int k)
 {
     if (denominator_degree_f(a, variable) != 0)
         return fault_f(FAULT_UNDEFINED);
-    struct field_element *r = fresh();
+    struct cagd_field_element *r = fresh();
     fmpz_mpoly_t p;
     fmpz_mpoly_univar_t u;
     fmpz_mpoly_init(p, field.ctx), fmpz_mpoly_univar_init(u, field.ctx);
@@ -366,20 +371,20 @@ num_f coefficient_f(num_f a, num_f variable, int k)
     for (slong j = 0; j < fmpz_mpoly_univar_length(u, field.ctx); j++)
         if (fmpz_mpoly_univar_get_term_exp_si(u, j, field.ctx) == k)
             fmpz_mpoly_univar_get_term_coeff(p, u, j, field.ctx);
-    fraction_over_denominator_of(r, p, a.at);
+    cagd_fraction_over_denominator_of(r, p, a.at);
     fmpz_mpoly_clear(p, field.ctx), fmpz_mpoly_univar_clear(u, field.ctx);
     return (num_f){r};
 }
 
-const char *to_string_f(num_f a)
+const char *cagd_to_string_f(num_f a)
 {
     const char *names[FIELD_MAX_VARIABLES];
     for (int v = 0; v < FIELD_MAX_VARIABLES; v++)
         names[v] = v < field.known ? field.name[v] : "?";
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     fmpz_mpoly_t denominator;
     fmpz_mpoly_init(denominator, ctx);
-    fraction_denominator(denominator, a.at);
+    cagd_fraction_denominator(denominator, a.at);
     char *p = fmpz_mpoly_get_str_pretty(a.at->numerator, names, ctx);
     char *q = fmpz_mpoly_get_str_pretty(denominator, names, ctx);
     fmpz_mpoly_clear(denominator, ctx);
@@ -410,11 +415,11 @@ static int coefficients_sign(const fmpz_mpoly_t p)
     fmpz_clear(c);
     return seen;
 }
-int coefficients_sign_f(num_f a)
+int cagd_coefficients_sign_f(num_f a)
 {
     fmpz_mpoly_t denominator;
-    fmpz_mpoly_init(denominator, field_context());
-    fraction_denominator(denominator, a.at);
+    fmpz_mpoly_init(denominator, cagd_field_context());
+    cagd_fraction_denominator(denominator, a.at);
     int p = coefficients_sign(a.at->numerator), q = coefficients_sign(denominator);
     fmpz_mpoly_clear(denominator, field.ctx);
     return p == 2 || q == 2 ? -2 : p * q;

@@ -2,53 +2,54 @@
  *
  * An equality of two elements is an equality of the functions for every value of the variables where
  * both sides are defined: a proof, not a sample.  The variables are introduced by name; there is
- * room for as many as field_open said, and one more raises CROWDED, upon which the runner starts
+ * room for as many as cagd_field_open said, and one more raises CROWDED, upon which the runner starts
  * again in a larger field. */
 #ifndef CAGD_NUM_FIELD_H
 #define CAGD_NUM_FIELD_H
 
 #include "exact/number/rational.h"
 
-typedef struct num_f {
-    const struct field_element *at;
-} num_f;
+typedef struct cagd_num_f {
+    const struct cagd_field_element *at;
+} cagd_num_f;
 
-enum { FIELD_MAX_VARIABLES = 96, FIELD_MAX_NAME = 15 };
+enum { CAGD_FIELD_MAX_VARIABLES = 96, CAGD_FIELD_MAX_NAME = 15 };
 
 /* Fix the field of this thread.  No element of an earlier field may be alive.  UNABLE when more than
- * FIELD_MAX_VARIABLES are asked for. */
-void field_open(int variables);
-void field_close(void);
+ * CAGD_FIELD_MAX_VARIABLES are asked for. */
+void cagd_field_open(int variables);
+void cagd_field_close(void);
 
-const char *field_variables(void);  /* the names known, separated by blanks; in the region      */
-num_f variable_f(const char *name); /* the variable of that name, new or known; UNABLE for a name of
-                                       more than FIELD_MAX_NAME bytes                        */
-num_f add_f(num_f a, num_f b);
-num_f sub_f(num_f a, num_f b);
-num_f mul_f(num_f a, num_f b);
-num_f div_f(num_f a, num_f b); /* UNDEFINED when b is the zero function                    */
-num_f neg_f(num_f a);
-num_f from_int_f(long m);
-num_f from_ratio_f(long m, long n);
-num_f from_rational_f(num_q a);
-num_f root_f(int n, num_f a); /* n >= 1; one of the two roots for even n; UNABLE unless a is
+const char *cagd_field_variables(void);       /* the names known, separated by blanks; in the region      */
+cagd_num_f cagd_variable_f(const char *name); /* the variable of that name, new or known; UNABLE for a name of
+                                       more than CAGD_FIELD_MAX_NAME bytes                        */
+cagd_num_f cagd_add_f(cagd_num_f a, cagd_num_f b);
+cagd_num_f cagd_sub_f(cagd_num_f a, cagd_num_f b);
+cagd_num_f cagd_mul_f(cagd_num_f a, cagd_num_f b);
+cagd_num_f cagd_div_f(cagd_num_f a, cagd_num_f b); /* UNDEFINED when b is the zero function                    */
+cagd_num_f cagd_neg_f(cagd_num_f a);
+cagd_num_f cagd_from_int_f(long m);
+cagd_num_f cagd_from_ratio_f(long m, long n);
+cagd_num_f cagd_from_rational_f(cagd_num_q a);
+cagd_num_f cagd_root_f(int n, cagd_num_f a); /* n >= 1; one of the two roots for even n; UNABLE unless a is
                                  an n-th power                                             */
 
-int is_zero_f(num_f a);
-int equal_f(num_f a, num_f b);                            /* the same function; not noted in a trace      */
-int is_constant_f(num_f a, num_q *value);                 /* value may be NULL                        */
-num_f derivative_f(num_f a, num_f variable);              /* formal partial derivative                */
-num_f substitute_f(num_f a, num_f variable, num_f value); /* UNDEFINED at a pole           */
-int degree_f(num_f a, num_f variable);                    /* of the numerator; -1 for 0; these four are
+int cagd_is_zero_f(cagd_num_f a);
+int cagd_equal_f(cagd_num_f a, cagd_num_f b);                    /* the same function; not noted in a trace      */
+int cagd_is_constant_f(cagd_num_f a, cagd_num_q *value);         /* value may be NULL                        */
+cagd_num_f cagd_derivative_f(cagd_num_f a, cagd_num_f variable); /* formal partial derivative                */
+cagd_num_f cagd_substitute_f(cagd_num_f a, cagd_num_f variable, cagd_num_f value); /* UNDEFINED at a pole           */
+int cagd_degree_f(cagd_num_f a, cagd_num_f variable); /* of the numerator; -1 for 0; these four are
                                                   UNDEFINED unless it is a variable        */
-int denominator_degree_f(num_f a, num_f variable);
-int has_degrees_f(num_f a, num_f variable, int numerator, int denominator); /* both; noted as a fact (trace.h) */
-num_f coefficient_f(num_f a, num_f variable, int k); /* of variable^k, k >= 0, as it is a polynomial
+int cagd_denominator_degree_f(cagd_num_f a, cagd_num_f variable);
+int cagd_has_degrees_f(cagd_num_f a, cagd_num_f variable, int numerator,
+                       int denominator);                                 /* both; noted as a fact (trace.h) */
+cagd_num_f cagd_coefficient_f(cagd_num_f a, cagd_num_f variable, int k); /* of variable^k, k >= 0, as it is a polynomial
                                                   in it: UNDEFINED if the denominator has it  */
-int field_variable_f(num_f variable);                /* its index, or -1 for any other element   */
+int cagd_field_variable_f(cagd_num_f variable);                          /* its index, or -1 for any other element   */
 /* +1, 0, -1: numerator and denominator have coefficients of one sign each, so a > 0, a = 0, a < 0
  * wherever all variables are positive.  -2: no such conclusion. */
-int coefficients_sign_f(num_f a);
-const char *to_string_f(num_f a); /* lives in the region                      */
-int trace_field_element(num_f a); /* its node in the open trace (trace.h), made if there is none */
+int cagd_coefficients_sign_f(cagd_num_f a);
+const char *cagd_to_string_f(cagd_num_f a); /* lives in the region                      */
+int cagd_trace_field_element(cagd_num_f a); /* its node in the open trace (trace.h), made if there is none */
 #endif

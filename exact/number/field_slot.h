@@ -19,13 +19,13 @@ struct factored {
 
 /* numerator / (content factors), or numerator / rest where nobody has factored the denominator and `factors` is not
  * known; in lowest terms, the denominator with positive leading coefficient.  What is constant is always factored. */
-struct field_element {
+struct cagd_field_element {
     fmpz_mpoly_t numerator, rest;
     fmpz_t content;
     struct factored factors;
 };
-void field_slot_init(void *p); /* 0 */
-void field_slot_clear(void *p);
+void cagd_field_slot_init(void *p); /* 0 */
+void cagd_field_slot_clear(void *p);
 
-const fmpz_mpoly_ctx_struct *field_context(void);
+const fmpz_mpoly_ctx_struct *cagd_field_context(void);
 #endif

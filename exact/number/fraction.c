@@ -1,4 +1,5 @@
 #include "exact/number/fraction.h"
+#include "exact/words.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_mpoly_factor.h>
@@ -19,23 +20,23 @@ static _Thread_local struct {
     int found[REMEMBERED], count, next;
 } divisors;
 
-void fraction_open(void)
+void cagd_fraction_open(void)
 {
     factors.count = 0;
     divisors.count = divisors.next = 0;
 }
-void fraction_close(void)
+void cagd_fraction_close(void)
 {
     while (factors.count > 0)
-        fmpz_mpoly_clear(&factors.poly[--factors.count], field_context());
+        fmpz_mpoly_clear(&factors.poly[--factors.count], cagd_field_context());
     while (divisors.count > 0)
-        fmpz_mpoly_clear(&divisors.poly[--divisors.count], field_context());
+        fmpz_mpoly_clear(&divisors.poly[--divisors.count], cagd_field_context());
 }
 
 /* Its index in the list, upon which p is put if it is new; -1 when the list is full. */
 static int number_of_factor(const fmpz_mpoly_t p)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     for (int k = 0; k < factors.count; k++)
         if (fmpz_mpoly_equal(&factors.poly[k], p, ctx))
             return k;
@@ -54,7 +55,7 @@ static void make_primitive(fmpz_mpoly_t primitive, fmpz_t c, const fmpz_mpoly_t 
     _fmpz_vec_content(c, p->coeffs, p->length);
     if (fmpz_sgn(p->coeffs) < 0)
         fmpz_neg(c, c);
-    fmpz_mpoly_scalar_divexact_fmpz(primitive, p, c, field_context());
+    fmpz_mpoly_scalar_divexact_fmpz(primitive, p, c, cagd_field_context());
 }
 
 /* p and c > 0 without the common divisor of the integers that divide them. */
@@ -67,7 +68,7 @@ static void reduce_content(fmpz_mpoly_t p, fmpz_t c)
     for (slong k = 0; k < p->length && !fmpz_is_one(g); k++)
         fmpz_gcd(g, g, p->coeffs + k);
     if (!fmpz_is_one(g)) {
-        fmpz_mpoly_scalar_divexact_fmpz(p, p, g, field_context());
+        fmpz_mpoly_scalar_divexact_fmpz(p, p, g, cagd_field_context());
         fmpz_divexact(c, c, g);
     }
     fmpz_clear(g);
@@ -81,7 +82,7 @@ static const fmpz_mpoly_struct *times_integer(fmpz_mpoly_t room, const fmpz_mpol
 {
     if (fmpz_is_one(c))
         return p;
-    fmpz_mpoly_scalar_mul_fmpz(room, p, c, field_context());
+    fmpz_mpoly_scalar_mul_fmpz(room, p, c, cagd_field_context());
     return room;
 }
 
@@ -129,14 +130,14 @@ static void drop_trivial(struct factored *d)
 static const fmpz_mpoly_struct *times_power(fmpz_mpoly_t room, const fmpz_mpoly_struct *p, int factor, int power)
 {
     for (; power > 0; power--, p = room)
-        fmpz_mpoly_mul(room, p, &factors.poly[factor], field_context());
+        fmpz_mpoly_mul(room, p, &factors.poly[factor], cagd_field_context());
     return p;
 }
 
 /* p = p/f as often as f divides p, at most `most` times; how often it was. */
 static int divide_out(fmpz_mpoly_t p, int factor, int most)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     int times = 0;
     fmpz_mpoly_t q;
     fmpz_mpoly_init(q, ctx);
@@ -155,7 +156,7 @@ static const fmpz_mpoly_struct *cancelled(fmpz_mpoly_t room, const fmpz_mpoly_st
     for (int k = 0; k < of->count; k++)
         if (power_in(own, of->factor[k]) == 0) {
             if (p != room)
-                fmpz_mpoly_set(room, p, field_context());
+                fmpz_mpoly_set(room, p, cagd_field_context());
             p = room;
             int times = divide_out(room, of->factor[k], of->power[k]);
             for (int j = 0; times > 0 && j < d->count; j++)
@@ -172,7 +173,7 @@ static int factorise(struct factored *d, const fmpz_mpoly_t p);
 /* The variable in which p is linear and has the shortest coefficient, with that coefficient; -1 when there is none. */
 static int linear_variable(fmpz_mpoly_t coefficient, const fmpz_mpoly_t p)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     int best = -1;
     fmpz_mpoly_t slope;
     fmpz_mpoly_init(slope, ctx);
@@ -191,7 +192,7 @@ static int linear_variable(fmpz_mpoly_t coefficient, const fmpz_mpoly_t p)
 /* p = a x + b.  What divides p and is free of x divides a and b; the rest of p is linear in x, so it is irreducible. */
 static int factorise_linear(struct factored *d, const fmpz_mpoly_t p, const fmpz_mpoly_t a)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     struct factored candidates;
     if (!factorise(&candidates, a))
         return 0;
@@ -209,7 +210,7 @@ static int factorise_linear(struct factored *d, const fmpz_mpoly_t p, const fmpz
 
 static int factorise_by_flint(struct factored *d, const fmpz_mpoly_t p)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (fmpz_mpoly_length(p, ctx) > MOST_FACTORED)
         return 0;
     fmpz_mpoly_factor_t f;
@@ -226,16 +227,16 @@ static int factorise_by_flint(struct factored *d, const fmpz_mpoly_t p)
 static int factorise_anew(struct factored *d, const fmpz_mpoly_t p)
 {
     fmpz_mpoly_t coefficient;
-    fmpz_mpoly_init(coefficient, field_context());
+    fmpz_mpoly_init(coefficient, cagd_field_context());
     int found = linear_variable(coefficient, p) >= 0 ? factorise_linear(d, p, coefficient) : factorise_by_flint(d, p);
-    fmpz_mpoly_clear(coefficient, field_context());
+    fmpz_mpoly_clear(coefficient, cagd_field_context());
     return found;
 }
 
 /* p = c prod f^e, p != 0, with an integer c and the factors into d; 0 where they are not found. */
 static int factorise(struct factored *d, const fmpz_mpoly_t p)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     *d = (struct factored){.known = 1};
     if (fmpz_mpoly_is_fmpz(p, ctx))
         return 1;
@@ -258,9 +259,9 @@ static int factorise(struct factored *d, const fmpz_mpoly_t p)
 
 /* ---- to FLINT and back -------------------------------------------------------------------------------- */
 
-void fraction_denominator(fmpz_mpoly_t q, const struct field_element *a)
+void cagd_fraction_denominator(fmpz_mpoly_t q, const struct cagd_field_element *a)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (!a->factors.known) {
         fmpz_mpoly_set(q, a->rest, ctx);
         return;
@@ -270,9 +271,9 @@ void fraction_denominator(fmpz_mpoly_t q, const struct field_element *a)
         times_power(q, q, a->factors.factor[k], a->factors.power[k]);
 }
 
-int fraction_denominator_degree(const struct field_element *a, int variable)
+int cagd_fraction_denominator_degree(const struct cagd_field_element *a, int variable)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (!a->factors.known)
         return (int)fmpz_mpoly_degree_si(a->rest, variable, ctx);
     slong degree = 0;
@@ -281,16 +282,16 @@ int fraction_denominator_degree(const struct field_element *a, int variable)
     return (int)degree;
 }
 
-void fraction_get(fmpz_mpoly_q_t x, const struct field_element *a)
+void cagd_fraction_get(fmpz_mpoly_q_t x, const struct cagd_field_element *a)
 {
-    fmpz_mpoly_set(fmpz_mpoly_q_numref(x), a->numerator, field_context());
-    fraction_denominator(fmpz_mpoly_q_denref(x), a);
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(x), a->numerator, cagd_field_context());
+    cagd_fraction_denominator(fmpz_mpoly_q_denref(x), a);
 }
 
 /* r = x, which is given up. */
-static void set(struct field_element *r, fmpz_mpoly_q_t x)
+static void set(struct cagd_field_element *r, fmpz_mpoly_q_t x)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     fmpz_mpoly_swap(r->numerator, fmpz_mpoly_q_numref(x), ctx);
     r->factors = (struct factored){.known = fmpz_mpoly_is_fmpz(fmpz_mpoly_q_denref(x), ctx) != 0};
     if (r->factors.known)
@@ -301,18 +302,18 @@ static void set(struct field_element *r, fmpz_mpoly_q_t x)
 
 /* ---- numbers, the most frequent operands ---------------------------------------------------------------- */
 
-static int is_number(const struct field_element *a)
+static int is_number(const struct cagd_field_element *a)
 {
-    return a->factors.known && a->factors.count == 0 && fmpz_mpoly_is_fmpz(a->numerator, field_context());
+    return a->factors.known && a->factors.count == 0 && fmpz_mpoly_is_fmpz(a->numerator, cagd_field_context());
 }
 
 typedef void on_numbers(fmpz_t, fmpz_t, const fmpz_t, const fmpz_t, const fmpz_t, const fmpz_t);
 
 /* r = the operation on a and b, if both are numbers. */
-static int are_numbers(on_numbers *operation, struct field_element *r, const struct field_element *a,
-                       const struct field_element *b)
+static int are_numbers(on_numbers *operation, struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (!is_number(a) || !is_number(b))
         return 0;
     fmpz_t p, q, result;
@@ -328,13 +329,13 @@ static int are_numbers(on_numbers *operation, struct field_element *r, const str
 
 typedef void by_flint(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
 
-static void leave_to(by_flint *operation, struct field_element *r, const struct field_element *a,
-                     const struct field_element *b)
+static void leave_to(by_flint *operation, struct cagd_field_element *r, const struct cagd_field_element *a,
+                     const struct cagd_field_element *b)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     fmpz_mpoly_q_t x, y, z;
     fmpz_mpoly_q_init(x, ctx), fmpz_mpoly_q_init(y, ctx), fmpz_mpoly_q_init(z, ctx);
-    fraction_get(x, a), fraction_get(y, b);
+    cagd_fraction_get(x, a), cagd_fraction_get(y, b);
     operation(z, x, y, ctx);
     set(r, z);
     fmpz_mpoly_q_clear(x, ctx), fmpz_mpoly_q_clear(y, ctx), fmpz_mpoly_q_clear(z, ctx);
@@ -342,10 +343,10 @@ static void leave_to(by_flint *operation, struct field_element *r, const struct 
 
 /* ---- arithmetic ----------------------------------------------------------------------------------- */
 
-static int is_zero(const struct field_element *a) { return a->numerator->length == 0; }
+static int is_zero(const struct cagd_field_element *a) { return a->numerator->length == 0; }
 
 /* r has its numerator and content; its denominator has the factors d, of which some may have cancelled. */
-static void finish(struct field_element *r, struct factored *d)
+static void finish(struct cagd_field_element *r, struct factored *d)
 {
     if (is_zero(r)) {
         fmpz_one(r->content);
@@ -359,10 +360,10 @@ static void finish(struct field_element *r, struct factored *d)
 
 /* Over the least common multiple of the denominators.  A factor f with different powers in them does not divide the new
  * numerator: it divides just one of its two terms, as a and b are in lowest terms. */
-static void add_or_subtract(int sign, struct field_element *r, const struct field_element *a,
-                            const struct field_element *b)
+static void add_or_subtract(int sign, struct cagd_field_element *r, const struct cagd_field_element *a,
+                            const struct cagd_field_element *b)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (are_numbers(sign > 0 ? _fmpq_add : _fmpq_sub, r, a, b))
         return;
     const struct factored *da = &a->factors, *db = &b->factors;
@@ -399,18 +400,21 @@ static void add_or_subtract(int sign, struct field_element *r, const struct fiel
     finish(r, &d);
     fmpz_clear(ca), fmpz_clear(cb), fmpz_mpoly_clear(p, ctx), fmpz_mpoly_clear(q, ctx);
 }
-void fraction_add(struct field_element *r, const struct field_element *a, const struct field_element *b)
+void cagd_fraction_add(struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b)
 {
     add_or_subtract(1, r, a, b);
 }
-void fraction_sub(struct field_element *r, const struct field_element *a, const struct field_element *b)
+void cagd_fraction_sub(struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b)
 {
     add_or_subtract(-1, r, a, b);
 }
 
-void fraction_mul(struct field_element *r, const struct field_element *a, const struct field_element *b)
+void cagd_fraction_mul(struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (is_zero(a) || is_zero(b) || are_numbers(_fmpq_mul, r, a, b))
         return;
     struct factored d = a->factors;
@@ -437,9 +441,10 @@ void fraction_mul(struct field_element *r, const struct field_element *a, const 
 }
 
 /* a/b = (p/A)/(q/B) = p (B/A)/q: what A and B have in common cancels by comparing lists, p and q by trial division. */
-void fraction_div(struct field_element *r, const struct field_element *a, const struct field_element *b)
+void cagd_fraction_div(struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (is_zero(a) || are_numbers(_fmpq_div, r, a, b))
         return;
     struct factored divisor, d = a->factors;
@@ -473,9 +478,10 @@ void fraction_div(struct field_element *r, const struct field_element *a, const 
     fmpz_clear(c);
 }
 
-void fraction_over_denominator_of(struct field_element *r, const fmpz_mpoly_t p, const struct field_element *a)
+void cagd_fraction_over_denominator_of(struct cagd_field_element *r, const fmpz_mpoly_t p,
+                                       const struct cagd_field_element *a)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     static const struct factored none = {.known = 1};
     if (a->factors.known) {
         struct factored d = a->factors;
@@ -497,9 +503,9 @@ void fraction_over_denominator_of(struct field_element *r, const fmpz_mpoly_t p,
 
 /* (p/q)' = (p' q - p q')/q^2 where q is not factored.  With q = c prod f^e it is, over the product F of the factors f that
  * have a slope, (p' F - p sum e f' F/f)/(q F), and no f in F divides that numerator: it divides all its terms but one. */
-void fraction_derivative(struct field_element *r, const struct field_element *a, int variable)
+void cagd_fraction_derivative(struct cagd_field_element *r, const struct cagd_field_element *a, int variable)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     struct factored d = a->factors, constant = {.known = 1};
     fmpz_mpoly_t F, sum, slope, term;
     fmpz_mpoly_init(F, ctx), fmpz_mpoly_init(sum, ctx), fmpz_mpoly_init(slope, ctx), fmpz_mpoly_init(term, ctx);
@@ -532,7 +538,7 @@ void fraction_derivative(struct field_element *r, const struct field_element *a,
     } else {
         fmpz_mpoly_q_t x;
         fmpz_mpoly_q_init(x, ctx);
-        fraction_denominator(F, a);
+        cagd_fraction_denominator(F, a);
         fmpz_mpoly_derivative(slope, a->numerator, variable, ctx);
         fmpz_mpoly_mul(fmpz_mpoly_q_numref(x), slope, F, ctx);
         fmpz_mpoly_derivative(slope, F, variable, ctx);
@@ -548,9 +554,9 @@ void fraction_derivative(struct field_element *r, const struct field_element *a,
 
 /* ---- questions ---------------------------------------------------------------------------------------- */
 
-static int same_denominators(const struct field_element *a, const struct field_element *b)
+static int same_denominators(const struct cagd_field_element *a, const struct cagd_field_element *b)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     if (a->factors.known && b->factors.known) {
         int same = fmpz_equal(a->content, b->content) && a->factors.count == b->factors.count;
         for (int k = 0; same && k < a->factors.count; k++)
@@ -559,7 +565,7 @@ static int same_denominators(const struct field_element *a, const struct field_e
     }
     fmpz_mpoly_t p, q;
     fmpz_mpoly_init(p, ctx), fmpz_mpoly_init(q, ctx);
-    fraction_denominator(p, a), fraction_denominator(q, b);
+    cagd_fraction_denominator(p, a), cagd_fraction_denominator(q, b);
     int same = fmpz_mpoly_equal(p, q, ctx);
     fmpz_mpoly_clear(p, ctx), fmpz_mpoly_clear(q, ctx);
     return same;
@@ -567,12 +573,12 @@ static int same_denominators(const struct field_element *a, const struct field_e
 
 /* The lowest terms are unique.  Whatever the lists are, what is called equal here is equal: the same numerator over the same
  * product. */
-int fraction_equal(const struct field_element *a, const struct field_element *b)
+int cagd_fraction_equal(const struct cagd_field_element *a, const struct cagd_field_element *b)
 {
-    return fmpz_mpoly_equal(a->numerator, b->numerator, field_context()) && same_denominators(a, b);
+    return fmpz_mpoly_equal(a->numerator, b->numerator, cagd_field_context()) && same_denominators(a, b);
 }
 
-int fraction_is_polynomial(const struct field_element *a)
+int cagd_fraction_is_polynomial(const struct cagd_field_element *a)
 {
     return a->factors.known && a->factors.count == 0 && fmpz_is_one(a->content);
 }

@@ -13,24 +13,29 @@
 
 /* r = a + b, a - b, a b, a/b, da/dx for the variable of that number; r is none of the others and 0 before, and b != 0
  * in the quotient. */
-void fraction_add(struct field_element *r, const struct field_element *a, const struct field_element *b);
-void fraction_sub(struct field_element *r, const struct field_element *a, const struct field_element *b);
-void fraction_mul(struct field_element *r, const struct field_element *a, const struct field_element *b);
-void fraction_div(struct field_element *r, const struct field_element *a, const struct field_element *b);
-void fraction_derivative(struct field_element *r, const struct field_element *a, int variable);
+void cagd_fraction_add(struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b);
+void cagd_fraction_sub(struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b);
+void cagd_fraction_mul(struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b);
+void cagd_fraction_div(struct cagd_field_element *r, const struct cagd_field_element *a,
+                       const struct cagd_field_element *b);
+void cagd_fraction_derivative(struct cagd_field_element *r, const struct cagd_field_element *a, int variable);
 
 /* r = p/q for the denominator q of a. */
-void fraction_over_denominator_of(struct field_element *r, const fmpz_mpoly_t p, const struct field_element *a);
+void cagd_fraction_over_denominator_of(struct cagd_field_element *r, const fmpz_mpoly_t p,
+                                       const struct cagd_field_element *a);
 
-int fraction_equal(const struct field_element *a, const struct field_element *b);
-int fraction_is_polynomial(const struct field_element *a); /* over the integers: the denominator is 1 */
+int cagd_fraction_equal(const struct cagd_field_element *a, const struct cagd_field_element *b);
+int cagd_fraction_is_polynomial(const struct cagd_field_element *a); /* over the integers: the denominator is 1 */
 
 /* What FLINT has for it; and the denominator alone, multiplied out. */
-void fraction_get(fmpz_mpoly_q_t x, const struct field_element *a);
-void fraction_denominator(fmpz_mpoly_t q, const struct field_element *a);
-int fraction_denominator_degree(const struct field_element *a, int variable);
+void cagd_fraction_get(fmpz_mpoly_q_t x, const struct cagd_field_element *a);
+void cagd_fraction_denominator(fmpz_mpoly_t q, const struct cagd_field_element *a);
+int cagd_fraction_denominator_degree(const struct cagd_field_element *a, int variable);
 
 /* The factors that denominators of this thread's field were found to have, begun anew with each field. */
-void fraction_open(void);
-void fraction_close(void);
+void cagd_fraction_open(void);
+void cagd_fraction_close(void);
 #endif

@@ -1,49 +1,50 @@
 #include "exact/number/interval.h"
+#include "exact/words.h"
 
-static struct interval *fresh(void) { return region_slot(SLOT_INTERVAL); }
+static struct cagd_interval *fresh(void) { return cagd_region_slot(SLOT_INTERVAL); }
 
 static num_i whole_line(unsigned fault)
 {
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     region_faults |= fault;
     mpfr_set_inf(r->lo, -1);
     mpfr_set_inf(r->hi, +1);
     return (num_i){r};
 }
 
-num_i from_rational_i(num_q a)
+num_i cagd_from_rational_i(num_q a)
 {
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     mpfr_set_q(r->lo, a.at, MPFR_RNDD);
     mpfr_set_q(r->hi, a.at, MPFR_RNDU);
     return (num_i){r};
 }
-num_i from_int_i(long m)
+num_i cagd_from_int_i(long m)
 {
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     mpfr_set_si(r->lo, m, MPFR_RNDD);
     mpfr_set_si(r->hi, m, MPFR_RNDU);
     return (num_i){r};
 }
-num_i from_ratio_i(long m, long n) { return div_i(from_int_i(m), from_int_i(n)); }
+num_i cagd_from_ratio_i(long m, long n) { return div_i(from_int_i(m), from_int_i(n)); }
 
-num_i add_i(num_i a, num_i b)
+num_i cagd_add_i(num_i a, num_i b)
 {
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     mpfr_add(r->lo, a.at->lo, b.at->lo, MPFR_RNDD);
     mpfr_add(r->hi, a.at->hi, b.at->hi, MPFR_RNDU);
     return (num_i){r};
 }
-num_i sub_i(num_i a, num_i b)
+num_i cagd_sub_i(num_i a, num_i b)
 {
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     mpfr_sub(r->lo, a.at->lo, b.at->hi, MPFR_RNDD);
     mpfr_sub(r->hi, a.at->hi, b.at->lo, MPFR_RNDU);
     return (num_i){r};
 }
-num_i neg_i(num_i a)
+num_i cagd_neg_i(num_i a)
 {
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     mpfr_neg(r->lo, a.at->hi, MPFR_RNDD);
     mpfr_neg(r->hi, a.at->lo, MPFR_RNDU);
     return (num_i){r};
@@ -61,9 +62,9 @@ static void product(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t roundin
 static int side(num_i a) { return mpfr_sgn(a.at->lo) >= 0 ? 1 : mpfr_sgn(a.at->hi) <= 0 ? -1 : 0; }
 
 /* The ends of a product are products of ends: which, the signs say, unless both factors have points of both. */
-num_i mul_i(num_i a, num_i b)
+num_i cagd_mul_i(num_i a, num_i b)
 {
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     int A = side(a), B = side(b);
     if (A == 0 && B == 0) {
         mpfr_t other;
@@ -86,13 +87,13 @@ num_i mul_i(num_i a, num_i b)
     product(r->hi, a_high, b_high, MPFR_RNDU);
     return (num_i){r};
 }
-num_i div_i(num_i a, num_i b)
+num_i cagd_div_i(num_i a, num_i b)
 {
     if (mpfr_zero_p(b.at->lo) && mpfr_zero_p(b.at->hi))
         return whole_line(FAULT_UNDEFINED);
     if (contains_zero_i(b))
         return whole_line(FAULT_UNABLE);
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     int A = side(a), B = side(b);
     mpfr_srcptr a_low = B > 0 ? a.at->lo : a.at->hi, a_high = B > 0 ? a.at->hi : a.at->lo;
     /* the lower end is negative unless A = B, and then it is large where the divisor is small in size */
@@ -102,11 +103,11 @@ num_i div_i(num_i a, num_i b)
     return (num_i){r};
 }
 
-num_i root_i(int n, num_i a)
+num_i cagd_root_i(int n, num_i a)
 {
     if (n < 1 || mpfr_sgn(a.at->hi) < 0)
         return whole_line(FAULT_UNDEFINED);
-    struct interval *r = fresh();
+    struct cagd_interval *r = fresh();
     if (mpfr_sgn(a.at->lo) < 0) {
         region_faults |= FAULT_UNABLE;
         mpfr_set_zero(r->lo, 1);
@@ -117,12 +118,12 @@ num_i root_i(int n, num_i a)
     return (num_i){r};
 }
 
-int contains_i(num_i a, num_q x) { return mpfr_cmp_q(a.at->lo, x.at) <= 0 && mpfr_cmp_q(a.at->hi, x.at) >= 0; }
-int contains_zero_i(num_i a) { return mpfr_sgn(a.at->lo) <= 0 && mpfr_sgn(a.at->hi) >= 0; }
-int sign_i(num_i a) { return mpfr_sgn(a.at->lo) > 0 ? 1 : mpfr_sgn(a.at->hi) < 0 ? -1 : 0; }
-double lower_i(num_i a) { return mpfr_get_d(a.at->lo, MPFR_RNDD); }
-double upper_i(num_i a) { return mpfr_get_d(a.at->hi, MPFR_RNDU); }
-double width_i(num_i a)
+int cagd_contains_i(num_i a, num_q x) { return mpfr_cmp_q(a.at->lo, x.at) <= 0 && mpfr_cmp_q(a.at->hi, x.at) >= 0; }
+int cagd_contains_zero_i(num_i a) { return mpfr_sgn(a.at->lo) <= 0 && mpfr_sgn(a.at->hi) >= 0; }
+int cagd_sign_i(num_i a) { return mpfr_sgn(a.at->lo) > 0 ? 1 : mpfr_sgn(a.at->hi) < 0 ? -1 : 0; }
+double cagd_lower_i(num_i a) { return mpfr_get_d(a.at->lo, MPFR_RNDD); }
+double cagd_upper_i(num_i a) { return mpfr_get_d(a.at->hi, MPFR_RNDU); }
+double cagd_width_i(num_i a)
 {
     mpfr_t w;
     mpfr_init2(w, 53);

@@ -9,29 +9,29 @@
 
 enum { INTERVAL_PRECISION = 128 };
 
-struct interval {
+struct cagd_interval {
     mpfr_t lo, hi;
 };
-typedef struct num_i {
-    const struct interval *at;
-} num_i;
+typedef struct cagd_num_i {
+    const struct cagd_interval *at;
+} cagd_num_i;
 
-num_i add_i(num_i a, num_i b);
-num_i sub_i(num_i a, num_i b);
-num_i mul_i(num_i a, num_i b);
-num_i div_i(num_i a, num_i b); /* UNDEFINED for b = [0,0]; UNABLE and the whole line when 0 is
+cagd_num_i cagd_add_i(cagd_num_i a, cagd_num_i b);
+cagd_num_i cagd_sub_i(cagd_num_i a, cagd_num_i b);
+cagd_num_i cagd_mul_i(cagd_num_i a, cagd_num_i b);
+cagd_num_i cagd_div_i(cagd_num_i a, cagd_num_i b); /* UNDEFINED for b = [0,0]; UNABLE and the whole line when 0 is
                                   one of several points of b                                    */
-num_i neg_i(num_i a);
-num_i from_int_i(long m);
-num_i from_ratio_i(long m, long n);
-num_i root_i(int n, num_i a); /* encloses the roots of the points >= 0; UNDEFINED when there are
+cagd_num_i cagd_neg_i(cagd_num_i a);
+cagd_num_i cagd_from_int_i(long m);
+cagd_num_i cagd_from_ratio_i(long m, long n);
+cagd_num_i cagd_root_i(int n, cagd_num_i a); /* encloses the roots of the points >= 0; UNDEFINED when there are
                                  none, UNABLE when there are points < 0                         */
 
-num_i from_rational_i(num_q a); /* the tightest interval around a                        */
-int contains_i(num_i a, num_q x);
-int contains_zero_i(num_i a);
-int sign_i(num_i a);     /* +1 or -1 when every point has that sign, else 0       */
-double width_i(num_i a); /* hi - lo, rounded up                                   */
-double lower_i(num_i a); /* lo rounded down                                       */
-double upper_i(num_i a); /* hi rounded up                                         */
+cagd_num_i cagd_from_rational_i(cagd_num_q a); /* the tightest interval around a                        */
+int cagd_contains_i(cagd_num_i a, cagd_num_q x);
+int cagd_contains_zero_i(cagd_num_i a);
+int cagd_sign_i(cagd_num_i a);     /* +1 or -1 when every point has that sign, else 0       */
+double cagd_width_i(cagd_num_i a); /* hi - lo, rounded up                                   */
+double cagd_lower_i(cagd_num_i a); /* lo rounded down                                       */
+double cagd_upper_i(cagd_num_i a); /* hi rounded up                                         */
 #endif

@@ -1,4 +1,5 @@
 #include "exact/number/rational.h"
+#include "exact/words.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -7,18 +8,18 @@
 
 static mpq_ptr fresh(void)
 {
-    mpq_ptr r = region_slot(SLOT_RATIONAL);
-    if (tracing != NULL)
-        trace_fresh(r);
+    mpq_ptr r = cagd_region_slot(SLOT_RATIONAL);
+    if (cagd_tracing != NULL)
+        cagd_trace_fresh(r);
     return r;
 }
 
 /* The value of r, now that it has one, for the trace. */
 static num_q noted(const char *op, mpq_ptr r, mpq_srcptr a, mpq_srcptr b)
 {
-    if (trace_noting()) {
-        int argument[2] = {trace_number(a), b != NULL ? trace_number(b) : 0};
-        trace_node(r, op, b != NULL ? 2 : 1, argument);
+    if (cagd_trace_noting()) {
+        int argument[2] = {cagd_trace_number(a), b != NULL ? cagd_trace_number(b) : 0};
+        cagd_trace_node(r, op, b != NULL ? 2 : 1, argument);
     }
     return (num_q){r};
 }
@@ -29,8 +30,8 @@ static mpq_srcptr itself(const void *number, int k)
 }
 static num_q constant(mpq_ptr r)
 {
-    if (trace_noting())
-        trace_literal(r, "c", 1, itself, r);
+    if (cagd_trace_noting())
+        cagd_trace_literal(r, "c", 1, itself, r);
     return (num_q){r};
 }
 
@@ -40,24 +41,24 @@ static num_q fault_q(unsigned fault)
     return from_int_q(0);
 }
 
-void trace_name_numbers(int count, const num_q x[])
+void cagd_trace_name_numbers(int count, const num_q x[])
 {
     for (int k = 0; k < count; k++)
-        trace_number(x[k].at);
+        cagd_trace_number(x[k].at);
 }
-void trace_put_numbers(const char *field, int count, const num_q x[])
+void cagd_trace_put_numbers(const char *field, int count, const num_q x[])
 {
     int *node = region_bytes((size_t)count * sizeof *node);
     for (int k = 0; k < count; k++)
-        node[k] = trace_number(x[k].at);
-    trace_put_list(field, count, node);
+        node[k] = cagd_trace_number(x[k].at);
+    cagd_trace_put_list(field, count, node);
 }
 
 /* Values do not change, so a + 0 is a itself; but each node of a trace is a value of its own. */
-static int is_zero(num_q a) { return tracing == NULL && mpq_sgn(a.at) == 0; }
-static int is_one(num_q a) { return tracing == NULL && mpq_cmp_ui(a.at, 1, 1) == 0; }
+static int is_zero(num_q a) { return cagd_tracing == NULL && mpq_sgn(a.at) == 0; }
+static int is_one(num_q a) { return cagd_tracing == NULL && mpq_cmp_ui(a.at, 1, 1) == 0; }
 
-num_q add_q(num_q a, num_q b)
+num_q cagd_add_q(num_q a, num_q b)
 {
     if (is_zero(a) || is_zero(b))
         return is_zero(a) ? b : a;
@@ -65,7 +66,7 @@ num_q add_q(num_q a, num_q b)
     mpq_add(r, a.at, b.at);
     return noted("+", r, a.at, b.at);
 }
-num_q sub_q(num_q a, num_q b)
+num_q cagd_sub_q(num_q a, num_q b)
 {
     if (is_zero(b))
         return a;
@@ -73,7 +74,7 @@ num_q sub_q(num_q a, num_q b)
     mpq_sub(r, a.at, b.at);
     return noted("-", r, a.at, b.at);
 }
-num_q mul_q(num_q a, num_q b)
+num_q cagd_mul_q(num_q a, num_q b)
 {
     if (is_zero(a) || is_zero(b) || is_one(a) || is_one(b))
         return is_zero(a) || is_one(b) ? a : b;
@@ -81,7 +82,7 @@ num_q mul_q(num_q a, num_q b)
     mpq_mul(r, a.at, b.at);
     return noted("*", r, a.at, b.at);
 }
-num_q div_q(num_q a, num_q b)
+num_q cagd_div_q(num_q a, num_q b)
 {
     if (mpq_sgn(b.at) == 0)
         return fault_q(FAULT_UNDEFINED);
@@ -91,19 +92,19 @@ num_q div_q(num_q a, num_q b)
     mpq_div(r, a.at, b.at);
     return noted("/", r, a.at, b.at);
 }
-num_q neg_q(num_q a)
+num_q cagd_neg_q(num_q a)
 {
     mpq_ptr r = fresh();
     mpq_neg(r, a.at);
     return noted("neg", r, a.at, NULL);
 }
-num_q from_int_q(long m)
+num_q cagd_from_int_q(long m)
 {
     mpq_ptr r = fresh();
     mpq_set_si(r, m, 1);
     return constant(r);
 }
-num_q from_ratio_q(long m, long n)
+num_q cagd_from_ratio_q(long m, long n)
 {
     if (n == 0)
         return fault_q(FAULT_UNDEFINED);
@@ -114,7 +115,7 @@ num_q from_ratio_q(long m, long n)
     return constant(r);
 }
 
-num_q root_q(int n, num_q a)
+num_q cagd_root_q(int n, num_q a)
 {
     mpq_ptr r = fresh();
     if (n < 1 || mpq_sgn(a.at) < 0 || !mpz_root(mpq_numref(r), mpq_numref(a.at), (unsigned long)n) ||
@@ -122,21 +123,21 @@ num_q root_q(int n, num_q a)
         mpq_set_ui(r, 0, 1);
         return fault_q(FAULT_UNABLE);
     }
-    if (trace_noting()) {
-        int argument[2] = {trace_number(a.at), n};
-        trace_node(r, "root", 2, argument);
+    if (cagd_trace_noting()) {
+        int argument[2] = {cagd_trace_number(a.at), n};
+        cagd_trace_node(r, "root", 2, argument);
     }
     return (num_q){r};
 }
 
-num_q from_mpq_q(mpq_srcptr x)
+num_q cagd_from_mpq_q(mpq_srcptr x)
 {
     mpq_ptr r = fresh();
     mpq_set(r, x);
     return (num_q){r};
 }
 
-num_q from_double_q(double x)
+num_q cagd_from_double_q(double x)
 {
     if (!isfinite(x))
         return fault_q(FAULT_UNDEFINED);
@@ -186,7 +187,7 @@ static int read_exponent(const char **s, long *e)
 }
 
 /* [-+] digits [. digits] [exponent]  or  [-+] digits / digits, in base 10 or, after 0x, 16. */
-num_q from_string_q(const char *s)
+num_q cagd_from_string_q(const char *s)
 {
     enum { LONGEST = 100000 };
     mpq_ptr r = fresh();
@@ -229,7 +230,7 @@ num_q from_string_q(const char *s)
 }
 
 /* The nearest binary64, by two divisions of integers: mpq_get_d truncates, hence not it. */
-double to_double_q(num_q a)
+double cagd_to_double_q(num_q a)
 {
     if (mpq_sgn(a.at) == 0)
         return 0;
@@ -265,7 +266,7 @@ double to_double_q(num_q a)
     return negative ? -v : v;
 }
 
-const char *to_string_q(num_q a)
+const char *cagd_to_string_q(num_q a)
 {
     char *text = region_bytes(mpz_sizeinbase(mpq_numref(a.at), 10) + mpz_sizeinbase(mpq_denref(a.at), 10) + 3);
     return mpq_get_str(text, 10, a.at);

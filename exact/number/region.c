@@ -1,6 +1,7 @@
 #include "exact/number/region.h"
 
 #include "exact/number/slots.h"
+#include "exact/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,22 +36,22 @@ static char *one_more_chunk(struct pool *pool, size_t bytes)
 
 static void *slot_at(enum slot_kind kind, size_t k)
 {
-    return pools[kind].chunk[k / CHUNK] + k % CHUNK * slot_ops[kind].size;
+    return pools[kind].chunk[k / CHUNK] + k % CHUNK * cagd_slot_ops[kind].size;
 }
 
-void *region_slot(enum slot_kind kind)
+void *cagd_region_slot(enum slot_kind kind)
 {
     struct pool *pool = &pools[kind];
     if (pool->used == pool->made) {
         if (pool->made == pool->chunks * CHUNK)
-            one_more_chunk(pool, CHUNK * slot_ops[kind].size);
-        slot_ops[kind].init(slot_at(kind, pool->made++));
+            one_more_chunk(pool, CHUNK * cagd_slot_ops[kind].size);
+        cagd_slot_ops[kind].init(slot_at(kind, pool->made++));
     }
     return slot_at(kind, pool->used++);
 }
 
 /* A request that does not fit in the current page starts a new one; a large one has its own chunk. */
-void *region_bytes(size_t n)
+void *cagd_region_bytes(size_t n)
 {
     n = n == 0 ? 16 : (n + 15) & ~(size_t)15;
     if (n > PAGE)
@@ -64,7 +65,7 @@ void *region_bytes(size_t n)
     return p;
 }
 
-region_mark region_open(void)
+region_mark cagd_region_open(void)
 {
     region_mark m = {.bytes = pages.used, .large = large.chunks};
     for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++)
@@ -72,14 +73,14 @@ region_mark region_open(void)
     return m;
 }
 
-void region_drop(region_mark m)
+void cagd_region_drop(region_mark m)
 {
     for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
         struct pool *pool = &pools[kind];
         pool->used = m.used[kind];
-        if (!slot_ops[kind].reusable)
+        if (!cagd_slot_ops[kind].reusable)
             while (pool->made > pool->used)
-                slot_ops[kind].clear(slot_at(kind, --pool->made));
+                cagd_slot_ops[kind].clear(slot_at(kind, --pool->made));
     }
     pages.used = m.bytes;
     while (large.chunks > m.large)
@@ -94,13 +95,13 @@ static void free_chunks(struct pool *pool)
     *pool = (struct pool){0};
 }
 
-void region_free_all(void)
+void cagd_region_free_all(void)
 {
     region_drop((region_mark){{0}, 0, 0});
     for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
         struct pool *pool = &pools[kind];
         while (pool->made > 0)
-            slot_ops[kind].clear(slot_at(kind, --pool->made));
+            cagd_slot_ops[kind].clear(slot_at(kind, --pool->made));
         free_chunks(pool);
     }
     free_chunks(&pages);

@@ -11,26 +11,26 @@
 /* What the slots hold. */
 enum slot_kind { SLOT_RATIONAL, SLOT_INTERVAL, SLOT_FIELD, SLOT_POLYNOMIAL, SLOT_KINDS };
 
-typedef struct region_mark {
+typedef struct cagd_region_mark {
     size_t used[SLOT_KINDS], bytes, large;
-} region_mark;
+} cagd_region_mark;
 
-region_mark region_open(void);
-void region_drop(region_mark m); /* every value of this thread made since m is dead             */
-void region_free_all(void);      /* gives the region's memory back                              */
-void exact_thread_end(void);     /* the same, the field closed and the caches of MPFR and FLINT
+cagd_region_mark cagd_region_open(void);
+void cagd_region_drop(cagd_region_mark m); /* every value of this thread made since m is dead             */
+void cagd_region_free_all(void);           /* gives the region's memory back                              */
+void cagd_thread_end(void);                /* the same, the field closed and the caches of MPFR and FLINT
                                     freed: a thread that used exact/ calls it as its last act   */
 
-void *region_slot(enum slot_kind kind); /* a fresh, initialised slot                                */
-void *region_bytes(size_t n);           /* n bytes, aligned for any object; lives as long as a slot */
+void *cagd_region_slot(enum slot_kind kind); /* a fresh, initialised slot                                */
+void *cagd_region_bytes(size_t n);           /* n bytes, aligned for any object; lives as long as a slot */
 
 /* Operations return values, so they report trouble here: bits that stay set until the reader clears
  * them.  Undefined, unable and false are three answers.  The value returned along with a fault is a
  * placeholder and means nothing. */
 enum {
-    FAULT_UNDEFINED = 1, /* no such value: division by zero                                       */
-    FAULT_UNABLE = 2,    /* a value may exist; it is not computed here                            */
-    FAULT_CROWDED = 4    /* more named variables than the context has: run again in a larger one  */
+    CAGD_FAULT_UNDEFINED = 1, /* no such value: division by zero                                       */
+    CAGD_FAULT_UNABLE = 2,    /* a value may exist; it is not computed here                            */
+    CAGD_FAULT_CROWDED = 4    /* more named variables than the context has: run again in a larger one  */
 };
-extern _Thread_local unsigned region_faults;
+extern _Thread_local unsigned cagd_region_faults;
 #endif

@@ -5,11 +5,11 @@
 
 #include "exact/number/region.h"
 
-struct slot_ops {
+struct cagd_slot_ops {
     size_t size;
     void (*init)(void *);
     void (*clear)(void *);
     int reusable; /* a dropped slot keeps its memory for the next value */
 };
-extern const struct slot_ops slot_ops[SLOT_KINDS];
+extern const struct cagd_slot_ops cagd_slot_ops[SLOT_KINDS];
 #endif

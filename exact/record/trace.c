@@ -1,6 +1,7 @@
 #include "exact/record/trace.h"
 
 #include "exact/number/region.h"
+#include "exact/words.h"
 
 #include <stdarg.h>
 #include <stdint.h>
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-_Thread_local struct trace *tracing;
+_Thread_local struct cagd_trace *cagd_tracing;
 
 struct text {
     char *at;
@@ -23,7 +24,7 @@ struct place {
 
 enum { MOST_VARIABLES = 128, LONGEST_NAME = 16 };
 
-struct trace {
+struct cagd_trace {
     char variable[MOST_VARIABLES][LONGEST_NAME];
     int node_of_variable[MOST_VARIABLES], variables;
     struct text inputs, nodes, steps;
@@ -98,51 +99,51 @@ static void put_value(struct text *t, mpq_srcptr x)
     put_word(t, "\"");
 }
 
-void trace_open(size_t most)
+void cagd_trace_open(size_t most)
 {
-    tracing = calloc(1, sizeof *tracing);
-    if (tracing == NULL)
+    cagd_tracing = calloc(1, sizeof *cagd_tracing);
+    if (cagd_tracing == NULL)
         abort();
-    tracing->most = most;
-    tracing->places = 1024;
-    tracing->place = calloc(tracing->places, sizeof *tracing->place);
-    if (tracing->place == NULL)
+    cagd_tracing->most = most;
+    cagd_tracing->places = 1024;
+    cagd_tracing->place = calloc(cagd_tracing->places, sizeof *cagd_tracing->place);
+    if (cagd_tracing->place == NULL)
         abort();
-    put(&tracing->inputs, "[");
-    put(&tracing->nodes, "[");
-    put(&tracing->steps, "[");
+    put(&cagd_tracing->inputs, "[");
+    put(&cagd_tracing->nodes, "[");
+    put(&cagd_tracing->steps, "[");
 }
 
-void trace_close(void)
+void cagd_trace_close(void)
 {
-    free(tracing->inputs.at);
-    free(tracing->nodes.at);
-    free(tracing->steps.at);
-    free(tracing->place);
-    free(tracing);
-    tracing = NULL;
+    free(cagd_tracing->inputs.at);
+    free(cagd_tracing->nodes.at);
+    free(cagd_tracing->steps.at);
+    free(cagd_tracing->place);
+    free(cagd_tracing);
+    cagd_tracing = NULL;
 }
 
-void trace_again(void)
+void cagd_trace_again(void)
 {
-    if (tracing == NULL)
+    if (cagd_tracing == NULL)
         return;
-    size_t most = tracing->most;
-    trace_close();
-    trace_open(most);
+    size_t most = cagd_tracing->most;
+    cagd_trace_close();
+    cagd_trace_open(most);
 }
 
 static const char *finished(struct text *t)
 {
-    if (tracing->gave_up)
+    if (cagd_tracing->gave_up)
         return NULL;
     if (t->at[t->length - 1] != '\n')
         put(t, "]\n");
     return t->at;
 }
-const char *trace_inputs(void) { return finished(&tracing->inputs); }
-const char *trace_nodes(void) { return finished(&tracing->nodes); }
-const char *trace_steps(void) { return finished(&tracing->steps); }
+const char *cagd_trace_inputs(void) { return finished(&cagd_tracing->inputs); }
+const char *cagd_trace_nodes(void) { return finished(&cagd_tracing->nodes); }
+const char *cagd_trace_steps(void) { return finished(&cagd_tracing->steps); }
 
 /* ---- nodes ------------------------------------------------------------------------------------ */
 
@@ -156,7 +157,7 @@ static struct place *find(struct place *table, size_t size, const void *slot)
 
 static void hold(const void *slot, int node)
 {
-    struct trace *T = tracing;
+    struct cagd_trace *T = cagd_tracing;
     if (2 * T->taken >= T->places) {
         struct place *larger = calloc(2 * T->places, sizeof *larger);
         if (larger == NULL)
@@ -173,28 +174,28 @@ static void hold(const void *slot, int node)
     *p = (struct place){slot, node};
 }
 
-void trace_pause(void)
+void cagd_trace_pause(void)
 {
-    if (tracing != NULL)
-        tracing->paused++;
+    if (cagd_tracing != NULL)
+        cagd_tracing->paused++;
 }
-void trace_resume(void)
+void cagd_trace_resume(void)
 {
-    if (tracing != NULL)
-        tracing->paused--;
+    if (cagd_tracing != NULL)
+        cagd_tracing->paused--;
 }
-int trace_is_noting(void) { return tracing->paused == 0 && !tracing->gave_up; }
+int cagd_trace_is_noting(void) { return cagd_tracing->paused == 0 && !cagd_tracing->gave_up; }
 
-void trace_fresh(const void *slot)
+void cagd_trace_fresh(const void *slot)
 {
-    struct place *p = find(tracing->place, tracing->places, slot);
+    struct place *p = find(cagd_tracing->place, cagd_tracing->places, slot);
     if (p->slot != NULL)
         p->node = -1;
 }
 
-int trace_known(const void *slot)
+int cagd_trace_known(const void *slot)
 {
-    struct place *p = find(tracing->place, tracing->places, slot);
+    struct place *p = find(cagd_tracing->place, cagd_tracing->places, slot);
     return p->slot != NULL ? p->node : -1;
 }
 
@@ -202,40 +203,40 @@ int trace_known(const void *slot)
  * the computation is of no use then, and the fault lets the field hurry to its end. */
 static int begin_node(const void *slot, const char *op)
 {
-    if (tracing->gave_up || tracing->count >= tracing->most) {
-        tracing->gave_up = 1;
+    if (cagd_tracing->gave_up || cagd_tracing->count >= cagd_tracing->most) {
+        cagd_tracing->gave_up = 1;
         region_faults |= FAULT_UNABLE;
         return 0;
     }
-    separate(&tracing->nodes);
-    put_word(&tracing->nodes, "[\"");
-    put_word(&tracing->nodes, op);
-    put_word(&tracing->nodes, "\"");
-    hold(slot, (int)tracing->count++);
+    separate(&cagd_tracing->nodes);
+    put_word(&cagd_tracing->nodes, "[\"");
+    put_word(&cagd_tracing->nodes, op);
+    put_word(&cagd_tracing->nodes, "\"");
+    hold(slot, (int)cagd_tracing->count++);
     return 1;
 }
 
-void trace_node(const void *slot, const char *op, int count, const int argument[])
+void cagd_trace_node(const void *slot, const char *op, int count, const int argument[])
 {
     if (!begin_node(slot, op))
         return;
     for (int k = 0; k < count; k++) {
-        put_word(&tracing->nodes, ",");
-        put_index(&tracing->nodes, argument[k]);
+        put_word(&cagd_tracing->nodes, ",");
+        put_index(&cagd_tracing->nodes, argument[k]);
     }
-    put_word(&tracing->nodes, "]");
+    put_word(&cagd_tracing->nodes, "]");
 }
 
-void trace_literal(const void *slot, const char *op, int count, mpq_srcptr (*get)(const void *list, int k),
-                   const void *list)
+void cagd_trace_literal(const void *slot, const char *op, int count, mpq_srcptr (*get)(const void *list, int k),
+                        const void *list)
 {
     if (!begin_node(slot, op))
         return;
     for (int k = 0; k < count; k++) {
-        put_word(&tracing->nodes, ",");
-        put_value(&tracing->nodes, get(list, k));
+        put_word(&cagd_tracing->nodes, ",");
+        put_value(&cagd_tracing->nodes, get(list, k));
     }
-    put_word(&tracing->nodes, "]");
+    put_word(&cagd_tracing->nodes, "]");
 }
 
 static mpq_srcptr itself(const void *number, int k)
@@ -244,121 +245,121 @@ static mpq_srcptr itself(const void *number, int k)
     return number;
 }
 
-int trace_number(mpq_srcptr a)
+int cagd_trace_number(mpq_srcptr a)
 {
-    int node = trace_known(a);
+    int node = cagd_trace_known(a);
     if (node < 0) {
-        trace_literal(a, "o", 1, itself, a);
-        node = trace_known(a);
+        cagd_trace_literal(a, "o", 1, itself, a);
+        node = cagd_trace_known(a);
     }
     return node;
 }
 
-void trace_alias(const void *slot, int node) { hold(slot, node); }
+void cagd_trace_alias(const void *slot, int node) { hold(slot, node); }
 
-void trace_text(const void *slot, const char *op, const char *text)
+void cagd_trace_text(const void *slot, const char *op, const char *text)
 {
     if (begin_node(slot, op))
-        put(&tracing->nodes, ",\"%s\"]", text);
+        put(&cagd_tracing->nodes, ",\"%s\"]", text);
 }
 
 /* The next input, without its value and bracket. */
 static void begin_input(const void *slot, const char *name, int index)
 {
-    trace_node(slot, "x", 1, &tracing->input_count);
-    tracing->input_count++;
-    separate(&tracing->inputs);
-    put(&tracing->inputs, "[\"%s", name);
+    cagd_trace_node(slot, "x", 1, &cagd_tracing->input_count);
+    cagd_tracing->input_count++;
+    separate(&cagd_tracing->inputs);
+    put(&cagd_tracing->inputs, "[\"%s", name);
     if (index >= 0)
-        put(&tracing->inputs, "%d", index);
-    put(&tracing->inputs, "\",");
+        put(&cagd_tracing->inputs, "%d", index);
+    put(&cagd_tracing->inputs, "\",");
 }
 
-void trace_input(mpq_srcptr r, const char *name, int index)
+void cagd_trace_input(mpq_srcptr r, const char *name, int index)
 {
     begin_input(r, name, index);
-    put_value(&tracing->inputs, r);
-    put(&tracing->inputs, "]");
+    put_value(&cagd_tracing->inputs, r);
+    put(&cagd_tracing->inputs, "]");
 }
 
 /* Any positive value will do; those of splitmix64 have no relations that one would think of. */
-void trace_variable(const void *slot, const char *name)
+void cagd_trace_variable(const void *slot, const char *name)
 {
     int v = 0;
-    while (v < tracing->variables && strcmp(tracing->variable[v], name) != 0)
+    while (v < cagd_tracing->variables && strcmp(cagd_tracing->variable[v], name) != 0)
         v++;
-    if (v < tracing->variables) {
-        hold(slot, tracing->node_of_variable[v]);
+    if (v < cagd_tracing->variables) {
+        hold(slot, cagd_tracing->node_of_variable[v]);
         return;
     }
     if (v == MOST_VARIABLES || strlen(name) >= LONGEST_NAME) {
-        tracing->gave_up = 1;
+        cagd_tracing->gave_up = 1;
         return;
     }
     begin_input(slot, name, -1);
     uint64_t z = (uint64_t)(v + 1) * 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    put(&tracing->inputs, "\"%d/%d\"]", (int)(z % 997) + 1, (int)((z >> 20) % 89) + 11);
-    strcpy(tracing->variable[v], name);
-    tracing->node_of_variable[tracing->variables++] = trace_known(slot);
+    put(&cagd_tracing->inputs, "\"%d/%d\"]", (int)(z % 997) + 1, (int)((z >> 20) % 89) + 11);
+    strcpy(cagd_tracing->variable[v], name);
+    cagd_tracing->node_of_variable[cagd_tracing->variables++] = cagd_trace_known(slot);
 }
 
 /* ---- steps ------------------------------------------------------------------------------------ */
 
 static const char *truth(int condition) { return condition ? "true" : "false"; }
 
-void trace_same(int i, int j, int equal)
+void cagd_trace_same(int i, int j, int equal)
 {
-    separate(&tracing->steps);
-    put(&tracing->steps, "{\"same\":[%d,%d],\"equal\":%s}", i, j, truth(equal));
+    separate(&cagd_tracing->steps);
+    put(&cagd_tracing->steps, "{\"same\":[%d,%d],\"equal\":%s}", i, j, truth(equal));
 }
 
-void trace_agree(int condition)
+void cagd_trace_agree(int condition)
 {
-    separate(&tracing->steps);
-    put(&tracing->steps, "{\"agree\":%s}", truth(condition));
+    separate(&cagd_tracing->steps);
+    put(&cagd_tracing->steps, "{\"agree\":%s}", truth(condition));
 }
 
-void trace_nonnegative(int i, int good, const char *text, int sign)
+void cagd_trace_nonnegative(int i, int good, const char *text, int sign)
 {
-    separate(&tracing->steps);
-    put(&tracing->steps, "{\"nonnegative\":%d,\"good\":%s", i, truth(good));
+    separate(&cagd_tracing->steps);
+    put(&cagd_tracing->steps, "{\"nonnegative\":%d,\"good\":%s", i, truth(good));
     if (text != NULL)
-        put(&tracing->steps, ",\"text\":\"%s\",\"sign\":%d", text, sign);
-    put(&tracing->steps, "}");
+        put(&cagd_tracing->steps, ",\"text\":\"%s\",\"sign\":%d", text, sign);
+    put(&cagd_tracing->steps, "}");
 }
 
-void trace_relation(const char *kind, int i, int j, int is)
+void cagd_trace_relation(const char *kind, int i, int j, int is)
 {
-    separate(&tracing->steps);
-    put(&tracing->steps, "{\"fact\":\"%s\",\"of\":[%d,%d],\"is\":%d}", kind, i, j, is);
+    separate(&cagd_tracing->steps);
+    put(&cagd_tracing->steps, "{\"fact\":\"%s\",\"of\":[%d,%d],\"is\":%d}", kind, i, j, is);
 }
-void trace_order(mpq_srcptr a, mpq_srcptr b, int order)
+void cagd_trace_order(mpq_srcptr a, mpq_srcptr b, int order)
 {
-    int i = trace_number(a), j = b != NULL ? trace_number(b) : -1;
-    trace_relation("order", i, j, (order > 0) - (order < 0));
+    int i = cagd_trace_number(a), j = b != NULL ? cagd_trace_number(b) : -1;
+    cagd_trace_relation("order", i, j, (order > 0) - (order < 0));
 }
-void trace_equal(mpq_srcptr a, mpq_srcptr b, int equal)
+void cagd_trace_equal(mpq_srcptr a, mpq_srcptr b, int equal)
 {
-    int i = trace_number(a), j = b != NULL ? trace_number(b) : -1;
-    trace_relation("equal", i, j, equal != 0);
+    int i = cagd_trace_number(a), j = b != NULL ? cagd_trace_number(b) : -1;
+    cagd_trace_relation("equal", i, j, equal != 0);
 }
 
-int trace_fact(const char *kind)
+int cagd_trace_fact(const char *kind)
 {
-    if (!trace_noting())
+    if (!cagd_trace_noting())
         return 0;
-    separate(&tracing->steps);
-    put(&tracing->steps, "{\"fact\":\"%s\"", kind);
+    separate(&cagd_tracing->steps);
+    put(&cagd_tracing->steps, "{\"fact\":\"%s\"", kind);
     return 1;
 }
-void trace_put(const char *field, int x) { put(&tracing->steps, ",\"%s\":%d", field, x); }
-void trace_put_list(const char *field, int count, const int x[])
+void cagd_trace_put(const char *field, int x) { put(&cagd_tracing->steps, ",\"%s\":%d", field, x); }
+void cagd_trace_put_list(const char *field, int count, const int x[])
 {
-    put(&tracing->steps, ",\"%s\":[", field);
+    put(&cagd_tracing->steps, ",\"%s\":[", field);
     for (int k = 0; k < count; k++)
-        put(&tracing->steps, k > 0 ? ",%d" : "%d", x[k]);
-    put(&tracing->steps, "]");
+        put(&cagd_tracing->steps, k > 0 ? ",%d" : "%d", x[k]);
+    put(&cagd_tracing->steps, "]");
 }
-void trace_fact_end(void) { put(&tracing->steps, "}"); }
+void cagd_trace_fact_end(void) { put(&cagd_tracing->steps, "}"); }

@@ -4,6 +4,7 @@
  * of another fraction, and what is said of equality and degrees. */
 #include "exact/number/field.h"
 #include "exact/number/fraction.h"
+#include "exact/words.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -62,9 +63,9 @@ static num_f product(void)
 {
     num_f q = from_int_f(1), f = factor();
     for (long k = pick(0, 3); k > 0; k--) {
-        if (pick(0, 2) > 0 || fmpz_mpoly_length(f.at->numerator, field_context()) > 100)
+        if (pick(0, 2) > 0 || fmpz_mpoly_length(f.at->numerator, cagd_field_context()) > 100)
             f = factor();
-        if (!is_zero_f(f))
+        if (!cagd_is_zero_f(f))
             q = mul_f(q, f);
     }
     return q;
@@ -74,23 +75,24 @@ static num_f random_fraction(void)
     return div_f(mul_f(from_ratio_f(pick(-6, 6), pick(1, 6)), product()), mul_f(from_int_f(pick(1, 4)), product()));
 }
 
-typedef void operation(struct field_element *, const struct field_element *, const struct field_element *);
+typedef void operation(struct cagd_field_element *, const struct cagd_field_element *,
+                       const struct cagd_field_element *);
 typedef void reference(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
 
 static int listed, not_factored; /* results with a list of factors, and with a denominator without one */
 
 /* r is what FLINT has. */
-static void is_that_of_flint(const struct field_element *r, const fmpz_mpoly_q_t expected)
+static void is_that_of_flint(const struct cagd_field_element *r, const fmpz_mpoly_q_t expected)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     fmpz_mpoly_q_t x;
     fmpz_mpoly_q_init(x, ctx);
-    fraction_get(x, r);
+    cagd_fraction_get(x, r);
     assert_true(fmpz_mpoly_q_is_canonical(x, ctx));
     assert_true(fmpz_mpoly_q_equal(x, expected, ctx));
     for (int v = 0; v < VARIABLES; v++)
-        assert_int_equal(fraction_denominator_degree(r, v), fmpz_mpoly_degree_si(fmpz_mpoly_q_denref(x), v, ctx));
-    assert_int_equal(fraction_is_polynomial(r), fmpz_mpoly_is_one(fmpz_mpoly_q_denref(x), ctx));
+        assert_int_equal(cagd_fraction_denominator_degree(r, v), fmpz_mpoly_degree_si(fmpz_mpoly_q_denref(x), v, ctx));
+    assert_int_equal(cagd_fraction_is_polynomial(r), fmpz_mpoly_is_one(fmpz_mpoly_q_denref(x), ctx));
     listed += r->factors.known && r->factors.count > 0;
     not_factored += !r->factors.known;
     fmpz_mpoly_q_clear(x, ctx);
@@ -98,37 +100,38 @@ static void is_that_of_flint(const struct field_element *r, const fmpz_mpoly_q_t
 
 static void agrees(operation *op, reference *by_flint, num_f a, num_f b)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
-    struct field_element r;
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
+    struct cagd_field_element r;
     fmpz_mpoly_q_t expected, x, y;
-    field_slot_init(&r), fmpz_mpoly_q_init(expected, ctx), fmpz_mpoly_q_init(x, ctx), fmpz_mpoly_q_init(y, ctx);
+    cagd_field_slot_init(&r), fmpz_mpoly_q_init(expected, ctx), fmpz_mpoly_q_init(x, ctx), fmpz_mpoly_q_init(y, ctx);
     op(&r, a.at, b.at);
-    fraction_get(x, a.at), fraction_get(y, b.at);
+    cagd_fraction_get(x, a.at), cagd_fraction_get(y, b.at);
     by_flint(expected, x, y, ctx);
     is_that_of_flint(&r, expected);
-    assert_int_equal(fraction_equal(a.at, b.at), fmpz_mpoly_q_equal(x, y, ctx));
-    assert_int_equal(fraction_equal(&r, a.at), fmpz_mpoly_q_equal(expected, x, ctx));
-    fmpz_mpoly_q_clear(expected, ctx), fmpz_mpoly_q_clear(x, ctx), fmpz_mpoly_q_clear(y, ctx), field_slot_clear(&r);
+    assert_int_equal(cagd_fraction_equal(a.at, b.at), fmpz_mpoly_q_equal(x, y, ctx));
+    assert_int_equal(cagd_fraction_equal(&r, a.at), fmpz_mpoly_q_equal(expected, x, ctx));
+    fmpz_mpoly_q_clear(expected, ctx), fmpz_mpoly_q_clear(x, ctx), fmpz_mpoly_q_clear(y, ctx),
+        cagd_field_slot_clear(&r);
 }
 
 static void all_operations_agree(num_f a, num_f b)
 {
-    agrees(fraction_add, fmpz_mpoly_q_add, a, b);
-    agrees(fraction_sub, fmpz_mpoly_q_sub, a, b);
-    agrees(fraction_mul, fmpz_mpoly_q_mul, a, b);
-    if (!is_zero_f(b))
-        agrees(fraction_div, fmpz_mpoly_q_div, a, b);
+    agrees(cagd_fraction_add, fmpz_mpoly_q_add, a, b);
+    agrees(cagd_fraction_sub, fmpz_mpoly_q_sub, a, b);
+    agrees(cagd_fraction_mul, fmpz_mpoly_q_mul, a, b);
+    if (!cagd_is_zero_f(b))
+        agrees(cagd_fraction_div, fmpz_mpoly_q_div, a, b);
 }
 
 /* (p/q)' = (p' q - p q')/q^2 */
 static void derivative_agrees(num_f a, int variable)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
-    struct field_element r;
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
+    struct cagd_field_element r;
     fmpz_mpoly_q_t x, p, q;
-    field_slot_init(&r), fmpz_mpoly_q_init(x, ctx), fmpz_mpoly_q_init(p, ctx), fmpz_mpoly_q_init(q, ctx);
-    fraction_derivative(&r, a.at, variable);
-    fraction_get(x, a.at);
+    cagd_field_slot_init(&r), fmpz_mpoly_q_init(x, ctx), fmpz_mpoly_q_init(p, ctx), fmpz_mpoly_q_init(q, ctx);
+    cagd_fraction_derivative(&r, a.at, variable);
+    cagd_fraction_get(x, a.at);
     fmpz_mpoly_derivative(fmpz_mpoly_q_numref(p), fmpz_mpoly_q_numref(x), variable, ctx);
     fmpz_mpoly_derivative(fmpz_mpoly_q_numref(q), fmpz_mpoly_q_denref(x), variable, ctx);
     fmpz_mpoly_q_mul(q, q, x, ctx); /* q' p/q */
@@ -137,29 +140,29 @@ static void derivative_agrees(num_f a, int variable)
     fmpz_mpoly_one(fmpz_mpoly_q_denref(q), ctx);
     fmpz_mpoly_q_div(x, p, q, ctx);
     is_that_of_flint(&r, x);
-    fmpz_mpoly_q_clear(x, ctx), fmpz_mpoly_q_clear(p, ctx), fmpz_mpoly_q_clear(q, ctx), field_slot_clear(&r);
+    fmpz_mpoly_q_clear(x, ctx), fmpz_mpoly_q_clear(p, ctx), fmpz_mpoly_q_clear(q, ctx), cagd_field_slot_clear(&r);
 }
 
 /* The numerator of a over the denominator of b. */
 static void over_denominator_agrees(num_f a, num_f b)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
-    struct field_element r;
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
+    struct cagd_field_element r;
     fmpz_mpoly_q_t x;
-    field_slot_init(&r), fmpz_mpoly_q_init(x, ctx);
-    fraction_over_denominator_of(&r, a.at->numerator, b.at);
+    cagd_field_slot_init(&r), fmpz_mpoly_q_init(x, ctx);
+    cagd_fraction_over_denominator_of(&r, a.at->numerator, b.at);
     fmpz_mpoly_set(fmpz_mpoly_q_numref(x), a.at->numerator, ctx);
-    fraction_denominator(fmpz_mpoly_q_denref(x), b.at);
+    cagd_fraction_denominator(fmpz_mpoly_q_denref(x), b.at);
     fmpz_mpoly_q_canonicalise(x, ctx);
     is_that_of_flint(&r, x);
-    fmpz_mpoly_q_clear(x, ctx), field_slot_clear(&r);
+    fmpz_mpoly_q_clear(x, ctx), cagd_field_slot_clear(&r);
 }
 
 /* Two fractions with the same numerator, or nearly, over denominators that differ in an integer, in one factor, or not at all. */
 static int alike, different;
 static void equality_agrees(void)
 {
-    const fmpz_mpoly_ctx_struct *ctx = field_context();
+    const fmpz_mpoly_ctx_struct *ctx = cagd_field_context();
     num_f p = from_int_f(7), f = product(), g = product(), q = mul_f(f, g);
     for (long k = 0; k < VARIABLES; k++)
         p = add_f(p, mul_f(from_int_f(k + 1), variable(k)));
@@ -189,7 +192,7 @@ static void equality_agrees(void)
     }
     fmpz_mpoly_q_t a, b;
     fmpz_mpoly_q_init(a, ctx), fmpz_mpoly_q_init(b, ctx);
-    fraction_get(a, x.at), fraction_get(b, y.at);
+    cagd_fraction_get(a, x.at), cagd_fraction_get(b, y.at);
     int same = fmpz_mpoly_q_equal(a, b, ctx);
     assert_int_equal(equal_f(x, y), same);
     assert_int_equal(equal_f(y, x), same);
@@ -216,13 +219,13 @@ static void fractions_are_those_of_flint(void **state)
             a = div_f(b, product());
             break;
         case 3:
-            b = is_zero_f(a) ? b : div_f(product(), a);
+            b = cagd_is_zero_f(a) ? b : div_f(product(), a);
             break;
         case 4:
-            a = is_zero_f(b) ? a : div_f(product(), b);
+            a = cagd_is_zero_f(b) ? a : div_f(product(), b);
         }
         all_operations_agree(a, b);
-        agrees(fraction_sub, fmpz_mpoly_q_sub, a, a);
+        agrees(cagd_fraction_sub, fmpz_mpoly_q_sub, a, a);
         derivative_agrees(a, round % VARIABLES);
         over_denominator_agrees(a, b);
         assert_true(equal_f(add_f(add_f(a, b), c), add_f(a, add_f(b, c))));
@@ -248,13 +251,13 @@ static void powers_of_factors(void **state)
     num_f half = one;
     for (int k = 0; k < FIELD_MOST_POWER / 2; k++)
         half = div_f(half, f);
-    agrees(fraction_mul, fmpz_mpoly_q_mul, half, half);
+    agrees(cagd_fraction_mul, fmpz_mpoly_q_mul, half, half);
     num_f most = mul_f(half, half), beyond = div_f(most, f);
     assert_true(most.at->factors.known && !beyond.at->factors.known);
-    agrees(fraction_mul, fmpz_mpoly_q_mul, div_f(one, mul_f(g, f)), most);
-    agrees(fraction_div, fmpz_mpoly_q_div, most, mul_f(f, g));
-    agrees(fraction_add, fmpz_mpoly_q_add, most, beyond);
-    agrees(fraction_sub, fmpz_mpoly_q_sub, beyond, half);
+    agrees(cagd_fraction_mul, fmpz_mpoly_q_mul, div_f(one, mul_f(g, f)), most);
+    agrees(cagd_fraction_div, fmpz_mpoly_q_div, most, mul_f(f, g));
+    agrees(cagd_fraction_add, fmpz_mpoly_q_add, most, beyond);
+    agrees(cagd_fraction_sub, fmpz_mpoly_q_sub, beyond, half);
     assert_true(equal_f(mul_f(beyond, f), most) && equal_f(most, mul_f(beyond, f)));
     for (int k = 0; k < 256; k++) { /* of two factors, each up to the third */
         region_mark mark = region_open();

@@ -2,20 +2,21 @@
 #include "unit_exact.h"
 
 #include "exact/decide/hull.h"
+#include "exact/words.h"
 
 static num_q q(long m) { return from_int_q(m); }
-static int same(const num_q P[], const num_q Q[]) { return equal_q(P[0], Q[0]) && equal_q(P[1], Q[1]); }
+static int same(const num_q P[], const num_q Q[]) { return cagd_equal_q(P[0], Q[0]) && cagd_equal_q(P[1], Q[1]); }
 
 /* x on the segment P Q, also for P = Q. */
 static int on_segment(const num_q P[], const num_q Q[], const num_q x[])
 {
     num_q d = add_q(mul_q(sub_q(x[0], P[0]), sub_q(x[0], Q[0])), mul_q(sub_q(x[1], P[1]), sub_q(x[1], Q[1])));
-    return turn_2d(P, Q, x) == 0 && sign_q(d) <= 0;
+    return cagd_turn_2d(P, Q, x) == 0 && cagd_sign_q(d) <= 0;
 }
 static int in_triangle(const num_q P[], const num_q Q[], const num_q R[], const num_q x[])
 {
-    int a = turn_2d(P, Q, x), b = turn_2d(Q, R, x), c = turn_2d(R, P, x);
-    if (turn_2d(P, Q, R) == 0)
+    int a = cagd_turn_2d(P, Q, x), b = cagd_turn_2d(Q, R, x), c = cagd_turn_2d(R, P, x);
+    if (cagd_turn_2d(P, Q, R) == 0)
         return on_segment(P, Q, x) || on_segment(Q, R, x) || on_segment(R, P, x);
     return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
@@ -41,9 +42,9 @@ static void plane_membership_is_caratheodory(void **state)
         for (int i = 0; i < 2 * count; i++)
             P[i] = k % 2 ? coarse_q(size, 1) : coarse_q(9, 4);
         x[0] = coarse_q(3, k % 2 ? 1 : 5), x[1] = coarse_q(3, k % 2 ? 1 : 5);
-        struct hull_certificate c = hull_membership(2, count, P, x);
+        struct cagd_hull_certificate c = cagd_hull_membership(2, count, P, x);
         assert_int_equal(c.inside, in_some_triangle(count, P, x));
-        assert_true(hull_certificate_holds(2, count, P, x, c));
+        assert_true(cagd_hull_certificate_holds(2, count, P, x, c));
         *(c.inside ? &inside : &outside) += 1;
         region_drop(m);
     }
@@ -67,21 +68,22 @@ static void combinations_are_inside_in_every_dimension(void **state)
                 x[i] = q(0);
                 for (int j = 0; j < count; j++) {
                     x[i] = add_q(x[i], div_q(mul_q(lambda[j], P[d * j + i]), sum));
-                    if (i == 0 && compare_q(P[d * j], least) < 0)
+                    if (i == 0 && cagd_compare_q(P[d * j], least) < 0)
                         least = P[d * j];
                 }
                 beyond[i] = i == 0 ? sub_q(least, from_ratio_q(1, 1000003)) : x[i];
             }
-            struct hull_certificate in = hull_membership(d, count, P, x), out = hull_membership(d, count, P, beyond);
-            assert_true(in.inside && hull_certificate_holds(d, count, P, x, in));
-            assert_true(!out.inside && hull_certificate_holds(d, count, P, beyond, out));
+            struct cagd_hull_certificate in = cagd_hull_membership(d, count, P, x),
+                                         out = cagd_hull_membership(d, count, P, beyond);
+            assert_true(in.inside && cagd_hull_certificate_holds(d, count, P, x, in));
+            assert_true(!out.inside && cagd_hull_certificate_holds(d, count, P, beyond, out));
             /* a certificate of the one proves nothing about the other */
-            assert_false(hull_certificate_holds(d, count, P, beyond, in));
-            assert_false(hull_certificate_holds(d, count, P, x, out));
+            assert_false(cagd_hull_certificate_holds(d, count, P, beyond, in));
+            assert_false(cagd_hull_certificate_holds(d, count, P, x, out));
             region_drop(m);
         }
     num_q x = q(0);
-    assert_false(hull_membership(1, 0, NULL, &x).inside);
+    assert_false(cagd_hull_membership(1, 0, NULL, &x).inside);
 }
 
 static void extreme_points_are_the_vertices(void **state)
@@ -93,7 +95,7 @@ static void extreme_points_are_the_vertices(void **state)
         num_q P[18], corner[20];
         for (int i = 0; i < 2 * count; i++)
             P[i] = k % 2 ? coarse_q(size, 1) : coarse_q(9, 4);
-        int n = convex_hull_2d(count, P, vertex), extreme = 0;
+        int n = cagd_convex_hull_2d(count, P, vertex), extreme = 0;
         for (int j = 0; j < count; j++) { /* outside the hull of the points different from it */
             num_q others[18];
             int rest = 0, first = 1;
@@ -110,13 +112,13 @@ static void extreme_points_are_the_vertices(void **state)
         for (int i = 0; i < n; i++) {
             corner[2 * i] = P[2 * vertex[i]], corner[2 * i + 1] = P[2 * vertex[i] + 1];
             if (n > 2)
-                assert_int_equal(turn_2d(P + 2 * vertex[i], P + 2 * vertex[(i + 1) % n], P + 2 * vertex[(i + 2) % n]),
-                                 1);
+                assert_int_equal(
+                    cagd_turn_2d(P + 2 * vertex[i], P + 2 * vertex[(i + 1) % n], P + 2 * vertex[(i + 2) % n]), 1);
         }
         for (int j = 0; j < count; j++)
             assert_true(in_some_triangle(n, corner, P + 2 * j));
         int orientation;
-        assert_true(n == 2 || polygon_is_convex(n - 1, corner, 1, &orientation));
+        assert_true(n == 2 || cagd_polygon_is_convex(n - 1, corner, 1, &orientation));
         assert_true(n <= 2 || orientation == 1);
         region_drop(m);
     }
@@ -130,19 +132,19 @@ static void false_certificates_are_refused(void **state)
     num_q affine[3] = {from_ratio_q(-1, 2), from_ratio_q(3, 4), from_ratio_q(3, 4)}; /* sum 1, one < 0 */
     num_q half[3] = {q(0), from_ratio_q(1, 4), from_ratio_q(1, 4)};                  /* sum 1/2        */
     num_q normal[2] = {q(1), q(1)};
-    assert_true(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){1, right, NULL, q(0)}));
-    assert_false(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){1, affine, NULL, q(0)}));
-    assert_false(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){1, half, NULL, q(0)}));
-    assert_true(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){0, NULL, normal, q(4)}));
-    assert_false(hull_certificate_holds(2, 3, P, out, (struct hull_certificate){0, NULL, normal, q(6)}));
-    assert_false(hull_certificate_holds(2, 3, P, in, (struct hull_certificate){0, NULL, normal, q(1)}));
+    assert_true(cagd_hull_certificate_holds(2, 3, P, in, (struct cagd_hull_certificate){1, right, NULL, q(0)}));
+    assert_false(cagd_hull_certificate_holds(2, 3, P, out, (struct cagd_hull_certificate){1, affine, NULL, q(0)}));
+    assert_false(cagd_hull_certificate_holds(2, 3, P, in, (struct cagd_hull_certificate){1, half, NULL, q(0)}));
+    assert_true(cagd_hull_certificate_holds(2, 3, P, out, (struct cagd_hull_certificate){0, NULL, normal, q(4)}));
+    assert_false(cagd_hull_certificate_holds(2, 3, P, out, (struct cagd_hull_certificate){0, NULL, normal, q(6)}));
+    assert_false(cagd_hull_certificate_holds(2, 3, P, in, (struct cagd_hull_certificate){0, NULL, normal, q(1)}));
 }
 
 /* The definition.  Without its repeated points the polygon Q_0 ... Q_m (closed: and back) must have
  * every edge on a supporting line, and no two of its edges may meet but in the vertex they share. */
 static int segments_meet(const num_q A[], const num_q B[], const num_q C[], const num_q D[])
 {
-    int proper = turn_2d(A, B, C) * turn_2d(A, B, D) < 0 && turn_2d(C, D, A) * turn_2d(C, D, B) < 0;
+    int proper = cagd_turn_2d(A, B, C) * cagd_turn_2d(A, B, D) < 0 && cagd_turn_2d(C, D, A) * cagd_turn_2d(C, D, B) < 0;
     return proper || on_segment(A, B, C) || on_segment(A, B, D) || on_segment(C, D, A) || on_segment(C, D, B);
 }
 static int convex_by_definition(int n, const num_q R[], int closed)
@@ -165,8 +167,8 @@ static int convex_by_definition(int n, const num_q R[], int closed)
         const num_q *A = Q + 2 * e, *B = Q + 2 * ((e + 1) % m);
         int left = 0, right = 0;
         for (int j = 0; j < m; j++) {
-            left |= turn_2d(A, B, Q + 2 * j) > 0;
-            right |= turn_2d(A, B, Q + 2 * j) < 0;
+            left |= cagd_turn_2d(A, B, Q + 2 * j) > 0;
+            right |= cagd_turn_2d(A, B, Q + 2 * j) < 0;
         }
         if (left && right)
             return 0;
@@ -196,7 +198,7 @@ static void convexity_is_its_definition(void **state)
             R[2 * i] = q(random_int(0, width));
             R[2 * i + 1] = q(random_int(0, height));
         }
-        int orientation, convex = polygon_is_convex(n, R, closed, &orientation);
+        int orientation, convex = cagd_polygon_is_convex(n, R, closed, &orientation);
         assert_int_equal(convex, convex_by_definition(n, R, closed));
         met[closed][convex && orientation != 0]++;
         /* walked backwards it turns to the other side */
@@ -204,14 +206,14 @@ static void convexity_is_its_definition(void **state)
         for (int i = 0; i <= n; i++)
             back[2 * i] = R[2 * (n - i)], back[2 * i + 1] = R[2 * (n - i) + 1];
         int reverse;
-        assert_int_equal(polygon_is_convex(n, back, closed, &reverse), convex);
+        assert_int_equal(cagd_polygon_is_convex(n, back, closed, &reverse), convex);
         assert_int_equal(reverse, -orientation);
         region_drop(m);
     }
     assert_true(met[0][1] > 100 && met[1][1] > 100 && met[0][0] > 100 && met[1][0] > 100);
     /* a pentagram turns always to the left, twice round */
     num_q star[10] = {q(0), q(3), q(2), q(-3), q(-3), q(1), q(3), q(1), q(-2), q(-3)};
-    assert_false(polygon_is_convex(4, star, 1, NULL));
+    assert_false(cagd_polygon_is_convex(4, star, 1, NULL));
 }
 
 int main(void)

@@ -4,6 +4,7 @@
 #include "chapters/frame/judge.h"
 #include "chapters/frame/run.h"
 #include "exact/number/field.h"
+#include "exact/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -361,11 +362,11 @@ static void take_q(trial *T)
     seen_m[0] = unknown_m(&U, "x", 0), seen_m[1] = positive_m(&U, "w", 0), seen_m[2] = parameter_m(&U, "t");
     for (int k = 0; k < 3; k++) {
         agree(T, !T->planted && contains_i(seen_i[k], seen_q[k]) && width_i(seen_i[k]) == 0);
-        agree(T, equal_q(from_double_q(seen_m[k].v), seen_q[k]) && error_bound_m(seen_m[k]) == 0);
+        agree(T, cagd_equal_q(from_double_q(seen_m[k].v), seen_q[k]) && error_bound_m(seen_m[k]) == 0);
     }
-    agree(T, compare_q(seen_q[0], from_int_q(-1)) >= 0 && compare_q(seen_q[0], from_int_q(1)) <= 0);
-    agree(T, compare_q(seen_q[1], from_ratio_q(1, 8)) >= 0 && compare_q(seen_q[1], from_int_q(4)) <= 0);
-    agree(T, sign_q(seen_q[2]) > 0 && compare_q(seen_q[2], from_int_q(1)) < 0);
+    agree(T, cagd_compare_q(seen_q[0], from_int_q(-1)) >= 0 && cagd_compare_q(seen_q[0], from_int_q(1)) <= 0);
+    agree(T, cagd_compare_q(seen_q[1], from_ratio_q(1, 8)) >= 0 && cagd_compare_q(seen_q[1], from_int_q(4)) <= 0);
+    agree(T, cagd_sign_q(seen_q[2]) > 0 && cagd_compare_q(seen_q[2], from_int_q(1)) < 0);
 }
 
 static void test_data_are_the_same_dyadics_everywhere(void **state)

@@ -11,6 +11,7 @@
 #include "exact/kernels_f.h"
 #include "exact/kernels_i.h"
 #include "exact/kernels_q.h"
+#include "exact/words.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -152,7 +153,7 @@ static num_f from_double_f(double x) { return from_rational_f(from_double_q(x));
 static int within(double v, double bound, num_q exact)
 {
     num_q gap = sub_q(from_double_q(v), exact);
-    return compare_q(sign_q(gap) < 0 ? neg_q(gap) : gap, from_double_q(bound)) <= 0;
+    return cagd_compare_q(cagd_sign_q(gap) < 0 ? neg_q(gap) : gap, from_double_q(bound)) <= 0;
 }
 
 static num_d d[RESULTS];
@@ -183,13 +184,13 @@ static void kernel_agrees(void **state)
 
         for (int k = 0; k < count; k++, compared++) {
             num_q constant;
-            const char *wrong = !equal_q(q[k], definition[k])              ? "q is not the definition"
+            const char *wrong = !cagd_equal_q(q[k], definition[k])         ? "q is not the definition"
                                 : memcmp(&d[k], &m[k].v, sizeof d[k]) != 0 ? "m is not d"
                                 : !isfinite(error_bound_m(m[k]))           ? "no bound in m"
                                 : !within(d[k], error_bound_m(m[k]), q[k]) ? "the bound of m is false"
                                 : !contains_i(interval[k], q[k])           ? "i does not contain q"
-                                : !is_constant_f(f[k], &constant) || !equal_q(constant, q[k]) ? "f is not q"
-                                                                                              : NULL;
+                                : !is_constant_f(f[k], &constant) || !cagd_equal_q(constant, q[k]) ? "f is not q"
+                                                                                                   : NULL;
             if (wrong != NULL)
                 fail_msg("%s, trial %d (n %d, dim %d, r %d), result %d: %s", names[kernel], trial, D.n, D.dim, D.r, k,
                          wrong);
@@ -214,11 +215,11 @@ static void standard_form_in_every_degree(void **state)
         region_faults = 0;
         rational_standard_form_q(n, w, out);
         assert_int_equal(region_faults, 0);
-        assert_true(equal_q(out[0], from_int_q(1)) && equal_q(out[n], from_int_q(1)));
+        assert_true(cagd_equal_q(out[0], from_int_q(1)) && cagd_equal_q(out[n], from_int_q(1)));
         /* The ratios out_i/w_i are a geometric progression with quotient 2/3. */
         for (int i = 1; i <= n; i++) {
             ratio = div_q(mul_q(out[i], w[i - 1]), mul_q(w[i], out[i - 1]));
-            assert_true(equal_q(ratio, from_ratio_q(2, 3)));
+            assert_true(cagd_equal_q(ratio, from_ratio_q(2, 3)));
         }
         region_drop(mark);
     }
@@ -227,7 +228,7 @@ static void standard_form_in_every_degree(void **state)
 static void assert_numbers(int count, const num_q got[], const int expected[], int over)
 {
     for (int k = 0; k < count; k++)
-        assert_true(equal_q(got[k], from_ratio_q(expected[k], over)));
+        assert_true(cagd_equal_q(got[k], from_ratio_q(expected[k], over)));
 }
 
 /* Nodes 1, 1, 2, 2: a divided difference of t^5 of order 3 is the sum of all products of two nodes, 23. */
@@ -336,7 +337,7 @@ static void matrices_by_hand(void **state)
     bspline_matrix_q(2, u, 2, same);
     assert_int_equal(region_faults, 0);
     for (int k = 0; k < 9; k++)
-        assert_true(equal_q(out[k], same[k]));
+        assert_true(cagd_equal_q(out[k], same[k]));
     u[4] = u[3];
     bspline_matrix_simple_q(2, u, 2, out);
     assert_int_equal(region_faults, FAULT_UNDEFINED);

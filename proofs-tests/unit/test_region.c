@@ -4,6 +4,7 @@
 #include "exact/decide/polynomial.h"
 #include "exact/number/field.h"
 #include "exact/number/interval.h"
+#include "exact/words.h"
 
 #include <pthread.h>
 #include <string.h>
@@ -31,7 +32,7 @@ static void older_values_survive_a_drop(void **state)
         region_drop(m);
     }
     for (int k = 0; k < KEPT; k++) {
-        assert_true(equal_q(kept[k], big(k)));
+        assert_true(cagd_equal_q(kept[k], big(k)));
         assert_string_equal(text[k], to_string_q(kept[k]));
     }
 }
@@ -59,9 +60,9 @@ static void marks_nest(void **state)
     region_mark inner = region_open();
     from_int_q(3);
     region_drop(inner);
-    assert_true(equal_q(b, from_int_q(2)));
+    assert_true(cagd_equal_q(b, from_int_q(2)));
     region_drop(outer);
-    assert_true(equal_q(a, from_int_q(1)));
+    assert_true(cagd_equal_q(a, from_int_q(1)));
 }
 
 /* Blocks do not overlap, whatever their sizes; 0 bytes and more than a page included. */
@@ -115,7 +116,7 @@ static void every_kind_is_freed(void **state)
         if (round == 1)
             region_drop((region_mark){{0}, 0, 0});
         region_free_all();
-        assert_true(equal_q(from_int_q(7), from_int_q(7))); /* a new life */
+        assert_true(cagd_equal_q(from_int_q(7), from_int_q(7))); /* a new life */
     }
 }
 
@@ -126,8 +127,8 @@ static void *other_thread(void *state)
     div_q(a, from_int_q(0));
     field_open(1);
     num_f t = variable_f("t");
-    *(int *)state &= region_faults == FAULT_UNDEFINED && !is_zero_f(t);
-    exact_thread_end();
+    *(int *)state &= region_faults == FAULT_UNDEFINED && !cagd_is_zero_f(t);
+    cagd_thread_end();
     return NULL;
 }
 
@@ -140,7 +141,7 @@ static void threads_have_their_own_region(void **state)
     root_q(2, from_int_q(2));
     assert_int_equal(pthread_create(&thread, NULL, other_thread, &good), 0);
     assert_int_equal(pthread_join(thread, NULL), 0);
-    assert_true(good && equal_q(a, big(3)));
+    assert_true(good && cagd_equal_q(a, big(3)));
     expect_fault(FAULT_UNABLE);
 }
 

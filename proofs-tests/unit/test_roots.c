@@ -2,6 +2,7 @@
 #include "unit_roots.h"
 
 #include "exact/decide/sturm.h"
+#include "exact/words.h"
 
 static num_q from_power_of_two(int e)
 {
@@ -12,55 +13,55 @@ static num_q from_power_of_two(int e)
 }
 static poly linear(num_q root) { return poly_from_q(2, (num_q[]){neg_q(root), from_int_q(1)}); }
 
-/* Both ways, all four kinds of ends; sturm_count is for (a,b]. */
+/* Both ways, all four kinds of ends; cagd_sturm_count is for (a,b]. */
 static void assert_descartes_is_sturm(poly p, num_q a, num_q b)
 {
-    int at_a = is_zero_q(poly_value(p, a)), at_b = is_zero_q(poly_value(p, b)), n = sturm_count(p, a, b);
-    if (equal_q(a, b)) {
+    int at_a = cagd_is_zero_q(poly_value(p, a)), at_b = cagd_is_zero_q(poly_value(p, b)), n = cagd_sturm_count(p, a, b);
+    if (cagd_equal_q(a, b)) {
         assert_int_equal(n, 0);
-        assert_int_equal(count_roots(p, a, b, CLOSED).distinct, at_a);
+        assert_int_equal(cagd_count_roots(p, a, b, CLOSED).distinct, at_a);
         return;
     }
-    assert_int_equal(count_roots(p, a, b, OPEN_LEFT).distinct, n);
-    assert_int_equal(count_roots(p, a, b, OPEN).distinct, n - at_b);
-    assert_int_equal(count_roots(p, a, b, CLOSED).distinct, n + at_a);
-    assert_int_equal(count_roots(p, a, b, OPEN_RIGHT).distinct, n + at_a - at_b);
-    struct root_count open = count_roots(p, a, b, OPEN);
+    assert_int_equal(cagd_count_roots(p, a, b, OPEN_LEFT).distinct, n);
+    assert_int_equal(cagd_count_roots(p, a, b, OPEN).distinct, n - at_b);
+    assert_int_equal(cagd_count_roots(p, a, b, CLOSED).distinct, n + at_a);
+    assert_int_equal(cagd_count_roots(p, a, b, OPEN_RIGHT).distinct, n + at_a - at_b);
+    struct cagd_root_count open = cagd_count_roots(p, a, b, OPEN);
     assert_int_equal(open.crossings + open.touches, open.distinct);
 }
 
 /* Disjoint, increasing, each with one root of its factor by Sturm. */
 static void assert_isolated(poly p, num_q a, num_q b)
 {
-    struct root r[64];
-    int n = isolate_roots(p, a, b, r, 64), counted = 0;
-    assert_int_equal(n, count_roots(p, a, b, CLOSED).distinct);
+    struct cagd_root r[64];
+    int n = cagd_isolate_roots(p, a, b, r, 64), counted = 0;
+    assert_int_equal(n, cagd_count_roots(p, a, b, CLOSED).distinct);
     for (int k = 0; k < n; k++) {
-        int order = compare_q(r[k].lo, r[k].hi);
-        assert_true(order <= 0 && compare_q(a, r[k].lo) <= 0 && compare_q(r[k].hi, b) <= 0);
-        int at_hi = is_zero_q(poly_value(r[k].factor, r[k].hi));
+        int order = cagd_compare_q(r[k].lo, r[k].hi);
+        assert_true(order <= 0 && cagd_compare_q(a, r[k].lo) <= 0 && cagd_compare_q(r[k].hi, b) <= 0);
+        int at_hi = cagd_is_zero_q(poly_value(r[k].factor, r[k].hi));
         if (order == 0)
             assert_true(at_hi);
         else
-            assert_int_equal(sturm_count(r[k].factor, r[k].lo, r[k].hi) - at_hi, 1);
+            assert_int_equal(cagd_sturm_count(r[k].factor, r[k].lo, r[k].hi) - at_hi, 1);
         if (k > 0)
-            assert_true(compare_q(r[k - 1].hi, r[k].lo) <= 0);
+            assert_true(cagd_compare_q(r[k - 1].hi, r[k].lo) <= 0);
         poly power = poly_constant(from_int_q(1));
         for (int m = 0; m < r[k].multiplicity; m++)
             power = poly_mul(power, r[k].factor);
-        assert_true(poly_divides(power, p) && !poly_divides(poly_mul(power, r[k].factor), p));
+        assert_true(cagd_poly_divides(power, p) && !cagd_poly_divides(poly_mul(power, r[k].factor), p));
         counted += r[k].multiplicity;
 
-        struct root fine = refine_root(r[k], from_power_of_two(-70));
-        assert_true(compare_q(sub_q(fine.hi, fine.lo), from_power_of_two(-70)) <= 0);
-        assert_true(compare_q(r[k].lo, fine.lo) <= 0 && compare_q(fine.hi, r[k].hi) <= 0);
-        if (equal_q(fine.lo, fine.hi))
-            assert_true(is_zero_q(poly_value(p, fine.lo)));
+        struct cagd_root fine = refine_root(r[k], from_power_of_two(-70));
+        assert_true(cagd_compare_q(sub_q(fine.hi, fine.lo), from_power_of_two(-70)) <= 0);
+        assert_true(cagd_compare_q(r[k].lo, fine.lo) <= 0 && cagd_compare_q(fine.hi, r[k].hi) <= 0);
+        if (cagd_equal_q(fine.lo, fine.hi))
+            assert_true(cagd_is_zero_q(poly_value(p, fine.lo)));
         else
-            assert_int_equal(sturm_count(r[k].factor, fine.lo, fine.hi) - is_zero_q(poly_value(r[k].factor, fine.hi)),
-                             1);
+            assert_int_equal(
+                cagd_sturm_count(r[k].factor, fine.lo, fine.hi) - cagd_is_zero_q(poly_value(r[k].factor, fine.hi)), 1);
     }
-    assert_int_equal(counted, count_roots(p, a, b, CLOSED).counted);
+    assert_int_equal(counted, cagd_count_roots(p, a, b, CLOSED).counted);
 }
 
 static void random_polynomials(void **state)
@@ -73,11 +74,12 @@ static void random_polynomials(void **state)
         for (int j = 0; j <= n; j++)
             c[j] = k % 2 ? random_q() : coarse_q(4, 2);
         poly p = k % 3 ? poly_from_q(n + 1, c) : poly_from_bernstein(n, c);
-        if (!poly_is_zero(p)) {
+        if (!cagd_poly_is_zero(p)) {
             assert_descartes_is_sturm(p, a, b);
-            assert_int_equal(count_roots_line(p).distinct, sturm_count_line(p));
-            assert_int_equal(count_roots_above(p, a).distinct, sturm_count_above(p, a));
-            assert_int_equal(count_roots_below(p, b).distinct, sturm_count_below(p, b) - is_zero_q(poly_value(p, b)));
+            assert_int_equal(cagd_count_roots_line(p).distinct, cagd_sturm_count_line(p));
+            assert_int_equal(cagd_count_roots_above(p, a).distinct, cagd_sturm_count_above(p, a));
+            assert_int_equal(cagd_count_roots_below(p, b).distinct,
+                             cagd_sturm_count_below(p, b) - cagd_is_zero_q(poly_value(p, b)));
             if (k % 5 == 0)
                 assert_isolated(p, a, b);
         }
@@ -93,17 +95,17 @@ static void planted_roots_with_multiplicity_and_at_the_ends(void **state)
         struct planted f = plant();
         num_q a = f.count > 0 && k % 2 ? f.at[0] : coarse_q(3, 4);
         num_q b = f.count > 1 && k % 3 ? f.at[f.count - 1] : add_q(a, from_ratio_q(random_int(0, 8), 3));
-        if (compare_q(a, b) <= 0) {
-            for (enum ends e = CLOSED; e <= OPEN_RIGHT; e++)
-                if (compare_q(a, b) < 0 || e == CLOSED || e == OPEN)
-                    assert_same_count(count_roots(f.p, a, b, e), planted_count(&f, a, b, e));
+        if (cagd_compare_q(a, b) <= 0) {
+            for (enum cagd_ends e = CLOSED; e <= OPEN_RIGHT; e++)
+                if (cagd_compare_q(a, b) < 0 || e == CLOSED || e == OPEN)
+                    assert_same_count(cagd_count_roots(f.p, a, b, e), planted_count(&f, a, b, e));
             assert_descartes_is_sturm(f.p, a, b);
             assert_isolated(f.p, a, b);
         }
         num_q far = from_int_q(1000000);
-        assert_same_count(count_roots_line(f.p), planted_count(&f, neg_q(far), far, OPEN));
-        assert_same_count(count_roots_above(f.p, a), planted_count(&f, a, far, OPEN));
-        assert_same_count(count_roots_below(f.p, a), planted_count(&f, neg_q(far), a, OPEN));
+        assert_same_count(cagd_count_roots_line(f.p), planted_count(&f, neg_q(far), far, OPEN));
+        assert_same_count(cagd_count_roots_above(f.p, a), planted_count(&f, a, far, OPEN));
+        assert_same_count(cagd_count_roots_below(f.p, a), planted_count(&f, neg_q(far), a, OPEN));
         region_drop(m);
     }
 }
@@ -116,15 +118,15 @@ static void wilkinson(void **state)
         w = poly_mul(w, linear(from_int_q(k)));
     num_q a = from_int_q(1), b = from_int_q(20);
     assert_descartes_is_sturm(w, a, b);
-    assert_int_equal(count_roots(w, a, b, CLOSED).crossings, 18);
+    assert_int_equal(cagd_count_roots(w, a, b, CLOSED).crossings, 18);
     assert_isolated(w, a, b);
     /* Wilkinson's perturbation -210 - 2^-23 leaves ten real roots */
     poly perturbed = w, t19 = poly_constant(from_power_of_two(-23));
     for (int k = 0; k < 19; k++)
         t19 = poly_mul(t19, poly_variable());
     perturbed = poly_sub(w, t19);
-    assert_int_equal(count_roots_line(perturbed).distinct, 10);
-    assert_int_equal(sturm_count_line(perturbed), 10);
+    assert_int_equal(cagd_count_roots_line(perturbed).distinct, 10);
+    assert_int_equal(cagd_sturm_count_line(perturbed), 10);
 }
 
 /* t^n - 2 (c t - 1)^2 has two roots closer to 1/c than c^-(n+2)/2: the worst case of any subdivision. */
@@ -140,7 +142,7 @@ static void mignotte(void **state)
         c[2] = add_q(c[2], from_int_q(-2 * 101 * 101));
         poly p = poly_from_q(n + 1, c);
         assert_descartes_is_sturm(p, from_int_q(0), from_int_q(1));
-        assert_int_equal(count_roots(p, from_int_q(0), from_int_q(1), OPEN).crossings, 2);
+        assert_int_equal(cagd_count_roots(p, from_int_q(0), from_int_q(1), OPEN).crossings, 2);
         assert_isolated(p, from_int_q(0), from_int_q(1));
     }
 }
@@ -151,9 +153,9 @@ static void chebyshev(void **state)
     poly before = poly_constant(from_int_q(1)), t = poly_variable(), two_t = poly_scale(t, from_int_q(2));
     num_q one = from_int_q(1), minus = from_int_q(-1);
     for (int n = 1; n <= 40; n++) {
-        assert_int_equal(count_roots(t, minus, one, OPEN).crossings, n);
+        assert_int_equal(cagd_count_roots(t, minus, one, OPEN).crossings, n);
         poly square = poly_sub(poly_mul(t, t), poly_constant(one)); /* T_n^2 - 1 touches n - 1 times */
-        struct root_count c = count_roots(square, minus, one, CLOSED);
+        struct cagd_root_count c = cagd_count_roots(square, minus, one, CLOSED);
         assert_int_equal(c.touches, n - 1);
         assert_int_equal(c.crossings, 0);
         assert_int_equal(c.distinct, n + 1);
@@ -177,7 +179,7 @@ static void clusters(void **state)
     num_q zero = from_int_q(0), one = from_int_q(1);
     assert_descartes_is_sturm(p, zero, one);
     assert_isolated(p, zero, one);
-    struct root_count c = count_roots(p, zero, one, OPEN);
+    struct cagd_root_count c = cagd_count_roots(p, zero, one, OPEN);
     assert_int_equal(c.crossings, 3);
     assert_int_equal(c.touches, 1);
 }
@@ -189,7 +191,7 @@ static void bounds_enclose_every_root(void **state)
         struct planted f = plant();
         num_q B = root_bound(f.p);
         for (int j = 0; j < f.count; j++)
-            assert_true(compare_q(f.at[j], B) < 0 && compare_q(neg_q(B), f.at[j]) < 0);
+            assert_true(cagd_compare_q(f.at[j], B) < 0 && cagd_compare_q(neg_q(B), f.at[j]) < 0);
     }
 }
 
@@ -198,20 +200,20 @@ static void edges(void **state)
     (void)state;
     num_q zero = from_int_q(0), one = from_int_q(1);
     poly nothing = poly_from_q(0, NULL), t = poly_variable();
-    count_roots(nothing, zero, one, CLOSED);
+    cagd_count_roots(nothing, zero, one, CLOSED);
     expect_fault(FAULT_UNDEFINED);
-    count_roots_line(nothing);
+    cagd_count_roots_line(nothing);
     expect_fault(FAULT_UNDEFINED);
-    isolate_roots(nothing, zero, one, NULL, 0);
+    cagd_isolate_roots(nothing, zero, one, NULL, 0);
     expect_fault(FAULT_UNDEFINED);
-    count_roots(t, one, zero, OPEN);
+    cagd_count_roots(t, one, zero, OPEN);
     expect_fault(FAULT_UNDEFINED);
-    assert_int_equal(count_roots(t, zero, zero, CLOSED).distinct, 1);
-    assert_int_equal(count_roots(t, zero, zero, OPEN_LEFT).distinct, 0);
-    assert_int_equal(count_roots(t, zero, zero, OPEN_RIGHT).distinct, 0);
-    struct root r;
-    assert_int_equal(isolate_roots(poly_mul(t, linear(one)), zero, one, &r, 1), 2); /* no room for the second */
-    assert_true(is_zero_q(r.lo) && is_zero_q(r.hi) && r.multiplicity == 1);
+    assert_int_equal(cagd_count_roots(t, zero, zero, CLOSED).distinct, 1);
+    assert_int_equal(cagd_count_roots(t, zero, zero, OPEN_LEFT).distinct, 0);
+    assert_int_equal(cagd_count_roots(t, zero, zero, OPEN_RIGHT).distinct, 0);
+    struct cagd_root r;
+    assert_int_equal(cagd_isolate_roots(poly_mul(t, linear(one)), zero, one, &r, 1), 2); /* no room for the second */
+    assert_true(cagd_is_zero_q(r.lo) && cagd_is_zero_q(r.hi) && r.multiplicity == 1);
     refine_root(r, zero);
     expect_fault(FAULT_UNDEFINED);
 }

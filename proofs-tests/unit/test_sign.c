@@ -2,26 +2,27 @@
 #include "unit_roots.h"
 
 #include "exact/decide/sign.h"
+#include "exact/words.h"
 
 /* The sign at a point: of the leading coefficient times (-1)^(roots of odd multiplicity above it). */
 static int planted_sign(const struct planted *f, num_q t)
 {
-    int s = sign_q(f->leading);
+    int s = cagd_sign_q(f->leading);
     for (int k = 0; k < f->count; k++) {
-        int side = compare_q(t, f->at[k]);
+        int side = cagd_compare_q(t, f->at[k]);
         s *= side == 0 ? 0 : side < 0 && f->multiplicity[k] % 2 ? -1 : 1;
     }
     return s;
 }
 
 /* Every sign that occurs is that of an end, of a root, or of the middle between neighbours of these. */
-static enum sign_pattern planted_pattern(const struct planted *f, num_q a, num_q b, enum ends ends)
+static enum cagd_sign_pattern planted_pattern(const struct planted *f, num_q a, num_q b, enum cagd_ends ends)
 {
     num_q place[PLANTED + 2];
     int count = 0, seen[3] = {0};
     place[count++] = a;
     for (int k = 0; k < f->count; k++)
-        if (compare_q(f->at[k], a) > 0 && compare_q(f->at[k], b) < 0)
+        if (cagd_compare_q(f->at[k], a) > 0 && cagd_compare_q(f->at[k], b) < 0)
             place[count++] = f->at[k];
     place[count++] = b;
     for (int k = 0; k + 1 < count; k++)
@@ -45,15 +46,15 @@ static void planted_signs(void **state)
         struct planted f = plant();
         num_q a = f.count > 0 && k % 2 ? f.at[random_int(0, f.count - 1)] : coarse_q(3, 7);
         num_q b = f.count > 0 && k % 3 ? f.at[random_int(0, f.count - 1)] : coarse_q(3, 7);
-        if (compare_q(a, b) < 0)
-            for (enum ends e = CLOSED; e <= OPEN_RIGHT; e++) {
-                enum sign_pattern s = sign_on(f.p, a, b, e);
+        if (cagd_compare_q(a, b) < 0)
+            for (enum cagd_ends e = CLOSED; e <= OPEN_RIGHT; e++) {
+                enum cagd_sign_pattern s = cagd_sign_on(f.p, a, b, e);
                 assert_int_equal(s, planted_pattern(&f, a, b, e));
                 met[s]++;
             }
         region_drop(m);
     }
-    for (enum sign_pattern s = SIGN_POSITIVE; s <= SIGN_MIXED; s++)
+    for (enum cagd_sign_pattern s = SIGN_POSITIVE; s <= SIGN_MIXED; s++)
         assert_true(met[s] > 0); /* nothing tested is a failure */
 }
 
@@ -61,12 +62,12 @@ static void edges(void **state)
 {
     (void)state;
     num_q zero = from_int_q(0), one = from_int_q(1);
-    assert_int_equal(sign_on(poly_from_q(0, NULL), zero, one, OPEN), SIGN_ZERO);
-    assert_int_equal(sign_on(poly_variable(), zero, zero, CLOSED), SIGN_ZERO);
-    assert_int_equal(sign_on(poly_variable(), one, one, CLOSED), SIGN_POSITIVE);
-    sign_on(poly_variable(), zero, zero, OPEN);
+    assert_int_equal(cagd_sign_on(poly_from_q(0, NULL), zero, one, OPEN), SIGN_ZERO);
+    assert_int_equal(cagd_sign_on(poly_variable(), zero, zero, CLOSED), SIGN_ZERO);
+    assert_int_equal(cagd_sign_on(poly_variable(), one, one, CLOSED), SIGN_POSITIVE);
+    cagd_sign_on(poly_variable(), zero, zero, OPEN);
     expect_fault(FAULT_UNDEFINED);
-    sign_on(poly_variable(), one, zero, CLOSED);
+    cagd_sign_on(poly_variable(), one, zero, CLOSED);
     expect_fault(FAULT_UNDEFINED);
 }
 

@@ -3,6 +3,7 @@
 
 #include "exact/fit/stationary.h"
 #include "exact/number/region.h"
+#include "exact/words.h"
 
 #include <float.h>
 #include <math.h>
@@ -14,7 +15,7 @@ static double points[3 * MOST], sigma[MOST], feet[MOST], knots[32], control[3 * 
 static cagd_fit_unknown unknown[64];
 static cagd_fit_data data;
 static cagd_spline curve;
-static stationary_problem problem;
+static cagd_stationary_problem problem;
 
 /* ---- A quarter of the circle of radius 65 with points of integer coordinates ----------------------- */
 
@@ -43,7 +44,7 @@ static void circle(int pairs)
     unknown[2] = (cagd_fit_unknown){0, 1, 1};
     data = (cagd_fit_data){count, 2, points, NULL};
     curve = (cagd_spline){2, 3, 2, knots, control, weights};
-    problem = (stationary_problem){
+    problem = (cagd_stationary_problem){
         .data = &data, .loss_scale = 8, .curve = &curve, .feet = feet, .unknowns = 3, .unknown = unknown};
 }
 
@@ -55,7 +56,7 @@ static void the_circle_is_found_at_its_place(void **state)
         for (int l = 0; l < 3; l++) {
             circle(pairs);
             problem.loss = losses[l];
-            stationary_verdict v = stationary_check(&problem);
+            cagd_stationary_verdict v = cagd_stationary_check(&problem);
             if (!v.verified || !v.minimum)
                 print_error("pairs %d, loss %d: %s\n", pairs, l, v.verified ? "no minimum" : v.reason);
             assert_true(v.verified && v.minimum && v.dimension == 3 && v.where == -1);
@@ -71,7 +72,7 @@ static void what_is_no_minimum_is_not_called_one(void **state)
     circle(1);
     problem.loss = CAGD_FIT_CAUCHY;
     problem.loss_scale = 2;
-    stationary_verdict v = stationary_check(&problem);
+    cagd_stationary_verdict v = cagd_stationary_check(&problem);
     assert_true(v.verified && !v.minimum && v.weight_radius < 0x1p-80);
 }
 
@@ -86,7 +87,7 @@ static void a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radiu
                 weights[1] = exp(shift);
             else
                 control[1 + a] += shift;
-            stationary_verdict v = stationary_check(&problem);
+            cagd_stationary_verdict v = cagd_stationary_check(&problem);
             if (!v.verified || !v.minimum)
                 print_error("shift 2^%d of unknown %d: %s\n", e, a, v.reason);
             assert_true(v.verified && v.minimum);
@@ -101,11 +102,11 @@ static void what_is_not_near_is_refused(void **state)
     (void)state;
     circle(1);
     weights[1] = 1.5;
-    stationary_verdict v = stationary_check(&problem);
+    cagd_stationary_verdict v = cagd_stationary_check(&problem);
     assert_true(!v.verified && !v.minimum && v.reason != NULL);
     circle(1);
     control[2] = 80;
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     assert_true(!v.verified && v.reason != NULL);
 }
 
@@ -114,15 +115,15 @@ static void wrong_feet_are_refused(void **state)
     (void)state;
     circle(1);
     feet[5] = 0.9;
-    stationary_verdict v = stationary_check(&problem);
+    cagd_stationary_verdict v = cagd_stationary_check(&problem);
     assert_true(!v.verified && v.where == 5 && v.reason != NULL);
     circle(1);
     feet[3] = 1.25; /* outside the domain */
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     assert_true(!v.verified && v.where == 3);
     circle(1);
     feet[7] = NAN;
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     assert_true(!v.verified && v.where == 7);
 }
 
@@ -136,19 +137,19 @@ static void feet_at_the_ends(void **state)
     points[2 * last + 2] = 66, points[2 * last + 3] = -3, feet[last + 1] = 0;
     points[2 * last + 4] = -2, points[2 * last + 5] = 65, feet[last + 2] = 1;
     data.count += 3;
-    stationary_verdict v = stationary_check(&problem);
+    cagd_stationary_verdict v = cagd_stationary_check(&problem);
     assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
     points[2 * last + 2] = 66, points[2 * last + 3] = 0; /* its foot is the end, but only just */
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
     feet[last + 1] = 0x1p-60; /* nearly the end */
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
     points[2 * last] = 65 - 0x1p-40, points[2 * last + 1] = 0; /* nearly the fixed end */
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-80);
     points[2 * last + 2] = 66, points[2 * last + 3] = 3, feet[last + 1] = 0; /* its foot is inside: no minimum here */
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     assert_true(!v.verified);
 }
 
@@ -166,13 +167,13 @@ static void a_foot_at_the_end_or_inside(void **state)
     for (int place = -1; place <= 1; place++) {
         points[0] = 77, points[1] = place * 0x1p-14;
         feet[0] = 0;
-        assert_true(stationary_enclosures(&problem, box, low, high, hessian_low, hessian_high, &where));
+        assert_true(cagd_stationary_enclosures(&problem, box, low, high, hessian_low, hessian_high, &where));
         for (int k = 0; k < CORNERS; k++) {
             double step[3];
             for (int a = 0; a < 3; a++)
                 step[a] = k >> a & 1 ? h : -h;
             weights[1] = exp(step[0]), control[2] = 65 + step[1], control[3] = 65 + step[2];
-            assert_true(stationary_enclosures(&problem, none, g[k], above, unused_low, unused_high, &where));
+            assert_true(cagd_stationary_enclosures(&problem, none, g[k], above, unused_low, unused_high, &where));
             inside += g[k][1] != 0;
             for (int a = 0; a < 3; a++)
                 assert_true(low[a] <= g[k][a] && above[a] <= high[a]);
@@ -203,7 +204,7 @@ static void free_directions_are_left_out(void **state)
     unknown[3] = (cagd_fit_unknown){0, 0, 1};
     unknown[4] = (cagd_fit_unknown){0, 2, 0};
     problem.unknowns = 5;
-    stationary_verdict v = stationary_check(&problem);
+    cagd_stationary_verdict v = cagd_stationary_check(&problem);
     assert_false(v.verified);
     /* Weights in the gauge w_0 = 1, w_2 = 2.  With the end (65 cos a, 65 sin a) instead of (65, 0), a small: the
      * middle point (65, 65) becomes (65 - 65 a, 65) to first order, where the tangents meet; the end (65, 65 a); and
@@ -212,7 +213,7 @@ static void free_directions_are_left_out(void **state)
     static const double directions[] = {0.5, -65, 0, 65, 0, 0.5, 0, -65, 0, 65};
     problem.free_directions = directions;
     problem.free_count = 2;
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     if (!v.verified)
         print_error("%s at %d\n", v.reason, v.where);
     assert_true(v.verified && v.minimum && v.dimension == 3);
@@ -220,7 +221,7 @@ static void free_directions_are_left_out(void **state)
     problem.free_directions = NULL;
     problem.free_count = 0;
     problem.held = held;
-    v = stationary_check(&problem);
+    v = cagd_stationary_check(&problem);
     assert_true(v.verified && v.dimension == 3);
 }
 
@@ -273,7 +274,7 @@ static void spline(int dim, cagd_fit_loss loss)
     int at_end, count = 40;
     memcpy(knots, k, sizeof k);
     curve = (cagd_spline){3, 6, dim, knots, control, weights};
-    problem = (stationary_problem){
+    problem = (cagd_stationary_problem){
         .data = &data, .loss = loss, .loss_scale = 1.5, .curve = &curve, .feet = feet, .unknown = unknown};
     for (int i = 0; i < 6; i++) {
         weights[i] = i == 0 ? 1 : random_int(600, 1900) / 1000.0;
@@ -318,10 +319,10 @@ static void the_enclosures_hold_the_differences(void **state)
         spline(2 + round % 2, losses[round % 3]);
         int n = problem.unknowns, a = random_int(0, n - 1);
         double before = cost();
-        assert_true(stationary_enclosures(&problem, zero, low, high, H[0], H[1], &where));
+        assert_true(cagd_stationary_enclosures(&problem, zero, low, high, H[0], H[1], &where));
         for (int b = 0; b < n; b++)
             radius[b] = b == a ? h : 0;
-        assert_true(stationary_enclosures(&problem, radius, g_low, g_high, H_low, H_high, &where));
+        assert_true(cagd_stationary_enclosures(&problem, radius, g_low, g_high, H_low, H_high, &where));
         double was[2][N];
         memcpy(was[0], low, sizeof low), memcpy(was[1], high, sizeof high);
         move(a, h);
@@ -329,7 +330,7 @@ static void the_enclosures_hold_the_differences(void **state)
         if (!(h * g_low[a] <= change && change <= h * g_high[a]))
             print_error("round %d unknown %d: %g not in [%g, %g]\n", round, a, change / h, g_low[a], g_high[a]);
         assert_true(h * g_low[a] <= change && change <= h * g_high[a]);
-        assert_true(stationary_enclosures(&problem, zero, low, high, H[0], H[1], &where));
+        assert_true(cagd_stationary_enclosures(&problem, zero, low, high, H[0], H[1], &where));
         for (int b = 0; b < n; b++) {
             assert_true(high[b] - was[0][b] >= h * H_low[b * n + a] && low[b] - was[1][b] <= h * H_high[b * n + a]);
             assert_true(H_low[b * n + a] == H_low[a * n + b]);
@@ -348,21 +349,23 @@ static void what_a_bound_forbids_alone(void **state)
 {
     (void)state;
     for (int side = -1; side <= 1; side++)
-        for (int hold = STATIONARY_HELD; hold <= STATIONARY_AT_HIGH; hold++) {
+        for (int hold = CAGD_STATIONARY_HELD; hold <= CAGD_STATIONARY_AT_HIGH; hold++) {
             circle(0);
             for (int m = 0; m < 2 * data.count; m++)
                 points[m] *= 1 + side * 0x1p-7;
             problem.unknowns = 1;
             problem.held = &hold;
-            stationary_verdict v = stationary_check(&problem);
+            cagd_stationary_verdict v = cagd_stationary_check(&problem);
             assert_true(v.dimension == 0 && v.weight_radius == 0);
-            if (hold == STATIONARY_HELD) {
-                assert_true(!v.verified && !v.minimum && v.bounds == STATIONARY_NO_BOUNDS && v.reason != NULL);
+            if (hold == CAGD_STATIONARY_HELD) {
+                assert_true(!v.verified && !v.minimum && v.bounds == CAGD_STATIONARY_NO_BOUNDS && v.reason != NULL);
                 continue;
             }
-            int grows = hold == STATIONARY_AT_LOW ? -side : side;
+            int grows = hold == CAGD_STATIONARY_AT_LOW ? -side : side;
             assert_true(v.verified && v.minimum == (grows > 0) && v.bound == (grows > 0 ? -1 : 0));
-            assert_int_equal(v.bounds, grows > 0 ? STATIONARY_GROWS : grows < 0 ? STATIONARY_FALLS : STATIONARY_OPEN);
+            assert_int_equal(v.bounds, grows > 0   ? CAGD_STATIONARY_GROWS
+                                       : grows < 0 ? CAGD_STATIONARY_FALLS
+                                                   : CAGD_STATIONARY_OPEN);
         }
 }
 
@@ -375,7 +378,7 @@ static void settle_the_middle_point(void)
         int where, at_end;
         for (int i = 0; i < data.count; i++)
             feet[i] = foot_of(points + 2 * i, feet[i], &at_end);
-        assert_true(stationary_enclosures(&problem, none, g, above, H, H_above, &where));
+        assert_true(cagd_stationary_enclosures(&problem, none, g, above, H, H_above, &where));
         double det = H[4] * H[8] - H[5] * H[7];
         control[2] -= (H[8] * g[1] - H[5] * g[2]) / det;
         control[3] -= (H[4] * g[2] - H[7] * g[1]) / det;
@@ -387,20 +390,20 @@ static void what_a_bound_forbids_beside_free_points(void **state)
 {
     (void)state;
     for (int side = -1; side <= 1; side++)
-        for (int hold = STATIONARY_HELD; hold <= STATIONARY_AT_HIGH; hold++) {
-            int held[3] = {hold, STATIONARY_FREE, STATIONARY_FREE};
+        for (int hold = CAGD_STATIONARY_HELD; hold <= CAGD_STATIONARY_AT_HIGH; hold++) {
+            int held[3] = {hold, CAGD_STATIONARY_FREE, CAGD_STATIONARY_FREE};
             circle(1);
             weights[1] = 1 + side * 0x1p-5;
             settle_the_middle_point();
             problem.held = held;
-            stationary_verdict v = stationary_check(&problem);
+            cagd_stationary_verdict v = cagd_stationary_check(&problem);
             assert_true(v.verified && v.dimension == 2 && v.reason == NULL && v.point_radius < 0x1p-30);
-            int grows = hold == STATIONARY_HELD ? 1 : hold == STATIONARY_AT_LOW ? side : -side;
+            int grows = hold == CAGD_STATIONARY_HELD ? 1 : hold == CAGD_STATIONARY_AT_LOW ? side : -side;
             assert_true(v.minimum == (grows > 0) && v.bound == (grows > 0 ? -1 : 0));
-            assert_int_equal(v.bounds, hold == STATIONARY_HELD ? STATIONARY_NO_BOUNDS
-                                       : grows > 0             ? STATIONARY_GROWS
-                                       : grows < 0             ? STATIONARY_FALLS
-                                                               : STATIONARY_OPEN);
+            assert_int_equal(v.bounds, hold == CAGD_STATIONARY_HELD ? CAGD_STATIONARY_NO_BOUNDS
+                                       : grows > 0                  ? CAGD_STATIONARY_GROWS
+                                       : grows < 0                  ? CAGD_STATIONARY_FALLS
+                                                                    : CAGD_STATIONARY_OPEN);
         }
 }
 
@@ -415,7 +418,7 @@ static void many_points_take_seconds(void **state)
         points[2 * i + 1] = factor * 65 * 2 * t / (1 + t * t);
         feet[i] = t;
     }
-    stationary_verdict v = stationary_check(&problem);
+    cagd_stationary_verdict v = cagd_stationary_check(&problem);
     assert_true(v.verified && v.minimum && v.weight_radius < 0x1p-45);
 }
 
@@ -426,21 +429,21 @@ static void the_nearest_points_of_a_circle(void **state)
     (void)state;
     for (int pairs = 0; pairs < 2; pairs++) {
         circle(pairs);
-        nearest_verdict v = stationary_nearest(&data, &curve, feet);
+        cagd_nearest_verdict v = cagd_stationary_nearest(&data, &curve, feet);
         assert_true(v.verified && !v.refuted && v.where == -1 && v.reason == NULL && v.excess <= 65 * 0x1p-44);
         for (int i = 0; i < data.count; i += 3) {
             double good = feet[i];
             for (int side = -1; side <= 1; side += 2) {
                 feet[i] = good + side * 0x1p-12;
-                v = stationary_nearest(&data, &curve, feet);
+                v = cagd_stationary_nearest(&data, &curve, feet);
                 assert_true(!v.verified && v.refuted && v.where == i && v.reason != NULL);
                 feet[i] = good + side * 0x1p-46; /* farther by less than what is allowed */
-                assert_true(stationary_nearest(&data, &curve, feet).verified || !pairs);
+                assert_true(cagd_stationary_nearest(&data, &curve, feet).verified || !pairs);
             }
             feet[i] = good < 0.5 ? 1 : 0;
-            assert_true(stationary_nearest(&data, &curve, feet).refuted);
+            assert_true(cagd_stationary_nearest(&data, &curve, feet).refuted);
             feet[i] = 2;
-            v = stationary_nearest(&data, &curve, feet);
+            v = cagd_stationary_nearest(&data, &curve, feet);
             assert_true(!v.verified && !v.refuted && v.where == i);
             feet[i] = good;
         }
@@ -448,7 +451,7 @@ static void the_nearest_points_of_a_circle(void **state)
     data.count = 1;
     points[0] = points[1] = 0;
     feet[0] = 0.375;
-    nearest_verdict v = stationary_nearest(&data, &curve, feet);
+    cagd_nearest_verdict v = cagd_stationary_nearest(&data, &curve, feet);
     assert_true(!v.verified && !v.refuted && v.where == 0 && v.reason != NULL);
 }
 
@@ -463,11 +466,11 @@ static void the_nearest_points_at_corners_and_crossings(void **state)
     static const double Q[] = {1, 5, -3, -1, 1, 0}, at[] = {0.5, 0, 0.25};
     memcpy(points, Q, sizeof Q);
     memcpy(feet, at, sizeof at);
-    assert_true(stationary_nearest(&data, &curve, feet).verified);
+    assert_true(cagd_stationary_nearest(&data, &curve, feet).verified);
     feet[2] = 0.75; /* as near */
-    assert_true(stationary_nearest(&data, &curve, feet).verified);
+    assert_true(cagd_stationary_nearest(&data, &curve, feet).verified);
     feet[0] = 1;
-    assert_true(stationary_nearest(&data, &curve, feet).refuted);
+    assert_true(cagd_stationary_nearest(&data, &curve, feet).refuted);
     /* By symmetry both branches are as near to a point of the axis x = 3/2, and elsewhere one of them is nearer. */
     curve = (cagd_spline){3, 4, 2, knots_of_loop, loop, NULL};
     data.count = 1;
@@ -477,7 +480,7 @@ static void the_nearest_points_at_corners_and_crossings(void **state)
         points[0] = C[0] + side * 0x1p-20;
         points[1] = C[1];
         feet[0] = t;
-        nearest_verdict v = stationary_nearest(&data, &curve, feet);
+        cagd_nearest_verdict v = cagd_stationary_nearest(&data, &curve, feet);
         assert_true(side == 0 ? v.verified : v.refuted);
     }
 }
@@ -500,6 +503,6 @@ int main(void)
         cmocka_unit_test(the_nearest_points_at_corners_and_crossings),
         cmocka_unit_test(many_points_take_seconds)};
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    exact_thread_end();
+    cagd_thread_end();
     return failed;
 }

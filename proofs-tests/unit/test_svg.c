@@ -2,6 +2,7 @@
 #include "unit_exact.h"
 
 #include "exact/kernels_q.h"
+#include "exact/words.h"
 #include "figures/svg.h"
 
 #include <libxml/parser.h>
@@ -191,7 +192,7 @@ static void coordinates_are_rounded_half_away_from_zero(void **state)
     for (int k = 0; k < 300; k++) {
         num_q x = r(random_int(-99999999, 99999999), random_int(1000, 2000));
         num_q error = sub_q(from_string_q(shown(x)), x);
-        assert_true(compare_q(sign_q(error) < 0 ? neg_q(error) : error, r(1, 200)) <= 0);
+        assert_true(cagd_compare_q(cagd_sign_q(error) < 0 ? neg_q(error) : error, r(1, 200)) <= 0);
     }
 }
 
@@ -211,7 +212,8 @@ static void a_point_too_far_away_is_a_failure(void **state)
 static bool is_drawn(int k, num_q x, num_q y, int side)
 {
     num_q dx = sub_q(drawn.x[k], x), dy = sub_q(drawn.y[k], sub_q(q(side), y)), half = r(1, 200);
-    return compare_q(mul_q(dx, dx), mul_q(half, half)) <= 0 && compare_q(mul_q(dy, dy), mul_q(half, half)) <= 0;
+    return cagd_compare_q(mul_q(dx, dx), mul_q(half, half)) <= 0 &&
+           cagd_compare_q(mul_q(dy, dy), mul_q(half, half)) <= 0;
 }
 
 /* The line through (a, b) and (c, d) meets the square's four sides where it should, and is drawn between. */
@@ -224,7 +226,7 @@ static void lines_end_at_the_window(void **state)
         region_mark mark = region_open();
         num_q a = coarse_q(160, 3), b = coarse_q(160, 3), c = coarse_q(160, 3), d = coarse_q(160, 3);
         num_q dx = sub_q(c, a), dy = sub_q(d, b);
-        if (!is_zero_q(dx) && !is_zero_q(dy)) {
+        if (!cagd_is_zero_q(dx) && !cagd_is_zero_q(dy)) {
             num_q x[4], y[4]; /* the points on the four sides' lines that are on the sides */
             int ends = 0;
             for (int side = 0; side < 4; side++) {
@@ -232,7 +234,7 @@ static void lines_end_at_the_window(void **state)
                 num_q u = side < 2 ? at : add_q(a, mul_q(dx, div_q(sub_q(at, b), dy)));
                 num_q v = side < 2 ? add_q(b, mul_q(dy, div_q(sub_q(at, a), dx))) : at;
                 num_q other = side < 2 ? v : u;
-                if (sign_q(other) >= 0 && compare_q(other, q(SIDE)) <= 0) {
+                if (cagd_sign_q(other) >= 0 && cagd_compare_q(other, q(SIDE)) <= 0) {
                     x[ends] = u;
                     y[ends++] = v;
                 }
@@ -286,19 +288,20 @@ static num_q distance_squared(num_q x, num_q y)
         num_q dx = sub_q(drawn.x[k], drawn.x[k - 1]), dy = sub_q(drawn.y[k], drawn.y[k - 1]);
         num_q vx = sub_q(x, drawn.x[k - 1]), vy = sub_q(y, drawn.y[k - 1]);
         num_q length = add_q(mul_q(dx, dx), mul_q(dy, dy)), t = q(0);
-        if (!is_zero_q(length))
+        if (!cagd_is_zero_q(length))
             t = div_q(add_q(mul_q(vx, dx), mul_q(vy, dy)), length);
-        t = sign_q(t) < 0 ? q(0) : compare_q(t, q(1)) > 0 ? q(1) : t;
+        t = cagd_sign_q(t) < 0 ? q(0) : cagd_compare_q(t, q(1)) > 0 ? q(1) : t;
         num_q ex = sub_q(vx, mul_q(t, dx)), ey = sub_q(vy, mul_q(t, dy));
         num_q e = add_q(mul_q(ex, ex), mul_q(ey, ey));
-        least = compare_q(e, least) < 0 ? e : least;
+        least = cagd_compare_q(e, least) < 0 ? e : least;
     }
     return least;
 }
 
 static bool in_square(const num_q P[], int side)
 {
-    return sign_q(P[0]) >= 0 && sign_q(P[1]) >= 0 && compare_q(P[0], q(side)) <= 0 && compare_q(P[1], q(side)) <= 0;
+    return cagd_sign_q(P[0]) >= 0 && cagd_sign_q(P[1]) >= 0 && cagd_compare_q(P[0], q(side)) <= 0 &&
+           cagd_compare_q(P[1], q(side)) <= 0;
 }
 
 /* How many of the points at t = (2 k + 1)/(2 N) that lie in the window are farther than bound from what is
@@ -309,12 +312,12 @@ static void judge_curve(int n, const num_q R[], const num_q w[], int side, num_q
     for (int k = 0; k < N; k++) {
         region_mark mark = region_open();
         num_q t = r(2 * k + 1, 2 * N), P[2];
-        if (!is_zero_q(rational_weight_q(n, w, t))) {
+        if (!cagd_is_zero_q(rational_weight_q(n, w, t))) {
             rational_point_q(n, 2, R, w, t, P);
             if (in_square(P, side)) {
                 num_q e = distance_squared(P[0], sub_q(q(side), P[1]));
                 *seen += 1;
-                *far += compare_q(e, mul_q(bound, bound)) > 0;
+                *far += cagd_compare_q(e, mul_q(bound, bound)) > 0;
             }
         }
         region_drop(mark);
@@ -336,7 +339,7 @@ static void flattened_curves_keep_the_tolerance(void **state)
             R[2 * i] = r(random_int(0, 20000), 100);
             R[2 * i + 1] = r(random_int(0, 20000), 100);
             w[i] = r(random_int(k % 2 ? 1 : -20, 40), random_int(1, 7));
-            signs += sign_q(w[i]) < 0;
+            signs += cagd_sign_q(w[i]) < 0;
         }
         svg *s = square(SIDE);
         svg_tolerance(s, tolerance);
@@ -397,13 +400,13 @@ static void a_plot_is_open_at_a_pole(void **state)
         for (int k = 0; k < drawn.points; k++) {
             lifts += drawn.lifted[k];
             if (k > 0 && !drawn.lifted[k])
-                assert_int_equal(compare_q(drawn.x[k], q(5)), compare_q(drawn.x[k - 1], q(5)));
+                assert_int_equal(cagd_compare_q(drawn.x[k], q(5)), cagd_compare_q(drawn.x[k - 1], q(5)));
         }
         assert_int_equal(lifts, 2);
         for (int k = 0; k < 100; k++) {
             svg_point P = hyperbola(r(2 * k + 1, 20), NULL);
             if (in_square((num_q[]){P.x, P.y}, 10))
-                assert_true(compare_q(distance_squared(P.x, sub_q(q(10), P.y)), r(36, 10000)) <= 0);
+                assert_true(cagd_compare_q(distance_squared(P.x, sub_q(q(10), P.y)), r(36, 10000)) <= 0);
         }
     }
     svg_free(s);
@@ -450,7 +453,7 @@ static void contours_are_found_to_a_hundredth(void **state)
     assert_in_range(drawn.points, 60, 100);
     for (int k = 0; k < drawn.points; k++) {
         num_q F = circle((svg_point){drawn.x[k], drawn.y[k]}, NULL);
-        assert_true(compare_q(mul_q(F, F), r(9, 4)) <= 0); /* |r - 30| < 2/100 times r + 30 gives less than 3/2 */
+        assert_true(cagd_compare_q(mul_q(F, F), r(9, 4)) <= 0); /* |r - 30| < 2/100 times r + 30 gives less than 3/2 */
     }
     svg_free(s);
 }
@@ -480,8 +483,8 @@ static void regions_are_closed_along_the_border(void **state)
             int l = (k + 1) % drawn.points;
             area = add_q(area, sub_q(mul_q(drawn.x[k], drawn.y[l]), mul_q(drawn.x[l], drawn.y[k])));
         }
-        num_q error = sub_q(sign_q(area) < 0 ? neg_q(area) : area, q(which == 1 ? 20000 : 15000));
-        assert_true(compare_q(mul_q(error, error), q(which == 1 ? 0 : 4)) <= 0); /* 1/100 along the side of 100 */
+        num_q error = sub_q(cagd_sign_q(area) < 0 ? neg_q(area) : area, q(which == 1 ? 20000 : 15000));
+        assert_true(cagd_compare_q(mul_q(error, error), q(which == 1 ? 0 : 4)) <= 0); /* 1/100 along the side of 100 */
         assert_in_range(drawn.points, 4, 6);
     }
     assert_int_equal(count(s, "//s:pattern[@id='test-hatch']"), 1);
@@ -577,12 +580,12 @@ static void rows_stand_below_one_another(void **state)
         svg_frame(s);
     }
     svg_point a = place(s, 1), b = place(s, 2), c = place(s, 3);
-    assert_true(equal_q(a.y, b.y));
-    assert_true(compare_q(b.x, add_q(a.x, q(100))) > 0);
-    assert_true(equal_q(a.x, c.x));
-    assert_true(compare_q(c.y, add_q(a.y, q(80 + 25))) > 0);
+    assert_true(cagd_equal_q(a.y, b.y));
+    assert_true(cagd_compare_q(b.x, add_q(a.x, q(100))) > 0);
+    assert_true(cagd_equal_q(a.x, c.x));
+    assert_true(cagd_compare_q(c.y, add_q(a.y, q(80 + 25))) > 0);
     num_q bottom = add_q(c.y, q(110));
-    assert_true(compare_q(from_string_q(value(s, "string(/s:svg/@height)")), bottom) > 0);
+    assert_true(cagd_compare_q(from_string_q(value(s, "string(/s:svg/@height)")), bottom) > 0);
     svg_free(s);
 }
 
@@ -612,7 +615,7 @@ static void overlaps_are_counted_and_words_never_cut_off(void **state)
     svg_label(s, svg_at(100, 100), SVG_NE, SVG_POINT, "R_1");
     assert_int_equal(svg_overlaps(s), 0);
     num_q width = from_string_q(value(s, "string(/s:svg/@width)"));
-    assert_true(compare_q(width, q(132 + 2 * 18)) > 0);
+    assert_true(cagd_compare_q(width, q(132 + 2 * 18)) > 0);
     svg_label(s, svg_at(99, 100), SVG_NE, SVG_POINT, "R_2");
     assert_int_equal(svg_overlaps(s), 1);
     svg_free(s);

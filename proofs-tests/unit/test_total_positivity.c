@@ -2,6 +2,7 @@
 #include "unit_exact.h"
 
 #include "exact/decide/total_positivity.h"
+#include "exact/words.h"
 
 #include "core/number/binomial.h"
 
@@ -40,10 +41,10 @@ static int sign_of(int negative) { return negative ? -1 : 1; }
 
 static void assert_is_definition(int rows, int columns, const num_q A[], int met[2])
 {
-    int nonnegative = all_minors_nonnegative(rows, columns, A, 0, NULL);
-    int positive = all_minors_nonnegative(rows, columns, A, 1, NULL);
-    assert_int_equal(is_totally_nonnegative(rows, columns, A), nonnegative);
-    assert_int_equal(is_totally_positive(rows, columns, A), positive);
+    int nonnegative = cagd_all_minors_nonnegative(rows, columns, A, 0, NULL);
+    int positive = cagd_all_minors_nonnegative(rows, columns, A, 1, NULL);
+    assert_int_equal(cagd_is_totally_nonnegative(rows, columns, A), nonnegative);
+    assert_int_equal(cagd_is_totally_positive(rows, columns, A), positive);
     met[0] += nonnegative;
     met[1] += positive;
 }
@@ -73,7 +74,7 @@ static void products_of_bidiagonal_matrices(void **state)
         int n = random_int(2, 5), rows = random_int(1, n);
         num_q A[36];
         random_nonnegative(n, k % 2, A);
-        assert_true(is_totally_nonnegative(n, n, A));
+        assert_true(cagd_is_totally_nonnegative(n, n, A));
         assert_is_definition(rows, n, A, met);
         int place = random_int(0, n * n - 1); /* and one entry a little different */
         A[place] = add_q(A[place], from_ratio_q(random_int(-2, 2), 5));
@@ -102,14 +103,14 @@ static void collocation_of_the_bernstein_basis(void **state)
             }
         }
         assert_is_definition(n + 1, n + 1, A, met);
-        assert_true(is_totally_nonnegative(n + 1, n + 1, A));
-        assert_int_equal(is_totally_positive(n + 1, n + 1, A), !ends);
+        assert_true(cagd_is_totally_nonnegative(n + 1, n + 1, A));
+        assert_int_equal(cagd_is_totally_positive(n + 1, n + 1, A), !ends);
         for (int j = 0; j <= n; j++) { /* two rows exchanged */
             num_q swapped = A[j];
             A[j] = A[n + 1 + j];
             A[n + 1 + j] = swapped;
         }
-        assert_false(is_totally_nonnegative(n + 1, n + 1, A));
+        assert_false(cagd_is_totally_nonnegative(n + 1, n + 1, A));
     }
 }
 
@@ -117,16 +118,16 @@ static void the_worst_minor_is_shown(void **state)
 {
     (void)state;
     num_q A[9] = {q(1), q(1), q(0), q(1), q(1), q(1), q(0), q(1), q(1)}; /* det = -1, all else >= 0 */
-    struct minor worst;
-    assert_false(all_minors_nonnegative(3, 3, A, 0, &worst));
+    struct cagd_minor worst;
+    assert_false(cagd_all_minors_nonnegative(3, 3, A, 0, &worst));
     assert_int_equal(worst.order, 3);
-    assert_true(equal_q(worst.value, q(-1)));
+    assert_true(cagd_equal_q(worst.value, q(-1)));
     assert_int_equal(worst.row[2], 2);
-    assert_false(all_minors_nonnegative(3, 3, A, 1, &worst));
+    assert_false(cagd_all_minors_nonnegative(3, 3, A, 1, &worst));
     assert_int_equal(worst.order, 1);
     assert_int_equal(worst.row[0], 0);
     assert_int_equal(worst.column[0], 2);
-    assert_true(is_zero_q(worst.value));
+    assert_true(cagd_is_zero_q(worst.value));
 }
 
 int main(void)

@@ -11,6 +11,7 @@
 
 #include "exact/number/rational.h"
 #include "exact/number/region.h"
+#include "exact/words.h"
 
 /* splitmix64: every seed gives the same data on every machine. */
 static uint64_t random_state = 20240607;
@@ -47,7 +48,7 @@ static inline int unit_teardown(void **state)
 static inline int unit_end(void **state)
 {
     (void)state;
-    exact_thread_end();
+    cagd_thread_end();
     return 0;
 }
 

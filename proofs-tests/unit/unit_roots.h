@@ -5,6 +5,7 @@
 #include "unit_exact.h"
 
 #include "exact/decide/roots.h"
+#include "exact/words.h"
 
 enum { PLANTED = 6 };
 struct planted {
@@ -37,11 +38,11 @@ static inline struct planted plant(void)
 }
 
 /* Counted by comparing, from what was planted. */
-static inline struct root_count planted_count(const struct planted *f, num_q a, num_q b, enum ends ends)
+static inline struct cagd_root_count planted_count(const struct planted *f, num_q a, num_q b, enum cagd_ends ends)
 {
-    struct root_count c = {0};
+    struct cagd_root_count c = {0};
     for (int k = 0; k < f->count; k++) {
-        int left = compare_q(f->at[k], a), right = compare_q(f->at[k], b);
+        int left = cagd_compare_q(f->at[k], a), right = cagd_compare_q(f->at[k], b);
         int open = left > 0 && right < 0, odd = f->multiplicity[k] % 2;
         int in = (ends == CLOSED && left >= 0 && right <= 0) || (ends == OPEN_LEFT && left > 0 && right <= 0) ||
                  (ends == OPEN_RIGHT && left >= 0 && right < 0) || open;
@@ -52,7 +53,7 @@ static inline struct root_count planted_count(const struct planted *f, num_q a, 
     }
     return c;
 }
-static inline void assert_same_count(struct root_count x, struct root_count y)
+static inline void assert_same_count(struct cagd_root_count x, struct cagd_root_count y)
 {
     assert_int_equal(x.distinct, y.distinct);
     assert_int_equal(x.counted, y.counted);

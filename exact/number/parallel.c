@@ -1,4 +1,4 @@
-#include "chapters/frame/parallel.h"
+#include "exact/number/parallel.h"
 
 #include "exact/number/region.h"
 
@@ -12,33 +12,37 @@ struct queue {
     void *context;
 };
 
-static void *take_turns(void *arg)
+static void take_turns(struct queue *q)
 {
-    struct queue *q = arg;
     for (;;) {
         pthread_mutex_lock(&q->lock);
         int k = q->next < q->count ? q->next++ : -1;
         pthread_mutex_unlock(&q->lock);
         if (k < 0)
-            break;
+            return;
         q->work(q->context, k);
     }
-    exact_thread_end();
+}
+static void *in_thread(void *queue)
+{
+    take_turns(queue);
+    cagd_thread_end();
     return NULL;
 }
 
-void in_parallel(int jobs, int count, void (*work)(void *context, int k), void *context)
+void cagd_in_parallel(int jobs, int count, void (*work)(void *context, int k), void *context)
 {
     struct queue q = {.count = count, .work = work, .context = context};
     int threads = jobs < 1 ? 1 : jobs < count ? jobs : count, started = 0;
     pthread_t *thread = calloc((size_t)threads + 1, sizeof *thread);
-    if (thread == NULL)
-        abort();
     pthread_mutex_init(&q.lock, NULL);
-    while (started < threads && pthread_create(&thread[started], NULL, take_turns, &q) == 0)
+    while (thread != NULL && started < threads && pthread_create(&thread[started], NULL, in_thread, &q) == 0)
         started++;
-    if (started == 0)
+    if (started == 0) {
+        cagd_region_mark mark = cagd_region_open();
         take_turns(&q);
+        cagd_region_drop(mark);
+    }
     for (int k = 0; k < started; k++)
         pthread_join(thread[k], NULL);
     pthread_mutex_destroy(&q.lock);
