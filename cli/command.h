@@ -2,8 +2,8 @@
 #ifndef CAGD_COMMAND_H
 #define CAGD_COMMAND_H
 
-#include "chapters/frame/figure.h"
-#include "chapters/frame/run.h"
+#include "chapters/chapters.h"
+#include "chapters/judge/run.h"
 #include "exact/number/rational.h"
 #include "exact/words.h"
 

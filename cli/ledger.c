@@ -1,4 +1,4 @@
-#include "chapters/frame/tex.h"
+#include "chapters/judge/tex.h"
 #include "cli/command.h"
 
 #include <stdlib.h>

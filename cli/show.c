@@ -1,5 +1,5 @@
 /* show.c -- one statement or one claim as a page. */
-#include "chapters/frame/tex.h"
+#include "chapters/judge/tex.h"
 #include "cli/command.h"
 
 #include <stdlib.h>

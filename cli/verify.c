@@ -1,5 +1,5 @@
-#include "chapters/frame/certificate.h"
-#include "chapters/frame/tex.h"
+#include "chapters/judge/certificate.h"
+#include "chapters/judge/tex.h"
 #include "cli/command.h"
 #include "exact/number/parallel.h"
 #include "exact/number/region.h"

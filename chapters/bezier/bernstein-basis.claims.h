@@ -24,7 +24,7 @@ The library computes them by their recurrence, without a binomial coefficient.
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(bernstein_is_binomial_form)
 {
@@ -535,4 +535,4 @@ CLAIM(elevation_matrix_raises_the_basis)
         same(T, row, from_int(1));
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

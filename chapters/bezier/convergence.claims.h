@@ -24,7 +24,7 @@ probability of drawing without replacement.  Below $[x]_k=x(x-1)\cdots(x-k+1)$.
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* x (x-1) ... (x-k+1) */
 static num G(falling)(num x, int k)
@@ -215,4 +215,4 @@ CLAIM(curve_stays_near_polygon)
 Split at $\frac12$, $k$ times: the second differences of each of the $2^k$ parts are at most $4^{-k}$ times the largest of the
 first polygon, and so are the distances of curve and polygons, up to the factor of the last claim.  They converge uniformly.
 */
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -110,7 +110,7 @@ Ten signs are lost, and one of 1024 choices is true.
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 };
 
@@ -455,4 +455,4 @@ CLAIM(curve_is_no_mirror_image)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -23,7 +23,7 @@ $$b_i^0=b_i,\qquad b_i^k=(1-t)\,b_i^{k-1}+t\,b_{i+1}^{k-1},\qquad i=0,\dots,n-k.
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
 
@@ -567,4 +567,4 @@ CLAIM(elevation_keeps_bezier_curve)
         }
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -2,9 +2,9 @@
  *
  * The other side of this chapter's comparisons.  Nothing here follows a recurrence of the kernels, or
  * uses their binomial coefficients; nothing is fast.  Generic text, for the sections of this chapter. */
-#include "chapters/frame/elementary.h"
+#include "chapters/judge/elementary.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* B_i^n(t) = C(n,i) (1-t)^{n-i} t^i */
 static inline num G(basis)(int n, int i, num t)
@@ -77,4 +77,4 @@ static inline void G(free_points)(trial *T, int n, int dim, num b[])
         for (int c = 0; c < dim; c++)
             b[i * dim + c] = unknown(T, name[c], i);
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

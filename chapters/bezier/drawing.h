@@ -2,7 +2,7 @@
 #ifndef CAGD_BEZIER_DRAWING_H
 #define CAGD_BEZIER_DRAWING_H
 
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

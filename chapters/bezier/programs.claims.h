@@ -218,7 +218,7 @@ without its brackets as well, so that it does not tell which was printed.  Eithe
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { MOST_PLACES = 80 };
 
@@ -525,4 +525,4 @@ CLAIM(corrected_program_ends_at_the_last_point)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

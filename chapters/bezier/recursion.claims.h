@@ -160,7 +160,7 @@ consists of $n$, $i$ and 1, as that of the first sum does, is there to be read, 
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 };
 
@@ -297,4 +297,4 @@ CLAIM(one_point_too_many_breaks_the_recursion)
     same(T, P, add(mul(half, b[0]), mul(half, far)));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

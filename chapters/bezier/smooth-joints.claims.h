@@ -187,7 +187,7 @@ It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 };
 
@@ -376,4 +376,4 @@ CLAIM(open_joint_has_no_second_point)
     same(T, add(sub(Q[0], mul(two, Q[1])), second), add(sub(P[0], mul(two, P[1])), P[2]));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -108,7 +108,7 @@ is the theory of curves, used twice, but for the normal, which may vanish where 
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2, MOST_OF_NET = 9 * 6 }; /* points of a net: degrees 8 and 5 */
 
@@ -314,4 +314,4 @@ CLAIM(collapsed_border_has_no_normal)
     agree(T, !is_zero_q(norm_squared_q(3, N)));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -24,7 +24,7 @@ $s_i=x_0+\dots+x_i$: what is proved for all positive $x$ holds for all increasin
 */
 #include "chapters/bezier/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(bernstein_collocation_determinant)
 {
@@ -388,4 +388,4 @@ CLAIM(elevation_matrix_is_totally_nonnegative)
         agree(T, all_minors_nonnegative(n + 2, n + 1, E, 0, NULL));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

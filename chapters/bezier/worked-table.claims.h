@@ -396,7 +396,7 @@ To two digits after the point it is 1.76 or 1.77; by no rule of rounding, nor cu
 
 #include <string.h>
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 };
 
@@ -532,4 +532,4 @@ CLAIM(rounded_factors_of_the_table)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

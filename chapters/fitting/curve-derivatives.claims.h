@@ -21,7 +21,7 @@ $w_m=e^{\lambda_m}$, and $\partial/\partial\lambda_m=w_m\,\partial/\partial w_m$
 */
 #include "chapters/fitting/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { rows = 3 };
 
@@ -205,4 +205,4 @@ CLAIM(second_derivatives_by_two_weights)
             }
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

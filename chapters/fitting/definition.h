@@ -1,5 +1,5 @@
 /* definition.h -- NURBS curves and what belongs to a fit, straight from the definitions.  Nothing here uses a kernel. */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { MOST_ROWS = 4, MOST_DEGREE = 9, MOST_POINTS = MOST_DEGREE + 1 };
 
@@ -108,4 +108,4 @@ static inline int rank_over_q(int rows, int columns, num A[])
     return rank;
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -16,7 +16,7 @@ a program computes with them can be compared with fractions.
 :control: the last point is moved away by the factor $\frac{18}{17}$
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 #include "chapters/fitting/circle.h"
@@ -113,4 +113,4 @@ CLAIM(free_point_makes_its_weight_less_known)
     agree(T, compare_q(mul(K[0], A[0]), from_int(69)) > 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

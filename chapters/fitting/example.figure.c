@@ -1,5 +1,5 @@
 #include "chapters/fitting/circle.h"
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "figures/svg.h"
 
 static num_q r(long m, long n) { return from_ratio_q(m, n); }

@@ -19,7 +19,7 @@ that is why the foot may be forgotten, in the gradient entirely, and in the Hess
 */
 #include "chapters/fitting/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { order = 3, plane = 2 }; /* coefficients of powers of epsilon */
 
@@ -257,4 +257,4 @@ CLAIM(degree_of_the_equation_of_the_foot)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -20,7 +20,7 @@ taken away by a convention, the gauge; the rest shows in the rank of the Jacobia
 */
 #include "chapters/fitting/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* The 2n+2 knots 0, ..., 0, 1, ..., 1. */
 static void G(bezier_knots)(int n, num u[])
@@ -247,4 +247,4 @@ CLAIM(points_on_a_line_leave_rank_three)
     same(T, from_int(rank_over_q(count, 3, J)), from_int(1));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -22,7 +22,7 @@ The pull on the curve is $\rho'(s)\sqrt s$, up to a factor: $\sqrt s$ for square
 */
 #include "chapters/fitting/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if FIELD
 /* d/ds of a function of r = sqrt(s) */
@@ -161,4 +161,4 @@ CLAIM(student_probability_is_a_finite_sum)
     same(T, slope, mul(factor, value));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -1,4 +1,4 @@
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

@@ -56,7 +56,7 @@ eigenvalues are roots of unity (单位根) tells whether they ever come back.
 */
 #include "chapters/foundations/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* out = [x y] M, the row times the matrix M = (M_0 M_1; M_2 M_3) */
 static void G(row_times)(const num v[restrict], const num M[restrict], num out[restrict])
@@ -1078,4 +1078,4 @@ CLAIM(third_way_closes_for_two_radii)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

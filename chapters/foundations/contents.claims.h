@@ -88,7 +88,7 @@ Which of the three numbers is wrong cannot be decided from the table.
 :control: chapter 2 counted in
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 enum { CHAPTERS = 9, MOST = 11 };
@@ -162,7 +162,7 @@ CLAIM(other_chapters_begin_with_their_first_section)
             same(T, from_int(chapter_page[c]), from_int(section_page[c][0]));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"
 
 /*
 ## The sections

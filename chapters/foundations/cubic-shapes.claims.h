@@ -139,7 +139,7 @@ The position vectors have been given the dots of the tangent vectors, here, in $
 */
 #include "chapters/foundations/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2, space = 3 };
 
@@ -1354,4 +1354,4 @@ CLAIM(printed_entry_spoils_the_determinant)
     same(T, G(sarrus)(rows[0], rows[1], rows[2]), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -2,9 +2,9 @@
  *
  * The other side of this chapter's comparisons: no rule of Horner, no differences, no derivatives of kernels.
  * Generic text, for the sections of this chapter. */
-#include "chapters/frame/elementary.h"
+#include "chapters/judge/elementary.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* Coordinate j of sum_k c_k t^k, term by term. */
 static inline num G(power_sum)(int n, int dim, const num c[], int j, num t)
@@ -46,4 +46,4 @@ static inline struct G(turn) G(turn_by)(num a)
     num aa = mul(a, a), one = from_int(1), whole_square = add(one, aa);
     return (struct G(turn)){div(sub(one, aa), whole_square), div(add(a, a), whole_square)};
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -60,7 +60,7 @@ What "nearest as a whole" means has to be said; here it is the least sum of squa
 */
 #include "chapters/foundations/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* t (t-1) ... (t-k+1) / k! */
 static num G(binomial_of)(num t, int k)
@@ -125,4 +125,4 @@ CLAIM(nearest_line_meets_no_datum)
         agree(T, !equal_q(level, from_int(data[t])));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

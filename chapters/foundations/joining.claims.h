@@ -101,7 +101,7 @@ One letter for both curves; read as it stands, it makes one curve closed.  Also 
 */
 #include "chapters/foundations/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2, space = 3 };
 
@@ -676,4 +676,4 @@ CLAIM(fractional_change_with_a_pole)
     agree(T, !is_zero_q(below));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -109,7 +109,7 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 #include "chapters/foundations/definition.h"
 
 #if RATIONAL
-#include "chapters/frame/counting.h"
+#include "chapters/judge/counting.h"
 #include "exact/decide/roots.h"
 #include "exact/decide/sign.h"
 
@@ -122,7 +122,7 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 #define G(name) name##_q
 #endif
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 CLAIM(parabola_across_has_no_slope)
@@ -1100,4 +1100,4 @@ CLAIM(short_words_lose_the_end)
     same(T, d[0], from_ratio(1, 8));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -51,7 +51,7 @@ By this definition the cusp below, whose coordinates are polynomials, is of no c
 #include "exact/decide/sign.h"
 #endif
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 };
 
@@ -517,4 +517,4 @@ CLAIM(point_moves_forward_back_and_forward)
     agree(T, sign_q(poly_value(speed, from_ratio(1, 2))) < 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -36,7 +36,7 @@ example, and asks for the condition that excludes it.
 */
 #include "chapters/foundations/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 };
 
@@ -723,4 +723,4 @@ CLAIM(division_keeps_power_curve)
     for (int j = 0; j < dim; j++)
         same(T, P[j], G(power_sum)(n, dim, c, j, u));
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -314,7 +314,7 @@ solution, and has no control polygon.
 */
 #include "chapters/hermite-coons/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { plane = 2, space = 3 };
 
@@ -915,4 +915,4 @@ CLAIM(proportional_derivatives_by_arc_length)
     same(T, G(cross2)(d1, q), G(cross2)(d1, p));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -73,7 +73,7 @@ derivatives with respect to $u$ and that of the twists.  The numbers alone leave
 */
 #include "chapters/hermite-coons/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* C = H M H^T, entry (i, j) belonging to u^{3-i} w^{3-j}. */
 static void G(product_of_corners)(const num M[16], num C[16])
@@ -210,4 +210,4 @@ CLAIM(signs_of_the_worked_patch)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

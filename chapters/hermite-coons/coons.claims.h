@@ -216,7 +216,7 @@ The two parts of what is asked do different things: the end values keep the bord
 */
 #include "chapters/hermite-coons/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { most_data = 4 };
 
@@ -417,4 +417,4 @@ CLAIM(two_twists_cannot_both_be_kept)
     agree(T, kept > 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

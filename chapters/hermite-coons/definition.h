@@ -2,7 +2,7 @@
  *
  * A polynomial is what has coefficients, is added, multiplied and differentiated term by term, and is evaluated by
  * powers.  No kernel is used.  Generic text, for the sections of this chapter. */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { MOST_COEFFICIENTS = 24 };
 
@@ -90,4 +90,4 @@ static inline int G(printed_matrix)(int i, int j)
     static const int H[4][4] = {{2, -2, 1, 1}, {-3, 3, -2, -1}, {0, 0, 1, 0}, {1, 0, 0, 0}};
     return H[i][j];
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

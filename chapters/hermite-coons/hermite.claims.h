@@ -53,7 +53,7 @@ number of conditions is one more than $N$.
 */
 #include "chapters/hermite-coons/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* Pattern number m of `count` nodes: bit a says that node a+1 differs from node a.  Returns how many different ones. */
 static int G(multiplicities)(int count, int m, int l[])
@@ -684,4 +684,4 @@ CLAIM(worked_hermite_curve)
     agree(T, choices[0] * choices[1] == 1);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -150,7 +150,7 @@ over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 */
 #include "chapters/hermite-coons/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* What a_{i,order} is on [t_s, t_{s+1}], by the printed cases. */
 static struct G(poly) G(base_piece)(const num t[], int i, int order, int s)
@@ -259,4 +259,4 @@ CLAIM(one_scaled_tangent_for_two_pieces_makes_a_jump)
     same(T, slope[0], slope[1]);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -1,5 +1,5 @@
 /* bernstein-form.h -- the Bernstein form by the binomial theorem: the other side of claims about Bézier segments. */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* C(n,i) as a product of fractions; 0 for i < 0 and i > n. */
 static inline num G(binomial_product)(int n, int i)
@@ -34,4 +34,4 @@ static inline num G(power_of)(num a, int k)
         product = mul(product, a);
     return product;
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

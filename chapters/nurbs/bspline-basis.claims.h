@@ -33,7 +33,7 @@ patterns.
 #include "chapters/nurbs/patterns.h"
 #include "exact/decide/total_positivity.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(bspline_basis_follows_definition)
 {
@@ -460,4 +460,4 @@ CLAIM(greville_abscissae_are_the_identity)
         }
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

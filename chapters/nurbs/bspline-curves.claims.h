@@ -21,7 +21,7 @@ computed from the points; and the points are its values at consecutive knots, $c
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
@@ -449,4 +449,4 @@ CLAIM(bspline_derivatives_of_every_order) { G(check_bspline_derivatives_of_every
 */
 CLAIM(bspline_derivatives_in_higher_degrees) { G(check_bspline_derivatives_of_every_order)(T, INTEGERS); }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

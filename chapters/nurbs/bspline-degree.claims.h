@@ -22,7 +22,7 @@ with one segment, in its Bézier form.
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
@@ -192,4 +192,4 @@ CLAIM(reduction_inverts_bspline_elevation) { G(check_reduction_inverts_bspline_e
 */
 CLAIM(reduction_in_higher_degrees) { G(check_reduction_inverts_bspline_elevation)(T, INTEGERS); }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -1,5 +1,5 @@
 /* bspline-figures.h -- drawing B-splines and their curves exactly: every segment as the Bézier curve that it is. */
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
 #include "exact/span.h"
 #include "figures/svg.h"

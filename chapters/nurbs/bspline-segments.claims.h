@@ -20,7 +20,7 @@ one whose points and knots repeat.
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
@@ -249,4 +249,4 @@ CLAIM(periodic_spline_closes)
             }
         }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -115,7 +115,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 */
 #include "chapters/nurbs/spans.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 
@@ -765,4 +765,4 @@ CLAIM(zero_power_at_a_knot_of_multiplicity_k)
     same(T, mul(sub(tau[1], tau[0]), G(divided_difference)(2, l, tau, data)), from_int(1));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -3,7 +3,7 @@
  * Indices are those of the source: knots t[1], t[2], ..., points r_1, ..., r_n and weights w[1], ..., w[n]; the places of
  * index 0 are unused, so that t + 1, w + 1 and r + dim are what the kernels take.  Generic text, for the sections on
  * the shape of NURBS curves; it shares nothing with the kernels. */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* alpha_i for t_mu < tau <= t_{mu+1}: 1 for i <= mu-k+1, 0 for i >= mu+1, and between these
  * (tau - t_i)/(t_{i+k-1} - t_i). */
@@ -43,4 +43,4 @@ static inline void G(printed_insertion)(int n, int k, int dim, const num t[], in
             S[i * dim + c] = add(mul(sub(from_int(1), s), r[(i - 1) * dim + c]), mul(s, r[i * dim + c]));
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -4,7 +4,7 @@
  * x_0 < x_1 < x_2 < x_3.  place[i] says which of the distinct values knot i has, so that everything which depends on the
  * order of knots depends on integers: the text runs in the field with the x_i as variables.  An interval is named by
  * the number of the distinct knot at its left end.  Nothing here uses a kernel. */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { MOST_KNOTS = 48 };
 
@@ -81,4 +81,4 @@ static inline num G(spline)(int n, int p, int dim, const num u[], const int plac
         sum = add(sum, mul(points[i * dim + c], G(cox_de_boor)(p, u, place, i, interval, t)));
     return sum;
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

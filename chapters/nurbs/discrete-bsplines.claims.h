@@ -24,7 +24,7 @@ other in the place of $t$.
 #include "chapters/nurbs/patterns.h"
 #include "exact/decide/total_positivity.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* K and new knots: one at the fraction `at` of the first interval of the domain, two in the last, one more at each inner knot
  * of multiplicity at most p. */
@@ -343,4 +343,4 @@ CLAIM(schoenberg_whitney)
         }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -127,7 +127,7 @@ outside makes the weight of an end smaller, several also those next to it, and a
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* Pairs T, T' over common values for each degree. */
 static const char *const G(pairs)[][16] = {
@@ -920,4 +920,4 @@ CLAIM(clamped_start_has_no_such_point)
     agree(T, mu >= 1);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -6,9 +6,9 @@
  * values, so that places of knots of different vectors can be compared.  Nothing here uses a kernel. */
 #include <string.h>
 
-#include "chapters/frame/elementary.h"
+#include "chapters/judge/elementary.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* The distinct values of a pattern: increasing numbers; in the field variables for the degrees up to `highest`, and the
  * numbers 0, 1, 3, 6, 10, ... above. */
@@ -139,4 +139,4 @@ static inline void G(refined_by_definition)(int n, int p, int dim, const num u[]
             S[j * dim + c] = div(S[j * dim + c], z[j]);
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

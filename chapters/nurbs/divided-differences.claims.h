@@ -74,7 +74,7 @@ The order of the $\tau_i$ is used nowhere in the identities of this section; tha
 
 #include <string.h>
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* Pattern number m, 0 <= m < 2^k, of k+1 nodes: bit a says that node a+1 is greater than node a.  Returns the
  * number d of groups and their sizes l. */
@@ -695,4 +695,4 @@ CLAIM(counting_from_one_shifts_the_weights)
     same(T, add(mul(alpha[0], f[0]), mul(alpha[1], f[1])), G(divided_difference)(2, l, tau, f));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -185,7 +185,7 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 */
 #include "chapters/nurbs/family.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(weights_of_two_parameters_differ_as_printed)
 {
@@ -887,4 +887,4 @@ CLAIM(twisted_sextic_has_products_zero)
     vanishes(T, G(det3)(edge, edge + 3, T->planted ? edge : edge + 6));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -85,7 +85,7 @@ $\partial_t\mathbf r^{[k-1]}\ne0$.
 */
 #include "chapters/nurbs/family.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(touching_curve_satisfies_the_condition)
 {
@@ -940,4 +940,4 @@ CLAIM(folded_line_has_another_solution)
     agree(T, count_roots(poly_from_bernstein(2, x), from_int(0), from_int(1), CLOSED).distinct > 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -7,7 +7,7 @@
 
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* The knots of one span mu = p: 2p+2 knots, p+1 points.
  *     shape 0: simple knots;   1: both ends of the span p-fold;   2: its left end double.
@@ -206,4 +206,4 @@ static inline int G(pair_of_one_span)(trial *T, int p, int dim, const num u[], c
     return G(pair_of_the_envelope)(T, p, dim, u, p, R, w, r, tau, t, X);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

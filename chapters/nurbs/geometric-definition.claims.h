@@ -140,7 +140,7 @@ no recursion and the polygon is the curve.
 */
 #include "chapters/nurbs/family.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 /*
@@ -401,4 +401,4 @@ CLAIM(convex_polygon_has_a_stationary_leg)
     same(T, X[1], at[1]);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -21,7 +21,7 @@ $u_{i+p}-u_i$.
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
@@ -287,4 +287,4 @@ CLAIM(refinement_keeps_curve) { G(check_refinement_keeps_curve)(T, 0); }
 */
 CLAIM(refinement_in_higher_degrees) { G(check_refinement_keeps_curve)(T, INTEGERS); }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

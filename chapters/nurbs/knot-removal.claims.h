@@ -21,7 +21,7 @@ the jump of the first derivative that the knot allows to jump, in another scale.
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
@@ -171,4 +171,4 @@ CLAIM(knot_is_removable_iff_derivative_does_not_jump)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -123,7 +123,7 @@ P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics 
 */
 #include <string.h>
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 static const struct {
@@ -256,4 +256,4 @@ CLAIM(volume_of_the_survey_breaks_the_rule)
     agree(T, equal_q(here, rule) && equal_q(after, rule));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

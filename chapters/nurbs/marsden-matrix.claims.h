@@ -223,7 +223,7 @@ A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of
 */
 #include "chapters/nurbs/spans.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 
@@ -517,4 +517,4 @@ CLAIM(independent_functions_do_not_suffice)
     agree(T, !is_zero_q(G(determinant)(2, M)));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

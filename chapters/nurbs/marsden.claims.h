@@ -93,7 +93,7 @@ With the polynomials of the span in the places of the $N_{i,k}$ it holds for all
 */
 #include "chapters/nurbs/spans.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* Sym_j(x_0, ..., x_{n-1}) as the sum over all subsets of j elements. */
 static num G(symmetric_sum)(int n, const num x[], int j)
@@ -533,4 +533,4 @@ CLAIM(powers_of_t_from_symmetric_functions)
         }
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -75,7 +75,7 @@ to be compared with $f$.  For straight lines both agree.  For a parabola the def
 
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* The sum of the squares of all differences of p numbers. */
 static num G(squares_of_differences)(int p, const num x[])
@@ -530,4 +530,4 @@ CLAIM(knots_on_one_side_do_not_converge)
         agree(T, !below || sign_q(sub(from_ratio(11, 3), add(R[now][2 * i], R[now][2 * i + 1]))) >= 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -574,7 +574,7 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 
 #include <stdio.h>
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { MOST_POINTS = 40, MOST_COORDINATES = 3 * (MOST_POINTS + 1) };
 
@@ -1375,4 +1375,4 @@ CLAIM(limit_of_convex_polygons_may_run_back)
     agree(T, !convex || polygon_is_convex(3, R, 0, NULL));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -58,7 +58,7 @@ Better with $j$ in the place of $i$, as $i$ has been running up to here.
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* (4.1.3) by its letter: w_i^[r](t), indices from 1, order k. */
 static num G(printed_weight)(int k, const num u[], const num w[], int r, int i, num t)
@@ -444,4 +444,4 @@ CLAIM(negative_weight_divides_outside)
     agree(T, sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

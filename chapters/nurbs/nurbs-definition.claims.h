@@ -82,7 +82,7 @@ The source does not say that every control point counts, and the curve exists wh
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* For each degree: simple knots, clamped ends with multiple inner knots up to the order, unclamped ends. */
 static const char *const G(kinds)[][5] = {
@@ -676,4 +676,4 @@ CLAIM(simple_knots_need_other_points)
     same(T, P[1], Q[1]);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

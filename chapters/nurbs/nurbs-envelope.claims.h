@@ -52,7 +52,7 @@ $t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 
 #include <stdio.h>
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(segment_needs_the_points_of_its_span)
 {
@@ -1087,4 +1087,4 @@ CLAIM(curvature_of_the_span_member)
         }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

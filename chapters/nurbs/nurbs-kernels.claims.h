@@ -20,7 +20,7 @@ $(w_iR_i,w_i)$.  The kernels keep weights and points apart.
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
@@ -556,4 +556,4 @@ CLAIM(kernels_move_with_their_knots)
         G(same_points)(T, K.n * dim, d[1], d[0]);
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -40,7 +40,7 @@ usual properties is decided.  Convexity and the number of intersections follow i
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 static const char *const G(kinds)[][3] = {
     {NULL},         {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL},
@@ -507,4 +507,4 @@ CLAIM(periodic_data_close_the_curve)
             same(T, first[r], last[r]);
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -294,7 +294,7 @@ curves.  Property 3.2.7 is at hand; the others are taken to be the same for Béz
 
 #include <stdio.h>
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(line_form_of_a_nurbs_curve)
 {
@@ -723,4 +723,4 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
     agree(T, poles > 0 || polygon_of_graph(&cut).crossings <= polygon_of_graph(&g).crossings);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -3,9 +3,9 @@
  * The places of definition.h are doubled here: an existing knot has an even place, and an odd place is free for a knot
  * that is put into the interval on its left.  An interval is named by the place at its left end, so that everything of
  * definition.h works unchanged.  Nothing here uses a kernel.  Included after definition.h. */
-#include "chapters/frame/elementary.h"
+#include "chapters/judge/elementary.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { HIGHEST = 16 }; /* degree */
 enum { LENGTHS = 1, INTEGERS };
@@ -350,4 +350,4 @@ static inline void G(same_spline)(trial *T, int dim, const struct G(knots) * K, 
 #endif
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

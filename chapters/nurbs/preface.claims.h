@@ -71,7 +71,7 @@ A whole circle is one NURBS curve, with rational points and weights, and with ev
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* The circle of radius 1 in four quarters: weights 1, 1, 2 to and fro. */
 static void G(circle)(int plain, num R[18], num w[9])
@@ -344,4 +344,4 @@ and references.
   among them (see the first entry), offsets and helices are not.
 :::
 */
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -27,7 +27,7 @@ small integers, parameters integers and the numbers halfway between.
 #define G(name) name##_q
 #endif
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 /* The knots of a pattern as integers 0, 1, 2, ...; returns how many. */
@@ -237,4 +237,4 @@ CLAIM(knots_of_the_next_degrees)
         }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

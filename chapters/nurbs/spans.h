@@ -6,9 +6,9 @@
  * text. */
 #include "chapters/nurbs/definition.h"
 
-#include "chapters/frame/elementary.h"
+#include "chapters/judge/elementary.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { LARGEST_ORDER = 9 };
 
@@ -93,4 +93,4 @@ static inline num G(leibniz)(int n, int row, unsigned used, const num M[])
             sum = add(sum, G(signed_by)(free_before++, mul(M[row * n + c], G(leibniz)(n, row + 1, used | 1u << c, M))));
     return sum;
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

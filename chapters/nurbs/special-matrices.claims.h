@@ -122,7 +122,7 @@ $k$ is wrong alone.
 */
 #include "chapters/nurbs/spans.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 
@@ -860,4 +860,4 @@ CLAIM(matrices_agree_at_the_greatest_order)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

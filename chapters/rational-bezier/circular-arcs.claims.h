@@ -46,7 +46,7 @@ For a true triangle $I_1<1$ follows and is not needed; for three points on a lin
 */
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
 /* The conic of R = (-l, 0), (x_1, y_1), (l, 0) and the weights 1, omega, 1. */
@@ -359,4 +359,4 @@ CLAIM(negative_weight_gives_the_other_arc)
         same(T, div(G(scalar)(C, R, P), rr), cosine);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

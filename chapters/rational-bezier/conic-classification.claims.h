@@ -56,7 +56,7 @@ that follows is touched by the factor; only who takes the coefficients (3.5.4) f
 #include "exact/decide/roots.h"
 #include "exact/decide/sturm.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
 /* The determinant (3.4.1) of the rational quadratic (R, w) at (x, y). */
@@ -509,4 +509,4 @@ CLAIM(opposite_weights_are_a_hyperbola)
     agree(T, compare_q(I[0], one) >= 0 || sign_q(G(conic_delta)(S)) > 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -2,7 +2,7 @@
 #ifndef CAGD_CONIC_FIGURES_H
 #define CAGD_CONIC_FIGURES_H
 
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

@@ -30,7 +30,7 @@ A conic asks for $(A,B,C)\ne(0,0,0)$.  It may be two lines, one line counted twi
 */
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
 CLAIM(conic_value_and_gradient)
@@ -544,4 +544,4 @@ CLAIM(diagonals_are_no_member)
     agree(T, !fits || count > 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

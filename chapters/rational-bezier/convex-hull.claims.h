@@ -7,7 +7,7 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 #include "exact/decide/hull.h"
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* C(n,i) t^i (1-t)^{n-i}. */
 static num G(share_without_weight)(int n, int i, num t)
@@ -291,4 +291,4 @@ CLAIM(no_hull_property_with_weights_of_both_signs)
         nonnegative(T, div(from_int(-1), mul(point, G(rational_weight)(n, w, t))));
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

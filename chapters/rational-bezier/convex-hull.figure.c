@@ -1,5 +1,5 @@
 /* Figures of the section on the convex hull. */
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/decide/hull.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"

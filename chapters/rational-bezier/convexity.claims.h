@@ -185,7 +185,7 @@ formulas (3.3.1) as they should read, the convergence in the section on subdivis
 :control: the middle point taken as $(2,-1)$
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* The determinant of three homogeneous points of the plane. */
 static num G(triple)(const num P[], const num Q[], const num R[]) { return G(det3)(P, Q, R); }
@@ -574,4 +574,4 @@ CLAIM(curve_may_be_convex_alone)
     agree(T, !polygon_is_convex(n, R, 1, NULL));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

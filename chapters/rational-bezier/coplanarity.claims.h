@@ -142,7 +142,7 @@ Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points 
 :control: the middle weight taken as $1$
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(plane_form_of_the_curve)
 {
@@ -305,4 +305,4 @@ CLAIM(weight_zero_hides_the_vertex)
     agree(T, !plane || is_zero_q(z[1]));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -1,5 +1,5 @@
 /* The figure of the section on plane curves. */
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

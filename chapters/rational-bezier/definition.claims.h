@@ -9,7 +9,7 @@ source defines it.
 #include "exact/decide/roots.h"
 #include "exact/decide/sturm.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 static const char *const G(axis)[] = {"x", "y", "z"};
 
@@ -738,4 +738,4 @@ CLAIM(reversed_points_alone_do_not_reverse_the_curve)
     same(T, a, b);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -32,7 +32,7 @@ Besides $\omega>0$ any $\omega\ne0$ will do.
 */
 #include "exact/decide/polynomial.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(equal_weights_give_polynomial_curve)
 {
@@ -323,4 +323,4 @@ CLAIM(unit_invariant_is_necessary)
     agree(T, equal_q(mul(w[0], q[2]), w[2]) || equal_q(I[0], from_int(1)));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

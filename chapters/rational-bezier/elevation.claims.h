@@ -48,7 +48,7 @@ the products $\omega_iR_i$.
 :control: $(i+1)/(n+1)$ taken as $i/(n+1)$
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(bernstein_function_in_the_next_degree)
 {
@@ -69,7 +69,7 @@ CLAIM(bernstein_function_in_the_next_degree)
     num left = mul(mul(left_share, lower), mul(u, sub(one, t))), right = mul(mul(right_share, upper), mul(u, t));
     same(T, add(left, right), mul(c, u));
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"
 
 /*
 :::{claim} elevation_keeps_rational_curve
@@ -86,7 +86,7 @@ CLAIM(bernstein_function_in_the_next_degree)
 :control: the ratio $i/(n+1)$ taken as $i/(n+2)$ in the weights
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(elevation_keeps_rational_curve)
 {
@@ -107,7 +107,7 @@ CLAIM(elevation_keeps_rational_curve)
     G(rational_point)(n + 1, 1, Re, we, t, &after);
     same(T, after, before);
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"
 
 /*
 :::{statement} wang-ch3:3.2.8
@@ -170,7 +170,7 @@ and any other numbers would do.
 :control: $n+1$ taken as $n+2$ in the ratios
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* (3.2.8) and (3.2.9) as they are printed, for one coordinate: share is i/(n+1), the index i-1 is `before`. */
 static void G(printed_elevation)(num share, num w_before, num w, num R_before, num R, num *we, num *Re)
@@ -248,7 +248,7 @@ CLAIM(numbers_outside_the_polygon_do_not_matter)
     same(T, we, w);
     same(T, Re, R);
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"
 
 /*
 :::{statement} wang-ch3:prop-3.2.6-derivation
@@ -272,7 +272,7 @@ $b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.
 :control: the middle weight taken as $+1$
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #if RATIONAL
 #include "exact/decide/sign.h"
 
@@ -288,7 +288,7 @@ CLAIM(elevated_vertex_may_be_at_infinity)
     agree(T, !regular || (!is_zero_q(we[1]) && !is_zero_q(we[2])));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"
 
 /*
 ## Corners are cut
@@ -390,7 +390,7 @@ points at infinity and from degree $5$ on there are none.
 :control: the middle weight taken as $+1$
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(elevation_cuts_corners)
 {
@@ -503,7 +503,7 @@ CLAIM(elevated_vertex_may_leave_the_edge)
     agree(T, !regular || (sign_q(a) >= 0 && sign_q(b) >= 0));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"
 
 /*
 ## The polygons converge
@@ -608,7 +608,7 @@ positive from some degree on, and the polygons converge from there; see `mixed_w
 :control: the second weight taken as $+1$
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(powers_in_every_degree)
 {
@@ -778,4 +778,4 @@ CLAIM(elevation_fails_at_a_pole)
     agree(T, lacking < 10);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

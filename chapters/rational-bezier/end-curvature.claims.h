@@ -10,7 +10,7 @@ stays a number of points.
 */
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /*
 ## Curvature and torsion
@@ -964,4 +964,4 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
     same(T, div(gram, mul(d11, mul(d11, d11))),
          mul(mul(factor, factor), div(sub(mul(p, r), mul(q, q)), mul(p, mul(p, p)))));
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -1,5 +1,5 @@
 /* Figures of the section on the curvature and torsion at the ends. */
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

@@ -8,7 +8,7 @@ one carries two slips, both invisible in the usual case $k=h=1$.
 */
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* n!/(n-k)! */
 static inline long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
@@ -489,4 +489,4 @@ CLAIM(curve_expands_about_its_first_point)
         same(T, point, add(R[0], div(high, G(rational_weight)(n, w, t))));
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

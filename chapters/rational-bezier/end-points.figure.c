@@ -1,5 +1,5 @@
 /* Figures of the section on the end points. */
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

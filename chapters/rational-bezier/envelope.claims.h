@@ -52,7 +52,7 @@ The indices are in range: level $r$ has the indices $r,\dots,n$.
 #include "exact/decide/resultant.h"
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* out = p(c^r, t^k, ...): the polar form of the points H with r arguments c, k arguments t and then x, y,
  * as many of these as places are left; r + k = n-2, n-1 or n. */
@@ -1134,4 +1134,4 @@ CLAIM(weighted_member_has_other_directions)
     vanishes(T, G(cross2)(D + 4, E + 4));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -96,7 +96,7 @@ irreducible when the parametrisation is proper is cited.
 #include "exact/decide/roots.h"
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if FIELD
 /* The total degree of F in x and y. */
@@ -834,4 +834,4 @@ CLAIM(printed_degree_spoils_the_genus)
         count_against(T, &s, c, genus_count(n, c.nodes + c.cusps), is_rational_cubic(c));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -68,9 +68,9 @@ recognises.  First the tools: determinants and resultants, each against its defi
 #include "exact/decide/roots.h"
 #include "exact/decide/sturm.h"
 
-#include "chapters/frame/elementary.h"
+#include "chapters/judge/elementary.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* The sum over the permutations of rows i, ..., n-1 into the columns not yet used. */
 static num G(leibniz)(int n, const num M[], int i, unsigned used)
@@ -1228,4 +1228,4 @@ CLAIM(printed_recursion_is_not_the_operations)
     same(T, determinant_f(2 * n, M), implicit_value_f(n, R, w, x, y));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -35,7 +35,7 @@ all triangles.
 */
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
 CLAIM(limings_conics_touch_the_lines)
@@ -550,4 +550,4 @@ CLAIM(lambda_on_the_border)
     agree(T, between > 0);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -2,7 +2,7 @@
 #ifndef CAGD_RATIONAL_BEZIER_POLYGON_H
 #define CAGD_RATIONAL_BEZIER_POLYGON_H
 
-#include "chapters/frame/figure.h"
+#include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

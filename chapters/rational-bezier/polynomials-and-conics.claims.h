@@ -32,7 +32,7 @@ To represent a conic means to run through an arc of it; no curve over $[0,1]$ is
 :control: the product $xy$ counted once, not twice
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* s, the n+m+1 Bernstein coefficients of S(x(t), y(t)), n = m the degree of x and y: every term is a
  * product of two polynomials of degree n, the linear ones with the factor 1. */
@@ -214,4 +214,4 @@ CLAIM(tangent_conics_are_rational_quadratics)
     num s = sub(add(P[0], P[1]), one);
     vanishes(T, add(mul(mu, mul(P[0], P[1])), mul(nu, mul(s, s))));
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -35,7 +35,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 */
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
 CLAIM(signed_ratios_give_the_point)
@@ -395,4 +395,4 @@ CLAIM(segment_does_not_fix_the_constant)
         same(T, constant[0], constant[1]);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -36,9 +36,9 @@ Every projective map of the parameter line that fixes $0$ and $1$ has this form,
 */
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/elementary.h"
+#include "chapters/judge/elementary.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* The parameter t = a u / (a u + b (1-u)) of formula 3.2.10. */
 static num G(old_parameter)(num a, num b, num u)
@@ -775,4 +775,4 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 The distribution need not differ: for $\omega_i^*=c\,\omega_i$ it is the same, as $q=1$.
 :::
 */
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

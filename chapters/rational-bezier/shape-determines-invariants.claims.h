@@ -68,7 +68,7 @@ torsions suffices.  What is true in every degree stands after definition 3.2.2.
 */
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* a = R_j - R_i in space. */
 static void G(between)(const num R[], int i, int j, num a[3])
@@ -700,4 +700,4 @@ The theorem is stated for $n=2$ to 5, so that this proof has to contain the othe
 $\tau(0)$ gives $I_2$.
 :::
 */
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

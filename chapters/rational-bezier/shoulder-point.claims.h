@@ -31,7 +31,7 @@ for $\omega_0=\omega_2$.
 */
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
 CLAIM(shoulder_point_of_the_curve)
@@ -274,4 +274,4 @@ CLAIM(weight_zero_has_ratio_zero)
     ellipse_by_shoulder(T, R, w);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

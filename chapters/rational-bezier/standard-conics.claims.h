@@ -25,7 +25,7 @@ and gives them simple weights, by a change of the parameter.
 */
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
 CLAIM(special_coordinates_exist)
@@ -215,4 +215,4 @@ CLAIM(negative_weights_lose_their_sign)
     same(T, P[1], Q[1]);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

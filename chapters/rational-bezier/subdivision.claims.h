@@ -47,7 +47,7 @@ the denominators.
 */
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* n+1 free weights and points; one coordinate stands for all. */
 static void G(free_curve)(trial *T, int n, num R[], num w[])
@@ -908,4 +908,4 @@ CLAIM(linear_weights_of_both_signs_have_a_pole)
     nonnegative(T, sub(from_int(1), t));
     vanishes(T, G(rational_weight)(1, w, t));
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

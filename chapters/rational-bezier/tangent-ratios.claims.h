@@ -34,7 +34,7 @@ Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where th
 */
 #include "exact/decide/roots.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
 CLAIM(tangent_meets_the_conic_doubly)
@@ -576,4 +576,4 @@ CLAIM(product_of_lengths_is_not_printed)
         same(T, mul(length(g[0]), length(g[1])), div(mul(from_int(4), lambda), sub(from_int(1), lambda)));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -76,7 +76,7 @@ Different roots, or roots counted as often as their multiplicity: the chain is r
 :control: a mean of two positive numbers taken to be possibly negative
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 #if RATIONAL
 #include "exact/decide/crossings.h"
 #include "exact/decide/roots.h"
@@ -124,7 +124,7 @@ CLAIM(corner_cutting_adds_no_sign_change)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"
 
 /*
 ## The chain, step by step
@@ -444,7 +444,7 @@ away one change of sign after the other.
 :control: crossings taken for common points
 :::
 */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(line_form_of_the_curve)
 {
@@ -852,4 +852,4 @@ CLAIM(touching_polygon_has_no_sign_change)
     agree(T, points == sign_changes(3, y));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -88,7 +88,7 @@ For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 
 #include "chapters/shape-parameter/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 
@@ -709,4 +709,4 @@ The value $\beta=-1$ is in the true range, so that nothing of what fails near $\
 in the text that was examined.
 :::
 */
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

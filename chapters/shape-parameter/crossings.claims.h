@@ -466,7 +466,7 @@ $t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if FIELD || RATIONAL
 CLAIM(minors_are_products_of_entries)
@@ -878,4 +878,4 @@ CLAIM(line_function_of_the_curve)
         same(T, sum, value);
     }
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -90,7 +90,7 @@ Its degree is at most 8; for $\beta=0$ it is at most 7.
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 
@@ -729,4 +729,4 @@ CLAIM(printed_curve_follows_linear_maps_only)
     for (int c = 0; c < dim; c++)
         same(T, moved[c], G(image)(M, v, T->planted ? one : factor, at, c));
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -6,9 +6,9 @@
 #include "exact/decide/sign.h"
 #endif
 
-#include "chapters/frame/elementary.h"
+#include "chapters/judge/elementary.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* (1-t)^a t^b */
 static inline num G(product_of_powers)(int a, int b, num t)
@@ -202,4 +202,4 @@ static inline int G(sign_changes)(int n, const num k[])
     return changes;
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -1,7 +1,7 @@
 /* distance.h -- how far a plane curve of the family is from its polygon, decided exactly.
  *
  * Generic text, after definition.h; what decides is for rationals only. */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
 
@@ -126,4 +126,4 @@ static inline int G(one_is_farther)(trial *T, int n, const num P[], num near, nu
 }
 
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -39,7 +39,7 @@ in the direction of the triangle's vertex.  For $\beta=-2$ the point is on the c
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 CLAIM(curve_is_a_blend_of_three_points)
 {
@@ -353,4 +353,4 @@ CLAIM(convex_cubic_of_larger_beta_is_farther)
     agree(T, !(polygon_is_convex(3, P, 1, NULL) && worse));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -105,7 +105,7 @@ The conclusion "so" has no premise about C-Bézier curves.
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
@@ -156,4 +156,4 @@ CLAIM(convex_polygon_prefers_beta_one)
     agree(T, G(one_is_farther)(T, 7, P, from_int(1), from_int(0), from_ratio(111, 20)));
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

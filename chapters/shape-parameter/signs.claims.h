@@ -48,7 +48,7 @@ For degrees up to five the range $-n\le\beta\le1$ would have been right: see `ev
 
 #include "chapters/shape-parameter/definition.h"
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 CLAIM(third_function_is_negative)
@@ -356,4 +356,4 @@ CLAIM(signs_of_the_slopes)
     }
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

@@ -371,7 +371,7 @@ The text says Bernstein polynomials of any degree; here up to the degrees of the
 #if RATIONAL
 #include "exact/decide/sign.h"
 
-#include "chapters/frame/counting.h"
+#include "chapters/judge/counting.h"
 
 /* The kernels of Bézier curves once more in the number type that counts. */
 #undef G
@@ -381,7 +381,7 @@ The text says Bernstein polynomials of any degree; here up to the degrees of the
 #define G(name) name##_q
 #endif
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
 
@@ -713,4 +713,4 @@ CLAIM(horner_for_nine_points_beats_de_casteljau_for_eight)
     agree(T, products(eight) > products(seven) && eight.additions > seven.additions);
 }
 #endif
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

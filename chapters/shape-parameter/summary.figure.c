@@ -1,5 +1,5 @@
 /* summary.figure.c -- drawings for summary.claims.h. */
-#include "chapters/frame/counting.h"
+#include "chapters/judge/counting.h"
 #include "chapters/shape-parameter/drawing.h"
 
 /* The kernels of Bézier curves in the type that counts. */

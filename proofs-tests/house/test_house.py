@@ -51,7 +51,7 @@ class Arrows(unittest.TestCase):
             for inc in includes(path):
                 parts = inc[1:-1].split("/")
                 if parts[0] == "chapters":
-                    self.assertIn(parts[1], ("frame", mine), f"{path} includes {inc}")
+                    self.assertIn(parts[1], ("judge", mine), f"{path} includes {inc}")
 
 
 class Kernels(unittest.TestCase):

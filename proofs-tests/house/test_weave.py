@@ -142,7 +142,7 @@ class Weaving(unittest.TestCase):
         (self.root / "chapter" / name).write_text(text, encoding="utf-8")
 
     def weave(self, types=TYPES, chapters=("chapter",)):
-        return subprocess.run([WEAVE, "register.c", types, *chapters], cwd=self.root, capture_output=True, text=True,
+        return subprocess.run([WEAVE, "register.c", "register.json", types, *chapters], cwd=self.root, capture_output=True, text=True,
                               timeout=60)
 
     def register(self, **options):
@@ -216,10 +216,10 @@ class Good(Weaving):
 
     def test_the_register_is_c(self):
         compiler = os.environ.get("CC", "cc")
-        for header in ("claim.h", "figure.h"):
-            (self.root / "chapters" / "frame").mkdir(parents=True, exist_ok=True)
-            source = pathlib.Path(__file__).resolve().parents[2] / "chapters" / "frame" / header
-            (self.root / "chapters" / "frame" / header).write_text(source.read_text(encoding="utf-8"), encoding="utf-8")
+        root = pathlib.Path(__file__).resolve().parents[2] / "chapters"
+        (self.root / "chapters" / "judge").mkdir(parents=True, exist_ok=True)
+        for header in ("chapters.h", "judge/register.h", "judge/claim.h", "judge/figure.h", "judge/lists.h"):
+            (self.root / "chapters" / header).write_text((root / header).read_text(encoding="utf-8"), encoding="utf-8")
         self.register()
         r = subprocess.run([compiler, "-std=c17", "-Wall", "-Werror", "-fsyntax-only", "-I.", "register.c"], cwd=self.root,
                            capture_output=True, text=True, timeout=60)

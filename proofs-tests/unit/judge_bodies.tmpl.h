@@ -1,5 +1,5 @@
 /* judge_bodies.tmpl.h -- bodies of hand-made claims, once for each number type. */
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 /* (x+y)^2 = x^2 + 2 x y + y^2; the fault is 3 for 2. */
 static inline void G(square_of_sum)(trial *T)
@@ -139,4 +139,4 @@ static inline void G(exhibits)(trial *T)
     show_text(T, "words", "%s %d", "number", 7);
     agree(T, !T->planted);
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"

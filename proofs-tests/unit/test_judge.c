@@ -1,8 +1,8 @@
 /* test_judge.c -- the judge of the claims, judged: hand-made claims whose outcome is known. */
 #include "proofs-tests/unit/unit_exact.h"
 
-#include "chapters/frame/judge.h"
-#include "chapters/frame/run.h"
+#include "chapters/judge/run.h"
+#include "chapters/judge/words.h"
 #include "exact/number/field.h"
 #include "exact/words.h"
 
@@ -512,7 +512,7 @@ static const claim_result results[] = {{.claim = &proved, .as_expected = 1, .evi
                                        {.claim = &sampled, .as_expected = 1, .evidence = SAMPLED},
                                        {.claim = &against, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED},
                                        {.claim = &wrong, .as_expected = 0, .evidence = NO_EVIDENCE}};
-enum { RESULTS = sizeof results / sizeof *results, ROLES = CHECKED_BY + 1 };
+enum { RESULTS = sizeof results / sizeof *results };
 
 static statement_result verdict_of(const statement_link links[], int is_definition)
 {

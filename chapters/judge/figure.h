@@ -10,7 +10,4 @@ typedef struct figure {
     const char *name;
     struct svg *(*draw)(void); /* the caller frees the canvas */
 } figure;
-
-/* The register, written by weave; ends with an entry of NULL name. */
-extern const figure all_figures[];
 #endif

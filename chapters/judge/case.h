@@ -2,7 +2,7 @@
 #ifndef CAGD_CASE_H
 #define CAGD_CASE_H
 
-#include "chapters/frame/claim.h"
+#include "chapters/judge/claim.h"
 
 struct plan {
     const claim *claim;
@@ -14,5 +14,7 @@ struct plan {
  * region_faults.  The names of the field's variables, and of those taken to be positive, go to *variables and *positive,
  * if wanted; the caller frees both, and the exhibits of the trial. */
 trial run_case(const struct plan *p, int k, int planted, char **variables, char **positive);
+/* Entries of the claim's data that this case had to ask for and did not become mistakes. */
+void look_for_unused(trial *T);
 void forget_exhibits(exhibit *shown, int count);
 #endif

@@ -9,4 +9,8 @@
 #undef nonnegative
 #undef show
 #undef show_points
+#undef given
+#undef given_points
+#undef found
+#undef found_points
 #include "core/number/generic_off.h"

@@ -1,6 +1,6 @@
-#include "chapters/frame/certificate.h"
+#include "chapters/judge/certificate.h"
 
-#include "chapters/frame/case.h"
+#include "chapters/judge/case.h"
 #include "exact/record/trace.h"
 
 #include <stdio.h>
@@ -8,10 +8,6 @@
 #include <string.h>
 
 enum { MOST_NODES = 8000, MOST_AT_ALL = 100000 }; /* the second where no case has fewer than the first */
-
-static const char *const kind_name[] = {"identity", "decision", "counterexample"};
-static const char *const role_name[] = {"holds-by", "refuted-by", "corrected-by", "hypothesis",
-                                        "needs",    "reading",    "checked-by"};
 
 /* Case k, recorded behind `before`, unless its program is too long. */
 static int record(FILE *out, const char *before, const claim *c, number_type type, int k, size_t most)
@@ -69,7 +65,7 @@ char *certificate_of_statement(const statement_result *r)
             evidence_name[r->evidence]);
     int first = 1;
     for (const statement_link *link = r->statement->links; link->claim != NULL || link->text != NULL; link++) {
-        fprintf(out, "%s{\"role\":\"%s\"", first ? "" : ",\n", role_name[link->role]);
+        fprintf(out, "%s{\"role\":\"%s\"", first ? "" : ",\n", role_key[link->role]);
         if (link->claim != NULL)
             fprintf(out, ",\"claim\":\"%s\"", link->claim);
         fputs("}", out);

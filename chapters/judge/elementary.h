@@ -5,7 +5,7 @@
 #ifndef CAGD_ELEMENTARY_H
 #define CAGD_ELEMENTARY_H
 
-#include "chapters/frame/claims_on.h"
+#include "chapters/judge/claims_on.h"
 
 static inline num G(factorial)(int n)
 {
@@ -46,5 +46,5 @@ static inline void G(must_be_positive)(trial *T, num a)
     agree(T, a.v + error_bound_m(a) > 0);
 #endif
 }
-#include "chapters/frame/claims_off.h"
+#include "chapters/judge/claims_off.h"
 #endif

@@ -1,9 +1,7 @@
 /* verdict.c -- the verdict of a statement follows from what its claims did; it is never typed in. */
-#include "chapters/frame/run.h"
+#include "chapters/judge/run.h"
 
 #include <string.h>
-
-const char *const verdict_name[] = {"holds", "conditional", "fails", "undecided", "open", "definition"};
 
 const claim_result *result_of(const char *claim_name, const claim_result *results, int count)
 {

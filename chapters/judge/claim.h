@@ -13,9 +13,18 @@
 #ifndef CAGD_CLAIM_H
 #define CAGD_CLAIM_H
 
+#include "chapters/judge/lists.h"
+
 #include <stdint.h>
 
-typedef enum number_type { FIELD_TYPE, RATIONAL_TYPE, INTERVAL_TYPE, DOUBLE_TYPE, NUMBER_TYPES } number_type;
+#define ONE(...) +1 /* counts the entries of a list */
+
+typedef enum number_type {
+#define TYPE_TAG(tag, name, suffix, kernels) tag##_TYPE,
+    NUMBER_TYPE_LIST(TYPE_TAG)
+#undef TYPE_TAG
+        NUMBER_TYPES
+} number_type;
 extern const char *const number_type_name[NUMBER_TYPES];
 
 typedef enum outcome { HOLDS, FAILS, UNDECIDED } outcome;
@@ -26,10 +35,26 @@ typedef enum evidence { NO_EVIDENCE, MEASURED, ENCLOSED, SAMPLED, DECIDED, PROVE
 extern const char *const evidence_name[];
 
 typedef enum claim_kind {
-    IDENTITY,      /* compared at every case; the evidence is the number type's                     */
-    DECISION,      /* a finite exact decision that settles the stated case or range                  */
-    COUNTEREXAMPLE /* the printed statement, computed at one exact instance, where it must fail      */
+#define KIND_TAG(tag, name) tag,
+    KIND_LIST(KIND_TAG)
+#undef KIND_TAG
 } claim_kind;
+enum { KINDS = 0 KIND_LIST(ONE) };
+extern const char *const kind_name[KINDS];
+
+/* One entry `name = value` of a claim's data: rows of columns numbers each, written as they stand in the block, row after
+ * row.  Of a text, columns is 0 and value[0] is the text. */
+typedef struct datum {
+    const char *name, *text; /* text: the value as it is written                                      */
+    enum data_place {
+#define PLACE_TAG(tag, key) IN_##tag,
+        DATA_LIST(PLACE_TAG)
+#undef PLACE_TAG
+    } place;
+    int rows, columns;
+    const char *const *value;
+} datum;
+enum { DATA_PLACES = 0 DATA_LIST(ONE) };
 
 /* One named value that a claim shows: the data of a counterexample, the two sides of an equality. */
 typedef struct exhibit {
@@ -38,9 +63,12 @@ typedef struct exhibit {
 
 /* One case of one claim in one number type. */
 typedef struct trial {
+    const struct claim *claim;
     uint64_t seed, state; /* the seed of this case, printed when it fails; the generator's state     */
     int degree;           /* n of this case; 0 for a claim without degrees                           */
-    int planted;          /* 1 in the control: the fault the block names is in                       */
+    int planted;          /* 1 in the control                                                        */
+    int faulty;           /* 1 where the named fault is in: in the control, and of a counterexample in
+                              the run, whose control is right                                        */
     int deep;             /* 1 when asked for more than the default depth                            */
     int compared;         /* values compared so far; a claim that compared nothing fails             */
     const char *positive; /* field: the variables taken to be positive where a sign was read off the
@@ -50,6 +78,8 @@ typedef struct trial {
     const char *about;    /* what is being compared, for the first difference                        */
     exhibit *shown;       /* what the case shows, `exhibits` in number                                */
     int exhibits;
+    uint64_t used; /* bit k: entry k of the claim's data was asked for                         */
+    int mistaken;  /* 1 when an entry is missing, of another shape, or another result came out */
 } trial;
 
 typedef struct claim {
@@ -62,17 +92,17 @@ typedef struct claim {
     int degree_sampled;                   /* the largest degree sampled; at least degree_high                     */
     int all_degrees;                      /* 1 when n itself is a variable of the field                           */
     void (*body[NUMBER_TYPES])(trial *T); /* NULL where the claim is not run                             */
+    const datum *data;                    /* ends with an entry of NULL name; NULL without data          */
+    const void *context;                  /* for the body alone, which finds it as T->claim->context      */
 } claim;
 
 typedef enum role {
-    HOLDS_BY,     /* the claim decides that what is printed is true (under the hypotheses, if any)    */
-    REFUTED_BY,   /* the claim exhibits a case where what is printed is false                          */
-    CORRECTED_BY, /* the claim decides the corrected statement                                         */
-    HYPOTHESIS,   /* text: a hypothesis to be added; claim: what goes wrong without it                 */
-    NEEDS,        /* text: a hypothesis that the source states; claim: what goes wrong without it     */
-    READING,      /* text: one way to read the print; claim: what decides that reading                 */
-    CHECKED_BY    /* definitions: what is checked about them                                           */
+#define ROLE_TAG(tag, key, has_text) tag,
+    ROLE_LIST(ROLE_TAG)
+#undef ROLE_TAG
 } role;
+enum { ROLES = 0 ROLE_LIST(ONE) };
+extern const char *const role_key[ROLES];
 
 typedef struct statement_link {
     role role;
@@ -85,15 +115,6 @@ typedef struct statement {
     int line, is_definition, striking; /* striking: rank among the counterexamples worth telling first, or 0 */
     const statement_link *links;       /* ends with a link whose claim and text are NULL                       */
 } statement;
-
-typedef struct chapter {
-    const char *name, *title;
-} chapter;
-
-/* The register, written by weave from the blocks; each array ends with an entry of NULL names. */
-extern const claim all_claims[];
-extern const statement all_statements[];
-extern const chapter all_chapters[];
 
 /* One body for every number type it is compiled in; T is the trial. */
 /* clang-format off */

@@ -2,7 +2,7 @@
 #ifndef CAGD_RUN_H
 #define CAGD_RUN_H
 
-#include "chapters/frame/claim.h"
+#include "chapters/judge/claim.h"
 
 /* One claim in one number type. */
 typedef struct type_result {
@@ -41,6 +41,8 @@ typedef struct run_options {
 /* Judge `count` claims.  The caller owns the results: free_results(results, count). */
 claim_result *judge_claims(const claim *const list[], int count, const run_options *options);
 void free_results(claim_result *results, int count);
+/* What the claim's being as expected in a number type is evidence of. */
+evidence evidence_of(const claim *c, number_type t);
 
 /* The verdict of a statement, derived from the results of its claims; never typed in by hand. */
 typedef enum verdict {

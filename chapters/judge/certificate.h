@@ -3,7 +3,7 @@
 #ifndef CAGD_CERTIFICATE_H
 #define CAGD_CERTIFICATE_H
 
-#include "chapters/frame/run.h"
+#include "chapters/judge/run.h"
 
 /* JSON, to be freed by the caller.  A certificate of a claim has cases: the straight-line program of the case, in
  * rational functions if the claim is proved in them and otherwise in rationals, its inputs, and the steps that were taken on its values, comparisons and exact decisions (exact/record/trace.h).  Of

@@ -1,0 +1,39 @@
+/* lists.h -- the lists that judge, weave, the build and the tests share: each stands here and nowhere else.
+ *
+ * A list is a macro that applies X to every entry.  chapters/CMakeLists.txt reads the number types from the lines below,
+ * and weave writes all lists into register.json, where the tests find them. */
+#ifndef CAGD_LISTS_H
+#define CAGD_LISTS_H
+
+/* X(TAG, name, suffix, kernels): FIELD_TYPE, "field", the suffix of what is generic in it, and its kernels. */
+#define NUMBER_TYPE_LIST(X)                                                                                            \
+    X(FIELD, field, f, "exact/kernels_f.h")                                                                            \
+    X(RATIONAL, rational, q, "exact/kernels_q.h")                                                                      \
+    X(INTERVAL, interval, i, "exact/kernels_i.h")                                                                      \
+    X(DOUBLE, double, m, "core/kernels/kernels_m.h")
+
+/* X(TAG, name): the kinds of claims. */
+#define KIND_LIST(X)                                                                                                   \
+    X(IDENTITY, "identity")             /* compared at every case; the evidence is the number type's               */  \
+    X(DECISION, "decision")             /* a finite exact decision that settles the stated case or range           */  \
+    X(COUNTEREXAMPLE, "counterexample") /* the printed statement, computed at one exact instance, where it must fail */
+
+/* X(TAG, key, has_text): what a claim does for a statement.  With a text the option is written claim | text. */
+#define ROLE_LIST(X)                                                                                                   \
+    X(HOLDS_BY, "holds-by", 0)         /* the claim decides that what is printed is true                           */  \
+    X(REFUTED_BY, "refuted-by", 0)     /* the claim exhibits a case where what is printed is false                 */  \
+    X(CORRECTED_BY, "corrected-by", 0) /* the claim decides the corrected statement                                */  \
+    X(HYPOTHESIS, "hypothesis", 1)     /* text: a hypothesis to be added; claim: what goes wrong without it        */  \
+    X(NEEDS, "needs", 1)           /* text: a hypothesis that the source states; claim: what goes wrong without it */  \
+    X(READING, "reading", 1)       /* text: one way to read the print; claim: what decides that reading        */      \
+    X(CHECKED_BY, "checked-by", 0) /* definitions: what is checked about them                                  */
+
+/* X(name): what is wrong with a statement that fails. */
+#define CLASS_LIST(X) X("misprint") X("false") X("missing-hypothesis") X("invalid-proof")
+
+/* X(TAG, key): where an entry of a claim's data stands. */
+#define DATA_LIST(X)                                                                                                   \
+    X(DATA, "data")       /* what the claim is computed for                                                       */   \
+    X(INSTEAD, "instead") /* what takes the place of a datum of that name in the control                          */   \
+    X(RESULT, "result")   /* what comes out, compared with what the body computes                                 */
+#endif

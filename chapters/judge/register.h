@@ -1,0 +1,29 @@
+/* register.h -- what can be judged: claims, statements, and where they stand.
+ *
+ * weave writes one register from the chapter files; another one can be made by hand, or while the program runs.  Whatever
+ * judges, lists or shows is given a register. */
+#ifndef CAGD_REGISTER_H
+#define CAGD_REGISTER_H
+
+#include "chapters/judge/claim.h"
+#include "chapters/judge/figure.h"
+
+typedef struct chapter {
+    const char *name, *title;
+} chapter;
+
+/* A text whose statements are decided; `key` stands before the colon of their ids.  No field is NULL; the empty text where
+ * nothing is known. */
+typedef struct source {
+    const char *key, *author, *title, *title_zh, *year, *publisher, *part;
+} source;
+
+/* Each array ends with an entry of NULL name, id or key. */
+typedef struct cagd_register {
+    const claim *claims;
+    const statement *statements;
+    const chapter *chapters;
+    const figure *figures;
+    const source *sources;
+} cagd_register;
+#endif

@@ -1,0 +1,106 @@
+/* block.c -- what the options of a block say. */
+#include "chapters/weave/book.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const char *value_of(const struct block *b, const char *key)
+{
+    for (int k = 0; k < b->options; k++)
+        if (strcmp(b->option[k].key, key) == 0)
+            return b->option[k].value;
+    return NULL;
+}
+
+const struct block *block_named(const struct book *book, const char *name, enum block_kind kind)
+{
+    for (int k = 0; k < book->blocks; k++)
+        if (book->block[k].kind == kind && strcmp(book->block[k].name, name) == 0)
+            return &book->block[k];
+    return NULL;
+}
+
+int role_of(const char *key)
+{
+#define KEY(tag, key, has_text) key,
+    static const char *const keys[ROLES] = {ROLE_LIST(KEY)};
+#undef KEY
+    int r = 0;
+    while (r < ROLES && strcmp(keys[r], key) != 0)
+        r++;
+    return r;
+}
+
+int role_has_text(int r)
+{
+#define TEXT(tag, key, has_text) has_text,
+    static const int with_text[ROLES] = {ROLE_LIST(TEXT)};
+#undef TEXT
+    return with_text[r];
+}
+
+int kind_of(const struct block *b)
+{
+#define NAME(tag, name) name,
+    static const char *const names[KINDS] = {KIND_LIST(NAME)};
+#undef NAME
+    const char *kind = value_of(b, "kind");
+    int k = 0;
+    while (kind != NULL && k < KINDS && strcmp(names[k], kind) != 0)
+        k++;
+    return k;
+}
+
+/* Whether the blank-separated list has the word. */
+static int has_word(const char *list, const char *word)
+{
+    size_t n = strlen(word);
+    for (const char *at = list; (at = strstr(at, word)) != NULL; at += n)
+        if ((at == list || at[-1] == ' ') && (at[n] == ' ' || at[n] == '\0'))
+            return 1;
+    return 0;
+}
+
+int has_type(const struct book *book, const struct block *b, number_type t)
+{
+#define NAME(tag, name, suffix, kernels) #name,
+    static const char *const names[NUMBER_TYPES] = {NUMBER_TYPE_LIST(NAME)};
+#undef NAME
+    const char *types = value_of(b, "types");
+    if (!has_word(book->types, names[t]))
+        return 0;
+    if (types == NULL)
+        return kind_of(b) == IDENTITY || t == RATIONAL_TYPE;
+    return has_word(types, names[t]);
+}
+
+int is_compiled(const struct book *book, const struct block *b)
+{
+    int compiled = 0;
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        compiled |= has_type(book, b, t);
+    return compiled;
+}
+
+int read_degrees(const struct block *b, struct degrees *d)
+{
+    const char *text = value_of(b, "degrees");
+    *d = (struct degrees){0};
+    if (text == NULL)
+        return 1;
+    if (strcmp(text, "all") == 0) {
+        d->all = 1;
+        return 1;
+    }
+    int read = sscanf(text, "%d..%d sampled %d", &d->low, &d->high, &d->sampled);
+    d->sampled = d->sampled > d->high ? d->sampled : d->high;
+    return read >= 2 && d->low >= 0 && d->high >= d->low;
+}
+
+struct link read_link(const char *value)
+{
+    const char *bar = strchr(value, '|');
+    if (bar == NULL)
+        return (struct link){NULL, trimmed(whole_copy(value))};
+    return (struct link){trimmed(copy_of(value, (size_t)(bar - value))), trimmed(whole_copy(bar + 1))};
+}

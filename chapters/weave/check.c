@@ -1,0 +1,174 @@
+/* check.c -- what is missing, unknown, twice, or leads nowhere. */
+#include "chapters/weave/book.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static int is_one_of(const char *word, const char *const words[])
+{
+    for (int k = 0; words[k] != NULL; k++)
+        if (strcmp(words[k], word) == 0)
+            return 1;
+    return 0;
+}
+
+#define KEY(tag, key, has_text) key,
+#define PLACE(tag, key)         key,
+static const char *const role_keys[] = {ROLE_LIST(KEY) NULL};
+static const char *const data_keys[] = {DATA_LIST(PLACE) NULL};
+
+static void check_keys(const struct block *b, const char *const known[], const char *const more[],
+                       const char *const needed[])
+{
+    for (int k = 0; k < b->options; k++) {
+        const char *key = b->option[k].key;
+        if (!is_one_of(key, known) && !is_one_of(key, more))
+            complain(b->file, b->option[k].line, "unknown option '%s'", key);
+        for (int j = 0; j < k; j++)
+            if (strcmp(b->option[j].key, key) == 0 && !is_one_of(key, more))
+                complain(b->file, b->option[k].line, "option '%s' occurs twice", key);
+    }
+    for (int j = 0; needed[j] != NULL; j++) {
+        const char *v = value_of(b, needed[j]);
+        if (v == NULL || *v == '\0')
+            complain(b->file, b->line, "'%s' has no %s", b->name, needed[j]);
+    }
+    static const char *const plain[] = {"title", "zh"}; /* they stand in tables */
+    for (int j = 0; j < 2; j++)
+        if (value_of(b, plain[j]) != NULL && strpbrk(value_of(b, plain[j]), "$\\") != NULL)
+            complain(b->file, b->line, "'%s': a title has no formulas in TeX", b->name);
+}
+
+static void check_types(const struct block *b)
+{
+#define NAME(tag, name, suffix, kernels) #name,
+    static const char *const all_types[] = {NUMBER_TYPE_LIST(NAME) NULL};
+#undef NAME
+    const char *types = value_of(b, "types");
+    if (types != NULL && *types == '\0')
+        complain(b->file, b->line, "'%s' lists no types", b->name);
+    char *listed = whole_copy(types != NULL ? types : "");
+    for (char *word = strtok(listed, " "); word != NULL; word = strtok(NULL, " "))
+        if (!is_one_of(word, all_types))
+            complain(b->file, b->line, "'%s': unknown type '%s'", b->name, word);
+}
+
+/* The claim's body, of which there is one. */
+static void check_body(const struct book *book, const struct block *b)
+{
+    for (int k = 0; k < book->bodies; k++)
+        if (strcmp(book->body[k].name, b->name) == 0)
+            return;
+    complain(b->file, b->line, "claim '%s' has no body CLAIM(%s)", b->name, b->name);
+}
+
+static void check_claim(const struct book *book, const struct block *b)
+{
+    static const char *const known[] = {"title", "zh",      "given", "let",     "then",    "method", "kind",
+                                        "types", "degrees", "scope", "control", "defines", NULL};
+    static const char *const needed[] = {"title", "zh", "given", "then", "method", "control", NULL};
+    struct degrees d;
+    check_keys(b, known, data_keys, needed);
+    if (kind_of(b) == KINDS)
+        complain(b->file, b->line, "'%s': unknown kind '%s'", b->name, value_of(b, "kind"));
+    if (!read_degrees(b, &d))
+        complain(b->file, b->line, "'%s': degrees are written as 1..6 or 1..6 sampled 12", b->name);
+    check_types(b);
+    check_body(book, b);
+}
+
+/* What refutes is a counterexample; what decides that something is true is none. */
+static void check_link(const struct book *book, const struct block *b, int r, const char *name)
+{
+    const struct block *target = block_named(book, name, CLAIM_BLOCK);
+    if (target == NULL) {
+        complain(b->file, b->line, "'%s' names a name that does not exist: '%s'", b->name, name);
+        return;
+    }
+    int is_counterexample = kind_of(target) == COUNTEREXAMPLE;
+    if (r == REFUTED_BY && !is_counterexample)
+        complain(b->file, b->line, "'%s' is refuted by '%s', which is no counterexample", b->name, name);
+    if (r != REFUTED_BY && !role_has_text(r) && is_counterexample)
+        complain(b->file, b->line, "'%s' lists the counterexample '%s' under %s", b->name, name, role_keys[r]);
+}
+
+static void check_links(const struct book *book, const struct block *b)
+{
+    for (int k = 0; k < b->options; k++) {
+        int r = role_of(b->option[k].key);
+        if (r == ROLES)
+            continue;
+        if (role_has_text(r)) {
+            struct link link = read_link(b->option[k].value);
+            if (link.claim != NULL)
+                check_link(book, b, r, link.claim);
+            else if (r != READING)
+                complain(b->file, b->option[k].line, "'%s' has a %s that no claim tries: claim | text", b->name,
+                         role_keys[r]);
+        } else {
+            char *words = whole_copy(b->option[k].value);
+            for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " "))
+                check_link(book, b, r, word);
+        }
+    }
+}
+
+static void check_source_of(const struct book *book, const struct block *b)
+{
+    const char *colon = strchr(b->name, ':');
+    int sources = 0;
+    for (int k = 0; k < book->blocks; k++)
+        sources += book->block[k].kind == SOURCE_BLOCK;
+    if (sources > 0 &&
+        (colon == NULL || block_named(book, copy_of(b->name, (size_t)(colon - b->name)), SOURCE_BLOCK) == NULL))
+        complain(b->file, b->line, "'%s' is of no source that chapters/sources knows", b->name);
+}
+
+static void check_statement(const struct book *book, const struct block *b)
+{
+#define CLASS(name) name,
+    static const char *const classes[] = {CLASS_LIST(CLASS) NULL};
+#undef CLASS
+    static const char *const known[] = {"title",  "zh",         "printed",  "class", "corrected",
+                                        "figure", "definition", "striking", NULL};
+    static const char *const needed[] = {"title", "zh", "printed", NULL};
+    check_keys(b, known, role_keys, needed);
+    const char *class = value_of(b, "class"), *figure = value_of(b, "figure");
+    if (class != NULL && !is_one_of(class, classes))
+        complain(b->file, b->line, "'%s': unknown class '%s'", b->name, class);
+    if ((value_of(b, "refuted-by") != NULL) != (class != NULL))
+        complain(b->file, b->line, "'%s': a refuted statement, and no other, has a class", b->name);
+    if ((value_of(b, "corrected") != NULL) != (value_of(b, "corrected-by") != NULL))
+        complain(b->file, b->line, "'%s': a corrected statement and its claim come together", b->name);
+    if (class != NULL && value_of(b, "corrected") == NULL)
+        complain(b->file, b->line, "'%s' is refuted but not corrected", b->name);
+    if (figure != NULL && !contains(&book->figures, figure))
+        complain(b->file, b->line, "'%s': there is no FIGURE(%s)", b->name, figure);
+    check_links(book, b);
+    check_source_of(book, b);
+}
+
+static void check_source(const struct block *b)
+{
+    static const char *const known[] = {"author", "title", "zh", "year", "publisher", "part", NULL};
+    static const char *const needed[] = {"author", "title", NULL}, *const none[] = {NULL};
+    check_keys(b, known, none, needed);
+}
+
+void check_book(const struct book *book)
+{
+    for (int k = 0; k < book->blocks; k++) {
+        const struct block *b = &book->block[k];
+        if (b->kind == CLAIM_BLOCK)
+            check_claim(book, b);
+        else if (b->kind == STATEMENT_BLOCK)
+            check_statement(book, b);
+        else
+            check_source(b);
+        if (block_named(book, b->name, b->kind) != b)
+            complain(b->file, b->line, "'%s' occurs twice", b->name);
+    }
+    for (int k = 0; k < book->bodies; k++)
+        if (block_named(book, book->body[k].name, CLAIM_BLOCK) == NULL)
+            complain(book->body[k].file, book->body[k].line, "CLAIM(%s) has no claim block", book->body[k].name);
+}

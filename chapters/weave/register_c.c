@@ -1,0 +1,253 @@
+/* register_c.c -- the register as C tables. */
+#include "chapters/weave/book.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void put_string(FILE *out, const char *s)
+{
+    fputc('"', out);
+    for (; s != NULL && *s; s++)
+        switch (*s) {
+        case '"':
+            fputs("\\\"", out);
+            break;
+        case '\\':
+            fputs("\\\\", out);
+            break;
+        case '\n':
+            fputs("\\n", out);
+            break;
+        case '?':
+            fputs("\\?", out);
+            break;
+        default:
+            fputc(*s, out);
+        }
+    fputc('"', out);
+}
+
+static void put_field(FILE *out, const char *field, const char *s)
+{
+    fprintf(out, ", .%s = ", field);
+    put_string(out, s);
+}
+
+static void put_option(FILE *out, const char *field, const struct block *b, const char *key)
+{
+    put_field(out, field, value_of(b, key));
+}
+
+#define TYPE_NAME(tag, name, suffix, kernels) #tag "_TYPE",
+#define SUFFIX(tag, name, suffix, kernels)    #suffix,
+#define KIND(tag, name)                       #tag,
+#define ROLE(tag, key, has_text)              #tag,
+#define PLACE(tag, key)                       "IN_" #tag,
+static const char *const type_tags[] = {NUMBER_TYPE_LIST(TYPE_NAME)};
+static const char *const suffixes[] = {NUMBER_TYPE_LIST(SUFFIX)};
+static const char *const kind_tags[] = {KIND_LIST(KIND)};
+static const char *const role_tags[] = {ROLE_LIST(ROLE)};
+static const char *const place_tags[] = {DATA_LIST(PLACE)};
+
+/* ---- claims --------------------------------------------------------------------------------------- */
+
+static void put_data(FILE *out, const struct block *b, int index)
+{
+    for (int k = 0; k < b->entries; k++) {
+        const struct entry *e = &b->entry[k];
+        fprintf(out, "static const char *const values_%d_%d[] = {", index, k);
+        for (int j = 0; j < e->values.count; j++) {
+            fputs(j > 0 ? ", " : "", out);
+            put_string(out, e->values.at[j]);
+        }
+        fputs("};\n", out);
+    }
+    fprintf(out, "static const datum data_%d[] = {\n", index);
+    for (int k = 0; k < b->entries; k++) {
+        const struct entry *e = &b->entry[k];
+        fputs("    {.name = ", out);
+        put_string(out, e->name);
+        put_field(out, "text", e->text);
+        fprintf(out, ", .place = %s, .rows = %d, .columns = %d, .value = values_%d_%d},\n", place_tags[e->place],
+                e->rows, e->columns, index, k);
+    }
+    fputs("    {.name = NULL}};\n", out);
+}
+
+static void put_claim(FILE *out, const struct book *book, const struct block *b, int index)
+{
+    struct degrees d;
+    (void)read_degrees(b, &d);
+    fputs("    {.name = ", out);
+    put_string(out, b->name);
+    put_option(out, "title", b, "title");
+    put_option(out, "title_zh", b, "zh");
+    put_option(out, "given", b, "given");
+    put_option(out, "let", b, "let");
+    put_option(out, "then", b, "then");
+    put_option(out, "method", b, "method");
+    put_option(out, "control", b, "control");
+    put_option(out, "scope", b, "scope");
+    put_option(out, "defines", b, "defines");
+    put_field(out, "chapter", b->chapter);
+    put_field(out, "file", b->file);
+    fprintf(out,
+            ", .line = %d, .kind = %s, .degree_low = %d, .degree_high = %d, .degree_sampled = %d, .all_degrees = %d",
+            b->line, kind_of(b) < KINDS ? kind_tags[kind_of(b)] : "KINDS", d.low, d.high, d.sampled, d.all);
+    if (b->entries > 0)
+        fprintf(out, ", .data = data_%d", index);
+    fputs(", .body = {", out);
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        if (has_type(book, b, t))
+            fprintf(out, "[%s] = claim_%s_%s, ", type_tags[t], b->name, suffixes[t]);
+    fputs("}},\n", out);
+}
+
+static void put_claims(FILE *out, const struct book *book)
+{
+    for (int k = 0; k < book->blocks; k++)
+        for (number_type t = 0; t < NUMBER_TYPES; t++)
+            if (book->block[k].kind == CLAIM_BLOCK && has_type(book, &book->block[k], t))
+                fprintf(out, "void claim_%s_%s(trial *T);\n", book->block[k].name, suffixes[t]);
+    fputc('\n', out);
+    for (int k = 0; k < book->blocks; k++)
+        if (book->block[k].kind == CLAIM_BLOCK && book->block[k].entries > 0 && is_compiled(book, &book->block[k]))
+            put_data(out, &book->block[k], k);
+    fputs("\nstatic const claim claims[] = {\n", out);
+    for (int k = 0; k < book->blocks; k++)
+        if (book->block[k].kind == CLAIM_BLOCK && is_compiled(book, &book->block[k]))
+            put_claim(out, book, &book->block[k], k);
+    fputs("    {.name = NULL}};\n\n", out);
+}
+
+/* ---- statements ------------------------------------------------------------------------------------ */
+
+static void put_link(FILE *out, int r, const char *name, const char *text)
+{
+    fprintf(out, "    {%s, ", role_tags[r]);
+    if (name == NULL)
+        fputs("NULL", out);
+    else
+        put_string(out, name);
+    fputs(", ", out);
+    put_string(out, text);
+    fputs("},\n", out);
+}
+
+static void put_links(FILE *out, const struct block *b, int index)
+{
+    fprintf(out, "static const statement_link links_%d[] = {\n", index);
+    for (int k = 0; k < b->options; k++) {
+        int r = role_of(b->option[k].key);
+        if (r == ROLES)
+            continue;
+        if (role_has_text(r)) {
+            struct link link = read_link(b->option[k].value);
+            put_link(out, r, link.claim, link.text);
+        } else {
+            char *words = whole_copy(b->option[k].value);
+            for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " "))
+                put_link(out, r, word, "");
+        }
+    }
+    fputs("    {HOLDS_BY, NULL, NULL}};\n", out);
+}
+
+static void put_statement(FILE *out, const struct block *b, int index)
+{
+    const char *rank = value_of(b, "striking");
+    fputs("    {.id = ", out);
+    put_string(out, b->name);
+    put_option(out, "title", b, "title");
+    put_option(out, "title_zh", b, "zh");
+    put_option(out, "printed", b, "printed");
+    put_option(out, "class", b, "class");
+    put_option(out, "corrected", b, "corrected");
+    put_option(out, "figure", b, "figure");
+    put_field(out, "note", b->note);
+    put_field(out, "chapter", b->chapter);
+    put_field(out, "file", b->file);
+    fprintf(out, ", .line = %d, .is_definition = %d, .striking = %d, .links = links_%d},\n", b->line,
+            value_of(b, "definition") != NULL, rank != NULL ? atoi(rank) : 0, index);
+}
+
+static void put_statements(FILE *out, const struct book *book)
+{
+    for (int k = 0; k < book->blocks; k++)
+        if (book->block[k].kind == STATEMENT_BLOCK)
+            put_links(out, &book->block[k], k);
+    fputs("\nstatic const statement statements[] = {\n", out);
+    for (int k = 0; k < book->blocks; k++)
+        if (book->block[k].kind == STATEMENT_BLOCK)
+            put_statement(out, &book->block[k], k);
+    fputs("    {.id = NULL}};\n\n", out);
+}
+
+/* ---- the rest --------------------------------------------------------------------------------------- */
+
+static void put_sources(FILE *out, const struct book *book)
+{
+    fputs("static const source sources[] = {\n", out);
+    for (int k = 0; k < book->blocks; k++) {
+        const struct block *b = &book->block[k];
+        if (b->kind != SOURCE_BLOCK)
+            continue;
+        fputs("    {.key = ", out);
+        put_string(out, b->name);
+        put_option(out, "author", b, "author");
+        put_option(out, "title", b, "title");
+        put_option(out, "title_zh", b, "zh");
+        put_option(out, "year", b, "year");
+        put_option(out, "publisher", b, "publisher");
+        put_option(out, "part", b, "part");
+        fputs("},\n", out);
+    }
+    fputs("    {.key = NULL}};\n\n", out);
+}
+
+static void put_chapters(FILE *out, const struct book *book)
+{
+    fputs("static const chapter chapters[] = {\n", out);
+    for (int k = 0; k < book->chapters.count; k++) {
+        fputs("    {", out);
+        put_string(out, book->chapters.at[k]);
+        fputs(", ", out);
+        put_string(out, book->titles.at[k]);
+        fputs("},\n", out);
+    }
+    fputs("    {NULL, NULL}};\n\n", out);
+}
+
+static void put_figures(FILE *out, const struct book *book)
+{
+    for (int k = 0; k < book->figures.count; k++)
+        fprintf(out, "FIGURE(%s);\n", book->figures.at[k]);
+    fputs("\nstatic const figure figures[] = {\n", out);
+    for (int k = 0; k < book->figures.count; k++)
+        fprintf(out, "    {\"%s\", figure_%s},\n", book->figures.at[k], book->figures.at[k]);
+    fputs("    {NULL, NULL}};\n\n", out);
+}
+
+int write_register_c(const struct book *book, const char *path)
+{
+    FILE *out = fopen(path, "w");
+    if (out == NULL) {
+        perror(path);
+        return -1;
+    }
+    fputs("/* Written by weave from the comments of the chapter files. */\n#include \"chapters/chapters.h\"\n\n"
+          "#include <stddef.h>\n\n",
+          out);
+    put_claims(out, book);
+    put_statements(out, book);
+    put_chapters(out, book);
+    put_figures(out, book);
+    put_sources(out, book);
+    fputs("const cagd_register compiled_chapters = {claims, statements, chapters, figures, sources};\n", out);
+    if (fclose(out) != 0) {
+        perror(path);
+        return -1;
+    }
+    return 0;
+}
