@@ -9,7 +9,12 @@ What a Bézier curve does, it does because of them: it lies in the hull of its p
 sum $1$, it is symmetric since they are, and one can write any polynomial with them.
 
 The library computes them by their recurrence, without a binomial coefficient.
+*/
+#include "chapters/bezier/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{claim} bernstein_is_binomial_form
 :title: The kernel computes the terms of the binomial expansion
 :zh: 内核所算即二项展开式各项
@@ -22,10 +27,6 @@ The library computes them by their recurrence, without a binomial coefficient.
 :control: the binomial coefficient taken as $\binom{n+1}i$
 :::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
 CLAIM(bernstein_is_binomial_form)
 {
     int n = T->degree;

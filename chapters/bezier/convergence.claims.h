@@ -3,28 +3,21 @@
 
 Elevated again and again, and subdivided again and again, the polygon tends to the curve.  Both follow from what one
 can say exactly: where the elevated points are, and how far the curve is from its polygon.
+*/
+#include "chapters/bezier/definition.h"
 
+#if RATIONAL
+#include "exact/decide/sign.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+/*
 ## Elevation
 
 After elevation from degree $n$ to degree $N$ the new points have a closed form; the weight of $b_j$ in $b_i^{(N)}$ is a
 probability of drawing without replacement.  Below $[x]_k=x(x-1)\cdots(x-k+1)$.
-
-:::{claim} elevated_points_in_closed_form
-:title: The points after any number of elevations
-:zh: 多次升阶后的控制顶点
-:given: $n$, $j\le n$; any $N\ge n$ and any $i$, both variables
-:let: $w_j(i,N)=\binom nj\,[i]_j\,[N-i]_{n-j}\,/\,[N]_n$ with $[x]_k=x(x-1)\cdots(x-k+1)$
-:then: $b_i^{(N)}=\sum_{j=0}^nw_j(i,N)\,b_j$, $i=0,\dots,N$, are the points of the curve in degree $N$
-:method: $w_j(i,n)$ is $1$ for $i=j$ and $0$ otherwise, and with $i$ and $N$ variables
-  $w_j(i,N+1)=\frac i{N+1}w_j(i-1,N)+(1-\frac i{N+1})w_j(i,N)$ in the field, which is one elevation: induction on
-  $N$.  `bezier_elevate`, three times over, is compared with it as well.
-:degrees: 0..6 sampled 9
-:control: $[N-i]_{n-j}$ taken as $(N-i)^{n-j}$
-:::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* x (x-1) ... (x-k+1) */
 static num G(falling)(num x, int k)
@@ -42,6 +35,20 @@ static num G(elevation_weight)(int n, int j, num i, num N, int planted)
     return div(mul(G(choose)(n, j), mul(G(falling)(i, j), above)), G(falling)(N, n));
 }
 
+/*
+:::{claim} elevated_points_in_closed_form
+:title: The points after any number of elevations
+:zh: 多次升阶后的控制顶点
+:given: $n$, $j\le n$; any $N\ge n$ and any $i$, both variables
+:let: $w_j(i,N)=\binom nj\,[i]_j\,[N-i]_{n-j}\,/\,[N]_n$ with $[x]_k=x(x-1)\cdots(x-k+1)$
+:then: $b_i^{(N)}=\sum_{j=0}^nw_j(i,N)\,b_j$, $i=0,\dots,N$, are the points of the curve in degree $N$
+:method: $w_j(i,n)$ is $1$ for $i=j$ and $0$ otherwise, and with $i$ and $N$ variables
+  $w_j(i,N+1)=\frac i{N+1}w_j(i-1,N)+(1-\frac i{N+1})w_j(i,N)$ in the field, which is one elevation: induction on
+  $N$.  `bezier_elevate`, three times over, is compared with it as well.
+:degrees: 0..6 sampled 9
+:control: $[N-i]_{n-j}$ taken as $(N-i)^{n-j}$
+:::
+*/
 CLAIM(elevated_points_in_closed_form)
 {
     int n = T->degree;
@@ -71,6 +78,7 @@ CLAIM(elevated_points_in_closed_form)
     }
 }
 
+#if FIELD
 /*
 :::{claim} elevated_polygons_converge_to_curve
 :title: The elevated polygons converge to the curve
@@ -86,7 +94,6 @@ CLAIM(elevated_points_in_closed_form)
 :control: $h=\frac1{2n}$ put in the place of $h=0$
 :::
 */
-#if FIELD
 CLAIM(elevated_polygons_converge_to_curve)
 {
     int n = T->degree;
@@ -165,8 +172,6 @@ CLAIM(split_shrinks_second_differences)
 :control: the bound taken as $\frac{\lfloor n/2\rfloor^2}{2n}$
 :::
 */
-#include "exact/decide/sign.h"
-
 /* max(nt - knot, 0) on the interval [m/n, (m+1)/n], where it is linear. */
 static poly G(kink)(int n, int knot, int m)
 {

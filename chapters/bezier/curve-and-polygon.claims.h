@@ -5,7 +5,14 @@ Section 4 of the slides `slides-ch4` introduces Bézier curves by their sum, wri
 what the polygon says about the curve: its ends, its tangents there, its hull, and that it does not care from which end the
 points are read.  Signs, primes and fraction bars are lost in the text at hand; where a sign is lost we say how many choices
 there are.
+*/
+#include "chapters/bezier/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2 };
+
+/*
 ## The sum
 
 :::{statement} slides-ch4:4-definition
@@ -28,7 +35,10 @@ The degree is at most $n$: see the next entry.
 :reading: equally_spaced_points_make_a_line | a polynomial of exactly this degree: false
 :figure: degrees_one_to_three
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} equally_spaced_points_make_a_line
 :title: Points in equal steps on a line: the degree is 1
 :zh: 等距共线控制顶点给出一次曲线
@@ -38,7 +48,17 @@ The degree is at most $n$: see the next entry.
 :method: The coefficients by `bernstein_to_power`; that the last one is not 0 is refuted.
 :control: the points $0,1,2,4$
 :::
+*/
+CLAIM(equally_spaced_points_make_a_line)
+{
+    num b[4] = {from_int(0), from_int(1), from_int(2), from_int(3 + T->planted)}, c[4];
+    G(bernstein_to_power)(3, b, c);
+    show_points(T, "the coefficients of 1, t, t^2, t^3", 4, 1, c);
+    about(T, "whether the coefficient of t^3 is not 0");
+    agree(T, !is_zero_q(c[3]));
+}
 
+/*
 :::{statement} slides-ch4:4-basis
 :title: The functions of the sum
 :zh: Bernstein 基函数
@@ -67,7 +87,20 @@ With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0
 :method: The sum, with the power as told.
 :control: $0^0=1$
 :::
+*/
+CLAIM(zero_power_zero_takes_away_the_end)
+{
+    static const int from[4] = {1, 1, 2, 3};
+    num t = from_int(0), s = from_int(1), zeroth = from_int(T->planted);
+    for (int c = 0; c < dim; c++) {
+        num first = mul(from_int(from[c]), mul(s, zeroth)), second = mul(from_int(from[dim + c]), mul(t, zeroth));
+        show(T, c == 0 ? "x(0)" : "y(0)", add(first, second));
+        same(T, add(first, second), from_int(from[c]));
+    }
+}
+#endif
 
+/*
 :::{statement} slides-ch4:4-degree-1
 :title: Degree 1
 :zh: 一次 Bézier 曲线
@@ -108,12 +141,6 @@ Ten signs are lost, and one of 1024 choices is true.
 :control: the sign of the last entry of the first row of the matrix, or of the whole for $n=1$
 :::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2 };
-
 /* Entry (i, j) of the matrix of degree n: the coefficient of t^{n-i} beside P_j. */
 static int G(printed_entry)(int n, int i, int j)
 {
@@ -148,36 +175,6 @@ CLAIM(small_degrees_written_out)
     }
 }
 
-#if RATIONAL
-CLAIM(equally_spaced_points_make_a_line)
-{
-    num b[4] = {from_int(0), from_int(1), from_int(2), from_int(3 + T->planted)}, c[4];
-    G(bernstein_to_power)(3, b, c);
-    show_points(T, "the coefficients of 1, t, t^2, t^3", 4, 1, c);
-    about(T, "whether the coefficient of t^3 is not 0");
-    agree(T, !is_zero_q(c[3]));
-}
-
-CLAIM(curve_does_not_end_in_its_second_point)
-{
-    num b[3] = {from_int(0), from_int(0), from_int(1)}, end;
-    G(decasteljau)(T->planted ? 1 : 2, 1, b, from_int(1), &end);
-    about(T, "P(1) and P_1");
-    same(T, end, b[1]);
-}
-
-CLAIM(zero_power_zero_takes_away_the_end)
-{
-    static const int from[4] = {1, 1, 2, 3};
-    num t = from_int(0), s = from_int(1), zeroth = from_int(T->planted);
-    for (int c = 0; c < dim; c++) {
-        num first = mul(from_int(from[c]), mul(s, zeroth)), second = mul(from_int(from[dim + c]), mul(t, zeroth));
-        show(T, c == 0 ? "x(0)" : "y(0)", add(first, second));
-        same(T, add(first, second), from_int(from[c]));
-    }
-}
-#endif
-
 /*
 ## The ends
 
@@ -201,7 +198,10 @@ CLAIM(zero_power_zero_takes_away_the_end)
 
 The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1$ it is $P_1$.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} curve_does_not_end_in_its_second_point
 :title: With three points the curve does not end in the second
 :zh: 曲线终点不是 P1
@@ -211,7 +211,17 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :method: The value by the kernel.
 :control: $n=1$, the points $0,0$
 :::
+*/
+CLAIM(curve_does_not_end_in_its_second_point)
+{
+    num b[3] = {from_int(0), from_int(0), from_int(1)}, end;
+    G(decasteljau)(T->planted ? 1 : 2, 1, b, from_int(1), &end);
+    about(T, "P(1) and P_1");
+    same(T, end, b[1]);
+}
+#endif
 
+/*
 :::{statement} slides-ch4:4-derivative-by-basis
 :title: The derivative, term by term
 :zh: 导矢:逐项求导
@@ -223,36 +233,6 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :figure: edges_and_end_tangents
 :::
 
-:::{statement} slides-ch4:4-derivative-terms
-:title: The derivative, its terms in a row
-:zh: 导矢:逐项展开
-:printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
-:holds-by: derivative_in_three_steps
-:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last,
-  for $n=2$ these and the two with $P_1$: true
-:reading: terms_in_a_row_come_twice_for_two_edges | all six that are written out: true from $n=3$ on; for $n=2$ two of them come twice
-:reading: terms_in_a_row_come_twice_for_one_edge | the same for $n=1$: there is no $(n-2)!$, and the four others are twice the two
-:figure: edges_and_end_tangents
-
-The signs are lost; each is determined by the sum before.
-:::
-
-:::{statement} slides-ch4:4-derivative
-:title: The derivative by the edges of the polygon
-:zh: 导矢由控制多边形的边给出
-:printed: P'(t)=\sum_{i=0}^{n-1}\frac{n!}{i!(n-1-i)!}t^i(1-t)^{n-1-i}(P_{i+1}-P_i)
-:holds-by: derivative_in_three_steps
-:figure: edges_and_end_tangents
-:::
-
-:::{statement} slides-ch4:4-end-tangents
-:title: The tangents at the ends
-:zh: 端点切矢
-:printed: $P'(0)=n(P_1-P_0)$, $P'(1)=n(P_n-P_{n-1})$
-:holds-by: end_derivatives_are_end_differences
-:figure: edges_and_end_tangents
-:::
-
 :::{claim} derivative_in_three_steps
 :title: The three sums are the derivative
 :zh: 导矢推导链的三个式子
@@ -261,36 +241,6 @@ The signs are lost; each is determined by the sum before.
 :method: Each sum as printed, negative powers as quotients, against the derivative of the definition; everything a variable.
 :degrees: 1..6 sampled 10
 :control: the last term of the row with the other sign
-:::
-
-:::{claim} first_term_divides_by_zero
-:title: At t = 0 the first term of the derivative is no number
-:zh: t=0 处首项含 0^{-1}
-:kind: counterexample
-:given: $i=0$, $t=0$ in the first sum: the factor $i\,t^{i-1}=0\cdot0^{-1}$
-:then: the denominator $t$ of $t^{-1}$ is 0
-:method: The denominator; that it is not 0 is refuted.
-:control: $t=\frac12$
-:::
-
-:::{claim} terms_in_a_row_come_twice_for_two_edges
-:title: With two edges two of the six terms come twice
-:zh: n=2 时六项中有两项重复
-:kind: counterexample
-:given: $n=2$, the points $0,1,0$, $t=\frac14$
-:then: the six terms have the sum 2, and $P'=1$; what is too much is $-2P_1(2t-1)$
-:method: The terms, against the derivative by the kernel.
-:control: each term once
-:::
-
-:::{claim} terms_in_a_row_come_twice_for_one_edge
-:title: With one edge four terms are left, which are twice the derivative
-:zh: n=1 时剩下的四项为导矢的两倍
-:kind: counterexample
-:given: $n=1$, the points $0,1$; the terms with $(n-2)!$, which have no meaning, left out
-:then: $-P_0+P_1-P_0+P_1=2$, and $P'=1$
-:method: The same.
-:control: each term once
 :::
 */
 CLAIM(derivative_in_three_steps)
@@ -323,6 +273,17 @@ CLAIM(derivative_in_three_steps)
 }
 
 #if RATIONAL
+/*
+:::{claim} first_term_divides_by_zero
+:title: At t = 0 the first term of the derivative is no number
+:zh: t=0 处首项含 0^{-1}
+:kind: counterexample
+:given: $i=0$, $t=0$ in the first sum: the factor $i\,t^{i-1}=0\cdot0^{-1}$
+:then: the denominator $t$ of $t^{-1}$ is 0
+:method: The denominator; that it is not 0 is refuted.
+:control: $t=\frac12$
+:::
+*/
 CLAIM(first_term_divides_by_zero)
 {
     num t = T->planted ? from_ratio(1, 2) : from_int(0);
@@ -331,6 +292,31 @@ CLAIM(first_term_divides_by_zero)
     agree(T, !is_zero_q(t));
 }
 
+/*
+:::{statement} slides-ch4:4-derivative-terms
+:title: The derivative, its terms in a row
+:zh: 导矢:逐项展开
+:printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
+:holds-by: derivative_in_three_steps
+:reading: derivative_in_three_steps | the $2n$ terms from the first to the last, for $n=1$ the first and the last,
+  for $n=2$ these and the two with $P_1$: true
+:reading: terms_in_a_row_come_twice_for_two_edges | all six that are written out: true from $n=3$ on; for $n=2$ two of them come twice
+:reading: terms_in_a_row_come_twice_for_one_edge | the same for $n=1$: there is no $(n-2)!$, and the four others are twice the two
+:figure: edges_and_end_tangents
+
+The signs are lost; each is determined by the sum before.
+:::
+
+:::{claim} terms_in_a_row_come_twice_for_two_edges
+:title: With two edges two of the six terms come twice
+:zh: n=2 时六项中有两项重复
+:kind: counterexample
+:given: $n=2$, the points $0,1,0$, $t=\frac14$
+:then: the six terms have the sum 2, and $P'=1$; what is too much is $-2P_1(2t-1)$
+:method: The terms, against the derivative by the kernel.
+:control: each term once
+:::
+*/
 CLAIM(terms_in_a_row_come_twice_for_two_edges)
 {
     num t = from_ratio(1, 4), s = sub(from_int(1), t), two = from_int(2), D[2];
@@ -344,6 +330,17 @@ CLAIM(terms_in_a_row_come_twice_for_two_edges)
     same(T, row, D[1]);
 }
 
+/*
+:::{claim} terms_in_a_row_come_twice_for_one_edge
+:title: With one edge four terms are left, which are twice the derivative
+:zh: n=1 时剩下的四项为导矢的两倍
+:kind: counterexample
+:given: $n=1$, the points $0,1$; the terms with $(n-2)!$, which have no meaning, left out
+:then: $-P_0+P_1-P_0+P_1=2$, and $P'=1$
+:method: The same.
+:control: each term once
+:::
+*/
 CLAIM(terms_in_a_row_come_twice_for_one_edge)
 {
     num b[2] = {from_int(0), from_int(1)}, D[2], edge = sub(b[1], b[0]);
@@ -354,6 +351,22 @@ CLAIM(terms_in_a_row_come_twice_for_one_edge)
 #endif
 
 /*
+:::{statement} slides-ch4:4-derivative
+:title: The derivative by the edges of the polygon
+:zh: 导矢由控制多边形的边给出
+:printed: P'(t)=\sum_{i=0}^{n-1}\frac{n!}{i!(n-1-i)!}t^i(1-t)^{n-1-i}(P_{i+1}-P_i)
+:holds-by: derivative_in_three_steps
+:figure: edges_and_end_tangents
+:::
+
+:::{statement} slides-ch4:4-end-tangents
+:title: The tangents at the ends
+:zh: 端点切矢
+:printed: $P'(0)=n(P_1-P_0)$, $P'(1)=n(P_n-P_{n-1})$
+:holds-by: end_derivatives_are_end_differences
+:figure: edges_and_end_tangents
+:::
+
 ## Symmetry
 
 :::{statement} slides-ch4:4-basis-symmetry
@@ -383,7 +396,23 @@ CLAIM(terms_in_a_row_come_twice_for_one_edge)
 :degrees: 0..6 sampled 12
 :control: $B_{i,n}(1-t)$ in the place of $B_{n-i,n}(1-t)$, for $n=0$ the value 0
 :::
+*/
+CLAIM(basis_read_backwards)
+{
+    int n = T->degree;
+    num b[(MAX_DEGREE + 1) * dim], P[dim], t = parameter(T, "t"), s = sub(from_int(1), t);
+    G(free_points)(T, n, dim, b);
+    G(decasteljau)(n, dim, b, t, P);
+    for (int c = 0; c < dim; c++) {
+        num sum = from_int(0);
+        for (int i = 0; i <= n && !(T->planted && n == 0); i++)
+            sum = add(sum, mul(G(basis)(n, T->planted ? i : n - i, s), b[i * dim + c]));
+        same(T, sum, P[c]);
+    }
+}
 
+#if RATIONAL
+/*
 :::{claim} curve_is_no_mirror_image
 :title: A curve that is not symmetric
 :zh: 曲线图形未必对称
@@ -393,7 +422,25 @@ CLAIM(terms_in_a_row_come_twice_for_one_edge)
 :method: The curve is $x=t^2$, $y=2t(1-t)$, so $(y+2x)^2=4x$ holds on it; the equation at the image.
 :control: the points $(0,0),(\frac12,1),(1,0)$ and their equation $y=2x(1-x)$
 :::
+*/
+CLAIM(curve_is_no_mirror_image)
+{
+    num zero = from_int(0), one = from_int(1), two = from_int(2), half = from_ratio(1, 2), P[2];
+    num b[6] = {zero, zero, T->planted ? half : zero, one, one, zero};
+    G(decasteljau)(2, dim, b, half, P);
+    show_points(T, "P(1/2)", 1, 2, P);
+    num image = sub(one, P[0]);
+    about(T, "the equation of the curve at the image");
+    if (T->planted) {
+        same(T, P[1], mul(two, mul(image, sub(one, image))));
+    } else {
+        num sum = add(P[1], mul(two, image));
+        same(T, mul(sum, sum), mul(from_int(4), image));
+    }
+}
+#endif
 
+/*
 ## The hull
 
 :::{statement} slides-ch4:4-hull-definition
@@ -424,35 +471,4 @@ At most 1 because the others are not negative.
 :figure: bezier_hull
 :::
 */
-CLAIM(basis_read_backwards)
-{
-    int n = T->degree;
-    num b[(MAX_DEGREE + 1) * dim], P[dim], t = parameter(T, "t"), s = sub(from_int(1), t);
-    G(free_points)(T, n, dim, b);
-    G(decasteljau)(n, dim, b, t, P);
-    for (int c = 0; c < dim; c++) {
-        num sum = from_int(0);
-        for (int i = 0; i <= n && !(T->planted && n == 0); i++)
-            sum = add(sum, mul(G(basis)(n, T->planted ? i : n - i, s), b[i * dim + c]));
-        same(T, sum, P[c]);
-    }
-}
-
-#if RATIONAL
-CLAIM(curve_is_no_mirror_image)
-{
-    num zero = from_int(0), one = from_int(1), two = from_int(2), half = from_ratio(1, 2), P[2];
-    num b[6] = {zero, zero, T->planted ? half : zero, one, one, zero};
-    G(decasteljau)(2, dim, b, half, P);
-    show_points(T, "P(1/2)", 1, 2, P);
-    num image = sub(one, P[0]);
-    about(T, "the equation of the curve at the image");
-    if (T->planted) {
-        same(T, P[1], mul(two, mul(image, sub(one, image))));
-    } else {
-        num sum = add(P[1], mul(two, image));
-        same(T, mul(sum, sum), mul(from_int(4), image));
-    }
-}
-#endif
 #include "chapters/judge/claims_off.h"

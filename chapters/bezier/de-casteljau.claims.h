@@ -6,7 +6,14 @@ polynomial: it divides the edges of the polygon in the ratio $t:(1-t)$, divides 
 on until one point is left,
 
 $$b_i^0=b_i,\qquad b_i^k=(1-t)\,b_i^{k-1}+t\,b_{i+1}^{k-1},\qquad i=0,\dots,n-k.$$
+*/
+#include "chapters/bezier/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
+
+/*
 ## Points
 
 :::{claim} casteljau_triangle_holds_partial_curves
@@ -21,12 +28,6 @@ $$b_i^0=b_i,\qquad b_i^k=(1-t)\,b_i^{k-1}+t\,b_{i+1}^{k-1},\qquad i=0,\dots,n-k.
 :control: $t$ and $1-t$ exchanged at the last level
 :::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
-
 CLAIM(casteljau_triangle_holds_partial_curves)
 {
     int n = T->degree;

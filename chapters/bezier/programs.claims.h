@@ -15,7 +15,14 @@ before it is declared, which a compiler does not accept.)
 
 Three questions are different: whether the right number comes out in exact arithmetic; what happens to the memory; and what
 happens in binary64, where the parameter is a sum of rounded steps.
+*/
+#include "chapters/bezier/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { MOST_PLACES = 80 };
+
+/*
 ## The right number
 
 :::{statement} slides-ch4:4-program-decas
@@ -35,192 +42,7 @@ happens in binary64, where the parameter is a sum of rounded steps.
 :holds-by: curve_blends_two_curves_of_one_point_less program_computes_the_curve
 :figure: two_curves_of_one_point_less
 :::
-
-:::{claim} program_computes_the_curve
-:title: The printed function computes the curve and touches nothing else
-:zh: 程序 decas 的正确性
-:given: numbers $P_0,\dots,P_n$, any $t$
-:then: the result is $\sum_iB_{i,n}(t)P_i$; no place beyond the ends of `P`, `R` and `Q` is read or written, and none is read before it is written
-:method: The function as printed, on arrays that count, against the definition; everything a variable.
-:degrees: 0..6 sampled 12
-:control: the inner loop from $i=1$ on
-:::
-
-:::{statement} slides-ch4:4-program-division
-:title: The parameter is divided into npoints equal parts
-:zh: 将参数 t 作 npoints 等分
-:printed: $delt=1/npoints$, $t=0$, and npoints times $t=t+delt$: the parameter is divided into npoints equal parts
-:holds-by: program_ends_at_one_in_exact_arithmetic
-:hypothesis: sum_of_steps_misses_one | exact arithmetic: in binary64 the last parameter need not be 1
-:hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
-:reading: sum_of_steps_is_seldom_one | in binary64: true for 12 of the numbers of steps up to 64
-:figure: last_parameter
-:striking: 46
-:::
-
-:::{statement} slides-ch4:4-program-all-points
-:title: The points one after the other
-:zh: 分别求出 npoints+1 个离散点
-:printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
-:holds-by: program_ends_at_one_in_exact_arithmetic
-:hypothesis: last_point_of_the_example_is_missed | exact arithmetic: in binary64 the last of them need not be the end of the curve
-:reading: corrected_program_ends_at_the_last_point | in binary64 with $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$: the ends are exact
-:figure: last_parameter
-:::
-
-:::{claim} no_steps_have_no_length
-:title: For npoints = 0 there is no step
-:zh: npoints=0 时无步长
-:kind: counterexample
-:given: npoints = 0
-:then: the divisor of $delt=1/npoints$ is 0
-:method: The divisor; that it is not 0 is refuted.
-:control: npoints = 1
-:::
-
-:::{claim} program_ends_at_one_in_exact_arithmetic
-:title: In exact arithmetic the points are those of equal steps, from the first point to the last
-:zh: 精确运算下离散点的参数为 i/N
-:given: a cubic with any points of a line, $N$ steps
-:then: the program makes $N+1$ numbers, number $i$ being $P(\frac iN)$; the first is $P_0$, the last $P_3$
-:method: The program as printed, against the definition at $\frac iN$, one case for each $N$.
-:degrees: 1..6 sampled 12
-:control: the first step taken before the first point
-:::
-
-## Memory
-
-:::{statement} slides-ch4:4-program-control-points
-:title: There are n+1 control points
-:zh: 控制点个数为 n+1
-:printed: P holds the coordinates of the control points, $n+1$ in number
-:holds-by: program_stays_in_its_arrays
-:::
-
-:::{statement} slides-ch4:4-program-points-count
-:title: The array of points holds npoints points
-:zh: 注释称离散点个数为 npoints
-:printed: points is the sequence of points on the curve, npoints in number
-:refuted-by: program_writes_one_point_too_many
-:class: false
-:corrected: The number of points is npoints+1, as another comment of the same program says, and the array needs as many places.
-:corrected-by: program_stays_in_its_arrays
-:figure: one_place_too_many
-:striking: 47
-
-A caller who takes the comment at its word makes an array with npoints places, and the program writes beyond its end.
-:::
-
-:::{statement} slides-ch4:4-program-arrays
-:title: The arrays R and Q have n+1 places
-:zh: 数组 R、Q 的大小
-:printed: R = new double[n+1], Q = new double[n+1]
-:holds-by: program_stays_in_its_arrays
-
-For Q, $n$ places are enough, and one for $n=0$ is none too few.
-:::
-
-:::{statement} slides-ch4:4-program-delete
-:title: The arrays are released
-:zh: 释放数组
-:printed: delete R; delete Q; where no square bracket of the program is left to be read
-:reading: program_stays_in_its_arrays | delete[] R; delete[] Q; with brackets that are lost like all others: right
-:reading: program_releases_arrays_as_numbers | delete R; delete Q; as it stands: wrong
-
-What was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  In the text at hand new double[n+1] is
-without its brackets as well, so that it does not tell which was printed.  Either way each array is released once.
-:::
-
-:::{claim} program_stays_in_its_arrays
-:title: With npoints+1 places and delete[] the program does nothing that it must not
-:zh: 更正后的程序内存使用正确
-:kind: decision
-:given: $n=0,\dots,24$ and 8 steps; an array of 9 places for the points, delete[] for the arrays
-:then: nothing is read or written beyond an end, nothing is read before it is written, every array is released once in its own way, $2\cdot9$ in all
-:method: The program on the arrays that count.  What it touches depends on $n$ and the number of steps only, not on the numbers.
-:degrees: 0..24
-:control: R with $n$ places
-:::
-
-:::{claim} program_writes_one_point_too_many
-:title: The last point is written beyond the end
-:zh: 末点写出数组边界
-:kind: counterexample
-:given: $n=3$, 4 steps, and an array of 4 places, as many as the comment says
-:then: one number is written beyond the end of the array
-:method: The program on the arrays that count; that the number of such places is 0 is refuted.
-:control: an array of 5 places
-:::
-
-:::{claim} program_releases_arrays_as_numbers
-:title: Both arrays are released in the wrong way
-:zh: 以 delete 释放数组
-:kind: counterexample
-:given: one call of `decas` as printed, $n=3$
-:then: 2 arrays made by new[] are released by delete
-:method: The program on the arrays that count; that the number is 0 is refuted.
-:control: delete[]
-:::
-
-## Binary64
-
-:::{claim} sum_of_steps_misses_one
-:title: Six steps of a sixth do not end at 1
-:zh: 六个 1/6 之和在 binary64 中不等于 1
-:kind: counterexample
-:given: npoints = 6, every operation rounded to binary64
-:then: the last parameter is $1-2^{-53}$
-:method: The quotient and the sums in rationals, each rounded to the nearest binary64, ties to even.  Six is the smallest such number of
-  steps.
-:control: npoints = 5
-:::
-
-:::{claim} sum_of_steps_is_seldom_one
-:title: For 52 of the first 64 numbers of steps the last parameter is not 1
-:zh: 步数不超过 64 时末参数等于 1 的情形
-:kind: decision
-:given: npoints from 1 to 64, every operation rounded to binary64
-:then: the last parameter is 1 for $1,2,3,4,5,8,12,16,17,32,34,64$, less than 1 for 26 of the others and greater than 1 for 26
-:method: As for `sum_of_steps_misses_one`.  Beyond 1 the curve is left, and with it the hull.
-:control: 6 counted among those with the last parameter 1
-:::
-
-:::{claim} last_point_of_the_example_is_missed
-:title: Six steps over the curve of the table do not end at its last point
-:zh: 算例六等分时末点有误差
-:kind: counterexample
-:given: the second coordinates 1, 3, 3, 1 of the worked table, npoints = 6, every operation rounded to binary64
-:then: the last point is $1+3\cdot2^{-52}$, not 1
-:method: The program with every operation rounded, against $P_3$.
-:control: npoints = 5
-:::
-
-:::{claim} difference_loses_the_last_point
-:title: At t = 1 the form with one product may lose the last point
-:zh: t=1 时 R+t(R'-R) 在 binary64 中不等于 R'
-:kind: counterexample
-:given: $n=1$, $P_0=1$, $P_1=2^{-54}$, $t=1$, every operation rounded to binary64
-:then: $P_1-P_0$ is rounded to $-1$, and the result is 0
-:method: The function with every operation rounded.
-:control: $(1-t)P_0+tP_1$
-:::
-
-:::{claim} corrected_program_ends_at_the_last_point
-:title: With t = i/npoints and two products the last point is the last point
-:zh: 改正后的程序末点精确
-:kind: decision
-:given: npoints from 1 to 24, the points 1, $\frac1{10}$, $\frac13$, $2^{-54}$, rounded to binary64, every operation rounded
-:then: the parameter $\frac i{npoints}$ is 1 for the last $i$, and with $(1-t)R_i+tR_{i+1}$ the last point is $P_3$; the first is $P_0$
-:method: At $t=1$ one product is 0 and the other is the number itself, whatever the numbers are, and at $t=0$ likewise: no rounding occurs.
-  Computed for the points that are given.
-:control: the parameter as a sum of steps
-:::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { MOST_PLACES = 80 };
 
 /* What has been done to the arrays of a program. */
 struct G(memory) {
@@ -305,6 +127,91 @@ static num G(decas)(struct G(program) * run, int n, const struct G(array) * P, n
     return P0;
 }
 
+/* The array of the points, and an array for results; neither is counted as made by the program. */
+static void G(given_array)(struct G(program) * run, int count, const num from[], struct G(array) * A)
+{
+    *A = (struct G(array)){.memory = &run->memory, .size = count};
+    for (int i = 0; i < count && from != NULL; i++)
+        G(put)(A, i, from[i]);
+}
+
+/* Compare: a count of the memory is what it should be. */
+static void G(counted)(trial *T, const char *what, int count, int expected)
+{
+    about(T, what);
+    same(T, from_int(count), from_int(expected));
+}
+
+/*
+:::{claim} program_computes_the_curve
+:title: The printed function computes the curve and touches nothing else
+:zh: 程序 decas 的正确性
+:given: numbers $P_0,\dots,P_n$, any $t$
+:then: the result is $\sum_iB_{i,n}(t)P_i$; no place beyond the ends of `P`, `R` and `Q` is read or written, and none is read before it is written
+:method: The function as printed, on arrays that count, against the definition; everything a variable.
+:degrees: 0..6 sampled 12
+:control: the inner loop from $i=1$ on
+:::
+*/
+CLAIM(program_computes_the_curve)
+{
+    int n = T->degree;
+    struct G(program) run = {.round = G(unrounded), .first = T->planted};
+    struct G(array) P;
+    num b[MAX_DEGREE + 1], t = parameter(T, "t");
+    G(free_points)(T, n, 1, b);
+    G(given_array)(&run, n + 1, b, &P);
+    about(T, "the result");
+    same(T, G(decas)(&run, n, &P, t), G(curve)(n, 1, b, 0, t));
+    G(counted)(T, "places beyond an end", run.memory.beyond, 0);
+    G(counted)(T, "reads of what was not written", run.memory.unwritten, 0);
+}
+
+/*
+:::{statement} slides-ch4:4-program-division
+:title: The parameter is divided into npoints equal parts
+:zh: 将参数 t 作 npoints 等分
+:printed: $delt=1/npoints$, $t=0$, and npoints times $t=t+delt$: the parameter is divided into npoints equal parts
+:holds-by: program_ends_at_one_in_exact_arithmetic
+:hypothesis: sum_of_steps_misses_one | exact arithmetic: in binary64 the last parameter need not be 1
+:hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
+:reading: sum_of_steps_is_seldom_one | in binary64: true for 12 of the numbers of steps up to 64
+:figure: last_parameter
+:striking: 46
+:::
+
+:::{statement} slides-ch4:4-program-all-points
+:title: The points one after the other
+:zh: 分别求出 npoints+1 个离散点
+:printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
+:holds-by: program_ends_at_one_in_exact_arithmetic
+:hypothesis: last_point_of_the_example_is_missed | exact arithmetic: in binary64 the last of them need not be the end of the curve
+:reading: corrected_program_ends_at_the_last_point | in binary64 with $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$: the ends are exact
+:figure: last_parameter
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} no_steps_have_no_length
+:title: For npoints = 0 there is no step
+:zh: npoints=0 时无步长
+:kind: counterexample
+:given: npoints = 0
+:then: the divisor of $delt=1/npoints$ is 0
+:method: The divisor; that it is not 0 is refuted.
+:control: npoints = 1
+:::
+*/
+CLAIM(no_steps_have_no_length)
+{
+    num npoints = from_int(T->planted);
+    show(T, "npoints", npoints);
+    about(T, "whether the divisor is not 0");
+    agree(T, !is_zero_q(npoints));
+}
+#endif
+
 /* Returns the last parameter. */
 static num G(bez_to_points)(struct G(program) * run, int n, int npoints, const struct G(array) * P,
                             struct G(array) * points)
@@ -322,35 +229,17 @@ static num G(bez_to_points)(struct G(program) * run, int n, int npoints, const s
     return last;
 }
 
-/* The array of the points, and an array for results; neither is counted as made by the program. */
-static void G(given_array)(struct G(program) * run, int count, const num from[], struct G(array) * A)
-{
-    *A = (struct G(array)){.memory = &run->memory, .size = count};
-    for (int i = 0; i < count && from != NULL; i++)
-        G(put)(A, i, from[i]);
-}
-
-/* Compare: a count of the memory is what it should be. */
-static void G(counted)(trial *T, const char *what, int count, int expected)
-{
-    about(T, what);
-    same(T, from_int(count), from_int(expected));
-}
-
-CLAIM(program_computes_the_curve)
-{
-    int n = T->degree;
-    struct G(program) run = {.round = G(unrounded), .first = T->planted};
-    struct G(array) P;
-    num b[MAX_DEGREE + 1], t = parameter(T, "t");
-    G(free_points)(T, n, 1, b);
-    G(given_array)(&run, n + 1, b, &P);
-    about(T, "the result");
-    same(T, G(decas)(&run, n, &P, t), G(curve)(n, 1, b, 0, t));
-    G(counted)(T, "places beyond an end", run.memory.beyond, 0);
-    G(counted)(T, "reads of what was not written", run.memory.unwritten, 0);
-}
-
+/*
+:::{claim} program_ends_at_one_in_exact_arithmetic
+:title: In exact arithmetic the points are those of equal steps, from the first point to the last
+:zh: 精确运算下离散点的参数为 i/N
+:given: a cubic with any points of a line, $N$ steps
+:then: the program makes $N+1$ numbers, number $i$ being $P(\frac iN)$; the first is $P_0$, the last $P_3$
+:method: The program as printed, against the definition at $\frac iN$, one case for each $N$.
+:degrees: 1..6 sampled 12
+:control: the first step taken before the first point
+:::
+*/
 CLAIM(program_ends_at_one_in_exact_arithmetic)
 {
     int steps = T->degree;
@@ -371,9 +260,18 @@ CLAIM(program_ends_at_one_in_exact_arithmetic)
     same(T, G(get)(&points, steps), b[3]);
 }
 
-#if RATIONAL
-static num binary64(num x) { return from_double_q(to_double_q(x)); }
+/*
+## Memory
 
+:::{statement} slides-ch4:4-program-control-points
+:title: There are n+1 control points
+:zh: 控制点个数为 n+1
+:printed: P holds the coordinates of the control points, $n+1$ in number
+:holds-by: program_stays_in_its_arrays
+:::
+*/
+
+#if RATIONAL
 /* The program with `steps` steps on given points; returns the last parameter. */
 static num drawn(struct program_q *run, int n, const num b[], int steps, int places, struct array_q *points)
 {
@@ -383,21 +281,18 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
     return bez_to_points_q(run, n, steps, &P, points);
 }
 
-static num last_of_steps(int steps)
-{
-    struct program_q run = {.round = binary64};
-    struct array_q points;
-    num b[1] = {from_int(1)};
-    return drawn(&run, 0, b, steps, steps + 1, &points);
-}
-
-/* The second coordinates of the worked table. */
-static void example_points(num b[])
-{
-    for (int i = 0; i <= 3; i++)
-        b[i] = from_int(i == 0 || i == 3 ? 1 : 3);
-}
-
+/*
+:::{claim} program_stays_in_its_arrays
+:title: With npoints+1 places and delete[] the program does nothing that it must not
+:zh: 更正后的程序内存使用正确
+:kind: decision
+:given: $n=0,\dots,24$ and 8 steps; an array of 9 places for the points, delete[] for the arrays
+:then: nothing is read or written beyond an end, nothing is read before it is written, every array is released once in its own way, $2\cdot9$ in all
+:method: The program on the arrays that count.  What it touches depends on $n$ and the number of steps only, not on the numbers.
+:degrees: 0..24
+:control: R with $n$ places
+:::
+*/
 CLAIM(program_stays_in_its_arrays)
 {
     enum { steps = 8 };
@@ -415,6 +310,40 @@ CLAIM(program_stays_in_its_arrays)
     counted_q(T, "arrays released in the wrong way", run.memory.released_otherwise, 0);
 }
 
+/*
+:::{statement} slides-ch4:4-program-points-count
+:title: The array of points holds npoints points
+:zh: 注释称离散点个数为 npoints
+:printed: points is the sequence of points on the curve, npoints in number
+:refuted-by: program_writes_one_point_too_many
+:class: false
+:corrected: The number of points is npoints+1, as another comment of the same program says, and the array needs as many places.
+:corrected-by: program_stays_in_its_arrays
+:figure: one_place_too_many
+:striking: 47
+
+A caller who takes the comment at its word makes an array with npoints places, and the program writes beyond its end.
+:::
+*/
+
+/* The second coordinates of the worked table. */
+static void example_points(num b[])
+{
+    for (int i = 0; i <= 3; i++)
+        b[i] = from_int(i == 0 || i == 3 ? 1 : 3);
+}
+
+/*
+:::{claim} program_writes_one_point_too_many
+:title: The last point is written beyond the end
+:zh: 末点写出数组边界
+:kind: counterexample
+:given: $n=3$, 4 steps, and an array of 4 places, as many as the comment says
+:then: one number is written beyond the end of the array
+:method: The program on the arrays that count; that the number of such places is 0 is refuted.
+:control: an array of 5 places
+:::
+*/
 CLAIM(program_writes_one_point_too_many)
 {
     enum { steps = 4 };
@@ -428,6 +357,37 @@ CLAIM(program_writes_one_point_too_many)
     counted_q(T, "places beyond the end", run.memory.beyond, 0);
 }
 
+/*
+:::{statement} slides-ch4:4-program-arrays
+:title: The arrays R and Q have n+1 places
+:zh: 数组 R、Q 的大小
+:printed: R = new double[n+1], Q = new double[n+1]
+:holds-by: program_stays_in_its_arrays
+
+For Q, $n$ places are enough, and one for $n=0$ is none too few.
+:::
+
+:::{statement} slides-ch4:4-program-delete
+:title: The arrays are released
+:zh: 释放数组
+:printed: delete R; delete Q; where no square bracket of the program is left to be read
+:reading: program_stays_in_its_arrays | delete[] R; delete[] Q; with brackets that are lost like all others: right
+:reading: program_releases_arrays_as_numbers | delete R; delete Q; as it stands: wrong
+
+What was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  In the text at hand new double[n+1] is
+without its brackets as well, so that it does not tell which was printed.  Either way each array is released once.
+:::
+
+:::{claim} program_releases_arrays_as_numbers
+:title: Both arrays are released in the wrong way
+:zh: 以 delete 释放数组
+:kind: counterexample
+:given: one call of `decas` as printed, $n=3$
+:then: 2 arrays made by new[] are released by delete
+:method: The program on the arrays that count; that the number is 0 is refuted.
+:control: delete[]
+:::
+*/
 CLAIM(program_releases_arrays_as_numbers)
 {
     struct program_q run = {.round = unrounded_q, .as_array = T->planted};
@@ -438,15 +398,35 @@ CLAIM(program_releases_arrays_as_numbers)
     decas_q(&run, 3, &P, from_ratio(1, 2));
     counted_q(T, "arrays released as if they were numbers", run.memory.released_otherwise, 0);
 }
+#endif
 
-CLAIM(no_steps_have_no_length)
+/*
+## Binary64
+*/
+
+#if RATIONAL
+static num binary64(num x) { return from_double_q(to_double_q(x)); }
+
+static num last_of_steps(int steps)
 {
-    num npoints = from_int(T->planted);
-    show(T, "npoints", npoints);
-    about(T, "whether the divisor is not 0");
-    agree(T, !is_zero_q(npoints));
+    struct program_q run = {.round = binary64};
+    struct array_q points;
+    num b[1] = {from_int(1)};
+    return drawn(&run, 0, b, steps, steps + 1, &points);
 }
 
+/*
+:::{claim} sum_of_steps_misses_one
+:title: Six steps of a sixth do not end at 1
+:zh: 六个 1/6 之和在 binary64 中不等于 1
+:kind: counterexample
+:given: npoints = 6, every operation rounded to binary64
+:then: the last parameter is $1-2^{-53}$
+:method: The quotient and the sums in rationals, each rounded to the nearest binary64, ties to even.  Six is the smallest such number of
+  steps.
+:control: npoints = 5
+:::
+*/
 CLAIM(sum_of_steps_misses_one)
 {
     int steps = T->planted ? 5 : 6;
@@ -457,6 +437,17 @@ CLAIM(sum_of_steps_misses_one)
     same(T, last, from_int(1));
 }
 
+/*
+:::{claim} sum_of_steps_is_seldom_one
+:title: For 52 of the first 64 numbers of steps the last parameter is not 1
+:zh: 步数不超过 64 时末参数等于 1 的情形
+:kind: decision
+:given: npoints from 1 to 64, every operation rounded to binary64
+:then: the last parameter is 1 for $1,2,3,4,5,8,12,16,17,32,34,64$, less than 1 for 26 of the others and greater than 1 for 26
+:method: As for `sum_of_steps_misses_one`.  Beyond 1 the curve is left, and with it the hull.
+:control: 6 counted among those with the last parameter 1
+:::
+*/
 CLAIM(sum_of_steps_is_seldom_one)
 {
     static const int ends_at_one[] = {1, 2, 3, 4, 5, 8, 12, 16, 17, 32, 34, 64};
@@ -480,6 +471,17 @@ CLAIM(sum_of_steps_is_seldom_one)
     counted_q(T, "how often greater", above, 26);
 }
 
+/*
+:::{claim} last_point_of_the_example_is_missed
+:title: Six steps over the curve of the table do not end at its last point
+:zh: 算例六等分时末点有误差
+:kind: counterexample
+:given: the second coordinates 1, 3, 3, 1 of the worked table, npoints = 6, every operation rounded to binary64
+:then: the last point is $1+3\cdot2^{-52}$, not 1
+:method: The program with every operation rounded, against $P_3$.
+:control: npoints = 5
+:::
+*/
 CLAIM(last_point_of_the_example_is_missed)
 {
     int steps = T->planted ? 5 : 6;
@@ -495,6 +497,17 @@ CLAIM(last_point_of_the_example_is_missed)
     same(T, points.at[steps], b[3]);
 }
 
+/*
+:::{claim} difference_loses_the_last_point
+:title: At t = 1 the form with one product may lose the last point
+:zh: t=1 时 R+t(R'-R) 在 binary64 中不等于 R'
+:kind: counterexample
+:given: $n=1$, $P_0=1$, $P_1=2^{-54}$, $t=1$, every operation rounded to binary64
+:then: $P_1-P_0$ is rounded to $-1$, and the result is 0
+:method: The function with every operation rounded.
+:control: $(1-t)P_0+tP_1$
+:::
+*/
 CLAIM(difference_loses_the_last_point)
 {
     struct program_q run = {.round = binary64, .two_products = T->planted};
@@ -508,6 +521,18 @@ CLAIM(difference_loses_the_last_point)
     same(T, last, b[1]);
 }
 
+/*
+:::{claim} corrected_program_ends_at_the_last_point
+:title: With t = i/npoints and two products the last point is the last point
+:zh: 改正后的程序末点精确
+:kind: decision
+:given: npoints from 1 to 24, the points 1, $\frac1{10}$, $\frac13$, $2^{-54}$, rounded to binary64, every operation rounded
+:then: the parameter $\frac i{npoints}$ is 1 for the last $i$, and with $(1-t)R_i+tR_{i+1}$ the last point is $P_3$; the first is $P_0$
+:method: At $t=1$ one product is 0 and the other is the number itself, whatever the numbers are, and at $t=0$ likewise: no rounding occurs.
+  Computed for the points that are given.
+:control: the parameter as a sum of steps
+:::
+*/
 CLAIM(corrected_program_ends_at_the_last_point)
 {
     num b[4] = {from_int(1), from_ratio(1, 10), from_ratio(1, 3), from_double_q(0x1p-54)};
@@ -525,4 +550,5 @@ CLAIM(corrected_program_ends_at_the_last_point)
     }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

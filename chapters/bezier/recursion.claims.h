@@ -4,7 +4,14 @@
 The slides draw a curve in two ways: by many of its points, joined by segments, and by the recursion that makes a curve of
 $n+1$ points from two of $n$ points each.  The recursion is de Casteljau's; its levels are the subject of another section of this
 chapter.  Here are the sentences of the slides, and their proof line by line.
+*/
+#include "chapters/bezier/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2 };
+
+/*
 ## Many points
 
 :::{statement} slides-ch4:4-polyline
@@ -30,7 +37,34 @@ A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta
 :degrees: 2..6 sampled 9
 :control: the first power of $v-u$
 :::
+*/
+CLAIM(second_differences_of_a_piece)
+{
+    int n = T->degree, m = n - 2;
+    num b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], D[MAX_DEGREE + 1];
+    num u = parameter(T, "u"), v = parameter(T, "v"), one = from_int(1), step = sub(v, u);
+    G(free_points)(T, n, 1, b);
+    G(bezier_on_interval)(n, 1, b, u, v, c);
+    for (int j = 0; j <= m; j++)
+        D[j] = G(difference)(1, b, 0, j, 2);
+    for (int i = 0; i <= m; i++) {
+        num average = from_int(0);
+        for (int S = 0; S < 1 << m; S++) {
+            num product = one;
+            int size = 0;
+            for (int k = 0; k < m; k++) {
+                num x = k < i ? v : u;
+                product = mul(product, S >> k & 1 ? x : sub(one, x));
+                size += S >> k & 1;
+            }
+            average = add(average, mul(product, D[size]));
+        }
+        same(T, G(difference)(1, c, 0, i, 2), mul(T->planted ? step : mul(step, step), average));
+    }
+}
 
+#if RATIONAL
+/*
 :::{claim} many_points_may_crowd
 :title: A thousand points that crowd at one end leave a chord where it was
 :zh: 点数增多而折线不收敛
@@ -40,7 +74,25 @@ A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta
 :method: The point of the curve and that of the chord; that they are within $\frac1{100}$ is refuted.
 :control: the points at $t=\frac k{1000}$, the chord from $\frac{999}{1000}$ to 1
 :::
+*/
+CLAIM(many_points_may_crowd)
+{
+    enum { points = 1000 };
+    num b[6] = {from_int(0), from_int(0), from_ratio(1, 2), from_int(0), from_int(1), from_int(1)}, P[3][2];
+    num before = T->planted ? from_ratio(points - 1, points) : from_ratio(1, 2), one = from_int(1),
+        half = from_ratio(1, 2);
+    num middle = mul(half, add(before, one));
+    G(decasteljau)(2, dim, b, before, P[0]);
+    G(decasteljau)(2, dim, b, one, P[1]);
+    G(decasteljau)(2, dim, b, middle, P[2]);
+    num gap = sub(mul(half, add(P[0][1], P[1][1])), P[2][1]);
+    show(T, "from the chord down to the curve", gap);
+    about(T, "whether that is at most 1/100");
+    nonnegative(T, sub(from_ratio(1, 100), gap));
+}
+#endif
 
+/*
 ## The recursion
 
 :::{statement} slides-ch4:4-recursion-notation
@@ -84,111 +136,7 @@ With $P_{k,l}$ the curve of $P_k,\dots,P_l$; $n\ge1$, and any $t$.
 :degrees: 1..6 sampled 10
 :control: $t$ and $1-t$ exchanged
 :::
-
-:::{claim} one_point_too_many_breaks_the_recursion
-:title: With one point more the recursion is false
-:zh: 多取一点则递推不成立
-:kind: counterexample
-:given: $n=1$, the points $0,1,5$ of a line, $t=\frac12$; $P_{1,1}$ as the curve of $P_1,P_2$
-:then: $P_{0,1}=\frac12$, and $(1-t)P_{0,0}+tP_{1,1}=\frac32$
-:method: The curves by the kernel.
-:control: $P_{1,1}$ as the curve of $P_1$
-:::
-
-:::{statement} slides-ch4:4-recursion-pascal
-:title: The sum of two binomial coefficients
-:zh: 组合恒等式
-:printed: C_n^i=C_{n-1}^i+C_{n-1}^{i-1}
-:holds-by: binomials_add_up
-:::
-
-:::{statement} slides-ch4:4-recursion-proof
-:title: The proof of the recursion
-:zh: 递推关系的证明
-:printed: the right side is $(1-t)\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i+t\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_{i+1}$
-  $=(1-t)^nP_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i}P_i+\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^i(1-t)^{n-i}P_i+t^nP_n$
-  $=(1-t)^nP_0+\sum_{i=1}^{n-1}(C_{n-1}^i+C_{n-1}^{i-1})t^i(1-t)^{n-i}P_i+t^nP_n=\sum_{i=0}^nC_n^it^i(1-t)^{n-i}P_i$, the left side
-:holds-by: proof_of_the_recursion_line_by_line binomials_add_up
-:figure: two_curves_of_one_point_less
-
-Between the first two of these lines stands another, which is the next entry.  For $n=1$ the sums from 1 to $n-1$ are empty.
-:::
-
-:::{statement} slides-ch4:4-recursion-proof-line-2
-:title: The second line of the proof
-:zh: 证明第二行中 (1-t) 的指数
-:printed: the right side is $(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i-1}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i-1}P_i+t^{n-1}P_n\Bigr)$
-:refuted-by: exponent_of_the_second_line_is_not_shifted
-:class: misprint
-:corrected: $(1-t)^{n-i}$ in the second sum; the first is right
-:corrected-by: proof_of_the_recursion_line_by_line
-:figure: second_line_of_the_proof
-
-With $i$ for $i+1$ the power of $t$ and the binomial are shifted, and the power of $1-t$ is not.  The signs of the exponent are lost; that it
-consists of $n$, $i$ and 1, as that of the first sum does, is there to be read, and no signs make $n-i$ of it.  The next line is right again.
-:::
-
-:::{claim} exponent_of_the_second_line_is_not_shifted
-:title: With two edges the second line has another sum
-:zh: n=2 时证明第二行不成立
-:kind: counterexample
-:given: $n=2$, the points $0,1,0$ of a line, $t=\frac12$; the second line with $(1-t)^{n-i-1}$ in both sums
-:then: the value is $\frac34$, and the curve is at $\frac12$; with $(1-t)^{n-i+1}$ in the second sum the value is $\frac38$
-:method: The line as printed, with either sign of the 1, against the curve from the definition.
-:control: $(1-t)^{n-i}$ in the second sum
-:::
-
-:::{claim} binomials_add_up
-:title: Pascal's rule
-:zh: Pascal 恒等式
-:given: $n\ge1$ and all $i=0,\dots,n$
-:then: $\binom ni=\binom{n-1}i+\binom{n-1}{i-1}$, where $\binom m{-1}=\binom m{m+1}=0$
-:method: The coefficients from factorials, one case for each $n$.
-:degrees: 1..12 sampled 20
-:control: $\binom{n-1}{i+1}$ in the place of the last
-:::
-
-:::{claim} proof_of_the_recursion_line_by_line
-:title: All lines of the proof are the curve
-:zh: 证明的每一步均成立
-:given: numbers $P_0,\dots,P_n$, any $t$
-:then: each of the five expressions is $P_{0,n}(t)$
-:method: Each expression as printed, against the definition, everything a variable.
-:degrees: 1..6 sampled 10
-:control: $t^i$ in the place of $t^{i-1}$ in the second sum of the second line; for $n=1$, where there is none, the last point left out
-:::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2 };
-
-CLAIM(second_differences_of_a_piece)
-{
-    int n = T->degree, m = n - 2;
-    num b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], D[MAX_DEGREE + 1];
-    num u = parameter(T, "u"), v = parameter(T, "v"), one = from_int(1), step = sub(v, u);
-    G(free_points)(T, n, 1, b);
-    G(bezier_on_interval)(n, 1, b, u, v, c);
-    for (int j = 0; j <= m; j++)
-        D[j] = G(difference)(1, b, 0, j, 2);
-    for (int i = 0; i <= m; i++) {
-        num average = from_int(0);
-        for (int S = 0; S < 1 << m; S++) {
-            num product = one;
-            int size = 0;
-            for (int k = 0; k < m; k++) {
-                num x = k < i ? v : u;
-                product = mul(product, S >> k & 1 ? x : sub(one, x));
-                size += S >> k & 1;
-            }
-            average = add(average, mul(product, D[size]));
-        }
-        same(T, G(difference)(1, c, 0, i, 2), mul(T->planted ? step : mul(step, step), average));
-    }
-}
-
 CLAIM(curve_blends_two_curves_of_one_point_less)
 {
     int n = T->degree;
@@ -206,6 +154,46 @@ CLAIM(curve_blends_two_curves_of_one_point_less)
             }
 }
 
+#if RATIONAL
+/*
+:::{claim} one_point_too_many_breaks_the_recursion
+:title: With one point more the recursion is false
+:zh: 多取一点则递推不成立
+:kind: counterexample
+:given: $n=1$, the points $0,1,5$ of a line, $t=\frac12$; $P_{1,1}$ as the curve of $P_1,P_2$
+:then: $P_{0,1}=\frac12$, and $(1-t)P_{0,0}+tP_{1,1}=\frac32$
+:method: The curves by the kernel.
+:control: $P_{1,1}$ as the curve of $P_1$
+:::
+*/
+CLAIM(one_point_too_many_breaks_the_recursion)
+{
+    num b[3] = {from_int(0), from_int(1), from_int(5)}, half = from_ratio(1, 2), P, far;
+    G(decasteljau)(1, 1, b, half, &P);
+    G(decasteljau)(T->planted ? 0 : 1, 1, b + 1, half, &far);
+    about(T, "P_{0,1} and the right side");
+    same(T, P, add(mul(half, b[0]), mul(half, far)));
+}
+#endif
+
+/*
+:::{statement} slides-ch4:4-recursion-pascal
+:title: The sum of two binomial coefficients
+:zh: 组合恒等式
+:printed: C_n^i=C_{n-1}^i+C_{n-1}^{i-1}
+:holds-by: binomials_add_up
+:::
+
+:::{claim} binomials_add_up
+:title: Pascal's rule
+:zh: Pascal 恒等式
+:given: $n\ge1$ and all $i=0,\dots,n$
+:then: $\binom ni=\binom{n-1}i+\binom{n-1}{i-1}$, where $\binom m{-1}=\binom m{m+1}=0$
+:method: The coefficients from factorials, one case for each $n$.
+:degrees: 1..12 sampled 20
+:control: $\binom{n-1}{i+1}$ in the place of the last
+:::
+*/
 CLAIM(binomials_add_up)
 {
     int n = T->degree;
@@ -215,6 +203,29 @@ CLAIM(binomials_add_up)
     }
 }
 
+/*
+:::{statement} slides-ch4:4-recursion-proof
+:title: The proof of the recursion
+:zh: 递推关系的证明
+:printed: the right side is $(1-t)\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i+t\sum_{i=0}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_{i+1}$
+  $=(1-t)^nP_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i}P_i+\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^i(1-t)^{n-i}P_i+t^nP_n$
+  $=(1-t)^nP_0+\sum_{i=1}^{n-1}(C_{n-1}^i+C_{n-1}^{i-1})t^i(1-t)^{n-i}P_i+t^nP_n=\sum_{i=0}^nC_n^it^i(1-t)^{n-i}P_i$, the left side
+:holds-by: proof_of_the_recursion_line_by_line binomials_add_up
+:figure: two_curves_of_one_point_less
+
+Between the first two of these lines stands another, which is the next entry.  For $n=1$ the sums from 1 to $n-1$ are empty.
+:::
+
+:::{claim} proof_of_the_recursion_line_by_line
+:title: All lines of the proof are the curve
+:zh: 证明的每一步均成立
+:given: numbers $P_0,\dots,P_n$, any $t$
+:then: each of the five expressions is $P_{0,n}(t)$
+:method: Each expression as printed, against the definition, everything a variable.
+:degrees: 1..6 sampled 10
+:control: $t^i$ in the place of $t^{i-1}$ in the second sum of the second line; for $n=1$, where there is none, the last point left out
+:::
+*/
 CLAIM(proof_of_the_recursion_line_by_line)
 {
     int n = T->degree;
@@ -253,23 +264,34 @@ CLAIM(proof_of_the_recursion_line_by_line)
     same(T, sum, left);
 }
 
-#if RATIONAL
-CLAIM(many_points_may_crowd)
-{
-    enum { points = 1000 };
-    num b[6] = {from_int(0), from_int(0), from_ratio(1, 2), from_int(0), from_int(1), from_int(1)}, P[3][2];
-    num before = T->planted ? from_ratio(points - 1, points) : from_ratio(1, 2), one = from_int(1),
-        half = from_ratio(1, 2);
-    num middle = mul(half, add(before, one));
-    G(decasteljau)(2, dim, b, before, P[0]);
-    G(decasteljau)(2, dim, b, one, P[1]);
-    G(decasteljau)(2, dim, b, middle, P[2]);
-    num gap = sub(mul(half, add(P[0][1], P[1][1])), P[2][1]);
-    show(T, "from the chord down to the curve", gap);
-    about(T, "whether that is at most 1/100");
-    nonnegative(T, sub(from_ratio(1, 100), gap));
-}
+/*
+:::{statement} slides-ch4:4-recursion-proof-line-2
+:title: The second line of the proof
+:zh: 证明第二行中 (1-t) 的指数
+:printed: the right side is $(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-i-1}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i-1}P_i+t^{n-1}P_n\Bigr)$
+:refuted-by: exponent_of_the_second_line_is_not_shifted
+:class: misprint
+:corrected: $(1-t)^{n-i}$ in the second sum; the first is right
+:corrected-by: proof_of_the_recursion_line_by_line
+:figure: second_line_of_the_proof
 
+With $i$ for $i+1$ the power of $t$ and the binomial are shifted, and the power of $1-t$ is not.  The signs of the exponent are lost; that it
+consists of $n$, $i$ and 1, as that of the first sum does, is there to be read, and no signs make $n-i$ of it.  The next line is right again.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} exponent_of_the_second_line_is_not_shifted
+:title: With two edges the second line has another sum
+:zh: n=2 时证明第二行不成立
+:kind: counterexample
+:given: $n=2$, the points $0,1,0$ of a line, $t=\frac12$; the second line with $(1-t)^{n-i-1}$ in both sums
+:then: the value is $\frac34$, and the curve is at $\frac12$; with $(1-t)^{n-i+1}$ in the second sum the value is $\frac38$
+:method: The line as printed, with either sign of the 1, against the curve from the definition.
+:control: $(1-t)^{n-i}$ in the second sum
+:::
+*/
 CLAIM(exponent_of_the_second_line_is_not_shifted)
 {
     enum { n = 2 };
@@ -287,14 +309,6 @@ CLAIM(exponent_of_the_second_line_is_not_shifted)
         same(T, line, G(curve)(n, 1, P, 0, t));
     }
 }
-
-CLAIM(one_point_too_many_breaks_the_recursion)
-{
-    num b[3] = {from_int(0), from_int(1), from_int(5)}, half = from_ratio(1, 2), P, far;
-    G(decasteljau)(1, 1, b, half, &P);
-    G(decasteljau)(T->planted ? 0 : 1, 1, b + 1, half, &far);
-    about(T, "P_{0,1} and the right side");
-    same(T, P, add(mul(half, b[0]), mul(half, far)));
-}
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -6,7 +6,14 @@ the points for the position, for the tangent, and for the second derivative.  Ea
 names.  What the second and the third guarantee depends on something that is not said: the edges at the joint must not have
 length 0, and the third condition speaks of $C^2$ only for curves that are $C^1$, and not for those that are merely $G^1$, which
 are the ones just treated.
+*/
+#include "chapters/bezier/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2 };
+
+/*
 :::{statement} slides-ch4:4-joint-position
 :title: The cubics meet
 :zh: 位置连续条件
@@ -66,131 +73,7 @@ For $P_2=P_3$ it says that $Q_1=Q_0$, and the curve may have a corner.
 :degrees: 1..6 sampled 10
 :control: $\frac{a\,q_1+p_{n-1}}{1+a}$
 :::
-
-:::{claim} zero_edges_hide_a_corner
-:title: Edges of length 0 satisfy the condition and hide a corner
-:zh: 零边满足条件而曲线有尖角
-:kind: counterexample
-:given: $P_1=(-1,0)$, $P_2=P_3=Q_0=Q_1=(0,0)$, $Q_2=(0,1)$, so $Q_1-Q_0=a(P_3-P_2)$ for every $a$
-:then: $P'(1-u)=u\,(6,0)+\cdots$ and $Q'(u)=u\,(0,6)+\cdots$: the curve arrives along one axis and leaves along the other
-:method: First derivatives, which vanish, and second ones at the joint by the kernel; the directions $-P''(1)$ and $Q''(0)$ should have
-  the determinant 0.
-:control: $Q_2=(1,0)$
-:::
-
-:::{claim} straight_joint_with_a_zero_edge
-:title: A straight line with one zero edge at the joint has no ratio of the edges
-:zh: 一侧为零边的直线连接无比值
-:kind: counterexample
-:given: $P=(-3,0),(-2,0),(-1,0),(0,0)$, $Q=(0,0),(0,0),(1,0),(3,0)$
-:then: both are parts of one straight line, run through in one direction, so by arc length $G^k$ for every $k$; but $Q_1-Q_0=0$ is
-  $a(P_3-P_2)$ for no $a>0$
-:method: $P(t)=(-3+3t,0)$, $Q(t)=(3t^2,0)$: all second coordinates are 0, the first coordinates of the points do not decrease, $Q_0=P_3$, and each
-  polygon has two different ends.  With
-  $P_3-P_2=(1,0)$ the ratio is the first coordinate of $Q_1-Q_0$, which should be positive.
-:control: $Q_1=(1,0)$
-:::
-
-## The second derivative
-
-:::{statement} slides-ch4:4-second-derivative
-:title: The second derivative of a cubic
-:zh: 三次曲线的二阶导矢
-:printed: P''(t)=[6t\;\;2]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}=(-6t+6)P_0+(18t-12)P_1+(-18t+6)P_2+6tP_3
-:holds-by: second_derivative_of_a_cubic
-:figure: second_derivatives_alone
-
-The signs are lost; the coefficients of powers of $t$ leave one choice.
-:::
-
-:::{statement} slides-ch4:4-second-derivative-ends
-:title: The second derivatives at the joint
-:zh: 连接点处的二阶导矢
-:printed: $P''(1)=6P_1-12P_2+6P_3$, $Q''(0)=6Q_0-12Q_1+6Q_2$
-:holds-by: second_derivative_of_a_cubic
-:figure: second_derivatives_alone
-:::
-
-:::{statement} slides-ch4:4-joint-c2
-:title: C2 by equal second derivatives
-:zh: C2 连续条件
-:printed: For $C^2$ at the joint, continuity of the second derivative by the parameter, $P''(1)=Q''(0)$ is required, that is
-  $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
-:holds-by: three_points_make_c2
-:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well, $a=1$: the slides come from $G^1$ with any $a>0$
-:reading: equal_second_derivatives_with_unequal_first | with the condition for $G^1$ alone: for $a\ne1$ not $C^2$, and not $G^2$ either
-:reading: printed_condition_divides_the_curvature | what it does to the curvature at such a joint: the curvature is divided by $a^2$
-:figure: second_derivatives_alone
-:striking: 45
-
-Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.
-:::
-
-:::{statement} slides-ch4:4-joint-c2-point
-:title: The second point of the next polygon
-:zh: C2 条件下的 Q2
-:printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
-:holds-by: three_points_make_c2
-:needs: open_joint_has_no_second_point | $Q_0=P_3$
-:figure: second_derivatives_alone
-
-It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
-:::
-
-:::{claim} second_derivative_of_a_cubic
-:title: The second derivative in its two printed forms, and at the ends
-:zh: 二阶导矢的两种形式
-:given: four points of the plane, any $t$
-:then: both forms are $P''(t)$; at $t=1$ and $t=0$ they are the printed differences
-:method: Against the kernel, everything a variable.
-:control: $18t+12$ beside $P_1$
-:::
-
-:::{claim} three_points_make_c2
-:title: With three points the next cubic joins in C2, and only so
-:zh: C2 连接由三点确定
-:given: any $P_0,\dots,P_3$, $Q_3$ of the plane; $Q_0=P_3$, $Q_1=2P_3-P_2$, $Q_2=P_1+2(Q_1-P_2)$
-:then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and any $Q_1$, then
-  $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
-:method: Derivatives at the ends by the kernel; everything a variable.
-:control: $Q_2=P_1-2(Q_1-P_2)$
-:::
-
-:::{claim} equal_second_derivatives_with_unequal_first
-:title: Equal second derivatives at a joint that is not C1
-:zh: 二阶导矢相等而非 C2
-:kind: counterexample
-:given: $P_1=(-2,1)$, $P_2=(-1,0)$, $P_3=Q_0=(0,0)$, $Q_1=(2,0)$ so that $a=2$, $Q_2=P_1+2(Q_1-P_2)=(4,1)$
-:then: $P''(1)=Q''(0)=(0,6)$, and $P'(1)=(3,0)\ne Q'(0)=(6,0)$; the curvatures are $\frac23$ and $\frac16$
-:method: The kernels at the ends.
-:control: $Q_1=(1,0)$, that is $a=1$
-:::
-
-:::{claim} printed_condition_divides_the_curvature
-:title: With the ratio a the printed condition divides the curvature by the square of a
-:zh: 仅二阶导矢相等时曲率缩为 1/a^2
-:given: $P',P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
-:then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$
-:method: An identity with everything a variable.
-:control: divided by $a^2$
-:::
-
-:::{claim} open_joint_has_no_second_point
-:title: Without a common point the formula for Q2 misses the condition
-:zh: 不相接时公式不成立
-:kind: counterexample
-:given: points of a line: $P_1=P_2=P_3=0$, $Q_0=Q_1=1$, $Q_2=P_1+2(Q_1-P_2)=2$
-:then: $P_1-2P_2+P_3=0$ and $Q_0-2Q_1+Q_2=1$
-:method: Both sides.
-:control: $Q_0=0$
-:::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2 };
-
 CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
 {
     int n = T->degree;
@@ -219,6 +102,112 @@ CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
     }
 }
 
+#if RATIONAL
+static void whole_points(int count, const int from[], num out[])
+{
+    for (int m = 0; m < count; m++)
+        out[m] = from_int(from[m]);
+}
+
+/*
+:::{claim} zero_edges_hide_a_corner
+:title: Edges of length 0 satisfy the condition and hide a corner
+:zh: 零边满足条件而曲线有尖角
+:kind: counterexample
+:given: $P_1=(-1,0)$, $P_2=P_3=Q_0=Q_1=(0,0)$, $Q_2=(0,1)$, so $Q_1-Q_0=a(P_3-P_2)$ for every $a$
+:then: $P'(1-u)=u\,(6,0)+\cdots$ and $Q'(u)=u\,(0,6)+\cdots$: the curve arrives along one axis and leaves along the other
+:method: First derivatives, which vanish, and second ones at the joint by the kernel; the directions $-P''(1)$ and $Q''(0)$ should have
+  the determinant 0.
+:control: $Q_2=(1,0)$
+:::
+*/
+CLAIM(zero_edges_hide_a_corner)
+{
+    static const int before[8] = {-2, 0, -1, 0, 0, 0, 0, 0}, after[8] = {0, 0, 0, 0, 0, 1, 1, 2};
+    num p[8], q[8], D[6], E[6];
+    whole_points(8, before, p);
+    whole_points(8, after, q);
+    if (T->planted)
+        q[4] = from_int(1), q[5] = from_int(0);
+    bezier_derivatives_q(3, dim, p, from_int(1), 2, D);
+    bezier_derivatives_q(3, dim, q, from_int(0), 2, E);
+    about(T, "the first derivatives");
+    for (int c = 0; c < dim; c++) {
+        same(T, D[2 + c], from_int(0));
+        same(T, E[2 + c], from_int(0));
+    }
+    num arrives[2] = {neg(D[4]), neg(D[5])};
+    show_points(T, "the directions before and after the joint", 2, 2, (num[]){arrives[0], arrives[1], E[4], E[5]});
+    about(T, "the determinant of the directions");
+    vanishes(T, cross2_q(arrives, E + 4));
+}
+
+/*
+:::{claim} straight_joint_with_a_zero_edge
+:title: A straight line with one zero edge at the joint has no ratio of the edges
+:zh: 一侧为零边的直线连接无比值
+:kind: counterexample
+:given: $P=(-3,0),(-2,0),(-1,0),(0,0)$, $Q=(0,0),(0,0),(1,0),(3,0)$
+:then: both are parts of one straight line, run through in one direction, so by arc length $G^k$ for every $k$; but $Q_1-Q_0=0$ is
+  $a(P_3-P_2)$ for no $a>0$
+:method: $P(t)=(-3+3t,0)$, $Q(t)=(3t^2,0)$: all second coordinates are 0, the first coordinates of the points do not decrease, $Q_0=P_3$, and each
+  polygon has two different ends.  With
+  $P_3-P_2=(1,0)$ the ratio is the first coordinate of $Q_1-Q_0$, which should be positive.
+:control: $Q_1=(1,0)$
+:::
+*/
+CLAIM(straight_joint_with_a_zero_edge)
+{
+    static const int before[8] = {-3, 0, -2, 0, -1, 0, 0, 0}, after[8] = {0, 0, 0, 0, 1, 0, 3, 0};
+    num p[8], q[8];
+    whole_points(8, before, p);
+    whole_points(8, after, q);
+    if (T->planted)
+        q[2] = from_int(1);
+    int straight = equal_q(q[0], p[6]) && sign_q(sub(p[6], p[0])) > 0 && sign_q(sub(q[6], q[0])) > 0;
+    for (int i = 0; i <= 3; i++) {
+        straight = straight && is_zero_q(p[2 * i + 1]) && is_zero_q(q[2 * i + 1]);
+        if (i < 3)
+            straight = straight && sign_q(sub(p[2 * i + 2], p[2 * i])) >= 0 && sign_q(sub(q[2 * i + 2], q[2 * i])) >= 0;
+    }
+    show_points(T, "P_3 - P_2 and Q_1 - Q_0", 2, 2,
+                (num[]){sub(p[6], p[4]), sub(p[7], p[5]), sub(q[2], q[0]), sub(q[3], q[1])});
+    num ratio = div(sub(q[2], q[0]), sub(p[6], p[4]));
+    about(T, "the joined curves being one straight line, whether a is positive");
+    agree(T, straight ? sign_q(ratio) > 0 : !T->planted); /* otherwise neither shows anything */
+}
+#endif
+
+/*
+## The second derivative
+
+:::{statement} slides-ch4:4-second-derivative
+:title: The second derivative of a cubic
+:zh: 三次曲线的二阶导矢
+:printed: P''(t)=[6t\;\;2]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}=(-6t+6)P_0+(18t-12)P_1+(-18t+6)P_2+6tP_3
+:holds-by: second_derivative_of_a_cubic
+:figure: second_derivatives_alone
+
+The signs are lost; the coefficients of powers of $t$ leave one choice.
+:::
+
+:::{statement} slides-ch4:4-second-derivative-ends
+:title: The second derivatives at the joint
+:zh: 连接点处的二阶导矢
+:printed: $P''(1)=6P_1-12P_2+6P_3$, $Q''(0)=6Q_0-12Q_1+6Q_2$
+:holds-by: second_derivative_of_a_cubic
+:figure: second_derivatives_alone
+:::
+
+:::{claim} second_derivative_of_a_cubic
+:title: The second derivative in its two printed forms, and at the ends
+:zh: 二阶导矢的两种形式
+:given: four points of the plane, any $t$
+:then: both forms are $P''(t)$; at $t=1$ and $t=0$ they are the printed differences
+:method: Against the kernel, everything a variable.
+:control: $18t+12$ beside $P_1$
+:::
+*/
 CLAIM(second_derivative_of_a_cubic)
 {
     static const int M[2][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}}, slope[4] = {-6, 18, -18, 6},
@@ -253,6 +242,32 @@ CLAIM(second_derivative_of_a_cubic)
     }
 }
 
+/*
+:::{statement} slides-ch4:4-joint-c2
+:title: C2 by equal second derivatives
+:zh: C2 连续条件
+:printed: For $C^2$ at the joint, continuity of the second derivative by the parameter, $P''(1)=Q''(0)$ is required, that is
+  $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
+:holds-by: three_points_make_c2
+:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well, $a=1$: the slides come from $G^1$ with any $a>0$
+:reading: equal_second_derivatives_with_unequal_first | with the condition for $G^1$ alone: for $a\ne1$ not $C^2$, and not $G^2$ either
+:reading: printed_condition_divides_the_curvature | what it does to the curvature at such a joint: the curvature is divided by $a^2$
+:figure: second_derivatives_alone
+:striking: 45
+
+Necessary it is.  Sufficient it is only with $P_3=Q_0$ and $a=1$.
+:::
+
+:::{claim} three_points_make_c2
+:title: With three points the next cubic joins in C2, and only so
+:zh: C2 连接由三点确定
+:given: any $P_0,\dots,P_3$, $Q_3$ of the plane; $Q_0=P_3$, $Q_1=2P_3-P_2$, $Q_2=P_1+2(Q_1-P_2)$
+:then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and any $Q_1$, then
+  $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
+:method: Derivatives at the ends by the kernel; everything a variable.
+:control: $Q_2=P_1-2(Q_1-P_2)$
+:::
+*/
 CLAIM(three_points_make_c2)
 {
     num p[4 * dim], q[4 * dim], D[3 * dim], E[3 * dim], two = from_int(2), four = from_int(4);
@@ -282,68 +297,18 @@ CLAIM(three_points_make_c2)
     }
 }
 
-CLAIM(printed_condition_divides_the_curvature)
-{
-    num d1[dim], d2[dim], e1[dim], a = positive(T, "a", 0), square = mul(a, a);
-    for (int c = 0; c < dim; c++) {
-        d1[c] = unknown(T, "u", c);
-        d2[c] = unknown(T, "v", c);
-        e1[c] = mul(a, d1[c]);
-    }
-    same(T, G(cross2)(e1, d2), mul(a, G(cross2)(d1, d2)));
-    num factor = T->planted ? square : mul(square, square);
-    same(T, mul(factor, G(curvature_squared)(dim, e1, d2)), G(curvature_squared)(dim, d1, d2));
-}
-
 #if RATIONAL
-static void whole_points(int count, const int from[], num out[])
-{
-    for (int m = 0; m < count; m++)
-        out[m] = from_int(from[m]);
-}
-
-CLAIM(zero_edges_hide_a_corner)
-{
-    static const int before[8] = {-2, 0, -1, 0, 0, 0, 0, 0}, after[8] = {0, 0, 0, 0, 0, 1, 1, 2};
-    num p[8], q[8], D[6], E[6];
-    whole_points(8, before, p);
-    whole_points(8, after, q);
-    if (T->planted)
-        q[4] = from_int(1), q[5] = from_int(0);
-    bezier_derivatives_q(3, dim, p, from_int(1), 2, D);
-    bezier_derivatives_q(3, dim, q, from_int(0), 2, E);
-    about(T, "the first derivatives");
-    for (int c = 0; c < dim; c++) {
-        same(T, D[2 + c], from_int(0));
-        same(T, E[2 + c], from_int(0));
-    }
-    num arrives[2] = {neg(D[4]), neg(D[5])};
-    show_points(T, "the directions before and after the joint", 2, 2, (num[]){arrives[0], arrives[1], E[4], E[5]});
-    about(T, "the determinant of the directions");
-    vanishes(T, cross2_q(arrives, E + 4));
-}
-
-CLAIM(straight_joint_with_a_zero_edge)
-{
-    static const int before[8] = {-3, 0, -2, 0, -1, 0, 0, 0}, after[8] = {0, 0, 0, 0, 1, 0, 3, 0};
-    num p[8], q[8];
-    whole_points(8, before, p);
-    whole_points(8, after, q);
-    if (T->planted)
-        q[2] = from_int(1);
-    int straight = equal_q(q[0], p[6]) && sign_q(sub(p[6], p[0])) > 0 && sign_q(sub(q[6], q[0])) > 0;
-    for (int i = 0; i <= 3; i++) {
-        straight = straight && is_zero_q(p[2 * i + 1]) && is_zero_q(q[2 * i + 1]);
-        if (i < 3)
-            straight = straight && sign_q(sub(p[2 * i + 2], p[2 * i])) >= 0 && sign_q(sub(q[2 * i + 2], q[2 * i])) >= 0;
-    }
-    show_points(T, "P_3 - P_2 and Q_1 - Q_0", 2, 2,
-                (num[]){sub(p[6], p[4]), sub(p[7], p[5]), sub(q[2], q[0]), sub(q[3], q[1])});
-    num ratio = div(sub(q[2], q[0]), sub(p[6], p[4]));
-    about(T, "the joined curves being one straight line, whether a is positive");
-    agree(T, straight ? sign_q(ratio) > 0 : !T->planted); /* otherwise neither shows anything */
-}
-
+/*
+:::{claim} equal_second_derivatives_with_unequal_first
+:title: Equal second derivatives at a joint that is not C1
+:zh: 二阶导矢相等而非 C2
+:kind: counterexample
+:given: $P_1=(-2,1)$, $P_2=(-1,0)$, $P_3=Q_0=(0,0)$, $Q_1=(2,0)$ so that $a=2$, $Q_2=P_1+2(Q_1-P_2)=(4,1)$
+:then: $P''(1)=Q''(0)=(0,6)$, and $P'(1)=(3,0)\ne Q'(0)=(6,0)$; the curvatures are $\frac23$ and $\frac16$
+:method: The kernels at the ends.
+:control: $Q_1=(1,0)$, that is $a=1$
+:::
+*/
 CLAIM(equal_second_derivatives_with_unequal_first)
 {
     static const int before[8] = {-3, 3, -2, 1, -1, 0, 0, 0}, after[8] = {0, 0, 2, 0, 4, 1, 6, 3};
@@ -367,7 +332,56 @@ CLAIM(equal_second_derivatives_with_unequal_first)
     for (int c = 0; c < dim; c++)
         same(T, E[2 + c], D[2 + c]);
 }
+#endif
 
+/*
+:::{claim} printed_condition_divides_the_curvature
+:title: With the ratio a the printed condition divides the curvature by the square of a
+:zh: 仅二阶导矢相等时曲率缩为 1/a^2
+:given: $P',P''$ of the plane at the joint, $a>0$; $Q'=aP'$, $Q''=P''$
+:then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$
+:method: An identity with everything a variable.
+:control: divided by $a^2$
+:::
+*/
+CLAIM(printed_condition_divides_the_curvature)
+{
+    num d1[dim], d2[dim], e1[dim], a = positive(T, "a", 0), square = mul(a, a);
+    for (int c = 0; c < dim; c++) {
+        d1[c] = unknown(T, "u", c);
+        d2[c] = unknown(T, "v", c);
+        e1[c] = mul(a, d1[c]);
+    }
+    same(T, G(cross2)(e1, d2), mul(a, G(cross2)(d1, d2)));
+    num factor = T->planted ? square : mul(square, square);
+    same(T, mul(factor, G(curvature_squared)(dim, e1, d2)), G(curvature_squared)(dim, d1, d2));
+}
+
+/*
+:::{statement} slides-ch4:4-joint-c2-point
+:title: The second point of the next polygon
+:zh: C2 条件下的 Q2
+:printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
+:holds-by: three_points_make_c2
+:needs: open_joint_has_no_second_point | $Q_0=P_3$
+:figure: second_derivatives_alone
+
+It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4P_2+4P_3$: of the second polygon only $Q_3$ is free.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} open_joint_has_no_second_point
+:title: Without a common point the formula for Q2 misses the condition
+:zh: 不相接时公式不成立
+:kind: counterexample
+:given: points of a line: $P_1=P_2=P_3=0$, $Q_0=Q_1=1$, $Q_2=P_1+2(Q_1-P_2)=2$
+:then: $P_1-2P_2+P_3=0$ and $Q_0-2Q_1+Q_2=1$
+:method: Both sides.
+:control: $Q_0=0$
+:::
+*/
 CLAIM(open_joint_has_no_second_point)
 {
     num P[3] = {from_int(0), from_int(0), from_int(0)}, two = from_int(2); /* P_1, P_2, P_3 */
@@ -376,4 +390,5 @@ CLAIM(open_joint_has_no_second_point)
     same(T, add(sub(Q[0], mul(two, Q[1])), second), add(sub(P[0], mul(two, P[1])), P[2]));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

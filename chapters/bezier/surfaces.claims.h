@@ -9,9 +9,26 @@ Each row of the net is a curve in $w$; its points at one $w$ are the polygon of 
 in the title of their fourth section and say no more; the surface with a shape parameter in another chapter is of this kind.
 What a user needs is collected here: points, parameter lines, partial derivatives of every order, normals, pieces.  All of it
 is the theory of curves, used twice, but for the normal, which may vanish where the surface has a tangent plane.
+*/
+#include "chapters/bezier/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2, MOST_OF_NET = 9 * 6 }; /* points of a net: degrees 8 and 5 */
+
+/*
 ## Points and lines
+*/
 
+static int G(other_degree)(int n) { return n / 2 + 1; }
+
+/* The net of degrees n and m, every coordinate free. */
+static void G(free_net)(trial *T, int n, int m, int coordinates, num P[])
+{
+    G(free_points)(T, (n + 1) * (m + 1) - 1, coordinates, P);
+}
+
+/*
 :::{claim} surface_kernel_computes_the_double_sum
 :title: The kernel computes the double sum
 :zh: 张量积曲面上的点
@@ -22,115 +39,7 @@ is the theory of curves, used twice, but for the normal, which may vanish where 
 :defines: bezier_surface_point
 :control: $u$ and $w$ exchanged
 :::
-
-:::{claim} parameter_lines_are_bezier_curves
-:title: The lines of the surface are curves, and the borders those of the borders of the net
-:zh: 等参线与边界曲线
-:given: a net of degrees $n$ and $m$ as before, any $u,w$
-:then: the curve of `bezier_surface_line` at $w$ is the double sum; for $u=0$ and $u=1$ its points are the first and the last row; with
-  `bezier_surface_transpose` the same holds with $u$ and $w$ exchanged
-:method: The curve of the kernel's points, from the definition, against the double sum; everything a variable.
-:degrees: 0..4 sampled 8
-:defines: bezier_surface_line bezier_surface_transpose
-:control: the line at $1-u$
-:::
-
-:::{claim} surface_functions_sum_to_one_and_are_positive
-:title: The surface lies in the hull of its net and moves with it
-:zh: 凸包性与仿射不变性
-:given: $u=\frac s{1+s}$, $w=\frac r{1+r}$, $r,s>0$, degrees $n$ and $m$ as before
-:then: $B_i^n(u)B_j^m(w)>0$, and their sum is 1
-:method: The functions are the surfaces of nets with one point 1 and the others 0, by the kernel; their coefficients in $r,s$ are positive.
-:degrees: 0..4 sampled 8
-:control: $w$ taken as $-\frac r{1+r}$
-:::
-
-## Derivatives and normals
-
-:::{claim} surface_derivatives_of_every_order
-:title: The kernel computes all partial derivatives
-:zh: 任意阶偏导矢
-:given: a net of degrees $n$ and $m$ as before in the plane, any $u,w$, orders $0,\dots,n+1$ in $u$ and $0,\dots,m+1$ in $w$
-:then: `bezier_surface_derivatives` gives $\frac{\partial^{k+l}P}{\partial u^k\partial w^l}$, 0 for $k>n$ and for $l>m$
-:method: The kernel against the double sum of derivatives of the basis from the definition: in the field of rational functions,
-  in the other number types power by power.
-:degrees: 0..3 sampled 7
-:defines: bezier_surface_derivatives
-:control: the derivatives at $(w,u)$
-:::
-
-:::{claim} surface_normal_is_the_cross_product
-:title: The normal gives with every vector the volume of the two tangents and the vector
-:zh: 法矢
-:given: a net of degrees $n$ and $m$ as before in space, any $u,w$, any vector $v$
-:then: the result $N$ of `bezier_surface_normal` has $N\cdot v=\det(P_u,P_w,v)$; hence $N\cdot P_u=N\cdot P_w=0$
-:method: The determinant by its six products, of the partial derivatives from the definition; $v$ is each of three unit vectors, $P_u$
-  and $P_w$.  The coordinates are variables but for one net of numbers, since $N$ is of degree two in the points: $x$ of all
-  points is variable, then $y$, then $z$, the others being numbers.
-:degrees: 1..2 sampled 6
-:defines: bezier_surface_normal
-:control: the normal of the net with $u$ and $w$ exchanged
-:::
-
-:::{claim} corners_of_the_net_give_tangents_normal_and_twist
-:title: Tangents, normal and twist at a corner
-:zh: 角点处的切矢、法矢与扭矢
-:given: a net of degrees $n$ and $m$ as before in space
-:then: at $(0,0)$: $P_u=n(P_{10}-P_{00})$, $P_w=m(P_{01}-P_{00})$, $P_{uw}=nm(P_{11}-P_{10}-P_{01}+P_{00})$ and
-  $N=nm\,(P_{10}-P_{00})\times(P_{01}-P_{00})$
-:method: The kernels at $(0,0)$, everything a variable; the other corners are those of the reversed nets.
-:degrees: 1..4 sampled 8
-:control: $P_{11}$ left out of the twist
-:::
-
-:::{claim} collapsed_border_has_no_normal
-:title: On a border of one point the normal vanishes, and the tangent plane is there
-:zh: 退化边界处法矢为零
-:kind: counterexample
-:given: $n=m=1$, $P_{00}=P_{01}=(0,0,0)$, $P_{10}=(1,0,0)$, $P_{11}=(0,1,0)$: a triangle of the plane $z=0$
-:then: $N(u,w)=(0,0,u)$: at $u=0$ it is $0$, at $u=\frac12$ it is not
-:method: The kernel at $(0,\frac12)$ and $(\frac12,\frac12)$; that the length of the first is not 0 is refuted.
-:control: $P_{01}=(-1,1,0)$
-:::
-
-## Pieces
-
-:::{claim} surface_part_is_the_piece
-:title: The net of a piece
-:zh: 子曲面片的控制网格
-:given: a net of degrees $n$ and $m$ as before, any $u_0,u_1,w_0,w_1$, any $a,b$
-:then: the surface of the net of `bezier_surface_part` at $(a,b)$ is $P\bigl((1-a)u_0+au_1,(1-b)w_0+bw_1\bigr)$
-:method: Both double sums from the definition; $a$ and $b$, the ends and the points are variables.
-:degrees: 0..3 sampled 6
-:defines: bezier_surface_part
-:control: $w_0$ and $w_1$ exchanged
-:::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2, MOST_OF_NET = 9 * 6 }; /* points of a net: degrees 8 and 5 */
-
-static int G(other_degree)(int n) { return n / 2 + 1; }
-
-/* The net of degrees n and m, every coordinate free. */
-static void G(free_net)(trial *T, int n, int m, int coordinates, num P[])
-{
-    G(free_points)(T, (n + 1) * (m + 1) - 1, coordinates, P);
-}
-
-/* Coordinate c of the derivative of orders k and l at (u, w): the double sum of derivatives of the basis. */
-static num G(surface)(int n, int m, int coordinates, const num P[], int c, int k, int l, num u, num w)
-{
-    num sum = from_int(0);
-    for (int i = 0; i <= n; i++) {
-        num row = G(curve_derivative)(m, coordinates, P + i * (m + 1) * coordinates, c, l, w);
-        sum = add(sum, mul(G(basis_derivative)(n, i, k, u), row));
-    }
-    return sum;
-}
-
 CLAIM(surface_kernel_computes_the_double_sum)
 {
     int n = T->degree, m = G(other_degree)(n);
@@ -148,6 +57,30 @@ CLAIM(surface_kernel_computes_the_double_sum)
     }
 }
 
+/* Coordinate c of the derivative of orders k and l at (u, w): the double sum of derivatives of the basis. */
+static num G(surface)(int n, int m, int coordinates, const num P[], int c, int k, int l, num u, num w)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= n; i++) {
+        num row = G(curve_derivative)(m, coordinates, P + i * (m + 1) * coordinates, c, l, w);
+        sum = add(sum, mul(G(basis_derivative)(n, i, k, u), row));
+    }
+    return sum;
+}
+
+/*
+:::{claim} parameter_lines_are_bezier_curves
+:title: The lines of the surface are curves, and the borders those of the borders of the net
+:zh: 等参线与边界曲线
+:given: a net of degrees $n$ and $m$ as before, any $u,w$
+:then: the curve of `bezier_surface_line` at $w$ is the double sum; for $u=0$ and $u=1$ its points are the first and the last row; with
+  `bezier_surface_transpose` the same holds with $u$ and $w$ exchanged
+:method: The curve of the kernel's points, from the definition, against the double sum; everything a variable.
+:degrees: 0..4 sampled 8
+:defines: bezier_surface_line bezier_surface_transpose
+:control: the line at $1-u$
+:::
+*/
 CLAIM(parameter_lines_are_bezier_curves)
 {
     int n = T->degree, m = G(other_degree)(n);
@@ -175,6 +108,17 @@ CLAIM(parameter_lines_are_bezier_curves)
     }
 }
 
+/*
+:::{claim} surface_functions_sum_to_one_and_are_positive
+:title: The surface lies in the hull of its net and moves with it
+:zh: 凸包性与仿射不变性
+:given: $u=\frac s{1+s}$, $w=\frac r{1+r}$, $r,s>0$, degrees $n$ and $m$ as before
+:then: $B_i^n(u)B_j^m(w)>0$, and their sum is 1
+:method: The functions are the surfaces of nets with one point 1 and the others 0, by the kernel; their coefficients in $r,s$ are positive.
+:degrees: 0..4 sampled 8
+:control: $w$ taken as $-\frac r{1+r}$
+:::
+*/
 CLAIM(surface_functions_sum_to_one_and_are_positive)
 {
     int n = T->degree, m = G(other_degree)(n), points = (n + 1) * (m + 1);
@@ -191,6 +135,21 @@ CLAIM(surface_functions_sum_to_one_and_are_positive)
     same(T, sum, from_int(1));
 }
 
+/*
+## Derivatives and normals
+
+:::{claim} surface_derivatives_of_every_order
+:title: The kernel computes all partial derivatives
+:zh: 任意阶偏导矢
+:given: a net of degrees $n$ and $m$ as before in the plane, any $u,w$, orders $0,\dots,n+1$ in $u$ and $0,\dots,m+1$ in $w$
+:then: `bezier_surface_derivatives` gives $\frac{\partial^{k+l}P}{\partial u^k\partial w^l}$, 0 for $k>n$ and for $l>m$
+:method: The kernel against the double sum of derivatives of the basis from the definition: in the field of rational functions,
+  in the other number types power by power.
+:degrees: 0..3 sampled 7
+:defines: bezier_surface_derivatives
+:control: the derivatives at $(w,u)$
+:::
+*/
 CLAIM(surface_derivatives_of_every_order)
 {
     int n = T->degree, m = G(other_degree)(n);
@@ -228,6 +187,20 @@ static num G(volume)(const num a[3], const num b[3], const num c[3])
     return sum;
 }
 
+/*
+:::{claim} surface_normal_is_the_cross_product
+:title: The normal gives with every vector the volume of the two tangents and the vector
+:zh: 法矢
+:given: a net of degrees $n$ and $m$ as before in space, any $u,w$, any vector $v$
+:then: the result $N$ of `bezier_surface_normal` has $N\cdot v=\det(P_u,P_w,v)$; hence $N\cdot P_u=N\cdot P_w=0$
+:method: The determinant by its six products, of the partial derivatives from the definition; $v$ is each of three unit vectors, $P_u$
+  and $P_w$.  The coordinates are variables but for one net of numbers, since $N$ is of degree two in the points: $x$ of all
+  points is variable, then $y$, then $z$, the others being numbers.
+:degrees: 1..2 sampled 6
+:defines: bezier_surface_normal
+:control: the normal of the net with $u$ and $w$ exchanged
+:::
+*/
 CLAIM(surface_normal_is_the_cross_product)
 {
     int n = T->degree, m = G(other_degree)(n), points = (n + 1) * (m + 1);
@@ -258,6 +231,18 @@ CLAIM(surface_normal_is_the_cross_product)
     }
 }
 
+/*
+:::{claim} corners_of_the_net_give_tangents_normal_and_twist
+:title: Tangents, normal and twist at a corner
+:zh: 角点处的切矢、法矢与扭矢
+:given: a net of degrees $n$ and $m$ as before in space
+:then: at $(0,0)$: $P_u=n(P_{10}-P_{00})$, $P_w=m(P_{01}-P_{00})$, $P_{uw}=nm(P_{11}-P_{10}-P_{01}+P_{00})$ and
+  $N=nm\,(P_{10}-P_{00})\times(P_{01}-P_{00})$
+:method: The kernels at $(0,0)$, everything a variable; the other corners are those of the reversed nets.
+:degrees: 1..4 sampled 8
+:control: $P_{11}$ left out of the twist
+:::
+*/
 CLAIM(corners_of_the_net_give_tangents_normal_and_twist)
 {
     int n = T->degree, m = G(other_degree)(n);
@@ -284,18 +269,18 @@ CLAIM(corners_of_the_net_give_tangents_normal_and_twist)
     }
 }
 
-CLAIM(surface_part_is_the_piece)
-{
-    int n = T->degree, m = G(other_degree)(n);
-    num P[MOST_OF_NET], part[MOST_OF_NET], a = parameter(T, "a"), b = parameter(T, "b"), one = from_int(1);
-    num u[2] = {unknown(T, "u", 0), unknown(T, "u", 1)}, w[2] = {unknown(T, "w", 0), unknown(T, "w", 1)};
-    G(free_net)(T, n, m, 1, P);
-    G(bezier_surface_part)(n, m, 1, P, u[0], u[1], w[T->planted], w[!T->planted], part);
-    num there_u = add(mul(sub(one, a), u[0]), mul(a, u[1])), there_w = add(mul(sub(one, b), w[0]), mul(b, w[1]));
-    same(T, G(surface)(n, m, 1, part, 0, 0, 0, a, b), G(surface)(n, m, 1, P, 0, 0, 0, there_u, there_w));
-}
-
 #if RATIONAL
+/*
+:::{claim} collapsed_border_has_no_normal
+:title: On a border of one point the normal vanishes, and the tangent plane is there
+:zh: 退化边界处法矢为零
+:kind: counterexample
+:given: $n=m=1$, $P_{00}=P_{01}=(0,0,0)$, $P_{10}=(1,0,0)$, $P_{11}=(0,1,0)$: a triangle of the plane $z=0$
+:then: $N(u,w)=(0,0,u)$: at $u=0$ it is $0$, at $u=\frac12$ it is not
+:method: The kernel at $(0,\frac12)$ and $(\frac12,\frac12)$; that the length of the first is not 0 is refuted.
+:control: $P_{01}=(-1,1,0)$
+:::
+*/
 CLAIM(collapsed_border_has_no_normal)
 {
     static const int from[12] = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -314,4 +299,30 @@ CLAIM(collapsed_border_has_no_normal)
     agree(T, !is_zero_q(norm_squared_q(3, N)));
 }
 #endif
+
+/*
+## Pieces
+
+:::{claim} surface_part_is_the_piece
+:title: The net of a piece
+:zh: 子曲面片的控制网格
+:given: a net of degrees $n$ and $m$ as before, any $u_0,u_1,w_0,w_1$, any $a,b$
+:then: the surface of the net of `bezier_surface_part` at $(a,b)$ is $P\bigl((1-a)u_0+au_1,(1-b)w_0+bw_1\bigr)$
+:method: Both double sums from the definition; $a$ and $b$, the ends and the points are variables.
+:degrees: 0..3 sampled 6
+:defines: bezier_surface_part
+:control: $w_0$ and $w_1$ exchanged
+:::
+*/
+CLAIM(surface_part_is_the_piece)
+{
+    int n = T->degree, m = G(other_degree)(n);
+    num P[MOST_OF_NET], part[MOST_OF_NET], a = parameter(T, "a"), b = parameter(T, "b"), one = from_int(1);
+    num u[2] = {unknown(T, "u", 0), unknown(T, "u", 1)}, w[2] = {unknown(T, "w", 0), unknown(T, "w", 1)};
+    G(free_net)(T, n, m, 1, P);
+    G(bezier_surface_part)(n, m, 1, P, u[0], u[1], w[T->planted], w[!T->planted], part);
+    num there_u = add(mul(sub(one, a), u[0]), mul(a, u[1])), there_w = add(mul(sub(one, b), w[0]), mul(b, w[1]));
+    same(T, G(surface)(n, m, 1, part, 0, 0, 0, a, b), G(surface)(n, m, 1, P, 0, 0, 0, there_u, there_w));
+}
+
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,20 @@
 Let $0<t_0<t_1<\dots<t_m<1$.  In the matrix with the entries $B_j^n(t_i)$ every minor is positive.  That is the reason
 why a Bernstein polynomial has no more roots in $(0,1)$ than its coefficients have changes of sign, and why a Bézier
 curve crosses a line no more often than its polygon does.
+*/
+#include "chapters/bezier/definition.h"
 
+#if RATIONAL
+#include "exact/decide/total_positivity.h"
+
+#include "exact/decide/crossings.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sturm.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The minors
 
 The parameter $t=\frac s{1+s}$ runs through $(0,1)$ as $s$ runs through the positive numbers, in the same order, and
@@ -22,10 +35,6 @@ $s_i=x_0+\dots+x_i$: what is proved for all positive $x$ holds for all increasin
 :control: one binomial coefficient left out of the product
 :::
 */
-#include "chapters/bezier/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
 CLAIM(bernstein_collocation_determinant)
 {
     int n = T->degree;
@@ -59,7 +68,6 @@ static void G(scaled_values)(int n, num s, num row[])
     for (int j = 0; j <= n; j++)
         row[j] = mul(scale, row[j]);
 }
-#endif
 
 /*
 :::{claim} bernstein_collocation_is_totally_positive
@@ -77,7 +85,6 @@ static void G(scaled_values)(int n, num s, num row[])
 :control: the first two parameters exchanged
 :::
 */
-#if FIELD
 CLAIM(bernstein_collocation_is_totally_positive)
 {
     int n = T->degree;
@@ -101,8 +108,6 @@ CLAIM(bernstein_collocation_is_totally_positive)
     }
 }
 #elif RATIONAL
-#include "exact/decide/total_positivity.h"
-
 CLAIM(bernstein_collocation_is_totally_positive)
 {
     int n = T->degree;
@@ -126,7 +131,10 @@ opposite signs and one is not $0$; from block to block the sign alternates.  Put
 matrix be $\sum_{j\in\text{block }k}g_jB_j^n$ at increasing parameters $t_0,\dots,t_p$.  If the polynomial had these
 $p+1$ roots, the matrix would send the vector of the signs, $(1,-1,1,\dots)$, to $0$.  It cannot: its determinant is
 positive.
+*/
 
+#if FIELD
+/*
 :::{claim} blocks_of_coefficients_are_independent
 :title: A polynomial with p changes of sign does not vanish at p+1 parameters
 :zh: 系数有 p 次变号时,(0,1) 内至多 p 个不同的根
@@ -143,7 +151,6 @@ positive.
 :control: the first two parameters exchanged
 :::
 */
-#if FIELD
 CLAIM(blocks_of_coefficients_are_independent)
 {
     int n = T->degree;
@@ -174,6 +181,17 @@ CLAIM(blocks_of_coefficients_are_independent)
 #endif
 
 #if RATIONAL
+static int G(sign_changes)(int count, const num b[])
+{
+    int changes = 0, last = 0;
+    for (int i = 0; i < count; i++) {
+        int sign = sign_q(b[i]);
+        changes += sign * last < 0;
+        last = sign != 0 ? sign : last;
+    }
+    return changes;
+}
+
 /*
 Roots may also be counted with their multiplicity; then the difference is even.  This is Descartes' rule of signs for the
 powers of $s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of the $b_i$.
@@ -194,21 +212,6 @@ powers of $s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of 
 :control: the roots counted in $[0,1]$
 :::
 */
-#include "exact/decide/crossings.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/sturm.h"
-
-static int G(sign_changes)(int count, const num b[])
-{
-    int changes = 0, last = 0;
-    for (int i = 0; i < count; i++) {
-        int sign = sign_q(b[i]);
-        changes += sign * last < 0;
-        last = sign != 0 ? sign : last;
-    }
-    return changes;
-}
-
 CLAIM(roots_are_at_most_sign_changes)
 {
     static const int size[] = {7, 1, 9, 2, 8, 3, 5};
@@ -260,6 +263,7 @@ CLAIM(line_crosses_curve_at_most_as_often_as_polygon)
     ends[0] = b[0], ends[1] = b[1], ends[2] = b[2 * n], ends[3] = b[2 * n + 1];
     agree(T, of_curve <= (T->planted ? polygon_crossings(1, ends, line) : polygon_crossings(n, b, line)));
 }
+#endif
 
 /*
 ## Another way: cutting corners
@@ -267,7 +271,10 @@ CLAIM(line_crosses_curve_at_most_as_often_as_polygon)
 The polygons of subdivision and of elevation arise by putting weighted averages of neighbours between them and then
 leaving out points.  Neither can make a new change of sign, whatever the degree; and the polygons converge to the
 curve.
+*/
 
+#if RATIONAL
+/*
 :::{claim} averages_between_neighbours_keep_sign_changes
 :title: An average put between two neighbours does not change the number of sign changes; leaving out a number cannot raise it
 :zh: 插入邻项平均不改变变号数,删去一项不增加变号数
@@ -297,6 +304,7 @@ CLAIM(averages_between_neighbours_keep_sign_changes)
 }
 #endif
 
+#if FIELD || RATIONAL
 /*
 The matrices of these steps are totally nonnegative too: no minor is negative.
 
@@ -313,7 +321,6 @@ The matrices of these steps are totally nonnegative too: no minor is negative.
 :control: the first two rows exchanged
 :::
 */
-#if FIELD || RATIONAL
 static void G(split_matrix)(int n, num t, num scale, int exchanged, num M[])
 {
     num unit[MAX_DEGREE + 1], left[MAX_DEGREE + 1], right[MAX_DEGREE + 1];
@@ -328,6 +335,7 @@ static void G(split_matrix)(int n, num t, num scale, int exchanged, num M[])
     }
 }
 #endif
+
 #if FIELD
 CLAIM(split_matrix_is_totally_nonnegative)
 {
@@ -388,4 +396,5 @@ CLAIM(elevation_matrix_is_totally_nonnegative)
         agree(T, all_minors_nonnegative(n + 2, n + 1, E, 0, NULL));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -4,26 +4,16 @@
 On a span a NURBS curve is $C=\sum_{m=0}^pR_mP_m$ with the rational basis $R_m=w_mN_m/\sum_kw_kN_k$.  In the points it is
 linear, so that $\partial C/\partial P_m=R_m$ times the unit vectors.  Weights must stay positive; they are fitted as logarithms,
 $w_m=e^{\lambda_m}$, and $\partial/\partial\lambda_m=w_m\,\partial/\partial w_m$: no logarithm is ever computed.
-
-## The rational basis
-
-:::{claim} rational_basis_is_the_weighted_share
-:title: The rational basis and its derivatives by the parameter
-:zh: 有理基及其导数
-:given: a segment of degree $p$, clamped or with simple knots; in the field these are variables for $p=1$, and $0,1,3,7,\dots$ for $p>1$; weights; any $t$
-:then: `nurbs_basis` gives $R_m=w_mN_m/w$, $w=\sum_kw_kN_k$, and its first two derivatives by $t$
-:method: The kernel against the quotient of power series in the parameter, whose numerator and denominator come from the recursion of
-  de Boor and Cox by its letter.
-:degrees: 1..2 sampled 6
-:defines: nurbs_basis
-:control: the weights taken backwards
-:::
 */
 #include "chapters/fitting/definition.h"
 
 #include "chapters/judge/claims_on.h"
 
 enum { rows = 3 };
+
+/*
+## The rational basis
+*/
 
 /* What the derivatives are compared on: a segment, its weights and points of one coordinate, for every formula is taken coordinate by
  * coordinate; and w_m N_m, w, w C as power series at t. */
@@ -55,6 +45,19 @@ static void G(free_segment)(trial *T, int clamped, struct G(segment) * S)
         S->z[m] = S->w[T->planted ? p - m : m];
 }
 
+/*
+:::{claim} rational_basis_is_the_weighted_share
+:title: The rational basis and its derivatives by the parameter
+:zh: 有理基及其导数
+:given: a segment of degree $p$, clamped or with simple knots; in the field these are variables for $p=1$, and $0,1,3,7,\dots$ for $p>1$; weights; any $t$
+:then: `nurbs_basis` gives $R_m=w_mN_m/w$, $w=\sum_kw_kN_k$, and its first two derivatives by $t$
+:method: The kernel against the quotient of power series in the parameter, whose numerator and denominator come from the recursion of
+  de Boor and Cox by its letter.
+:degrees: 1..2 sampled 6
+:defines: nurbs_basis
+:control: the weights taken backwards
+:::
+*/
 CLAIM(rational_basis_is_the_weighted_share)
 {
     struct G(segment) S;

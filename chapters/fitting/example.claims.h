@@ -5,7 +5,13 @@ On the circle of radius 65 there are many integer points: $(63,16)$, $(60,25)$, 
 circle is the conic over $(65,0),(65,65),(0,65)$ with weights $1,1,2$, and these points have rational parameters $t=\frac y{65+x}$.  Now measure each of them
 twice, once too near to the centre and once too far from it, by the factor $1\mp\frac1{16}$: sixteen points with rational feet, whose residuals cancel.  Everything that
 a program computes with them can be compared with fractions.
+*/
+#include "chapters/judge/claims_on.h"
 
+#if RATIONAL
+#include "chapters/fitting/circle.h"
+
+/*
 :::{claim} pairs_about_a_circle_have_the_circle_as_minimum
 :title: The circle between the pairs is a strict local minimum, exactly
 :zh: 成对点的最小二乘解恰为该圆
@@ -16,11 +22,6 @@ a program computes with them can be compared with fractions.
 :control: the last point is moved away by the factor $\frac{18}{17}$
 :::
 */
-#include "chapters/judge/claims_on.h"
-
-#if RATIONAL
-#include "chapters/fitting/circle.h"
-
 CLAIM(pairs_about_a_circle_have_the_circle_as_minimum)
 {
     struct circle_example E = circle_of_pairs();
@@ -113,4 +114,5 @@ CLAIM(free_point_makes_its_weight_less_known)
     agree(T, compare_q(mul(K[0], A[0]), from_int(69)) > 0);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

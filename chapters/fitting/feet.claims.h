@@ -3,25 +3,16 @@
 
 With $N$ foot points among the unknowns the problem grows with the data.  It need not: at a foot the distance is stationary in $t$, and
 that is why the foot may be forgotten, in the gradient entirely, and in the Hessian but for one term.
-
-## The gradient: the envelope theorem (包络定理)
-
-:::{claim} gradient_does_not_see_the_foot_move
-:title: The gradient of the reduced distance needs no derivative of the foot
-:zh: 距离的梯度不含垂足的导数
-:given: the conic with points $(0,0)$, $(x,y)$, $(1,0)$ and weights $1,w,1$; a point $Q=C(t)+k\,n$ with $n\perp C'(t)$, so that $t$ is its foot
-:let: $w$ grow to $w(1+\varepsilon+\frac{\varepsilon^2}2)$, which is $\lambda+\varepsilon$ to second order, and the foot move as $t+t_1\varepsilon+t_2\varepsilon^2$
-:then: the derivative of $\frac12|C-Q|^2$ by $\varepsilon$ at $0$ is $D\cdot\partial C/\partial\lambda$, whatever $t_1$ and $t_2$ are
-:method: The distance at the moved foot as a quotient of power series in $\varepsilon$; $x,y,w,t,k,t_1,t_2$ are variables.  The
-  end points are no restriction: a similarity brings any two different points there, and multiplies distances by a number.
-:control: the foot $t+\frac12$ of another point
-:::
 */
 #include "chapters/fitting/definition.h"
 
 #include "chapters/judge/claims_on.h"
 
 enum { order = 3, plane = 2 }; /* coefficients of powers of epsilon */
+
+/*
+## The gradient: the envelope theorem (包络定理)
+*/
 
 /* The conic over (0,0), (x,y), (1,0) with weights 1, w, 1, its foot, and the point Q on the normal there. */
 struct G(conic_and_foot) {
@@ -82,6 +73,18 @@ static void G(distance_series)(const struct G(conic_and_foot) * S, num t, num t1
     }
 }
 
+/*
+:::{claim} gradient_does_not_see_the_foot_move
+:title: The gradient of the reduced distance needs no derivative of the foot
+:zh: 距离的梯度不含垂足的导数
+:given: the conic with points $(0,0)$, $(x,y)$, $(1,0)$ and weights $1,w,1$; a point $Q=C(t)+k\,n$ with $n\perp C'(t)$, so that $t$ is its foot
+:let: $w$ grow to $w(1+\varepsilon+\frac{\varepsilon^2}2)$, which is $\lambda+\varepsilon$ to second order, and the foot move as $t+t_1\varepsilon+t_2\varepsilon^2$
+:then: the derivative of $\frac12|C-Q|^2$ by $\varepsilon$ at $0$ is $D\cdot\partial C/\partial\lambda$, whatever $t_1$ and $t_2$ are
+:method: The distance at the moved foot as a quotient of power series in $\varepsilon$; $x,y,w,t,k,t_1,t_2$ are variables.  The
+  end points are no restriction: a similarity brings any two different points there, and multiplies distances by a number.
+:control: the foot $t+\frac12$ of another point
+:::
+*/
 CLAIM(gradient_does_not_see_the_foot_move)
 {
     struct G(conic_and_foot) S;
@@ -222,7 +225,10 @@ CLAIM(reduced_gauss_newton_matrix_is_the_part_across_the_curve)
 
 /*
 ## How many feet a point has
+*/
 
+#if FIELD
+/*
 :::{claim} degree_of_the_equation_of_the_foot
 :title: The feet are the roots of a polynomial of degree 2n-1 for a polynomial curve, 3n-2 for a rational one
 :zh: 垂足方程的次数
@@ -238,7 +244,6 @@ CLAIM(reduced_gauss_newton_matrix_is_the_part_across_the_curve)
 :control: the rational curve is said to have the degree $3n-1$
 :::
 */
-#if FIELD
 CLAIM(degree_of_the_equation_of_the_foot)
 {
     int n = T->degree;
@@ -257,4 +262,5 @@ CLAIM(degree_of_the_equation_of_the_foot)
     }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -3,9 +3,23 @@
 
 Different unknowns can give one curve, and then no measured points tell them apart.  Some of this freedom is known beforehand and
 taken away by a convention, the gauge; the rest shows in the rank of the Jacobian (雅可比矩阵的秩).
+*/
+#include "chapters/fitting/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The gauge (规范)
+*/
 
+/* The 2n+2 knots 0, ..., 0, 1, ..., 1. */
+static void G(bezier_knots)(int n, num u[])
+{
+    for (int i = 0; i < 2 * n + 2; i++)
+        u[i] = from_int(i > n);
+}
+
+/*
 :::{claim} weights_have_flat_directions
 :title: Two directions in the space of weights that move no point off the curve
 :zh: 权空间中的两个平坦方向
@@ -18,17 +32,6 @@ taken away by a convention, the gauge; the rest shows in the rank of the Jacobia
 :control: $n-i$ in the place of $i$
 :::
 */
-#include "chapters/fitting/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-/* The 2n+2 knots 0, ..., 0, 1, ..., 1. */
-static void G(bezier_knots)(int n, num u[])
-{
-    for (int i = 0; i < 2 * n + 2; i++)
-        u[i] = from_int(i > n);
-}
-
 CLAIM(weights_have_flat_directions)
 {
     int n = T->degree;
@@ -87,21 +90,6 @@ CLAIM(feet_and_distances_do_not_see_the_gauge)
     same(T, G(dot)(2, x, D + 2), mul(G(dot)(2, y, E + 2), div(mul(a, b), mul(below, below))));
 }
 
-/*
-Without a gauge the Hessian is therefore singular, at every curve and for all points.  With $w_0=w_n=1$, the standard form, the directions above
-are gone, and so is the singularity.
-
-:::{claim} without_gauge_the_hessian_is_singular
-:title: With every weight free the rank is short by two
-:zh: 全部权自由时秩亏为二
-:kind: counterexample
-:given: the cubic with points $(0,0),(1,4),(5,4),(6,0)$ and weights $1,2,2,1$, and twelve points on it at $t=\frac i{13}$; all four weights free, the control points not
-:then: the reduced Jacobian has full rank
-:method: Its rows $\det(C',C_a)$, the derivatives across the curve up to a factor, are rational; Gaussian elimination over $\mathbb Q$.  The rank is 2, and as the
-  residuals are 0 the Hessian is $J^TJ$: singular.
-:control: $w_0$ and $w_3$ held at 1
-:::
-*/
 #if RATIONAL
 /* Rows det(C', C_a) at t = i/(count+1) for the given unknowns: unknown -1-m is lambda_m, unknown 2m+c coordinate c of
  * point m. */
@@ -122,6 +110,21 @@ static void jacobian_across(int n, const num R[], const num w[], int count, int 
     }
 }
 
+/*
+Without a gauge the Hessian is therefore singular, at every curve and for all points.  With $w_0=w_n=1$, the standard form, the directions above
+are gone, and so is the singularity.
+
+:::{claim} without_gauge_the_hessian_is_singular
+:title: With every weight free the rank is short by two
+:zh: 全部权自由时秩亏为二
+:kind: counterexample
+:given: the cubic with points $(0,0),(1,4),(5,4),(6,0)$ and weights $1,2,2,1$, and twelve points on it at $t=\frac i{13}$; all four weights free, the control points not
+:then: the reduced Jacobian has full rank
+:method: Its rows $\det(C',C_a)$, the derivatives across the curve up to a factor, are rational; Gaussian elimination over $\mathbb Q$.  The rank is 2, and as the
+  residuals are 0 the Hessian is $J^TJ$: singular.
+:control: $w_0$ and $w_3$ held at 1
+:::
+*/
 CLAIM(without_gauge_the_hessian_is_singular)
 {
     static const int point[] = {0, 0, 1, 4, 5, 4, 6, 0}, weight[] = {1, 2, 2, 1};
@@ -147,7 +150,10 @@ CLAIM(without_gauge_the_hessian_is_singular)
 ## Ends that slide (端点沿曲线滑动)
 
 A conic is five numbers.  A rational quadratic with free points and one weight is seven: both ends may slide along the conic.
+*/
 
+#if RATIONAL
+/*
 :::{claim} free_ends_slide_along_the_conic
 :title: With free ends the rank of a conic is five of seven
 :zh: 端点自由时二次曲线的秩为五
@@ -159,7 +165,6 @@ A conic is five numbers.  A rational quadratic with free points and one weight i
 :control: $\lambda_1$ by $\varepsilon$
 :::
 */
-#if RATIONAL
 CLAIM(free_ends_slide_along_the_conic)
 {
     enum { count = 12, unknowns = 7 };
@@ -223,6 +228,7 @@ CLAIM(a_straight_curve_leaves_its_speed_undetermined)
     }
 }
 
+#if RATIONAL
 /*
 :::{claim} points_on_a_line_leave_rank_three
 :title: A conic fitted to points on a line has rank three of seven, and with given ends one of three
@@ -234,7 +240,6 @@ CLAIM(a_straight_curve_leaves_its_speed_undetermined)
 :control: $R_1=(2,1)$
 :::
 */
-#if RATIONAL
 CLAIM(points_on_a_line_leave_rank_three)
 {
     enum { count = 12 };
@@ -247,4 +252,5 @@ CLAIM(points_on_a_line_leave_rank_three)
     same(T, from_int(rank_over_q(count, 3, J)), from_int(1));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

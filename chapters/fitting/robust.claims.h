@@ -7,9 +7,21 @@ $s=|D|^2/\sigma^2$ and the scale $a>0$
 $$\rho_{\text{Huber}}(s)=\begin{cases}s&s\le a^2\\2a\sqrt s-a^2&s\ge a^2\end{cases}\qquad\rho_{\text{Cauchy}}(s)=a^2\log\Bigl(1+\frac s{a^2}\Bigr).$$
 
 The pull on the curve is $\rho'(s)\sqrt s$, up to a factor: $\sqrt s$ for squares.
+*/
+#include "chapters/fitting/definition.h"
 
+#if RATIONAL
+#include "exact/decide/roots.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+/*
 ## Losses
+*/
 
+#if FIELD
+/*
 :::{claim} huber_pull_is_bounded_and_continuous
 :title: Huber's loss is continuous with its slope, its second derivative jumps, its pull ends at a
 :zh: Huber 损失的连续性与有界拉力
@@ -20,11 +32,6 @@ The pull on the curve is $\rho'(s)\sqrt s$, up to a factor: $\sqrt s$ for square
 :control: the second piece without its $-a^2$
 :::
 */
-#include "chapters/fitting/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-#if FIELD
 /* d/ds of a function of r = sqrt(s) */
 static num by_square(num f, num r) { return div(derivative_f(f, r), mul(from_int(2), r)); }
 
@@ -63,6 +70,7 @@ CLAIM(cauchy_pull_has_its_greatest_value_at_its_scale)
     same(T, sub(bound, div(r, below)), div(mul(gap, gap), mul(mul(two, a), below)));
 }
 
+#if RATIONAL
 /*
 A pull that fades has a price: where points disagree, there are several minima, and the one that is found depends on the start.
 
@@ -77,9 +85,6 @@ A pull that fades has a price: where points disagree, there are several minima, 
 :control: $a=4$
 :::
 */
-#if RATIONAL
-#include "exact/decide/roots.h"
-
 CLAIM(cauchy_has_one_minimum)
 {
     num a = from_int(T->planted ? 4 : 1), three = from_int(3), aa = mul(a, a), one = from_int(1);
@@ -99,7 +104,10 @@ CLAIM(cauchy_has_one_minimum)
 
 With $n=N(\dim-1)$ equations and $k$ unknowns that are determined, $\mathrm{AIC}=-2\log L+2k$ and $\mathrm{BIC}=-2\log L+k\log n$, $L$ being the greatest likelihood.
 For given standard deviations $-2\log L=\chi^2$ but for a constant.  When $\sigma$ is unknown, it is one of the unknowns:
+*/
 
+#if FIELD
+/*
 :::{claim} likelihood_chooses_the_mean_square
 :title: The likelihood of an unknown standard deviation is greatest at the mean square of the residuals
 :zh: 方差的极大似然估计
@@ -112,7 +120,6 @@ For given standard deviations $-2\log L=\chi^2$ but for a constant.  When $\sigm
 :control: the mean over $n-1$
 :::
 */
-#if FIELD
 CLAIM(likelihood_chooses_the_mean_square)
 {
     num n = positive(T, "n", 0), chi = positive(T, "c", 0), v = positive(T, "v", 0);
@@ -127,7 +134,10 @@ CLAIM(likelihood_chooses_the_mean_square)
 
 The 95 % intervals are estimate plus and minus $t$ standard errors.  With $\nu$ degrees of freedom and $t=\sqrt\nu\tan\theta$ the density of $\theta$ is
 proportional to $\cos^{\nu-1}\theta$, and its integral is elementary:
+*/
 
+#if FIELD || RATIONAL
+/*
 :::{claim} student_probability_is_a_finite_sum
 :title: The probability of Student's distribution is a finite sum of powers of the cosine
 :zh: t 分布函数的有限和
@@ -140,7 +150,6 @@ proportional to $\cos^{\nu-1}\theta$, and its integral is elementary:
 :control: the last coefficient doubled
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(student_probability_is_a_finite_sum)
 {
     int nu = T->degree, odd = nu % 2;
@@ -161,4 +170,5 @@ CLAIM(student_probability_is_a_finite_sum)
     same(T, slope, mul(factor, value));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -5,7 +5,12 @@ To draw a circle by a machine that adds and shifts, one turns a point by a small
 matrix, $[x_{n+1}\;y_{n+1}]=[x_n\;y_n]\,T$, and everything that can be said about the drawing is said by the matrix.  Its
 determinant tells whether the points drift outwards, an invariant quadratic form on which curve they stay, and whether its
 eigenvalues are roots of unity (单位根) tells whether they ever come back.
+*/
+#include "chapters/foundations/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The first way
 
 :::{statement} hu-1987:1-3-1
@@ -24,55 +29,13 @@ eigenvalues are roots of unity (单位根) tells whether they ever come back.
 :holds-by: rotation_matrix_adds_the_angle
 :figure: three_generators
 :::
-
-:::{claim} rotation_matrix_adds_the_angle
-:title: The row of the point times the matrix is the point of the sum of the angles
-:zh: 旋转矩阵使角度相加
-:given: any $r$, and two angles with the tangents $a$ and $b$ of their halves, $ab\ne1$
-:then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
-:method: The sum of the angles is formed on the other side, from the tangent $\frac{a+b}{1-ab}$ of half of it; $a$, $b$ and $r$
-  are variables.
-:control: the angle with the tangent $\frac{a-b}{1+ab}$
-:::
-
-:::{statement} hu-1987:1-3-equal-angles
-:title: The first way computes points at equal angles on the circle
-:zh: 圆周上等角度分布的点
-:printed: By this method a sequence of points on the circle can be computed that are distributed at equal angles.
-:holds-by: rotated_points_are_equally_spaced
-:figure: three_generators
-:::
-
-:::{claim} rotated_points_are_equally_spaced
-:title: All points are on the circle, at equal distances
-:zh: 点列在圆上且间距相等
-:given: any first point, any angle with the tangent $a$ of its half, $n$ steps
-:then: $x_n^2+y_n^2=x_0^2+y_0^2$ and $|P_n-P_{n-1}|^2=2(1-\cos\Delta\theta)\,|P_0|^2$
-:method: The steps one after the other, first point and $a$ variables.  The step is linear, so its $n$-th power is found
-  by doing it.
-:degrees: 1..8 sampled 20
-:control: $\cos\Delta\theta$ replaced by 1
-:::
 */
-#include "chapters/foundations/definition.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* out = [x y] M, the row times the matrix M = (M_0 M_1; M_2 M_3) */
 static void G(row_times)(const num v[restrict], const num M[restrict], num out[restrict])
 {
     for (int j = 0; j < 2; j++)
         out[j] = add(mul(v[0], M[j]), mul(v[1], M[2 + j]));
-}
-
-/* v becomes v M^n. */
-static void G(steps)(int n, const num M[], num v[])
-{
-    num next[2];
-    for (int k = 0; k < n; k++) {
-        G(row_times)(v, M, next);
-        v[0] = next[0], v[1] = next[1];
-    }
 }
 
 /* (1-3-2) for an angle with these cosine and sine */
@@ -83,24 +46,20 @@ static void G(rotation)(struct G(turn) angle, num M[])
     M[2] = neg(angle.sin);
 }
 
-/* (1-3-5) */
-static void G(small_step)(num epsilon, num M[])
-{
-    M[0] = M[3] = from_int(1);
-    M[1] = epsilon;
-    M[2] = neg(epsilon);
-}
-
-/* The matrix of the second way. */
-static void G(second_step)(num epsilon, num M[])
-{
-    G(small_step)(epsilon, M);
-    M[3] = sub(from_int(1), mul(epsilon, epsilon));
-}
-
 /* The half of the sum of two angles, by the tangents of their halves. */
 static num G(half_of_sum)(num a, num b) { return div(add(a, b), sub(from_int(1), mul(a, b))); }
 
+/*
+:::{claim} rotation_matrix_adds_the_angle
+:title: The row of the point times the matrix is the point of the sum of the angles
+:zh: 旋转矩阵使角度相加
+:given: any $r$, and two angles with the tangents $a$ and $b$ of their halves, $ab\ne1$
+:then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
+:method: The sum of the angles is formed on the other side, from the tangent $\frac{a+b}{1-ab}$ of half of it; $a$, $b$ and $r$
+  are variables.
+:control: the angle with the tangent $\frac{a-b}{1+ab}$
+:::
+*/
 CLAIM(rotation_matrix_adds_the_angle)
 {
     num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0), M[4], next[2];
@@ -112,6 +71,38 @@ CLAIM(rotation_matrix_adds_the_angle)
     same(T, next[1], mul(r, sum.sin));
 }
 
+/*
+:::{statement} hu-1987:1-3-equal-angles
+:title: The first way computes points at equal angles on the circle
+:zh: 圆周上等角度分布的点
+:printed: By this method a sequence of points on the circle can be computed that are distributed at equal angles.
+:holds-by: rotated_points_are_equally_spaced
+:figure: three_generators
+:::
+*/
+
+/* v becomes v M^n. */
+static void G(steps)(int n, const num M[], num v[])
+{
+    num next[2];
+    for (int k = 0; k < n; k++) {
+        G(row_times)(v, M, next);
+        v[0] = next[0], v[1] = next[1];
+    }
+}
+
+/*
+:::{claim} rotated_points_are_equally_spaced
+:title: All points are on the circle, at equal distances
+:zh: 点列在圆上且间距相等
+:given: any first point, any angle with the tangent $a$ of its half, $n$ steps
+:then: $x_n^2+y_n^2=x_0^2+y_0^2$ and $|P_n-P_{n-1}|^2=2(1-\cos\Delta\theta)\,|P_0|^2$
+:method: The steps one after the other, first point and $a$ variables.  The step is linear, so its $n$-th power is found
+  by doing it.
+:degrees: 1..8 sampled 20
+:control: $\cos\Delta\theta$ replaced by 1
+:::
+*/
 CLAIM(rotated_points_are_equally_spaced)
 {
     num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, last[2];
@@ -139,7 +130,18 @@ CLAIM(rotated_points_are_equally_spaced)
   step that need only be small and constant takes none.
 :figure: three_generators
 :::
+*/
 
+/* (1-3-5) */
+static void G(small_step)(num epsilon, num M[])
+{
+    M[0] = M[3] = from_int(1);
+    M[1] = epsilon;
+    M[2] = neg(epsilon);
+}
+
+#if RATIONAL
+/*
 :::{claim} rational_step_has_no_angle
 :title: Equal steps on the circle without a trigonometric function
 :zh: 不用三角函数的等步长旋转
@@ -150,7 +152,6 @@ CLAIM(rotated_points_are_equally_spaced)
 :control: (1-3-5) with $\varepsilon=\frac18$
 :::
 */
-#if RATIONAL
 CLAIM(rational_step_has_no_angle)
 {
     num M[4], P[2] = {from_int(1), from_int(0)}, last[2], first_edge = from_int(0);
@@ -186,7 +187,10 @@ CLAIM(rational_step_has_no_angle)
 
 To first order, which is what the approximation means.  What the second order does follows.
 :::
+*/
 
+#if FIELD
+/*
 :::{claim} small_step_is_the_rotation_to_first_order
 :title: The simplified matrix is the rotation to first order in the angle
 :zh: 一阶近似
@@ -197,7 +201,22 @@ To first order, which is what the approximation means.  What the second order do
 :method: The matrix as a rational function of $a$, differentiated in the field; chain rule.
 :control: the derivative with respect to $a$ taken for that with respect to $\Delta\theta$
 :::
+*/
+CLAIM(small_step_is_the_rotation_to_first_order)
+{
+    num a = variable_f("a"), zero = from_int(0), one = from_int(1), M[4], S[4];
+    num speed = T->planted ? one : div(from_int(2), add(one, mul(a, a)));
+    G(rotation)(G(turn_by)(a), M);
+    G(small_step)(one, S);
+    for (int k = 0; k < 4; k++) {
+        num unit = from_int(k == 0 || k == 3);
+        same(T, substitute_f(M[k], a, zero), unit);
+        same(T, substitute_f(div(derivative_f(M[k], a), speed), a, zero), sub(S[k], unit));
+    }
+}
+#endif
 
+/*
 :::{statement} hu-1987:1-3-5
 :title: The simplified step (1-3-4) and its matrix
 :zh: 简化递推的矩阵形式
@@ -215,65 +234,7 @@ To first order, which is what the approximation means.  What the second order do
 :method: Identities in $x$, $y$ and $\varepsilon$.
 :control: the matrix transposed
 :::
-
-:::{statement} hu-1987:1-3-shift
-:title: With a power of two the products are shifts
-:zh: 用移位实现乘法
-:printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or arcs are
-  generated at high speed.
-:holds-by: exact_steps_need_m_more_bits_each
-:hypothesis: short_registers_stop_the_point | The registers keep the bits that are shifted out.  In integers a point with
-  coordinates from 0 to $2^m-1$ does not move at all; and to be exact, every step needs $m$ bits more.
-:figure: circles_in_integers
-:::
-
-:::{claim} exact_steps_need_m_more_bits_each
-:title: After n exact steps a coordinate has n m binary places
-:zh: 精确计算每步增加 m 位
-:kind: decision
-:given: $P_0=(1,0)$, $\varepsilon=2^{-m}$, $m=1,\dots,8$, $n=1,\dots,12$ steps
-:then: $2^{nm}x_n$ and $2^{nm}y_n$ are integers, and one of them is odd: shifts suffice, and no shorter words do
-:method: Exact rational steps and their denominators.
-:scope: m = 1 to 8, n = 1 to 12 steps from (1, 0)
-:control: one place less
-:::
-
-:::{claim} short_registers_stop_the_point
-:title: With integers the point stands still
-:zh: 整数移位使点停止不动
-:kind: counterexample
-:given: $m=4$, $(x_0,y_0)=(10,0)$, shifts that drop the bits shifted out
-:then: $x_1=x_0$, $y_1=y_0$: the point never moves, though $\varepsilon x_0\ne0$
-:method: The step in integers, $y_1=y_0+\lfloor x_0/16\rfloor$, against the exact one.
-:control: $x_0=160$, whose shifted value is exact
-:::
-
-:::{claim} short_coordinates_never_move
-:title: Points with coordinates from 0 to 2^m - 1 stand still, and negative coordinates do not
-:zh: 非负短坐标的点不动
-:kind: decision
-:given: $m=1,\dots,6$, all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$
-:then: $x_1=x$, $y_1=y$ for all of them; for $m=4$, $(10,-5)$ becomes $(11,-5)$, because $\lfloor-5/16\rfloor=-1$
-:method: The step in integers, at every point.
-:scope: m = 1 to 6
-:control: coordinates up to $2^m$
-:::
 */
-#if FIELD
-CLAIM(small_step_is_the_rotation_to_first_order)
-{
-    num a = variable_f("a"), zero = from_int(0), one = from_int(1), M[4], S[4];
-    num speed = T->planted ? one : div(from_int(2), add(one, mul(a, a)));
-    G(rotation)(G(turn_by)(a), M);
-    G(small_step)(one, S);
-    for (int k = 0; k < 4; k++) {
-        num unit = from_int(k == 0 || k == 3);
-        same(T, substitute_f(M[k], a, zero), unit);
-        same(T, substitute_f(div(derivative_f(M[k], a), speed), a, zero), sub(S[k], unit));
-    }
-}
-#endif
-
 CLAIM(small_step_matrix_is_the_recursion)
 {
     num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, epsilon = unknown(T, "e", 0), M[4], next[2];
@@ -286,7 +247,32 @@ CLAIM(small_step_matrix_is_the_recursion)
     same(T, add(M[0], M[3]), from_int(2));
 }
 
+/*
+:::{statement} hu-1987:1-3-shift
+:title: With a power of two the products are shifts
+:zh: 用移位实现乘法
+:printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or arcs are
+  generated at high speed.
+:holds-by: exact_steps_need_m_more_bits_each
+:hypothesis: short_registers_stop_the_point | The registers keep the bits that are shifted out.  In integers a point with
+  coordinates from 0 to $2^m-1$ does not move at all; and to be exact, every step needs $m$ bits more.
+:figure: circles_in_integers
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} exact_steps_need_m_more_bits_each
+:title: After n exact steps a coordinate has n m binary places
+:zh: 精确计算每步增加 m 位
+:kind: decision
+:given: $P_0=(1,0)$, $\varepsilon=2^{-m}$, $m=1,\dots,8$, $n=1,\dots,12$ steps
+:then: $2^{nm}x_n$ and $2^{nm}y_n$ are integers, and one of them is odd: shifts suffice, and no shorter words do
+:method: Exact rational steps and their denominators.
+:scope: m = 1 to 8, n = 1 to 12 steps from (1, 0)
+:control: one place less
+:::
+*/
 CLAIM(exact_steps_need_m_more_bits_each)
 {
     for (int m = 1; m <= 8; m++)
@@ -302,6 +288,38 @@ CLAIM(exact_steps_need_m_more_bits_each)
         }
 }
 
+/*
+:::{claim} short_registers_stop_the_point
+:title: With integers the point stands still
+:zh: 整数移位使点停止不动
+:kind: counterexample
+:given: $m=4$, $(x_0,y_0)=(10,0)$, shifts that drop the bits shifted out
+:then: $x_1=x_0$, $y_1=y_0$: the point never moves, though $\varepsilon x_0\ne0$
+:method: The step in integers, $y_1=y_0+\lfloor x_0/16\rfloor$, against the exact one.
+:control: $x_0=160$, whose shifted value is exact
+:::
+*/
+CLAIM(short_registers_stop_the_point)
+{
+    int m = 4, x = T->planted ? 160 : 10, y = 0, shifted = x >> m;
+    show_text(T, "x_0, y_0", "%d, %d", x, y);
+    show_text(T, "x_1, y_1 by shifts", "%d, %d", x - (y >> m), y + shifted);
+    about(T, "y_1, left by shifting integers, right exactly");
+    same(T, from_int(y + shifted), add(from_int(y), from_ratio(x, 1L << m)));
+}
+
+/*
+:::{claim} short_coordinates_never_move
+:title: Points with coordinates from 0 to 2^m - 1 stand still, and negative coordinates do not
+:zh: 非负短坐标的点不动
+:kind: decision
+:given: $m=1,\dots,6$, all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$
+:then: $x_1=x$, $y_1=y$ for all of them; for $m=4$, $(10,-5)$ becomes $(11,-5)$, because $\lfloor-5/16\rfloor=-1$
+:method: The step in integers, at every point.
+:scope: m = 1 to 6
+:control: coordinates up to $2^m$
+:::
+*/
 static int floor_quotient(int x, int unit) { return x >= 0 ? x / unit : -((unit - 1 - x) / unit); }
 
 CLAIM(short_coordinates_never_move)
@@ -314,15 +332,6 @@ CLAIM(short_coordinates_never_move)
     }
     same(T, from_int(10 - floor_quotient(-5, 16)), from_int(11));
     same(T, from_int(-5 + floor_quotient(10, 16)), from_int(-5));
-}
-
-CLAIM(short_registers_stop_the_point)
-{
-    int m = 4, x = T->planted ? 160 : 10, y = 0, shifted = x >> m;
-    show_text(T, "x_0, y_0", "%d, %d", x, y);
-    show_text(T, "x_1, y_1 by shifts", "%d, %d", x - (y >> m), y + shifted);
-    about(T, "y_1, left by shifting integers, right exactly");
-    same(T, from_int(y + shifted), add(from_int(y), from_ratio(x, 1L << m)));
 }
 #endif
 
@@ -357,7 +366,17 @@ ends with a radius larger by a fifth.
 :degrees: 1..8 sampled 24
 :control: $n-1$ steps
 :::
+*/
+CLAIM(small_steps_multiply_the_radius)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
+    G(small_step)(epsilon, M);
+    G(steps)(T->planted ? T->degree - 1 : T->degree, M, Q);
+    num factor = add(from_int(1), mul(epsilon, epsilon));
+    same(T, G(norm_squared)(2, Q), mul(G(power)(factor, T->degree), G(norm_squared)(2, P)));
+}
 
+/*
 :::{claim} radius_of_small_steps_exceeds_every_bound
 :title: The points never come back, and leave every circle
 :zh: 点列不返回且无界
@@ -367,7 +386,17 @@ ends with a radius larger by a fifth.
 :degrees: 1..8 sampled 24
 :control: $n+1$ in the place of $n$ in the product $n\varepsilon^2$
 :::
+*/
+CLAIM(radius_of_small_steps_exceeds_every_bound)
+{
+    num epsilon = positive(T, "e", 0), square = mul(epsilon, epsilon);
+    num whole_power = G(power)(add(from_int(1), square), T->degree);
+    num least = add(from_int(1), mul(from_int(T->planted ? T->degree + 1 : T->degree), square));
+    nonnegative(T, sub(whole_power, least));
+}
 
+#if RATIONAL
+/*
 :::{claim} small_step_of_zero_stays
 :title: A step of zero closes at once
 :zh: 步长为零时不动
@@ -377,7 +406,19 @@ ends with a radius larger by a fifth.
 :method: One step; that it moves the point is refuted.
 :control: $\varepsilon=\frac1{16}$
 :::
+*/
+CLAIM(small_step_of_zero_stays)
+{
+    num M[4], P[2] = {from_int(1), from_int(0)};
+    G(small_step)(T->planted ? from_ratio(1, 16) : from_int(0), M);
+    G(steps)(1, M, P);
+    show_points(T, "P_1", 1, 2, P);
+    about(T, "whether P_1 is not P_0");
+    agree(T, !(equal_q(P[0], from_int(1)) && is_zero_q(P[1])));
+}
+#endif
 
+/*
 :::{statement} hu-1987:1-3-perpendicular
 :title: The small vector that is added is perpendicular to the radius
 :zh: 增量与位置矢量垂直
@@ -386,7 +427,16 @@ ends with a radius larger by a fifth.
 :holds-by: small_step_adds_a_perpendicular_vector
 :figure: radius_of_the_first_way
 :::
+*/
 
+/* The matrix of the second way. */
+static void G(second_step)(num epsilon, num M[])
+{
+    G(small_step)(epsilon, M);
+    M[3] = sub(from_int(1), mul(epsilon, epsilon));
+}
+
+/*
 :::{claim} small_step_adds_a_perpendicular_vector
 :title: The step is a right angle to the radius, of a fixed share of its length
 :zh: 增量垂直于位置矢量
@@ -395,7 +445,22 @@ ends with a radius larger by a fifth.
 :method: Identities in the point and $\varepsilon$.
 :control: the step of the second way
 :::
+*/
+CLAIM(small_step_adds_a_perpendicular_vector)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
+    if (T->planted)
+        G(second_step)(epsilon, M);
+    else
+        G(small_step)(epsilon, M);
+    G(steps)(1, M, Q);
+    num step[2] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, radius = G(norm_squared)(2, P);
+    vanishes(T, G(dot)(2, step, P));
+    same(T, G(norm_squared)(2, step), mul(mul(epsilon, epsilon), radius));
+    same(T, G(norm_squared)(2, Q), add(radius, G(norm_squared)(2, step)));
+}
 
+/*
 :::{statement} hu-1987:1-3-spiral
 :title: The points of the simplified circle are on a spiral
 :zh: 所得曲线为螺线
@@ -418,49 +483,6 @@ not $\Delta\theta=\varepsilon$, but a little less.
 :control: the signs of the binomial theorem left out
 :::
 */
-CLAIM(small_steps_multiply_the_radius)
-{
-    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
-    G(small_step)(epsilon, M);
-    G(steps)(T->planted ? T->degree - 1 : T->degree, M, Q);
-    num factor = add(from_int(1), mul(epsilon, epsilon));
-    same(T, G(norm_squared)(2, Q), mul(G(power)(factor, T->degree), G(norm_squared)(2, P)));
-}
-
-CLAIM(radius_of_small_steps_exceeds_every_bound)
-{
-    num epsilon = positive(T, "e", 0), square = mul(epsilon, epsilon);
-    num whole_power = G(power)(add(from_int(1), square), T->degree);
-    num least = add(from_int(1), mul(from_int(T->planted ? T->degree + 1 : T->degree), square));
-    nonnegative(T, sub(whole_power, least));
-}
-
-#if RATIONAL
-CLAIM(small_step_of_zero_stays)
-{
-    num M[4], P[2] = {from_int(1), from_int(0)};
-    G(small_step)(T->planted ? from_ratio(1, 16) : from_int(0), M);
-    G(steps)(1, M, P);
-    show_points(T, "P_1", 1, 2, P);
-    about(T, "whether P_1 is not P_0");
-    agree(T, !(equal_q(P[0], from_int(1)) && is_zero_q(P[1])));
-}
-#endif
-
-CLAIM(small_step_adds_a_perpendicular_vector)
-{
-    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
-    if (T->planted)
-        G(second_step)(epsilon, M);
-    else
-        G(small_step)(epsilon, M);
-    G(steps)(1, M, Q);
-    num step[2] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, radius = G(norm_squared)(2, P);
-    vanishes(T, G(dot)(2, step, P));
-    same(T, G(norm_squared)(2, step), mul(mul(epsilon, epsilon), radius));
-    same(T, G(norm_squared)(2, Q), add(radius, G(norm_squared)(2, step)));
-}
-
 CLAIM(small_steps_are_powers_of_a_complex_number)
 {
     int n = T->degree;
@@ -506,7 +528,21 @@ the method: the determinant becomes 1.
 :method: Identities in $x$, $y$ and $\varepsilon$.
 :control: $y'=y+\varepsilon x$
 :::
+*/
+CLAIM(second_step_uses_the_new_abscissa)
+{
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, epsilon = unknown(T, "e", 0), M[4], next[2];
+    G(second_step)(epsilon, M);
+    G(row_times)(P, M, next);
+    num x = sub(P[0], mul(epsilon, P[1]));
+    same(T, next[0], x);
+    same(T, next[1], add(P[1], mul(epsilon, T->planted ? P[0] : x)));
+    about(T, "determinant and trace");
+    same(T, G(cross2)(M, M + 2), from_int(1));
+    same(T, add(M[0], M[3]), sub(from_int(2), mul(epsilon, epsilon)));
+}
 
+/*
 :::{statement} hu-1987:1-3-second-difference-equations
 :title: The difference equations of the ellipse
 :zh: 椭圆的差分方程
@@ -527,66 +563,7 @@ the method: the determinant becomes 1.
 :method: All sums of angles from the tangents of their halves; $a$, $b$, $r$ variables.
 :control: $\varepsilon=2\sin\Delta\theta$
 :::
-
-:::{claim} second_step_of_two_has_no_angle
-:title: With the step 2 the orbit runs away
-:zh: 步长为二时轨道无界
-:kind: counterexample
-:given: $\varepsilon=2$, $P_0=(1,0)$
-:then: $x_{10}^2=361$, and $|x_n|=2n-1$ grows without end: the points are on the two lines $(x-y)^2=1$, on no ellipse
-:method: Ten exact steps; $x_{10}^2$ is compared with $\frac43$, the largest $x^2$ on $x^2+y^2-xy=1$.
-:control: $\varepsilon=1$
-:::
-
-:::{statement} hu-1987:1-3-ellipse
-:title: The equation of the ellipse
-:zh: 椭圆方程
-:printed: \frac{x^2}{(r\cos\frac{\Delta\theta}2)^2}+\frac{y^2}{(r\cos\frac{\Delta\theta}2)^2}-\frac{2\sin\frac{\Delta\theta}2}{(r\cos\frac{\Delta\theta}2)^2}\,xy=1
-:holds-by: second_orbit_satisfies_the_printed_equation second_form_is_invariant second_form_is_an_ellipse
-:figure: ellipse_of_the_second_way
-:::
-
-:::{claim} second_orbit_satisfies_the_printed_equation
-:title: The points of the difference equations are on the printed ellipse
-:zh: 差分方程的点满足椭圆方程
-:given: any $r$, any $\theta$ and $\delta$ with the tangents $a$ and $b$ of their halves
-:then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
-:method: An identity in $a$, $b$ and $r$, term by term as printed.
-:control: the factor 2 of the product $xy$ left out
-:::
-
-:::{claim} second_form_is_invariant
-:title: A quadratic form is the same along the orbit
-:zh: 不变二次型
-:given: any first point, any $\varepsilon$, $n$ steps of the second way
-:then: $x_n^2+y_n^2-\varepsilon x_ny_n=x_0^2+y_0^2-\varepsilon x_0y_0$
-:method: The steps one after the other, in the field with the point and $\varepsilon$ variables.
-:degrees: 1..8 sampled 24
-:control: the form $x^2+y^2$
-:::
-
-:::{claim} second_form_is_an_ellipse
-:title: The invariant form is positive: the curve is an ellipse with its axes on the diagonals
-:zh: 不变二次型正定
-:given: $0<s<1$, $s=\frac\varepsilon2$
-:then: $x^2+y^2-2sxy=\frac{1-s}2(x+y)^2+\frac{1+s}2(x-y)^2$, both coefficients positive
-:method: An identity in $s$, $x$, $y$; $s=\frac\sigma{1+\sigma}$ with $\sigma>0$ for the signs.
-:control: $1-s$ and $1+s$ exchanged
-:::
 */
-CLAIM(second_step_uses_the_new_abscissa)
-{
-    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, epsilon = unknown(T, "e", 0), M[4], next[2];
-    G(second_step)(epsilon, M);
-    G(row_times)(P, M, next);
-    num x = sub(P[0], mul(epsilon, P[1]));
-    same(T, next[0], x);
-    same(T, next[1], add(P[1], mul(epsilon, T->planted ? P[0] : x)));
-    about(T, "determinant and trace");
-    same(T, G(cross2)(M, M + 2), from_int(1));
-    same(T, add(M[0], M[3]), sub(from_int(2), mul(epsilon, epsilon)));
-}
-
 CLAIM(second_orbit_has_equal_angles)
 {
     num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0), two = from_int(2);
@@ -608,6 +585,17 @@ CLAIM(second_orbit_has_equal_angles)
 }
 
 #if RATIONAL
+/*
+:::{claim} second_step_of_two_has_no_angle
+:title: With the step 2 the orbit runs away
+:zh: 步长为二时轨道无界
+:kind: counterexample
+:given: $\varepsilon=2$, $P_0=(1,0)$
+:then: $x_{10}^2=361$, and $|x_n|=2n-1$ grows without end: the points are on the two lines $(x-y)^2=1$, on no ellipse
+:method: Ten exact steps; $x_{10}^2$ is compared with $\frac43$, the largest $x^2$ on $x^2+y^2-xy=1$.
+:control: $\varepsilon=1$
+:::
+*/
 CLAIM(second_step_of_two_has_no_angle)
 {
     num M[4], P[2] = {from_int(1), from_int(0)};
@@ -619,6 +607,24 @@ CLAIM(second_step_of_two_has_no_angle)
 }
 #endif
 
+/*
+:::{statement} hu-1987:1-3-ellipse
+:title: The equation of the ellipse
+:zh: 椭圆方程
+:printed: \frac{x^2}{(r\cos\frac{\Delta\theta}2)^2}+\frac{y^2}{(r\cos\frac{\Delta\theta}2)^2}-\frac{2\sin\frac{\Delta\theta}2}{(r\cos\frac{\Delta\theta}2)^2}\,xy=1
+:holds-by: second_orbit_satisfies_the_printed_equation second_form_is_invariant second_form_is_an_ellipse
+:figure: ellipse_of_the_second_way
+:::
+
+:::{claim} second_orbit_satisfies_the_printed_equation
+:title: The points of the difference equations are on the printed ellipse
+:zh: 差分方程的点满足椭圆方程
+:given: any $r$, any $\theta$ and $\delta$ with the tangents $a$ and $b$ of their halves
+:then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
+:method: An identity in $a$, $b$ and $r$, term by term as printed.
+:control: the factor 2 of the product $xy$ left out
+:::
+*/
 CLAIM(second_orbit_satisfies_the_printed_equation)
 {
     num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0);
@@ -629,6 +635,17 @@ CLAIM(second_orbit_satisfies_the_printed_equation)
     same(T, left, from_int(1));
 }
 
+/*
+:::{claim} second_form_is_invariant
+:title: A quadratic form is the same along the orbit
+:zh: 不变二次型
+:given: any first point, any $\varepsilon$, $n$ steps of the second way
+:then: $x_n^2+y_n^2-\varepsilon x_ny_n=x_0^2+y_0^2-\varepsilon x_0y_0$
+:method: The steps one after the other, in the field with the point and $\varepsilon$ variables.
+:degrees: 1..8 sampled 24
+:control: the form $x^2+y^2$
+:::
+*/
 CLAIM(second_form_is_invariant)
 {
     num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
@@ -639,6 +656,16 @@ CLAIM(second_form_is_invariant)
          sub(G(norm_squared)(2, P), mul(mixed, mul(P[0], P[1]))));
 }
 
+/*
+:::{claim} second_form_is_an_ellipse
+:title: The invariant form is positive: the curve is an ellipse with its axes on the diagonals
+:zh: 不变二次型正定
+:given: $0<s<1$, $s=\frac\varepsilon2$
+:then: $x^2+y^2-2sxy=\frac{1-s}2(x+y)^2+\frac{1+s}2(x-y)^2$, both coefficients positive
+:method: An identity in $s$, $x$, $y$; $s=\frac\sigma{1+\sigma}$ with $\sigma>0$ for the signs.
+:control: $1-s$ and $1+s$ exchanged
+:::
+*/
 CLAIM(second_form_is_an_ellipse)
 {
     num x = unknown(T, "x", 0), y = unknown(T, "y", 0), s = inside(T, "s"), one = from_int(1);
@@ -674,76 +701,6 @@ CLAIM(second_form_is_an_ellipse)
 :method: $r^2$ is eliminated by the equation; identities in $s$, $x$, $y$, with $s=\frac\sigma{1+\sigma}$.
 :control: the two circles exchanged
 :::
-
-:::{claim} inward_error_of_the_ellipse_is_larger
-:title: The ellipse leaves the circle farther inwards than outwards
-:zh: 向内误差大于向外误差
-:given: $0<s<1$
-:then: $\sqrt{1+s}-1<\frac s2<1-\sqrt{1-s}$
-:method: $(1+\frac s2)^2-(1+s)$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
-:control: $\frac s4$ in the place of $\frac s2$
-:::
-
-:::{claim} ellipse_leaves_the_circle_by_more
-:title: Inwards the ellipse leaves the circle by more than the printed error
-:zh: 椭圆向内偏离大于印刷的误差
-:kind: counterexample
-:given: $m=4$, $s=\frac1{32}$, $a=1+s$
-:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false
-:method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1+a)^2\le4a$.
-:control: $s=0$, the circle
-:::
-
-:::{statement} hu-1987:1-3-error-approximation
-:title: The error is about the reciprocal of a power of two
-:zh: 误差的近似值
-:printed: For $\varepsilon=2^{-m}=2\sin\frac{\Delta\theta}2$: $E\approx\frac1{2^{m+1}}\times100(\%)$.
-:refuted-by: printed_error_is_twice_the_error
-:class: misprint
-:corrected: $E\approx\frac1{2^{m+2}}\times100(\%)$; more exactly $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$ with $s=2^{-m-1}$
-:corrected-by: error_is_half_the_sine
-:figure: error_of_the_second_way
-:striking: 41
-
-The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
-:::
-
-:::{claim} printed_error_is_twice_the_error
-:title: For m = 4 the printed approximation gives 3.1 per cent, the formula 1.6
-:zh: 近似式给出两倍的误差
-:kind: counterexample
-:given: $m=4$, $s=\frac1{32}$
-:then: in tenths of a per cent, rounded, $2^{-(m+1)}$ is 31 and $E=\sqrt{1+s}-1$ is 16
-:method: $k$ tenths of a per cent, rounded, is decided by $(k-\frac12)/1000<E<(k+\frac12)/1000$, for $E$ after squaring.
-:control: $2^{-(m+2)}$
-:::
-
-:::{claim} error_is_half_the_sine
-:title: The error is half the sine, to second order
-:zh: 误差的二阶估计
-:given: $0<s<1$
-:then: $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$; for $s=2^{-m-1}$ the upper bound is $2^{-m-2}$
-:method: $(1+\frac s2)^2-(1+s)=\frac{s^2}4$ and $(1+s)-(1+\frac s2-\frac{s^2}8)^2=\frac{s^3(8-s)}{64}$; both positive.
-:control: $\frac{s^2}{16}$ in the place of $\frac{s^2}8$
-:::
-
-:::{statement} hu-1987:1-3-error-example
-:title: The error for m = 4
-:zh: m=4 时的误差
-:printed: For $m=4$, $E=1.6\%$.
-:holds-by: error_for_four_is_as_printed
-:figure: error_of_the_second_way
-:::
-
-:::{claim} error_for_four_is_as_printed
-:title: The error for m = 4 is 1.6 per cent to the digits printed
-:zh: m=4 时误差为百分之一点六
-:kind: decision
-:given: $m=4$, $E=\sqrt{33/32}-1$
-:then: $0.0155<E<0.0165$, and inwards $0.0155<1-\sqrt{31/32}<0.0165$ as well
-:method: The four comparisons after squaring, in rationals.
-:control: $m=3$
-:::
 */
 CLAIM(ellipse_lies_between_two_circles)
 {
@@ -764,6 +721,16 @@ static num G(square_above)(num k, num h)
     return sub(G(power)(add(one, k), 2), add(one, h));
 }
 
+/*
+:::{claim} inward_error_of_the_ellipse_is_larger
+:title: The ellipse leaves the circle farther inwards than outwards
+:zh: 向内误差大于向外误差
+:given: $0<s<1$
+:then: $\sqrt{1+s}-1<\frac s2<1-\sqrt{1-s}$
+:method: $(1+\frac s2)^2-(1+s)$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
+:control: $\frac s4$ in the place of $\frac s2$
+:::
+*/
 CLAIM(inward_error_of_the_ellipse_is_larger)
 {
     num s = inside(T, "s"), half = mul(from_ratio(1, T->planted ? 4 : 2), s), gap = mul(from_ratio(1, 4), mul(s, s));
@@ -772,33 +739,18 @@ CLAIM(inward_error_of_the_ellipse_is_larger)
     nonnegative(T, gap);
 }
 
-CLAIM(error_is_half_the_sine)
-{
-    num s = inside(T, "s"), half = mul(from_ratio(1, 2), s), ss = mul(s, s);
-    num lower = sub(half, mul(from_ratio(1, T->planted ? 16 : 8), ss));
-    num below = div(mul(mul(s, ss), sub(from_int(8), s)), from_int(64)), above = mul(from_ratio(1, 4), ss);
-    same(T, G(square_above)(half, s), above);
-    same(T, neg(G(square_above)(lower, s)), below);
-    nonnegative(T, above);
-    nonnegative(T, below);
-}
-
 #if RATIONAL
-/* lo < sqrt(a) < hi for positive lo */
-static int root_is_between(num lo, num a, num hi)
-{
-    return compare_q(mul(lo, lo), a) < 0 && compare_q(a, mul(hi, hi)) < 0;
-}
-
-/* The k with (k - 1/2)/1000 < x < (k + 1/2)/1000. */
-static int in_tenths_of_a_percent(num x)
-{
-    int k = 0;
-    while (compare_q(x, from_ratio(2 * k + 1, 2000)) >= 0)
-        k++;
-    return k;
-}
-
+/*
+:::{claim} ellipse_leaves_the_circle_by_more
+:title: Inwards the ellipse leaves the circle by more than the printed error
+:zh: 椭圆向内偏离大于印刷的误差
+:kind: counterexample
+:given: $m=4$, $s=\frac1{32}$, $a=1+s$
+:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false
+:method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1+a)^2\le4a$.
+:control: $s=0$, the circle
+:::
+*/
 CLAIM(ellipse_leaves_the_circle_by_more)
 {
     num a = add(from_int(1), from_ratio(T->planted ? 0 : 1, 32)), once = add(from_int(1), a);
@@ -806,6 +758,48 @@ CLAIM(ellipse_leaves_the_circle_by_more)
     show(T, "(2 + s)^2 - 4 (1 + s)", sub(mul(once, once), mul(from_int(4), a)));
     about(T, "whether the inward error is at most the outward one");
     agree(T, compare_q(mul(once, once), mul(from_int(4), a)) <= 0);
+}
+
+/*
+:::{statement} hu-1987:1-3-error-approximation
+:title: The error is about the reciprocal of a power of two
+:zh: 误差的近似值
+:printed: For $\varepsilon=2^{-m}=2\sin\frac{\Delta\theta}2$: $E\approx\frac1{2^{m+1}}\times100(\%)$.
+:refuted-by: printed_error_is_twice_the_error
+:class: misprint
+:corrected: $E\approx\frac1{2^{m+2}}\times100(\%)$; more exactly $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$ with $s=2^{-m-1}$
+:corrected-by: error_is_half_the_sine
+:figure: error_of_the_second_way
+:striking: 41
+
+The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
+:::
+*/
+
+/* lo < sqrt(a) < hi for positive lo */
+static int root_is_between(num lo, num a, num hi)
+{
+    return compare_q(mul(lo, lo), a) < 0 && compare_q(a, mul(hi, hi)) < 0;
+}
+
+/*
+:::{claim} printed_error_is_twice_the_error
+:title: For m = 4 the printed approximation gives 3.1 per cent, the formula 1.6
+:zh: 近似式给出两倍的误差
+:kind: counterexample
+:given: $m=4$, $s=\frac1{32}$
+:then: in tenths of a per cent, rounded, $2^{-(m+1)}$ is 31 and $E=\sqrt{1+s}-1$ is 16
+:method: $k$ tenths of a per cent, rounded, is decided by $(k-\frac12)/1000<E<(k+\frac12)/1000$, for $E$ after squaring.
+:control: $2^{-(m+2)}$
+:::
+*/
+/* The k with (k - 1/2)/1000 < x < (k + 1/2)/1000. */
+static int in_tenths_of_a_percent(num x)
+{
+    int k = 0;
+    while (compare_q(x, from_ratio(2 * k + 1, 2000)) >= 0)
+        k++;
+    return k;
 }
 
 CLAIM(printed_error_is_twice_the_error)
@@ -820,7 +814,51 @@ CLAIM(printed_error_is_twice_the_error)
     about(T, "tenths of a per cent");
     same(T, from_int(printed), from_int(k));
 }
+#endif
 
+/*
+:::{claim} error_is_half_the_sine
+:title: The error is half the sine, to second order
+:zh: 误差的二阶估计
+:given: $0<s<1$
+:then: $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$; for $s=2^{-m-1}$ the upper bound is $2^{-m-2}$
+:method: $(1+\frac s2)^2-(1+s)=\frac{s^2}4$ and $(1+s)-(1+\frac s2-\frac{s^2}8)^2=\frac{s^3(8-s)}{64}$; both positive.
+:control: $\frac{s^2}{16}$ in the place of $\frac{s^2}8$
+:::
+*/
+CLAIM(error_is_half_the_sine)
+{
+    num s = inside(T, "s"), half = mul(from_ratio(1, 2), s), ss = mul(s, s);
+    num lower = sub(half, mul(from_ratio(1, T->planted ? 16 : 8), ss));
+    num below = div(mul(mul(s, ss), sub(from_int(8), s)), from_int(64)), above = mul(from_ratio(1, 4), ss);
+    same(T, G(square_above)(half, s), above);
+    same(T, neg(G(square_above)(lower, s)), below);
+    nonnegative(T, above);
+    nonnegative(T, below);
+}
+
+/*
+:::{statement} hu-1987:1-3-error-example
+:title: The error for m = 4
+:zh: m=4 时的误差
+:printed: For $m=4$, $E=1.6\%$.
+:holds-by: error_for_four_is_as_printed
+:figure: error_of_the_second_way
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} error_for_four_is_as_printed
+:title: The error for m = 4 is 1.6 per cent to the digits printed
+:zh: m=4 时误差为百分之一点六
+:kind: decision
+:given: $m=4$, $E=\sqrt{33/32}-1$
+:then: $0.0155<E<0.0165$, and inwards $0.0155<1-\sqrt{31/32}<0.0165$ as well
+:method: The four comparisons after squaring, in rationals.
+:control: $m=3$
+:::
+*/
 CLAIM(error_for_four_is_as_printed)
 {
     int m = T->planted ? 3 : 4;
@@ -836,7 +874,10 @@ CLAIM(error_for_four_is_as_printed)
 
 The source says only of the first way that it does not close.  The ellipse of the second way is a closed curve, and the
 points stay on it for ever; but they never come back to where they were.
+*/
 
+#if RATIONAL
+/*
 :::{claim} second_orbit_never_closes
 :title: The orbit of the second way never returns to its first point
 :zh: 第二种方法的点列永不重复
@@ -850,17 +891,7 @@ points stay on it for ever; but they never come back to where they were.
 :scope: m = 1 to 6, k = 1 to 48 steps
 :control: $\varepsilon=1$, where $V_6=2$
 :::
-
-:::{claim} second_step_of_one_closes_after_six
-:title: With the step 1 the second way closes after six points
-:zh: 步长为一时六步闭合
-:given: any first point, $\varepsilon=1$
-:then: $P_6=P_0$, and $P_3=-P_0$; the characteristic polynomial $\lambda^2-\lambda+1$ is the cyclotomic polynomial $\Phi_6$
-:method: Six steps with variable $P_0$.
-:control: five steps
-:::
 */
-#if RATIONAL
 /* 2^bits V is an odd integer. */
 static int has_exactly_the_bits(num V, int bits)
 {
@@ -885,6 +916,16 @@ CLAIM(second_orbit_never_closes)
 }
 #endif
 
+/*
+:::{claim} second_step_of_one_closes_after_six
+:title: With the step 1 the second way closes after six points
+:zh: 步长为一时六步闭合
+:given: any first point, $\varepsilon=1$
+:then: $P_6=P_0$, and $P_3=-P_0$; the characteristic polynomial $\lambda^2-\lambda+1$ is the cyclotomic polynomial $\Phi_6$
+:method: Six steps with variable $P_0$.
+:control: five steps
+:::
+*/
 CLAIM(second_step_of_one_closes_after_six)
 {
     num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]};
@@ -923,17 +964,10 @@ CLAIM(second_step_of_one_closes_after_six)
 
 The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of a pixel.
 :::
+*/
 
-:::{statement} hu-1987:1-3-third-angle
-:title: The angle of the third way
-:zh: 第三种方法的转角
-:printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
-:holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
-:needs: negative_cosine_is_not_the_root | $0<\theta\le\frac\pi2$, as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is not
-  $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
-:figure: step_of_the_third_way
-:::
-
+#if RATIONAL
+/*
 :::{claim} unit_height_is_not_unit_distance
 :title: At height one the second point is farther than one from the first
 :zh: 高度为一而距离大于一
@@ -943,61 +977,7 @@ The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of
 :method: $|A_0A_1|^2=2r^2(1-\cos\theta)$, exactly.
 :control: $\cos\theta=1-\frac1{2r^2}$
 :::
-
-:::{claim} distance_of_the_first_two_points
-:title: The distance of the first two points
-:zh: 首两点的距离
-:given: $0<\theta<\pi$ with the tangent $a$ of its half, $A_0=(r,0)$
-:then: $|A_0A_1|^2=(2r\sin\frac\theta2)^2=\frac{4r^2a^2}{1+a^2}$; for $r\sin\theta=1$ this is $1+a^2$, and it is 1 exactly for
-  $\cos\theta=1-\frac1{2r^2}$
-:method: The point by the rotation, in the field with $a$ and $r$ variables; then $r=\frac{1+a^2}{2a}$; and
-  $2r^2(1-\cos\theta)-1=2r^2\bigl(1-\frac1{2r^2}-\cos\theta\bigr)$.
-:control: the distance as $r\sin\theta$
-:::
-
-:::{statement} hu-1987:1-3-third-matrix
-:title: The matrix of the third way, by the radius
-:zh: 用半径表示的旋转矩阵
-:printed: With $\sin\theta=\varepsilon=\frac1r$, $\cos\theta=\sqrt{1-\sin^2\theta}=\sqrt{1-\varepsilon^2}$:
-  $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
-:holds-by: third_matrix_by_the_radius
-:needs: negative_cosine_is_not_the_root | $0<\theta<\frac\pi2$, so that the cosine is the positive root; and $r\ge1$
-:figure: step_of_the_third_way
-:::
-
-:::{claim} third_matrix_by_the_radius
-:title: The three forms of the matrix agree
-:zh: 第三种方法矩阵的三种形式
-:given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $0<a<1$, $r=\frac1{\sin\theta}$
-:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta>0$; the determinant is 1
-:method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive: it is the root.
-:control: $r^2+1$ in the place of $r^2-1$
-:::
-
-:::{claim} negative_cosine_is_not_the_root
-:title: Beyond a right angle the cosine is not the root
-:zh: 钝角时余弦不等于算术根
-:kind: counterexample
-:given: $\cos\theta=-\frac35$, $\sin\theta=\frac45$
-:then: $\sqrt{1-\sin^2\theta}=\frac35\ne\cos\theta$
-:method: Both numbers, exactly.
-:control: $\cos\theta=\frac35$
-:::
-
-:::{claim} third_way_closes_for_two_radii
-:title: For a whole radius the third way closes for r = 1 and r = 2 only
-:zh: 整数半径时仅 r=1,2 闭合
-:kind: decision
-:given: $r=1,\dots,200$; $\tau=2-\frac4{r^2}$, the trace of $R^2$
-:then: $\tau$ is an integer only for $r=1$ and $r=2$, where $R^4=1$ and $R^{12}=1$; otherwise no power of $R$ is 1
-:method: The eigenvalues of $R^2$ are $\lambda$ and $1/\lambda$ with $\lambda+1/\lambda=\tau$; a root of unity has an algebraic integer
-  there, and a rational one is whole.  For $r\ge3$, $0<\frac4{r^2}<1$.  Traces 2, $\pm1$, 0, $-2$ would remain: $\tau=-2$ and
-  $\tau=1$ occur, with $R^4=1$ and $R^{12}=1$ by the recursion of the traces.
-:scope: r = 1 to 200
-:control: $r$ in the place of $r^2$
-:::
 */
-#if RATIONAL
 CLAIM(unit_height_is_not_unit_distance)
 {
     num r = from_int(1), rr = mul(r, r), cosine = from_int(0);
@@ -1010,6 +990,18 @@ CLAIM(unit_height_is_not_unit_distance)
 }
 #endif
 
+/*
+:::{claim} distance_of_the_first_two_points
+:title: The distance of the first two points
+:zh: 首两点的距离
+:given: $0<\theta<\pi$ with the tangent $a$ of its half, $A_0=(r,0)$
+:then: $|A_0A_1|^2=(2r\sin\frac\theta2)^2=\frac{4r^2a^2}{1+a^2}$; for $r\sin\theta=1$ this is $1+a^2$, and it is 1 exactly for
+  $\cos\theta=1-\frac1{2r^2}$
+:method: The point by the rotation, in the field with $a$ and $r$ variables; then $r=\frac{1+a^2}{2a}$; and
+  $2r^2(1-\cos\theta)-1=2r^2\bigl(1-\frac1{2r^2}-\cos\theta\bigr)$.
+:control: the distance as $r\sin\theta$
+:::
+*/
 CLAIM(distance_of_the_first_two_points)
 {
     num a = inside(T, "a"), r = positive(T, "r", 0), one = from_int(1), aa = mul(a, a), M[4], next[2];
@@ -1032,6 +1024,36 @@ CLAIM(distance_of_the_first_two_points)
     same(T, sub(square, one), mul(mul(from_int(2), rr), sub(wanted, angle.cos)));
 }
 
+/*
+:::{statement} hu-1987:1-3-third-angle
+:title: The angle of the third way
+:zh: 第三种方法的转角
+:printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
+:holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
+:needs: negative_cosine_is_not_the_root | $0<\theta\le\frac\pi2$, as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is not
+  $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
+:figure: step_of_the_third_way
+:::
+
+:::{statement} hu-1987:1-3-third-matrix
+:title: The matrix of the third way, by the radius
+:zh: 用半径表示的旋转矩阵
+:printed: With $\sin\theta=\varepsilon=\frac1r$, $\cos\theta=\sqrt{1-\sin^2\theta}=\sqrt{1-\varepsilon^2}$:
+  $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
+:holds-by: third_matrix_by_the_radius
+:needs: negative_cosine_is_not_the_root | $0<\theta<\frac\pi2$, so that the cosine is the positive root; and $r\ge1$
+:figure: step_of_the_third_way
+:::
+
+:::{claim} third_matrix_by_the_radius
+:title: The three forms of the matrix agree
+:zh: 第三种方法矩阵的三种形式
+:given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $0<a<1$, $r=\frac1{\sin\theta}$
+:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta>0$; the determinant is 1
+:method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive: it is the root.
+:control: $r^2+1$ in the place of $r^2-1$
+:::
+*/
 CLAIM(third_matrix_by_the_radius)
 {
     num a = inside(T, "a"), one = from_int(1), M[4];
@@ -1045,6 +1067,17 @@ CLAIM(third_matrix_by_the_radius)
 }
 
 #if RATIONAL
+/*
+:::{claim} negative_cosine_is_not_the_root
+:title: Beyond a right angle the cosine is not the root
+:zh: 钝角时余弦不等于算术根
+:kind: counterexample
+:given: $\cos\theta=-\frac35$, $\sin\theta=\frac45$
+:then: $\sqrt{1-\sin^2\theta}=\frac35\ne\cos\theta$
+:method: Both numbers, exactly.
+:control: $\cos\theta=\frac35$
+:::
+*/
 CLAIM(negative_cosine_is_not_the_root)
 {
     num cosine = from_ratio(T->planted ? 3 : -3, 5), sine = from_ratio(4, 5);
@@ -1054,6 +1087,20 @@ CLAIM(negative_cosine_is_not_the_root)
     same(T, root(2, sub(from_int(1), mul(sine, sine))), cosine);
 }
 
+/*
+:::{claim} third_way_closes_for_two_radii
+:title: For a whole radius the third way closes for r = 1 and r = 2 only
+:zh: 整数半径时仅 r=1,2 闭合
+:kind: decision
+:given: $r=1,\dots,200$; $\tau=2-\frac4{r^2}$, the trace of $R^2$
+:then: $\tau$ is an integer only for $r=1$ and $r=2$, where $R^4=1$ and $R^{12}=1$; otherwise no power of $R$ is 1
+:method: The eigenvalues of $R^2$ are $\lambda$ and $1/\lambda$ with $\lambda+1/\lambda=\tau$; a root of unity has an algebraic integer
+  there, and a rational one is whole.  For $r\ge3$, $0<\frac4{r^2}<1$.  Traces 2, $\pm1$, 0, $-2$ would remain: $\tau=-2$ and
+  $\tau=1$ occur, with $R^4=1$ and $R^{12}=1$ by the recursion of the traces.
+:scope: r = 1 to 200
+:control: $r$ in the place of $r^2$
+:::
+*/
 /* The least k <= most with V_k = 2 for the trace; 0 if there is none. */
 static int order_of(num trace, int most)
 {
@@ -1078,4 +1125,5 @@ CLAIM(third_way_closes_for_two_radii)
     }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

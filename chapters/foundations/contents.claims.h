@@ -4,7 +4,10 @@
 The source has nine chapters.  This page goes through its table of contents and says, for every section, by which claims
 of ours its subject is covered, and what of it is open.  A claim is about the subject, not about the text of the section,
 unless the ledger has an entry of it.
+*/
+#include "chapters/judge/claims_on.h"
 
+/*
 :::{statement} hu-1987:preface-nine-chapters
 :title: The book has nine chapters
 :zh: 全书共九章
@@ -12,89 +15,11 @@ unless the ledger has an entry of it.
 :holds-by: contents_has_nine_chapters
 :figure: pages_of_the_sections
 :::
-
-:::{claim} contents_has_nine_chapters
-:title: The table of contents has nine chapters with seventy sections
-:zh: 目录共九章七十节
-:kind: decision
-:given: the numbers of sections in the table of contents, chapter by chapter
-:then: nine chapters, $9+10+6+9+7+11+3+8+7=70$ sections
-:method: The printed pages below are counted.
-:control: the last chapter left out
-:::
-
-:::{statement} hu-1987:contents-page-order
-:title: The pages of the sections increase
-:zh: 目录页码递增
-:printed: § 9-1 (225), § 9-2 (237), § 9-3 (234), § 9-4 (237)
-:refuted-by: page_of_a_section_before_the_one_before
-:class: misprint
-:corrected: Without § 9-2 the page numbers increase strictly; if it is no exception and the other pages are right, it begins on a page from
-  226 to 233.
-:corrected-by: other_pages_do_not_decrease
-:figure: pages_of_the_sections
-:::
-
-:::{statement} hu-1987:contents-chapter-pages
-:title: A chapter begins with its first section
-:zh: 章首页码
-:printed: Chapter 2 begins on page 23, its first section on page 25, and the last section before it, 1-9, on page 22.
-:refuted-by: second_chapter_begins_before_its_first_section
-:class: misprint
-:corrected: In the eight other chapters the page of the chapter is that of its first section.
-:corrected-by: other_chapters_begin_with_their_first_section
-:figure: pages_of_the_sections
-
-Which of the three numbers is wrong cannot be decided from the table.
-:::
-
-:::{claim} page_of_a_section_before_the_one_before
-:title: Section 9-3 begins before section 9-2
-:zh: 9-3 节页码小于 9-2 节
-:kind: counterexample
-:given: the pages of the sections of chapter 9: 225, 237, 234, 237, 242, 244, 248
-:then: they do not increase
-:method: Neighbours are compared.
-:control: the second page left out
-:::
-
-:::{claim} other_pages_do_not_decrease
-:title: Without 9-2 all pages increase
-:zh: 其余页码严格递增
-:kind: decision
-:given: the pages of all seventy sections but 9-2
-:then: each is more than the one before it; so, if 9-2 is no exception, it is between the pages 225 of 9-1 and 234 of 9-3
-:method: Neighbours are compared.
-:control: 9-2 with its printed page
-:::
-
-:::{claim} second_chapter_begins_before_its_first_section
-:title: The page of chapter 2 is not that of section 2-1
-:zh: 第二章页码与 2-1 节不符
-:kind: counterexample
-:given: chapter 2 (23), section 2-1 (25)
-:then: $23\ne25$
-:method: The two numbers.
-:control: chapter 3 and section 3-1
-:::
-
-:::{claim} other_chapters_begin_with_their_first_section
-:title: The other chapters begin on the page of their first section
-:zh: 其余各章页码与首节一致
-:kind: decision
-:given: the pages of the chapters 1, 3, ..., 9: 1, 57, 82, 115, 147, 187, 198, 225
-:then: each is the page of the first section
-:method: The numbers of the table.
-:control: chapter 2 counted in
-:::
 */
-#include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 enum { CHAPTERS = 9, MOST = 11 };
 
-/* The page of the chapter, and those of its sections, as printed; 0 ends the list. */
-static const int chapter_page[CHAPTERS] = {1, 23, 57, 82, 115, 147, 187, 198, 225};
 static const int section_page[CHAPTERS][MOST + 1] = {
     {1, 2, 4, 6, 9, 12, 18, 20, 22},
     {25, 26, 27, 29, 32, 34, 38, 40, 47, 51},
@@ -106,6 +31,46 @@ static const int section_page[CHAPTERS][MOST + 1] = {
     {198, 202, 204, 206, 209, 214, 218, 220},
     {225, 237, 234, 237, 242, 244, 248},
 };
+
+/*
+:::{claim} contents_has_nine_chapters
+:title: The table of contents has nine chapters with seventy sections
+:zh: 目录共九章七十节
+:kind: decision
+:given: the numbers of sections in the table of contents, chapter by chapter
+:then: nine chapters, $9+10+6+9+7+11+3+8+7=70$ sections
+:method: The printed pages below are counted.
+:control: the last chapter left out
+:::
+*/
+CLAIM(contents_has_nine_chapters)
+{
+    static const int printed[CHAPTERS] = {9, 10, 6, 9, 7, 11, 3, 8, 7};
+    int sections = 0, chapters = 0;
+    for (int c = 0; c < CHAPTERS - T->planted; c++, chapters++) {
+        int count = 0;
+        while (section_page[c][count] != 0)
+            count++;
+        same(T, from_int(count), from_int(printed[c]));
+        sections += count;
+    }
+    same(T, from_int(chapters), from_int(9));
+    same(T, from_int(sections), from_int(70));
+}
+
+/*
+:::{statement} hu-1987:contents-page-order
+:title: The pages of the sections increase
+:zh: 目录页码递增
+:printed: § 9-1 (225), § 9-2 (237), § 9-3 (234), § 9-4 (237)
+:refuted-by: page_of_a_section_before_the_one_before
+:class: misprint
+:corrected: Without § 9-2 the page numbers increase strictly; if it is no exception and the other pages are right, it begins on a page from
+  226 to 233.
+:corrected-by: other_pages_do_not_decrease
+:figure: pages_of_the_sections
+:::
+*/
 
 /* Whether every page is more than the one before, the second section of the last chapter left out if asked for. */
 static int pages_increase(int first_chapter, int without)
@@ -122,21 +87,17 @@ static int pages_increase(int first_chapter, int without)
     return good;
 }
 
-CLAIM(contents_has_nine_chapters)
-{
-    static const int printed[CHAPTERS] = {9, 10, 6, 9, 7, 11, 3, 8, 7};
-    int sections = 0, chapters = 0;
-    for (int c = 0; c < CHAPTERS - T->planted; c++, chapters++) {
-        int count = 0;
-        while (section_page[c][count] != 0)
-            count++;
-        same(T, from_int(count), from_int(printed[c]));
-        sections += count;
-    }
-    same(T, from_int(chapters), from_int(9));
-    same(T, from_int(sections), from_int(70));
-}
-
+/*
+:::{claim} page_of_a_section_before_the_one_before
+:title: Section 9-3 begins before section 9-2
+:zh: 9-3 节页码小于 9-2 节
+:kind: counterexample
+:given: the pages of the sections of chapter 9: 225, 237, 234, 237, 242, 244, 248
+:then: they do not increase
+:method: Neighbours are compared.
+:control: the second page left out
+:::
+*/
 CLAIM(page_of_a_section_before_the_one_before)
 {
     const int *p = section_page[CHAPTERS - 1];
@@ -145,8 +106,48 @@ CLAIM(page_of_a_section_before_the_one_before)
     agree(T, pages_increase(CHAPTERS - 1, T->planted));
 }
 
+/*
+:::{claim} other_pages_do_not_decrease
+:title: Without 9-2 all pages increase
+:zh: 其余页码严格递增
+:kind: decision
+:given: the pages of all seventy sections but 9-2
+:then: each is more than the one before it; so, if 9-2 is no exception, it is between the pages 225 of 9-1 and 234 of 9-3
+:method: Neighbours are compared.
+:control: 9-2 with its printed page
+:::
+*/
 CLAIM(other_pages_do_not_decrease) { agree(T, pages_increase(0, !T->planted)); }
 
+/*
+:::{statement} hu-1987:contents-chapter-pages
+:title: A chapter begins with its first section
+:zh: 章首页码
+:printed: Chapter 2 begins on page 23, its first section on page 25, and the last section before it, 1-9, on page 22.
+:refuted-by: second_chapter_begins_before_its_first_section
+:class: misprint
+:corrected: In the eight other chapters the page of the chapter is that of its first section.
+:corrected-by: other_chapters_begin_with_their_first_section
+:figure: pages_of_the_sections
+
+Which of the three numbers is wrong cannot be decided from the table.
+:::
+*/
+
+/* The page of the chapter, and those of its sections, as printed; 0 ends the list. */
+static const int chapter_page[CHAPTERS] = {1, 23, 57, 82, 115, 147, 187, 198, 225};
+
+/*
+:::{claim} second_chapter_begins_before_its_first_section
+:title: The page of chapter 2 is not that of section 2-1
+:zh: 第二章页码与 2-1 节不符
+:kind: counterexample
+:given: chapter 2 (23), section 2-1 (25)
+:then: $23\ne25$
+:method: The two numbers.
+:control: chapter 3 and section 3-1
+:::
+*/
 CLAIM(second_chapter_begins_before_its_first_section)
 {
     int c = T->planted ? 2 : 1;
@@ -155,6 +156,17 @@ CLAIM(second_chapter_begins_before_its_first_section)
     same(T, from_int(chapter_page[c]), from_int(section_page[c][0]));
 }
 
+/*
+:::{claim} other_chapters_begin_with_their_first_section
+:title: The other chapters begin on the page of their first section
+:zh: 其余各章页码与首节一致
+:kind: decision
+:given: the pages of the chapters 1, 3, ..., 9: 1, 57, 82, 115, 147, 187, 198, 225
+:then: each is the page of the first section
+:method: The numbers of the table.
+:control: chapter 2 counted in
+:::
+*/
 CLAIM(other_chapters_begin_with_their_first_section)
 {
     for (int c = 0; c < CHAPTERS; c++)
@@ -162,7 +174,6 @@ CLAIM(other_chapters_begin_with_their_first_section)
             same(T, from_int(chapter_page[c]), from_int(section_page[c][0]));
 }
 #endif
-#include "chapters/judge/claims_off.h"
 
 /*
 ## The sections
@@ -240,3 +251,4 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 9-6 | fairing by rebound | | all of it |
 | 9-7 | fairing by energy | | all of it |
 */
+#include "chapters/judge/claims_off.h"

@@ -4,7 +4,18 @@
 A plane cubic can run on without incident, change its side once or twice, turn on its heel, or cross itself.  Which of these it
 does is decided by three numbers, the determinants $a=A\times B$, $b=A\times C$, $c=B\times C$ of its coefficients, and by
 $\delta=3b^2-4ac$.
+*/
+#include "chapters/foundations/definition.h"
 
+#if RATIONAL
+#include "exact/decide/sign.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2, space = 3 };
+
+/*
 ## Ends and tangents
 
 :::{statement} hu-1987:1-4-hermite-determined
@@ -14,134 +25,7 @@ $\delta=3b^2-4ac$.
 :holds-by: end_data_determine_the_cubic
 :figure: lengths_of_the_tangents
 :::
-
-:::{statement} hu-1987:1-4-hermite-data
-:title: The names of the data at the ends
-:zh: 端点数据的记号
-:printed: given the position vector $\dot Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and the position vector $\dot Q_1$ and the tangent vector
-  $\dot Q_1$ at $t=1$
-:refuted-by: position_is_not_the_tangent
-:class: misprint
-:corrected: the position vector $Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and $Q_1$ and $\dot Q_1$ at $t=1$
-:corrected-by: end_data_determine_the_cubic
-:figure: ends_with_lost_letters
-
-One symbol for two data.  If it means the tangent, $C$ is right below and $A$, $B$, $D$ are not; if it means the position, $D$ is right and
-$A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
-:::
-
-:::{statement} hu-1987:1-4-hermite-a
-:title: The coefficient A from the data at the ends
-:zh: 系数 A
-:printed: A=2(\dot Q_0-\dot Q_1)+\dot Q_0+\dot Q_1
-:refuted-by: dotted_first_coefficient_misses_the_end
-:class: misprint
-:corrected: A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1
-:corrected-by: end_data_determine_the_cubic
-:figure: ends_with_lost_letters
-
-The position vectors have been given the dots of the tangent vectors, here, in $B$ and in $D$.
-:::
-
-:::{statement} hu-1987:1-4-hermite-b
-:title: The coefficient B from the data at the ends
-:zh: 系数 B
-:printed: B=3(\dot Q_1-\dot Q_0)-2\dot Q_0-\dot Q_1
-:refuted-by: dotted_second_coefficient_misses_the_end
-:class: misprint
-:corrected: B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1
-:corrected-by: end_data_determine_the_cubic
-:figure: ends_with_lost_letters
-:::
-
-:::{statement} hu-1987:1-4-hermite-c
-:title: The coefficient C from the data at the ends
-:zh: 系数 C
-:printed: C=\dot Q_0
-:holds-by: end_data_determine_the_cubic
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector: true
-:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$: false
-:figure: ends_with_lost_letters
-:::
-
-:::{statement} hu-1987:1-4-hermite-d
-:title: The coefficient D from the data at the ends
-:zh: 系数 D
-:printed: D=\dot Q_0
-:refuted-by: dotted_last_coefficient_misses_the_beginning
-:class: misprint
-:corrected: D=Q_0
-:corrected-by: end_data_determine_the_cubic
-:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before: false
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too: true
-:figure: ends_with_lost_letters
-:::
-
-:::{claim} end_data_determine_the_cubic
-:title: The coefficients meet the data at the ends, and are the only ones
-:zh: 端点数据与系数一一对应
-:given: any $Q_0,\dot Q_0,Q_1,\dot Q_1$ of the plane
-:then: with the four coefficients $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
-  coefficients
-:method: Both ways round with everything a variable: values and derivatives by the definition.
-:control: $\dot Q_1$ left out of $B$
-:::
-
-:::{claim} position_is_not_the_tangent
-:title: The position at the beginning is not the tangent there
-:zh: 端点位置矢量不等于切矢
-:kind: counterexample
-:given: $P(t)=t$ on a line: $A=B=D=0$, $C=1$
-:then: $P(0)=0$ and $\dot P(0)=1$: no $\dot Q_0$ is both, and $C\ne P(0)$
-:method: Value and derivative by the kernel.
-:control: $P(t)=1+t$
-:::
-
-:::{claim} positions_for_the_dots_miss_three_coefficients
-:title: With positions for all dotted letters three coefficients are wrong
-:zh: 记号全作位置矢量时三个系数有误
-:kind: decision
-:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; the printed coefficients with $Q_i$ for every letter
-:then: $A=-1$, $B=2$, $C=0$, $D=0$, in the place of $0,0,1,0$: $D$ alone is right
-:method: Each against the corrected one, exactly.
-:control: $Q_0=1$, where $C$ is right, too
-:::
-
-:::{claim} dotted_first_coefficient_misses_the_end
-:title: With the dotted points in A the curve does not end where it should
-:zh: 印刷的 A 不满足端点条件
-:kind: counterexample
-:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; $B$, $C$, $D$ as corrected
-:then: $A=2$ in the place of 0, $P(1)=3\ne Q_1$
-:method: $P(1)=A+B+C+D$, exactly.
-:control: the corrected $A$
-:::
-
-:::{claim} dotted_second_coefficient_misses_the_end
-:title: With the dotted points in B the curve does not end where it should
-:zh: 印刷的 B 不满足端点条件
-:kind: counterexample
-:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; $A$, $C$, $D$ as corrected
-:then: $B=-3$ in the place of 0, $P(1)=-2\ne Q_1$
-:method: $P(1)=A+B+C+D$, exactly.
-:control: the corrected $B$
-:::
-
-:::{claim} dotted_last_coefficient_misses_the_beginning
-:title: With the dotted point in D the curve does not begin where it should
-:zh: 印刷的 D 不满足端点条件
-:kind: counterexample
-:given: $Q_0=0$, $\dot Q_0=1$
-:then: $P(0)=D=1\ne Q_0$
-:method: $P(0)=D$.
-:control: the corrected $D$
-:::
 */
-#include "chapters/foundations/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2, space = 3 };
 
 /* c = (D, C, B, A) for the ends Q = (Q_0, Q_1) with the derivatives V, as corrected. */
 static void G(cubic_of_ends)(int dims, const num Q[], const num V[], num c[])
@@ -155,6 +39,17 @@ static void G(cubic_of_ends)(int dims, const num Q[], const num V[], num c[])
     }
 }
 
+/*
+:::{claim} end_data_determine_the_cubic
+:title: The coefficients meet the data at the ends, and are the only ones
+:zh: 端点数据与系数一一对应
+:given: any $Q_0,\dot Q_0,Q_1,\dot Q_1$ of the plane
+:then: with the four coefficients $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
+  coefficients
+:method: Both ways round with everything a variable: values and derivatives by the definition.
+:control: $\dot Q_1$ left out of $B$
+:::
+*/
 CLAIM(end_data_determine_the_cubic)
 {
     num Q[2 * dim], V[2 * dim], c[4 * dim], given[4 * dim];
@@ -182,7 +77,80 @@ CLAIM(end_data_determine_the_cubic)
         same(T, c[m], given[m]);
 }
 
+/*
+:::{statement} hu-1987:1-4-hermite-data
+:title: The names of the data at the ends
+:zh: 端点数据的记号
+:printed: given the position vector $\dot Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and the position vector $\dot Q_1$ and the tangent vector
+  $\dot Q_1$ at $t=1$
+:refuted-by: position_is_not_the_tangent
+:class: misprint
+:corrected: the position vector $Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and $Q_1$ and $\dot Q_1$ at $t=1$
+:corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
+
+One symbol for two data.  If it means the tangent, $C$ is right below and $A$, $B$, $D$ are not; if it means the position, $D$ is right and
+$A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} position_is_not_the_tangent
+:title: The position at the beginning is not the tangent there
+:zh: 端点位置矢量不等于切矢
+:kind: counterexample
+:given: $P(t)=t$ on a line: $A=B=D=0$, $C=1$
+:then: $P(0)=0$ and $\dot P(0)=1$: no $\dot Q_0$ is both, and $C\ne P(0)$
+:method: Value and derivative by the kernel.
+:control: $P(t)=1+t$
+:::
+*/
+CLAIM(position_is_not_the_tangent)
+{
+    num c[4] = {from_int(T->planted), from_int(1), from_int(0), from_int(0)}, D[2];
+    G(power_derivatives)(3, 1, c, from_int(0), 1, D);
+    show_points(T, "D, C, B, A", 4, 1, c);
+    about(T, "P(0) and P'(0)");
+    same(T, D[0], D[1]);
+}
+
+/*
+:::{claim} positions_for_the_dots_miss_three_coefficients
+:title: With positions for all dotted letters three coefficients are wrong
+:zh: 记号全作位置矢量时三个系数有误
+:kind: decision
+:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; the printed coefficients with $Q_i$ for every letter
+:then: $A=-1$, $B=2$, $C=0$, $D=0$, in the place of $0,0,1,0$: $D$ alone is right
+:method: Each against the corrected one, exactly.
+:control: $Q_0=1$, where $C$ is right, too
+:::
+*/
+CLAIM(positions_for_the_dots_miss_three_coefficients)
+{
+    int q0 = T->planted, q1 = 1;
+    num Q[2] = {from_int(q0), from_int(q1)}, V[2] = {from_int(1), from_int(1)}, c[4];
+    const int printed[4] = {q0, q0, 3 * (q1 - q0) - 2 * q0 - q1, 2 * (q0 - q1) + q0 + q1};
+    G(cubic_of_ends)(1, Q, V, c);
+    for (int k = 0; k < 4; k++)
+        agree(T, equal_q(c[k], from_int(printed[k])) == (k == 0));
+}
+
+/*
+:::{statement} hu-1987:1-4-hermite-a
+:title: The coefficient A from the data at the ends
+:zh: 系数 A
+:printed: A=2(\dot Q_0-\dot Q_1)+\dot Q_0+\dot Q_1
+:refuted-by: dotted_first_coefficient_misses_the_end
+:class: misprint
+:corrected: A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1
+:corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
+
+The position vectors have been given the dots of the tangent vectors, here, in $B$ and in $D$.
+:::
+*/
+
 /* The corrected coefficients of Q_0 = 0, Q_1 = 1, tangents 1, with coefficient k as printed if asked for. */
 static void with_printed_coefficient(trial *T, int k, num value, num c[])
 {
@@ -195,25 +163,17 @@ static void with_printed_coefficient(trial *T, int k, num value, num c[])
     show_points(T, "D, C, B, A", 4, 1, c);
 }
 
-CLAIM(position_is_not_the_tangent)
-{
-    num c[4] = {from_int(T->planted), from_int(1), from_int(0), from_int(0)}, D[2];
-    G(power_derivatives)(3, 1, c, from_int(0), 1, D);
-    show_points(T, "D, C, B, A", 4, 1, c);
-    about(T, "P(0) and P'(0)");
-    same(T, D[0], D[1]);
-}
-
-CLAIM(positions_for_the_dots_miss_three_coefficients)
-{
-    int q0 = T->planted, q1 = 1;
-    num Q[2] = {from_int(q0), from_int(q1)}, V[2] = {from_int(1), from_int(1)}, c[4];
-    const int printed[4] = {q0, q0, 3 * (q1 - q0) - 2 * q0 - q1, 2 * (q0 - q1) + q0 + q1};
-    G(cubic_of_ends)(1, Q, V, c);
-    for (int k = 0; k < 4; k++)
-        agree(T, equal_q(c[k], from_int(printed[k])) == (k == 0));
-}
-
+/*
+:::{claim} dotted_first_coefficient_misses_the_end
+:title: With the dotted points in A the curve does not end where it should
+:zh: 印刷的 A 不满足端点条件
+:kind: counterexample
+:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; $B$, $C$, $D$ as corrected
+:then: $A=2$ in the place of 0, $P(1)=3\ne Q_1$
+:method: $P(1)=A+B+C+D$, exactly.
+:control: the corrected $A$
+:::
+*/
 CLAIM(dotted_first_coefficient_misses_the_end)
 {
     num c[4];
@@ -222,6 +182,28 @@ CLAIM(dotted_first_coefficient_misses_the_end)
     same(T, G(power_sum)(3, 1, c, 0, from_int(1)), from_int(1));
 }
 
+/*
+:::{statement} hu-1987:1-4-hermite-b
+:title: The coefficient B from the data at the ends
+:zh: 系数 B
+:printed: B=3(\dot Q_1-\dot Q_0)-2\dot Q_0-\dot Q_1
+:refuted-by: dotted_second_coefficient_misses_the_end
+:class: misprint
+:corrected: B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1
+:corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
+:::
+
+:::{claim} dotted_second_coefficient_misses_the_end
+:title: With the dotted points in B the curve does not end where it should
+:zh: 印刷的 B 不满足端点条件
+:kind: counterexample
+:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; $A$, $C$, $D$ as corrected
+:then: $B=-3$ in the place of 0, $P(1)=-2\ne Q_1$
+:method: $P(1)=A+B+C+D$, exactly.
+:control: the corrected $B$
+:::
+*/
 CLAIM(dotted_second_coefficient_misses_the_end)
 {
     num c[4];
@@ -230,6 +212,40 @@ CLAIM(dotted_second_coefficient_misses_the_end)
     same(T, G(power_sum)(3, 1, c, 0, from_int(1)), from_int(1));
 }
 
+/*
+:::{statement} hu-1987:1-4-hermite-c
+:title: The coefficient C from the data at the ends
+:zh: 系数 C
+:printed: C=\dot Q_0
+:holds-by: end_data_determine_the_cubic
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector: true
+:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$: false
+:figure: ends_with_lost_letters
+:::
+
+:::{statement} hu-1987:1-4-hermite-d
+:title: The coefficient D from the data at the ends
+:zh: 系数 D
+:printed: D=\dot Q_0
+:refuted-by: dotted_last_coefficient_misses_the_beginning
+:class: misprint
+:corrected: D=Q_0
+:corrected-by: end_data_determine_the_cubic
+:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before: false
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too: true
+:figure: ends_with_lost_letters
+:::
+
+:::{claim} dotted_last_coefficient_misses_the_beginning
+:title: With the dotted point in D the curve does not begin where it should
+:zh: 印刷的 D 不满足端点条件
+:kind: counterexample
+:given: $Q_0=0$, $\dot Q_0=1$
+:then: $P(0)=D=1\ne Q_0$
+:method: $P(0)=D$.
+:control: the corrected $D$
+:::
+*/
 CLAIM(dotted_last_coefficient_misses_the_beginning)
 {
     num c[4];
@@ -237,7 +253,6 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
     about(T, "P(0) and Q_0");
     same(T, G(power_sum)(3, 1, c, 0, from_int(0)), from_int(0));
 }
-#endif
 
 /*
 :::{statement} hu-1987:1-4-lengths-change-the-shape
@@ -256,14 +271,6 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
 :figure: exchanged_lengths
 :::
 
-:::{statement} hu-1987:1-4-lengths-matter
-:title: Directions and lengths of the tangents have influence on the shape
-:zh: 切矢的方向与大小均影响形状
-:printed: Not only the direction of a tangent vector, its length, too, influences the shape of the curve.
-:holds-by: each_form_occurs
-:figure: lengths_of_the_tangents
-:::
-
 :::{claim} other_lengths_give_another_cubic
 :title: The cubic of other lengths leaves the first cubic
 :zh: 切矢长度不同的三次曲线不重合
@@ -276,72 +283,7 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
   lengths equal; the second makes $Q_0=Q_1$ and the tangents parallel.
 :control: the lengths equal
 :::
-
-:::{claim} congruent_cubics_have_these_lengths
-:title: A cubic that is moved, or moved and run backward, has the same lengths, or the same with the ends exchanged
-:zh: 合同的三次曲线切矢长度相同或两端互换
-:given: any plane cubic; a rotation by any angle, with or without a reflection, and any translation
-:then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot Q_1|$, $|\dot Q_0|$
-:method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes one to
-  the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
-:control: the lengths of $P(1-t)$ not exchanged
-:::
-
-:::{claim} exchanged_lengths_turn_the_cubic
-:title: With exchanged lengths the cubic is the first one, turned over
-:zh: 两端长度互换得旋转后的同一曲线
-:kind: counterexample
-:given: $Q_0=(0,0)$, $Q_1=(1,0)$; tangents $(1,1)$, $(2,2)$ for $P$, and $(2,2)$, $(1,1)$ for $W$
-:then: $W(t)=(1,0)-P(1-t)$: $W$ is $P$ turned by two right angles about $(\frac12,0)$.  Ends and directions are the same, the lengths are not, and no
-  tangent is along the chord
-:method: The coefficients of $W(t)+P(1-t)$ by the kernel; that they are not $(1,0),(0,0),(0,0),(0,0)$ is refuted.  With $(1,1)$, $(2,-2)$ and
-  $(2,2)$, $(1,-1)$ it is the reflection $(x,y)\mapsto(1-x,y)$, checked likewise.
-:control: the tangents of the second curve both of the length of the longer one
-:::
-
-:::{claim} tangents_along_the_chord_keep_the_segment
-:title: With both tangents along the chord the lengths do not matter
-:zh: 切矢沿弦时形状不变
-:kind: counterexample
-:given: $Q_0=(0,0)$, $Q_1=(1,0)$; tangents $(1,0)$ at both ends, and tangents $(2,0)$ and $(\frac12,0)$
-:then: both curves run once and forward along the same segment: $y=0$, and $x'>0$ on $(0,1)$
-:method: The coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
-:control: the second curve with tangents $(2,1)$ and $(\frac12,0)$
-:::
 */
-CLAIM(congruent_cubics_have_these_lengths)
-{
-    num c[4 * dim], image[4 * dim], D[2][dim], E[2][dim], one = from_int(1);
-    struct G(turn) angle = G(turn_by)(parameter(T, "a"));
-    G(free_coefficients)(T, 3, dim, c);
-    for (int end = 0; end < 2; end++)
-        for (int j = 0; j < dim; j++)
-            D[end][j] = G(power_sum_derivative)(3, dim, c, j, 1, from_int(end));
-    for (int kind = 0; kind < 4; kind++) { /* reflected or not, run backward or not */
-        int backward = kind / 2;
-        if (backward)
-            G(power_on_interval)(3, dim, c, one, from_int(0), image);
-        for (int k = 0; k < 4; k++) {
-            num x = (backward ? image : c)[dim * k], y = (backward ? image : c)[dim * k + 1];
-            if (kind % 2)
-                y = neg(y);
-            image[dim * k] = sub(mul(angle.cos, x), mul(angle.sin, y));
-            image[dim * k + 1] = add(mul(angle.sin, x), mul(angle.cos, y));
-        }
-        for (int j = 0; j < dim; j++)
-            image[j] = add(image[j], unknown(T, "m", j));
-        for (int end = 0; end < 2; end++) {
-            for (int j = 0; j < dim; j++)
-                E[end][j] = G(power_sum_derivative)(3, dim, image, j, 1, from_int(end));
-            int other = backward && !T->planted ? 1 - end : end;
-            same(T, G(norm_squared)(dim, E[end]), G(norm_squared)(dim, D[other]));
-        }
-    }
-}
-
-#if RATIONAL
-#include "exact/decide/sign.h"
-
 /* The Bézier points of the cubic of these ends. */
 static void points_of_ends(const num Q[], const num V[], num R[])
 {
@@ -375,7 +317,63 @@ CLAIM(other_lengths_give_another_cubic)
     }
     agree(T, leaves);
 }
+#endif
 
+/*
+:::{claim} congruent_cubics_have_these_lengths
+:title: A cubic that is moved, or moved and run backward, has the same lengths, or the same with the ends exchanged
+:zh: 合同的三次曲线切矢长度相同或两端互换
+:given: any plane cubic; a rotation by any angle, with or without a reflection, and any translation
+:then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot Q_1|$, $|\dot Q_0|$
+:method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes one to
+  the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
+:control: the lengths of $P(1-t)$ not exchanged
+:::
+*/
+CLAIM(congruent_cubics_have_these_lengths)
+{
+    num c[4 * dim], image[4 * dim], D[2][dim], E[2][dim], one = from_int(1);
+    struct G(turn) angle = G(turn_by)(parameter(T, "a"));
+    G(free_coefficients)(T, 3, dim, c);
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < dim; j++)
+            D[end][j] = G(power_sum_derivative)(3, dim, c, j, 1, from_int(end));
+    for (int kind = 0; kind < 4; kind++) { /* reflected or not, run backward or not */
+        int backward = kind / 2;
+        if (backward)
+            G(power_on_interval)(3, dim, c, one, from_int(0), image);
+        for (int k = 0; k < 4; k++) {
+            num x = (backward ? image : c)[dim * k], y = (backward ? image : c)[dim * k + 1];
+            if (kind % 2)
+                y = neg(y);
+            image[dim * k] = sub(mul(angle.cos, x), mul(angle.sin, y));
+            image[dim * k + 1] = add(mul(angle.sin, x), mul(angle.cos, y));
+        }
+        for (int j = 0; j < dim; j++)
+            image[j] = add(image[j], unknown(T, "m", j));
+        for (int end = 0; end < 2; end++) {
+            for (int j = 0; j < dim; j++)
+                E[end][j] = G(power_sum_derivative)(3, dim, image, j, 1, from_int(end));
+            int other = backward && !T->planted ? 1 - end : end;
+            same(T, G(norm_squared)(dim, E[end]), G(norm_squared)(dim, D[other]));
+        }
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} exchanged_lengths_turn_the_cubic
+:title: With exchanged lengths the cubic is the first one, turned over
+:zh: 两端长度互换得旋转后的同一曲线
+:kind: counterexample
+:given: $Q_0=(0,0)$, $Q_1=(1,0)$; tangents $(1,1)$, $(2,2)$ for $P$, and $(2,2)$, $(1,1)$ for $W$
+:then: $W(t)=(1,0)-P(1-t)$: $W$ is $P$ turned by two right angles about $(\frac12,0)$.  Ends and directions are the same, the lengths are not, and no
+  tangent is along the chord
+:method: The coefficients of $W(t)+P(1-t)$ by the kernel; that they are not $(1,0),(0,0),(0,0),(0,0)$ is refuted.  With $(1,1)$, $(2,-2)$ and
+  $(2,2)$, $(1,-1)$ it is the reflection $(x,y)\mapsto(1-x,y)$, checked likewise.
+:control: the tangents of the second curve both of the length of the longer one
+:::
+*/
 /* Whether (1,0) - P(1-t), or with a reflection (1 - x, y)(1-t), is the cubic W. */
 static int is_turned_over(const num P[], const num W[], int reflection)
 {
@@ -409,6 +407,17 @@ CLAIM(exchanged_lengths_turn_the_cubic)
     agree(T, !turned);
 }
 
+/*
+:::{claim} tangents_along_the_chord_keep_the_segment
+:title: With both tangents along the chord the lengths do not matter
+:zh: 切矢沿弦时形状不变
+:kind: counterexample
+:given: $Q_0=(0,0)$, $Q_1=(1,0)$; tangents $(1,0)$ at both ends, and tangents $(2,0)$ and $(\frac12,0)$
+:then: both curves run once and forward along the same segment: $y=0$, and $x'>0$ on $(0,1)$
+:method: The coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
+:control: the second curve with tangents $(2,1)$ and $(\frac12,0)$
+:::
+*/
 /* Whether the cubic runs once and forward along the x-axis from 0 to 1. */
 static int runs_along_the_axis(const num V[])
 {
@@ -435,6 +444,14 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 #endif
 
 /*
+:::{statement} hu-1987:1-4-lengths-matter
+:title: Directions and lengths of the tangents have influence on the shape
+:zh: 切矢的方向与大小均影响形状
+:printed: Not only the direction of a tangent vector, its length, too, influences the shape of the curve.
+:holds-by: each_form_occurs
+:figure: lengths_of_the_tangents
+:::
+
 ## Inflections (拐点)
 
 :::{statement} hu-1987:1-4-derivatives
@@ -445,6 +462,29 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 :figure: derivatives_with_lost_dots
 :::
 
+:::{claim} derivatives_of_a_cubic
+:title: The three derivatives of a cubic
+:zh: 三次曲线的各阶导矢
+:given: any coefficients in space, any $t$
+:then: $P'=3At^2+2Bt+C$, $P''=6At+2B$, $P'''=6A$
+:method: The kernel against the printed expressions, everything a variable.
+:control: $3At$ in the place of $3At^2$
+:::
+*/
+CLAIM(derivatives_of_a_cubic)
+{
+    num c[4 * space], D[4 * space], t = parameter(T, "t");
+    G(free_coefficients)(T, 3, space, c);
+    G(power_derivatives)(3, space, c, t, 3, D);
+    for (int j = 0; j < space; j++) {
+        num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], tt = T->planted ? t : mul(t, t);
+        same(T, D[space + j], add(add(mul(mul(from_int(3), A), tt), mul(mul(from_int(2), B), t)), C));
+        same(T, D[2 * space + j], add(mul(mul(from_int(6), A), t), mul(from_int(2), B)));
+        same(T, D[3 * space + j], mul(from_int(6), A));
+    }
+}
+
+/*
 :::{statement} hu-1987:1-4-third-derivative
 :title: The third derivative of the cubic
 :zh: 三阶导矢
@@ -457,16 +497,10 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 
 The third dot is lost in this line, and in those that use it.
 :::
+*/
 
-:::{claim} derivatives_of_a_cubic
-:title: The three derivatives of a cubic
-:zh: 三次曲线的各阶导矢
-:given: any coefficients in space, any $t$
-:then: $P'=3At^2+2Bt+C$, $P''=6At+2B$, $P'''=6A$
-:method: The kernel against the printed expressions, everything a variable.
-:control: $3At$ in the place of $3At^2$
-:::
-
+#if RATIONAL
+/*
 :::{claim} second_derivative_is_not_constant
 :title: The second derivative of a parabola is not six times its cubic coefficient
 :zh: 二阶导矢不等于 6A
@@ -476,7 +510,17 @@ The third dot is lost in this line, and in those that use it.
 :method: The kernel, exactly.
 :control: the third derivative
 :::
+*/
+CLAIM(second_derivative_is_not_constant)
+{
+    num c[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, D[4];
+    G(power_derivatives)(3, 1, c, from_ratio(1, 3), 3, D);
+    show_points(T, "D, C, B, A", 4, 1, c);
+    about(T, "the derivative, and 6A");
+    same(T, D[T->planted ? 3 : 2], mul(from_int(6), c[3]));
+}
 
+/*
 :::{statement} hu-1987:1-4-curvature
 :title: The formula of the curvature
 :zh: 曲率公式
@@ -493,6 +537,43 @@ One more dot is lost.  Without it the letter is the length of the arc, and then 
 measured from, and is not bounded near that point.
 :::
 
+:::{claim} printed_letter_spoils_the_curvature
+:title: With the length of the arc in the place of the speed the quotient is not the curvature
+:zh: 以弧长代替速率时曲率公式不成立
+:kind: counterexample
+:given: $P(t)=(3t,3t^2,2t^3)$, $t=1$; the length of the arc from $t=0$ is $s=3t+2t^3$, because $(3+6t^2)^2=|\dot P|^2$; so $s=5$, $\dot s=9$
+:then: the printed quotient is $\frac{54}{125}$; the curvature is $\frac2{27}$
+:method: The length is found to have the speed as its derivative, at five parameters, which determine a polynomial of degree 4; then both
+  numbers, exactly.
+:control: the speed
+:::
+*/
+CLAIM(printed_letter_spoils_the_curvature)
+{
+    num c[12], D[9];
+    int is_the_length = 1;
+    for (int k = 0; k < 12; k++)
+        c[k] = from_int(k == 3 || k == 7 ? 3 : k == 11 ? 2 : 0);
+    for (int k = 0; k < 5; k++) {
+        num t = from_int(k), slope = add(from_int(3), mul(from_int(6), mul(t, t)));
+        G(power_derivatives)(3, space, c, t, 2, D);
+        is_the_length = is_the_length && equal_q(mul(slope, slope), G(norm_squared)(space, D + space));
+    }
+    G(power_derivatives)(3, space, c, from_int(1), 2, D);
+    num turning[space], speed = root(2, G(norm_squared)(space, D + space)), length = from_int(3 * 1 + 2 * 1);
+    G(cross3)(D + space, D + 2 * space, turning);
+    num top = root(2, G(norm_squared)(space, turning)), curvature = root(2, G(curvature_squared)(space, D + 3, D + 6));
+    num quotient = div(top, G(power)(T->planted ? speed : length, 3));
+    show_points(T, "P', P'' at t = 1", 2, 3, D + space);
+    show(T, "length of the arc from 0 to 1", length);
+    show(T, "the printed quotient", quotient);
+    show(T, "the curvature", curvature);
+    about(T, "the letter being the length of the arc, whether the quotient is the curvature");
+    agree(T, !is_the_length || equal_q(quotient, curvature));
+}
+#endif
+
+/*
 :::{statement} hu-1987:1-4-inflection
 :title: An inflection is a point of curvature zero
 :zh: 拐点的定义
@@ -515,17 +596,6 @@ $t=0$ and stays on one side.
 :figure: forms_of_a_cubic
 :::
 
-:::{claim} printed_letter_spoils_the_curvature
-:title: With the length of the arc in the place of the speed the quotient is not the curvature
-:zh: 以弧长代替速率时曲率公式不成立
-:kind: counterexample
-:given: $P(t)=(3t,3t^2,2t^3)$, $t=1$; the length of the arc from $t=0$ is $s=3t+2t^3$, because $(3+6t^2)^2=|\dot P|^2$; so $s=5$, $\dot s=9$
-:then: the printed quotient is $\frac{54}{125}$; the curvature is $\frac2{27}$
-:method: The length is found to have the speed as its derivative, at five parameters, which determine a polynomial of degree 4; then both
-  numbers, exactly.
-:control: the speed
-:::
-
 :::{claim} second_derivative_splits_along_the_first
 :title: The second derivative is a multiple of the first plus what the vector product measures
 :zh: 二阶导矢的分解
@@ -535,82 +605,7 @@ $t=0$ and stays on one side.
 :method: Identities in the six components and $g$.
 :control: $P'\times(P'\times P'')$
 :::
-
-:::{claim} cusp_has_no_such_factor
-:title: At a cusp the vector product vanishes and the second derivative is no multiple of the first
-:zh: 尖点处不存在标量 g
-:kind: counterexample
-:given: $P(t)=(t^2,t^3)$, $t=0$: $P'=(0,0)$, $P''=(2,0)$
-:then: $P'\times P''=0$, and $P''\ne gP'=0$ for every $g$
-:method: The derivatives by the kernel.
-:control: $t=0$ of $(t+t^2,t^3)$, with $g=2$
-:::
-
-:::{statement} hu-1987:1-4-inflection-quadratic
-:title: The inflections are given by a quadratic equation
-:zh: 拐点满足二次方程
-:printed: This is a quadratic equation of $t$, the parameter running over $[0,1]$.
-:holds-by: turning_of_a_cubic_is_quadratic
-:hypothesis: graph_of_a_cubic_turns_linearly | $A\times B\ne0$.  Otherwise the equation is of lower degree, as for every graph $y=f(x)$ of a
-  cubic function: one inflection.
-:figure: degrees_two_and_three
-:::
-
-:::{statement} hu-1987:1-4-two-inflections
-:title: A cubic has at most two inflections
-:zh: 参数三次曲线至多有两个拐点
-:printed: So a parametric cubic has at most two inflections.
-:holds-by: turning_of_a_cubic_is_quadratic each_form_occurs
-:hypothesis: line_has_curvature_zero_everywhere | The cubic is no line.  On a line every point has curvature 0.
-:figure: forms_of_a_cubic
-:::
-
-:::{claim} turning_of_a_cubic_is_quadratic
-:title: The vector product of the two derivatives of a cubic
-:zh: 三次曲线的转向多项式
-:given: any plane cubic, and any cubic in space, any $t$
-:then: $P'\times P''=-2(3at^2+3bt+c)$, of degree 2 or less, in the plane and, with vector products $a,b,c$, in space; the kernels give
-  the numbers $a,b,c$ and the three coefficients
-:method: The derivatives of the definition, multiplied, against the polynomial, everything a variable; $a,b,c$ as determinants
-  written out.  In space each of the three coordinates of the vector product is such a polynomial, and one of them is not 0 everywhere
-  unless the cubic is a line.
-:defines: cubic_minors inflection_polynomial
-:control: the factor 2 in the place of the first 3
-:::
-
-:::{claim} graph_of_a_cubic_turns_linearly
-:title: For the graph of a cubic function the equation of the inflections is linear
-:zh: 三次函数图形的拐点方程是一次的
-:kind: counterexample
-:given: $P(t)=(t,t^3)$
-:then: $P'\times P''=6t$: one inflection, at 0, and no second root anywhere
-:method: The kernels; that the coefficient of $t^2$ is not 0 is refuted.
-:control: $P(t)=(t+t^2,t^3)$
-:::
-
-:::{claim} line_has_curvature_zero_everywhere
-:title: Along a line the vector product is zero for every parameter
-:zh: 直线上曲率处处为零
-:kind: counterexample
-:given: $P(t)=(t+t^3,0)$
-:then: $P'\times P''=0$ as a polynomial: more than two parameters
-:method: The kernels; that not all three coefficients vanish is refuted.
-:control: $P(t)=(t+t^3,t^3)$
-:::
 */
-CLAIM(derivatives_of_a_cubic)
-{
-    num c[4 * space], D[4 * space], t = parameter(T, "t");
-    G(free_coefficients)(T, 3, space, c);
-    G(power_derivatives)(3, space, c, t, 3, D);
-    for (int j = 0; j < space; j++) {
-        num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], tt = T->planted ? t : mul(t, t);
-        same(T, D[space + j], add(add(mul(mul(from_int(3), A), tt), mul(mul(from_int(2), B), t)), C));
-        same(T, D[2 * space + j], add(mul(mul(from_int(6), A), t), mul(from_int(2), B)));
-        same(T, D[3 * space + j], mul(from_int(6), A));
-    }
-}
-
 CLAIM(second_derivative_splits_along_the_first)
 {
     num d1[space], d2[space], n[space], back[space], g = unknown(T, "g", 0), scaled[space];
@@ -631,6 +626,55 @@ CLAIM(second_derivative_splits_along_the_first)
         vanishes(T, n[j]);
 }
 
+#if RATIONAL
+/*
+:::{claim} cusp_has_no_such_factor
+:title: At a cusp the vector product vanishes and the second derivative is no multiple of the first
+:zh: 尖点处不存在标量 g
+:kind: counterexample
+:given: $P(t)=(t^2,t^3)$, $t=0$: $P'=(0,0)$, $P''=(2,0)$
+:then: $P'\times P''=0$, and $P''\ne gP'=0$ for every $g$
+:method: The derivatives by the kernel.
+:control: $t=0$ of $(t+t^2,t^3)$, with $g=2$
+:::
+*/
+CLAIM(cusp_has_no_such_factor)
+{
+    num c[8] = {from_int(0), from_int(0), from_int(T->planted), from_int(0),
+                from_int(1), from_int(0), from_int(0),          from_int(1)};
+    num D[6];
+    G(power_derivatives)(3, dim, c, from_int(0), 2, D);
+    show_points(T, "P', P''", 2, 2, D + 2);
+    int parallel = is_zero_q(G(cross2)(D + 2, D + 4));
+    about(T, "P' x P'' being 0, whether P' is not 0, or P'' is 0");
+    agree(T, !parallel || !is_zero_q(G(norm_squared)(2, D + 2)) || is_zero_q(G(norm_squared)(2, D + 4)));
+}
+#endif
+
+/*
+:::{statement} hu-1987:1-4-inflection-quadratic
+:title: The inflections are given by a quadratic equation
+:zh: 拐点满足二次方程
+:printed: This is a quadratic equation of $t$, the parameter running over $[0,1]$.
+:holds-by: turning_of_a_cubic_is_quadratic
+:hypothesis: graph_of_a_cubic_turns_linearly | $A\times B\ne0$.  Otherwise the equation is of lower degree, as for every graph $y=f(x)$ of a
+  cubic function: one inflection.
+:figure: degrees_two_and_three
+:::
+
+:::{claim} turning_of_a_cubic_is_quadratic
+:title: The vector product of the two derivatives of a cubic
+:zh: 三次曲线的转向多项式
+:given: any plane cubic, and any cubic in space, any $t$
+:then: $P'\times P''=-2(3at^2+3bt+c)$, of degree 2 or less, in the plane and, with vector products $a,b,c$, in space; the kernels give
+  the numbers $a,b,c$ and the three coefficients
+:method: The derivatives of the definition, multiplied, against the polynomial, everything a variable; $a,b,c$ as determinants
+  written out.  In space each of the three coordinates of the vector product is such a polynomial, and one of them is not 0 everywhere
+  unless the cubic is a line.
+:defines: cubic_minors inflection_polynomial
+:control: the factor 2 in the place of the first 3
+:::
+*/
 CLAIM(turning_of_a_cubic_is_quadratic)
 {
     num c[4 * dim], D[2][dim], m[3], f[3], t = parameter(T, "t");
@@ -667,51 +711,17 @@ CLAIM(turning_of_a_cubic_is_quadratic)
 }
 
 #if RATIONAL
-CLAIM(second_derivative_is_not_constant)
-{
-    num c[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, D[4];
-    G(power_derivatives)(3, 1, c, from_ratio(1, 3), 3, D);
-    show_points(T, "D, C, B, A", 4, 1, c);
-    about(T, "the derivative, and 6A");
-    same(T, D[T->planted ? 3 : 2], mul(from_int(6), c[3]));
-}
-
-CLAIM(printed_letter_spoils_the_curvature)
-{
-    num c[12], D[9];
-    int is_the_length = 1;
-    for (int k = 0; k < 12; k++)
-        c[k] = from_int(k == 3 || k == 7 ? 3 : k == 11 ? 2 : 0);
-    for (int k = 0; k < 5; k++) {
-        num t = from_int(k), slope = add(from_int(3), mul(from_int(6), mul(t, t)));
-        G(power_derivatives)(3, space, c, t, 2, D);
-        is_the_length = is_the_length && equal_q(mul(slope, slope), G(norm_squared)(space, D + space));
-    }
-    G(power_derivatives)(3, space, c, from_int(1), 2, D);
-    num turning[space], speed = root(2, G(norm_squared)(space, D + space)), length = from_int(3 * 1 + 2 * 1);
-    G(cross3)(D + space, D + 2 * space, turning);
-    num top = root(2, G(norm_squared)(space, turning)), curvature = root(2, G(curvature_squared)(space, D + 3, D + 6));
-    num quotient = div(top, G(power)(T->planted ? speed : length, 3));
-    show_points(T, "P', P'' at t = 1", 2, 3, D + space);
-    show(T, "length of the arc from 0 to 1", length);
-    show(T, "the printed quotient", quotient);
-    show(T, "the curvature", curvature);
-    about(T, "the letter being the length of the arc, whether the quotient is the curvature");
-    agree(T, !is_the_length || equal_q(quotient, curvature));
-}
-
-CLAIM(cusp_has_no_such_factor)
-{
-    num c[8] = {from_int(0), from_int(0), from_int(T->planted), from_int(0),
-                from_int(1), from_int(0), from_int(0),          from_int(1)};
-    num D[6];
-    G(power_derivatives)(3, dim, c, from_int(0), 2, D);
-    show_points(T, "P', P''", 2, 2, D + 2);
-    int parallel = is_zero_q(G(cross2)(D + 2, D + 4));
-    about(T, "P' x P'' being 0, whether P' is not 0, or P'' is 0");
-    agree(T, !parallel || !is_zero_q(G(norm_squared)(2, D + 2)) || is_zero_q(G(norm_squared)(2, D + 4)));
-}
-
+/*
+:::{claim} graph_of_a_cubic_turns_linearly
+:title: For the graph of a cubic function the equation of the inflections is linear
+:zh: 三次函数图形的拐点方程是一次的
+:kind: counterexample
+:given: $P(t)=(t,t^3)$
+:then: $P'\times P''=6t$: one inflection, at 0, and no second root anywhere
+:method: The kernels; that the coefficient of $t^2$ is not 0 is refuted.
+:control: $P(t)=(t+t^2,t^3)$
+:::
+*/
 CLAIM(graph_of_a_cubic_turns_linearly)
 {
     num c[8], m[3], f[3];
@@ -725,6 +735,26 @@ CLAIM(graph_of_a_cubic_turns_linearly)
     agree(T, !is_zero_q(f[2]));
 }
 
+/*
+:::{statement} hu-1987:1-4-two-inflections
+:title: A cubic has at most two inflections
+:zh: 参数三次曲线至多有两个拐点
+:printed: So a parametric cubic has at most two inflections.
+:holds-by: turning_of_a_cubic_is_quadratic each_form_occurs
+:hypothesis: line_has_curvature_zero_everywhere | The cubic is no line.  On a line every point has curvature 0.
+:figure: forms_of_a_cubic
+:::
+
+:::{claim} line_has_curvature_zero_everywhere
+:title: Along a line the vector product is zero for every parameter
+:zh: 直线上曲率处处为零
+:kind: counterexample
+:given: $P(t)=(t+t^3,0)$
+:then: $P'\times P''=0$ as a polynomial: more than two parameters
+:method: The kernels; that not all three coefficients vanish is refuted.
+:control: $P(t)=(t+t^3,t^3)$
+:::
+*/
 CLAIM(line_has_curvature_zero_everywhere)
 {
     num c[8], m[3], f[3];
@@ -766,87 +796,6 @@ one or the other points backward are not among them.
   $a\ne0$: that remainder is computed for free coefficients.
 :defines: cubic_delta double_point_polynomial cubic_double_point
 :control: $\delta=b^2-4ac$
-:::
-
-:::{claim} delta_does_not_tell_graphs
-:title: Delta is 0 without a cusp, and positive with one inflection, where the cubic is a graph
-:zh: A×B=0 时判别式不能区分形态
-:kind: decision
-:given: $(t,t^2)$ and $(t,t^3)$, both with $a=A\times B=0$
-:then: $(a,b,c)=(0,0,-1)$, $\delta=0$, and $P'=(1,2t)\ne0$; $(a,b,c)=(0,-1,0)$, $\delta=3$, and $P'\times P''=6t$ has one zero
-:method: The kernels for cubics; zeros by root counts from $-1$ to 1, outside of which a polynomial of degree 1 without constant has none.
-:control: $(t,t^2+t^3)$ in the place of $(t,t^2)$
-:::
-
-:::{claim} merged_inflections_are_a_cusp
-:title: The two inflections meet at a cusp and nowhere else
-:zh: 两拐点重合处为尖点
-:given: any plane cubic with $a\ne0$, $t_0=-\frac b{2a}$
-:then: $A\times P'(t_0)=0$ and $4a\,B\times P'(t_0)=-\delta$; since $A$ and $B$ are independent, $P'(t_0)=0$ exactly for $\delta=0$; and a cubic with
-  $P'(t_1)=0$ somewhere has $\delta=0$
-:method: The derivative at $t_0$ by the kernel, everything a variable; for the converse $C=-3At_1^2-2Bt_1$.
-:control: $t_0=-\frac ba$
-:::
-
-:::{claim} cusps_are_on_a_hyperbola
-:title: In the plane of the lengths the cusps are a hyperbola
-:zh: 切矢长度平面上的尖点双曲线
-:given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$
-:then: $\delta=-4\alpha\beta\,w^2\bigl((\alpha-2)(\beta-2)-1\bigr)$ with $w=2(Q_1-Q_0)\times(M-Q_0)$; the turning at the ends is
-  $P'\times P''(0)=-2\alpha(3-2\beta)\,w$ and $P'\times P''(1)=-2\beta(3-2\alpha)\,w$
-:method: The cubic of the ends, the kernels, everything a variable.  For $\alpha=\beta=1$ the curve is a parabola.
-:control: $(\alpha-2)(\beta-2)-2$
-:::
-
-:::{claim} each_form_occurs
-:title: With the same ends and directions all forms occur
-:zh: 端点与切向相同而形态各异
-:kind: decision
-:given: the triangle $(0,0),(1,2),(3,0)$ and $(\alpha,\beta)=(\frac12,\frac12),(1,3),(2,2),(3,3),(4,4)$
-:then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
-:method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
-:control: $(1,3)$ in the place of $(\frac12,\frac12)$
-:::
-
-:::{claim} signs_decide_the_form
-:title: The lengths of the tangents decide the form of the arc
-:zh: 切矢长度完全决定曲线段的形态
-:given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$; $w=2(Q_1-Q_0)\times(M-Q_0)$
-:then: $P'\times P''$ has the Bernstein coefficients $f_0=2\alpha(2\beta-3)w$, $f_1=-2\alpha\beta w$, $f_2=2\beta(2\alpha-3)w$, and
-  $f_1^2-f_0f_2=-12\alpha\beta w^2((\alpha-2)(\beta-2)-1)$; the polynomial of the double point has
-  $g_0=\alpha(\alpha+2\beta^2-3\beta)w^2$, $g_1=-\alpha\beta(2\alpha\beta-3\alpha-3\beta+4)w^2$, $g_2=\beta(\beta+2\alpha^2-3\alpha)w^2$; for $\alpha=2+p$, $\beta=2+q$,
-  $p,q>0$: $g_0,-g_1,g_2>0$; and $\alpha(3-2\alpha)^2-(4-3\alpha)=4(\alpha-1)^3$
-:method: Identities, and signs of coefficients.  Let $\alpha,\beta>0$, $w>0$; then $f_1<0$.  Both below $\frac32$: $f_0,f_2<0$, no inflection.  One
-  below and one above: one change of sign, one inflection.  Both above: two changes, so two inflections, one double one at a cusp, or none,
-  as $(\alpha-2)(\beta-2)$ is less than 1, is 1, or is more, which needs $\alpha,\beta>2$; then the double point has two parameters in $(0,1)$: a loop.
-  There is no other loop: it needs $(\alpha-2)(\beta-2)>1$, that is both more than 2, or both less than $\frac32$; in the second case let
-  $\alpha\ge\beta$: it needs $g_2>0$, $\beta>\alpha(3-2\alpha)$, so $\alpha>1$, and $g_1<0$, $\beta(3-2\alpha)<4-3\alpha$, which contradict each other
-  by the last identity.
-:control: $3-\alpha$ in the place of $3-2\alpha$ in $f_2$ and in the last identity
-:::
-
-:::{claim} parallel_tangents_give_an_s_or_an_arch
-:title: With parallel tangents the arc has one inflection or none, and no loop
-:zh: 端切矢平行时曲线段的形态
-:given: any $Q_0$, $Q_1$ and $e$ in the plane, $w=(Q_1-Q_0)\times e$; $\dot Q_0=\lambda e$, and $\dot Q_1=\mu e$ or $-\mu e$; any $\lambda,\mu>0$
-:then: in one sense: $\delta=12\lambda\mu w^2$, $P'\times P''$ is $-6\lambda w$ at 0 and $6\mu w$ at 1; in opposite senses: it has the Bernstein coefficients
-  $-6\lambda w,0,-6\mu w$, and the polynomial of the double point is $\lambda(\lambda-3\mu)w^2$ at 0 and $\mu(\mu-3\lambda)w^2$ at 1
-:method: The kernels, everything a variable.  Let $w\ne0$.  In one sense a quadratic changes its sign: one inflection, and no double point, as
-  $\delta>0$ or, for $\lambda=\mu$, $a=0$ and the polynomial is the constant $b^2\ne0$.  In opposite senses there is no zero on the arc, so neither
-  inflection nor cusp, and no loop: for that neither value may be negative, $\lambda\ge3\mu$ and $\mu\ge3\lambda$.
-:control: $\lambda-2\mu$ in the place of $\lambda-3\mu$
-:::
-
-:::{claim} forms_by_the_lengths_of_the_tangents
-:title: What an arc does, by the lengths of its tangents
-:zh: 由切矢长度判定曲线形态
-:types: rational
-:given: the triangle $(0,0),(1,2),(3,0)$; $\alpha,\beta$ random in the parts of the quadrant $\alpha,\beta>0$
-:then: both below $\frac32$: no inflection; one above, one below: one; both above, and $(\alpha-2)(\beta-2)<1$ or one of them below 2: two;
-  both above 2 and $(\alpha-2)(\beta-2)>1$: none, and a loop; on the hyperbola: a cusp
-:method: Inflections and the parameters of the double point in $(0,1)$ as root counts, for 20 points of each of the parts in every
-  case, and 20 cusps; the borders between the parts are those of `cusps_are_on_a_hyperbola`.
-:control: the border 1 in the place of $\frac32$
 :::
 */
 CLAIM(sign_of_delta_tells_the_form)
@@ -893,6 +842,47 @@ CLAIM(sign_of_delta_tells_the_form)
     }
 }
 
+#if RATIONAL
+/*
+:::{claim} delta_does_not_tell_graphs
+:title: Delta is 0 without a cusp, and positive with one inflection, where the cubic is a graph
+:zh: A×B=0 时判别式不能区分形态
+:kind: decision
+:given: $(t,t^2)$ and $(t,t^3)$, both with $a=A\times B=0$
+:then: $(a,b,c)=(0,0,-1)$, $\delta=0$, and $P'=(1,2t)\ne0$; $(a,b,c)=(0,-1,0)$, $\delta=3$, and $P'\times P''=6t$ has one zero
+:method: The kernels for cubics; zeros by root counts from $-1$ to 1, outside of which a polynomial of degree 1 without constant has none.
+:control: $(t,t^2+t^3)$ in the place of $(t,t^2)$
+:::
+*/
+CLAIM(delta_does_not_tell_graphs)
+{
+    for (int top = 2; top <= 3; top++) {
+        num c[8], m[3], f[3];
+        for (int k = 0; k < 8; k++)
+            c[k] = from_int(k == 2 || k == 2 * top + 1 || (k == 7 && T->planted));
+        G(cubic_minors)(c, m);
+        G(inflection_polynomial)(m, f);
+        same(T, m[0], from_int(0));
+        same(T, m[1], from_int(top == 2 ? 0 : -1));
+        same(T, m[2], from_int(top == 2 ? -1 : 0));
+        same(T, G(cubic_delta)(m), from_int(top == 2 ? 0 : 3));
+        poly turning = poly_from_q(3, f);
+        agree(T, count_roots(turning, from_int(-1), from_int(1), OPEN).distinct == (top == 2 ? 0 : 1));
+    }
+}
+#endif
+
+/*
+:::{claim} merged_inflections_are_a_cusp
+:title: The two inflections meet at a cusp and nowhere else
+:zh: 两拐点重合处为尖点
+:given: any plane cubic with $a\ne0$, $t_0=-\frac b{2a}$
+:then: $A\times P'(t_0)=0$ and $4a\,B\times P'(t_0)=-\delta$; since $A$ and $B$ are independent, $P'(t_0)=0$ exactly for $\delta=0$; and a cubic with
+  $P'(t_1)=0$ somewhere has $\delta=0$
+:method: The derivative at $t_0$ by the kernel, everything a variable; for the converse $C=-3At_1^2-2Bt_1$.
+:control: $t_0=-\frac ba$
+:::
+*/
 CLAIM(merged_inflections_are_a_cusp)
 {
     num c[4 * dim], m[3], D[2 * dim], t1 = unknown(T, "t", 1);
@@ -924,6 +914,17 @@ static void G(cubic_of_triangle)(const num R[], num alpha, num beta, num c[])
     G(cubic_of_ends)(dim, Q, V, c);
 }
 
+/*
+:::{claim} cusps_are_on_a_hyperbola
+:title: In the plane of the lengths the cusps are a hyperbola
+:zh: 切矢长度平面上的尖点双曲线
+:given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$
+:then: $\delta=-4\alpha\beta\,w^2\bigl((\alpha-2)(\beta-2)-1\bigr)$ with $w=2(Q_1-Q_0)\times(M-Q_0)$; the turning at the ends is
+  $P'\times P''(0)=-2\alpha(3-2\beta)\,w$ and $P'\times P''(1)=-2\beta(3-2\alpha)\,w$
+:method: The cubic of the ends, the kernels, everything a variable.  For $\alpha=\beta=1$ the curve is a parabola.
+:control: $(\alpha-2)(\beta-2)-2$
+:::
+*/
 CLAIM(cusps_are_on_a_hyperbola)
 {
     num R[3 * dim], c[4 * dim], m[3], f[3], alpha = parameter(T, "alpha"), beta = parameter(T, "beta"),
@@ -946,6 +947,65 @@ CLAIM(cusps_are_on_a_hyperbola)
     same(T, add(f[0], add(f[1], f[2])), mul(minus_w, mul(beta, sub(three, mul(two, alpha)))));
 }
 
+#if RATIONAL
+/* Inflections, and parameters of the double point, in (0,1). */
+static void events_of(num alpha, num beta, int *inflections, int *doubles, num *delta)
+{
+    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(3), from_int(0)}, c[8], m[3], f[3], g[3];
+    num zero = from_int(0), one = from_int(1);
+    G(cubic_of_triangle)(R, alpha, beta, c);
+    G(cubic_minors)(c, m);
+    G(inflection_polynomial)(m, f);
+    G(double_point_polynomial)(m, g);
+    *inflections = count_roots(poly_from_q(3, f), zero, one, OPEN).distinct;
+    *doubles = count_roots(poly_from_q(3, g), zero, one, OPEN).distinct;
+    *delta = G(cubic_delta)(m);
+}
+
+/*
+:::{claim} each_form_occurs
+:title: With the same ends and directions all forms occur
+:zh: 端点与切向相同而形态各异
+:kind: decision
+:given: the triangle $(0,0),(1,2),(3,0)$ and $(\alpha,\beta)=(\frac12,\frac12),(1,3),(2,2),(3,3),(4,4)$
+:then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
+:method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
+:control: $(1,3)$ in the place of $(\frac12,\frac12)$
+:::
+*/
+CLAIM(each_form_occurs)
+{
+    static const int halves[5][2] = {{1, 1}, {2, 6}, {4, 4}, {6, 6}, {8, 8}};
+    static const int forms[5][3] = {
+        {0, 0, -1}, {1, 0, 1}, {2, 0, 1}, {1, 1, 0}, {0, 2, -1}}; /* and the sign of delta */
+    for (int k = 0; k < 5; k++) {
+        const int *used = halves[T->planted && k == 0 ? 1 : k];
+        int inflections, doubles;
+        num delta;
+        events_of(from_ratio(used[0], 2), from_ratio(used[1], 2), &inflections, &doubles, &delta);
+        agree(T, inflections == forms[k][0] && doubles == forms[k][1] && sign_q(delta) == forms[k][2]);
+    }
+}
+#endif
+
+/*
+:::{claim} signs_decide_the_form
+:title: The lengths of the tangents decide the form of the arc
+:zh: 切矢长度完全决定曲线段的形态
+:given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$; $w=2(Q_1-Q_0)\times(M-Q_0)$
+:then: $P'\times P''$ has the Bernstein coefficients $f_0=2\alpha(2\beta-3)w$, $f_1=-2\alpha\beta w$, $f_2=2\beta(2\alpha-3)w$, and
+  $f_1^2-f_0f_2=-12\alpha\beta w^2((\alpha-2)(\beta-2)-1)$; the polynomial of the double point has
+  $g_0=\alpha(\alpha+2\beta^2-3\beta)w^2$, $g_1=-\alpha\beta(2\alpha\beta-3\alpha-3\beta+4)w^2$, $g_2=\beta(\beta+2\alpha^2-3\alpha)w^2$; for $\alpha=2+p$, $\beta=2+q$,
+  $p,q>0$: $g_0,-g_1,g_2>0$; and $\alpha(3-2\alpha)^2-(4-3\alpha)=4(\alpha-1)^3$
+:method: Identities, and signs of coefficients.  Let $\alpha,\beta>0$, $w>0$; then $f_1<0$.  Both below $\frac32$: $f_0,f_2<0$, no inflection.  One
+  below and one above: one change of sign, one inflection.  Both above: two changes, so two inflections, one double one at a cusp, or none,
+  as $(\alpha-2)(\beta-2)$ is less than 1, is 1, or is more, which needs $\alpha,\beta>2$; then the double point has two parameters in $(0,1)$: a loop.
+  There is no other loop: it needs $(\alpha-2)(\beta-2)>1$, that is both more than 2, or both less than $\frac32$; in the second case let
+  $\alpha\ge\beta$: it needs $g_2>0$, $\beta>\alpha(3-2\alpha)$, so $\alpha>1$, and $g_1<0$, $\beta(3-2\alpha)<4-3\alpha$, which contradict each other
+  by the last identity.
+:control: $3-\alpha$ in the place of $3-2\alpha$ in $f_2$ and in the last identity
+:::
+*/
 CLAIM(signs_decide_the_form)
 {
     num R[3 * dim], c[4 * dim], m[3], f[3], g[3], chord[dim], side[dim], one = from_int(1), two = from_int(2),
@@ -994,6 +1054,19 @@ CLAIM(signs_decide_the_form)
     same(T, sub(mul(alpha, mul(gap, gap)), rest), mul(four, G(power)(sub(alpha, one), 3)));
 }
 
+/*
+:::{claim} parallel_tangents_give_an_s_or_an_arch
+:title: With parallel tangents the arc has one inflection or none, and no loop
+:zh: 端切矢平行时曲线段的形态
+:given: any $Q_0$, $Q_1$ and $e$ in the plane, $w=(Q_1-Q_0)\times e$; $\dot Q_0=\lambda e$, and $\dot Q_1=\mu e$ or $-\mu e$; any $\lambda,\mu>0$
+:then: in one sense: $\delta=12\lambda\mu w^2$, $P'\times P''$ is $-6\lambda w$ at 0 and $6\mu w$ at 1; in opposite senses: it has the Bernstein coefficients
+  $-6\lambda w,0,-6\mu w$, and the polynomial of the double point is $\lambda(\lambda-3\mu)w^2$ at 0 and $\mu(\mu-3\lambda)w^2$ at 1
+:method: The kernels, everything a variable.  Let $w\ne0$.  In one sense a quadratic changes its sign: one inflection, and no double point, as
+  $\delta>0$ or, for $\lambda=\mu$, $a=0$ and the polynomial is the constant $b^2\ne0$.  In opposite senses there is no zero on the arc, so neither
+  inflection nor cusp, and no loop: for that neither value may be negative, $\lambda\ge3\mu$ and $\mu\ge3\lambda$.
+:control: $\lambda-2\mu$ in the place of $\lambda-3\mu$
+:::
+*/
 CLAIM(parallel_tangents_give_an_s_or_an_arch)
 {
     num lambda = positive(T, "l", 0), mu = positive(T, "m", 0), Q[4], e[2], V[4], c[8], m[3], f[3], g[3];
@@ -1028,51 +1101,19 @@ CLAIM(parallel_tangents_give_an_s_or_an_arch)
 }
 
 #if RATIONAL
-CLAIM(delta_does_not_tell_graphs)
-{
-    for (int top = 2; top <= 3; top++) {
-        num c[8], m[3], f[3];
-        for (int k = 0; k < 8; k++)
-            c[k] = from_int(k == 2 || k == 2 * top + 1 || (k == 7 && T->planted));
-        G(cubic_minors)(c, m);
-        G(inflection_polynomial)(m, f);
-        same(T, m[0], from_int(0));
-        same(T, m[1], from_int(top == 2 ? 0 : -1));
-        same(T, m[2], from_int(top == 2 ? -1 : 0));
-        same(T, G(cubic_delta)(m), from_int(top == 2 ? 0 : 3));
-        poly turning = poly_from_q(3, f);
-        agree(T, count_roots(turning, from_int(-1), from_int(1), OPEN).distinct == (top == 2 ? 0 : 1));
-    }
-}
-
-/* Inflections, and parameters of the double point, in (0,1). */
-static void events_of(num alpha, num beta, int *inflections, int *doubles, num *delta)
-{
-    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(3), from_int(0)}, c[8], m[3], f[3], g[3];
-    num zero = from_int(0), one = from_int(1);
-    G(cubic_of_triangle)(R, alpha, beta, c);
-    G(cubic_minors)(c, m);
-    G(inflection_polynomial)(m, f);
-    G(double_point_polynomial)(m, g);
-    *inflections = count_roots(poly_from_q(3, f), zero, one, OPEN).distinct;
-    *doubles = count_roots(poly_from_q(3, g), zero, one, OPEN).distinct;
-    *delta = G(cubic_delta)(m);
-}
-
-CLAIM(each_form_occurs)
-{
-    static const int halves[5][2] = {{1, 1}, {2, 6}, {4, 4}, {6, 6}, {8, 8}};
-    static const int forms[5][3] = {
-        {0, 0, -1}, {1, 0, 1}, {2, 0, 1}, {1, 1, 0}, {0, 2, -1}}; /* and the sign of delta */
-    for (int k = 0; k < 5; k++) {
-        const int *used = halves[T->planted && k == 0 ? 1 : k];
-        int inflections, doubles;
-        num delta;
-        events_of(from_ratio(used[0], 2), from_ratio(used[1], 2), &inflections, &doubles, &delta);
-        agree(T, inflections == forms[k][0] && doubles == forms[k][1] && sign_q(delta) == forms[k][2]);
-    }
-}
-
+/*
+:::{claim} forms_by_the_lengths_of_the_tangents
+:title: What an arc does, by the lengths of its tangents
+:zh: 由切矢长度判定曲线形态
+:types: rational
+:given: the triangle $(0,0),(1,2),(3,0)$; $\alpha,\beta$ random in the parts of the quadrant $\alpha,\beta>0$
+:then: both below $\frac32$: no inflection; one above, one below: one; both above, and $(\alpha-2)(\beta-2)<1$ or one of them below 2: two;
+  both above 2 and $(\alpha-2)(\beta-2)>1$: none, and a loop; on the hyperbola: a cusp
+:method: Inflections and the parameters of the double point in $(0,1)$ as root counts, for 20 points of each of the parts in every
+  case, and 20 cusps; the borders between the parts are those of `cusps_are_on_a_hyperbola`.
+:control: the border 1 in the place of $\frac32$
+:::
+*/
 CLAIM(forms_by_the_lengths_of_the_tangents)
 {
     for (int k = 0; k < 20; k++) {
@@ -1120,17 +1161,6 @@ A mixed product with one vector twice is 0, whatever is meant by the letter $s$,
 curvature.
 :::
 
-:::{statement} hu-1987:1-4-torsion-power
-:title: The power of the speed in the formula of the torsion
-:zh: 挠率公式中弧长导数的幂次
-:printed: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^3K^2}\quad\text{(the lost dots restored)}
-:refuted-by: printed_power_spoils_the_torsion
-:class: misprint
-:corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
-:corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
-:figure: torsion_and_the_speed
-:::
-
 :::{claim} torsion_by_speed_and_curvature
 :title: The torsion by speed and curvature
 :zh: 用速率与曲率表示挠率
@@ -1138,104 +1168,6 @@ curvature.
 :then: $\frac{(P',P'',P''')}{\dot s^6K^2}=\frac{(P',P'',P''')}{|P'\times P''|^2}$, the torsion, with $\dot s^2=|P'|^2$ and $K^2=\frac{|P'\times P''|^2}{|P'|^6}$
 :method: The kernels for the square of the curvature and for the torsion, everything a variable.
 :control: $\dot s^4$
-:::
-
-:::{claim} printed_vectors_have_no_torsion
-:title: With the second derivative twice every torsion is zero
-:zh: 重复二阶导矢时挠率恒为零
-:kind: counterexample
-:given: $P(t)=(t,t^2,t^3)$, $t=0$
-:then: $[P'\,P''\,P'']=0$; the torsion is 3
-:method: The derivatives by the kernel; at $t=0$, $\dot s=1$, so that the power of the speed does not matter.
-:control: $P'''$ in the last place
-:::
-
-:::{claim} printed_power_spoils_the_torsion
-:title: With the third power of the speed the torsion is wrong where the speed is not one
-:zh: 速率三次幂给出错误的挠率
-:kind: counterexample
-:given: $P(t)=(3t,3t^2,2t^3)$, $t=1$, where $\dot s=9$ and $K=\frac2{27}$
-:then: the printed quotient is 54; the torsion is $\frac2{27}$
-:method: Both quotients, exactly.
-:control: $\dot s^6$
-:::
-
-:::{statement} hu-1987:1-4-torsion-first-determinant
-:title: The determinant of the derivatives
-:zh: 导矢的行列式
-:printed: $(\dot P\times\ddot P)\cdot\ddot P=\begin{vmatrix}\dot x&\dot y&\dot z\\\ddot x&\ddot y&\ddot z\\\ddot x&\ddot y&\ddot z\end{vmatrix}=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
-:refuted-by: determinant_with_equal_rows_is_zero
-:class: misprint
-:corrected: $(\dot P\times\ddot P)\cdot\dddot P=-12\,(A,B,C)$, with $\dddot x,\dddot y,\dddot z$ in the last row
-:corrected-by: determinant_of_the_derivatives_is_constant
-:figure: determinants_of_the_derivatives
-:::
-
-:::{statement} hu-1987:1-4-torsion-entry
-:title: The determinant with the coefficients inserted
-:zh: 代入系数的行列式
-:printed: \begin{vmatrix}3A_xt^2+2B_xt+C_x&3A_yt^2+2B_yt+C_y&3A_zt+2B_zt+C_z\\6A_xt+2B_x&6A_yt+2B_y&6A_zt+2B_z\\6A_x&6A_y&6A_z\end{vmatrix}=-12\,(A,B,C)
-:refuted-by: printed_entry_spoils_the_determinant
-:class: misprint
-:corrected: The last entry of the first row is $3A_zt^2+2B_zt+C_z$.
-:corrected-by: determinant_of_the_derivatives_is_constant
-:figure: determinants_of_the_derivatives
-:::
-
-:::{statement} hu-1987:1-4-torsion-value
-:title: The value of the determinant
-:zh: 行列式的值
-:printed: The determinant of $\dot P$, $\ddot P$ and the third derivative is $-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$.
-:holds-by: determinant_of_the_derivatives_is_constant
-:figure: determinants_of_the_derivatives
-:::
-
-:::{claim} determinant_of_the_derivatives_is_constant
-:title: The determinant of the three derivatives does not depend on the parameter
-:zh: 三阶导矢行列式为常数
-:given: any cubic in space, any $t$
-:then: $(P',P'',P''')=-12\,(A,B,C)$, also with the rows written out in coefficients
-:method: The derivatives by the kernel, the mixed products as determinants of 9 entries, everything a variable.
-:control: $12\,(A,B,C)$
-:::
-
-:::{claim} determinant_with_equal_rows_is_zero
-:title: The printed determinant has two equal rows
-:zh: 两行相同的行列式为零
-:kind: counterexample
-:given: $P(t)=(t,t^2,t^3)$: $(A,B,C)=-1$; $t=0$
-:then: the printed determinant is 0, $-12(A,B,C)=12$
-:method: Both sides, exactly.
-:control: the third derivatives in the last row
-:::
-
-:::{claim} printed_entry_spoils_the_determinant
-:title: With the printed entry the determinant depends on the parameter
-:zh: 印刷的元素使行列式出错
-:kind: counterexample
-:given: $A=(1,0,1)$, $B=(0,1,0)$, $C=(0,0,1)$, $t=2$
-:then: the printed determinant is 60, $-12(A,B,C)=-12$
-:method: The determinant as printed, exactly: rows $(12,4,7)$, $(12,2,12)$, $(6,0,6)$.
-:control: the entry with $t^2$
-:::
-
-:::{statement} hu-1987:1-4-plane
-:title: When the determinant is zero the cubic is plane
-:zh: 行列式为零则为平面曲线
-:printed: If this is zero, the parametric cubic is a plane curve.
-:holds-by: cubic_is_plane_when_determinant_vanishes
-:figure: plane_cubics
-:::
-
-:::{claim} cubic_is_plane_when_determinant_vanishes
-:title: The cubic is plane exactly when the determinant of its coefficients is zero
-:zh: 平面曲线的充要条件
-:given: any cubic in space, any $t$
-:then: $(A\times B)\cdot(P-D)=t\,(A,B,C)$, $(C\times A)\cdot(P-D)=t^2(A,B,C)$, $(B\times C)\cdot(P-D)=t^3(A,B,C)$
-:method: Identities with everything a variable.  If the determinant is 0, each of the three products that is not 0 is the normal of
-  a plane that holds the curve; if all are 0 the curve is a line.  Conversely a curve in a plane has its differences, so
-  $A,B,C$, in one plane, and the determinant is 0.
-:control: the last normal with the factor $t^2$
 :::
 */
 CLAIM(torsion_by_speed_and_curvature)
@@ -1260,6 +1192,88 @@ static num G(sarrus)(const num r0[], const num r1[], const num r2[])
     return sum;
 }
 
+#if RATIONAL
+/* D, C, B, A of (x t, y t^2, z t^3) */
+static void twisted_cubic(int x, int y, int z, num c[])
+{
+    const int leading[3] = {x, y, z};
+    for (int k = 0; k <= 3; k++)
+        for (int j = 0; j < space; j++)
+            c[k * space + j] = from_int(k == j + 1 ? leading[j] : 0);
+}
+
+/*
+:::{claim} printed_vectors_have_no_torsion
+:title: With the second derivative twice every torsion is zero
+:zh: 重复二阶导矢时挠率恒为零
+:kind: counterexample
+:given: $P(t)=(t,t^2,t^3)$, $t=0$
+:then: $[P'\,P''\,P'']=0$; the torsion is 3
+:method: The derivatives by the kernel; at $t=0$, $\dot s=1$, so that the power of the speed does not matter.
+:control: $P'''$ in the last place
+:::
+*/
+CLAIM(printed_vectors_have_no_torsion)
+{
+    num c[12], D[12];
+    twisted_cubic(1, 1, 1, c);
+    G(power_derivatives)(3, space, c, from_int(0), 3, D);
+    const num *last = D + (T->planted ? 3 : 2) * space;
+    show_points(T, "P', P'', P'''", 3, 3, D + 3);
+    about(T, "the quotient, and the torsion");
+    same(T, div(G(sarrus)(D + 3, D + 6, last), G(curvature_squared)(space, D + 3, D + 6)),
+         G(torsion)(D + 3, D + 6, D + 9));
+}
+
+/*
+:::{statement} hu-1987:1-4-torsion-power
+:title: The power of the speed in the formula of the torsion
+:zh: 挠率公式中弧长导数的幂次
+:printed: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^3K^2}\quad\text{(the lost dots restored)}
+:refuted-by: printed_power_spoils_the_torsion
+:class: misprint
+:corrected: \tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}
+:corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
+:figure: torsion_and_the_speed
+:::
+
+:::{claim} printed_power_spoils_the_torsion
+:title: With the third power of the speed the torsion is wrong where the speed is not one
+:zh: 速率三次幂给出错误的挠率
+:kind: counterexample
+:given: $P(t)=(3t,3t^2,2t^3)$, $t=1$, where $\dot s=9$ and $K=\frac2{27}$
+:then: the printed quotient is 54; the torsion is $\frac2{27}$
+:method: Both quotients, exactly.
+:control: $\dot s^6$
+:::
+*/
+CLAIM(printed_power_spoils_the_torsion)
+{
+    num c[12], D[12];
+    twisted_cubic(3, 3, 2, c);
+    G(power_derivatives)(3, space, c, from_int(1), 3, D);
+    num speed = root(2, G(norm_squared)(space, D + 3)), square = G(curvature_squared)(space, D + 3, D + 6);
+    num below = mul(G(power)(speed, T->planted ? 6 : 3), square);
+    show(T, "speed", speed);
+    show(T, "K^2", square);
+    about(T, "the quotient, and the torsion");
+    same(T, div(G(sarrus)(D + 3, D + 6, D + 9), below), G(torsion)(D + 3, D + 6, D + 9));
+}
+#endif
+
+/*
+:::{statement} hu-1987:1-4-torsion-first-determinant
+:title: The determinant of the derivatives
+:zh: 导矢的行列式
+:printed: $(\dot P\times\ddot P)\cdot\ddot P=\begin{vmatrix}\dot x&\dot y&\dot z\\\ddot x&\ddot y&\ddot z\\\ddot x&\ddot y&\ddot z\end{vmatrix}=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
+:refuted-by: determinant_with_equal_rows_is_zero
+:class: misprint
+:corrected: $(\dot P\times\ddot P)\cdot\dddot P=-12\,(A,B,C)$, with $\dddot x,\dddot y,\dddot z$ in the last row
+:corrected-by: determinant_of_the_derivatives_is_constant
+:figure: determinants_of_the_derivatives
+:::
+*/
+
 /* The rows of the determinant in coefficients, the last entry of the first row with `power` of t. */
 static void G(rows_in_coefficients)(const num c[], num t, int power_of_last, num rows[3][3])
 {
@@ -1272,6 +1286,16 @@ static void G(rows_in_coefficients)(const num c[], num t, int power_of_last, num
     }
 }
 
+/*
+:::{claim} determinant_of_the_derivatives_is_constant
+:title: The determinant of the three derivatives does not depend on the parameter
+:zh: 三阶导矢行列式为常数
+:given: any cubic in space, any $t$
+:then: $(P',P'',P''')=-12\,(A,B,C)$, also with the rows written out in coefficients
+:method: The derivatives by the kernel, the mixed products as determinants of 9 entries, everything a variable.
+:control: $12\,(A,B,C)$
+:::
+*/
 CLAIM(determinant_of_the_derivatives_is_constant)
 {
     num c[4 * space], D[4 * space], rows[3][3], t = parameter(T, "t");
@@ -1283,6 +1307,90 @@ CLAIM(determinant_of_the_derivatives_is_constant)
     same(T, G(sarrus)(rows[0], rows[1], rows[2]), value);
 }
 
+#if RATIONAL
+/*
+:::{claim} determinant_with_equal_rows_is_zero
+:title: The printed determinant has two equal rows
+:zh: 两行相同的行列式为零
+:kind: counterexample
+:given: $P(t)=(t,t^2,t^3)$: $(A,B,C)=-1$; $t=0$
+:then: the printed determinant is 0, $-12(A,B,C)=12$
+:method: Both sides, exactly.
+:control: the third derivatives in the last row
+:::
+*/
+CLAIM(determinant_with_equal_rows_is_zero)
+{
+    num c[12], D[12];
+    twisted_cubic(1, 1, 1, c);
+    G(power_derivatives)(3, space, c, from_int(0), 3, D);
+    about(T, "the determinant, and -12 (A, B, C)");
+    show_points(T, "D, C, B, A", 4, 3, c);
+    same(T, G(sarrus)(D + 3, D + 6, D + (T->planted ? 9 : 6)), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
+}
+
+/*
+:::{statement} hu-1987:1-4-torsion-entry
+:title: The determinant with the coefficients inserted
+:zh: 代入系数的行列式
+:printed: \begin{vmatrix}3A_xt^2+2B_xt+C_x&3A_yt^2+2B_yt+C_y&3A_zt+2B_zt+C_z\\6A_xt+2B_x&6A_yt+2B_y&6A_zt+2B_z\\6A_x&6A_y&6A_z\end{vmatrix}=-12\,(A,B,C)
+:refuted-by: printed_entry_spoils_the_determinant
+:class: misprint
+:corrected: The last entry of the first row is $3A_zt^2+2B_zt+C_z$.
+:corrected-by: determinant_of_the_derivatives_is_constant
+:figure: determinants_of_the_derivatives
+:::
+
+:::{claim} printed_entry_spoils_the_determinant
+:title: With the printed entry the determinant depends on the parameter
+:zh: 印刷的元素使行列式出错
+:kind: counterexample
+:given: $A=(1,0,1)$, $B=(0,1,0)$, $C=(0,0,1)$, $t=2$
+:then: the printed determinant is 60, $-12(A,B,C)=-12$
+:method: The determinant as printed, exactly: rows $(12,4,7)$, $(12,2,12)$, $(6,0,6)$.
+:control: the entry with $t^2$
+:::
+*/
+CLAIM(printed_entry_spoils_the_determinant)
+{
+    num c[12], rows[3][3];
+    for (int m = 0; m < 12; m++)
+        c[m] = from_int(m == 9 || m == 11 || m == 7 || m == 5);
+    G(rows_in_coefficients)(c, from_int(2), T->planted ? 2 : 1, rows);
+    show_points(T, "rows", 3, 3, rows[0]);
+    about(T, "the determinant, and -12 (A, B, C)");
+    same(T, G(sarrus)(rows[0], rows[1], rows[2]), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
+}
+#endif
+
+/*
+:::{statement} hu-1987:1-4-torsion-value
+:title: The value of the determinant
+:zh: 行列式的值
+:printed: The determinant of $\dot P$, $\ddot P$ and the third derivative is $-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$.
+:holds-by: determinant_of_the_derivatives_is_constant
+:figure: determinants_of_the_derivatives
+:::
+
+:::{statement} hu-1987:1-4-plane
+:title: When the determinant is zero the cubic is plane
+:zh: 行列式为零则为平面曲线
+:printed: If this is zero, the parametric cubic is a plane curve.
+:holds-by: cubic_is_plane_when_determinant_vanishes
+:figure: plane_cubics
+:::
+
+:::{claim} cubic_is_plane_when_determinant_vanishes
+:title: The cubic is plane exactly when the determinant of its coefficients is zero
+:zh: 平面曲线的充要条件
+:given: any cubic in space, any $t$
+:then: $(A\times B)\cdot(P-D)=t\,(A,B,C)$, $(C\times A)\cdot(P-D)=t^2(A,B,C)$, $(B\times C)\cdot(P-D)=t^3(A,B,C)$
+:method: Identities with everything a variable.  If the determinant is 0, each of the three products that is not 0 is the normal of
+  a plane that holds the curve; if all are 0 the curve is a line.  Conversely a curve in a plane has its differences, so
+  $A,B,C$, in one plane, and the determinant is 0.
+:control: the last normal with the factor $t^2$
+:::
+*/
 CLAIM(cubic_is_plane_when_determinant_vanishes)
 {
     num c[4 * space], P[space], gone[space], normal[space], t = parameter(T, "t");
@@ -1298,60 +1406,4 @@ CLAIM(cubic_is_plane_when_determinant_vanishes)
     }
 }
 
-#if RATIONAL
-/* D, C, B, A of (x t, y t^2, z t^3) */
-static void twisted_cubic(int x, int y, int z, num c[])
-{
-    const int leading[3] = {x, y, z};
-    for (int k = 0; k <= 3; k++)
-        for (int j = 0; j < space; j++)
-            c[k * space + j] = from_int(k == j + 1 ? leading[j] : 0);
-}
-
-CLAIM(printed_vectors_have_no_torsion)
-{
-    num c[12], D[12];
-    twisted_cubic(1, 1, 1, c);
-    G(power_derivatives)(3, space, c, from_int(0), 3, D);
-    const num *last = D + (T->planted ? 3 : 2) * space;
-    show_points(T, "P', P'', P'''", 3, 3, D + 3);
-    about(T, "the quotient, and the torsion");
-    same(T, div(G(sarrus)(D + 3, D + 6, last), G(curvature_squared)(space, D + 3, D + 6)),
-         G(torsion)(D + 3, D + 6, D + 9));
-}
-
-CLAIM(printed_power_spoils_the_torsion)
-{
-    num c[12], D[12];
-    twisted_cubic(3, 3, 2, c);
-    G(power_derivatives)(3, space, c, from_int(1), 3, D);
-    num speed = root(2, G(norm_squared)(space, D + 3)), square = G(curvature_squared)(space, D + 3, D + 6);
-    num below = mul(G(power)(speed, T->planted ? 6 : 3), square);
-    show(T, "speed", speed);
-    show(T, "K^2", square);
-    about(T, "the quotient, and the torsion");
-    same(T, div(G(sarrus)(D + 3, D + 6, D + 9), below), G(torsion)(D + 3, D + 6, D + 9));
-}
-
-CLAIM(determinant_with_equal_rows_is_zero)
-{
-    num c[12], D[12];
-    twisted_cubic(1, 1, 1, c);
-    G(power_derivatives)(3, space, c, from_int(0), 3, D);
-    about(T, "the determinant, and -12 (A, B, C)");
-    show_points(T, "D, C, B, A", 4, 3, c);
-    same(T, G(sarrus)(D + 3, D + 6, D + (T->planted ? 9 : 6)), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
-}
-
-CLAIM(printed_entry_spoils_the_determinant)
-{
-    num c[12], rows[3][3];
-    for (int m = 0; m < 12; m++)
-        c[m] = from_int(m == 9 || m == 11 || m == 7 || m == 5);
-    G(rows_in_coefficients)(c, from_int(2), T->planted ? 2 : 1, rows);
-    show_points(T, "rows", 3, 3, rows[0]);
-    about(T, "the determinant, and -12 (A, B, C)");
-    same(T, G(sarrus)(rows[0], rows[1], rows[2]), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
-}
-#endif
 #include "chapters/judge/claims_off.h"

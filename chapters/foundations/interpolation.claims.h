@@ -4,7 +4,12 @@
 Section 1-1 of the source distinguishes two ways to make a curve from data, and gives both one name.  They are different
 requirements: a curve through all data may be none of the simple curves that are nearest to them, and the nearest simple one
 may meet none of them.
+*/
+#include "chapters/foundations/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} hu-1987:1-1-interpolation
 :title: Interpolation
 :zh: 插值的定义
@@ -12,26 +17,6 @@ may meet none of them.
 :printed: To construct a function that passes through the given data one after the other is called interpolation; the curve passes through
   all of them strictly.
 :checked-by: one_cubic_passes_through_four_data
-:figure: through_and_near
-:::
-
-:::{statement} hu-1987:1-1-approximation
-:title: Approximation
-:zh: 逼近的定义
-:definition: yes
-:printed: Approximation does not require that the curve passes through all data strictly, but only that it is nearest to them as a whole.
-:checked-by: nearest_line_meets_no_datum
-:figure: through_and_near
-
-What "nearest as a whole" means has to be said; here it is the least sum of squares.
-:::
-
-:::{statement} hu-1987:1-1-fitting
-:title: Fitting is the common name of both
-:zh: 拟合的定义
-:definition: yes
-:printed: Interpolation and approximation of curves and surfaces together are called fitting.
-:checked-by: one_cubic_passes_through_four_data nearest_line_meets_no_datum
 :figure: through_and_near
 :::
 
@@ -45,23 +30,7 @@ What "nearest as a whole" means has to be said; here it is the least sum of squa
 :degrees: 1..6 sampled 10
 :control: the last difference left out
 :::
-
-:::{claim} nearest_line_meets_no_datum
-:title: The line nearest to three data meets none of them
-:zh: 最小二乘直线不过型值点
-:kind: decision
-:given: the data 0, 1, 0 at $t=0,1,2$; lines $a+bt$
-:then: with $a=\frac13+\alpha$, $b=\beta$ the sum of the squares of the distances is $\frac23+3\alpha^2+6\alpha\beta+5\beta^2$, and
-  $3\alpha^2+6\alpha\beta+5\beta^2=3(\alpha+\beta)^2+2\beta^2$: the line $\frac13$ is the only nearest one, and meets no datum
-:method: The two expressions are compared at 6 pairs $(\alpha,\beta)$ that determine a polynomial of degree 2 in two variables; the
-  distances of the line from the data are not 0.
-:control: the line $\frac12$
-:::
 */
-#include "chapters/foundations/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
 /* t (t-1) ... (t-k+1) / k! */
 static num G(binomial_of)(num t, int k)
 {
@@ -106,7 +75,42 @@ CLAIM(one_cubic_passes_through_four_data)
     same(T, G(newton_sum)(n, d, t), G(power_sum)(n, 1, c, 0, t));
 }
 
+/*
+:::{statement} hu-1987:1-1-approximation
+:title: Approximation
+:zh: 逼近的定义
+:definition: yes
+:printed: Approximation does not require that the curve passes through all data strictly, but only that it is nearest to them as a whole.
+:checked-by: nearest_line_meets_no_datum
+:figure: through_and_near
+
+What "nearest as a whole" means has to be said; here it is the least sum of squares.
+:::
+
+:::{statement} hu-1987:1-1-fitting
+:title: Fitting is the common name of both
+:zh: 拟合的定义
+:definition: yes
+:printed: Interpolation and approximation of curves and surfaces together are called fitting.
+:checked-by: one_cubic_passes_through_four_data nearest_line_meets_no_datum
+:figure: through_and_near
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} nearest_line_meets_no_datum
+:title: The line nearest to three data meets none of them
+:zh: 最小二乘直线不过型值点
+:kind: decision
+:given: the data 0, 1, 0 at $t=0,1,2$; lines $a+bt$
+:then: with $a=\frac13+\alpha$, $b=\beta$ the sum of the squares of the distances is $\frac23+3\alpha^2+6\alpha\beta+5\beta^2$, and
+  $3\alpha^2+6\alpha\beta+5\beta^2=3(\alpha+\beta)^2+2\beta^2$: the line $\frac13$ is the only nearest one, and meets no datum
+:method: The two expressions are compared at 6 pairs $(\alpha,\beta)$ that determine a polynomial of degree 2 in two variables; the
+  distances of the line from the data are not 0.
+:control: the line $\frac12$
+:::
+*/
 CLAIM(nearest_line_meets_no_datum)
 {
     static const int data[3] = {0, 1, 0}, pairs[6][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}};
@@ -125,4 +129,5 @@ CLAIM(nearest_line_meets_no_datum)
         agree(T, !equal_q(level, from_int(data[t])));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,18 @@
 Two pieces that meet in a point may look like one curve although their parameters know nothing of each other.  The source
 gives three conditions at the joint, of order 0, 1 and 2.  What they guarantee together is one sentence: after a change of
 the parameter on the second piece the two are one curve with continuous derivatives up to that order.
+*/
+#include "chapters/foundations/definition.h"
 
+#if RATIONAL
+#include "exact/decide/sign.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2, space = 3 };
+
+/*
 :::{statement} hu-1987:1-2-class-names
 :title: Continuity of position, slope and curvature is called C0, C1, C2
 :zh: 位置、斜率、曲率连续与 C0、C1、C2
@@ -20,7 +31,18 @@ the parameter on the second piece the two are one curve with continuous derivati
 
 By the definition of $C^r$ in section 1-4 the derivatives themselves have to be continuous.
 :::
+*/
 
+#if RATIONAL
+/* D, C, B of (x + y t + z t^2, 0) */
+static void on_the_axis(int x, int y, int z, num c[])
+{
+    const int coefficients[3] = {x, y, z};
+    for (int m = 0; m < 6; m++)
+        c[m] = from_int(m % 2 == 0 ? coefficients[m / 2] : 0);
+}
+
+/*
 :::{claim} continuous_slope_with_another_speed
 :title: A straight joint with a jump of the derivative
 :zh: 斜率连续而导矢不连续
@@ -30,7 +52,23 @@ By the definition of $C^r$ in section 1-4 the derivatives themselves have to be 
 :method: The derivatives of both, by the kernel.
 :control: $P_{\mathrm{II}}(t)=(1+t,0)$
 :::
+*/
+CLAIM(continuous_slope_with_another_speed)
+{
+    num first[6], second[6], D[4], E[4];
+    on_the_axis(0, 1, 0, first);
+    on_the_axis(1, T->planted ? 1 : 2, 0, second);
+    G(power_derivatives)(2, dim, first, from_int(1), 1, D);
+    G(power_derivatives)(2, dim, second, from_int(0), 1, E);
+    show_points(T, "P, P' of the first piece", 2, 2, D);
+    show_points(T, "P, P' of the second piece", 2, 2, E);
+    int smooth = equal_q(D[0], E[0]) && equal_q(D[1], E[1]) && is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2]));
+    about(T, "position and slope being the same, whether the derivatives are");
+    agree(T, !smooth || equal_q(D[2], E[2]));
+}
+#endif
 
+/*
 ## Order 0, 1, 2
 
 :::{statement} hu-1987:1-5-1
@@ -46,7 +84,10 @@ By the definition of $C^r$ in section 1-4 the derivatives themselves have to be 
 One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in (1-5-2) and
 (1-5-3), where this can be understood.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} joined_pieces_are_not_closed
 :title: Two segments in a row are joined, and neither is closed
 :zh: 相连的两段并不自闭
@@ -56,7 +97,54 @@ One letter for both curves; read as it stands, it makes one curve closed.  Also 
 :method: The points at the ends, exactly.
 :control: the condition between the two curves
 :::
+*/
+CLAIM(joined_pieces_are_not_closed)
+{
+    num first[6], second[6], end[2], begin[2], own_end[2];
+    on_the_axis(0, 1, 0, first);
+    on_the_axis(1, 1, 0, second);
+    G(power_point)(2, dim, first, from_int(1), end);
+    G(power_point)(2, dim, second, from_int(0), begin);
+    G(power_point)(2, dim, second, from_int(1), own_end);
+    show_points(T, "first piece at 1, second piece at 0 and at 1", 3, 2,
+                (num[]){end[0], end[1], begin[0], begin[1], own_end[0], own_end[1]});
+    int joined = equal_q(end[0], begin[0]) && equal_q(end[1], begin[1]);
+    about(T, "the pieces being joined, whether the beginning of the second is what the condition equates it with");
+    agree(T, !joined || equal_q(begin[0], T->planted ? end[0] : own_end[0]));
+}
+#endif
 
+#if FIELD
+/*
+:::{claim} conditions_make_one_curve_in_another_parameter
+:title: The conditions are those of one smooth curve in another parameter
+:zh: 连接条件等价于适当参数下的光滑性
+:given: $P,P',P''$ of the first piece at the joint, $\lambda\ne0$, any $\beta$; $P_{\mathrm{II}}$ with $P$, $\lambda P'$, $\lambda^2P''+\beta P'$ and any third derivative
+:then: $Q(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $Q(0)=P$, $Q'(0)=P'$, $Q''(0)=P''$
+:method: $Q$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
+  variable.
+:types: field
+:control: $\phi(u)=\frac u\lambda$
+:::
+*/
+CLAIM(conditions_make_one_curve_in_another_parameter)
+{
+    num u = variable_f("u"), lambda = variable_f("l"), beta = variable_f("b"), half = from_ratio(1, 2);
+    num bend = div(mul(half, beta), G(power)(lambda, 3)), phi = div(u, lambda);
+    if (!T->planted)
+        phi = sub(phi, mul(bend, mul(u, u)));
+    for (int j = 0; j < space; j++) {
+        num P = unknown(T, "p", j), d1 = unknown(T, "v", j), d2 = unknown(T, "w", j);
+        num second = mul(half, add(mul(mul(lambda, lambda), d2), mul(beta, d1)));
+        num c[4] = {P, mul(lambda, d1), second, unknown(T, "z", j)};
+        num Q = G(power_sum)(3, 1, c, 0, phi), wanted[3] = {P, d1, d2};
+        for (int k = 0; k < 3; k++, Q = derivative_f(Q, u))
+            same(T, substitute_f(Q, u, from_int(0)), wanted[k]);
+    }
+}
+#endif
+
+/*
 :::{statement} hu-1987:1-5-2
 :title: The condition for continuous slope
 :zh: 斜率连续条件
@@ -78,7 +166,23 @@ One letter for both curves; read as it stands, it makes one curve closed.  Also 
 :method: Identities in $U$, $\alpha_1$, $\alpha_2$ and $\dot P_{\mathrm I}$.
 :control: $\lambda$ inverted
 :::
+*/
+CLAIM(equal_unit_tangents_fix_the_ratio)
+{
+    num first = positive(T, "a", 1), second = positive(T, "a", 2), U[space], V[space], W[space];
+    num lambda = T->planted ? div(first, second) : div(second, first);
+    for (int j = 0; j < space; j++) {
+        U[j] = unknown(T, "u", j);
+        same(T, mul(second, U[j]), mul(lambda, mul(first, U[j])));
+        V[j] = unknown(T, "v", j);
+        W[j] = mul(lambda, V[j]);
+        same(T, div(W[j], second), div(V[j], first));
+    }
+    same(T, G(norm_squared)(space, W), mul(mul(lambda, lambda), G(norm_squared)(space, V)));
+}
 
+#if RATIONAL
+/*
 :::{claim} negative_ratio_turns_back
 :title: With a negative ratio the slope is continuous and the curve goes back
 :zh: 负比值使曲线折返
@@ -88,61 +192,7 @@ One letter for both curves; read as it stands, it makes one curve closed.  Also 
 :method: Both, exactly.
 :control: $\dot P_{\mathrm{II}}(0)=2\dot P_{\mathrm I}(1)$
 :::
-
-:::{claim} singular_end_has_no_ratio
-:title: At a singular end no ratio satisfies the condition
-:zh: 奇异端点处条件失效
-:kind: counterexample
-:given: $P_{\mathrm I}(t)=(-(1-t)^2,0)$ and $P_{\mathrm{II}}(t)=(t,0)$: one straight line, without any corner
-:then: $\dot P_{\mathrm I}(1)=(0,0)$, $\dot P_{\mathrm{II}}(0)=(1,0)$ is no multiple of it
-:method: The derivatives by the kernel.
-:control: $P_{\mathrm I}(t)=(t-1,0)$
-:::
 */
-#include "chapters/foundations/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2, space = 3 };
-
-#if RATIONAL
-/* D, C, B of (x + y t + z t^2, 0) */
-static void on_the_axis(int x, int y, int z, num c[])
-{
-    const int coefficients[3] = {x, y, z};
-    for (int m = 0; m < 6; m++)
-        c[m] = from_int(m % 2 == 0 ? coefficients[m / 2] : 0);
-}
-
-CLAIM(continuous_slope_with_another_speed)
-{
-    num first[6], second[6], D[4], E[4];
-    on_the_axis(0, 1, 0, first);
-    on_the_axis(1, T->planted ? 1 : 2, 0, second);
-    G(power_derivatives)(2, dim, first, from_int(1), 1, D);
-    G(power_derivatives)(2, dim, second, from_int(0), 1, E);
-    show_points(T, "P, P' of the first piece", 2, 2, D);
-    show_points(T, "P, P' of the second piece", 2, 2, E);
-    int smooth = equal_q(D[0], E[0]) && equal_q(D[1], E[1]) && is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2]));
-    about(T, "position and slope being the same, whether the derivatives are");
-    agree(T, !smooth || equal_q(D[2], E[2]));
-}
-
-CLAIM(joined_pieces_are_not_closed)
-{
-    num first[6], second[6], end[2], begin[2], own_end[2];
-    on_the_axis(0, 1, 0, first);
-    on_the_axis(1, 1, 0, second);
-    G(power_point)(2, dim, first, from_int(1), end);
-    G(power_point)(2, dim, second, from_int(0), begin);
-    G(power_point)(2, dim, second, from_int(1), own_end);
-    show_points(T, "first piece at 1, second piece at 0 and at 1", 3, 2,
-                (num[]){end[0], end[1], begin[0], begin[1], own_end[0], own_end[1]});
-    int joined = equal_q(end[0], begin[0]) && equal_q(end[1], begin[1]);
-    about(T, "the pieces being joined, whether the beginning of the second is what the condition equates it with");
-    agree(T, !joined || equal_q(begin[0], T->planted ? end[0] : own_end[0]));
-}
-
 CLAIM(negative_ratio_turns_back)
 {
     num c[6], D[4], ratio = from_int(T->planted ? 2 : -1);
@@ -154,6 +204,17 @@ CLAIM(negative_ratio_turns_back)
     same(T, div(there, length), D[2]);
 }
 
+/*
+:::{claim} singular_end_has_no_ratio
+:title: At a singular end no ratio satisfies the condition
+:zh: 奇异端点处条件失效
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(-(1-t)^2,0)$ and $P_{\mathrm{II}}(t)=(t,0)$: one straight line, without any corner
+:then: $\dot P_{\mathrm I}(1)=(0,0)$, $\dot P_{\mathrm{II}}(0)=(1,0)$ is no multiple of it
+:method: The derivatives by the kernel.
+:control: $P_{\mathrm I}(t)=(t-1,0)$
+:::
+*/
 CLAIM(singular_end_has_no_ratio)
 {
     num first[6], second[6], D[4], E[4];
@@ -169,20 +230,6 @@ CLAIM(singular_end_has_no_ratio)
     agree(T, is_zero_q(E[2]) || !is_zero_q(D[2]));
 }
 #endif
-
-CLAIM(equal_unit_tangents_fix_the_ratio)
-{
-    num first = positive(T, "a", 1), second = positive(T, "a", 2), U[space], V[space], W[space];
-    num lambda = T->planted ? div(first, second) : div(second, first);
-    for (int j = 0; j < space; j++) {
-        U[j] = unknown(T, "u", j);
-        same(T, mul(second, U[j]), mul(lambda, mul(first, U[j])));
-        V[j] = unknown(T, "v", j);
-        W[j] = mul(lambda, V[j]);
-        same(T, div(W[j], second), div(V[j], first));
-    }
-    same(T, G(norm_squared)(space, W), mul(mul(lambda, lambda), G(norm_squared)(space, V)));
-}
 
 /*
 :::{statement} hu-1987:1-5-3-sufficient
@@ -215,77 +262,6 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
   $K^2$; $P'\times P''$ is multiplied by $\lambda^3$
 :method: Both sides with everything a variable; neither contains $\beta$.
 :control: $\lambda$ in the place of $\lambda^2$
-:::
-
-:::{claim} zero_ratio_has_unbounded_curvature
-:title: With the ratio 0 the conditions hold and the curvature is unbounded
-:zh: 比值为零时曲率无界
-:kind: counterexample
-:given: $P_{\mathrm I}(t)=(t,0)$, $P_{\mathrm{II}}(t)=(1+t^2,t^3)$; $\lambda=0$, $\beta=2$
-:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2=\frac{36}{(4+9t^2)^3}$, which tends to $\frac9{16}$ with $t\to0$
-:method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0 at $t=0$,
-  as for a bounded $K$, is refuted.
-:control: $P_{\mathrm{II}}(t)=(1+t^2,t^4)$, where $K^2=\frac4{(1+4t^4)^3}$ is bounded
-:::
-
-:::{claim} vanishing_derivatives_hide_a_corner
-:title: Where all derivatives vanish the conditions hold at a corner
-:zh: 导矢全为零时条件成立而有角点
-:kind: counterexample
-:given: $P_{\mathrm I}(t)=(-(1-t)^3,0)$, $P_{\mathrm{II}}(t)=(0,t^3)$; $\lambda=1$, $\beta=0$
-:then: (1-5-1) to (1-5-3) hold, every vector in them being $(0,0)$; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
-  along the $y$-axis, $y'>0$: a corner of a right angle
-:method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That there is no right angle is
-  refuted.
-:control: $P_{\mathrm{II}}(t)=(t^3,0)$
-:::
-
-:::{statement} hu-1987:1-5-3-necessary
-:title: For a continuous curvature the condition has to be satisfied
-:zh: 曲率连续的必要性
-:printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
-:refuted-by: equal_curvatures_to_different_sides
-:class: missing-hypothesis
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The condition, with $\lambda>0$, is necessary and sufficient for continuity of the unit tangent and of
-  the vector of curvature; for plane curves, of the curvature with its sign.
-:corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
-:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, in the correction: without it the condition does not suffice.
-:figure: same_curvature_other_side
-:striking: 43
-
-$K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be continuous where the curve changes its side, or, in space, its
-osculating plane.
-:::
-
-:::{claim} equal_curvatures_to_different_sides
-:title: Two parabolas with one tangent and one curvature, bent to different sides
-:zh: 曲率相等而弯向相反
-:kind: counterexample
-:given: $P_{\mathrm I}(t)=(t-1,(t-1)^2)$, $P_{\mathrm{II}}(t)=(t,-t^2)$; at the joint $P'=(1,0)$ and $K=2$ for both, so $\lambda=1$
-:then: $P_{\mathrm{II}}''-P_{\mathrm I}''=(0,-4)$ is no multiple $\beta P'$
-:method: Derivatives and $K^2$ by the kernels; the determinant of the difference and $P'$ should vanish.
-:control: $P_{\mathrm{II}}(t)=(t,t^2)$
-:::
-
-:::{claim} curvature_vector_forces_the_condition
-:title: With one unit tangent and one vector of curvature the condition holds
-:zh: 曲率矢量连续蕴涵条件
-:given: vectors $U$ and $k$ of space, $\alpha_1,\alpha_2>0$, $\mu_1,\mu_2$: $P_i'=\alpha_iU$, $P_i''=\alpha_i^2k+\mu_iU$, as every curve with unit tangent $U$,
-  curvature vector $k$ and speed $\alpha_i$ has
-:then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
-:method: An identity with everything a variable.
-:control: $\beta=\frac{\mu_2-\mu_1}{\alpha_1}$
-:::
-
-:::{claim} conditions_make_one_curve_in_another_parameter
-:title: The conditions are those of one smooth curve in another parameter
-:zh: 连接条件等价于适当参数下的光滑性
-:given: $P,P',P''$ of the first piece at the joint, $\lambda\ne0$, any $\beta$; $P_{\mathrm{II}}$ with $P$, $\lambda P'$, $\lambda^2P''+\beta P'$ and any third derivative
-:then: $Q(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $Q(0)=P$, $Q'(0)=P'$, $Q''(0)=P''$
-:method: $Q$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
-  variable.
-:types: field
-:control: $\phi(u)=\frac u\lambda$
 :::
 */
 /* out = (d1 x d2) x d1 / |d1|^4 */
@@ -320,8 +296,6 @@ CLAIM(condition_keeps_the_curvature_vector)
 }
 
 #if RATIONAL
-#include "exact/decide/sign.h"
-
 /* Whether P = E, P' = lambda P', P'' = lambda^2 P'' + beta P' for two pieces with P, P', P'' in D and in E. */
 static int conditions_hold(const num D[], const num E[], num lambda, num beta)
 {
@@ -333,6 +307,18 @@ static int conditions_hold(const num D[], const num E[], num lambda, num beta)
     return hold;
 }
 
+/*
+:::{claim} zero_ratio_has_unbounded_curvature
+:title: With the ratio 0 the conditions hold and the curvature is unbounded
+:zh: 比值为零时曲率无界
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(t,0)$, $P_{\mathrm{II}}(t)=(1+t^2,t^3)$; $\lambda=0$, $\beta=2$
+:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2=\frac{36}{(4+9t^2)^3}$, which tends to $\frac9{16}$ with $t\to0$
+:method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0 at $t=0$,
+  as for a bounded $K$, is refuted.
+:control: $P_{\mathrm{II}}(t)=(1+t^2,t^4)$, where $K^2=\frac4{(1+4t^4)^3}$ is bounded
+:::
+*/
 CLAIM(zero_ratio_has_unbounded_curvature)
 {
     int degree = T->planted ? 4 : 3;
@@ -361,6 +347,19 @@ CLAIM(zero_ratio_has_unbounded_curvature)
     agree(T, !(conditions_hold(D, E, from_int(0), from_int(2)) && divided) || is_zero_q(limit));
 }
 
+/*
+:::{claim} vanishing_derivatives_hide_a_corner
+:title: Where all derivatives vanish the conditions hold at a corner
+:zh: 导矢全为零时条件成立而有角点
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(-(1-t)^3,0)$, $P_{\mathrm{II}}(t)=(0,t^3)$; $\lambda=1$, $\beta=0$
+:then: (1-5-1) to (1-5-3) hold, every vector in them being $(0,0)$; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
+  along the $y$-axis, $y'>0$: a corner of a right angle
+:method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That there is no right angle is
+  refuted.
+:control: $P_{\mathrm{II}}(t)=(t^3,0)$
+:::
+*/
 /* Whether the cubic runs forward along this axis: the derivative of its coordinate is positive on (0,1), that of the other 0. */
 static int runs_forward(const num c[], int axis)
 {
@@ -393,6 +392,34 @@ CLAIM(vanishing_derivatives_hide_a_corner)
                  !runs_forward(second, 1));
 }
 
+/*
+:::{statement} hu-1987:1-5-3-necessary
+:title: For a continuous curvature the condition has to be satisfied
+:zh: 曲率连续的必要性
+:printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
+:refuted-by: equal_curvatures_to_different_sides
+:class: missing-hypothesis
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The condition, with $\lambda>0$, is necessary and sufficient for continuity of the unit tangent and of
+  the vector of curvature; for plane curves, of the curvature with its sign.
+:corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
+:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, in the correction: without it the condition does not suffice.
+:figure: same_curvature_other_side
+:striking: 43
+
+$K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be continuous where the curve changes its side, or, in space, its
+osculating plane.
+:::
+
+:::{claim} equal_curvatures_to_different_sides
+:title: Two parabolas with one tangent and one curvature, bent to different sides
+:zh: 曲率相等而弯向相反
+:kind: counterexample
+:given: $P_{\mathrm I}(t)=(t-1,(t-1)^2)$, $P_{\mathrm{II}}(t)=(t,-t^2)$; at the joint $P'=(1,0)$ and $K=2$ for both, so $\lambda=1$
+:then: $P_{\mathrm{II}}''-P_{\mathrm I}''=(0,-4)$ is no multiple $\beta P'$
+:method: Derivatives and $K^2$ by the kernels; the determinant of the difference and $P'$ should vanish.
+:control: $P_{\mathrm{II}}(t)=(t,t^2)$
+:::
+*/
 CLAIM(equal_curvatures_to_different_sides)
 {
     num first[6] = {from_int(-1), from_int(1), from_int(1), from_int(-2), from_int(0), from_int(1)}, D[6], E[6];
@@ -411,6 +438,17 @@ CLAIM(equal_curvatures_to_different_sides)
 }
 #endif
 
+/*
+:::{claim} curvature_vector_forces_the_condition
+:title: With one unit tangent and one vector of curvature the condition holds
+:zh: 曲率矢量连续蕴涵条件
+:given: vectors $U$ and $k$ of space, $\alpha_1,\alpha_2>0$, $\mu_1,\mu_2$: $P_i'=\alpha_iU$, $P_i''=\alpha_i^2k+\mu_iU$, as every curve with unit tangent $U$,
+  curvature vector $k$ and speed $\alpha_i$ has
+:then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
+:method: An identity with everything a variable.
+:control: $\beta=\frac{\mu_2-\mu_1}{\alpha_1}$
+:::
+*/
 CLAIM(curvature_vector_forces_the_condition)
 {
     num a1 = positive(T, "a", 1), a2 = positive(T, "a", 2), mu1 = unknown(T, "m", 1), mu2 = unknown(T, "m", 2);
@@ -423,24 +461,6 @@ CLAIM(curvature_vector_forces_the_condition)
     }
 }
 
-#if FIELD
-CLAIM(conditions_make_one_curve_in_another_parameter)
-{
-    num u = variable_f("u"), lambda = variable_f("l"), beta = variable_f("b"), half = from_ratio(1, 2);
-    num bend = div(mul(half, beta), G(power)(lambda, 3)), phi = div(u, lambda);
-    if (!T->planted)
-        phi = sub(phi, mul(bend, mul(u, u)));
-    for (int j = 0; j < space; j++) {
-        num P = unknown(T, "p", j), d1 = unknown(T, "v", j), d2 = unknown(T, "w", j);
-        num second = mul(half, add(mul(mul(lambda, lambda), d2), mul(beta, d1)));
-        num c[4] = {P, mul(lambda, d1), second, unknown(T, "z", j)};
-        num Q = G(power_sum)(3, 1, c, 0, phi), wanted[3] = {P, d1, d2};
-        for (int k = 0; k < 3; k++, Q = derivative_f(Q, u))
-            same(T, substitute_f(Q, u, from_int(0)), wanted[k]);
-    }
-}
-#endif
-
 /*
 ## A piece of a curve as a curve (参数规范化)
 
@@ -452,14 +472,6 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 :figure: piece_of_a_cubic
 :::
 
-:::{statement} hu-1987:1-5-5
-:title: The coefficients of a piece
-:zh: 截取曲线段的系数
-:printed: P(t^*)=[t^{*3}\;t^{*2}\;t^*\;1]\begin{bmatrix}(t_1-t_0)^3A\\3(t_1-t_0)^2t_0A+(t_1-t_0)^2B\\3(t_1-t_0)t_0^2A+2(t_1-t_0)t_0B+(t_1-t_0)C\\t_0^3A+t_0^2B+t_0C+D\end{bmatrix}
-:holds-by: coefficients_of_a_piece_are_as_printed pieces_in_new_powers
-:figure: piece_of_a_cubic
-:::
-
 :::{claim} pieces_in_new_powers
 :title: The kernel gives the piece between two parameters, in a parameter from 0 to 1
 :zh: 截取曲线段
@@ -468,69 +480,6 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 :method: The kernel's coefficients in the sum of powers, against the sum of powers at either parameter; everything a variable.
 :degrees: 1..6 sampled 12
 :defines: power_on_interval
-:control: $t_0$ and $t_1$ exchanged
-:::
-
-:::{claim} coefficients_of_a_piece_are_as_printed
-:title: The four rows for a cubic
-:zh: 三次曲线段的四个系数
-:given: any $A,B,C,D$ of space, any $t_0$, $t_1$
-:then: the coefficients by the kernel are the four printed rows
-:method: Each row, everything a variable.
-:control: the factor 2 in the place of the 3 of the second row
-:::
-
-:::{statement} hu-1987:1-5-6
-:title: The derivatives in the new parameter
-:zh: 新参数下的导矢
-:printed: \frac{dP}{dt^*}=(t_1-t_0)\frac{dP}{dt},\qquad\frac{d^2P}{dt^{*2}}=(t_1-t_0)^2\frac{d^2P}{dt^2}
-:holds-by: derivatives_of_a_piece
-:figure: piece_of_a_cubic
-:::
-
-:::{statement} hu-1987:1-5-range
-:title: The length of the interval of a piece
-:zh: 参数区间长度的范围
-:printed: 0\le(t_1-t_0)\le1
-:holds-by: length_of_a_piece_is_at_most_one
-:needs: backward_piece_has_negative_length | The piece is taken forward, $t_0\le t_1$, out of $[0,1]$.
-:figure: piece_of_a_cubic
-:::
-
-:::{statement} hu-1987:1-5-tangent-length
-:title: The tangents become shorter by the length of the interval
-:zh: 切矢长度的变化
-:printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
-:holds-by: derivatives_of_a_piece
-:figure: piece_of_a_cubic
-:::
-
-:::{claim} derivatives_of_a_piece
-:title: The k-th derivative of a piece has the k-th power of the length of its interval
-:zh: 曲线段的各阶导矢
-:given: any coefficients of degree 3 in space, any $t_0$, $t_1$ and $u$, $k=0,1,2,3$
-:then: the $k$-th derivative of the piece at $u$ is $(t_1-t_0)^kP^{(k)}(t_0+(t_1-t_0)u)$; the square of the length of the first one is
-  $(t_1-t_0)^2|P'|^2$
-:method: Both derivatives by the definition, everything a variable.
-:control: the first power for every $k$
-:::
-
-:::{claim} length_of_a_piece_is_at_most_one
-:title: The interval of a piece out of the unit interval is no longer than 1
-:zh: 区间长度不超过一
-:given: $0\le t_0\le t_1\le1$ as $t_0=\frac a{1+a+b}$, $t_1=\frac{a+b'}{1+a+b}$ with $b'\le b$, that is $b=b'+b''$; $a,b',b''\ge0$
-:then: $t_1-t_0\ge0$ and $1-(t_1-t_0)\ge0$
-:method: Both have no negative coefficient in $a,b',b''$; every pair of parameters with $t_0\le t_1<1$ is of this form, and $t_1=1$ is a limit.
-:control: $t_0-t_1$
-:::
-
-:::{claim} backward_piece_has_negative_length
-:title: A piece taken backward has a negative factor
-:zh: 反向截取
-:kind: counterexample
-:given: $t_0=\frac34$, $t_1=\frac14$
-:then: $t_1-t_0=-\frac12$
-:method: The number, exactly.
 :control: $t_0$ and $t_1$ exchanged
 :::
 */
@@ -549,6 +498,24 @@ CLAIM(pieces_in_new_powers)
     }
 }
 
+/*
+:::{statement} hu-1987:1-5-5
+:title: The coefficients of a piece
+:zh: 截取曲线段的系数
+:printed: P(t^*)=[t^{*3}\;t^{*2}\;t^*\;1]\begin{bmatrix}(t_1-t_0)^3A\\3(t_1-t_0)^2t_0A+(t_1-t_0)^2B\\3(t_1-t_0)t_0^2A+2(t_1-t_0)t_0B+(t_1-t_0)C\\t_0^3A+t_0^2B+t_0C+D\end{bmatrix}
+:holds-by: coefficients_of_a_piece_are_as_printed pieces_in_new_powers
+:figure: piece_of_a_cubic
+:::
+
+:::{claim} coefficients_of_a_piece_are_as_printed
+:title: The four rows for a cubic
+:zh: 三次曲线段的四个系数
+:given: any $A,B,C,D$ of space, any $t_0$, $t_1$
+:then: the coefficients by the kernel are the four printed rows
+:method: Each row, everything a variable.
+:control: the factor 2 in the place of the 3 of the second row
+:::
+*/
 CLAIM(coefficients_of_a_piece_are_as_printed)
 {
     num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), h = sub(t1, t0);
@@ -565,6 +532,25 @@ CLAIM(coefficients_of_a_piece_are_as_printed)
     }
 }
 
+/*
+:::{statement} hu-1987:1-5-6
+:title: The derivatives in the new parameter
+:zh: 新参数下的导矢
+:printed: \frac{dP}{dt^*}=(t_1-t_0)\frac{dP}{dt},\qquad\frac{d^2P}{dt^{*2}}=(t_1-t_0)^2\frac{d^2P}{dt^2}
+:holds-by: derivatives_of_a_piece
+:figure: piece_of_a_cubic
+:::
+
+:::{claim} derivatives_of_a_piece
+:title: The k-th derivative of a piece has the k-th power of the length of its interval
+:zh: 曲线段的各阶导矢
+:given: any coefficients of degree 3 in space, any $t_0$, $t_1$ and $u$, $k=0,1,2,3$
+:then: the $k$-th derivative of the piece at $u$ is $(t_1-t_0)^kP^{(k)}(t_0+(t_1-t_0)u)$; the square of the length of the first one is
+  $(t_1-t_0)^2|P'|^2$
+:method: Both derivatives by the definition, everything a variable.
+:control: the first power for every $k$
+:::
+*/
 CLAIM(derivatives_of_a_piece)
 {
     num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u");
@@ -584,6 +570,25 @@ CLAIM(derivatives_of_a_piece)
     same(T, speed, mul(mul(h, h), before));
 }
 
+/*
+:::{statement} hu-1987:1-5-range
+:title: The length of the interval of a piece
+:zh: 参数区间长度的范围
+:printed: 0\le(t_1-t_0)\le1
+:holds-by: length_of_a_piece_is_at_most_one
+:needs: backward_piece_has_negative_length | The piece is taken forward, $t_0\le t_1$, out of $[0,1]$.
+:figure: piece_of_a_cubic
+:::
+
+:::{claim} length_of_a_piece_is_at_most_one
+:title: The interval of a piece out of the unit interval is no longer than 1
+:zh: 区间长度不超过一
+:given: $0\le t_0\le t_1\le1$ as $t_0=\frac a{1+a+b}$, $t_1=\frac{a+b'}{1+a+b}$ with $b'\le b$, that is $b=b'+b''$; $a,b',b''\ge0$
+:then: $t_1-t_0\ge0$ and $1-(t_1-t_0)\ge0$
+:method: Both have no negative coefficient in $a,b',b''$; every pair of parameters with $t_0\le t_1<1$ is of this form, and $t_1=1$ is a limit.
+:control: $t_0-t_1$
+:::
+*/
 CLAIM(length_of_a_piece_is_at_most_one)
 {
     num a = positive(T, "a", 0), b = positive(T, "b", 1), rest = positive(T, "b", 2);
@@ -594,6 +599,17 @@ CLAIM(length_of_a_piece_is_at_most_one)
 }
 
 #if RATIONAL
+/*
+:::{claim} backward_piece_has_negative_length
+:title: A piece taken backward has a negative factor
+:zh: 反向截取
+:kind: counterexample
+:given: $t_0=\frac34$, $t_1=\frac14$
+:then: $t_1-t_0=-\frac12$
+:method: The number, exactly.
+:control: $t_0$ and $t_1$ exchanged
+:::
+*/
 CLAIM(backward_piece_has_negative_length)
 {
     num t0 = from_ratio(T->planted ? 1 : 3, 4), t1 = from_ratio(T->planted ? 3 : 1, 4);
@@ -605,6 +621,14 @@ CLAIM(backward_piece_has_negative_length)
 #endif
 
 /*
+:::{statement} hu-1987:1-5-tangent-length
+:title: The tangents become shorter by the length of the interval
+:zh: 切矢长度的变化
+:printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
+:holds-by: derivatives_of_a_piece
+:figure: piece_of_a_cubic
+:::
+
 ## A rational change of the parameter
 
 :::{statement} hu-1987:1-5-rational-change
@@ -629,16 +653,6 @@ The text that is at hand ends before the formula.
   $\frac p{pu+q(1-u)}$ and $\frac q{pu+q(1-u)}$.
 :degrees: 1..6 sampled 8
 :control: the weights $p^{n-i}q^i$
-:::
-
-:::{claim} fractional_change_with_a_pole
-:title: With factors of different signs the parameter has a pole
-:zh: 异号时参数变换有极点
-:kind: counterexample
-:given: $p=1$, $q=-1$, $u=\frac12$
-:then: $pu+q(1-u)=0$
-:method: The denominator, exactly; that it is not 0 is refuted.
-:control: $q=1$
 :::
 */
 CLAIM(fractional_change_of_a_power_curve)
@@ -667,6 +681,17 @@ CLAIM(fractional_change_of_a_power_curve)
 }
 
 #if RATIONAL
+/*
+:::{claim} fractional_change_with_a_pole
+:title: With factors of different signs the parameter has a pole
+:zh: 异号时参数变换有极点
+:kind: counterexample
+:given: $p=1$, $q=-1$, $u=\frac12$
+:then: $pu+q(1-u)=0$
+:method: The denominator, exactly; that it is not 0 is refuted.
+:control: $q=1$
+:::
+*/
 CLAIM(fractional_change_with_a_pole)
 {
     num p = from_int(1), q = from_int(T->planted ? 1 : -1), u = from_ratio(1, 2);
@@ -676,4 +701,5 @@ CLAIM(fractional_change_with_a_pole)
     agree(T, !is_zero_q(below));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

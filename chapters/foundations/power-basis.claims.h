@@ -3,7 +3,26 @@
 
 A cubic in powers of its parameter is computed for many equidistant parameters.  The source gives three ways: the powers as
 they stand, the rule of Horner (秦九韶算法), and a table of forward differences (向前差分) that needs additions only.
+*/
+#include "chapters/foundations/definition.h"
 
+#if RATIONAL
+#include "chapters/judge/counting.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sign.h"
+
+/* The kernels in binary64, and those of this section once more in the number type that counts. */
+#undef G
+#include "core/kernels/kernels_d.h"
+#define G(name) name##_c
+#include "core/kernels/power.tmpl.h"
+#undef G
+#define G(name) name##_q
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+/*
 ## Descriptions
 
 :::{statement} hu-1987:1-4-slopes
@@ -14,7 +33,10 @@ they stand, the rule of Horner (秦九韶算法), and a table of forward differe
 :holds-by: parabola_across_has_no_slope
 :figure: infinite_slope_and_two_values
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} parabola_across_has_no_slope
 :title: A parametric curve with a vertical tangent and two values
 :zh: 竖直切线与多值
@@ -24,7 +46,22 @@ they stand, the rule of Horner (秦九韶算法), and a table of forward differe
 :method: The derivatives by the kernel; the parameters with $x=\frac14$ and with $x=-\frac14$ are counted as roots.
 :control: the curve $(2t-1,t)$
 :::
+*/
+CLAIM(parabola_across_has_no_slope)
+{
+    num zero = from_int(0), quarter = from_ratio(1, 4);
+    num c[6] = {from_int(T->planted ? -1 : 1), zero, from_int(T->planted ? 2 : -4), from_int(1),
+                from_int(T->planted ? 0 : 4),  zero};
+    num D[4], x[3] = {c[0], c[2], c[4]};
+    G(power_derivatives)(2, 2, c, from_ratio(1, 2), 1, D);
+    agree(T, is_zero_q(D[2]) && !is_zero_q(D[3]));
+    poly at_quarter = poly_sub(poly_from_q(3, x), poly_constant(quarter));
+    poly below = poly_add(poly_from_q(3, x), poly_constant(quarter));
+    agree(T, count_roots(at_quarter, zero, from_int(1), CLOSED).distinct == 2);
+    agree(T, count_roots(below, zero, from_int(1), CLOSED).distinct == 0);
+}
 
+/*
 :::{statement} hu-1987:1-4-advantage-extent
 :title: The extent of a curve is given by an interval of its parameter
 :zh: 用参数区间指定曲线的延伸范围
@@ -43,7 +80,18 @@ they stand, the rule of Horner (秦九韶算法), and a table of forward differe
 :method: The sign of $x'$ on the two open intervals, and $x$ at the ends, exactly.
 :control: the intervals $[0,\frac34]$ and $[\frac34,1]$
 :::
+*/
+CLAIM(intervals_of_the_parameter_separate_the_values)
+{
+    num zero = from_int(0), one = from_int(1), middle = T->planted ? from_ratio(3, 4) : from_ratio(1, 2);
+    poly x = poly_from_q(3, (num[]){one, from_int(-4), from_int(4)}), slope = poly_derivative(x);
+    agree(T, sign_on(slope, zero, middle, OPEN) == SIGN_NEGATIVE && sign_on(slope, middle, one, OPEN) == SIGN_POSITIVE);
+    same(T, poly_value(x, zero), one);
+    same(T, poly_value(x, middle), zero);
+    same(T, poly_value(x, one), one);
+}
 
+/*
 :::{statement} hu-1987:1-4-advantage-points
 :title: Points of a parametric curve are easily computed
 :zh: 曲线上点的计算容易
@@ -76,79 +124,7 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 :method: The highest coefficient that is not 0, and $P'\times P''\ne0$.
 :control: $P(t)=(t,t^3)$
 :::
-
-:::{claim} quadratics_are_plane_and_turn_to_one_side
-:title: A quadratic curve is plane and, unless it is a line, has no inflection
-:zh: 二次曲线为平面曲线,非直线时无拐点
-:given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
-:then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
-:method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve is a line.
-:control: a coefficient $c_3$ added
-:::
-
-:::{claim} lines_of_lower_degree_have_curvature_zero
-:title: Lines of degree one and two have curvature zero everywhere
-:zh: 一、二次直线的曲率恒为零
-:kind: counterexample
-:given: $(t,0)$ and $(t+t^2,0)$ on $[0,1]$
-:then: $P'\ne0$ and $P'\times P''=0$ everywhere
-:method: The kernels for cubics, with the third coefficients 0, and the sign of $x'$; that $P'\times P''$ is not 0 everywhere is refuted.
-:control: $(t,t^2)$ in the place of $(t,0)$
-:::
-
-:::{claim} cubics_leave_the_plane_and_inflect
-:title: A cubic can leave every plane, and a plane one can have an inflection
-:zh: 三次曲线可不在平面内,可有拐点
-:kind: decision
-:given: $(t,t^2,t^3)$ in space, $(t,t^3)$ in the plane
-:then: $(P',P'',P''')=12$ for the first; $P'\times P''=6t$ changes its sign at 0 for the second
-:method: The kernels, at $t=\frac13$ and at $t=\pm\frac13$.
-:control: $(t,t^2,t^2)$ and $(t,t^2)$
-:::
 */
-#include "chapters/foundations/definition.h"
-
-#if RATIONAL
-#include "chapters/judge/counting.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/sign.h"
-
-/* The kernels in binary64, and those of this section once more in the number type that counts. */
-#undef G
-#include "core/kernels/kernels_d.h"
-#define G(name) name##_c
-#include "core/kernels/power.tmpl.h"
-#undef G
-#define G(name) name##_q
-#endif
-
-#include "chapters/judge/claims_on.h"
-
-#if RATIONAL
-CLAIM(parabola_across_has_no_slope)
-{
-    num zero = from_int(0), quarter = from_ratio(1, 4);
-    num c[6] = {from_int(T->planted ? -1 : 1), zero, from_int(T->planted ? 2 : -4), from_int(1),
-                from_int(T->planted ? 0 : 4),  zero};
-    num D[4], x[3] = {c[0], c[2], c[4]};
-    G(power_derivatives)(2, 2, c, from_ratio(1, 2), 1, D);
-    agree(T, is_zero_q(D[2]) && !is_zero_q(D[3]));
-    poly at_quarter = poly_sub(poly_from_q(3, x), poly_constant(quarter));
-    poly below = poly_add(poly_from_q(3, x), poly_constant(quarter));
-    agree(T, count_roots(at_quarter, zero, from_int(1), CLOSED).distinct == 2);
-    agree(T, count_roots(below, zero, from_int(1), CLOSED).distinct == 0);
-}
-
-CLAIM(intervals_of_the_parameter_separate_the_values)
-{
-    num zero = from_int(0), one = from_int(1), middle = T->planted ? from_ratio(3, 4) : from_ratio(1, 2);
-    poly x = poly_from_q(3, (num[]){one, from_int(-4), from_int(4)}), slope = poly_derivative(x);
-    agree(T, sign_on(slope, zero, middle, OPEN) == SIGN_NEGATIVE && sign_on(slope, middle, one, OPEN) == SIGN_POSITIVE);
-    same(T, poly_value(x, zero), one);
-    same(T, poly_value(x, middle), zero);
-    same(T, poly_value(x, one), one);
-}
-
 CLAIM(quadratic_curve_is_in_use)
 {
     int last = T->planted ? 3 : 2, degree = 3;
@@ -163,7 +139,47 @@ CLAIM(quadratic_curve_is_in_use)
     about(T, "whether the degree is at least 3");
     agree(T, degree >= 3 || is_zero_q(G(cross2)(D + 2, D + 4)));
 }
+#endif
 
+/*
+:::{claim} quadratics_are_plane_and_turn_to_one_side
+:title: A quadratic curve is plane and, unless it is a line, has no inflection
+:zh: 二次曲线为平面曲线,非直线时无拐点
+:given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
+:then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
+:method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve is a line.
+:control: a coefficient $c_3$ added
+:::
+*/
+CLAIM(quadratics_are_plane_and_turn_to_one_side)
+{
+    enum { space = 3 };
+    num c[4 * space], D[3 * space], t = parameter(T, "t"), bend[space], normal[space], gone[space], at[space];
+    int n = T->planted ? 3 : 2;
+    G(free_coefficients)(T, n, space, c);
+    G(power_derivatives)(n, space, c, t, 2, D);
+    G(cross3)(D + space, D + 2 * space, bend);
+    G(cross3)(c + space, c + 2 * space, normal);
+    G(power_point)(n, space, c, t, at);
+    for (int j = 0; j < space; j++) {
+        same(T, bend[j], mul(from_int(2), normal[j]));
+        gone[j] = sub(at[j], c[j]);
+    }
+    vanishes(T, G(dot)(space, normal, gone));
+}
+
+#if RATIONAL
+/*
+:::{claim} lines_of_lower_degree_have_curvature_zero
+:title: Lines of degree one and two have curvature zero everywhere
+:zh: 一、二次直线的曲率恒为零
+:kind: counterexample
+:given: $(t,0)$ and $(t+t^2,0)$ on $[0,1]$
+:then: $P'\ne0$ and $P'\times P''=0$ everywhere
+:method: The kernels for cubics, with the third coefficients 0, and the sign of $x'$; that $P'\times P''$ is not 0 everywhere is refuted.
+:control: $(t,t^2)$ in the place of $(t,0)$
+:::
+*/
 CLAIM(lines_of_lower_degree_have_curvature_zero)
 {
     int everywhere = 1;
@@ -183,6 +199,17 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
     agree(T, !everywhere);
 }
 
+/*
+:::{claim} cubics_leave_the_plane_and_inflect
+:title: A cubic can leave every plane, and a plane one can have an inflection
+:zh: 三次曲线可不在平面内,可有拐点
+:kind: decision
+:given: $(t,t^2,t^3)$ in space, $(t,t^3)$ in the plane
+:then: $(P',P'',P''')=12$ for the first; $P'\times P''=6t$ changes its sign at 0 for the second
+:method: The kernels, at $t=\frac13$ and at $t=\pm\frac13$.
+:control: $(t,t^2,t^2)$ and $(t,t^2)$
+:::
+*/
 CLAIM(cubics_leave_the_plane_and_inflect)
 {
     int top = T->planted ? 2 : 3;
@@ -202,23 +229,6 @@ CLAIM(cubics_leave_the_plane_and_inflect)
     agree(T, sign_q(sides[0]) < 0 && sign_q(sides[1]) > 0);
 }
 #endif
-
-CLAIM(quadratics_are_plane_and_turn_to_one_side)
-{
-    enum { space = 3 };
-    num c[4 * space], D[3 * space], t = parameter(T, "t"), bend[space], normal[space], gone[space], at[space];
-    int n = T->planted ? 3 : 2;
-    G(free_coefficients)(T, n, space, c);
-    G(power_derivatives)(n, space, c, t, 2, D);
-    G(cross3)(D + space, D + 2 * space, bend);
-    G(cross3)(c + space, c + 2 * space, normal);
-    G(power_point)(n, space, c, t, at);
-    for (int j = 0; j < space; j++) {
-        same(T, bend[j], mul(from_int(2), normal[j]));
-        gone[j] = sub(at[j], c[j]);
-    }
-    vanishes(T, G(dot)(space, normal, gone));
-}
 
 /*
 ## Horner's rule (秦九韶算法)
@@ -248,49 +258,6 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
 :defines: power_point
 :control: the coefficients taken backwards
 :::
-
-:::{statement} hu-1987:1-4-horner-count
-:title: Horner's rule saves half of the multiplications
-:zh: 乘法次数由六次减为三次
-:printed: So the number of multiplications for a point is reduced from 6 to 3.
-:holds-by: multiplications_are_six_and_three
-:reading: multiplications_are_six_and_three | Powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one coordinate: 6
-  become 3.
-:reading: kept_powers_need_five | With $t^2$ and $t^3=t^2\cdot t$ kept, it is 5 that become 3 for one coordinate, and
-  $2+3d$ that become $3d$ for $d$ coordinates.
-:::
-
-:::{claim} multiplications_are_six_and_three
-:title: The multiplications of the two forms, counted
-:zh: 两种形式的乘法次数
-:kind: decision
-:given: degrees $n=1,\dots,12$, one coordinate
-:then: the sum of powers takes $\frac{n(n+1)}2$ multiplications and $n$ additions, 6 and 3 for $n=3$; Horner's rule $n$ and $n$
-:method: The definition's loop and the kernel are run in a number type that counts.
-:scope: degrees 1 to 12
-:control: the powers kept from term to term
-:::
-
-:::{claim} kept_powers_need_five
-:title: With the powers kept five multiplications are enough before Horner's rule
-:zh: 保留幂次时只需五次乘法
-:kind: counterexample
-:given: degree 3, one coordinate, $t^2$ and $t^3$ computed once
-:then: 5 multiplications, not 6
-:method: The loop is run in the number type that counts.
-:control: every power multiplied out anew
-:::
-
-:::{claim} multiplications_with_kept_powers
-:title: The multiplications when the powers are kept
-:zh: 保留幂次时的乘法次数
-:kind: decision
-:given: degree 3, $d=1,2,3$ coordinates
-:then: with $t^2$ and $t^3$ computed once, $2+3d$ multiplications; Horner's rule $3d$
-:method: Both loops are run in the number type that counts.
-:scope: degree 3, one to three coordinates
-:control: the powers computed anew for every coordinate
-:::
 */
 CLAIM(horner_computes_the_sum_of_powers)
 {
@@ -305,6 +272,19 @@ CLAIM(horner_computes_the_sum_of_powers)
     for (int j = 0; j < space; j++)
         same(T, P[j], G(power_sum)(n, space, c, j, t));
 }
+
+/*
+:::{statement} hu-1987:1-4-horner-count
+:title: Horner's rule saves half of the multiplications
+:zh: 乘法次数由六次减为三次
+:printed: So the number of multiplications for a point is reduced from 6 to 3.
+:holds-by: multiplications_are_six_and_three
+:reading: multiplications_are_six_and_three | Powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one coordinate: 6
+  become 3.
+:reading: kept_powers_need_five | With $t^2$ and $t^3=t^2\cdot t$ kept, it is 5 that become 3 for one coordinate, and
+  $2+3d$ that become $3d$ for $d$ coordinates.
+:::
+*/
 
 #if RATIONAL
 static const num_c some_number = {0};
@@ -361,6 +341,18 @@ static struct operations cost_of_horner(trial *T, int n, int dim)
     return counted;
 }
 
+/*
+:::{claim} multiplications_are_six_and_three
+:title: The multiplications of the two forms, counted
+:zh: 两种形式的乘法次数
+:kind: decision
+:given: degrees $n=1,\dots,12$, one coordinate
+:then: the sum of powers takes $\frac{n(n+1)}2$ multiplications and $n$ additions, 6 and 3 for $n=3$; Horner's rule $n$ and $n$
+:method: The definition's loop and the kernel are run in a number type that counts.
+:scope: degrees 1 to 12
+:control: the powers kept from term to term
+:::
+*/
 CLAIM(multiplications_are_six_and_three)
 {
     for (int n = 1; n <= 12; n++) {
@@ -370,6 +362,17 @@ CLAIM(multiplications_are_six_and_three)
     }
 }
 
+/*
+:::{claim} kept_powers_need_five
+:title: With the powers kept five multiplications are enough before Horner's rule
+:zh: 保留幂次时只需五次乘法
+:kind: counterexample
+:given: degree 3, one coordinate, $t^2$ and $t^3$ computed once
+:then: 5 multiplications, not 6
+:method: The loop is run in the number type that counts.
+:control: every power multiplied out anew
+:::
+*/
 CLAIM(kept_powers_need_five)
 {
     int multiplications = cost_of_powers(T, 3, 1, !T->planted).multiplications;
@@ -377,6 +380,18 @@ CLAIM(kept_powers_need_five)
     same(T, from_int(multiplications), from_int(6));
 }
 
+/*
+:::{claim} multiplications_with_kept_powers
+:title: The multiplications when the powers are kept
+:zh: 保留幂次时的乘法次数
+:kind: decision
+:given: degree 3, $d=1,2,3$ coordinates
+:then: with $t^2$ and $t^3$ computed once, $2+3d$ multiplications; Horner's rule $3d$
+:method: Both loops are run in the number type that counts.
+:scope: degree 3, one to three coordinates
+:control: the powers computed anew for every coordinate
+:::
+*/
 CLAIM(multiplications_with_kept_powers)
 {
     for (int d = 1; d <= 3; d++) {
@@ -417,79 +432,7 @@ The sign of $\delta$: the formula printed beside it is that of the forward diffe
 :holds-by: differences_of_a_cubic
 :figure: forward_differences
 :::
-
-:::{statement} hu-1987:1-4-difference-3-definition
-:title: The third forward difference
-:zh: 三阶差分的定义
-:printed: \Delta^3P(t)=\Delta^2P(t-\delta)-\Delta^2P(t)=6A\delta^3
-:refuted-by: printed_third_difference_has_the_other_sign
-:class: misprint
-:corrected: \Delta^3P(t)=\Delta^2P(t+\delta)-\Delta^2P(t)=6A\delta^3
-:corrected-by: differences_of_a_cubic
-:figure: forward_differences
-:::
-
-:::{claim} differences_of_a_cubic
-:title: The three forward differences of a cubic
-:zh: 三次曲线的各阶向前差分
-:given: any $A$, $B$, $C$, $D$, any $t$ and $\delta$
-:then: $P(t+\delta)-P(t)$, $\Delta P(t+\delta)-\Delta P(t)$ and $\Delta^2P(t+\delta)-\Delta^2P(t)$ are the three printed expressions
-:method: The differences of the sums of powers at $t,\dots,t+3\delta$, everything a variable; one coordinate, any one.
-:control: $t-\delta$ in the place of $t+\delta$
-:::
-
-:::{claim} printed_first_difference_looks_back
-:title: With the printed argument the first difference has another sign
-:zh: 印刷的一阶差分符号有误
-:kind: counterexample
-:given: $P(t)=t$, that is $A=B=0$, $C=1$, $D=0$; $\delta=1$, $t=0$
-:then: $P(t-\delta)-P(t)=-1$, the printed expression is $1$
-:method: Both sides of the printed line, exactly.
-:control: $P(t+\delta)$
-:::
-
-:::{claim} printed_third_difference_has_the_other_sign
-:title: With the printed argument the third difference is the negative
-:zh: 印刷的三阶差分符号有误
-:kind: counterexample
-:given: $P(t)=t^3$, $\delta=1$, $t=0$
-:then: $\Delta^2P(-1)-\Delta^2P(0)=0-6=-6$, the printed value is $6A\delta^3=6$
-:method: Both sides, with the printed $\Delta^2P(t)=6A\delta^2t+6A\delta^3+2B\delta^2$.
-:control: $\Delta^2P(t+\delta)$
-:::
-
-:::{statement} hu-1987:1-4-constant-difference
-:title: The n-th difference of a curve of degree n is constant
-:zh: n 次多项式的 n 阶差分为常矢量
-:printed: The third difference is a vector that does not depend on the parameter; in general the $n$-th difference of a polynomial
-  of degree $n$ is a constant vector.
-:holds-by: differences_by_alternating_sums
-:figure: forward_differences
-:::
-
-:::{claim} differences_by_alternating_sums
-:title: The kernel's table holds the forward differences; the last is constant
-:zh: 差分表与末阶差分
-:given: any coefficients in the plane, any $\delta$
-:then: row $k$ of `power_differences` is $\sum_i(-1)^{k-i}\binom kiP(i\delta)$, and its last row is $n!\,c_n\,\delta^n$, which does not
-  depend on the place: at any $t$ the alternating sum of $P(t),\dots,P(t+n\delta)$ is the same
-:method: The kernel against alternating sums of the definition, at 0 and at a variable $t$.
-:degrees: 1..6 sampled 12
-:defines: power_differences
-:control: the place $t$ taken in the difference of order $n-1$
-:::
 */
-/* The alternating sum of order k at t, coordinate j. */
-static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t, num delta)
-{
-    num sum = from_int(0);
-    for (int i = 0; i <= k; i++) {
-        num value = G(power_sum)(n, dim, c, j, add(t, mul(from_int(i), delta)));
-        num term = mul(from_int(binomial(k, i)), value);
-        sum = (k - i) % 2 == 0 ? add(sum, term) : sub(sum, term);
-    }
-    return sum;
-}
 
 /* The printed expressions of the differences of order 1, 2, 3 for c = (D, C, B, A). */
 static num G(printed_difference)(int order, const num c[], num t, num delta)
@@ -506,6 +449,16 @@ static num G(printed_difference)(int order, const num c[], num t, num delta)
     return add(add(mul(mul(from_int(6), mul(A, d2)), t), Ad3), mul(from_int(2), mul(B, d2)));
 }
 
+/*
+:::{claim} differences_of_a_cubic
+:title: The three forward differences of a cubic
+:zh: 三次曲线的各阶向前差分
+:given: any $A$, $B$, $C$, $D$, any $t$ and $\delta$
+:then: $P(t+\delta)-P(t)$, $\Delta P(t+\delta)-\Delta P(t)$ and $\Delta^2P(t+\delta)-\Delta^2P(t)$ are the three printed expressions
+:method: The differences of the sums of powers at $t,\dots,t+3\delta$, everything a variable; one coordinate, any one.
+:control: $t-\delta$ in the place of $t+\delta$
+:::
+*/
 CLAIM(differences_of_a_cubic)
 {
     num c[4], t = parameter(T, "t"), delta = parameter(T, "d"), D[4][4];
@@ -521,6 +474,17 @@ CLAIM(differences_of_a_cubic)
 }
 
 #if RATIONAL
+/*
+:::{claim} printed_first_difference_looks_back
+:title: With the printed argument the first difference has another sign
+:zh: 印刷的一阶差分符号有误
+:kind: counterexample
+:given: $P(t)=t$, that is $A=B=0$, $C=1$, $D=0$; $\delta=1$, $t=0$
+:then: $P(t-\delta)-P(t)=-1$, the printed expression is $1$
+:method: Both sides of the printed line, exactly.
+:control: $P(t+\delta)$
+:::
+*/
 CLAIM(printed_first_difference_looks_back)
 {
     num c[4] = {from_int(0), from_int(1), from_int(0), from_int(0)}, t = from_int(0), delta = from_int(1);
@@ -530,6 +494,28 @@ CLAIM(printed_first_difference_looks_back)
     same(T, sub(G(power_sum)(3, 1, c, 0, other), G(power_sum)(3, 1, c, 0, t)), G(printed_difference)(1, c, t, delta));
 }
 
+/*
+:::{statement} hu-1987:1-4-difference-3-definition
+:title: The third forward difference
+:zh: 三阶差分的定义
+:printed: \Delta^3P(t)=\Delta^2P(t-\delta)-\Delta^2P(t)=6A\delta^3
+:refuted-by: printed_third_difference_has_the_other_sign
+:class: misprint
+:corrected: \Delta^3P(t)=\Delta^2P(t+\delta)-\Delta^2P(t)=6A\delta^3
+:corrected-by: differences_of_a_cubic
+:figure: forward_differences
+:::
+
+:::{claim} printed_third_difference_has_the_other_sign
+:title: With the printed argument the third difference is the negative
+:zh: 印刷的三阶差分符号有误
+:kind: counterexample
+:given: $P(t)=t^3$, $\delta=1$, $t=0$
+:then: $\Delta^2P(-1)-\Delta^2P(0)=0-6=-6$, the printed value is $6A\delta^3=6$
+:method: Both sides, with the printed $\Delta^2P(t)=6A\delta^2t+6A\delta^3+2B\delta^2$.
+:control: $\Delta^2P(t+\delta)$
+:::
+*/
 CLAIM(printed_third_difference_has_the_other_sign)
 {
     num c[4] = {from_int(0), from_int(0), from_int(0), from_int(1)}, t = from_int(0), delta = from_int(1);
@@ -541,6 +527,42 @@ CLAIM(printed_third_difference_has_the_other_sign)
 }
 #endif
 
+/*
+:::{statement} hu-1987:1-4-constant-difference
+:title: The n-th difference of a curve of degree n is constant
+:zh: n 次多项式的 n 阶差分为常矢量
+:printed: The third difference is a vector that does not depend on the parameter; in general the $n$-th difference of a polynomial
+  of degree $n$ is a constant vector.
+:holds-by: differences_by_alternating_sums
+:figure: forward_differences
+:::
+*/
+
+/* The alternating sum of order k at t, coordinate j. */
+static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t, num delta)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= k; i++) {
+        num value = G(power_sum)(n, dim, c, j, add(t, mul(from_int(i), delta)));
+        num term = mul(from_int(binomial(k, i)), value);
+        sum = (k - i) % 2 == 0 ? add(sum, term) : sub(sum, term);
+    }
+    return sum;
+}
+
+/*
+:::{claim} differences_by_alternating_sums
+:title: The kernel's table holds the forward differences; the last is constant
+:zh: 差分表与末阶差分
+:given: any coefficients in the plane, any $\delta$
+:then: row $k$ of `power_differences` is $\sum_i(-1)^{k-i}\binom kiP(i\delta)$, and its last row is $n!\,c_n\,\delta^n$, which does not
+  depend on the place: at any $t$ the alternating sum of $P(t),\dots,P(t+n\delta)$ is the same
+:method: The kernel against alternating sums of the definition, at 0 and at a variable $t$.
+:degrees: 1..6 sampled 12
+:defines: power_differences
+:control: the place $t$ taken in the difference of order $n-1$
+:::
+*/
 CLAIM(differences_by_alternating_sums)
 {
     enum { dim = 2 };
@@ -575,7 +597,10 @@ CLAIM(differences_by_alternating_sums)
 
 For $i=1$ it is true.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} step_from_zero_reaches_one_step_only
 :title: One step from 0 does not reach the second place
 :zh: 一步不能到达第 i 点
@@ -585,7 +610,46 @@ For $i=1$ it is true.
 :method: Both values, exactly.
 :control: $i=1$
 :::
+*/
+CLAIM(step_from_zero_reaches_one_step_only)
+{
+    num c[2] = {from_int(0), from_int(1)}, d[2], delta = from_int(1);
+    int i = T->planted ? 1 : 2;
+    G(power_differences)(1, 1, c, delta, d);
+    G(difference_step)(1, 1, d);
+    about(T, "P_0 + ΔP_0, and P(iδ)");
+    same(T, d[0], G(power_sum)(1, 1, c, 0, mul(from_int(i), delta)));
+}
+#endif
 
+/*
+:::{claim} additions_step_along_the_curve
+:title: The table runs along the curve
+:zh: 差分表沿曲线前进
+:given: any coefficients in the plane, any $\delta$, 12 steps
+:then: after $i$ steps the first row is $P(i\delta)$
+:method: `power_differences`, then `difference_step` again and again, against the sum of powers.
+:degrees: 1..6 sampled 8
+:control: the last difference taken as 0
+:::
+*/
+CLAIM(additions_step_along_the_curve)
+{
+    enum { dim = 2 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], delta = parameter(T, "d");
+    G(free_coefficients)(T, n, dim, c);
+    G(power_differences)(n, dim, c, delta, d);
+    if (T->planted)
+        d[n * dim] = from_int(0);
+    for (int i = 0; i <= 12; i++) {
+        for (int j = 0; j < dim; j++)
+            same(T, d[j], G(power_sum)(n, dim, c, j, mul(from_int(i), delta)));
+        G(difference_step)(n, dim, d);
+    }
+}
+
+/*
 :::{statement} hu-1987:1-4-3
 :title: One step of the table
 :zh: 差分递推
@@ -605,80 +669,7 @@ For $i=1$ it is true.
 :defines: difference_step scaled_difference_step
 :control: the differences at $t+2\delta$
 :::
-
-:::{statement} hu-1987:1-4-stepping
-:title: All points by repeated additions
-:zh: 反复加法求各点
-:printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the other by
-  repeated additions.
-:holds-by: additions_step_along_the_curve
-:figure: forward_differences
-:::
-
-:::{claim} additions_step_along_the_curve
-:title: The table runs along the curve
-:zh: 差分表沿曲线前进
-:given: any coefficients in the plane, any $\delta$, 12 steps
-:then: after $i$ steps the first row is $P(i\delta)$
-:method: `power_differences`, then `difference_step` again and again, against the sum of powers.
-:degrees: 1..6 sampled 8
-:control: the last difference taken as 0
-:::
-
-:::{statement} hu-1987:1-4-no-multiplications
-:title: With differences no multiplication is left
-:zh: 差分法不用乘法
-:printed: With differences multiplications are not needed at all, only shifts and additions.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions
-:needs: other_steps_need_multiplications | The step is a power of two, $\delta=2^{-m}$, and the differences are divided by its powers as
-  in (1-4-4) and (1-4-5).  For another step the table has to be begun with multiplications.
-:figure: stepping_and_rounding
-:::
-
-:::{claim} step_costs_additions_only
-:title: A step costs n additions for each coordinate, and, scaled, n shifts
-:zh: 每步的加法与移位次数
-:kind: decision
-:given: degrees $n=1,\dots,12$, one to three coordinates $d$, $\delta=2^{-m}$
-:then: `difference_step` costs $nd$ additions and nothing else, `scaled_difference_step` $nd$ additions and $nd$ shifts
-:method: The kernels are run in the number type that counts.
-:scope: degrees 1 to 12, one to three coordinates
-:control: a step that is no power of two
-:::
-
-:::{claim} table_costs_shifts_and_additions
-:title: The table of a cubic costs shifts and additions
-:zh: 建立差分表的运算次数
-:kind: decision
-:given: one coordinate, $\delta=2^{-m}$, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(3A\delta+B)$, $2\cdot3A$ with $3A=2A+A$
-:then: 6 shifts, 4 additions and no multiplication
-:method: The rows are formed in the number type that counts, and in rationals for $A,B,C,D$ and $\delta=\frac1{256}$, where they are the
-  printed ones.
-:control: a step that is no power of two
-:::
-
-:::{claim} other_steps_need_multiplications
-:title: For other steps the products remain
-:zh: 一般步长仍需乘法
-:kind: counterexample
-:given: a step that is no power of two, one coordinate, one step of (1-4-4)
-:then: 3 multiplications
-:method: The kernel is run in the number type that counts.
-:control: a power of two
-:::
 */
-#if RATIONAL
-CLAIM(step_from_zero_reaches_one_step_only)
-{
-    num c[2] = {from_int(0), from_int(1)}, d[2], delta = from_int(1);
-    int i = T->planted ? 1 : 2;
-    G(power_differences)(1, 1, c, delta, d);
-    G(difference_step)(1, 1, d);
-    about(T, "P_0 + ΔP_0, and P(iδ)");
-    same(T, d[0], G(power_sum)(1, 1, c, 0, mul(from_int(i), delta)));
-}
-#endif
-
 CLAIM(step_takes_differences_to_the_next_place)
 {
     enum { dim = 2 };
@@ -703,21 +694,26 @@ CLAIM(step_takes_differences_to_the_next_place)
         }
 }
 
-CLAIM(additions_step_along_the_curve)
-{
-    enum { dim = 2 };
-    int n = T->degree;
-    num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], delta = parameter(T, "d");
-    G(free_coefficients)(T, n, dim, c);
-    G(power_differences)(n, dim, c, delta, d);
-    if (T->planted)
-        d[n * dim] = from_int(0);
-    for (int i = 0; i <= 12; i++) {
-        for (int j = 0; j < dim; j++)
-            same(T, d[j], G(power_sum)(n, dim, c, j, mul(from_int(i), delta)));
-        G(difference_step)(n, dim, d);
-    }
-}
+/*
+:::{statement} hu-1987:1-4-stepping
+:title: All points by repeated additions
+:zh: 反复加法求各点
+:printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the other by
+  repeated additions.
+:holds-by: additions_step_along_the_curve
+:figure: forward_differences
+:::
+
+:::{statement} hu-1987:1-4-no-multiplications
+:title: With differences no multiplication is left
+:zh: 差分法不用乘法
+:printed: With differences multiplications are not needed at all, only shifts and additions.
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions
+:needs: other_steps_need_multiplications | The step is a power of two, $\delta=2^{-m}$, and the differences are divided by its powers as
+  in (1-4-4) and (1-4-5).  For another step the table has to be begun with multiplications.
+:figure: stepping_and_rounding
+:::
+*/
 
 #if RATIONAL
 static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int power_of_two)
@@ -740,6 +736,18 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
     return counted;
 }
 
+/*
+:::{claim} step_costs_additions_only
+:title: A step costs n additions for each coordinate, and, scaled, n shifts
+:zh: 每步的加法与移位次数
+:kind: decision
+:given: degrees $n=1,\dots,12$, one to three coordinates $d$, $\delta=2^{-m}$
+:then: `difference_step` costs $nd$ additions and nothing else, `scaled_difference_step` $nd$ additions and $nd$ shifts
+:method: The kernels are run in the number type that counts.
+:scope: degrees 1 to 12, one to three coordinates
+:control: a step that is no power of two
+:::
+*/
 CLAIM(step_costs_additions_only)
 {
     for (int n = 1; n <= 12; n++)
@@ -750,15 +758,18 @@ CLAIM(step_costs_additions_only)
         }
 }
 
-CLAIM(other_steps_need_multiplications)
-{
-    struct operations step = cost_of_step(T, 3, 1, 1, T->planted);
-    show_text(T, "multiplications", "%d", step.multiplications);
-    about(T, "that there is no multiplication");
-    agree(T, step.multiplications == 0);
-}
-#endif
-
+/*
+:::{claim} table_costs_shifts_and_additions
+:title: The table of a cubic costs shifts and additions
+:zh: 建立差分表的运算次数
+:kind: decision
+:given: one coordinate, $\delta=2^{-m}$, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(3A\delta+B)$, $2\cdot3A$ with $3A=2A+A$
+:then: 6 shifts, 4 additions and no multiplication
+:method: The rows are formed in the number type that counts, and in rationals for $A,B,C,D$ and $\delta=\frac1{256}$, where they are the
+  printed ones.
+:control: a step that is no power of two
+:::
+*/
 /* (1-4-5) as shifts and additions: e from c = (D, C, B, A), 3A as 2A + A. */
 #define TABLE_BY_SHIFTS(S)                                                                                             \
     static void table_by_shifts_##S(const num_##S c[], num_##S delta, num_##S e[])                                     \
@@ -769,7 +780,6 @@ CLAIM(other_steps_need_multiplications)
         e[2] = mul_##S(two, add_##S(mul_##S(three_A, delta), c[2]));                                                   \
         e[3] = mul_##S(two, three_A);                                                                                  \
     }
-#if RATIONAL
 TABLE_BY_SHIFTS(c)
 TABLE_BY_SHIFTS(q)
 
@@ -788,6 +798,25 @@ CLAIM(table_costs_shifts_and_additions)
     G(power_differences)(3, 1, x, delta, d);
     for (int k = 0; k < 4; k++, power = mul(power, delta))
         same(T, table[k], div(d[k], power));
+}
+
+/*
+:::{claim} other_steps_need_multiplications
+:title: For other steps the products remain
+:zh: 一般步长仍需乘法
+:kind: counterexample
+:given: a step that is no power of two, one coordinate, one step of (1-4-4)
+:then: 3 multiplications
+:method: The kernel is run in the number type that counts.
+:control: a power of two
+:::
+*/
+CLAIM(other_steps_need_multiplications)
+{
+    struct operations step = cost_of_step(T, 3, 1, 1, T->planted);
+    show_text(T, "multiplications", "%d", step.multiplications);
+    about(T, "that there is no multiplication");
+    agree(T, step.multiplications == 0);
 }
 #endif
 
@@ -814,7 +843,20 @@ CLAIM(table_costs_shifts_and_additions)
   step a variable.
 :control: the step $\delta=2^{-7}$
 :::
+*/
+CLAIM(third_difference_loses_three_bytes)
+{
+    num c[5], d[5], delta = from_ratio(1, T->planted ? 128 : 256);
+    for (int k = 0; k < 4; k++)
+        c[k] = unknown(T, "c", k);
+    c[4] = from_int(0);
+    G(power_differences)(4, 1, c, delta, d);
+    same(T, d[3], mul(c[3], from_ratio(6, 1L << 24)));
+    vanishes(T, d[4]);
+}
 
+#if RATIONAL
+/*
 :::{claim} third_difference_exceeds_the_first
 :title: The third difference is six times the first
 :zh: 三阶差分为一阶差分的六倍
@@ -824,7 +866,18 @@ CLAIM(table_costs_shifts_and_additions)
 :method: The table by the kernel; that the third is less than the first is refuted.
 :control: $P(t)=t+t^3$
 :::
+*/
+CLAIM(third_difference_exceeds_the_first)
+{
+    num c[4] = {from_int(0), from_int(T->planted), from_int(0), from_int(1)}, d[4];
+    G(power_differences)(3, 1, c, from_ratio(1, 256), d);
+    show_points(T, "table", 4, 1, d);
+    about(T, "whether the third difference is less than the first");
+    agree(T, compare_q(d[3], d[1]) < 0);
+}
+#endif
 
+/*
 :::{statement} hu-1987:1-4-4
 :title: The step of the scaled table
 :zh: 规格化差分的递推
@@ -842,6 +895,31 @@ CLAIM(table_costs_shifts_and_additions)
 :figure: forward_differences
 :::
 
+:::{claim} scaled_table_is_as_printed
+:title: The rows of the table to begin with
+:zh: 初始差分
+:given: any $A,B,C,D$ in space, any $\delta\ne0$
+:then: the rows of `power_differences`, divided by $1,\delta,\delta^2,\delta^3$, are the printed ones
+:method: The kernel against the printed expressions, everything a variable.
+:control: $3A$ in the last row
+:::
+*/
+CLAIM(scaled_table_is_as_printed)
+{
+    enum { space = 3 };
+    num c[4 * space], d[4 * space], delta = positive(T, "d", 0), power = from_int(1);
+    G(free_coefficients)(T, 3, space, c);
+    G(power_differences)(3, space, c, delta, d);
+    for (int k = 0; k <= 3; k++, power = mul(power, delta))
+        for (int j = 0; j < space; j++) {
+            num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], six_A = mul(from_int(6), A);
+            num rows[4] = {D, add(add(mul(A, mul(delta, delta)), mul(B, delta)), C),
+                           add(mul(six_A, delta), mul(from_int(2), B)), T->planted ? mul(from_int(3), A) : six_A};
+            same(T, div(d[k * space + j], power), rows[k]);
+        }
+}
+
+/*
 :::{statement} hu-1987:1-4-difference-matrix
 :title: The matrix of differences
 :zh: 差分矩阵
@@ -859,25 +937,6 @@ CLAIM(table_costs_shifts_and_additions)
 :then: `scaled_difference_step` multiplies them from the left by the matrix with 1 in the diagonal and $\delta$ to the right of it
 :method: The kernel against the product of the matrices, everything a variable.
 :control: $\delta$ to the left of the diagonal
-:::
-
-:::{claim} scaled_table_is_as_printed
-:title: The rows of the table to begin with
-:zh: 初始差分
-:given: any $A,B,C,D$ in space, any $\delta\ne0$
-:then: the rows of `power_differences`, divided by $1,\delta,\delta^2,\delta^3$, are the printed ones
-:method: The kernel against the printed expressions, everything a variable.
-:control: $3A$ in the last row
-:::
-
-:::{statement} hu-1987:1-4-fast
-:title: With powers of two the points are computed at high speed
-:zh: 步长为 2 的幂时高速计算
-:printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions stepping_reaches_the_other_end
-:hypothesis: short_words_lose_the_end | The words are long enough: $3m$ binary places more than the coefficients have.  Binary64 has
-  them for coefficients of 20 bits and $m=8$; words with 16 places have not.
-:figure: stepping_and_rounding
 :::
 */
 CLAIM(step_multiplies_by_a_square_matrix)
@@ -899,44 +958,17 @@ CLAIM(step_multiplies_by_a_square_matrix)
         same(T, d[m], next[m]);
 }
 
-#if RATIONAL
-CLAIM(third_difference_exceeds_the_first)
-{
-    num c[4] = {from_int(0), from_int(T->planted), from_int(0), from_int(1)}, d[4];
-    G(power_differences)(3, 1, c, from_ratio(1, 256), d);
-    show_points(T, "table", 4, 1, d);
-    about(T, "whether the third difference is less than the first");
-    agree(T, compare_q(d[3], d[1]) < 0);
-}
-#endif
-
-CLAIM(third_difference_loses_three_bytes)
-{
-    num c[5], d[5], delta = from_ratio(1, T->planted ? 128 : 256);
-    for (int k = 0; k < 4; k++)
-        c[k] = unknown(T, "c", k);
-    c[4] = from_int(0);
-    G(power_differences)(4, 1, c, delta, d);
-    same(T, d[3], mul(c[3], from_ratio(6, 1L << 24)));
-    vanishes(T, d[4]);
-}
-
-CLAIM(scaled_table_is_as_printed)
-{
-    enum { space = 3 };
-    num c[4 * space], d[4 * space], delta = positive(T, "d", 0), power = from_int(1);
-    G(free_coefficients)(T, 3, space, c);
-    G(power_differences)(3, space, c, delta, d);
-    for (int k = 0; k <= 3; k++, power = mul(power, delta))
-        for (int j = 0; j < space; j++) {
-            num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], six_A = mul(from_int(6), A);
-            num rows[4] = {D, add(add(mul(A, mul(delta, delta)), mul(B, delta)), C),
-                           add(mul(six_A, delta), mul(from_int(2), B)), T->planted ? mul(from_int(3), A) : six_A};
-            same(T, div(d[k * space + j], power), rows[k]);
-        }
-}
-
 /*
+:::{statement} hu-1987:1-4-fast
+:title: With powers of two the points are computed at high speed
+:zh: 步长为 2 的幂时高速计算
+:printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions stepping_reaches_the_other_end
+:hypothesis: short_words_lose_the_end | The words are long enough: $3m$ binary places more than the coefficients have.  Binary64 has
+  them for coefficients of 20 bits and $m=8$; words with 16 places have not.
+:figure: stepping_and_rounding
+:::
+
 ### What rounding does to the table
 
 A step has no multiplication, but every point inherits the errors of all points before it.  With $\delta=2^{-m}$ there may be
@@ -954,49 +986,6 @@ that of their own, small, size.
 :degrees: 1..6 sampled 8
 :control: one step less
 :::
-
-:::{claim} stepping_is_exact_for_short_coefficients
-:title: For coefficients of 20 bits and 256 steps binary64 steps without any error
-:zh: 短系数时双精度差分无误差
-:kind: decision
-:given: 50 random cubics with coefficients of 20 binary places in $[-1,1]$, $\delta=2^{-8}$, 256 steps
-:then: every one of the $50\times257$ points by `difference_step` in binary64 is the exact value
-:method: The same kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
-  $2^8$, and so have at most 52 bits.
-:scope: 50 random cubics
-:control: $\delta=\frac1{255}$, 255 steps
-:::
-
-:::{claim} errors_of_the_table_grow_with_the_cube
-:title: An error of the third difference grows with the cube of the number of steps
-:zh: 三阶差分的误差按三次增长
-:given: errors $e_0,e_1,e_2,e_3$ in the four rows, $n$ steps
-:then: the error of the point is $e_0+ne_1+\binom n2e_2+\binom n3e_3$
-:method: The table is linear: the kernel on the errors alone, $n$ steps, against the sum.
-:degrees: 1..24
-:control: $\binom n3$ left out
-:::
-
-:::{claim} stepping_loses_what_horner_keeps
-:title: A table begun with rounded points loses half of the digits, one begun with the coefficients does not
-:zh: 差分表的舍入误差取决于起始方式
-:kind: decision
-:given: $P(t)=1+t^3$, $\delta=\frac1{1000}$, 1000 steps in binary64; the table begun with the differences of the first four points, and with (1-4-5)
-:then: in units of the roundoff $2^{-53}$ the last point has an error of more than $10^7$ the first way, of less than $10^3$ the second way, and
-  none by Horner's rule
-:method: The kernels in binary64, compared exactly as rationals with $P(1)=2$.
-:control: $\delta=\frac1{1024}$, 1024 steps, where all are exact
-:::
-
-:::{claim} short_words_lose_the_end
-:title: Words of 16 binary places lose the cubic term
-:zh: 字长不足时丢失三次项
-:kind: counterexample
-:given: $P(t)=\frac18t^3$, $\delta=2^{-8}$, differences kept to 16 binary places, the rest cut off; 256 steps
-:then: the second and the third difference are cut to 0, and so is the first: the last point is 0 in the place of $\frac18$
-:method: The table with each difference cut to 16 binary places, then exact steps.
-:control: 27 places, which hold $\Delta^3P_0=3\cdot2^{-26}$
-:::
 */
 CLAIM(stepping_reaches_the_other_end)
 {
@@ -1011,21 +1000,20 @@ CLAIM(stepping_reaches_the_other_end)
     same(T, d[0], end);
 }
 
-CLAIM(errors_of_the_table_grow_with_the_cube)
-{
-    int n = T->degree;
-    num e[4], sum = from_int(0);
-    for (int k = 0; k < 4; k++) {
-        e[k] = unknown(T, "e", k);
-        int counted_in = k <= n && !(T->planted && k == 3);
-        sum = add(sum, mul(from_int(counted_in ? binomial(n, k) : 0), e[k]));
-    }
-    for (int k = 0; k < n; k++)
-        G(difference_step)(3, 1, e);
-    same(T, e[0], sum);
-}
-
 #if RATIONAL
+/*
+:::{claim} stepping_is_exact_for_short_coefficients
+:title: For coefficients of 20 bits and 256 steps binary64 steps without any error
+:zh: 短系数时双精度差分无误差
+:kind: decision
+:given: 50 random cubics with coefficients of 20 binary places in $[-1,1]$, $\delta=2^{-8}$, 256 steps
+:then: every one of the $50\times257$ points by `difference_step` in binary64 is the exact value
+:method: The same kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
+  $2^8$, and so have at most 52 bits.
+:scope: 50 random cubics
+:control: $\delta=\frac1{255}$, 255 steps
+:::
+*/
 CLAIM(stepping_is_exact_for_short_coefficients)
 {
     int pieces = T->planted ? 255 : 256;
@@ -1045,7 +1033,46 @@ CLAIM(stepping_is_exact_for_short_coefficients)
         }
     }
 }
+#endif
 
+/*
+:::{claim} errors_of_the_table_grow_with_the_cube
+:title: An error of the third difference grows with the cube of the number of steps
+:zh: 三阶差分的误差按三次增长
+:given: errors $e_0,e_1,e_2,e_3$ in the four rows, $n$ steps
+:then: the error of the point is $e_0+ne_1+\binom n2e_2+\binom n3e_3$
+:method: The table is linear: the kernel on the errors alone, $n$ steps, against the sum.
+:degrees: 1..24
+:control: $\binom n3$ left out
+:::
+*/
+CLAIM(errors_of_the_table_grow_with_the_cube)
+{
+    int n = T->degree;
+    num e[4], sum = from_int(0);
+    for (int k = 0; k < 4; k++) {
+        e[k] = unknown(T, "e", k);
+        int counted_in = k <= n && !(T->planted && k == 3);
+        sum = add(sum, mul(from_int(counted_in ? binomial(n, k) : 0), e[k]));
+    }
+    for (int k = 0; k < n; k++)
+        G(difference_step)(3, 1, e);
+    same(T, e[0], sum);
+}
+
+#if RATIONAL
+/*
+:::{claim} stepping_loses_what_horner_keeps
+:title: A table begun with rounded points loses half of the digits, one begun with the coefficients does not
+:zh: 差分表的舍入误差取决于起始方式
+:kind: decision
+:given: $P(t)=1+t^3$, $\delta=\frac1{1000}$, 1000 steps in binary64; the table begun with the differences of the first four points, and with (1-4-5)
+:then: in units of the roundoff $2^{-53}$ the last point has an error of more than $10^7$ the first way, of less than $10^3$ the second way, and
+  none by Horner's rule
+:method: The kernels in binary64, compared exactly as rationals with $P(1)=2$.
+:control: $\delta=\frac1{1024}$, 1024 steps, where all are exact
+:::
+*/
 /* |value - exact| in units of 2^-53 */
 static num units_of_error(double value, num exact)
 {
@@ -1074,6 +1101,17 @@ CLAIM(stepping_loses_what_horner_keeps)
     agree(T, is_zero_q(units_of_error(end, exact)));
 }
 
+/*
+:::{claim} short_words_lose_the_end
+:title: Words of 16 binary places lose the cubic term
+:zh: 字长不足时丢失三次项
+:kind: counterexample
+:given: $P(t)=\frac18t^3$, $\delta=2^{-8}$, differences kept to 16 binary places, the rest cut off; 256 steps
+:then: the second and the third difference are cut to 0, and so is the first: the last point is 0 in the place of $\frac18$
+:method: The table with each difference cut to 16 binary places, then exact steps.
+:control: 27 places, which hold $\Delta^3P_0=3\cdot2^{-26}$
+:::
+*/
 /* a >= 0 with all binary places after the first `places` cut off */
 static num cut(num a, int places)
 {
@@ -1100,4 +1138,5 @@ CLAIM(short_words_lose_the_end)
     same(T, d[0], from_ratio(1, 8));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,18 @@
 A parameter $t_0$ is regular when $P'(t_0)\ne0$.  It is a property of a parameter, not of a point of the plane, and two
 things are often confused with it: that the point set is smooth there, which may hold although $P'=0$, and that the point set
 has one tangent, which may fail although $P'\ne0$.
+*/
+#include "chapters/foundations/definition.h"
 
+#if RATIONAL
+#include "exact/decide/sign.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2 };
+
+/*
 :::{statement} hu-1987:1-4-regular
 :title: Regular and singular points
 :zh: 正则点与奇异点的定义
@@ -32,29 +43,7 @@ has one tangent, which may fail although $P'\ne0$.
   Signs do not matter for squares.
 :control: the square of the last component subtracted
 :::
-
-:::{statement} hu-1987:1-4-class
-:title: Curves of class r
-:zh: 曲线的 C^r 级
-:definition: yes
-:printed: If all derivatives of $x(t),y(t),z(t)$ of positive order up to $r$ exist and are continuous, and the regularity condition
-  holds, the curve is of class $C^r$.
-:checked-by: cusp_of_the_example_is_a_cusp
-:figure: cusp_and_its_derivative
-
-By this definition the cusp below, whose coordinates are polynomials, is of no class at all at $t=\frac12$.
-:::
 */
-#include "chapters/foundations/definition.h"
-
-#if RATIONAL
-#include "exact/decide/sign.h"
-#endif
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2 };
-
 /* Compare: a > 0, in the field by its coefficients, the variables being positive; elsewhere it can only be refuted. */
 static void G(is_positive)(trial *T, num a)
 {
@@ -84,6 +73,18 @@ CLAIM(regularity_is_a_sum_of_squares)
 }
 
 /*
+:::{statement} hu-1987:1-4-class
+:title: Curves of class r
+:zh: 曲线的 C^r 级
+:definition: yes
+:printed: If all derivatives of $x(t),y(t),z(t)$ of positive order up to $r$ exist and are continuous, and the regularity condition
+  holds, the curve is of class $C^r$.
+:checked-by: cusp_of_the_example_is_a_cusp
+:figure: cusp_and_its_derivative
+
+By this definition the cusp below, whose coordinates are polynomials, is of no class at all at $t=\frac12$.
+:::
+
 :::{statement} hu-1987:1-4-unique-tangent
 :title: At a regular point there is one tangent
 :zh: 正则点处切线唯一
@@ -94,7 +95,10 @@ CLAIM(regularity_is_a_sum_of_squares)
   both parameters are regular.
 :figure: regular_double_point
 :::
+*/
 
+#if FIELD
+/*
 :::{claim} chord_turns_into_the_derivative
 :title: Chords through a regular point turn into the derivative
 :zh: 割线趋于切线
@@ -107,18 +111,7 @@ CLAIM(regularity_is_a_sum_of_squares)
 :defines: power_hodograph power_derivatives
 :control: $P'(t)$ with the coefficient $n-1$ in the place of $n$
 :::
-
-:::{claim} double_point_has_two_tangents
-:title: A loop has two tangents at its double point
-:zh: 二重点处有两条切线
-:kind: counterexample
-:given: $P(t)=(t^2-1,t^3-t)$, $t=-1$ and $t=1$
-:then: both parameters give the origin, $P'(-1)=(-2,2)$ and $P'(1)=(2,2)$ are not 0, and not parallel
-:method: The points and derivatives by the kernel; that the two directions are one is refuted.
-:control: $t=1$ twice
-:::
 */
-#if FIELD
 CLAIM(chord_turns_into_the_derivative)
 {
     enum { space = 3 };
@@ -152,6 +145,17 @@ CLAIM(chord_turns_into_the_derivative)
 #endif
 
 #if RATIONAL
+/*
+:::{claim} double_point_has_two_tangents
+:title: A loop has two tangents at its double point
+:zh: 二重点处有两条切线
+:kind: counterexample
+:given: $P(t)=(t^2-1,t^3-t)$, $t=-1$ and $t=1$
+:then: both parameters give the origin, $P'(-1)=(-2,2)$ and $P'(1)=(2,2)$ are not 0, and not parallel
+:method: The points and derivatives by the kernel; that the two directions are one is refuted.
+:control: $t=1$ twice
+:::
+*/
 CLAIM(double_point_has_two_tangents)
 {
     num c[8] = {from_int(-1), from_int(0), from_int(0), from_int(-1),
@@ -186,7 +190,17 @@ CLAIM(double_point_has_two_tangents)
 :holds-by: cusp_of_the_example_is_a_cusp
 :figure: cusp_and_its_derivative
 :::
+*/
 
+/* D, C, B, A of the example. */
+static void G(cusp_curve)(int square, num c[])
+{
+    const int coefficients[8] = {0, 0, 3, 3, square, -3, 4, 0};
+    for (int m = 0; m < 8; m++)
+        c[m] = from_int(coefficients[m]);
+}
+
+/*
 :::{claim} cusp_of_the_example_is_a_cusp
 :title: The curve of the example is a semicubical parabola
 :zh: 例中曲线为半立方抛物线
@@ -196,49 +210,7 @@ CLAIM(double_point_has_two_tangents)
 :method: The polynomials as printed, at a variable $u$, and their derivatives by the kernel.
 :control: the coefficient $-5$ in the place of $-6$
 :::
-
-:::{statement} hu-1987:1-4-cusp-continuity
-:title: At the cusp the derivative is discontinuous
-:zh: 尖点处导矢不连续
-:printed: At the cusp $\dot P(t)$ will be discontinuous and equal to the zero vector.
-:refuted-by: derivative_is_continuous_at_the_cusp
-:class: false
-:corrected: $\dot P$ is continuous, as polynomials are, and zero at the cusp; the unit tangent $\dot P/|\dot P|$ has no limit there: it jumps
-  from $(0,1)$ to $(0,-1)$.
-:corrected-by: unit_tangent_jumps_at_the_cusp
-:figure: cusp_and_its_derivative
-:striking: 42
-:::
-
-:::{claim} derivative_is_continuous_at_the_cusp
-:title: At the cusp the derivative has its own value as the limit from both sides
-:zh: 尖点处导矢连续
-:kind: counterexample
-:given: the curve of the example, $t=\frac12+u$
-:then: $x'=12u^2$ and $y'=-6u$ as polynomials in $u$; their limits for $u\to0$ from either side are their values there, $(0,0)$
-:method: The limits of a polynomial from both sides are its constant coefficient; that one of them differs from $P'(\frac12)$ is
-  refuted.
-:control: the signs of $y'$ taken as its values
-:::
-
-:::{claim} unit_tangent_jumps_at_the_cusp
-:title: The unit tangent turns over at the cusp
-:zh: 单位切矢在尖点处反向
-:given: the curve of the example at $t=\frac12-u$ and $t=\frac12+u$, $u>0$
-:then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
-  $(0,-1)$ with $u$
-:method: Identities in $u$.
-:control: the same direction on both sides
-:::
 */
-/* D, C, B, A of the example. */
-static void G(cusp_curve)(int square, num c[])
-{
-    const int coefficients[8] = {0, 0, 3, 3, square, -3, 4, 0};
-    for (int m = 0; m < 8; m++)
-        c[m] = from_int(coefficients[m]);
-}
-
 CLAIM(cusp_of_the_example_is_a_cusp)
 {
     num c[8], D[4], u = unknown(T, "u", 0), half = from_ratio(1, 2);
@@ -252,18 +224,34 @@ CLAIM(cusp_of_the_example_is_a_cusp)
     same(T, D[3], mul(from_int(-6), u));
 }
 
-CLAIM(unit_tangent_jumps_at_the_cusp)
-{
-    num c[8], D[4], u = positive(T, "u", 0), half = from_ratio(1, 2), factor = mul(from_int(6), u);
-    G(cusp_curve)(-6, c);
-    for (int side = -1; side <= 1; side += 2) {
-        G(power_derivatives)(3, dim, c, add(half, mul(from_int(side), u)), 1, D);
-        same(T, D[2], mul(factor, mul(from_int(2), u)));
-        same(T, D[3], mul(factor, from_int(T->planted ? -1 : -side)));
-    }
-}
+/*
+:::{statement} hu-1987:1-4-cusp-continuity
+:title: At the cusp the derivative is discontinuous
+:zh: 尖点处导矢不连续
+:printed: At the cusp $\dot P(t)$ will be discontinuous and equal to the zero vector.
+:refuted-by: derivative_is_continuous_at_the_cusp
+:class: false
+:corrected: $\dot P$ is continuous, as polynomials are, and zero at the cusp; the unit tangent $\dot P/|\dot P|$ has no limit there: it jumps
+  from $(0,1)$ to $(0,-1)$.
+:corrected-by: unit_tangent_jumps_at_the_cusp
+:figure: cusp_and_its_derivative
+:striking: 42
+:::
+*/
 
 #if RATIONAL
+/*
+:::{claim} derivative_is_continuous_at_the_cusp
+:title: At the cusp the derivative has its own value as the limit from both sides
+:zh: 尖点处导矢连续
+:kind: counterexample
+:given: the curve of the example, $t=\frac12+u$
+:then: $x'=12u^2$ and $y'=-6u$ as polynomials in $u$; their limits for $u\to0$ from either side are their values there, $(0,0)$
+:method: The limits of a polynomial from both sides are its constant coefficient; that one of them differs from $P'(\frac12)$ is
+  refuted.
+:control: the signs of $y'$ taken as its values
+:::
+*/
 CLAIM(derivative_is_continuous_at_the_cusp)
 {
     num c[8], at[2], x[3], y[3];
@@ -287,6 +275,28 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 #endif
 
 /*
+:::{claim} unit_tangent_jumps_at_the_cusp
+:title: The unit tangent turns over at the cusp
+:zh: 单位切矢在尖点处反向
+:given: the curve of the example at $t=\frac12-u$ and $t=\frac12+u$, $u>0$
+:then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
+  $(0,-1)$ with $u$
+:method: Identities in $u$.
+:control: the same direction on both sides
+:::
+*/
+CLAIM(unit_tangent_jumps_at_the_cusp)
+{
+    num c[8], D[4], u = positive(T, "u", 0), half = from_ratio(1, 2), factor = mul(from_int(6), u);
+    G(cusp_curve)(-6, c);
+    for (int side = -1; side <= 1; side += 2) {
+        G(power_derivatives)(3, dim, c, add(half, mul(from_int(side), u)), 1, D);
+        same(T, D[2], mul(factor, mul(from_int(2), u)));
+        same(T, D[3], mul(factor, from_int(T->planted ? -1 : -side)));
+    }
+}
+
+/*
 :::{statement} hu-1987:1-4-singular-anomalies
 :title: At singular points all kinds of anomalies appear
 :zh: 奇异点处出现异常情况
@@ -298,7 +308,10 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 
 The source's own anomalies are a change of direction: at the cusp, and twice on the line that follows.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} singular_point_of_a_plain_segment
 :title: A segment run once and forward, with a singular point in the middle
 :zh: 含奇异点的普通线段
@@ -311,7 +324,6 @@ The source's own anomalies are a change of direction: at the cusp, and twice on 
 :control: the line that follows, $10t^3-15t^2+6t$
 :::
 */
-#if RATIONAL
 CLAIM(singular_point_of_a_plain_segment)
 {
     static const int coefficients[2][4] = {{0, 3, -6, 4}, {0, 6, -15, 10}};
@@ -348,7 +360,18 @@ CLAIM(singular_point_of_a_plain_segment)
 :method: The kernel at a variable $t$.
 :control: $x=y=t^2$
 :::
+*/
+CLAIM(natural_line_is_regular)
+{
+    num c[6], D[4], t = parameter(T, "t");
+    for (int m = 0; m < 6; m++)
+        c[m] = from_int(m / 2 == (T->planted ? 2 : 1));
+    G(power_derivatives)(2, dim, c, t, 1, D);
+    for (int j = 0; j < dim; j++)
+        same(T, D[dim + j], from_int(1));
+}
 
+/*
 :::{statement} hu-1987:1-4-line-same
 :title: The cubic parameter describes the same line
 :zh: 同一条直线的另一参数
@@ -356,7 +379,10 @@ CLAIM(singular_point_of_a_plain_segment)
 :holds-by: cubic_parameter_stays_on_the_segment
 :figure: one_line_two_parameters
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} cubic_parameter_stays_on_the_segment
 :title: The other parameter covers the segment and nothing else
 :zh: 另一参数恰好走遍线段
@@ -367,7 +393,21 @@ CLAIM(singular_point_of_a_plain_segment)
 :scope: t from 0 to 1
 :control: the coefficient 7 in the place of 6
 :::
+*/
+CLAIM(cubic_parameter_stays_on_the_segment)
+{
+    num c[4] = {from_int(0), from_int(T->planted ? 7 : 6), from_int(-15), from_int(10)}, zero = from_int(0),
+        one = from_int(1);
+    poly phi = poly_from_q(4, c), rest = poly_sub(poly_constant(one), phi);
+    poly back = poly_compose(phi, poly_sub(poly_constant(one), poly_variable()));
+    agree(T, is_zero_q(poly_value(phi, zero)) && equal_q(poly_value(phi, one), one));
+    agree(T,
+          sign_on(phi, zero, one, CLOSED) == SIGN_NONNEGATIVE && sign_on(rest, zero, one, CLOSED) == SIGN_NONNEGATIVE);
+    agree(T, poly_equal(back, rest));
+}
+#endif
 
+/*
 :::{statement} hu-1987:1-4-line-singular
 :title: The other parameter has two singular points
 :zh: 两个奇异点
@@ -384,7 +424,25 @@ CLAIM(singular_point_of_a_plain_segment)
 :method: Identities in $w$: $\phi-\frac{5-w}{10}=\frac{w(w^2-5)}{100}$.
 :control: $\frac{5+w}9$
 :::
+*/
+/* 10 t^3 - 15 t^2 + 6 t */
+static num G(phi)(num t)
+{
+    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)};
+    return G(power_sum)(3, 1, c, 0, t);
+}
 
+CLAIM(singular_parameters_of_the_line)
+{
+    num w = unknown(T, "w", 0), five = from_int(5), ten = from_int(10),
+        t = div(add(five, w), T->planted ? from_int(9) : ten);
+    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2], zero_at = sub(mul(w, w), five);
+    G(power_derivatives)(3, 1, c, t, 1, D);
+    same(T, D[1], mul(from_ratio(3, 10), zero_at));
+    same(T, sub(G(phi)(t), div(sub(five, w), ten)), div(mul(w, zero_at), from_int(100)));
+}
+
+/*
 :::{statement} hu-1987:1-4-line-motion
 :title: How the point moves along the line
 :zh: 点沿直线的运动
@@ -400,7 +458,10 @@ CLAIM(singular_point_of_a_plain_segment)
 A clause about the way back, between the two singular points, is missing; the word "again" at the end of the sentence still
 refers to it.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} point_moves_backward_in_between
 :title: Between the singular points the point moves backward
 :zh: 两奇异点之间点后退
@@ -410,7 +471,17 @@ refers to it.
 :method: The derivative, exactly; that it is not negative before $t_2$ is refuted.
 :control: $t=\frac15<t_1$
 :::
+*/
+CLAIM(point_moves_backward_in_between)
+{
+    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2];
+    G(power_derivatives)(3, 1, c, T->planted ? from_ratio(1, 5) : from_ratio(1, 2), 1, D);
+    show(T, "φ'", D[1]);
+    about(T, "whether the point does not move backward");
+    nonnegative(T, D[1]);
+}
 
+/*
 :::{claim} point_moves_forward_back_and_forward
 :title: The derivative changes its sign exactly twice
 :zh: 导数恰好变号两次
@@ -421,7 +492,19 @@ refers to it.
 :scope: t from 0 to 1
 :control: the constant 2 in the place of 1
 :::
+*/
+CLAIM(point_moves_forward_back_and_forward)
+{
+    num c[3] = {from_int(T->planted ? 2 : 1), from_int(-5), from_int(5)}, zero = from_int(0), one = from_int(1);
+    poly speed = poly_from_q(3, c);
+    struct cagd_root_count roots = count_roots(speed, zero, one, OPEN);
+    agree(T, roots.distinct == 2 && roots.crossings == 2);
+    agree(T, sign_q(poly_value(speed, zero)) > 0 && sign_q(poly_value(speed, one)) > 0);
+    agree(T, sign_q(poly_value(speed, from_ratio(1, 2))) < 0);
+}
+#endif
 
+/*
 :::{statement} hu-1987:1-4-many-parameters
 :title: A curve has many parameters
 :zh: 参数与点的对应多种多样
@@ -446,33 +529,6 @@ refers to it.
 :control: $C=(1,0)$
 :::
 */
-CLAIM(natural_line_is_regular)
-{
-    num c[6], D[4], t = parameter(T, "t");
-    for (int m = 0; m < 6; m++)
-        c[m] = from_int(m / 2 == (T->planted ? 2 : 1));
-    G(power_derivatives)(2, dim, c, t, 1, D);
-    for (int j = 0; j < dim; j++)
-        same(T, D[dim + j], from_int(1));
-}
-
-/* 10 t^3 - 15 t^2 + 6 t */
-static num G(phi)(num t)
-{
-    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)};
-    return G(power_sum)(3, 1, c, 0, t);
-}
-
-CLAIM(singular_parameters_of_the_line)
-{
-    num w = unknown(T, "w", 0), five = from_int(5), ten = from_int(10),
-        t = div(add(five, w), T->planted ? from_int(9) : ten);
-    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2], zero_at = sub(mul(w, w), five);
-    G(power_derivatives)(3, 1, c, t, 1, D);
-    same(T, D[1], mul(from_ratio(3, 10), zero_at));
-    same(T, sub(G(phi)(t), div(sub(five, w), ten)), div(mul(w, zero_at), from_int(100)));
-}
-
 CLAIM(constant_curve_is_a_point)
 {
     num c[8], D[4], t = parameter(T, "t");
@@ -485,36 +541,4 @@ CLAIM(constant_curve_is_a_point)
     }
 }
 
-#if RATIONAL
-CLAIM(cubic_parameter_stays_on_the_segment)
-{
-    num c[4] = {from_int(0), from_int(T->planted ? 7 : 6), from_int(-15), from_int(10)}, zero = from_int(0),
-        one = from_int(1);
-    poly phi = poly_from_q(4, c), rest = poly_sub(poly_constant(one), phi);
-    poly back = poly_compose(phi, poly_sub(poly_constant(one), poly_variable()));
-    agree(T, is_zero_q(poly_value(phi, zero)) && equal_q(poly_value(phi, one), one));
-    agree(T,
-          sign_on(phi, zero, one, CLOSED) == SIGN_NONNEGATIVE && sign_on(rest, zero, one, CLOSED) == SIGN_NONNEGATIVE);
-    agree(T, poly_equal(back, rest));
-}
-
-CLAIM(point_moves_backward_in_between)
-{
-    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2];
-    G(power_derivatives)(3, 1, c, T->planted ? from_ratio(1, 5) : from_ratio(1, 2), 1, D);
-    show(T, "φ'", D[1]);
-    about(T, "whether the point does not move backward");
-    nonnegative(T, D[1]);
-}
-
-CLAIM(point_moves_forward_back_and_forward)
-{
-    num c[3] = {from_int(T->planted ? 2 : 1), from_int(-5), from_int(5)}, zero = from_int(0), one = from_int(1);
-    poly speed = poly_from_q(3, c);
-    struct cagd_root_count roots = count_roots(speed, zero, one, OPEN);
-    agree(T, roots.distinct == 2 && roots.crossings == 2);
-    agree(T, sign_q(poly_value(speed, zero)) > 0 && sign_q(poly_value(speed, one)) > 0);
-    agree(T, sign_q(poly_value(speed, from_ratio(1, 2))) < 0);
-}
-#endif
 #include "chapters/judge/claims_off.h"

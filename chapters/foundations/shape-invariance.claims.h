@@ -5,7 +5,18 @@ A curve in geometric design is a sum $P(t)=\sum_i\phi_i(t)\,Q_i$: points that a 
 knows.  The points are given by coordinates, and coordinates are chosen by somebody.  If another choice of the origin
 gives another curve, the formula does not describe a shape (形状), however smooth it is.  The source shows the trap by an
 example, and asks for the condition that excludes it.
+*/
+#include "chapters/foundations/definition.h"
 
+#if RATIONAL
+#include "exact/decide/sign.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2 };
+
+/*
 ## The example
 
 :::{statement} hu-1987:1-2-1
@@ -24,7 +35,15 @@ example, and asks for the condition that excludes it.
 :holds-by: two_cubes_begin_and_end_at_their_points
 :figure: two_cubes_and_their_image
 :::
+*/
 
+/* The curve of the example: (1-t)^3 P_0 + t^3 P_1. */
+static num G(two_cubes)(const num P[], int j, num t)
+{
+    return add(mul(G(power)(sub(from_int(1), t), 3), P[j]), mul(G(power)(t, 3), P[dim + j]));
+}
+
+/*
 :::{claim} two_cubes_begin_and_end_at_their_points
 :title: The factors of the example are 1 and 0 at one end, 0 and 1 at the other
 :zh: 两端插值
@@ -34,18 +53,6 @@ example, and asks for the condition that excludes it.
 :control: the two ends exchanged
 :::
 */
-#include "chapters/foundations/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2 };
-
-/* The curve of the example: (1-t)^3 P_0 + t^3 P_1. */
-static num G(two_cubes)(const num P[], int j, num t)
-{
-    return add(mul(G(power)(sub(from_int(1), t), 3), P[j]), mul(G(power)(t, 3), P[dim + j]));
-}
-
 CLAIM(two_cubes_begin_and_end_at_their_points)
 {
     num P[2 * dim];
@@ -72,7 +79,15 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
 :method: An identity in $t$ and $P_1$, of which $(10,10)$ is one value.
 :control: the factor $t^2$ on the right
 :::
+*/
+CLAIM(two_cubes_from_the_origin_trace_the_segment)
+{
+    num t = parameter(T, "t"), P[4] = {from_int(0), from_int(0), unknown(T, "x", 1), unknown(T, "y", 1)};
+    for (int j = 0; j < dim; j++)
+        same(T, G(two_cubes)(P, j, t), mul(G(power)(t, T->planted ? 2 : 3), P[dim + j]));
+}
 
+/*
 :::{statement} hu-1987:1-2-example-reason
 :title: That the factors are 1 and 0 at the ends is the reason for the straight line
 :zh: 由端值推出直线
@@ -87,7 +102,10 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
 The conclusion is true for the printed points and the reason given for it is not one: two lines further down the source
 itself has the same factors and a curve.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} ends_alone_make_no_straight_line
 :title: The same factors with other points leave the chord
 :zh: 端值相同而不成直线
@@ -98,7 +116,20 @@ itself has the same factors and a curve.
 :method: The sum of the coordinates is compared with 1.
 :control: the factors $1-t$ and $t$
 :::
+*/
+CLAIM(ends_alone_make_no_straight_line)
+{
+    num P[4] = {from_int(1), from_int(0), from_int(0), from_int(1)}, t = from_ratio(1, 2), at[2];
+    for (int j = 0; j < dim; j++)
+        at[j] = T->planted ? add(mul(sub(from_int(1), t), P[j]), mul(t, P[dim + j])) : G(two_cubes)(P, j, t);
+    show_points(T, "P_0, P_1", 2, 2, P);
+    show_points(T, "P(1/2)", 1, 2, at);
+    about(T, "x + y, which is 1 on the line");
+    same(T, add(at[0], at[1]), from_int(1));
+}
+#endif
 
+/*
 :::{claim} two_cubes_miss_the_chord_by_a_product
 :title: How far the example is from its chord
 :zh: 例中曲线到弦的偏差
@@ -108,7 +139,20 @@ itself has the same factors and a curve.
   the two points and the origin are on one line.
 :control: the factor 2 in the place of 3
 :::
+*/
+CLAIM(two_cubes_miss_the_chord_by_a_product)
+{
+    num P[2 * dim], chord[dim], from_first[dim], t = parameter(T, "t");
+    G(free_coefficients)(T, 1, dim, P);
+    for (int j = 0; j < dim; j++) {
+        chord[j] = sub(P[dim + j], P[j]);
+        from_first[j] = sub(G(two_cubes)(P, j, t), P[j]);
+    }
+    num factor = mul(from_int(T->planted ? 2 : 3), mul(t, sub(from_int(1), t)));
+    same(T, G(cross2)(chord, from_first), mul(factor, G(cross2)(P, P + dim)));
+}
 
+/*
 :::{claim} two_cubes_fill_segments_with_the_origin
 :title: On a line through the origin the example is the segment if the origin is between the points, and leaves it otherwise
 :zh: 共线时曲线为线段的充要条件
@@ -141,38 +185,6 @@ CLAIM(two_cubes_fill_segments_with_the_origin)
     same(T, G(power_sum)(3, 1, c[2], 0, from_ratio(1, 2)), from_ratio(3, 8));
 }
 
-CLAIM(two_cubes_from_the_origin_trace_the_segment)
-{
-    num t = parameter(T, "t"), P[4] = {from_int(0), from_int(0), unknown(T, "x", 1), unknown(T, "y", 1)};
-    for (int j = 0; j < dim; j++)
-        same(T, G(two_cubes)(P, j, t), mul(G(power)(t, T->planted ? 2 : 3), P[dim + j]));
-}
-
-#if RATIONAL
-CLAIM(ends_alone_make_no_straight_line)
-{
-    num P[4] = {from_int(1), from_int(0), from_int(0), from_int(1)}, t = from_ratio(1, 2), at[2];
-    for (int j = 0; j < dim; j++)
-        at[j] = T->planted ? add(mul(sub(from_int(1), t), P[j]), mul(t, P[dim + j])) : G(two_cubes)(P, j, t);
-    show_points(T, "P_0, P_1", 2, 2, P);
-    show_points(T, "P(1/2)", 1, 2, at);
-    about(T, "x + y, which is 1 on the line");
-    same(T, add(at[0], at[1]), from_int(1));
-}
-#endif
-
-CLAIM(two_cubes_miss_the_chord_by_a_product)
-{
-    num P[2 * dim], chord[dim], from_first[dim], t = parameter(T, "t");
-    G(free_coefficients)(T, 1, dim, P);
-    for (int j = 0; j < dim; j++) {
-        chord[j] = sub(P[dim + j], P[j]);
-        from_first[j] = sub(G(two_cubes)(P, j, t), P[j]);
-    }
-    num factor = mul(from_int(T->planted ? 2 : 3), mul(t, sub(from_int(1), t)));
-    same(T, G(cross2)(chord, from_first), mul(factor, G(cross2)(P, P + dim)));
-}
-
 /*
 :::{statement} hu-1987:1-2-example-new-coordinates
 :title: The coordinates of the two points in the new system
@@ -181,7 +193,10 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 :holds-by: new_coordinates_are_a_translation
 :figure: two_cubes_and_their_image
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} new_coordinates_are_a_translation
 :title: The new coordinates of the example are those of one translation
 :zh: 新坐标由一次平移得到
@@ -191,7 +206,15 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 :method: Both differences, in integers.
 :control: $P_1^*=[7,6]$
 :::
+*/
+CLAIM(new_coordinates_are_a_translation)
+{
+    const int P[4] = {0, 0, 10, 10}, image[4] = {-3, -2, 7, T->planted ? 6 : 8}, origin[2] = {3, 2};
+    for (int m = 0; m < 4; m++)
+        same(T, from_int(image[m]), sub(from_int(P[m]), from_int(origin[m % 2])));
+}
 
+/*
 :::{statement} hu-1987:1-2-example-new-ends
 :title: In the new coordinates the curve still begins and ends at the points
 :zh: 新坐标系中曲线仍过两端点
@@ -223,27 +246,7 @@ is an arc of an irreducible cubic curve, with inflections exactly at $P_0^*$ and
 :scope: t from 0 to 1
 :control: $P_0^*=(0,0)$
 :::
-
-:::{claim} image_of_the_example_lies_on_a_cubic
-:title: The curve of two cubes is an arc of one cubic curve
-:zh: 两立方调和曲线的隐式方程
-:given: $p=(1-t)^3$, $q=t^3$, any $t$
-:then: $(1-p-q)^3=27pq$
-:method: An identity in $t$.  When $P_0^*$ and $P_1^*$ are independent, $p$ and $q$ are affine coordinates of the plane,
-  with the axes along $P_0^*$ and $P_1^*$, so that this is an equation of degree 3 of the curve.
-:control: 26 in the place of 27
-:::
 */
-#if RATIONAL
-#include "exact/decide/sign.h"
-
-CLAIM(new_coordinates_are_a_translation)
-{
-    const int P[4] = {0, 0, 10, 10}, image[4] = {-3, -2, 7, T->planted ? 6 : 8}, origin[2] = {3, 2};
-    for (int m = 0; m < 4; m++)
-        same(T, from_int(image[m]), sub(from_int(P[m]), from_int(origin[m % 2])));
-}
-
 /* D, C, B, A of (1-t)^3 P_0 + t^3 P_1 */
 static void two_cubes_in_powers(const num P[], num c[])
 {
@@ -271,6 +274,17 @@ CLAIM(image_of_the_example_turns_everywhere)
 }
 #endif
 
+/*
+:::{claim} image_of_the_example_lies_on_a_cubic
+:title: The curve of two cubes is an arc of one cubic curve
+:zh: 两立方调和曲线的隐式方程
+:given: $p=(1-t)^3$, $q=t^3$, any $t$
+:then: $(1-p-q)^3=27pq$
+:method: An identity in $t$.  When $P_0^*$ and $P_1^*$ are independent, $p$ and $q$ are affine coordinates of the plane,
+  with the axes along $P_0^*$ and $P_1^*$, so that this is an equation of degree 3 of the curve.
+:control: 26 in the place of 27
+:::
+*/
 CLAIM(image_of_the_example_lies_on_a_cubic)
 {
     num t = parameter(T, "t"), p = G(power)(sub(from_int(1), t), 3), q = G(power)(t, 3);
@@ -324,17 +338,6 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
 The functions are polynomials in the source; nothing here uses it, so they are variables below: any functions.
 :::
 
-:::{statement} hu-1987:1-2-rotation
-:title: A rotation of the points is the rotation of the curve
-:zh: 旋转变换下的形状不变性
-:printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation the
-  shape is kept.
-:holds-by: matrices_pass_to_the_points
-:needs: rotation_about_a_point_moves_the_example | A rotation that is a matrix turns about the origin.  About another point
-  it contains a translation, and needs the condition below.
-:figure: rotations_of_the_example
-:::
-
 :::{claim} matrices_pass_to_the_points
 :title: A matrix applied to the points is applied to the curve
 :zh: 矩阵变换作用于顶点即作用于曲线
@@ -343,16 +346,6 @@ The functions are polynomials in the source; nothing here uses it, so they are v
 :method: Both sides with every function, point and entry a variable; $3n+3$ coordinates, 9 entries.
 :degrees: 1..6 sampled 12
 :control: the last point is not mapped
-:::
-
-:::{claim} rotation_about_a_point_moves_the_example
-:title: Turning the points of the example about another point does not turn its curve
-:zh: 绕非原点旋转时形状改变
-:kind: counterexample
-:given: $P_0=(0,0)$, $P_1=(10,10)$, the rotation by a right angle about $(1,0)$; $t=\frac12$
-:then: the curve of the turned points is not the turned curve
-:method: Both points, exactly.
-:control: the rotation about the origin
 :::
 */
 CLAIM(matrices_pass_to_the_points)
@@ -382,7 +375,31 @@ CLAIM(matrices_pass_to_the_points)
     }
 }
 
+/*
+:::{statement} hu-1987:1-2-rotation
+:title: A rotation of the points is the rotation of the curve
+:zh: 旋转变换下的形状不变性
+:printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation the
+  shape is kept.
+:holds-by: matrices_pass_to_the_points
+:needs: rotation_about_a_point_moves_the_example | A rotation that is a matrix turns about the origin.  About another point
+  it contains a translation, and needs the condition below.
+:figure: rotations_of_the_example
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} rotation_about_a_point_moves_the_example
+:title: Turning the points of the example about another point does not turn its curve
+:zh: 绕非原点旋转时形状改变
+:kind: counterexample
+:given: $P_0=(0,0)$, $P_1=(10,10)$, the rotation by a right angle about $(1,0)$; $t=\frac12$
+:then: the curve of the turned points is not the turned curve
+:method: Both points, exactly.
+:control: the rotation about the origin
+:::
+*/
 /* out = P turned to the left by a right angle about (centre, 0) */
 static void quarter_turn(int centre, const num P[], num out[])
 {
@@ -416,18 +433,6 @@ CLAIM(rotation_about_a_point_moves_the_example)
 :figure: sums_of_functions
 :::
 
-:::{statement} hu-1987:1-2-cauchy
-:title: The relation of Cauchy, for invariance under translations
-:zh: 柯西关系
-:printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
-:holds-by: translation_adds_the_sum_of_the_functions
-:reading: translation_adds_the_sum_of_the_functions | The curve moves along with its points: sufficient and necessary.
-:reading: shape_is_kept_without_the_sum_one | The curve keeps its shape, wherever it goes: sufficient, but not necessary.  A
-  constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all $Q_i=0$ the curve is a point, and its
-  image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
-:figure: sums_of_functions
-:::
-
 :::{claim} translation_adds_the_sum_of_the_functions
 :title: The curve of the translated points, and its distance from the translated curve
 :zh: 平移顶点后曲线的变化
@@ -437,46 +442,6 @@ CLAIM(rotation_about_a_point_moves_the_example)
 :method: Both sides with every function, point and component of $m$ a variable.
 :degrees: 1..6 sampled 12
 :control: the last function left out of the sum
-:::
-
-:::{claim} doubled_functions_keep_the_shape
-:title: Functions with the sum 2 keep the shape and lose the place
-:zh: 函数和为常数 2 时形状不变
-:given: $\phi_i=2B_i^n(t)$, any points of the plane, any translation $m$
-:then: $\sum\phi_i=2$, and the curve of the translated points is the curve translated by $2m$: congruent to it, not
-  where the points went
-:method: Both curves by de Casteljau's algorithm on doubled points, at a variable $t$ with variable points and $m$.
-:degrees: 1..6 sampled 12
-:control: the curve translated by $m$
-:::
-
-:::{claim} shape_is_kept_without_the_sum_one
-:title: A segment keeps its shape although the sum of its functions is 2
-:zh: 函数和为 2 的线段保持形状
-:kind: counterexample
-:given: $\phi_0=2(1-t)$, $\phi_1=2t$, $Q_0=(0,0)$, $Q_1=(1,0)$, $m=(1,1)$, $t=0,\frac12,1$
-:then: $P^*(t)-P(t)=(2,2)$ for all three $t$, and the segments are congruent; $\phi_0+\phi_1=2\ne1$
-:method: The points, exactly; that the sum is 1 is refuted.
-:control: $\phi_0=1-t$, $\phi_1=t$
-:::
-
-:::{statement} hu-1987:1-2-example-cauchy
-:title: The example violates the relation of Cauchy
-:zh: 例不满足柯西关系
-:printed: In the example the relation of Cauchy is not satisfied, so the shape need not be kept by a translation.
-:holds-by: sum_of_two_cubes_is_less_than_one image_of_the_example_is_not_the_translated_curve
-:figure: sums_of_functions
-:::
-
-:::{claim} sum_of_two_cubes_is_less_than_one
-:title: The sum of the two cubes is 1 at the ends only
-:zh: 两立方之和小于一
-:kind: decision
-:given: $(1-t)^3+t^3$ on $[0,1]$
-:then: $(1-t)^3+t^3-1$ is negative on $(0,1)$; the smallest value of the sum is $\frac14$, at $t=\frac12$
-:method: Signs of two polynomials on the interval, by root counts: of the sum minus 1, and of the sum minus $\frac14$.
-:scope: t from 0 to 1
-:control: the sum $(1-t)^3+3(1-t)^2t+3(1-t)t^2+t^3$
 :::
 */
 CLAIM(translation_adds_the_sum_of_the_functions)
@@ -501,6 +466,18 @@ CLAIM(translation_adds_the_sum_of_the_functions)
     }
 }
 
+/*
+:::{claim} doubled_functions_keep_the_shape
+:title: Functions with the sum 2 keep the shape and lose the place
+:zh: 函数和为常数 2 时形状不变
+:given: $\phi_i=2B_i^n(t)$, any points of the plane, any translation $m$
+:then: $\sum\phi_i=2$, and the curve of the translated points is the curve translated by $2m$: congruent to it, not
+  where the points went
+:method: Both curves by de Casteljau's algorithm on doubled points, at a variable $t$ with variable points and $m$.
+:degrees: 1..6 sampled 12
+:control: the curve translated by $m$
+:::
+*/
 CLAIM(doubled_functions_keep_the_shape)
 {
     int n = T->degree;
@@ -520,7 +497,32 @@ CLAIM(doubled_functions_keep_the_shape)
         same(T, image[j], add(P[j], mul(from_int(T->planted ? 1 : 2), m[j])));
 }
 
+/*
+:::{statement} hu-1987:1-2-cauchy
+:title: The relation of Cauchy, for invariance under translations
+:zh: 柯西关系
+:printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
+:holds-by: translation_adds_the_sum_of_the_functions
+:reading: translation_adds_the_sum_of_the_functions | The curve moves along with its points: sufficient and necessary.
+:reading: shape_is_kept_without_the_sum_one | The curve keeps its shape, wherever it goes: sufficient, but not necessary.  A
+  constant sum is enough (`doubled_functions_keep_the_shape`), and necessary: with all $Q_i=0$ the curve is a point, and its
+  image $\{s(t)\,m\}$ is one only if the sum $s$ is constant.
+:figure: sums_of_functions
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} shape_is_kept_without_the_sum_one
+:title: A segment keeps its shape although the sum of its functions is 2
+:zh: 函数和为 2 的线段保持形状
+:kind: counterexample
+:given: $\phi_0=2(1-t)$, $\phi_1=2t$, $Q_0=(0,0)$, $Q_1=(1,0)$, $m=(1,1)$, $t=0,\frac12,1$
+:then: $P^*(t)-P(t)=(2,2)$ for all three $t$, and the segments are congruent; $\phi_0+\phi_1=2\ne1$
+:method: The points, exactly; that the sum is 1 is refuted.
+:control: $\phi_0=1-t$, $\phi_1=t$
+:::
+*/
 CLAIM(shape_is_kept_without_the_sum_one)
 {
     int factor = T->planted ? 1 : 2, kept = 1, sum_is_one = 1;
@@ -538,6 +540,26 @@ CLAIM(shape_is_kept_without_the_sum_one)
     agree(T, !kept || sum_is_one);
 }
 
+/*
+:::{statement} hu-1987:1-2-example-cauchy
+:title: The example violates the relation of Cauchy
+:zh: 例不满足柯西关系
+:printed: In the example the relation of Cauchy is not satisfied, so the shape need not be kept by a translation.
+:holds-by: sum_of_two_cubes_is_less_than_one image_of_the_example_is_not_the_translated_curve
+:figure: sums_of_functions
+:::
+
+:::{claim} sum_of_two_cubes_is_less_than_one
+:title: The sum of the two cubes is 1 at the ends only
+:zh: 两立方之和小于一
+:kind: decision
+:given: $(1-t)^3+t^3$ on $[0,1]$
+:then: $(1-t)^3+t^3-1$ is negative on $(0,1)$; the smallest value of the sum is $\frac14$, at $t=\frac12$
+:method: Signs of two polynomials on the interval, by root counts: of the sum minus 1, and of the sum minus $\frac14$.
+:scope: t from 0 to 1
+:control: the sum $(1-t)^3+3(1-t)^2t+3(1-t)t^2+t^3$
+:::
+*/
 CLAIM(sum_of_two_cubes_is_less_than_one)
 {
     poly t = poly_variable(), s = poly_sub(poly_constant(from_int(1)), t);
@@ -583,39 +605,6 @@ A graph $y=f(x)$, turned, need not be a graph: `turned_graph_is_no_graph`.
 :degrees: 1..6 sampled 12
 :control: $m$ added to the last coefficient as well
 :::
-
-:::{claim} image_keeps_no_chord
-:title: In the new coordinates the middle of the example is not on the chord
-:zh: 新坐标系中曲线离弦
-:kind: counterexample
-:given: $P_0^*=(-3,-2)$, $P_1^*=(7,8)$, $t=\frac12$
-:then: $P^*(\frac12)=(\frac12,\frac34)$ is not on the line $y=x+1$ through $P_0^*$ and $P_1^*$
-:method: The point, exactly, in the equation of the line.
-:control: the old coordinates $(0,0)$ and $(10,10)$, the line $y=x$
-:::
-
-:::{statement} hu-1987:1-4-advantage-transformations
-:title: Parametric curves are easily mapped by affine and projective maps
-:zh: 参数曲线易于作仿射与射影变换
-:printed: Affine and projective transformations of parametric curves are easily carried out.
-:holds-by: bezier_curve_moves_with_its_points matrices_pass_to_the_points image_of_a_power_curve_is_one
-:reading: matrices_pass_to_the_points | The points of the curve are mapped, $[x(t)\;y(t)\;z(t)\;1]$ by a matrix and then divided: easy, and true.
-:reading: projective_image_is_not_the_curve_of_the_images | Control points are mapped, and a curve is made from their images: by an affine map the
-  image; by a projective one another curve, unless it is applied to homogeneous points, and then the curve is a rational one.
-:figure: projective_image_of_a_parabola
-
-A projective map is a matrix for the homogeneous coordinates, and matrices pass to the points.
-:::
-
-:::{claim} projective_image_is_not_the_curve_of_the_images
-:title: The projective images of the control points are not control points of the image
-:zh: 射影变换不保持多项式曲线
-:kind: counterexample
-:given: the parabola with the Bézier points $(0,0),(1,0),(1,1)$, the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, $t=\frac12$
-:then: the image of $P(\frac12)$ is not the point of the polynomial curve of the three images
-:method: Both points, exactly; with the control, the rational curve whose weights are the values $1+y$ of the points.
-:control: the weights $1,1,2$ for the images
-:::
 */
 CLAIM(image_of_a_power_curve_is_one)
 {
@@ -643,6 +632,17 @@ CLAIM(image_of_a_power_curve_is_one)
 }
 
 #if RATIONAL
+/*
+:::{claim} image_keeps_no_chord
+:title: In the new coordinates the middle of the example is not on the chord
+:zh: 新坐标系中曲线离弦
+:kind: counterexample
+:given: $P_0^*=(-3,-2)$, $P_1^*=(7,8)$, $t=\frac12$
+:then: $P^*(\frac12)=(\frac12,\frac34)$ is not on the line $y=x+1$ through $P_0^*$ and $P_1^*$
+:method: The point, exactly, in the equation of the line.
+:control: the old coordinates $(0,0)$ and $(10,10)$, the line $y=x$
+:::
+*/
 CLAIM(image_keeps_no_chord)
 {
     int x0 = T->planted ? 0 : -3, y0 = T->planted ? 0 : -2, x1 = T->planted ? 10 : 7, y1 = T->planted ? 10 : 8;
@@ -655,6 +655,30 @@ CLAIM(image_keeps_no_chord)
     same(T, sub(at[1], at[0]), sub(P[1], P[0]));
 }
 
+/*
+:::{statement} hu-1987:1-4-advantage-transformations
+:title: Parametric curves are easily mapped by affine and projective maps
+:zh: 参数曲线易于作仿射与射影变换
+:printed: Affine and projective transformations of parametric curves are easily carried out.
+:holds-by: bezier_curve_moves_with_its_points matrices_pass_to_the_points image_of_a_power_curve_is_one
+:reading: matrices_pass_to_the_points | The points of the curve are mapped, $[x(t)\;y(t)\;z(t)\;1]$ by a matrix and then divided: easy, and true.
+:reading: projective_image_is_not_the_curve_of_the_images | Control points are mapped, and a curve is made from their images: by an affine map the
+  image; by a projective one another curve, unless it is applied to homogeneous points, and then the curve is a rational one.
+:figure: projective_image_of_a_parabola
+
+A projective map is a matrix for the homogeneous coordinates, and matrices pass to the points.
+:::
+
+:::{claim} projective_image_is_not_the_curve_of_the_images
+:title: The projective images of the control points are not control points of the image
+:zh: 射影变换不保持多项式曲线
+:kind: counterexample
+:given: the parabola with the Bézier points $(0,0),(1,0),(1,1)$, the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, $t=\frac12$
+:then: the image of $P(\frac12)$ is not the point of the polynomial curve of the three images
+:method: Both points, exactly; with the control, the rational curve whose weights are the values $1+y$ of the points.
+:control: the weights $1,1,2$ for the images
+:::
+*/
 CLAIM(projective_image_is_not_the_curve_of_the_images)
 {
     num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1)}, image[6], w[3], P[2],
@@ -695,16 +719,6 @@ CLAIM(projective_image_is_not_the_curve_of_the_images)
 :degrees: 1..6 sampled 10
 :control: the second piece at $su$
 :::
-
-:::{statement} hu-1987:1-2-hull-and-variation
-:title: Some curves have the convex hull property and diminish variation
-:zh: 凸包性与变差减小性
-:printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
-:holds-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
-
-Bézier curves are such curves, by proof at least those of degree up to four: along a line $ax+by+c=0$ the coefficients are $ax_i+by_i+c$,
-whose changes of sign are the crossings of the polygon.
-:::
 */
 CLAIM(division_keeps_power_curve)
 {
@@ -723,4 +737,16 @@ CLAIM(division_keeps_power_curve)
     for (int j = 0; j < dim; j++)
         same(T, P[j], G(power_sum)(n, dim, c, j, u));
 }
+
+/*
+:::{statement} hu-1987:1-2-hull-and-variation
+:title: Some curves have the convex hull property and diminish variation
+:zh: 凸包性与变差减小性
+:printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
+:holds-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
+
+Bézier curves are such curves, by proof at least those of degree up to four: along a line $ax+by+c=0$ the coefficients are $ax_i+by_i+c$,
+whose changes of sign are the crossings of the polygon.
+:::
+*/
 #include "chapters/judge/claims_off.h"

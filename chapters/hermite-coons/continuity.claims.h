@@ -4,7 +4,14 @@
 The slides begin with the reasons for a parameter, and with the words for two pieces that meet: $C^k$ when their derivatives
 agree, $G^k$ when those by the arc length do.  The words for $k=1$ and $k=2$ are explained by derivatives that are proportional.
 For the tangent this is nearly right; for the curvature it is wrong in every way to read it.
+*/
+#include "chapters/hermite-coons/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { plane = 2, space = 3 };
+
+/*
 ## Why a parameter
 
 :::{statement} slides-ch4:1-axes
@@ -14,7 +21,10 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 :holds-by: turned_graph_is_no_graph
 :figure: graphs_and_axes
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} turned_graph_is_no_graph
 :title: A graph that has been turned need not be a graph
 :zh: 旋转后不再是函数图形
@@ -24,7 +34,23 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 :method: The two images, exactly.
 :control: turned by two right angles
 :::
+*/
+CLAIM(turned_graph_is_no_graph)
+{
+    num x[2], y[2];
+    for (int k = 0; k < 2; k++) {
+        num from = from_int(k == 0 ? 1 : -1), height = mul(from, from);
+        x[k] = neg(T->planted ? from : height);
+        y[k] = T->planted ? neg(height) : from;
+    }
+    show_points(T, "the images", 2, plane, (num[]){x[0], y[0], x[1], y[1]});
+    about(T, "the two x");
+    same(T, x[0], x[1]);
+    about(T, "whether the two y differ");
+    agree(T, !equal_q(y[0], y[1]));
+}
 
+/*
 :::{statement} slides-ch4:1-many-values
 :title: Several values in both directions
 :zh: 一个自变量对应多个值
@@ -42,7 +68,20 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 :method: The equation at the four points; the coordinates that differ.
 :control: $\frac34$ in the place of $\frac45$
 :::
+*/
+CLAIM(circle_has_two_values_each_way)
+{
+    num a = from_ratio(3, 5), b = T->planted ? from_ratio(3, 4) : from_ratio(4, 5), one = from_int(1);
+    num points[4][2] = {{a, b}, {a, neg(b)}, {a, b}, {neg(a), b}};
+    for (int k = 0; k < 4; k++)
+        same(T, add(mul(points[k][0], points[k][0]), mul(points[k][1], points[k][1])), one);
+    about(T, "whether two y belong to one x, and two x to one y");
+    agree(T, equal_q(points[0][0], points[1][0]) && !equal_q(points[0][1], points[1][1]));
+    agree(T, equal_q(points[2][1], points[3][1]) && !equal_q(points[2][0], points[3][0]));
+}
+#endif
 
+/*
 :::{statement} slides-ch4:1-infinite-slope
 :title: Slopes may be infinite
 :zh: 斜率无穷大
@@ -51,6 +90,31 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 :figure: graphs_and_axes
 :::
 
+:::{claim} circle_has_an_upright_tangent
+:title: On the circle the derivative is never zero, also where there is no slope
+:zh: 圆上竖直切线处导矢有限且非零
+:given: the quarter circle with the points $(1,0),(1,1),(0,1)$ and the weights $1,1,2$; any $t$
+:then: $R\cdot R'=0$ and $|R'|^2=\frac4{(1+t^2)^2}$; at $t=0$ the derivative is $(0,2)$, whose slope $\frac20$ does not exist
+:method: Points and derivatives by the rational kernel.
+:control: the weights $1,1,1$
+:::
+*/
+CLAIM(circle_has_an_upright_tangent)
+{
+    num one = from_int(1), zero = from_int(0), R[6] = {one, zero, one, one, zero, one}, D[4], t = parameter(T, "t");
+    num w[3] = {one, one, from_int(T->planted ? 1 : 2)}, below = add(one, mul(t, t));
+    G(rational_derivatives)(2, plane, R, w, t, 1, D);
+    about(T, "R times R'");
+    vanishes(T, add(mul(D[0], D[2]), mul(D[1], D[3])));
+    about(T, "the square of the length of R'");
+    same(T, add(mul(D[2], D[2]), mul(D[3], D[3])), div(from_int(4), mul(below, below)));
+    G(rational_derivatives)(2, plane, R, w, zero, 1, D);
+    about(T, "R'(0)");
+    same(T, D[2], zero);
+    same(T, D[3], from_int(2));
+}
+
+/*
 :::{statement} slides-ch4:1-hard-to-construct
 :title: Complicated shapes without a parameter
 :zh: 难以灵活地构造复杂的曲线、曲面
@@ -62,7 +126,10 @@ For the tangent this is nearly right; for the curvature it is wrong in every way
 
 Hard and flexibly are read as what cannot be done at all.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} nodal_cubic_has_an_equation
 :title: The cubic that crosses itself has an equation
 :zh: 自交三次曲线的隐式方程
@@ -72,21 +139,56 @@ Hard and flexibly are read as what cannot be done at all.
 :method: The difference is a polynomial of degree at most 6 in $t$; its values at $t=0,\dots,6$.  That one of them is not 0 is refuted.
 :control: $y^2=x^2(x-1)$
 :::
+*/
+CLAIM(nodal_cubic_has_an_equation)
+{
+    num zero = from_int(0), one = from_int(1), P[2], value[7];
+    num loop[8] = {neg(one), zero, zero, neg(one), one, zero, zero, one};
+    int all = 1;
+    for (int k = 0; k <= 6; k++) {
+        power_point_q(3, plane, loop, from_int(k), P);
+        num factor = T->planted ? sub(P[0], one) : add(P[0], one);
+        value[k] = sub(mul(P[1], P[1]), mul(mul(P[0], P[0]), factor));
+        all = all && is_zero_q(value[k]);
+    }
+    show_points(T, "the difference at t = 0, ..., 6", 7, 1, value);
+    about(T, "whether one of them is not 0");
+    agree(T, !all);
+}
 
+/*
+:::{claim} parametric_cubic_crosses_itself
+:title: A parametric cubic crosses itself, which no graph does
+:zh: 参数三次曲线可自交
+:kind: decision
+:given: $P(t)=(t^2-1,t^3-t)$
+:then: $P(-1)=P(1)=(0,0)$, and $P'(-1)=(-2,2)$, $P'(1)=(2,2)$ are not parallel
+:method: Points and derivatives by the power kernel, the determinant of the derivatives.
+:control: $P(t)=(t-1,t^3-t)$
+:::
+*/
+CLAIM(parametric_cubic_crosses_itself)
+{
+    num zero = from_int(0), one = from_int(1), D[2][4];
+    num loop[8] = {neg(one), zero, zero, neg(one), one, zero, zero, one};
+    if (T->planted)
+        loop[2] = one, loop[4] = zero;
+    for (int k = 0; k < 2; k++)
+        G(power_derivatives)(3, plane, loop, from_int(k == 0 ? -1 : 1), 1, D[k]);
+    about(T, "P(-1) and P(1)");
+    same(T, D[0][0], D[1][0]);
+    same(T, D[0][1], D[1][1]);
+    about(T, "whether the derivatives are not parallel");
+    agree(T, !is_zero_q(G(cross2)(D[0] + 2, D[1] + 2)));
+}
+#endif
+
+/*
 :::{statement} slides-ch4:1-parametric-slope
 :title: With a parameter an infinite slope is easy to handle
 :zh: 参数方程便于处理斜率无穷大
 :printed: Parametric equations make it easy to deal with an infinite slope.
 :holds-by: circle_has_an_upright_tangent
-:::
-
-:::{claim} circle_has_an_upright_tangent
-:title: On the circle the derivative is never zero, also where there is no slope
-:zh: 圆上竖直切线处导矢有限且非零
-:given: the quarter circle with the points $(1,0),(1,1),(0,1)$ and the weights $1,1,2$; any $t$
-:then: $R\cdot R'=0$ and $|R'|^2=\frac4{(1+t^2)^2}$; at $t=0$ the derivative is $(0,2)$, whose slope $\frac20$ does not exist
-:method: Points and derivatives by the rational kernel.
-:control: the weights $1,1,1$
 :::
 
 :::{statement} slides-ch4:1-space-curve
@@ -117,7 +219,27 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
 :degrees: 1..6 sampled 10
 :control: $f$ and $g$ exchanged
 :::
+*/
+CLAIM(graphs_over_one_axis_meet_in_one_curve)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), b[(MAX_DEGREE + 1) * space], P[space], low[2][MAX_DEGREE + 1];
+    struct G(poly) f = G(free_poly)(T, "f", n), g = G(free_poly)(T, "g", n);
+    G(power_to_bernstein)(n, T->planted ? g.c : f.c, low[0]);
+    G(power_to_bernstein)(n, T->planted ? f.c : g.c, low[1]);
+    for (int i = 0; i <= n; i++) {
+        b[i * space] = from_ratio(i, n);
+        b[i * space + 1] = low[0][i];
+        b[i * space + 2] = low[1][i];
+    }
+    G(decasteljau)(n, space, b, t, P);
+    same(T, P[0], t);
+    same(T, P[1], G(at)(f, 0, t));
+    same(T, P[2], G(at)(g, 0, t));
+}
 
+#if RATIONAL
+/*
 :::{claim} no_two_projections_give_the_circle
 :title: A circle that no two of its three projections determine
 :zh: 任两张投影柱面都不能确定的圆
@@ -128,7 +250,26 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
   then $x+y+z$, which should be 0.
 :control: the points $(1,0,-1)$, $(-1,1,0)$, $(0,-1,1)$
 :::
+*/
+CLAIM(no_two_projections_give_the_circle)
+{
+    for (int k = 0; k < space; k++) { /* the axis of the point */
+        num p[space], one = from_int(1);
+        for (int c = 0; c < space; c++)
+            p[c] = from_int(c == k ? 1 : T->planted && c == (k + 2) % space ? -1 : 0);
+        show_points(T, "a point", 1, space, p);
+        about(T, "the equations of the two cylinders over planes with the axis of the point");
+        for (int j = 1; j <= 2; j++) {
+            num a = p[k], b = p[(k + j) % space];
+            same(T, add(mul(a, a), add(mul(a, b), mul(b, b))), one);
+        }
+        about(T, "x + y + z");
+        vanishes(T, add(p[0], add(p[1], p[2])));
+    }
+}
+#endif
 
+/*
 :::{claim} two_cylinders_of_the_circle_hold_an_ellipse
 :title: Two of the three cylinders of the circle meet in it and in an ellipse
 :zh: 该圆的任两张投影柱面还交于一椭圆
@@ -139,7 +280,28 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
   $(x+\frac y2)^2+\frac34y^2=1$.
 :control: $(y+z)(x+y+z)$ on the right
 :::
+*/
+CLAIM(two_cylinders_of_the_circle_hold_an_ellipse)
+{
+    num x[space], bracket[space], sum = from_int(0), one = from_int(1); /* bracket[k]: the cylinder along axis k */
+    for (int k = 0; k < space; k++) {
+        x[k] = unknown(T, "x", k);
+        sum = add(sum, x[k]);
+    }
+    for (int k = 0; k < space; k++) {
+        num a = x[(k + 1) % space], b = x[(k + 2) % space];
+        bracket[k] = sub(add(mul(a, a), add(mul(a, b), mul(b, b))), one);
+    }
+    for (int k = 0; k < space; k++) {
+        num a = x[(k + 1) % space], b = x[(k + 2) % space];
+        same(T, sub(bracket[(k + 2) % space], bracket[(k + 1) % space]), mul(T->planted ? add(a, b) : sub(a, b), sum));
+    }
+    num last = neg(add(x[0], x[1])), squares = add(mul(x[0], x[0]), add(mul(x[1], x[1]), mul(last, last)));
+    same(T, mul(from_int(2), bracket[2]), sub(squares, from_int(2)));
+}
 
+#if RATIONAL
+/*
 :::{claim} two_cylinders_hold_more_than_the_curve
 :title: A point of both cylinders that is not on the curve
 :zh: 两柱面交线多于原曲线
@@ -149,7 +311,19 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
 :method: Both equations at the point; $z$ against $y$.
 :control: $(0,1,1)$
 :::
+*/
+CLAIM(two_cylinders_hold_more_than_the_curve)
+{
+    num x = from_int(0), y = from_int(1), z = from_int(T->planted ? 1 : -1), one = from_int(1);
+    show_points(T, "(x, y, z)", 1, space, (num[]){x, y, z});
+    about(T, "the equations of the two cylinders");
+    same(T, add(mul(x, x), mul(y, y)), one);
+    same(T, add(mul(x, x), mul(z, z)), one);
+    about(T, "z and y");
+    same(T, z, y);
+}
 
+/*
 :::{claim} closed_curve_is_no_pair_of_graphs
 :title: The ellipse has two points for one x
 :zh: 闭曲线不是显式方程组
@@ -159,7 +333,23 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
 :method: Both points on the ellipse, exactly; their $y$.
 :control: the first point twice
 :::
+*/
+CLAIM(closed_curve_is_no_pair_of_graphs)
+{
+    num a = from_ratio(3, 5), b = from_ratio(4, 5), other = T->planted ? b : neg(b);
+    num points[2][3] = {{a, b, b}, {a, other, other}};
+    for (int k = 0; k < 2; k++) {
+        num *p = points[k];
+        show_points(T, k == 0 ? "first point" : "second point", 1, space, p);
+        same(T, add(mul(p[0], p[0]), mul(p[1], p[1])), from_int(1));
+        same(T, p[2], p[1]);
+    }
+    about(T, "y of the two points with one x");
+    same(T, points[0][1], points[1][1]);
+}
+#endif
 
+/*
 :::{claim} two_cylinders_are_two_ellipses
 :title: The intersection of the two cylinders is a pair of ellipses
 :zh: 两正交圆柱的交线为两椭圆
@@ -169,7 +359,15 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
   vanish so does the second.
 :control: $(y-z)^2$ on the right
 :::
+*/
+CLAIM(two_cylinders_are_two_ellipses)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), z = unknown(T, "z", 0), one = from_int(1);
+    num first = sub(add(mul(x, x), mul(y, y)), one), second = sub(add(mul(x, x), mul(z, z)), one);
+    same(T, sub(first, second), mul(sub(y, z), T->planted ? sub(y, z) : add(y, z)));
+}
 
+/*
 :::{statement} slides-ch4:1-parametric
 :title: Curves and surfaces with parameters, and the tangent vector
 :zh: 参数曲线、切矢与参数曲面
@@ -201,7 +399,29 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
 :method: Each form, everything a variable.
 :control: the two points exchanged in the first form
 :::
+*/
+CLAIM(segment_in_its_parameter)
+{
+    num b[4], D[4], t = parameter(T, "t"), length = from_int(0), along = from_int(0);
+    for (int m = 0; m < 4; m++)
+        b[m] = unknown(T, m % 2 == 0 ? "x" : "y", m / 2 + 1);
+    G(bezier_derivatives)(1, plane, b, t, 1, D);
+    for (int c = 0; c < plane; c++) {
+        num from = b[T->planted ? plane + c : c], edge = sub(b[plane + c], b[c]), P;
+        G(decasteljau)(1, 1, (num[]){b[c], b[plane + c]}, t, &P);
+        about(T, "the point");
+        same(T, add(from, mul(edge, t)), P);
+        same(T, add(mul(sub(from_int(1), t), b[c]), mul(t, b[plane + c])), D[c]);
+        about(T, "the derivative");
+        same(T, D[plane + c], edge);
+        length = add(length, mul(edge, edge));
+        along = add(along, mul(sub(P, b[c]), sub(P, b[c])));
+    }
+    about(T, "the distance from the first point");
+    same(T, along, mul(mul(t, t), length));
+}
 
+/*
 :::{statement} slides-ch4:1-parametric-transform
 :title: Transformations act on the parametric equations
 :zh: 可对参数方程直接进行几何变换
@@ -218,16 +438,6 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
 
 A parametric cubic of the plane has eight coefficients, of which the graph of a cubic, $x=t$, has four.  The claim shows a shape that no
 graph has.
-:::
-
-:::{claim} parametric_cubic_crosses_itself
-:title: A parametric cubic crosses itself, which no graph does
-:zh: 参数三次曲线可自交
-:kind: decision
-:given: $P(t)=(t^2-1,t^3-t)$
-:then: $P(-1)=P(1)=(0,0)$, and $P'(-1)=(-2,2)$, $P'(1)=(2,2)$ are not parallel
-:method: Points and derivatives by the power kernel, the determinant of the derivatives.
-:control: $P(t)=(t-1,t^3-t)$
 :::
 
 :::{statement} slides-ch4:1-dimensions
@@ -247,7 +457,24 @@ graph has.
 :degrees: 1..6 sampled 10
 :control: the plane of the first and the third coordinate
 :::
+*/
+CLAIM(another_coordinate_changes_no_other)
+{
+    int n = T->degree;
+    num b[(MAX_DEGREE + 1) * space], flat[(MAX_DEGREE + 1) * plane], P[space], Q[plane], t = parameter(T, "t");
+    for (int i = 0; i <= n; i++) {
+        for (int c = 0; c < space; c++)
+            b[i * space + c] = unknown(T, c == 0 ? "x" : c == 1 ? "y" : "z", i);
+        flat[i * plane] = b[i * space];
+        flat[i * plane + 1] = b[i * space + 1 + T->planted];
+    }
+    G(decasteljau)(n, space, b, t, P);
+    G(decasteljau)(n, plane, flat, t, Q);
+    for (int c = 0; c < plane; c++)
+        same(T, Q[c], P[c]);
+}
 
+/*
 :::{statement} slides-ch4:1-matrices
 :title: Vectors and matrices
 :zh: 易于用矢量和矩阵表示
@@ -301,7 +528,10 @@ In which sense is left open.  By the distance from the points a Bézier curve, a
 curve of the same degree through the points is nearer; the least sum of squares among simpler curves is a problem with one
 solution, and has no control polygon.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} parabola_through_the_points_is_nearer
 :title: The Bézier curve is not the nearest curve of its degree
 :zh: Bézier 曲线并非最近的曲线
@@ -312,192 +542,6 @@ solution, and has no control polygon.
 :control: the second curve with the point $(1,1)$
 :::
 */
-#include "chapters/hermite-coons/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { plane = 2, space = 3 };
-
-CLAIM(circle_has_an_upright_tangent)
-{
-    num one = from_int(1), zero = from_int(0), R[6] = {one, zero, one, one, zero, one}, D[4], t = parameter(T, "t");
-    num w[3] = {one, one, from_int(T->planted ? 1 : 2)}, below = add(one, mul(t, t));
-    G(rational_derivatives)(2, plane, R, w, t, 1, D);
-    about(T, "R times R'");
-    vanishes(T, add(mul(D[0], D[2]), mul(D[1], D[3])));
-    about(T, "the square of the length of R'");
-    same(T, add(mul(D[2], D[2]), mul(D[3], D[3])), div(from_int(4), mul(below, below)));
-    G(rational_derivatives)(2, plane, R, w, zero, 1, D);
-    about(T, "R'(0)");
-    same(T, D[2], zero);
-    same(T, D[3], from_int(2));
-}
-
-CLAIM(graphs_over_one_axis_meet_in_one_curve)
-{
-    int n = T->degree;
-    num t = parameter(T, "t"), b[(MAX_DEGREE + 1) * space], P[space], low[2][MAX_DEGREE + 1];
-    struct G(poly) f = G(free_poly)(T, "f", n), g = G(free_poly)(T, "g", n);
-    G(power_to_bernstein)(n, T->planted ? g.c : f.c, low[0]);
-    G(power_to_bernstein)(n, T->planted ? f.c : g.c, low[1]);
-    for (int i = 0; i <= n; i++) {
-        b[i * space] = from_ratio(i, n);
-        b[i * space + 1] = low[0][i];
-        b[i * space + 2] = low[1][i];
-    }
-    G(decasteljau)(n, space, b, t, P);
-    same(T, P[0], t);
-    same(T, P[1], G(at)(f, 0, t));
-    same(T, P[2], G(at)(g, 0, t));
-}
-
-CLAIM(two_cylinders_are_two_ellipses)
-{
-    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), z = unknown(T, "z", 0), one = from_int(1);
-    num first = sub(add(mul(x, x), mul(y, y)), one), second = sub(add(mul(x, x), mul(z, z)), one);
-    same(T, sub(first, second), mul(sub(y, z), T->planted ? sub(y, z) : add(y, z)));
-}
-
-CLAIM(two_cylinders_of_the_circle_hold_an_ellipse)
-{
-    num x[space], bracket[space], sum = from_int(0), one = from_int(1); /* bracket[k]: the cylinder along axis k */
-    for (int k = 0; k < space; k++) {
-        x[k] = unknown(T, "x", k);
-        sum = add(sum, x[k]);
-    }
-    for (int k = 0; k < space; k++) {
-        num a = x[(k + 1) % space], b = x[(k + 2) % space];
-        bracket[k] = sub(add(mul(a, a), add(mul(a, b), mul(b, b))), one);
-    }
-    for (int k = 0; k < space; k++) {
-        num a = x[(k + 1) % space], b = x[(k + 2) % space];
-        same(T, sub(bracket[(k + 2) % space], bracket[(k + 1) % space]), mul(T->planted ? add(a, b) : sub(a, b), sum));
-    }
-    num last = neg(add(x[0], x[1])), squares = add(mul(x[0], x[0]), add(mul(x[1], x[1]), mul(last, last)));
-    same(T, mul(from_int(2), bracket[2]), sub(squares, from_int(2)));
-}
-
-CLAIM(segment_in_its_parameter)
-{
-    num b[4], D[4], t = parameter(T, "t"), length = from_int(0), along = from_int(0);
-    for (int m = 0; m < 4; m++)
-        b[m] = unknown(T, m % 2 == 0 ? "x" : "y", m / 2 + 1);
-    G(bezier_derivatives)(1, plane, b, t, 1, D);
-    for (int c = 0; c < plane; c++) {
-        num from = b[T->planted ? plane + c : c], edge = sub(b[plane + c], b[c]), P;
-        G(decasteljau)(1, 1, (num[]){b[c], b[plane + c]}, t, &P);
-        about(T, "the point");
-        same(T, add(from, mul(edge, t)), P);
-        same(T, add(mul(sub(from_int(1), t), b[c]), mul(t, b[plane + c])), D[c]);
-        about(T, "the derivative");
-        same(T, D[plane + c], edge);
-        length = add(length, mul(edge, edge));
-        along = add(along, mul(sub(P, b[c]), sub(P, b[c])));
-    }
-    about(T, "the distance from the first point");
-    same(T, along, mul(mul(t, t), length));
-}
-
-CLAIM(another_coordinate_changes_no_other)
-{
-    int n = T->degree;
-    num b[(MAX_DEGREE + 1) * space], flat[(MAX_DEGREE + 1) * plane], P[space], Q[plane], t = parameter(T, "t");
-    for (int i = 0; i <= n; i++) {
-        for (int c = 0; c < space; c++)
-            b[i * space + c] = unknown(T, c == 0 ? "x" : c == 1 ? "y" : "z", i);
-        flat[i * plane] = b[i * space];
-        flat[i * plane + 1] = b[i * space + 1 + T->planted];
-    }
-    G(decasteljau)(n, space, b, t, P);
-    G(decasteljau)(n, plane, flat, t, Q);
-    for (int c = 0; c < plane; c++)
-        same(T, Q[c], P[c]);
-}
-
-#if RATIONAL
-CLAIM(turned_graph_is_no_graph)
-{
-    num x[2], y[2];
-    for (int k = 0; k < 2; k++) {
-        num from = from_int(k == 0 ? 1 : -1), height = mul(from, from);
-        x[k] = neg(T->planted ? from : height);
-        y[k] = T->planted ? neg(height) : from;
-    }
-    show_points(T, "the images", 2, plane, (num[]){x[0], y[0], x[1], y[1]});
-    about(T, "the two x");
-    same(T, x[0], x[1]);
-    about(T, "whether the two y differ");
-    agree(T, !equal_q(y[0], y[1]));
-}
-
-CLAIM(circle_has_two_values_each_way)
-{
-    num a = from_ratio(3, 5), b = T->planted ? from_ratio(3, 4) : from_ratio(4, 5), one = from_int(1);
-    num points[4][2] = {{a, b}, {a, neg(b)}, {a, b}, {neg(a), b}};
-    for (int k = 0; k < 4; k++)
-        same(T, add(mul(points[k][0], points[k][0]), mul(points[k][1], points[k][1])), one);
-    about(T, "whether two y belong to one x, and two x to one y");
-    agree(T, equal_q(points[0][0], points[1][0]) && !equal_q(points[0][1], points[1][1]));
-    agree(T, equal_q(points[2][1], points[3][1]) && !equal_q(points[2][0], points[3][0]));
-}
-
-CLAIM(two_cylinders_hold_more_than_the_curve)
-{
-    num x = from_int(0), y = from_int(1), z = from_int(T->planted ? 1 : -1), one = from_int(1);
-    show_points(T, "(x, y, z)", 1, space, (num[]){x, y, z});
-    about(T, "the equations of the two cylinders");
-    same(T, add(mul(x, x), mul(y, y)), one);
-    same(T, add(mul(x, x), mul(z, z)), one);
-    about(T, "z and y");
-    same(T, z, y);
-}
-
-CLAIM(no_two_projections_give_the_circle)
-{
-    for (int k = 0; k < space; k++) { /* the axis of the point */
-        num p[space], one = from_int(1);
-        for (int c = 0; c < space; c++)
-            p[c] = from_int(c == k ? 1 : T->planted && c == (k + 2) % space ? -1 : 0);
-        show_points(T, "a point", 1, space, p);
-        about(T, "the equations of the two cylinders over planes with the axis of the point");
-        for (int j = 1; j <= 2; j++) {
-            num a = p[k], b = p[(k + j) % space];
-            same(T, add(mul(a, a), add(mul(a, b), mul(b, b))), one);
-        }
-        about(T, "x + y + z");
-        vanishes(T, add(p[0], add(p[1], p[2])));
-    }
-}
-
-CLAIM(closed_curve_is_no_pair_of_graphs)
-{
-    num a = from_ratio(3, 5), b = from_ratio(4, 5), other = T->planted ? b : neg(b);
-    num points[2][3] = {{a, b, b}, {a, other, other}};
-    for (int k = 0; k < 2; k++) {
-        num *p = points[k];
-        show_points(T, k == 0 ? "first point" : "second point", 1, space, p);
-        same(T, add(mul(p[0], p[0]), mul(p[1], p[1])), from_int(1));
-        same(T, p[2], p[1]);
-    }
-    about(T, "y of the two points with one x");
-    same(T, points[0][1], points[1][1]);
-}
-
-CLAIM(parametric_cubic_crosses_itself)
-{
-    num zero = from_int(0), one = from_int(1), D[2][4];
-    num loop[8] = {neg(one), zero, zero, neg(one), one, zero, zero, one};
-    if (T->planted)
-        loop[2] = one, loop[4] = zero;
-    for (int k = 0; k < 2; k++)
-        G(power_derivatives)(3, plane, loop, from_int(k == 0 ? -1 : 1), 1, D[k]);
-    about(T, "P(-1) and P(1)");
-    same(T, D[0][0], D[1][0]);
-    same(T, D[0][1], D[1][1]);
-    about(T, "whether the derivatives are not parallel");
-    agree(T, !is_zero_q(G(cross2)(D[0] + 2, D[1] + 2)));
-}
-
 CLAIM(parabola_through_the_points_is_nearer)
 {
     num zero = from_int(0), one = from_int(1), two = from_int(2), half = from_ratio(1, 2), P[2];
@@ -534,7 +578,10 @@ CLAIM(parabola_through_the_points_is_nearer)
 It is right for all curves of the slides: two polynomials with these equalities differ by a multiple of $(x-x_0)^{k+1}$.  Read with difference quotients from either side, the condition says that $f$ is differentiable at $x_0$, and not that $f'$ is continuous
 there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even say that $f$ is continuous.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} equal_derivatives_are_not_continuous
 :title: A function with equal derivatives from both sides whose derivative is not continuous
 :zh: 左右导数相等而导函数不连续
@@ -547,244 +594,7 @@ there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even 
   and the derivative at $\frac1n$, which should be within $\frac12$ of $f'(0)=0$.
 :control: the slopes $\frac{(-1)^n}n$
 :::
-
-:::{claim} equal_limits_do_not_make_a_continuous_function
-:title: Derivatives with one limit from both sides, and a jump
-:zh: 导数左右极限相等而函数间断
-:kind: counterexample
-:given: $f=0$ for $x<0$ and $f=1$ for $x\ge0$
-:then: all derivatives have the limit 0 from both sides, and the values 0 and 1 differ
-:method: Both pieces as polynomials, values and derivatives at 0 up to the order 3.
-:control: $f=0$ everywhere
-:::
-
-:::{claim} equal_derivatives_leave_a_power
-:title: Polynomials with the same derivatives up to order k differ by a multiple of the next power
-:zh: 左右 k 阶导数相等的充要条件
-:given: any polynomial $p$ of degree 7, any $x_0$, any $r$ of degree 2; $q(x)=p(x)+(x-x_0)^{k+1}r(x)$
-:then: $q^{(j)}(x_0)=p^{(j)}(x_0)$ for $j\le k$, and $q^{(k+1)}(x_0)-p^{(k+1)}(x_0)=(k+1)!\,r(x_0)$
-:method: $q$ is multiplied out in powers of $x$; everything a variable.  By Taylor's formula every $q$ with these $k+1$ equalities is of
-  this form with some $r$.
-:degrees: 0..4 sampled 8
-:control: the exponent $k$
-:::
-
-:::{statement} slides-ch4:1-ck-shape
-:title: What C0, C1 and C2 mean for the figure
-:zh: C0、C1、C2 的几何意义
-:printed: Geometrically $C^0$, $C^1$, $C^2$ mean that the graph of the function, the direction of its tangent, its curvature are continuous.
-:holds-by: curvature_of_a_graph
-:hypothesis: tangent_turns_back_at_a_smooth_parameter | $P'\ne0$ where the curve has a parameter; graphs, of which the slides speak, have it always
-:reading: curvature_of_a_graph | from the class to the figure, for graphs: true
-:reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs: false
-:reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: false, the tangent may turn back
-:reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter: false
-:figure: upright_cube_root
-
-A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
-$f''/(1+f'^2)^{3/2}$.  Conversely this holds where no tangent is upright, since $f'$ is the slope and $f''$ the curvature times
-$(1+f'^2)^{3/2}$.
-:::
-
-:::{claim} upright_tangent_is_continuous_and_not_c1
-:title: The graph of the cube root has a continuous tangent and curvature, and the function no derivative
-:zh: 立方根函数:切向与曲率连续而不可导
-:kind: counterexample
-:given: $f(x)=\sqrt[3]x$, its graph $(s^3,s)$ with $s=0$ at the origin
-:then: the graph has $P'=(3s^2,1)\ne0$ and the curvature $\frac{P'\times P''}{|P'|^3}$ for all $s$; the quotient $\frac{f(h)}h$, $h=s^3$, is
-  $\frac1{s^2}$, beyond every bound: at $s=10^{-3}$ it is $10^6$, which is not at most 1000
-:method: Derivatives of the graph by the power kernel, the quotient at the one $s$; that it is at most 1000 is refuted.
-:control: $s=\frac1{10}$
-:::
-
-:::{claim} tangent_turns_back_at_a_smooth_parameter
-:title: A polynomial curve whose tangent turns back
-:zh: 多项式曲线在尖点处切向反转
-:kind: counterexample
-:given: $P(t)=(t^3,t^2)$, which has continuous derivatives of every order
-:then: $P'(-h)\cdot P'(h)=9h^4-4h^2<0$ for $0<h<\frac23$: however near to the origin, the tangents before and after make an obtuse angle
-:method: The derivatives by the power kernel at $h=\frac1{1000}$; that their product is not negative is refuted.
-:control: $P(t)=(t^3+t,t^2)$
-:::
-
-:::{claim} curvature_of_a_graph
-:title: Slope and curvature of a graph
-:zh: 函数图形的切向与曲率
-:given: any values $f'$ and $f''$ of a function
-:then: the curve $(x,f)$ with the derivatives $(1,f')$, $(0,f'')$ has $P'\times P''=f''$, $|P'|^2=1+f'^2$, so the square of its curvature is
-  $\frac{f''^2}{(1+f'^2)^3}$
-:method: The kernels of differential geometry; everything a variable.  The denominator is positive.
-:control: $(1+f'^2)^2$
-:::
-
-## Continuous shape (几何连续性)
-
-:::{statement} slides-ch4:1-gk-definition
-:title: Geometric continuity by arc length
-:zh: 几何连续性 G^k 的定义
-:printed: Two segments are continuous of order $k$ geometrically, $G^k$, when their parametrizations by arc length are $C^k$ at the joint.
-:definition: yes
-:checked-by: conditions_make_one_curve_in_another_parameter
-
-Derivatives by the arc length are found from those by another parameter where $P'\ne0$.
-:::
-
-:::{statement} slides-ch4:1-g0
-:title: G0 and C0 are the same
-:zh: G0 与 C0 一致
-:printed: Geometric continuity of order zero is the same as parametric continuity of order zero.
-:holds-by: position_has_no_parameter
-:::
-
-:::{claim} position_has_no_parameter
-:title: A change of the parameter that keeps the end keeps the point
-:zh: 参数变换不改变端点位置
-:given: a polynomial of degree $n$ with any coefficients, $\phi(u)=\lambda u+\beta u^2$
-:then: $P(\phi(0))=P(0)$, and $(P\circ\phi)'(0)=\lambda P'(0)$: the value is kept for every $\phi$, the derivative only for $\lambda=1$
-:method: $P\circ\phi$ is multiplied out in powers of $u$; everything a variable.
-:degrees: 1..5 sampled 8
-:control: the derivative expected to be kept
-:::
-
-:::{statement} slides-ch4:1-g1
-:title: G1 by proportional first derivatives
-:zh: G1:一阶导数成比例
-:printed: $G^1$ means that the first derivatives of the two segments are proportional at the joint: equal in direction, different in size.
-:holds-by: equal_unit_tangents_fix_the_ratio
-:hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
-:needs: negative_ratio_turns_back | equal in direction: proportional with a negative factor is a curve that turns back
-:reading: equal_unit_tangents_fix_the_ratio | the sizes may differ: true
-:reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
-:figure: joints_of_order
-:::
-
-:::{claim} halves_of_a_segment_have_one_speed
-:title: Two halves of a segment meet with equal derivatives
-:zh: 线段两半在公共点处导矢相等
-:kind: counterexample
-:given: the segment from $(0,0)$ to $(2,0)$ and its halves, each over $[0,1]$
-:then: the derivatives at $(1,0)$ are $(1,0)$ and $(1,0)$
-:method: The derivatives by the kernel; that the squares of their lengths differ is refuted.
-:control: the second half over $[0,\frac12]$
-:::
-
-:::{statement} slides-ch4:1-g2
-:title: G2 by proportional first and second derivatives
-:zh: G2:一、二阶导数均成比例
-:printed: $G^2$ means that the first and the second derivatives of the two segments are proportional at the joint.
-:refuted-by: proportional_derivatives_with_another_curvature one_factor_for_both_derivatives smooth_curve_without_proportional_derivatives proportional_derivatives_by_arc_length
-:class: false
-:corrected: $Q'=\lambda P'$ and $Q''=\lambda^2P''+\beta P'$ with $\lambda>0$ and any $\beta$, $P'\ne0$
-:corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
-:figure: proportional_derivatives
-:striking: 44
-
-There are four readings: two factors without relation; one factor for both; the factor of the second derivative the square of that of the
-first, which is sufficient and not necessary; and derivatives by the arc length, where the first are equal and the second
-proportional.  None is what the definition by arc length says.
-:::
-
-:::{claim} proportional_derivatives_with_another_curvature
-:title: Two factors: the curvature jumps
-:zh: 比例因子独立时曲率间断
-:kind: counterexample
-:given: $P'=(1,0)$, $P''=(0,1)$ at the joint, $Q'=P'$, $Q''=3P''$
-:then: the squares of the curvatures are 1 and 9
-:method: `curvature_squared` of both.
-:control: $Q''=P''$
-:::
-
-:::{claim} one_factor_for_both_derivatives
-:title: One factor for both: the curvature jumps
-:zh: 两阶导数用同一比例因子时曲率间断
-:kind: counterexample
-:given: $P'=(1,0)$, $P''=(0,1)$ at the joint, $Q'=2P'$, $Q''=2P''$
-:then: the squares of the curvatures are 1 and $\frac14$
-:method: `curvature_squared` of both.
-:control: $Q''=4P''$
-:::
-
-:::{claim} smooth_curve_without_proportional_derivatives
-:title: One parabola in two parameters: G2 without proportional second derivatives
-:zh: 二阶导数不成比例而几何连续
-:kind: counterexample
-:given: $P(t)=(t,\frac{t^2}2)$ up to $t=0$ and from there $Q(u)=P(u+\frac{u^2}2)$, the same parabola
-:then: $P''=(0,1)$ and $Q''=(1,1)$ are not proportional, with whatever factor; the curve is a piece of one parabola
-:method: $Q$ as a polynomial in $u$ by its coefficients, which satisfies $2y=x^2$; the determinant of the second derivatives should vanish.
-:control: $Q(u)=P(2u)$
-:::
-
-:::{claim} proportional_derivatives_by_arc_length
-:title: By arc length: equal tangents and proportional second derivatives
-:zh: 弧长参数下二阶导数成比例仍不足
-:kind: counterexample
-:given: unit speed: $P'=Q'=(1,0)$, $P''=(0,1)$, $Q''=(0,-1)$, circles of radius 1 on both sides of the tangent
-:then: the signed curvatures are 1 and $-1$
-:method: $P'\times P''$ and $Q'\times Q''$, which at unit speed are the curvatures.
-:control: $Q''=P''$
-:::
-
-:::{statement} slides-ch4:1-fairness
-:title: Fair curves
-:zh: 光顺
-:printed: A fair curve has not too many inflections.  For plane curves, relatively: (1) $G^2$; (2) no superfluous inflections and singular
-  points; (3) small changes of the curvature.
-:definition: yes
-:checked-by: unit_tangent_jumps_at_the_cusp
-
-The words superfluous and small are not made precise.  The second condition does not follow from the first as the slides explain it: at
-a cusp all derivatives of both sides are equal, hence proportional.
-:::
 */
-/* P composed with phi(u) = lambda u + beta u^2. */
-static struct G(poly) G(composed)(struct G(poly) p, num lambda, num beta)
-{
-    struct G(poly) phi = {2, {from_int(0), lambda, beta}}, sum = G(constant)(p.c[p.n]);
-    for (int k = p.n - 1; k >= 0; k--)
-        sum = G(plus)(G(times)(sum, phi), G(constant)(p.c[k]));
-    return sum;
-}
-
-CLAIM(position_has_no_parameter)
-{
-    num lambda = unknown(T, "l", 0), beta = unknown(T, "b", 0), zero = from_int(0);
-    struct G(poly) p = G(free_poly)(T, "c", T->degree), q = G(composed)(p, lambda, beta);
-    about(T, "the value");
-    same(T, G(at)(q, 0, zero), G(at)(p, 0, zero));
-    about(T, "the derivative");
-    num slope = G(at)(p, 1, zero);
-    same(T, G(at)(q, 1, zero), T->planted ? slope : mul(lambda, slope));
-}
-
-CLAIM(equal_derivatives_leave_a_power)
-{
-    int k = T->degree;
-    num x0 = unknown(T, "x", 0), factorial = from_int(1);
-    struct G(poly) p = G(free_poly)(T, "p", 7), r = G(free_poly)(T, "r", 2);
-    struct G(poly) gap = {1, {neg(x0), from_int(1)}}, product = r;
-    for (int j = 0; j < (T->planted ? k : k + 1); j++)
-        product = G(times)(product, gap);
-    for (int j = 2; j <= k + 1; j++)
-        factorial = mul(factorial, from_int(j));
-    struct G(poly) q = G(plus)(p, product);
-    about(T, "the derivatives up to order k");
-    for (int j = 0; j <= k; j++)
-        same(T, G(at)(q, j, x0), G(at)(p, j, x0));
-    about(T, "the derivative of order k + 1");
-    same(T, sub(G(at)(q, k + 1, x0), G(at)(p, k + 1, x0)), mul(factorial, G(at)(r, 0, x0)));
-}
-
-CLAIM(curvature_of_a_graph)
-{
-    num slope = unknown(T, "f", 1), second = unknown(T, "f", 2), one = from_int(1);
-    num d1[2] = {one, slope}, d2[2] = {from_int(0), second}, speed = add(one, mul(slope, slope));
-    same(T, G(cross2)(d1, d2), second);
-    same(T, G(norm_squared)(plane, d1), speed);
-    num below = T->planted ? mul(speed, speed) : mul(speed, mul(speed, speed));
-    same(T, G(curvature_squared)(plane, d1, d2), div(mul(second, second), below));
-}
-
-#if RATIONAL
 CLAIM(equal_derivatives_are_not_continuous)
 {
     enum { n = 1000 };
@@ -810,6 +620,17 @@ CLAIM(equal_derivatives_are_not_continuous)
     agree(T, compare_q(D[1], from_ratio(1, 2)) <= 0);
 }
 
+/*
+:::{claim} equal_limits_do_not_make_a_continuous_function
+:title: Derivatives with one limit from both sides, and a jump
+:zh: 导数左右极限相等而函数间断
+:kind: counterexample
+:given: $f=0$ for $x<0$ and $f=1$ for $x\ge0$
+:then: all derivatives have the limit 0 from both sides, and the values 0 and 1 differ
+:method: Both pieces as polynomials, values and derivatives at 0 up to the order 3.
+:control: $f=0$ everywhere
+:::
+*/
 CLAIM(equal_limits_do_not_make_a_continuous_function)
 {
     struct G(poly) left = G(constant)(from_int(0)), right = G(constant)(from_int(!T->planted));
@@ -820,7 +641,70 @@ CLAIM(equal_limits_do_not_make_a_continuous_function)
     about(T, "the values at 0");
     same(T, G(at)(left, 0, zero), G(at)(right, 0, zero));
 }
+#endif
 
+/*
+:::{claim} equal_derivatives_leave_a_power
+:title: Polynomials with the same derivatives up to order k differ by a multiple of the next power
+:zh: 左右 k 阶导数相等的充要条件
+:given: any polynomial $p$ of degree 7, any $x_0$, any $r$ of degree 2; $q(x)=p(x)+(x-x_0)^{k+1}r(x)$
+:then: $q^{(j)}(x_0)=p^{(j)}(x_0)$ for $j\le k$, and $q^{(k+1)}(x_0)-p^{(k+1)}(x_0)=(k+1)!\,r(x_0)$
+:method: $q$ is multiplied out in powers of $x$; everything a variable.  By Taylor's formula every $q$ with these $k+1$ equalities is of
+  this form with some $r$.
+:degrees: 0..4 sampled 8
+:control: the exponent $k$
+:::
+*/
+CLAIM(equal_derivatives_leave_a_power)
+{
+    int k = T->degree;
+    num x0 = unknown(T, "x", 0), factorial = from_int(1);
+    struct G(poly) p = G(free_poly)(T, "p", 7), r = G(free_poly)(T, "r", 2);
+    struct G(poly) gap = {1, {neg(x0), from_int(1)}}, product = r;
+    for (int j = 0; j < (T->planted ? k : k + 1); j++)
+        product = G(times)(product, gap);
+    for (int j = 2; j <= k + 1; j++)
+        factorial = mul(factorial, from_int(j));
+    struct G(poly) q = G(plus)(p, product);
+    about(T, "the derivatives up to order k");
+    for (int j = 0; j <= k; j++)
+        same(T, G(at)(q, j, x0), G(at)(p, j, x0));
+    about(T, "the derivative of order k + 1");
+    same(T, sub(G(at)(q, k + 1, x0), G(at)(p, k + 1, x0)), mul(factorial, G(at)(r, 0, x0)));
+}
+
+/*
+:::{statement} slides-ch4:1-ck-shape
+:title: What C0, C1 and C2 mean for the figure
+:zh: C0、C1、C2 的几何意义
+:printed: Geometrically $C^0$, $C^1$, $C^2$ mean that the graph of the function, the direction of its tangent, its curvature are continuous.
+:holds-by: curvature_of_a_graph
+:hypothesis: tangent_turns_back_at_a_smooth_parameter | $P'\ne0$ where the curve has a parameter; graphs, of which the slides speak, have it always
+:reading: curvature_of_a_graph | from the class to the figure, for graphs: true
+:reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs: false
+:reading: derivative_is_continuous_at_the_cusp | from the class to the figure, for curves with a parameter: false, the tangent may turn back
+:reading: continuous_slope_with_another_speed | from the figure to the class, for curves with a parameter: false
+:figure: upright_cube_root
+
+A function of the class $C^1$, $C^2$ has a graph with continuous tangent, curvature: its direction is $(1,f')$, its curvature
+$f''/(1+f'^2)^{3/2}$.  Conversely this holds where no tangent is upright, since $f'$ is the slope and $f''$ the curvature times
+$(1+f'^2)^{3/2}$.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} upright_tangent_is_continuous_and_not_c1
+:title: The graph of the cube root has a continuous tangent and curvature, and the function no derivative
+:zh: 立方根函数:切向与曲率连续而不可导
+:kind: counterexample
+:given: $f(x)=\sqrt[3]x$, its graph $(s^3,s)$ with $s=0$ at the origin
+:then: the graph has $P'=(3s^2,1)\ne0$ and the curvature $\frac{P'\times P''}{|P'|^3}$ for all $s$; the quotient $\frac{f(h)}h$, $h=s^3$, is
+  $\frac1{s^2}$, beyond every bound: at $s=10^{-3}$ it is $10^6$, which is not at most 1000
+:method: Derivatives of the graph by the power kernel, the quotient at the one $s$; that it is at most 1000 is refuted.
+:control: $s=\frac1{10}$
+:::
+*/
 CLAIM(upright_tangent_is_continuous_and_not_c1)
 {
     num s = T->planted ? from_ratio(1, 10) : from_ratio(1, 1000), zero = from_int(0), one = from_int(1), D[6];
@@ -835,6 +719,17 @@ CLAIM(upright_tangent_is_continuous_and_not_c1)
     agree(T, compare_q(quotient, from_int(1000)) <= 0);
 }
 
+/*
+:::{claim} tangent_turns_back_at_a_smooth_parameter
+:title: A polynomial curve whose tangent turns back
+:zh: 多项式曲线在尖点处切向反转
+:kind: counterexample
+:given: $P(t)=(t^3,t^2)$, which has continuous derivatives of every order
+:then: $P'(-h)\cdot P'(h)=9h^4-4h^2<0$ for $0<h<\frac23$: however near to the origin, the tangents before and after make an obtuse angle
+:method: The derivatives by the power kernel at $h=\frac1{1000}$; that their product is not negative is refuted.
+:control: $P(t)=(t^3+t,t^2)$
+:::
+*/
 CLAIM(tangent_turns_back_at_a_smooth_parameter)
 {
     num zero = from_int(0), one = from_int(1), h = from_ratio(1, 1000), before[4], after[4];
@@ -845,7 +740,107 @@ CLAIM(tangent_turns_back_at_a_smooth_parameter)
     about(T, "whether the product of the derivatives is not negative");
     nonnegative(T, add(mul(before[2], after[2]), mul(before[3], after[3])));
 }
+#endif
 
+/*
+:::{claim} curvature_of_a_graph
+:title: Slope and curvature of a graph
+:zh: 函数图形的切向与曲率
+:given: any values $f'$ and $f''$ of a function
+:then: the curve $(x,f)$ with the derivatives $(1,f')$, $(0,f'')$ has $P'\times P''=f''$, $|P'|^2=1+f'^2$, so the square of its curvature is
+  $\frac{f''^2}{(1+f'^2)^3}$
+:method: The kernels of differential geometry; everything a variable.  The denominator is positive.
+:control: $(1+f'^2)^2$
+:::
+*/
+CLAIM(curvature_of_a_graph)
+{
+    num slope = unknown(T, "f", 1), second = unknown(T, "f", 2), one = from_int(1);
+    num d1[2] = {one, slope}, d2[2] = {from_int(0), second}, speed = add(one, mul(slope, slope));
+    same(T, G(cross2)(d1, d2), second);
+    same(T, G(norm_squared)(plane, d1), speed);
+    num below = T->planted ? mul(speed, speed) : mul(speed, mul(speed, speed));
+    same(T, G(curvature_squared)(plane, d1, d2), div(mul(second, second), below));
+}
+
+/*
+## Continuous shape (几何连续性)
+
+:::{statement} slides-ch4:1-gk-definition
+:title: Geometric continuity by arc length
+:zh: 几何连续性 G^k 的定义
+:printed: Two segments are continuous of order $k$ geometrically, $G^k$, when their parametrizations by arc length are $C^k$ at the joint.
+:definition: yes
+:checked-by: conditions_make_one_curve_in_another_parameter
+
+Derivatives by the arc length are found from those by another parameter where $P'\ne0$.
+:::
+
+:::{statement} slides-ch4:1-g0
+:title: G0 and C0 are the same
+:zh: G0 与 C0 一致
+:printed: Geometric continuity of order zero is the same as parametric continuity of order zero.
+:holds-by: position_has_no_parameter
+:::
+*/
+
+/* P composed with phi(u) = lambda u + beta u^2. */
+static struct G(poly) G(composed)(struct G(poly) p, num lambda, num beta)
+{
+    struct G(poly) phi = {2, {from_int(0), lambda, beta}}, sum = G(constant)(p.c[p.n]);
+    for (int k = p.n - 1; k >= 0; k--)
+        sum = G(plus)(G(times)(sum, phi), G(constant)(p.c[k]));
+    return sum;
+}
+
+/*
+:::{claim} position_has_no_parameter
+:title: A change of the parameter that keeps the end keeps the point
+:zh: 参数变换不改变端点位置
+:given: a polynomial of degree $n$ with any coefficients, $\phi(u)=\lambda u+\beta u^2$
+:then: $P(\phi(0))=P(0)$, and $(P\circ\phi)'(0)=\lambda P'(0)$: the value is kept for every $\phi$, the derivative only for $\lambda=1$
+:method: $P\circ\phi$ is multiplied out in powers of $u$; everything a variable.
+:degrees: 1..5 sampled 8
+:control: the derivative expected to be kept
+:::
+*/
+CLAIM(position_has_no_parameter)
+{
+    num lambda = unknown(T, "l", 0), beta = unknown(T, "b", 0), zero = from_int(0);
+    struct G(poly) p = G(free_poly)(T, "c", T->degree), q = G(composed)(p, lambda, beta);
+    about(T, "the value");
+    same(T, G(at)(q, 0, zero), G(at)(p, 0, zero));
+    about(T, "the derivative");
+    num slope = G(at)(p, 1, zero);
+    same(T, G(at)(q, 1, zero), T->planted ? slope : mul(lambda, slope));
+}
+
+/*
+:::{statement} slides-ch4:1-g1
+:title: G1 by proportional first derivatives
+:zh: G1:一阶导数成比例
+:printed: $G^1$ means that the first derivatives of the two segments are proportional at the joint: equal in direction, different in size.
+:holds-by: equal_unit_tangents_fix_the_ratio
+:hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
+:needs: negative_ratio_turns_back | equal in direction: proportional with a negative factor is a curve that turns back
+:reading: equal_unit_tangents_fix_the_ratio | the sizes may differ: true
+:reading: halves_of_a_segment_have_one_speed | the sizes do differ: false, since two halves of a segment with one speed are $G^1$ as well
+:figure: joints_of_order
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} halves_of_a_segment_have_one_speed
+:title: Two halves of a segment meet with equal derivatives
+:zh: 线段两半在公共点处导矢相等
+:kind: counterexample
+:given: the segment from $(0,0)$ to $(2,0)$ and its halves, each over $[0,1]$
+:then: the derivatives at $(1,0)$ are $(1,0)$ and $(1,0)$
+:method: The derivatives by the kernel; that the squares of their lengths differ is refuted.
+:control: the second half over $[0,\frac12]$
+:::
+*/
 CLAIM(halves_of_a_segment_have_one_speed)
 {
     num zero = from_int(0), one = from_int(1), two = from_int(2), D[4], E[4];
@@ -859,21 +854,23 @@ CLAIM(halves_of_a_segment_have_one_speed)
     agree(T, !equal_q(norm_squared_q(plane, D + 2), norm_squared_q(plane, E + 2)));
 }
 
-CLAIM(nodal_cubic_has_an_equation)
-{
-    num zero = from_int(0), one = from_int(1), P[2], value[7];
-    num loop[8] = {neg(one), zero, zero, neg(one), one, zero, zero, one};
-    int all = 1;
-    for (int k = 0; k <= 6; k++) {
-        power_point_q(3, plane, loop, from_int(k), P);
-        num factor = T->planted ? sub(P[0], one) : add(P[0], one);
-        value[k] = sub(mul(P[1], P[1]), mul(mul(P[0], P[0]), factor));
-        all = all && is_zero_q(value[k]);
-    }
-    show_points(T, "the difference at t = 0, ..., 6", 7, 1, value);
-    about(T, "whether one of them is not 0");
-    agree(T, !all);
-}
+/*
+:::{statement} slides-ch4:1-g2
+:title: G2 by proportional first and second derivatives
+:zh: G2:一、二阶导数均成比例
+:printed: $G^2$ means that the first and the second derivatives of the two segments are proportional at the joint.
+:refuted-by: proportional_derivatives_with_another_curvature one_factor_for_both_derivatives smooth_curve_without_proportional_derivatives proportional_derivatives_by_arc_length
+:class: false
+:corrected: $Q'=\lambda P'$ and $Q''=\lambda^2P''+\beta P'$ with $\lambda>0$ and any $\beta$, $P'\ne0$
+:corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
+:figure: proportional_derivatives
+:striking: 44
+
+There are four readings: two factors without relation; one factor for both; the factor of the second derivative the square of that of the
+first, which is sufficient and not necessary; and derivatives by the arc length, where the first are equal and the second
+proportional.  None is what the definition by arc length says.
+:::
+*/
 
 /* Compare the squares of the curvatures of the curves with (1,0), (0,1) and with (first,0), (along,second). */
 static void compare_curvatures(trial *T, int first, int second)
@@ -886,10 +883,43 @@ static void compare_curvatures(trial *T, int first, int second)
     same(T, curvature_squared_q(plane, Q, Q + 2), curvature_squared_q(plane, P, P + 2));
 }
 
+/*
+:::{claim} proportional_derivatives_with_another_curvature
+:title: Two factors: the curvature jumps
+:zh: 比例因子独立时曲率间断
+:kind: counterexample
+:given: $P'=(1,0)$, $P''=(0,1)$ at the joint, $Q'=P'$, $Q''=3P''$
+:then: the squares of the curvatures are 1 and 9
+:method: `curvature_squared` of both.
+:control: $Q''=P''$
+:::
+*/
 CLAIM(proportional_derivatives_with_another_curvature) { compare_curvatures(T, 1, T->planted ? 1 : 3); }
 
+/*
+:::{claim} one_factor_for_both_derivatives
+:title: One factor for both: the curvature jumps
+:zh: 两阶导数用同一比例因子时曲率间断
+:kind: counterexample
+:given: $P'=(1,0)$, $P''=(0,1)$ at the joint, $Q'=2P'$, $Q''=2P''$
+:then: the squares of the curvatures are 1 and $\frac14$
+:method: `curvature_squared` of both.
+:control: $Q''=4P''$
+:::
+*/
 CLAIM(one_factor_for_both_derivatives) { compare_curvatures(T, 2, T->planted ? 4 : 2); }
 
+/*
+:::{claim} smooth_curve_without_proportional_derivatives
+:title: One parabola in two parameters: G2 without proportional second derivatives
+:zh: 二阶导数不成比例而几何连续
+:kind: counterexample
+:given: $P(t)=(t,\frac{t^2}2)$ up to $t=0$ and from there $Q(u)=P(u+\frac{u^2}2)$, the same parabola
+:then: $P''=(0,1)$ and $Q''=(1,1)$ are not proportional, with whatever factor; the curve is a piece of one parabola
+:method: $Q$ as a polynomial in $u$ by its coefficients, which satisfies $2y=x^2$; the determinant of the second derivatives should vanish.
+:control: $Q(u)=P(2u)$
+:::
+*/
 CLAIM(smooth_curve_without_proportional_derivatives)
 {
     num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), lambda = from_int(1 + T->planted);
@@ -906,6 +936,17 @@ CLAIM(smooth_curve_without_proportional_derivatives)
     vanishes(T, G(cross2)(before, after));
 }
 
+/*
+:::{claim} proportional_derivatives_by_arc_length
+:title: By arc length: equal tangents and proportional second derivatives
+:zh: 弧长参数下二阶导数成比例仍不足
+:kind: counterexample
+:given: unit speed: $P'=Q'=(1,0)$, $P''=(0,1)$, $Q''=(0,-1)$, circles of radius 1 on both sides of the tangent
+:then: the signed curvatures are 1 and $-1$
+:method: $P'\times P''$ and $Q'\times Q''$, which at unit speed are the curvatures.
+:control: $Q''=P''$
+:::
+*/
 CLAIM(proportional_derivatives_by_arc_length)
 {
     num d1[2] = {from_int(1), from_int(0)}, p[2] = {from_int(0), from_int(1)};
@@ -915,4 +956,18 @@ CLAIM(proportional_derivatives_by_arc_length)
     same(T, G(cross2)(d1, q), G(cross2)(d1, p));
 }
 #endif
+
+/*
+:::{statement} slides-ch4:1-fairness
+:title: Fair curves
+:zh: 光顺
+:printed: A fair curve has not too many inflections.  For plane curves, relatively: (1) $G^2$; (2) no superfluous inflections and singular
+  points; (3) small changes of the curvature.
+:definition: yes
+:checked-by: unit_tangent_jumps_at_the_cusp
+
+The words superfluous and small are not made precise.  The second condition does not follow from the first as the slides explain it: at
+a cusp all derivatives of both sides are equal, hence proportional.
+:::
+*/
 #include "chapters/judge/claims_off.h"

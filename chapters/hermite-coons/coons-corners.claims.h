@@ -3,7 +3,12 @@
 
 When the borders and the derivatives across them are themselves cubics of Hermite, sixteen vectors at the corners say
 everything, and the Boolean sum becomes a product of matrices.
+*/
+#include "chapters/hermite-coons/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} slides-ch4:3-borders-by-hermite
 :title: Borders and derivatives across from the data of the corners
 :zh: 用 Hermite 插值给出边界线与跨界切向量
@@ -13,67 +18,7 @@ everything, and the Boolean sum becomes a product of matrices.
 :holds-by: cubic_frame_of_corners_gives_the_product
 :figure: worked_patch
 :::
-
-:::{statement} slides-ch4:3-product
-:title: The patch as a product of matrices
-:zh: 双三次 Coons 曲面的矩阵形式
-:printed: P(u,w)=q(u)\,M\,q(w)^T=[u^3\;u^2\;u\;1]\,H\,M\,H^T\,[w^3\;w^2\;w\;1]^T,\quad H=\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}
-:holds-by: cubic_frame_of_corners_gives_the_product tensor_kernel_is_the_matrix_product
-:figure: worked_patch
-:::
-
-:::{claim} cubic_frame_of_corners_gives_the_product
-:title: The Boolean sum over a frame of Hermite cubics is q(u) M q(w)
-:zh: Hermite 边框的布尔和为张量积
-:given: any $M$, $u$, $w$; the frame computed from $M$ by the printed formulas
-:then: all three terms of the patch are $q(u)Mq(w)^T$, so the patch is; it is also $UHMH^TW^T$
-:method: The frame with the functions $q$ multiplied out from their factors, the patch by `coons_patch`, the product by the printed
-  matrix $H$; everything variable.
-:control: the twist $11_{uw}$ left out of $u1_w$
-:::
-
-:::{claim} tensor_kernel_is_the_matrix_product
-:title: The kernel gives every derivative of the product, and at the corners the sixteen data
-:zh: 张量积曲面的各阶偏导与角点数据
-:given: any $M$, $u$, $w$, orders 0 to 3 in $u$ and in $w$
-:then: `hermite_tensor` is the derivative of $UHMH^TW^T$; its values, first derivatives and twists at the corners are $M$
-:method: The sixteen coefficients $HMH^T$ and the derivatives of the powers; everything variable.
-:defines: hermite_tensor
-:control: $M$ transposed
-:::
-
-:::{statement} slides-ch4:3-worked-patch
-:title: The worked patch
-:zh: Coons 曲面算例
-:printed: $P_0,\dots,P_3$ at $(0,0,0)$, $(0,\frac34,0)$, $(\frac34,0,0)$, $(\frac34,\frac34,0)$; the corner matrices have the absolute values
-  $|M_x|=\frac34\begin{bmatrix}0&0&1&1\\1&1&1&1\\1&1&1&1\\1&1&1&1\end{bmatrix}$, $|M_y|=\frac34\begin{bmatrix}0&1&1&1\\0&1&1&1\\1&1&1&1\\1&1&1&1\end{bmatrix}$,
-  $|M_z|=\frac34\begin{bmatrix}0&0&1&1\\0&0&1&1\\0&0&1&1\\0&0&1&1\end{bmatrix}$, and the patch the coefficients
-  $|C_x|=\begin{bmatrix}3&3&0&0\\4.5&3.75&0.75&0\\0&0.75&0.75&0.75\\0&0.75&0.75&0\end{bmatrix}$,
-  $|C_y|=\begin{bmatrix}0&0&0&0\\0&0.75&0.75&0.75\\0&0.75&0.75&0.75\\0&0&0.75&0\end{bmatrix}$,
-  $|C_z|=\begin{bmatrix}0&0&0&0\\0&0.75&0.75&0\\0&0.75&0.75&0\\1.5&2.25&0.75&0\end{bmatrix}$
-:holds-by: signs_of_the_worked_patch
-:figure: worked_patch
-
-The signs are lost and have been put back by computation: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$ has the printed absolute
-values, all 48 of them.  Few choices fit: 2 of 4096 for $x$, 4 of 4096 for $y$, 4 of 256 for $z$.  Those for $x$ differ by the sign of all
-derivatives with respect to $w$.  In $z$ the sign of these derivatives and that of the twists are free; in $y$ that of the
-derivatives with respect to $u$ and that of the twists.  The numbers alone leave 32 readings, and no misprint.
-:::
-
-:::{claim} signs_of_the_worked_patch
-:title: How many choices of signs make the corner matrices fit the coefficients
-:zh: 由数值恢复符号
-:kind: decision
-:given: the absolute values of the three corner matrices and of the three matrices of coefficients, in units of $\frac34$; the coordinates
-  of the corners are not negative, as printed; all choices of the other signs
-:then: $|HMH^T|$ is the printed matrix for exactly 2, 4 and 4 of the 4096, 4096 and 256 choices
-:method: All choices, in integers.
-:control: 3 in the place of 3.75 in $C_x$, 0 in the place of a 0.75 in $C_y$ and in $C_z$
-:::
 */
-#include "chapters/hermite-coons/definition.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* C = H M H^T, entry (i, j) belonging to u^{3-i} w^{3-j}. */
 static void G(product_of_corners)(const num M[16], num C[16])
@@ -110,6 +55,17 @@ static void G(any_corners)(trial *T, num M[16])
         M[i] = unknown(T, "m", i);
 }
 
+/*
+:::{claim} cubic_frame_of_corners_gives_the_product
+:title: The Boolean sum over a frame of Hermite cubics is q(u) M q(w)
+:zh: Hermite 边框的布尔和为张量积
+:given: any $M$, $u$, $w$; the frame computed from $M$ by the printed formulas
+:then: all three terms of the patch are $q(u)Mq(w)^T$, so the patch is; it is also $UHMH^TW^T$
+:method: The frame with the functions $q$ multiplied out from their factors, the patch by `coons_patch`, the product by the printed
+  matrix $H$; everything variable.
+:control: the twist $11_{uw}$ left out of $u1_w$
+:::
+*/
 CLAIM(cubic_frame_of_corners_gives_the_product)
 {
     num M[16], C[16], u = parameter(T, "u"), w = parameter(T, "w"), a[4], b[4], A[4], B[4], P;
@@ -138,6 +94,25 @@ CLAIM(cubic_frame_of_corners_gives_the_product)
     same(T, P, expected);
 }
 
+/*
+:::{statement} slides-ch4:3-product
+:title: The patch as a product of matrices
+:zh: 双三次 Coons 曲面的矩阵形式
+:printed: P(u,w)=q(u)\,M\,q(w)^T=[u^3\;u^2\;u\;1]\,H\,M\,H^T\,[w^3\;w^2\;w\;1]^T,\quad H=\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}
+:holds-by: cubic_frame_of_corners_gives_the_product tensor_kernel_is_the_matrix_product
+:figure: worked_patch
+:::
+
+:::{claim} tensor_kernel_is_the_matrix_product
+:title: The kernel gives every derivative of the product, and at the corners the sixteen data
+:zh: 张量积曲面的各阶偏导与角点数据
+:given: any $M$, $u$, $w$, orders 0 to 3 in $u$ and in $w$
+:then: `hermite_tensor` is the derivative of $UHMH^TW^T$; its values, first derivatives and twists at the corners are $M$
+:method: The sixteen coefficients $HMH^T$ and the derivatives of the powers; everything variable.
+:defines: hermite_tensor
+:control: $M$ transposed
+:::
+*/
 CLAIM(tensor_kernel_is_the_matrix_product)
 {
     num M[16], C[16], used[16], u = parameter(T, "u"), w = parameter(T, "w"), P;
@@ -158,7 +133,39 @@ CLAIM(tensor_kernel_is_the_matrix_product)
         }
 }
 
+/*
+:::{statement} slides-ch4:3-worked-patch
+:title: The worked patch
+:zh: Coons 曲面算例
+:printed: $P_0,\dots,P_3$ at $(0,0,0)$, $(0,\frac34,0)$, $(\frac34,0,0)$, $(\frac34,\frac34,0)$; the corner matrices have the absolute values
+  $|M_x|=\frac34\begin{bmatrix}0&0&1&1\\1&1&1&1\\1&1&1&1\\1&1&1&1\end{bmatrix}$, $|M_y|=\frac34\begin{bmatrix}0&1&1&1\\0&1&1&1\\1&1&1&1\\1&1&1&1\end{bmatrix}$,
+  $|M_z|=\frac34\begin{bmatrix}0&0&1&1\\0&0&1&1\\0&0&1&1\\0&0&1&1\end{bmatrix}$, and the patch the coefficients
+  $|C_x|=\begin{bmatrix}3&3&0&0\\4.5&3.75&0.75&0\\0&0.75&0.75&0.75\\0&0.75&0.75&0\end{bmatrix}$,
+  $|C_y|=\begin{bmatrix}0&0&0&0\\0&0.75&0.75&0.75\\0&0.75&0.75&0.75\\0&0&0.75&0\end{bmatrix}$,
+  $|C_z|=\begin{bmatrix}0&0&0&0\\0&0.75&0.75&0\\0&0.75&0.75&0\\1.5&2.25&0.75&0\end{bmatrix}$
+:holds-by: signs_of_the_worked_patch
+:figure: worked_patch
+
+The signs are lost and have been put back by computation: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$ has the printed absolute
+values, all 48 of them.  Few choices fit: 2 of 4096 for $x$, 4 of 4096 for $y$, 4 of 256 for $z$.  Those for $x$ differ by the sign of all
+derivatives with respect to $w$.  In $z$ the sign of these derivatives and that of the twists are free; in $y$ that of the
+derivatives with respect to $u$ and that of the twists.  The numbers alone leave 32 readings, and no misprint.
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} signs_of_the_worked_patch
+:title: How many choices of signs make the corner matrices fit the coefficients
+:zh: 由数值恢复符号
+:kind: decision
+:given: the absolute values of the three corner matrices and of the three matrices of coefficients, in units of $\frac34$; the coordinates
+  of the corners are not negative, as printed; all choices of the other signs
+:then: $|HMH^T|$ is the printed matrix for exactly 2, 4 and 4 of the 4096, 4096 and 256 choices
+:method: All choices, in integers.
+:control: 3 in the place of 3.75 in $C_x$, 0 in the place of a 0.75 in $C_y$ and in $C_z$
+:::
+*/
 /* How many choices of signs of the entries of M, the four coordinates of corners excepted, have |H M H^T| = C. */
 static int fitting_signs(const int M[16], const int C[16])
 {
@@ -210,4 +217,5 @@ CLAIM(signs_of_the_worked_patch)
     }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

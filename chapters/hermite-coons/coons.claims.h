@@ -4,7 +4,14 @@
 Two opposite curves are joined by a ruled surface; so are the two others.  The sum of both surfaces has too much at every
 border, and what it has too much is the bilinear surface of the corners.  Taken away, it leaves a surface with the four
 curves as its borders: a Boolean sum (布尔和).  The same is done with curves and derivatives across them.
+*/
+#include "chapters/hermite-coons/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { most_data = 4 };
+
+/*
 ## Four curves
 
 :::{statement} slides-ch4:3-notation
@@ -33,7 +40,130 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 
 The two parts of what is asked do different things: the end values keep the borders, the sum lets the surface move with its frame.
 :::
+*/
 
+static void G(any_data)(trial *T, const char *name, int count, num data[])
+{
+    for (int i = 0; i < count; i++)
+        data[i] = unknown(T, name, i);
+}
+
+/* Compare on all borders: value 0 to m/2 - 1 across.  What runs across has its data in M, but for a fault in the last one
+ * of them on the first border. */
+static void G(borders_are_kept)(trial *T, int m)
+{
+    num M[most_data * most_data], along[most_data], free[most_data], P;
+    G(any_data)(T, "m", m * m, M);
+    G(any_data)(T, "x", m, along);
+    G(any_data)(T, "f", m, free);
+    for (int k = 0; k < m; k++) { /* the border k % 2, its value or its derivative across */
+        num unit[most_data], across[most_data];
+        for (int i = 0; i < m; i++)
+            unit[i] = from_int(i == k);
+        about(T, k < 2 ? "the value on a border" : "the derivative across a border");
+        for (int j = 0; j < m; j++)
+            across[j] = T->planted && k == m - 2 && j == m - 1 ? add(M[k * m + j], from_int(1)) : M[k * m + j];
+        G(coons_patch)(m, 1, unit, free, along, across, M, &P);
+        same(T, P, along[k]);
+        for (int j = 0; j < m; j++)
+            across[j] = M[j * m + k];
+        G(coons_patch)(m, 1, free, unit, across, along, M, &P);
+        same(T, P, along[k]);
+    }
+}
+
+/*
+:::{claim} four_curves_are_borders
+:title: The patch of four curves that meet has them as borders
+:zh: 曲面以给定四曲线为边界
+:given: corners, and at a border any value of its curve and of the blending functions of its parameter
+:then: the patch at $u=0$, $u=1$, $w=0$, $w=1$ is the value of $0w$, $1w$, $u0$, $u1$
+:method: On a border the functions of the other parameter are 1 and 0 and the curves across are at their corners; no other property is used.
+:control: one of the curves across does not end at its corner
+:::
+*/
+CLAIM(four_curves_are_borders) { G(borders_are_kept)(T, 2); }
+
+/*
+:::{claim} shifted_frame_shifts_the_patch_by_a_product
+:title: What a patch does when its frame is moved
+:zh: 平移边框时曲面的变化
+:given: any blending values with the sums $\alpha$ at $u$ and $\beta$ at $w$, any data, a shift $v$ of all curves and corners
+:then: the point moves by $\bigl(1-(1-\alpha)(1-\beta)\bigr)v$: by $v$ wherever one of the sums is 1
+:method: The kernel with both sets of data; everything variable.
+:control: the corners are not moved
+:::
+*/
+CLAIM(shifted_frame_shifts_the_patch_by_a_product)
+{
+    num a[2], b[2], A[2], B[2], M[4], P, Q, v = unknown(T, "v", 0), one = from_int(1);
+    G(any_data)(T, "a", 2, a);
+    G(any_data)(T, "b", 2, b);
+    G(any_data)(T, "x", 2, A);
+    G(any_data)(T, "y", 2, B);
+    G(any_data)(T, "m", 4, M);
+    G(coons_patch)(2, 1, a, b, A, B, M, &P);
+    for (int i = 0; i < 2; i++)
+        A[i] = add(A[i], v), B[i] = add(B[i], v);
+    for (int i = 0; i < 4; i++)
+        M[i] = T->planted ? M[i] : add(M[i], v);
+    G(coons_patch)(2, 1, a, b, A, B, M, &Q);
+    num gap = mul(sub(one, add(a[0], a[1])), sub(one, add(b[0], b[1])));
+    same(T, sub(Q, P), mul(sub(one, gap), v));
+}
+
+#if RATIONAL
+/*
+:::{claim} blendings_without_end_values_lose_the_border
+:title: With functions that lack the end values a border is lost
+:zh: 混合函数端点值不符则失去边界
+:kind: counterexample
+:given: $f_0=f_1=\frac12$, whose sum is 1; $0w=(0,w,w(1-w))$, the other borders straight, those of the unit square
+:then: $P(0,\frac12)$ has the height $\frac18$, and the border there $\frac14$
+:method: The kernel, third coordinate.
+:control: $f_0=1-t$, $f_1=t$
+:::
+*/
+CLAIM(blendings_without_end_values_lose_the_border)
+{
+    num half = from_ratio(1, 2), quarter = from_ratio(1, 4), zero = from_int(0), P;
+    num a[2] = {T->planted ? from_int(1) : half, T->planted ? zero : half}, b[2] = {half, half};
+    num A[2] = {quarter, zero}, B[2] = {zero, zero}, M[4] = {zero, zero, zero, zero};
+    coons_patch_q(2, 1, a, b, A, B, M, &P);
+    show_points(T, "f_0(0), f_1(0)", 2, 1, a);
+    about(T, "the heights of P(0, 1/2) and of 0w");
+    same(T, P, A[0]);
+}
+#endif
+
+/* P_1 + P_2 and P_3 as printed. */
+static num G(ruled)(const num f[2], const num curve[2]) { return add(mul(f[0], curve[0]), mul(f[1], curve[1])); }
+
+#if RATIONAL
+/*
+:::{claim} blendings_without_sum_one_bend_a_ruling
+:title: With functions whose sum is not 1 two points are joined by a curve
+:zh: 混合函数之和不为一时直母线弯曲
+:kind: counterexample
+:given: $f_0=(1-u)^2$, $f_1=u^2$, which have the end values; $0w=(0,0,1)$ and $1w=(1,0,1)$ for one $w$
+:then: $P_1(\frac12,w)=(\frac14,0,\frac12)$, while the line through the two points has the height 1
+:method: The sum, coordinate by coordinate.
+:control: $f_0=1-u$, $f_1=u$
+:::
+*/
+CLAIM(blendings_without_sum_one_bend_a_ruling)
+{
+    num value = T->planted ? from_ratio(1, 2) : from_ratio(1, 4), f[2] = {value, value}, P[3];
+    static const int ends[3][2] = {{0, 1}, {0, 0}, {1, 1}};
+    for (int c = 0; c < 3; c++)
+        P[c] = ruled_q(f, (num[]){from_int(ends[c][0]), from_int(ends[c][1])});
+    show_points(T, "P_1(1/2, w)", 1, 3, P);
+    about(T, "its height and that of the line");
+    same(T, P[2], from_int(1));
+}
+#endif
+
+/*
 :::{statement} slides-ch4:3-ruled
 :title: Two ruled surfaces and the surface of the corners
 :zh: 两张直纹面与角点曲面
@@ -62,7 +192,37 @@ The two parts of what is asked do different things: the end values keep the bord
   other pair and of the border curve are variables.
 :control: $f_0$ and $f_1$ exchanged in $P_2$
 :::
+*/
+static num G(of_corners)(const num f[2], const num g[2], const num M[4])
+{
+    num first = mul(f[0], add(mul(g[0], M[0]), mul(g[1], M[1])));
+    return add(first, mul(f[1], add(mul(g[0], M[2]), mul(g[1], M[3]))));
+}
 
+CLAIM(sum_of_ruled_surfaces_has_too_much)
+{
+    num M[4], free[2], border = unknown(T, "x", 0), other = unknown(T, "x", 1);
+    G(any_data)(T, "m", 4, M);
+    G(any_data)(T, "f", 2, free);
+    for (int end = 0; end < 2; end++) {
+        num unit[2] = {from_int(end == 0), from_int(end == 1)};
+        num curves[2] = {end == 0 ? border : other, end == 0 ? other : border}; /* along this border, opposite */
+        num u_corners[2] = {M[2 * end], M[2 * end + 1]}, w_corners[2] = {M[end], M[2 + end]};
+        num swapped[2] = {free[1], free[0]};
+        num P1 = G(ruled)(unit, curves), P2 = G(ruled)(T->planted ? swapped : free, u_corners);
+        num P3 = G(of_corners)(unit, free, M);
+        about(T, "u = 0 and u = 1");
+        same(T, sub(add(P1, P2), P3), border);
+        same(T, P2, P3);
+        P2 = G(ruled)(unit, curves), P1 = G(ruled)(free, w_corners);
+        P3 = G(of_corners)(free, unit, M);
+        about(T, "w = 0 and w = 1");
+        same(T, sub(add(P1, P2), P3), border);
+        same(T, P1, P3);
+    }
+}
+
+/*
 :::{statement} slides-ch4:3-bilinear
 :title: The patch with four given borders
 :zh: 双线性混合 Coons 曲面
@@ -75,74 +235,6 @@ The two parts of what is asked do different things: the end values keep the bord
 :figure: boolean_sum
 :::
 
-:::{claim} coons_kernel_is_the_bordered_product
-:title: The kernel is the printed sum of products, for two and for four functions
-:zh: Coons 曲面的分块矩阵形式
-:given: any values of the blending functions, any data across, along and at the corners, $m=2$ and $m=4$
-:then: `coons_patch` is $-[-1\;a]\begin{bmatrix}0&B\\A&M\end{bmatrix}\begin{bmatrix}-1\\b\end{bmatrix}$, which is the printed sum
-:method: The bordered matrix of $m+1$ rows is formed and multiplied out; everything variable.
-:defines: coons_patch
-:control: the matrix of the corners transposed
-:::
-
-:::{claim} four_curves_are_borders
-:title: The patch of four curves that meet has them as borders
-:zh: 曲面以给定四曲线为边界
-:given: corners, and at a border any value of its curve and of the blending functions of its parameter
-:then: the patch at $u=0$, $u=1$, $w=0$, $w=1$ is the value of $0w$, $1w$, $u0$, $u1$
-:method: On a border the functions of the other parameter are 1 and 0 and the curves across are at their corners; no other property is used.
-:control: one of the curves across does not end at its corner
-:::
-
-:::{claim} open_corner_loses_the_border
-:title: If two curves do not meet the patch loses a border
-:zh: 角点不闭合则失去边界
-:kind: counterexample
-:given: $f_0=1-t$, $f_1=t$; all curves constant 0 except $u0=1$; the corners of $M$ are 0
-:then: $P(0,w)=1-w$, not $0w=0$
-:method: The kernel at $u=0$, $w=\frac12$.
-:control: $u0=0$
-:::
-
-:::{claim} shifted_frame_shifts_the_patch_by_a_product
-:title: What a patch does when its frame is moved
-:zh: 平移边框时曲面的变化
-:given: any blending values with the sums $\alpha$ at $u$ and $\beta$ at $w$, any data, a shift $v$ of all curves and corners
-:then: the point moves by $\bigl(1-(1-\alpha)(1-\beta)\bigr)v$: by $v$ wherever one of the sums is 1
-:method: The kernel with both sets of data; everything variable.
-:control: the corners are not moved
-:::
-
-:::{claim} blendings_without_sum_one_move_the_patch
-:title: With functions whose sum is not 1 a frame of one point is filled by more than the point
-:zh: 混合函数之和不为一时不具平移不变性
-:kind: counterexample
-:given: $f_0=(1-t)^2$, $f_1=t^2$, which have the end values; all curves the constant 1
-:then: at $u=w=\frac12$ the patch is $\frac34$, while all its borders are 1
-:method: The kernel.
-:control: $f_0=1-t$, $f_1=t$
-:::
-
-:::{claim} blendings_without_end_values_lose_the_border
-:title: With functions that lack the end values a border is lost
-:zh: 混合函数端点值不符则失去边界
-:kind: counterexample
-:given: $f_0=f_1=\frac12$, whose sum is 1; $0w=(0,w,w(1-w))$, the other borders straight, those of the unit square
-:then: $P(0,\frac12)$ has the height $\frac18$, and the border there $\frac14$
-:method: The kernel, third coordinate.
-:control: $f_0=1-t$, $f_1=t$
-:::
-
-:::{claim} blendings_without_sum_one_bend_a_ruling
-:title: With functions whose sum is not 1 two points are joined by a curve
-:zh: 混合函数之和不为一时直母线弯曲
-:kind: counterexample
-:given: $f_0=(1-u)^2$, $f_1=u^2$, which have the end values; $0w=(0,0,1)$ and $1w=(1,0,1)$ for one $w$
-:then: $P_1(\frac12,w)=(\frac14,0,\frac12)$, while the line through the two points has the height 1
-:method: The sum, coordinate by coordinate.
-:control: $f_0=1-u$, $f_1=u$
-:::
-
 :::{statement} slides-ch4:3-corner-points
 :title: The corners in the matrix can be computed from the four curves
 :zh: 矩阵 M 的角点可由四条边界曲线求得
@@ -152,6 +244,86 @@ The two parts of what is asked do different things: the end values keep the bord
 :figure: boolean_sum
 :::
 
+:::{claim} coons_kernel_is_the_bordered_product
+:title: The kernel is the printed sum of products, for two and for four functions
+:zh: Coons 曲面的分块矩阵形式
+:given: any values of the blending functions, any data across, along and at the corners, $m=2$ and $m=4$
+:then: `coons_patch` is $-[-1\;a]\begin{bmatrix}0&B\\A&M\end{bmatrix}\begin{bmatrix}-1\\b\end{bmatrix}$, which is the printed sum
+:method: The bordered matrix of $m+1$ rows is formed and multiplied out; everything variable.
+:defines: coons_patch
+:control: the matrix of the corners transposed
+:::
+*/
+CLAIM(coons_kernel_is_the_bordered_product)
+{
+    num a[most_data], b[most_data], A[most_data], B[most_data], M[most_data * most_data], used[most_data * most_data];
+    for (int m = 2; m <= most_data; m += 2) {
+        num bordered[5][5], left[5] = {from_int(-1)}, right[5] = {from_int(-1)}, product = from_int(0), P;
+        G(any_data)(T, "a", m, a);
+        G(any_data)(T, "b", m, b);
+        G(any_data)(T, "x", m, A);
+        G(any_data)(T, "y", m, B);
+        G(any_data)(T, "m", m * m, M);
+        bordered[0][0] = from_int(0);
+        for (int i = 0; i < m; i++) {
+            left[i + 1] = a[i], right[i + 1] = b[i];
+            bordered[i + 1][0] = A[i], bordered[0][i + 1] = B[i];
+            for (int j = 0; j < m; j++) {
+                bordered[i + 1][j + 1] = M[i * m + j];
+                used[i * m + j] = M[T->planted ? j * m + i : i * m + j];
+            }
+        }
+        for (int i = 0; i <= m; i++)
+            for (int j = 0; j <= m; j++)
+                product = add(product, mul(left[i], mul(bordered[i][j], right[j])));
+        G(coons_patch)(m, 1, a, b, A, B, used, &P);
+        same(T, P, neg(product));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} open_corner_loses_the_border
+:title: If two curves do not meet the patch loses a border
+:zh: 角点不闭合则失去边界
+:kind: counterexample
+:given: $f_0=1-t$, $f_1=t$; all curves constant 0 except $u0=1$; the corners of $M$ are 0
+:then: $P(0,w)=1-w$, not $0w=0$
+:method: The kernel at $u=0$, $w=\frac12$.
+:control: $u0=0$
+:::
+*/
+CLAIM(open_corner_loses_the_border)
+{
+    num a[2] = {from_int(1), from_int(0)}, half = from_ratio(1, 2), b[2] = {half, half}, zero = from_int(0), P;
+    num A[2] = {zero, zero}, B[2] = {from_int(!T->planted), zero}, M[4] = {zero, zero, zero, zero};
+    coons_patch_q(2, 1, a, b, A, B, M, &P);
+    about(T, "P(0, 1/2) and the curve 0w");
+    same(T, P, A[0]);
+}
+
+/*
+:::{claim} blendings_without_sum_one_move_the_patch
+:title: With functions whose sum is not 1 a frame of one point is filled by more than the point
+:zh: 混合函数之和不为一时不具平移不变性
+:kind: counterexample
+:given: $f_0=(1-t)^2$, $f_1=t^2$, which have the end values; all curves the constant 1
+:then: at $u=w=\frac12$ the patch is $\frac34$, while all its borders are 1
+:method: The kernel.
+:control: $f_0=1-t$, $f_1=t$
+:::
+*/
+CLAIM(blendings_without_sum_one_move_the_patch)
+{
+    num value = T->planted ? from_ratio(1, 2) : from_ratio(1, 4), a[2] = {value, value}, one = from_int(1), P;
+    num curves[2] = {one, one}, M[4] = {one, one, one, one};
+    coons_patch_q(2, 1, a, a, curves, curves, M, &P);
+    about(T, "P(1/2, 1/2) and the only point of the frame");
+    same(T, P, one);
+}
+#endif
+
+/*
 :::{statement} slides-ch4:3-bicubic-degree
 :title: Cubic curves and cubic blendings give a bicubic patch
 :zh: 双三次多项式
@@ -159,7 +331,10 @@ The two parts of what is asked do different things: the end values keep the bord
 :holds-by: cubic_frame_gives_bicubic_patch
 :figure: worked_patch
 :::
+*/
 
+#if FIELD
+/*
 :::{claim} cubic_frame_gives_bicubic_patch
 :title: The degree of the patch in each parameter is at most 3
 :zh: 曲面关于每个参数次数不超过三
@@ -170,7 +345,30 @@ The two parts of what is asked do different things: the end values keep the bord
   function whose fourth difference is 0 is a polynomial of degree at most 3.
 :control: a curve $u0$ of degree 4
 :::
+*/
+CLAIM(cubic_frame_gives_bicubic_patch)
+{
+    static const int alternating[5] = {1, -4, 6, -4, 1};
+    num u = variable_f("u"), w = variable_f("w"), M[4], P, across_u = from_int(0), across_w = from_int(0);
+    struct poly_f f0 = free_poly_f(T, "f", 3), f1 = free_poly_f(T, "g", 3);
+    struct poly_f u0 = free_poly_f(T, "x", T->planted ? 4 : 3), u1 = free_poly_f(T, "y", 3);
+    struct poly_f w0 = free_poly_f(T, "a", 3), w1 = free_poly_f(T, "b", 3);
+    G(any_data)(T, "m", 4, M);
+    for (int direction = 0; direction < 2; direction++)
+        for (int k = 0; k <= 4; k++) {
+            num x = direction == 0 ? add(u, from_int(k)) : u, y = direction == 1 ? add(w, from_int(k)) : w;
+            num a[2] = {at_f(f0, 0, x), at_f(f1, 0, x)}, b[2] = {at_f(f0, 0, y), at_f(f1, 0, y)};
+            num A[2] = {at_f(w0, 0, y), at_f(w1, 0, y)}, B[2] = {at_f(u0, 0, x), at_f(u1, 0, x)};
+            G(coons_patch)(2, 1, a, b, A, B, M, &P);
+            num *sum = direction == 0 ? &across_u : &across_w;
+            *sum = add(*sum, mul(from_int(alternating[k]), P));
+        }
+    vanishes(T, across_u);
+    vanishes(T, across_w);
+}
+#endif
 
+/*
 ## Four curves and the derivatives across them
 
 :::{statement} slides-ch4:3-bicubic
@@ -203,7 +401,11 @@ The two parts of what is asked do different things: the end values keep the bord
   runs across has its values and derivatives in $M$; likewise for $w$.  No other property is used.
 :control: one twist differs between the curve and $M$
 :::
+*/
+CLAIM(borders_and_cross_derivatives_are_kept) { G(borders_are_kept)(T, 4); }
 
+#if RATIONAL
+/*
 :::{claim} two_twists_cannot_both_be_kept
 :title: Two twists at a corner: whichever is taken, one derivative across is lost
 :zh: 扭矢不相容则不能同时保持
@@ -214,186 +416,6 @@ The two parts of what is asked do different things: the end values keep the bord
 :control: $u0_w=0$ and the twist 0
 :::
 */
-#include "chapters/hermite-coons/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { most_data = 4 };
-
-static void G(any_data)(trial *T, const char *name, int count, num data[])
-{
-    for (int i = 0; i < count; i++)
-        data[i] = unknown(T, name, i);
-}
-
-/* P_1 + P_2 and P_3 as printed. */
-static num G(ruled)(const num f[2], const num curve[2]) { return add(mul(f[0], curve[0]), mul(f[1], curve[1])); }
-static num G(of_corners)(const num f[2], const num g[2], const num M[4])
-{
-    num first = mul(f[0], add(mul(g[0], M[0]), mul(g[1], M[1])));
-    return add(first, mul(f[1], add(mul(g[0], M[2]), mul(g[1], M[3]))));
-}
-
-CLAIM(sum_of_ruled_surfaces_has_too_much)
-{
-    num M[4], free[2], border = unknown(T, "x", 0), other = unknown(T, "x", 1);
-    G(any_data)(T, "m", 4, M);
-    G(any_data)(T, "f", 2, free);
-    for (int end = 0; end < 2; end++) {
-        num unit[2] = {from_int(end == 0), from_int(end == 1)};
-        num curves[2] = {end == 0 ? border : other, end == 0 ? other : border}; /* along this border, opposite */
-        num u_corners[2] = {M[2 * end], M[2 * end + 1]}, w_corners[2] = {M[end], M[2 + end]};
-        num swapped[2] = {free[1], free[0]};
-        num P1 = G(ruled)(unit, curves), P2 = G(ruled)(T->planted ? swapped : free, u_corners);
-        num P3 = G(of_corners)(unit, free, M);
-        about(T, "u = 0 and u = 1");
-        same(T, sub(add(P1, P2), P3), border);
-        same(T, P2, P3);
-        P2 = G(ruled)(unit, curves), P1 = G(ruled)(free, w_corners);
-        P3 = G(of_corners)(free, unit, M);
-        about(T, "w = 0 and w = 1");
-        same(T, sub(add(P1, P2), P3), border);
-        same(T, P1, P3);
-    }
-}
-
-CLAIM(coons_kernel_is_the_bordered_product)
-{
-    num a[most_data], b[most_data], A[most_data], B[most_data], M[most_data * most_data], used[most_data * most_data];
-    for (int m = 2; m <= most_data; m += 2) {
-        num bordered[5][5], left[5] = {from_int(-1)}, right[5] = {from_int(-1)}, product = from_int(0), P;
-        G(any_data)(T, "a", m, a);
-        G(any_data)(T, "b", m, b);
-        G(any_data)(T, "x", m, A);
-        G(any_data)(T, "y", m, B);
-        G(any_data)(T, "m", m * m, M);
-        bordered[0][0] = from_int(0);
-        for (int i = 0; i < m; i++) {
-            left[i + 1] = a[i], right[i + 1] = b[i];
-            bordered[i + 1][0] = A[i], bordered[0][i + 1] = B[i];
-            for (int j = 0; j < m; j++) {
-                bordered[i + 1][j + 1] = M[i * m + j];
-                used[i * m + j] = M[T->planted ? j * m + i : i * m + j];
-            }
-        }
-        for (int i = 0; i <= m; i++)
-            for (int j = 0; j <= m; j++)
-                product = add(product, mul(left[i], mul(bordered[i][j], right[j])));
-        G(coons_patch)(m, 1, a, b, A, B, used, &P);
-        same(T, P, neg(product));
-    }
-}
-
-/* Compare on all borders: value 0 to m/2 - 1 across.  What runs across has its data in M, but for a fault in the last one
- * of them on the first border. */
-static void G(borders_are_kept)(trial *T, int m)
-{
-    num M[most_data * most_data], along[most_data], free[most_data], P;
-    G(any_data)(T, "m", m * m, M);
-    G(any_data)(T, "x", m, along);
-    G(any_data)(T, "f", m, free);
-    for (int k = 0; k < m; k++) { /* the border k % 2, its value or its derivative across */
-        num unit[most_data], across[most_data];
-        for (int i = 0; i < m; i++)
-            unit[i] = from_int(i == k);
-        about(T, k < 2 ? "the value on a border" : "the derivative across a border");
-        for (int j = 0; j < m; j++)
-            across[j] = T->planted && k == m - 2 && j == m - 1 ? add(M[k * m + j], from_int(1)) : M[k * m + j];
-        G(coons_patch)(m, 1, unit, free, along, across, M, &P);
-        same(T, P, along[k]);
-        for (int j = 0; j < m; j++)
-            across[j] = M[j * m + k];
-        G(coons_patch)(m, 1, free, unit, across, along, M, &P);
-        same(T, P, along[k]);
-    }
-}
-
-CLAIM(four_curves_are_borders) { G(borders_are_kept)(T, 2); }
-
-CLAIM(borders_and_cross_derivatives_are_kept) { G(borders_are_kept)(T, 4); }
-
-CLAIM(shifted_frame_shifts_the_patch_by_a_product)
-{
-    num a[2], b[2], A[2], B[2], M[4], P, Q, v = unknown(T, "v", 0), one = from_int(1);
-    G(any_data)(T, "a", 2, a);
-    G(any_data)(T, "b", 2, b);
-    G(any_data)(T, "x", 2, A);
-    G(any_data)(T, "y", 2, B);
-    G(any_data)(T, "m", 4, M);
-    G(coons_patch)(2, 1, a, b, A, B, M, &P);
-    for (int i = 0; i < 2; i++)
-        A[i] = add(A[i], v), B[i] = add(B[i], v);
-    for (int i = 0; i < 4; i++)
-        M[i] = T->planted ? M[i] : add(M[i], v);
-    G(coons_patch)(2, 1, a, b, A, B, M, &Q);
-    num gap = mul(sub(one, add(a[0], a[1])), sub(one, add(b[0], b[1])));
-    same(T, sub(Q, P), mul(sub(one, gap), v));
-}
-
-#if FIELD
-CLAIM(cubic_frame_gives_bicubic_patch)
-{
-    static const int alternating[5] = {1, -4, 6, -4, 1};
-    num u = variable_f("u"), w = variable_f("w"), M[4], P, across_u = from_int(0), across_w = from_int(0);
-    struct poly_f f0 = free_poly_f(T, "f", 3), f1 = free_poly_f(T, "g", 3);
-    struct poly_f u0 = free_poly_f(T, "x", T->planted ? 4 : 3), u1 = free_poly_f(T, "y", 3);
-    struct poly_f w0 = free_poly_f(T, "a", 3), w1 = free_poly_f(T, "b", 3);
-    G(any_data)(T, "m", 4, M);
-    for (int direction = 0; direction < 2; direction++)
-        for (int k = 0; k <= 4; k++) {
-            num x = direction == 0 ? add(u, from_int(k)) : u, y = direction == 1 ? add(w, from_int(k)) : w;
-            num a[2] = {at_f(f0, 0, x), at_f(f1, 0, x)}, b[2] = {at_f(f0, 0, y), at_f(f1, 0, y)};
-            num A[2] = {at_f(w0, 0, y), at_f(w1, 0, y)}, B[2] = {at_f(u0, 0, x), at_f(u1, 0, x)};
-            G(coons_patch)(2, 1, a, b, A, B, M, &P);
-            num *sum = direction == 0 ? &across_u : &across_w;
-            *sum = add(*sum, mul(from_int(alternating[k]), P));
-        }
-    vanishes(T, across_u);
-    vanishes(T, across_w);
-}
-#endif
-
-#if RATIONAL
-CLAIM(open_corner_loses_the_border)
-{
-    num a[2] = {from_int(1), from_int(0)}, half = from_ratio(1, 2), b[2] = {half, half}, zero = from_int(0), P;
-    num A[2] = {zero, zero}, B[2] = {from_int(!T->planted), zero}, M[4] = {zero, zero, zero, zero};
-    coons_patch_q(2, 1, a, b, A, B, M, &P);
-    about(T, "P(0, 1/2) and the curve 0w");
-    same(T, P, A[0]);
-}
-
-CLAIM(blendings_without_end_values_lose_the_border)
-{
-    num half = from_ratio(1, 2), quarter = from_ratio(1, 4), zero = from_int(0), P;
-    num a[2] = {T->planted ? from_int(1) : half, T->planted ? zero : half}, b[2] = {half, half};
-    num A[2] = {quarter, zero}, B[2] = {zero, zero}, M[4] = {zero, zero, zero, zero};
-    coons_patch_q(2, 1, a, b, A, B, M, &P);
-    show_points(T, "f_0(0), f_1(0)", 2, 1, a);
-    about(T, "the heights of P(0, 1/2) and of 0w");
-    same(T, P, A[0]);
-}
-
-CLAIM(blendings_without_sum_one_bend_a_ruling)
-{
-    num value = T->planted ? from_ratio(1, 2) : from_ratio(1, 4), f[2] = {value, value}, P[3];
-    static const int ends[3][2] = {{0, 1}, {0, 0}, {1, 1}};
-    for (int c = 0; c < 3; c++)
-        P[c] = ruled_q(f, (num[]){from_int(ends[c][0]), from_int(ends[c][1])});
-    show_points(T, "P_1(1/2, w)", 1, 3, P);
-    about(T, "its height and that of the line");
-    same(T, P[2], from_int(1));
-}
-
-CLAIM(blendings_without_sum_one_move_the_patch)
-{
-    num value = T->planted ? from_ratio(1, 2) : from_ratio(1, 4), a[2] = {value, value}, one = from_int(1), P;
-    num curves[2] = {one, one}, M[4] = {one, one, one, one};
-    coons_patch_q(2, 1, a, a, curves, curves, M, &P);
-    about(T, "P(1/2, 1/2) and the only point of the frame");
-    same(T, P, one);
-}
-
 CLAIM(two_twists_cannot_both_be_kept)
 {
     num zero = from_int(0), one = from_int(1), q[4], M[16], P;
@@ -417,4 +439,5 @@ CLAIM(two_twists_cannot_both_be_kept)
     agree(T, kept > 0);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -1,6 +1,11 @@
 /*
 # Values and derivatives (Hermite 插值)
+*/
+#include "chapters/hermite-coons/definition.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The general problem
 
 :::{statement} slides-ch4:2-hermite-problem
@@ -17,7 +22,20 @@
 The slides only ask for the polynomial.  That it can always be found, and that there is no choice, is the reason why the
 number of conditions is one more than $N$.
 :::
+*/
 
+static void G(different_nodes)(trial *T, int d, num tau[])
+{
+    tau[0] = unknown(T, "t", 0);
+    for (int i = 1; i < d; i++)
+#if FIELD
+        tau[i] = unknown(T, "t", i);
+#else
+        tau[i] = add(tau[i - 1], positive(T, "h", i));
+#endif
+}
+
+/*
 :::{claim} hermite_interpolant_exists_and_is_unique
 :title: Values and derivatives at different nodes determine one polynomial
 :zh: Hermite 插值多项式存在且唯一
@@ -30,31 +48,7 @@ number of conditions is one more than $N$.
 :defines: hermite_interpolant
 :control: the last datum replaced by 0
 :::
-
-:::{claim} equal_nodes_have_no_interpolant
-:title: At equal nodes the conditions contradict each other
-:zh: 节点相同则无解
-:kind: counterexample
-:given: nodes 0 and 0, one value at each, 0 and 1; lines $c_0+c_1t$
-:then: both conditions are conditions on $c_0$: the determinant of the system is 0, and $c_0=0$, $c_0=1$ cannot both hold
-:method: The determinant of the system with the rows $(1,t_i)$.
-:control: nodes 0 and 1
-:::
-
-:::{claim} straight_data_have_no_cubic
-:title: The data of a line have no interpolant of degree 3
-:zh: 直线数据的插值多项式次数低于三
-:kind: counterexample
-:given: $k=1$, $m_0=m_1=2$, $t_0=0$, $t_1=1$, the data $0,1$ and $1,1$ of $f(t)=t$
-:then: the only polynomial of degree at most 3 with these data is $t$, whose degree is 1
-:method: The kernel's coefficients; it gives the only polynomial of degree at most 3.
-:control: the derivative 2 at $t_1$
-:::
 */
-#include "chapters/hermite-coons/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
 /* Pattern number m of `count` nodes: bit a says that node a+1 differs from node a.  Returns how many different ones. */
 static int G(multiplicities)(int count, int m, int l[])
 {
@@ -66,17 +60,6 @@ static int G(multiplicities)(int count, int m, int l[])
         l[d]++;
     }
     return d + 1;
-}
-
-static void G(different_nodes)(trial *T, int d, num tau[])
-{
-    tau[0] = unknown(T, "t", 0);
-    for (int i = 1; i < d; i++)
-#if FIELD
-        tau[i] = unknown(T, "t", i);
-#else
-        tau[i] = add(tau[i - 1], positive(T, "h", i));
-#endif
 }
 
 CLAIM(hermite_interpolant_exists_and_is_unique)
@@ -100,6 +83,17 @@ CLAIM(hermite_interpolant_exists_and_is_unique)
 }
 
 #if RATIONAL
+/*
+:::{claim} equal_nodes_have_no_interpolant
+:title: At equal nodes the conditions contradict each other
+:zh: 节点相同则无解
+:kind: counterexample
+:given: nodes 0 and 0, one value at each, 0 and 1; lines $c_0+c_1t$
+:then: both conditions are conditions on $c_0$: the determinant of the system is 0, and $c_0=0$, $c_0=1$ cannot both hold
+:method: The determinant of the system with the rows $(1,t_i)$.
+:control: nodes 0 and 1
+:::
+*/
 CLAIM(equal_nodes_have_no_interpolant)
 {
     num t[2] = {from_int(0), from_int(T->planted)}, one = from_int(1);
@@ -110,6 +104,17 @@ CLAIM(equal_nodes_have_no_interpolant)
     agree(T, !is_zero_q(determinant));
 }
 
+/*
+:::{claim} straight_data_have_no_cubic
+:title: The data of a line have no interpolant of degree 3
+:zh: 直线数据的插值多项式次数低于三
+:kind: counterexample
+:given: $k=1$, $m_0=m_1=2$, $t_0=0$, $t_1=1$, the data $0,1$ and $1,1$ of $f(t)=t$
+:then: the only polynomial of degree at most 3 with these data is $t$, whose degree is 1
+:method: The kernel's coefficients; it gives the only polynomial of degree at most 3.
+:control: the derivative 2 at $t_1$
+:::
+*/
 CLAIM(straight_data_have_no_cubic)
 {
     int l[2] = {2, 2};
@@ -142,7 +147,29 @@ CLAIM(straight_data_have_no_cubic)
 :method: Everything variable; the right sides against the power form, the determinant by Bird's algorithm.
 :control: $t_1^2$ in the place of $2t_1$ in the last equation
 :::
+*/
+CLAIM(cubic_equations_are_the_conditions)
+{
+    num t[2] = {unknown(T, "t", 0), unknown(T, "t", 1)}, M[16];
+    struct G(poly) p = G(free_poly)(T, "a", 3);
+    for (int i = 0; i < 2; i++) {
+        num square = mul(t[i], t[i]), *row = M + 8 * i;
+        num twice = T->planted && i == 1 ? square : mul(from_int(2), t[i]);
+        row[0] = from_int(1), row[1] = t[i], row[2] = square, row[3] = mul(square, t[i]);
+        row[4] = from_int(0), row[5] = from_int(1), row[6] = twice, row[7] = mul(from_int(3), square);
+        for (int r = 0; r < 2; r++) {
+            num sum = from_int(0);
+            for (int k = 0; k < 4; k++)
+                sum = add(sum, mul(row[4 * r + k], p.c[k]));
+            same(T, sum, G(at)(p, r, t[i]));
+        }
+    }
+    num gap = sub(t[1], t[0]), square = mul(gap, gap);
+    about(T, "the determinant");
+    same(T, G(determinant)(4, M), mul(square, square));
+}
 
+/*
 :::{statement} slides-ch4:2-cubic-coefficients
 :title: Three of the four coefficients, multiplied out
 :zh: 系数 a3、a1、a0 的展开式
@@ -155,39 +182,6 @@ CLAIM(straight_data_have_no_cubic)
 
 Printed are the quotients by $(t_1-t_0)^3$.  The signs are lost.  The monomials are linearly independent, so each sign is
 determined by the value of the sum: one choice is true.
-:::
-
-:::{statement} slides-ch4:2-cubic-a2
-:title: The coefficient of the square, multiplied out
-:zh: 系数 a2 的展开式
-:printed: (t_1-t_0)^3a_2=-2f(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0
-:refuted-by: square_needs_the_prime
-:class: misprint
-:corrected: (t_1-t_0)^3a_2=-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0
-:corrected-by: cubic_coefficients_by_monomials
-:figure: square_without_its_prime
-
-Derivatives can be told from values in the text we have, because a prime leaves a gap there; the first term has none.  With either
-sign of that term the formula is false, and with a prime it is true.
-:::
-
-:::{claim} cubic_coefficients_by_monomials
-:title: The coefficients of the interpolating cubic as sums of monomials
-:zh: 三次插值系数的单项式展开
-:given: $t_0\ne t_1$, values $f(t_0),f(t_1)$ and derivatives $f'(t_0),f'(t_1)$
-:then: the cubic with the four sums, divided by $(t_1-t_0)^3$, as coefficients satisfies the four conditions
-:method: Everything variable; the sums are entered as lists of monomials.
-:control: the sign of the first monomial of $a_2$ reversed
-:::
-
-:::{claim} square_needs_the_prime
-:title: With f(t0) for f'(t0) in one term the curve misses its data
-:zh: 漏一撇则插值失败
-:kind: counterexample
-:given: $t_0=0$, $t_1=1$, the data $f(0)=f(1)=1$, $f'(0)=f'(1)=0$ of the constant 1
-:then: $a_2=\mp2$ by the first term with either sign, where it must be 0: the curve ends at $-1$ or at $3$ and not at 1
-:method: The printed sum with the lost sign of the first term put in both ways; $P(1)=a_0+a_1+a_2+a_3$.
-:control: the term with its prime
 :::
 */
 
@@ -273,27 +267,16 @@ static void G(osculates)(trial *T, struct G(poly) p, num t0, num t1, const num d
     }
 }
 
-CLAIM(cubic_equations_are_the_conditions)
-{
-    num t[2] = {unknown(T, "t", 0), unknown(T, "t", 1)}, M[16];
-    struct G(poly) p = G(free_poly)(T, "a", 3);
-    for (int i = 0; i < 2; i++) {
-        num square = mul(t[i], t[i]), *row = M + 8 * i;
-        num twice = T->planted && i == 1 ? square : mul(from_int(2), t[i]);
-        row[0] = from_int(1), row[1] = t[i], row[2] = square, row[3] = mul(square, t[i]);
-        row[4] = from_int(0), row[5] = from_int(1), row[6] = twice, row[7] = mul(from_int(3), square);
-        for (int r = 0; r < 2; r++) {
-            num sum = from_int(0);
-            for (int k = 0; k < 4; k++)
-                sum = add(sum, mul(row[4 * r + k], p.c[k]));
-            same(T, sum, G(at)(p, r, t[i]));
-        }
-    }
-    num gap = sub(t[1], t[0]), square = mul(gap, gap);
-    about(T, "the determinant");
-    same(T, G(determinant)(4, M), mul(square, square));
-}
-
+/*
+:::{claim} cubic_coefficients_by_monomials
+:title: The coefficients of the interpolating cubic as sums of monomials
+:zh: 三次插值系数的单项式展开
+:given: $t_0\ne t_1$, values $f(t_0),f(t_1)$ and derivatives $f'(t_0),f'(t_1)$
+:then: the cubic with the four sums, divided by $(t_1-t_0)^3$, as coefficients satisfies the four conditions
+:method: Everything variable; the sums are entered as lists of monomials.
+:control: the sign of the first monomial of $a_2$ reversed
+:::
+*/
 CLAIM(cubic_coefficients_by_monomials)
 {
     num t0, t1, data[4];
@@ -302,7 +285,34 @@ CLAIM(cubic_coefficients_by_monomials)
     G(osculates)(T, G(cubic_of_sums)(t0, t1, data, T->planted ? -1 : 1, 2), t0, t1, data);
 }
 
+/*
+:::{statement} slides-ch4:2-cubic-a2
+:title: The coefficient of the square, multiplied out
+:zh: 系数 a2 的展开式
+:printed: (t_1-t_0)^3a_2=-2f(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0
+:refuted-by: square_needs_the_prime
+:class: misprint
+:corrected: (t_1-t_0)^3a_2=-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0
+:corrected-by: cubic_coefficients_by_monomials
+:figure: square_without_its_prime
+
+Derivatives can be told from values in the text we have, because a prime leaves a gap there; the first term has none.  With either
+sign of that term the formula is false, and with a prime it is true.
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} square_needs_the_prime
+:title: With f(t0) for f'(t0) in one term the curve misses its data
+:zh: 漏一撇则插值失败
+:kind: counterexample
+:given: $t_0=0$, $t_1=1$, the data $f(0)=f(1)=1$, $f'(0)=f'(1)=0$ of the constant 1
+:then: $a_2=\mp2$ by the first term with either sign, where it must be 0: the curve ends at $-1$ or at $3$ and not at 1
+:method: The printed sum with the lost sign of the first term put in both ways; $P(1)=a_0+a_1+a_2+a_3$.
+:control: the term with its prime
+:::
+*/
 CLAIM(square_needs_the_prime)
 {
     num data[4] = {from_int(1), from_int(1), from_int(0), from_int(0)}, zero = from_int(0), one = from_int(1);
@@ -340,7 +350,28 @@ begin with $-2t$.
 :method: The sum as a polynomial in $t$; everything variable.
 :control: the cube $(t_0-t_1)^3$ under both values
 :::
+*/
+CLAIM(cubic_ordered_by_data)
+{
+    num t0, t1, data[4];
+    G(interval)(T, &t0, &t1);
+    G(four_data)(T, data);
+    num length = sub(t1, t0), back = neg(length), square = mul(length, length);
+    num two = from_int(2), three = from_int(3);
+    struct G(poly) up = {1, {neg(t0), from_int(1)}}, down = {1, {neg(t1), from_int(1)}}; /* t - t0, t - t1 */
+    struct G(poly)
+        factor[4] = {{1, {sub(mul(three, t0), t1), neg(two)}}, {1, {sub(mul(three, t1), t0), neg(two)}}, up, down};
+    num under[4] = {mul(square, back), mul(square, T->planted ? back : length), square, square};
+    struct G(poly) sum = G(constant)(from_int(0));
+    for (int i = 0; i < 4; i++) {
+        struct G(poly) far = i % 2 == 0 ? down : up;
+        struct G(poly) product = G(times)(factor[i], G(times)(far, far));
+        sum = G(plus)(sum, G(times)(G(constant)(div(data[i], under[i])), product));
+    }
+    G(osculates)(T, sum, t0, t1, data);
+}
 
+/*
 :::{statement} slides-ch4:2-blending
 :title: The blending functions over an interval
 :zh: 区间上的混合函数
@@ -365,7 +396,29 @@ The signs are lost; by the order of $t_0$ and $t_1$ in the denominators that bef
 :defines: hermite_blending hermite_cubic
 :control: the two derivatives exchanged
 :::
+*/
+CLAIM(hermite_kernel_blends_four_data)
+{
+    num t0, t1, data[4], B[20], out[5], t = parameter(T, "p");
+    G(interval)(T, &t0, &t1);
+    G(four_data)(T, data);
+    struct G(poly) sum = G(constant)(from_int(0));
+    G(hermite_blending)(t0, t1, t, 4, B);
+    for (int i = 0; i < 4; i++) {
+        struct G(poly) g = G(printed_term)(t0, t1, T->planted && i >= 2 ? 5 - i : i);
+        about(T, "the blending functions");
+        for (int k = 0; k <= 4; k++)
+            same(T, B[4 * k + i], G(at)(g, k, t));
+        sum = G(plus)(sum, G(times)(G(constant)(data[i]), g));
+    }
+    G(hermite_cubic)(1, t0, t1, data, t, 4, out);
+    about(T, "the curve");
+    for (int k = 0; k <= 4; k++)
+        same(T, out[k], G(at)(sum, k, t));
+    G(osculates)(T, sum, t0, t1, data);
+}
 
+/*
 :::{statement} slides-ch4:2-blending-ends
 :title: Values and derivatives of the blending functions at the ends
 :zh: 混合函数的端点性质
@@ -397,48 +450,6 @@ The case $t_0=0$, $t_1=1$.
 :control: $h_{00}$ taken for $h_{01}$
 :::
 */
-
-CLAIM(cubic_ordered_by_data)
-{
-    num t0, t1, data[4];
-    G(interval)(T, &t0, &t1);
-    G(four_data)(T, data);
-    num length = sub(t1, t0), back = neg(length), square = mul(length, length);
-    num two = from_int(2), three = from_int(3);
-    struct G(poly) up = {1, {neg(t0), from_int(1)}}, down = {1, {neg(t1), from_int(1)}}; /* t - t0, t - t1 */
-    struct G(poly)
-        factor[4] = {{1, {sub(mul(three, t0), t1), neg(two)}}, {1, {sub(mul(three, t1), t0), neg(two)}}, up, down};
-    num under[4] = {mul(square, back), mul(square, T->planted ? back : length), square, square};
-    struct G(poly) sum = G(constant)(from_int(0));
-    for (int i = 0; i < 4; i++) {
-        struct G(poly) far = i % 2 == 0 ? down : up;
-        struct G(poly) product = G(times)(factor[i], G(times)(far, far));
-        sum = G(plus)(sum, G(times)(G(constant)(div(data[i], under[i])), product));
-    }
-    G(osculates)(T, sum, t0, t1, data);
-}
-
-CLAIM(hermite_kernel_blends_four_data)
-{
-    num t0, t1, data[4], B[20], out[5], t = parameter(T, "p");
-    G(interval)(T, &t0, &t1);
-    G(four_data)(T, data);
-    struct G(poly) sum = G(constant)(from_int(0));
-    G(hermite_blending)(t0, t1, t, 4, B);
-    for (int i = 0; i < 4; i++) {
-        struct G(poly) g = G(printed_term)(t0, t1, T->planted && i >= 2 ? 5 - i : i);
-        about(T, "the blending functions");
-        for (int k = 0; k <= 4; k++)
-            same(T, B[4 * k + i], G(at)(g, k, t));
-        sum = G(plus)(sum, G(times)(G(constant)(data[i]), g));
-    }
-    G(hermite_cubic)(1, t0, t1, data, t, 4, out);
-    about(T, "the curve");
-    for (int k = 0; k <= 4; k++)
-        same(T, out[k], G(at)(sum, k, t));
-    G(osculates)(T, sum, t0, t1, data);
-}
-
 CLAIM(blending_functions_are_dual_to_the_data)
 {
     num t0, t1, unit[4];
@@ -477,7 +488,35 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :defines: lagrange_blending
 :control: the first value that is not 0 left out
 :::
+*/
+CLAIM(lagrange_functions_keep_every_polynomial)
+{
+    int n = T->degree;
+    num tau[MAX_ORDER], g[MAX_ORDER], t = parameter(T, "p");
+    G(different_nodes)(T, n + 1, tau);
+    for (int j = 0; j <= n; j++) {
+        G(lagrange_blending)(n, tau, tau[j], g);
+        about(T, "g_i at the nodes");
+        for (int i = 0; i <= n; i++)
+            same(T, g[i], from_int(i == j));
+    }
+    G(lagrange_blending)(n, tau, t, g);
+    about(T, "p(t)");
+    for (int k = 0; k <= n; k++) { /* p(t) = (t - tau_0) ... (t - tau_{k-1}) */
+        num sum = from_int(0), at_t = from_int(1);
+        for (int i = k + T->planted; i <= n; i++) {
+            num value = from_int(1);
+            for (int m = 0; m < k; m++)
+                value = mul(value, sub(tau[i], tau[m]));
+            sum = add(sum, mul(value, g[i]));
+        }
+        for (int m = 0; m < k; m++)
+            at_t = mul(at_t, sub(t, tau[m]));
+        same(T, sum, at_t);
+    }
+}
 
+/*
 ## The unit interval
 
 :::{statement} slides-ch4:2-substitution
@@ -510,75 +549,7 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
 :control: the derivatives not multiplied by the length
 :::
-
-:::{statement} slides-ch4:2-matrix
-:title: The cubic as a product of matrices
-:zh: 三次 Hermite 曲线的矩阵形式
-:printed: P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}
-:holds-by: one_choice_of_signs_in_the_matrix
-:figure: hermite_blending_functions
-
-The signs are lost; of the 1024 ways to give the ten entries signs, one is true.
-:::
-
-:::{claim} one_choice_of_signs_in_the_matrix
-:title: One choice of signs makes the columns the blending functions
-:zh: 矩阵的符号唯一
-:kind: decision
-:given: the absolute values of the printed matrix, with all $2^{10}$ choices of signs
-:then: exactly one has columns with the unit data at 0 and 1, and it is the matrix that is printed here
-:method: A column $c_3u^3+c_2u^2+c_1u+c_0$ has the data $c_0$, $c_0+c_1+c_2+c_3$, $c_1$, $c_1+2c_2+3c_3$.  The printed columns have the unit
-  data; no others have, because the determinant of the four data is not 0.  All choices are tried in integers as well.
-:control: the printed matrix with its first entry negative
-:::
-
-:::{statement} slides-ch4:2-worked-curve
-:title: The worked curve
-:zh: 三次 Hermite 曲线算例
-:printed: $P_0=(1,1)$, $P_1=(4,2)$, $P_0'=(1,1)$, $P_1'=(1,-1)$: $x(u)=-4u^3+6u^2+u+1$, $y(u)=-2u^3+2u^2+u+1$
-:holds-by: worked_hermite_curve
-:figure: worked_hermite_curve
-:::
-
-:::{claim} worked_hermite_curve
-:title: The curve of the example has the points and tangents asked for, and only with these signs
-:zh: 算例验证
-:kind: decision
-:given: the data of the example; the absolute values of the eight printed coefficients with all $2^8$ choices of signs
-:then: exactly one choice has the data, the printed one, and it is what `hermite_cubic` gives
-:method: Values and derivatives at 0 and 1, which determine a cubic because their determinant is not 0; all choices in integers as
-  well; the kernel at four parameters, which determine a cubic.
-:control: $P_1'=(1,1)$
-:::
 */
-
-CLAIM(lagrange_functions_keep_every_polynomial)
-{
-    int n = T->degree;
-    num tau[MAX_ORDER], g[MAX_ORDER], t = parameter(T, "p");
-    G(different_nodes)(T, n + 1, tau);
-    for (int j = 0; j <= n; j++) {
-        G(lagrange_blending)(n, tau, tau[j], g);
-        about(T, "g_i at the nodes");
-        for (int i = 0; i <= n; i++)
-            same(T, g[i], from_int(i == j));
-    }
-    G(lagrange_blending)(n, tau, t, g);
-    about(T, "p(t)");
-    for (int k = 0; k <= n; k++) { /* p(t) = (t - tau_0) ... (t - tau_{k-1}) */
-        num sum = from_int(0), at_t = from_int(1);
-        for (int i = k + T->planted; i <= n; i++) {
-            num value = from_int(1);
-            for (int m = 0; m < k; m++)
-                value = mul(value, sub(tau[i], tau[m]));
-            sum = add(sum, mul(value, g[i]));
-        }
-        for (int m = 0; m < k; m++)
-            at_t = mul(at_t, sub(t, tau[m]));
-        same(T, sum, at_t);
-    }
-}
-
 CLAIM(unit_blending_functions)
 {
     num t0, t1, data[4], u = parameter(T, "u"), one = from_int(1), two = from_int(2), sum = from_int(0);
@@ -606,6 +577,18 @@ CLAIM(unit_blending_functions)
     same(T, sum, cubic);
 }
 
+/*
+:::{statement} slides-ch4:2-matrix
+:title: The cubic as a product of matrices
+:zh: 三次 Hermite 曲线的矩阵形式
+:printed: P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}
+:holds-by: one_choice_of_signs_in_the_matrix
+:figure: hermite_blending_functions
+
+The signs are lost; of the 1024 ways to give the ten entries signs, one is true.
+:::
+*/
+
 #if RATIONAL
 /* Do the coefficients, that of u^3 first, have the data P(0), P(1), P'(0), P'(1)? */
 static int has_data(const int c[4], const int data[4])
@@ -632,6 +615,18 @@ static void only_these_have_the_data(trial *T, const int c[4], const int data[4]
     agree(T, !is_zero_q(determinant_q(4, rows)));
 }
 
+/*
+:::{claim} one_choice_of_signs_in_the_matrix
+:title: One choice of signs makes the columns the blending functions
+:zh: 矩阵的符号唯一
+:kind: decision
+:given: the absolute values of the printed matrix, with all $2^{10}$ choices of signs
+:then: exactly one has columns with the unit data at 0 and 1, and it is the matrix that is printed here
+:method: A column $c_3u^3+c_2u^2+c_1u+c_0$ has the data $c_0$, $c_0+c_1+c_2+c_3$, $c_1$, $c_1+2c_2+3c_3$.  The printed columns have the unit
+  data; no others have, because the determinant of the four data is not 0.  All choices are tried in integers as well.
+:control: the printed matrix with its first entry negative
+:::
+*/
 CLAIM(one_choice_of_signs_in_the_matrix)
 {
     int choices = 0, printed = 0;
@@ -660,6 +655,26 @@ CLAIM(one_choice_of_signs_in_the_matrix)
     agree(T, printed == 1);
 }
 
+/*
+:::{statement} slides-ch4:2-worked-curve
+:title: The worked curve
+:zh: 三次 Hermite 曲线算例
+:printed: $P_0=(1,1)$, $P_1=(4,2)$, $P_0'=(1,1)$, $P_1'=(1,-1)$: $x(u)=-4u^3+6u^2+u+1$, $y(u)=-2u^3+2u^2+u+1$
+:holds-by: worked_hermite_curve
+:figure: worked_hermite_curve
+:::
+
+:::{claim} worked_hermite_curve
+:title: The curve of the example has the points and tangents asked for, and only with these signs
+:zh: 算例验证
+:kind: decision
+:given: the data of the example; the absolute values of the eight printed coefficients with all $2^8$ choices of signs
+:then: exactly one choice has the data, the printed one, and it is what `hermite_cubic` gives
+:method: Values and derivatives at 0 and 1, which determine a cubic because their determinant is not 0; all choices in integers as
+  well; the kernel at four parameters, which determine a cubic.
+:control: $P_1'=(1,1)$
+:::
+*/
 CLAIM(worked_hermite_curve)
 {
     static const int printed[2][4] = {{-4, 6, 1, 1}, {-2, 2, 1, 1}};
@@ -684,4 +699,5 @@ CLAIM(worked_hermite_curve)
     agree(T, choices[0] * choices[1] == 1);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -16,7 +16,14 @@ knots, clamped ends, and each multiplicity of one end against the complementary 
 inner knot of every multiplicity $0,\dots,p+1$ between ends that are simple, clamped, or clamped and double, and for $p\le2$
 all patterns of $2p+3$ knots as well; where it is said that two knots are $0$ and $1$, the simple and the clamped ends.  The field meets all of them; where numbers are random, so is a selection of the
 patterns.
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/patterns.h"
+#include "exact/decide/total_positivity.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{claim} bspline_basis_follows_definition
 :title: The values of the kernel are the B-splines of the span, and the others vanish there
 :zh: 核函数所算的值即该区间上的 B 样条基
@@ -29,12 +36,6 @@ patterns.
 :control: the span of the interval replaced by its neighbour on the left or, in the first interval, on the right
 :::
 */
-#include "chapters/nurbs/definition.h"
-#include "chapters/nurbs/patterns.h"
-#include "exact/decide/total_positivity.h"
-
-#include "chapters/judge/claims_on.h"
-
 CLAIM(bspline_basis_follows_definition)
 {
     int p = T->degree;
@@ -193,6 +194,7 @@ CLAIM(bspline_is_positive_inside_its_support)
         }
 }
 
+#if FIELD || RATIONAL
 /*
 :::{claim} bspline_at_its_knots
 :title: Where a B-spline vanishes at its knots
@@ -208,7 +210,6 @@ CLAIM(bspline_is_positive_inside_its_support)
 :control: the next B-spline is taken
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(bspline_at_its_knots)
 {
     int p = T->degree;
@@ -238,7 +239,10 @@ CLAIM(bspline_at_its_knots)
 Marsden's identity, which has a section of its own, writes every power of a variable point in B-splines.  On one span it has
 $p+1$ of them, and they give all of the $p+1$ dimensions of the polynomials of degree $p$: so they are independent there.  The
 determinant says it once more.
+*/
 
+#if FIELD || RATIONAL
+/*
 :::{claim} bsplines_of_a_span_are_independent
 :title: The p+1 B-splines of a span are linearly independent, and so are all of them
 :zh: B 样条基的线性无关性
@@ -254,7 +258,6 @@ determinant says it once more.
 :control: the first B-spline taken twice
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(bsplines_of_a_span_are_independent)
 {
     int p = T->degree;
@@ -268,7 +271,9 @@ CLAIM(bsplines_of_a_span_are_independent)
         G(must_be_positive)(T, G(determinant)(p + 1, N));
     }
 }
+#endif
 
+#if RATIONAL
 /*
 :::{claim} bsplines_without_a_span_are_dependent
 :title: On the domain a B-spline without a span there is lost
@@ -282,8 +287,6 @@ CLAIM(bsplines_of_a_span_are_independent)
 :control: knots $0,1,\frac32,2,3$
 :::
 */
-#endif
-#if RATIONAL
 CLAIM(bsplines_without_a_span_are_dependent)
 {
     num u[5] = {from_int(0), from_int(1), from_int(1), from_int(2), from_int(3)}, N[4 * 2];

@@ -4,19 +4,6 @@
 A B-spline curve is $s(t)=\sum_ic_iN_{i,p}(t)$.  On a span it is one polynomial, and a polynomial has one polar form (极形式)
 $f[x_1,\dots,x_p]$: symmetric, affine in each argument, with $f[t,\dots,t]=s(t)$.  De Boor's algorithm is this polar form,
 computed from the points; and the points are its values at consecutive knots, $c_i=f[u_{i+1},\dots,u_{i+p}]$.
-
-:::{claim} blossom_of_a_segment_is_its_polar_form
-:title: The triangle of de Boor with a parameter for every level is the polar form
-:zh: de Boor 三角阵即极形式
-:given: every segment, the distinct knots variables, points, arguments $x_0,\dots,x_{p-1}$
-:then: `bspline_blossom` gives $f[x_0,\dots,x_{p-1}]$
-:method: The polynomial of the interval in powers of $t-u_\mu$ comes from the recursion of de Boor and Cox by its letter; its
-  polar form is written in elementary symmetric polynomials of the arguments.  Knots, arguments and points are variables;
-  `blossom_of_span` is the same for the points of the span alone.
-:degrees: 0..4 sampled 9
-:defines: blossom_of_span bspline_blossom
-:control: the last argument taken as the first as well
-:::
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
@@ -51,6 +38,20 @@ static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} blossom_of_a_segment_is_its_polar_form
+:title: The triangle of de Boor with a parameter for every level is the polar form
+:zh: de Boor 三角阵即极形式
+:given: every segment, the distinct knots variables, points, arguments $x_0,\dots,x_{p-1}$
+:then: `bspline_blossom` gives $f[x_0,\dots,x_{p-1}]$
+:method: The polynomial of the interval in powers of $t-u_\mu$ comes from the recursion of de Boor and Cox by its letter; its
+  polar form is written in elementary symmetric polynomials of the arguments.  Knots, arguments and points are variables;
+  `blossom_of_span` is the same for the points of the span alone.
+:degrees: 0..4 sampled 9
+:defines: blossom_of_span bspline_blossom
+:control: the last argument taken as the first as well
+:::
+*/
 CLAIM(blossom_of_a_segment_is_its_polar_form) { G(check_blossom_of_a_segment_is_its_polar_form)(T, 0); }
 
 #if FIELD
@@ -275,7 +276,10 @@ CLAIM(bspline_curve_moves_with_its_points)
 
 A value from the left at a knot is that of the span on the left.  Both spans give the same derivatives up to the order $p-m$
 at a knot of multiplicity $m$, and in general different ones after it.
+*/
 
+#if FIELD
+/*
 :::{claim} bspline_curve_is_smooth_at_knots
 :title: At a knot of multiplicity m the spans on both sides agree up to the order p-m, and only so far
 :zh: 节点处左右两段的连续阶
@@ -290,7 +294,6 @@ at a knot of multiplicity $m$, and in general different ones after it.
 :control: one order more
 :::
 */
-#if FIELD
 CLAIM(bspline_curve_is_smooth_at_knots)
 {
     int p = T->degree;
@@ -396,18 +399,6 @@ CLAIM(bspline_difference_is_derivative_spline)
     }
 }
 
-/*
-:::{claim} bspline_derivatives_of_every_order
-:title: The kernel computes all derivatives of a segment
-:zh: B 样条曲线的各阶导矢
-:given: every segment, the distinct knots variables, points, any $t$, orders $0,\dots,p+1$
-:then: `bspline_derivatives` gives $s^{(r)}(t)$, $0$ for $r>p$; `derivatives_of_span` is the same for the points of the span
-:method: The kernel against the coefficients in powers about the same $t$, from the recursion by its letter.
-:degrees: 0..4 sampled 8
-:defines: bspline_derivatives derivatives_of_span
-:control: the derivatives of the reversed points
-:::
-*/
 static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
 {
     int p = T->degree;
@@ -431,6 +422,18 @@ static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} bspline_derivatives_of_every_order
+:title: The kernel computes all derivatives of a segment
+:zh: B 样条曲线的各阶导矢
+:given: every segment, the distinct knots variables, points, any $t$, orders $0,\dots,p+1$
+:then: `bspline_derivatives` gives $s^{(r)}(t)$, $0$ for $r>p$; `derivatives_of_span` is the same for the points of the span
+:method: The kernel against the coefficients in powers about the same $t$, from the recursion by its letter.
+:degrees: 0..4 sampled 8
+:defines: bspline_derivatives derivatives_of_span
+:control: the derivatives of the reversed points
+:::
+*/
 CLAIM(bspline_derivatives_of_every_order) { G(check_bspline_derivatives_of_every_order)(T, 0); }
 
 #if FIELD
@@ -449,4 +452,5 @@ CLAIM(bspline_derivatives_of_every_order) { G(check_bspline_derivatives_of_every
 */
 CLAIM(bspline_derivatives_in_higher_degrees) { G(check_bspline_derivatives_of_every_order)(T, INTEGERS); }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -4,19 +4,6 @@
 In degree $p+1$ the same polar form has one argument more: it is the mean of the old one over all ways to leave out an argument.
 The points are again its values at consecutive knots, where every knot of the domain now has one more.  The way back begins
 with one segment, in its Bézier form.
-
-:::{claim} elevation_keeps_bspline_curve
-:title: Elevation changes points and knots, not the curve
-:zh: B 样条升阶不改变曲线
-:given: several segments, each point with a span in the domain, the distinct knots variables, points
-:then: with every knot of the domain once more, the spline of degree $p+1$ of the points of `bspline_elevate` is the old one; it does
-  not matter which admissible span a point is computed from
-:method: Both splines in powers, from the recursion of de Boor and Cox by its letter, once with the first admissible span for every
-  point, once with the last.
-:degrees: 0..4 sampled 7
-:defines: bspline_elevate
-:control: the last point replaced by the one before it
-:::
 */
 #include "chapters/nurbs/bernstein-form.h"
 #include "chapters/nurbs/definition.h"
@@ -57,6 +44,20 @@ static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} elevation_keeps_bspline_curve
+:title: Elevation changes points and knots, not the curve
+:zh: B 样条升阶不改变曲线
+:given: several segments, each point with a span in the domain, the distinct knots variables, points
+:then: with every knot of the domain once more, the spline of degree $p+1$ of the points of `bspline_elevate` is the old one; it does
+  not matter which admissible span a point is computed from
+:method: Both splines in powers, from the recursion of de Boor and Cox by its letter, once with the first admissible span for every
+  point, once with the last.
+:degrees: 0..4 sampled 7
+:defines: bspline_elevate
+:control: the last point replaced by the one before it
+:::
+*/
 CLAIM(elevation_keeps_bspline_curve) { G(check_elevation_keeps_bspline_curve)(T, 0); }
 
 #if FIELD
@@ -114,21 +115,6 @@ CLAIM(bezier_reduction_inverts_elevation)
     }
 }
 
-/*
-:::{claim} reduction_inverts_bspline_elevation
-:title: A spline of lower degree gives its points back, and elevation tells every other one
-:zh: B 样条降阶与检验
-:given: several segments of a spline of degree $p$, which is reduced from degree $p+1$, each point with a span in the domain, the distinct knots variables, points
-:then: `bspline_reduce` applied to the points of `bspline_elevate` gives the points before; applied to the points $1,0,\dots,0$ over the same knots and
-  elevated again, it does not give these points
-:method: Both kernels one after the other, everything a variable, with the first admissible span and with the last; what is elevated is of
-  lower degree, so for any other points the test must fail, and for these it does.
-:degrees: 1..4 sampled 7
-:types: field rational
-:defines: bspline_reduce
-:control: the last point is moved before it is reduced
-:::
-*/
 #if FIELD || RATIONAL
 static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
 {
@@ -172,6 +158,21 @@ static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} reduction_inverts_bspline_elevation
+:title: A spline of lower degree gives its points back, and elevation tells every other one
+:zh: B 样条降阶与检验
+:given: several segments of a spline of degree $p$, which is reduced from degree $p+1$, each point with a span in the domain, the distinct knots variables, points
+:then: `bspline_reduce` applied to the points of `bspline_elevate` gives the points before; applied to the points $1,0,\dots,0$ over the same knots and
+  elevated again, it does not give these points
+:method: Both kernels one after the other, everything a variable, with the first admissible span and with the last; what is elevated is of
+  lower degree, so for any other points the test must fail, and for these it does.
+:degrees: 1..4 sampled 7
+:types: field rational
+:defines: bspline_reduce
+:control: the last point is moved before it is reduced
+:::
+*/
 CLAIM(reduction_inverts_bspline_elevation) { G(check_reduction_inverts_bspline_elevation)(T, 0); }
 #endif
 
@@ -192,4 +193,5 @@ CLAIM(reduction_inverts_bspline_elevation) { G(check_reduction_inverts_bspline_e
 */
 CLAIM(reduction_in_higher_degrees) { G(check_reduction_inverts_bspline_elevation)(T, INTEGERS); }
 #endif
+
 #include "chapters/judge/claims_off.h"

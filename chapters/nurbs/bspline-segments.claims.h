@@ -3,18 +3,6 @@
 
 A segment of a B-spline curve is a Bézier curve; a curve cut at a parameter is two B-spline curves; a closed curve is an open
 one whose points and knots repeat.
-
-:::{claim} segment_is_a_bezier_curve
-:title: The Bézier points of a segment
-:zh: B 样条曲线段的 Bézier 点
-:given: every segment, the distinct knots variables, points
-:then: with $b_0,\dots,b_p$ of `bspline_to_bezier`, $s(t)=\sum_iB_i^p\bigl(\frac{t-u_\mu}{u_{\mu+1}-u_\mu}\bigr)b_i$
-:method: The Bernstein polynomials by the binomial theorem, the segment in powers of $t-u_\mu$ from the recursion of de Boor and Cox by
-  its letter; the coefficients are compared.
-:degrees: 0..4 sampled 9
-:defines: bspline_to_bezier
-:control: the points backwards
-:::
 */
 #include "chapters/nurbs/bernstein-form.h"
 #include "chapters/nurbs/definition.h"
@@ -47,6 +35,19 @@ static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} segment_is_a_bezier_curve
+:title: The Bézier points of a segment
+:zh: B 样条曲线段的 Bézier 点
+:given: every segment, the distinct knots variables, points
+:then: with $b_0,\dots,b_p$ of `bspline_to_bezier`, $s(t)=\sum_iB_i^p\bigl(\frac{t-u_\mu}{u_{\mu+1}-u_\mu}\bigr)b_i$
+:method: The Bernstein polynomials by the binomial theorem, the segment in powers of $t-u_\mu$ from the recursion of de Boor and Cox by
+  its letter; the coefficients are compared.
+:degrees: 0..4 sampled 9
+:defines: bspline_to_bezier
+:control: the points backwards
+:::
+*/
 CLAIM(segment_is_a_bezier_curve) { G(check_segment_is_a_bezier_curve)(T, 0); }
 
 #if FIELD
@@ -110,21 +111,6 @@ CLAIM(points_come_back_from_bezier_points)
     }
 }
 
-/*
-:::{claim} split_gives_both_parts_of_bspline
-:title: A curve cut at a parameter, at a knot of any multiplicity too
-:zh: B 样条曲线的分割
-:given: several segments, the distinct knots variables, points; $t$ in every interval of the domain, and at every knot of it, of
-  multiplicity $s=0,\dots,p+1$
-:then: the right part of `bspline_split`, with $n-\mu+p$ points, is the curve to the right of $t$, and the left part, with $\mu-s+1$ points,
-  the curve to the left of $t$, if $t$ is not the first knot of the domain; each part has $t$ as a knot of multiplicity $p+1$, and its
-  other knots from the curve
-:method: The knots one by one; the splines in powers on every interval, from the recursion of de Boor and Cox by its letter.
-:degrees: 0..4 sampled 7
-:defines: bspline_split
-:control: the last point of the left part and the first of the right part replaced by their neighbours, where there are any
-:::
-*/
 static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
 {
     int p = T->degree;
@@ -165,6 +151,21 @@ static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} split_gives_both_parts_of_bspline
+:title: A curve cut at a parameter, at a knot of any multiplicity too
+:zh: B 样条曲线的分割
+:given: several segments, the distinct knots variables, points; $t$ in every interval of the domain, and at every knot of it, of
+  multiplicity $s=0,\dots,p+1$
+:then: the right part of `bspline_split`, with $n-\mu+p$ points, is the curve to the right of $t$, and the left part, with $\mu-s+1$ points,
+  the curve to the left of $t$, if $t$ is not the first knot of the domain; each part has $t$ as a knot of multiplicity $p+1$, and its
+  other knots from the curve
+:method: The knots one by one; the splines in powers on every interval, from the recursion of de Boor and Cox by its letter.
+:degrees: 0..4 sampled 7
+:defines: bspline_split
+:control: the last point of the left part and the first of the right part replaced by their neighbours, where there are any
+:::
+*/
 CLAIM(split_gives_both_parts_of_bspline) { G(check_split_gives_both_parts_of_bspline)(T, 0); }
 
 #if FIELD

@@ -7,7 +7,14 @@ only.  This section defines it, and decides the first of the two explicit formul
 
 In this and the next sections the order is $k$, the span $[t_r,t_{r+1})$ is not empty, the functions on it are
 $N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.  The degree that a claim names is $k-1$.
+*/
+#include "chapters/nurbs/spans.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
+
+/*
 :::{statement} wang-ch4:formula-4.4.1
 :title: The parameter of the span
 :zh: 规范化参数变换
@@ -17,6 +24,48 @@ $N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.  The degree that a 
 :figure: matrices_of_merging_knots
 :::
 
+:::{claim} span_parameter_is_a_bijection
+:title: u runs from 0 to 1 as t runs through the span
+:zh: 参数变换为双射
+:given: any two different knots $t_r,t_{r+1}$, any $s$
+:then: $t=t_r+s(t_{r+1}-t_r)$ has the parameter $u=s$; so $u$ is 0 at $t_r$, 1 at $t_{r+1}$ and between them in between
+:method: The formula at a variable $s$: each of the two affine maps undoes the other.
+:control: the roles of the two knots exchanged
+:::
+*/
+CLAIM(span_parameter_is_a_bijection)
+{
+    num t[2], s = parameter(T, "s");
+    G(increasing)(T, 2, t);
+    int a = T->planted ? 1 : 0, b = 1 - a;
+    num at = add(t[0], mul(s, sub(t[1], t[0])));
+    same(T, div(sub(at, t[a]), sub(t[b], t[a])), s);
+    same(T, div(sub(t[0], t[a]), sub(t[b], t[a])), from_int(0));
+    same(T, div(sub(t[1], t[a]), sub(t[b], t[a])), from_int(1));
+}
+
+#if RATIONAL
+/*
+:::{claim} empty_span_has_no_parameter
+:title: On an empty span the parameter does not reach 1
+:zh: 空区间上无参数变换
+:kind: counterexample
+:given: $t_r=t_{r+1}=1$
+:then: no $u$ has $t_r+u(t_{r+1}-t_r)\ne t_r$; the length by which (4.4.1) divides is 0
+:method: The length is computed; that it is not 0 is what is compared.
+:control: $t_{r+1}=2$
+:::
+*/
+CLAIM(empty_span_has_no_parameter)
+{
+    num t[2] = {from_int(1), from_int(T->planted ? 2 : 1)};
+    show_points(T, "t_r, t_{r+1}", 2, 1, t);
+    about(T, "the length of the span is not 0");
+    agree(T, !is_zero_q(sub(t[1], t[0])));
+}
+#endif
+
+/*
 :::{statement} wang-ch4:def-4.4.1
 :title: The representation in powers and the coefficient matrix
 :zh: 幂基表示与系数矩阵
@@ -29,7 +78,74 @@ $N_{i,k}$, $i=r-k+1,\dots,r$, and $u=(t-t_r)/(t_{r+1}-t_r)$.  The degree that a 
 The matrix exists for every pattern of knots, and is the only one, because the points are arbitrary and the powers
 independent.
 :::
+*/
 
+/* How many patterns a case goes through: all of them up to the given order, else `few`. */
+static int G(pattern_count)(int k, int all_up_to, int few) { return k <= all_up_to ? G(patterns)(k) : few; }
+
+/* Number m of these patterns.  Beyond the order up to which all are visited the field takes the most and the least
+ * coincident one, the other types take random ones. */
+static int G(which_pattern)(trial *T, int k, int all_up_to, int m)
+{
+    if (k <= all_up_to)
+        return m;
+    int last = G(patterns)(k) - 1;
+    return FIELD ? (m % 2 == 0 ? last : 0) : pick(T, 0, last);
+}
+
+/*
+:::{claim} matrix_holds_the_powers_of_the_basis
+:title: Column i of the matrix has the coefficients of N_{i,k} in the powers of u
+:zh: 矩阵各列为基函数的幂系数
+:given: every pattern of the 2k knots around a span up to the order 4, the different knots variables; for greater
+  orders in the field the two extreme patterns, and random patterns in the other number types
+:then: $\sum_ja_{ji}u^j=N_{i,k}(t_r+u(t_{r+1}-t_r))$ with the matrix of `bspline_matrix`, for all $i$ and any $u$
+:method: The kernel multiplies polynomials; the other side is the recursion of Cox and de Boor at a variable $u$, with the
+  rule $0/0=0$ decided by the pattern.
+:degrees: 0..5 sampled 7
+:defines: bspline_matrix
+:control: the matrix of the span before
+:::
+*/
+CLAIM(matrix_holds_the_powers_of_the_basis)
+{
+    int k = T->degree + 1;
+    num x[2 * LARGEST_ORDER], A[CELLS], u = parameter(T, "u");
+    G(increasing)(T, 2 * k, x);
+    for (int count = G(pattern_count)(k, 4, 2), m = 0; m < count; m++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, m), x);
+        int shift = T->planted && k > 1 && S.group[S.r - 1] != S.group[S.r];
+        G(bspline_matrix)(k - 1, S.t, S.r - shift, A);
+        for (int i = 0; i < k; i++)
+            same(T, G(column_value)(k, A, i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
+    }
+}
+
+/*
+:::{claim} coefficient_matrix_is_affinely_invariant
+:title: The knots at + b have the same matrix
+:zh: 系数矩阵的仿射不变性
+:given: orders $k=p+1$, simple knots $t_i$, numbers $a\ne0$ and $b$, all variables
+:then: the matrix of the knots $a\,t_i+b$ is that of the $t_i$
+:method: The two matrices of the kernel.
+:degrees: 0..5 sampled 7
+:control: the first inner knot is not moved
+:::
+*/
+CLAIM(coefficient_matrix_is_affinely_invariant)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS], B[CELLS], moved[2 * LARGEST_ORDER], a = positive(T, "a", 0), b = unknown(T, "b", 0);
+    for (int m = 0; m < 2 * k; m++)
+        moved[m] = T->planted && m == 1 ? S.t[m] : add(mul(a, S.t[m]), b);
+    G(bspline_matrix)(k - 1, S.t, S.r, A);
+    G(bspline_matrix)(k - 1, moved, S.r, B);
+    for (int m = 0; m < k * k; m++)
+        same(T, B[m], A[m]);
+}
+
+/*
 :::{statement} wang-ch4:formula-4.4.2
 :title: The curve of a span in powers
 :zh: 曲线段的幂基表示
@@ -46,39 +162,6 @@ independent.
 :figure: matrix_and_weights
 :::
 
-:::{statement} wang-ch4:formula-4.4.3
-:title: The rows and columns of the coefficient matrix
-:zh: 系数矩阵的行列标号
-:printed: \mathbf A_{r,k,T}=(a_{j,i})_{k\times k},\quad j=0,\dots,k-1,\quad i=r-k+1,\dots,r
-:definition: yes
-:checked-by: matrix_holds_the_powers_of_the_basis coefficient_rows_have_fixed_sums
-:figure: matrices_of_merging_knots
-
-Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
-:::
-
-:::{claim} span_parameter_is_a_bijection
-:title: u runs from 0 to 1 as t runs through the span
-:zh: 参数变换为双射
-:given: any two different knots $t_r,t_{r+1}$, any $s$
-:then: $t=t_r+s(t_{r+1}-t_r)$ has the parameter $u=s$; so $u$ is 0 at $t_r$, 1 at $t_{r+1}$ and between them in between
-:method: The formula at a variable $s$: each of the two affine maps undoes the other.
-:control: the roles of the two knots exchanged
-:::
-
-:::{claim} matrix_holds_the_powers_of_the_basis
-:title: Column i of the matrix has the coefficients of N_{i,k} in the powers of u
-:zh: 矩阵各列为基函数的幂系数
-:given: every pattern of the 2k knots around a span up to the order 4, the different knots variables; for greater
-  orders in the field the two extreme patterns, and random patterns in the other number types
-:then: $\sum_ja_{ji}u^j=N_{i,k}(t_r+u(t_{r+1}-t_r))$ with the matrix of `bspline_matrix`, for all $i$ and any $u$
-:method: The kernel multiplies polynomials; the other side is the recursion of Cox and de Boor at a variable $u$, with the
-  rule $0/0=0$ decided by the pattern.
-:degrees: 0..5 sampled 7
-:defines: bspline_matrix
-:control: the matrix of the span before
-:::
-
 :::{claim} matrix_gives_homogeneous_curve
 :title: The matrix applied to homogeneous points gives the homogeneous curve
 :zh: 齐次坐标下的矩阵表示
@@ -91,72 +174,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 :degrees: 0..4 sampled 7
 :control: the last weight left out
 :::
-
-:::{claim} coefficient_rows_have_fixed_sums
-:title: The entries of row 0 have the sum 1, those of every other row the sum 0
-:zh: 系数矩阵各行之和
-:given: orders $k=p+1$, simple knots, variables
-:then: $\sum_ia_{0,i}=1$ and $\sum_ia_{j,i}=0$ for $j\ge1$: the $N_{i,k}$ have the sum 1
-:method: The sums of the entries of the kernel.  An identity of rational functions of simple knots holds for coincident
-  ones, because the denominators are differences of knots on the two sides of the span.
-:degrees: 0..5 sampled 7
-:control: the last column left out
-:::
-
-:::{claim} coefficient_matrix_is_affinely_invariant
-:title: The knots at + b have the same matrix
-:zh: 系数矩阵的仿射不变性
-:given: orders $k=p+1$, simple knots $t_i$, numbers $a\ne0$ and $b$, all variables
-:then: the matrix of the knots $a\,t_i+b$ is that of the $t_i$
-:method: The two matrices of the kernel.
-:degrees: 0..5 sampled 7
-:control: the first inner knot is not moved
-:::
 */
-#include "chapters/nurbs/spans.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
-
-/* How many patterns a case goes through: all of them up to the given order, else `few`. */
-static int G(pattern_count)(int k, int all_up_to, int few) { return k <= all_up_to ? G(patterns)(k) : few; }
-
-/* Number m of these patterns.  Beyond the order up to which all are visited the field takes the most and the least
- * coincident one, the other types take random ones. */
-static int G(which_pattern)(trial *T, int k, int all_up_to, int m)
-{
-    if (k <= all_up_to)
-        return m;
-    int last = G(patterns)(k) - 1;
-    return FIELD ? (m % 2 == 0 ? last : 0) : pick(T, 0, last);
-}
-
-CLAIM(span_parameter_is_a_bijection)
-{
-    num t[2], s = parameter(T, "s");
-    G(increasing)(T, 2, t);
-    int a = T->planted ? 1 : 0, b = 1 - a;
-    num at = add(t[0], mul(s, sub(t[1], t[0])));
-    same(T, div(sub(at, t[a]), sub(t[b], t[a])), s);
-    same(T, div(sub(t[0], t[a]), sub(t[b], t[a])), from_int(0));
-    same(T, div(sub(t[1], t[a]), sub(t[b], t[a])), from_int(1));
-}
-
-CLAIM(matrix_holds_the_powers_of_the_basis)
-{
-    int k = T->degree + 1;
-    num x[2 * LARGEST_ORDER], A[CELLS], u = parameter(T, "u");
-    G(increasing)(T, 2 * k, x);
-    for (int count = G(pattern_count)(k, 4, 2), m = 0; m < count; m++) {
-        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, m), x);
-        int shift = T->planted && k > 1 && S.group[S.r - 1] != S.group[S.r];
-        G(bspline_matrix)(k - 1, S.t, S.r - shift, A);
-        for (int i = 0; i < k; i++)
-            same(T, G(column_value)(k, A, i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
-    }
-}
-
 CLAIM(matrix_gives_homogeneous_curve)
 {
     int k = T->degree + 1;
@@ -185,53 +203,7 @@ CLAIM(matrix_gives_homogeneous_curve)
     same(T, div(left[0], left[1]), div(right[0], right[1]));
 }
 
-CLAIM(coefficient_rows_have_fixed_sums)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num A[CELLS];
-    G(bspline_matrix)(k - 1, S.t, S.r, A);
-    for (int j = 0; j < k; j++) {
-        num sum = from_int(0);
-        for (int i = 0; i < k - T->planted; i++)
-            sum = add(sum, A[j * k + i]);
-        same(T, sum, from_int(j == 0));
-    }
-}
-
-CLAIM(coefficient_matrix_is_affinely_invariant)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num A[CELLS], B[CELLS], moved[2 * LARGEST_ORDER], a = positive(T, "a", 0), b = unknown(T, "b", 0);
-    for (int m = 0; m < 2 * k; m++)
-        moved[m] = T->planted && m == 1 ? S.t[m] : add(mul(a, S.t[m]), b);
-    G(bspline_matrix)(k - 1, S.t, S.r, A);
-    G(bspline_matrix)(k - 1, moved, S.r, B);
-    for (int m = 0; m < k * k; m++)
-        same(T, B[m], A[m]);
-}
-
 #if RATIONAL
-/*
-:::{claim} empty_span_has_no_parameter
-:title: On an empty span the parameter does not reach 1
-:zh: 空区间上无参数变换
-:kind: counterexample
-:given: $t_r=t_{r+1}=1$
-:then: no $u$ has $t_r+u(t_{r+1}-t_r)\ne t_r$; the length by which (4.4.1) divides is 0
-:method: The length is computed; that it is not 0 is what is compared.
-:control: $t_{r+1}=2$
-:::
-*/
-CLAIM(empty_span_has_no_parameter)
-{
-    num t[2] = {from_int(1), from_int(T->planted ? 2 : 1)};
-    show_points(T, "t_r, t_{r+1}", 2, 1, t);
-    about(T, "the length of the span is not 0");
-    agree(T, !is_zero_q(sub(t[1], t[0])));
-}
-
 /*
 :::{claim} affine_points_need_the_weights
 :title: Applied to affine points the matrix does not give the affine curve
@@ -264,6 +236,43 @@ CLAIM(affine_points_need_the_weights)
 #endif
 
 /*
+:::{statement} wang-ch4:formula-4.4.3
+:title: The rows and columns of the coefficient matrix
+:zh: 系数矩阵的行列标号
+:printed: \mathbf A_{r,k,T}=(a_{j,i})_{k\times k},\quad j=0,\dots,k-1,\quad i=r-k+1,\dots,r
+:definition: yes
+:checked-by: matrix_holds_the_powers_of_the_basis coefficient_rows_have_fixed_sums
+:figure: matrices_of_merging_knots
+
+Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
+:::
+
+:::{claim} coefficient_rows_have_fixed_sums
+:title: The entries of row 0 have the sum 1, those of every other row the sum 0
+:zh: 系数矩阵各行之和
+:given: orders $k=p+1$, simple knots, variables
+:then: $\sum_ia_{0,i}=1$ and $\sum_ia_{j,i}=0$ for $j\ge1$: the $N_{i,k}$ have the sum 1
+:method: The sums of the entries of the kernel.  An identity of rational functions of simple knots holds for coincident
+  ones, because the denominators are differences of knots on the two sides of the span.
+:degrees: 0..5 sampled 7
+:control: the last column left out
+:::
+*/
+CLAIM(coefficient_rows_have_fixed_sums)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS];
+    G(bspline_matrix)(k - 1, S.t, S.r, A);
+    for (int j = 0; j < k; j++) {
+        num sum = from_int(0);
+        for (int i = 0; i < k - T->planted; i++)
+            sum = add(sum, A[j * k + i]);
+        same(T, sum, from_int(j == 0));
+    }
+}
+
+/*
 ## By divided differences (theorem 4.4.1)
 
 As a function of its order-$k$ divided difference, a B-spline is
@@ -294,75 +303,6 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :holds-by: printed_double_sum_gives_the_basis
 :needs: empty_span_has_no_parameter | the span is not empty
 :figure: both_matrices
-:::
-
-:::{statement} wang-ch4:thm-4.4.1
-:title: The coefficients by divided differences
-:zh: 定理 4.4.1 基于差商的系数矩阵
-:printed: a_{ji}=(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{\lambda=1,\ \tau_\lambda>t_r}^{d(T_i)}\
-  \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j}
-:holds-by: printed_double_sum_gives_the_basis column_by_differences_is_the_function
-:needs: full_powers_sum_to_nothing | only the $\tau_\lambda>t_r$ are summed
-:needs: empty_span_has_no_parameter | the span is not empty
-:figure: matrices_of_merging_knots
-
-The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and what the powers allow.
-:::
-
-:::{statement} wang-ch4:formula-4.4.12
-:title: The limits of the double sum
-:zh: (4.4.12) 的求和上限
-:printed: 0\le\mu\le k-1-\max(j,k-l_\lambda),\quad0\le j\le k-1,\quad r-k+1\le i\le r
-:holds-by: summation_orders_agree printed_double_sum_gives_the_basis
-:figure: both_matrices
-
-For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and their
-bases are positive.
-:::
-
-:::{statement} wang-ch4:thm-4.4.1-curve
-:title: So the curve has the coefficient matrix of these entries
-:zh: 由此得 NURBS 曲线的系数矩阵表示
-:printed: this gives the representation (4.4.2) of the NURBS curve (4.1.1) on $[t_r,t_{r+1})$
-:holds-by: matrix_by_differences_is_the_matrix matrix_gives_homogeneous_curve
-:figure: matrix_and_weights
-
-For the homogeneous curve (4.1.1).
-:::
-
-:::{claim} printed_double_sum_gives_the_basis
-:title: The printed coefficients are those of the B-spline
-:zh: (4.4.12) 的二重和给出 B 样条基
-:given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
-  random patterns for greater $k$
-:then: $\sum_ja_{ji}u^j=N_{i,k}(t)$, with $a_{ji}$ as printed, limits and all, and $\alpha$ from the cofactors (4.4.9)
-:method: The double sum by its letter, against the recursion of Cox and de Boor.
-:degrees: 0..4 sampled 5
-:control: the upper limit one less for double knots and more
-:::
-
-:::{claim} column_by_differences_is_the_function
-:title: The kernel for one column gives the B-spline
-:zh: 差商法逐列计算
-:given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
-  random patterns for greater $k$
-:then: the coefficients of `bspline_column_by_differences` are those of $N_{i,k}$ on the span
-:method: As for the printed sum; the kernel takes its weights from power series and sums by Horner's rule.
-:degrees: 0..4 sampled 7
-:defines: bspline_column_by_differences
-:control: the span taken as the last one of the function
-:::
-
-:::{claim} matrix_by_differences_is_the_matrix
-:title: The matrix by divided differences is the matrix of the powers
-:zh: 差商法系数矩阵与幂基展开一致
-:given: every pattern of the 2k knots around a span up to the order 3, variables; greater orders with simple knots and
-  with the knots of Bernstein in the field, with random patterns in the other number types
-:then: `bspline_matrix_by_differences` and `bspline_matrix` give the same matrix
-:method: Entry by entry.  That all multiplicities are covered up to the order 5 is the claim on columns.
-:degrees: 0..4 sampled 7
-:defines: bspline_matrix_by_differences
-:control: the last two columns exchanged
 :::
 */
 
@@ -400,6 +340,22 @@ static struct G(nodes) G(nodes_of)(const struct G(span) * S)
     return n;
 }
 
+/* The cases of the claims on columns: all patterns and spans up to the order 5, else a few random patterns. */
+static int G(function_patterns)(int k) { return k <= (FIELD ? 5 : 3) ? 1 << k : 3; }
+static int G(function_pattern)(trial *T, int k, int m) { return k <= (FIELD ? 5 : 3) ? m : pick(T, 1, (1 << k) - 1); }
+
+/*
+:::{claim} printed_double_sum_gives_the_basis
+:title: The printed coefficients are those of the B-spline
+:zh: (4.4.12) 的二重和给出 B 样条基
+:given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
+  random patterns for greater $k$
+:then: $\sum_ja_{ji}u^j=N_{i,k}(t)$, with $a_{ji}$ as printed, limits and all, and $\alpha$ from the cofactors (4.4.9)
+:method: The double sum by its letter, against the recursion of Cox and de Boor.
+:degrees: 0..4 sampled 5
+:control: the upper limit one less for double knots and more
+:::
+*/
 /* The weights (4.4.8), (4.4.9): cofactors of the last column of the matrix of derivatives over the product
  * that is its determinant. */
 static void G(cofactor_weights)(const struct G(nodes) * n, int k, num alpha[][LARGEST_ORDER + 1])
@@ -438,10 +394,6 @@ static num G(printed_coefficient)(const struct G(span) * S, const struct G(nodes
     return mul(mul(sub(S->t[k], S->t[0]), G(power)(sub(t_r, S->t[S->r + 1]), j)), sum);
 }
 
-/* The cases of the claims on columns: all patterns and spans up to the order 5, else a few random patterns. */
-static int G(function_patterns)(int k) { return k <= (FIELD ? 5 : 3) ? 1 << k : 3; }
-static int G(function_pattern)(trial *T, int k, int m) { return k <= (FIELD ? 5 : 3) ? m : pick(T, 1, (1 << k) - 1); }
-
 CLAIM(printed_double_sum_gives_the_basis)
 {
     int k = T->degree + 1;
@@ -465,6 +417,32 @@ CLAIM(printed_double_sum_gives_the_basis)
     }
 }
 
+/*
+:::{statement} wang-ch4:thm-4.4.1
+:title: The coefficients by divided differences
+:zh: 定理 4.4.1 基于差商的系数矩阵
+:printed: a_{ji}=(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{\lambda=1,\ \tau_\lambda>t_r}^{d(T_i)}\
+  \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j}
+:holds-by: printed_double_sum_gives_the_basis column_by_differences_is_the_function
+:needs: full_powers_sum_to_nothing | only the $\tau_\lambda>t_r$ are summed
+:needs: empty_span_has_no_parameter | the span is not empty
+:figure: matrices_of_merging_knots
+
+The upper limit is $\min(k-1-j,l_\lambda-1)$: both what the weights have and what the powers allow.
+:::
+
+:::{claim} column_by_differences_is_the_function
+:title: The kernel for one column gives the B-spline
+:zh: 差商法逐列计算
+:given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
+  random patterns for greater $k$
+:then: the coefficients of `bspline_column_by_differences` are those of $N_{i,k}$ on the span
+:method: As for the printed sum; the kernel takes its weights from power series and sums by Horner's rule.
+:degrees: 0..4 sampled 7
+:defines: bspline_column_by_differences
+:control: the span taken as the last one of the function
+:::
+*/
 CLAIM(column_by_differences_is_the_function)
 {
     int k = T->degree + 1;
@@ -486,6 +464,40 @@ CLAIM(column_by_differences_is_the_function)
     }
 }
 
+/*
+:::{statement} wang-ch4:formula-4.4.12
+:title: The limits of the double sum
+:zh: (4.4.12) 的求和上限
+:printed: 0\le\mu\le k-1-\max(j,k-l_\lambda),\quad0\le j\le k-1,\quad r-k+1\le i\le r
+:holds-by: summation_orders_agree printed_double_sum_gives_the_basis
+:figure: both_matrices
+
+For these $i$ no $T_i$ has a knot of multiplicity $k+1$, so $l_\lambda\le k$; the exponents are never negative, and their
+bases are positive.
+:::
+
+:::{statement} wang-ch4:thm-4.4.1-curve
+:title: So the curve has the coefficient matrix of these entries
+:zh: 由此得 NURBS 曲线的系数矩阵表示
+:printed: this gives the representation (4.4.2) of the NURBS curve (4.1.1) on $[t_r,t_{r+1})$
+:holds-by: matrix_by_differences_is_the_matrix matrix_gives_homogeneous_curve
+:figure: matrix_and_weights
+
+For the homogeneous curve (4.1.1).
+:::
+
+:::{claim} matrix_by_differences_is_the_matrix
+:title: The matrix by divided differences is the matrix of the powers
+:zh: 差商法系数矩阵与幂基展开一致
+:given: every pattern of the 2k knots around a span up to the order 3, variables; greater orders with simple knots and
+  with the knots of Bernstein in the field, with random patterns in the other number types
+:then: `bspline_matrix_by_differences` and `bspline_matrix` give the same matrix
+:method: Entry by entry.  That all multiplicities are covered up to the order 5 is the claim on columns.
+:degrees: 0..4 sampled 7
+:defines: bspline_matrix_by_differences
+:control: the last two columns exchanged
+:::
+*/
 CLAIM(matrix_by_differences_is_the_matrix)
 {
     int k = T->degree + 1;
@@ -516,51 +528,15 @@ CLAIM(matrix_by_differences_is_the_matrix)
   a knot the derivative of order $k-1$ of the truncated power does not exist
 :figure: zero_power_at_a_knot
 :::
+*/
 
-:::{statement} wang-ch4:thm-4.4.1-step-2
-:title: The truncated powers replaced by powers
-:zh: 证明第二行:截断幂换成幂
-:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
-  (\tau_\lambda-t)^{k-1-\mu}
-:class: invalid-proof
-:refuted-by: full_powers_sum_to_nothing
-:corrected: the same sum over the $\lambda$ with $\tau_\lambda>t_r$ only; over all $\lambda$ it is 0, a divided difference
-  of order $k$ of a polynomial of degree $k-1$
-:corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing
-:figure: full_powers
-:::
+/* (k-1)!/(k-1-mu)! (tau - t)^{degree - mu}, with degree = k-1 */
+static num G(power_datum)(int k, int mu, num tau, num t, int degree)
+{
+    return mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(power)(sub(tau, t), degree - mu));
+}
 
-:::{statement} wang-ch4:thm-4.4.1-step-3
-:title: The powers expanded in u
-:zh: 证明第三行:按 u 展开
-:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
-  \sum_{j=0}^{k-\mu-1}\binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j=N_{i,k}(t)
-:class: invalid-proof
-:refuted-by: full_powers_sum_to_nothing
-:corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
-:corrected-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis
-:figure: full_powers
-:::
-
-:::{statement} wang-ch4:thm-4.4.1-step-expansion
-:title: From the second line to the third
-:zh: 由第二行到第三行的二项展开
-:printed: \frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}=\frac{(k-1)!}{(k-1-\mu)!}\sum_{j=0}^{k-\mu-1}
-  \binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j
-:holds-by: powers_expand_in_the_parameter
-:figure: full_powers
-:::
-
-:::{statement} wang-ch4:thm-4.4.1-step-collect
-:title: The sums exchanged
-:zh: 整理和式
-:printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
-:holds-by: summation_orders_agree powers_expand_in_the_parameter
-:hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is put
-  back
-:figure: full_powers
-:::
-
+/*
 :::{claim} truncated_power_gives_the_basis
 :title: The divided difference of the truncated power is the B-spline
 :zh: 截断幂的差商即 B 样条基
@@ -573,45 +549,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
 :degrees: 0..4 sampled 7
 :control: the data right and left of the span exchanged
 :::
-
-:::{claim} all_full_powers_sum_to_nothing
-:title: With the full powers the sum is always 0
-:zh: 不截断则和恒为零
-:given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables
-:then: the printed second line is 0 for every $t$
-:method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
-:degrees: 0..4 sampled 7
-:control: powers of one degree more
-:::
-
-:::{claim} powers_expand_in_the_parameter
-:title: The expansion of a power of tau - t in powers of u
-:zh: (τ-t) 的幂按 u 展开
-:given: every $\mu<k$, with $\tau,t_r,t_{r+1},u$ variables
-:then: the two sides agree, and $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{j!(k-1-\mu-j)!}$
-:method: Both sides at $t=t_r+u(t_{r+1}-t_r)$.
-:degrees: 0..6 sampled 12
-:control: $t_{r+1}-t_r$ in the place of $t_r-t_{r+1}$
-:::
-
-:::{claim} summation_orders_agree
-:title: The pairs of mu and j are the same in both orders of summation
-:zh: 两种求和次序的指标集相同
-:kind: decision
-:given: $k\le12$, $1\le l\le k$
-:then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
-:method: Both sets are listed.
-:scope: k up to 12
-:control: $\max$ replaced by $\min$
-:::
 */
-
-/* (k-1)!/(k-1-mu)! (tau - t)^{degree - mu}, with degree = k-1 */
-static num G(power_datum)(int k, int mu, num tau, num t, int degree)
-{
-    return mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(power)(sub(tau, t), degree - mu));
-}
-
 CLAIM(truncated_power_gives_the_basis)
 {
     int k = T->degree + 1;
@@ -642,6 +580,44 @@ CLAIM(truncated_power_gives_the_basis)
     }
 }
 
+#if RATIONAL
+/*
+:::{claim} zero_power_at_a_knot_of_multiplicity_k
+:title: At a knot of multiplicity k the power 0 of 0 decides
+:zh: k 重节点处的零次截断幂
+:kind: counterexample
+:given: $k=1$, the knots $0,1$ of $N_{i,1}$, at $t=t_r=0$, with $0_+^0=1$
+:then: $(1-0)\bigl((1-t)_+^0-(0-t)_+^0\bigr)=0$, but $N_{i,1}(0)=1$
+:method: The printed first line, with the value 1 for $0_+^0$.
+:control: the value 0 for $0_+^0$
+:::
+*/
+CLAIM(zero_power_at_a_knot_of_multiplicity_k)
+{
+    int l[2] = {1, 1};
+    num tau[2] = {from_int(0), from_int(1)}, data[2] = {from_int(T->planted ? 0 : 1), from_int(1)};
+    show_points(T, "t_i", 2, 1, tau);
+    show_points(T, "truncated powers at the knots", 2, 1, data);
+    about(T, "the first line at t = t_r, and N_{i,1}(t_r)");
+    same(T, mul(sub(tau[1], tau[0]), G(divided_difference)(2, l, tau, data)), from_int(1));
+}
+#endif
+
+/*
+:::{statement} wang-ch4:thm-4.4.1-step-2
+:title: The truncated powers replaced by powers
+:zh: 证明第二行:截断幂换成幂
+:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
+  (\tau_\lambda-t)^{k-1-\mu}
+:class: invalid-proof
+:refuted-by: full_powers_sum_to_nothing
+:corrected: the same sum over the $\lambda$ with $\tau_\lambda>t_r$ only; over all $\lambda$ it is 0, a divided difference
+  of order $k$ of a polynomial of degree $k-1$
+:corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing
+:figure: full_powers
+:::
+*/
+
 /* The printed second line, over all nodes or over those right of t_r. */
 static num G(second_line)(const struct G(span) * S, int only_right, num t, int degree)
 {
@@ -655,6 +631,17 @@ static num G(second_line)(const struct G(span) * S, int only_right, num t, int d
     return mul(sub(S->t[S->k], S->t[0]), sum);
 }
 
+/*
+:::{claim} all_full_powers_sum_to_nothing
+:title: With the full powers the sum is always 0
+:zh: 不截断则和恒为零
+:given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables
+:then: the printed second line is 0 for every $t$
+:method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
+:degrees: 0..4 sampled 7
+:control: powers of one degree more
+:::
+*/
 CLAIM(all_full_powers_sum_to_nothing)
 {
     int k = T->degree + 1;
@@ -669,37 +656,7 @@ CLAIM(all_full_powers_sum_to_nothing)
     }
 }
 
-CLAIM(powers_expand_in_the_parameter)
-{
-    int k = T->degree + 1;
-    num t[2], tau = unknown(T, "tau", 0), u = parameter(T, "u");
-    G(increasing)(T, 2, t);
-    num at = add(t[0], mul(u, sub(t[1], t[0]))), step = T->planted ? sub(t[1], t[0]) : sub(t[0], t[1]);
-    for (int mu = 0; mu < k; mu++) {
-        num sum = from_int(0);
-        for (int j = 0; j <= k - mu - 1; j++) {
-            num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
-            same(T, factor, div(G(factorial)(k - 1), mul(G(factorial)(j), G(factorial)(k - 1 - mu - j))));
-            num term = mul(G(power)(sub(tau, t[0]), k - 1 - mu - j), mul(G(power)(step, j), G(power)(u, j)));
-            sum = add(sum, mul(factor, term));
-        }
-        same(T, G(power_datum)(k, mu, tau, at, k - 1), sum);
-    }
-}
-
 #if RATIONAL
-CLAIM(summation_orders_agree)
-{
-    for (int k = 1; k <= 12; k++)
-        for (int l = 1; l <= k; l++)
-            for (int mu = 0; mu <= k; mu++)
-                for (int j = 0; j <= k; j++) {
-                    int larger = T->planted ? (j < k - l ? j : k - l) : (j > k - l ? j : k - l);
-                    int printed = mu <= l - 1 && j <= k - mu - 1, collected = j <= k - 1 && mu <= k - 1 - larger;
-                    agree(T, printed == collected);
-                }
-}
-
 /*
 :::{claim} full_powers_sum_to_nothing
 :title: The printed second line is 0 where the B-spline is not
@@ -743,26 +700,94 @@ CLAIM(full_powers_sum_to_nothing)
     about(T, "whether the second line or the third is N_{i,2}(t)");
     agree(T, equal_q(line, value) || equal_q(third, value));
 }
+#endif
 
 /*
-:::{claim} zero_power_at_a_knot_of_multiplicity_k
-:title: At a knot of multiplicity k the power 0 of 0 decides
-:zh: k 重节点处的零次截断幂
-:kind: counterexample
-:given: $k=1$, the knots $0,1$ of $N_{i,1}$, at $t=t_r=0$, with $0_+^0=1$
-:then: $(1-0)\bigl((1-t)_+^0-(0-t)_+^0\bigr)=0$, but $N_{i,1}(0)=1$
-:method: The printed first line, with the value 1 for $0_+^0$.
-:control: the value 0 for $0_+^0$
+:::{statement} wang-ch4:thm-4.4.1-step-3
+:title: The powers expanded in u
+:zh: 证明第三行:按 u 展开
+:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
+  \sum_{j=0}^{k-\mu-1}\binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j=N_{i,k}(t)
+:class: invalid-proof
+:refuted-by: full_powers_sum_to_nothing
+:corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
+:corrected-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis
+:figure: full_powers
+:::
+
+:::{statement} wang-ch4:thm-4.4.1-step-expansion
+:title: From the second line to the third
+:zh: 由第二行到第三行的二项展开
+:printed: \frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}=\frac{(k-1)!}{(k-1-\mu)!}\sum_{j=0}^{k-\mu-1}
+  \binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j
+:holds-by: powers_expand_in_the_parameter
+:figure: full_powers
+:::
+
+:::{claim} powers_expand_in_the_parameter
+:title: The expansion of a power of tau - t in powers of u
+:zh: (τ-t) 的幂按 u 展开
+:given: every $\mu<k$, with $\tau,t_r,t_{r+1},u$ variables
+:then: the two sides agree, and $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{j!(k-1-\mu-j)!}$
+:method: Both sides at $t=t_r+u(t_{r+1}-t_r)$.
+:degrees: 0..6 sampled 12
+:control: $t_{r+1}-t_r$ in the place of $t_r-t_{r+1}$
 :::
 */
-CLAIM(zero_power_at_a_knot_of_multiplicity_k)
+CLAIM(powers_expand_in_the_parameter)
 {
-    int l[2] = {1, 1};
-    num tau[2] = {from_int(0), from_int(1)}, data[2] = {from_int(T->planted ? 0 : 1), from_int(1)};
-    show_points(T, "t_i", 2, 1, tau);
-    show_points(T, "truncated powers at the knots", 2, 1, data);
-    about(T, "the first line at t = t_r, and N_{i,1}(t_r)");
-    same(T, mul(sub(tau[1], tau[0]), G(divided_difference)(2, l, tau, data)), from_int(1));
+    int k = T->degree + 1;
+    num t[2], tau = unknown(T, "tau", 0), u = parameter(T, "u");
+    G(increasing)(T, 2, t);
+    num at = add(t[0], mul(u, sub(t[1], t[0]))), step = T->planted ? sub(t[1], t[0]) : sub(t[0], t[1]);
+    for (int mu = 0; mu < k; mu++) {
+        num sum = from_int(0);
+        for (int j = 0; j <= k - mu - 1; j++) {
+            num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
+            same(T, factor, div(G(factorial)(k - 1), mul(G(factorial)(j), G(factorial)(k - 1 - mu - j))));
+            num term = mul(G(power)(sub(tau, t[0]), k - 1 - mu - j), mul(G(power)(step, j), G(power)(u, j)));
+            sum = add(sum, mul(factor, term));
+        }
+        same(T, G(power_datum)(k, mu, tau, at, k - 1), sum);
+    }
+}
+
+/*
+:::{statement} wang-ch4:thm-4.4.1-step-collect
+:title: The sums exchanged
+:zh: 整理和式
+:printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
+:holds-by: summation_orders_agree powers_expand_in_the_parameter
+:hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the three lines lack, is put
+  back
+:figure: full_powers
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} summation_orders_agree
+:title: The pairs of mu and j are the same in both orders of summation
+:zh: 两种求和次序的指标集相同
+:kind: decision
+:given: $k\le12$, $1\le l\le k$
+:then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
+:method: Both sets are listed.
+:scope: k up to 12
+:control: $\max$ replaced by $\min$
+:::
+*/
+CLAIM(summation_orders_agree)
+{
+    for (int k = 1; k <= 12; k++)
+        for (int l = 1; l <= k; l++)
+            for (int mu = 0; mu <= k; mu++)
+                for (int j = 0; j <= k; j++) {
+                    int larger = T->planted ? (j < k - l ? j : k - l) : (j > k - l ? j : k - l);
+                    int printed = mu <= l - 1 && j <= k - mu - 1, collected = j <= k - 1 && mu <= k - 1 - larger;
+                    agree(T, printed == collected);
+                }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -5,20 +5,6 @@ Over a refinement $v$ of the knots $u$ the old B-splines are combinations of the
 $N_{i,p}=\sum_j\alpha_i(j)\,M_{j,p}$; then the new points are $d_j=\sum_i\alpha_i(j)\,c_i$.  The numbers $\alpha_i(j)$ are the
 discrete B-splines.  The recursion of de Boor and Cox computes them too, with the knots $v_{j+1},\dots,v_{j+p}$ one after the
 other in the place of $t$.
-
-:::{claim} discrete_bsplines_satisfy_refinement_equation
-:title: The discrete B-splines write the old B-splines in the new ones
-:zh: 离散 B 样条的加细方程
-:given: several segments, the distinct knots variables; new knots in the first and the last interval, the last one double, and one
-  more at each inner knot of multiplicity at most $p$
-:then: with $\alpha_{\mu-p}(j),\dots,\alpha_\mu(j)$ of `discrete_bsplines`, $u_\mu\le v_j<u_{\mu+1}$, and $\alpha_i(j)=0$ for the
-  other $i$: $N_{i,p}=\sum_j\alpha_i(j)\,M_{j,p}$ for every $i$, and $\sum_i\alpha_i(j)=1$ for every $j$
-:method: Both sides in powers, on every interval of $v$ in the domain, the B-splines over $u$ and over $v$ from the recursion of
-  de Boor and Cox by its letter.  As the $M_{j,p}$ are independent there are no other such numbers.
-:degrees: 0..4 sampled 8
-:defines: discrete_bsplines
-:control: one of the knots $v_{j+1},\dots,v_{j+p}$ replaced by $v_j$
-:::
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
@@ -73,6 +59,21 @@ static int G(ends_are_spans)(const struct G(knots) * K)
     return K->place[K->p] < K->place[K->p + 1] && K->place[K->n - 1] < K->place[K->n];
 }
 
+/*
+:::{claim} discrete_bsplines_satisfy_refinement_equation
+:title: The discrete B-splines write the old B-splines in the new ones
+:zh: 离散 B 样条的加细方程
+:given: several segments, the distinct knots variables; new knots in the first and the last interval, the last one double, and one
+  more at each inner knot of multiplicity at most $p$
+:then: with $\alpha_{\mu-p}(j),\dots,\alpha_\mu(j)$ of `discrete_bsplines`, $u_\mu\le v_j<u_{\mu+1}$, and $\alpha_i(j)=0$ for the
+  other $i$: $N_{i,p}=\sum_j\alpha_i(j)\,M_{j,p}$ for every $i$, and $\sum_i\alpha_i(j)=1$ for every $j$
+:method: Both sides in powers, on every interval of $v$ in the domain, the B-splines over $u$ and over $v$ from the recursion of
+  de Boor and Cox by its letter.  As the $M_{j,p}$ are independent there are no other such numbers.
+:degrees: 0..4 sampled 8
+:defines: discrete_bsplines
+:control: one of the knots $v_{j+1},\dots,v_{j+p}$ replaced by $v_j$
+:::
+*/
 CLAIM(discrete_bsplines_satisfy_refinement_equation)
 {
     int p = T->degree;
@@ -108,6 +109,7 @@ CLAIM(discrete_bsplines_satisfy_refinement_equation)
     }
 }
 
+#if FIELD || RATIONAL
 /*
 :::{claim} discrete_bsplines_are_nonnegative
 :title: No discrete B-spline is negative
@@ -121,7 +123,6 @@ CLAIM(discrete_bsplines_satisfy_refinement_equation)
 :control: the knot $v_j$ in the place of $v_{j+p}$
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(discrete_bsplines_are_nonnegative)
 {
     int p = T->degree;
@@ -155,7 +156,10 @@ product of these matrices, and so, by the formula of Cauchy and Binet, no minor 
 For the theorem of Schoenberg and Whitney every order of knots and sites is a case of its own, and a determinant of order $n$ of
 rational functions of all the gaps: with $n=5$ both the cases and the determinants are too many for a proof in passing, so that
 the field stops at four functions; that no minor is negative is known in general from the next two claims.
+*/
 
+#if FIELD || RATIONAL
+/*
 :::{claim} bspline_collocation_is_product_of_insertions
 :title: The values of all B-splines at a site are a row of a product of insertion matrices
 :zh: 配置矩阵是插入节点矩阵之积的子矩阵
@@ -170,7 +174,6 @@ the field stops at four functions; that no minor is negative is known in general
 :control: the row after
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(bspline_collocation_is_product_of_insertions)
 {
     int p = T->degree;
@@ -216,6 +219,7 @@ CLAIM(bspline_collocation_is_product_of_insertions)
 }
 #endif
 
+#if RATIONAL
 /*
 :::{claim} bspline_collocation_is_totally_nonnegative
 :title: The collocation matrix at increasing sites has no negative minor
@@ -229,7 +233,6 @@ CLAIM(bspline_collocation_is_product_of_insertions)
 :control: the first two sites exchanged
 :::
 */
-#if RATIONAL
 CLAIM(bspline_collocation_is_totally_nonnegative)
 {
     int p = T->degree;
@@ -256,6 +259,7 @@ CLAIM(bspline_collocation_is_totally_nonnegative)
 }
 #endif
 
+#if FIELD
 /*
 :::{claim} schoenberg_whitney
 :title: Interpolation has one solution exactly when every B-spline is positive at its site
@@ -275,7 +279,6 @@ CLAIM(bspline_collocation_is_totally_nonnegative)
 :control: the first and the second site exchanged
 :::
 */
-#if FIELD
 /* The determinant for sites in places of K; a site on an interval comes with others there, in order. */
 static void G(decide_collocation)(trial *T, const struct G(knots) * pattern, const int site[])
 {
@@ -343,4 +346,5 @@ CLAIM(schoenberg_whitney)
         }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -10,7 +10,13 @@ $$N_{i,k}^{(T)}=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}.$$
 With weights the means are weighted, and the new polygon is the discrete NURBS curve $\Gamma_k^{(T)}(T')$.  The section of the source
 on discrete B-splines, 2.10, is not in the text at hand; its $\alpha$ are read as those of Cohen, Lyche and Riesenfeld (1980), which
 begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T\oplus T'$: intervals closed on the left.
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 ## New points and weights
 
 :::{statement} wang-ch4:def-4.1-discrete-curve
@@ -24,110 +30,7 @@ begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T
 Printed is $\Gamma_\iota^{(T)}(T')$, see the next entry.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
 $i=j$ and $0$ otherwise.
 :::
-
-:::{statement} wang-ch4:notation-order
-:title: The order as index of curve and polygon
-:zh: 曲线与多边形记号中的阶数下标
-:printed: In 4.1 the discrete curve of order $k$ is $\Gamma_\iota^{(T)}(T')$; in lemma 4.2.1 the polygon of order $k$ is
-  $\Gamma^{(T\oplus T')}(\Phi)$; in lemma 4.2.2 the NURBS curve is $r_t(t)$
-:class: misprint
-:refuted-by: three_names_lack_the_order
-:corrected: $\Gamma_k^{(T)}(T')$, $\Gamma_k^{(T\oplus T')}(\Phi)$ and $r_k(t)$
-:corrected-by: names_carry_the_order
-:::
-
-:::{claim} three_names_lack_the_order
-:title: Three names have another index than the order
-:zh: 三处记号的下标不是阶数
-:kind: counterexample
-:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ and $r_k$ everywhere else in 4.1 and 4.2
-:then: none of the three is $k$
-:method: Index by index.
-:control: the three indices corrected
-:::
-
-:::{claim} names_carry_the_order
-:title: With the three indices corrected the names are those of the other formulas
-:zh: 更正后记号一致
-:kind: decision
-:given: the three indices, corrected
-:then: each is $k$
-:method: Index by index.
-:control: the indices as printed
-:::
-
-:::{statement} wang-ch4:formula-4.1.6
-:title: The control points and weights after the insertion of knots
-:zh: 嵌入节点后的控制顶点与权因子
-:printed: r_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}r_{i,k}^{(T)}\Big/\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)},
-  \quad w_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}
-:holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
-:needs: negative_weight_loses_a_new_point | positive weights: otherwise a new weight may be $0$, and there is no new point though the
-  curve is there
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
-  $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
-:hypothesis: knot_at_an_outer_end_has_no_shares | the same at ends that are single knots
-:reading: knots_outside_the_domain_cut_corners | with the $\alpha$ of 2.10 as they are read here, intervals closed on the left: true for
-  $T'$ outside the domain, too
-:reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
-  closed on the right: then $\tau=t_1$ is excluded
-:reading: clamped_end_may_be_inserted_again | with the same: and a $k$-fold right end may be inserted, which repeats $r_n$
-:figure: nurbs_polygons_converge
-
-With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; one knot
-outside makes the weight of an end smaller, several also those next to it, and all stay positive.
-:::
-
-:::{statement} wang-ch4:formula-4.1.8
-:title: The new points and weights belong to the same curve
-:zh: 嵌入节点后曲线不变
-:printed: r_k(t)=\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}r_{j,k}^{(T,T')}\Big/\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}
-:holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
-:reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: still true, the new $N_{j,k}$ between its
-  copies being zero; such $r_j$ do not count and are points of the curve
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, as there; otherwise a term of the sum is
-  $0\cdot\frac00$
-:reading: knots_outside_the_domain_cut_corners | $T'$ outside the domain, in $(t_1,t_{n+k})$: true
-:figure: insertions_commute
-:::
-
-:::{claim} discrete_bsplines_refine_the_basis
-:title: The discrete B-splines express the old basis in the new one
-:zh: 离散 B 样条把旧基表为新基的组合
-:given: every pair of patterns $T$, $T'$ of the list, values variables, with knots inserted between knots and at knots, at the ends
-  of the domain, up to the multiplicity $k$ and beyond; every interval of the domain, any $t$
-:then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
-:method: Both recursions by their letter.
-:degrees: 1..6 sampled 6
-:control: $\alpha_{i,k}(j)$ taken at $j+1$
-:::
-
-:::{claim} discrete_bsplines_follow_definition
-:title: The kernel for discrete B-splines computes those that do not vanish
-:zh: 核函数所算即非零的离散 B 样条
-:given: the same pairs; every $j$ with $v_j$ in the domain
-:then: `discrete_bsplines` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
-:method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
-:degrees: 1..6 sampled 6
-:defines: discrete_bsplines
-:control: $v_{j+1}$ replaced by $v_j$
-:::
-
-:::{claim} discrete_bsplines_are_shares
-:title: The discrete B-splines of a point are nonnegative and sum up to 1
-:zh: 离散 B 样条非负且和为一
-:given: the same pairs with any positive gaps, all inserted knots in the domain; every new point $j$
-:then: $\alpha_{i,k}(j)\ge0$ and $\sum_{i=1}^n\alpha_{i,k}(j)=1$; so with positive weights $w_j^{(T,T')}$ is between the least and
-  the greatest of them
-:method: The recursion by its letter; signs are read off coefficients in the gaps.
-:degrees: 1..6 sampled 6
-:control: the share of $r_1$ left out of the sum
-:::
 */
-#include "chapters/nurbs/definition.h"
-#include "chapters/nurbs/discrete.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* Pairs T, T' over common values for each degree. */
 static const char *const G(pairs)[][16] = {
@@ -156,72 +59,18 @@ static void G(refine_pair)(const char *old, const char *new, int p, struct G(ref
     r->m = G(knots_at)(sum, r->x, r->v, r->at) - p - 1;
 }
 
-#if RATIONAL
-static int indices_are_the_order(trial *T, int corrected)
-{
-    static const char *const place[] = {"4.1", "lemma 4.2.1", "lemma 4.2.2"}, *const printed[] = {"ι", "", "t"};
-    int all = 1;
-    for (int m = 0; m < 3; m++) {
-        const char *index = corrected ? "k" : printed[m];
-        show_text(T, place[m], "%s", index[0] != '\0' ? index : "no index");
-        all &= strcmp(index, "k") == 0;
-    }
-    about(T, "the index is the order k");
-    return all;
-}
-CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T, T->planted)); }
-CLAIM(names_carry_the_order) { agree(T, indices_are_the_order(T, !T->planted)); }
-#endif
-
-/* Is v_j in the domain, in an interval [v_j, v_{j+1}) of which a point may be named? */
-static int G(in_domain)(int p, const struct G(refinement) * r, int j)
-{
-    return r->place[p] <= r->at[j] && r->at[j] < r->place[r->n];
-}
-
-CLAIM(discrete_bsplines_refine_the_basis)
-{
-    int p = T->degree;
-    struct G(refinement) r;
-    num t = unknown(T, "t", 0);
-    for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
-        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
-        G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
-        for (int interval = r.place[p]; interval < r.place[r.n]; interval++)
-            for (int i = 0; i < r.n; i++) {
-                num sum = from_int(0);
-                for (int j = 0; j < r.m; j++) {
-                    int taken = T->planted && j + 1 < r.m ? j + 1 : j;
-                    sum = add(sum, mul(G(alpha)(p, r.u, r.place, r.v, r.at, i, taken),
-                                       G(cox_de_boor)(p, r.v, r.at, j, interval, t)));
-                }
-                same(T, sum, G(cox_de_boor)(p, r.u, r.place, i, interval, t));
-            }
-    }
-}
-
-CLAIM(discrete_bsplines_follow_definition)
-{
-    int p = T->degree;
-    struct G(refinement) r;
-    for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
-        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
-        G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
-        for (int j = 0; j < r.m; j++) {
-            num a[MAX_DEGREE + 1], arguments[MAX_DEGREE + 1];
-            if (!G(in_domain)(p, &r, j))
-                continue;
-            int mu = G(span_of_interval)(r.count, r.place, r.at[j]);
-            for (int l = 0; l < p; l++)
-                arguments[l] = r.v[T->planted && l == 0 ? j : j + 1 + l];
-            G(discrete_bsplines)(p, r.u, mu, arguments, a);
-            for (int i = 0; i < r.n; i++)
-                same(T, mu - p <= i && i <= mu ? a[i - mu + p] : from_int(0),
-                     G(alpha)(p, r.u, r.place, r.v, r.at, i, j));
-        }
-    }
-}
-
+/*
+:::{claim} discrete_bsplines_are_shares
+:title: The discrete B-splines of a point are nonnegative and sum up to 1
+:zh: 离散 B 样条非负且和为一
+:given: the same pairs with any positive gaps, all inserted knots in the domain; every new point $j$
+:then: $\alpha_{i,k}(j)\ge0$ and $\sum_{i=1}^n\alpha_{i,k}(j)=1$; so with positive weights $w_j^{(T,T')}$ is between the least and
+  the greatest of them
+:method: The recursion by its letter; signs are read off coefficients in the gaps.
+:degrees: 1..6 sampled 6
+:control: the share of $r_1$ left out of the sum
+:::
+*/
 CLAIM(discrete_bsplines_are_shares)
 {
     int p = T->degree;
@@ -255,34 +104,6 @@ CLAIM(discrete_bsplines_are_shares)
 :scope: the knots variables for $p\le5$, numbers above
 :control: the new weights taken as 1 in (4.1.8)
 :::
-
-:::{claim} knots_outside_the_domain_cut_corners
-:title: A knot outside the domain cuts corners of the polygon as well, and keeps the curve
-:zh: 定义域外的节点同样割角且不改变曲线
-:given: simple knots, $n=k+1$; one knot $\tau$ inside an interval of $(t_1,t_k)$ or $(t_{n+1},t_{n+k})$, or at one of the knots there; positive
-  gaps and weights
-:then: new point $j$ has no share but in $r_{j-1}$ and $r_j$, and both shares are nonnegative; they sum up to $1$ for $1<j\le n$, while
-  $r_1'=r_1$ with $\alpha_{1,k}(1)=\frac{\tau-t_1}{t_k-t_1}$ or $1$ and $r_{n+1}'=r_n$ with
-  $\alpha_{n,k}(n+1)=\frac{t_{n+k}-\tau}{t_{n+k}-t_{n+1}}$ or $1$; and (4.1.8) is (4.1.2) on the domain
-:method: (4.1.6) and both curves by their letter; signs are read off coefficients in the gaps.  The shares are
-  quotients of sums of gaps, whose denominators contain a gap next to $\tau$; it stays positive when others are 0, so that the same is
-  true of multiple knots.  More knots one after the other, by (4.1.7).
-:types: field rational
-:degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le3$, numbers above
-:control: the first or the last share, that which is less than $1$, taken as $1$
-:::
-
-:::{claim} nurbs_insertion_is_one_discrete_step
-:title: Boehm's insertion with weights is (4.1.6) for one knot
-:zh: 带权的 Boehm 嵌入公式即单节点的 (4.1.6)
-:given: one knot inserted between knots and at a knot of every multiplicity below $k$; points and weights, values variables
-:then: `nurbs_insert` gives the knots $T\oplus\{\tau\}$ and the points and weights of (4.1.6)
-:method: The kernel against all sums by their letter.
-:degrees: 1..6 sampled 7
-:defines: nurbs_insert
-:control: the knot inserted at the next value
-:::
 */
 CLAIM(refined_data_give_the_same_curve)
 {
@@ -307,7 +128,103 @@ CLAIM(refined_data_give_the_same_curve)
     }
 }
 
+/*
+:::{statement} wang-ch4:notation-order
+:title: The order as index of curve and polygon
+:zh: 曲线与多边形记号中的阶数下标
+:printed: In 4.1 the discrete curve of order $k$ is $\Gamma_\iota^{(T)}(T')$; in lemma 4.2.1 the polygon of order $k$ is
+  $\Gamma^{(T\oplus T')}(\Phi)$; in lemma 4.2.2 the NURBS curve is $r_t(t)$
+:class: misprint
+:refuted-by: three_names_lack_the_order
+:corrected: $\Gamma_k^{(T)}(T')$, $\Gamma_k^{(T\oplus T')}(\Phi)$ and $r_k(t)$
+:corrected-by: names_carry_the_order
+:::
+*/
+
+#if RATIONAL
+static int indices_are_the_order(trial *T, int corrected)
+{
+    static const char *const place[] = {"4.1", "lemma 4.2.1", "lemma 4.2.2"}, *const printed[] = {"ι", "", "t"};
+    int all = 1;
+    for (int m = 0; m < 3; m++) {
+        const char *index = corrected ? "k" : printed[m];
+        show_text(T, place[m], "%s", index[0] != '\0' ? index : "no index");
+        all &= strcmp(index, "k") == 0;
+    }
+    about(T, "the index is the order k");
+    return all;
+}
+
+/*
+:::{claim} three_names_lack_the_order
+:title: Three names have another index than the order
+:zh: 三处记号的下标不是阶数
+:kind: counterexample
+:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ and $r_k$ everywhere else in 4.1 and 4.2
+:then: none of the three is $k$
+:method: Index by index.
+:control: the three indices corrected
+:::
+*/
+CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T, T->planted)); }
+
+/*
+:::{claim} names_carry_the_order
+:title: With the three indices corrected the names are those of the other formulas
+:zh: 更正后记号一致
+:kind: decision
+:given: the three indices, corrected
+:then: each is $k$
+:method: Index by index.
+:control: the indices as printed
+:::
+*/
+CLAIM(names_carry_the_order) { agree(T, indices_are_the_order(T, !T->planted)); }
+#endif
+
+/*
+:::{statement} wang-ch4:formula-4.1.6
+:title: The control points and weights after the insertion of knots
+:zh: 嵌入节点后的控制顶点与权因子
+:printed: r_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}r_{i,k}^{(T)}\Big/\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)},
+  \quad w_{j,k}^{(T,T')}=\sum_i\alpha_{i,k}^{(T,T')}(j)w_{i,k}^{(T)}
+:holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
+:needs: negative_weight_loses_a_new_point | positive weights: otherwise a new weight may be $0$, and there is no new point though the
+  curve is there
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise all
+  $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
+:hypothesis: knot_at_an_outer_end_has_no_shares | the same at ends that are single knots
+:reading: knots_outside_the_domain_cut_corners | with the $\alpha$ of 2.10 as they are read here, intervals closed on the left: true for
+  $T'$ outside the domain, too
+:reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
+  closed on the right: then $\tau=t_1$ is excluded
+:reading: clamped_end_may_be_inserted_again | with the same: and a $k$-fold right end may be inserted, which repeats $r_n$
+:figure: nurbs_polygons_converge
+
+With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones; one knot
+outside makes the weight of an end smaller, several also those next to it, and all stay positive.
+:::
+*/
+
 #if FIELD || RATIONAL
+/*
+:::{claim} knots_outside_the_domain_cut_corners
+:title: A knot outside the domain cuts corners of the polygon as well, and keeps the curve
+:zh: 定义域外的节点同样割角且不改变曲线
+:given: simple knots, $n=k+1$; one knot $\tau$ inside an interval of $(t_1,t_k)$ or $(t_{n+1},t_{n+k})$, or at one of the knots there; positive
+  gaps and weights
+:then: new point $j$ has no share but in $r_{j-1}$ and $r_j$, and both shares are nonnegative; they sum up to $1$ for $1<j\le n$, while
+  $r_1'=r_1$ with $\alpha_{1,k}(1)=\frac{\tau-t_1}{t_k-t_1}$ or $1$ and $r_{n+1}'=r_n$ with
+  $\alpha_{n,k}(n+1)=\frac{t_{n+k}-\tau}{t_{n+k}-t_{n+1}}$ or $1$; and (4.1.8) is (4.1.2) on the domain
+:method: (4.1.6) and both curves by their letter; signs are read off coefficients in the gaps.  The shares are
+  quotients of sums of gaps, whose denominators contain a gap next to $\tau$; it stays positive when others are 0, so that the same is
+  true of multiple knots.  More knots one after the other, by (4.1.7).
+:types: field rational
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le3$, numbers above
+:control: the first or the last share, that which is less than $1$, taken as $1$
+:::
+*/
 CLAIM(knots_outside_the_domain_cut_corners)
 {
     int p = T->degree, n = p + 2;
@@ -360,6 +277,18 @@ CLAIM(knots_outside_the_domain_cut_corners)
 }
 #endif
 
+/*
+:::{claim} nurbs_insertion_is_one_discrete_step
+:title: Boehm's insertion with weights is (4.1.6) for one knot
+:zh: 带权的 Boehm 嵌入公式即单节点的 (4.1.6)
+:given: one knot inserted between knots and at a knot of every multiplicity below $k$; points and weights, values variables
+:then: `nurbs_insert` gives the knots $T\oplus\{\tau\}$ and the points and weights of (4.1.6)
+:method: The kernel against all sums by their letter.
+:degrees: 1..6 sampled 7
+:defines: nurbs_insert
+:control: the knot inserted at the next value
+:::
+*/
 CLAIM(nurbs_insertion_is_one_discrete_step)
 {
     int p = T->degree;
@@ -386,6 +315,7 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
     }
 }
 
+#if RATIONAL
 /*
 :::{claim} negative_weight_loses_a_new_point
 :title: With a negative weight a new point may not exist
@@ -396,7 +326,26 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
 :method: (4.1.6) and the denominator of (4.1.2) by their letter.
 :control: the weights $1,1,2$
 :::
+*/
+CLAIM(negative_weight_loses_a_new_point)
+{
+    struct G(refinement) r;
+    num w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(2)}, new_weight = from_int(0), total = from_int(0);
+    for (int i = 0; i < 3; i++)
+        r.x[i] = from_int(i);
+    G(refine_pair)("303", "010", 2, &r);
+    for (int i = 0; i < 3; i++) {
+        new_weight = add(new_weight, mul(w[i], G(alpha)(2, r.u, r.place, r.v, r.at, i, 1)));
+        total = add(total, mul(w[i], G(cox_de_boor)(2, r.u, r.place, i, 0, from_int(1))));
+    }
+    show_points(T, "w", 3, 1, w);
+    show(T, "w_2^(T,T')", new_weight);
+    show(T, "w(1)", total);
+    about(T, "if w(1) is not 0, then the new weight is not 0");
+    agree(T, sign_q(total) == 0 || sign_q(new_weight) != 0);
+}
 
+/*
 :::{claim} knot_at_a_k_fold_end_has_no_shares
 :title: A knot inserted at a k-fold right end makes a point without shares
 :zh: 在 k 重右端点嵌入节点所得顶点无意义
@@ -406,7 +355,23 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
 :method: (4.1.6) by its letter.
 :control: $T'=\{1\}$
 :::
+*/
+CLAIM(knot_at_a_k_fold_end_has_no_shares)
+{
+    struct G(refinement) r;
+    num sum = from_int(0);
+    for (int i = 0; i < 3; i++)
+        r.x[i] = from_int(i);
+    G(refine_pair)("202", T->planted ? "010" : "001", 1, &r);
+    for (int i = 0; i < r.n; i++)
+        sum = add(sum, G(alpha)(1, r.u, r.place, r.v, r.at, i, r.m - 1));
+    show_points(T, "T with T'", r.m + 2, 1, r.v);
+    show(T, "w_3^(T,T')", sum);
+    about(T, "the new weight is positive");
+    agree(T, sign_q(sum) > 0);
+}
 
+/*
 :::{claim} knot_at_an_outer_end_has_no_shares
 :title: A knot inserted at a single first or last knot makes a point without shares
 :zh: 在单重首末节点处嵌入节点所得顶点无意义
@@ -417,7 +382,6 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
 :control: $T'=\{\frac12\}$ and $T'=\{\frac92\}$
 :::
 */
-#if RATIONAL
 CLAIM(knot_at_an_outer_end_has_no_shares)
 {
     struct G(refinement) r;
@@ -437,40 +401,93 @@ CLAIM(knot_at_an_outer_end_has_no_shares)
     about(T, "one of the new weights is positive");
     agree(T, positive > (T->planted ? 1 : 0));
 }
-
-CLAIM(knot_at_a_k_fold_end_has_no_shares)
-{
-    struct G(refinement) r;
-    num sum = from_int(0);
-    for (int i = 0; i < 3; i++)
-        r.x[i] = from_int(i);
-    G(refine_pair)("202", T->planted ? "010" : "001", 1, &r);
-    for (int i = 0; i < r.n; i++)
-        sum = add(sum, G(alpha)(1, r.u, r.place, r.v, r.at, i, r.m - 1));
-    show_points(T, "T with T'", r.m + 2, 1, r.v);
-    show(T, "w_3^(T,T')", sum);
-    about(T, "the new weight is positive");
-    agree(T, sign_q(sum) > 0);
-}
-
-CLAIM(negative_weight_loses_a_new_point)
-{
-    struct G(refinement) r;
-    num w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(2)}, new_weight = from_int(0), total = from_int(0);
-    for (int i = 0; i < 3; i++)
-        r.x[i] = from_int(i);
-    G(refine_pair)("303", "010", 2, &r);
-    for (int i = 0; i < 3; i++) {
-        new_weight = add(new_weight, mul(w[i], G(alpha)(2, r.u, r.place, r.v, r.at, i, 1)));
-        total = add(total, mul(w[i], G(cox_de_boor)(2, r.u, r.place, i, 0, from_int(1))));
-    }
-    show_points(T, "w", 3, 1, w);
-    show(T, "w_2^(T,T')", new_weight);
-    show(T, "w(1)", total);
-    about(T, "if w(1) is not 0, then the new weight is not 0");
-    agree(T, sign_q(total) == 0 || sign_q(new_weight) != 0);
-}
 #endif
+
+/*
+:::{statement} wang-ch4:formula-4.1.8
+:title: The new points and weights belong to the same curve
+:zh: 嵌入节点后曲线不变
+:printed: r_k(t)=\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}r_{j,k}^{(T,T')}\Big/\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}
+:holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
+:reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: still true, the new $N_{j,k}$ between its
+  copies being zero; such $r_j$ do not count and are points of the curve
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist, as there; otherwise a term of the sum is
+  $0\cdot\frac00$
+:reading: knots_outside_the_domain_cut_corners | $T'$ outside the domain, in $(t_1,t_{n+k})$: true
+:figure: insertions_commute
+:::
+
+:::{claim} discrete_bsplines_refine_the_basis
+:title: The discrete B-splines express the old basis in the new one
+:zh: 离散 B 样条把旧基表为新基的组合
+:given: every pair of patterns $T$, $T'$ of the list, values variables, with knots inserted between knots and at knots, at the ends
+  of the domain, up to the multiplicity $k$ and beyond; every interval of the domain, any $t$
+:then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
+:method: Both recursions by their letter.
+:degrees: 1..6 sampled 6
+:control: $\alpha_{i,k}(j)$ taken at $j+1$
+:::
+*/
+CLAIM(discrete_bsplines_refine_the_basis)
+{
+    int p = T->degree;
+    struct G(refinement) r;
+    num t = unknown(T, "t", 0);
+    for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
+        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
+        G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
+        for (int interval = r.place[p]; interval < r.place[r.n]; interval++)
+            for (int i = 0; i < r.n; i++) {
+                num sum = from_int(0);
+                for (int j = 0; j < r.m; j++) {
+                    int taken = T->planted && j + 1 < r.m ? j + 1 : j;
+                    sum = add(sum, mul(G(alpha)(p, r.u, r.place, r.v, r.at, i, taken),
+                                       G(cox_de_boor)(p, r.v, r.at, j, interval, t)));
+                }
+                same(T, sum, G(cox_de_boor)(p, r.u, r.place, i, interval, t));
+            }
+    }
+}
+
+/*
+:::{claim} discrete_bsplines_follow_definition
+:title: The kernel for discrete B-splines computes those that do not vanish
+:zh: 核函数所算即非零的离散 B 样条
+:given: the same pairs; every $j$ with $v_j$ in the domain
+:then: `discrete_bsplines` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
+:method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
+:degrees: 1..6 sampled 6
+:defines: discrete_bsplines
+:control: $v_{j+1}$ replaced by $v_j$
+:::
+*/
+/* Is v_j in the domain, in an interval [v_j, v_{j+1}) of which a point may be named? */
+static int G(in_domain)(int p, const struct G(refinement) * r, int j)
+{
+    return r->place[p] <= r->at[j] && r->at[j] < r->place[r->n];
+}
+
+CLAIM(discrete_bsplines_follow_definition)
+{
+    int p = T->degree;
+    struct G(refinement) r;
+    for (int k = 0; G(pairs)[p][k] != NULL; k += 2) {
+        G(distinct_knots)(T, (int)strlen(G(pairs)[p][k]), 6, r.x);
+        G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
+        for (int j = 0; j < r.m; j++) {
+            num a[MAX_DEGREE + 1], arguments[MAX_DEGREE + 1];
+            if (!G(in_domain)(p, &r, j))
+                continue;
+            int mu = G(span_of_interval)(r.count, r.place, r.at[j]);
+            for (int l = 0; l < p; l++)
+                arguments[l] = r.v[T->planted && l == 0 ? j : j + 1 + l];
+            G(discrete_bsplines)(p, r.u, mu, arguments, a);
+            for (int i = 0; i < r.n; i++)
+                same(T, mu - p <= i && i <= mu ? a[i - mu + p] : from_int(0),
+                     G(alpha)(p, r.u, r.place, r.v, r.at, i, j));
+        }
+    }
+}
 
 /*
 ## In several steps
@@ -487,60 +504,8 @@ CLAIM(negative_weight_loses_a_new_point)
 
 The weights follow the same way, which the source does not print.
 :::
-
-:::{statement} wang-ch4:thm-4.1.1-geometry
-:title: The theorem has a vivid geometric meaning
-:zh: 定理 4.1.1 的几何意义
-:printed: Theorem 4.1.1 has a vivid geometric meaning, as theorem 2.10.2 has
-:holds-by: insertion_cuts_the_corners insertions_commute
-:figure: insertions_commute
-
-Read as: knots may be inserted one after the other and in any order; each step puts new points on the edges of the polygon before and
-cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section 2.10 is not at hand.
-:::
-
-:::{claim} discrete_bsplines_compose
-:title: The discrete B-splines of two steps multiply like matrices
-:zh: 两步离散 B 样条按矩阵乘法复合
-:given: triples $T$, $T_1$, $T_2$ of patterns, values variables, with equal knots in $T_1$ and $T_2$ among them, and with knots outside the
-  domain
-:then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
-:method: All by the recursion by its letter.
-:degrees: 1..6 sampled 6
-:control: $T_1$ and $T_2$ exchanged in the second factor only
-:::
-
-:::{claim} steps_of_refinement_compose
-:title: Points and weights of two steps are those of one
-:zh: 分步嵌入与一次嵌入所得顶点与权因子相同
-:given: the same triples; points and weights
-:then: (4.1.7), and the same for the weights
-:method: (4.1.6) for one step and for two, all sums by their letter.
-:degrees: 1..6 sampled 6
-:control: the weights after the first step taken as 1
-:::
-
-:::{claim} insertions_commute
-:title: Two knots may be inserted in either order
-:zh: 两个节点的嵌入次序可交换
-:given: $T=\{x_0^k,x_1^m,x_4^k\}$, $0\le m<k$, and two knots $x_1$ or $x_2$, and $x_3$; points and weights
-:then: the points, weights and knots are the same
-:method: The kernel `nurbs_insert` twice, in both orders, for every $m$.
-:degrees: 1..6 sampled 7
-:control: the second order with another second knot
-:::
-
-:::{claim} insertion_cuts_the_corners
-:title: Each inserted knot cuts corners of the polygon
-:zh: 每嵌入一个节点即割去控制多边形的若干角
-:given: one knot $\tau$ strictly inside an interval between simple knots, positive gaps and weights
-:let: $s_i=a_iw_i/(a_iw_i+(1-a_i)w_{i-1})$ with $a_i=(\tau-t_i)/(t_{i+k-1}-t_i)$
-:then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
-:method: The kernel; signs are read off coefficients.
-:degrees: 1..6 sampled 7
-:control: $s_i$ without the weights
-:::
 */
+
 /* Triples T, T_1, T_2. */
 static const char *const G(triples)[][16] = {
     {NULL},
@@ -553,6 +518,18 @@ static const char *const G(triples)[][16] = {
     {"70207", "01010", "00110", NULL},
 };
 
+/*
+:::{claim} discrete_bsplines_compose
+:title: The discrete B-splines of two steps multiply like matrices
+:zh: 两步离散 B 样条按矩阵乘法复合
+:given: triples $T$, $T_1$, $T_2$ of patterns, values variables, with equal knots in $T_1$ and $T_2$ among them, and with knots outside the
+  domain
+:then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
+:method: All by the recursion by its letter.
+:degrees: 1..6 sampled 6
+:control: $T_1$ and $T_2$ exchanged in the second factor only
+:::
+*/
 CLAIM(discrete_bsplines_compose)
 {
     int p = T->degree;
@@ -578,6 +555,17 @@ CLAIM(discrete_bsplines_compose)
     }
 }
 
+/*
+:::{claim} steps_of_refinement_compose
+:title: Points and weights of two steps are those of one
+:zh: 分步嵌入与一次嵌入所得顶点与权因子相同
+:given: the same triples; points and weights
+:then: (4.1.7), and the same for the weights
+:method: (4.1.6) for one step and for two, all sums by their letter.
+:degrees: 1..6 sampled 6
+:control: the weights after the first step taken as 1
+:::
+*/
 CLAIM(steps_of_refinement_compose)
 {
     int p = T->degree;
@@ -610,6 +598,28 @@ CLAIM(steps_of_refinement_compose)
     }
 }
 
+/*
+:::{statement} wang-ch4:thm-4.1.1-geometry
+:title: The theorem has a vivid geometric meaning
+:zh: 定理 4.1.1 的几何意义
+:printed: Theorem 4.1.1 has a vivid geometric meaning, as theorem 2.10.2 has
+:holds-by: insertion_cuts_the_corners insertions_commute
+:figure: insertions_commute
+
+Read as: knots may be inserted one after the other and in any order; each step puts new points on the edges of the polygon before and
+cuts its corners; after $k-1$ of them a corner is a point of the curve.  Section 2.10 is not at hand.
+:::
+
+:::{claim} insertions_commute
+:title: Two knots may be inserted in either order
+:zh: 两个节点的嵌入次序可交换
+:given: $T=\{x_0^k,x_1^m,x_4^k\}$, $0\le m<k$, and two knots $x_1$ or $x_2$, and $x_3$; points and weights
+:then: the points, weights and knots are the same
+:method: The kernel `nurbs_insert` twice, in both orders, for every $m$.
+:degrees: 1..6 sampled 7
+:control: the second order with another second knot
+:::
+*/
 CLAIM(insertions_commute)
 {
     int p = T->degree, place[MOST_KNOTS];
@@ -642,6 +652,18 @@ CLAIM(insertions_commute)
         }
 }
 
+/*
+:::{claim} insertion_cuts_the_corners
+:title: Each inserted knot cuts corners of the polygon
+:zh: 每嵌入一个节点即割去控制多边形的若干角
+:given: one knot $\tau$ strictly inside an interval between simple knots, positive gaps and weights
+:let: $s_i=a_iw_i/(a_iw_i+(1-a_i)w_{i-1})$ with $a_i=(\tau-t_i)/(t_{i+k-1}-t_i)$
+:then: the $k-1$ new points are $(1-s_i)r_{i-1}+s_ir_i$ with $0\le s_i\le1$, the others are old ones
+:method: The kernel; signs are read off coefficients.
+:degrees: 1..6 sampled 7
+:control: $s_i$ without the weights
+:::
+*/
 CLAIM(insertion_cuts_the_corners)
 {
     int p = T->degree, mu = p, n = p + 1;
@@ -688,68 +710,8 @@ Insert one knot often enough and a new point is the point of the curve.
 For $m\ge2$ the printed $k-1$ insertions make $t'$ more than $k$-fold, and some of the new B-splines are zero.  The points
 $r_\mu,\dots,r_{\mu+m}$ then coincide if $m\le k-1$.
 :::
-
-:::{statement} wang-ch4:thm-4.1.1-index
-:title: The interval of the theorem
-:zh: 定理 4.1.1 中 t' 所在区间的下标
-:printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
-:class: misprint
-:refuted-by: index_of_another_interval_is_another_point
-:corrected: $t'\in(t_\mu,t_{\mu+1}]$
-:corrected-by: repeated_insertion_reaches_the_curve
-:figure: insertion_to_the_curve
-
-As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1.  The proof of lemma 4.2.1 has $\mu$ in both places.
-:::
-
-:::{statement} wang-ch4:thm-4.1.1
-:title: The discrete structure of NURBS curves
-:zh: NURBS 曲线的离散结构
-:printed: Let $t'\in(t_u,t_{u+1}]$, read as $(t_\mu,t_{\mu+1}]$, $T'=T_1\oplus T_2$, and let the new points and weights be (4.1.6): then (4.1.7), (4.1.8) and (4.1.9)
-:holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
-:hypothesis: left_value_at_a_k_fold_knot | for (4.1.9): inside the domain $t'$ is at most a $(k-1)$-fold knot
-:hypothesis: clamped_start_has_no_such_point | for (4.1.9): $t'>t_k$ when $t_k$ is a $k$-fold knot
-:needs: negative_weight_loses_a_new_point | positive weights
-:figure: insertion_to_the_curve
-:::
-
-:::{claim} repeated_insertion_reaches_the_curve
-:title: The point with the index of (4.1.9) is the point of the curve, for every multiplicity below k
-:zh: 对每个小于 k 的重数 (4.1.9) 成立
-:given: $T$ with the ends $x_0^k$, $x_4^k$, simple knots $x_1$, $x_3$ and $x_2=t'$ of every multiplicity $m=0,\dots,k-1$, values
-  variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points, and $t'=x_1$ of the
-  multiplicity $1,\dots,k-1$ after $x_0^{k-m}$, the beginning of the domain
-:then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and so are $r_{\mu+1},\dots,r_{\mu+m}$; the values from both sides agree
-:method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
-  knots before $t'$.
-:degrees: 0..6 sampled 6
-:scope: the knots variables for $p\le5$, numbers above
-:control: $r_{\mu-1}$, or $r_2$ where $\mu=1$
-:::
-
-:::{claim} fewer_insertions_suffice
-:title: An m-fold knot has to be inserted k-1-m times only
-:zh: m 重节点只需再嵌入 k-1-m 次
-:given: the same knots; $m=0,\dots,k-1$
-:then: $r_\mu^{(T,\{t'\}^{k-1-m})}=r(t')$
-:method: As before; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
-:degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le5$, numbers above
-:control: one insertion less, for $m<k-1$
-:::
-
-:::{claim} right_value_with_the_other_interval
-:title: With the index of the interval that begins at or before t' the point is the limit from the right
-:zh: 取 t'∈[t_μ,t_{μ+1}) 时得到右极限
-:given: the same knots, $m=0,\dots,k$; also $t'=x_0$, the $k$-fold left end; $\mu$ the number of knots up to $t'$
-:then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t'+)$
-:method: As before.
-:degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le5$, numbers above
-:control: the value from the left
-:::
 */
+
 /* T with t' = x_where of multiplicity m, and t' inserted `times` times; x_1 is then the beginning of the domain. */
 static void G(repeated)(int p, int where, int m, int times, struct G(refinement) * r)
 {
@@ -770,6 +732,21 @@ static int G(knots_below)(const struct G(refinement) * r, int place)
     return below;
 }
 
+/*
+:::{claim} repeated_insertion_reaches_the_curve
+:title: The point with the index of (4.1.9) is the point of the curve, for every multiplicity below k
+:zh: 对每个小于 k 的重数 (4.1.9) 成立
+:given: $T$ with the ends $x_0^k$, $x_4^k$, simple knots $x_1$, $x_3$ and $x_2=t'$ of every multiplicity $m=0,\dots,k-1$, values
+  variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points, and $t'=x_1$ of the
+  multiplicity $1,\dots,k-1$ after $x_0^{k-m}$, the beginning of the domain
+:then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and so are $r_{\mu+1},\dots,r_{\mu+m}$; the values from both sides agree
+:method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
+  knots before $t'$.
+:degrees: 0..6 sampled 6
+:scope: the knots variables for $p\le5$, numbers above
+:control: $r_{\mu-1}$, or $r_2$ where $\mu=1$
+:::
+*/
 CLAIM(repeated_insertion_reaches_the_curve)
 {
     int p = T->degree;
@@ -796,6 +773,18 @@ CLAIM(repeated_insertion_reaches_the_curve)
     }
 }
 
+/*
+:::{claim} fewer_insertions_suffice
+:title: An m-fold knot has to be inserted k-1-m times only
+:zh: m 重节点只需再嵌入 k-1-m 次
+:given: the same knots; $m=0,\dots,k-1$
+:then: $r_\mu^{(T,\{t'\}^{k-1-m})}=r(t')$
+:method: As before; for $m=k-1$ nothing is inserted, and $r_\mu$ is an old point.
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le5$, numbers above
+:control: one insertion less, for $m<k-1$
+:::
+*/
 CLAIM(fewer_insertions_suffice)
 {
     int p = T->degree;
@@ -811,6 +800,18 @@ CLAIM(fewer_insertions_suffice)
     }
 }
 
+/*
+:::{claim} right_value_with_the_other_interval
+:title: With the index of the interval that begins at or before t' the point is the limit from the right
+:zh: 取 t'∈[t_μ,t_{μ+1}) 时得到右极限
+:given: the same knots, $m=0,\dots,k$; also $t'=x_0$, the $k$-fold left end; $\mu$ the number of knots up to $t'$
+:then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t'+)$
+:method: As before.
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le5$, numbers above
+:control: the value from the left
+:::
+*/
 CLAIM(right_value_with_the_other_interval)
 {
     int p = T->degree;
@@ -828,6 +829,7 @@ CLAIM(right_value_with_the_other_interval)
     }
 }
 
+#if RATIONAL
 /*
 :::{claim} left_value_at_a_k_fold_knot
 :title: At a k-fold knot the printed index gives the limit from the left
@@ -838,28 +840,7 @@ CLAIM(right_value_with_the_other_interval)
 :method: (4.1.6) and (4.1.2) by their letter.
 :control: a simple knot in the place of the double one: points $(0,0),(1,1),(3,0)$
 :::
-
-:::{claim} index_of_another_interval_is_another_point
-:title: With the index of another interval the vertex is another point
-:zh: 下标与 t' 所在区间不符时得到另一点
-:kind: counterexample
-:given: $k=3$, $T=\{0,0,0,1,2,2,2\}$, points $(0,0),(0,2),(2,2),(2,0)$, weights $1$; $t'=\frac12\in(t_3,t_4]$, $\mu=4$
-:then: $r_4^{(T,\{t'\}^2)}\ne r(\frac12)$
-:method: (4.1.6) and (4.1.2) by their letter.
-:control: $\mu=3$
-:::
-
-:::{claim} clamped_start_has_no_such_point
-:title: At a k-fold left end the printed index is 0
-:zh: 左端为 k 重节点时所印指标为零
-:kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1$ after any smaller knot $t_0$; $t'=t_3=0$, the left end of the domain.  For the control $t_1=-1$.
-:then: $t'\in(t_0,t_1]$, so $\mu=0$, and the points are numbered from 1
-:method: $\mu$ is the number of knots before $t'$.
-:control: the first knot $-1$
-:::
 */
-#if RATIONAL
 CLAIM(left_value_at_a_k_fold_knot)
 {
     struct G(refinement) r;
@@ -884,6 +865,54 @@ CLAIM(left_value_at_a_k_fold_knot)
         same(T, S[2 * (mu - 1) + c], P[c]);
 }
 
+/*
+:::{claim} clamped_start_has_no_such_point
+:title: At a k-fold left end the printed index is 0
+:zh: 左端为 k 重节点时所印指标为零
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1$ after any smaller knot $t_0$; $t'=t_3=0$, the left end of the domain.  For the control $t_1=-1$.
+:then: $t'\in(t_0,t_1]$, so $\mu=0$, and the points are numbered from 1
+:method: $\mu$ is the number of knots before $t'$.
+:control: the first knot $-1$
+:::
+*/
+CLAIM(clamped_start_has_no_such_point)
+{
+    static const int clamped[] = {0, 0, 0, 1, 1, 1}, earlier[] = {-1, 0, 0, 1, 1, 1};
+    const int *knot = T->planted ? earlier : clamped;
+    int mu = 0, end = knot[2];
+    while (compare_q(from_int(knot[mu]), from_int(end)) < 0)
+        mu++;
+    show_text(T, "t'", "%d", end);
+    show_text(T, "mu", "%d", mu);
+    about(T, "mu is the index of a point");
+    agree(T, mu >= 1);
+}
+
+/*
+:::{statement} wang-ch4:thm-4.1.1-index
+:title: The interval of the theorem
+:zh: 定理 4.1.1 中 t' 所在区间的下标
+:printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
+:class: misprint
+:refuted-by: index_of_another_interval_is_another_point
+:corrected: $t'\in(t_\mu,t_{\mu+1}]$
+:corrected-by: repeated_insertion_reaches_the_curve
+:figure: insertion_to_the_curve
+
+As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1.  The proof of lemma 4.2.1 has $\mu$ in both places.
+:::
+
+:::{claim} index_of_another_interval_is_another_point
+:title: With the index of another interval the vertex is another point
+:zh: 下标与 t' 所在区间不符时得到另一点
+:kind: counterexample
+:given: $k=3$, $T=\{0,0,0,1,2,2,2\}$, points $(0,0),(0,2),(2,2),(2,0)$, weights $1$; $t'=\frac12\in(t_3,t_4]$, $\mu=4$
+:then: $r_4^{(T,\{t'\}^2)}\ne r(\frac12)$
+:method: (4.1.6) and (4.1.2) by their letter.
+:control: $\mu=3$
+:::
+*/
 CLAIM(index_of_another_interval_is_another_point)
 {
     static const int at[] = {0, 0, 0, 2, 2, 2, 2, 0};
@@ -906,18 +935,19 @@ CLAIM(index_of_another_interval_is_another_point)
     about(T, "r_mu is the point of the curve");
     agree(T, equal_q(S[2 * mu - 2], P[0]) && equal_q(S[2 * mu - 1], P[1]));
 }
-
-CLAIM(clamped_start_has_no_such_point)
-{
-    static const int clamped[] = {0, 0, 0, 1, 1, 1}, earlier[] = {-1, 0, 0, 1, 1, 1};
-    const int *knot = T->planted ? earlier : clamped;
-    int mu = 0, end = knot[2];
-    while (compare_q(from_int(knot[mu]), from_int(end)) < 0)
-        mu++;
-    show_text(T, "t'", "%d", end);
-    show_text(T, "mu", "%d", mu);
-    about(T, "mu is the index of a point");
-    agree(T, mu >= 1);
-}
 #endif
+
+/*
+:::{statement} wang-ch4:thm-4.1.1
+:title: The discrete structure of NURBS curves
+:zh: NURBS 曲线的离散结构
+:printed: Let $t'\in(t_u,t_{u+1}]$, read as $(t_\mu,t_{\mu+1}]$, $T'=T_1\oplus T_2$, and let the new points and weights be (4.1.6): then (4.1.7), (4.1.8) and (4.1.9)
+:holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | for (4.1.6): $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
+:hypothesis: left_value_at_a_k_fold_knot | for (4.1.9): inside the domain $t'$ is at most a $(k-1)$-fold knot
+:hypothesis: clamped_start_has_no_such_point | for (4.1.9): $t'>t_k$ when $t_k$ is a $k$-fold knot
+:needs: negative_weight_loses_a_new_point | positive weights
+:figure: insertion_to_the_curve
+:::
+*/
 #include "chapters/judge/claims_off.h"

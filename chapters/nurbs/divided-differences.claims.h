@@ -8,7 +8,14 @@ that may coincide, written out with the values of the function and of its deriva
 The nodes are $\tau_1<\dots<\tau_d$ with the multiplicities (重数) $l_1,\dots,l_d$, together $k+1$.  A set of
 multiplicities is a composition of $k+1$, and there are $2^k$ of them: the claims below go through them all, in other
 numbers than those of the field beyond $k=4$ through random ones.  The degree that a claim names is $k$.
+*/
+#include "chapters/nurbs/spans.h"
 
+#include <string.h>
+
+#include "chapters/judge/claims_on.h"
+
+/*
 ## Osculation (密切)
 
 :::{statement} wang-ch4:def-4.4.2
@@ -34,47 +41,7 @@ divisible by the product of all $t-t_i$.
 
 $m$ conditions at a node of multiplicity $m$; with one more the nodes would have one more.
 :::
-
-:::{statement} wang-ch4:formula-4.4.5
-:title: The nodes grouped by their values
-:zh: 节点按重数分组
-:printed: T=\{t_0,\dots,t_k\}=\{\tau_1,\dots,\tau_1,\dots,\tau_d,\dots,\tau_d\},\quad l_1+\dots+l_d=k+1,\quad
-  \tau_1<\dots<\tau_d
-:definition: yes
-:checked-by: compositions_are_all_multiplicities
-:figure: osculating_polynomial
-
-The order of the $\tau_i$ is used nowhere in the identities of this section; that they differ is.
-:::
-
-:::{claim} osculation_is_divisibility
-:title: A multiple of the product of all t - t_i has the derivatives that osculation asks to vanish
-:zh: 密切等价于差被节点多项式整除
-:given: every set of multiplicities of $k+1$ nodes, the nodes and $s_0,s_1$ variables, $p-q=(s_0+s_1t)\prod(t-t_i)$
-:then: $p^{(j)}(\tau_i)=q^{(j)}(\tau_i)$ for $j<l_i$, and for $j=l_i$ the difference is
-  $l_i!\,(s_0+s_1\tau_i)\prod_{m\ne i}(\tau_i-\tau_m)^{l_m}$, not 0
-:method: The derivatives are those of the rational function of $t$ in the field.
-:types: field
-:degrees: 0..6
-:control: the multiplicity of the last node counted as one more
-:::
-
-:::{claim} compositions_are_all_multiplicities
-:title: The 2^k compositions of k+1 are the sets of multiplicities
-:zh: k+1 的全部有序分拆
-:kind: decision
-:given: $k\le7$ and every pattern of equal neighbours among $k+1$ ordered nodes
-:then: the groups have positive sizes with the sum $k+1$, and different patterns give different sizes
-:method: All patterns are listed and their lists of sizes compared two by two.
-:scope: k up to 7
-:control: a pattern of $k+1$ bits, where only $k$ count
-:::
 */
-#include "chapters/nurbs/spans.h"
-
-#include <string.h>
-
-#include "chapters/judge/claims_on.h"
 
 /* Pattern number m, 0 <= m < 2^k, of k+1 nodes: bit a says that node a+1 is greater than node a.  Returns the
  * number d of groups and their sizes l. */
@@ -90,44 +57,20 @@ static int G(composition)(int k, int m, int l[])
     return d + 1;
 }
 
-/* The patterns a case goes through: all 2^k in the field and up to k = 4, elsewhere `count` random ones. */
-static int G(compositions)(int k, int count) { return FIELD || k <= 4 ? 1 << k : count; }
-static int G(pattern_number)(trial *T, int k, int m) { return FIELD || k <= 4 ? m : pick(T, 0, (1 << k) - 1); }
-
-/* c (c-1) ... (c-j+1) x^{c-j}: the j-th derivative of x^c */
-static num G(power_derivative)(int c, int j, num x)
-{
-    if (j > c)
-        return from_int(0);
-    num product = G(power)(x, c - j);
-    for (int m = 0; m < j; m++)
-        product = mul(product, from_int(c - m));
-    return product;
-}
-
-/* The matrix H(T; 1, t, ..., t^k) by its definition. */
-static void G(osculation_matrix)(int d, const int l[], int k, const num tau[], num H[])
-{
-    for (int i = 0, row = 0; i < d; i++)
-        for (int j = 0; j < l[i]; j++, row++)
-            for (int c = 0; c <= k; c++)
-                H[row * (k + 1) + c] = G(power_derivative)(c, j, tau[i]);
-}
-
-/* The product of the differences and factorials that the source gives for its determinant, factor by factor. */
-static num G(printed_determinant)(int d, const int l[], const num tau[])
-{
-    num product = from_int(1);
-    for (int i = 0; i < d; i++)
-        for (int j = i + 1; j < d; j++)
-            product = mul(product, G(power)(sub(tau[j], tau[i]), l[i] * l[j]));
-    for (int i = 0; i < d; i++)
-        for (int j = 0; j <= l[i] - 1; j++)
-            product = mul(product, G(factorial)(j));
-    return product;
-}
-
 #if FIELD
+/*
+:::{claim} osculation_is_divisibility
+:title: A multiple of the product of all t - t_i has the derivatives that osculation asks to vanish
+:zh: 密切等价于差被节点多项式整除
+:given: every set of multiplicities of $k+1$ nodes, the nodes and $s_0,s_1$ variables, $p-q=(s_0+s_1t)\prod(t-t_i)$
+:then: $p^{(j)}(\tau_i)=q^{(j)}(\tau_i)$ for $j<l_i$, and for $j=l_i$ the difference is
+  $l_i!\,(s_0+s_1\tau_i)\prod_{m\ne i}(\tau_i-\tau_m)^{l_m}$, not 0
+:method: The derivatives are those of the rational function of $t$ in the field.
+:types: field
+:degrees: 0..6
+:control: the multiplicity of the last node counted as one more
+:::
+*/
 CLAIM(osculation_is_divisibility)
 {
     int k = T->degree, l[LARGEST_ORDER];
@@ -152,7 +95,33 @@ CLAIM(osculation_is_divisibility)
 }
 #endif
 
+/*
+:::{statement} wang-ch4:formula-4.4.5
+:title: The nodes grouped by their values
+:zh: 节点按重数分组
+:printed: T=\{t_0,\dots,t_k\}=\{\tau_1,\dots,\tau_1,\dots,\tau_d,\dots,\tau_d\},\quad l_1+\dots+l_d=k+1,\quad
+  \tau_1<\dots<\tau_d
+:definition: yes
+:checked-by: compositions_are_all_multiplicities
+:figure: osculating_polynomial
+
+The order of the $\tau_i$ is used nowhere in the identities of this section; that they differ is.
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} compositions_are_all_multiplicities
+:title: The 2^k compositions of k+1 are the sets of multiplicities
+:zh: k+1 的全部有序分拆
+:kind: decision
+:given: $k\le7$ and every pattern of equal neighbours among $k+1$ ordered nodes
+:then: the groups have positive sizes with the sum $k+1$, and different patterns give different sizes
+:method: All patterns are listed and their lists of sizes compared two by two.
+:scope: k up to 7
+:control: a pattern of $k+1$ bits, where only $k$ count
+:::
+*/
 CLAIM(compositions_are_all_multiplicities)
 {
     for (int k = 0; k <= 7; k++) {
@@ -186,64 +155,24 @@ $\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k
 :checked-by: confluent_vandermonde_holds_derivatives system_says_osculation
 :figure: confluent_row
 :::
+*/
 
-:::{statement} wang-ch4:formula-4.4.6
-:title: The last row of each node in the matrix
-:zh: 方程组 (4.4.6) 中各节点的末行
-:printed: \left(0,\ \dots,\ 0,\ \dots,\ \frac{k!}{(k-l_i-1)!}\tau_i^{k-l_i+1}\right)
-:class: misprint
-:refuted-by: printed_last_row_has_wrong_factor
-:corrected: the last entry is $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$, the derivative of order $l_i-1$ of $t^k$
-:corrected-by: confluent_vandermonde_holds_derivatives system_says_osculation
-:figure: confluent_row
+/* The patterns a case goes through: all 2^k in the field and up to k = 4, elsewhere `count` random ones. */
+static int G(compositions)(int k, int count) { return FIELD || k <= 4 ? 1 << k : count; }
+static int G(pattern_number)(trial *T, int k, int m) { return FIELD || k <= 4 ? m : pick(T, 0, (1 << k) - 1); }
 
-For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
-:::
+/* c (c-1) ... (c-j+1) x^{c-j}: the j-th derivative of x^c */
+static num G(power_derivative)(int c, int j, num x)
+{
+    if (j > c)
+        return from_int(0);
+    num product = G(power)(x, c - j);
+    for (int m = 0; m < j; m++)
+        product = mul(product, from_int(c - m));
+    return product;
+}
 
-:::{statement} wang-ch4:formula-4.4.6-right-side
-:title: The unknowns and the right side of the system
-:zh: 方程组的未知量与右端
-:printed: H\cdot(c_0,c_1,c_2,\dots,f^{(l_1-1)}(\tau_1),\dots,f(\tau_d),\dots,f^{(l_d-1)}(\tau_d))^T,\ \text{without an
-  equals sign}
-:reading: system_says_osculation | the column is two columns run into one: the unknowns $c_0,\dots,c_k$, an equals
-  sign, and the values of $f$ and its derivatives; so read the system is right
-:reading: mixed_column_is_no_system | the column is what the matrix is multiplied by, with the values of $f$ in the
-  places of $c_3,\dots$; then nothing is equated, and the product is not the vector of values
-:corrected: H(T;1,t,\dots,t^k)\,(c_0,\dots,c_k)^T=(f(\tau_1),\dots,f^{(l_1-1)}(\tau_1),\dots,f^{(l_d-1)}(\tau_d))^T
-:corrected-by: system_says_osculation
-:figure: osculating_polynomial
-:::
-
-:::{statement} wang-ch4:formula-4.4.6-is-h
-:title: The matrix of the system is H(T; 1, t, ..., t^k)
-:zh: 方程组系数矩阵即 H(T;1,t,…,t^k)
-:printed: the matrix on the left of (4.4.6) is $H(T;1,t,\dots,t^k)$
-:class: misprint
-:refuted-by: printed_last_row_has_wrong_factor
-:corrected: it is, once the factorials in the last rows of (4.4.6) are put right
-:corrected-by: confluent_vandermonde_holds_derivatives
-:figure: confluent_row
-:::
-
-:::{statement} wang-ch4:formula-4.4.6-determinant
-:title: The determinant of the system
-:zh: 合流 Vandermonde 行列式
-:printed: \det H(T;1,t,\dots,t^k)=\prod_{1\le i<j\le d}(\tau_j-\tau_i)^{l_il_j}\prod_{i=1}^d\prod_{j=0}^{l_i-1}j!
-:holds-by: confluent_vandermonde_determinant_is_product
-:figure: confluent_row
-:::
-
-:::{statement} wang-ch4:formula-4.4.6-unique
-:title: The system has exactly one solution
-:zh: 方程组有唯一解
-:printed: hence (4.4.6) has exactly one solution
-:holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
-:needs: node_listed_twice_makes_h_singular | the $\tau_i$ differ: equal nodes have to be counted by multiplicity
-:figure: osculating_polynomial
-
-The determinant is a product of factorials and differences, none of them 0.
-:::
-
+/*
 :::{claim} confluent_vandermonde_holds_derivatives
 :title: Row b(i,j) of the kernel has the j-th derivatives of the powers
 :zh: 合流 Vandermonde 矩阵的元素
@@ -253,29 +182,6 @@ The determinant is a product of factorials and differences, none of them 0.
 :degrees: 0..5 sampled 8
 :defines: confluent_vandermonde
 :control: the derivatives at each node taken in the opposite order
-:::
-
-:::{claim} system_says_osculation
-:title: The system H c = values says that the polynomial osculates
-:zh: 方程组 Hc = 值 即密切条件
-:given: every set of multiplicities of $k+1$ nodes, nodes and coefficients $c_0,\dots,c_k$ variables
-:then: entry $b(i,j)$ of $H(T;1,\dots,t^k)\,c$ is the $j$-th derivative at $\tau_i$ of $c_0+\dots+c_kt^k$
-:method: The product with the matrix of the kernel against the derivatives of the polynomial in the field.
-:types: field
-:degrees: 0..6
-:control: the coefficients $c_0$ and $c_k$ exchanged
-:::
-
-:::{claim} confluent_vandermonde_determinant_is_product
-:title: The determinant is the product of differences and factorials
-:zh: 合流 Vandermonde 行列式公式
-:given: every set of multiplicities of $k+1$ nodes, the nodes variables
-:then: $\det H(T;1,\dots,t^k)$ is the printed product, and `confluent_vandermonde_determinant` computes it
-:method: The determinant of the matrix of derivatives, by sums over all permutations up to $k=3$ and by
-  Bird's algorithm, against the product written out factor by factor.
-:degrees: 0..6 sampled 8
-:defines: confluent_vandermonde_determinant
-:control: the exponents $l_il_j$ taken as 1
 :::
 */
 CLAIM(confluent_vandermonde_holds_derivatives)
@@ -303,6 +209,18 @@ CLAIM(confluent_vandermonde_holds_derivatives)
 }
 
 #if FIELD
+/*
+:::{claim} system_says_osculation
+:title: The system H c = values says that the polynomial osculates
+:zh: 方程组 Hc = 值 即密切条件
+:given: every set of multiplicities of $k+1$ nodes, nodes and coefficients $c_0,\dots,c_k$ variables
+:then: entry $b(i,j)$ of $H(T;1,\dots,t^k)\,c$ is the $j$-th derivative at $\tau_i$ of $c_0+\dots+c_kt^k$
+:method: The product with the matrix of the kernel against the derivatives of the polynomial in the field.
+:types: field
+:degrees: 0..6
+:control: the coefficients $c_0$ and $c_k$ exchanged
+:::
+*/
 CLAIM(system_says_osculation)
 {
     int k = T->degree, l[LARGEST_ORDER];
@@ -329,26 +247,20 @@ CLAIM(system_says_osculation)
 }
 #endif
 
-CLAIM(confluent_vandermonde_determinant_is_product)
-{
-    int k = T->degree, l[LARGEST_ORDER];
-    num tau[LARGEST_ORDER], H[LARGEST_ORDER * LARGEST_ORDER];
-    G(increasing)(T, k + 1, tau);
-    for (int count = G(compositions)(k, 3), m = 0; m < count; m++) {
-        int d = G(composition)(k, G(pattern_number)(T, k, m), l), ones[LARGEST_ORDER];
-        G(osculation_matrix)(d, l, k, tau, H);
-        for (int i = 0; i < d; i++)
-            ones[i] = T->planted ? 1 : l[i];
-        num det = G(determinant)(k + 1, H);
-        about(T, "determinant and printed product");
-        same(T, det, G(printed_determinant)(d, ones, tau));
-        about(T, "determinant and kernel");
-        same(T, det, G(confluent_vandermonde_determinant)(d, ones, tau));
-        about(T, "two determinants");
-        if (k <= 3)
-            same(T, det, G(leibniz)(k + 1, 0, 0, H));
-    }
-}
+/*
+:::{statement} wang-ch4:formula-4.4.6
+:title: The last row of each node in the matrix
+:zh: 方程组 (4.4.6) 中各节点的末行
+:printed: \left(0,\ \dots,\ 0,\ \dots,\ \frac{k!}{(k-l_i-1)!}\tau_i^{k-l_i+1}\right)
+:class: misprint
+:refuted-by: printed_last_row_has_wrong_factor
+:corrected: the last entry is $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$, the derivative of order $l_i-1$ of $t^k$
+:corrected-by: confluent_vandermonde_holds_derivatives system_says_osculation
+:figure: confluent_row
+
+For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
+:::
+*/
 
 #if RATIONAL
 /*
@@ -373,7 +285,34 @@ CLAIM(printed_last_row_has_wrong_factor)
     about(T, "the last entry of the row of f^(l_1 - 1)(τ_1), and the derivative of t^k");
     same(T, printed, G(power_derivative)(k, l - 1, tau));
 }
+#endif
 
+/*
+:::{statement} wang-ch4:formula-4.4.6-right-side
+:title: The unknowns and the right side of the system
+:zh: 方程组的未知量与右端
+:printed: H\cdot(c_0,c_1,c_2,\dots,f^{(l_1-1)}(\tau_1),\dots,f(\tau_d),\dots,f^{(l_d-1)}(\tau_d))^T,\ \text{without an
+  equals sign}
+:reading: system_says_osculation | the column is two columns run into one: the unknowns $c_0,\dots,c_k$, an equals
+  sign, and the values of $f$ and its derivatives; so read the system is right
+:reading: mixed_column_is_no_system | the column is what the matrix is multiplied by, with the values of $f$ in the
+  places of $c_3,\dots$; then nothing is equated, and the product is not the vector of values
+:corrected: H(T;1,t,\dots,t^k)\,(c_0,\dots,c_k)^T=(f(\tau_1),\dots,f^{(l_1-1)}(\tau_1),\dots,f^{(l_d-1)}(\tau_d))^T
+:corrected-by: system_says_osculation
+:figure: osculating_polynomial
+:::
+*/
+
+/* The matrix H(T; 1, t, ..., t^k) by its definition. */
+static void G(osculation_matrix)(int d, const int l[], int k, const num tau[], num H[])
+{
+    for (int i = 0, row = 0; i < d; i++)
+        for (int j = 0; j < l[i]; j++, row++)
+            for (int c = 0; c <= k; c++)
+                H[row * (k + 1) + c] = G(power_derivative)(c, j, tau[i]);
+}
+
+#if RATIONAL
 /*
 :::{claim} mixed_column_is_no_system
 :title: The column as it is printed does not give the values
@@ -410,7 +349,90 @@ CLAIM(mixed_column_is_no_system)
     for (int i = 0; i <= k; i++)
         same(T, product[i], values[i]);
 }
+#endif
 
+/*
+:::{statement} wang-ch4:formula-4.4.6-is-h
+:title: The matrix of the system is H(T; 1, t, ..., t^k)
+:zh: 方程组系数矩阵即 H(T;1,t,…,t^k)
+:printed: the matrix on the left of (4.4.6) is $H(T;1,t,\dots,t^k)$
+:class: misprint
+:refuted-by: printed_last_row_has_wrong_factor
+:corrected: it is, once the factorials in the last rows of (4.4.6) are put right
+:corrected-by: confluent_vandermonde_holds_derivatives
+:figure: confluent_row
+:::
+
+:::{statement} wang-ch4:formula-4.4.6-determinant
+:title: The determinant of the system
+:zh: 合流 Vandermonde 行列式
+:printed: \det H(T;1,t,\dots,t^k)=\prod_{1\le i<j\le d}(\tau_j-\tau_i)^{l_il_j}\prod_{i=1}^d\prod_{j=0}^{l_i-1}j!
+:holds-by: confluent_vandermonde_determinant_is_product
+:figure: confluent_row
+:::
+*/
+
+/* The product of the differences and factorials that the source gives for its determinant, factor by factor. */
+static num G(printed_determinant)(int d, const int l[], const num tau[])
+{
+    num product = from_int(1);
+    for (int i = 0; i < d; i++)
+        for (int j = i + 1; j < d; j++)
+            product = mul(product, G(power)(sub(tau[j], tau[i]), l[i] * l[j]));
+    for (int i = 0; i < d; i++)
+        for (int j = 0; j <= l[i] - 1; j++)
+            product = mul(product, G(factorial)(j));
+    return product;
+}
+
+/*
+:::{claim} confluent_vandermonde_determinant_is_product
+:title: The determinant is the product of differences and factorials
+:zh: 合流 Vandermonde 行列式公式
+:given: every set of multiplicities of $k+1$ nodes, the nodes variables
+:then: $\det H(T;1,\dots,t^k)$ is the printed product, and `confluent_vandermonde_determinant` computes it
+:method: The determinant of the matrix of derivatives, by sums over all permutations up to $k=3$ and by
+  Bird's algorithm, against the product written out factor by factor.
+:degrees: 0..6 sampled 8
+:defines: confluent_vandermonde_determinant
+:control: the exponents $l_il_j$ taken as 1
+:::
+*/
+CLAIM(confluent_vandermonde_determinant_is_product)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], H[LARGEST_ORDER * LARGEST_ORDER];
+    G(increasing)(T, k + 1, tau);
+    for (int count = G(compositions)(k, 3), m = 0; m < count; m++) {
+        int d = G(composition)(k, G(pattern_number)(T, k, m), l), ones[LARGEST_ORDER];
+        G(osculation_matrix)(d, l, k, tau, H);
+        for (int i = 0; i < d; i++)
+            ones[i] = T->planted ? 1 : l[i];
+        num det = G(determinant)(k + 1, H);
+        about(T, "determinant and printed product");
+        same(T, det, G(printed_determinant)(d, ones, tau));
+        about(T, "determinant and kernel");
+        same(T, det, G(confluent_vandermonde_determinant)(d, ones, tau));
+        about(T, "two determinants");
+        if (k <= 3)
+            same(T, det, G(leibniz)(k + 1, 0, 0, H));
+    }
+}
+
+/*
+:::{statement} wang-ch4:formula-4.4.6-unique
+:title: The system has exactly one solution
+:zh: 方程组有唯一解
+:printed: hence (4.4.6) has exactly one solution
+:holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
+:needs: node_listed_twice_makes_h_singular | the $\tau_i$ differ: equal nodes have to be counted by multiplicity
+:figure: osculating_polynomial
+
+The determinant is a product of factorials and differences, none of them 0.
+:::
+*/
+
+#if RATIONAL
 /*
 :::{claim} node_listed_twice_makes_h_singular
 :title: A node listed twice as if it were two makes the system singular
@@ -446,66 +468,6 @@ CLAIM(node_listed_twice_makes_h_singular)
 The left side is the table of divided differences.  $g$ has the degree $k$ at most; $c_k$ may be 0.
 :::
 
-:::{statement} wang-ch4:formula-4.4.7
-:title: The divided difference as a quotient of determinants
-:zh: 差商的行列式之比表示
-:printed: [t_0,t_1,\dots,t_k]f=c_k=\det H(T;1,t,\dots,t^{k-1},f)/\det H(T;1,t,\dots,t^k)
-:holds-by: cramers_rule_gives_divided_difference
-:::
-
-:::{statement} wang-ch4:lemma-4.4.1
-:title: The divided difference as a sum over values and derivatives
-:zh: 引理 4.4.1 差商的显式表示
-:printed: [t_0,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
-:holds-by: printed_weights_give_divided_difference
-:figure: osculating_polynomial
-:::
-
-:::{statement} wang-ch4:formula-4.4.8
-:title: The sum of the lemma has one term for each datum
-:zh: (4.4.8) 的求和范围
-:printed: i=1,\dots,d,\quad j=0,\dots,l_i-1
-:holds-by: places_count_the_rows printed_weights_give_divided_difference
-
-These are $k+1$ terms, as many as there are nodes.
-:::
-
-:::{statement} wang-ch4:lemma-4.4.1-step
-:title: From the quotient of determinants to the lemma
-:zh: 引理 4.4.1 的推导
-:printed: expanding the numerator of (4.4.7) by its last column gives the lemma
-:holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference
-:::
-
-:::{statement} wang-ch4:formula-4.4.9
-:title: The weights as cofactors
-:zh: 系数 α_ij 由代数余子式给出
-:printed: \alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
-  \prod_{v=0}^{l_u-1}v!\Big)
-:holds-by: printed_weights_give_divided_difference
-:needs: counting_from_one_shifts_the_weights | the elements of the last column are counted from 0, as
-  $i=0,1,\dots,k$ says
-:::
-
-:::{statement} wang-ch4:formula-4.4.9-index
-:title: The place of a derivative in the column
-:zh: 行标 b(i,j)
-:printed: b(i,j)=j\ (i=1),\quad b(i,j)=j+\sum_{c=1}^{i-1}l_c\ (i>1),\quad j=0,\dots,l_i-1
-:holds-by: places_count_the_rows printed_weights_give_divided_difference
-
-The places are the numbers $0,\dots,k$, each once.
-:::
-
-:::{statement} wang-ch4:lemma-4.4.1-independent
-:title: The weights depend on the nodes, not on the function
-:zh: 系数依赖于节点而与 f 无关
-:printed: \alpha_{ij}(T)\ \text{depends on }T\text{ and not on }f
-:holds-by: printed_weights_give_divided_difference weights_are_the_only_ones
-
-The source has the indices $ii$ here, for $ij$.  Only nodes and multiplicities enter the cofactors, and because the
-values of $f$ are free no other weights do the same.
-:::
-
 :::{claim} divided_difference_is_leading_coefficient
 :title: The table of divided differences gives the leading coefficient
 :zh: 差商表给出首项系数
@@ -517,50 +479,6 @@ values of $f$ are free no other weights do the same.
 :degrees: 0..6 sampled 8
 :defines: divided_difference
 :control: $c_0$ on the right
-:::
-
-:::{claim} cramers_rule_gives_divided_difference
-:title: The quotient of the determinants is the divided difference
-:zh: Cramer 法则给出差商
-:given: every set of multiplicities of $k+1$ nodes, the nodes and the $k+1$ values and derivatives of $f$ variables
-:then: $\det H(T;1,\dots,t^{k-1},f)/\det H(T;1,\dots,t^k)$ is the divided difference of the table
-:method: Both determinants are computed from the matrices.
-:degrees: 0..5 sampled 7
-:control: $f$ in the first column, in the place of the powers $t^0$
-:::
-
-:::{claim} printed_weights_give_divided_difference
-:title: The printed weights are those of the kernel, and they give the divided difference
-:zh: 按 (4.4.8)、(4.4.9) 计算的差商
-:given: every set of multiplicities of $k+1$ nodes, the nodes and the values and derivatives of $f$ variables
-:then: $\alpha_{ij}=\beta_{b(i,j)}/\det$, with the printed product for the determinant and the printed $b(i,j)$, is
-  what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
-:method: The cofactors are determinants of order $k$ of the matrix of derivatives.
-:degrees: 0..5 sampled 7
-:defines: divided_weights
-:control: minors in the place of cofactors
-:::
-
-:::{claim} places_count_the_rows
-:title: b(i,j) runs through 0, ..., k in the order of the rows
-:zh: b(i,j) 依次取 0,…,k
-:kind: decision
-:given: every set of multiplicities of $k+1\le8$ nodes
-:then: the printed $b(i,j)$ is the number of the row of $f^{(j)}(\tau_i)$, counted from 0
-:method: The rows are counted one by one.
-:scope: k up to 7
-:control: $b(i,j)=j$ for all $i$
-:::
-
-:::{claim} weights_are_the_only_ones
-:title: Other weights give another functional
-:zh: 系数的唯一性
-:given: every set of multiplicities of $k+1$ nodes, arbitrary numbers $\gamma_{ij}$
-:then: for the $f$ whose only nonzero datum is $f^{(j)}(\tau_i)=1$ the sum with $\gamma$ is $\gamma_{ij}$ and the
-  divided difference is $\alpha_{ij}$; so the sums agree for all $f$ only when $\gamma=\alpha$
-:method: The table of divided differences on each unit vector of data against the weights of the kernel.
-:degrees: 0..6 sampled 8
-:control: the data of the neighbouring unit vector
 :::
 */
 CLAIM(divided_difference_is_leading_coefficient)
@@ -582,6 +500,24 @@ CLAIM(divided_difference_is_leading_coefficient)
     }
 }
 
+/*
+:::{statement} wang-ch4:formula-4.4.7
+:title: The divided difference as a quotient of determinants
+:zh: 差商的行列式之比表示
+:printed: [t_0,t_1,\dots,t_k]f=c_k=\det H(T;1,t,\dots,t^{k-1},f)/\det H(T;1,t,\dots,t^k)
+:holds-by: cramers_rule_gives_divided_difference
+:::
+
+:::{claim} cramers_rule_gives_divided_difference
+:title: The quotient of the determinants is the divided difference
+:zh: Cramer 法则给出差商
+:given: every set of multiplicities of $k+1$ nodes, the nodes and the $k+1$ values and derivatives of $f$ variables
+:then: $\det H(T;1,\dots,t^{k-1},f)/\det H(T;1,\dots,t^k)$ is the divided difference of the table
+:method: Both determinants are computed from the matrices.
+:degrees: 0..5 sampled 7
+:control: $f$ in the first column, in the place of the powers $t^0$
+:::
+*/
 CLAIM(cramers_rule_gives_divided_difference)
 {
     int k = T->degree, l[LARGEST_ORDER];
@@ -598,6 +534,16 @@ CLAIM(cramers_rule_gives_divided_difference)
         same(T, div(G(determinant)(k + 1, H), below), G(divided_difference)(d, l, tau, f));
     }
 }
+
+/*
+:::{statement} wang-ch4:lemma-4.4.1
+:title: The divided difference as a sum over values and derivatives
+:zh: 引理 4.4.1 差商的显式表示
+:printed: [t_0,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
+:holds-by: printed_weights_give_divided_difference
+:figure: osculating_polynomial
+:::
+*/
 
 /* Formula (4.4.9), the sets counted from 0: the number of derivative j of node i. */
 static int G(printed_place)(int i, int j, const int l[])
@@ -621,6 +567,19 @@ static void G(printed_weights)(int d, const int l[], int k, const num tau[], int
         }
 }
 
+/*
+:::{claim} printed_weights_give_divided_difference
+:title: The printed weights are those of the kernel, and they give the divided difference
+:zh: 按 (4.4.8)、(4.4.9) 计算的差商
+:given: every set of multiplicities of $k+1$ nodes, the nodes and the values and derivatives of $f$ variables
+:then: $\alpha_{ij}=\beta_{b(i,j)}/\det$, with the printed product for the determinant and the printed $b(i,j)$, is
+  what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
+:method: The cofactors are determinants of order $k$ of the matrix of derivatives.
+:degrees: 0..5 sampled 7
+:defines: divided_weights
+:control: minors in the place of cofactors
+:::
+*/
 CLAIM(printed_weights_give_divided_difference)
 {
     int k = T->degree, l[LARGEST_ORDER];
@@ -643,23 +602,30 @@ CLAIM(printed_weights_give_divided_difference)
     }
 }
 
-CLAIM(weights_are_the_only_ones)
-{
-    int k = T->degree, l[LARGEST_ORDER];
-    num tau[LARGEST_ORDER], alpha[LARGEST_ORDER], f[LARGEST_ORDER];
-    G(increasing)(T, k + 1, tau);
-    for (int count = G(compositions)(k, 3), m = 0; m < count; m++) {
-        int d = G(composition)(k, G(pattern_number)(T, k, m), l);
-        G(divided_weights)(d, l, tau, alpha);
-        for (int b = 0; b <= k; b++) {
-            for (int a = 0; a <= k; a++)
-                f[a] = from_int(a == (T->planted ? (b + 1) % (k + 1) : b));
-            same(T, G(divided_difference)(d, l, tau, f), alpha[b]);
-        }
-    }
-}
+/*
+:::{statement} wang-ch4:formula-4.4.8
+:title: The sum of the lemma has one term for each datum
+:zh: (4.4.8) 的求和范围
+:printed: i=1,\dots,d,\quad j=0,\dots,l_i-1
+:holds-by: places_count_the_rows printed_weights_give_divided_difference
+
+These are $k+1$ terms, as many as there are nodes.
+:::
+*/
 
 #if RATIONAL
+/*
+:::{claim} places_count_the_rows
+:title: b(i,j) runs through 0, ..., k in the order of the rows
+:zh: b(i,j) 依次取 0,…,k
+:kind: decision
+:given: every set of multiplicities of $k+1\le8$ nodes
+:then: the printed $b(i,j)$ is the number of the row of $f^{(j)}(\tau_i)$, counted from 0
+:method: The rows are counted one by one.
+:scope: k up to 7
+:control: $b(i,j)=j$ for all $i$
+:::
+*/
 CLAIM(places_count_the_rows)
 {
     for (int k = 0; k <= 7; k++)
@@ -672,6 +638,23 @@ CLAIM(places_count_the_rows)
 }
 
 /*
+:::{statement} wang-ch4:lemma-4.4.1-step
+:title: From the quotient of determinants to the lemma
+:zh: 引理 4.4.1 的推导
+:printed: expanding the numerator of (4.4.7) by its last column gives the lemma
+:holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference
+:::
+
+:::{statement} wang-ch4:formula-4.4.9
+:title: The weights as cofactors
+:zh: 系数 α_ij 由代数余子式给出
+:printed: \alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
+  \prod_{v=0}^{l_u-1}v!\Big)
+:holds-by: printed_weights_give_divided_difference
+:needs: counting_from_one_shifts_the_weights | the elements of the last column are counted from 0, as
+  $i=0,1,\dots,k$ says
+:::
+
 :::{claim} counting_from_one_shifts_the_weights
 :title: With the elements of the column counted from 1 the weights belong to other places
 :zh: 若从 1 起数则系数错位
@@ -695,4 +678,52 @@ CLAIM(counting_from_one_shifts_the_weights)
     same(T, add(mul(alpha[0], f[0]), mul(alpha[1], f[1])), G(divided_difference)(2, l, tau, f));
 }
 #endif
+
+/*
+:::{statement} wang-ch4:formula-4.4.9-index
+:title: The place of a derivative in the column
+:zh: 行标 b(i,j)
+:printed: b(i,j)=j\ (i=1),\quad b(i,j)=j+\sum_{c=1}^{i-1}l_c\ (i>1),\quad j=0,\dots,l_i-1
+:holds-by: places_count_the_rows printed_weights_give_divided_difference
+
+The places are the numbers $0,\dots,k$, each once.
+:::
+
+:::{statement} wang-ch4:lemma-4.4.1-independent
+:title: The weights depend on the nodes, not on the function
+:zh: 系数依赖于节点而与 f 无关
+:printed: \alpha_{ij}(T)\ \text{depends on }T\text{ and not on }f
+:holds-by: printed_weights_give_divided_difference weights_are_the_only_ones
+
+The source has the indices $ii$ here, for $ij$.  Only nodes and multiplicities enter the cofactors, and because the
+values of $f$ are free no other weights do the same.
+:::
+
+:::{claim} weights_are_the_only_ones
+:title: Other weights give another functional
+:zh: 系数的唯一性
+:given: every set of multiplicities of $k+1$ nodes, arbitrary numbers $\gamma_{ij}$
+:then: for the $f$ whose only nonzero datum is $f^{(j)}(\tau_i)=1$ the sum with $\gamma$ is $\gamma_{ij}$ and the
+  divided difference is $\alpha_{ij}$; so the sums agree for all $f$ only when $\gamma=\alpha$
+:method: The table of divided differences on each unit vector of data against the weights of the kernel.
+:degrees: 0..6 sampled 8
+:control: the data of the neighbouring unit vector
+:::
+*/
+CLAIM(weights_are_the_only_ones)
+{
+    int k = T->degree, l[LARGEST_ORDER];
+    num tau[LARGEST_ORDER], alpha[LARGEST_ORDER], f[LARGEST_ORDER];
+    G(increasing)(T, k + 1, tau);
+    for (int count = G(compositions)(k, 3), m = 0; m < count; m++) {
+        int d = G(composition)(k, G(pattern_number)(T, k, m), l);
+        G(divided_weights)(d, l, tau, alpha);
+        for (int b = 0; b <= k; b++) {
+            for (int a = 0; a <= k; a++)
+                f[a] = from_int(a == (T->planted ? (b + 1) % (k + 1) : b));
+            same(T, G(divided_difference)(d, l, tau, f), alpha[b]);
+        }
+    }
+}
+
 #include "chapters/judge/claims_off.h"

@@ -17,7 +17,12 @@ where $v$ and $V$ are the weights of $Q$ and of $P^{[r]}$, positive on the span.
 solutions are the pairs for which *the member $\tau$ of the level before has no curvature at $t$*.  Nothing more can
 be said in general: the curve may be convex and free of inflections, or a curve of space without any point of
 vanishing curvature or torsion, and its members have them.
+*/
+#include "chapters/nurbs/family.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:thm-4.3.3
 :title: For every r the envelope is unique
 :zh: 对任意 r 包络唯一
@@ -47,6 +52,121 @@ with $t$ and $\tau$ exchanged, in every dimension.  In space two equations have 
 $k=7$ there can be a curve.
 :::
 
+:::{claim} family_steps_along_the_tangent
+:title: A member is reached from that of the level before by a step along its tangent
+:zh: 由上一层沿切线得到下一层
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$, every $r=1,\dots,k-1$
+:then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
+:method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the divisor $k-r+1$
+:::
+*/
+CLAIM(family_steps_along_the_tangent)
+{
+    int p = T->degree, k = p + 1, mu = p;
+    num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 1, R, w);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int r = 1; r <= k - 1; r++) {
+            num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2], Q[2], Q1[2];
+            num step = div(sub(tau, t), from_int(T->planted ? k - r + 1 : k - r));
+            G(level_of_curve)(p, 1, u, mu, R, w, r, tau, Rr, wr);
+            G(sums)(p - r, 1, u, mu, Rr, wr, t, S);
+            G(level_of_curve)(p, 1, u, mu, R, w, r - 1, tau, Rr, wr);
+            G(sums)(p - r + 1, 1, u, mu, Rr, wr, t, Q);
+            G(derivative_sums)(p - r + 1, 1, u, mu, Rr, wr, t, Q1);
+            for (int c = 0; c < 2; c++)
+                same(T, S[c], add(Q[c], mul(step, Q1[c])));
+        }
+    }
+}
+
+/*
+:::{claim} derivative_by_tau_is_that_of_the_level_before
+:title: The derivative by τ is, up to a factor, the derivative by t of the level before
+:zh: 对 τ 的偏导与上一层对 t 的偏导成比例
+:given: $k=p+1$; knots of these three shapes; any homogeneous coordinate of the points, any $t$ and $\tau$, every
+  $r=1,\dots,k-1$
+:then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
+:method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
+  right side by the levels of de Boor's triangle and the derivatives of a segment.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the factor $\frac{r}{k-r+1}$
+:::
+*/
+CLAIM(derivative_by_tau_is_that_of_the_level_before)
+{
+    int p = T->degree, k = p + 1, mu = p;
+    num u[MOST_KNOTS], H[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    for (int i = 0; i <= p; i++)
+        H[i] = unknown(T, "H", i);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num d[MAX_DEGREE + 1];
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int i = 0; i <= p; i++)
+            d[i] = H[i];
+        num length = sub(u[mu + 1], u[mu]), local = div(sub(tau, u[mu]), length);
+        for (int r = 1; r <= k - 1; r++) { /* d: the level r-1 */
+            num b[MAX_DEGREE + 1], x[MAX_DEGREE], E[2], D[2];
+            for (int i = 0; i <= r; i++) {
+                for (int m = 0; m < p; m++)
+                    x[m] = m < p - r ? t : u[m < p - i ? mu : mu + 1];
+                G(blossom_of_span)(p, 1, u, mu, H, x, &b[i]);
+            }
+            G(bezier_derivatives)(r, 1, b, local, 1, E);
+            G(derivatives_of_span)(p - r + 1, 1, u, mu, d, t, 2, D);
+            same(T, div(E[1], length), mul(from_ratio(r, T->planted ? k - r + 1 : k - r), D[1]));
+            G(deboor_level)(p, 1, u, mu, r, d, tau);
+        }
+    }
+}
+
+/*
+:::{claim} general_condition_is_that_of_the_level_before
+:title: The condition of the envelope is (τ-t) R' x R'' of the level before
+:zh: 包络条件等价于上一层族曲线的曲率为零
+:given: the homogeneous vectors $Q,Q',Q''$ of a curve of space at $t$; any $\tau-t$, $r$ and $m=k-r$
+:let: $P=Q+\frac{\tau-t}mQ'$, $P_t=\frac{m-1}mQ'+\frac{\tau-t}mQ''$, $P_\tau=\frac rmQ'$; $v$, $V$ the last
+  coordinates of $Q$, $P$; $X$, $R$ the points of $P$, $Q$
+:then: $X_\tau\times X_t=\frac{r(\tau-t)v^3}{m^2V^3}\,R'\times R''$
+:method: The quotient rule for $X_\tau$, $X_t$, $R'$ and $R''$, three coordinates, everything a variable.  $P_t$ is
+  the derivative of $P$; $P_\tau$ is what `derivative_by_tau_is_that_of_the_level_before` says.  With positive weights
+  $v,V>0$ on the span.
+:degrees: all
+:control: $m$ in the place of $m^2$
+:::
+*/
+CLAIM(general_condition_is_that_of_the_level_before)
+{
+    num Q[12], P[4], Pt[4], Ps[4], Xt[3], Xs[3], R[9], left[3], right[3], one = from_int(1);
+    num e = unknown(T, "e", 0), r = parameter(T, "r"), m = add(parameter(T, "m"), one);
+    for (int i = 0; i < 12; i++)
+        Q[i] = i == 3 ? positive(T, "v", 0) : unknown(T, "Q", i);
+    for (int c = 0; c < 4; c++) {
+        P[c] = add(Q[c], mul(div(e, m), Q[4 + c]));
+        Pt[c] = add(mul(div(sub(m, one), m), Q[4 + c]), mul(div(e, m), Q[8 + c]));
+        Ps[c] = mul(div(r, m), Q[4 + c]);
+    }
+    G(quotient_derivatives)(3, Q, 2, R);
+    num V2 = mul(P[3], P[3]), v3 = mul(Q[3], mul(Q[3], Q[3]));
+    for (int c = 0; c < 3; c++) {
+        Xt[c] = div(sub(mul(Pt[c], P[3]), mul(P[c], Pt[3])), V2);
+        Xs[c] = div(sub(mul(Ps[c], P[3]), mul(P[c], Ps[3])), V2);
+    }
+    G(cross3)(Xs, Xt, left);
+    G(cross3)(R + 3, R + 6, right);
+    num factor = div(mul(mul(r, e), v3), mul(T->planted ? m : mul(m, m), mul(V2, P[3])));
+    for (int c = 0; c < 3; c++)
+        same(T, left[c], mul(factor, right[c]));
+}
+
+/*
 :::{statement} wang-ch4:formula-4.3.15
 :title: The condition of the envelope for every r
 :zh: 一般 r 的包络条件
@@ -79,49 +199,6 @@ What the proof cites under this number is in `thm-4.3.3-alternatives`.
 :figure: nurbs_envelope_square
 :::
 
-:::{statement} wang-ch4:thm-4.3.3-chain
-:title: The denominator of level r by sums over level r-1
-:zh: 第 r 层分母用第 r-1 层表示
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)=\dots=\frac{\tau-t}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
-  +\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\quad t_j\le t,\tau\le t_{j+1}
-:holds-by: level_by_sums_over_the_level_before
-:hypothesis: first_term_of_the_chain_divides_by_zero | a quotient 0/0 counts as 0; the terms $i=j-k+r$ and $i=j$
-  contain B-splines that vanish on the span, divided by differences of knots that may be 0
-:figure: divisor_zero
-
-All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
-includes, the values are limits from the left.
-:::
-
-:::{statement} wang-ch4:thm-4.3.3-numerator
-:title: The same for the numerators
-:zh: 分子的类似等式
-:printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
-:holds-by: family_steps_along_the_tangent
-:figure: nurbs_envelope_square
-:::
-
-:::{statement} wang-ch4:formula-4.3.17
-:title: Denominator and numerator of the member of level r-1
-:zh: 第 r-1 层的分母与分子
-:printed: w^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\qquad\mathbf
-  p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau)
-:definition: yes
-:checked-by: member_of_span_is_polar
-:figure: order_and_level
-
-Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
-:::
-
-:::{statement} wang-ch4:formula-4.3.18
-:title: From one level to the next
-:zh: 相邻两层的递推
-:printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf
-  p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau)
-:holds-by: family_steps_along_the_tangent
-:figure: nurbs_envelope_square
-:::
-
 :::{claim} weights_of_two_parameters_differ_as_printed
 :title: The difference of the weights of two parameters
 :zh: 两个参数下权之差
@@ -133,60 +210,7 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :scope: the knots variables for $p\le4$, numbers above
 :control: $t$ in the place of $\tau$ in the first term
 :::
-
-:::{claim} level_by_sums_over_the_level_before
-:title: The three steps of the display
-:zh: 所印等式链
-:given: $k=p+1$; knots of these three shapes; weights, any $t$ and $\tau$, every $r=1,\dots,k-2$
-:then: each of the four expressions is equal to the first; 0/0 counts as 0
-:method: Every expression by its letter, term by term.
-:degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
-:::
-
-:::{claim} family_steps_along_the_tangent
-:title: A member is reached from that of the level before by a step along its tangent
-:zh: 由上一层沿切线得到下一层
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$, every $r=1,\dots,k-1$
-:then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
-:method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
-:degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: the divisor $k-r+1$
-:::
-
-:::{claim} derivative_by_tau_is_that_of_the_level_before
-:title: The derivative by τ is, up to a factor, the derivative by t of the level before
-:zh: 对 τ 的偏导与上一层对 t 的偏导成比例
-:given: $k=p+1$; knots of these three shapes; any homogeneous coordinate of the points, any $t$ and $\tau$, every
-  $r=1,\dots,k-1$
-:then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
-:method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
-  right side by the levels of de Boor's triangle and the derivatives of a segment.
-:degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: the factor $\frac{r}{k-r+1}$
-:::
-
-:::{claim} general_condition_is_that_of_the_level_before
-:title: The condition of the envelope is (τ-t) R' x R'' of the level before
-:zh: 包络条件等价于上一层族曲线的曲率为零
-:given: the homogeneous vectors $Q,Q',Q''$ of a curve of space at $t$; any $\tau-t$, $r$ and $m=k-r$
-:let: $P=Q+\frac{\tau-t}mQ'$, $P_t=\frac{m-1}mQ'+\frac{\tau-t}mQ''$, $P_\tau=\frac rmQ'$; $v$, $V$ the last
-  coordinates of $Q$, $P$; $X$, $R$ the points of $P$, $Q$
-:then: $X_\tau\times X_t=\frac{r(\tau-t)v^3}{m^2V^3}\,R'\times R''$
-:method: The quotient rule for $X_\tau$, $X_t$, $R'$ and $R''$, three coordinates, everything a variable.  $P_t$ is
-  the derivative of $P$; $P_\tau$ is what `derivative_by_tau_is_that_of_the_level_before` says.  With positive weights
-  $v,V>0$ on the span.
-:degrees: all
-:control: $m$ in the place of $m^2$
-:::
 */
-#include "chapters/nurbs/family.h"
-
-#include "chapters/judge/claims_on.h"
-
 CLAIM(weights_of_two_parameters_differ_as_printed)
 {
     int p = T->degree, mu = p;
@@ -218,6 +242,32 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
     }
 }
 
+/*
+:::{statement} wang-ch4:thm-4.3.3-chain
+:title: The denominator of level r by sums over level r-1
+:zh: 第 r 层分母用第 r-1 层表示
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)w_i^{[r]}(\tau)=\dots=\frac{\tau-t}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)w_i^{[r-1]}(\tau)
+  +\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\quad t_j\le t,\tau\le t_{j+1}
+:holds-by: level_by_sums_over_the_level_before
+:hypothesis: first_term_of_the_chain_divides_by_zero | a quotient 0/0 counts as 0; the terms $i=j-k+r$ and $i=j$
+  contain B-splines that vanish on the span, divided by differences of knots that may be 0
+:figure: divisor_zero
+
+All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
+includes, the values are limits from the left.
+:::
+
+:::{claim} level_by_sums_over_the_level_before
+:title: The three steps of the display
+:zh: 所印等式链
+:given: $k=p+1$; knots of these three shapes; weights, any $t$ and $\tau$, every $r=1,\dots,k-2$
+:then: each of the four expressions is equal to the first; 0/0 counts as 0
+:method: Every expression by its letter, term by term.
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
+:::
+*/
 /* The value a/b of a term that contains a B-spline, 0/0 being 0: N is NULL outside the span's B-splines. */
 static num G(quotient)(const num *N, num length) { return N == NULL ? from_int(0) : div(*N, length); }
 
@@ -276,80 +326,6 @@ CLAIM(level_by_sums_over_the_level_before)
     }
 }
 
-CLAIM(family_steps_along_the_tangent)
-{
-    int p = T->degree, k = p + 1, mu = p;
-    num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
-    int place[MOST_KNOTS];
-    G(free_curve)(T, p, 1, R, w);
-    for (int shape = 0; shape < SHAPES; shape++) {
-        G(knots_of_span)(T, p, shape, u, place);
-        for (int r = 1; r <= k - 1; r++) {
-            num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2], Q[2], Q1[2];
-            num step = div(sub(tau, t), from_int(T->planted ? k - r + 1 : k - r));
-            G(level_of_curve)(p, 1, u, mu, R, w, r, tau, Rr, wr);
-            G(sums)(p - r, 1, u, mu, Rr, wr, t, S);
-            G(level_of_curve)(p, 1, u, mu, R, w, r - 1, tau, Rr, wr);
-            G(sums)(p - r + 1, 1, u, mu, Rr, wr, t, Q);
-            G(derivative_sums)(p - r + 1, 1, u, mu, Rr, wr, t, Q1);
-            for (int c = 0; c < 2; c++)
-                same(T, S[c], add(Q[c], mul(step, Q1[c])));
-        }
-    }
-}
-
-CLAIM(derivative_by_tau_is_that_of_the_level_before)
-{
-    int p = T->degree, k = p + 1, mu = p;
-    num u[MOST_KNOTS], H[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
-    int place[MOST_KNOTS];
-    for (int i = 0; i <= p; i++)
-        H[i] = unknown(T, "H", i);
-    for (int shape = 0; shape < SHAPES; shape++) {
-        num d[MAX_DEGREE + 1];
-        G(knots_of_span)(T, p, shape, u, place);
-        for (int i = 0; i <= p; i++)
-            d[i] = H[i];
-        num length = sub(u[mu + 1], u[mu]), local = div(sub(tau, u[mu]), length);
-        for (int r = 1; r <= k - 1; r++) { /* d: the level r-1 */
-            num b[MAX_DEGREE + 1], x[MAX_DEGREE], E[2], D[2];
-            for (int i = 0; i <= r; i++) {
-                for (int m = 0; m < p; m++)
-                    x[m] = m < p - r ? t : u[m < p - i ? mu : mu + 1];
-                G(blossom_of_span)(p, 1, u, mu, H, x, &b[i]);
-            }
-            G(bezier_derivatives)(r, 1, b, local, 1, E);
-            G(derivatives_of_span)(p - r + 1, 1, u, mu, d, t, 2, D);
-            same(T, div(E[1], length), mul(from_ratio(r, T->planted ? k - r + 1 : k - r), D[1]));
-            G(deboor_level)(p, 1, u, mu, r, d, tau);
-        }
-    }
-}
-
-CLAIM(general_condition_is_that_of_the_level_before)
-{
-    num Q[12], P[4], Pt[4], Ps[4], Xt[3], Xs[3], R[9], left[3], right[3], one = from_int(1);
-    num e = unknown(T, "e", 0), r = parameter(T, "r"), m = add(parameter(T, "m"), one);
-    for (int i = 0; i < 12; i++)
-        Q[i] = i == 3 ? positive(T, "v", 0) : unknown(T, "Q", i);
-    for (int c = 0; c < 4; c++) {
-        P[c] = add(Q[c], mul(div(e, m), Q[4 + c]));
-        Pt[c] = add(mul(div(sub(m, one), m), Q[4 + c]), mul(div(e, m), Q[8 + c]));
-        Ps[c] = mul(div(r, m), Q[4 + c]);
-    }
-    G(quotient_derivatives)(3, Q, 2, R);
-    num V2 = mul(P[3], P[3]), v3 = mul(Q[3], mul(Q[3], Q[3]));
-    for (int c = 0; c < 3; c++) {
-        Xt[c] = div(sub(mul(Pt[c], P[3]), mul(P[c], Pt[3])), V2);
-        Xs[c] = div(sub(mul(Ps[c], P[3]), mul(P[c], Ps[3])), V2);
-    }
-    G(cross3)(Xs, Xt, left);
-    G(cross3)(R + 3, R + 6, right);
-    num factor = div(mul(mul(r, e), v3), mul(T->planted ? m : mul(m, m), mul(V2, P[3])));
-    for (int c = 0; c < 3; c++)
-        same(T, left[c], mul(factor, right[c]));
-}
-
 #if RATIONAL
 /*
 :::{claim} first_term_of_the_chain_divides_by_zero
@@ -379,13 +355,50 @@ CLAIM(first_term_of_the_chain_divides_by_zero)
     about(T, "no divisor is 0");
     agree(T, !zero);
 }
+#endif
 
 /*
+:::{statement} wang-ch4:thm-4.3.3-numerator
+:title: The same for the numerators
+:zh: 分子的类似等式
+:printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
+:holds-by: family_steps_along_the_tangent
+:figure: nurbs_envelope_square
+:::
+
+:::{statement} wang-ch4:formula-4.3.17
+:title: Denominator and numerator of the member of level r-1
+:zh: 第 r-1 层的分母与分子
+:printed: w^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau),\qquad\mathbf
+  p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau)
+:definition: yes
+:checked-by: member_of_span_is_polar
+:figure: order_and_level
+
+Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
+:::
+
+:::{statement} wang-ch4:formula-4.3.18
+:title: From one level to the next
+:zh: 相邻两层的递推
+:printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf
+  p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau)
+:holds-by: family_steps_along_the_tangent
+:figure: nurbs_envelope_square
+:::
+
 ## Three counterexamples
 
 The families are computed from control points over uniform knots; a polynomial of the span has its control points as
 values of its polar form.
+*/
 
+#if FIELD || RATIONAL
+static const int convex_quartic[2][8] = {{0, 1}, {0, 0, 3, 0, 2}};
+#endif
+
+#if RATIONAL
+/*
 :::{claim} convex_quartic_of_span_has_second_envelope
 :title: A convex segment without inflections whose conics touch a parabola as well
 :zh: 无拐点的凸四次曲线段,其族另有抛物线为包络
@@ -398,15 +411,6 @@ values of its polar form.
 :control: $t=\tau$
 :::
 */
-#endif
-
-#if FIELD || RATIONAL
-static const int convex_quartic[2][8] = {{0, 1}, {0, 0, 3, 0, 2}};
-static const int twisted_sextic[3][8] = {{0, 1}, {0, 0, -15, 0, 0, 0, 1}, {0, 0, 0, 10, 0, 3}};
-static const int flat_cubic[2][8] = {{0, 1}, {0, 0, 0, 1}};
-#endif
-
-#if RATIONAL
 CLAIM(convex_quartic_of_span_has_second_envelope)
 {
     num u[10], R[10], w[5], X[2], tau = from_ratio(1, 2), t = from_ratio(T->planted ? 1 : -1, 2);
@@ -417,6 +421,13 @@ CLAIM(convex_quartic_of_span_has_second_envelope)
     about(T, "the point's second coordinate and 2x⁴ + 3x²");
     same(T, X[1], curve);
 }
+#endif
+
+#if FIELD || RATIONAL
+static const int twisted_sextic[3][8] = {{0, 1}, {0, 0, -15, 0, 0, 0, 1}, {0, 0, 0, 10, 0, 3}};
+#endif
+
+#if RATIONAL
 /*
 :::{claim} twisted_sextic_has_second_envelope
 :title: A curve of space, its curvature and torsion nowhere 0, whose cubics touch another curve as well
@@ -459,6 +470,13 @@ CLAIM(twisted_sextic_has_second_envelope)
     for (int c = 0; c < 3; c++)
         same(T, X[c], at[c]);
 }
+#endif
+
+#if FIELD || RATIONAL
+static const int flat_cubic[2][8] = {{0, 1}, {0, 0, 0, 1}};
+#endif
+
+#if RATIONAL
 /*
 :::{claim} solution_over_the_whole_span
 :title: A second envelope whose τ(t) is defined on the whole span
@@ -482,6 +500,8 @@ CLAIM(solution_over_the_whole_span)
     same(T, X[1], mul(X[0], mul(X[0], X[0])));
 }
 #endif
+
+#if FIELD
 /*
 :::{claim} second_envelopes_of_spans
 :title: The other factor of the condition, and the curves that it gives
@@ -497,7 +517,6 @@ CLAIM(solution_over_the_whole_span)
 :control: $t+\tau$ in the place of $t-\tau$
 :::
 */
-#if FIELD
 CLAIM(second_envelopes_of_spans)
 {
     num t = parameter(T, "t"), tau = parameter(T, "s"), u[14], R[21], w[7], D[9], turn[3], one = from_int(1);
@@ -539,7 +558,10 @@ places left.  With $a=t_j$, $b=t_{j+1}$ the three points $q(a,a)$, $q(a,b)$, $q(
 polygon after the knots $\tau$, $t$, $a$, $b$ have been inserted often enough.  The other factor of the condition says
 whether they turn.  Insertion of knots is corner cutting; so from a strictly convex polygon only strictly convex
 corners arise.
+*/
 
+#if FIELD || RATIONAL
+/*
 :::{claim} convex_polygon_of_span_has_one_envelope
 :title: A strictly convex polygon of the span with positive weights has the curve as its only envelope, for every r
 :zh: 该段控制多边形严格凸且权为正时包络只有曲线本身
@@ -567,7 +589,6 @@ corners arise.
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(convex_polygon_of_span_has_one_envelope)
 {
     int p = T->degree, mu = p;
@@ -638,7 +659,41 @@ Three misprints: (4.3.16) is no alternative but the form of every solution; no $
 (4.3.3) the superscript of $\mathbf r^{[r-1]}(t,\tau)$ is an order, while those of (4.3.17) count levels.  Put right, the
 alternative is true for a stronger reason: for $\tau\ne t$ the vector product of the last two factors is 0.
 :::
+*/
 
+#if RATIONAL
+/*
+:::{claim} superscript_of_the_order_gives_another_product
+:title: With the curve of order r-1 in the place of the level r-1 the sum is not 0
+:zh: 若上标按 (4.3.3) 表示阶数则和不为零
+:kind: counterexample
+:given: $k=7$, knots $-13,-11,\dots,13$, the span $[-1,1)$, weights 1, points for which it is $(t,t^3,t^4+1)$; $r=5$,
+  $\tau=0$, $t=\frac12$
+:then: (4.3.15) is satisfied with $\tau\ne t$; with the curve $\mathbf r^{[4]}(t,\tau)=(\frac t2,\frac{t^3}{20},1)$, which has
+  the order $r-1$, the sum is $\frac{3t}{20}\ne0$
+:method: The condition is found to be satisfied; then the sum of the triple products with the points of level $r-1$ and the
+  member of order $r-1$ is compared with 0.
+:control: the member of level $r-1$, of order $k-r+1=3$
+:::
+*/
+CLAIM(superscript_of_the_order_gives_another_product)
+{
+    static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {1, 0, 0, 0, 1}};
+    int p = 6, k = 7, r = 5, level = T->planted ? r - 1 : k - (r - 1); /* of the curve of order r-1 */
+    num u[14], R[21], w[7], X[3], Rr[21], wr[7], D[9], S[4], tau = from_int(0), t = from_ratio(1, 2);
+    G(uniform_curve)(p, 3, 1, curve, u, R, w);
+    if (!G(pair_of_one_span)(T, p, 3, u, R, w, r, tau, t, X))
+        return;
+    G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
+    G(curve_derivatives)(p - level, 3, u, p, Rr, wr, t, 2, D);
+    G(level_of_curve)(p, 3, u, p, R, w, r - 1, tau, Rr, wr);
+    G(sums)(p - r + 1, 3, u, p, Rr, wr, t, S);
+    show_points(T, "two derivatives of the curve of order r-1", 2, 3, D + 3);
+    about(T, "the sum of the triple products");
+    vanishes(T, G(det3)(S, D + 3, D + 6));
+}
+
+/*
 :::{statement} wang-ch4:thm-4.3.3-each-term
 :title: Each term of the sum vanishes
 :zh: 每个混合积为零
@@ -656,7 +711,53 @@ alternative is true for a stronger reason: for $\tau\ne t$ the vector product of
 :corrected-by: general_condition_is_that_of_the_level_before
 :figure: points_off_the_plane
 :::
+*/
 
+/* The triple products of the points of level `level` with the first two derivatives at t of the member tau of level r. */
+static void G(products_with_member)(int p, const num u[], const num R[], const num w[], int r, num tau, num t,
+                                    int level, num out[])
+{
+    num Rr[3 * (MAX_DEGREE + 1)], wr[MAX_DEGREE + 1], D[9];
+    G(level_of_curve)(p, 3, u, p, R, w, r, tau, Rr, wr);
+    G(curve_derivatives)(p - r, 3, u, p, Rr, wr, t, 2, D);
+    G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
+    for (int m = 0; m <= p - level; m++)
+        out[m] = mul(wr[m], G(det3)(Rr + 3 * m, D + 3, D + 6));
+}
+
+/*
+:::{claim} member_osculates_a_plane_through_the_origin
+:title: The sum is 0 and its terms are not
+:zh: 和为零而各项不为零
+:kind: counterexample
+:given: $k=5$, knots $-18,-14,\dots,18$, the span $[-2,2)$, weights 1, points for which it is
+  $(4t+2,6t^2-4t+1,12t^3-18t^2+12t-3)$; $r=2$, $\tau=1$, $t=0$: the member of level 1 is $3(t+1,t^2,t^3)$
+:then: $\sum N_{i,4}(t)(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$, and not every term is 0
+:method: The sum is found to be 0; then its triple products are compared with 0.
+:control: the sum in the place of its terms
+:::
+*/
+CLAIM(member_osculates_a_plane_through_the_origin)
+{
+    static const int curve[3][8] = {{2, 4}, {1, -4, 6}, {-3, 12, -18, 12}};
+    num u[10], R[15], w[5], term[5], N[4], sum = from_int(0), zero = from_int(0);
+    G(uniform_curve)(4, 3, 2, curve, u, R, w);
+    G(products_with_member)(4, u, R, w, 1, from_int(1), zero, 1, term);
+    G(bspline_basis)(3, u, 4, zero, N);
+    for (int m = 0; m < 4; m++)
+        sum = add(sum, mul(N[m], term[m]));
+    show_points(T, "r_i", 5, 3, R);
+    show_points(T, "the triple products", 4, 1, term);
+    show(T, "the sum", sum);
+    if (!is_zero_q(sum))
+        return;
+    about(T, "a triple product");
+    for (int m = 0; m < 4; m++)
+        vanishes(T, T->planted ? sum : term[m]);
+}
+#endif
+
+/*
 :::{statement} wang-ch4:thm-4.3.3-split
 :title: By the recursion each term is a mean of two of the level before
 :zh: 按递推分解为上一层两项
@@ -667,64 +768,6 @@ alternative is true for a stronger reason: for $\tau\ne t$ the vector product of
 :figure: points_off_the_plane
 
 For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
-:::
-
-:::{statement} wang-ch4:thm-4.3.3-descent
-:title: From the means to the terms, down to the control points
-:zh: 逐层下降至控制顶点
-:printed: this gives $(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$ for $i=j-k+r-1,\dots,j$ and, continued,
-  $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for $i=j-k+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
-:class: invalid-proof
-:refuted-by: level_one_in_a_plane_and_the_points_not
-:reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$: false
-:reading: span_derivatives_are_parallel | for all pairs of the square: true, because on the diagonal it says that the
-  curve is in a plane through the origin; not by solving for the terms
-:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
-  are 0 on every level
-:corrected-by: general_condition_is_that_of_the_level_before
-:figure: points_off_the_plane
-
-$k-r+1$ equations do not determine $k-r+2$ unknowns.
-:::
-
-:::{statement} wang-ch4:thm-4.3.3-coplanar
-:title: The control points are coplanar
-:zh: 控制顶点共面
-:printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 for $t_j\le t,\tau<t_{j+1}$
-  means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
-:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
-:needs: twisted_sextic_has_products_zero | for all pairs of the square; at one pair where (4.3.15) holds with $\tau\ne t$
-  the products are 0 because of their last two factors, and the points need not be coplanar
-:figure: nurbs_envelope_space
-
-As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points, or
-every member is straight, and with them, at $\tau=t$, the segment.  But (4.3.15) gives the products at single pairs only;
-here the proof loses the curves of space.
-:::
-
-:::{statement} wang-ch4:thm-4.3.3-plane
-:title: The plane case goes as for r = 1
-:zh: 平面情形仿照定理 4.3.2
-:printed: a process similar to that of theorem 4.3.2 shows the theorem
-:class: false
-:refuted-by: convex_quartic_of_span_has_second_envelope
-:corrected: in the plane the condition is $(\tau-t)\,(X'Y''-X''Y')=0$ with the coordinates $X,Y$ of the member $\tau$
-  of the level before, not of the curve
-:corrected-by: general_condition_is_that_of_the_level_before
-:figure: nurbs_envelope_extra
-:::
-
-:::{claim} superscript_of_the_order_gives_another_product
-:title: With the curve of order r-1 in the place of the level r-1 the sum is not 0
-:zh: 若上标按 (4.3.3) 表示阶数则和不为零
-:kind: counterexample
-:given: $k=7$, knots $-13,-11,\dots,13$, the span $[-1,1)$, weights 1, points for which it is $(t,t^3,t^4+1)$; $r=5$,
-  $\tau=0$, $t=\frac12$
-:then: (4.3.15) is satisfied with $\tau\ne t$; with the curve $\mathbf r^{[4]}(t,\tau)=(\frac t2,\frac{t^3}{20},1)$, which has
-  the order $r-1$, the sum is $\frac{3t}{20}\ne0$
-:method: The condition is found to be satisfied; then the sum of the triple products with the points of level $r-1$ and the
-  member of order $r-1$ is compared with 0.
-:control: the member of level $r-1$, of order $k-r+1=3$
 :::
 
 :::{claim} weighted_points_follow_the_recursion
@@ -768,66 +811,27 @@ CLAIM(weighted_points_follow_the_recursion)
     }
 }
 
-#if RATIONAL
-/* The triple products of the points of level `level` with the first two derivatives at t of the member tau of level r. */
-static void G(products_with_member)(int p, const num u[], const num R[], const num w[], int r, num tau, num t,
-                                    int level, num out[])
-{
-    num Rr[3 * (MAX_DEGREE + 1)], wr[MAX_DEGREE + 1], D[9];
-    G(level_of_curve)(p, 3, u, p, R, w, r, tau, Rr, wr);
-    G(curve_derivatives)(p - r, 3, u, p, Rr, wr, t, 2, D);
-    G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
-    for (int m = 0; m <= p - level; m++)
-        out[m] = mul(wr[m], G(det3)(Rr + 3 * m, D + 3, D + 6));
-}
-
-CLAIM(superscript_of_the_order_gives_another_product)
-{
-    static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {1, 0, 0, 0, 1}};
-    int p = 6, k = 7, r = 5, level = T->planted ? r - 1 : k - (r - 1); /* of the curve of order r-1 */
-    num u[14], R[21], w[7], X[3], Rr[21], wr[7], D[9], S[4], tau = from_int(0), t = from_ratio(1, 2);
-    G(uniform_curve)(p, 3, 1, curve, u, R, w);
-    if (!G(pair_of_one_span)(T, p, 3, u, R, w, r, tau, t, X))
-        return;
-    G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
-    G(curve_derivatives)(p - level, 3, u, p, Rr, wr, t, 2, D);
-    G(level_of_curve)(p, 3, u, p, R, w, r - 1, tau, Rr, wr);
-    G(sums)(p - r + 1, 3, u, p, Rr, wr, t, S);
-    show_points(T, "two derivatives of the curve of order r-1", 2, 3, D + 3);
-    about(T, "the sum of the triple products");
-    vanishes(T, G(det3)(S, D + 3, D + 6));
-}
-
 /*
-:::{claim} member_osculates_a_plane_through_the_origin
-:title: The sum is 0 and its terms are not
-:zh: 和为零而各项不为零
-:kind: counterexample
-:given: $k=5$, knots $-18,-14,\dots,18$, the span $[-2,2)$, weights 1, points for which it is
-  $(4t+2,6t^2-4t+1,12t^3-18t^2+12t-3)$; $r=2$, $\tau=1$, $t=0$: the member of level 1 is $3(t+1,t^2,t^3)$
-:then: $\sum N_{i,4}(t)(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$, and not every term is 0
-:method: The sum is found to be 0; then its triple products are compared with 0.
-:control: the sum in the place of its terms
+:::{statement} wang-ch4:thm-4.3.3-descent
+:title: From the means to the terms, down to the control points
+:zh: 逐层下降至控制顶点
+:printed: this gives $(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\dots)=0$ for $i=j-k+r-1,\dots,j$ and, continued,
+  $(w_i(\tau)\mathbf p_i(\tau),\dots)=0$ for $i=j-k+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
+:class: invalid-proof
+:refuted-by: level_one_in_a_plane_and_the_points_not
+:reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$: false
+:reading: span_derivatives_are_parallel | for all pairs of the square: true, because on the diagonal it says that the
+  curve is in a plane through the origin; not by solving for the terms
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
+  are 0 on every level
+:corrected-by: general_condition_is_that_of_the_level_before
+:figure: points_off_the_plane
+
+$k-r+1$ equations do not determine $k-r+2$ unknowns.
 :::
 */
-CLAIM(member_osculates_a_plane_through_the_origin)
-{
-    static const int curve[3][8] = {{2, 4}, {1, -4, 6}, {-3, 12, -18, 12}};
-    num u[10], R[15], w[5], term[5], N[4], sum = from_int(0), zero = from_int(0);
-    G(uniform_curve)(4, 3, 2, curve, u, R, w);
-    G(products_with_member)(4, u, R, w, 1, from_int(1), zero, 1, term);
-    G(bspline_basis)(3, u, 4, zero, N);
-    for (int m = 0; m < 4; m++)
-        sum = add(sum, mul(N[m], term[m]));
-    show_points(T, "r_i", 5, 3, R);
-    show_points(T, "the triple products", 4, 1, term);
-    show(T, "the sum", sum);
-    if (!is_zero_q(sum))
-        return;
-    about(T, "a triple product");
-    for (int m = 0; m < 4; m++)
-        vanishes(T, T->planted ? sum : term[m]);
-}
+
+#if RATIONAL
 /*
 :::{claim} level_one_in_a_plane_and_the_points_not
 :title: The products of level 1 are 0 and those of level 0 are not
@@ -858,7 +862,23 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
     for (int m = 0; m < 3; m++)
         vanishes(T, T->planted ? high[m] : low[m]);
 }
+
 /*
+:::{statement} wang-ch4:thm-4.3.3-coplanar
+:title: The control points are coplanar
+:zh: 控制顶点共面
+:printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 for $t_j\le t,\tau<t_{j+1}$
+  means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
+:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
+:needs: twisted_sextic_has_products_zero | for all pairs of the square; at one pair where (4.3.15) holds with $\tau\ne t$
+  the products are 0 because of their last two factors, and the points need not be coplanar
+:figure: nurbs_envelope_space
+
+As in theorem 4.3.2: either one pair of the last two factors is independent, and their normal is common to all points, or
+every member is straight, and with them, at $\tau=t$, the segment.  But (4.3.15) gives the products at single pairs only;
+here the proof loses the curves of space.
+:::
+
 :::{claim} twisted_sextic_has_products_zero
 :title: At another solution of a curve of space all products are 0; the points are not coplanar
 :zh: 空间曲线在另一解处各混合积为零而顶点不共面
@@ -887,4 +907,18 @@ CLAIM(twisted_sextic_has_products_zero)
     vanishes(T, G(det3)(edge, edge + 3, T->planted ? edge : edge + 6));
 }
 #endif
+
+/*
+:::{statement} wang-ch4:thm-4.3.3-plane
+:title: The plane case goes as for r = 1
+:zh: 平面情形仿照定理 4.3.2
+:printed: a process similar to that of theorem 4.3.2 shows the theorem
+:class: false
+:refuted-by: convex_quartic_of_span_has_second_envelope
+:corrected: in the plane the condition is $(\tau-t)\,(X'Y''-X''Y')=0$ with the coordinates $X,Y$ of the member $\tau$
+  of the level before, not of the curve
+:corrected-by: general_condition_is_that_of_the_level_before
+:figure: nurbs_envelope_extra
+:::
+*/
 #include "chapters/judge/claims_off.h"

@@ -13,7 +13,12 @@ W=w(t)+\frac{\tau-t}{k-1}w'(t)>0.$$
 The other factor depends on $t$ alone.  A zero $t_0$ of $\mathbf r'\times\mathbf r''$, an inflection for instance,
 gives the whole line $t=t_0$ of the square, and the points of that line are a segment of the tangent at the
 inflection: it is touched by every member.
+*/
+#include "chapters/nurbs/family.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:thm-4.3.2
 :title: For r = 1 the envelope is unique
 :zh: r=1 时包络唯一
@@ -58,20 +63,6 @@ with $\tau'\ne0$ is tangent to the members it passes, the two derivatives are pa
 $\partial_t\mathbf r^{[k-1]}\ne0$.
 :::
 
-:::{statement} wang-ch4:formula-4.3.10
-:title: The solutions as functions of t
-:zh: 解写成 τ=τ(t)
-:printed: \tau=\tau(t)
-:reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it cannot be false,
-  but then a line $t=t_0$ of the square is left out of the envelope by agreement
-:reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: false, the lines $t=t_0$
-  with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
-:corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
-  r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
-:corrected-by: first_level_condition_factors
-:figure: nurbs_second_line
-:::
-
 :::{claim} touching_curve_satisfies_the_condition
 :title: A curve that is tangent to the members it passes satisfies the condition
 :zh: 与族曲线相切的曲线满足包络条件
@@ -83,10 +74,6 @@ $\partial_t\mathbf r^{[k-1]}\ne0$.
 :control: the factor $t'$ in the place of $\tau'$
 :::
 */
-#include "chapters/nurbs/family.h"
-
-#include "chapters/judge/claims_on.h"
-
 CLAIM(touching_curve_satisfies_the_condition)
 {
     num Xt[3], Xs[3], along[3], left[3], right[3], dt = unknown(T, "dt", 0), ds = unknown(T, "ds", 0);
@@ -102,6 +89,20 @@ CLAIM(touching_curve_satisfies_the_condition)
 }
 
 /*
+:::{statement} wang-ch4:formula-4.3.10
+:title: The solutions as functions of t
+:zh: 解写成 τ=τ(t)
+:printed: \tau=\tau(t)
+:reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it cannot be false,
+  but then a line $t=t_0$ of the square is left out of the envelope by agreement
+:reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: false, the lines $t=t_0$
+  with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
+:corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
+  r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
+:corrected-by: first_level_condition_factors
+:figure: nurbs_second_line
+:::
+
 ## The member of the first level
 
 :::{statement} wang-ch4:thm-4.3.2-differences
@@ -110,34 +111,6 @@ CLAIM(touching_curve_satisfies_the_condition)
 :printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i-w_{i-1}}{t_{i+k-1}-t_i}=\frac{w'(t)}{k-1},\qquad
   \sum_{i=j-k+2}^jN_{i,k-1}(t)\frac{w_i\mathbf r_i-w_{i-1}\mathbf r_{i-1}}{t_{i+k-1}-t_i}=\frac{\mathbf p'(t)}{k-1}
 :holds-by: differences_of_span_give_the_derivative
-:figure: nurbs_second_line
-:::
-
-:::{statement} wang-ch4:thm-4.3.2-member
-:title: Denominator and numerator of the member
-:zh: 族曲线的分母与分子
-:printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)=\frac{\tau-t}{k-1}w'(t)+w(t),\qquad
-  \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)\mathbf r_i^{[1]}(\tau)=\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)
-:holds-by: first_level_follows_the_tangent
-:figure: nurbs_second_line
-:::
-
-:::{statement} wang-ch4:thm-4.3.2-by-tau
-:title: The derivative of the member by τ
-:zh: 族曲线对 τ 的偏导矢
-:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf
-  r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
-:holds-by: derivatives_of_the_first_member
-:figure: nurbs_second_line
-:::
-
-:::{statement} wang-ch4:thm-4.3.2-by-t
-:title: The derivative of the member by t
-:zh: 族曲线对 t 的偏导矢
-:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]^2\frac{\partial\mathbf r^{[k-1]}}{\partial
-  t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]\mathbf p'' -w''\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf
-  p\Bigr]\Bigr\}+(k-2)w^2\mathbf r'
-:holds-by: derivatives_of_the_first_member
 :figure: nurbs_second_line
 :::
 
@@ -151,17 +124,6 @@ CLAIM(touching_curve_satisfies_the_condition)
 :degrees: 1..6 sampled 7
 :scope: the knots variables for $p\le4$, numbers above
 :control: the divisors doubled
-:::
-
-:::{claim} first_level_follows_the_tangent
-:title: Numerator and denominator of the member are the first two terms of Taylor's expansion
-:zh: 第一层族曲线的分子分母
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
-:then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
-:method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
-:degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
 CLAIM(differences_of_span_give_the_derivative)
@@ -189,6 +151,27 @@ CLAIM(differences_of_span_give_the_derivative)
     }
 }
 
+/*
+:::{statement} wang-ch4:thm-4.3.2-member
+:title: Denominator and numerator of the member
+:zh: 族曲线的分母与分子
+:printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)=\frac{\tau-t}{k-1}w'(t)+w(t),\qquad
+  \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)\mathbf r_i^{[1]}(\tau)=\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)
+:holds-by: first_level_follows_the_tangent
+:figure: nurbs_second_line
+:::
+
+:::{claim} first_level_follows_the_tangent
+:title: Numerator and denominator of the member are the first two terms of Taylor's expansion
+:zh: 第一层族曲线的分子分母
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$
+:then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
+:method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the factor $\frac1{k-1}$ replaced by $\frac1k$
+:::
+*/
 CLAIM(first_level_follows_the_tangent)
 {
     int p = T->degree, mu = p;
@@ -209,55 +192,28 @@ CLAIM(first_level_follows_the_tangent)
 }
 
 /*
-From here on the knots are not needed any more: $p$, $p'$, $p''$ at $t$ are three vectors of space and $w$, $w'$,
-$w''$ three numbers, all of them variables, and so is $k$.
-
-:::{statement} wang-ch4:thm-4.3.2-equivalent
-:title: The condition with the factor τ-t
-:zh: 包络条件的等价形式
-:printed: (\tau-t)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr][\mathbf r'\times\mathbf p'']=(\tau-t)\,w''\Bigl\{\mathbf
-  r'\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf p\Bigr]\Bigr\}
-:holds-by: first_level_condition_as_printed
+:::{statement} wang-ch4:thm-4.3.2-by-tau
+:title: The derivative of the member by τ
+:zh: 族曲线对 τ 的偏导矢
+:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf
+  r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
+:holds-by: derivatives_of_the_first_member
 :figure: nurbs_second_line
 :::
 
-:::{statement} wang-ch4:thm-4.3.2-dot
-:title: The product with p'' gives a triple product
-:zh: 与 p'' 作数量积得混合积
-:printed: the scalar product of both sides with $\mathbf p''(t)$ gives $(\tau-t)\bigl(\mathbf
-  r'(t),\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t),\mathbf p''(t)\bigr)=0$
-:class: invalid-proof
-:refuted-by: product_with_second_derivative_says_nothing
-:corrected: the scalar product with $\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)$ gives the printed equation; that with
-  $\mathbf p''(t)$ gives $(\tau-t)\,w''(t)\,(\dots)=0$, with a factor $w''$ that may be 0
-:corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
-:figure: product_that_says_nothing
-
-For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.  And either product
-is one equation in the place of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
-:::
-
-:::{statement} wang-ch4:formula-4.3.11
-:title: The first alternative is the diagonal
-:zh: 第一种情形:τ=t
-:printed: \tau(t)=t
-:holds-by: envelope_condition_holds_on_the_diagonal
+:::{statement} wang-ch4:thm-4.3.2-by-t
+:title: The derivative of the member by t
+:zh: 族曲线对 t 的偏导矢
+:printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]^2\frac{\partial\mathbf r^{[k-1]}}{\partial
+  t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr]\mathbf p'' -w''\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf
+  p\Bigr]\Bigr\}+(k-2)w^2\mathbf r'
+:holds-by: derivatives_of_the_first_member
 :figure: nurbs_second_line
-
-It solves (4.3.9) and gives the curve.
 :::
+*/
 
-:::{statement} wang-ch4:formula-4.3.12
-:title: The second alternative, a triple product with the points
-:zh: 第二种情形:混合积之和
-:printed: \tau=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
-:holds-by: triple_product_is_that_of_the_point
-:figure: points_off_the_plane
-
-For $\tau\ne t$ it is equivalent to the triple product before.  But it says something about the origin, that the
-osculating plane passes through it, and is therefore weaker than (4.3.9), which does not know the origin.
-:::
-
+#if FIELD
+/*
 :::{claim} derivatives_of_the_first_member
 :title: The two derivatives of the member by their formulas
 :zh: 族曲线的两个偏导矢
@@ -270,74 +226,42 @@ osculating plane passes through it, and is therefore weaker than (4.3.9), which 
 :degrees: all
 :control: $k-1$ in the place of $k-2$
 :::
+*/
+CLAIM(derivatives_of_the_first_member)
+{
+    num t = parameter(T, "t"), tau = parameter(T, "s"), k = parameter(T, "k"), one = from_int(1), two = from_int(2);
+    num f[2], f1[2], f2[2], F[2], step = div(sub(tau, t), sub(k, one));
+    for (int c = 0; c < 2; c++) { /* p and w */
+        const char *name = c == 0 ? "p" : "w";
+        f[c] = add(unknown(T, name, 0), mul(t, add(unknown(T, name, 1), mul(t, unknown(T, name, 2)))));
+        f1[c] = derivative_f(f[c], t);
+        f2[c] = derivative_f(f1[c], t);
+        F[c] = add(f[c], mul(step, f1[c]));
+    }
+    num X = div(F[0], F[1]), front = mul(sub(k, one), mul(F[1], F[1]));
+    num tangent = mul(mul(f[1], f[1]), derivative_f(div(f[0], f[1]), t));
+    about(T, "the derivative by τ");
+    same(T, mul(front, derivative_f(X, tau)), tangent);
+    num rest = mul(sub(tau, t), sub(mul(F[1], f2[0]), mul(f2[1], F[0])));
+    about(T, "the derivative by t");
+    same(T, mul(front, derivative_f(X, t)), add(rest, mul(sub(k, T->planted ? one : two), tangent)));
+}
+#endif
 
-:::{claim} first_level_condition_as_printed
-:title: The condition of the envelope is the printed equation of vector products
-:zh: 包络条件与所印方程等价
-:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
-:then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
-:method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
-  are positive on the span.
-:degrees: all
-:control: the sign of the second term
-:::
+/*
+From here on the knots are not needed any more: $p$, $p'$, $p''$ at $t$ are three vectors of space and $w$, $w'$,
+$w''$ three numbers, all of them variables, and so is $k$.
 
-:::{claim} first_level_condition_factors
-:title: The condition of the envelope is (τ-t) r' x r'' up to a positive factor
-:zh: 包络条件等价于 (τ-t) r'×r''=0
-:given: the same
-:then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
-  $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
-:method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
-  joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$; a continuous
-  function $\tau(t)$ solves the condition, unless $r'\times r''$ is 0 on an interval and then everywhere, only as
-  $\tau(t)=t$.
-:degrees: all
-:control: $w^2$ in the place of $w^3$
-:::
-
-:::{claim} extra_points_run_along_the_tangent
-:title: The points of a line t = t₀ of the square are a segment of the tangent
-:zh: 直线 t=t₀ 上的点构成切线段
-:given: the same
-:then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
-:method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
-  being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
-:degrees: all
-:control: $w$ left out
-:::
-
-:::{claim} product_with_second_derivative_loses_the_left_side
-:title: The scalar product of the condition with p'' is w'' times a triple product
-:zh: 与 p'' 的数量积只留下 w'' 倍的混合积
-:given: the same
-:then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
-:method: Everything a variable.
-:degrees: all
-:control: the factor $w''$ left out
-:::
-
-:::{claim} product_with_the_numerator_gives_the_triple_product
-:title: The scalar product of the condition with the numerator of the member is the triple product
-:zh: 与族曲线分子的数量积给出混合积
-:given: the same
-:then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
-:method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product is 0.
-:degrees: all
-:control: the factor $w$ in the place of $W$
-:::
-
-:::{claim} triple_product_is_that_of_the_point
-:title: The triple product is, up to a positive factor, that of p, r', r''
-:zh: 混合积与 (p, r', r'') 只差正因子
-:given: the same; and for $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
-:then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$
-:method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
-  product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,
-  weights, knots and $t$ as variables.
-:control: the sign
+:::{statement} wang-ch4:thm-4.3.2-equivalent
+:title: The condition with the factor τ-t
+:zh: 包络条件的等价形式
+:printed: (\tau-t)\Bigl[\frac{\tau-t}{k-1}w'+w\Bigr][\mathbf r'\times\mathbf p'']=(\tau-t)\,w''\Bigl\{\mathbf
+  r'\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'+\mathbf p\Bigr]\Bigr\}
+:holds-by: first_level_condition_as_printed
+:figure: nurbs_second_line
 :::
 */
+
 /* What is known at one t of a curve of order k, and of the member tau of level 1: P = (p, w) and its derivatives, A and W,
  * r' and r'', the derivatives of the member by tau and t.  e = tau - t. */
 typedef struct G(jet) {
@@ -387,28 +311,18 @@ static void G(bracket)(const G(jet) * J, int plus, num out[])
     }
 }
 
-#if FIELD
-CLAIM(derivatives_of_the_first_member)
-{
-    num t = parameter(T, "t"), tau = parameter(T, "s"), k = parameter(T, "k"), one = from_int(1), two = from_int(2);
-    num f[2], f1[2], f2[2], F[2], step = div(sub(tau, t), sub(k, one));
-    for (int c = 0; c < 2; c++) { /* p and w */
-        const char *name = c == 0 ? "p" : "w";
-        f[c] = add(unknown(T, name, 0), mul(t, add(unknown(T, name, 1), mul(t, unknown(T, name, 2)))));
-        f1[c] = derivative_f(f[c], t);
-        f2[c] = derivative_f(f1[c], t);
-        F[c] = add(f[c], mul(step, f1[c]));
-    }
-    num X = div(F[0], F[1]), front = mul(sub(k, one), mul(F[1], F[1]));
-    num tangent = mul(mul(f[1], f[1]), derivative_f(div(f[0], f[1]), t));
-    about(T, "the derivative by τ");
-    same(T, mul(front, derivative_f(X, tau)), tangent);
-    num rest = mul(sub(tau, t), sub(mul(F[1], f2[0]), mul(f2[1], F[0])));
-    about(T, "the derivative by t");
-    same(T, mul(front, derivative_f(X, t)), add(rest, mul(sub(k, T->planted ? one : two), tangent)));
-}
-#endif
-
+/*
+:::{claim} first_level_condition_as_printed
+:title: The condition of the envelope is the printed equation of vector products
+:zh: 包络条件与所印方程等价
+:given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k$ and $\tau-t$
+:then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
+:method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
+  are positive on the span.
+:degrees: all
+:control: the sign of the second term
+:::
+*/
 CLAIM(first_level_condition_as_printed)
 {
     G(jet) J = G(free_jet)(T);
@@ -419,6 +333,21 @@ CLAIM(first_level_condition_as_printed)
         same(T, mul(front, left[c]), mul(mul(mul(J.w, J.w), J.e), right[c]));
 }
 
+/*
+:::{claim} first_level_condition_factors
+:title: The condition of the envelope is (τ-t) r' x r'' up to a positive factor
+:zh: 包络条件等价于 (τ-t) r'×r''=0
+:given: the same
+:then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
+  $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
+:method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
+  joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$; a continuous
+  function $\tau(t)$ solves the condition, unless $r'\times r''$ is 0 on an interval and then everywhere, only as
+  $\tau(t)=t$.
+:degrees: all
+:control: $w^2$ in the place of $w^3$
+:::
+*/
 CLAIM(first_level_condition_factors)
 {
     G(jet) J = G(free_jet)(T);
@@ -435,6 +364,18 @@ CLAIM(first_level_condition_factors)
     }
 }
 
+/*
+:::{claim} extra_points_run_along_the_tangent
+:title: The points of a line t = t₀ of the square are a segment of the tangent
+:zh: 直线 t=t₀ 上的点构成切线段
+:given: the same
+:then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
+:method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
+  being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
+:degrees: all
+:control: $w$ left out
+:::
+*/
 CLAIM(extra_points_run_along_the_tangent)
 {
     G(jet) J = G(free_jet)(T);
@@ -444,6 +385,33 @@ CLAIM(extra_points_run_along_the_tangent)
     same(T, sub(div(J.A[0], J.W), J.r[0]), mul(factor, J.r1[0]));
 }
 
+/*
+:::{statement} wang-ch4:thm-4.3.2-dot
+:title: The product with p'' gives a triple product
+:zh: 与 p'' 作数量积得混合积
+:printed: the scalar product of both sides with $\mathbf p''(t)$ gives $(\tau-t)\bigl(\mathbf
+  r'(t),\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t),\mathbf p''(t)\bigr)=0$
+:class: invalid-proof
+:refuted-by: product_with_second_derivative_says_nothing
+:corrected: the scalar product with $\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)$ gives the printed equation; that with
+  $\mathbf p''(t)$ gives $(\tau-t)\,w''(t)\,(\dots)=0$, with a factor $w''$ that may be 0
+:corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
+:figure: product_that_says_nothing
+
+For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.  And either product
+is one equation in the place of three: what is lost is what decides, $\mathbf r'\times\mathbf r''=0$.
+:::
+
+:::{claim} product_with_second_derivative_loses_the_left_side
+:title: The scalar product of the condition with p'' is w'' times a triple product
+:zh: 与 p'' 的数量积只留下 w'' 倍的混合积
+:given: the same
+:then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
+:method: Everything a variable.
+:degrees: all
+:control: the factor $w''$ left out
+:::
+*/
 CLAIM(product_with_second_derivative_loses_the_left_side)
 {
     G(jet) J = G(free_jet)(T);
@@ -452,32 +420,23 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
     same(T, G(dot)(3, B, J.p2), T->planted ? triple : mul(J.w2, triple));
 }
 
+/*
+:::{claim} product_with_the_numerator_gives_the_triple_product
+:title: The scalar product of the condition with the numerator of the member is the triple product
+:zh: 与族曲线分子的数量积给出混合积
+:given: the same
+:then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
+:method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product is 0.
+:degrees: all
+:control: the factor $w$ in the place of $W$
+:::
+*/
 CLAIM(product_with_the_numerator_gives_the_triple_product)
 {
     G(jet) J = G(free_jet)(T);
     num B[3];
     G(bracket)(&J, 0, B);
     same(T, G(dot)(3, B, J.A), neg(mul(T->planted ? J.w : J.W, G(det3)(J.r1, J.A, J.p2))));
-}
-
-CLAIM(triple_product_is_that_of_the_point)
-{
-    G(jet) J = G(free_jet)(T);
-    num product = mul(J.W, G(det3)(J.p, J.r1, J.r2));
-    about(T, "the triple products");
-    same(T, G(det3)(J.r1, J.A, J.p2), T->planted ? product : neg(product));
-    for (int p = 1; p <= 3; p++) {
-        num u[MOST_KNOTS], R[3 * 4], w[4], S[4], N[4], t = parameter(T, "t"), sum = from_int(0);
-        int place[MOST_KNOTS];
-        G(free_curve)(T, p, 3, R, w);
-        G(knots_of_span)(T, p, 1, u, place);
-        G(sums)(p, 3, u, p, R, w, t, S);
-        G(bspline_basis)(p, u, p, t, N);
-        for (int i = 0; i <= p; i++)
-            sum = add(sum, mul(mul(N[i], w[i]), G(det3)(R + 3 * i, J.r1, J.r2)));
-        about(T, "the sum over the points");
-        same(T, sum, G(det3)(S, J.r1, J.r2));
-    }
 }
 
 #if RATIONAL
@@ -517,6 +476,59 @@ CLAIM(product_with_second_derivative_says_nothing)
 #endif
 
 /*
+:::{statement} wang-ch4:formula-4.3.11
+:title: The first alternative is the diagonal
+:zh: 第一种情形:τ=t
+:printed: \tau(t)=t
+:holds-by: envelope_condition_holds_on_the_diagonal
+:figure: nurbs_second_line
+
+It solves (4.3.9) and gives the curve.
+:::
+
+:::{statement} wang-ch4:formula-4.3.12
+:title: The second alternative, a triple product with the points
+:zh: 第二种情形:混合积之和
+:printed: \tau=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
+:holds-by: triple_product_is_that_of_the_point
+:figure: points_off_the_plane
+
+For $\tau\ne t$ it is equivalent to the triple product before.  But it says something about the origin, that the
+osculating plane passes through it, and is therefore weaker than (4.3.9), which does not know the origin.
+:::
+
+:::{claim} triple_product_is_that_of_the_point
+:title: The triple product is, up to a positive factor, that of p, r', r''
+:zh: 混合积与 (p, r', r'') 只差正因子
+:given: the same; and for $k=2,3,4$ numbers $c_i$ in the place of $(r_i,r',r'')$
+:then: $(r',A,p'')=-W\,(p,r',r'')$, and $(p,r',r'')=\sum N_{i,k}(t)w_i\,(r_i,r',r'')$
+:method: The first equation in space with everything a variable.  The second: for fixed vectors $r'$, $r''$ the triple
+  product is a linear function of its first factor, and $p$ is the sum of $N_{i,k}(t)w_ir_i$; computed for points,
+  weights, knots and $t$ as variables.
+:control: the sign
+:::
+*/
+CLAIM(triple_product_is_that_of_the_point)
+{
+    G(jet) J = G(free_jet)(T);
+    num product = mul(J.W, G(det3)(J.p, J.r1, J.r2));
+    about(T, "the triple products");
+    same(T, G(det3)(J.r1, J.A, J.p2), T->planted ? product : neg(product));
+    for (int p = 1; p <= 3; p++) {
+        num u[MOST_KNOTS], R[3 * 4], w[4], S[4], N[4], t = parameter(T, "t"), sum = from_int(0);
+        int place[MOST_KNOTS];
+        G(free_curve)(T, p, 3, R, w);
+        G(knots_of_span)(T, p, 1, u, place);
+        G(sums)(p, 3, u, p, R, w, t, S);
+        G(bspline_basis)(p, u, p, t, N);
+        for (int i = 0; i <= p; i++)
+            sum = add(sum, mul(mul(N[i], w[i]), G(det3)(R + 3 * i, J.r1, J.r2)));
+        about(T, "the sum over the points");
+        same(T, sum, G(det3)(S, J.r1, J.r2));
+    }
+}
+
+/*
 ## From the triple product to the plane
 
 :::{statement} wang-ch4:thm-4.3.2-independence
@@ -535,20 +547,6 @@ CLAIM(product_with_second_derivative_says_nothing)
 :figure: points_off_the_plane
 :::
 
-:::{statement} wang-ch4:thm-4.3.2-coplanar
-:title: The control points of the span are coplanar, and the family is plane
-:zh: 控制顶点共面
-:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$ means that these
-  $\mathbf r_i$ are coplanar, so that the family is one of plane curves
-:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
-:needs: vanishing_curvature_says_nothing_about_the_points | for all $t$ of the span; at one $t$, which is what the
-  alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf r''=0$ there
-:figure: points_off_the_plane
-
-If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$,
-the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its points are on a line.
-:::
-
 :::{claim} points_are_polar_values_of_the_segment
 :title: The points of a span are values of the polar form of its segment: a linear relation of the segment is one of
   the points
@@ -562,16 +560,6 @@ the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its
 :degrees: 1..6 sampled 7
 :scope: the knots variables for $p\le4$, numbers above
 :control: the knots from $t_i$ on
-:::
-
-:::{claim} common_normal_makes_points_coplanar
-:title: Three points with one normal that is not 0 are in a plane with the origin
-:zh: 有公共非零法向的三点与原点共面
-:given: three points $a,b,c$ and a vector $n$ of space
-:then: $(a,b,c)\,n=(n\cdot a)\,b\times c+(n\cdot b)\,c\times a+(n\cdot c)\,a\times b$
-:method: Three coordinates, everything a variable.  If $n=r'\times r''\ne0$ and $n\cdot r_i=(r_i,r',r'')=0$, then all
-  $r_i$ are in the plane through the origin with the normal $n$.
-:control: $n$ on the left side with the second and third coordinates exchanged
 :::
 */
 CLAIM(points_are_polar_values_of_the_segment)
@@ -591,6 +579,17 @@ CLAIM(points_are_polar_values_of_the_segment)
     }
 }
 
+/*
+:::{claim} common_normal_makes_points_coplanar
+:title: Three points with one normal that is not 0 are in a plane with the origin
+:zh: 有公共非零法向的三点与原点共面
+:given: three points $a,b,c$ and a vector $n$ of space
+:then: $(a,b,c)\,n=(n\cdot a)\,b\times c+(n\cdot b)\,c\times a+(n\cdot c)\,a\times b$
+:method: Three coordinates, everything a variable.  If $n=r'\times r''\ne0$ and $n\cdot r_i=(r_i,r',r'')=0$, then all
+  $r_i$ are in the plane through the origin with the normal $n$.
+:control: $n$ on the left side with the second and third coordinates exchanged
+:::
+*/
 CLAIM(common_normal_makes_points_coplanar)
 {
     num a[3], b[3], c[3], n[3], bc[3], ca[3], ab[3];
@@ -644,7 +643,22 @@ CLAIM(osculating_plane_meets_the_origin_once)
     for (int i = 0; i < 4; i++)
         vanishes(T, T->planted ? sum : term[i]);
 }
+
 /*
+:::{statement} wang-ch4:thm-4.3.2-coplanar
+:title: The control points of the span are coplanar, and the family is plane
+:zh: 控制顶点共面
+:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$ means that these
+  $\mathbf r_i$ are coplanar, so that the family is one of plane curves
+:holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns points_are_polar_values_of_the_segment
+:needs: vanishing_curvature_says_nothing_about_the_points | for all $t$ of the span; at one $t$, which is what the
+  alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf r''=0$ there
+:figure: points_off_the_plane
+
+If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$,
+the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its points are on a line.
+:::
+
 :::{claim} vanishing_curvature_says_nothing_about_the_points
 :title: Where the curvature is 0 all triple products vanish, whatever the points are
 :zh: 曲率为零处混合积恒为零,控制顶点未必共面
@@ -703,7 +717,38 @@ origin, by the step before, such a rotation suffices.
 :scope: the knots numbers in the field
 :control: $c$ left out at the last point
 :::
+*/
+CLAIM(family_moves_with_its_points)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1], L[MAX_DEGREE + 1], l[3];
+    num t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 2, R, w);
+    for (int c = 0; c < 3; c++)
+        l[c] = unknown(T, "l", c);
+    for (int i = 0; i <= p; i++) {
+        L[i] = add(mul(l[0], R[2 * i]), mul(l[1], R[2 * i + 1]));
+        L[i] = T->planted && i == p ? L[i] : add(L[i], l[2]);
+    }
+    for (int shape = 0; shape < SHAPES; shape++) {
+        G(knots_of_span)(T, p, shape, u, place);
+        G(numbers_above)(1, p, 2 * p + 2, place, u);
+        for (int r = 1; r <= p - 1; r++) {
+            num D[6], E[3];
+            G(family_derivatives)(p, 2, u, mu, R, w, r, tau, t, D);
+            G(family_derivatives)(p, 1, u, mu, L, w, r, tau, t, E);
+            for (int d = 0; d < 3; d++) {
+                static const char *const what[] = {"the point", "the derivative by t", "the derivative by τ"};
+                num value = add(mul(l[0], D[2 * d]), mul(l[1], D[2 * d + 1]));
+                about(T, what[d]);
+                same(T, E[d], d == 0 ? add(value, l[2]) : value);
+            }
+        }
+    }
+}
 
+/*
 :::{statement} wang-ch4:formula-4.3.13
 :title: The condition in the plane
 :zh: 平面情形的包络条件
@@ -742,38 +787,10 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is positive.  So this step 
 
 This is where the proof breaks: an equation that has to hold at one $t$ is used as if it held for all.
 :::
+*/
 
-:::{statement} wang-ch4:thm-4.3.2-collinear
-:title: A straight segment has collinear control points
-:zh: 直线段的控制顶点共线
-:printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so
-  that every member is on this line
-:holds-by: points_are_polar_values_of_the_segment
-:figure: nurbs_folded_line
-:::
-
-:::{statement} wang-ch4:thm-4.3.2-on-a-line
-:title: If all members are on a line, their envelope is the segment
-:zh: 族曲线均在一直线上时包络即 r(t)
-:printed: if every member is on the straight line of $\mathbf r(t)$, the envelope of the family is $\mathbf r(t)$
-:class: false
-:refuted-by: folded_line_has_another_solution
-:corrected: then every pair $(t,\tau)$ is a joint solution; the points of all members may be more than those of
-  $\mathbf r$
-:corrected-by: first_level_condition_factors
-:figure: nurbs_folded_line
-:::
-
-:::{statement} wang-ch4:thm-4.3.2-otherwise
-:title: If (4.3.14) does not hold, τ = t
-:zh: 否则必有 τ=t
-:printed: if (4.3.14) does not hold, (4.3.11) must hold, and the envelope of the family is $\mathbf r(t)$
-:holds-by: first_level_condition_factors member_of_span_touches_curve
-:hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
-  identically is not enough
-:figure: nurbs_envelope_extra
-:::
-
+#if FIELD
+/*
 :::{claim} slope_is_constant_where_nothing_turns
 :title: The derivative of the slope is x'y''-x''y' over x'^2
 :zh: 斜率之导数
@@ -787,37 +804,6 @@ This is where the proof breaks: an equation that has to hold at one $t$ is used 
 :control: the sign of the second term
 :::
 */
-CLAIM(family_moves_with_its_points)
-{
-    int p = T->degree, mu = p;
-    num u[MOST_KNOTS], R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1], L[MAX_DEGREE + 1], l[3];
-    num t = parameter(T, "t"), tau = parameter(T, "s");
-    int place[MOST_KNOTS];
-    G(free_curve)(T, p, 2, R, w);
-    for (int c = 0; c < 3; c++)
-        l[c] = unknown(T, "l", c);
-    for (int i = 0; i <= p; i++) {
-        L[i] = add(mul(l[0], R[2 * i]), mul(l[1], R[2 * i + 1]));
-        L[i] = T->planted && i == p ? L[i] : add(L[i], l[2]);
-    }
-    for (int shape = 0; shape < SHAPES; shape++) {
-        G(knots_of_span)(T, p, shape, u, place);
-        G(numbers_above)(1, p, 2 * p + 2, place, u);
-        for (int r = 1; r <= p - 1; r++) {
-            num D[6], E[3];
-            G(family_derivatives)(p, 2, u, mu, R, w, r, tau, t, D);
-            G(family_derivatives)(p, 1, u, mu, L, w, r, tau, t, E);
-            for (int d = 0; d < 3; d++) {
-                static const char *const what[] = {"the point", "the derivative by t", "the derivative by τ"};
-                num value = add(mul(l[0], D[2 * d]), mul(l[1], D[2 * d + 1]));
-                about(T, what[d]);
-                same(T, E[d], d == 0 ? add(value, l[2]) : value);
-            }
-        }
-    }
-}
-
-#if FIELD
 CLAIM(slope_is_constant_where_nothing_turns)
 {
     num t = parameter(T, "t"), f[2], f1[2], f2[2];
@@ -865,52 +851,27 @@ CLAIM(inflected_cubic_is_not_straight)
 }
 
 /*
-:::{claim} inflected_cubic_has_second_envelope
-:title: The parabolas of the cubic (t, t³) touch the axis y = 0 as well
-:zh: 三次曲线 (t,t³) 的二次族曲线还与 y=0 相切
-:kind: counterexample
-:given: $k=4$, the same curve; $r=1$, the member $\tau=\frac12$ at $t=0$
-:then: (4.3.9) is satisfied at the point $(\frac16,0)$, which is not on the curve; the member's tangent there is the
-  axis
-:method: Member and derivatives by its points over the knots.  The condition is found to be satisfied; then $y-x^3$ is
-  compared with 0.  The pairs $t=0$, $-1\le\tau<1$ give the points $(\frac\tau3,0)$.
-:control: $\tau=0$
+:::{statement} wang-ch4:thm-4.3.2-collinear
+:title: A straight segment has collinear control points
+:zh: 直线段的控制顶点共线
+:printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so
+  that every member is on this line
+:holds-by: points_are_polar_values_of_the_segment
+:figure: nurbs_folded_line
 :::
-*/
-CLAIM(inflected_cubic_has_second_envelope)
-{
-    static const int curve[2][8] = {{0, 1}, {0, 0, 0, 1}};
-    num u[8], R[8], w[4], X[2], tau = from_ratio(1 - T->planted, 2);
-    G(uniform_curve)(3, 2, 1, curve, u, R, w);
-    if (!G(pair_of_one_span)(T, 3, 2, u, R, w, 1, tau, from_int(0), X))
-        return;
-    about(T, "y - x³ at the point; 0 on the curve");
-    vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
-}
-/*
-:::{claim} space_quartic_has_second_envelope
-:title: A curve of space, not in a plane, whose family of order 4 touches a line as well
-:zh: 非平面曲线的族另有包络
-:kind: counterexample
-:given: $k=5$, the curve $(t,t^3,t^4)$ on the span $[-1,1)$ of uniform knots, weights 1; $r=1$, $\tau=\frac12$, $t=0$,
-  where the curvature is 0
-:then: (4.3.9) is satisfied at the point $(\frac18,0,0)$, which is not on the curve
-:method: As for the cubic.  That the points are not coplanar is shown by
-  `vanishing_curvature_says_nothing_about_the_points`.
-:control: $\tau=0$
+
+:::{statement} wang-ch4:thm-4.3.2-on-a-line
+:title: If all members are on a line, their envelope is the segment
+:zh: 族曲线均在一直线上时包络即 r(t)
+:printed: if every member is on the straight line of $\mathbf r(t)$, the envelope of the family is $\mathbf r(t)$
+:class: false
+:refuted-by: folded_line_has_another_solution
+:corrected: then every pair $(t,\tau)$ is a joint solution; the points of all members may be more than those of
+  $\mathbf r$
+:corrected-by: first_level_condition_factors
+:figure: nurbs_folded_line
 :::
-*/
-CLAIM(space_quartic_has_second_envelope)
-{
-    static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1}};
-    num u[10], R[15], w[5], X[3], tau = from_ratio(1 - T->planted, 2);
-    G(uniform_curve)(4, 3, 1, curve, u, R, w);
-    if (!G(pair_of_one_span)(T, 4, 3, u, R, w, 1, tau, from_int(0), X))
-        return;
-    about(T, "y - x³ at the point; 0 on the curve");
-    vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
-}
-/*
+
 :::{claim} folded_line_has_another_solution
 :title: On a line every function τ(t) is a solution, and its points may be off the segment
 :zh: 共线时任意 τ(t) 均为解,其点可在 r(t) 之外
@@ -939,5 +900,64 @@ CLAIM(folded_line_has_another_solution)
     about(T, "the point is on the segment");
     agree(T, count_roots(poly_from_bernstein(2, x), from_int(0), from_int(1), CLOSED).distinct > 0);
 }
+
+/*
+:::{statement} wang-ch4:thm-4.3.2-otherwise
+:title: If (4.3.14) does not hold, τ = t
+:zh: 否则必有 τ=t
+:printed: if (4.3.14) does not hold, (4.3.11) must hold, and the envelope of the family is $\mathbf r(t)$
+:holds-by: first_level_condition_factors member_of_span_touches_curve
+:hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
+  identically is not enough
+:figure: nurbs_envelope_extra
+:::
+
+:::{claim} inflected_cubic_has_second_envelope
+:title: The parabolas of the cubic (t, t³) touch the axis y = 0 as well
+:zh: 三次曲线 (t,t³) 的二次族曲线还与 y=0 相切
+:kind: counterexample
+:given: $k=4$, the same curve; $r=1$, the member $\tau=\frac12$ at $t=0$
+:then: (4.3.9) is satisfied at the point $(\frac16,0)$, which is not on the curve; the member's tangent there is the
+  axis
+:method: Member and derivatives by its points over the knots.  The condition is found to be satisfied; then $y-x^3$ is
+  compared with 0.  The pairs $t=0$, $-1\le\tau<1$ give the points $(\frac\tau3,0)$.
+:control: $\tau=0$
+:::
+*/
+CLAIM(inflected_cubic_has_second_envelope)
+{
+    static const int curve[2][8] = {{0, 1}, {0, 0, 0, 1}};
+    num u[8], R[8], w[4], X[2], tau = from_ratio(1 - T->planted, 2);
+    G(uniform_curve)(3, 2, 1, curve, u, R, w);
+    if (!G(pair_of_one_span)(T, 3, 2, u, R, w, 1, tau, from_int(0), X))
+        return;
+    about(T, "y - x³ at the point; 0 on the curve");
+    vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
+}
+
+/*
+:::{claim} space_quartic_has_second_envelope
+:title: A curve of space, not in a plane, whose family of order 4 touches a line as well
+:zh: 非平面曲线的族另有包络
+:kind: counterexample
+:given: $k=5$, the curve $(t,t^3,t^4)$ on the span $[-1,1)$ of uniform knots, weights 1; $r=1$, $\tau=\frac12$, $t=0$,
+  where the curvature is 0
+:then: (4.3.9) is satisfied at the point $(\frac18,0,0)$, which is not on the curve
+:method: As for the cubic.  That the points are not coplanar is shown by
+  `vanishing_curvature_says_nothing_about_the_points`.
+:control: $\tau=0$
+:::
+*/
+CLAIM(space_quartic_has_second_envelope)
+{
+    static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1}};
+    num u[10], R[15], w[5], X[3], tau = from_ratio(1 - T->planted, 2);
+    G(uniform_curve)(4, 3, 1, curve, u, R, w);
+    if (!G(pair_of_one_span)(T, 4, 3, u, R, w, 1, tau, from_int(0), X))
+        return;
+    about(T, "y - x³ at the point; 0 on the curve");
+    vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
+}
 #endif
+
 #include "chapters/judge/claims_off.h"

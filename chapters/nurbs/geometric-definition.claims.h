@@ -8,7 +8,12 @@ need the envelope to exist and to be unique.  Both were seen to need hypotheses 
 may be in different spans adds another: the leg of span $j$ in the polygon of $\tau$ is the tangent at $\tau$ of the
 *continued* segment $j$. An inflection of the continuation, although it is not on the curve, is enough for a second
 envelope.
+*/
+#include "chapters/nurbs/family.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:def-4.3.1-polygon
 :title: The polygon is the curve of order 2
 :zh: 控制多边形即二阶 NURBS 曲线
@@ -34,87 +39,6 @@ r_n$ at $t_{n+1}$, and the weights say how fast.
 :figure: nurbs_polygons
 :::
 
-:::{statement} wang-ch4:def-4.3.1-sum
-:title: The polygon as one sum
-:zh: 多边形的统一表示
-:printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
-:holds-by: polygon_is_the_curve_of_order_two
-:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$: by the
-  letter the sum is $0/0$ there, and the polygon lacks $\mathbf r_n$
-:figure: nurbs_polygons
-:::
-
-:::{statement} wang-ch4:def-4.3.1-index
-:title: The indices of the recursion
-:zh: 递推的下标范围
-:printed: for $r=1,2,\dots,k-2$ compute $w_i^{[r]}(\tau)$, $\mathbf r_i^{[r]}(\tau)$ for $i=2,3,\dots,n$
-:class: misprint
-:refuted-by: recursion_asks_for_a_point_that_is_missing
-:corrected: $i=r+1,r+2,\dots,n$
-:corrected-by: whole_member_is_polar_on_every_span
-:figure: recursion_indices
-
-For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does
-not exist.
-:::
-
-:::{statement} wang-ch4:def-4.3.1-family
-:title: The family of polygons
-:zh: 二阶 NURBS 曲线族
-:printed: \mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf
-  r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)
-:definition: yes
-:checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
-:hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
-:hypothesis: lower_level_lacks_a_point | nor any $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with $t_i=t_{i+2}$, whose $N_{i,2}$
-  is 0, are left out
-:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$
-:figure: nurbs_polygons
-:::
-
-:::{statement} wang-ch4:def-4.3.1-exists-unique
-:title: The definition rests on existence and uniqueness
-:zh: 因为包络存在且唯一
-:printed: since the envelope exists and is unique, NURBS curves can be defined as envelopes
-:class: false
-:refuted-by: convex_quartic_of_span_has_second_envelope extrapolated_weight_vanishes
-:reading: convex_quartic_of_span_has_second_envelope | unique on every span for every $r$: false
-:reading: convex_polygon_has_a_stationary_leg | the only joint solution for the family of the definition: false, a leg
-  of one of the polygons is another
-:reading: extrapolated_weight_vanishes | existence for every family that is used: false for that of the definition,
-  with positive weights
-:corrected: the curve is among the envelopes, as the points with $\tau=t$
-:corrected-by: member_of_span_touches_curve whole_member_is_polar_on_every_span
-:figure: nurbs_polygons_extra
-:::
-
-:::{statement} wang-ch4:def-4.3.1
-:title: The curve as the envelope of its polygons
-:zh: NURBS 曲线的几何定义
-:printed: for every $\tau\in[t_k,t_{n+1}]$ make the polygon $\mathbf r^{[2]}(t,\tau)$; the envelope of these polygons
-  is the NURBS curve of order $k$ of $T$, $\{\mathbf r_i\}$, $\{w_i\}$
-:class: missing-hypothesis
-:refuted-by: extrapolated_weight_vanishes convex_polygon_has_a_stationary_leg
-:reading: extrapolated_weight_vanishes | as a construction, for every $\tau$: the polygon of some $\tau$ may not
-  exist, although the weights are positive
-:reading: convex_polygon_has_a_stationary_leg | the envelope as the set of all joint solutions, which is the notion of
-  the section: more than the curve, even for a strictly convex control polygon
-:reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each
-  of its points: where the polygons exist it is the curve alone, as $\tau\ne t$ is possible for single values of
-  $\tau$ only, unless a segment is straight
-:corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
-  of the whole square where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
-  of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
-  neighbouring points are on a line
-:corrected-by: legs_are_tangents_of_the_continued_segments whole_member_is_polar_on_every_span
-  general_condition_is_that_of_the_level_before quadratic_legs_have_one_envelope
-:figure: nurbs_polygons_extra
-
-For $\tau$ restricted to the span of $t$ the same holds with the inflections of the curve itself.  For $k=2$ there is
-no recursion and the polygon is the curve.
-:::
-
 :::{claim} polygon_is_the_curve_of_order_two
 :title: The sum over all points is the printed leg on every span
 :zh: 二阶曲线的每一段
@@ -125,49 +49,7 @@ no recursion and the polygon is the curve.
   variable.
 :control: the weights of the two points exchanged
 :::
-
-:::{claim} legs_are_run_through
-:title: A leg is run through from one end to the other
-:zh: 每段从一端到另一端单调
-:given: $w_{j-1},w_j>0$ and $t=(t_j+t_{j+1}x)/(1+x)$, $x\ge0$
-:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which increases from
-  0 to 1
-:method: An identity; the derivative of $\lambda$ is $\frac{w_{j-1}w_j}{(w_{j-1}+xw_j)^2}>0$, compared by
-  $\lambda(x+h)-\lambda(x)$ being nonnegative for $h>0$.
-:types: field rational
-:control: $\lambda=\frac{x}{1+x}$, as if the weights were equal
-:::
 */
-#include "chapters/nurbs/family.h"
-
-#include "chapters/judge/claims_on.h"
-
-#if RATIONAL
-/*
-:::{claim} polygon_end_belongs_to_no_interval
-:title: At a double right end the sum of order 2 is 0/0
-:zh: 右端二重时二阶曲线终点无定义
-:kind: counterexample
-:given: $k=n=2$, knots $0,0,1,1$ and then $2$; $t=t_{n+1}=1$, which lies in $[t_4,t_5)$ and in no interval before
-:then: $\sum_{i=1}^2N_{i,2}(1)=0$
-:method: The recursion by its letter for the interval $[1,2)$.
-:control: the knots $0,0,1,2$
-:::
-*/
-CLAIM(polygon_end_belongs_to_no_interval)
-{
-    int place[] = {0, 0, 1, T->planted ? 2 : 1, 2};
-    num u[5], one = from_int(1), sum = from_int(0);
-    for (int i = 0; i < 5; i++)
-        u[i] = from_int(place[i]);
-    for (int i = 0; i < 2; i++)
-        sum = add(sum, G(cox_de_boor)(1, u, place, i, 1, one));
-    show_points(T, "knots", 5, 1, u);
-    about(T, "the sum of both functions at t = 1, and 1");
-    same(T, sum, one);
-}
-#endif
-
 CLAIM(polygon_is_the_curve_of_order_two)
 {
     static const char *const kinds[] = {"1111111", "112111", "211111", "111112", "21112", "2122"};
@@ -192,6 +74,19 @@ CLAIM(polygon_is_the_curve_of_order_two)
 }
 
 #if FIELD || RATIONAL
+/*
+:::{claim} legs_are_run_through
+:title: A leg is run through from one end to the other
+:zh: 每段从一端到另一端单调
+:given: $w_{j-1},w_j>0$ and $t=(t_j+t_{j+1}x)/(1+x)$, $x\ge0$
+:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which increases from
+  0 to 1
+:method: An identity; the derivative of $\lambda$ is $\frac{w_{j-1}w_j}{(w_{j-1}+xw_j)^2}>0$, compared by
+  $\lambda(x+h)-\lambda(x)$ being nonnegative for $h>0$.
+:types: field rational
+:control: $\lambda=\frac{x}{1+x}$, as if the weights were equal
+:::
+*/
 CLAIM(legs_are_run_through)
 {
     num a = unknown(T, "a", 0), b = unknown(T, "a", 1), v = positive(T, "w", 0), w = positive(T, "w", 1),
@@ -210,7 +105,134 @@ CLAIM(legs_are_run_through)
 }
 #endif
 
+#if RATIONAL
 /*
+:::{claim} double_knot_skips_a_leg
+:title: Where two knots are one the curve of order 2 jumps over a leg
+:zh: 重节点处二阶曲线跳过一条边
+:kind: counterexample
+:given: $n=4$, points $(0,0),(1,1),(2,1),(3,0)$, weights 1, the knots $0,1,2,2,3,4$, domain $[1,3]$: $t_3=t_4$
+:then: the middle $(\frac32,1)$ of the leg $r_2r_3$ is not on the curve
+:method: On each of the two spans that are not empty the roots of $x(t)-\frac32$ are counted, with both ends; that
+  there is one is what is compared.
+:control: the knots $0,1,\frac32,2,3,4$
+:::
+*/
+CLAIM(double_knot_skips_a_leg)
+{
+    num u[6] = {from_int(0), from_int(1), T->planted ? from_ratio(3, 2) : from_int(2),
+                from_int(2), from_int(3), from_int(4)};
+    num x[4], half = from_ratio(3, 2);
+    int found = 0;
+    for (int i = 0; i < 4; i++)
+        x[i] = sub(from_int(i), half);
+    for (int mu = 1; mu < 4; mu++) {
+        if (equal_q(u[mu], u[mu + 1]))
+            continue;
+        num b[2];
+        G(bspline_to_bezier)(1, 1, u, mu, x, b);
+        found += count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), CLOSED).distinct;
+    }
+    show_points(T, "t_i", 6, 1, u);
+    show_text(T, "points of the curve with x = 3/2", "%d", found);
+    about(T, "the middle of the leg is on the curve");
+    agree(T, found > 0);
+}
+
+/*
+:::{statement} wang-ch4:def-4.3.1-sum
+:title: The polygon as one sum
+:zh: 多边形的统一表示
+:printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
+:holds-by: polygon_is_the_curve_of_order_two
+:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$: by the
+  letter the sum is $0/0$ there, and the polygon lacks $\mathbf r_n$
+:figure: nurbs_polygons
+:::
+
+:::{claim} polygon_end_belongs_to_no_interval
+:title: At a double right end the sum of order 2 is 0/0
+:zh: 右端二重时二阶曲线终点无定义
+:kind: counterexample
+:given: $k=n=2$, knots $0,0,1,1$ and then $2$; $t=t_{n+1}=1$, which lies in $[t_4,t_5)$ and in no interval before
+:then: $\sum_{i=1}^2N_{i,2}(1)=0$
+:method: The recursion by its letter for the interval $[1,2)$.
+:control: the knots $0,0,1,2$
+:::
+*/
+CLAIM(polygon_end_belongs_to_no_interval)
+{
+    int place[] = {0, 0, 1, T->planted ? 2 : 1, 2};
+    num u[5], one = from_int(1), sum = from_int(0);
+    for (int i = 0; i < 5; i++)
+        u[i] = from_int(place[i]);
+    for (int i = 0; i < 2; i++)
+        sum = add(sum, G(cox_de_boor)(1, u, place, i, 1, one));
+    show_points(T, "knots", 5, 1, u);
+    about(T, "the sum of both functions at t = 1, and 1");
+    same(T, sum, one);
+}
+
+/*
+:::{statement} wang-ch4:def-4.3.1-index
+:title: The indices of the recursion
+:zh: 递推的下标范围
+:printed: for $r=1,2,\dots,k-2$ compute $w_i^{[r]}(\tau)$, $\mathbf r_i^{[r]}(\tau)$ for $i=2,3,\dots,n$
+:class: misprint
+:refuted-by: recursion_asks_for_a_point_that_is_missing
+:corrected: $i=r+1,r+2,\dots,n$
+:corrected-by: whole_member_is_polar_on_every_span
+:figure: recursion_indices
+
+For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does
+not exist.
+:::
+
+:::{claim} recursion_asks_for_a_point_that_is_missing
+:title: With i = 2, ..., n on every level the recursion asks for the point 0
+:zh: 按 i=2,...,n 递推需要不存在的顶点 r_0
+:kind: counterexample
+:given: $k=4$, $n=4$, $r=1,2$, $i=2,\dots,n$, as printed
+:then: some $r_i^{[r]}$ depends by (4.1.4) on a point with an index below 1
+:method: By (4.1.4) $r_i^{[r]}$ depends on the points $i-r,\dots,i$ of level 0; the least index is compared with 1.
+:control: $i=r+1,\dots,n$
+:::
+*/
+CLAIM(recursion_asks_for_a_point_that_is_missing)
+{
+    int k = 4, n = 4, least = n;
+    for (int r = 1; r <= k - 2; r++)
+        for (int i = T->planted ? r + 1 : 2; i <= n; i++) {
+            int index = i;
+            for (int level = r; level >= 1; level--) /* the left one of the two points of the level before */
+                index--;
+            if (index < least) {
+                least = index;
+                show_text(T, "r, i", "%d, %d", r, i);
+            }
+        }
+    show_text(T, "least index of a point", "%d", least);
+    about(T, "all points exist");
+    agree(T, least >= 1);
+}
+#endif
+
+/*
+:::{statement} wang-ch4:def-4.3.1-family
+:title: The family of polygons
+:zh: 二阶 NURBS 曲线族
+:printed: \mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf
+  r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)
+:definition: yes
+:checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
+:hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
+:hypothesis: lower_level_lacks_a_point | nor any $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with $t_i=t_{i+2}$, whose $N_{i,2}$
+  is 0, are left out
+:hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$
+:figure: nurbs_polygons
+:::
+
 :::{claim} legs_are_tangents_of_the_continued_segments
 :title: The leg over a span is a piece of the tangent at τ of the segment of that span, continued to τ
 :zh: 各段直线是该段延拓后在 τ 处的切线
@@ -260,95 +282,24 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
 }
 
 /*
-:::{claim} quadratic_legs_have_one_envelope
-:title: For k = 3 a segment turns unless three neighbouring points are on a line
-:zh: k=3 时仅当三点共线包络条件才处处成立
-:given: $k=3$; a span of simple knots; three points of the plane with weights; any $\tau$
-:then: $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$, a constant
-:method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
-  span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
-  zero.
-:control: the factor 2
+:::{statement} wang-ch4:def-4.3.1-exists-unique
+:title: The definition rests on existence and uniqueness
+:zh: 因为包络存在且唯一
+:printed: since the envelope exists and is unique, NURBS curves can be defined as envelopes
+:class: false
+:refuted-by: convex_quartic_of_span_has_second_envelope extrapolated_weight_vanishes
+:reading: convex_quartic_of_span_has_second_envelope | unique on every span for every $r$: false
+:reading: convex_polygon_has_a_stationary_leg | the only joint solution for the family of the definition: false, a leg
+  of one of the polygons is another
+:reading: extrapolated_weight_vanishes | existence for every family that is used: false for that of the definition,
+  with positive weights
+:corrected: the curve is among the envelopes, as the points with $\tau=t$
+:corrected-by: member_of_span_touches_curve whole_member_is_polar_on_every_span
+:figure: nurbs_polygons_extra
 :::
 */
-CLAIM(quadratic_legs_have_one_envelope)
-{
-    num u[MOST_KNOTS], R[6], w[3], H[9], D[9], a[2], b[2], tau = parameter(T, "s");
-    int place[MOST_KNOTS];
-    G(knots_of_span)(T, 2, 0, u, place);
-    G(free_curve)(T, 2, 2, R, w);
-    G(rational_homogenize)(2, 2, R, w, H);
-    G(derivatives_of_span)(2, 3, u, 2, H, tau, 3, D);
-    for (int c = 0; c < 2; c++) {
-        a[c] = sub(R[2 + c], R[c]);
-        b[c] = sub(R[4 + c], R[c]);
-    }
-    num lengths = mul(mul(sub(u[3], u[1]), sub(u[4], u[2])), sub(u[3], u[2]));
-    num turn = mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b));
-    same(T, G(det3)(D, D + 3, D + 6), mul(from_int(T->planted ? 2 : 4), div(turn, lengths)));
-}
 
 #if RATIONAL
-/*
-:::{claim} double_knot_skips_a_leg
-:title: Where two knots are one the curve of order 2 jumps over a leg
-:zh: 重节点处二阶曲线跳过一条边
-:kind: counterexample
-:given: $n=4$, points $(0,0),(1,1),(2,1),(3,0)$, weights 1, the knots $0,1,2,2,3,4$, domain $[1,3]$: $t_3=t_4$
-:then: the middle $(\frac32,1)$ of the leg $r_2r_3$ is not on the curve
-:method: On each of the two spans that are not empty the roots of $x(t)-\frac32$ are counted, with both ends; that
-  there is one is what is compared.
-:control: the knots $0,1,\frac32,2,3,4$
-:::
-*/
-CLAIM(double_knot_skips_a_leg)
-{
-    num u[6] = {from_int(0), from_int(1), T->planted ? from_ratio(3, 2) : from_int(2),
-                from_int(2), from_int(3), from_int(4)};
-    num x[4], half = from_ratio(3, 2);
-    int found = 0;
-    for (int i = 0; i < 4; i++)
-        x[i] = sub(from_int(i), half);
-    for (int mu = 1; mu < 4; mu++) {
-        if (equal_q(u[mu], u[mu + 1]))
-            continue;
-        num b[2];
-        G(bspline_to_bezier)(1, 1, u, mu, x, b);
-        found += count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), CLOSED).distinct;
-    }
-    show_points(T, "t_i", 6, 1, u);
-    show_text(T, "points of the curve with x = 3/2", "%d", found);
-    about(T, "the middle of the leg is on the curve");
-    agree(T, found > 0);
-}
-/*
-:::{claim} recursion_asks_for_a_point_that_is_missing
-:title: With i = 2, ..., n on every level the recursion asks for the point 0
-:zh: 按 i=2,...,n 递推需要不存在的顶点 r_0
-:kind: counterexample
-:given: $k=4$, $n=4$, $r=1,2$, $i=2,\dots,n$, as printed
-:then: some $r_i^{[r]}$ depends by (4.1.4) on a point with an index below 1
-:method: By (4.1.4) $r_i^{[r]}$ depends on the points $i-r,\dots,i$ of level 0; the least index is compared with 1.
-:control: $i=r+1,\dots,n$
-:::
-*/
-CLAIM(recursion_asks_for_a_point_that_is_missing)
-{
-    int k = 4, n = 4, least = n;
-    for (int r = 1; r <= k - 2; r++)
-        for (int i = T->planted ? r + 1 : 2; i <= n; i++) {
-            int index = i;
-            for (int level = r; level >= 1; level--) /* the left one of the two points of the level before */
-                index--;
-            if (index < least) {
-                least = index;
-                show_text(T, "r, i", "%d, %d", r, i);
-            }
-        }
-    show_text(T, "least index of a point", "%d", least);
-    about(T, "all points exist");
-    agree(T, least >= 1);
-}
 /*
 :::{claim} convex_polygon_has_a_stationary_leg
 :title: A convex curve with a strictly convex control polygon, and a leg all of whose points satisfy the condition
@@ -401,4 +352,60 @@ CLAIM(convex_polygon_has_a_stationary_leg)
     same(T, X[1], at[1]);
 }
 #endif
+
+/*
+:::{statement} wang-ch4:def-4.3.1
+:title: The curve as the envelope of its polygons
+:zh: NURBS 曲线的几何定义
+:printed: for every $\tau\in[t_k,t_{n+1}]$ make the polygon $\mathbf r^{[2]}(t,\tau)$; the envelope of these polygons
+  is the NURBS curve of order $k$ of $T$, $\{\mathbf r_i\}$, $\{w_i\}$
+:class: missing-hypothesis
+:refuted-by: extrapolated_weight_vanishes convex_polygon_has_a_stationary_leg
+:reading: extrapolated_weight_vanishes | as a construction, for every $\tau$: the polygon of some $\tau$ may not
+  exist, although the weights are positive
+:reading: convex_polygon_has_a_stationary_leg | the envelope as the set of all joint solutions, which is the notion of
+  the section: more than the curve, even for a strictly convex control polygon
+:reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each
+  of its points: where the polygons exist it is the curve alone, as $\tau\ne t$ is possible for single values of
+  $\tau$ only, unless a segment is straight
+:corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
+  of the whole square where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
+  of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
+  neighbouring points are on a line
+:corrected-by: legs_are_tangents_of_the_continued_segments whole_member_is_polar_on_every_span
+  general_condition_is_that_of_the_level_before quadratic_legs_have_one_envelope
+:figure: nurbs_polygons_extra
+
+For $\tau$ restricted to the span of $t$ the same holds with the inflections of the curve itself.  For $k=2$ there is
+no recursion and the polygon is the curve.
+:::
+
+:::{claim} quadratic_legs_have_one_envelope
+:title: For k = 3 a segment turns unless three neighbouring points are on a line
+:zh: k=3 时仅当三点共线包络条件才处处成立
+:given: $k=3$; a span of simple knots; three points of the plane with weights; any $\tau$
+:then: $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$, a constant
+:method: The left side by the derivatives of the segment; everything a variable.  It is 0 for no $\tau$, inside the
+  span or not, if the three points are not on a line, so that $\mathbf r'\times\mathbf r''=\det(P,P',P'')/w^3$ has no
+  zero.
+:control: the factor 2
+:::
+*/
+CLAIM(quadratic_legs_have_one_envelope)
+{
+    num u[MOST_KNOTS], R[6], w[3], H[9], D[9], a[2], b[2], tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(knots_of_span)(T, 2, 0, u, place);
+    G(free_curve)(T, 2, 2, R, w);
+    G(rational_homogenize)(2, 2, R, w, H);
+    G(derivatives_of_span)(2, 3, u, 2, H, tau, 3, D);
+    for (int c = 0; c < 2; c++) {
+        a[c] = sub(R[2 + c], R[c]);
+        b[c] = sub(R[4 + c], R[c]);
+    }
+    num lengths = mul(mul(sub(u[3], u[1]), sub(u[4], u[2])), sub(u[3], u[2]));
+    num turn = mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b));
+    same(T, G(det3)(D, D + 3, D + 6), mul(from_int(T->planted ? 2 : 4), div(turn, lengths)));
+}
+
 #include "chapters/judge/claims_off.h"

@@ -4,19 +4,6 @@
 A knot more makes the space of splines larger by one dimension and leaves the curve as it is.  Boehm's algorithm computes the
 new points; only $p$ of them are new, and they divide edges of the polygon in the ratio in which the knot divides the lengths
 $u_{i+p}-u_i$.
-
-:::{claim} boehm_insertion_keeps_curve
-:title: Boehm's insertion changes the points, not the curve
-:zh: Boehm 插入节点不改变曲线
-:given: several segments, the distinct knots variables, points; a new knot $x$ in every interval of the domain and at every knot
-  of it of multiplicity at most $p$
-:then: the knots of `bspline_insert` are the old ones and $x$; the spline of its $n+1$ points is the old one on every interval
-:method: Both splines in powers of $t$ minus the knot on the left of each new interval, from the recursion of de Boor and Cox
-  by its letter; $x$, knots and points are variables.
-:degrees: 0..4 sampled 8
-:defines: bspline_insert
-:control: the last of the new points is replaced by its neighbour
-:::
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
@@ -51,6 +38,20 @@ static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} boehm_insertion_keeps_curve
+:title: Boehm's insertion changes the points, not the curve
+:zh: Boehm 插入节点不改变曲线
+:given: several segments, the distinct knots variables, points; a new knot $x$ in every interval of the domain and at every knot
+  of it of multiplicity at most $p$
+:then: the knots of `bspline_insert` are the old ones and $x$; the spline of its $n+1$ points is the old one on every interval
+:method: Both splines in powers of $t$ minus the knot on the left of each new interval, from the recursion of de Boor and Cox
+  by its letter; $x$, knots and points are variables.
+:degrees: 0..4 sampled 8
+:defines: bspline_insert
+:control: the last of the new points is replaced by its neighbour
+:::
+*/
 CLAIM(boehm_insertion_keeps_curve) { G(check_boehm_insertion_keeps_curve)(T, 0); }
 
 #if FIELD
@@ -154,6 +155,7 @@ CLAIM(repeated_insertion_is_deboor)
     }
 }
 
+#if FIELD || RATIONAL
 /*
 :::{claim} inserted_points_divide_edges
 :title: A new point divides an edge from the inside
@@ -170,7 +172,6 @@ CLAIM(repeated_insertion_is_deboor)
 :control: the coefficient of the point before
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(inserted_points_divide_edges)
 {
     int p = T->degree;
@@ -208,21 +209,8 @@ CLAIM(inserted_points_divide_edges)
 
 Over a finer knot vector every point is a value of the polar form at consecutive knots.  The Oslo algorithm computes each of
 them on its own, Boehm's algorithm one knot after the other.
-
-:::{claim} refinement_keeps_curve
-:title: The Oslo algorithm changes the points, not the curve, and agrees with repeated insertion
-:zh: Oslo 算法加细节点不改变曲线
-:given: several segments, each point with a span in the domain, the distinct knots variables, points; to the knots of the domain are added: one in the first interval,
-  two equal ones in the last, and one more at each inner knot of multiplicity at most $p$
-:then: the spline of the points of `bspline_refine` is the old one; its points are those of inserting one knot after the other;
-  it does not matter which admissible span a point is computed from
-:method: Both splines in powers, from the recursion by its letter; the points against those of `bspline_insert`; once with the
-  first admissible span for every point, once with the last.
-:degrees: 0..4 sampled 8
-:defines: bspline_refine
-:control: one point computed with the knots of its neighbour
-:::
 */
+
 /* The knots that are added, one after the other, to K and to the points c, by Boehm's insertion. */
 static void G(refined)(trial *T, const struct G(knots) * K, const num c[], struct G(knots) * L, num d[])
 {
@@ -269,6 +257,21 @@ static void G(check_refinement_keeps_curve)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} refinement_keeps_curve
+:title: The Oslo algorithm changes the points, not the curve, and agrees with repeated insertion
+:zh: Oslo 算法加细节点不改变曲线
+:given: several segments, each point with a span in the domain, the distinct knots variables, points; to the knots of the domain are added: one in the first interval,
+  two equal ones in the last, and one more at each inner knot of multiplicity at most $p$
+:then: the spline of the points of `bspline_refine` is the old one; its points are those of inserting one knot after the other;
+  it does not matter which admissible span a point is computed from
+:method: Both splines in powers, from the recursion by its letter; the points against those of `bspline_insert`; once with the
+  first admissible span for every point, once with the last.
+:degrees: 0..4 sampled 8
+:defines: bspline_refine
+:control: one point computed with the knots of its neighbour
+:::
+*/
 CLAIM(refinement_keeps_curve) { G(check_refinement_keeps_curve)(T, 0); }
 
 #if FIELD
@@ -287,4 +290,5 @@ CLAIM(refinement_keeps_curve) { G(check_refinement_keeps_curve)(T, 0); }
 */
 CLAIM(refinement_in_higher_degrees) { G(check_refinement_keeps_curve)(T, INTEGERS); }
 #endif
+
 #include "chapters/judge/claims_off.h"

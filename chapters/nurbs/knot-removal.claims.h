@@ -4,19 +4,6 @@
 Removal is insertion read backwards, and it asks for more than there is: of the $p+1-s$ equations that insertion of a knot of
 multiplicity $s-1$ satisfies, one too many.  So a knot is removable (可消去) exactly if one number vanishes, the *defect*.  It is
 the jump of the first derivative that the knot allows to jump, in another scale.
-
-:::{claim} removal_inverts_insertion
-:title: Removal of a knot that was inserted gives the points before
-:zh: 消去插入的节点即还原
-:given: several segments, the distinct knots variables, points $b_i$; a knot $x$ inserted in every interval of the domain and at every
-  knot of it of multiplicity at most $p$, which gives it every multiplicity $s=1,\dots,p+1$
-:then: `bspline_remove` gives back the knots and the $b_i$, and the defect $0$
-:method: Insertion by `bspline_insert`, which keeps the curve by `boehm_insertion_keeps_curve`, then removal; everything a
-  variable.
-:degrees: 0..4 sampled 8
-:defines: bspline_remove
-:control: one of the points that removal solves for is moved before
-:::
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
@@ -54,6 +41,20 @@ static void G(check_removal_inverts_insertion)(trial *T, int kind)
     }
 }
 
+/*
+:::{claim} removal_inverts_insertion
+:title: Removal of a knot that was inserted gives the points before
+:zh: 消去插入的节点即还原
+:given: several segments, the distinct knots variables, points $b_i$; a knot $x$ inserted in every interval of the domain and at every
+  knot of it of multiplicity at most $p$, which gives it every multiplicity $s=1,\dots,p+1$
+:then: `bspline_remove` gives back the knots and the $b_i$, and the defect $0$
+:method: Insertion by `bspline_insert`, which keeps the curve by `boehm_insertion_keeps_curve`, then removal; everything a
+  variable.
+:degrees: 0..4 sampled 8
+:defines: bspline_remove
+:control: one of the points that removal solves for is moved before
+:::
+*/
 CLAIM(removal_inverts_insertion) { G(check_removal_inverts_insertion)(T, 0); }
 
 #if FIELD
@@ -73,6 +74,7 @@ CLAIM(removal_inverts_insertion) { G(check_removal_inverts_insertion)(T, 0); }
 CLAIM(removal_in_higher_degrees) { G(check_removal_inverts_insertion)(T, INTEGERS); }
 #endif
 
+#if FIELD || RATIONAL
 /*
 :::{claim} reinsertion_misses_by_the_defect
 :title: Inserting the removed knot again gives all points but one, which is off by the defect
@@ -88,7 +90,6 @@ CLAIM(removal_in_higher_degrees) { G(check_removal_inverts_insertion)(T, INTEGER
 :control: the defect with the other sign
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(reinsertion_misses_by_the_defect)
 {
     int p = T->degree;
@@ -115,7 +116,6 @@ CLAIM(reinsertion_misses_by_the_defect)
         }
     }
 }
-#endif
 
 /*
 :::{claim} knot_is_removable_iff_derivative_does_not_jump
@@ -133,7 +133,6 @@ CLAIM(reinsertion_misses_by_the_defect)
 :control: the jump of the next order, or for $s=1$ of the order before
 :::
 */
-#if FIELD || RATIONAL
 /* The jump of the derivative of order r at the knot of this place, from left to right, over r!. */
 static num G(jump_at)(const struct G(knots) * K, const num c[], int place, int r)
 {
@@ -171,4 +170,5 @@ CLAIM(knot_is_removable_iff_derivative_does_not_jump)
     }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -5,7 +5,12 @@ A text can be checked against itself: whether a number that is cited is printed 
 has the year of the reference, whether the volumes of a journal go up by one a year.  The tables below are what the source
 prints, in the digital copy at hand: a label that stands twice, or a letter $l$ for the digit 1, may be a fault of this
 copy and not of the book.
+*/
+#include <string.h>
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:formula-4.4.14-label
 :title: The label of the coefficients of Marsden's identity
 :zh: 公式编号 (4.4.14)
@@ -17,53 +22,13 @@ copy and not of the book.
 
 The identity itself is printed twice.
 :::
+*/
 
-:::{statement} wang-ch4:literature-lw-lyd
-:title: The source of the first two sections
-:zh: 第 1、2 节取材文献的年份
-:printed: sections 1 and 2 are taken from [WGJ, WGZ, 99] and [LW, LYD, 95]
-:class: misprint
-:refuted-by: cited_key_is_not_listed
-:corrected: [LW, LYD, 90]: the list has a paper of Lü and Liang of 1990, and none of 1995
-:corrected-by: cited_keys_are_listed
-:::
+#if RATIONAL
+static const int labels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 13, 15, 16, 17, 18, 19, 20, 21, 22, 23};
+enum { LABELS = sizeof labels / sizeof labels[0] };
 
-:::{statement} wang-ch4:literature-keys
-:title: The keys of the main references
-:zh: 主要文献的标号与年份
-:printed: [WGJ, WGZ, 99] of 1999, [LW, LYD, 90] of 1990, [WGJ, 92] of 1992
-:holds-by: keys_have_the_years_of_their_entries
-
-[LLG, WGJ, 2000] has no year in its entry; it was submitted.
-:::
-
-:::{statement} wang-ch4:references-cited
-:title: The numbered references
-:zh: 参考文献的引用
-:printed: the references 1 to 19
-:holds-by: numbered_references_are_all_cited
-
-Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 spells SIGGRAPH without its
-P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics and Applications.
-:::
-
-:::{statement} wang-ch4:references-volumes
-:title: Years and volumes of Computer Aided Design
-:zh: 期刊 CAD 的年份与卷号
-:printed: 1991, 23; 1987, 19; 1989, 21; 1989, 21; 1992, 24; 1990, 22; 1992, 24
-:holds-by: volumes_follow_the_years
-:::
-
-:::{statement} wang-ch4:reference-7
-:title: The volume of the survey on NURBS
-:zh: 参考文献 7 的卷号
-:printed: IEEE Computer Graphics and its Application, 1991, 10(1): 55-71
-:class: misprint
-:refuted-by: volume_of_the_survey_breaks_the_rule
-:corrected: volume 11: the volume of this journal is the year less 1980, as for references 4 and 8
-:corrected-by: volumes_follow_the_years
-:::
-
+/*
 :::{claim} labels_run_from_one_to_twenty_three
 :title: With the label 14 put right the labels of 4.4 are 1 to 23, each once
 :zh: 改正后公式编号各出现一次
@@ -74,119 +39,11 @@ P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics 
 :scope: section 4.4 of the source
 :control: the labels as printed
 :::
-
-:::{claim} cited_keys_are_listed
-:title: With the year 90 every key that is cited is listed
-:zh: 改正后所引文献均在列
-:kind: decision
-:given: the four keys that the introduction cites, the year 95 replaced by 90, and the four keys of the list
-:then: every cited key is a key of the list
-:method: All pairs are compared.
-:scope: the four keys
-:control: the year 95
-:::
-
-:::{claim} keys_have_the_years_of_their_entries
-:title: The years in the keys are those of the entries
-:zh: 标号年份与条目年份一致
-:kind: decision
-:given: the keys 99, 90, 92 and the years 1999, 1990, 1992 of the entries
-:then: the key is the year less 1900
-:method: The three differences.
-:scope: the three entries that have a year
-:control: the key 95
-:::
-
-:::{claim} numbered_references_are_all_cited
-:title: The numbers cited are 1 to 19
-:zh: 参考文献 1 至 19 均被引用
-:kind: decision
-:given: the citations of the chapter in their order: 1, 2, 3-7, 8-10, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14,
-  19, 15, 19
-:then: each of 1, ..., 19 occurs, and no other number
-:method: The numbers are ticked off.
-:scope: the numbered references
-:control: the citations of section 4.4 only
-:::
-
-:::{claim} volumes_follow_the_years
-:title: The volume is the year less a constant of the journal
-:zh: 卷号等于年份减常数
-:kind: decision
-:given: the years and volumes of the ten references in Computer Aided Design and in IEEE Computer Graphics and
-  Applications, with the volume 11 for reference 7
-:then: the year less the volume is 1968 for the one, 1980 for the other journal
-:method: The ten differences.
-:scope: the ten references
-:control: the volume 10 for reference 7
-:::
 */
-#include <string.h>
-
-#include "chapters/judge/claims_on.h"
-
-#if RATIONAL
-static const struct {
-    const char *authors;
-    int year;
-} cited[] = {{"WGJ, WGZ", 99}, {"LW, LYD", 95}, {"WGJ", 92}, {"LLG, WGJ", 2000}},
-  listed[] = {{"WGJ, WGZ", 99}, {"LW, LYD", 90}, {"WGJ", 92}, {"LLG, WGJ", 2000}};
-
-/* 1 if the key is among the four of the list. */
-static int is_listed(const char *authors, int year)
-{
-    for (int k = 0; k < 4; k++)
-        if (strcmp(listed[k].authors, authors) == 0 && listed[k].year == year)
-            return 1;
-    return 0;
-}
-
-static const int labels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 13, 15, 16, 17, 18, 19, 20, 21, 22, 23};
-enum { LABELS = sizeof labels / sizeof labels[0] };
-
-/* Reference, journal (0: Computer Aided Design, 1: IEEE Computer Graphics and Applications), year, volume. */
-static const int volumes[][4] = {{1, 0, 1991, 23},  {3, 0, 1987, 19},  {5, 0, 1989, 21},  {6, 0, 1989, 21},
-                                 {10, 0, 1992, 24}, {12, 0, 1990, 22}, {13, 0, 1992, 24}, {4, 1, 1989, 9},
-                                 {7, 1, 1991, 10},  {8, 1, 1983, 3}};
-enum { VOLUMES = sizeof volumes / sizeof volumes[0], SURVEY = 8 };
-
 CLAIM(labels_run_from_one_to_twenty_three)
 {
     for (int n = 1; n <= LABELS; n++)
         same(T, from_int(n == 14 && !T->planted ? 14 : labels[n - 1]), from_int(n));
-}
-
-CLAIM(cited_keys_are_listed)
-{
-    for (int k = 0; k < 4; k++)
-        agree(T, is_listed(cited[k].authors, k == 1 && !T->planted ? 90 : cited[k].year));
-}
-
-CLAIM(keys_have_the_years_of_their_entries)
-{
-    static const int years[] = {1999, 1990, 1992};
-    for (int k = 0; k < 3; k++)
-        same(T, from_int(T->planted ? cited[k].year : listed[k].year), sub(from_int(years[k]), from_int(1900)));
-}
-
-CLAIM(numbered_references_are_all_cited)
-{
-    static const int first[] = {1, 2, 3, 8, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14, 19, 15, 19};
-    static const int last[] = {1, 2, 7, 10, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14, 19, 15, 19};
-    int seen[32] = {0}, count = sizeof first / sizeof first[0];
-    for (int k = T->planted ? count - 5 : 0; k < count; k++)
-        for (int n = first[k]; n <= last[k]; n++)
-            seen[n] = 1;
-    for (int n = 0; n < 32; n++)
-        same(T, from_int(seen[n]), from_int(n >= 1 && n <= 19));
-}
-
-CLAIM(volumes_follow_the_years)
-{
-    for (int k = 0; k < VOLUMES; k++) {
-        int volume = k == SURVEY && !T->planted ? 11 : volumes[k][3];
-        same(T, sub(from_int(volumes[k][2]), from_int(volume)), from_int(volumes[k][1] == 0 ? 1968 : 1980));
-    }
 }
 
 /*
@@ -214,6 +71,51 @@ CLAIM(cited_label_is_not_printed)
 }
 
 /*
+:::{statement} wang-ch4:literature-lw-lyd
+:title: The source of the first two sections
+:zh: 第 1、2 节取材文献的年份
+:printed: sections 1 and 2 are taken from [WGJ, WGZ, 99] and [LW, LYD, 95]
+:class: misprint
+:refuted-by: cited_key_is_not_listed
+:corrected: [LW, LYD, 90]: the list has a paper of Lü and Liang of 1990, and none of 1995
+:corrected-by: cited_keys_are_listed
+:::
+*/
+
+static const struct {
+    const char *authors;
+    int year;
+} cited[] = {{"WGJ, WGZ", 99}, {"LW, LYD", 95}, {"WGJ", 92}, {"LLG, WGJ", 2000}},
+  listed[] = {{"WGJ, WGZ", 99}, {"LW, LYD", 90}, {"WGJ", 92}, {"LLG, WGJ", 2000}};
+
+/* 1 if the key is among the four of the list. */
+static int is_listed(const char *authors, int year)
+{
+    for (int k = 0; k < 4; k++)
+        if (strcmp(listed[k].authors, authors) == 0 && listed[k].year == year)
+            return 1;
+    return 0;
+}
+
+/*
+:::{claim} cited_keys_are_listed
+:title: With the year 90 every key that is cited is listed
+:zh: 改正后所引文献均在列
+:kind: decision
+:given: the four keys that the introduction cites, the year 95 replaced by 90, and the four keys of the list
+:then: every cited key is a key of the list
+:method: All pairs are compared.
+:scope: the four keys
+:control: the year 95
+:::
+*/
+CLAIM(cited_keys_are_listed)
+{
+    for (int k = 0; k < 4; k++)
+        agree(T, is_listed(cited[k].authors, k == 1 && !T->planted ? 90 : cited[k].year));
+}
+
+/*
 :::{claim} cited_key_is_not_listed
 :title: The key of the first two sections is not in the list
 :zh: 文献表中无 [LW, LYD, 95]
@@ -233,6 +135,115 @@ CLAIM(cited_key_is_not_listed)
 }
 
 /*
+:::{statement} wang-ch4:literature-keys
+:title: The keys of the main references
+:zh: 主要文献的标号与年份
+:printed: [WGJ, WGZ, 99] of 1999, [LW, LYD, 90] of 1990, [WGJ, 92] of 1992
+:holds-by: keys_have_the_years_of_their_entries
+
+[LLG, WGJ, 2000] has no year in its entry; it was submitted.
+:::
+
+:::{claim} keys_have_the_years_of_their_entries
+:title: The years in the keys are those of the entries
+:zh: 标号年份与条目年份一致
+:kind: decision
+:given: the keys 99, 90, 92 and the years 1999, 1990, 1992 of the entries
+:then: the key is the year less 1900
+:method: The three differences.
+:scope: the three entries that have a year
+:control: the key 95
+:::
+*/
+CLAIM(keys_have_the_years_of_their_entries)
+{
+    static const int years[] = {1999, 1990, 1992};
+    for (int k = 0; k < 3; k++)
+        same(T, from_int(T->planted ? cited[k].year : listed[k].year), sub(from_int(years[k]), from_int(1900)));
+}
+
+/*
+:::{statement} wang-ch4:references-cited
+:title: The numbered references
+:zh: 参考文献的引用
+:printed: the references 1 to 19
+:holds-by: numbered_references_are_all_cited
+
+Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 spells SIGGRAPH without its
+P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics and Applications.
+:::
+
+:::{claim} numbered_references_are_all_cited
+:title: The numbers cited are 1 to 19
+:zh: 参考文献 1 至 19 均被引用
+:kind: decision
+:given: the citations of the chapter in their order: 1, 2, 3-7, 8-10, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14,
+  19, 15, 19
+:then: each of 1, ..., 19 occurs, and no other number
+:method: The numbers are ticked off.
+:scope: the numbered references
+:control: the citations of section 4.4 only
+:::
+*/
+CLAIM(numbered_references_are_all_cited)
+{
+    static const int first[] = {1, 2, 3, 8, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14, 19, 15, 19};
+    static const int last[] = {1, 2, 7, 10, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14, 19, 15, 19};
+    int seen[32] = {0}, count = sizeof first / sizeof first[0];
+    for (int k = T->planted ? count - 5 : 0; k < count; k++)
+        for (int n = first[k]; n <= last[k]; n++)
+            seen[n] = 1;
+    for (int n = 0; n < 32; n++)
+        same(T, from_int(seen[n]), from_int(n >= 1 && n <= 19));
+}
+
+/*
+:::{statement} wang-ch4:references-volumes
+:title: Years and volumes of Computer Aided Design
+:zh: 期刊 CAD 的年份与卷号
+:printed: 1991, 23; 1987, 19; 1989, 21; 1989, 21; 1992, 24; 1990, 22; 1992, 24
+:holds-by: volumes_follow_the_years
+:::
+*/
+
+/* Reference, journal (0: Computer Aided Design, 1: IEEE Computer Graphics and Applications), year, volume. */
+static const int volumes[][4] = {{1, 0, 1991, 23},  {3, 0, 1987, 19},  {5, 0, 1989, 21},  {6, 0, 1989, 21},
+                                 {10, 0, 1992, 24}, {12, 0, 1990, 22}, {13, 0, 1992, 24}, {4, 1, 1989, 9},
+                                 {7, 1, 1991, 10},  {8, 1, 1983, 3}};
+enum { VOLUMES = sizeof volumes / sizeof volumes[0], SURVEY = 8 };
+
+/*
+:::{claim} volumes_follow_the_years
+:title: The volume is the year less a constant of the journal
+:zh: 卷号等于年份减常数
+:kind: decision
+:given: the years and volumes of the ten references in Computer Aided Design and in IEEE Computer Graphics and
+  Applications, with the volume 11 for reference 7
+:then: the year less the volume is 1968 for the one, 1980 for the other journal
+:method: The ten differences.
+:scope: the ten references
+:control: the volume 10 for reference 7
+:::
+*/
+CLAIM(volumes_follow_the_years)
+{
+    for (int k = 0; k < VOLUMES; k++) {
+        int volume = k == SURVEY && !T->planted ? 11 : volumes[k][3];
+        same(T, sub(from_int(volumes[k][2]), from_int(volume)), from_int(volumes[k][1] == 0 ? 1968 : 1980));
+    }
+}
+
+/*
+:::{statement} wang-ch4:reference-7
+:title: The volume of the survey on NURBS
+:zh: 参考文献 7 的卷号
+:printed: IEEE Computer Graphics and its Application, 1991, 10(1): 55-71
+:class: misprint
+:refuted-by: volume_of_the_survey_breaks_the_rule
+:corrected: volume 11: the volume of this journal is the year less 1980, as for references 4 and 8
+:corrected-by: volumes_follow_the_years
+:::
+
 :::{claim} volume_of_the_survey_breaks_the_rule
 :title: Volume 10 is not the volume of 1991
 :zh: 1991 年非第 10 卷
@@ -256,4 +267,5 @@ CLAIM(volume_of_the_survey_breaks_the_rule)
     agree(T, equal_q(here, rule) && equal_q(after, rule));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

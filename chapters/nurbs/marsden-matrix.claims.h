@@ -3,7 +3,14 @@
 
 The powers of $t$ are combinations of the B-splines with the matrix $G$ of (4.4.18).  The inverse of this matrix, with
 cofactors written out, gives the B-splines in powers of $t$; one more expansion gives them in powers of $u$.
+*/
+#include "chapters/nurbs/spans.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
+
+/*
 :::{statement} wang-ch4:formula-4.4.18
 :title: The matrix G
 :zh: 矩阵 G
@@ -21,7 +28,72 @@ cofactors written out, gives the B-splines in powers of $t$; one more expansion 
 :checked-by: marsden_matrix_holds_derivatives
 :figure: both_matrices
 :::
+*/
 
+#if FIELD
+/*
+:::{claim} marsden_matrix_holds_derivatives
+:title: The kernel's matrix has the printed entries
+:zh: 矩阵 G 元素的核对
+:given: orders $k=p+1$, knots variables
+:then: `marsden_matrix` has the entries $\frac{(-1)^\mu\mu!}{(k-1)!}\omega_{i,k}^{(k-1-\mu)}(0)$
+:method: The kernel divides symmetric functions by binomial coefficients; the other side takes formal derivatives of the
+  product $\omega_{i,k}$ in the field.
+:types: field
+:degrees: 0..6
+:defines: marsden_matrix
+:control: the derivatives of order $\mu$
+:::
+*/
+CLAIM(marsden_matrix_holds_derivatives)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num g[CELLS], x = variable_f("x");
+    G(marsden_matrix)(k - 1, S.t, S.r, g);
+    for (int i = 0; i < k; i++)
+        for (int mu = 0; mu < k; mu++) {
+            num D = from_int(1);
+            for (int m = i + 1; m <= i + k - 1; m++)
+                D = mul(D, sub(x, S.t[m]));
+            for (int m = 0; m < (T->planted ? mu : k - 1 - mu); m++)
+                D = derivative_f(D, x);
+            D = mul(div(G(factorial)(mu), G(factorial)(k - 1)), substitute_f(D, x, from_int(0)));
+            same(T, g[mu * k + i], G(signed_by)(mu, D));
+        }
+}
+#endif
+
+/*
+:::{claim} cofactor_is_signed_minor
+:title: The cofactors of a column are what expands the determinant by it
+:zh: 代数余子式
+:given: all entries of an $n\times n$ matrix, variables
+:then: the cofactor of a place is the determinant, as a sum over permutations, of the matrix with that column replaced by
+  the unit vector of the row
+:method: `cofactor` leaves out row and column; the other side keeps all $n$ rows.
+:degrees: 1..4 sampled 6
+:defines: cofactor
+:control: the unit vector of the next row
+:::
+*/
+CLAIM(cofactor_is_signed_minor)
+{
+    int n = T->degree;
+    num M[CELLS], replaced[CELLS];
+    for (int m = 0; m < n * n; m++)
+        M[m] = unknown(T, "m", m);
+    for (int row = 0; row < n; row++)
+        for (int column = 0; column < n; column++) {
+            int one = T->planted ? (row + 1) % n : row;
+            for (int i = 0; i < n; i++)
+                for (int j = 0; j < n; j++)
+                    replaced[i * n + j] = j == column ? from_int(i == one) : M[i * n + j];
+            same(T, G(cofactor)(n, M, row, column), G(leibniz)(n, 0, 0, replaced));
+        }
+}
+
+/*
 :::{statement} wang-ch4:formula-4.4.16
 :title: On a span a B-spline is a polynomial of u
 :zh: B 样条基的幂基表示
@@ -42,257 +114,7 @@ cofactors written out, gives the B-splines in powers of $t$; one more expansion 
 For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$; where the source says so, both have lost
 the index $i$.
 :::
-
-:::{statement} wang-ch4:formula-4.4.17
-:title: The entries from the cofactors of G
-:zh: 由 G 的代数余子式给出矩阵元素
-:printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}
-:holds-by: printed_cofactor_formula_gives_the_basis both_explicit_matrices_agree
-:figure: both_matrices
-
-The entries do not change when all knots move by one number, although $t_r$ stands in the formula.
-:::
-
-:::{statement} wang-ch4:thm-4.4.3-equal
-:title: Two explicit matrices for the same representation
-:zh: 两种显式矩阵表示
-:printed: (4.4.12) and (4.4.17) are two explicit forms of the coefficient matrix in the most general case
-:holds-by: both_explicit_matrices_agree
-:figure: both_matrices
-
-Both are the matrix of the span, so they are equal, whatever the multiplicities of the knots.
-:::
-
-:::{claim} marsden_matrix_holds_derivatives
-:title: The kernel's matrix has the printed entries
-:zh: 矩阵 G 元素的核对
-:given: orders $k=p+1$, knots variables
-:then: `marsden_matrix` has the entries $\frac{(-1)^\mu\mu!}{(k-1)!}\omega_{i,k}^{(k-1-\mu)}(0)$
-:method: The kernel divides symmetric functions by binomial coefficients; the other side takes formal derivatives of the
-  product $\omega_{i,k}$ in the field.
-:types: field
-:degrees: 0..6
-:defines: marsden_matrix
-:control: the derivatives of order $\mu$
-:::
-
-:::{claim} cofactor_is_signed_minor
-:title: The cofactors of a column are what expands the determinant by it
-:zh: 代数余子式
-:given: all entries of an $n\times n$ matrix, variables
-:then: the cofactor of a place is the determinant, as a sum over permutations, of the matrix with that column replaced by
-  the unit vector of the row
-:method: `cofactor` leaves out row and column; the other side keeps all $n$ rows.
-:degrees: 1..4 sampled 6
-:defines: cofactor
-:control: the unit vector of the next row
-:::
-
-:::{claim} printed_cofactor_formula_gives_the_basis
-:title: The printed coefficients are those of the B-spline
-:zh: (4.4.17) 给出 B 样条基
-:given: every pattern of the 2k knots around a span up to the order 3, orders 4 and 5 with simple knots and those of Bernstein; the different knots
-  and $u$ variables; random patterns in the other number types
-:then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ as printed, and `bspline_matrix_by_marsden` has these entries
-:method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the B-splines
-  by their definition.
-:degrees: 0..4 sampled 4
-:defines: bspline_matrix_by_marsden
-:control: the cofactors transposed
-:::
-
-:::{claim} both_explicit_matrices_agree
-:title: The matrices by divided differences, by Marsden's identity and by Cox and de Boor agree
-:zh: 两种显式矩阵与 Cox–de Boor 展开一致
-:given: every pattern of the 2k knots around a span up to the order 5, the knots variables; random patterns in the other number
-  types
-:then: `bspline_matrix_by_differences`, `bspline_matrix_by_marsden` and `bspline_matrix` give the same matrix
-:method: Entry by entry.  `bspline_matrix` and `bspline_matrix_by_marsden` divide by differences of knots on the two sides of the
-  span only, so where they agree for simple variable knots they agree for coincident ones as well; the case distinctions of
-  the other kernel are settled column by column in the section before.
-:degrees: 0..4 sampled 6
-:scope: every multiplicity
-:control: the knot $t_{r+2}$ is moved for the second matrix
-:::
-
-:::{claim} both_explicit_matrices_agree_for_every_multiplicity
-:title: The three matrices agree for every pattern of knots up to order 5, at rational knots
-:zh: 五阶以内一切重数下三矩阵一致
-:kind: decision
-:given: orders 1 to 5, all $4^{k-1}$ patterns of the 2k knots around a span, one increasing sequence of rational knots for
-  each; order 8 with 6 patterns, from simple knots to $k$-fold ones
-:then: the three kernels give the same matrix
-:method: All entries are compared.
-:scope: the stated knots
-:control: simple knots for the third matrix in the place of the pattern
-:::
-
-## Why G is invertible
-
-:::{statement} wang-ch4:thm-4.4.3-step-det
-:title: The determinant of G is not 0
-:zh: det G ≠ 0
-:printed: \det\mathbf G_{r,k,T}\ne0
-:holds-by: marsden_determinant_is_product marsden_determinant_is_positive
-:needs: empty_span_makes_g_singular | the span is not empty
-:figure: both_matrices
-
-More is true: $\det G=\prod_{a\le r<b,\ b-a\le k-1}(t_b-t_a)\big/\prod_{j=0}^{k-1}\binom{k-1}j>0$.
-:::
-
-:::{statement} wang-ch4:thm-4.4.3-step-det-reason
-:title: The reason given: linear independence of the basis
-:zh: 由线性无关性推出 det G ≠ 0
-:printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
-:holds-by: singular_g_makes_powers_dependent
-:needs: independent_functions_do_not_suffice | the basis that is used is that of the powers on the left of (4.4.21); the
-  independence of the B-splines alone does not say that $k$ combinations of them are independent
-
-A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of the B-splines is then a consequence.
-:::
-
-:::{statement} wang-ch4:thm-4.4.3-step-inverse
-:title: The B-splines in powers of t
-:zh: B 样条基按 t 的幂展开
-:printed: N_{i,k}(t)=\sum_{\mu=0}^{k-1}g^*_{\mu i}t^\mu/\det\mathbf G_{r,k,T}
-:holds-by: cofactors_give_powers_of_t
-:figure: both_matrices
-:::
-
-:::{statement} wang-ch4:thm-4.4.3-step-power
-:title: The powers of t in powers of u
-:zh: t 的幂按 u 的幂展开
-:printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,\dots,k-1
-:holds-by: power_of_t_in_powers_of_u
-:::
-
-:::{claim} marsden_determinant_is_product
-:title: The determinant of G is a product of differences of knots
-:zh: det G 的乘积公式
-:given: orders $k=p+1$, knots variables
-:then: $\det G=\prod(t_b-t_a)/\prod_j\binom{k-1}j$ over the pairs $a\le r<b$ with $b-a\le k-1$, as `marsden_determinant`
-  computes it
-:method: The determinant of the matrix of symmetric functions: over all permutations up to $k=4$, by Bird's algorithm above.
-:degrees: 0..4 sampled 7
-:defines: marsden_determinant
-:control: the pairs with $b-a\le k$
-:::
-
-:::{claim} marsden_determinant_is_positive
-:title: On a span that is not empty the determinant is positive, whatever the multiplicities
-:zh: 非空区间上 det G>0
-:given: every pattern of the 2k knots around a span up to the order 4, the steps from each different knot to the next
-  positive variables
-:then: $\det G>0$
-:method: Written in the steps all coefficients are positive, and there is one at least.  For greater orders there is
-  `marsden_determinant_is_product`, where every factor is positive: $t_a\le t_r<t_{r+1}\le t_b$.
-:types: field
-:degrees: 0..3
-:control: the determinant with its first two columns exchanged
-:::
-
-:::{claim} singular_g_makes_powers_dependent
-:title: A combination of the rows of G is the combination of the powers
-:zh: G 的行组合对应幂函数组合
-:given: orders $k=p+1$, simple knots, $t$ and numbers $c_0,\dots,c_{k-1}$, all variables
-:then: $\sum_\mu c_\mu t^\mu=\sum_i(G^Tc)_iN_{i,k}(t)$; so $G^Tc=0$ makes the polynomial vanish, and $c=0$
-:method: Both sides at a variable $t$.
-:degrees: 0..5 sampled 7
-:control: $G$ in the place of its transpose
-:::
-
-:::{claim} cofactors_give_powers_of_t
-:title: The cofactors give the B-splines in powers of t
-:zh: 代数余子式给出 B 样条基
-:given: orders $k=p+1$, simple knots and $t$ variables
-:then: $\det G\,N_{i,k}(t)=\sum_\mu g^*_{\mu i}t^\mu$
-:method: Determinants and cofactors of the kernels; the B-splines by definition.
-:degrees: 0..4 sampled 7
-:control: the cofactors transposed
-:::
-
-:::{claim} power_of_t_in_powers_of_u
-:title: The binomial theorem for t = t_r + (t_{r+1} - t_r) u
-:zh: t 的幂的二项展开
-:given: $\mu=0,\dots,k-1$, the two knots and $u$ variables
-:then: $t^\mu=\sum_j\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j$
-:method: Both sides at a variable $u$, also with $t_r=0$, where $t_r^0=1$.
-:degrees: 0..8 sampled 12
-:control: the roles of the two knots exchanged
-:::
 */
-#include "chapters/nurbs/spans.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
-
-#if FIELD
-CLAIM(marsden_matrix_holds_derivatives)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num g[CELLS], x = variable_f("x");
-    G(marsden_matrix)(k - 1, S.t, S.r, g);
-    for (int i = 0; i < k; i++)
-        for (int mu = 0; mu < k; mu++) {
-            num D = from_int(1);
-            for (int m = i + 1; m <= i + k - 1; m++)
-                D = mul(D, sub(x, S.t[m]));
-            for (int m = 0; m < (T->planted ? mu : k - 1 - mu); m++)
-                D = derivative_f(D, x);
-            D = mul(div(G(factorial)(mu), G(factorial)(k - 1)), substitute_f(D, x, from_int(0)));
-            same(T, g[mu * k + i], G(signed_by)(mu, D));
-        }
-}
-
-CLAIM(marsden_determinant_is_positive)
-{
-    int k = T->degree + 1;
-    num x[2 * LARGEST_ORDER], g[CELLS];
-    x[0] = unknown(T, "x", 0);
-    for (int m = 1; m < 2 * k; m++)
-        x[m] = add(x[m - 1], positive(T, "h", m));
-    for (int m = 0; m < G(patterns)(k); m++) {
-        struct G(span) S = G(span_of_pattern)(k, m, x);
-        G(marsden_matrix)(k - 1, S.t, S.r, g);
-        for (int j = 0; T->planted && k > 1 && j < k; j++) {
-            num first = g[j * k];
-            g[j * k] = g[j * k + 1];
-            g[j * k + 1] = first;
-        }
-        num det = G(determinant)(k, g);
-        nonnegative(T, det);
-        agree(T, !is_zero_f(det));
-    }
-}
-#endif
-
-CLAIM(cofactor_is_signed_minor)
-{
-    int n = T->degree;
-    num M[CELLS], replaced[CELLS];
-    for (int m = 0; m < n * n; m++)
-        M[m] = unknown(T, "m", m);
-    for (int row = 0; row < n; row++)
-        for (int column = 0; column < n; column++) {
-            int one = T->planted ? (row + 1) % n : row;
-            for (int i = 0; i < n; i++)
-                for (int j = 0; j < n; j++)
-                    replaced[i * n + j] = j == column ? from_int(i == one) : M[i * n + j];
-            same(T, G(cofactor)(n, M, row, column), G(leibniz)(n, 0, 0, replaced));
-        }
-}
-
-/* The cofactor of place (row, column) as a sum over permutations. */
-static num G(leibniz_cofactor)(int n, const num M[], int row, int column)
-{
-    num replaced[CELLS];
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-            replaced[i * n + j] = j == column ? from_int(i == row) : M[i * n + j];
-    return G(leibniz)(n, 0, 0, replaced);
-}
 
 /* g_{mu i} = Sym_mu(t_{i+1}, ..., t_{i+k-1}) / C(k-1, mu), from the coefficients of the product of all 1 + t_m y. */
 static void G(matrix_g)(const struct G(span) * S, num g[])
@@ -316,6 +138,30 @@ static int G(which_pattern)(trial *T, int k, int all, int m)
 {
     int last = G(patterns)(k) - 1;
     return k <= all ? m : FIELD ? (m == 0 ? last : 0) : pick(T, 0, last);
+}
+
+/*
+:::{claim} printed_cofactor_formula_gives_the_basis
+:title: The printed coefficients are those of the B-spline
+:zh: (4.4.17) 给出 B 样条基
+:given: every pattern of the 2k knots around a span up to the order 3, orders 4 and 5 with simple knots and those of Bernstein; the different knots
+  and $u$ variables; random patterns in the other number types
+:then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ as printed, and `bspline_matrix_by_marsden` has these entries
+:method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the B-splines
+  by their definition.
+:degrees: 0..4 sampled 4
+:defines: bspline_matrix_by_marsden
+:control: the cofactors transposed
+:::
+*/
+/* The cofactor of place (row, column) as a sum over permutations. */
+static num G(leibniz_cofactor)(int n, const num M[], int row, int column)
+{
+    num replaced[CELLS];
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            replaced[i * n + j] = j == column ? from_int(i == row) : M[i * n + j];
+    return G(leibniz)(n, 0, 0, replaced);
 }
 
 CLAIM(printed_cofactor_formula_gives_the_basis)
@@ -349,6 +195,41 @@ CLAIM(printed_cofactor_formula_gives_the_basis)
     }
 }
 
+/*
+:::{statement} wang-ch4:formula-4.4.17
+:title: The entries from the cofactors of G
+:zh: 由 G 的代数余子式给出矩阵元素
+:printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}
+:holds-by: printed_cofactor_formula_gives_the_basis both_explicit_matrices_agree
+:figure: both_matrices
+
+The entries do not change when all knots move by one number, although $t_r$ stands in the formula.
+:::
+
+:::{statement} wang-ch4:thm-4.4.3-equal
+:title: Two explicit matrices for the same representation
+:zh: 两种显式矩阵表示
+:printed: (4.4.12) and (4.4.17) are two explicit forms of the coefficient matrix in the most general case
+:holds-by: both_explicit_matrices_agree
+:figure: both_matrices
+
+Both are the matrix of the span, so they are equal, whatever the multiplicities of the knots.
+:::
+
+:::{claim} both_explicit_matrices_agree
+:title: The matrices by divided differences, by Marsden's identity and by Cox and de Boor agree
+:zh: 两种显式矩阵与 Cox–de Boor 展开一致
+:given: every pattern of the 2k knots around a span up to the order 5, the knots variables; random patterns in the other number
+  types
+:then: `bspline_matrix_by_differences`, `bspline_matrix_by_marsden` and `bspline_matrix` give the same matrix
+:method: Entry by entry.  `bspline_matrix` and `bspline_matrix_by_marsden` divide by differences of knots on the two sides of the
+  span only, so where they agree for simple variable knots they agree for coincident ones as well; the case distinctions of
+  the other kernel are settled column by column in the section before.
+:degrees: 0..4 sampled 6
+:scope: every multiplicity
+:control: the knot $t_{r+2}$ is moved for the second matrix
+:::
+*/
 static void G(same_entries)(trial *T, int k, const num A[], const num B[])
 {
     for (int i = 0; i < k * k; i++)
@@ -374,83 +255,20 @@ CLAIM(both_explicit_matrices_agree)
     }
 }
 
-CLAIM(marsden_determinant_is_product)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num g[CELLS], product = from_int(1);
-    G(matrix_g)(&S, g);
-    for (int a = 0; a <= S.r; a++)
-        for (int b = S.r + 1; b < 2 * k; b++)
-            if (b - a <= k - 1 + T->planted)
-                product = mul(product, sub(S.t[b], S.t[a]));
-    for (int j = 0; j < k; j++)
-        product = div(product, G(choose)(k - 1, j));
-    num det = G(determinant)(k, g);
-    about(T, "determinant and product");
-    same(T, det, product);
-    about(T, "determinant and kernel");
-    same(T, det, G(marsden_determinant)(k - 1, S.t, S.r));
-    about(T, "two determinants");
-    if (k <= 4)
-        same(T, det, G(leibniz)(k, 0, 0, g));
-}
-
-CLAIM(singular_g_makes_powers_dependent)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num g[CELLS], c[LARGEST_ORDER], t = parameter(T, "t"), left = from_int(0), right = from_int(0);
-    G(matrix_g)(&S, g);
-    for (int mu = 0; mu < k; mu++) {
-        c[mu] = unknown(T, "c", mu);
-        left = add(left, mul(c[mu], G(power)(t, mu)));
-    }
-    for (int i = 0; i < k; i++) {
-        num sum = from_int(0);
-        for (int mu = 0; mu < k; mu++)
-            sum = add(sum, mul(T->planted ? g[i * k + mu] : g[mu * k + i], c[mu]));
-        right = add(right, mul(sum, G(basis_value)(&S, i, k, t)));
-    }
-    same(T, left, right);
-}
-
-CLAIM(cofactors_give_powers_of_t)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num g[CELLS], t = parameter(T, "t");
-    G(matrix_g)(&S, g);
-    num det = G(determinant)(k, g);
-    for (int i = 0; i < k; i++) {
-        num sum = from_int(0);
-        for (int mu = 0; mu < k; mu++) {
-            num star = T->planted ? G(cofactor)(k, g, i, mu) : G(cofactor)(k, g, mu, i);
-            sum = add(sum, mul(star, G(power)(t, mu)));
-        }
-        same(T, sum, mul(det, G(basis_value)(&S, i, k, t)));
-    }
-}
-
-CLAIM(power_of_t_in_powers_of_u)
-{
-    int mu = T->degree;
-    num t[2], u = parameter(T, "u");
-    G(increasing)(T, 2, t);
-    for (int zero = 0; zero <= 1; zero++) {
-        if (zero)
-            t[0] = from_int(0);
-        num at = add(t[0], mul(u, sub(t[1], t[0]))), sum = from_int(0);
-        int a = T->planted ? 1 : 0, b = 1 - a;
-        for (int j = 0; j <= mu; j++) {
-            num factor = mul(G(power)(sub(t[b], t[a]), j), G(power)(t[a], mu - j));
-            sum = add(sum, mul(G(choose)(mu, j), mul(factor, G(power)(u, j))));
-        }
-        same(T, G(power)(at, mu), sum);
-    }
-}
-
 #if RATIONAL
+/*
+:::{claim} both_explicit_matrices_agree_for_every_multiplicity
+:title: The three matrices agree for every pattern of knots up to order 5, at rational knots
+:zh: 五阶以内一切重数下三矩阵一致
+:kind: decision
+:given: orders 1 to 5, all $4^{k-1}$ patterns of the 2k knots around a span, one increasing sequence of rational knots for
+  each; order 8 with 6 patterns, from simple knots to $k$-fold ones
+:then: the three kernels give the same matrix
+:method: All entries are compared.
+:scope: the stated knots
+:control: simple knots for the third matrix in the place of the pattern
+:::
+*/
 CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
 {
     num x[2 * LARGEST_ORDER], A[CELLS], B[CELLS], C[CELLS];
@@ -475,7 +293,94 @@ CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
         }
     }
 }
+#endif
 
+/*
+## Why G is invertible
+
+:::{statement} wang-ch4:thm-4.4.3-step-det
+:title: The determinant of G is not 0
+:zh: det G ≠ 0
+:printed: \det\mathbf G_{r,k,T}\ne0
+:holds-by: marsden_determinant_is_product marsden_determinant_is_positive
+:needs: empty_span_makes_g_singular | the span is not empty
+:figure: both_matrices
+
+More is true: $\det G=\prod_{a\le r<b,\ b-a\le k-1}(t_b-t_a)\big/\prod_{j=0}^{k-1}\binom{k-1}j>0$.
+:::
+
+:::{claim} marsden_determinant_is_product
+:title: The determinant of G is a product of differences of knots
+:zh: det G 的乘积公式
+:given: orders $k=p+1$, knots variables
+:then: $\det G=\prod(t_b-t_a)/\prod_j\binom{k-1}j$ over the pairs $a\le r<b$ with $b-a\le k-1$, as `marsden_determinant`
+  computes it
+:method: The determinant of the matrix of symmetric functions: over all permutations up to $k=4$, by Bird's algorithm above.
+:degrees: 0..4 sampled 7
+:defines: marsden_determinant
+:control: the pairs with $b-a\le k$
+:::
+*/
+CLAIM(marsden_determinant_is_product)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num g[CELLS], product = from_int(1);
+    G(matrix_g)(&S, g);
+    for (int a = 0; a <= S.r; a++)
+        for (int b = S.r + 1; b < 2 * k; b++)
+            if (b - a <= k - 1 + T->planted)
+                product = mul(product, sub(S.t[b], S.t[a]));
+    for (int j = 0; j < k; j++)
+        product = div(product, G(choose)(k - 1, j));
+    num det = G(determinant)(k, g);
+    about(T, "determinant and product");
+    same(T, det, product);
+    about(T, "determinant and kernel");
+    same(T, det, G(marsden_determinant)(k - 1, S.t, S.r));
+    about(T, "two determinants");
+    if (k <= 4)
+        same(T, det, G(leibniz)(k, 0, 0, g));
+}
+
+#if FIELD
+/*
+:::{claim} marsden_determinant_is_positive
+:title: On a span that is not empty the determinant is positive, whatever the multiplicities
+:zh: 非空区间上 det G>0
+:given: every pattern of the 2k knots around a span up to the order 4, the steps from each different knot to the next
+  positive variables
+:then: $\det G>0$
+:method: Written in the steps all coefficients are positive, and there is one at least.  For greater orders there is
+  `marsden_determinant_is_product`, where every factor is positive: $t_a\le t_r<t_{r+1}\le t_b$.
+:types: field
+:degrees: 0..3
+:control: the determinant with its first two columns exchanged
+:::
+*/
+CLAIM(marsden_determinant_is_positive)
+{
+    int k = T->degree + 1;
+    num x[2 * LARGEST_ORDER], g[CELLS];
+    x[0] = unknown(T, "x", 0);
+    for (int m = 1; m < 2 * k; m++)
+        x[m] = add(x[m - 1], positive(T, "h", m));
+    for (int m = 0; m < G(patterns)(k); m++) {
+        struct G(span) S = G(span_of_pattern)(k, m, x);
+        G(marsden_matrix)(k - 1, S.t, S.r, g);
+        for (int j = 0; T->planted && k > 1 && j < k; j++) {
+            num first = g[j * k];
+            g[j * k] = g[j * k + 1];
+            g[j * k + 1] = first;
+        }
+        num det = G(determinant)(k, g);
+        nonnegative(T, det);
+        agree(T, !is_zero_f(det));
+    }
+}
+#endif
+
+#if RATIONAL
 /*
 :::{claim} empty_span_makes_g_singular
 :title: On an empty span the determinant of G is 0
@@ -496,7 +401,50 @@ CLAIM(empty_span_makes_g_singular)
     about(T, "det G is not 0");
     agree(T, !is_zero_q(G(determinant)(2, g)));
 }
+#endif
 
+/*
+:::{statement} wang-ch4:thm-4.4.3-step-det-reason
+:title: The reason given: linear independence of the basis
+:zh: 由线性无关性推出 det G ≠ 0
+:printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
+:holds-by: singular_g_makes_powers_dependent
+:needs: independent_functions_do_not_suffice | the basis that is used is that of the powers on the left of (4.4.21); the
+  independence of the B-splines alone does not say that $k$ combinations of them are independent
+
+A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of the B-splines is then a consequence.
+:::
+
+:::{claim} singular_g_makes_powers_dependent
+:title: A combination of the rows of G is the combination of the powers
+:zh: G 的行组合对应幂函数组合
+:given: orders $k=p+1$, simple knots, $t$ and numbers $c_0,\dots,c_{k-1}$, all variables
+:then: $\sum_\mu c_\mu t^\mu=\sum_i(G^Tc)_iN_{i,k}(t)$; so $G^Tc=0$ makes the polynomial vanish, and $c=0$
+:method: Both sides at a variable $t$.
+:degrees: 0..5 sampled 7
+:control: $G$ in the place of its transpose
+:::
+*/
+CLAIM(singular_g_makes_powers_dependent)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num g[CELLS], c[LARGEST_ORDER], t = parameter(T, "t"), left = from_int(0), right = from_int(0);
+    G(matrix_g)(&S, g);
+    for (int mu = 0; mu < k; mu++) {
+        c[mu] = unknown(T, "c", mu);
+        left = add(left, mul(c[mu], G(power)(t, mu)));
+    }
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        for (int mu = 0; mu < k; mu++)
+            sum = add(sum, mul(T->planted ? g[i * k + mu] : g[mu * k + i], c[mu]));
+        right = add(right, mul(sum, G(basis_value)(&S, i, k, t)));
+    }
+    same(T, left, right);
+}
+
+#if RATIONAL
 /*
 :::{claim} independent_functions_do_not_suffice
 :title: Combinations of independent functions may be dependent
@@ -517,4 +465,77 @@ CLAIM(independent_functions_do_not_suffice)
     agree(T, !is_zero_q(G(determinant)(2, M)));
 }
 #endif
+
+/*
+:::{statement} wang-ch4:thm-4.4.3-step-inverse
+:title: The B-splines in powers of t
+:zh: B 样条基按 t 的幂展开
+:printed: N_{i,k}(t)=\sum_{\mu=0}^{k-1}g^*_{\mu i}t^\mu/\det\mathbf G_{r,k,T}
+:holds-by: cofactors_give_powers_of_t
+:figure: both_matrices
+:::
+
+:::{claim} cofactors_give_powers_of_t
+:title: The cofactors give the B-splines in powers of t
+:zh: 代数余子式给出 B 样条基
+:given: orders $k=p+1$, simple knots and $t$ variables
+:then: $\det G\,N_{i,k}(t)=\sum_\mu g^*_{\mu i}t^\mu$
+:method: Determinants and cofactors of the kernels; the B-splines by definition.
+:degrees: 0..4 sampled 7
+:control: the cofactors transposed
+:::
+*/
+CLAIM(cofactors_give_powers_of_t)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num g[CELLS], t = parameter(T, "t");
+    G(matrix_g)(&S, g);
+    num det = G(determinant)(k, g);
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        for (int mu = 0; mu < k; mu++) {
+            num star = T->planted ? G(cofactor)(k, g, i, mu) : G(cofactor)(k, g, mu, i);
+            sum = add(sum, mul(star, G(power)(t, mu)));
+        }
+        same(T, sum, mul(det, G(basis_value)(&S, i, k, t)));
+    }
+}
+
+/*
+:::{statement} wang-ch4:thm-4.4.3-step-power
+:title: The powers of t in powers of u
+:zh: t 的幂按 u 的幂展开
+:printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,\dots,k-1
+:holds-by: power_of_t_in_powers_of_u
+:::
+
+:::{claim} power_of_t_in_powers_of_u
+:title: The binomial theorem for t = t_r + (t_{r+1} - t_r) u
+:zh: t 的幂的二项展开
+:given: $\mu=0,\dots,k-1$, the two knots and $u$ variables
+:then: $t^\mu=\sum_j\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j$
+:method: Both sides at a variable $u$, also with $t_r=0$, where $t_r^0=1$.
+:degrees: 0..8 sampled 12
+:control: the roles of the two knots exchanged
+:::
+*/
+CLAIM(power_of_t_in_powers_of_u)
+{
+    int mu = T->degree;
+    num t[2], u = parameter(T, "u");
+    G(increasing)(T, 2, t);
+    for (int zero = 0; zero <= 1; zero++) {
+        if (zero)
+            t[0] = from_int(0);
+        num at = add(t[0], mul(u, sub(t[1], t[0]))), sum = from_int(0);
+        int a = T->planted ? 1 : 0, b = 1 - a;
+        for (int j = 0; j <= mu; j++) {
+            num factor = mul(G(power)(sub(t[b], t[a]), j), G(power)(t[a], mu - j));
+            sum = add(sum, mul(G(choose)(mu, j), mul(factor, G(power)(u, j))));
+        }
+        same(T, G(power)(at, mu), sum);
+    }
+}
+
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,12 @@
 A power $(x-t)^{k-1}$ is a combination of the $k$ B-splines of a span, with coefficients that are products of linear
 factors: the knots inside the support of the function, put into $x-t$ one by one.  Everything that a basis has to be able
 to do follows from it: it reproduces the powers of $t$, hence all polynomials.
+*/
+#include "chapters/nurbs/spans.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:formula-4.4.14
 :title: The coefficients of Marsden's identity
 :zh: Marsden 系数 ω
@@ -15,85 +20,7 @@ to do follows from it: it reproduces the powers of $t$, hence all polynomials.
 
 For $k=1$ it is the empty product.
 :::
-
-:::{statement} wang-ch4:thm-4.4.2
-:title: Marsden's identity
-:zh: 定理 4.4.2 Marsden 恒等式
-:printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad t\in[t_r,t_{r+1}),\ \text{all }x
-:holds-by: marsden_identity marsden_identity_for_every_pattern
-:needs: marsden_identity_ends_with_the_span | $t$ lies in the span whose functions are summed
-:figure: marsden_identity
-:::
-
-:::{statement} wang-ch4:formula-4.4.13
-:title: The identity as one of polynomials in x and t
-:zh: 恒等式作为 x 与 t 的多项式恒等式
-:printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
-:holds-by: marsden_identity marsden_identity_up_to_order_eight
-:figure: marsden_identity
-
-With the polynomials of the span in the places of the $N_{i,k}$ it holds for all $t$, not in the span alone.
-:::
-
-:::{claim} marsden_coefficients_vanish_at_inner_knots
-:title: The kernel's coefficients are the products of x minus the inner knots
-:zh: ω 的系数与零点
-:given: orders $k=p+1$, the 2k knots and $x$ variables
-:then: `marsden_coefficients` gives $\sum_j(-1)^j\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,x^{k-1-j}$, with $\mathrm{Sym}_j$ the
-  sum over all subsets of $j$ knots
-:method: The product of the kernel against the sum over the $2^{k-1}$ subsets of the inner knots.
-:degrees: 0..6 sampled 8
-:defines: marsden_coefficients
-:control: the knots $t_i,\dots,t_{i+k-2}$ in the place of $t_{i+1},\dots,t_{i+k-1}$
-:::
-
-:::{claim} elementary_symmetric_is_sum_over_subsets
-:title: The elementary symmetric functions are sums over subsets
-:zh: 初等对称函数
-:given: $n$ variables $x_1,\dots,x_n$
-:then: `elementary_symmetric` gives for each $j$ the sum over all $i_1<\dots<i_j$ of $x_{i_1}\cdots x_{i_j}$
-:method: The kernel multiplies linear factors one by one; the other side goes through the $2^n$ subsets.
-:degrees: 0..7 sampled 12
-:defines: elementary_symmetric
-:control: the last variable taken twice
-:::
-
-:::{claim} marsden_identity
-:title: Marsden's identity for knots, x and t as variables
-:zh: Marsden 恒等式(节点为变量)
-:given: orders $k=p+1$, simple knots, all variables; $x$ and $t$ variables
-:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
-:method: The B-splines by their definition.  On the span they are rational functions of the knots whose denominators are
-  differences of knots on its two sides; so the identity holds for coincident knots as well.
-:degrees: 0..5 sampled 7
-:control: the coefficient of the first function left out
-:::
-
-:::{claim} marsden_identity_for_every_pattern
-:title: Marsden's identity for coincident knots
-:zh: 重节点下的 Marsden 恒等式
-:given: every pattern of the 2k knots around a span up to the order 4, the different knots, $x$ and $t$ variables; for
-  greater orders random patterns in rationals
-:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
-:method: As for simple knots, with the rule $0/0=0$ in the definition of the B-splines.
-:degrees: 0..4 sampled 7
-:control: $x$ and $t$ exchanged on the right
-:::
-
-:::{claim} marsden_identity_up_to_order_eight
-:title: Marsden's identity for greater orders
-:zh: 高阶 Marsden 恒等式
-:given: orders $k=p+1$ from 1 to 8, $x$, $t$ and $t_r$ variables; the other knots equidistant around $t_r$, or all equal on
-  each side
-:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
-:method: The B-splines from the kernel of the basis, at a variable $t$.
-:degrees: 0..7 sampled 12
-:control: the coefficient of the last function left out
-:::
 */
-#include "chapters/nurbs/spans.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* Sym_j(x_0, ..., x_{n-1}) as the sum over all subsets of j elements. */
 static num G(symmetric_sum)(int n, const num x[], int j)
@@ -113,15 +40,19 @@ static num G(symmetric_sum)(int n, const num x[], int j)
     return sum;
 }
 
-/* omega_{i,k}(x) by its letter. */
-static num G(omega)(const struct G(span) * S, int i, int k, num x)
-{
-    num product = from_int(1);
-    for (int m = i + 1; m <= i + k - 1; m++)
-        product = mul(product, sub(x, S->t[m]));
-    return product;
-}
-
+/*
+:::{claim} marsden_coefficients_vanish_at_inner_knots
+:title: The kernel's coefficients are the products of x minus the inner knots
+:zh: ω 的系数与零点
+:given: orders $k=p+1$, the 2k knots and $x$ variables
+:then: `marsden_coefficients` gives $\sum_j(-1)^j\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,x^{k-1-j}$, with $\mathrm{Sym}_j$ the
+  sum over all subsets of $j$ knots
+:method: The product of the kernel against the sum over the $2^{k-1}$ subsets of the inner knots.
+:degrees: 0..6 sampled 8
+:defines: marsden_coefficients
+:control: the knots $t_i,\dots,t_{i+k-2}$ in the place of $t_{i+1},\dots,t_{i+k-1}$
+:::
+*/
 CLAIM(marsden_coefficients_vanish_at_inner_knots)
 {
     int k = T->degree + 1;
@@ -138,6 +69,18 @@ CLAIM(marsden_coefficients_vanish_at_inner_knots)
     }
 }
 
+/*
+:::{claim} elementary_symmetric_is_sum_over_subsets
+:title: The elementary symmetric functions are sums over subsets
+:zh: 初等对称函数
+:given: $n$ variables $x_1,\dots,x_n$
+:then: `elementary_symmetric` gives for each $j$ the sum over all $i_1<\dots<i_j$ of $x_{i_1}\cdots x_{i_j}$
+:method: The kernel multiplies linear factors one by one; the other side goes through the $2^n$ subsets.
+:degrees: 0..7 sampled 12
+:defines: elementary_symmetric
+:control: the last variable taken twice
+:::
+*/
 CLAIM(elementary_symmetric_is_sum_over_subsets)
 {
     int n = T->degree;
@@ -151,6 +94,38 @@ CLAIM(elementary_symmetric_is_sum_over_subsets)
         same(T, s[j], G(symmetric_sum)(n, x, j));
 }
 
+/*
+:::{statement} wang-ch4:thm-4.4.2
+:title: Marsden's identity
+:zh: 定理 4.4.2 Marsden 恒等式
+:printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad t\in[t_r,t_{r+1}),\ \text{all }x
+:holds-by: marsden_identity marsden_identity_for_every_pattern
+:needs: marsden_identity_ends_with_the_span | $t$ lies in the span whose functions are summed
+:figure: marsden_identity
+:::
+*/
+
+/* omega_{i,k}(x) by its letter. */
+static num G(omega)(const struct G(span) * S, int i, int k, num x)
+{
+    num product = from_int(1);
+    for (int m = i + 1; m <= i + k - 1; m++)
+        product = mul(product, sub(x, S->t[m]));
+    return product;
+}
+
+/*
+:::{claim} marsden_identity
+:title: Marsden's identity for knots, x and t as variables
+:zh: Marsden 恒等式(节点为变量)
+:given: orders $k=p+1$, simple knots, all variables; $x$ and $t$ variables
+:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
+:method: The B-splines by their definition.  On the span they are rational functions of the knots whose denominators are
+  differences of knots on its two sides; so the identity holds for coincident knots as well.
+:degrees: 0..5 sampled 7
+:control: the coefficient of the first function left out
+:::
+*/
 CLAIM(marsden_identity)
 {
     int k = T->degree + 1;
@@ -161,6 +136,18 @@ CLAIM(marsden_identity)
     same(T, sum, G(power)(sub(x, t), k - 1));
 }
 
+/*
+:::{claim} marsden_identity_for_every_pattern
+:title: Marsden's identity for coincident knots
+:zh: 重节点下的 Marsden 恒等式
+:given: every pattern of the 2k knots around a span up to the order 4, the different knots, $x$ and $t$ variables; for
+  greater orders random patterns in rationals
+:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
+:method: As for simple knots, with the rule $0/0=0$ in the definition of the B-splines.
+:degrees: 0..4 sampled 7
+:control: $x$ and $t$ exchanged on the right
+:::
+*/
 CLAIM(marsden_identity_for_every_pattern)
 {
     int k = T->degree + 1;
@@ -173,22 +160,6 @@ CLAIM(marsden_identity_for_every_pattern)
         for (int i = 0; i < k; i++)
             sum = add(sum, mul(w[i], G(basis_value)(&S, i, k, t)));
         same(T, sum, G(power)(T->planted ? sub(t, x) : sub(x, t), k - 1));
-    }
-}
-
-CLAIM(marsden_identity_up_to_order_eight)
-{
-    int p = T->degree;
-    num knots[32], N[16], w[16], x = unknown(T, "x", 0), t = parameter(T, "t"), start = unknown(T, "a", 0);
-    for (int equal = 0; equal <= 1; equal++) {
-        for (int m = 0; m < 2 * p + 2; m++)
-            knots[m] = add(start, from_int(equal ? m > p : m - p));
-        num sum = from_int(0);
-        G(bspline_basis)(p, knots, p, t, N);
-        G(marsden_coefficients)(p, knots, p, x, w);
-        for (int i = 0; i <= p - T->planted; i++)
-            sum = add(sum, mul(w[i], N[i]));
-        same(T, sum, G(power)(sub(x, t), p));
     }
 }
 
@@ -225,6 +196,44 @@ CLAIM(marsden_identity_ends_with_the_span)
 #endif
 
 /*
+:::{statement} wang-ch4:formula-4.4.13
+:title: The identity as one of polynomials in x and t
+:zh: 恒等式作为 x 与 t 的多项式恒等式
+:printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
+:holds-by: marsden_identity marsden_identity_up_to_order_eight
+:figure: marsden_identity
+
+With the polynomials of the span in the places of the $N_{i,k}$ it holds for all $t$, not in the span alone.
+:::
+
+:::{claim} marsden_identity_up_to_order_eight
+:title: Marsden's identity for greater orders
+:zh: 高阶 Marsden 恒等式
+:given: orders $k=p+1$ from 1 to 8, $x$, $t$ and $t_r$ variables; the other knots equidistant around $t_r$, or all equal on
+  each side
+:then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
+:method: The B-splines from the kernel of the basis, at a variable $t$.
+:degrees: 0..7 sampled 12
+:control: the coefficient of the last function left out
+:::
+*/
+CLAIM(marsden_identity_up_to_order_eight)
+{
+    int p = T->degree;
+    num knots[32], N[16], w[16], x = unknown(T, "x", 0), t = parameter(T, "t"), start = unknown(T, "a", 0);
+    for (int equal = 0; equal <= 1; equal++) {
+        for (int m = 0; m < 2 * p + 2; m++)
+            knots[m] = add(start, from_int(equal ? m > p : m - p));
+        num sum = from_int(0);
+        G(bspline_basis)(p, knots, p, t, N);
+        G(marsden_coefficients)(p, knots, p, x, w);
+        for (int i = 0; i <= p - T->planted; i++)
+            sum = add(sum, mul(w[i], N[i]));
+        same(T, sum, G(power)(sub(x, t), p));
+    }
+}
+
+/*
 ## The proof (证明)
 
 The proof takes the recursion of Cox and de Boor from the functions to the coefficients: one level less for the functions
@@ -242,46 +251,16 @@ is one level of de Boor's algorithm for the coefficients.
 (2.1.1) is not in the text at hand; it is read as the recursion together with the functions of order 1 from which it begins.  As the
 step of the recursion alone it does not suffice: then the supports are used as well.
 :::
+*/
 
-:::{statement} wang-ch4:thm-4.4.2-order-1
-:title: For k = 1 the identity is obvious
-:zh: k=1 时恒等式显然
-:printed: k=1:\quad(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)
-:holds-by: marsden_identity
-:::
+static num G(level_of_coefficients)(const struct G(span) * S, int i, int k, const num W[], num t, int exchanged)
+{
+    num length = sub(S->t[i + k - 1], S->t[i]);
+    num rise = div(sub(t, S->t[i]), length), fall = div(sub(S->t[i + k - 1], t), length);
+    return exchanged ? add(mul(fall, W[i]), mul(rise, W[i - 1])) : add(mul(rise, W[i]), mul(fall, W[i - 1]));
+}
 
-:::{statement} wang-ch4:formula-4.4.15
-:title: One level of the recursion, moved to the coefficients
-:zh: 递推转移到系数
-:printed: \sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t),\quad
-  W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
-:holds-by: one_level_moves_to_the_coefficients
-:needs: one_level_needs_the_span | the functions at the ends, $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish on the span
-:figure: marsden_identity
-
-The denominators that occur are differences of knots on the two sides of the span.
-:::
-
-:::{statement} wang-ch4:thm-4.4.2-step-omega
-:title: For the coefficients of the identity one level takes off a factor
-:zh: ω 经一层递推降一阶
-:printed: W_i^0=\omega_{i,k}(x)\ \Rightarrow\ W_i^1=(x-t)\,\omega_{i,k-1}(x)
-:holds-by: one_level_takes_off_a_factor
-:figure: marsden_identity
-
-The second index of $\omega$ is an iota in the source; the order $k$ is meant: with $\omega_{i,1}=1$ the left side is the
-constant 1.
-:::
-
-:::{statement} wang-ch4:thm-4.4.2-step-chain
-:title: The chain of the proof
-:zh: 逐层递推的等式链
-:printed: \sum_{i=r-k+1}^r\omega_{i,k}N_{i,k}=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}N_{i,k-1}=\dots=(x-t)^{k-1}\omega_{r,1}
-  N_{r,1}=(x-t)^{k-1}
-:holds-by: every_link_of_the_chain
-:figure: marsden_identity
-:::
-
+/*
 :::{claim} one_level_moves_to_the_coefficients
 :title: The level of the coefficients is that of de Boor's algorithm
 :zh: 系数的一层递推即 de Boor 算法
@@ -292,35 +271,7 @@ constant 1.
 :degrees: 1..5 sampled 7
 :control: the two fractions in $W_i^1$ exchanged
 :::
-
-:::{claim} one_level_takes_off_a_factor
-:title: The level applied to the products
-:zh: 对 ω 施行一层递推
-:given: orders $k\ge2$, knots, $x$ and $t$ variables
-:then: $\frac{t-t_i}{t_{i+k-1}-t_i}\omega_{i,k}(x)+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}\omega_{i-1,k}(x)=(x-t)\,
-  \omega_{i,k-1}(x)$ for $i=r-k+2,\dots,r$
-:method: Both sides are products and a sum of two products.
-:degrees: 1..6 sampled 8
-:control: $\omega_{i+1,k-1}$ on the right
-:::
-
-:::{claim} every_link_of_the_chain
-:title: Every link of the chain
-:zh: 等式链逐环成立
-:given: orders $k=p+1$, simple knots, $x$ and $t$ variables
-:then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
-:method: Each sum by itself, from the definitions.
-:degrees: 0..5 sampled 7
-:control: the sums begin at $i=r-m+2$
-:::
 */
-static num G(level_of_coefficients)(const struct G(span) * S, int i, int k, const num W[], num t, int exchanged)
-{
-    num length = sub(S->t[i + k - 1], S->t[i]);
-    num rise = div(sub(t, S->t[i]), length), fall = div(sub(S->t[i + k - 1], t), length);
-    return exchanged ? add(mul(fall, W[i]), mul(rise, W[i - 1])) : add(mul(rise, W[i]), mul(fall, W[i - 1]));
-}
-
 CLAIM(one_level_moves_to_the_coefficients)
 {
     int k = T->degree + 1;
@@ -342,6 +293,18 @@ CLAIM(one_level_moves_to_the_coefficients)
     }
 }
 
+/*
+:::{claim} one_level_takes_off_a_factor
+:title: The level applied to the products
+:zh: 对 ω 施行一层递推
+:given: orders $k\ge2$, knots, $x$ and $t$ variables
+:then: $\frac{t-t_i}{t_{i+k-1}-t_i}\omega_{i,k}(x)+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}\omega_{i-1,k}(x)=(x-t)\,
+  \omega_{i,k-1}(x)$ for $i=r-k+2,\dots,r$
+:method: Both sides are products and a sum of two products.
+:degrees: 1..6 sampled 8
+:control: $\omega_{i+1,k-1}$ on the right
+:::
+*/
 CLAIM(one_level_takes_off_a_factor)
 {
     int k = T->degree + 1;
@@ -354,6 +317,17 @@ CLAIM(one_level_takes_off_a_factor)
              mul(sub(x, t), G(omega)(&S, i + (T->planted && k > 2), k - 1, x)));
 }
 
+/*
+:::{claim} every_link_of_the_chain
+:title: Every link of the chain
+:zh: 等式链逐环成立
+:given: orders $k=p+1$, simple knots, $x$ and $t$ variables
+:then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
+:method: Each sum by itself, from the definitions.
+:degrees: 0..5 sampled 7
+:control: the sums begin at $i=r-m+2$
+:::
+*/
 CLAIM(every_link_of_the_chain)
 {
     int k = T->degree + 1;
@@ -396,6 +370,45 @@ CLAIM(one_level_needs_the_span)
 #endif
 
 /*
+:::{statement} wang-ch4:thm-4.4.2-order-1
+:title: For k = 1 the identity is obvious
+:zh: k=1 时恒等式显然
+:printed: k=1:\quad(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)
+:holds-by: marsden_identity
+:::
+
+:::{statement} wang-ch4:formula-4.4.15
+:title: One level of the recursion, moved to the coefficients
+:zh: 递推转移到系数
+:printed: \sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t),\quad
+  W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0
+:holds-by: one_level_moves_to_the_coefficients
+:needs: one_level_needs_the_span | the functions at the ends, $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish on the span
+:figure: marsden_identity
+
+The denominators that occur are differences of knots on the two sides of the span.
+:::
+
+:::{statement} wang-ch4:thm-4.4.2-step-omega
+:title: For the coefficients of the identity one level takes off a factor
+:zh: ω 经一层递推降一阶
+:printed: W_i^0=\omega_{i,k}(x)\ \Rightarrow\ W_i^1=(x-t)\,\omega_{i,k-1}(x)
+:holds-by: one_level_takes_off_a_factor
+:figure: marsden_identity
+
+The second index of $\omega$ is an iota in the source; the order $k$ is meant: with $\omega_{i,1}=1$ the left side is the
+constant 1.
+:::
+
+:::{statement} wang-ch4:thm-4.4.2-step-chain
+:title: The chain of the proof
+:zh: 逐层递推的等式链
+:printed: \sum_{i=r-k+1}^r\omega_{i,k}N_{i,k}=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}N_{i,k-1}=\dots=(x-t)^{k-1}\omega_{r,1}
+  N_{r,1}=(x-t)^{k-1}
+:holds-by: every_link_of_the_chain
+:figure: marsden_identity
+:::
+
 ## The powers of t
 
 Comparing the coefficients of the powers of $x$ on both sides gives the powers of $t$ as combinations of B-splines.
@@ -415,36 +428,18 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :holds-by: powers_of_t_from_derivatives
 :figure: powers_from_averages
 :::
+*/
 
-:::{statement} wang-ch4:formula-4.4.22
-:title: The powers of t with symmetric functions of the knots
-:zh: 用对称函数表示的幂函数公式
-:printed: t^j=\sum_{i=r-k+1}^r\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,N_{i,k}(t)\Big/\binom{k-1}j,\quad t\in[t_r,t_{r+1})
-:holds-by: powers_of_t_from_symmetric_functions
-:figure: powers_from_averages
+#if FIELD
+static num G(omega_derivative)(const struct G(span) * S, int i, int order)
+{
+    num x = variable_f("x"), D = G(omega)(S, i, S->k, x);
+    for (int m = 0; m < order; m++)
+        D = derivative_f(D, x);
+    return substitute_f(D, x, from_int(0));
+}
 
-For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
-:::
-
-:::{statement} wang-ch4:formula-4.4.22-sym
-:title: The symmetric functions
-:zh: 第 j 个对称函数
-:printed: \mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})=\sum_{i+1\le i_1<\dots<i_j\le i+k-1}t_{i_1}\cdots t_{i_j}
-:definition: yes
-:checked-by: elementary_symmetric_is_sum_over_subsets
-:figure: powers_from_averages
-
-For $j=0$ the sum has one term, the empty product 1.
-:::
-
-:::{statement} wang-ch4:formula-4.4.22-step
-:title: The derivatives of omega at 0 are symmetric functions
-:zh: ω 在 0 处的导数与对称函数
-:printed: \omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})
-:holds-by: derivatives_of_omega_are_symmetric
-:figure: powers_from_averages
-:::
-
+/*
 :::{claim} powers_of_t_from_derivatives
 :title: The powers of t from the derivatives of omega at 0
 :zh: 由 ω 的导数得幂函数
@@ -455,37 +450,7 @@ For $j=0$ the sum has one term, the empty product 1.
 :degrees: 0..5
 :control: the sign $(-1)^\mu$ left out
 :::
-
-:::{claim} powers_of_t_from_symmetric_functions
-:title: The powers of t from the symmetric functions of the knots
-:zh: 由对称函数得幂函数
-:given: orders $k=p+1$, every pattern of the knots up to the order 3, else simple knots; knots and $t$ variables
-:then: (4.4.22) for every $j$
-:method: The symmetric functions as sums over subsets, the B-splines by definition.
-:degrees: 0..5 sampled 7
-:control: the knots $t_i,\dots,t_{i+k-2}$
-:::
-
-:::{claim} derivatives_of_omega_are_symmetric
-:title: The derivative of order k-1-j of omega at 0
-:zh: ω 的 k-1-j 阶导数
-:given: orders $k=p+1$, knots variables
-:then: $\omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j$
-:method: The formal derivative in the field against the sum over subsets.
-:types: field
-:degrees: 0..6
-:control: the sign $(-1)^j$ left out
-:::
 */
-#if FIELD
-static num G(omega_derivative)(const struct G(span) * S, int i, int order)
-{
-    num x = variable_f("x"), D = G(omega)(S, i, S->k, x);
-    for (int m = 0; m < order; m++)
-        D = derivative_f(D, x);
-    return substitute_f(D, x, from_int(0));
-}
-
 CLAIM(powers_of_t_from_derivatives)
 {
     int k = T->degree + 1;
@@ -501,19 +466,29 @@ CLAIM(powers_of_t_from_derivatives)
         same(T, G(power)(t, mu), G(signed_by)(T->planted ? 0 : mu, sum));
     }
 }
-
-CLAIM(derivatives_of_omega_are_symmetric)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    for (int i = 0; i < k; i++)
-        for (int j = 0; j < k; j++) {
-            num size = mul(G(factorial)(k - 1 - j), G(symmetric_sum)(k - 1, S.t + i + 1, j));
-            same(T, G(omega_derivative)(&S, i, k - 1 - j), G(signed_by)(T->planted ? 0 : j, size));
-        }
-}
 #endif
 
+/*
+:::{statement} wang-ch4:formula-4.4.22
+:title: The powers of t with symmetric functions of the knots
+:zh: 用对称函数表示的幂函数公式
+:printed: t^j=\sum_{i=r-k+1}^r\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,N_{i,k}(t)\Big/\binom{k-1}j,\quad t\in[t_r,t_{r+1})
+:holds-by: powers_of_t_from_symmetric_functions
+:figure: powers_from_averages
+
+For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
+:::
+
+:::{claim} powers_of_t_from_symmetric_functions
+:title: The powers of t from the symmetric functions of the knots
+:zh: 由对称函数得幂函数
+:given: orders $k=p+1$, every pattern of the knots up to the order 3, else simple knots; knots and $t$ variables
+:then: (4.4.22) for every $j$
+:method: The symmetric functions as sums over subsets, the B-splines by definition.
+:degrees: 0..5 sampled 7
+:control: the knots $t_i,\dots,t_{i+k-2}$
+:::
+*/
 CLAIM(powers_of_t_from_symmetric_functions)
 {
     int k = T->degree + 1;
@@ -533,4 +508,51 @@ CLAIM(powers_of_t_from_symmetric_functions)
         }
     }
 }
+
+/*
+:::{statement} wang-ch4:formula-4.4.22-sym
+:title: The symmetric functions
+:zh: 第 j 个对称函数
+:printed: \mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})=\sum_{i+1\le i_1<\dots<i_j\le i+k-1}t_{i_1}\cdots t_{i_j}
+:definition: yes
+:checked-by: elementary_symmetric_is_sum_over_subsets
+:figure: powers_from_averages
+
+For $j=0$ the sum has one term, the empty product 1.
+:::
+
+:::{statement} wang-ch4:formula-4.4.22-step
+:title: The derivatives of omega at 0 are symmetric functions
+:zh: ω 在 0 处的导数与对称函数
+:printed: \omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})
+:holds-by: derivatives_of_omega_are_symmetric
+:figure: powers_from_averages
+:::
+*/
+
+#if FIELD
+/*
+:::{claim} derivatives_of_omega_are_symmetric
+:title: The derivative of order k-1-j of omega at 0
+:zh: ω 的 k-1-j 阶导数
+:given: orders $k=p+1$, knots variables
+:then: $\omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j$
+:method: The formal derivative in the field against the sum over subsets.
+:types: field
+:degrees: 0..6
+:control: the sign $(-1)^j$ left out
+:::
+*/
+CLAIM(derivatives_of_omega_are_symmetric)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    for (int i = 0; i < k; i++)
+        for (int j = 0; j < k; j++) {
+            num size = mul(G(factorial)(k - 1 - j), G(symmetric_sum)(k - 1, S.t + i + 1, j));
+            same(T, G(omega_derivative)(&S, i, k - 1 - j), G(signed_by)(T->planted ? 0 : j, size));
+        }
+}
+#endif
+
 #include "chapters/judge/claims_off.h"

@@ -3,7 +3,15 @@
 
 Insert more and more knots: do the polygons tend to the curve?  They do if the knots become dense, the ends of the polygon are those
 of the curve and the curve does not jump, and then with the square of the largest gap; an explicit bound is proved here.
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
 
+#include "exact/decide/sign.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:cor-4.1.1
 :title: There is a growing sequence of knots for which the polygons converge to the curve
 :zh: 推论 4.1.1:存在递增节点集序列使多边形收敛到曲线
@@ -44,38 +52,7 @@ the curve need not be: the limit is the curve together with the edges over its j
 A vertex is a value of the polar form, $d_j=f[x_1,\dots,x_p]$, where $p=k-1$ and $x_1\le\dots\le x_p$ are the knots between its ends.
 It belongs over the Greville abscissa $\xi_j=\frac1p(x_1+\dots+x_p)$, and the polygon as a function, $d(\xi_j)=d_j$ and linear between, is
 to be compared with $f$.  For straight lines both agree.  For a parabola the defect is a variance.
-
-:::{claim} greville_defect_is_a_variance
-:title: The vertex of a parabola lies below it by the variance of its knots
-:zh: 抛物线的顶点偏差为节点的方差
-:given: $p\ge2$ knots $x_1,\dots,x_p$, variables; $f(t)=\frac12t^2$ and $f(t)=t$
-:then: for $f=\frac12t^2$: $\;f(\xi)-f[x_1,\dots,x_p]=\frac1{2p(p-1)}\sum_i(x_i-\xi)^2=\frac1{2p^2(p-1)}\sum_{i<j}(x_i-x_j)^2$; for $f=t$
-  the difference is $0$
-:method: The polar form by the kernel, of the segment over $[0,1]$ with Bézier points, here in degree $p$ for both functions.
-:degrees: 2..6 sampled 9
-:control: $p^2$ in the place of $p(p-1)$
-:::
-
-:::{claim} gaps_bound_the_defect
-:title: With gaps at most h the defect is at most (k/24) h²
-:zh: 节点间距不超过 h 时偏差不超过 k h²/24
-:given: $p$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
-:let: $V_p=\sum_{i<j}(i-j)^2$
-:then: $V_p=\frac{p^2(p^2-1)}{12}$ for every $p$, so that for equal gaps $h$ the defect above is $\frac{p+1}{24}h^2$; with smaller gaps
-  it is not larger
-:method: $V_1=0$ and $V_{p+1}-V_p=\sum_{d=1}^pd^2=\frac{p(p+1)(2p+1)}6$: induction on $p$, an identity in $p$.  For the gaps
-  $|x_i-x_j|\le|i-j|\,h$ term by term, $p\le7$: signs are read off coefficients.
-:degrees: all
-:scope: every p for equal gaps; the monotony argument is the same for every p and run for p = 2 to 7
-:control: $p^2-1$ replaced by $p^2+1$
-:::
 */
-#include "chapters/nurbs/definition.h"
-#include "chapters/nurbs/discrete.h"
-
-#include "exact/decide/sign.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* The sum of the squares of all differences of p numbers. */
 static num G(squares_of_differences)(int p, const num x[])
@@ -89,6 +66,18 @@ static num G(squares_of_differences)(int p, const num x[])
     return sum;
 }
 
+/*
+:::{claim} greville_defect_is_a_variance
+:title: The vertex of a parabola lies below it by the variance of its knots
+:zh: 抛物线的顶点偏差为节点的方差
+:given: $p\ge2$ knots $x_1,\dots,x_p$, variables; $f(t)=\frac12t^2$ and $f(t)=t$
+:then: for $f=\frac12t^2$: $\;f(\xi)-f[x_1,\dots,x_p]=\frac1{2p(p-1)}\sum_i(x_i-\xi)^2=\frac1{2p^2(p-1)}\sum_{i<j}(x_i-x_j)^2$; for $f=t$
+  the difference is $0$
+:method: The polar form by the kernel, of the segment over $[0,1]$ with Bézier points, here in degree $p$ for both functions.
+:degrees: 2..6 sampled 9
+:control: $p^2$ in the place of $p(p-1)$
+:::
+*/
 CLAIM(greville_defect_is_a_variance)
 {
     int p = T->degree;
@@ -115,6 +104,21 @@ CLAIM(greville_defect_is_a_variance)
     same(T, defect, div(G(squares_of_differences)(p, x), from_int(2 * p * p * (p - 1))));
 }
 
+/*
+:::{claim} gaps_bound_the_defect
+:title: With gaps at most h the defect is at most (k/24) h²
+:zh: 节点间距不超过 h 时偏差不超过 k h²/24
+:given: $p$, a variable; and $p$ knots with gaps $g_i=h-e_i$, $0\le e_i\le h$
+:let: $V_p=\sum_{i<j}(i-j)^2$
+:then: $V_p=\frac{p^2(p^2-1)}{12}$ for every $p$, so that for equal gaps $h$ the defect above is $\frac{p+1}{24}h^2$; with smaller gaps
+  it is not larger
+:method: $V_1=0$ and $V_{p+1}-V_p=\sum_{d=1}^pd^2=\frac{p(p+1)(2p+1)}6$: induction on $p$, an identity in $p$.  For the gaps
+  $|x_i-x_j|\le|i-j|\,h$ term by term, $p\le7$: signs are read off coefficients.
+:degrees: all
+:scope: every p for equal gaps; the monotony argument is the same for every p and run for p = 2 to 7
+:control: $p^2-1$ replaced by $p^2+1$
+:::
+*/
 CLAIM(gaps_bound_the_defect)
 {
     num p = whole(T, "p", 2, 60), one = from_int(1), six = from_int(6), twelve = from_int(12);
@@ -167,54 +171,6 @@ The bound is attained by the parabola with equal gaps: the order is two, exactly
 :degrees: 1..6 sampled 6
 :control: $\xi_i$ taken at $i+1$
 :::
-
-:::{claim} polygon_is_within_the_bound_of_the_spline
-:title: The distance of a spline from its polygon, with the exact constant
-:zh: 样条与其控制多边形的距离
-:given: patterns of knots of multiplicity at most $k-2$ inside, with increasing random values; any points
-:let: $c''$ the points of $f''$, $\delta_j=\frac1{2p(p-1)}\sum_i(x_{j,i}-\xi_j)^2$
-:then: $\sum_iN_i\xi_i=t$; and $f-d=\sum_ib_i\,c_i''$ with $b_i\ge0$ on the domain and $\sum_ib_i=\frac{t^2}2-d_{t^2/2}$, which is at most
-  $\max_j\delta_j$; hence $|f-d|\le\max|c_i''|\max_j\delta_j$
-:method: The argument above, which is for all degrees and knots, is tried on instances.  The equality is linear in the points: $b_i$ is
-  $f-d$ for the spline with $c_i''=1$ and all others 0.  On every interval between neighbouring knots and Greville abscissae both are
-  polynomials; the inequalities are decided by their signs on the closed interval.
-:types: rational
-:degrees: 2..5
-:control: $\delta_j$ halved
-:::
-
-:::{claim} second_differences_are_averaged
-:title: Inserting a knot averages the points of the second derivative
-:zh: 嵌入节点使二阶导数的控制点作凸组合
-:given: simple knots with positive gaps, one knot inserted in an interval, points $c_i$
-:then: the points of $f''$ after the insertion are those that the insertion into the spline $f''$ of degree $p-2$ gives: each is
-  $(1-a)c_{i-1}''+a\,c_i''$ with $0\le a\le1$; so $\max|c_i''|$ does not grow
-:method: The kernels for differences and insertion, in both orders; the coefficients by their signs.
-:degrees: 2..6 sampled 8
-:control: the difference taken once only after the insertion, with the spline $f'$
-:::
-
-:::{claim} halving_the_gaps_divides_the_bound_by_four
-:title: The parabola with equal gaps attains the bound at every step of halving
-:zh: 抛物线达到上界,误差每次减为四分之一
-:given: $f=\frac12t^2$, equal gaps $h$, then $\frac h2$, both variable; a vertex with simple knots
-:then: $f(\xi_j)-d_j=\frac k{24}h^2$, and with the gaps halved a quarter of it: the order of convergence is 2 and not higher
-:method: The polar form by the kernel.
-:degrees: 2..6 sampled 9
-:control: one half for a quarter
-:::
-
-:::{claim} quotient_is_near_if_the_spline_is
-:title: The distance of a rational curve from its polygon
-:zh: 有理曲线与其多边形的距离
-:given: $X$ and $w$ at $t$ for the curve; $X-E$ and $w-e$ for the polygon in homogeneous coordinates
-:let: $r=\frac Xw$, $\rho=\frac{X-E}{w-e}$, a point of the polygon in space
-:then: $r-\rho=\frac{E-\rho\,e}w$; with $|E|\le\frac k{24}h^2M_X$, $|e|\le\frac k{24}h^2M_w$ and $w\ge\min w_i$ the distance is at most
-  $\frac k{24}h^2\,(M_X+\max|r_i|M_w)/\min w_i$
-:method: An identity of the four variables.  The projection maps the segments of the homogeneous polygon onto those of the polygon, whose
-  points are means of its vertices.
-:control: $r$ in the place of $\rho$ on the right
-:::
 */
 CLAIM(greville_abscissae_reproduce_the_line)
 {
@@ -234,63 +190,6 @@ CLAIM(greville_abscissae_reproduce_the_line)
     }
 }
 
-CLAIM(second_differences_are_averaged)
-{
-    int p = T->degree, n = p + 2, mu = p;
-    num u[MOST_KNOTS], c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], e[MOST_KNOTS], after[MOST_KNOTS];
-    num before[MOST_KNOTS], y[MOST_KNOTS], inserted[MOST_KNOTS];
-    G(increasing_knots)(T, n + p + 1, 6, u);
-    for (int i = 0; i < n; i++)
-        c[i] = unknown(T, "c", i);
-    num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
-    G(bspline_insert)(n, p, 1, u, mu, c, knot, v, d);
-    G(bspline_difference)(n + 1, p, 1, v, d, e);
-    G(bspline_difference)(n, p - 1, 1, v + 1, e, after);
-    G(bspline_difference)(n, p, 1, u, c, e);
-    G(bspline_difference)(n - 1, p - 1, 1, u + 1, e, before);
-    if (T->planted)
-        for (int i = 0; i < n - 2; i++)
-            before[i] = e[i];
-    G(bspline_insert)(n - 2, p - 2, 1, u + 2, mu - 2, before, knot, y, inserted);
-    for (int i = 0; i < n - 1; i++) {
-        about(T, "the points of the second derivative");
-        same(T, after[i], inserted[i]);
-        if (mu - 2 - (p - 2) < i && i <= mu - 2) {
-            num a = div(sub(knot, u[i + 2]), sub(u[i + p], u[i + 2]));
-            about(T, "a mean");
-            nonnegative(T, a);
-            nonnegative(T, sub(one, a));
-            same(T, after[i], add(mul(sub(one, a), before[i - 1]), mul(a, before[i])));
-        }
-    }
-}
-
-CLAIM(halving_the_gaps_divides_the_bound_by_four)
-{
-    int p = T->degree;
-    num h = positive(T, "h", 0), x0 = unknown(T, "x", 0), defect[2], parabola[MAX_DEGREE + 1];
-    for (int i = 0; i <= p; i++)
-        parabola[i] = from_ratio(i * (i - 1), 2 * p * (p - 1));
-    for (int step = 0; step < 2; step++) {
-        num x[MAX_DEGREE], mean = from_int(0), value, gap = step == 0 ? h : div(h, from_int(2));
-        for (int i = 0; i < p; i++) {
-            x[i] = add(x0, mul(from_int(i), gap));
-            mean = add(mean, div(x[i], from_int(p)));
-        }
-        G(blossom)(p, 1, parabola, x, &value);
-        defect[step] = sub(div(mul(mean, mean), from_int(2)), value);
-    }
-    same(T, defect[0], mul(from_ratio(p + 1, 24), mul(h, h)));
-    same(T, defect[1], div(defect[0], from_int(T->planted ? 2 : 4)));
-}
-
-CLAIM(quotient_is_near_if_the_spline_is)
-{
-    num X = unknown(T, "X", 0), w = positive(T, "w", 0), E = unknown(T, "E", 0), e = unknown(T, "e", 0);
-    num r = div(X, w), rho = div(sub(X, E), sub(w, e));
-    same(T, sub(r, rho), div(sub(E, mul(T->planted ? r : rho, e)), w));
-}
-
 #if RATIONAL
 /* The polynomial that the spline with points c is on a span. */
 static poly G(segment)(int p, const num u[], int mu, const num c[])
@@ -301,6 +200,28 @@ static poly G(segment)(int p, const num u[], int mu, const num c[])
     return poly_compose(poly_from_bernstein(p, b), s);
 }
 
+static int G(is_nonnegative)(poly f, num low, num high)
+{
+    enum cagd_sign_pattern sign = sign_on(f, low, high, CLOSED);
+    return sign == SIGN_ZERO || sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE;
+}
+
+/*
+:::{claim} polygon_is_within_the_bound_of_the_spline
+:title: The distance of a spline from its polygon, with the exact constant
+:zh: 样条与其控制多边形的距离
+:given: patterns of knots of multiplicity at most $k-2$ inside, with increasing random values; any points
+:let: $c''$ the points of $f''$, $\delta_j=\frac1{2p(p-1)}\sum_i(x_{j,i}-\xi_j)^2$
+:then: $\sum_iN_i\xi_i=t$; and $f-d=\sum_ib_i\,c_i''$ with $b_i\ge0$ on the domain and $\sum_ib_i=\frac{t^2}2-d_{t^2/2}$, which is at most
+  $\max_j\delta_j$; hence $|f-d|\le\max|c_i''|\max_j\delta_j$
+:method: The argument above, which is for all degrees and knots, is tried on instances.  The equality is linear in the points: $b_i$ is
+  $f-d$ for the spline with $c_i''=1$ and all others 0.  On every interval between neighbouring knots and Greville abscissae both are
+  polynomials; the inequalities are decided by their signs on the closed interval.
+:types: rational
+:degrees: 2..5
+:control: $\delta_j$ halved
+:::
+*/
 /* f - d between the Greville abscissae of c_i and c_{i+1}, where d is the line through the two. */
 static poly G(minus_chord)(poly f, const num xi[], const num c[], int i)
 {
@@ -319,12 +240,6 @@ static void G(integrated_twice)(int n, int p, const num u[], const num e[], num 
         g[i + 1] = add(g[i], div(mul(e[i], sub(u[i + p + 1], u[i + 2])), from_int(p - 1)));
     for (int i = 0; i < n - 1; i++)
         c[i + 1] = add(c[i], div(mul(g[i], sub(u[i + p + 1], u[i + 1])), from_int(p)));
-}
-
-static int G(is_nonnegative)(poly f, num low, num high)
-{
-    enum cagd_sign_pattern sign = sign_on(f, low, high, CLOSED);
-    return sign == SIGN_ZERO || sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE;
 }
 
 CLAIM(polygon_is_within_the_bound_of_the_spline)
@@ -379,45 +294,102 @@ CLAIM(polygon_is_within_the_bound_of_the_spline)
 #endif
 
 /*
-## What goes wrong (反例)
-
-:::{claim} first_vertex_stays_off_the_curve
-:title: Over simple knots the first vertex of every polygon stays where it is
-:zh: 单节点时首顶点始终不动
-:kind: counterexample
-:given: $k=3$, $n=3$, knots $-2,-1,0,1,2,3$, points $(0,0),(1,2),(2,0)$, weights $1$; $T_m'$ halves every gap from $-2$ to $3$ $m$
-  times, $m=1,2,3$
-:then: $r_1^{(T,T_m')}=(0,0)$ for every $m$, while the curve on $[t_k,t_{n+1}]=[0,1]$ has $x\ge\frac12$
-:method: (4.1.6) by its letter; the curve lies in the hull of its Bézier points $(\frac12,1),(1,2),(\frac32,1)$.  If the polygons tended to
-  the curve, their first vertices would come near it.  For every $T'$: of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$,
-  as only $N_{1,k}$ begins in $t_1$, so that $r_1$ stays.
-:control: the knots $-2,0,0,1,1,3$
-:::
-
-:::{claim} knots_on_one_side_do_not_converge
-:title: Knots that stay on one side leave the other corner as it is
-:zh: 节点只在一侧加密时另一侧的角不变
-:kind: counterexample
-:given: $k=3$, knots $0,0,0,1,2,2,2$, points $(0,0),(0,2),(2,2),(2,0)$, weights $1$; $T_m'=\{\frac18,\dots,\frac m8\}$, $m=7$, in $(0,1)$
-:then: the vertex $(2,2)$ stays for every such $T'$, while the whole curve has $x+y\le\frac{10}3$
-:method: The insertions by the kernel; the inequality on the curve by the signs of its two segments.  A vertex with $x+y>\frac{11}3$ is not
-  near the curve.  No knot in $(0,1)$ changes $r_3=f[1,2]$.
-:control: $T'$ with $1+\frac18,\dots,1+\frac78$ besides
-:::
-
-:::{claim} polygons_keep_the_edge_over_a_jump
-:title: Over a k-fold knot every polygon keeps the edge that joins the two parts of the curve
-:zh: k 重节点处多边形始终保留连接两段的边
-:kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1,2,2,2$, points $(0,0),(1,-1),(2,0),(2,1),(1,2),(0,1)$, weights $1$; $T_m'$ halves every gap $m$ times,
-  $m=1,2,3$
-:then: every $\Gamma_k^{(T)}(T_m')$ has the edge from $(2,0)$ to $(2,1)$, while the curve has $y\le0$ on $[0,1)$ and $y\ge1$ on
-  $[1,2]$: the middle of the edge is at a distance of at least $\frac12$ from it
-:method: (4.1.6) by its letter; the curve lies in the hulls of its Bézier points.  For every $T'$: the last point that the knots up to
-  $1$ have is $(2,0)$, the first of the others $(2,1)$; $1$ inserted again repeats one of them.
-:control: the knots $0,0,0,1,1,\frac32,2,2,2$
+:::{claim} second_differences_are_averaged
+:title: Inserting a knot averages the points of the second derivative
+:zh: 嵌入节点使二阶导数的控制点作凸组合
+:given: simple knots with positive gaps, one knot inserted in an interval, points $c_i$
+:then: the points of $f''$ after the insertion are those that the insertion into the spline $f''$ of degree $p-2$ gives: each is
+  $(1-a)c_{i-1}''+a\,c_i''$ with $0\le a\le1$; so $\max|c_i''|$ does not grow
+:method: The kernels for differences and insertion, in both orders; the coefficients by their signs.
+:degrees: 2..6 sampled 8
+:control: the difference taken once only after the insertion, with the spline $f'$
 :::
 */
+CLAIM(second_differences_are_averaged)
+{
+    int p = T->degree, n = p + 2, mu = p;
+    num u[MOST_KNOTS], c[MOST_KNOTS], v[MOST_KNOTS], d[MOST_KNOTS], e[MOST_KNOTS], after[MOST_KNOTS];
+    num before[MOST_KNOTS], y[MOST_KNOTS], inserted[MOST_KNOTS];
+    G(increasing_knots)(T, n + p + 1, 6, u);
+    for (int i = 0; i < n; i++)
+        c[i] = unknown(T, "c", i);
+    num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
+    G(bspline_insert)(n, p, 1, u, mu, c, knot, v, d);
+    G(bspline_difference)(n + 1, p, 1, v, d, e);
+    G(bspline_difference)(n, p - 1, 1, v + 1, e, after);
+    G(bspline_difference)(n, p, 1, u, c, e);
+    G(bspline_difference)(n - 1, p - 1, 1, u + 1, e, before);
+    if (T->planted)
+        for (int i = 0; i < n - 2; i++)
+            before[i] = e[i];
+    G(bspline_insert)(n - 2, p - 2, 1, u + 2, mu - 2, before, knot, y, inserted);
+    for (int i = 0; i < n - 1; i++) {
+        about(T, "the points of the second derivative");
+        same(T, after[i], inserted[i]);
+        if (mu - 2 - (p - 2) < i && i <= mu - 2) {
+            num a = div(sub(knot, u[i + 2]), sub(u[i + p], u[i + 2]));
+            about(T, "a mean");
+            nonnegative(T, a);
+            nonnegative(T, sub(one, a));
+            same(T, after[i], add(mul(sub(one, a), before[i - 1]), mul(a, before[i])));
+        }
+    }
+}
+
+/*
+:::{claim} halving_the_gaps_divides_the_bound_by_four
+:title: The parabola with equal gaps attains the bound at every step of halving
+:zh: 抛物线达到上界,误差每次减为四分之一
+:given: $f=\frac12t^2$, equal gaps $h$, then $\frac h2$, both variable; a vertex with simple knots
+:then: $f(\xi_j)-d_j=\frac k{24}h^2$, and with the gaps halved a quarter of it: the order of convergence is 2 and not higher
+:method: The polar form by the kernel.
+:degrees: 2..6 sampled 9
+:control: one half for a quarter
+:::
+*/
+CLAIM(halving_the_gaps_divides_the_bound_by_four)
+{
+    int p = T->degree;
+    num h = positive(T, "h", 0), x0 = unknown(T, "x", 0), defect[2], parabola[MAX_DEGREE + 1];
+    for (int i = 0; i <= p; i++)
+        parabola[i] = from_ratio(i * (i - 1), 2 * p * (p - 1));
+    for (int step = 0; step < 2; step++) {
+        num x[MAX_DEGREE], mean = from_int(0), value, gap = step == 0 ? h : div(h, from_int(2));
+        for (int i = 0; i < p; i++) {
+            x[i] = add(x0, mul(from_int(i), gap));
+            mean = add(mean, div(x[i], from_int(p)));
+        }
+        G(blossom)(p, 1, parabola, x, &value);
+        defect[step] = sub(div(mul(mean, mean), from_int(2)), value);
+    }
+    same(T, defect[0], mul(from_ratio(p + 1, 24), mul(h, h)));
+    same(T, defect[1], div(defect[0], from_int(T->planted ? 2 : 4)));
+}
+
+/*
+:::{claim} quotient_is_near_if_the_spline_is
+:title: The distance of a rational curve from its polygon
+:zh: 有理曲线与其多边形的距离
+:given: $X$ and $w$ at $t$ for the curve; $X-E$ and $w-e$ for the polygon in homogeneous coordinates
+:let: $r=\frac Xw$, $\rho=\frac{X-E}{w-e}$, a point of the polygon in space
+:then: $r-\rho=\frac{E-\rho\,e}w$; with $|E|\le\frac k{24}h^2M_X$, $|e|\le\frac k{24}h^2M_w$ and $w\ge\min w_i$ the distance is at most
+  $\frac k{24}h^2\,(M_X+\max|r_i|M_w)/\min w_i$
+:method: An identity of the four variables.  The projection maps the segments of the homogeneous polygon onto those of the polygon, whose
+  points are means of its vertices.
+:control: $r$ in the place of $\rho$ on the right
+:::
+*/
+CLAIM(quotient_is_near_if_the_spline_is)
+{
+    num X = unknown(T, "X", 0), w = positive(T, "w", 0), E = unknown(T, "E", 0), e = unknown(T, "e", 0);
+    num r = div(X, w), rho = div(sub(X, E), sub(w, e));
+    same(T, sub(r, rho), div(sub(E, mul(T->planted ? r : rho, e)), w));
+}
+
+/*
+## What goes wrong (反例)
+*/
+
 #if RATIONAL
 /* Every gap of n whole knots cut into `parts`: the places of the knots and of all, at[0] <= at[1] <= ..., in units of 1/parts.  How many
  * there are. */
@@ -433,6 +405,103 @@ static int cut_gaps(int n, const int knot[], int parts, int place[], int at[])
     return count;
 }
 
+/*
+:::{claim} first_vertex_stays_off_the_curve
+:title: Over simple knots the first vertex of every polygon stays where it is
+:zh: 单节点时首顶点始终不动
+:kind: counterexample
+:given: $k=3$, $n=3$, knots $-2,-1,0,1,2,3$, points $(0,0),(1,2),(2,0)$, weights $1$; $T_m'$ halves every gap from $-2$ to $3$ $m$
+  times, $m=1,2,3$
+:then: $r_1^{(T,T_m')}=(0,0)$ for every $m$, while the curve on $[t_k,t_{n+1}]=[0,1]$ has $x\ge\frac12$
+:method: (4.1.6) by its letter; the curve lies in the hull of its Bézier points $(\frac12,1),(1,2),(\frac32,1)$.  If the polygons tended to
+  the curve, their first vertices would come near it.  For every $T'$: of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$,
+  as only $N_{1,k}$ begins in $t_1$, so that $r_1$ stays.
+:control: the knots $-2,0,0,1,1,3$
+:::
+*/
+CLAIM(first_vertex_stays_off_the_curve)
+{
+    static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3};
+    const int *knot = T->planted ? twofold : simple;
+    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)};
+    num w[] = {from_int(1), from_int(1), from_int(1)}, u[6], bezier[6], S[2], z[1];
+    for (int i = 0; i < 6; i++)
+        u[i] = from_int(knot[i]);
+    G(bspline_to_bezier)(2, 2, u, 2, R, bezier);
+    show_points(T, "knots", 6, 1, u);
+    show_points(T, "r", 3, 2, R);
+    show_points(T, "Bézier points of the curve", 3, 2, bezier);
+    int near = 0;
+    for (int m = 1; m <= 3; m++) {
+        int parts = 1 << m, place[6], at[MOST_KNOTS]; /* places in units of 1/2^m */
+        num v[MOST_KNOTS];
+        int count = cut_gaps(6, knot, parts, place, at);
+        for (int i = 0; i < count; i++)
+            v[i] = from_ratio(at[i], parts);
+        G(refined_by_definition)(3, 2, 2, u, place, R, w, 1, v, at, S, z);
+        near += sign_q(sub(S[0], bezier[0])) >= 0;
+    }
+    show_points(T, "the first vertex", 1, 2, S);
+    about(T, "whether the first vertex is not left of the curve, for one of three refinements");
+    agree(T, near > 0);
+}
+
+/*
+:::{claim} knots_on_one_side_do_not_converge
+:title: Knots that stay on one side leave the other corner as it is
+:zh: 节点只在一侧加密时另一侧的角不变
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,2,2,2$, points $(0,0),(0,2),(2,2),(2,0)$, weights $1$; $T_m'=\{\frac18,\dots,\frac m8\}$, $m=7$, in $(0,1)$
+:then: the vertex $(2,2)$ stays for every such $T'$, while the whole curve has $x+y\le\frac{10}3$
+:method: The insertions by the kernel; the inequality on the curve by the signs of its two segments.  A vertex with $x+y>\frac{11}3$ is not
+  near the curve.  No knot in $(0,1)$ changes $r_3=f[1,2]$.
+:control: $T'$ with $1+\frac18,\dots,1+\frac78$ besides
+:::
+*/
+CLAIM(knots_on_one_side_do_not_converge)
+{
+    enum { most = 7 + 2 * 7 };
+    static const int knot[] = {0, 0, 0, 1, 2, 2, 2}, point[] = {0, 0, 0, 2, 2, 2, 2, 0};
+    num u[2][most], R[2][2 * most], w[2][most], sums[4];
+    int n = 4, now = 0, sides = T->planted ? 2 : 1, below = 1;
+    for (int i = 0; i < 7; i++)
+        u[0][i] = from_int(knot[i]);
+    for (int i = 0; i < 4; i++) {
+        R[0][2 * i] = from_int(point[2 * i]);
+        R[0][2 * i + 1] = from_int(point[2 * i + 1]);
+        w[0][i] = from_int(1);
+        sums[i] = from_int(point[2 * i] + point[2 * i + 1]);
+    }
+    for (int mu = 2; mu < 4; mu++) {
+        poly room = poly_sub(poly_constant(from_ratio(10, 3)), G(segment)(2, u[0], mu, sums));
+        below &= G(is_nonnegative)(room, u[0][mu], u[0][mu + 1]);
+    }
+    for (int side = 0; side < sides; side++)
+        for (int i = 1; i <= 7; i++, n++, now = 1 - now) {
+            int next = 1 - now, mu = (side == 0 ? 1 : 9) + i;
+            num knot_here = from_ratio(8 * side + i, 8);
+            G(nurbs_insert)(n, 2, 2, u[now], mu, R[now], w[now], knot_here, u[next], R[next], w[next]);
+        }
+    show_points(T, "the polygon", n, 2, R[now]);
+    about(T, "the curve having x + y <= 10/3, every vertex has x + y <= 11/3");
+    for (int i = 0; i < n; i++)
+        agree(T, !below || sign_q(sub(from_ratio(11, 3), add(R[now][2 * i], R[now][2 * i + 1]))) >= 0);
+}
+
+/*
+:::{claim} polygons_keep_the_edge_over_a_jump
+:title: Over a k-fold knot every polygon keeps the edge that joins the two parts of the curve
+:zh: k 重节点处多边形始终保留连接两段的边
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1,2,2,2$, points $(0,0),(1,-1),(2,0),(2,1),(1,2),(0,1)$, weights $1$; $T_m'$ halves every gap $m$ times,
+  $m=1,2,3$
+:then: every $\Gamma_k^{(T)}(T_m')$ has the edge from $(2,0)$ to $(2,1)$, while the curve has $y\le0$ on $[0,1)$ and $y\ge1$ on
+  $[1,2]$: the middle of the edge is at a distance of at least $\frac12$ from it
+:method: (4.1.6) by its letter; the curve lies in the hulls of its Bézier points.  For every $T'$: the last point that the knots up to
+  $1$ have is $(2,0)$, the first of the others $(2,1)$; $1$ inserted again repeats one of them.
+:control: the knots $0,0,0,1,1,\frac32,2,2,2$
+:::
+*/
 CLAIM(polygons_keep_the_edge_over_a_jump)
 {
     static const int jump[] = {0, 0, 0, 2, 2, 2, 4, 4, 4}, joined[] = {0, 0, 0, 2, 2, 3, 4, 4, 4}; /* twice the knots */
@@ -472,62 +541,6 @@ CLAIM(polygons_keep_the_edge_over_a_jump)
     about(T, "the curve having no point between y = 0 and y = 1, the edge from (2,0) to (2,1) goes away");
     agree(T, !apart || kept < 3);
 }
-
-CLAIM(first_vertex_stays_off_the_curve)
-{
-    static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3};
-    const int *knot = T->planted ? twofold : simple;
-    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)};
-    num w[] = {from_int(1), from_int(1), from_int(1)}, u[6], bezier[6], S[2], z[1];
-    for (int i = 0; i < 6; i++)
-        u[i] = from_int(knot[i]);
-    G(bspline_to_bezier)(2, 2, u, 2, R, bezier);
-    show_points(T, "knots", 6, 1, u);
-    show_points(T, "r", 3, 2, R);
-    show_points(T, "Bézier points of the curve", 3, 2, bezier);
-    int near = 0;
-    for (int m = 1; m <= 3; m++) {
-        int parts = 1 << m, place[6], at[MOST_KNOTS]; /* places in units of 1/2^m */
-        num v[MOST_KNOTS];
-        int count = cut_gaps(6, knot, parts, place, at);
-        for (int i = 0; i < count; i++)
-            v[i] = from_ratio(at[i], parts);
-        G(refined_by_definition)(3, 2, 2, u, place, R, w, 1, v, at, S, z);
-        near += sign_q(sub(S[0], bezier[0])) >= 0;
-    }
-    show_points(T, "the first vertex", 1, 2, S);
-    about(T, "whether the first vertex is not left of the curve, for one of three refinements");
-    agree(T, near > 0);
-}
-
-CLAIM(knots_on_one_side_do_not_converge)
-{
-    enum { most = 7 + 2 * 7 };
-    static const int knot[] = {0, 0, 0, 1, 2, 2, 2}, point[] = {0, 0, 0, 2, 2, 2, 2, 0};
-    num u[2][most], R[2][2 * most], w[2][most], sums[4];
-    int n = 4, now = 0, sides = T->planted ? 2 : 1, below = 1;
-    for (int i = 0; i < 7; i++)
-        u[0][i] = from_int(knot[i]);
-    for (int i = 0; i < 4; i++) {
-        R[0][2 * i] = from_int(point[2 * i]);
-        R[0][2 * i + 1] = from_int(point[2 * i + 1]);
-        w[0][i] = from_int(1);
-        sums[i] = from_int(point[2 * i] + point[2 * i + 1]);
-    }
-    for (int mu = 2; mu < 4; mu++) {
-        poly room = poly_sub(poly_constant(from_ratio(10, 3)), G(segment)(2, u[0], mu, sums));
-        below &= G(is_nonnegative)(room, u[0][mu], u[0][mu + 1]);
-    }
-    for (int side = 0; side < sides; side++)
-        for (int i = 1; i <= 7; i++, n++, now = 1 - now) {
-            int next = 1 - now, mu = (side == 0 ? 1 : 9) + i;
-            num knot_here = from_ratio(8 * side + i, 8);
-            G(nurbs_insert)(n, 2, 2, u[now], mu, R[now], w[now], knot_here, u[next], R[next], w[next]);
-        }
-    show_points(T, "the polygon", n, 2, R[now]);
-    about(T, "the curve having x + y <= 10/3, every vertex has x + y <= 11/3");
-    for (int i = 0; i < n; i++)
-        agree(T, !below || sign_q(sub(from_ratio(11, 3), add(R[now][2 * i], R[now][2 * i + 1]))) >= 0);
-}
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,13 @@
 On an interval $[t_j,t_{j+1})$ the point of parameter $t$ is reached from $r_{j-k+1},\dots,r_j$ in $k-1$ levels.  Each level
 divides the edges of the polygon before; the ratio in which an edge is divided is that of de Boor's algorithm, multiplied by the
 ratio of the weights at its ends.
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The recursion
 
 :::{statement} wang-ch4:formula-4.1.3
@@ -30,35 +36,7 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
   curve has a point
 :figure: deboor_triangle
 :::
-
-:::{statement} wang-ch4:formula-4.1.5
-:title: The last point of the recursion is the point of the curve
-:zh: 递推的最后一点即曲线上的点
-:printed: r(t)=r_i^{[k-1]}(t)
-:holds-by: rational_triangle_gives_the_point
-:reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$: true
-:figure: deboor_triangle
-
-Better with $j$ in the place of $i$, as $i$ has been running up to here.
-:::
-
-:::{claim} rational_triangle_follows_the_recursion
-:title: The levels of the kernel are those of (4.1.3) and (4.1.4)
-:zh: 核函数各层即 (4.1.3)、(4.1.4)
-:given: an interval between simple knots, values variables; weights and points of the plane, any $t$; every level
-:then: `nurbs_deboor_level`, level after level, gives $w_i^{[r]}$ and $r_i^{[r]}$; the last point and weight of the level before
-  stay where they were
-:method: The kernel against the two recursions by their letter, in the indices of the source.
-:degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:defines: nurbs_deboor_level
-:control: the last level is given the weights 1
-:::
 */
-#include "chapters/nurbs/definition.h"
-#include "chapters/nurbs/discrete.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* (4.1.3) by its letter: w_i^[r](t), indices from 1, order k. */
 static num G(printed_weight)(int k, const num u[], const num w[], int r, int i, num t)
@@ -81,6 +59,20 @@ static num G(printed_point)(int k, int dim, const num u[], const num R[], const 
                mul(div(b, sum), G(printed_point)(k, dim, u, R, w, r - 1, i - 1, c, t)));
 }
 
+/*
+:::{claim} rational_triangle_follows_the_recursion
+:title: The levels of the kernel are those of (4.1.3) and (4.1.4)
+:zh: 核函数各层即 (4.1.3)、(4.1.4)
+:given: an interval between simple knots, values variables; weights and points of the plane, any $t$; every level
+:then: `nurbs_deboor_level`, level after level, gives $w_i^{[r]}$ and $r_i^{[r]}$; the last point and weight of the level before
+  stay where they were
+:method: The kernel against the two recursions by their letter, in the indices of the source.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:defines: nurbs_deboor_level
+:control: the last level is given the weights 1
+:::
+*/
 CLAIM(rational_triangle_follows_the_recursion)
 {
     int p = T->degree, k = p + 1, j = k;
@@ -113,7 +105,45 @@ CLAIM(rational_triangle_follows_the_recursion)
     }
 }
 
+#if RATIONAL
 /*
+:::{claim} divisors_contain_the_span
+:title: In the printed ranges no divisor vanishes
+:zh: 所列指标范围内分母不为零
+:kind: decision
+:given: order $k$, $r=1,\dots,k-1$, $i=j-k+r+1,\dots,j$
+:then: $i\le j<j+1\le i+k-r$: the interval $[t_i,t_{i+k-r}]$ contains $[t_j,t_{j+1}]$, so that the divisor is at least
+  $t_{j+1}-t_j>0$, whatever knots coincide outside; and for $i=j-k+r$ it does not contain it
+:method: All indices of the ranges.  For every $k$: $i\le j$ is the upper end of the range, $i+k-r\ge j+1$ the lower one.
+:degrees: 1..24
+:control: the range begun at $i=j-k+r$
+:::
+*/
+CLAIM(divisors_contain_the_span)
+{
+    int k = T->degree + 1, j = 3 * k;
+    for (int r = 1; r < k; r++) {
+        int lowest = j - k + r + 1;
+        for (int i = T->planted ? lowest - 1 : lowest; i <= j; i++)
+            for (int end = 0; end < 2; end++) /* i <= j, j + 1 <= i + k - r */
+                nonnegative(T, sub(from_int(end ? i + k - r : j), from_int(end ? j + 1 : i)));
+        agree(T, compare_q(from_int(lowest - 1 + k - r), from_int(j + 1)) < 0);
+    }
+}
+#endif
+
+/*
+:::{statement} wang-ch4:formula-4.1.5
+:title: The last point of the recursion is the point of the curve
+:zh: 递推的最后一点即曲线上的点
+:printed: r(t)=r_i^{[k-1]}(t)
+:holds-by: rational_triangle_gives_the_point
+:reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$: true
+:figure: deboor_triangle
+
+Better with $j$ in the place of $i$, as $i$ has been running up to here.
+:::
+
 :::{claim} rational_triangle_gives_the_point
 :title: After k-1 levels the point of the curve is reached
 :zh: k-1 层之后得到曲线上的点
@@ -163,33 +193,6 @@ CLAIM(rational_triangle_gives_the_point)
 }
 
 /*
-:::{claim} divisors_contain_the_span
-:title: In the printed ranges no divisor vanishes
-:zh: 所列指标范围内分母不为零
-:kind: decision
-:given: order $k$, $r=1,\dots,k-1$, $i=j-k+r+1,\dots,j$
-:then: $i\le j<j+1\le i+k-r$: the interval $[t_i,t_{i+k-r}]$ contains $[t_j,t_{j+1}]$, so that the divisor is at least
-  $t_{j+1}-t_j>0$, whatever knots coincide outside; and for $i=j-k+r$ it does not contain it
-:method: All indices of the ranges.  For every $k$: $i\le j$ is the upper end of the range, $i+k-r\ge j+1$ the lower one.
-:degrees: 1..24
-:control: the range begun at $i=j-k+r$
-:::
-*/
-#if RATIONAL
-CLAIM(divisors_contain_the_span)
-{
-    int k = T->degree + 1, j = 3 * k;
-    for (int r = 1; r < k; r++) {
-        int lowest = j - k + r + 1;
-        for (int i = T->planted ? lowest - 1 : lowest; i <= j; i++)
-            for (int end = 0; end < 2; end++) /* i <= j, j + 1 <= i + k - r */
-                nonnegative(T, sub(from_int(end ? i + k - r : j), from_int(end ? j + 1 : i)));
-        agree(T, compare_q(from_int(lowest - 1 + k - r), from_int(j + 1)) < 0);
-    }
-}
-#endif
-
-/*
 ## Where it may be used
 
 :::{statement} wang-ch4:alg-4.1.1-interval
@@ -206,20 +209,10 @@ CLAIM(divisors_contain_the_span)
 
 As printed nothing ties $j$ to the interval that contains $t$.
 :::
+*/
 
-:::{statement} wang-ch4:alg-4.1.1-end
-:title: The algorithm is for every parameter of the half-open intervals
-:zh: 算法适用于各半开区间内的任意参数
-:printed: The algorithm is for the curve (4.1.2), $t_k\le t\le t_{n+1}$, and any fixed $t$ of an interval half-open on the right,
-  $k\le j\le n$
-:holds-by: rational_triangle_gives_the_point
-:reading: rational_triangle_gives_the_point | for the printed intervals: true
-:reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
-:figure: missing_end
-
-For $t_{n+1}$ the last interval that is not empty is taken closed.
-:::
-
+#if RATIONAL
+/*
 :::{claim} other_interval_gives_other_point
 :title: With the j of another interval the recursion gives another point
 :zh: j 与 t 所在区间不符时得到另一点
@@ -230,28 +223,7 @@ For $t_{n+1}$ the last interval that is not empty is taken closed.
 :method: The recursion by its letter against the definition.
 :control: $j=3$
 :::
-
-:::{claim} end_is_in_no_interval
-:title: The right end of the curve is in none of the intervals
-:zh: 曲线右端参数不属于任一区间
-:kind: counterexample
-:given: $k=3$, $n=4$, knots $0,0,0,1,2,2,2$; $t=t_{n+1}=2$, a parameter of the curve
-:then: no $j$ with $k\le j\le n$ has $t_j\le t<t_{j+1}$
-:method: Every $j$.
-:control: the last interval $[t_4,t_5]=[1,2]$ closed
-:::
-
-:::{claim} weight_of_a_level_may_vanish
-:title: With a negative weight the algorithm may stop before the curve
-:zh: 权因子为负时递推可能中断
-:kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1$, weights $1,-1,2$, $t=\frac12$
-:then: $w(\frac12)=\frac14$, so that the curve has a point, but $w_2^{[1]}(\frac12)=0$ and $r_2^{[1]}$ does not exist
-:method: The weights of the levels by the recursion.
-:control: the weights $1,1,2$
-:::
 */
-#if RATIONAL
 CLAIM(other_interval_gives_other_point)
 {
     static const int at[] = {0, 0, 1, 2, 2, 0, 3, 2}, weight[] = {1, 1, 1, 3};
@@ -276,6 +248,30 @@ CLAIM(other_interval_gives_other_point)
         same(T, Q[c], P[c]);
 }
 
+/*
+:::{statement} wang-ch4:alg-4.1.1-end
+:title: The algorithm is for every parameter of the half-open intervals
+:zh: 算法适用于各半开区间内的任意参数
+:printed: The algorithm is for the curve (4.1.2), $t_k\le t\le t_{n+1}$, and any fixed $t$ of an interval half-open on the right,
+  $k\le j\le n$
+:holds-by: rational_triangle_gives_the_point
+:reading: rational_triangle_gives_the_point | for the printed intervals: true
+:reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
+:figure: missing_end
+
+For $t_{n+1}$ the last interval that is not empty is taken closed.
+:::
+
+:::{claim} end_is_in_no_interval
+:title: The right end of the curve is in none of the intervals
+:zh: 曲线右端参数不属于任一区间
+:kind: counterexample
+:given: $k=3$, $n=4$, knots $0,0,0,1,2,2,2$; $t=t_{n+1}=2$, a parameter of the curve
+:then: no $j$ with $k\le j\le n$ has $t_j\le t<t_{j+1}$
+:method: Every $j$.
+:control: the last interval $[t_4,t_5]=[1,2]$ closed
+:::
+*/
 CLAIM(end_is_in_no_interval)
 {
     static const int knot[] = {0, 0, 0, 1, 2, 2, 2};
@@ -290,6 +286,17 @@ CLAIM(end_is_in_no_interval)
     agree(T, contained);
 }
 
+/*
+:::{claim} weight_of_a_level_may_vanish
+:title: With a negative weight the algorithm may stop before the curve
+:zh: 权因子为负时递推可能中断
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1$, weights $1,-1,2$, $t=\frac12$
+:then: $w(\frac12)=\frac14$, so that the curve has a point, but $w_2^{[1]}(\frac12)=0$ and $r_2^{[1]}$ does not exist
+:method: The weights of the levels by the recursion.
+:control: the weights $1,1,2$
+:::
+*/
 CLAIM(weight_of_a_level_may_vanish)
 {
     static const int knot[] = {0, 0, 0, 1, 1, 1};
@@ -319,18 +326,6 @@ Level $r$ puts one point on each of the $k-r$ edges of the polygon of level $r-1
 points are the old ones: a ratio is $0$ where $t_i=t_j$.
 :::
 
-:::{statement} wang-ch4:alg-4.1.1-coefficients
-:title: The coefficients of the cutting depend on the weights, too
-:zh: 割角系数也与权因子有关
-:printed: The coefficients of corner cutting depend on the parameter $t$, the knots, the level $r$ and the number $i$ of the edge, and
-  also on the weights of the curve
-:holds-by: weights_enter_the_coefficients
-:figure: deboor_triangle
-
-With equal weights the coefficients are those of de Boor's algorithm, and conversely the edge $i$ of level $r$ is divided as without
-weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
-:::
-
 :::{claim} every_level_divides_its_edges
 :title: The points of a level divide the edges of the level before
 :zh: 各层顶点分割上一层的边
@@ -341,28 +336,6 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :degrees: 1..6 sampled 6
 :scope: the knots variables for $p\le4$, numbers above
 :control: $\lambda$ and $1-\lambda$ exchanged
-:::
-
-:::{claim} weights_of_levels_are_positive
-:title: The weights of all levels are positive
-:zh: 各层权因子均为正
-:given: an interval between simple knots with any positive gaps, $t$ in it, positive weights
-:then: $w_i^{[r]}(t)>0$ for all $r$ and $i$ of the ranges
-:method: The recursion by its letter; signs are read off coefficients.  Where knots coincide, and at $t=t_j$: the divisors are positive
-  (`divisors_contain_the_span`), so that a weight is a mean, with factors of $[0,1]$, of two of the level before.
-:degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
-:control: all weights negative
-:::
-
-:::{claim} weights_enter_the_coefficients
-:title: The ratio of an edge is de Boor's ratio times the ratio of the weights
-:zh: 割角比等于 deBoor 割角比乘以权因子之比
-:given: $a$, the coefficient of de Boor's algorithm; the weights $v$, $w$ at the ends of the edge
-:let: $\lambda=a\,w/(a\,w+(1-a)\,v)$
-:then: $\frac\lambda{1-\lambda}=\frac a{1-a}\cdot\frac wv$, and $\lambda-a=a(1-a)(w-v)/(a\,w+(1-a)\,v)$
-:method: $\lambda$ as the level of the kernel divides an edge of length 1; $a$, $v$ and $w$ variables.
-:control: $v$ and $w$ exchanged
 :::
 */
 CLAIM(every_level_divides_its_edges)
@@ -393,6 +366,19 @@ CLAIM(every_level_divides_its_edges)
     }
 }
 
+/*
+:::{claim} weights_of_levels_are_positive
+:title: The weights of all levels are positive
+:zh: 各层权因子均为正
+:given: an interval between simple knots with any positive gaps, $t$ in it, positive weights
+:then: $w_i^{[r]}(t)>0$ for all $r$ and $i$ of the ranges
+:method: The recursion by its letter; signs are read off coefficients.  Where knots coincide, and at $t=t_j$: the divisors are positive
+  (`divisors_contain_the_span`), so that a weight is a mean, with factors of $[0,1]$, of two of the level before.
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
+:control: all weights negative
+:::
+*/
 CLAIM(weights_of_levels_are_positive)
 {
     int p = T->degree, k = p + 1, j = k;
@@ -408,6 +394,52 @@ CLAIM(weights_of_levels_are_positive)
             G(must_be_positive)(T, G(printed_weight)(k, u, w, r, i, t));
 }
 
+#if RATIONAL
+/*
+:::{claim} negative_weight_divides_outside
+:title: With a negative weight an edge is divided outside
+:zh: 权因子为负时外分
+:kind: counterexample
+:given: $k=2$, knots $0,0,1,1$, points $0,1$ of the line, weights $1,-\frac12$; $t=\frac14$
+:then: $\lambda=-\frac15$, outside $[0,1]$
+:method: The level of the kernel; the point is $\lambda$.
+:control: the weight $\frac12$
+:::
+*/
+CLAIM(negative_weight_divides_outside)
+{
+    num u[] = {from_int(0), from_int(0), from_int(1), from_int(1)}, P[] = {from_int(0), from_int(1)};
+    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2)};
+    G(nurbs_deboor_level)(1, 1, u, 1, 1, P, w, from_ratio(1, 4));
+    show(T, "λ", P[0]);
+    about(T, "0 <= λ <= 1");
+    agree(T, sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0);
+}
+#endif
+
+/*
+:::{statement} wang-ch4:alg-4.1.1-coefficients
+:title: The coefficients of the cutting depend on the weights, too
+:zh: 割角系数也与权因子有关
+:printed: The coefficients of corner cutting depend on the parameter $t$, the knots, the level $r$ and the number $i$ of the edge, and
+  also on the weights of the curve
+:holds-by: weights_enter_the_coefficients
+:figure: deboor_triangle
+
+With equal weights the coefficients are those of de Boor's algorithm, and conversely the edge $i$ of level $r$ is divided as without
+weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
+:::
+
+:::{claim} weights_enter_the_coefficients
+:title: The ratio of an edge is de Boor's ratio times the ratio of the weights
+:zh: 割角比等于 deBoor 割角比乘以权因子之比
+:given: $a$, the coefficient of de Boor's algorithm; the weights $v$, $w$ at the ends of the edge
+:let: $\lambda=a\,w/(a\,w+(1-a)\,v)$
+:then: $\frac\lambda{1-\lambda}=\frac a{1-a}\cdot\frac wv$, and $\lambda-a=a(1-a)(w-v)/(a\,w+(1-a)\,v)$
+:method: $\lambda$ as the level of the kernel divides an edge of length 1; $a$, $v$ and $w$ variables.
+:control: $v$ and $w$ exchanged
+:::
+*/
 CLAIM(weights_enter_the_coefficients)
 {
     num v = positive(T, "v", 0), w = positive(T, "w", 0), a = parameter(T, "a"), one = from_int(1), b = sub(one, a);
@@ -422,26 +454,4 @@ CLAIM(weights_enter_the_coefficients)
     same(T, sub(P[0], a), div(mul(mul(a, b), sub(w, v)), add(mul(a, w), mul(b, v))));
 }
 
-/*
-:::{claim} negative_weight_divides_outside
-:title: With a negative weight an edge is divided outside
-:zh: 权因子为负时外分
-:kind: counterexample
-:given: $k=2$, knots $0,0,1,1$, points $0,1$ of the line, weights $1,-\frac12$; $t=\frac14$
-:then: $\lambda=-\frac15$, outside $[0,1]$
-:method: The level of the kernel; the point is $\lambda$.
-:control: the weight $\frac12$
-:::
-*/
-#if RATIONAL
-CLAIM(negative_weight_divides_outside)
-{
-    num u[] = {from_int(0), from_int(0), from_int(1), from_int(1)}, P[] = {from_int(0), from_int(1)};
-    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2)};
-    G(nurbs_deboor_level)(1, 1, u, 1, 1, P, w, from_ratio(1, 4));
-    show(T, "λ", P[0]);
-    about(T, "0 <= λ <= 1");
-    agree(T, sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0);
-}
-#endif
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,13 @@
 Points, weights and knots make a curve: at $t$ point $r_i$ counts $N_{i,k}(t)\,w_i$ times, and the curve is the mean
 
 $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k\le t\le t_{n+1}.$$
+*/
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The definition
 
 :::{statement} wang-ch4:def-4.1.1
@@ -26,63 +32,7 @@ Printed is another first point of the polygon, see the next entry.  The polygon 
 is $r_1r_2\cdots r_n$ in space.  What the definition leaves
 open is in the entries after that: whether there is an interval, what happens at its right end, and how multiple a knot may be.
 :::
-
-:::{statement} wang-ch4:def-4.1.1-polygon
-:title: The first point of the control polygon
-:zh: 控制多边形的首顶点
-:printed: $\tilde r_i\tilde r_2\cdots\tilde r_n$ is the control polygon
-:class: misprint
-:refuted-by: polygon_begun_elsewhere_misses_the_start
-:corrected: $\tilde r_1\tilde r_2\cdots\tilde r_n$
-:corrected-by: clamped_end_is_the_first_point
-:figure: polygon_begun_elsewhere
-:::
-
-:::{statement} wang-ch4:def-4.1.1-interval
-:title: The curve is defined for nondecreasing knots
-:zh: 节点向量非减即可定义曲线
-:printed: $t_j\le t_{j+1}$ for all $j$, $n\ge k$: the curve is defined for $t_k\le t\le t_{n+1}$
-:holds-by: basis_is_a_partition_of_unity
-:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise the domain is one value of $t$, at which every $N_{i,k}$,
-  $1\le i\le n$, may be zero
-:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
-  $t_{n+1}=\dots=t_{n+k}$: by the half-open intervals of the definition of $N_{i,1}$ all $N_{i,k}$ are zero there
-:figure: missing_end
-:::
-
-:::{statement} wang-ch4:def-4.1.1-multiplicity
-:title: Which control points have a share in the curve
-:zh: 哪些控制顶点影响曲线
-:definition: yes
-:printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are called the control points of the curve
-:checked-by: every_point_counts
-:reading: too_multiple_knot_loses_a_point | knots of any multiplicity, and every point has a share: false; for $t_i=t_{i+k}$ the function
-  $N_{i,k}$ is zero and $r_i$ has no share
-:reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: false without $t_k<t_{k+1}$ and
-  $t_n<t_{n+1}$; else the support of the first or of the last function meets the domain in no interval
-:reading: every_point_counts | with both: every point has a share, and nothing else is asked of the knots
-:figure: idle_point
-
-The source does not say that every control point counts, and the curve exists when one does not.
-:::
-
-:::{claim} basis_is_a_partition_of_unity
-:title: On the domain the B-splines are nonnegative and sum up to 1, so positive weights have a positive mean
-:zh: 定义域内 B 样条基非负且和为一,故分母为正
-:given: every pattern of knots in the list of the claim, with any positive gaps; any interval of the domain;
-  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$
-:then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$; so the denominator of (4.1.2) is at least the least
-  weight
-:method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
-:degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
-:control: the first of the points of the interval left out
-:::
 */
-#include "chapters/nurbs/definition.h"
-#include "chapters/nurbs/discrete.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* For each degree: simple knots, clamped ends with multiple inner knots up to the order, unclamped ends. */
 static const char *const G(kinds)[][5] = {
@@ -101,6 +51,20 @@ static num G(parameter_inside)(trial *T, const num x[], int interval)
     return add(x[interval], mul(sub(x[interval + 1], x[interval]), inside(T, "s")));
 }
 
+/*
+:::{claim} basis_is_a_partition_of_unity
+:title: On the domain the B-splines are nonnegative and sum up to 1, so positive weights have a positive mean
+:zh: 定义域内 B 样条基非负且和为一,故分母为正
+:given: every pattern of knots in the list of the claim, with any positive gaps; any interval of the domain;
+  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$
+:then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$; so the denominator of (4.1.2) is at least the least
+  weight
+:method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
+:control: the first of the points of the interval left out
+:::
+*/
 CLAIM(basis_is_a_partition_of_unity)
 {
     int p = T->degree, place[MOST_KNOTS];
@@ -125,6 +89,228 @@ CLAIM(basis_is_a_partition_of_unity)
     }
 }
 
+#if RATIONAL
+/* The sum of all functions and, if there are weights, of their products, in the interval named. */
+static num G(denominator)(int n, int p, const num u[], const int place[], const num w[], int interval, num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i < n; i++) {
+        num N = G(cox_de_boor)(p, u, place, i, interval, t);
+        sum = add(sum, w != NULL ? mul(w[i], N) : N);
+    }
+    return sum;
+}
+
+/*
+:::{claim} negative_weight_makes_a_pole
+:title: With a negative weight the denominator may vanish
+:zh: 权因子为负时分母可为零
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1$, weights $1,-1,1$; $t=\frac12$
+:then: $w(\frac12)=\frac14-\frac12+\frac14=0$
+:method: The denominator of (4.1.2), all terms.
+:control: the weights $1,1,1$
+:::
+*/
+CLAIM(negative_weight_makes_a_pole)
+{
+    num x[] = {from_int(0), from_int(1)}, u[6], w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(1)};
+    int place[6];
+    G(knots_at)("33", x, u, place);
+    num total = G(denominator)(3, 2, u, place, w, 0, from_ratio(1, 2));
+    show_points(T, "w", 3, 1, w);
+    show(T, "w(1/2)", total);
+    about(T, "the denominator is not zero");
+    agree(T, sign_q(total) != 0);
+}
+#endif
+
+/*
+:::{claim} outer_knots_do_not_count
+:title: On the domain the curve does not depend on the first and the last knot, nor on any beyond
+:zh: 首末两个节点不影响定义域内的曲线
+:given: simple knots, their values variables; any $t$; every interval of the domain $[t_k,t_{n+1}]$, $n=k+1$
+:then: $N_{i,k}$, $i=1,\dots,n$, stays the same when $t_1$ and $t_{n+k}$ are replaced by other numbers
+:method: The recursion by its letter with both knots and with two other variables.  The $N_{i,k}$ with $1\le i\le n$ contain
+  $t_1,\dots,t_{n+k}$ only.
+:degrees: 1..6 sampled 6
+:control: the second knot replaced as well
+:::
+*/
+CLAIM(outer_knots_do_not_count)
+{
+    int p = T->degree, count = 2 * p + 3, n = count - p - 1, place[MOST_KNOTS];
+    char pattern[MOST_KNOTS] = "";
+    num x[MOST_KNOTS], u[MOST_KNOTS], t = unknown(T, "t", 0);
+    memset(pattern, '1', (size_t)count);
+    G(distinct_knots)(T, count, 6, x);
+    G(knots_at)(pattern, x, u, place);
+    for (int interval = p; interval < n; interval++) {
+        num before[MOST_KNOTS];
+        for (int i = 0; i < n; i++)
+            before[i] = G(cox_de_boor)(p, u, place, i, interval, t);
+        num first = u[0], second = u[1], last = u[count - 1];
+        u[0] = unknown(T, "y", 0);
+        u[count - 1] = unknown(T, "y", 1);
+        if (T->planted)
+            u[1] = unknown(T, "y", 2);
+        for (int i = 0; i < n; i++)
+            same(T, G(cox_de_boor)(p, u, place, i, interval, t), before[i]);
+        u[0] = first, u[1] = second, u[count - 1] = last;
+    }
+}
+
+/*
+:::{claim} control_point_of_space_is_not_enough
+:title: The factor of a homogeneous point changes the curve
+:zh: 齐次坐标的公因子影响曲线
+:given: $k=2$ and any knots; the point $r_2$ of space given by homogeneous coordinates $(w_2r_2,w_2)$ and by
+  $\lambda$ times these
+:then: the curve changes with $\lambda$: its value at $\lambda$ minus that at $1$ is a product of
+  $(\lambda-1)\,w_1w_2\,(r_2-r_1)$, of $N_{1,2}N_{2,2}$, and of the reciprocals of both denominators
+:method: The curve from the definition on the span, everything a variable.
+:control: both points multiplied by $\lambda$
+:::
+*/
+CLAIM(control_point_of_space_is_not_enough)
+{
+    num x[4], u[4], R[2], w[2], v[2], before, after, t = unknown(T, "t", 0), factor = positive(T, "lambda", 0);
+    int place[4];
+    G(distinct_knots)(T, 4, 6, x);
+    G(knots_at)("1111", x, u, place);
+    G(weighted_points)(T, 2, 1, R, w);
+    v[0] = T->planted ? mul(factor, w[0]) : w[0];
+    v[1] = mul(factor, w[1]);
+    num total = G(nurbs_by_definition)(2, 1, 1, u, place, R, w, 1, t, &before);
+    num other = G(nurbs_by_definition)(2, 1, 1, u, place, R, v, 1, t, &after);
+    num shares = mul(G(cox_de_boor)(1, u, place, 0, 1, t), G(cox_de_boor)(1, u, place, 1, 1, t));
+    num change = mul(mul(sub(factor, from_int(1)), mul(w[0], w[1])), mul(sub(R[1], R[0]), shares));
+    same(T, sub(after, before), div(change, mul(total, other)));
+}
+
+/*
+:::{statement} wang-ch4:def-4.1.1-polygon
+:title: The first point of the control polygon
+:zh: 控制多边形的首顶点
+:printed: $\tilde r_i\tilde r_2\cdots\tilde r_n$ is the control polygon
+:class: misprint
+:refuted-by: polygon_begun_elsewhere_misses_the_start
+:corrected: $\tilde r_1\tilde r_2\cdots\tilde r_n$
+:corrected-by: clamped_end_is_the_first_point
+:figure: polygon_begun_elsewhere
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} polygon_begun_elsewhere_misses_the_start
+:title: A polygon that begins with another point than the first does not begin with the curve
+:zh: 多边形首顶点有误时不含曲线起点
+:kind: counterexample
+:given: $k=2$, knots $0,0,1,2,2$, points $(0,0),(1,1),(2,0)$, weights $1$, for which the curve is the polygon; $i=2$
+:then: $r(t_k)=(0,0)$, and the polygon $r_ir_2r_3$ begins in $(1,1)$
+:method: The point of the curve from the definition.
+:control: $i=1$
+:::
+*/
+CLAIM(polygon_begun_elsewhere_misses_the_start)
+{
+    static const int at[] = {0, 0, 1, 1, 2, 0};
+    num x[] = {from_int(0), from_int(1), from_int(2)}, u[5], w[3], R[6], P[2];
+    int place[5], i = T->planted ? 1 : 2;
+    G(knots_at)("212", x, u, place);
+    for (int m = 0; m < 6; m++) {
+        R[m] = from_int(at[m]);
+        w[m / 2] = from_int(1);
+    }
+    G(nurbs_by_definition)(3, 1, 2, u, place, R, w, 0, x[0], P);
+    show_points(T, "r", 3, 2, R);
+    show_text(T, "i", "%d", i);
+    show_points(T, "r_i", 1, 2, R + 2 * (i - 1));
+    show_points(T, "r(t_k)", 1, 2, P);
+    about(T, "the polygon begins where the curve begins");
+    agree(T, equal_q(R[2 * i - 2], P[0]) && equal_q(R[2 * i - 1], P[1]));
+}
+
+/*
+:::{statement} wang-ch4:def-4.1.1-interval
+:title: The curve is defined for nondecreasing knots
+:zh: 节点向量非减即可定义曲线
+:printed: $t_j\le t_{j+1}$ for all $j$, $n\ge k$: the curve is defined for $t_k\le t\le t_{n+1}$
+:holds-by: basis_is_a_partition_of_unity
+:hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise the domain is one value of $t$, at which every $N_{i,k}$,
+  $1\le i\le n$, may be zero
+:hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
+  $t_{n+1}=\dots=t_{n+k}$: by the half-open intervals of the definition of $N_{i,1}$ all $N_{i,k}$ are zero there
+:figure: missing_end
+:::
+
+:::{claim} no_interval_no_curve
+:title: Without an interval all functions may vanish
+:zh: 无非空区间时基函数可全为零
+:kind: counterexample
+:given: $k=2$, $n=2$, knots $1,1,1,1$: they do not decrease, and $t_k=t_{n+1}=1$ is the whole domain.  For the control
+  $0,0,2,2$.
+:then: $N_{1,2}(1)+N_{2,2}(1)=0$, from the left and from the right, so that (4.1.2) is $0/0$
+:method: The recursion by its letter for the interval before and for the interval after $t=1$.
+:control: the knots $0,0,2,2$
+:::
+*/
+CLAIM(no_interval_no_curve)
+{
+    num x[] = {from_int(0), from_int(1), from_int(2)}, u[4], t = from_int(1);
+    int place[4], count = G(knots_at)(T->planted ? "202" : "040", x, u, place);
+    show_points(T, "knots", count, 1, u);
+    num left = G(denominator)(2, 1, u, place, NULL, 0, t), right = G(denominator)(2, 1, u, place, NULL, 1, t);
+    show(T, "the sum from the left", left);
+    show(T, "the sum from the right", right);
+    about(T, "the denominator is not zero");
+    agree(T, sign_q(left) > 0 || sign_q(right) > 0);
+}
+
+/*
+:::{claim} right_end_belongs_to_no_interval
+:title: At a k-fold right end all functions vanish by the letter of the definition
+:zh: 右端为 k 重节点时按半开区间定义基函数全为零
+:kind: counterexample
+:given: $k=3$, $n=4$, knots $0,0,0,1,2,2,2$ and then $3$; $t=t_{n+1}=2$, which lies in $[t_7,t_8)=[2,3)$ and in no interval before.
+  For the control the limit from the left.
+:then: $\sum_{i=1}^4N_{i,3}(2)=0$
+:method: The recursion by its letter for the interval $[2,3)$.
+:control: the recursion for the interval $[1,2)$
+:::
+*/
+CLAIM(right_end_belongs_to_no_interval)
+{
+    num x[] = {from_int(0), from_int(1), from_int(2), from_int(3)}, u[8];
+    int place[8], count = G(knots_at)("3131", x, u, place);
+    num sum = G(denominator)(4, 2, u, place, NULL, T->planted ? 1 : 2, from_int(2));
+    show_points(T, "knots", count, 1, u);
+    show(T, "the sum at t = 2", sum);
+    about(T, "the denominator is not zero");
+    agree(T, sign_q(sum) > 0);
+}
+#endif
+
+/*
+:::{statement} wang-ch4:def-4.1.1-multiplicity
+:title: Which control points have a share in the curve
+:zh: 哪些控制顶点影响曲线
+:definition: yes
+:printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are called the control points of the curve
+:checked-by: every_point_counts
+:reading: too_multiple_knot_loses_a_point | knots of any multiplicity, and every point has a share: false; for $t_i=t_{i+k}$ the function
+  $N_{i,k}$ is zero and $r_i$ has no share
+:reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: false without $t_k<t_{k+1}$ and
+  $t_n<t_{n+1}$; else the support of the first or of the last function meets the domain in no interval
+:reading: every_point_counts | with both: every point has a share, and nothing else is asked of the knots
+:figure: idle_point
+
+The source does not say that every control point counts, and the curve exists when one does not.
+:::
+*/
+
+#if FIELD || RATIONAL
 /*
 :::{claim} every_point_counts
 :title: With knots at most k-fold, and the end knots of the domain not repeated inside, every point counts
@@ -139,7 +325,6 @@ CLAIM(basis_is_a_partition_of_unity)
 :control: $N_{i,k}$ compared with the support of $N_{i+1,k}$
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(every_point_counts)
 {
     int p = T->degree, place[MOST_KNOTS];
@@ -169,29 +354,8 @@ CLAIM(every_point_counts)
 }
 #endif
 
+#if RATIONAL
 /*
-:::{claim} no_interval_no_curve
-:title: Without an interval all functions may vanish
-:zh: 无非空区间时基函数可全为零
-:kind: counterexample
-:given: $k=2$, $n=2$, knots $1,1,1,1$: they do not decrease, and $t_k=t_{n+1}=1$ is the whole domain.  For the control
-  $0,0,2,2$.
-:then: $N_{1,2}(1)+N_{2,2}(1)=0$, from the left and from the right, so that (4.1.2) is $0/0$
-:method: The recursion by its letter for the interval before and for the interval after $t=1$.
-:control: the knots $0,0,2,2$
-:::
-
-:::{claim} right_end_belongs_to_no_interval
-:title: At a k-fold right end all functions vanish by the letter of the definition
-:zh: 右端为 k 重节点时按半开区间定义基函数全为零
-:kind: counterexample
-:given: $k=3$, $n=4$, knots $0,0,0,1,2,2,2$ and then $3$; $t=t_{n+1}=2$, which lies in $[t_7,t_8)=[2,3)$ and in no interval before.
-  For the control the limit from the left.
-:then: $\sum_{i=1}^4N_{i,3}(2)=0$
-:method: The recursion by its letter for the interval $[2,3)$.
-:control: the recursion for the interval $[1,2)$
-:::
-
 :::{claim} too_multiple_knot_loses_a_point
 :title: Between k+1 equal knots a point has no share in the curve
 :zh: k+1 个相等节点之间的控制顶点不起作用
@@ -203,72 +367,7 @@ CLAIM(every_point_counts)
   a share.
 :control: the second of the three knots moved to $\frac12$
 :::
-
-:::{claim} multiple_first_knot_loses_a_point
-:title: A domain that begins with the first of two equal knots leaves the first point idle
-:zh: 定义域左端为重节点之首时首顶点不起作用
-:kind: counterexample
-:given: $k=2$, $n=4$, knots $0,1,1,2,3,4$, domain $[1,3]$.  For the control $0,1,2,2,3,4$.
-:then: $N_{1,2}$, of support $[0,1]$, is $0$ in every interval of the domain
-:method: The recursion by its letter in the middle of each interval.
-:control: the third knot moved to $2$
-:::
-
-:::{claim} polygon_begun_elsewhere_misses_the_start
-:title: A polygon that begins with another point than the first does not begin with the curve
-:zh: 多边形首顶点有误时不含曲线起点
-:kind: counterexample
-:given: $k=2$, knots $0,0,1,2,2$, points $(0,0),(1,1),(2,0)$, weights $1$, for which the curve is the polygon; $i=2$
-:then: $r(t_k)=(0,0)$, and the polygon $r_ir_2r_3$ begins in $(1,1)$
-:method: The point of the curve from the definition.
-:control: $i=1$
-:::
-
-:::{claim} negative_weight_makes_a_pole
-:title: With a negative weight the denominator may vanish
-:zh: 权因子为负时分母可为零
-:kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1$, weights $1,-1,1$; $t=\frac12$
-:then: $w(\frac12)=\frac14-\frac12+\frac14=0$
-:method: The denominator of (4.1.2), all terms.
-:control: the weights $1,1,1$
-:::
 */
-#if RATIONAL
-/* The sum of all functions and, if there are weights, of their products, in the interval named. */
-static num G(denominator)(int n, int p, const num u[], const int place[], const num w[], int interval, num t)
-{
-    num sum = from_int(0);
-    for (int i = 0; i < n; i++) {
-        num N = G(cox_de_boor)(p, u, place, i, interval, t);
-        sum = add(sum, w != NULL ? mul(w[i], N) : N);
-    }
-    return sum;
-}
-
-CLAIM(no_interval_no_curve)
-{
-    num x[] = {from_int(0), from_int(1), from_int(2)}, u[4], t = from_int(1);
-    int place[4], count = G(knots_at)(T->planted ? "202" : "040", x, u, place);
-    show_points(T, "knots", count, 1, u);
-    num left = G(denominator)(2, 1, u, place, NULL, 0, t), right = G(denominator)(2, 1, u, place, NULL, 1, t);
-    show(T, "the sum from the left", left);
-    show(T, "the sum from the right", right);
-    about(T, "the denominator is not zero");
-    agree(T, sign_q(left) > 0 || sign_q(right) > 0);
-}
-
-CLAIM(right_end_belongs_to_no_interval)
-{
-    num x[] = {from_int(0), from_int(1), from_int(2), from_int(3)}, u[8];
-    int place[8], count = G(knots_at)("3131", x, u, place);
-    num sum = G(denominator)(4, 2, u, place, NULL, T->planted ? 1 : 2, from_int(2));
-    show_points(T, "knots", count, 1, u);
-    show(T, "the sum at t = 2", sum);
-    about(T, "the denominator is not zero");
-    agree(T, sign_q(sum) > 0);
-}
-
 CLAIM(too_multiple_knot_loses_a_point)
 {
     num x[] = {from_int(0), from_ratio(1, 2), from_int(1), from_int(2)}, u[7];
@@ -282,6 +381,17 @@ CLAIM(too_multiple_knot_loses_a_point)
     agree(T, counts);
 }
 
+/*
+:::{claim} multiple_first_knot_loses_a_point
+:title: A domain that begins with the first of two equal knots leaves the first point idle
+:zh: 定义域左端为重节点之首时首顶点不起作用
+:kind: counterexample
+:given: $k=2$, $n=4$, knots $0,1,1,2,3,4$, domain $[1,3]$.  For the control $0,1,2,2,3,4$.
+:then: $N_{1,2}$, of support $[0,1]$, is $0$ in every interval of the domain
+:method: The recursion by its letter in the middle of each interval.
+:control: the third knot moved to $2$
+:::
+*/
 CLAIM(multiple_first_knot_loses_a_point)
 {
     num x[] = {from_int(0), from_int(1), from_int(2), from_int(3), from_int(4)}, u[6];
@@ -294,100 +404,7 @@ CLAIM(multiple_first_knot_loses_a_point)
     about(T, "N_1 is not zero somewhere in the domain");
     agree(T, counts);
 }
-
-CLAIM(polygon_begun_elsewhere_misses_the_start)
-{
-    static const int at[] = {0, 0, 1, 1, 2, 0};
-    num x[] = {from_int(0), from_int(1), from_int(2)}, u[5], w[3], R[6], P[2];
-    int place[5], i = T->planted ? 1 : 2;
-    G(knots_at)("212", x, u, place);
-    for (int m = 0; m < 6; m++) {
-        R[m] = from_int(at[m]);
-        w[m / 2] = from_int(1);
-    }
-    G(nurbs_by_definition)(3, 1, 2, u, place, R, w, 0, x[0], P);
-    show_points(T, "r", 3, 2, R);
-    show_text(T, "i", "%d", i);
-    show_points(T, "r_i", 1, 2, R + 2 * (i - 1));
-    show_points(T, "r(t_k)", 1, 2, P);
-    about(T, "the polygon begins where the curve begins");
-    agree(T, equal_q(R[2 * i - 2], P[0]) && equal_q(R[2 * i - 1], P[1]));
-}
-
-CLAIM(negative_weight_makes_a_pole)
-{
-    num x[] = {from_int(0), from_int(1)}, u[6], w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(1)};
-    int place[6];
-    G(knots_at)("33", x, u, place);
-    num total = G(denominator)(3, 2, u, place, w, 0, from_ratio(1, 2));
-    show_points(T, "w", 3, 1, w);
-    show(T, "w(1/2)", total);
-    about(T, "the denominator is not zero");
-    agree(T, sign_q(total) != 0);
-}
 #endif
-
-/*
-:::{claim} outer_knots_do_not_count
-:title: On the domain the curve does not depend on the first and the last knot, nor on any beyond
-:zh: 首末两个节点不影响定义域内的曲线
-:given: simple knots, their values variables; any $t$; every interval of the domain $[t_k,t_{n+1}]$, $n=k+1$
-:then: $N_{i,k}$, $i=1,\dots,n$, stays the same when $t_1$ and $t_{n+k}$ are replaced by other numbers
-:method: The recursion by its letter with both knots and with two other variables.  The $N_{i,k}$ with $1\le i\le n$ contain
-  $t_1,\dots,t_{n+k}$ only.
-:degrees: 1..6 sampled 6
-:control: the second knot replaced as well
-:::
-
-:::{claim} control_point_of_space_is_not_enough
-:title: The factor of a homogeneous point changes the curve
-:zh: 齐次坐标的公因子影响曲线
-:given: $k=2$ and any knots; the point $r_2$ of space given by homogeneous coordinates $(w_2r_2,w_2)$ and by
-  $\lambda$ times these
-:then: the curve changes with $\lambda$: its value at $\lambda$ minus that at $1$ is a product of
-  $(\lambda-1)\,w_1w_2\,(r_2-r_1)$, of $N_{1,2}N_{2,2}$, and of the reciprocals of both denominators
-:method: The curve from the definition on the span, everything a variable.
-:control: both points multiplied by $\lambda$
-:::
-*/
-CLAIM(outer_knots_do_not_count)
-{
-    int p = T->degree, count = 2 * p + 3, n = count - p - 1, place[MOST_KNOTS];
-    char pattern[MOST_KNOTS] = "";
-    num x[MOST_KNOTS], u[MOST_KNOTS], t = unknown(T, "t", 0);
-    memset(pattern, '1', (size_t)count);
-    G(distinct_knots)(T, count, 6, x);
-    G(knots_at)(pattern, x, u, place);
-    for (int interval = p; interval < n; interval++) {
-        num before[MOST_KNOTS];
-        for (int i = 0; i < n; i++)
-            before[i] = G(cox_de_boor)(p, u, place, i, interval, t);
-        num first = u[0], second = u[1], last = u[count - 1];
-        u[0] = unknown(T, "y", 0);
-        u[count - 1] = unknown(T, "y", 1);
-        if (T->planted)
-            u[1] = unknown(T, "y", 2);
-        for (int i = 0; i < n; i++)
-            same(T, G(cox_de_boor)(p, u, place, i, interval, t), before[i]);
-        u[0] = first, u[1] = second, u[count - 1] = last;
-    }
-}
-
-CLAIM(control_point_of_space_is_not_enough)
-{
-    num x[4], u[4], R[2], w[2], v[2], before, after, t = unknown(T, "t", 0), factor = positive(T, "lambda", 0);
-    int place[4];
-    G(distinct_knots)(T, 4, 6, x);
-    G(knots_at)("1111", x, u, place);
-    G(weighted_points)(T, 2, 1, R, w);
-    v[0] = T->planted ? mul(factor, w[0]) : w[0];
-    v[1] = mul(factor, w[1]);
-    num total = G(nurbs_by_definition)(2, 1, 1, u, place, R, w, 1, t, &before);
-    num other = G(nurbs_by_definition)(2, 1, 1, u, place, R, v, 1, t, &after);
-    num shares = mul(G(cox_de_boor)(1, u, place, 0, 1, t), G(cox_de_boor)(1, u, place, 1, 1, t));
-    num change = mul(mul(sub(factor, from_int(1)), mul(w[0], w[1])), mul(sub(R[1], R[0]), shares));
-    same(T, sub(after, before), div(change, mul(total, other)));
-}
 
 /*
 ## The two formulas (齐次表示与仿射表示)
@@ -490,18 +507,6 @@ The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,
 :scope: the knots variables for $p\le4$, numbers above
 :control: the weight of one point of the span doubled
 :::
-
-:::{claim} only_proportional_weights_give_the_bspline
-:title: For independent points the weights have to be equal
-:zh: 顶点处于一般位置时权必须相等
-:given: one span, $k=2,\dots,5$, the points $r_i$ independent variables, any weights
-:then: the numerator of $r(t)-\sum N_{i,k}r_i$ has as coefficient of $r_i$ the number
-  $N_{i,k}(t)\,(w_i-w(t))$; it vanishes for all $i$ and $t$ only if $w(t)$ is the constant $w_i$
-:method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
-:degrees: 1..6 sampled 8
-:scope: the knots variables for $p\le4$, numbers above
-:control: the weight of one point doubled on one side
-:::
 */
 CLAIM(equal_weights_give_bspline)
 {
@@ -523,6 +528,19 @@ CLAIM(equal_weights_give_bspline)
     }
 }
 
+/*
+:::{claim} only_proportional_weights_give_the_bspline
+:title: For independent points the weights have to be equal
+:zh: 顶点处于一般位置时权必须相等
+:given: one span, $k=2,\dots,5$, the points $r_i$ independent variables, any weights
+:then: the numerator of $r(t)-\sum N_{i,k}r_i$ has as coefficient of $r_i$ the number
+  $N_{i,k}(t)\,(w_i-w(t))$; it vanishes for all $i$ and $t$ only if $w(t)$ is the constant $w_i$
+:method: Homogeneous coordinates on a span with simple knots; the coefficients are found with the unit vectors as points.
+:degrees: 1..6 sampled 8
+:scope: the knots variables for $p\le4$, numbers above
+:control: the weight of one point doubled on one side
+:::
+*/
 CLAIM(only_proportional_weights_give_the_bspline)
 {
     int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
@@ -574,17 +592,6 @@ The knots $t_1$ and $t_{2k}$ do not count, and the source rightly does not ask a
 :degrees: 1..6 sampled 9
 :control: the weights taken in the opposite order
 :::
-
-:::{claim} segment_of_any_knots_is_rational_bezier
-:title: Every segment is a rational Bézier curve, of other points and weights
-:zh: 任意节点上的一段均为有理 Bézier 曲线
-:given: simple knots, values variables; weights and points; the interval $[t_k,t_{k+1}]$
-:then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates
-:method: Both sides in homogeneous coordinates at a variable $t$: numerator and weight are linear, one coordinate stands for all.
-:degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: the given points in the place of the new ones
-:::
 */
 CLAIM(bezier_knots_give_rational_bezier)
 {
@@ -602,6 +609,18 @@ CLAIM(bezier_knots_give_rational_bezier)
         same(T, P[c], Q[c]);
 }
 
+/*
+:::{claim} segment_of_any_knots_is_rational_bezier
+:title: Every segment is a rational Bézier curve, of other points and weights
+:zh: 任意节点上的一段均为有理 Bézier 曲线
+:given: simple knots, values variables; weights and points; the interval $[t_k,t_{k+1}]$
+:then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates
+:method: Both sides in homogeneous coordinates at a variable $t$: numerator and weight are linear, one coordinate stands for all.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the given points in the place of the new ones
+:::
+*/
 CLAIM(segment_of_any_knots_is_rational_bezier)
 {
     int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
@@ -617,6 +636,7 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
     same(T, value, G(spline)(p + 1, p, 1, u, place, H, 0, p, t));
 }
 
+#if RATIONAL
 /*
 :::{claim} bezier_end_belongs_to_no_interval
 :title: At the end of k-fold Bézier knots the quotient by B-splines is 0/0
@@ -628,7 +648,6 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
 :control: $t_{2k}=2$ in the place of $1$
 :::
 */
-#if RATIONAL
 CLAIM(bezier_end_belongs_to_no_interval)
 {
     num x[] = {from_int(0), from_int(1), from_int(2)}, u[7], B[3], sum = from_int(0), one = from_int(1);
@@ -641,7 +660,6 @@ CLAIM(bezier_end_belongs_to_no_interval)
     about(T, "the sum of the B-splines and that of the Bernstein polynomials at t = 1");
     same(T, total, sum);
 }
-#endif
 
 /*
 :::{claim} simple_knots_need_other_points
@@ -655,7 +673,6 @@ CLAIM(bezier_end_belongs_to_no_interval)
 :control: the knots of the condition
 :::
 */
-#if RATIONAL
 CLAIM(simple_knots_need_other_points)
 {
     static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3}, at[] = {0, 0, 1, 2, 2, 0};
@@ -676,4 +693,5 @@ CLAIM(simple_knots_need_other_points)
     same(T, P[1], Q[1]);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -10,7 +10,14 @@ $$P^{[r]}(t,\tau)=f[\underbrace{\tau,\dots,\tau}_r,\underbrace{t,\dots,t}_{k-1-r
 
 The knots have disappeared from this formula: they say which points stand for the segment, not what the segment and its
 families are.
+*/
+#include "chapters/nurbs/family.h"
 
+#include <stdio.h>
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:formula-4.3.1
 :title: Numerator and denominator of a segment
 :zh: 一段曲线的分子与分母
@@ -20,19 +27,6 @@ families are.
 :figure: nurbs_envelope_families
 
 On $[t_j,t_{j+1})$ these are the numerator and the denominator of (4.1.2): the other terms are 0.
-:::
-
-:::{statement} wang-ch4:formula-4.3.3
-:title: The family of curves of order k-r on one span
-:zh: 一段上的 k-r 阶曲线族
-:printed: \mathbf r^{[k-r]}(t,\tau)=\sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,\mathbf r_i^{[r]}(\tau)\Big/
-  \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(\tau),\quad t_j\le t,\tau<t_{j+1}
-:definition: yes
-:checked-by: member_of_span_is_polar extrapolated_members_keep_positive_weights_inside
-:figure: nurbs_envelope_families
-
-The indices are in range, level $r$ having the indices $j-k+r+1,\dots,j$, and so are the divisors
-$t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 :::
 
 :::{claim} segment_needs_the_points_of_its_span
@@ -48,12 +42,6 @@ $t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 :control: the first point of the span left out
 :::
 */
-#include "chapters/nurbs/family.h"
-
-#include <stdio.h>
-
-#include "chapters/judge/claims_on.h"
-
 CLAIM(segment_needs_the_points_of_its_span)
 {
     int p = T->degree, n = p + 3;
@@ -83,6 +71,19 @@ CLAIM(segment_needs_the_points_of_its_span)
 }
 
 /*
+:::{statement} wang-ch4:formula-4.3.3
+:title: The family of curves of order k-r on one span
+:zh: 一段上的 k-r 阶曲线族
+:printed: \mathbf r^{[k-r]}(t,\tau)=\sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,\mathbf r_i^{[r]}(\tau)\Big/
+  \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(\tau),\quad t_j\le t,\tau<t_{j+1}
+:definition: yes
+:checked-by: member_of_span_is_polar extrapolated_members_keep_positive_weights_inside
+:figure: nurbs_envelope_families
+
+The indices are in range, level $r$ having the indices $j-k+r+1,\dots,j$, and so are the divisors
+$t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
+:::
+
 :::{claim} member_of_span_is_polar
 :title: The member is the polar form with r arguments τ and k-1-r arguments t
 :zh: 族曲线即极形式
@@ -120,6 +121,7 @@ CLAIM(member_of_span_is_polar)
     }
 }
 
+#if FIELD || RATIONAL
 /*
 :::{claim} extrapolated_members_keep_positive_weights_inside
 :title: On its own span every weight of every level and every denominator of a member is positive
@@ -136,7 +138,6 @@ CLAIM(member_of_span_is_polar)
 :control: the weights negative
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(extrapolated_members_keep_positive_weights_inside)
 {
     int p = T->degree, mu = p;
@@ -180,89 +181,6 @@ The range leaves out what is no family of curves: for $r=0$ every member is the 
 it.
 :::
 
-:::{statement} wang-ch4:formula-4.3.4
-:title: On the diagonal the denominators of all levels agree
-:zh: t=τ 时各层分母相等
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t)
-:holds-by: levels_keep_weight_and_point
-:figure: nurbs_envelope_growing
-:::
-
-:::{statement} wang-ch4:formula-4.3.5
-:title: On the diagonal the numerators of all levels agree
-:zh: t=τ 时各层分子相等
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,
-  w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t)
-:holds-by: levels_keep_weight_and_point
-:figure: nurbs_envelope_growing
-:::
-
-:::{statement} wang-ch4:formula-4.3.6
-:title: The derivative of the basis at each level gives a fixed part of w'
-:zh: 各层基函数求导所得为 w' 的固定倍数
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)=\frac{k-r-1}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,
-  w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t)
-:holds-by: levels_shrink_the_derivative
-:figure: nurbs_envelope_contact
-
-The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ telescope.
-:::
-
-:::{statement} wang-ch4:formula-4.3.7
-:title: The derivative of the basis at each level gives a fixed part of p'
-:zh: 各层基函数求导所得为 p' 的固定倍数
-:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\frac{k-r-1}{k-r}
-  \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t)
-:holds-by: levels_shrink_the_derivative
-:figure: nurbs_envelope_contact
-:::
-
-:::{statement} wang-ch4:thm-4.3.1-point
-:title: At τ = t the member has the point of the curve
-:zh: τ=t 时族曲线上的点即曲线上的点
-:printed: \mathbf r^{[k-r]}(t,\tau)|_{\tau=t}=\mathbf p(t)/w(t)=\mathbf r(t),\quad t_j\le t<t_{j+1}
-:holds-by: member_of_span_touches_curve
-:figure: nurbs_envelope_growing
-:::
-
-:::{statement} wang-ch4:thm-4.3.1-derivative
-:title: At τ = t the derivative of the member is a fixed part of that of the curve
-:zh: τ=t 时族曲线的导矢与曲线的导矢平行
-:printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial t}\Big|_{\tau=t}=\frac{k-r-1}{k-1}\,
-  \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t)
-:holds-by: member_of_span_touches_curve
-:figure: nurbs_envelope_contact
-:::
-
-:::{statement} wang-ch4:thm-4.3.1-right-limit
-:title: At a knot the derivatives are limits from the right
-:zh: 节点处的偏导矢取右极限
-:printed: the partial derivatives at a point $t_i$ are understood as limits from the right
-:holds-by: member_of_span_touches_curve
-:needs: corner_has_two_tangents | the limit is from the right; from the left the curve has, at a $(k-1)$-fold knot,
-  another direction than the member of the span on the right
-:figure: knot_sides
-
-The knot is $t_j$, the left end of the span that the proof is about; the letter $i$ counts the terms of its sums.
-:::
-
-:::{statement} wang-ch4:thm-4.3.1
-:title: On a span the NURBS curve is an envelope of its family of order k-r
-:zh: 一段 NURBS 曲线是其 k-r 阶曲线族的包络
-:printed: \mathbf r(t)=\mathbf p(t)/w(t)=\operatorname{env}\{\mathbf r^{[k-r]}(t,\tau),\ t_j\le t<t_{j+1}\mid
-  t_j\le\tau<t_{j+1}\},\quad j=k,k+1,\dots,n,\ r=1,\dots,k-2,\ k\ge3
-:holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
-:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; where it vanishes the member may be a single point
-:needs: negative_weight_takes_a_point_away | the weights are positive
-:figure: nurbs_envelope_families
-
-This is existence: every member touches the curve, in the point of its own parameter, and nothing else is said here;
-that there may be other envelopes is the matter of theorems 4.3.2 and 4.3.3.  Formula (4.3.2) covers the half-open
-spans, so that the last point $t_{n+1}$ of the curve is in none of them; the polynomials of the last span reach it. 
-For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
-for every $r$: `curvatures_have_a_fixed_ratio`.
-:::
-
 :::{claim} member_of_extreme_levels
 :title: Level 0 gives the curve for every τ, level k-1 its point
 :zh: 第 0 层即曲线,第 k-1 层即曲线上的点
@@ -272,42 +190,6 @@ for every $r$: `curvatures_have_a_fixed_ratio`.
 :degrees: 1..6 sampled 7
 :scope: the knots variables for $p\le4$, numbers above
 :control: level $k-2$ in the place of level $k-1$
-:::
-
-:::{claim} levels_keep_weight_and_point
-:title: At τ = t every level sums up to the same weight and the same point
-:zh: τ=t 时各层之和相同
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
-:then: both sums of level $r$ over $N_{i,k-r}(t)$ are those of level $r-1$ over $N_{i,k-r+1}(t)$ and those of level 0,
-  $w(t)$ and $p(t)$
-:method: The levels by (4.1.3), (4.1.4), the sums as printed.
-:degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: the recursion of the level at $\tau=t+1$
-:::
-
-:::{claim} levels_shrink_the_derivative
-:title: The derivative of the basis alone gives (k-r-1)/(k-r) of the level before and (k-r-1)/(k-1) of the curve
-:zh: 仅对基函数求导所得的比例
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
-:then: the displays (4.3.6) and (4.3.7), each equality
-:method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
-:degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: the factor $\frac{k-r}{k-r+1}$ for one level
-:::
-
-:::{claim} member_of_span_touches_curve
-:title: At τ = t the member has the point of the curve and (k-r-1)/(k-1) of its derivative
-:zh: τ=t 处族曲线与曲线同点,导矢之比为 (k-r-1)/(k-1)
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
-:then: $r^{[k-r]}(t,t)=r(t)$ and
-  $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
-:method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
-  number, so the ends of the span are covered, with the derivatives of its polynomials.
-:degrees: 2..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
-:control: the factor left out
 :::
 */
 CLAIM(member_of_extreme_levels)
@@ -333,6 +215,36 @@ CLAIM(member_of_extreme_levels)
     }
 }
 
+/*
+:::{statement} wang-ch4:formula-4.3.4
+:title: On the diagonal the denominators of all levels agree
+:zh: t=τ 时各层分母相等
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t)
+:holds-by: levels_keep_weight_and_point
+:figure: nurbs_envelope_growing
+:::
+
+:::{statement} wang-ch4:formula-4.3.5
+:title: On the diagonal the numerators of all levels agree
+:zh: t=τ 时各层分子相等
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,
+  w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t)
+:holds-by: levels_keep_weight_and_point
+:figure: nurbs_envelope_growing
+:::
+
+:::{claim} levels_keep_weight_and_point
+:title: At τ = t every level sums up to the same weight and the same point
+:zh: τ=t 时各层之和相同
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
+:then: both sums of level $r$ over $N_{i,k-r}(t)$ are those of level $r-1$ over $N_{i,k-r+1}(t)$ and those of level 0,
+  $w(t)$ and $p(t)$
+:method: The levels by (4.1.3), (4.1.4), the sums as printed.
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the recursion of the level at $\tau=t+1$
+:::
+*/
 CLAIM(levels_keep_weight_and_point)
 {
     int p = T->degree, mu = p;
@@ -359,6 +271,38 @@ CLAIM(levels_keep_weight_and_point)
     }
 }
 
+/*
+:::{statement} wang-ch4:formula-4.3.6
+:title: The derivative of the basis at each level gives a fixed part of w'
+:zh: 各层基函数求导所得为 w' 的固定倍数
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)=\frac{k-r-1}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,
+  w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t)
+:holds-by: levels_shrink_the_derivative
+:figure: nurbs_envelope_contact
+
+The factors $\frac{k-r-1}{k-r}\cdot\frac{k-r}{k-r+1}\cdots\frac{k-2}{k-1}$ telescope.
+:::
+
+:::{statement} wang-ch4:formula-4.3.7
+:title: The derivative of the basis at each level gives a fixed part of p'
+:zh: 各层基函数求导所得为 p' 的固定倍数
+:printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)\mathbf r_i^{[r]}(t)=\frac{k-r-1}{k-r}
+  \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t)
+:holds-by: levels_shrink_the_derivative
+:figure: nurbs_envelope_contact
+:::
+
+:::{claim} levels_shrink_the_derivative
+:title: The derivative of the basis alone gives (k-r-1)/(k-r) of the level before and (k-r-1)/(k-1) of the curve
+:zh: 仅对基函数求导所得的比例
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
+:then: the displays (4.3.6) and (4.3.7), each equality
+:method: As before with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the factor $\frac{k-r}{k-r+1}$ for one level
+:::
+*/
 CLAIM(levels_shrink_the_derivative)
 {
     int p = T->degree, k = p + 1, mu = p;
@@ -386,6 +330,25 @@ CLAIM(levels_shrink_the_derivative)
     }
 }
 
+/*
+:::{statement} wang-ch4:thm-4.3.1-point
+:title: At τ = t the member has the point of the curve
+:zh: τ=t 时族曲线上的点即曲线上的点
+:printed: \mathbf r^{[k-r]}(t,\tau)|_{\tau=t}=\mathbf p(t)/w(t)=\mathbf r(t),\quad t_j\le t<t_{j+1}
+:holds-by: member_of_span_touches_curve
+:figure: nurbs_envelope_growing
+:::
+
+:::{statement} wang-ch4:thm-4.3.1-derivative
+:title: At τ = t the derivative of the member is a fixed part of that of the curve
+:zh: τ=t 时族曲线的导矢与曲线的导矢平行
+:printed: \frac{\partial\mathbf r^{[k-r]}(t,\tau)}{\partial t}\Big|_{\tau=t}=\frac{k-r-1}{k-1}\,
+  \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t)
+:holds-by: member_of_span_touches_curve
+:figure: nurbs_envelope_contact
+:::
+*/
+
 /* p+1 points of one coordinate and weights, everything free.  In the field the variables are the coefficients of
  * numerator and denominator in powers about t, and the points are polar values of the segment that they give: every
  * segment is of this kind, and its value and derivative at t are short. */
@@ -409,6 +372,20 @@ static void G(curve_about)(trial *T, int p, num t, const num u[], num R[], num w
 #endif
 }
 
+/*
+:::{claim} member_of_span_touches_curve
+:title: At τ = t the member has the point of the curve and (k-r-1)/(k-1) of its derivative
+:zh: τ=t 处族曲线与曲线同点,导矢之比为 (k-r-1)/(k-1)
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=1,\dots,k-2$
+:then: $r^{[k-r]}(t,t)=r(t)$ and
+  $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
+:method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
+  number, so the ends of the span are covered, with the derivatives of its polynomials.
+:degrees: 2..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
+:control: the factor left out
+:::
+*/
 CLAIM(member_of_span_touches_curve)
 {
     int p = T->degree, k = p + 1, mu = p;
@@ -437,6 +414,74 @@ CLAIM(member_of_span_touches_curve)
 }
 
 /*
+:::{statement} wang-ch4:thm-4.3.1-right-limit
+:title: At a knot the derivatives are limits from the right
+:zh: 节点处的偏导矢取右极限
+:printed: the partial derivatives at a point $t_i$ are understood as limits from the right
+:holds-by: member_of_span_touches_curve
+:needs: corner_has_two_tangents | the limit is from the right; from the left the curve has, at a $(k-1)$-fold knot,
+  another direction than the member of the span on the right
+:figure: knot_sides
+
+The knot is $t_j$, the left end of the span that the proof is about; the letter $i$ counts the terms of its sums.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} corner_has_two_tangents
+:title: At a (k-1)-fold knot the curve may have a corner; the member of the span on the right has the right tangent
+  only
+:zh: k-1 重节点处曲线可有尖角
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,2,2,2$, points $(0,0),(1,0),(2,2),(3,0),(4,0)$, weights 1; $r=1$; the member $\tau=1$
+  of the span $[1,2)$
+:then: its derivative at $t=1$ is not parallel to that of the curve from the left
+:method: Both derivatives are computed exactly; their determinant is compared with 0.
+:control: the derivative of the curve from the right
+:::
+*/
+CLAIM(corner_has_two_tangents)
+{
+    static const int knot[8] = {0, 0, 0, 1, 1, 2, 2, 2}, point[10] = {0, 0, 1, 0, 2, 2, 3, 0, 4, 0};
+    num u[8], R[10], w[5], Rr[6], wr[3], D[4], E[4], one = from_int(1);
+    for (int i = 0; i < 8; i++)
+        u[i] = from_int(knot[i]);
+    for (int m = 0; m < 10; m++)
+        R[m] = from_int(point[m]);
+    for (int i = 0; i < 5; i++)
+        w[i] = one;
+    int side = T->planted ? 4 : 2;
+    G(nurbs_derivatives)(2, 2, u, side, R, w, one, 1, D);
+    G(level_of_curve)(2, 2, u, 4, R + 4, w + 2, 1, one, Rr, wr);
+    G(curve_derivatives)(1, 2, u, 4, Rr, wr, one, 1, E);
+    show_points(T, "t_i", 8, 1, u);
+    show_points(T, "r_i", 5, 2, R);
+    show_points(T, "r'(1)", 1, 2, D + 2);
+    show_points(T, "derivative of the member", 1, 2, E + 2);
+    about(T, "the determinant of the two derivatives");
+    vanishes(T, G(cross2)(D + 2, E + 2));
+}
+#endif
+
+/*
+:::{statement} wang-ch4:thm-4.3.1
+:title: On a span the NURBS curve is an envelope of its family of order k-r
+:zh: 一段 NURBS 曲线是其 k-r 阶曲线族的包络
+:printed: \mathbf r(t)=\mathbf p(t)/w(t)=\operatorname{env}\{\mathbf r^{[k-r]}(t,\tau),\ t_j\le t<t_{j+1}\mid
+  t_j\le\tau<t_{j+1}\},\quad j=k,k+1,\dots,n,\ r=1,\dots,k-2,\ k\ge3
+:holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
+:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; where it vanishes the member may be a single point
+:needs: negative_weight_takes_a_point_away | the weights are positive
+:figure: nurbs_envelope_families
+
+This is existence: every member touches the curve, in the point of its own parameter, and nothing else is said here;
+that there may be other envelopes is the matter of theorems 4.3.2 and 4.3.3.  Formula (4.3.2) covers the half-open
+spans, so that the last point $t_{n+1}$ of the curve is in none of them; the polynomials of the last span reach it. 
+For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
+for every $r$: `curvatures_have_a_fixed_ratio`.
+:::
+
 :::{claim} envelope_condition_holds_on_the_diagonal
 :title: On the diagonal the derivatives of the member by t and by τ are parallel
 :zh: 对角线上族曲线对 t, τ 的偏导矢平行
@@ -472,14 +517,6 @@ CLAIM(envelope_condition_holds_on_the_diagonal)
 }
 
 #if RATIONAL
-/* Shows a curve of the span: knots, points, weights. */
-static void G(show_span)(trial *T, int p, int dim, const num u[], const num R[], const num w[])
-{
-    show_points(T, "t_i", 2 * p + 2, 1, u);
-    show_points(T, "r_i", p + 1, dim, R);
-    show_points(T, "w_i", p + 1, 1, w);
-}
-
 /*
 :::{claim} span_member_shrinks_at_a_cusp
 :title: Where the derivative of the curve vanishes the line of the family may be a point
@@ -492,6 +529,14 @@ static void G(show_span)(trial *T, int p, int dim, const num u[], const num R[],
 :control: $\tau=\frac12$
 :::
 */
+/* Shows a curve of the span: knots, points, weights. */
+static void G(show_span)(trial *T, int p, int dim, const num u[], const num R[], const num w[])
+{
+    show_points(T, "t_i", 2 * p + 2, 1, u);
+    show_points(T, "r_i", p + 1, dim, R);
+    show_points(T, "w_i", p + 1, 1, w);
+}
+
 CLAIM(span_member_shrinks_at_a_cusp)
 {
     static const int cusp[2][8] = {{0, 0, 1}, {0, 0, 0, 1}};
@@ -504,40 +549,7 @@ CLAIM(span_member_shrinks_at_a_cusp)
     about(T, "the two points of the member differ");
     agree(T, !equal_q(Rr[0], Rr[2]) || !equal_q(Rr[1], Rr[3]));
 }
-/*
-:::{claim} corner_has_two_tangents
-:title: At a (k-1)-fold knot the curve may have a corner; the member of the span on the right has the right tangent
-  only
-:zh: k-1 重节点处曲线可有尖角
-:kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,2,2,2$, points $(0,0),(1,0),(2,2),(3,0),(4,0)$, weights 1; $r=1$; the member $\tau=1$
-  of the span $[1,2)$
-:then: its derivative at $t=1$ is not parallel to that of the curve from the left
-:method: Both derivatives are computed exactly; their determinant is compared with 0.
-:control: the derivative of the curve from the right
-:::
-*/
-CLAIM(corner_has_two_tangents)
-{
-    static const int knot[8] = {0, 0, 0, 1, 1, 2, 2, 2}, point[10] = {0, 0, 1, 0, 2, 2, 3, 0, 4, 0};
-    num u[8], R[10], w[5], Rr[6], wr[3], D[4], E[4], one = from_int(1);
-    for (int i = 0; i < 8; i++)
-        u[i] = from_int(knot[i]);
-    for (int m = 0; m < 10; m++)
-        R[m] = from_int(point[m]);
-    for (int i = 0; i < 5; i++)
-        w[i] = one;
-    int side = T->planted ? 4 : 2;
-    G(nurbs_derivatives)(2, 2, u, side, R, w, one, 1, D);
-    G(level_of_curve)(2, 2, u, 4, R + 4, w + 2, 1, one, Rr, wr);
-    G(curve_derivatives)(1, 2, u, 4, Rr, wr, one, 1, E);
-    show_points(T, "t_i", 8, 1, u);
-    show_points(T, "r_i", 5, 2, R);
-    show_points(T, "r'(1)", 1, 2, D + 2);
-    show_points(T, "derivative of the member", 1, 2, E + 2);
-    about(T, "the determinant of the two derivatives");
-    vanishes(T, G(cross2)(D + 2, E + 2));
-}
+
 /*
 :::{claim} negative_weight_takes_a_point_away
 :title: With a negative weight a point of a level may be missing
@@ -596,21 +608,8 @@ the span of $\tau$ it is the member of that span, so it touches the curve there.
 hypotheses are fulfilled: all $w_i^{[r]}$ are equal.  What is left out is not asked for elsewhere: if $t_i=t_{i+k-r+1}$, then
 $t_i=t_{i+k-r}$ and $t_{i+1}=t_{i+1+k-r}$, and the points of the next level that would need $i$ are left out too.
 :::
-
-:::{claim} whole_member_is_polar_on_every_span
-:title: On every span the whole member is the polar form of the segment of that span
-:zh: 整条族曲线在每一段上都是该段的极形式
-:given: $k=p+1$; points with weights over simple knots, and over knots one of which, inside, is double, $(k-1)$-fold or
-  $k$-fold; any $\tau$, $t$ in each span; $r=1,\dots,k-2$
-:then: $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$ with the polar form $f$
-  of the segment that contains $t$
-:method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates, without the $i$ with
-  $t_i=t_{i+k-r}$; the sum of the other terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
-:degrees: 2..6 sampled 6
-:scope: the distinct knots variables for $p\le4$, numbers above
-:control: the polar form of the first segment for every span
-:::
 */
+
 /* The level r of (4.1.3) for all indices, in place: h_i, i = 0, ..., n-1, in the numbering from 0, become the h_i of
  * i = r, ..., n-1; those below stay.  Where a divisor is 0 there is no result, and none is asked for (h_i is set to 0). */
 static void G(whole_level)(int n, int p, const num u[], const int place[], int r, num h[], num tau)
@@ -626,6 +625,21 @@ static void G(whole_level)(int n, int p, const num u[], const int place[], int r
     }
 }
 
+/*
+:::{claim} whole_member_is_polar_on_every_span
+:title: On every span the whole member is the polar form of the segment of that span
+:zh: 整条族曲线在每一段上都是该段的极形式
+:given: $k=p+1$; points with weights over simple knots, and over knots one of which, inside, is double, $(k-1)$-fold or
+  $k$-fold; any $\tau$, $t$ in each span; $r=1,\dots,k-2$
+:then: $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$ with the polar form $f$
+  of the segment that contains $t$
+:method: The recursion (4.1.3) for all indices $i=r+1,\dots,n$, by its letter, in homogeneous coordinates, without the $i$ with
+  $t_i=t_{i+k-r}$; the sum of the other terms by the recursion of de Boor and Cox as it is defined; the right side by the kernel.
+:degrees: 2..6 sampled 6
+:scope: the distinct knots variables for $p\le4$, numbers above
+:control: the polar form of the first segment for every span
+:::
+*/
 CLAIM(whole_member_is_polar_on_every_span)
 {
     int p = T->degree;
@@ -691,6 +705,7 @@ CLAIM(extrapolated_weight_vanishes)
     about(T, "the weights of level 1 are not 0");
     agree(T, !is_zero_q(w[1]) && !is_zero_q(w[2]) && !is_zero_q(w[3]));
 }
+
 /*
 :::{claim} lower_level_lacks_a_point
 :title: A point of a lower level may be missing although no weight of the level vanishes
@@ -727,6 +742,7 @@ CLAIM(lower_level_lacks_a_point)
     about(T, "the weights of level 2 not being 0, those of level 1 are not 0");
     agree(T, !given || all);
 }
+
 /*
 :::{claim} whole_member_ends_in_no_interval
 :title: At the end of a clamped curve numerator and denominator of a member are 0
@@ -756,6 +772,7 @@ CLAIM(whole_member_ends_in_no_interval)
     about(T, "the denominator of the member is not 0");
     agree(T, !is_zero_q(sum));
 }
+
 /*
 :::{claim} extrapolated_member_has_a_pole
 :title: With positive weights a member of the whole curve may run to infinity
@@ -786,6 +803,7 @@ CLAIM(extrapolated_member_has_a_pole)
     about(T, "the denominator of the member is not 0");
     agree(T, !is_zero_q(sum));
 }
+
 /*
 :::{claim} high_knot_leaves_a_point_undefined
 :title: At a knot of multiplicity k-r+1 the recursion for all indices divides by 0
@@ -832,38 +850,6 @@ Theorem 2.2.2 is not among the sources at hand; it is taken to be the same theor
 recursion.
 :::
 
-:::{statement} wang-ch4:cor-4.3.1-bezier
-:title: Between (k-1)-fold knots the theorem on rational Bézier curves results
-:zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
-:printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
-:reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2: true
-:reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches: true, wherever
-  $\mathbf r'\ne0$
-:reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2, with contact of order $n-r$, $n=k-1$: false, there as here
-:figure: bezier_knots
-:::
-
-:::{statement} wang-ch4:formula-4.3.8
-:title: The lines of the family of order 2
-:zh: 直线族的方程
-:printed: \mathbf r^{[2]}(t,\tau)=\frac{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)\mathbf
-  r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
-  r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
-:holds-by: lines_of_the_family_by_two_points
-:figure: nurbs_envelope_families
-:::
-
-:::{statement} wang-ch4:cor-4.3.1-lines
-:title: For k-r = 2 the curve is an envelope of straight lines
-:zh: k-r=2 时曲线是直线族的包络
-:printed: for $k-r=2$ the curve $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
-:holds-by: member_of_span_touches_curve lines_of_the_family_by_two_points
-:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
-:figure: nurbs_envelope_families
-
-The lines are segments, the legs that de Boor's algorithm draws last.
-:::
-
 :::{claim} equal_weights_give_the_polynomial_family
 :title: With equal weights all levels have these weights, and their points are those of de Boor's algorithm
 :zh: 权相等时各层权不变
@@ -873,31 +859,6 @@ The lines are segments, the legs that de Boor's algorithm draws last.
 :degrees: 1..6 sampled 7
 :scope: the knots variables for $p\le4$, numbers above
 :control: the first weight different
-:::
-
-:::{claim} bezier_span_gives_the_bezier_family
-:title: Between (k-1)-fold knots level r is level r of the rational de Casteljau triangle, and the basis is Bernstein's
-:zh: k-1 重节点之间的族即有理 Bézier 曲线族
-:given: $k=p+1$; a span whose ends are $(k-1)$-fold knots; weights and points, any $t$ and $\tau$, $r=0,\dots,k-1$
-:then: with $\lambda=\frac{\tau-t_j}{t_{j+1}-t_j}$: $w_i^{[r]}$ and $r_i^{[r]}$ are the weights and points of level
-  $r$ of the rational de Casteljau triangle at $\lambda$, and
-  $N_{i,k-r}(t)=B_{i-j+k-r-1}^{k-r-1}\bigl(\frac{t-t_j}{t_{j+1}-t_j}\bigr)$
-:method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know
-  nothing of knots.
-:degrees: 1..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: $1-\lambda$ in the place of $\lambda$
-:::
-
-:::{claim} lines_of_the_family_by_two_points
-:title: The member of order 2 is the printed quotient of two points
-:zh: 二阶族曲线即所印的两点之商
-:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$; $r=k-2$
-:then: (4.3.3) is (4.3.8)
-:method: Both quotients by their letter, one coordinate.
-:degrees: 2..6 sampled 7
-:scope: the knots variables for $p\le4$, numbers above
-:control: $t-t_j$ and $t_{j+1}-t$ exchanged
 :::
 */
 CLAIM(equal_weights_give_the_polynomial_family)
@@ -924,6 +885,32 @@ CLAIM(equal_weights_give_the_polynomial_family)
     }
 }
 
+/*
+:::{statement} wang-ch4:cor-4.3.1-bezier
+:title: Between (k-1)-fold knots the theorem on rational Bézier curves results
+:zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
+:printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
+:reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2: true
+:reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches: true, wherever
+  $\mathbf r'\ne0$
+:reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2, with contact of order $n-r$, $n=k-1$: false, there as here
+:figure: bezier_knots
+:::
+
+:::{claim} bezier_span_gives_the_bezier_family
+:title: Between (k-1)-fold knots level r is level r of the rational de Casteljau triangle, and the basis is Bernstein's
+:zh: k-1 重节点之间的族即有理 Bézier 曲线族
+:given: $k=p+1$; a span whose ends are $(k-1)$-fold knots; weights and points, any $t$ and $\tau$, $r=0,\dots,k-1$
+:then: with $\lambda=\frac{\tau-t_j}{t_{j+1}-t_j}$: $w_i^{[r]}$ and $r_i^{[r]}$ are the weights and points of level
+  $r$ of the rational de Casteljau triangle at $\lambda$, and
+  $N_{i,k-r}(t)=B_{i-j+k-r-1}^{k-r-1}\bigl(\frac{t-t_j}{t_{j+1}-t_j}\bigr)$
+:method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know
+  nothing of knots.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: $1-\lambda$ in the place of $\lambda$
+:::
+*/
 CLAIM(bezier_span_gives_the_bezier_family)
 {
     int p = T->degree, mu = p;
@@ -951,6 +938,39 @@ CLAIM(bezier_span_gives_the_bezier_family)
     }
 }
 
+/*
+:::{statement} wang-ch4:formula-4.3.8
+:title: The lines of the family of order 2
+:zh: 直线族的方程
+:printed: \mathbf r^{[2]}(t,\tau)=\frac{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)\mathbf
+  r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
+  r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
+:holds-by: lines_of_the_family_by_two_points
+:figure: nurbs_envelope_families
+:::
+
+:::{statement} wang-ch4:cor-4.3.1-lines
+:title: For k-r = 2 the curve is an envelope of straight lines
+:zh: k-r=2 时曲线是直线族的包络
+:printed: for $k-r=2$ the curve $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
+:holds-by: member_of_span_touches_curve lines_of_the_family_by_two_points
+:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
+:figure: nurbs_envelope_families
+
+The lines are segments, the legs that de Boor's algorithm draws last.
+:::
+
+:::{claim} lines_of_the_family_by_two_points
+:title: The member of order 2 is the printed quotient of two points
+:zh: 二阶族曲线即所印的两点之商
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$; $r=k-2$
+:then: (4.3.3) is (4.3.8)
+:method: Both quotients by their letter, one coordinate.
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: $t-t_j$ and $t_{j+1}-t$ exchanged
+:::
+*/
 CLAIM(lines_of_the_family_by_two_points)
 {
     int p = T->degree, mu = p;
@@ -988,32 +1008,6 @@ curve.
 :scope: the knots variables for $p\le4$, numbers above
 :control: the factors left out
 :::
-
-:::{claim} curvatures_have_a_fixed_ratio
-:title: Member and curve turn in a fixed ratio, which depends on k and r only
-:zh: 族曲线与曲线的曲率之比只与 k, r 有关
-:given: the derivatives $P,P',P''$ of a curve with weight $w>0$, two coordinates, and those of the member,
-  $P$, $\frac mnP'$, $\frac{m(m-1)}{n(n-1)}P''$; any $n$ and $m$
-:then: $r_m'=\frac mnr'$ and $r_m'\times r_m''=\frac{m^2(m-1)}{n^2(n-1)}\,r'\times r''$, hence
-  $\frac{\kappa_m}{\kappa}=\frac{n(m-1)}{m(n-1)}$, which is less than 1 for $m<n$: the contact is of order 1 where
-  $\kappa\ne0$
-:method: Quotient rule with $n$ and $m$ as variables.  The two coordinates are any two, so it holds in space as well.
-  $m(n-1)-n(m-1)=n-m=r$.
-:degrees: all
-:control: the ratio $\frac{m(m-1)}{n(n-1)}$ for the determinants
-:::
-
-:::{claim} curvature_of_the_span_member
-:title: The ratio of the curvatures, measured on curves of the plane and of space
-:zh: 曲率比的直接计算
-:types: rational interval double
-:given: $k=p+1$; the three shapes of knots, weights and points of the plane and of space, any $t$, $r=1,\dots,k-2$
-:then: $((k-r-1)(k-2))^2\,\kappa^2_{k-r}(t)=((k-1)(k-r-2))^2\,\kappa^2(t)$
-:method: The second way: the points of the member by (4.1.3), (4.1.4), and the curvatures of both curves by their
-  derivatives.
-:degrees: 2..4 sampled 5
-:control: the ratio $\frac{k-r-2}{k-2}$
-:::
 */
 /* n!/(n-k)! */
 static long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
@@ -1043,6 +1037,21 @@ CLAIM(span_derivatives_are_parallel)
     }
 }
 
+/*
+:::{claim} curvatures_have_a_fixed_ratio
+:title: Member and curve turn in a fixed ratio, which depends on k and r only
+:zh: 族曲线与曲线的曲率之比只与 k, r 有关
+:given: the derivatives $P,P',P''$ of a curve with weight $w>0$, two coordinates, and those of the member,
+  $P$, $\frac mnP'$, $\frac{m(m-1)}{n(n-1)}P''$; any $n$ and $m$
+:then: $r_m'=\frac mnr'$ and $r_m'\times r_m''=\frac{m^2(m-1)}{n^2(n-1)}\,r'\times r''$, hence
+  $\frac{\kappa_m}{\kappa}=\frac{n(m-1)}{m(n-1)}$, which is less than 1 for $m<n$: the contact is of order 1 where
+  $\kappa\ne0$
+:method: Quotient rule with $n$ and $m$ as variables.  The two coordinates are any two, so it holds in space as well.
+  $m(n-1)-n(m-1)=n-m=r$.
+:degrees: all
+:control: the ratio $\frac{m(m-1)}{n(n-1)}$ for the determinants
+:::
+*/
 CLAIM(curvatures_have_a_fixed_ratio)
 {
     num n = parameter(T, "n"), m = parameter(T, "m"), one = from_int(1), R[2][6];
@@ -1064,6 +1073,19 @@ CLAIM(curvatures_have_a_fixed_ratio)
 }
 
 #if !FIELD
+/*
+:::{claim} curvature_of_the_span_member
+:title: The ratio of the curvatures, measured on curves of the plane and of space
+:zh: 曲率比的直接计算
+:types: rational interval double
+:given: $k=p+1$; the three shapes of knots, weights and points of the plane and of space, any $t$, $r=1,\dots,k-2$
+:then: $((k-r-1)(k-2))^2\,\kappa^2_{k-r}(t)=((k-1)(k-r-2))^2\,\kappa^2(t)$
+:method: The second way: the points of the member by (4.1.3), (4.1.4), and the curvatures of both curves by their
+  derivatives.
+:degrees: 2..4 sampled 5
+:control: the ratio $\frac{k-r-2}{k-2}$
+:::
+*/
 CLAIM(curvature_of_the_span_member)
 {
     int p = T->degree, k = p + 1, mu = p;
@@ -1087,4 +1109,5 @@ CLAIM(curvature_of_the_span_member)
         }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

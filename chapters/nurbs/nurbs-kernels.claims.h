@@ -3,19 +3,6 @@
 
 A NURBS curve is a quotient, $R(t)=\sum N_{i,p}(t)w_iR_i\big/\sum N_{i,p}(t)w_i$, and a spline in homogeneous coordinates
 $(w_iR_i,w_i)$.  The kernels keep weights and points apart.
-
-:::{claim} nurbs_point_is_the_quotient
-:title: The kernel computes the quotient of the two sums
-:zh: NURBS 曲线上的点
-:given: several segments, the distinct knots variables, points and weights; every interval of the domain; any $t$
-:then: `nurbs_homogenize` gives $(w_iR_i,w_i)$ for the points of the span, `nurbs_weight` gives $w(t)=\sum_{i=0}^{n-1}N_{i,p}(t)w_i$,
-  `nurbs_point` and `nurbs_deboor` give $R(t)$
-:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
-:degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
-:defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
-:control: the weights taken backwards
-:::
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
@@ -32,6 +19,20 @@ static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
         w[i] = positive(T, "q", i);
 }
 
+/*
+:::{claim} nurbs_point_is_the_quotient
+:title: The kernel computes the quotient of the two sums
+:zh: NURBS 曲线上的点
+:given: several segments, the distinct knots variables, points and weights; every interval of the domain; any $t$
+:then: `nurbs_homogenize` gives $(w_iR_i,w_i)$ for the points of the span, `nurbs_weight` gives $w(t)=\sum_{i=0}^{n-1}N_{i,p}(t)w_i$,
+  `nurbs_point` and `nurbs_deboor` give $R(t)$
+:method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
+:defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
+:control: the weights taken backwards
+:::
+*/
 CLAIM(nurbs_point_is_the_quotient)
 {
     int p = T->degree;
@@ -219,22 +220,8 @@ CLAIM(nurbs_insertion_is_that_of_homogeneous_points)
 
 /*
 ## Derivatives, curvature, torsion
-
-:::{claim} nurbs_derivatives_are_those_of_the_quotient
-:title: All derivatives of a NURBS curve
-:zh: NURBS 曲线的各阶导矢
-:given: every segment, the distinct knots variables, points and weights, any $t$, orders $0,\dots,p+1$
-:then: `nurbs_derivatives` gives $R^{(k)}(t)$
-:method: The sums, with the B-splines from the recursion by its letter, in powers about $t$; the power series of numerator and denominator
-  are divided, term by term, and the coefficient of order $k$ is $R^{(k)}(t)/k!$.  In the field the variables are the
-  coefficients of numerator and denominator in powers about $t$, and the points are the values of their polar forms: every
-  segment has such coefficients.
-:degrees: 0..6 sampled 7
-:scope: the distinct knots variables for $p\le4$, numbers above
-:defines: nurbs_derivatives
-:control: $w'(t)$ doubled in the division
-:::
 */
+
 /* The points and weights of one segment in d coordinates, 1 <= d <= 3: free; in the field the coefficients of the
  * homogeneous curve in powers about t are. */
 static void G(segment_data)(trial *T, const struct G(knots) * K, int d, num t, num R[], num w[])
@@ -259,6 +246,22 @@ static void G(segment_data)(trial *T, const struct G(knots) * K, int d, num t, n
 #endif
 }
 
+/*
+:::{claim} nurbs_derivatives_are_those_of_the_quotient
+:title: All derivatives of a NURBS curve
+:zh: NURBS 曲线的各阶导矢
+:given: every segment, the distinct knots variables, points and weights, any $t$, orders $0,\dots,p+1$
+:then: `nurbs_derivatives` gives $R^{(k)}(t)$
+:method: The sums, with the B-splines from the recursion by its letter, in powers about $t$; the power series of numerator and denominator
+  are divided, term by term, and the coefficient of order $k$ is $R^{(k)}(t)/k!$.  In the field the variables are the
+  coefficients of numerator and denominator in powers about $t$, and the points are the values of their polar forms: every
+  segment has such coefficients.
+:degrees: 0..6 sampled 7
+:scope: the distinct knots variables for $p\le4$, numbers above
+:defines: nurbs_derivatives
+:control: $w'(t)$ doubled in the division
+:::
+*/
 CLAIM(nurbs_derivatives_are_those_of_the_quotient)
 {
     int p = T->degree;
@@ -287,6 +290,7 @@ CLAIM(nurbs_derivatives_are_those_of_the_quotient)
     }
 }
 
+#if FIELD || RATIONAL
 /*
 :::{claim} quotient_derivatives_follow_the_field
 :title: The derivatives of a quotient
@@ -301,7 +305,6 @@ CLAIM(nurbs_derivatives_are_those_of_the_quotient)
 :control: the second derivative of $w$, or for $r<2$ its value, doubled
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(quotient_derivatives_follow_the_field)
 {
     enum { formal = 5 };
@@ -341,25 +344,7 @@ CLAIM(quotient_derivatives_follow_the_field)
     for (int k = 0; k <= r; k++)
         same(T, out[k], quotient[k]);
 }
-#endif
 
-/*
-:::{claim} nurbs_curvature_from_homogeneous_coordinates
-:title: The squared curvature of a plane NURBS curve
-:zh: 平面 NURBS 曲线的曲率
-:given: weights, points of the plane, any $t$; simple knots and, in the field, clamped ones, the distinct knots variables
-:then: with $P=(x,y,w)$ the homogeneous curve, `nurbs_curvature_squared` gives
-  $\kappa^2=\frac{w^6\det(P,P',P'')^2}{\bigl((x'w-xw')^2+(y'w-yw')^2\bigr)^3}$
-:method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter; the formula has no derivative of a quotient.
-  In the field the variables are, as before, the coefficients of $P$ in powers about $t$.  In a greater degree
-  there are further coefficients, on which $P$, $P'$ and $P''$ do not depend.
-:types: field rational
-:degrees: 1..4 sampled 6
-:defines: nurbs_curvature_squared
-:control: $P''$ doubled in the formula
-:::
-*/
-#if FIELD || RATIONAL
 /* The knots of the next segment: simple ones, then in the field the clamped ones of Bézier. */
 static int G(next_segment)(trial *T, int p, int k, struct G(knots) * K)
 {
@@ -395,6 +380,22 @@ static num G(minor3)(num D[4][4], int i, int j, int k)
     return G(determinant)(3, M);
 }
 
+/*
+:::{claim} nurbs_curvature_from_homogeneous_coordinates
+:title: The squared curvature of a plane NURBS curve
+:zh: 平面 NURBS 曲线的曲率
+:given: weights, points of the plane, any $t$; simple knots and, in the field, clamped ones, the distinct knots variables
+:then: with $P=(x,y,w)$ the homogeneous curve, `nurbs_curvature_squared` gives
+  $\kappa^2=\frac{w^6\det(P,P',P'')^2}{\bigl((x'w-xw')^2+(y'w-yw')^2\bigr)^3}$
+:method: The derivatives of $P$ at $t$ from the recursion of de Boor and Cox by its letter; the formula has no derivative of a quotient.
+  In the field the variables are, as before, the coefficients of $P$ in powers about $t$.  In a greater degree
+  there are further coefficients, on which $P$, $P'$ and $P''$ do not depend.
+:types: field rational
+:degrees: 1..4 sampled 6
+:defines: nurbs_curvature_squared
+:control: $P''$ doubled in the formula
+:::
+*/
 CLAIM(nurbs_curvature_from_homogeneous_coordinates)
 {
     int p = T->degree;

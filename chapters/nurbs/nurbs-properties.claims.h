@@ -1,6 +1,14 @@
 /*
 # Properties, one side and the other of a knot (性质,节点两侧)
+*/
+#include "exact/decide/hull.h"
 
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:properties-2.3
 :title: Properties similar to those of B-spline curves
 :zh: 与 B 样条曲线性质 2.3.1-2.3.7 类似的性质
@@ -22,7 +30,13 @@
 Chapter 2 of the source is not part of the text at hand, so that the seven numbers cannot be matched one by one; each of the
 usual properties is decided.  Convexity and the number of intersections follow in 4.2.
 :::
+*/
 
+static const char *const G(kinds)[][3] = {
+    {NULL},         {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL},
+    {"5125", NULL}, {"6136", NULL},        {"7147", NULL}};
+
+/*
 :::{claim} moved_point_changes_its_support
 :title: A moved point and a changed weight act on k intervals of knots only
 :zh: 局部性
@@ -35,17 +49,6 @@ usual properties is decided.  Convexity and the number of intersections follow i
 :control: $\Delta$ doubled on the right
 :::
 */
-#include "exact/decide/hull.h"
-
-#include "chapters/nurbs/definition.h"
-#include "chapters/nurbs/discrete.h"
-
-#include "chapters/judge/claims_on.h"
-
-static const char *const G(kinds)[][3] = {
-    {NULL},         {"1121", "212", NULL}, {"11211", "3113", NULL}, {"4114", "112111", NULL},
-    {"5125", NULL}, {"6136", NULL},        {"7147", NULL}};
-
 CLAIM(moved_point_changes_its_support)
 {
     int p = T->degree, place[MOST_KNOTS];
@@ -82,6 +85,7 @@ CLAIM(moved_point_changes_its_support)
     }
 }
 
+#if RATIONAL
 /*
 :::{claim} point_is_in_the_hull_of_k_points
 :title: A point of the curve lies in the convex hull of the k points of its span
@@ -94,18 +98,7 @@ CLAIM(moved_point_changes_its_support)
 :degrees: 1..5
 :control: the hull without the first of the points
 :::
-
-:::{claim} negative_weight_leaves_the_hull
-:title: With a negative weight the curve leaves the hull
-:zh: 负权因子破坏凸包性
-:kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1$, points $(0,0),(1,1),(2,0)$, weights $1,-\frac12,1$; $t=\frac12$
-:then: $r(\frac12)=(1,-1)$ is not in the triangle
-:method: Membership is decided with a certificate.
-:control: the weight $\frac12$
-:::
 */
-#if RATIONAL
 CLAIM(point_is_in_the_hull_of_k_points)
 {
     int p = T->degree, place[MOST_KNOTS];
@@ -124,6 +117,17 @@ CLAIM(point_is_in_the_hull_of_k_points)
     }
 }
 
+/*
+:::{claim} negative_weight_leaves_the_hull
+:title: With a negative weight the curve leaves the hull
+:zh: 负权因子破坏凸包性
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,1,1$, points $(0,0),(1,1),(2,0)$, weights $1,-\frac12,1$; $t=\frac12$
+:then: $r(\frac12)=(1,-1)$ is not in the triangle
+:method: Membership is decided with a certificate.
+:control: the weight $\frac12$
+:::
+*/
 CLAIM(negative_weight_leaves_the_hull)
 {
     static const int at[] = {0, 0, 1, 1, 2, 0}, knot[] = {0, 0, 0, 1, 1, 1};
@@ -153,17 +157,6 @@ CLAIM(negative_weight_leaves_the_hull)
 :scope: the knots variables for $p\le4$, numbers above
 :control: the last point is not moved
 :::
-
-:::{claim} reversed_data_reverse_the_nurbs
-:title: Points, weights and knots in the opposite order give the curve backwards
-:zh: 数据反序,曲线反向
-:given: a span with simple knots, values variables; points, weights, any $t$
-:then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
-:method: The definition, everything a variable.
-:degrees: 1..6 sampled 6
-:scope: the knots variables for $p\le4$, numbers above
-:control: the weights are not reversed
-:::
 */
 CLAIM(nurbs_moves_with_its_points)
 {
@@ -189,6 +182,18 @@ CLAIM(nurbs_moves_with_its_points)
         same(T, Q[c], add(add(mul(M[2 * c], P[0]), mul(M[2 * c + 1], P[1])), v[c]));
 }
 
+/*
+:::{claim} reversed_data_reverse_the_nurbs
+:title: Points, weights and knots in the opposite order give the curve backwards
+:zh: 数据反序,曲线反向
+:given: a span with simple knots, values variables; points, weights, any $t$
+:then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
+:method: The definition, everything a variable.
+:degrees: 1..6 sampled 6
+:scope: the knots variables for $p\le4$, numbers above
+:control: the weights are not reversed
+:::
+*/
 CLAIM(reversed_data_reverse_the_nurbs)
 {
     int p = T->degree, count = 2 * p + 2, place[MOST_KNOTS];
@@ -223,17 +228,6 @@ CLAIM(reversed_data_reverse_the_nurbs)
 :degrees: 1..6 sampled 8
 :control: the order $k-m$ as well
 :::
-
-:::{claim} nurbs_sides_agree
-:title: Value, derivatives, curvature and torsion of the curve from both sides
-:zh: 曲线在节点两侧的值、导矢、曲率与挠率
-:types: rational interval double
-:given: random knots, weights and points of space; an $m$-fold inner knot, $1\le m\le k-1$
-:then: the derivatives of $r$ up to order $k-1-m$ agree; for $m\le k-3$ so do the curvatures, for $m\le k-4$ the torsions
-:method: The kernels for the rational curve on both spans.
-:degrees: 1..4 sampled 6
-:control: one of the weights on the right of the knot changed
-:::
 */
 CLAIM(sides_agree_up_to_order_less_multiplicity)
 {
@@ -258,6 +252,18 @@ CLAIM(sides_agree_up_to_order_less_multiplicity)
 }
 
 #if !FIELD
+/*
+:::{claim} nurbs_sides_agree
+:title: Value, derivatives, curvature and torsion of the curve from both sides
+:zh: 曲线在节点两侧的值、导矢、曲率与挠率
+:types: rational interval double
+:given: random knots, weights and points of space; an $m$-fold inner knot, $1\le m\le k-1$
+:then: the derivatives of $r$ up to order $k-1-m$ agree; for $m\le k-3$ so do the curvatures, for $m\le k-4$ the torsions
+:method: The kernels for the rational curve on both spans.
+:degrees: 1..4 sampled 6
+:control: one of the weights on the right of the knot changed
+:::
+*/
 CLAIM(nurbs_sides_agree)
 {
     int p = T->degree;
@@ -290,6 +296,7 @@ CLAIM(nurbs_sides_agree)
 }
 #endif
 
+#if RATIONAL
 /*
 :::{claim} one_order_more_jumps
 :title: The next derivative jumps, and with it curvature or torsion
@@ -301,18 +308,7 @@ CLAIM(nurbs_sides_agree)
 :method: Both sides by the kernels.
 :control: the derivative of order 1
 :::
-
-:::{claim} k_fold_knot_tears_the_curve
-:title: At a k-fold knot the curve has two values
-:zh: k 重节点处曲线断开
-:kind: counterexample
-:given: $k=2$, knots $0,0,1,1,2,2$, points $(0,0),(1,1),(2,1),(3,0)$, weights $1$; $t=1$
-:then: $r(1-)=(1,1)$ and $r(1+)=(2,1)$
-:method: Both sides from the definition.
-:control: the third point in $(1,1)$ as well
-:::
 */
-#if RATIONAL
 CLAIM(one_order_more_jumps)
 {
     static const int at[] = {0, 0, 1, 0, 2, 1, 2, 3}, knot[] = {0, 0, 0, 1, 2, 2, 2};
@@ -338,6 +334,17 @@ CLAIM(one_order_more_jumps)
     agree(T, agrees || equal_q(bent_left, bent_right));
 }
 
+/*
+:::{claim} k_fold_knot_tears_the_curve
+:title: At a k-fold knot the curve has two values
+:zh: k 重节点处曲线断开
+:kind: counterexample
+:given: $k=2$, knots $0,0,1,1,2,2$, points $(0,0),(1,1),(2,1),(3,0)$, weights $1$; $t=1$
+:then: $r(1-)=(1,1)$ and $r(1+)=(2,1)$
+:method: Both sides from the definition.
+:control: the third point in $(1,1)$ as well
+:::
+*/
 CLAIM(k_fold_knot_tears_the_curve)
 {
     int place[6];
@@ -358,6 +365,7 @@ CLAIM(k_fold_knot_tears_the_curve)
 }
 #endif
 
+#if FIELD
 /*
 :::{claim} nurbs_derivatives_are_derivatives
 :title: Derivatives, curvature and torsion of the kernels are those of the rational functions
@@ -373,7 +381,6 @@ CLAIM(k_fold_knot_tears_the_curve)
 :control: the weights 1 for the kernels
 :::
 */
-#if FIELD
 CLAIM(nurbs_derivatives_are_derivatives)
 {
     static const int knot[] = {-3, -2, 0, 0, 1, 3, 3, 4}, weight[] = {1, 3, 2, 5};

@@ -10,7 +10,20 @@ Counted along the curve and along the polygon it is true: for crossings, which a
 too, if an edge or a piece of curve on the line counts as one intersection.  As points
 of the plane, each counted once however often the polygon runs through it, it is false; and it is false if an edge on the line is
 not counted, or, for insertion, if it counts as infinitely many points.
+*/
+#include "chapters/nurbs/corner-cutting.h"
+#include "chapters/nurbs/definition.h"
 
+#include <stdio.h>
+
+#if RATIONAL
+#include "exact/decide/crossings.h"
+#include "exact/decide/roots.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:lemma-4.2.2-count
 :title: The number of intersections with a line
 :zh: 交点个数 I(Γ,L)
@@ -30,363 +43,12 @@ last the lemma is false, and the step that uses it, while the theorem is true: o
 Points of the plane will do, an edge or piece on the line counting once, for a polygon that does not meet itself on the line.  The source's chapter on Bézier curves means
 crossings, and says so.
 :::
-
-:::{statement} wang-ch4:lemma-4.2.2
-:title: Inserting knots adds no intersection with a line (4.2.1)
-:zh: 嵌节点过程的变差缩减性
-:printed: for every line $\boldsymbol L$ and every set $T'$ of knots to be inserted
-  $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
-:holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges knots_outside_the_domain_cut_corners
-:hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points of the plane
-:hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
-:hypothesis: cut_corner_lies_on_the_line | and counts as one intersection, not as infinitely many points
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
-:needs: insertion_with_mixed_weights_crosses_more | positive weights
-:reading: averages_between_neighbours_keep_sign_changes | crossings
-:reading: cut_corners_meet_a_line_no_more | common points, a piece on the line counting once
-:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
-:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the knots have to be in
-  the domain
-:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
-:figure: line_and_cut_corners
-
-The source gives no proof.  Any multiplicities are allowed.  The argument is about one corner at a time and holds
-for polygons of every length.
-:::
-
-:::{statement} wang-ch4:thm-4.2.2
-:title: A line meets the curve no more often than the polygon (4.2.2)
-:zh: 平面 NURBS 曲线的变差缩减性
-:printed: $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
-:holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-  inserted_parameters_become_vertices line_form_of_a_nurbs_curve
-:hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and polygon, not as
-  points of the plane
-:hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
-:needs: mixed_weights_cross_more | positive weights
-:reading: designed_splines_cross_no_more | crossings
-:reading: designed_splines_meet_no_more | common points, a piece on the line counting once
-:figure: line_and_cut_corners
-
-A proof for every order with the first reading: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$ where it is
-on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$ times, so the old
-one does.  With the second reading take one parameter of each intersection and one, off the line, between any two.
-No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the polygon crosses with it.
-:::
-
-:::{statement} wang-ch4:thm-4.2.2-step-suppose
-:title: If the theorem were false there were too many parameters
-:zh: 反证法的假设
-:printed: otherwise there is a line $\boldsymbol L_0$ with $N\equiv I(\Gamma_k^{(T)}(\Phi),\boldsymbol L_0)<I(\boldsymbol r_k(t),\boldsymbol L_0)$,
-  so there are at least $N+1$ intersections of the curve with $\boldsymbol L_0$; let $t_i'$, $i=1,2,\dots,N+1$, be the parameters of
-  these points
-:holds-by: polygon_through_the_crossings_crosses_as_often designed_splines_meet_no_more
-:hypothesis: jump_crosses_the_line_without_a_point | no inner knot has multiplicity $k$, or crossings by a jump are not counted; a
-  jump has no point on the line
-:figure: points_of_the_line_as_vertices
-
-The theorem holds for jumps as well, see there, but not by this proof.  Where a piece of curve is on the line one of its
-parameters is taken.
-:::
-
-:::{statement} wang-ch4:thm-4.2.2-step-vertices
-:title: Points of intersection become vertices
-:zh: 交点成为顶点
-:printed: with $T'=\{t_1'\}^{k-1}\oplus\{t_2'\}^{k-1}\oplus\cdots\oplus\{t_{N+1}'\}^{k-1}$ by (4.1.9) every point of intersection
-  $\boldsymbol r_k(t_i')$ is a vertex of $\Gamma_k^{(T)}(T')$, $i=1,2,\dots,N+1$
-:holds-by: inserted_parameters_become_vertices
-:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing can be inserted
-  by the printed formula, and need not be, since $r_k(t_k)$ is the vertex $r_1$
-:reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$: then $r(t'_i)$ is a vertex, too, though not the
-  one with the index of (4.1.9)
-:figure: points_of_the_line_as_vertices
-
-In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index $\mu_i+(i-1)(k-1)$.  A
-parameter that is a knot of multiplicity $m$ already becomes one of multiplicity $m+k-1$, which may be more than $k$; then
-some vertices are repeated and nothing else happens.
-:::
-
-:::{statement} wang-ch4:thm-4.2.2-step-meet
-:title: The polygon meets the line at these vertices
-:zh: 这些顶点是多边形与直线的交点
-:printed: these points are obviously also points of intersection of $\boldsymbol L_0$ and $\Gamma_k^{(T)}(T')$, so
-  $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\ge N+1$
-:holds-by: polygon_through_the_crossings_crosses_as_often inserted_parameters_become_vertices
-:hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
-:figure: points_of_the_line_as_vertices
-
-As common points this is obvious, for different points of the plane; two parameters with one point are two vertices with one
-point, and count twice along curve and polygon.  For crossings there is something to say: next to a parameter $t'$ of
-multiplicity $k-1$ the curve is on the side of the nearest vertex that is not on the line, so the polygon changes sides where
-the curve does.
-:::
-
-:::{statement} wang-ch4:thm-4.2.2-step-contradiction
-:title: The contradiction to the lemma
-:zh: 与引理矛盾
-:printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
-:holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
-:hypothesis: self_crossing_polygon_gains_points_on_a_line | counted along the polygon; as points of the plane there is no
-  contradiction, and there cannot be
-:hypothesis: cut_corner_lies_on_the_line | an edge on the line counts as one intersection
-:figure: what_must_be_counted
-:::
-
-:::{statement} wang-ch4:thm-4.2.2-corollaries
-:title: The earlier properties are special cases
-:zh: 性质 1.3.10、3.2.7 与定理 2.11.2
-:printed: properties 1.3.10, 3.2.7 and theorem 2.11.2 are obviously direct corollaries of these theorems
-:holds-by: bezier_curves_are_nurbs_curves averages_between_neighbours_keep_sign_changes inserted_parameters_become_vertices
-:hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted in the theorem as in the corollary;
-  property 3.2.7 counts crossings, and does not follow from a count of points
-:figure: what_must_be_counted
-
-A rational Bézier curve is the case $n=k$ with two knots of multiplicity $k$; equal weights give B-spline and Bézier
-curves.  Property 3.2.7 is at hand; the others are taken to be the same for Bézier curves and B-spline curves.
-:::
-
-:::{claim} cut_corners_meet_a_line_no_more
-:title: A cut corner has no more in common with a line than the corner
-:zh: 割角不增加与直线的公共点
-:kind: decision
-:given: heights $\dots,p,a,b,s,\dots$ above a line; $c=(1-\lambda)a+\lambda b$, $0\le\lambda\le1$; intersections are the groups of
-  neighbouring vertices on the line and the edges from one side to the other
-:then: $c$ put between $a$ and $b$ does not change their number, and taking $a$ out does not raise it
-:method: Only signs matter, and only those of neighbours: $81$ cases for $p,a,b,s\in\{-1,0,1\}$, and
-  $\lambda=0,\frac14,\frac12,\frac34,1$ give $c$ every sign it can have.  Where $p$ or $s$ is not there, nothing is taken out next
-  to the end, since an insertion keeps both ends.
-:scope: polygons of every length, means with every $\lambda$ from 0 to 1
-:control: $\lambda=2$ as well
-:::
-
-:::{claim} line_form_of_a_nurbs_curve
-:title: The form of a line, on the curve, has the weights of the curve
-:zh: 曲线上的直线式仍以原权因子表示
-:given: orders $k$, ends of multiplicity $k$ and a simple knot between; weights $w_i$, points $(x_i,y_i)$; a line $ax+by+c=0$
-:then: $a\,x(t)+b\,y(t)+c=\sum_iN_{i,k}(t)w_i(ax_i+by_i+c)\big/\sum_iN_{i,k}(t)w_i$ on both intervals
-:method: The curve by the kernel, the right side by the definition of B-splines; everything a variable.  So every line may be taken as
-  the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
-:degrees: 1..6 sampled 7
-:scope: n stands for the order k
-:control: the constant $c$ left out at the last vertex
-:::
-
-:::{claim} designed_splines_cross_no_more
-:title: Designed splines cross a line no more often than their polygons
-:zh: 设计算例的跨越次数
-:kind: decision
-:given: orders $2,3,4$, $4$ to $7$ points: simple knots, ends of multiplicity $k$, inner knots of multiplicity $1$, $k-1$ and $k$;
-  all $y_i\in\{-1,0,1\}$; weights $1$, $1000$ and $1$ in turn
-:then: crossings of the curve $\le$ crossings of the polygon with the middles of all intervals inserted $\le$ crossings of the polygon
-:method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the sides on which one
-  interval ends and the next one begins; jumps are counted.  Polygons by `exact/decide/crossings.h`.
-:degrees: 2..4
-:scope: n stands for the order k; the stated curves
-:control: the polygon taken without its first vertex
-:::
-
-:::{claim} designed_splines_meet_no_more
-:title: Designed splines have no more in common with a line than their polygons
-:zh: 设计算例的公共点
-:kind: decision
-:given: the curves of `designed_splines_cross_no_more`
-:then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the polygon with knots
-  inserted $\le$ those of the polygon
-:method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.
-:degrees: 2..4
-:scope: n stands for the order k; the stated curves
-:control: the ends of the polygon not counted
-:::
-
-:::{claim} polygon_through_the_crossings_crosses_as_often
-:title: With the crossings as vertices the polygon crosses as often as the curve
-:zh: 交点嵌入后多边形的跨越次数
-:kind: decision
-:given: curves with all crossings rational: the cubics with the roots $\frac14,\frac12,\frac34$ and $\frac14,\frac12,\frac12$; two
-  parabolas with knots $0,0,0,1,2,2,2$ and crossings $\frac35,1,\frac75$, of which $1$ is a knot; weights $1$, and $1000$ and $1$ in turn
-:then: after each root is inserted $k-1$ times, vertex $\mu_i+(i-1)(k-1)$ is on the line, and the polygon crosses it and
-  meets it exactly as often as the curve
-:method: The printed insertions; the counts as in the claims before.
-:scope: the stated curves
-:control: the first root inserted once only
-:::
-
-:::{claim} bezier_curves_are_nurbs_curves
-:title: With two knots of multiplicity k, a NURBS curve is a rational Bézier curve
-:zh: 有理 Bézier 曲线是 NURBS 曲线的特例
-:given: order $k=n$, knots $x_0$ and $x_1$ of multiplicity $k$; any weights and points
-:then: the curve is the rational Bézier curve of degree $k-1$ of the same points and weights in $(t-x_0)/(x_1-x_0)$; with equal weights
-  it is $\sum N_{i,k}r_i$
-:method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
-:degrees: 1..6 sampled 7
-:scope: n stands for the order k
-:control: the first two weights exchanged; for $k=1$ the point moved
-:::
-
-:::{claim} self_crossing_polygon_gains_points_on_a_line
-:title: A polygon that crosses itself on the line has two points there after an insertion
-:zh: 自交于直线的多边形嵌节点后交点增多
-:kind: counterexample
-:given: $k=3$, knots $0,0,0,1,2,2,2$, points $(-1,1),(1,-1),(-1,-1),(1,1)$, weights $3,1,1,3$, the line $y=0$;
-  $T'=\{\frac12\}^2\oplus\{\frac32\}^2$
-:then: the polygon has one point on the line, the new polygon two, $(-\frac16,0)$ and $(\frac16,0)$
-:method: The printed insertions; connected parts of the set of common points are counted by `exact/decide/crossings.h`.
-:control: crossings counted: two and two
-:::
-
-:::{claim} self_crossing_polygon_meets_the_line_less_than_its_spline
-:title: The curve of that polygon has two points on the line
-:zh: 自交于直线的多边形与其曲线
-:kind: counterexample
-:given: the curve of `self_crossing_polygon_gains_points_on_a_line`
-:then: $r(\frac12)=(-\frac16,0)$ and $r(\frac32)=(\frac16,0)$ are all points of the curve on the line; the polygon has one point there
-:method: The points by the kernel; the number of intersections by counting roots.
-:control: crossings counted: two and two
-:::
-
-:::{claim} edge_on_the_line_must_be_counted
-:title: A polygon with nothing but an edge on the line, and a curve that crosses it
-:zh: 落在直线上的边必须计入
-:kind: counterexample
-:given: $k=n=4$, knots $0$ and $1$ four times each, weights $1$, points $(0,1),(1,0),(2,0),(3,-1)$, the line $y=0$;
-  $T'=\{\frac12\}$
-:then: outside its edge on the line the polygon has no common point with it; the new polygon has the vertex $(\frac32,0)$ and no edge
-  there, and the curve crosses at this point
-:method: Common points less those on edges of the polygon; the curve by counting roots.
-:control: the edge counted as one intersection
-:::
-
-:::{claim} cut_corner_lies_on_the_line
-:title: A corner cut along the line puts an edge on it
-:zh: 沿直线割角
-:kind: counterexample
-:given: $k=n=3$, knots $0,0,0,2,2,2$, weights $1$, points $(0,0),(1,1),(2,0)$, the line $y=\frac12$; $T'=\{1\}$
-:then: the polygon has two points on the line; the new polygon $(0,0),(\frac12,\frac12),(\frac32,\frac12),(2,0)$ has an edge on it,
-  infinitely many points
-:method: The printed insertion; points and edges by `exact/decide/crossings.h`, the heights taken less $\frac12$.
-:control: the edge counted as one intersection
-:::
-
-:::{claim} jump_crosses_the_line_without_a_point
-:title: At a knot of multiplicity k a curve may change sides without meeting the line
-:zh: k 重节点处曲线跳过直线
-:kind: counterexample
-:given: $k=2$, knots $0,0,1,1,2,2$, weights $1$, points $(0,-1),(1,-1),(1,1),(0,1)$, the line $y=0$
-:then: the curve changes sides once and has no point on the line; the polygon crosses once
-:method: By intervals, as for the designed curves.
-:control: the second inner knot taken as $\frac32$
-:::
-
-:::{claim} insertion_with_mixed_weights_crosses_more
-:title: With weights of both signs an insertion adds crossings
-:zh: 权因子变号时嵌节点增加交点
-:kind: counterexample
-:given: $k=n=3$, knots $0$ and $1$ three times each, points $(-1,2),(0,5),(1,2)$, weights $2,-1,2$, for which $w(t)>0$;
-  $\tau=\frac12$; the line $y=0$
-:then: the new polygon $(-1,2),(-2,-1),(2,-1),(1,2)$ crosses the line twice, the old one does not
-:method: The printed formulas; crossings by `exact/decide/crossings.h`.
-:control: the middle weight taken as $+1$
-:::
 */
-#include "chapters/nurbs/corner-cutting.h"
-#include "chapters/nurbs/definition.h"
-
-#include <stdio.h>
-
-#include "chapters/judge/claims_on.h"
-
-CLAIM(line_form_of_a_nurbs_curve)
-{
-    enum { SIZE = 9 };
-    int k = T->degree, n = k + 1, p = k - 1, place[MOST_KNOTS];
-    char pattern[MOST_KNOTS];
-    num u[MOST_KNOTS], R[2 * SIZE], w[SIZE], h[SIZE], line[3], x = parameter(T, "p"), P[2];
-    snprintf(pattern, sizeof pattern, "%d1%d", k, k);
-    (void)G(knots_of_pattern)(T, pattern, u, place);
-    for (int c = 0; c < 3; c++)
-        line[c] = unknown(T, "l", c);
-    for (int i = 0; i < n; i++) {
-        w[i] = positive(T, "w", i);
-        R[2 * i] = unknown(T, "a", i);
-        R[2 * i + 1] = unknown(T, "b", i);
-        h[i] = add(mul(line[0], R[2 * i]), mul(line[1], R[2 * i + 1]));
-        h[i] = mul(w[i], T->planted && i == n - 1 ? h[i] : add(h[i], line[2]));
-    }
-    for (int interval = 0; interval < 2; interval++) {
-        G(nurbs_point)(p, 2, u, p + interval, R, w, x, P);
-        num form = add(add(mul(line[0], P[0]), mul(line[1], P[1])), line[2]);
-        num above = G(spline)(n, p, 1, u, place, h, 0, interval, x);
-        same(T, form, div(above, G(spline)(n, p, 1, u, place, w, 0, interval, x)));
-    }
-}
-
-CLAIM(bezier_curves_are_nurbs_curves)
-{
-    enum { SIZE = 8 };
-    int k = T->degree, place[MOST_KNOTS];
-    char pattern[MOST_KNOTS];
-    num u[MOST_KNOTS], r[SIZE], w[SIZE], h[SIZE], x = parameter(T, "p"), P;
-    snprintf(pattern, sizeof pattern, "%d%d", k, k);
-    (void)G(knots_of_pattern)(T, pattern, u, place);
-    for (int i = 0; i < k; i++) {
-        r[i] = unknown(T, "r", i);
-        w[i] = positive(T, "w", i);
-        h[i] = mul(w[i], r[i]);
-    }
-    about(T, "equal weights");
-    num ones[SIZE], weighted[SIZE], factor = positive(T, "f", 0);
-    for (int i = 0; i < k; i++) {
-        ones[i] = factor;
-        weighted[i] = mul(factor, r[i]);
-    }
-    num t = div(sub(x, u[0]), sub(u[k], u[0])), sum = G(spline)(k, k - 1, 1, u, place, weighted, 0, 0, x);
-    same(T, div(sum, G(spline)(k, k - 1, 1, u, place, ones, 0, 0, x)), G(spline)(k, k - 1, 1, u, place, r, 0, 0, x));
-    about(T, "the rational Bézier curve");
-    sum = div(G(spline)(k, k - 1, 1, u, place, h, 0, 0, x), G(spline)(k, k - 1, 1, u, place, w, 0, 0, x));
-    if (T->planted) {
-        num first = w[0];
-        w[0] = k > 1 ? w[1] : first;
-        w[k > 1] = k > 1 ? first : add(first, first);
-        r[0] = k > 1 ? r[0] : add(r[0], first); /* one point has no weights to exchange: it is moved */
-    }
-    G(rational_point)(k - 1, 1, r, w, t, &P);
-    same(T, sum, P);
-}
 
 #if RATIONAL
-#include "exact/decide/crossings.h"
-#include "exact/decide/roots.h"
-
 enum { MOST_POINTS = 40 };
 
 static struct cagd_line x_axis(void) { return (struct cagd_line){from_int_q(0), from_int_q(1), from_int_q(0)}; }
-
-/* Groups of neighbouring zeros, and neighbours of different sign. */
-static int intersections(int count, const int y[])
-{
-    int found = 0;
-    for (int i = 0; i < count; i++)
-        found += (y[i] == 0 && (i == 0 || y[i - 1] != 0)) || (i > 0 && y[i] * y[i - 1] < 0);
-    return found;
-}
-
-CLAIM(cut_corners_meet_a_line_no_more)
-{
-    for (int pattern = 0; pattern < 81; pattern++) {
-        int p = 4 * (pattern % 3 - 1), a = 4 * (pattern / 3 % 3 - 1), b = 4 * (pattern / 9 % 3 - 1);
-        int s = 4 * (pattern / 27 - 1), before[] = {p, a, b, s}, shorter[] = {p, b, s};
-        for (int quarter = 0; quarter <= (T->planted ? 8 : 4); quarter++) {
-            int c = a + quarter * (b - a) / 4, after[] = {p, a, c, b, s};
-            agree(T, intersections(5, after) == intersections(4, before));
-            for (int missing = 0; missing < 4; missing++) /* at an end */
-                agree(T, intersections(5 - missing % 2 - missing / 2, after + missing % 2) ==
-                             intersections(4 - missing % 2 - missing / 2, before + missing % 2));
-        }
-        agree(T, intersections(3, shorter) <= intersections(4, before));
-        agree(T, intersections(2, shorter) <= intersections(3, before));
-    }
-}
 
 /* How the curve of heights y(t) = sum N_i c_i / (something positive) meets the axis; numbered from 1. */
 struct spline_meets_axis {
@@ -517,6 +179,21 @@ static void for_designed(trial *T, int (*good)(const struct graph *g, int plante
     }
 }
 
+/*
+:::{claim} designed_splines_cross_no_more
+:title: Designed splines cross a line no more often than their polygons
+:zh: 设计算例的跨越次数
+:kind: decision
+:given: orders $2,3,4$, $4$ to $7$ points: simple knots, ends of multiplicity $k$, inner knots of multiplicity $1$, $k-1$ and $k$;
+  all $y_i\in\{-1,0,1\}$; weights $1$, $1000$ and $1$ in turn
+:then: crossings of the curve $\le$ crossings of the polygon with the middles of all intervals inserted $\le$ crossings of the polygon
+:method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the sides on which one
+  interval ends and the next one begins; jumps are counted.  Polygons by `exact/decide/crossings.h`.
+:degrees: 2..4
+:scope: n stands for the order k; the stated curves
+:control: the polygon taken without its first vertex
+:::
+*/
 static int crosses_no_more(const struct graph *g, int planted)
 {
     struct graph cut = with_middles(g);
@@ -527,6 +204,20 @@ static int crosses_no_more(const struct graph *g, int planted)
 
 CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 
+/*
+:::{claim} designed_splines_meet_no_more
+:title: Designed splines have no more in common with a line than their polygons
+:zh: 设计算例的公共点
+:kind: decision
+:given: the curves of `designed_splines_cross_no_more`
+:then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the polygon with knots
+  inserted $\le$ those of the polygon
+:method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.
+:degrees: 2..4
+:scope: n stands for the order k; the stated curves
+:control: the ends of the polygon not counted
+:::
+*/
 static int meets_no_more(const struct graph *g, int planted)
 {
     struct graph cut = with_middles(g);
@@ -538,6 +229,337 @@ static int meets_no_more(const struct graph *g, int planted)
 
 CLAIM(designed_splines_meet_no_more) { for_designed(T, meets_no_more); }
 
+/* The polygon that crosses itself on the axis. */
+static void bow(struct graph *g)
+{
+    static const long knot[] = {0, 0, 0, 1, 2, 2, 2}, point[] = {-1, 1, 1, -1, -1, -1, 1, 1}, weight[] = {3, 1, 1, 3};
+    static const int none[] = {0, 0, 0, 0};
+    graph_of(g, 4, 3, knot, none, 0);
+    for (int i = 1; i <= 4; i++) {
+        g->w[i] = from_int_q(weight[i - 1]);
+        g->r[2 * i] = from_int_q(point[2 * i - 2]);
+        g->r[2 * i + 1] = from_int_q(point[2 * i - 1]);
+    }
+}
+
+/*
+:::{claim} self_crossing_polygon_gains_points_on_a_line
+:title: A polygon that crosses itself on the line has two points there after an insertion
+:zh: 自交于直线的多边形嵌节点后交点增多
+:kind: counterexample
+:given: $k=3$, knots $0,0,0,1,2,2,2$, points $(-1,1),(1,-1),(-1,-1),(1,1)$, weights $3,1,1,3$, the line $y=0$;
+  $T'=\{\frac12\}^2\oplus\{\frac32\}^2$
+:then: the polygon has one point on the line, the new polygon two, $(-\frac16,0)$ and $(\frac16,0)$
+:method: The printed insertions; connected parts of the set of common points are counted by `exact/decide/crossings.h`.
+:control: crossings counted: two and two
+:::
+*/
+CLAIM(self_crossing_polygon_gains_points_on_a_line)
+{
+    struct graph g;
+    bow(&g);
+    struct cagd_polygon_meets_line before = polygon_of_graph(&g);
+    struct graph cut = g;
+    for (int times = 0; times < 4; times++)
+        cut = with_knot(&cut, from_ratio(times < 2 ? 1 : 3, 2));
+    struct cagd_polygon_meets_line after = polygon_of_graph(&cut);
+    show_points(T, "r", 4, 2, g.r + 2);
+    show_points(T, "w", 4, 1, g.w + 1);
+    show_points(T, "r'", 8, 2, cut.r + 2);
+    int old = T->planted ? before.crossings : before.components, new = T->planted ? after.crossings : after.components;
+    show_text(T, "points of the polygon on y = 0", "%d", old);
+    show_text(T, "points of the new polygon", "%d", new);
+    about(T, "the new polygon has no more");
+    agree(T, new <= old);
+}
+
+/*
+:::{claim} edge_on_the_line_must_be_counted
+:title: A polygon with nothing but an edge on the line, and a curve that crosses it
+:zh: 落在直线上的边必须计入
+:kind: counterexample
+:given: $k=n=4$, knots $0$ and $1$ four times each, weights $1$, points $(0,1),(1,0),(2,0),(3,-1)$, the line $y=0$;
+  $T'=\{\frac12\}$
+:then: outside its edge on the line the polygon has no common point with it; the new polygon has the vertex $(\frac32,0)$ and no edge
+  there, and the curve crosses at this point
+:method: Common points less those on edges of the polygon; the curve by counting roots.
+:control: the edge counted as one intersection
+:::
+*/
+CLAIM(edge_on_the_line_must_be_counted)
+{
+    static const long knot[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    static const int y[] = {1, 0, 0, -1};
+    struct graph g;
+    graph_of(&g, 4, 4, knot, y, 0);
+    for (int i = 1; i <= 4; i++)
+        g.r[2 * i] = from_int(i - 1);
+    struct graph cut = with_knot(&g, from_ratio(1, 2));
+    struct cagd_polygon_meets_line before = polygon_of_graph(&g), after = polygon_of_graph(&cut);
+    int old = before.common_runs - (T->planted ? 0 : before.contained_edges);
+    int new = after.common_runs - (T->planted ? 0 : after.contained_edges);
+    show_points(T, "r", 4, 2, g.r + 2);
+    show_points(T, "r'", 5, 2, cut.r + 2);
+    show_text(T, "intersections of the polygon, the edge on the line left out", "%d", old);
+    show_text(T, "intersections of the new polygon", "%d", new);
+    show_text(T, "intersections of the curve", "%d", curve_of(&g).common);
+    about(T, "the new polygon has no more than the old one, or the curve has no more");
+    agree(T, new <= old || curve_of(&g).common <= old);
+}
+
+/*
+:::{claim} cut_corner_lies_on_the_line
+:title: A corner cut along the line puts an edge on it
+:zh: 沿直线割角
+:kind: counterexample
+:given: $k=n=3$, knots $0,0,0,2,2,2$, weights $1$, points $(0,0),(1,1),(2,0)$, the line $y=\frac12$; $T'=\{1\}$
+:then: the polygon has two points on the line; the new polygon $(0,0),(\frac12,\frac12),(\frac32,\frac12),(2,0)$ has an edge on it,
+  infinitely many points
+:method: The printed insertion; points and edges by `exact/decide/crossings.h`, the heights taken less $\frac12$.
+:control: the edge counted as one intersection
+:::
+*/
+CLAIM(cut_corner_lies_on_the_line)
+{
+    static const long knot[] = {0, 0, 0, 2, 2, 2};
+    static const int y[] = {0, 1, 0};
+    struct graph g;
+    graph_of(&g, 3, 3, knot, y, 0);
+    for (int i = 1; i <= 3; i++)
+        g.r[2 * i] = from_int(i - 1);
+    struct graph cut = with_knot(&g, from_int(1));
+    struct cagd_line line = {from_int(0), from_int(1), from_ratio(-1, 2)};
+    struct cagd_polygon_meets_line before = polygon_meets_line(2, g.r + 2, line),
+                                   after = polygon_meets_line(3, cut.r + 2, line);
+    int finite = before.contained_edges == 0, infinite = after.contained_edges > 0 && !T->planted;
+    show_points(T, "r", 3, 2, g.r + 2);
+    show_points(T, "r'", 4, 2, cut.r + 2);
+    show_text(T, "points of the polygon on y = 1/2", "%d", before.common_runs);
+    show_text(T, "edges of the new polygon on y = 1/2", "%d", after.contained_edges);
+    about(T, "the new polygon has no more points on the line");
+    agree(T, !finite || (!infinite && after.common_runs <= before.common_runs));
+}
+
+/*
+:::{statement} wang-ch4:lemma-4.2.2
+:title: Inserting knots adds no intersection with a line (4.2.1)
+:zh: 嵌节点过程的变差缩减性
+:printed: for every line $\boldsymbol L$ and every set $T'$ of knots to be inserted
+  $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
+:holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
+  insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges knots_outside_the_domain_cut_corners
+:hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points of the plane
+:hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
+:hypothesis: cut_corner_lies_on_the_line | and counts as one intersection, not as infinitely many points
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
+:needs: insertion_with_mixed_weights_crosses_more | positive weights
+:reading: averages_between_neighbours_keep_sign_changes | crossings
+:reading: cut_corners_meet_a_line_no_more | common points, a piece on the line counting once
+:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof of lemma 4.2.1: the knots have to be in
+  the domain
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
+:figure: line_and_cut_corners
+
+The source gives no proof.  Any multiplicities are allowed.  The argument is about one corner at a time and holds
+for polygons of every length.
+:::
+
+:::{claim} cut_corners_meet_a_line_no_more
+:title: A cut corner has no more in common with a line than the corner
+:zh: 割角不增加与直线的公共点
+:kind: decision
+:given: heights $\dots,p,a,b,s,\dots$ above a line; $c=(1-\lambda)a+\lambda b$, $0\le\lambda\le1$; intersections are the groups of
+  neighbouring vertices on the line and the edges from one side to the other
+:then: $c$ put between $a$ and $b$ does not change their number, and taking $a$ out does not raise it
+:method: Only signs matter, and only those of neighbours: $81$ cases for $p,a,b,s\in\{-1,0,1\}$, and
+  $\lambda=0,\frac14,\frac12,\frac34,1$ give $c$ every sign it can have.  Where $p$ or $s$ is not there, nothing is taken out next
+  to the end, since an insertion keeps both ends.
+:scope: polygons of every length, means with every $\lambda$ from 0 to 1
+:control: $\lambda=2$ as well
+:::
+*/
+/* Groups of neighbouring zeros, and neighbours of different sign. */
+static int intersections(int count, const int y[])
+{
+    int found = 0;
+    for (int i = 0; i < count; i++)
+        found += (y[i] == 0 && (i == 0 || y[i - 1] != 0)) || (i > 0 && y[i] * y[i - 1] < 0);
+    return found;
+}
+
+CLAIM(cut_corners_meet_a_line_no_more)
+{
+    for (int pattern = 0; pattern < 81; pattern++) {
+        int p = 4 * (pattern % 3 - 1), a = 4 * (pattern / 3 % 3 - 1), b = 4 * (pattern / 9 % 3 - 1);
+        int s = 4 * (pattern / 27 - 1), before[] = {p, a, b, s}, shorter[] = {p, b, s};
+        for (int quarter = 0; quarter <= (T->planted ? 8 : 4); quarter++) {
+            int c = a + quarter * (b - a) / 4, after[] = {p, a, c, b, s};
+            agree(T, intersections(5, after) == intersections(4, before));
+            for (int missing = 0; missing < 4; missing++) /* at an end */
+                agree(T, intersections(5 - missing % 2 - missing / 2, after + missing % 2) ==
+                             intersections(4 - missing % 2 - missing / 2, before + missing % 2));
+        }
+        agree(T, intersections(3, shorter) <= intersections(4, before));
+        agree(T, intersections(2, shorter) <= intersections(3, before));
+    }
+}
+
+/*
+:::{claim} insertion_with_mixed_weights_crosses_more
+:title: With weights of both signs an insertion adds crossings
+:zh: 权因子变号时嵌节点增加交点
+:kind: counterexample
+:given: $k=n=3$, knots $0$ and $1$ three times each, points $(-1,2),(0,5),(1,2)$, weights $2,-1,2$, for which $w(t)>0$;
+  $\tau=\frac12$; the line $y=0$
+:then: the new polygon $(-1,2),(-2,-1),(2,-1),(1,2)$ crosses the line twice, the old one does not
+:method: The printed formulas; crossings by `exact/decide/crossings.h`.
+:control: the middle weight taken as $+1$
+:::
+*/
+CLAIM(insertion_with_mixed_weights_crosses_more)
+{
+    static const long knot[] = {0, 0, 0, 1, 1, 1};
+    static const int y[] = {2, 5, 2};
+    struct graph g;
+    graph_of(&g, 3, 3, knot, y, 0);
+    for (int i = 1; i <= 3; i++) {
+        g.r[2 * i] = from_int(i - 2);
+        g.w[i] = from_int(i == 2 ? (T->planted ? 1 : -1) : 2);
+    }
+    int poles = count_roots(poly_from_bernstein(2, g.w + 1), from_int(0), from_int(1), CLOSED).distinct;
+    struct graph cut = with_knot(&g, from_ratio(1, 2));
+    show_points(T, "r", 3, 2, g.r + 2);
+    show_points(T, "w", 3, 1, g.w + 1);
+    show_points(T, "r'", 4, 2, cut.r + 2);
+    show_text(T, "crossings of the polygon", "%d", polygon_of_graph(&g).crossings);
+    show_text(T, "crossings of the new polygon", "%d", polygon_of_graph(&cut).crossings);
+    about(T, "the curve having no poles, the new polygon crosses the line no more often");
+    agree(T, poles > 0 || polygon_of_graph(&cut).crossings <= polygon_of_graph(&g).crossings);
+}
+#endif
+
+/*
+:::{statement} wang-ch4:thm-4.2.2
+:title: A line meets the curve no more often than the polygon (4.2.2)
+:zh: 平面 NURBS 曲线的变差缩减性
+:printed: $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\boldsymbol r_k(t),\boldsymbol L)$
+:holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
+  inserted_parameters_become_vertices line_form_of_a_nurbs_curve
+:hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and polygon, not as
+  points of the plane
+:hypothesis: edge_on_the_line_must_be_counted | an edge of the polygon on the line counts
+:needs: mixed_weights_cross_more | positive weights
+:reading: designed_splines_cross_no_more | crossings
+:reading: designed_splines_meet_no_more | common points, a piece on the line counting once
+:figure: line_and_cut_corners
+
+A proof for every order with the first reading: let the curve change sides $I$ times; take parameters $t_0<\dots<t_I$ where it is
+on alternating sides, and insert them until these points are vertices.  The new polygon changes sides $I$ times, so the old
+one does.  With the second reading take one parameter of each intersection and one, off the line, between any two.
+No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the polygon crosses with it.
+:::
+
+:::{claim} line_form_of_a_nurbs_curve
+:title: The form of a line, on the curve, has the weights of the curve
+:zh: 曲线上的直线式仍以原权因子表示
+:given: orders $k$, ends of multiplicity $k$ and a simple knot between; weights $w_i$, points $(x_i,y_i)$; a line $ax+by+c=0$
+:then: $a\,x(t)+b\,y(t)+c=\sum_iN_{i,k}(t)w_i(ax_i+by_i+c)\big/\sum_iN_{i,k}(t)w_i$ on both intervals
+:method: The curve by the kernel, the right side by the definition of B-splines; everything a variable.  So every line may be taken as
+  the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
+:degrees: 1..6 sampled 7
+:scope: n stands for the order k
+:control: the constant $c$ left out at the last vertex
+:::
+*/
+CLAIM(line_form_of_a_nurbs_curve)
+{
+    enum { SIZE = 9 };
+    int k = T->degree, n = k + 1, p = k - 1, place[MOST_KNOTS];
+    char pattern[MOST_KNOTS];
+    num u[MOST_KNOTS], R[2 * SIZE], w[SIZE], h[SIZE], line[3], x = parameter(T, "p"), P[2];
+    snprintf(pattern, sizeof pattern, "%d1%d", k, k);
+    (void)G(knots_of_pattern)(T, pattern, u, place);
+    for (int c = 0; c < 3; c++)
+        line[c] = unknown(T, "l", c);
+    for (int i = 0; i < n; i++) {
+        w[i] = positive(T, "w", i);
+        R[2 * i] = unknown(T, "a", i);
+        R[2 * i + 1] = unknown(T, "b", i);
+        h[i] = add(mul(line[0], R[2 * i]), mul(line[1], R[2 * i + 1]));
+        h[i] = mul(w[i], T->planted && i == n - 1 ? h[i] : add(h[i], line[2]));
+    }
+    for (int interval = 0; interval < 2; interval++) {
+        G(nurbs_point)(p, 2, u, p + interval, R, w, x, P);
+        num form = add(add(mul(line[0], P[0]), mul(line[1], P[1])), line[2]);
+        num above = G(spline)(n, p, 1, u, place, h, 0, interval, x);
+        same(T, form, div(above, G(spline)(n, p, 1, u, place, w, 0, interval, x)));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} self_crossing_polygon_meets_the_line_less_than_its_spline
+:title: The curve of that polygon has two points on the line
+:zh: 自交于直线的多边形与其曲线
+:kind: counterexample
+:given: the curve of `self_crossing_polygon_gains_points_on_a_line`
+:then: $r(\frac12)=(-\frac16,0)$ and $r(\frac32)=(\frac16,0)$ are all points of the curve on the line; the polygon has one point there
+:method: The points by the kernel; the number of intersections by counting roots.
+:control: crossings counted: two and two
+:::
+*/
+CLAIM(self_crossing_polygon_meets_the_line_less_than_its_spline)
+{
+    struct graph g;
+    num P[2], Q[2];
+    bow(&g);
+    G(nurbs_point)(2, 2, g.t + 1, 2, g.r + 2, g.w + 1, from_ratio(1, 2), P);
+    G(nurbs_point)(2, 2, g.t + 1, 3, g.r + 2, g.w + 1, from_ratio(3, 2), Q);
+    struct spline_meets_axis curve = curve_of(&g);
+    struct cagd_polygon_meets_line polygon = polygon_of_graph(&g);
+    show_points(T, "r", 4, 2, g.r + 2);
+    show_points(T, "w", 4, 1, g.w + 1);
+    show_points(T, "r(1/2)", 1, 2, P);
+    show_points(T, "r(3/2)", 1, 2, Q);
+    int all = curve.common == 2 && is_zero_q(P[1]) && is_zero_q(Q[1]);
+    int of_curve = T->planted ? curve.crossings : 1 + !equal_q(P[0], Q[0]);
+    int of_polygon = T->planted ? polygon.crossings : polygon.components;
+    show_text(T, "points of the curve on y = 0", "%d", of_curve);
+    show_text(T, "points of the polygon on y = 0", "%d", of_polygon);
+    about(T, "these two being all, the curve has no more points on the line than the polygon");
+    agree(T, !all || of_curve <= of_polygon);
+}
+
+/*
+:::{statement} wang-ch4:thm-4.2.2-step-suppose
+:title: If the theorem were false there were too many parameters
+:zh: 反证法的假设
+:printed: otherwise there is a line $\boldsymbol L_0$ with $N\equiv I(\Gamma_k^{(T)}(\Phi),\boldsymbol L_0)<I(\boldsymbol r_k(t),\boldsymbol L_0)$,
+  so there are at least $N+1$ intersections of the curve with $\boldsymbol L_0$; let $t_i'$, $i=1,2,\dots,N+1$, be the parameters of
+  these points
+:holds-by: polygon_through_the_crossings_crosses_as_often designed_splines_meet_no_more
+:hypothesis: jump_crosses_the_line_without_a_point | no inner knot has multiplicity $k$, or crossings by a jump are not counted; a
+  jump has no point on the line
+:figure: points_of_the_line_as_vertices
+
+The theorem holds for jumps as well, see there, but not by this proof.  Where a piece of curve is on the line one of its
+parameters is taken.
+:::
+
+:::{claim} polygon_through_the_crossings_crosses_as_often
+:title: With the crossings as vertices the polygon crosses as often as the curve
+:zh: 交点嵌入后多边形的跨越次数
+:kind: decision
+:given: curves with all crossings rational: the cubics with the roots $\frac14,\frac12,\frac34$ and $\frac14,\frac12,\frac12$; two
+  parabolas with knots $0,0,0,1,2,2,2$ and crossings $\frac35,1,\frac75$, of which $1$ is a knot; weights $1$, and $1000$ and $1$ in turn
+:then: after each root is inserted $k-1$ times, vertex $\mu_i+(i-1)(k-1)$ is on the line, and the polygon crosses it and
+  meets it exactly as often as the curve
+:method: The printed insertions; the counts as in the claims before.
+:scope: the stated curves
+:control: the first root inserted once only
+:::
+*/
 /* The roots of one curve, in order, inserted k-1 times each; the first only once when planted. */
 static void check_roots(trial *T, const struct graph *g, int roots, const num_q root[])
 {
@@ -587,102 +609,17 @@ CLAIM(polygon_through_the_crossings_crosses_as_often)
     }
 }
 
-/* The polygon that crosses itself on the axis. */
-static void bow(struct graph *g)
-{
-    static const long knot[] = {0, 0, 0, 1, 2, 2, 2}, point[] = {-1, 1, 1, -1, -1, -1, 1, 1}, weight[] = {3, 1, 1, 3};
-    static const int none[] = {0, 0, 0, 0};
-    graph_of(g, 4, 3, knot, none, 0);
-    for (int i = 1; i <= 4; i++) {
-        g->w[i] = from_int_q(weight[i - 1]);
-        g->r[2 * i] = from_int_q(point[2 * i - 2]);
-        g->r[2 * i + 1] = from_int_q(point[2 * i - 1]);
-    }
-}
-
-CLAIM(self_crossing_polygon_gains_points_on_a_line)
-{
-    struct graph g;
-    bow(&g);
-    struct cagd_polygon_meets_line before = polygon_of_graph(&g);
-    struct graph cut = g;
-    for (int times = 0; times < 4; times++)
-        cut = with_knot(&cut, from_ratio(times < 2 ? 1 : 3, 2));
-    struct cagd_polygon_meets_line after = polygon_of_graph(&cut);
-    show_points(T, "r", 4, 2, g.r + 2);
-    show_points(T, "w", 4, 1, g.w + 1);
-    show_points(T, "r'", 8, 2, cut.r + 2);
-    int old = T->planted ? before.crossings : before.components, new = T->planted ? after.crossings : after.components;
-    show_text(T, "points of the polygon on y = 0", "%d", old);
-    show_text(T, "points of the new polygon", "%d", new);
-    about(T, "the new polygon has no more");
-    agree(T, new <= old);
-}
-
-CLAIM(self_crossing_polygon_meets_the_line_less_than_its_spline)
-{
-    struct graph g;
-    num P[2], Q[2];
-    bow(&g);
-    G(nurbs_point)(2, 2, g.t + 1, 2, g.r + 2, g.w + 1, from_ratio(1, 2), P);
-    G(nurbs_point)(2, 2, g.t + 1, 3, g.r + 2, g.w + 1, from_ratio(3, 2), Q);
-    struct spline_meets_axis curve = curve_of(&g);
-    struct cagd_polygon_meets_line polygon = polygon_of_graph(&g);
-    show_points(T, "r", 4, 2, g.r + 2);
-    show_points(T, "w", 4, 1, g.w + 1);
-    show_points(T, "r(1/2)", 1, 2, P);
-    show_points(T, "r(3/2)", 1, 2, Q);
-    int all = curve.common == 2 && is_zero_q(P[1]) && is_zero_q(Q[1]);
-    int of_curve = T->planted ? curve.crossings : 1 + !equal_q(P[0], Q[0]);
-    int of_polygon = T->planted ? polygon.crossings : polygon.components;
-    show_text(T, "points of the curve on y = 0", "%d", of_curve);
-    show_text(T, "points of the polygon on y = 0", "%d", of_polygon);
-    about(T, "these two being all, the curve has no more points on the line than the polygon");
-    agree(T, !all || of_curve <= of_polygon);
-}
-
-CLAIM(edge_on_the_line_must_be_counted)
-{
-    static const long knot[] = {0, 0, 0, 0, 1, 1, 1, 1};
-    static const int y[] = {1, 0, 0, -1};
-    struct graph g;
-    graph_of(&g, 4, 4, knot, y, 0);
-    for (int i = 1; i <= 4; i++)
-        g.r[2 * i] = from_int(i - 1);
-    struct graph cut = with_knot(&g, from_ratio(1, 2));
-    struct cagd_polygon_meets_line before = polygon_of_graph(&g), after = polygon_of_graph(&cut);
-    int old = before.common_runs - (T->planted ? 0 : before.contained_edges);
-    int new = after.common_runs - (T->planted ? 0 : after.contained_edges);
-    show_points(T, "r", 4, 2, g.r + 2);
-    show_points(T, "r'", 5, 2, cut.r + 2);
-    show_text(T, "intersections of the polygon, the edge on the line left out", "%d", old);
-    show_text(T, "intersections of the new polygon", "%d", new);
-    show_text(T, "intersections of the curve", "%d", curve_of(&g).common);
-    about(T, "the new polygon has no more than the old one, or the curve has no more");
-    agree(T, new <= old || curve_of(&g).common <= old);
-}
-
-CLAIM(cut_corner_lies_on_the_line)
-{
-    static const long knot[] = {0, 0, 0, 2, 2, 2};
-    static const int y[] = {0, 1, 0};
-    struct graph g;
-    graph_of(&g, 3, 3, knot, y, 0);
-    for (int i = 1; i <= 3; i++)
-        g.r[2 * i] = from_int(i - 1);
-    struct graph cut = with_knot(&g, from_int(1));
-    struct cagd_line line = {from_int(0), from_int(1), from_ratio(-1, 2)};
-    struct cagd_polygon_meets_line before = polygon_meets_line(2, g.r + 2, line),
-                                   after = polygon_meets_line(3, cut.r + 2, line);
-    int finite = before.contained_edges == 0, infinite = after.contained_edges > 0 && !T->planted;
-    show_points(T, "r", 3, 2, g.r + 2);
-    show_points(T, "r'", 4, 2, cut.r + 2);
-    show_text(T, "points of the polygon on y = 1/2", "%d", before.common_runs);
-    show_text(T, "edges of the new polygon on y = 1/2", "%d", after.contained_edges);
-    about(T, "the new polygon has no more points on the line");
-    agree(T, !finite || (!infinite && after.common_runs <= before.common_runs));
-}
-
+/*
+:::{claim} jump_crosses_the_line_without_a_point
+:title: At a knot of multiplicity k a curve may change sides without meeting the line
+:zh: k 重节点处曲线跳过直线
+:kind: counterexample
+:given: $k=2$, knots $0,0,1,1,2,2$, weights $1$, points $(0,-1),(1,-1),(1,1),(0,1)$, the line $y=0$
+:then: the curve changes sides once and has no point on the line; the polygon crosses once
+:method: By intervals, as for the designed curves.
+:control: the second inner knot taken as $\frac32$
+:::
+*/
 CLAIM(jump_crosses_the_line_without_a_point)
 {
     static const long knot[] = {0, 0, 1, 1, 2, 2}, x[] = {0, 1, 1, 0};
@@ -701,26 +638,108 @@ CLAIM(jump_crosses_the_line_without_a_point)
     about(T, "every crossing has a parameter whose point is on the line");
     agree(T, curve.crossings <= curve.common);
 }
-
-CLAIM(insertion_with_mixed_weights_crosses_more)
-{
-    static const long knot[] = {0, 0, 0, 1, 1, 1};
-    static const int y[] = {2, 5, 2};
-    struct graph g;
-    graph_of(&g, 3, 3, knot, y, 0);
-    for (int i = 1; i <= 3; i++) {
-        g.r[2 * i] = from_int(i - 2);
-        g.w[i] = from_int(i == 2 ? (T->planted ? 1 : -1) : 2);
-    }
-    int poles = count_roots(poly_from_bernstein(2, g.w + 1), from_int(0), from_int(1), CLOSED).distinct;
-    struct graph cut = with_knot(&g, from_ratio(1, 2));
-    show_points(T, "r", 3, 2, g.r + 2);
-    show_points(T, "w", 3, 1, g.w + 1);
-    show_points(T, "r'", 4, 2, cut.r + 2);
-    show_text(T, "crossings of the polygon", "%d", polygon_of_graph(&g).crossings);
-    show_text(T, "crossings of the new polygon", "%d", polygon_of_graph(&cut).crossings);
-    about(T, "the curve having no poles, the new polygon crosses the line no more often");
-    agree(T, poles > 0 || polygon_of_graph(&cut).crossings <= polygon_of_graph(&g).crossings);
-}
 #endif
+
+/*
+:::{statement} wang-ch4:thm-4.2.2-step-vertices
+:title: Points of intersection become vertices
+:zh: 交点成为顶点
+:printed: with $T'=\{t_1'\}^{k-1}\oplus\{t_2'\}^{k-1}\oplus\cdots\oplus\{t_{N+1}'\}^{k-1}$ by (4.1.9) every point of intersection
+  $\boldsymbol r_k(t_i')$ is a vertex of $\Gamma_k^{(T)}(T')$, $i=1,2,\dots,N+1$
+:holds-by: inserted_parameters_become_vertices
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $t'_i>t_1$; at the start of a clamped curve nothing can be inserted
+  by the printed formula, and need not be, since $r_k(t_k)$ is the vertex $r_1$
+:reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$: then $r(t'_i)$ is a vertex, too, though not the
+  one with the index of (4.1.9)
+:figure: points_of_the_line_as_vertices
+
+In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index $\mu_i+(i-1)(k-1)$.  A
+parameter that is a knot of multiplicity $m$ already becomes one of multiplicity $m+k-1$, which may be more than $k$; then
+some vertices are repeated and nothing else happens.
+:::
+
+:::{statement} wang-ch4:thm-4.2.2-step-meet
+:title: The polygon meets the line at these vertices
+:zh: 这些顶点是多边形与直线的交点
+:printed: these points are obviously also points of intersection of $\boldsymbol L_0$ and $\Gamma_k^{(T)}(T')$, so
+  $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\ge N+1$
+:holds-by: polygon_through_the_crossings_crosses_as_often inserted_parameters_become_vertices
+:hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
+:figure: points_of_the_line_as_vertices
+
+As common points this is obvious, for different points of the plane; two parameters with one point are two vertices with one
+point, and count twice along curve and polygon.  For crossings there is something to say: next to a parameter $t'$ of
+multiplicity $k-1$ the curve is on the side of the nearest vertex that is not on the line, so the polygon changes sides where
+the curve does.
+:::
+
+:::{statement} wang-ch4:thm-4.2.2-step-contradiction
+:title: The contradiction to the lemma
+:zh: 与引理矛盾
+:printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
+:holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
+:hypothesis: self_crossing_polygon_gains_points_on_a_line | counted along the polygon; as points of the plane there is no
+  contradiction, and there cannot be
+:hypothesis: cut_corner_lies_on_the_line | an edge on the line counts as one intersection
+:figure: what_must_be_counted
+:::
+
+:::{statement} wang-ch4:thm-4.2.2-corollaries
+:title: The earlier properties are special cases
+:zh: 性质 1.3.10、3.2.7 与定理 2.11.2
+:printed: properties 1.3.10, 3.2.7 and theorem 2.11.2 are obviously direct corollaries of these theorems
+:holds-by: bezier_curves_are_nurbs_curves averages_between_neighbours_keep_sign_changes inserted_parameters_become_vertices
+:hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted in the theorem as in the corollary;
+  property 3.2.7 counts crossings, and does not follow from a count of points
+:figure: what_must_be_counted
+
+A rational Bézier curve is the case $n=k$ with two knots of multiplicity $k$; equal weights give B-spline and Bézier
+curves.  Property 3.2.7 is at hand; the others are taken to be the same for Bézier curves and B-spline curves.
+:::
+
+:::{claim} bezier_curves_are_nurbs_curves
+:title: With two knots of multiplicity k, a NURBS curve is a rational Bézier curve
+:zh: 有理 Bézier 曲线是 NURBS 曲线的特例
+:given: order $k=n$, knots $x_0$ and $x_1$ of multiplicity $k$; any weights and points
+:then: the curve is the rational Bézier curve of degree $k-1$ of the same points and weights in $(t-x_0)/(x_1-x_0)$; with equal weights
+  it is $\sum N_{i,k}r_i$
+:method: The Bézier curve by the kernel, the sums by the definition of B-splines; everything a variable.
+:degrees: 1..6 sampled 7
+:scope: n stands for the order k
+:control: the first two weights exchanged; for $k=1$ the point moved
+:::
+*/
+CLAIM(bezier_curves_are_nurbs_curves)
+{
+    enum { SIZE = 8 };
+    int k = T->degree, place[MOST_KNOTS];
+    char pattern[MOST_KNOTS];
+    num u[MOST_KNOTS], r[SIZE], w[SIZE], h[SIZE], x = parameter(T, "p"), P;
+    snprintf(pattern, sizeof pattern, "%d%d", k, k);
+    (void)G(knots_of_pattern)(T, pattern, u, place);
+    for (int i = 0; i < k; i++) {
+        r[i] = unknown(T, "r", i);
+        w[i] = positive(T, "w", i);
+        h[i] = mul(w[i], r[i]);
+    }
+    about(T, "equal weights");
+    num ones[SIZE], weighted[SIZE], factor = positive(T, "f", 0);
+    for (int i = 0; i < k; i++) {
+        ones[i] = factor;
+        weighted[i] = mul(factor, r[i]);
+    }
+    num t = div(sub(x, u[0]), sub(u[k], u[0])), sum = G(spline)(k, k - 1, 1, u, place, weighted, 0, 0, x);
+    same(T, div(sum, G(spline)(k, k - 1, 1, u, place, ones, 0, 0, x)), G(spline)(k, k - 1, 1, u, place, r, 0, 0, x));
+    about(T, "the rational Bézier curve");
+    sum = div(G(spline)(k, k - 1, 1, u, place, h, 0, 0, x), G(spline)(k, k - 1, 1, u, place, w, 0, 0, x));
+    if (T->planted) {
+        num first = w[0];
+        w[0] = k > 1 ? w[1] : first;
+        w[k > 1] = k > 1 ? first : add(first, first);
+        r[0] = k > 1 ? r[0] : add(r[0], first); /* one point has no weights to exchange: it is moved */
+    }
+    G(rational_point)(k - 1, 1, r, w, t, &P);
+    same(T, sum, P);
+}
+
 #include "chapters/judge/claims_off.h"

@@ -5,7 +5,18 @@ A NURBS curve is a quotient of splines, as a rational Bézier curve is a quotien
 chapter gives the reasons for it: it is adjusted locally, its order of continuity is adjustable, it represents conics
 exactly, and its special cases are the curves of the chapters before.  Then it compares two ways of computing it.  What of
 this can be computed is decided here.
+*/
+#if RATIONAL
+#include "chapters/nurbs/counting.h"
+#define G(name) name##_q
+#endif
 
+#include "chapters/nurbs/definition.h"
+#include "chapters/nurbs/discrete.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch4:preface-generalization
 :title: Piecewise polynomial generalises to piecewise rational; B-spline and rational Bézier curves are special cases
 :zh: 由分段多项式推广到分段有理多项式;B 样条曲线与有理 Bézier 曲线为其特例
@@ -51,27 +62,7 @@ $m\le k-4$.
 
 A whole circle is one NURBS curve, with rational points and weights, and with every choice of the knots.
 :::
-
-:::{claim} circle_is_a_nurbs_curve
-:title: A whole circle as one quadratic NURBS curve
-:zh: 整圆可表为一条二次 NURBS 曲线
-:given: $k=3$, knots $x_0^3x_1^2x_2^2x_3^2x_4^3$ (exponents are multiplicities), their values variables; the points
-  $(1,0)$, $(1,1)$, $(0,1)$, $(-1,1)$, $(-1,0)$, $(-1,-1)$, $(0,-1)$, $(1,-1)$, $(1,0)$ with weights
-  $1,1,2,1,1,1,2,1,1$
-:then: $x(t)^2+y(t)^2=1$ on each of the four intervals, and the ends are one point
-:method: The point of the curve from the definition, all nine terms, at a variable $t$.
-:control: the weights 1
-:::
 */
-#if RATIONAL
-#include "chapters/nurbs/counting.h"
-#define G(name) name##_q
-#endif
-
-#include "chapters/nurbs/definition.h"
-#include "chapters/nurbs/discrete.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* The circle of radius 1 in four quarters: weights 1, 1, 2 to and fro. */
 static void G(circle)(int plain, num R[18], num w[9])
@@ -85,6 +76,18 @@ static void G(circle)(int plain, num R[18], num w[9])
     }
 }
 
+/*
+:::{claim} circle_is_a_nurbs_curve
+:title: A whole circle as one quadratic NURBS curve
+:zh: 整圆可表为一条二次 NURBS 曲线
+:given: $k=3$, knots $x_0^3x_1^2x_2^2x_3^2x_4^3$ (exponents are multiplicities), their values variables; the points
+  $(1,0)$, $(1,1)$, $(0,1)$, $(-1,1)$, $(-1,0)$, $(-1,-1)$, $(0,-1)$, $(1,-1)$, $(1,0)$ with weights
+  $1,1,2,1,1,1,2,1,1$
+:then: $x(t)^2+y(t)^2=1$ on each of the four intervals, and the ends are one point
+:method: The point of the curve from the definition, all nine terms, at a variable $t$.
+:control: the weights 1
+:::
+*/
 CLAIM(circle_is_a_nurbs_curve)
 {
     num x[5], u[12], R[18], w[9], P[2], t = unknown(T, "t", 0);
@@ -161,7 +164,10 @@ CLAIM(circle_is_run_through_once)
 
 The same source calls de Boor's recursion simple and stable; it is the way in which most programs compute.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} recursion_is_quadratic
 :title: The recursion takes k(k-1)/2 times the steps of one division of an edge
 :zh: 递推求值的运算次数为阶数的二次式
@@ -175,7 +181,6 @@ The same source calls de Boor's recursion simple and stable; it is the way in wh
 :control: the number of operations taken as $c\,(k-1)$ for a point
 :::
 */
-#if RATIONAL
 CLAIM(recursion_is_quadratic)
 {
     int p = T->degree;
@@ -233,7 +238,6 @@ CLAIM(plain_recursion_doubles)
     counted_work(T->degree + 1, cost[1], &tree[1]);
     agree(T, T->planted ? cost[1][0] >= 2 * cost[0][0] : tree[1] >= 2 * tree[0]);
 }
-#endif
 
 /*
 :::{statement} wang-ch4:preface-stability
@@ -265,7 +269,6 @@ roundings, how many depending on the order alone and not on the knots.
 :control: four roundings a level
 :::
 */
-#if RATIONAL
 CLAIM(recursion_subtracts_data_only)
 {
     int k = T->degree + 1, homogeneous = (T->planted ? 4 : 5) * (k - 1);
@@ -291,7 +294,10 @@ CLAIM(recursion_subtracts_data_only)
 :holds-by: horner_takes_two_operations_a_degree
 :figure: recursion_steps
 :::
+*/
 
+#if FIELD || RATIONAL
+/*
 :::{claim} horner_takes_two_operations_a_degree
 :title: Horner's rule takes k-1 products and k-1 sums
 :zh: Horner 算法的运算次数
@@ -304,7 +310,6 @@ CLAIM(recursion_subtracts_data_only)
 :control: the coefficients taken in the opposite order
 :::
 */
-#if FIELD || RATIONAL
 CLAIM(horner_takes_two_operations_a_degree)
 {
     int p = T->degree;

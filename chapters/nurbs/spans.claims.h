@@ -4,24 +4,10 @@
 A kernel never compares two numbers; which span contains a parameter, how often a knot occurs, and whether the knots are good is
 decided before, exactly.  These decisions depend on the order of the numbers alone, so that all of them can be tried: knots are
 small integers, parameters integers and the numbers halfway between.
-
-:::{claim} spans_contain_their_parameters
-:title: The span of a parameter, from the right and from the left
-:zh: 参数所在的节点区间
-:kind: decision
-:given: every knot vector of at most 8 knots, of every degree $p=0,1,2,3$ that it is good for; every parameter on a knot, between two
-  neighbouring ones, and outside the domain
-:then: `find_span` is the one $\mu$ with $u_\mu\le t<u_{\mu+1}$ in the domain, at its end the last span, and $-1$ outside; `find_span_left` is the
-  one with $u_\mu<t\le u_{\mu+1}$, at the beginning the first span, and $-1$ outside; `multiplicity` counts equal knots
-:method: All patterns of multiplicities, all parameters; the answers against a search through all indices by the definition.  Only the
-  order of the numbers is used, so no other knots can behave in another way.
-:degrees: 0..3
-:defines: multiplicity find_span find_span_left
-:control: the last knot taken for the span of its own parameter when the domain ends there
-:::
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
+
 #if RATIONAL
 #include "exact/span.h" /* it closes G */
 #define G(name) name##_q
@@ -40,6 +26,22 @@ static int G(integer_knots)(const char *pattern, num u[], int value[])
     return count;
 }
 
+/*
+:::{claim} spans_contain_their_parameters
+:title: The span of a parameter, from the right and from the left
+:zh: 参数所在的节点区间
+:kind: decision
+:given: every knot vector of at most 8 knots, of every degree $p=0,1,2,3$ that it is good for; every parameter on a knot, between two
+  neighbouring ones, and outside the domain
+:then: `find_span` is the one $\mu$ with $u_\mu\le t<u_{\mu+1}$ in the domain, at its end the last span, and $-1$ outside; `find_span_left` is the
+  one with $u_\mu<t\le u_{\mu+1}$, at the beginning the first span, and $-1$ outside; `multiplicity` counts equal knots
+:method: All patterns of multiplicities, all parameters; the answers against a search through all indices by the definition.  Only the
+  order of the numbers is used, so no other knots can behave in another way.
+:degrees: 0..3
+:defines: multiplicity find_span find_span_left
+:control: the last knot taken for the span of its own parameter when the domain ends there
+:::
+*/
 CLAIM(spans_contain_their_parameters)
 {
     int p = T->degree, value[MOST_KNOTS], where;
@@ -237,4 +239,5 @@ CLAIM(knots_of_the_next_degrees)
         }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -3,7 +3,14 @@
 
 Three kinds of knots have formulas of their own: knots that are all different, equidistant knots, and the knots of a
 single Bézier segment.  The source derives the first two from the divided differences, the third from Marsden's identity.
+*/
+#include "chapters/nurbs/spans.h"
 
+#include "chapters/judge/claims_on.h"
+
+enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
+
+/*
 ## Simple knots (单节点)
 
 :::{statement} wang-ch4:simple-vandermonde
@@ -11,62 +18,6 @@ single Bézier segment.  The source derives the first two from the divided diffe
 :zh: 单节点时为 Vandermonde 行列式
 :printed: when all nodes of $T$ are simple, $\det H(T;1,t,\dots,t^k)$ is Vandermonde's determinant
 :holds-by: simple_determinant_is_vandermonde
-:::
-
-:::{statement} wang-ch4:simple-divided-difference
-:title: The divided difference over simple nodes
-:zh: 单节点差商公式
-:printed: [t_i,\dots,t_{i+k}]f=\sum_{l=i}^{i+k}\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_j-t_l)\Bigr]^{-1}f(t_l)
-:class: misprint
-:refuted-by: printed_simple_difference_has_wrong_sign
-:corrected: the factors are $t_l-t_j$; there are $k$ of them, so the printed formula has the wrong sign for odd $k$ and is
-  right for even $k$
-:corrected-by: simple_difference_has_factors_of_both_orders
-:figure: simple_knots_sign
-:::
-
-:::{statement} wang-ch4:simple-basis
-:title: The B-spline of simple knots
-:zh: 单节点 B 样条基
-:printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}
-:reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$; so
-  read it is true
-:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$; so read
-  it is $-N_{i,k}$ for odd $k$
-:corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
-:corrected-by: simple_basis_from_weights
-:figure: simple_knots_sign
-
-Nothing in the source says what $\alpha_l$ is.
-:::
-
-:::{statement} wang-ch4:simple-basis-expanded
-:title: The B-spline of simple knots in powers of u
-:zh: 单节点 B 样条基的展开式
-:printed: N_{i,k}(t)=\sum_{j=0}^{k-1}u^j\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-1-j}
-  \Big/\prod_{\alpha=i,\,\alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]
-:class: misprint
-:refuted-by: printed_weights_give_the_negative_basis
-:corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
-:corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
-:figure: simple_knots_sign
-:::
-
-:::{statement} wang-ch4:formula-4.4.23
-:title: The entries of the coefficient matrix for simple knots
-:zh: 单节点系数矩阵的元素
-:printed: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
-  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]
-:class: misprint
-:refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
-:corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha\ne l}
-  (t_l-t_\alpha)}
-:corrected-by: simple_matrix_is_the_matrix
-:striking: 9
-:figure: simple_knots_sign
-
-Two faults: the sign, wrong for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, which for even
-$k$ is wrong alone.
 :::
 
 :::{claim} simple_determinant_is_vandermonde
@@ -78,78 +29,7 @@ $k$ is wrong alone.
 :degrees: 0..5 sampled 8
 :control: the order of the last two nodes exchanged in the product
 :::
-
-:::{claim} simple_difference_has_factors_of_both_orders
-:title: The divided difference over simple nodes, and the printed one times (-1)^k
-:zh: 单节点差商的正确符号
-:given: $k+1$ simple nodes and the values of $f$, variables
-:then: $[t_0,\dots,t_k]f=\sum f(t_l)/\prod_{j\ne l}(t_l-t_j)$, and the printed sum is $(-1)^k$ times this
-:method: The table of divided differences against both sums.
-:degrees: 0..6 sampled 10
-:control: the sign $(-1)^{k+1}$
-:::
-
-:::{claim} simple_basis_from_weights
-:title: The sum over the knots to the right of the span
-:zh: 区间右侧节点求和得 B 样条基
-:given: orders $k=p+1$, simple knots and $t$ variables
-:then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
-:method: The weights of `divided_weights`, the B-splines by definition.
-:degrees: 0..5 sampled 7
-:control: the sum begins at $l=r$
-:::
-
-:::{claim} simple_matrix_is_the_matrix
-:title: The corrected formula gives the coefficient matrix
-:zh: 改正后的 (4.4.23)
-:given: orders $k=p+1$, odd and even, simple knots and $u$ variables
-:then: the columns of `bspline_matrix_simple` are the $N_{i,k}$ in powers of $u$
-:method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
-:degrees: 0..5 sampled 7
-:defines: bspline_matrix_simple
-:control: the rows in the opposite order
-:::
-
-:::{claim} printed_simple_matrix_differs_by_the_parity_sign
-:title: With the exponent k-1-j the printed matrix is (-1)^k times the right one
-:zh: 印式与正确矩阵相差 (-1)^k
-:given: orders $k=p+1$, odd and even, simple knots, variables
-:then: the printed $a_{ji}$, its exponent read as $k-1-j$, is $(-1)^ka_{ji}$
-:method: The printed formula by its letter against `bspline_matrix`.
-:degrees: 0..4 sampled 7
-:control: the factor $(-1)^{k+1}$
-:::
 */
-#include "chapters/nurbs/spans.h"
-
-#include "chapters/judge/claims_on.h"
-
-enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
-
-/* The product over all m = i, ..., i+k but l of t_m - t_l (as printed), or of t_l - t_m. */
-static num G(product_of_differences)(const num t[], int i, int k, int l, int as_printed)
-{
-    num product = from_int(1);
-    for (int m = i; m <= i + k; m++)
-        if (m != l)
-            product = mul(product, as_printed ? sub(t[m], t[l]) : sub(t[l], t[m]));
-    return product;
-}
-
-/* (4.4.23) by its letter, but for the exponent, which is given: k-1-j, or k-l-j with the number l of the knot. */
-static num G(printed_entry)(const struct G(span) * S, int i, int j, int letter, int as_printed)
-{
-    int k = S->k, r = S->r;
-    num sum = from_int(0), step = sub(S->t[r], S->t[r + 1]);
-    for (int l = r + 1; l <= i + k; l++) {
-        int exponent = letter ? k - l - j : k - 1 - j;
-        num gap = sub(S->t[l], S->t[r]);
-        num power = exponent >= 0 ? G(power)(gap, exponent) : div(from_int(1), G(power)(gap, -exponent));
-        sum = add(sum, div(power, G(product_of_differences)(S->t, i, k, l, as_printed)));
-    }
-    return mul(mul(G(choose)(k - 1, j), sub(S->t[i + k], S->t[i])), mul(G(power)(step, j), sum));
-}
-
 CLAIM(simple_determinant_is_vandermonde)
 {
     int k = T->degree, l[LARGEST_ORDER];
@@ -170,6 +50,41 @@ CLAIM(simple_determinant_is_vandermonde)
     same(T, G(confluent_vandermonde_determinant)(k + 1, l, t), product);
 }
 
+/*
+:::{statement} wang-ch4:simple-divided-difference
+:title: The divided difference over simple nodes
+:zh: 单节点差商公式
+:printed: [t_i,\dots,t_{i+k}]f=\sum_{l=i}^{i+k}\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_j-t_l)\Bigr]^{-1}f(t_l)
+:class: misprint
+:refuted-by: printed_simple_difference_has_wrong_sign
+:corrected: the factors are $t_l-t_j$; there are $k$ of them, so the printed formula has the wrong sign for odd $k$ and is
+  right for even $k$
+:corrected-by: simple_difference_has_factors_of_both_orders
+:figure: simple_knots_sign
+:::
+*/
+
+/* The product over all m = i, ..., i+k but l of t_m - t_l (as printed), or of t_l - t_m. */
+static num G(product_of_differences)(const num t[], int i, int k, int l, int as_printed)
+{
+    num product = from_int(1);
+    for (int m = i; m <= i + k; m++)
+        if (m != l)
+            product = mul(product, as_printed ? sub(t[m], t[l]) : sub(t[l], t[m]));
+    return product;
+}
+
+/*
+:::{claim} simple_difference_has_factors_of_both_orders
+:title: The divided difference over simple nodes, and the printed one times (-1)^k
+:zh: 单节点差商的正确符号
+:given: $k+1$ simple nodes and the values of $f$, variables
+:then: $[t_0,\dots,t_k]f=\sum f(t_l)/\prod_{j\ne l}(t_l-t_j)$, and the printed sum is $(-1)^k$ times this
+:method: The table of divided differences against both sums.
+:degrees: 0..6 sampled 10
+:control: the sign $(-1)^{k+1}$
+:::
+*/
 CLAIM(simple_difference_has_factors_of_both_orders)
 {
     int k = T->degree, l[12];
@@ -183,47 +98,6 @@ CLAIM(simple_difference_has_factors_of_both_orders)
     }
     same(T, G(divided_difference)(k + 1, l, t, f), sum);
     same(T, printed, G(signed_by)(k + T->planted, sum));
-}
-
-CLAIM(simple_basis_from_weights)
-{
-    int k = T->degree + 1, l[LARGEST_ORDER + 1];
-    struct G(span) S = G(simple_span)(T, k);
-    num t = parameter(T, "t"), alpha[LARGEST_ORDER + 1];
-    for (int m = 0; m <= k; m++)
-        l[m] = 1;
-    for (int i = 0; i < k; i++) {
-        num sum = from_int(0);
-        G(divided_weights)(k + 1, l, S.t + i, alpha);
-        for (int m = S.r + 1 - T->planted; m <= i + k; m++)
-            sum = add(sum, mul(alpha[m - i], G(power)(sub(S.t[m], t), k - 1)));
-        same(T, mul(sub(S.t[i + k], S.t[i]), sum), G(basis_value)(&S, i, k, t));
-    }
-}
-
-CLAIM(simple_matrix_is_the_matrix)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num A[CELLS], u = parameter(T, "u");
-    G(bspline_matrix_simple)(k - 1, S.t, S.r, A);
-    for (int i = 0; i < k; i++) {
-        num sum = from_int(0);
-        for (int j = 0; j < k; j++)
-            sum = add(sum, mul(A[(T->planted ? k - 1 - j : j) * k + i], G(power)(u, j)));
-        same(T, sum, G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
-    }
-}
-
-CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(simple_span)(T, k);
-    num A[CELLS];
-    G(bspline_matrix)(k - 1, S.t, S.r, A);
-    for (int j = 0; j < k; j++)
-        for (int i = 0; i < k; i++)
-            same(T, G(printed_entry)(&S, i, j, 0, 1), G(signed_by)(k + T->planted, A[j * k + i]));
 }
 
 #if RATIONAL
@@ -249,7 +123,65 @@ CLAIM(printed_simple_difference_has_wrong_sign)
     about(T, "the printed sum, and the divided difference");
     same(T, sum, G(divided_difference)(2, one, t, t));
 }
+#endif
 
+/*
+:::{statement} wang-ch4:simple-basis
+:title: The B-spline of simple knots
+:zh: 单节点 B 样条基
+:printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}
+:reading: simple_basis_from_weights | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$; so
+  read it is true
+:reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the line before puts in front of $f(t_l)$; so read
+  it is $-N_{i,k}$ for odd $k$
+:corrected: \alpha_l=\Bigl[\prod_{j\ne l}(t_l-t_j)\Bigr]^{-1}
+:corrected-by: simple_basis_from_weights
+:figure: simple_knots_sign
+
+Nothing in the source says what $\alpha_l$ is.
+:::
+
+:::{claim} simple_basis_from_weights
+:title: The sum over the knots to the right of the span
+:zh: 区间右侧节点求和得 B 样条基
+:given: orders $k=p+1$, simple knots and $t$ variables
+:then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
+:method: The weights of `divided_weights`, the B-splines by definition.
+:degrees: 0..5 sampled 7
+:control: the sum begins at $l=r$
+:::
+*/
+CLAIM(simple_basis_from_weights)
+{
+    int k = T->degree + 1, l[LARGEST_ORDER + 1];
+    struct G(span) S = G(simple_span)(T, k);
+    num t = parameter(T, "t"), alpha[LARGEST_ORDER + 1];
+    for (int m = 0; m <= k; m++)
+        l[m] = 1;
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        G(divided_weights)(k + 1, l, S.t + i, alpha);
+        for (int m = S.r + 1 - T->planted; m <= i + k; m++)
+            sum = add(sum, mul(alpha[m - i], G(power)(sub(S.t[m], t), k - 1)));
+        same(T, mul(sub(S.t[i + k], S.t[i]), sum), G(basis_value)(&S, i, k, t));
+    }
+}
+
+/* (4.4.23) by its letter, but for the exponent, which is given: k-1-j, or k-l-j with the number l of the knot. */
+static num G(printed_entry)(const struct G(span) * S, int i, int j, int letter, int as_printed)
+{
+    int k = S->k, r = S->r;
+    num sum = from_int(0), step = sub(S->t[r], S->t[r + 1]);
+    for (int l = r + 1; l <= i + k; l++) {
+        int exponent = letter ? k - l - j : k - 1 - j;
+        num gap = sub(S->t[l], S->t[r]);
+        num power = exponent >= 0 ? G(power)(gap, exponent) : div(from_int(1), G(power)(gap, -exponent));
+        sum = add(sum, div(power, G(product_of_differences)(S->t, i, k, l, as_printed)));
+    }
+    return mul(mul(G(choose)(k - 1, j), sub(S->t[i + k], S->t[i])), mul(G(power)(step, j), sum));
+}
+
+#if RATIONAL
 /*
 :::{claim} printed_weights_give_the_negative_basis
 :title: With the printed factors the formula gives the negative B-spline
@@ -270,7 +202,88 @@ CLAIM(printed_weights_give_the_negative_basis)
     about(T, "a_{00}, and N_{0,1}");
     same(T, a, G(basis_value)(&S, 0, 1, from_ratio(1, 2)));
 }
+#endif
 
+/*
+:::{statement} wang-ch4:simple-basis-expanded
+:title: The B-spline of simple knots in powers of u
+:zh: 单节点 B 样条基的展开式
+:printed: N_{i,k}(t)=\sum_{j=0}^{k-1}u^j\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-1-j}
+  \Big/\prod_{\alpha=i,\,\alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]
+:class: misprint
+:refuted-by: printed_weights_give_the_negative_basis
+:corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
+:corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
+:figure: simple_knots_sign
+:::
+
+:::{claim} simple_matrix_is_the_matrix
+:title: The corrected formula gives the coefficient matrix
+:zh: 改正后的 (4.4.23)
+:given: orders $k=p+1$, odd and even, simple knots and $u$ variables
+:then: the columns of `bspline_matrix_simple` are the $N_{i,k}$ in powers of $u$
+:method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
+:degrees: 0..5 sampled 7
+:defines: bspline_matrix_simple
+:control: the rows in the opposite order
+:::
+*/
+CLAIM(simple_matrix_is_the_matrix)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS], u = parameter(T, "u");
+    G(bspline_matrix_simple)(k - 1, S.t, S.r, A);
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        for (int j = 0; j < k; j++)
+            sum = add(sum, mul(A[(T->planted ? k - 1 - j : j) * k + i], G(power)(u, j)));
+        same(T, sum, G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
+    }
+}
+
+/*
+:::{claim} printed_simple_matrix_differs_by_the_parity_sign
+:title: With the exponent k-1-j the printed matrix is (-1)^k times the right one
+:zh: 印式与正确矩阵相差 (-1)^k
+:given: orders $k=p+1$, odd and even, simple knots, variables
+:then: the printed $a_{ji}$, its exponent read as $k-1-j$, is $(-1)^ka_{ji}$
+:method: The printed formula by its letter against `bspline_matrix`.
+:degrees: 0..4 sampled 7
+:control: the factor $(-1)^{k+1}$
+:::
+*/
+CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(simple_span)(T, k);
+    num A[CELLS];
+    G(bspline_matrix)(k - 1, S.t, S.r, A);
+    for (int j = 0; j < k; j++)
+        for (int i = 0; i < k; i++)
+            same(T, G(printed_entry)(&S, i, j, 0, 1), G(signed_by)(k + T->planted, A[j * k + i]));
+}
+
+/*
+:::{statement} wang-ch4:formula-4.4.23
+:title: The entries of the coefficient matrix for simple knots
+:zh: 单节点系数矩阵的元素
+:printed: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
+  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]
+:class: misprint
+:refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
+:corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha\ne l}
+  (t_l-t_\alpha)}
+:corrected-by: simple_matrix_is_the_matrix
+:striking: 9
+:figure: simple_knots_sign
+
+Two faults: the sign, wrong for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, which for even
+$k$ is wrong alone.
+:::
+*/
+
+#if RATIONAL
 /*
 :::{claim} exponent_with_the_letter_fails
 :title: The exponent k-l-j with the number of the knot is wrong
@@ -309,104 +322,6 @@ $i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
 :figure: uniform_matrices
 :::
 
-:::{statement} wang-ch4:uniform-start
-:title: The chain begins with formula 4.4.23
-:zh: 推导以 (4.4.23) 为起点
-:printed: with $t_i=i$ formula (4.4.23) becomes the first sum of the chain, whose sign is $(-1)^{j+k+l-i}$
-:class: invalid-proof
-:refuted-by: uniform_chain_does_not_follow
-:corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$; the misprinted sign of (4.4.23) is gone in the chain
-:corrected-by: uniform_chain_gives_the_matrix
-:figure: simple_knots_sign
-:::
-
-:::{statement} wang-ch4:uniform-line-1
-:title: First sum: the knots put in
-:zh: 等距情形第一式
-:printed: a_{ji}=\binom{k-1}jk\sum_{l=r+1}^{i+k}\frac{(-1)^{j+k+l-i}(l-r)^{k-l-j}}{(l-i)!\,(i+k-l)!}
-:class: misprint
-:refuted-by: uniform_letter_one_fails
-:corrected: the exponent is $k-1-j$; everything else is right
-:corrected-by: uniform_chain_gives_the_matrix
-:figure: uniform_letter
-:::
-
-:::{statement} wang-ch4:uniform-line-2
-:title: Second sum: i = r-k+1+s
-:zh: 等距情形第二式
-:printed: \binom{k-1}jk(-1)^j\sum_{l=r+1}^{r+l+s}\frac{(-1)^{l+r+s+1}(l-r)^{k-l-j}}{(l+k-r-1-s)!\,(r+s+l-l)!}
-:class: misprint
-:refuted-by: uniform_letter_in_factorial_fails
-:corrected: the upper limit is $r+1+s$, the exponent $k-1-j$ and the last factorial $(r+s+1-l)!$: three letters $l$ for the
-  digit 1
-:corrected-by: uniform_chain_gives_the_matrix
-:figure: uniform_letter
-
-With $l$ in its own upper limit the sum has no meaning; with the limit put right the other two are still wrong.
-:::
-
-:::{statement} wang-ch4:uniform-line-3
-:title: Third sum: v = l-r-1
-:zh: 等距情形第三式
-:printed: \binom{k-1}jk(-1)^j\sum_{v=0}^s\frac{(-1)^{v+s}(v+1)^{k-l-j}}{(v+k-s)!\,(s-v)!}
-:class: misprint
-:refuted-by: uniform_letter_one_fails
-:corrected: the exponent is $k-1-j$; $l$ is no variable of this sum
-:corrected-by: uniform_chain_gives_the_matrix
-:figure: uniform_letter
-:::
-
-:::{statement} wang-ch4:uniform-line-4
-:title: Fourth sum: l = s-v
-:zh: 等距情形第四式
-:printed: \binom{k-1}jk(-1)^j\sum_{l=0}^s\frac{(-1)^l(s-l+1)^{k-l-j}}{(k-l)!\,l!}
-:class: misprint
-:refuted-by: uniform_letter_in_last_sum_fails
-:corrected: the exponent is $k-1-j$
-:corrected-by: uniform_chain_gives_the_matrix
-:figure: uniform_letter
-:::
-
-:::{statement} wang-ch4:uniform-substitutions
-:title: The three substitutions
-:zh: 三次变量替换
-:printed: in turn $i=r-k+1+s$, $v=l-r-1$, $l=s-v$
-:holds-by: uniform_chain_gives_the_matrix
-:figure: uniform_matrices
-
-The last $l$ is a new one: it is $r+1+s$ minus the old.
-:::
-
-:::{statement} wang-ch4:uniform-matrix
-:title: The coefficient matrix of equidistant knots
-:zh: 等距节点的系数矩阵
-:printed: a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j},\quad i,j=0,\dots,k-1
-:holds-by: uniform_matrix_is_the_matrix
-:figure: uniform_matrices
-
-Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in this place, with a $t$ for the order $k$.
-:::
-
-:::{statement} wang-ch4:uniform-matrix-independent
-:title: The matrix is the same on every span
-:zh: 与 r 无关
-:printed: the entries do not depend on $r$
-:holds-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
-:figure: uniform_matrices
-:::
-
-:::{claim} uniform_chain_gives_the_matrix
-:title: The four sums, with the digit 1, are the entries of the matrix
-:zh: 改正后四式均为矩阵元素
-:kind: decision
-:given: orders 1 to 9, $r=0$ and $r=k+2$, the knots $t_i=i$
-:then: for all $i$ and $j$ the four sums are $a_{ji}$, the first also when it is computed from (4.4.23) with the factors
-  $t_l-t_\alpha$
-:method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it; the degree below is $k-1$.
-:degrees: 0..8
-:control: the sign $(-1)^s$ left out of the third sum
-:::
-
 :::{claim} uniform_matrix_is_the_matrix
 :title: The formula for equidistant knots gives the coefficient matrix
 :zh: 等距节点系数矩阵公式
@@ -431,6 +346,19 @@ CLAIM(uniform_matrix_is_the_matrix)
     for (int i = 0; i < k; i++)
         same(T, G(column_value)(k, A, T->planted ? k - 1 - i : i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
 }
+
+/*
+:::{statement} wang-ch4:uniform-start
+:title: The chain begins with formula 4.4.23
+:zh: 推导以 (4.4.23) 为起点
+:printed: with $t_i=i$ formula (4.4.23) becomes the first sum of the chain, whose sign is $(-1)^{j+k+l-i}$
+:class: invalid-proof
+:refuted-by: uniform_chain_does_not_follow
+:corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$; the misprinted sign of (4.4.23) is gone in the chain
+:corrected-by: uniform_chain_gives_the_matrix
+:figure: simple_knots_sign
+:::
+*/
 
 #if RATIONAL
 /* (a)^exponent for any integer exponent. */
@@ -480,6 +408,19 @@ static struct G(span) G(uniform_span)(int k, int r)
     return S;
 }
 
+/*
+:::{claim} uniform_chain_gives_the_matrix
+:title: The four sums, with the digit 1, are the entries of the matrix
+:zh: 改正后四式均为矩阵元素
+:kind: decision
+:given: orders 1 to 9, $r=0$ and $r=k+2$, the knots $t_i=i$
+:then: for all $i$ and $j$ the four sums are $a_{ji}$, the first also when it is computed from (4.4.23) with the factors
+  $t_l-t_\alpha$
+:method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it; the degree below is $k-1$.
+:degrees: 0..8
+:control: the sign $(-1)^s$ left out of the third sum
+:::
+*/
 CLAIM(uniform_chain_gives_the_matrix)
 {
     int k = T->degree + 1;
@@ -519,6 +460,19 @@ CLAIM(uniform_chain_does_not_follow)
     same(T, G(printed_entry)(&S, 0, 0, 0, !T->planted), G(uniform_line)(1, 1, 0, 0, 0, 1));
 }
 
+/*
+:::{statement} wang-ch4:uniform-line-1
+:title: First sum: the knots put in
+:zh: 等距情形第一式
+:printed: a_{ji}=\binom{k-1}jk\sum_{l=r+1}^{i+k}\frac{(-1)^{j+k+l-i}(l-r)^{k-l-j}}{(l-i)!\,(i+k-l)!}
+:class: misprint
+:refuted-by: uniform_letter_one_fails
+:corrected: the exponent is $k-1-j$; everything else is right
+:corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
+:::
+*/
+
 /* The printed line against the entry of the matrix. */
 static void G(compare_line)(trial *T, int line, int k, int r, int i, int j)
 {
@@ -549,6 +503,20 @@ CLAIM(uniform_letter_one_fails)
 }
 
 /*
+:::{statement} wang-ch4:uniform-line-2
+:title: Second sum: i = r-k+1+s
+:zh: 等距情形第二式
+:printed: \binom{k-1}jk(-1)^j\sum_{l=r+1}^{r+l+s}\frac{(-1)^{l+r+s+1}(l-r)^{k-l-j}}{(l+k-r-1-s)!\,(r+s+l-l)!}
+:class: misprint
+:refuted-by: uniform_letter_in_factorial_fails
+:corrected: the upper limit is $r+1+s$, the exponent $k-1-j$ and the last factorial $(r+s+1-l)!$: three letters $l$ for the
+  digit 1
+:corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
+
+With $l$ in its own upper limit the sum has no meaning; with the limit put right the other two are still wrong.
+:::
+
 :::{claim} uniform_letter_in_factorial_fails
 :title: The factorial (r+s+l-l)! of the second sum is wrong
 :zh: 第二式中阶乘 (r+s+l-l)! 有误
@@ -566,6 +534,28 @@ CLAIM(uniform_letter_in_factorial_fails)
 }
 
 /*
+:::{statement} wang-ch4:uniform-line-3
+:title: Third sum: v = l-r-1
+:zh: 等距情形第三式
+:printed: \binom{k-1}jk(-1)^j\sum_{v=0}^s\frac{(-1)^{v+s}(v+1)^{k-l-j}}{(v+k-s)!\,(s-v)!}
+:class: misprint
+:refuted-by: uniform_letter_one_fails
+:corrected: the exponent is $k-1-j$; $l$ is no variable of this sum
+:corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
+:::
+
+:::{statement} wang-ch4:uniform-line-4
+:title: Fourth sum: l = s-v
+:zh: 等距情形第四式
+:printed: \binom{k-1}jk(-1)^j\sum_{l=0}^s\frac{(-1)^l(s-l+1)^{k-l-j}}{(k-l)!\,l!}
+:class: misprint
+:refuted-by: uniform_letter_in_last_sum_fails
+:corrected: the exponent is $k-1-j$
+:corrected-by: uniform_chain_gives_the_matrix
+:figure: uniform_letter
+:::
+
 :::{claim} uniform_letter_in_last_sum_fails
 :title: The exponent k-l-j of the fourth sum is wrong
 :zh: 第四式中指数 k-l-j 有误
@@ -584,6 +574,34 @@ CLAIM(uniform_letter_in_last_sum_fails)
 #endif
 
 /*
+:::{statement} wang-ch4:uniform-substitutions
+:title: The three substitutions
+:zh: 三次变量替换
+:printed: in turn $i=r-k+1+s$, $v=l-r-1$, $l=s-v$
+:holds-by: uniform_chain_gives_the_matrix
+:figure: uniform_matrices
+
+The last $l$ is a new one: it is $r+1+s$ minus the old.
+:::
+
+:::{statement} wang-ch4:uniform-matrix
+:title: The coefficient matrix of equidistant knots
+:zh: 等距节点的系数矩阵
+:printed: a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j},\quad i,j=0,\dots,k-1
+:holds-by: uniform_matrix_is_the_matrix
+:figure: uniform_matrices
+
+Here the exponent is printed right.  The matrix is called $\mathbf A_{r,t,T}$ in this place, with a $t$ for the order $k$.
+:::
+
+:::{statement} wang-ch4:uniform-matrix-independent
+:title: The matrix is the same on every span
+:zh: 与 r 无关
+:printed: the entries do not depend on $r$
+:holds-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
+:figure: uniform_matrices
+:::
+
 ## The knots of Bernstein
 
 With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0,1)$, $r=k-1$, and $i=0,\dots,k-1$.
@@ -615,41 +633,11 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 
 $j$ is the row, $i$ the column.
 :::
+*/
 
-:::{statement} wang-ch4:bernstein-matrix
-:title: The coefficient matrix for the knots of Bernstein
-:zh: Bernstein 情形的系数矩阵
-:printed: a_{ji}=0\ (i<j),\quad a_{ji}=(-1)^{i+j}\binom{k-1}i\Big/\binom ij\ (i\ge j),\quad i,j=0,\dots,k-1
-:class: misprint
-:refuted-by: printed_bernstein_matrix_is_transposed printed_bernstein_quotient_fails
-:corrected: a_{ji}=0\ (j<i),\quad a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji\ (j\ge i)
-:corrected-by: bernstein_matrix_is_the_matrix
-:striking: 10
-:figure: bernstein_matrix
+static struct G(span) G(bernstein_span)(int k) { return G(span_of_pattern)(k, 0, (num[]){from_int(0), from_int(1)}); }
 
-Two faults: the two indices are exchanged, so that the matrix is triangular on the wrong side, and the two binomial
-coefficients are divided and not multiplied.  To mend one of them is not enough.
-:::
-
-:::{statement} wang-ch4:bernstein-basis
-:title: The B-splines are then the Bernstein polynomials
-:zh: 退化为 Bernstein 基
-:printed: N_{i,k}(t)=B_i^{k-1}(t),\quad t\in[t_{k-1},t_k)=[0,1)
-:holds-by: bsplines_are_bernstein_polynomials
-:figure: bernstein_matrix
-:::
-
-:::{statement} wang-ch4:bernstein-basis-sum
-:title: The Bernstein polynomials from the printed matrix
-:zh: 由印出的矩阵得到的和式
-:printed: \sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)
-:class: invalid-proof
-:refuted-by: printed_bernstein_matrix_is_transposed
-:corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
-:corrected-by: bernstein_matrix_is_the_matrix
-:figure: bernstein_matrix
-:::
-
+/*
 :::{claim} bernstein_coefficients_and_g
 :title: Marsden's coefficients and G for the knots of Bernstein
 :zh: Bernstein 节点的 ω 与 G
@@ -659,36 +647,7 @@ coefficients are divided and not multiplied.  To mend one of them is not enough.
 :degrees: 0..7 sampled 8
 :control: rows and columns of $G$ exchanged
 :::
-
-:::{claim} bernstein_matrix_is_the_matrix
-:title: The corrected entries are those of the coefficient matrix
-:zh: 改正后的 Bernstein 系数矩阵
-:given: orders $k=p+1$, $t$ variable
-:then: the columns of `bernstein_matrix` are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
-  (4.4.17) at these knots
-:method: The kernel against the Bernstein polynomials at a variable $t$, and against `bspline_matrix_by_marsden`.
-:degrees: 0..7 sampled 8
-:defines: bernstein_matrix
-:control: the matrix transposed
-:::
-
-:::{claim} bsplines_are_bernstein_polynomials
-:title: The B-splines of these knots are the Bernstein polynomials
-:zh: B 样条基退化为 Bernstein 基
-:given: orders $k=p+1$, $t$ variable
-:then: $N_{i,k}(t)=\binom{k-1}i(1-t)^{k-1-i}t^i$ on $[0,1)$
-:method: The B-splines by their definition.
-:degrees: 0..7 sampled 8
-:control: the functions in the opposite order
-:::
 */
-static struct G(span) G(bernstein_span)(int k) { return G(span_of_pattern)(k, 0, (num[]){from_int(0), from_int(1)}); }
-
-static num G(bernstein_value)(int n, int i, num t)
-{
-    return mul(G(choose)(n, i), mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i)));
-}
-
 CLAIM(bernstein_coefficients_and_g)
 {
     int k = T->degree + 1;
@@ -707,6 +666,66 @@ CLAIM(bernstein_coefficients_and_g)
     }
 }
 
+#if RATIONAL
+/*
+:::{claim} bernstein_knots_from_one_shift_the_index
+:title: With functions numbered from 1 the formula for omega is shifted
+:zh: 若下标从 1 起则 ω 错位
+:kind: counterexample
+:given: $k=2$, knots $t_1,\dots,t_4=0,0,1,1$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i=1$, $x=2$
+:then: $\omega_{1,2}(x)=x-t_2=2$, the formula gives $x^0(x-1)^1=1$
+:method: The product of its definition against the formula.
+:control: the knots $t_0,\dots,t_3$
+:::
+*/
+CLAIM(bernstein_knots_from_one_shift_the_index)
+{
+    struct G(span) S = G(bernstein_span)(2);
+    num x = from_int(2), w[2];
+    int i = 1, first = T->planted ? 0 : 1;
+    G(marsden_coefficients)(1, S.t, S.r, x, w);
+    show_points(T, "knots", 4, 1, S.t);
+    show(T, "x", x);
+    about(T, "omega_{1,2}(x), and the formula");
+    same(T, w[i - first], mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i)));
+}
+#endif
+
+/*
+:::{statement} wang-ch4:bernstein-matrix
+:title: The coefficient matrix for the knots of Bernstein
+:zh: Bernstein 情形的系数矩阵
+:printed: a_{ji}=0\ (i<j),\quad a_{ji}=(-1)^{i+j}\binom{k-1}i\Big/\binom ij\ (i\ge j),\quad i,j=0,\dots,k-1
+:class: misprint
+:refuted-by: printed_bernstein_matrix_is_transposed printed_bernstein_quotient_fails
+:corrected: a_{ji}=0\ (j<i),\quad a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji\ (j\ge i)
+:corrected-by: bernstein_matrix_is_the_matrix
+:striking: 10
+:figure: bernstein_matrix
+
+Two faults: the two indices are exchanged, so that the matrix is triangular on the wrong side, and the two binomial
+coefficients are divided and not multiplied.  To mend one of them is not enough.
+:::
+*/
+
+static num G(bernstein_value)(int n, int i, num t)
+{
+    return mul(G(choose)(n, i), mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i)));
+}
+
+/*
+:::{claim} bernstein_matrix_is_the_matrix
+:title: The corrected entries are those of the coefficient matrix
+:zh: 改正后的 Bernstein 系数矩阵
+:given: orders $k=p+1$, $t$ variable
+:then: the columns of `bernstein_matrix` are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
+  (4.4.17) at these knots
+:method: The kernel against the Bernstein polynomials at a variable $t$, and against `bspline_matrix_by_marsden`.
+:degrees: 0..7 sampled 8
+:defines: bernstein_matrix
+:control: the matrix transposed
+:::
+*/
 CLAIM(bernstein_matrix_is_the_matrix)
 {
     int k = T->degree + 1;
@@ -725,15 +744,6 @@ CLAIM(bernstein_matrix_is_the_matrix)
         about(T, "the Bernstein polynomial");
         same(T, sum, G(bernstein_value)(k - 1, i, t));
     }
-}
-
-CLAIM(bsplines_are_bernstein_polynomials)
-{
-    int k = T->degree + 1;
-    struct G(span) S = G(bernstein_span)(k);
-    num t = parameter(T, "t");
-    for (int i = 0; i < k; i++)
-        same(T, G(basis_value)(&S, T->planted ? k - 1 - i : i, k, t), G(bernstein_value)(k - 1, i, t));
 }
 
 #if RATIONAL
@@ -788,36 +798,56 @@ CLAIM(printed_bernstein_quotient_fails)
     about(T, "the sum of column 1 with the quotients, and B_1^2(t)");
     same(T, G(printed_bernstein)(3, 1, 1, T->planted, t), G(bernstein_value)(2, 1, t));
 }
+#endif
 
 /*
-:::{claim} bernstein_knots_from_one_shift_the_index
-:title: With functions numbered from 1 the formula for omega is shifted
-:zh: 若下标从 1 起则 ω 错位
-:kind: counterexample
-:given: $k=2$, knots $t_1,\dots,t_4=0,0,1,1$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i=1$, $x=2$
-:then: $\omega_{1,2}(x)=x-t_2=2$, the formula gives $x^0(x-1)^1=1$
-:method: The product of its definition against the formula.
-:control: the knots $t_0,\dots,t_3$
+:::{statement} wang-ch4:bernstein-basis
+:title: The B-splines are then the Bernstein polynomials
+:zh: 退化为 Bernstein 基
+:printed: N_{i,k}(t)=B_i^{k-1}(t),\quad t\in[t_{k-1},t_k)=[0,1)
+:holds-by: bsplines_are_bernstein_polynomials
+:figure: bernstein_matrix
+:::
+
+:::{claim} bsplines_are_bernstein_polynomials
+:title: The B-splines of these knots are the Bernstein polynomials
+:zh: B 样条基退化为 Bernstein 基
+:given: orders $k=p+1$, $t$ variable
+:then: $N_{i,k}(t)=\binom{k-1}i(1-t)^{k-1-i}t^i$ on $[0,1)$
+:method: The B-splines by their definition.
+:degrees: 0..7 sampled 8
+:control: the functions in the opposite order
 :::
 */
-CLAIM(bernstein_knots_from_one_shift_the_index)
+CLAIM(bsplines_are_bernstein_polynomials)
 {
-    struct G(span) S = G(bernstein_span)(2);
-    num x = from_int(2), w[2];
-    int i = 1, first = T->planted ? 0 : 1;
-    G(marsden_coefficients)(1, S.t, S.r, x, w);
-    show_points(T, "knots", 4, 1, S.t);
-    show(T, "x", x);
-    about(T, "omega_{1,2}(x), and the formula");
-    same(T, w[i - first], mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i)));
+    int k = T->degree + 1;
+    struct G(span) S = G(bernstein_span)(k);
+    num t = parameter(T, "t");
+    for (int i = 0; i < k; i++)
+        same(T, G(basis_value)(&S, T->planted ? k - 1 - i : i, k, t), G(bernstein_value)(k - 1, i, t));
 }
 
 /*
+:::{statement} wang-ch4:bernstein-basis-sum
+:title: The Bernstein polynomials from the printed matrix
+:zh: 由印出的矩阵得到的和式
+:printed: \sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)
+:class: invalid-proof
+:refuted-by: printed_bernstein_matrix_is_transposed
+:corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
+:corrected-by: bernstein_matrix_is_the_matrix
+:figure: bernstein_matrix
+:::
+
 ## The greatest order (最高阶)
 
 The kernels have workspaces of a fixed size, so there is a greatest order, far beyond what a formula is used for.  The
 claims above stop at small orders; at the greatest one the kernels are compared with each other.
+*/
 
+#if RATIONAL
+/*
 :::{claim} matrices_agree_at_the_greatest_order
 :title: At the greatest order of the kernels their matrices agree
 :zh: 各算法在最高阶处一致
@@ -860,4 +890,5 @@ CLAIM(matrices_agree_at_the_greatest_order)
     }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

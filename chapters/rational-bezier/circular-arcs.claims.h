@@ -4,7 +4,13 @@
 Among the ellipses are the circles.  In special coordinates, $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$, the
 conic of the curve is $S$ with the coefficients (3.5.4).  The angle $\theta$, which the source does not define, is the
 base angle $\angle R_1R_0R_2$ in its derivation.
+*/
+#include "exact/decide/roots.h"
 
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/*
 ## When the conic is a circle
 
 :::{statement} wang-ch3:3.5-circle-coefficients
@@ -22,16 +28,6 @@ That a conic without the term $xy$ and with equal coefficients of $x^2$ and $y^2
 equal units on the axes, as the special coordinates have them.
 :::
 
-:::{statement} wang-ch3:3.5-circle-conditions
-:title: The same in terms of the triangle and the weight
-:zh: 等价的几何条件
-:printed: For $I_1<1$ this is equivalent to $x_1=0$, $\omega^2=\frac{l^2}{l^2+y_1^2}=\cos^2\theta$.
-:holds-by: circles_among_the_conics_of_the_curve base_angle_of_the_triangle
-:figure: circular_arc
-
-For a true triangle $I_1<1$ follows and is not needed; for three points on a line it makes either side false.
-:::
-
 :::{claim} circles_among_the_conics_of_the_curve
 :title: Equal coefficients mean an isosceles triangle with its own weight
 :zh: A=C,B=0 的充要条件
@@ -44,11 +40,6 @@ For a true triangle $I_1<1$ follows and is not needed; for three points on a lin
 :control: $l^2-y_1^2$ for $l^2+y_1^2$ in the quotient
 :::
 */
-#include "exact/decide/roots.h"
-
-#include "chapters/judge/claims_on.h"
-#include "chapters/rational-bezier/conics.h"
-
 /* The conic of R = (-l, 0), (x_1, y_1), (l, 0) and the weights 1, omega, 1. */
 static void G(special_conic)(num l, num x1, num y1, num omega, num S[])
 {
@@ -71,21 +62,6 @@ CLAIM(circles_among_the_conics_of_the_curve)
     same(T, sub(S[2], S[0]), add(mul(oo, mul(x1, x1)), mul(sub(from_int(1), oo), ll)));
 }
 
-/*
-:::{claim} base_angle_of_the_triangle
-:title: The invariant of a circular arc is the squared cosine of the base angle
-:zh: 圆弧的不变量等于底角余弦的平方
-:given: an isosceles triangle $R_0=M-(p,q)$, $R_2=M+(p,q)$, $R_1=M+k(-q,p)$
-:let: $l^2=p^2+q^2$ and $h=kl$, the height
-:then: the kernel's $\frac{l^2}{l^2+h^2}$ is
-  $\cos^2\angle R_1R_0R_2=\frac{((R_1-R_0)\cdot(R_2-R_0))^2}{\|R_1-R_0\|^2\|R_2-R_0\|^2}$; $\|R_0R_1\|=\|R_2R_1\|$ and
-  $\|R_0R_2\|^2=4l^2$
-:method: The angle is taken from scalar products of the points.  An identity in $M$, $p$, $q$ and $k$; the kernel depends
-  on $h:l$ alone and is given $1$ and $k$, and once more in special coordinates $l$ and $h$.
-:defines: circular_arc_invariant
-:control: the angle at $R_1$ in place of the one at $R_0$
-:::
-*/
 /* R_0 = M - (p, q), R_1 = M + k (-q, p), R_2 = M + (p, q) */
 static void G(isosceles)(const num M[], num p, num q, num k, num R[])
 {
@@ -101,29 +77,6 @@ static void G(isosceles)(const num M[], num p, num q, num k, num R[])
 static num G(scalar)(const num o[], const num a[], const num b[])
 {
     return add(mul(sub(a[0], o[0]), sub(b[0], o[0])), mul(sub(a[1], o[1]), sub(b[1], o[1])));
-}
-
-CLAIM(base_angle_of_the_triangle)
-{
-    num M[2] = {unknown(T, "M", 0), unknown(T, "M", 1)}, p = unknown(T, "p", 0), q = unknown(T, "q", 0), R[6];
-    num k = positive(T, "k", 0), l = positive(T, "l", 0), one = from_int(1), ll = add(mul(p, p), mul(q, q));
-    for (int position = 0; position < 2; position++) {
-        num zero = from_int(0), origin[2] = {zero, zero};
-        if (position == 0)
-            G(isosceles)(M, p, q, k, R);
-        else
-            G(isosceles)(origin, l, zero, k, R);
-        const num *o = T->planted ? R + 2 : R, *a = T->planted ? R : R + 2;
-        num product = G(scalar)(o, a, R + 4), squares = mul(G(scalar)(o, a, a), G(scalar)(o, R + 4, R + 4));
-        num invariant = position == 0 ? G(circular_arc_invariant)(one, k) : G(circular_arc_invariant)(l, mul(k, l));
-        about(T, "cos² of the base angle");
-        same(T, invariant, div(mul(product, product), squares));
-    }
-    G(isosceles)(M, p, q, k, R);
-    about(T, "|R0 R1|² and |R2 R1|²");
-    same(T, G(scalar)(R, R + 2, R + 2), G(scalar)(R + 4, R + 2, R + 2));
-    about(T, "|R0 R2|²");
-    same(T, G(scalar)(R, R + 4, R + 4), mul(from_int(4), ll));
 }
 
 /*
@@ -210,6 +163,54 @@ CLAIM(standard_weights_of_the_arc)
 }
 
 /*
+:::{statement} wang-ch3:3.5-circle-conditions
+:title: The same in terms of the triangle and the weight
+:zh: 等价的几何条件
+:printed: For $I_1<1$ this is equivalent to $x_1=0$, $\omega^2=\frac{l^2}{l^2+y_1^2}=\cos^2\theta$.
+:holds-by: circles_among_the_conics_of_the_curve base_angle_of_the_triangle
+:figure: circular_arc
+
+For a true triangle $I_1<1$ follows and is not needed; for three points on a line it makes either side false.
+:::
+
+:::{claim} base_angle_of_the_triangle
+:title: The invariant of a circular arc is the squared cosine of the base angle
+:zh: 圆弧的不变量等于底角余弦的平方
+:given: an isosceles triangle $R_0=M-(p,q)$, $R_2=M+(p,q)$, $R_1=M+k(-q,p)$
+:let: $l^2=p^2+q^2$ and $h=kl$, the height
+:then: the kernel's $\frac{l^2}{l^2+h^2}$ is
+  $\cos^2\angle R_1R_0R_2=\frac{((R_1-R_0)\cdot(R_2-R_0))^2}{\|R_1-R_0\|^2\|R_2-R_0\|^2}$; $\|R_0R_1\|=\|R_2R_1\|$ and
+  $\|R_0R_2\|^2=4l^2$
+:method: The angle is taken from scalar products of the points.  An identity in $M$, $p$, $q$ and $k$; the kernel depends
+  on $h:l$ alone and is given $1$ and $k$, and once more in special coordinates $l$ and $h$.
+:defines: circular_arc_invariant
+:control: the angle at $R_1$ in place of the one at $R_0$
+:::
+*/
+CLAIM(base_angle_of_the_triangle)
+{
+    num M[2] = {unknown(T, "M", 0), unknown(T, "M", 1)}, p = unknown(T, "p", 0), q = unknown(T, "q", 0), R[6];
+    num k = positive(T, "k", 0), l = positive(T, "l", 0), one = from_int(1), ll = add(mul(p, p), mul(q, q));
+    for (int position = 0; position < 2; position++) {
+        num zero = from_int(0), origin[2] = {zero, zero};
+        if (position == 0)
+            G(isosceles)(M, p, q, k, R);
+        else
+            G(isosceles)(origin, l, zero, k, R);
+        const num *o = T->planted ? R + 2 : R, *a = T->planted ? R : R + 2;
+        num product = G(scalar)(o, a, R + 4), squares = mul(G(scalar)(o, a, a), G(scalar)(o, R + 4, R + 4));
+        num invariant = position == 0 ? G(circular_arc_invariant)(one, k) : G(circular_arc_invariant)(l, mul(k, l));
+        about(T, "cos² of the base angle");
+        same(T, invariant, div(mul(product, product), squares));
+    }
+    G(isosceles)(M, p, q, k, R);
+    about(T, "|R0 R1|² and |R2 R1|²");
+    same(T, G(scalar)(R, R + 2, R + 2), G(scalar)(R + 4, R + 2, R + 2));
+    about(T, "|R0 R2|²");
+    same(T, G(scalar)(R, R + 4, R + 4), mul(from_int(4), ll));
+}
+
+/*
 ## The theorem
 
 :::{statement} wang-ch3:3.5.5
@@ -289,6 +290,7 @@ so an isosceles triangle of any height passes them.  The derivation before the t
 $\omega^2=l^2/(l^2+y_1^2)$.
 :::
 */
+
 #if RATIONAL
 /*
 :::{claim} isosceles_triangle_with_another_angle
@@ -359,4 +361,5 @@ CLAIM(negative_weight_gives_the_other_arc)
         same(T, div(G(scalar)(C, R, P), rr), cosine);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

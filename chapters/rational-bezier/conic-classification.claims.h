@@ -2,7 +2,14 @@
 # Ellipse, parabola or hyperbola (有理二次曲线的分类)
 
 The implicit equation of the rational quadratic tells which conic it is, and the answer is in one number.
+*/
+#include "exact/decide/roots.h"
+#include "exact/decide/sturm.h"
 
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/*
 ## The implicit equation
 
 :::{statement} wang-ch3:3.5-implicit
@@ -16,48 +23,7 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 For a true triangle and weights different from 0 the determinant is $4\omega_0\omega_2S$, where $S=0$ is no
 degenerate conic.
 :::
-
-:::{statement} wang-ch3:3.5.3
-:title: The determinant of the curve in standard form
-:zh: 标准形的隐式行列式
-:printed: $\begin{vmatrix}-l-x&2\omega(x_1-x)&l-x&0\\0&-l-x&2\omega(x_1-x)&l-x\\-y&2\omega(y_1-y)&-y&0\\
-  0&-y&2\omega(y_1-y)&-y\end{vmatrix}=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$ with the coefficients (3.5.4)
-:reading: determinant_is_four_times_the_form | An equation for $(x,y)$, as the 0 at its end and its use suggest: true, for
-  the determinant is 0 exactly where the polynomial is.
-:reading: determinant_is_not_the_printed_form | The first sign of equality by itself, for all $(x,y)$: a factor 4 is
-  missing.
-:corrected: the determinant is $4(Ax^2+2Bxy+Cy^2+2Dx+2Ey+F)=0$ with the coefficients (3.5.4)
-:corrected-by: determinant_is_four_times_the_form
-:figure: determinant_factor
-
-The rows are those of (3.4.1), shifted.  At the points of the curve all three members of the chain are 0, so nothing
-that follows is touched by the factor; only who takes the coefficients (3.5.4) for those of the determinant errs.
-:::
-
-:::{statement} wang-ch3:3.5.4
-:title: The coefficients of the conic
-:zh: 二次曲线的系数
-:printed: (A,B,C,D,E,F)=(\omega^2y_1^2,\ -\omega^2x_1y_1,\ \omega^2(x_1^2-l^2)+l^2,\ 0,\ \omega^2l^2y_1,\ -\omega^2l^2y_1^2)
-:holds-by: printed_coefficients_are_the_conic_of_the_curve
-:::
-
-:::{claim} implicit_form_is_the_resultant
-:title: The implicit form of a rational quadratic is the resultant
-:zh: 隐式方程即结式
-:given: points $R_0,R_1,R_2$ with coordinates $(x_i,y_i)$, weights $\omega_i$, and a point $(x,y)$
-:let: $a_i=\binom2i\omega_i(x_i-x)$ and $b_i=\binom2i\omega_i(y_i-y)$, as in (3.4.2)
-:then: the determinant of (3.4.1) for $n=2$ is $4\omega_0\omega_2S(x,y)$ with the kernel's conic $S$ of the curve
-:method: Sylvester's determinant of the two polynomials on one side, the conic from three lines on the other; all
-  eleven numbers are variables.
-:defines: conic_of_bezier
-:control: 2 for 4
-:::
 */
-#include "exact/decide/roots.h"
-#include "exact/decide/sturm.h"
-
-#include "chapters/judge/claims_on.h"
-#include "chapters/rational-bezier/conics.h"
 
 /* The determinant (3.4.1) of the rational quadratic (R, w) at (x, y). */
 static num G(implicit_determinant)(const num R[], const num w[], num x, num y)
@@ -71,6 +37,19 @@ static num G(implicit_determinant)(const num R[], const num w[], num x, num y)
     return G(resultant)(2, a, 2, b);
 }
 
+/*
+:::{claim} implicit_form_is_the_resultant
+:title: The implicit form of a rational quadratic is the resultant
+:zh: 隐式方程即结式
+:given: points $R_0,R_1,R_2$ with coordinates $(x_i,y_i)$, weights $\omega_i$, and a point $(x,y)$
+:let: $a_i=\binom2i\omega_i(x_i-x)$ and $b_i=\binom2i\omega_i(y_i-y)$, as in (3.4.2)
+:then: the determinant of (3.4.1) for $n=2$ is $4\omega_0\omega_2S(x,y)$ with the kernel's conic $S$ of the curve
+:method: Sylvester's determinant of the two polynomials on one side, the conic from three lines on the other; all
+  eleven numbers are variables.
+:defines: conic_of_bezier
+:control: 2 for 4
+:::
+*/
 CLAIM(implicit_form_is_the_resultant)
 {
     num R[6], w[3], S[6], x = unknown(T, "x", 0), y = unknown(T, "y", 0);
@@ -124,15 +103,24 @@ CLAIM(determinant_needs_the_middle_weight) { equation_expected(T, 1, T->planted)
 #endif
 
 /*
-:::{claim} determinant_is_four_times_the_form
-:title: In special coordinates the determinant is four times the printed form
-:zh: 特殊坐标系下行列式等于所印多项式的四倍
-:given: $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$, the weights $1,\omega,1$, and a point $(x,y)$
-:then: the determinant is $4(Ax^2+2Bxy+Cy^2+2Dx+2Ey+F)$ with the coefficients (3.5.4)
-:method: An identity in $l$, $x_1$, $y_1$, $\omega$, $x$, $y$.
-:control: $C$ without its last term $l^2$
+:::{statement} wang-ch3:3.5.3
+:title: The determinant of the curve in standard form
+:zh: 标准形的隐式行列式
+:printed: $\begin{vmatrix}-l-x&2\omega(x_1-x)&l-x&0\\0&-l-x&2\omega(x_1-x)&l-x\\-y&2\omega(y_1-y)&-y&0\\
+  0&-y&2\omega(y_1-y)&-y\end{vmatrix}=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$ with the coefficients (3.5.4)
+:reading: determinant_is_four_times_the_form | An equation for $(x,y)$, as the 0 at its end and its use suggest: true, for
+  the determinant is 0 exactly where the polynomial is.
+:reading: determinant_is_not_the_printed_form | The first sign of equality by itself, for all $(x,y)$: a factor 4 is
+  missing.
+:corrected: the determinant is $4(Ax^2+2Bxy+Cy^2+2Dx+2Ey+F)=0$ with the coefficients (3.5.4)
+:corrected-by: determinant_is_four_times_the_form
+:figure: determinant_factor
+
+The rows are those of (3.4.1), shifted.  At the points of the curve all three members of the chain are 0, so nothing
+that follows is touched by the factor; only who takes the coefficients (3.5.4) for those of the determinant errs.
 :::
 */
+
 /* The special position: R = (-l, 0, x_1, y_1, l, 0) and w = (1, omega, 1). */
 static void G(special_position)(num l, num x1, num y1, num omega, num R[], num w[])
 {
@@ -157,6 +145,16 @@ static void G(printed_form)(num l, num x1, num y1, num omega, num S[])
     S[5] = neg(mul(oo, mul(ll, yy)));
 }
 
+/*
+:::{claim} determinant_is_four_times_the_form
+:title: In special coordinates the determinant is four times the printed form
+:zh: 特殊坐标系下行列式等于所印多项式的四倍
+:given: $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$, the weights $1,\omega,1$, and a point $(x,y)$
+:then: the determinant is $4(Ax^2+2Bxy+Cy^2+2Dx+2Ey+F)$ with the coefficients (3.5.4)
+:method: An identity in $l$, $x_1$, $y_1$, $\omega$, $x$, $y$.
+:control: $C$ without its last term $l^2$
+:::
+*/
 CLAIM(determinant_is_four_times_the_form)
 {
     num l = positive(T, "l", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1), omega = positive(T, "w", 1);
@@ -195,6 +193,13 @@ CLAIM(determinant_is_not_the_printed_form)
 #endif
 
 /*
+:::{statement} wang-ch3:3.5.4
+:title: The coefficients of the conic
+:zh: 二次曲线的系数
+:printed: (A,B,C,D,E,F)=(\omega^2y_1^2,\ -\omega^2x_1y_1,\ \omega^2(x_1^2-l^2)+l^2,\ 0,\ \omega^2l^2y_1,\ -\omega^2l^2y_1^2)
+:holds-by: printed_coefficients_are_the_conic_of_the_curve
+:::
+
 :::{claim} printed_coefficients_are_the_conic_of_the_curve
 :title: The printed coefficients are those of the conic of the curve
 :zh: 所印系数正确
@@ -268,55 +273,6 @@ CLAIM(discriminant_in_special_coordinates)
 With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
 :::
 
-:::{statement} wang-ch3:thm-3.5.1
-:title: Classification of rational quadratic curves
-:zh: 定理 3.5.1：有理二次曲线的分类
-:printed: The class of the rational quadratic Bézier curve (3.1.5) depends on the invariant
-  $I_1=\frac{\omega_1^2}{\omega_0\omega_2}$ of definition 3.2.2: it is an ellipse, a parabola or a hyperbola for $I_1<1$,
-  $I_1=1$ or $I_1>1$.
-:holds-by: sign_of_the_discriminant kind_in_any_coordinates directions_at_infinity
-:needs: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line, as in the frame of (3.1.5).
-:needs: opposite_weights_are_a_hyperbola | $\omega_0\omega_2>0$, as for positive weights.
-:needs: weight_zero_is_a_segment | $\omega_1\ne0$, as for positive weights.
-:reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity: true,
-  also where these are counted on the curve itself.
-:figure: classification_by_weight
-
-A circle is an ellipse here.  The theorem is better than its proof: it holds for either sign of $\omega_1$, since
-$I_1=\omega^2$, while the proof compares $\omega$ with 1.  In any coordinates
-$AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\left(\frac d2\right)^2$ with $d$ twice the area of the triangle, so neither
-special coordinates nor the standard form are needed, and weights of any signs are covered by the sign of
-$\omega_0\omega_2-\omega_1^2$.
-:::
-
-:::{claim} kind_in_any_coordinates
-:title: The two determinants of the conic for any triangle and weights
-:zh: 任意坐标下的判别式
-:given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2$
-:let: $d=(R_0-R_1)\times(R_2-R_1)$, twice the area of the triangle up to sign
-:then: the conic of the curve has $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\frac{d^2}4$, and its $3\times3$ determinant
-  is $-\omega_0\omega_2\omega_1^4\frac{d^4}{16}$, which is not 0 for a true triangle and weights different from 0
-:method: Identities in the six coordinates and the weights.  The conic has real points, those of the curve, and is not
-  degenerate; so by `directions_at_infinity` it is an ellipse, a parabola or a hyperbola when $AC-B^2$ is positive,
-  zero or negative.
-:control: $\omega_1$ for $\omega_1^2$ in the difference
-:::
-*/
-CLAIM(kind_in_any_coordinates)
-{
-    num R[6], w[3], S[6];
-    G(six)(T, "R", R);
-    G(three_weights)(T, w);
-    G(conic_of_bezier)(R, w, S);
-    num half = mul(from_ratio(1, 2), G(area)(R + 2, R, R + 4)), hh = mul(half, half), outer = mul(w[0], w[2]);
-    num ww = mul(w[1], w[1]), difference = sub(outer, T->planted ? w[1] : ww);
-    about(T, "AC - B²");
-    same(T, G(conic_delta)(S), mul(mul(ww, difference), hh));
-    about(T, "the determinant of the conic");
-    same(T, G(conic_determinant)(S), neg(mul(outer, mul(mul(ww, ww), mul(hh, hh)))));
-}
-
-/*
 :::{claim} directions_at_infinity
 :title: The discriminant counts the directions at infinity
 :zh: 判别式决定无穷远方向的个数
@@ -381,43 +337,6 @@ CLAIM(sign_of_the_discriminant)
 }
 
 #if RATIONAL
-/*
-:::{claim} points_at_infinity_tell_the_kind
-:title: The class agrees with the number of points at infinity
-:zh: 分类与无穷远点个数一致
-:kind: decision
-:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and the 512 triples of weights from $\{1,\dots,8\}$
-:then: the denominator has no, one (double) or two real zeros on the projective line of the parameter exactly when
-  $I_1<1$, $I_1=1$ or $I_1>1$, and exactly when $AC-B^2$ of the conic is positive, zero or negative
-:method: An ellipse, parabola or hyperbola has no, one or two real points at infinity; on the curve they are the zeros of
-  the denominator $\omega(t)$, $t=\infty$ among them when its degree drops.  The zeros are counted by Descartes' rule
-  and, independently, by Sturm's theorem.
-:scope: weights 1 to 8
-:control: the zero at $t=\infty$ left out
-:::
-*/
-CLAIM(points_at_infinity_tell_the_kind)
-{
-    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, S[6];
-    for (int k = 0; k < 512; k++) {
-        num w[3] = {from_int(k / 64 + 1), from_int(k / 8 % 8 + 1), from_int(k % 8 + 1)}, I[1];
-        poly bottom = poly_from_bernstein(2, w);
-        int at_infinity = !T->planted && poly_degree(bottom) < 2, finite = 0;
-        if (poly_degree(bottom) > 0)
-            finite = count_roots_line(bottom).distinct;
-        agree(T, poly_degree(bottom) <= 0 || finite == sturm_count_line(bottom));
-        G(rational_invariants)(2, w, I);
-        G(conic_of_bezier)(R, w, S);
-        int kind = finite + at_infinity - 1, side = compare_q(I[0], one);
-        side = (side > 0) - (side < 0);
-        if (T->outcome == HOLDS && (kind != side || kind != -sign_q(G(conic_delta)(S))))
-            show_points(T, "ω", 3, 1, w);
-        about(T, "the number of points at infinity less 1, and the signs of I_1 - 1 and B² - AC");
-        agree(T, kind == side);
-        agree(T, kind == -sign_q(G(conic_delta)(S)));
-    }
-}
-
 /* Whether the curve in special position is an ellipse, as omega < 1 would have it: AC - B^2 > 0 and the
  * conic not degenerate. */
 static void ellipse_expected(trial *T, num l, num x1, num y1, num omega)
@@ -483,6 +402,94 @@ CLAIM(weight_zero_is_a_segment)
 {
     ellipse_expected(T, from_int(1), from_int(0), from_int(1), T->planted ? from_ratio(1, 2) : from_int(0));
 }
+#endif
+
+/*
+:::{statement} wang-ch3:thm-3.5.1
+:title: Classification of rational quadratic curves
+:zh: 定理 3.5.1：有理二次曲线的分类
+:printed: The class of the rational quadratic Bézier curve (3.1.5) depends on the invariant
+  $I_1=\frac{\omega_1^2}{\omega_0\omega_2}$ of definition 3.2.2: it is an ellipse, a parabola or a hyperbola for $I_1<1$,
+  $I_1=1$ or $I_1>1$.
+:holds-by: sign_of_the_discriminant kind_in_any_coordinates directions_at_infinity
+:needs: flat_triangle_is_no_conic | $R_0$, $R_1$, $R_2$ do not lie on a line, as in the frame of (3.1.5).
+:needs: opposite_weights_are_a_hyperbola | $\omega_0\omega_2>0$, as for positive weights.
+:needs: weight_zero_is_a_segment | $\omega_1\ne0$, as for positive weights.
+:reading: points_at_infinity_tell_the_kind | An ellipse, a parabola, a hyperbola has no, one, two points at infinity: true,
+  also where these are counted on the curve itself.
+:figure: classification_by_weight
+
+A circle is an ellipse here.  The theorem is better than its proof: it holds for either sign of $\omega_1$, since
+$I_1=\omega^2$, while the proof compares $\omega$ with 1.  In any coordinates
+$AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\left(\frac d2\right)^2$ with $d$ twice the area of the triangle, so neither
+special coordinates nor the standard form are needed, and weights of any signs are covered by the sign of
+$\omega_0\omega_2-\omega_1^2$.
+:::
+
+:::{claim} kind_in_any_coordinates
+:title: The two determinants of the conic for any triangle and weights
+:zh: 任意坐标下的判别式
+:given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2$
+:let: $d=(R_0-R_1)\times(R_2-R_1)$, twice the area of the triangle up to sign
+:then: the conic of the curve has $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\frac{d^2}4$, and its $3\times3$ determinant
+  is $-\omega_0\omega_2\omega_1^4\frac{d^4}{16}$, which is not 0 for a true triangle and weights different from 0
+:method: Identities in the six coordinates and the weights.  The conic has real points, those of the curve, and is not
+  degenerate; so by `directions_at_infinity` it is an ellipse, a parabola or a hyperbola when $AC-B^2$ is positive,
+  zero or negative.
+:control: $\omega_1$ for $\omega_1^2$ in the difference
+:::
+*/
+CLAIM(kind_in_any_coordinates)
+{
+    num R[6], w[3], S[6];
+    G(six)(T, "R", R);
+    G(three_weights)(T, w);
+    G(conic_of_bezier)(R, w, S);
+    num half = mul(from_ratio(1, 2), G(area)(R + 2, R, R + 4)), hh = mul(half, half), outer = mul(w[0], w[2]);
+    num ww = mul(w[1], w[1]), difference = sub(outer, T->planted ? w[1] : ww);
+    about(T, "AC - B²");
+    same(T, G(conic_delta)(S), mul(mul(ww, difference), hh));
+    about(T, "the determinant of the conic");
+    same(T, G(conic_determinant)(S), neg(mul(outer, mul(mul(ww, ww), mul(hh, hh)))));
+}
+
+#if RATIONAL
+/*
+:::{claim} points_at_infinity_tell_the_kind
+:title: The class agrees with the number of points at infinity
+:zh: 分类与无穷远点个数一致
+:kind: decision
+:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ and the 512 triples of weights from $\{1,\dots,8\}$
+:then: the denominator has no, one (double) or two real zeros on the projective line of the parameter exactly when
+  $I_1<1$, $I_1=1$ or $I_1>1$, and exactly when $AC-B^2$ of the conic is positive, zero or negative
+:method: An ellipse, parabola or hyperbola has no, one or two real points at infinity; on the curve they are the zeros of
+  the denominator $\omega(t)$, $t=\infty$ among them when its degree drops.  The zeros are counted by Descartes' rule
+  and, independently, by Sturm's theorem.
+:scope: weights 1 to 8
+:control: the zero at $t=\infty$ left out
+:::
+*/
+CLAIM(points_at_infinity_tell_the_kind)
+{
+    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, S[6];
+    for (int k = 0; k < 512; k++) {
+        num w[3] = {from_int(k / 64 + 1), from_int(k / 8 % 8 + 1), from_int(k % 8 + 1)}, I[1];
+        poly bottom = poly_from_bernstein(2, w);
+        int at_infinity = !T->planted && poly_degree(bottom) < 2, finite = 0;
+        if (poly_degree(bottom) > 0)
+            finite = count_roots_line(bottom).distinct;
+        agree(T, poly_degree(bottom) <= 0 || finite == sturm_count_line(bottom));
+        G(rational_invariants)(2, w, I);
+        G(conic_of_bezier)(R, w, S);
+        int kind = finite + at_infinity - 1, side = compare_q(I[0], one);
+        side = (side > 0) - (side < 0);
+        if (T->outcome == HOLDS && (kind != side || kind != -sign_q(G(conic_delta)(S))))
+            show_points(T, "ω", 3, 1, w);
+        about(T, "the number of points at infinity less 1, and the signs of I_1 - 1 and B² - AC");
+        agree(T, kind == side);
+        agree(T, kind == -sign_q(G(conic_delta)(S)));
+    }
+}
 
 /*
 :::{claim} opposite_weights_are_a_hyperbola
@@ -509,4 +516,5 @@ CLAIM(opposite_weights_are_a_hyperbola)
     agree(T, compare_q(I[0], one) >= 0 || sign_q(G(conic_delta)(S)) > 0);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

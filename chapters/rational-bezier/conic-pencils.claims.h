@@ -3,7 +3,13 @@
 
 Two conics span a family of conics that share their common points.  A conic is $S=(A,B,C,D,E,F)$, a line
 $l=(a,b,c)$; $l_i$ stands for the line and for its left-hand side $ax+by+c$.
+*/
+#include "exact/decide/roots.h"
 
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/*
 ## The quadratic equation
 
 :::{statement} wang-ch3:3.1.1
@@ -28,11 +34,6 @@ A conic asks for $(A,B,C)\ne(0,0,0)$.  It may be two lines, one line counted twi
 :control: the product $xy$ counted once, not twice
 :::
 */
-#include "exact/decide/roots.h"
-
-#include "chapters/judge/claims_on.h"
-#include "chapters/rational-bezier/conics.h"
-
 CLAIM(conic_value_and_gradient)
 {
     num S[6], g[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), h = positive(T, "h", 0), twice = add(h, h);
@@ -234,7 +235,6 @@ CLAIM(dependent_conics_have_no_pencil)
     about(T, "whether the member is an equation at all");
     agree(T, !zero);
 }
-#endif
 
 /*
 :::{statement} wang-ch3:3.1.2-lambda
@@ -252,9 +252,7 @@ CLAIM(dependent_conics_have_no_pencil)
 At a common point the equation reads $0=0$ whatever $\lambda$ is: that is what makes it a common point.  After (3.1.4)
 the source itself uses one point of the curve to find $\lambda$.
 :::
-*/
-#if RATIONAL
-/*
+
 :::{claim} common_points_leave_lambda_free
 :title: The common points lie on every member
 :zh: 公共点不能确定 λ
@@ -289,6 +287,7 @@ CLAIM(common_points_leave_lambda_free)
     agree(T, fitting == 1);
 }
 #endif
+
 /*
 :::{claim} a_further_point_fixes_lambda
 :title: One further point of the curve fixes lambda
@@ -544,4 +543,5 @@ CLAIM(diagonals_are_no_member)
     agree(T, !fits || count > 0);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -9,15 +9,6 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 
 #include "chapters/judge/claims_on.h"
 
-/* C(n,i) t^i (1-t)^{n-i}. */
-static num G(share_without_weight)(int n, int i, num t)
-{
-    num product = from_int(binomial(n, i)), s = sub(from_int(1), t);
-    for (int k = 0; k < n; k++)
-        product = mul(product, k < i ? t : s);
-    return product;
-}
-
 /*
 :::{statement} wang-ch3:prop-3.2.5
 :title: The convex hull property
@@ -43,36 +34,15 @@ Weights that are zero do no harm as long as $\omega(t)\ne0$, nor does a common n
 :needs: share_with_negative_weight_is_negative | $\omega_i>0$.
 :figure: convex_hull
 :::
-
-:::{statement} wang-ch3:prop-3.2.5-sum
-:title: The shares have the sum 1
-:zh: 各系数之和为 1
-:printed: \sum_{i=0}^n\left[B_i^n(t)\,\omega_i/\omega(t)\right]=1
-:holds-by: shares_sum_to_one
-
-This needs no sign of the weights, only $\omega(t)\ne0$.
-:::
-
-:::{claim} shares_sum_to_one
-:title: The shares B_i ω_i/ω have the sum 1
-:zh: B_i ω_i/ω 之和为 1
-:given: weights of any sign, a parameter $t$, $\omega(t)\ne0$
-:then: $\sum_iB_i^n(t)\omega_i/\omega(t)=1$
-:method: The sum is $1$ in the field; $\omega(t)$ is computed by the kernel, the $B_i^n(t)$ from their definition.
-:degrees: 1..8 sampled 16
-:control: the last share left out
-:::
 */
-CLAIM(shares_sum_to_one)
+
+/* C(n,i) t^i (1-t)^{n-i}. */
+static num G(share_without_weight)(int n, int i, num t)
 {
-    int n = T->degree;
-    num w[MAX_DEGREE + 1], t = parameter(T, "t"), sum = from_int(0);
-    for (int i = 0; i <= n; i++)
-        w[i] = positive(T, "w", i);
-    num total = G(rational_weight)(n, w, t);
-    for (int i = 0; i <= n - T->planted; i++)
-        sum = add(sum, div(mul(G(share_without_weight)(n, i, t), w[i]), total));
-    same(T, sum, from_int(1));
+    num product = from_int(binomial(n, i)), s = sub(from_int(1), t);
+    for (int k = 0; k < n; k++)
+        product = mul(product, k < i ? t : s);
+    return product;
 }
 
 /*
@@ -111,13 +81,47 @@ CLAIM(curve_points_are_convex_combinations)
     }
 }
 
-#if RATIONAL
+/*
+:::{statement} wang-ch3:prop-3.2.5-sum
+:title: The shares have the sum 1
+:zh: 各系数之和为 1
+:printed: \sum_{i=0}^n\left[B_i^n(t)\,\omega_i/\omega(t)\right]=1
+:holds-by: shares_sum_to_one
+
+This needs no sign of the weights, only $\omega(t)\ne0$.
+:::
+
+:::{claim} shares_sum_to_one
+:title: The shares B_i ω_i/ω have the sum 1
+:zh: B_i ω_i/ω 之和为 1
+:given: weights of any sign, a parameter $t$, $\omega(t)\ne0$
+:then: $\sum_iB_i^n(t)\omega_i/\omega(t)=1$
+:method: The sum is $1$ in the field; $\omega(t)$ is computed by the kernel, the $B_i^n(t)$ from their definition.
+:degrees: 1..8 sampled 16
+:control: the last share left out
+:::
+*/
+CLAIM(shares_sum_to_one)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], t = parameter(T, "t"), sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        w[i] = positive(T, "w", i);
+    num total = G(rational_weight)(n, w, t);
+    for (int i = 0; i <= n - T->planted; i++)
+        sum = add(sum, div(mul(G(share_without_weight)(n, i, t), w[i]), total));
+    same(T, sum, from_int(1));
+}
+
 /*
 ## Decided by certificates
 
 The same without the formula of the shares: whether a point is in the hull of others is a linear problem, and its answer comes with
 a certificate, either a convex combination or a line (plane) that separates the point from all the others.
+*/
 
+#if RATIONAL
+/*
 :::{claim} curve_points_have_hull_certificates
 :title: Points of the curve pass an independent test of membership in the hull
 :zh: 曲线点通过独立的凸包隶属检验
@@ -185,10 +189,14 @@ CLAIM(curve_points_have_hull_certificates)
                 agree(T, found.inside && hull_certificate_holds(dim, n + 1, R, x, found));
             }
 }
+#endif
 
 /*
 ## Without positive weights, and outside [0,1]
+*/
 
+#if RATIONAL
+/*
 :::{claim} curve_leaves_hull_with_negative_weight
 :title: With the weights 1, −1/2, 1 the curve leaves the triangle
 :zh: 权为 1, −1/2, 1 时曲线越出三角形

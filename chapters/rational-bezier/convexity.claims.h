@@ -20,7 +20,16 @@ B_i(t_3)&B_j(t_3)&B_k(t_3)\end{pmatrix}\omega_i\omega_j\omega_k D_{ijk},$$
 and the determinants of Bernstein functions are positive for $t_1<t_2<t_3$.  The vertices of a convex polygon, run through
 counterclockwise, have all $D_{ijk}\ge0$; so any three points of the curve turn left as well, unless everything is on one line.
 When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
+*/
+#if RATIONAL
+#include "exact/decide/hull.h"
+#include "exact/decide/sign.h"
+#include "exact/decide/sturm.h"
+#endif
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch3:prop-3.2.8
 :title: A convex polygon has a convex curve
 :zh: 保凸性
@@ -38,19 +47,6 @@ and Binet's for every $n$, and the Wronskian is computed for every $n$, so that 
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
 :::
 
-:::{statement} wang-ch3:prop-3.2.8-route
-:title: The way of proof: subdivide, and cut corners
-:zh: 证明途径: 离散割角
-:printed: the property is proved by (3.3.1), imitating the proof of theorem 1.4.2
-:holds-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
-:needs: subdivision_fails_for_mixed_weights | positive weights
-:figure: convex_halves
-
-The imitation: the two polygons of the halves, joined, are the old polygon with corners cut off, hence convex again; repeated,
-the polygons converge to the curve; a limit of convex polygons is convex.  The first of these is decided here, with the
-formulas (3.3.1) as they should read, the convergence in the section on subdivision.
-:::
-
 :::{claim} wronskian_of_three_bernstein_functions
 :title: The Wronskian of three Bernstein functions is positive
 :zh: 三个 Bernstein 基函数的 Wronski 行列式为正
@@ -62,141 +58,7 @@ formulas (3.3.1) as they should read, the convergence in the section on subdivis
 :degrees: all
 :control: $t^3(1-t)^3$ taken as $t^2(1-t)^2$
 :::
-
-:::{claim} curvature_is_a_sum_over_triangles
-:title: The sign of the curvature is that of a sum over the triangles of the polygon
-:zh: 曲率符号由控制三角形有向面积之和决定
-:given: a curve of the plane with weights $\omega_i$ and points $(x_i,y_i)$; $\Delta_{ijk}$ the determinant of
-  $B_i,B_j,B_k$ and their first two derivatives
-:then: $\omega^3(x'y''-y'x'')=\sum_{i<j<k}\Delta_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$
-:method: The sum is $\det(P,P',P'')$, by expansion; in the field with all weights, coordinates and $t$ variables, with derivatives
-  of the Bernstein functions on one side and of the homogeneous curve on the other.  That $\omega^3(x'y''-y'x'')$ is
-  $\det(P,P',P'')$ is proved with the nine values of $P,P',P''$ as variables, hence for any curve.
-:degrees: 2..5 sampled 8
-:control: the triangle $R_0R_1R_2$ left out
-:::
-
-:::{claim} curve_turns_like_its_triangles
-:title: Three points of the curve turn as the triangles of the polygon do
-:zh: 曲线上三点的转向由控制三角形决定
-:given: $0<t_1<t_2<t_3<1$, positive weights
-:then: $\det(P(t_1),P(t_2),P(t_3))=\sum_{i<j<k}M_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$ with the $3\times3$ minors $M_{ijk}$ of
-  $(B_m(t_l))$, and every $M_{ijk}>0$
-:method: The equation, that of Cauchy and Binet, holds for any numbers in the place of the $B_m(t_l)$: in the field they, the
-  weights and the points are variables.  The minors by their coefficients, with $t_l=\frac{s_l}{1+s_l}$, $s_1=p_0$, $s_2=s_1+p_1$, $s_3=s_2+p_2$, row $l$
-  multiplied by $(1+s_l)^n$.
-:degrees: 2..6
-:control: $t_1$ and $t_2$ exchanged in the minors
-:::
-
-:::{claim} convex_polygons_have_triangles_of_one_sign
-:title: All triangles of a convex polygon turn to one side
-:zh: 凸多边形的所有三角形同向
-:kind: decision
-:given: all polygons of $n+1$ points of the grid $\{0,1,2\}^2$ for $n=2,3$; for $n=4,5$ all that run once round the eight
-  points on the border of the grid, stopping or starting anywhere
-:then: if the polygon closed by its chord is convex and counterclockwise, then $D_{ijk}\ge0$ for all $i<j<k$, and not all
-  are $0$
-:method: Convexity is decided by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.  For all: three points taken
-  in order from the boundary of a convex region, counterclockwise, turn left or are collinear.
-:degrees: 2..5
-:scope: the stated polygons
-:control: polygons that need only turn left at each inner vertex
-:::
-
-:::{claim} designed_convex_polygons_have_convex_curves
-:title: Curves of convex polygons, under extreme weights, have curvature of one sign
-:zh: 极端权因子下的保凸性
-:kind: decision
-:given: polygons that are convex when closed, among them a square, a polygon with collinear and one with repeated vertices, one
-  that turns by more than a half turn; all weights from $\frac1{1000},1,1000$
-:then: $\det(P,P',P'')>0$ for $0<t<1$
-:method: The sign of the polynomial is decided by counting its roots, by Descartes' rule and by Sturm's theorem.
-:degrees: 2..4
-:scope: the stated polygons and weights
-:control: the last vertex moved across the first edge
-:::
-
-:::{claim} subdivided_polygon_turns_like_its_triangles
-:title: Subdivision keeps the turn of every triangle
-:zh: 离散后的多边形保持三角形转向
-:given: $0<\lambda<1$; the $2n+1$ points of the two halves, joined, as combinations of the $n+1$ points of the whole
-:then: every $3\times3$ minor of the matrix of these combinations is $\ge0$; so with positive weights, if all $D_{ijk}\ge0$ for the
-  whole, then the same for the joined polygon
-:method: The columns are the subdivisions of the unit vectors.  The minors are computed in the field with $\lambda=\frac s{1+s}$:
-  quotients of polynomials whose coefficients are not negative.  By Cauchy and Binet the determinants of three of the new
-  homogeneous points are sums of the old ones with these minors.
-:degrees: 2..4
-:control: the left half run through backwards
-:::
-
-:::{claim} subdivided_convex_polygons_are_convex
-:title: The polygon of the two halves of a convex polygon is convex
-:zh: 凸多边形离散后仍凸
-:kind: decision
-:given: the polygons and weights of `designed_convex_polygons_have_convex_curves`, $\lambda=\frac13$
-:then: the joined polygons of the two halves, closed by the chord, are convex
-:method: Computed exactly with the rational subdivision; decided by `exact/decide/hull.h`.
-:degrees: 2..4
-:scope: the stated polygons and weights
-:control: the left half run through backwards
-:::
-
-:::{claim} turns_of_one_sign_are_not_enough
-:title: A polygon that always turns left, and a curve with two inflections
-:zh: 处处左转的多边形, 曲线却有两个拐点
-:kind: counterexample
-:given: $n=3$, points $(0,0),(12,0),(11,5),(11,2)$, all weights $1$
-:then: $x'y''-y'x''=54(3t-2)(11t-10)$ is negative between $\frac23$ and $\frac{10}{11}$, though the polygon turns left at both inner
-  vertices and does not meet itself
-:method: The polynomial is computed and evaluated; its roots are counted.  For $n=2$ there is one turn, and the curve turns as it does.
-:control: the points taken as $(0,0),(12,0),(11,5),(1,5)$, whose polygon is convex when closed
-:::
-
-:::{claim} mixed_weights_lose_convexity
-:title: With weights of both signs a square has a curve with inflections
-:zh: 权因子变号时正方形对应的曲线有拐点
-:kind: counterexample
-:given: $n=3$, the points $(0,0),(1,0),(1,1),(0,1)$, weights $4,-1,4,4$, for which $\omega(t)>0$ on $[0,1]$
-:then: $\det(P,P',P'')$ changes its sign twice in $(0,1)$
-:method: The polynomial is computed, its sign decided by counting roots.  For $n=2$ it has one term, and one sign.
-:control: the second weight taken as $+1$
-:::
-
-:::{claim} subdivision_fails_for_mixed_weights
-:title: With weights of both signs the halves need not exist
-:zh: 权因子变号时离散顶点可不存在
-:kind: counterexample
-:given: $n=2$, weights $2,-1,2$, for which $\omega(t)>0$ on $[0,1]$; $\lambda=\frac23$
-:then: $\omega_1^1=\frac13\omega_0+\frac23\omega_1=0$: the middle point of the left half is at infinity
-:method: The weights of the left half are computed and asked to be different from $0$.
-:control: the middle weight taken as $+1$
-:::
-
-:::{claim} curve_may_be_convex_alone
-:title: A convex curve may have a polygon that is not convex
-:zh: 曲线凸而控制多边形不凸
-:kind: decision
-:given: $n=4$, points $(0,0),(1,2),(2,1),(3,2),(4,0)$, all weights $1$
-:then: $\det(P,P',P'')<0$ for $0<t<1$ and $x=4t$, so that the curve with its chord bounds a convex region; the polygon turns to
-  both sides
-:method: The sign of the polynomial is decided by counting roots; convexity by `exact/decide/hull.h`.
-:scope: this curve
-:control: the middle point taken as $(2,-1)$
-:::
 */
-#include "chapters/judge/claims_on.h"
-
-/* The determinant of three homogeneous points of the plane. */
-static num G(triple)(const num P[], const num Q[], const num R[]) { return G(det3)(P, Q, R); }
-
-/* D_ijk of three affine points: twice the signed area. */
-static num G(triangle)(const num P[], const num Q[], const num R[])
-{
-    num a[2] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, b[2] = {sub(R[0], P[0]), sub(R[1], P[1])};
-    return G(cross2)(a, b);
-}
-
 CLAIM(wronskian_of_three_bernstein_functions)
 {
     num one = from_int(1), t = inside(T, "s"), rest = sub(one, t), row[3][3];
@@ -217,6 +79,16 @@ CLAIM(wronskian_of_three_bernstein_functions)
     num wanted = div(product, T->planted ? mul(both, both) : mul(both, mul(both, both)));
     same(T, det, wanted);
     nonnegative(T, wanted);
+}
+
+/* The determinant of three homogeneous points of the plane. */
+static num G(triple)(const num P[], const num Q[], const num R[]) { return G(det3)(P, Q, R); }
+
+/* D_ijk of three affine points: twice the signed area. */
+static num G(triangle)(const num P[], const num Q[], const num R[])
+{
+    num a[2] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, b[2] = {sub(R[0], P[0]), sub(R[1], P[1])};
+    return G(cross2)(a, b);
 }
 
 /* The determinant of the columns i, j, k of a matrix of three rows of n+1 numbers. */
@@ -256,6 +128,20 @@ static num G(sum_over_triangles)(int n, const num M[], const num w[], const num 
     return sum;
 }
 
+/*
+:::{claim} curvature_is_a_sum_over_triangles
+:title: The sign of the curvature is that of a sum over the triangles of the polygon
+:zh: 曲率符号由控制三角形有向面积之和决定
+:given: a curve of the plane with weights $\omega_i$ and points $(x_i,y_i)$; $\Delta_{ijk}$ the determinant of
+  $B_i,B_j,B_k$ and their first two derivatives
+:then: $\omega^3(x'y''-y'x'')=\sum_{i<j<k}\Delta_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$
+:method: The sum is $\det(P,P',P'')$, by expansion; in the field with all weights, coordinates and $t$ variables, with derivatives
+  of the Bernstein functions on one side and of the homogeneous curve on the other.  That $\omega^3(x'y''-y'x'')$ is
+  $\det(P,P',P'')$ is proved with the nine values of $P,P',P''$ as variables, hence for any curve.
+:degrees: 2..5 sampled 8
+:control: the triangle $R_0R_1R_2$ left out
+:::
+*/
 CLAIM(curvature_is_a_sum_over_triangles)
 {
     enum { SIZE = 9 };
@@ -279,6 +165,20 @@ CLAIM(curvature_is_a_sum_over_triangles)
     same(T, mul(mul(V[2], mul(V[2], V[2])), G(cross2)(d1, d2)), G(triple)(V, V + 3, V + 6));
 }
 
+/*
+:::{claim} curve_turns_like_its_triangles
+:title: Three points of the curve turn as the triangles of the polygon do
+:zh: 曲线上三点的转向由控制三角形决定
+:given: $0<t_1<t_2<t_3<1$, positive weights
+:then: $\det(P(t_1),P(t_2),P(t_3))=\sum_{i<j<k}M_{ijk}\,\omega_i\omega_j\omega_k D_{ijk}$ with the $3\times3$ minors $M_{ijk}$ of
+  $(B_m(t_l))$, and every $M_{ijk}>0$
+:method: The equation, that of Cauchy and Binet, holds for any numbers in the place of the $B_m(t_l)$: in the field they, the
+  weights and the points are variables.  The minors by their coefficients, with $t_l=\frac{s_l}{1+s_l}$, $s_1=p_0$, $s_2=s_1+p_1$, $s_3=s_2+p_2$, row $l$
+  multiplied by $(1+s_l)^n$.
+:degrees: 2..6
+:control: $t_1$ and $t_2$ exchanged in the minors
+:::
+*/
 CLAIM(curve_turns_like_its_triangles)
 {
     enum { SIZE = 7 };
@@ -316,50 +216,29 @@ CLAIM(curve_turns_like_its_triangles)
             }
 }
 
-CLAIM(subdivided_polygon_turns_like_its_triangles)
-{
-    enum { SIZE = 5, ROWS = 2 * SIZE - 1 };
-    int n = T->degree;
-    num row[ROWS][SIZE], unit[SIZE], left[SIZE], right[SIZE], s = positive(T, "s", 0);
-    num sum = add(from_int(1), s), lambda = div(s, sum), scale = from_int(1);
-    for (int k = 0; k < n; k++)
-        scale = mul(scale, sum);
-    for (int j = 0; j <= n; j++) {
-        for (int i = 0; i <= n; i++)
-            unit[i] = from_int(i == j);
-        G(bezier_split)(n, 1, unit, lambda, left, right);
-        for (int a = 0; a <= n; a++) {
-            row[n + a][j] = mul(scale, right[a]);
-            row[a][j] = mul(scale, left[T->planted ? n - a : a]);
-        }
-    }
-    for (int c = 2; c <= 2 * n; c++)
-        for (int b = 1; b < c; b++)
-            for (int a = 0; a < b; a++) {
-                num M[3 * SIZE];
-                for (int j = 0; j <= n; j++) {
-                    M[j] = row[a][j];
-                    M[n + 1 + j] = row[b][j];
-                    M[2 * (n + 1) + j] = row[c][j];
-                }
-                for (int k = 2; k <= n; k++)
-                    for (int j = 1; j < k; j++)
-                        for (int i = 0; i < j; i++)
-                            nonnegative(T, G(minor_of_columns)(n, M, i, j, k));
-            }
-}
-
 #if RATIONAL
-#include "exact/decide/hull.h"
-#include "exact/decide/sign.h"
-#include "exact/decide/sturm.h"
-
 static void points_from(int count, const long point[], num_q R[])
 {
     for (int i = 0; i < 2 * count; i++)
         R[i] = from_int_q(point[i]);
 }
 
+/*
+:::{claim} convex_polygons_have_triangles_of_one_sign
+:title: All triangles of a convex polygon turn to one side
+:zh: 凸多边形的所有三角形同向
+:kind: decision
+:given: all polygons of $n+1$ points of the grid $\{0,1,2\}^2$ for $n=2,3$; for $n=4,5$ all that run once round the eight
+  points on the border of the grid, stopping or starting anywhere
+:then: if the polygon closed by its chord is convex and counterclockwise, then $D_{ijk}\ge0$ for all $i<j<k$, and not all
+  are $0$
+:method: Convexity is decided by `exact/decide/hull.h`, from the turns of the edges; the areas are computed.  For all: three points taken
+  in order from the boundary of a convex region, counterclockwise, turn left or are collinear.
+:degrees: 2..5
+:scope: the stated polygons
+:control: polygons that need only turn left at each inner vertex
+:::
+*/
 /* 2 (signed area of the triangle), in integers. */
 static long area(const long P[], const long Q[], const long R[])
 {
@@ -465,6 +344,20 @@ static void extreme_weights(int code, int n, num_q w[])
         w[i] = code % 3 == 0 ? from_ratio_q(1, 1000) : from_int_q(code % 3 == 1 ? 1 : 1000);
 }
 
+/*
+:::{claim} designed_convex_polygons_have_convex_curves
+:title: Curves of convex polygons, under extreme weights, have curvature of one sign
+:zh: 极端权因子下的保凸性
+:kind: decision
+:given: polygons that are convex when closed, among them a square, a polygon with collinear and one with repeated vertices, one
+  that turns by more than a half turn; all weights from $\frac1{1000},1,1000$
+:then: $\det(P,P',P'')>0$ for $0<t<1$
+:method: The sign of the polynomial is decided by counting its roots, by Descartes' rule and by Sturm's theorem.
+:degrees: 2..4
+:scope: the stated polygons and weights
+:control: the last vertex moved across the first edge
+:::
+*/
 CLAIM(designed_convex_polygons_have_convex_curves)
 {
     int n = T->degree;
@@ -483,33 +376,24 @@ CLAIM(designed_convex_polygons_have_convex_curves)
         }
 }
 
-CLAIM(subdivided_convex_polygons_are_convex)
-{
-    int n = T->degree;
-    num R[2 * 5], w[5], left[2 * 5], right[2 * 5], wl[5], wr[5], joined[2 * 9];
-    for (int example = 0; example < CONVEX_POLYGONS; example++)
-        for (int code = 0; code < weight_codes(n) && convex_polygon[example].n == n; code++) {
-            int orientation;
-            region_mark mark = region_open();
-            points_from(n + 1, convex_polygon[example].point, R);
-            extreme_weights(code, n, w);
-            G(rational_split)(n, 2, R, w, from_ratio(1, 3), left, wl, right, wr);
-            for (int a = 0; a <= n; a++)
-                for (int c = 0; c < 2; c++) {
-                    joined[2 * (n + a) + c] = right[2 * a + c];
-                    joined[2 * a + c] = left[2 * (T->planted ? n - a : a) + c];
-                }
-            agree(T, polygon_is_convex(2 * n, joined, 1, &orientation) && orientation == 1);
-            region_drop(mark);
-        }
-}
-
 static void ones(int n, num_q w[])
 {
     for (int i = 0; i <= n; i++)
         w[i] = from_int_q(1);
 }
 
+/*
+:::{claim} turns_of_one_sign_are_not_enough
+:title: A polygon that always turns left, and a curve with two inflections
+:zh: 处处左转的多边形, 曲线却有两个拐点
+:kind: counterexample
+:given: $n=3$, points $(0,0),(12,0),(11,5),(11,2)$, all weights $1$
+:then: $x'y''-y'x''=54(3t-2)(11t-10)$ is negative between $\frac23$ and $\frac{10}{11}$, though the polygon turns left at both inner
+  vertices and does not meet itself
+:method: The polynomial is computed and evaluated; its roots are counted.  For $n=2$ there is one turn, and the curve turns as it does.
+:control: the points taken as $(0,0),(12,0),(11,5),(1,5)$, whose polygon is convex when closed
+:::
+*/
 CLAIM(turns_of_one_sign_are_not_enough)
 {
     enum { n = 3 };
@@ -531,6 +415,17 @@ CLAIM(turns_of_one_sign_are_not_enough)
     agree(T, !turns_left || !simple || sign_inside(p) == SIGN_POSITIVE);
 }
 
+/*
+:::{claim} mixed_weights_lose_convexity
+:title: With weights of both signs a square has a curve with inflections
+:zh: 权因子变号时正方形对应的曲线有拐点
+:kind: counterexample
+:given: $n=3$, the points $(0,0),(1,0),(1,1),(0,1)$, weights $4,-1,4,4$, for which $\omega(t)>0$ on $[0,1]$
+:then: $\det(P,P',P'')$ changes its sign twice in $(0,1)$
+:method: The polynomial is computed, its sign decided by counting roots.  For $n=2$ it has one term, and one sign.
+:control: the second weight taken as $+1$
+:::
+*/
 CLAIM(mixed_weights_lose_convexity)
 {
     enum { n = 3 };
@@ -546,7 +441,114 @@ CLAIM(mixed_weights_lose_convexity)
     about(T, "a curve without poles whose polygon is convex turns to one side");
     agree(T, !regular || !polygon_is_convex(n, R, 1, NULL) || sign_inside(p) != SIGN_MIXED);
 }
+#endif
 
+/*
+:::{statement} wang-ch3:prop-3.2.8-route
+:title: The way of proof: subdivide, and cut corners
+:zh: 证明途径: 离散割角
+:printed: the property is proved by (3.3.1), imitating the proof of theorem 1.4.2
+:holds-by: subdivided_polygon_turns_like_its_triangles subdivided_convex_polygons_are_convex
+:needs: subdivision_fails_for_mixed_weights | positive weights
+:figure: convex_halves
+
+The imitation: the two polygons of the halves, joined, are the old polygon with corners cut off, hence convex again; repeated,
+the polygons converge to the curve; a limit of convex polygons is convex.  The first of these is decided here, with the
+formulas (3.3.1) as they should read, the convergence in the section on subdivision.
+:::
+
+:::{claim} subdivided_polygon_turns_like_its_triangles
+:title: Subdivision keeps the turn of every triangle
+:zh: 离散后的多边形保持三角形转向
+:given: $0<\lambda<1$; the $2n+1$ points of the two halves, joined, as combinations of the $n+1$ points of the whole
+:then: every $3\times3$ minor of the matrix of these combinations is $\ge0$; so with positive weights, if all $D_{ijk}\ge0$ for the
+  whole, then the same for the joined polygon
+:method: The columns are the subdivisions of the unit vectors.  The minors are computed in the field with $\lambda=\frac s{1+s}$:
+  quotients of polynomials whose coefficients are not negative.  By Cauchy and Binet the determinants of three of the new
+  homogeneous points are sums of the old ones with these minors.
+:degrees: 2..4
+:control: the left half run through backwards
+:::
+*/
+CLAIM(subdivided_polygon_turns_like_its_triangles)
+{
+    enum { SIZE = 5, ROWS = 2 * SIZE - 1 };
+    int n = T->degree;
+    num row[ROWS][SIZE], unit[SIZE], left[SIZE], right[SIZE], s = positive(T, "s", 0);
+    num sum = add(from_int(1), s), lambda = div(s, sum), scale = from_int(1);
+    for (int k = 0; k < n; k++)
+        scale = mul(scale, sum);
+    for (int j = 0; j <= n; j++) {
+        for (int i = 0; i <= n; i++)
+            unit[i] = from_int(i == j);
+        G(bezier_split)(n, 1, unit, lambda, left, right);
+        for (int a = 0; a <= n; a++) {
+            row[n + a][j] = mul(scale, right[a]);
+            row[a][j] = mul(scale, left[T->planted ? n - a : a]);
+        }
+    }
+    for (int c = 2; c <= 2 * n; c++)
+        for (int b = 1; b < c; b++)
+            for (int a = 0; a < b; a++) {
+                num M[3 * SIZE];
+                for (int j = 0; j <= n; j++) {
+                    M[j] = row[a][j];
+                    M[n + 1 + j] = row[b][j];
+                    M[2 * (n + 1) + j] = row[c][j];
+                }
+                for (int k = 2; k <= n; k++)
+                    for (int j = 1; j < k; j++)
+                        for (int i = 0; i < j; i++)
+                            nonnegative(T, G(minor_of_columns)(n, M, i, j, k));
+            }
+}
+
+#if RATIONAL
+/*
+:::{claim} subdivided_convex_polygons_are_convex
+:title: The polygon of the two halves of a convex polygon is convex
+:zh: 凸多边形离散后仍凸
+:kind: decision
+:given: the polygons and weights of `designed_convex_polygons_have_convex_curves`, $\lambda=\frac13$
+:then: the joined polygons of the two halves, closed by the chord, are convex
+:method: Computed exactly with the rational subdivision; decided by `exact/decide/hull.h`.
+:degrees: 2..4
+:scope: the stated polygons and weights
+:control: the left half run through backwards
+:::
+*/
+CLAIM(subdivided_convex_polygons_are_convex)
+{
+    int n = T->degree;
+    num R[2 * 5], w[5], left[2 * 5], right[2 * 5], wl[5], wr[5], joined[2 * 9];
+    for (int example = 0; example < CONVEX_POLYGONS; example++)
+        for (int code = 0; code < weight_codes(n) && convex_polygon[example].n == n; code++) {
+            int orientation;
+            region_mark mark = region_open();
+            points_from(n + 1, convex_polygon[example].point, R);
+            extreme_weights(code, n, w);
+            G(rational_split)(n, 2, R, w, from_ratio(1, 3), left, wl, right, wr);
+            for (int a = 0; a <= n; a++)
+                for (int c = 0; c < 2; c++) {
+                    joined[2 * (n + a) + c] = right[2 * a + c];
+                    joined[2 * a + c] = left[2 * (T->planted ? n - a : a) + c];
+                }
+            agree(T, polygon_is_convex(2 * n, joined, 1, &orientation) && orientation == 1);
+            region_drop(mark);
+        }
+}
+
+/*
+:::{claim} subdivision_fails_for_mixed_weights
+:title: With weights of both signs the halves need not exist
+:zh: 权因子变号时离散顶点可不存在
+:kind: counterexample
+:given: $n=2$, weights $2,-1,2$, for which $\omega(t)>0$ on $[0,1]$; $\lambda=\frac23$
+:then: $\omega_1^1=\frac13\omega_0+\frac23\omega_1=0$: the middle point of the left half is at infinity
+:method: The weights of the left half are computed and asked to be different from $0$.
+:control: the middle weight taken as $+1$
+:::
+*/
 CLAIM(subdivision_fails_for_mixed_weights)
 {
     num w[3] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)}, left[3], right[3];
@@ -558,6 +560,19 @@ CLAIM(subdivision_fails_for_mixed_weights)
     agree(T, !regular || !is_zero_q(left[1]));
 }
 
+/*
+:::{claim} curve_may_be_convex_alone
+:title: A convex curve may have a polygon that is not convex
+:zh: 曲线凸而控制多边形不凸
+:kind: decision
+:given: $n=4$, points $(0,0),(1,2),(2,1),(3,2),(4,0)$, all weights $1$
+:then: $\det(P,P',P'')<0$ for $0<t<1$ and $x=4t$, so that the curve with its chord bounds a convex region; the polygon turns to
+  both sides
+:method: The sign of the polynomial is decided by counting roots; convexity by `exact/decide/hull.h`.
+:scope: this curve
+:control: the middle point taken as $(2,-1)$
+:::
+*/
 CLAIM(curve_may_be_convex_alone)
 {
     enum { n = 4 };
@@ -574,4 +589,5 @@ CLAIM(curve_may_be_convex_alone)
     agree(T, !polygon_is_convex(n, R, 1, NULL));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

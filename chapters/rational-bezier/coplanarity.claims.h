@@ -5,7 +5,14 @@ If the curve lies in a plane, so does its polygon, and conversely.  The equation
 $\sum B_i^n(t)\omega_iz_i/\omega(t)$ with the values $z_i$ at the vertices; if this is $0$ for all $t$, every $\omega_iz_i$ is,
 since the Bernstein functions are independent.  The last step, from $\omega_iz_i=0$ to $z_i=0$, is the only one that needs a
 hypothesis: no weight is $0$.
+*/
+#if RATIONAL
+#include "exact/decide/sign.h"
+#endif
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch3:prop-3.2.9
 :title: The vertices of a plane curve are coplanar
 :zh: 平面曲线的控制顶点共面
@@ -19,49 +26,6 @@ The vertices are in every plane that contains the curve: if the curve is a segme
 $n=2$ the word coplanar says nothing, for three points always are; that they are in the plane of the curve says something.
 :::
 
-:::{statement} wang-ch3:prop-3.2.9-converse
-:title: Coplanar vertices give a plane curve
-:zh: 顶点共面则曲线为平面曲线
-:printed: by property 3.2.5 the converse is true as well
-:holds-by: coplanar_vertices_give_a_plane_curve
-
-True for all weights with $\omega(t)\ne0$: a point of the curve is a combination of the vertices with the sum of the factors $1$.
-Property 3.2.5, of the convex hull, gives it for positive weights.
-:::
-
-:::{statement} wang-ch3:prop-3.2.9-step-1
-:title: The plane may be taken as the xy-plane
-:zh: 可取曲线所在平面为 xy 平面
-:printed: without loss of generality the curve is in the $xy$-plane
-:holds-by: plane_form_of_the_curve
-:::
-
-:::{statement} wang-ch3:prop-3.2.9-step-2
-:title: If z(t) vanishes, so does its numerator
-:zh: z(t) 恒为零则分子恒为零
-:printed: Z(t)/\omega(t)=\sum_{i=0}^nB_i^n(t)\omega_iz_i/\omega(t)\equiv0\ \Rightarrow\
-  \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0,\quad 0\le t\le1
-:holds-by: plane_form_of_the_curve
-:::
-
-:::{statement} wang-ch3:prop-3.2.9-step-3
-:title: The Bernstein functions are linearly independent
-:zh: Bernstein 基线性无关
-:printed: \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0\ \Rightarrow\ \omega_iz_i=0,\quad i=0,1,\dots,n
-:holds-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
-
-Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points of the curve in the plane bring all vertices there.
-:::
-
-:::{statement} wang-ch3:prop-3.2.9-step-4
-:title: The weights can be divided out
-:zh: 约去权因子
-:printed: \omega_iz_i=0\ \Rightarrow\ z_i=0,\quad i=0,1,\dots,n
-:holds-by: plane_function_determines_the_vertices
-:needs: weight_zero_hides_the_vertex | $\omega_i\ne0$
-:figure: weight_zero_out_of_plane
-:::
-
 :::{claim} plane_form_of_the_curve
 :title: The form of a plane, on the curve, has the weights of the curve
 :zh: 曲线上的平面式仍以原权因子表示
@@ -72,78 +36,7 @@ Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points 
 :degrees: 1..6 sampled 12
 :control: the constant $d$ left out at the first vertex
 :::
-
-:::{claim} powers_span_the_bernstein_functions
-:title: Bernstein coefficients and coefficients of powers determine each other
-:zh: Bernstein 系数与幂系数互相确定
-:given: $b_0,\dots,b_n$
-:let: $c_k=\binom nk\sum_{i\le k}(-1)^{k-i}\binom kib_i$
-:then: $\sum_iB_i^n(t)b_i=\sum_kc_kt^k$ and $b_i=\sum_{k\le i}\binom ik\binom nk^{-1}c_k$; so if the polynomial vanishes for
-  infinitely many $t$, or all $c_k$ vanish, then all $b_i$ do
-:method: The sums are written out and compared in the field with the results of the kernels, with de Casteljau's algorithm at a variable
-  $t$, and with the $b_i$.  For every degree: $t^k=\sum_i\binom ik\binom nk^{-1}B_i^n(t)$ (`powers_in_every_degree`), so the $n+1$
-  functions span a space of dimension $n+1$ and are independent.
-:degrees: 1..10 sampled 12
-:defines: bernstein_to_power power_to_bernstein
-:control: the sign $(-1)^{k-i}$ left out
-:::
-
-:::{claim} collocation_determinant_does_not_vanish
-:title: n+1 different parameters determine the Bernstein coefficients
-:zh: n+1 个不同参数确定 Bernstein 系数
-:given: parameters $t_0,\dots,t_n$
-:then: $\det(B_j^n(t_i))=\prod_j\binom nj\prod_{i<j}(t_j-t_i)$, which is not $0$ when the parameters are different
-:method: An identity in the field of the $t_i$; the determinant without division.
-:degrees: 1..4
-:control: the binomial coefficients left out
-:::
-
-:::{claim} plane_function_determines_the_vertices
-:title: The values at the vertices come back from the function on the curve
-:zh: 由曲线上的函数还原顶点处的值
-:given: weights $\omega_i\ne0$ and values $z_0,\dots,z_n$
-:let: $N(t)=\omega(t)z(t)=\sum B_i^n(t)\omega_iz_i=\sum_kc_kt^k$
-:then: $z_i=\frac1{\omega_i}\sum_{k\le i}\binom ik\binom nk^{-1}c_k$; so if $z(t)\equiv0$ then all $z_i=0$
-:method: The $c_k$ are computed as the derivatives $N^{(k)}(0)/k!$, from the derivatives of $z(t)$ and of $\omega(t)$ by the rule of Leibniz;
-  in the field with all weights and values variables.
-:degrees: 1..6 sampled 8
-:control: the weight of the last vertex taken for all
-:::
-
-:::{claim} coplanar_vertices_give_a_plane_curve
-:title: A curve with coplanar vertices is in their plane
-:zh: 顶点共面的曲线在该平面内
-:given: any weights with $\omega(t)\ne0$; vertices $(x_i,y_i,z_i)$ with $ax_i+by_i+cz_i+d=0$, $c\ne0$
-:then: $a\,x(t)+b\,y(t)+c\,z(t)+d=0$
-:method: $z_i=-(ax_i+by_i+d)/c$; the form of the plane, on the curve, is the zero of the field.  Some coordinate has a factor that is
-  not $0$ in the equation; that it is $z$ is a matter of names.
-:degrees: 1..6 sampled 12
-:control: the last vertex lifted by $1$
-:::
-
-:::{claim} vertex_of_weight_zero_leaves_the_plane
-:title: A vertex of weight 0 may be anywhere
-:zh: 权为零的顶点可在平面之外
-:kind: counterexample
-:given: $n=3$, points $(0,0,0),(0,0,1),(1,0,0),(0,1,0)$, weights $1,0,1,1$, for which $\omega(t)>0$ on $[0,1]$
-:then: the curve is in the plane $z=0$, and the four vertices are not coplanar
-:method: The numerator of $z(t)$ is computed, and the determinant of the vertices.  Three points are always coplanar, so that no smaller $n$
-  would do.
-:control: the weight $0$ taken as $1$
-:::
-
-:::{claim} weight_zero_hides_the_vertex
-:title: With a weight 0 the product vanishes and the factor does not
-:zh: 权为零时乘积为零而 z 不为零
-:kind: counterexample
-:given: $n=2$, weights $1,0,1$, $z=0,1,0$
-:then: $z(t)\equiv0$ and $z_1=1$
-:method: The numerator of $z(t)$ is computed.  For $n=1$ a weight $0$ is a zero of $\omega(t)$ at an end.
-:control: the middle weight taken as $1$
-:::
 */
-#include "chapters/judge/claims_on.h"
-
 CLAIM(plane_form_of_the_curve)
 {
     int n = T->degree;
@@ -176,6 +69,22 @@ static num G(bernstein_coefficient)(int n, const num c[], int i)
     return sum;
 }
 
+/*
+:::{claim} powers_span_the_bernstein_functions
+:title: Bernstein coefficients and coefficients of powers determine each other
+:zh: Bernstein 系数与幂系数互相确定
+:given: $b_0,\dots,b_n$
+:let: $c_k=\binom nk\sum_{i\le k}(-1)^{k-i}\binom kib_i$
+:then: $\sum_iB_i^n(t)b_i=\sum_kc_kt^k$ and $b_i=\sum_{k\le i}\binom ik\binom nk^{-1}c_k$; so if the polynomial vanishes for
+  infinitely many $t$, or all $c_k$ vanish, then all $b_i$ do
+:method: The sums are written out and compared in the field with the results of the kernels, with de Casteljau's algorithm at a variable
+  $t$, and with the $b_i$.  For every degree: $t^k=\sum_i\binom ik\binom nk^{-1}B_i^n(t)$ (`powers_in_every_degree`), so the $n+1$
+  functions span a space of dimension $n+1$ and are independent.
+:degrees: 1..10 sampled 12
+:defines: bernstein_to_power power_to_bernstein
+:control: the sign $(-1)^{k-i}$ left out
+:::
+*/
 CLAIM(powers_span_the_bernstein_functions)
 {
     int n = T->degree;
@@ -203,22 +112,19 @@ CLAIM(powers_span_the_bernstein_functions)
     }
 }
 
-CLAIM(collocation_determinant_does_not_vanish)
-{
-    enum { SIZE = 5 };
-    int n = T->degree;
-    num t[SIZE], B[SIZE * SIZE], product = from_int(1);
-    for (int i = 0; i <= n; i++) {
-        t[i] = unknown(T, "t", i);
-        G(bernstein)(n, t[i], B + i * (n + 1));
-        if (!T->planted)
-            product = mul(product, from_int(binomial(n, i)));
-        for (int j = 0; j < i; j++)
-            product = mul(product, sub(t[i], t[j]));
-    }
-    same(T, G(determinant)(n + 1, B), product);
-}
-
+/*
+:::{claim} plane_function_determines_the_vertices
+:title: The values at the vertices come back from the function on the curve
+:zh: 由曲线上的函数还原顶点处的值
+:given: weights $\omega_i\ne0$ and values $z_0,\dots,z_n$
+:let: $N(t)=\omega(t)z(t)=\sum B_i^n(t)\omega_iz_i=\sum_kc_kt^k$
+:then: $z_i=\frac1{\omega_i}\sum_{k\le i}\binom ik\binom nk^{-1}c_k$; so if $z(t)\equiv0$ then all $z_i=0$
+:method: The $c_k$ are computed as the derivatives $N^{(k)}(0)/k!$, from the derivatives of $z(t)$ and of $\omega(t)$ by the rule of Leibniz;
+  in the field with all weights and values variables.
+:degrees: 1..6 sampled 8
+:control: the weight of the last vertex taken for all
+:::
+*/
 CLAIM(plane_function_determines_the_vertices)
 {
     int n = T->degree;
@@ -240,27 +146,7 @@ CLAIM(plane_function_determines_the_vertices)
         same(T, div(G(bernstein_coefficient)(n, c, i), w[T->planted ? n : i]), z[i]);
 }
 
-CLAIM(coplanar_vertices_give_a_plane_curve)
-{
-    int n = T->degree;
-    num R[3 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1], P[3], t = parameter(T, "t"), a[4];
-    for (int c = 0; c < 4; c++)
-        a[c] = c == 2 ? positive(T, "a", c) : unknown(T, "a", c);
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[3 * i] = unknown(T, "x", i);
-        R[3 * i + 1] = unknown(T, "y", i);
-        R[3 * i + 2] = div(neg(add(add(mul(a[0], R[3 * i]), mul(a[1], R[3 * i + 1])), a[3])), a[2]);
-    }
-    if (T->planted)
-        R[3 * n + 2] = add(R[3 * n + 2], from_int(1));
-    G(rational_point)(n, 3, R, w, t, P);
-    vanishes(T, add(add(mul(a[0], P[0]), mul(a[1], P[1])), add(mul(a[2], P[2]), a[3])));
-}
-
 #if RATIONAL
-#include "exact/decide/sign.h"
-
 /* Whether the numerator sum w_i z_i B_i^n vanishes and the denominator is positive on [0,1]. */
 static int is_in_plane(int n, const num_q w[], const num_q z[])
 {
@@ -271,6 +157,18 @@ static int is_in_plane(int n, const num_q w[], const num_q z[])
     return poly_is_zero(poly_from_bernstein(n, b)) && sign == SIGN_POSITIVE;
 }
 
+/*
+:::{claim} vertex_of_weight_zero_leaves_the_plane
+:title: A vertex of weight 0 may be anywhere
+:zh: 权为零的顶点可在平面之外
+:kind: counterexample
+:given: $n=3$, points $(0,0,0),(0,0,1),(1,0,0),(0,1,0)$, weights $1,0,1,1$, for which $\omega(t)>0$ on $[0,1]$
+:then: the curve is in the plane $z=0$, and the four vertices are not coplanar
+:method: The numerator of $z(t)$ is computed, and the determinant of the vertices.  Three points are always coplanar, so that no smaller $n$
+  would do.
+:control: the weight $0$ taken as $1$
+:::
+*/
 CLAIM(vertex_of_weight_zero_leaves_the_plane)
 {
     enum { n = 3 };
@@ -293,7 +191,122 @@ CLAIM(vertex_of_weight_zero_leaves_the_plane)
     about(T, "a curve in the plane z = 0 has coplanar vertices");
     agree(T, !plane || is_zero_q(volume));
 }
+#endif
 
+/*
+:::{statement} wang-ch3:prop-3.2.9-converse
+:title: Coplanar vertices give a plane curve
+:zh: 顶点共面则曲线为平面曲线
+:printed: by property 3.2.5 the converse is true as well
+:holds-by: coplanar_vertices_give_a_plane_curve
+
+True for all weights with $\omega(t)\ne0$: a point of the curve is a combination of the vertices with the sum of the factors $1$.
+Property 3.2.5, of the convex hull, gives it for positive weights.
+:::
+
+:::{claim} coplanar_vertices_give_a_plane_curve
+:title: A curve with coplanar vertices is in their plane
+:zh: 顶点共面的曲线在该平面内
+:given: any weights with $\omega(t)\ne0$; vertices $(x_i,y_i,z_i)$ with $ax_i+by_i+cz_i+d=0$, $c\ne0$
+:then: $a\,x(t)+b\,y(t)+c\,z(t)+d=0$
+:method: $z_i=-(ax_i+by_i+d)/c$; the form of the plane, on the curve, is the zero of the field.  Some coordinate has a factor that is
+  not $0$ in the equation; that it is $z$ is a matter of names.
+:degrees: 1..6 sampled 12
+:control: the last vertex lifted by $1$
+:::
+*/
+CLAIM(coplanar_vertices_give_a_plane_curve)
+{
+    int n = T->degree;
+    num R[3 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1], P[3], t = parameter(T, "t"), a[4];
+    for (int c = 0; c < 4; c++)
+        a[c] = c == 2 ? positive(T, "a", c) : unknown(T, "a", c);
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[3 * i] = unknown(T, "x", i);
+        R[3 * i + 1] = unknown(T, "y", i);
+        R[3 * i + 2] = div(neg(add(add(mul(a[0], R[3 * i]), mul(a[1], R[3 * i + 1])), a[3])), a[2]);
+    }
+    if (T->planted)
+        R[3 * n + 2] = add(R[3 * n + 2], from_int(1));
+    G(rational_point)(n, 3, R, w, t, P);
+    vanishes(T, add(add(mul(a[0], P[0]), mul(a[1], P[1])), add(mul(a[2], P[2]), a[3])));
+}
+
+/*
+:::{statement} wang-ch3:prop-3.2.9-step-1
+:title: The plane may be taken as the xy-plane
+:zh: 可取曲线所在平面为 xy 平面
+:printed: without loss of generality the curve is in the $xy$-plane
+:holds-by: plane_form_of_the_curve
+:::
+
+:::{statement} wang-ch3:prop-3.2.9-step-2
+:title: If z(t) vanishes, so does its numerator
+:zh: z(t) 恒为零则分子恒为零
+:printed: Z(t)/\omega(t)=\sum_{i=0}^nB_i^n(t)\omega_iz_i/\omega(t)\equiv0\ \Rightarrow\
+  \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0,\quad 0\le t\le1
+:holds-by: plane_form_of_the_curve
+:::
+
+:::{statement} wang-ch3:prop-3.2.9-step-3
+:title: The Bernstein functions are linearly independent
+:zh: Bernstein 基线性无关
+:printed: \sum_{i=0}^nB_i^n(t)\omega_iz_i\equiv0\ \Rightarrow\ \omega_iz_i=0,\quad i=0,1,\dots,n
+:holds-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
+
+Not all $t$ are needed: $n+1$ different parameters suffice, and so $n+1$ points of the curve in the plane bring all vertices there.
+:::
+
+:::{claim} collocation_determinant_does_not_vanish
+:title: n+1 different parameters determine the Bernstein coefficients
+:zh: n+1 个不同参数确定 Bernstein 系数
+:given: parameters $t_0,\dots,t_n$
+:then: $\det(B_j^n(t_i))=\prod_j\binom nj\prod_{i<j}(t_j-t_i)$, which is not $0$ when the parameters are different
+:method: An identity in the field of the $t_i$; the determinant without division.
+:degrees: 1..4
+:control: the binomial coefficients left out
+:::
+*/
+CLAIM(collocation_determinant_does_not_vanish)
+{
+    enum { SIZE = 5 };
+    int n = T->degree;
+    num t[SIZE], B[SIZE * SIZE], product = from_int(1);
+    for (int i = 0; i <= n; i++) {
+        t[i] = unknown(T, "t", i);
+        G(bernstein)(n, t[i], B + i * (n + 1));
+        if (!T->planted)
+            product = mul(product, from_int(binomial(n, i)));
+        for (int j = 0; j < i; j++)
+            product = mul(product, sub(t[i], t[j]));
+    }
+    same(T, G(determinant)(n + 1, B), product);
+}
+
+/*
+:::{statement} wang-ch3:prop-3.2.9-step-4
+:title: The weights can be divided out
+:zh: 约去权因子
+:printed: \omega_iz_i=0\ \Rightarrow\ z_i=0,\quad i=0,1,\dots,n
+:holds-by: plane_function_determines_the_vertices
+:needs: weight_zero_hides_the_vertex | $\omega_i\ne0$
+:figure: weight_zero_out_of_plane
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} weight_zero_hides_the_vertex
+:title: With a weight 0 the product vanishes and the factor does not
+:zh: 权为零时乘积为零而 z 不为零
+:kind: counterexample
+:given: $n=2$, weights $1,0,1$, $z=0,1,0$
+:then: $z(t)\equiv0$ and $z_1=1$
+:method: The numerator of $z(t)$ is computed.  For $n=1$ a weight $0$ is a zero of $\omega(t)$ at an end.
+:control: the middle weight taken as $1$
+:::
+*/
 CLAIM(weight_zero_hides_the_vertex)
 {
     num w[3] = {from_int(1), from_int(T->planted), from_int(1)}, z[3] = {from_int(0), from_int(1), from_int(0)};
@@ -305,4 +318,5 @@ CLAIM(weight_zero_hides_the_vertex)
     agree(T, !plane || is_zero_q(z[1]));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -11,54 +11,6 @@ source defines it.
 
 #include "chapters/judge/claims_on.h"
 
-static const char *const G(axis)[] = {"x", "y", "z"};
-
-/* n+1 points of dim coordinates, all of them free. */
-static inline void G(free_points)(trial *T, int n, int dim, num R[])
-{
-    for (int i = 0; i <= n; i++)
-        for (int c = 0; c < dim; c++)
-            R[i * dim + c] = unknown(T, G(axis)[c], i);
-}
-static inline void G(free_weights)(trial *T, int n, num w[])
-{
-    for (int i = 0; i <= n; i++)
-        w[i] = positive(T, "w", i);
-}
-
-/* n!/(i! (n-i)!) t^i (1-t)^{n-i}: the definition, sharing nothing with the kernels.  n <= 20. */
-static inline num G(bernstein_by_definition)(int n, int i, num t)
-{
-    long choose = 1;
-    for (int k = 1; k <= n; k++)
-        choose *= k;
-    for (int k = 1; k <= i; k++)
-        choose /= k;
-    for (int k = 1; k <= n - i; k++)
-        choose /= k;
-    num product = from_int(choose), s = sub(from_int(1), t);
-    for (int k = 0; k < n; k++)
-        product = mul(product, k < i ? t : s);
-    return product;
-}
-
-/* sum B_i^n(t) w_i and sum B_i^n(t) w_i R_i by definition. */
-static inline num G(weight_by_definition)(int n, const num w[], num t)
-{
-    num sum = from_int(0);
-    for (int i = 0; i <= n; i++)
-        sum = add(sum, mul(G(bernstein_by_definition)(n, i, t), w[i]));
-    return sum;
-}
-static inline void G(numerator_by_definition)(int n, int dim, const num R[], const num w[], num t, num P[])
-{
-    for (int c = 0; c < dim; c++) {
-        P[c] = from_int(0);
-        for (int i = 0; i <= n; i++)
-            P[c] = add(P[c], mul(mul(G(bernstein_by_definition)(n, i, t), w[i]), R[i * dim + c]));
-    }
-}
-
 /*
 ## The points and their weights
 
@@ -77,7 +29,24 @@ $\omega_i=0$ the printed equality leaves only $(0,0,0,0)$: a point of weight $0$
 infinity, $(X_i,Y_i,Z_i,0)\ne0$, are not part of this definition.  The curve in space depends on the ratios of the
 weights alone.
 :::
+*/
 
+static const char *const G(axis)[] = {"x", "y", "z"};
+
+/* n+1 points of dim coordinates, all of them free. */
+static inline void G(free_points)(trial *T, int n, int dim, num R[])
+{
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = unknown(T, G(axis)[c], i);
+}
+static inline void G(free_weights)(trial *T, int n, num w[])
+{
+    for (int i = 0; i <= n; i++)
+        w[i] = positive(T, "w", i);
+}
+
+/*
 :::{claim} homogeneous_points_carry_their_weight
 :title: Points with weights and homogeneous points determine each other
 :zh: 带权点与齐次点互相确定
@@ -158,7 +127,34 @@ CLAIM(common_factor_of_weights_is_free)
 :checked-by: denominator_is_weighted_bernstein_sum rational_point_is_weighted_mean
 :figure: homogeneous_line
 :::
+*/
 
+/* n!/(i! (n-i)!) t^i (1-t)^{n-i}: the definition, sharing nothing with the kernels.  n <= 20. */
+static inline num G(bernstein_by_definition)(int n, int i, num t)
+{
+    long choose = 1;
+    for (int k = 1; k <= n; k++)
+        choose *= k;
+    for (int k = 1; k <= i; k++)
+        choose /= k;
+    for (int k = 1; k <= n - i; k++)
+        choose /= k;
+    num product = from_int(choose), s = sub(from_int(1), t);
+    for (int k = 0; k < n; k++)
+        product = mul(product, k < i ? t : s);
+    return product;
+}
+
+/* sum B_i^n(t) w_i and sum B_i^n(t) w_i R_i by definition. */
+static inline num G(weight_by_definition)(int n, const num w[], num t)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(G(bernstein_by_definition)(n, i, t), w[i]));
+    return sum;
+}
+
+/*
 :::{claim} denominator_is_weighted_bernstein_sum
 :title: The kernel's denominator is the sum of B_i ω_i
 :zh: 分母即 Σ B_i ω_i
@@ -180,19 +176,16 @@ CLAIM(denominator_is_weighted_bernstein_sum)
     same(T, G(rational_weight)(n, w, t), G(weight_by_definition)(n, v, t));
 }
 
+static inline void G(numerator_by_definition)(int n, int dim, const num R[], const num w[], num t, num P[])
+{
+    for (int c = 0; c < dim; c++) {
+        P[c] = from_int(0);
+        for (int i = 0; i <= n; i++)
+            P[c] = add(P[c], mul(mul(G(bernstein_by_definition)(n, i, t), w[i]), R[i * dim + c]));
+    }
+}
+
 /*
-:::{statement} wang-ch3:3.2.2
-:title: The curve in affine coordinates
-:zh: 仿射坐标下的曲线
-:printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
-  =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
-:holds-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
-:needs: weights_of_both_signs_make_a_pole | $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
-:figure: homogeneous_line
-
-The derivatives of this quotient, which the next sections need, are decided here as well.
-:::
-
 :::{claim} rational_point_is_weighted_mean
 :title: A point of the curve is the mean of the points with weights B_i ω_i
 :zh: 曲线上的点是以 B_i ω_i 为权的平均
@@ -224,7 +217,36 @@ CLAIM(rational_point_is_weighted_mean)
     }
 }
 
+/*
+:::{statement} wang-ch3:3.2.2
+:title: The curve in affine coordinates
+:zh: 仿射坐标下的曲线
+:printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
+  =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
+:holds-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
+:needs: weights_of_both_signs_make_a_pole | $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
+:figure: homogeneous_line
+
+The derivatives of this quotient, which the next sections need, are decided here as well.
+:::
+*/
+
 #if !FIELD
+/*
+:::{claim} rational_derivatives_are_formal_derivatives
+:title: The derivatives computed by Leibniz's rule are those of the quotient
+:zh: 用 Leibniz 法则算出的导矢就是商的导矢
+:given: weights, points of the line, a parameter $t$; orders $0$ to $3$
+:then: $R^{(r)}(t)$ of the kernel is the $r$-th derivative of $\sum B_i^n\omega_iR_i/\sum B_i^n\omega_i$
+:method: In the field the quotient is formed from the definition of the Bernstein basis and differentiated formally, as a rational
+  function of $t$ in which all weights and points are variables.  The other arithmetics use the quotient rule on
+  coefficients of powers of $t$.  Coordinates do not mix, so one suffices; that the kernel keeps several apart is
+  checked on two.
+:degrees: 1..4 sampled 12
+:defines: rational_derivatives quotient_derivatives
+:control: the term of the first derivative of the denominator taken once where it counts twice, in $R''$
+:::
+*/
 /* c[k], the coefficient of t^k in sum B_i^n(t) b_i, each B_i^n expanded by the binomial theorem. */
 static void G(power_coefficients)(int n, const num b[], num c[])
 {
@@ -273,21 +295,6 @@ static void G(quotient_rule)(int n, const num N[], const num D[], num t, num out
 }
 #endif
 
-/*
-:::{claim} rational_derivatives_are_formal_derivatives
-:title: The derivatives computed by Leibniz's rule are those of the quotient
-:zh: 用 Leibniz 法则算出的导矢就是商的导矢
-:given: weights, points of the line, a parameter $t$; orders $0$ to $3$
-:then: $R^{(r)}(t)$ of the kernel is the $r$-th derivative of $\sum B_i^n\omega_iR_i/\sum B_i^n\omega_i$
-:method: In the field the quotient is formed from the definition of the Bernstein basis and differentiated formally, as a rational
-  function of $t$ in which all weights and points are variables.  The other arithmetics use the quotient rule on
-  coefficients of powers of $t$.  Coordinates do not mix, so one suffices; that the kernel keeps several apart is
-  checked on two.
-:degrees: 1..4 sampled 12
-:defines: rational_derivatives quotient_derivatives
-:control: the term of the first derivative of the denominator taken once where it counts twice, in $R''$
-:::
-*/
 CLAIM(rational_derivatives_are_formal_derivatives)
 {
     enum { r = 3 };
@@ -504,10 +511,6 @@ CLAIM(infinite_weight_reaches_the_vertex)
 }
 
 #if RATIONAL
-/* |a| <= |b|, or |a| < |b|. */
-static int G(not_farther)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) <= 0; }
-static int G(nearer)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) < 0; }
-
 /*
 :::{claim} growing_negative_weight_pushes_away
 :title: Where the denominator is negative, a growing weight pushes the curve away
@@ -519,6 +522,9 @@ static int G(nearer)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) < 0;
 :control: the same growth from $1$ to $\frac32$, with $\omega_0=1$
 :::
 */
+/* |a| <= |b|, or |a| < |b|. */
+static int G(not_farther)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) <= 0; }
+
 CLAIM(growing_negative_weight_pushes_away)
 {
     num R[] = {from_int(0), from_int(1)}, t = from_ratio(1, 2), before, after;
@@ -546,6 +552,8 @@ CLAIM(growing_negative_weight_pushes_away)
 :control: $t=\frac13$, whose point does
 :::
 */
+static int G(nearer)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) < 0; }
+
 CLAIM(ends_do_not_move_with_inner_weight)
 {
     num R[] = {from_int(0), from_int(1), from_int(3)}, one = from_int(1), before, after;
@@ -738,4 +746,5 @@ CLAIM(reversed_points_alone_do_not_reverse_the_curve)
     same(T, a, b);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

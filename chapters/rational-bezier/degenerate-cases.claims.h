@@ -4,7 +4,12 @@
 The polynomial Bézier curves are among the rational ones: equal weights cancel.  In the other direction,
 a change of parameter turns a polynomial curve into one with geometric weights, and no other weights
 arise so.
+*/
+#include "exact/decide/polynomial.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch3:prop-3.2.11
 :title: Equal weights give a Bézier curve
 :zh: 可退化性:权相等时为 Bézier 曲线
@@ -30,10 +35,6 @@ Besides $\omega>0$ any $\omega\ne0$ will do.
 :control: $\omega_1$ doubled
 :::
 */
-#include "exact/decide/polynomial.h"
-
-#include "chapters/judge/claims_on.h"
-
 CLAIM(equal_weights_give_polynomial_curve)
 {
     int n = T->degree;
@@ -51,6 +52,7 @@ CLAIM(equal_weights_give_polynomial_curve)
     same(T, left, right);
 }
 
+#if RATIONAL
 /*
 :::{claim} polynomial_line_with_unequal_weights
 :title: Unequal weights can give a polynomial curve, without any change of parameter
@@ -62,7 +64,6 @@ CLAIM(equal_weights_give_polynomial_curve)
 :control: the points $0,\frac12,1$ with weights $1,1,1$
 :::
 */
-#if RATIONAL
 CLAIM(polynomial_line_with_unequal_weights)
 {
     int c = !T->planted; /* numerator t (1 + ct), denominator 1 + ct */
@@ -78,6 +79,55 @@ CLAIM(polynomial_line_with_unequal_weights)
     same(T, w[1], w[0]);
 }
 #endif
+
+/* The weights 1, q, q^2, ..., q^n. */
+static void G(geometric_weights)(int n, num q, num w[])
+{
+    w[0] = from_int(1);
+    for (int i = 1; i <= n; i++)
+        w[i] = mul(w[i - 1], q);
+}
+
+/* t = alpha u / (1 - u + alpha u) */
+static num G(alpha_parameter)(num alpha, num u)
+{
+    num share = mul(alpha, u);
+    return div(share, add(sub(from_int(1), u), share));
+}
+
+/*
+:::{claim} unit_invariants_give_polynomial_curve
+:title: Weights with all invariants 1 come from a polynomial curve
+:zh: 不变量全为 1 的曲线来自多项式曲线
+:given: points $P_0,\dots,P_n$ and positive weights with $I_i=1$, $0<i<n$: $\omega_0,\omega_1$ are free, the others
+  follow from $\omega_{i+1}=\omega_i^2/\omega_{i-1}$
+:let: $\alpha=\omega_1/\omega_0$, $t=\alpha u/(1-u+\alpha u)$
+:then: $\omega_i=\omega_0\alpha^i$, and the curve at $u$ is the Bézier curve of the points at $t$
+:method: The recursion produces all weights with these invariants; both sides are rational functions.
+:degrees: 1..6 sampled 12
+:control: the last weight doubled
+:::
+*/
+CLAIM(unit_invariants_give_polynomial_curve)
+{
+    int n = T->degree;
+    num P[MAX_DEGREE + 1], w[MAX_DEGREE + 1], q[MAX_DEGREE + 1], left, right, u = parameter(T, "u");
+    w[0] = positive(T, "w", 0);
+    w[1] = positive(T, "w", 1);
+    for (int i = 1; i < n; i++)
+        w[i + 1] = div(mul(w[i], w[i]), w[i - 1]);
+    if (T->planted)
+        w[n] = add(w[n], w[n]);
+    num alpha = div(w[1], w[0]);
+    G(geometric_weights)(n, alpha, q);
+    for (int i = 0; i <= n; i++) {
+        P[i] = unknown(T, "P", i);
+        same(T, w[i], mul(w[0], q[i]));
+    }
+    G(rational_point)(n, 1, P, w, u, &left);
+    G(decasteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &right);
+    same(T, left, right);
+}
 
 /*
 :::{statement} wang-ch3:prop-3.2.12
@@ -106,21 +156,6 @@ It is (3.2.10) with $a=\alpha$, $b=1$.
 :control: the weights $\alpha^{n-i}$
 :::
 */
-/* The weights 1, q, q^2, ..., q^n. */
-static void G(geometric_weights)(int n, num q, num w[])
-{
-    w[0] = from_int(1);
-    for (int i = 1; i <= n; i++)
-        w[i] = mul(w[i - 1], q);
-}
-
-/* t = alpha u / (1 - u + alpha u) */
-static num G(alpha_parameter)(num alpha, num u)
-{
-    num share = mul(alpha, u);
-    return div(share, add(sub(from_int(1), u), share));
-}
-
 CLAIM(geometric_weights_reparametrize_bezier)
 {
     int n = T->degree;
@@ -176,6 +211,7 @@ CLAIM(geometric_weights_term_by_term)
     same(T, mul(choose, div(t, sub(one, t))), mul(factor, mul(choose, div(u, rest))));
 }
 
+#if FIELD
 /*
 :::{claim} alpha_runs_the_interval_once
 :title: For positive α the parameter t runs once from 0 to 1
@@ -188,7 +224,6 @@ CLAIM(geometric_weights_term_by_term)
 :control: the sign of the derivative reversed
 :::
 */
-#if FIELD
 CLAIM(alpha_runs_the_interval_once)
 {
     num alpha = positive(T, "alpha", 0), u = variable_f("u");
@@ -264,40 +299,9 @@ CLAIM(zero_alpha_collapses)
 :reading: unit_invariant_is_necessary | to any curve (3.2.2) with the same points, by the change of parameter: fails
   for $n\ge2$
 :::
-
-:::{claim} unit_invariants_give_polynomial_curve
-:title: Weights with all invariants 1 come from a polynomial curve
-:zh: 不变量全为 1 的曲线来自多项式曲线
-:given: points $P_0,\dots,P_n$ and positive weights with $I_i=1$, $0<i<n$: $\omega_0,\omega_1$ are free, the others
-  follow from $\omega_{i+1}=\omega_i^2/\omega_{i-1}$
-:let: $\alpha=\omega_1/\omega_0$, $t=\alpha u/(1-u+\alpha u)$
-:then: $\omega_i=\omega_0\alpha^i$, and the curve at $u$ is the Bézier curve of the points at $t$
-:method: The recursion produces all weights with these invariants; both sides are rational functions.
-:degrees: 1..6 sampled 12
-:control: the last weight doubled
-:::
 */
-CLAIM(unit_invariants_give_polynomial_curve)
-{
-    int n = T->degree;
-    num P[MAX_DEGREE + 1], w[MAX_DEGREE + 1], q[MAX_DEGREE + 1], left, right, u = parameter(T, "u");
-    w[0] = positive(T, "w", 0);
-    w[1] = positive(T, "w", 1);
-    for (int i = 1; i < n; i++)
-        w[i + 1] = div(mul(w[i], w[i]), w[i - 1]);
-    if (T->planted)
-        w[n] = add(w[n], w[n]);
-    num alpha = div(w[1], w[0]);
-    G(geometric_weights)(n, alpha, q);
-    for (int i = 0; i <= n; i++) {
-        P[i] = unknown(T, "P", i);
-        same(T, w[i], mul(w[0], q[i]));
-    }
-    G(rational_point)(n, 1, P, w, u, &left);
-    G(decasteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &right);
-    same(T, left, right);
-}
 
+#if RATIONAL
 /*
 :::{claim} unit_invariant_is_necessary
 :title: The quadratic with weights 1, 2, 1 does not come from its Bézier curve
@@ -310,7 +314,6 @@ CLAIM(unit_invariants_give_polynomial_curve)
 :control: $\omega_2=4$
 :::
 */
-#if RATIONAL
 CLAIM(unit_invariant_is_necessary)
 {
     num w[] = {from_int(1), from_int(2), from_int(T->planted ? 4 : 1)}, q[3], I[1];
@@ -323,4 +326,5 @@ CLAIM(unit_invariant_is_necessary)
     agree(T, equal_q(mul(w[0], q[2]), w[2]) || equal_q(I[0], from_int(1)));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

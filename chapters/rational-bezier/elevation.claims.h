@@ -4,7 +4,34 @@
 The same curve can be written with one more point.  Numerator and denominator are polynomials in
 Bernstein form, and each is raised by itself; the points of the new polygon lie on the edges of the old
 one.  Repeated without end the polygons converge to the curve, but slowly, like $1/N$ for degree $N$.
+*/
+#if RATIONAL
+#include "exact/decide/sign.h"
+#endif
 
+#include "chapters/judge/claims_on.h"
+
+#include "chapters/judge/claims_off.h"
+
+#include "chapters/judge/claims_on.h"
+
+#include "chapters/judge/claims_off.h"
+
+#include "chapters/judge/claims_on.h"
+
+#include "chapters/judge/claims_off.h"
+
+#include "chapters/judge/claims_on.h"
+
+#include "chapters/judge/claims_off.h"
+
+#include "chapters/judge/claims_on.h"
+
+#include "chapters/judge/claims_off.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The formulas
 
 One Bernstein function of degree $n$ is a sum of two of degree $n+1$,
@@ -48,8 +75,6 @@ the products $\omega_iR_i$.
 :control: $(i+1)/(n+1)$ taken as $i/(n+1)$
 :::
 */
-#include "chapters/judge/claims_on.h"
-
 CLAIM(bernstein_function_in_the_next_degree)
 {
     num one = from_int(1), t = parameter(T, "t"), u = positive(T, "u", 0);
@@ -69,7 +94,6 @@ CLAIM(bernstein_function_in_the_next_degree)
     num left = mul(mul(left_share, lower), mul(u, sub(one, t))), right = mul(mul(right_share, upper), mul(u, t));
     same(T, add(left, right), mul(c, u));
 }
-#include "chapters/judge/claims_off.h"
 
 /*
 :::{claim} elevation_keeps_rational_curve
@@ -86,8 +110,6 @@ CLAIM(bernstein_function_in_the_next_degree)
 :control: the ratio $i/(n+1)$ taken as $i/(n+2)$ in the weights
 :::
 */
-#include "chapters/judge/claims_on.h"
-
 CLAIM(elevation_keeps_rational_curve)
 {
     int n = T->degree;
@@ -107,7 +129,32 @@ CLAIM(elevation_keeps_rational_curve)
     G(rational_point)(n + 1, 1, Re, we, t, &after);
     same(T, after, before);
 }
-#include "chapters/judge/claims_off.h"
+
+#if RATIONAL
+/*
+:::{claim} elevated_vertex_may_be_at_infinity
+:title: With weights of both signs an elevated vertex need not exist
+:zh: 权因子变号时升阶顶点可不存在
+:kind: counterexample
+:given: $n=2$ and weights $2,-1,2$, for which $\omega(t)>0$ for all $t\in[0,1]$
+:then: $\hat\omega_1=\hat\omega_2=0$: the two inner vertices of the cubic form of this curve are at infinity
+:method: The weights of degree $3$ are computed exactly and asked to be different from $0$; the sign of $\omega(t)$ is
+  decided by counting roots.  For $n=1$ a denominator without zero in $[0,1]$ has weights of one sign.
+:control: the middle weight taken as $+1$
+:::
+*/
+CLAIM(elevated_vertex_may_be_at_infinity)
+{
+    enum { n = 2 };
+    num w[n + 1] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)}, we[n + 2];
+    show_points(T, "ω", n + 1, 1, w);
+    G(bezier_elevate)(n, 1, w, we);
+    show_points(T, "elevated ω", n + 2, 1, we);
+    int regular = sign_on(poly_from_bernstein(n, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+    about(T, "a denominator without zeros in [0,1] has elevated weights that are not 0");
+    agree(T, !regular || (!is_zero_q(we[1]) && !is_zero_q(we[2])));
+}
+#endif
 
 /*
 :::{statement} wang-ch3:3.2.8
@@ -134,6 +181,26 @@ and any other numbers would do.
 :figure: elevation_cuts_corners
 :::
 
+:::{statement} wang-ch3:prop-3.2.6-derivation
+:title: The formulas come from raising numerator and denominator apart
+:zh: 对分子分母分别升阶
+:printed: the formulas follow when the operator (1.3.9) is applied to the numerator and to the denominator of (3.2.2)
+:holds-by: elevation_through_the_power_basis elevated_points_as_printed
+
+Chapter 1 of the source is not at hand; the operator is taken to be that of elevation,
+$b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.
+:::
+*/
+
+/* (3.2.8) and (3.2.9) as they are printed, for one coordinate: share is i/(n+1), the index i-1 is `before`. */
+static void G(printed_elevation)(num share, num w_before, num w, num R_before, num R, num *we, num *Re)
+{
+    num rest = sub(from_int(1), share);
+    *we = add(mul(rest, w), mul(share, w_before));
+    *Re = add(mul(div(mul(rest, w), *we), R), mul(div(mul(share, w_before), *we), R_before));
+}
+
+/*
 :::{claim} elevated_points_as_printed
 :title: The kernels of elevation compute the printed weights and points
 :zh: 升阶程序即所印公式
@@ -146,40 +213,7 @@ and any other numbers would do.
 :defines: rational_elevate bezier_elevate elevation_matrix
 :control: the weights $\omega_i$ and $\omega_{i-1}$ exchanged in the printed fractions
 :::
-
-:::{claim} elevation_through_the_power_basis
-:title: Elevation of the coefficients leaves the polynomial as it is
-:zh: 系数升阶不改变多项式
-:given: $b_0,\dots,b_n$
-:then: the $n+2$ numbers $\hat b_i=(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$ are the Bernstein coefficients of degree
-  $n+1$ of $\sum b_iB_i^n$, and no others are
-:method: The polynomial is written in powers of $t$, a coefficient $0$ of $t^{n+1}$ is added, and the powers are written in
-  the Bernstein basis of degree $n+1$; that way back is unique.  Applied to the $\omega_i$ and to the $\omega_iR_i$ apart
-  this is formula (3.2.8), and (3.2.9) multiplied by its denominator.
-:degrees: 1..10 sampled 12
-:control: the first of the $n+2$ numbers left out and the others moved up
-:::
-
-:::{claim} numbers_outside_the_polygon_do_not_matter
-:title: Whatever stands for the weights and points before the first and behind the last, the ends stay
-:zh: 首末之外的权与点取何值都不影响端点
-:given: any numbers $\omega_{-1},\omega_{n+1},R_{-1},R_{n+1}$
-:then: $\hat\omega_0=\omega_0$, $\hat R_0=R_0$, $\hat\omega_{n+1}=\omega_n$, $\hat R_{n+1}=R_n$
-:method: Formulas (3.2.8) and (3.2.9) at $i=0$ and $i=n+1$, with $n$, the weights and the points variables.
-:degrees: all
-:control: $n+1$ taken as $n+2$ in the ratios
-:::
 */
-#include "chapters/judge/claims_on.h"
-
-/* (3.2.8) and (3.2.9) as they are printed, for one coordinate: share is i/(n+1), the index i-1 is `before`. */
-static void G(printed_elevation)(num share, num w_before, num w, num R_before, num R, num *we, num *Re)
-{
-    num rest = sub(from_int(1), share);
-    *we = add(mul(rest, w), mul(share, w_before));
-    *Re = add(mul(div(mul(rest, w), *we), R), mul(div(mul(share, w_before), *we), R_before));
-}
-
 CLAIM(elevated_points_as_printed)
 {
     enum { dim = 2 };
@@ -215,6 +249,20 @@ CLAIM(elevated_points_as_printed)
         }
 }
 
+/*
+:::{claim} elevation_through_the_power_basis
+:title: Elevation of the coefficients leaves the polynomial as it is
+:zh: 系数升阶不改变多项式
+:given: $b_0,\dots,b_n$
+:then: the $n+2$ numbers $\hat b_i=(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$ are the Bernstein coefficients of degree
+  $n+1$ of $\sum b_iB_i^n$, and no others are
+:method: The polynomial is written in powers of $t$, a coefficient $0$ of $t^{n+1}$ is added, and the powers are written in
+  the Bernstein basis of degree $n+1$; that way back is unique.  Applied to the $\omega_i$ and to the $\omega_iR_i$ apart
+  this is formula (3.2.8), and (3.2.9) multiplied by its denominator.
+:degrees: 1..10 sampled 12
+:control: the first of the $n+2$ numbers left out and the others moved up
+:::
+*/
 CLAIM(elevation_through_the_power_basis)
 {
     int n = T->degree;
@@ -234,6 +282,17 @@ CLAIM(elevation_through_the_power_basis)
         same(T, e[n + 1], again[n + 1]);
 }
 
+/*
+:::{claim} numbers_outside_the_polygon_do_not_matter
+:title: Whatever stands for the weights and points before the first and behind the last, the ends stay
+:zh: 首末之外的权与点取何值都不影响端点
+:given: any numbers $\omega_{-1},\omega_{n+1},R_{-1},R_{n+1}$
+:then: $\hat\omega_0=\omega_0$, $\hat R_0=R_0$, $\hat\omega_{n+1}=\omega_n$, $\hat R_{n+1}=R_n$
+:method: Formulas (3.2.8) and (3.2.9) at $i=0$ and $i=n+1$, with $n$, the weights and the points variables.
+:degrees: all
+:control: $n+1$ taken as $n+2$ in the ratios
+:::
+*/
 CLAIM(numbers_outside_the_polygon_do_not_matter)
 {
     num n = whole(T, "n", 1, 20), zero = from_int(0);
@@ -248,47 +307,6 @@ CLAIM(numbers_outside_the_polygon_do_not_matter)
     same(T, we, w);
     same(T, Re, R);
 }
-#include "chapters/judge/claims_off.h"
-
-/*
-:::{statement} wang-ch3:prop-3.2.6-derivation
-:title: The formulas come from raising numerator and denominator apart
-:zh: 对分子分母分别升阶
-:printed: the formulas follow when the operator (1.3.9) is applied to the numerator and to the denominator of (3.2.2)
-:holds-by: elevation_through_the_power_basis elevated_points_as_printed
-
-Chapter 1 of the source is not at hand; the operator is taken to be that of elevation,
-$b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.
-:::
-
-:::{claim} elevated_vertex_may_be_at_infinity
-:title: With weights of both signs an elevated vertex need not exist
-:zh: 权因子变号时升阶顶点可不存在
-:kind: counterexample
-:given: $n=2$ and weights $2,-1,2$, for which $\omega(t)>0$ for all $t\in[0,1]$
-:then: $\hat\omega_1=\hat\omega_2=0$: the two inner vertices of the cubic form of this curve are at infinity
-:method: The weights of degree $3$ are computed exactly and asked to be different from $0$; the sign of $\omega(t)$ is
-  decided by counting roots.  For $n=1$ a denominator without zero in $[0,1]$ has weights of one sign.
-:control: the middle weight taken as $+1$
-:::
-*/
-#include "chapters/judge/claims_on.h"
-#if RATIONAL
-#include "exact/decide/sign.h"
-
-CLAIM(elevated_vertex_may_be_at_infinity)
-{
-    enum { n = 2 };
-    num w[n + 1] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)}, we[n + 2];
-    show_points(T, "ω", n + 1, 1, w);
-    G(bezier_elevate)(n, 1, w, we);
-    show_points(T, "elevated ω", n + 2, 1, we);
-    int regular = sign_on(poly_from_bernstein(n, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
-    about(T, "a denominator without zeros in [0,1] has elevated weights that are not 0");
-    agree(T, !regular || (!is_zero_q(we[1]) && !is_zero_q(we[2])));
-}
-#endif
-#include "chapters/judge/claims_off.h"
 
 /*
 ## Corners are cut
@@ -305,30 +323,6 @@ corner $R_i$.
 :figure: elevation_mixed_weights
 :::
 
-:::{statement} wang-ch3:prop-3.2.6-ratios
-:title: The ratios depend on the number of the edge and on the weights
-:zh: 割角系数依赖于边序号与权因子
-:printed: this is more complicated than for polynomial curves: the ratios of cutting depend on the number of the edge and
-  on the weights $\omega_i$ as well
-:holds-by: cutting_ratio_depends_on_edge_and_weights
-
-Of the weights only the quotient of the two at the ends of the edge matters.  The ratio is that of the polynomial case on
-exactly those edges whose two weights are equal.
-:::
-
-:::{statement} wang-ch3:prop-3.2.6-for-ever
-:title: Elevation can be repeated for ever
-:zh: 升阶可无限次进行
-:printed: elevation can be repeated without end
-:holds-by: elevation_cuts_corners repeated_elevation_in_one_formula repeated_elevation_computed
-:needs: elevated_vertex_may_be_at_infinity | positive weights; with mixed ones already the first step may fail
-:figure: elevation_mixed_weights
-
-Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
-$(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ the degrees $3$ and $4$ have
-points at infinity and from degree $5$ on there are none.
-:::
-
 :::{claim} elevation_cuts_corners
 :title: The new vertex is a mean of the ends of its edge, the new weight a mean of their weights
 :zh: 新顶点在边上, 新权因子在两权之间
@@ -340,58 +334,7 @@ points at infinity and from degree $5$ on there are none.
 :degrees: all
 :control: $\omega_{i-1}$ taken for $\omega_i$ in the numerator of $b$
 :::
-
-:::{claim} cutting_ratio_depends_on_edge_and_weights
-:title: How the ratio of cutting depends on the edge and on the weights
-:zh: 割角系数与边序号及权因子的关系
-:given: positive $\omega'=\omega_{i-1}$, $\omega=\omega_i$; $1\le i\le n$, $k=n+1-i$
-:let: $a(i,k,\omega',\omega)=\frac{i\omega'}{i\omega'+k\omega}$, the coefficient of $R_{i-1}$ in $\hat R_i$
-:then: $a-\frac i{n+1}=\frac{ik(\omega'-\omega)}{(n+1)(i\omega'+k\omega)}$; $a$ grows when $\omega'$ grows, and when the
-  number $i$ of the edge grows in the same degree; $a$ does not change when both weights are multiplied by one number
-:method: Identities in the field with $i$, $k$, $\omega'$, $\omega$ and the increments variables; the differences have only
-  positive coefficients.
-:degrees: all
-:control: $\omega$ and $\omega'$ exchanged in the difference from $i/(n+1)$
-:::
-
-:::{claim} repeated_elevation_in_one_formula
-:title: All elevations at once
-:zh: 多次升阶的统一公式
-:given: $n,m\ge0$, $0\le j\le n$
-:let: $c_j(i,m)=\binom nj\binom m{i-j}/\binom{n+m}i$, $i=0,\dots,n+m$, binomial coefficients outside their range being $0$
-:then: $c_j(i,m+1)=(1-\frac i{n+m+1})\,c_j(i,m)+\frac i{n+m+1}\,c_j(i-1,m)$, and $c_j(i,0)$ is $1$ for $i=j$, else $0$; so
-  after $m$ steps $\hat\omega_i=\sum_jc_j(i,m)\omega_j$ and $\hat\omega_i\hat R_i=\sum_jc_j(i,m)\omega_jR_j$
-:method: Induction on $m$: both sides are divided by $\binom nj$, $p=i-j$, and every binomial coefficient is written as a
-  quotient times $\binom mp$ or $\binom{n+m}i$, by the definition with factorials.  $N=n+m$, $i$, $m$, $p$ are variables.
-  The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves.
-:degrees: all
-:control: $\frac i{n+m+1}$ taken as $\frac i{n+m}$
-:::
-
-:::{claim} repeated_elevation_computed
-:title: Elevation step by step gives the one formula
-:zh: 逐次升阶与统一公式一致
-:given: weights and points of degree $n$; $m=1,2,3,4$ steps
-:then: $\hat\omega_i=\sum_j\binom nj\binom m{i-j}\omega_j/\binom{n+m}i$, and the same for $\hat\omega_i\hat R_i$ with
-  $\omega_jR_j$
-:method: The steps are taken with the weights and points variables and compared with the formula.
-:degrees: 1..5 sampled 8
-:control: $\binom m{i-j}$ taken as $\binom{m+1}{i-j}$
-:::
-
-:::{claim} elevated_vertex_may_leave_the_edge
-:title: With weights of both signs a corner is not cut
-:zh: 权因子变号时不再是割角
-:kind: counterexample
-:given: $n=2$, points $(-1,0),(0,1),(1,0)$ and weights $4,-1,4$, for which $\omega(t)>0$ for all $t\in[0,1]$
-:then: $\hat R_1=2R_0-R_1$ is not between $R_0$ and $R_1$
-:method: $\hat R_1=aR_0+bR_1$ with $a=\frac{\omega_0}{\omega_0+2\omega_1}$, $b=\frac{2\omega_1}{\omega_0+2\omega_1}$; both are
-  computed exactly and asked not to be negative; the kernel gives the same point.
-:control: the middle weight taken as $+1$
-:::
 */
-#include "chapters/judge/claims_on.h"
-
 CLAIM(elevation_cuts_corners)
 {
     num i = whole(T, "i", 1, 12), k = whole(T, "k", 1, 12), count = add(i, k);
@@ -412,6 +355,65 @@ CLAIM(elevation_cuts_corners)
     nonnegative(T, we);
 }
 
+#if RATIONAL
+/*
+:::{claim} elevated_vertex_may_leave_the_edge
+:title: With weights of both signs a corner is not cut
+:zh: 权因子变号时不再是割角
+:kind: counterexample
+:given: $n=2$, points $(-1,0),(0,1),(1,0)$ and weights $4,-1,4$, for which $\omega(t)>0$ for all $t\in[0,1]$
+:then: $\hat R_1=2R_0-R_1$ is not between $R_0$ and $R_1$
+:method: $\hat R_1=aR_0+bR_1$ with $a=\frac{\omega_0}{\omega_0+2\omega_1}$, $b=\frac{2\omega_1}{\omega_0+2\omega_1}$; both are
+  computed exactly and asked not to be negative; the kernel gives the same point.
+:control: the middle weight taken as $+1$
+:::
+*/
+CLAIM(elevated_vertex_may_leave_the_edge)
+{
+    enum { n = 2 };
+    num one = from_int(1), zero = from_int(0), w[n + 1] = {from_int(4), from_int(T->planted ? 1 : -1), from_int(4)};
+    num R[2 * (n + 1)] = {neg(one), zero, zero, one, one, zero}, we[n + 2], Re[2 * (n + 2)];
+    num weight = add(w[0], mul(from_int(2), w[1])), a = div(w[0], weight), b = sub(one, a);
+    show_points(T, "R", n + 1, 2, R);
+    show_points(T, "ω", n + 1, 1, w);
+    G(rational_elevate)(n, 2, R, w, Re, we);
+    show_points(T, "elevated ω", n + 2, 1, we);
+    show_points(T, "elevated R", n + 2, 2, Re);
+    show(T, "a", a);
+    show(T, "b", b);
+    int regular = sign_on(poly_from_bernstein(n, w), zero, one, CLOSED) == SIGN_POSITIVE;
+    for (int c = 0; c < 2; c++)
+        regular &= equal_q(Re[2 + c], add(mul(a, R[c]), mul(b, R[2 + c])));
+    about(T, "for a denominator without zeros in [0,1], elevated R_1 = a R_0 + b R_1 with a, b >= 0");
+    agree(T, !regular || (sign_q(a) >= 0 && sign_q(b) >= 0));
+}
+#endif
+
+/*
+:::{statement} wang-ch3:prop-3.2.6-ratios
+:title: The ratios depend on the number of the edge and on the weights
+:zh: 割角系数依赖于边序号与权因子
+:printed: this is more complicated than for polynomial curves: the ratios of cutting depend on the number of the edge and
+  on the weights $\omega_i$ as well
+:holds-by: cutting_ratio_depends_on_edge_and_weights
+
+Of the weights only the quotient of the two at the ends of the edge matters.  The ratio is that of the polynomial case on
+exactly those edges whose two weights are equal.
+:::
+
+:::{claim} cutting_ratio_depends_on_edge_and_weights
+:title: How the ratio of cutting depends on the edge and on the weights
+:zh: 割角系数与边序号及权因子的关系
+:given: positive $\omega'=\omega_{i-1}$, $\omega=\omega_i$; $1\le i\le n$, $k=n+1-i$
+:let: $a(i,k,\omega',\omega)=\frac{i\omega'}{i\omega'+k\omega}$, the coefficient of $R_{i-1}$ in $\hat R_i$
+:then: $a-\frac i{n+1}=\frac{ik(\omega'-\omega)}{(n+1)(i\omega'+k\omega)}$; $a$ grows when $\omega'$ grows, and when the
+  number $i$ of the edge grows in the same degree; $a$ does not change when both weights are multiplied by one number
+:method: Identities in the field with $i$, $k$, $\omega'$, $\omega$ and the increments variables; the differences have only
+  positive coefficients.
+:degrees: all
+:control: $\omega$ and $\omega'$ exchanged in the difference from $i/(n+1)$
+:::
+*/
 /* a(i, k, w', w) = i w' / (i w' + k w) */
 static num G(cutting_ratio)(num i, num k, num w_before, num w)
 {
@@ -433,6 +435,34 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
     same(T, G(cutting_ratio)(i, k, mul(d, v), mul(d, w)), a);
 }
 
+/*
+:::{statement} wang-ch3:prop-3.2.6-for-ever
+:title: Elevation can be repeated for ever
+:zh: 升阶可无限次进行
+:printed: elevation can be repeated without end
+:holds-by: elevation_cuts_corners repeated_elevation_in_one_formula repeated_elevation_computed
+:needs: elevated_vertex_may_be_at_infinity | positive weights; with mixed ones already the first step may fail
+:figure: elevation_mixed_weights
+
+Positive weights stay positive, since every new one is a mean of two old ones.  The homogeneous points
+$(\omega_iR_i,\omega_i)$ can be raised for ever whatever the weights are; with weights $2,-1,2$ the degrees $3$ and $4$ have
+points at infinity and from degree $5$ on there are none.
+:::
+
+:::{claim} repeated_elevation_in_one_formula
+:title: All elevations at once
+:zh: 多次升阶的统一公式
+:given: $n,m\ge0$, $0\le j\le n$
+:let: $c_j(i,m)=\binom nj\binom m{i-j}/\binom{n+m}i$, $i=0,\dots,n+m$, binomial coefficients outside their range being $0$
+:then: $c_j(i,m+1)=(1-\frac i{n+m+1})\,c_j(i,m)+\frac i{n+m+1}\,c_j(i-1,m)$, and $c_j(i,0)$ is $1$ for $i=j$, else $0$; so
+  after $m$ steps $\hat\omega_i=\sum_jc_j(i,m)\omega_j$ and $\hat\omega_i\hat R_i=\sum_jc_j(i,m)\omega_jR_j$
+:method: Induction on $m$: both sides are divided by $\binom nj$, $p=i-j$, and every binomial coefficient is written as a
+  quotient times $\binom mp$ or $\binom{n+m}i$, by the definition with factorials.  $N=n+m$, $i$, $m$, $p$ are variables.
+  The two ends of the range, $p=0$ and $p=m+1$, where a quotient would be $0/0$, are compared by themselves.
+:degrees: all
+:control: $\frac i{n+m+1}$ taken as $\frac i{n+m}$
+:::
+*/
 CLAIM(repeated_elevation_in_one_formula)
 {
     num one = from_int(1), i = whole(T, "i", 1, 9), j = whole(T, "r", 1, 9);
@@ -455,6 +485,18 @@ CLAIM(repeated_elevation_in_one_formula)
     same(T, mul(share, div(one, down_before)), div(one, down_next));
 }
 
+/*
+:::{claim} repeated_elevation_computed
+:title: Elevation step by step gives the one formula
+:zh: 逐次升阶与统一公式一致
+:given: weights and points of degree $n$; $m=1,2,3,4$ steps
+:then: $\hat\omega_i=\sum_j\binom nj\binom m{i-j}\omega_j/\binom{n+m}i$, and the same for $\hat\omega_i\hat R_i$ with
+  $\omega_jR_j$
+:method: The steps are taken with the weights and points variables and compared with the formula.
+:degrees: 1..5 sampled 8
+:control: $\binom m{i-j}$ taken as $\binom{m+1}{i-j}$
+:::
+*/
 CLAIM(repeated_elevation_computed)
 {
     enum { STEPS = 4 };
@@ -481,29 +523,6 @@ CLAIM(repeated_elevation_computed)
         }
     }
 }
-
-#if RATIONAL
-CLAIM(elevated_vertex_may_leave_the_edge)
-{
-    enum { n = 2 };
-    num one = from_int(1), zero = from_int(0), w[n + 1] = {from_int(4), from_int(T->planted ? 1 : -1), from_int(4)};
-    num R[2 * (n + 1)] = {neg(one), zero, zero, one, one, zero}, we[n + 2], Re[2 * (n + 2)];
-    num weight = add(w[0], mul(from_int(2), w[1])), a = div(w[0], weight), b = sub(one, a);
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
-    G(rational_elevate)(n, 2, R, w, Re, we);
-    show_points(T, "elevated ω", n + 2, 1, we);
-    show_points(T, "elevated R", n + 2, 2, Re);
-    show(T, "a", a);
-    show(T, "b", b);
-    int regular = sign_on(poly_from_bernstein(n, w), zero, one, CLOSED) == SIGN_POSITIVE;
-    for (int c = 0; c < 2; c++)
-        regular &= equal_q(Re[2 + c], add(mul(a, R[c]), mul(b, R[2 + c])));
-    about(T, "for a denominator without zeros in [0,1], elevated R_1 = a R_0 + b R_1 with a, b >= 0");
-    agree(T, !regular || (sign_q(a) >= 0 && sign_q(b) >= 0));
-}
-#endif
-#include "chapters/judge/claims_off.h"
 
 /*
 ## The polygons converge
@@ -543,73 +562,7 @@ positive from some degree on, and the polygons converge from there; see `mixed_w
 :degrees: all
 :control: $i-k$ taken as $i-k+1$
 :::
-
-:::{claim} elevated_polygons_converge
-:title: Elevated polygons converge to the curve, with an error of at most a constant over the degree
-:zh: 升阶多边形以 1/N 的阶收敛
-:given: positive weights; $N\ge n$, $x=i/N$, $0\le i\le N$
-:let: $K_f=\sum_k\frac{k(k-1)}2|c_k|$ for a polynomial $f=\sum_kc_kt^k$; here of $\omega(t)$ and of a coordinate of $\omega(t)R(t)$
-:then: the vertex $\hat R_i$ of degree $N$ has
-  $|\hat R_i-R(x)|\le\frac{K_{\omega R}+|R(x)|K_\omega}{(N-n+1)\min_j\omega_j}$ in each coordinate
-:method: In the field, with $i,N,l,k$ variables and positive differences between them:
-  (1) $0\le x-\frac{i-l}{N-l}=\frac{l(N-i)}{N(N-l)}\le\frac l{N-l}$ for $l<i$, and for $i\le l$, where the product is $0$ and its
-  factor is replaced by $0$, $x\le\frac l{N-l}$; (2) $\frac l{N-l}\le\frac l{N-k+1}$ for $l<k$; (3) $Aa-Bb=(A-B)a+B(a-b)$, so
-  that products of $k$ factors of $[0,1]$ differ by at most the sum of the differences of the factors, here
-  $\sum_{l<k}\frac l{N-k+1}$, which is $\frac{k(k-1)}{2(N-k+1)}$; (4) $\frac{\hat P}{\hat\omega}-\frac P\omega=
-  \frac{(\hat P-P)-\frac P\omega(\hat\omega-\omega)}{\hat\omega}$, and $\hat\omega\ge\min\omega_j$ because every elevated weight is
-  a mean of earlier ones.  Between the vertices the polygon is as near, since $R$ has a bounded derivative.
-:degrees: all
-:control: $N(N-l)$ in (1) taken as $N^2$
-:::
-
-:::{claim} elevated_parabola_misses_by_one_over_degree
-:title: The order 1/N is not better for the parabola
-:zh: 抛物线的升阶误差恰为 1/N 阶
-:given: $y=x^2$, all weights $1$, degree $N\ge2$
-:then: the $i$-th vertex is $(x,\,x^2-\frac{x(1-x)}{N-1})$ with $x=i/N$
-:method: The coefficients of $t$ and $t^2$ in degree $N$ are $\frac iN$ and $\frac{i(i-1)}{N(N-1)}$ by `powers_in_every_degree`; $i$ and $N$
-  are variables.
-:degrees: all
-:control: $N-1$ taken as $N$
-:::
-
-:::{claim} elevated_polygons_within_their_bound
-:title: Computed elevations stay within the bound
-:zh: 升阶误差的实际界
-:kind: decision
-:given: quadratics and cubics of the plane with weights $(1,1,2)$, $(1,3,1)$, $(1,100,1)$, $(1,\frac1{100},1)$, $(1,5,\frac15,1)$,
-  $(\frac1{50},1,50,\frac13)$; all degrees $N$ up to $32$
-:then: every vertex is within the bound of `elevated_polygons_converge`
-:method: The curves are elevated step by step with rational numbers; every vertex of every degree is compared with $R(i/N)$.
-  For $(1,3,1)$ the largest error is shown, multiplied by $N$: it tends to a number that is not $0$.
-:scope: the six curves, degrees up to 32
-:control: the bound divided by $10(N-n+1)$, as if the error were of order $1/N^2$
-:::
-
-:::{claim} mixed_weights_become_positive
-:title: A positive denominator has positive weights in high degrees
-:zh: 正分母的权因子在高次时皆正
-:kind: decision
-:given: the weights $2,-1,2$ of degree $2$
-:then: the elevated weights of degrees $3$ and $4$ are not all different from $0$; those of degree $5$ are all positive, and so
-  are then those of every later degree
-:method: Elevated exactly; a mean of positive numbers is positive.
-:scope: the weights 2, -1, 2
-:control: degree $4$ taken for $5$
-:::
-
-:::{claim} elevation_fails_at_a_pole
-:title: If the denominator vanishes, every second polygon lacks a vertex
-:zh: 分母有零点时, 升阶多边形不存在
-:kind: counterexample
-:given: $n=1$ and weights $1,-1$: $\omega(t)=1-2t$ vanishes at $t=\frac12$
-:then: in each even degree $N=2,4,\dots,20$ the vertex number $N/2$ has weight $0$
-:method: The weights are elevated exactly; it is asked that one of these ten polygons have all its vertices.
-:control: the second weight taken as $+1$
-:::
 */
-#include "chapters/judge/claims_on.h"
-
 CLAIM(powers_in_every_degree)
 {
     num one = from_int(1);
@@ -638,6 +591,25 @@ CLAIM(powers_in_every_degree)
     same(T, sub(one, div(from_int(0), next)), div(sub(next, from_int(0)), next));
 }
 
+/*
+:::{claim} elevated_polygons_converge
+:title: Elevated polygons converge to the curve, with an error of at most a constant over the degree
+:zh: 升阶多边形以 1/N 的阶收敛
+:given: positive weights; $N\ge n$, $x=i/N$, $0\le i\le N$
+:let: $K_f=\sum_k\frac{k(k-1)}2|c_k|$ for a polynomial $f=\sum_kc_kt^k$; here of $\omega(t)$ and of a coordinate of $\omega(t)R(t)$
+:then: the vertex $\hat R_i$ of degree $N$ has
+  $|\hat R_i-R(x)|\le\frac{K_{\omega R}+|R(x)|K_\omega}{(N-n+1)\min_j\omega_j}$ in each coordinate
+:method: In the field, with $i,N,l,k$ variables and positive differences between them:
+  (1) $0\le x-\frac{i-l}{N-l}=\frac{l(N-i)}{N(N-l)}\le\frac l{N-l}$ for $l<i$, and for $i\le l$, where the product is $0$ and its
+  factor is replaced by $0$, $x\le\frac l{N-l}$; (2) $\frac l{N-l}\le\frac l{N-k+1}$ for $l<k$; (3) $Aa-Bb=(A-B)a+B(a-b)$, so
+  that products of $k$ factors of $[0,1]$ differ by at most the sum of the differences of the factors, here
+  $\sum_{l<k}\frac l{N-k+1}$, which is $\frac{k(k-1)}{2(N-k+1)}$; (4) $\frac{\hat P}{\hat\omega}-\frac P\omega=
+  \frac{(\hat P-P)-\frac P\omega(\hat\omega-\omega)}{\hat\omega}$, and $\hat\omega\ge\min\omega_j$ because every elevated weight is
+  a mean of earlier ones.  Between the vertices the polygon is as near, since $R$ has a bounded derivative.
+:degrees: all
+:control: $N(N-l)$ in (1) taken as $N^2$
+:::
+*/
 CLAIM(elevated_polygons_converge)
 {
     num p = whole(T, "p", 1, 5), r = whole(T, "r", 1, 9), l = whole(T, "l", 1, 4);
@@ -665,6 +637,18 @@ CLAIM(elevated_polygons_converge)
     same(T, sub(div(B, we), R), div(sub(sub(B, A), mul(R, sub(we, w))), we));
 }
 
+/*
+:::{claim} elevated_parabola_misses_by_one_over_degree
+:title: The order 1/N is not better for the parabola
+:zh: 抛物线的升阶误差恰为 1/N 阶
+:given: $y=x^2$, all weights $1$, degree $N\ge2$
+:then: the $i$-th vertex is $(x,\,x^2-\frac{x(1-x)}{N-1})$ with $x=i/N$
+:method: The coefficients of $t$ and $t^2$ in degree $N$ are $\frac iN$ and $\frac{i(i-1)}{N(N-1)}$ by `powers_in_every_degree`; $i$ and $N$
+  are variables.
+:degrees: all
+:control: $N-1$ taken as $N$
+:::
+*/
 CLAIM(elevated_parabola_misses_by_one_over_degree)
 {
     num one = from_int(1), i = whole(T, "i", 0, 9);
@@ -674,6 +658,20 @@ CLAIM(elevated_parabola_misses_by_one_over_degree)
 }
 
 #if RATIONAL
+/*
+:::{claim} elevated_polygons_within_their_bound
+:title: Computed elevations stay within the bound
+:zh: 升阶误差的实际界
+:kind: decision
+:given: quadratics and cubics of the plane with weights $(1,1,2)$, $(1,3,1)$, $(1,100,1)$, $(1,\frac1{100},1)$, $(1,5,\frac15,1)$,
+  $(\frac1{50},1,50,\frac13)$; all degrees $N$ up to $32$
+:then: every vertex is within the bound of `elevated_polygons_converge`
+:method: The curves are elevated step by step with rational numbers; every vertex of every degree is compared with $R(i/N)$.
+  For $(1,3,1)$ the largest error is shown, multiplied by $N$: it tends to a number that is not $0$.
+:scope: the six curves, degrees up to 32
+:control: the bound divided by $10(N-n+1)$, as if the error were of order $1/N^2$
+:::
+*/
 static num_q magnitude(num_q a) { return sign_q(a) < 0 ? neg_q(a) : a; }
 static num_q larger(num_q a, num_q b) { return compare_q(a, b) < 0 ? b : a; }
 
@@ -747,6 +745,19 @@ static void raised_weights(int n, const num_q w[], int N, num_q out[])
     }
 }
 
+/*
+:::{claim} mixed_weights_become_positive
+:title: A positive denominator has positive weights in high degrees
+:zh: 正分母的权因子在高次时皆正
+:kind: decision
+:given: the weights $2,-1,2$ of degree $2$
+:then: the elevated weights of degrees $3$ and $4$ are not all different from $0$; those of degree $5$ are all positive, and so
+  are then those of every later degree
+:method: Elevated exactly; a mean of positive numbers is positive.
+:scope: the weights 2, -1, 2
+:control: degree $4$ taken for $5$
+:::
+*/
 CLAIM(mixed_weights_become_positive)
 {
     num w[3] = {from_int(2), from_int(-1), from_int(2)}, we[21];
@@ -762,6 +773,17 @@ CLAIM(mixed_weights_become_positive)
     }
 }
 
+/*
+:::{claim} elevation_fails_at_a_pole
+:title: If the denominator vanishes, every second polygon lacks a vertex
+:zh: 分母有零点时, 升阶多边形不存在
+:kind: counterexample
+:given: $n=1$ and weights $1,-1$: $\omega(t)=1-2t$ vanishes at $t=\frac12$
+:then: in each even degree $N=2,4,\dots,20$ the vertex number $N/2$ has weight $0$
+:method: The weights are elevated exactly; it is asked that one of these ten polygons have all its vertices.
+:control: the second weight taken as $+1$
+:::
+*/
 CLAIM(elevation_fails_at_a_pole)
 {
     num w[2] = {from_int(1), from_int(T->planted ? 1 : -1)}, we[21];
@@ -778,4 +800,5 @@ CLAIM(elevation_fails_at_a_pole)
     agree(T, lacking < 10);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

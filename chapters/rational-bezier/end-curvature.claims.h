@@ -21,6 +21,7 @@ because $\frac{d}{ds}=\frac1{\sqrt g}\frac{d}{dt}$, $g=|R'|^2$, gives $R_{ss}=\f
 
 A function is here its Taylor polynomial of order 3 in $\varepsilon$ at $t$, four coefficients.
 */
+
 typedef struct G(series) {
     num c[4];
 } G(series);
@@ -330,41 +331,8 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 
 Reversed order turns every edge round and reverses their order in the mixed product: four changes of sign, hence none, as printed.
 :::
-
-:::{statement} wang-ch3:prop-3.2.4-letter
-:title: The letter of the curvature
-:zh: 曲率的记号
-:definition: yes
-:printed: The curvature $\kappa$ is usually written $k$, too, and is written so from here on.
-:checked-by: curvature_and_torsion_belong_to_arc_length
-
-The source remarks, at the end of its proof, that the curvature is also written $k$, as it is from there on.  In (3.2.3) and (3.2.4)
-$k$ is a number of points; here it stays that.
-:::
-
-:::{claim} end_curvature_at_zero
-:title: The curvature at t = 0 is the printed one
-:zh: t=0 处曲率公式成立
-:given: points of the plane and of space with $a_1\ne0$ and otherwise free, positive weights
-:then: $\kappa(0)^2=\left(\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{|a_1\times a_2|^2}{|a_1|^6}$ and the factor that is squared is
-  positive
-:method: The squares are one element of the field of rational functions of the weights and the coordinates; both $\kappa(0)$ and the printed side are not
-  negative, so they are equal.  Intervals and binary64 also compare the roots.
-:degrees: 2..6 sampled 10
-:control: the factor $n/(n-1)$
-:::
-
-:::{claim} end_curvature_at_one
-:title: The curvature at t = 1 is the printed one
-:zh: t=1 处曲率公式成立
-:given: points of the plane and of space with $a_n\ne0$ and otherwise free, positive weights
-:then: $\kappa(1)^2=\left(\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\right)^2\frac{|a_{n-1}\times a_n|^2}{|a_n|^6}$ and the factor that is
-  squared is positive
-:method: As at $t=0$; the curve is not reversed, the kernel is asked at $t=1$.
-:degrees: 2..6 sampled 10
-:control: the length $|a_{n-1}|$ in place of $|a_n|$
-:::
 */
+
 /* a_i = R_i - R_{i-1} */
 static inline void G(edge)(int dim, const num R[], int i, num a[])
 {
@@ -405,6 +373,19 @@ static inline void G(compare_curvature)(trial *T, int n, int dim, const num R[],
 #endif
 }
 
+/*
+:::{claim} end_curvature_at_zero
+:title: The curvature at t = 0 is the printed one
+:zh: t=0 处曲率公式成立
+:given: points of the plane and of space with $a_1\ne0$ and otherwise free, positive weights
+:then: $\kappa(0)^2=\left(\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{|a_1\times a_2|^2}{|a_1|^6}$ and the factor that is squared is
+  positive
+:method: The squares are one element of the field of rational functions of the weights and the coordinates; both $\kappa(0)$ and the printed side are not
+  negative, so they are equal.  Intervals and binary64 also compare the roots.
+:degrees: 2..6 sampled 10
+:control: the factor $n/(n-1)$
+:::
+*/
 CLAIM(end_curvature_at_zero)
 {
     int n = T->degree;
@@ -419,6 +400,18 @@ CLAIM(end_curvature_at_zero)
     }
 }
 
+/*
+:::{claim} end_curvature_at_one
+:title: The curvature at t = 1 is the printed one
+:zh: t=1 处曲率公式成立
+:given: points of the plane and of space with $a_n\ne0$ and otherwise free, positive weights
+:then: $\kappa(1)^2=\left(\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\right)^2\frac{|a_{n-1}\times a_n|^2}{|a_n|^6}$ and the factor that is
+  squared is positive
+:method: As at $t=0$; the curve is not reversed, the kernel is asked at $t=1$.
+:degrees: 2..6 sampled 10
+:control: the length $|a_{n-1}|$ in place of $|a_n|$
+:::
+*/
 CLAIM(end_curvature_at_one)
 {
     int n = T->degree;
@@ -443,16 +436,6 @@ CLAIM(end_curvature_at_one)
 :degrees: 3..6 sampled 10
 :control: the factor $(n-1)/n$
 :::
-
-:::{claim} end_torsion_at_one
-:title: The torsion at t = 1 is the printed one
-:zh: t=1 处挠率公式成立
-:given: points of space with $a_{n-1}\times a_n\ne0$ and otherwise free, weights of which $\omega_{n-2},\omega_{n-1},\omega_n$ are not $0$
-:then: $\tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(a_{n-2},a_{n-1},a_n)}{|a_{n-1}\times a_n|^2}$
-:method: As at $t=0$; the curve is not reversed, the kernel is asked at $t=1$.
-:degrees: 3..6 sampled 10
-:control: the edges in the order $(a_n,a_{n-1},a_{n-2})$, the sign that a thoughtless reversal gives
-:::
 */
 CLAIM(end_torsion_at_zero)
 {
@@ -467,6 +450,17 @@ CLAIM(end_torsion_at_zero)
          mul(factor, div(G(det3)(a[0], a[1], a[2]), G(norm_squared)(3, x))));
 }
 
+/*
+:::{claim} end_torsion_at_one
+:title: The torsion at t = 1 is the printed one
+:zh: t=1 处挠率公式成立
+:given: points of space with $a_{n-1}\times a_n\ne0$ and otherwise free, weights of which $\omega_{n-2},\omega_{n-1},\omega_n$ are not $0$
+:then: $\tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(a_{n-2},a_{n-1},a_n)}{|a_{n-1}\times a_n|^2}$
+:method: As at $t=0$; the curve is not reversed, the kernel is asked at $t=1$.
+:degrees: 3..6 sampled 10
+:control: the edges in the order $(a_n,a_{n-1},a_{n-2})$, the sign that a thoughtless reversal gives
+:::
+*/
 CLAIM(end_torsion_at_one)
 {
     int n = T->degree;
@@ -481,6 +475,17 @@ CLAIM(end_torsion_at_one)
 }
 
 /*
+:::{statement} wang-ch3:prop-3.2.4-letter
+:title: The letter of the curvature
+:zh: 曲率的记号
+:definition: yes
+:printed: The curvature $\kappa$ is usually written $k$, too, and is written so from here on.
+:checked-by: curvature_and_torsion_belong_to_arc_length
+
+The source remarks, at the end of its proof, that the curvature is also written $k$, as it is from there on.  In (3.2.3) and (3.2.4)
+$k$ is a number of points; here it stays that.
+:::
+
 ### What the formulas need
 
 :::{claim} missing_points_have_the_factor_zero
@@ -617,33 +622,6 @@ The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves f
 :holds-by: derivatives_of_a_quotient
 :::
 
-:::{statement} wang-ch3:prop-3.2.4-step-2
-:title: Second derivative of the quotient
-:zh: 商的二阶导矢
-:printed: \mathbf R''=(\mathbf P''-\omega'\mathbf R-2\omega'\mathbf R')/\omega
-:class: misprint
-:refuted-by: printed_second_derivative_of_quotient_is_wrong
-:corrected: \mathbf R''=(\mathbf P''-\omega''\mathbf R-2\omega'\mathbf R')/\omega
-:corrected-by: derivatives_of_a_quotient
-:figure: quotient_derivatives
-
-A prime is missing.  In each term the orders of the derivatives have the sum $2$; in the printed $\omega'\mathbf R$ it is $1$.  As printed the vector
-would even depend on the origin of the coordinates.
-:::
-
-:::{statement} wang-ch3:prop-3.2.4-step-3
-:title: Third derivative of the quotient
-:zh: 商的三阶导矢
-:printed: \mathbf R'''=(\mathbf P'''-\omega'''\mathbf R-3\omega''\mathbf R''-3\omega'\mathbf R'')/\omega
-:class: misprint
-:refuted-by: printed_third_derivative_of_quotient_is_wrong
-:corrected: \mathbf R'''=(\mathbf P'''-\omega'''\mathbf R-3\omega''\mathbf R'-3\omega'\mathbf R'')/\omega
-:corrected-by: derivatives_of_a_quotient
-:figure: quotient_derivatives
-
-A prime too many: the orders in $\omega''\mathbf R''$ have the sum $4$.
-:::
-
 :::{claim} derivatives_of_a_quotient
 :title: The derivatives of R = P/ω up to the third
 :zh: R = P/ω 的前三阶导矢
@@ -690,6 +668,22 @@ CLAIM(derivatives_of_a_quotient)
     same(T, R[3], div(sub(P[3], third), W[0]));
 }
 
+/*
+:::{statement} wang-ch3:prop-3.2.4-step-2
+:title: Second derivative of the quotient
+:zh: 商的二阶导矢
+:printed: \mathbf R''=(\mathbf P''-\omega'\mathbf R-2\omega'\mathbf R')/\omega
+:class: misprint
+:refuted-by: printed_second_derivative_of_quotient_is_wrong
+:corrected: \mathbf R''=(\mathbf P''-\omega''\mathbf R-2\omega'\mathbf R')/\omega
+:corrected-by: derivatives_of_a_quotient
+:figure: quotient_derivatives
+
+A prime is missing.  In each term the orders of the derivatives have the sum $2$; in the printed $\omega'\mathbf R$ it is $1$.  As printed the vector
+would even depend on the origin of the coordinates.
+:::
+*/
+
 #if RATIONAL
 /* The derivatives 0 ... r of P, of omega and of R = P/omega at t = 0, for points of the line. */
 static void G(three_derivatives)(int n, const num R[], const num w[], int r, num P[], num W[], num D[])
@@ -730,6 +724,19 @@ CLAIM(printed_second_derivative_of_quotient_is_wrong)
 }
 
 /*
+:::{statement} wang-ch3:prop-3.2.4-step-3
+:title: Third derivative of the quotient
+:zh: 商的三阶导矢
+:printed: \mathbf R'''=(\mathbf P'''-\omega'''\mathbf R-3\omega''\mathbf R''-3\omega'\mathbf R'')/\omega
+:class: misprint
+:refuted-by: printed_third_derivative_of_quotient_is_wrong
+:corrected: \mathbf R'''=(\mathbf P'''-\omega'''\mathbf R-3\omega''\mathbf R'-3\omega'\mathbf R'')/\omega
+:corrected-by: derivatives_of_a_quotient
+:figure: quotient_derivatives
+
+A prime too many: the orders in $\omega''\mathbf R''$ have the sum $4$.
+:::
+
 :::{claim} printed_third_derivative_of_quotient_is_wrong
 :title: The printed R''' of (2t + 2t²)/(1 + t²)
 :zh: (2t + 2t²)/(1 + t²) 的 R‴ 与所印不符
@@ -794,53 +801,8 @@ $\omega_0g_2=n(n-1)(n-2)(\omega_3-3\omega_2)-3n(n-1)\omega'\omega_2/\omega_0$,
 
 $\omega_0g_1=n(n-1)(n-2)(\omega_3-3\omega_2+3\omega_1)-3\omega'f_1-3n\omega''\omega_1/\omega_0$.
 :::
-
-:::{statement} wang-ch3:prop-3.2.4-step-8
-:title: Substitution gives the curvature and the torsion at t = 0
-:zh: 代入曲率与挠率公式
-:printed: Put into the formulas of the curvature and torsion of a parametric curve, these three give $\kappa(0)$ and $\tau(0)$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree curvature_and_torsion_belong_to_arc_length
-:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion, as in (3.2.6).
-
-Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
-:::
-
-:::{statement} wang-ch3:prop-3.2.4-step-9
-:title: The same at t = 1
-:zh: t=1 处同理
-:printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
-:holds-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
-:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion, as in (3.2.6).
-
-The same up to a sign: $\mathbf R''(1)$ has $-\mathbf a_{n-1}$ where $\mathbf R''(0)$ has $\mathbf a_2$.  The curvature does not see it, and in the torsion it
-puts the edges into the order $(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)$ of the print.
-:::
-
-:::{claim} end_derivative_vectors_in_every_degree
-:title: The first three derivatives at t = 0 in terms of the edges, for every n
-:zh: t=0 处前三阶导矢用边矢表示（任意 n）
-:given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$
-:let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights of step 7
-:then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
-  $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$
-:method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$; numerator and denominator are divided as power series, with $n$ a variable of
-  the field.  What does not exist for $n<3$ has a factor $0$.  A coordinate is any coordinate.
-:degrees: all
-:control: $-\omega_1$ for $-2\omega_1$ in $f_1$
-:::
-
-:::{claim} end_derivative_vectors_at_both_ends
-:title: The first three derivatives at both ends in terms of the edges
-:zh: 两端前三阶导矢用边矢表示
-:given: weights and points
-:let: $f_1,g_1,g_2$ the expressions of step 7, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
-:then: at $t=0$ as above; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
-  $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
-:method: The kernel is asked at $t=0$ and at $t=1$; both sides are one element of the field of rational functions of the weights and the points.
-:degrees: 3..6 sampled 10
-:control: the sign of $R''(1)$ as that of $R''(0)$
-:::
 */
+
 /* The right sides at t = 0, D[1], D[2], D[3], from w_0 ... w_3 and a[1], a[2], a[3]. */
 static inline void G(end_vectors)(num n, const num w[], const num a[], int planted, num D[])
 {
@@ -859,6 +821,20 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int plant
     D[3] = add(add(mul(div(mul(third, w[3]), w[0]), a[3]), mul(g2, a[2])), mul(g1, a[1]));
 }
 
+/*
+:::{claim} end_derivative_vectors_in_every_degree
+:title: The first three derivatives at t = 0 in terms of the edges, for every n
+:zh: t=0 处前三阶导矢用边矢表示（任意 n）
+:given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$
+:let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights of step 7
+:then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
+  $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$
+:method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$; numerator and denominator are divided as power series, with $n$ a variable of
+  the field.  What does not exist for $n<3$ has a factor $0$.  A coordinate is any coordinate.
+:degrees: all
+:control: $-\omega_1$ for $-2\omega_1$ in $f_1$
+:::
+*/
 CLAIM(end_derivative_vectors_in_every_degree)
 {
     num n = positive(T, "n", 0), w[4], R[4], a[4], D[4], choose = from_int(1);
@@ -890,6 +866,19 @@ CLAIM(end_derivative_vectors_in_every_degree)
     same(T, mul(from_int(6), curve.c[3]), D[3]);
 }
 
+/*
+:::{claim} end_derivative_vectors_at_both_ends
+:title: The first three derivatives at both ends in terms of the edges
+:zh: 两端前三阶导矢用边矢表示
+:given: weights and points
+:let: $f_1,g_1,g_2$ the expressions of step 7, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
+:then: at $t=0$ as above; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
+  $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
+:method: The kernel is asked at $t=0$ and at $t=1$; both sides are one element of the field of rational functions of the weights and the points.
+:degrees: 3..6 sampled 10
+:control: the sign of $R''(1)$ as that of $R''(0)$
+:::
+*/
 CLAIM(end_derivative_vectors_at_both_ends)
 {
     int n = T->degree;
@@ -914,6 +903,16 @@ CLAIM(end_derivative_vectors_at_both_ends)
 }
 
 /*
+:::{statement} wang-ch3:prop-3.2.4-step-8
+:title: Substitution gives the curvature and the torsion at t = 0
+:zh: 代入曲率与挠率公式
+:printed: Put into the formulas of the curvature and torsion of a parametric curve, these three give $\kappa(0)$ and $\tau(0)$.
+:holds-by: end_curvature_and_torsion_follow_in_every_degree curvature_and_torsion_belong_to_arc_length
+:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion, as in (3.2.6).
+
+Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
+:::
+
 :::{claim} end_curvature_and_torsion_follow_in_every_degree
 :title: The end derivatives give the printed curvature and torsion, for every n and in any dimension
 :zh: 由端点导矢得所印曲率与挠率（任意 n，任意维数）
@@ -964,4 +963,17 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
     same(T, div(gram, mul(d11, mul(d11, d11))),
          mul(mul(factor, factor), div(sub(mul(p, r), mul(q, q)), mul(p, mul(p, p)))));
 }
+
+/*
+:::{statement} wang-ch3:prop-3.2.4-step-9
+:title: The same at t = 1
+:zh: t=1 处同理
+:printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
+:holds-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
+:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion, as in (3.2.6).
+
+The same up to a sign: $\mathbf R''(1)$ has $-\mathbf a_{n-1}$ where $\mathbf R''(0)$ has $\mathbf a_2$.  The curvature does not see it, and in the torsion it
+puts the edges into the order $(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)$ of the print.
+:::
+*/
 #include "chapters/judge/claims_off.h"

@@ -10,33 +10,6 @@ one carries two slips, both invisible in the usual case $k=h=1$.
 
 #include "chapters/judge/claims_on.h"
 
-/* n!/(n-k)! */
-static inline long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
-
-/* dim coordinates of points of which R_0 = ... = R_{k-1}, and nothing else is asked. */
-static inline void G(repeated_at_start)(trial *T, int n, int dim, int k, num R[])
-{
-    static const char *const axis[] = {"x", "y"};
-    for (int i = 0; i <= n; i++)
-        for (int c = 0; c < dim; c++)
-            R[i * dim + c] = i > 0 && i < k ? R[c] : unknown(T, axis[c], i);
-}
-
-/* The polygon and its weights in the opposite order. */
-static inline void G(reverse)(int n, int dim, num R[], num w[])
-{
-    for (int i = 0, j = n; i < j; i++, j--) {
-        num kept = w[i];
-        w[i] = w[j];
-        w[j] = kept;
-        for (int c = 0; c < dim; c++) {
-            kept = R[i * dim + c];
-            R[i * dim + c] = R[j * dim + c];
-            R[j * dim + c] = kept;
-        }
-    }
-}
-
 /*
 ## End points and end tangents
 
@@ -54,18 +27,18 @@ static inline void G(reverse)(int n, int dim, num R[], num w[])
 
 The end edge is the first one of positive length, $R_0R_k$.  If all points coincide there is none, and the curve is that point.
 :::
+*/
 
-:::{statement} wang-ch3:3.2.3-multiplicities
-:title: How many points coincide at each end
-:zh: 两端的重点数
-:definition: yes
-:printed: \mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k,\quad\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
-:checked-by: multiplicities_fit_into_the_polygon
+/* dim coordinates of points of which R_0 = ... = R_{k-1}, and nothing else is asked. */
+static inline void G(repeated_at_start)(trial *T, int n, int dim, int k, num R[])
+{
+    static const char *const axis[] = {"x", "y"};
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = i > 0 && i < k ? R[c] : unknown(T, axis[c], i);
+}
 
-The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.  The capture has a stray sign of equality before
-this line and a quantifier over $t$ behind it; they are read as "when ..., then".
-:::
-
+/*
 :::{claim} curve_leaves_its_ends_along_the_first_edges
 :title: The first derivative that does not vanish points along the first edge of positive length
 :zh: 首个非零导矢沿首条非零边
@@ -80,6 +53,21 @@ this line and a quantifier over $t$ behind it; they are read as "when ..., then"
 :control: the sign $(-1)^{h+1}$ left out
 :::
 */
+/* The polygon and its weights in the opposite order. */
+static inline void G(reverse)(int n, int dim, num R[], num w[])
+{
+    for (int i = 0, j = n; i < j; i++, j--) {
+        num kept = w[i];
+        w[i] = w[j];
+        w[j] = kept;
+        for (int c = 0; c < dim; c++) {
+            kept = R[i * dim + c];
+            R[i * dim + c] = R[j * dim + c];
+            R[j * dim + c] = kept;
+        }
+    }
+}
+
 CLAIM(curve_leaves_its_ends_along_the_first_edges)
 {
     int n = T->degree;
@@ -108,35 +96,6 @@ CLAIM(curve_leaves_its_ends_along_the_first_edges)
 }
 
 #if RATIONAL
-/*
-:::{claim} multiplicities_fit_into_the_polygon
-:title: Unless all points coincide, k and h exist and k + h ≤ n + 1
-:zh: 除非全部重合，k 与 h 存在且 k + h ≤ n + 1
-:kind: decision
-:given: every pattern of equal and different neighbours in a polygon of $n+1$ points
-:then: $k$ is the number of points before the first $R_i\ne R_{i-1}$, $h$ the number after the last one; they exist unless the pattern has
-  none, and $k+h\le n+1$
-:method: All $2^n$ patterns are visited.
-:degrees: 1..12
-:scope: all patterns of equal neighbours
-:control: the bound $n$ for $k+h$
-:::
-*/
-CLAIM(multiplicities_fit_into_the_polygon)
-{
-    int n = T->degree;
-    for (int differs = 0; differs < 1 << n; differs++) { /* bit i-1: R_i is not R_{i-1} */
-        int k = 1, h = 1;
-        while (k <= n && !(differs >> (k - 1) & 1))
-            k++;
-        while (h <= n && !(differs >> (n - h) & 1))
-            h++;
-        int exist = k <= n && h <= n;
-        agree(T, exist == (differs != 0));
-        agree(T, !exist || k + h <= (T->planted ? n : n + 1));
-    }
-}
-
 /*
 :::{claim} zero_weight_turns_the_end_tangent
 :title: With ω_1 = 0 the curve is not tangent to its first edge
@@ -216,6 +175,50 @@ CLAIM(zero_end_weight_loses_the_end_point)
 #endif
 
 /*
+:::{statement} wang-ch3:3.2.3-multiplicities
+:title: How many points coincide at each end
+:zh: 两端的重点数
+:definition: yes
+:printed: \mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k,\quad\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
+:checked-by: multiplicities_fit_into_the_polygon
+
+The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.  The capture has a stray sign of equality before
+this line and a quantifier over $t$ behind it; they are read as "when ..., then".
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} multiplicities_fit_into_the_polygon
+:title: Unless all points coincide, k and h exist and k + h ≤ n + 1
+:zh: 除非全部重合，k 与 h 存在且 k + h ≤ n + 1
+:kind: decision
+:given: every pattern of equal and different neighbours in a polygon of $n+1$ points
+:then: $k$ is the number of points before the first $R_i\ne R_{i-1}$, $h$ the number after the last one; they exist unless the pattern has
+  none, and $k+h\le n+1$
+:method: All $2^n$ patterns are visited.
+:degrees: 1..12
+:scope: all patterns of equal neighbours
+:control: the bound $n$ for $k+h$
+:::
+*/
+CLAIM(multiplicities_fit_into_the_polygon)
+{
+    int n = T->degree;
+    for (int differs = 0; differs < 1 << n; differs++) { /* bit i-1: R_i is not R_{i-1} */
+        int k = 1, h = 1;
+        while (k <= n && !(differs >> (k - 1) & 1))
+            k++;
+        while (h <= n && !(differs >> (n - h) & 1))
+            h++;
+        int exist = k <= n && h <= n;
+        agree(T, exist == (differs != 0));
+        agree(T, !exist || k + h <= (T->planted ? n : n + 1));
+    }
+}
+#endif
+
+/*
 ## End derivatives with repeated points
 
 :::{statement} wang-ch3:3.2.3-left
@@ -225,41 +228,12 @@ CLAIM(zero_end_weight_loses_the_end_point)
 :holds-by: end_derivatives_at_zero_with_repeated_points end_derivatives_in_every_degree
 :needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$.
 :::
+*/
 
-:::{statement} wang-ch3:3.2.3-right
-:title: At t = 1: the end point, and derivatives that vanish
-:zh: t=1 处的端点与零导矢
-:printed: \mathbf R(1)=\mathbf R_n,\quad\mathbf R^{(m)}(1)=\mathbf 0,\quad m=1,2,\dots,h-1
-:holds-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
-:needs: zero_end_weight_loses_the_end_point | $\omega_n\ne0$; the example is to be read in reversed order.
-:::
+/* n!/(n-k)! */
+static inline long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
 
-:::{statement} wang-ch3:3.2.4-left
-:title: At t = 0: the first derivative that does not vanish
-:zh: t=0 处首个非零导矢
-:printed: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0)
-:holds-by: end_derivatives_at_zero_with_repeated_points end_derivatives_in_every_degree
-:needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$.
-:figure: end_tangents
-:::
-
-:::{statement} wang-ch3:3.2.4-right
-:title: At t = 1: the first derivative that does not vanish
-:zh: t=1 处首个非零导矢
-:printed: \mathbf R^{(h)}(1)=\frac{n!}{(n-k)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
-:class: misprint
-:refuted-by: printed_end_derivative_at_one_has_the_wrong_sign printed_end_derivative_at_one_has_the_wrong_factor
-:corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
-:corrected-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
-:striking: 3
-:figure: end_derivatives
-
-Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it for the first
-time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way, even when $h=k$.  No choice of the
-parameter saves the sign, for in the parameter $1-t$ it is wrong for all odd $h$.  The print is right for $h=k$ odd, in
-particular for simple end points.
-:::
-
+/*
 :::{claim} end_derivatives_at_zero_with_repeated_points
 :title: End derivatives when the first k points coincide
 :zh: 首 k 点重合时的端点导矢
@@ -292,6 +266,14 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
 }
 
 /*
+:::{statement} wang-ch3:3.2.3-right
+:title: At t = 1: the end point, and derivatives that vanish
+:zh: t=1 处的端点与零导矢
+:printed: \mathbf R(1)=\mathbf R_n,\quad\mathbf R^{(m)}(1)=\mathbf 0,\quad m=1,2,\dots,h-1
+:holds-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
+:needs: zero_end_weight_loses_the_end_point | $\omega_n\ne0$; the example is to be read in reversed order.
+:::
+
 :::{claim} end_derivatives_at_one_with_repeated_points
 :title: End derivatives when the last h points coincide
 :zh: 末 h 点重合时的端点导矢
@@ -325,6 +307,32 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 }
 
 /*
+:::{statement} wang-ch3:3.2.4-left
+:title: At t = 0: the first derivative that does not vanish
+:zh: t=0 处首个非零导矢
+:printed: \mathbf R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(\mathbf R_k-\mathbf R_0)
+:holds-by: end_derivatives_at_zero_with_repeated_points end_derivatives_in_every_degree
+:needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$.
+:figure: end_tangents
+:::
+
+:::{statement} wang-ch3:3.2.4-right
+:title: At t = 1: the first derivative that does not vanish
+:zh: t=1 处首个非零导矢
+:printed: \mathbf R^{(h)}(1)=\frac{n!}{(n-k)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
+:class: misprint
+:refuted-by: printed_end_derivative_at_one_has_the_wrong_sign printed_end_derivative_at_one_has_the_wrong_factor
+:corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
+:corrected-by: end_derivatives_at_one_with_repeated_points end_derivatives_in_every_degree
+:striking: 3
+:figure: end_derivatives
+
+Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it for the first
+time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way, even when $h=k$.  No choice of the
+parameter saves the sign, for in the parameter $1-t$ it is wrong for all odd $h$.  The print is right for $h=k$ odd, in
+particular for simple end points.
+:::
+
 ### In every degree
 
 At $t=0$ the sum $\sum B_i^n(t)c_i$ has the Taylor coefficients $\binom nj\Delta^jc_0$, which are polynomials in $n$.  So the derivatives
@@ -387,10 +395,12 @@ CLAIM(end_derivatives_in_every_degree)
     }
 }
 
-#if RATIONAL
 /*
 ### The two slips at t = 1
+*/
 
+#if RATIONAL
+/*
 :::{claim} printed_end_derivative_at_one_has_the_wrong_sign
 :title: At t = 1 the printed derivative of even order has the wrong sign
 :zh: t=1 处所印偶数阶导矢符号有误

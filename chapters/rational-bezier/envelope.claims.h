@@ -14,7 +14,13 @@ $$P^{[n-r]}(t,c)=p(\underbrace{c,\dots,c}_r,\underbrace{t,\dots,t}_{n-r}),$$
 written $p(c^r,t^{n-r})$, and the curve is what one gets for $t=c$.  The direction $\delta=1-0$ may stand in the
 place of an argument: $p(\delta,\cdot)=p(1,\cdot)-p(0,\cdot)$.  The interval is taken as $[0,1]$; for $[a,b]$ the
 numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
+*/
+#include "exact/decide/resultant.h"
+#include "exact/decide/sign.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch3:3.3.4
 :title: The family of curves of degree n-r
 :zh: 曲线族的定义
@@ -26,33 +32,7 @@ numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
 
 The indices are in range: level $r$ has the indices $r,\dots,n$.
 :::
-
-:::{statement} wang-ch3:thm-3.3.2-vertices
-:title: What the points of an intermediate level mean
-:zh: 离散中间层顶点的几何意义
-:printed: the points of level $r$ of the recursion, with their weights, are the control polygon of a rational curve
-  of degree $n-r$ that belongs to the parameter $c$
-:holds-by: member_is_a_polar_curve
-:needs: member_may_lose_a_point | the weights are positive; else a weight $\omega_i^r(c)$ may vanish and its point
-  does not exist
-:figure: triangle_point_at_infinity
-:::
-
-:::{claim} member_is_a_polar_curve
-:title: The member is the polar form with r arguments c and n-r arguments t
-:zh: 族曲线即极形式 p(c^r, t^{n-r})
-:given: weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$, any $t$ and $c$, every $r=0,\dots,n$
-:then: $\sum B_i^{n-r}(t)\,\omega_{i+r}^r(c)\,(R_{i+r}^r(c),1)=p(c^r,t^{n-r})$
-:method: The left side runs the recursion (3.3.2), (3.3.3), which divides by weights, and then sums; the right side
-  evaluates the polar form of the homogeneous points.  A coordinate is any coordinate, so one suffices.
-:degrees: 1..6 sampled 10
-:control: one argument $c$ of the polar form replaced by $t$
-:::
 */
-#include "exact/decide/resultant.h"
-#include "exact/decide/sign.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* out = p(c^r, t^k, ...): the polar form of the points H with r arguments c, k arguments t and then x, y,
  * as many of these as places are left; r + k = n-2, n-1 or n. */
@@ -74,6 +54,18 @@ static void G(any_curve)(trial *T, int n, int dim, num R[], num w[])
     }
 }
 
+/*
+:::{claim} member_is_a_polar_curve
+:title: The member is the polar form with r arguments c and n-r arguments t
+:zh: 族曲线即极形式 p(c^r, t^{n-r})
+:given: weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$, any $t$ and $c$, every $r=0,\dots,n$
+:then: $\sum B_i^{n-r}(t)\,\omega_{i+r}^r(c)\,(R_{i+r}^r(c),1)=p(c^r,t^{n-r})$
+:method: The left side runs the recursion (3.3.2), (3.3.3), which divides by weights, and then sums; the right side
+  evaluates the polar form of the homogeneous points.  A coordinate is any coordinate, so one suffices.
+:degrees: 1..6 sampled 10
+:control: one argument $c$ of the polar form replaced by $t$
+:::
+*/
 CLAIM(member_is_a_polar_curve)
 {
     int n = T->degree;
@@ -91,6 +83,19 @@ CLAIM(member_is_a_polar_curve)
         same(T, sum[1], p[1]);
     }
 }
+
+/*
+:::{statement} wang-ch3:thm-3.3.2-vertices
+:title: What the points of an intermediate level mean
+:zh: 离散中间层顶点的几何意义
+:printed: the points of level $r$ of the recursion, with their weights, are the control polygon of a rational curve
+  of degree $n-r$ that belongs to the parameter $c$
+:holds-by: member_is_a_polar_curve
+:needs: member_may_lose_a_point | the weights are positive; else a weight $\omega_i^r(c)$ may vanish and its point
+  does not exist
+:figure: triangle_point_at_infinity
+:::
+*/
 
 #if RATIONAL
 /*
@@ -134,16 +139,6 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.
 :::
 
-:::{statement} wang-ch3:thm-3.3.2-range
-:title: The levels 1, ..., n-1 of a curve of degree at least 2
-:zh: r 与 n 的取值范围
-:printed: the family is considered for $n\ge2$ and $r=1,2,\dots,n-1$
-:holds-by: extreme_levels_are_curve_and_point
-
-The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=n$ a point of
-it, and for $n=1$ nothing is left.
-:::
-
 :::{claim} member_touches_curve
 :title: At t = c the member has the point of the curve and (n-r)/n of its derivative
 :zh: t=c 处族曲线与曲线同点，导矢之比为 (n-r)/n
@@ -170,33 +165,6 @@ CLAIM(member_touches_curve)
         about(T, "the derivatives at t = c");
         same(T, E[1], T->planted ? D[1] : mul(from_ratio(n - r, n), D[1]));
     }
-}
-/*
-:::{claim} extreme_levels_are_curve_and_point
-:title: Level 0 gives the curve for every c, level n its point R(c)
-:zh: 第 0 层即曲线，第 n 层即点 R(c)
-:given: weights and points, any $t$ and $c$
-:then: $R^{[n]}(t,c)=R(t)$ and $R^{[0]}(t,c)=R(c)$
-:method: Recursion for the left sides, the formula of the curve for the right sides.
-:degrees: 1..6 sampled 10
-:control: level $n-1$ in the place of level $n$
-:::
-*/
-CLAIM(extreme_levels_are_curve_and_point)
-{
-    int n = T->degree;
-    num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], member, point;
-    num c = parameter(T, "c"), t = parameter(T, "t");
-    G(any_curve)(T, n, 1, R, w);
-    G(rational_decasteljau)(n, 1, R, w, c, 0, Rr, wr);
-    G(rational_point)(n, 1, Rr, wr, t, &member);
-    G(rational_point)(n, 1, R, w, t, &point);
-    same(T, member, point);
-    int last = T->planted ? n - 1 : n;
-    G(rational_decasteljau)(n, 1, R, w, c, last, Rr, wr);
-    G(rational_point)(n - last, 1, Rr, wr, t, &member);
-    G(rational_point)(n, 1, R, w, c, &point);
-    same(T, member, point);
 }
 
 #if RATIONAL
@@ -226,6 +194,44 @@ CLAIM(member_shrinks_at_a_cusp)
     agree(T, !equal_q(Rr[0], Rr[2]) || !equal_q(Rr[1], Rr[3]));
 }
 #endif
+
+/*
+:::{statement} wang-ch3:thm-3.3.2-range
+:title: The levels 1, ..., n-1 of a curve of degree at least 2
+:zh: r 与 n 的取值范围
+:printed: the family is considered for $n\ge2$ and $r=1,2,\dots,n-1$
+:holds-by: extreme_levels_are_curve_and_point
+
+The range leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=n$ a point of
+it, and for $n=1$ nothing is left.
+:::
+
+:::{claim} extreme_levels_are_curve_and_point
+:title: Level 0 gives the curve for every c, level n its point R(c)
+:zh: 第 0 层即曲线，第 n 层即点 R(c)
+:given: weights and points, any $t$ and $c$
+:then: $R^{[n]}(t,c)=R(t)$ and $R^{[0]}(t,c)=R(c)$
+:method: Recursion for the left sides, the formula of the curve for the right sides.
+:degrees: 1..6 sampled 10
+:control: level $n-1$ in the place of level $n$
+:::
+*/
+CLAIM(extreme_levels_are_curve_and_point)
+{
+    int n = T->degree;
+    num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], member, point;
+    num c = parameter(T, "c"), t = parameter(T, "t");
+    G(any_curve)(T, n, 1, R, w);
+    G(rational_decasteljau)(n, 1, R, w, c, 0, Rr, wr);
+    G(rational_point)(n, 1, Rr, wr, t, &member);
+    G(rational_point)(n, 1, R, w, t, &point);
+    same(T, member, point);
+    int last = T->planted ? n - 1 : n;
+    G(rational_decasteljau)(n, 1, R, w, c, last, Rr, wr);
+    G(rational_point)(n - last, 1, Rr, wr, t, &member);
+    G(rational_point)(n, 1, R, w, c, &point);
+    same(T, member, point);
+}
 
 /*
 ## Is R the envelope, or only part of it?
@@ -271,30 +277,6 @@ $\tau$ is mostly an inflection; but a curve may be flat there and not change its
 :method: The quotient rule gives $X_t$ and $X_c$; nine variables stand for the three vectors.
 :control: the power $P_3^2$
 :::
-
-:::{claim} polar_derivatives
-:title: The derivatives of the member by t and by c are polar forms with the direction δ
-:zh: 族曲线对 t, c 的偏导
-:given: points $H_0,\dots,H_n$ (any homogeneous coordinate), $n\ge2$, every $r=1,\dots,n-1$
-:then: for $P=p(c^r,t^{n-r})$: $P_t=(n-r)\,p(c^r,t^{n-r-1},\delta)$ and $P_c=r\,p(c^{r-1},t^{n-r},\delta)$
-:method: In the field the left sides are formal derivatives; in the other numbers they are the derivatives of the
-  Bézier curves that $P$ is in $t$ and in $c$.  For every $n$ it is the product rule for a form that is symmetric and
-  of degree one in each argument.
-:degrees: 2..6 sampled 12
-:control: the factor $r$ in the place of $n-r$
-:::
-
-:::{claim} envelope_condition_factors
-:title: The envelope condition is r(n-r)(t-c) times a second factor
-:zh: 包络条件的因式分解
-:given: the three vectors $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ of a form $q(x,y)$ that is symmetric and of
-  degree one in each argument, so $q(x,y)=q(0,0)+(x+y)q(0,\delta)+xy\,q(\delta,\delta)$; any $n$, $r$, $c$, $t$
-:then: $\det(q(c,t),(n-r)q(c,\delta),r\,q(t,\delta))=r(n-r)(t-c)\det(q(0,0),q(0,\delta),q(\delta,\delta))$
-:method: An identity between polynomials in 13 variables, $n$ and $r$ among them.  With the derivatives of the member
-  in the place of the three columns it is the factorization of the envelope condition.
-:degrees: all
-:control: $t+c$ in the place of $t-c$
-:::
 */
 CLAIM(envelope_condition_of_points)
 {
@@ -312,6 +294,19 @@ CLAIM(envelope_condition_of_points)
     same(T, G(cross2)(Xt, Xc), div(G(det3)(P, Pt, Pc), T->planted ? square : mul(square, P[2])));
 }
 
+/*
+:::{claim} polar_derivatives
+:title: The derivatives of the member by t and by c are polar forms with the direction δ
+:zh: 族曲线对 t, c 的偏导
+:given: points $H_0,\dots,H_n$ (any homogeneous coordinate), $n\ge2$, every $r=1,\dots,n-1$
+:then: for $P=p(c^r,t^{n-r})$: $P_t=(n-r)\,p(c^r,t^{n-r-1},\delta)$ and $P_c=r\,p(c^{r-1},t^{n-r},\delta)$
+:method: In the field the left sides are formal derivatives; in the other numbers they are the derivatives of the
+  Bézier curves that $P$ is in $t$ and in $c$.  For every $n$ it is the product rule for a form that is symmetric and
+  of degree one in each argument.
+:degrees: 2..6 sampled 12
+:control: the factor $r$ in the place of $n-r$
+:::
+*/
 CLAIM(polar_derivatives)
 {
     int n = T->degree;
@@ -348,6 +343,19 @@ CLAIM(polar_derivatives)
     }
 }
 
+/*
+:::{claim} envelope_condition_factors
+:title: The envelope condition is r(n-r)(t-c) times a second factor
+:zh: 包络条件的因式分解
+:given: the three vectors $q(0,0)$, $q(0,\delta)$, $q(\delta,\delta)$ of a form $q(x,y)$ that is symmetric and of
+  degree one in each argument, so $q(x,y)=q(0,0)+(x+y)q(0,\delta)+xy\,q(\delta,\delta)$; any $n$, $r$, $c$, $t$
+:then: $\det(q(c,t),(n-r)q(c,\delta),r\,q(t,\delta))=r(n-r)(t-c)\det(q(0,0),q(0,\delta),q(\delta,\delta))$
+:method: An identity between polynomials in 13 variables, $n$ and $r$ among them.  With the derivatives of the member
+  in the place of the three columns it is the factorization of the envelope condition.
+:degrees: all
+:control: $t+c$ in the place of $t-c$
+:::
+*/
 CLAIM(envelope_condition_factors)
 {
     num q[3][3], column[3][3], n = parameter(T, "n"), r = parameter(T, "r"), c = parameter(T, "c"),
@@ -366,22 +374,6 @@ CLAIM(envelope_condition_factors)
 }
 
 #if RATIONAL
-/*
-Two families show the other factor at work.
-
-:::{claim} cubic_family_has_another_envelope
-:title: The family of the cubic (τ, τ³) has the axis y = 0 as a second envelope
-:zh: 三次曲线 (τ,τ³) 的族以 y=0 为另一包络
-:kind: counterexample
-:given: $(\tau,\tau^3)$, $-1\le\tau\le1$: points $(-1,-1),(-\frac13,1),(\frac13,-1),(1,1)$, weights 1; $r=1$; the
-  member of $c=\frac12$ at $t=0$, both as values of $\tau$
-:then: there the envelope condition $\det(X_t,X_c)=0$ is satisfied at the point $(\frac16,0)$, which is not on the curve
-:method: $X_t$ comes from the member's control points, $X_c$ from the Bézier curve that the point is in $c$.  The
-  condition is checked first; compared is the value at the point of the polynomial $F$ of (3.4.1), which vanishes on the
-  curve.
-:control: the same member at $t=c$
-:::
-*/
 /* The point D[0..1] of the member c of level r, its derivatives by t, D[2..3], and by c, D[4..5]; weights 1. */
 static void G(member_derivatives)(int n, const num R[], int r, num c, num t, num D[])
 {
@@ -419,6 +411,22 @@ static void G(envelope_point_on_curve)(trial *T, int n, const num R[], int r, nu
     vanishes(T, G(implicit_value)(n, R, w, D[0], D[1]));
 }
 
+/*
+Two families show the other factor at work.
+
+:::{claim} cubic_family_has_another_envelope
+:title: The family of the cubic (τ, τ³) has the axis y = 0 as a second envelope
+:zh: 三次曲线 (τ,τ³) 的族以 y=0 为另一包络
+:kind: counterexample
+:given: $(\tau,\tau^3)$, $-1\le\tau\le1$: points $(-1,-1),(-\frac13,1),(\frac13,-1),(1,1)$, weights 1; $r=1$; the
+  member of $c=\frac12$ at $t=0$, both as values of $\tau$
+:then: there the envelope condition $\det(X_t,X_c)=0$ is satisfied at the point $(\frac16,0)$, which is not on the curve
+:method: $X_t$ comes from the member's control points, $X_c$ from the Bézier curve that the point is in $c$.  The
+  condition is checked first; compared is the value at the point of the polynomial $F$ of (3.4.1), which vanishes on the
+  curve.
+:control: the same member at $t=c$
+:::
+*/
 static void G(inflected_cubic)(num R[])
 {
     static const int y[4] = {-1, 1, -1, 1};
@@ -434,6 +442,20 @@ CLAIM(cubic_family_has_another_envelope)
     G(inflected_cubic)(R);
     G(envelope_point_on_curve)(T, 3, R, 1, c, T->planted ? c : from_ratio(1, 2));
 }
+
+/* The sign of R' x R'' on [0,1] for the polynomial curve R of degree n. */
+static enum cagd_sign_pattern G(turning)(int n, const num R[])
+{
+    num x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++) {
+        x[i] = R[2 * i];
+        y[i] = R[2 * i + 1];
+    }
+    poly x1 = poly_derivative(poly_from_bernstein(n, x)), y1 = poly_derivative(poly_from_bernstein(n, y));
+    poly turn = poly_sub(poly_mul(x1, poly_derivative(y1)), poly_mul(y1, poly_derivative(x1)));
+    return sign_on(turn, from_int(0), from_int(1), CLOSED);
+}
+
 /*
 :::{claim} convex_quartic_has_another_envelope
 :title: A convex curve without inflections whose family has a parabola as a second envelope
@@ -455,19 +477,6 @@ static void G(convex_quartic)(num R[])
         R[2 * i] = from_ratio(i - 2, 2);
         R[2 * i + 1] = from_ratio(y[i], 2);
     }
-}
-
-/* The sign of R' x R'' on [0,1] for the polynomial curve R of degree n. */
-static enum cagd_sign_pattern G(turning)(int n, const num R[])
-{
-    num x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
-    for (int i = 0; i <= n; i++) {
-        x[i] = R[2 * i];
-        y[i] = R[2 * i + 1];
-    }
-    poly x1 = poly_derivative(poly_from_bernstein(n, x)), y1 = poly_derivative(poly_from_bernstein(n, y));
-    poly turn = poly_sub(poly_mul(x1, poly_derivative(y1)), poly_mul(y1, poly_derivative(x1)));
-    return sign_on(turn, from_int(0), from_int(1), CLOSED);
 }
 
 CLAIM(convex_quartic_has_another_envelope)
@@ -601,36 +610,6 @@ and all the minors are nonnegative: the $\beta_i$ come from a polynomial with ne
   side vanishes only for three points on a line.
 :control: the weight $\omega_1$ left out
 :::
-
-:::{claim} inflections_give_the_other_envelopes
-:title: For r = 1 and r = n-1 the second factor is the Wronskian of the curve
-:zh: r=1 与 r=n-1 时另一因子即曲线的 Wronski 行列式
-:given: the homogeneous points of a plane curve, $n\ge2$, any $t$; $r=1$, so $q(x,y)=p(t^{n-2},x,y)$
-:then: $P=q(t,t)$, $P'=n\,q(t,\delta)$, $P''=n(n-1)\,q(\delta,\delta)$,
-  $\det(q(t,t),q(t,\delta),q(\delta,\delta))=w_1$ and $\det(P,P',P'')=\omega^3\,R'\times R''$, so that
-  $n^2(n-1)\,w_1(t)=\omega(t)^3\,(R'\times R'')(t)$
-:method: Four identities in the field; the first needs one coordinate.  So for $\omega>0$ the zeros of $w_1$ are the
-  points where $R'\times R''$ is 0.  For $r=n-1$ the arguments $c$ and $t$ change their places.
-:degrees: 2..6 sampled 12
-:control: the factor $n^2$ in the place of $n(n-1)$
-:::
-
-:::{claim} convex_polygon_has_one_envelope
-:title: A convex polygon with positive weights has the curve as its only envelope, for every r
-:zh: 凸控制多边形且权为正时包络只有曲线本身
-:given: homogeneous points $P_i$, $n\ge2$, every $r=1,\dots,n-1$; $c,t$ of $(0,1)$ for the signs
-:let: $\beta$ as above
-:then: the displayed sum for $w_r$, and every $3\times3$ minor in it is nonnegative
-:method: The sum is Cauchy-Binet; it is computed in the field.  With $c=s/(1+s)$, $t=v/(1+v)$ the minors have no
-  negative coefficient in $s$ and $v$, so they are nonnegative for $c,t\in[0,1]$.  There $\beta\ne0$, its three
-  shifted rows are independent, and one minor is positive.  If $R_0,\dots,R_n$ are the corners of a convex polygon
-  in this order and the weights are positive, all
-  $\det(P_i,P_j,P_k)=\omega_i\omega_j\omega_k(R_j-R_i)\times(R_k-R_i)$, $i<j<k$, have one strict sign, hence
-  $w_r\ne0$.  For every $n$ the minors are Schur polynomials by Jacobi and Trudi, which have no negative
-  coefficient.
-:degrees: 2..6 sampled 9
-:control: $\beta$ from $(1-c-cz)^{r-1}(1-t-tz)^{n-r-1}$
-:::
 */
 CLAIM(triangle_has_one_envelope)
 {
@@ -648,6 +627,20 @@ CLAIM(triangle_has_one_envelope)
     same(T, G(det3)(q, q + 3, q + 6), mul(weights, G(cross2)(a, b)));
 }
 
+/*
+:::{claim} inflections_give_the_other_envelopes
+:title: For r = 1 and r = n-1 the second factor is the Wronskian of the curve
+:zh: r=1 与 r=n-1 时另一因子即曲线的 Wronski 行列式
+:given: the homogeneous points of a plane curve, $n\ge2$, any $t$; $r=1$, so $q(x,y)=p(t^{n-2},x,y)$
+:then: $P=q(t,t)$, $P'=n\,q(t,\delta)$, $P''=n(n-1)\,q(\delta,\delta)$,
+  $\det(q(t,t),q(t,\delta),q(\delta,\delta))=w_1$ and $\det(P,P',P'')=\omega^3\,R'\times R''$, so that
+  $n^2(n-1)\,w_1(t)=\omega(t)^3\,(R'\times R'')(t)$
+:method: Four identities in the field; the first needs one coordinate.  So for $\omega>0$ the zeros of $w_1$ are the
+  points where $R'\times R''$ is 0.  For $r=n-1$ the arguments $c$ and $t$ change their places.
+:degrees: 2..6 sampled 12
+:control: the factor $n^2$ in the place of $n(n-1)$
+:::
+*/
 CLAIM(inflections_give_the_other_envelopes)
 {
     int n = T->degree;
@@ -691,6 +684,24 @@ CLAIM(inflections_give_the_other_envelopes)
     same(T, G(det3)(V, V1, V2), mul(mul(w, mul(w, w)), G(cross2)(R1, R2)));
 }
 
+/*
+:::{claim} convex_polygon_has_one_envelope
+:title: A convex polygon with positive weights has the curve as its only envelope, for every r
+:zh: 凸控制多边形且权为正时包络只有曲线本身
+:given: homogeneous points $P_i$, $n\ge2$, every $r=1,\dots,n-1$; $c,t$ of $(0,1)$ for the signs
+:let: $\beta$ as above
+:then: the displayed sum for $w_r$, and every $3\times3$ minor in it is nonnegative
+:method: The sum is Cauchy-Binet; it is computed in the field.  With $c=s/(1+s)$, $t=v/(1+v)$ the minors have no
+  negative coefficient in $s$ and $v$, so they are nonnegative for $c,t\in[0,1]$.  There $\beta\ne0$, its three
+  shifted rows are independent, and one minor is positive.  If $R_0,\dots,R_n$ are the corners of a convex polygon
+  in this order and the weights are positive, all
+  $\det(P_i,P_j,P_k)=\omega_i\omega_j\omega_k(R_j-R_i)\times(R_k-R_i)$, $i<j<k$, have one strict sign, hence
+  $w_r\ne0$.  For every $n$ the minors are Schur polynomials by Jacobi and Trudi, which have no negative
+  coefficient.
+:degrees: 2..6 sampled 9
+:control: $\beta$ from $(1-c-cz)^{r-1}(1-t-tz)^{n-r-1}$
+:::
+*/
 /* b[0..n]: the coefficients of the powers of z in (1-c+cz)^(r-1) (1-t+tz)^(m-1), 0 beyond; with minus the signs
  * of the z are changed. */
 static void G(coefficients_of_the_rest)(int n, int r, num c, num t, int minus, num b[])
@@ -786,70 +797,6 @@ space as well as in the plane; `curvature_of_the_member` computes both curvature
 :degrees: 1..6 sampled 12
 :control: $\binom nk$ in the place of $\binom{n-r}k$
 :::
-
-:::{claim} member_is_flatter_by_a_fixed_ratio
-:title: The curvatures of member and curve have the ratio n(n-r-1)/((n-r)(n-1)), in any dimension
-:zh: 曲率比为 n(n-r-1)/((n-r)(n-1))
-:given: the expansion above to second order with weights $w_0\ne0$, $w_1$, $w_2$ and one coordinate of
-  $p_0,p_1,p_2$; any $n$ and $m=n-r$; two vectors $X,Y$ of space
-:then: $R_m'=\frac mnR'$ and $R_m''=\frac{m(m-1)}{n(n-1)}R''+\mu R'$ with one $\mu$ for all coordinates; and
-  $\kappa^2$ of $(aX,bY+\mu X)$ is $(b/a^2)^2$ times that of $(X,Y)$, which for these $a,b$ gives the ratio
-:method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the
-  plane and in space.  The ratio is less than 1 because $(n-r)(n-1)-n(n-r-1)=r$.
-:degrees: all
-:control: the ratio $\frac{n-r-1}{n-1}$
-:::
-
-:::{claim} member_is_flatter_in_every_order
-:title: The first coefficient off the tangent is smaller for the member than for the curve
-:zh: 离开切线的首项系数，族曲线严格较小
-:given: $P=\sum\binom nkh^kp_k$ and the member $\sum\binom mkh^kp_k$, $m=n-r$, in the basis $p_0,p_1,e$ where $p_k$
-  is the first vector outside the span of $p_0,p_1$: as graphs $y=\frac{\binom nk}{n^k}x^k+\dots$ and
-  $y=\frac{\binom mk}{m^k}x^k+\dots$
-:then: $\binom nk/n^k=\frac1{k!}\prod_{j<k}(1-\frac jn)$, $k=2,\dots,6$, and
-  $(1-\frac jn)-(1-\frac jm)=\frac{jr}{mn}\ge0$
-:method: Identities with $n$, $m$ and $j$ variables; $n=m+r$ with $m,r,j>0$ for the sign, strict for $r>0$.  The
-  first factor with $j=1$ is strictly smaller for $m$; the others, for $m\ge k$, are positive and not larger, and
-  for $m<k$ the member's coefficient is 0.  So the coefficients of $x^k$ differ and those before agree: order
-  exactly $k-1$.
-:degrees: all
-:scope: orders k = 2 to 6
-:control: $n-1$ in the place of $n$ in the products
-:::
-
-:::{claim} curvature_of_the_member
-:title: The ratio of the curvatures, measured on curves of the plane and of space
-:zh: 曲率比的直接计算
-:types: rational interval double
-:given: weights and points of the plane and of space, $n\ge2$, any $c$, every $r=1,\dots,n-1$
-:then: $((n-r)(n-1))^2\,\kappa_{n-r}^2(c)=(n(n-r-1))^2\,\kappa^2(c)$
-:method: The second way: the recursion (3.3.2), (3.3.3) for the control points of the member, and the curvatures of both
-  curves by the kernel.
-:degrees: 2..6 sampled 10
-:control: the ratio $\frac{n-r-1}{n-1}$
-:::
-
-:::{claim} unweighted_derivatives_are_parallel
-:title: With equal weights the derivatives of member and curve are parallel in every order
-:zh: 权相等时各阶导矢平行
-:given: $n\ge1$, points, equal weights, any $c$, every $r=0,\dots,n$ and $k=0,\dots,n-r$
-:then: $\frac{n!}{(n-k)!}\,\partial_t^kR^{[n-r]}(c,c)=\frac{(n-r)!}{(n-r-k)!}\,R^{(k)}(c)$
-:method: The member by the recursion, the derivatives by those of Bézier curves; one coordinate.
-:degrees: 1..6 sampled 12
-:control: the factors left out
-:::
-
-:::{claim} osculating_flats_agree
-:title: The homogeneous derivatives of member and curve are parallel: their osculating flats agree
-:zh: 齐次导矢平行，密切空间重合
-:given: weights and points, any $c$, every $r=0,\dots,n$ and $k=0,\dots,n-r$
-:then: $\frac{n!}{(n-k)!}\,\partial_t^kP^{[n-r]}(c,c)=\frac{(n-r)!}{(n-r-k)!}\,P^{(k)}(c)$ for the coordinate and
-  for the weight
-:method: The member's points and weights by the recursion (3.3.2), (3.3.3); one coordinate.  The factors are not 0, so
-  $P,\dots,P^{(k)}$ and the member's derivatives span the same spaces, and the flats of $R$ in them are the same.
-:degrees: 1..6 sampled 10
-:control: the weights of the member taken as 1
-:::
 */
 CLAIM(expansion_about_the_contact)
 {
@@ -871,6 +818,20 @@ CLAIM(expansion_about_the_contact)
     }
 }
 
+/*
+:::{claim} member_is_flatter_by_a_fixed_ratio
+:title: The curvatures of member and curve have the ratio n(n-r-1)/((n-r)(n-1)), in any dimension
+:zh: 曲率比为 n(n-r-1)/((n-r)(n-1))
+:given: the expansion above to second order with weights $w_0\ne0$, $w_1$, $w_2$ and one coordinate of
+  $p_0,p_1,p_2$; any $n$ and $m=n-r$; two vectors $X,Y$ of space
+:then: $R_m'=\frac mnR'$ and $R_m''=\frac{m(m-1)}{n(n-1)}R''+\mu R'$ with one $\mu$ for all coordinates; and
+  $\kappa^2$ of $(aX,bY+\mu X)$ is $(b/a^2)^2$ times that of $(X,Y)$, which for these $a,b$ gives the ratio
+:method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the
+  plane and in space.  The ratio is less than 1 because $(n-r)(n-1)-n(n-r-1)=r$.
+:degrees: all
+:control: the ratio $\frac{n-r-1}{n-1}$
+:::
+*/
 CLAIM(member_is_flatter_by_a_fixed_ratio)
 {
     num n = parameter(T, "n"), m = parameter(T, "m"), one = from_int(1), two = from_int(2);
@@ -908,6 +869,24 @@ CLAIM(member_is_flatter_by_a_fixed_ratio)
     }
 }
 
+/*
+:::{claim} member_is_flatter_in_every_order
+:title: The first coefficient off the tangent is smaller for the member than for the curve
+:zh: 离开切线的首项系数，族曲线严格较小
+:given: $P=\sum\binom nkh^kp_k$ and the member $\sum\binom mkh^kp_k$, $m=n-r$, in the basis $p_0,p_1,e$ where $p_k$
+  is the first vector outside the span of $p_0,p_1$: as graphs $y=\frac{\binom nk}{n^k}x^k+\dots$ and
+  $y=\frac{\binom mk}{m^k}x^k+\dots$
+:then: $\binom nk/n^k=\frac1{k!}\prod_{j<k}(1-\frac jn)$, $k=2,\dots,6$, and
+  $(1-\frac jn)-(1-\frac jm)=\frac{jr}{mn}\ge0$
+:method: Identities with $n$, $m$ and $j$ variables; $n=m+r$ with $m,r,j>0$ for the sign, strict for $r>0$.  The
+  first factor with $j=1$ is strictly smaller for $m$; the others, for $m\ge k$, are positive and not larger, and
+  for $m<k$ the member's coefficient is 0.  So the coefficients of $x^k$ differ and those before agree: order
+  exactly $k-1$.
+:degrees: all
+:scope: orders k = 2 to 6
+:control: $n-1$ in the place of $n$ in the products
+:::
+*/
 CLAIM(member_is_flatter_in_every_order)
 {
     num m = positive(T, "m", 0), r = positive(T, "r", 0), n = add(m, r), one = from_int(1);
@@ -928,6 +907,19 @@ CLAIM(member_is_flatter_in_every_order)
 }
 
 #if !FIELD
+/*
+:::{claim} curvature_of_the_member
+:title: The ratio of the curvatures, measured on curves of the plane and of space
+:zh: 曲率比的直接计算
+:types: rational interval double
+:given: weights and points of the plane and of space, $n\ge2$, any $c$, every $r=1,\dots,n-1$
+:then: $((n-r)(n-1))^2\,\kappa_{n-r}^2(c)=(n(n-r-1))^2\,\kappa^2(c)$
+:method: The second way: the recursion (3.3.2), (3.3.3) for the control points of the member, and the curvatures of both
+  curves by the kernel.
+:degrees: 2..6 sampled 10
+:control: the ratio $\frac{n-r-1}{n-1}$
+:::
+*/
 CLAIM(curvature_of_the_member)
 {
     int n = T->degree;
@@ -948,6 +940,17 @@ CLAIM(curvature_of_the_member)
 /* n!/(n-k)! */
 static long G(factorial_part)(int n, int k) { return k == 0 ? 1 : n * G(factorial_part)(n - 1, k - 1); }
 
+/*
+:::{claim} unweighted_derivatives_are_parallel
+:title: With equal weights the derivatives of member and curve are parallel in every order
+:zh: 权相等时各阶导矢平行
+:given: $n\ge1$, points, equal weights, any $c$, every $r=0,\dots,n$ and $k=0,\dots,n-r$
+:then: $\frac{n!}{(n-k)!}\,\partial_t^kR^{[n-r]}(c,c)=\frac{(n-r)!}{(n-r-k)!}\,R^{(k)}(c)$
+:method: The member by the recursion, the derivatives by those of Bézier curves; one coordinate.
+:degrees: 1..6 sampled 12
+:control: the factors left out
+:::
+*/
 CLAIM(unweighted_derivatives_are_parallel)
 {
     int n = T->degree;
@@ -968,6 +971,19 @@ CLAIM(unweighted_derivatives_are_parallel)
     }
 }
 
+/*
+:::{claim} osculating_flats_agree
+:title: The homogeneous derivatives of member and curve are parallel: their osculating flats agree
+:zh: 齐次导矢平行，密切空间重合
+:given: weights and points, any $c$, every $r=0,\dots,n$ and $k=0,\dots,n-r$
+:then: $\frac{n!}{(n-k)!}\,\partial_t^kP^{[n-r]}(c,c)=\frac{(n-r)!}{(n-r-k)!}\,P^{(k)}(c)$ for the coordinate and
+  for the weight
+:method: The member's points and weights by the recursion (3.3.2), (3.3.3); one coordinate.  The factors are not 0, so
+  $P,\dots,P^{(k)}$ and the member's derivatives span the same spaces, and the flats of $R$ in them are the same.
+:degrees: 1..6 sampled 10
+:control: the weights of the member taken as 1
+:::
+*/
 CLAIM(osculating_flats_agree)
 {
     int n = T->degree;
@@ -1013,6 +1029,7 @@ CLAIM(cubic_member_has_other_curvature)
     about(T, "the squared curvature, left of the curve, right of the member");
     same(T, curve, T->planted ? mul(from_ratio(16, 9), member) : member);
 }
+
 /*
 :::{claim} member_runs_slower_than_the_curve
 :title: The derivative of the member at the contact is not that of the curve
@@ -1037,19 +1054,7 @@ CLAIM(member_runs_slower_than_the_curve)
     about(T, "the first coordinates of the derivatives");
     same(T, D[2], T->planted ? mul(from_int(2), E[2]) : E[2]);
 }
-/*
-:::{claim} cubic_member_meets_the_curve_twice
-:title: At the contact the cubic and its member have two coincident intersections, not three
-:zh: 接触点处的交点重数为二
-:kind: counterexample
-:given: $(\tau,\tau^3)$ on $[0,1]$ as before, $r=1$, $c=\frac12$
-:then: the equation of the member, with the point of the curve inserted, has $\tau=c$ as a root of multiplicity 2, not
-  $n-r+1=3$
-:method: The equation is the determinant (3.4.1) of the member's control points; its value on the curve is a polynomial
-  of degree at most 6, found from 7 values; the multiplicity is the number of times $\tau-c$ divides it.
-:control: the multiplicity 2
-:::
-*/
+
 /* How often τ = c is a root of the equation of the member c of level r when the point of the curve (τ, τ^n) is put
  * into it; shows what it is computed from. */
 static int G(multiplicity_of_the_contact)(trial *T, int n, int r, num c)
@@ -1082,12 +1087,26 @@ static int G(multiplicity_of_the_contact)(trial *T, int n, int r, num c)
     return multiplicity;
 }
 
+/*
+:::{claim} cubic_member_meets_the_curve_twice
+:title: At the contact the cubic and its member have two coincident intersections, not three
+:zh: 接触点处的交点重数为二
+:kind: counterexample
+:given: $(\tau,\tau^3)$ on $[0,1]$ as before, $r=1$, $c=\frac12$
+:then: the equation of the member, with the point of the curve inserted, has $\tau=c$ as a root of multiplicity 2, not
+  $n-r+1=3$
+:method: The equation is the determinant (3.4.1) of the member's control points; its value on the curve is a polynomial
+  of degree at most 6, found from 7 values; the multiplicity is the number of times $\tau-c$ divides it.
+:control: the multiplicity 2
+:::
+*/
 CLAIM(cubic_member_meets_the_curve_twice)
 {
     int multiplicity = G(multiplicity_of_the_contact)(T, 3, 1, from_ratio(1, 2));
     about(T, "the multiplicity is n-r+1");
     agree(T, multiplicity == (T->planted ? 2 : 3));
 }
+
 /*
 :::{claim} quartic_member_meets_the_curve_twice
 :title: At the contact the quartic has two coincident intersections with its members of degree 3 and 1
@@ -1107,6 +1126,7 @@ CLAIM(quartic_member_meets_the_curve_twice)
     about(T, "whether one of the two multiplicities is n-r");
     agree(T, T->planted ? cubic == 2 && linear == 2 : cubic == 3 || linear == 1);
 }
+
 /*
 :::{claim} weighted_member_has_other_directions
 :title: With weights the second derivatives of curve and member are not parallel
@@ -1134,4 +1154,5 @@ CLAIM(weighted_member_has_other_directions)
     vanishes(T, G(cross2)(D + 4, E + 4));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

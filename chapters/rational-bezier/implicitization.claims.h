@@ -5,64 +5,6 @@ A plane rational curve has the three polynomials $A(u)=\sum\binom ni\omega_ix_iu
 $B(u)=\sum\binom ni\omega_iy_iu^{n-i}$ and $W(u)=\sum\binom ni\omega_iu^{n-i}$ in a new parameter $u$: its points are
 $(A/W,B/W)$.  A point $(x,y)$ is on it when $A-xW$ and $B-yW$ have a common root, and that is what a resultant (结式)
 recognises.  First the tools: determinants and resultants, each against its definition.
-
-:::{claim} determinant_is_the_sum_over_permutations
-:title: The determinant without division is Leibniz' sum
-:zh: 无除法行列式等于 Leibniz 展开
-:given: an $n\times n$ matrix
-:then: Bird's algorithm returns $\sum_\sigma\operatorname{sgn}\sigma\prod_iM_{i,\sigma(i)}$
-:method: The sum is taken over all permutations, column by column, in every arithmetic.
-:defines: determinant
-:degrees: 1..5 sampled 6
-:control: two columns of the sum exchanged
-:::
-
-:::{claim} sylvester_rows_are_shifted_polynomials
-:title: Row by row Sylvester's matrix is a polynomial times a power
-:zh: Sylvester 矩阵的各行
-:given: polynomials $a$ of degree $m=1,\dots,n$ and $b$ of degree $n$, any $z$
-:then: the matrix times $(z^{m+n-1},\dots,z,1)$ is $(z^{n-1}a(z),\dots,a(z),z^{m-1}b(z),\dots,b(z))$
-:method: With $z$ a variable the products determine every entry.  The polynomials are evaluated by Horner's rule.
-:defines: sylvester
-:degrees: 1..6 sampled 8
-:control: $a$ and $b$ exchanged on the right side
-:::
-
-:::{claim} bezout_matrix_is_the_divided_difference
-:title: Bézout's matrix gives the divided difference of a and b
-:zh: Bézout 矩阵的定义式
-:given: polynomials $a$ and $b$ of degree $n$, any $x$ and $y$
-:then: $(x-y)\sum M_{ij}x^{n-1-i}y^{n-1-j}=a(x)b(y)-a(y)b(x)$
-:method: With $x$ and $y$ variables the identity determines every entry.
-:defines: bezout
-:degrees: 1..6 sampled 10
-:control: $x+y$ in the place of $x-y$
-:::
-
-:::{claim} resultant_is_the_product_of_differences
-:title: Both resultants are the product of the differences of the roots
-:zh: 结式等于根差之积
-:given: $a=a_0\prod_{i\le m}(z-\alpha_i)$, $b=b_0\prod_{j\le n}(z-\beta_j)$, $m=1,\dots,n$; for Bézout's $m=n$
-:then: the determinants of Sylvester and, with the sign $(-1)^{n(n-1)/2}$, of Bézout are
-  $a_0^nb_0^m\prod_{i,j}(\alpha_i-\beta_j)$
-:method: The coefficients are multiplied out from the roots, which are variables.
-:defines: resultant bezout_resultant
-:degrees: 1..4 sampled 7
-:control: the power $a_0^m$
-:::
-
-:::{claim} implicit_value_is_the_printed_determinant
-:title: F is the determinant (3.4.1) with the entries (3.4.2)
-:zh: F 即 (3.4.1) 的行列式
-:given: points and weights, any $x,y$
-:then: $a_i=\binom ni\omega_i(x_i-x)$, and Bézout's way to $F$ gives the determinant of the $2n\times2n$ matrix with $n$
-  shifted rows $a_0,\dots,a_n$ over $n$ shifted rows $b_0,\dots,b_n$
-:method: Entries by Pascal's triangle; the determinant of the large matrix as the sum over permutations, so that nothing
-  is shared but the points.
-:defines: implicit_coefficients implicit_value
-:degrees: 1..3
-:control: the rows of the $a_i$ shifted once less
-:::
 */
 #include "exact/decide/resultant.h"
 #include "exact/decide/roots.h"
@@ -87,30 +29,18 @@ static num G(leibniz)(int n, const num M[], int i, unsigned used)
     return sum;
 }
 
-static num G(horner)(int n, const num a[], num z)
-{
-    num sum = a[0];
-    for (int i = 1; i <= n; i++)
-        sum = add(mul(sum, z), a[i]);
-    return sum;
-}
-
-static long G(pascal)(int n, int i)
-{
-    return i < 0 || i > n ? 0 : n == 0 ? 1 : G(pascal)(n - 1, i - 1) + G(pascal)(n - 1, i);
-}
-
-/* The coefficients of lead (z - root_0) ... (z - root_{n-1}), the leading one first. */
-static void G(from_roots)(int n, num lead, const num roots[], num a[])
-{
-    a[0] = lead;
-    for (int k = 0; k < n; k++) {
-        a[k + 1] = from_int(0);
-        for (int i = k + 1; i > 0; i--)
-            a[i] = sub(a[i], mul(roots[k], a[i - 1]));
-    }
-}
-
+/*
+:::{claim} determinant_is_the_sum_over_permutations
+:title: The determinant without division is Leibniz' sum
+:zh: 无除法行列式等于 Leibniz 展开
+:given: an $n\times n$ matrix
+:then: Bird's algorithm returns $\sum_\sigma\operatorname{sgn}\sigma\prod_iM_{i,\sigma(i)}$
+:method: The sum is taken over all permutations, column by column, in every arithmetic.
+:defines: determinant
+:degrees: 1..5 sampled 6
+:control: two columns of the sum exchanged
+:::
+*/
 CLAIM(determinant_is_the_sum_over_permutations)
 {
     int n = T->degree;
@@ -126,6 +56,26 @@ CLAIM(determinant_is_the_sum_over_permutations)
     same(T, det, G(leibniz)(n, M, 0, 0));
 }
 
+static num G(horner)(int n, const num a[], num z)
+{
+    num sum = a[0];
+    for (int i = 1; i <= n; i++)
+        sum = add(mul(sum, z), a[i]);
+    return sum;
+}
+
+/*
+:::{claim} sylvester_rows_are_shifted_polynomials
+:title: Row by row Sylvester's matrix is a polynomial times a power
+:zh: Sylvester 矩阵的各行
+:given: polynomials $a$ of degree $m=1,\dots,n$ and $b$ of degree $n$, any $z$
+:then: the matrix times $(z^{m+n-1},\dots,z,1)$ is $(z^{n-1}a(z),\dots,a(z),z^{m-1}b(z),\dots,b(z))$
+:method: With $z$ a variable the products determine every entry.  The polynomials are evaluated by Horner's rule.
+:defines: sylvester
+:degrees: 1..6 sampled 8
+:control: $a$ and $b$ exchanged on the right side
+:::
+*/
 CLAIM(sylvester_rows_are_shifted_polynomials)
 {
     int n = T->degree;
@@ -146,6 +96,18 @@ CLAIM(sylvester_rows_are_shifted_polynomials)
     }
 }
 
+/*
+:::{claim} bezout_matrix_is_the_divided_difference
+:title: Bézout's matrix gives the divided difference of a and b
+:zh: Bézout 矩阵的定义式
+:given: polynomials $a$ and $b$ of degree $n$, any $x$ and $y$
+:then: $(x-y)\sum M_{ij}x^{n-1-i}y^{n-1-j}=a(x)b(y)-a(y)b(x)$
+:method: With $x$ and $y$ variables the identity determines every entry.
+:defines: bezout
+:degrees: 1..6 sampled 10
+:control: $x+y$ in the place of $x-y$
+:::
+*/
 CLAIM(bezout_matrix_is_the_divided_difference)
 {
     int n = T->degree;
@@ -161,6 +123,30 @@ CLAIM(bezout_matrix_is_the_divided_difference)
             sum = add(sum, mul(M[i * n + j], mul(G(power)(x, n - 1 - i), G(power)(y, n - 1 - j))));
     num right = sub(mul(G(horner)(n, a, x), G(horner)(n, b, y)), mul(G(horner)(n, a, y), G(horner)(n, b, x)));
     same(T, mul(T->planted ? add(x, y) : sub(x, y), sum), right);
+}
+
+/*
+:::{claim} resultant_is_the_product_of_differences
+:title: Both resultants are the product of the differences of the roots
+:zh: 结式等于根差之积
+:given: $a=a_0\prod_{i\le m}(z-\alpha_i)$, $b=b_0\prod_{j\le n}(z-\beta_j)$, $m=1,\dots,n$; for Bézout's $m=n$
+:then: the determinants of Sylvester and, with the sign $(-1)^{n(n-1)/2}$, of Bézout are
+  $a_0^nb_0^m\prod_{i,j}(\alpha_i-\beta_j)$
+:method: The coefficients are multiplied out from the roots, which are variables.
+:defines: resultant bezout_resultant
+:degrees: 1..4 sampled 7
+:control: the power $a_0^m$
+:::
+*/
+/* The coefficients of lead (z - root_0) ... (z - root_{n-1}), the leading one first. */
+static void G(from_roots)(int n, num lead, const num roots[], num a[])
+{
+    a[0] = lead;
+    for (int k = 0; k < n; k++) {
+        a[k + 1] = from_int(0);
+        for (int i = k + 1; i > 0; i--)
+            a[i] = sub(a[i], mul(roots[k], a[i - 1]));
+    }
 }
 
 CLAIM(resultant_is_the_product_of_differences)
@@ -199,6 +185,25 @@ static void G(plane_curve)(trial *T, int n, num R[], num w[])
         R[2 * i] = unknown(T, "x", i);
         R[2 * i + 1] = unknown(T, "y", i);
     }
+}
+
+/*
+:::{claim} implicit_value_is_the_printed_determinant
+:title: F is the determinant (3.4.1) with the entries (3.4.2)
+:zh: F 即 (3.4.1) 的行列式
+:given: points and weights, any $x,y$
+:then: $a_i=\binom ni\omega_i(x_i-x)$, and Bézout's way to $F$ gives the determinant of the $2n\times2n$ matrix with $n$
+  shifted rows $a_0,\dots,a_n$ over $n$ shifted rows $b_0,\dots,b_n$
+:method: Entries by Pascal's triangle; the determinant of the large matrix as the sum over permutations, so that nothing
+  is shared but the points.
+:defines: implicit_coefficients implicit_value
+:degrees: 1..3
+:control: the rows of the $a_i$ shifted once less
+:::
+*/
+static long G(pascal)(int n, int i)
+{
+    return i < 0 || i > n ? 0 : n == 0 ? 1 : G(pascal)(n - 1, i - 1) + G(pascal)(n - 1, i);
 }
 
 CLAIM(implicit_value_is_the_printed_determinant)
@@ -266,49 +271,6 @@ $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the val
 :method: Identities in $a$, $l$, $u$, $s$; the signs are those of the coefficients, $s$ running through $(0,1)$.
 :control: $t=(bu+a)/(u+1)$
 :::
-
-:::{statement} wang-ch3:3.4.4
-:title: The curve in the new parameter
-:zh: 新参数下的曲线
-:printed: \mathbf R(t)=(x,y)=\Bigl(\frac{\sum\binom ni\omega_ix_iu^{n-i}}{\sum\binom ni\omega_iu^{n-i}},
-  \frac{\sum\binom ni\omega_iy_iu^{n-i}}{\sum\binom ni\omega_iu^{n-i}}\Bigr),\quad 0\le u\le+\infty
-:holds-by: curve_in_the_new_parameter
-
-At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
-:::
-
-:::{claim} curve_in_the_new_parameter
-:title: The substitution turns the Bernstein form into powers of u
-:zh: 代换后的幂形式
-:given: weights, one coordinate, $n\ge1$, $u$ and $\lambda=(t-a)/(b-a)=1/(1+u)$
-:then: $R(t)=A(u)/W(u)$, its value at $u=0$ is $R_n$, and with $v=1/u$ its value at $v=0$ is $R_0$
-:method: The left side by de Casteljau's algorithm at $1/(1+u)$, the right side as printed; $u^nA(1/u)$ and
-  $u^nW(1/u)$ for the end $u=\infty$.
-:degrees: 1..6 sampled 12
-:control: $u^i$ in the place of $u^{n-i}$
-:::
-
-:::{statement} wang-ch3:3.4.5
-:title: The two polynomial equations of a point of the curve
-:zh: 曲线上点所满足的两个方程
-:printed: \sum_{i=0}^na_iu^{n-i}=0,\quad\sum_{i=0}^nb_iu^{n-i}=0
-:holds-by: equations_of_a_point
-:needs: base_point_satisfies_the_equations | the weights are positive, so that the denominator does not vanish for
-  $u\ge0$; else both equations may hold for every $(x,y)$
-
-Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ and $W(u)>0$.
-:::
-
-:::{claim} equations_of_a_point
-:title: The two sums are the denominator times the distance from the point of the curve
-:zh: 两方程等价于点在曲线上
-:given: weights and points, $n\ge1$, any $x$, $u\ge0$
-:then: $\sum a_iu^{n-i}=W(u)\,(X(u)-x)$ with the point $X(u)$ of the curve, and $W(u)\ge\omega_n>0$
-:method: An identity in $x$ and $u$, with $X$ by de Casteljau's algorithm.  $W(u)-\omega_n$ has no negative coefficient.
-  So for $u\ge0$ the sum vanishes if and only if $x=X(u)$; for $y$ the same.
-:degrees: 1..6 sampled 12
-:control: the binomial coefficients left out of the $a_i$
-:::
 */
 CLAIM(parameter_change_and_its_inverse)
 {
@@ -327,59 +289,6 @@ CLAIM(parameter_change_and_its_inverse)
     nonnegative(T, div(s, sub(one, s)));
     same(T, back, div(s, sub(one, s)));
     same(T, div(add(mul(a, back), b), add(back, one)), at);
-}
-
-/* sum C(n,i) p_i u^{n-i} */
-static num G(in_u)(int n, const num p[], num u)
-{
-    num sum = from_int(0);
-    for (int i = 0; i <= n; i++)
-        sum = add(sum, mul(mul(from_int(binomial(n, i)), p[i]), G(power)(u, n - i)));
-    return sum;
-}
-
-CLAIM(curve_in_the_new_parameter)
-{
-    int n = T->degree;
-    num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], wR[MAX_DEGREE + 1], u = parameter(T, "u"), zero = from_int(0), point;
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[i] = unknown(T, "R", i);
-        wR[i] = mul(w[i], R[i]);
-    }
-    G(rational_point)(n, 1, R, w, div(from_int(1), add(from_int(1), u)), &point);
-    num x[MAX_DEGREE + 1], v[MAX_DEGREE + 1]; /* the coefficients in the order of the powers of 1/u */
-    for (int i = 0; i <= n; i++) {
-        x[i] = wR[n - i];
-        v[i] = w[n - i];
-    }
-    about(T, "the point of the curve");
-    same(T, point, T->planted ? div(G(in_u)(n, x, u), G(in_u)(n, v, u)) : div(G(in_u)(n, wR, u), G(in_u)(n, w, u)));
-    about(T, "u = 0");
-    same(T, div(G(in_u)(n, wR, zero), G(in_u)(n, w, zero)), R[n]);
-    about(T, "u = ∞");
-    same(T, div(G(in_u)(n, x, zero), G(in_u)(n, v, zero)), R[0]);
-}
-
-CLAIM(equations_of_a_point)
-{
-    int n = T->degree;
-    num R[2 * MAX_ORDER + 2], P[MAX_ORDER + 1], w[MAX_ORDER + 1], a[MAX_ORDER + 1], point;
-    num x = parameter(T, "x"), u = parameter(T, "u");
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        P[i] = R[2 * i] = unknown(T, "x", i);
-        R[2 * i + 1] = from_int(0);
-    }
-    G(implicit_coefficients)(n, R, w, 0, x, a);
-    if (T->planted)
-        for (int i = 0; i <= n; i++)
-            a[i] = mul(w[i], sub(P[i], x));
-    G(rational_point)(n, 1, P, w, div(from_int(1), add(from_int(1), u)), &point);
-    about(T, "the left side of the first equation");
-    same(T, G(horner)(n, a, u), mul(G(in_u)(n, w, u), sub(point, x)));
-    about(T, "W(u) - ω_n");
-    nonnegative(T, sub(G(in_u)(n, w, u), w[n]));
 }
 
 #if RATIONAL
@@ -403,6 +312,109 @@ CLAIM(parameter_change_needs_two_ends)
     about(T, "t(0) and t(2) differ");
     agree(T, !equal_q(t, b));
 }
+#endif
+
+/*
+:::{statement} wang-ch3:3.4.4
+:title: The curve in the new parameter
+:zh: 新参数下的曲线
+:printed: \mathbf R(t)=(x,y)=\Bigl(\frac{\sum\binom ni\omega_ix_iu^{n-i}}{\sum\binom ni\omega_iu^{n-i}},
+  \frac{\sum\binom ni\omega_iy_iu^{n-i}}{\sum\binom ni\omega_iu^{n-i}}\Bigr),\quad 0\le u\le+\infty
+:holds-by: curve_in_the_new_parameter
+
+At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
+:::
+*/
+
+/* sum C(n,i) p_i u^{n-i} */
+static num G(in_u)(int n, const num p[], num u)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(mul(from_int(binomial(n, i)), p[i]), G(power)(u, n - i)));
+    return sum;
+}
+
+/*
+:::{claim} curve_in_the_new_parameter
+:title: The substitution turns the Bernstein form into powers of u
+:zh: 代换后的幂形式
+:given: weights, one coordinate, $n\ge1$, $u$ and $\lambda=(t-a)/(b-a)=1/(1+u)$
+:then: $R(t)=A(u)/W(u)$, its value at $u=0$ is $R_n$, and with $v=1/u$ its value at $v=0$ is $R_0$
+:method: The left side by de Casteljau's algorithm at $1/(1+u)$, the right side as printed; $u^nA(1/u)$ and
+  $u^nW(1/u)$ for the end $u=\infty$.
+:degrees: 1..6 sampled 12
+:control: $u^i$ in the place of $u^{n-i}$
+:::
+*/
+CLAIM(curve_in_the_new_parameter)
+{
+    int n = T->degree;
+    num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], wR[MAX_DEGREE + 1], u = parameter(T, "u"), zero = from_int(0), point;
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "R", i);
+        wR[i] = mul(w[i], R[i]);
+    }
+    G(rational_point)(n, 1, R, w, div(from_int(1), add(from_int(1), u)), &point);
+    num x[MAX_DEGREE + 1], v[MAX_DEGREE + 1]; /* the coefficients in the order of the powers of 1/u */
+    for (int i = 0; i <= n; i++) {
+        x[i] = wR[n - i];
+        v[i] = w[n - i];
+    }
+    about(T, "the point of the curve");
+    same(T, point, T->planted ? div(G(in_u)(n, x, u), G(in_u)(n, v, u)) : div(G(in_u)(n, wR, u), G(in_u)(n, w, u)));
+    about(T, "u = 0");
+    same(T, div(G(in_u)(n, wR, zero), G(in_u)(n, w, zero)), R[n]);
+    about(T, "u = ∞");
+    same(T, div(G(in_u)(n, x, zero), G(in_u)(n, v, zero)), R[0]);
+}
+
+/*
+:::{statement} wang-ch3:3.4.5
+:title: The two polynomial equations of a point of the curve
+:zh: 曲线上点所满足的两个方程
+:printed: \sum_{i=0}^na_iu^{n-i}=0,\quad\sum_{i=0}^nb_iu^{n-i}=0
+:holds-by: equations_of_a_point
+:needs: base_point_satisfies_the_equations | the weights are positive, so that the denominator does not vanish for
+  $u\ge0$; else both equations may hold for every $(x,y)$
+
+Equivalent to (3.4.4), for the same $u$, because $\sum a_iu^{n-i}=W(u)(A/W-x)$ and $W(u)>0$.
+:::
+
+:::{claim} equations_of_a_point
+:title: The two sums are the denominator times the distance from the point of the curve
+:zh: 两方程等价于点在曲线上
+:given: weights and points, $n\ge1$, any $x$, $u\ge0$
+:then: $\sum a_iu^{n-i}=W(u)\,(X(u)-x)$ with the point $X(u)$ of the curve, and $W(u)\ge\omega_n>0$
+:method: An identity in $x$ and $u$, with $X$ by de Casteljau's algorithm.  $W(u)-\omega_n$ has no negative coefficient.
+  So for $u\ge0$ the sum vanishes if and only if $x=X(u)$; for $y$ the same.
+:degrees: 1..6 sampled 12
+:control: the binomial coefficients left out of the $a_i$
+:::
+*/
+CLAIM(equations_of_a_point)
+{
+    int n = T->degree;
+    num R[2 * MAX_ORDER + 2], P[MAX_ORDER + 1], w[MAX_ORDER + 1], a[MAX_ORDER + 1], point;
+    num x = parameter(T, "x"), u = parameter(T, "u");
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        P[i] = R[2 * i] = unknown(T, "x", i);
+        R[2 * i + 1] = from_int(0);
+    }
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    if (T->planted)
+        for (int i = 0; i <= n; i++)
+            a[i] = mul(w[i], sub(P[i], x));
+    G(rational_point)(n, 1, P, w, div(from_int(1), add(from_int(1), u)), &point);
+    about(T, "the left side of the first equation");
+    same(T, G(horner)(n, a, u), mul(G(in_u)(n, w, u), sub(point, x)));
+    about(T, "W(u) - ω_n");
+    nonnegative(T, sub(G(in_u)(n, w, u), w[n]));
+}
+
+#if RATIONAL
 /*
 :::{claim} base_point_satisfies_the_equations
 :title: Where numerators and denominator vanish together both equations hold for every point
@@ -464,17 +476,6 @@ Only the direction from the curve to the common root is used in the proof, and t
 :degrees: 1..6 sampled 10
 :control: the point taken at $2u$
 :::
-
-:::{claim} implicit_value_vanishes_on_the_curve
-:title: The value of F at points of the curve is 0
-:zh: F 在曲线上之值为零
-:types: rational interval double
-:given: weights and points, $n\ge1$, any parameter
-:then: $F(R(t))=0$
-:method: The second way: the determinant itself, by Bézout's matrix.
-:degrees: 1..6 sampled 8
-:control: the point moved by $(1,0)$
-:::
 */
 CLAIM(equation_vanishes_on_the_curve)
 {
@@ -502,6 +503,18 @@ CLAIM(equation_vanishes_on_the_curve)
 }
 
 #if !FIELD
+/*
+:::{claim} implicit_value_vanishes_on_the_curve
+:title: The value of F at points of the curve is 0
+:zh: F 在曲线上之值为零
+:types: rational interval double
+:given: weights and points, $n\ge1$, any parameter
+:then: $F(R(t))=0$
+:method: The second way: the determinant itself, by Bézout's matrix.
+:degrees: 1..6 sampled 8
+:control: the point moved by $(1,0)$
+:::
+*/
 CLAIM(implicit_value_vanishes_on_the_curve)
 {
     int n = T->degree;
@@ -566,6 +579,7 @@ static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w
     about(T, "a common root exists exactly if the point is on the curve");
     agree(T, has_common_root(n, R, w, x, y, T->planted) == on_the_arc(n, R, w, x, y));
 }
+
 /*
 :::{claim} common_root_of_a_point_off_the_arc
 :title: A point on the line, not on the segment, has a common root
@@ -578,7 +592,14 @@ static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w
   greatest common divisor in $t$.
 :control: roots $u\ge0$ only
 :::
+*/
+CLAIM(common_root_of_a_point_off_the_arc)
+{
+    num R[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, w[2] = {from_int(1), from_int(1)};
+    compare_with_the_arc(T, 1, R, w, from_int(2), from_int(0));
+}
 
+/*
 :::{claim} common_root_of_an_isolated_point
 :title: An isolated point has complex common roots and is on no real arc
 :zh: 孤立点有复公根而不在实弧上
@@ -589,7 +610,16 @@ static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w
 :method: As for the point off the arc.
 :control: roots $u\ge0$ only
 :::
+*/
+CLAIM(common_root_of_an_isolated_point)
+{
+    num R[8] = {from_int(0),      from_int(0),      from_int(0), from_ratio(1, 3),
+                from_ratio(1, 3), from_ratio(2, 3), from_int(1), from_int(2)};
+    num w[4] = {from_int(1), from_int(1), from_int(1), from_int(1)};
+    compare_with_the_arc(T, 3, R, w, from_int(-1), from_int(0));
+}
 
+/*
 :::{claim} nonnegative_common_roots_are_the_points
 :title: Common roots u ≥ 0, or R_0, are exactly the points of the arc
 :zh: 非负公根与弧上的点一一对应
@@ -604,20 +634,6 @@ static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w
 :control: any common root
 :::
 */
-CLAIM(common_root_of_a_point_off_the_arc)
-{
-    num R[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, w[2] = {from_int(1), from_int(1)};
-    compare_with_the_arc(T, 1, R, w, from_int(2), from_int(0));
-}
-
-CLAIM(common_root_of_an_isolated_point)
-{
-    num R[8] = {from_int(0),      from_int(0),      from_int(0), from_ratio(1, 3),
-                from_ratio(1, 3), from_ratio(2, 3), from_int(1), from_int(2)};
-    num w[4] = {from_int(1), from_int(1), from_int(1), from_int(1)};
-    compare_with_the_arc(T, 3, R, w, from_int(-1), from_int(0));
-}
-
 CLAIM(nonnegative_common_roots_are_the_points)
 {
     static const struct {
@@ -679,36 +695,6 @@ That $F$ is 0 then is `common_zero_makes_the_equation_vanish`; that every elevat
 equation, such as $(x-y)^2$ for the points $(0,0),(0,0),(1,1)$.  The curve of space is drawn in `implicit_shadow`.
 :::
 
-:::{statement} wang-ch3:thm-3.4.1-step-vanishing
-:title: By the theory of resultants F must be 0 at the points of the curve
-:zh: 由结式理论 F 必为零
-:printed: at the points of the curve the resultant $F(x,y)$ of (3.4.5) is 0
-:holds-by: equation_vanishes_on_the_curve
-
-The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
-:::
-
-:::{claim} common_zero_makes_the_equation_vanish
-:title: A common zero of numerators and denominator makes F identically 0
-:zh: 有公共零点时 F 恒为零
-:given: $A$, $B$, $W$ with a common zero $\rho$, or $\omega_0=0$; any $x,y$
-:then: the matrix of (3.4.1) maps $(\rho^{2n-1},\dots,\rho,1)$ to 0, or has a first column of zeros
-:method: The three polynomials are multiplied out from $u-\rho$ and three free cofactors; everything is a variable.
-:degrees: 1..6 sampled 10
-:control: the zero of $B$ moved to $\rho+1$
-:::
-
-:::{claim} elevation_multiplies_by_one_plus_u
-:title: Degree elevation multiplies numerators and denominator by 1 + u
-:zh: 升阶使分子分母同乘 1+u
-:given: weights and one coordinate of the points, $n\ge1$, any $u$
-:then: $\hat W(u)=(1+u)W(u)$ and $\hat A(u)=(1+u)A(u)$
-:method: The elevated points and weights by the kernel; both sides in the field.  So every elevated curve has the common
-  zero $u=-1$.  For every $n$: $\binom{n+1}i\hat\omega_i=\binom ni\omega_i+\binom n{i-1}\omega_{i-1}$.
-:degrees: 1..6 sampled 12
-:control: the factor $1-u$
-:::
-
 :::{claim} top_form_is_a_resultant
 :title: The terms of degree n of F are Res(W, yA - xB)
 :zh: F 的最高次部分
@@ -726,63 +712,6 @@ The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant
 :control: $yB-xA$ in the second resultant
 :::
 */
-CLAIM(common_zero_makes_the_equation_vanish)
-{
-    int n = T->degree;
-    num p[3][MAX_ORDER + 1], R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
-    num M[MAX_ORDER * MAX_ORDER], rho = parameter(T, "rho"), x = parameter(T, "x"), y = parameter(T, "y");
-    for (int k = 0; k < 3; k++) { /* (u - rho) times a polynomial of degree n-1 */
-        num zero = T->planted && k == 1 ? add(rho, from_int(1)) : rho, before = from_int(0);
-        for (int i = 0; i <= n; i++) {
-            num c = i < n ? positive(T, k == 0 ? "a" : k == 1 ? "b" : "c", i) : from_int(0);
-            p[k][i] = sub(c, mul(zero, before));
-            before = c;
-        }
-    }
-    for (int i = 0; i <= n; i++) {
-        w[i] = div(p[2][i], from_int(binomial(n, i)));
-        R[2 * i] = div(p[0][i], p[2][i]);
-        R[2 * i + 1] = div(p[1][i], p[2][i]);
-    }
-    G(implicit_coefficients)(n, R, w, 0, x, a);
-    G(implicit_coefficients)(n, R, w, 1, y, b);
-    G(sylvester)(n, a, n, b, M);
-    about(T, "the rows of the matrix times the powers of the common zero");
-    for (int i = 0; i < 2 * n; i++) {
-        num row = from_int(0);
-        for (int j = 0; j < 2 * n; j++)
-            row = add(mul(row, rho), M[i * 2 * n + j]);
-        vanishes(T, row);
-    }
-    w[0] = from_int(0);
-    G(implicit_coefficients)(n, R, w, 0, x, a);
-    G(implicit_coefficients)(n, R, w, 1, y, b);
-    G(sylvester)(n, a, n, b, M);
-    about(T, "the first column for ω_0 = 0");
-    for (int i = 0; i < 2 * n; i++)
-        vanishes(T, M[i * 2 * n]);
-}
-
-CLAIM(elevation_multiplies_by_one_plus_u)
-{
-    int n = T->degree;
-    num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], Re[MAX_DEGREE + 1], we[MAX_DEGREE + 1], u = parameter(T, "u");
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[i] = unknown(T, "R", i);
-    }
-    G(rational_elevate)(n, 1, R, w, Re, we);
-    num factor = T->planted ? sub(from_int(1), u) : add(from_int(1), u);
-    about(T, "the denominator");
-    same(T, G(in_u)(n + 1, we, u), mul(factor, G(in_u)(n, w, u)));
-    for (int i = 0; i <= n; i++)
-        R[i] = mul(w[i], R[i]);
-    for (int i = 0; i <= n + 1; i++)
-        Re[i] = mul(we[i], Re[i]);
-    about(T, "a numerator");
-    same(T, G(in_u)(n + 1, Re, u), mul(factor, G(in_u)(n, R, u)));
-}
-
 CLAIM(top_form_is_a_resultant)
 {
     int n = T->degree;
@@ -809,6 +738,16 @@ CLAIM(top_form_is_a_resultant)
 }
 
 #if FIELD
+static void is_an_equation(trial *T, int n, const num_f R[], const num_f w[])
+{
+    num_f F = implicit_value_f(n, R, w, variable_f("x"), variable_f("y"));
+    show_points(T, "R", n + 1, 2, R);
+    show_points(T, "ω", n + 1, 1, w);
+    show(T, "F(x, y)", F);
+    about(T, "F is not the zero polynomial");
+    agree(T, !is_zero_f(F));
+}
+
 /*
 :::{claim} elevated_curve_has_no_equation
 :title: For an elevated parabola the determinant is identically 0
@@ -820,28 +759,7 @@ CLAIM(top_form_is_a_resultant)
 :method: The determinant with $x$ and $y$ variables; that it is not the zero polynomial is what is compared.
 :control: the same curve in degree 2
 :::
-
-:::{claim} end_weight_zero_gives_no_equation
-:title: With the first weight 0 the determinant is identically 0
-:zh: 首权为零时 F 恒为零
-:kind: counterexample
-:types: field
-:given: $n=2$, points $(0,0),(1,2),(3,1)$, weights $0,1,1$: the segment from $(1,2)$ to $(3,1)$
-:then: $F(x,y)=0$ for all $x$ and $y$
-:method: As for the elevated parabola.
-:control: the weights $1,1,1$
-:::
 */
-static void is_an_equation(trial *T, int n, const num_f R[], const num_f w[])
-{
-    num_f F = implicit_value_f(n, R, w, variable_f("x"), variable_f("y"));
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
-    show(T, "F(x, y)", F);
-    about(T, "F is not the zero polynomial");
-    agree(T, !is_zero_f(F));
-}
-
 CLAIM(elevated_curve_has_no_equation)
 {
     num R[6] = {from_int(0), from_int(0), from_ratio(1, 2), from_int(0), from_int(1), from_int(1)};
@@ -853,6 +771,18 @@ CLAIM(elevated_curve_has_no_equation)
         is_an_equation(T, 3, Re, we);
 }
 
+/*
+:::{claim} end_weight_zero_gives_no_equation
+:title: With the first weight 0 the determinant is identically 0
+:zh: 首权为零时 F 恒为零
+:kind: counterexample
+:types: field
+:given: $n=2$, points $(0,0),(1,2),(3,1)$, weights $0,1,1$: the segment from $(1,2)$ to $(3,1)$
+:then: $F(x,y)=0$ for all $x$ and $y$
+:method: As for the elevated parabola.
+:control: the weights $1,1,1$
+:::
+*/
 CLAIM(end_weight_zero_gives_no_equation)
 {
     num R[6] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(3), from_int(1)};
@@ -898,6 +828,95 @@ CLAIM(space_curve_and_its_shadow)
 #endif
 
 /*
+:::{statement} wang-ch3:thm-3.4.1-step-vanishing
+:title: By the theory of resultants F must be 0 at the points of the curve
+:zh: 由结式理论 F 必为零
+:printed: at the points of the curve the resultant $F(x,y)$ of (3.4.5) is 0
+:holds-by: equation_vanishes_on_the_curve
+
+The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
+:::
+
+:::{claim} common_zero_makes_the_equation_vanish
+:title: A common zero of numerators and denominator makes F identically 0
+:zh: 有公共零点时 F 恒为零
+:given: $A$, $B$, $W$ with a common zero $\rho$, or $\omega_0=0$; any $x,y$
+:then: the matrix of (3.4.1) maps $(\rho^{2n-1},\dots,\rho,1)$ to 0, or has a first column of zeros
+:method: The three polynomials are multiplied out from $u-\rho$ and three free cofactors; everything is a variable.
+:degrees: 1..6 sampled 10
+:control: the zero of $B$ moved to $\rho+1$
+:::
+*/
+CLAIM(common_zero_makes_the_equation_vanish)
+{
+    int n = T->degree;
+    num p[3][MAX_ORDER + 1], R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
+    num M[MAX_ORDER * MAX_ORDER], rho = parameter(T, "rho"), x = parameter(T, "x"), y = parameter(T, "y");
+    for (int k = 0; k < 3; k++) { /* (u - rho) times a polynomial of degree n-1 */
+        num zero = T->planted && k == 1 ? add(rho, from_int(1)) : rho, before = from_int(0);
+        for (int i = 0; i <= n; i++) {
+            num c = i < n ? positive(T, k == 0 ? "a" : k == 1 ? "b" : "c", i) : from_int(0);
+            p[k][i] = sub(c, mul(zero, before));
+            before = c;
+        }
+    }
+    for (int i = 0; i <= n; i++) {
+        w[i] = div(p[2][i], from_int(binomial(n, i)));
+        R[2 * i] = div(p[0][i], p[2][i]);
+        R[2 * i + 1] = div(p[1][i], p[2][i]);
+    }
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    G(implicit_coefficients)(n, R, w, 1, y, b);
+    G(sylvester)(n, a, n, b, M);
+    about(T, "the rows of the matrix times the powers of the common zero");
+    for (int i = 0; i < 2 * n; i++) {
+        num row = from_int(0);
+        for (int j = 0; j < 2 * n; j++)
+            row = add(mul(row, rho), M[i * 2 * n + j]);
+        vanishes(T, row);
+    }
+    w[0] = from_int(0);
+    G(implicit_coefficients)(n, R, w, 0, x, a);
+    G(implicit_coefficients)(n, R, w, 1, y, b);
+    G(sylvester)(n, a, n, b, M);
+    about(T, "the first column for ω_0 = 0");
+    for (int i = 0; i < 2 * n; i++)
+        vanishes(T, M[i * 2 * n]);
+}
+
+/*
+:::{claim} elevation_multiplies_by_one_plus_u
+:title: Degree elevation multiplies numerators and denominator by 1 + u
+:zh: 升阶使分子分母同乘 1+u
+:given: weights and one coordinate of the points, $n\ge1$, any $u$
+:then: $\hat W(u)=(1+u)W(u)$ and $\hat A(u)=(1+u)A(u)$
+:method: The elevated points and weights by the kernel; both sides in the field.  So every elevated curve has the common
+  zero $u=-1$.  For every $n$: $\binom{n+1}i\hat\omega_i=\binom ni\omega_i+\binom n{i-1}\omega_{i-1}$.
+:degrees: 1..6 sampled 12
+:control: the factor $1-u$
+:::
+*/
+CLAIM(elevation_multiplies_by_one_plus_u)
+{
+    int n = T->degree;
+    num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], Re[MAX_DEGREE + 1], we[MAX_DEGREE + 1], u = parameter(T, "u");
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "R", i);
+    }
+    G(rational_elevate)(n, 1, R, w, Re, we);
+    num factor = T->planted ? sub(from_int(1), u) : add(from_int(1), u);
+    about(T, "the denominator");
+    same(T, G(in_u)(n + 1, we, u), mul(factor, G(in_u)(n, w, u)));
+    for (int i = 0; i <= n; i++)
+        R[i] = mul(w[i], R[i]);
+    for (int i = 0; i <= n + 1; i++)
+        Re[i] = mul(we[i], Re[i]);
+    about(T, "a numerator");
+    same(T, G(in_u)(n + 1, Re, u), mul(factor, G(in_u)(n, R, u)));
+}
+
+/*
 ## The degree
 
 :::{statement} wang-ch3:thm-3.4.2
@@ -922,7 +941,18 @@ $\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by
 :scope: any two pairs of entries, in every degree
 :control: $a_ib_j+a_jb_i$
 :::
+*/
+CLAIM(bezout_entries_are_linear)
+{
+    num p = unknown(T, "p", 0), q = unknown(T, "q", 0), x = parameter(T, "x"), y = parameter(T, "y");
+    num x0 = unknown(T, "x", 0), y0 = unknown(T, "y", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1);
+    num a0 = mul(p, sub(x0, x)), b0 = mul(p, sub(y0, y)), a1 = mul(q, sub(x1, x)), b1 = mul(q, sub(y1, y));
+    num left = T->planted ? add(mul(a0, b1), mul(a1, b0)) : sub(mul(a0, b1), mul(a1, b0));
+    num constant = sub(mul(x0, y1), mul(x1, y0)), linear = sub(mul(sub(y0, y1), x), mul(sub(x0, x1), y));
+    same(T, left, mul(mul(p, q), add(constant, linear)));
+}
 
+/*
 :::{claim} bezout_matrix_comes_from_the_blocks
 :title: Bézout's matrix comes from the four blocks of Sylvester's
 :zh: Bézout 矩阵与 Sylvester 矩阵的分块
@@ -935,28 +965,7 @@ $\omega_0=0$ the polynomial is 0 and the bound trivial.  Sharper, and decided by
 :scope: larger $n$ by argument: both sides have the entries $\sum_{m\le n-1-i}(a_mb_{n+j-i-m}-b_ma_{n+j-i-m})$
 :control: $A_2$ and $B_2$ exchanged
 :::
-
-:::{claim} sylvester_and_bezout_give_one_equation
-:title: The 2n × 2n determinant and Bézout's n × n determinant are the same F
-:zh: 两种行列式给出同一 F
-:given: weights and points, any $x,y$
-:then: the determinant (3.4.1) is $(-1)^{n(n-1)/2}$ times the determinant of Bézout's matrix
-:method: Both determinants without division, all numbers variables.
-:degrees: 1..4 sampled 8
-:scope: larger $n$ by the argument of `bezout_matrix_comes_from_the_blocks`
-:control: the sign $(-1)^{n(n+1)/2}$
-:::
 */
-CLAIM(bezout_entries_are_linear)
-{
-    num p = unknown(T, "p", 0), q = unknown(T, "q", 0), x = parameter(T, "x"), y = parameter(T, "y");
-    num x0 = unknown(T, "x", 0), y0 = unknown(T, "y", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1);
-    num a0 = mul(p, sub(x0, x)), b0 = mul(p, sub(y0, y)), a1 = mul(q, sub(x1, x)), b1 = mul(q, sub(y1, y));
-    num left = T->planted ? add(mul(a0, b1), mul(a1, b0)) : sub(mul(a0, b1), mul(a1, b0));
-    num constant = sub(mul(x0, y1), mul(x1, y0)), linear = sub(mul(sub(y0, y1), x), mul(sub(x0, x1), y));
-    same(T, left, mul(mul(p, q), add(constant, linear)));
-}
-
 CLAIM(bezout_matrix_comes_from_the_blocks)
 {
     int n = T->degree, second = T->planted ? n : 0; /* the rows of the block that stands for A_2 */
@@ -984,6 +993,18 @@ CLAIM(bezout_matrix_comes_from_the_blocks)
         }
 }
 
+/*
+:::{claim} sylvester_and_bezout_give_one_equation
+:title: The 2n × 2n determinant and Bézout's n × n determinant are the same F
+:zh: 两种行列式给出同一 F
+:given: weights and points, any $x,y$
+:then: the determinant (3.4.1) is $(-1)^{n(n-1)/2}$ times the determinant of Bézout's matrix
+:method: Both determinants without division, all numbers variables.
+:degrees: 1..4 sampled 8
+:scope: larger $n$ by the argument of `bezout_matrix_comes_from_the_blocks`
+:control: the sign $(-1)^{n(n+1)/2}$
+:::
+*/
 CLAIM(sylvester_and_bezout_give_one_equation)
 {
     int n = T->degree;
@@ -1010,7 +1031,74 @@ then as the resulting determinant.  Words and recursion do not agree.
 :definition: yes
 :checked-by: column_operations_give_the_corrected_recursion
 :::
+*/
 
+/* Omega_i, i = 0, ..., n. */
+static void G(omegas)(int n, const num w[], num O[])
+{
+    for (int i = 0; i <= n; i++)
+        O[i] = mul(from_int(binomial(n, i)), div(w[i], w[0]));
+}
+
+/* f[r][i] = f_i^{[r]}, i < 2n, by (3.4.6) and (3.4.7): with Omega_{i-r+1}, or as printed. */
+static void G(reduced_entries)(int n, const num O[], const num f[], int printed, num out[][2 * MAX_ORDER])
+{
+    for (int i = 0; i < 2 * n; i++)
+        out[0][i] = i <= n ? f[i] : from_int(0);
+    for (int r = 1; r <= n; r++)
+        for (int i = r; i < 2 * n; i++) {
+            int k = printed ? i : i - r + 1;
+            num change = i < r + n && k <= n ? mul(O[k], out[r - 1][r - 1]) : from_int(0);
+            out[r][i] = sub(out[r - 1][i], change);
+        }
+}
+
+/* The matrix of (3.4.1) after the first `steps` steps of column operations. */
+static void G(operate)(int n, const num O[], const num a[], const num b[], int steps, num M[])
+{
+    G(sylvester)(n, a, n, b, M);
+    for (int r = 1; r <= steps; r++)
+        for (int i = 1; i <= n; i++)
+            for (int row = 0; row < 2 * n; row++) {
+                num *entry = &M[row * 2 * n + (i + r - 1)];
+                *entry = sub(*entry, mul(O[i], M[row * 2 * n + (r - 1)]));
+            }
+}
+
+/*
+:::{claim} column_operations_give_the_corrected_recursion
+:title: The column operations, done one by one, give the recursion with Ω_{i-r+1} and do not change F
+:zh: 逐列变换与更正后的递推一致
+:given: weights with $\omega_0\ne0$ and points, $n\ge1$, any $x,y$
+:then: after the operations row $k$ of the $a$ is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$, from column $k$ on,
+  with the corrected recursion, and so for the $b$
+:method: The operations are carried out on the matrix of (3.4.1), the recursion on the entries; all entries are
+  compared. An operation of this kind does not change a determinant.
+:degrees: 1..6 sampled 8
+:control: $\Omega_i$ as printed, 0 beyond $n$
+:::
+*/
+CLAIM(column_operations_give_the_corrected_recursion)
+{
+    int n = T->degree;
+    num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], f[2][MAX_ORDER + 1], O[MAX_ORDER + 1], M[MAX_ORDER * MAX_ORDER];
+    num level[MAX_ORDER / 2 + 1][2 * MAX_ORDER];
+    G(plane_curve)(T, n, R, w);
+    G(implicit_coefficients)(n, R, w, 0, parameter(T, "x"), f[0]);
+    G(implicit_coefficients)(n, R, w, 1, parameter(T, "y"), f[1]);
+    G(omegas)(n, w, O);
+    G(operate)(n, O, f[0], f[1], n, M);
+    for (int half = 0; half < 2; half++) {
+        G(reduced_entries)(n, O, f[half], T->planted, level);
+        for (int k = 0; k < n; k++) /* row k+1 of the source */
+            for (int column = 0; column < 2 * n; column++) {
+                int j = column - k, r = j < n - k ? j : n - k;
+                same(T, M[(half * n + k) * 2 * n + column], j < 0 ? from_int(0) : level[r][j]);
+            }
+    }
+}
+
+/*
 :::{statement} wang-ch3:3.4.7
 :title: The recursion of the column operations
 :zh: 列变换的递推式
@@ -1026,7 +1114,45 @@ then as the resulting determinant.  Words and recursion do not agree.
 For $r=1$ the two agree.  From $r=2$ on the printed index runs beyond $n$, where there is no $\omega_i$; even with
 $\Omega_i=0$ there, the determinant changes.
 :::
+*/
 
+#if FIELD
+/*
+:::{claim} printed_recursion_is_not_the_operations
+:title: With the printed index the determinant is another polynomial
+:zh: 按所印下标行列式改变
+:kind: counterexample
+:types: field
+:given: $n=2$, points $(0,0),(1,0),(1,1)$, weights 1; in the printed recursion $\Omega_3=0$
+:then: the determinant of the staircase is $x^2-y^2-4y$ up to sign, while $F$ is $(x+y)^2-4y$
+:method: The staircase with the printed recursion is filled in and its determinant taken, with $x$ and $y$ variables.
+:control: the index $i-r+1$
+:::
+*/
+CLAIM(printed_recursion_is_not_the_operations)
+{
+    enum { n = 2 };
+    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1)};
+    num w[3] = {from_int(1), from_int(1), from_int(1)}, O[3], f[2][3], M[16];
+    num level[MAX_ORDER / 2 + 1][2 * MAX_ORDER], x = variable_f("x"), y = variable_f("y");
+    omegas_f(n, w, O);
+    implicit_coefficients_f(n, R, w, 0, x, f[0]);
+    implicit_coefficients_f(n, R, w, 1, y, f[1]);
+    for (int half = 0; half < 2; half++) {
+        reduced_entries_f(n, O, f[half], !T->planted, level);
+        for (int k = 0; k < n; k++)
+            for (int column = 0; column < 2 * n; column++) {
+                int j = column - k, r = j < n - k ? j : n - k;
+                M[(half * n + k) * 2 * n + column] = j < 0 ? from_int(0) : level[r][j];
+            }
+    }
+    show_points(T, "R", 3, 2, R);
+    about(T, "the determinant, left with the recursion, right (3.4.1)");
+    same(T, determinant_f(2 * n, M), implicit_value_f(n, R, w, x, y));
+}
+#endif
+
+/*
 :::{statement} wang-ch3:thm-3.4.2-step-columns
 :title: Step r subtracts Ω_i times column r from column i+r
 :zh: 列初等变换
@@ -1069,18 +1195,6 @@ The columns $i+r\le2n$ exist, and the determinant does not change.
 The variables stand in $n$ columns, in degree one: a product of one entry from every column has degree at most $n$.
 :::
 
-:::{claim} column_operations_give_the_corrected_recursion
-:title: The column operations, done one by one, give the recursion with Ω_{i-r+1} and do not change F
-:zh: 逐列变换与更正后的递推一致
-:given: weights with $\omega_0\ne0$ and points, $n\ge1$, any $x,y$
-:then: after the operations row $k$ of the $a$ is $a_j^{[\min(j,n-k+1)]}$, $j=0,\dots,2n-k$, from column $k$ on,
-  with the corrected recursion, and so for the $b$
-:method: The operations are carried out on the matrix of (3.4.1), the recursion on the entries; all entries are
-  compared. An operation of this kind does not change a determinant.
-:degrees: 1..6 sampled 8
-:control: $\Omega_i$ as printed, 0 beyond $n$
-:::
-
 :::{claim} changed_entries_are_constants
 :title: The entries of level r ≥ 1 do not depend on x
 :zh: r≥1 层的元素与 x 无关
@@ -1091,69 +1205,7 @@ The variables stand in $n$ columns, in degree one: a product of one entry from e
 :degrees: 1..6 sampled 10
 :control: level 0 included
 :::
-
-:::{claim} variables_stay_in_the_first_columns
-:title: After the operations x and y stand only in entry (k,k) and entry (n+k,k), k = 1, ..., n
-:zh: 变换后变量只在前 n 列
-:given: weights with $\omega_0\ne0$ and points, $n\ge1$, two points $(x,y)$ and $(x',y')$
-:then: the two matrices after the operations differ only in the entries $(k,k)$ and $(n+k,k)$, which are $a_0$ and $b_0$
-:method: The operations are carried out on both matrices; all other entries are compared.
-:degrees: 1..6 sampled 8
-:control: the last of the $n$ steps left out
-:::
 */
-/* Omega_i, i = 0, ..., n. */
-static void G(omegas)(int n, const num w[], num O[])
-{
-    for (int i = 0; i <= n; i++)
-        O[i] = mul(from_int(binomial(n, i)), div(w[i], w[0]));
-}
-
-/* f[r][i] = f_i^{[r]}, i < 2n, by (3.4.6) and (3.4.7): with Omega_{i-r+1}, or as printed. */
-static void G(reduced_entries)(int n, const num O[], const num f[], int printed, num out[][2 * MAX_ORDER])
-{
-    for (int i = 0; i < 2 * n; i++)
-        out[0][i] = i <= n ? f[i] : from_int(0);
-    for (int r = 1; r <= n; r++)
-        for (int i = r; i < 2 * n; i++) {
-            int k = printed ? i : i - r + 1;
-            num change = i < r + n && k <= n ? mul(O[k], out[r - 1][r - 1]) : from_int(0);
-            out[r][i] = sub(out[r - 1][i], change);
-        }
-}
-
-/* The matrix of (3.4.1) after the first `steps` steps of column operations. */
-static void G(operate)(int n, const num O[], const num a[], const num b[], int steps, num M[])
-{
-    G(sylvester)(n, a, n, b, M);
-    for (int r = 1; r <= steps; r++)
-        for (int i = 1; i <= n; i++)
-            for (int row = 0; row < 2 * n; row++) {
-                num *entry = &M[row * 2 * n + (i + r - 1)];
-                *entry = sub(*entry, mul(O[i], M[row * 2 * n + (r - 1)]));
-            }
-}
-
-CLAIM(column_operations_give_the_corrected_recursion)
-{
-    int n = T->degree;
-    num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], f[2][MAX_ORDER + 1], O[MAX_ORDER + 1], M[MAX_ORDER * MAX_ORDER];
-    num level[MAX_ORDER / 2 + 1][2 * MAX_ORDER];
-    G(plane_curve)(T, n, R, w);
-    G(implicit_coefficients)(n, R, w, 0, parameter(T, "x"), f[0]);
-    G(implicit_coefficients)(n, R, w, 1, parameter(T, "y"), f[1]);
-    G(omegas)(n, w, O);
-    G(operate)(n, O, f[0], f[1], n, M);
-    for (int half = 0; half < 2; half++) {
-        G(reduced_entries)(n, O, f[half], T->planted, level);
-        for (int k = 0; k < n; k++) /* row k+1 of the source */
-            for (int column = 0; column < 2 * n; column++) {
-                int j = column - k, r = j < n - k ? j : n - k;
-                same(T, M[(half * n + k) * 2 * n + column], j < 0 ? from_int(0) : level[r][j]);
-            }
-    }
-}
-
 CLAIM(changed_entries_are_constants)
 {
     int n = T->degree;
@@ -1172,6 +1224,17 @@ CLAIM(changed_entries_are_constants)
     }
 }
 
+/*
+:::{claim} variables_stay_in_the_first_columns
+:title: After the operations x and y stand only in entry (k,k) and entry (n+k,k), k = 1, ..., n
+:zh: 变换后变量只在前 n 列
+:given: weights with $\omega_0\ne0$ and points, $n\ge1$, two points $(x,y)$ and $(x',y')$
+:then: the two matrices after the operations differ only in the entries $(k,k)$ and $(n+k,k)$, which are $a_0$ and $b_0$
+:method: The operations are carried out on both matrices; all other entries are compared.
+:degrees: 1..6 sampled 8
+:control: the last of the $n$ steps left out
+:::
+*/
 CLAIM(variables_stay_in_the_first_columns)
 {
     int n = T->degree, steps = T->planted ? n - 1 : n;
@@ -1193,39 +1256,4 @@ CLAIM(variables_stay_in_the_first_columns)
                 same(T, N[row * 2 * n + column], row < n ? a[0] : b[0]);
 }
 
-#if FIELD
-/*
-:::{claim} printed_recursion_is_not_the_operations
-:title: With the printed index the determinant is another polynomial
-:zh: 按所印下标行列式改变
-:kind: counterexample
-:types: field
-:given: $n=2$, points $(0,0),(1,0),(1,1)$, weights 1; in the printed recursion $\Omega_3=0$
-:then: the determinant of the staircase is $x^2-y^2-4y$ up to sign, while $F$ is $(x+y)^2-4y$
-:method: The staircase with the printed recursion is filled in and its determinant taken, with $x$ and $y$ variables.
-:control: the index $i-r+1$
-:::
-*/
-CLAIM(printed_recursion_is_not_the_operations)
-{
-    enum { n = 2 };
-    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1)};
-    num w[3] = {from_int(1), from_int(1), from_int(1)}, O[3], f[2][3], M[16];
-    num level[MAX_ORDER / 2 + 1][2 * MAX_ORDER], x = variable_f("x"), y = variable_f("y");
-    omegas_f(n, w, O);
-    implicit_coefficients_f(n, R, w, 0, x, f[0]);
-    implicit_coefficients_f(n, R, w, 1, y, f[1]);
-    for (int half = 0; half < 2; half++) {
-        reduced_entries_f(n, O, f[half], !T->planted, level);
-        for (int k = 0; k < n; k++)
-            for (int column = 0; column < 2 * n; column++) {
-                int j = column - k, r = j < n - k ? j : n - k;
-                M[(half * n + k) * 2 * n + column] = j < 0 ? from_int(0) : level[r][j];
-            }
-    }
-    show_points(T, "R", 3, 2, R);
-    about(T, "the determinant, left with the recursion, right (3.4.1)");
-    same(T, determinant_f(2 * n, M), implicit_value_f(n, R, w, x, y));
-}
-#endif
 #include "chapters/judge/claims_off.h"

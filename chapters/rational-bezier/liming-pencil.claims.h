@@ -4,7 +4,13 @@
 Liming takes two lines that the conic touches, and the line through the two points where it touches them.  In
 the frame of the triangle of the three lines, $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, the pencil has one equation for
 all triangles.
+*/
+#include "exact/decide/roots.h"
 
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/*
 ## Liming's pencil: two tangents and the chord of contact
 
 :::{statement} wang-ch3:3.1.3
@@ -33,11 +39,6 @@ all triangles.
 :control: $l_3^2$ replaced by $l_1l_3$
 :::
 */
-#include "exact/decide/roots.h"
-
-#include "chapters/judge/claims_on.h"
-#include "chapters/rational-bezier/conics.h"
-
 CLAIM(limings_conics_touch_the_lines)
 {
     num R[6], l1[3], l2[3], l3[3], S[6], g[2], lambda = unknown(T, "k", 0), mu = sub(from_int(1), lambda);
@@ -550,4 +551,5 @@ CLAIM(lambda_on_the_border)
     agree(T, between > 0);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,10 @@
 The chapter begins with what polynomial curves cannot do and rational curves can.
 
 A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
+*/
+#include "chapters/judge/claims_on.h"
 
+/*
 :::{statement} wang-ch3:opening-bezier-conics
 :title: Of the conics, Bézier curves represent exactly only the parabola
 :zh: 多项式 Bézier 曲线与圆锥曲线
@@ -17,22 +20,7 @@ A conic is $S=(A,B,C,D,E,F)$, the equation $S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 
 To represent a conic means to run through an arc of it; no curve over $[0,1]$ is a whole parabola.
 :::
-
-:::{claim} ellipse_carries_no_polynomial_arc
-:title: No polynomial curve but a point lies on an ellipse
-:zh: 椭圆上没有多项式曲线段
-:given: a conic $S$, and a Bézier curve $(x(t),y(t))$ of degree $n$ with any points
-:let: $p$ and $q$ be the coefficients of $t^n$ in $x(t)$ and $y(t)$
-:then: the coefficient of $t^{2n}$ in $S(x(t),y(t))$, multiplied by $A$, is $(Ap+Bq)^2+(AC-B^2)q^2$; for
-  $AC-B^2>0$ it vanishes only when $p=q=0$, so a polynomial curve on an ellipse is a point
-:method: $S(x(t),y(t))$ is formed in Bernstein form, term by term, and brought to powers of $t$, with the conic and
-  every point a variable.  If an arc of a curve of degree $n\ge1$, $(p,q)\ne(0,0)$, lay on the ellipse,
-  $S(x(t),y(t))$ would be zero for infinitely many $t$, hence as a polynomial, and so would be this coefficient.
-:degrees: 1..6 sampled 12
-:control: the product $xy$ counted once, not twice
-:::
 */
-#include "chapters/judge/claims_on.h"
 
 /* s, the n+m+1 Bernstein coefficients of S(x(t), y(t)), n = m the degree of x and y: every term is a
  * product of two polynomials of degree n, the linear ones with the factor 1. */
@@ -52,6 +40,21 @@ static void G(conic_along)(const num S[], int twice, int n, const num x[], const
     }
 }
 
+/*
+:::{claim} ellipse_carries_no_polynomial_arc
+:title: No polynomial curve but a point lies on an ellipse
+:zh: 椭圆上没有多项式曲线段
+:given: a conic $S$, and a Bézier curve $(x(t),y(t))$ of degree $n$ with any points
+:let: $p$ and $q$ be the coefficients of $t^n$ in $x(t)$ and $y(t)$
+:then: the coefficient of $t^{2n}$ in $S(x(t),y(t))$, multiplied by $A$, is $(Ap+Bq)^2+(AC-B^2)q^2$; for
+  $AC-B^2>0$ it vanishes only when $p=q=0$, so a polynomial curve on an ellipse is a point
+:method: $S(x(t),y(t))$ is formed in Bernstein form, term by term, and brought to powers of $t$, with the conic and
+  every point a variable.  If an arc of a curve of degree $n\ge1$, $(p,q)\ne(0,0)$, lay on the ellipse,
+  $S(x(t),y(t))$ would be zero for infinitely many $t$, hence as a polynomial, and so would be this coefficient.
+:degrees: 1..6 sampled 12
+:control: the product $xy$ counted once, not twice
+:::
+*/
 CLAIM(ellipse_carries_no_polynomial_arc)
 {
     int n = T->degree;

@@ -3,7 +3,13 @@
 
 The two ratios of the last section have a constant product, so they are functions of one parameter $t$, and the
 rational Bézier curve of degree 2 appears.  Coordinates are again those of the frame of the triangle.
+*/
+#include "exact/decide/sign.h"
 
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/*
 :::{statement} wang-ch3:3.1-xy-from-g
 :title: The coordinates from the two ratios
 :zh: 由 g_1,g_2 反解 x,y
@@ -33,11 +39,6 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :control: 1 for 2 in the denominators
 :::
 */
-#include "exact/decide/sign.h"
-
-#include "chapters/judge/claims_on.h"
-#include "chapters/rational-bezier/conics.h"
-
 CLAIM(signed_ratios_give_the_point)
 {
     num x = unknown(T, "x", 0), y = unknown(T, "y", 0), R[3], two = from_int(2), s = sub(add(x, y), from_int(1));
@@ -89,7 +90,16 @@ CLAIM(lengths_give_another_point)
 :hypothesis: ratios_do_not_exist_at_the_ends | $0<t<1$; the ends $R_0$ and $R_2$ come back in (3.1.5).
 :needs: ratios_of_lengths_need_weights_of_one_sign | The weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
 :::
+*/
 
+static void G(ratios_at)(const num w[], num t, int planted, num g[])
+{
+    num s = sub(from_int(1), t);
+    g[0] = div(mul(w[0], s), mul(w[1], t));
+    g[1] = div(mul(w[2], t), planted ? s : mul(w[1], s));
+}
+
+/*
 :::{claim} each_pair_of_ratios_has_one_parameter
 :title: The pairs of positive numbers with one product, each at one t
 :zh: 每对 (g_1,g_2) 对应唯一 t
@@ -100,13 +110,6 @@ CLAIM(lengths_give_another_point)
 :control: $\omega_1$ left out of $g_2$
 :::
 */
-static void G(ratios_at)(const num w[], num t, int planted, num g[])
-{
-    num s = sub(from_int(1), t);
-    g[0] = div(mul(w[0], s), mul(w[1], t));
-    g[1] = div(mul(w[2], t), planted ? s : mul(w[1], s));
-}
-
 CLAIM(each_pair_of_ratios_has_one_parameter)
 {
     num w[3], t = parameter(T, "t"), ratio = positive(T, "g", 0), one = from_int(1), g[2];
@@ -395,4 +398,5 @@ CLAIM(segment_does_not_fix_the_constant)
         same(T, constant[0], constant[1]);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

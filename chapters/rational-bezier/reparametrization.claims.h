@@ -6,7 +6,14 @@ fractional linear function of a new parameter $u$ that maps $[0,1]$ onto itself.
 they are, the weight $\omega_i$ is multiplied by $a^ib^{n-i}$, and the quotients
 $I_i=\omega_i^2/(\omega_{i-1}\omega_{i+1})$ do not notice.  This section decides property 3.2.10, its
 proof line by line, and the definition of the $I_i$.
+*/
+#include "exact/decide/sign.h"
 
+#include "chapters/judge/elementary.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The transformation
 
 :::{statement} wang-ch3:3.2.10
@@ -21,7 +28,17 @@ proof line by line, and the definition of the $I_i$.
 
 Every projective map of the parameter line that fixes $0$ and $1$ has this form, so nothing is lost by it.
 :::
+*/
 
+/* The parameter t = a u / (a u + b (1-u)) of formula 3.2.10. */
+static num G(old_parameter)(num a, num b, num u)
+{
+    num share = mul(a, u);
+    return div(share, add(share, mul(b, sub(from_int(1), u))));
+}
+
+#if FIELD
+/*
 :::{claim} fractional_change_runs_once
 :title: With a, b > 0 the parameter t runs once from 0 to 1 while u does
 :zh: a,b>0 时 t 随 u 从 0 单调增到 1
@@ -34,29 +51,6 @@ Every projective map of the parameter line that fixes $0$ and $1$ has this form,
 :control: the sign of the derivative reversed
 :::
 */
-#include "exact/decide/sign.h"
-
-#include "chapters/judge/elementary.h"
-
-#include "chapters/judge/claims_on.h"
-
-/* The parameter t = a u / (a u + b (1-u)) of formula 3.2.10. */
-static num G(old_parameter)(num a, num b, num u)
-{
-    num share = mul(a, u);
-    return div(share, add(share, mul(b, sub(from_int(1), u))));
-}
-
-/* n+1 free weights and points; one coordinate stands for all. */
-static void G(free_curve)(trial *T, int n, num R[], num w[])
-{
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[i] = unknown(T, "R", i);
-    }
-}
-
-#if FIELD
 CLAIM(fractional_change_runs_once)
 {
     num a = positive(T, "a", 0), b = positive(T, "b", 0), u = variable_f("u"), one = from_int(1);
@@ -107,7 +101,18 @@ CLAIM(projective_change_of_unit_interval_is_fractional)
 
 An identity: $a$ and $b$ may be any numbers, as long as the denominators do not vanish.
 :::
+*/
 
+/* n+1 free weights and points; one coordinate stands for all. */
+static void G(free_curve)(trial *T, int n, num R[], num w[])
+{
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "R", i);
+    }
+}
+
+/*
 :::{claim} fractional_change_keeps_curve
 :title: Weights multiplied by powers of a and b give the same curve in the new parameter
 :zh: 权乘以 a^i b^{n-i} 后曲线不变
@@ -223,7 +228,10 @@ CLAIM(invariants_by_definition)
 :checked-by: end_weights_give_the_factors
 :needs: negated_weights_have_no_real_factors | positive weights, for even $n$: otherwise the roots need not be real
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} negated_weights_have_no_real_factors
 :title: In even degree the roots need not be real, though the curve is the same
 :zh: 偶次时异号权无实因子
@@ -236,7 +244,6 @@ CLAIM(invariants_by_definition)
 :control: $\omega_2^*$ positive
 :::
 */
-#if RATIONAL
 CLAIM(negated_weights_have_no_real_factors)
 {
     enum { n = 2 };
@@ -270,6 +277,14 @@ CLAIM(negated_weights_have_no_real_factors)
 :needs: linear_curve_with_opposite_ratios_has_a_pole | positive weights: for $n=1$ there is no condition at all, and
   the curve may even become unbounded
 :figure: equal_invariants_other_arc
+:::
+
+:::{statement} wang-ch3:3.2.13
+:title: The curve that results
+:zh: 变换所得曲线
+:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i}{\sum_{i=0}^nB_i^n(u)\omega_i^*},\quad 0\le
+  u\le1
+:holds-by: equal_invariants_give_same_curve
 :::
 
 :::{claim} equal_invariants_give_same_curve
@@ -370,14 +385,6 @@ CLAIM(linear_curve_with_opposite_ratios_has_a_pole)
 #endif
 
 /*
-:::{statement} wang-ch3:3.2.13
-:title: The curve that results
-:zh: 变换所得曲线
-:printed: \mathbf R^*(u)=\frac{\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i}{\sum_{i=0}^nB_i^n(u)\omega_i^*},\quad 0\le
-  u\le1
-:holds-by: equal_invariants_give_same_curve
-:::
-
 ## The proof
 
 :::{statement} wang-ch3:prop-3.2.10-geometric
@@ -448,6 +455,7 @@ CLAIM(equal_powers_of_positive_numbers)
     nonnegative(T, sub(S, G(power)(q, n - 1)));
 }
 
+#if RATIONAL
 /*
 :::{claim} quotient_is_lost_up_to_sign
 :title: In even degree the end weights do not know the sign of the quotient
@@ -459,7 +467,6 @@ CLAIM(equal_powers_of_positive_numbers)
 :control: $\omega_1^*=1$
 :::
 */
-#if RATIONAL
 CLAIM(quotient_is_lost_up_to_sign)
 {
     num w[] = {from_int(2), from_int(1), from_int(2)}, v[] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
@@ -617,18 +624,8 @@ which maps the unit interval onto itself, hence is (3.2.10); without a common fa
 then proportional, so the points are equal and the weights are those of (3.2.14), with the same $I_i$.  This holds
 in every degree.
 :::
-
-:::{claim} same_map_on_a_line_has_two_invariants
-:title: One map, two sets of quotients: the segment as a quadratic
-:zh: 同一映射的两组不变量:二次线段
-:kind: decision
-:given: $n=2$; the points $0,\frac12,1$ with weights $1,1,1$; the points $0,\frac13,1$ with weights $1,\frac32,2$
-:then: both curves are $R(t)=t$ for every $t$, but $I_1=1$ and $I_1=9/8$
-:method: The two numerators are $t$ and $t(1+t)$, the denominators $1$ and $1+t$, by their Bernstein coefficients; the
-  cross products are compared as polynomials.
-:control: the weight $3/2$ taken as $1$
-:::
 */
+
 #if RATIONAL
 /* Both plane (dim = 2) or linear (dim = 1) curves are one map of t: the cross products of numerators and
  * denominators are equal polynomials. */
@@ -662,6 +659,18 @@ static int G(one_map_shown)(trial *T, int n, int dim, const num R[], const num w
     return G(one_map)(n, dim, R, w, S, v);
 }
 
+/*
+:::{claim} same_map_on_a_line_has_two_invariants
+:title: One map, two sets of quotients: the segment as a quadratic
+:zh: 同一映射的两组不变量:二次线段
+:kind: decision
+:given: $n=2$; the points $0,\frac12,1$ with weights $1,1,1$; the points $0,\frac13,1$ with weights $1,\frac32,2$
+:then: both curves are $R(t)=t$ for every $t$, but $I_1=1$ and $I_1=9/8$
+:method: The two numerators are $t$ and $t(1+t)$, the denominators $1$ and $1+t$, by their Bernstein coefficients; the
+  cross products are compared as polynomials.
+:control: the weight $3/2$ taken as $1$
+:::
+*/
 CLAIM(same_map_on_a_line_has_two_invariants)
 {
     num one = from_int(1), R[] = {from_int(0), from_ratio(1, 2), one}, w[] = {one, one, one};

@@ -7,7 +7,12 @@ the curvature contains one invariant and the torsion two; up to $n=5$ both ends 
 
 Below, $a_i=R_i-R_{i-1}$, and "same shape" has to be made precise first: the same point set; the same point
 set run in the same direction; the same map of the parameter; or congruent curves.
+*/
+#include "exact/decide/sign.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch3:thm-3.2.1
 :title: For n = 2, ..., 5 the same shape means the same invariants
 :zh: n=2,3,4,5 时形状相同当且仅当不变量相同
@@ -52,23 +57,7 @@ $I_{n-2}I_{n-1}$: for $n\le5$ these give every invariant.
 For $n\ge3$ edges that are not coplanar make the points not collinear by themselves.  For $n=4$ one of the two
 torsions suffices.  What is true in every degree stands after definition 3.2.2.
 :::
-
-:::{claim} end_curvature_contains_one_invariant
-:title: The curvature at an end contains exactly the first invariant
-:zh: 端点曲率只含一个不变量
-:given: positive weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$ of space, $a_1\ne0$, $a_n\ne0$
-:then: $\kappa(0)^2I_1^2\|a_1\|^6=(\frac{n-1}n)^2\|a_1\times a_2\|^2$ and
-  $\kappa(1)^2I_{n-1}^2\|a_n\|^6=(\frac{n-1}n)^2\|a_{n-1}\times a_n\|^2$
-:method: The curvatures are computed from the derivatives of the curve; both sides are rational functions of the
-  weights and the coordinates.  Plane curves are included.  As the invariants are positive, the curvature at $0$
-  together with the points determines $I_1$ as soon as $a_1\times a_2\ne0$; likewise at $1$.
-:degrees: 2..6 sampled 10
-:control: $I_2$ for $I_1$; for $n=2$, $I_1$ doubled
-:::
 */
-#include "exact/decide/sign.h"
-
-#include "chapters/judge/claims_on.h"
 
 /* a = R_j - R_i in space. */
 static void G(between)(const num R[], int i, int j, num a[3])
@@ -88,6 +77,20 @@ static void G(free_space_curve)(trial *T, int n, num R[], num w[])
     }
 }
 
+/*
+:::{claim} end_curvature_contains_one_invariant
+:title: The curvature at an end contains exactly the first invariant
+:zh: 端点曲率只含一个不变量
+:given: positive weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$ of space, $a_1\ne0$, $a_n\ne0$
+:then: $\kappa(0)^2I_1^2\|a_1\|^6=(\frac{n-1}n)^2\|a_1\times a_2\|^2$ and
+  $\kappa(1)^2I_{n-1}^2\|a_n\|^6=(\frac{n-1}n)^2\|a_{n-1}\times a_n\|^2$
+:method: The curvatures are computed from the derivatives of the curve; both sides are rational functions of the
+  weights and the coordinates.  Plane curves are included.  As the invariants are positive, the curvature at $0$
+  together with the points determines $I_1$ as soon as $a_1\times a_2\ne0$; likewise at $1$.
+:degrees: 2..6 sampled 10
+:control: $I_2$ for $I_1$; for $n=2$, $I_1$ doubled
+:::
+*/
 CLAIM(end_curvature_contains_one_invariant)
 {
     int n = T->degree;
@@ -257,52 +260,6 @@ CLAIM(common_factor_hides_the_weights)
 }
 
 #if RATIONAL
-/* The curves of (R, w) and of (S, v) are one map of t: the cross products of numerators and denominators
- * are equal polynomials. */
-static int G(one_map)(int n, int dim, const num R[], const num w[], const num S[], const num v[])
-{
-    int equal = 1;
-    for (int c = 0; c < dim; c++) {
-        num x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
-        for (int i = 0; i <= n; i++) {
-            x[i] = mul(w[i], R[i * dim + c]);
-            y[i] = mul(v[i], S[i * dim + c]);
-        }
-        equal &= poly_equal(poly_mul(poly_from_bernstein(n, x), poly_from_bernstein(n, v)),
-                            poly_mul(poly_from_bernstein(n, y), poly_from_bernstein(n, w)));
-    }
-    return equal;
-}
-
-/* S(t) = R(1-t): points and weights in reverse order. */
-static void G(run_backwards)(int n, int dim, const num R[], const num w[], num S[], num v[])
-{
-    for (int i = 0; i <= n; i++) {
-        v[i] = w[n - i];
-        for (int c = 0; c < dim; c++)
-            S[i * dim + c] = R[(n - i) * dim + c];
-    }
-}
-
-/* (a_i, a_j, a_k) of the edges of points of space. */
-static num G(edges_det)(const num R[], int i, int j, int k)
-{
-    num a[3], b[3], c[3];
-    G(between)(R, i - 1, i, a);
-    G(between)(R, j - 1, j, b);
-    G(between)(R, k - 1, k, c);
-    return G(det3)(a, b, c);
-}
-
-/* Are R_i, R_{i+1}, R_{i+2} on one line? */
-static int G(three_collinear)(const num R[], int i)
-{
-    num a[3], b[3];
-    G(between)(R, i, i + 1, a);
-    G(between)(R, i + 1, i + 2, b);
-    return is_zero_q(G(gram)(3, a, b));
-}
-
 /* Shows two sets of weights with their invariants; are these different? */
 static int G(invariants_differ)(trial *T, int n, const num w[], const num v[])
 {
@@ -350,6 +307,33 @@ CLAIM(segment_has_two_invariants)
     }
 }
 
+/* The curves of (R, w) and of (S, v) are one map of t: the cross products of numerators and denominators
+ * are equal polynomials. */
+static int G(one_map)(int n, int dim, const num R[], const num w[], const num S[], const num v[])
+{
+    int equal = 1;
+    for (int c = 0; c < dim; c++) {
+        num x[MAX_DEGREE + 1], y[MAX_DEGREE + 1];
+        for (int i = 0; i <= n; i++) {
+            x[i] = mul(w[i], R[i * dim + c]);
+            y[i] = mul(v[i], S[i * dim + c]);
+        }
+        equal &= poly_equal(poly_mul(poly_from_bernstein(n, x), poly_from_bernstein(n, v)),
+                            poly_mul(poly_from_bernstein(n, y), poly_from_bernstein(n, w)));
+    }
+    return equal;
+}
+
+/* S(t) = R(1-t): points and weights in reverse order. */
+static void G(run_backwards)(int n, int dim, const num R[], const num w[], num S[], num v[])
+{
+    for (int i = 0; i <= n; i++) {
+        v[i] = w[n - i];
+        for (int c = 0; c < dim; c++)
+            S[i * dim + c] = R[(n - i) * dim + c];
+    }
+}
+
 /*
 :::{claim} palindromes_of_degree_four
 :title: A plane quartic over a palindromic polygon, run backwards, has other invariants
@@ -362,6 +346,15 @@ CLAIM(segment_has_two_invariants)
 :control: the weights $\omega_1$ and $\omega_3$ both $2$
 :::
 */
+/* Are R_i, R_{i+1}, R_{i+2} on one line? */
+static int G(three_collinear)(const num R[], int i)
+{
+    num a[3], b[3];
+    G(between)(R, i, i + 1, a);
+    G(between)(R, i + 1, i + 2, b);
+    return is_zero_q(G(gram)(3, a, b));
+}
+
 CLAIM(palindromes_of_degree_four)
 {
     enum { n = 4 };
@@ -379,6 +372,16 @@ CLAIM(palindromes_of_degree_four)
     agree(T, G(one_map)(n, 3, R, v, S, back));
     agree(T, !G(three_collinear)(R, 0) && !G(three_collinear)(R, n - 2));
     agree(T, G(invariants_differ)(T, n, w, v));
+}
+
+/* (a_i, a_j, a_k) of the edges of points of space. */
+static num G(edges_det)(const num R[], int i, int j, int k)
+{
+    num a[3], b[3], c[3];
+    G(between)(R, i - 1, i, a);
+    G(between)(R, j - 1, j, b);
+    G(between)(R, k - 1, k, c);
+    return G(det3)(a, b, c);
 }
 
 /*
@@ -538,7 +541,10 @@ CLAIM(congruent_curves_beyond_cubics)
 
 The source has "curvature or torsion"; what is used is curvature and torsion.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} curvatures_alone_miss_the_middle_invariant
 :title: The curvatures at both ends do not determine the middle invariant
 :zh: 仅端点曲率不能确定中间的不变量
@@ -550,7 +556,6 @@ The source has "curvature or torsion"; what is used is curvature and torsion.
 :control: $\omega_3^*=\omega_4^*=1$
 :::
 */
-#if RATIONAL
 CLAIM(curvatures_alone_miss_the_middle_invariant)
 {
     enum { n = 4 };
@@ -573,7 +578,6 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
     about(T, "I_2 and I_2^*");
     same(T, I[1], J[1]);
 }
-#endif
 
 /*
 :::{statement} wang-ch3:thm-3.2.1-proof-display
@@ -611,7 +615,6 @@ denominator too, since $(a_1,a_2,a_3)\ne0$ gives $a_1\times a_3\ne0$.
 :control: $\|a_1\times a_2\|^2$ in the denominator
 :::
 */
-#if RATIONAL
 CLAIM(printed_torsion_denominator_is_wrong)
 {
     enum { n = 5 };

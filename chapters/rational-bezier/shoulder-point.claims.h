@@ -2,7 +2,13 @@
 # The shoulder point (肩点)
 
 A designer sees $\omega$: it is the ratio in which the curve divides the median of its triangle.
+*/
+#include "exact/decide/roots.h"
 
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/*
 :::{statement} wang-ch3:3.5-shoulder
 :title: The shoulder point
 :zh: 肩点公式
@@ -29,11 +35,6 @@ for $\omega_0=\omega_2$.
 :control: the point at $\frac12$ of the curve itself
 :::
 */
-#include "exact/decide/roots.h"
-
-#include "chapters/judge/claims_on.h"
-#include "chapters/rational-bezier/conics.h"
-
 CLAIM(shoulder_point_of_the_curve)
 {
     num R[6], a, c, w[3], P[2], Q[2], shoulder[2], one = from_int(1), half = from_ratio(1, 2);
@@ -274,4 +275,5 @@ CLAIM(weight_zero_has_ratio_zero)
     ellipse_by_shoulder(T, R, w);
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

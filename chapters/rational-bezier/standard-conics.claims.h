@@ -3,7 +3,13 @@
 
 Before it classifies the curves (3.1.5) the source brings them into a simple position, by a motion of the plane,
 and gives them simple weights, by a change of the parameter.
+*/
+#include "exact/decide/roots.h"
 
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/*
 :::{statement} wang-ch3:3.5-coordinates
 :title: Special coordinates of the triangle
 :zh: 特殊坐标系
@@ -23,11 +29,6 @@ and gives them simple weights, by a change of the parameter.
 :control: $Y$ with $p$ and $q$ exchanged
 :::
 */
-#include "exact/decide/roots.h"
-
-#include "chapters/judge/claims_on.h"
-#include "chapters/rational-bezier/conics.h"
-
 CLAIM(special_coordinates_exist)
 {
     num M[2], P[4], e[2] = {unknown(T, "p", 0), unknown(T, "q", 0)}, ll = add(mul(e[0], e[0]), mul(e[1], e[1]));
@@ -75,7 +76,16 @@ The roots belong over the weights alone; in the text at hand they cover $u$ and 
 $1-u:2\omega\sqrt{u(1-u)}:u$, which is no rational quadratic in $u$.  Both ends, and $t=\frac12$ for equal weights, are
 the same, so that the slip is easily overlooked.
 :::
+*/
 
+/* a u / (a u + c (1-u)) */
+static num G(fraction_of)(num a, num c, num u)
+{
+    num top = mul(a, u);
+    return div(top, add(top, mul(c, sub(from_int(1), u))));
+}
+
+/*
 :::{claim} standard_form_by_a_change_of_parameter
 :title: The fractional linear change of parameter gives the weights 1, omega, 1
 :zh: 分式线性变换给出标准形
@@ -89,13 +99,6 @@ the same, so that the slip is easily overlooked.
 :control: $a$ and $c$ exchanged in $t$
 :::
 */
-/* a u / (a u + c (1-u)) */
-static num G(fraction_of)(num a, num c, num u)
-{
-    num top = mul(a, u);
-    return div(top, add(top, mul(c, sub(from_int(1), u))));
-}
-
 CLAIM(standard_form_by_a_change_of_parameter)
 {
     num a, c, w[3], R[3], u = inside(T, "u"), one = from_int(1), before, after, I[1];
@@ -143,7 +146,6 @@ CLAIM(roots_over_the_parameter_are_wrong)
     about(T, "the first coordinates of R(t) and R*(u)");
     same(T, P[0], Q[0]);
 }
-#endif
 
 /*
 :::{statement} wang-ch3:3.5.2
@@ -154,6 +156,33 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :needs: negative_weights_lose_their_sign | The weights are positive.
 :::
 
+:::{claim} negative_weights_lose_their_sign
+:title: With three weights of the other sign the formula takes the wrong arc
+:zh: 权全变号时公式失效
+:kind: counterexample
+:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $-1,\frac12,-1$, the curve of $1,-\frac12,1$
+:then: $\omega_1/\sqrt{\omega_0\omega_2}=\frac12$, and at $\frac12$ the two curves have the points $(0,-1)$ and
+  $(0,\frac13)$
+:method: Both points are computed.
+:control: the weights $1,\frac12,1$
+:::
+*/
+CLAIM(negative_weights_lose_their_sign)
+{
+    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), R[6] = {neg(one), zero, zero, one, one, zero};
+    num outer = T->planted ? one : neg(one), w[3] = {outer, half, outer}, P[2], Q[2];
+    num v[3] = {one, G(conic_standard_weight)(w), one};
+    show_points(T, "R", 3, 2, R);
+    show_points(T, "ω", 3, 1, w);
+    show_points(T, "(3.5.2)", 3, 1, v);
+    G(rational_point)(2, 2, R, w, half, P);
+    G(rational_point)(2, 2, R, v, half, Q);
+    about(T, "second coordinate at 1/2, left of the curve, right with the weights (3.5.2)");
+    same(T, P[1], Q[1]);
+}
+#endif
+
+/*
 :::{statement} wang-ch3:3.5-same-shape
 :title: The standard form has the same shape
 :zh: 标准形的形状不变
@@ -188,31 +217,4 @@ CLAIM(standard_parameter_runs_through_the_interval)
     same(T, G(fraction_of)(a, c, one), one);
 }
 
-#if RATIONAL
-/*
-:::{claim} negative_weights_lose_their_sign
-:title: With three weights of the other sign the formula takes the wrong arc
-:zh: 权全变号时公式失效
-:kind: counterexample
-:given: $R_0=(-1,0)$, $R_1=(0,1)$, $R_2=(1,0)$ and the weights $-1,\frac12,-1$, the curve of $1,-\frac12,1$
-:then: $\omega_1/\sqrt{\omega_0\omega_2}=\frac12$, and at $\frac12$ the two curves have the points $(0,-1)$ and
-  $(0,\frac13)$
-:method: Both points are computed.
-:control: the weights $1,\frac12,1$
-:::
-*/
-CLAIM(negative_weights_lose_their_sign)
-{
-    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), R[6] = {neg(one), zero, zero, one, one, zero};
-    num outer = T->planted ? one : neg(one), w[3] = {outer, half, outer}, P[2], Q[2];
-    num v[3] = {one, G(conic_standard_weight)(w), one};
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "(3.5.2)", 3, 1, v);
-    G(rational_point)(2, 2, R, w, half, P);
-    G(rational_point)(2, 2, R, v, half, Q);
-    about(T, "second coordinate at 1/2, left of the curve, right with the weights (3.5.2)");
-    same(T, P[1], Q[1]);
-}
-#endif
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,12 @@
 De Casteljau's triangle, applied to numerator and denominator, cuts a rational curve at any parameter
 $c$ into two curves of the same degree.  The points of the triangle are $R_i^r$ with weights $\omega_i^r$,
 $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/(b-a)$.
+*/
+#include "exact/decide/sign.h"
 
+#include "chapters/judge/claims_on.h"
+
+/*
 ## The triangle
 
 :::{statement} wang-ch3:3.3.2
@@ -15,23 +20,18 @@ $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/
 :definition: yes
 :checked-by: triangle_in_closed_form triangle_level_by_level
 :::
+*/
 
-:::{statement} wang-ch3:3.3.3
-:title: The points of the triangle
-:zh: 顶点的递推
-:printed: \mathbf R_i^0(c)=\mathbf R_i,\quad\mathbf
-  R_i^r(c)=\frac{(1-\lambda)\omega_{i-1}^{r-1}(c)}{\omega_i^r(c)}\mathbf
-  R_{i-1}^{r-1}(c)+\frac{\lambda\omega_i^{r-1}(c)}{\omega_i^r(c)}\mathbf R_i^{r-1}(c)
-:definition: yes
-:checked-by: triangle_in_closed_form triangle_level_by_level
-:needs: intermediate_weight_can_vanish | positive weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular
-  curve
-:figure: triangle_point_at_infinity
+/* n+1 free weights and points; one coordinate stands for all. */
+static void G(free_curve)(trial *T, int n, num R[], num w[])
+{
+    for (int i = 0; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        R[i] = unknown(T, "R", i);
+    }
+}
 
-The range of $r$ and $i$, which is not repeated, is that of (3.3.2), and $\omega_i^r$ stands for the sum printed in
-the denominators.
-:::
-
+/*
 :::{claim} triangle_in_closed_form
 :title: Level r of the triangle in Bernstein polynomials of degree r
 :zh: 三角阵第 r 层的闭式
@@ -45,19 +45,6 @@ the denominators.
 :control: $1-\lambda$ for $\lambda$
 :::
 */
-#include "exact/decide/sign.h"
-
-#include "chapters/judge/claims_on.h"
-
-/* n+1 free weights and points; one coordinate stands for all. */
-static void G(free_curve)(trial *T, int n, num R[], num w[])
-{
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[i] = unknown(T, "R", i);
-    }
-}
-
 CLAIM(triangle_in_closed_form)
 {
     int n = T->degree;
@@ -113,6 +100,25 @@ CLAIM(triangle_level_by_level)
 }
 
 /*
+:::{statement} wang-ch3:3.3.3
+:title: The points of the triangle
+:zh: 顶点的递推
+:printed: \mathbf R_i^0(c)=\mathbf R_i,\quad\mathbf
+  R_i^r(c)=\frac{(1-\lambda)\omega_{i-1}^{r-1}(c)}{\omega_i^r(c)}\mathbf
+  R_{i-1}^{r-1}(c)+\frac{\lambda\omega_i^{r-1}(c)}{\omega_i^r(c)}\mathbf R_i^{r-1}(c)
+:definition: yes
+:checked-by: triangle_in_closed_form triangle_level_by_level
+:needs: intermediate_weight_can_vanish | positive weights: otherwise $\omega_i^r$ may be $0$ on a perfectly regular
+  curve
+:figure: triangle_point_at_infinity
+
+The range of $r$ and $i$, which is not repeated, is that of (3.3.2), and $\omega_i^r$ stands for the sum printed in
+the denominators.
+:::
+*/
+
+#if RATIONAL
+/*
 :::{claim} intermediate_weight_can_vanish
 :title: A regular curve whose triangle has a point at infinity
 :zh: 曲线正则而三角阵中权为零
@@ -124,7 +130,6 @@ CLAIM(triangle_level_by_level)
 :control: $\lambda=\frac12$
 :::
 */
-#if RATIONAL
 CLAIM(intermediate_weight_can_vanish)
 {
     num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)};
@@ -161,7 +166,131 @@ CLAIM(intermediate_weight_can_vanish)
 
 The formulas (3.3.1) themselves follow, one branch at a time.
 :::
+*/
 
+/* From the triangle at lambda: R_i^i with omega_i^i, and R_n^{n-i} with omega_n^{n-i}. */
+static void G(triangle_sides)(int n, const num R[], const num w[], num lambda, num left[], num wl[], num right[],
+                              num wr[])
+{
+    num P[MAX_DEGREE + 1], v[MAX_DEGREE + 1];
+    for (int r = 0; r <= n; r++) {
+        G(rational_decasteljau)(n, 1, R, w, lambda, r, P, v);
+        left[r] = P[0];
+        wl[r] = v[0];
+        right[n - r] = P[n - r];
+        wr[n - r] = v[n - r];
+    }
+}
+
+/*
+:::{claim} subdivision_left_half
+:title: The left side of the triangle carries the curve over [a,c]
+:zh: 三角阵左边给出左段曲线
+:given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=a+x(c-a)$, with $h>0$
+:then: the curve over $[a,b]$ at $t$ is the curve of $(R_i^i,\omega_i^i)$ at $(t-a)/(c-a)$
+:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne a$ and
+  $t$ is of the given form.
+:degrees: 1..6 sampled 12
+:control: the basis argument $(t-a)/(b-a)$ on both sides
+:::
+*/
+CLAIM(subdivision_left_half)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1],
+        wr[MAX_DEGREE + 1];
+    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left,
+        right;
+    G(free_curve)(T, n, R, w);
+    num b = add(a, h), c = add(a, mul(lambda, h)), t = add(a, mul(x, sub(c, a)));
+    num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, a), sub(c, a));
+    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
+    G(rational_point)(n, 1, R, w, whole, &left);
+    G(rational_point)(n, 1, Rl, wl, T->planted ? whole : part, &right);
+    same(T, right, left);
+}
+
+/*
+:::{claim} subdivision_right_half
+:title: The right side of the triangle carries the curve over [c,b]
+:zh: 三角阵右边给出右段曲线
+:given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=c+x(b-c)$, with $h>0$
+:then: the curve over $[a,b]$ at $t$ is the curve of $(R_n^{n-i},\omega_n^{n-i})$ at $(t-c)/(b-c)$
+:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne b$ and
+  $t$ is of the given form.
+:degrees: 1..6 sampled 12
+:control: the basis argument $(t-a)/(b-a)$ on both sides
+:::
+*/
+CLAIM(subdivision_right_half)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1],
+        wr[MAX_DEGREE + 1];
+    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left,
+        right;
+    G(free_curve)(T, n, R, w);
+    num b = add(a, h), c = add(a, mul(lambda, h)), t = add(c, mul(x, sub(b, c)));
+    num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, c), sub(b, c));
+    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
+    G(rational_point)(n, 1, R, w, whole, &left);
+    G(rational_point)(n, 1, Rr, wr, T->planted ? whole : part, &right);
+    same(T, right, left);
+}
+
+/*
+:::{claim} cut_at_an_end_is_empty
+:title: Cut at an end, one part is a point and the other the whole curve
+:zh: 在端点处离散:一段退缩为点
+:given: positive weights and points $R_0,\dots,R_n$
+:then: for $\lambda=0$ all $R_i^i=R_0$, $\omega_i^i=\omega_0$, while $R_n^{n-i}=R_i$, $\omega_n^{n-i}=\omega_i$; for
+  $\lambda=1$ all $R_n^{n-i}=R_n$, $\omega_n^{n-i}=\omega_n$, while $R_i^i=R_i$, $\omega_i^i=\omega_i$
+:method: The triangle is computed as rational functions.  So for $c=a$ the left formula, whatever its argument
+  $(t-a)/0$ is taken to be, gives $R_0$, and the right one the whole curve.
+:degrees: 1..6 sampled 10
+:control: $\lambda=\frac12$
+:::
+*/
+CLAIM(cut_at_an_end_is_empty)
+{
+    int n = T->degree;
+    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], P[2][MAX_DEGREE + 1], v[2][MAX_DEGREE + 1];
+    G(free_curve)(T, n, R, w);
+    for (int end = 0; end < 2; end++) {
+        G(triangle_sides)(n, R, w, T->planted ? from_ratio(1, 2) : from_int(end), P[0], v[0], P[1], v[1]);
+        show_points(T, end ? "c = b: left points" : "c = a: left points", n + 1, 1, P[0]);
+        show_points(T, end ? "c = b: right points" : "c = a: right points", n + 1, 1, P[1]);
+        for (int i = 0; i <= n; i++) {
+            same(T, P[end][i], R[end ? n : 0]);
+            same(T, v[end][i], w[end ? n : 0]);
+            same(T, P[1 - end][i], R[i]);
+            same(T, v[1 - end][i], w[i]);
+        }
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} cut_outside_can_fail
+:title: Outside the interval positive weights do not suffice
+:zh: 分割点在区间外时正权亦不足
+:kind: decision
+:given: $n=1$, $[a,b]=[0,1]$, $\omega=(1,2)$, $c=-1$
+:then: $\omega_1^1=0$, so that $R_1^1$ does not exist
+:method: Computed exactly.
+:control: $c=\frac12$
+:::
+*/
+CLAIM(cut_outside_can_fail)
+{
+    num w[] = {from_int(1), from_int(2)}, lambda = T->planted ? from_ratio(1, 2) : from_int(-1);
+    show_points(T, "ω", 2, 1, w);
+    show(T, "λ", lambda);
+    vanishes(T, G(rational_weight)(1, w, lambda));
+}
+#endif
+
+/*
 :::{statement} wang-ch3:thm-3.3.1-proof
 :title: Apply the polynomial theorem to numerator and denominator
 :zh: 对分子分母分别应用多项式情形
@@ -184,20 +313,6 @@ Chapter 1 of the source is not at hand; its theorem is taken to be subdivision b
 :control: the right half read from the triangle as $R_i^{n-i}$
 :::
 */
-/* From the triangle at lambda: R_i^i with omega_i^i, and R_n^{n-i} with omega_n^{n-i}. */
-static void G(triangle_sides)(int n, const num R[], const num w[], num lambda, num left[], num wl[], num right[],
-                              num wr[])
-{
-    num P[MAX_DEGREE + 1], v[MAX_DEGREE + 1];
-    for (int r = 0; r <= n; r++) {
-        G(rational_decasteljau)(n, 1, R, w, lambda, r, P, v);
-        left[r] = P[0];
-        wl[r] = v[0];
-        right[n - r] = P[n - r];
-        wr[n - r] = v[n - r];
-    }
-}
-
 CLAIM(numerator_and_denominator_are_cut_alike)
 {
     int n = T->degree;
@@ -228,34 +343,6 @@ CLAIM(numerator_and_denominator_are_cut_alike)
 As an identity it holds for every $t$.
 :::
 
-:::{claim} subdivision_left_half
-:title: The left side of the triangle carries the curve over [a,c]
-:zh: 三角阵左边给出左段曲线
-:given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=a+x(c-a)$, with $h>0$
-:then: the curve over $[a,b]$ at $t$ is the curve of $(R_i^i,\omega_i^i)$ at $(t-a)/(c-a)$
-:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne a$ and
-  $t$ is of the given form.
-:degrees: 1..6 sampled 12
-:control: the basis argument $(t-a)/(b-a)$ on both sides
-:::
-*/
-CLAIM(subdivision_left_half)
-{
-    int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1],
-        wr[MAX_DEGREE + 1];
-    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left,
-        right;
-    G(free_curve)(T, n, R, w);
-    num b = add(a, h), c = add(a, mul(lambda, h)), t = add(a, mul(x, sub(c, a)));
-    num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, a), sub(c, a));
-    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
-    G(rational_point)(n, 1, R, w, whole, &left);
-    G(rational_point)(n, 1, Rl, wl, T->planted ? whole : part, &right);
-    same(T, right, left);
-}
-
-/*
 :::{statement} wang-ch3:3.3.1-right
 :title: The right part of the curve, over [c,b]
 :zh: 离散公式右段
@@ -274,33 +361,7 @@ Two slips in the numerator, each wrong by itself: the argument $(t-a)/(b-a)$, wh
 weight $\omega_i^{n-i}$, which should be $\omega_n^{n-i}$.  The denominator has both right.  For $i<n-i$ the printed
 weight is not even defined by (3.3.2).
 :::
-
-:::{claim} subdivision_right_half
-:title: The right side of the triangle carries the curve over [c,b]
-:zh: 三角阵右边给出右段曲线
-:given: positive weights, points $R_0,\dots,R_n$, $a$, $b=a+h$, $c=a+\lambda h$ and $t=c+x(b-c)$, with $h>0$
-:then: the curve over $[a,b]$ at $t$ is the curve of $(R_n^{n-i},\omega_n^{n-i})$ at $(t-c)/(b-c)$
-:method: Both sides are rational functions of $a,h,\lambda,x$, the weights and the points; every $a<b$, $c\ne b$ and
-  $t$ is of the given form.
-:degrees: 1..6 sampled 12
-:control: the basis argument $(t-a)/(b-a)$ on both sides
-:::
 */
-CLAIM(subdivision_right_half)
-{
-    int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], Rl[MAX_DEGREE + 1], wl[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1],
-        wr[MAX_DEGREE + 1];
-    num a = unknown(T, "a", 0), h = positive(T, "h", 0), lambda = parameter(T, "lambda"), x = parameter(T, "x"), left,
-        right;
-    G(free_curve)(T, n, R, w);
-    num b = add(a, h), c = add(a, mul(lambda, h)), t = add(c, mul(x, sub(b, c)));
-    num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, c), sub(b, c));
-    G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
-    G(rational_point)(n, 1, R, w, whole, &left);
-    G(rational_point)(n, 1, Rr, wr, T->planted ? whole : part, &right);
-    same(T, right, left);
-}
 
 #if RATIONAL
 /*
@@ -365,58 +426,6 @@ CLAIM(printed_right_half_has_the_wrong_weight)
     show(T, "t", t);
     about(T, "left the curve, right the printed quotient");
     same(T, curve, div(numerator, G(rational_weight)(2, wr, part)));
-}
-#endif
-
-/*
-:::{claim} cut_at_an_end_is_empty
-:title: Cut at an end, one part is a point and the other the whole curve
-:zh: 在端点处离散:一段退缩为点
-:given: positive weights and points $R_0,\dots,R_n$
-:then: for $\lambda=0$ all $R_i^i=R_0$, $\omega_i^i=\omega_0$, while $R_n^{n-i}=R_i$, $\omega_n^{n-i}=\omega_i$; for
-  $\lambda=1$ all $R_n^{n-i}=R_n$, $\omega_n^{n-i}=\omega_n$, while $R_i^i=R_i$, $\omega_i^i=\omega_i$
-:method: The triangle is computed as rational functions.  So for $c=a$ the left formula, whatever its argument
-  $(t-a)/0$ is taken to be, gives $R_0$, and the right one the whole curve.
-:degrees: 1..6 sampled 10
-:control: $\lambda=\frac12$
-:::
-*/
-CLAIM(cut_at_an_end_is_empty)
-{
-    int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], P[2][MAX_DEGREE + 1], v[2][MAX_DEGREE + 1];
-    G(free_curve)(T, n, R, w);
-    for (int end = 0; end < 2; end++) {
-        G(triangle_sides)(n, R, w, T->planted ? from_ratio(1, 2) : from_int(end), P[0], v[0], P[1], v[1]);
-        show_points(T, end ? "c = b: left points" : "c = a: left points", n + 1, 1, P[0]);
-        show_points(T, end ? "c = b: right points" : "c = a: right points", n + 1, 1, P[1]);
-        for (int i = 0; i <= n; i++) {
-            same(T, P[end][i], R[end ? n : 0]);
-            same(T, v[end][i], w[end ? n : 0]);
-            same(T, P[1 - end][i], R[i]);
-            same(T, v[1 - end][i], w[i]);
-        }
-    }
-}
-
-/*
-:::{claim} cut_outside_can_fail
-:title: Outside the interval positive weights do not suffice
-:zh: 分割点在区间外时正权亦不足
-:kind: decision
-:given: $n=1$, $[a,b]=[0,1]$, $\omega=(1,2)$, $c=-1$
-:then: $\omega_1^1=0$, so that $R_1^1$ does not exist
-:method: Computed exactly.
-:control: $c=\frac12$
-:::
-*/
-#if RATIONAL
-CLAIM(cut_outside_can_fail)
-{
-    num w[] = {from_int(1), from_int(2)}, lambda = T->planted ? from_ratio(1, 2) : from_int(-1);
-    show_points(T, "ω", 2, 1, w);
-    show(T, "λ", lambda);
-    vanishes(T, G(rational_weight)(1, w, lambda));
 }
 #endif
 
@@ -516,6 +525,14 @@ CLAIM(triangle_ends_on_the_curve)
 :figure: cut_leaves_the_edge
 :::
 
+:::{statement} wang-ch3:rem-3.3.1-cutting
+:title: Geometrically the theorem cuts corners, level after level
+:zh: 几何意义:递归割角
+:printed: The geometric meaning of the theorem is again recursive corner cutting
+:holds-by: cut_coefficients_are_convex triangle_level_by_level
+:needs: negative_weight_breaks_convexity | positive weights
+:::
+
 :::{claim} cut_coefficients_are_convex
 :title: Between positive weights the coefficients are positive with sum 1
 :zh: 割角系数为正且和为一
@@ -541,6 +558,7 @@ CLAIM(cut_coefficients_are_convex)
     same(T, mul(sub(v, p), sub(q, v)), mul(mul(lambda, mu), mul(gap, gap)));
 }
 
+#if RATIONAL
 /*
 :::{claim} negative_weight_breaks_convexity
 :title: With a negative weight a point of the triangle leaves its edge
@@ -552,7 +570,6 @@ CLAIM(cut_coefficients_are_convex)
 :control: $\omega_1=+\frac14$
 :::
 */
-#if RATIONAL
 CLAIM(negative_weight_breaks_convexity)
 {
     num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 4), from_int(1)}, half = from_ratio(1, 2), v[2], P[2][2];
@@ -566,17 +583,8 @@ CLAIM(negative_weight_breaks_convexity)
     same(T, P[0][0], from_ratio(4, 3));
     same(T, P[1][0], from_ratio(-1, 3));
 }
-#endif
 
 /*
-:::{statement} wang-ch3:rem-3.3.1-cutting
-:title: Geometrically the theorem cuts corners, level after level
-:zh: 几何意义:递归割角
-:printed: The geometric meaning of the theorem is again recursive corner cutting
-:holds-by: cut_coefficients_are_convex triangle_level_by_level
-:needs: negative_weight_breaks_convexity | positive weights
-:::
-
 :::{statement} wang-ch3:rem-3.3.1-coefficients
 :title: The cut depends on level, edge and weights, not on the parameter alone
 :zh: 割角系数的依赖关系
@@ -600,7 +608,6 @@ CLAIM(negative_weight_breaks_convexity)
 :control: $\omega=(1,1,1)$ throughout
 :::
 */
-#if RATIONAL
 CLAIM(cut_depends_on_level_edge_and_weights)
 {
     num half = from_ratio(1, 2), one = from_int(1);

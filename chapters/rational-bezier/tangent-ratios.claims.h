@@ -7,7 +7,13 @@ ratios have a constant product.
 Coordinates are those of the frame, $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, and $s=x+y-1$; $S$ is the conic (3.1.4), with
 the minus sign unless the plus sign is mentioned.  Through a point with $xy\ne0$ goes the conic of
 $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an identity in $x$ and $y$.
+*/
+#include "exact/decide/roots.h"
 
+#include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/conics.h"
+
+/*
 ## The tangent at a point
 
 :::{statement} wang-ch3:3.1-tangent
@@ -32,11 +38,6 @@ Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where th
 :control: $d=(S_y,S_x)$
 :::
 */
-#include "exact/decide/roots.h"
-
-#include "chapters/judge/claims_on.h"
-#include "chapters/rational-bezier/conics.h"
-
 CLAIM(tangent_meets_the_conic_doubly)
 {
     num S[6], g[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), h = unknown(T, "h", 0);
@@ -123,7 +124,16 @@ CLAIM(upright_tangent_has_no_slope)
 
 The source does not print $B$; it is what “in the same way” gives.
 :::
+*/
 
+/* -2 lambda (x + y - 1) / ((1-lambda) z - 2 lambda (x + y - 1)), with 2 for -2 when `other` */
+static num G(printed_cut)(num lambda, num x, num y, num z, int other)
+{
+    num part = mul(mul(from_int(other ? 2 : -2), lambda), sub(add(x, y), from_int(1)));
+    return div(part, add(mul(sub(from_int(1), lambda), z), part));
+}
+
+/*
 :::{claim} tangent_cuts_the_sides
 :title: Where the tangent cuts the two sides
 :zh: 切线截两边的点
@@ -136,13 +146,6 @@ The source does not print $B$; it is what “in the same way” gives.
 :control: the plus sign
 :::
 */
-/* -2 lambda (x + y - 1) / ((1-lambda) z - 2 lambda (x + y - 1)), with 2 for -2 when `other` */
-static num G(printed_cut)(num lambda, num x, num y, num z, int other)
-{
-    num part = mul(mul(from_int(other ? 2 : -2), lambda), sub(add(x, y), from_int(1)));
-    return div(part, add(mul(sub(from_int(1), lambda), z), part));
-}
-
 CLAIM(tangent_cuts_the_sides)
 {
     int sign = T->planted ? 1 : -1;
@@ -250,61 +253,6 @@ CLAIM(end_has_but_one_ratio)
 :figure: tangent_ratios
 :::
 
-:::{statement} wang-ch3:3.1-g1
-:title: The first ratio
-:zh: g_1 的表达式
-:printed: g_1=\frac{X_A}{1-X_A}=\frac{-2\lambda(x+y-1)}{(1-\lambda)y}
-:holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
-:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
-:hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut
-  the side in one point.
-:hypothesis: end_has_but_one_ratio | $R\ne R_0$, where the tangent is the side; $g_2$ is 0 there.
-
-On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
-:::
-
-:::{statement} wang-ch3:3.1-g2
-:title: The second ratio
-:zh: g_2 的表达式
-:printed: In the same way $g_2=\frac{-2\lambda(x+y-1)}{(1-\lambda)x}$.
-:holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
-:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
-:hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut the
-  side in one point, as it does not in $R_2$, where it is the side.
-:::
-
-:::{claim} ratios_on_the_curve
-:title: The two ratios on every curve of the family
-:zh: 曲线族上的两个比
-:given: a point $R=(x,y)$ with $xy\ne0$, $s=x+y-1\ne0$, and the conic $S$ of the family through it, with either sign
-:let: $A=(X_A,0)$ and $B=(0,Y_B)$ be the cuts of the tangent, $g_1=\frac{X_A}{1-X_A}$, $g_2=\frac{Y_B}{1-Y_B}$
-:then: $g_1=\frac{-2x}s$, $g_2=\frac{-2y}s$; with the minus sign also $g_1=\frac{-2\lambda s}{(1-\lambda)y}$,
-  $g_2=\frac{-2\lambda s}{(1-\lambda)x}$, and with the plus sign the negatives of these
-:method: $A$ and $B$ by intersecting the tangent with the sides; $\lambda$ is expressed by $x$ and $y$.
-:control: the printed quotients taken with the plus sign without change
-:::
-*/
-CLAIM(ratios_on_the_curve)
-{
-    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), one = from_int(1), s = sub(add(x, y), one), S[6], X, Y;
-    for (int sign = -1; sign < 2; sign += 2) {
-        num lambda = G(lambda_at)(x, y, sign), mu = sub(one, lambda);
-        G(frame_conic)(lambda, sign, S);
-        G(tangent_cuts)(S, x, y, &X, &Y);
-        num g1 = div(X, sub(one, X)), g2 = div(Y, sub(one, Y));
-        about(T, "the ratios by the point alone");
-        same(T, g1, div(mul(from_int(-2), x), s));
-        same(T, g2, div(mul(from_int(-2), y), s));
-        about(T, "the ratios as printed");
-        num top = mul(mul(from_int(T->planted ? -2 : 2 * sign), lambda), s);
-        same(T, g1, div(top, mul(mu, y)));
-        same(T, g2, div(top, mul(mu, x)));
-    }
-}
-
-/*
 :::{claim} ratios_of_lengths_inside_the_triangle
 :title: Inside the triangle the ratios of lengths are these, and positive
 :zh: 三角形内长度之比
@@ -386,7 +334,64 @@ CLAIM(lengths_do_not_tell_points_apart)
     about(T, "whether the ratios tell the points apart");
     agree(T, !on_curve || !equal_q(g[0], h[0]) || !equal_q(g[1], h[1]));
 }
+#endif
 
+/*
+:::{statement} wang-ch3:3.1-g1
+:title: The first ratio
+:zh: g_1 的表达式
+:printed: g_1=\frac{X_A}{1-X_A}=\frac{-2\lambda(x+y-1)}{(1-\lambda)y}
+:holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
+:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
+:hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
+:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut
+  the side in one point.
+:hypothesis: end_has_but_one_ratio | $R\ne R_0$, where the tangent is the side; $g_2$ is 0 there.
+
+On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
+:::
+
+:::{statement} wang-ch3:3.1-g2
+:title: The second ratio
+:zh: g_2 的表达式
+:printed: In the same way $g_2=\frac{-2\lambda(x+y-1)}{(1-\lambda)x}$.
+:holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
+:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
+:hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
+:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut the
+  side in one point, as it does not in $R_2$, where it is the side.
+:::
+
+:::{claim} ratios_on_the_curve
+:title: The two ratios on every curve of the family
+:zh: 曲线族上的两个比
+:given: a point $R=(x,y)$ with $xy\ne0$, $s=x+y-1\ne0$, and the conic $S$ of the family through it, with either sign
+:let: $A=(X_A,0)$ and $B=(0,Y_B)$ be the cuts of the tangent, $g_1=\frac{X_A}{1-X_A}$, $g_2=\frac{Y_B}{1-Y_B}$
+:then: $g_1=\frac{-2x}s$, $g_2=\frac{-2y}s$; with the minus sign also $g_1=\frac{-2\lambda s}{(1-\lambda)y}$,
+  $g_2=\frac{-2\lambda s}{(1-\lambda)x}$, and with the plus sign the negatives of these
+:method: $A$ and $B$ by intersecting the tangent with the sides; $\lambda$ is expressed by $x$ and $y$.
+:control: the printed quotients taken with the plus sign without change
+:::
+*/
+CLAIM(ratios_on_the_curve)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), one = from_int(1), s = sub(add(x, y), one), S[6], X, Y;
+    for (int sign = -1; sign < 2; sign += 2) {
+        num lambda = G(lambda_at)(x, y, sign), mu = sub(one, lambda);
+        G(frame_conic)(lambda, sign, S);
+        G(tangent_cuts)(S, x, y, &X, &Y);
+        num g1 = div(X, sub(one, X)), g2 = div(Y, sub(one, Y));
+        about(T, "the ratios by the point alone");
+        same(T, g1, div(mul(from_int(-2), x), s));
+        same(T, g2, div(mul(from_int(-2), y), s));
+        about(T, "the ratios as printed");
+        num top = mul(mul(from_int(T->planted ? -2 : 2 * sign), lambda), s);
+        same(T, g1, div(top, mul(mu, y)));
+        same(T, g2, div(top, mul(mu, x)));
+    }
+}
+
+#if RATIONAL
 /*
 :::{claim} outside_the_triangle_lengths_lose_the_sign
 :title: Outside the triangle the ratio of lengths is not the printed quotient
@@ -576,4 +581,5 @@ CLAIM(product_of_lengths_is_not_printed)
         same(T, mul(length(g[0]), length(g[1])), div(mul(from_int(4), lambda), sub(from_int(1), lambda)));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

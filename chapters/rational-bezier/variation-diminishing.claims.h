@@ -8,7 +8,20 @@ has a point in common with the curve and crosses nothing, and neither does an en
 The source derives the property from Descartes' rule of signs.  Here every step of its chain is decided by
 itself, and the property is proved a second time without Descartes, from total positivity for the degrees
 computed, and a third time from the cutting of corners for every degree.
+*/
+#if RATIONAL
+#include "exact/decide/crossings.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/sturm.h"
+#endif
 
+#include "chapters/judge/claims_on.h"
+
+#include "chapters/judge/claims_off.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} wang-ch3:prop-3.2.7
 :title: A line crosses the curve no more often than the polygon
 :zh: 变差缩减性
@@ -48,7 +61,243 @@ For the curve: the parameters in $(0,1)$ at which $y(t)$ changes its sign, $L$ b
 that a double point on $L$ counts twice.  For the polygon: the changes of sign along it; a piece on $L$ counts once if the
 polygon changes sides there, and otherwise not at all.
 :::
+*/
 
+#if RATIONAL
+/* The pattern of signs number `code`, 0 <= code < 3^count. */
+static void sign_pattern_of(int code, int count, int sign[])
+{
+    for (int i = 0; i < count; i++, code /= 3)
+        sign[i] = code % 3 - 1;
+}
+static int patterns(int count) { return count == 0 ? 1 : 3 * patterns(count - 1); }
+
+/* The weights of the designed families. */
+enum { FAMILIES = 4 };
+static num_q designed_weight(int family, int n, int i)
+{
+    long power = 1;
+    for (int k = 0; k < i; k++)
+        power *= 10;
+    num_q weight[FAMILIES] = {from_int_q(1), from_int_q(i % 2 == 0 ? 1000 : 1), from_int_q(power),
+                              from_ratio_q(1, i == 0 || i == n ? 1 : 1000)};
+    return weight[family];
+}
+
+/* The polygon with vertices (i, y_i), and the line y = 0. */
+static void graph(int n, const int y[], num_q R[])
+{
+    for (int i = 0; i <= n; i++) {
+        R[2 * i] = from_int_q(i);
+        R[2 * i + 1] = from_int_q(y[i]);
+    }
+}
+static struct cagd_line horizontal_axis(void)
+{
+    return (struct cagd_line){from_int_q(0), from_int_q(1), from_int_q(0)};
+}
+
+/* Roots of g != 0 in (0,1) where it changes its sign, by Sturm's theorem. */
+static int crossings_by_sturm(poly g)
+{
+    poly factor[MAX_DEGREE + 1], odd = poly_constant(from_int_q(1));
+    int multiplicity[MAX_DEGREE + 1], factors = poly_squarefree(g, factor, multiplicity);
+    for (int k = 0; k < factors; k++)
+        if (multiplicity[k] % 2 == 1)
+            odd = poly_mul(odd, factor[k]);
+    num_q one = from_int_q(1);
+    return sturm_count(odd, from_int_q(0), one) - is_zero_q(poly_value(odd, one));
+}
+
+/* One designed curve: its points and weights, and the numerator of y. */
+static poly designed_curve(int n, int family, const int y[], num_q R[], num_q w[])
+{
+    num_q b[MAX_DEGREE + 1];
+    graph(n, y, R);
+    for (int i = 0; i <= n; i++) {
+        w[i] = designed_weight(family, n, i);
+        b[i] = mul_q(w[i], R[2 * i + 1]);
+    }
+    return poly_from_bernstein(n, b);
+}
+
+/*
+:::{claim} designed_curves_cross_no_more
+:title: Crossings of curves and polygons, counted exactly
+:zh: 跨越次数的精确计数
+:kind: decision
+:given: all $y_i\in\{-1,0,1\}$, $x_i=i$, the line $y=0$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and $1$
+  at the ends
+:then: the curve crosses the line at most as often as the polygon; even the roots with multiplicity in $(0,1)$ are at most $V$,
+  and differ from it by an even number; for a curve inside the line both numbers of crossings are $0$
+:method: Crossings of the curve by Descartes' rule in the Bernstein basis with subdivision, and by Sturm's theorem for the product
+  of the factors of odd multiplicity.
+:degrees: 1..5
+:scope: the stated polygons and weights
+:control: the polygon without its first vertex
+:::
+*/
+CLAIM(designed_curves_cross_no_more)
+{
+    int n = T->degree;
+    for (int family = 0; family < FAMILIES; family++)
+        for (int code = 0; code < patterns(n + 1); code++) {
+            int y[MAX_DEGREE + 1];
+            num R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
+            region_mark mark = region_open();
+            sign_pattern_of(code, n + 1, y);
+            poly g = designed_curve(n, family, y, R, w);
+            struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
+            int polygon = polygon_crossings(n - T->planted, R + 2 * T->planted, horizontal_axis());
+            agree(T, curve.crossings <= polygon);
+            agree(T, curve.contained == poly_is_zero(g));
+            if (poly_is_zero(g)) {
+                agree(T, polygon == 0 && curve.crossings == 0);
+            } else {
+                int counted = count_roots(g, from_int(0), from_int(1), OPEN).counted;
+                agree(T, crossings_by_sturm(g) == curve.crossings);
+                agree(T, counted <= polygon && (polygon - counted) % 2 == 0);
+            }
+            region_drop(mark);
+        }
+}
+
+/*
+:::{claim} designed_curves_meet_no_more
+:title: Common points of curves and polygons with a line, counted exactly
+:zh: 公共点数的精确计数
+:kind: decision
+:given: the curves and polygons of `designed_curves_cross_no_more`, those inside the line left out
+:then: the curve has on $[0,1]$ at most as many parameters on the line as the polygon has maximal pieces (points or runs of
+  edges) on it
+:method: Counted by Descartes' rule in the Bernstein basis and by Sturm's theorem.  For all: an end on the line is a piece of its own,
+  every change of sign gives a piece between, and the roots inside are at most $V$.
+:degrees: 1..5
+:scope: the stated polygons and weights
+:control: the pieces without those at the ends
+:::
+*/
+CLAIM(designed_curves_meet_no_more)
+{
+    int n = T->degree;
+    for (int family = 0; family < FAMILIES; family++)
+        for (int code = 0; code < patterns(n + 1); code++) {
+            int y[MAX_DEGREE + 1];
+            num R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
+            region_mark mark = region_open();
+            sign_pattern_of(code, n + 1, y);
+            poly g = designed_curve(n, family, y, R, w);
+            if (!poly_is_zero(g)) {
+                struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
+                int pieces = polygon_meets_line(n, R, horizontal_axis()).common_runs;
+                pieces -= T->planted ? (y[0] == 0) + (y[n] == 0) : 0;
+                int at_zero = is_zero_q(poly_value(g, from_int(0)));
+                agree(T, curve.common_closed <= pieces);
+                agree(T, sturm_count(g, from_int(0), from_int(1)) + at_zero == curve.common_closed);
+            }
+            region_drop(mark);
+        }
+}
+
+/*
+:::{claim} crossings_reach_their_bound
+:title: In every degree a curve crosses as often as its polygon
+:zh: 上界可以达到
+:kind: decision
+:given: $y(t)=\prod_{j=1}^n(t-j(1-t))$, all weights $1$
+:then: the polygon crosses $y=0$ exactly $n$ times, and so does the curve
+:method: The Bernstein coefficients are those of $\prod(s-j)$ divided by $\binom ni$; both numbers are counted exactly.
+:degrees: 1..10
+:scope: this curve
+:control: the factor $s+1$ taken for $s-1$
+:::
+*/
+CLAIM(crossings_reach_their_bound)
+{
+    int n = T->degree;
+    num c[MAX_DEGREE + 1], R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
+    poly product = poly_constant(from_int(1));
+    for (int j = 1; j <= n; j++) {
+        num factor[2] = {from_int(T->planted && j == 1 ? 1 : -j), from_int(1)};
+        product = poly_mul(product, poly_from_q(2, factor));
+    }
+    for (int i = 0; i <= n; i++) {
+        c[i] = div(poly_coefficient(product, i), from_int(binomial(n, i)));
+        R[2 * i] = from_int(i);
+        R[2 * i + 1] = c[i];
+        w[i] = from_int(1);
+    }
+    agree(T, polygon_crossings(n, R, horizontal_axis()) == n);
+    agree(T, curve_meets_line(n, R, w, horizontal_axis()).crossings == n);
+    agree(T, crossings_by_sturm(poly_from_bernstein(n, c)) == n);
+}
+
+/*
+:::{claim} self_crossing_polygon_meets_the_line_once
+:title: Counted as points of the plane, the curve meets the line more often than the polygon
+:zh: 若按平面点计数, 自交多边形给出反例
+:kind: counterexample
+:given: $n=3$, points $(-1,1),(1,-1),(-1,-1),(1,1)$, weights $2,1,1,2$, the line $y=0$
+:then: the polygon has the one point $(0,0)$ on the line, where its first and last edge cross; the curve has two
+:method: The curve is evaluated at its two roots $\frac13$ and $\frac23$, which are all its roots; the connected parts of the
+  polygon on the line are counted.  For $n\le2$ two edges that cross a line in one point are on one line, and then the curve is,
+  too.
+:control: crossings counted along curve and polygon instead: two and two
+:::
+*/
+CLAIM(self_crossing_polygon_meets_the_line_once)
+{
+    enum { n = 3 };
+    static const long point[2 * (n + 1)] = {-1, 1, 1, -1, -1, -1, 1, 1}, weight[n + 1] = {2, 1, 1, 2};
+    num R[2 * (n + 1)], w[n + 1], P[2], Q[2];
+    for (int i = 0; i <= n; i++)
+        w[i] = from_int(weight[i]);
+    for (int i = 0; i < 2 * (n + 1); i++)
+        R[i] = from_int(point[i]);
+    G(rational_point)(n, 2, R, w, from_ratio(1, 3), P);
+    G(rational_point)(n, 2, R, w, from_ratio(2, 3), Q);
+    show_points(T, "R", n + 1, 2, R);
+    show_points(T, "ω", n + 1, 1, w);
+    show_points(T, "R(1/3)", 1, 2, P);
+    show_points(T, "R(2/3)", 1, 2, Q);
+    struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
+    struct cagd_polygon_meets_line polygon = polygon_meets_line(n, R, horizontal_axis());
+    int all = curve.common_closed == 2 && is_zero_q(P[1]) && is_zero_q(Q[1]);
+    int points = T->planted ? curve.crossings : 1 + !equal_q(P[0], Q[0]);
+    int of_polygon = T->planted ? polygon.crossings : polygon.components;
+    show_text(T, "points of the curve on y = 0", "%d", points);
+    show_text(T, "points of the polygon on y = 0", "%d", of_polygon);
+    about(T, "R(1/3) and R(2/3) being all its points on the line, the curve has no more there than the polygon");
+    agree(T, !all || points <= of_polygon);
+}
+
+/*
+:::{claim} mixed_weights_cross_more
+:title: With weights of both signs the curve crosses a line that the polygon does not meet
+:zh: 权因子变号时变差缩减性不成立
+:kind: counterexample
+:given: $n=2$, points $(-1,2),(0,5),(1,2)$, weights $2,-1,2$, for which $\omega(t)>0$ on $[0,1]$; the line $y=0$
+:then: the curve crosses it twice, at $t=\frac13$ and $t=\frac23$; the polygon is above it
+:method: Crossings counted exactly; poles too, of which there is none.
+:control: the middle weight taken as $+1$
+:::
+*/
+CLAIM(mixed_weights_cross_more)
+{
+    enum { n = 2 };
+    num w[n + 1] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
+    num R[2 * (n + 1)] = {from_int(-1), from_int(2), from_int(0), from_int(5), from_int(1), from_int(2)};
+    struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
+    int polygon = polygon_crossings(n, R, horizontal_axis());
+    show_points(T, "R", n + 1, 2, R);
+    show_points(T, "ω", n + 1, 1, w);
+    show_text(T, "crossings of the curve", "%d", curve.crossings);
+    show_text(T, "crossings of the polygon", "%d", polygon);
+    about(T, "a curve without poles crosses y = 0 no more often than the polygon");
+    agree(T, curve.poles > 0 || curve.crossings <= polygon);
+}
+
+/*
 :::{statement} wang-ch3:prop-3.2.7-Z-V
 :title: Roots of a function and changes of sign of a sequence
 :zh: 根数 Z 与变号数 V
@@ -59,7 +308,20 @@ polygon changes sides there, and otherwise not at all.
 
 Different roots, or roots counted as often as their multiplicity: the chain is right with either.
 :::
+*/
 
+/* Changes of sign in a sequence of signs, zeros left out. */
+static int sign_changes(int count, const int sign[])
+{
+    int changes = 0, last = 0;
+    for (int i = 0; i < count; i++) {
+        changes += sign[i] * last < 0;
+        last = sign[i] != 0 ? sign[i] : last;
+    }
+    return changes;
+}
+
+/*
 :::{claim} corner_cutting_adds_no_sign_change
 :title: Means of neighbours change sign no more often
 :zh: 相邻项的凸组合不增加变号数
@@ -76,31 +338,6 @@ Different roots, or roots counted as often as their multiplicity: the chain is r
 :control: a mean of two positive numbers taken to be possibly negative
 :::
 */
-#include "chapters/judge/claims_on.h"
-#if RATIONAL
-#include "exact/decide/crossings.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/sturm.h"
-
-/* Changes of sign in a sequence of signs, zeros left out. */
-static int sign_changes(int count, const int sign[])
-{
-    int changes = 0, last = 0;
-    for (int i = 0; i < count; i++) {
-        changes += sign[i] * last < 0;
-        last = sign[i] != 0 ? sign[i] : last;
-    }
-    return changes;
-}
-
-/* The pattern of signs number `code`, 0 <= code < 3^count. */
-static void sign_pattern_of(int code, int count, int sign[])
-{
-    for (int i = 0; i < count; i++, code /= 3)
-        sign[i] = code % 3 - 1;
-}
-static int patterns(int count) { return count == 0 ? 1 : 3 * patterns(count - 1); }
-
 CLAIM(corner_cutting_adds_no_sign_change)
 {
     int n = T->degree;
@@ -124,7 +361,6 @@ CLAIM(corner_cutting_adds_no_sign_change)
     }
 }
 #endif
-#include "chapters/judge/claims_off.h"
 
 /*
 ## The chain, step by step
@@ -145,84 +381,6 @@ The signed distances from the line are, up to one positive factor, the values of
 from those of the vertices with the same weights.  So the signs of the $y_i$ and of $y(t)$ do not depend on the system.
 :::
 
-:::{statement} wang-ch3:prop-3.2.7-step-2
-:title: A crossing is a root of the numerator
-:zh: 跨越处是分子的根
-:printed: I(\mathbf R,L)\le Z_{0<t<1}\left[\sum_{i=0}^nB_i^n(t)\omega_iy_i\right]
-:holds-by: sign_of_the_curve_is_that_of_the_numerator
-:needs: curve_changes_sides_at_a_pole | positive weights, or only $\omega(t)\ne0$
-:reading: designed_curves_cross_no_more | crossings, which are roots of odd multiplicity
-:reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
-  clause of the property
-
-Where $y(t)$ changes its sign the numerator does, and a polynomial that does so has a root between.
-:::
-
-:::{statement} wang-ch3:prop-3.2.7-step-3
-:title: A power of 1-t is taken out
-:zh: 提出因子 (1-t)^n
-:printed: \sum_{i=0}^nB_i^n(t)\omega_iy_i=(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i
-:holds-by: numerator_in_powers_of_the_ratio
-:::
-
-:::{statement} wang-ch3:prop-3.2.7-step-4
-:title: The substitution s = t/(1-t) keeps the roots
-:zh: 变换 s=t/(1-t) 保持根数
-:printed: Z_{0<t<1}\left[(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i\right]
-  =Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]
-:holds-by: ratio_is_an_increasing_bijection numerator_in_powers_of_the_ratio
-:reading: root_counts_survive_the_substitution | different roots, or roots counted as often as their multiplicity
-:figure: roots_and_the_substitution
-
-A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
-:::
-
-:::{statement} wang-ch3:prop-3.2.7-notation
-:title: The symbol for the number of roots in (0,1)
-:zh: (0,1) 上根数的记号
-:printed: \sum_{0<t<l}[\,\cdot\,]
-:class: misprint
-:refuted-by: roots_must_be_counted_up_to_one
-:corrected: Z_{0<t<1}[\,\cdot\,]
-:corrected-by: designed_curves_cross_no_more root_counts_survive_the_substitution
-:figure: roots_and_the_substitution
-
-The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three
-times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step is false.
-Both are slips of the type or of its capture, nothing more; the meaning is not in doubt.
-The other entries of this section read $Z_{0<t<1}$ and $Z_{0<s<+\infty}$.
-:::
-
-:::{statement} wang-ch3:prop-3.2.7-step-5
-:title: Descartes' rule bounds the number of roots
-:zh: Descartes 符号法则
-:printed: Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]\le
-  V\left[\binom n0\omega_0y_0,\dots,\binom nn\omega_ny_n\right]
-:holds-by: descartes_rule_by_sign_patterns
-:hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$, that is, the curve is not contained in $L$
-
-The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
-The rule is about the number of positive roots of a polynomial, each as often as its multiplicity; it is proved here by taking
-away one change of sign after the other.
-:::
-
-:::{statement} wang-ch3:prop-3.2.7-step-6
-:title: Positive factors do not change the signs
-:zh: 正因子不改变变号数
-:printed: V\left[\binom n0\omega_0y_0,\binom n1\omega_1y_1,\dots,\binom nn\omega_ny_n\right]=V[y_0,y_1,\dots,y_n]
-:holds-by: positive_factors_keep_sign_changes
-:needs: mixed_weights_change_sign_changes | positive weights
-:figure: line_crossings
-:::
-
-:::{statement} wang-ch3:prop-3.2.7-step-7
-:title: The changes of sign are the crossings of the polygon
-:zh: 变号数即 B 网跨越直线的次数
-:printed: V[y_0,y_1,\dots,y_n]=I(\mathbf B,L)
-:holds-by: sign_changes_are_polygon_crossings
-:reading: touching_polygon_has_no_sign_change | intersections taken as common points, against the last clause of the property
-:::
-
 :::{claim} line_form_of_the_curve
 :title: The form of a line, on the curve, has the weights of the curve
 :zh: 曲线上的直线式仍以原权因子表示
@@ -232,220 +390,7 @@ away one change of sign after the other.
 :degrees: 1..6 sampled 12
 :control: the constant $c$ left out at the last vertex
 :::
-
-:::{claim} sign_of_the_curve_is_that_of_the_numerator
-:title: For positive weights y(t) has the sign of its numerator
-:zh: 正权时 y(t) 与其分子同号
-:given: positive weights and values $y_0,\dots,y_n$; $0<t<1$
-:then: $\omega(t)>0$ and $y(t)\,\omega(t)=\sum_iB_i^n(t)\omega_iy_i$
-:method: With $t=s/(1+s)$ and $s$ and the weights variables, $\omega(t)$ is a quotient of polynomials with positive coefficients;
-  the equation is an identity in the field.
-:degrees: 1..8 sampled 12
-:control: the last value taken without its weight in the numerator
-:::
-
-:::{claim} numerator_in_powers_of_the_ratio
-:title: A polynomial in Bernstein form as a polynomial in t/(1-t)
-:zh: Bernstein 形式化为 t/(1-t) 的多项式
-:given: $b_0,\dots,b_n$
-:then: $\sum_iB_i^n(t)b_i=(1-t)^n\sum_i\binom niS^ib_i$, $S=t/(1-t)$
-:method: The left side by de Casteljau's algorithm, the right side by Horner's rule in $S$; one element of the field.
-:degrees: 1..10 sampled 12
-:control: $(1-t)^{n-1}$ taken for $(1-t)^n$
-:::
-
-:::{claim} ratio_is_an_increasing_bijection
-:title: s = t/(1-t) runs once through the positive numbers
-:zh: s=t/(1-t) 是 (0,1) 到正数的递增双射
-:given: $0<t<1$; a second parameter $t'>t$ of $(0,1)$; $s>0$
-:then: $s(t)>0$, $t=\frac{s(t)}{1+s(t)}$, $s\bigl(\frac s{1+s}\bigr)=s$, and $s(t')-s(t)=\frac{t'-t}{(1-t')(1-t)}>0$
-:method: Identities in the field; the signs by coefficients, with $t=\frac p{1+p}$ and $t'=\frac{p+q}{1+p+q}$, $p,q>0$.
-:degrees: all
-:control: $(1-t)^2$ taken for $(1-t')(1-t)$
-:::
-
-:::{claim} root_counts_survive_the_substitution
-:title: As many roots in 0<t<1 as in s>0
-:zh: 变换前后根数相同
-:kind: decision
-:given: all numbers $b_i$ out of $-2,-1,0,1,2$ for $n\le3$, and out of $-1,0,1$ for $n=4,5$, not all $0$
-:then: $\sum B_i^nb_i$ has in $(0,1)$ as many roots as $\sum\binom nib_is^i$ has in $(0,\infty)$, different ones and with
-  multiplicity, and the same number of them are crossings
-:method: Counted by Descartes' rule in the Bernstein basis with subdivision; the different ones again by Sturm's theorem, on both
-  sides.
-:degrees: 1..5
-:scope: the stated coefficients
-:control: roots up to $t=1$, the end included, counted on the left
-:::
-
-:::{claim} descartes_rule_by_sign_patterns
-:title: Descartes' rule of signs
-:zh: Descartes 符号法则
-:kind: decision
-:given: $q(s)=\sum_{m=0}^nc_ms^m$, not $0$
-:then: $q$ has at most $V[c_0,\dots,c_n]$ positive roots, counted with multiplicity
-:method: If all $c_m\ne0$ have one sign there is no positive root.  Otherwise let $i$ be the index just before the first change
-  of sign and $\alpha=i+\frac12$.  The function $s^{-\alpha}q(s)$ has the positive roots of $q$, and its derivative is
-  $s^{-\alpha-1}\sum(m-\alpha)c_ms^m$; by Rolle's theorem, multiplicities counted, it has at least one root fewer.  The
-  sequence $(m-\alpha)c_m$ is decided to have exactly one change of sign fewer than the $c_m$, for every pattern of signs; so
-  the rule follows by induction on $V$.  For every $n$: up to the index $i$ all signs are reversed, behind it they stay.
-:degrees: 1..8
-:scope: all patterns of signs
-:control: $\alpha=i-\frac12$
-:::
-
-:::{claim} positive_factors_keep_sign_changes
-:title: Binomial coefficients and positive weights keep the changes of sign
-:zh: 二项系数与正权不改变变号数
-:kind: decision
-:given: all patterns of signs of $y_0,\dots,y_n$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and $1$ at
-  the ends
-:then: $V[\binom ni\omega_iy_i]=V[y_i]$
-:method: The products are computed exactly.  For all positive weights: the sign of a product is the product of the signs.
-:degrees: 1..6
-:scope: all patterns of signs, four families of weights
-:control: the last weight with the sign $-$
-:::
-
-:::{claim} sign_changes_are_polygon_crossings
-:title: Changes of sign at the vertices are crossings of the polygon
-:zh: 顶点变号数等于多边形跨越次数
-:kind: decision
-:given: all patterns $y_i\in\{-1,0,1\}$, the polygon with vertices $(i,y_i)$ and the line $y=0$
-:then: $V[y_0,\dots,y_n]$ is the number of times that a point which runs along the polygon changes sides
-:method: Between its quarters an edge of these polygons meets the line at most once; the sides of the points at $\frac14$ and
-  $\frac34$ of every edge, none of which is an isolated point on the line, are read one after the other.  Compared with
-  $V$ and with the count of `exact/decide/crossings.h`.
-:degrees: 1..8
-:scope: all patterns of signs
-:control: zeros counted as positive in $V$
-:::
-
-:::{claim} designed_curves_cross_no_more
-:title: Crossings of curves and polygons, counted exactly
-:zh: 跨越次数的精确计数
-:kind: decision
-:given: all $y_i\in\{-1,0,1\}$, $x_i=i$, the line $y=0$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and $1$
-  at the ends
-:then: the curve crosses the line at most as often as the polygon; even the roots with multiplicity in $(0,1)$ are at most $V$,
-  and differ from it by an even number; for a curve inside the line both numbers of crossings are $0$
-:method: Crossings of the curve by Descartes' rule in the Bernstein basis with subdivision, and by Sturm's theorem for the product
-  of the factors of odd multiplicity.
-:degrees: 1..5
-:scope: the stated polygons and weights
-:control: the polygon without its first vertex
-:::
-
-:::{claim} designed_curves_meet_no_more
-:title: Common points of curves and polygons with a line, counted exactly
-:zh: 公共点数的精确计数
-:kind: decision
-:given: the curves and polygons of `designed_curves_cross_no_more`, those inside the line left out
-:then: the curve has on $[0,1]$ at most as many parameters on the line as the polygon has maximal pieces (points or runs of
-  edges) on it
-:method: Counted by Descartes' rule in the Bernstein basis and by Sturm's theorem.  For all: an end on the line is a piece of its own,
-  every change of sign gives a piece between, and the roots inside are at most $V$.
-:degrees: 1..5
-:scope: the stated polygons and weights
-:control: the pieces without those at the ends
-:::
-
-:::{claim} crossings_reach_their_bound
-:title: In every degree a curve crosses as often as its polygon
-:zh: 上界可以达到
-:kind: decision
-:given: $y(t)=\prod_{j=1}^n(t-j(1-t))$, all weights $1$
-:then: the polygon crosses $y=0$ exactly $n$ times, and so does the curve
-:method: The Bernstein coefficients are those of $\prod(s-j)$ divided by $\binom ni$; both numbers are counted exactly.
-:degrees: 1..10
-:scope: this curve
-:control: the factor $s+1$ taken for $s-1$
-:::
-
-:::{claim} self_crossing_polygon_meets_the_line_once
-:title: Counted as points of the plane, the curve meets the line more often than the polygon
-:zh: 若按平面点计数, 自交多边形给出反例
-:kind: counterexample
-:given: $n=3$, points $(-1,1),(1,-1),(-1,-1),(1,1)$, weights $2,1,1,2$, the line $y=0$
-:then: the polygon has the one point $(0,0)$ on the line, where its first and last edge cross; the curve has two
-:method: The curve is evaluated at its two roots $\frac13$ and $\frac23$, which are all its roots; the connected parts of the
-  polygon on the line are counted.  For $n\le2$ two edges that cross a line in one point are on one line, and then the curve is,
-  too.
-:control: crossings counted along curve and polygon instead: two and two
-:::
-
-:::{claim} mixed_weights_cross_more
-:title: With weights of both signs the curve crosses a line that the polygon does not meet
-:zh: 权因子变号时变差缩减性不成立
-:kind: counterexample
-:given: $n=2$, points $(-1,2),(0,5),(1,2)$, weights $2,-1,2$, for which $\omega(t)>0$ on $[0,1]$; the line $y=0$
-:then: the curve crosses it twice, at $t=\frac13$ and $t=\frac23$; the polygon is above it
-:method: Crossings counted exactly; poles too, of which there is none.
-:control: the middle weight taken as $+1$
-:::
-
-:::{claim} mixed_weights_change_sign_changes
-:title: A negative weight changes the changes of sign
-:zh: 负权改变变号数
-:kind: counterexample
-:given: $n=2$, weights $2,-1,2$ and $y=2,5,2$
-:then: $V[\binom ni\omega_iy_i]=2$ and $V[y_i]=0$
-:method: Computed.
-:control: the middle weight taken as $+1$
-:::
-
-:::{claim} curve_changes_sides_at_a_pole
-:title: At a pole the curve changes sides without a root
-:zh: 极点处变号而无根
-:kind: counterexample
-:given: $n=1$, weights $1,-1$, $y=1,-1$: $y(t)=\frac1{1-2t}$
-:then: $y(\frac14)>0>y(\frac34)$, and the numerator has no root
-:method: The numerator's roots in $(0,1)$ are counted exactly.
-:control: the second weight taken as $+1$
-:::
-
-:::{claim} end_on_the_line_is_no_interior_root
-:title: An end on the line is a common point and no root in (0,1)
-:zh: 端点在直线上不计入内部根
-:kind: counterexample
-:given: $n=1$, weights $1,1$, $y=0,1$
-:then: one common point, no root in $(0,1)$
-:method: Counted exactly.
-:control: crossings taken for common points
-:::
-
-:::{claim} roots_must_be_counted_up_to_one
-:title: With an l below 1 the first step is false
-:zh: 若 l<1 则第一步不成立
-:kind: counterexample
-:given: $n=1$, weights $1,1$, $y=-2,1$, and $l=\frac12$
-:then: the curve crosses $y=0$ once, at $t=\frac23$, and the numerator has no root with $0<t<l$
-:method: Counted exactly.
-:control: $l=1$
-:::
-
-:::{claim} curve_inside_the_line_has_too_many_roots
-:title: A curve inside the line has more roots than changes of sign
-:zh: 曲线落在直线上时根数无界
-:kind: counterexample
-:given: $n=1$, weights $1,1$, $y=0,0$
-:then: the numerator is $0$ at $t=\frac14,\frac12,\frac34$, and $V=0$
-:method: Evaluated exactly.
-:control: $y=1,-1$
-:::
-
-:::{claim} touching_polygon_has_no_sign_change
-:title: A polygon that touches the line has a common point and no change of sign
-:zh: 多边形与直线相切时变号数为零
-:kind: counterexample
-:given: $y=1,0,1$
-:then: one common point, $V=0$
-:method: Counted exactly.
-:control: crossings taken for common points
-:::
 */
-#include "chapters/judge/claims_on.h"
-
 CLAIM(line_form_of_the_curve)
 {
     int n = T->degree;
@@ -464,6 +409,31 @@ CLAIM(line_form_of_the_curve)
     same(T, add(add(mul(a, P[0]), mul(b, P[1])), c), on_curve);
 }
 
+/*
+:::{statement} wang-ch3:prop-3.2.7-step-2
+:title: A crossing is a root of the numerator
+:zh: 跨越处是分子的根
+:printed: I(\mathbf R,L)\le Z_{0<t<1}\left[\sum_{i=0}^nB_i^n(t)\omega_iy_i\right]
+:holds-by: sign_of_the_curve_is_that_of_the_numerator
+:needs: curve_changes_sides_at_a_pole | positive weights, or only $\omega(t)\ne0$
+:reading: designed_curves_cross_no_more | crossings, which are roots of odd multiplicity
+:reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
+  clause of the property
+
+Where $y(t)$ changes its sign the numerator does, and a polynomial that does so has a root between.
+:::
+
+:::{claim} sign_of_the_curve_is_that_of_the_numerator
+:title: For positive weights y(t) has the sign of its numerator
+:zh: 正权时 y(t) 与其分子同号
+:given: positive weights and values $y_0,\dots,y_n$; $0<t<1$
+:then: $\omega(t)>0$ and $y(t)\,\omega(t)=\sum_iB_i^n(t)\omega_iy_i$
+:method: With $t=s/(1+s)$ and $s$ and the weights variables, $\omega(t)$ is a quotient of polynomials with positive coefficients;
+  the equation is an identity in the field.
+:degrees: 1..8 sampled 12
+:control: the last value taken without its weight in the numerator
+:::
+*/
 CLAIM(sign_of_the_curve_is_that_of_the_numerator)
 {
     int n = T->degree;
@@ -485,6 +455,86 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
     same(T, mul(point, weight), numerator);
 }
 
+#if RATIONAL
+/*
+:::{claim} curve_changes_sides_at_a_pole
+:title: At a pole the curve changes sides without a root
+:zh: 极点处变号而无根
+:kind: counterexample
+:given: $n=1$, weights $1,-1$, $y=1,-1$: $y(t)=\frac1{1-2t}$
+:then: $y(\frac14)>0>y(\frac34)$, and the numerator has no root
+:method: The numerator's roots in $(0,1)$ are counted exactly.
+:control: the second weight taken as $+1$
+:::
+*/
+CLAIM(curve_changes_sides_at_a_pole)
+{
+    num w[2] = {from_int(1), from_int(T->planted ? 1 : -1)}, y[2] = {from_int(1), from_int(-1)}, before, after;
+    num b[2] = {mul(w[0], y[0]), mul(w[1], y[1])};
+    G(rational_point)(1, 1, y, w, from_ratio(1, 4), &before);
+    G(rational_point)(1, 1, y, w, from_ratio(3, 4), &after);
+    show_points(T, "y", 2, 1, y);
+    show_points(T, "ω", 2, 1, w);
+    show(T, "y(1/4)", before);
+    show(T, "y(3/4)", after);
+    int roots = count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), OPEN).distinct;
+    show_text(T, "roots of the numerator", "%d", roots);
+    about(T, "a change of sides is a root of the numerator");
+    agree(T, (sign_q(before) * sign_q(after) < 0) <= roots);
+}
+
+/* The line n = 1 from (0, first) to (1, second), weights 1: what it has in common with y = 0. */
+static struct cagd_curve_meets_line straight(int first, int second, poly *numerator)
+{
+    int y[2] = {first, second};
+    num_q R[4], w[2];
+    *numerator = designed_curve(1, 0, y, R, w);
+    return curve_meets_line(1, R, w, horizontal_axis());
+}
+
+/*
+:::{claim} end_on_the_line_is_no_interior_root
+:title: An end on the line is a common point and no root in (0,1)
+:zh: 端点在直线上不计入内部根
+:kind: counterexample
+:given: $n=1$, weights $1,1$, $y=0,1$
+:then: one common point, no root in $(0,1)$
+:method: Counted exactly.
+:control: crossings taken for common points
+:::
+*/
+CLAIM(end_on_the_line_is_no_interior_root)
+{
+    poly g;
+    struct cagd_curve_meets_line curve = straight(0, 1, &g);
+    int points = T->planted ? curve.crossings : curve.common_closed;
+    int roots = count_roots(g, from_int(0), from_int(1), OPEN).distinct;
+    show_text(T, "y", "0, 1");
+    show_text(T, "common points", "%d", points);
+    show_text(T, "roots in (0,1)", "%d", roots);
+    about(T, "no more intersections than roots");
+    agree(T, points <= roots);
+}
+#endif
+
+/*
+:::{statement} wang-ch3:prop-3.2.7-step-3
+:title: A power of 1-t is taken out
+:zh: 提出因子 (1-t)^n
+:printed: \sum_{i=0}^nB_i^n(t)\omega_iy_i=(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i
+:holds-by: numerator_in_powers_of_the_ratio
+:::
+
+:::{claim} numerator_in_powers_of_the_ratio
+:title: A polynomial in Bernstein form as a polynomial in t/(1-t)
+:zh: Bernstein 形式化为 t/(1-t) 的多项式
+:given: $b_0,\dots,b_n$
+:then: $\sum_iB_i^n(t)b_i=(1-t)^n\sum_i\binom niS^ib_i$, $S=t/(1-t)$
+:method: The left side by de Casteljau's algorithm, the right side by Horner's rule in $S$; one element of the field.
+:degrees: 1..10 sampled 12
+:control: $(1-t)^{n-1}$ taken for $(1-t)^n$
+:::
+*/
 CLAIM(numerator_in_powers_of_the_ratio)
 {
     int n = T->degree;
@@ -500,6 +550,29 @@ CLAIM(numerator_in_powers_of_the_ratio)
     same(T, right, left);
 }
 
+/*
+:::{statement} wang-ch3:prop-3.2.7-step-4
+:title: The substitution s = t/(1-t) keeps the roots
+:zh: 变换 s=t/(1-t) 保持根数
+:printed: Z_{0<t<1}\left[(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i\right]
+  =Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]
+:holds-by: ratio_is_an_increasing_bijection numerator_in_powers_of_the_ratio
+:reading: root_counts_survive_the_substitution | different roots, or roots counted as often as their multiplicity
+:figure: roots_and_the_substitution
+
+A root keeps its multiplicity as well, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
+:::
+
+:::{claim} ratio_is_an_increasing_bijection
+:title: s = t/(1-t) runs once through the positive numbers
+:zh: s=t/(1-t) 是 (0,1) 到正数的递增双射
+:given: $0<t<1$; a second parameter $t'>t$ of $(0,1)$; $s>0$
+:then: $s(t)>0$, $t=\frac{s(t)}{1+s(t)}$, $s\bigl(\frac s{1+s}\bigr)=s$, and $s(t')-s(t)=\frac{t'-t}{(1-t')(1-t)}>0$
+:method: Identities in the field; the signs by coefficients, with $t=\frac p{1+p}$ and $t'=\frac{p+q}{1+p+q}$, $p,q>0$.
+:degrees: all
+:control: $(1-t)^2$ taken for $(1-t')(1-t)$
+:::
+*/
 CLAIM(ratio_is_an_increasing_bijection)
 {
     num one = from_int(1), p = positive(T, "p", 0), q = positive(T, "q", 0), s = positive(T, "s", 0);
@@ -514,6 +587,21 @@ CLAIM(ratio_is_an_increasing_bijection)
 }
 
 #if RATIONAL
+/*
+:::{claim} root_counts_survive_the_substitution
+:title: As many roots in 0<t<1 as in s>0
+:zh: 变换前后根数相同
+:kind: decision
+:given: all numbers $b_i$ out of $-2,-1,0,1,2$ for $n\le3$, and out of $-1,0,1$ for $n=4,5$, not all $0$
+:then: $\sum B_i^nb_i$ has in $(0,1)$ as many roots as $\sum\binom nib_is^i$ has in $(0,\infty)$, different ones and with
+  multiplicity, and the same number of them are crossings
+:method: Counted by Descartes' rule in the Bernstein basis with subdivision; the different ones again by Sturm's theorem, on both
+  sides.
+:degrees: 1..5
+:scope: the stated coefficients
+:control: roots up to $t=1$, the end included, counted on the left
+:::
+*/
 /* sum C(n,i) b_i s^i */
 static poly in_powers_of_the_ratio(int n, const num_q b[])
 {
@@ -547,6 +635,77 @@ CLAIM(root_counts_survive_the_substitution)
     }
 }
 
+/*
+:::{statement} wang-ch3:prop-3.2.7-notation
+:title: The symbol for the number of roots in (0,1)
+:zh: (0,1) 上根数的记号
+:printed: \sum_{0<t<l}[\,\cdot\,]
+:class: misprint
+:refuted-by: roots_must_be_counted_up_to_one
+:corrected: Z_{0<t<1}[\,\cdot\,]
+:corrected-by: designed_curves_cross_no_more root_counts_survive_the_substitution
+:figure: roots_and_the_substitution
+
+The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three
+times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step is false.
+Both are slips of the type or of its capture, nothing more; the meaning is not in doubt.
+The other entries of this section read $Z_{0<t<1}$ and $Z_{0<s<+\infty}$.
+:::
+
+:::{claim} roots_must_be_counted_up_to_one
+:title: With an l below 1 the first step is false
+:zh: 若 l<1 则第一步不成立
+:kind: counterexample
+:given: $n=1$, weights $1,1$, $y=-2,1$, and $l=\frac12$
+:then: the curve crosses $y=0$ once, at $t=\frac23$, and the numerator has no root with $0<t<l$
+:method: Counted exactly.
+:control: $l=1$
+:::
+*/
+CLAIM(roots_must_be_counted_up_to_one)
+{
+    poly g;
+    num l = T->planted ? from_int(1) : from_ratio(1, 2);
+    struct cagd_curve_meets_line curve = straight(-2, 1, &g);
+    int roots = count_roots(g, from_int(0), l, OPEN).distinct;
+    show_text(T, "y", "-2, 1");
+    show(T, "l", l);
+    show_text(T, "crossings of the curve", "%d", curve.crossings);
+    show_text(T, "roots with 0 < t < l", "%d", roots);
+    about(T, "no more crossings than roots");
+    agree(T, curve.crossings <= roots);
+}
+
+/*
+:::{statement} wang-ch3:prop-3.2.7-step-5
+:title: Descartes' rule bounds the number of roots
+:zh: Descartes 符号法则
+:printed: Z_{0<s<+\infty}\left[\sum_{i=0}^n\binom ni\omega_iy_is^i\right]\le
+  V\left[\binom n0\omega_0y_0,\dots,\binom nn\omega_ny_n\right]
+:holds-by: descartes_rule_by_sign_patterns
+:hypothesis: curve_inside_the_line_has_too_many_roots | the polynomial is not $0$, that is, the curve is not contained in $L$
+
+The property itself survives without the hypothesis: a curve inside $L$ does not cross it, and its polygon is inside $L$, too.
+The rule is about the number of positive roots of a polynomial, each as often as its multiplicity; it is proved here by taking
+away one change of sign after the other.
+:::
+
+:::{claim} descartes_rule_by_sign_patterns
+:title: Descartes' rule of signs
+:zh: Descartes 符号法则
+:kind: decision
+:given: $q(s)=\sum_{m=0}^nc_ms^m$, not $0$
+:then: $q$ has at most $V[c_0,\dots,c_n]$ positive roots, counted with multiplicity
+:method: If all $c_m\ne0$ have one sign there is no positive root.  Otherwise let $i$ be the index just before the first change
+  of sign and $\alpha=i+\frac12$.  The function $s^{-\alpha}q(s)$ has the positive roots of $q$, and its derivative is
+  $s^{-\alpha-1}\sum(m-\alpha)c_ms^m$; by Rolle's theorem, multiplicities counted, it has at least one root fewer.  The
+  sequence $(m-\alpha)c_m$ is decided to have exactly one change of sign fewer than the $c_m$, for every pattern of signs; so
+  the rule follows by induction on $V$.  For every $n$: up to the index $i$ all signs are reversed, behind it they stay.
+:degrees: 1..8
+:scope: all patterns of signs
+:control: $\alpha=i-\frac12$
+:::
+*/
 CLAIM(descartes_rule_by_sign_patterns)
 {
     int n = T->degree;
@@ -562,18 +721,54 @@ CLAIM(descartes_rule_by_sign_patterns)
     }
 }
 
-/* The weights of the designed families. */
-enum { FAMILIES = 4 };
-static num_q designed_weight(int family, int n, int i)
+/*
+:::{claim} curve_inside_the_line_has_too_many_roots
+:title: A curve inside the line has more roots than changes of sign
+:zh: 曲线落在直线上时根数无界
+:kind: counterexample
+:given: $n=1$, weights $1,1$, $y=0,0$
+:then: the numerator is $0$ at $t=\frac14,\frac12,\frac34$, and $V=0$
+:method: Evaluated exactly.
+:control: $y=1,-1$
+:::
+*/
+CLAIM(curve_inside_the_line_has_too_many_roots)
 {
-    long power = 1;
-    for (int k = 0; k < i; k++)
-        power *= 10;
-    num_q weight[FAMILIES] = {from_int_q(1), from_int_q(i % 2 == 0 ? 1000 : 1), from_int_q(power),
-                              from_ratio_q(1, i == 0 || i == n ? 1 : 1000)};
-    return weight[family];
+    poly g;
+    int y[2] = {T->planted, -T->planted}, roots = 0;
+    (void)straight(y[0], y[1], &g);
+    for (int k = 1; k <= 3; k++)
+        roots += is_zero_q(poly_value(g, from_ratio(k, 4)));
+    show_text(T, "y", "%d, %d", y[0], y[1]);
+    show_text(T, "roots among 1/4, 1/2, 3/4", "%d", roots);
+    show_text(T, "V", "%d", sign_changes(2, y));
+    about(T, "no more roots than changes of sign");
+    agree(T, roots <= sign_changes(2, y));
 }
 
+/*
+:::{statement} wang-ch3:prop-3.2.7-step-6
+:title: Positive factors do not change the signs
+:zh: 正因子不改变变号数
+:printed: V\left[\binom n0\omega_0y_0,\binom n1\omega_1y_1,\dots,\binom nn\omega_ny_n\right]=V[y_0,y_1,\dots,y_n]
+:holds-by: positive_factors_keep_sign_changes
+:needs: mixed_weights_change_sign_changes | positive weights
+:figure: line_crossings
+:::
+
+:::{claim} positive_factors_keep_sign_changes
+:title: Binomial coefficients and positive weights keep the changes of sign
+:zh: 二项系数与正权不改变变号数
+:kind: decision
+:given: all patterns of signs of $y_0,\dots,y_n$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and $1$ at
+  the ends
+:then: $V[\binom ni\omega_iy_i]=V[y_i]$
+:method: The products are computed exactly.  For all positive weights: the sign of a product is the product of the signs.
+:degrees: 1..6
+:scope: all patterns of signs, four families of weights
+:control: the last weight with the sign $-$
+:::
+*/
 CLAIM(positive_factors_keep_sign_changes)
 {
     int n = T->degree;
@@ -592,19 +787,52 @@ CLAIM(positive_factors_keep_sign_changes)
         }
 }
 
-/* The polygon with vertices (i, y_i), and the line y = 0. */
-static void graph(int n, const int y[], num_q R[])
+/*
+:::{claim} mixed_weights_change_sign_changes
+:title: A negative weight changes the changes of sign
+:zh: 负权改变变号数
+:kind: counterexample
+:given: $n=2$, weights $2,-1,2$ and $y=2,5,2$
+:then: $V[\binom ni\omega_iy_i]=2$ and $V[y_i]=0$
+:method: Computed.
+:control: the middle weight taken as $+1$
+:::
+*/
+CLAIM(mixed_weights_change_sign_changes)
 {
-    for (int i = 0; i <= n; i++) {
-        R[2 * i] = from_int_q(i);
-        R[2 * i + 1] = from_int_q(y[i]);
-    }
-}
-static struct cagd_line horizontal_axis(void)
-{
-    return (struct cagd_line){from_int_q(0), from_int_q(1), from_int_q(0)};
+    enum { n = 2 };
+    int y[n + 1] = {2, 5, 2}, w[n + 1] = {2, T->planted ? 1 : -1, 2}, product[n + 1];
+    for (int i = 0; i <= n; i++)
+        product[i] = (int)binomial(n, i) * w[i] * y[i];
+    show_text(T, "y", "%d, %d, %d", y[0], y[1], y[2]);
+    show_text(T, "C(n,i) ω y", "%d, %d, %d", product[0], product[1], product[2]);
+    about(T, "the changes of sign are as many");
+    agree(T, sign_changes(n + 1, product) == sign_changes(n + 1, y));
 }
 
+/*
+:::{statement} wang-ch3:prop-3.2.7-step-7
+:title: The changes of sign are the crossings of the polygon
+:zh: 变号数即 B 网跨越直线的次数
+:printed: V[y_0,y_1,\dots,y_n]=I(\mathbf B,L)
+:holds-by: sign_changes_are_polygon_crossings
+:reading: touching_polygon_has_no_sign_change | intersections taken as common points, against the last clause of the property
+:::
+
+:::{claim} sign_changes_are_polygon_crossings
+:title: Changes of sign at the vertices are crossings of the polygon
+:zh: 顶点变号数等于多边形跨越次数
+:kind: decision
+:given: all patterns $y_i\in\{-1,0,1\}$, the polygon with vertices $(i,y_i)$ and the line $y=0$
+:then: $V[y_0,\dots,y_n]$ is the number of times that a point which runs along the polygon changes sides
+:method: Between its quarters an edge of these polygons meets the line at most once; the sides of the points at $\frac14$ and
+  $\frac34$ of every edge, none of which is an isolated point on the line, are read one after the other.  Compared with
+  $V$ and with the count of `exact/decide/crossings.h`.
+:degrees: 1..8
+:scope: all patterns of signs
+:control: zeros counted as positive in $V$
+:::
+*/
 CLAIM(sign_changes_are_polygon_crossings)
 {
     int n = T->degree;
@@ -628,216 +856,17 @@ CLAIM(sign_changes_are_polygon_crossings)
     }
 }
 
-/* Roots of g != 0 in (0,1) where it changes its sign, by Sturm's theorem. */
-static int crossings_by_sturm(poly g)
-{
-    poly factor[MAX_DEGREE + 1], odd = poly_constant(from_int_q(1));
-    int multiplicity[MAX_DEGREE + 1], factors = poly_squarefree(g, factor, multiplicity);
-    for (int k = 0; k < factors; k++)
-        if (multiplicity[k] % 2 == 1)
-            odd = poly_mul(odd, factor[k]);
-    num_q one = from_int_q(1);
-    return sturm_count(odd, from_int_q(0), one) - is_zero_q(poly_value(odd, one));
-}
-
-/* One designed curve: its points and weights, and the numerator of y. */
-static poly designed_curve(int n, int family, const int y[], num_q R[], num_q w[])
-{
-    num_q b[MAX_DEGREE + 1];
-    graph(n, y, R);
-    for (int i = 0; i <= n; i++) {
-        w[i] = designed_weight(family, n, i);
-        b[i] = mul_q(w[i], R[2 * i + 1]);
-    }
-    return poly_from_bernstein(n, b);
-}
-
-CLAIM(designed_curves_cross_no_more)
-{
-    int n = T->degree;
-    for (int family = 0; family < FAMILIES; family++)
-        for (int code = 0; code < patterns(n + 1); code++) {
-            int y[MAX_DEGREE + 1];
-            num R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
-            region_mark mark = region_open();
-            sign_pattern_of(code, n + 1, y);
-            poly g = designed_curve(n, family, y, R, w);
-            struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
-            int polygon = polygon_crossings(n - T->planted, R + 2 * T->planted, horizontal_axis());
-            agree(T, curve.crossings <= polygon);
-            agree(T, curve.contained == poly_is_zero(g));
-            if (poly_is_zero(g)) {
-                agree(T, polygon == 0 && curve.crossings == 0);
-            } else {
-                int counted = count_roots(g, from_int(0), from_int(1), OPEN).counted;
-                agree(T, crossings_by_sturm(g) == curve.crossings);
-                agree(T, counted <= polygon && (polygon - counted) % 2 == 0);
-            }
-            region_drop(mark);
-        }
-}
-
-CLAIM(designed_curves_meet_no_more)
-{
-    int n = T->degree;
-    for (int family = 0; family < FAMILIES; family++)
-        for (int code = 0; code < patterns(n + 1); code++) {
-            int y[MAX_DEGREE + 1];
-            num R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
-            region_mark mark = region_open();
-            sign_pattern_of(code, n + 1, y);
-            poly g = designed_curve(n, family, y, R, w);
-            if (!poly_is_zero(g)) {
-                struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
-                int pieces = polygon_meets_line(n, R, horizontal_axis()).common_runs;
-                pieces -= T->planted ? (y[0] == 0) + (y[n] == 0) : 0;
-                int at_zero = is_zero_q(poly_value(g, from_int(0)));
-                agree(T, curve.common_closed <= pieces);
-                agree(T, sturm_count(g, from_int(0), from_int(1)) + at_zero == curve.common_closed);
-            }
-            region_drop(mark);
-        }
-}
-
-CLAIM(crossings_reach_their_bound)
-{
-    int n = T->degree;
-    num c[MAX_DEGREE + 1], R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
-    poly product = poly_constant(from_int(1));
-    for (int j = 1; j <= n; j++) {
-        num factor[2] = {from_int(T->planted && j == 1 ? 1 : -j), from_int(1)};
-        product = poly_mul(product, poly_from_q(2, factor));
-    }
-    for (int i = 0; i <= n; i++) {
-        c[i] = div(poly_coefficient(product, i), from_int(binomial(n, i)));
-        R[2 * i] = from_int(i);
-        R[2 * i + 1] = c[i];
-        w[i] = from_int(1);
-    }
-    agree(T, polygon_crossings(n, R, horizontal_axis()) == n);
-    agree(T, curve_meets_line(n, R, w, horizontal_axis()).crossings == n);
-    agree(T, crossings_by_sturm(poly_from_bernstein(n, c)) == n);
-}
-
-CLAIM(self_crossing_polygon_meets_the_line_once)
-{
-    enum { n = 3 };
-    static const long point[2 * (n + 1)] = {-1, 1, 1, -1, -1, -1, 1, 1}, weight[n + 1] = {2, 1, 1, 2};
-    num R[2 * (n + 1)], w[n + 1], P[2], Q[2];
-    for (int i = 0; i <= n; i++)
-        w[i] = from_int(weight[i]);
-    for (int i = 0; i < 2 * (n + 1); i++)
-        R[i] = from_int(point[i]);
-    G(rational_point)(n, 2, R, w, from_ratio(1, 3), P);
-    G(rational_point)(n, 2, R, w, from_ratio(2, 3), Q);
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
-    show_points(T, "R(1/3)", 1, 2, P);
-    show_points(T, "R(2/3)", 1, 2, Q);
-    struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
-    struct cagd_polygon_meets_line polygon = polygon_meets_line(n, R, horizontal_axis());
-    int all = curve.common_closed == 2 && is_zero_q(P[1]) && is_zero_q(Q[1]);
-    int points = T->planted ? curve.crossings : 1 + !equal_q(P[0], Q[0]);
-    int of_polygon = T->planted ? polygon.crossings : polygon.components;
-    show_text(T, "points of the curve on y = 0", "%d", points);
-    show_text(T, "points of the polygon on y = 0", "%d", of_polygon);
-    about(T, "R(1/3) and R(2/3) being all its points on the line, the curve has no more there than the polygon");
-    agree(T, !all || points <= of_polygon);
-}
-
-CLAIM(mixed_weights_cross_more)
-{
-    enum { n = 2 };
-    num w[n + 1] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
-    num R[2 * (n + 1)] = {from_int(-1), from_int(2), from_int(0), from_int(5), from_int(1), from_int(2)};
-    struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
-    int polygon = polygon_crossings(n, R, horizontal_axis());
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
-    show_text(T, "crossings of the curve", "%d", curve.crossings);
-    show_text(T, "crossings of the polygon", "%d", polygon);
-    about(T, "a curve without poles crosses y = 0 no more often than the polygon");
-    agree(T, curve.poles > 0 || curve.crossings <= polygon);
-}
-
-CLAIM(mixed_weights_change_sign_changes)
-{
-    enum { n = 2 };
-    int y[n + 1] = {2, 5, 2}, w[n + 1] = {2, T->planted ? 1 : -1, 2}, product[n + 1];
-    for (int i = 0; i <= n; i++)
-        product[i] = (int)binomial(n, i) * w[i] * y[i];
-    show_text(T, "y", "%d, %d, %d", y[0], y[1], y[2]);
-    show_text(T, "C(n,i) ω y", "%d, %d, %d", product[0], product[1], product[2]);
-    about(T, "the changes of sign are as many");
-    agree(T, sign_changes(n + 1, product) == sign_changes(n + 1, y));
-}
-
-CLAIM(curve_changes_sides_at_a_pole)
-{
-    num w[2] = {from_int(1), from_int(T->planted ? 1 : -1)}, y[2] = {from_int(1), from_int(-1)}, before, after;
-    num b[2] = {mul(w[0], y[0]), mul(w[1], y[1])};
-    G(rational_point)(1, 1, y, w, from_ratio(1, 4), &before);
-    G(rational_point)(1, 1, y, w, from_ratio(3, 4), &after);
-    show_points(T, "y", 2, 1, y);
-    show_points(T, "ω", 2, 1, w);
-    show(T, "y(1/4)", before);
-    show(T, "y(3/4)", after);
-    int roots = count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), OPEN).distinct;
-    show_text(T, "roots of the numerator", "%d", roots);
-    about(T, "a change of sides is a root of the numerator");
-    agree(T, (sign_q(before) * sign_q(after) < 0) <= roots);
-}
-
-/* The line n = 1 from (0, first) to (1, second), weights 1: what it has in common with y = 0. */
-static struct cagd_curve_meets_line straight(int first, int second, poly *numerator)
-{
-    int y[2] = {first, second};
-    num_q R[4], w[2];
-    *numerator = designed_curve(1, 0, y, R, w);
-    return curve_meets_line(1, R, w, horizontal_axis());
-}
-
-CLAIM(end_on_the_line_is_no_interior_root)
-{
-    poly g;
-    struct cagd_curve_meets_line curve = straight(0, 1, &g);
-    int points = T->planted ? curve.crossings : curve.common_closed;
-    int roots = count_roots(g, from_int(0), from_int(1), OPEN).distinct;
-    show_text(T, "y", "0, 1");
-    show_text(T, "common points", "%d", points);
-    show_text(T, "roots in (0,1)", "%d", roots);
-    about(T, "no more intersections than roots");
-    agree(T, points <= roots);
-}
-
-CLAIM(roots_must_be_counted_up_to_one)
-{
-    poly g;
-    num l = T->planted ? from_int(1) : from_ratio(1, 2);
-    struct cagd_curve_meets_line curve = straight(-2, 1, &g);
-    int roots = count_roots(g, from_int(0), l, OPEN).distinct;
-    show_text(T, "y", "-2, 1");
-    show(T, "l", l);
-    show_text(T, "crossings of the curve", "%d", curve.crossings);
-    show_text(T, "roots with 0 < t < l", "%d", roots);
-    about(T, "no more crossings than roots");
-    agree(T, curve.crossings <= roots);
-}
-
-CLAIM(curve_inside_the_line_has_too_many_roots)
-{
-    poly g;
-    int y[2] = {T->planted, -T->planted}, roots = 0;
-    (void)straight(y[0], y[1], &g);
-    for (int k = 1; k <= 3; k++)
-        roots += is_zero_q(poly_value(g, from_ratio(k, 4)));
-    show_text(T, "y", "%d, %d", y[0], y[1]);
-    show_text(T, "roots among 1/4, 1/2, 3/4", "%d", roots);
-    show_text(T, "V", "%d", sign_changes(2, y));
-    about(T, "no more roots than changes of sign");
-    agree(T, roots <= sign_changes(2, y));
-}
-
+/*
+:::{claim} touching_polygon_has_no_sign_change
+:title: A polygon that touches the line has a common point and no change of sign
+:zh: 多边形与直线相切时变号数为零
+:kind: counterexample
+:given: $y=1,0,1$
+:then: one common point, $V=0$
+:method: Counted exactly.
+:control: crossings taken for common points
+:::
+*/
 CLAIM(touching_polygon_has_no_sign_change)
 {
     int y[3] = {1, 0, 1};
@@ -852,4 +881,5 @@ CLAIM(touching_polygon_has_no_sign_change)
     agree(T, points == sign_changes(3, y));
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -5,7 +5,15 @@ Every function of the family is a linear factor times $s^{7-i}t^i$, $s=1-t$; it 
 $(\nu_is+\varphi_it)s^{7-i}t^i$, so that $\nu_i$ is its factor at $t=0$ and $\varphi_i$ at $t=1$.  Between these two
 the factor takes every value in between and no other: on this simple remark most of the section rests.  In the
 Bernstein basis of degree 8 function $i$ has the two coefficients $\nu_i/\binom8i$ and $\varphi_i/\binom8{i+1}$.
+*/
+#include "exact/decide/resultant.h"
+#include "exact/decide/roots.h"
 
+#include "chapters/shape-parameter/definition.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} deng-zhang-2022:def-2.1
 :title: The eight functions with the parameter beta
 :zh: 带参数 β 的基函数的定义
@@ -18,7 +26,68 @@ Bernstein basis of degree 8 function $i$ has the two coefficients $\nu_i/\binom8
 
 The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is taken as the range meant.
 :::
+*/
 
+static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
+
+/*
+:::{claim} printed_kernel_is_formula_one
+:title: The kernel computes the eight printed functions
+:zh: 核函数即式 (1)
+:given: any $\beta$ and $t$
+:then: `shape_basis_printed` gives the eight functions, and `shape_factors_printed` the values $\nu_i$, $\varphi_i$ of their
+  linear factors
+:method: The eight formulas written out one by one, $\beta$ and $t$ variables.
+:defines: shape_basis_printed shape_factors_printed
+:control: $-\beta$ in the place of $\beta$
+:::
+*/
+CLAIM(printed_kernel_is_formula_one)
+{
+    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], near[8], far[8];
+    num given = T->planted ? neg(beta) : beta;
+    G(shape_basis_printed)(given, t, B);
+    G(shape_factors_printed)(given, near, far);
+    for (int i = 0; i <= 7; i++) {
+        about(T, "the function");
+        same(T, B[i], G(printed)(i, beta, t));
+        about(T, "its linear factor");
+        num factor = add(mul(near[i], s), mul(far[i], t));
+        same(T, mul(factor, G(product_of_powers)(7 - i, i, t)), G(printed)(i, beta, t));
+    }
+}
+
+/*
+:::{claim} corrected_kernel_is_its_formula
+:title: The kernel computes the corrected functions of every degree
+:zh: 核函数即修正后的基函数
+:given: any $\beta$ and $t$
+:then: `shape_basis` gives $B_{i,n}$, and `shape_factors` the $\nu_i$, $\varphi_i$ with
+  $B_{i,n}=(\nu_i(1-t)+\varphi_it)(1-t)^{n-i}t^i$
+:method: The formula with binomial coefficients from factorials, $\beta$ and $t$ variables.  `shape_basis` builds the
+  functions by a recursion that knows nothing of the $a_i$.
+:degrees: 2..9 sampled 16
+:defines: shape_basis shape_factors
+:control: $-\beta$ in the place of $\beta$
+:::
+*/
+CLAIM(corrected_kernel_is_its_formula)
+{
+    int n = T->degree;
+    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t);
+    num B[MAX_DEGREE + 1], near[MAX_DEGREE + 1], far[MAX_DEGREE + 1], given = T->planted ? neg(beta) : beta;
+    G(shape_basis)(n, given, t, B);
+    G(shape_factors)(n, given, near, far);
+    for (int i = 0; i <= n; i++) {
+        num value = G(corrected)(n, i, beta, t), factor = add(mul(near[i], s), mul(far[i], t));
+        about(T, "the function");
+        same(T, B[i], value);
+        about(T, "its linear factor");
+        same(T, mul(factor, G(product_of_powers)(n - i, i, t)), value);
+    }
+}
+
+/*
 :::{statement} deng-zhang-2022:sec-2-properties
 :title: The eight functions have the properties that follow
 :zh: 上述基函数具有以下性质
@@ -38,30 +107,6 @@ $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with 
 For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 :::
 
-:::{claim} printed_kernel_is_formula_one
-:title: The kernel computes the eight printed functions
-:zh: 核函数即式 (1)
-:given: any $\beta$ and $t$
-:then: `shape_basis_printed` gives the eight functions, and `shape_factors_printed` the values $\nu_i$, $\varphi_i$ of their
-  linear factors
-:method: The eight formulas written out one by one, $\beta$ and $t$ variables.
-:defines: shape_basis_printed shape_factors_printed
-:control: $-\beta$ in the place of $\beta$
-:::
-
-:::{claim} corrected_kernel_is_its_formula
-:title: The kernel computes the corrected functions of every degree
-:zh: 核函数即修正后的基函数
-:given: any $\beta$ and $t$
-:then: `shape_basis` gives $B_{i,n}$, and `shape_factors` the $\nu_i$, $\varphi_i$ with
-  $B_{i,n}=(\nu_i(1-t)+\varphi_it)(1-t)^{n-i}t^i$
-:method: The formula with binomial coefficients from factorials, $\beta$ and $t$ variables.  `shape_basis` builds the
-  functions by a recursion that knows nothing of the $a_i$.
-:degrees: 2..9 sampled 16
-:defines: shape_basis shape_factors
-:control: $-\beta$ in the place of $\beta$
-:::
-
 :::{claim} two_digits_are_corrected
 :title: The corrected functions of degree seven are the printed ones but for two digits
 :zh: 修正只涉及两处数字
@@ -71,58 +116,7 @@ For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 :method: The kernel against the formulas, $\beta$ and $t$ variables.
 :control: the printed digit 9 in $B_3$
 :::
-
-:::{claim} mirror_images_with_sum_one_are_unique
-:title: The two corrected functions are the only possible ones
-:zh: 修正的唯一性
-:given: any $\beta$, and $\hat B_3=(xs+yt)s^4t^3$, $\hat B_4=(ys+xt)s^3t^4$ with any $x$ and $y$, the other six functions as
-  printed
-:then: the sum of the eight functions is $1+(x-35-5\beta)(s^5t^3+s^3t^5)+(2y-70)s^4t^4$; so it is 1 for all $t$ only for
-  $x=35+5\beta$, $y=35$
-:method: $\beta$, $t$, $x$ and $y$ are variables.  The three products are linearly independent.
-:control: the sum without the factor 2
-:::
 */
-#include "exact/decide/resultant.h"
-#include "exact/decide/roots.h"
-
-#include "chapters/shape-parameter/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
-
-CLAIM(printed_kernel_is_formula_one)
-{
-    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], near[8], far[8];
-    num given = T->planted ? neg(beta) : beta;
-    G(shape_basis_printed)(given, t, B);
-    G(shape_factors_printed)(given, near, far);
-    for (int i = 0; i <= 7; i++) {
-        about(T, "the function");
-        same(T, B[i], G(printed)(i, beta, t));
-        about(T, "its linear factor");
-        num factor = add(mul(near[i], s), mul(far[i], t));
-        same(T, mul(factor, G(product_of_powers)(7 - i, i, t)), G(printed)(i, beta, t));
-    }
-}
-
-CLAIM(corrected_kernel_is_its_formula)
-{
-    int n = T->degree;
-    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t);
-    num B[MAX_DEGREE + 1], near[MAX_DEGREE + 1], far[MAX_DEGREE + 1], given = T->planted ? neg(beta) : beta;
-    G(shape_basis)(n, given, t, B);
-    G(shape_factors)(n, given, near, far);
-    for (int i = 0; i <= n; i++) {
-        num value = G(corrected)(n, i, beta, t), factor = add(mul(near[i], s), mul(far[i], t));
-        about(T, "the function");
-        same(T, B[i], value);
-        about(T, "its linear factor");
-        same(T, mul(factor, G(product_of_powers)(n - i, i, t)), value);
-    }
-}
-
 CLAIM(two_digits_are_corrected)
 {
     num beta = G(any_beta)(T), t = parameter(T, "t"), B[8];
@@ -137,6 +131,18 @@ CLAIM(two_digits_are_corrected)
     }
 }
 
+/*
+:::{claim} mirror_images_with_sum_one_are_unique
+:title: The two corrected functions are the only possible ones
+:zh: 修正的唯一性
+:given: any $\beta$, and $\hat B_3=(xs+yt)s^4t^3$, $\hat B_4=(ys+xt)s^3t^4$ with any $x$ and $y$, the other six functions as
+  printed
+:then: the sum of the eight functions is $1+(x-35-5\beta)(s^5t^3+s^3t^5)+(2y-70)s^4t^4$; so it is 1 for all $t$ only for
+  $x=35+5\beta$, $y=35$
+:method: $\beta$, $t$, $x$ and $y$ are variables.  The three products are linearly independent.
+:control: the sum without the factor 2
+:::
+*/
 CLAIM(mirror_images_with_sum_one_are_unique)
 {
     num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], sum = from_int(0);
@@ -174,16 +180,6 @@ CLAIM(mirror_images_with_sum_one_are_unique)
 :method: The Bernstein coefficients of degree 8 from the kernel, taken to powers of $t$ by `bernstein_to_power`.
 :control: the sign left out
 :::
-
-:::{claim} degree_falls_for_beta_zero
-:title: For beta = 0 the functions have degree seven
-:zh: β=0 时次数为七
-:kind: counterexample
-:given: $\beta=0$, the function $\hat B_0=(1-t)^7$
-:then: its degree is 7
-:method: The degree of the exact polynomial.
-:control: $\beta=1$
-:::
 */
 CLAIM(leading_coefficients_are_multiples_of_beta)
 {
@@ -202,6 +198,17 @@ CLAIM(leading_coefficients_are_multiples_of_beta)
 }
 
 #if RATIONAL
+/*
+:::{claim} degree_falls_for_beta_zero
+:title: For beta = 0 the functions have degree seven
+:zh: β=0 时次数为七
+:kind: counterexample
+:given: $\beta=0$, the function $\hat B_0=(1-t)^7$
+:then: its degree is 7
+:method: The degree of the exact polynomial.
+:control: $\beta=1$
+:::
+*/
 CLAIM(degree_falls_for_beta_zero)
 {
     num beta = from_int(T->planted ? 1 : 0);
@@ -211,7 +218,6 @@ CLAIM(degree_falls_for_beta_zero)
     about(T, "the degree is 8");
     agree(T, poly_degree(B) == 8);
 }
-#endif
 
 /*
 :::{statement} deng-zhang-2022:def-2.1-basis
@@ -242,30 +248,7 @@ space of dimension 7; otherwise of dimension 8.  All polynomials of degree 8 hav
 :scope: all complex beta
 :control: only the last two of the determinants
 :::
-
-:::{claim} a_combination_vanishes
-:title: At beta = -21/4 a combination of four functions is zero
-:zh: β=-21/4 时四个函数线性相关
-:kind: counterexample
-:given: $\beta=-\frac{21}4$; printed functions, $k=(0,0,-\frac{25}{136},\frac{135}{136},-\frac{27}{17},1,0,0)$; corrected
-  functions, $k=(0,0,-1,\frac{27}5,-\frac{27}5,1,0,0)$
-:then: $\sum k_iB_i$ is the zero polynomial
-:method: The nine Bernstein coefficients of the combination are computed exactly.
-:control: $\beta=-5$
-:::
-
-:::{claim} two_functions_coincide
-:title: At beta = -7 two of the functions are the same
-:zh: β=-7 时 B_3=B_4
-:kind: counterexample
-:given: $\beta=-7$; corrected functions, $k=(0,0,0,1,-1,0,0,0)$; printed functions,
-  $k=(0,0,0,\frac{50}9,-10,5,1,0)$
-:then: $\sum k_iB_i$ is the zero polynomial; $B_3=B_4=35(1-t)^4t^4$
-:method: The nine Bernstein coefficients of the combination are computed exactly.
-:control: $\beta=-6$
-:::
 */
-#if RATIONAL
 CLAIM(functions_are_independent_but_for_two_values)
 {
     poly expected = poly_mul(poly_from_q(2, (num[]){from_int(7), from_int(1)}),
@@ -292,6 +275,18 @@ CLAIM(functions_are_independent_but_for_two_values)
     }
 }
 
+/*
+:::{claim} a_combination_vanishes
+:title: At beta = -21/4 a combination of four functions is zero
+:zh: β=-21/4 时四个函数线性相关
+:kind: counterexample
+:given: $\beta=-\frac{21}4$; printed functions, $k=(0,0,-\frac{25}{136},\frac{135}{136},-\frac{27}{17},1,0,0)$; corrected
+  functions, $k=(0,0,-1,\frac{27}5,-\frac{27}5,1,0,0)$
+:then: $\sum k_iB_i$ is the zero polynomial
+:method: The nine Bernstein coefficients of the combination are computed exactly.
+:control: $\beta=-5$
+:::
+*/
 CLAIM(a_combination_vanishes)
 {
     num beta = T->planted ? from_int(-5) : from_ratio(-21, 4), zero = from_int(0);
@@ -308,6 +303,18 @@ CLAIM(a_combination_vanishes)
     agree(T, !poly_is_zero(of_printed) || !poly_is_zero(of_corrected));
 }
 
+/*
+:::{claim} two_functions_coincide
+:title: At beta = -7 two of the functions are the same
+:zh: β=-7 时 B_3=B_4
+:kind: counterexample
+:given: $\beta=-7$; corrected functions, $k=(0,0,0,1,-1,0,0,0)$; printed functions,
+  $k=(0,0,0,\frac{50}9,-10,5,1,0)$
+:then: $\sum k_iB_i$ is the zero polynomial; $B_3=B_4=35(1-t)^4t^4$
+:method: The nine Bernstein coefficients of the combination are computed exactly.
+:control: $\beta=-6$
+:::
+*/
 CLAIM(two_functions_coincide)
 {
     num beta = from_int(T->planted ? -6 : -7), zero = from_int(0), one = from_int(1);
@@ -338,7 +345,10 @@ CLAIM(two_functions_coincide)
 :corrected-by: printed_sum_in_closed_form corrected_functions_sum_to_one
 :figure: eight_functions
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} printed_functions_do_not_sum_to_one
 :title: The printed functions do not add up to one
 :zh: 式 (1) 之和不为一
@@ -348,28 +358,7 @@ CLAIM(two_functions_coincide)
 :method: The eight formulas are evaluated and added.
 :control: the corrected functions
 :::
-
-:::{claim} printed_sum_in_closed_form
-:title: The sum of the printed functions
-:zh: 式 (1) 各函数之和
-:given: any $\beta$ and $t$
-:then: $\sum\hat B_i(t)=1-4\beta(1-t)^3t^4$
-:method: Both sides are one polynomial in $\beta$ and $t$.
-:control: the exponents 3 and 4 exchanged
-:::
-
-:::{claim} corrected_functions_sum_to_one
-:title: The corrected functions add up to one
-:zh: 修正后的权性
-:given: any $\beta$ and $t$
-:then: $\sum B_{i,n}(t)=1$
-:method: The kernel's functions are added, $\beta$ and $t$ variables.  For every $n$ it follows from the recursion: the three
-  functions of degree 3 add up to 1, and so do the Bernstein polynomials of degree $n-2$.
-:degrees: 2..10 sampled 20
-:control: the first function left out
-:::
 */
-#if RATIONAL
 CLAIM(printed_functions_do_not_sum_to_one)
 {
     num beta = from_int(-1), t = from_ratio(1, 2), B[8], sum = from_int(0);
@@ -387,6 +376,16 @@ CLAIM(printed_functions_do_not_sum_to_one)
 }
 #endif
 
+/*
+:::{claim} printed_sum_in_closed_form
+:title: The sum of the printed functions
+:zh: 式 (1) 各函数之和
+:given: any $\beta$ and $t$
+:then: $\sum\hat B_i(t)=1-4\beta(1-t)^3t^4$
+:method: Both sides are one polynomial in $\beta$ and $t$.
+:control: the exponents 3 and 4 exchanged
+:::
+*/
 CLAIM(printed_sum_in_closed_form)
 {
     num beta = G(any_beta)(T), t = parameter(T, "t"), B[8], sum = from_int(0);
@@ -397,6 +396,18 @@ CLAIM(printed_sum_in_closed_form)
     same(T, sum, sub(from_int(1), mul(from_int(4), mul(beta, product))));
 }
 
+/*
+:::{claim} corrected_functions_sum_to_one
+:title: The corrected functions add up to one
+:zh: 修正后的权性
+:given: any $\beta$ and $t$
+:then: $\sum B_{i,n}(t)=1$
+:method: The kernel's functions are added, $\beta$ and $t$ variables.  For every $n$ it follows from the recursion: the three
+  functions of degree 3 add up to 1, and so do the Bernstein polynomials of degree $n-2$.
+:degrees: 2..10 sampled 20
+:control: the first function left out
+:::
+*/
 CLAIM(corrected_functions_sum_to_one)
 {
     int n = T->degree;
@@ -421,7 +432,10 @@ CLAIM(corrected_functions_sum_to_one)
 :corrected-by: printed_outer_functions_are_mirror_images corrected_functions_are_mirror_images
 :figure: eight_functions
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} printed_middle_functions_are_no_mirror_images
 :title: The fourth and fifth printed function are not mirror images
 :zh: 式 (4) 第四式不成立
@@ -431,27 +445,7 @@ CLAIM(corrected_functions_sum_to_one)
 :method: Both values of the printed formulas.
 :control: the corrected functions
 :::
-
-:::{claim} printed_outer_functions_are_mirror_images
-:title: Six of the printed functions are mirror images, the other two differ by a product
-:zh: 式 (1) 的对称性
-:given: any $\beta$ and $t$
-:then: $\hat B_i(1-t)=\hat B_{7-i}(t)$ for $i=0,1,2$, and $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$
-:method: The formulas at $1-t$ and at $t$, both variables.
-:control: $1-2t$ replaced by $1-t$
-:::
-
-:::{claim} corrected_functions_are_mirror_images
-:title: The corrected functions are mirror images of each other
-:zh: 修正后的对称性
-:given: any $\beta$ and $t$
-:then: $B_{i,n}(1-t)=B_{n-i,n}(t)$ for all $i$
-:method: The kernel at $1-t$ and at $t$, $\beta$ and $t$ variables.
-:degrees: 2..9 sampled 16
-:control: $-\beta$ on the right
-:::
 */
-#if RATIONAL
 CLAIM(printed_middle_functions_are_no_mirror_images)
 {
     num beta = from_int(-1), t = from_ratio(1, 4), left[8], right[8];
@@ -469,6 +463,16 @@ CLAIM(printed_middle_functions_are_no_mirror_images)
 }
 #endif
 
+/*
+:::{claim} printed_outer_functions_are_mirror_images
+:title: Six of the printed functions are mirror images, the other two differ by a product
+:zh: 式 (1) 的对称性
+:given: any $\beta$ and $t$
+:then: $\hat B_i(1-t)=\hat B_{7-i}(t)$ for $i=0,1,2$, and $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$
+:method: The formulas at $1-t$ and at $t$, both variables.
+:control: $1-2t$ replaced by $1-t$
+:::
+*/
 CLAIM(printed_outer_functions_are_mirror_images)
 {
     num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), left[8], right[8];
@@ -481,6 +485,17 @@ CLAIM(printed_outer_functions_are_mirror_images)
     same(T, sub(left[3], right[4]), product);
 }
 
+/*
+:::{claim} corrected_functions_are_mirror_images
+:title: The corrected functions are mirror images of each other
+:zh: 修正后的对称性
+:given: any $\beta$ and $t$
+:then: $B_{i,n}(1-t)=B_{n-i,n}(t)$ for all $i$
+:method: The kernel at $1-t$ and at $t$, $\beta$ and $t$ variables.
+:degrees: 2..9 sampled 16
+:control: $-\beta$ on the right
+:::
+*/
 CLAIM(corrected_functions_are_mirror_images)
 {
     int n = T->degree;
@@ -503,7 +518,50 @@ Function $i$ has the factor $t^i$ and the factor $(1-t)^{n-i}$, whatever $\beta$
 :holds-by: functions_vanish_to_their_orders_at_the_ends
 :figure: eight_functions
 :::
+*/
 
+/* The derivatives of order 0, ..., r of function i at `at`. */
+static void G(function_derivatives)(int printed_ones, int n, int i, num beta, num at, int r, num D[])
+{
+    num E[(MAX_DEGREE + 1) * MAX_DEGREE], column[MAX_DEGREE + 1];
+    G(matrix_of)(printed_ones, n, beta, E);
+    for (int k = 0; k <= n + 1; k++)
+        column[k] = E[k * (n + 1) + i];
+    G(bezier_derivatives)(n + 1, 1, column, at, r, D);
+}
+
+/*
+:::{claim} functions_vanish_to_their_orders_at_the_ends
+:title: Function i vanishes i-fold at 0 and (7-i)-fold at 1
+:zh: 端点处的零点重数
+:given: any $\beta$, printed and corrected functions, $i=0,\dots,7$
+:then: the derivatives of orders $0,\dots,i-1$ vanish at $t=0$, those of orders $0,\dots,6-i$ at $t=1$;
+  $\hat B_0(0)=\hat B_7(1)=1$
+:method: The derivatives of the polynomial whose Bernstein coefficients the kernel gives, $\beta$ a variable.
+:control: the orders at 1 reach one too far
+:::
+*/
+CLAIM(functions_vanish_to_their_orders_at_the_ends)
+{
+    num beta = G(any_beta)(T), D[10], zero = from_int(0), one = from_int(1);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
+        for (int i = 0; i <= 7; i++) {
+            G(function_derivatives)(printed_ones, 7, i, beta, zero, 8, D);
+            about(T, "at t = 0");
+            for (int k = 0; k < i; k++)
+                vanishes(T, D[k]);
+            if (i == 0)
+                same(T, D[0], one);
+            G(function_derivatives)(printed_ones, 7, i, beta, one, 8, D);
+            about(T, "at t = 1");
+            for (int k = 0; k < 7 - i + T->planted; k++)
+                vanishes(T, D[k]);
+            if (i == 7)
+                same(T, D[0], one);
+        }
+}
+
+/*
 :::{statement} deng-zhang-2022:property-2.4-6
 :title: Values and derivatives that vanish at the beginning
 :zh: 式 (6)
@@ -517,6 +575,29 @@ defined nowhere in the text.  True either way: with 7, and with the function of 
 degree $j$.
 :::
 
+:::{claim} functions_of_lower_degree_vanish_at_the_beginning
+:title: The last function of any degree vanishes to its order at the beginning
+:zh: B_{j,j} 在 t=0 的零点重数
+:given: any $\beta$, the functions $B_{n,n}$ of the family and $B_n^n$ of Bernstein
+:then: all their derivatives of orders $0,\dots,n-1$ vanish at $t=0$
+:method: As before, in degree $n$.
+:degrees: 2..9
+:control: the order $n$ as well
+:::
+*/
+CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
+{
+    int n = T->degree;
+    num D[MAX_DEGREE + 1];
+    for (int bernstein_too = 0; bernstein_too <= 1; bernstein_too++) {
+        num beta = bernstein_too ? from_int(0) : G(any_beta)(T);
+        G(function_derivatives)(0, n, n, beta, from_int(0), n, D);
+        for (int k = 0; k < n + T->planted; k++)
+            vanishes(T, D[k]);
+    }
+}
+
+/*
 :::{statement} deng-zhang-2022:property-2.4-7
 :title: The last function is one at the end
 :zh: 式 (7)
@@ -538,27 +619,10 @@ degree $j$.
 
 Unlike those of (6) these misprints matter: read as functions of degree five, $B_{4,5}$ has only one factor $1-t$.
 :::
+*/
 
-:::{claim} functions_vanish_to_their_orders_at_the_ends
-:title: Function i vanishes i-fold at 0 and (7-i)-fold at 1
-:zh: 端点处的零点重数
-:given: any $\beta$, printed and corrected functions, $i=0,\dots,7$
-:then: the derivatives of orders $0,\dots,i-1$ vanish at $t=0$, those of orders $0,\dots,6-i$ at $t=1$;
-  $\hat B_0(0)=\hat B_7(1)=1$
-:method: The derivatives of the polynomial whose Bernstein coefficients the kernel gives, $\beta$ a variable.
-:control: the orders at 1 reach one too far
-:::
-
-:::{claim} functions_of_lower_degree_vanish_at_the_beginning
-:title: The last function of any degree vanishes to its order at the beginning
-:zh: B_{j,j} 在 t=0 的零点重数
-:given: any $\beta$, the functions $B_{n,n}$ of the family and $B_n^n$ of Bernstein
-:then: all their derivatives of orders $0,\dots,n-1$ vanish at $t=0$
-:method: As before, in degree $n$.
-:degrees: 2..9
-:control: the order $n$ as well
-:::
-
+#if RATIONAL
+/*
 :::{claim} derivative_of_degree_five_does_not_vanish
 :title: In degree five the derivative of the last but one function at 1 is not zero
 :zh: B'_{4,5}(1)≠0
@@ -569,49 +633,6 @@ Unlike those of (6) these misprints matter: read as functions of degree five, $B
 :control: $B_{4,7}$
 :::
 */
-/* The derivatives of order 0, ..., r of function i at `at`. */
-static void G(function_derivatives)(int printed_ones, int n, int i, num beta, num at, int r, num D[])
-{
-    num E[(MAX_DEGREE + 1) * MAX_DEGREE], column[MAX_DEGREE + 1];
-    G(matrix_of)(printed_ones, n, beta, E);
-    for (int k = 0; k <= n + 1; k++)
-        column[k] = E[k * (n + 1) + i];
-    G(bezier_derivatives)(n + 1, 1, column, at, r, D);
-}
-
-CLAIM(functions_vanish_to_their_orders_at_the_ends)
-{
-    num beta = G(any_beta)(T), D[10], zero = from_int(0), one = from_int(1);
-    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
-        for (int i = 0; i <= 7; i++) {
-            G(function_derivatives)(printed_ones, 7, i, beta, zero, 8, D);
-            about(T, "at t = 0");
-            for (int k = 0; k < i; k++)
-                vanishes(T, D[k]);
-            if (i == 0)
-                same(T, D[0], one);
-            G(function_derivatives)(printed_ones, 7, i, beta, one, 8, D);
-            about(T, "at t = 1");
-            for (int k = 0; k < 7 - i + T->planted; k++)
-                vanishes(T, D[k]);
-            if (i == 7)
-                same(T, D[0], one);
-        }
-}
-
-CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
-{
-    int n = T->degree;
-    num D[MAX_DEGREE + 1];
-    for (int bernstein_too = 0; bernstein_too <= 1; bernstein_too++) {
-        num beta = bernstein_too ? from_int(0) : G(any_beta)(T);
-        G(function_derivatives)(0, n, n, beta, from_int(0), n, D);
-        for (int k = 0; k < n + T->planted; k++)
-            vanishes(T, D[k]);
-    }
-}
-
-#if RATIONAL
 CLAIM(derivative_of_degree_five_does_not_vanish)
 {
     int vanishing = 0;
@@ -648,7 +669,10 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :holds-by: beta_zero_gives_bernstein_polynomials
 :figure: beta_zero
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} first_function_is_not_every_bernstein_polynomial
 :title: For beta = 0 the first function is not the second Bernstein polynomial
 :zh: 式 (9) 的下标误印
@@ -658,18 +682,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :method: Both values, the second by the kernel of the Bernstein basis.
 :control: $\hat B_1(t)$ on the left
 :::
-
-:::{claim} beta_zero_gives_bernstein_polynomials
-:title: For beta = 0 function i is the Bernstein polynomial i
-:zh: β=0 时 B_{i,n}=B_i^n
-:given: any $t$, every $i$
-:then: $B_{i,n}=B_i^n$ for $\beta=0$; for $n=7$ also $\hat B_i=B_i^7$
-:method: The kernels against binomial coefficients and powers, at a variable $t$.
-:degrees: 2..9 sampled 16
-:control: $\beta=1$
-:::
 */
-#if RATIONAL
 CLAIM(first_function_is_not_every_bernstein_polynomial)
 {
     num t = from_ratio(1, 2), B[8], b[8];
@@ -681,6 +694,17 @@ CLAIM(first_function_is_not_every_bernstein_polynomial)
 }
 #endif
 
+/*
+:::{claim} beta_zero_gives_bernstein_polynomials
+:title: For beta = 0 function i is the Bernstein polynomial i
+:zh: β=0 时 B_{i,n}=B_i^n
+:given: any $t$, every $i$
+:then: $B_{i,n}=B_i^n$ for $\beta=0$; for $n=7$ also $\hat B_i=B_i^7$
+:method: The kernels against binomial coefficients and powers, at a variable $t$.
+:degrees: 2..9 sampled 16
+:control: $\beta=1$
+:::
+*/
 CLAIM(beta_zero_gives_bernstein_polynomials)
 {
     int n = T->degree;

@@ -10,7 +10,19 @@ minor of order one is negative, and everything fails.
 
 With $k_0,\dots,k_7$ for the coefficients, $f=\sum k_iB_i$ has the Bernstein coefficients $c_j=E_{j,j-1}k_{j-1}+E_{j,j}k_j$ of
 degree 8, and $Z(f)\le V(c)\le V(k)$.
+*/
+#include "exact/decide/crossings.h"
+#include "exact/decide/hull.h"
+#include "exact/decide/resultant.h"
+#include "exact/decide/roots.h"
+#include "exact/decide/total_positivity.h"
 
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} deng-zhang-2022:property-3.6
 :title: No line crosses the curve more often than the polygon
 :zh: 变差缩减性
@@ -28,199 +40,10 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :figure: crossings_off_the_polygon
 :striking: 12
 :::
+*/
 
-:::{statement} deng-zhang-2022:property-3.6-SA
-:title: Roots in (0,1) and changes of sign
-:zh: 根的个数与变号数，式 (13)、(14)、(16)、(17)
-:printed: $f=\sum k_i\hat B_i$ for the functions (13) and constants (14); $Z(f)$ is the number of roots of $f$ in $(0,1)$,
-  $SA(k_0,\dots,k_7)$ the number of changes of sign
-:definition: yes
-:checked-by: combination_begins_and_ends_with_its_coefficients
-
-Roots may be counted with or without multiplicity: what is decided below holds for both, and the counterexamples have simple
-roots.
-:::
-
-:::{statement} deng-zhang-2022:eq-15
-:title: The rule of Descartes for the eight functions
-:zh: 笛卡尔符号法则，式 (15)
-:printed: Z_{(0,1)}\Bigl(\sum k_i\hat B_i\Bigr)\le SA(k_0,\dots,k_7)
-:refuted-by: positive_coefficients_with_two_roots a_combination_vanishes
-:class: false
-:corrected: for printed and for corrected functions: true exactly for $-\frac{21}4<\beta\le1$ and $k\ne0$; at
-  $\beta=-\frac{21}4$ true unless $f$ is the zero function, which it is for some $k\ne0$
-:corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries
-  averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
-  functions_are_independent_but_for_two_values third_function_has_a_zero_for_every_smaller_beta
-  first_function_has_a_zero_for_every_larger_beta
-:figure: crossings_off_the_polygon
-
-The sum of the functions plays no part here, so that the misprints do no harm.
-:::
-
-:::{statement} deng-zhang-2022:property-3.6-wlog
-:title: Without loss of generality the first coefficient is positive
-:zh: 不妨设 k_0>0
-:printed: without loss of generality $k_0>0$; then $SA$ is one of $7,6,5,4,3,2,1,0$
-:refuted-by: no_sign_makes_the_first_coefficient_positive
-:class: invalid-proof
-:corrected: for $k\ne0$ the first $k_i$ that is not 0 may be taken positive; for $-\frac{21}4<\beta\le1$ the sum has the sign of this $k_i$ for small
-  $t>0$, and in the same way that of the last one near $t=1$
-:corrected-by: first_coefficient_gives_the_sign
-:figure: zero_at_the_beginning
-
-The signs of $f(0)=k_0$ and $f(1)=k_7$, on which the proof rests, say nothing when one of them is 0.  With $SA=7$ all eight are
-different from 0; in the other cases they need not be.
-:::
-
-:::{claim} no_sign_makes_the_first_coefficient_positive
-:title: When the first coefficient is 0 neither k nor -k begins with a positive number
-:zh: k_0=0 时不能假设 k_0>0
-:kind: counterexample
-:given: $k=(0,-1,1,1,1,1,1,1)$, with $SA=1$
-:then: the first coefficients of $k$ and of $-k$ are 0
-:method: The two signs; that one of them is positive is refuted.
-:control: $k_0=-1$
-:::
-
-:::{claim} first_coefficient_gives_the_sign
-:title: Near the beginning the sum has the sign of its first coefficient that is not 0
-:zh: t→0+ 时组合函数的符号由首个非零系数决定
-:kind: decision
-:given: $-\frac{21}4<\beta\le1$, printed and corrected functions
-:then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$ has the sign of the first $k_i\ne0$ for small $t>0$, for
-  $i=7$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$, $\varphi_0\ge0$ and $\nu_0>0$ for the other end
-:method: The signs of linear polynomials in $\beta$ on the interval.
-:scope: beta from -21/4, which is left out, to 1
-:control: the interval with its left end
-:::
-
-:::{statement} deng-zhang-2022:property-3.6-case-1
-:title: Seven changes of sign: at most seven roots
-:zh: 情形 1
-:printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
-:holds-by: combination_begins_and_ends_with_its_coefficients
-:figure: roots_at_minus_seven
-
-Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is odd
-when $f(0)=k_0$ and $f(1)=k_7$ have different signs.  The lemma that is cited for $k_7<0$ is not in the text, and not needed: seven
-changes among eight signs leave no other sign for $k_7$.
-:::
-
-:::{statement} deng-zhang-2022:property-3.6-case-2
-:title: The cases of six to one changes of sign by the same method
-:zh: 情形 2
-:printed: for $SA=6,5,4,3,2,1$ it is proved by the same method
-:refuted-by: one_change_of_sign_and_three_roots one_change_of_sign_and_two_roots
-:class: invalid-proof
-:corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$; when $k_7=0$
-  it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
-:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes
-:figure: roots_at_minus_seven
-
-The method makes no use of the range of $\beta$, and in the range of the text the conclusion is false.
-:::
-
-:::{statement} deng-zhang-2022:property-3.6-case-0
-:title: No change of sign: obviously no root
-:zh: 情形 SA=0
-:printed: for $SA=0$ the inequality is obvious
-:refuted-by: positive_coefficients_with_two_roots
-:class: false
-:corrected: obvious where the functions are positive in $(0,1)$, which is for $-\frac{21}4\le\beta\le1$
-:corrected-by: nonnegative_exactly_in_the_range
-:figure: roots_at_minus_seven
-:::
-
-:::{statement} deng-zhang-2022:property-3.6-line
-:title: The line through a point with a normal vector
-:zh: 过点 Q、法向量为 u 的直线
-:printed: let $L$ be the line (or plane) through the point $Q$ with the normal vector $u$
-:holds-by: points_of_a_line_by_its_normal
-:hypothesis: no_normal_no_line | $u\ne0$
-:figure: line_along_an_edge
-
-In the plane; in space $u\cdot(X-Q)=0$ is in the same way a plane.
-:::
-
-:::{statement} deng-zhang-2022:property-3.6-sides
-:title: A line that meets an edge has its ends on two sides
-:zh: 边的两端在 L 两侧
-:printed: if $L$ meets the edge between $P_j$ and $P_{j+1}$ then these two points are on different sides of $L$, and
-  $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ have different signs
-:holds-by: sign_changes_are_polygon_crossings
-:hypothesis: line_through_an_edge_has_no_two_sides | neither of the two points is on $L$
-:figure: line_along_an_edge
-:::
-
-:::{statement} deng-zhang-2022:eq-19
-:title: The changes of sign are at most the intersections of the polygon
-:zh: 式 (19)
-:printed: $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$ is at most the number of intersections of $L$ with the polygon
-:holds-by: sign_changes_are_polygon_crossings
-:hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane they
-  may be fewer
-:figure: polygon_crossing_itself
-:::
-
-:::{statement} deng-zhang-2022:eq-20
-:title: The intersections of the curve with a line are roots
-:zh: 式 (20)
-:printed: the number of intersections of $B_1(t)$ with $L$ is $Z_{(0,1)}\bigl(\sum\hat B_j(t)(P_j-Q)\cdot u\bigr)$
-:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
-:class: misprint
-:corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters of the
-  common points other than the ends; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
-:corrected-by: line_function_of_the_curve
-:figure: crossings_off_the_polygon
-
-The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_7$ may be on $L$.
-:::
-
-:::{statement} deng-zhang-2022:eq-21
-:title: The intersections of the curve are at most the changes of sign
-:zh: 式 (21)
-:printed: the number of intersections of $B_1(t)$ with $L$ is at most $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$
-:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
-  curve_on_a_line_that_its_polygon_crosses
-:class: false
-:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the curve is not on
-  $L$
-:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes line_function_of_the_curve
-:figure: crossings_off_the_polygon
-:::
-
-:::{statement} deng-zhang-2022:property-3.7
-:title: Convex polygons have convex curves
-:zh: 保凸性
-:printed: when the control polygon is convex, a line of the plane meets the curve at most twice, $-7\le\beta\le1$
-:refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
-  curve_of_a_triangle_meets_a_line_three_times
-:class: false
-:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not on a line, and
-  common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
-:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes four_vertices_of_a_convex_polygon_do_not_alternate third_function_has_a_zero_for_every_smaller_beta
-:reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are possible,
-  at $\beta=-\frac{21}4,0,1$
-:figure: convexity_lost
-
-A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on it
-none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is possible, and
-$t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at $\beta=-\frac{21}4$, needs three changes.
-:::
-
-:::{statement} deng-zhang-2022:property-3.7-reason
-:title: A line meets a convex polygon at most twice
-:zh: 直线与凸控制多边形的交点
-:printed: a line meets the (convex) control polygon at most twice
-:holds-by: four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
-:hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
-:figure: line_along_an_edge
-:::
-
+#if FIELD || RATIONAL
+/*
 :::{claim} minors_are_products_of_entries
 :title: A minor of a matrix with two neighbouring diagonals is the product of its diagonal
 :zh: 双对角矩阵的子式
@@ -233,242 +56,7 @@ $t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at 
 :degrees: 2..4 sampled 5
 :control: an entry above the diagonal is not 0
 :::
-
-:::{claim} totally_positive_exactly_in_the_range
-:title: The matrix of the functions is totally nonnegative exactly in the true range
-:zh: 规范全正的充要条件
-:kind: decision
-:given: all real $\beta$; corrected functions of degree $n$, for $n=7$ also the printed ones
-:then: the matrix of Bernstein coefficients has no negative minor exactly for $l_n\le\beta\le1$, where $l_7=-\frac{21}4$ and $l_n$ is
-  the greatest $\beta$ at which some $\nu_i$ vanishes from above
-:method: The minors are products of entries, and these are linear in $\beta$; so the signs of all minors are constant between the
-  neighbouring roots of the entries.  At every root and once in every gap the elimination of `total_positivity.h` decides.
-:degrees: 2..12
-:scope: all real $\beta$
-:control: the range taken to begin 1 below
-:::
-
-:::{claim} third_function_has_a_zero_for_every_smaller_beta
-:title: For every beta below the range the third function has a zero inside
-:zh: β<-21/4 时 B_2 在 (0,1/2) 内有零点
-:given: any $\beta=-\frac{21}4-b$, $b>0$; printed and corrected functions
-:then: $B_2$ vanishes at $t=\frac{4b}{9(21/4+b)}$, which is in $(0,\frac49)$ and not a root of the other factors
-:method: The value of the kernel at this $t$, $b$ a variable; the two bounds have coefficients of one sign.  So with
-  $k=(0,0,1,0,\dots)$ there is a root and no change of sign, and the triangle $(0,0),(1,1),(2,0)$ with the points of
-  `curve_of_a_triangle_meets_a_line_three_times` has three common points with the line $y=0$.
-:types: field rational
-:control: $b$ replaced by $2b$ in the parameter
-:::
-
-:::{claim} first_function_has_a_zero_for_every_larger_beta
-:title: For every beta above 1 the first function has a zero inside
-:zh: β>1 时 B_0 在 (0,1) 内有零点
-:given: any $\beta=1+b$, $b>0$; printed and corrected functions
-:then: $B_0$ vanishes at $t=\frac1{1+b}$, which is in $(0,1)$
-:method: The value of the kernel at this $t$, $b$ a variable; with $k=(1,0,\dots,0)$ there is a root and no change of sign.
-:types: field rational
-:control: $b$ replaced by $2b$ in the parameter
-:::
-
-:::{claim} combination_begins_and_ends_with_its_coefficients
-:title: A combination of the functions has its first and its last coefficient as values at the ends
-:zh: 组合函数的端点值为首末系数
-:given: any $k_0,\dots,k_7$ and $\beta$; printed and corrected functions
-:then: $f(0)=k_0$, $f(1)=k_7$; so when these have different signs, the number of roots in $(0,1)$, counted with multiplicity, is odd, and
-  of a polynomial of degree 8 at most 7
-:method: The kernels at the two integers, everything a variable.  A polynomial changes its sign exactly at the roots of odd multiplicity.
-:types: field rational
-:control: the last two coefficients exchanged
-:::
-
-:::{claim} parity_of_the_roots
-:title: The number of roots is even or odd as the ends have equal or different signs
-:zh: 根的个数的奇偶性
-:given: random $k$ with $k_0>0$ and alternating signs, any $\beta$; corrected functions
-:then: $f(0)=k_0$, $f(1)=k_7$, the number of roots of $f$ in $(0,1)$, each counted as often as its multiplicity, is odd and at
-  most 7
-:method: The roots of the exact polynomial are counted.  In general: $f$ changes its sign at a root exactly when the multiplicity
-  is odd.
-:types: rational
-:control: the last sign is changed
-:::
-
-:::{claim} positive_coefficients_with_two_roots
-:title: At beta = -7 positive coefficients give two roots
-:zh: β=-7 时正系数组合有两个根
-:kind: counterexample
-:given: $\beta=-7$, $k=(1,1,200,1,1,1,1,1)$, printed functions
-:then: $SA=0$, and $f$ has two roots in $(0,1)$
-:method: The roots of the exact polynomial are counted.
-:control: $\beta=-\frac{21}4$
-:::
-
-:::{claim} one_change_of_sign_and_three_roots
-:title: At beta = -7 one change of sign gives three roots
-:zh: β=-7 时一次变号而有三个根
-:kind: counterexample
-:given: $\beta=-7$, $k=(1,1,200,1,1,1,1,-1)$, printed functions
-:then: $k_0>0>k_7$, $SA=1$, and $f$ has three roots in $(0,1)$; the signs at the ends allow this
-:method: The roots of the exact polynomial are counted.
-:control: $\beta=-\frac{21}4$
-:::
-
-:::{claim} one_change_of_sign_and_two_roots
-:title: At beta = -7 one change of sign gives two roots when the last coefficient is 0
-:zh: β=-7、k_7=0 时一次变号而有两个根
-:kind: counterexample
-:given: $\beta=-7$, $k=(1,1,1,1,1,-10,-1,0)$, printed functions
-:then: $k_0>0$, $SA=1$, and $f=(t-1)^2(630t^6-638t^5+33t^4+4t^3+3t^2+2t+1)$ has two roots in $(0,1)$; $f(1)=0$ says nothing
-:method: The roots of the exact polynomial are counted.
-:control: $\beta=-\frac{21}4$
-:::
-
-:::{claim} curve_on_a_line_that_its_polygon_crosses
-:title: At beta = -21/4 a curve is on a line that its polygon crosses three times
-:zh: β=-21/4 时曲线全在一条直线上而控制多边形与之相交
-:kind: counterexample
-:given: $\beta=-\frac{21}4$, $P_0=P_1=(0,0)$, $P_2=(1,-1)$, $P_3=(2,\frac{27}5)$, $P_4=(3,-\frac{27}5)$, $P_5=(4,1)$,
-  $P_6=P_7=(5,0)$, the line $y=0$; corrected functions
-:then: the whole curve, which runs from $(0,0)$ to $(5,0)$, is on the line; the polygon has five points on it, $SA=3$
-:method: The curve's Bézier points; `crossings.h` counts the components of the polygon's common points.
-:control: $\beta=-5$
-:::
-
-:::{claim} closed_polygon_has_three_parameters_on_a_line
-:title: The curve of a closed convex polygon may have three parameters on a line
-:zh: 首末点重合的凸多边形:曲线在一直线上有三个参数
-:kind: counterexample
-:given: the convex heptagon $P=(0,0),(2,-1),(4,0),(5,2),(4,4),(2,5),(0,3),(0,0)$, the line $y=x$, $\beta=-\frac{21}4,0,1$; corrected
-  functions
-:then: $t=0$, $t=1$ and one parameter in $(0,1)$ are on the line: three parameters, two points
-:method: The common points are counted exactly by their parameters; `hull.h` decides that the polygon is convex.
-:control: the line $y=x+\frac12$
-:::
-
-:::{claim} printed_curve_crosses_a_line_off_its_polygon
-:title: The printed curve crosses a line that does not meet its polygon
-:zh: 按式 (1) 的曲线穿过与多边形不交的直线
-:kind: counterexample
-:given: $\beta=1$, $P_i=(i,1)$, the line $y=\frac{63}{64}$, so $Q=(0,\frac{63}{64})$, $u=(0,1)$
-:then: the line does not meet the polygon, $SA=0$, and the curve crosses it twice; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
-:method: The crossings are counted exactly by `crossings.h`.
-:control: the corrected functions
-:::
-
-:::{claim} curve_at_minus_seven_crosses_a_line_off_its_polygon
-:title: At beta = -7 the curve crosses a line that does not meet its polygon
-:zh: β=-7 时曲线穿过与多边形不交的直线
-:kind: counterexample
-:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, the line $y=-\frac1{200}$; corrected functions
-:then: the polygon is above the line, the curve crosses it twice
-:method: The crossings are counted exactly.
-:control: $\beta=-\frac{21}4$
-:::
-
-:::{claim} curve_of_a_triangle_meets_a_line_three_times
-:title: At beta = -7 the curve of a triangle meets a line three times
-:zh: β=-7 时凸多边形的曲线与直线有三个交点
-:kind: counterexample
-:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, the line $y=0$; corrected functions
-:then: the polygon is convex, the curve meets the line at $t=0$, $\frac19$ and $1$
-:method: The common points are counted exactly; `hull.h` decides that the polygon is convex.
-:control: $\beta=-\frac{21}4$
-:::
-
-:::{claim} printed_curve_of_a_convex_polygon_meets_a_line_four_times
-:title: The printed curve of a convex polygon meets a line four times
-:zh: 按式 (1) 凸多边形的曲线与直线有四个交点
-:kind: counterexample
-:given: $\beta=1$, $P_0=(0,100)$, $P_i=(i,101)$ for $i=1,\dots,6$, $P_7=(7,100)$, the line $y=\frac{401}4$
-:then: the polygon is convex and crosses the line twice, the curve crosses it four times
-:method: As before.
-:control: the corrected functions
-:::
-
-:::{claim} points_of_a_line_by_its_normal
-:title: The points with u.(X-Q) = 0 are a line
-:zh: 由法向量确定的直线
-:given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$
-:then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$
-:method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$, and all of these are such.
-:control: $u^\perp=(u_2,u_1)$
-:::
-
-:::{claim} no_normal_no_line
-:title: With the normal vector 0 every point is on L
-:zh: 法向量为零时不成直线
-:kind: counterexample
-:given: $u=(0,0)$, $Q=(0,0)$, the points $(0,0),(1,0),(0,1)$
-:then: all three have $u\cdot(X-Q)=0$, and they are not on a line
-:method: The three products.
-:control: $u=(0,1)$
-:::
-
-:::{claim} line_through_an_edge_has_no_two_sides
-:title: A line that contains an edge meets it and has neither end on a side
-:zh: 边在直线上时两端不在两侧
-:kind: counterexample
-:given: the polygon $P_i=(i,i(7-i))$, its edge from $P_3=(3,12)$ to $P_4=(4,12)$, the line $y=12$
-:then: the line meets the edge $P_3P_4$ in all its points, and the two numbers $u\cdot(P_j-Q)$ are 0
-:method: The signs at the two ends are computed; different signs are asked for.
-:control: the line $x=\frac72$
-:::
-
-:::{claim} polygon_that_crosses_itself_on_the_line
-:title: A polygon that crosses itself on the line has more changes of sign than points there
-:zh: 控制多边形在直线上自交
-:kind: counterexample
-:given: $P_0,\dots,P_7=(-2,2),(2,-2),(2,-3),(1,-3),(-1,-3),(-2,-3),(-2,-2),(2,2)$, $Q=(0,0)$, $u=(0,1)$
-:then: $SA=2$, and the polygon has one point on the line, the origin, which it passes twice
-:method: Changes of sign, and the connected components of the common points in the plane, counted exactly.
-:control: $P_7=(3,2)$
-:::
-
-:::{claim} four_vertices_of_a_convex_polygon_do_not_alternate
-:title: Four vertices of a convex polygon are not on alternate sides of a line
-:zh: 凸多边形的四个顶点不会交替位于直线两侧
-:given: any $P_i,P_j,P_k,P_l$ of the plane, any line function $f(x,y)=ax+by+c$; $D_{ijk}$ the determinant of $P_j-P_i$ and $P_k-P_i$
-:then: $D_{jkl}f(P_i)+D_{ijl}f(P_k)=D_{ikl}f(P_j)+D_{ijk}f(P_l)$
-:method: An identity in the coordinates.  For $i<j<k<l$ in a polygon that is convex, counterclockwise, the four determinants are not
-  negative.  With $f(P_i),f(P_k)\ge0\ge f(P_j),f(P_l)$ both sides are 0: every product is.  So when the signs are strict the four points
-  are on one line, to and fro, and the polygon is not convex; hence there are no three changes of sign.  With $f(P_i)=0$ two changes
-  among the other three, and with $f(P_i)=f(P_l)=0$, $P_i\ne P_l$, one, are excluded in the same way; with $P_i=P_l$ one is possible.
-:control: $D_{ikl}$ and $D_{ijl}$ exchanged
-:::
-
-:::{claim} curve_and_line_share_an_end
-:title: A line through an end meets the curve without a root in (0,1)
-:zh: 过端点的直线
-:kind: counterexample
-:given: $P_i=(i,i)$, $\beta=0$, the line $y=0$
-:then: curve and line have the point $P_0$ in common; the function has no root in $(0,1)$, and $SA=0$
-:method: The common points of the closed curve are compared with those of the open one.
-:control: the line $y=\frac72$
-:::
-
-:::{claim} line_function_of_the_curve
-:title: With the sum 1 the function of the proof is the distance of the curve from the line
-:zh: 曲线与直线的函数
-:given: points $P_i$ and $Q$ of the plane, any $u$, $\beta$ and $t$
-:then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for the printed functions the difference of the two sides is
-  $4\beta(1-t)^3t^4\,Q\cdot u$
-:method: Everything is a variable.
-:degrees: 2..7 sampled 12
-:control: $P_0$ left without $Q$
-:::
 */
-#include "exact/decide/crossings.h"
-#include "exact/decide/hull.h"
-#include "exact/decide/resultant.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/total_positivity.h"
-
-#include "chapters/shape-parameter/definition.h"
-#include "chapters/shape-parameter/distance.h"
-
-#include "chapters/judge/claims_on.h"
-
-#if FIELD || RATIONAL
 CLAIM(minors_are_products_of_entries)
 {
     int n = T->degree, rows = n + 2, columns = n + 1;
@@ -498,48 +86,24 @@ CLAIM(minors_are_products_of_entries)
             same(T, G(pivoted_determinant)(order, M), diagonal);
         }
 }
-
-CLAIM(combination_begins_and_ends_with_its_coefficients)
-{
-    num k[8], B[8], beta = unknown(T, "beta", 0);
-    for (int i = 0; i <= 7; i++)
-        k[i] = unknown(T, "k", i);
-    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
-        for (int end = 0; end <= 1; end++) {
-            num sum = from_int(0);
-            G(functions_of)(printed_ones, 7, beta, from_int(end), B);
-            for (int i = 0; i <= 7; i++)
-                sum = add(sum, mul(k[T->planted && i >= 6 ? 13 - i : i], B[i]));
-            same(T, sum, k[end ? 7 : 0]);
-        }
-}
-
-CLAIM(third_function_has_a_zero_for_every_smaller_beta)
-{
-    num b = positive(T, "b", 0), quarter = from_ratio(21, 4), four = from_int(4);
-    num beta = neg(add(quarter, b)), given = T->planted ? mul(from_int(2), b) : b;
-    num t = div(mul(four, given), mul(from_int(9), add(quarter, given))), B[8];
-    G(shape_basis)(7, beta, t, B);
-    vanishes(T, B[2]);
-    G(shape_basis_printed)(beta, t, B);
-    vanishes(T, B[2]);
-    nonnegative(T, t);
-    nonnegative(T, sub(from_ratio(4, 9), t));
-}
-
-CLAIM(first_function_has_a_zero_for_every_larger_beta)
-{
-    num b = positive(T, "b", 0), one = from_int(1), B[8];
-    num beta = add(one, b), t = div(one, add(one, T->planted ? add(b, b) : b));
-    G(shape_basis)(7, beta, t, B);
-    vanishes(T, B[0]);
-    G(shape_basis_printed)(beta, t, B);
-    vanishes(T, B[0]);
-    nonnegative(T, sub(one, t));
-}
 #endif
 
 #if RATIONAL
+/*
+:::{claim} totally_positive_exactly_in_the_range
+:title: The matrix of the functions is totally nonnegative exactly in the true range
+:zh: 规范全正的充要条件
+:kind: decision
+:given: all real $\beta$; corrected functions of degree $n$, for $n=7$ also the printed ones
+:then: the matrix of Bernstein coefficients has no negative minor exactly for $l_n\le\beta\le1$, where $l_7=-\frac{21}4$ and $l_n$ is
+  the greatest $\beta$ at which some $\nu_i$ vanishes from above
+:method: The minors are products of entries, and these are linear in $\beta$; so the signs of all minors are constant between the
+  neighbouring roots of the entries.  At every root and once in every gap the elimination of `total_positivity.h` decides.
+:degrees: 2..12
+:scope: all real $\beta$
+:control: the range taken to begin 1 below
+:::
+*/
 /* The greatest root of a near_i whose slope is positive: below it the functions of degree n are not all nonnegative. */
 static num G(lower_end)(int n)
 {
@@ -593,84 +157,59 @@ CLAIM(totally_positive_exactly_in_the_range)
         }
     }
 }
+#endif
 
-CLAIM(parity_of_the_roots)
+#if FIELD || RATIONAL
+/*
+:::{claim} third_function_has_a_zero_for_every_smaller_beta
+:title: For every beta below the range the third function has a zero inside
+:zh: β<-21/4 时 B_2 在 (0,1/2) 内有零点
+:given: any $\beta=-\frac{21}4-b$, $b>0$; printed and corrected functions
+:then: $B_2$ vanishes at $t=\frac{4b}{9(21/4+b)}$, which is in $(0,\frac49)$ and not a root of the other factors
+:method: The value of the kernel at this $t$, $b$ a variable; the two bounds have coefficients of one sign.  So with
+  $k=(0,0,1,0,\dots)$ there is a root and no change of sign, and the triangle $(0,0),(1,1),(2,0)$ with the points of
+  `curve_of_a_triangle_meets_a_line_three_times` has three common points with the line $y=0$.
+:types: field rational
+:control: $b$ replaced by $2b$ in the parameter
+:::
+*/
+CLAIM(third_function_has_a_zero_for_every_smaller_beta)
 {
-    num k[8], beta = unknown(T, "beta", 0), size;
-    for (int i = 0; i <= 7; i++) {
-        size = positive(T, "k", i);
-        k[i] = i % 2 == 0 || (T->planted && i == 7) ? size : neg(size);
-    }
-    poly f = G(combination)(0, 7, mul(from_int(7), beta), k);
-    struct cagd_root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
-    same(T, poly_value(f, from_int(0)), k[0]);
-    same(T, poly_value(f, from_int(1)), k[7]);
-    agree(T, roots.counted % 2 == 1 && roots.counted <= 7);
+    num b = positive(T, "b", 0), quarter = from_ratio(21, 4), four = from_int(4);
+    num beta = neg(add(quarter, b)), given = T->planted ? mul(from_int(2), b) : b;
+    num t = div(mul(four, given), mul(from_int(9), add(quarter, given))), B[8];
+    G(shape_basis)(7, beta, t, B);
+    vanishes(T, B[2]);
+    G(shape_basis_printed)(beta, t, B);
+    vanishes(T, B[2]);
+    nonnegative(T, t);
+    nonnegative(T, sub(from_ratio(4, 9), t));
 }
 
-CLAIM(no_sign_makes_the_first_coefficient_positive)
+/*
+:::{claim} first_function_has_a_zero_for_every_larger_beta
+:title: For every beta above 1 the first function has a zero inside
+:zh: β>1 时 B_0 在 (0,1) 内有零点
+:given: any $\beta=1+b$, $b>0$; printed and corrected functions
+:then: $B_0$ vanishes at $t=\frac1{1+b}$, which is in $(0,1)$
+:method: The value of the kernel at this $t$, $b$ a variable; with $k=(1,0,\dots,0)$ there is a root and no change of sign.
+:types: field rational
+:control: $b$ replaced by $2b$ in the parameter
+:::
+*/
+CLAIM(first_function_has_a_zero_for_every_larger_beta)
 {
-    num k[8];
-    for (int i = 0; i <= 7; i++)
-        k[i] = from_int(i == 0 ? -T->planted : i == 1 ? -1 : 1);
-    show_points(T, "k", 8, 1, k);
-    show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
-    about(T, "k_0 > 0 or -k_0 > 0");
-    agree(T, sign_q(k[0]) > 0 || sign_q(neg(k[0])) > 0);
+    num b = positive(T, "b", 0), one = from_int(1), B[8];
+    num beta = add(one, b), t = div(one, add(one, T->planted ? add(b, b) : b));
+    G(shape_basis)(7, beta, t, B);
+    vanishes(T, B[0]);
+    G(shape_basis_printed)(beta, t, B);
+    vanishes(T, B[0]);
+    nonnegative(T, sub(one, t));
 }
+#endif
 
-CLAIM(first_coefficient_gives_the_sign)
-{
-    enum cagd_ends ends = T->planted ? CLOSED : OPEN_LEFT;
-    num low = from_ratio(-21, 4), high = from_int(1);
-    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
-        poly near[8], far[8];
-        G(factors_in_beta)(printed_ones, 7, near, far);
-        for (int i = 0; i <= 6; i++)
-            agree(T, sign_on(near[i], low, high, ends) == SIGN_POSITIVE &&
-                         sign_on(far[7 - i], low, high, ends) == SIGN_POSITIVE);
-        agree(T, G(never_negative)(near[7], low, high) && G(never_negative)(far[0], low, high));
-    }
-}
-
-/* Roots in (0,1) of sum k_i B_i, printed functions, against the changes of sign; shows both. */
-static int G(no_more_roots_than_changes)(trial *T, const int at[], num beta)
-{
-    num k[8];
-    for (int i = 0; i <= 7; i++)
-        k[i] = from_int(at[i]);
-    struct cagd_root_count roots = count_roots(G(combination)(1, 7, beta, k), from_int(0), from_int(1), OPEN);
-    show(T, "beta", beta);
-    show_points(T, "k", 8, 1, k);
-    show_text(T, "roots in (0,1)", "%d", roots.distinct);
-    show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
-    return roots.counted <= G(sign_changes)(7, k);
-}
-
-CLAIM(positive_coefficients_with_two_roots)
-{
-    static const int k[] = {1, 1, 200, 1, 1, 1, 1, 1};
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
-    about(T, "no more roots than changes of sign");
-    agree(T, G(no_more_roots_than_changes)(T, k, beta));
-}
-
-CLAIM(one_change_of_sign_and_three_roots)
-{
-    static const int k[] = {1, 1, 200, 1, 1, 1, 1, -1};
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
-    about(T, "no more roots than changes of sign");
-    agree(T, G(no_more_roots_than_changes)(T, k, beta));
-}
-
-CLAIM(one_change_of_sign_and_two_roots)
-{
-    static const int k[] = {1, 1, 1, 1, 1, -10, -1, 0};
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
-    about(T, "no more roots than changes of sign");
-    agree(T, G(no_more_roots_than_changes)(T, k, beta));
-}
-
+#if RATIONAL
 static struct cagd_line G(horizontal)(num y) { return (struct cagd_line){from_int(0), from_int(1), neg(y)}; }
 
 /* How the curve meets the line; shows the data. */
@@ -693,40 +232,18 @@ static struct cagd_curve_meets_line G(meets)(trial *T, int printed_ones, const n
     return m;
 }
 
-CLAIM(printed_curve_crosses_a_line_off_its_polygon)
-{
-    num P[8 * dim];
-    for (int i = 0; i <= 7; i++) {
-        P[i * dim] = from_int(i);
-        P[i * dim + 1] = from_int(1);
-    }
-    struct cagd_line L = G(horizontal)(from_ratio(63, 64));
-    struct cagd_curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), L);
-    about(T, "the curve crosses the line no more often than the polygon");
-    agree(T, m.crossings <= polygon_crossings(7, P, L));
-}
-
-static const int G(triangle)[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
-
-CLAIM(curve_at_minus_seven_crosses_a_line_off_its_polygon)
-{
-    num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
-    struct cagd_line L = G(horizontal)(from_ratio(-1, 200));
-    G(integer_points)(8, G(triangle), P);
-    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, L);
-    about(T, "the curve crosses the line no more often than the polygon");
-    agree(T, m.crossings <= polygon_crossings(7, P, L));
-}
-
-CLAIM(curve_of_a_triangle_meets_a_line_three_times)
-{
-    num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
-    G(integer_points)(8, G(triangle), P);
-    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
-    about(T, "the polygon is not convex, or there are at most two common points");
-    agree(T, !polygon_is_convex(7, P, 1, NULL) || m.common_closed <= 2);
-}
-
+/*
+:::{claim} curve_on_a_line_that_its_polygon_crosses
+:title: At beta = -21/4 a curve is on a line that its polygon crosses three times
+:zh: β=-21/4 时曲线全在一条直线上而控制多边形与之相交
+:kind: counterexample
+:given: $\beta=-\frac{21}4$, $P_0=P_1=(0,0)$, $P_2=(1,-1)$, $P_3=(2,\frac{27}5)$, $P_4=(3,-\frac{27}5)$, $P_5=(4,1)$,
+  $P_6=P_7=(5,0)$, the line $y=0$; corrected functions
+:then: the whole curve, which runs from $(0,0)$ to $(5,0)$, is on the line; the polygon has five points on it, $SA=3$
+:method: The curve's Bézier points; `crossings.h` counts the components of the polygon's common points.
+:control: $\beta=-5$
+:::
+*/
 CLAIM(curve_on_a_line_that_its_polygon_crosses)
 {
     static const int fifths[] = {0, 0, -5, 27, -27, 5, 0, 0}, x[] = {0, 0, 1, 2, 3, 4, 5, 5};
@@ -744,31 +261,362 @@ CLAIM(curve_on_a_line_that_its_polygon_crosses)
     agree(T, !(five_points && m.contained));
 }
 
-CLAIM(closed_polygon_has_three_parameters_on_a_line)
-{
-    static const int heptagon[] = {0, 0, 2, -1, 4, 0, 5, 2, 4, 4, 2, 5, 0, 3, 0, 0};
-    num P[8 * dim], beta[3] = {from_ratio(-21, 4), from_int(0), from_int(1)};
-    int most_two = 0;
-    struct cagd_line L = {from_int(1), from_int(-1), T->planted ? from_ratio(1, 2) : from_int(0)};
-    G(integer_points)(8, heptagon, P);
-    for (int m = 0; m < 3; m++)
-        most_two += G(meets)(T, 0, P, beta[m], L).common_closed <= 2;
-    about(T, "the polygon is not convex, or there are at most two common parameters");
-    agree(T, !polygon_is_convex(7, P, 1, NULL) || most_two > 0);
-}
-
-CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
+/*
+:::{claim} printed_curve_crosses_a_line_off_its_polygon
+:title: The printed curve crosses a line that does not meet its polygon
+:zh: 按式 (1) 的曲线穿过与多边形不交的直线
+:kind: counterexample
+:given: $\beta=1$, $P_i=(i,1)$, the line $y=\frac{63}{64}$, so $Q=(0,\frac{63}{64})$, $u=(0,1)$
+:then: the line does not meet the polygon, $SA=0$, and the curve crosses it twice; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
+:method: The crossings are counted exactly by `crossings.h`.
+:control: the corrected functions
+:::
+*/
+CLAIM(printed_curve_crosses_a_line_off_its_polygon)
 {
     num P[8 * dim];
     for (int i = 0; i <= 7; i++) {
         P[i * dim] = from_int(i);
-        P[i * dim + 1] = from_int(i == 0 || i == 7 ? 100 : 101);
+        P[i * dim + 1] = from_int(1);
     }
-    struct cagd_curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), G(horizontal)(from_ratio(401, 4)));
-    about(T, "the polygon is not convex, or there are at most two common points");
-    agree(T, !polygon_is_convex(7, P, 0, NULL) || m.common_closed <= 2);
+    struct cagd_line L = G(horizontal)(from_ratio(63, 64));
+    struct cagd_curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), L);
+    about(T, "the curve crosses the line no more often than the polygon");
+    agree(T, m.crossings <= polygon_crossings(7, P, L));
 }
 
+static const int G(triangle)[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
+
+/*
+:::{claim} curve_at_minus_seven_crosses_a_line_off_its_polygon
+:title: At beta = -7 the curve crosses a line that does not meet its polygon
+:zh: β=-7 时曲线穿过与多边形不交的直线
+:kind: counterexample
+:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, the line $y=-\frac1{200}$; corrected functions
+:then: the polygon is above the line, the curve crosses it twice
+:method: The crossings are counted exactly.
+:control: $\beta=-\frac{21}4$
+:::
+*/
+CLAIM(curve_at_minus_seven_crosses_a_line_off_its_polygon)
+{
+    num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    struct cagd_line L = G(horizontal)(from_ratio(-1, 200));
+    G(integer_points)(8, G(triangle), P);
+    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, L);
+    about(T, "the curve crosses the line no more often than the polygon");
+    agree(T, m.crossings <= polygon_crossings(7, P, L));
+}
+#endif
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-SA
+:title: Roots in (0,1) and changes of sign
+:zh: 根的个数与变号数，式 (13)、(14)、(16)、(17)
+:printed: $f=\sum k_i\hat B_i$ for the functions (13) and constants (14); $Z(f)$ is the number of roots of $f$ in $(0,1)$,
+  $SA(k_0,\dots,k_7)$ the number of changes of sign
+:definition: yes
+:checked-by: combination_begins_and_ends_with_its_coefficients
+
+Roots may be counted with or without multiplicity: what is decided below holds for both, and the counterexamples have simple
+roots.
+:::
+*/
+
+#if FIELD || RATIONAL
+/*
+:::{claim} combination_begins_and_ends_with_its_coefficients
+:title: A combination of the functions has its first and its last coefficient as values at the ends
+:zh: 组合函数的端点值为首末系数
+:given: any $k_0,\dots,k_7$ and $\beta$; printed and corrected functions
+:then: $f(0)=k_0$, $f(1)=k_7$; so when these have different signs, the number of roots in $(0,1)$, counted with multiplicity, is odd, and
+  of a polynomial of degree 8 at most 7
+:method: The kernels at the two integers, everything a variable.  A polynomial changes its sign exactly at the roots of odd multiplicity.
+:types: field rational
+:control: the last two coefficients exchanged
+:::
+*/
+CLAIM(combination_begins_and_ends_with_its_coefficients)
+{
+    num k[8], B[8], beta = unknown(T, "beta", 0);
+    for (int i = 0; i <= 7; i++)
+        k[i] = unknown(T, "k", i);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
+        for (int end = 0; end <= 1; end++) {
+            num sum = from_int(0);
+            G(functions_of)(printed_ones, 7, beta, from_int(end), B);
+            for (int i = 0; i <= 7; i++)
+                sum = add(sum, mul(k[T->planted && i >= 6 ? 13 - i : i], B[i]));
+            same(T, sum, k[end ? 7 : 0]);
+        }
+}
+#endif
+
+#if RATIONAL
+/*
+:::{claim} parity_of_the_roots
+:title: The number of roots is even or odd as the ends have equal or different signs
+:zh: 根的个数的奇偶性
+:given: random $k$ with $k_0>0$ and alternating signs, any $\beta$; corrected functions
+:then: $f(0)=k_0$, $f(1)=k_7$, the number of roots of $f$ in $(0,1)$, each counted as often as its multiplicity, is odd and at
+  most 7
+:method: The roots of the exact polynomial are counted.  In general: $f$ changes its sign at a root exactly when the multiplicity
+  is odd.
+:types: rational
+:control: the last sign is changed
+:::
+*/
+CLAIM(parity_of_the_roots)
+{
+    num k[8], beta = unknown(T, "beta", 0), size;
+    for (int i = 0; i <= 7; i++) {
+        size = positive(T, "k", i);
+        k[i] = i % 2 == 0 || (T->planted && i == 7) ? size : neg(size);
+    }
+    poly f = G(combination)(0, 7, mul(from_int(7), beta), k);
+    struct cagd_root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
+    same(T, poly_value(f, from_int(0)), k[0]);
+    same(T, poly_value(f, from_int(1)), k[7]);
+    agree(T, roots.counted % 2 == 1 && roots.counted <= 7);
+}
+
+/*
+:::{statement} deng-zhang-2022:eq-15
+:title: The rule of Descartes for the eight functions
+:zh: 笛卡尔符号法则，式 (15)
+:printed: Z_{(0,1)}\Bigl(\sum k_i\hat B_i\Bigr)\le SA(k_0,\dots,k_7)
+:refuted-by: positive_coefficients_with_two_roots a_combination_vanishes
+:class: false
+:corrected: for printed and for corrected functions: true exactly for $-\frac{21}4<\beta\le1$ and $k\ne0$; at
+  $\beta=-\frac{21}4$ true unless $f$ is the zero function, which it is for some $k\ne0$
+:corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries
+  averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
+  functions_are_independent_but_for_two_values third_function_has_a_zero_for_every_smaller_beta
+  first_function_has_a_zero_for_every_larger_beta
+:figure: crossings_off_the_polygon
+
+The sum of the functions plays no part here, so that the misprints do no harm.
+:::
+*/
+
+/* Roots in (0,1) of sum k_i B_i, printed functions, against the changes of sign; shows both. */
+static int G(no_more_roots_than_changes)(trial *T, const int at[], num beta)
+{
+    num k[8];
+    for (int i = 0; i <= 7; i++)
+        k[i] = from_int(at[i]);
+    struct cagd_root_count roots = count_roots(G(combination)(1, 7, beta, k), from_int(0), from_int(1), OPEN);
+    show(T, "beta", beta);
+    show_points(T, "k", 8, 1, k);
+    show_text(T, "roots in (0,1)", "%d", roots.distinct);
+    show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
+    return roots.counted <= G(sign_changes)(7, k);
+}
+
+/*
+:::{claim} positive_coefficients_with_two_roots
+:title: At beta = -7 positive coefficients give two roots
+:zh: β=-7 时正系数组合有两个根
+:kind: counterexample
+:given: $\beta=-7$, $k=(1,1,200,1,1,1,1,1)$, printed functions
+:then: $SA=0$, and $f$ has two roots in $(0,1)$
+:method: The roots of the exact polynomial are counted.
+:control: $\beta=-\frac{21}4$
+:::
+*/
+CLAIM(positive_coefficients_with_two_roots)
+{
+    static const int k[] = {1, 1, 200, 1, 1, 1, 1, 1};
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    about(T, "no more roots than changes of sign");
+    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+}
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-wlog
+:title: Without loss of generality the first coefficient is positive
+:zh: 不妨设 k_0>0
+:printed: without loss of generality $k_0>0$; then $SA$ is one of $7,6,5,4,3,2,1,0$
+:refuted-by: no_sign_makes_the_first_coefficient_positive
+:class: invalid-proof
+:corrected: for $k\ne0$ the first $k_i$ that is not 0 may be taken positive; for $-\frac{21}4<\beta\le1$ the sum has the sign of this $k_i$ for small
+  $t>0$, and in the same way that of the last one near $t=1$
+:corrected-by: first_coefficient_gives_the_sign
+:figure: zero_at_the_beginning
+
+The signs of $f(0)=k_0$ and $f(1)=k_7$, on which the proof rests, say nothing when one of them is 0.  With $SA=7$ all eight are
+different from 0; in the other cases they need not be.
+:::
+
+:::{claim} no_sign_makes_the_first_coefficient_positive
+:title: When the first coefficient is 0 neither k nor -k begins with a positive number
+:zh: k_0=0 时不能假设 k_0>0
+:kind: counterexample
+:given: $k=(0,-1,1,1,1,1,1,1)$, with $SA=1$
+:then: the first coefficients of $k$ and of $-k$ are 0
+:method: The two signs; that one of them is positive is refuted.
+:control: $k_0=-1$
+:::
+*/
+CLAIM(no_sign_makes_the_first_coefficient_positive)
+{
+    num k[8];
+    for (int i = 0; i <= 7; i++)
+        k[i] = from_int(i == 0 ? -T->planted : i == 1 ? -1 : 1);
+    show_points(T, "k", 8, 1, k);
+    show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
+    about(T, "k_0 > 0 or -k_0 > 0");
+    agree(T, sign_q(k[0]) > 0 || sign_q(neg(k[0])) > 0);
+}
+
+/*
+:::{claim} first_coefficient_gives_the_sign
+:title: Near the beginning the sum has the sign of its first coefficient that is not 0
+:zh: t→0+ 时组合函数的符号由首个非零系数决定
+:kind: decision
+:given: $-\frac{21}4<\beta\le1$, printed and corrected functions
+:then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$ has the sign of the first $k_i\ne0$ for small $t>0$, for
+  $i=7$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$, $\varphi_0\ge0$ and $\nu_0>0$ for the other end
+:method: The signs of linear polynomials in $\beta$ on the interval.
+:scope: beta from -21/4, which is left out, to 1
+:control: the interval with its left end
+:::
+*/
+CLAIM(first_coefficient_gives_the_sign)
+{
+    enum cagd_ends ends = T->planted ? CLOSED : OPEN_LEFT;
+    num low = from_ratio(-21, 4), high = from_int(1);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        for (int i = 0; i <= 6; i++)
+            agree(T, sign_on(near[i], low, high, ends) == SIGN_POSITIVE &&
+                         sign_on(far[7 - i], low, high, ends) == SIGN_POSITIVE);
+        agree(T, G(never_negative)(near[7], low, high) && G(never_negative)(far[0], low, high));
+    }
+}
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-case-1
+:title: Seven changes of sign: at most seven roots
+:zh: 情形 1
+:printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
+:holds-by: combination_begins_and_ends_with_its_coefficients
+:figure: roots_at_minus_seven
+
+Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is odd
+when $f(0)=k_0$ and $f(1)=k_7$ have different signs.  The lemma that is cited for $k_7<0$ is not in the text, and not needed: seven
+changes among eight signs leave no other sign for $k_7$.
+:::
+
+:::{statement} deng-zhang-2022:property-3.6-case-2
+:title: The cases of six to one changes of sign by the same method
+:zh: 情形 2
+:printed: for $SA=6,5,4,3,2,1$ it is proved by the same method
+:refuted-by: one_change_of_sign_and_three_roots one_change_of_sign_and_two_roots
+:class: invalid-proof
+:corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$; when $k_7=0$
+  it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes
+:figure: roots_at_minus_seven
+
+The method makes no use of the range of $\beta$, and in the range of the text the conclusion is false.
+:::
+
+:::{claim} one_change_of_sign_and_three_roots
+:title: At beta = -7 one change of sign gives three roots
+:zh: β=-7 时一次变号而有三个根
+:kind: counterexample
+:given: $\beta=-7$, $k=(1,1,200,1,1,1,1,-1)$, printed functions
+:then: $k_0>0>k_7$, $SA=1$, and $f$ has three roots in $(0,1)$; the signs at the ends allow this
+:method: The roots of the exact polynomial are counted.
+:control: $\beta=-\frac{21}4$
+:::
+*/
+CLAIM(one_change_of_sign_and_three_roots)
+{
+    static const int k[] = {1, 1, 200, 1, 1, 1, 1, -1};
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    about(T, "no more roots than changes of sign");
+    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+}
+
+/*
+:::{claim} one_change_of_sign_and_two_roots
+:title: At beta = -7 one change of sign gives two roots when the last coefficient is 0
+:zh: β=-7、k_7=0 时一次变号而有两个根
+:kind: counterexample
+:given: $\beta=-7$, $k=(1,1,1,1,1,-10,-1,0)$, printed functions
+:then: $k_0>0$, $SA=1$, and $f=(t-1)^2(630t^6-638t^5+33t^4+4t^3+3t^2+2t+1)$ has two roots in $(0,1)$; $f(1)=0$ says nothing
+:method: The roots of the exact polynomial are counted.
+:control: $\beta=-\frac{21}4$
+:::
+*/
+CLAIM(one_change_of_sign_and_two_roots)
+{
+    static const int k[] = {1, 1, 1, 1, 1, -10, -1, 0};
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    about(T, "no more roots than changes of sign");
+    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+}
+#endif
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-case-0
+:title: No change of sign: obviously no root
+:zh: 情形 SA=0
+:printed: for $SA=0$ the inequality is obvious
+:refuted-by: positive_coefficients_with_two_roots
+:class: false
+:corrected: obvious where the functions are positive in $(0,1)$, which is for $-\frac{21}4\le\beta\le1$
+:corrected-by: nonnegative_exactly_in_the_range
+:figure: roots_at_minus_seven
+:::
+
+:::{statement} deng-zhang-2022:property-3.6-line
+:title: The line through a point with a normal vector
+:zh: 过点 Q、法向量为 u 的直线
+:printed: let $L$ be the line (or plane) through the point $Q$ with the normal vector $u$
+:holds-by: points_of_a_line_by_its_normal
+:hypothesis: no_normal_no_line | $u\ne0$
+:figure: line_along_an_edge
+
+In the plane; in space $u\cdot(X-Q)=0$ is in the same way a plane.
+:::
+
+:::{claim} points_of_a_line_by_its_normal
+:title: The points with u.(X-Q) = 0 are a line
+:zh: 由法向量确定的直线
+:given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$
+:then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$
+:method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$, and all of these are such.
+:control: $u^\perp=(u_2,u_1)$
+:::
+*/
+CLAIM(points_of_a_line_by_its_normal)
+{
+    num w[dim], u[dim] = {unknown(T, "u", 0), unknown(T, "u", 1)};
+    for (int c = 0; c < dim; c++)
+        w[c] = sub(unknown(T, "x", c), unknown(T, "q", c));
+    num across[dim] = {T->planted ? u[1] : neg(u[1]), u[0]};
+    for (int c = 0; c < dim; c++)
+        same(T, mul(G(dot)(dim, u, u), w[c]),
+             add(mul(G(dot)(dim, u, w), u[c]), mul(G(dot)(dim, across, w), across[c])));
+}
+
+#if RATIONAL
+/*
+:::{claim} no_normal_no_line
+:title: With the normal vector 0 every point is on L
+:zh: 法向量为零时不成直线
+:kind: counterexample
+:given: $u=(0,0)$, $Q=(0,0)$, the points $(0,0),(1,0),(0,1)$
+:then: all three have $u\cdot(X-Q)=0$, and they are not on a line
+:method: The three products.
+:control: $u=(0,1)$
+:::
+*/
 CLAIM(no_normal_no_line)
 {
     num X[3 * dim], u[dim] = {from_int(0), from_int(T->planted)};
@@ -782,6 +630,27 @@ CLAIM(no_normal_no_line)
     agree(T, on_it < 3 || turn_2d(X, X + dim, X + 2 * dim) == 0);
 }
 
+/*
+:::{statement} deng-zhang-2022:property-3.6-sides
+:title: A line that meets an edge has its ends on two sides
+:zh: 边的两端在 L 两侧
+:printed: if $L$ meets the edge between $P_j$ and $P_{j+1}$ then these two points are on different sides of $L$, and
+  $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ have different signs
+:holds-by: sign_changes_are_polygon_crossings
+:hypothesis: line_through_an_edge_has_no_two_sides | neither of the two points is on $L$
+:figure: line_along_an_edge
+:::
+
+:::{claim} line_through_an_edge_has_no_two_sides
+:title: A line that contains an edge meets it and has neither end on a side
+:zh: 边在直线上时两端不在两侧
+:kind: counterexample
+:given: the polygon $P_i=(i,i(7-i))$, its edge from $P_3=(3,12)$ to $P_4=(4,12)$, the line $y=12$
+:then: the line meets the edge $P_3P_4$ in all its points, and the two numbers $u\cdot(P_j-Q)$ are 0
+:method: The signs at the two ends are computed; different signs are asked for.
+:control: the line $x=\frac72$
+:::
+*/
 CLAIM(line_through_an_edge_has_no_two_sides)
 {
     num P[2 * dim] = {from_int(3), from_int(12), from_int(4), from_int(12)}, u[dim], Q[dim], side[2];
@@ -799,6 +668,27 @@ CLAIM(line_through_an_edge_has_no_two_sides)
     agree(T, sign_q(side[0]) * sign_q(side[1]) < 0);
 }
 
+/*
+:::{statement} deng-zhang-2022:eq-19
+:title: The changes of sign are at most the intersections of the polygon
+:zh: 式 (19)
+:printed: $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$ is at most the number of intersections of $L$ with the polygon
+:holds-by: sign_changes_are_polygon_crossings
+:hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane they
+  may be fewer
+:figure: polygon_crossing_itself
+:::
+
+:::{claim} polygon_that_crosses_itself_on_the_line
+:title: A polygon that crosses itself on the line has more changes of sign than points there
+:zh: 控制多边形在直线上自交
+:kind: counterexample
+:given: $P_0,\dots,P_7=(-2,2),(2,-2),(2,-3),(1,-3),(-1,-3),(-2,-3),(-2,-2),(2,2)$, $Q=(0,0)$, $u=(0,1)$
+:then: $SA=2$, and the polygon has one point on the line, the origin, which it passes twice
+:method: Changes of sign, and the connected components of the common points in the plane, counted exactly.
+:control: $P_7=(3,2)$
+:::
+*/
 CLAIM(polygon_that_crosses_itself_on_the_line)
 {
     static const int vertex[16] = {-2, 2, 2, -2, 2, -3, 1, -3, -1, -3, -2, -3, -2, -2, 2, 2};
@@ -813,6 +703,45 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
     agree(T, m.crossings <= m.components);
 }
 
+/*
+:::{statement} deng-zhang-2022:eq-20
+:title: The intersections of the curve with a line are roots
+:zh: 式 (20)
+:printed: the number of intersections of $B_1(t)$ with $L$ is $Z_{(0,1)}\bigl(\sum\hat B_j(t)(P_j-Q)\cdot u\bigr)$
+:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
+:class: misprint
+:corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters of the
+  common points other than the ends; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
+:corrected-by: line_function_of_the_curve
+:figure: crossings_off_the_polygon
+
+The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_7$ may be on $L$.
+:::
+
+:::{statement} deng-zhang-2022:eq-21
+:title: The intersections of the curve are at most the changes of sign
+:zh: 式 (21)
+:printed: the number of intersections of $B_1(t)$ with $L$ is at most $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$
+:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
+  curve_on_a_line_that_its_polygon_crosses
+:class: false
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the curve is not on
+  $L$
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes line_function_of_the_curve
+:figure: crossings_off_the_polygon
+:::
+
+:::{claim} curve_and_line_share_an_end
+:title: A line through an end meets the curve without a root in (0,1)
+:zh: 过端点的直线
+:kind: counterexample
+:given: $P_i=(i,i)$, $\beta=0$, the line $y=0$
+:then: curve and line have the point $P_0$ in common; the function has no root in $(0,1)$, and $SA=0$
+:method: The common points of the closed curve are compared with those of the open one.
+:control: the line $y=\frac72$
+:::
+*/
 CLAIM(curve_and_line_share_an_end)
 {
     num P[8 * dim];
@@ -825,36 +754,18 @@ CLAIM(curve_and_line_share_an_end)
 }
 #endif
 
-/* The determinant of Q - P and R - P. */
-static num G(turn)(const num P[], const num Q[], const num R[])
-{
-    num q[dim] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, r[dim] = {sub(R[0], P[0]), sub(R[1], P[1])};
-    return G(cross2)(q, r);
-}
-
-CLAIM(points_of_a_line_by_its_normal)
-{
-    num w[dim], u[dim] = {unknown(T, "u", 0), unknown(T, "u", 1)};
-    for (int c = 0; c < dim; c++)
-        w[c] = sub(unknown(T, "x", c), unknown(T, "q", c));
-    num across[dim] = {T->planted ? u[1] : neg(u[1]), u[0]};
-    for (int c = 0; c < dim; c++)
-        same(T, mul(G(dot)(dim, u, u), w[c]),
-             add(mul(G(dot)(dim, u, w), u[c]), mul(G(dot)(dim, across, w), across[c])));
-}
-
-CLAIM(four_vertices_of_a_convex_polygon_do_not_alternate)
-{
-    num P[4 * dim], f[4], a = unknown(T, "a", 0), b = unknown(T, "b", 0), c = unknown(T, "c", 0);
-    G(free_points)(T, 3, dim, P);
-    const num *i = P, *j = P + dim, *k = P + 2 * dim, *l = P + 3 * dim;
-    for (int m = 0; m < 4; m++)
-        f[m] = add(mul(a, P[m * dim]), add(mul(b, P[m * dim + 1]), c));
-    num ikl = G(turn)(i, k, l), ijl = G(turn)(i, j, l);
-    num left = add(mul(G(turn)(j, k, l), f[0]), mul(T->planted ? ikl : ijl, f[2]));
-    same(T, left, add(mul(T->planted ? ijl : ikl, f[1]), mul(G(turn)(i, j, k), f[3])));
-}
-
+/*
+:::{claim} line_function_of_the_curve
+:title: With the sum 1 the function of the proof is the distance of the curve from the line
+:zh: 曲线与直线的函数
+:given: points $P_i$ and $Q$ of the plane, any $u$, $\beta$ and $t$
+:then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for the printed functions the difference of the two sides is
+  $4\beta(1-t)^3t^4\,Q\cdot u$
+:method: Everything is a variable.
+:degrees: 2..7 sampled 12
+:control: $P_0$ left without $Q$
+:::
+*/
 CLAIM(line_function_of_the_curve)
 {
     int n = T->degree;
@@ -878,4 +789,138 @@ CLAIM(line_function_of_the_curve)
         same(T, sum, value);
     }
 }
+
+/*
+:::{statement} deng-zhang-2022:property-3.7
+:title: Convex polygons have convex curves
+:zh: 保凸性
+:printed: when the control polygon is convex, a line of the plane meets the curve at most twice, $-7\le\beta\le1$
+:refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
+  curve_of_a_triangle_meets_a_line_three_times
+:class: false
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not on a line, and
+  common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes four_vertices_of_a_convex_polygon_do_not_alternate third_function_has_a_zero_for_every_smaller_beta
+:reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are possible,
+  at $\beta=-\frac{21}4,0,1$
+:figure: convexity_lost
+
+A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on it
+none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is possible, and
+$t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at $\beta=-\frac{21}4$, needs three changes.
+:::
+
+:::{statement} deng-zhang-2022:property-3.7-reason
+:title: A line meets a convex polygon at most twice
+:zh: 直线与凸控制多边形的交点
+:printed: a line meets the (convex) control polygon at most twice
+:holds-by: four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
+:hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
+:figure: line_along_an_edge
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} closed_polygon_has_three_parameters_on_a_line
+:title: The curve of a closed convex polygon may have three parameters on a line
+:zh: 首末点重合的凸多边形:曲线在一直线上有三个参数
+:kind: counterexample
+:given: the convex heptagon $P=(0,0),(2,-1),(4,0),(5,2),(4,4),(2,5),(0,3),(0,0)$, the line $y=x$, $\beta=-\frac{21}4,0,1$; corrected
+  functions
+:then: $t=0$, $t=1$ and one parameter in $(0,1)$ are on the line: three parameters, two points
+:method: The common points are counted exactly by their parameters; `hull.h` decides that the polygon is convex.
+:control: the line $y=x+\frac12$
+:::
+*/
+CLAIM(closed_polygon_has_three_parameters_on_a_line)
+{
+    static const int heptagon[] = {0, 0, 2, -1, 4, 0, 5, 2, 4, 4, 2, 5, 0, 3, 0, 0};
+    num P[8 * dim], beta[3] = {from_ratio(-21, 4), from_int(0), from_int(1)};
+    int most_two = 0;
+    struct cagd_line L = {from_int(1), from_int(-1), T->planted ? from_ratio(1, 2) : from_int(0)};
+    G(integer_points)(8, heptagon, P);
+    for (int m = 0; m < 3; m++)
+        most_two += G(meets)(T, 0, P, beta[m], L).common_closed <= 2;
+    about(T, "the polygon is not convex, or there are at most two common parameters");
+    agree(T, !polygon_is_convex(7, P, 1, NULL) || most_two > 0);
+}
+
+/*
+:::{claim} curve_of_a_triangle_meets_a_line_three_times
+:title: At beta = -7 the curve of a triangle meets a line three times
+:zh: β=-7 时凸多边形的曲线与直线有三个交点
+:kind: counterexample
+:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, the line $y=0$; corrected functions
+:then: the polygon is convex, the curve meets the line at $t=0$, $\frac19$ and $1$
+:method: The common points are counted exactly; `hull.h` decides that the polygon is convex.
+:control: $\beta=-\frac{21}4$
+:::
+*/
+CLAIM(curve_of_a_triangle_meets_a_line_three_times)
+{
+    num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    G(integer_points)(8, G(triangle), P);
+    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
+    about(T, "the polygon is not convex, or there are at most two common points");
+    agree(T, !polygon_is_convex(7, P, 1, NULL) || m.common_closed <= 2);
+}
+
+/*
+:::{claim} printed_curve_of_a_convex_polygon_meets_a_line_four_times
+:title: The printed curve of a convex polygon meets a line four times
+:zh: 按式 (1) 凸多边形的曲线与直线有四个交点
+:kind: counterexample
+:given: $\beta=1$, $P_0=(0,100)$, $P_i=(i,101)$ for $i=1,\dots,6$, $P_7=(7,100)$, the line $y=\frac{401}4$
+:then: the polygon is convex and crosses the line twice, the curve crosses it four times
+:method: As before.
+:control: the corrected functions
+:::
+*/
+CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
+{
+    num P[8 * dim];
+    for (int i = 0; i <= 7; i++) {
+        P[i * dim] = from_int(i);
+        P[i * dim + 1] = from_int(i == 0 || i == 7 ? 100 : 101);
+    }
+    struct cagd_curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), G(horizontal)(from_ratio(401, 4)));
+    about(T, "the polygon is not convex, or there are at most two common points");
+    agree(T, !polygon_is_convex(7, P, 0, NULL) || m.common_closed <= 2);
+}
+#endif
+
+/*
+:::{claim} four_vertices_of_a_convex_polygon_do_not_alternate
+:title: Four vertices of a convex polygon are not on alternate sides of a line
+:zh: 凸多边形的四个顶点不会交替位于直线两侧
+:given: any $P_i,P_j,P_k,P_l$ of the plane, any line function $f(x,y)=ax+by+c$; $D_{ijk}$ the determinant of $P_j-P_i$ and $P_k-P_i$
+:then: $D_{jkl}f(P_i)+D_{ijl}f(P_k)=D_{ikl}f(P_j)+D_{ijk}f(P_l)$
+:method: An identity in the coordinates.  For $i<j<k<l$ in a polygon that is convex, counterclockwise, the four determinants are not
+  negative.  With $f(P_i),f(P_k)\ge0\ge f(P_j),f(P_l)$ both sides are 0: every product is.  So when the signs are strict the four points
+  are on one line, to and fro, and the polygon is not convex; hence there are no three changes of sign.  With $f(P_i)=0$ two changes
+  among the other three, and with $f(P_i)=f(P_l)=0$, $P_i\ne P_l$, one, are excluded in the same way; with $P_i=P_l$ one is possible.
+:control: $D_{ikl}$ and $D_{ijl}$ exchanged
+:::
+*/
+/* The determinant of Q - P and R - P. */
+static num G(turn)(const num P[], const num Q[], const num R[])
+{
+    num q[dim] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, r[dim] = {sub(R[0], P[0]), sub(R[1], P[1])};
+    return G(cross2)(q, r);
+}
+
+CLAIM(four_vertices_of_a_convex_polygon_do_not_alternate)
+{
+    num P[4 * dim], f[4], a = unknown(T, "a", 0), b = unknown(T, "b", 0), c = unknown(T, "c", 0);
+    G(free_points)(T, 3, dim, P);
+    const num *i = P, *j = P + dim, *k = P + 2 * dim, *l = P + 3 * dim;
+    for (int m = 0; m < 4; m++)
+        f[m] = add(mul(a, P[m * dim]), add(mul(b, P[m * dim + 1]), c));
+    num ikl = G(turn)(i, k, l), ijl = G(turn)(i, j, l);
+    num left = add(mul(G(turn)(j, k, l), f[0]), mul(T->planted ? ikl : ijl, f[2]));
+    same(T, left, add(mul(T->planted ? ijl : ikl, f[1]), mul(G(turn)(i, j, k), f[3])));
+}
+
 #include "chapters/judge/claims_off.h"

@@ -8,7 +8,15 @@ $$Q_k=\frac{\varphi_{k-1}P_{k-1}+\nu_kP_k}{\binom{n+1}k},\qquad k=0,\dots,n+1,$$
 and with the corrected functions $\varphi_{k-1}+\nu_k=\binom{n+1}k$: every $Q_k$ divides an edge of the polygon, and $\beta$
 moves it along that edge.  For $\beta=0$ this is degree elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave
 their edges, and the curve depends on the place of the origin.
+*/
+#include "exact/decide/hull.h"
 
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} deng-zhang-2022:def-3.1
 :title: The curve of eight points
 :zh: 八次 β-Bezier 曲线，式 (10)
@@ -19,26 +27,11 @@ their edges, and the curve depends on the place of the origin.
 
 The left side stands for $B_1(t)$, as (11) writes it.
 :::
+*/
 
-:::{statement} deng-zhang-2022:sec-3-degree
-:title: It is called a curve of degree eight
-:zh: 八次曲线之称
-:printed: the curve of (10) is called the β-Bézier curve of degree eight
-:definition: yes
-:checked-by: bezier_points_divide_the_edges
-:figure: curves_for_several_beta
+static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 
-Its degree is at most 8; for $\beta=0$ it is at most 7.
-:::
-
-:::{statement} deng-zhang-2022:sec-3-beta-0
-:title: For beta = 0 the curve is the Bézier curve of degree seven
-:zh: β=0 时退化为七次 Bezier 曲线
-:printed: for $\beta=0$ the curve degenerates to the Bézier curve of degree seven
-:holds-by: beta_zero_gives_the_bezier_curve
-:figure: curves_for_several_beta
-:::
-
+/*
 :::{claim} printed_curve_kernel_is_the_sum
 :title: The kernel computes the curve with the printed functions
 :zh: 核函数即式 (10)
@@ -48,7 +41,20 @@ Its degree is at most 8; for $\beta=0$ it is at most 7.
 :defines: shape_point_printed
 :control: the polygon taken backwards
 :::
+*/
+CLAIM(printed_curve_kernel_is_the_sum)
+{
+    num P[8 * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t"), R[8 * dim];
+    G(free_points)(T, 7, dim, P);
+    for (int i = 0; i <= 7; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = P[(T->planted ? 7 - i : i) * dim + c];
+    G(shape_point_printed)(dim, R, beta, t, at);
+    for (int c = 0; c < dim; c++)
+        same(T, at[c], G(printed_curve)(dim, P, c, beta, t));
+}
 
+/*
 :::{claim} curve_kernels_give_the_sum
 :title: The kernel computes the curve with the corrected functions
 :zh: 核函数即修正后的曲线
@@ -59,6 +65,28 @@ Its degree is at most 8; for $\beta=0$ it is at most 7.
 :degrees: 2..7 sampled 14
 :defines: shape_point
 :control: $-\beta$ in the place of $\beta$
+:::
+*/
+CLAIM(curve_kernels_give_the_sum)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    G(shape_point)(n, dim, P, T->planted ? neg(beta) : beta, t, at);
+    for (int c = 0; c < dim; c++)
+        same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
+}
+
+/*
+:::{statement} deng-zhang-2022:sec-3-degree
+:title: It is called a curve of degree eight
+:zh: 八次曲线之称
+:printed: the curve of (10) is called the β-Bézier curve of degree eight
+:definition: yes
+:checked-by: bezier_points_divide_the_edges
+:figure: curves_for_several_beta
+
+Its degree is at most 8; for $\beta=0$ it is at most 7.
 :::
 
 :::{claim} bezier_points_divide_the_edges
@@ -74,48 +102,7 @@ Its degree is at most 8; for $\beta=0$ it is at most 7.
 :defines: shape_bezier_points shape_matrix
 :control: $-\beta$ in the place of $\beta$
 :::
-
-:::{claim} beta_zero_gives_the_bezier_curve
-:title: For beta = 0 both kernels give the Bézier curve
-:zh: β=0 时为 Bézier 曲线
-:given: points of the plane, any $t$
-:then: `shape_point` and, for $n=7$, `shape_point_printed` give the point of de Casteljau's algorithm
-:method: The kernels side by side, everything a variable.
-:degrees: 2..7 sampled 14
-:control: $\beta=1$
-:::
 */
-#include "exact/decide/hull.h"
-
-#include "chapters/shape-parameter/definition.h"
-#include "chapters/shape-parameter/distance.h"
-
-#include "chapters/judge/claims_on.h"
-
-static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
-
-CLAIM(printed_curve_kernel_is_the_sum)
-{
-    num P[8 * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t"), R[8 * dim];
-    G(free_points)(T, 7, dim, P);
-    for (int i = 0; i <= 7; i++)
-        for (int c = 0; c < dim; c++)
-            R[i * dim + c] = P[(T->planted ? 7 - i : i) * dim + c];
-    G(shape_point_printed)(dim, R, beta, t, at);
-    for (int c = 0; c < dim; c++)
-        same(T, at[c], G(printed_curve)(dim, P, c, beta, t));
-}
-
-CLAIM(curve_kernels_give_the_sum)
-{
-    int n = T->degree;
-    num P[(MAX_DEGREE + 1) * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t");
-    G(free_points)(T, n, dim, P);
-    G(shape_point)(n, dim, P, T->planted ? neg(beta) : beta, t, at);
-    for (int c = 0; c < dim; c++)
-        same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
-}
-
 CLAIM(bezier_points_divide_the_edges)
 {
     int n = T->degree;
@@ -143,6 +130,25 @@ CLAIM(bezier_points_divide_the_edges)
     }
 }
 
+/*
+:::{statement} deng-zhang-2022:sec-3-beta-0
+:title: For beta = 0 the curve is the Bézier curve of degree seven
+:zh: β=0 时退化为七次 Bezier 曲线
+:printed: for $\beta=0$ the curve degenerates to the Bézier curve of degree seven
+:holds-by: beta_zero_gives_the_bezier_curve
+:figure: curves_for_several_beta
+:::
+
+:::{claim} beta_zero_gives_the_bezier_curve
+:title: For beta = 0 both kernels give the Bézier curve
+:zh: β=0 时为 Bézier 曲线
+:given: points of the plane, any $t$
+:then: `shape_point` and, for $n=7$, `shape_point_printed` give the point of de Casteljau's algorithm
+:method: The kernels side by side, everything a variable.
+:degrees: 2..7 sampled 14
+:control: $\beta=1$
+:::
+*/
 CLAIM(beta_zero_gives_the_bezier_curve)
 {
     int n = T->degree;
@@ -173,18 +179,6 @@ CLAIM(beta_zero_gives_the_bezier_curve)
 The last two curves of the figure, $\beta=-6$ and $-7$, are outside the true range.
 :::
 
-:::{statement} deng-zhang-2022:abstract-adjustable
-:title: For a fixed polygon different beta give different curves
-:zh: 形状可调性
-:printed: with the control points fixed, different curves are produced by changing the parameter
-:holds-by: points_move_evenly_with_beta polygons_that_do_not_move
-:hypothesis: edges_that_do_not_move | corrected functions: not $P_0=P_1=P_2=P_3$ and $P_4=P_5=P_6=P_7$; printed functions: not
-  $P_0=\dots=P_3=0$ and $P_4=5v$, $P_5=P_6=P_7=v$ with some $v$
-:figure: edges_that_do_not_move
-
-Different as parametrized curves; on a line they may be the same set of points.  For $n=7$ the number $a_4$ is 0.
-:::
-
 :::{claim} points_move_evenly_with_beta
 :title: The point of a parameter moves on a straight line, evenly with beta
 :zh: 曲线上的点随 β 匀速直线移动
@@ -193,30 +187,6 @@ Different as parametrized curves; on a line they may be the same set of points. 
 :method: The kernel at $\beta+h$ and $\beta$, everything a variable.
 :degrees: 2..7 sampled 12
 :control: the first edge left out
-:::
-
-:::{claim} polygons_that_do_not_move
-:title: Only the polygons of one middle edge have the same curve for all beta
-:zh: 与 β 无关的控制多边形
-:kind: decision
-:given: numbers $k_0,\dots,k_7$, printed and corrected functions
-:then: $\sum k_iB_i$ is the same for all $\beta$ exactly for $k_0=\dots=k_3$, $k_4=\dots=k_7$ with the corrected functions, for the
-  multiples of $(0,0,0,0,5,1,1,1)$ with the printed ones
-:method: The functions are linear in $\beta$.  The $9\times8$ matrix of the Bernstein coefficients of their slopes has rank 6, resp. 7, and
-  the sequences named are in its kernel.  Coordinate by coordinate this is a statement on polygons.
-:scope: all real beta, all polygons
-:control: $k_4=k_3$ in the sequences named
-:::
-
-:::{claim} edges_that_do_not_move
-:title: A polygon of one middle edge has one curve for all beta
-:zh: 仅有中间一边的控制多边形与 β 无关
-:kind: counterexample
-:given: $\beta=0$ and $\beta=1$; $P_0=\dots=P_3=(0,0)$ and, corrected functions, $P_4=\dots=P_7=(1,2)$; printed functions,
-  $P_4=(5,10)$, $P_5=P_6=P_7=(1,2)$
-:then: the Bézier points of degree 8, and so the curves, are the same
-:method: Both sets of nine points are computed and compared; that they differ somewhere is asked, of either family.
-:control: $P_4=(0,0)$
 :::
 */
 CLAIM(points_move_evenly_with_beta)
@@ -237,7 +207,35 @@ CLAIM(points_move_evenly_with_beta)
     }
 }
 
+/*
+:::{statement} deng-zhang-2022:abstract-adjustable
+:title: For a fixed polygon different beta give different curves
+:zh: 形状可调性
+:printed: with the control points fixed, different curves are produced by changing the parameter
+:holds-by: points_move_evenly_with_beta polygons_that_do_not_move
+:hypothesis: edges_that_do_not_move | corrected functions: not $P_0=P_1=P_2=P_3$ and $P_4=P_5=P_6=P_7$; printed functions: not
+  $P_0=\dots=P_3=0$ and $P_4=5v$, $P_5=P_6=P_7=v$ with some $v$
+:figure: edges_that_do_not_move
+
+Different as parametrized curves; on a line they may be the same set of points.  For $n=7$ the number $a_4$ is 0.
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} polygons_that_do_not_move
+:title: Only the polygons of one middle edge have the same curve for all beta
+:zh: 与 β 无关的控制多边形
+:kind: decision
+:given: numbers $k_0,\dots,k_7$, printed and corrected functions
+:then: $\sum k_iB_i$ is the same for all $\beta$ exactly for $k_0=\dots=k_3$, $k_4=\dots=k_7$ with the corrected functions, for the
+  multiples of $(0,0,0,0,5,1,1,1)$ with the printed ones
+:method: The functions are linear in $\beta$.  The $9\times8$ matrix of the Bernstein coefficients of their slopes has rank 6, resp. 7, and
+  the sequences named are in its kernel.  Coordinate by coordinate this is a statement on polygons.
+:scope: all real beta, all polygons
+:control: $k_4=k_3$ in the sequences named
+:::
+*/
 CLAIM(polygons_that_do_not_move)
 {
     static const int still[3][8] = {{1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 5, 1, 1, 1}};
@@ -255,6 +253,18 @@ CLAIM(polygons_that_do_not_move)
     }
 }
 
+/*
+:::{claim} edges_that_do_not_move
+:title: A polygon of one middle edge has one curve for all beta
+:zh: 仅有中间一边的控制多边形与 β 无关
+:kind: counterexample
+:given: $\beta=0$ and $\beta=1$; $P_0=\dots=P_3=(0,0)$ and, corrected functions, $P_4=\dots=P_7=(1,2)$; printed functions,
+  $P_4=(5,10)$, $P_5=P_6=P_7=(1,2)$
+:then: the Bézier points of degree 8, and so the curves, are the same
+:method: Both sets of nine points are computed and compared; that they differ somewhere is asked, of either family.
+:control: $P_4=(0,0)$
+:::
+*/
 CLAIM(edges_that_do_not_move)
 {
     int differ = 0;
@@ -295,19 +305,6 @@ True for all real $\beta$, with the printed functions as with the corrected ones
 both ends.
 :::
 
-:::{statement} deng-zhang-2022:property-3.1-tangent
-:title: The curve interpolates the end points and touches the end edges
-:zh: 端点插值与端边相切
-:printed: the curve interpolates the first and last control point and is tangent to the first and last edge
-:holds-by: end_points_and_end_derivatives
-:hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
-:hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
-:figure: end_edges
-
-At $\beta=-7$, an end of the printed range, the curve leaves $P_0$ towards $\frac14(5P_1-P_2)$; below $-7$ it would leave
-against the edge.
-:::
-
 :::{claim} end_points_and_end_derivatives
 :title: The ends of the curve and the derivatives there
 :zh: 端点与端点导矢
@@ -317,29 +314,6 @@ against the edge.
 :method: The derivatives of the Bézier curve of degree $n+1$ at the two integers, everything a variable.
 :degrees: 2..8 sampled 14
 :control: $n$ in the place of $n+\beta$
-:::
-
-:::{claim} derivatives_of_the_curve
-:title: The kernel computes the derivatives of the curve
-:zh: 曲线的各阶导矢
-:given: numbers $P_0,\dots,P_n$, any $\beta$ and $t$
-:then: row $k$ of `shape_derivatives` is the $k$-th derivative of $\sum P_iB_{i,n}$ at $t$, $0\le k\le n+2$
-:method: In the field the formula of the curve is differentiated with respect to $t$; in the other number types the formula
-  is differentiated as a product of powers by Leibniz's rule.
-:degrees: 2..6 sampled 10
-:defines: shape_derivatives
-:control: $-\beta$ in the place of $\beta$
-:::
-
-:::{claim} edge_is_not_tangent_at_minus_seven
-:title: At beta = -7 the curve does not touch its first edge
-:zh: β=-7 时曲线不与首边相切
-:kind: counterexample
-:given: $\beta=-7$, $P=(0,0),(1,0),(2,2),(3,3),(4,3),(5,2),(6,0),(7,0)$
-:then: $q'(0)=0$ and the determinant of $P_1-P_0$ and $q''(0)$, which then gives the tangent, is not 0
-:method: The first derivative at 0 that is not the zero vector, computed exactly; its determinant with the edge is asked to
-  vanish.
-:control: $\beta=-6$
 :::
 */
 CLAIM(end_points_and_end_derivatives)
@@ -364,6 +338,19 @@ CLAIM(end_points_and_end_derivatives)
 }
 
 #if !FIELD
+/*
+:::{claim} derivatives_of_the_curve
+:title: The kernel computes the derivatives of the curve
+:zh: 曲线的各阶导矢
+:given: numbers $P_0,\dots,P_n$, any $\beta$ and $t$
+:then: row $k$ of `shape_derivatives` is the $k$-th derivative of $\sum P_iB_{i,n}$ at $t$, $0\le k\le n+2$
+:method: In the field the formula of the curve is differentiated with respect to $t$; in the other number types the formula
+  is differentiated as a product of powers by Leibniz's rule.
+:degrees: 2..6 sampled 10
+:defines: shape_derivatives
+:control: $-\beta$ in the place of $\beta$
+:::
+*/
 /* n (n-1) ... (n-k+1) */
 static num G(falling)(int n, int k)
 {
@@ -414,7 +401,34 @@ CLAIM(derivatives_of_the_curve)
 #endif
 }
 
+/*
+:::{statement} deng-zhang-2022:property-3.1-tangent
+:title: The curve interpolates the end points and touches the end edges
+:zh: 端点插值与端边相切
+:printed: the curve interpolates the first and last control point and is tangent to the first and last edge
+:holds-by: end_points_and_end_derivatives
+:hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
+:hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
+:figure: end_edges
+
+At $\beta=-7$, an end of the printed range, the curve leaves $P_0$ towards $\frac14(5P_1-P_2)$; below $-7$ it would leave
+against the edge.
+:::
+*/
+
 #if RATIONAL
+/*
+:::{claim} edge_is_not_tangent_at_minus_seven
+:title: At beta = -7 the curve does not touch its first edge
+:zh: β=-7 时曲线不与首边相切
+:kind: counterexample
+:given: $\beta=-7$, $P=(0,0),(1,0),(2,2),(3,3),(4,3),(5,2),(6,0),(7,0)$
+:then: $q'(0)=0$ and the determinant of $P_1-P_0$ and $q''(0)$, which then gives the tangent, is not 0
+:method: The first derivative at 0 that is not the zero vector, computed exactly; its determinant with the edge is asked to
+  vanish.
+:control: $\beta=-6$
+:::
+*/
 CLAIM(edge_is_not_tangent_at_minus_seven)
 {
     static const int at[] = {0, 0, 1, 0, 2, 2, 3, 3, 4, 3, 5, 2, 6, 0, 7, 0};
@@ -449,7 +463,61 @@ CLAIM(edge_is_not_tangent_at_minus_seven)
 For $\beta$ outside the range some $B_i(t)<0$; the curve of $P_i=(1,0)$ and all other points $(0,0)$ is then outside its
 hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points is no point.
 :::
+*/
 
+#if RATIONAL
+/*
+:::{claim} printed_curve_leaves_a_single_point
+:title: The printed curve of eight equal points is no point
+:zh: 八点重合时按式 (1) 的曲线不是一点
+:kind: counterexample
+:given: $P_0=\dots=P_7=(1,1)$, $\beta=1$, $t=\frac12$
+:then: the point of the curve is $(\frac{31}{32},\frac{31}{32})$
+:method: The point of the printed formulas; `hull.h` is asked whether it is in the hull.
+:control: the corrected functions
+:::
+*/
+CLAIM(printed_curve_leaves_a_single_point)
+{
+    num P[8 * dim], at[dim], beta = from_int(1), t = from_ratio(1, 2);
+    for (int m = 0; m < 8 * dim; m++)
+        P[m] = from_int(1);
+    if (T->planted)
+        G(shape_point)(7, dim, P, beta, t, at);
+    else
+        G(shape_point_printed)(dim, P, beta, t, at);
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "the point of t = 1/2", 1, dim, at);
+    about(T, "the point is in the hull");
+    agree(T, hull_membership(dim, 8, P, at).inside);
+}
+
+/*
+:::{claim} corrected_curve_leaves_the_hull_at_minus_seven
+:title: At beta = -7 the curve leaves the convex hull
+:zh: β=-7 时曲线越出凸包
+:kind: counterexample
+:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, $t=\frac1{20}$; printed and corrected functions have the
+  same $y$
+:then: $y(t)=B_2(t)<0$ while all points have $y\ge0$
+:method: The point of the corrected curve; `hull.h` is asked whether it is in the hull.
+:control: $\beta=-5$
+:::
+*/
+CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
+{
+    static const int points[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
+    num P[8 * dim], at[dim], beta = from_int(T->planted ? -5 : -7), t = from_ratio(1, 20);
+    G(integer_points)(8, points, P);
+    G(shape_point)(7, dim, P, beta, t, at);
+    show(T, "beta", beta);
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "the point of t = 1/20", 1, dim, at);
+    about(T, "the point is in the hull");
+    agree(T, hull_membership(dim, 8, P, at).inside);
+}
+
+/*
 :::{statement} deng-zhang-2022:property-3.3
 :title: The reversed polygon has the same curve backwards
 :zh: 对称性
@@ -461,6 +529,64 @@ hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points
 :figure: two_directions_two_curves
 :::
 
+:::{claim} printed_curve_is_not_reversed
+:title: The printed curve of the reversed polygon is another curve
+:zh: 按式 (1) 反序不得原曲线
+:kind: counterexample
+:given: $\beta=-1$, $P_3=(1,1)$ and all other points $(0,0)$, $t=\frac14$
+:then: the curve of the reversed polygon at $1-t$ is not the curve at $t$
+:method: Both points by the printed formulas; their first coordinates are compared.
+:control: the corrected functions
+:::
+*/
+CLAIM(printed_curve_is_not_reversed)
+{
+    num P[8 * dim], R[8 * dim], forward[dim], backward[dim], beta = from_int(-1), t = from_ratio(1, 4);
+    num s = sub(from_int(1), t);
+    for (int m = 0; m < 8 * dim; m++) {
+        P[m] = from_int(m / dim == 3);
+        R[m] = from_int(7 - m / dim == 3);
+    }
+    if (T->planted) {
+        G(shape_point)(7, dim, P, beta, t, forward);
+        G(shape_point)(7, dim, R, beta, s, backward);
+    } else {
+        G(shape_point_printed)(dim, P, beta, t, forward);
+        G(shape_point_printed)(dim, R, beta, s, backward);
+    }
+    show_points(T, "P", 8, dim, P);
+    about(T, "the reversed curve at 1-t and the curve at t");
+    same(T, backward[0], forward[0]);
+}
+#endif
+
+/*
+:::{claim} reversed_polygon_reverses_the_curve
+:title: The reversed polygon gives the corrected curve backwards
+:zh: 控制顶点反序,曲线反向
+:given: points of the plane, any $\beta$ and $t$
+:then: the curve of $P_n,\dots,P_0$ at $1-t$ is $q(t)$
+:method: Both by the kernel, everything a variable.
+:degrees: 2..7 sampled 12
+:control: the curve of the reversed polygon at $t$
+:::
+*/
+CLAIM(reversed_polygon_reverses_the_curve)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], R[(MAX_DEGREE + 1) * dim], at[dim], back[dim];
+    num beta = G(any_beta)(T), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = P[(n - i) * dim + c];
+    G(shape_point)(n, dim, P, beta, t, at);
+    G(shape_point)(n, dim, R, beta, T->planted ? t : sub(from_int(1), t), back);
+    for (int c = 0; c < dim; c++)
+        same(T, back[c], at[c]);
+}
+
+/*
 :::{statement} deng-zhang-2022:eq-12
 :title: The chain that proves the symmetry
 :zh: 式 (12)
@@ -474,7 +600,37 @@ hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points
 
 As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.
 :::
+*/
 
+#if RATIONAL
+/*
+:::{claim} curve_is_not_its_own_reverse
+:title: B(1-t) is not B(t)
+:zh: 式 (12) 首尾不等
+:kind: counterexample
+:given: $P_i=(i,0)$, any $\beta$, here $-1$; $t=0$
+:then: $q(1-t)=(7,0)$ and $q(t)=(0,0)$
+:method: The two ends of the chain are computed.
+:control: the curve of the reversed polygon on the left
+:::
+*/
+CLAIM(curve_is_not_its_own_reverse)
+{
+    num P[8 * dim], left[dim], right[dim], beta = from_int(-1);
+    for (int i = 0; i <= 7; i++) {
+        P[i * dim] = from_int(T->planted ? 7 - i : i);
+        P[i * dim + 1] = from_int(0);
+    }
+    G(shape_point)(7, dim, P, beta, from_int(1), left);
+    for (int i = 0; i <= 7; i++)
+        P[i * dim] = from_int(i);
+    G(shape_point)(7, dim, P, beta, from_int(0), right);
+    show_points(T, "P", 8, dim, P);
+    about(T, "the two ends of the chain at t = 0");
+    same(T, left[0], right[0]);
+}
+
+/*
 :::{statement} deng-zhang-2022:property-3.4
 :title: The curve does not depend on the coordinate system
 :zh: 几何不变性
@@ -502,47 +658,6 @@ As printed, with one meaning of $B_1$, the ends of the chain say that every curv
 :figure: hull_and_sum
 :::
 
-:::{claim} printed_curve_leaves_a_single_point
-:title: The printed curve of eight equal points is no point
-:zh: 八点重合时按式 (1) 的曲线不是一点
-:kind: counterexample
-:given: $P_0=\dots=P_7=(1,1)$, $\beta=1$, $t=\frac12$
-:then: the point of the curve is $(\frac{31}{32},\frac{31}{32})$
-:method: The point of the printed formulas; `hull.h` is asked whether it is in the hull.
-:control: the corrected functions
-:::
-
-:::{claim} corrected_curve_leaves_the_hull_at_minus_seven
-:title: At beta = -7 the curve leaves the convex hull
-:zh: β=-7 时曲线越出凸包
-:kind: counterexample
-:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, $t=\frac1{20}$; printed and corrected functions have the
-  same $y$
-:then: $y(t)=B_2(t)<0$ while all points have $y\ge0$
-:method: The point of the corrected curve; `hull.h` is asked whether it is in the hull.
-:control: $\beta=-5$
-:::
-
-:::{claim} printed_curve_is_not_reversed
-:title: The printed curve of the reversed polygon is another curve
-:zh: 按式 (1) 反序不得原曲线
-:kind: counterexample
-:given: $\beta=-1$, $P_3=(1,1)$ and all other points $(0,0)$, $t=\frac14$
-:then: the curve of the reversed polygon at $1-t$ is not the curve at $t$
-:method: Both points by the printed formulas; their first coordinates are compared.
-:control: the corrected functions
-:::
-
-:::{claim} curve_is_not_its_own_reverse
-:title: B(1-t) is not B(t)
-:zh: 式 (12) 首尾不等
-:kind: counterexample
-:given: $P_i=(i,0)$, any $\beta$, here $-1$; $t=0$
-:then: $q(1-t)=(7,0)$ and $q(t)=(0,0)$
-:method: The two ends of the chain are computed.
-:control: the curve of the reversed polygon on the left
-:::
-
 :::{claim} printed_curve_changes_under_translation
 :title: The printed curve does not move with its points
 :zh: 平移后按式 (1) 的曲线形状改变
@@ -552,101 +667,7 @@ As printed, with one meaning of $B_1$, the ends of the chain say that every curv
 :method: Both points by the printed formulas.
 :control: the corrected functions
 :::
-
-:::{claim} reversed_polygon_reverses_the_curve
-:title: The reversed polygon gives the corrected curve backwards
-:zh: 控制顶点反序,曲线反向
-:given: points of the plane, any $\beta$ and $t$
-:then: the curve of $P_n,\dots,P_0$ at $1-t$ is $q(t)$
-:method: Both by the kernel, everything a variable.
-:degrees: 2..7 sampled 12
-:control: the curve of the reversed polygon at $t$
-:::
-
-:::{claim} curve_moves_with_its_points
-:title: An affine map of the points is the same map of the corrected curve
-:zh: 仿射不变性
-:given: points of the plane, any affine map, any $\beta$ and $t$
-:then: the curve of the images of the points is the image of the curve
-:method: Map, points, $\beta$ and $t$ are variables.
-:degrees: 2..7 sampled 12
-:control: the last point is not moved
-:::
-
-:::{claim} printed_curve_follows_linear_maps_only
-:title: What a translation and a linear map do to the printed curve
-:zh: 按式 (1) 的曲线在平移与线性变换下的变化
-:given: points $P_0,\dots,P_7$ of the plane, any linear map $M$ and vector $v$, any $\beta$ and $t$
-:then: the printed curve of the points $MP_i+v$ is $M\hat q(t)+(1-4\beta(1-t)^3t^4)v$
-:method: Map, points, $\beta$ and $t$ are variables.
-:control: $v$ without its factor
-:::
 */
-#if RATIONAL
-CLAIM(printed_curve_leaves_a_single_point)
-{
-    num P[8 * dim], at[dim], beta = from_int(1), t = from_ratio(1, 2);
-    for (int m = 0; m < 8 * dim; m++)
-        P[m] = from_int(1);
-    if (T->planted)
-        G(shape_point)(7, dim, P, beta, t, at);
-    else
-        G(shape_point_printed)(dim, P, beta, t, at);
-    show_points(T, "P", 8, dim, P);
-    show_points(T, "the point of t = 1/2", 1, dim, at);
-    about(T, "the point is in the hull");
-    agree(T, hull_membership(dim, 8, P, at).inside);
-}
-
-CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
-{
-    static const int points[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
-    num P[8 * dim], at[dim], beta = from_int(T->planted ? -5 : -7), t = from_ratio(1, 20);
-    G(integer_points)(8, points, P);
-    G(shape_point)(7, dim, P, beta, t, at);
-    show(T, "beta", beta);
-    show_points(T, "P", 8, dim, P);
-    show_points(T, "the point of t = 1/20", 1, dim, at);
-    about(T, "the point is in the hull");
-    agree(T, hull_membership(dim, 8, P, at).inside);
-}
-
-CLAIM(printed_curve_is_not_reversed)
-{
-    num P[8 * dim], R[8 * dim], forward[dim], backward[dim], beta = from_int(-1), t = from_ratio(1, 4);
-    num s = sub(from_int(1), t);
-    for (int m = 0; m < 8 * dim; m++) {
-        P[m] = from_int(m / dim == 3);
-        R[m] = from_int(7 - m / dim == 3);
-    }
-    if (T->planted) {
-        G(shape_point)(7, dim, P, beta, t, forward);
-        G(shape_point)(7, dim, R, beta, s, backward);
-    } else {
-        G(shape_point_printed)(dim, P, beta, t, forward);
-        G(shape_point_printed)(dim, R, beta, s, backward);
-    }
-    show_points(T, "P", 8, dim, P);
-    about(T, "the reversed curve at 1-t and the curve at t");
-    same(T, backward[0], forward[0]);
-}
-
-CLAIM(curve_is_not_its_own_reverse)
-{
-    num P[8 * dim], left[dim], right[dim], beta = from_int(-1);
-    for (int i = 0; i <= 7; i++) {
-        P[i * dim] = from_int(T->planted ? 7 - i : i);
-        P[i * dim + 1] = from_int(0);
-    }
-    G(shape_point)(7, dim, P, beta, from_int(1), left);
-    for (int i = 0; i <= 7; i++)
-        P[i * dim] = from_int(i);
-    G(shape_point)(7, dim, P, beta, from_int(0), right);
-    show_points(T, "P", 8, dim, P);
-    about(T, "the two ends of the chain at t = 0");
-    same(T, left[0], right[0]);
-}
-
 CLAIM(printed_curve_changes_under_translation)
 {
     num P[8 * dim], R[8 * dim], before[dim], after[dim], beta = from_int(1), t = from_ratio(1, 2);
@@ -669,21 +690,6 @@ CLAIM(printed_curve_changes_under_translation)
 }
 #endif
 
-CLAIM(reversed_polygon_reverses_the_curve)
-{
-    int n = T->degree;
-    num P[(MAX_DEGREE + 1) * dim], R[(MAX_DEGREE + 1) * dim], at[dim], back[dim];
-    num beta = G(any_beta)(T), t = parameter(T, "t");
-    G(free_points)(T, n, dim, P);
-    for (int i = 0; i <= n; i++)
-        for (int c = 0; c < dim; c++)
-            R[i * dim + c] = P[(n - i) * dim + c];
-    G(shape_point)(n, dim, P, beta, t, at);
-    G(shape_point)(n, dim, R, beta, T->planted ? t : sub(from_int(1), t), back);
-    for (int c = 0; c < dim; c++)
-        same(T, back[c], at[c]);
-}
-
 /* The image of a point under the map x -> M x + factor v. */
 static num G(image)(const num M[], const num v[], num factor, const num P[], int c)
 {
@@ -698,6 +704,17 @@ static void G(free_map)(trial *T, num M[], num v[])
         v[c] = unknown(T, "v", c);
 }
 
+/*
+:::{claim} curve_moves_with_its_points
+:title: An affine map of the points is the same map of the corrected curve
+:zh: 仿射不变性
+:given: points of the plane, any affine map, any $\beta$ and $t$
+:then: the curve of the images of the points is the image of the curve
+:method: Map, points, $\beta$ and $t$ are variables.
+:degrees: 2..7 sampled 12
+:control: the last point is not moved
+:::
+*/
 CLAIM(curve_moves_with_its_points)
 {
     int n = T->degree;
@@ -714,6 +731,16 @@ CLAIM(curve_moves_with_its_points)
         same(T, moved[c], G(image)(M, v, from_int(1), at, c));
 }
 
+/*
+:::{claim} printed_curve_follows_linear_maps_only
+:title: What a translation and a linear map do to the printed curve
+:zh: 按式 (1) 的曲线在平移与线性变换下的变化
+:given: points $P_0,\dots,P_7$ of the plane, any linear map $M$ and vector $v$, any $\beta$ and $t$
+:then: the printed curve of the points $MP_i+v$ is $M\hat q(t)+(1-4\beta(1-t)^3t^4)v$
+:method: Map, points, $\beta$ and $t$ are variables.
+:control: $v$ without its factor
+:::
+*/
 CLAIM(printed_curve_follows_linear_maps_only)
 {
     num P[8 * dim], R[8 * dim], M[dim * dim], v[dim], at[dim], moved[dim];

@@ -9,7 +9,15 @@ $$q_\beta=s^2(1-\beta t)\,b_0+(2+\beta)st\,b_1+t^2(1-\beta s)\,b_2=q_0+\beta st\
 
 This is what $\beta$ means: it pushes the point of the Bézier curve away from a point on the chord of the last triangle,
 in the direction of the triangle's vertex.  For $\beta=-2$ the point is on the chord.
+*/
+#include "exact/decide/hull.h"
 
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{claim} curve_is_a_blend_of_three_points
 :title: The curve is a blend of the last three points of de Casteljau's triangle
 :zh: 曲线是 de Casteljau 三角阵最后三点的混合
@@ -21,26 +29,7 @@ in the direction of the triangle's vertex.  For $\beta=-2$ the point is on the c
 :degrees: 2..7 sampled 12
 :control: $b_0$ and $b_2$ exchanged
 :::
-
-:::{claim} blend_is_convex_from_minus_two_to_one
-:title: The point is in the last triangle for beta from -2 to 1, nearer to its vertex for larger beta
-:zh: -2≤β≤1 时点在最后的三角形内
-:kind: decision
-:given: the three functions of degree 3, $n=2$
-:then: their factors are all nonnegative exactly for $-2\le\beta\le1$; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
-  do not grow, for every $t\in[0,1]$
-:method: Signs of linear polynomials in $\beta$; the slopes of the factors are whole numbers.
-:scope: all real beta
-:control: the interval begins at $-3$
-:::
 */
-#include "exact/decide/hull.h"
-
-#include "chapters/shape-parameter/definition.h"
-#include "chapters/shape-parameter/distance.h"
-
-#include "chapters/judge/claims_on.h"
-
 CLAIM(curve_is_a_blend_of_three_points)
 {
     int n = T->degree;
@@ -79,6 +68,19 @@ CLAIM(curve_is_a_blend_of_three_points)
 }
 
 #if RATIONAL
+/*
+:::{claim} blend_is_convex_from_minus_two_to_one
+:title: The point is in the last triangle for beta from -2 to 1, nearer to its vertex for larger beta
+:zh: -2≤β≤1 时点在最后的三角形内
+:kind: decision
+:given: the three functions of degree 3, $n=2$
+:then: their factors are all nonnegative exactly for $-2\le\beta\le1$; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
+  do not grow, for every $t\in[0,1]$
+:method: Signs of linear polynomials in $\beta$; the slopes of the factors are whole numbers.
+:scope: all real beta
+:control: the interval begins at $-3$
+:::
+*/
 CLAIM(blend_is_convex_from_minus_two_to_one)
 {
     num low = from_int(T->planted ? -3 : -2), high = from_int(1);
@@ -107,7 +109,20 @@ CLAIM(blend_is_convex_from_minus_two_to_one)
 :degrees: 2..16 sampled 40
 :control: $n+1-k$ in the place of $n+1-2k$
 :::
+*/
+CLAIM(factors_in_closed_form)
+{
+    int n = T->degree;
+    num beta = unknown(T, "beta", 0), near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
+    G(shape_factors)(n, beta, near, far);
+    for (int k = 0; k <= n; k++) {
+        num inner = add(from_int(n * (n - 1)), mul(from_int(k * (n + 1 - (T->planted ? 1 : 2) * k)), beta));
+        same(T, mul(from_int(n * (n - 1)), near[k]), mul(G(choose)(n, k), inner));
+    }
+}
 
+#if RATIONAL
+/*
 :::{claim} range_of_every_degree
 :title: The range in which the functions are nonnegative
 :zh: 各次的非负范围
@@ -121,70 +136,7 @@ CLAIM(blend_is_convex_from_minus_two_to_one)
 :scope: all real $\beta$
 :control: the interval begins 1 below
 :::
-
-:::{claim} lower_end_is_between_two_bounds
-:title: The lower end of the range is above -8 in every degree and tends to it
-:zh: 范围下端 l_n>-8 且趋于 -8
-:given: any $n$, $k$ and $d$ with $k=\frac{n+1}4+d$
-:then: $8k(n+1-2k)=(n+1)^2-16d^2$, and $8n(n-1)(n+3)=8n((n+1)^2-4)$
-:method: Identities with $n$ and $d$ variables.  Some whole $k$ has $|d|\le\frac12$, so the largest $k(n+1-2k)$ is between
-  $\frac{(n+1)^2-4}8$ and $\frac{(n+1)^2}8$, and $\frac{8n(n-1)}{(n+1)^2}\le-l_n\le\frac{8n}{n+3}<8$.  At $n=7$ the left bound is
-  attained.
-:degrees: all
-:control: $(n+1)^2$ in the place of $(n+1)^2-4$
-:::
-
-:::{claim} upper_end_is_one
-:title: The upper end of the range is 1 in every degree
-:zh: 范围上端恒为 1
-:given: any $n$ and $j=k-1$
-:then: $\binom n{k-1}-\beta a_k\ge0$ says $n(n-1)\ge\beta(n+1-k)(n+1-2k)$, and
-  $n(n-1)-(n-j)(n-1-2j)=j(3n-1-2j)$, which is $\ge0$ for $0\le j\le n$
-:method: An identity with $n$ and $j$ variables; for $j=0$ there is equality at $\beta=1$.
-:degrees: all
-:control: $3n-1-j$ in the last factor
-:::
-
-:::{claim} pattern_breaks_in_degree_six
-:title: In degree six the range -n to 1 is too wide for the first time
-:zh: 六次起 -n≤β≤1 不再保证非负
-:kind: counterexample
-:given: $n=6$, $\beta=-6$, $t=\frac1{20}$
-:then: $B_{2,6}(t)<0$; up to degree 5 the range $-n\le\beta\le1$ is right
-:method: The value of the function, exactly.
-:control: $n=5$, $\beta=-5$
-:::
 */
-CLAIM(factors_in_closed_form)
-{
-    int n = T->degree;
-    num beta = unknown(T, "beta", 0), near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
-    G(shape_factors)(n, beta, near, far);
-    for (int k = 0; k <= n; k++) {
-        num inner = add(from_int(n * (n - 1)), mul(from_int(k * (n + 1 - (T->planted ? 1 : 2) * k)), beta));
-        same(T, mul(from_int(n * (n - 1)), near[k]), mul(G(choose)(n, k), inner));
-    }
-}
-
-CLAIM(lower_end_is_between_two_bounds)
-{
-    num n = whole(T, "n", 2, 40), d = unknown(T, "d", 0), one = from_int(1), two = from_int(2), eight = from_int(8);
-    num k = add(div(add(n, one), from_int(4)), d), square = mul(add(n, one), add(n, one));
-    num product = mul(k, sub(add(n, one), mul(two, k)));
-    same(T, mul(eight, product), sub(square, mul(from_int(16), mul(d, d))));
-    num left = mul(mul(eight, mul(n, sub(n, one))), add(n, from_int(3)));
-    same(T, left, mul(mul(eight, n), T->planted ? square : sub(square, from_int(4))));
-}
-
-CLAIM(upper_end_is_one)
-{
-    num n = whole(T, "n", 2, 40), j = whole(T, "j", 0, 40), one = from_int(1), two = from_int(2);
-    num left = sub(mul(n, sub(n, one)), mul(sub(n, j), sub(sub(n, one), mul(two, j))));
-    num last = mul(from_int(T->planted ? 1 : 2), j);
-    same(T, left, mul(j, sub(sub(mul(from_int(3), n), one), last)));
-}
-
-#if RATIONAL
 CLAIM(range_of_every_degree)
 {
     static const int end[11][2] = {{-2, 1},  {-3, 1}, {-4, 1}, {-5, 1},  {-5, 1}, {-21, 4},
@@ -202,7 +154,63 @@ CLAIM(range_of_every_degree)
     agree(T, at_low > 0);
     agree(T, is_zero_q(poly_value(far[0], high)) && sign_q(poly_coefficient(far[0], 1)) < 0);
 }
+#endif
 
+/*
+:::{claim} lower_end_is_between_two_bounds
+:title: The lower end of the range is above -8 in every degree and tends to it
+:zh: 范围下端 l_n>-8 且趋于 -8
+:given: any $n$, $k$ and $d$ with $k=\frac{n+1}4+d$
+:then: $8k(n+1-2k)=(n+1)^2-16d^2$, and $8n(n-1)(n+3)=8n((n+1)^2-4)$
+:method: Identities with $n$ and $d$ variables.  Some whole $k$ has $|d|\le\frac12$, so the largest $k(n+1-2k)$ is between
+  $\frac{(n+1)^2-4}8$ and $\frac{(n+1)^2}8$, and $\frac{8n(n-1)}{(n+1)^2}\le-l_n\le\frac{8n}{n+3}<8$.  At $n=7$ the left bound is
+  attained.
+:degrees: all
+:control: $(n+1)^2$ in the place of $(n+1)^2-4$
+:::
+*/
+CLAIM(lower_end_is_between_two_bounds)
+{
+    num n = whole(T, "n", 2, 40), d = unknown(T, "d", 0), one = from_int(1), two = from_int(2), eight = from_int(8);
+    num k = add(div(add(n, one), from_int(4)), d), square = mul(add(n, one), add(n, one));
+    num product = mul(k, sub(add(n, one), mul(two, k)));
+    same(T, mul(eight, product), sub(square, mul(from_int(16), mul(d, d))));
+    num left = mul(mul(eight, mul(n, sub(n, one))), add(n, from_int(3)));
+    same(T, left, mul(mul(eight, n), T->planted ? square : sub(square, from_int(4))));
+}
+
+/*
+:::{claim} upper_end_is_one
+:title: The upper end of the range is 1 in every degree
+:zh: 范围上端恒为 1
+:given: any $n$ and $j=k-1$
+:then: $\binom n{k-1}-\beta a_k\ge0$ says $n(n-1)\ge\beta(n+1-k)(n+1-2k)$, and
+  $n(n-1)-(n-j)(n-1-2j)=j(3n-1-2j)$, which is $\ge0$ for $0\le j\le n$
+:method: An identity with $n$ and $j$ variables; for $j=0$ there is equality at $\beta=1$.
+:degrees: all
+:control: $3n-1-j$ in the last factor
+:::
+*/
+CLAIM(upper_end_is_one)
+{
+    num n = whole(T, "n", 2, 40), j = whole(T, "j", 0, 40), one = from_int(1), two = from_int(2);
+    num left = sub(mul(n, sub(n, one)), mul(sub(n, j), sub(sub(n, one), mul(two, j))));
+    num last = mul(from_int(T->planted ? 1 : 2), j);
+    same(T, left, mul(j, sub(sub(mul(from_int(3), n), one), last)));
+}
+
+#if RATIONAL
+/*
+:::{claim} pattern_breaks_in_degree_six
+:title: In degree six the range -n to 1 is too wide for the first time
+:zh: 六次起 -n≤β≤1 不再保证非负
+:kind: counterexample
+:given: $n=6$, $\beta=-6$, $t=\frac1{20}$
+:then: $B_{2,6}(t)<0$; up to degree 5 the range $-n\le\beta\le1$ is right
+:method: The value of the function, exactly.
+:control: $n=5$, $\beta=-5$
+:::
+*/
 CLAIM(pattern_breaks_in_degree_six)
 {
     int n = T->planted ? 5 : 6;
@@ -238,47 +246,6 @@ From four points on it is no longer true, not even for a convex polygon.
 :method: Everything is a variable.
 :control: the two factors exchanged
 :::
-
-:::{claim} quadratic_distance_to_an_end_shrinks
-:title: Where the nearest point is an end, the point moves towards it
-:zh: 最近点为端点时距离递减
-:given: $u=P_1-P_0$, $v=P_2-P_0$, any $t$; a point $P_0+w$, $w=\lambda u+\mu v$; the direction $d=u-tv$ in which it moves
-:then: $(u\cdot u)(d\cdot w)=(u\cdot w)(u\cdot u-t\,u\cdot v)-t\mu\bigl((u\cdot u)(v\cdot v)-(u\cdot v)^2\bigr)$
-:method: Everything is a variable.  If the foot is beyond $P_0$, $u\cdot w<0$, then $u\cdot v<0$ because $\lambda,\mu\ge0$; so both
-  terms are $\le0$, and so is $d\cdot w$, half the derivative of $|w|^2$ up to the factor $st$.  At $P_2$ the same with $s$ and $t$ exchanged.
-:control: $t\mu$ replaced by $\mu$
-:::
-
-:::{claim} cubic_of_larger_beta_is_farther
-:title: A cubic polygon from which a larger beta takes the curve away
-:zh: n=3:β 增大而曲线远离控制多边形
-:kind: counterexample
-:given: $n=3$, $P=(1,0),(-2,0),(0,1),(-2,-2)$, $\beta=0$ and $\beta=1$
-:then: for $\beta=0$ every point of the curve is nearer to the polygon than $\frac15$, for $\beta=1$ some point is farther than $\frac14$;
-  for $\beta=0$ every control point is nearer to the curve than 1, for $\beta=1$ one is farther
-:method: As in `larger_beta_takes_the_curve_away_from_its_polygon`.
-:control: the two values of $\beta$ exchanged
-:::
-
-:::{claim} convex_cubic_of_larger_beta_is_farther
-:title: A convex polygon of four points from which a larger beta takes the curve away
-:zh: n=3 的凸多边形:β 增大而曲线远离
-:kind: counterexample
-:given: $n=3$, the trapezoid $(2,4),(-1,-4),(1,-4),(2,3)$, $\beta=0$ and $\beta=1$
-:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{16}{25}$, for $\beta=1$ some point is farther
-:method: As before; `hull.h` decides that the polygon is convex.
-:control: the two values of $\beta$ exchanged
-:::
-
-:::{claim} straight_points_are_run_through_unevenly
-:title: Points in equal distances on a line are not run through evenly
-:zh: 无线性精度
-:given: any $\beta$ and $t$
-:then: $\sum_i\frac inB_{i,n}(t)=t+\frac\beta n\,s\,t\,(1-2t)$: only for $\beta=0$ has the family linear precision
-:method: The kernel's functions, $\beta$ and $t$ variables.
-:degrees: 2..9 sampled 16
-:control: $\beta$ without the denominator $n$
-:::
 */
 CLAIM(quadratic_distance_to_a_line_shrinks)
 {
@@ -299,6 +266,17 @@ CLAIM(quadratic_distance_to_a_line_shrinks)
     same(T, G(cross2)(e, x), mul(T->planted ? at_2 : at_0, area));
 }
 
+/*
+:::{claim} quadratic_distance_to_an_end_shrinks
+:title: Where the nearest point is an end, the point moves towards it
+:zh: 最近点为端点时距离递减
+:given: $u=P_1-P_0$, $v=P_2-P_0$, any $t$; a point $P_0+w$, $w=\lambda u+\mu v$; the direction $d=u-tv$ in which it moves
+:then: $(u\cdot u)(d\cdot w)=(u\cdot w)(u\cdot u-t\,u\cdot v)-t\mu\bigl((u\cdot u)(v\cdot v)-(u\cdot v)^2\bigr)$
+:method: Everything is a variable.  If the foot is beyond $P_0$, $u\cdot w<0$, then $u\cdot v<0$ because $\lambda,\mu\ge0$; so both
+  terms are $\le0$, and so is $d\cdot w$, half the derivative of $|w|^2$ up to the factor $st$.  At $P_2$ the same with $s$ and $t$ exchanged.
+:control: $t\mu$ replaced by $\mu$
+:::
+*/
 CLAIM(quadratic_distance_to_an_end_shrinks)
 {
     num u[dim], v[dim], w[dim], d[dim], t = parameter(T, "t");
@@ -315,19 +293,19 @@ CLAIM(quadratic_distance_to_an_end_shrinks)
     same(T, mul(uu, G(dot)(dim, d, w)), right);
 }
 
-CLAIM(straight_points_are_run_through_unevenly)
-{
-    int n = T->degree;
-    num beta = unknown(T, "beta", 0), t = parameter(T, "t"), s = sub(from_int(1), t), B[MAX_DEGREE + 1];
-    num sum = from_int(0);
-    G(shape_basis)(n, beta, t, B);
-    for (int i = 0; i <= n; i++)
-        sum = add(sum, mul(from_ratio(i, n), B[i]));
-    num bend = mul(mul(beta, mul(s, t)), sub(s, t));
-    same(T, sum, add(t, T->planted ? bend : div(bend, from_int(n))));
-}
-
 #if RATIONAL
+/*
+:::{claim} cubic_of_larger_beta_is_farther
+:title: A cubic polygon from which a larger beta takes the curve away
+:zh: n=3:β 增大而曲线远离控制多边形
+:kind: counterexample
+:given: $n=3$, $P=(1,0),(-2,0),(0,1),(-2,-2)$, $\beta=0$ and $\beta=1$
+:then: for $\beta=0$ every point of the curve is nearer to the polygon than $\frac15$, for $\beta=1$ some point is farther than $\frac14$;
+  for $\beta=0$ every control point is nearer to the curve than 1, for $\beta=1$ one is farther
+:method: As in `larger_beta_takes_the_curve_away_from_its_polygon`.
+:control: the two values of $\beta$ exchanged
+:::
+*/
 CLAIM(cubic_of_larger_beta_is_farther)
 {
     static const int at[] = {1, 0, -2, 0, 0, 1, -2, -2};
@@ -343,6 +321,17 @@ CLAIM(cubic_of_larger_beta_is_farther)
     agree(T, !(far && away[0] == 0 && away[1] > 0));
 }
 
+/*
+:::{claim} convex_cubic_of_larger_beta_is_farther
+:title: A convex polygon of four points from which a larger beta takes the curve away
+:zh: n=3 的凸多边形:β 增大而曲线远离
+:kind: counterexample
+:given: $n=3$, the trapezoid $(2,4),(-1,-4),(1,-4),(2,3)$, $\beta=0$ and $\beta=1$
+:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{16}{25}$, for $\beta=1$ some point is farther
+:method: As before; `hull.h` decides that the polygon is convex.
+:control: the two values of $\beta$ exchanged
+:::
+*/
 CLAIM(convex_cubic_of_larger_beta_is_farther)
 {
     static const int at[] = {2, 4, -1, -4, 1, -4, 2, 3};
@@ -353,4 +342,28 @@ CLAIM(convex_cubic_of_larger_beta_is_farther)
     agree(T, !(polygon_is_convex(3, P, 1, NULL) && worse));
 }
 #endif
+
+/*
+:::{claim} straight_points_are_run_through_unevenly
+:title: Points in equal distances on a line are not run through evenly
+:zh: 无线性精度
+:given: any $\beta$ and $t$
+:then: $\sum_i\frac inB_{i,n}(t)=t+\frac\beta n\,s\,t\,(1-2t)$: only for $\beta=0$ has the family linear precision
+:method: The kernel's functions, $\beta$ and $t$ variables.
+:degrees: 2..9 sampled 16
+:control: $\beta$ without the denominator $n$
+:::
+*/
+CLAIM(straight_points_are_run_through_unevenly)
+{
+    int n = T->degree;
+    num beta = unknown(T, "beta", 0), t = parameter(T, "t"), s = sub(from_int(1), t), B[MAX_DEGREE + 1];
+    num sum = from_int(0);
+    G(shape_basis)(n, beta, t, B);
+    for (int i = 0; i <= n; i++)
+        sum = add(sum, mul(from_ratio(i, n), B[i]));
+    num bend = mul(mul(beta, mul(s, t)), sub(s, t));
+    same(T, sum, add(t, T->planted ? bend : div(bend, from_int(n))));
+}
+
 #include "chapters/judge/claims_off.h"

@@ -4,7 +4,15 @@
 A curve may be near its polygon in several senses: the largest distance of a point of the curve from the polygon; the
 largest distance of a control point from the curve; the distance of the point of one $t$.  In the first two senses a larger
 $\beta$ can make the curve worse, in the true range of $\beta$ and even for a convex polygon.
+*/
+#include "exact/decide/hull.h"
 
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 :::{statement} deng-zhang-2022:property-3.5
 :title: The larger beta, the closer the curve to its polygon
 :zh: β 越大越逼近控制多边形
@@ -24,32 +32,10 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 The first refutation is for both senses at once, and all are for the printed and for the corrected functions.  Three points, and
 polygons of four for which it is false, are treated in `every-degree`.
 :::
+*/
 
-:::{statement} deng-zhang-2022:property-3.5-bezier
-:title: The curve is closer to its polygon than the Bézier curve of degree seven
-:zh: 比七次 Bezier 曲线更优
-:printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
-:refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
-:class: false
-:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it holds for
-  some convex polygons and fails for others; for $n=2$ and $0<\beta\le1$ the curve is at least as near
-:corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
-  quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
-:figure: closer_or_not
-:::
-
-:::{statement} deng-zhang-2022:property-3.5-c-bezier
-:title: The curve is closer than the C-Bézier curve of degree seven
-:zh: 比七次 C-Bezier 曲线更优
-:printed: so the curve approximates better than the C-Bézier curve of degree seven
-:reading: larger_beta_takes_the_curve_away_from_its_polygon | C-Bézier for Bézier, as the word "so" suggests: false
-:reading: C-Bézier curves, built with sines and cosines: neither defined nor compared in the text, so that nothing is there
-  to be decided; as their parameter goes to 0 they become Bézier curves
-:figure: closer_or_not
-
-The conclusion "so" has no premise about C-Bézier curves.
-:::
-
+#if RATIONAL
+/*
 :::{claim} larger_beta_takes_the_curve_away_from_its_polygon
 :title: A larger beta takes a curve away from its polygon, in two senses at once
 :zh: β 增大而曲线远离控制多边形
@@ -63,51 +49,7 @@ The conclusion "so" has no premise about C-Bézier curves.
   point the sign of $|q(t)-P_i|^2-R^2$ on $[0,1]$.
 :control: the two values of $\beta$ exchanged
 :::
-
-:::{claim} larger_beta_is_worse_for_a_convex_polygon
-:title: From the left end of the range to its right end a curve goes away from its convex polygon
-:zh: 凸多边形:β 由 -21/4 增至 1 时曲线远离多边形
-:kind: counterexample
-:given: the convex polygon $(-1,-2),(2,0),(3,1),(4,3),(-2,4),(-4,-2),(-4,-3),(-3,-3)$, $\beta=-\frac{21}4$ and $\beta=1$,
-  printed and corrected functions
-:then: for $\beta=-\frac{21}4$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{24}5$, for $\beta=1$ some point
-  is farther
-:method: As before; `hull.h` decides that the polygon is convex.
-:control: the two values of $\beta$ exchanged
-:::
-
-:::{claim} convex_polygon_prefers_the_bezier_curve
-:title: A convex polygon to which the Bézier curve is closer
-:zh: 凸多边形:七次 Bezier 曲线更近
-:kind: counterexample
-:given: the convex polygon $(-3,-3),(-3,-4),(-2,-4),(5,0),(4,5),(3,5),(2,4),(-2,-1)$, $\beta=0$ and $\beta=1$, printed and
-  corrected functions
-:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{91}{20}$, for $\beta=1$ some point is
-  farther
-:method: As before.
-:control: the two values of $\beta$ exchanged
-:::
-
-:::{claim} convex_polygon_prefers_beta_one
-:title: A convex polygon to which the curve of beta = 1 is closer than the Bézier curve
-:zh: 凸多边形:β=1 的曲线更近
-:kind: decision
-:given: the convex polygon of `larger_beta_is_worse_for_a_convex_polygon`, $\beta=1$ and $\beta=0$, printed and corrected functions
-:then: for $\beta=1$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{111}{20}$, for $\beta=0$ some point is
-  farther
-:method: As before.
-:scope: one polygon
-:control: the two values of $\beta$ exchanged
-:::
 */
-#include "exact/decide/hull.h"
-
-#include "chapters/shape-parameter/definition.h"
-#include "chapters/shape-parameter/distance.h"
-
-#include "chapters/judge/claims_on.h"
-
-#if RATIONAL
 CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
 {
     static const int at[] = {-1, -1, 2, 0, 2, -2, 1, -2, 1, -2, 0, 0, 2, 2, 2, 1};
@@ -129,6 +71,19 @@ CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
 
 static const int G(convex_polygon)[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2, -4, -3, -3, -3};
 
+/*
+:::{claim} larger_beta_is_worse_for_a_convex_polygon
+:title: From the left end of the range to its right end a curve goes away from its convex polygon
+:zh: 凸多边形:β 由 -21/4 增至 1 时曲线远离多边形
+:kind: counterexample
+:given: the convex polygon $(-1,-2),(2,0),(3,1),(4,3),(-2,4),(-4,-2),(-4,-3),(-3,-3)$, $\beta=-\frac{21}4$ and $\beta=1$,
+  printed and corrected functions
+:then: for $\beta=-\frac{21}4$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{24}5$, for $\beta=1$ some point
+  is farther
+:method: As before; `hull.h` decides that the polygon is convex.
+:control: the two values of $\beta$ exchanged
+:::
+*/
 CLAIM(larger_beta_is_worse_for_a_convex_polygon)
 {
     num P[8 * dim];
@@ -138,6 +93,53 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon)
     agree(T, !(polygon_is_convex(7, P, 1, NULL) && worse));
 }
 
+/*
+:::{claim} convex_polygon_prefers_beta_one
+:title: A convex polygon to which the curve of beta = 1 is closer than the Bézier curve
+:zh: 凸多边形:β=1 的曲线更近
+:kind: decision
+:given: the convex polygon of `larger_beta_is_worse_for_a_convex_polygon`, $\beta=1$ and $\beta=0$, printed and corrected functions
+:then: for $\beta=1$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{111}{20}$, for $\beta=0$ some point is
+  farther
+:method: As before.
+:scope: one polygon
+:control: the two values of $\beta$ exchanged
+:::
+*/
+CLAIM(convex_polygon_prefers_beta_one)
+{
+    num P[8 * dim];
+    G(integer_points)(8, G(convex_polygon), P);
+    agree(T, polygon_is_convex(7, P, 1, NULL));
+    agree(T, G(one_is_farther)(T, 7, P, from_int(1), from_int(0), from_ratio(111, 20)));
+}
+
+/*
+:::{statement} deng-zhang-2022:property-3.5-bezier
+:title: The curve is closer to its polygon than the Bézier curve of degree seven
+:zh: 比七次 Bezier 曲线更优
+:printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
+:refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
+:class: false
+:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it holds for
+  some convex polygons and fails for others; for $n=2$ and $0<\beta\le1$ the curve is at least as near
+:corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
+  quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
+:figure: closer_or_not
+:::
+
+:::{claim} convex_polygon_prefers_the_bezier_curve
+:title: A convex polygon to which the Bézier curve is closer
+:zh: 凸多边形:七次 Bezier 曲线更近
+:kind: counterexample
+:given: the convex polygon $(-3,-3),(-3,-4),(-2,-4),(5,0),(4,5),(3,5),(2,4),(-2,-1)$, $\beta=0$ and $\beta=1$, printed and
+  corrected functions
+:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{91}{20}$, for $\beta=1$ some point is
+  farther
+:method: As before.
+:control: the two values of $\beta$ exchanged
+:::
+*/
 CLAIM(convex_polygon_prefers_the_bezier_curve)
 {
     static const int at[] = {-3, -3, -3, -4, -2, -4, 5, 0, 4, 5, 3, 5, 2, 4, -2, -1};
@@ -147,13 +149,19 @@ CLAIM(convex_polygon_prefers_the_bezier_curve)
     int worse = G(one_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(91, 20));
     agree(T, !(polygon_is_convex(7, P, 1, NULL) && worse));
 }
-
-CLAIM(convex_polygon_prefers_beta_one)
-{
-    num P[8 * dim];
-    G(integer_points)(8, G(convex_polygon), P);
-    agree(T, polygon_is_convex(7, P, 1, NULL));
-    agree(T, G(one_is_farther)(T, 7, P, from_int(1), from_int(0), from_ratio(111, 20)));
-}
 #endif
+
+/*
+:::{statement} deng-zhang-2022:property-3.5-c-bezier
+:title: The curve is closer than the C-Bézier curve of degree seven
+:zh: 比七次 C-Bezier 曲线更优
+:printed: so the curve approximates better than the C-Bézier curve of degree seven
+:reading: larger_beta_takes_the_curve_away_from_its_polygon | C-Bézier for Bézier, as the word "so" suggests: false
+:reading: C-Bézier curves, built with sines and cosines: neither defined nor compared in the text, so that nothing is there
+  to be decided; as their parameter goes to 0 they become Bézier curves
+:figure: closer_or_not
+
+The conclusion "so" has no premise about C-Bézier curves.
+:::
+*/
 #include "chapters/judge/claims_off.h"

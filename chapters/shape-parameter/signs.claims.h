@@ -1,6 +1,13 @@
 /*
 # Signs, maxima, and slopes (非负性、单峰性、对 β 的单调性)
+*/
+#include "exact/decide/roots.h"
 
+#include "chapters/shape-parameter/definition.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
 ## Nonnegativity (非负性)
 
 Function $i$ has the sign of $\nu_is+\varphi_it$ in $(0,1)$.  So it is nonnegative exactly when $\nu_i\ge0$ and
@@ -20,7 +27,10 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 
 For degrees up to five the range $-n\le\beta\le1$ would have been right: see `every-degree`.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} third_function_is_negative
 :title: At beta = -7 the third function is negative near t = 0
 :zh: β=-7 时 B_2 在 t=0 附近为负
@@ -30,7 +40,19 @@ For degrees up to five the range $-n\le\beta\le1$ would have been right: see `ev
 :method: The value of the printed formula; it is the corrected one too.
 :control: $\beta=-\frac{21}4$
 :::
+*/
+CLAIM(third_function_is_negative)
+{
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7), t = from_ratio(1, 10), B[8];
+    G(shape_basis_printed)(beta, t, B);
+    show(T, "beta", beta);
+    show(T, "t", t);
+    show(T, "B_2(t)", B[2]);
+    about(T, "B_2(t) >= 0");
+    nonnegative(T, B[2]);
+}
 
+/*
 :::{claim} nonnegative_exactly_in_the_range
 :title: The functions are nonnegative exactly for beta from -21/4 to 1
 :zh: 非负的充要条件 -21/4≤β≤1
@@ -44,24 +66,6 @@ For degrees up to five the range $-n\le\beta\le1$ would have been right: see `ev
 :control: the interval begins at $-7$
 :::
 */
-#include "exact/decide/roots.h"
-
-#include "chapters/shape-parameter/definition.h"
-
-#include "chapters/judge/claims_on.h"
-
-#if RATIONAL
-CLAIM(third_function_is_negative)
-{
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7), t = from_ratio(1, 10), B[8];
-    G(shape_basis_printed)(beta, t, B);
-    show(T, "beta", beta);
-    show(T, "t", t);
-    show(T, "B_2(t)", B[2]);
-    about(T, "B_2(t) >= 0");
-    nonnegative(T, B[2]);
-}
-
 CLAIM(nonnegative_exactly_in_the_range)
 {
     num low = T->planted ? from_int(-7) : from_ratio(-21, 4), high = from_int(1);
@@ -127,46 +131,6 @@ $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ 
 :degrees: 2..9 sampled 14
 :control: the factor $i+1$ replaced by $i$
 :::
-
-:::{claim} each_function_rises_then_falls
-:title: In the true range every function rises and then falls
-:zh: -21/4≤β≤1 时单峰
-:kind: decision
-:given: $-\frac{21}4\le\beta\le1$, the printed and the corrected functions
-:then: for $i=1,\dots,6$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative
-  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-8\nu_0<0$ and $-7\varphi_0\le0$, for
-  all $-7\le\beta\le1$, so that $B_0$ falls; $B_7$ is its mirror image
-:method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
-  $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
-  root at 1.
-:scope: beta from -21/4 to 1
-:control: the interval begins at $-7$
-:::
-
-:::{claim} third_function_falls_then_rises_below_the_range
-:title: Below the range two functions have an inner minimum too, all have one inner maximum
-:zh: -7≤β<-21/4 时的极值
-:kind: decision
-:given: $-7\le\beta<-\frac{21}4$, the corrected and the printed functions
-:then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum, one inner
-  maximum, and a local maximum at $t=0$; for $i=1,3,4$ still $\nu_i,\varphi_i\ge0$ and not both $0$
-:method: Signs of linear polynomials on $[-7,-\frac{21}4]$.  The coefficients of the quadratic factor for $i=2$ are
-  $2\nu_2<0$, $3\varphi_2-6\nu_2>0$, $-5\varphi_2<0$: none or two roots, and two because $B_2$ takes both signs and vanishes at
-  both ends.  $B_5$ is the mirror image.
-:scope: beta from -7 to -21/4, which is left out
-:control: the interval $[-7,-5]$
-:::
-
-:::{claim} third_function_has_two_maxima
-:title: At beta = -7 the third function has two local maxima on [0,1]
-:zh: β=-7 时 B_2 在 [0,1] 上有两个局部极大值
-:kind: counterexample
-:given: $\beta=-7$, $\hat B_2=(-7+63t)(1-t)^5t^2$
-:then: the derivative is negative near $t=0$ and has two simple roots in $(0,1)$: local maxima on $[0,1]$ are $t=0$ and the
-  second root
-:method: The roots of the exact derivative are counted, and its sign near 0 is that of its first coefficient that is not 0.
-:control: $\beta=-1$, the value of figure 1
-:::
 */
 CLAIM(derivative_of_a_function_factors)
 {
@@ -194,6 +158,22 @@ CLAIM(derivative_of_a_function_factors)
 }
 
 #if RATIONAL
+/*
+:::{claim} each_function_rises_then_falls
+:title: In the true range every function rises and then falls
+:zh: -21/4≤β≤1 时单峰
+:kind: decision
+:given: $-\frac{21}4\le\beta\le1$, the printed and the corrected functions
+:then: for $i=1,\dots,6$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative
+  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-8\nu_0<0$ and $-7\varphi_0\le0$, for
+  all $-7\le\beta\le1$, so that $B_0$ falls; $B_7$ is its mirror image
+:method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
+  $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
+  root at 1.
+:scope: beta from -21/4 to 1
+:control: the interval begins at $-7$
+:::
+*/
 CLAIM(each_function_rises_then_falls)
 {
     num low = T->planted ? from_int(-7) : from_ratio(-21, 4), high = from_int(1), seven = from_int(-7);
@@ -210,6 +190,21 @@ CLAIM(each_function_rises_then_falls)
     }
 }
 
+/*
+:::{claim} third_function_falls_then_rises_below_the_range
+:title: Below the range two functions have an inner minimum too, all have one inner maximum
+:zh: -7≤β<-21/4 时的极值
+:kind: decision
+:given: $-7\le\beta<-\frac{21}4$, the corrected and the printed functions
+:then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum, one inner
+  maximum, and a local maximum at $t=0$; for $i=1,3,4$ still $\nu_i,\varphi_i\ge0$ and not both $0$
+:method: Signs of linear polynomials on $[-7,-\frac{21}4]$.  The coefficients of the quadratic factor for $i=2$ are
+  $2\nu_2<0$, $3\varphi_2-6\nu_2>0$, $-5\varphi_2<0$: none or two roots, and two because $B_2$ takes both signs and vanishes at
+  both ends.  $B_5$ is the mirror image.
+:scope: beta from -7 to -21/4, which is left out
+:control: the interval $[-7,-5]$
+:::
+*/
 CLAIM(third_function_falls_then_rises_below_the_range)
 {
     num low = from_int(-7), high = T->planted ? from_int(-5) : from_ratio(-21, 4);
@@ -226,6 +221,18 @@ CLAIM(third_function_falls_then_rises_below_the_range)
     }
 }
 
+/*
+:::{claim} third_function_has_two_maxima
+:title: At beta = -7 the third function has two local maxima on [0,1]
+:zh: β=-7 时 B_2 在 [0,1] 上有两个局部极大值
+:kind: counterexample
+:given: $\beta=-7$, $\hat B_2=(-7+63t)(1-t)^5t^2$
+:then: the derivative is negative near $t=0$ and has two simple roots in $(0,1)$: local maxima on $[0,1]$ are $t=0$ and the
+  second root
+:method: The roots of the exact derivative are counted, and its sign near 0 is that of its first coefficient that is not 0.
+:control: $\beta=-1$, the value of figure 1
+:::
+*/
 CLAIM(third_function_has_two_maxima)
 {
     num beta = from_int(T->planted ? -1 : -7);
@@ -264,7 +271,10 @@ $t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
 
 Five of the eight printed functions do not behave as printed: $\hat B_1,\hat B_2,\hat B_3,\hat B_5,\hat B_6$.
 :::
+*/
 
+#if RATIONAL
+/*
 :::{claim} second_function_decreases
 :title: At t = 1/2 the second function decreases with beta
 :zh: t=1/2 时 B_1 随 β 递减
@@ -274,32 +284,7 @@ Five of the eight printed functions do not behave as printed: $\hat B_1,\hat B_2
 :method: Both values of the printed formula; their difference is asked to be nonnegative.
 :control: $t=\frac16$
 :::
-
-:::{claim} slopes_in_beta
-:title: The functions are linear in beta
-:zh: 基函数关于 β 是线性的
-:given: any $\beta$, $h$ and $t$
-:then: $\hat B_i$ at $\beta+h$ minus $\hat B_i$ at $\beta$ is $h(b_i+c_it)s^{7-i}t^i$ with $b=(0,1,4,5,0,-5,-4,-1)$,
-  $c=(-1,-5,-9,-9,1,9,5,1)$; for the corrected functions $c_3=-5$, $c_4=5$
-:method: The kernels at $\beta+h$ and $\beta$, all variables.
-:control: $b_1=-1$
-:::
-
-:::{claim} signs_of_the_slopes
-:title: Where each function increases with beta
-:zh: 各基函数随 β 的增减区间
-:kind: decision
-:given: the slopes $b_i+c_it$, $0<t<1$
-:then: negative for $i=0,7$; positive, then negative for $i=1$ and $2$ with the change at $\frac15$ and $\frac49$, for the printed
-  $i=3$ at $\frac59$; negative, then positive for $i=5,6$ with the change at $\frac59$ and $\frac45$; positive for $i=4$ and for
-  the corrected $i=3$
-:method: The slopes are the differences of the factors at $\beta=1$ and $\beta=0$; the sign of a linear polynomial on the two
-  intervals.
-:scope: all real beta, t from 0 to 1
-:control: the change for $i=1$ at $\frac16$
-:::
 */
-#if RATIONAL
 CLAIM(second_function_decreases)
 {
     num t = T->planted ? from_ratio(1, 6) : from_ratio(1, 2), before[8], after[8];
@@ -313,6 +298,17 @@ CLAIM(second_function_decreases)
 }
 #endif
 
+/*
+:::{claim} slopes_in_beta
+:title: The functions are linear in beta
+:zh: 基函数关于 β 是线性的
+:given: any $\beta$, $h$ and $t$
+:then: $\hat B_i$ at $\beta+h$ minus $\hat B_i$ at $\beta$ is $h(b_i+c_it)s^{7-i}t^i$ with $b=(0,1,4,5,0,-5,-4,-1)$,
+  $c=(-1,-5,-9,-9,1,9,5,1)$; for the corrected functions $c_3=-5$, $c_4=5$
+:method: The kernels at $\beta+h$ and $\beta$, all variables.
+:control: $b_1=-1$
+:::
+*/
 CLAIM(slopes_in_beta)
 {
     static const int b[8] = {0, 1, 4, 5, 0, -5, -4, -1}, c[8] = {-1, -5, -9, -9, 1, 9, 5, 1};
@@ -330,6 +326,21 @@ CLAIM(slopes_in_beta)
 }
 
 #if RATIONAL
+/*
+:::{claim} signs_of_the_slopes
+:title: Where each function increases with beta
+:zh: 各基函数随 β 的增减区间
+:kind: decision
+:given: the slopes $b_i+c_it$, $0<t<1$
+:then: negative for $i=0,7$; positive, then negative for $i=1$ and $2$ with the change at $\frac15$ and $\frac49$, for the printed
+  $i=3$ at $\frac59$; negative, then positive for $i=5,6$ with the change at $\frac59$ and $\frac45$; positive for $i=4$ and for
+  the corrected $i=3$
+:method: The slopes are the differences of the factors at $\beta=1$ and $\beta=0$; the sign of a linear polynomial on the two
+  intervals.
+:scope: all real beta, t from 0 to 1
+:control: the change for $i=1$ at $\frac16$
+:::
+*/
 CLAIM(signs_of_the_slopes)
 {
     /* Where the sign changes, as a fraction, and the sign before it; 0/1: nowhere. */
@@ -356,4 +367,5 @@ CLAIM(signs_of_the_slopes)
     }
 }
 #endif
+
 #include "chapters/judge/claims_off.h"

@@ -1,6 +1,26 @@
 /*
 # Closed curves, surfaces, and the summary (封闭曲线、曲面与结论)
+*/
+#include "chapters/shape-parameter/definition.h"
 
+#if RATIONAL
+#include "exact/decide/sign.h"
+
+#include "chapters/judge/counting.h"
+
+/* The kernels of Bézier curves once more in the number type that counts. */
+#undef G
+#define G(name) name##_c
+#include "core/kernels/bezier.tmpl.h"
+#undef G
+#define G(name) name##_q
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
+
+/*
 :::{statement} deng-zhang-2022:sec-4-closed
 :title: A closed curve when first and last point coincide
 :zh: 起点与终点重合得封闭曲线
@@ -31,7 +51,63 @@ line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends
 
 One parameter serves both directions; the kernel has one for each.  The points are in $\mathbb R^d$, $d=2,3$.
 :::
+*/
 
+static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
+
+/*
+:::{claim} printed_surface_is_a_curve_of_curves
+:title: The surface with the printed functions, row by row
+:zh: 按式 (1)、(22) 的曲面
+:given: the 64 nets of one point 1 and all others 0, any $\beta$, $u$ and $v$
+:then: `shape_point_printed` for the rows and then for the eight points of $v$ gives $\sum_i\sum_jP_{ij}\hat B_i(u)\hat B_j(v)$
+:method: The printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
+:control: $u$ and $v$ exchanged
+:::
+*/
+CLAIM(printed_surface_is_a_curve_of_curves)
+{
+    num beta = G(any_beta)(T), u = parameter(T, "u"), v = parameter(T, "v");
+    for (int i = 0; i <= 7; i++)
+        for (int j = 0; j <= 7; j++) {
+            num row[8], points[8], at;
+            for (int r = 0; r <= 7; r++) {
+                for (int c = 0; c <= 7; c++)
+                    row[c] = from_int(r == i && c == j);
+                G(shape_point_printed)(1, row, beta, T->planted ? u : v, points + r);
+            }
+            G(shape_point_printed)(1, points, beta, T->planted ? v : u, &at);
+            same(T, at, mul(G(printed)(i, beta, u), G(printed)(j, beta, v)));
+        }
+}
+
+/*
+:::{claim} surface_kernel_gives_the_double_sum
+:title: The kernel computes the surface
+:zh: 核函数即双重和
+:given: degrees $n$ and 2 in the two directions, any points, parameters $\beta$ and $\gamma$, any $u$ and $v$
+:then: `shape_surface_point` gives $\sum_i\sum_jP_{ij}B_{i,n}(u)B_{j,2}(v)$
+:method: The double sum of the formulas, everything a variable.
+:degrees: 2..6 sampled 7
+:defines: shape_surface_point
+:control: $\beta$ and $\gamma$ exchanged
+:::
+*/
+CLAIM(surface_kernel_gives_the_double_sum)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * 3], at, sum = from_int(0), beta = G(any_beta)(T), gamma = unknown(T, "gamma", 0);
+    num u = parameter(T, "u"), v = parameter(T, "v");
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= 2; j++) {
+            P[i * 3 + j] = unknown(T, "z", i * 3 + j);
+            sum = add(sum, mul(P[i * 3 + j], mul(G(corrected)(n, i, beta, u), G(corrected)(2, j, gamma, v))));
+        }
+    G(shape_surface_point)(n, 2, 1, P, T->planted ? gamma : beta, T->planted ? beta : gamma, u, v, &at);
+    same(T, at, sum);
+}
+
+/*
 :::{statement} deng-zhang-2022:sec-5-properties
 :title: The surface has properties like those of the curve
 :zh: 曲面具有与曲线类似的性质
@@ -55,6 +131,220 @@ One parameter serves both directions; the kernel has one for each.  The points a
 With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.
 :::
 
+:::{claim} reversed_net_reverses_the_surface
+:title: The net reversed in both directions gives the surface backwards
+:zh: 控制网反序,曲面反向
+:given: degrees 3 and 2, any points, $\beta$, $\gamma$, $u$ and $v$; corrected functions
+:then: the surface of the points $P_{3-i,2-j}$ at $(1-u,1-v)$ is that of the $P_{ij}$ at $(u,v)$; the same for one direction alone
+:method: Both by the kernel, everything a variable.  For $n=7$ by the symmetry of the functions.
+:control: $v$ in the place of $1-v$
+:::
+*/
+CLAIM(reversed_net_reverses_the_surface)
+{
+    num P[4 * 3], R[4 * 3], here, there, beta = G(any_beta)(T), gamma = unknown(T, "gamma", 0);
+    num u = parameter(T, "u"), v = parameter(T, "v"), one = from_int(1);
+    for (int m = 0; m < 4 * 3; m++)
+        P[m] = unknown(T, "z", m);
+    G(shape_surface_point)(3, 2, 1, P, beta, gamma, u, v, &here);
+    for (int turned = 1; turned <= 3; turned++) {
+        int in_u = turned & 1, in_v = turned >> 1;
+        for (int i = 0; i <= 3; i++)
+            for (int j = 0; j <= 2; j++)
+                R[i * 3 + j] = P[(in_u ? 3 - i : i) * 3 + (in_v ? 2 - j : j)];
+        num back = in_v && !T->planted ? sub(one, v) : v;
+        G(shape_surface_point)(3, 2, 1, R, beta, gamma, in_u ? sub(one, u) : u, back, &there);
+        same(T, there, here);
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} printed_surface_leaves_a_single_point
+:title: The printed surface of 64 equal points is no point
+:zh: 64 个顶点重合时按式 (1) 的曲面不是一点
+:kind: counterexample
+:given: $P_{ij}=1$ for all $i$ and $j$, $\beta=1$, $u=v=\frac12$; numbers, which may be a coordinate
+:then: the surface has there the value $\frac{961}{1024}$
+:method: The double sum of the printed functions.
+:control: the corrected functions
+:::
+*/
+CLAIM(printed_surface_leaves_a_single_point)
+{
+    num B[8], sum = from_int(0), one = from_int(1), half = from_ratio(1, 2);
+    if (T->planted)
+        G(shape_basis)(7, one, half, B);
+    else
+        G(shape_basis_printed)(one, half, B);
+    for (int i = 0; i <= 7; i++)
+        for (int j = 0; j <= 7; j++)
+            sum = add(sum, mul(B[i], B[j]));
+    show(T, "the surface at u = v = 1/2", sum);
+    about(T, "the surface and the one value of its points");
+    same(T, sum, one);
+}
+
+/*
+:::{claim} surface_leaves_the_hull_at_minus_seven
+:title: At beta = -7 the surface leaves the convex hull of its net
+:zh: β=-7 时曲面越出凸包
+:kind: counterexample
+:given: $\beta=-7$, $P_{2j}=1$ for all $j$ and all other $P_{ij}=0$, $u=\frac1{20}$, $v=\frac12$; printed and corrected functions
+:then: the value of the surface is negative
+:method: The double sum; it is the sum of the $B_j(v)$, which is positive, times $B_2(u)$.
+:control: $\beta=-\frac{21}4$
+:::
+*/
+CLAIM(surface_leaves_the_hull_at_minus_seven)
+{
+    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7), u = from_ratio(1, 20), v = from_ratio(1, 2);
+    int inside = 0;
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        num U[8], V[8], sum = from_int(0);
+        G(functions_of)(printed_ones, 7, beta, u, U);
+        G(functions_of)(printed_ones, 7, beta, v, V);
+        for (int j = 0; j <= 7; j++)
+            sum = add(sum, mul(U[2], V[j]));
+        show_text(T, "functions", "%s", printed_ones ? "printed" : "corrected");
+        show(T, "the surface at (1/20, 1/2)", sum);
+        inside += sign_q(sum) >= 0;
+    }
+    about(T, "the surface is not negative, as its points are");
+    agree(T, inside > 0);
+}
+#endif
+
+/*
+:::{claim} surface_has_the_corner_points_and_boundary_curves
+:title: Corners and boundary curves of the surface
+:zh: 曲面的角点与边界曲线
+:given: degrees 3 and 2, any points, $\beta$, $\gamma$ and $v$; printed functions, degrees 7 and 7, any points, $\beta$ and $v$
+:then: for $u=0$ and $u=1$ the surface is the curve of the first and of the last row of points, corrected with the parameter $\gamma$;
+  the ends of these are the corners
+:method: The surface kernel, and `shape_point_printed` twice, against the formulas of the curves; everything a variable.
+:control: the second row in the place of the last
+:::
+*/
+CLAIM(surface_has_the_corner_points_and_boundary_curves)
+{
+    num P[4 * 3], at, beta = G(any_beta)(T), gamma = unknown(T, "gamma", 0), v = parameter(T, "v");
+    for (int m = 0; m < 4 * 3; m++)
+        P[m] = unknown(T, "z", m);
+    for (int end = 0; end <= 1; end++) {
+        int row = end == 0 ? 0 : T->planted ? 1 : 3;
+        G(shape_surface_point)(3, 2, 1, P, beta, gamma, from_int(end), v, &at);
+        same(T, at, G(corrected_curve)(2, 1, P + row * 3, 0, gamma, v));
+        for (int corner = 0; corner <= 1; corner++) {
+            G(shape_surface_point)(3, 2, 1, P, beta, gamma, from_int(end), from_int(corner), &at);
+            same(T, at, P[row * 3 + 2 * corner]);
+        }
+    }
+    num R[8 * 8], column[8], points[8];
+    for (int m = 0; m < 8 * 8; m++)
+        R[m] = unknown(T, "w", m);
+    for (int end = 0; end <= 1; end++) {
+        int row = end == 0 ? 0 : T->planted ? 1 : 7;
+        for (int j = 0; j <= 7; j++) {
+            for (int i = 0; i <= 7; i++)
+                column[i] = R[i * 8 + j];
+            G(shape_point_printed)(1, column, beta, from_int(end), points + j);
+        }
+        G(shape_point_printed)(1, points, beta, v, &at);
+        same(T, at, G(printed_curve)(1, R + row * 8, 0, beta, v));
+        for (int corner = 0; corner <= 1; corner++) {
+            G(shape_point_printed)(1, points, beta, from_int(corner), &at);
+            same(T, at, R[row * 8 + 7 * corner]);
+        }
+    }
+}
+
+/*
+:::{claim} surface_functions_sum_to_one
+:title: The products of functions add up to one
+:zh: 曲面基函数的权性
+:given: degrees $7$ and $7$, any $\beta$, $u$ and $v$
+:then: the corrected products add up to 1, the printed ones to $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$
+:method: The double sum of products of the kernels' functions, everything a variable.
+:control: the second factor left out
+:::
+*/
+CLAIM(surface_functions_sum_to_one)
+{
+    num beta = G(any_beta)(T), u = parameter(T, "u"), v = parameter(T, "v"), one = from_int(1), four = from_int(4);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        num U[8], V[8], in_u = from_int(0), in_v = from_int(0);
+        G(functions_of)(printed_ones, 7, beta, u, U);
+        G(functions_of)(printed_ones, 7, beta, v, V);
+        for (int i = 0; i <= 7; i++) {
+            in_u = add(in_u, U[i]);
+            in_v = add(in_v, V[i]);
+        }
+        num first = sub(one, mul(four, mul(beta, G(product_of_powers)(3, 4, u))));
+        num second = T->planted ? one : sub(one, mul(four, mul(beta, G(product_of_powers)(3, 4, v))));
+        same(T, mul(in_u, in_v), printed_ones ? mul(first, second) : one);
+    }
+}
+
+/*
+:::{claim} net_of_straight_lines_gives_a_saddle
+:title: A net of straight rows and columns whose surface is a saddle
+:zh: 行列皆直的控制网生成鞍面
+:given: $P_{ij}=(i,j,ij)$, degrees $n$ and $n$, any $\beta$, $u$ and $v$
+:then: the surface satisfies $z=xy$: it lies on a hyperbolic paraboloid, which is convex to no side
+:method: The three coordinates by the surface kernel, $\beta$, $u$, $v$ variables.
+:degrees: 2..7 sampled 7
+:control: the corner $P_{00}$ moved to $(1,0,0)$
+:::
+*/
+CLAIM(net_of_straight_lines_gives_a_saddle)
+{
+    int n = T->degree;
+    num P[8 * 8 * 3], at[3], beta = G(any_beta)(T), u = parameter(T, "u"), v = parameter(T, "v");
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= n; j++) {
+            num *point = P + (i * (n + 1) + j) * 3;
+            point[0] = from_int(T->planted && i + j == 0 ? 1 : i);
+            point[1] = from_int(j);
+            point[2] = from_int(i * j);
+        }
+    G(shape_surface_point)(n, n, 3, P, beta, beta, u, v, at);
+    same(T, at[2], mul(at[0], at[1]));
+}
+
+#if RATIONAL
+/*
+:::{claim} surface_of_a_net_of_straight_lines_is_not_convex
+:title: A surface of straight rows and columns is above one diagonal and below the other
+:zh: 行列皆直的控制网,其曲面不凸
+:kind: counterexample
+:given: $P_{ij}=(i,j,ij)$, degrees 7 and 7, $\beta=1$, corrected functions; the net as a whole is not convex
+:then: at $u=v=\frac12$ the surface is below the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$, so convex to no side
+:method: The height of the point $(\frac72,\frac72)$ of the surface and of the two chords there.  The control: a net whose columns and
+  rows are convex to one side.
+:control: $P_{ij}=(i,j,i^2+j^2)$
+:::
+*/
+CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
+{
+    num P[8 * 8 * 3], at[3], half = from_ratio(1, 2), chord[2];
+    for (int m = 0; m < 64; m++) {
+        int i = m / 8, j = m % 8;
+        P[m * 3] = from_int(i);
+        P[m * 3 + 1] = from_int(j);
+        P[m * 3 + 2] = from_int(T->planted ? i * i + j * j : i * j);
+    }
+    G(shape_surface_point)(7, 7, 3, P, from_int(1), from_int(1), half, half, at);
+    chord[0] = mul(half, add(P[2], P[63 * 3 + 2]));
+    chord[1] = mul(half, add(P[7 * 3 + 2], P[56 * 3 + 2]));
+    show_points(T, "the point of the surface", 1, 3, at);
+    show(T, "height of the first chord", chord[0]);
+    show(T, "height of the second chord", chord[1]);
+    about(T, "the point is on one side of both chords");
+    agree(T, sign_q(sub(at[2], chord[0])) * sign_q(sub(at[2], chord[1])) > 0);
+}
+
+/*
 :::{statement} deng-zhang-2022:sec-5-adjustable
 :title: The shape of the surface can be adjusted
 :zh: 形状可调的曲面
@@ -68,6 +358,97 @@ One $\beta$ in both directions, and surfaces with their parameters: then they ar
 $-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27,-27,5,0,0)$, with the corrected functions.
 :::
 
+:::{claim} nets_that_do_not_move
+:title: Only nets of constant blocks have the same surface for all beta
+:zh: 与 β 无关的控制网
+:kind: decision
+:given: numbers $P_{ij}$, $i,j=0,\dots,7$, one $\beta$ for both directions, printed and corrected functions
+:then: $\sum_i\sum_jP_{ij}B_i(u)B_j(v)$ is the same for all $\beta$ exactly for nets that are constant on each of the four blocks of
+  $i\le3$, $i\ge4$ and $j\le3$, $j\ge4$ with the corrected functions, for the multiples of $k_ik_j$, $k=(0,0,0,0,5,1,1,1)$, with the
+  printed ones
+:method: With $B_i=e_i+\beta d_i$ the coefficients of $\beta$ and $\beta^2$ are $\sum\sum P_{ij}(e_id_j+d_ie_j)$ and
+  $\sum\sum P_{ij}d_id_j$.  The
+  $162\times64$ matrix of their Bernstein coefficients has rank 60, resp. 63, and the nets named are in its kernel.
+:scope: all real beta, all nets
+:control: the coefficient of $\beta^2$ alone
+:::
+*/
+/* To out are added the 81 Bernstein coefficients of f_i(u) h_j(v), of columns of two matrices. */
+static void G(add_product)(const num F[], const num H[], int i, int j, num out[])
+{
+    for (int r = i; r <= i + 1; r++)
+        for (int c = j; c <= j + 1; c++)
+            out[r * 9 + c] = add(out[r * 9 + c], mul(F[r * 8 + i], H[c * 8 + j]));
+}
+
+CLAIM(nets_that_do_not_move)
+{
+    static const int k[3][8] = {{1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 5, 1, 1, 1}};
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        static num M[162 * 64];
+        num E[9 * 8], D[9 * 8], first[81], second[81], zero = from_int(0);
+        G(matrix_in_beta)(printed_ones, E, D);
+        for (int i = 0; i <= 7; i++)
+            for (int j = 0; j <= 7; j++) {
+                for (int r = 0; r < 81; r++)
+                    first[r] = second[r] = zero;
+                G(add_product)(E, D, i, j, first);
+                G(add_product)(D, E, i, j, first);
+                G(add_product)(D, D, i, j, second);
+                for (int r = 0; r < 81; r++) {
+                    M[r * 64 + i * 8 + j] = T->planted ? zero : first[r];
+                    M[(81 + r) * 64 + i * 8 + j] = second[r];
+                }
+            }
+        for (int a = printed_ones ? 2 : 0; a <= (printed_ones ? 2 : 1); a++)
+            for (int b = printed_ones ? 2 : 0; b <= (printed_ones ? 2 : 1); b++)
+                for (int r = 0; r < 162; r++) {
+                    num sum = from_int(0);
+                    for (int m = 0; m < 64; m++)
+                        if (!is_zero_q(M[r * 64 + m]) && k[a][m / 8] * k[b][m % 8] != 0)
+                            sum = add(sum, mul(M[r * 64 + m], from_int(k[a][m / 8] * k[b][m % 8])));
+                    vanishes(T, sum);
+                }
+        agree(T, G(rank)(162, 64, M) == (printed_ones ? 63 : 60));
+    }
+}
+
+/*
+:::{claim} surface_that_does_not_move
+:title: A net of four points has one surface for all beta
+:zh: 与 β 无关的曲面
+:kind: counterexample
+:given: $\beta=0$ and $\beta=1$; with the corrected functions $P_{ij}=(f_i,f_j,f_if_j)$, $f=(0,0,0,0,1,1,1,1)$; with the printed ones
+  $P_{ij}=f_if_j$, $f=(0,0,0,0,5,1,1,1)$
+:then: the surfaces, of degrees 8 and 8, are the same
+:method: Row $k$ of the matrix gives coefficient $k$ of $\sum f_iB_i$; the surface is $(x,y,z)$ with $x=\sum f_iB_i(u)$, $y=\sum f_jB_j(v)$,
+  $z=xy$, since the functions have the sum 1.  The printed ones need no sum.  That the coefficients of $\sum f_iB_i$ differ for one
+  of the two is asked.
+:control: $f_4=0$, and 1 with the printed functions
+:::
+*/
+CLAIM(surface_that_does_not_move)
+{
+    num f[8], before[9], after[9];
+    int differ[2] = {0, 0};
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        for (int i = 0; i <= 7; i++)
+            f[i] = from_int(i == 4 ? (T->planted ? printed_ones : printed_ones ? 5 : 1) : i > 4);
+        G(bezier_points_of)(printed_ones, 7, 1, f, from_int(0), before);
+        G(bezier_points_of)(printed_ones, 7, 1, f, from_int(1), after);
+        for (int k = 0; k <= 8; k++)
+            differ[printed_ones] += !equal_q(before[k], after[k]);
+        show_text(T, "functions", "%s", printed_ones ? "printed" : "corrected");
+        show_points(T, "f", 8, 1, f);
+        show_points(T, "coefficients, beta = 0", 9, 1, before);
+        show_points(T, "coefficients, beta = 1", 9, 1, after);
+    }
+    about(T, "some of the coefficients differ");
+    agree(T, T->planted ? differ[0] > 0 && differ[1] > 0 : differ[0] > 0 || differ[1] > 0);
+}
+#endif
+
+/*
 :::{statement} deng-zhang-2022:sec-6-horner
 :title: The curve can be computed by Horner's rule
 :zh: 海纳算法
@@ -81,6 +462,98 @@ and $\frac12dn(n+1)+n$ sums; here $n=8$ against $n=7$.  In addition the nine Bé
 For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no more to compute.
 :::
 
+:::{claim} horner_rule_computes_the_curve
+:title: Horner's rule on the nine Bézier points gives the curve
+:zh: Horner 法则求曲线上的点
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
+:then: `horner_bernstein` with the points of `shape_bezier_points` gives $\sum P_iB_{i,n}(t)$
+:method: Kernels against the formula, everything a variable.
+:degrees: 2..7 sampled 14
+:control: $t$ and $1-t$ exchanged
+:::
+*/
+CLAIM(horner_rule_computes_the_curve)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t");
+    G(free_points)(T, n, dim, P);
+    G(shape_bezier_points)(n, dim, P, beta, Q);
+    G(horner_bernstein)(n + 1, dim, Q, T->planted ? sub(from_int(1), t) : t, at);
+    for (int c = 0; c < dim; c++)
+        same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
+}
+
+#if RATIONAL
+enum method { HORNER, DE_CASTELJAU };
+
+/* What a point of n+1 Bézier points of `coordinates` coordinates costs, in the type that counts, and in rationals for others. */
+static struct operations cost_of_point(trial *T, enum method method, int n, int coordinates)
+{
+    num_c b[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], some_number = {0};
+    num_q x[(MAX_DEGREE + 1) * MAX_DIM], at[MAX_DIM], t = parameter_q(T, "t");
+    for (int m = 0; m < (n + 1) * coordinates; m++) {
+        b[m] = some_number;
+        x[m] = unknown_q(T, "x", m);
+    }
+    (method == HORNER ? horner_bernstein_q : decasteljau_q)(n, coordinates, x, t, at);
+    counted = (struct operations){0};
+    (method == HORNER ? horner_bernstein_c : decasteljau_c)(n, coordinates, b, some_number, P);
+    note_cost(coordinates, at, counted);
+    return counted;
+}
+static int products(struct operations cost) { return cost.multiplications + cost.shifts; }
+
+/*
+:::{claim} degree_eight_takes_more_operations
+:title: A point of a curve of degree eight takes more operations than one of degree seven
+:zh: 八次曲线上点的运算次数多于七次
+:kind: decision
+:given: the degrees 7 and 8, one to three coordinates $d$; `horner_bernstein` and `decasteljau`
+:then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ and
+  $\frac12dn(n+1)+n$; all are more for $n=8$ than for $n=7$
+:method: The kernels are run in the number type that counts; products with powers of two are counted with the others.
+:scope: one to three coordinates
+:control: the degree 7 in both places
+:::
+*/
+CLAIM(degree_eight_takes_more_operations)
+{
+    for (int d = 1; d <= 3; d++) {
+        for (int n = 7; n <= 8; n++) {
+            struct operations horner = cost_of_point(T, HORNER, n, d), triangle = cost_of_point(T, DE_CASTELJAU, n, d);
+            agree(T, products(horner) == 2 * (d + 1) * n && horner.additions == d * n + 1);
+            agree(T, products(triangle) == d * n * (n + 1) && 2 * (triangle.additions - n) == d * n * (n + 1));
+        }
+        for (enum method method = HORNER; method <= DE_CASTELJAU; method++) {
+            struct operations eight = cost_of_point(T, method, T->planted ? 7 : 8, d);
+            struct operations seven = cost_of_point(T, method, 7, d);
+            agree(T, products(eight) > products(seven) && eight.additions > seven.additions);
+        }
+    }
+}
+
+/*
+:::{claim} horner_for_nine_points_beats_de_casteljau_for_eight
+:title: Horner's rule for degree eight takes fewer operations than de Casteljau's algorithm for degree seven
+:zh: 不同算法之间八次反而更省
+:kind: counterexample
+:given: the plane; `horner_bernstein` in degree 8, `decasteljau` in degree 7
+:then: 48 products against 112, and 17 sums against 63
+:method: The kernels are run in the number type that counts.
+:control: `decasteljau` in degree 8
+:::
+*/
+CLAIM(horner_for_nine_points_beats_de_casteljau_for_eight)
+{
+    struct operations eight = cost_of_point(T, T->planted ? DE_CASTELJAU : HORNER, 8, dim);
+    struct operations seven = cost_of_point(T, DE_CASTELJAU, 7, dim);
+    show_text(T, "degree 8", "%d products, %d sums", products(eight), eight.additions);
+    show_text(T, "degree 7", "%d products, %d sums", seven.multiplications + seven.shifts, seven.additions);
+    about(T, "whether degree 8 takes more products and more sums");
+    agree(T, products(eight) > products(seven) && eight.additions > seven.additions);
+}
+
+/*
 :::{statement} deng-zhang-2022:sec-6-meaning
 :title: The parameter has a clear geometric meaning
 :zh: β 的几何意义
@@ -176,6 +649,32 @@ The curve is the sum of points times Bernstein polynomials, and no two polygons 
 The text says Bernstein polynomials of any degree; here up to the degrees of these claims.
 :::
 
+:::{claim} double_end_point_has_no_end_edge
+:title: With a double end point the derivative at the end is 0
+:zh: 端点重合时端点导矢为零
+:kind: counterexample
+:given: $\beta=0$, $P_0=P_1=(0,0)$, $P_i=(i,i^2)$ for $i=2,\dots,7$
+:then: $q'(0)=0$
+:method: The exact derivative; that it is not 0 is asked.
+:control: $P_1=(1,1)$
+:::
+*/
+CLAIM(double_end_point_has_no_end_edge)
+{
+    num P[8 * dim], D[2 * dim];
+    for (int i = 0; i <= 7; i++) {
+        int x = i == 1 ? T->planted : i;
+        P[i * dim] = from_int(x);
+        P[i * dim + 1] = from_int(x * x);
+    }
+    G(bezier_derivatives)(7, dim, P, from_int(0), 1, D);
+    show_points(T, "P", 8, dim, P);
+    show_points(T, "q'(0)", 1, dim, D + dim);
+    about(T, "the derivative is not 0");
+    agree(T, !is_zero_q(D[dim]) || !is_zero_q(D[dim + 1]));
+}
+
+/*
 :::{statement} deng-zhang-2022:sec-1-weights
 :title: Weights adjust the shape of a rational Bézier curve
 :zh: 权因子可以调整有理 Bezier 曲线的形状
@@ -196,371 +695,7 @@ The text says Bernstein polynomials of any degree; here up to the degrees of the
 :method: With $x=\frac NW$, the sign of $N'W-NW'$ on the interval.  That one of them does not is asked.
 :control: the middle point $(1,1)$
 :::
-
-:::{claim} double_end_point_has_no_end_edge
-:title: With a double end point the derivative at the end is 0
-:zh: 端点重合时端点导矢为零
-:kind: counterexample
-:given: $\beta=0$, $P_0=P_1=(0,0)$, $P_i=(i,i^2)$ for $i=2,\dots,7$
-:then: $q'(0)=0$
-:method: The exact derivative; that it is not 0 is asked.
-:control: $P_1=(1,1)$
-:::
-
-:::{claim} weights_in_a_progression_keep_the_shape
-:title: Weights in a geometric progression keep the shape
-:zh: 等比权因子不改变曲线形状
-:kind: counterexample
-:given: $n=2$, the points $(0,0),(1,2),(2,0)$ with the weights $1,2,4$; with the weights $1,1,1$ the curve is $y=2x-x^2$, $0\le x\le2$
-:then: all points of the rational curve are on the same parabola
-:method: With $X,Y,W$ for numerators and denominator: $YW-2XW+X^2$ as a polynomial; that it is not 0 is asked.
-:control: the weights $1,3,4$
-:::
-
-:::{claim} printed_surface_is_a_curve_of_curves
-:title: The surface with the printed functions, row by row
-:zh: 按式 (1)、(22) 的曲面
-:given: the 64 nets of one point 1 and all others 0, any $\beta$, $u$ and $v$
-:then: `shape_point_printed` for the rows and then for the eight points of $v$ gives $\sum_i\sum_jP_{ij}\hat B_i(u)\hat B_j(v)$
-:method: The printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
-:control: $u$ and $v$ exchanged
-:::
-
-:::{claim} reversed_net_reverses_the_surface
-:title: The net reversed in both directions gives the surface backwards
-:zh: 控制网反序,曲面反向
-:given: degrees 3 and 2, any points, $\beta$, $\gamma$, $u$ and $v$; corrected functions
-:then: the surface of the points $P_{3-i,2-j}$ at $(1-u,1-v)$ is that of the $P_{ij}$ at $(u,v)$; the same for one direction alone
-:method: Both by the kernel, everything a variable.  For $n=7$ by the symmetry of the functions.
-:control: $v$ in the place of $1-v$
-:::
-
-:::{claim} printed_surface_leaves_a_single_point
-:title: The printed surface of 64 equal points is no point
-:zh: 64 个顶点重合时按式 (1) 的曲面不是一点
-:kind: counterexample
-:given: $P_{ij}=1$ for all $i$ and $j$, $\beta=1$, $u=v=\frac12$; numbers, which may be a coordinate
-:then: the surface has there the value $\frac{961}{1024}$
-:method: The double sum of the printed functions.
-:control: the corrected functions
-:::
-
-:::{claim} surface_leaves_the_hull_at_minus_seven
-:title: At beta = -7 the surface leaves the convex hull of its net
-:zh: β=-7 时曲面越出凸包
-:kind: counterexample
-:given: $\beta=-7$, $P_{2j}=1$ for all $j$ and all other $P_{ij}=0$, $u=\frac1{20}$, $v=\frac12$; printed and corrected functions
-:then: the value of the surface is negative
-:method: The double sum; it is the sum of the $B_j(v)$, which is positive, times $B_2(u)$.
-:control: $\beta=-\frac{21}4$
-:::
-
-:::{claim} nets_that_do_not_move
-:title: Only nets of constant blocks have the same surface for all beta
-:zh: 与 β 无关的控制网
-:kind: decision
-:given: numbers $P_{ij}$, $i,j=0,\dots,7$, one $\beta$ for both directions, printed and corrected functions
-:then: $\sum_i\sum_jP_{ij}B_i(u)B_j(v)$ is the same for all $\beta$ exactly for nets that are constant on each of the four blocks of
-  $i\le3$, $i\ge4$ and $j\le3$, $j\ge4$ with the corrected functions, for the multiples of $k_ik_j$, $k=(0,0,0,0,5,1,1,1)$, with the
-  printed ones
-:method: With $B_i=e_i+\beta d_i$ the coefficients of $\beta$ and $\beta^2$ are $\sum\sum P_{ij}(e_id_j+d_ie_j)$ and
-  $\sum\sum P_{ij}d_id_j$.  The
-  $162\times64$ matrix of their Bernstein coefficients has rank 60, resp. 63, and the nets named are in its kernel.
-:scope: all real beta, all nets
-:control: the coefficient of $\beta^2$ alone
-:::
-
-:::{claim} surface_that_does_not_move
-:title: A net of four points has one surface for all beta
-:zh: 与 β 无关的曲面
-:kind: counterexample
-:given: $\beta=0$ and $\beta=1$; with the corrected functions $P_{ij}=(f_i,f_j,f_if_j)$, $f=(0,0,0,0,1,1,1,1)$; with the printed ones
-  $P_{ij}=f_if_j$, $f=(0,0,0,0,5,1,1,1)$
-:then: the surfaces, of degrees 8 and 8, are the same
-:method: Row $k$ of the matrix gives coefficient $k$ of $\sum f_iB_i$; the surface is $(x,y,z)$ with $x=\sum f_iB_i(u)$, $y=\sum f_jB_j(v)$,
-  $z=xy$, since the functions have the sum 1.  The printed ones need no sum.  That the coefficients of $\sum f_iB_i$ differ for one
-  of the two is asked.
-:control: $f_4=0$, and 1 with the printed functions
-:::
-
-:::{claim} surface_kernel_gives_the_double_sum
-:title: The kernel computes the surface
-:zh: 核函数即双重和
-:given: degrees $n$ and 2 in the two directions, any points, parameters $\beta$ and $\gamma$, any $u$ and $v$
-:then: `shape_surface_point` gives $\sum_i\sum_jP_{ij}B_{i,n}(u)B_{j,2}(v)$
-:method: The double sum of the formulas, everything a variable.
-:degrees: 2..6 sampled 7
-:defines: shape_surface_point
-:control: $\beta$ and $\gamma$ exchanged
-:::
-
-:::{claim} surface_has_the_corner_points_and_boundary_curves
-:title: Corners and boundary curves of the surface
-:zh: 曲面的角点与边界曲线
-:given: degrees 3 and 2, any points, $\beta$, $\gamma$ and $v$; printed functions, degrees 7 and 7, any points, $\beta$ and $v$
-:then: for $u=0$ and $u=1$ the surface is the curve of the first and of the last row of points, corrected with the parameter $\gamma$;
-  the ends of these are the corners
-:method: The surface kernel, and `shape_point_printed` twice, against the formulas of the curves; everything a variable.
-:control: the second row in the place of the last
-:::
-
-:::{claim} surface_functions_sum_to_one
-:title: The products of functions add up to one
-:zh: 曲面基函数的权性
-:given: degrees $7$ and $7$, any $\beta$, $u$ and $v$
-:then: the corrected products add up to 1, the printed ones to $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$
-:method: The double sum of products of the kernels' functions, everything a variable.
-:control: the second factor left out
-:::
-
-:::{claim} net_of_straight_lines_gives_a_saddle
-:title: A net of straight rows and columns whose surface is a saddle
-:zh: 行列皆直的控制网生成鞍面
-:given: $P_{ij}=(i,j,ij)$, degrees $n$ and $n$, any $\beta$, $u$ and $v$
-:then: the surface satisfies $z=xy$: it lies on a hyperbolic paraboloid, which is convex to no side
-:method: The three coordinates by the surface kernel, $\beta$, $u$, $v$ variables.
-:degrees: 2..7 sampled 7
-:control: the corner $P_{00}$ moved to $(1,0,0)$
-:::
-
-:::{claim} surface_of_a_net_of_straight_lines_is_not_convex
-:title: A surface of straight rows and columns is above one diagonal and below the other
-:zh: 行列皆直的控制网,其曲面不凸
-:kind: counterexample
-:given: $P_{ij}=(i,j,ij)$, degrees 7 and 7, $\beta=1$, corrected functions; the net as a whole is not convex
-:then: at $u=v=\frac12$ the surface is below the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$, so convex to no side
-:method: The height of the point $(\frac72,\frac72)$ of the surface and of the two chords there.  The control: a net whose columns and
-  rows are convex to one side.
-:control: $P_{ij}=(i,j,i^2+j^2)$
-:::
-
-:::{claim} horner_rule_computes_the_curve
-:title: Horner's rule on the nine Bézier points gives the curve
-:zh: Horner 法则求曲线上的点
-:given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
-:then: `horner_bernstein` with the points of `shape_bezier_points` gives $\sum P_iB_{i,n}(t)$
-:method: Kernels against the formula, everything a variable.
-:degrees: 2..7 sampled 14
-:control: $t$ and $1-t$ exchanged
-:::
-
-:::{claim} degree_eight_takes_more_operations
-:title: A point of a curve of degree eight takes more operations than one of degree seven
-:zh: 八次曲线上点的运算次数多于七次
-:kind: decision
-:given: the degrees 7 and 8, one to three coordinates $d$; `horner_bernstein` and `decasteljau`
-:then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ and
-  $\frac12dn(n+1)+n$; all are more for $n=8$ than for $n=7$
-:method: The kernels are run in the number type that counts; products with powers of two are counted with the others.
-:scope: one to three coordinates
-:control: the degree 7 in both places
-:::
-
-:::{claim} horner_for_nine_points_beats_de_casteljau_for_eight
-:title: Horner's rule for degree eight takes fewer operations than de Casteljau's algorithm for degree seven
-:zh: 不同算法之间八次反而更省
-:kind: counterexample
-:given: the plane; `horner_bernstein` in degree 8, `decasteljau` in degree 7
-:then: 48 products against 112, and 17 sums against 63
-:method: The kernels are run in the number type that counts.
-:control: `decasteljau` in degree 8
-:::
 */
-#include "chapters/shape-parameter/definition.h"
-
-#if RATIONAL
-#include "exact/decide/sign.h"
-
-#include "chapters/judge/counting.h"
-
-/* The kernels of Bézier curves once more in the number type that counts. */
-#undef G
-#define G(name) name##_c
-#include "core/kernels/bezier.tmpl.h"
-#undef G
-#define G(name) name##_q
-#endif
-
-#include "chapters/judge/claims_on.h"
-
-enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
-
-static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
-
-CLAIM(surface_kernel_gives_the_double_sum)
-{
-    int n = T->degree;
-    num P[(MAX_DEGREE + 1) * 3], at, sum = from_int(0), beta = G(any_beta)(T), gamma = unknown(T, "gamma", 0);
-    num u = parameter(T, "u"), v = parameter(T, "v");
-    for (int i = 0; i <= n; i++)
-        for (int j = 0; j <= 2; j++) {
-            P[i * 3 + j] = unknown(T, "z", i * 3 + j);
-            sum = add(sum, mul(P[i * 3 + j], mul(G(corrected)(n, i, beta, u), G(corrected)(2, j, gamma, v))));
-        }
-    G(shape_surface_point)(n, 2, 1, P, T->planted ? gamma : beta, T->planted ? beta : gamma, u, v, &at);
-    same(T, at, sum);
-}
-
-CLAIM(surface_has_the_corner_points_and_boundary_curves)
-{
-    num P[4 * 3], at, beta = G(any_beta)(T), gamma = unknown(T, "gamma", 0), v = parameter(T, "v");
-    for (int m = 0; m < 4 * 3; m++)
-        P[m] = unknown(T, "z", m);
-    for (int end = 0; end <= 1; end++) {
-        int row = end == 0 ? 0 : T->planted ? 1 : 3;
-        G(shape_surface_point)(3, 2, 1, P, beta, gamma, from_int(end), v, &at);
-        same(T, at, G(corrected_curve)(2, 1, P + row * 3, 0, gamma, v));
-        for (int corner = 0; corner <= 1; corner++) {
-            G(shape_surface_point)(3, 2, 1, P, beta, gamma, from_int(end), from_int(corner), &at);
-            same(T, at, P[row * 3 + 2 * corner]);
-        }
-    }
-    num R[8 * 8], column[8], points[8];
-    for (int m = 0; m < 8 * 8; m++)
-        R[m] = unknown(T, "w", m);
-    for (int end = 0; end <= 1; end++) {
-        int row = end == 0 ? 0 : T->planted ? 1 : 7;
-        for (int j = 0; j <= 7; j++) {
-            for (int i = 0; i <= 7; i++)
-                column[i] = R[i * 8 + j];
-            G(shape_point_printed)(1, column, beta, from_int(end), points + j);
-        }
-        G(shape_point_printed)(1, points, beta, v, &at);
-        same(T, at, G(printed_curve)(1, R + row * 8, 0, beta, v));
-        for (int corner = 0; corner <= 1; corner++) {
-            G(shape_point_printed)(1, points, beta, from_int(corner), &at);
-            same(T, at, R[row * 8 + 7 * corner]);
-        }
-    }
-}
-
-CLAIM(printed_surface_is_a_curve_of_curves)
-{
-    num beta = G(any_beta)(T), u = parameter(T, "u"), v = parameter(T, "v");
-    for (int i = 0; i <= 7; i++)
-        for (int j = 0; j <= 7; j++) {
-            num row[8], points[8], at;
-            for (int r = 0; r <= 7; r++) {
-                for (int c = 0; c <= 7; c++)
-                    row[c] = from_int(r == i && c == j);
-                G(shape_point_printed)(1, row, beta, T->planted ? u : v, points + r);
-            }
-            G(shape_point_printed)(1, points, beta, T->planted ? v : u, &at);
-            same(T, at, mul(G(printed)(i, beta, u), G(printed)(j, beta, v)));
-        }
-}
-
-CLAIM(reversed_net_reverses_the_surface)
-{
-    num P[4 * 3], R[4 * 3], here, there, beta = G(any_beta)(T), gamma = unknown(T, "gamma", 0);
-    num u = parameter(T, "u"), v = parameter(T, "v"), one = from_int(1);
-    for (int m = 0; m < 4 * 3; m++)
-        P[m] = unknown(T, "z", m);
-    G(shape_surface_point)(3, 2, 1, P, beta, gamma, u, v, &here);
-    for (int turned = 1; turned <= 3; turned++) {
-        int in_u = turned & 1, in_v = turned >> 1;
-        for (int i = 0; i <= 3; i++)
-            for (int j = 0; j <= 2; j++)
-                R[i * 3 + j] = P[(in_u ? 3 - i : i) * 3 + (in_v ? 2 - j : j)];
-        num back = in_v && !T->planted ? sub(one, v) : v;
-        G(shape_surface_point)(3, 2, 1, R, beta, gamma, in_u ? sub(one, u) : u, back, &there);
-        same(T, there, here);
-    }
-}
-
-#if RATIONAL
-CLAIM(printed_surface_leaves_a_single_point)
-{
-    num B[8], sum = from_int(0), one = from_int(1), half = from_ratio(1, 2);
-    if (T->planted)
-        G(shape_basis)(7, one, half, B);
-    else
-        G(shape_basis_printed)(one, half, B);
-    for (int i = 0; i <= 7; i++)
-        for (int j = 0; j <= 7; j++)
-            sum = add(sum, mul(B[i], B[j]));
-    show(T, "the surface at u = v = 1/2", sum);
-    about(T, "the surface and the one value of its points");
-    same(T, sum, one);
-}
-
-CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
-{
-    num P[8 * 8 * 3], at[3], half = from_ratio(1, 2), chord[2];
-    for (int m = 0; m < 64; m++) {
-        int i = m / 8, j = m % 8;
-        P[m * 3] = from_int(i);
-        P[m * 3 + 1] = from_int(j);
-        P[m * 3 + 2] = from_int(T->planted ? i * i + j * j : i * j);
-    }
-    G(shape_surface_point)(7, 7, 3, P, from_int(1), from_int(1), half, half, at);
-    chord[0] = mul(half, add(P[2], P[63 * 3 + 2]));
-    chord[1] = mul(half, add(P[7 * 3 + 2], P[56 * 3 + 2]));
-    show_points(T, "the point of the surface", 1, 3, at);
-    show(T, "height of the first chord", chord[0]);
-    show(T, "height of the second chord", chord[1]);
-    about(T, "the point is on one side of both chords");
-    agree(T, sign_q(sub(at[2], chord[0])) * sign_q(sub(at[2], chord[1])) > 0);
-}
-
-CLAIM(surface_leaves_the_hull_at_minus_seven)
-{
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7), u = from_ratio(1, 20), v = from_ratio(1, 2);
-    int inside = 0;
-    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
-        num U[8], V[8], sum = from_int(0);
-        G(functions_of)(printed_ones, 7, beta, u, U);
-        G(functions_of)(printed_ones, 7, beta, v, V);
-        for (int j = 0; j <= 7; j++)
-            sum = add(sum, mul(U[2], V[j]));
-        show_text(T, "functions", "%s", printed_ones ? "printed" : "corrected");
-        show(T, "the surface at (1/20, 1/2)", sum);
-        inside += sign_q(sum) >= 0;
-    }
-    about(T, "the surface is not negative, as its points are");
-    agree(T, inside > 0);
-}
-
-/* To out are added the 81 Bernstein coefficients of f_i(u) h_j(v), of columns of two matrices. */
-static void G(add_product)(const num F[], const num H[], int i, int j, num out[])
-{
-    for (int r = i; r <= i + 1; r++)
-        for (int c = j; c <= j + 1; c++)
-            out[r * 9 + c] = add(out[r * 9 + c], mul(F[r * 8 + i], H[c * 8 + j]));
-}
-
-CLAIM(nets_that_do_not_move)
-{
-    static const int k[3][8] = {{1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 5, 1, 1, 1}};
-    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
-        static num M[162 * 64];
-        num E[9 * 8], D[9 * 8], first[81], second[81], zero = from_int(0);
-        G(matrix_in_beta)(printed_ones, E, D);
-        for (int i = 0; i <= 7; i++)
-            for (int j = 0; j <= 7; j++) {
-                for (int r = 0; r < 81; r++)
-                    first[r] = second[r] = zero;
-                G(add_product)(E, D, i, j, first);
-                G(add_product)(D, E, i, j, first);
-                G(add_product)(D, D, i, j, second);
-                for (int r = 0; r < 81; r++) {
-                    M[r * 64 + i * 8 + j] = T->planted ? zero : first[r];
-                    M[(81 + r) * 64 + i * 8 + j] = second[r];
-                }
-            }
-        for (int a = printed_ones ? 2 : 0; a <= (printed_ones ? 2 : 1); a++)
-            for (int b = printed_ones ? 2 : 0; b <= (printed_ones ? 2 : 1); b++)
-                for (int r = 0; r < 162; r++) {
-                    num sum = from_int(0);
-                    for (int m = 0; m < 64; m++)
-                        if (!is_zero_q(M[r * 64 + m]) && k[a][m / 8] * k[b][m % 8] != 0)
-                            sum = add(sum, mul(M[r * 64 + m], from_int(k[a][m / 8] * k[b][m % 8])));
-                    vanishes(T, sum);
-                }
-        agree(T, G(rank)(162, 64, M) == (printed_ones ? 63 : 60));
-    }
-}
-
 CLAIM(points_on_a_line_keep_their_segment)
 {
     int other = 0;
@@ -576,41 +711,17 @@ CLAIM(points_on_a_line_keep_their_segment)
     agree(T, other);
 }
 
-CLAIM(surface_that_does_not_move)
-{
-    num f[8], before[9], after[9];
-    int differ[2] = {0, 0};
-    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
-        for (int i = 0; i <= 7; i++)
-            f[i] = from_int(i == 4 ? (T->planted ? printed_ones : printed_ones ? 5 : 1) : i > 4);
-        G(bezier_points_of)(printed_ones, 7, 1, f, from_int(0), before);
-        G(bezier_points_of)(printed_ones, 7, 1, f, from_int(1), after);
-        for (int k = 0; k <= 8; k++)
-            differ[printed_ones] += !equal_q(before[k], after[k]);
-        show_text(T, "functions", "%s", printed_ones ? "printed" : "corrected");
-        show_points(T, "f", 8, 1, f);
-        show_points(T, "coefficients, beta = 0", 9, 1, before);
-        show_points(T, "coefficients, beta = 1", 9, 1, after);
-    }
-    about(T, "some of the coefficients differ");
-    agree(T, T->planted ? differ[0] > 0 && differ[1] > 0 : differ[0] > 0 || differ[1] > 0);
-}
-
-CLAIM(double_end_point_has_no_end_edge)
-{
-    num P[8 * dim], D[2 * dim];
-    for (int i = 0; i <= 7; i++) {
-        int x = i == 1 ? T->planted : i;
-        P[i * dim] = from_int(x);
-        P[i * dim + 1] = from_int(x * x);
-    }
-    G(bezier_derivatives)(7, dim, P, from_int(0), 1, D);
-    show_points(T, "P", 8, dim, P);
-    show_points(T, "q'(0)", 1, dim, D + dim);
-    about(T, "the derivative is not 0");
-    agree(T, !is_zero_q(D[dim]) || !is_zero_q(D[dim + 1]));
-}
-
+/*
+:::{claim} weights_in_a_progression_keep_the_shape
+:title: Weights in a geometric progression keep the shape
+:zh: 等比权因子不改变曲线形状
+:kind: counterexample
+:given: $n=2$, the points $(0,0),(1,2),(2,0)$ with the weights $1,2,4$; with the weights $1,1,1$ the curve is $y=2x-x^2$, $0\le x\le2$
+:then: all points of the rational curve are on the same parabola
+:method: With $X,Y,W$ for numerators and denominator: $YW-2XW+X^2$ as a polynomial; that it is not 0 is asked.
+:control: the weights $1,3,4$
+:::
+*/
 CLAIM(weights_in_a_progression_keep_the_shape)
 {
     num w[3] = {from_int(1), from_int(T->planted ? 3 : 2), from_int(4)}, zero = from_int(0);
@@ -624,93 +735,4 @@ CLAIM(weights_in_a_progression_keep_the_shape)
 }
 #endif
 
-CLAIM(surface_functions_sum_to_one)
-{
-    num beta = G(any_beta)(T), u = parameter(T, "u"), v = parameter(T, "v"), one = from_int(1), four = from_int(4);
-    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
-        num U[8], V[8], in_u = from_int(0), in_v = from_int(0);
-        G(functions_of)(printed_ones, 7, beta, u, U);
-        G(functions_of)(printed_ones, 7, beta, v, V);
-        for (int i = 0; i <= 7; i++) {
-            in_u = add(in_u, U[i]);
-            in_v = add(in_v, V[i]);
-        }
-        num first = sub(one, mul(four, mul(beta, G(product_of_powers)(3, 4, u))));
-        num second = T->planted ? one : sub(one, mul(four, mul(beta, G(product_of_powers)(3, 4, v))));
-        same(T, mul(in_u, in_v), printed_ones ? mul(first, second) : one);
-    }
-}
-
-CLAIM(net_of_straight_lines_gives_a_saddle)
-{
-    int n = T->degree;
-    num P[8 * 8 * 3], at[3], beta = G(any_beta)(T), u = parameter(T, "u"), v = parameter(T, "v");
-    for (int i = 0; i <= n; i++)
-        for (int j = 0; j <= n; j++) {
-            num *point = P + (i * (n + 1) + j) * 3;
-            point[0] = from_int(T->planted && i + j == 0 ? 1 : i);
-            point[1] = from_int(j);
-            point[2] = from_int(i * j);
-        }
-    G(shape_surface_point)(n, n, 3, P, beta, beta, u, v, at);
-    same(T, at[2], mul(at[0], at[1]));
-}
-
-CLAIM(horner_rule_computes_the_curve)
-{
-    int n = T->degree;
-    num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t");
-    G(free_points)(T, n, dim, P);
-    G(shape_bezier_points)(n, dim, P, beta, Q);
-    G(horner_bernstein)(n + 1, dim, Q, T->planted ? sub(from_int(1), t) : t, at);
-    for (int c = 0; c < dim; c++)
-        same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
-}
-
-#if RATIONAL
-enum method { HORNER, DE_CASTELJAU };
-
-/* What a point of n+1 Bézier points of `coordinates` coordinates costs, in the type that counts, and in rationals for others. */
-static struct operations cost_of_point(trial *T, enum method method, int n, int coordinates)
-{
-    num_c b[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], some_number = {0};
-    num_q x[(MAX_DEGREE + 1) * MAX_DIM], at[MAX_DIM], t = parameter_q(T, "t");
-    for (int m = 0; m < (n + 1) * coordinates; m++) {
-        b[m] = some_number;
-        x[m] = unknown_q(T, "x", m);
-    }
-    (method == HORNER ? horner_bernstein_q : decasteljau_q)(n, coordinates, x, t, at);
-    counted = (struct operations){0};
-    (method == HORNER ? horner_bernstein_c : decasteljau_c)(n, coordinates, b, some_number, P);
-    note_cost(coordinates, at, counted);
-    return counted;
-}
-static int products(struct operations cost) { return cost.multiplications + cost.shifts; }
-
-CLAIM(degree_eight_takes_more_operations)
-{
-    for (int d = 1; d <= 3; d++) {
-        for (int n = 7; n <= 8; n++) {
-            struct operations horner = cost_of_point(T, HORNER, n, d), triangle = cost_of_point(T, DE_CASTELJAU, n, d);
-            agree(T, products(horner) == 2 * (d + 1) * n && horner.additions == d * n + 1);
-            agree(T, products(triangle) == d * n * (n + 1) && 2 * (triangle.additions - n) == d * n * (n + 1));
-        }
-        for (enum method method = HORNER; method <= DE_CASTELJAU; method++) {
-            struct operations eight = cost_of_point(T, method, T->planted ? 7 : 8, d);
-            struct operations seven = cost_of_point(T, method, 7, d);
-            agree(T, products(eight) > products(seven) && eight.additions > seven.additions);
-        }
-    }
-}
-
-CLAIM(horner_for_nine_points_beats_de_casteljau_for_eight)
-{
-    struct operations eight = cost_of_point(T, T->planted ? DE_CASTELJAU : HORNER, 8, dim);
-    struct operations seven = cost_of_point(T, DE_CASTELJAU, 7, dim);
-    show_text(T, "degree 8", "%d products, %d sums", products(eight), eight.additions);
-    show_text(T, "degree 7", "%d products, %d sums", seven.multiplications + seven.shifts, seven.additions);
-    about(T, "whether degree 8 takes more products and more sums");
-    agree(T, products(eight) > products(seven) && eight.additions > seven.additions);
-}
-#endif
 #include "chapters/judge/claims_off.h"
