@@ -1,11 +1,10 @@
-/* kernels_f.h -- the kernels on rational functions in named variables. */
+/* kernels_f.h -- the kernels on rational functions in named variables; compiled once, in kernels_f.c. */
 #ifndef CAGD_KERNELS_F_H
 #define CAGD_KERNELS_F_H
 
+#include "core/number/binomial.h"
 #include "exact/number/field.h"
 #include "exact/words.h"
 
-#define G(name) name##_f
-#include "core/kernels/kernels.tmpl.h"
-#undef G
+#include "generated/kernels/f.h"
 #endif

@@ -1,11 +1,10 @@
-/* kernels_i.h -- the kernels on intervals. */
+/* kernels_i.h -- the kernels on intervals; compiled once, in kernels_i.c. */
 #ifndef CAGD_KERNELS_I_H
 #define CAGD_KERNELS_I_H
 
+#include "core/number/binomial.h"
 #include "exact/number/interval.h"
 #include "exact/words.h"
 
-#define G(name) name##_i
-#include "core/kernels/kernels.tmpl.h"
-#undef G
+#include "generated/kernels/i.h"
 #endif

@@ -1,11 +1,10 @@
-/* kernels_q.h -- the kernels on rationals. */
+/* kernels_q.h -- the kernels on rationals; compiled once, in kernels_q.c. */
 #ifndef CAGD_KERNELS_Q_H
 #define CAGD_KERNELS_Q_H
 
+#include "core/number/binomial.h"
 #include "exact/number/rational.h"
 #include "exact/words.h"
 
-#define G(name) name##_q
-#include "core/kernels/kernels.tmpl.h"
-#undef G
+#include "generated/kernels/q.h"
 #endif

@@ -9,7 +9,7 @@
 #include "core/number/generic_on.h"
 
 /* B[i] = B_i^n(t), i = 0, ..., n, by B_i^k = (1-t) B_i^{k-1} + t B_{i-1}^{k-1}. */
-static inline void G(bernstein)(int n, num t, num B[])
+KERNEL void G(bernstein)(int n, num t, num B[])
 {
     num s = sub(from_int(1), t);
     B[0] = from_int(1);
@@ -26,7 +26,7 @@ static inline void G(bernstein)(int n, num t, num B[])
 
 /* Row k of B is the k-th derivative of the basis at t: B[k(n+1) + i] = (d/dt)^k B_i^n(t), k = 0, ..., r;
  * zero for k > n.  Source: the k-fold use of (B_i^m)' = m (B_{i-1}^{m-1} - B_i^{m-1}), from m = n-k+1 to n. */
-static inline void G(bernstein_derivatives)(int n, int r, num t, num B[])
+KERNEL void G(bernstein_derivatives)(int n, int r, num t, num B[])
 {
     for (int k = 0; k <= r; k++) {
         num *row = B + k * (n + 1);
@@ -47,7 +47,7 @@ static inline void G(bernstein_derivatives)(int n, int r, num t, num B[])
 /* The n+m+1 coefficients c of the product of a (degree n) and b (degree m), n + m <= MAX_DEGREE:
  *     c_k = sum_{i+j=k} C(n,i) C(m,j) / C(n+m,k) a_i b_j.
  * a and b may be the same; c overlaps neither. */
-static inline void G(bernstein_product)(int n, const num a[], int m, const num b[], num c[])
+KERNEL void G(bernstein_product)(int n, const num a[], int m, const num b[], num c[])
 {
     for (int k = 0; k <= n + m; k++)
         c[k] = from_int(0);
@@ -60,7 +60,7 @@ static inline void G(bernstein_product)(int n, const num a[], int m, const num b
 
 /* The (n+2) x (n+1) matrix of degree elevation, row by row: e = E b with
  *     E_{i,i-1} = i/(n+1),   E_{i,i} = 1 - i/(n+1),   0 elsewhere. */
-static inline void G(elevation_matrix)(int n, num E[])
+KERNEL void G(elevation_matrix)(int n, num E[])
 {
     for (int i = 0; i <= n + 1; i++)
         for (int j = 0; j <= n; j++) {
@@ -71,7 +71,7 @@ static inline void G(elevation_matrix)(int n, num E[])
 
 /* sum b_i B_i^n(t) = sum c_k t^k with c_k = C(n,k) times the k-th forward difference of b at 0.
  * c may be b. */
-static inline void G(bernstein_to_power)(int n, const num b[], num c[])
+KERNEL void G(bernstein_to_power)(int n, const num b[], num c[])
 {
     for (int i = 0; i <= n; i++)
         c[i] = b[i];
@@ -83,7 +83,7 @@ static inline void G(bernstein_to_power)(int n, const num b[], num c[])
 }
 
 /* The inverse of bernstein_to_power: b_i = sum_{k<=i} C(i,k)/C(n,k) c_k.  b may be c. */
-static inline void G(power_to_bernstein)(int n, const num c[], num b[])
+KERNEL void G(power_to_bernstein)(int n, const num c[], num b[])
 {
     for (int k = 0; k <= n; k++)
         b[k] = div(c[k], from_int(binomial(n, k)));

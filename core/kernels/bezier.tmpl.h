@@ -9,7 +9,7 @@
 
 /* One level of de Casteljau's triangle, in place: the n+1 points b become the n points
  * (1-t) b_i + t b_{i+1}.  The last point stays as it was. */
-static inline void G(casteljau_level)(int n, int dim, num b[], num t)
+KERNEL void G(casteljau_level)(int n, int dim, num b[], num t)
 {
     num s = sub(from_int(1), t);
     for (int m = 0; m < n * dim; m++)
@@ -17,7 +17,7 @@ static inline void G(casteljau_level)(int n, int dim, num b[], num t)
 }
 
 /* out = b(t): b_i^0 = b_i, b_i^k = (1-t) b_i^{k-1} + t b_{i+1}^{k-1}, b(t) = b_0^n.  out may overlap b. */
-static inline void G(decasteljau)(int n, int dim, const num b[], num t, num out[])
+KERNEL void G(decasteljau)(int n, int dim, const num b[], num t, num out[])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (n + 1) * dim; m++)
@@ -30,7 +30,7 @@ static inline void G(decasteljau)(int n, int dim, const num b[], num t, num out[
 
 /* out = b(t) in O(n) operations, without division, for every t:
  *     b(t) = (...((1-t) b_0 + C(n,1) t b_1)(1-t) + ...)(1-t) + C(n,n) t^n b_n. */
-static inline void G(horner_bernstein)(int n, int dim, const num b[restrict], num t, num out[restrict])
+KERNEL void G(horner_bernstein)(int n, int dim, const num b[restrict], num t, num out[restrict])
 {
     num s = sub(from_int(1), t), power = from_int(1);
     long choose = 1;
@@ -47,14 +47,14 @@ static inline void G(horner_bernstein)(int n, int dim, const num b[restrict], nu
 
 /* The hodograph (速端曲线), in place: the n+1 points b become the n points n (b_{i+1} - b_i) of b'.
  * The last point stays as it was; nothing happens for n <= 0. */
-static inline void G(hodograph)(int n, int dim, num b[])
+KERNEL void G(hodograph)(int n, int dim, num b[])
 {
     for (int m = 0; m < n * dim; m++)
         b[m] = mul(from_int(n), sub(b[m + dim], b[m]));
 }
 
 /* The n-r+1 points n!/(n-r)! Delta^r b_i of the r-th derivative curve, 0 <= r <= n.  out may overlap b. */
-static inline void G(bezier_differences)(int n, int dim, const num b[], int r, num out[])
+KERNEL void G(bezier_differences)(int n, int dim, const num b[], int r, num out[])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (n + 1) * dim; m++)
@@ -66,7 +66,7 @@ static inline void G(bezier_differences)(int n, int dim, const num b[], int r, n
 }
 
 /* Row k of out is the k-th derivative of b at t: out[k*dim + c], k = 0, ..., r; zero for k > n. */
-static inline void G(bezier_derivatives)(int n, int dim, const num b[restrict], num t, int r, num out[restrict])
+KERNEL void G(bezier_derivatives)(int n, int dim, const num b[restrict], num t, int r, num out[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (n + 1) * dim; m++)
@@ -81,8 +81,7 @@ static inline void G(bezier_derivatives)(int n, int dim, const num b[restrict], 
 
 /* The same curve over [0,t] and over [t,1], each again over the unit interval, n+1 points each:
  *     left_k = b_0^k,   right_i = b_i^{n-i}     in de Casteljau's triangle at t. */
-static inline void G(bezier_split)(int n, int dim, const num b[restrict], num t, num left[restrict],
-                                   num right[restrict])
+KERNEL void G(bezier_split)(int n, int dim, const num b[restrict], num t, num left[restrict], num right[restrict])
 {
     for (int m = 0; m < (n + 1) * dim; m++)
         right[m] = b[m];
@@ -94,7 +93,7 @@ static inline void G(bezier_split)(int n, int dim, const num b[restrict], num t,
 }
 
 /* The n+2 points of the same curve in degree n+1: e_i = i/(n+1) b_{i-1} + (1 - i/(n+1)) b_i. */
-static inline void G(bezier_elevate)(int n, int dim, const num b[restrict], num e[restrict])
+KERNEL void G(bezier_elevate)(int n, int dim, const num b[restrict], num e[restrict])
 {
     for (int c = 0; c < dim; c++) {
         e[c] = b[c];
@@ -110,7 +109,7 @@ static inline void G(bezier_elevate)(int n, int dim, const num b[restrict], num 
 /* The inverse of elevation: the n points b, in degree n-1 >= 0, of a curve e_0, ..., e_n that is of this degree.  The
  * equations e_i = i/n b_{i-1} + (1 - i/n) b_i are solved from both ends; defect[dim] is what the one in the
  * middle, which is not used, lacks.  The curve is of degree n-1 if and only if defect = 0. */
-static inline void G(bezier_reduce)(int n, int dim, const num e[restrict], num b[restrict], num defect[restrict])
+KERNEL void G(bezier_reduce)(int n, int dim, const num e[restrict], num b[restrict], num defect[restrict])
 {
     int middle = n / 2;
     for (int c = 0; c < dim; c++) {
@@ -130,7 +129,7 @@ static inline void G(bezier_reduce)(int n, int dim, const num e[restrict], num b
 
 /* The polar form (blossom, 极形式) b[u_1, ..., u_n]: symmetric, affine in each argument, and
  * b[t, ..., t] = b(t).  Level k of the triangle is taken at u[k-1].  out may overlap b. */
-static inline void G(blossom)(int n, int dim, const num b[], const num u[], num out[])
+KERNEL void G(blossom)(int n, int dim, const num b[], const num u[], num out[])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (n + 1) * dim; m++)
@@ -143,7 +142,7 @@ static inline void G(blossom)(int n, int dim, const num b[], const num u[], num 
 
 /* The n+1 points of the curve from u to v, over the unit interval: point i is b[u, ..., u, v, ..., v]
  * with i arguments v.  Any u and v, in any order. */
-static inline void G(bezier_on_interval)(int n, int dim, const num b[restrict], num u, num v, num out[restrict])
+KERNEL void G(bezier_on_interval)(int n, int dim, const num b[restrict], num u, num v, num out[restrict])
 {
     num x[MAX_DEGREE];
     for (int i = 0; i <= n; i++) {
@@ -155,7 +154,7 @@ static inline void G(bezier_on_interval)(int n, int dim, const num b[restrict], 
 
 /* A polynomial with Bernstein coefficients f over [a,b] has the coefficients g over [c,d].
  * UNDEFINED for a = b. */
-static inline void G(bernstein_on_interval)(int n, num a, num b, const num f[restrict], num c, num d, num g[restrict])
+KERNEL void G(bernstein_on_interval)(int n, num a, num b, const num f[restrict], num c, num d, num g[restrict])
 {
     num length = sub(b, a);
     G(bezier_on_interval)(n, 1, f, div(sub(c, a), length), div(sub(d, a), length), g);

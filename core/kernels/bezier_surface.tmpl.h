@@ -9,7 +9,7 @@
 #include "core/number/generic_on.h"
 
 /* The net with the parameters exchanged: Q_ji = P_ij, m+1 rows of n+1 points, so that Q(w, u) = P(u, w). */
-static inline void G(bezier_surface_transpose)(int n, int m, int dim, const num P[restrict], num Q[restrict])
+KERNEL void G(bezier_surface_transpose)(int n, int m, int dim, const num P[restrict], num Q[restrict])
 {
     for (int i = 0; i <= n; i++)
         for (int j = 0; j <= m; j++)
@@ -18,7 +18,7 @@ static inline void G(bezier_surface_transpose)(int n, int m, int dim, const num 
 }
 
 /* The m+1 points b_j = sum_i B_i^n(u) P_ij of the parameter line (等参线) w -> P(u, w), a curve of degree m. */
-static inline void G(bezier_surface_line)(int n, int m, int dim, const num P[restrict], num u, num b[restrict])
+KERNEL void G(bezier_surface_line)(int n, int m, int dim, const num P[restrict], num u, num b[restrict])
 {
     num column[(MAX_DEGREE + 1) * MAX_DIM];
     for (int j = 0; j <= m; j++) {
@@ -30,8 +30,7 @@ static inline void G(bezier_surface_line)(int n, int m, int dim, const num P[res
 }
 
 /* out = P(u, w). */
-static inline void G(bezier_surface_point)(int n, int m, int dim, const num P[restrict], num u, num w,
-                                           num out[restrict])
+KERNEL void G(bezier_surface_point)(int n, int m, int dim, const num P[restrict], num u, num w, num out[restrict])
 {
     num line[(MAX_DEGREE + 1) * MAX_DIM];
     G(bezier_surface_line)(n, m, dim, P, u, line);
@@ -40,8 +39,8 @@ static inline void G(bezier_surface_point)(int n, int m, int dim, const num P[re
 
 /* All partial derivatives (偏导矢) of orders k = 0, ..., r in u and l = 0, ..., s in w at (u, w), r <= MAX_DEGREE:
  * out[(k*(s+1) + l)*dim + c]; zero for k > n and for l > m. */
-static inline void G(bezier_surface_derivatives)(int n, int m, int dim, const num P[restrict], num u, num w, int r,
-                                                 int s, num out[restrict])
+KERNEL void G(bezier_surface_derivatives)(int n, int m, int dim, const num P[restrict], num u, num w, int r, int s,
+                                          num out[restrict])
 {
     num edge[(MAX_DEGREE + 1) * MAX_DIM], column[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     for (int l = 0; l <= s; l++) {
@@ -62,7 +61,7 @@ static inline void G(bezier_surface_derivatives)(int n, int m, int dim, const nu
 
 /* out = P_u x P_w at (u, w), a normal of a surface in space (法矢), not of length 1: the net has dim = 3.  It is 0 where
  * P_u and P_w are parallel, although there may be a tangent plane. */
-static inline void G(bezier_surface_normal)(int n, int m, const num P[restrict], num u, num w, num out[restrict])
+KERNEL void G(bezier_surface_normal)(int n, int m, const num P[restrict], num u, num w, num out[restrict])
 {
     num D[4 * 3];
     G(bezier_surface_derivatives)(n, m, 3, P, u, w, 1, 1, D);
@@ -70,8 +69,8 @@ static inline void G(bezier_surface_normal)(int n, int m, const num P[restrict],
 }
 
 /* The net of the piece over [u0, u1] x [w0, w1], of the same degrees, over the unit square.  Any ends, in any order. */
-static inline void G(bezier_surface_part)(int n, int m, int dim, const num P[restrict], num u0, num u1, num w0, num w1,
-                                          num out[restrict])
+KERNEL void G(bezier_surface_part)(int n, int m, int dim, const num P[restrict], num u0, num u1, num w0, num w1,
+                                   num out[restrict])
 {
     num column[(MAX_DEGREE + 1) * MAX_DIM], piece[(MAX_DEGREE + 1) * MAX_DIM];
     for (int i = 0; i <= n; i++)

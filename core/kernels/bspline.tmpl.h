@@ -19,7 +19,7 @@
 /* One level of the recursion of de Boor and Cox at t, in place: the k values N_{i,k-1}(t), i = mu-k+1, ..., mu,
  * become the k+1 values N_{i,k}(t), i = mu-k, ..., mu:
  *     N_{i,k} = (t - u_i)/(u_{i+k} - u_i) N_{i,k-1} + (u_{i+k+1} - t)/(u_{i+k+1} - u_{i+1}) N_{i+1,k-1}. */
-static inline void G(basis_level)(int k, const num u[], int mu, num t, num N[])
+KERNEL void G(basis_level)(int k, const num u[], int mu, num t, num N[])
 {
     num carry = from_int(0);
     for (int m = 0; m < k; m++) {
@@ -33,7 +33,7 @@ static inline void G(basis_level)(int k, const num u[], int mu, num t, num N[])
 
 /* The derivative of the same recursion, in place: from values of degree k-1 to those of
  *     N_{i,k}' = k (N_{i,k-1}/(u_{i+k} - u_i) - N_{i+1,k-1}/(u_{i+k+1} - u_{i+1})). */
-static inline void G(basis_derivative_level)(int k, const num u[], int mu, num N[])
+KERNEL void G(basis_derivative_level)(int k, const num u[], int mu, num N[])
 {
     num carry = from_int(0);
     for (int m = 0; m < k; m++) {
@@ -46,7 +46,7 @@ static inline void G(basis_derivative_level)(int k, const num u[], int mu, num N
 }
 
 /* N[m] = N_{mu-p+m,p}(t), m = 0, ..., p: the B-splines that do not vanish on the span. */
-static inline void G(bspline_basis)(int p, const num u[], int mu, num t, num N[])
+KERNEL void G(bspline_basis)(int p, const num u[], int mu, num t, num N[])
 {
     N[0] = from_int(1);
     for (int k = 1; k <= p; k++)
@@ -54,7 +54,7 @@ static inline void G(bspline_basis)(int p, const num u[], int mu, num t, num N[]
 }
 
 /* Row r of D, r = 0, ..., rows-1, holds the p+1 derivatives of order r: D[r(p+1) + m] = N_{mu-p+m,p}^(r)(t). */
-static inline void G(bspline_basis_derivatives)(int p, const num u[], int mu, num t, int rows, num D[])
+KERNEL void G(bspline_basis_derivatives)(int p, const num u[], int mu, num t, int rows, num D[])
 {
     for (int r = 0; r < rows; r++) {
         num *row = D + r * (p + 1);
@@ -71,7 +71,7 @@ static inline void G(bspline_basis_derivatives)(int p, const num u[], int mu, nu
 /* Discrete B-splines (离散 B 样条): a[m] = alpha_{mu-p+m}(j), m = 0, ..., p, where x_0, ..., x_{p-1} are the knots
  * v_{j+1}, ..., v_{j+p} of a refinement v of u and [v_j, v_{j+1}) lies in the span: point j over v is
  * sum_i alpha_i(j) c_i.  The recursion of de Boor and Cox, level k at x_{k-1}; the order of x does not matter. */
-static inline void G(discrete_bsplines)(int p, const num u[], int mu, const num x[restrict], num a[restrict])
+KERNEL void G(discrete_bsplines)(int p, const num u[], int mu, const num x[restrict], num a[restrict])
 {
     a[0] = from_int(1);
     for (int k = 1; k <= p; k++)
@@ -81,7 +81,7 @@ static inline void G(discrete_bsplines)(int p, const num u[], int mu, const num 
 /* Level r of de Boor's triangle at t, 1 <= r <= p, in place: the p+2-r points d_i^{r-1}, i = mu-p+r-1, ..., mu,
  * become the p+1-r points d_i^r = (1-a) d_{i-1}^{r-1} + a d_i^{r-1}, a = (t - u_i)/(u_{i+p+1-r} - u_i),
  * i = mu-p+r, ..., mu.  The last point stays as it was. */
-static inline void G(deboor_level)(int p, int dim, const num u[], int mu, int r, num d[], num t)
+KERNEL void G(deboor_level)(int p, int dim, const num u[], int mu, int r, num d[], num t)
 {
     for (int m = 0; m <= p - r; m++) {
         int i = mu - p + r + m, far = i + p + 1 - r;
@@ -93,7 +93,7 @@ static inline void G(deboor_level)(int p, int dim, const num u[], int mu, int r,
 
 /* The polar form (极形式) of the segment of mu, out = f[x_0, ..., x_{p-1}]: symmetric, affine in each x, and
  * f[t, ..., t] = s(t).  Level r of de Boor's triangle at x_{r-1}.  d: the p+1 points c_{mu-p}, ..., c_mu. */
-static inline void G(blossom_of_span)(int p, int dim, const num u[], int mu, const num d[], const num x[], num out[])
+KERNEL void G(blossom_of_span)(int p, int dim, const num u[], int mu, const num d[], const num x[], num out[])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (p + 1) * dim; m++)
@@ -105,13 +105,13 @@ static inline void G(blossom_of_span)(int p, int dim, const num u[], int mu, con
 }
 
 /* The same for all n points c. */
-static inline void G(bspline_blossom)(int p, int dim, const num u[], int mu, const num c[], const num x[], num out[])
+KERNEL void G(bspline_blossom)(int p, int dim, const num u[], int mu, const num c[], const num x[], num out[])
 {
     G(blossom_of_span)(p, dim, u, mu, c + (mu - p) * dim, x, out);
 }
 
 /* out = s(t) of the segment with the p+1 points d, by de Boor's algorithm. */
-static inline void G(deboor_of_span)(int p, int dim, const num u[], int mu, const num d[], num t, num out[])
+KERNEL void G(deboor_of_span)(int p, int dim, const num u[], int mu, const num d[], num t, num out[])
 {
     num x[MAX_DEGREE + 1];
     for (int r = 0; r < p; r++)
@@ -120,7 +120,7 @@ static inline void G(deboor_of_span)(int p, int dim, const num u[], int mu, cons
 }
 
 /* out = s(t), all n points given. */
-static inline void G(deboor)(int p, int dim, const num u[], int mu, const num c[], num t, num out[])
+KERNEL void G(deboor)(int p, int dim, const num u[], int mu, const num c[], num t, num out[])
 {
     G(deboor_of_span)(p, dim, u, mu, c + (mu - p) * dim, t, out);
 }
@@ -128,7 +128,7 @@ static inline void G(deboor)(int p, int dim, const num u[], int mu, const num c[
 /* The points of the derivative on a span, in place: d_i, i = mu-p, ..., mu, become the p points
  *     p (d_i - d_{i-1})/(u_{i+p} - u_i), i = mu-p+1, ..., mu,
  * of a spline of degree p-1 over the same knots.  The last point stays as it was; nothing happens for p = 0. */
-static inline void G(bspline_hodograph)(int p, int dim, const num u[], int mu, num d[])
+KERNEL void G(bspline_hodograph)(int p, int dim, const num u[], int mu, num d[])
 {
     for (int m = 0; m < p; m++) {
         int i = mu - p + 1 + m;
@@ -140,8 +140,8 @@ static inline void G(bspline_hodograph)(int p, int dim, const num u[], int mu, n
 
 /* Row r of out, r = 0, ..., rows-1, is the r-th derivative at t of the segment with the p+1 points d; zero for
  * r > p. */
-static inline void G(derivatives_of_span)(int p, int dim, const num u[], int mu, const num d[restrict], num t, int rows,
-                                          num out[restrict])
+KERNEL void G(derivatives_of_span)(int p, int dim, const num u[], int mu, const num d[restrict], num t, int rows,
+                                   num out[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (p + 1) * dim; m++)
@@ -157,16 +157,15 @@ static inline void G(derivatives_of_span)(int p, int dim, const num u[], int mu,
 }
 
 /* The same, all n points given. */
-static inline void G(bspline_derivatives)(int p, int dim, const num u[], int mu, const num c[restrict], num t, int rows,
-                                          num out[restrict])
+KERNEL void G(bspline_derivatives)(int p, int dim, const num u[], int mu, const num c[restrict], num t, int rows,
+                                   num out[restrict])
 {
     G(derivatives_of_span)(p, dim, u, mu, c + (mu - p) * dim, t, rows, out);
 }
 
 /* The n-1 points e_i = p (c_{i+1} - c_i)/(u_{i+p+1} - u_{i+1}) of the derivative of s, a spline of degree p-1
  * over u_1, ..., u_{n+p-1}, p >= 1.  UNDEFINED where p+1 knots u_{i+1}, ..., u_{i+p+1} are one. */
-static inline void G(bspline_difference)(int n, int p, int dim, const num u[restrict], const num c[restrict],
-                                         num e[restrict])
+KERNEL void G(bspline_difference)(int n, int p, int dim, const num u[restrict], const num c[restrict], num e[restrict])
 {
     for (int i = 0; i < n - 1; i++) {
         num factor = div(from_int(p), sub(u[i + p + 1], u[i + 1]));
@@ -177,7 +176,7 @@ static inline void G(bspline_difference)(int n, int p, int dim, const num u[rest
 
 /* The Greville abscissa (Greville 横坐标) of point i, (u_{i+1} + ... + u_{i+p})/p, p >= 1: the coefficient of
  * N_{i,p} in the spline s(t) = t. */
-static inline num G(greville)(int p, const num u[], int i)
+KERNEL num G(greville)(int p, const num u[], int i)
 {
     num sum = u[i + 1];
     for (int k = 2; k <= p; k++)
@@ -188,8 +187,8 @@ static inline num G(greville)(int p, const num u[], int i)
 /* Boehm's insertion of one knot x, u_mu <= x < u_{mu+1}: n+2+p knots v and n+1 points d of the same spline,
  *     d_i = c_i for i <= mu-p,   (1-a) c_{i-1} + a c_i with a = (x - u_i)/(u_{i+p} - u_i) for mu-p < i <= mu,
  *     c_{i-1} for i > mu. */
-static inline void G(bspline_insert)(int n, int p, int dim, const num u[restrict], int mu, const num c[restrict], num x,
-                                     num v[restrict], num d[restrict])
+KERNEL void G(bspline_insert)(int n, int p, int dim, const num u[restrict], int mu, const num c[restrict], num x,
+                              num v[restrict], num d[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int i = 0; i <= n + p + 1; i++)
@@ -209,8 +208,8 @@ static inline void G(bspline_insert)(int n, int p, int dim, const num u[restrict
  * b: n-1 points, so that inserting u_r again gives c with the exception of one equation; defect[dim] is what
  * that equation lacks.  The knot is removable (可消去), the spline of b and v is s, if and only if defect = 0.
  * The equations c_i = (1-a_i) b_{i-1} + a_i b_i are solved from both ends, as far as they reach. */
-static inline void G(bspline_remove)(int n, int p, int dim, const num u[restrict], const num c[restrict], int r, int s,
-                                     num v[restrict], num b[restrict], num defect[restrict])
+KERNEL void G(bspline_remove)(int n, int p, int dim, const num u[restrict], const num c[restrict], int r, int s,
+                              num v[restrict], num b[restrict], num defect[restrict])
 {
     int mu = r - 1, low = mu - p + 1, high = mu - s + 1; /* equations low, ..., high; mu is the span of u_r in v */
     for (int i = 0; i < n + p; i++)
@@ -244,8 +243,8 @@ static inline void G(bspline_remove)(int n, int p, int dim, const num u[restrict
 /* The m points of the same spline over a refinement v of u (m+p+1 knots, every knot of u with at least its
  * multiplicity): the Oslo algorithm, d_j = f[v_{j+1}, ..., v_{j+p}].  span[j] is a span of u that contains a non-empty
  * interval [v_l, v_{l+1}] with j <= l <= j+p. */
-static inline void G(bspline_refine)(int p, int dim, const num u[restrict], const num c[restrict], int m,
-                                     const num v[restrict], const int span[restrict], num d[restrict])
+KERNEL void G(bspline_refine)(int p, int dim, const num u[restrict], const num c[restrict], int m,
+                              const num v[restrict], const int span[restrict], num d[restrict])
 {
     for (int j = 0; j < m; j++)
         G(bspline_blossom)(p, dim, u, span[j], c, v + j + 1, d + j * dim);
@@ -255,8 +254,8 @@ static inline void G(bspline_refine)(int p, int dim, const num u[restrict], cons
  * at least one more than its multiplicity (m+p+2 knots):
  *     d_j = 1/(p+1) sum_{k=1}^{p+1} f[v_{j+1}, ..., v_{j+p+1} without v_{j+k}].
  * span[j] as above, with j <= l <= j+p+1. */
-static inline void G(bspline_elevate)(int p, int dim, const num u[restrict], const num c[restrict], int m,
-                                      const num v[restrict], const int span[restrict], num d[restrict])
+KERNEL void G(bspline_elevate)(int p, int dim, const num u[restrict], const num c[restrict], int m,
+                               const num v[restrict], const int span[restrict], num d[restrict])
 {
     num x[MAX_DEGREE], part[MAX_DIM], share = from_ratio(1, p + 1);
     for (int j = 0; j < m; j++) {
@@ -274,8 +273,7 @@ static inline void G(bspline_elevate)(int p, int dim, const num u[restrict], con
 
 /* The p+1 Bézier points of the segment of mu over [u_mu, u_{mu+1}]: b_i = f[u_mu, ..., u_mu, u_{mu+1}, ..., u_{mu+1}]
  * with i arguments u_{mu+1}. */
-static inline void G(bspline_to_bezier)(int p, int dim, const num u[restrict], int mu, const num c[restrict],
-                                        num b[restrict])
+KERNEL void G(bspline_to_bezier)(int p, int dim, const num u[restrict], int mu, const num c[restrict], num b[restrict])
 {
     num x[MAX_DEGREE + 1];
     for (int i = 0; i <= p; i++) {
@@ -287,7 +285,7 @@ static inline void G(bspline_to_bezier)(int p, int dim, const num u[restrict], i
 
 /* The way back: the point that belongs to the knots x_0, ..., x_{p-1} when the segment over [from, to] has the Bézier
  * points b: its polar form there.  UNDEFINED for from = to. */
-static inline void G(bspline_point_of_bezier)(int p, int dim, const num b[], num from, num to, const num x[], num out[])
+KERNEL void G(bspline_point_of_bezier)(int p, int dim, const num b[], num from, num to, const num x[], num out[])
 {
     num local[MAX_DEGREE + 1], length = sub(to, from);
     for (int r = 0; r < p; r++)
@@ -299,8 +297,8 @@ static inline void G(bspline_point_of_bezier)(int p, int dim, const num b[], num
  * v_{j+1}, ..., v_{j+p-1} of the segment span[j], reduced by bezier_reduce; span[j] as above, with j <= l < j+p.
  * p >= 1.  Whether the spline is of degree p-1 is decided by elevating the result: it is if and only if that
  * gives c again. */
-static inline void G(bspline_reduce)(int p, int dim, const num u[restrict], const num c[restrict], int m,
-                                     const num v[restrict], const int span[restrict], num d[restrict])
+KERNEL void G(bspline_reduce)(int p, int dim, const num u[restrict], const num c[restrict], int m,
+                              const num v[restrict], const int span[restrict], num d[restrict])
 {
     num b[(MAX_DEGREE + 1) * MAX_DIM], lower[(MAX_DEGREE + 1) * MAX_DIM], defect[MAX_DIM];
     for (int j = 0; j < m; j++) {
@@ -315,9 +313,9 @@ static inline void G(bspline_reduce)(int p, int dim, const num u[restrict], cons
  *     left:  mu-s+1 points over u_0, ..., u_{mu-s}, t, ..., t    (none if that is not positive)
  *     right: n-mu+p points over t, ..., t, u_{mu+1}, ..., u_{n+p}
  * The new points are the two sides of de Boor's triangle at t. */
-static inline void G(bspline_split)(int n, int p, int dim, const num u[restrict], int mu, int s, const num c[restrict],
-                                    num t, num left_knots[restrict], num left[restrict], num right_knots[restrict],
-                                    num right[restrict])
+KERNEL void G(bspline_split)(int n, int p, int dim, const num u[restrict], int mu, int s, const num c[restrict], num t,
+                             num left_knots[restrict], num left[restrict], num right_knots[restrict],
+                             num right[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     int lefts = mu - s + 1, rights = n - mu + p;
@@ -344,8 +342,8 @@ static inline void G(bspline_split)(int n, int p, int dim, const num u[restrict]
 
 /* A periodic spline (周期 B 样条) as an ordinary one: m points c_0, ..., c_{m-1} and the m+1 knots u_0, ..., u_m of
  * one period become m+p points d and m+2p+1 knots v whose domain is the period; 0 <= p <= m. */
-static inline void G(bspline_periodic)(int m, int p, int dim, const num u[restrict], const num c[restrict],
-                                       num v[restrict], num d[restrict])
+KERNEL void G(bspline_periodic)(int m, int p, int dim, const num u[restrict], const num c[restrict], num v[restrict],
+                                num d[restrict])
 {
     num period = sub(u[m], u[0]);
     for (int i = 0; i <= m; i++)

@@ -16,7 +16,7 @@
 /* The matrix A by Cox and de Boor's recursion on polynomials of v: with t = u[mu] + v h and the function N of
  * degree q-1 that begins at u[i], its shares (t - u[i])/(u[i+q] - u[i]) N and (u[i+q] - t)/(u[i+q] - u[i]) N go to
  * the functions of degree q that begin at u[i] and at u[i-1].  i <= mu < i+q, so no denominator is 0. */
-static inline void G(bspline_matrix)(int p, const num u[restrict], int mu, num A[restrict])
+KERNEL void G(bspline_matrix)(int p, const num u[restrict], int mu, num A[restrict])
 {
     int k = p + 1;
     num W[MAX_ORDER * MAX_ORDER], h = sub(u[mu + 1], u[mu]);
@@ -49,8 +49,8 @@ static inline void G(bspline_matrix)(int p, const num u[restrict], int mu, num A
  *     a_j = (u[i+k] - u[i]) (u[mu] - u[mu+1])^j sum alpha_{lm} p!/(j! (p-m-j)!) (tau_l - u[mu])^{p-m-j}
  * over the tau_l to the right of u[mu] and m <= p-j.  group[] says which knots coincide: group[a] = group[b] just
  * when u[a] = u[b], and group is nondecreasing. */
-static inline void G(bspline_column_by_differences)(int p, const num u[restrict], const int group[restrict], int i,
-                                                    int mu, num a[restrict])
+KERNEL void G(bspline_column_by_differences)(int p, const num u[restrict], const int group[restrict], int i, int mu,
+                                             num a[restrict])
 {
     int k = p + 1, d = 0, l[MAX_ORDER], right[MAX_ORDER];
     num tau[MAX_ORDER], alpha[MAX_ORDER], step = sub(u[mu], u[mu + 1]), scale = sub(u[i + k], u[i]);
@@ -85,8 +85,8 @@ static inline void G(bspline_column_by_differences)(int p, const num u[restrict]
 }
 
 /* The matrix A by divided differences, column by column (formulas 4.4.11 and 4.4.12). */
-static inline void G(bspline_matrix_by_differences)(int p, const num u[restrict], const int group[restrict], int mu,
-                                                    num A[restrict])
+KERNEL void G(bspline_matrix_by_differences)(int p, const num u[restrict], const int group[restrict], int mu,
+                                             num A[restrict])
 {
     num a[MAX_ORDER];
     for (int c = 0; c <= p; c++) {
@@ -98,7 +98,7 @@ static inline void G(bspline_matrix_by_differences)(int p, const num u[restrict]
 
 /* w[c] = omega_{mu-p+c}(x), the product of x - u[i+1], ..., x - u[i+p] for i = mu-p+c (formula 4.4.14).  By
  * Marsden's identity (x - t)^p = sum omega_i(x) N_i(t) on the span mu. */
-static inline void G(marsden_coefficients)(int p, const num u[restrict], int mu, num x, num w[restrict])
+KERNEL void G(marsden_coefficients)(int p, const num u[restrict], int mu, num x, num w[restrict])
 {
     for (int c = 0; c <= p; c++) {
         w[c] = from_int(1);
@@ -108,7 +108,7 @@ static inline void G(marsden_coefficients)(int p, const num u[restrict], int mu,
 }
 
 /* s[j] = the j-th elementary symmetric function (初等对称函数) of x[0], ..., x[n-1], j = 0, ..., n. */
-static inline void G(elementary_symmetric)(int n, const num x[restrict], num s[restrict])
+KERNEL void G(elementary_symmetric)(int n, const num x[restrict], num s[restrict])
 {
     s[0] = from_int(1);
     for (int m = 0; m < n; m++) {
@@ -120,7 +120,7 @@ static inline void G(elementary_symmetric)(int n, const num x[restrict], num s[r
 
 /* The k x k matrix M, M[j k + c] = Sym_j(u[i+1], ..., u[i+p]) / C(p,j) with i = mu-p+c, so that
  * t^j = sum_c M[j k + c] N_{mu-p+c}(t) on the span (formulas 4.4.18, 4.4.19 and 4.4.22). */
-static inline void G(marsden_matrix)(int p, const num u[restrict], int mu, num M[restrict])
+KERNEL void G(marsden_matrix)(int p, const num u[restrict], int mu, num M[restrict])
 {
     num s[MAX_ORDER];
     for (int c = 0; c <= p; c++) {
@@ -132,7 +132,7 @@ static inline void G(marsden_matrix)(int p, const num u[restrict], int mu, num M
 
 /* Its determinant: the product of u[b] - u[a] over all a <= mu < b with b - a <= p, divided by the product of all
  * C(p,j).  It is positive when the knots are nondecreasing and u[mu] < u[mu+1]. */
-static inline num G(marsden_determinant)(int p, const num u[], int mu)
+KERNEL num G(marsden_determinant)(int p, const num u[], int mu)
 {
     num product = from_int(1);
     for (int a = mu - p + 1; a <= mu; a++)
@@ -145,7 +145,7 @@ static inline num G(marsden_determinant)(int p, const num u[], int mu)
 
 /* The cofactor (代数余子式) of place (row, column), counted from 0, of an n x n matrix M: (-1)^{row+column} times
  * the determinant of what is left without that row and column; 1 for n = 1. */
-static inline num G(cofactor)(int n, const num M[], int row, int column)
+KERNEL num G(cofactor)(int n, const num M[], int row, int column)
 {
     num rest[MAX_ORDER * MAX_ORDER];
     int m = 0;
@@ -159,7 +159,7 @@ static inline num G(cofactor)(int n, const num M[], int row, int column)
 
 /* The matrix A by Marsden's identity (theorem 4.4.3): with the cofactors g* of the matrix g of marsden_matrix,
  *     a_{jc} = (u[mu+1] - u[mu])^j / det g  sum_{m=j}^p C(m,j) u[mu]^{m-j} g*_{mc}. */
-static inline void G(bspline_matrix_by_marsden)(int p, const num u[restrict], int mu, num A[restrict])
+KERNEL void G(bspline_matrix_by_marsden)(int p, const num u[restrict], int mu, num A[restrict])
 {
     int k = p + 1;
     num g[MAX_ORDER * MAX_ORDER], star[MAX_ORDER], h = sub(u[mu + 1], u[mu]), det = G(marsden_determinant)(p, u, mu);
@@ -182,7 +182,7 @@ static inline void G(bspline_matrix_by_marsden)(int p, const num u[restrict], in
  *     a_{ji} = C(p,j) (u[i+k] - u[i]) (u[mu] - u[mu+1])^j sum_l (u[l] - u[mu])^{p-j} / prod_{m != l} (u[l] - u[m]),
  * the sum over l = mu+1, ..., i+k, the product over m = i, ..., i+k.  UNDEFINED when two of those to the
  * right of u[mu] are equal. */
-static inline void G(bspline_matrix_simple)(int p, const num u[restrict], int mu, num A[restrict])
+KERNEL void G(bspline_matrix_simple)(int p, const num u[restrict], int mu, num A[restrict])
 {
     int k = p + 1;
     num step = sub(u[mu], u[mu + 1]);
@@ -206,7 +206,7 @@ static inline void G(bspline_matrix_simple)(int p, const num u[restrict], int mu
 
 /* The matrix A of equidistant knots (等距节点), the same on every span:
  *     a_{jc} = (-1)^j C(p,j) / p!  sum_{l=0}^c (-1)^l C(k,l) (c-l+1)^{p-j}. */
-static inline void G(bspline_matrix_uniform)(int p, num A[])
+KERNEL void G(bspline_matrix_uniform)(int p, num A[])
 {
     int k = p + 1;
     num factorial = from_int(1);
@@ -228,7 +228,7 @@ static inline void G(bspline_matrix_uniform)(int p, num A[])
 
 /* The matrix A of k knots 0 and k knots 1, of the Bernstein basis (Bernstein 基): a_{jc} = (-1)^{j+c} C(p,j) C(j,c),
  * 0 for j < c. */
-static inline void G(bernstein_matrix)(int p, num A[])
+KERNEL void G(bernstein_matrix)(int p, num A[])
 {
     for (int j = 0; j <= p; j++)
         for (int c = 0; c <= p; c++) {

@@ -10,7 +10,7 @@
 #include "core/number/generic_on.h"
 
 /* The line through p and q: l(X) = det(p, q, X), positive to the left of the way from p to q. */
-static inline void G(line_through)(const num p[], const num q[], num l[])
+KERNEL void G(line_through)(const num p[], const num q[], num l[])
 {
     l[0] = sub(p[1], q[1]);
     l[1] = sub(q[0], p[0]);
@@ -18,7 +18,7 @@ static inline void G(line_through)(const num p[], const num q[], num l[])
 }
 
 /* S = l1 l2, the conic that consists of two lines; l1 and l2 may be the same. */
-static inline void G(line_pair)(const num l1[], const num l2[], num S[])
+KERNEL void G(line_pair)(const num l1[], const num l2[], num S[])
 {
     num half = from_ratio(1, 2);
     S[0] = mul(l1[0], l2[0]);
@@ -30,7 +30,7 @@ static inline void G(line_pair)(const num l1[], const num l2[], num S[])
 }
 
 /* S = (1-lambda) S1 + lambda S2, the pencil of conics through the common points (formula 3.1.2). */
-static inline void G(conic_pencil)(num lambda, const num S1[], const num S2[], num S[])
+KERNEL void G(conic_pencil)(num lambda, const num S1[], const num S2[], num S[])
 {
     num mu = sub(from_int(1), lambda);
     for (int i = 0; i < 6; i++)
@@ -39,7 +39,7 @@ static inline void G(conic_pencil)(num lambda, const num S1[], const num S2[], n
 
 /* Liming's pencil S = (1-lambda) l1 l2 + lambda l3^2: conics that touch l1 and l2 where l3 meets them
  * (formula 3.1.3). */
-static inline void G(liming)(num lambda, const num l1[], const num l2[], const num l3[], num S[])
+KERNEL void G(liming)(num lambda, const num l1[], const num l2[], const num l3[], num S[])
 {
     num tangents[6], chord[6];
     G(line_pair)(l1, l2, tangents);
@@ -48,7 +48,7 @@ static inline void G(liming)(num lambda, const num l1[], const num l2[], const n
 }
 
 /* S(x, y) */
-static inline num G(conic_value)(const num S[], num x, num y)
+KERNEL num G(conic_value)(const num S[], num x, num y)
 {
     num two = from_int(2);
     num row_x = add(add(mul(S[0], x), mul(two, mul(S[1], y))), mul(two, S[3]));
@@ -57,7 +57,7 @@ static inline num G(conic_value)(const num S[], num x, num y)
 }
 
 /* g = (S_x, S_y) = 2 (A x + B y + D, B x + C y + E). */
-static inline void G(conic_gradient)(const num S[], num x, num y, num g[])
+KERNEL void G(conic_gradient)(const num S[], num x, num y, num g[])
 {
     num two = from_int(2);
     g[0] = mul(two, add(add(mul(S[0], x), mul(S[1], y)), S[3]));
@@ -65,10 +65,10 @@ static inline void G(conic_gradient)(const num S[], num x, num y, num g[])
 }
 
 /* AC - B^2: positive for ellipses, zero for parabolas, negative for hyperbolas. */
-static inline num G(conic_delta)(const num S[]) { return sub(mul(S[0], S[2]), mul(S[1], S[1])); }
+KERNEL num G(conic_delta)(const num S[]) { return sub(mul(S[0], S[2]), mul(S[1], S[1])); }
 
 /* det [A B D; B C E; D E F]: zero when the conic is degenerate. */
-static inline num G(conic_determinant)(const num S[])
+KERNEL num G(conic_determinant)(const num S[])
 {
     num a = sub(mul(S[2], S[5]), mul(S[4], S[4]));
     num b = sub(mul(S[1], S[5]), mul(S[4], S[3]));
@@ -83,7 +83,7 @@ static inline num G(conic_determinant)(const num S[])
  *     S = w_0 w_2 l_1^2 / 4 - w_1^2 l_0 l_2,
  * a conic of Liming's pencil; in the frame of formula 3.5.4 these are the coefficients printed there.
  * When the triangle is flat, S is a multiple of the square of its line, or 0. */
-static inline void G(conic_of_bezier)(const num R[], const num w[], num S[])
+KERNEL void G(conic_of_bezier)(const num R[], const num w[], num S[])
 {
     num l0[3], l1[3], l2[3], chord[6], tangents[6];
     G(line_through)(R + 2, R + 4, l0);
@@ -98,11 +98,11 @@ static inline void G(conic_of_bezier)(const num R[], const num w[], num S[])
 
 /* omega = w_1 / sqrt(w_0 w_2), the middle weight of the standard form (formula 3.5.2).
  * UNDEFINED when w_0 w_2 = 0; UNABLE when it has no root. */
-static inline num G(conic_standard_weight)(const num w[]) { return div(w[1], root(2, mul(w[0], w[2]))); }
+KERNEL num G(conic_standard_weight)(const num w[]) { return div(w[1], root(2, mul(w[0], w[2]))); }
 
 /* The shoulder point (肩点), parameter 1/2 of the standard form, on the median through R_1 (corollary 3.5.1):
  *     out = (R_0 + 2 omega R_1 + R_2) / (2 (1 + omega)),   omega != -1. */
-static inline void G(shoulder_point)(const num R[], const num w[], num out[])
+KERNEL void G(shoulder_point)(const num R[], const num w[], num out[])
 {
     num omega = G(conic_standard_weight)(w), two = from_int(2);
     num total = mul(two, add(from_int(1), omega));
@@ -112,14 +112,14 @@ static inline void G(shoulder_point)(const num R[], const num w[], num out[])
 
 /* cos^2 theta = w_1^2 / (w_0 w_2) of the circular arc with chord 2l and apex at height h over the
  * middle of the chord: l^2 / (l^2 + h^2); 2 theta is the angle of the arc (theorem 3.5.2). */
-static inline num G(circular_arc_invariant)(num l, num h)
+KERNEL num G(circular_arc_invariant)(num l, num h)
 {
     num ll = mul(l, l);
     return div(ll, add(ll, mul(h, h)));
 }
 
 /* Its weights in standard form, w = (1, cos theta, 1), l > 0.  UNABLE where l^2 + h^2 has no root. */
-static inline void G(circular_arc_weights)(num l, num h, num w[])
+KERNEL void G(circular_arc_weights)(num l, num h, num w[])
 {
     w[0] = w[2] = from_int(1);
     w[1] = div(l, root(2, add(mul(l, l), mul(h, h))));
@@ -129,7 +129,7 @@ static inline void G(circular_arc_weights)(num l, num h, num w[])
  * and as value its squared radius.  With M the middle of the chord, l = |R_0 M| and h = |M R_1|,
  *     centre = M - l^2/h^2 (R_1 - M),   radius^2 = l^2 + l^4/h^2 = (l / sin theta)^2.
  * UNDEFINED for h = 0. */
-static inline num G(circle_of_arc)(const num R[], num centre[])
+KERNEL num G(circle_of_arc)(const num R[], num centre[])
 {
     num half = from_ratio(1, 2), ll = from_int(0), hh = from_int(0), up[2];
     for (int c = 0; c < 2; c++) {

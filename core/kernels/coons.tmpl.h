@@ -13,8 +13,8 @@
  * a and b hold the values of the functions at u and at w; A_i the data at w: P(0,w), P(1,w), for m = 4 also
  * P_u(0,w), P_u(1,w); B_j those at u: P(u,0), P(u,1), P_w(u,0), P_w(u,1); M_ij what A_i and B_j have in common at a
  * corner.  With derivatives of a and of B with respect to u it is a derivative of the patch, and so for w. */
-static inline void G(coons_patch)(int m, int dim, const num a[], const num b[], const num A[], const num B[],
-                                  const num M[], num out[restrict])
+KERNEL void G(coons_patch)(int m, int dim, const num a[], const num b[], const num A[], const num B[], const num M[],
+                           num out[restrict])
 {
     for (int c = 0; c < dim; c++) {
         num sum = from_int(0);
@@ -31,7 +31,7 @@ static inline void G(coons_patch)(int m, int dim, const num a[], const num b[], 
 /* out = the derivative of order r in u and s in w, r and s at most 3, of the bicubic patch over the unit square
  * sum_ij q_i(u) M_ij q_j(w), where q_0, ..., q_3 are the functions of hermite_blending over [0, 1].  M is the 4 x 4
  * matrix of the corners: M_ij = P, P_w in columns 0-1, 2-3 at w = 0, 1, and P, P_u in rows 0-1, 2-3 at u = 0, 1. */
-static inline void G(hermite_tensor)(int dim, const num M[restrict], num u, num w, int r, int s, num out[restrict])
+KERNEL void G(hermite_tensor)(int dim, const num M[restrict], num u, num w, int r, int s, num out[restrict])
 {
     num p[16], q[16], zero = from_int(0), one = from_int(1);
     G(hermite_blending)(zero, one, u, r, p);

@@ -9,7 +9,7 @@
 #include "core/number/generic_on.h"
 
 /* m = (a, b, c). */
-static inline void G(cubic_minors)(const num P[restrict], num m[restrict])
+KERNEL void G(cubic_minors)(const num P[restrict], num m[restrict])
 {
     m[0] = G(cross2)(P + 6, P + 4);
     m[1] = G(cross2)(P + 6, P + 2);
@@ -17,7 +17,7 @@ static inline void G(cubic_minors)(const num P[restrict], num m[restrict])
 }
 
 /* f, the three coefficients of P' x P'' = f_0 + f_1 t + f_2 t^2, from m = (a, b, c). */
-static inline void G(inflection_polynomial)(const num m[restrict], num f[restrict])
+KERNEL void G(inflection_polynomial)(const num m[restrict], num f[restrict])
 {
     f[0] = mul(from_int(-2), m[2]);
     f[1] = mul(from_int(-6), m[1]);
@@ -25,14 +25,14 @@ static inline void G(inflection_polynomial)(const num m[restrict], num f[restric
 }
 
 /* delta = 3 b^2 - 4 a c, from m = (a, b, c). */
-static inline num G(cubic_delta)(const num m[])
+KERNEL num G(cubic_delta)(const num m[])
 {
     return sub(mul(from_int(3), mul(m[1], m[1])), mul(from_int(4), mul(m[0], m[2])));
 }
 
 /* g, the three coefficients of g_0 + g_1 t + g_2 t^2 = a^2 t^2 + a b t + b^2 - a c, from m = (a, b, c): for a != 0 its
  * roots are the two parameters of the double point, both at the cusp when delta = 0. */
-static inline void G(double_point_polynomial)(const num m[restrict], num g[restrict])
+KERNEL void G(double_point_polynomial)(const num m[restrict], num g[restrict])
 {
     g[0] = sub(mul(m[1], m[1]), mul(m[0], m[2]));
     g[1] = mul(m[0], m[1]);
@@ -40,7 +40,7 @@ static inline void G(double_point_polynomial)(const num m[restrict], num g[restr
 }
 
 /* out, the double point itself.  UNDEFINED for a = 0. */
-static inline void G(cubic_double_point)(const num P[restrict], const num m[restrict], num out[restrict])
+KERNEL void G(cubic_double_point)(const num P[restrict], const num m[restrict], num out[restrict])
 {
     num p = neg(div(m[1], m[0])), q = sub(mul(p, p), div(m[2], m[0])); /* s + t and s t */
     for (int j = 0; j < 2; j++) { /* P = P_0 + q-multiple of the quotient by t^2 - p t + q */

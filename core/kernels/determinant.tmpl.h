@@ -13,7 +13,7 @@
  * matrix X let mu(X) keep what is above the diagonal of X, have 0 below it, and
  * -(X_{i+1,i+1} + ... + X_{n,n}) in place i of it.  Then X_1 = M, X_{k+1} = mu(X_k) M leads to
  * X_n whose first entry is (-1)^{n-1} det M.  Below the diagonal X is never needed. */
-static inline num G(determinant)(int n, const num M[])
+KERNEL num G(determinant)(int n, const num M[])
 {
     num X[MAX_ORDER * MAX_ORDER], mu[MAX_ORDER], row[MAX_ORDER];
     for (int m = 0; m < n * n; m++)
@@ -37,7 +37,7 @@ static inline num G(determinant)(int n, const num M[])
 
 /* Sylvester's (m+n) x (m+n) matrix of a (degree m) and b (degree n), m + n <= MAX_ORDER: n rows of
  * shifted a over m rows of shifted b (formula 3.4.1).  Its determinant is their resultant. */
-static inline void G(sylvester)(int m, const num a[], int n, const num b[], num M[])
+KERNEL void G(sylvester)(int m, const num a[], int n, const num b[], num M[])
 {
     for (int i = 0; i < m + n; i++)
         for (int j = 0; j < m + n; j++) {
@@ -48,7 +48,7 @@ static inline void G(sylvester)(int m, const num a[], int n, const num b[], num 
 
 /* The symmetric n x n matrix M of Bézout of a and b, both of degree n <= MAX_ORDER:
  *     (a(x) b(y) - a(y) b(x)) / (x - y) = sum M_{ij} x^{n-1-i} y^{n-1-j}. */
-static inline void G(bezout)(int n, const num a[], const num b[], num M[])
+KERNEL void G(bezout)(int n, const num a[], const num b[], num M[])
 {
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++) {
@@ -58,7 +58,7 @@ static inline void G(bezout)(int n, const num a[], const num b[], num M[])
 }
 
 /* Res(a, b) = a_0^n b_0^m prod (alpha_i - beta_j) over the roots, for degrees m and n, 1 <= m + n <= MAX_ORDER. */
-static inline num G(resultant)(int m, const num a[], int n, const num b[])
+KERNEL num G(resultant)(int m, const num a[], int n, const num b[])
 {
     num M[MAX_ORDER * MAX_ORDER];
     G(sylvester)(m, a, n, b, M);
@@ -67,7 +67,7 @@ static inline num G(resultant)(int m, const num a[], int n, const num b[])
 
 /* The same for equal degrees 1 <= n <= MAX_ORDER, from the smaller matrix:
  * Res(a, b) = (-1)^{n(n-1)/2} det of Bézout's matrix. */
-static inline num G(bezout_resultant)(int n, const num a[], const num b[])
+KERNEL num G(bezout_resultant)(int n, const num a[], const num b[])
 {
     num M[MAX_ORDER * MAX_ORDER];
     G(bezout)(n, a, b, M);
@@ -77,7 +77,7 @@ static inline num G(bezout_resultant)(int n, const num a[], const num b[])
 
 /* a[i] = C(n,i) w_i (R_i[axis] - x), i = 0, ..., n: the coefficients of u^n, ..., 1 that formula 3.4.2 gives
  * to one coordinate of the rational curve (R, w) of the plane, axis 0 or 1. */
-static inline void G(implicit_coefficients)(int n, const num R[], const num w[], int axis, num x, num a[])
+KERNEL void G(implicit_coefficients)(int n, const num R[], const num w[], int axis, num x, num a[])
 {
     for (int i = 0; i <= n; i++)
         a[i] = mul(mul(from_int(binomial(n, i)), w[i]), sub(R[2 * i + axis], x));
@@ -85,7 +85,7 @@ static inline void G(implicit_coefficients)(int n, const num R[], const num w[],
 
 /* F(x, y), the determinant (3.4.1) of the rational curve (R, w) of the plane, 1 <= n <= MAX_ORDER, from
  * Bézout's matrix. */
-static inline num G(implicit_value)(int n, const num R[], const num w[], num x, num y)
+KERNEL num G(implicit_value)(int n, const num R[], const num w[], num x, num y)
 {
     num a[MAX_ORDER + 1], b[MAX_ORDER + 1];
     G(implicit_coefficients)(n, R, w, 0, x, a);

@@ -17,7 +17,7 @@
  * of degree <= n with the values f.  By the table
  *     [t_m, ..., t_{m+s}] f = ([t_{m+1}, ..., t_{m+s}] f - [t_m, ..., t_{m+s-1}] f) / (t_{m+s} - t_m),
  * and f^(s)(t_m) / s! where t_m = ... = t_{m+s}. */
-static inline num G(divided_difference)(int d, const int l[], const num tau[], const num f[])
+KERNEL num G(divided_difference)(int d, const int l[], const num tau[], const num f[])
 {
     num D[MAX_ORDER], factorial = from_int(1);
     int node[MAX_ORDER], first[MAX_ORDER], count = 0;
@@ -41,7 +41,7 @@ static inline num G(divided_difference)(int d, const int l[], const num tau[], c
 /* The confluent Vandermonde matrix (合流 Vandermonde 矩阵) H, (n+1) x (n+1), row by row: row b(i,j) has the
  * j-th derivatives of 1, t, ..., t^n at tau_i,  c!/(c-j)! tau_i^{c-j} in column c, 0 for c < j (formula 4.4.6,
  * its factorials put right). */
-static inline void G(confluent_vandermonde)(int d, const int l[], const num tau[], num H[])
+KERNEL void G(confluent_vandermonde)(int d, const int l[], const num tau[], num H[])
 {
     int columns = 0, row = 0;
     for (int i = 0; i < d; i++)
@@ -56,7 +56,7 @@ static inline void G(confluent_vandermonde)(int d, const int l[], const num tau[
 }
 
 /* Its determinant: the product of (tau_j - tau_i)^{l_i l_j}, i < j, and of the factorials 0!, ..., (l_i - 1)!. */
-static inline num G(confluent_vandermonde_determinant)(int d, const int l[], const num tau[])
+KERNEL num G(confluent_vandermonde_determinant)(int d, const int l[], const num tau[])
 {
     num product = from_int(1);
     for (int i = 0; i < d; i++) {
@@ -73,7 +73,7 @@ static inline num G(confluent_vandermonde_determinant)(int d, const int l[], con
 /* The weights alpha[b(i,j)] with  [t_0, ..., t_n] f = sum alpha_{ij} f^(j)(tau_i)  for every f (lemma 4.4.1), in
  * O(n^2) divisions: alpha_{ij} = c_{l_i - 1 - j} / j!  where c_0 + c_1 y + ... is the power series of the
  * product of (tau_i + y - tau_m)^{-l_m} over all m other than i. */
-static inline void G(divided_weights)(int d, const int l[], const num tau[], num alpha[])
+KERNEL void G(divided_weights)(int d, const int l[], const num tau[], num alpha[])
 {
     for (int i = 0; i < d; alpha += l[i], i++) {
         num c[MAX_ORDER], factorial = from_int(1);

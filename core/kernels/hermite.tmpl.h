@@ -11,7 +11,7 @@
  * all other values and first derivatives at t0 and t1 being 0: with u = (t - t0)/(t1 - t0)
  *     g_0 = 1 - 3u^2 + 2u^3,  g_1 = 3u^2 - 2u^3,  h_0 = (t1 - t0)(u - 2u^2 + u^3),  h_1 = (t1 - t0)(u^3 - u^2).
  * B[4k], ..., B[4k+3] in this order; zero for k > 3; any t.  UNDEFINED for t0 = t1. */
-static inline void G(hermite_blending)(num t0, num t1, num t, int r, num B[])
+KERNEL void G(hermite_blending)(num t0, num t1, num t, int r, num B[])
 {
     static const int power[4][4] = {{1, 0, -3, 2}, {0, 0, 3, -2}, {0, 1, -2, 1}, {0, 0, -1, 1}};
     num length = sub(t1, t0), u = div(sub(t, t0), length), scale = from_int(1);
@@ -33,7 +33,7 @@ static inline void G(hermite_blending)(num t0, num t1, num t, int r, num B[])
 /* Row k of out is the derivative of order k at t, k = 0, ..., r, of the cubic curve over [t0, t1] with the data
  *     P(t0), P(t1), P'(t0), P'(t1)
  * in this order.  UNDEFINED for t0 = t1. */
-static inline void G(hermite_cubic)(int dim, num t0, num t1, const num data[restrict], num t, int r, num out[restrict])
+KERNEL void G(hermite_cubic)(int dim, num t0, num t1, const num data[restrict], num t, int r, num out[restrict])
 {
     num B[4 * (MAX_DEGREE + 1)];
     G(hermite_blending)(t0, t1, t, r, B);
@@ -48,7 +48,7 @@ static inline void G(hermite_cubic)(int dim, num t0, num t1, const num data[rest
 
 /* g[i] = prod_{j != i} (t - tau_j)/(tau_i - tau_j), i = 0, ..., n: the polynomials of degree n that are 1 at one of
  * n+1 nodes and 0 at the others (Lagrange 混合函数).  UNDEFINED when two nodes are equal. */
-static inline void G(lagrange_blending)(int n, const num tau[restrict], num t, num g[restrict])
+KERNEL void G(lagrange_blending)(int n, const num tau[restrict], num t, num g[restrict])
 {
     for (int i = 0; i <= n; i++) {
         num product = from_int(1);
@@ -63,8 +63,8 @@ static inline void G(lagrange_blending)(int n, const num tau[restrict], num t, n
  *     P^(j)(tau_i) = f[l_0 + ... + l_{i-1} + j],   0 <= j < l[i],   i = 0, ..., d-1,
  * where N+1 = l[0] + ... + l[d-1] <= MAX_ORDER and all l[i] >= 1: nodes and places as in divided.tmpl.h.
  * By the table of divided differences and Newton's form.  UNDEFINED when two of the tau are equal. */
-static inline void G(hermite_interpolant)(int d, const int l[], const num tau[restrict], const num f[restrict],
-                                          num c[restrict])
+KERNEL void G(hermite_interpolant)(int d, const int l[], const num tau[restrict], const num f[restrict],
+                                   num c[restrict])
 {
     num D[MAX_ORDER], factorial = from_int(1);
     int node[MAX_ORDER], first[MAX_ORDER], count = 0;

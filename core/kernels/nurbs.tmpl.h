@@ -10,14 +10,13 @@
 #include "core/number/generic_on.h"
 
 /* H: the p+1 homogeneous points of the span (formula 4.1.1). */
-static inline void G(nurbs_homogenize)(int p, int dim, int mu, const num R[restrict], const num w[restrict],
-                                       num H[restrict])
+KERNEL void G(nurbs_homogenize)(int p, int dim, int mu, const num R[restrict], const num w[restrict], num H[restrict])
 {
     G(rational_homogenize)(p, dim, R + (mu - p) * dim, w + mu - p, H);
 }
 
 /* The denominator w(t). */
-static inline num G(nurbs_weight)(int p, const num u[], int mu, const num w[], num t)
+KERNEL num G(nurbs_weight)(int p, const num u[], int mu, const num w[], num t)
 {
     num total;
     G(deboor)(p, 1, u, mu, w, t, &total);
@@ -25,8 +24,8 @@ static inline num G(nurbs_weight)(int p, const num u[], int mu, const num w[], n
 }
 
 /* out = R(t), of dim coordinates (formula 4.1.2). */
-static inline void G(nurbs_point)(int p, int dim, const num u[restrict], int mu, const num R[restrict],
-                                  const num w[restrict], num t, num out[restrict])
+KERNEL void G(nurbs_point)(int p, int dim, const num u[restrict], int mu, const num R[restrict], const num w[restrict],
+                           num t, num out[restrict])
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], total;
     G(nurbs_homogenize)(p, dim, mu, R, w, H);
@@ -35,8 +34,8 @@ static inline void G(nurbs_point)(int p, int dim, const num u[restrict], int mu,
 }
 
 /* Row k of out is the k-th derivative of R at t, k = 0, ..., r, r <= MAX_DEGREE. */
-static inline void G(nurbs_derivatives)(int p, int dim, const num u[restrict], int mu, const num R[restrict],
-                                        const num w[restrict], num t, int r, num out[restrict])
+KERNEL void G(nurbs_derivatives)(int p, int dim, const num u[restrict], int mu, const num R[restrict],
+                                 const num w[restrict], num t, int r, num out[restrict])
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     G(nurbs_homogenize)(p, dim, mu, R, w, H);
@@ -45,7 +44,7 @@ static inline void G(nurbs_derivatives)(int p, int dim, const num u[restrict], i
 }
 
 /* The squared curvature at t, 2 <= dim < MAX_DIM.  UNDEFINED also where R' = 0. */
-static inline num G(nurbs_curvature_squared)(int p, int dim, const num u[], int mu, const num R[], const num w[], num t)
+KERNEL num G(nurbs_curvature_squared)(int p, int dim, const num u[], int mu, const num R[], const num w[], num t)
 {
     num D[3 * MAX_DIM];
     G(nurbs_derivatives)(p, dim, u, mu, R, w, t, 2, D);
@@ -53,7 +52,7 @@ static inline num G(nurbs_curvature_squared)(int p, int dim, const num u[], int 
 }
 
 /* The torsion at t of a curve in space.  UNDEFINED also where R' x R'' = 0. */
-static inline num G(nurbs_torsion)(int p, const num u[], int mu, const num R[], const num w[], num t)
+KERNEL num G(nurbs_torsion)(int p, const num u[], int mu, const num R[], const num w[], num t)
 {
     num D[4 * 3];
     G(nurbs_derivatives)(p, 3, u, mu, R, w, t, 3, D);
@@ -64,7 +63,7 @@ static inline num G(nurbs_torsion)(int p, const num u[], int mu, const num R[], 
  * weights i = mu-p+r-1, ..., mu of level r-1 become the p+1-r of level r,
  *     w_i^r = a w_i^{r-1} + b w_{i-1}^{r-1},   R_i^r = a w_i^{r-1}/w_i^r R_i^{r-1} + b w_{i-1}^{r-1}/w_i^r R_{i-1}^{r-1},
  * a = (t - u_i)/(u_{i+p+1-r} - u_i), b = 1-a.  The last ones stay.  UNDEFINED where a new weight is 0. */
-static inline void G(nurbs_deboor_level)(int p, int dim, const num u[], int mu, int r, num R[], num w[], num t)
+KERNEL void G(nurbs_deboor_level)(int p, int dim, const num u[], int mu, int r, num R[], num w[], num t)
 {
     for (int m = 0; m <= p - r; m++) {
         int i = mu - p + r + m, far = i + p + 1 - r;
@@ -80,8 +79,8 @@ static inline void G(nurbs_deboor_level)(int p, int dim, const num u[], int mu, 
 
 /* The recursion to its end, algorithm 4.1.1: out = R(t), as the last point of the triangle above.  UNDEFINED as soon
  * as a weight of any level is 0, which positive weights exclude for u_mu <= t <= u_{mu+1}. */
-static inline void G(nurbs_deboor)(int p, int dim, const num u[restrict], int mu, const num R[restrict],
-                                   const num w[restrict], num t, num out[restrict])
+KERNEL void G(nurbs_deboor)(int p, int dim, const num u[restrict], int mu, const num R[restrict], const num w[restrict],
+                            num t, num out[restrict])
 {
     num P[(MAX_DEGREE + 1) * MAX_DIM], v[MAX_DEGREE + 1];
     for (int m = 0; m < (p + 1) * dim; m++)
@@ -97,8 +96,8 @@ static inline void G(nurbs_deboor)(int p, int dim, const num u[restrict], int mu
 /* Boehm's insertion of one knot x, u_mu <= x < u_{mu+1}: n+p+2 knots v, n+1 points S and weights z of the same curve,
  *     z_i = a w_i + (1-a) w_{i-1},   S_i = (a w_i R_i + (1-a) w_{i-1} R_{i-1})/z_i
  * with a as in bspline_insert.  UNDEFINED where a z_i is 0. */
-static inline void G(nurbs_insert)(int n, int p, int dim, const num u[restrict], int mu, const num R[restrict],
-                                   const num w[restrict], num x, num v[restrict], num S[restrict], num z[restrict])
+KERNEL void G(nurbs_insert)(int n, int p, int dim, const num u[restrict], int mu, const num R[restrict],
+                            const num w[restrict], num x, num v[restrict], num S[restrict], num z[restrict])
 {
     num P[(MAX_DEGREE + 1) * MAX_DIM], q[MAX_DEGREE + 1];
     for (int m = 0; m < (p + 1) * dim; m++)

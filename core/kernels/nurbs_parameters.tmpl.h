@@ -13,8 +13,8 @@
 
 /* Row r of R, r = 0, ..., rows-1, holds the r-th derivatives by t of the rational basis (有理基) of the span,
  *     R[r(p+1) + m] = R_m^(r)(t),   R_m^(r) = (w_m N_m^(r) - sum_{j=1}^r C(r,j) w^(j) R_m^(r-j)) / w. */
-static inline void G(nurbs_basis)(int p, const num u[restrict], int mu, const num w[restrict], num t, int rows,
-                                  num R[restrict])
+KERNEL void G(nurbs_basis)(int p, const num u[restrict], int mu, const num w[restrict], num t, int rows,
+                           num R[restrict])
 {
     num total[MAX_DEGREE + 1];
     G(bspline_basis_derivatives)(p, u, mu, t, rows, R);
@@ -35,8 +35,8 @@ static inline void G(nurbs_basis)(int p, const num u[restrict], int mu, const nu
 
 /* out[m(p+1) + k] = dR_m/dlambda_k = R_m (delta_mk - R_k) at t: a symmetric matrix.  The mixed derivatives of the curve
  * are these numbers times the unit vectors, d^2 C / (dlambda_k dP_m) = dR_m/dlambda_k e. */
-static inline void G(nurbs_basis_by_weights)(int p, const num u[restrict], int mu, const num w[restrict], num t,
-                                             num out[restrict])
+KERNEL void G(nurbs_basis_by_weights)(int p, const num u[restrict], int mu, const num w[restrict], num t,
+                                      num out[restrict])
 {
     num R[MAX_DEGREE + 1];
     G(nurbs_basis)(p, u, mu, w, t, 1, R);
@@ -49,8 +49,8 @@ static inline void G(nurbs_basis_by_weights)(int p, const num u[restrict], int m
  * c is out[(r(p+1) + m) dim + c] of
  *     d^r/dt^r dC/dlambda_m = R_m^(r) P_m - sum_{j=0}^r C(r,j) R_m^(r-j) C^(j)
  *                           = R_m^(r) (P_m - C) - sum_{j=1}^r C(r,j) R_m^(r-j) C^(j),   C^(j) = sum_m R_m^(j) P_m. */
-static inline void G(nurbs_by_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
-                                       const num w[restrict], num t, int rows, num out[restrict])
+KERNEL void G(nurbs_by_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
+                                const num w[restrict], num t, int rows, num out[restrict])
 {
     num R[(MAX_DEGREE + 1) * (MAX_DEGREE + 1)], C[(MAX_DEGREE + 1) * MAX_DIM];
     const num *points = P + (mu - p) * dim;
@@ -75,8 +75,8 @@ static inline void G(nurbs_by_weights)(int p, int dim, const num u[restrict], in
 
 /* The second derivatives by two weights, coordinate c of (m,k) being out[(m(p+1) + k) dim + c]:
  *     d^2 C / (dlambda_m dlambda_k) = delta_mk R_m (P_m - C) - R_m R_k ((P_m - C) + (P_k - C)). */
-static inline void G(nurbs_by_two_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
-                                           const num w[restrict], num t, num out[restrict])
+KERNEL void G(nurbs_by_two_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
+                                    const num w[restrict], num t, num out[restrict])
 {
     num R[MAX_DEGREE + 1], away[(MAX_DEGREE + 1) * MAX_DIM];
     const num *points = P + (mu - p) * dim;

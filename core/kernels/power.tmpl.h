@@ -9,7 +9,7 @@
 
 /* out = P(t) by Horner's rule (...(c_n t + c_{n-1}) t + ...) t + c_0 (formula 1-4-2): n multiplications and n
  * additions for each coordinate. */
-static inline void G(power_point)(int n, int dim, const num c[restrict], num t, num out[restrict])
+KERNEL void G(power_point)(int n, int dim, const num c[restrict], num t, num out[restrict])
 {
     for (int j = 0; j < dim; j++) {
         out[j] = c[n * dim + j];
@@ -19,7 +19,7 @@ static inline void G(power_point)(int n, int dim, const num c[restrict], num t, 
 }
 
 /* The n coefficients k c_k of P', in place; the last one is left as it was.  Nothing happens for n = 0. */
-static inline void G(power_hodograph)(int n, int dim, num c[])
+KERNEL void G(power_hodograph)(int n, int dim, num c[])
 {
     for (int k = 0; k < n; k++)
         for (int j = 0; j < dim; j++)
@@ -27,7 +27,7 @@ static inline void G(power_hodograph)(int n, int dim, num c[])
 }
 
 /* Row k of out is the k-th derivative of P at t: out[k*dim + j], k = 0, ..., r; zero for k > n. */
-static inline void G(power_derivatives)(int n, int dim, const num c[restrict], num t, int r, num out[restrict])
+KERNEL void G(power_derivatives)(int n, int dim, const num c[restrict], num t, int r, num out[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (n + 1) * dim; m++)
@@ -42,7 +42,7 @@ static inline void G(power_derivatives)(int n, int dim, const num c[restrict], n
 
 /* Row k of d is the forward difference (向前差分) of order k at 0 with the step delta, k = 0, ..., n:
  *     d_0 = P(0),   d_k = sum_{i=0}^k (-1)^{k-i} C(k,i) P(i delta). */
-static inline void G(power_differences)(int n, int dim, const num c[restrict], num delta, num d[restrict])
+KERNEL void G(power_differences)(int n, int dim, const num c[restrict], num delta, num d[restrict])
 {
     for (int i = 0; i <= n; i++)
         G(power_point)(n, dim, c, mul(from_int(i), delta), d + i * dim);
@@ -53,7 +53,7 @@ static inline void G(power_differences)(int n, int dim, const num c[restrict], n
 
 /* One step of the parameter, in place, by n additions for each coordinate (formula 1-4-3): the differences at t
  * become those at t + delta, d_k + d_{k+1} for k < n. */
-static inline void G(difference_step)(int n, int dim, num d[])
+KERNEL void G(difference_step)(int n, int dim, num d[])
 {
     for (int m = 0; m < n * dim; m++)
         d[m] = add(d[m], d[m + dim]);
@@ -61,7 +61,7 @@ static inline void G(difference_step)(int n, int dim, num d[])
 
 /* The same step for the differences divided by powers of the step, e_k = d_k / delta^k (formula 1-4-4): e_k becomes
  * e_k + delta e_{k+1} for k < n. */
-static inline void G(scaled_difference_step)(int n, int dim, num delta, num e[])
+KERNEL void G(scaled_difference_step)(int n, int dim, num delta, num e[])
 {
     for (int m = 0; m < n * dim; m++)
         e[m] = add(e[m], mul(delta, e[m + dim]));
@@ -69,7 +69,7 @@ static inline void G(scaled_difference_step)(int n, int dim, num delta, num e[])
 
 /* The n+1 coefficients out of the piece from u to v as a curve over the unit interval, P(u + (v - u) t) in powers of
  * t (formula 1-5-5 for n = 3).  Any u and v; a point for u = v. */
-static inline void G(power_on_interval)(int n, int dim, const num c[restrict], num u, num v, num out[restrict])
+KERNEL void G(power_on_interval)(int n, int dim, const num c[restrict], num u, num v, num out[restrict])
 {
     num h = sub(v, u), scale = from_int(1);
     for (int m = 0; m < (n + 1) * dim; m++)

@@ -12,7 +12,7 @@
 #include "core/number/generic_on.h"
 
 /* H_i = (w_i R_i, w_i): n+1 points of dim+1 coordinates, the weight last (formula 3.2.1). */
-static inline void G(rational_homogenize)(int n, int dim, const num R[restrict], const num w[restrict], num H[restrict])
+KERNEL void G(rational_homogenize)(int n, int dim, const num R[restrict], const num w[restrict], num H[restrict])
 {
     for (int i = 0; i <= n; i++) {
         for (int c = 0; c < dim; c++)
@@ -22,7 +22,7 @@ static inline void G(rational_homogenize)(int n, int dim, const num R[restrict],
 }
 
 /* The inverse: w_i is the last coordinate of H_i, R_i the others divided by it. */
-static inline void G(rational_dehomogenize)(int n, int dim, const num H[restrict], num R[restrict], num w[restrict])
+KERNEL void G(rational_dehomogenize)(int n, int dim, const num H[restrict], num R[restrict], num w[restrict])
 {
     for (int i = 0; i <= n; i++) {
         w[i] = H[i * (dim + 1) + dim];
@@ -32,7 +32,7 @@ static inline void G(rational_dehomogenize)(int n, int dim, const num H[restrict
 }
 
 /* The denominator w(t). */
-static inline num G(rational_weight)(int n, const num w[], num t)
+KERNEL num G(rational_weight)(int n, const num w[], num t)
 {
     num total;
     G(decasteljau)(n, 1, w, t, &total);
@@ -40,8 +40,7 @@ static inline num G(rational_weight)(int n, const num w[], num t)
 }
 
 /* out = R(t), of dim coordinates. */
-static inline void G(rational_point)(int n, int dim, const num R[restrict], const num w[restrict], num t,
-                                     num out[restrict])
+KERNEL void G(rational_point)(int n, int dim, const num R[restrict], const num w[restrict], num t, num out[restrict])
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], total;
     G(rational_homogenize)(n, dim, R, w, H);
@@ -52,7 +51,7 @@ static inline void G(rational_point)(int n, int dim, const num R[restrict], cons
 /* Row k of out is the k-th derivative of R = P/w, k = 0, ..., r, r <= MAX_DEGREE, from those of the homogeneous
  * curve: row k of D holds P^(k) and w^(k).  By P = w R and Leibniz,
  *     R^(k) = (P^(k) - sum_{j=1}^k C(k,j) w^(j) R^(k-j)) / w. */
-static inline void G(quotient_derivatives)(int dim, const num D[restrict], int r, num out[restrict])
+KERNEL void G(quotient_derivatives)(int dim, const num D[restrict], int r, num out[restrict])
 {
     for (int k = 0; k <= r; k++)
         for (int c = 0; c < dim; c++) {
@@ -66,8 +65,8 @@ static inline void G(quotient_derivatives)(int dim, const num D[restrict], int r
 }
 
 /* Row k of out is the k-th derivative of R at t, k = 0, ..., r, r <= MAX_DEGREE. */
-static inline void G(rational_derivatives)(int n, int dim, const num R[restrict], const num w[restrict], num t, int r,
-                                           num out[restrict])
+KERNEL void G(rational_derivatives)(int n, int dim, const num R[restrict], const num w[restrict], num t, int r,
+                                    num out[restrict])
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     G(rational_homogenize)(n, dim, R, w, H);
@@ -80,8 +79,8 @@ static inline void G(rational_derivatives)(int n, int dim, const num R[restrict]
  *     R_i^r = (1-lambda) w_{i-1}^{r-1}/w_i^r R_{i-1}^{r-1} + lambda w_i^{r-1}/w_i^r R_i^{r-1}.
  * The book's indices i = r, ..., n are stored from 0: n-r+1 points Rr and weights wr.
  * UNDEFINED as soon as a weight of some level 1, ..., r is 0. */
-static inline void G(rational_decasteljau)(int n, int dim, const num R[restrict], const num w[restrict], num lambda,
-                                           int r, num Rr[restrict], num wr[restrict])
+KERNEL void G(rational_decasteljau)(int n, int dim, const num R[restrict], const num w[restrict], num lambda, int r,
+                                    num Rr[restrict], num wr[restrict])
 {
     num P[(MAX_DEGREE + 1) * MAX_DIM], v[MAX_DEGREE + 1], mu = sub(from_int(1), lambda);
     for (int i = 0; i <= n; i++)
@@ -105,8 +104,8 @@ static inline void G(rational_decasteljau)(int n, int dim, const num R[restrict]
 
 /* The same curve over [0,t] (Rl, wl) and over [t,1] (Rr, wr), each over the unit interval (theorem
  * 3.3.1).  By homogeneous coordinates: UNDEFINED only if one of the resulting weights is 0. */
-static inline void G(rational_split)(int n, int dim, const num R[restrict], const num w[restrict], num t,
-                                     num Rl[restrict], num wl[restrict], num Rr[restrict], num wr[restrict])
+KERNEL void G(rational_split)(int n, int dim, const num R[restrict], const num w[restrict], num t, num Rl[restrict],
+                              num wl[restrict], num Rr[restrict], num wr[restrict])
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], left[(MAX_DEGREE + 1) * MAX_DIM], right[(MAX_DEGREE + 1) * MAX_DIM];
     G(rational_homogenize)(n, dim, R, w, H);
@@ -117,8 +116,8 @@ static inline void G(rational_split)(int n, int dim, const num R[restrict], cons
 
 /* The n+2 points Re and weights we of the same curve in degree n+1 <= MAX_DEGREE (formulas 3.2.8 and
  * 3.2.9), by homogeneous coordinates. */
-static inline void G(rational_elevate)(int n, int dim, const num R[restrict], const num w[restrict], num Re[restrict],
-                                       num we[restrict])
+KERNEL void G(rational_elevate)(int n, int dim, const num R[restrict], const num w[restrict], num Re[restrict],
+                                num we[restrict])
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], E[(MAX_DEGREE + 1) * MAX_DIM];
     G(rational_homogenize)(n, dim, R, w, H);
@@ -128,7 +127,7 @@ static inline void G(rational_elevate)(int n, int dim, const num R[restrict], co
 
 /* out_i = w_i a^i b^{n-i}: the weights of the same curve and points in the parameter u with
  * t = a u / (a u + b (1-u)), a and b not 0 (formulas 3.2.10 and 3.2.14).  out may be w. */
-static inline void G(rational_reparametrize)(int n, const num w[], num a, num b, num out[])
+KERNEL void G(rational_reparametrize)(int n, const num w[], num a, num b, num out[])
 {
     num power = from_int(1);
     for (int i = 0; i <= n; i++, power = mul(power, a))
@@ -140,7 +139,7 @@ static inline void G(rational_reparametrize)(int n, const num w[], num a, num b,
 
 /* The n-1 invariants (不变量) I[i-1] = I_i = w_i^2 / (w_{i-1} w_{i+1}), i = 1, ..., n-1, of the
  * transformations above (definition 3.2.2).  UNDEFINED when w_{i-1} or w_{i+1} is 0. */
-static inline void G(rational_invariants)(int n, const num w[restrict], num I[restrict])
+KERNEL void G(rational_invariants)(int n, const num w[restrict], num I[restrict])
 {
     for (int i = 1; i < n; i++)
         I[i - 1] = mul(div(w[i], w[i - 1]), div(w[i], w[i + 1]));
@@ -149,7 +148,7 @@ static inline void G(rational_invariants)(int n, const num w[restrict], num I[re
 /* The standard form (标准形): the weights w_i/w_0 q^i with q = (w_0/w_n)^{1/n}, n >= 1, so that the
  * first and the last are 1.  UNDEFINED when w_0 or w_n is 0; UNABLE when w_0/w_n has no such root.
  * out may be w. */
-static inline void G(rational_standard_form)(int n, const num w[], num out[])
+KERNEL void G(rational_standard_form)(int n, const num w[], num out[])
 {
     num q = root(n, div(w[0], w[n])), scale = div(from_int(1), w[0]);
     for (int i = 1; i < n; i++) {

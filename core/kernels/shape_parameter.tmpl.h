@@ -13,7 +13,7 @@
 #include "core/number/generic_on.h"
 
 /* near[i] and far[i], i = 0, ..., n. */
-static inline void G(shape_factors)(int n, num beta, num near[restrict], num far[restrict])
+KERNEL void G(shape_factors)(int n, num beta, num near[restrict], num far[restrict])
 {
     for (int i = 0; i <= n; i++) {
         long a = binomial(n - 2, i - 1) - binomial(n - 2, i - 2);
@@ -23,7 +23,7 @@ static inline void G(shape_factors)(int n, num beta, num near[restrict], num far
 }
 
 /* The same of the printed functions: row i of (1) is (c_0 + c_1 beta + c_2 beta t) (1-t)^{7-i} t^i. */
-static inline void G(shape_factors_printed)(num beta, num near[restrict], num far[restrict])
+KERNEL void G(shape_factors_printed)(num beta, num near[restrict], num far[restrict])
 {
     static const int row[8][3] = {{1, 0, -1}, {7, 1, -5},  {21, 4, -9}, {35, 5, -9},
                                   {35, 0, 1}, {21, -5, 9}, {7, -4, 5},  {1, -1, 1}};
@@ -35,7 +35,7 @@ static inline void G(shape_factors_printed)(num beta, num near[restrict], num fa
 
 /* B[i] = B_{i,n}(t).  Functions of degree 3 in the place of the last two levels of the recursion:
  *     B_{i,n} = (1-t)^2 (1 - beta t) B_i^{n-2} + (2 + beta) t (1-t) B_{i-1}^{n-2} + t^2 (1 - beta (1-t)) B_{i-2}^{n-2}. */
-static inline void G(shape_basis)(int n, num beta, num t, num B[])
+KERNEL void G(shape_basis)(int n, num beta, num t, num B[])
 {
     num s = sub(from_int(1), t), one = from_int(1);
     num left = mul(mul(s, s), sub(one, mul(beta, t))), right = mul(mul(t, t), sub(one, mul(beta, s)));
@@ -53,7 +53,7 @@ static inline void G(shape_basis)(int n, num beta, num t, num B[])
 }
 
 /* B[i] = B_{i,7}(t) as printed, i = 0, ..., 7. */
-static inline void G(shape_basis_printed)(num beta, num t, num B[])
+KERNEL void G(shape_basis_printed)(num beta, num t, num B[])
 {
     num near[8], far[8], s = sub(from_int(1), t), power = from_int(1);
     G(shape_factors_printed)(beta, near, far);
@@ -67,7 +67,7 @@ static inline void G(shape_basis_printed)(num beta, num t, num B[])
 /* The (n+2) x (n+1) matrix E, row by row, of functions (near_i (1-t) + far_i t) (1-t)^{n-i} t^i in the Bernstein
  * basis of degree n+1: B_i = sum_k E_{k,i} B_k^{n+1},
  *     E_{i,i} = near_i / C(n+1,i),   E_{i+1,i} = far_i / C(n+1,i+1),   0 elsewhere. */
-static inline void G(shape_matrix)(int n, const num near[restrict], const num far[restrict], num E[restrict])
+KERNEL void G(shape_matrix)(int n, const num near[restrict], const num far[restrict], num E[restrict])
 {
     for (int m = 0; m < (n + 2) * (n + 1); m++)
         E[m] = from_int(0);
@@ -79,7 +79,7 @@ static inline void G(shape_matrix)(int n, const num near[restrict], const num fa
 
 /* The n+2 Bézier points of q in degree n+1: every one divides an edge of the polygon,
  *     Q_k = (1 - r_k) P_{k-1} + r_k P_k,   r_k = near_k / C(n+1,k),   Q_0 = P_0, Q_{n+1} = P_n. */
-static inline void G(shape_bezier_points)(int n, int dim, const num P[restrict], num beta, num Q[restrict])
+KERNEL void G(shape_bezier_points)(int n, int dim, const num P[restrict], num beta, num Q[restrict])
 {
     num near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
     G(shape_factors)(n, beta, near, far);
@@ -95,7 +95,7 @@ static inline void G(shape_bezier_points)(int n, int dim, const num P[restrict],
 }
 
 /* out = q(t): n-2 levels of de Casteljau's triangle, and the functions of degree 3 on the three points that are left. */
-static inline void G(shape_point)(int n, int dim, const num P[restrict], num beta, num t, num out[restrict])
+KERNEL void G(shape_point)(int n, int dim, const num P[restrict], num beta, num t, num out[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM], B[3];
     for (int m = 0; m < (n + 1) * dim; m++)
@@ -108,7 +108,7 @@ static inline void G(shape_point)(int n, int dim, const num P[restrict], num bet
 }
 
 /* out = sum_{i=0}^7 P_i B_{i,7}(t) with the printed functions. */
-static inline void G(shape_point_printed)(int dim, const num P[restrict], num beta, num t, num out[restrict])
+KERNEL void G(shape_point_printed)(int dim, const num P[restrict], num beta, num t, num out[restrict])
 {
     num B[8];
     G(shape_basis_printed)(beta, t, B);
@@ -120,8 +120,7 @@ static inline void G(shape_point_printed)(int dim, const num P[restrict], num be
 }
 
 /* Row k of out is the k-th derivative of q at t, k = 0, ..., r; zero for k > n+1. */
-static inline void G(shape_derivatives)(int n, int dim, const num P[restrict], num beta, num t, int r,
-                                        num out[restrict])
+KERNEL void G(shape_derivatives)(int n, int dim, const num P[restrict], num beta, num t, int r, num out[restrict])
 {
     num Q[(MAX_DEGREE + 1) * MAX_DIM];
     G(shape_bezier_points)(n, dim, P, beta, Q);
@@ -130,8 +129,8 @@ static inline void G(shape_derivatives)(int n, int dim, const num P[restrict], n
 
 /* out = sum_{i,j} P_{ij} B_{i,n}(u) B_{j,m}(v), the first basis with beta, the second with gamma.  Row by row:
  * coordinate c of P_{ij} is P[(i (m+1) + j) dim + c]. */
-static inline void G(shape_surface_point)(int n, int m, int dim, const num P[restrict], num beta, num gamma, num u,
-                                          num v, num out[restrict])
+KERNEL void G(shape_surface_point)(int n, int m, int dim, const num P[restrict], num beta, num gamma, num u, num v,
+                                   num out[restrict])
 {
     num row[(MAX_DEGREE + 1) * MAX_DIM];
     for (int i = 0; i <= n; i++)

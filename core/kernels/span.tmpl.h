@@ -7,7 +7,7 @@
 #include "core/number/generic_on.h"
 
 /* How many of the `count` knots equal t (重数). */
-static inline int G(multiplicity)(int count, const num u[], num t)
+KERNEL int G(multiplicity)(int count, const num u[], num t)
 {
     int equal = 0;
     for (int i = 0; i < count; i++)
@@ -16,7 +16,7 @@ static inline int G(multiplicity)(int count, const num u[], num t)
 }
 
 /* What is wrong with the knots of n points of degree p, and where. */
-static inline knot_fault G(check_knots)(int n, int p, const num u[], int *where)
+KERNEL knot_fault G(check_knots)(int n, int p, const num u[], int *where)
 {
     int run = 1;
     *where = 0;
@@ -35,7 +35,7 @@ static inline knot_fault G(check_knots)(int n, int p, const num u[], int *where)
 }
 
 /* The span mu of t in the domain: u_mu <= t < u_{mu+1}, for t = u_n the last span.  -1 for t outside.  By bisection. */
-static inline int G(find_span)(int n, int p, const num u[], num t)
+KERNEL int G(find_span)(int n, int p, const num u[], num t)
 {
     if (G(before)(t, u[p]) || G(before)(u[n], t))
         return -1;
@@ -56,7 +56,7 @@ static inline int G(find_span)(int n, int p, const num u[], num t)
 }
 
 /* The span on the left of t: u_mu < t <= u_{mu+1}, for t = u_p the first span.  -1 for t outside. */
-static inline int G(find_span_left)(int n, int p, const num u[], num t)
+KERNEL int G(find_span_left)(int n, int p, const num u[], num t)
 {
     int mu = G(find_span)(n, p, u, t);
     if (mu < 0)
@@ -70,7 +70,7 @@ static inline int G(find_span_left)(int n, int p, const num u[], num t)
 
 /* For point j of the m points of degree q over knots v with the domain of u: a span of u that contains a non-empty
  * [v_l, v_{l+1}], j <= l <= j+q, as bspline_refine and its relatives ask.  -1 if its support does not meet the domain. */
-static inline int G(span_of_point)(int n, int p, const num u[], int m, int q, const num v[], int j)
+KERNEL int G(span_of_point)(int n, int p, const num u[], int m, int q, const num v[], int j)
 {
     int l = j < q ? q : j, last = j + q < m ? j + q : m - 1;
     while (l <= last && !G(before)(v[l], v[l + 1]))
@@ -79,7 +79,7 @@ static inline int G(span_of_point)(int n, int p, const num u[], int m, int q, co
 }
 
 /* span[j] for all of them.  Returns 0 if some point has none, otherwise 1. */
-static inline int G(spans_of_points)(int n, int p, const num u[], int m, int q, const num v[], int span[])
+KERNEL int G(spans_of_points)(int n, int p, const num u[], int m, int q, const num v[], int span[])
 {
     int all = 1;
     for (int j = 0; j < m; j++) {
@@ -91,7 +91,7 @@ static inline int G(spans_of_points)(int n, int p, const num u[], int m, int q, 
 /* The knots of the same spline in degree p+1: every distinct knot once more than in u.  Of this sequence v takes as much as
  * the domain asks for: p+2 knots up to the last copy of u_p, those in between, and p+2 from the first copy of u_n on.
  * Returns the number m of points; v has m+p+2 knots and may be NULL. */
-static inline int G(raised_knots)(int n, int p, const num u[], num v[])
+KERNEL int G(raised_knots)(int n, int p, const num u[], num v[])
 {
     int up_to_start = 0, between = 0;
     for (int i = 0; i <= n + p; i++) {
@@ -111,7 +111,7 @@ static inline int G(raised_knots)(int n, int p, const num u[], num v[])
 
 /* The knots of the same spline in degree p-1, if it is of that degree, p >= 1: inner knots once less than in u, the ends
  * of the domain p times.  Returns the number m of points; v has m+p knots and may be NULL. */
-static inline int G(lowered_knots)(int n, int p, const num u[], num v[])
+KERNEL int G(lowered_knots)(int n, int p, const num u[], num v[])
 {
     int m = p;
     for (int i = p; i < n; i++) /* an inner knot that is not the last of its copies */

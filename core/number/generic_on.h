@@ -9,9 +9,16 @@
  * Inside the section the plain words below mean num_q, add_q, ... and G(name) names the instance.
  * Values are immutable: no operation writes to its operands, so operands cannot alias results.
  * Two numbers are never compared here; what depends on an order is decided outside, exactly.
- * generic_off.h closes the section. */
+ * generic_off.h closes the section.
+ *
+ * A kernel begins with the word KERNEL.  It is an inline function wherever its text is included, unless the file that
+ * includes it says otherwise; prototypes.cmake finds the kernels by this word. */
 #ifndef G
 #error "define G(name) as name##_SUFFIX before including generic text"
+#endif
+
+#ifndef KERNEL
+#define KERNEL static inline
 #endif
 
 #define num        G(num)

@@ -98,7 +98,7 @@ def faults():
                 mutated = text[: m.start()] + new + text[m.end() :]
                 line = text.count("\n", 0, m.start())
                 old, now = text.splitlines()[line].strip(), mutated.splitlines()[line].strip()
-                inside = re.findall(r"^static inline [^\n]*G\((\w+)\)\(", code[: m.start()], re.M)
+                inside = re.findall(r"^KERNEL [^\n]*G\((\w+)\)\(", code[: m.start()], re.M)
                 number = len(found) + 1
                 found.append({"number": number, "file": path.name, "line": line + 1, "start": m.start(),
                               "end": m.end(), "kernel": inside[-1] if inside else "", "rule": rule, "old": old,

@@ -30,7 +30,7 @@ class Arrows(unittest.TestCase):
     def test_project_includes_start_at_the_root(self):
         for path in SOURCES:
             for inc in includes(path):
-                if inc[0] == '"':
+                if inc[0] == '"' and not inc.startswith('"generated/'):
                     self.assertTrue((ROOT / inc[1:-1]).exists(), f"{path} includes {inc}, which is not there")
 
     def test_core_is_free_of_exact_libraries(self):
@@ -60,7 +60,7 @@ class Kernels(unittest.TestCase):
     TEMPLATES = sorted((ROOT / "core/kernels").glob("*.tmpl.h"))
 
     def kernels(self, path):
-        return re.findall(r"^static inline [\w ]+?\**\s*G\((\w+)\)\(", path.read_text(), re.M)
+        return re.findall(r"^KERNEL [\w ]+?\**\s*G\((\w+)\)\(", path.read_text(), re.M)
 
     def test_every_template_is_in_the_one_list(self):
         listed = (ROOT / "core/kernels/kernels.tmpl.h").read_text()
@@ -72,7 +72,7 @@ class Kernels(unittest.TestCase):
         for path in self.TEMPLATES:
             text = path.read_text()
             for name in self.kernels(path):
-                before = text[: re.search(r"^static inline [^\n]*G\(%s\)\(" % name, text, re.M).start()].rstrip()
+                before = text[: re.search(r"^KERNEL [^\n]*G\(%s\)\(" % name, text, re.M).start()].rstrip()
                 self.assertTrue(before.endswith("*/"), f"{path.name}: {name} has no comment above it")
 
     def test_every_kernel_has_a_definitional_claim(self):

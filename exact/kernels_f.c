@@ -1,0 +1,5 @@
+#include "exact/kernels_f.h"
+
+#define KERNEL
+#define G(name) name##_f
+#include "core/kernels/kernels.tmpl.h"
