@@ -1,10 +1,14 @@
-#include "cli/command.h"
+/* curve.c -- cagd curve: computes with a curve in exact arithmetic. */
+#include "cli/commands.h"
+#include "cli/curve_json.h"
+#include "cli/report.h"
 #include "exact/decide/sign.h"
 #include "exact/kernels_q.h"
 #include "exact/span.h"
 #include "exact/words.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,9 +16,10 @@ enum { MOST_PARAMETERS = 1000 };
 enum action { DESCRIBE, INSERT, REMOVE, ELEVATE, REDUCE, SPLIT, BEZIER };
 
 struct arguments {
+    struct asked asked;
     const char *path;
     num_q at[MOST_PARAMETERS], knot[MOST_PARAMETERS];
-    int parameters, knots, derivatives, left, json;
+    int parameters, knots, derivatives, left;
     enum action action;
 };
 
@@ -58,9 +63,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case 'b':
         act(state, a, BEZIER);
-        break;
-    case 'J':
-        a->json = 1;
         break;
     case ARGP_KEY_ARG:
         if (a->path != NULL)
@@ -396,7 +398,7 @@ static int change(const struct arguments *a, const struct curve *c, json_t *list
     return code;
 }
 
-static int run(const struct arguments *a)
+static int compute(const struct arguments *a)
 {
     struct curve c;
     if (read_curve(a->path, &c) != 0)
@@ -413,8 +415,8 @@ static int run(const struct arguments *a)
             print_json_exactly(list);
         return code;
     }
-    json_t *values = a->json ? json_array() : NULL;
-    if (!a->json && a->parameters == 0)
+    json_t *values = a->asked.json ? json_array() : NULL;
+    if (!a->asked.json && a->parameters == 0)
         describe(&c);
     for (int k = 0; k < a->parameters; k++) {
         int code = evaluate(a, &c, a->at[k], values);
@@ -423,49 +425,64 @@ static int run(const struct arguments *a)
             return code;
         }
     }
-    if (a->json)
+    if (a->asked.json)
         print_json_exactly(json_pack("{s:s, s:o, s:b, s:o}", "schema", "cagd-curve-1", "curve", curve_json(&c),
                                      "positive_denominator", !has_poles(&c), "values", values));
     return EXIT_AS_EXPECTED;
 }
 
-int run_curve(int argc, char **argv)
+static int run(const struct call *call)
 {
-    static const struct argp_option options[] = {
-        {"at", 't', "T", 0, "The point at T, with curvature and torsion; may be repeated", 0},
-        {"derivatives", 'd', "R", 0, "With --at, also the derivatives of orders 1 to R", 0},
-        {"left", 'l', 0, 0, "With --at, at a knot the segment on the left (default: on the right)", 0},
-        {"insert", 'i', "X", 0, "The same curve with the knot X more; may be repeated", 1},
-        {"remove", 'r', "X", 0, "The same curve without one knot X, if there is one; may be repeated", 1},
-        {"elevate", 'e', 0, 0, "The same curve, one degree higher", 1},
-        {"reduce", 'u', 0, 0, "The same curve, one degree lower, if there is one", 1},
-        {"split", 's', "T", 0, "The parts of the curve on the left and on the right of T", 1},
-        {"bezier", 'b', 0, 0, "The segments as Bézier curves", 1},
-        {"json", 'J', 0, 0, "Print description and values as JSON; changed curves always are", 2},
-        {0}};
-    static const struct argp argp = {options,
-                                     parse,
-                                     "CURVE.json",
-                                     "Computes with a curve in exact arithmetic.\n\n"
-                                     "Examples:\n"
-                                     "  cagd curve circle.json\n"
-                                     "  cagd curve circle.json --at 1/3 --derivatives 2\n"
-                                     "  cagd curve circle.json --insert 1/2 >finer.json\n"
-                                     "  cagd curve circle.json --elevate | cagd curve - --at 0.5\n\v"
-                                     "A curve is {\"kind\": \"bezier\", \"rational-bezier\", \"bspline\" or \"nurbs\", "
-                                     "\"degree\": p (or \"order\": p+1), "
-                                     "\"points\": [[...], ...], \"weights\": [...], \"knots\": [...]}.  A number is a "
-                                     "JSON number, taken as the binary64 it "
-                                     "denotes, or a string: \"3/7\", \"0.1\", \"0x1.8p-3\".  Exit status 1: the knot "
-                                     "or the degree cannot be removed.",
-                                     NULL,
-                                     NULL,
-                                     NULL};
     static struct arguments a;
     region_mark mark = region_open();
-    parse_arguments(&argp, argc, argv, &a);
-    int code = run(&a);
+    parse_arguments(call, &a.asked);
+    int code = compute(&a);
     region_drop(mark);
     cagd_thread_end();
     return code;
 }
+
+static const struct argp_option options[] = {
+    {"at", 't', "T", 0, "The point at T, with curvature and torsion; may be repeated", 0},
+    {"derivatives", 'd', "R", 0, "With --at, also the derivatives of orders 1 to R", 0},
+    {"left", 'l', 0, 0, "With --at, at a knot the segment on the left (default: on the right)", 0},
+    {"insert", 'i', "X", 0, "The same curve with the knot X more; may be repeated", 1},
+    {"remove", 'r', "X", 0, "The same curve without one knot X, if there is one; may be repeated", 1},
+    {"elevate", 'e', 0, 0, "The same curve, one degree higher", 1},
+    {"reduce", 'u', 0, 0, "The same curve, one degree lower, if there is one", 1},
+    {"split", 's', "T", 0, "The parts of the curve on the left and on the right of T", 1},
+    {"bezier", 'b', 0, 0, "The segments as Bézier curves", 1},
+    {0}};
+
+static const struct topic topics[] = {
+    {"CURVES",
+     "A curve is a JSON object with the fields \"kind\" (bezier, rational-bezier, bspline or nurbs), \"degree\" or "
+     "\"order\", which is one more, \"points\", an array of arrays of 1 to 3 numbers, and where the kind asks for them "
+     "\"weights\" and \"knots\" (points + degree + 1 of them). A number is a JSON number, taken as the binary64 that "
+     "it "
+     "denotes, or a string: \"3/7\", \"0.1\" (the decimal, exactly), \"0x1.8p-3\". The file - is standard input."},
+    {0}};
+
+const struct command command_curve = {
+    .name = "curve",
+    .summary = "a Bézier, B-spline or NURBS curve in exact arithmetic: points, knots, degree",
+    .example = "  cagd curve circle.json --at 1/3  a point of a curve, exactly\n",
+    .usage = "CURVE.json",
+    .text =
+        "Computes with a curve in exact arithmetic.\n\n"
+        "Examples:\n"
+        "  cagd curve circle.json\n"
+        "  cagd curve circle.json --at 1/3 --derivatives 2\n"
+        "  cagd curve circle.json --insert 1/2 >finer.json\n"
+        "  cagd curve circle.json --elevate | cagd curve - --at 0.5\n"
+        "\vA curve is {\"kind\": \"bezier\", \"rational-bezier\", \"bspline\" or \"nurbs\", \"degree\": p (or "
+        "\"order\": p+1), \"points\": [[...], ...], \"weights\": [...], \"knots\": [...]}.  A number is a JSON number, "
+        "taken as the binary64 it denotes, or a string: \"3/7\", \"0.1\", \"0x1.8p-3\".  Changed curves are printed in "
+        "this format, too.  Exit status 1: the knot or the degree cannot be removed.",
+    .arguments = FILE_NAME,
+    .shared = TAKES_JSON,
+    .options = options,
+    .parse = parse,
+    .topics = topics,
+    .run = run,
+};

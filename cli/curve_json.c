@@ -1,4 +1,5 @@
-#include "cli/command.h"
+/* curve_json.c -- curves and numbers as files have them. */
+#include "cli/curve_json.h"
 #include "core/number/limits.h"
 #include "exact/span.h"
 #include "exact/words.h"

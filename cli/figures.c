@@ -1,4 +1,7 @@
-#include "cli/command.h"
+/* figures.c -- cagd figures: draws. */
+#include "chapters/chapters.h"
+#include "cli/commands.h"
+#include "cli/output.h"
 #include "exact/number/parallel.h"
 #include "exact/number/region.h"
 #include "exact/words.h"
@@ -6,13 +9,14 @@
 
 #include <fnmatch.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 struct arguments {
-    struct patterns patterns;
+    struct asked asked;
     const char *out;
-    int list, jobs;
+    int list;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -24,12 +28,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         break;
     case 'l':
         a->list = 1;
-        break;
-    case 'j':
-        a->jobs = whole_number(state, "--jobs", arg, 1, 64);
-        break;
-    case ARGP_KEY_ARGS:
-        a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -68,32 +66,16 @@ static void draw(void *context, int k)
     region_drop(mark);
 }
 
-int run_figures(int argc, char **argv)
+static int run(const struct call *call)
 {
-    static const struct argp_option options[] = {
-        {"out", 'o', "DIR", 0, "Folder to write to (default: the current one)", 0},
-        {"list", 'l', 0, 0, "Only print the names", 0},
-        {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
-        {0}};
-    static const struct argp argp = {options,
-                                     parse,
-                                     "[PATTERN...]",
-                                     "Draws the figures as SVG, from exact values: the same bytes on every machine.\n\n"
-                                     "Examples:\n"
-                                     "  cagd figures --out pictures\n"
-                                     "  cagd figures --list\n"
-                                     "  cagd figures 'envelope*'\n",
-                                     NULL,
-                                     NULL,
-                                     NULL};
-    struct arguments a = {.out = ".", .jobs = processors()};
-    parse_arguments(&argp, argc, argv, &a);
-    for (int k = 0; k < a.patterns.count; k++) {
+    struct arguments a = {.out = "."};
+    parse_arguments(call, &a.asked);
+    for (int k = 0; k < a.asked.patterns.count; k++) {
         int found = 0;
         for (const figure *f = all_figures; f->name != NULL; f++)
-            found |= fnmatch(a.patterns.at[k], f->name, 0) == 0;
+            found |= fnmatch(a.asked.patterns.at[k], f->name, 0) == 0;
         if (!found) {
-            complain_about(a.patterns.at[k], FIGURES);
+            complain_about(a.asked.patterns.at[k], FIGURES);
             return EXIT_USAGE;
         }
     }
@@ -107,14 +89,14 @@ int run_figures(int argc, char **argv)
         abort();
     count = 0;
     for (const figure *f = all_figures; f->name != NULL; f++)
-        if (wanted(f->name, &a.patterns))
+        if (wanted(f->name, &a.asked.patterns))
             list[count++] = f;
     struct work w = {.folder = a.out, .list = list};
     if (a.list)
         for (int k = 0; k < count; k++)
             puts(list[k]->name);
     else
-        cagd_in_parallel(a.jobs, count, draw, &w);
+        cagd_in_parallel(a.asked.jobs, count, draw, &w);
     free(list);
     if (w.failed > 0)
         return EXIT_INTERNAL;
@@ -122,3 +104,24 @@ int run_figures(int argc, char **argv)
         printf("%d figures in %s\n", count, a.out);
     return EXIT_AS_EXPECTED;
 }
+
+static const struct argp_option options[] = {{"out", 'o', "DIR", 0, "Folder to write to (default: the current one)", 0},
+                                             {"list", 'l', 0, 0, "Only print the names", 0},
+                                             {0}};
+
+const struct command command_figures = {
+    .name = "figures",
+    .summary = "write the SVG figures",
+    .example = "  cagd figures --out pictures      draw\n",
+    .usage = "[PATTERN...]",
+    .text = "Draws the figures as SVG, from exact values: the same bytes on every machine.\n\n"
+            "Examples:\n"
+            "  cagd figures --out pictures\n"
+            "  cagd figures --list\n"
+            "  cagd figures 'envelope*'\n",
+    .arguments = FIGURE_NAMES,
+    .shared = TAKES_JOBS,
+    .options = options,
+    .parse = parse,
+    .run = run,
+};

@@ -1,32 +1,28 @@
+/* ledger.c -- cagd ledger: every statement of the sources with its verdict. */
 #include "chapters/judge/tex.h"
-#include "cli/command.h"
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 struct arguments {
-    struct patterns patterns;
-    int json, summary, striking, jobs;
+    struct asked asked;
+    int summary, striking;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     switch (key) {
-    case 'J':
-        a->json = 1;
-        break;
     case 's':
         a->summary = 1;
         break;
     case 'k':
         a->striking = whole_number(state, "--striking", arg, 1, 100);
-        break;
-    case 'j':
-        a->jobs = whole_number(state, "--jobs", arg, 1, 64);
-        break;
-    case ARGP_KEY_ARGS:
-        a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -139,39 +135,21 @@ int write_report(const char *folder, const claim_result *results, int claims)
     return bad ? -1 : wrong;
 }
 
-int run_ledger(int argc, char **argv)
+static int run(const struct call *call)
 {
-    static const struct argp_option options[] = {
-        {"json", 'J', 0, 0, "Print the ledger as JSON", 0},
-        {"summary", 's', 0, 0, "Only the counts by source and verdict", 0},
-        {"striking", 'k', "N", 0, "Only the N most striking false statements, one a line", 0},
-        {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
-        {0}};
-    static const struct argp argp = {
-        options,
-        parse,
-        "[PATTERN...]",
-        "Prints every statement of the sources with its verdict, decided anew.\n\nExamples:\n"
-        "  cagd ledger --summary\n"
-        "  cagd ledger 'wang-ch3:*'\n"
-        "  cagd ledger --json\n"
-        "\vAll forms of the ledger at once, from a run that decides everything: cagd verify --report DIR.",
-        NULL,
-        NULL,
-        NULL};
-    struct arguments a = {.jobs = processors()};
-    parse_arguments(&argp, argc, argv, &a);
-    if (!all_match_statements(&a.patterns))
+    struct arguments a = {0};
+    parse_arguments(call, &a.asked);
+    if (!all_match_statements(&a.asked.patterns))
         return EXIT_USAGE;
     int statements, claims, wrong = 0;
-    const statement **list = matching_statements(&a.patterns, &statements);
+    const statement **list = matching_statements(&a.asked.patterns, &statements);
     const claim **needed = claims_of(list, statements, &claims);
-    claim_result *results = judge_with_progress(needed, claims, a.jobs, 0);
+    claim_result *results = judge_with_progress(needed, claims, a.asked.jobs, 0);
     statement_result *derived = derive_all(list, statements, results, claims);
     for (int k = 0; k < statements; k++)
         wrong += !derived[k].as_expected;
     int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
-    if (a.json) {
+    if (a.asked.json) {
         print_json(ledger_json(derived, statements, results, claims));
     } else if (a.striking > 0) {
         print_striking(stdout, derived, statements, a.striking);
@@ -188,3 +166,26 @@ int run_ledger(int argc, char **argv)
     free(list);
     return code;
 }
+
+static const struct argp_option options[] = {
+    {"summary", 's', 0, 0, "Only the counts by source and verdict", 0},
+    {"striking", 'k', "N", 0, "Only the N most striking false statements, one a line", 0},
+    {0}};
+
+const struct command command_ledger = {
+    .name = "ledger",
+    .summary = "every statement of the sources with its verdict",
+    .example = "  cagd ledger 'wang-ch3:*'         the statements of one source\n",
+    .usage = "[PATTERN...]",
+    .text = "Prints every statement of the sources with its verdict, decided anew.\n\n"
+            "Examples:\n"
+            "  cagd ledger --summary\n"
+            "  cagd ledger 'wang-ch3:*'\n"
+            "  cagd ledger --json\n"
+            "\vAll forms of the ledger at once, from a run that decides everything: cagd verify --report DIR.",
+    .arguments = CLAIM_NAMES,
+    .shared = TAKES_JSON | TAKES_JOBS,
+    .options = options,
+    .parse = parse,
+    .run = run,
+};

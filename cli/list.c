@@ -1,45 +1,16 @@
-#include "cli/command.h"
+/* list.c -- cagd list: the claims by their names. */
+#include "cli/commands.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-struct arguments {
-    struct patterns patterns;
-    int json;
-};
-
-static error_t parse(int key, char *arg, struct argp_state *state)
+static int run(const struct call *call)
 {
-    (void)arg;
-    struct arguments *a = state->input;
-    switch (key) {
-    case 'J':
-        a->json = 1;
-        break;
-    case ARGP_KEY_ARGS:
-        a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
-        break;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-    return 0;
-}
-
-int run_list(int argc, char **argv)
-{
-    static const struct argp_option options[] = {{"json", 'J', 0, 0, "Print the list as JSON", 0}, {0}};
-    static const struct argp argp = {options,
-                                     parse,
-                                     "[PATTERN...]",
-                                     "Lists the claims, one a line.\n\nExamples:\n"
-                                     "  cagd list\n"
-                                     "  cagd list '*curvature*'\n"
-                                     "  cagd list 'wang-ch3:3.2.*'\n",
-                                     NULL,
-                                     NULL,
-                                     NULL};
-    struct arguments a = {0};
-    parse_arguments(&argp, argc, argv, &a);
+    struct asked a = {0};
+    parse_arguments(call, &a);
     if (!all_match_claims(&a.patterns))
         return EXIT_USAGE;
     int count;
@@ -67,3 +38,17 @@ int run_list(int argc, char **argv)
     free(list);
     return EXIT_AS_EXPECTED;
 }
+
+const struct command command_list = {
+    .name = "list",
+    .summary = "the claims, one a line",
+    .usage = "[PATTERN...]",
+    .text = "Lists the claims, one a line.\n\n"
+            "Examples:\n"
+            "  cagd list\n"
+            "  cagd list '*curvature*'\n"
+            "  cagd list 'wang-ch3:3.2.*'\n",
+    .arguments = CLAIM_NAMES,
+    .shared = TAKES_JSON,
+    .run = run,
+};

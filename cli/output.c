@@ -1,4 +1,5 @@
-#include "cli/command.h"
+/* output.c -- files that are either whole or not there. */
+#include "cli/output.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -1,6 +1,8 @@
 /* report.c -- results as JSON, JUnit and one-line texts. */
-#include "cli/command.h"
+#include "cli/report.h"
+#include "cli/output.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

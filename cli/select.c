@@ -1,6 +1,10 @@
-#include "cli/command.h"
+/* select.c -- which claims, statements and figures are meant by patterns and ids. */
+#include "cli/select.h"
+
+#include "chapters/chapters.h"
 
 #include <fnmatch.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

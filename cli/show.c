@@ -1,40 +1,26 @@
-/* show.c -- one statement or one claim as a page. */
+/* show.c -- cagd show: one statement or one claim as a page. */
+#include "chapters/chapters.h"
 #include "chapters/judge/tex.h"
-#include "cli/command.h"
+#include "cli/commands.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { WIDTH = 92, INDENT = 4 };
 
-struct arguments {
-    char **id;
-    int ids, json, jobs;
-};
-
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
-    struct arguments *a = state->input;
-    switch (key) {
-    case 'J':
-        a->json = 1;
-        break;
-    case 'j':
-        a->jobs = whole_number(state, "--jobs", arg, 1, 64);
-        break;
-    case ARGP_KEY_ARGS:
-        a->id = state->argv + state->next;
-        a->ids = state->argc - state->next;
-        break;
-    case ARGP_KEY_END:
-        if (a->ids == 0)
-            argp_error(state, "which id? for example wang-ch3:thm-3.3.2");
-        if (a->ids > 1 && a->json)
-            argp_error(state, "--json shows one id at a time, not also '%s'", a->id[1]);
-        break;
-    default:
+    (void)arg;
+    const struct asked *a = state->input;
+    if (key != ARGP_KEY_END)
         return ARGP_ERR_UNKNOWN;
-    }
+    if (a->patterns.count == 0)
+        argp_error(state, "which id? for example wang-ch3:thm-3.3.2");
+    if (a->patterns.count > 1 && a->json)
+        argp_error(state, "--json shows one id at a time, not also '%s'", a->patterns.at[1]);
     return 0;
 }
 
@@ -323,21 +309,10 @@ static int show_entry(struct entry e, const claim_result *all, int judged, int j
     return good;
 }
 
-int run_show(int argc, char **argv)
+static int run(const struct call *call)
 {
-    static const struct argp_option options[] = {
-        {"json", 'J', 0, 0, "Print the entry as JSON", 0}, {"jobs", 'j', "N", 0, "Threads", 0}, {0}};
-    static const struct argp argp = {options,
-                                     parse,
-                                     "ID...",
-                                     "Shows statements of a source, or claims, in full: a page each.\n\nExamples:\n"
-                                     "  cagd show wang-ch3:thm-3.3.2\n"
-                                     "  cagd show elevation_keeps_rational_curve\n",
-                                     NULL,
-                                     NULL,
-                                     NULL};
-    struct arguments a = {.jobs = processors()};
-    parse_arguments(&argp, argc, argv, &a);
+    struct asked a = {0};
+    parse_arguments(call, &a);
     int every = 0, judged = 0, good = 1;
     while (all_claims[every].name != NULL)
         every++;
@@ -345,10 +320,10 @@ int run_show(int argc, char **argv)
     const claim **list = calloc((size_t)every + 1, sizeof *list);
     if (wanted == NULL || list == NULL)
         abort();
-    for (int k = 0; k < a.ids; k++) {
-        struct entry e = entry_of(a.id[k]);
+    for (int k = 0; k < a.patterns.count; k++) {
+        struct entry e = entry_of(a.patterns.at[k]);
         if (e.statement == NULL && e.claim == NULL) {
-            complain_about(a.id[k], STATEMENTS_AND_CLAIMS);
+            complain_about(a.patterns.at[k], STATEMENTS_AND_CLAIMS);
             free(wanted), free(list);
             return EXIT_USAGE;
         }
@@ -362,12 +337,27 @@ int run_show(int argc, char **argv)
         if (wanted[m])
             list[judged++] = &all_claims[m];
     claim_result *results = judge_with_progress(list, judged, a.jobs, 0);
-    for (int k = 0; k < a.ids; k++) {
+    for (int k = 0; k < a.patterns.count; k++) {
         if (k > 0)
             puts("\n");
-        good &= show_entry(entry_of(a.id[k]), results, judged, a.json);
+        good &= show_entry(entry_of(a.patterns.at[k]), results, judged, a.json);
     }
     free_results(results, judged);
     free(wanted), free(list);
     return good ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
 }
+
+const struct command command_show = {
+    .name = "show",
+    .summary = "one claim or ledger entry in full, with its counterexample",
+    .example = "  cagd show wang-ch3:thm-3.3.2     a statement, its verdict and why\n",
+    .usage = "ID...",
+    .text = "Shows statements of a source, or claims, in full: a page each.\n\n"
+            "Examples:\n"
+            "  cagd show wang-ch3:thm-3.3.2\n"
+            "  cagd show elevation_keeps_rational_curve\n",
+    .arguments = CLAIM_NAMES,
+    .shared = TAKES_JSON | TAKES_JOBS,
+    .parse = parse,
+    .run = run,
+};

@@ -1,4 +1,5 @@
-#include "cli/command.h"
+/* terminal.c -- widths, colours and progress. */
+#include "cli/terminal.h"
 
 #include <stdlib.h>
 #include <unistd.h>

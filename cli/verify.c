@@ -1,6 +1,11 @@
+/* verify.c -- cagd verify: decides claims, and prints or writes what came out. */
+#include "chapters/chapters.h"
 #include "chapters/judge/certificate.h"
 #include "chapters/judge/tex.h"
-#include "cli/command.h"
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
 #include "exact/number/parallel.h"
 #include "exact/number/region.h"
 #include "exact/words.h"
@@ -10,8 +15,8 @@
 #include <string.h>
 
 struct arguments {
-    struct patterns patterns;
-    int json, tap, deep, jobs, shard, shards;
+    struct asked asked;
+    int tap, deep, shard, shards;
     const char *junit, *certificates, *report;
 };
 
@@ -19,9 +24,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     switch (key) {
-    case 'J':
-        a->json = 1;
-        break;
     case 'T':
         a->tap = 1;
         break;
@@ -37,9 +39,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'R':
         a->report = arg;
         break;
-    case 'j':
-        a->jobs = whole_number(state, "--jobs", arg, 1, 64);
-        break;
     case 'S': {
         char *slash = strchr(arg, '/');
         if (slash == NULL)
@@ -49,11 +48,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->shard = whole_number(state, "--shard K/N: K", arg, 1, a->shards);
         break;
     }
-    case ARGP_KEY_ARGS:
-        a->patterns = (struct patterns){state->argv + state->next, state->argc - state->next};
-        break;
     case ARGP_KEY_END:
-        if (a->report != NULL && (a->patterns.count > 0 || a->shards > 1))
+        if (a->report != NULL && (a->asked.patterns.count > 0 || a->shards > 1))
             argp_error(state, "--report is about every statement: it takes no PATTERN and no --shard");
         break;
     default:
@@ -187,51 +183,23 @@ static int write_certificates(const char *folder, const claim_result *results, i
     return bad ? -1 : 0;
 }
 
-int run_verify(int argc, char **argv)
+static int run(const struct call *call)
 {
-    static const struct argp_option options[] = {
-        {"json", 'J', 0, 0, "Print the results as JSON", 0},
-        {"tap", 'T', 0, 0, "Print the results in the Test Anything Protocol", 0},
-        {"junit", 'U', "FILE", 0, "Also write the results to FILE as JUnit XML", 0},
-        {"certificates", 'C', "DIR", 0, "Also write the evidence to DIR, for proofs-tests/recheck.py", 0},
-        {"report", 'R', "DIR", 0, "Also write the ledger to DIR: every statement of the sources, as text and as JSON",
-         0},
-        {"jobs", 'j', "N", 0, "Threads (default: one for each processor)", 0},
-        {"deep", 'D', 0, 0, "Many more random instances", 0},
-        {"shard", 'S', "K/N", 0, "Only the K-th of N parts of the claims", 0},
-        {0}};
-    static const struct argp argp = {options,
-                                     parse,
-                                     "[PATTERN...]",
-                                     "Decides claims and prints a table of the verdicts.\n\n"
-                                     "Examples:\n"
-                                     "  cagd verify                      every claim\n"
-                                     "  cagd verify 'rational-bezier.*'  one chapter\n"
-                                     "  cagd verify wang-ch3:3.2.4       the claims that decide one statement\n"
-                                     "  cagd verify --json --jobs 2      for a program\n"
-                                     "\vA PATTERN is a shell glob over claim names, chapter.name, or statement ids.  "
-                                     "The letters f q i d say in which numbers a claim was run: rational functions, "
-                                     "rationals, intervals, binary64.  A counterexample, marked ✗, refutes what is "
-                                     "printed, a reading of it, or what is left of it without a hypothesis; 'cagd "
-                                     "ledger' says which.  Exit status 1 when a verdict is not as expected.",
-                                     NULL,
-                                     NULL,
-                                     NULL};
-    struct arguments a = {.jobs = processors(), .shards = 1, .shard = 1};
-    parse_arguments(&argp, argc, argv, &a);
-    if (!all_match_claims(&a.patterns))
+    struct arguments a = {.shards = 1, .shard = 1};
+    parse_arguments(call, &a.asked);
+    if (!all_match_claims(&a.asked.patterns))
         return EXIT_USAGE;
     int count, kept = 0;
-    const claim **list = matching_claims(&a.patterns, &count);
+    const claim **list = matching_claims(&a.asked.patterns, &count);
     for (int k = 0; k < count; k++)
         if (k % a.shards == a.shard - 1)
             list[kept++] = list[k];
     count = kept;
-    claim_result *results = judge_with_progress(list, count, a.jobs, a.deep);
+    claim_result *results = judge_with_progress(list, count, a.asked.jobs, a.deep);
     int wrong = 0;
     for (int k = 0; k < count; k++)
         wrong += !results[k].as_expected;
-    if (a.json) {
+    if (a.asked.json) {
         json_t *claims = json_array();
         for (int k = 0; k < count; k++)
             json_array_append_new(claims, claim_json(&results[k]));
@@ -245,7 +213,7 @@ int run_verify(int argc, char **argv)
     int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
     if (a.junit != NULL && write_junit(a.junit, results, count) != 0)
         code = EXIT_INTERNAL;
-    if (a.certificates != NULL && write_certificates(a.certificates, results, count, a.jobs) != 0)
+    if (a.certificates != NULL && write_certificates(a.certificates, results, count, a.asked.jobs) != 0)
         code = EXIT_INTERNAL;
     int statements = a.report != NULL ? write_report(a.report, results, count) : 0;
     if (statements != 0 && code != EXIT_INTERNAL)
@@ -255,3 +223,36 @@ int run_verify(int argc, char **argv)
     free(list);
     return code;
 }
+
+static const struct argp_option options[] = {
+    {"tap", 'T', 0, 0, "Print the results in the Test Anything Protocol", 0},
+    {"junit", 'U', "FILE", 0, "Also write the results to FILE as JUnit XML", 0},
+    {"certificates", 'C', "DIR", 0, "Also write the evidence to DIR, for proofs-tests/recheck.py", 0},
+    {"report", 'R', "DIR", 0, "Also write the ledger to DIR: every statement of the sources, as text and as JSON", 0},
+    {"deep", 'D', 0, 0, "Many more random instances", 0},
+    {"shard", 'S', "K/N", 0, "Only the K-th of N parts of the claims", 0},
+    {0}};
+
+const struct command command_verify = {
+    .name = "verify",
+    .summary = "decide claims and print a table of the verdicts",
+    .example = "  cagd verify                      decide every claim\n"
+               "  cagd verify 'rational-bezier.*'  decide the claims of one chapter\n",
+    .usage = "[PATTERN...]",
+    .text =
+        "Decides claims and prints a table of the verdicts.\n\n"
+        "Examples:\n"
+        "  cagd verify                      every claim\n"
+        "  cagd verify 'rational-bezier.*'  one chapter\n"
+        "  cagd verify wang-ch3:3.2.4       the claims that decide one statement\n"
+        "  cagd verify --json --jobs 2      for a program\n"
+        "\vA PATTERN is a shell glob over claim names, chapter.name, or statement ids.  The letters f q i d say in "
+        "which numbers a claim was run: rational functions, rationals, intervals, binary64.  A counterexample, marked "
+        "✗, refutes what is printed, a reading of it, or what is left of it without a hypothesis; 'cagd ledger' says "
+        "which.  Exit status 1 when a verdict is not as expected.",
+    .arguments = CLAIM_NAMES,
+    .shared = TAKES_JSON | TAKES_JOBS,
+    .options = options,
+    .parse = parse,
+    .run = run,
+};

@@ -2,6 +2,7 @@
 #include "cli/fit/fit.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -92,7 +93,7 @@ static int write_and_print(const struct fit_arguments *a, const struct fit *f)
         (a->residuals != NULL && write_residuals(f, a->residuals) != 0) ||
         (a->svg != NULL && write_picture(f, a->svg) != 0))
         return EXIT_INTERNAL;
-    if (a->json)
+    if (a->asked.json)
         print_json_exactly(fit_json(f));
     else
         print_fit(f, a->verbose);
@@ -139,10 +140,10 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
     return code;
 }
 
-int run_fit(int argc, char **argv)
+int run_fit(const struct call *call)
 {
     region_mark mark = region_open();
-    struct fit_arguments a = read_fit_arguments(argc, argv);
+    struct fit_arguments a = read_fit_arguments(call);
     struct fit f = {.path = a.path, .options = a.options};
     int code = EXIT_USAGE;
     if (read_points(a.path, &a.columns, &f.points) == 0) {

@@ -3,7 +3,11 @@
 #define CAGD_CLI_FIT_H
 
 #include "cli/command.h"
+#include "cli/curve_json.h"
 #include "cli/fit/points.h"
+#include "cli/output.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
 #include "core/fit/cagd_fit.h"
 #include "exact/fit/stationary.h"
 #include "exact/words.h"
@@ -22,6 +26,7 @@ struct fit {
 
 /* What cagd fit is asked. */
 struct fit_arguments {
+    struct asked asked;
     const char *path, *initial, *residuals, *svg, *curve;
     struct columns columns;
     cagd_fit_options options;
@@ -29,10 +34,11 @@ struct fit_arguments {
     double *inner;     /* the inner knots; the caller frees them */
     int inner_knots, degree_given;
     double sigma; /* of every point; 0: not given */
-    int json, verbose, verify;
+    int verbose, verify;
 };
 /* A usage error ends the program. */
-struct fit_arguments read_fit_arguments(int argc, char **argv); /* options.c */
+struct fit_arguments read_fit_arguments(const struct call *c); /* options.c */
+int run_fit(const struct call *c);                             /* fit.c     */
 
 /* ---- numbers of the result, by the formulas that its header states (numbers.c) ----------------- */
 

@@ -1,4 +1,5 @@
 /* options.c -- what cagd fit is asked: its options, read and checked. */
+#include "cli/commands.h"
 #include "cli/fit/fit.h"
 
 #include <limits.h>
@@ -24,7 +25,6 @@ enum {
     KEY_TOLERANCE,
     KEY_ITERATIONS,
     KEY_NO_VERIFY,
-    KEY_JSON,
     KEY_RESIDUALS,
     KEY_SVG,
     KEY_CURVE,
@@ -204,9 +204,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_NO_VERIFY:
         a->verify = 0;
         break;
-    case KEY_JSON:
-        a->json = 1;
-        break;
     case KEY_RESIDUALS:
         a->residuals = arg;
         break;
@@ -236,39 +233,93 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-struct fit_arguments read_fit_arguments(int argc, char **argv)
+struct fit_arguments read_fit_arguments(const struct call *call)
 {
-    static const struct argp_option options[] = {
-        {"degree", KEY_DEGREE, "P", 0, "Degree of the curve (default: 2)", 1},
-        {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
-        {"control-points", KEY_CONTROL_POINTS, "N", 0, "So many control points, over even knots", 1},
-        {"free", KEY_FREE, "LIST", 0,
-         "What may move, of weights, inner and ends (default: weights,inner; the ends are then the first "
-         "and the last point); none: only the distances from the curve of --initial",
-         1},
-        {"initial", KEY_INITIAL, "CURVE.json", 0, "Where to start; gives degree and knots, and what is not free", 1},
-        {"weights-between", KEY_BETWEEN, "LOW:HIGH", 0, "Bounds on the weights", 1},
-        {"loss", KEY_LOSS, "NAME", 0, "squares, huber or cauchy (default: squares)", 2},
-        {"scale", KEY_SCALE, "A", 0, "Of the loss, in standard deviations where these are given", 2},
-        {"unordered", KEY_UNORDERED, 0, 0, "The points come in no order", 2},
-        {"dim", KEY_DIM, "D", 0, "So many coordinates, 2 or 3, where columns have no names", 3},
-        {"sigma-column", KEY_SIGMA_COLUMN, "C", 0, "The column, by name or number, of standard deviations", 3},
-        {"sigma", KEY_SIGMA, "S", 0, "One standard deviation for all coordinates", 3},
-        {"starts", KEY_STARTS, "N", 0, "Start N times, with other weights (default: 1)", 4},
-        {"seed", KEY_SEED, "N", 0, "Of the other starts (default: 1)", 4},
-        {"tolerance", KEY_TOLERANCE, "E", 0, "Relative, of convergence (default: 1e-14)", 4},
-        {"max-iterations", KEY_ITERATIONS, "N", 0, "At most N iterations (default: 200)", 4},
-        {"no-verify", KEY_NO_VERIFY, 0, 0, "Do not verify the minimum in intervals", 4},
-        {"json", KEY_JSON, 0, 0, "Print everything as JSON", 5},
-        {"verbose", 'v', 0, 0, "Print the iterations too", 5},
-        {"curve", KEY_CURVE, "FILE", 0, "Write the curve, for cagd curve", 5},
-        {"residuals", KEY_RESIDUALS, "FILE", 0, "Write foot points, residuals and distances as CSV", 5},
-        {"svg", KEY_SVG, "FILE", 0, "Write a picture", 5},
-        {0}};
-    static const struct argp argp = {
-        options,
-        parse,
-        "POINTS.csv",
+    struct fit_arguments a = {.options = cagd_fit_defaults(), .verify = 1};
+    a.options.loss_scale = 0;
+    parse_arguments(call, &a.asked);
+    return a;
+}
+
+static const struct argp_option options[] = {
+    {"degree", KEY_DEGREE, "P", 0, "Degree of the curve (default: 2)", 1},
+    {"knots", KEY_KNOTS, "U,...", 0, "Inner knots between 0 and 1 (default: none, a Bézier curve)", 1},
+    {"control-points", KEY_CONTROL_POINTS, "N", 0, "So many control points, over even knots", 1},
+    {"free", KEY_FREE, "LIST", 0,
+     "What may move, of weights, inner and ends (default: weights,inner; the ends are then the first "
+     "and the last point); none: only the distances from the curve of --initial",
+     1},
+    {"initial", KEY_INITIAL, "CURVE.json", 0, "Where to start; gives degree and knots, and what is not free", 1},
+    {"weights-between", KEY_BETWEEN, "LOW:HIGH", 0, "Bounds on the weights", 1},
+    {"loss", KEY_LOSS, "NAME", 0, "squares, huber or cauchy (default: squares)", 2},
+    {"scale", KEY_SCALE, "A", 0, "Of the loss, in standard deviations where these are given", 2},
+    {"unordered", KEY_UNORDERED, 0, 0, "The points come in no order", 2},
+    {"dim", KEY_DIM, "D", 0, "So many coordinates, 2 or 3, where columns have no names", 3},
+    {"sigma-column", KEY_SIGMA_COLUMN, "C", 0, "The column, by name or number, of standard deviations", 3},
+    {"sigma", KEY_SIGMA, "S", 0, "One standard deviation for all coordinates", 3},
+    {"starts", KEY_STARTS, "N", 0, "Start N times, with other weights (default: 1)", 4},
+    {"seed", KEY_SEED, "N", 0, "Of the other starts (default: 1)", 4},
+    {"tolerance", KEY_TOLERANCE, "E", 0, "Relative, of convergence (default: 1e-14)", 4},
+    {"max-iterations", KEY_ITERATIONS, "N", 0, "At most N iterations (default: 200)", 4},
+    {"no-verify", KEY_NO_VERIFY, 0, 0, "Do not verify the minimum in intervals", 4},
+    {"verbose", 'v', 0, 0, "Print the iterations too", 5},
+    {"curve", KEY_CURVE, "FILE", 0, "Write the curve, for cagd curve", 5},
+    {"residuals", KEY_RESIDUALS, "FILE", 0, "Write foot points, residuals and distances as CSV", 5},
+    {"svg", KEY_SVG, "FILE", 0, "Write a picture", 5},
+    {0}};
+
+static const struct option_words words[] = {
+    {"loss", "squares huber cauchy"}, {"free", "weights inner ends weights,inner weights,inner,ends none"}, {0}};
+
+static const struct topic topics[] = {
+    {"FITTED CURVES",
+     "cagd fit finds the rational Bézier or NURBS curve that comes closest to measured points: the least sum of squared"
+     " orthogonal distances, or of a robust loss of them. The foot points are unknowns of their own; of the "
+     "weights, inner points and end points those in --free move (weights,inner unless said otherwise: the "
+     "curve then begins and ends in the first and the last point), and with none only the distances from the "
+     "curve of --initial are told. Printed are the estimates with standard errors and 95 % intervals, what the"
+     " points leave undetermined, the distances, which conic a curve of degree 2 is, and whether the minimum "
+     "was verified in interval arithmetic. --json prints all that, the covariance and the iterations; --curve "
+     "writes the curve for cagd curve; --residuals writes a table with a row for each point: row, line, "
+     "coordinates, t, foot, residual, distance (in the plane positive on the left of the curve), distance over"
+     " standard deviation; --svg draws."},
+    {"POINTS",
+     "A point stands on a line of its own: coordinates, and perhaps a standard deviation of each of them. The "
+     "fields are separated by semicolons, tabs, commas or blanks; a decimal comma is possible where commas do "
+     "not separate, or in double quotes. Blank lines and lines that begin with # are passed over, as is a byte"
+     " order mark of UTF-8; lines end with LF, CRLF or CR. A first line without any number names the columns: "
+     "x, y, z and sigma (or s, sd, std, stddev), perhaps followed by a unit as in \"x [mm]\"; columns with "
+     "other names are passed over. Without such names two columns are x y, four are x y z sigma, and three are"
+     " x y z with --dim 3, x y sigma with --dim 2. Nothing is guessed: a row that does not fit is named by its"
+     " line, and the exit status is 2."},
+    {"JSON OF A FIT",
+     "The fields of the schema cagd-fit-1: \"converged\", of the minimiser; \"at_minimum\", which is false "
+     "when it did not converge, and when it was verified that the curve is no minimum; \"points\" (file, "
+     "count, dimension, sigma: column, one or unknown); \"options\"; \"origin\", from which the fit counts "
+     "coordinates: measured ones less these are exact in binary64; \"minimiser\" (termination, message, "
+     "iterations, costs, gradient, history); \"curve\", in the format of CURVES; \"unknowns\", each with name,"
+     " kind, index, coordinate, value, from_origin (value without the rounding far from 0), standard_error, "
+     "low, high, determined, at_bound; \"finer_than_points\": some standard error of a coordinate is less than"
+     " the steps of binary64 at the points; \"rank\", \"free_directions\", \"covariance\" and \"correlations\""
+     " by rows in the order of the unknowns, weights in logarithms; \"invariants\" w_j^2/(w_{j-1} w_{j+1}); "
+     "\"conic\"; \"statistics\" (chi_squared, reduced_chi_squared, degrees_of_freedom, aic, bic, "
+     "scale_squared, scaled_by, level, quantile; of a robust loss chi_squared is the sum of the losses, and "
+     "there is no aic, bic and reduced_chi_squared); \"distances\"; \"points_on_curve\": these are no larger "
+     "than roundings; \"ends_taken_as_exact\"; \"cusp\", the parameter of a place where the curve turns on a "
+     "radius no larger than the distances; \"verification\" (status: verified, not verified or not asked; "
+     "\"leaving_bounds\": whether the cost grows when weights leave their bounds; with --free none also "
+     "refuted, and \"excess\", by how much the foot of a point may be farther than the nearest point of the "
+     "curve). Standard error, low and high of a weight are those of its logarithm, carried over. What is not "
+     "known is null; of a curve that is no minimum standard errors, rank, covariance and probabilities are "
+     "not."},
+    {0}};
+
+const struct command command_fit = {
+    .name = "fit",
+    .summary = "a rational curve fitted to measured points, with statistics and a picture",
+    .example = "  cagd fit points.csv --degree 3   the rational cubic closest to measured points\n",
+    .usage = "POINTS.csv",
+    .text =
         "Fits a rational curve to measured points: the least sum of squared orthogonal distances.\n\n"
         "Examples:\n"
         "  cagd fit points.csv\n"
@@ -283,11 +334,11 @@ struct fit_arguments read_fit_arguments(int argc, char **argv)
         "names the columns; three columns without names need --dim 2 (x y sigma) or --dim 3.  Lines that begin with # "
         "are comments; - is standard input.  Exit status 1: not converged, or to no minimum; with --free none, a foot "
         "that was verified not to be the nearest point.",
-        NULL,
-        NULL,
-        NULL};
-    struct fit_arguments a = {.options = cagd_fit_defaults(), .verify = 1};
-    a.options.loss_scale = 0;
-    parse_arguments(&argp, argc, argv, &a);
-    return a;
-}
+    .arguments = FILE_NAME,
+    .shared = TAKES_JSON,
+    .options = options,
+    .parse = parse,
+    .words = words,
+    .topics = topics,
+    .run = run_fit,
+};

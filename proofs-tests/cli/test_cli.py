@@ -11,6 +11,7 @@ import os
 import pathlib
 import pty
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -75,21 +76,52 @@ class Usage(Case):
         self.assertIn("Examples", run("--help").stdout)
 
     def test_manual_and_completion_have_the_options_of_every_command(self):
-        manual = (ROOT / "cli" / "cagd.1").read_text().replace("\\", "").replace("fB", "").replace("fR", "")
-        synopsis = re.search(r"\.SH SYNOPSIS\n(.*?)\n\.SH", manual, re.S).group(1)
-        forms = re.findall(r"^\.B cagd (\w+)\n(.*?)(?=^\.b|\Z)", synopsis, re.S | re.M)
-        completion = (ROOT / "cli" / "completion.bash").read_text()
-        completed = dict(re.findall(r'(\w+)\)\s*COMPREPLY=\(\$\(compgen -W "(.*?)"', completion.replace("\\\n", " "), re.S))
         option = re.compile(r"(?<![\w-])--[a-z-]+")
         commands = re.findall(r"^  (\w+)  ", run("--help").stdout, re.M)
-        self.assertEqual({command for command, _ in forms}, set(commands))
-        for command in commands:
-            with self.subTest(command=command):
-                usage = run(command, "--usage").stdout
-                own = set(option.findall(usage)) - {"--help", "--usage"}
-                named = {o for c, text in forms if c == command for o in option.findall(text)}
-                self.assertEqual(named, own)
-                self.assertEqual(set(option.findall(completed.get(command, completed.get("*", "--json")))) - {"--help"}, own)
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run("--write-documents", folder).returncode, 0)
+            pages = {p.name: p.read_text() for p in pathlib.Path(folder).iterdir()}
+            self.assertEqual(sorted(pages), ["_cagd", "cagd.1", "cagd.bash", "cagd.fish"])
+            manual = re.sub(r"\\f[BIR]", "", pages["cagd.1"]).replace("\\", "")
+            described = dict(re.findall(r"^\.SS cagd (\w+)\n(.*?)(?=^\.S)", manual, re.S | re.M))
+            synopsis = dict(re.findall(r"^\.B cagd (\w+)\n(.*?)(?=^\.[HS])", manual, re.S | re.M))
+            arms = dict(re.findall(r"^    (\w+)\)\n(.*?);;", pages["_cagd"], re.S | re.M))
+            for found in described, synopsis, arms:
+                self.assertEqual(list(found), commands)
+            for command in commands:
+                with self.subTest(command=command):
+                    own = set(option.findall(run(command, "--usage").stdout)) - {"--help", "--usage"}
+                    self.assertEqual(set(re.findall(r"^(?:-\w, )?(--[a-z-]+)", described[command], re.M)), own)
+                    self.assertEqual(set(option.findall(synopsis[command])), own)
+                    self.assertEqual(set(self.completed(folder, command, "-")) - {"--help"}, own)
+                    self.assertEqual(set(re.findall(r"^ *'\*(--[a-z-]+)", arms[command], re.M)), own)
+                    lines = re.findall(r"from %s' -l (\S+)" % command, pages["cagd.fish"])
+                    self.assertEqual({"--" + name for name in lines}, own)
+
+    def completed(self, folder, *words):
+        """What bash completes when the last of the words is begun."""
+        script = 'source "$1/cagd.bash"; shift; COMP_WORDS=(cagd "$@"); COMP_CWORD=$#; _cagd; printf "%s\\n" "${COMPREPLY[@]}"'
+        path = str(pathlib.Path(CAGD).parent) + os.pathsep + os.environ["PATH"]
+        return subprocess.run(["bash", "-c", script, "bash", folder, *words], capture_output=True, text=True, check=True,
+                              env={**os.environ, "PATH": path}).stdout.split()
+
+    def test_bash_completes_commands_words_names_and_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run("--write-documents", folder)
+            self.assertEqual(self.completed(folder, "ver"), ["verify"])
+            self.assertEqual(self.completed(folder, "fit", "--loss", "h"), ["huber"])
+            self.assertEqual(self.completed(folder, "figures", "envelope_ex"), ["envelope_extra"])
+            name = "rational-bezier.elevation_keeps_rational_curve"
+            self.assertEqual(self.completed(folder, "show", name[:-3]), [name])
+            self.assertEqual(self.completed(folder, "curve", f"{folder}/cagd.f"), [f"{folder}/cagd.fish"])
+            self.assertEqual(self.completed(folder, "verify", "--jobs", ""), [])
+
+    def test_the_other_shells_read_their_completions(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run("--write-documents", folder)
+            for shell, name in (("bash", "cagd.bash"), ("zsh", "_cagd"), ("fish", "cagd.fish")):
+                if shutil.which(shell):
+                    self.assertEqual(subprocess.run([shell, "-n", f"{folder}/{name}"]).returncode, 0, shell)
 
     def test_version(self):
         self.assertRegex(run("--version").stdout, r"^cagd \d+\.\d+\.\d+\n$")

@@ -24,7 +24,8 @@ with tempfile.TemporaryDirectory() as folder:
     for path in prefix.rglob("*"):
         if path.suffix in (".pc", ".cmake", ".h"):
             assert build not in path.read_text() and str(source.parent.parent) not in path.read_text(), f"{path} names a build path"
-    for wanted in ("bin/cagd", "share/man/man1/cagd.1", "share/bash-completion/completions/cagd"):
+    for wanted in ("bin/cagd", "share/man/man1/cagd.1", "share/bash-completion/completions/cagd",
+                   "share/zsh/site-functions/_cagd", "share/fish/vendor_completions.d/cagd.fish"):
         assert (prefix / wanted).exists(), wanted
     assert sh(str(prefix / "bin" / "cagd"), "--version").startswith("cagd ")
 
