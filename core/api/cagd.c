@@ -5,43 +5,6 @@
 _Static_assert((int)CAGD_MAX_DEGREE == MAX_DEGREE, "the header states the kernels' limit");
 _Static_assert((int)CAGD_MAX_DIM + 1 == MAX_DIM, "one coordinate is left for the weight");
 
-const char *cagd_status_text(cagd_status status)
-{
-    switch (status) {
-    case CAGD_OK:
-        return "no error";
-    case CAGD_NULL:
-        return "a pointer is NULL";
-    case CAGD_DEGREE:
-        return "the degree is out of range";
-    case CAGD_DIMENSION:
-        return "the dimension is out of range";
-    case CAGD_ORDER:
-        return "the order of derivation is out of range";
-    case CAGD_NOT_FINITE:
-        return "an argument is infinite or not a number";
-    case CAGD_DOMAIN:
-        return "an argument has a sign, or is a zero, that is excluded";
-    case CAGD_UNDEFINED:
-        return "the value is undefined: a divisor is zero";
-    case CAGD_RANGE:
-        return "a result is too large or too small for binary64";
-    case CAGD_COUNT:
-        return "a spline needs more points than its degree";
-    case CAGD_KNOTS_DECREASE:
-        return "a knot is smaller than the one before it";
-    case CAGD_KNOTS_MULTIPLE:
-        return "a knot is repeated more than degree + 1 times";
-    case CAGD_KNOTS_DOMAIN:
-        return "the domain of the spline is empty";
-    case CAGD_OUTSIDE:
-        return "a parameter lies outside the domain of the spline";
-    }
-    return "unknown status";
-}
-
-const char *cagd_version(void) { return CAGD_VERSION; }
-
 /* The arguments that every curve has, of a degree and a dimension already found good. */
 static cagd_status polynomial_arguments(int degree, int dim, const double points[], double t)
 {
@@ -73,7 +36,7 @@ static cagd_status rational_result(int degree, int dim, const double points[], c
 static cagd_status scaled_weights(int degree, const double weights[], const double scaled[])
 {
     for (int i = 0; i <= degree; i++)
-        REQUIRE(scaled[i] != 0 || weights[i] == 0, CAGD_RANGE);
+        REQUIRE(scaled[i] != 0 || weights[i] == 0, CAGD_OVERFLOW);
     return result(degree + 1, scaled);
 }
 
@@ -194,7 +157,7 @@ cagd_status cagd_rational_reparametrize(int degree, const double *weights, doubl
     REQUIRE(weights != NULL && new_weights != NULL, CAGD_NULL);
     REQUIRE(in(0, degree, MAX_DEGREE), CAGD_DEGREE);
     REQUIRE(finite(degree + 1, weights) && isfinite(a) && isfinite(b), CAGD_NOT_FINITE);
-    REQUIRE(a > 0 && b > 0, CAGD_DOMAIN);
+    REQUIRE(a > 0 && b > 0, CAGD_SIGN);
     rational_reparametrize_d(degree, weights, a, b, new_weights);
     return scaled_weights(degree, weights, new_weights);
 }
@@ -205,8 +168,8 @@ cagd_status cagd_rational_standard_form(int degree, const double *weights, doubl
     REQUIRE(in(1, degree, MAX_DEGREE), CAGD_DEGREE);
     REQUIRE(finite(degree + 1, weights), CAGD_NOT_FINITE);
     double first = weights[0], last = weights[degree];
-    REQUIRE((first > 0 && last > 0) || (first < 0 && last < 0), CAGD_DOMAIN);
-    REQUIRE(isnormal(first / last), CAGD_RANGE);
+    REQUIRE((first > 0 && last > 0) || (first < 0 && last < 0), CAGD_SIGN);
+    REQUIRE(isnormal(first / last), CAGD_OVERFLOW);
     rational_standard_form_d(degree, weights, new_weights);
     return scaled_weights(degree, weights, new_weights);
 }
@@ -267,7 +230,7 @@ cagd_status cagd_conic_classify_weights(const double weights[3], cagd_conic_type
 {
     REQUIRE(weights != NULL && type != NULL, CAGD_NULL);
     REQUIRE(finite(3, weights), CAGD_NOT_FINITE);
-    REQUIRE(weights[0] != 0 && weights[1] != 0 && weights[2] != 0, CAGD_DOMAIN);
+    REQUIRE(weights[0] != 0 && weights[1] != 0 && weights[2] != 0, CAGD_SIGN);
     *type = type_of_delta(sign_of_delta(weights[0], weights[1], weights[2]));
     return CAGD_OK;
 }

@@ -27,7 +27,7 @@ static inline int finite(int count, const double x[])
 }
 
 /* A result that left the range of binary64 is infinite or not a number. */
-static inline cagd_status result(int count, const double x[]) { return finite(count, x) ? CAGD_OK : CAGD_RANGE; }
+static inline cagd_status result(int count, const double x[]) { return finite(count, x) ? CAGD_OK : CAGD_OVERFLOW; }
 
 static inline cagd_status nonzero(int count, const double weights[])
 {

@@ -13,9 +13,9 @@ static cagd_status status_of_knots(knot_fault fault)
     case KNOTS_TOO_MULTIPLE:
         return CAGD_KNOTS_MULTIPLE;
     case KNOTS_NO_DOMAIN:
-        return CAGD_KNOTS_DOMAIN;
+        return CAGD_KNOTS_EMPTY;
     }
-    return CAGD_KNOTS_DOMAIN;
+    return CAGD_KNOTS_EMPTY;
 }
 
 static cagd_status all_finite(int count, const double x[], int *where)
@@ -60,7 +60,7 @@ static cagd_status span_at(const cagd_spline *s, double t, cagd_side side, int *
     REQUIRE(isfinite(t), CAGD_NOT_FINITE);
     int (*find)(int, int, const double[], double) = side == CAGD_LEFT ? find_span_left_d : find_span_d;
     int mu = find(s->count, s->degree, s->knots, t);
-    REQUIRE(mu >= 0, CAGD_OUTSIDE);
+    REQUIRE(mu >= 0, CAGD_OUTSIDE_DOMAIN);
     *span = mu;
     return CAGD_OK;
 }
@@ -139,7 +139,7 @@ static cagd_status curve_result(const cagd_spline *s, int count, const double po
 static cagd_status inner_parameter(const cagd_spline *s, double t, int *mu, int *multiplicity)
 {
     PASS(span_at(s, t, CAGD_RIGHT, mu));
-    REQUIRE(s->knots[s->degree] < t && t < s->knots[s->count], CAGD_OUTSIDE);
+    REQUIRE(s->knots[s->degree] < t && t < s->knots[s->count], CAGD_OUTSIDE_DOMAIN);
     *multiplicity = multiplicity_d(s->count + s->degree + 1, s->knots, t);
     return CAGD_OK;
 }
@@ -151,7 +151,7 @@ cagd_status cagd_spline_insert(const cagd_spline *s, double x, double *new_knots
     PASS(cagd_spline_check(s, NULL));
     REQUIRE(new_knots != NULL && new_points != NULL && (s->weights == NULL || new_weights != NULL), CAGD_NULL);
     PASS(span_at(s, x, CAGD_RIGHT, &mu));
-    REQUIRE(x < s->knots[s->count], CAGD_OUTSIDE);
+    REQUIRE(x < s->knots[s->count], CAGD_OUTSIDE_DOMAIN);
     int multiplicity = multiplicity_d(s->count + s->degree + 1, s->knots, x);
     REQUIRE(multiplicity <= s->degree, CAGD_KNOTS_MULTIPLE);
     if (s->weights == NULL)
@@ -191,7 +191,7 @@ cagd_status cagd_spline_bezier(const cagd_spline *s, int span, double *bezier_po
     double H[(MAX_DEGREE + 1) * MAX_DIM], B[(MAX_DEGREE + 1) * MAX_DIM];
     PASS(cagd_spline_check(s, NULL));
     REQUIRE(bezier_points != NULL && (s->weights == NULL || bezier_weights != NULL), CAGD_NULL);
-    REQUIRE(in(s->degree, span, s->count - 1) && s->knots[span] < s->knots[span + 1], CAGD_OUTSIDE);
+    REQUIRE(in(s->degree, span, s->count - 1) && s->knots[span] < s->knots[span + 1], CAGD_OUTSIDE_DOMAIN);
     int p = s->degree, dim = points_of_span(s, span, H);
     bspline_to_bezier_d(p, dim, s->knots + span - p, p, H, B);
     put_points(s, p + 1, B, bezier_points, bezier_weights);
