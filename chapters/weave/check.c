@@ -53,13 +53,27 @@ static void check_types(const struct block *b)
             complain(b->file, b->line, "'%s': unknown type '%s'", b->name, word);
 }
 
-/* The claim's body, of which there is one. */
+/* The claim's body, or its first where two number types have different ones, follows its block: no other block and no
+ * other body stands between them. */
 static void check_body(const struct book *book, const struct block *b)
 {
-    for (int k = 0; k < book->bodies; k++)
+    const struct body *mine = NULL;
+    for (int k = book->bodies - 1; k >= 0; k--)
         if (strcmp(book->body[k].name, b->name) == 0)
-            return;
-    complain(b->file, b->line, "claim '%s' has no body CLAIM(%s)", b->name, b->name);
+            mine = &book->body[k];
+    if (mine == NULL) {
+        complain(b->file, b->line, "claim '%s' has no body CLAIM(%s)", b->name, b->name);
+        return;
+    }
+    int apart = strcmp(mine->file, b->file) != 0 || mine->line < b->line;
+    for (int k = 0; k < book->bodies; k++)
+        apart |=
+            strcmp(book->body[k].file, b->file) == 0 && b->line < book->body[k].line && book->body[k].line < mine->line;
+    for (int k = 0; k < book->blocks; k++)
+        apart |= strcmp(book->block[k].file, b->file) == 0 && b->line < book->block[k].line &&
+                 book->block[k].line < mine->line;
+    if (apart)
+        complain(b->file, b->line, "the body of claim '%s', line %d, does not follow its block", b->name, mine->line);
 }
 
 static void check_claim(const struct book *book, const struct block *b)

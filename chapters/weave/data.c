@@ -96,15 +96,15 @@ static void read_value(struct block *b, struct entry *e)
 
 static void read_entry(struct block *b, enum data_place place, int line, char *text)
 {
-    char *equals = strstr(text, " = ");
-    if (equals == NULL) {
+    char *equals = strstr(text, " =");
+    if (equals == NULL || (equals[2] != ' ' && equals[2] != '\0')) {
         complain(b->file, line, "'%s': '%s' is not written name = value", b->name, text);
         return;
     }
     struct entry e = {.place = place,
                       .line = line,
                       .name = trimmed(copy_of(text, (size_t)(equals - text))),
-                      .text = trimmed(whole_copy(equals + 3))};
+                      .text = trimmed(whole_copy(equals + 2))};
     read_value(b, &e);
     for (int k = 0; k < b->entries; k++)
         if (b->entry[k].place == place && strcmp(b->entry[k].name, e.name) == 0)

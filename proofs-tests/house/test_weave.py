@@ -2,6 +2,7 @@
 
     python3 test_weave.py WEAVE
 """
+import json
 import os
 import pathlib
 import re
@@ -75,6 +76,10 @@ SECOND = r"""/*
 :zh: 比
 :kind: counterexample
 :given: two numbers
+:data: R = (0,1/2) (-3,0x1.8p-3); w = 1 0.5 w1;
+  n = 2; F = "y^2; x^3"
+:instead: n = 3
+:result: R''(0) = (4,0)
 :let: one be 0
 :then: there is no ratio
 :method: by dividing
@@ -96,7 +101,12 @@ CLAIM(ratio_fails)
 :scope: the interval
 :control: a larger interval
 :::
+*/
+CLAIM(range_is_decided)
+{
+}
 
+/*
 :::{claim} every_degree
 :title: Every degree
 :zh: 任意次数
@@ -107,9 +117,6 @@ CLAIM(ratio_fails)
 :control: n + 1
 :::
 */
-CLAIM(range_is_decided)
-{
-}
 CLAIM(every_degree)
 {
 }
@@ -172,7 +179,7 @@ class Weaving(unittest.TestCase):
 class Good(Weaving):
     def test_claims_in_reading_order(self):
         text = self.register()
-        names = re.findall(r'^    {\.name = "(\w+)"', text, re.M)
+        names = re.findall(r'^    {\.name = "(\w+)", \.title', text, re.M)
         self.assertEqual(names, ["sum_is_zero", "ratio_fails", "range_is_decided", "every_degree"])
         self.assertIn("FIGURE(picture);", text)
         self.assertIn('{"chapter", "A chapter (一章)"}', text)
@@ -207,7 +214,7 @@ class Good(Weaving):
 
     def test_claims_of_types_that_are_not_compiled_are_left_out(self):
         text = self.register(types="double")
-        self.assertEqual(re.findall(r'^    {\.name = "(\w+)"', text, re.M), ["every_degree"])
+        self.assertEqual(re.findall(r'^    {\.name = "(\w+)", \.title', text, re.M), ["every_degree"])
 
     def test_two_chapters(self):
         (self.root / "other").mkdir()
@@ -226,7 +233,69 @@ class Good(Weaving):
         self.assertEqual(r.returncode, 0, r.stderr)
 
 
+    def test_data(self):
+        text = self.register()
+        data = text[text.index("static const datum data_"):]
+        for row in ('{.name = "R", .text = "(0,1/2) (-3,0x1.8p-3)", .place = IN_DATA, .rows = 2, .columns = 2, .value = values_3_0}',
+                    '{.name = "w", .text = "1 0.5 w1", .place = IN_DATA, .rows = 3, .columns = 1, .value = values_3_1}',
+                    '{.name = "n", .text = "2", .place = IN_DATA, .rows = 1, .columns = 1, .value = values_3_2}',
+                    '{.name = "F", .text = "\\"y^2; x^3\\"", .place = IN_DATA, .rows = 1, .columns = 0, .value = values_3_3}',
+                    '{.name = "n", .text = "3", .place = IN_INSTEAD, .rows = 1, .columns = 1, .value = values_3_4}',
+                    """{.name = "R''(0)", .text = "(4,0)", .place = IN_RESULT, .rows = 1, .columns = 2, .value = values_3_5}"""):
+            self.assertIn(row, data)
+        self.assertIn('values_3_0[] = {"0", "1/2", "-3", "0x1.8p-3"}', text)
+        self.assertIn('values_3_3[] = {"y^2; x^3"}', text)
+
+    def test_json(self):
+        self.register()
+        r = json.loads((self.root / "register.json").read_text(encoding="utf-8"))
+        self.assertEqual(r["schema"], "cagd-register-1")
+        self.assertEqual(r["lists"]["types"], TYPES.split())
+        self.assertEqual(r["lists"]["kinds"], ["identity", "decision", "counterexample"])
+        self.assertEqual([c["name"] for c in r["claims"]], ["sum_is_zero", "ratio_fails", "range_is_decided", "every_degree"])
+        c = r["claims"][1]
+        self.assertEqual((c["kind"], c["types"], c["chapter"]), ("counterexample", ["rational"], "chapter"))
+        self.assertEqual((c["line"], c["body"]), (line_of(SECOND, ":::{claim} ratio_fails"), line_of(SECOND, "CLAIM(ratio_fails)")))
+        self.assertEqual(c["data"][4], {"place": "instead", "name": "n", "rows": 1, "columns": 1, "values": ["3"]})
+        self.assertEqual([s["id"] for s in r["statements"]], ["source:1.1", "source:1.2"])
+        self.assertIn(["class", "false"], r["statements"][1]["options"])
+        self.assertEqual(r["statements"][0]["note"], "A remark: with a colon.")
+        self.assertEqual(r["figures"], ["picture"])
+
+    def test_sources(self):
+        (self.root / "sources").mkdir()
+        (self.root / "sources" / "index.md").write_text(
+            "# Sources\n\n:::{source} source\n:author: A. Uthor\n:title: A book\n:year: 1987\n:::\n", encoding="utf-8")
+        text = self.register(chapters=("chapter", "sources"))
+        self.assertIn('{.key = "source", .author = "A. Uthor", .title = "A book", .title_zh = "", .year = "1987"', text)
+        self.assertNotIn('{"sources"', text)
+        (self.root / "sources" / "index.md").write_text(":::{source} other\n:author: A\n:title: A book\n:::\n", encoding="utf-8")
+        r = self.weave(chapters=("chapter", "sources"))
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("chapter/first.claims.h:4: 'source:1.1' is of no source", r.stderr)
+
+
+class BadData(Weaving):
+    def test_bad_values(self):
+        for old, new, *words in (("(0,1/2)", "(0,1/)", "'1/'", "no number"), ("(0,1/2)", "(0,1,2)", "3 and 2 coordinates"),
+                                 ("(0,1/2)", "(0,1/2", "no number"), ("1 0.5 w1", "1 0..5 w1", "'0..5'"),
+                                 ("1 0.5 w1", "", "no value"), ("w = 1", "w is 1", "name = value"),
+                                 ("(-3,", "[-3,", "Points are written"), ("w = 1", "R = 1", "R occurs twice"),
+                                 ("0x1.8p-3", "0x1.8q-3", "no number"), ("(0,1/2)", "(0,-)", "no number")):
+            with self.subTest(new):
+                self.spoiled("second.claims.h", old, new, "'ratio_fails'", *words, at=":data:")
+
+    def test_too_many(self):
+        many = "; ".join(f"x{k} = {k}" for k in range(65))
+        self.spoiled("second.claims.h", ":instead: n = 3", f":instead: {many}", "more than 64", at=":::{claim} ratio_fails")
+
+
 class BadClaims(Weaving):
+    def test_the_body_follows_its_block(self):
+        moved = SECOND.replace("*/\nCLAIM(range_is_decided)\n{\n}\n\n/*\n", "") + "CLAIM(range_is_decided)\n{\n}\n"
+        self.write("second.claims.h", moved)
+        self.refused("second.claims.h", line_of(moved, ":::{claim} range_is_decided"), "'range_is_decided'", "does not follow")
+
     def test_every_field_is_needed(self):
         for field in ("title: A sum", "zh: 和", "given: numbers", "then: their sum is 0", "method: by computing it",
                       "control: a term left out"):

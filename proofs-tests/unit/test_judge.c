@@ -411,6 +411,198 @@ static void test_exhibits(void **state)
     free_results(r, 1);
 }
 
+/* What stands in the block, asked for by name. */
+static void take_given_q(trial *T)
+{
+    num_q R[4], w[3], t = given_q(T, "t"), S[2];
+    given_points_q(T, "R", 2, 2, R);
+    given_points_q(T, "w", 3, 1, w);
+    int n = given_whole(T, "n");
+    S[0] = add_q(R[0], mul_q(t, R[2])), S[1] = add_q(R[1], mul_q(w[n], R[3]));
+    found_points_q(T, "S", 1, 2, S);
+    found_q(T, "R[1]", R[1]);
+    found_whole(T, "2n", 2 * n);
+    found_text(T, "F", given_text(T, "G"));
+    agree(T, !T->planted && T->faulty == T->planted);
+}
+
+#define VALUES(...)                                                                                                    \
+    (const char *const[]) { __VA_ARGS__ }
+#define GIVEN_DATA                                                                                                     \
+    {.name = "t", .rows = 1, .columns = 1, .value = VALUES("0x1.8p-1")},                                               \
+        {.name = "R", .rows = 2, .columns = 2, .value = VALUES("1", "-2/3", "0.4", "1e2")},                            \
+        {.name = "w", .rows = 3, .columns = 1, .value = VALUES("1", "2", "3")},                                        \
+        {.name = "n", .rows = 1, .columns = 1, .value = VALUES("2")},                                                  \
+        {.name = "G", .rows = 1, .columns = 0, .value = VALUES("y^2")},                                                \
+        {.name = "S", .rows = 1, .columns = 2, .value = VALUES("1.3", "898/3"), .place = IN_RESULT},                   \
+        {.name = "R[1]", .rows = 1, .columns = 1, .value = VALUES("-2/3"), .place = IN_RESULT},                        \
+        {.name = "2n", .rows = 1, .columns = 1, .value = VALUES("4"), .place = IN_RESULT},                             \
+    {                                                                                                                  \
+        .name = "F", .rows = 1, .columns = 0, .value = VALUES("y^2"), .place = IN_RESULT                               \
+    }
+enum { GIVEN_ENTRIES = 9 };
+
+static void test_given_data(void **state)
+{
+    (void)state;
+    const datum good[] = {GIVEN_DATA, {.name = NULL}};
+    const claim c = {IN(RATIONAL_TYPE, _q, take_given), .kind = DECISION, .data = good};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "R"), "(1, -2/3) (2/5, 100)");
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "t"), "3/4");
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "S"), "(13/10, 898/3)");
+    assert_string_equal(shown(&r->by[RATIONAL_TYPE], "F"), "y^2");
+    free_results(r, 1);
+}
+
+/* Every entry of the block spoiled in turn: another value, another shape, another name, left out, in another place; and one
+ * too many. */
+static void test_given_data_are_tied_to_the_body(void **state)
+{
+    (void)state;
+    const datum good[] = {GIVEN_DATA, {.name = NULL}};
+    for (int k = 0; k < GIVEN_ENTRIES; k++)
+        for (int way = 0; way < 6; way++) {
+            datum bad[GIVEN_ENTRIES + 2] = {GIVEN_DATA};
+            static const char *const others[] = {"7", "7", "7", "7"};
+            if (way == 0 && bad[k].place == IN_RESULT)
+                bad[k].value = others;
+            else if (way == 1)
+                bad[k].rows++, bad[k].value = others;
+            else if (way == 2)
+                bad[k].name = "other";
+            else if (way == 3)
+                bad[k] = bad[GIVEN_ENTRIES - 1], bad[GIVEN_ENTRIES - 1].name = NULL;
+            else if (way == 4)
+                bad[k].place = bad[k].place == IN_DATA ? IN_RESULT : IN_DATA;
+            else if (way == 5)
+                bad[GIVEN_ENTRIES] = good[k], bad[GIVEN_ENTRIES].name = "unused";
+            else
+                continue;
+            const claim c = {IN(RATIONAL_TYPE, _q, take_given), .kind = DECISION, .data = bad};
+            claim_result *r = judge_one(&c);
+            assert_false(r->as_expected);
+            assert_non_null(shown(&r->by[RATIONAL_TYPE], "mistake"));
+            free_results(r, 1);
+        }
+    const claim none = {IN(RATIONAL_TYPE, _q, take_given), .kind = DECISION};
+    claim_result *r = judge_one(&none);
+    assert_false(r->as_expected);
+    free_results(r, 1);
+}
+
+/* w = 0, and in the control w = 1: a counterexample to "w is 1"; what is given instead is for the control alone. */
+static void weight_is_one_q(trial *T)
+{
+    num_q w = given_q(T, "w");
+    found_q(T, "w + 1", add_q(w, from_int_q(1)));
+    same_q(T, w, from_int_q(1));
+}
+static void refuted_q(trial *T) { refute(T, fault(T, 1, 2) == 2); }
+
+static void test_data_instead(void **state)
+{
+    (void)state;
+    const datum data[] = {{.name = "w", .rows = 1, .columns = 1, .value = VALUES("0")},
+                          {.name = "w", .rows = 1, .columns = 1, .value = VALUES("1"), .place = IN_INSTEAD},
+                          {.name = "w + 1", .rows = 1, .columns = 1, .value = VALUES("1"), .place = IN_RESULT},
+                          {.name = NULL}};
+    const claim c = {IN(RATIONAL_TYPE, _q, weight_is_one), .kind = COUNTEREXAMPLE, .data = data};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    free_results(r, 1);
+    const datum unused[] = {data[0],
+                            data[2],
+                            data[1],
+                            {.name = "v", .rows = 1, .columns = 1, .value = VALUES("1"), .place = IN_INSTEAD},
+                            {.name = NULL}};
+    const claim d = {IN(RATIONAL_TYPE, _q, weight_is_one), .kind = COUNTEREXAMPLE, .data = unused};
+    r = judge_one(&d);
+    assert_false(r->as_expected);
+    assert_false(r->by[RATIONAL_TYPE].control_caught);
+    free_results(r, 1);
+    /* A stated result that does not come out is no counterexample, although the comparison fails. */
+    const datum wrong[] = {data[0],
+                           data[1],
+                           {.name = "w + 1", .rows = 1, .columns = 1, .value = VALUES("2"), .place = IN_RESULT},
+                           {.name = NULL}};
+    const claim e = {IN(RATIONAL_TYPE, _q, weight_is_one), .kind = COUNTEREXAMPLE, .data = wrong};
+    r = judge_one(&e);
+    assert_false(r->as_expected);
+    assert_int_equal(r->by[RATIONAL_TYPE].outcome, UNDECIDED);
+    free_results(r, 1);
+    const claim f = {IN(RATIONAL_TYPE, _q, refuted), .kind = COUNTEREXAMPLE}, g = {IN(RATIONAL_TYPE, _q, refuted)};
+    r = judge_one(&f);
+    assert_true(r->as_expected);
+    free_results(r, 1);
+    r = judge_one(&g);
+    assert_true(r->as_expected); /* fault() is the other way round in an identity */
+    free_results(r, 1);
+}
+
+/* In the other types: a variable of the field, an interval, a binary64 with its error. */
+static void given_f_body(trial *T)
+{
+    num_f w = given_f(T, "w");
+    found_f(T, "v", w);
+    same_f(T, mul_f(w, from_int_f(2)), add_f(w, fault(T, w, from_int_f(1))));
+}
+static void given_m_body(trial *T)
+{
+    num_m a = given_m(T, "a"), b = given_m(T, "b");
+    found_m(T, "a", a);
+    agree(T, error_bound_m(a) == 0 && error_bound_m(b) > 0 && error_bound_m(b) < 1e-16 && !T->planted);
+}
+static void given_i_body(trial *T)
+{
+    num_i a = given_i(T, "a");
+    found_i(T, "3a", mul_i(a, from_int_i(3)));
+    agree(T, contains_i(a, from_ratio_q(1, 3)) && width_i(a) > 0 && !T->planted);
+}
+
+static void test_given_in_every_type(void **state)
+{
+    (void)state;
+    const datum f[] = {{.name = "w", .rows = 1, .columns = 1, .value = VALUES("w1")},
+                       {.name = "v", .rows = 1, .columns = 1, .value = VALUES("w1"), .place = IN_RESULT},
+                       {.name = NULL}},
+                m[] = {{.name = "a", .rows = 1, .columns = 1, .value = VALUES("0.5")},
+                       {.name = "b", .rows = 1, .columns = 1, .value = VALUES("0.35")},
+                       {.name = "a", .rows = 1, .columns = 1, .value = VALUES("0x1p-1"), .place = IN_RESULT},
+                       {.name = NULL}},
+                i[] = {{.name = "a", .rows = 1, .columns = 1, .value = VALUES("1/3")},
+                       {.name = "3a", .rows = 1, .columns = 1, .value = VALUES("1"), .place = IN_RESULT},
+                       {.name = NULL}};
+    const claim list[] = {{.name = "f", .scope = "", .body = {[FIELD_TYPE] = given_f_body}, .data = f},
+                          {.name = "m", .scope = "", .body = {[DOUBLE_TYPE] = given_m_body}, .data = m},
+                          {.name = "i", .scope = "", .body = {[INTERVAL_TYPE] = given_i_body}, .data = i}};
+    for (int k = 0; k < 3; k++) {
+        claim_result *r = judge_one(&list[k]);
+        assert_true(r->as_expected);
+        free_results(r, 1);
+    }
+}
+
+/* A claim that was not compiled in carries what it is about. */
+static void compare_context_q(trial *T)
+{
+    const int *pair = T->claim->context;
+    same_q(T, from_int_q(pair[0]), from_int_q(fault(T, pair[1], pair[1] + 1)));
+}
+static void test_context(void **state)
+{
+    (void)state;
+    static const int equal[] = {5, 5}, unequal[] = {5, 6};
+    const claim list[] = {{IN(RATIONAL_TYPE, _q, compare_context), .kind = DECISION, .context = equal},
+                          {IN(RATIONAL_TYPE, _q, compare_context), .kind = DECISION, .context = unequal}};
+    for (int k = 0; k < 2; k++) {
+        claim_result *r = judge_one(&list[k]);
+        assert_int_equal(r->as_expected, k == 0);
+        free_results(r, 1);
+    }
+}
+
 /* ---- Several jobs --------------------------------------------------------------------------------- */
 
 static const claim many[] = {{EVERYWHERE(square_of_sum)},
@@ -639,6 +831,11 @@ int main(void)
         unit(test_data_are_the_same_dyadics_everywhere),
         unit(test_pick_stays_in_range),
         unit(test_exhibits),
+        unit(test_given_data),
+        unit(test_given_data_are_tied_to_the_body),
+        unit(test_data_instead),
+        unit(test_given_in_every_type),
+        unit(test_context),
         unit(test_results_do_not_depend_on_the_jobs),
         unit(test_no_claims),
         unit(test_every_combination_of_roles),
