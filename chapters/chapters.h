@@ -5,9 +5,4 @@
 #include "chapters/judge/register.h"
 
 extern const cagd_register compiled_chapters;
-
-/* Until every command is given its register. */
-#define all_claims     (compiled_chapters.claims)
-#define all_statements (compiled_chapters.statements)
-#define all_figures    (compiled_chapters.figures)
 #endif

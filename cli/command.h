@@ -46,9 +46,10 @@ struct command {
     int (*run)(const struct call *c);  /* returns an exit code                                                   */
 };
 
-/* A command as it is called; argv[0] is "cagd NAME". */
+/* A command as it is called, about what the register holds; argv[0] is "cagd NAME". */
 struct call {
     const struct command *command;
+    const cagd_register *reg;
     int argc;
     char **argv;
 };

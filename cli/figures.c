@@ -1,5 +1,4 @@
 /* figures.c -- cagd figures: draws. */
-#include "chapters/chapters.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "exact/number/parallel.h"
@@ -7,7 +6,6 @@
 #include "exact/words.h"
 #include "figures/svg.h"
 
-#include <fnmatch.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,14 +31,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return ARGP_ERR_UNKNOWN;
     }
     return 0;
-}
-
-static int wanted(const char *name, const struct patterns *p)
-{
-    for (int k = 0; k < p->count; k++)
-        if (fnmatch(p->at[k], name, 0) == 0)
-            return 1;
-    return p->count == 0;
 }
 
 struct work {
@@ -70,27 +60,12 @@ static int run(const struct call *call)
 {
     struct arguments a = {.out = "."};
     parse_arguments(call, &a.asked);
-    for (int k = 0; k < a.asked.patterns.count; k++) {
-        int found = 0;
-        for (const figure *f = all_figures; f->name != NULL; f++)
-            found |= fnmatch(a.asked.patterns.at[k], f->name, 0) == 0;
-        if (!found) {
-            complain_about(a.asked.patterns.at[k], FIGURES);
-            return EXIT_USAGE;
-        }
-    }
+    if (!all_match(call->reg, &a.asked.patterns, FIGURES))
+        return EXIT_USAGE;
     if (!a.list && make_folder(a.out) != 0)
         return EXIT_INTERNAL;
-    int count = 0;
-    while (all_figures[count].name != NULL)
-        count++;
-    const figure **list = calloc((size_t)count + 1, sizeof *list);
-    if (list == NULL)
-        abort();
-    count = 0;
-    for (const figure *f = all_figures; f->name != NULL; f++)
-        if (wanted(f->name, &a.asked.patterns))
-            list[count++] = f;
+    int count;
+    const figure **list = matching_figures(call->reg, &a.asked.patterns, &count);
     struct work w = {.folder = a.out, .list = list};
     if (a.list)
         for (int k = 0; k < count; k++)

@@ -99,12 +99,12 @@ static json_t *ledger_json(const statement_result *list, int statements, const c
     return json_pack("{s:s, s:o}", "schema", "cagd-ledger-1", "statements", rows);
 }
 
-int write_report(const char *folder, const claim_result *results, int claims)
+int write_report(const cagd_register *r, const char *folder, const claim_result *results, int claims)
 {
     static const char *const names[] = {"ledger.txt", "summary.txt", "striking.txt", "ledger.json"};
     const struct patterns everything = {0};
     int statements, bad = make_folder(folder) != 0;
-    const statement **all = matching_statements(&everything, &statements);
+    const statement **all = matching_statements(r, &everything, &statements);
     statement_result *list = derive_all(all, statements, results, claims);
     for (int k = 0; k < 4 && !bad; k++) {
         char path[4096];
@@ -139,11 +139,11 @@ static int run(const struct call *call)
 {
     struct arguments a = {0};
     parse_arguments(call, &a.asked);
-    if (!all_match_statements(&a.asked.patterns))
+    if (!all_match(call->reg, &a.asked.patterns, STATEMENTS))
         return EXIT_USAGE;
     int statements, claims, wrong = 0;
-    const statement **list = matching_statements(&a.asked.patterns, &statements);
-    const claim **needed = claims_of(list, statements, &claims);
+    const statement **list = matching_statements(call->reg, &a.asked.patterns, &statements);
+    const claim **needed = claims_of(call->reg, list, statements, &claims);
     claim_result *results = judge_with_progress(needed, claims, a.asked.jobs, 0);
     statement_result *derived = derive_all(list, statements, results, claims);
     for (int k = 0; k < statements; k++)

@@ -11,10 +11,10 @@ static int run(const struct call *call)
 {
     struct asked a = {0};
     parse_arguments(call, &a);
-    if (!all_match_claims(&a.patterns))
+    if (!all_match(call->reg, &a.patterns, CLAIMS))
         return EXIT_USAGE;
     int count;
-    const claim **list = matching_claims(&a.patterns, &count);
+    const claim **list = matching_claims(call->reg, &a.patterns, &count);
     json_t *claims = json_array();
     int width = 0;
     for (int k = 0; k < count; k++)

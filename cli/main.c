@@ -1,4 +1,5 @@
 /* main.c -- finds the command that is called, and runs it. */
+#include "chapters/chapters.h"
 #include "cli/commands.h"
 
 #include <locale.h>
@@ -36,7 +37,7 @@ static int run(const struct command *command, int argc, char **argv)
     char name[32];
     snprintf(name, sizeof name, "cagd %s", command->name);
     argv[0] = name;
-    const struct call call = {command, argc, argv};
+    const struct call call = {command, &compiled_chapters, argc, argv};
     int code = command->run(&call);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         fputs("cagd: standard output cannot be written\n", stderr);

@@ -2,6 +2,7 @@
 #ifndef CAGD_REPORT_H
 #define CAGD_REPORT_H
 
+#include "chapters/judge/register.h"
 #include "chapters/judge/run.h"
 
 #include <jansson.h>
@@ -11,7 +12,7 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
 /* All forms of the ledger as files in the folder, from a run over all claims: ledger.txt the rows, summary.txt the counts,
  * striking.txt the three most striking counterexamples, ledger.json.  How many statements are not as expected, or -1 and
  * a line on stderr when a file cannot be written. */
-int write_report(const char *folder, const claim_result *results, int claims);
+int write_report(const cagd_register *r, const char *folder, const claim_result *results, int claims);
 int write_junit(const char *path, const claim_result *results, int count);
 void print_json(json_t *document);         /* prints and releases; reals are times, of 6 digits           */
 void print_json_exactly(json_t *document); /* the same; reals are results, of 17 digits                  */

@@ -1,8 +1,6 @@
 /* select.c -- which claims, statements and figures are meant by patterns and ids. */
 #include "cli/select.h"
 
-#include "chapters/chapters.h"
-
 #include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,63 +37,78 @@ static int any_name(const struct patterns *p, const claim *c)
     return any(p, c->name) || any(p, full);
 }
 
-int claim_matches(const claim *c, const struct patterns *p)
+static int claim_matches(const cagd_register *r, const claim *c, const struct patterns *p)
 {
     if (p->count == 0 || any_name(p, c))
         return 1;
-    for (const statement *s = all_statements; s->id != NULL; s++)
+    for (const statement *s = r->statements; s->id != NULL; s++)
         if (names(s, c->name) && any(p, s->id))
             return 1;
     return 0;
 }
 
-int statement_matches(const statement *s, const struct patterns *p)
+static int statement_matches(const cagd_register *r, const statement *s, const struct patterns *p)
 {
     if (p->count == 0 || any(p, s->id))
         return 1;
-    for (const claim *c = all_claims; c->name != NULL; c++)
+    for (const claim *c = r->claims; c->name != NULL; c++)
         if (names(s, c->name) && any_name(p, c))
             return 1;
     return 0;
 }
 
-const claim **matching_claims(const struct patterns *p, int *count)
+static size_t count_claims(const cagd_register *r)
 {
-    int n = 0;
-    while (all_claims[n].name != NULL)
+    size_t n = 0;
+    while (r->claims[n].name != NULL)
         n++;
-    const claim **list = must(calloc((size_t)n + 1, sizeof *list));
+    return n;
+}
+
+const claim **matching_claims(const cagd_register *r, const struct patterns *p, int *count)
+{
+    const claim **list = must(calloc(count_claims(r) + 1, sizeof *list));
     *count = 0;
-    for (int k = 0; k < n; k++)
-        if (claim_matches(&all_claims[k], p))
-            list[(*count)++] = &all_claims[k];
+    for (const claim *c = r->claims; c->name != NULL; c++)
+        if (claim_matches(r, c, p))
+            list[(*count)++] = c;
     return list;
 }
 
-const statement **matching_statements(const struct patterns *p, int *count)
+const statement **matching_statements(const cagd_register *r, const struct patterns *p, int *count)
 {
-    int n = 0;
-    while (all_statements[n].id != NULL)
+    size_t n = 0;
+    while (r->statements[n].id != NULL)
         n++;
-    const statement **list = must(calloc((size_t)n + 1, sizeof *list));
+    const statement **list = must(calloc(n + 1, sizeof *list));
     *count = 0;
-    for (int k = 0; k < n; k++)
-        if (statement_matches(&all_statements[k], p))
-            list[(*count)++] = &all_statements[k];
+    for (const statement *s = r->statements; s->id != NULL; s++)
+        if (statement_matches(r, s, p))
+            list[(*count)++] = s;
     return list;
 }
 
-const claim **claims_of(const statement *const list[], int statements, int *count)
+const figure **matching_figures(const cagd_register *r, const struct patterns *p, int *count)
 {
-    int n = 0;
-    while (all_claims[n].name != NULL)
+    size_t n = 0;
+    while (r->figures[n].name != NULL)
         n++;
-    const claim **claims = must(calloc((size_t)n + 1, sizeof *claims));
+    const figure **list = must(calloc(n + 1, sizeof *list));
     *count = 0;
-    for (int k = 0; k < n; k++)
+    for (const figure *f = r->figures; f->name != NULL; f++)
+        if (p->count == 0 || any(p, f->name))
+            list[(*count)++] = f;
+    return list;
+}
+
+const claim **claims_of(const cagd_register *r, const statement *const list[], int statements, int *count)
+{
+    const claim **claims = must(calloc(count_claims(r) + 1, sizeof *claims));
+    *count = 0;
+    for (const claim *c = r->claims; c->name != NULL; c++)
         for (int j = 0; j < statements; j++)
-            if (names(list[j], all_claims[k].name)) {
-                claims[(*count)++] = &all_claims[k];
+            if (names(list[j], c->name)) {
+                claims[(*count)++] = c;
                 break;
             }
     return claims;
@@ -147,14 +160,14 @@ static void consider(struct near *n, const char *wanted, const char *id)
         }
 }
 
-void complain_about(const char *wanted, enum kind_of_name kind)
+void complain_about(const cagd_register *r, const char *wanted, enum kind_of_name kind)
 {
     struct near n = {{0}, {0}};
-    for (const statement *s = all_statements; kind != FIGURES && s->id != NULL; s++)
+    for (const statement *s = r->statements; kind != FIGURES && s->id != NULL; s++)
         consider(&n, wanted, s->id);
-    for (const claim *c = all_claims; kind != FIGURES && c->name != NULL; c++)
+    for (const claim *c = r->claims; kind != FIGURES && c->name != NULL; c++)
         consider(&n, wanted, c->name);
-    for (const figure *f = all_figures; kind == FIGURES && f->name != NULL; f++)
+    for (const figure *f = r->figures; kind == FIGURES && f->name != NULL; f++)
         consider(&n, wanted, f->name);
     fprintf(stderr, "cagd: no %s is called '%s'; the nearest:", kind == FIGURES ? "figure" : "statement or claim",
             wanted);
@@ -163,30 +176,19 @@ void complain_about(const char *wanted, enum kind_of_name kind)
     fputs("\n", stderr);
 }
 
-int all_match_claims(const struct patterns *p)
+int all_match(const cagd_register *r, const struct patterns *p, enum kind_of_name kind)
 {
     for (int k = 0; k < p->count; k++) {
-        struct patterns one = {p->at + k, 1};
-        int found = 0;
-        for (const claim *c = all_claims; c->name != NULL && !found; c++)
-            found = claim_matches(c, &one);
-        if (!found) {
-            complain_about(p->at[k], STATEMENTS_AND_CLAIMS);
-            return 0;
-        }
-    }
-    return 1;
-}
-
-int all_match_statements(const struct patterns *p)
-{
-    for (int k = 0; k < p->count; k++) {
-        struct patterns one = {p->at + k, 1};
-        int found = 0;
-        for (const statement *s = all_statements; s->id != NULL && !found; s++)
-            found = statement_matches(s, &one);
-        if (!found) {
-            complain_about(p->at[k], STATEMENTS_AND_CLAIMS);
+        const struct patterns one = {p->at + k, 1};
+        int count;
+        if (kind == CLAIMS)
+            free(matching_claims(r, &one, &count));
+        else if (kind == STATEMENTS)
+            free(matching_statements(r, &one, &count));
+        else
+            free(matching_figures(r, &one, &count));
+        if (count == 0) {
+            complain_about(r, p->at[k], kind);
             return 0;
         }
     }

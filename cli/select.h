@@ -1,26 +1,27 @@
-/* select.h -- which claims, statements and figures are meant by patterns and ids. */
+/* select.h -- which claims, statements and figures of a register are meant by patterns and ids. */
 #ifndef CAGD_SELECT_H
 #define CAGD_SELECT_H
 
-#include "chapters/judge/run.h"
+#include "chapters/judge/register.h"
 
-/* Patterns are shell globs.  One matches a claim by its name, by chapter.name, or by the id of a
- * statement that the claim decides; no pattern matches all. */
+/* Patterns are shell globs.  One matches a claim by its name, by chapter.name, or by the id of a statement that the claim
+ * decides; a statement by its id, or by the names of its claims; a figure by its name.  No pattern matches all. */
 struct patterns {
     char **at;
     int count;
 };
-int claim_matches(const claim *c, const struct patterns *p);
-int statement_matches(const statement *s, const struct patterns *p);
-/* The claims that match; with a statement, all claims it names.  The caller frees. */
-const claim **matching_claims(const struct patterns *p, int *count);
-const statement **matching_statements(const struct patterns *p, int *count);
-const claim **claims_of(const statement *const list[], int statements, int *count);
+
+/* What matches, in the order of the register.  The caller frees the list. */
+const claim **matching_claims(const cagd_register *r, const struct patterns *p, int *count);
+const statement **matching_statements(const cagd_register *r, const struct patterns *p, int *count);
+const figure **matching_figures(const cagd_register *r, const struct patterns *p, int *count);
+/* The claims that the statements name.  The caller frees the list. */
+const claim **claims_of(const cagd_register *r, const statement *const list[], int statements, int *count);
+
 /* What a pattern or an id may name. */
-enum kind_of_name { STATEMENTS_AND_CLAIMS, FIGURES };
-/* One line on stderr: nothing of this kind is called so, and the names nearest to it. */
-void complain_about(const char *id, enum kind_of_name kind);
-/* Whether every pattern matches something; a line on stderr about the first that does not. */
-int all_match_claims(const struct patterns *p);
-int all_match_statements(const struct patterns *p);
+enum kind_of_name { CLAIMS, STATEMENTS, FIGURES };
+/* Whether every pattern matches something of the kind; a line on stderr about the first that does not. */
+int all_match(const cagd_register *r, const struct patterns *p, enum kind_of_name kind);
+/* One line on stderr: nothing is called so, and the names nearest to it, of figures or of statements and claims. */
+void complain_about(const cagd_register *r, const char *id, enum kind_of_name kind);
 #endif

@@ -1,5 +1,4 @@
 /* show.c -- cagd show: one statement or one claim as a page. */
-#include "chapters/chapters.h"
 #include "chapters/judge/tex.h"
 #include "cli/commands.h"
 #include "cli/report.h"
@@ -106,7 +105,7 @@ static const char *const role_words[] = {
     [HYPOTHESIS] = "a hypothesis of", [NEEDS] = "a hypothesis of", [READING] = "a reading of",
     [CHECKED_BY] = "checks"};
 
-static void show_claim(const claim_result *r)
+static void show_claim(const cagd_register *reg, const claim_result *r)
 {
     const claim *c = r->claim;
     printf("%s%s%s  %s\n", style(stdout, BOLD), c->title, style(stdout, PLAIN), c->title_zh);
@@ -130,7 +129,7 @@ static void show_claim(const claim_result *r)
         print_exhibits(r);
     }
     int first = 1;
-    for (const statement *s = all_statements; s->id != NULL; s++)
+    for (const statement *s = reg->statements; s->id != NULL; s++)
         for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++)
             if (l->claim != NULL && strcmp(l->claim, c->name) == 0) {
                 if (first)
@@ -255,23 +254,23 @@ struct entry {
     const statement *statement;
     const claim *claim;
 };
-static struct entry entry_of(const char *id)
+static struct entry entry_of(const cagd_register *r, const char *id)
 {
-    for (const statement *s = all_statements; s->id != NULL; s++)
+    for (const statement *s = r->statements; s->id != NULL; s++)
         if (strcmp(s->id, id) == 0)
             return (struct entry){s, NULL};
     const char *bare = strchr(id, '.') != NULL && strchr(id, ':') == NULL ? strchr(id, '.') + 1 : id;
-    for (const claim *c = all_claims; c->name != NULL; c++)
+    for (const claim *c = r->claims; c->name != NULL; c++)
         if (strcmp(c->name, bare) == 0)
             return (struct entry){NULL, c};
     return (struct entry){NULL, NULL};
 }
 
 /* The claims that an entry names, in the order of the register. */
-static const claim **claims_of_entry(struct entry e, int *count)
+static const claim **claims_of_entry(const cagd_register *r, struct entry e, int *count)
 {
     if (e.statement != NULL)
-        return claims_of(&e.statement, 1, count);
+        return claims_of(r, &e.statement, 1, count);
     const claim **one = calloc(1, sizeof *one);
     if (one == NULL)
         abort();
@@ -281,10 +280,10 @@ static const claim **claims_of_entry(struct entry e, int *count)
 }
 
 /* One page, from results among which those of its claims are.  Returns whether it is as expected. */
-static int show_entry(struct entry e, const claim_result *all, int judged, int json)
+static int show_entry(const cagd_register *reg, struct entry e, const claim_result *all, int judged, int json)
 {
     int count;
-    const claim **list = claims_of_entry(e, &count);
+    const claim **list = claims_of_entry(reg, e, &count);
     claim_result *results = calloc((size_t)count, sizeof *results);
     if (results == NULL)
         abort();
@@ -302,7 +301,7 @@ static int show_entry(struct entry e, const claim_result *all, int judged, int j
     } else if (json) {
         print_json(json_pack("{s:s, s:o}", "schema", "cagd-claim-1", "claim", claim_json(&results[0])));
     } else {
-        show_claim(&results[0]);
+        show_claim(reg, &results[0]);
     }
     free(results);
     free(list);
@@ -314,33 +313,34 @@ static int run(const struct call *call)
     struct asked a = {0};
     parse_arguments(call, &a);
     int every = 0, judged = 0, good = 1;
-    while (all_claims[every].name != NULL)
+    const cagd_register *r = call->reg;
+    while (r->claims[every].name != NULL)
         every++;
     char *wanted = calloc((size_t)every + 1, 1);
     const claim **list = calloc((size_t)every + 1, sizeof *list);
     if (wanted == NULL || list == NULL)
         abort();
     for (int k = 0; k < a.patterns.count; k++) {
-        struct entry e = entry_of(a.patterns.at[k]);
+        struct entry e = entry_of(r, a.patterns.at[k]);
         if (e.statement == NULL && e.claim == NULL) {
-            complain_about(a.patterns.at[k], STATEMENTS_AND_CLAIMS);
+            complain_about(r, a.patterns.at[k], STATEMENTS);
             free(wanted), free(list);
             return EXIT_USAGE;
         }
         int count;
-        const claim **its = claims_of_entry(e, &count);
+        const claim **its = claims_of_entry(r, e, &count);
         for (int m = 0; m < count; m++)
-            wanted[its[m] - all_claims] = 1;
+            wanted[its[m] - r->claims] = 1;
         free(its);
     }
     for (int m = 0; m < every; m++)
         if (wanted[m])
-            list[judged++] = &all_claims[m];
+            list[judged++] = &r->claims[m];
     claim_result *results = judge_with_progress(list, judged, a.jobs, 0);
     for (int k = 0; k < a.patterns.count; k++) {
         if (k > 0)
             puts("\n");
-        good &= show_entry(entry_of(a.patterns.at[k]), results, judged, a.json);
+        good &= show_entry(r, entry_of(r, a.patterns.at[k]), results, judged, a.json);
     }
     free_results(results, judged);
     free(wanted), free(list);

@@ -1,5 +1,4 @@
 /* verify.c -- cagd verify: decides claims, and prints or writes what came out. */
-#include "chapters/chapters.h"
 #include "chapters/judge/certificate.h"
 #include "chapters/judge/tex.h"
 #include "cli/commands.h"
@@ -159,7 +158,8 @@ static void write_certificate(void *context, int k)
 }
 
 /* DIR/claims/NAME.json for every claim, and DIR/KEY/PLACE.json for every statement that they decide. */
-static int write_certificates(const char *folder, const claim_result *results, int count, int jobs)
+static int write_certificates(const cagd_register *r, const char *folder, const claim_result *results, int count,
+                              int jobs)
 {
     char path[4096];
     snprintf(path, sizeof path, "%s/claims", folder);
@@ -168,14 +168,14 @@ static int write_certificates(const char *folder, const claim_result *results, i
     struct certificates c = {.folder = folder, .results = results};
     cagd_in_parallel(jobs, count, write_certificate, &c);
     int bad = c.bad;
-    for (const statement *s = all_statements; s->id != NULL && !bad; s++) {
-        statement_result r = derive(s, results, count);
+    for (const statement *s = r->statements; s->id != NULL && !bad; s++) {
+        statement_result derived = derive(s, results, count);
         size_t key = strcspn(s->id, ":");
-        if (r.verdict == VERDICT_OPEN)
+        if (derived.verdict == VERDICT_OPEN)
             continue;
         snprintf(path, sizeof path, "%s/%.*s", folder, (int)key, s->id);
         bad = make_folder(path) != 0;
-        char *text = certificate_of_statement(&r);
+        char *text = certificate_of_statement(&derived);
         snprintf(path, sizeof path, "%s/%.*s/%s.json", folder, (int)key, s->id, s->id + key + 1);
         bad = bad || write_text_file(path, text) != 0;
         free(text);
@@ -187,10 +187,10 @@ static int run(const struct call *call)
 {
     struct arguments a = {.shards = 1, .shard = 1};
     parse_arguments(call, &a.asked);
-    if (!all_match_claims(&a.asked.patterns))
+    if (!all_match(call->reg, &a.asked.patterns, CLAIMS))
         return EXIT_USAGE;
     int count, kept = 0;
-    const claim **list = matching_claims(&a.asked.patterns, &count);
+    const claim **list = matching_claims(call->reg, &a.asked.patterns, &count);
     for (int k = 0; k < count; k++)
         if (k % a.shards == a.shard - 1)
             list[kept++] = list[k];
@@ -213,9 +213,9 @@ static int run(const struct call *call)
     int code = wrong > 0 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
     if (a.junit != NULL && write_junit(a.junit, results, count) != 0)
         code = EXIT_INTERNAL;
-    if (a.certificates != NULL && write_certificates(a.certificates, results, count, a.asked.jobs) != 0)
+    if (a.certificates != NULL && write_certificates(call->reg, a.certificates, results, count, a.asked.jobs) != 0)
         code = EXIT_INTERNAL;
-    int statements = a.report != NULL ? write_report(a.report, results, count) : 0;
+    int statements = a.report != NULL ? write_report(call->reg, a.report, results, count) : 0;
     if (statements != 0 && code != EXIT_INTERNAL)
         code = statements < 0 ? EXIT_INTERNAL : EXIT_NOT_AS_EXPECTED;
     cagd_thread_end();

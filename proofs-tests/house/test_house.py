@@ -53,6 +53,10 @@ class Arrows(unittest.TestCase):
                 if parts[0] == "chapters":
                     self.assertIn(parts[1], ("judge", mine), f"{path} includes {inc}")
 
+    def test_commands_are_given_their_register(self):
+        knowing = [p.relative_to(ROOT).as_posix() for p in SOURCES if '"chapters/chapters.h"' in includes(p)]
+        self.assertEqual([p for p in knowing if p.startswith("cli/")], ["cli/main.c"])
+
 
 class Kernels(unittest.TestCase):
     """Four parts or it does not exist: kernel, contract comment, claim, register line."""
