@@ -63,7 +63,7 @@ static num G(half_of_sum)(num a, num b) { return div(add(a, b), sub(from_int(1),
 CLAIM(rotation_matrix_adds_the_angle)
 {
     num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0), M[4], next[2];
-    struct G(turn) theta = G(turn_by)(a), sum = G(turn_by)(G(half_of_sum)(a, T->planted ? neg(b) : b));
+    struct G(turn) theta = G(turn_by)(a), sum = G(turn_by)(G(half_of_sum)(a, fault(T, b, neg(b))));
     num P[2] = {mul(r, theta.cos), mul(r, theta.sin)};
     G(rotation)(G(turn_by)(b), M);
     G(row_times)(P, M, next);
@@ -107,8 +107,7 @@ CLAIM(rotated_points_are_equally_spaced)
 {
     num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, last[2];
     struct G(turn) angle = G(turn_by)(parameter(T, "a")), used = angle;
-    if (T->planted)
-        used.cos = from_int(1);
+    used.cos = fault(T, used.cos, from_int(1));
     G(rotation)(used, M);
     G(steps)(T->degree - 1, M, Q);
     last[0] = Q[0], last[1] = Q[1];
@@ -157,7 +156,7 @@ CLAIM(rational_step_has_no_angle)
     num M[4], P[2] = {from_int(1), from_int(0)}, last[2], first_edge = from_int(0);
     int differs = 0;
     G(rotation)(G(turn_by)(from_ratio(1, 16)), M);
-    if (T->planted)
+    if (!T->faulty)
         G(small_step)(from_ratio(1, 8), M);
     show_points(T, "the matrix", 2, 2, M);
     for (int k = 1; k <= 100; k++) {
@@ -205,7 +204,7 @@ To first order, which is what the approximation means.  What the second order do
 CLAIM(small_step_is_the_rotation_to_first_order)
 {
     num a = variable_f("a"), zero = from_int(0), one = from_int(1), M[4], S[4];
-    num speed = T->planted ? one : div(from_int(2), add(one, mul(a, a)));
+    num speed = fault(T, div(from_int(2), add(one, mul(a, a))), one);
     G(rotation)(G(turn_by)(a), M);
     G(small_step)(one, S);
     for (int k = 0; k < 4; k++) {
@@ -238,7 +237,7 @@ CLAIM(small_step_is_the_rotation_to_first_order)
 CLAIM(small_step_matrix_is_the_recursion)
 {
     num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, epsilon = unknown(T, "e", 0), M[4], next[2];
-    G(small_step)(T->planted ? neg(epsilon) : epsilon, M);
+    G(small_step)(fault(T, epsilon, neg(epsilon)), M);
     G(row_times)(P, M, next);
     same(T, next[0], sub(P[0], mul(epsilon, P[1])));
     same(T, next[1], add(mul(epsilon, P[0]), P[1]));
@@ -280,7 +279,7 @@ CLAIM(exact_steps_need_m_more_bits_each)
             num M[4], P[2] = {from_int(1), from_int(0)}, scale = from_int(1);
             G(small_step)(from_ratio(1, 1L << m), M);
             G(steps)(n, M, P);
-            for (int k = 0; k < n * m - T->planted; k++)
+            for (int k = 0; k < fault(T, n * m, n * m - 1); k++)
                 scale = mul(scale, from_int(2));
             num x = mul(scale, P[0]), y = mul(scale, P[1]), half = from_ratio(1, 2);
             agree(T, is_whole_q(x) && is_whole_q(y));
@@ -301,7 +300,7 @@ CLAIM(exact_steps_need_m_more_bits_each)
 */
 CLAIM(short_registers_stop_the_point)
 {
-    int m = 4, x = T->planted ? 160 : 10, y = 0, shifted = x >> m;
+    int m = 4, x = fault(T, 160, 10), y = 0, shifted = x >> m;
     show_text(T, "x_0, y_0", "%d, %d", x, y);
     show_text(T, "x_1, y_1 by shifts", "%d, %d", x - (y >> m), y + shifted);
     about(T, "y_1, left by shifting integers, right exactly");
@@ -325,7 +324,7 @@ static int floor_quotient(int x, int unit) { return x >= 0 ? x / unit : -((unit 
 CLAIM(short_coordinates_never_move)
 {
     for (int m = 1; m <= 6; m++) {
-        int unit = 1 << m, most = T->planted ? unit : unit - 1;
+        int unit = 1 << m, most = fault(T, unit - 1, unit);
         for (int x = 0; x <= most; x++)
             for (int y = 0; y <= most; y++)
                 agree(T, floor_quotient(x, unit) == 0 && floor_quotient(y, unit) == 0);
@@ -371,7 +370,7 @@ CLAIM(small_steps_multiply_the_radius)
 {
     num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
     G(small_step)(epsilon, M);
-    G(steps)(T->planted ? T->degree - 1 : T->degree, M, Q);
+    G(steps)(fault(T, T->degree, T->degree - 1), M, Q);
     num factor = add(from_int(1), mul(epsilon, epsilon));
     same(T, G(norm_squared)(2, Q), mul(G(power)(factor, T->degree), G(norm_squared)(2, P)));
 }
@@ -391,7 +390,7 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 {
     num epsilon = positive(T, "e", 0), square = mul(epsilon, epsilon);
     num whole_power = G(power)(add(from_int(1), square), T->degree);
-    num least = add(from_int(1), mul(from_int(T->planted ? T->degree + 1 : T->degree), square));
+    num least = add(from_int(1), mul(from_int(fault(T, T->degree, T->degree + 1)), square));
     nonnegative(T, sub(whole_power, least));
 }
 
@@ -410,11 +409,11 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 CLAIM(small_step_of_zero_stays)
 {
     num M[4], P[2] = {from_int(1), from_int(0)};
-    G(small_step)(T->planted ? from_ratio(1, 16) : from_int(0), M);
+    G(small_step)(fault(T, from_ratio(1, 16), from_int(0)), M);
     G(steps)(1, M, P);
     show_points(T, "P_1", 1, 2, P);
     about(T, "whether P_1 is not P_0");
-    agree(T, !(equal_q(P[0], from_int(1)) && is_zero_q(P[1])));
+    refute(T, equal_q(P[0], from_int(1)) && is_zero_q(P[1]));
 }
 #endif
 
@@ -449,7 +448,7 @@ static void G(second_step)(num epsilon, num M[])
 CLAIM(small_step_adds_a_perpendicular_vector)
 {
     num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
-    if (T->planted)
+    if (T->faulty)
         G(second_step)(epsilon, M);
     else
         G(small_step)(epsilon, M);
@@ -490,7 +489,7 @@ CLAIM(small_steps_are_powers_of_a_complex_number)
     num z[2] = {from_int(0), from_int(0)};
     for (int k = 0; k <= n; k++) {
         num term = mul(from_int(binomial(n, k)), G(power)(epsilon, k));
-        z[k % 2] = k % 4 < 2 || T->planted ? add(z[k % 2], term) : sub(z[k % 2], term);
+        z[k % 2] = fault(T, k % 4 < 2 ? add(z[k % 2], term) : sub(z[k % 2], term), add(z[k % 2], term));
     }
     G(small_step)(epsilon, M);
     G(steps)(n, M, Q);
@@ -536,7 +535,7 @@ CLAIM(second_step_uses_the_new_abscissa)
     G(row_times)(P, M, next);
     num x = sub(P[0], mul(epsilon, P[1]));
     same(T, next[0], x);
-    same(T, next[1], add(P[1], mul(epsilon, T->planted ? P[0] : x)));
+    same(T, next[1], add(P[1], mul(epsilon, fault(T, x, P[0]))));
     about(T, "determinant and trace");
     same(T, G(cross2)(M, M + 2), from_int(1));
     same(T, add(M[0], M[3]), sub(from_int(2), mul(epsilon, epsilon)));
@@ -570,9 +569,7 @@ CLAIM(second_orbit_has_equal_angles)
     num once = G(half_of_sum)(a, b), twice = G(half_of_sum)(once, b), thrice = G(half_of_sum)(twice, b);
     struct G(turn) theta = G(turn_by)(a), delta = G(turn_by)(b), one = G(turn_by)(once), full = G(turn_by)(twice),
                    last = G(turn_by)(thrice);
-    num sine = delta.sin;
-    if (T->planted)
-        sine = mul(two, mul(delta.sin, delta.cos));
+    num sine = fault(T, delta.sin, mul(two, mul(delta.sin, delta.cos)));
     num epsilon = mul(two, sine), M[4], next[2], P[2] = {mul(r, theta.cos), mul(r, one.sin)}, twice_r = mul(two, r);
     G(second_step)(epsilon, M);
     G(row_times)(P, M, next);
@@ -599,7 +596,7 @@ CLAIM(second_orbit_has_equal_angles)
 CLAIM(second_step_of_two_has_no_angle)
 {
     num M[4], P[2] = {from_int(1), from_int(0)};
-    G(second_step)(from_int(T->planted ? 1 : 2), M);
+    G(second_step)(from_int(fault(T, 1, 2)), M);
     G(steps)(10, M, P);
     show_points(T, "P_10", 1, 2, P);
     about(T, "x^2 is at most 4/3");
@@ -630,7 +627,7 @@ CLAIM(second_orbit_satisfies_the_printed_equation)
     num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0);
     struct G(turn) theta = G(turn_by)(a), delta = G(turn_by)(b), shifted = G(turn_by)(G(half_of_sum)(a, b));
     num x = mul(r, theta.cos), y = mul(r, shifted.sin), below = mul(r, delta.cos);
-    num square = mul(below, below), factor = mul(from_int(T->planted ? 1 : 2), delta.sin);
+    num square = mul(below, below), factor = mul(from_int(fault(T, 2, 1)), delta.sin);
     num left = sub(add(div(mul(x, x), square), div(mul(y, y), square)), mul(div(factor, square), mul(x, y)));
     same(T, left, from_int(1));
 }
@@ -649,7 +646,7 @@ CLAIM(second_orbit_satisfies_the_printed_equation)
 CLAIM(second_form_is_invariant)
 {
     num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, epsilon = unknown(T, "e", 0), M[4];
-    num mixed = T->planted ? from_int(0) : epsilon;
+    num mixed = fault(T, epsilon, from_int(0));
     G(second_step)(epsilon, M);
     G(steps)(T->degree, M, Q);
     same(T, sub(G(norm_squared)(2, Q), mul(mixed, mul(Q[0], Q[1]))),
@@ -672,7 +669,7 @@ CLAIM(second_form_is_an_ellipse)
     num plus = G(power)(add(x, y), 2), minus = G(power)(sub(x, y), 2);
     num low = mul(from_ratio(1, 2), sub(one, s)), high = mul(from_ratio(1, 2), add(one, s));
     num form = sub(add(mul(x, x), mul(y, y)), mul(mul(from_int(2), s), mul(x, y)));
-    same(T, form, T->planted ? add(mul(high, plus), mul(low, minus)) : add(mul(low, plus), mul(high, minus)));
+    same(T, form, fault(T, add(mul(low, plus), mul(high, minus)), add(mul(high, plus), mul(low, minus))));
     nonnegative(T, low);
     nonnegative(T, high);
 }
@@ -707,7 +704,7 @@ CLAIM(ellipse_lies_between_two_circles)
     num x = unknown(T, "x", 0), y = unknown(T, "y", 0), s = inside(T, "s"), one = from_int(1);
     num high = add(one, s), low = sub(one, s), cc = sub(one, mul(s, s)), radius = add(mul(x, x), mul(y, y));
     num rr = div(sub(radius, mul(mul(from_int(2), s), mul(x, y))), cc);
-    num outer = T->planted ? low : high, inner = T->planted ? high : low;
+    num outer = fault(T, high, low), inner = fault(T, low, high);
     same(T, sub(mul(rr, outer), radius), mul(div(s, low), G(power)(sub(x, y), 2)));
     same(T, sub(radius, mul(rr, inner)), mul(div(s, high), G(power)(add(x, y), 2)));
     about(T, "the square of 1 + E");
@@ -733,7 +730,7 @@ static num G(square_above)(num k, num h)
 */
 CLAIM(inward_error_of_the_ellipse_is_larger)
 {
-    num s = inside(T, "s"), half = mul(from_ratio(1, T->planted ? 4 : 2), s), gap = mul(from_ratio(1, 4), mul(s, s));
+    num s = inside(T, "s"), half = mul(from_ratio(1, fault(T, 2, 4)), s), gap = mul(from_ratio(1, 4), mul(s, s));
     same(T, G(square_above)(half, s), gap);
     same(T, G(square_above)(neg(half), neg(s)), gap);
     nonnegative(T, gap);
@@ -753,7 +750,7 @@ CLAIM(inward_error_of_the_ellipse_is_larger)
 */
 CLAIM(ellipse_leaves_the_circle_by_more)
 {
-    num a = add(from_int(1), from_ratio(T->planted ? 0 : 1, 32)), once = add(from_int(1), a);
+    num a = add(from_int(1), from_ratio(fault(T, 0, 1), 32)), once = add(from_int(1), a);
     show(T, "1 + s", a);
     show(T, "(2 + s)^2 - 4 (1 + s)", sub(mul(once, once), mul(from_int(4), a)));
     about(T, "whether the inward error is at most the outward one");
@@ -804,7 +801,7 @@ static int in_tenths_of_a_percent(num x)
 
 CLAIM(printed_error_is_twice_the_error)
 {
-    int m = 4, printed = in_tenths_of_a_percent(from_ratio(1, 1L << (T->planted ? m + 2 : m + 1))), k = 0;
+    int m = 4, printed = in_tenths_of_a_percent(from_ratio(1, 1L << fault(T, m + 2, m + 1))), k = 0;
     num s = from_ratio(1, 1L << (m + 1)), square = add(from_int(1), s);
     while (!root_is_between(from_ratio(2 * k + 1999, 2000), square, from_ratio(2 * k + 2001, 2000)))
         k++;
@@ -829,7 +826,7 @@ CLAIM(printed_error_is_twice_the_error)
 CLAIM(error_is_half_the_sine)
 {
     num s = inside(T, "s"), half = mul(from_ratio(1, 2), s), ss = mul(s, s);
-    num lower = sub(half, mul(from_ratio(1, T->planted ? 16 : 8), ss));
+    num lower = sub(half, mul(from_ratio(1, fault(T, 8, 16)), ss));
     num below = div(mul(mul(s, ss), sub(from_int(8), s)), from_int(64)), above = mul(from_ratio(1, 4), ss);
     same(T, G(square_above)(half, s), above);
     same(T, neg(G(square_above)(lower, s)), below);
@@ -861,7 +858,7 @@ CLAIM(error_is_half_the_sine)
 */
 CLAIM(error_for_four_is_as_printed)
 {
-    int m = T->planted ? 3 : 4;
+    int m = fault(T, 4, 3);
     num s = from_ratio(1, 1L << (m + 1)), one = from_int(1), low = from_ratio(155, 10000),
         high = from_ratio(165, 10000);
     agree(T, root_is_between(add(one, low), add(one, s), add(one, high)));
@@ -904,10 +901,10 @@ CLAIM(second_orbit_never_closes)
 {
     for (int m = 1; m <= 6; m++) {
         num M[4], before = from_int(2);
-        G(second_step)(T->planted ? from_int(1) : from_ratio(1, 1L << m), M);
+        G(second_step)(fault(T, from_ratio(1, 1L << m), from_int(1)), M);
         num trace = add(M[0], M[3]), V = trace;
         for (int k = 1; k <= 48; k++) {
-            agree(T, has_exactly_the_bits(V, T->planted ? 0 : 2 * m * k));
+            agree(T, has_exactly_the_bits(V, fault(T, 2 * m * k, 0)));
             agree(T, !equal_q(V, from_int(2)));
             num next = sub(mul(trace, V), before);
             before = V, V = next;
@@ -933,7 +930,7 @@ CLAIM(second_step_of_one_closes_after_six)
     G(steps)(3, M, Q);
     for (int j = 0; j < 2; j++)
         same(T, Q[j], neg(P[j]));
-    G(steps)(T->planted ? 2 : 3, M, Q);
+    G(steps)(fault(T, 3, 2), M, Q);
     for (int j = 0; j < 2; j++)
         same(T, Q[j], P[j]);
 }
@@ -980,9 +977,8 @@ The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of
 */
 CLAIM(unit_height_is_not_unit_distance)
 {
-    num r = from_int(1), rr = mul(r, r), cosine = from_int(0);
-    if (T->planted)
-        cosine = sub(from_int(1), div(from_int(1), mul(from_int(2), rr)));
+    num r = from_int(1), rr = mul(r, r),
+        cosine = fault(T, sub(from_int(1), div(from_int(1), mul(from_int(2), rr))), from_int(0));
     show(T, "r", r);
     show(T, "cos θ", cosine);
     about(T, "the square of the distance, and one pixel");
@@ -1011,7 +1007,7 @@ CLAIM(distance_of_the_first_two_points)
     G(row_times)(first, M, next);
     num edge[2] = {sub(next[0], r), next[1]}, square = G(norm_squared)(2, edge), rr = mul(r, r);
     about(T, "the square of the distance");
-    same(T, square, T->planted ? G(power)(mul(r, angle.sin), 2) : div(mul(from_int(4), mul(rr, aa)), add(one, aa)));
+    same(T, square, fault(T, div(mul(from_int(4), mul(rr, aa)), add(one, aa)), G(power)(mul(r, angle.sin), 2)));
     num unit[2] = {from_sine, from_int(0)};
     G(row_times)(unit, M, next);
     num step[2] = {sub(next[0], from_sine), next[1]};
@@ -1061,7 +1057,7 @@ CLAIM(third_matrix_by_the_radius)
     num epsilon = angle.sin, r = div(one, epsilon), rr = mul(r, r), square = mul(angle.cos, angle.cos);
     G(rotation)(angle, M);
     same(T, sub(one, mul(epsilon, epsilon)), square);
-    same(T, div(T->planted ? add(rr, one) : sub(rr, one), rr), square);
+    same(T, div(fault(T, sub(rr, one), add(rr, one)), rr), square);
     nonnegative(T, angle.cos);
     same(T, G(cross2)(M, M + 2), one);
 }
@@ -1080,7 +1076,7 @@ CLAIM(third_matrix_by_the_radius)
 */
 CLAIM(negative_cosine_is_not_the_root)
 {
-    num cosine = from_ratio(T->planted ? 3 : -3, 5), sine = from_ratio(4, 5);
+    num cosine = from_ratio(fault(T, 3, -3), 5), sine = from_ratio(4, 5);
     show(T, "cos θ", cosine);
     show(T, "sin θ", sine);
     about(T, "the root of 1 - sin², and the cosine");
@@ -1117,7 +1113,7 @@ static int order_of(num trace, int most)
 CLAIM(third_way_closes_for_two_radii)
 {
     for (int r = 1; r <= 200; r++) {
-        long square = T->planted ? r : (long)r * r;
+        long square = fault(T, (long)r * r, r);
         num trace = sub(from_int(2), from_ratio(4, square));
         agree(T, is_whole_q(trace) == (r <= 2));
         agree(T, r > 2 || order_of(trace, 12) == (r == 1 ? 2 : 6));

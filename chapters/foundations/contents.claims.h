@@ -47,7 +47,7 @@ CLAIM(contents_has_nine_chapters)
 {
     static const int printed[CHAPTERS] = {9, 10, 6, 9, 7, 11, 3, 8, 7};
     int sections = 0, chapters = 0;
-    for (int c = 0; c < CHAPTERS - T->planted; c++, chapters++) {
+    for (int c = 0; c < fault(T, CHAPTERS, CHAPTERS - 1); c++, chapters++) {
         int count = 0;
         while (section_page[c][count] != 0)
             count++;
@@ -103,7 +103,7 @@ CLAIM(page_of_a_section_before_the_one_before)
     const int *p = section_page[CHAPTERS - 1];
     show_text(T, "pages of 9-1, 9-2, 9-3, 9-4", "%d, %d, %d, %d", p[0], p[1], p[2], p[3]);
     about(T, "whether the pages are in order");
-    agree(T, pages_increase(CHAPTERS - 1, T->planted));
+    agree(T, pages_increase(CHAPTERS - 1, fault(T, 1, 0)));
 }
 
 /*
@@ -117,7 +117,7 @@ CLAIM(page_of_a_section_before_the_one_before)
 :control: 9-2 with its printed page
 :::
 */
-CLAIM(other_pages_do_not_decrease) { agree(T, pages_increase(0, !T->planted)); }
+CLAIM(other_pages_do_not_decrease) { agree(T, pages_increase(0, fault(T, 1, 0))); }
 
 /*
 :::{statement} hu-1987:contents-chapter-pages
@@ -150,7 +150,7 @@ static const int chapter_page[CHAPTERS] = {1, 23, 57, 82, 115, 147, 187, 198, 22
 */
 CLAIM(second_chapter_begins_before_its_first_section)
 {
-    int c = T->planted ? 2 : 1;
+    int c = fault(T, 2, 1);
     show_text(T, "chapter, first section", "%d, %d", chapter_page[c], section_page[c][0]);
     about(T, "the two pages");
     same(T, from_int(chapter_page[c]), from_int(section_page[c][0]));
@@ -170,7 +170,7 @@ CLAIM(second_chapter_begins_before_its_first_section)
 CLAIM(other_chapters_begin_with_their_first_section)
 {
     for (int c = 0; c < CHAPTERS; c++)
-        if (c != 1 || T->planted)
+        if (fault(T, c != 1, 1))
             same(T, from_int(chapter_page[c]), from_int(section_page[c][0]));
 }
 #endif

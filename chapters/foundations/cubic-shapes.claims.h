@@ -58,9 +58,8 @@ CLAIM(end_data_determine_the_cubic)
         V[m] = unknown(T, "v", m);
     }
     G(cubic_of_ends)(dim, Q, V, c);
-    if (T->planted)
-        for (int j = 0; j < dim; j++)
-            c[2 * dim + j] = add(c[2 * dim + j], V[dim + j]);
+    for (int j = 0; j < dim; j++)
+        c[2 * dim + j] = fault(T, c[2 * dim + j], add(c[2 * dim + j], V[dim + j]));
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < dim; j++) {
             same(T, G(power_sum)(3, dim, c, j, from_int(end)), Q[end * dim + j]);
@@ -108,7 +107,7 @@ $A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
 */
 CLAIM(position_is_not_the_tangent)
 {
-    num c[4] = {from_int(T->planted), from_int(1), from_int(0), from_int(0)}, D[2];
+    num c[4] = {from_int(fault(T, 1, 0)), from_int(1), from_int(0), from_int(0)}, D[2];
     G(power_derivatives)(3, 1, c, from_int(0), 1, D);
     show_points(T, "D, C, B, A", 4, 1, c);
     about(T, "P(0) and P'(0)");
@@ -128,7 +127,7 @@ CLAIM(position_is_not_the_tangent)
 */
 CLAIM(positions_for_the_dots_miss_three_coefficients)
 {
-    int q0 = T->planted, q1 = 1;
+    int q0 = fault(T, 0, 1), q1 = 1;
     num Q[2] = {from_int(q0), from_int(q1)}, V[2] = {from_int(1), from_int(1)}, c[4];
     const int printed[4] = {q0, q0, 3 * (q1 - q0) - 2 * q0 - q1, 2 * (q0 - q1) + q0 + q1};
     G(cubic_of_ends)(1, Q, V, c);
@@ -156,8 +155,7 @@ static void with_printed_coefficient(trial *T, int k, num value, num c[])
 {
     num Q[2] = {from_int(0), from_int(1)}, V[2] = {from_int(1), from_int(1)};
     G(cubic_of_ends)(1, Q, V, c);
-    if (!T->planted)
-        c[k] = value;
+    c[k] = fault(T, c[k], value);
     show_points(T, "Q_0, Q_1", 2, 1, Q);
     show_points(T, "tangent vectors", 2, 1, V);
     show_points(T, "D, C, B, A", 4, 1, c);
@@ -303,7 +301,7 @@ CLAIM(other_lengths_give_another_cubic)
     for (int m = 0; m < 2 * dim; m++)
         Q[m] = unknown(T, "q", m);
     for (int end = 0; end < 2; end++) {
-        num factor = T->planted || kind == end ? one : add(one, positive(T, "l", end));
+        num factor = fault(T, kind == end ? one : add(one, positive(T, "l", end)), one);
         for (int j = 0; j < dim; j++) {
             V[end * dim + j] = unknown(T, "v", end * dim + j);
             W[end * dim + j] = mul(factor, V[end * dim + j]);
@@ -354,7 +352,7 @@ CLAIM(congruent_cubics_have_these_lengths)
         for (int end = 0; end < 2; end++) {
             for (int j = 0; j < dim; j++)
                 E[end][j] = G(power_sum_derivative)(3, dim, image, j, 1, from_int(end));
-            int other = backward && !T->planted ? 1 - end : end;
+            int other = fault(T, backward ? 1 - end : end, end);
             same(T, G(norm_squared)(dim, E[end]), G(norm_squared)(dim, D[other]));
         }
     }
@@ -392,7 +390,7 @@ CLAIM(exchanged_lengths_turn_the_cubic)
     num Q[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, P[8], W[8];
     int turned = 1;
     for (int reflection = 0; reflection < 2; reflection++) {
-        int up = reflection ? -1 : 1, last = T->planted ? 2 : 1;
+        int up = reflection ? -1 : 1, last = fault(T, 2, 1);
         num V[4] = {from_int(1), from_int(1), from_int(2), from_int(2 * up)};
         num U[4] = {from_int(2), from_int(2), from_int(last), from_int(last * up)};
         G(cubic_of_ends)(dim, Q, V, P);
@@ -404,7 +402,7 @@ CLAIM(exchanged_lengths_turn_the_cubic)
         turned = turned && is_turned_over(P, W, reflection);
     }
     about(T, "whether the second curve is no image of the first");
-    agree(T, !turned);
+    refute(T, turned);
 }
 
 /*
@@ -435,11 +433,11 @@ static int runs_along_the_axis(const num V[])
 CLAIM(tangents_along_the_chord_keep_the_segment)
 {
     num first[4] = {from_int(1), from_int(0), from_int(1), from_int(0)};
-    num second[4] = {from_int(2), from_int(T->planted), from_ratio(1, 2), from_int(0)};
+    num second[4] = {from_int(2), from_int(fault(T, 1, 0)), from_ratio(1, 2), from_int(0)};
     show_points(T, "tangents of the first curve", 2, 2, first);
     show_points(T, "tangents of the second curve", 2, 2, second);
     about(T, "whether the two sets of points differ");
-    agree(T, !(runs_along_the_axis(first) && runs_along_the_axis(second)));
+    refute(T, runs_along_the_axis(first) && runs_along_the_axis(second));
 }
 #endif
 
@@ -477,7 +475,7 @@ CLAIM(derivatives_of_a_cubic)
     G(free_coefficients)(T, 3, space, c);
     G(power_derivatives)(3, space, c, t, 3, D);
     for (int j = 0; j < space; j++) {
-        num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], tt = T->planted ? t : mul(t, t);
+        num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], tt = fault(T, mul(t, t), t);
         same(T, D[space + j], add(add(mul(mul(from_int(3), A), tt), mul(mul(from_int(2), B), t)), C));
         same(T, D[2 * space + j], add(mul(mul(from_int(6), A), t), mul(from_int(2), B)));
         same(T, D[3 * space + j], mul(from_int(6), A));
@@ -517,7 +515,7 @@ CLAIM(second_derivative_is_not_constant)
     G(power_derivatives)(3, 1, c, from_ratio(1, 3), 3, D);
     show_points(T, "D, C, B, A", 4, 1, c);
     about(T, "the derivative, and 6A");
-    same(T, D[T->planted ? 3 : 2], mul(from_int(6), c[3]));
+    same(T, D[fault(T, 3, 2)], mul(from_int(6), c[3]));
 }
 
 /*
@@ -563,7 +561,7 @@ CLAIM(printed_letter_spoils_the_curvature)
     num turning[space], speed = root(2, G(norm_squared)(space, D + space)), length = from_int(3 * 1 + 2 * 1);
     G(cross3)(D + space, D + 2 * space, turning);
     num top = root(2, G(norm_squared)(space, turning)), curvature = root(2, G(curvature_squared)(space, D + 3, D + 6));
-    num quotient = div(top, G(power)(T->planted ? speed : length, 3));
+    num quotient = div(top, G(power)(fault(T, speed, length), 3));
     show_points(T, "P', P'' at t = 1", 2, 3, D + space);
     show(T, "length of the arc from 0 to 1", length);
     show(T, "the printed quotient", quotient);
@@ -615,7 +613,7 @@ CLAIM(second_derivative_splits_along_the_first)
         scaled[j] = mul(g, d1[j]);
     }
     G(cross3)(d1, d2, n);
-    if (T->planted)
+    if (T->faulty)
         G(cross3)(d1, n, back);
     else
         G(cross3)(n, d1, back);
@@ -640,8 +638,8 @@ CLAIM(second_derivative_splits_along_the_first)
 */
 CLAIM(cusp_has_no_such_factor)
 {
-    num c[8] = {from_int(0), from_int(0), from_int(T->planted), from_int(0),
-                from_int(1), from_int(0), from_int(0),          from_int(1)};
+    num c[8] = {from_int(0), from_int(0), from_int(fault(T, 1, 0)), from_int(0), from_int(1), from_int(0),
+                from_int(0), from_int(1)};
     num D[6];
     G(power_derivatives)(3, dim, c, from_int(0), 2, D);
     show_points(T, "P', P''", 2, 2, D + 2);
@@ -690,7 +688,7 @@ CLAIM(turning_of_a_cubic_is_quadratic)
             D[r - 1][j] = G(power_sum_derivative)(3, dim, c, j, r, t);
     num product = sub(mul(D[0][0], D[1][1]), mul(D[0][1], D[1][0]));
     same(T, G(power_sum)(2, 1, f, 0, t), product);
-    num inner = add(add(mul(mul(from_int(T->planted ? 2 : 3), m[0]), mul(t, t)), mul(mul(from_int(3), m[1]), t)), m[2]);
+    num inner = add(add(mul(mul(from_int(fault(T, 3, 2)), m[0]), mul(t, t)), mul(mul(from_int(3), m[1]), t)), m[2]);
     same(T, product, mul(from_int(-2), inner));
 
     num d[4 * space], first[space], second[space], turning[space], pairs[3][space];
@@ -726,13 +724,13 @@ CLAIM(graph_of_a_cubic_turns_linearly)
 {
     num c[8], m[3], f[3];
     for (int k = 0; k < 8; k++)
-        c[k] = from_int(k == 2 || k == 7 || (k == 4 && T->planted));
+        c[k] = from_int(fault(T, k == 2 || k == 7 || k == 4, k == 2 || k == 7));
     G(cubic_minors)(c, m);
     G(inflection_polynomial)(m, f);
     show_points(T, "D, C, B, A", 4, 2, c);
     show_text(T, "P' x P''", "%s", poly_to_string(poly_from_q(3, f), "t"));
     about(T, "whether the coefficient of t^2 is not 0");
-    agree(T, !is_zero_q(f[2]));
+    refute(T, is_zero_q(f[2]));
 }
 
 /*
@@ -759,13 +757,13 @@ CLAIM(line_has_curvature_zero_everywhere)
 {
     num c[8], m[3], f[3];
     for (int k = 0; k < 8; k++)
-        c[k] = from_int(k == 2 || k == 6 || (k == 7 && T->planted));
+        c[k] = from_int(fault(T, k == 2 || k == 6 || k == 7, k == 2 || k == 6));
     G(cubic_minors)(c, m);
     G(inflection_polynomial)(m, f);
     show_points(T, "D, C, B, A", 4, 2, c);
     show_text(T, "P' x P''", "%s", poly_to_string(poly_from_q(3, f), "t"));
     about(T, "whether P' x P'' has finitely many zeros");
-    agree(T, !poly_is_zero(poly_from_q(3, f)));
+    refute(T, poly_is_zero(poly_from_q(3, f)));
 }
 #endif
 
@@ -813,9 +811,8 @@ CLAIM(sign_of_delta_tells_the_form)
     G(cubic_minors)(c, m);
     G(double_point_polynomial)(m, g);
     G(cubic_double_point)(c, m, point);
-    num aa = mul(m[0], m[0]), delta = G(cubic_delta)(m);
-    if (T->planted)
-        delta = sub(mul(m[1], m[1]), mul(from_int(4), mul(m[0], m[2])));
+    num aa = mul(m[0], m[0]),
+        delta = fault(T, G(cubic_delta)(m), sub(mul(m[1], m[1]), mul(from_int(4), mul(m[0], m[2]))));
     about(T, "delta");
     same(T, delta, neg(mul(aa, G(power)(sub(s, u), 2))));
     about(T, "the parameters of the double point");
@@ -859,7 +856,7 @@ CLAIM(delta_does_not_tell_graphs)
     for (int top = 2; top <= 3; top++) {
         num c[8], m[3], f[3];
         for (int k = 0; k < 8; k++)
-            c[k] = from_int(k == 2 || k == 2 * top + 1 || (k == 7 && T->planted));
+            c[k] = from_int(fault(T, k == 2 || k == 2 * top + 1, k == 2 || k == 2 * top + 1 || k == 7));
         G(cubic_minors)(c, m);
         G(inflection_polynomial)(m, f);
         same(T, m[0], from_int(0));
@@ -888,7 +885,7 @@ CLAIM(merged_inflections_are_a_cusp)
     num c[4 * dim], m[3], D[2 * dim], t1 = unknown(T, "t", 1);
     G(free_coefficients)(T, 3, dim, c);
     G(cubic_minors)(c, m);
-    num at = neg(div(m[1], T->planted ? m[0] : mul(from_int(2), m[0])));
+    num at = neg(div(m[1], fault(T, mul(from_int(2), m[0]), m[0])));
     G(power_derivatives)(3, dim, c, at, 1, D);
     vanishes(T, G(cross2)(c + 3 * dim, D + dim));
     same(T, mul(mul(from_int(4), m[0]), G(cross2)(c + 2 * dim, D + dim)), neg(G(cubic_delta)(m)));
@@ -939,7 +936,7 @@ CLAIM(cusps_are_on_a_hyperbola)
         side[j] = sub(R[dim + j], R[j]);
     }
     num w = mul(two, G(cross2)(chord, side));
-    num branch = sub(mul(sub(alpha, two), sub(beta, two)), from_int(T->planted ? 2 : 1));
+    num branch = sub(mul(sub(alpha, two), sub(beta, two)), from_int(fault(T, 1, 2)));
     same(T, G(cubic_delta)(m), mul(from_int(-4), mul(mul(alpha, beta), mul(mul(w, w), branch))));
     about(T, "the turning at the ends");
     num three = from_int(3), minus_w = mul(from_int(-2), w);
@@ -979,7 +976,7 @@ CLAIM(each_form_occurs)
     static const int forms[5][3] = {
         {0, 0, -1}, {1, 0, 1}, {2, 0, 1}, {1, 1, 0}, {0, 2, -1}}; /* and the sign of delta */
     for (int k = 0; k < 5; k++) {
-        const int *used = halves[T->planted && k == 0 ? 1 : k];
+        const int *used = halves[fault(T, k, k == 0 ? 1 : k)];
         int inflections, doubles;
         num delta;
         events_of(from_ratio(used[0], 2), from_ratio(used[1], 2), &inflections, &doubles, &delta);
@@ -1017,7 +1014,7 @@ CLAIM(signs_decide_the_form)
     }
     num w = mul(two, G(cross2)(chord, side)), ww = mul(w, w), alpha = parameter(T, "alpha"),
         beta = parameter(T, "beta");
-    num twice = T->planted ? alpha : mul(two, alpha), product = mul(alpha, beta);
+    num twice = fault(T, mul(two, alpha), alpha), product = mul(alpha, beta);
     G(cubic_of_triangle)(R, alpha, beta, c);
     G(cubic_minors)(c, m);
     G(inflection_polynomial)(m, f);
@@ -1094,7 +1091,7 @@ CLAIM(parallel_tangents_give_an_s_or_an_arch)
         }
         vanishes(T, add(f[0], mul(from_ratio(1, 2), f[1])));
         about(T, "the double point");
-        num first = sub(lambda, mul(from_int(T->planted ? 2 : 3), mu)), second = sub(mu, mul(from_int(3), lambda));
+        num first = sub(lambda, mul(from_int(fault(T, 3, 2)), mu)), second = sub(mu, mul(from_int(3), lambda));
         same(T, g[0], mul(mul(lambda, first), ww));
         same(T, add(g[0], add(g[1], g[2])), mul(mul(mu, second), ww));
     }
@@ -1117,7 +1114,7 @@ CLAIM(parallel_tangents_give_an_s_or_an_arch)
 CLAIM(forms_by_the_lengths_of_the_tangents)
 {
     for (int k = 0; k < 20; k++) {
-        num low[2], high[2], delta, border = T->planted ? from_int(1) : from_ratio(3, 2), two = from_int(2),
+        num low[2], high[2], delta, border = fault(T, from_ratio(3, 2), from_int(1)), two = from_int(2),
                                     one = from_int(1);
         int inflections, doubles;
         for (int j = 0; j < 2; j++) {
@@ -1177,7 +1174,7 @@ CLAIM(torsion_by_speed_and_curvature)
         for (int j = 0; j < space; j++)
             d[k][j] = unknown(T, k == 0 ? "u" : k == 1 ? "v" : "w", j);
     num speed = G(norm_squared)(space, d[0]),
-        below = mul(G(power)(speed, T->planted ? 2 : 3), G(curvature_squared)(space, d[0], d[1]));
+        below = mul(G(power)(speed, fault(T, 3, 2)), G(curvature_squared)(space, d[0], d[1]));
     same(T, div(G(det3)(d[0], d[1], d[2]), below), G(torsion)(d[0], d[1], d[2]));
 }
 
@@ -1218,7 +1215,7 @@ CLAIM(printed_vectors_have_no_torsion)
     num c[12], D[12];
     twisted_cubic(1, 1, 1, c);
     G(power_derivatives)(3, space, c, from_int(0), 3, D);
-    const num *last = D + (T->planted ? 3 : 2) * space;
+    const num *last = D + fault(T, 3, 2) * space;
     show_points(T, "P', P'', P'''", 3, 3, D + 3);
     about(T, "the quotient, and the torsion");
     same(T, div(G(sarrus)(D + 3, D + 6, last), G(curvature_squared)(space, D + 3, D + 6)),
@@ -1253,7 +1250,7 @@ CLAIM(printed_power_spoils_the_torsion)
     twisted_cubic(3, 3, 2, c);
     G(power_derivatives)(3, space, c, from_int(1), 3, D);
     num speed = root(2, G(norm_squared)(space, D + 3)), square = G(curvature_squared)(space, D + 3, D + 6);
-    num below = mul(G(power)(speed, T->planted ? 6 : 3), square);
+    num below = mul(G(power)(speed, fault(T, 6, 3)), square);
     show(T, "speed", speed);
     show(T, "K^2", square);
     about(T, "the quotient, and the torsion");
@@ -1302,7 +1299,7 @@ CLAIM(determinant_of_the_derivatives_is_constant)
     G(free_coefficients)(T, 3, space, c);
     G(power_derivatives)(3, space, c, t, 3, D);
     G(rows_in_coefficients)(c, t, 2, rows);
-    num value = mul(from_int(T->planted ? 12 : -12), G(sarrus)(c + 3 * space, c + 2 * space, c + space));
+    num value = mul(from_int(fault(T, -12, 12)), G(sarrus)(c + 3 * space, c + 2 * space, c + space));
     same(T, G(det3)(D + space, D + 2 * space, D + 3 * space), value);
     same(T, G(sarrus)(rows[0], rows[1], rows[2]), value);
 }
@@ -1326,7 +1323,7 @@ CLAIM(determinant_with_equal_rows_is_zero)
     G(power_derivatives)(3, space, c, from_int(0), 3, D);
     about(T, "the determinant, and -12 (A, B, C)");
     show_points(T, "D, C, B, A", 4, 3, c);
-    same(T, G(sarrus)(D + 3, D + 6, D + (T->planted ? 9 : 6)), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
+    same(T, G(sarrus)(D + 3, D + 6, D + fault(T, 9, 6)), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
 }
 
 /*
@@ -1356,7 +1353,7 @@ CLAIM(printed_entry_spoils_the_determinant)
     num c[12], rows[3][3];
     for (int m = 0; m < 12; m++)
         c[m] = from_int(m == 9 || m == 11 || m == 7 || m == 5);
-    G(rows_in_coefficients)(c, from_int(2), T->planted ? 2 : 1, rows);
+    G(rows_in_coefficients)(c, from_int(2), fault(T, 2, 1), rows);
     show_points(T, "rows", 3, 3, rows[0]);
     about(T, "the determinant, and -12 (A, B, C)");
     same(T, G(sarrus)(rows[0], rows[1], rows[2]), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
@@ -1402,7 +1399,7 @@ CLAIM(cubic_is_plane_when_determinant_vanishes)
     num det = G(sarrus)(A, B, C);
     for (int k = 0; k < 3; k++) {
         G(cross3)(pairs[k][0], pairs[k][1], normal);
-        same(T, G(dot)(space, normal, gone), mul(G(power)(t, T->planted && k == 2 ? 2 : k + 1), det));
+        same(T, G(dot)(space, normal, gone), mul(G(power)(t, fault(T, k + 1, k == 2 ? 2 : k + 1)), det));
     }
 }
 

@@ -64,8 +64,7 @@ CLAIM(one_cubic_passes_through_four_data)
     for (int i = 0; i <= n; i++)
         d[i] = p[i] = unknown(T, "p", i);
     G(differences_of_data)(n, d);
-    if (T->planted)
-        d[n] = from_int(0);
+    d[n] = fault(T, d[n], from_int(0));
     for (int i = 0; i <= n; i++)
         same(T, G(newton_sum)(n, d, from_int(i)), p[i]);
     G(free_coefficients)(T, n, 1, c);
@@ -114,7 +113,7 @@ What "nearest as a whole" means has to be said; here it is the least sum of squa
 CLAIM(nearest_line_meets_no_datum)
 {
     static const int data[3] = {0, 1, 0}, pairs[6][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}};
-    num level = T->planted ? from_ratio(1, 2) : from_ratio(1, 3);
+    num level = fault(T, from_ratio(1, 3), from_ratio(1, 2));
     for (int k = 0; k < 6; k++) {
         num alpha = from_int(pairs[k][0]), beta = from_int(pairs[k][1]), sum = from_int(0);
         for (int t = 0; t < 3; t++) {

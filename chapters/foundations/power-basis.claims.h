@@ -50,8 +50,8 @@ they stand, the rule of Horner (秦九韶算法), and a table of forward differe
 CLAIM(parabola_across_has_no_slope)
 {
     num zero = from_int(0), quarter = from_ratio(1, 4);
-    num c[6] = {from_int(T->planted ? -1 : 1), zero, from_int(T->planted ? 2 : -4), from_int(1),
-                from_int(T->planted ? 0 : 4),  zero};
+    num c[6] = {from_int(fault(T, 1, -1)), zero, from_int(fault(T, -4, 2)), from_int(1),
+                from_int(fault(T, 4, 0)),  zero};
     num D[4], x[3] = {c[0], c[2], c[4]};
     G(power_derivatives)(2, 2, c, from_ratio(1, 2), 1, D);
     agree(T, is_zero_q(D[2]) && !is_zero_q(D[3]));
@@ -83,7 +83,7 @@ CLAIM(parabola_across_has_no_slope)
 */
 CLAIM(intervals_of_the_parameter_separate_the_values)
 {
-    num zero = from_int(0), one = from_int(1), middle = T->planted ? from_ratio(3, 4) : from_ratio(1, 2);
+    num zero = from_int(0), one = from_int(1), middle = fault(T, from_ratio(1, 2), from_ratio(3, 4));
     poly x = poly_from_q(3, (num[]){one, from_int(-4), from_int(4)}), slope = poly_derivative(x);
     agree(T, sign_on(slope, zero, middle, OPEN) == SIGN_NEGATIVE && sign_on(slope, middle, one, OPEN) == SIGN_POSITIVE);
     same(T, poly_value(x, zero), one);
@@ -127,7 +127,7 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 */
 CLAIM(quadratic_curve_is_in_use)
 {
-    int last = T->planted ? 3 : 2, degree = 3;
+    int last = fault(T, 3, 2), degree = 3;
     num c[8], D[6];
     for (int m = 0; m < 8; m++)
         c[m] = from_int(m == 2 || m == 2 * last + 1);
@@ -155,7 +155,7 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
 {
     enum { space = 3 };
     num c[4 * space], D[3 * space], t = parameter(T, "t"), bend[space], normal[space], gone[space], at[space];
-    int n = T->planted ? 3 : 2;
+    int n = fault(T, 2, 3);
     G(free_coefficients)(T, n, space, c);
     G(power_derivatives)(n, space, c, t, 2, D);
     G(cross3)(D + space, D + 2 * space, bend);
@@ -186,7 +186,8 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
     for (int degree = 1; degree <= 2; degree++) {
         num c[8], minors[3], f[3];
         for (int m = 0; m < 8; m++)
-            c[m] = from_int(m == 2 || (m == 4 && degree == 2) || (m == 5 && degree == 1 && T->planted));
+            c[m] = from_int(fault(T, m == 2 || (m == 4 && degree == 2) || (m == 5 && degree == 1),
+                                  m == 2 || (m == 4 && degree == 2)));
         G(cubic_minors)(c, minors);
         G(inflection_polynomial)(minors, f);
         poly x = poly_from_q(3, (num[]){c[0], c[2], c[4]});
@@ -196,7 +197,7 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
                      sign_on(poly_derivative(x), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
     }
     about(T, "whether P' x P'' is not 0 somewhere");
-    agree(T, !everywhere);
+    refute(T, everywhere);
 }
 
 /*
@@ -212,7 +213,7 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
 */
 CLAIM(cubics_leave_the_plane_and_inflect)
 {
-    int top = T->planted ? 2 : 3;
+    int top = fault(T, 3, 2);
     num space[12], plane[8], D[12], sides[2];
     for (int k = 0; k <= 3; k++) {
         for (int j = 0; j < 3; j++)
@@ -267,7 +268,7 @@ CLAIM(horner_computes_the_sum_of_powers)
     G(free_coefficients)(T, n, space, c);
     for (int k = 0; k <= n; k++)
         for (int j = 0; j < space; j++)
-            used[k * space + j] = c[(T->planted ? n - k : k) * space + j];
+            used[k * space + j] = c[fault(T, k, n - k) * space + j];
     G(power_point)(n, space, used, t, P);
     for (int j = 0; j < space; j++)
         same(T, P[j], G(power_sum)(n, space, c, j, t));
@@ -356,7 +357,7 @@ static struct operations cost_of_horner(trial *T, int n, int dim)
 CLAIM(multiplications_are_six_and_three)
 {
     for (int n = 1; n <= 12; n++) {
-        struct operations powers = cost_of_powers(T, n, 1, T->planted), horner = cost_of_horner(T, n, 1);
+        struct operations powers = cost_of_powers(T, n, 1, fault(T, 0, 1)), horner = cost_of_horner(T, n, 1);
         agree(T, powers.multiplications == n * (n + 1) / 2 && powers.additions == n);
         agree(T, horner.multiplications == n && horner.additions == n && horner.shifts == 0);
     }
@@ -375,7 +376,7 @@ CLAIM(multiplications_are_six_and_three)
 */
 CLAIM(kept_powers_need_five)
 {
-    int multiplications = cost_of_powers(T, 3, 1, !T->planted).multiplications;
+    int multiplications = cost_of_powers(T, 3, 1, fault(T, 0, 1)).multiplications;
     about(T, "the multiplications before Horner's rule");
     same(T, from_int(multiplications), from_int(6));
 }
@@ -395,7 +396,7 @@ CLAIM(kept_powers_need_five)
 CLAIM(multiplications_with_kept_powers)
 {
     for (int d = 1; d <= 3; d++) {
-        agree(T, cost_of_powers(T, 3, d, !T->planted).multiplications == 2 + 3 * d);
+        agree(T, cost_of_powers(T, 3, d, fault(T, 1, 0)).multiplications == 2 + 3 * d);
         agree(T, cost_of_horner(T, 3, d).multiplications == 3 * d);
     }
 }
@@ -463,7 +464,7 @@ CLAIM(differences_of_a_cubic)
 {
     num c[4], t = parameter(T, "t"), delta = parameter(T, "d"), D[4][4];
     G(free_coefficients)(T, 3, 1, c);
-    num step = T->planted ? neg(delta) : delta;
+    num step = fault(T, delta, neg(delta));
     for (int i = 0; i <= 3; i++)
         D[0][i] = G(power_sum)(3, 1, c, 0, add(t, mul(from_int(i), step)));
     for (int k = 1; k <= 3; k++) {
@@ -488,7 +489,7 @@ CLAIM(differences_of_a_cubic)
 CLAIM(printed_first_difference_looks_back)
 {
     num c[4] = {from_int(0), from_int(1), from_int(0), from_int(0)}, t = from_int(0), delta = from_int(1);
-    num other = T->planted ? add(t, delta) : sub(t, delta);
+    num other = fault(T, add(t, delta), sub(t, delta));
     show_points(T, "D, C, B, A", 4, 1, c);
     about(T, "the difference, and the expression printed for it");
     same(T, sub(G(power_sum)(3, 1, c, 0, other), G(power_sum)(3, 1, c, 0, t)), G(printed_difference)(1, c, t, delta));
@@ -519,7 +520,7 @@ CLAIM(printed_first_difference_looks_back)
 CLAIM(printed_third_difference_has_the_other_sign)
 {
     num c[4] = {from_int(0), from_int(0), from_int(0), from_int(1)}, t = from_int(0), delta = from_int(1);
-    num other = T->planted ? add(t, delta) : sub(t, delta);
+    num other = fault(T, add(t, delta), sub(t, delta));
     show_points(T, "D, C, B, A", 4, 1, c);
     about(T, "the difference, and the value printed for it");
     same(T, sub(G(printed_difference)(2, c, other, delta), G(printed_difference)(2, c, t, delta)),
@@ -577,7 +578,7 @@ CLAIM(differences_by_alternating_sums)
         for (int k = 2; k <= n; k++)
             last = mul(last, from_int(k));
         same(T, d[n * dim + j], last);
-        int order = T->planted ? n - 1 : n;
+        int order = fault(T, n, n - 1);
         same(T, G(alternating_sum)(n, dim, c, j, order, t, delta), d[order * dim + j]);
     }
 }
@@ -614,7 +615,7 @@ For $i=1$ it is true.
 CLAIM(step_from_zero_reaches_one_step_only)
 {
     num c[2] = {from_int(0), from_int(1)}, d[2], delta = from_int(1);
-    int i = T->planted ? 1 : 2;
+    int i = fault(T, 1, 2);
     G(power_differences)(1, 1, c, delta, d);
     G(difference_step)(1, 1, d);
     about(T, "P_0 + ΔP_0, and P(iδ)");
@@ -640,8 +641,7 @@ CLAIM(additions_step_along_the_curve)
     num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], delta = parameter(T, "d");
     G(free_coefficients)(T, n, dim, c);
     G(power_differences)(n, dim, c, delta, d);
-    if (T->planted)
-        d[n * dim] = from_int(0);
+    d[n * dim] = fault(T, d[n * dim], from_int(0));
     for (int i = 0; i <= 12; i++) {
         for (int j = 0; j < dim; j++)
             same(T, d[j], G(power_sum)(n, dim, c, j, mul(from_int(i), delta)));
@@ -684,8 +684,7 @@ CLAIM(step_takes_differences_to_the_next_place)
         }
     G(difference_step)(n, dim, d);
     G(scaled_difference_step)(n, dim, delta, e);
-    if (T->planted)
-        next = add(next, delta);
+    next = fault(T, next, add(next, delta));
     for (int k = 0; k <= n; k++)
         for (int j = 0; j < dim; j++) {
             num there = G(alternating_sum)(n, dim, c, j, k, next, delta);
@@ -752,7 +751,7 @@ CLAIM(step_costs_additions_only)
 {
     for (int n = 1; n <= 12; n++)
         for (int d = 1; d <= 3; d++) {
-            struct operations plain = cost_of_step(T, n, d, 0, 1), scaled = cost_of_step(T, n, d, 1, !T->planted);
+            struct operations plain = cost_of_step(T, n, d, 0, 1), scaled = cost_of_step(T, n, d, 1, fault(T, 1, 0));
             agree(T, plain.additions == n * d && plain.multiplications == 0 && plain.shifts == 0);
             agree(T, scaled.additions == n * d && scaled.multiplications == 0 && scaled.shifts == n * d);
         }
@@ -785,14 +784,14 @@ TABLE_BY_SHIFTS(q)
 
 CLAIM(table_costs_shifts_and_additions)
 {
-    num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {!T->planted};
+    num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {fault(T, 1, 0)};
     num x[4], d[4], table[4], delta = from_ratio(1, 256), power = from_int(1);
     for (int k = 0; k < 4; k++)
         x[k] = unknown(T, "c", k);
     table_by_shifts_q(x, delta, table);
     counted = (struct operations){0};
     table_by_shifts_c(c, step, e);
-    if (!T->planted)
+    if (!T->faulty)
         note_cost(4, table, counted);
     agree(T, counted.shifts == 6 && counted.additions == 4 && counted.multiplications == 0);
     G(power_differences)(3, 1, x, delta, d);
@@ -813,7 +812,7 @@ CLAIM(table_costs_shifts_and_additions)
 */
 CLAIM(other_steps_need_multiplications)
 {
-    struct operations step = cost_of_step(T, 3, 1, 1, T->planted);
+    struct operations step = cost_of_step(T, 3, 1, 1, fault(T, 1, 0));
     show_text(T, "multiplications", "%d", step.multiplications);
     about(T, "that there is no multiplication");
     agree(T, step.multiplications == 0);
@@ -846,7 +845,7 @@ CLAIM(other_steps_need_multiplications)
 */
 CLAIM(third_difference_loses_three_bytes)
 {
-    num c[5], d[5], delta = from_ratio(1, T->planted ? 128 : 256);
+    num c[5], d[5], delta = from_ratio(1, fault(T, 256, 128));
     for (int k = 0; k < 4; k++)
         c[k] = unknown(T, "c", k);
     c[4] = from_int(0);
@@ -869,7 +868,7 @@ CLAIM(third_difference_loses_three_bytes)
 */
 CLAIM(third_difference_exceeds_the_first)
 {
-    num c[4] = {from_int(0), from_int(T->planted), from_int(0), from_int(1)}, d[4];
+    num c[4] = {from_int(0), from_int(fault(T, 1, 0)), from_int(0), from_int(1)}, d[4];
     G(power_differences)(3, 1, c, from_ratio(1, 256), d);
     show_points(T, "table", 4, 1, d);
     about(T, "whether the third difference is less than the first");
@@ -914,7 +913,7 @@ CLAIM(scaled_table_is_as_printed)
         for (int j = 0; j < space; j++) {
             num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], six_A = mul(from_int(6), A);
             num rows[4] = {D, add(add(mul(A, mul(delta, delta)), mul(B, delta)), C),
-                           add(mul(six_A, delta), mul(from_int(2), B)), T->planted ? mul(from_int(3), A) : six_A};
+                           add(mul(six_A, delta), mul(from_int(2), B)), fault(T, six_A, mul(from_int(3), A))};
             same(T, div(d[k * space + j], power), rows[k]);
         }
 }
@@ -948,7 +947,7 @@ CLAIM(step_multiplies_by_a_square_matrix)
         for (int j = 0; j < space; j++) {
             num sum = from_int(0);
             for (int i = 0; i < 4; i++) {
-                num entry = i == k ? from_int(1) : i == (T->planted ? k - 1 : k + 1) ? delta : from_int(0);
+                num entry = i == k ? from_int(1) : i == fault(T, k + 1, k - 1) ? delta : from_int(0);
                 sum = add(sum, mul(entry, d[i * space + j]));
             }
             next[k * space + j] = sum;
@@ -995,7 +994,7 @@ CLAIM(stepping_reaches_the_other_end)
     for (int k = 0; k < 4; k++)
         end = add(end, c[k]);
     G(power_differences)(3, 1, c, from_ratio(1, pieces), d);
-    for (int k = 0; k < pieces - T->planted; k++)
+    for (int k = 0; k < fault(T, pieces, pieces - 1); k++)
         G(difference_step)(3, 1, d);
     same(T, d[0], end);
 }
@@ -1016,7 +1015,7 @@ CLAIM(stepping_reaches_the_other_end)
 */
 CLAIM(stepping_is_exact_for_short_coefficients)
 {
-    int pieces = T->planted ? 255 : 256;
+    int pieces = fault(T, 256, 255);
     for (int cubic = 0; cubic < 50; cubic++) {
         num c[4], d[4];
         double rounded[4], steps[4];
@@ -1052,7 +1051,7 @@ CLAIM(errors_of_the_table_grow_with_the_cube)
     num e[4], sum = from_int(0);
     for (int k = 0; k < 4; k++) {
         e[k] = unknown(T, "e", k);
-        int counted_in = k <= n && !(T->planted && k == 3);
+        int counted_in = fault(T, k <= n, k <= n && k != 3);
         sum = add(sum, mul(from_int(counted_in ? binomial(n, k) : 0), e[k]));
     }
     for (int k = 0; k < n; k++)
@@ -1082,7 +1081,7 @@ static num units_of_error(double value, num exact)
 
 CLAIM(stepping_loses_what_horner_keeps)
 {
-    int pieces = T->planted ? 1024 : 1000;
+    int pieces = fault(T, 1000, 1024);
     double c[4] = {1, 0, 0, 1}, delta = 1.0 / pieces, points[4], end, scale = 1;
     double table[4] = {c[0], c[1] + (c[2] + c[3] * delta) * delta, 6 * c[3] * delta + 2 * c[2], 6 * c[3]};
     power_differences_d(3, 1, c, delta, points);
@@ -1126,7 +1125,7 @@ static num cut(num a, int places)
 
 CLAIM(short_words_lose_the_end)
 {
-    int places = T->planted ? 27 : 16;
+    int places = fault(T, 27, 16);
     num c[4] = {from_int(0), from_int(0), from_int(0), from_ratio(1, 8)}, d[4];
     G(power_differences)(3, 1, c, from_ratio(1, 256), d);
     for (int k = 0; k < 4; k++)

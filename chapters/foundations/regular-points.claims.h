@@ -62,7 +62,7 @@ CLAIM(regularity_is_a_sum_of_squares)
         for (int j = 0; j < 3; j++) {
             v[j] = present >> j & 1 ? positive(T, "v", j) : from_int(0);
             num square = mul(v[j], v[j]);
-            sum = T->planted && j == 2 ? sub(sum, square) : add(sum, square);
+            sum = fault(T, add(sum, square), j == 2 ? sub(sum, square) : add(sum, square));
         }
         same(T, G(norm_squared)(3, v), sum);
         if (present != 0)
@@ -127,8 +127,7 @@ CLAIM(chord_turns_into_the_derivative)
     for (int j = 0; j < space; j++) {
         num at = G(power_sum)(n, space, c, j, t), there = G(power_sum)(n, space, c, j, add(t, h));
         num slope = substitute_f(div(sub(there, at), h), h, from_int(0));
-        if (T->planted)
-            slope = mul(slope, from_ratio(n - 1, n));
+        slope = fault(T, slope, mul(slope, from_ratio(n - 1, n)));
         about(T, "P'");
         same(T, D[space + j], slope);
         same(T, value[j], slope);
@@ -162,7 +161,7 @@ CLAIM(double_point_has_two_tangents)
                 from_int(1),  from_int(0), from_int(0), from_int(1)};
     num D[2][4];
     for (int side = 0; side < 2; side++)
-        G(power_derivatives)(3, dim, c, from_int(side || T->planted ? 1 : -1), 1, D[side]);
+        G(power_derivatives)(3, dim, c, from_int(fault(T, 1, side ? 1 : -1)), 1, D[side]);
     show_points(T, "the points", 2, 2, (num[]){D[0][0], D[0][1], D[1][0], D[1][1]});
     show_points(T, "P' at both", 2, 2, (num[]){D[0][2], D[0][3], D[1][2], D[1][3]});
     about(T, "whether the points differ, or a derivative is 0, or the derivatives are parallel");
@@ -214,7 +213,7 @@ static void G(cusp_curve)(int square, num c[])
 CLAIM(cusp_of_the_example_is_a_cusp)
 {
     num c[8], D[4], u = unknown(T, "u", 0), half = from_ratio(1, 2);
-    G(cusp_curve)(T->planted ? -5 : -6, c);
+    G(cusp_curve)(fault(T, -6, -5), c);
     G(power_derivatives)(3, dim, c, add(half, u), 1, D);
     num x = sub(D[0], half), y = sub(D[1], from_ratio(3, 4)), uu = mul(u, u);
     same(T, x, mul(from_int(4), mul(u, uu)));
@@ -266,9 +265,8 @@ CLAIM(derivative_is_continuous_at_the_cusp)
     at[1] = poly_value(poly_from_q(3, y), from_ratio(1, 2));
     show_text(T, "x', y'", "%s, %s", poly_to_string(dx, "u"), poly_to_string(dy, "u"));
     show_points(T, "P' at the cusp", 1, 2, at);
-    num limit = poly_coefficient(dy, 0);
-    if (T->planted) /* the sign of y', from the left */
-        limit = neg(from_int(sign_q(poly_coefficient(dy, 1))));
+    num sign_from_the_left = neg(from_int(sign_q(poly_coefficient(dy, 1)))); /* of y' */
+    num limit = fault(T, sign_from_the_left, poly_coefficient(dy, 0));
     about(T, "whether a one-sided limit of P' differs from P' at the cusp");
     agree(T, !equal_q(poly_coefficient(dx, 0), at[0]) || !equal_q(limit, at[1]));
 }
@@ -292,7 +290,7 @@ CLAIM(unit_tangent_jumps_at_the_cusp)
     for (int side = -1; side <= 1; side += 2) {
         G(power_derivatives)(3, dim, c, add(half, mul(from_int(side), u)), 1, D);
         same(T, D[2], mul(factor, mul(from_int(2), u)));
-        same(T, D[3], mul(factor, from_int(T->planted ? -1 : -side)));
+        same(T, D[3], mul(factor, from_int(fault(T, -side, -1))));
     }
 }
 
@@ -329,7 +327,7 @@ CLAIM(singular_point_of_a_plain_segment)
     static const int coefficients[2][4] = {{0, 3, -6, 4}, {0, 6, -15, 10}};
     num c[4], zero = from_int(0), one = from_int(1);
     for (int k = 0; k < 4; k++)
-        c[k] = from_int(coefficients[T->planted][k]);
+        c[k] = from_int(coefficients[fault(T, 1, 0)][k]);
     poly run = poly_from_q(4, c), speed = poly_derivative(run);
     int whole_segment = is_zero_q(poly_value(run, zero)) && equal_q(poly_value(run, one), one);
     int singular = count_roots(speed, zero, one, CLOSED).distinct;
@@ -365,7 +363,7 @@ CLAIM(natural_line_is_regular)
 {
     num c[6], D[4], t = parameter(T, "t");
     for (int m = 0; m < 6; m++)
-        c[m] = from_int(m / 2 == (T->planted ? 2 : 1));
+        c[m] = from_int(m / 2 == fault(T, 1, 2));
     G(power_derivatives)(2, dim, c, t, 1, D);
     for (int j = 0; j < dim; j++)
         same(T, D[dim + j], from_int(1));
@@ -396,7 +394,7 @@ CLAIM(natural_line_is_regular)
 */
 CLAIM(cubic_parameter_stays_on_the_segment)
 {
-    num c[4] = {from_int(0), from_int(T->planted ? 7 : 6), from_int(-15), from_int(10)}, zero = from_int(0),
+    num c[4] = {from_int(0), from_int(fault(T, 6, 7)), from_int(-15), from_int(10)}, zero = from_int(0),
         one = from_int(1);
     poly phi = poly_from_q(4, c), rest = poly_sub(poly_constant(one), phi);
     poly back = poly_compose(phi, poly_sub(poly_constant(one), poly_variable()));
@@ -435,7 +433,7 @@ static num G(phi)(num t)
 CLAIM(singular_parameters_of_the_line)
 {
     num w = unknown(T, "w", 0), five = from_int(5), ten = from_int(10),
-        t = div(add(five, w), T->planted ? from_int(9) : ten);
+        t = div(add(five, w), fault(T, ten, from_int(9)));
     num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2], zero_at = sub(mul(w, w), five);
     G(power_derivatives)(3, 1, c, t, 1, D);
     same(T, D[1], mul(from_ratio(3, 10), zero_at));
@@ -475,7 +473,7 @@ refers to it.
 CLAIM(point_moves_backward_in_between)
 {
     num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2];
-    G(power_derivatives)(3, 1, c, T->planted ? from_ratio(1, 5) : from_ratio(1, 2), 1, D);
+    G(power_derivatives)(3, 1, c, fault(T, from_ratio(1, 5), from_ratio(1, 2)), 1, D);
     show(T, "φ'", D[1]);
     about(T, "whether the point does not move backward");
     nonnegative(T, D[1]);
@@ -495,7 +493,7 @@ CLAIM(point_moves_backward_in_between)
 */
 CLAIM(point_moves_forward_back_and_forward)
 {
-    num c[3] = {from_int(T->planted ? 2 : 1), from_int(-5), from_int(5)}, zero = from_int(0), one = from_int(1);
+    num c[3] = {from_int(fault(T, 1, 2)), from_int(-5), from_int(5)}, zero = from_int(0), one = from_int(1);
     poly speed = poly_from_q(3, c);
     struct cagd_root_count roots = count_roots(speed, zero, one, OPEN);
     agree(T, roots.distinct == 2 && roots.crossings == 2);
@@ -533,7 +531,7 @@ CLAIM(constant_curve_is_a_point)
 {
     num c[8], D[4], t = parameter(T, "t");
     for (int m = 0; m < 8; m++)
-        c[m] = m < 2 ? unknown(T, "x", m) : from_int(T->planted && m == 2);
+        c[m] = m < 2 ? unknown(T, "x", m) : from_int(fault(T, 0, m == 2));
     G(power_derivatives)(3, dim, c, t, 1, D);
     for (int j = 0; j < dim; j++) {
         same(T, D[j], c[j]);

@@ -59,7 +59,7 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
     G(free_coefficients)(T, 1, dim, P);
     for (int end = 0; end <= 1; end++)
         for (int j = 0; j < dim; j++)
-            same(T, G(two_cubes)(P, j, from_int(T->planted ? 1 - end : end)), P[end * dim + j]);
+            same(T, G(two_cubes)(P, j, from_int(fault(T, end, 1 - end))), P[end * dim + j]);
 }
 
 /*
@@ -84,7 +84,7 @@ CLAIM(two_cubes_from_the_origin_trace_the_segment)
 {
     num t = parameter(T, "t"), P[4] = {from_int(0), from_int(0), unknown(T, "x", 1), unknown(T, "y", 1)};
     for (int j = 0; j < dim; j++)
-        same(T, G(two_cubes)(P, j, t), mul(G(power)(t, T->planted ? 2 : 3), P[dim + j]));
+        same(T, G(two_cubes)(P, j, t), mul(G(power)(t, fault(T, 3, 2)), P[dim + j]));
 }
 
 /*
@@ -121,7 +121,7 @@ CLAIM(ends_alone_make_no_straight_line)
 {
     num P[4] = {from_int(1), from_int(0), from_int(0), from_int(1)}, t = from_ratio(1, 2), at[2];
     for (int j = 0; j < dim; j++)
-        at[j] = T->planted ? add(mul(sub(from_int(1), t), P[j]), mul(t, P[dim + j])) : G(two_cubes)(P, j, t);
+        at[j] = fault(T, add(mul(sub(from_int(1), t), P[j]), mul(t, P[dim + j])), G(two_cubes)(P, j, t));
     show_points(T, "P_0, P_1", 2, 2, P);
     show_points(T, "P(1/2)", 1, 2, at);
     about(T, "x + y, which is 1 on the line");
@@ -148,7 +148,7 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
         chord[j] = sub(P[dim + j], P[j]);
         from_first[j] = sub(G(two_cubes)(P, j, t), P[j]);
     }
-    num factor = mul(from_int(T->planted ? 2 : 3), mul(t, sub(from_int(1), t)));
+    num factor = mul(from_int(fault(T, 3, 2)), mul(t, sub(from_int(1), t)));
     same(T, G(cross2)(chord, from_first), mul(factor, G(cross2)(P, P + dim)));
 }
 
@@ -167,7 +167,7 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 CLAIM(two_cubes_fill_segments_with_the_origin)
 {
     num p = positive(T, "p", 0), q = positive(T, "q", 0), t = inside(T, "t"), zero = from_int(0);
-    num ends[3][2] = {{T->planted ? p : neg(p), q}, {p, add(p, q)}, {from_int(1), from_int(2)}}, c[3][4];
+    num ends[3][2] = {{fault(T, neg(p), p), q}, {p, add(p, q)}, {from_int(1), from_int(2)}}, c[3][4];
     for (int k = 0; k < 3; k++) {
         num three = mul(from_int(3), ends[k][0]);
         c[k][0] = ends[k][0];
@@ -209,7 +209,7 @@ CLAIM(two_cubes_fill_segments_with_the_origin)
 */
 CLAIM(new_coordinates_are_a_translation)
 {
-    const int P[4] = {0, 0, 10, 10}, image[4] = {-3, -2, 7, T->planted ? 6 : 8}, origin[2] = {3, 2};
+    const int P[4] = {0, 0, 10, 10}, image[4] = {-3, -2, 7, fault(T, 8, 6)}, origin[2] = {3, 2};
     for (int m = 0; m < 4; m++)
         same(T, from_int(image[m]), sub(from_int(P[m]), from_int(origin[m % 2])));
 }
@@ -261,7 +261,7 @@ static void two_cubes_in_powers(const num P[], num c[])
 
 CLAIM(image_of_the_example_turns_everywhere)
 {
-    num P[4] = {from_int(T->planted ? 0 : -3), from_int(T->planted ? 0 : -2), from_int(7), from_int(8)};
+    num P[4] = {from_int(fault(T, -3, 0)), from_int(fault(T, -2, 0)), from_int(7), from_int(8)};
     num c[8], minors[3], f[3];
     two_cubes_in_powers(P, c);
     G(cubic_minors)(c, minors);
@@ -289,7 +289,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 {
     num t = parameter(T, "t"), p = G(power)(sub(from_int(1), t), 3), q = G(power)(t, 3);
     num side = sub(sub(from_int(1), p), q);
-    same(T, G(power)(side, 3), mul(from_int(T->planted ? 26 : 27), mul(p, q)));
+    same(T, G(power)(side, 3), mul(from_int(fault(T, 27, 26)), mul(p, q)));
 }
 
 /*
@@ -317,7 +317,7 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
     for (int j = 0; j < dim; j++) {
         m[j] = unknown(T, "m", j);
         image[j] = add(P[j], m[j]);
-        image[dim + j] = T->planted ? P[dim + j] : add(P[dim + j], m[j]);
+        image[dim + j] = fault(T, add(P[dim + j], m[j]), P[dim + j]);
     }
     num factor = mul(from_int(-3), mul(t, sub(from_int(1), t)));
     for (int j = 0; j < dim; j++)
@@ -362,7 +362,7 @@ CLAIM(matrices_pass_to_the_points)
         num of_images = from_int(0), image = from_int(0);
         for (int i = 0; i <= n; i++)
             for (int k = 0; k < space; k++) {
-                num entry = T->planted && i == n ? from_int(j == k) : M[k * space + j];
+                num entry = fault(T, M[k * space + j], i == n ? from_int(j == k) : M[k * space + j]);
                 of_images = add(of_images, mul(phi[i], mul(Q[i * space + k], entry)));
             }
         for (int k = 0; k < space; k++) {
@@ -410,7 +410,7 @@ static void quarter_turn(int centre, const num P[], num out[])
 
 CLAIM(rotation_about_a_point_moves_the_example)
 {
-    int centre = T->planted ? 0 : 1;
+    int centre = fault(T, 0, 1);
     num P[4] = {from_int(0), from_int(0), from_int(10), from_int(10)}, turned[4], t = from_ratio(1, 2), at[2], image[2];
     quarter_turn(centre, P, turned);
     quarter_turn(centre, P + 2, turned + 2);
@@ -452,7 +452,7 @@ CLAIM(translation_adds_the_sum_of_the_functions)
     G(free_coefficients)(T, n, space, Q);
     for (int i = 0; i <= n; i++) {
         phi[i] = unknown(T, "f", i);
-        if (!T->planted || i < n)
+        if (fault(T, 1, i < n))
             sum = add(sum, phi[i]);
     }
     for (int j = 0; j < space; j++) {
@@ -494,7 +494,7 @@ CLAIM(doubled_functions_keep_the_shape)
     G(decasteljau)(n, dim, doubled, t, P);
     G(decasteljau)(n, dim, moved, t, image);
     for (int j = 0; j < dim; j++)
-        same(T, image[j], add(P[j], mul(from_int(T->planted ? 1 : 2), m[j])));
+        same(T, image[j], add(P[j], mul(from_int(fault(T, 2, 1)), m[j])));
 }
 
 /*
@@ -525,7 +525,7 @@ CLAIM(doubled_functions_keep_the_shape)
 */
 CLAIM(shape_is_kept_without_the_sum_one)
 {
-    int factor = T->planted ? 1 : 2, kept = 1, sum_is_one = 1;
+    int factor = fault(T, 1, 2), kept = 1, sum_is_one = 1;
     for (int k = 0; k <= 2; k++) {
         num t = from_ratio(k, 2), left = mul(from_int(factor), sub(from_int(1), t)), right = mul(from_int(factor), t);
         num before = right, after = add(mul(left, from_int(1)), mul(right, from_int(2))); /* Q_0 = 0, Q_1 = 1; m = 1 */
@@ -564,7 +564,7 @@ CLAIM(sum_of_two_cubes_is_less_than_one)
 {
     poly t = poly_variable(), s = poly_sub(poly_constant(from_int(1)), t);
     poly sum = poly_add(poly_mul(s, poly_mul(s, s)), poly_mul(t, poly_mul(t, t)));
-    if (T->planted) {
+    if (T->faulty) {
         poly middle = poly_scale(poly_mul(poly_mul(s, t), poly_add(s, t)), from_int(3));
         sum = poly_add(sum, middle);
     }
@@ -617,7 +617,7 @@ CLAIM(image_of_a_power_curve_is_one)
     for (int j = 0; j < space; j++) {
         m[j] = unknown(T, "m", j);
         for (int k = 0; k <= n; k++) {
-            num sum = k == 0 || (T->planted && k == n) ? m[j] : from_int(0);
+            num sum = fault(T, k == 0, k == 0 || k == n) ? m[j] : from_int(0);
             for (int i = 0; i < space; i++)
                 sum = add(sum, mul(c[k * space + i], M[i * space + j]));
             d[k * space + j] = sum;
@@ -645,7 +645,7 @@ CLAIM(image_of_a_power_curve_is_one)
 */
 CLAIM(image_keeps_no_chord)
 {
-    int x0 = T->planted ? 0 : -3, y0 = T->planted ? 0 : -2, x1 = T->planted ? 10 : 7, y1 = T->planted ? 10 : 8;
+    int x0 = fault(T, 0, -3), y0 = fault(T, 0, -2), x1 = fault(T, 10, 7), y1 = fault(T, 10, 8);
     num P[4] = {from_int(x0), from_int(y0), from_int(x1), from_int(y1)}, at[2], t = from_ratio(1, 2);
     for (int j = 0; j < dim; j++)
         at[j] = G(two_cubes)(P, j, t);
@@ -688,7 +688,7 @@ CLAIM(projective_image_is_not_the_curve_of_the_images)
         num below = add(one, R[2 * i + 1]);
         for (int j = 0; j < dim; j++)
             image[2 * i + j] = div(R[2 * i + j], below);
-        w[i] = T->planted ? below : one;
+        w[i] = fault(T, below, one);
     }
     G(decasteljau)(2, dim, R, t, P);
     num below = add(one, P[1]);
@@ -731,7 +731,7 @@ CLAIM(division_keeps_power_curve)
         G(power_on_interval)(n, dim, c, half ? s : from_int(0), half ? one : s, piece);
         G(power_point)(n, dim, piece, u, P);
         for (int j = 0; j < dim; j++)
-            same(T, P[j], G(power_sum)(n, dim, c, j, places[T->planted ? 0 : half]));
+            same(T, P[j], G(power_sum)(n, dim, c, j, places[fault(T, half, 0)]));
     }
     G(power_point)(n + 1, dim, c, u, P);
     for (int j = 0; j < dim; j++)
