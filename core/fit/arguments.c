@@ -13,7 +13,6 @@ cagd_fit_status fit_check_options(const cagd_fit_options *o)
     REQUIRE(o->weight_low >= 0 && o->weight_low < 1 && o->weight_high > 1, CAGD_FIT_BAD_OPTIONS);
     REQUIRE(o->starts >= 1 && o->max_iterations >= 1, CAGD_FIT_BAD_OPTIONS);
     REQUIRE(isfinite(o->tolerance) && o->tolerance > 0, CAGD_FIT_BAD_OPTIONS);
-    REQUIRE(o->method == CAGD_FIT_ELIMINATED || o->method == CAGD_FIT_PLAIN, CAGD_FIT_BAD_OPTIONS);
     REQUIRE(o->initial != NULL || (o->free & CAGD_FIT_INNER_POINTS) || (o->free != 0 && o->degree == 1),
             CAGD_FIT_BAD_OPTIONS);
     return CAGD_FIT_OK;

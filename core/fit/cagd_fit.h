@@ -59,10 +59,6 @@ enum { CAGD_FIT_WEIGHTS = 1, CAGD_FIT_INNER_POINTS = 2, CAGD_FIT_END_POINTS = 4 
  *     SQUARES x      HUBER x for x <= a^2, else 2 a sqrt(x) - a^2      CAUCHY a^2 log(1 + x/a^2)                  */
 typedef enum cagd_fit_loss { CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY } cagd_fit_loss;
 
-/* ELIMINATED: the foot points are functions of theta, and Ceres sees theta alone.  PLAIN: every foot point is an unknown of
- * one Ceres problem with derivatives by their formulas and default options; for comparison. */
-typedef enum cagd_fit_method { CAGD_FIT_ELIMINATED, CAGD_FIT_PLAIN } cagd_fit_method;
-
 typedef struct cagd_fit_options {
     int degree, count;          /* p and the number of points of the curve; count 0: p+1                 */
     const double *knots;        /* count+p+1 knots, clamped; NULL: 0 and 1 at the ends, inner ones even  */
@@ -80,11 +76,10 @@ typedef struct cagd_fit_options {
     unsigned long seed;             /* of the other starts                                                   */
     double tolerance;               /* > 0: relative, on the decrease of the cost, on the gradient, the step */
     int max_iterations;             /* >= 1                                                                  */
-    cagd_fit_method method;
 } cagd_fit_options;
 
 /* Degree 2 Bézier, weights and inner points free, ordered, squares, scale 1, weights unbounded, one start, seed 1, tolerance 1e-14,
- * 200 iterations, eliminated. */
+ * 200 iterations. */
 cagd_fit_options cagd_fit_defaults(void);
 
 typedef enum cagd_fit_status {

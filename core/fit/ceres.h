@@ -1,17 +1,28 @@
-/* ceres.h -- what the fit asks of Ceres, and of Eigen, which comes with it.  Nothing is printed and nothing is thrown; a
- * function that returns an int returns 0 when there was no memory. */
+/* ceres.h -- what the fit asks of Ceres, and of Eigen, which comes with it.
+ *
+ * Nothing is printed, nothing is thrown, and nothing global is written, so that any number of threads may call at the same time.
+ * A function that returns an int returns 0 when there was no memory. */
 #ifndef CAGD_FIT_CERES_H
 #define CAGD_FIT_CERES_H
 
-#include "core/fit/problem.h"
+#include "core/fit/cagd_fit.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* residuals[rows] at theta and, unless it is NULL, the Jacobian, rows x unknowns by rows.  0: theta has none. */
-typedef int (*fit_function)(void *context, const double theta[], double residuals[], double jacobian[]);
+/* residuals[rows] and the Jacobian, rows x unknowns by rows, at x.  Returns 0 where the residuals are not defined. */
+typedef int (*fit_residuals)(void *context, const double x[], double residuals[], double jacobian[]);
 
+/* Half the sum of squares of the residuals, to be minimised within bounds, which are infinite where there are none. */
+typedef struct fit_least_squares {
+    int unknowns, rows;
+    fit_residuals residuals;
+    void *context;
+    const double *low, *high;
+} fit_least_squares;
+
+/* What a run of the minimiser did. */
 typedef struct fit_outcome {
     cagd_fit_termination termination;
     int iterations, steps;
@@ -19,18 +30,12 @@ typedef struct fit_outcome {
     char message[256];
 } fit_outcome;
 
-/* Minimises half the sum of squares from theta, which becomes the minimum; low and high are bounds, infinite for none.
- * *radius is that of the trust region, at the start and at the end. */
-int fit_minimise(int unknowns, int rows, fit_function function, void *context, const double low[], const double high[],
-                 double tolerance, int max_iterations, double theta[], double *radius, fit_outcome *outcome);
+/* Minimises from x, which becomes the minimum, until a step gains less than `tolerance` of the sum.  *radius is that of the
+ * trust region, at the start and at the end. */
+int fit_minimise(const fit_least_squares *problem, double tolerance, int max_iterations, double x[], double *radius,
+                 fit_outcome *outcome);
 
-/* The same minimum as one Ceres problem of all unknowns: theta and a foot for every point, derivatives by their formulas,
- * default options but for tolerance and number of iterations. */
-int fit_minimise_plain(const fit_problem *problem, const fit_curve *curve, double tolerance, int max_iterations,
-                       double theta[], double feet[], fit_outcome *outcome);
-
-/* a = U diag(s) V^T for n x n numbers by rows; s decreasing; U and V by rows.  All 0 when an
- * entry of a is not a number. */
+/* a = U diag(s) V^T for n x n numbers by rows; s decreasing; U and V by rows.  All are 0 when an entry of a is not a number. */
 int fit_svd(int n, const double a[], double U[], double s[], double V[]);
 
 #ifdef __cplusplus

@@ -8,14 +8,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A fit_function: the triangle (R z; 0 e) with e such that half the sum of squares is F, unknowns + 1 residuals for any number of
- * points; and what rounding makes of F = 0, below which no decrease counts. */
+/* Whether the squares of all entries of the triangle are numbers. */
+static int is_finite_triangle(int n, const double triangle[])
+{
+    double sum = 0;
+    for (int m = 0; m < n * n; m++)
+        sum += triangle[m] * triangle[m];
+    return isfinite(sum);
+}
+
+/* A fit_residuals: the triangle (R z; 0 e) with e such that half the sum of squares is F, unknowns + 1 residuals for any number of
+ * points; and what rounding makes of F = 0, below which no decrease counts.  Where the derivatives are asked for the minimiser
+ * has gone, and the feet there are accepted. */
 static int residuals(void *objective, const double x[], double left[], double jacobian[])
 {
     fit_objective *f = objective;
     int n = f->problem->unknowns;
     fit_objective_at(f, x);
-    if (!isfinite(f->cost))
+    if (!isfinite(f->cost) || !is_finite_triangle(n + 1, f->triangle))
         return 0;
     double rest = 2 * f->cost;
     for (int k = 0; k < n; k++) {
@@ -53,8 +63,8 @@ static int run_ceres(const fit_problem *p, const cagd_fit_options *o, double tol
         double *high = low + n, *x = high + n;
         fit_problem_bounds(p, a->objective->base, low, high);
         memcpy(x, a->objective->x, room * sizeof *x);
-        good = fit_minimise(n, n + 1, residuals, a->objective, low, high, tolerance, left > 0 ? left : 0, x, &a->radius,
-                            &outcome) &&
+        fit_least_squares rows = {n, n + 1, residuals, a->objective, low, high};
+        good = fit_minimise(&rows, tolerance, left > 0 ? left : 0, x, &a->radius, &outcome) &&
                fit_attempt_append(a, &outcome);
         settle(a->objective);
     }
@@ -198,27 +208,4 @@ int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
         if (!better)
             return good;
     }
-}
-
-int fit_descend_plain(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
-{
-    double *theta = malloc((size_t)p->unknowns * sizeof *theta), start = fit_curve_start(a->curve),
-           end = fit_curve_end(a->curve);
-    if (theta == NULL)
-        return 0;
-    fit_problem_theta(p, a->curve, theta);
-    fit_problem_curve_of(p, theta, a->curve);
-    int good = fit_minimise_plain(p, a->curve, o->tolerance, o->max_iterations, theta, a->feet, &a->outcome);
-    fit_problem_curve_of(p, theta, a->curve);
-    free(theta);
-    for (int i = 0; good && i < p->points; i++)
-        if (a->feet[i] < start || a->feet[i] > end) {
-            a->feet[i] = fmin(fmax(a->feet[i], start), end);
-            a->outcome.termination = CAGD_FIT_FAILED;
-            snprintf(a->outcome.message, sizeof a->outcome.message, "The foot of point %d left the domain.", i);
-        }
-    if (good)
-        fit_objective_begin(a->objective, a->curve, a->feet);
-    a->initial_cost = good && a->outcome.steps > 0 ? a->outcome.history[0].cost : HUGE_VAL;
-    return good;
 }

@@ -17,7 +17,4 @@ int fit_descend_newton(const fit_problem *problem, const cagd_fit_options *optio
 /* From curve and feet of the attempt, near the minimum if its last run of Ceres has converged, to the minimum as far as binary64 goes
  * or `tolerance` of the options asks, and again when a search finds better feet. */
 int fit_descend(const fit_problem *problem, const cagd_fit_options *options, fit_attempt *attempt);
-
-/* The same as one problem of all unknowns, for comparison. */
-int fit_descend_plain(const fit_problem *problem, const cagd_fit_options *options, fit_attempt *attempt);
 #endif

@@ -46,8 +46,7 @@ cagd_fit_options cagd_fit_defaults(void)
                               .starts = 1,
                               .seed = 1,
                               .tolerance = 1e-14,
-                              .max_iterations = 200,
-                              .method = CAGD_FIT_ELIMINATED};
+                              .max_iterations = 200};
 }
 
 /* What was measured of the numbers that begin a fit.  240 random conics, cubics, quartics and splines of 3 segments, weights between 1/4 and
@@ -104,12 +103,9 @@ static int feet_alone(const fit_problem *p, fit_attempt *a)
 /* The attempt from start number `start`. */
 static int try_start(const fit_problem *p, const cagd_fit_options *o, int start, fit_attempt *a)
 {
-    double cost;
     int good = fit_start(p, o, start, a->curve);
     if (p->nothing_free)
         good = good && feet_alone(p, a);
-    else if (o->method == CAGD_FIT_PLAIN)
-        good = good && fit_feet_search(p, a->curve, a->feet, &cost) && fit_descend_plain(p, o, a);
     else
         good = good && fit_approach(p, o, a) && fit_descend(p, o, a);
     if (good) {

@@ -7,6 +7,7 @@
  *
  *     bench_fit [PEERS.py]      with the path of bench_fit_peers.py: SciPy as well, where /usr/bin/python3 has it */
 #include "core/fit/cagd_fit.h"
+#include "proofs-tests/bench/plain_ceres.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -66,13 +67,12 @@ static double *make_points(int N)
     return Q;
 }
 
-static outcome by_cagd(int N, const double *Q, cagd_fit_method method)
+static outcome eliminated(int N, const double *Q)
 {
     cagd_fit_data data = {N, 2, Q, NULL};
     cagd_fit_options options = cagd_fit_defaults();
     cagd_fit_result *r;
     options.initial = &start;
-    options.method = method;
     options.max_iterations = 1000;
     double begin = now();
     if (cagd_fit(&data, &options, &r, NULL) != CAGD_FIT_OK)
@@ -83,8 +83,18 @@ static outcome by_cagd(int N, const double *Q, cagd_fit_method method)
     return o;
 }
 
-static outcome eliminated(int N, const double *Q) { return by_cagd(N, Q, CAGD_FIT_ELIMINATED); }
-static outcome plain(int N, const double *Q) { return by_cagd(N, Q, CAGD_FIT_PLAIN); }
+static outcome plain(int N, const double *Q)
+{
+    cagd_fit_data data = {N, 2, Q, NULL};
+    cagd_fit_options options = cagd_fit_defaults();
+    plain_outcome p;
+    options.initial = &start;
+    options.max_iterations = 1000;
+    double begin = now();
+    if (plain_ceres(&data, &options, &p) != CAGD_FIT_OK)
+        return (outcome){0};
+    return (outcome){.seconds = now() - begin, .cost = p.cost, .iterations = p.iterations, .converged = p.converged};
+}
 
 #ifdef WITH_GSL
 typedef struct gsl_problem {

@@ -1,9 +1,13 @@
 /* test_memory.c -- a fit without memory: the k-th allocation fails, for k = 1, 2, 3, ... until the fit does without
  * so many; alone, and with all later ones.
  *
- * The C files of the fit are compiled once more into this program, where malloc, aligned_alloc, calloc, realloc and free are called
- * test_malloc, ...: so the functions below; what Ceres takes for itself is left alone.  Asked is: the status
- * CAGD_FIT_NO_MEMORY without a result, every block given back, and afterwards the same fit as before. */
+ * The linker puts the functions below in the place of malloc, aligned_alloc, calloc, realloc and free wherever the fit calls them,
+ * in C++ and in Ceres too; and test_memory_new.cpp is the operator new of all that is C++, which throws std::bad_alloc.  Asked is:
+ * the status CAGD_FIT_NO_MEMORY without a result, every block given back, and afterwards the same fit as before.
+ *
+ * Ceres keeps its times in destructors that take memory, where C++ lets no exception out: a failure there ends the program, whoever
+ * may have called.  So every trial is a process of its own, and such ends are counted; an exception that leaves the library ends a
+ * program in another way, and is an error. */
 #include "core/fit/cagd_fit.h"
 
 #include <limits.h>
@@ -11,17 +15,25 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 /* ---- memory ----------------------------------------------------------------------------------------- */
 
-void *test_malloc(size_t size);
-void *test_aligned_alloc(size_t alignment, size_t size);
-void *test_calloc(size_t count, size_t size);
-void *test_realloc(void *block, size_t size);
-void test_free(void *block);
+/* What the linker makes of calls of malloc, ..., and of their own names. */
+void *__wrap_malloc(size_t size);
+void *__wrap_aligned_alloc(size_t alignment, size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *block, size_t size);
+void __wrap_free(void *block);
+void *__real_malloc(size_t size);
+void *__real_aligned_alloc(size_t alignment, size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *block, size_t size);
+void __real_free(void *block);
 
 /* The blocks that are held, by address, in a list; there are few at a time. */
-enum { ROOM = 1 << 12 };
+enum { ROOM = 1 << 16 };
 static const void *held[ROOM];
 static long asked, fail_at, fail_until, refused; /* fail_at 0: none */
 static int blocks;
@@ -35,7 +47,6 @@ static void *keep(void *block)
     return block;
 }
 
-/* What the shim of Ceres took, such as the table of iterations, is not there. */
 static void forget(const void *block)
 {
     int i = blocks - 1;
@@ -45,7 +56,9 @@ static void forget(const void *block)
         held[i] = held[--blocks];
 }
 
-static int refuses(void)
+/* Whether the next allocation is to fail. */
+int refuses(void);
+int refuses(void)
 {
     asked++;
     int now = fail_at > 0 && asked >= fail_at && asked < fail_until;
@@ -53,26 +66,26 @@ static int refuses(void)
     return now;
 }
 
-void *test_malloc(size_t size) { return refuses() ? NULL : keep(malloc(size)); }
-void *test_aligned_alloc(size_t alignment, size_t size)
+void *__wrap_malloc(size_t size) { return refuses() ? NULL : keep(__real_malloc(size)); }
+void *__wrap_aligned_alloc(size_t alignment, size_t size)
 {
-    return refuses() ? NULL : keep(aligned_alloc(alignment, size));
+    return refuses() ? NULL : keep(__real_aligned_alloc(alignment, size));
 }
-void *test_calloc(size_t count, size_t size) { return refuses() ? NULL : keep(calloc(count, size)); }
-void *test_realloc(void *block, size_t size)
+void *__wrap_calloc(size_t count, size_t size) { return refuses() ? NULL : keep(__real_calloc(count, size)); }
+void *__wrap_realloc(void *block, size_t size)
 {
     if (refuses())
         return NULL;
     forget(block);
-    void *moved = realloc(block, size);
+    void *moved = __real_realloc(block, size);
     if (moved == NULL)
         abort();
     return keep(moved);
 }
-void test_free(void *block)
+void __wrap_free(void *block)
 {
     forget(block);
-    free(block);
+    __real_free(block);
 }
 
 /* ---- fits ------------------------------------------------------------------------------------------- */
@@ -127,11 +140,10 @@ static void feet_alone(cagd_fit_options *o)
     o->free = 0;
     o->initial = &start;
 }
-static void plain(cagd_fit_options *o) { o->method = CAGD_FIT_PLAIN; }
-static const struct kind kinds[] = {
-    {"usual", 2, 0, as_usual},        {"all free", 2, 1, all_free},    {"spline", 2, 0, spline},
-    {"two starts", 2, 1, two_starts}, {"space", 3, 1, cubic_in_space}, {"robust", 2, 0, robust},
-    {"unordered", 2, 0, unordered},   {"plain", 2, 0, plain},          {"feet alone", 2, 1, feet_alone}};
+static const struct kind kinds[] = {{"usual", 2, 0, as_usual},       {"all free", 2, 1, all_free},
+                                    {"spline", 2, 0, spline},        {"two starts", 2, 1, two_starts},
+                                    {"space", 3, 1, cubic_in_space}, {"robust", 2, 0, robust},
+                                    {"unordered", 2, 0, unordered},  {"feet alone", 2, 1, feet_alone}};
 
 static cagd_fit_status fit(const struct kind *kind, cagd_fit_result **result)
 {
@@ -148,8 +160,11 @@ static int complain(const struct kind *kind, long k, const char *what)
     return 1;
 }
 
-/* The allocations from the k-th to the one before `until` fail.  *reached: whether there was one. */
-static int fit_without(const struct kind *kind, long k, long until, int *reached)
+/* How a trial ends, as the exit code of its process. */
+enum ending { GOOD, NOT_REACHED, WRONG, LOST };
+
+/* The allocations from the k-th to the one before `until` fail. */
+static enum ending fit_without(const struct kind *kind, long k, long until)
 {
     cagd_fit_result *result = (cagd_fit_result *)points; /* which must be changed */
     int before = blocks, wrong = 0;
@@ -158,37 +173,59 @@ static int fit_without(const struct kind *kind, long k, long until, int *reached
     fail_until = until;
     cagd_fit_status status = fit(kind, &result);
     fail_at = 0;
-    *reached = refused > 0;
-    if (*reached && (status != CAGD_FIT_NO_MEMORY || result != NULL))
+    if (refused > 0 && (status != CAGD_FIT_NO_MEMORY || result != NULL))
         wrong |= complain(kind, k, result != NULL ? "a result" : cagd_fit_status_text(status));
-    if (!*reached && status != CAGD_FIT_OK)
+    if (refused == 0 && status != CAGD_FIT_OK)
         wrong |= complain(kind, k, cagd_fit_status_text(status));
     if (status == CAGD_FIT_OK)
         cagd_fit_free(result);
     if (blocks != before)
         wrong |= complain(kind, k, "blocks are not given back");
-    blocks = before;
-    return wrong;
+    return wrong ? WRONG : refused > 0 ? GOOD : NOT_REACHED;
+}
+
+/* The same in a process of its own. */
+static enum ending trial(const struct kind *kind, long k, long until)
+{
+    int status = 0;
+    fflush(stdout);
+    pid_t child = fork();
+    if (child == 0) {
+        enum ending ending = fit_without(kind, k, until);
+        fflush(stdout);
+        _exit(ending);
+    }
+    if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status)) {
+        complain(kind, k, "the program has crashed, or an exception has left the library");
+        return WRONG;
+    }
+    return (enum ending)WEXITSTATUS(status);
 }
 
 static int try_kind(const struct kind *kind)
 {
-    int wrong = 0, reached = 1;
     cagd_fit_result *result, *again;
     fail_at = 0;
     if (fit(kind, &result) != CAGD_FIT_OK) /* what libraries allocate once is there afterwards */
         return complain(kind, 0, "no fit");
-    long k = 1, tried = 0;
-    for (; reached; k += 1 + k / MANY, tried++) /* all of the first ones, then fewer and fewer */
-        wrong += fit_without(kind, k, k + 1, &reached) + (reached && fit_without(kind, k, LONG_MAX, &reached));
+    long k = 1, count[LOST + 1] = {0};
+    while (count[NOT_REACHED] == 0) { /* all of the first ones, then fewer and fewer */
+        count[trial(kind, k, k + 1)]++;
+        count[trial(kind, k, LONG_MAX)]++;
+        k += 1 + k / MANY;
+    }
+    int wrong = count[WRONG] > 0;
     if (fit(kind, &again) != CAGD_FIT_OK)
         return complain(kind, 0, "no fit any more");
     if (memcmp(result->value, again->value, (size_t)result->unknowns * sizeof(double)) != 0)
-        wrong += complain(kind, 0, "not the same fit afterwards");
+        wrong |= complain(kind, 0, "not the same fit afterwards");
     cagd_fit_free(result);
     cagd_fit_free(again);
-    printf("%-10s %5ld of some %ld allocations\n", kind->name, tried, k);
-    return wrong + (tried < 10 && complain(kind, k, "hardly any allocation was seen"));
+    printf("%-10s %5ld times without memory, of some %ld allocations; %ld times lost by Ceres\n", kind->name,
+           count[GOOD], k, count[LOST]);
+    if (count[GOOD] < 10 || count[LOST] > count[GOOD])
+        wrong |= complain(kind, k, "hardly any allocation was seen");
+    return wrong;
 }
 
 int main(void)
