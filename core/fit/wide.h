@@ -7,7 +7,8 @@
 
 #include <stdlib.h> /* says whether the C library is glibc, which can choose among functions */
 
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) &&            \
+    !defined(__SANITIZE_THREAD__)
 #define FIT_WIDER
 #define WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
