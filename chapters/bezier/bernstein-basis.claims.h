@@ -34,7 +34,7 @@ CLAIM(bernstein_is_binomial_form)
     G(bernstein)(n, t, B);
     for (int i = 0; i <= n; i++) {
         num term = mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i));
-        same(T, B[i], mul(G(choose)(n + T->planted, i), term));
+        same(T, B[i], mul(G(choose)(fault(T, n, n + 1), i), term));
     }
 }
 
@@ -61,7 +61,7 @@ CLAIM(bernstein_recurrence)
 {
     num i = whole(T, "i", 1, 20), rest = whole(T, "n_minus_i", 0, 20), n = add(i, rest);
     num t = parameter(T, "t"), c = parameter(T, "c"), U = parameter(T, "U"), V = parameter(T, "V");
-    num shared = mul(mul(U, V), t), below = T->planted ? add(i, from_int(1)) : i;
+    num shared = mul(mul(U, V), t), below = fault(T, i, add(i, from_int(1)));
     num stays = mul(mul(c, div(rest, below)), shared), comes = mul(c, shared);
     same(T, mul(mul(c, div(n, i)), shared), add(stays, comes));
 }
@@ -88,7 +88,7 @@ CLAIM(bernstein_raised_by_one_degree)
     num lower = mul(mul(c, div(next, add(rest, one))), mul(mul(s, U), V));
     num upper = mul(mul(c, div(next, add(i, one))), mul(U, mul(t, V)));
     num left = mul(div(add(rest, one), next), lower);
-    num right = mul(div(T->planted ? i : add(i, one), next), upper);
+    num right = mul(div(fault(T, add(i, one), i), next), upper);
     about(T, "(1-t) B_i^n");
     same(T, left, mul(s, B));
     about(T, "t B_i^n");
@@ -117,7 +117,7 @@ CLAIM(bernstein_derivative)
     num n = add(i, rest), t = parameter(T, "t"), s = sub(one, t);
     num c = parameter(T, "c"), W = parameter(T, "W"), X = parameter(T, "X");
     num rising = mul(i, mul(mul(W, s), X)), falling = mul(rest, mul(mul(t, W), X));
-    num D = mul(c, T->planted ? add(rising, falling) : sub(rising, falling));
+    num D = mul(c, fault(T, sub(rising, falling), add(rising, falling)));
     num left = mul(mul(c, div(i, n)), mul(mul(W, s), X));     /* B_{i-1}^{n-1} */
     num right = mul(mul(c, div(rest, n)), mul(mul(t, W), X)); /* B_i^{n-1} */
     about(T, "(B_i^n)'");
@@ -154,7 +154,7 @@ CLAIM(bernstein_largest_at_its_node)
     G(must_be_positive)(T, sub(i, mul(n, mul(node, share))));
     about(T, "n t - i after the node");
     num falling = sub(mul(n, after), i);
-    G(must_be_positive)(T, T->planted ? neg(falling) : falling);
+    G(must_be_positive)(T, fault(T, falling, neg(falling)));
     about(T, "i - n t at the node");
     vanishes(T, sub(i, mul(n, node)));
 }
@@ -178,7 +178,7 @@ CLAIM(bernstein_sums_to_one)
     int n = T->degree;
     num t = parameter(T, "t"), B[MAX_DEGREE + 1], sum = from_int(0);
     G(bernstein)(n, t, B);
-    for (int i = T->planted; i <= n; i++)
+    for (int i = fault(T, 0, 1); i <= n; i++)
         sum = add(sum, B[i]);
     same(T, sum, from_int(1));
 }
@@ -198,7 +198,7 @@ CLAIM(bernstein_positive_inside)
 {
     int n = T->degree;
     num t = inside(T, "s"), B[MAX_DEGREE + 1];
-    G(bernstein)(n, T->planted ? neg(t) : t, B);
+    G(bernstein)(n, fault(T, t, neg(t)), B);
     for (int i = 0; i <= n; i++)
         G(must_be_positive)(T, B[i]);
 }
@@ -225,7 +225,7 @@ CLAIM(bernstein_alternates_outside)
     G(bernstein)(n, add(one, s), after);
     for (int i = 0; i <= n; i++) {
         G(must_be_positive)(T, i % 2 == 0 ? before[i] : neg(before[i]));
-        int exponent = T->planted ? i : n - i;
+        int exponent = fault(T, n - i, i);
         G(must_be_positive)(T, exponent % 2 == 0 ? after[i] : neg(after[i]));
     }
 }
@@ -250,7 +250,7 @@ CLAIM(bernstein_at_ends)
         same(T, B[i], from_int(i == 0));
     G(bernstein)(n, from_int(1), B);
     for (int i = 0; i <= n; i++)
-        same(T, B[i], from_int(T->planted ? i == 0 : i == n));
+        same(T, B[i], from_int(fault(T, i == n, i == 0)));
 }
 
 /*
@@ -271,7 +271,7 @@ CLAIM(bernstein_is_symmetric)
     G(bernstein)(n, t, B);
     G(bernstein)(n, sub(from_int(1), t), reversed);
     for (int i = 0; i <= n; i++)
-        same(T, reversed[i], B[T->planted ? i : n - i]);
+        same(T, reversed[i], B[fault(T, n - i, i)]);
 }
 
 /*
@@ -297,7 +297,7 @@ CLAIM(bernstein_derivatives_of_every_order)
     for (int k = 0; k <= n + 1; k++)
         for (int i = 0; i <= n; i++) {
             num D = G(basis_derivative)(n, i, k, t);
-            same(T, B[k * (n + 1) + i], T->planted && k > 0 ? div(D, from_int(n + 1)) : D);
+            same(T, B[k * (n + 1) + i], fault(T, D, k > 0 ? div(D, from_int(n + 1)) : D));
         }
 }
 
@@ -324,7 +324,7 @@ CLAIM(bernstein_primitive)
             area = add(area, mul(c, G(power)(t, k + 1)));
             whole = add(whole, c);
         }
-        for (int j = T->planted ? i : i + 1; j <= n + 1; j++)
+        for (int j = fault(T, i + 1, i); j <= n + 1; j++)
             sum = add(sum, B[j]);
         about(T, "the integral up to t");
         same(T, div(sum, from_int(n + 1)), area);
@@ -357,8 +357,7 @@ CLAIM(bernstein_to_power_keeps_polynomial)
     num b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], sum = from_int(0), t = parameter(T, "t");
     G(free_points)(T, n, 1, b);
     G(bernstein_to_power)(n, b, c);
-    if (T->planted)
-        c[n] = neg(c[n]);
+    c[n] = fault(T, c[n], neg(c[n]));
     for (int k = 0; k <= n; k++)
         sum = add(sum, mul(c[k], G(power)(t, k)));
     same(T, sum, G(curve)(n, 1, b, 0, t));
@@ -382,8 +381,7 @@ CLAIM(power_to_bernstein_keeps_polynomial)
     num b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], sum = from_int(0), t = parameter(T, "t");
     G(free_points)(T, n, 1, c);
     G(power_to_bernstein)(n, c, b);
-    if (T->planted)
-        b[n] = neg(b[n]);
+    b[n] = fault(T, b[n], neg(b[n]));
     for (int k = 0; k <= n; k++)
         sum = add(sum, mul(c[k], G(power)(t, k)));
     same(T, G(curve)(n, 1, b, 0, t), sum);
@@ -408,7 +406,7 @@ CLAIM(bernstein_and_power_forms_are_inverse)
     for (int order = 0; order < 2; order++) {
         (order == 0 ? G(bernstein_to_power) : G(power_to_bernstein))(n, b, there);
         for (int i = 0; i <= n; i++)
-            back[i] = there[T->planted ? n - i : i];
+            back[i] = there[fault(T, i, n - i)];
         (order == 0 ? G(power_to_bernstein) : G(bernstein_to_power))(n, back, back);
         for (int i = 0; i <= n; i++)
             same(T, back[i], b[i]);
@@ -432,7 +430,7 @@ CLAIM(bernstein_basis_is_independent)
     num M[MAX_ORDER * MAX_ORDER], unit[MAX_DEGREE + 1], product = from_int(1);
     for (int i = 0; i <= n; i++) {
         for (int k = 0; k <= n; k++)
-            unit[k] = from_int(k == (T->planted && i == 1 ? 0 : i));
+            unit[k] = from_int(k == fault(T, i, i == 1 ? 0 : i));
         G(bernstein_to_power)(n, unit, M + i * (n + 1));
         product = mul(product, G(choose)(n, i));
     }
@@ -458,7 +456,7 @@ CLAIM(linear_precision)
     num t = parameter(T, "t"), B[MAX_DEGREE + 1], sum = from_int(0);
     G(bernstein)(n, t, B);
     for (int i = 0; i <= n; i++)
-        sum = add(sum, mul(from_ratio(i + T->planted, n + T->planted), B[i]));
+        sum = add(sum, mul(from_ratio(fault(T, i, i + 1), fault(T, n, n + 1)), B[i]));
     same(T, sum, t);
 }
 
@@ -492,8 +490,7 @@ CLAIM(bernstein_product_is_product)
                 G(bernstein_product)(m, b, n, a, c);
             else
                 G(bernstein_product)(n, a, m, b, c);
-            if (T->planted)
-                c[0] = div(c[0], from_int(2));
+            c[0] = fault(T, c[0], div(c[0], from_int(2)));
             same(T, G(curve)(n + m, 1, c, 0, t), product);
         }
     }
@@ -517,7 +514,7 @@ CLAIM(elevation_matrix_raises_the_basis)
 {
     int n = T->degree;
     num t = parameter(T, "t"), E[(MAX_DEGREE + 2) * (MAX_DEGREE + 2)];
-    int columns = n + 1 + T->planted;
+    int columns = fault(T, n + 1, n + 2);
     G(elevation_matrix)(columns - 1, E);
     for (int j = 0; j <= n; j++) {
         num sum = from_int(0);

@@ -29,9 +29,9 @@ static num G(falling)(num x, int k)
 }
 
 /* The weight of b_j in point i of degree N. */
-static num G(elevation_weight)(int n, int j, num i, num N, int planted)
+static num G(elevation_weight)(int n, int j, num i, num N, int of_powers)
 {
-    num rest = sub(N, i), above = planted ? G(power)(rest, n - j) : G(falling)(rest, n - j);
+    num rest = sub(N, i), above = of_powers ? G(power)(rest, n - j) : G(falling)(rest, n - j);
     return div(mul(G(choose)(n, j), mul(G(falling)(i, j), above)), G(falling)(N, n));
 }
 
@@ -57,11 +57,11 @@ CLAIM(elevated_points_in_closed_form)
     for (int j = 0; j <= n; j++) {
         about(T, "degree n");
         for (int k = 0; k <= n; k++)
-            same(T, G(elevation_weight)(n, j, from_int(k), from_int(n), T->planted), from_int(k == j));
+            same(T, G(elevation_weight)(n, j, from_int(k), from_int(n), fault(T, 0, 1)), from_int(k == j));
         about(T, "from N to N+1");
-        num moved = mul(share, G(elevation_weight)(n, j, sub(i, one), N, T->planted));
-        num kept = mul(sub(one, share), G(elevation_weight)(n, j, i, N, T->planted));
-        same(T, G(elevation_weight)(n, j, i, next, T->planted), add(moved, kept));
+        num moved = mul(share, G(elevation_weight)(n, j, sub(i, one), N, fault(T, 0, 1)));
+        num kept = mul(sub(one, share), G(elevation_weight)(n, j, i, N, fault(T, 0, 1)));
+        same(T, G(elevation_weight)(n, j, i, next, fault(T, 0, 1)), add(moved, kept));
     }
     num b[MAX_DEGREE + 1], points[2][MAX_DEGREE + 1];
     G(free_points)(T, n, 1, b);
@@ -73,7 +73,7 @@ CLAIM(elevated_points_in_closed_form)
     for (int k = 0; k <= n + 3; k++) {
         num sum = from_int(0);
         for (int j = 0; j <= n; j++)
-            sum = add(sum, mul(G(elevation_weight)(n, j, from_int(k), from_int(n + 3), T->planted), b[j]));
+            sum = add(sum, mul(G(elevation_weight)(n, j, from_int(k), from_int(n + 3), fault(T, 0, 1)), b[j]));
         same(T, points[1][k], sum);
     }
 }
@@ -109,7 +109,7 @@ CLAIM(elevated_polygons_converge_to_curve)
         about(T, "the weight");
         same(T, weight, product);
         about(T, "its limit");
-        num limit = T->planted ? from_ratio(1, 2 * n) : from_int(0);
+        num limit = fault(T, from_int(0), from_ratio(1, 2 * n));
         same(T, substitute_f(weight, h, limit), G(basis)(n, j, x));
     }
 }
@@ -146,7 +146,7 @@ CLAIM(split_shrinks_second_differences)
     for (int k = 0; k <= n - 2; k++) {
         num average = G(curve)(k, 1, D, 0, t);
         about(T, "the part over [0,t]");
-        same(T, G(difference)(1, left, 0, k, 2), mul(T->planted ? t : mul(t, t), average));
+        same(T, G(difference)(1, left, 0, k, 2), mul(fault(T, mul(t, t), t), average));
         average = G(curve)(n - 2 - k, 1, D + k, 0, t);
         about(T, "the part over [t,1]");
         same(T, G(difference)(1, right, 0, k, 2), mul(mul(s, s), average));
@@ -183,7 +183,7 @@ CLAIM(curve_stays_near_polygon)
 {
     int n = T->degree, half = n / 2;
     poly a[MAX_DEGREE], lifted[MAX_DEGREE];
-    num f[MAX_DEGREE + 1], bound = from_ratio(half * (T->planted ? half : n - half), 2 * n);
+    num f[MAX_DEGREE + 1], bound = from_ratio(half * fault(T, n - half, half), 2 * n);
     for (int j = 0; j <= n - 2; j++) {
         for (int i = 0; i <= n; i++)
             f[i] = from_int(i > j + 1 ? i - j - 1 : 0);

@@ -51,11 +51,11 @@ The degree is at most $n$: see the next entry.
 */
 CLAIM(equally_spaced_points_make_a_line)
 {
-    num b[4] = {from_int(0), from_int(1), from_int(2), from_int(3 + T->planted)}, c[4];
+    num b[4] = {from_int(0), from_int(1), from_int(2), from_int(fault(T, 4, 3))}, c[4];
     G(bernstein_to_power)(3, b, c);
     show_points(T, "the coefficients of 1, t, t^2, t^3", 4, 1, c);
     about(T, "whether the coefficient of t^3 is not 0");
-    agree(T, !is_zero_q(c[3]));
+    refute(T, is_zero_q(c[3]));
 }
 
 /*
@@ -91,7 +91,7 @@ With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0
 CLAIM(zero_power_zero_takes_away_the_end)
 {
     static const int from[4] = {1, 1, 2, 3};
-    num t = from_int(0), s = from_int(1), zeroth = from_int(T->planted);
+    num t = from_int(0), s = from_int(1), zeroth = from_int(fault(T, 1, 0));
     for (int c = 0; c < dim; c++) {
         num first = mul(from_int(from[c]), mul(s, zeroth)), second = mul(from_int(from[dim + c]), mul(t, zeroth));
         show(T, c == 0 ? "x(0)" : "y(0)", add(first, second));
@@ -164,7 +164,7 @@ CLAIM(small_degrees_written_out)
             sum = add(sum, mul(term, b[j * dim + c]));
             for (int i = 0; i <= n; i++) {
                 int entry = G(printed_entry)(n, i, j);
-                entry = T->planted && i == 0 && j == n ? -entry : entry;
+                entry = fault(T, entry, i == 0 && j == n ? -entry : entry);
                 product = add(product, mul(mul(G(power)(t, n - i), from_int(entry)), b[j * dim + c]));
             }
         }
@@ -215,7 +215,7 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 CLAIM(curve_does_not_end_in_its_second_point)
 {
     num b[3] = {from_int(0), from_int(0), from_int(1)}, end;
-    G(decasteljau)(T->planted ? 1 : 2, 1, b, from_int(1), &end);
+    G(decasteljau)(fault(T, 1, 2), 1, b, from_int(1), &end);
     about(T, "P(1) and P_1");
     same(T, end, b[1]);
 }
@@ -259,7 +259,7 @@ CLAIM(derivative_in_three_steps)
             num term = mul(mul(from_int(n), G(choose)(n - 1, i)), mul(G(power)(t, i), G(power)(s, n - 1 - i)));
             num right = mul(term, b[(i + 1) * dim + c]);
             row = sub(row, mul(term, b[i * dim + c]));
-            row = T->planted && i == n - 1 ? sub(row, right) : add(row, right);
+            row = fault(T, add(row, right), i == n - 1 ? sub(row, right) : add(row, right));
             by_edges = add(by_edges, mul(term, sub(b[(i + 1) * dim + c], b[i * dim + c])));
         }
         num D = G(curve_derivative)(n, dim, b, c, 1, t);
@@ -286,10 +286,10 @@ CLAIM(derivative_in_three_steps)
 */
 CLAIM(first_term_divides_by_zero)
 {
-    num t = T->planted ? from_ratio(1, 2) : from_int(0);
+    num t = fault(T, from_ratio(1, 2), from_int(0));
     show(T, "t", t);
     about(T, "whether the denominator of t^{-1} is not 0");
-    agree(T, !is_zero_q(t));
+    refute(T, is_zero_q(t));
 }
 
 /*
@@ -323,8 +323,7 @@ CLAIM(terms_in_a_row_come_twice_for_two_edges)
     num b[3] = {from_int(0), from_int(1), from_int(0)};
     /* the first two terms, the last two, and the two between, -2t P_1 and 2(1-t) P_1, which are among them */
     num row = add(mul(mul(two, s), sub(b[1], b[0])), mul(mul(two, t), sub(b[2], b[1])));
-    if (!T->planted)
-        row = add(row, mul(mul(two, sub(s, t)), b[1]));
+    row = fault(T, row, add(row, mul(mul(two, sub(s, t)), b[1])));
     bezier_derivatives_q(2, 1, b, t, 1, D);
     about(T, "the six terms and the derivative");
     same(T, row, D[1]);
@@ -346,7 +345,7 @@ CLAIM(terms_in_a_row_come_twice_for_one_edge)
     num b[2] = {from_int(0), from_int(1)}, D[2], edge = sub(b[1], b[0]);
     bezier_derivatives_q(1, 1, b, from_ratio(1, 4), 1, D);
     about(T, "the four terms and the derivative");
-    same(T, T->planted ? edge : add(edge, edge), D[1]);
+    same(T, fault(T, edge, add(edge, edge)), D[1]);
 }
 #endif
 
@@ -405,8 +404,8 @@ CLAIM(basis_read_backwards)
     G(decasteljau)(n, dim, b, t, P);
     for (int c = 0; c < dim; c++) {
         num sum = from_int(0);
-        for (int i = 0; i <= n && !(T->planted && n == 0); i++)
-            sum = add(sum, mul(G(basis)(n, T->planted ? i : n - i, s), b[i * dim + c]));
+        for (int i = 0; i <= fault(T, n, n == 0 ? -1 : n); i++)
+            sum = add(sum, mul(G(basis)(n, fault(T, n - i, i), s), b[i * dim + c]));
         same(T, sum, P[c]);
     }
 }
@@ -426,17 +425,16 @@ CLAIM(basis_read_backwards)
 CLAIM(curve_is_no_mirror_image)
 {
     num zero = from_int(0), one = from_int(1), two = from_int(2), half = from_ratio(1, 2), P[2];
-    num b[6] = {zero, zero, T->planted ? half : zero, one, one, zero};
+    num b[6] = {zero, zero, fault(T, half, zero), one, one, zero};
     G(decasteljau)(2, dim, b, half, P);
     show_points(T, "P(1/2)", 1, 2, P);
     num image = sub(one, P[0]);
     about(T, "the equation of the curve at the image");
-    if (T->planted) {
-        same(T, P[1], mul(two, mul(image, sub(one, image))));
-    } else {
-        num sum = add(P[1], mul(two, image));
+    num sum = add(P[1], mul(two, image));
+    if (T->faulty)
         same(T, mul(sum, sum), mul(from_int(4), image));
-    }
+    else
+        same(T, P[1], mul(two, mul(image, sub(one, image))));
 }
 #endif
 

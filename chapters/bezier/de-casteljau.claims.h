@@ -39,7 +39,7 @@ CLAIM(casteljau_triangle_holds_partial_curves)
         int points = n + 1 - k; /* after this level */
         for (int c = 0; c < dim; c++)
             last[c] = w[points * dim + c];
-        G(casteljau_level)(points, dim, w, T->planted && k == n ? sub(from_int(1), t) : t);
+        G(casteljau_level)(points, dim, w, fault(T, t, k == n ? sub(from_int(1), t) : t));
         about(T, "b_i^k");
         for (int i = 0; i < points; i++)
             for (int c = 0; c < dim; c++)
@@ -67,7 +67,7 @@ CLAIM(casteljau_triangle_holds_partial_curves)
 */
 CLAIM(decasteljau_evaluates_bezier_curve)
 {
-    int n = T->degree, skip = T->planted && n > 0;
+    int n = T->degree, skip = fault(T, 0, n > 0);
     num b[(MAX_DEGREE + 1) * dim], P[dim], at[dim], t = parameter(T, "t");
     G(free_points)(T, n, dim, b);
     for (int c = 0; c < dim; c++)
@@ -97,7 +97,7 @@ CLAIM(horner_bernstein_evaluates_bezier_curve)
     int n = T->degree;
     num b[(MAX_DEGREE + 1) * dim], P[dim], t = parameter(T, "t");
     G(free_points)(T, n, dim, b);
-    G(horner_bernstein)(n, dim, b, T->planted ? sub(from_int(1), t) : t, P);
+    G(horner_bernstein)(n, dim, b, fault(T, t, sub(from_int(1), t)), P);
     for (int c = 0; c < dim; c++)
         same(T, P[c], G(curve)(n, dim, b, c, t));
 }
@@ -126,7 +126,7 @@ CLAIM(bezier_curve_moves_with_its_points)
     for (int i = 0; i <= n; i++)
         for (int c = 0; c < dim; c++) {
             num image = add(add(mul(M[c * dim], b[i * dim]), mul(M[c * dim + 1], b[i * dim + 1])), v[c]);
-            moved[i * dim + c] = T->planted && i == n ? b[i * dim + c] : image;
+            moved[i * dim + c] = fault(T, image, i == n ? b[i * dim + c] : image);
         }
     G(decasteljau)(n, dim, b, t, P);
     G(decasteljau)(n, dim, moved, t, Q);
@@ -154,7 +154,7 @@ CLAIM(reversed_points_reverse_the_curve)
         for (int c = 0; c < dim; c++)
             r[i * dim + c] = b[(n - i) * dim + c];
     G(decasteljau)(n, dim, r, t, P);
-    G(decasteljau)(n, dim, b, T->planted ? t : sub(from_int(1), t), Q);
+    G(decasteljau)(n, dim, b, fault(T, sub(from_int(1), t), t), Q);
     for (int c = 0; c < dim; c++)
         same(T, P[c], Q[c]);
 }
@@ -197,7 +197,7 @@ CLAIM(blossom_is_sum_over_subsets)
         for (int c = 0; c < dim; c++)
             sum[c] = add(sum[c], mul(product, b[size * dim + c]));
     }
-    if (T->planted && n > 1)
+    if (T->faulty && n > 1)
         u[n - 1] = u[0];
     G(blossom)(n, dim, b, u, P);
     for (int c = 0; c < dim; c++)
@@ -226,7 +226,7 @@ CLAIM(blossom_is_symmetric)
     for (int k = 0; k + 1 < n; k++) {
         num first = u[k], second = u[k + 1];
         u[k] = second;
-        u[k + 1] = T->planted ? second : first;
+        u[k + 1] = fault(T, first, second);
         G(blossom)(n, 1, b, u, &Q);
         same(T, Q, P);
         u[k] = first, u[k + 1] = second;
@@ -259,7 +259,7 @@ CLAIM(blossom_is_affine_in_each_argument)
         G(blossom)(n, 1, b, u, &Q);
         u[k] = add(mul(a1, kept), mul(a, v));
         G(blossom)(n, 1, b, u, &between);
-        same(T, between, T->planted ? add(mul(a, P), mul(a1, Q)) : add(mul(a1, P), mul(a, Q)));
+        same(T, between, fault(T, add(mul(a1, P), mul(a, Q)), add(mul(a, P), mul(a1, Q))));
         u[k] = kept;
     }
 }
@@ -281,7 +281,7 @@ CLAIM(blossom_on_diagonal_is_curve)
     num b[(MAX_DEGREE + 1) * dim], u[MAX_DEGREE + 1], P[dim], t = parameter(T, "t");
     G(free_points)(T, n, dim, b);
     for (int k = 0; k < n; k++)
-        u[k] = T->planted && k == 0 ? from_int(0) : t;
+        u[k] = fault(T, t, k == 0 ? from_int(0) : t);
     G(blossom)(n, dim, b, u, P);
     about(T, "b[t, ..., t]");
     for (int c = 0; c < dim; c++)
@@ -319,9 +319,8 @@ CLAIM(hodograph_is_derivative_curve)
     for (int m = 0; m < (n + 1) * dim; m++)
         D[m] = b[m];
     G(hodograph)(n, dim, D);
-    if (T->planted)
-        for (int m = 0; m < n * dim; m++)
-            D[m] = mul(D[m], from_ratio(n - 1, n));
+    for (int m = 0; m < n * dim; m++)
+        D[m] = fault(T, D[m], mul(D[m], from_ratio(n - 1, n)));
     for (int c = 0; c < dim; c++) {
         about(T, "b'");
         same(T, G(curve)(n - 1, dim, D, c, t), G(curve_derivative)(n, dim, b, c, 1, t));
@@ -357,7 +356,7 @@ CLAIM(differences_give_every_derivative)
             for (int i = 0; i <= n - r; i++)
                 same(T, D[i * dim + c], mul(falling, G(difference)(dim, b, c, i, r)));
             about(T, "the derivative");
-            num at = T->planted ? sub(from_int(1), t) : t;
+            num at = fault(T, t, sub(from_int(1), t));
             same(T, G(curve)(n - r, dim, D, c, at), G(curve_derivative)(n, dim, b, c, r, t));
         }
     }
@@ -383,7 +382,7 @@ CLAIM(bezier_derivatives_of_every_order)
     G(free_points)(T, n, dim, b);
     for (int i = 0; i <= n; i++)
         for (int c = 0; c < dim; c++)
-            r[i * dim + c] = b[(T->planted ? n - i : i) * dim + c];
+            r[i * dim + c] = b[fault(T, i, n - i) * dim + c];
     G(bezier_derivatives)(n, dim, r, t, n + 1, D);
     for (int k = 0; k <= n + 1; k++)
         for (int c = 0; c < dim; c++)
@@ -411,7 +410,7 @@ CLAIM(end_derivatives_are_end_differences)
     G(free_points)(T, n, dim, b);
     for (int r = 0; r <= n; r++) {
         num falling = div(G(factorial)(n), G(factorial)(n - r));
-        int last = T->planted && n > r ? n - r - 1 : n - r;
+        int last = fault(T, n - r, n > r ? n - r - 1 : n - r);
         for (int c = 0; c < dim; c++) {
             about(T, "at t = 0");
             same(T, G(curve_derivative)(n, dim, b, c, r, from_int(0)), mul(falling, G(difference)(dim, b, c, 0, r)));
@@ -449,7 +448,7 @@ CLAIM(split_gives_the_two_parts)
         about(T, "the part over [0,t]");
         same(T, G(curve)(n, dim, left, c, u), G(curve)(n, dim, b, c, mul(t, u)));
         about(T, "the part over [t,1]");
-        num at = T->planted ? add(s, mul(t, u)) : add(t, mul(s, u));
+        num at = fault(T, add(t, mul(s, u)), add(s, mul(t, u)));
         same(T, G(curve)(n, dim, right, c, u), G(curve)(n, dim, b, c, at));
     }
 }
@@ -475,7 +474,7 @@ CLAIM(splits_commute)
     G(bezier_split)(n, 1, b, t, rest, first[2]);
     G(bezier_split)(n, 1, rest, s, first[0], first[1]);
     G(bezier_split)(n, 1, b, v, then[0], rest);
-    G(bezier_split)(n, 1, rest, T->planted ? t : div(sub(t, v), sub(one, v)), then[1], then[2]);
+    G(bezier_split)(n, 1, rest, fault(T, div(sub(t, v), sub(one, v)), t), then[1], then[2]);
     for (int part = 0; part < 3; part++)
         for (int i = 0; i <= n; i++)
             same(T, then[part][i], first[part][i]);
@@ -499,7 +498,7 @@ CLAIM(interval_kernel_gives_the_part)
     num b[(MAX_DEGREE + 1) * dim], part[(MAX_DEGREE + 1) * dim];
     num u = unknown(T, "u", 0), v = unknown(T, "v", 0), x = parameter(T, "p");
     G(free_points)(T, n, dim, b);
-    G(bezier_on_interval)(n, dim, b, T->planted ? v : u, T->planted ? u : v, part);
+    G(bezier_on_interval)(n, dim, b, fault(T, u, v), fault(T, v, u), part);
     num at = add(mul(sub(from_int(1), x), u), mul(x, v));
     for (int c = 0; c < dim; c++)
         same(T, G(curve)(n, dim, part, c, x), G(curve)(n, dim, b, c, at));
@@ -525,7 +524,7 @@ CLAIM(bernstein_form_over_another_interval)
     num a = unknown(T, "a", 0), b = add(a, positive(T, "h", 0)), c = unknown(T, "c", 0), d = unknown(T, "d", 0);
     for (int i = 0; i <= n; i++)
         f[i] = unknown(T, "f", i);
-    G(bernstein_on_interval)(n, T->planted ? b : a, T->planted ? a : b, f, c, d, g);
+    G(bernstein_on_interval)(n, fault(T, a, b), fault(T, b, a), f, c, d, g);
     num y = add(c, mul(x, sub(d, c)));
     same(T, G(curve)(n, 1, g, 0, x), G(curve)(n, 1, f, 0, div(sub(y, a), sub(b, a))));
 }
@@ -553,7 +552,7 @@ CLAIM(elevation_keeps_bezier_curve)
     num E[(MAX_DEGREE + 2) * (MAX_DEGREE + 1)];
     G(free_points)(T, n, dim, b);
     G(bezier_elevate)(n, dim, b, e);
-    if (T->planted && n > 0)
+    if (T->faulty && n > 0)
         e[dim] = b[dim];
     G(elevation_matrix)(n, E);
     for (int c = 0; c < dim; c++) {

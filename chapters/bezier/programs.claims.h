@@ -156,7 +156,7 @@ static void G(counted)(trial *T, const char *what, int count, int expected)
 CLAIM(program_computes_the_curve)
 {
     int n = T->degree;
-    struct G(program) run = {.round = G(unrounded), .first = T->planted};
+    struct G(program) run = {.round = G(unrounded), .first = fault(T, 0, 1)};
     struct G(array) P;
     num b[MAX_DEGREE + 1], t = parameter(T, "t");
     G(free_points)(T, n, 1, b);
@@ -205,10 +205,10 @@ CLAIM(program_computes_the_curve)
 */
 CLAIM(no_steps_have_no_length)
 {
-    num npoints = from_int(T->planted);
+    num npoints = from_int(fault(T, 1, 0));
     show(T, "npoints", npoints);
     about(T, "whether the divisor is not 0");
-    agree(T, !is_zero_q(npoints));
+    refute(T, is_zero_q(npoints));
 }
 #endif
 
@@ -243,7 +243,7 @@ static num G(bez_to_points)(struct G(program) * run, int n, int npoints, const s
 CLAIM(program_ends_at_one_in_exact_arithmetic)
 {
     int steps = T->degree;
-    struct G(program) run = {.round = G(unrounded), .early = T->planted};
+    struct G(program) run = {.round = G(unrounded), .early = fault(T, 0, 1)};
     struct G(array) P, points;
     num b[4];
     G(free_points)(T, 3, 1, b);
@@ -297,7 +297,7 @@ CLAIM(program_stays_in_its_arrays)
 {
     enum { steps = 8 };
     int n = T->degree;
-    struct program_q run = {.round = unrounded_q, .as_array = 1, .missing = T->planted};
+    struct program_q run = {.round = unrounded_q, .as_array = 1, .missing = fault(T, 0, 1)};
     struct array_q points;
     num b[MOST_PLACES];
     for (int i = 0; i <= n; i++)
@@ -351,7 +351,7 @@ CLAIM(program_writes_one_point_too_many)
     struct array_q points;
     num b[4];
     example_points(b);
-    drawn(&run, 3, b, steps, T->planted ? steps + 1 : steps, &points);
+    drawn(&run, 3, b, steps, fault(T, steps + 1, steps), &points);
     show_text(T, "places of the array", "%d", points.size);
     show_text(T, "points written", "%d", steps + 1);
     counted_q(T, "places beyond the end", run.memory.beyond, 0);
@@ -390,7 +390,7 @@ without its brackets as well, so that it does not tell which was printed.  Eithe
 */
 CLAIM(program_releases_arrays_as_numbers)
 {
-    struct program_q run = {.round = unrounded_q, .as_array = T->planted};
+    struct program_q run = {.round = unrounded_q, .as_array = fault(T, 1, 0)};
     struct array_q P;
     num b[4];
     example_points(b);
@@ -429,7 +429,7 @@ static num last_of_steps(int steps)
 */
 CLAIM(sum_of_steps_misses_one)
 {
-    int steps = T->planted ? 5 : 6;
+    int steps = fault(T, 5, 6);
     num last = last_of_steps(steps);
     show_text(T, "npoints", "%d", steps);
     show(T, "the last parameter", last);
@@ -458,7 +458,7 @@ CLAIM(sum_of_steps_is_seldom_one)
         int listed = k < (int)(sizeof ends_at_one / sizeof *ends_at_one) && ends_at_one[k] == steps;
         k += listed;
         about(T, "whether the last parameter is 1");
-        if (listed || (T->planted && steps == 6))
+        if (fault(T, listed, listed || steps == 6))
             same(T, last, one);
         else
             agree(T, !equal_q(last, one));
@@ -484,7 +484,7 @@ CLAIM(sum_of_steps_is_seldom_one)
 */
 CLAIM(last_point_of_the_example_is_missed)
 {
-    int steps = T->planted ? 5 : 6;
+    int steps = fault(T, 5, 6);
     struct program_q run = {.round = binary64};
     struct array_q points;
     num b[4];
@@ -510,7 +510,7 @@ CLAIM(last_point_of_the_example_is_missed)
 */
 CLAIM(difference_loses_the_last_point)
 {
-    struct program_q run = {.round = binary64, .two_products = T->planted};
+    struct program_q run = {.round = binary64, .two_products = fault(T, 1, 0)};
     struct array_q P;
     num b[2] = {from_int(1), from_double_q(0x1p-54)};
     given_array_q(&run, 2, b, &P);
@@ -539,7 +539,7 @@ CLAIM(corrected_program_ends_at_the_last_point)
     for (int i = 0; i <= 3; i++)
         b[i] = binary64(b[i]);
     for (int steps = 1; steps <= 24; steps++) {
-        struct program_q run = {.round = binary64, .two_products = 1, .by_quotient = !T->planted, .as_array = 1};
+        struct program_q run = {.round = binary64, .two_products = 1, .by_quotient = fault(T, 1, 0), .as_array = 1};
         struct array_q points;
         num last = drawn(&run, 3, b, steps, steps + 1, &points);
         about(T, "the last parameter");

@@ -42,7 +42,7 @@ CLAIM(bernstein_collocation_determinant)
     for (int i = 0; i <= n; i++) {
         t[i] = unknown(T, "t", i);
         G(bernstein)(n, t[i], M + i * (n + 1));
-        if (!(T->planted && i == 1))
+        if (fault(T, 1, i != 1))
             product = mul(product, G(choose)(n, i));
         for (int k = 0; k < i; k++)
             product = mul(product, sub(t[i], t[k]));
@@ -90,7 +90,7 @@ CLAIM(bernstein_collocation_is_totally_positive)
     int n = T->degree;
     num s[MAX_ORDER], rows[MAX_ORDER * MAX_ORDER], M[MAX_ORDER * MAX_ORDER];
     G(increasing)(T, n + 1, s);
-    if (T->planted) {
+    if (T->faulty) {
         num first = s[0];
         s[0] = s[1], s[1] = first;
     }
@@ -113,7 +113,7 @@ CLAIM(bernstein_collocation_is_totally_positive)
     int n = T->degree;
     num s[MAX_DEGREE + 2], M[(MAX_DEGREE + 2) * (MAX_DEGREE + 1)];
     G(increasing)(T, n + 2, s);
-    if (T->planted) {
+    if (T->faulty) {
         num first = s[0];
         s[0] = s[1], s[1] = first;
     }
@@ -156,7 +156,7 @@ CLAIM(blocks_of_coefficients_are_independent)
     int n = T->degree;
     num s[MAX_ORDER], g[MAX_ORDER], rows[MAX_ORDER * MAX_ORDER], M[MAX_ORDER * MAX_ORDER];
     G(increasing)(T, n + 1, s);
-    if (T->planted) {
+    if (T->faulty) {
         num first = s[0];
         s[0] = s[1], s[1] = first;
     }
@@ -225,7 +225,7 @@ CLAIM(roots_are_at_most_sign_changes)
                 b[i] = from_int((rest % 3 - 1) * (sizes == 0 ? 1 : size[sizes == 1 ? i : n - i]));
             poly p = poly_from_bernstein(n, b);
             struct cagd_root_count open = count_roots(p, zero, one, OPEN);
-            int counted = T->planted ? count_roots(p, zero, one, CLOSED).counted : open.counted;
+            int counted = fault(T, open.counted, count_roots(p, zero, one, CLOSED).counted);
             int spare = G(sign_changes)(n + 1, b) - counted;
             agree(T, spare >= 0 && spare % 2 == 0);
             int at_one = is_zero_q(poly_value(p, one)); /* Sturm counts in (0,1] */
@@ -261,7 +261,7 @@ CLAIM(line_crosses_curve_at_most_as_often_as_polygon)
     struct cagd_line line = {unknown(T, "line", 0), unknown(T, "line", 1), div(unknown(T, "line", 2), from_int(4))};
     int of_curve = curve_meets_line(n, b, w, line).crossings;
     ends[0] = b[0], ends[1] = b[1], ends[2] = b[2 * n], ends[3] = b[2 * n + 1];
-    agree(T, of_curve <= (T->planted ? polygon_crossings(1, ends, line) : polygon_crossings(n, b, line)));
+    agree(T, of_curve <= fault(T, polygon_crossings(n, b, line), polygon_crossings(1, ends, line)));
 }
 #endif
 
@@ -295,7 +295,7 @@ CLAIM(averages_between_neighbours_keep_sign_changes)
         num b = from_int(pattern / 9 % 3 - 1), s = from_int(pattern / 27 - 1);
         num before[] = {p, a, b, s}, shorter[] = {p, a, s};
         int changes = G(sign_changes)(4, before);
-        for (int quarter = 0; quarter <= (T->planted ? 8 : 4); quarter++) {
+        for (int quarter = 0; quarter <= fault(T, 4, 8); quarter++) {
             num c = add(a, mul(from_ratio(quarter, 4), sub(b, a))), after[] = {p, a, c, b, s};
             agree(T, G(sign_changes)(5, after) == changes);
         }
@@ -342,7 +342,7 @@ CLAIM(split_matrix_is_totally_nonnegative)
     int n = T->degree, rows = 2 * n + 1;
     num s = positive(T, "s", 0), u = add(from_int(1), s);
     num A[(2 * MAX_ORDER + 1) * (MAX_ORDER + 1)], M[MAX_ORDER * MAX_ORDER];
-    G(split_matrix)(n, div(s, u), G(power)(u, n), T->planted, A);
+    G(split_matrix)(n, div(s, u), G(power)(u, n), fault(T, 0, 1), A);
     for (int r = 1; r < 1 << rows; r++)
         for (int c = 1; c < 1 << (n + 1); c++) {
             int order = 0, width = 0, m = 0;
@@ -364,7 +364,7 @@ CLAIM(split_matrix_is_totally_nonnegative)
 {
     int n = T->degree;
     num A[(2 * MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
-    G(split_matrix)(n, inside(T, "s"), from_int(1), T->planted, A);
+    G(split_matrix)(n, inside(T, "s"), from_int(1), fault(T, 0, 1), A);
     agree(T, is_totally_nonnegative(2 * n + 1, n + 1, A));
 }
 
@@ -386,7 +386,7 @@ CLAIM(elevation_matrix_is_totally_nonnegative)
     int n = T->degree;
     num E[(MAX_DEGREE + 2) * (MAX_DEGREE + 1)];
     G(elevation_matrix)(n, E);
-    if (T->planted)
+    if (T->faulty)
         for (int j = 0; j <= n; j++) {
             num first = E[j];
             E[j] = E[n + 1 + j], E[n + 1 + j] = first;

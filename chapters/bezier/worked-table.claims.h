@@ -83,7 +83,7 @@ static void right_numbers(trial *T, int row, int x, int y)
     const int asked[2] = {x, y};
     for (int i = 0; i <= 3; i++) {
         about(T, "a function");
-        is_rounded(T, printed_table[row].basis[i], T->planted && i == 0,
+        is_rounded(T, printed_table[row].basis[i], fault(T, 0, i == 0),
                    G(basis)(3, i, from_string_q(printed_table[row].t)));
     }
     for (int c = 0; c < dim; c++)
@@ -150,7 +150,7 @@ static void wrong_number(trial *T, int row, int c, const char *right)
     show_text(T, "exact", "%s", right);
     show(T, "exact, as a fraction", exact);
     about(T, "the distance from the exact value, and half a unit of the last digit");
-    is_rounded(T, T->planted ? right : printed_table[row].point[c], 0, exact);
+    is_rounded(T, fault(T, right, printed_table[row].point[c]), 0, exact);
 }
 
 /*
@@ -187,7 +187,8 @@ CLAIM(exact_values_of_the_table)
     for (int row = 0; row < 7; row++) {
         G(decasteljau)(3, dim, b, from_string_q(printed_table[row].t), P);
         for (int c = 0; c < dim; c++) {
-            const char *value = T->planted && row == 5 && c == 1 ? printed_table[row].point[c] : exact[row][c];
+            const char *value =
+                fault(T, exact[row][c], row == 5 && c == 1 ? printed_table[row].point[c] : exact[row][c]);
             same(T, P[c], from_string_q(value));
             same(T, P[c], exact_coordinate(row, c));
         }
@@ -280,7 +281,8 @@ CLAIM(rounded_factors_of_the_table)
         same(T, total, from_string_q(sums[row]));
         about(T, "the point");
         for (int c = 0; c < dim; c++) {
-            const char *value = T->planted && row == 2 && c == 1 ? printed_table[row].point[c] : points[row][c];
+            const char *value =
+                fault(T, points[row][c], row == 2 && c == 1 ? printed_table[row].point[c] : points[row][c]);
             same(T, P[c], from_string_q(value));
         }
     }
@@ -422,7 +424,7 @@ digit, 5, may also have been left out, as the 6 in the next row.
 */
 CLAIM(five_rounded_up_gives_another_digit)
 {
-    const char *rounded = T->planted ? "2.37" : printed_table[4].point[1];
+    const char *rounded = fault(T, "2.37", printed_table[4].point[1]);
     num exact = exact_coordinate(4, 1), half = div(last_unit(rounded), from_int(2));
     show_text(T, "rounded", "%s", rounded);
     show(T, "exact", exact);
@@ -446,7 +448,7 @@ CLAIM(five_rounded_up_gives_another_digit)
 CLAIM(heights_of_the_example_are_symmetric)
 {
     num t = parameter(T, "t"), s = sub(from_int(1), t), three = from_int(3), here, there;
-    num y[4] = {from_int(1), three, three, from_int(1 + T->planted)};
+    num y[4] = {from_int(1), three, three, from_int(fault(T, 1, 2))};
     G(decasteljau)(3, 1, y, t, &here);
     G(decasteljau)(3, 1, y, s, &there);
     same(T, here, there);
