@@ -40,8 +40,8 @@ CLAIM(turned_graph_is_no_graph)
     num x[2], y[2];
     for (int k = 0; k < 2; k++) {
         num from = from_int(k == 0 ? 1 : -1), height = mul(from, from);
-        x[k] = neg(T->planted ? from : height);
-        y[k] = T->planted ? neg(height) : from;
+        x[k] = neg(fault(T, height, from));
+        y[k] = fault(T, from, neg(height));
     }
     show_points(T, "the images", 2, plane, (num[]){x[0], y[0], x[1], y[1]});
     about(T, "the two x");
@@ -71,7 +71,7 @@ CLAIM(turned_graph_is_no_graph)
 */
 CLAIM(circle_has_two_values_each_way)
 {
-    num a = from_ratio(3, 5), b = T->planted ? from_ratio(3, 4) : from_ratio(4, 5), one = from_int(1);
+    num a = from_ratio(3, 5), b = fault(T, from_ratio(4, 5), from_ratio(3, 4)), one = from_int(1);
     num points[4][2] = {{a, b}, {a, neg(b)}, {a, b}, {neg(a), b}};
     for (int k = 0; k < 4; k++)
         same(T, add(mul(points[k][0], points[k][0]), mul(points[k][1], points[k][1])), one);
@@ -102,7 +102,7 @@ CLAIM(circle_has_two_values_each_way)
 CLAIM(circle_has_an_upright_tangent)
 {
     num one = from_int(1), zero = from_int(0), R[6] = {one, zero, one, one, zero, one}, D[4], t = parameter(T, "t");
-    num w[3] = {one, one, from_int(T->planted ? 1 : 2)}, below = add(one, mul(t, t));
+    num w[3] = {one, one, from_int(fault(T, 2, 1))}, below = add(one, mul(t, t));
     G(rational_derivatives)(2, plane, R, w, t, 1, D);
     about(T, "R times R'");
     vanishes(T, add(mul(D[0], D[2]), mul(D[1], D[3])));
@@ -147,13 +147,13 @@ CLAIM(nodal_cubic_has_an_equation)
     int all = 1;
     for (int k = 0; k <= 6; k++) {
         power_point_q(3, plane, loop, from_int(k), P);
-        num factor = T->planted ? sub(P[0], one) : add(P[0], one);
+        num factor = fault(T, sub(P[0], one), add(P[0], one));
         value[k] = sub(mul(P[1], P[1]), mul(mul(P[0], P[0]), factor));
         all = all && is_zero_q(value[k]);
     }
     show_points(T, "the difference at t = 0, ..., 6", 7, 1, value);
     about(T, "whether one of them is not 0");
-    agree(T, !all);
+    refute(T, all);
 }
 
 /*
@@ -171,8 +171,7 @@ CLAIM(parametric_cubic_crosses_itself)
 {
     num zero = from_int(0), one = from_int(1), D[2][4];
     num loop[8] = {neg(one), zero, zero, neg(one), one, zero, zero, one};
-    if (T->planted)
-        loop[2] = one, loop[4] = zero;
+    loop[2] = fault(T, loop[2], one), loop[4] = fault(T, loop[4], zero);
     for (int k = 0; k < 2; k++)
         G(power_derivatives)(3, plane, loop, from_int(k == 0 ? -1 : 1), 1, D[k]);
     about(T, "P(-1) and P(1)");
@@ -225,8 +224,8 @@ CLAIM(graphs_over_one_axis_meet_in_one_curve)
     int n = T->degree;
     num t = parameter(T, "t"), b[(MAX_DEGREE + 1) * space], P[space], low[2][MAX_DEGREE + 1];
     struct G(poly) f = G(free_poly)(T, "f", n), g = G(free_poly)(T, "g", n);
-    G(power_to_bernstein)(n, T->planted ? g.c : f.c, low[0]);
-    G(power_to_bernstein)(n, T->planted ? f.c : g.c, low[1]);
+    G(power_to_bernstein)(n, fault(T, f.c, g.c), low[0]);
+    G(power_to_bernstein)(n, fault(T, g.c, f.c), low[1]);
     for (int i = 0; i <= n; i++) {
         b[i * space] = from_ratio(i, n);
         b[i * space + 1] = low[0][i];
@@ -256,7 +255,7 @@ CLAIM(no_two_projections_give_the_circle)
     for (int k = 0; k < space; k++) { /* the axis of the point */
         num p[space], one = from_int(1);
         for (int c = 0; c < space; c++)
-            p[c] = from_int(c == k ? 1 : T->planted && c == (k + 2) % space ? -1 : 0);
+            p[c] = from_int(c == k ? 1 : fault(T, c == (k + 2) % space ? -1 : 0, 0));
         show_points(T, "a point", 1, space, p);
         about(T, "the equations of the two cylinders over planes with the axis of the point");
         for (int j = 1; j <= 2; j++) {
@@ -294,7 +293,7 @@ CLAIM(two_cylinders_of_the_circle_hold_an_ellipse)
     }
     for (int k = 0; k < space; k++) {
         num a = x[(k + 1) % space], b = x[(k + 2) % space];
-        same(T, sub(bracket[(k + 2) % space], bracket[(k + 1) % space]), mul(T->planted ? add(a, b) : sub(a, b), sum));
+        same(T, sub(bracket[(k + 2) % space], bracket[(k + 1) % space]), mul(fault(T, sub(a, b), add(a, b)), sum));
     }
     num last = neg(add(x[0], x[1])), squares = add(mul(x[0], x[0]), add(mul(x[1], x[1]), mul(last, last)));
     same(T, mul(from_int(2), bracket[2]), sub(squares, from_int(2)));
@@ -314,7 +313,7 @@ CLAIM(two_cylinders_of_the_circle_hold_an_ellipse)
 */
 CLAIM(two_cylinders_hold_more_than_the_curve)
 {
-    num x = from_int(0), y = from_int(1), z = from_int(T->planted ? 1 : -1), one = from_int(1);
+    num x = from_int(0), y = from_int(1), z = from_int(fault(T, 1, -1)), one = from_int(1);
     show_points(T, "(x, y, z)", 1, space, (num[]){x, y, z});
     about(T, "the equations of the two cylinders");
     same(T, add(mul(x, x), mul(y, y)), one);
@@ -336,7 +335,7 @@ CLAIM(two_cylinders_hold_more_than_the_curve)
 */
 CLAIM(closed_curve_is_no_pair_of_graphs)
 {
-    num a = from_ratio(3, 5), b = from_ratio(4, 5), other = T->planted ? b : neg(b);
+    num a = from_ratio(3, 5), b = from_ratio(4, 5), other = fault(T, b, neg(b));
     num points[2][3] = {{a, b, b}, {a, other, other}};
     for (int k = 0; k < 2; k++) {
         num *p = points[k];
@@ -364,7 +363,7 @@ CLAIM(two_cylinders_are_two_ellipses)
 {
     num x = unknown(T, "x", 0), y = unknown(T, "y", 0), z = unknown(T, "z", 0), one = from_int(1);
     num first = sub(add(mul(x, x), mul(y, y)), one), second = sub(add(mul(x, x), mul(z, z)), one);
-    same(T, sub(first, second), mul(sub(y, z), T->planted ? sub(y, z) : add(y, z)));
+    same(T, sub(first, second), mul(sub(y, z), fault(T, add(y, z), sub(y, z))));
 }
 
 /*
@@ -407,7 +406,7 @@ CLAIM(segment_in_its_parameter)
         b[m] = unknown(T, m % 2 == 0 ? "x" : "y", m / 2 + 1);
     G(bezier_derivatives)(1, plane, b, t, 1, D);
     for (int c = 0; c < plane; c++) {
-        num from = b[T->planted ? plane + c : c], edge = sub(b[plane + c], b[c]), P;
+        num from = b[fault(T, c, plane + c)], edge = sub(b[plane + c], b[c]), P;
         G(decasteljau)(1, 1, (num[]){b[c], b[plane + c]}, t, &P);
         about(T, "the point");
         same(T, add(from, mul(edge, t)), P);
@@ -466,7 +465,7 @@ CLAIM(another_coordinate_changes_no_other)
         for (int c = 0; c < space; c++)
             b[i * space + c] = unknown(T, c == 0 ? "x" : c == 1 ? "y" : "z", i);
         flat[i * plane] = b[i * space];
-        flat[i * plane + 1] = b[i * space + 1 + T->planted];
+        flat[i * plane + 1] = b[fault(T, i * space + 1, i * space + 2)];
     }
     G(decasteljau)(n, space, b, t, P);
     G(decasteljau)(n, plane, flat, t, Q);
@@ -546,8 +545,7 @@ CLAIM(parabola_through_the_points_is_nearer)
 {
     num zero = from_int(0), one = from_int(1), two = from_int(2), half = from_ratio(1, 2), P[2];
     num near[6] = {zero, zero, one, one, two, zero}, through[6] = {zero, zero, one, two, two, zero};
-    if (T->planted)
-        through[3] = one;
+    through[3] = fault(T, through[3], one);
     G(decasteljau)(2, plane, near, half, P);
     about(T, "the distance of the Bézier curve from the second point");
     same(T, P[0], one);
@@ -598,7 +596,7 @@ there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even 
 CLAIM(equal_derivatives_are_not_continuous)
 {
     enum { n = 1000 };
-    num scale = T->planted ? from_ratio(1, n) : from_int(1), zero = from_int(0), three = from_int(3), value;
+    num scale = fault(T, from_ratio(1, n), from_int(1)), zero = from_int(0), three = from_int(3), value;
     num left = from_ratio(1, n + 1), right = from_ratio(1, n), length = sub(right, left), D[2];
     num data[4] = {zero, zero, neg(scale), scale}; /* n is even */
     hermite_cubic_q(1, left, right, data, right, 1, D);
@@ -633,7 +631,7 @@ CLAIM(equal_derivatives_are_not_continuous)
 */
 CLAIM(equal_limits_do_not_make_a_continuous_function)
 {
-    struct G(poly) left = G(constant)(from_int(0)), right = G(constant)(from_int(!T->planted));
+    struct G(poly) left = G(constant)(from_int(0)), right = G(constant)(from_int(fault(T, 0, 1)));
     num zero = from_int(0);
     about(T, "the derivatives at 0");
     for (int j = 1; j <= 3; j++)
@@ -661,7 +659,7 @@ CLAIM(equal_derivatives_leave_a_power)
     num x0 = unknown(T, "x", 0), factorial = from_int(1);
     struct G(poly) p = G(free_poly)(T, "p", 7), r = G(free_poly)(T, "r", 2);
     struct G(poly) gap = {1, {neg(x0), from_int(1)}}, product = r;
-    for (int j = 0; j < (T->planted ? k : k + 1); j++)
+    for (int j = 0; j < fault(T, k + 1, k); j++)
         product = G(times)(product, gap);
     for (int j = 2; j <= k + 1; j++)
         factorial = mul(factorial, from_int(j));
@@ -707,11 +705,11 @@ $(1+f'^2)^{3/2}$.
 */
 CLAIM(upright_tangent_is_continuous_and_not_c1)
 {
-    num s = T->planted ? from_ratio(1, 10) : from_ratio(1, 1000), zero = from_int(0), one = from_int(1), D[6];
+    num s = fault(T, from_ratio(1, 10), from_ratio(1, 1000)), zero = from_int(0), one = from_int(1), D[6];
     num graph[8] = {zero, zero, zero, one, zero, zero, one, zero};
     power_derivatives_q(3, plane, graph, zero, 2, D);
     show_points(T, "P, P', P'' at the origin", 3, plane, D);
-    agree(T, !is_zero_q(D[3])); /* the denominator of the curvature there */
+    refute(T, is_zero_q(D[3])); /* the denominator of the curvature there */
     power_point_q(3, plane, graph, s, D);
     num quotient = div(D[1], D[0]);
     show(T, "f(h)/h", quotient);
@@ -733,7 +731,7 @@ CLAIM(upright_tangent_is_continuous_and_not_c1)
 CLAIM(tangent_turns_back_at_a_smooth_parameter)
 {
     num zero = from_int(0), one = from_int(1), h = from_ratio(1, 1000), before[4], after[4];
-    num cusp[8] = {zero, zero, from_int(T->planted), zero, zero, one, one, zero};
+    num cusp[8] = {zero, zero, from_int(fault(T, 1, 0)), zero, zero, one, one, zero};
     power_derivatives_q(3, plane, cusp, neg(h), 1, before);
     power_derivatives_q(3, plane, cusp, h, 1, after);
     show_points(T, "P'(-1/1000), P'(1/1000)", 2, plane, (num[]){before[2], before[3], after[2], after[3]});
@@ -759,7 +757,7 @@ CLAIM(curvature_of_a_graph)
     num d1[2] = {one, slope}, d2[2] = {from_int(0), second}, speed = add(one, mul(slope, slope));
     same(T, G(cross2)(d1, d2), second);
     same(T, G(norm_squared)(plane, d1), speed);
-    num below = T->planted ? mul(speed, speed) : mul(speed, mul(speed, speed));
+    num below = fault(T, mul(speed, mul(speed, speed)), mul(speed, speed));
     same(T, G(curvature_squared)(plane, d1, d2), div(mul(second, second), below));
 }
 
@@ -812,7 +810,7 @@ CLAIM(position_has_no_parameter)
     same(T, G(at)(q, 0, zero), G(at)(p, 0, zero));
     about(T, "the derivative");
     num slope = G(at)(p, 1, zero);
-    same(T, G(at)(q, 1, zero), T->planted ? slope : mul(lambda, slope));
+    same(T, G(at)(q, 1, zero), fault(T, mul(lambda, slope), slope));
 }
 
 /*
@@ -847,11 +845,10 @@ CLAIM(halves_of_a_segment_have_one_speed)
     num first[4] = {zero, zero, one, zero}, second[4] = {one, zero, two, zero};
     bezier_derivatives_q(1, plane, first, one, 1, D);
     bezier_derivatives_q(1, plane, second, zero, 1, E);
-    if (T->planted)
-        E[2] = mul(two, E[2]);
+    E[2] = fault(T, mul(two, E[2]), E[2]);
     show_points(T, "the derivatives at the joint", 2, plane, (num[]){D[2], D[3], E[2], E[3]});
     about(T, "whether their lengths differ");
-    agree(T, !equal_q(norm_squared_q(plane, D + 2), norm_squared_q(plane, E + 2)));
+    refute(T, equal_q(norm_squared_q(plane, D + 2), norm_squared_q(plane, E + 2)));
 }
 
 /*
@@ -894,7 +891,7 @@ static void compare_curvatures(trial *T, int first, int second)
 :control: $Q''=P''$
 :::
 */
-CLAIM(proportional_derivatives_with_another_curvature) { compare_curvatures(T, 1, T->planted ? 1 : 3); }
+CLAIM(proportional_derivatives_with_another_curvature) { compare_curvatures(T, 1, fault(T, 1, 3)); }
 
 /*
 :::{claim} one_factor_for_both_derivatives
@@ -907,7 +904,7 @@ CLAIM(proportional_derivatives_with_another_curvature) { compare_curvatures(T, 1
 :control: $Q''=4P''$
 :::
 */
-CLAIM(one_factor_for_both_derivatives) { compare_curvatures(T, 2, T->planted ? 4 : 2); }
+CLAIM(one_factor_for_both_derivatives) { compare_curvatures(T, 2, fault(T, 4, 2)); }
 
 /*
 :::{claim} smooth_curve_without_proportional_derivatives
@@ -922,10 +919,9 @@ CLAIM(one_factor_for_both_derivatives) { compare_curvatures(T, 2, T->planted ? 4
 */
 CLAIM(smooth_curve_without_proportional_derivatives)
 {
-    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), lambda = from_int(1 + T->planted);
+    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), lambda = from_int(fault(T, 2, 1));
     struct G(poly) x = {1, {zero, one}}, y = {2, {zero, zero, half}}, P = x;
-    struct G(poly) u = G(composed)(x, lambda, T->planted ? zero : half),
-                   v = G(composed)(y, lambda, T->planted ? zero : half);
+    struct G(poly) u = G(composed)(x, lambda, fault(T, zero, half)), v = G(composed)(y, lambda, fault(T, zero, half));
     struct G(poly) square = G(times)(u, u);
     about(T, "2y and x^2 along the second piece");
     for (int k = 0; k <= square.n; k++)
@@ -950,7 +946,7 @@ CLAIM(smooth_curve_without_proportional_derivatives)
 CLAIM(proportional_derivatives_by_arc_length)
 {
     num d1[2] = {from_int(1), from_int(0)}, p[2] = {from_int(0), from_int(1)};
-    num q[2] = {from_int(0), from_int(T->planted ? 1 : -1)};
+    num q[2] = {from_int(0), from_int(fault(T, 1, -1))};
     show_points(T, "P'' and Q''", 2, plane, (num[]){p[0], p[1], q[0], q[1]});
     about(T, "the signed curvatures");
     same(T, G(cross2)(d1, q), G(cross2)(d1, p));

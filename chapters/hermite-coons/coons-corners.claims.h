@@ -81,7 +81,7 @@ CLAIM(cubic_frame_of_corners_gives_the_product)
         A[i] = B[i] = zero;
         for (int k = 0; k < 4; k++) {
             A[i] = add(A[i], mul(M[4 * i + k], b[k]));
-            if (!(T->planted && i == 3 && k == 3))
+            if (fault(T, 1, !(i == 3 && k == 3)))
                 B[i] = add(B[i], mul(M[4 * k + i], a[k]));
         }
         across = add(across, mul(a[i], A[i]));
@@ -119,7 +119,7 @@ CLAIM(tensor_kernel_is_the_matrix_product)
     G(any_corners)(T, M);
     G(product_of_corners)(M, C);
     for (int i = 0; i < 16; i++)
-        used[i] = M[T->planted ? 4 * (i % 4) + i / 4 : i];
+        used[i] = M[fault(T, i, 4 * (i % 4) + i / 4)];
     for (int r = 0; r <= 3; r++)
         for (int s = 0; s <= 3; s++) {
             G(hermite_tensor)(1, used, u, w, r, s, &P);
@@ -209,7 +209,7 @@ CLAIM(signs_of_the_worked_patch)
     for (int axis = 0; axis < 3; axis++) {
         int used[16];
         for (int i = 0; i < 16; i++)
-            used[i] = C[axis][i] - (T->planted && i == 5);
+            used[i] = C[axis][i] - fault(T, 0, i == 5);
         int found = fitting_signs(M[axis], used);
         show_text(T, name[axis], "%d", found);
         about(T, name[axis]);

@@ -62,7 +62,8 @@ static void G(borders_are_kept)(trial *T, int m)
             unit[i] = from_int(i == k);
         about(T, k < 2 ? "the value on a border" : "the derivative across a border");
         for (int j = 0; j < m; j++)
-            across[j] = T->planted && k == m - 2 && j == m - 1 ? add(M[k * m + j], from_int(1)) : M[k * m + j];
+            across[j] =
+                fault(T, M[k * m + j], k == m - 2 && j == m - 1 ? add(M[k * m + j], from_int(1)) : M[k * m + j]);
         G(coons_patch)(m, 1, unit, free, along, across, M, &P);
         same(T, P, along[k]);
         for (int j = 0; j < m; j++)
@@ -106,7 +107,7 @@ CLAIM(shifted_frame_shifts_the_patch_by_a_product)
     for (int i = 0; i < 2; i++)
         A[i] = add(A[i], v), B[i] = add(B[i], v);
     for (int i = 0; i < 4; i++)
-        M[i] = T->planted ? M[i] : add(M[i], v);
+        M[i] = fault(T, add(M[i], v), M[i]);
     G(coons_patch)(2, 1, a, b, A, B, M, &Q);
     num gap = mul(sub(one, add(a[0], a[1])), sub(one, add(b[0], b[1])));
     same(T, sub(Q, P), mul(sub(one, gap), v));
@@ -127,7 +128,7 @@ CLAIM(shifted_frame_shifts_the_patch_by_a_product)
 CLAIM(blendings_without_end_values_lose_the_border)
 {
     num half = from_ratio(1, 2), quarter = from_ratio(1, 4), zero = from_int(0), P;
-    num a[2] = {T->planted ? from_int(1) : half, T->planted ? zero : half}, b[2] = {half, half};
+    num a[2] = {fault(T, from_int(1), half), fault(T, zero, half)}, b[2] = {half, half};
     num A[2] = {quarter, zero}, B[2] = {zero, zero}, M[4] = {zero, zero, zero, zero};
     coons_patch_q(2, 1, a, b, A, B, M, &P);
     show_points(T, "f_0(0), f_1(0)", 2, 1, a);
@@ -153,7 +154,7 @@ static num G(ruled)(const num f[2], const num curve[2]) { return add(mul(f[0], c
 */
 CLAIM(blendings_without_sum_one_bend_a_ruling)
 {
-    num value = T->planted ? from_ratio(1, 2) : from_ratio(1, 4), f[2] = {value, value}, P[3];
+    num value = fault(T, from_ratio(1, 2), from_ratio(1, 4)), f[2] = {value, value}, P[3];
     static const int ends[3][2] = {{0, 1}, {0, 0}, {1, 1}};
     for (int c = 0; c < 3; c++)
         P[c] = ruled_q(f, (num[]){from_int(ends[c][0]), from_int(ends[c][1])});
@@ -209,7 +210,7 @@ CLAIM(sum_of_ruled_surfaces_has_too_much)
         num curves[2] = {end == 0 ? border : other, end == 0 ? other : border}; /* along this border, opposite */
         num u_corners[2] = {M[2 * end], M[2 * end + 1]}, w_corners[2] = {M[end], M[2 + end]};
         num swapped[2] = {free[1], free[0]};
-        num P1 = G(ruled)(unit, curves), P2 = G(ruled)(T->planted ? swapped : free, u_corners);
+        num P1 = G(ruled)(unit, curves), P2 = G(ruled)(fault(T, free, swapped), u_corners);
         num P3 = G(of_corners)(unit, free, M);
         about(T, "u = 0 and u = 1");
         same(T, sub(add(P1, P2), P3), border);
@@ -270,7 +271,7 @@ CLAIM(coons_kernel_is_the_bordered_product)
             bordered[i + 1][0] = A[i], bordered[0][i + 1] = B[i];
             for (int j = 0; j < m; j++) {
                 bordered[i + 1][j + 1] = M[i * m + j];
-                used[i * m + j] = M[T->planted ? j * m + i : i * m + j];
+                used[i * m + j] = M[fault(T, i * m + j, j * m + i)];
             }
         }
         for (int i = 0; i <= m; i++)
@@ -296,7 +297,7 @@ CLAIM(coons_kernel_is_the_bordered_product)
 CLAIM(open_corner_loses_the_border)
 {
     num a[2] = {from_int(1), from_int(0)}, half = from_ratio(1, 2), b[2] = {half, half}, zero = from_int(0), P;
-    num A[2] = {zero, zero}, B[2] = {from_int(!T->planted), zero}, M[4] = {zero, zero, zero, zero};
+    num A[2] = {zero, zero}, B[2] = {from_int(fault(T, 0, 1)), zero}, M[4] = {zero, zero, zero, zero};
     coons_patch_q(2, 1, a, b, A, B, M, &P);
     about(T, "P(0, 1/2) and the curve 0w");
     same(T, P, A[0]);
@@ -315,7 +316,7 @@ CLAIM(open_corner_loses_the_border)
 */
 CLAIM(blendings_without_sum_one_move_the_patch)
 {
-    num value = T->planted ? from_ratio(1, 2) : from_ratio(1, 4), a[2] = {value, value}, one = from_int(1), P;
+    num value = fault(T, from_ratio(1, 2), from_ratio(1, 4)), a[2] = {value, value}, one = from_int(1), P;
     num curves[2] = {one, one}, M[4] = {one, one, one, one};
     coons_patch_q(2, 1, a, a, curves, curves, M, &P);
     about(T, "P(1/2, 1/2) and the only point of the frame");
@@ -351,7 +352,7 @@ CLAIM(cubic_frame_gives_bicubic_patch)
     static const int alternating[5] = {1, -4, 6, -4, 1};
     num u = variable_f("u"), w = variable_f("w"), M[4], P, across_u = from_int(0), across_w = from_int(0);
     struct poly_f f0 = free_poly_f(T, "f", 3), f1 = free_poly_f(T, "g", 3);
-    struct poly_f u0 = free_poly_f(T, "x", T->planted ? 4 : 3), u1 = free_poly_f(T, "y", 3);
+    struct poly_f u0 = free_poly_f(T, "x", fault(T, 3, 4)), u1 = free_poly_f(T, "y", 3);
     struct poly_f w0 = free_poly_f(T, "a", 3), w1 = free_poly_f(T, "b", 3);
     G(any_data)(T, "m", 4, M);
     for (int direction = 0; direction < 2; direction++)
@@ -421,8 +422,8 @@ CLAIM(two_twists_cannot_both_be_kept)
     num zero = from_int(0), one = from_int(1), q[4], M[16], P;
     hermite_blending_q(zero, one, from_ratio(1, 2), 0, q);
     int kept = 0;
-    for (int twist = 0; twist < 2 - T->planted; twist++) {
-        num asked = T->planted ? zero : one, none[4] = {zero, zero, zero, zero}, unit[4] = {zero, zero, one, zero};
+    for (int twist = 0; twist < fault(T, 1, 2); twist++) {
+        num asked = fault(T, zero, one), none[4] = {zero, zero, zero, zero}, unit[4] = {zero, zero, one, zero};
         for (int i = 0; i < 16; i++)
             M[i] = from_int(i == 10 && twist == 1);
         num slope[4] = {zero, zero, asked, zero}; /* the derivatives of u0, u1, u0_w, u1_w at u = 0 */

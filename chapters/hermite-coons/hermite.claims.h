@@ -74,8 +74,7 @@ CLAIM(hermite_interpolant_exists_and_is_unique)
         for (int i = 0; i < d; i++)
             for (int j = 0; j < l[i]; j++)
                 f[place++] = G(at)(p, j, tau[i]);
-        if (T->planted)
-            f[N] = from_int(0);
+        f[N] = fault(T, f[N], from_int(0));
         G(hermite_interpolant)(d, l, tau, f, c);
         for (int k = 0; k <= N; k++)
             same(T, c[k], p.c[k]);
@@ -96,12 +95,12 @@ CLAIM(hermite_interpolant_exists_and_is_unique)
 */
 CLAIM(equal_nodes_have_no_interpolant)
 {
-    num t[2] = {from_int(0), from_int(T->planted)}, one = from_int(1);
+    num t[2] = {from_int(0), from_int(fault(T, 1, 0))}, one = from_int(1);
     num determinant = sub(mul(one, t[1]), mul(t[0], one));
     show(T, "t_0", t[0]);
     show(T, "t_1", t[1]);
     show(T, "the determinant", determinant);
-    agree(T, !is_zero_q(determinant));
+    refute(T, is_zero_q(determinant));
 }
 
 /*
@@ -119,10 +118,10 @@ CLAIM(straight_data_have_no_cubic)
 {
     int l[2] = {2, 2};
     num tau[2] = {from_int(0), from_int(1)}, c[4];
-    num f[4] = {from_int(0), from_int(1), from_int(1), from_int(T->planted ? 2 : 1)};
+    num f[4] = {from_int(0), from_int(1), from_int(1), from_int(fault(T, 2, 1))};
     hermite_interpolant_q(2, l, tau, f, c);
     show_points(T, "c_0, c_1, c_2, c_3", 4, 1, c);
-    agree(T, !is_zero_q(c[3]));
+    refute(T, is_zero_q(c[3]));
 }
 #endif
 
@@ -154,7 +153,7 @@ CLAIM(cubic_equations_are_the_conditions)
     struct G(poly) p = G(free_poly)(T, "a", 3);
     for (int i = 0; i < 2; i++) {
         num square = mul(t[i], t[i]), *row = M + 8 * i;
-        num twice = T->planted && i == 1 ? square : mul(from_int(2), t[i]);
+        num twice = fault(T, mul(from_int(2), t[i]), i == 1 ? square : mul(from_int(2), t[i]));
         row[0] = from_int(1), row[1] = t[i], row[2] = square, row[3] = mul(square, t[i]);
         row[4] = from_int(0), row[5] = from_int(1), row[6] = twice, row[7] = mul(from_int(3), square);
         for (int r = 0; r < 2; r++) {
@@ -282,7 +281,7 @@ CLAIM(cubic_coefficients_by_monomials)
     num t0, t1, data[4];
     G(interval)(T, &t0, &t1);
     G(four_data)(T, data);
-    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, T->planted ? -1 : 1, 2), t0, t1, data);
+    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, fault(T, 1, -1), 2), t0, t1, data);
 }
 
 /*
@@ -318,7 +317,7 @@ CLAIM(square_needs_the_prime)
     num data[4] = {from_int(1), from_int(1), from_int(0), from_int(0)}, zero = from_int(0), one = from_int(1);
     int hits = 0;
     for (int sign = 1; sign >= -1; sign -= 2) {
-        struct G(poly) p = G(cubic_of_sums)(zero, one, data, sign, T->planted ? 2 : 0);
+        struct G(poly) p = G(cubic_of_sums)(zero, one, data, sign, fault(T, 2, 0));
         show(T, sign > 0 ? "P(1) with -2f(t_0)" : "P(1) with +2f(t_0)", G(at)(p, 0, one));
         hits += equal_q(G(at)(p, 0, one), one);
     }
@@ -361,7 +360,7 @@ CLAIM(cubic_ordered_by_data)
     struct G(poly) up = {1, {neg(t0), from_int(1)}}, down = {1, {neg(t1), from_int(1)}}; /* t - t0, t - t1 */
     struct G(poly)
         factor[4] = {{1, {sub(mul(three, t0), t1), neg(two)}}, {1, {sub(mul(three, t1), t0), neg(two)}}, up, down};
-    num under[4] = {mul(square, back), mul(square, T->planted ? back : length), square, square};
+    num under[4] = {mul(square, back), mul(square, fault(T, length, back)), square, square};
     struct G(poly) sum = G(constant)(from_int(0));
     for (int i = 0; i < 4; i++) {
         struct G(poly) far = i % 2 == 0 ? down : up;
@@ -405,7 +404,7 @@ CLAIM(hermite_kernel_blends_four_data)
     struct G(poly) sum = G(constant)(from_int(0));
     G(hermite_blending)(t0, t1, t, 4, B);
     for (int i = 0; i < 4; i++) {
-        struct G(poly) g = G(printed_term)(t0, t1, T->planted && i >= 2 ? 5 - i : i);
+        struct G(poly) g = G(printed_term)(t0, t1, fault(T, i, i >= 2 ? 5 - i : i));
         about(T, "the blending functions");
         for (int k = 0; k <= 4; k++)
             same(T, B[4 * k + i], G(at)(g, k, t));
@@ -460,7 +459,7 @@ CLAIM(blending_functions_are_dual_to_the_data)
         for (int i = 0; i < 4; i++) {
             for (int k = 0; k < 4; k++)
                 unit[k] = k != i ? from_int(0) : i < 2 ? from_int(1) : div(from_int(1), sub(t1, t0));
-            G(osculates)(T, G(printed_blending)(t0, t1, T->planted && i == 3 ? 2 : i), t0, t1, unit);
+            G(osculates)(T, G(printed_blending)(t0, t1, fault(T, i, i == 3 ? 2 : i)), t0, t1, unit);
         }
     }
 }
@@ -504,7 +503,7 @@ CLAIM(lagrange_functions_keep_every_polynomial)
     about(T, "p(t)");
     for (int k = 0; k <= n; k++) { /* p(t) = (t - tau_0) ... (t - tau_{k-1}) */
         num sum = from_int(0), at_t = from_int(1);
-        for (int i = k + T->planted; i <= n; i++) {
+        for (int i = fault(T, k, k + 1); i <= n; i++) {
             num value = from_int(1);
             for (int m = 0; m < k; m++)
                 value = mul(value, sub(tau[i], tau[m]));
@@ -563,7 +562,7 @@ CLAIM(unit_blending_functions)
     num cubic = from_int(0);
     for (int i = 0; i < 4; i++) {
         struct G(poly) g = G(printed_blending)(t0, t1, i);
-        num scale = i < 2 || T->planted ? one : length, power = one, column = from_int(0);
+        num scale = fault(T, i < 2 ? one : length, one), power = one, column = from_int(0);
         about(T, "the functions");
         same(T, G(at)(g, 0, t), q[i]);
         same(T, factored[i], q[i]);
@@ -642,7 +641,7 @@ CLAIM(one_choice_of_signs_in_the_matrix)
             for (int j = 0; j < 4; j++) {
                 int given = G(printed_matrix)(i, j), size = given < 0 ? -given : given;
                 M[i][j] = size != 0 && signs >> bit++ & 1 ? -size : size;
-                is_printed = is_printed && M[i][j] == (T->planted && i + j == 0 ? -given : given);
+                is_printed = is_printed && M[i][j] == fault(T, given, i + j == 0 ? -given : given);
             }
         for (int j = 0; j < 4; j++) {
             int column[4] = {M[0][j], M[1][j], M[2][j], M[3][j]}, unit[4] = {j == 0, j == 1, j == 2, j == 3};
@@ -678,7 +677,7 @@ CLAIM(one_choice_of_signs_in_the_matrix)
 CLAIM(worked_hermite_curve)
 {
     static const int printed[2][4] = {{-4, 6, 1, 1}, {-2, 2, 1, 1}};
-    int data[2][4] = {{1, 4, 1, 1}, {1, 2, 1, T->planted ? 1 : -1}}, choices[2] = {0, 0};
+    int data[2][4] = {{1, 4, 1, 1}, {1, 2, 1, fault(T, -1, 1)}}, choices[2] = {0, 0};
     for (int axis = 0; axis < 2; axis++) {
         only_these_have_the_data(T, printed[axis], data[axis]);
         for (int signs = 0; signs < 1 << 4; signs++) {

@@ -71,7 +71,7 @@ CLAIM(base_functions_interpolate_once_continuously)
         struct G(poly) sum = G(constant)(from_int(0));
         for (int i = 0; i <= n; i++)
             for (int order = 0; order < 2; order++) {
-                int wrong = T->planted && order == 1 && i == 0 && s == 0;
+                int wrong = fault(T, 0, order == 1 && i == 0 && s == 0);
                 struct G(poly) a = wrong ? G(printed_term)(t[0], t[1], 3) : G(base_piece)(t, i, order, s);
                 sum = G(plus)(sum, G(times)(G(constant)(f[order][i]), a));
             }
@@ -113,7 +113,7 @@ CLAIM(base_functions_interpolate_once_continuously)
 */
 CLAIM(overlapping_intervals_miss_the_data)
 {
-    num zero = from_int(0), four[4] = {zero, zero, zero, zero}, value, given = from_int(!T->planted);
+    num zero = from_int(0), four[4] = {zero, zero, zero, zero}, value, given = from_int(fault(T, 0, 1));
     hermite_cubic_q(1, zero, from_int(2), four, from_int(1), 0, &value);
     show_points(T, "t_0, t_1, t_2", 3, 1, (num[]){zero, from_int(2), from_int(1)});
     about(T, "the first piece at t_2, and the value prescribed there");
@@ -145,7 +145,7 @@ The bracket is lost; the one factor at the end belongs to both derivatives.
 */
 CLAIM(scaled_tangent_is_not_scaled_again)
 {
-    num zero = from_int(0), t1 = from_int(T->planted ? 1 : 2), slope = from_int(1);
+    num zero = from_int(0), t1 = from_int(fault(T, 1, 2)), slope = from_int(1);
     num scaled = mul(slope, t1);
     show(T, "t_1 - t_0", t1);
     show(T, "P_0'", scaled);
@@ -177,7 +177,7 @@ CLAIM(scaled_tangent_is_not_scaled_again)
 */
 CLAIM(pieces_need_not_have_one_curvature)
 {
-    num f[3] = {from_int(0), from_int(1), from_int(T->planted ? 0 : 1)}, zero = from_int(0), side[2][3];
+    num f[3] = {from_int(0), from_int(1), from_int(fault(T, 0, 1))}, zero = from_int(0), side[2][3];
     for (int s = 0; s < 2; s++) {
         num four[4] = {f[s], f[s + 1], zero, zero};
         hermite_cubic_q(1, from_int(s), from_int(s + 1), four, from_int(1), 2, side[s]);
@@ -213,7 +213,7 @@ CLAIM(second_derivatives_meet_on_a_condition)
         G(hermite_cubic)(1, t[s], t[s + 1], four, t[1], 2, out);
         side[s] = out[2];
         num slope = div(sub(f[s + 1], f[s]), mul(h[s], h[s]));
-        num tangents = add(d[2 * s], mul(from_int(T->planted ? 1 : 2), d[1]));
+        num tangents = add(d[2 * s], mul(from_int(fault(T, 2, 1)), d[1]));
         sum = add(sum, sub(mul(from_int(3), slope), div(tangents, h[s])));
     }
     same(T, div(sub(side[1], side[0]), from_int(2)), sum);
@@ -260,7 +260,7 @@ over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 */
 CLAIM(one_scaled_tangent_for_two_pieces_makes_a_jump)
 {
-    num zero = from_int(0), one = from_int(1), t[3] = {zero, one, from_int(T->planted ? 2 : 3)}, slope[2];
+    num zero = from_int(0), one = from_int(1), t[3] = {zero, one, from_int(fault(T, 2, 3))}, slope[2];
     for (int s = 0; s < 2; s++) {
         num four[4] = {one, one, one, one}, out[2]; /* P_1' = 1 is the last datum of one, the third of the other */
         hermite_cubic_q(1, zero, one, four, s == 0 ? one : zero, 1, out);
