@@ -42,7 +42,7 @@ static void G(free_segment)(trial *T, int clamped, struct G(segment) * S)
         }
     }
     for (int m = 0; m <= p; m++)
-        S->z[m] = S->w[T->planted ? p - m : m];
+        S->z[m] = S->w[fault(T, m, p - m)];
 }
 
 /*

@@ -26,9 +26,8 @@ CLAIM(pairs_about_a_circle_have_the_circle_as_minimum)
 {
     struct circle_example E = circle_of_pairs();
     num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS], F = from_int(0);
-    if (T->planted)
-        for (int c = 0; c < 2; c++)
-            E.Q[4 * PAIRS - 2 + c] = mul(E.Q[4 * PAIRS - 2 + c], from_ratio(18, 17));
+    for (int c = 0; c < 2; c++)
+        E.Q[4 * PAIRS - 2 + c] = fault(T, E.Q[4 * PAIRS - 2 + c], mul(E.Q[4 * PAIRS - 2 + c], from_ratio(18, 17)));
     for (int i = 0; i < 2 * PAIRS; i++) {
         struct circle_view v = view_of_circle(&E, E.t[i]);
         num D[2] = {sub(v.C[0], E.Q[2 * i]), sub(v.C[1], E.Q[2 * i + 1])};
@@ -70,8 +69,8 @@ CLAIM(given_parameters_find_the_same_curve)
 {
     struct circle_example E = circle_of_pairs();
     num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS];
-    for (int i = 0; i < 2 * PAIRS && !T->planted; i++)
-        E.t[i] = from_ratio(i / 2 + 1, PAIRS + 1);
+    for (int i = 0; i < 2 * PAIRS; i++)
+        E.t[i] = fault(T, E.t[i], from_ratio(i / 2 + 1, PAIRS + 1));
     derivatives_of_circle(&E, gradient, H, gauss); /* the gradient is that of the sum at any parameters */
     show_points(T, "gradient", 1, UNKNOWNS, gradient);
     about(T, "the gradient");
@@ -98,8 +97,7 @@ CLAIM(free_point_makes_its_weight_less_known)
     derivatives_of_circle(&E, gradient, H, A);
     for (int m = 0; m < UNKNOWNS * UNKNOWNS; m++)
         K[m] = inverse_entry(A, m / UNKNOWNS, m % UNKNOWNS);
-    if (T->planted)
-        K[4] = add(K[4], K[4]);
+    K[4] = fault(T, K[4], add(K[4], K[4]));
     about(T, "the inverse");
     for (int a = 0; a < UNKNOWNS; a++)
         for (int b = 0; b < UNKNOWNS; b++) {

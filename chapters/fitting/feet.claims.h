@@ -90,7 +90,7 @@ CLAIM(gradient_does_not_see_the_foot_move)
     struct G(conic_and_foot) S;
     num f[order], D[plane];
     G(free_conic_and_foot)(T, &S);
-    G(distance_series)(&S, T->planted ? add(S.t, from_ratio(1, 2)) : S.t, S.t1, S.t2, f);
+    G(distance_series)(&S, fault(T, S.t, add(S.t, from_ratio(1, 2))), S.t1, S.t2, f);
     for (int c = 0; c < plane; c++)
         D[c] = sub(S.C[c], S.Q[c]);
     same(T, f[1], G(dot)(plane, D, S.L));
@@ -120,7 +120,7 @@ CLAIM(hessian_of_the_reduced_distance)
     num turn = add(G(dot)(plane, S.L, S.C1), G(dot)(plane, D, S.L1));
     num slope = add(G(dot)(plane, S.C1, S.C1), G(dot)(plane, D, S.C2));
     num t1 = div(turn, slope);
-    G(distance_series)(&S, S.t, T->planted ? t1 : neg(t1), S.t2, f);
+    G(distance_series)(&S, S.t, fault(T, neg(t1), t1), S.t2, f);
     num hessian = add(G(dot)(plane, S.L, S.L), G(dot)(plane, D, S.LL));
     same(T, mul(from_int(2), f[2]), sub(hessian, div(mul(turn, turn), slope)));
 }
@@ -162,7 +162,7 @@ CLAIM(elimination_of_feet_gives_the_same_step)
             r[c] = sub(r[c], div(mul(B[c][i], h[i]), delta[i]));
             for (int e = 0; e < 2; e++) {
                 num part = div(mul(B[c][i], B[e][i]), delta[i]);
-                S[2 * c + e] = T->planted ? add(S[2 * c + e], part) : sub(S[2 * c + e], part);
+                S[2 * c + e] = fault(T, sub(S[2 * c + e], part), add(S[2 * c + e], part));
             }
         }
     }
@@ -214,7 +214,7 @@ CLAIM(reduced_gauss_newton_matrix_is_the_part_across_the_curve)
     }
     num cc = G(dot)(d, c, c), ac = G(dot)(d, a, c), bc = G(dot)(d, b, c);
     for (int k = 0; k < d; k++) {
-        pa[k] = sub(a[k], div(mul(T->planted ? a[k] : c[k], ac), cc));
+        pa[k] = sub(a[k], div(mul(fault(T, c[k], a[k]), ac), cc));
         pb[k] = sub(b[k], div(mul(c[k], bc), cc));
     }
     num reduced = sub(G(dot)(d, a, b), div(mul(ac, bc), cc));
@@ -258,7 +258,7 @@ CLAIM(degree_of_the_equation_of_the_foot)
         G(rational_derivatives)(n, 2, R, rational ? w : one, t, 1, D);
         num phi = add(mul(D[0], D[2]), mul(D[1], D[3]));
         show(T, rational ? "degree, rational" : "degree, polynomial", from_int(degree_f(phi, t)));
-        agree(T, has_degrees_f(phi, t, rational ? 3 * n - 2 + T->planted : 2 * n - 1, rational ? 3 * n : 0));
+        agree(T, has_degrees_f(phi, t, rational ? fault(T, 3 * n - 2, 3 * n - 1) : 2 * n - 1, rational ? 3 * n : 0));
     }
 }
 #endif

@@ -46,7 +46,7 @@ CLAIM(weights_have_flat_directions)
     G(rational_derivatives)(n, 1, R, w, t, 1, D);
     for (int i = 0; i <= n; i++) {
         sum = add(sum, by[i]);
-        moment = add(moment, mul(from_int(T->planted ? n - i : i), by[i]));
+        moment = add(moment, mul(from_int(fault(T, i, n - i)), by[i]));
     }
     about(T, "a common factor");
     vanishes(T, sum);
@@ -79,7 +79,7 @@ CLAIM(feet_and_distances_do_not_see_the_gauge)
     Q[0] = unknown(T, "q", 0), Q[1] = unknown(T, "q", 1);
     G(rational_reparametrize)(n, w, a, b, v);
     G(rational_derivatives)(n, 2, R, v, t, 1, D);
-    G(rational_derivatives)(n, 2, R, w, T->planted ? t : image, 1, E);
+    G(rational_derivatives)(n, 2, R, w, fault(T, image, t), 1, E);
     for (int c = 0; c < 2; c++) {
         x[c] = sub(D[c], Q[c]);
         y[c] = sub(E[c], Q[c]);
@@ -134,8 +134,8 @@ CLAIM(without_gauge_the_hessian_is_singular)
         R[m] = from_int(point[m]);
     for (int i = 0; i < 4; i++)
         w[i] = from_int(weight[i]);
-    int unknowns = T->planted ? 2 : 4;
-    jacobian_across(3, R, w, 12, unknowns, T->planted ? inner : all, J);
+    int unknowns = fault(T, 2, 4);
+    jacobian_across(3, R, w, 12, unknowns, fault(T, inner, all), J);
     int rank = rank_over_q(12, unknowns, J);
     show_points(T, "R", 4, 2, R);
     show_points(T, "ω", 4, 1, w);
@@ -180,7 +180,7 @@ CLAIM(free_ends_slide_along_the_conic)
         for (int i = 0; i < count; i++) {
             num sum = from_int(0);
             for (int k = 0; k < unknowns; k++)
-                sum = add(sum, mul(from_int(slide[d][k] * (k == 0 && T->planted ? 2 : 1)), J[i * unknowns + k]));
+                sum = add(sum, mul(from_int(slide[d][k] * fault(T, 1, k == 0 ? 2 : 1)), J[i * unknowns + k]));
             vanishes(T, sum);
         }
     about(T, "the rank");
@@ -212,7 +212,7 @@ CLAIM(a_straight_curve_leaves_its_speed_undetermined)
     for (int i = 0; i <= n; i++) {
         w[i] = positive(T, "w", i);
         R[2 * i] = unknown(T, "x", i);
-        R[2 * i + 1] = from_int(T->planted && i == n);
+        R[2 * i + 1] = from_int(fault(T, 0, i == n));
     }
     G(nurbs_by_weights)(n, 2, u, n, R, w, t, 1, by);
     G(nurbs_basis)(n, u, n, w, t, 1, B);
@@ -244,7 +244,7 @@ CLAIM(points_on_a_line_leave_rank_three)
 {
     enum { count = 12 };
     static const int all[] = {-2, 0, 1, 2, 3, 4, 5}, inner[] = {-2, 2, 3};
-    num zero = from_int(0), R[] = {zero, zero, from_int(2), from_int(T->planted), from_int(3), zero};
+    num zero = from_int(0), R[] = {zero, zero, from_int(2), from_int(fault(T, 0, 1)), from_int(3), zero};
     num w[] = {from_int(1), from_int(2), from_int(1)}, J[count * 7];
     jacobian_across(2, R, w, count, 7, all, J);
     same(T, from_int(rank_over_q(count, 7, J)), from_int(3));

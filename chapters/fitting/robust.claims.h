@@ -37,9 +37,8 @@ static num by_square(num f, num r) { return div(derivative_f(f, r), mul(from_int
 
 CLAIM(huber_pull_is_bounded_and_continuous)
 {
-    num a = positive(T, "a", 0), r = positive(T, "r", 0), near = mul(r, r), far = mul(mul(from_int(2), a), r);
-    if (!T->planted)
-        far = sub(far, mul(a, a));
+    num a = positive(T, "a", 0), r = positive(T, "r", 0), near = mul(r, r),
+        far = fault(T, sub(mul(mul(from_int(2), a), r), mul(a, a)), mul(mul(from_int(2), a), r));
     num slope = by_square(far, r);
     about(T, "at r = a");
     same(T, substitute_f(far, r, a), substitute_f(near, r, a));
@@ -66,7 +65,7 @@ CLAIM(cauchy_pull_has_its_greatest_value_at_its_scale)
 {
     num a = positive(T, "a", 0), r = positive(T, "r", 0), one = from_int(1), two = from_int(2);
     num below = add(one, div(mul(r, r), mul(a, a))), gap = sub(a, r);
-    num bound = T->planted ? a : div(a, two);
+    num bound = fault(T, div(a, two), a);
     same(T, sub(bound, div(r, below)), div(mul(gap, gap), mul(mul(two, a), below)));
 }
 
@@ -87,7 +86,7 @@ A pull that fades has a price: where points disagree, there are several minima, 
 */
 CLAIM(cauchy_has_one_minimum)
 {
-    num a = from_int(T->planted ? 4 : 1), three = from_int(3), aa = mul(a, a), one = from_int(1);
+    num a = from_int(fault(T, 4, 1)), three = from_int(3), aa = mul(a, a), one = from_int(1);
     num left[] = {neg(three), one}, right[] = {three, one};
     poly l = poly_from_q(2, left), r = poly_from_q(2, right), c = poly_from_q(1, &aa);
     poly whole_numerator = poly_add(poly_mul(l, poly_add(c, poly_mul(r, r))), poly_mul(r, poly_add(c, poly_mul(l, l))));
@@ -124,7 +123,7 @@ CLAIM(likelihood_chooses_the_mean_square)
 {
     num n = positive(T, "n", 0), chi = positive(T, "c", 0), v = positive(T, "v", 0);
     num slope = add(div(n, v), derivative_f(div(chi, v), v));
-    num mean = div(chi, T->planted ? sub(n, from_int(1)) : n);
+    num mean = div(chi, fault(T, n, sub(n, from_int(1))));
     same(T, slope, div(mul(n, sub(v, mean)), mul(v, v)));
 }
 #endif
@@ -159,7 +158,7 @@ CLAIM(student_probability_is_a_finite_sum)
     for (int j = odd; j <= nu - 2; j += 2) {
         if (j > odd)
             coefficient = mul(coefficient, from_ratio(j - 1, j));
-        num used = T->planted && j == nu - 2 ? mul(from_int(2), coefficient) : coefficient;
+        num used = fault(T, coefficient, j == nu - 2 ? mul(from_int(2), coefficient) : coefficient);
         slope = add(slope, mul(used, mul(from_int(j + 1), power[j + 1])));
         if (j > 0)
             slope = sub(slope, mul(used, mul(from_int(j), power[j - 1])));
