@@ -45,7 +45,7 @@ static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 CLAIM(printed_kernel_is_formula_one)
 {
     num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], near[8], far[8];
-    num given = T->planted ? neg(beta) : beta;
+    num given = fault(T, beta, neg(beta));
     G(shape_basis_printed)(given, t, B);
     G(shape_factors_printed)(given, near, far);
     for (int i = 0; i <= 7; i++) {
@@ -75,7 +75,7 @@ CLAIM(corrected_kernel_is_its_formula)
 {
     int n = T->degree;
     num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t);
-    num B[MAX_DEGREE + 1], near[MAX_DEGREE + 1], far[MAX_DEGREE + 1], given = T->planted ? neg(beta) : beta;
+    num B[MAX_DEGREE + 1], near[MAX_DEGREE + 1], far[MAX_DEGREE + 1], given = fault(T, beta, neg(beta));
     G(shape_basis)(n, given, t, B);
     G(shape_factors)(n, given, near, far);
     for (int i = 0; i <= n; i++) {
@@ -124,7 +124,7 @@ CLAIM(two_digits_are_corrected)
     for (int i = 0; i <= 7; i++) {
         num value = G(printed)(i, beta, t);
         if (i == 3)
-            value = mul(G(three_terms)(35, 5, T->planted ? -9 : -5, beta, t), G(product_of_powers)(4, 3, t));
+            value = mul(G(three_terms)(35, 5, fault(T, -5, -9), beta, t), G(product_of_powers)(4, 3, t));
         if (i == 4)
             value = mul(G(three_terms)(35, 0, 5, beta, t), G(product_of_powers)(3, 4, t));
         same(T, B[i], value);
@@ -153,7 +153,7 @@ CLAIM(mirror_images_with_sum_one_are_unique)
     for (int i = 0; i <= 7; i++)
         sum = add(sum, B[i]);
     num outer = sub(sub(x, from_int(35)), mul(from_int(5), beta));
-    num inner = sub(mul(from_int(T->planted ? 1 : 2), y), from_int(70));
+    num inner = sub(mul(from_int(fault(T, 2, 1)), y), from_int(70));
     num rest = add(mul(outer, add(G(product_of_powers)(5, 3, t), G(product_of_powers)(3, 5, t))),
                    mul(inner, G(product_of_powers)(4, 4, t)));
     same(T, sum, add(from_int(1), rest));
@@ -191,7 +191,7 @@ CLAIM(leading_coefficients_are_multiples_of_beta)
             for (int k = 0; k <= 8; k++)
                 column[k] = E[k * 8 + i];
             G(bernstein_to_power)(8, column, column);
-            int sign = T->planted || (7 - i) % 2 == 0 ? 1 : -1;
+            int sign = fault(T, (7 - i) % 2 == 0 ? 1 : -1, 1);
             same(T, column[8], mul(from_int(sign * factor[printed_ones][i]), beta));
         }
     }
@@ -211,7 +211,7 @@ CLAIM(leading_coefficients_are_multiples_of_beta)
 */
 CLAIM(degree_falls_for_beta_zero)
 {
-    num beta = from_int(T->planted ? 1 : 0);
+    num beta = from_int(fault(T, 1, 0));
     poly B = G(function)(1, 7, 0, beta);
     show(T, "beta", beta);
     show_text(T, "B_0", "%s", poly_to_string(B, "t"));
@@ -257,7 +257,7 @@ CLAIM(functions_are_independent_but_for_two_values)
         poly near[8], far[8], divisor = poly_constant(from_int(0)), factor[8], product = poly_constant(from_int(1));
         int multiplicity[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
-        for (int r = T->planted ? 7 : 0; r <= 8; r++) {
+        for (int r = fault(T, 0, 7); r <= 8; r++) {
             poly determinant = poly_constant(from_int(1));
             for (int i = 0; i <= 7; i++)
                 determinant = poly_mul(determinant, i < r ? near[i] : far[i]);
@@ -289,7 +289,7 @@ CLAIM(functions_are_independent_but_for_two_values)
 */
 CLAIM(a_combination_vanishes)
 {
-    num beta = T->planted ? from_int(-5) : from_ratio(-21, 4), zero = from_int(0);
+    num beta = fault(T, from_int(-5), from_ratio(-21, 4)), zero = from_int(0);
     num corrected[8] = {zero, zero, from_int(-1), from_ratio(27, 5), from_ratio(-27, 5), from_int(1), zero, zero};
     num printed[8] = {zero, zero, from_ratio(-25, 136), from_ratio(135, 136), from_ratio(-27, 17), from_int(1),
                       zero, zero};
@@ -317,7 +317,7 @@ CLAIM(a_combination_vanishes)
 */
 CLAIM(two_functions_coincide)
 {
-    num beta = from_int(T->planted ? -6 : -7), zero = from_int(0), one = from_int(1);
+    num beta = from_int(fault(T, -6, -7)), zero = from_int(0), one = from_int(1);
     num corrected[8] = {zero, zero, zero, one, neg(one), zero, zero, zero};
     num printed[8] = {zero, zero, zero, from_ratio(50, 9), from_int(-10), from_int(5), one, zero};
     show(T, "beta", beta);
@@ -362,10 +362,10 @@ CLAIM(two_functions_coincide)
 CLAIM(printed_functions_do_not_sum_to_one)
 {
     num beta = from_int(-1), t = from_ratio(1, 2), B[8], sum = from_int(0);
-    if (T->planted)
-        G(shape_basis)(7, beta, t, B);
-    else
+    if (T->faulty)
         G(shape_basis_printed)(beta, t, B);
+    else
+        G(shape_basis)(7, beta, t, B);
     for (int i = 0; i <= 7; i++)
         sum = add(sum, B[i]);
     show(T, "beta", beta);
@@ -392,7 +392,7 @@ CLAIM(printed_sum_in_closed_form)
     G(shape_basis_printed)(beta, t, B);
     for (int i = 0; i <= 7; i++)
         sum = add(sum, B[i]);
-    num product = G(product_of_powers)(T->planted ? 4 : 3, T->planted ? 3 : 4, t);
+    num product = G(product_of_powers)(fault(T, 3, 4), fault(T, 4, 3), t);
     same(T, sum, sub(from_int(1), mul(from_int(4), mul(beta, product))));
 }
 
@@ -413,7 +413,7 @@ CLAIM(corrected_functions_sum_to_one)
     int n = T->degree;
     num beta = G(any_beta)(T), t = parameter(T, "t"), B[MAX_DEGREE + 1], sum = from_int(0);
     G(shape_basis)(n, beta, t, B);
-    for (int i = T->planted ? 1 : 0; i <= n; i++)
+    for (int i = fault(T, 0, 1); i <= n; i++)
         sum = add(sum, B[i]);
     same(T, sum, from_int(1));
 }
@@ -449,12 +449,12 @@ CLAIM(corrected_functions_sum_to_one)
 CLAIM(printed_middle_functions_are_no_mirror_images)
 {
     num beta = from_int(-1), t = from_ratio(1, 4), left[8], right[8];
-    if (T->planted) {
-        G(shape_basis)(7, beta, sub(from_int(1), t), left);
-        G(shape_basis)(7, beta, t, right);
-    } else {
+    if (T->faulty) {
         G(shape_basis_printed)(beta, sub(from_int(1), t), left);
         G(shape_basis_printed)(beta, t, right);
+    } else {
+        G(shape_basis)(7, beta, sub(from_int(1), t), left);
+        G(shape_basis)(7, beta, t, right);
     }
     show(T, "beta", beta);
     show(T, "t", t);
@@ -480,7 +480,7 @@ CLAIM(printed_outer_functions_are_mirror_images)
     G(shape_basis_printed)(beta, t, right);
     for (int i = 0; i <= 2; i++)
         same(T, left[i], right[7 - i]);
-    num middle = T->planted ? s : sub(s, t);
+    num middle = fault(T, sub(s, t), s);
     num product = mul(mul(from_int(-4), mul(beta, middle)), G(product_of_powers)(3, 4, t));
     same(T, sub(left[3], right[4]), product);
 }
@@ -501,7 +501,7 @@ CLAIM(corrected_functions_are_mirror_images)
     int n = T->degree;
     num beta = G(any_beta)(T), t = parameter(T, "t"), left[MAX_DEGREE + 1], right[MAX_DEGREE + 1];
     G(shape_basis)(n, beta, sub(from_int(1), t), left);
-    G(shape_basis)(n, T->planted ? neg(beta) : beta, t, right);
+    G(shape_basis)(n, fault(T, beta, neg(beta)), t, right);
     for (int i = 0; i <= n; i++)
         same(T, left[i], right[n - i]);
 }
@@ -554,7 +554,7 @@ CLAIM(functions_vanish_to_their_orders_at_the_ends)
                 same(T, D[0], one);
             G(function_derivatives)(printed_ones, 7, i, beta, one, 8, D);
             about(T, "at t = 1");
-            for (int k = 0; k < 7 - i + T->planted; k++)
+            for (int k = 0; k < fault(T, 7 - i, 8 - i); k++)
                 vanishes(T, D[k]);
             if (i == 7)
                 same(T, D[0], one);
@@ -592,7 +592,7 @@ CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
     for (int bernstein_too = 0; bernstein_too <= 1; bernstein_too++) {
         num beta = bernstein_too ? from_int(0) : G(any_beta)(T);
         G(function_derivatives)(0, n, n, beta, from_int(0), n, D);
-        for (int k = 0; k < n + T->planted; k++)
+        for (int k = 0; k < fault(T, n, n + 1); k++)
             vanishes(T, D[k]);
     }
 }
@@ -638,7 +638,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
     int vanishing = 0;
     for (int beta = -1; beta <= 0; beta++) {
         num D[2];
-        G(function_derivatives)(0, T->planted ? 7 : 5, 4, from_int(beta), from_int(1), 1, D);
+        G(function_derivatives)(0, fault(T, 7, 5), 4, from_int(beta), from_int(1), 1, D);
         show(T, "beta", from_int(beta));
         show(T, "the derivative at 1", D[1]);
         vanishing += is_zero_q(D[1]);
@@ -690,7 +690,7 @@ CLAIM(first_function_is_not_every_bernstein_polynomial)
     G(bernstein)(7, t, b);
     show(T, "t", t);
     about(T, "the left and the right side of (9) for i = 1");
-    same(T, B[T->planted ? 1 : 0], b[1]);
+    same(T, B[fault(T, 1, 0)], b[1]);
 }
 #endif
 
@@ -708,7 +708,7 @@ CLAIM(first_function_is_not_every_bernstein_polynomial)
 CLAIM(beta_zero_gives_bernstein_polynomials)
 {
     int n = T->degree;
-    num beta = from_int(T->planted), t = parameter(T, "t"), B[MAX_DEGREE + 1];
+    num beta = from_int(fault(T, 0, 1)), t = parameter(T, "t"), B[MAX_DEGREE + 1];
     G(shape_basis)(n, beta, t, B);
     for (int i = 0; i <= n; i++)
         same(T, B[i], mul(G(choose)(n, i), G(product_of_powers)(n - i, i, t)));

@@ -64,8 +64,7 @@ CLAIM(minors_are_products_of_entries)
     for (int i = 0; i < rows; i++)
         for (int j = 0; j < columns; j++)
             E[i * columns + j] = i == j ? unknown(T, "v", i) : i == j + 1 ? unknown(T, "w", j) : from_int(0);
-    if (T->planted)
-        E[1] = from_int(1);
+    E[1] = fault(T, E[1], from_int(1));
     for (int r = 1; r < 1 << rows; r++)
         for (int c = 1; c < 1 << columns; c++) {
             int row[8], column[8], order = 0, width = 0;
@@ -124,8 +123,7 @@ CLAIM(totally_positive_exactly_in_the_range)
     num low = G(lower_end)(n), high = from_int(1);
     if (n == 7)
         agree(T, equal_q(low, from_ratio(-21, 4)));
-    if (T->planted)
-        low = sub(low, from_int(1));
+    low = fault(T, low, sub(low, from_int(1)));
     for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
         poly near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
         num at[2 * MAX_DEGREE + 4];
@@ -176,7 +174,7 @@ CLAIM(totally_positive_exactly_in_the_range)
 CLAIM(third_function_has_a_zero_for_every_smaller_beta)
 {
     num b = positive(T, "b", 0), quarter = from_ratio(21, 4), four = from_int(4);
-    num beta = neg(add(quarter, b)), given = T->planted ? mul(from_int(2), b) : b;
+    num beta = neg(add(quarter, b)), given = fault(T, b, mul(from_int(2), b));
     num t = div(mul(four, given), mul(from_int(9), add(quarter, given))), B[8];
     G(shape_basis)(7, beta, t, B);
     vanishes(T, B[2]);
@@ -200,7 +198,7 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
 CLAIM(first_function_has_a_zero_for_every_larger_beta)
 {
     num b = positive(T, "b", 0), one = from_int(1), B[8];
-    num beta = add(one, b), t = div(one, add(one, T->planted ? add(b, b) : b));
+    num beta = add(one, b), t = div(one, add(one, fault(T, b, add(b, b))));
     G(shape_basis)(7, beta, t, B);
     vanishes(T, B[0]);
     G(shape_basis_printed)(beta, t, B);
@@ -247,7 +245,7 @@ static struct cagd_curve_meets_line G(meets)(trial *T, int printed_ones, const n
 CLAIM(curve_on_a_line_that_its_polygon_crosses)
 {
     static const int fifths[] = {0, 0, -5, 27, -27, 5, 0, 0}, x[] = {0, 0, 1, 2, 3, 4, 5, 5};
-    num P[8 * dim], beta = T->planted ? from_int(-5) : from_ratio(-21, 4);
+    num P[8 * dim], beta = fault(T, from_int(-5), from_ratio(-21, 4));
     for (int i = 0; i <= 7; i++) {
         P[i * dim] = from_int(x[i]);
         P[i * dim + 1] = from_ratio(fifths[i], 5);
@@ -258,7 +256,7 @@ CLAIM(curve_on_a_line_that_its_polygon_crosses)
     show_text(T, "common points with the polygon", "%d", of_polygon.components);
     int five_points = of_polygon.contained_edges == 0 && of_polygon.components == 5 && of_polygon.crossings == 3;
     about(T, "the polygon having five points on the line and crossing it three times, whether the curve is not on it");
-    agree(T, !(five_points && m.contained));
+    refute(T, five_points && m.contained);
 }
 
 /*
@@ -280,7 +278,7 @@ CLAIM(printed_curve_crosses_a_line_off_its_polygon)
         P[i * dim + 1] = from_int(1);
     }
     struct cagd_line L = G(horizontal)(from_ratio(63, 64));
-    struct cagd_curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), L);
+    struct cagd_curve_meets_line m = G(meets)(T, fault(T, 0, 1), P, from_int(1), L);
     about(T, "the curve crosses the line no more often than the polygon");
     agree(T, m.crossings <= polygon_crossings(7, P, L));
 }
@@ -300,7 +298,7 @@ static const int G(triangle)[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0
 */
 CLAIM(curve_at_minus_seven_crosses_a_line_off_its_polygon)
 {
-    num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    num P[8 * dim], beta = fault(T, from_ratio(-21, 4), from_int(-7));
     struct cagd_line L = G(horizontal)(from_ratio(-1, 200));
     G(integer_points)(8, G(triangle), P);
     struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, L);
@@ -346,7 +344,7 @@ CLAIM(combination_begins_and_ends_with_its_coefficients)
             num sum = from_int(0);
             G(functions_of)(printed_ones, 7, beta, from_int(end), B);
             for (int i = 0; i <= 7; i++)
-                sum = add(sum, mul(k[T->planted && i >= 6 ? 13 - i : i], B[i]));
+                sum = add(sum, mul(k[fault(T, i, i >= 6 ? 13 - i : i)], B[i]));
             same(T, sum, k[end ? 7 : 0]);
         }
 }
@@ -371,7 +369,7 @@ CLAIM(parity_of_the_roots)
     num k[8], beta = unknown(T, "beta", 0), size;
     for (int i = 0; i <= 7; i++) {
         size = positive(T, "k", i);
-        k[i] = i % 2 == 0 || (T->planted && i == 7) ? size : neg(size);
+        k[i] = fault(T, i % 2 == 0, i % 2 == 0 || i == 7) ? size : neg(size);
     }
     poly f = G(combination)(0, 7, mul(from_int(7), beta), k);
     struct cagd_root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
@@ -427,7 +425,7 @@ static int G(no_more_roots_than_changes)(trial *T, const int at[], num beta)
 CLAIM(positive_coefficients_with_two_roots)
 {
     static const int k[] = {1, 1, 200, 1, 1, 1, 1, 1};
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    num beta = fault(T, from_ratio(-21, 4), from_int(-7));
     about(T, "no more roots than changes of sign");
     agree(T, G(no_more_roots_than_changes)(T, k, beta));
 }
@@ -462,7 +460,7 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
 {
     num k[8];
     for (int i = 0; i <= 7; i++)
-        k[i] = from_int(i == 0 ? -T->planted : i == 1 ? -1 : 1);
+        k[i] = from_int(i == 0 ? fault(T, -1, 0) : i == 1 ? -1 : 1);
     show_points(T, "k", 8, 1, k);
     show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
     about(T, "k_0 > 0 or -k_0 > 0");
@@ -484,7 +482,7 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
 */
 CLAIM(first_coefficient_gives_the_sign)
 {
-    enum cagd_ends ends = T->planted ? CLOSED : OPEN_LEFT;
+    enum cagd_ends ends = fault(T, OPEN_LEFT, CLOSED);
     num low = from_ratio(-21, 4), high = from_int(1);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
@@ -537,7 +535,7 @@ The method makes no use of the range of $\beta$, and in the range of the text th
 CLAIM(one_change_of_sign_and_three_roots)
 {
     static const int k[] = {1, 1, 200, 1, 1, 1, 1, -1};
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    num beta = fault(T, from_ratio(-21, 4), from_int(-7));
     about(T, "no more roots than changes of sign");
     agree(T, G(no_more_roots_than_changes)(T, k, beta));
 }
@@ -556,7 +554,7 @@ CLAIM(one_change_of_sign_and_three_roots)
 CLAIM(one_change_of_sign_and_two_roots)
 {
     static const int k[] = {1, 1, 1, 1, 1, -10, -1, 0};
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    num beta = fault(T, from_ratio(-21, 4), from_int(-7));
     about(T, "no more roots than changes of sign");
     agree(T, G(no_more_roots_than_changes)(T, k, beta));
 }
@@ -599,7 +597,7 @@ CLAIM(points_of_a_line_by_its_normal)
     num w[dim], u[dim] = {unknown(T, "u", 0), unknown(T, "u", 1)};
     for (int c = 0; c < dim; c++)
         w[c] = sub(unknown(T, "x", c), unknown(T, "q", c));
-    num across[dim] = {T->planted ? u[1] : neg(u[1]), u[0]};
+    num across[dim] = {fault(T, neg(u[1]), u[1]), u[0]};
     for (int c = 0; c < dim; c++)
         same(T, mul(G(dot)(dim, u, u), w[c]),
              add(mul(G(dot)(dim, u, w), u[c]), mul(G(dot)(dim, across, w), across[c])));
@@ -619,7 +617,7 @@ CLAIM(points_of_a_line_by_its_normal)
 */
 CLAIM(no_normal_no_line)
 {
-    num X[3 * dim], u[dim] = {from_int(0), from_int(T->planted)};
+    num X[3 * dim], u[dim] = {from_int(0), from_int(fault(T, 1, 0))};
     int on_it = 0;
     G(integer_points)(3, (int[]){0, 0, 1, 0, 0, 1}, X);
     for (int i = 0; i < 3; i++)
@@ -654,7 +652,7 @@ CLAIM(no_normal_no_line)
 CLAIM(line_through_an_edge_has_no_two_sides)
 {
     num P[2 * dim] = {from_int(3), from_int(12), from_int(4), from_int(12)}, u[dim], Q[dim], side[2];
-    u[0] = from_int(T->planted), u[1] = from_int(!T->planted);
+    u[0] = from_int(fault(T, 1, 0)), u[1] = from_int(fault(T, 0, 1));
     Q[0] = from_ratio(7, 2), Q[1] = from_int(12);
     for (int i = 0; i < 2; i++) {
         num w[dim] = {sub(P[i * dim], Q[0]), sub(P[i * dim + 1], Q[1])};
@@ -694,7 +692,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
     static const int vertex[16] = {-2, 2, 2, -2, 2, -3, 1, -3, -1, -3, -2, -3, -2, -2, 2, 2};
     num P[16];
     for (int m = 0; m < 16; m++)
-        P[m] = from_int(vertex[m] + (m == 14 && T->planted));
+        P[m] = from_int(vertex[m] + fault(T, m == 14, 0));
     struct cagd_polygon_meets_line m = polygon_meets_line(7, P, G(horizontal)(from_int(0)));
     show_points(T, "P", 8, dim, P);
     show_text(T, "changes of sign", "%d", m.crossings);
@@ -747,7 +745,7 @@ CLAIM(curve_and_line_share_an_end)
     num P[8 * dim];
     for (int m = 0; m < 8 * dim; m++)
         P[m] = from_int(m / dim);
-    struct cagd_line L = G(horizontal)(T->planted ? from_ratio(7, 2) : from_int(0));
+    struct cagd_line L = G(horizontal)(fault(T, from_ratio(7, 2), from_int(0)));
     struct cagd_curve_meets_line m = G(meets)(T, 0, P, from_int(0), L);
     about(T, "as many common points as roots in (0,1), and no more than changes of sign");
     agree(T, m.common_closed == m.common_open && m.common_closed <= polygon_crossings(7, P, L));
@@ -781,7 +779,7 @@ CLAIM(line_function_of_the_curve)
             G(shape_point)(n, dim, P, beta, t, at);
         for (int j = 0; j <= n; j++) {
             num w[dim] = {sub(P[j * dim], Q[0]), sub(P[j * dim + 1], Q[1])};
-            sum = add(sum, mul(B[j], T->planted && j == 0 ? G(dot)(dim, P, u) : G(dot)(dim, w, u)));
+            sum = add(sum, mul(B[j], fault(T, G(dot)(dim, w, u), j == 0 ? G(dot)(dim, P, u) : G(dot)(dim, w, u))));
         }
         num gap[dim] = {sub(at[0], Q[0]), sub(at[1], Q[1])}, value = G(dot)(dim, gap, u);
         if (printed_ones)
@@ -839,7 +837,7 @@ CLAIM(closed_polygon_has_three_parameters_on_a_line)
     static const int heptagon[] = {0, 0, 2, -1, 4, 0, 5, 2, 4, 4, 2, 5, 0, 3, 0, 0};
     num P[8 * dim], beta[3] = {from_ratio(-21, 4), from_int(0), from_int(1)};
     int most_two = 0;
-    struct cagd_line L = {from_int(1), from_int(-1), T->planted ? from_ratio(1, 2) : from_int(0)};
+    struct cagd_line L = {from_int(1), from_int(-1), fault(T, from_ratio(1, 2), from_int(0))};
     G(integer_points)(8, heptagon, P);
     for (int m = 0; m < 3; m++)
         most_two += G(meets)(T, 0, P, beta[m], L).common_closed <= 2;
@@ -860,7 +858,7 @@ CLAIM(closed_polygon_has_three_parameters_on_a_line)
 */
 CLAIM(curve_of_a_triangle_meets_a_line_three_times)
 {
-    num P[8 * dim], beta = T->planted ? from_ratio(-21, 4) : from_int(-7);
+    num P[8 * dim], beta = fault(T, from_ratio(-21, 4), from_int(-7));
     G(integer_points)(8, G(triangle), P);
     struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
     about(T, "the polygon is not convex, or there are at most two common points");
@@ -885,7 +883,7 @@ CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
         P[i * dim] = from_int(i);
         P[i * dim + 1] = from_int(i == 0 || i == 7 ? 100 : 101);
     }
-    struct cagd_curve_meets_line m = G(meets)(T, !T->planted, P, from_int(1), G(horizontal)(from_ratio(401, 4)));
+    struct cagd_curve_meets_line m = G(meets)(T, fault(T, 0, 1), P, from_int(1), G(horizontal)(from_ratio(401, 4)));
     about(T, "the polygon is not convex, or there are at most two common points");
     agree(T, !polygon_is_convex(7, P, 0, NULL) || m.common_closed <= 2);
 }
@@ -919,8 +917,8 @@ CLAIM(four_vertices_of_a_convex_polygon_do_not_alternate)
     for (int m = 0; m < 4; m++)
         f[m] = add(mul(a, P[m * dim]), add(mul(b, P[m * dim + 1]), c));
     num ikl = G(turn)(i, k, l), ijl = G(turn)(i, j, l);
-    num left = add(mul(G(turn)(j, k, l), f[0]), mul(T->planted ? ikl : ijl, f[2]));
-    same(T, left, add(mul(T->planted ? ijl : ikl, f[1]), mul(G(turn)(i, j, k), f[3])));
+    num left = add(mul(G(turn)(j, k, l), f[0]), mul(fault(T, ijl, ikl), f[2]));
+    same(T, left, add(mul(fault(T, ikl, ijl), f[1]), mul(G(turn)(i, j, k), f[3])));
 }
 
 #include "chapters/judge/claims_off.h"

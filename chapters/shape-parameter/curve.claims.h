@@ -48,7 +48,7 @@ CLAIM(printed_curve_kernel_is_the_sum)
     G(free_points)(T, 7, dim, P);
     for (int i = 0; i <= 7; i++)
         for (int c = 0; c < dim; c++)
-            R[i * dim + c] = P[(T->planted ? 7 - i : i) * dim + c];
+            R[i * dim + c] = P[fault(T, i, 7 - i) * dim + c];
     G(shape_point_printed)(dim, R, beta, t, at);
     for (int c = 0; c < dim; c++)
         same(T, at[c], G(printed_curve)(dim, P, c, beta, t));
@@ -72,7 +72,7 @@ CLAIM(curve_kernels_give_the_sum)
     int n = T->degree;
     num P[(MAX_DEGREE + 1) * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t");
     G(free_points)(T, n, dim, P);
-    G(shape_point)(n, dim, P, T->planted ? neg(beta) : beta, t, at);
+    G(shape_point)(n, dim, P, fault(T, beta, neg(beta)), t, at);
     for (int c = 0; c < dim; c++)
         same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
 }
@@ -109,7 +109,7 @@ CLAIM(bezier_points_divide_the_edges)
     num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], R[(MAX_DEGREE + 1) * dim];
     num beta = G(any_beta)(T), t = parameter(T, "t");
     G(free_points)(T, n, dim, P);
-    G(shape_bezier_points)(n, dim, P, T->planted ? neg(beta) : beta, Q);
+    G(shape_bezier_points)(n, dim, P, fault(T, beta, neg(beta)), Q);
     G(bezier_points_of)(0, n, dim, P, beta, R);
     for (int c = 0; c < dim; c++) {
         num sum = from_int(0);
@@ -152,7 +152,7 @@ CLAIM(bezier_points_divide_the_edges)
 CLAIM(beta_zero_gives_the_bezier_curve)
 {
     int n = T->degree;
-    num P[(MAX_DEGREE + 1) * dim], at[dim], bezier[dim], beta = from_int(T->planted), t = parameter(T, "t");
+    num P[(MAX_DEGREE + 1) * dim], at[dim], bezier[dim], beta = from_int(fault(T, 0, 1)), t = parameter(T, "t");
     G(free_points)(T, n, dim, P);
     G(decasteljau)(n, dim, P, t, bezier);
     G(shape_point)(n, dim, P, beta, t, at);
@@ -199,7 +199,7 @@ CLAIM(points_move_evenly_with_beta)
     G(shape_point)(n, dim, P, add(beta, h), t, after);
     for (int c = 0; c < dim; c++) {
         num sum = from_int(0);
-        for (int k = T->planted ? 2 : 1; k <= n; k++) {
+        for (int k = fault(T, 1, 2); k <= n; k++) {
             num edge = sub(P[k * dim + c], P[(k - 1) * dim + c]);
             sum = add(sum, mul(mul(G(shift)(n, k), edge), G(product_of_powers)(n + 1 - k, k, t)));
         }
@@ -246,7 +246,7 @@ CLAIM(polygons_that_do_not_move)
             for (int r = 0; r <= 8; r++) {
                 num sum = from_int(0);
                 for (int i = 0; i <= 7; i++)
-                    sum = add(sum, mul(D[r * 8 + i], from_int(still[m][T->planted && i == 4 ? 3 : i])));
+                    sum = add(sum, mul(D[r * 8 + i], from_int(still[m][fault(T, i, i == 4 ? 3 : i)])));
                 vanishes(T, sum);
             }
         agree(T, G(rank)(9, 8, D) == (printed_ones ? 7 : 6));
@@ -272,7 +272,7 @@ CLAIM(edges_that_do_not_move)
         num P[8 * dim], Q[9 * dim], R[9 * dim];
         int moved = 0;
         for (int i = 0; i <= 7; i++) {
-            int k = i == 4 ? (T->planted ? 0 : printed_ones ? 5 : 1) : i > 4;
+            int k = i == 4 ? fault(T, 0, printed_ones ? 5 : 1) : i > 4;
             P[i * dim] = from_int(k);
             P[i * dim + 1] = from_int(2 * k);
         }
@@ -320,7 +320,7 @@ CLAIM(end_points_and_end_derivatives)
 {
     int n = T->degree;
     num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], D[2 * dim], beta = G(any_beta)(T);
-    num factor = T->planted ? from_int(n) : add(from_int(n), beta);
+    num factor = fault(T, add(from_int(n), beta), from_int(n));
     G(free_points)(T, n, dim, P);
     for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
         G(bezier_points_of)(printed_ones, n, dim, P, beta, Q);
@@ -380,7 +380,7 @@ CLAIM(derivatives_of_the_curve)
     int n = T->degree;
     num P[MAX_DEGREE + 1], D[MAX_DEGREE + 3], beta = G(any_beta)(T), t = parameter(T, "t");
     G(free_points)(T, n, 1, P);
-    G(shape_derivatives)(n, 1, P, T->planted ? neg(beta) : beta, t, n + 2, D);
+    G(shape_derivatives)(n, 1, P, fault(T, beta, neg(beta)), t, n + 2, D);
 #if FIELD
     num value = G(corrected_curve)(n, 1, P, 0, beta, t);
     for (int k = 0; k <= n + 2; k++) {
@@ -432,7 +432,7 @@ against the edge.
 CLAIM(edge_is_not_tangent_at_minus_seven)
 {
     static const int at[] = {0, 0, 1, 0, 2, 2, 3, 3, 4, 3, 5, 2, 6, 0, 7, 0};
-    num P[8 * dim], D[3 * dim], beta = from_int(T->planted ? -6 : -7), edge[dim];
+    num P[8 * dim], D[3 * dim], beta = from_int(fault(T, -6, -7)), edge[dim];
     G(integer_points)(8, at, P);
     G(shape_derivatives)(7, dim, P, beta, from_int(0), 2, D);
     for (int c = 0; c < dim; c++)
@@ -482,10 +482,10 @@ CLAIM(printed_curve_leaves_a_single_point)
     num P[8 * dim], at[dim], beta = from_int(1), t = from_ratio(1, 2);
     for (int m = 0; m < 8 * dim; m++)
         P[m] = from_int(1);
-    if (T->planted)
-        G(shape_point)(7, dim, P, beta, t, at);
-    else
+    if (T->faulty)
         G(shape_point_printed)(dim, P, beta, t, at);
+    else
+        G(shape_point)(7, dim, P, beta, t, at);
     show_points(T, "P", 8, dim, P);
     show_points(T, "the point of t = 1/2", 1, dim, at);
     about(T, "the point is in the hull");
@@ -507,7 +507,7 @@ CLAIM(printed_curve_leaves_a_single_point)
 CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 {
     static const int points[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
-    num P[8 * dim], at[dim], beta = from_int(T->planted ? -5 : -7), t = from_ratio(1, 20);
+    num P[8 * dim], at[dim], beta = from_int(fault(T, -5, -7)), t = from_ratio(1, 20);
     G(integer_points)(8, points, P);
     G(shape_point)(7, dim, P, beta, t, at);
     show(T, "beta", beta);
@@ -547,12 +547,12 @@ CLAIM(printed_curve_is_not_reversed)
         P[m] = from_int(m / dim == 3);
         R[m] = from_int(7 - m / dim == 3);
     }
-    if (T->planted) {
-        G(shape_point)(7, dim, P, beta, t, forward);
-        G(shape_point)(7, dim, R, beta, s, backward);
-    } else {
+    if (T->faulty) {
         G(shape_point_printed)(dim, P, beta, t, forward);
         G(shape_point_printed)(dim, R, beta, s, backward);
+    } else {
+        G(shape_point)(7, dim, P, beta, t, forward);
+        G(shape_point)(7, dim, R, beta, s, backward);
     }
     show_points(T, "P", 8, dim, P);
     about(T, "the reversed curve at 1-t and the curve at t");
@@ -581,7 +581,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
         for (int c = 0; c < dim; c++)
             R[i * dim + c] = P[(n - i) * dim + c];
     G(shape_point)(n, dim, P, beta, t, at);
-    G(shape_point)(n, dim, R, beta, T->planted ? t : sub(from_int(1), t), back);
+    G(shape_point)(n, dim, R, beta, fault(T, sub(from_int(1), t), t), back);
     for (int c = 0; c < dim; c++)
         same(T, back[c], at[c]);
 }
@@ -618,7 +618,7 @@ CLAIM(curve_is_not_its_own_reverse)
 {
     num P[8 * dim], left[dim], right[dim], beta = from_int(-1);
     for (int i = 0; i <= 7; i++) {
-        P[i * dim] = from_int(T->planted ? 7 - i : i);
+        P[i * dim] = from_int(fault(T, 7 - i, i));
         P[i * dim + 1] = from_int(0);
     }
     G(shape_point)(7, dim, P, beta, from_int(1), left);
@@ -676,12 +676,12 @@ CLAIM(printed_curve_changes_under_translation)
         P[i * dim + 1] = from_int(0);
         R[i * dim + 1] = from_int(1);
     }
-    if (T->planted) {
-        G(shape_point)(7, dim, P, beta, t, before);
-        G(shape_point)(7, dim, R, beta, t, after);
-    } else {
+    if (T->faulty) {
         G(shape_point_printed)(dim, P, beta, t, before);
         G(shape_point_printed)(dim, R, beta, t, after);
+    } else {
+        G(shape_point)(7, dim, P, beta, t, before);
+        G(shape_point)(7, dim, R, beta, t, after);
     }
     show_points(T, "P", 8, dim, P);
     show_points(T, "P + (0,1)", 8, dim, R);
@@ -724,7 +724,7 @@ CLAIM(curve_moves_with_its_points)
     G(free_map)(T, M, v);
     for (int i = 0; i <= n; i++)
         for (int c = 0; c < dim; c++)
-            R[i * dim + c] = T->planted && i == n ? P[i * dim + c] : G(image)(M, v, from_int(1), P + i * dim, c);
+            R[i * dim + c] = fault(T, 0, i == n) ? P[i * dim + c] : G(image)(M, v, from_int(1), P + i * dim, c);
     G(shape_point)(n, dim, P, beta, t, at);
     G(shape_point)(n, dim, R, beta, t, moved);
     for (int c = 0; c < dim; c++)
@@ -754,6 +754,6 @@ CLAIM(printed_curve_follows_linear_maps_only)
     G(shape_point_printed)(dim, R, beta, t, moved);
     num factor = sub(one, mul(from_int(4), mul(beta, G(product_of_powers)(3, 4, t))));
     for (int c = 0; c < dim; c++)
-        same(T, moved[c], G(image)(M, v, T->planted ? one : factor, at, c));
+        same(T, moved[c], G(image)(M, v, fault(T, factor, one), at, c));
 }
 #include "chapters/judge/claims_off.h"

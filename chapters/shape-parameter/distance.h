@@ -110,10 +110,6 @@ static inline int G(curve_stays_away)(struct G(path) q, const num X[], num r_squ
  * with the printed ones as well; shows the data. */
 static inline int G(one_is_farther)(trial *T, int n, const num P[], num near, num far, num r_squared)
 {
-    if (T->planted) {
-        num kept = near;
-        near = far, far = kept;
-    }
     show_points(T, "P", n + 1, dim, P);
     show(T, "beta of the nearer curve", near);
     show(T, "beta of the farther curve", far);

@@ -48,7 +48,7 @@ CLAIM(curve_is_a_blend_of_three_points)
                 b[j] = add(b[j], mul(bernstein, P[(i + j) * dim + c]));
             }
         }
-        if (T->planted) {
+        if (T->faulty) {
             num kept = b[0];
             b[0] = b[2], b[2] = kept;
         }
@@ -83,7 +83,7 @@ CLAIM(curve_is_a_blend_of_three_points)
 */
 CLAIM(blend_is_convex_from_minus_two_to_one)
 {
-    num low = from_int(T->planted ? -3 : -2), high = from_int(1);
+    num low = from_int(fault(T, -2, -3)), high = from_int(1);
     poly near[3], far[3];
     G(factors_in_beta)(0, 2, near, far);
     for (int i = 0; i <= 2; i++) {
@@ -116,7 +116,7 @@ CLAIM(factors_in_closed_form)
     num beta = unknown(T, "beta", 0), near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
     G(shape_factors)(n, beta, near, far);
     for (int k = 0; k <= n; k++) {
-        num inner = add(from_int(n * (n - 1)), mul(from_int(k * (n + 1 - (T->planted ? 1 : 2) * k)), beta));
+        num inner = add(from_int(n * (n - 1)), mul(from_int(k * (n + 1 - fault(T, 2, 1) * k)), beta));
         same(T, mul(from_int(n * (n - 1)), near[k]), mul(G(choose)(n, k), inner));
     }
 }
@@ -143,8 +143,7 @@ CLAIM(range_of_every_degree)
                                    {-28, 5}, {-6, 1}, {-6, 1}, {-55, 9}, {-44, 7}};
     int n = T->degree, at_low = 0;
     num low = from_ratio(end[n - 2][0], end[n - 2][1]), high = from_int(1);
-    if (T->planted)
-        low = sub(low, high);
+    low = fault(T, low, sub(low, high));
     poly near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
     G(factors_in_beta)(0, n, near, far);
     for (int i = 0; i <= n; i++) {
@@ -176,7 +175,7 @@ CLAIM(lower_end_is_between_two_bounds)
     num product = mul(k, sub(add(n, one), mul(two, k)));
     same(T, mul(eight, product), sub(square, mul(from_int(16), mul(d, d))));
     num left = mul(mul(eight, mul(n, sub(n, one))), add(n, from_int(3)));
-    same(T, left, mul(mul(eight, n), T->planted ? square : sub(square, from_int(4))));
+    same(T, left, mul(mul(eight, n), fault(T, sub(square, from_int(4)), square)));
 }
 
 /*
@@ -195,7 +194,7 @@ CLAIM(upper_end_is_one)
 {
     num n = whole(T, "n", 2, 40), j = whole(T, "j", 0, 40), one = from_int(1), two = from_int(2);
     num left = sub(mul(n, sub(n, one)), mul(sub(n, j), sub(sub(n, one), mul(two, j))));
-    num last = mul(from_int(T->planted ? 1 : 2), j);
+    num last = mul(from_int(fault(T, 2, 1)), j);
     same(T, left, mul(j, sub(sub(mul(from_int(3), n), one), last)));
 }
 
@@ -213,7 +212,7 @@ CLAIM(upper_end_is_one)
 */
 CLAIM(pattern_breaks_in_degree_six)
 {
-    int n = T->planted ? 5 : 6;
+    int n = fault(T, 5, 6);
     num beta = from_int(-n), t = from_ratio(1, 20), B[7];
     G(shape_basis)(n, beta, t, B);
     show_text(T, "n", "%d", n);
@@ -262,8 +261,8 @@ CLAIM(quadratic_distance_to_a_line_shrinks)
     }
     num area = G(cross2)(u, v), at_2 = mul(mul(t, t), sub(one, mul(beta, s)));
     num at_0 = mul(mul(s, s), sub(one, mul(beta, t)));
-    same(T, G(cross2)(u, w), mul(T->planted ? at_0 : at_2, area));
-    same(T, G(cross2)(e, x), mul(T->planted ? at_2 : at_0, area));
+    same(T, G(cross2)(u, w), mul(fault(T, at_2, at_0), area));
+    same(T, G(cross2)(e, x), mul(fault(T, at_0, at_2), area));
 }
 
 /*
@@ -289,7 +288,7 @@ CLAIM(quadratic_distance_to_an_end_shrinks)
     }
     num uu = G(dot)(dim, u, u), uv = G(dot)(dim, u, v), gram = G(gram)(dim, u, v);
     num right = mul(G(dot)(dim, u, w), sub(uu, mul(t, uv)));
-    right = sub(right, mul(T->planted ? mu : mul(t, mu), gram));
+    right = sub(right, mul(fault(T, mul(t, mu), mu), gram));
     same(T, mul(uu, G(dot)(dim, d, w)), right);
 }
 
@@ -309,16 +308,16 @@ CLAIM(quadratic_distance_to_an_end_shrinks)
 CLAIM(cubic_of_larger_beta_is_farther)
 {
     static const int at[] = {1, 0, -2, 0, 0, 1, -2, -2};
-    num P[4 * dim], one = from_int(1), beta[2] = {from_int(T->planted), from_int(!T->planted)};
+    num P[4 * dim], one = from_int(1), beta[2] = {from_int(fault(T, 1, 0)), from_int(fault(T, 0, 1))};
     G(integer_points)(4, at, P);
     int far = G(somewhere_farther_than)(0, 3, P, beta[1], from_ratio(1, 16));
-    far = far && G(one_is_farther)(T, 3, P, from_int(0), one, from_ratio(1, 25));
+    far = far && G(one_is_farther)(T, 3, P, beta[0], beta[1], from_ratio(1, 25));
     int away[2] = {0, 0};
     for (int k = 0; k < 2; k++)
         for (int i = 0; i <= 3; i++)
             away[k] += G(curve_stays_away)(G(path_of)(3, P, beta[k]), P + i * dim, one);
     about(T, "in one of two senses the larger beta is not farther: curve from polygon, control points from curve");
-    agree(T, !(far && away[0] == 0 && away[1] > 0));
+    refute(T, far && away[0] == 0 && away[1] > 0);
 }
 
 /*
@@ -337,9 +336,10 @@ CLAIM(convex_cubic_of_larger_beta_is_farther)
     static const int at[] = {2, 4, -1, -4, 1, -4, 2, 3};
     num P[4 * dim];
     G(integer_points)(4, at, P);
+    num small = from_int(fault(T, 1, 0)), large = from_int(fault(T, 0, 1));
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(one_is_farther)(T, 3, P, from_int(0), from_int(1), from_ratio(16, 25));
-    agree(T, !(polygon_is_convex(3, P, 1, NULL) && worse));
+    int worse = G(one_is_farther)(T, 3, P, small, large, from_ratio(16, 25));
+    refute(T, polygon_is_convex(3, P, 1, NULL) && worse);
 }
 #endif
 
@@ -363,7 +363,7 @@ CLAIM(straight_points_are_run_through_unevenly)
     for (int i = 0; i <= n; i++)
         sum = add(sum, mul(from_ratio(i, n), B[i]));
     num bend = mul(mul(beta, mul(s, t)), sub(s, t));
-    same(T, sum, add(t, T->planted ? bend : div(bend, from_int(n))));
+    same(T, sum, add(t, fault(T, div(bend, from_int(n)), bend)));
 }
 
 #include "chapters/judge/claims_off.h"

@@ -53,9 +53,9 @@ polygons of four for which it is false, are treated in `every-degree`.
 CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
 {
     static const int at[] = {-1, -1, 2, 0, 2, -2, 1, -2, 1, -2, 0, 0, 2, 2, 2, 1};
-    num P[8 * dim], small = from_int(T->planted), large = from_int(!T->planted), R_squared = from_ratio(21, 25);
+    num P[8 * dim], small = from_int(fault(T, 1, 0)), large = from_int(fault(T, 0, 1)), R_squared = from_ratio(21, 25);
     G(integer_points)(8, at, P);
-    int farther = G(one_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(23, 50));
+    int farther = G(one_is_farther)(T, 7, P, small, large, from_ratio(23, 50));
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         struct G(path) before = G(path_in)(printed_ones, 7, P, small), after = G(path_in)(printed_ones, 7, P, large);
         int away_before = 0, away_after = 0;
@@ -66,7 +66,7 @@ CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
         farther = farther && away_before == 0 && away_after > 0;
     }
     about(T, "in one of two senses the larger beta is not farther: curve from polygon, control points from curve");
-    agree(T, !farther);
+    refute(T, farther);
 }
 
 static const int G(convex_polygon)[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2, -4, -3, -3, -3};
@@ -86,11 +86,11 @@ static const int G(convex_polygon)[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2,
 */
 CLAIM(larger_beta_is_worse_for_a_convex_polygon)
 {
-    num P[8 * dim];
+    num P[8 * dim], least = from_ratio(-21, 4), one = from_int(1);
     G(integer_points)(8, G(convex_polygon), P);
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(one_is_farther)(T, 7, P, from_ratio(-21, 4), from_int(1), from_ratio(24, 5));
-    agree(T, !(polygon_is_convex(7, P, 1, NULL) && worse));
+    int worse = G(one_is_farther)(T, 7, P, fault(T, one, least), fault(T, least, one), from_ratio(24, 5));
+    refute(T, polygon_is_convex(7, P, 1, NULL) && worse);
 }
 
 /*
@@ -108,10 +108,10 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon)
 */
 CLAIM(convex_polygon_prefers_beta_one)
 {
-    num P[8 * dim];
+    num P[8 * dim], zero = from_int(0), one = from_int(1);
     G(integer_points)(8, G(convex_polygon), P);
     agree(T, polygon_is_convex(7, P, 1, NULL));
-    agree(T, G(one_is_farther)(T, 7, P, from_int(1), from_int(0), from_ratio(111, 20)));
+    agree(T, G(one_is_farther)(T, 7, P, fault(T, one, zero), fault(T, zero, one), from_ratio(111, 20)));
 }
 
 /*
@@ -143,11 +143,11 @@ CLAIM(convex_polygon_prefers_beta_one)
 CLAIM(convex_polygon_prefers_the_bezier_curve)
 {
     static const int at[] = {-3, -3, -3, -4, -2, -4, 5, 0, 4, 5, 3, 5, 2, 4, -2, -1};
-    num P[8 * dim];
+    num P[8 * dim], zero = from_int(0), one = from_int(1);
     G(integer_points)(8, at, P);
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(one_is_farther)(T, 7, P, from_int(0), from_int(1), from_ratio(91, 20));
-    agree(T, !(polygon_is_convex(7, P, 1, NULL) && worse));
+    int worse = G(one_is_farther)(T, 7, P, fault(T, one, zero), fault(T, zero, one), from_ratio(91, 20));
+    refute(T, polygon_is_convex(7, P, 1, NULL) && worse);
 }
 #endif
 

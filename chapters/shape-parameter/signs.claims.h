@@ -43,7 +43,7 @@ For degrees up to five the range $-n\le\beta\le1$ would have been right: see `ev
 */
 CLAIM(third_function_is_negative)
 {
-    num beta = T->planted ? from_ratio(-21, 4) : from_int(-7), t = from_ratio(1, 10), B[8];
+    num beta = fault(T, from_ratio(-21, 4), from_int(-7)), t = from_ratio(1, 10), B[8];
     G(shape_basis_printed)(beta, t, B);
     show(T, "beta", beta);
     show(T, "t", t);
@@ -68,7 +68,7 @@ CLAIM(third_function_is_negative)
 */
 CLAIM(nonnegative_exactly_in_the_range)
 {
-    num low = T->planted ? from_int(-7) : from_ratio(-21, 4), high = from_int(1);
+    num low = fault(T, from_ratio(-21, 4), from_int(-7)), high = from_int(1);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
@@ -143,7 +143,7 @@ CLAIM(derivative_of_a_function_factors)
         column[i] = div(near, G(choose)(n + 1, i));
         column[i + 1] = div(far, G(choose)(n + 1, i + 1));
         G(bezier_derivatives)(n + 1, 1, column, t, 1, D);
-        int up = T->planted ? i : i + 1;
+        int up = fault(T, i + 1, i);
         num last = mul(from_int(-(n - i)), far);
         if (i == 0) {
             num first = sub(mul(from_int(up), far), mul(from_int(n + 1), near));
@@ -176,7 +176,7 @@ CLAIM(derivative_of_a_function_factors)
 */
 CLAIM(each_function_rises_then_falls)
 {
-    num low = T->planted ? from_int(-7) : from_ratio(-21, 4), high = from_int(1), seven = from_int(-7);
+    num low = fault(T, from_ratio(-21, 4), from_int(-7)), high = from_int(1), seven = from_int(-7);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
@@ -207,7 +207,7 @@ CLAIM(each_function_rises_then_falls)
 */
 CLAIM(third_function_falls_then_rises_below_the_range)
 {
-    num low = from_int(-7), high = T->planted ? from_int(-5) : from_ratio(-21, 4);
+    num low = from_int(-7), high = fault(T, from_ratio(-21, 4), from_int(-5));
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
@@ -235,7 +235,7 @@ CLAIM(third_function_falls_then_rises_below_the_range)
 */
 CLAIM(third_function_has_two_maxima)
 {
-    num beta = from_int(T->planted ? -1 : -7);
+    num beta = from_int(fault(T, -1, -7));
     poly D = poly_derivative(G(function)(1, 7, 2, beta));
     struct cagd_root_count roots = count_roots(D, from_int(0), from_int(1), OPEN);
     int falls_first = 0;
@@ -287,7 +287,7 @@ Five of the eight printed functions do not behave as printed: $\hat B_1,\hat B_2
 */
 CLAIM(second_function_decreases)
 {
-    num t = T->planted ? from_ratio(1, 6) : from_ratio(1, 2), before[8], after[8];
+    num t = fault(T, from_ratio(1, 6), from_ratio(1, 2)), before[8], after[8];
     G(shape_basis_printed)(from_int(0), t, before);
     G(shape_basis_printed)(from_int(1), t, after);
     show(T, "t", t);
@@ -319,7 +319,7 @@ CLAIM(slopes_in_beta)
     G(shape_basis_printed)(add(beta, h), t, high[1]);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
         for (int i = 0; i <= 7; i++) {
-            int ci = printed_ones ? c[i] : i == 3 ? -5 : i == 4 ? 5 : c[i], bi = T->planted && i == 1 ? -1 : b[i];
+            int ci = printed_ones ? c[i] : i == 3 ? -5 : i == 4 ? 5 : c[i], bi = fault(T, b[i], i == 1 ? -1 : b[i]);
             num slope = mul(add(from_int(bi), mul(from_int(ci), t)), G(product_of_powers)(7 - i, i, t));
             same(T, sub(high[printed_ones][i], low[printed_ones][i]), mul(h, slope));
         }
@@ -354,7 +354,7 @@ CLAIM(signs_of_the_slopes)
             poly slope = poly_from_q(2, (num[]){b, c});
             int printed_third = printed_ones && i == 3;
             int m = printed_third ? 5 : corrected[i][0], of = printed_third ? 9 : corrected[i][1];
-            num change = from_ratio(m, T->planted && i == 1 ? 6 : of);
+            num change = from_ratio(m, fault(T, of, i == 1 ? 6 : of));
             enum cagd_sign_pattern before = corrected[i][2] > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
             enum cagd_sign_pattern after = before == SIGN_POSITIVE ? SIGN_NEGATIVE : SIGN_POSITIVE;
             if (is_zero_q(change)) {
