@@ -67,24 +67,30 @@ static int unknowns_asked(const cagd_fit_options *o, int dim)
            (o->free & CAGD_FIT_END_POINTS ? 2 * dim : 0);
 }
 
-static int complain(const struct fit *f, cagd_fit_status status, int where)
+static int complain(const struct fit *f, cagd_status status, int where)
 {
     const char *name = strcmp(f->path, "-") == 0 ? "standard input" : f->path;
     int n = f->data.count, dim = f->data.dim, asked = unknowns_asked(&f->options, dim);
-    if (status == CAGD_FIT_TOO_FEW)
+    if (status == CAGD_TOO_FEW)
         fprintf(stderr,
                 "cagd: %s: too few points: %d %s give%s %d equation%s for %d unknown%s, expected at least %d points\n",
                 name, n, dim == 2 ? "in the plane" : "in space", n == 1 ? "s" : "", n * (dim - 1),
                 n * (dim - 1) == 1 ? "" : "s", asked, asked == 1 ? "" : "s",
                 asked <= 2 * (dim - 1) ? 2 : (asked + dim - 2) / (dim - 1));
-    else if (status == CAGD_FIT_BAD_OPTIONS && asked == 0 && f->options.free != 0)
+    else if (status == CAGD_BAD_OPTION && asked == 0 && f->options.free != 0)
         fprintf(stderr, "cagd: %s: nothing is free: of what --free names the curve has nothing that could move\n",
                 name);
-    else if (status == CAGD_FIT_BAD_DATA && where >= 0)
-        fprintf(stderr, "cagd: %s: line %d: %s\n", name, f->points.line[where], cagd_fit_status_text(status));
+    else if (status == CAGD_BAD_DATA && where >= 0)
+        fprintf(stderr, "cagd: %s: line %d: %s\n", name, f->points.line[where], cagd_status_text(status));
+    else if (status == CAGD_OVERFLOW)
+        fprintf(
+            stderr,
+            "cagd: %s: coordinates or standard deviations are so large or so small that squared distances leave the "
+            "range of numbers\n",
+            name);
     else
-        fprintf(stderr, "cagd: %s: %s\n", name, cagd_fit_status_text(status));
-    return status == CAGD_FIT_NO_MEMORY ? EXIT_INTERNAL : EXIT_USAGE;
+        fprintf(stderr, "cagd: %s: %s\n", name, cagd_status_text(status));
+    return status == CAGD_NO_MEMORY ? EXIT_INTERNAL : EXIT_USAGE;
 }
 
 static int write_and_print(const struct fit_arguments *a, const struct fit *f)
@@ -123,8 +129,8 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
         f->options.initial = &initial;
     }
     give_knots(a, &f->options);
-    cagd_fit_status status = cagd_fit(&f->data, &f->options, &result, &where);
-    if (status != CAGD_FIT_OK)
+    cagd_status status = cagd_fit(&f->data, &f->options, &result, &where);
+    if (status != CAGD_OK)
         return complain(f, status, where);
     f->result = result;
     f->checked = a->verify;

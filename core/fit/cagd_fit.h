@@ -45,6 +45,12 @@
 extern "C" {
 #endif
 
+enum {
+    CAGD_FIT_MAX_POINTS = 1 << 28,       /* measured points                                             */
+    CAGD_FIT_MAX_CONTROL_POINTS = 10000, /* points of the curve: the entries of a matrix are counted in int */
+    CAGD_FIT_MAX_STARTS = 1000000
+};
+
 /* The measured points. */
 typedef struct cagd_fit_data {
     int count, dim;       /* N points of dim coordinates, dim = 2 or 3                                     */
@@ -70,28 +76,17 @@ typedef struct cagd_fit_options {
     cagd_fit_loss loss;
     double loss_scale;              /* a > 0                                                                 */
     double weight_low, weight_high; /* 0 <= weight_low < 1 < weight_high <= infinity: bounds on the weights */
-    int starts;                     /* >= 1: the first from initial, or the best of many curves found from   */
-                                    /* the points; the others with other weights; up to 8 more when none of  */
-                                    /* them comes to a minimum                                               */
-    unsigned long seed;             /* of the other starts                                                   */
-    double tolerance;               /* > 0: relative, on the decrease of the cost, on the gradient, the step */
-    int max_iterations;             /* >= 1                                                                  */
+    int starts;         /* 1 ... MAX_STARTS: the first from initial, or the best of many curves found from   */
+                        /* the points; the others with other weights; up to 8 more when none of  */
+                        /* them comes to a minimum                                               */
+    unsigned long seed; /* of the other starts                                                   */
+    double tolerance;   /* > 0: relative, on the decrease of the cost, on the gradient, the step */
+    int max_iterations; /* >= 1                                                                  */
 } cagd_fit_options;
 
 /* Degree 2 Bézier, weights and inner points free, ordered, squares, scale 1, weights unbounded, one start, seed 1, tolerance 1e-14,
  * 200 iterations. */
-cagd_fit_options cagd_fit_defaults(void);
-
-typedef enum cagd_fit_status {
-    CAGD_FIT_OK,          /* a result was made; whether it converged stands in it                         */
-    CAGD_FIT_BAD_DATA,    /* `where` is the index of the point, or -1                                     */
-    CAGD_FIT_BAD_OPTIONS, /* an option is outside its range                                              */
-    CAGD_FIT_BAD_CURVE,   /* the initial curve, or the knots, are none                                   */
-    CAGD_FIT_TOO_FEW,     /* fewer equations, N (dim-1), than unknowns, or fewer than 2 points, or none  */
-    CAGD_FIT_ALL_EQUAL,   /* all points are equal; with nothing free, and the curve is that point, too   */
-    CAGD_FIT_NO_MEMORY,
-    CAGD_FIT_OUT_OF_RANGE /* squared distances would leave the range of numbers; `where` is the index of the point, or -1 */
-} cagd_fit_status;
+CAGD_API cagd_fit_options cagd_fit_defaults(void);
 
 /* What an unknown is: the logarithm of weight `index`, or coordinate `coordinate` of point `index`. */
 typedef struct cagd_fit_unknown {
@@ -146,12 +141,16 @@ typedef struct cagd_fit_result {
     double *invariant, *invariant_error;
 } cagd_fit_result;
 
-/* *result: the fit, or NULL unless CAGD_FIT_OK.  *where may be NULL.  With several starts the one with the smallest cost. */
-cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
-                         int *where);
-void cagd_fit_free(cagd_fit_result *result); /* NULL is allowed */
-/* One English sentence without full stop, never NULL; static storage. */
-const char *cagd_fit_status_text(cagd_fit_status status);
+/* *result: the fit, or NULL unless CAGD_OK, which says that a result was made; whether it converged stands in it.  *where may be
+ * NULL; it becomes the index of the measured point that the status is about, or -1.  Of several starts the one with the smallest cost.
+ *
+ * NULL: data, options, result or the points are NULL.  BAD_DATA, with the index.  BAD_OPTION.  BAD_CURVE: the initial curve, or the
+ * knots, are none.  TOO_FEW: fewer equations, N (dim-1), than unknowns, or fewer than 2 points; with nothing free none.
+ * ALL_EQUAL: all points; with nothing free, and the curve is that point, too.  OVERFLOW: squared distances would leave the range
+ * of numbers, perhaps with the index of the point whose standard deviation is the reason.  NO_MEMORY. */
+CAGD_API cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                              int *where);
+CAGD_API void cagd_fit_free(cagd_fit_result *result); /* NULL is allowed */
 
 /* Which conic (圆锥曲线) a fitted curve of degree 2 in one span is, and how sure that is.
  *
@@ -175,7 +174,7 @@ typedef struct cagd_fit_conic {
     const char *text;            /* "an ellipse at 95 %", "cannot tell ellipse from parabola", ...; static */
 } cagd_fit_conic;
 
-cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
+CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
 
 /* Whether the fitted curve turns as at a cusp (尖点), and at which parameter, *t.
  *
@@ -183,7 +182,7 @@ cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
  * standard errors come from distances to tangents, which have a meaning as long as the distances are smaller than the radii of
  * curvature.  1: at *t, where the radius is smallest of all such places, it is not larger than the root mean square of the distances or
  * the roundings of coordinates.  0: there is no such place; *t is as before. */
-int cagd_fit_has_cusp(const cagd_fit_result *result, double *t);
+CAGD_API int cagd_fit_has_cusp(const cagd_fit_result *result, double *t);
 
 #ifdef __cplusplus
 }

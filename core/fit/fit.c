@@ -11,30 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *cagd_fit_status_text(cagd_fit_status status)
-{
-    switch (status) {
-    case CAGD_FIT_OK:
-        return "no error";
-    case CAGD_FIT_BAD_DATA:
-        return "a coordinate is not finite, a standard deviation is not positive, or the dimension is not 2 or 3";
-    case CAGD_FIT_BAD_OPTIONS:
-        return "an option is outside its range";
-    case CAGD_FIT_BAD_CURVE:
-        return "the initial curve or the knots are not those of a clamped, continuous curve with positive weights";
-    case CAGD_FIT_TOO_FEW:
-        return "there are fewer equations than unknowns";
-    case CAGD_FIT_ALL_EQUAL:
-        return "all points are equal";
-    case CAGD_FIT_NO_MEMORY:
-        return "there is not enough memory";
-    case CAGD_FIT_OUT_OF_RANGE:
-        return "coordinates or standard deviations are so large or so small that squared distances leave the range of "
-               "numbers";
-    }
-    return "unknown status";
-}
-
 cagd_fit_options cagd_fit_defaults(void)
 {
     return (cagd_fit_options){.degree = 2,
@@ -124,8 +100,8 @@ static int better(const fit_problem *p, const fit_attempt *a, const fit_attempt 
 }
 
 /* All starts, and as long as none has come to a minimum some more; the best stays. */
-static cagd_fit_status run(const cagd_fit_data *data, const cagd_fit_options *o, const fit_problem *p,
-                           cagd_fit_result **result)
+static cagd_status run(const cagd_fit_data *data, const cagd_fit_options *o, const fit_problem *p,
+                       cagd_fit_result **result)
 {
     fit_attempt best = {0};
     int best_start = 0, good = 1, starts = 0;
@@ -158,36 +134,37 @@ static cagd_fit_status run(const cagd_fit_data *data, const cagd_fit_options *o,
     }
     fit_attempt_free(&best);
     free(costs);
-    return *result != NULL ? CAGD_FIT_OK : CAGD_FIT_NO_MEMORY;
+    return *result != NULL ? CAGD_OK : CAGD_NO_MEMORY;
 }
 
-cagd_fit_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options *options,
-                                  const fit_strategy *strategy, cagd_fit_result **result, int *where)
+cagd_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options *options, const fit_strategy *strategy,
+                              cagd_fit_result **result, int *where)
 {
     int ignored;
     fit_problem p;
+    REQUIRE(result != NULL, CAGD_NULL);
     *result = NULL;
     if (where == NULL)
         where = &ignored;
     *where = -1;
-    cagd_fit_status status = fit_check_options(options);
-    if (status == CAGD_FIT_OK)
+    REQUIRE(data != NULL && options != NULL && data->points != NULL, CAGD_NULL);
+    cagd_status status = fit_check_options(options);
+    if (status == CAGD_OK)
         status = fit_check_data(data, options->free == 0, where);
-    if (status != CAGD_FIT_OK)
+    if (status != CAGD_OK)
         return status;
     status = fit_problem_make(data, options, strategy, &p, where);
-    if (status == CAGD_FIT_OK && fit_problem_equations(&p) < p.unknowns)
-        status = CAGD_FIT_TOO_FEW;
-    if (status == CAGD_FIT_OK)
+    if (status == CAGD_OK && fit_problem_equations(&p) < p.unknowns)
+        status = CAGD_TOO_FEW;
+    if (status == CAGD_OK)
         status = run(data, options, &p, result);
-    if (status == CAGD_FIT_OK)
+    if (status == CAGD_OK)
         fit_statistics(data, options, *result);
     fit_problem_free(&p);
     return status;
 }
 
-cagd_fit_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
-                         int *where)
+cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result, int *where)
 {
     return fit_with_strategy(data, options, &fit_usual_strategy, result, where);
 }

@@ -21,39 +21,39 @@ void fit_problem_free(fit_problem *p)
 }
 
 /* Knots of the initial curve, or as given, or even. */
-static cagd_fit_status make_knots(const cagd_fit_options *o, fit_problem *p)
+static cagd_status make_knots(const cagd_fit_options *o, fit_problem *p)
 {
     const cagd_spline *initial = o->initial;
     const double *knots = initial != NULL ? initial->knots : o->knots;
     p->degree = initial != NULL ? initial->degree : o->degree;
     p->count = initial != NULL ? initial->count : o->count != 0 ? o->count : o->degree + 1;
     int n = p->count, d = p->degree, given = initial != NULL || (o->knots != NULL);
-    REQUIRE(d >= 1 && d <= MAX_DEGREE, initial != NULL ? CAGD_FIT_BAD_CURVE : CAGD_FIT_BAD_OPTIONS);
-    REQUIRE(n > d, initial != NULL ? CAGD_FIT_BAD_CURVE : CAGD_FIT_BAD_OPTIONS);
-    REQUIRE(!given || knots != NULL, CAGD_FIT_BAD_CURVE);
+    REQUIRE(d >= 1 && d <= MAX_DEGREE, initial != NULL ? CAGD_BAD_CURVE : CAGD_BAD_OPTION);
+    REQUIRE(n > d, initial != NULL ? CAGD_BAD_CURVE : CAGD_BAD_OPTION);
+    REQUIRE(!given || knots != NULL, CAGD_BAD_CURVE);
     p->knots = malloc((size_t)(n + d + 1) * sizeof *p->knots);
-    REQUIRE(p->knots != NULL, CAGD_FIT_NO_MEMORY);
+    REQUIRE(p->knots != NULL, CAGD_NO_MEMORY);
     for (int i = 0; i <= n + d; i++)
         p->knots[i] = given ? knots[i] : i <= d ? 0 : i >= n ? 1 : (double)(i - d) / (n - d);
     double one = 0;
     cagd_spline basis = {d, n, 1, p->knots, &one, NULL};
     int span;
-    REQUIRE(cagd_spline_span(&basis, p->knots[d], CAGD_RIGHT, &span) == CAGD_OK, CAGD_FIT_BAD_CURVE);
-    REQUIRE(p->knots[0] == p->knots[d] && p->knots[n] == p->knots[n + d], CAGD_FIT_BAD_CURVE);
+    REQUIRE(cagd_spline_span(&basis, p->knots[d], CAGD_RIGHT, &span) == CAGD_OK, CAGD_BAD_CURVE);
+    REQUIRE(p->knots[0] == p->knots[d] && p->knots[n] == p->knots[n + d], CAGD_BAD_CURVE);
     for (int i = d + 1; i + d < n; i++) /* an inner knot of multiplicity p+1 breaks the curve */
-        REQUIRE(p->knots[i] < p->knots[i + d], CAGD_FIT_BAD_CURVE);
-    return CAGD_FIT_OK;
+        REQUIRE(p->knots[i] < p->knots[i + d], CAGD_BAD_CURVE);
+    return CAGD_OK;
 }
 
 /* The unknowns in the order of the points: for each its weight, then its coordinates. */
-static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
+static cagd_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
 {
     int n = p->count, d = p->degree, one_span = n == d + 1;
     p->unknown = malloc((size_t)(n * (p->dim + 1)) * sizeof *p->unknown);
     p->first = malloc((size_t)(n - d + 1) * sizeof *p->first);
     p->reach = malloc((size_t)((n - d) * (d + 1) * (p->dim + 1)) * sizeof *p->reach);
     p->slot = malloc((size_t)((n - d) * (d + 1) * (p->dim + 1)) * sizeof *p->slot);
-    REQUIRE(p->unknown && p->first && p->reach && p->slot, CAGD_FIT_NO_MEMORY);
+    REQUIRE(p->unknown && p->first && p->reach && p->slot, CAGD_NO_MEMORY);
     for (int i = 0; i < n; i++) {
         int end = i == 0 || i == n - 1, gauge = i == 0 || (one_span && i == n - 1);
         if (o->free & CAGD_FIT_WEIGHTS && !gauge)
@@ -61,7 +61,7 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
         for (int c = 0; o->free & (end ? CAGD_FIT_END_POINTS : CAGD_FIT_INNER_POINTS) && c < p->dim; c++)
             p->unknown[p->unknowns++] = (cagd_fit_unknown){0, i, c};
     }
-    REQUIRE(p->unknowns > 0 || o->free == 0, CAGD_FIT_BAD_OPTIONS);
+    REQUIRE(p->unknowns > 0 || o->free == 0, CAGD_BAD_OPTION);
     int pieces = 0, at = 0;
     for (int mu = d; mu < n; mu++) {
         if (!(p->knots[mu] < p->knots[mu + 1]))
@@ -75,7 +75,7 @@ static cagd_fit_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
             }
     }
     p->first[pieces] = at;
-    return CAGD_FIT_OK;
+    return CAGD_OK;
 }
 
 /* Squared distances, their sum, and the square of what rounding makes of a distance, 2^-106 of it, are numbers without underflow
@@ -92,7 +92,7 @@ static void enclose(int count, int dim, int c, const double points[], double *lo
     }
 }
 
-static cagd_fit_status make_points(const cagd_fit_data *data, const cagd_fit_options *o, fit_problem *p, int *where)
+static cagd_status make_points(const cagd_fit_data *data, const cagd_fit_options *o, fit_problem *p, int *where)
 {
     int dim = data->dim, e;
     size_t numbers = (size_t)data->count * (size_t)dim;
@@ -100,7 +100,7 @@ static cagd_fit_status make_points(const cagd_fit_data *data, const cagd_fit_opt
     p->points = data->count;
     p->Q = malloc(numbers * sizeof *p->Q);
     p->precision = malloc((size_t)data->count * sizeof *p->precision);
-    REQUIRE(p->Q && p->precision, CAGD_FIT_NO_MEMORY);
+    REQUIRE(p->Q && p->precision, CAGD_NO_MEMORY);
     for (int c = 0; c < dim; c++) {
         low[c] = high[c] = data->points[c];
         enclose(data->count, dim, c, data->points, &low[c], &high[c]);
@@ -108,8 +108,8 @@ static cagd_fit_status make_points(const cagd_fit_data *data, const cagd_fit_opt
             enclose(p->count, dim, c, o->initial->points, &low[c], &high[c]);
         extent = fmax(extent, high[c] / 2 - low[c] / 2);
     }
-    REQUIRE(extent > 0 || o->free != 0, CAGD_FIT_ALL_EQUAL);
-    REQUIRE(in_range(extent), CAGD_FIT_OUT_OF_RANGE);
+    REQUIRE(extent > 0 || o->free != 0, CAGD_ALL_EQUAL);
+    REQUIRE(in_range(extent), CAGD_OVERFLOW);
     frexp(extent, &e); /* extent < 2^e, the half of the widest side */
     p->unit = ldexp(1, e);
     for (int c = 0; c < dim; c++) {
@@ -125,28 +125,27 @@ static cagd_fit_status make_points(const cagd_fit_data *data, const cagd_fit_opt
     for (int i = 0; i < data->count; i++) {
         p->precision[i] = data->sigma != NULL ? p->unit / data->sigma[i] : p->unit;
         *where = i;
-        REQUIRE(in_range(p->precision[i]), CAGD_FIT_OUT_OF_RANGE);
+        REQUIRE(in_range(p->precision[i]), CAGD_OVERFLOW);
     }
     *where = -1;
-    return CAGD_FIT_OK;
+    return CAGD_OK;
 }
 
 /* Whether the initial curve is one; without any there is nothing to be checked. */
-static cagd_fit_status check_initial(const fit_problem *p, const cagd_spline *initial)
+static cagd_status check_initial(const fit_problem *p, const cagd_spline *initial)
 {
     if (initial == NULL)
-        return CAGD_FIT_OK;
-    REQUIRE(initial->dim == p->dim && initial->points != NULL, CAGD_FIT_BAD_CURVE);
+        return CAGD_OK;
+    REQUIRE(initial->dim == p->dim && initial->points != NULL, CAGD_BAD_CURVE);
     for (int i = 0; i < p->count; i++)
-        REQUIRE(initial->weights == NULL || (isfinite(initial->weights[i]) && initial->weights[i] > 0),
-                CAGD_FIT_BAD_CURVE);
+        REQUIRE(initial->weights == NULL || (isfinite(initial->weights[i]) && initial->weights[i] > 0), CAGD_BAD_CURVE);
     for (int m = 0; m < p->count * p->dim; m++)
-        REQUIRE(isfinite(initial->points[m]), CAGD_FIT_BAD_CURVE);
-    return CAGD_FIT_OK;
+        REQUIRE(isfinite(initial->points[m]), CAGD_BAD_CURVE);
+    return CAGD_OK;
 }
 
-cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *o, const fit_strategy *strategy,
-                                 fit_problem *p, int *where)
+cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *o, const fit_strategy *strategy,
+                             fit_problem *p, int *where)
 {
     *p = (fit_problem){.strategy = *strategy, .loss = o->loss, .loss_scale = o->loss_scale};
     p->unordered = o->unordered || o->free == 0;
@@ -154,14 +153,14 @@ cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_optio
     p->high = o->weight_high;
     p->nothing_free = o->free == 0;
     p->dim = data->dim;
-    cagd_fit_status status = make_knots(o, p);
-    if (status == CAGD_FIT_OK)
+    cagd_status status = make_knots(o, p);
+    if (status == CAGD_OK)
         status = check_initial(p, o->initial);
-    if (status == CAGD_FIT_OK)
+    if (status == CAGD_OK)
         status = make_points(data, o, p, where);
-    if (status == CAGD_FIT_OK)
+    if (status == CAGD_OK)
         status = make_unknowns(o, p);
-    if (status == CAGD_FIT_OK)
+    if (status == CAGD_OK)
         fit_problem_round(p);
     return status;
 }

@@ -38,8 +38,8 @@ typedef struct fit_problem {
 } fit_problem;
 
 /* From checked data and options.  Whatever is returned, fit_problem_free releases it. */
-cagd_fit_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *options,
-                                 const fit_strategy *strategy, fit_problem *problem, int *where);
+cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *options, const fit_strategy *strategy,
+                             fit_problem *problem, int *where);
 void fit_problem_free(fit_problem *problem);
 
 /* The checked initial curve in working coordinates and in the gauge; when nothing is free with its weights as they are, but for a power of two. */

@@ -32,8 +32,8 @@ typedef struct fit_strategy {
 extern const fit_strategy fit_usual_strategy;
 
 /* cagd_fit by another strategy. */
-cagd_fit_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options *options,
-                                  const fit_strategy *strategy, cagd_fit_result **result, int *where);
+cagd_status fit_with_strategy(const cagd_fit_data *data, const cagd_fit_options *options, const fit_strategy *strategy,
+                              cagd_fit_result **result, int *where);
 
 #ifdef __cplusplus
 }

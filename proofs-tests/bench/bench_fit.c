@@ -75,7 +75,7 @@ static outcome eliminated(int N, const double *Q)
     options.initial = &start;
     options.max_iterations = 1000;
     double begin = now();
-    if (cagd_fit(&data, &options, &r, NULL) != CAGD_FIT_OK)
+    if (cagd_fit(&data, &options, &r, NULL) != CAGD_OK)
         return (outcome){0};
     outcome o = {.seconds = now() - begin};
     o.cost = r->cost, o.iterations = r->iterations, o.converged = r->termination == CAGD_FIT_CONVERGED;
@@ -91,7 +91,7 @@ static outcome plain(int N, const double *Q)
     options.initial = &start;
     options.max_iterations = 1000;
     double begin = now();
-    if (plain_ceres(&data, &options, &p) != CAGD_FIT_OK)
+    if (plain_ceres(&data, &options, &p) != CAGD_OK)
         return (outcome){0};
     return (outcome){.seconds = now() - begin, .cost = p.cost, .iterations = p.iterations, .converged = p.converged};
 }

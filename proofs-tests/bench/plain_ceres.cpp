@@ -146,20 +146,19 @@ void solve(const fit_problem &p, const fit_curve &curve, const cagd_fit_options 
 
 } // namespace
 
-extern "C" cagd_fit_status plain_ceres(const cagd_fit_data *data, const cagd_fit_options *options,
-                                       plain_outcome *outcome)
+extern "C" cagd_status plain_ceres(const cagd_fit_data *data, const cagd_fit_options *options, plain_outcome *outcome)
 {
     FLAGS_minloglevel = google::GLOG_FATAL; /* a bench has one thread */
     fit_problem p;
     int where;
     double cost;
-    cagd_fit_status status = fit_problem_make(data, options, &fit_usual_strategy, &p, &where);
-    fit_curve *curve = status == CAGD_FIT_OK ? fit_curve_new(p.degree, p.count, p.dim, p.knots) : nullptr;
+    cagd_status status = fit_problem_make(data, options, &fit_usual_strategy, &p, &where);
+    fit_curve *curve = status == CAGD_OK ? fit_curve_new(p.degree, p.count, p.dim, p.knots) : nullptr;
     std::vector<double> feet(static_cast<size_t>(data->count));
-    if (status == CAGD_FIT_OK &&
+    if (status == CAGD_OK &&
         (curve == nullptr || !fit_start(&p, options, 0, curve) || !fit_feet_search(&p, curve, feet.data(), &cost)))
-        status = CAGD_FIT_NO_MEMORY;
-    if (status == CAGD_FIT_OK) {
+        status = CAGD_NO_MEMORY;
+    if (status == CAGD_OK) {
         std::vector<double> theta(static_cast<size_t>(p.unknowns));
         fit_problem_theta(&p, curve, theta.data());
         fit_problem_curve_of(&p, theta.data(), curve);

@@ -18,7 +18,7 @@ typedef struct plain_outcome {
 } plain_outcome;
 
 /* The options are those of cagd_fit; the first start alone is made. */
-cagd_fit_status plain_ceres(const cagd_fit_data *data, const cagd_fit_options *options, plain_outcome *outcome);
+cagd_status plain_ceres(const cagd_fit_data *data, const cagd_fit_options *options, plain_outcome *outcome);
 
 #ifdef __cplusplus
 }

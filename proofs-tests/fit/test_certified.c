@@ -237,9 +237,9 @@ static int run(const char *folder, const char *name)
     }
     row r = {16, 16, 16, 16, 16, 0, ""};
     cagd_fit_result *fit = NULL;
-    cagd_fit_status status = cagd_fit(&it.data, &it.options, &fit, NULL);
-    if (status != CAGD_FIT_OK) {
-        printf("%-18s %s\n", name, cagd_fit_status_text(status));
+    cagd_status status = cagd_fit(&it.data, &it.options, &fit, NULL);
+    if (status != CAGD_OK) {
+        printf("%-18s %s\n", name, cagd_status_text(status));
         free_problem(&it);
         return 0;
     }

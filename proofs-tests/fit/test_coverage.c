@@ -100,7 +100,7 @@ static int run(const setting *s, double factor, double quantile)
         cagd_fit_result *fit = NULL;
         for (int k = 0; k < s->count * s->dim; k++)
             measured[k] = exact[k] + sigma[k / s->dim] * normal();
-        if (cagd_fit(&data, &options, &fit, NULL) != CAGD_FIT_OK || fit->termination != CAGD_FIT_CONVERGED) {
+        if (cagd_fit(&data, &options, &fit, NULL) != CAGD_OK || fit->termination != CAGD_FIT_CONVERGED) {
             failures++;
             cagd_fit_free(fit);
             continue;

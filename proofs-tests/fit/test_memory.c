@@ -3,7 +3,7 @@
  *
  * The linker puts the functions below in the place of malloc, aligned_alloc, calloc, realloc and free wherever the fit calls them,
  * in C++ and in Ceres too; and test_memory_new.cpp is the operator new of all that is C++, which throws std::bad_alloc.  Asked is:
- * the status CAGD_FIT_NO_MEMORY without a result, every block given back, and afterwards the same fit as before.
+ * the status CAGD_NO_MEMORY without a result, every block given back, and afterwards the same fit as before.
  *
  * Ceres keeps its times in destructors that take memory, where C++ lets no exception out: a failure there ends the program, whoever
  * may have called.  So every trial is a process of its own, and such ends are counted; an exception that leaves the library ends a
@@ -145,7 +145,7 @@ static const struct kind kinds[] = {{"usual", 2, 0, as_usual},       {"all free"
                                     {"space", 3, 1, cubic_in_space}, {"robust", 2, 0, robust},
                                     {"unordered", 2, 0, unordered},  {"feet alone", 2, 1, feet_alone}};
 
-static cagd_fit_status fit(const struct kind *kind, cagd_fit_result **result)
+static cagd_status fit(const struct kind *kind, cagd_fit_result **result)
 {
     cagd_fit_data data = arc(kind->dim, kind->sigma);
     cagd_fit_options options = cagd_fit_defaults();
@@ -171,13 +171,13 @@ static enum ending fit_without(const struct kind *kind, long k, long until)
     asked = refused = 0;
     fail_at = k;
     fail_until = until;
-    cagd_fit_status status = fit(kind, &result);
+    cagd_status status = fit(kind, &result);
     fail_at = 0;
-    if (refused > 0 && (status != CAGD_FIT_NO_MEMORY || result != NULL))
-        wrong |= complain(kind, k, result != NULL ? "a result" : cagd_fit_status_text(status));
-    if (refused == 0 && status != CAGD_FIT_OK)
-        wrong |= complain(kind, k, cagd_fit_status_text(status));
-    if (status == CAGD_FIT_OK)
+    if (refused > 0 && (status != CAGD_NO_MEMORY || result != NULL))
+        wrong |= complain(kind, k, result != NULL ? "a result" : cagd_status_text(status));
+    if (refused == 0 && status != CAGD_OK)
+        wrong |= complain(kind, k, cagd_status_text(status));
+    if (status == CAGD_OK)
         cagd_fit_free(result);
     if (blocks != before)
         wrong |= complain(kind, k, "blocks are not given back");
@@ -206,7 +206,7 @@ static int try_kind(const struct kind *kind)
 {
     cagd_fit_result *result, *again;
     fail_at = 0;
-    if (fit(kind, &result) != CAGD_FIT_OK) /* what libraries allocate once is there afterwards */
+    if (fit(kind, &result) != CAGD_OK) /* what libraries allocate once is there afterwards */
         return complain(kind, 0, "no fit");
     long k = 1, count[LOST + 1] = {0};
     while (count[NOT_REACHED] == 0) { /* all of the first ones, then fewer and fewer */
@@ -215,7 +215,7 @@ static int try_kind(const struct kind *kind)
         k += 1 + k / MANY;
     }
     int wrong = count[WRONG] > 0;
-    if (fit(kind, &again) != CAGD_FIT_OK)
+    if (fit(kind, &again) != CAGD_OK)
         return complain(kind, 0, "no fit any more");
     if (memcmp(result->value, again->value, (size_t)result->unknowns * sizeof(double)) != 0)
         wrong |= complain(kind, 0, "not the same fit afterwards");

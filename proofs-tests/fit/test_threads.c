@@ -71,7 +71,7 @@ static cagd_fit_result *fit(const struct kind *kind)
     cagd_fit_options options = cagd_fit_defaults();
     cagd_fit_result *result;
     kind->change(&options);
-    return cagd_fit(&data, &options, &result, NULL) == CAGD_FIT_OK ? result : NULL;
+    return cagd_fit(&data, &options, &result, NULL) == CAGD_OK ? result : NULL;
 }
 
 /* ---- threads ---------------------------------------------------------------------------------------------- */

@@ -7,6 +7,6 @@ int main(void)
     cagd_fit_data data = {6, 2, points, NULL};
     cagd_fit_options options = cagd_fit_defaults();
     cagd_fit_result *fit;
-    cagd_fit_status status = cagd_fit(&data, &options, &fit, NULL);
-    return status ? puts(cagd_fit_status_text(status)), 1 : (printf("%.9f\n", fit->curve.weights[1]), cagd_fit_free(fit), 0);
+    cagd_status status = cagd_fit(&data, &options, &fit, NULL);
+    return status ? puts(cagd_status_text(status)), 1 : (printf("%.9f\n", fit->curve.weights[1]), cagd_fit_free(fit), 0);
 }

@@ -10,6 +10,7 @@
 #include "proofs-tests/bench/plain_ceres.h"
 
 #include <float.h>
+#include <limits.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -57,7 +58,7 @@ static const cagd_spline spline = {3, 6, 2, spline_knots, spline_points, spline_
 static cagd_fit_result *fit(const cagd_fit_data *data, const cagd_fit_options *options)
 {
     cagd_fit_result *r;
-    assert_int_equal(cagd_fit(data, options, &r, NULL), CAGD_FIT_OK);
+    assert_int_equal(cagd_fit(data, options, &r, NULL), CAGD_OK);
     assert_non_null(r);
     return r;
 }
@@ -185,7 +186,7 @@ static void the_model_has_the_second_derivatives(void **state)
             double H[MOST_UNKNOWNS][MOST_UNKNOWNS] = {{0}}, x[MOST_UNKNOWNS], slope[2][MOST_UNKNOWNS], cost,
                    largest = 0;
             o.initial = curves[k], o.loss = loss, o.loss_scale = 0.05;
-            assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+            assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_OK);
             fit_objective *f = fit_objective_new(&p);
             fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
             double *feet = malloc((size_t)p.points * sizeof *feet);
@@ -275,7 +276,7 @@ static void order_is_kept_for_the_sake_of_what_is_known_best(void **state)
         int where;
         o.initial = &u;
         o.free = CAGD_FIT_WEIGHTS;
-        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_OK);
         fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
         assert_non_null(c);
         fit_problem_curve(&p, &u, c);
@@ -314,7 +315,7 @@ static void vectors_of_any_width_give_the_same(void **state)
             stretched[i] = length * initial.knots[i];
         initial.knots = stretched;
         o.initial = &initial;
-        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_OK);
         fit_curve *c = fit_curve_new(p.degree, p.count, p.dim, p.knots);
         assert_non_null(c);
         fit_problem_curve(&p, &initial, c);
@@ -435,7 +436,7 @@ static void the_plain_formulation_finds_the_same_minimum(void **state)
         cagd_fit_result *fast = fit(&data, &o);
         plain_outcome plain;
         o.max_iterations = 500;
-        assert_int_equal(plain_ceres(&data, &o, &plain), CAGD_FIT_OK);
+        assert_int_equal(plain_ceres(&data, &o, &plain), CAGD_OK);
         assert_true(plain.converged);
         assert_true(fabs(fast->cost / plain.cost - 1) < 1e-9);
         assert_true(fast->gradient_norm < 1e-12);
@@ -556,7 +557,7 @@ static void working_coordinates_are_exact(void **state)
                 Q[2 * i + c] =
                     (c ? 1 : -1) * scale * (far + 1 + (i < 2 ? 2 * i - 1 : noise() * exp(20 * noise() - 20)));
         cagd_fit_data data = {N, 2, Q, NULL};
-        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_FIT_OK);
+        assert_int_equal(fit_problem_make(&data, &o, &fit_usual_strategy, &p, &where), CAGD_OK);
         for (int m = 0; m < 2 * N; m++) {
             assert_true(is_exact_difference(Q[m], p.centre[m % 2], p.Q[m] * p.unit));
             assert_true(fabs(p.Q[m]) <= p.size && p.size <= 5);
@@ -720,7 +721,7 @@ static void the_strategy_does_not_change_the_result(void **state)
                     *real[change / 2] *= factor;
                 else
                     *whole[change / 2 - 4] = (int)(factor * *whole[change / 2 - 4]);
-                assert_int_equal(fit_with_strategy(&data, &o, &s, &r, NULL), CAGD_FIT_OK);
+                assert_int_equal(fit_with_strategy(&data, &o, &s, &r, NULL), CAGD_OK);
                 assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
                 assert_true(fabs(r->cost / usual->cost - 1) < 1e-12);
                 for (int k = 0; k < r->unknowns; k++)
@@ -881,21 +882,21 @@ static void a_single_point_has_its_distance(void **state)
     assert_true(fabs(fabs(r->distances[0]) - sqrt(64.25)) < 1e-14);
     cagd_fit_free(r);
     q[0] = q[1] = 1;
-    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_ALL_EQUAL);
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_ALL_EQUAL);
     data.count = 0;
-    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_TOO_FEW);
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_TOO_FEW);
 }
 
 /* ---- Refusals ---------------------------------------------------------------------------------------------- */
 
-static void refused(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_status expected, int place)
+static void refused(const cagd_fit_data *data, const cagd_fit_options *o, cagd_status expected, int place)
 {
     cagd_fit_result *r = (cagd_fit_result *)&Q;
     int where = 99;
     assert_int_equal(cagd_fit(data, o, &r, &where), expected);
     assert_null(r);
     assert_int_equal(where, place);
-    assert_true(strlen(cagd_fit_status_text(expected)) > 0);
+    assert_true(strlen(cagd_status_text(expected)) > 0);
 }
 
 static void bad_arguments_are_refused(void **state)
@@ -910,85 +911,93 @@ static void bad_arguments_are_refused(void **state)
         change;                                                                                                        \
         refused(&data, &o, status, -1);                                                                                \
     } while (0)
-    OPTION(o.free = 0, CAGD_FIT_BAD_OPTIONS);
-    OPTION((o.degree = 1, o.free = 0), CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.free = 8, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.free = CAGD_FIT_WEIGHTS, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.degree = 0, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.degree = CAGD_MAX_DEGREE + 1, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.count = 2, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.loss = (cagd_fit_loss)7, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.loss_scale = 0, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.loss_scale = NAN, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.weight_low = -1, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.weight_low = 1, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.weight_low = NAN, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.weight_high = 1, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.weight_high = NAN, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.starts = 0, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.tolerance = 0, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.tolerance = INFINITY, CAGD_FIT_BAD_OPTIONS);
-    OPTION(o.max_iterations = 0, CAGD_FIT_BAD_OPTIONS);
-    OPTION((o.degree = 1, o.free = CAGD_FIT_WEIGHTS), CAGD_FIT_BAD_OPTIONS);
+    OPTION(o.free = 0, CAGD_BAD_OPTION);
+    OPTION((o.degree = 1, o.free = 0), CAGD_BAD_OPTION);
+    OPTION(o.free = 8, CAGD_BAD_OPTION);
+    OPTION(o.free = CAGD_FIT_WEIGHTS, CAGD_BAD_OPTION);
+    OPTION(o.degree = 0, CAGD_BAD_OPTION);
+    OPTION(o.degree = CAGD_MAX_DEGREE + 1, CAGD_BAD_OPTION);
+    OPTION(o.count = 2, CAGD_BAD_OPTION);
+    OPTION(o.loss = (cagd_fit_loss)7, CAGD_BAD_OPTION);
+    OPTION(o.loss_scale = 0, CAGD_BAD_OPTION);
+    OPTION(o.loss_scale = NAN, CAGD_BAD_OPTION);
+    OPTION(o.weight_low = -1, CAGD_BAD_OPTION);
+    OPTION(o.weight_low = 1, CAGD_BAD_OPTION);
+    OPTION(o.weight_low = NAN, CAGD_BAD_OPTION);
+    OPTION(o.weight_high = 1, CAGD_BAD_OPTION);
+    OPTION(o.weight_high = NAN, CAGD_BAD_OPTION);
+    OPTION(o.starts = 0, CAGD_BAD_OPTION);
+    OPTION(o.starts = INT_MAX, CAGD_BAD_OPTION);
+    OPTION(o.count = INT_MAX, CAGD_BAD_OPTION);
+    OPTION(o.tolerance = 0, CAGD_BAD_OPTION);
+    OPTION(o.tolerance = INFINITY, CAGD_BAD_OPTION);
+    OPTION(o.max_iterations = 0, CAGD_BAD_OPTION);
+    OPTION((o.degree = 1, o.free = CAGD_FIT_WEIGHTS), CAGD_BAD_OPTION);
 
     static const double decreasing[] = {0, 0, 0, 0.7, 0.4, 1, 1, 1}, open[] = {0, 0.1, 0.2, 0.4, 0.7, 1, 1, 1};
     static const double torn[] = {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}, infinite[] = {0, 0, 0, 0.4, 0.7, INFINITY, 1, 1};
-    OPTION((o.count = 5, o.knots = decreasing), CAGD_FIT_BAD_CURVE);
-    OPTION((o.count = 5, o.knots = open), CAGD_FIT_BAD_CURVE);
-    OPTION((o.count = 5, o.knots = infinite), CAGD_FIT_BAD_CURVE);
-    OPTION((o.count = 6, o.knots = torn), CAGD_FIT_BAD_CURVE);
+    OPTION((o.count = 5, o.knots = decreasing), CAGD_BAD_CURVE);
+    OPTION((o.count = 5, o.knots = open), CAGD_BAD_CURVE);
+    OPTION((o.count = 5, o.knots = infinite), CAGD_BAD_CURVE);
+    OPTION((o.count = 6, o.knots = torn), CAGD_BAD_CURVE);
     static const double zero[] = {1, 0, 1}, not_finite[] = {0, 0, INFINITY, 2, 3, 0};
     cagd_spline curve = conic;
     curve.weights = zero;
-    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    OPTION(o.initial = &curve, CAGD_BAD_CURVE);
     curve = conic;
     curve.points = not_finite;
-    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    OPTION(o.initial = &curve, CAGD_BAD_CURVE);
     curve = conic;
     curve.dim = 3;
-    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    OPTION(o.initial = &curve, CAGD_BAD_CURVE);
     curve = conic;
     curve.degree = 3;
-    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
+    OPTION(o.initial = &curve, CAGD_BAD_CURVE);
     curve = conic;
     curve.knots = NULL;
-    OPTION(o.initial = &curve, CAGD_FIT_BAD_CURVE);
-    OPTION((o.degree = 8, o.count = 40), CAGD_FIT_TOO_FEW);
+    OPTION(o.initial = &curve, CAGD_BAD_CURVE);
+    OPTION((o.degree = 8, o.count = 40), CAGD_TOO_FEW);
 
     cagd_fit_data d = data;
     d.count = 1;
-    refused(&d, &good, CAGD_FIT_TOO_FEW, -1);
+    refused(&d, &good, CAGD_TOO_FEW, -1);
     d.count = 2; /* three unknowns */
-    refused(&d, &good, CAGD_FIT_TOO_FEW, -1);
+    refused(&d, &good, CAGD_TOO_FEW, -1);
     d = data;
     d.dim = 4;
-    refused(&d, &good, CAGD_FIT_BAD_DATA, -1);
+    refused(&d, &good, CAGD_BAD_DATA, -1);
     d = data;
     d.points = NULL;
-    refused(&d, &good, CAGD_FIT_BAD_DATA, -1);
+    refused(&d, &good, CAGD_NULL, -1);
+    refused(NULL, &good, CAGD_NULL, -1);
+    refused(&data, NULL, CAGD_NULL, -1);
+    assert_int_equal(cagd_fit(&data, &good, NULL, NULL), CAGD_NULL);
+    d = data;
+    d.count = INT_MAX;
+    refused(&d, &good, CAGD_BAD_DATA, -1);
     memcpy(points, Q, sizeof points);
     d = data;
     d.points = points;
     points[13] = NAN;
-    refused(&d, &good, CAGD_FIT_BAD_DATA, 6);
+    refused(&d, &good, CAGD_BAD_DATA, 6);
     for (int m = 0; m < 40; m++)
         points[m] = 1 + m % 2;
-    refused(&d, &good, CAGD_FIT_ALL_EQUAL, -1);
+    refused(&d, &good, CAGD_ALL_EQUAL, -1);
     for (int i = 0; i < 20; i++)
         sigma[i] = 1;
     d = data;
     d.sigma = sigma;
     sigma[17] = 0;
-    refused(&d, &good, CAGD_FIT_BAD_DATA, 17);
+    refused(&d, &good, CAGD_BAD_DATA, 17);
     sigma[17] = INFINITY;
-    refused(&d, &good, CAGD_FIT_BAD_DATA, 17);
+    refused(&d, &good, CAGD_BAD_DATA, 17);
     sigma[17] = 1e-200;
-    refused(&d, &good, CAGD_FIT_OUT_OF_RANGE, 17);
+    refused(&d, &good, CAGD_OVERFLOW, 17);
     for (int sign = -1; sign <= 1; sign += 2) {
         for (int m = 0; m < 40; m++)
             points[m] = ldexp(Q[m], 500 * sign);
         d = (cagd_fit_data){20, 2, points, NULL};
-        refused(&d, &good, CAGD_FIT_OUT_OF_RANGE, -1);
+        refused(&d, &good, CAGD_OVERFLOW, -1);
     }
     cagd_fit_free(NULL);
 }
@@ -1009,12 +1018,12 @@ static void a_weight_that_goes_to_zero_is_no_minimum(void **state)
     cagd_fit_result *r;
     o.initial = &above;
     o.free = CAGD_FIT_WEIGHTS;
-    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_OK);
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_OK);
     assert_int_equal(r->termination, CAGD_FIT_FAILED);
     assert_non_null(strstr(r->message, "weight 1"));
     cagd_fit_free(r);
     o.weight_low = 0.01; /* then the bound is the minimum */
-    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_OK);
+    assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_OK);
     assert_int_equal(r->termination, CAGD_FIT_CONVERGED);
     assert_true(r->at_bound[0]);
     cagd_fit_free(r);

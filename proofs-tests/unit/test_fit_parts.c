@@ -41,7 +41,7 @@ static struct made make(const cagd_fit_data *data, const cagd_spline *initial, i
     o.initial = initial;
     o.free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS;
     o.unordered = unordered;
-    assert_int_equal(fit_problem_make(data, &o, &fit_usual_strategy, &m.p, &where), CAGD_FIT_OK);
+    assert_int_equal(fit_problem_make(data, &o, &fit_usual_strategy, &m.p, &where), CAGD_OK);
     m.curve = fit_curve_new(m.p.degree, m.p.count, m.p.dim, m.p.knots);
     assert_non_null(m.curve);
     fit_problem_curve(&m.p, initial, m.curve);
@@ -257,7 +257,7 @@ static void the_nearer_of_two_feet_is_found(void **state)
         cagd_fit_result *r;
         o.initial = &conic;
         o.free = 0;
-        assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_OK);
+        assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_OK);
         for (int i = 0; i < N; i++) {
             double foot = Q[2 * i] - r->residuals[2 * i];
             assert_true(Q[2 * i] < 1.5 ? foot < 1.5 : foot > 1.5);
@@ -310,7 +310,7 @@ static void the_largest_degree(void **state)
     o.initial = &line;
     for (int free = 0; free <= CAGD_FIT_END_POINTS; free += CAGD_FIT_END_POINTS) {
         o.free = free;
-        assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_FIT_OK);
+        assert_int_equal(cagd_fit(&data, &o, &r, NULL), CAGD_OK);
         assert_true(r->rms < 1e-13);
         for (int i = 0; i < N && free == 0; i++)
             assert_true(fabs(r->feet[i] - (i + 0.5) / N) < 1e-12);
