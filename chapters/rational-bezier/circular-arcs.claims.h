@@ -56,7 +56,7 @@ CLAIM(circles_among_the_conics_of_the_curve)
     same(T, S[1], neg(mul(oo, mul(y1, x1))));
     G(special_conic)(l, from_int(0), y1, omega, S);
     about(T, "A - C");
-    same(T, sub(S[0], S[2]), mul(sum, sub(oo, div(ll, T->planted ? sub(ll, yy) : sum))));
+    same(T, sub(S[0], S[2]), mul(sum, sub(oo, div(ll, fault(T, sum, sub(ll, yy))))));
     G(special_conic)(l, x1, from_int(0), omega, S);
     about(T, "A - C for points on a line");
     same(T, sub(S[2], S[0]), add(mul(oo, mul(x1, x1)), mul(sub(from_int(1), oo), ll)));
@@ -105,8 +105,7 @@ CLAIM(arc_and_its_central_angle)
     w[0] = positive(T, "w", 0);
     w[1] = positive(T, "w", 1);
     w[2] = div(mul(w[1], w[1]), mul(w[0], cos2));
-    if (T->planted)
-        w[2] = add(w[2], w[2]);
+    w[2] = fault(T, w[2], add(w[2], w[2]));
     num rr = G(circle_of_arc)(R, C);
     about(T, "the distance of R(t) from the centre");
     G(rational_point)(2, 2, R, w, t, P);
@@ -150,8 +149,7 @@ CLAIM(standard_weights_of_the_arc)
         P[2];
     num mm = mul(m, m), l = mul(from_int(2), mul(k, m)), h = mul(k, sub(one, mm));
     G(circular_arc_weights)(l, h, w);
-    if (T->planted)
-        w[1] = mul(w[1], w[1]);
+    w[1] = fault(T, w[1], mul(w[1], w[1]));
     about(T, "the weights");
     same(T, w[0], one);
     same(T, w[1], div(mul(from_int(2), m), add(one, mm)));
@@ -197,7 +195,7 @@ CLAIM(base_angle_of_the_triangle)
             G(isosceles)(M, p, q, k, R);
         else
             G(isosceles)(origin, l, zero, k, R);
-        const num *o = T->planted ? R + 2 : R, *a = T->planted ? R : R + 2;
+        const num *o = fault(T, R, R + 2), *a = fault(T, R + 2, R);
         num product = G(scalar)(o, a, R + 4), squares = mul(G(scalar)(o, a, a), G(scalar)(o, R + 4, R + 4));
         num invariant = position == 0 ? G(circular_arc_invariant)(one, k) : G(circular_arc_invariant)(l, mul(k, l));
         about(T, "cos² of the base angle");
@@ -261,7 +259,7 @@ CLAIM(arcs_satisfy_the_three_equations)
     same(T, G(scalar)(R, R + 4, R + 4), mul(from_int(4), ll));
     about(T, "C - A of the curve");
     G(conic_of_bezier)(R, w, S);
-    num difference = sub(mul(w[1], w[1]), mul(mul(w[0], w[2]), T->planted ? cosine : cc));
+    num difference = sub(mul(w[1], w[1]), mul(mul(w[0], w[2]), fault(T, cc, cosine)));
     same(T, sub(S[2], S[0]), mul(div(ll, cc), difference));
 }
 
@@ -307,7 +305,7 @@ $\omega^2=l^2/(l^2+y_1^2)$.
 CLAIM(isosceles_triangle_with_another_angle)
 {
     num zero = from_int(0), one = from_int(1), cosine = from_ratio(3, 5), w[3] = {one, cosine, one}, S[6], P[2], I[1];
-    num R[6] = {neg(one), zero, zero, T->planted ? from_ratio(4, 3) : one, one, zero};
+    num R[6] = {neg(one), zero, zero, fault(T, from_ratio(4, 3), one), one, zero};
     G(rational_invariants)(2, w, I);
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
@@ -345,8 +343,7 @@ CLAIM(isosceles_triangle_with_another_angle)
 CLAIM(negative_weight_gives_the_other_arc)
 {
     num zero = from_int(0), one = from_int(1), cosine = from_ratio(3, 5), C[2], P[2], third[2];
-    num R[6] = {neg(one), zero, zero, from_ratio(4, 3), one, zero},
-        w[3] = {one, T->planted ? cosine : neg(cosine), one};
+    num R[6] = {neg(one), zero, zero, from_ratio(4, 3), one, zero}, w[3] = {one, fault(T, cosine, neg(cosine)), one};
     num rr = G(circle_of_arc)(R, C);
     G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
     G(rational_point)(2, 2, R, w, from_ratio(1, 3), third);

@@ -56,7 +56,7 @@ CLAIM(implicit_form_is_the_resultant)
     G(six)(T, "R", R);
     G(three_weights)(T, w);
     G(conic_of_bezier)(R, w, S);
-    num factor = mul(from_int(T->planted ? 2 : 4), mul(w[0], w[2]));
+    num factor = mul(from_int(fault(T, 4, 2)), mul(w[0], w[2]));
     same(T, G(implicit_determinant)(R, w, x, y), mul(factor, G(form)(S, x, y)));
 }
 
@@ -72,7 +72,7 @@ static void equation_expected(trial *T, int y1, int omega)
     show_points(T, "A ... F", 6, 1, S);
     show(T, "determinant (3.4.1) at (0, 2)", G(implicit_determinant)(R, w, from_int(0), from_int(2)));
     about(T, "whether the conic is not degenerate");
-    agree(T, !is_zero_q(G(conic_determinant)(S)));
+    refute(T, is_zero_q(G(conic_determinant)(S)));
 }
 
 /*
@@ -86,7 +86,7 @@ static void equation_expected(trial *T, int y1, int omega)
 :control: $R_1=(0,1)$
 :::
 */
-CLAIM(determinant_may_vanish_identically) { equation_expected(T, T->planted, 1); }
+CLAIM(determinant_may_vanish_identically) { equation_expected(T, fault(T, 1, 0), 1); }
 
 /*
 :::{claim} determinant_needs_the_middle_weight
@@ -99,7 +99,7 @@ CLAIM(determinant_may_vanish_identically) { equation_expected(T, T->planted, 1);
 :control: $\omega_1=1$
 :::
 */
-CLAIM(determinant_needs_the_middle_weight) { equation_expected(T, 1, T->planted); }
+CLAIM(determinant_needs_the_middle_weight) { equation_expected(T, 1, fault(T, 1, 0)); }
 #endif
 
 /*
@@ -161,8 +161,7 @@ CLAIM(determinant_is_four_times_the_form)
     num x = unknown(T, "x", 0), y = unknown(T, "y", 0), R[6], w[3], S[6];
     G(special_position)(l, x1, y1, omega, R, w);
     G(printed_form)(l, x1, y1, omega, S);
-    if (T->planted)
-        S[2] = sub(S[2], mul(l, l));
+    S[2] = fault(T, S[2], sub(S[2], mul(l, l)));
     same(T, G(implicit_determinant)(R, w, x, y), mul(from_int(4), G(form)(S, x, y)));
 }
 
@@ -188,7 +187,7 @@ CLAIM(determinant_is_not_the_printed_form)
     show_points(T, "A ... F", 6, 1, S);
     num value = G(form)(S, zero, zero);
     about(T, "at (0, 0), left the determinant, right the polynomial");
-    same(T, G(implicit_determinant)(R, w, zero, zero), T->planted ? mul(from_int(4), value) : value);
+    same(T, G(implicit_determinant)(R, w, zero, zero), fault(T, mul(from_int(4), value), value));
 }
 #endif
 
@@ -216,8 +215,7 @@ CLAIM(printed_coefficients_are_the_conic_of_the_curve)
     num u = parameter(T, "u"), R[6], w[3], S[6], K[6], P[2];
     G(special_position)(l, x1, y1, omega, R, w);
     G(printed_form)(l, x1, y1, omega, S);
-    if (T->planted)
-        S[3] = mul(mul(omega, omega), mul(mul(l, l), x1));
+    S[3] = fault(T, S[3], mul(mul(omega, omega), mul(mul(l, l), x1)));
     G(rational_point)(2, 2, R, w, u, P);
     about(T, "the form along the curve");
     vanishes(T, G(form)(S, P[0], P[1]));
@@ -252,7 +250,7 @@ CLAIM(discriminant_in_special_coordinates)
     G(printed_form)(l, x1, y1, omega, S);
     num oo = mul(omega, omega), product = mul(oo, mul(mul(l, l), mul(y1, y1)));
     about(T, "AC - B²");
-    same(T, sub(mul(S[0], S[2]), mul(S[1], S[1])), mul(product, sub(from_int(1), T->planted ? omega : oo)));
+    same(T, sub(mul(S[0], S[2]), mul(S[1], S[1])), mul(product, sub(from_int(1), fault(T, oo, omega))));
     about(T, "the determinant of the conic");
     num matrix[9] = {S[0], S[1], S[3], S[1], S[2], S[4], S[3], S[4], S[5]};
     same(T, G(determinant)(3, matrix), neg(mul(product, product)));
@@ -293,7 +291,7 @@ CLAIM(directions_at_infinity)
     for (int k = 0; k < 2; k++) {
         if (k == 1) /* AC - B^2 = -e^2 */
             C = div(sub(mul(B, B), mul(e, e)), A);
-        S[0] = A, S[1] = T->planted ? mul(from_ratio(1, 2), B) : B, S[2] = C, S[3] = S[4] = S[5] = zero;
+        S[0] = A, S[1] = fault(T, B, mul(from_ratio(1, 2), B)), S[2] = C, S[3] = S[4] = S[5] = zero;
         num left = mul(A, G(form)(S, p, q)), sum = add(mul(A, p), mul(B, q)), qq = mul(q, q), eq = mul(e, q);
         if (k == 0)
             same(T, left, add(mul(sum, sum), mul(sub(mul(A, C), mul(B, B)), qq)));
@@ -323,7 +321,7 @@ CLAIM(sign_of_the_discriminant)
     num ww = mul(w[1], w[1]), d = G(area)(R + 2, R, R + 4), area = mul(half, d);
     const num invariant[3] = {div(one, more), one, more}, expected[3] = {s, from_int(0), neg(div(s, more))};
     for (int k = 0; k < 3; k++) {
-        w[2] = div(ww, mul(w[0], T->planted ? div(one, invariant[k]) : invariant[k]));
+        w[2] = div(ww, mul(w[0], fault(T, invariant[k], div(one, invariant[k]))));
         G(rational_invariants)(2, w, I);
         about(T, "I_1");
         same(T, I[0], invariant[k]);
@@ -368,7 +366,7 @@ static void ellipse_expected(trial *T, num l, num x1, num y1, num omega)
 */
 CLAIM(flat_triangle_is_no_conic)
 {
-    ellipse_expected(T, from_int(1), from_int(0), from_int(T->planted), from_ratio(1, 2));
+    ellipse_expected(T, from_int(1), from_int(0), from_int(fault(T, 1, 0)), from_ratio(1, 2));
 }
 
 /*
@@ -384,7 +382,7 @@ CLAIM(flat_triangle_is_no_conic)
 */
 CLAIM(weight_minus_one_is_a_parabola)
 {
-    ellipse_expected(T, from_int(1), from_int(0), from_int(1), T->planted ? from_ratio(-1, 2) : from_int(-1));
+    ellipse_expected(T, from_int(1), from_int(0), from_int(1), fault(T, from_ratio(-1, 2), from_int(-1)));
 }
 
 /*
@@ -400,7 +398,7 @@ CLAIM(weight_minus_one_is_a_parabola)
 */
 CLAIM(weight_zero_is_a_segment)
 {
-    ellipse_expected(T, from_int(1), from_int(0), from_int(1), T->planted ? from_ratio(1, 2) : from_int(0));
+    ellipse_expected(T, from_int(1), from_int(0), from_int(1), fault(T, from_ratio(1, 2), from_int(0)));
 }
 #endif
 
@@ -446,7 +444,7 @@ CLAIM(kind_in_any_coordinates)
     G(three_weights)(T, w);
     G(conic_of_bezier)(R, w, S);
     num half = mul(from_ratio(1, 2), G(area)(R + 2, R, R + 4)), hh = mul(half, half), outer = mul(w[0], w[2]);
-    num ww = mul(w[1], w[1]), difference = sub(outer, T->planted ? w[1] : ww);
+    num ww = mul(w[1], w[1]), difference = sub(outer, fault(T, ww, w[1]));
     about(T, "AC - B²");
     same(T, G(conic_delta)(S), mul(mul(ww, difference), hh));
     about(T, "the determinant of the conic");
@@ -475,7 +473,7 @@ CLAIM(points_at_infinity_tell_the_kind)
     for (int k = 0; k < 512; k++) {
         num w[3] = {from_int(k / 64 + 1), from_int(k / 8 % 8 + 1), from_int(k % 8 + 1)}, I[1];
         poly bottom = poly_from_bernstein(2, w);
-        int at_infinity = !T->planted && poly_degree(bottom) < 2, finite = 0;
+        int at_infinity = fault(T, poly_degree(bottom) < 2, 0), finite = 0;
         if (poly_degree(bottom) > 0)
             finite = count_roots_line(bottom).distinct;
         agree(T, poly_degree(bottom) <= 0 || finite == sturm_count_line(bottom));
@@ -505,7 +503,7 @@ CLAIM(points_at_infinity_tell_the_kind)
 CLAIM(opposite_weights_are_a_hyperbola)
 {
     num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, S[6], I[1];
-    num w[3] = {one, one, from_int(T->planted ? 2 : -1)};
+    num w[3] = {one, one, from_int(fault(T, 2, -1))};
     G(conic_of_bezier)(R, w, S);
     G(rational_invariants)(2, w, I);
     show_points(T, "R", 3, 2, R);

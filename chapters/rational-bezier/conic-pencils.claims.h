@@ -40,8 +40,7 @@ CLAIM(conic_value_and_gradient)
     G(six)(T, "S", S);
     num value = G(conic_value)(S, x, y);
     G(conic_gradient)(S, x, y, g);
-    if (T->planted)
-        S[1] = mul(from_ratio(1, 2), S[1]);
+    S[1] = fault(T, S[1], mul(from_ratio(1, 2), S[1]));
     about(T, "the value");
     same(T, value, G(form)(S, x, y));
     about(T, "the gradient");
@@ -67,7 +66,7 @@ CLAIM(conic_invariants_are_determinants)
     num S[6];
     G(six)(T, "S", S);
     num small[4] = {S[0], S[1], S[1], S[2]};
-    num large[9] = {S[0], S[1], S[3], S[1], S[2], S[4], T->planted ? S[4] : S[3], S[4], S[5]};
+    num large[9] = {S[0], S[1], S[3], S[1], S[2], S[4], fault(T, S[3], S[4]), S[4], S[5]};
     same(T, G(conic_delta)(S), G(determinant)(2, small));
     same(T, G(conic_determinant)(S), G(determinant)(3, large));
 }
@@ -115,8 +114,7 @@ CLAIM(pencil_passes_through_common_points)
     S1[5] = neg(G(form)(S1, x, y));
     S2[5] = neg(G(form)(S2, x, y));
     G(conic_pencil)(lambda, S1, S2, S);
-    if (T->planted)
-        S[5] = S2[5];
+    S[5] = fault(T, S[5], S2[5]);
     about(T, "the value at the common point");
     vanishes(T, G(form)(S, x, y));
     about(T, "the value at any point");
@@ -141,7 +139,7 @@ CLAIM(conics_through_four_points_are_a_pencil)
     num S[6], a = unknown(T, "a", 0), b = unknown(T, "b", 0), x = unknown(T, "x", 0), y = unknown(T, "y", 0);
     num zero = from_int(0), one = from_int(1), xy = mul(x, y);
     G(six)(T, "S", S);
-    num U = sub(mul(x, sub(x, one)), mul(div(T->planted ? a : sub(a, one), b), xy));
+    num U = sub(mul(x, sub(x, one)), mul(div(fault(T, sub(a, one), a), b), xy));
     num V = sub(mul(y, sub(y, one)), mul(div(sub(b, one), a), xy));
     num W = div(xy, mul(a, b)); /* 1 at (a, b), 0 at the others; so are the factors of the others below */
     num sum = add(mul(S[0], U), mul(S[2], V));
@@ -170,7 +168,7 @@ CLAIM(pencil_misses_its_difference)
     num S1[6], S2[6], M[6];
     conic_of((int[]){1, 0, 0, 0, 0, -1}, S1);
     conic_of((int[]){0, 0, 1, 0, 0, -1}, S2);
-    conic_of(T->planted ? (int[]){1, 0, 1, 0, 0, -2} : (int[]){1, 0, -1, 0, 0, 0}, M);
+    conic_of(fault(T, ((int[]){1, 0, 1, 0, 0, -2}), ((int[]){1, 0, -1, 0, 0, 0})), M);
     show_text(T, "S1, S2", "x² - 1, y² - 1");
     show_text(T, "the conic", "x² - y² = 0");
     int fits = 1; /* it passes through the four points */
@@ -199,7 +197,7 @@ CLAIM(two_common_points_allow_other_conics)
     num S[3][6], rows[9];
     conic_of((int[]){0, 1, 0, 0, 0, 0}, S[0]);
     conic_of((int[]){1, 2, 1, -2, -2, 1}, S[1]);
-    conic_of(T->planted ? (int[]){1, 4, 1, -2, -2, 1} : (int[]){1, 1, 0, -1, 0, 0}, S[2]);
+    conic_of(fault(T, ((int[]){1, 4, 1, -2, -2, 1}), ((int[]){1, 1, 0, -1, 0, 0})), S[2]);
     show_text(T, "S1, S2", "x y, (x + y - 1)²; common points (1, 0), (0, 1)");
     show_text(T, "the conic", "x (x + y - 1) = 0");
     int fits = is_zero_q(G(form)(S[2], from_int(1), from_int(0))) && is_zero_q(G(form)(S[2], from_int(0), from_int(1)));
@@ -227,13 +225,13 @@ CLAIM(dependent_conics_have_no_pencil)
     conic_of((int[]){1, 0, 1, 0, 0, -1}, S1);
     conic_of((int[]){-1, 0, -1, 0, 0, 1}, S2);
     show_text(T, "S1, S2", "x² + y² - 1, 1 - x² - y²");
-    G(conic_pencil)(from_ratio(1, T->planted ? 3 : 2), S1, S2, S);
+    G(conic_pencil)(from_ratio(1, fault(T, 3, 2)), S1, S2, S);
     show_points(T, "A ... F at λ = 1/2", 6, 1, S);
     int zero = 1;
     for (int k = 0; k < 6; k++)
         zero &= is_zero_q(S[k]);
     about(T, "whether the member is an equation at all");
-    agree(T, !zero);
+    refute(T, zero);
 }
 
 /*
@@ -267,7 +265,7 @@ the source itself uses one point of the curve to find $\lambda$.
 CLAIM(common_points_leave_lambda_free)
 {
     num S1[6], S2[6], S[6];
-    num lambda[3] = {from_ratio(1, 3), from_ratio(1, 2), T->planted ? from_ratio(3, 4) : from_ratio(2, 3)};
+    num lambda[3] = {from_ratio(1, 3), from_ratio(1, 2), fault(T, from_ratio(3, 4), from_ratio(2, 3))};
     conic_of((int[]){1, 0, 0, 0, 0, -1}, S1);
     conic_of((int[]){0, 0, 1, 0, 0, -1}, S2);
     show_text(T, "S1, S2", "x² - 1, y² - 1");
@@ -277,7 +275,7 @@ CLAIM(common_points_leave_lambda_free)
         int fits = 1;
         G(conic_pencil)(lambda[k], S1, S2, S);
         for (int i = 0; i < 4; i++) {
-            num x = from_int(T->planted ? 2 : i < 2 ? 1 : -1), y = from_int(T->planted ? 0 : i % 2 ? 1 : -1);
+            num x = from_int(fault(T, 2, i < 2 ? 1 : -1)), y = from_int(fault(T, 0, i % 2 ? 1 : -1));
             fits &= is_zero_q(G(form)(S, x, y));
         }
         fitting += fits;
@@ -305,7 +303,7 @@ CLAIM(a_further_point_fixes_lambda)
     num S1[6], S2[6], S[6], x = unknown(T, "x", 0), y = unknown(T, "y", 0), kappa = unknown(T, "k", 0);
     G(six)(T, "S", S1);
     G(six)(T, "Q", S2);
-    num f1 = G(form)(S1, x, y), f2 = G(form)(S2, x, y), lambda = div(f1, T->planted ? add(f1, f2) : sub(f1, f2));
+    num f1 = G(form)(S1, x, y), f2 = G(form)(S2, x, y), lambda = div(f1, fault(T, sub(f1, f2), add(f1, f2)));
     G(conic_pencil)(lambda, S1, S2, S);
     about(T, "the member of the given λ at P");
     vanishes(T, G(form)(S, x, y));
@@ -337,7 +335,7 @@ CLAIM(pencil_begins_and_ends_with_the_two_conics)
     G(six)(T, "S", S1);
     G(six)(T, "Q", S2);
     for (int end = 0; end < 2; end++) {
-        G(conic_pencil)(from_int(T->planted ? 1 - end : end), S1, S2, S);
+        G(conic_pencil)(from_int(fault(T, end, 1 - end)), S1, S2, S);
         for (int k = 0; k < 6; k++)
             same(T, S[k], end == 0 ? S1[k] : S2[k]);
     }
@@ -378,8 +376,7 @@ CLAIM(line_pair_is_a_degenerate_conic)
     num turn = sub(mul(sub(q[0], p[0]), sub(y, p[1])), mul(sub(q[1], p[1]), sub(x, p[0])));
     same(T, G(on_line)(l1, x, y), turn);
     G(line_pair)(l1, l2, S);
-    if (T->planted)
-        S[1] = add(S[1], S[1]);
+    S[1] = fault(T, S[1], add(S[1], S[1]));
     about(T, "the product of two lines");
     same(T, G(form)(S, x, y), mul(turn, G(on_line)(l2, x, y)));
     about(T, "its determinant");
@@ -415,8 +412,8 @@ CLAIM(line_pairs_share_four_points)
     for (int i = 0; i < 4; i++)
         for (int c = 0; c < 3; c++)
             l[i][c] = unknown(T, "l", 3 * i + c);
-    G(line_pair)(l[0], l[T->planted ? 2 : 1], S1);
-    G(line_pair)(l[T->planted ? 1 : 2], l[3], S2);
+    G(line_pair)(l[0], l[fault(T, 1, 2)], S1);
+    G(line_pair)(l[fault(T, 2, 1)], l[3], S2);
     G(conic_pencil)(lambda, S1, S2, S);
     for (int i = 0; i < 2; i++)
         for (int j = 2; j < 4; j++) {
@@ -469,8 +466,8 @@ static void lines_of(const int c[4][3], num l[4][3])
 CLAIM(parallel_lines_meet_in_two_points)
 {
     num l[4][3];
-    lines_of(T->planted ? (const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 1, -3}, {1, -1, -1}}
-                        : (const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 0, -1}, {0, 1, -1}},
+    lines_of(fault(T, ((const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 1, -3}, {1, -1, -1}}),
+                   ((const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 0, -1}, {0, 1, -1}})),
              l);
     show_text(T, "pairs", "x, y and x - 1, y - 1");
     show_text(T, "common points", "%d", meeting_points(l));
@@ -501,8 +498,8 @@ CLAIM(concurrent_lines_lose_a_point)
     G(line_pair)(l[0], l[1], S[0]);
     G(line_pair)(l[2], l[3], S[1]);
     conic_of((int[]){1, 0, 1, -1, -1, 0}, S[2]);
-    for (int k = 0; k < 6 && T->planted; k++)
-        S[2][k] = add(add(S[0][k], S[0][k]), S[1][k]);
+    for (int k = 0; k < 6; k++)
+        S[2][k] = fault(T, add(add(S[0][k], S[0][k]), S[1][k]), S[2][k]);
     const int at[3][2] = {{0, 0}, {1, 0}, {0, 1}};
     int fits = 1;
     for (int k = 0; k < 3; k++)
@@ -531,7 +528,7 @@ CLAIM(diagonals_are_no_member)
     num S1[6], S2[6], M[6];
     conic_of((int[]){1, 0, 0, -1, 0, 0}, S1);
     conic_of((int[]){0, 0, 1, 0, -1, 0}, S2);
-    conic_of(T->planted ? (int[]){1, 0, 1, -1, -1, 0} : (int[]){1, 0, -1, -1, 1, 0}, M);
+    conic_of(fault(T, ((int[]){1, 0, 1, -1, -1, 0}), ((int[]){1, 0, -1, -1, 1, 0})), M);
     show_text(T, "pairs", "x, x - 1 and y, y - 1");
     show_text(T, "the conic", "(x - y)(x + y - 1) = 0");
     int fits = 1;

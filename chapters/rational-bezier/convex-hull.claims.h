@@ -69,7 +69,7 @@ CLAIM(curve_points_are_convex_combinations)
     for (int k = 0; k < 3; k++) {
         num total = G(rational_weight)(n, w, at[k]), sum = from_int(0), mean = from_int(0), point;
         for (int i = 0; i <= n; i++) {
-            num weight = i == 1 && T->planted ? neg(w[i]) : w[i];
+            num weight = fault(T, w[i], i == 1 ? neg(w[i]) : w[i]);
             num share = div(mul(G(share_without_weight)(n, i, at[k]), weight), total);
             nonnegative(T, share);
             sum = add(sum, share);
@@ -108,7 +108,7 @@ CLAIM(shares_sum_to_one)
     for (int i = 0; i <= n; i++)
         w[i] = positive(T, "w", i);
     num total = G(rational_weight)(n, w, t);
-    for (int i = 0; i <= n - T->planted; i++)
+    for (int i = 0; i <= fault(T, n, n - 1); i++)
         sum = add(sum, div(mul(G(share_without_weight)(n, i, t), w[i]), total));
     same(T, sum, from_int(1));
 }
@@ -179,7 +179,7 @@ CLAIM(curve_points_have_hull_certificates)
                 G(designed_polygon)(polygon, n, &dim, R);
                 G(designed_weights)(T, weighting, n, w);
                 G(rational_point)(n, dim, R, w, at[k], x);
-                if (T->planted) {
+                if (T->faulty) {
                     num total = G(rational_weight)(n, w, at[k]);
                     num twice = add(total, mul(w[0], G(share_without_weight)(n, 0, at[k])));
                     for (int c = 0; c < dim; c++)
@@ -211,7 +211,7 @@ CLAIM(curve_points_have_hull_certificates)
 CLAIM(curve_leaves_hull_with_negative_weight)
 {
     num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, x[2];
-    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2), from_int(1)};
+    num w[] = {from_int(1), from_ratio(fault(T, 1, -1), 2), from_int(1)};
     G(rational_point)(2, 2, R, w, from_ratio(1, 2), x);
     struct cagd_hull_certificate found = hull_membership(2, 3, R, x);
     int zeros = count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct;
@@ -239,7 +239,7 @@ CLAIM(curve_leaves_hull_with_negative_weight)
 */
 CLAIM(share_with_negative_weight_is_negative)
 {
-    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2), from_int(1)}, t = from_ratio(1, 2);
+    num w[] = {from_int(1), from_ratio(fault(T, 1, -1), 2), from_int(1)}, t = from_ratio(1, 2);
     num share = div(mul(G(share_without_weight)(2, 1, t), w[1]), G(rational_weight)(2, w, t));
     show_points(T, "ω", 3, 1, w);
     show(T, "share", share);
@@ -261,7 +261,7 @@ CLAIM(share_with_negative_weight_is_negative)
 CLAIM(curve_leaves_hull_outside_the_interval)
 {
     num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)}, x;
-    G(rational_point)(1, 1, R, w, T->planted ? from_ratio(1, 2) : from_int(2), &x);
+    G(rational_point)(1, 1, R, w, fault(T, from_ratio(1, 2), from_int(2)), &x);
     struct cagd_hull_certificate found = hull_membership(1, 2, R, &x);
     show_points(T, "R", 2, 1, R);
     show_points(T, "ω", 2, 1, w);
@@ -292,7 +292,7 @@ CLAIM(no_hull_property_with_weights_of_both_signs)
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], t = inside(T, "s"), v = positive(T, "v", 0), point;
     for (int i = 0; i <= n; i++) {
         for (int j = 0; j <= n; j++) {
-            w[j] = j == i ? (T->planted ? v : neg(v)) : unknown(T, "w", j);
+            w[j] = j == i ? fault(T, neg(v), v) : unknown(T, "w", j);
             R[j] = from_int(j == i);
         }
         G(rational_point)(n, 1, R, w, t, &point);

@@ -76,7 +76,7 @@ CLAIM(wronskian_of_three_bernstein_functions)
     }
     num det = G(det3)(row[0], row[1], row[2]), both = mul(t, rest);
     num product = mul(mul(sub(index[1], index[0]), sub(index[2], index[0])), sub(index[2], index[1]));
-    num wanted = div(product, T->planted ? mul(both, both) : mul(both, mul(both, both)));
+    num wanted = div(product, fault(T, mul(both, mul(both, both)), mul(both, both)));
     same(T, det, wanted);
     nonnegative(T, wanted);
 }
@@ -151,7 +151,7 @@ CLAIM(curvature_is_a_sum_over_triangles)
     G(bezier_derivatives)(n, 3, H, t, 2, P);
     G(bernstein_derivatives)(n, 2, t, B);
     about(T, "det(P, P', P'') is the sum over the triangles");
-    same(T, G(triple)(P, P + 3, P + 6), G(sum_over_triangles)(n, B, w, R, T->planted));
+    same(T, G(triple)(P, P + 3, P + 6), G(sum_over_triangles)(n, B, w, R, fault(T, 0, 1)));
 
     about(T, "it is w^3 (x'y'' - y'x'')");
     num V[9], d1[2], d2[2]; /* X, Y, W, and the first and second derivatives */
@@ -199,7 +199,7 @@ CLAIM(curve_turns_like_its_triangles)
     about(T, "signs of the minors");
     for (int l = 0; l < 3; l++) {
         s = add(s, positive(T, "p", l));
-        num *row = M + (T->planted && l < 2 ? 1 - l : l) * (n + 1);
+        num *row = M + fault(T, l, l < 2 ? 1 - l : l) * (n + 1);
         G(bernstein)(n, div(s, add(one, s)), row);
         for (int m = 0; m <= n; m++)
             for (int k = 0; k < n; k++)
@@ -262,7 +262,7 @@ static void check_triangles(trial *T, int n, const long point[])
                 most |= D > 0;
                 left_turns &= D >= 0 || j != i + 1 || k != j + 1;
             }
-    if (T->planted ? left_turns && most : convex)
+    if (fault(T, convex, left_turns && most))
         agree(T, !least && most);
 }
 
@@ -367,8 +367,8 @@ CLAIM(designed_convex_polygons_have_convex_curves)
             region_mark mark = region_open();
             points_from(n + 1, convex_polygon[example].point, R);
             extreme_weights(code, n, w);
-            R[2 * n + 1] = T->planted ? sub(neg(one), R[2 * n + 1]) : R[2 * n + 1];
-            agree(T, T->planted || polygon_is_convex(n, R, 1, NULL));
+            R[2 * n + 1] = fault(T, R[2 * n + 1], sub(neg(one), R[2 * n + 1]));
+            agree(T, fault(T, polygon_is_convex(n, R, 1, NULL), 1));
             poly p = turning(n, R, w);
             agree(T, sign_inside(p) == SIGN_POSITIVE);
             agree(T, poly_is_zero(p) || sturm_count(p, from_int(0), one) == is_zero_q(poly_value(p, one)));
@@ -400,10 +400,8 @@ CLAIM(turns_of_one_sign_are_not_enough)
     static const long point[2 * (n + 1)] = {0, 0, 12, 0, 11, 5, 11, 2};
     num R[2 * (n + 1)], w[n + 1];
     points_from(n + 1, point, R);
-    if (T->planted) {
-        R[6] = from_int(1);
-        R[7] = from_int(5);
-    }
+    R[6] = fault(T, from_int(1), R[6]);
+    R[7] = fault(T, from_int(5), R[7]);
     ones(n, w);
     poly p = turning(n, R, w);
     int turns_left = turn_2d(R, R + 2, R + 4) > 0 && turn_2d(R + 2, R + 4, R + 6) > 0;
@@ -430,7 +428,7 @@ CLAIM(mixed_weights_lose_convexity)
 {
     enum { n = 3 };
     static const long point[2 * (n + 1)] = {0, 0, 1, 0, 1, 1, 0, 1};
-    num R[2 * (n + 1)], w[n + 1] = {from_int(4), from_int(T->planted ? 1 : -1), from_int(4), from_int(4)};
+    num R[2 * (n + 1)], w[n + 1] = {from_int(4), from_int(fault(T, 1, -1)), from_int(4), from_int(4)};
     points_from(n + 1, point, R);
     poly p = turning(n, R, w);
     int regular = sign_on(poly_from_bernstein(n, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
@@ -484,7 +482,7 @@ CLAIM(subdivided_polygon_turns_like_its_triangles)
         G(bezier_split)(n, 1, unit, lambda, left, right);
         for (int a = 0; a <= n; a++) {
             row[n + a][j] = mul(scale, right[a]);
-            row[a][j] = mul(scale, left[T->planted ? n - a : a]);
+            row[a][j] = mul(scale, left[fault(T, a, n - a)]);
         }
     }
     for (int c = 2; c <= 2 * n; c++)
@@ -531,7 +529,7 @@ CLAIM(subdivided_convex_polygons_are_convex)
             for (int a = 0; a <= n; a++)
                 for (int c = 0; c < 2; c++) {
                     joined[2 * (n + a) + c] = right[2 * a + c];
-                    joined[2 * a + c] = left[2 * (T->planted ? n - a : a) + c];
+                    joined[2 * a + c] = left[2 * fault(T, a, n - a) + c];
                 }
             agree(T, polygon_is_convex(2 * n, joined, 1, &orientation) && orientation == 1);
             region_drop(mark);
@@ -551,7 +549,7 @@ CLAIM(subdivided_convex_polygons_are_convex)
 */
 CLAIM(subdivision_fails_for_mixed_weights)
 {
-    num w[3] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)}, left[3], right[3];
+    num w[3] = {from_int(2), from_int(fault(T, 1, -1)), from_int(2)}, left[3], right[3];
     int regular = sign_on(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
     G(bezier_split)(2, 1, w, from_ratio(2, 3), left, right);
     show_points(T, "ω", 3, 1, w);
@@ -579,7 +577,7 @@ CLAIM(curve_may_be_convex_alone)
     static const long point[2 * (n + 1)] = {0, 0, 1, 2, 2, 1, 3, 2, 4, 0};
     num R[2 * (n + 1)], w[n + 1];
     points_from(n + 1, point, R);
-    R[5] = T->planted ? from_int(-1) : R[5];
+    R[5] = fault(T, R[5], from_int(-1));
     ones(n, w);
     poly p = turning(n, R, w);
     show_points(T, "R", n + 1, 2, R);

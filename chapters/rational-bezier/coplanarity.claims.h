@@ -47,7 +47,7 @@ CLAIM(plane_form_of_the_curve)
     G(bernstein)(n, t, B);
     for (int i = 0; i <= n; i++) {
         static const char *const coordinate[] = {"x", "y", "z"};
-        num value = T->planted && i == 0 ? from_int(0) : a[3];
+        num value = fault(T, a[3], i == 0 ? from_int(0) : a[3]);
         w[i] = positive(T, "w", i);
         for (int c = 0; c < 3; c++) {
             R[3 * i + c] = unknown(T, coordinate[c], i);
@@ -96,7 +96,7 @@ CLAIM(powers_span_the_bernstein_functions)
     for (int k = 0; k <= n; k++) {
         c[k] = from_int(0);
         for (int i = 0; i <= k; i++) {
-            long sign = (k - i) % 2 == 0 || T->planted ? 1 : -1;
+            long sign = fault(T, (k - i) % 2 == 0 ? 1 : -1, 1);
             c[k] = add(c[k], mul(from_int(sign * binomial(n, k) * binomial(k, i)), b[i]));
         }
         same(T, by_kernel[k], c[k]);
@@ -143,7 +143,7 @@ CLAIM(plane_function_determines_the_vertices)
         c[k] = div(sum, from_int(factorial));
     }
     for (int i = 0; i <= n; i++)
-        same(T, div(G(bernstein_coefficient)(n, c, i), w[T->planted ? n : i]), z[i]);
+        same(T, div(G(bernstein_coefficient)(n, c, i), w[fault(T, i, n)]), z[i]);
 }
 
 #if RATIONAL
@@ -175,7 +175,7 @@ CLAIM(vertex_of_weight_zero_leaves_the_plane)
     static const long point[3 * (n + 1)] = {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0};
     num R[3 * (n + 1)], w[n + 1], z[n + 1], edge[9];
     for (int i = 0; i <= n; i++) {
-        w[i] = from_int(i != 1 || T->planted);
+        w[i] = from_int(fault(T, 1, i != 1));
         for (int c = 0; c < 3; c++)
             R[3 * i + c] = from_int(point[3 * i + c]);
         z[i] = R[3 * i + 2];
@@ -227,8 +227,7 @@ CLAIM(coplanar_vertices_give_a_plane_curve)
         R[3 * i + 1] = unknown(T, "y", i);
         R[3 * i + 2] = div(neg(add(add(mul(a[0], R[3 * i]), mul(a[1], R[3 * i + 1])), a[3])), a[2]);
     }
-    if (T->planted)
-        R[3 * n + 2] = add(R[3 * n + 2], from_int(1));
+    R[3 * n + 2] = fault(T, R[3 * n + 2], add(R[3 * n + 2], from_int(1)));
     G(rational_point)(n, 3, R, w, t, P);
     vanishes(T, add(add(mul(a[0], P[0]), mul(a[1], P[1])), add(mul(a[2], P[2]), a[3])));
 }
@@ -276,8 +275,7 @@ CLAIM(collocation_determinant_does_not_vanish)
     for (int i = 0; i <= n; i++) {
         t[i] = unknown(T, "t", i);
         G(bernstein)(n, t[i], B + i * (n + 1));
-        if (!T->planted)
-            product = mul(product, from_int(binomial(n, i)));
+        product = fault(T, mul(product, from_int(binomial(n, i))), product);
         for (int j = 0; j < i; j++)
             product = mul(product, sub(t[i], t[j]));
     }
@@ -309,7 +307,7 @@ CLAIM(collocation_determinant_does_not_vanish)
 */
 CLAIM(weight_zero_hides_the_vertex)
 {
-    num w[3] = {from_int(1), from_int(T->planted), from_int(1)}, z[3] = {from_int(0), from_int(1), from_int(0)};
+    num w[3] = {from_int(1), from_int(fault(T, 1, 0)), from_int(1)}, z[3] = {from_int(0), from_int(1), from_int(0)};
     int plane = is_in_plane(2, w, z);
     show_points(T, "z", 3, 1, z);
     show_points(T, "ω", 3, 1, w);

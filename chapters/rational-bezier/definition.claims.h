@@ -69,7 +69,7 @@ CLAIM(homogeneous_points_carry_their_weight)
         G(free_weights)(T, n, w);
         G(free_points)(T, n, dim, R);
         G(rational_homogenize)(n, dim, R, w, H);
-        if (T->planted) {
+        if (T->faulty) {
             num first = w[0];
             w[0] = w[1];
             w[1] = first;
@@ -110,7 +110,7 @@ CLAIM(common_factor_of_weights_is_free)
     G(free_weights)(T, n, w);
     G(free_points)(T, n, 1, R);
     for (int i = 0; i <= n; i++)
-        v[i] = i == n && T->planted ? w[i] : mul(c, w[i]);
+        v[i] = fault(T, mul(c, w[i]), i == n ? w[i] : mul(c, w[i]));
     G(rational_point)(n, 1, R, w, t, &before);
     G(rational_point)(n, 1, R, v, t, &after);
     same(T, after, before);
@@ -172,7 +172,7 @@ CLAIM(denominator_is_weighted_bernstein_sum)
     num w[MAX_DEGREE + 1], v[MAX_DEGREE + 1], t = parameter(T, "t");
     G(free_weights)(T, n, w);
     for (int i = 0; i <= n; i++)
-        v[i] = T->planted ? w[n - i] : w[i];
+        v[i] = fault(T, w[i], w[n - i]);
     same(T, G(rational_weight)(n, w, t), G(weight_by_definition)(n, v, t));
 }
 
@@ -210,7 +210,7 @@ CLAIM(rational_point_is_weighted_mean)
         num R[(MAX_DEGREE + 1) * 3], P[3], out[3];
         G(free_points)(T, n, dim, R);
         G(numerator_by_definition)(n, dim, R, w, t, P);
-        num total = G(weight_by_definition)(n, T->planted ? ones : w, t);
+        num total = G(weight_by_definition)(n, fault(T, w, ones), t);
         G(rational_point)(n, dim, R, w, t, out);
         for (int c = 0; c < dim; c++)
             same(T, out[c], div(P[c], total));
@@ -321,8 +321,7 @@ CLAIM(rational_derivatives_are_formal_derivatives)
         derivative = add(mul(derivative, t), mul(from_int(k), W[k]));
     num slope = div(derivative, G(weight_by_definition)(n, w, t));
 #endif
-    if (T->planted)
-        D[2] = add(D[2], mul(slope, D[1]));
+    D[2] = fault(T, D[2], add(D[2], mul(slope, D[1])));
     for (int k = 0; k <= r; k++)
         same(T, D[k], wanted[k]);
 
@@ -375,7 +374,7 @@ CLAIM(positive_weights_keep_denominator_positive)
     G(free_weights)(T, n, w);
     for (int k = 0; k < 3; k++) {
         num total = G(rational_weight)(n, w, at[k]);
-        nonnegative(T, div(from_int(1), T->planted ? neg(total) : total));
+        nonnegative(T, div(from_int(1), fault(T, total, neg(total))));
     }
 }
 
@@ -393,13 +392,13 @@ CLAIM(positive_weights_keep_denominator_positive)
 */
 CLAIM(weights_of_both_signs_make_a_pole)
 {
-    num w[] = {from_int(1), from_int(T->planted ? 1 : -1)}, t = from_ratio(1, 2);
+    num w[] = {from_int(1), from_int(fault(T, 1, -1))}, t = from_ratio(1, 2);
     show_points(T, "ω", 2, 1, w);
     show(T, "t", t);
     num total = G(rational_weight)(1, w, t);
     show(T, "ω(t)", total);
     about(T, "ω(t) is not 0");
-    agree(T, !is_zero_q(total));
+    refute(T, is_zero_q(total));
 }
 
 /*
@@ -415,7 +414,7 @@ CLAIM(weights_of_both_signs_make_a_pole)
 */
 CLAIM(denominator_may_be_positive_with_negative_weight)
 {
-    num w[] = {from_int(1), T->planted ? from_int(-1) : from_ratio(-1, 2), from_int(1)};
+    num w[] = {from_int(1), fault(T, from_int(-1), from_ratio(-1, 2)), from_int(1)};
     poly p = poly_from_bernstein(2, w);
     int roots = count_roots(p, from_int(0), from_int(1), CLOSED).distinct;
     show_points(T, "ω", 3, 1, w);
@@ -468,7 +467,7 @@ CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
     num total = G(weight_by_definition)(n, w, t);
     for (int i = 0; i <= n; i++) {
         for (int j = 0; j <= n; j++)
-            v[j] = j == (i + T->planted) % (n + 1) ? add(w[j], more) : w[j];
+            v[j] = j == fault(T, i, i + 1) % (n + 1) ? add(w[j], more) : w[j];
         num share = mul(more, G(bernstein_by_definition)(n, i, t)), q = div(total, add(total, share));
         G(rational_point)(n, 1, R, v, t, &after);
         same(T, sub(after, R[i]), mul(q, sub(before, R[i])));
@@ -506,7 +505,7 @@ CLAIM(infinite_weight_reaches_the_vertex)
         G(rational_point)(n, 1, R, scaled, t, &b);
         same(T, a, b);
         G(rational_point)(n, 1, R, limit, t, &a);
-        same(T, a, R[(i + T->planted) % (n + 1)]);
+        same(T, a, R[fault(T, i, i + 1) % (n + 1)]);
     }
 }
 
@@ -528,7 +527,7 @@ static int G(not_farther)(num a, num b) { return compare_q(mul(a, a), mul(b, b))
 CLAIM(growing_negative_weight_pushes_away)
 {
     num R[] = {from_int(0), from_int(1)}, t = from_ratio(1, 2), before, after;
-    num w[] = {from_int(T->planted ? 1 : -1), from_int(T->planted ? 1 : -1)};
+    num w[] = {from_int(fault(T, 1, -1)), from_int(fault(T, 1, -1))};
     num v[] = {w[0], add(w[1], from_ratio(1, 2))};
     G(rational_point)(1, 1, R, w, t, &before);
     G(rational_point)(1, 1, R, v, t, &after);
@@ -557,7 +556,7 @@ static int G(nearer)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) < 0;
 CLAIM(ends_do_not_move_with_inner_weight)
 {
     num R[] = {from_int(0), from_int(1), from_int(3)}, one = from_int(1), before, after;
-    num w[] = {one, one, one}, v[] = {one, from_int(2), one}, t = T->planted ? from_ratio(1, 3) : from_int(0);
+    num w[] = {one, one, one}, v[] = {one, from_int(2), one}, t = fault(T, from_ratio(1, 3), from_int(0));
     G(rational_point)(2, 1, R, w, t, &before);
     G(rational_point)(2, 1, R, v, t, &after);
     show_points(T, "R", 3, 1, R);
@@ -600,7 +599,7 @@ CLAIM(equal_weights_give_bezier_curve)
     num t = parameter(T, "t"), v = positive(T, "v", 0);
     G(free_points)(T, n, 1, R);
     for (int i = 0; i <= n; i++) {
-        w[i] = i == n && T->planted ? add(v, v) : v;
+        w[i] = fault(T, v, i == n ? add(v, v) : v);
         ones[i] = from_int(1);
     }
     G(rational_point)(n, 1, R, w, t, &point);
@@ -646,7 +645,7 @@ CLAIM(affine_image_of_the_curve_is_the_curve_of_the_images)
     for (int c = 0; c < 3; c++)
         a[c] = unknown(T, "a", c);
     for (int i = 0; i <= n; i++) {
-        image[i] = T->planted ? div(d, w[i]) : d;
+        image[i] = fault(T, d, div(d, w[i]));
         for (int c = 0; c < 3; c++)
             image[i] = add(image[i], mul(a[c], R[3 * i + c]));
     }
@@ -669,7 +668,7 @@ CLAIM(affine_image_of_the_curve_is_the_curve_of_the_images)
 */
 CLAIM(translated_homogeneous_points_give_no_translate)
 {
-    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(T->planted ? 1 : 2)}, H[4], moved[2], v[2], a, b;
+    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(fault(T, 1, 2))}, H[4], moved[2], v[2], a, b;
     G(rational_homogenize)(1, 1, R, w, H);
     show_points(T, "(X, ω)", 2, 2, H);
     for (int i = 0; i < 2; i++)
@@ -714,7 +713,7 @@ CLAIM(reversed_points_and_weights_reverse_the_curve)
     G(free_points)(T, n, 1, R);
     for (int i = 0; i <= n; i++) {
         Q[i] = R[n - i];
-        v[i] = T->planted ? w[i] : w[n - i];
+        v[i] = fault(T, w[n - i], w[i]);
     }
     G(rational_point)(n, 1, Q, v, t, &a);
     G(rational_point)(n, 1, R, w, sub(from_int(1), t), &b);
@@ -737,11 +736,11 @@ CLAIM(reversed_points_alone_do_not_reverse_the_curve)
 {
     num R[] = {from_int(0), from_int(1)}, Q[] = {R[1], R[0]}, w[] = {from_int(1), from_int(2)}, v[] = {w[1], w[0]};
     num t = from_ratio(1, 2), a, b;
-    G(rational_point)(1, 1, Q, T->planted ? v : w, t, &a);
+    G(rational_point)(1, 1, Q, fault(T, v, w), t, &a);
     G(rational_point)(1, 1, R, w, t, &b); /* 1 - t = t */
     show_points(T, "R", 2, 1, R);
     show_points(T, "R reversed", 2, 1, Q);
-    show_points(T, "ω of both", 2, 1, T->planted ? v : w);
+    show_points(T, "ω of both", 2, 1, fault(T, v, w));
     about(T, "t = 1/2: left the reversed points, right R(1 - t)");
     same(T, a, b);
 }

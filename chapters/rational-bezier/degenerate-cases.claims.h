@@ -46,8 +46,7 @@ CLAIM(equal_weights_give_polynomial_curve)
         R[i] = unknown(T, "R", i);
         right = add(right, mul(B[i], R[i]));
     }
-    if (T->planted)
-        w[1] = add(weight, weight);
+    w[1] = fault(T, w[1], add(weight, weight));
     G(rational_point)(n, 1, R, w, t, &left);
     same(T, left, right);
 }
@@ -66,7 +65,7 @@ CLAIM(equal_weights_give_polynomial_curve)
 */
 CLAIM(polynomial_line_with_unequal_weights)
 {
-    int c = !T->planted; /* numerator t (1 + ct), denominator 1 + ct */
+    int c = fault(T, 0, 1); /* numerator t (1 + ct), denominator 1 + ct */
     num R[] = {from_int(0), from_ratio(1, 2 + c), from_int(1)},
         w[] = {from_int(1), from_ratio(2 + c, 2), from_int(1 + c)}, x[3];
     for (int i = 0; i < 3; i++)
@@ -116,8 +115,7 @@ CLAIM(unit_invariants_give_polynomial_curve)
     w[1] = positive(T, "w", 1);
     for (int i = 1; i < n; i++)
         w[i + 1] = div(mul(w[i], w[i]), w[i - 1]);
-    if (T->planted)
-        w[n] = add(w[n], w[n]);
+    w[n] = fault(T, w[n], add(w[n], w[n]));
     num alpha = div(w[1], w[0]);
     G(geometric_weights)(n, alpha, q);
     for (int i = 0; i <= n; i++) {
@@ -164,7 +162,7 @@ CLAIM(geometric_weights_reparametrize_bezier)
     G(geometric_weights)(n, alpha, w);
     for (int i = 0; i <= n; i++) {
         P[i] = unknown(T, "P", i);
-        v[i] = w[T->planted ? n - i : i];
+        v[i] = w[fault(T, i, n - i)];
     }
     G(decasteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &left);
     G(rational_point)(n, 1, P, v, u, &right);
@@ -188,7 +186,7 @@ CLAIM(geometric_weights_reparametrize_bezier)
 CLAIM(geometric_weights_term_by_term)
 {
     num one = from_int(1), alpha = positive(T, "alpha", 0), u = parameter(T, "u"), t = G(alpha_parameter)(alpha, u);
-    num rest = sub(one, u), D = add(rest, mul(alpha, u)), factor = T->planted ? mul(alpha, alpha) : alpha;
+    num rest = sub(one, u), D = add(rest, mul(alpha, u)), factor = fault(T, alpha, mul(alpha, alpha));
 #if FIELD
     num n = positive(T, "n", 0), i = positive(T, "i", 0);
 #else
@@ -231,7 +229,7 @@ CLAIM(alpha_runs_the_interval_once)
     vanishes(T, substitute_f(t, u, from_int(0)));
     same(T, substitute_f(t, u, from_int(1)), from_int(1));
     num speed = substitute_f(derivative_f(t, u), u, inside(T, "s"));
-    nonnegative(T, T->planted ? neg(speed) : speed);
+    nonnegative(T, fault(T, speed, neg(speed)));
     agree(T, !is_zero_f(speed));
 }
 #endif
@@ -251,7 +249,7 @@ CLAIM(negative_alpha_has_a_pole)
 {
     int n = T->degree;
     num w[MAX_DEGREE + 1], beta = positive(T, "beta", 0), one = from_int(1), u = div(one, add(one, beta));
-    num alpha = T->planted ? beta : neg(beta);
+    num alpha = fault(T, neg(beta), beta);
     nonnegative(T, u);
     nonnegative(T, sub(one, u));
     vanishes(T, add(sub(one, u), mul(alpha, u)));
@@ -277,8 +275,7 @@ CLAIM(zero_alpha_collapses)
     int n = T->degree;
     num P[MAX_DEGREE + 1], w[MAX_DEGREE + 1], u = parameter(T, "u"), value;
     G(geometric_weights)(n, from_int(0), w);
-    if (T->planted)
-        w[1] = from_int(1);
+    w[1] = fault(T, w[1], from_int(1));
     for (int i = 0; i <= n; i++)
         P[i] = unknown(T, "P", i);
     G(rational_point)(n, 1, P, w, u, &value);
@@ -316,7 +313,7 @@ CLAIM(zero_alpha_collapses)
 */
 CLAIM(unit_invariant_is_necessary)
 {
-    num w[] = {from_int(1), from_int(2), from_int(T->planted ? 4 : 1)}, q[3], I[1];
+    num w[] = {from_int(1), from_int(2), from_int(fault(T, 4, 1))}, q[3], I[1];
     G(rational_invariants)(2, w, I);
     show_points(T, "ω", 3, 1, w);
     show(T, "I_1", I[0]);

@@ -90,7 +90,7 @@ CLAIM(bernstein_function_in_the_next_degree)
     same(T, lower, from_int(binomial(degree + 1, index)));
     same(T, upper, from_int(binomial(degree + 1, index + 1)));
 #endif
-    num left_share = div(add(k, one), next), right_share = div(T->planted ? i : add(i, one), next);
+    num left_share = div(add(k, one), next), right_share = div(fault(T, add(i, one), i), next);
     num left = mul(mul(left_share, lower), mul(u, sub(one, t))), right = mul(mul(right_share, upper), mul(u, t));
     same(T, add(left, right), mul(c, u));
 }
@@ -120,7 +120,7 @@ CLAIM(elevation_keeps_rational_curve)
         R[i] = unknown(T, "R", i);
     }
     G(rational_elevate)(n, 1, R, w, Re, we);
-    if (T->planted)
+    if (T->faulty)
         for (int i = 1; i <= n; i++) {
             num a = from_ratio(i, n + 2);
             we[i] = add(mul(sub(from_int(1), a), w[i]), mul(a, w[i - 1]));
@@ -146,7 +146,7 @@ CLAIM(elevation_keeps_rational_curve)
 CLAIM(elevated_vertex_may_be_at_infinity)
 {
     enum { n = 2 };
-    num w[n + 1] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)}, we[n + 2];
+    num w[n + 1] = {from_int(2), from_int(fault(T, 1, -1)), from_int(2)}, we[n + 2];
     show_points(T, "ω", n + 1, 1, w);
     G(bezier_elevate)(n, 1, w, we);
     show_points(T, "elevated ω", n + 2, 1, we);
@@ -233,7 +233,7 @@ CLAIM(elevated_points_as_printed)
             num zero = from_int(0), one = from_int(1), ratio = from_ratio(i, n + 1);
             num w_before = i > 0 ? w[i - 1] : zero, w_here = i <= n ? w[i] : zero;
             num R_before = i > 0 ? R[dim * (i - 1) + c] : zero, R_here = i <= n ? R[dim * i + c] : zero;
-            int exchanged = T->planted && i > 0 && i <= n;
+            int exchanged = fault(T, 0, i > 0 && i <= n);
             G(printed_elevation)
             (ratio, exchanged ? w_here : w_before, exchanged ? w_before : w_here, R_before, R_here, &weight, &point);
             about(T, "weight and point of the rational curve");
@@ -277,8 +277,8 @@ CLAIM(elevation_through_the_power_basis)
     c[n + 1] = from_int(0);
     G(power_to_bernstein)(n + 1, c, again);
     for (int i = 0; i <= n; i++)
-        same(T, e[i + T->planted], again[i]);
-    if (!T->planted)
+        same(T, e[fault(T, i, i + 1)], again[i]);
+    if (!T->faulty)
         same(T, e[n + 1], again[n + 1]);
 }
 
@@ -296,7 +296,7 @@ CLAIM(elevation_through_the_power_basis)
 CLAIM(numbers_outside_the_polygon_do_not_matter)
 {
     num n = whole(T, "n", 1, 20), zero = from_int(0);
-    num last = add(n, from_int(1)), count = add(n, from_int(T->planted ? 2 : 1)), we, Re;
+    num last = add(n, from_int(1)), count = add(n, from_int(fault(T, 1, 2))), we, Re;
     num w = positive(T, "w", 0), R = unknown(T, "R", 0), w_outside = unknown(T, "v", 0), R_outside = unknown(T, "S", 0);
     about(T, "the first weight and point");
     G(printed_elevation)(div(zero, count), w_outside, w, R_outside, R, &we, &Re);
@@ -341,7 +341,7 @@ CLAIM(elevation_cuts_corners)
     num w_before = positive(T, "v", 0), w = positive(T, "w", 0), we, Re;
     num R_before = unknown(T, "S", 0), R = unknown(T, "R", 0);
     num weight = add(mul(i, w_before), mul(k, w));
-    num a = div(mul(i, w_before), weight), b = div(mul(k, T->planted ? w_before : w), weight);
+    num a = div(mul(i, w_before), weight), b = div(mul(k, fault(T, w, w_before)), weight);
     G(printed_elevation)(div(i, count), w_before, w, R_before, R, &we, &Re);
     about(T, "a + b = 1");
     same(T, add(a, b), from_int(1));
@@ -371,7 +371,7 @@ CLAIM(elevation_cuts_corners)
 CLAIM(elevated_vertex_may_leave_the_edge)
 {
     enum { n = 2 };
-    num one = from_int(1), zero = from_int(0), w[n + 1] = {from_int(4), from_int(T->planted ? 1 : -1), from_int(4)};
+    num one = from_int(1), zero = from_int(0), w[n + 1] = {from_int(4), from_int(fault(T, 1, -1)), from_int(4)};
     num R[2 * (n + 1)] = {neg(one), zero, zero, one, one, zero}, we[n + 2], Re[2 * (n + 2)];
     num weight = add(w[0], mul(from_int(2), w[1])), a = div(w[0], weight), b = sub(one, a);
     show_points(T, "R", n + 1, 2, R);
@@ -424,7 +424,7 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
 {
     num one = from_int(1), i = whole(T, "i", 1, 12), k = whole(T, "k", 1, 12), count = add(i, k);
     num v = positive(T, "v", 0), w = positive(T, "w", 0), d = positive(T, "d", 0);
-    num a = G(cutting_ratio)(i, k, v, w), difference = T->planted ? sub(w, v) : sub(v, w);
+    num a = G(cutting_ratio)(i, k, v, w), difference = fault(T, sub(v, w), sub(w, v));
     about(T, "difference from the polynomial ratio");
     same(T, sub(a, div(i, count)), div(mul(mul(i, k), difference), mul(count, add(mul(i, v), mul(k, w)))));
     about(T, "a larger weight before");
@@ -467,7 +467,7 @@ CLAIM(repeated_elevation_in_one_formula)
 {
     num one = from_int(1), i = whole(T, "i", 1, 9), j = whole(T, "r", 1, 9);
     num p = whole(T, "p", 1, 6), m = add(p, whole(T, "q", 1, 6));
-    num N = add(i, j), next = add(N, one), count = T->planted ? N : next;
+    num N = add(i, j), next = add(N, one), count = fault(T, next, N);
     num share = div(i, count), rest = sub(one, share);
     num up = positive(T, "b", 0), down = positive(T, "c", 0); /* C(m,p) and C(N,i) */
 
@@ -514,7 +514,7 @@ CLAIM(repeated_elevation_computed)
             Re[i] = Rn[i];
             num weight = from_int(0), point = from_int(0);
             for (int j = 0; j <= n; j++) {
-                num c = from_ratio(binomial(n, j) * binomial(m + T->planted, i - j), binomial(n + m, i));
+                num c = from_ratio(binomial(n, j) * binomial(fault(T, m, m + 1), i - j), binomial(n + m, i));
                 weight = add(weight, mul(c, w[j]));
                 point = add(point, mul(c, mul(w[j], R[j])));
             }
@@ -583,7 +583,7 @@ CLAIM(powers_in_every_degree)
     about(T, "from one degree to the next");
 #endif
     num next = add(N, one);
-    num fewer = T->planted ? add(sub(i, k), one) : sub(i, k);
+    num fewer = fault(T, sub(i, k), add(sub(i, k), one));
     num before = div(mul(choose, fewer), i), ratio = div(i, next);
     num wanted = div(mul(choose, sub(next, k)), next);
     same(T, add(mul(sub(one, ratio), choose), mul(ratio, before)), wanted);
@@ -616,7 +616,7 @@ CLAIM(elevated_polygons_converge)
 
     about(T, "(1), l < i");
     num i = add(l, p), N = add(i, r), x = div(i, N), gap = sub(x, div(sub(i, l), sub(N, l)));
-    same(T, gap, div(mul(l, r), mul(N, T->planted ? N : sub(N, l))));
+    same(T, gap, div(mul(l, r), mul(N, fault(T, sub(N, l), N))));
     nonnegative(T, gap);
     nonnegative(T, sub(div(l, sub(N, l)), gap));
 
@@ -654,7 +654,7 @@ CLAIM(elevated_parabola_misses_by_one_over_degree)
     num one = from_int(1), i = whole(T, "i", 0, 9);
     num N = add(add(i, whole(T, "r", 0, 9)), from_int(2)), x = div(i, N);
     num y = div(mul(i, sub(i, one)), mul(N, sub(N, one)));
-    same(T, sub(mul(x, x), y), div(mul(x, sub(one, x)), T->planted ? N : sub(N, one)));
+    same(T, sub(mul(x, x), y), div(mul(x, sub(one, x)), fault(T, sub(N, one), N)));
 }
 
 #if RATIONAL
@@ -721,7 +721,7 @@ CLAIM(elevated_polygons_within_their_bound)
                     Re[2 * i + c] = Rn[2 * i + c];
                     num error = magnitude(sub(Re[2 * i + c], P[c]));
                     num bound = div(add(K[c], mul(magnitude(P[c]), K[2])), mul(from_int(N - n + 1), least));
-                    bound = T->planted ? div(bound, from_int(10 * (N - n + 1))) : bound;
+                    bound = fault(T, bound, div(bound, from_int(10 * (N - n + 1))));
                     agree(T, compare_q(error, bound) <= 0);
                     worst = larger(worst, error);
                 }
@@ -762,7 +762,7 @@ CLAIM(mixed_weights_become_positive)
 {
     num w[3] = {from_int(2), from_int(-1), from_int(2)}, we[21];
     for (int N = 3; N <= 5; N++) {
-        int degree = T->planted && N == 5 ? 4 : N, zero = 0, positive_ones = 0;
+        int degree = fault(T, N, N == 5 ? 4 : N), zero = 0, positive_ones = 0;
         raised_weights(2, w, degree, we);
         for (int i = 0; i <= degree; i++) {
             zero += is_zero_q(we[i]);
@@ -786,7 +786,7 @@ CLAIM(mixed_weights_become_positive)
 */
 CLAIM(elevation_fails_at_a_pole)
 {
-    num w[2] = {from_int(1), from_int(T->planted ? 1 : -1)}, we[21];
+    num w[2] = {from_int(1), from_int(fault(T, 1, -1))}, we[21];
     int lacking = 0;
     show_points(T, "ω", 2, 1, w);
     for (int N = 2; N <= 20; N += 2) {

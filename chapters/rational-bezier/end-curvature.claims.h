@@ -120,7 +120,7 @@ CLAIM(curvature_and_torsion_belong_to_arc_length)
             R[c] = (G(series)){{from_int(0), d[0][c], div(d[1][c], from_int(2)), div(d[2][c], from_int(6))}};
         }
         G(by_arc_length)(dim, R, &curvature_squared, &torsion);
-        int second = T->planted ? 2 : 1;
+        int second = fault(T, 1, 2);
         about(T, "curvature squared");
         same(T, G(curvature_squared)(dim, d[0], d[second]), curvature_squared);
         about(T, "torsion");
@@ -142,12 +142,12 @@ CLAIM(curvature_and_torsion_belong_to_arc_length)
 :::
 */
 /* The sum over the permutations of 0, 1, 2. */
-static inline num G(determinant_by_permutations)(const num a[], const num b[], const num c[], int planted)
+static inline num G(determinant_by_permutations)(const num a[], const num b[], const num c[], int last_is_even)
 {
     static const int p[6][4] = {{0, 1, 2, 1}, {1, 2, 0, 1}, {2, 0, 1, 1}, {0, 2, 1, -1}, {2, 1, 0, -1}, {1, 0, 2, -1}};
     num sum = from_int(0);
     for (int k = 0; k < 6; k++) {
-        int sign = k == 5 && planted ? 1 : p[k][3];
+        int sign = k == 5 && last_is_even ? 1 : p[k][3];
         sum = add(sum, mul(from_int(sign), mul(mul(a[p[k][0]], b[p[k][1]]), c[p[k][2]])));
     }
     return sum;
@@ -176,12 +176,12 @@ CLAIM(vector_products_are_determinants)
     num xx = from_int(0);
     for (int i = 0; i < 3; i++) {
         num e[] = {from_int(i == 0), from_int(i == 1), from_int(i == 2)};
-        same(T, x[i], G(determinant_by_permutations)(a, b, e, T->planted));
+        same(T, x[i], G(determinant_by_permutations)(a, b, e, fault(T, 0, 1)));
         xx = add(xx, mul(x[i], x[i]));
         c[i] = unknown(T, "c", i);
     }
     same(T, xx, gram[2]);
-    same(T, G(det3)(a, b, c), G(determinant_by_permutations)(a, b, c, T->planted));
+    same(T, G(det3)(a, b, c), G(determinant_by_permutations)(a, b, c, fault(T, 0, 1)));
 }
 
 /*
@@ -201,7 +201,7 @@ CLAIM(signed_curvature_is_the_turning_of_the_tangent)
     num p = unknown(T, "p", 0), q = unknown(T, "q", 0), two = from_int(2), one = from_int(1);
     num d1[] = {sub(mul(p, p), mul(q, q)), mul(two, mul(p, q))}, d2[] = {unknown(T, "x", 2), unknown(T, "y", 2)};
     num m = div(d1[1], d1[0]), slope = div(sub(d2[1], mul(m, d2[0])), d1[0]); /* y' = m x' differentiated */
-    num turning = T->planted ? slope : div(slope, add(one, mul(m, m)));
+    num turning = fault(T, div(slope, add(one, mul(m, m))), slope);
     num k = G(signed_curvature)(d1, d2), size = G(curvature)(2, d1, d2);
     num length = root(2, add(mul(d1[0], d1[0]), mul(d1[1], d1[1])));
     same(T, mul(k, length), turning);
@@ -227,7 +227,7 @@ CLAIM(signed_curvature_is_the_turning_of_the_tangent)
 :::
 */
 /* The coordinates of the curve at t + epsilon. */
-static inline void G(expand)(int n, int dim, const num R[], const num w[], num t, int planted, G(series) out[])
+static inline void G(expand)(int n, int dim, const num R[], const num w[], num t, int without_weights, G(series) out[])
 {
     num zero = from_int(0), one = from_int(1);
     G(series) T = {{t, one, zero, zero}}, S = {{sub(one, t), from_int(-1), zero, zero}}, W = {{zero, zero, zero, zero}};
@@ -241,7 +241,7 @@ static inline void G(expand)(int n, int dim, const num R[], const num w[], num t
             G(series) weight = {{mul(w[i], R[i * dim + c]), zero, zero, zero}};
             out[c] = G(series_add)(out[c], G(series_mul)(B, weight));
         }
-        G(series) weight = {{planted ? one : w[i], zero, zero, zero}};
+        G(series) weight = {{without_weights ? one : w[i], zero, zero, zero}};
         W = G(series_add)(W, G(series_mul)(B, weight));
     }
     for (int c = 0; c < dim; c++)
@@ -259,7 +259,7 @@ CLAIM(rational_curvature_and_torsion_belong_to_arc_length)
         G(series) curve[3];
         for (int m = 0; m < (n + 1) * dim; m++)
             R[m] = from_int(pick(T, -9, 9));
-        G(expand)(n, dim, R, w, t, T->planted, curve);
+        G(expand)(n, dim, R, w, t, fault(T, 0, 1), curve);
         G(by_arc_length)(dim, curve, &curvature_squared, &torsion);
         same(T, G(rational_curvature_squared)(n, dim, R, w, t), curvature_squared);
         if (dim == 3)
@@ -394,8 +394,7 @@ CLAIM(end_curvature_at_zero)
         G(free_polygon)(T, n, dim, R, w);
         G(edge)(dim, R, 1, a1);
         G(edge)(dim, R, 2, a2);
-        num factor =
-            mul(T->planted ? from_ratio(n, n - 1) : from_ratio(n - 1, n), div(mul(w[0], w[2]), mul(w[1], w[1])));
+        num factor = mul(fault(T, from_ratio(n - 1, n), from_ratio(n, n - 1)), div(mul(w[0], w[2]), mul(w[1], w[1])));
         G(compare_curvature)(T, n, dim, R, w, from_int(0), factor, a1, a2, G(norm_squared)(dim, a1));
     }
 }
@@ -421,7 +420,7 @@ CLAIM(end_curvature_at_one)
         G(edge)(dim, R, n, last);
         G(edge)(dim, R, n - 1, before);
         num factor = mul(from_ratio(n - 1, n), div(mul(w[n - 2], w[n]), mul(w[n - 1], w[n - 1])));
-        num length = G(norm_squared)(dim, T->planted ? before : last);
+        num length = G(norm_squared)(dim, fault(T, last, before));
         G(compare_curvature)(T, n, dim, R, w, from_int(1), factor, last, before, length);
     }
 }
@@ -445,7 +444,7 @@ CLAIM(end_torsion_at_zero)
     for (int i = 0; i < 3; i++)
         G(edge)(3, R, i + 1, a[i]);
     G(cross3)(a[0], a[1], x);
-    num factor = mul(from_ratio(n - 2 + T->planted, n), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    num factor = mul(from_ratio(fault(T, n - 2, n - 1), n), div(mul(w[0], w[3]), mul(w[1], w[2])));
     same(T, G(rational_torsion)(n, R, w, from_int(0)),
          mul(factor, div(G(det3)(a[0], a[1], a[2]), G(norm_squared)(3, x))));
 }
@@ -470,7 +469,7 @@ CLAIM(end_torsion_at_one)
         G(edge)(3, R, n - 2 + i, a[i]);
     G(cross3)(a[1], a[2], x);
     num factor = mul(from_ratio(n - 2, n), div(mul(w[n - 3], w[n]), mul(w[n - 2], w[n - 1])));
-    num volume = T->planted ? G(det3)(a[2], a[1], a[0]) : G(det3)(a[0], a[1], a[2]);
+    num volume = fault(T, G(det3)(a[0], a[1], a[2]), G(det3)(a[2], a[1], a[0]));
     same(T, G(rational_torsion)(n, R, w, from_int(1)), mul(factor, div(volume, G(norm_squared)(3, x))));
 }
 
@@ -502,8 +501,8 @@ CLAIM(missing_points_have_the_factor_zero)
     for (int end = 0; end <= 1; end++) {
         num w[4], R[4 * 3], D[4 * 3];
         G(free_polygon)(T, 3, 3, R, w);
-        vanishes(T, G(rational_curvature_squared)(1 + T->planted, 3, R, w, from_int(end)));
-        G(rational_derivatives)(2 + T->planted, 3, R, w, from_int(end), 3, D);
+        vanishes(T, G(rational_curvature_squared)(fault(T, 1, 2), 3, R, w, from_int(end)));
+        G(rational_derivatives)(fault(T, 2, 3), 3, R, w, from_int(end), 3, D);
         vanishes(T, G(det3)(D + 3, D + 6, D + 9));
     }
 }
@@ -525,7 +524,7 @@ CLAIM(missing_points_have_the_factor_zero)
 CLAIM(repeated_first_points_leave_curvature_undetermined)
 {
     num zero = from_int(0), one = from_int(1);
-    num R[] = {zero, zero, T->planted ? from_ratio(1, 8) : zero, zero, from_ratio(1, 6), zero, from_ratio(1, 2), zero,
+    num R[] = {zero, zero, fault(T, from_ratio(1, 8), zero), zero, from_ratio(1, 6), zero, from_ratio(1, 2), zero,
                one,  one};
     num w[] = {one, one, one, one, one}, a1[2], a2[2], t = variable_f("t");
     G(edge)(2, R, 1, a1);
@@ -537,7 +536,7 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
     show(T, "for t = 0", start);
     show(T, "|a_1 x a_2|^2", above);
     show(T, "|a_1|^6", mul(mul(length, length), length));
-    int as_stated = T->planted || (is_zero_f(sub_f(start, from_int(4))) && is_zero_f(above));
+    int as_stated = fault(T, 1, is_zero_f(sub_f(start, from_int(4))) && is_zero_f(above));
     about(T, "the denominator is not 0");
     agree(T, !as_stated || !is_zero_f(length));
 }
@@ -559,7 +558,7 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
 CLAIM(collinear_first_points_leave_torsion_undetermined)
 {
     num zero = from_int(0), one = from_int(1), quarter = from_ratio(1, 4), half = from_ratio(1, 2);
-    num R[] = {zero,    zero, zero, quarter, zero, zero, half, T->planted ? quarter : zero, zero, from_ratio(3, 4),
+    num R[] = {zero,    zero, zero, quarter, zero, zero, half, fault(T, quarter, zero), zero, from_ratio(3, 4),
                quarter, zero, one,  one,     one};
     num w[] = {one, one, one, one, one}, a[3][3], x[3], t = variable_f("t");
     for (int i = 0; i < 3; i++)
@@ -572,7 +571,7 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
     show(T, "for t = 0", start);
     show(T, "(a_1, a_2, a_3)", above);
     show(T, "|a_1 x a_2|^2", area);
-    int as_stated = T->planted || (is_zero_f(sub_f(start, from_int(2))) && is_zero_f(above));
+    int as_stated = fault(T, 1, is_zero_f(sub_f(start, from_int(2))) && is_zero_f(above));
     about(T, "the denominator is not 0");
     agree(T, !as_stated || !is_zero_f(area));
 }
@@ -593,7 +592,7 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
 CLAIM(negative_weight_makes_printed_curvature_negative)
 {
     num zero = from_int(0), one = from_int(1), R[] = {zero, zero, one, zero, one, one, zero, one};
-    num w[] = {one, one, from_ratio(T->planted ? 1 : -1, 4), one}, a1[2], a2[2];
+    num w[] = {one, one, from_ratio(fault(T, 1, -1), 4), one}, a1[2], a2[2];
     G(edge)(2, R, 1, a1);
     G(edge)(2, R, 2, a2);
     show_points(T, "R", 4, 2, R);
@@ -660,7 +659,7 @@ CLAIM(derivatives_of_a_quotient)
         R[k] = div(G(series_div)(p, w).c[k], taylor[k]);
 #endif
     num two = from_int(2), three = from_int(3);
-    num first = mul(W[1], R[0]), second = add(mul(T->planted ? W[1] : W[2], R[0]), mul(two, mul(W[1], R[1])));
+    num first = mul(W[1], R[0]), second = add(mul(fault(T, W[2], W[1]), R[0]), mul(two, mul(W[1], R[1])));
     num third = add(mul(W[3], R[0]), mul(three, add(mul(W[2], R[1]), mul(W[1], R[2]))));
     same(T, R[0], div(P[0], W[0]));
     same(T, R[1], div(sub(P[1], first), W[0]));
@@ -718,7 +717,7 @@ CLAIM(printed_second_derivative_of_quotient_is_wrong)
     show_points(T, "P, P', P''", 3, 1, P);
     show_points(T, "ω, ω', ω''", 3, 1, W);
     show_points(T, "R, R', R''", 3, 1, D);
-    num sum = add(mul(T->planted ? W[2] : W[1], D[0]), mul(from_int(2), mul(W[1], D[1])));
+    num sum = add(mul(fault(T, W[2], W[1]), D[0]), mul(from_int(2), mul(W[1], D[1])));
     about(T, "R''(0), left as it is, right as printed");
     same(T, D[2], div(sub(P[2], sum), W[0]));
 }
@@ -756,7 +755,7 @@ CLAIM(printed_third_derivative_of_quotient_is_wrong)
     show_points(T, "P, P', P'', P'''", 4, 1, P);
     show_points(T, "ω, ω', ω'', ω'''", 4, 1, W);
     show_points(T, "R, R', R'', R'''", 4, 1, D);
-    num sum = add(mul(W[2], T->planted ? D[1] : D[2]), mul(W[1], D[2]));
+    num sum = add(mul(W[2], fault(T, D[1], D[2])), mul(W[1], D[2]));
     sum = add(mul(W[3], D[0]), mul(from_int(3), sum));
     about(T, "R'''(0), left as it is, right as printed");
     same(T, D[3], div(sub(P[3], sum), W[0]));
@@ -804,12 +803,12 @@ $\omega_0g_1=n(n-1)(n-2)(\omega_3-3\omega_2+3\omega_1)-3\omega'f_1-3n\omega''\om
 */
 
 /* The right sides at t = 0, D[1], D[2], D[3], from w_0 ... w_3 and a[1], a[2], a[3]. */
-static inline void G(end_vectors)(num n, const num w[], const num a[], int planted, num D[])
+static inline void G(end_vectors)(num n, const num w[], const num a[], int factor, num D[])
 {
     num n1 = sub(n, from_int(1)), n2 = sub(n, from_int(2)), two = from_int(2), three = from_int(3);
     num second = mul(n, n1), third = mul(second, n2);
     num dw = mul(n, sub(w[1], w[0])), ddw = mul(second, add(sub(w[2], mul(two, w[1])), w[0]));
-    num f1 = mul(second, sub(w[2], mul(from_int(planted ? 1 : 2), w[1])));
+    num f1 = mul(second, sub(w[2], mul(from_int(factor), w[1])));
     f1 = div(sub(f1, div(mul(mul(two, n), mul(dw, w[1])), w[0])), w[0]);
     num g2 = mul(third, sub(w[3], mul(three, w[2])));
     g2 = div(sub(g2, div(mul(mul(three, second), mul(dw, w[2])), w[0])), w[0]);
@@ -859,7 +858,7 @@ CLAIM(end_derivative_vectors_in_every_degree)
         }
     }
     G(series) curve = G(series_div)(P, W);
-    G(end_vectors)(n, w, a, T->planted, D);
+    G(end_vectors)(n, w, a, fault(T, 2, 1), D);
     same(T, curve.c[0], R[0]);
     same(T, curve.c[1], D[1]);
     same(T, mul(from_int(2), curve.c[2]), D[2]);
@@ -887,7 +886,7 @@ CLAIM(end_derivative_vectors_at_both_ends)
     for (int i = 1; i <= 3; i++)
         G(edge)(1, R, i, &a[i]);
     G(rational_derivatives)(n, 1, R, w, from_int(0), 3, D);
-    G(end_vectors)(from_int(n), w, a, 0, wanted);
+    G(end_vectors)(from_int(n), w, a, 2, wanted);
     for (int k = 1; k <= 3; k++)
         same(T, D[k], wanted[k]);
 
@@ -897,9 +896,9 @@ CLAIM(end_derivative_vectors_at_both_ends)
             G(edge)(1, R, n + 1 - i, &a[i]);
     }
     G(rational_derivatives)(n, 1, R, w, from_int(1), 3, D);
-    G(end_vectors)(from_int(n), v, a, 0, wanted);
+    G(end_vectors)(from_int(n), v, a, 2, wanted);
     for (int k = 1; k <= 3; k++)
-        same(T, D[k], k == 2 && !T->planted ? neg(wanted[k]) : wanted[k]);
+        same(T, D[k], fault(T, k == 2 ? neg(wanted[k]) : wanted[k], wanted[k]));
 }
 
 /*
@@ -951,7 +950,7 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
     about(T, "curvature squared, in space");
     same(T, G(curvature_squared)(3, D[0], D[1]), mul(mul(factor, factor), div(area, mul(g, mul(g, g)))));
     about(T, "torsion");
-    num other = mul(div(T->planted ? n1 : n2, n), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    num other = mul(div(fault(T, n2, n1), n), div(mul(w[0], w[3]), mul(w[1], w[2])));
     same(T, G(torsion)(D[0], D[1], D[2]), mul(other, div(G(det3)(a[0], a[1], a[2]), area)));
 
     /* p = a_1.a_1, q = a_1.a_2, r = a_2.a_2 */

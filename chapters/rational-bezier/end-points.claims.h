@@ -86,7 +86,7 @@ CLAIM(curve_leaves_its_ends_along_the_first_edges)
             for (int c = 0; c < 2; c++) /* from the end point away, at both ends */
                 edge[c] = sub(R[other * 2 + c], R[first * 2 + c]);
             num direction[] = {D[2 * k], D[2 * k + 1]}; /* at t = 1 away from the end: (-1)^h R^(h)(1) */
-            for (int c = 0; c < 2 && end == 1 && (k % 2 == 1 || T->planted); c++)
+            for (int c = 0; c < 2 && end == 1 && fault(T, k % 2 == 1, 1); c++)
                 direction[c] = neg(direction[c]);
             about(T, "direction x edge");
             vanishes(T, G(cross2)(direction, edge));
@@ -110,7 +110,7 @@ CLAIM(curve_leaves_its_ends_along_the_first_edges)
 CLAIM(zero_weight_turns_the_end_tangent)
 {
     num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, D[6];
-    num w[] = {from_int(1), from_int(T->planted), from_int(1)};
+    num w[] = {from_int(1), from_int(fault(T, 1, 0)), from_int(1)};
     G(rational_derivatives)(2, 2, R, w, from_int(0), 2, D);
     int order = is_zero_q(D[2]) && is_zero_q(D[3]) ? 2 : 1;
     show_points(T, "R", 3, 2, R);
@@ -135,7 +135,7 @@ CLAIM(zero_weight_turns_the_end_tangent)
 CLAIM(negative_weight_reverses_the_end_tangent)
 {
     num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, D[4];
-    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2), from_int(1)};
+    num w[] = {from_int(1), from_ratio(fault(T, 1, -1), 2), from_int(1)};
     G(rational_derivatives)(2, 2, R, w, from_int(0), 1, D);
     int zeros = count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct;
     show_points(T, "R", 3, 2, R);
@@ -163,7 +163,7 @@ CLAIM(negative_weight_reverses_the_end_tangent)
 */
 CLAIM(zero_end_weight_loses_the_end_point)
 {
-    num R[] = {unknown(T, "R", 0), unknown(T, "R", 1)}, w[] = {from_int(T->planted), positive(T, "w", 1)};
+    num R[] = {unknown(T, "R", 0), unknown(T, "R", 1)}, w[] = {from_int(fault(T, 1, 0)), positive(T, "w", 1)};
     num t = parameter(T, "t"), point;
     G(rational_point)(1, 1, R, w, t, &point);
     show_points(T, "R", 2, 1, R);
@@ -213,7 +213,7 @@ CLAIM(multiplicities_fit_into_the_polygon)
             h++;
         int exist = k <= n && h <= n;
         agree(T, exist == (differs != 0));
-        agree(T, !exist || k + h <= (T->planted ? n : n + 1));
+        agree(T, !exist || k + h <= fault(T, n + 1, n));
     }
 }
 #endif
@@ -260,7 +260,7 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
         for (int l = 1; l < k; l++)
             vanishes(T, D[l]);
         about(T, "R^(k)(0)");
-        long factor = G(falling)(n, k) / (T->planted ? G(falling)(k, k) : 1);
+        long factor = G(falling)(n, k) / fault(T, 1, G(falling)(k, k));
         same(T, D[k], mul(mul(from_int(factor), div(w[k], w[0])), sub(R[k], R[0])));
     }
 }
@@ -301,7 +301,7 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
         for (int m = 1; m < h; m++)
             vanishes(T, D[m]);
         about(T, "R^(h)(1)");
-        long sign = h % 2 == 1 || T->planted ? 1 : -1;
+        long sign = fault(T, h % 2 == 1 ? 1 : -1, 1);
         same(T, D[h], mul(mul(from_int(sign * G(falling)(n, h)), div(w[n - h], w[n])), sub(R[n], R[n - h])));
     }
 }
@@ -376,7 +376,7 @@ CLAIM(end_derivatives_in_every_degree)
             R[i] = i > 0 && i < k ? R[0] : unknown(T, "x", i);
         for (int i = 0; i <= K; i++)
             b[i] = mul(w[i], R[i]);
-        G(series_of_bernstein_sum)(T->planted ? sub(n, from_int(1)) : n, k, b, P);
+        G(series_of_bernstein_sum)(fault(T, n, sub(n, from_int(1))), k, b, P);
         G(series_of_bernstein_sum)(n, k, w, W);
         for (int l = 0; l <= k; l++) { /* P = W Q */
             Q[l] = P[l];
@@ -421,7 +421,7 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_sign)
     show_points(T, "ω", n + 1, 1, w);
     about(T, "R''(1), left as it is, right as printed");
     G(rational_derivatives)(n, 1, R, w, from_int(1), h, D);
-    long factor = (T->planted ? -1 : 1) * G(falling)(n, k);
+    long factor = fault(T, -1, 1) * G(falling)(n, k);
     same(T, D[h], mul(mul(from_int(factor), div(w[n - h], w[n])), sub(R[n], R[n - h])));
 }
 
@@ -446,7 +446,7 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
     show_points(T, "ω", n + 1, 1, w);
     about(T, "R'(1), left as it is, right as printed");
     G(rational_derivatives)(n, 1, R, w, from_int(1), h, D);
-    long factor = G(falling)(n, T->planted ? h : k);
+    long factor = G(falling)(n, fault(T, h, k));
     same(T, D[h], mul(mul(from_int(factor), div(w[n - h], w[n])), sub(R[n], R[n - h])));
 }
 #endif
@@ -492,7 +492,7 @@ CLAIM(curve_expands_about_its_first_point)
             num term = mul(from_int(binomial(n, i)), mul(w[i], sub(R[i], R[0])));
             for (int j = 0; j < n - i; j++)
                 term = mul(term, s);
-            for (int j = 0; j < i - k - 1 + T->planted; j++)
+            for (int j = 0; j < fault(T, i - k - 1, i - k); j++)
                 term = mul(term, t);
             high = add(high, i == k ? mul(low, term) : mul(mul(low, t), term));
         }

@@ -68,7 +68,7 @@ static int total_degree(num_f F, num_f x, num_f y)
 */
 CLAIM(hyperbola_has_the_printed_form_for_degree_one)
 {
-    num x = variable_f("x"), y = variable_f("y"), F = sub(T->planted ? add(x, y) : mul(x, y), from_int(1));
+    num x = variable_f("x"), y = variable_f("y"), F = sub(fault(T, add(x, y), mul(x, y)), from_int(1));
     show(T, "F", F);
     about(T, "F of the printed form with n = 1 has degree at most 1");
     if (degree_f(F, x) <= 1 && degree_f(F, y) <= 1)
@@ -96,7 +96,7 @@ CLAIM(total_degree_survives_affine_maps)
     for (int k = 0; k < 2; k++)
         u[k] = add(add(mul(unknown(T, "a", k), x), mul(unknown(T, "b", k), y)), unknown(T, "e", k));
     for (int i = 0; i <= n; i++)
-        for (int j = 0; j <= (T->planted ? n : n - i); j++) {
+        for (int j = 0; j <= fault(T, n - i, n); j++) {
             num before = unknown(T, "c", m++), after = before;
             for (int k = 0; k < i; k++) {
                 before = mul(before, x);
@@ -144,7 +144,7 @@ irreducible when the parametrisation is proper is cited.
 */
 CLAIM(doubled_parameter_halves_the_degree)
 {
-    int middle = T->planted;
+    int middle = fault(T, 1, 0);
     num x = variable_f("x"), y = variable_f("y"), w[3] = {from_int(1), from_int(1), from_int(1)};
     num R[6] = {from_int(0), from_int(0), from_int(0), from_int(middle), from_int(1), from_int(1 - middle)};
     num F = implicit_value_f(2, R, w, x, y);
@@ -152,7 +152,7 @@ CLAIM(doubled_parameter_halves_the_degree)
     show(T, "F", F);
     about(T, "F has no repeated factor");
     if (!is_zero_f(F)) /* no base point */
-        agree(T, !is_zero_f(resultant_by_f(F, derivative_f(F, x), x)));
+        refute(T, is_zero_f(resultant_by_f(F, derivative_f(F, x), x)));
 }
 #endif
 
@@ -236,7 +236,7 @@ CLAIM(curve_with_a_large_point_is_rational)
         high = add(high, mul(c[n + k], power));
         power = mul(power, t);
     }
-    num x = div(T->planted ? low : neg(low), high), y = mul(t, x), F = from_int(0);
+    num x = div(fault(T, neg(low), low), high), y = mul(t, x), F = from_int(0);
     for (int k = 0; k <= n; k++) { /* the forms at (x, y), term by term */
         num term = from_int(1);
         for (int j = 0; j < n - 1; j++)
@@ -279,7 +279,7 @@ CLAIM(quartic_with_three_double_points_is_rational)
     for (int i = 0; i <= 4; i++)
         for (int j = 0; i + j <= 4; j++) {
             int k = 4 - i - j, allowed = i <= 2 && j <= 2 && k <= 2;
-            if (!allowed && !(T->planted && i == 4))
+            if (fault(T, !allowed, !allowed && i != 4))
                 continue;
             num c = unknown(T, "c", used++);
             image = add(image, mul(c, mul(G(to_the)(yz, i), mul(G(to_the)(zx, j), G(to_the)(xy, k)))));
@@ -315,7 +315,7 @@ CLAIM(rational_cubic_has_one_double_point)
         abc[k] = unknown(T, k == 0 ? "a" : k == 1 ? "b" : "c", 0);
     num a = abc[0], b = abc[1], c = abc[2], middle = add(a, mul(b, c));
     q[0] = neg(add(b, mul(c, c)));
-    q[1] = T->planted ? neg(middle) : middle;
+    q[1] = fault(T, middle, neg(middle));
     q[2] = sub(mul(a, c), mul(b, b));
     num sigma = neg(q[1]), product = q[0];                                                      /* times q[2] */
     num h[3] = {mul(q[2], q[2]), mul(q[2], sigma), sub(mul(sigma, sigma), mul(q[2], product))}; /* h_k times q[2]^2 */
@@ -511,7 +511,7 @@ static num_f plane_polynomial(int terms, const int (*t)[3])
 */
 CLAIM(smooth_cubic_has_two_separate_parts)
 {
-    num_f F = T->planted ? POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {-1, 2, 0}) : POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {1, 1, 0});
+    num_f F = fault(T, POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {1, 1, 0}), POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {-1, 2, 0}));
     struct singular_list s = curve_of_degree(3, F);
     struct census c = census_of(&s);
     about(T, "there is no singular point");
@@ -569,9 +569,9 @@ static int is_rational_cubic(struct census c) { return c.nodes + c.cusps + c.oth
 CLAIM(reducible_curve_with_count_zero)
 {
     num_f cubic = POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {1, 1, 0});
-    int n = T->planted ? 3 : 4;
-    struct singular_list s = curve_of_degree(n, T->planted ? cubic : mul(variable_f("y"), cubic));
-    for (int x = -1; !T->planted && x <= 1; x++)
+    int n = fault(T, 3, 4);
+    struct singular_list s = curve_of_degree(n, fault(T, cubic, mul(variable_f("y"), cubic)));
+    for (int x = -1; x <= fault(T, -2, 1); x++)
         list_point(&s, x, 0, 1);
     struct census c = census_of(&s);
     /* Over x = 2 the line has the point y = 0, the cubic the points y^2 = 6: parts that a rational curve cannot join. */
@@ -579,7 +579,7 @@ CLAIM(reducible_curve_with_count_zero)
     poly on_line = poly_variable(), on_cubic = poly_sub(poly_mul(on_line, on_line), poly_constant(from_int_q(6)));
     int parts = poly_divides(on_line, over) + poly_divides(on_cubic, over);
     int rational = parts == 1 && is_rational_cubic(c);
-    if (c.nodes == (T->planted ? 0 : 3) && c.cusps + c.others == 0 && parts > 0)
+    if (c.nodes == fault(T, 0, 3) && c.cusps + c.others == 0 && parts > 0)
         count_against(T, &s, c, genus_count(n, c.nodes), rational);
 }
 
@@ -611,7 +611,7 @@ static int is_the_curve(int n, const int X[], const int Y[], const int w[], num_
 */
 CLAIM(conic_without_real_points)
 {
-    num_f F = POLYNOMIAL({1, 2, 0}, {1, 0, 2}, {T->planted ? -1 : 1, 0, 0});
+    num_f F = POLYNOMIAL({1, 2, 0}, {1, 0, 2}, {fault(T, -1, 1), 0, 0});
     struct singular_list s = curve_of_degree(2, F);
     struct census c = census_of(&s);
     static const int X[3] = {1, 1, 0}, Y[3] = {0, 1, 2}, w[3] = {1, 1, 2};
@@ -644,7 +644,7 @@ CLAIM(rational_quartic_with_a_triple_point)
     int three = count_roots_line(poly_from_q(4, tangents)).distinct == 3;
     static const int X[5] = {0, 3, 6, 8, 8}, Y[5] = {0, 0, 2, 6, 8}, w[5] = {4, 4, 4, 4, 4};
     if (three && c.nodes == 0 && c.cusps == 0 && c.others == 1)
-        count_against(T, &s, c, genus_count(4, T->planted ? 3 : 0), is_the_curve(4, X, Y, w, F));
+        count_against(T, &s, c, genus_count(4, fault(T, 3, 0)), is_the_curve(4, X, Y, w, F));
 }
 
 /*
@@ -673,7 +673,7 @@ CLAIM(rational_quartic_with_a_higher_cusp)
     int seven = is_zero_f(sub(difference, power));
     static const int X[5] = {0, 0, 2, 6, 12}, Y[5] = {0, 0, 0, 0, 12}, w[5] = {12, 12, 12, 15, 24};
     if (seven && order == 2 && c.nodes == 0 && c.cusps == 0 && c.others == 1)
-        count_against(T, &s, c, genus_count(4, T->planted ? 3 : 1), is_the_curve(4, X, Y, w, F));
+        count_against(T, &s, c, genus_count(4, fault(T, 3, 1)), is_the_curve(4, X, Y, w, F));
 }
 
 /*
@@ -696,8 +696,7 @@ CLAIM(cuspidal_cubic_at_infinity)
     struct census c = census_of(&s);
     static const int X[4] = {0, 1, 2, 3}, Y[4] = {0, 0, 0, 3}, w[4] = {3, 3, 3, 3};
     if (c.nodes == 0 && c.cusps == 1 && c.others == 0)
-        count_against(T, &s, c, genus_count(3, T->planted ? 1 : finite_singular_points(&s)),
-                      is_the_curve(3, X, Y, w, F));
+        count_against(T, &s, c, genus_count(3, fault(T, 1, finite_singular_points(&s))), is_the_curve(3, X, Y, w, F));
 }
 
 /*
@@ -720,7 +719,7 @@ CLAIM(cusp_counted_twice)
     struct census c = census_of(&s);
     static const int X[4] = {0, 0, 1, 3}, Y[4] = {0, 0, 0, 3}, w[4] = {3, 3, 3, 3};
     if (c.nodes == 0 && c.cusps == 1 && c.others == 0)
-        count_against(T, &s, c, genus_count(3, c.cusps + (T->planted ? 0 : 1)), is_the_curve(3, X, Y, w, F));
+        count_against(T, &s, c, genus_count(3, c.cusps + fault(T, 0, 1)), is_the_curve(3, X, Y, w, F));
 }
 
 /*
@@ -742,7 +741,7 @@ CLAIM(printed_degree_spoils_the_genus)
     num_f F = POLYNOMIAL({1, 2, 1}, {1, 1, 2}, {1, 0, 0});
     struct singular_list s = curve_of_degree(3, F);
     struct census c = census_of(&s);
-    int degree = total_degree(F, s.x, s.y), n = T->planted ? degree : 2;
+    int degree = total_degree(F, s.x, s.y), n = fault(T, degree, 2);
     if (degree == 3 && c.nodes >= 0 && degree_f(F, s.x) <= 2 && degree_f(F, s.y) <= 2)
         count_against(T, &s, c, genus_count(n, c.nodes + c.cusps), is_rational_cubic(c));
 }
@@ -803,7 +802,7 @@ CLAIM(curves_that_fit_the_theorem)
     for (int k = 0; k < 4; k++) {
         struct singular_list s = curve_of_degree(curves[k].n, curves[k].F);
         list_point(&s, 0, 0, 1);
-        if (curves[k].n == 4 && !T->planted)
+        if (fault(T, curves[k].n == 4, 0))
             list_circular_points(&s);
         struct census c = census_of(&s);
         about(T, "nodes and cusps, and g = 0");
@@ -835,7 +834,7 @@ CLAIM(large_point_takes_all_double_points)
 {
     int n = T->degree, order = 0;
     num x = variable_f("x"), y = variable_f("y"), F = from_int(0);
-    for (int m = T->planted ? n - 2 : n - 1; m <= n; m++)
+    for (int m = fault(T, n - 1, n - 2); m <= n; m++)
         for (int k = m == n - 2 ? m : 0; k <= m; k++) { /* x^{m-k} y^k; of degree n-2 only the last */
             num term = unknown(T, m == n ? "b" : m == n - 1 ? "a" : "c", k);
             for (int j = 0; j < m; j++)

@@ -48,7 +48,7 @@ CLAIM(determinant_is_the_sum_over_permutations)
     for (int k = 0; k < n * n; k++)
         M[k] = unknown(T, "m", k);
     num det = G(determinant)(n, M);
-    for (int i = 0; T->planted && n > 1 && i < n; i++) {
+    for (int i = 0; i < fault(T, 0, n) && n > 1; i++) {
         num held = M[i * n];
         M[i * n] = M[i * n + 1];
         M[i * n + 1] = held;
@@ -87,7 +87,7 @@ CLAIM(sylvester_rows_are_shifted_polynomials)
     for (int m = 1; m <= n; m++) {
         G(sylvester)(m, a, n, b, M);
         for (int i = 0; i < m + n; i++) {
-            int upper = (i < n) != T->planted, shift = i < n ? n - 1 - i : m + n - 1 - i;
+            int upper = fault(T, i < n, i >= n), shift = i < n ? n - 1 - i : m + n - 1 - i;
             num row = from_int(0), value = upper ? G(horner)(m, a, z) : G(horner)(n, b, z);
             for (int j = 0; j < m + n; j++)
                 row = add(row, mul(M[i * (m + n) + j], G(power)(z, m + n - 1 - j)));
@@ -122,7 +122,7 @@ CLAIM(bezout_matrix_is_the_divided_difference)
         for (int j = 0; j < n; j++)
             sum = add(sum, mul(M[i * n + j], mul(G(power)(x, n - 1 - i), G(power)(y, n - 1 - j))));
     num right = sub(mul(G(horner)(n, a, x), G(horner)(n, b, y)), mul(G(horner)(n, a, y), G(horner)(n, b, x)));
-    same(T, mul(T->planted ? add(x, y) : sub(x, y), sum), right);
+    same(T, mul(fault(T, sub(x, y), add(x, y)), sum), right);
 }
 
 /*
@@ -161,14 +161,14 @@ CLAIM(resultant_is_the_product_of_differences)
     G(from_roots)(n, b0, beta, b);
     for (int m = 1; m <= n; m++) {
         G(from_roots)(m, a0, alpha, a);
-        num product = mul(G(power)(a0, T->planted ? m : n), G(power)(b0, m));
+        num product = mul(G(power)(a0, fault(T, n, m)), G(power)(b0, m));
         for (int i = 0; i < m; i++)
             for (int j = 0; j < n; j++)
                 product = mul(product, sub(alpha[i], beta[j]));
         about(T, "Sylvester's determinant");
         same(T, G(resultant)(m, a, n, b), product);
     }
-    if (!T->planted) {
+    if (!T->faulty) {
         num product = mul(G(power)(a0, n), G(power)(b0, n));
         for (int k = 0; k < n * n; k++)
             product = mul(product, sub(alpha[k / n], beta[k % n]));
@@ -221,7 +221,7 @@ CLAIM(implicit_value_is_the_printed_determinant)
         about(T, "the entries a_i");
         same(T, a[i], ai);
         for (int k = 0; k < n; k++) {
-            int column = T->planted && k > 0 ? k - 1 + i : k + i;
+            int column = fault(T, k + i, k > 0 ? k - 1 + i : k + i);
             M[k * 2 * n + column] = ai;
             M[(n + k) * 2 * n + k + i] = bi;
         }
@@ -276,7 +276,7 @@ CLAIM(parameter_change_and_its_inverse)
 {
     num a = parameter(T, "a"), l = parameter(T, "l"), u = parameter(T, "u"), s = inside(T, "s");
     num b = add(a, l), one = from_int(1), u1 = add(u, one);
-    num t = T->planted ? div(add(mul(b, u), a), u1) : div(add(mul(a, u), b), u1);
+    num t = fault(T, div(add(mul(a, u), b), u1), div(add(mul(b, u), a), u1));
     about(T, "t - a and b - t");
     same(T, sub(t, a), div(l, u1));
     same(T, sub(b, t), div(mul(u, l), u1));
@@ -305,12 +305,12 @@ CLAIM(parameter_change_and_its_inverse)
 */
 CLAIM(parameter_change_needs_two_ends)
 {
-    num a = from_int(1), b = from_int(T->planted ? 3 : 1);
+    num a = from_int(1), b = from_int(fault(T, 3, 1));
     num t = div(add(mul(a, from_int(2)), b), from_int(3));
     show(T, "t(0)", b);
     show(T, "t(2)", t);
     about(T, "t(0) and t(2) differ");
-    agree(T, !equal_q(t, b));
+    refute(T, equal_q(t, b));
 }
 #endif
 
@@ -363,7 +363,7 @@ CLAIM(curve_in_the_new_parameter)
         v[i] = w[n - i];
     }
     about(T, "the point of the curve");
-    same(T, point, T->planted ? div(G(in_u)(n, x, u), G(in_u)(n, v, u)) : div(G(in_u)(n, wR, u), G(in_u)(n, w, u)));
+    same(T, point, fault(T, div(G(in_u)(n, wR, u), G(in_u)(n, w, u)), div(G(in_u)(n, x, u), G(in_u)(n, v, u))));
     about(T, "u = 0");
     same(T, div(G(in_u)(n, wR, zero), G(in_u)(n, w, zero)), R[n]);
     about(T, "u = ∞");
@@ -404,9 +404,8 @@ CLAIM(equations_of_a_point)
         R[2 * i + 1] = from_int(0);
     }
     G(implicit_coefficients)(n, R, w, 0, x, a);
-    if (T->planted)
-        for (int i = 0; i <= n; i++)
-            a[i] = mul(w[i], sub(P[i], x));
+    for (int i = 0; i <= n; i++)
+        a[i] = fault(T, a[i], mul(w[i], sub(P[i], x)));
     G(rational_point)(n, 1, P, w, div(from_int(1), add(from_int(1), u)), &point);
     about(T, "the left side of the first equation");
     same(T, G(horner)(n, a, u), mul(G(in_u)(n, w, u), sub(point, x)));
@@ -428,8 +427,7 @@ CLAIM(equations_of_a_point)
 */
 CLAIM(base_point_satisfies_the_equations)
 {
-    num R[4] = {from_int(0), from_int(0), from_int(0), from_int(0)},
-        w[2] = {from_int(1), from_int(T->planted ? 1 : -1)};
+    num R[4] = {from_int(0), from_int(0), from_int(0), from_int(0)}, w[2] = {from_int(1), from_int(fault(T, 1, -1))};
     num a[2], b[2];
     G(implicit_coefficients)(1, R, w, 0, from_int(5), a);
     G(implicit_coefficients)(1, R, w, 1, from_int(7), b);
@@ -481,7 +479,7 @@ CLAIM(equation_vanishes_on_the_curve)
 {
     int n = T->degree;
     num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1], M[MAX_ORDER * MAX_ORDER], point[2];
-    num u = parameter(T, "u"), at = T->planted ? mul(from_int(2), u) : u;
+    num u = parameter(T, "u"), at = fault(T, u, mul(from_int(2), u));
     G(plane_curve)(T, n, R, w);
     G(rational_point)(n, 2, R, w, div(from_int(1), add(from_int(1), at)), point);
     G(implicit_coefficients)(n, R, w, 0, point[0], a);
@@ -521,8 +519,7 @@ CLAIM(implicit_value_vanishes_on_the_curve)
     num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], point[2];
     G(plane_curve)(T, n, R, w);
     G(rational_point)(n, 2, R, w, parameter(T, "t"), point);
-    if (T->planted)
-        point[0] = add(point[0], from_int(1));
+    point[0] = fault(T, point[0], add(point[0], from_int(1)));
     vanishes(T, G(implicit_value)(n, R, w, point[0], point[1]));
 }
 #endif
@@ -577,7 +574,7 @@ static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w
     show_text(T, "common factor", "%s", poly_to_string(common_in_u(n, R, w, x, y), "u"));
     show_text(T, "F(x, y)", "%s", to_string_q(implicit_value_q(n, R, w, x, y)));
     about(T, "a common root exists exactly if the point is on the curve");
-    agree(T, has_common_root(n, R, w, x, y, T->planted) == on_the_arc(n, R, w, x, y));
+    agree(T, has_common_root(n, R, w, x, y, fault(T, 1, 0)) == on_the_arc(n, R, w, x, y));
 }
 
 /*
@@ -661,7 +658,7 @@ CLAIM(nonnegative_common_roots_are_the_points)
                 X[0] = from_int(-1), X[1] = from_int(0);
             if (p < 16 && p % 2 == 1)
                 X[0] = add(X[0], from_ratio(1, 7));
-            agree(T, has_common_root(n, R, w, X[0], X[1], !T->planted) == on_the_arc(n, R, w, X[0], X[1]));
+            agree(T, has_common_root(n, R, w, X[0], X[1], fault(T, 1, 0)) == on_the_arc(n, R, w, X[0], X[1]));
         }
     }
 }
@@ -723,7 +720,7 @@ CLAIM(top_form_is_a_resultant)
         W[i] = unknown(T, "W", i);
         p[i] = sub(mul(z, A[i]), mul(x, W[i]));
         q[i] = sub(mul(z, B[i]), mul(y, W[i]));
-        s[i] = T->planted ? sub(mul(x, A[i]), mul(y, B[i])) : sub(mul(x, B[i]), mul(y, A[i]));
+        s[i] = fault(T, sub(mul(x, B[i]), mul(y, A[i])), sub(mul(x, A[i]), mul(y, B[i])));
     }
     num xn = G(power)(x, n), zn = G(power)(z, n);
     about(T, "F made homogeneous");
@@ -745,7 +742,7 @@ static void is_an_equation(trial *T, int n, const num_f R[], const num_f w[])
     show_points(T, "ω", n + 1, 1, w);
     show(T, "F(x, y)", F);
     about(T, "F is not the zero polynomial");
-    agree(T, !is_zero_f(F));
+    refute(T, is_zero_f(F));
 }
 
 /*
@@ -765,10 +762,10 @@ CLAIM(elevated_curve_has_no_equation)
     num R[6] = {from_int(0), from_int(0), from_ratio(1, 2), from_int(0), from_int(1), from_int(1)};
     num w[3] = {from_int(1), from_int(1), from_int(1)}, Re[8], we[4];
     rational_elevate_f(2, 2, R, w, Re, we);
-    if (T->planted)
-        is_an_equation(T, 2, R, w);
-    else
+    if (T->faulty)
         is_an_equation(T, 3, Re, we);
+    else
+        is_an_equation(T, 2, R, w);
 }
 
 /*
@@ -786,7 +783,7 @@ CLAIM(elevated_curve_has_no_equation)
 CLAIM(end_weight_zero_gives_no_equation)
 {
     num R[6] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(3), from_int(1)};
-    num w[3] = {from_int(T->planted), from_int(1), from_int(1)};
+    num w[3] = {from_int(fault(T, 1, 0)), from_int(1), from_int(1)};
     is_an_equation(T, 2, R, w);
 }
 #endif
@@ -808,7 +805,7 @@ CLAIM(end_weight_zero_gives_no_equation)
 CLAIM(space_curve_and_its_shadow)
 {
     static const int z[4] = {0, 1, 2, 6};
-    num xz[8], xyz[12], w[4], point[3], y = T->planted ? from_ratio(1, 4) : from_int(0);
+    num xz[8], xyz[12], w[4], point[3], y = fault(T, from_ratio(1, 4), from_int(0));
     for (int i = 0; i < 4; i++) {
         xyz[3 * i] = xz[2 * i] = from_ratio(i, 3);
         xyz[3 * i + 1] = from_ratio(i * (i - 1), 6);
@@ -853,7 +850,7 @@ CLAIM(common_zero_makes_the_equation_vanish)
     num p[3][MAX_ORDER + 1], R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
     num M[MAX_ORDER * MAX_ORDER], rho = parameter(T, "rho"), x = parameter(T, "x"), y = parameter(T, "y");
     for (int k = 0; k < 3; k++) { /* (u - rho) times a polynomial of degree n-1 */
-        num zero = T->planted && k == 1 ? add(rho, from_int(1)) : rho, before = from_int(0);
+        num zero = fault(T, rho, k == 1 ? add(rho, from_int(1)) : rho), before = from_int(0);
         for (int i = 0; i <= n; i++) {
             num c = i < n ? positive(T, k == 0 ? "a" : k == 1 ? "b" : "c", i) : from_int(0);
             p[k][i] = sub(c, mul(zero, before));
@@ -905,7 +902,7 @@ CLAIM(elevation_multiplies_by_one_plus_u)
         R[i] = unknown(T, "R", i);
     }
     G(rational_elevate)(n, 1, R, w, Re, we);
-    num factor = T->planted ? sub(from_int(1), u) : add(from_int(1), u);
+    num factor = fault(T, add(from_int(1), u), sub(from_int(1), u));
     about(T, "the denominator");
     same(T, G(in_u)(n + 1, we, u), mul(factor, G(in_u)(n, w, u)));
     for (int i = 0; i <= n; i++)
@@ -947,7 +944,7 @@ CLAIM(bezout_entries_are_linear)
     num p = unknown(T, "p", 0), q = unknown(T, "q", 0), x = parameter(T, "x"), y = parameter(T, "y");
     num x0 = unknown(T, "x", 0), y0 = unknown(T, "y", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1);
     num a0 = mul(p, sub(x0, x)), b0 = mul(p, sub(y0, y)), a1 = mul(q, sub(x1, x)), b1 = mul(q, sub(y1, y));
-    num left = T->planted ? add(mul(a0, b1), mul(a1, b0)) : sub(mul(a0, b1), mul(a1, b0));
+    num left = fault(T, sub(mul(a0, b1), mul(a1, b0)), add(mul(a0, b1), mul(a1, b0)));
     num constant = sub(mul(x0, y1), mul(x1, y0)), linear = sub(mul(sub(y0, y1), x), mul(sub(x0, x1), y));
     same(T, left, mul(mul(p, q), add(constant, linear)));
 }
@@ -968,7 +965,7 @@ CLAIM(bezout_entries_are_linear)
 */
 CLAIM(bezout_matrix_comes_from_the_blocks)
 {
-    int n = T->degree, second = T->planted ? n : 0; /* the rows of the block that stands for A_2 */
+    int n = T->degree, second = fault(T, 0, n); /* the rows of the block that stands for A_2 */
     num a[MAX_ORDER + 1], b[MAX_ORDER + 1], S[MAX_ORDER * MAX_ORDER], M[MAX_ORDER * MAX_ORDER];
     for (int i = 0; i <= n; i++) {
         a[i] = unknown(T, "a", i);
@@ -1015,7 +1012,7 @@ CLAIM(sylvester_and_bezout_give_one_equation)
     G(implicit_coefficients)(n, R, w, 1, y, b);
     G(bezout)(n, a, b, M);
     num det = G(determinant)(n, M);
-    int half = T->planted ? n * (n + 1) / 2 : n * (n - 1) / 2;
+    int half = fault(T, n * (n - 1) / 2, n * (n + 1) / 2);
     same(T, G(resultant)(n, a, n, b), half % 2 == 0 ? det : neg(det));
 }
 
@@ -1089,7 +1086,7 @@ CLAIM(column_operations_give_the_corrected_recursion)
     G(omegas)(n, w, O);
     G(operate)(n, O, f[0], f[1], n, M);
     for (int half = 0; half < 2; half++) {
-        G(reduced_entries)(n, O, f[half], T->planted, level);
+        G(reduced_entries)(n, O, f[half], fault(T, 0, 1), level);
         for (int k = 0; k < n; k++) /* row k+1 of the source */
             for (int column = 0; column < 2 * n; column++) {
                 int j = column - k, r = j < n - k ? j : n - k;
@@ -1139,7 +1136,7 @@ CLAIM(printed_recursion_is_not_the_operations)
     implicit_coefficients_f(n, R, w, 0, x, f[0]);
     implicit_coefficients_f(n, R, w, 1, y, f[1]);
     for (int half = 0; half < 2; half++) {
-        reduced_entries_f(n, O, f[half], !T->planted, level);
+        reduced_entries_f(n, O, f[half], fault(T, 0, 1), level);
         for (int k = 0; k < n; k++)
             for (int column = 0; column < 2 * n; column++) {
                 int j = column - k, r = j < n - k ? j : n - k;
@@ -1218,7 +1215,7 @@ CLAIM(changed_entries_are_constants)
     for (int printed = 0; printed < 2; printed++) {
         G(reduced_entries)(n, O, f, printed, one);
         G(reduced_entries)(n, O, g, printed, other);
-        for (int r = T->planted ? 0 : 1; r <= n; r++)
+        for (int r = fault(T, 1, 0); r <= n; r++)
             for (int i = r; i < 2 * n; i++)
                 same(T, one[r][i], other[r][i]);
     }
@@ -1237,7 +1234,7 @@ CLAIM(changed_entries_are_constants)
 */
 CLAIM(variables_stay_in_the_first_columns)
 {
-    int n = T->degree, steps = T->planted ? n - 1 : n;
+    int n = T->degree, steps = fault(T, n, n - 1);
     num R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], O[MAX_ORDER + 1], a[MAX_ORDER + 1], b[MAX_ORDER + 1];
     num M[MAX_ORDER * MAX_ORDER], N[MAX_ORDER * MAX_ORDER];
     G(plane_curve)(T, n, R, w);

@@ -48,7 +48,7 @@ CLAIM(limings_conics_touch_the_lines)
     G(line_through)(R + 2, R + 4, l2);
     G(line_through)(R, R + 4, l3);
     G(liming)(lambda, l1, l2, l3, S);
-    if (T->planted) {
+    if (T->faulty) {
         num tangents[6], other[6];
         G(line_pair)(l1, l2, tangents);
         G(line_pair)(l1, l3, other);
@@ -91,7 +91,7 @@ CLAIM(conics_touching_two_lines_are_limings)
     G(conic_gradient)(S, zero, one, g2);
     num c1 = G(form)(S, one, zero), c2 = g0[0], c3 = G(form)(S, zero, one), c4 = g2[1];
     num kappa = add(sub(sub(c1, c2), c3), c4);
-    num member = add(mul(S[0], mul(s, s)), mul(mul(two, T->planted ? S[1] : sub(S[1], S[0])), mul(x, y)));
+    num member = add(mul(S[0], mul(s, s)), mul(mul(two, fault(T, sub(S[1], S[0]), S[1])), mul(x, y)));
     num rest = add(mul(kappa, sub(mul(y, y), mul(two, y))), add(mul(c2, x), add(mul(c4, y), sub(c1, c2))));
     same(T, G(form)(S, x, y), add(member, rest));
 }
@@ -128,7 +128,7 @@ CLAIM(conics_touching_parallel_lines_are_limings)
     G(conic_gradient)(S, minus, zero, g2);
     num c1 = G(form)(S, one, zero), c2 = G(form)(S, minus, zero), c3 = g0[1], c4 = g2[1];
     num member = add(mul(S[0], sub(mul(x, x), one)), mul(S[2], mul(y, y)));
-    num rest = add(mul(mul(half, T->planted ? add(c3, c4) : sub(c3, c4)), mul(x, y)), mul(mul(half, sub(c1, c2)), x));
+    num rest = add(mul(mul(half, fault(T, sub(c3, c4), add(c3, c4))), mul(x, y)), mul(mul(half, sub(c1, c2)), x));
     rest = add(rest, add(mul(mul(half, add(c3, c4)), y), mul(half, add(c1, c2))));
     about(T, "any conic");
     same(T, G(form)(S, x, y), add(member, rest));
@@ -146,7 +146,7 @@ static void tangent_at(trial *T, num lambda, const int l3[3], int x, int y)
     show(T, "λ", lambda);
     show_points(T, "gradient at R0", 1, 2, g);
     about(T, "whether the conic has a tangent at R0: whether the gradient is not zero");
-    agree(T, !(is_zero_q(g[0]) && is_zero_q(g[1])));
+    refute(T, is_zero_q(g[0]) && is_zero_q(g[1]));
 }
 
 /*
@@ -163,7 +163,7 @@ static void tangent_at(trial *T, num lambda, const int l3[3], int x, int y)
 CLAIM(double_line_has_no_tangent)
 {
     show_text(T, "l1, l2, l3", "y, x, x + y - 1");
-    tangent_at(T, from_ratio(1, T->planted ? 2 : 1), (const int[]){1, 1, -1}, 1, 0);
+    tangent_at(T, from_ratio(1, fault(T, 2, 1)), (const int[]){1, 1, -1}, 1, 0);
 }
 
 /*
@@ -180,7 +180,7 @@ CLAIM(double_line_has_no_tangent)
 CLAIM(flat_frame_has_no_tangent)
 {
     show_text(T, "l1, l2, l3", "y, x, x - y");
-    tangent_at(T, from_ratio(1, 2), T->planted ? (const int[]){1, 1, -1} : (const int[]){1, -1, 0}, T->planted, 0);
+    tangent_at(T, from_ratio(1, 2), fault(T, ((const int[]){1, 1, -1}), ((const int[]){1, -1, 0})), fault(T, 1, 0), 0);
 }
 
 /*
@@ -201,7 +201,7 @@ CLAIM(limings_pencil_misses_one_conic)
     num S1[6], S2[6], M[6];
     conic_of((int[]){0, 1, 0, 0, 0, 0}, S1);
     conic_of((int[]){1, 2, 1, -2, -2, 1}, S2);
-    num k = from_int(T->planted ? -2 : -1);
+    num k = from_int(fault(T, -2, -1));
     for (int i = 0; i < 6; i++)
         M[i] = add(S1[i], mul(k, S2[i]));
     show_text(T, "l1, l2, l3", "y, x, x + y - 1");
@@ -247,7 +247,7 @@ CLAIM(affine_coordinates_exist)
     for (int c = 0; c < 2; c++)
         P[c] = unknown(T, "P", c);
     num d = G(area)(R + 2, R, R + 4), x = div(G(area)(R + 2, P, R + 4), d), y = div(G(area)(R + 2, R, P), d);
-    G(point_in_frame)(R, T->planted ? y : x, T->planted ? x : y, Q);
+    G(point_in_frame)(R, fault(T, x, y), fault(T, y, x), Q);
     about(T, "the point with these coordinates");
     same(T, Q[0], P[0]);
     same(T, Q[1], P[1]);
@@ -271,7 +271,7 @@ CLAIM(affine_coordinates_exist)
 */
 CLAIM(collinear_points_are_no_frame)
 {
-    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(2), from_int(T->planted)};
+    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(2), from_int(fault(T, 1, 0))};
     show_points(T, "R", 3, 2, R);
     num point[2] = {from_int(0), from_int(1)}, d = G(area)(R + 2, R, R + 4);
     show_points(T, "point", 1, 2, point);
@@ -321,7 +321,7 @@ CLAIM(limings_pencil_in_the_frame)
     G(liming)(lambda, l1, l2, l3, S);
     G(point_in_frame)(R, x, y, P);
     num d = G(area)(R + 2, R, R + 4);
-    G(frame_conic)(lambda, T->planted ? 1 : -1, N);
+    G(frame_conic)(lambda, fault(T, -1, 1), N);
     same(T, G(form)(S, P[0], P[1]), neg(mul(mul(d, d), G(form)(N, x, y))));
 }
 
@@ -350,7 +350,7 @@ CLAIM(every_scaling_takes_the_normal_form)
         int sign = k == 0 ? 1 : -1;
         num signed_nu = mul(from_int(sign), nu);
         factor[k] = add(mu, signed_nu);
-        G(frame_conic)(T->planted ? lambda : div(signed_nu, factor[k]), sign, N);
+        G(frame_conic)(fault(T, div(signed_nu, factor[k]), lambda), sign, N);
         about(T, sign > 0 ? "with the plus sign" : "with the minus sign");
         same(T, G(form)(S, x, y), mul(factor[k], G(form)(N, x, y)));
     }
@@ -382,7 +382,7 @@ CLAIM(scaled_lines_change_lambda)
     show(T, "A : B of (3.1.3)", ratio);
     int fits = 0;
     for (int sign = 1; sign > -2; sign -= 2) {
-        G(frame_conic)(T->planted ? sign > 0 ? from_ratio(1, 3) : neg(one) : half, sign, N);
+        G(frame_conic)(fault(T, sign > 0 ? from_ratio(1, 3) : neg(one), half), sign, N);
         num other = div(N[0], N[1]);
         show(T, sign > 0 ? "A : B of (3.1.4) with +" : "A : B of (3.1.4) with -", other);
         fits += equal_q(ratio, other);
@@ -406,14 +406,13 @@ CLAIM(half_circle_has_no_frame)
 {
     num zero = from_int(0), one = from_int(1), S[6];
     num l1[3] = {one, zero, neg(one)}, l2[3] = {one, zero, one}, l3[3] = {zero, one, zero};
-    if (T->planted)
-        l2[0] = zero, l2[1] = one, l2[2] = neg(one);
+    l2[0] = fault(T, zero, l2[0]), l2[1] = fault(T, one, l2[1]), l2[2] = fault(T, neg(one), l2[2]);
     G(liming)(from_ratio(1, 2), l1, l2, l3, S);
     show_points(T, "A ... F", 6, 1, S);
     num d = sub(mul(l1[0], l2[1]), mul(l2[0], l1[1]));
     show(T, "determinant of l1 and l2", d);
     about(T, "whether the lines meet");
-    agree(T, !is_zero_q(d));
+    refute(T, is_zero_q(d));
 }
 #endif
 
@@ -449,7 +448,7 @@ CLAIM(one_point_fixes_lambda)
     for (int sign = -1; sign < 2; sign += 2)
         for (int k = 0; k < 2; k++) { /* a variable point, then (1/4, 1/4) */
             num u = k == 0 ? x : quarter, v = k == 0 ? y : quarter, s = sub(add(u, v), one), uv = mul(u, v);
-            num d = sub(uv, mul(from_int(T->planted ? -sign : sign), mul(s, s))), lambda = div(uv, d);
+            num d = sub(uv, mul(from_int(fault(T, sign, -sign)), mul(s, s))), lambda = div(uv, d);
             G(frame_conic)(lambda, sign, S);
             about(T, "the conic of this λ at the point");
             vanishes(T, G(form)(S, u, v));
@@ -476,7 +475,7 @@ CLAIM(one_point_fixes_lambda)
 */
 CLAIM(end_points_leave_lambda_free)
 {
-    num x = T->planted ? from_ratio(1, 4) : from_int(1), y = T->planted ? from_ratio(1, 4) : from_int(0), S[6];
+    num x = fault(T, from_ratio(1, 4), from_int(1)), y = fault(T, from_ratio(1, 4), from_int(0)), S[6];
     int fitting = 0;
     for (int k = 0; k < 2; k++) {
         G(frame_conic)(from_ratio(1, k == 0 ? 5 : 2), -1, S);
@@ -513,7 +512,7 @@ CLAIM(lambda_inside_the_triangle)
 {
     num a = positive(T, "a", 0), b = positive(T, "b", 0), one = from_int(1), total = add(one, add(a, b)), S[6];
     num x = div(a, total), y = div(b, total), s = sub(add(x, y), one), xy = mul(x, y), ss = mul(s, s);
-    num lambda = div(xy, T->planted ? sub(xy, ss) : add(xy, ss)), ab = mul(a, b);
+    num lambda = div(xy, fault(T, add(xy, ss), sub(xy, ss))), ab = mul(a, b);
     G(frame_conic)(lambda, -1, S);
     about(T, "the conic of this λ at the point");
     vanishes(T, G(form)(S, x, y));
@@ -539,8 +538,7 @@ CLAIM(lambda_inside_the_triangle)
 CLAIM(lambda_on_the_border)
 {
     num quarter = from_ratio(1, 4), half = from_ratio(1, 2), one = from_int(1);
-    num x[2] = {half, T->planted ? quarter : half},
-        y[2] = {T->planted ? quarter : from_int(0), T->planted ? quarter : half};
+    num x[2] = {half, fault(T, quarter, half)}, y[2] = {fault(T, quarter, from_int(0)), fault(T, quarter, half)};
     int between = 0;
     for (int k = 0; k < 2; k++) {
         num s = sub(add(x[k], y[k]), one), xy = mul(x[k], y[k]), lambda = div(xy, add(xy, mul(s, s)));

@@ -65,7 +65,7 @@ CLAIM(ellipse_carries_no_polynomial_arc)
         x[i] = unknown(T, "x", i);
         y[i] = unknown(T, "y", i);
     }
-    G(conic_along)(S, T->planted ? 1 : 2, n, x, y, s);
+    G(conic_along)(S, fault(T, 2, 1), n, x, y, s);
     G(bernstein_to_power)(2 * n, s, s);
     G(bernstein_to_power)(n, x, x);
     G(bernstein_to_power)(n, y, y);
@@ -103,7 +103,7 @@ CLAIM(hyperbola_carries_no_polynomial_arc)
         G(bernstein_to_power)(j, xi, top);
         G(bernstein_product)(j, xi, n, eta, product);
         G(bernstein_to_power)(j + n, product, product);
-        same(T, product[T->planted ? j + n - 1 : j + n], mul(top[j], leading));
+        same(T, product[fault(T, j + n, j + n - 1)], mul(top[j], leading));
     }
 }
 
@@ -121,7 +121,7 @@ CLAIM(hyperbola_carries_no_polynomial_arc)
 CLAIM(parabola_arcs_are_quadratic)
 {
     num a = unknown(T, "a", 0), b = unknown(T, "b", 0), t = parameter(T, "t"), P[2], half = from_ratio(1, 2);
-    num aa = mul(a, a), bb = mul(b, b), between = T->planted ? mul(half, add(aa, bb)) : mul(a, b);
+    num aa = mul(a, a), bb = mul(b, b), between = fault(T, mul(a, b), mul(half, add(aa, bb)));
     num R[6] = {a, aa, mul(half, add(a, b)), between, b, bb};
     G(decasteljau)(2, 2, R, t, P);
     num x = add(mul(sub(from_int(1), t), a), mul(t, b));
@@ -143,14 +143,14 @@ CLAIM(parabola_arcs_are_quadratic)
 */
 CLAIM(line_pair_carries_a_segment)
 {
-    num zero = from_int(0), S[6] = {zero, from_ratio(1, 2), zero, zero, zero, T->planted ? from_int(-1) : zero};
+    num zero = from_int(0), S[6] = {zero, from_ratio(1, 2), zero, zero, zero, fault(T, from_int(-1), zero)};
     num x[2] = {zero, from_int(1)}, y[2] = {zero, zero}, s[3], R[4] = {x[0], y[0], x[1], y[1]};
     show_text(T, "conic", "x y = 0");
     show_points(T, "R", 2, 2, R);
     G(conic_along)(S, 2, 1, x, y, s);
     show_points(T, "S(R(t)) in Bernstein form", 3, 1, s);
     about(T, "whether some coefficient of S(R(t)) is not zero: none is");
-    agree(T, !(is_zero_q(s[0]) && is_zero_q(s[1]) && is_zero_q(s[2])));
+    refute(T, is_zero_q(s[0]) && is_zero_q(s[1]) && is_zero_q(s[2]));
 }
 #endif
 
@@ -183,7 +183,7 @@ CLAIM(rational_form_contains_the_polynomial_one)
     num R[MAX_DEGREE + 1], weight[MAX_DEGREE + 1], point, sum = from_int(0);
     for (int i = 0; i <= n; i++) {
         R[i] = unknown(T, "R", i);
-        weight[i] = i == n && T->planted ? add(w, w) : w;
+        weight[i] = fault(T, w, i == n ? add(w, w) : w);
         num term = mul(from_int(binomial(n, i)), R[i]);
         for (int k = 0; k < n; k++)
             term = mul(term, k < i ? t : s);
@@ -212,7 +212,7 @@ CLAIM(tangent_conics_are_rational_quadratics)
     num mu = positive(T, "m", 0), nu = positive(T, "k", 0), t = parameter(T, "t"), zero = from_int(0),
         one = from_int(1);
     num R[6] = {one, zero, zero, zero, zero, one}, P[2];
-    num w[3] = {one, one, mul(from_int(T->planted ? -2 : -4), div(nu, mu))};
+    num w[3] = {one, one, mul(from_int(fault(T, -4, -2)), div(nu, mu))};
     G(rational_point)(2, 2, R, w, t, P);
     num s = sub(add(P[0], P[1]), one);
     vanishes(T, add(mul(mu, mul(P[0], P[1])), mul(nu, mul(s, s))));

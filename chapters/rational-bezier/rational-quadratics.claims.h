@@ -45,7 +45,7 @@ CLAIM(signed_ratios_give_the_point)
     for (int i = 0; i < 3; i++)
         R[i] = unknown(T, "R", i);
     num g1 = div(mul(from_int(-2), x), s), g2 = div(mul(from_int(-2), y), s);
-    num total = add(add(g1, from_int(T->planted ? 1 : 2)), g2);
+    num total = add(add(g1, from_int(fault(T, 2, 1))), g2);
     same(T, total, div(from_int(-2), s));
     same(T, div(g1, total), x);
     same(T, div(g2, total), y);
@@ -70,8 +70,8 @@ CLAIM(lengths_give_another_point)
     num half = from_ratio(1, 2), one = from_int(1), R[2] = {one, one}, g[2], S[6];
     G(frame_conic)(half, -1, S);
     ratios(half, -1, one, one, g);
-    for (int c = 0; c < 2 && !T->planted; c++)
-        g[c] = length(g[c]);
+    for (int c = 0; c < 2; c++)
+        g[c] = fault(T, g[c], length(g[c]));
     show_points(T, "R", 1, 2, R);
     show_points(T, "(g1, g2)", 1, 2, g);
     about(T, "x, left as printed, right the point's");
@@ -92,11 +92,11 @@ CLAIM(lengths_give_another_point)
 :::
 */
 
-static void G(ratios_at)(const num w[], num t, int planted, num g[])
+static void G(ratios_at)(const num w[], num t, int without_weight, num g[])
 {
     num s = sub(from_int(1), t);
     g[0] = div(mul(w[0], s), mul(w[1], t));
-    g[1] = div(mul(w[2], t), planted ? s : mul(w[1], s));
+    g[1] = div(mul(w[2], t), without_weight ? s : mul(w[1], s));
 }
 
 /*
@@ -115,14 +115,14 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
     num w[3], t = parameter(T, "t"), ratio = positive(T, "g", 0), one = from_int(1), g[2];
     G(three_weights)(T, w);
     num c = div(mul(w[0], w[2]), mul(w[1], w[1])), tg = div(w[0], add(w[0], mul(w[1], ratio)));
-    G(ratios_at)(w, t, T->planted, g);
+    G(ratios_at)(w, t, fault(T, 0, 1), g);
     about(T, "the product");
     same(T, mul(g[0], g[1]), c);
     about(T, "t from g1");
     same(T, div(w[0], add(w[0], mul(w[1], g[0]))), t);
     nonnegative(T, tg);
     nonnegative(T, sub(one, tg));
-    G(ratios_at)(w, tg, T->planted, g);
+    G(ratios_at)(w, tg, fault(T, 0, 1), g);
     about(T, "the ratios at t_g");
     same(T, g[0], ratio);
     same(T, g[1], div(c, ratio));
@@ -142,7 +142,7 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
 */
 CLAIM(ratios_do_not_exist_at_the_ends)
 {
-    num t = T->planted ? from_ratio(1, 2) : from_int(0), one = from_int(1), first = mul(one, t), second = sub(one, t);
+    num t = fault(T, from_ratio(1, 2), from_int(0)), one = from_int(1), first = mul(one, t), second = sub(one, t);
     show(T, "t", t);
     show(T, "denominator of g1", first);
     show(T, "denominator of g2", second);
@@ -163,7 +163,7 @@ CLAIM(ratios_do_not_exist_at_the_ends)
 */
 CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 {
-    num w[3] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(1)}, g[2];
+    num w[3] = {from_int(1), from_int(fault(T, 1, -1)), from_int(1)}, g[2];
     G(ratios_at)(w, from_ratio(1, 2), 0, g);
     show_points(T, "ω", 3, 1, w);
     show_points(T, "(g1, g2) at t = 1/2", 1, 2, g);
@@ -213,7 +213,7 @@ CLAIM(rational_quadratic_of_the_arc)
     for (int i = 0; i < 3; i++)
         R[i] = unknown(T, "R", i);
     G(ratios_at)(w, t, 0, g);
-    num top = add(add(mul(g[0], R[0]), mul(T->planted ? one : two, R[1])), mul(g[1], R[2]));
+    num top = add(add(mul(g[0], R[0]), mul(fault(T, two, one), R[1])), mul(g[1], R[2]));
     G(rational_point)(2, 1, R, w, t, &point);
     about(T, "the point from the ratios; the rational curve");
     same(T, div(top, add(add(g[0], two), g[1])), point);
@@ -251,7 +251,7 @@ CLAIM(rational_quadratic_of_the_arc)
 CLAIM(complementary_arc_leaves_the_triangle)
 {
     num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, P[2];
-    num w[3] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
+    num w[3] = {from_int(2), from_int(fault(T, 1, -1)), from_int(2)};
     G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
@@ -295,8 +295,7 @@ CLAIM(weights_with_one_constant_give_one_curve)
     }
     v[2] = div(mul(mul(w[0], w[2]), mul(v[1], v[1])), mul(mul(w[1], w[1]), v[0]));
     num k = div(mul(w[0], v[1]), mul(v[0], w[1]));
-    if (T->planted)
-        k = div(one, k);
+    k = fault(T, k, div(one, k));
     num t = div(mul(k, u), add(mul(k, u), sub(one, u)));
     G(rational_point)(2, 1, R, v, u, &before);
     G(rational_point)(2, 1, R, w, t, &after);
@@ -332,7 +331,7 @@ CLAIM(constant_is_read_off_the_curve)
     }
     num d = G(cross2)(a, b), x = div(G(cross2)(from, b), d), y = div(G(cross2)(a, from), d);
     num s = sub(add(x, y), from_int(1));
-    same(T, div(mul(from_int(T->planted ? 2 : 4), mul(x, y)), mul(s, s)), div(mul(w[0], w[2]), mul(w[1], w[1])));
+    same(T, div(mul(from_int(fault(T, 4, 2)), mul(x, y)), mul(s, s)), div(mul(w[0], w[2]), mul(w[1], w[1])));
 }
 
 #if RATIONAL
@@ -351,9 +350,8 @@ CLAIM(constant_is_read_off_the_curve)
 CLAIM(sign_of_the_middle_weight_changes_the_arc)
 {
     num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, P[2], Q[2];
-    num w[3] = {from_int(2), one, from_int(2)}, v[3] = {from_int(2), from_int(-1), from_int(2)};
-    if (T->planted)
-        v[0] = v[1] = one, v[2] = from_int(4);
+    num w[3] = {from_int(2), one, from_int(2)},
+        v[3] = {fault(T, one, from_int(2)), fault(T, one, from_int(-1)), fault(T, from_int(4), from_int(2))};
     num c = div(mul(w[0], w[2]), mul(w[1], w[1])), d = div(mul(v[0], v[2]), mul(v[1], v[1]));
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
@@ -361,7 +359,7 @@ CLAIM(sign_of_the_middle_weight_changes_the_arc)
     show(T, "constant of ω", c);
     show(T, "constant of ω*", d);
     G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
-    G(rational_point)(2, 2, R, v, from_ratio(1, T->planted ? 3 : 2), Q);
+    G(rational_point)(2, 2, R, v, from_ratio(1, fault(T, 3, 2)), Q);
     about(T, "x of the point with x = y on the two curves");
     if (equal_q(c, d) && equal_q(P[0], P[1]) && equal_q(Q[0], Q[1]))
         same(T, P[0], Q[0]);
@@ -384,7 +382,7 @@ CLAIM(segment_does_not_fix_the_constant)
     int monotone = 1;
     show_points(T, "R", 3, 1, R);
     for (int k = 0; k < 2; k++) {
-        num w[3] = {from_int(1), from_int(k + 1), from_int(k == 1 && T->planted ? 4 : 1)}, N[3];
+        num w[3] = {from_int(1), from_int(k + 1), from_int(fault(T, k == 1 ? 4 : 1, 1))}, N[3];
         for (int i = 0; i < 3; i++)
             N[i] = mul(w[i], R[i]);
         poly top = poly_from_bernstein(2, N), bottom = poly_from_bernstein(2, w);

@@ -59,8 +59,7 @@ CLAIM(fractional_change_runs_once)
     vanishes(T, substitute_f(t, u, from_int(0)));
     same(T, substitute_f(t, u, one), one);
     about(T, "signs inside");
-    num inside_it = inside(T, "s"),
-        values[] = {t, sub(one, t), T->planted ? neg(derivative_f(t, u)) : derivative_f(t, u)};
+    num inside_it = inside(T, "s"), values[] = {t, sub(one, t), fault(T, derivative_f(t, u), neg(derivative_f(t, u)))};
     for (int k = 0; k < 3; k++) {
         num value = substitute_f(values[k], u, inside_it);
         nonnegative(T, value);
@@ -86,7 +85,7 @@ CLAIM(fractional_change_runs_once)
 CLAIM(projective_change_of_unit_interval_is_fractional)
 {
     num alpha = positive(T, "alpha", 0), delta = positive(T, "delta", 0), u = parameter(T, "u");
-    num gamma = T->planted ? add(alpha, delta) : sub(alpha, delta);
+    num gamma = fault(T, sub(alpha, delta), add(alpha, delta));
     num t = div(mul(alpha, u), add(mul(gamma, u), delta));
     same(T, t, G(old_parameter)(alpha, delta, u));
 }
@@ -133,7 +132,7 @@ CLAIM(fractional_change_keeps_curve)
     num a = positive(T, "a", 0), b = positive(T, "b", 0), u = parameter(T, "u");
     G(free_curve)(T, n, R, w);
     num D = add(mul(a, u), mul(b, sub(from_int(1), u))), t = G(old_parameter)(a, b, u);
-    G(rational_reparametrize)(n, w, T->planted ? b : a, T->planted ? a : b, v);
+    G(rational_reparametrize)(n, w, fault(T, a, b), fault(T, b, a), v);
     about(T, "the denominators");
     same(T, G(rational_weight)(n, v, u), mul(G(power)(D, n), G(rational_weight)(n, w, t)));
     about(T, "the points");
@@ -174,12 +173,12 @@ CLAIM(fractional_change_term_by_term)
     about(T, "D^n B_i^n(t)");
     G(bernstein)(degree, t, old);
     G(bernstein)(degree, u, new);
-    num factor = mul(G(power)(T->planted ? b : a, index), G(power)(T->planted ? a : b, degree - index));
+    num factor = mul(G(power)(fault(T, a, b), index), G(power)(fault(T, b, a), degree - index));
     same(T, mul(G(power)(D, degree), old[index]), mul(factor, new[index]));
 #endif
     about(T, "the first term, and the quotient of neighbouring terms");
     same(T, mul(D, sub(one, t)), rest);
-    num quotient = T->planted ? div(b, a) : div(a, b);
+    num quotient = fault(T, div(a, b), div(b, a));
     same(T, mul(choose, div(t, sub(one, t))), mul(quotient, mul(choose, div(u, sub(one, u)))));
 }
 
@@ -216,7 +215,7 @@ CLAIM(invariants_by_definition)
         w[i] = positive(T, "w", i);
     G(rational_invariants)(n, w, I);
     for (int i = 1; i < n; i++)
-        same(T, mul(I[i - 1], mul(w[i - 1], T->planted ? w[i - 1] : w[i + 1])), mul(w[i], w[i]));
+        same(T, mul(I[i - 1], mul(w[i - 1], fault(T, w[i + 1], w[i - 1]))), mul(w[i], w[i]));
 }
 
 /*
@@ -250,7 +249,7 @@ CLAIM(negated_weights_have_no_real_factors)
     num w[n + 1], v[n + 1], R[] = {from_int(0), from_int(1), from_int(3)}, I[n], J[n], before, after;
     for (int i = 0; i <= n; i++) {
         w[i] = from_int(i + 1);
-        v[i] = T->planted && i == n ? w[i] : neg(w[i]);
+        v[i] = fault(T, neg(w[i]), i == n ? w[i] : neg(w[i]));
     }
     show_points(T, "ω", n + 1, 1, w);
     show_points(T, "ω*", n + 1, 1, v);
@@ -314,8 +313,7 @@ CLAIM(equal_invariants_give_same_curve)
     for (int i = 1; i < n; i++)
         v[i + 1] = div(mul(v[i], v[i]), mul(v[i - 1], I[i - 1]));
     num q = div(div(v[1], w[1]), div(v[0], w[0]));
-    if (T->planted)
-        v[n] = add(v[n], v[n]);
+    v[n] = fault(T, v[n], add(v[n], v[n]));
     G(rational_point)(n, 1, R, w, G(old_parameter)(q, one, u), &before);
     G(rational_point)(n, 1, R, v, u, &after);
     same(T, after, before);
@@ -339,7 +337,7 @@ CLAIM(equal_invariants_reach_the_other_arc)
 {
     enum { n = 2 };
     num R[] = {from_int(-1), from_int(0), from_int(0), from_int(1), from_int(1), from_int(0)};
-    num w[] = {from_int(2), from_int(1), from_int(2)}, v[] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
+    num w[] = {from_int(2), from_int(1), from_int(2)}, v[] = {from_int(2), from_int(fault(T, -1, 1)), from_int(2)};
     num I[1], J[1], P[2], Q[2], zero = from_int(0), one = from_int(1);
     show_points(T, "R", n + 1, 2, R);
     show_points(T, "ω", n + 1, 1, w);
@@ -372,7 +370,7 @@ CLAIM(equal_invariants_reach_the_other_arc)
 CLAIM(linear_curve_with_opposite_ratios_has_a_pole)
 {
     num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)};
-    num v[] = {from_int(1), from_int(T->planted ? 1 : -1)}, P, half = from_ratio(1, 2);
+    num v[] = {from_int(1), from_int(fault(T, -1, 1))}, P, half = from_ratio(1, 2);
     num a = div(v[1], w[1]), b = div(v[0], w[0]);
     show_points(T, "ω", 2, 1, w);
     show_points(T, "ω*", 2, 1, v);
@@ -418,7 +416,7 @@ CLAIM(equal_invariants_mean_geometric_ratios)
     }
     G(rational_invariants)(2, w, I);
     G(rational_invariants)(2, v, J);
-    num square = T->planted ? r[1] : mul(r[1], r[1]);
+    num square = fault(T, mul(r[1], r[1]), r[1]);
     same(T, mul(J[0], mul(r[0], r[2])), mul(I[0], square));
 }
 
@@ -449,7 +447,7 @@ CLAIM(equal_powers_of_positive_numbers)
     num p = positive(T, "p", 0), q = positive(T, "q", 0), S = from_int(0);
     for (int k = 0; k < n; k++) {
         num term = mul(G(power)(q, n - 1 - k), G(power)(p, k));
-        S = T->planted && k % 2 == 1 ? sub(S, term) : add(S, term);
+        S = fault(T, add(S, term), k % 2 == 1 ? sub(S, term) : add(S, term));
     }
     same(T, mul(sub(q, p), S), sub(G(power)(q, n), G(power)(p, n)));
     nonnegative(T, sub(S, G(power)(q, n - 1)));
@@ -469,7 +467,7 @@ CLAIM(equal_powers_of_positive_numbers)
 */
 CLAIM(quotient_is_lost_up_to_sign)
 {
-    num w[] = {from_int(2), from_int(1), from_int(2)}, v[] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
+    num w[] = {from_int(2), from_int(1), from_int(2)}, v[] = {from_int(2), from_int(fault(T, -1, 1)), from_int(2)};
     num r[3], I[1], J[1];
     for (int k = 0; k < 3; k++)
         r[k] = div(v[k], w[k]);
@@ -518,7 +516,7 @@ CLAIM(end_weights_give_the_factors)
         w[i] = positive(T, "w", i);
         v[i] = mul(mul(G(power)(beta, n), G(power)(div(alpha, beta), i)), w[i]);
     }
-    int first = T->planted ? n : 0;
+    int first = fault(T, 0, n);
     num a = root(n, div(v[n], w[n])), b = root(n, div(v[first], w[first]));
     G(rational_reparametrize)(n, w, a, b, out);
     for (int i = 0; i <= n; i++)
@@ -550,7 +548,7 @@ CLAIM(standard_form_has_unit_ends)
     G(free_curve)(T, n, R, w);
     w[n] = mul(w[0], G(power)(rho, n));
     G(rational_standard_form)(n, w, out);
-    num factor = T->planted ? rho : div(one, rho);
+    num factor = fault(T, div(one, rho), rho);
     for (int i = 0; i <= n; i++)
         same(T, out[i], mul(div(w[i], w[0]), G(power)(factor, i)));
     same(T, out[0], one);
@@ -591,8 +589,7 @@ CLAIM(invariants_survive_fractional_change)
     for (int i = 0; i <= n; i++)
         w[i] = unknown(T, "w", i);
     G(rational_reparametrize)(n, w, a, b, v);
-    if (T->planted)
-        v[1] = add(v[1], v[1]);
+    v[1] = fault(T, v[1], add(v[1], v[1]));
     G(rational_invariants)(n, w, I);
     G(rational_invariants)(n, v, J);
     for (int i = 1; i < n; i++)
@@ -674,7 +671,7 @@ static int G(one_map_shown)(trial *T, int n, int dim, const num R[], const num w
 CLAIM(same_map_on_a_line_has_two_invariants)
 {
     num one = from_int(1), R[] = {from_int(0), from_ratio(1, 2), one}, w[] = {one, one, one};
-    num S[] = {from_int(0), from_ratio(1, 3), one}, v[] = {one, T->planted ? one : from_ratio(3, 2), from_int(2)}, I[1],
+    num S[] = {from_int(0), from_ratio(1, 3), one}, v[] = {one, fault(T, from_ratio(3, 2), one), from_int(2)}, I[1],
         J[1];
     agree(T, G(one_map_shown)(T, 2, 1, R, w, S, v, I, J));
     agree(T, !equal_q(I[0], J[0]));
@@ -699,7 +696,7 @@ CLAIM(same_parabola_has_two_invariant_sets)
     num R[] = {zero, zero, from_ratio(2, 3), zero, from_ratio(2, 3), from_ratio(1, 3), zero, one};
     num S[] = {zero, zero, from_ratio(1, 2), zero, from_ratio(4, 5), from_ratio(1, 5), zero, one};
     num v[] = {one, from_ratio(4, 3), from_ratio(5, 3), from_int(2)}, I[2], J[2];
-    if (!G(one_map_shown)(T, 3, 2, R, w, T->planted ? R : S, T->planted ? w : v, I, J))
+    if (!G(one_map_shown)(T, 3, 2, R, w, fault(T, R, S), fault(T, w, v), I, J))
         return;
     about(T, "I_1 of the two");
     same(T, I[0], J[0]);
@@ -725,7 +722,7 @@ CLAIM(reversal_exchanges_invariants)
     G(free_curve)(T, n, R, w);
     for (int i = 0; i <= n; i++) {
         S[i] = R[n - i];
-        v[i] = T->planted ? w[i] : w[n - i];
+        v[i] = fault(T, w[n - i], w[i]);
     }
     G(rational_point)(n, 1, R, w, sub(from_int(1), t), &there);
     G(rational_point)(n, 1, S, v, t, &back);
@@ -768,7 +765,7 @@ CLAIM(first_invariant_is_the_tangent_ratio)
     num A = sub(D[0], mul(D[1], div(D[2], D[3]))), B = sub(D[1], mul(D[0], div(D[3], D[2])));
     num product = mul(div(A, sub(one, A)), div(B, sub(one, B)));
     G(rational_invariants)(2, w, I);
-    same(T, product, T->planted ? I[0] : div(one, I[0]));
+    same(T, product, fault(T, div(one, I[0]), I[0]));
 }
 
 /*

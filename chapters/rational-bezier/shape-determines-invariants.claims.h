@@ -103,8 +103,7 @@ CLAIM(end_curvature_contains_one_invariant)
         G(between)(R, end ? n - 2 : 1, end ? n - 1 : 2, b);
         num square = G(rational_curvature_squared)(n, 3, R, w, from_int(end));
         num g = G(norm_squared)(3, a), J = I[end ? n - 2 : 0];
-        if (T->planted)
-            J = n == 2 ? add(J, J) : I[end ? n - 3 : 1];
+        J = fault(T, J, n == 2 ? add(J, J) : I[end ? n - 3 : 1]);
         about(T, end ? "at t = 1" : "at t = 0");
         same(T, mul(mul(square, mul(J, J)), mul(g, mul(g, g))), mul(factor, G(gram)(3, a, b)));
     }
@@ -138,9 +137,7 @@ CLAIM(end_torsion_contains_two_invariants)
         G(between)(R, first + 2, first + 3, c);
         num torsion = G(rational_torsion)(n, R, w, from_int(end));
         num area = end ? G(gram)(3, b, c) : G(gram)(3, a, b);
-        num J = end ? I[n - 2] : I[0];
-        if (!T->planted)
-            J = mul(J, end ? I[n - 3] : I[1]);
+        num J = fault(T, mul(end ? I[n - 2] : I[0], end ? I[n - 3] : I[1]), end ? I[n - 2] : I[0]);
         about(T, end ? "at t = 1" : "at t = 0");
         same(T, mul(torsion, mul(J, area)), mul(from_ratio(n - 2, n), G(det3)(a, b, c)));
     }
@@ -175,7 +172,7 @@ CLAIM(backward_run_flattens_the_first_edges)
         for (int i = 1; i <= n; i++)
             if (i != solved)
                 sum = add(sum, a[i][k]);
-        a[solved][k] = T->planted ? unknown(T, "free", k) : neg(sum);
+        a[solved][k] = fault(T, neg(sum), unknown(T, "free", k));
     }
     if (n == 2) {
         G(cross3)(a[1], a[2], product);
@@ -207,7 +204,7 @@ CLAIM(plane_cubic_cannot_run_backwards)
     num a[3], b[3], product[3], c = unknown(T, "c", 0);
     for (int k = 0; k < 3; k++) {
         a[k] = unknown(T, "a", k);
-        num last = T->planted ? unknown(T, "free", k) : mul(c, a[k]);
+        num last = fault(T, mul(c, a[k]), unknown(T, "free", k));
         b[k] = neg(add(a[k], last));
     }
     G(cross3)(a, b, product);
@@ -243,8 +240,7 @@ CLAIM(common_factor_hides_the_weights)
             one[i] = from_ratio(binomial(m, k), binomial(n, i));
             w[i] = i <= m ? one[i] : mul(c, one[i]);
         }
-        if (T->planted)
-            w[n] = add(w[n], w[n]);
+        w[n] = fault(T, w[n], add(w[n], w[n]));
         G(rational_point)(n, 1, R, w, t, &left);
         G(decasteljau)(m, 1, P, t, &right);
         same(T, left, right);
@@ -293,7 +289,7 @@ CLAIM(segment_has_two_invariants)
 {
     enum { n = 2 };
     num R[] = {from_int(0), from_int(1), from_int(2)}, zero = from_int(0), one = from_int(1);
-    num w[2][3] = {{one, from_int(2), one}, {one, from_int(T->planted ? 2 : 3), one}};
+    num w[2][3] = {{one, from_int(2), one}, {one, from_int(fault(T, 3, 2)), one}};
     show_points(T, "R", n + 1, 1, R);
     agree(T, G(invariants_differ)(T, n, w[0], w[1]));
     for (int k = 0; k < 2; k++) {
@@ -364,7 +360,7 @@ CLAIM(palindromes_of_degree_four)
         R[3 * i] = from_int(point[i][0]);
         R[3 * i + 1] = from_int(point[i][1]);
         R[3 * i + 2] = from_int(0);
-        w[i] = from_int(i == 1 || (i == 3 && T->planted) ? 2 : 1);
+        w[i] = from_int(fault(T, i == 1, i == 1 || i == 3) ? 2 : 1);
         v[n - i] = w[i];
     }
     show_points(T, "R", n + 1, 3, R);
@@ -408,7 +404,7 @@ CLAIM(space_palindromes_beyond_degree_five)
         int k = i < n - i ? i : n - i;
         for (int c = 0; c < 3; c++)
             R[3 * i + c] = from_int(c + 1 == (k < 3 ? k : 3));
-        w[i] = from_int(i == 1 || (i == n - 1 && T->planted) ? 2 : 1);
+        w[i] = from_int(fault(T, i == 1, i == 1 || i == n - 1) ? 2 : 1);
         v[n - i] = w[i];
     }
     show_points(T, "R", n + 1, 3, R);
@@ -436,7 +432,7 @@ CLAIM(equal_invariants_other_speed)
         Q[2];
     for (int i = 0; i <= n; i++) {
         w[i] = from_int(1);
-        v[i] = from_int(T->planted ? 1 : 1L << i);
+        v[i] = from_int(fault(T, 1, 1L << i));
     }
     if (G(invariants_differ)(T, n, w, v))
         return;
@@ -486,7 +482,7 @@ static int G(half_turn_pair)(trial *T, int n, int both, num w[], num v[])
 CLAIM(congruent_cubics_with_other_invariants)
 {
     num w[4], v[4], I[2], J[2];
-    if (!G(half_turn_pair)(T, 3, T->planted, w, v))
+    if (!G(half_turn_pair)(T, 3, fault(T, 1, 0), w, v))
         return;
     (void)G(invariants_differ)(T, 3, w, v);
     G(rational_invariants)(3, w, I);
@@ -512,7 +508,7 @@ CLAIM(congruent_cubics_with_other_invariants)
 CLAIM(congruent_curves_beyond_cubics)
 {
     num w[6], v[6];
-    agree(T, G(half_turn_pair)(T, T->degree, T->planted, w, v));
+    agree(T, G(half_turn_pair)(T, T->degree, fault(T, 0, 1), w, v));
     agree(T, G(invariants_differ)(T, T->degree, w, v));
 }
 #endif
@@ -565,7 +561,7 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
         for (int c = 0; c < 3; c++)
             R[3 * i + c] = from_int(point[i][c]);
         w[i] = from_int(1);
-        v[i] = from_int(i < 3 || T->planted ? 1 : i == 3 ? 2 : 4);
+        v[i] = from_int(fault(T, 1, i < 3 ? 1 : i == 3 ? 2 : 4));
     }
     show_points(T, "R", n + 1, 3, R);
     for (int end = 0; end < 2; end++)
@@ -632,7 +628,7 @@ CLAIM(printed_torsion_denominator_is_wrong)
     show_points(T, "ω", n + 1, 1, w);
     show_points(T, "ω*", n + 1, 1, v);
     num change = sub(div(mul(w[0], w[3]), mul(w[1], w[2])), div(mul(v[0], v[3]), mul(v[1], v[2])));
-    num area = G(gram)(3, a[0], T->planted ? a[1] : a[2]);
+    num area = G(gram)(3, a[0], fault(T, a[1], a[2]));
     num printed = mul(from_ratio(3, 5), mul(change, div(G(det3)(a[0], a[1], a[2]), area)));
     about(T, "τ(0) - τ*(0), left as it is, right as printed");
     same(T, sub(G(rational_torsion)(n, R, w, from_int(0)), G(rational_torsion)(n, R, v, from_int(0))), printed);
@@ -679,7 +675,7 @@ CLAIM(product_is_the_inverse_second_invariant)
     G(rational_invariants)(3, w, I);
     num product = mul(I[0], div(mul(w[0], w[3]), mul(w[1], w[2])));
     same(T, product, div(mul(w[1], w[3]), mul(w[2], w[2])));
-    same(T, product, T->planted ? I[1] : div(from_int(1), I[1]));
+    same(T, product, fault(T, div(from_int(1), I[1]), I[1]));
 }
 
 /*

@@ -42,7 +42,7 @@ CLAIM(special_coordinates_exist)
     for (int k = 0; k < 4; k++) {
         num d[2] = {sub(R[2 * k], M[0]), sub(R[2 * k + 1], M[1])};
         X[k] = add(mul(d[0], e[0]), mul(d[1], e[1]));
-        Y[k] = T->planted ? sub(mul(e[1], d[1]), mul(e[0], d[0])) : sub(mul(e[0], d[1]), mul(e[1], d[0]));
+        Y[k] = fault(T, sub(mul(e[0], d[1]), mul(e[1], d[0])), sub(mul(e[1], d[1]), mul(e[0], d[0])));
     }
     about(T, "l X and l Y of the ends of the chord");
     same(T, X[0], neg(ll));
@@ -106,7 +106,7 @@ CLAIM(standard_form_by_a_change_of_parameter)
     for (int i = 0; i < 3; i++)
         R[i] = unknown(T, "R", i);
     num omega = div(w[1], mul(a, c)), v[3] = {one, omega, one};
-    num t = T->planted ? G(fraction_of)(c, a, u) : G(fraction_of)(a, c, u);
+    num t = fault(T, G(fraction_of)(a, c, u), G(fraction_of)(c, a, u));
     G(rational_point)(2, 1, R, w, t, &before);
     G(rational_point)(2, 1, R, v, u, &after);
     about(T, "R(t) and R*(u)");
@@ -132,8 +132,8 @@ CLAIM(roots_over_the_parameter_are_wrong)
 {
     num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, w[3] = {one, one, one};
     num u = from_ratio(9, 25), P[2], Q[2];
-    num top = T->planted ? mul(root(2, w[0]), u) : root(2, mul(w[0], u));
-    num rest = T->planted ? mul(root(2, w[2]), sub(one, u)) : root(2, mul(w[2], sub(one, u)));
+    num top = fault(T, mul(root(2, w[0]), u), root(2, mul(w[0], u)));
+    num rest = fault(T, mul(root(2, w[2]), sub(one, u)), root(2, mul(w[2], sub(one, u))));
     num t = div(top, add(top, rest));
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
@@ -170,7 +170,7 @@ CLAIM(roots_over_the_parameter_are_wrong)
 CLAIM(negative_weights_lose_their_sign)
 {
     num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), R[6] = {neg(one), zero, zero, one, one, zero};
-    num outer = T->planted ? one : neg(one), w[3] = {outer, half, outer}, P[2], Q[2];
+    num outer = fault(T, one, neg(one)), w[3] = {outer, half, outer}, P[2], Q[2];
     num v[3] = {one, G(conic_standard_weight)(w), one};
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
@@ -211,7 +211,7 @@ CLAIM(standard_parameter_runs_through_the_interval)
     nonnegative(T, t);
     nonnegative(T, sub(one, t));
     about(T, "u from t");
-    same(T, G(fraction_of)(T->planted ? a : c, a, t), u);
+    same(T, G(fraction_of)(fault(T, c, a), a, t), u);
     about(T, "the ends");
     same(T, G(fraction_of)(a, c, zero), zero);
     same(T, G(fraction_of)(a, c, one), one);

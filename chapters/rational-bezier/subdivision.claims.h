@@ -53,7 +53,7 @@ CLAIM(triangle_in_closed_form)
     G(free_curve)(T, n, R, w);
     for (int r = 0; r <= n; r++) {
         G(rational_decasteljau)(n, 1, R, w, lambda, r, Rr, wr);
-        G(bernstein)(r, T->planted ? sub(from_int(1), lambda) : lambda, B);
+        G(bernstein)(r, fault(T, lambda, sub(from_int(1), lambda)), B);
         for (int i = r; i <= n; i++) {
             num weight = from_int(0), point = from_int(0);
             for (int k = 0; k <= r; k++) {
@@ -84,7 +84,7 @@ CLAIM(triangle_level_by_level)
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], P[MAX_DEGREE + 1], wr[MAX_DEGREE + 1],
         Rr[MAX_DEGREE + 1];
     num lambda = parameter(T, "lambda"), mu = sub(from_int(1), lambda);
-    num ahead = T->planted ? mu : lambda, behind = T->planted ? lambda : mu;
+    num ahead = fault(T, lambda, mu), behind = fault(T, mu, lambda);
     G(free_curve)(T, n, R, w);
     for (int r = 1; r <= n; r++) {
         G(rational_decasteljau)(n, 1, R, w, lambda, r - 1, P, v);
@@ -138,7 +138,7 @@ CLAIM(intermediate_weight_can_vanish)
     show_text(T, "ω(t)", "%s", poly_to_string(denominator, "t"));
     agree(T, count_roots_line(denominator).distinct == 0 && sign_q(w[0]) > 0);
     for (int side = 0; side < 2; side++) {
-        num lambda = T->planted ? from_ratio(1, 2) : from_ratio(2 - side, 3), next[3];
+        num lambda = fault(T, from_ratio(2 - side, 3), from_ratio(1, 2)), next[3];
         for (int i = 0; i < 3; i++)
             next[i] = w[i];
         G(casteljau_level)(2, 1, next, lambda);
@@ -206,7 +206,7 @@ CLAIM(subdivision_left_half)
     num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, a), sub(c, a));
     G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
     G(rational_point)(n, 1, R, w, whole, &left);
-    G(rational_point)(n, 1, Rl, wl, T->planted ? whole : part, &right);
+    G(rational_point)(n, 1, Rl, wl, fault(T, part, whole), &right);
     same(T, right, left);
 }
 
@@ -234,7 +234,7 @@ CLAIM(subdivision_right_half)
     num whole = div(sub(t, a), sub(b, a)), part = div(sub(t, c), sub(b, c));
     G(triangle_sides)(n, R, w, div(sub(c, a), sub(b, a)), Rl, wl, Rr, wr);
     G(rational_point)(n, 1, R, w, whole, &left);
-    G(rational_point)(n, 1, Rr, wr, T->planted ? whole : part, &right);
+    G(rational_point)(n, 1, Rr, wr, fault(T, part, whole), &right);
     same(T, right, left);
 }
 
@@ -257,7 +257,7 @@ CLAIM(cut_at_an_end_is_empty)
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], P[2][MAX_DEGREE + 1], v[2][MAX_DEGREE + 1];
     G(free_curve)(T, n, R, w);
     for (int end = 0; end < 2; end++) {
-        G(triangle_sides)(n, R, w, T->planted ? from_ratio(1, 2) : from_int(end), P[0], v[0], P[1], v[1]);
+        G(triangle_sides)(n, R, w, fault(T, from_int(end), from_ratio(1, 2)), P[0], v[0], P[1], v[1]);
         show_points(T, end ? "c = b: left points" : "c = a: left points", n + 1, 1, P[0]);
         show_points(T, end ? "c = b: right points" : "c = a: right points", n + 1, 1, P[1]);
         for (int i = 0; i <= n; i++) {
@@ -283,7 +283,7 @@ CLAIM(cut_at_an_end_is_empty)
 */
 CLAIM(cut_outside_can_fail)
 {
-    num w[] = {from_int(1), from_int(2)}, lambda = T->planted ? from_ratio(1, 2) : from_int(-1);
+    num w[] = {from_int(1), from_int(2)}, lambda = fault(T, from_int(-1), from_ratio(1, 2));
     show_points(T, "ω", 2, 1, w);
     show(T, "λ", lambda);
     vanishes(T, G(rational_weight)(1, w, lambda));
@@ -323,7 +323,7 @@ CLAIM(numerator_and_denominator_are_cut_alike)
     G(triangle_sides)(n, R, w, lambda, Q[0], q[0], Q[1], q[1]);
     for (int half = 0; half < 2; half++)
         for (int i = 0; i <= n; i++) {
-            int j = half == 1 && T->planted ? n - i : i;
+            int j = fault(T, i, half == 1 ? n - i : i);
             same(T, v[half][i], q[half][j]);
             same(T, P[half][i], Q[half][j]);
         }
@@ -384,7 +384,7 @@ CLAIM(printed_right_half_has_the_wrong_argument)
     G(triangle_sides)(1, R, w, c, Rl, wl, Rr, wr);
     for (int i = 0; i < 2; i++)
         up[i] = mul(wr[i], Rr[i]);
-    G(horner_bernstein)(1, 1, up, T->planted ? part : t, &numerator);
+    G(horner_bernstein)(1, 1, up, fault(T, part, t), &numerator);
     G(rational_point)(1, 1, R, w, t, &curve);
     show_points(T, "R", 2, 1, R);
     show_points(T, "ω", 2, 1, w);
@@ -415,7 +415,7 @@ CLAIM(printed_right_half_has_the_wrong_weight)
     for (int i = 0; i <= 2; i++) {
         int r = 2 - i; /* the printed weight is omega_i^r, stored at i - r where it is defined */
         G(rational_decasteljau)(2, 1, R, w, c, r, P, v);
-        up[i] = mul(i < r || T->planted ? wr[i] : v[i - r], Rr[i]);
+        up[i] = mul(fault(T, wr[i], i < r ? wr[i] : v[i - r]), Rr[i]);
         if (i == 1)
             show_points(T, "ω_1^1, ω_2^1", 2, 1, v);
     }
@@ -458,7 +458,7 @@ CLAIM(equal_weights_give_polynomial_triangle)
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], P[MAX_DEGREE + 1], B[MAX_DEGREE + 1];
     num lambda = parameter(T, "lambda"), weight = unknown(T, "w", 0);
     for (int i = 0; i <= n; i++) {
-        w[i] = i == n && T->planted ? add(weight, weight) : weight;
+        w[i] = fault(T, weight, i == n ? add(weight, weight) : weight);
         R[i] = unknown(T, "R", i);
     }
     for (int r = 0; r <= n; r++) {
@@ -506,7 +506,7 @@ CLAIM(triangle_ends_on_the_curve)
     for (int i = 0; i <= n; i++) {
         num share = mul(B[i], w[i]);
         down = add(down, share);
-        up = add(up, mul(share, R[i == n && T->planted ? n - 1 : i]));
+        up = add(up, mul(share, R[fault(T, i, i == n ? n - 1 : i)]));
     }
     G(rational_decasteljau)(n, 1, R, w, lambda, n, &P, &v);
     same(T, v, down);
@@ -550,7 +550,7 @@ CLAIM(cut_coefficients_are_convex)
 {
     num p = positive(T, "p", 0), q = positive(T, "q", 0), lambda = inside(T, "s"), mu = sub(from_int(1), lambda);
     num left = mul(mu, p), right = mul(lambda, q), v = add(left, right), gap = sub(q, p);
-    num first = div(left, v), second = div(T->planted ? mul(mu, q) : right, v);
+    num first = div(left, v), second = div(fault(T, right, mul(mu, q)), v);
     nonnegative(T, v);
     nonnegative(T, first);
     nonnegative(T, second);
@@ -572,7 +572,7 @@ CLAIM(cut_coefficients_are_convex)
 */
 CLAIM(negative_weight_breaks_convexity)
 {
-    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 4), from_int(1)}, half = from_ratio(1, 2), v[2], P[2][2];
+    num w[] = {from_int(1), from_ratio(fault(T, -1, 1), 4), from_int(1)}, half = from_ratio(1, 2), v[2], P[2][2];
     num unit[2][3] = {{from_int(1), from_int(0), from_int(0)}, {from_int(0), from_int(1), from_int(0)}};
     show_points(T, "ω", 3, 1, w);
     agree(T, count_roots_line(poly_from_bernstein(2, w)).distinct == 0);
@@ -611,7 +611,7 @@ CLAIM(negative_weight_breaks_convexity)
 CLAIM(cut_depends_on_level_edge_and_weights)
 {
     num half = from_ratio(1, 2), one = from_int(1);
-    num w[] = {one, one, from_int(T->planted ? 1 : 2)}, equal[] = {one, one, one}, first[3], second[3], other[3];
+    num w[] = {one, one, from_int(fault(T, 2, 1))}, equal[] = {one, one, one}, first[3], second[3], other[3];
     for (int i = 0; i < 3; i++) {
         first[i] = w[i];
         other[i] = equal[i];
@@ -660,8 +660,7 @@ CLAIM(geometric_weights_cut_evenly)
 {
     num x = positive(T, "x", 0), q = positive(T, "q", 0), lambda = parameter(T, "lambda"), one = from_int(1);
     num v[] = {x, mul(x, q), mul(x, mul(q, q))};
-    if (T->planted)
-        v[2] = mul(v[2], q);
+    v[2] = fault(T, v[2], mul(v[2], q));
     num expected = G(cut_coefficient)(one, q, lambda);
     same(T, G(cut_coefficient)(v[0], v[1], lambda), expected);
     same(T, G(cut_coefficient)(v[1], v[2], lambda), expected);
@@ -715,7 +714,7 @@ CLAIM(second_differences_shrink_quadratically)
     int n = T->degree;
     num b[MAX_DEGREE + 1], d[MAX_DEGREE + 1], piece[MAX_DEGREE + 1], at[MAX_DEGREE], u = inside(T, "r"),
                                                                                      v = inside(T, "s");
-    num h = sub(v, u), scale = T->planted ? h : mul(h, h);
+    num h = sub(v, u), scale = fault(T, mul(h, h), h);
     for (int i = 0; i <= n; i++)
         b[i] = unknown(T, "b", i);
     for (int j = 0; j <= n - 2; j++)
@@ -760,7 +759,7 @@ CLAIM(second_differences_shrink_quadratically)
 static num G(green)(const trial *T, num n, num k, num j, int below)
 {
     num product = below ? mul(j, sub(n, k)) : mul(k, sub(n, j));
-    return T->planted && below ? product : div(product, n);
+    return fault(T, div(product, n), below ? product : div(product, n));
 }
 
 CLAIM(polygon_and_curve_are_near_the_chord)
@@ -814,7 +813,7 @@ CLAIM(polygon_and_curve_are_near_the_chord)
 CLAIM(near_homogeneous_points_are_near)
 {
     num P = unknown(T, "P", 0), Q = unknown(T, "Q", 0), w = positive(T, "w", 0), v = positive(T, "v", 0);
-    num image = T->planted ? div(P, w) : div(Q, v);
+    num image = fault(T, div(Q, v), div(P, w));
     same(T, sub(div(P, w), div(Q, v)), div(sub(sub(P, Q), mul(image, sub(w, v))), w));
 }
 
@@ -856,7 +855,7 @@ CLAIM(quarter_circle_error_is_quartered)
     num expected = one;
     for (int k = 1; k <= 6; k++) {
         expected = div(expected, from_int(4));
-        num error = G(largest_circle_error)(k, R, w, from_ratio(1, T->planted ? 4 : 2));
+        num error = G(largest_circle_error)(k, R, w, from_ratio(1, fault(T, 2, 4)));
         same(T, error, expected);
         show_text(T, "error", "k = %d: %s", k, to_string_q(error));
     }
@@ -881,7 +880,7 @@ CLAIM(quarter_circle_error_is_quartered)
 CLAIM(crowded_cuts_do_not_converge)
 {
     num one = from_int(1), half = from_ratio(1, 2), s = positive(T, "s", 0), y = div(one, add(from_int(4), s));
-    num factor = T->planted ? half : sub(one, mul(half, y));
+    num factor = fault(T, sub(one, mul(half, y)), half);
     num margin = sub(mul(add(half, y), factor), add(half, mul(half, y)));
     same(T, margin, div(mul(y, sub(one, add(y, y))), from_int(4)));
     show(T, "y", y);
@@ -908,7 +907,7 @@ CLAIM(crowded_cuts_do_not_converge)
 */
 CLAIM(linear_weights_of_both_signs_have_a_pole)
 {
-    num p = positive(T, "p", 0), q = positive(T, "q", 0), w[] = {p, T->planted ? q : neg(q)}, t = div(p, add(p, q));
+    num p = positive(T, "p", 0), q = positive(T, "q", 0), w[] = {p, fault(T, neg(q), q)}, t = div(p, add(p, q));
     show_points(T, "ω", 2, 1, w);
     show(T, "t", t);
     nonnegative(T, t);

@@ -43,7 +43,7 @@ CLAIM(tangent_meets_the_conic_doubly)
     num S[6], g[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), h = unknown(T, "h", 0);
     G(six)(T, "S", S);
     G(conic_gradient)(S, x, y, g);
-    num d[2] = {g[1], T->planted ? g[0] : neg(g[0])}, X = add(x, mul(h, d[0])), Y = add(y, mul(h, d[1]));
+    num d[2] = {g[1], fault(T, neg(g[0]), g[0])}, X = add(x, mul(h, d[0])), Y = add(y, mul(h, d[1]));
     num square =
         add(add(mul(S[0], mul(d[0], d[0])), mul(mul(from_int(2), S[1]), mul(d[0], d[1]))), mul(S[2], mul(d[1], d[1])));
     about(T, "S along the line");
@@ -67,7 +67,7 @@ CLAIM(slope_exists_inside_the_triangle)
 {
     num a = positive(T, "a", 0), b = positive(T, "b", 0), lambda = inside(T, "k"), one = from_int(1), S[6], g[2];
     num total = add(one, add(a, b)), x = div(a, total), y = div(b, total), mu = sub(one, lambda);
-    G(frame_conic)(lambda, T->planted ? 1 : -1, S);
+    G(frame_conic)(lambda, fault(T, -1, 1), S);
     G(conic_gradient)(S, x, y, g);
     nonnegative(T, sub(g[1], mul(mu, x)));
     nonnegative(T, sub(g[0], mul(mu, y)));
@@ -87,7 +87,7 @@ CLAIM(slope_exists_inside_the_triangle)
 */
 CLAIM(upright_tangent_has_no_slope)
 {
-    num S[6], g[2], R[2] = {from_ratio(T->planted ? 1 : 4, 3), from_ratio(1, 3)};
+    num S[6], g[2], R[2] = {from_ratio(fault(T, 1, 4), 3), from_ratio(1, 3)};
     G(frame_conic)(from_ratio(1, 2), -1, S);
     G(conic_gradient)(S, R[0], R[1], g);
     show_points(T, "R", 1, 2, R);
@@ -148,7 +148,7 @@ static num G(printed_cut)(num lambda, num x, num y, num z, int other)
 */
 CLAIM(tangent_cuts_the_sides)
 {
-    int sign = T->planted ? 1 : -1;
+    int sign = fault(T, -1, 1);
     num x = unknown(T, "x", 0), y = unknown(T, "y", 0), lambda = G(lambda_at)(x, y, sign), S[6], X, Y;
     G(frame_conic)(lambda, sign, S);
     G(tangent_cuts)(S, x, y, &X, &Y);
@@ -179,7 +179,7 @@ CLAIM(plus_sign_moves_the_cut)
     show(T, "S(R)", G(form)(S, x, y));
     G(tangent_cuts)(S, x, y, &X, &Y);
     about(T, "X_A, left from the tangent, right as printed");
-    same(T, X, G(printed_cut)(lambda, x, y, y, T->planted));
+    same(T, X, G(printed_cut)(lambda, x, y, y, fault(T, 1, 0)));
 }
 
 /*
@@ -195,7 +195,7 @@ CLAIM(plus_sign_moves_the_cut)
 */
 CLAIM(tangent_parallel_to_the_first_side)
 {
-    num S[6], g[2], half = from_ratio(1, 2), R[2] = {from_ratio(1, 3), from_ratio(T->planted ? 1 : 4, 3)};
+    num S[6], g[2], half = from_ratio(1, 2), R[2] = {from_ratio(1, 3), from_ratio(fault(T, 1, 4), 3)};
     G(frame_conic)(half, -1, S);
     G(conic_gradient)(S, R[0], R[1], g);
     show_points(T, "R", 1, 2, R);
@@ -221,9 +221,8 @@ CLAIM(tangent_parallel_to_the_first_side)
 */
 CLAIM(end_has_but_one_ratio)
 {
-    num S[6], g[2], half = from_ratio(1, 2), R[2] = {from_int(1), from_int(0)};
-    if (T->planted)
-        R[0] = R[1] = from_ratio(1, 3);
+    num S[6], g[2], half = from_ratio(1, 2), third = from_ratio(1, 3);
+    num R[2] = {fault(T, third, from_int(1)), fault(T, third, from_int(0))};
     G(frame_conic)(half, -1, S);
     G(conic_gradient)(S, R[0], R[1], g);
     num below = mul(half, R[1]), above = sub(from_int(1), add(R[0], R[1]));
@@ -278,7 +277,7 @@ CLAIM(ratios_of_lengths_inside_the_triangle)
     G(line_through)(R + 2, R, l1);
     G(line_through)(R + 2, R + 4, l2);
     G(line_through)(R, R + 4, l3);
-    G(liming)(T->planted ? mul(from_ratio(1, 2), lambda) : lambda, l1, l2, l3, S);
+    G(liming)(fault(T, lambda, mul(from_ratio(1, 2), lambda)), l1, l2, l3, S);
     G(conic_gradient)(S, P[0], P[1], g);
     for (int side = 0; side < 2; side++) {
         const num *end = R + 4 * side;
@@ -325,7 +324,7 @@ CLAIM(lengths_do_not_tell_points_apart)
     int on_curve = is_zero_q(G(form)(S, P[0], P[1])) && is_zero_q(G(form)(S, Q[0], Q[1]));
     ratios(half, -1, P[0], P[1], g);
     ratios(half, -1, Q[0], Q[1], h);
-    for (int c = 0; c < 2 && !T->planted; c++) {
+    for (int c = 0; c < fault(T, 0, 2); c++) {
         g[c] = length(g[c]);
         h[c] = length(h[c]);
     }
@@ -385,7 +384,7 @@ CLAIM(ratios_on_the_curve)
         same(T, g1, div(mul(from_int(-2), x), s));
         same(T, g2, div(mul(from_int(-2), y), s));
         about(T, "the ratios as printed");
-        num top = mul(mul(from_int(T->planted ? -2 : 2 * sign), lambda), s);
+        num top = mul(mul(from_int(fault(T, 2 * sign, -2)), lambda), s);
         same(T, g1, div(top, mul(mu, y)));
         same(T, g2, div(top, mul(mu, x)));
     }
@@ -405,7 +404,7 @@ CLAIM(ratios_on_the_curve)
 */
 CLAIM(outside_the_triangle_lengths_lose_the_sign)
 {
-    num half = from_ratio(1, 2), x = T->planted ? from_ratio(1, 3) : from_int(1), R[2] = {x, x}, g[2], S[6];
+    num half = from_ratio(1, 2), x = fault(T, from_ratio(1, 3), from_int(1)), R[2] = {x, x}, g[2], S[6];
     G(frame_conic)(half, -1, S);
     show_points(T, "R", 1, 2, R);
     ratios(half, -1, x, x, g);
@@ -432,7 +431,7 @@ CLAIM(plus_sign_turns_the_ratio)
     G(frame_conic)(half, 1, S);
     show_points(T, "R", 1, 2, R);
     ratios(half, 1, x, y, g);
-    num s = sub(add(x, y), from_int(1)), printed = div(mul(from_int(T->planted ? 2 : -2), mul(half, s)), mul(half, y));
+    num s = sub(add(x, y), from_int(1)), printed = div(mul(from_int(fault(T, 2, -2)), mul(half, s)), mul(half, y));
     about(T, "X_A/(1 - X_A), left from the tangent, right as printed");
     if (is_zero_q(G(form)(S, x, y)))
         same(T, g[0], printed);
@@ -491,7 +490,7 @@ CLAIM(product_of_ratios_is_constant)
         G(frame_conic)(lambda, sign, S);
         G(tangent_cuts)(S, x, y, &X, &Y);
         num product = mul(div(X, sub(one, X)), div(Y, sub(one, Y)));
-        same(T, product, div(mul(from_int((T->planted ? -2 : -4) * sign), lambda), sub(one, lambda)));
+        same(T, product, div(mul(from_int(fault(T, -4, -2) * sign), lambda), sub(one, lambda)));
     }
 }
 
@@ -512,7 +511,7 @@ CLAIM(product_of_ratios_is_positive_inside)
     num lambda = inside(T, "k"), a = positive(T, "a", 0), one = from_int(1), S[6], X, Y;
     num odds = div(lambda, sub(one, lambda)), b = div(odds, a), total = add(one, add(a, b));
     num x = div(a, total), y = div(b, total);
-    G(frame_conic)(lambda, T->planted ? 1 : -1, S);
+    G(frame_conic)(lambda, fault(T, -1, 1), S);
     about(T, "S at the point");
     vanishes(T, G(form)(S, x, y));
     G(tangent_cuts)(S, x, y, &X, &Y);
@@ -523,12 +522,12 @@ CLAIM(product_of_ratios_is_positive_inside)
 }
 
 #if RATIONAL
-/* A point of the hyperbola of lambda = 4/3, or, planted, one inside the triangle with lambda = 1/2. */
-static void far_point(int planted, num R[], num *lambda)
+/* A point of the hyperbola of lambda = 4/3, or one inside the triangle with lambda = 1/2. */
+static void far_point(int within, num R[], num *lambda)
 {
-    *lambda = planted ? from_ratio(1, 2) : from_ratio(4, 3);
-    R[0] = planted ? from_ratio(1, 3) : from_int(2);
-    R[1] = planted ? from_ratio(1, 3) : from_int(-2);
+    *lambda = within ? from_ratio(1, 2) : from_ratio(4, 3);
+    R[0] = within ? from_ratio(1, 3) : from_int(2);
+    R[1] = within ? from_ratio(1, 3) : from_int(-2);
 }
 
 /*
@@ -545,7 +544,7 @@ static void far_point(int planted, num R[], num *lambda)
 CLAIM(product_of_ratios_can_be_negative)
 {
     num R[2], g[2], S[6], lambda;
-    far_point(T->planted, R, &lambda);
+    far_point(fault(T, 1, 0), R, &lambda);
     G(frame_conic)(lambda, -1, S);
     show(T, "λ", lambda);
     show_points(T, "R", 1, 2, R);
@@ -571,7 +570,7 @@ CLAIM(product_of_ratios_can_be_negative)
 CLAIM(product_of_lengths_is_not_printed)
 {
     num R[2], g[2], S[6], lambda;
-    far_point(T->planted, R, &lambda);
+    far_point(fault(T, 1, 0), R, &lambda);
     G(frame_conic)(lambda, -1, S);
     show(T, "λ", lambda);
     show_points(T, "R", 1, 2, R);

@@ -148,7 +148,7 @@ CLAIM(designed_curves_cross_no_more)
             sign_pattern_of(code, n + 1, y);
             poly g = designed_curve(n, family, y, R, w);
             struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
-            int polygon = polygon_crossings(n - T->planted, R + 2 * T->planted, horizontal_axis());
+            int polygon = polygon_crossings(fault(T, n, n - 1), fault(T, R, R + 2), horizontal_axis());
             agree(T, curve.crossings <= polygon);
             agree(T, curve.contained == poly_is_zero(g));
             if (poly_is_zero(g)) {
@@ -190,7 +190,7 @@ CLAIM(designed_curves_meet_no_more)
             if (!poly_is_zero(g)) {
                 struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
                 int pieces = polygon_meets_line(n, R, horizontal_axis()).common_runs;
-                pieces -= T->planted ? (y[0] == 0) + (y[n] == 0) : 0;
+                pieces -= fault(T, 0, (y[0] == 0) + (y[n] == 0));
                 int at_zero = is_zero_q(poly_value(g, from_int(0)));
                 agree(T, curve.common_closed <= pieces);
                 agree(T, sturm_count(g, from_int(0), from_int(1)) + at_zero == curve.common_closed);
@@ -218,7 +218,7 @@ CLAIM(crossings_reach_their_bound)
     num c[MAX_DEGREE + 1], R[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
     poly product = poly_constant(from_int(1));
     for (int j = 1; j <= n; j++) {
-        num factor[2] = {from_int(T->planted && j == 1 ? 1 : -j), from_int(1)};
+        num factor[2] = {from_int(fault(T, -j, j == 1 ? 1 : -j)), from_int(1)};
         product = poly_mul(product, poly_from_q(2, factor));
     }
     for (int i = 0; i <= n; i++) {
@@ -263,8 +263,8 @@ CLAIM(self_crossing_polygon_meets_the_line_once)
     struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
     struct cagd_polygon_meets_line polygon = polygon_meets_line(n, R, horizontal_axis());
     int all = curve.common_closed == 2 && is_zero_q(P[1]) && is_zero_q(Q[1]);
-    int points = T->planted ? curve.crossings : 1 + !equal_q(P[0], Q[0]);
-    int of_polygon = T->planted ? polygon.crossings : polygon.components;
+    int points = fault(T, curve.crossings, 1 + !equal_q(P[0], Q[0]));
+    int of_polygon = fault(T, polygon.crossings, polygon.components);
     show_text(T, "points of the curve on y = 0", "%d", points);
     show_text(T, "points of the polygon on y = 0", "%d", of_polygon);
     about(T, "R(1/3) and R(2/3) being all its points on the line, the curve has no more there than the polygon");
@@ -285,7 +285,7 @@ CLAIM(self_crossing_polygon_meets_the_line_once)
 CLAIM(mixed_weights_cross_more)
 {
     enum { n = 2 };
-    num w[n + 1] = {from_int(2), from_int(T->planted ? 1 : -1), from_int(2)};
+    num w[n + 1] = {from_int(2), from_int(fault(T, 1, -1)), from_int(2)};
     num R[2 * (n + 1)] = {from_int(-1), from_int(2), from_int(0), from_int(5), from_int(1), from_int(2)};
     struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
     int polygon = polygon_crossings(n, R, horizontal_axis());
@@ -351,7 +351,8 @@ CLAIM(corner_cutting_adds_no_sign_change)
             sign_pattern_of(choice, n, mean + 1);
             for (int i = 1; i <= n; i++) {
                 int opposite = y[i - 1] * y[i] < 0, larger_one = y[i] != 0 ? y[i] : y[i - 1];
-                int allowed = opposite || mean[i] == larger_one || (T->planted && y[i] > 0 && y[i - 1] > 0);
+                int allowed = fault(T, opposite || mean[i] == larger_one,
+                                    opposite || mean[i] == larger_one || (y[i] > 0 && y[i - 1] > 0));
                 possible &= allowed;
             }
             int changes = sign_changes(n + 2, mean);
@@ -401,7 +402,7 @@ CLAIM(line_form_of_the_curve)
         R[2 * i] = unknown(T, "x", i);
         R[2 * i + 1] = unknown(T, "y", i);
         value[i] = add(mul(a, R[2 * i]), mul(b, R[2 * i + 1]));
-        if (!T->planted || i < n)
+        if (fault(T, 1, i < n))
             value[i] = add(value[i], c);
     }
     G(rational_point)(n, 2, R, w, t, P);
@@ -443,7 +444,7 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
     for (int i = 0; i <= n; i++) {
         w[i] = positive(T, "w", i);
         y[i] = unknown(T, "y", i);
-        num factor = T->planted && i == n ? B[i] : mul(B[i], w[i]);
+        num factor = fault(T, mul(B[i], w[i]), i == n ? B[i] : mul(B[i], w[i]));
         numerator = add(numerator, mul(factor, y[i]));
     }
     G(rational_point)(n, 1, y, w, t, &point);
@@ -469,7 +470,7 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
 */
 CLAIM(curve_changes_sides_at_a_pole)
 {
-    num w[2] = {from_int(1), from_int(T->planted ? 1 : -1)}, y[2] = {from_int(1), from_int(-1)}, before, after;
+    num w[2] = {from_int(1), from_int(fault(T, 1, -1))}, y[2] = {from_int(1), from_int(-1)}, before, after;
     num b[2] = {mul(w[0], y[0]), mul(w[1], y[1])};
     G(rational_point)(1, 1, y, w, from_ratio(1, 4), &before);
     G(rational_point)(1, 1, y, w, from_ratio(3, 4), &after);
@@ -507,7 +508,7 @@ CLAIM(end_on_the_line_is_no_interior_root)
 {
     poly g;
     struct cagd_curve_meets_line curve = straight(0, 1, &g);
-    int points = T->planted ? curve.crossings : curve.common_closed;
+    int points = fault(T, curve.crossings, curve.common_closed);
     int roots = count_roots(g, from_int(0), from_int(1), OPEN).distinct;
     show_text(T, "y", "0, 1");
     show_text(T, "common points", "%d", points);
@@ -545,7 +546,7 @@ CLAIM(numerator_in_powers_of_the_ratio)
     num right = from_int(0);
     for (int i = n; i >= 0; i--)
         right = add(mul(right, ratio), mul(from_int(binomial(n, i)), b[i]));
-    for (int k = 0; k < n - T->planted; k++)
+    for (int k = 0; k < fault(T, n, n - 1); k++)
         right = mul(right, rest);
     same(T, right, left);
 }
@@ -581,7 +582,7 @@ CLAIM(ratio_is_an_increasing_bijection)
     nonnegative(T, at_t);
     same(T, div(at_t, add(one, at_t)), t);
     same(T, div(back, sub(one, back)), s);
-    num rise = div(sub(later, t), mul(sub(one, T->planted ? t : later), sub(one, t)));
+    num rise = div(sub(later, t), mul(sub(one, fault(T, later, t)), sub(one, t)));
     same(T, sub(at_later, at_t), rise);
     nonnegative(T, rise);
 }
@@ -623,7 +624,7 @@ CLAIM(root_counts_survive_the_substitution)
             b[i] = from_int(rest % base - radius);
         poly in_t = poly_from_bernstein(n, b), in_s = in_powers_of_the_ratio(n, b);
         if (!poly_is_zero(in_t)) {
-            struct cagd_root_count left = count_roots(in_t, zero, one, T->planted ? OPEN_LEFT : OPEN);
+            struct cagd_root_count left = count_roots(in_t, zero, one, fault(T, OPEN, OPEN_LEFT));
             struct cagd_root_count right = count_roots_above(in_s, zero);
             agree(T, left.distinct == right.distinct && left.counted == right.counted);
             agree(T, left.crossings == right.crossings);
@@ -665,7 +666,7 @@ The other entries of this section read $Z_{0<t<1}$ and $Z_{0<s<+\infty}$.
 CLAIM(roots_must_be_counted_up_to_one)
 {
     poly g;
-    num l = T->planted ? from_int(1) : from_ratio(1, 2);
+    num l = fault(T, from_int(1), from_ratio(1, 2));
     struct cagd_curve_meets_line curve = straight(-2, 1, &g);
     int roots = count_roots(g, from_int(0), l, OPEN).distinct;
     show_text(T, "y", "-2, 1");
@@ -716,7 +717,7 @@ CLAIM(descartes_rule_by_sign_patterns)
         for (int m = 0; m <= n && sign_changes(m + 1, c) == 0; m++)
             i = m;
         for (int m = 0; m <= n; m++) /* the sign of m - alpha, alpha = i + 1/2 */
-            after[m] = (m > (T->planted ? i - 1 : i) ? 1 : -1) * c[m];
+            after[m] = (m > fault(T, i, i - 1) ? 1 : -1) * c[m];
         agree(T, changes == 0 || sign_changes(n + 1, after) == changes - 1);
     }
 }
@@ -735,7 +736,7 @@ CLAIM(descartes_rule_by_sign_patterns)
 CLAIM(curve_inside_the_line_has_too_many_roots)
 {
     poly g;
-    int y[2] = {T->planted, -T->planted}, roots = 0;
+    int y[2] = {fault(T, 1, 0), fault(T, -1, 0)}, roots = 0;
     (void)straight(y[0], y[1], &g);
     for (int k = 1; k <= 3; k++)
         roots += is_zero_q(poly_value(g, from_ratio(k, 4)));
@@ -779,7 +780,7 @@ CLAIM(positive_factors_keep_sign_changes)
             sign_pattern_of(code, n + 1, y);
             for (int i = 0; i <= n; i++) {
                 num w = designed_weight(family, n, i);
-                w = T->planted && i == n ? neg(w) : w;
+                w = fault(T, w, i == n ? neg(w) : w);
                 product[i] = sign_q(mul(mul(from_int(binomial(n, i)), w), from_int(y[i])));
             }
             agree(T, sign_changes(n + 1, product) == sign_changes(n + 1, y));
@@ -801,7 +802,7 @@ CLAIM(positive_factors_keep_sign_changes)
 CLAIM(mixed_weights_change_sign_changes)
 {
     enum { n = 2 };
-    int y[n + 1] = {2, 5, 2}, w[n + 1] = {2, T->planted ? 1 : -1, 2}, product[n + 1];
+    int y[n + 1] = {2, 5, 2}, w[n + 1] = {2, fault(T, 1, -1), 2}, product[n + 1];
     for (int i = 0; i <= n; i++)
         product[i] = (int)binomial(n, i) * w[i] * y[i];
     show_text(T, "y", "%d, %d, %d", y[0], y[1], y[2]);
@@ -849,7 +850,7 @@ CLAIM(sign_changes_are_polygon_crossings)
                 side = height != 0 ? height : side;
             }
         for (int i = 0; i <= n; i++)
-            counted[i] = T->planted && y[i] == 0 ? 1 : y[i];
+            counted[i] = fault(T, y[i], y[i] == 0 ? 1 : y[i]);
         int crossings = polygon_crossings(n, R, horizontal_axis());
         agree(T, crossings == changes && sign_changes(n + 1, counted) == changes);
         region_drop(mark);
@@ -873,7 +874,7 @@ CLAIM(touching_polygon_has_no_sign_change)
     num R[6];
     graph(2, y, R);
     struct cagd_polygon_meets_line polygon = polygon_meets_line(2, R, horizontal_axis());
-    int points = T->planted ? polygon.crossings : polygon.common_runs;
+    int points = fault(T, polygon.crossings, polygon.common_runs);
     show_text(T, "y", "1, 0, 1");
     show_text(T, "common points", "%d", points);
     show_text(T, "V", "%d", sign_changes(3, y));
