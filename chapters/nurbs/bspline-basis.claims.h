@@ -44,9 +44,9 @@ CLAIM(bspline_basis_follows_definition)
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K))
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
             int mu = G(span_of_interval)(K.count, K.place, interval), used = mu;
-            if (T->planted && interval + 2 < K.place[K.n])
+            if (T->faulty && interval + 2 < K.place[K.n])
                 used = G(span_of_interval)(K.count, K.place, interval + 2);
-            else if (T->planted && interval > K.place[p])
+            else if (T->faulty && interval > K.place[p])
                 used = G(span_of_interval)(K.count, K.place, interval - 2);
             G(bspline_basis)(p, K.u, used, t, N);
             about(T, "N_i on the span");
@@ -82,7 +82,7 @@ CLAIM(bspline_is_divided_difference)
     G(knots_of_pattern)(T, simple, u, place);
     for (int interval = -1; interval < count; interval++) {
         num sum = from_int(0);
-        for (int j = interval + 1 + T->planted; j < count; j++) {
+        for (int j = fault(T, interval + 1, interval + 2); j < count; j++) {
             num term = sub(u[count - 1], u[0]);
             for (int k = 0; k < p; k++)
                 term = mul(term, sub(u[j], t));
@@ -122,7 +122,7 @@ CLAIM(bspline_basis_sums_to_one)
             for (int r = 0; r <= p; r++) {
                 num sum = from_int(0);
                 for (int i = 0; i < K.n; i++)
-                    if (!(T->planted && i == mu - p))
+                    if (fault(T, 1, i != mu - p))
                         sum = add(sum, N[i * (p + 1) + r]);
                 same(T, sum, from_int(r == 0));
             }
@@ -143,12 +143,12 @@ CLAIM(bspline_basis_sums_to_one)
 */
 CLAIM(bspline_basis_sums_to_less_outside_the_domain)
 {
-    num u[6], sum = from_int(0), t = from_ratio(T->planted ? 5 : 3, 2);
+    num u[6], sum = from_int(0), t = from_ratio(fault(T, 5, 3), 2);
     int place[6];
     for (int i = 0; i < 6; i++)
         u[i] = from_int(i), place[i] = i;
     for (int i = 0; i < 3; i++)
-        sum = add(sum, G(cox_de_boor)(2, u, place, i, T->planted ? 2 : 1, t));
+        sum = add(sum, G(cox_de_boor)(2, u, place, i, fault(T, 2, 1), t));
     show(T, "t", t);
     about(T, "the sum of the B-splines, and 1");
     same(T, sum, from_int(1));
@@ -185,7 +185,7 @@ CLAIM(bspline_is_positive_inside_its_support)
                 K.u[i] = x;
             }
             for (int i = 0; i < K.n; i++) {
-                num value = G(cox_de_boor)(p, K.u, K.place, T->planted && i > 0 ? i - 1 : i, interval, t);
+                num value = G(cox_de_boor)(p, K.u, K.place, fault(T, i, i > 0 ? i - 1 : i), interval, t);
                 if (K.place[i] <= interval && interval < K.place[i + p + 1])
                     G(must_be_positive)(T, value);
                 else
@@ -219,8 +219,8 @@ CLAIM(bspline_at_its_knots)
         for (int interval = 0; interval < K.place[K.count - 1]; interval += 2) {
             int mu = G(span_of_interval)(K.count, K.place, interval);
             G(basis_powers)(p, K.count, K.u, K.place, interval, K.u[mu], N);
-            for (int i = 0; i < K.n - T->planted; i++) {
-                num value = N[(i + T->planted) * (p + 1)];
+            for (int i = 0; i < fault(T, K.n, K.n - 1); i++) {
+                num value = N[fault(T, i, i + 1) * (p + 1)];
                 if (interval < K.place[i] || K.place[i + p + 1] <= interval)
                     vanishes(T, value);
                 else if (K.place[i] == interval)
@@ -265,7 +265,7 @@ CLAIM(bsplines_of_a_span_are_independent)
     num N[MOST_KNOTS * (HIGHEST + 1)];
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         G(basis_powers)(p, K.count, K.u, K.place, K.place[p], K.u[p], N);
-        if (T->planted && p > 0)
+        if (T->faulty && p > 0)
             for (int r = 0; r <= p; r++)
                 N[p + 1 + r] = N[r];
         G(must_be_positive)(T, G(determinant)(p + 1, N));
@@ -291,8 +291,8 @@ CLAIM(bsplines_without_a_span_are_dependent)
 {
     num u[5] = {from_int(0), from_int(1), from_int(1), from_int(2), from_int(3)}, N[4 * 2];
     int place[5] = {0, 1, 1, 2, 3};
-    if (T->planted)
-        u[2] = from_ratio(3, 2), place[2] = 2, place[3] = 3, place[4] = 4;
+    u[2] = fault(T, from_ratio(3, 2), u[2]), place[2] = fault(T, 2, place[2]), place[3] = fault(T, 3, place[3]),
+    place[4] = fault(T, 4, place[4]);
     G(basis_powers)(1, 5, u, place, 1, u[1], N);
     show_points(T, "N_0, in powers of t-1", 2, 1, N);
     about(T, "N_0 is not 0 on [1, 2]");
@@ -343,7 +343,7 @@ CLAIM(bspline_jumps_exactly_after_order)
                 for (int j = m; j <= p; j++)
                     jump = mul(jump, from_int(j > 0 ? j : 1)); /* p!/(m-1)! */
                 about(T, "the continuous derivatives");
-                for (int r = 0; r <= p - m + T->planted && r <= p; r++)
+                for (int r = 0; r <= fault(T, p - m, p - m + 1) && r <= p; r++)
                     same(T, right[i * (p + 1) + r], left[i * (p + 1) + r]);
                 if (m == 0)
                     continue;
@@ -383,7 +383,7 @@ CLAIM(bspline_basis_derivatives_follow_definition)
         G(bspline_basis_derivatives)(p, K.u, p, t, p + 2, D);
         for (int r = 0; r <= p + 1; r++)
             for (int i = 0; i <= p; i++) {
-                int other = T->planted ? p - i : i;
+                int other = fault(T, i, p - i);
                 same(T, D[r * (p + 1) + i], G(derivative_of_powers)(p, N + other * (p + 1), r));
             }
         if (p == 0)
@@ -427,7 +427,7 @@ CLAIM(bspline_integral)
             }
         }
         for (int i = 0; i < K.n; i++)
-            same(T, integral[i], div(sub(K.u[i + p + 1], K.u[i]), from_int(!T->planted ? p + 1 : p > 0 ? p : 2)));
+            same(T, integral[i], div(sub(K.u[i + p + 1], K.u[i]), from_int(fault(T, p + 1, p > 0 ? p : 2))));
     }
 }
 
@@ -454,7 +454,7 @@ CLAIM(greville_abscissae_are_the_identity)
     num c[MOST_KNOTS], s[HIGHEST + 1];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         for (int i = 0; i < K.n; i++)
-            c[i] = G(greville)(p, K.u, T->planted && i + 1 < K.n ? i + 1 : i);
+            c[i] = G(greville)(p, K.u, fault(T, i, i + 1 < K.n ? i + 1 : i));
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
             num a = K.u[G(span_of_interval)(K.count, K.place, interval)];
             G(spline_powers)(K.n, p, 1, K.u, K.place, c, 0, interval, a, s);

@@ -22,17 +22,17 @@ static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
         for (int r = 0; r < p; r++)
             x[r] = unknown(T, "a", r);
         G(blossom_of_span)(p, dim, K.u, p, c, x, Q);
-        if (T->planted && p > 1)
+        if (T->faulty && p > 1)
             x[0] = x[p - 1];
         G(bspline_blossom)(p, dim, K.u, p, c, x, P);
         for (int i = 0; i < dim; i++) {
             about(T, "the polar form");
             G(spline_powers)(K.n, p, dim, K.u, K.place, c, i, K.place[p], K.u[p], s);
-            if (T->planted && p > 1)
+            if (T->faulty && p > 1)
                 x[0] = unknown(T, "a", 0);
             same(T, P[i], G(polar_of_powers)(p, s, K.u[p], x));
             about(T, "the same from the points of the span");
-            if (!T->planted)
+            if (!T->faulty)
                 same(T, Q[i], P[i]);
         }
     }
@@ -100,7 +100,7 @@ CLAIM(deboor_level_gives_points_of_lower_degree)
             num last[dim];
             for (int i = 0; i < dim; i++)
                 last[i] = d[(p + 1 - r) * dim + i];
-            G(deboor_level)(p, dim, K.u, p, r, d, T->planted && r == p ? t : tau);
+            G(deboor_level)(p, dim, K.u, p, r, d, fault(T, tau, r == p ? t : tau));
             for (int m = 0; m <= p - r; m++)
                 N[m] = G(cox_de_boor)(p - r, K.u, K.place, r + m, K.place[p], t);
             for (int m = 0; m < p; m++)
@@ -142,7 +142,7 @@ CLAIM(deboor_evaluates_bspline_curve)
         G(free_control_points)(T, K.n, dim, c);
         for (int i = 0; i < K.n; i++)
             for (int e = 0; e < dim; e++)
-                b[i * dim + e] = c[(T->planted ? K.n - 1 - i : i) * dim + e];
+                b[i * dim + e] = c[fault(T, i, K.n - 1 - i) * dim + e];
         for (int mu = p; mu < K.n; mu++)
             if (K.place[mu] < K.place[mu + 1]) {
                 G(deboor)(p, dim, K.u, mu, b, t, P);
@@ -181,7 +181,7 @@ CLAIM(bspline_points_are_values_of_the_blossom)
                 continue;
             G(spline_powers)(K.n, p, 1, K.u, K.place, c, 0, K.place[mu], K.u[mu], s);
             for (int i = mu - p; i <= mu; i++)
-                same(T, G(polar_of_powers)(p, s, K.u[mu], K.u + i + (T->planted ? 0 : 1)), c[i]);
+                same(T, G(polar_of_powers)(p, s, K.u[mu], K.u + i + fault(T, 1, 0)), c[i]);
         }
     }
 }
@@ -224,7 +224,7 @@ CLAIM(bspline_blossom_is_symmetric_and_affine)
             G(bspline_blossom)(p, 1, K.u, p, c, x, &Q);
             x[r] = add(mul(b1, kept), mul(b, v));
             G(bspline_blossom)(p, 1, K.u, p, c, x, &between);
-            same(T, between, T->planted ? add(mul(b, P), mul(b1, Q)) : add(mul(b1, P), mul(b, Q)));
+            same(T, between, fault(T, add(mul(b1, P), mul(b, Q)), add(mul(b, P), mul(b1, Q))));
             x[r] = kept;
         }
     }
@@ -258,7 +258,7 @@ CLAIM(bspline_curve_moves_with_its_points)
                 num image = v[e];
                 for (int j = 0; j < dim; j++)
                     image = add(image, mul(M[e * dim + j], c[i * dim + j]));
-                moved[i * dim + e] = T->planted && i == K.n - 1 ? c[i * dim + e] : image;
+                moved[i * dim + e] = fault(T, image, i == K.n - 1 ? c[i * dim + e] : image);
             }
         G(deboor)(p, dim, K.u, p, c, t, P);
         G(deboor)(p, dim, K.u, p, moved, t, Q);
@@ -307,7 +307,7 @@ CLAIM(bspline_curve_is_smooth_at_knots)
                 continue;
             G(bspline_derivatives)(p, 1, K.u, right - m, c, K.u[right], p + 1, L);
             G(bspline_derivatives)(p, 1, K.u, right, c, K.u[right], p + 1, R);
-            for (int r = 0; r <= p - m + T->planted; r++)
+            for (int r = 0; r <= fault(T, p - m, p - m + 1); r++)
                 same(T, R[r], L[r]);
             agree(T, !is_zero_f(sub(R[p - m + 1], L[p - m + 1])));
         }
@@ -340,7 +340,7 @@ CLAIM(clamped_ends_interpolate)
     same(T, s[0], c[0]);
     same(T, s[1], mul(div(from_int(p), sub(K.u[p + 1], K.u[p])), sub(c[1], c[0])));
     G(spline_powers)(K.n, p, 1, K.u, K.place, c, 0, K.place[K.n - 1], K.u[K.n], s);
-    int last = K.n - 1 - T->planted;
+    int last = fault(T, K.n - 1, K.n - 2);
     same(T, s[0], c[last]);
     same(T, s[1], mul(div(from_int(p), sub(K.u[K.n], K.u[K.n - 1])), sub(c[last], c[last - 1])));
 }
@@ -376,9 +376,8 @@ CLAIM(bspline_difference_is_derivative_spline)
             continue;
         G(free_control_points)(T, K.n, dim, c);
         G(bspline_difference)(K.n, p, dim, K.u, c, e);
-        if (T->planted)
-            for (int i = 0; i < (K.n - 1) * dim; i++)
-                e[i] = mul(e[i], from_ratio(p + 1, p));
+        for (int i = 0; i < (K.n - 1) * dim; i++)
+            e[i] = fault(T, e[i], mul(e[i], from_ratio(p + 1, p)));
         for (int mu = p; mu < K.n; mu++) {
             if (K.place[mu] == K.place[mu + 1])
                 continue;
@@ -409,7 +408,7 @@ static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
         G(free_control_points)(T, K.n, dim, c);
         for (int i = 0; i <= p; i++)
             for (int e = 0; e < dim; e++)
-                b[i * dim + e] = c[(T->planted ? p - i : i) * dim + e];
+                b[i * dim + e] = c[fault(T, i, p - i) * dim + e];
         G(bspline_derivatives)(p, dim, K.u, p, b, t, p + 2, D);
         G(derivatives_of_span)(p, dim, K.u, p, b, t, p + 2, E);
         for (int e = 0; e < dim; e++) {

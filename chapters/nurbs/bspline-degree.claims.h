@@ -37,8 +37,8 @@ static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
             if (!G(spans_over)(&K, L.n, p + 1, L.place, last, span))
                 continue;
             G(bspline_elevate)(p, dim, K.u, c, L.n, L.u, span, d);
-            for (int e = 0; e < dim && T->planted; e++)
-                d[(L.n - 1) * dim + e] = d[(L.n - 2) * dim + e];
+            for (int e = 0; e < dim; e++)
+                d[(L.n - 1) * dim + e] = fault(T, d[(L.n - 1) * dim + e], d[(L.n - 2) * dim + e]);
             G(same_spline)(T, dim, &K, c, &L, d);
         }
     }
@@ -111,7 +111,7 @@ CLAIM(bezier_reduction_inverts_elevation)
     G(bezier_reduce)(n, dim, e, back, defect);
     for (int c = 0; c < dim; c++) {
         num power = div(G(bezier_coefficient)(n, dim, e, c, n), G(binomial_product)(n, m));
-        same(T, defect[c], ((n - m) % 2 == 0) != T->planted ? power : neg(power));
+        same(T, defect[c], (n - m) % 2 == fault(T, 0, 1) ? power : neg(power));
     }
 }
 
@@ -130,7 +130,7 @@ static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
                 continue;
             G(free_control_points)(T, K.n, dim, c);
             G(bspline_elevate)(p, dim, K.u, c, L.n, L.u, span, d);
-            for (int e = 0; e < dim && T->planted; e++)
+            for (int e = 0; e < fault(T, 0, dim); e++)
                 for (int i = 0; i < L.n; i++)
                     d[i * dim + e] = add(d[i * dim + e], from_int(i * i * i * i));
             G(bspline_reduce)(p + 1, dim, L.u, d, K.n, K.u, down, back);

@@ -26,7 +26,7 @@ static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
             for (int r = 0; r <= p; r++) {
                 num sum = from_int(0);
                 for (int i = 0; i <= r; i++) {
-                    int from = T->planted ? p - i : i;
+                    int from = fault(T, i, p - i);
                     sum = add(sum, mul(b[from * dim + e], G(bernstein_coefficient)(p, i, r)));
                 }
                 same(T, sum, mul(s[r], G(power_of)(h, r)));
@@ -91,7 +91,7 @@ CLAIM(points_come_back_from_bezier_points)
     G(free_control_points)(T, p + 1, dim, b);
     for (int r = 0; r < p; r++)
         x[r] = unknown(T, "a", r);
-    G(bspline_point_of_bezier)(p, dim, b, T->planted ? to : from, T->planted ? from : to, x, P);
+    G(bspline_point_of_bezier)(p, dim, b, fault(T, from, to), fault(T, to, from), x, P);
     about(T, "the polar form");
     for (int e = 0; e < dim; e++) {
         for (int r = 0; r <= p; r++) {
@@ -136,7 +136,7 @@ static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
                 R.u[i] = own ? K.u[mu + i - p] : t, R.place[i] = own ? K.place[mu + i - p] : place;
                 same(T, w[i], R.u[i]);
             }
-            for (int e = 0; e < dim && T->planted; e++) {
+            for (int e = 0; e < fault(T, 0, dim); e++) {
                 if (L.n > 1)
                     left[(L.n - 1) * dim + e] = left[(L.n - 2) * dim + e];
                 if (R.n > 1)
@@ -232,8 +232,7 @@ CLAIM(periodic_spline_closes)
                 same(T, sub(v[i + m], v[i]), period);
             for (int i = 0; i < p * dim; i++)
                 same(T, d[m * dim + i], d[i]);
-            if (T->planted)
-                d[(m + p) * dim - 1] = add(d[(m + p) * dim - 1], from_int(1));
+            d[(m + p) * dim - 1] = fault(T, d[(m + p) * dim - 1], add(d[(m + p) * dim - 1], from_int(1)));
             V.p = p, V.n = m + p, V.count = m + 2 * p + 1;
             for (int i = 0; i < V.count; i++) {
                 int around = i < p ? -1 : i > p + m ? 1 : 0;

@@ -37,7 +37,7 @@ CLAIM(span_parameter_is_a_bijection)
 {
     num t[2], s = parameter(T, "s");
     G(increasing)(T, 2, t);
-    int a = T->planted ? 1 : 0, b = 1 - a;
+    int a = fault(T, 0, 1), b = 1 - a;
     num at = add(t[0], mul(s, sub(t[1], t[0])));
     same(T, div(sub(at, t[a]), sub(t[b], t[a])), s);
     same(T, div(sub(t[0], t[a]), sub(t[b], t[a])), from_int(0));
@@ -58,10 +58,10 @@ CLAIM(span_parameter_is_a_bijection)
 */
 CLAIM(empty_span_has_no_parameter)
 {
-    num t[2] = {from_int(1), from_int(T->planted ? 2 : 1)};
+    num t[2] = {from_int(1), from_int(fault(T, 2, 1))};
     show_points(T, "t_r, t_{r+1}", 2, 1, t);
     about(T, "the length of the span is not 0");
-    agree(T, !is_zero_q(sub(t[1], t[0])));
+    refute(T, is_zero_q(sub(t[1], t[0])));
 }
 #endif
 
@@ -114,7 +114,7 @@ CLAIM(matrix_holds_the_powers_of_the_basis)
     G(increasing)(T, 2 * k, x);
     for (int count = G(pattern_count)(k, 4, 2), m = 0; m < count; m++) {
         struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, m), x);
-        int shift = T->planted && k > 1 && S.group[S.r - 1] != S.group[S.r];
+        int shift = fault(T, 0, k > 1 && S.group[S.r - 1] != S.group[S.r]);
         G(bspline_matrix)(k - 1, S.t, S.r - shift, A);
         for (int i = 0; i < k; i++)
             same(T, G(column_value)(k, A, i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
@@ -138,7 +138,7 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
     struct G(span) S = G(simple_span)(T, k);
     num A[CELLS], B[CELLS], moved[2 * LARGEST_ORDER], a = positive(T, "a", 0), b = unknown(T, "b", 0);
     for (int m = 0; m < 2 * k; m++)
-        moved[m] = T->planted && m == 1 ? S.t[m] : add(mul(a, S.t[m]), b);
+        moved[m] = fault(T, add(mul(a, S.t[m]), b), m == 1 ? S.t[m] : add(mul(a, S.t[m]), b));
     G(bspline_matrix)(k - 1, S.t, S.r, A);
     G(bspline_matrix)(k - 1, moved, S.r, B);
     for (int m = 0; m < k * k; m++)
@@ -192,7 +192,7 @@ CLAIM(matrix_gives_homogeneous_curve)
     }
     for (int j = 0; j < k; j++)
         for (int i = 0; i < k; i++) {
-            num share = mul(G(power)(u, j), A[j * k + i]), weight = T->planted && i == k - 1 ? from_int(1) : w[i];
+            num share = mul(G(power)(u, j), A[j * k + i]), weight = fault(T, w[i], i == k - 1 ? from_int(1) : w[i]);
             left[0] = add(left[0], mul(share, mul(weight, x[i])));
             left[1] = add(left[1], mul(share, w[i]));
         }
@@ -218,7 +218,7 @@ CLAIM(matrix_gives_homogeneous_curve)
 CLAIM(affine_points_need_the_weights)
 {
     num knots[4] = {from_int(-1), from_int(0), from_int(1), from_int(2)}, A[4], u = from_ratio(1, 2);
-    num r[2] = {from_int(0), from_int(1)}, w[2] = {from_int(1), from_int(T->planted ? 1 : 2)};
+    num r[2] = {from_int(0), from_int(1)}, w[2] = {from_int(1), from_int(fault(T, 1, 2))};
     num sum = from_int(0), above = from_int(0), below = from_int(0);
     G(bspline_matrix)(1, knots, 1, A);
     for (int i = 0; i < 2; i++) {
@@ -266,7 +266,7 @@ CLAIM(coefficient_rows_have_fixed_sums)
     G(bspline_matrix)(k - 1, S.t, S.r, A);
     for (int j = 0; j < k; j++) {
         num sum = from_int(0);
-        for (int i = 0; i < k - T->planted; i++)
+        for (int i = 0; i < fault(T, k, k - 1); i++)
             sum = add(sum, A[j * k + i]);
         same(T, sum, from_int(j == 0));
     }
@@ -411,7 +411,7 @@ CLAIM(printed_double_sum_gives_the_basis)
             if (g == 0)
                 G(cofactor_weights)(&n, k, alpha);
             for (int j = 0; j < k; j++)
-                sum = add(sum, mul(G(printed_coefficient)(&S, &n, alpha, j, T->planted), G(power)(u, j)));
+                sum = add(sum, mul(G(printed_coefficient)(&S, &n, alpha, j, fault(T, 0, 1)), G(power)(u, j)));
             same(T, sum, G(basis_value)(&S, 0, k, G(at_parameter)(&S, u)));
         }
     }
@@ -455,7 +455,7 @@ CLAIM(column_by_differences_is_the_function)
         for (int g = 0; g + 1 < groups; g++) {
             struct G(span) S = G(span_of_function)(k, pattern, g, x),
                            last = G(span_of_function)(k, pattern, groups - 2, x);
-            G(bspline_column_by_differences)(k - 1, S.t, S.group, 0, T->planted ? last.r : S.r, a);
+            G(bspline_column_by_differences)(k - 1, S.t, S.group, 0, fault(T, S.r, last.r), a);
             num sum = from_int(0);
             for (int j = 0; j < k; j++)
                 sum = add(sum, mul(a[j], G(power)(u, j)));
@@ -509,7 +509,7 @@ CLAIM(matrix_by_differences_is_the_matrix)
         G(bspline_matrix_by_differences)(k - 1, S.t, S.group, S.r, B);
         for (int j = 0; j < k; j++)
             for (int i = 0; i < k; i++) {
-                int from = T->planted && k > 1 && i >= k - 2 ? 2 * k - 3 - i : i;
+                int from = fault(T, i, k > 1 && i >= k - 2 ? 2 * k - 3 - i : i);
                 same(T, B[j * k + from], A[j * k + i]);
             }
     }
@@ -565,7 +565,7 @@ CLAIM(truncated_power_gives_the_basis)
             num data[LARGEST_ORDER + 1], alpha[LARGEST_ORDER + 1], sum = from_int(0), length = sub(S.t[k], S.t[0]);
             for (int i = 0, row = 0; i < n.d; i++)
                 for (int mu = 0; mu < n.l[i]; mu++, row++) {
-                    int counts = T->planted ? !n.right[i] : n.right[i];
+                    int counts = fault(T, n.right[i], !n.right[i]);
                     data[row] = counts ? G(power_datum)(k, mu, n.tau[i], t, k - 1) : from_int(0);
                 }
             num N = G(basis_value)(&S, 0, k, t);
@@ -595,7 +595,7 @@ CLAIM(truncated_power_gives_the_basis)
 CLAIM(zero_power_at_a_knot_of_multiplicity_k)
 {
     int l[2] = {1, 1};
-    num tau[2] = {from_int(0), from_int(1)}, data[2] = {from_int(T->planted ? 0 : 1), from_int(1)};
+    num tau[2] = {from_int(0), from_int(1)}, data[2] = {from_int(fault(T, 0, 1)), from_int(1)};
     show_points(T, "t_i", 2, 1, tau);
     show_points(T, "truncated powers at the knots", 2, 1, data);
     about(T, "the first line at t = t_r, and N_{i,1}(t_r)");
@@ -652,7 +652,7 @@ CLAIM(all_full_powers_sum_to_nothing)
         if (pattern == 0) /* k+1 equal knots are the knots of no function */
             continue;
         struct G(span) S = G(span_of_function)(k, pattern, 0, x);
-        vanishes(T, G(second_line)(&S, 0, t, k - 1 + T->planted));
+        vanishes(T, G(second_line)(&S, 0, t, fault(T, k - 1, k)));
     }
 }
 
@@ -690,11 +690,11 @@ CLAIM(full_powers_sum_to_nothing)
 {
     num x[3] = {from_int(0), from_int(1), from_int(2)}, t = from_ratio(1, 2);
     struct G(span) S = G(span_of_function)(2, 3, 0, x);
-    num line = G(second_line)(&S, T->planted, t, 1);
+    num line = G(second_line)(&S, fault(T, 1, 0), t, 1);
     show_points(T, "t_i", 3, 1, x);
     show(T, "t", t);
     show(T, "second line", line);
-    num third = G(third_line)(&S, T->planted, t), value = G(basis_value)(&S, 0, 2, t);
+    num third = G(third_line)(&S, fault(T, 1, 0), t), value = G(basis_value)(&S, 0, 2, t);
     show(T, "third line", third);
     show(T, "N_{i,2}(t)", value);
     about(T, "whether the second line or the third is N_{i,2}(t)");
@@ -739,7 +739,7 @@ CLAIM(powers_expand_in_the_parameter)
     int k = T->degree + 1;
     num t[2], tau = unknown(T, "tau", 0), u = parameter(T, "u");
     G(increasing)(T, 2, t);
-    num at = add(t[0], mul(u, sub(t[1], t[0]))), step = T->planted ? sub(t[1], t[0]) : sub(t[0], t[1]);
+    num at = add(t[0], mul(u, sub(t[1], t[0]))), step = fault(T, sub(t[0], t[1]), sub(t[1], t[0]));
     for (int mu = 0; mu < k; mu++) {
         num sum = from_int(0);
         for (int j = 0; j <= k - mu - 1; j++) {
@@ -783,7 +783,7 @@ CLAIM(summation_orders_agree)
         for (int l = 1; l <= k; l++)
             for (int mu = 0; mu <= k; mu++)
                 for (int j = 0; j <= k; j++) {
-                    int larger = T->planted ? (j < k - l ? j : k - l) : (j > k - l ? j : k - l);
+                    int larger = fault(T, j > k - l ? j : k - l, j < k - l ? j : k - l);
                     int printed = mu <= l - 1 && j <= k - mu - 1, collected = j <= k - 1 && mu <= k - 1 - larger;
                     agree(T, printed == collected);
                 }

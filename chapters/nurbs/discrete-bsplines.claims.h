@@ -34,9 +34,9 @@ static void G(finer_knots)(trial *T, const struct G(knots) * K, struct G(knots) 
     }
 }
 
-/* a[j n + i] = alpha_i(j) for the points j of L whose knot v_j is in the domain of K, and 0 for the others.  The
- * planted fault takes v_j for the last of the knots. */
-static void G(all_discrete)(const struct G(knots) * K, const struct G(knots) * L, int planted, num a[])
+/* a[j n + i] = alpha_i(j) for the points j of L whose knot v_j is in the domain of K, and 0 for the others;
+ * with_v_j: v_j stands for the last of the knots that follow it. */
+static void G(all_discrete)(const struct G(knots) * K, const struct G(knots) * L, int with_v_j, num a[])
 {
     int p = K->p;
     num x[HIGHEST + 1], part[HIGHEST + 1];
@@ -44,7 +44,7 @@ static void G(all_discrete)(const struct G(knots) * K, const struct G(knots) * L
         for (int i = 0; i < K->n; i++)
             a[j * K->n + i] = from_int(0);
         for (int r = 0; r < p; r++)
-            x[r] = L->u[j + (planted && r == p - 1 ? 0 : r + 1)];
+            x[r] = L->u[j + (with_v_j && r == p - 1 ? 0 : r + 1)];
         int mu = G(span_of_interval)(K->count, K->place, L->place[j]);
         mu = mu < p ? p : mu;
         G(discrete_bsplines)(p, K->u, mu, x, part);
@@ -83,7 +83,7 @@ CLAIM(discrete_bsplines_satisfy_refinement_equation)
         if (!G(ends_are_spans)(&K))
             continue;
         G(finer_knots)(T, &K, &L);
-        G(all_discrete)(&K, &L, T->planted && p > 0, a);
+        G(all_discrete)(&K, &L, fault(T, 0, p > 0), a);
         about(T, "the sum of alpha_i(j)");
         for (int j = 0; j < L.n; j++) {
             num sum = from_int(0);
@@ -132,7 +132,7 @@ CLAIM(discrete_bsplines_are_nonnegative)
         if (!G(ends_are_spans)(&K))
             continue;
         G(finer_knots)(T, &K, &L);
-        G(all_discrete)(&K, &L, T->planted && p > 0, a);
+        G(all_discrete)(&K, &L, fault(T, 0, p > 0), a);
         for (int j = p; j < L.n; j++)
             for (int i = 0; i < K.n; i++) {
                 if (K.place[i] <= L.place[j] && L.place[j + p + 1] <= K.place[i + p + 1])
@@ -140,7 +140,7 @@ CLAIM(discrete_bsplines_are_nonnegative)
                 else
                     vanishes(T, a[j * K.n + i]);
             }
-        if (T->planted && p == 0)
+        if (T->faulty && p == 0)
             nonnegative(T, from_int(-1));
     }
 }
@@ -210,8 +210,8 @@ CLAIM(bspline_collocation_is_product_of_insertions)
                 for (int i = 0; i < L.n * K.n; i++)
                     A[i] = B[i];
             }
-            int row =
-                G(span_of_interval)(L.count, L.place, place) - p + T->planted; /* v_{row+1} = ... = v_{row+p} = x */
+            int row = fault(T, G(span_of_interval)(L.count, L.place, place) - p,
+                            G(span_of_interval)(L.count, L.place, place) - p + 1); /* v_{row+1} = ... = v_{row+p} = x */
             for (int i = 0; i < K.n && row < L.n; i++)
                 same(T, A[row * K.n + i], G(cox_de_boor)(p, K.u, K.place, i, place, x));
         }
@@ -249,7 +249,7 @@ CLAIM(bspline_collocation_is_totally_nonnegative)
                     M[rows * K.n + j] = G(cox_de_boor)(p, K.u, K.place, j, place, x);
             }
         }
-        if (T->planted)
+        if (T->faulty)
             for (int j = 0; j < K.n; j++) {
                 num first = M[j];
                 M[j] = M[K.n + j], M[K.n + j] = first;
@@ -305,7 +305,7 @@ static void G(decide_collocation)(trial *T, const struct G(knots) * pattern, con
         }
         regular = regular && !is_zero_f(value);
     }
-    for (int j = 0; j < n && T->planted; j++) {
+    for (int j = 0; j < fault(T, 0, n); j++) {
         num first = M[j];
         M[j] = M[n + j], M[n + j] = first;
     }

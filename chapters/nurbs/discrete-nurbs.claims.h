@@ -84,7 +84,7 @@ CLAIM(discrete_bsplines_are_shares)
                 num a = G(alpha)(p, r.u, r.place, r.v, r.at, i, j);
                 about(T, "the sign of alpha_i(j)");
                 nonnegative(T, a);
-                if (!T->planted || i > 0)
+                if (fault(T, 1, i > 0))
                     sum = add(sum, a);
             }
             about(T, "the sum of the alpha_i(j)");
@@ -115,8 +115,8 @@ CLAIM(refined_data_give_the_same_curve)
         G(refine_pair)(G(pairs)[p][k], G(pairs)[p][k + 1], p, &r);
         G(weighted_points)(T, r.n, 1, R, w);
         G(refined_by_definition)(r.n, p, 1, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
-        for (int j = 0; T->planted && j < r.m; j++)
-            z[j] = from_int(1);
+        for (int j = 0; j < r.m; j++)
+            z[j] = fault(T, z[j], from_int(1));
         for (int interval = r.place[p]; interval < r.place[r.n]; interval++) {
             num total = G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, interval, t, &P);
             num refined = G(nurbs_by_definition)(r.m, p, 1, r.v, r.at, S, z, interval, t, &Q);
@@ -166,7 +166,7 @@ static int indices_are_the_order(trial *T, int corrected)
 :control: the three indices corrected
 :::
 */
-CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T, T->planted)); }
+CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T, fault(T, 1, 0))); }
 
 /*
 :::{claim} names_carry_the_order
@@ -179,7 +179,7 @@ CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T, T->planted
 :control: the indices as printed
 :::
 */
-CLAIM(names_carry_the_order) { agree(T, indices_are_the_order(T, !T->planted)); }
+CLAIM(names_carry_the_order) { agree(T, indices_are_the_order(T, fault(T, 1, 0))); }
 #endif
 
 /*
@@ -257,9 +257,9 @@ CLAIM(knots_outside_the_domain_cut_corners)
                 }
             }
             num sum = one;
-            if (j == 0 && !right && !T->planted)
+            if (fault(T, j == 0 && !right, 0))
                 sum = div(sub(tau, r.u[0]), sub(r.u[p], r.u[0]));
-            if (j == n && right && !T->planted)
+            if (fault(T, j == n && right, 0))
                 sum = div(sub(r.u[n + p], tau), sub(r.u[n + p], r.u[n]));
             about(T, "their sum");
             same(T, both, sum);
@@ -301,7 +301,7 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
         G(refine_pair)(old, "0100", p, &r);
         G(weighted_points)(T, r.n, 2, R, w);
         G(refined_by_definition)(r.n, p, 2, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
-        num knot = r.x[T->planted ? 2 : 1];
+        num knot = r.x[fault(T, 1, 2)];
         G(nurbs_insert)(r.n, p, 2, r.u, p + times, R, w, knot, v, kernel_S, kernel_z);
         about(T, "the knots");
         for (int i = 0; i <= r.m + p; i++)
@@ -330,7 +330,7 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
 CLAIM(negative_weight_loses_a_new_point)
 {
     struct G(refinement) r;
-    num w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(2)}, new_weight = from_int(0), total = from_int(0);
+    num w[] = {from_int(1), from_int(fault(T, 1, -1)), from_int(2)}, new_weight = from_int(0), total = from_int(0);
     for (int i = 0; i < 3; i++)
         r.x[i] = from_int(i);
     G(refine_pair)("303", "010", 2, &r);
@@ -362,7 +362,7 @@ CLAIM(knot_at_a_k_fold_end_has_no_shares)
     num sum = from_int(0);
     for (int i = 0; i < 3; i++)
         r.x[i] = from_int(i);
-    G(refine_pair)("202", T->planted ? "010" : "001", 1, &r);
+    G(refine_pair)("202", fault(T, "010", "001"), 1, &r);
     for (int i = 0; i < r.n; i++)
         sum = add(sum, G(alpha)(1, r.u, r.place, r.v, r.at, i, r.m - 1));
     show_points(T, "T with T'", r.m + 2, 1, r.v);
@@ -391,7 +391,7 @@ CLAIM(knot_at_an_outer_end_has_no_shares)
         for (int i = 0; i < 8; i++)
             r.x[i] = i == 1 ? from_ratio(1, 2) : i == 6 ? from_ratio(9, 2) : from_int(i == 0 ? 0 : i == 7 ? 5 : i - 1);
         const char *inserted[2][2] = {{"10000000", "00000001"}, {"01000000", "00000010"}};
-        G(refine_pair)("10111101", inserted[T->planted][end], 2, &r);
+        G(refine_pair)("10111101", inserted[fault(T, 1, 0)][end], 2, &r);
         for (int i = 0; i < r.n; i++)
             sum = add(sum, G(alpha)(2, r.u, r.place, r.v, r.at, i, end == 0 ? 0 : r.m - 1));
         show_points(T, "T with T'", r.m + 3, 1, r.v);
@@ -399,7 +399,7 @@ CLAIM(knot_at_an_outer_end_has_no_shares)
         positive += sign_q(sum) > 0;
     }
     about(T, "one of the new weights is positive");
-    agree(T, positive > (T->planted ? 1 : 0));
+    agree(T, positive > fault(T, 1, 0));
 }
 #endif
 
@@ -440,7 +440,7 @@ CLAIM(discrete_bsplines_refine_the_basis)
             for (int i = 0; i < r.n; i++) {
                 num sum = from_int(0);
                 for (int j = 0; j < r.m; j++) {
-                    int taken = T->planted && j + 1 < r.m ? j + 1 : j;
+                    int taken = fault(T, j, j + 1 < r.m ? j + 1 : j);
                     sum = add(sum, mul(G(alpha)(p, r.u, r.place, r.v, r.at, i, taken),
                                        G(cox_de_boor)(p, r.v, r.at, j, interval, t)));
                 }
@@ -480,7 +480,7 @@ CLAIM(discrete_bsplines_follow_definition)
                 continue;
             int mu = G(span_of_interval)(r.count, r.place, r.at[j]);
             for (int l = 0; l < p; l++)
-                arguments[l] = r.v[T->planted && l == 0 ? j : j + 1 + l];
+                arguments[l] = r.v[fault(T, j + 1 + l, l == 0 ? j : j + 1 + l)];
             G(discrete_bsplines)(p, r.u, mu, arguments, a);
             for (int i = 0; i < r.n; i++)
                 same(T, mu - p <= i && i <= mu ? a[i - mu + p] : from_int(0),
@@ -537,13 +537,13 @@ CLAIM(discrete_bsplines_compose)
     for (int k = 0; G(triples)[p][k] != NULL; k += 3) {
         const char *old = G(triples)[p][k], *one = G(triples)[p][k + 1], *two = G(triples)[p][k + 2];
         char between[MOST_KNOTS], both[MOST_KNOTS];
-        G(union_of_patterns)(old, T->planted ? two : one, between);
+        G(union_of_patterns)(old, fault(T, one, two), between);
         G(union_of_patterns)(one, two, both);
         G(distinct_knots)(T, (int)strlen(old), 6, whole_step.x);
         first = second = whole_step;
         G(refine_pair)(old, both, p, &whole_step);
         G(refine_pair)(old, one, p, &first);
-        G(refine_pair)(between, T->planted ? one : two, p, &second);
+        G(refine_pair)(between, fault(T, two, one), p, &second);
         for (int i = 0; i < first.n; i++)
             for (int j = 0; j < whole_step.m; j++) {
                 num sum = from_int(0);
@@ -586,8 +586,8 @@ CLAIM(steps_of_refinement_compose)
         G(refined_by_definition)
         (first.n, p, 1, whole_step.u, whole_step.place, R, w, whole_step.m, whole_step.v, whole_step.at, S, z);
         G(refined_by_definition)(first.n, p, 1, first.u, first.place, R, w, first.m, first.v, first.at, S1, z1);
-        for (int l = 0; T->planted && l < first.m; l++)
-            z1[l] = from_int(1);
+        for (int l = 0; l < first.m; l++)
+            z1[l] = fault(T, z1[l], from_int(1));
         G(refined_by_definition)(first.m, p, 1, second.u, second.place, S1, z1, second.m, second.v, second.at, S2, z2);
         for (int j = 0; j < whole_step.m; j++) {
             about(T, "the new points");
@@ -634,7 +634,7 @@ CLAIM(insertions_commute)
             for (int order = 0; order < 2; order++) {
                 num one = order == 0 ? first : last, two = order == 0 ? last : first;
                 num v1[MOST_KNOTS], S1[MOST_KNOTS], z1[MOST_KNOTS];
-                if (T->planted && order == 1)
+                if (T->faulty && order == 1)
                     two = add(two, from_int(1));
                 G(nurbs_insert)(n, p, 1, u, mu, R, w, one, v1, S1, z1);
                 /* The smaller knot first: then the larger lies one span further; not so the other way. */
@@ -677,7 +677,7 @@ CLAIM(insertion_cuts_the_corners)
     same(T, S[n], R[n - 1]);
     for (int i = 1; i < n; i++) {
         num a = div(sub(knot, u[i]), sub(u[i + p], u[i])), right = mul(a, w[i]), left = mul(sub(one, a), w[i - 1]);
-        num s = T->planted ? a : div(right, add(left, right));
+        num s = fault(T, div(right, add(left, right)), a);
         about(T, "s_i is in [0, 1]");
         nonnegative(T, s);
         nonnegative(T, sub(one, s));
@@ -761,7 +761,7 @@ CLAIM(repeated_insertion_reaches_the_curve)
         G(refined_by_definition)(r.n, p, 1, r.u, r.place, R, w, end ? mu : r.m, r.v, r.at, S, z);
         G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, start ? where : where - 1, r.x[where], &value);
         about(T, start ? "r_mu and the curve from the right" : "r_mu and the curve from the left");
-        same(T, S[T->planted ? (mu > 1 ? mu - 2 : 1) : mu - 1], value);
+        same(T, S[fault(T, mu - 1, mu > 1 ? mu - 2 : 1)], value);
         if (where == 2) {
             G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, where, r.x[where], &right);
             about(T, "both sides");
@@ -792,7 +792,7 @@ CLAIM(fewer_insertions_suffice)
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], left;
     G(distinct_knots)(T, 5, 5, r.x);
     for (int m = 0; m <= p; m++) {
-        G(repeated)(p, 2, m, T->planted && m < p ? p - m - 1 : p - m, &r);
+        G(repeated)(p, 2, m, fault(T, p - m, m < p ? p - m - 1 : p - m), &r);
         G(weighted_points)(T, r.n, 1, R, w);
         G(refined_by_definition)(r.n, p, 1, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
         G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, 1, r.x[2], &left);
@@ -823,7 +823,7 @@ CLAIM(right_value_with_the_other_interval)
         G(repeated)(p, where, start ? p + 1 : m, p, &r);
         G(weighted_points)(T, r.n, 1, R, w);
         G(refined_by_definition)(r.n, p, 1, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
-        int side = T->planted && !start ? where - 1 : where;
+        int side = fault(T, where, !start ? where - 1 : where);
         G(nurbs_by_definition)(r.n, p, 1, r.u, r.place, R, w, side, r.x[where], &value);
         same(T, S[G(knots_below)(&r, where + 1) - 1], value);
     }
@@ -848,11 +848,9 @@ CLAIM(left_value_at_a_k_fold_knot)
     num w[] = {from_int(1), from_int(1), from_int(1), from_int(1)}, S[12], z[6], P[2];
     for (int i = 0; i < 3; i++)
         r.x[i] = from_int(i);
-    if (T->planted) {
-        R[4] = R[6];
-        R[5] = R[7];
-    }
-    G(refine_pair)(T->planted ? "212" : "222", "010", 1, &r);
+    R[4] = fault(T, R[6], R[4]);
+    R[5] = fault(T, R[7], R[5]);
+    G(refine_pair)(fault(T, "212", "222"), "010", 1, &r);
     G(refined_by_definition)(r.n, 1, 2, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
     G(nurbs_by_definition)(r.n, 1, 2, r.u, r.place, R, w, 1, r.x[1], P);
     int mu = G(knots_below)(&r, 1);
@@ -879,7 +877,7 @@ CLAIM(left_value_at_a_k_fold_knot)
 CLAIM(clamped_start_has_no_such_point)
 {
     static const int clamped[] = {0, 0, 0, 1, 1, 1}, earlier[] = {-1, 0, 0, 1, 1, 1};
-    const int *knot = T->planted ? earlier : clamped;
+    const int *knot = fault(T, earlier, clamped);
     int mu = 0, end = knot[2];
     while (compare_q(from_int(knot[mu]), from_int(end)) < 0)
         mu++;
@@ -918,7 +916,7 @@ CLAIM(index_of_another_interval_is_another_point)
     static const int at[] = {0, 0, 0, 2, 2, 2, 2, 0};
     struct G(refinement) r;
     num R[8], w[4], S[12], z[6], P[2];
-    int mu = T->planted ? 3 : 4;
+    int mu = fault(T, 3, 4);
     for (int i = 0; i < 8; i++) {
         R[i] = from_int(at[i]);
         w[i / 2] = from_int(1);

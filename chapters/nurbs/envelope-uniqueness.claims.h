@@ -85,7 +85,7 @@ CLAIM(touching_curve_satisfies_the_condition)
     G(cross3)(along, Xt, left);
     G(cross3)(Xs, Xt, right);
     for (int c = 0; c < 3; c++)
-        same(T, left[c], mul(T->planted ? dt : ds, right[c]));
+        same(T, left[c], mul(fault(T, ds, dt), right[c]));
 }
 
 /*
@@ -142,9 +142,7 @@ CLAIM(differences_of_span_give_the_derivative)
         G(bspline_basis)(p - 1, u, mu, t, N);
         for (int m = 0; m < p; m++) {
             int i = mu - p + 1 + m;
-            num length = sub(u[i + p], u[i]);
-            if (T->planted)
-                length = mul(from_int(2), length);
+            num length = fault(T, sub(u[i + p], u[i]), mul(from_int(2), sub(u[i + p], u[i])));
             sum = add(sum, mul(N[m], div(sub(c[m + 1], c[m]), length)));
         }
         same(T, mul(from_int(p), sum), S[0]);
@@ -178,7 +176,7 @@ CLAIM(first_level_follows_the_tangent)
     num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
     int place[MOST_KNOTS];
     G(free_curve)(T, p, 1, R, w);
-    num step = mul(sub(tau, t), from_ratio(1, T->planted ? p + 1 : p));
+    num step = mul(sub(tau, t), from_ratio(1, fault(T, p, p + 1)));
     for (int shape = 0; shape < SHAPES; shape++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2], P[2], P1[2];
         G(knots_of_span)(T, p, shape, u, place);
@@ -244,7 +242,7 @@ CLAIM(derivatives_of_the_first_member)
     same(T, mul(front, derivative_f(X, tau)), tangent);
     num rest = mul(sub(tau, t), sub(mul(F[1], f2[0]), mul(f2[1], F[0])));
     about(T, "the derivative by t");
-    same(T, mul(front, derivative_f(X, t)), add(rest, mul(sub(k, T->planted ? one : two), tangent)));
+    same(T, mul(front, derivative_f(X, t)), add(rest, mul(sub(k, fault(T, two, one)), tangent)));
 }
 #endif
 
@@ -328,7 +326,7 @@ CLAIM(first_level_condition_as_printed)
     G(jet) J = G(free_jet)(T);
     num left[3], right[3], n = sub(J.k, from_int(1)), W2 = mul(J.W, J.W), front = mul(mul(n, n), mul(W2, W2));
     G(cross3)(J.by_tau, J.by_t, left);
-    G(bracket)(&J, T->planted, right);
+    G(bracket)(&J, fault(T, 0, 1), right);
     for (int c = 0; c < 3; c++)
         same(T, mul(front, left[c]), mul(mul(mul(J.w, J.w), J.e), right[c]));
 }
@@ -352,7 +350,7 @@ CLAIM(first_level_condition_factors)
 {
     G(jet) J = G(free_jet)(T);
     num left[3], turn[3], B[3], n = sub(J.k, from_int(1)), front = mul(mul(n, n), mul(J.W, mul(J.W, J.W)));
-    num power = mul(J.w, T->planted ? J.w : mul(J.w, J.w));
+    num power = mul(J.w, fault(T, mul(J.w, J.w), J.w));
     G(bracket)(&J, 0, B);
     G(cross3)(J.by_tau, J.by_t, left);
     G(cross3)(J.r1, J.r2, turn);
@@ -380,8 +378,7 @@ CLAIM(extra_points_run_along_the_tangent)
 {
     G(jet) J = G(free_jet)(T);
     num factor = div(J.e, mul(sub(J.k, from_int(1)), J.W));
-    if (!T->planted)
-        factor = mul(factor, J.w);
+    factor = fault(T, mul(factor, J.w), factor);
     same(T, sub(div(J.A[0], J.W), J.r[0]), mul(factor, J.r1[0]));
 }
 
@@ -417,7 +414,7 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
     G(jet) J = G(free_jet)(T);
     num B[3], triple = neg(G(det3)(J.r1, J.A, J.p2));
     G(bracket)(&J, 0, B);
-    same(T, G(dot)(3, B, J.p2), T->planted ? triple : mul(J.w2, triple));
+    same(T, G(dot)(3, B, J.p2), fault(T, mul(J.w2, triple), triple));
 }
 
 /*
@@ -436,7 +433,7 @@ CLAIM(product_with_the_numerator_gives_the_triple_product)
     G(jet) J = G(free_jet)(T);
     num B[3];
     G(bracket)(&J, 0, B);
-    same(T, G(dot)(3, B, J.A), neg(mul(T->planted ? J.w : J.W, G(det3)(J.r1, J.A, J.p2))));
+    same(T, G(dot)(3, B, J.A), neg(mul(fault(T, J.W, J.w), G(det3)(J.r1, J.A, J.p2))));
 }
 
 #if RATIONAL
@@ -471,7 +468,7 @@ CLAIM(product_with_second_derivative_says_nothing)
     if (!equal_q(side, other))
         return;
     about(T, "(τ-t)(r', A, p'')");
-    vanishes(T, T->planted ? mul(zero, triple) : triple);
+    vanishes(T, fault(T, mul(zero, triple), triple));
 }
 #endif
 
@@ -513,7 +510,7 @@ CLAIM(triple_product_is_that_of_the_point)
     G(jet) J = G(free_jet)(T);
     num product = mul(J.W, G(det3)(J.p, J.r1, J.r2));
     about(T, "the triple products");
-    same(T, G(det3)(J.r1, J.A, J.p2), T->planted ? product : neg(product));
+    same(T, G(det3)(J.r1, J.A, J.p2), fault(T, neg(product), product));
     for (int p = 1; p <= 3; p++) {
         num u[MOST_KNOTS], R[3 * 4], w[4], S[4], N[4], t = parameter(T, "t"), sum = from_int(0);
         int place[MOST_KNOTS];
@@ -573,7 +570,7 @@ CLAIM(points_are_polar_values_of_the_segment)
         G(knots_of_span)(T, p, shape, u, place);
         G(bspline_to_bezier)(p, 1, u, mu, c, b);
         for (int i = 0; i <= p; i++) {
-            G(bspline_point_of_bezier)(p, 1, b, u[mu], u[mu + 1], u + i + 1 - T->planted, &f);
+            G(bspline_point_of_bezier)(p, 1, b, u[mu], u[mu + 1], fault(T, u + i + 1, u + i), &f);
             same(T, f, c[i]);
         }
     }
@@ -605,7 +602,7 @@ CLAIM(common_normal_makes_points_coplanar)
     num volume = G(det3)(a, b, c), na = G(dot)(3, n, a), nb = G(dot)(3, n, b), nc = G(dot)(3, n, c);
     for (int m = 0; m < 3; m++) {
         num right = add(add(mul(na, bc[m]), mul(nb, ca[m])), mul(nc, ab[m]));
-        same(T, mul(volume, n[T->planted && m > 0 ? 3 - m : m]), right);
+        same(T, mul(volume, n[fault(T, m, m > 0 ? 3 - m : m)]), right);
     }
 }
 
@@ -641,7 +638,7 @@ CLAIM(osculating_plane_meets_the_origin_once)
         return;
     about(T, "(r_i, r', r'')");
     for (int i = 0; i < 4; i++)
-        vanishes(T, T->planted ? sum : term[i]);
+        vanishes(T, fault(T, sum, term[i]));
 }
 
 /*
@@ -671,7 +668,7 @@ the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its
 */
 CLAIM(vanishing_curvature_says_nothing_about_the_points)
 {
-    int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1 - T->planted}};
+    int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, fault(T, 0, 1)}};
     num u[10], R[15], w[5], D[9], edge[9];
     G(uniform_curve)(4, 3, 1, (const int(*)[8])curve, u, R, w);
     G(curve_derivatives)(4, 3, u, 4, R, w, from_int(0), 2, D);
@@ -729,7 +726,7 @@ CLAIM(family_moves_with_its_points)
         l[c] = unknown(T, "l", c);
     for (int i = 0; i <= p; i++) {
         L[i] = add(mul(l[0], R[2 * i]), mul(l[1], R[2 * i + 1]));
-        L[i] = T->planted && i == p ? L[i] : add(L[i], l[2]);
+        L[i] = fault(T, add(L[i], l[2]), i == p ? L[i] : add(L[i], l[2]));
     }
     for (int shape = 0; shape < SHAPES; shape++) {
         G(knots_of_span)(T, p, shape, u, place);
@@ -815,7 +812,7 @@ CLAIM(slope_is_constant_where_nothing_turns)
         f2[c] = derivative_f(f1[c], t);
     }
     num a = mul(f1[0], f2[1]), b = mul(f2[0], f1[1]);
-    same(T, derivative_f(div(f1[1], f1[0]), t), div(T->planted ? add(a, b) : sub(a, b), mul(f1[0], f1[0])));
+    same(T, derivative_f(div(f1[1], f1[0]), t), div(fault(T, sub(a, b), add(a, b)), mul(f1[0], f1[0])));
 }
 #endif
 
@@ -834,7 +831,7 @@ CLAIM(slope_is_constant_where_nothing_turns)
 */
 CLAIM(inflected_cubic_is_not_straight)
 {
-    int curve[2][8] = {{0, 1}, {0, T->planted, 0, 1 - T->planted}};
+    int curve[2][8] = {{0, 1}, {0, fault(T, 1, 0), 0, fault(T, 0, 1)}};
     num u[8], R[8], w[4], D[6], a[2], b[2];
     G(uniform_curve)(3, 2, 1, (const int(*)[8])curve, u, R, w);
     G(curve_derivatives)(3, 2, u, 3, R, w, from_int(0), 2, D);
@@ -891,7 +888,7 @@ CLAIM(folded_line_has_another_solution)
     num w[3] = {from_int(1), from_int(1), from_int(1)}, X[2], t = from_ratio(11, 4);
     for (int i = 0; i < 6; i++)
         u[i] = from_int(i);
-    if (!G(pair_of_one_span)(T, 2, 2, u, R, w, 1, T->planted ? t : from_int(2), t, X))
+    if (!G(pair_of_one_span)(T, 2, 2, u, R, w, 1, fault(T, t, from_int(2)), t, X))
         return;
     G(bspline_to_bezier)(2, 2, u, 2, R, b);
     for (int i = 0; i < 3; i++)
@@ -927,7 +924,7 @@ CLAIM(folded_line_has_another_solution)
 CLAIM(inflected_cubic_has_second_envelope)
 {
     static const int curve[2][8] = {{0, 1}, {0, 0, 0, 1}};
-    num u[8], R[8], w[4], X[2], tau = from_ratio(1 - T->planted, 2);
+    num u[8], R[8], w[4], X[2], tau = from_ratio(fault(T, 0, 1), 2);
     G(uniform_curve)(3, 2, 1, curve, u, R, w);
     if (!G(pair_of_one_span)(T, 3, 2, u, R, w, 1, tau, from_int(0), X))
         return;
@@ -951,7 +948,7 @@ CLAIM(inflected_cubic_has_second_envelope)
 CLAIM(space_quartic_has_second_envelope)
 {
     static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1}};
-    num u[10], R[15], w[5], X[3], tau = from_ratio(1 - T->planted, 2);
+    num u[10], R[15], w[5], X[3], tau = from_ratio(fault(T, 0, 1), 2);
     G(uniform_curve)(4, 3, 1, curve, u, R, w);
     if (!G(pair_of_one_span)(T, 4, 3, u, R, w, 1, tau, from_int(0), X))
         return;

@@ -65,7 +65,7 @@ CLAIM(polygon_is_the_curve_of_order_two)
             if (place[j - 1] == place[j])
                 continue;
             num up = sub(t, u[j - 1]), down = sub(u[j], t);
-            num left = mul(down, w[T->planted ? j - 1 : j - 2]), right = mul(up, w[T->planted ? j - 2 : j - 1]);
+            num left = mul(down, w[fault(T, j - 2, j - 1)]), right = mul(up, w[fault(T, j - 1, j - 2)]);
             num leg = div(add(mul(left, R[j - 2]), mul(right, R[j - 1])), add(left, right));
             num above = G(spline)(n, 1, 1, u, place, H, 0, place[j - 1], t);
             same(T, div(above, G(spline)(n, 1, 1, u, place, w, 0, place[j - 1], t)), leg);
@@ -97,7 +97,7 @@ CLAIM(legs_are_run_through)
     num left = mul(sub(add(u, length), t), v), right = mul(sub(t, u), w);
     num leg = div(add(mul(left, a), mul(right, b)), add(left, right));
     num lambda = div(mul(x, w), add(v, mul(x, w))), later = div(mul(more, w), add(v, mul(more, w)));
-    num share = T->planted ? div(x, add(one, x)) : lambda;
+    num share = fault(T, lambda, div(x, add(one, x)));
     about(T, "the leg");
     same(T, leg, add(a, mul(share, sub(b, a))));
     about(T, "the growth of λ");
@@ -120,7 +120,7 @@ CLAIM(legs_are_run_through)
 */
 CLAIM(double_knot_skips_a_leg)
 {
-    num u[6] = {from_int(0), from_int(1), T->planted ? from_ratio(3, 2) : from_int(2),
+    num u[6] = {from_int(0), from_int(1), fault(T, from_ratio(3, 2), from_int(2)),
                 from_int(2), from_int(3), from_int(4)};
     num x[4], half = from_ratio(3, 2);
     int found = 0;
@@ -162,7 +162,7 @@ CLAIM(double_knot_skips_a_leg)
 */
 CLAIM(polygon_end_belongs_to_no_interval)
 {
-    int place[] = {0, 0, 1, T->planted ? 2 : 1, 2};
+    int place[] = {0, 0, 1, fault(T, 2, 1), 2};
     num u[5], one = from_int(1), sum = from_int(0);
     for (int i = 0; i < 5; i++)
         u[i] = from_int(place[i]);
@@ -202,7 +202,7 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
 {
     int k = 4, n = 4, least = n;
     for (int r = 1; r <= k - 2; r++)
-        for (int i = T->planted ? r + 1 : 2; i <= n; i++) {
+        for (int i = fault(T, r + 1, 2); i <= n; i++) {
             int index = i;
             for (int level = r; level >= 1; level--) /* the left one of the two points of the level before */
                 index--;
@@ -271,7 +271,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
             }
     for (int interval = p; interval < n; interval++) {
         num D[4], step = mul(sub(t, tau), from_ratio(1, p));
-        G(bspline_derivatives)(p, 2, u, T->planted ? p : interval, H, tau, 2, D);
+        G(bspline_derivatives)(p, 2, u, fault(T, interval, p), H, tau, 2, D);
         for (int c = 0; c < 2; c++) {
             num sum = from_int(0);
             for (int i = p - 1; i < n; i++)
@@ -320,7 +320,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
 */
 CLAIM(convex_polygon_has_a_stationary_leg)
 {
-    num u[9], R[10], w[5], X[2], t = from_ratio(11, 2), tau = T->planted ? t : from_ratio(9, 2), x[3], at[2];
+    num u[9], R[10], w[5], X[2], t = from_ratio(11, 2), tau = fault(T, t, from_ratio(9, 2)), x[3], at[2];
     num first[4] = {from_int(1), from_int(-6), from_int(12), from_int(0)};
     num second[4] = {from_int(0), from_int(0), from_int(0), from_int(8)};
     num line[4] = {from_int(0), from_int(1), from_int(0), from_int(0)};
@@ -405,7 +405,7 @@ CLAIM(quadratic_legs_have_one_envelope)
     }
     num lengths = mul(mul(sub(u[3], u[1]), sub(u[4], u[2])), sub(u[3], u[2]));
     num turn = mul(mul(w[0], mul(w[1], w[2])), G(cross2)(a, b));
-    same(T, G(det3)(D, D + 3, D + 6), mul(from_int(T->planted ? 2 : 4), div(turn, lengths)));
+    same(T, G(det3)(D, D + 3, D + 6), mul(from_int(fault(T, 4, 2)), div(turn, lengths)));
 }
 
 #include "chapters/judge/claims_off.h"

@@ -26,7 +26,7 @@ static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
             G(put_knot)(&K, place, x, &L);
             int mu = G(span_of_interval)(K.count, K.place, place);
             G(bspline_insert)(K.n, p, dim, K.u, mu, c, x, v, d);
-            if (T->planted && p > 0)
+            if (T->faulty && p > 0)
                 for (int e = 0; e < dim; e++)
                     d[mu * dim + e] = d[(mu - 1) * dim + e];
             about(T, "the knots");
@@ -103,8 +103,7 @@ CLAIM(bspline_insertions_commute)
                 G(put_knot)(&K, at, x, &X);
                 G(bspline_insert)(K.n, p, dim, K.u, mu, c, x, v, d);
                 G(bspline_insert)(K.n + 1, p, dim, X.u, nu + 1, d, y, v, e);
-                if (T->planted)
-                    y = mul(from_ratio(1, 2), add(x, y));
+                y = fault(T, y, mul(from_ratio(1, 2), add(x, y)));
                 G(put_knot)(&K, then, y, &Y);
                 G(bspline_insert)(K.n, p, dim, K.u, nu, c, y, v, d);
                 G(bspline_insert)(K.n + 1, p, dim, Y.u, mu, d, x, w, f);
@@ -150,7 +149,8 @@ CLAIM(repeated_insertion_is_deboor)
                     d[i] = e[i];
             }
             for (int i = 0; i < dim; i++)
-                same(T, d[(mu - s + T->planted) * dim + i], G(spline)(K.n, p, dim, K.u, K.place, c, i, place, x));
+                same(T, d[fault(T, mu - s, mu - s + 1) * dim + i],
+                     G(spline)(K.n, p, dim, K.u, K.place, c, i, place, x));
         }
     }
 }
@@ -190,7 +190,7 @@ CLAIM(inserted_points_divide_edges)
             G(bspline_insert)(K.n, p, 1, K.u, p, c, x, v, d);
             for (int i = 0; i <= K.n; i++) {
                 sum[i] = add(sum[i], d[i]);
-                if ((i == one || i == one + 1 + T->planted) && 0 < i && i < K.n)
+                if ((i == one || i == fault(T, one + 1, one + 2)) && 0 < i && i < K.n)
                     G(must_be_positive)(T, d[i]);
                 else if (!(i == 0 && one == 0) && !(i == K.n && one == K.n - 1))
                     vanishes(T, d[i]);
@@ -245,7 +245,7 @@ static void G(check_refinement_keeps_curve)(trial *T, int kind)
             if (!G(spans_over)(&K, L.n, p, L.place, last, span))
                 continue;
             G(bspline_refine)(p, dim, K.u, c, L.n, L.u, span, d);
-            if (T->planted && L.n > p + 1)
+            if (T->faulty && L.n > p + 1)
                 G(bspline_blossom)(p, dim, K.u, span[p], c, L.u + p, d + p * dim);
             about(T, "the points of repeated insertion");
             for (int i = 0; i < L.n * dim; i++)

@@ -25,8 +25,7 @@ static void G(check_removal_inverts_insertion)(trial *T, int kind)
                 continue;
             num x = G(knot_for)(T, &K, place, "s");
             G(bspline_insert)(K.n, p, dim, K.u, mu, b, x, u, c);
-            if (T->planted)
-                c[(mu - s + 1) * dim] = add(c[(mu - s + 1) * dim], from_int(1));
+            c[(mu - s + 1) * dim] = fault(T, c[(mu - s + 1) * dim], add(c[(mu - s + 1) * dim], from_int(1)));
             G(bspline_remove)(K.n + 1, p, dim, u, c, mu + 1, s, v, back, defect);
             about(T, "the knots");
             for (int i = 0; i < K.count; i++)
@@ -110,7 +109,7 @@ CLAIM(reinsertion_misses_by_the_defect)
 #endif
                 off += here;
                 for (int e = 0; e < dim && here; e++)
-                    same(T, sub(c[i * dim + e], d[i * dim + e]), T->planted ? neg(defect[e]) : defect[e]);
+                    same(T, sub(c[i * dim + e], d[i * dim + e]), fault(T, defect[e], neg(defect[e])));
             }
             agree(T, off == 1);
         }
@@ -151,7 +150,7 @@ CLAIM(knot_is_removable_iff_derivative_does_not_jump)
         G(free_control_points)(T, K.n, 1, c);
         for (int place = K.place[p] + 2; place < K.place[K.n]; place += 2) {
             int s = G(multiplicity_at)(&K, place), r = G(span_of_interval)(K.count, K.place, place);
-            int order = p - s + 1 + (!T->planted || p == 0 ? 0 : s > 1 ? 1 : -1);
+            int order = p - s + 1 + fault(T, 0, p == 0 ? 0 : s > 1 ? 1 : -1);
             for (int i = 0; i < K.n; i++)
                 one[i] = from_int(i == r - s); /* a point that the jump sees */
             G(bspline_remove)(K.n, p, 1, K.u, c, r, s, v, b, &defect);

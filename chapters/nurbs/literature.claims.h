@@ -43,7 +43,7 @@ enum { LABELS = sizeof labels / sizeof labels[0] };
 CLAIM(labels_run_from_one_to_twenty_three)
 {
     for (int n = 1; n <= LABELS; n++)
-        same(T, from_int(n == 14 && !T->planted ? 14 : labels[n - 1]), from_int(n));
+        same(T, from_int(fault(T, n == 14 ? 14 : labels[n - 1], labels[n - 1])), from_int(n));
 }
 
 /*
@@ -59,7 +59,7 @@ CLAIM(labels_run_from_one_to_twenty_three)
 */
 CLAIM(cited_label_is_not_printed)
 {
-    int wanted = T->planted ? 13 : 14, found = 0, thirteen = 0;
+    int wanted = fault(T, 13, 14), found = 0, thirteen = 0;
     for (int n = 0; n < LABELS; n++) {
         found |= equal_q(from_int(labels[n]), from_int(wanted));
         thirteen += labels[n] == 13;
@@ -112,7 +112,7 @@ static int is_listed(const char *authors, int year)
 CLAIM(cited_keys_are_listed)
 {
     for (int k = 0; k < 4; k++)
-        agree(T, is_listed(cited[k].authors, k == 1 && !T->planted ? 90 : cited[k].year));
+        agree(T, is_listed(cited[k].authors, fault(T, k == 1 ? 90 : cited[k].year, cited[k].year)));
 }
 
 /*
@@ -128,7 +128,7 @@ CLAIM(cited_keys_are_listed)
 */
 CLAIM(cited_key_is_not_listed)
 {
-    int year = T->planted ? 90 : cited[1].year;
+    int year = fault(T, 90, cited[1].year);
     show_text(T, "key", "[%s, %d]", cited[1].authors, year);
     about(T, "the key is in the list");
     agree(T, is_listed(cited[1].authors, year));
@@ -159,7 +159,7 @@ CLAIM(keys_have_the_years_of_their_entries)
 {
     static const int years[] = {1999, 1990, 1992};
     for (int k = 0; k < 3; k++)
-        same(T, from_int(T->planted ? cited[k].year : listed[k].year), sub(from_int(years[k]), from_int(1900)));
+        same(T, from_int(fault(T, listed[k].year, cited[k].year)), sub(from_int(years[k]), from_int(1900)));
 }
 
 /*
@@ -190,7 +190,7 @@ CLAIM(numbered_references_are_all_cited)
     static const int first[] = {1, 2, 3, 8, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14, 19, 15, 19};
     static const int last[] = {1, 2, 7, 10, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14, 19, 15, 19};
     int seen[32] = {0}, count = sizeof first / sizeof first[0];
-    for (int k = T->planted ? count - 5 : 0; k < count; k++)
+    for (int k = fault(T, 0, count - 5); k < count; k++)
         for (int n = first[k]; n <= last[k]; n++)
             seen[n] = 1;
     for (int n = 0; n < 32; n++)
@@ -228,7 +228,7 @@ enum { VOLUMES = sizeof volumes / sizeof volumes[0], SURVEY = 8 };
 CLAIM(volumes_follow_the_years)
 {
     for (int k = 0; k < VOLUMES; k++) {
-        int volume = k == SURVEY && !T->planted ? 11 : volumes[k][3];
+        int volume = fault(T, k == SURVEY ? 11 : volumes[k][3], volumes[k][3]);
         same(T, sub(from_int(volumes[k][2]), from_int(volume)), from_int(volumes[k][1] == 0 ? 1968 : 1980));
     }
 }
@@ -256,7 +256,7 @@ CLAIM(volumes_follow_the_years)
 */
 CLAIM(volume_of_the_survey_breaks_the_rule)
 {
-    int volume = T->planted ? 11 : volumes[SURVEY][3];
+    int volume = fault(T, 11, volumes[SURVEY][3]);
     num rule = sub(from_int(volumes[SURVEY - 1][2]), from_int(volumes[SURVEY - 1][3]));
     num here = sub(from_int(volumes[SURVEY][2]), from_int(volume));
     num after = sub(from_int(volumes[SURVEY + 1][2]), from_int(volumes[SURVEY + 1][3]));

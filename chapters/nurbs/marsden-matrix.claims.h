@@ -56,7 +56,7 @@ CLAIM(marsden_matrix_holds_derivatives)
             num D = from_int(1);
             for (int m = i + 1; m <= i + k - 1; m++)
                 D = mul(D, sub(x, S.t[m]));
-            for (int m = 0; m < (T->planted ? mu : k - 1 - mu); m++)
+            for (int m = 0; m < fault(T, k - 1 - mu, mu); m++)
                 D = derivative_f(D, x);
             D = mul(div(G(factorial)(mu), G(factorial)(k - 1)), substitute_f(D, x, from_int(0)));
             same(T, g[mu * k + i], G(signed_by)(mu, D));
@@ -85,7 +85,7 @@ CLAIM(cofactor_is_signed_minor)
         M[m] = unknown(T, "m", m);
     for (int row = 0; row < n; row++)
         for (int column = 0; column < n; column++) {
-            int one = T->planted ? (row + 1) % n : row;
+            int one = fault(T, row, (row + 1) % n);
             for (int i = 0; i < n; i++)
                 for (int j = 0; j < n; j++)
                     replaced[i * n + j] = j == column ? from_int(i == one) : M[i * n + j];
@@ -176,7 +176,7 @@ CLAIM(printed_cofactor_formula_gives_the_basis)
         num det = G(leibniz)(k, 0, 0, g);
         for (int mu = 0; mu < k; mu++)
             for (int i = 0; i < k; i++)
-                star[mu * k + i] = T->planted ? G(leibniz_cofactor)(k, g, i, mu) : G(leibniz_cofactor)(k, g, mu, i);
+                star[mu * k + i] = fault(T, G(leibniz_cofactor)(k, g, mu, i), G(leibniz_cofactor)(k, g, i, mu));
         G(bspline_matrix_by_marsden)(k - 1, S.t, S.r, A);
         for (int i = 0; i < k; i++) {
             num N = from_int(0);
@@ -247,7 +247,7 @@ CLAIM(both_explicit_matrices_agree)
         G(bspline_matrix_by_differences)(k - 1, S.t, S.group, S.r, B);
         about(T, "by divided differences");
         G(same_entries)(T, k, A, B);
-        if (T->planted && k > 2)
+        if (T->faulty && k > 2)
             S.t[S.r + 2] = add(S.t[S.r + 2], from_int(1));
         G(bspline_matrix_by_marsden)(k - 1, S.t, S.r, C);
         about(T, "by Marsden's identity");
@@ -281,8 +281,7 @@ CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
             struct G(span) S = G(span_of_pattern)(k, m, x);
             G(bspline_matrix)(k - 1, S.t, S.r, A);
             G(bspline_matrix_by_differences)(k - 1, S.t, S.group, S.r, B);
-            if (T->planted)
-                S = G(span_of_pattern)(k, all - 1, x);
+            S = fault(T, S, G(span_of_pattern)(k, all - 1, x));
             G(bspline_matrix_by_marsden)(k - 1, S.t, S.r, C);
             int equal = 1;
             for (int i = 0; i < k * k; i++)
@@ -329,7 +328,7 @@ CLAIM(marsden_determinant_is_product)
     G(matrix_g)(&S, g);
     for (int a = 0; a <= S.r; a++)
         for (int b = S.r + 1; b < 2 * k; b++)
-            if (b - a <= k - 1 + T->planted)
+            if (b - a <= fault(T, k - 1, k))
                 product = mul(product, sub(S.t[b], S.t[a]));
     for (int j = 0; j < k; j++)
         product = div(product, G(choose)(k - 1, j));
@@ -368,7 +367,7 @@ CLAIM(marsden_determinant_is_positive)
     for (int m = 0; m < G(patterns)(k); m++) {
         struct G(span) S = G(span_of_pattern)(k, m, x);
         G(marsden_matrix)(k - 1, S.t, S.r, g);
-        for (int j = 0; T->planted && k > 1 && j < k; j++) {
+        for (int j = 0; j < fault(T, 0, k) && k > 1; j++) {
             num first = g[j * k];
             g[j * k] = g[j * k + 1];
             g[j * k + 1] = first;
@@ -394,12 +393,12 @@ CLAIM(marsden_determinant_is_positive)
 */
 CLAIM(empty_span_makes_g_singular)
 {
-    num t[4] = {from_int(0), from_int(1), from_ratio(T->planted ? 3 : 2, 2), from_int(2)}, g[4];
+    num t[4] = {from_int(0), from_int(1), from_ratio(fault(T, 3, 2), 2), from_int(2)}, g[4];
     G(marsden_matrix)(1, t, 1, g);
     show_points(T, "t", 4, 1, t);
     show_points(T, "G, row by row", 2, 2, g);
     about(T, "det G is not 0");
-    agree(T, !is_zero_q(G(determinant)(2, g)));
+    refute(T, is_zero_q(G(determinant)(2, g)));
 }
 #endif
 
@@ -438,7 +437,7 @@ CLAIM(singular_g_makes_powers_dependent)
     for (int i = 0; i < k; i++) {
         num sum = from_int(0);
         for (int mu = 0; mu < k; mu++)
-            sum = add(sum, mul(T->planted ? g[i * k + mu] : g[mu * k + i], c[mu]));
+            sum = add(sum, mul(fault(T, g[mu * k + i], g[i * k + mu]), c[mu]));
         right = add(right, mul(sum, G(basis_value)(&S, i, k, t)));
     }
     same(T, left, right);
@@ -459,10 +458,10 @@ CLAIM(singular_g_makes_powers_dependent)
 */
 CLAIM(independent_functions_do_not_suffice)
 {
-    num M[4] = {from_int(1), from_int(1), from_int(T->planted ? 0 : 1), from_int(1)};
+    num M[4] = {from_int(1), from_int(1), from_int(fault(T, 0, 1)), from_int(1)};
     show_points(T, "M, row by row", 2, 2, M);
     about(T, "det M is not 0");
-    agree(T, !is_zero_q(G(determinant)(2, M)));
+    refute(T, is_zero_q(G(determinant)(2, M)));
 }
 #endif
 
@@ -495,7 +494,7 @@ CLAIM(cofactors_give_powers_of_t)
     for (int i = 0; i < k; i++) {
         num sum = from_int(0);
         for (int mu = 0; mu < k; mu++) {
-            num star = T->planted ? G(cofactor)(k, g, i, mu) : G(cofactor)(k, g, mu, i);
+            num star = fault(T, G(cofactor)(k, g, mu, i), G(cofactor)(k, g, i, mu));
             sum = add(sum, mul(star, G(power)(t, mu)));
         }
         same(T, sum, mul(det, G(basis_value)(&S, i, k, t)));
@@ -529,7 +528,7 @@ CLAIM(power_of_t_in_powers_of_u)
         if (zero)
             t[0] = from_int(0);
         num at = add(t[0], mul(u, sub(t[1], t[0]))), sum = from_int(0);
-        int a = T->planted ? 1 : 0, b = 1 - a;
+        int a = fault(T, 0, 1), b = 1 - a;
         for (int j = 0; j <= mu; j++) {
             num factor = mul(G(power)(sub(t[b], t[a]), j), G(power)(t[a], mu - j));
             sum = add(sum, mul(G(choose)(mu, j), mul(factor, G(power)(u, j))));

@@ -62,7 +62,7 @@ CLAIM(marsden_coefficients_vanish_at_inner_knots)
     for (int i = 0; i < k; i++) {
         num sum = from_int(0);
         for (int j = 0; j < k; j++) {
-            num term = mul(G(symmetric_sum)(k - 1, S.t + i + !T->planted, j), G(power)(x, k - 1 - j));
+            num term = mul(G(symmetric_sum)(k - 1, fault(T, S.t + i + 1, S.t + i), j), G(power)(x, k - 1 - j));
             sum = add(sum, G(signed_by)(j, term));
         }
         same(T, w[i], sum);
@@ -86,10 +86,10 @@ CLAIM(elementary_symmetric_is_sum_over_subsets)
     int n = T->degree;
     num x[13], s[13];
     for (int m = 0; m < n; m++)
-        x[m] = unknown(T, "x", T->planted && m == n - 1 ? 0 : m);
+        x[m] = unknown(T, "x", fault(T, m, m == n - 1 ? 0 : m));
     G(elementary_symmetric)(n, x, s);
-    for (int m = 0; T->planted && m < n; m++)
-        x[m] = unknown(T, "x", m);
+    for (int m = 0; m < n; m++)
+        x[m] = fault(T, x[m], unknown(T, "x", m));
     for (int j = 0; j <= n; j++)
         same(T, s[j], G(symmetric_sum)(n, x, j));
 }
@@ -131,7 +131,7 @@ CLAIM(marsden_identity)
     int k = T->degree + 1;
     struct G(span) S = G(simple_span)(T, k);
     num x = unknown(T, "x", 0), t = parameter(T, "t"), sum = from_int(0);
-    for (int i = T->planted; i < k; i++)
+    for (int i = fault(T, 0, 1); i < k; i++)
         sum = add(sum, mul(G(omega)(&S, i, k, x), G(basis_value)(&S, i, k, t)));
     same(T, sum, G(power)(sub(x, t), k - 1));
 }
@@ -159,7 +159,7 @@ CLAIM(marsden_identity_for_every_pattern)
         G(marsden_coefficients)(k - 1, S.t, S.r, x, w);
         for (int i = 0; i < k; i++)
             sum = add(sum, mul(w[i], G(basis_value)(&S, i, k, t)));
-        same(T, sum, G(power)(T->planted ? sub(t, x) : sub(x, t), k - 1));
+        same(T, sum, G(power)(fault(T, sub(x, t), sub(t, x)), k - 1));
     }
 }
 
@@ -178,14 +178,14 @@ CLAIM(marsden_identity_for_every_pattern)
 */
 CLAIM(marsden_identity_ends_with_the_span)
 {
-    num knots[5], t = from_ratio(T->planted ? 3 : 5, 2), x = from_int(0), sum = from_int(0);
+    num knots[5], t = from_ratio(fault(T, 3, 5), 2), x = from_int(0), sum = from_int(0);
     int place[5];
     for (int m = 0; m < 5; m++) {
         knots[m] = from_int(m);
         place[m] = m;
     }
     for (int i = 0; i < 2; i++) {
-        num N = G(cox_de_boor)(1, knots, place, i, T->planted ? 1 : 2, t);
+        num N = G(cox_de_boor)(1, knots, place, i, fault(T, 1, 2), t);
         sum = add(sum, mul(sub(x, knots[i + 1]), N));
         show(T, i == 0 ? "N_{0,2}(t)" : "N_{1,2}(t)", N);
     }
@@ -227,7 +227,7 @@ CLAIM(marsden_identity_up_to_order_eight)
         num sum = from_int(0);
         G(bspline_basis)(p, knots, p, t, N);
         G(marsden_coefficients)(p, knots, p, x, w);
-        for (int i = 0; i <= p - T->planted; i++)
+        for (int i = 0; i <= fault(T, p, p - 1); i++)
             sum = add(sum, mul(w[i], N[i]));
         same(T, sum, G(power)(sub(x, t), p));
     }
@@ -286,7 +286,7 @@ CLAIM(one_level_moves_to_the_coefficients)
         for (int i = S.r - k + 1; i <= S.r; i++)
             left = add(left, mul(W[i], G(basis_value)(&S, i, k, t)));
         for (int i = S.r - k + 2; i <= S.r; i++) {
-            num W1 = G(level_of_coefficients)(&S, i, k, W, t, T->planted);
+            num W1 = G(level_of_coefficients)(&S, i, k, W, t, fault(T, 0, 1));
             right = add(right, mul(W1, G(basis_value)(&S, i, k - 1, t)));
         }
         same(T, left, right);
@@ -314,7 +314,7 @@ CLAIM(one_level_takes_off_a_factor)
         W[i] = G(omega)(&S, i, k, x);
     for (int i = S.r - k + 2; i <= S.r; i++)
         same(T, G(level_of_coefficients)(&S, i, k, W, t, 0),
-             mul(sub(x, t), G(omega)(&S, i + (T->planted && k > 2), k - 1, x)));
+             mul(sub(x, t), G(omega)(&S, i + fault(T, 0, k > 2), k - 1, x)));
 }
 
 /*
@@ -335,7 +335,7 @@ CLAIM(every_link_of_the_chain)
     num x = unknown(T, "x", 0), t = parameter(T, "t");
     for (int m = k; m >= 1; m--) {
         num sum = from_int(0);
-        for (int i = S.r - m + 1 + T->planted; i <= S.r; i++)
+        for (int i = fault(T, S.r - m + 1, S.r - m + 2); i <= S.r; i++)
             sum = add(sum, mul(G(omega)(&S, i, m, x), G(basis_value)(&S, i, m, t)));
         same(T, mul(G(power)(sub(x, t), k - m), sum), G(power)(sub(x, t), k - 1));
     }
@@ -355,8 +355,8 @@ CLAIM(every_link_of_the_chain)
 */
 CLAIM(one_level_needs_the_span)
 {
-    num knots[5], t = from_ratio(T->planted ? 3 : 5, 2);
-    int place[5], interval = T->planted ? 1 : 2;
+    num knots[5], t = from_ratio(fault(T, 3, 5), 2);
+    int place[5], interval = fault(T, 1, 2);
     for (int m = 0; m < 5; m++) {
         knots[m] = from_int(m);
         place[m] = m;
@@ -463,7 +463,7 @@ CLAIM(powers_of_t_from_derivatives)
         for (int i = 0; i < k; i++)
             sum = add(sum, mul(G(omega_derivative)(&S, i, k - 1 - mu), N[i]));
         sum = mul(div(G(factorial)(mu), G(factorial)(k - 1)), sum);
-        same(T, G(power)(t, mu), G(signed_by)(T->planted ? 0 : mu, sum));
+        same(T, G(power)(t, mu), G(signed_by)(fault(T, mu, 0), sum));
     }
 }
 #endif
@@ -503,7 +503,7 @@ CLAIM(powers_of_t_from_symmetric_functions)
         for (int j = 0; j < k; j++) {
             num sum = from_int(0);
             for (int i = 0; i < k; i++)
-                sum = add(sum, mul(G(symmetric_sum)(k - 1, S.t + i + !T->planted, j), N[i]));
+                sum = add(sum, mul(G(symmetric_sum)(k - 1, fault(T, S.t + i + 1, S.t + i), j), N[i]));
             same(T, G(power)(t, j), div(sum, G(choose)(k - 1, j)));
         }
     }
@@ -550,7 +550,7 @@ CLAIM(derivatives_of_omega_are_symmetric)
     for (int i = 0; i < k; i++)
         for (int j = 0; j < k; j++) {
             num size = mul(G(factorial)(k - 1 - j), G(symmetric_sum)(k - 1, S.t + i + 1, j));
-            same(T, G(omega_derivative)(&S, i, k - 1 - j), G(signed_by)(T->planted ? 0 : j, size));
+            same(T, G(omega_derivative)(&S, i, k - 1 - j), G(signed_by)(fault(T, j, 0), size));
         }
 }
 #endif

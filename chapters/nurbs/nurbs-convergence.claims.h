@@ -100,7 +100,7 @@ CLAIM(greville_defect_is_a_variance)
     about(T, "the parabola");
     G(blossom)(p, 1, parabola, x, &value);
     num defect = sub(div(mul(mean, mean), from_int(2)), value);
-    same(T, defect, div(spread, from_int(T->planted ? 2 * p * p : 2 * p * (p - 1))));
+    same(T, defect, div(spread, from_int(fault(T, 2 * p * (p - 1), 2 * p * p))));
     same(T, defect, div(G(squares_of_differences)(p, x), from_int(2 * p * p * (p - 1))));
 }
 
@@ -122,7 +122,7 @@ CLAIM(greville_defect_is_a_variance)
 CLAIM(gaps_bound_the_defect)
 {
     num p = whole(T, "p", 2, 60), one = from_int(1), six = from_int(6), twelve = from_int(12);
-    num next = add(p, one), shift = T->planted ? one : neg(one);
+    num next = add(p, one), shift = fault(T, neg(one), one);
     num V = div(mul(mul(p, p), add(mul(p, p), shift)), twelve);
     num W = div(mul(mul(next, next), add(mul(next, next), shift)), twelve);
     about(T, "from p to p+1");
@@ -184,7 +184,7 @@ CLAIM(greville_abscissae_reproduce_the_line)
         G(distinct_knots)(T, (int)strlen(pattern), 6, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
         for (int i = 0; i < n; i++)
-            xi[i] = G(greville)(p, u, T->planted && i + 1 < n ? i + 1 : i);
+            xi[i] = G(greville)(p, u, fault(T, i, i + 1 < n ? i + 1 : i));
         for (int interval = place[p]; interval < place[n]; interval++)
             same(T, G(spline)(n, p, 1, u, place, xi, 0, interval, t), t);
     }
@@ -257,7 +257,7 @@ CLAIM(polygon_is_within_the_bound_of_the_spline)
             xi[i] = G(greville)(p, u, i);
             for (int l = 1; l <= p; l++)
                 spread = add(spread, mul(sub(u[i + l], xi[i]), sub(u[i + l], xi[i])));
-            spread = div(spread, from_int((T->planted ? 4 : 2) * p * (p - 1)));
+            spread = div(spread, from_int(fault(T, 2, 4) * p * (p - 1)));
             largest = sign_q(sub(spread, largest)) > 0 ? spread : largest;
             e[i] = from_int(1);
         }
@@ -319,9 +319,8 @@ CLAIM(second_differences_are_averaged)
     G(bspline_difference)(n, p - 1, 1, v + 1, e, after);
     G(bspline_difference)(n, p, 1, u, c, e);
     G(bspline_difference)(n - 1, p - 1, 1, u + 1, e, before);
-    if (T->planted)
-        for (int i = 0; i < n - 2; i++)
-            before[i] = e[i];
+    for (int i = 0; i < n - 2; i++)
+        before[i] = fault(T, before[i], e[i]);
     G(bspline_insert)(n - 2, p - 2, 1, u + 2, mu - 2, before, knot, y, inserted);
     for (int i = 0; i < n - 1; i++) {
         about(T, "the points of the second derivative");
@@ -363,7 +362,7 @@ CLAIM(halving_the_gaps_divides_the_bound_by_four)
         defect[step] = sub(div(mul(mean, mean), from_int(2)), value);
     }
     same(T, defect[0], mul(from_ratio(p + 1, 24), mul(h, h)));
-    same(T, defect[1], div(defect[0], from_int(T->planted ? 2 : 4)));
+    same(T, defect[1], div(defect[0], from_int(fault(T, 4, 2))));
 }
 
 /*
@@ -383,7 +382,7 @@ CLAIM(quotient_is_near_if_the_spline_is)
 {
     num X = unknown(T, "X", 0), w = positive(T, "w", 0), E = unknown(T, "E", 0), e = unknown(T, "e", 0);
     num r = div(X, w), rho = div(sub(X, E), sub(w, e));
-    same(T, sub(r, rho), div(sub(E, mul(T->planted ? r : rho, e)), w));
+    same(T, sub(r, rho), div(sub(E, mul(fault(T, rho, r), e)), w));
 }
 
 /*
@@ -422,7 +421,7 @@ static int cut_gaps(int n, const int knot[], int parts, int place[], int at[])
 CLAIM(first_vertex_stays_off_the_curve)
 {
     static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3};
-    const int *knot = T->planted ? twofold : simple;
+    const int *knot = fault(T, twofold, simple);
     num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)};
     num w[] = {from_int(1), from_int(1), from_int(1)}, u[6], bezier[6], S[2], z[1];
     for (int i = 0; i < 6; i++)
@@ -463,7 +462,7 @@ CLAIM(knots_on_one_side_do_not_converge)
     enum { most = 7 + 2 * 7 };
     static const int knot[] = {0, 0, 0, 1, 2, 2, 2}, point[] = {0, 0, 0, 2, 2, 2, 2, 0};
     num u[2][most], R[2][2 * most], w[2][most], sums[4];
-    int n = 4, now = 0, sides = T->planted ? 2 : 1, below = 1;
+    int n = 4, now = 0, sides = fault(T, 2, 1), below = 1;
     for (int i = 0; i < 7; i++)
         u[0][i] = from_int(knot[i]);
     for (int i = 0; i < 4; i++) {
@@ -506,7 +505,7 @@ CLAIM(polygons_keep_the_edge_over_a_jump)
 {
     static const int jump[] = {0, 0, 0, 2, 2, 2, 4, 4, 4}, joined[] = {0, 0, 0, 2, 2, 3, 4, 4, 4}; /* twice the knots */
     static const int point[] = {0, 0, 1, -1, 2, 0, 2, 1, 1, 2, 0, 1};
-    const int *knot = T->planted ? joined : jump;
+    const int *knot = fault(T, joined, jump);
     num u[9], R[12], w[6], b[6], S[2 * MOST_KNOTS], z[MOST_KNOTS], one = from_int(1);
     int n = 6, apart = 1, kept = 0;
     for (int i = 0; i < 9; i++)

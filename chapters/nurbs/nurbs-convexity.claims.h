@@ -115,7 +115,7 @@ CLAIM(triangles_of_one_sign_make_a_polygon_convex)
             for (int j = 1; j < l; j++)
                 for (int i = 0; i < j; i++) {
                     long area = triangle_area(point + 2 * i, point + 2 * j, point + 2 * l);
-                    if (!T->planted || (l == j + 1 && j == i + 1))
+                    if (fault(T, 1, l == j + 1 && j == i + 1))
                         signs |= area > 0 ? 1 : area < 0 ? 2 : 0;
                 }
         int orientation, wanted = signs == 1 ? 1 : signs == 2 ? -1 : 0;
@@ -123,7 +123,7 @@ CLAIM(triangles_of_one_sign_make_a_polygon_convex)
         agree(T, orientation == wanted);
         region_drop(mark);
     }
-    if (n == 3 && T->planted) { /* one triangle is all there is */
+    if (T->faulty && n == 3) { /* one triangle is all there is */
         num R[] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(0), from_int(0)};
         agree(T, polygon_is_convex(2, R, 1, NULL));
     }
@@ -169,7 +169,7 @@ CLAIM(convex_polygons_lie_on_the_border_of_their_hull)
         grid_polygon(n, code, point);
         points_of(n, point, R);
         int convex = polygon_is_convex(n - 1, R, 0, NULL), border = every_edge_on_the_border(n, R);
-        agree(T, T->planted ? !border || convex : !convex || border);
+        agree(T, fault(T, !convex || border, !border || convex));
         region_drop(mark);
     }
 }
@@ -223,7 +223,7 @@ static void lose_convexity(trial *T, int n, const long point[], num_q tau)
 CLAIM(polygon_that_turns_back_loses_convexity)
 {
     static const long back[] = {0, 0, 1, 0, 0, 0, 0, 1}, once[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    lose_convexity(T, 4, T->planted ? once : back, from_ratio(3, 2));
+    lose_convexity(T, 4, fault(T, once, back), from_ratio(3, 2));
 }
 
 /*
@@ -242,7 +242,7 @@ CLAIM(polygon_that_turns_back_loses_convexity)
 CLAIM(polygon_that_overlaps_itself_loses_convexity)
 {
     static const long over[] = {0, 0, 2, 0, 0, 2, 0, 0, 2, 0}, closed[] = {0, 0, 2, 0, 0, 2, 0, 1, 0, 0};
-    lose_convexity(T, 5, T->planted ? closed : over, from_ratio(1, 2));
+    lose_convexity(T, 5, fault(T, closed, over), from_ratio(1, 2));
 }
 
 /*
@@ -274,13 +274,13 @@ and the only one.
 */
 CLAIM(curve_inside_its_hull_has_no_smallest_set)
 {
-    long inner = T->planted ? 2 : 1;
+    long inner = fault(T, 2, 1);
     num P[] = {from_int(0),     from_int(0),     from_int(3), from_int(0),
                from_int(inner), from_int(inner), from_int(0), from_int(3)};
     show_points(T, "r", 4, 2, P);
     int inside_all = turn_2d(P, P + 2, P + 4) > 0 && turn_2d(P + 2, P + 6, P + 4) > 0 && turn_2d(P + 6, P, P + 4) > 0;
     about(T, "the third point is not inside the triangle of the others");
-    agree(T, !inside_all);
+    refute(T, inside_all);
 }
 #endif
 
@@ -395,7 +395,7 @@ static void G(compare_curves)(trial *T, int k, const struct G(knots) * K, int pl
         c[i] = unknown(T, "c", i);
     G(equal_weights)(n, w);
     G(insert_at)(n, k, 1, K, place, tau, c, w, &V, d, z);
-    if (T->planted) {
+    if (T->faulty) {
         int mu = G(left_of)(K, place), i = mu > 1 ? mu : 2;
         num alpha = div(sub(tau, K->t[i]), sub(K->t[i + k < K->count ? i + k : K->count], K->t[i]));
         d[i] = add(mul(sub(from_int(1), alpha), c[i - 1]), mul(alpha, c[i]));
@@ -454,9 +454,9 @@ CLAIM(insertion_ratios_are_between_zero_and_one)
             t[i] = add(t[i - 1], positive(T, "h", i));
         tau = add(t[mu], positive(T, "h", 0));
         t[mu + 1] = at_knot ? tau : add(tau, positive(T, "h", mu + 1));
-        for (int i = mu + 2; i < mu + k + T->planted; i++)
+        for (int i = mu + 2; i < fault(T, mu + k, mu + k + 1); i++)
             t[i] = add(t[i - 1], positive(T, "h", i));
-        for (int i = mu - k + 2; i <= mu + T->planted; i++) {
+        for (int i = mu - k + 2; i <= fault(T, mu, mu + 1); i++) {
             int middle = i == mu + 1 ? mu + 1 : mu; /* the control takes the middle case one too far */
             num alpha = G(printed_alpha)(k, middle, t, tau, i);
             nonnegative(T, alpha);
@@ -516,7 +516,7 @@ CLAIM(insertion_turns_like_its_triangles)
                 for (int c = 2; c < n; c++)
                     for (int b = 1; b < c; b++)
                         for (int a = 0; a < b; a++) {
-                            num minor = G(minor)(n, M, T->planted ? j : i, T->planted ? i : j, l, a, b, c);
+                            num minor = G(minor)(n, M, fault(T, i, j), fault(T, j, i), l, a, b, c);
                             nonnegative(T, minor);
                             if (n <= 4)
                                 sum = add(sum, mul(minor, G(det3)(H + 3 * a, H + 3 * b, H + 3 * c)));
@@ -540,7 +540,7 @@ CLAIM(insertion_turns_like_its_triangles)
 */
 CLAIM(knot_before_the_domain_asks_for_another_point)
 {
-    num t[7], tau = from_ratio(T->planted ? 7 : 3, 2);
+    num t[7], tau = from_ratio(fault(T, 7, 3), 2);
     for (int i = 1; i <= 6; i++)
         t[i] = from_int(i);
     int mu = place_of(6, t, tau);
@@ -567,7 +567,7 @@ CLAIM(insertion_at_a_clamped_start_asks_for_another_point)
     num t[7];
     for (int i = 1; i <= 6; i++)
         t[i] = from_int(i > 3);
-    int mu = T->planted ? 3 : place_of(6, t, from_int(0));
+    int mu = fault(T, 3, place_of(6, t, from_int(0)));
     num factor = sub(from_int(1), G(printed_alpha)(3, mu, t, from_int(0), 1));
     show_points(T, "t", 6, 1, t + 1);
     show_text(T, "μ", "%d", mu);
@@ -607,7 +607,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
     one_interval(4, t);
     points_of(4, point, r + 2);
     for (int i = 1; i <= 4; i++)
-        w[i] = from_int(i == 2 ? (T->planted ? 1 : -1) : 4);
+        w[i] = from_int(i == 2 ? fault(T, 1, -1) : 4);
     int given = positive_on_the_interval(3, w + 1) && polygon_is_convex(3, r + 2, 1, NULL);
     G(printed_insertion)(4, 4, 2, t, 4, tau, r, w, v, S, z);
     show_points(T, "w", 4, 1, w + 1);
@@ -657,7 +657,7 @@ CLAIM(inserted_points_divide_the_edges)
     num one = from_int(1), a = positive(T, "a", 0), alpha = div(a, add(one, a)), rest = sub(one, alpha), weight;
     num w0 = positive(T, "w", 0), w1 = positive(T, "w", 1), r0 = unknown(T, "r", 0), r1 = unknown(T, "r", 1);
     num s = G(printed_ratio)(alpha, w0, w1, &weight);
-    s = T->planted ? alpha : s;
+    s = fault(T, s, alpha);
     num point = add(mul(sub(one, s), r0), mul(s, r1));
     same(T, weight, add(mul(rest, w0), mul(alpha, w1)));
     same(T, mul(weight, point), add(mul(mul(rest, w0), r0), mul(mul(alpha, w1), r1)));
@@ -699,7 +699,7 @@ CLAIM(vanishing_weight_loses_the_new_point)
     num t[7], w[4], weight, tau = from_ratio(2, 3);
     one_interval(3, t);
     for (int i = 1; i <= 3; i++)
-        w[i] = from_int(i == 2 ? (T->planted ? 1 : -1) : 2);
+        w[i] = from_int(i == 2 ? fault(T, 1, -1) : 2);
     num alpha = G(printed_alpha)(3, 3, t, tau, 2);
     weight = add(mul(sub(from_int(1), alpha), w[1]), mul(alpha, w[2]));
     show_points(T, "w", 3, 1, w + 1);
@@ -749,7 +749,7 @@ CLAIM(both_conventions_of_the_span_are_right)
             pattern[i] = i == k + 1 ? (char)('0' + m) : '1';
         pattern[2 * k + 3] = '\0';
         struct G(knots) K = G(pattern)(T, pattern);
-        int mu = k + 1, right = mu + m + T->planted, n = K.count - k;
+        int mu = k + 1, right = fault(T, mu + m, mu + m + 1), n = K.count - k;
         num tau = K.t[mu + 1], one = from_int(1);
         for (int i = 2; i <= n; i++) {
             num first = G(printed_alpha)(k, mu, K.t, tau, i), second = G(printed_alpha)(k, right, K.t, tau, i);
@@ -777,7 +777,7 @@ CLAIM(both_conventions_of_the_span_are_right)
 */
 CLAIM(clamped_end_may_be_inserted_again)
 {
-    int k = T->degree, n = k + 2, mu = n - T->planted;
+    int k = T->degree, n = k + 2, mu = fault(T, n, n - 1);
     char pattern[MOST_KNOTS];
     snprintf(pattern, sizeof pattern, "%d11%d", k, k);
     struct G(knots) K = G(pattern)(T, pattern);
@@ -895,7 +895,7 @@ CLAIM(inserted_polygons_stay_convex)
                 for (int times = 0; times < k && compare_q(t[now][1], tau) < 0 && n < MOST_POINTS - 8; times++, n++) {
                     int next = 1 - now, mu = place_of(n + k, t[now], tau);
                     G(printed_insertion)(n, k, 2, t[now], mu, tau, r[now], w[now], t[next], r[next], w[next]);
-                    for (int c = 0; c < 2 && T->planted; c++) {
+                    for (int c = 0; c < fault(T, 0, 2); c++) {
                         num kept = r[next][2 * 2 + c];
                         r[next][2 * 2 + c] = r[next][2 * 3 + c];
                         r[next][2 * 3 + c] = kept;
@@ -944,8 +944,8 @@ static void G(insert_twice)(trial *T, int n, int k, int dim, const struct G(knot
     struct G(knots) U;
     num P[MOST_COORDINATES], y[MOST_POINTS];
     G(insert_at)(n, k, dim, K, place[0], tau[0], r, w, &U, P, y);
-    for (int i = 1; i <= n && T->planted; i++)
-        y[i] = w[i];
+    for (int i = 1; i <= n; i++)
+        y[i] = fault(T, y[i], w[i]);
     G(insert_at)(n + 1, k, dim, &U, place[1], tau[1], P, y, V, S, z);
 }
 
@@ -1073,7 +1073,7 @@ CLAIM(inserted_parameters_become_vertices)
                     }
                 for (int j = 0; j < 2; j++) { /* the interval on the left of the parameter, or around it */
                     int mu = G(left_of)(&old, place[j]), interval = old.place[mu];
-                    same(T, d[mu + j * (k - 1 - T->planted)],
+                    same(T, d[mu + j * fault(T, k - 1, k - 2)],
                          G(spline)(n, k - 1, 1, old.t + 1, old.place + 1, c + 1, 0, interval, tau[j]));
                 }
             }
@@ -1097,7 +1097,7 @@ CLAIM(curve_of_a_polygon_that_turns_back_is_not_convex)
 {
     static const long back[] = {0, 0, 1, 0, 0, 0, 0, 1}, once[] = {0, 0, 1, 0, 1, 1, 0, 1};
     num t[8], r[10], w[5], P[4][2];
-    parabolas(4, T->planted ? once : back, t, r, w);
+    parabolas(4, fault(T, once, back), t, r, w);
     nurbs_point_q(2, 2, t + 1, 2, r + 2, w + 1, from_int(0), P[0]);
     nurbs_point_q(2, 2, t + 1, 2, r + 2, w + 1, from_ratio(2, 3), P[1]);
     nurbs_point_q(2, 2, t + 1, 3, r + 2, w + 1, from_int(2), P[2]);
@@ -1109,7 +1109,7 @@ CLAIM(curve_of_a_polygon_that_turns_back_is_not_convex)
     for (int i = 0; i < 3; i++)
         inner &= turn_2d(P[i], P[(i + 1) % 3], P[3]) > 0;
     about(T, "r(3/2) is not inside the triangle of three other points of the curve");
-    agree(T, !inner);
+    refute(T, inner);
 }
 
 /*
@@ -1126,14 +1126,14 @@ CLAIM(curve_of_a_polygon_that_turns_back_is_not_convex)
 CLAIM(knot_of_full_multiplicity_tears_the_curve)
 {
     static const long point[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    num u[] = {from_int(0), from_int(0), from_int(1), T->planted ? from_ratio(3, 2) : from_int(1),
+    num u[] = {from_int(0), from_int(0), from_int(1), fault(T, from_ratio(3, 2), from_int(1)),
                from_int(2), from_int(2)};
     num R[8], w[4], left[2], right[2], knot = from_int(1);
     points_of(4, point, R);
     G(equal_weights)(3, w);
     w[0] = knot;
     G(nurbs_point)(1, 2, u, 1, R, w, knot, left);
-    G(nurbs_point)(1, 2, u, T->planted ? 2 : 3, R, w, knot, right);
+    G(nurbs_point)(1, 2, u, fault(T, 2, 3), R, w, knot, right);
     show_points(T, "r", 4, 2, R);
     show_points(T, "t", 6, 1, u);
     show_points(T, "r(1) from the left", 1, 2, left);
@@ -1187,7 +1187,7 @@ CLAIM(mixed_weights_bend_both_ways)
     for (int i = 0; i < 9; i++)
         u[i] = from_int(knot[i]);
     for (int i = 0; i < 5; i++)
-        w[i] = from_int(i == 1 ? (T->planted ? 1 : -1) : 8);
+        w[i] = from_int(i == 1 ? fault(T, 1, -1) : 8);
     turn = turning_of_span(3, u, 3, R, w, &weight[0]);
     (void)turning_of_span(3, u, 4, R, w, &weight[1]);
     int given = polygon_is_convex(4, R, 1, NULL);
@@ -1261,7 +1261,7 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
     G(printed_insertion)(3, 3, 2, t, 3, quarter, r, w, v[0], S[0], z[0]);
     G(printed_insertion)(3, 3, 2, t, 3, rest, r, w, v[1], S[1], z[1]);
     int count = 4;
-    if (T->planted) { /* both knots */
+    if (!T->faulty) { /* both knots */
         G(printed_insertion)(4, 3, 2, v[0], 4, rest, S[0], z[0], v[1], S[1], z[1]);
         count = 5;
     }
@@ -1322,8 +1322,8 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
             int n = convex_curve[example].n, k = convex_curve[example].k;
             num t[MOST_POINTS], r[MOST_COORDINATES], w[MOST_POINTS];
             designed_curve_of(example, family, t, r, w);
-            r[2 * 3 + 1] = T->planted ? sub(from_int(-9), r[2 * 3 + 1]) : r[2 * 3 + 1];
-            agree(T, !T->planted || !polygon_is_convex(n - 1, r + 2, 1, NULL) || k == 2);
+            r[2 * 3 + 1] = fault(T, r[2 * 3 + 1], sub(from_int(-9), r[2 * 3 + 1]));
+            agree(T, fault(T, 1, !polygon_is_convex(n - 1, r + 2, 1, NULL) || k == 2));
             for (int j = k; j <= n; j++)
                 if (compare_q(t[j], t[j + 1]) < 0) {
                     enum cagd_sign_pattern sign =
@@ -1374,8 +1374,7 @@ CLAIM(periodic_curves_of_convex_polygons_are_convex)
             num u[SIZE], R[2 * SIZE], H[3 * SIZE], v[SIZE], D[3 * SIZE], w[SIZE], b[3 * SIZE], joined[2 * 5 * SIZE];
             region_mark mark = region_open();
             points_of(m, point[m - 3], R);
-            if (T->planted)
-                R[3] = add(from_int(9), R[5]);
+            R[3] = fault(T, R[3], add(from_int(9), R[5]));
             for (int i = 0; i <= m; i++) {
                 u[i] = from_int(knot[i]);
                 w[i] = family_weight(family, m, i + 1);
@@ -1387,7 +1386,7 @@ CLAIM(periodic_curves_of_convex_polygons_are_convex)
                 G(rational_dehomogenize)(p - 1, 2, b, joined + 2 * j * p, w);
             }
             int orientation;
-            agree(T, T->planted || (polygon_is_convex(m - 1, R, 1, &orientation) && orientation == 1));
+            agree(T, fault(T, polygon_is_convex(m - 1, R, 1, &orientation) && orientation == 1, 1));
             agree(T, polygon_is_convex(m * p - 1, joined, 1, &orientation) && orientation == 1);
             region_drop(mark);
         }
@@ -1412,7 +1411,7 @@ CLAIM(limit_of_convex_polygons_may_run_back)
         R[5] = R[7] = from_ratio(1, h);
         convex &= polygon_is_convex(3, R, 0, NULL);
     }
-    R[5] = R[7] = from_int(T->planted);
+    R[5] = R[7] = from_int(fault(T, 1, 0));
     show_points(T, "limit", 4, 2, R);
     about(T, "the polygons being convex, their limit runs through its points once");
     agree(T, !convex || polygon_is_convex(3, R, 0, NULL));

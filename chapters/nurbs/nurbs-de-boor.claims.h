@@ -87,7 +87,7 @@ CLAIM(rational_triangle_follows_the_recursion)
     for (int r = 1; r <= p; r++) {
         int points = k - r; /* after this level */
         num last = v[points], end[2] = {P[2 * points], P[2 * points + 1]};
-        for (int m = 0; T->planted && r == p && m <= points; m++)
+        for (int m = 0; fault(T, 0, r == p && m <= points); m++)
             v[m] = last = from_int(1);
         G(nurbs_deboor_level)(p, 2, u, j - 1, r, P, v, t);
         for (int m = 0; m < points; m++) {
@@ -124,7 +124,7 @@ CLAIM(divisors_contain_the_span)
     int k = T->degree + 1, j = 3 * k;
     for (int r = 1; r < k; r++) {
         int lowest = j - k + r + 1;
-        for (int i = T->planted ? lowest - 1 : lowest; i <= j; i++)
+        for (int i = fault(T, lowest, lowest - 1); i <= j; i++)
             for (int end = 0; end < 2; end++) /* i <= j, j + 1 <= i + k - r */
                 nonnegative(T, sub(from_int(end ? i + k - r : j), from_int(end ? j + 1 : i)));
         agree(T, compare_q(from_int(lowest - 1 + k - r), from_int(j + 1)) < 0);
@@ -181,7 +181,7 @@ CLAIM(rational_triangle_gives_the_point)
             int j = G(span_of_interval)(count, place, interval) + 1;
             num total = G(nurbs_by_definition)(n, p, 1, u, place, R, w, interval, t, &point);
             about(T, "the point by the recursion");
-            int r = T->planted ? p - 1 : p, i = T->planted ? j - 1 : j;
+            int r = fault(T, p, p - 1), i = fault(T, j, j - 1);
             same(T, G(printed_point)(k, 1, u, R, w, r, i, 0, t), point);
             about(T, "the weight by the recursion");
             same(T, G(printed_weight)(k, u, w, r, i, t), total);
@@ -228,7 +228,7 @@ CLAIM(other_interval_gives_other_point)
 {
     static const int at[] = {0, 0, 1, 2, 2, 0, 3, 2}, weight[] = {1, 1, 1, 3};
     num u[7], R[8], w[4], Q[2], P[2], t = from_ratio(7, 2);
-    int place[7], j = T->planted ? 3 : 4;
+    int place[7], j = fault(T, 3, 4);
     for (int i = 0; i < 7; i++) {
         u[i] = from_int(i + 1);
         place[i] = i;
@@ -279,7 +279,7 @@ CLAIM(end_is_in_no_interval)
     for (int j = k; j <= n; j++) {
         int begun = compare_q(from_int(knot[j - 1]), from_int(t)) <= 0,
             ended = compare_q(from_int(knot[j]), from_int(t));
-        contained |= begun && (ended > 0 || (T->planted && j == n && ended == 0));
+        contained |= fault(T, begun && (ended > 0 || (j == n && ended == 0)), begun && ended > 0);
     }
     show_text(T, "t_{n+1}", "%d", t);
     about(T, "an interval contains the end");
@@ -300,7 +300,7 @@ CLAIM(end_is_in_no_interval)
 CLAIM(weight_of_a_level_may_vanish)
 {
     static const int knot[] = {0, 0, 0, 1, 1, 1};
-    num u[6], t = from_ratio(1, 2), w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(2)};
+    num u[6], t = from_ratio(1, 2), w[] = {from_int(1), from_int(fault(T, 1, -1)), from_int(2)};
     for (int i = 0; i < 6; i++)
         u[i] = from_int(knot[i]);
     num level = G(printed_weight)(3, u, w, 1, 2, t), total = G(printed_weight)(3, u, w, 2, 3, t);
@@ -355,7 +355,7 @@ CLAIM(every_level_divides_its_edges)
         for (int m = 0; m < k - r; m++) {
             int i = mu - p + r + m;
             num right = mul(sub(t, u[i]), v[m + 1]), left = mul(sub(u[i + p + 1 - r], t), v[m]);
-            num lambda = div(T->planted ? left : right, add(left, right)), rest = sub(from_int(1), lambda);
+            num lambda = div(fault(T, right, left), add(left, right)), rest = sub(from_int(1), lambda);
             about(T, "the ratio is in [0, 1]");
             nonnegative(T, lambda);
             nonnegative(T, rest);
@@ -386,7 +386,7 @@ CLAIM(weights_of_levels_are_positive)
     G(increasing_knots)(T, 2 * k, 4, u);
     for (int i = 0; i < k; i++) {
         num weight = positive(T, "w", i);
-        w[i] = T->planted ? neg(weight) : weight;
+        w[i] = fault(T, weight, neg(weight));
     }
     num t = add(u[j - 1], mul(sub(u[j], u[j - 1]), inside(T, "s")));
     for (int r = 0; r <= p; r++)
@@ -409,7 +409,7 @@ CLAIM(weights_of_levels_are_positive)
 CLAIM(negative_weight_divides_outside)
 {
     num u[] = {from_int(0), from_int(0), from_int(1), from_int(1)}, P[] = {from_int(0), from_int(1)};
-    num w[] = {from_int(1), from_ratio(T->planted ? 1 : -1, 2)};
+    num w[] = {from_int(1), from_ratio(fault(T, 1, -1), 2)};
     G(nurbs_deboor_level)(1, 1, u, 1, 1, P, w, from_ratio(1, 4));
     show(T, "λ", P[0]);
     about(T, "0 <= λ <= 1");
@@ -445,7 +445,7 @@ CLAIM(weights_enter_the_coefficients)
     num v = positive(T, "v", 0), w = positive(T, "w", 0), a = parameter(T, "a"), one = from_int(1), b = sub(one, a);
     num u[] = {neg(one), from_int(0), one, from_int(2)}, P[] = {from_int(0), one}, weights[] = {v, w};
     G(nurbs_deboor_level)(1, 1, u, 1, 1, P, weights, a);
-    if (T->planted) {
+    if (T->faulty) {
         num kept = v;
         v = w;
         w = kept;

@@ -80,7 +80,7 @@ CLAIM(basis_is_a_partition_of_unity)
                 num N = G(cox_de_boor)(p, u, place, i, interval, t);
                 about(T, "the sign of N_i");
                 nonnegative(T, N);
-                if (!T->planted || i != mu - p)
+                if (fault(T, 1, i != mu - p))
                     sum = add(sum, N);
             }
             about(T, "the sum of the N_i");
@@ -114,7 +114,7 @@ static num G(denominator)(int n, int p, const num u[], const int place[], const 
 */
 CLAIM(negative_weight_makes_a_pole)
 {
-    num x[] = {from_int(0), from_int(1)}, u[6], w[] = {from_int(1), from_int(T->planted ? 1 : -1), from_int(1)};
+    num x[] = {from_int(0), from_int(1)}, u[6], w[] = {from_int(1), from_int(fault(T, 1, -1)), from_int(1)};
     int place[6];
     G(knots_at)("33", x, u, place);
     num total = G(denominator)(3, 2, u, place, w, 0, from_ratio(1, 2));
@@ -152,8 +152,7 @@ CLAIM(outer_knots_do_not_count)
         num first = u[0], second = u[1], last = u[count - 1];
         u[0] = unknown(T, "y", 0);
         u[count - 1] = unknown(T, "y", 1);
-        if (T->planted)
-            u[1] = unknown(T, "y", 2);
+        u[1] = fault(T, u[1], unknown(T, "y", 2));
         for (int i = 0; i < n; i++)
             same(T, G(cox_de_boor)(p, u, place, i, interval, t), before[i]);
         u[0] = first, u[1] = second, u[count - 1] = last;
@@ -179,7 +178,7 @@ CLAIM(control_point_of_space_is_not_enough)
     G(distinct_knots)(T, 4, 6, x);
     G(knots_at)("1111", x, u, place);
     G(weighted_points)(T, 2, 1, R, w);
-    v[0] = T->planted ? mul(factor, w[0]) : w[0];
+    v[0] = fault(T, w[0], mul(factor, w[0]));
     v[1] = mul(factor, w[1]);
     num total = G(nurbs_by_definition)(2, 1, 1, u, place, R, w, 1, t, &before);
     num other = G(nurbs_by_definition)(2, 1, 1, u, place, R, v, 1, t, &after);
@@ -217,7 +216,7 @@ CLAIM(polygon_begun_elsewhere_misses_the_start)
 {
     static const int at[] = {0, 0, 1, 1, 2, 0};
     num x[] = {from_int(0), from_int(1), from_int(2)}, u[5], w[3], R[6], P[2];
-    int place[5], i = T->planted ? 1 : 2;
+    int place[5], i = fault(T, 1, 2);
     G(knots_at)("212", x, u, place);
     for (int m = 0; m < 6; m++) {
         R[m] = from_int(at[m]);
@@ -259,7 +258,7 @@ CLAIM(polygon_begun_elsewhere_misses_the_start)
 CLAIM(no_interval_no_curve)
 {
     num x[] = {from_int(0), from_int(1), from_int(2)}, u[4], t = from_int(1);
-    int place[4], count = G(knots_at)(T->planted ? "202" : "040", x, u, place);
+    int place[4], count = G(knots_at)(fault(T, "202", "040"), x, u, place);
     show_points(T, "knots", count, 1, u);
     num left = G(denominator)(2, 1, u, place, NULL, 0, t), right = G(denominator)(2, 1, u, place, NULL, 1, t);
     show(T, "the sum from the left", left);
@@ -284,7 +283,7 @@ CLAIM(right_end_belongs_to_no_interval)
 {
     num x[] = {from_int(0), from_int(1), from_int(2), from_int(3)}, u[8];
     int place[8], count = G(knots_at)("3131", x, u, place);
-    num sum = G(denominator)(4, 2, u, place, NULL, T->planted ? 1 : 2, from_int(2));
+    num sum = G(denominator)(4, 2, u, place, NULL, fault(T, 1, 2), from_int(2));
     show_points(T, "knots", count, 1, u);
     show(T, "the sum at t = 2", sum);
     about(T, "the denominator is not zero");
@@ -336,7 +335,7 @@ CLAIM(every_point_counts)
         if (place[p] == place[p + 1] || place[n - 1] == place[n])
             continue;
         for (int i = 0; i < n; i++) {
-            int counts = 0, shift = T->planted && i + 1 < n;
+            int counts = 0, shift = fault(T, 0, i + 1 < n);
             for (int interval = place[p]; interval < place[n]; interval++) {
                 num N = G(cox_de_boor)(p, u, place, i, interval, G(parameter_inside)(T, x, interval));
 #if FIELD
@@ -371,7 +370,7 @@ CLAIM(every_point_counts)
 CLAIM(too_multiple_knot_loses_a_point)
 {
     num x[] = {from_int(0), from_ratio(1, 2), from_int(1), from_int(2)}, u[7];
-    int place[7], count = G(knots_at)(T->planted ? "2122" : "2032", x, u, place), counts = 0;
+    int place[7], count = G(knots_at)(fault(T, "2122", "2032"), x, u, place), counts = 0;
     for (int interval = 0; interval < 3; interval++) {
         num t = div(add(x[interval], x[interval + 1]), from_int(2));
         counts |= sign_q(G(cox_de_boor)(1, u, place, 2, interval, t)) != 0;
@@ -395,7 +394,7 @@ CLAIM(too_multiple_knot_loses_a_point)
 CLAIM(multiple_first_knot_loses_a_point)
 {
     num x[] = {from_int(0), from_int(1), from_int(2), from_int(3), from_int(4)}, u[6];
-    int place[6], count = G(knots_at)(T->planted ? "11211" : "12111", x, u, place), counts = 0;
+    int place[6], count = G(knots_at)(fault(T, "11211", "12111"), x, u, place), counts = 0;
     for (int interval = place[1]; interval < place[4]; interval++) {
         num t = div(add(x[interval], x[interval + 1]), from_int(2));
         counts |= sign_q(G(cox_de_boor)(1, u, place, 0, interval, t)) != 0;
@@ -462,8 +461,7 @@ CLAIM(nurbs_point_is_the_weighted_mean)
         for (int interval = place[p]; interval < place[n]; interval++) {
             int mu = G(span_of_interval)(count, place, interval);
             num total = G(nurbs_by_definition)(n, p, dim, u, place, R, w, interval, t, P);
-            if (T->planted)
-                w[mu] = add(w[mu], from_int(1));
+            w[mu] = fault(T, w[mu], add(w[mu], from_int(1)));
             G(nurbs_point)(p, dim, u, mu, R, w, t, Q);
             for (int c = 0; c < dim; c++)
                 same(T, Q[c], P[c]);
@@ -521,7 +519,7 @@ CLAIM(equal_weights_give_bspline)
         for (int interval = place[p]; interval < place[n]; interval++) {
             int mu = G(span_of_interval)(count, place, interval);
             for (int i = 0; i < n; i++)
-                w[i] = T->planted && i == mu ? add(same_weight, same_weight) : same_weight;
+                w[i] = fault(T, same_weight, i == mu ? add(same_weight, same_weight) : same_weight);
             G(nurbs_point)(p, 1, u, mu, R, w, t, &P);
             same(T, P, G(spline)(n, p, 1, u, place, R, 0, interval, t));
         }
@@ -557,7 +555,7 @@ CLAIM(only_proportional_weights_give_the_bspline)
         for (int k = 0; k <= p; k++)
             R[k] = from_int(k == i);
         num total = G(nurbs_of_basis)(p + 1, 1, N, R, w, &P);
-        num weight = T->planted && i == p ? add(w[i], w[i]) : w[i];
+        num weight = fault(T, w[i], i == p ? add(w[i], w[i]) : w[i]);
         same(T, mul(total, sub(P, N[i])), mul(N[i], sub(weight, total)));
     }
 }
@@ -602,7 +600,7 @@ CLAIM(bezier_knots_give_rational_bezier)
     G(knots_at)(pattern, x, u, place);
     G(weighted_points)(T, p + 1, 2, R, w);
     for (int i = 0; i <= p; i++)
-        v[i] = w[T->planted ? p - i : i];
+        v[i] = w[fault(T, i, p - i)];
     G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, 1, t, P);
     G(rational_point)(p, 2, R, v, div(sub(t, x[1]), sub(x[2], x[1])), Q);
     for (int c = 0; c < 2; c++)
@@ -632,7 +630,7 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
     for (int i = 0; i <= p; i++)
         H[i] = unknown(T, "H", i);
     G(bspline_to_bezier)(p, 1, u, p, H, b);
-    G(decasteljau)(p, 1, T->planted ? H : b, div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
+    G(decasteljau)(p, 1, fault(T, b, H), div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
     same(T, value, G(spline)(p + 1, p, 1, u, place, H, 0, p, t));
 }
 
@@ -651,7 +649,7 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
 CLAIM(bezier_end_belongs_to_no_interval)
 {
     num x[] = {from_int(0), from_int(1), from_int(2)}, u[7], B[3], sum = from_int(0), one = from_int(1);
-    int place[7], count = G(knots_at)(T->planted ? "322" : "331", x, u, place);
+    int place[7], count = G(knots_at)(fault(T, "322", "331"), x, u, place);
     num total = G(denominator)(3, 2, u, place, NULL, 1, one);
     G(bernstein)(2, one, B);
     for (int i = 0; i < 3; i++)
@@ -678,7 +676,7 @@ CLAIM(simple_knots_need_other_points)
     static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3}, at[] = {0, 0, 1, 2, 2, 0};
     num u[6], R[6], w[3], P[2], Q[2];
     for (int i = 0; i < 6; i++) {
-        u[i] = from_int(T->planted ? twofold[i] : simple[i]);
+        u[i] = from_int(fault(T, twofold[i], simple[i]));
         R[i] = from_int(at[i]);
         w[i / 2] = from_int(1);
     }

@@ -41,7 +41,7 @@ CLAIM(nurbs_point_is_the_quotient)
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         G(free_nurbs)(T, K.n, dim, R, w);
         for (int i = 0; i < K.n; i++)
-            z[i] = w[T->planted ? K.n - 1 - i : i];
+            z[i] = w[fault(T, i, K.n - 1 - i)];
         for (int mu = p; mu < K.n; mu++) {
             if (K.place[mu] == K.place[mu + 1])
                 continue;
@@ -104,7 +104,7 @@ CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
             z[i] = w[i];
         for (int r = 1; r <= p; r++) {
             num last = z[p + 1 - r], last_point = S[(p + 1 - r) * dim];
-            G(nurbs_deboor_level)(p, dim, K.u, p, r, S, z, T->planted && r == p ? t : tau);
+            G(nurbs_deboor_level)(p, dim, K.u, p, r, S, z, fault(T, tau, r == p ? t : tau));
             about(T, "the last point and weight");
             same(T, z[p + 1 - r], last);
             same(T, S[(p + 1 - r) * dim], last_point);
@@ -164,7 +164,7 @@ CLAIM(nurbs_insertion_keeps_curve)
             for (int i = 0; i < L.n; i++)
                 for (int e = 0; e < dim; e++)
                     S[i * dim + e] = mul(z[i], S[i * dim + e]);
-            if (T->planted && p > 0)
+            if (T->faulty && p > 0)
                 z[mu] = z[mu - 1];
             about(T, "the weights");
             G(same_spline)(T, 1, &K, w, &L, z);
@@ -204,7 +204,7 @@ CLAIM(nurbs_insertion_is_that_of_homogeneous_points)
                 continue;
             num x = G(knot_for)(T, &K, place, "s");
             G(nurbs_insert)(K.n, p, dim, K.u, mu, R, w, x, v, S, z);
-            if (T->planted && p > 0)
+            if (T->faulty && p > 0)
                 z[mu] = z[mu - 1];
             G(bspline_insert)(K.n, p, 1, K.u, mu, w, x, v, weight);
             G(bspline_insert)(K.n, p, dim, K.u, mu, H, x, v, d);
@@ -278,7 +278,7 @@ CLAIM(nurbs_derivatives_are_those_of_the_quotient)
             G(spline_powers)(K.n, p, 1, K.u, K.place, H, 0, K.place[p], t, a);
             G(spline_powers)(K.n, p, 1, K.u, K.place, w, 0, K.place[p], t, b);
             a[p + 1] = b[p + 1] = from_int(0);
-            b[1] = T->planted ? add(b[1], b[1]) : b[1];
+            b[1] = fault(T, b[1], add(b[1], b[1]));
             for (int r = 0; r <= p + 1; r++) {
                 q[r] = a[r];
                 for (int j = 0; j < r; j++)
@@ -339,7 +339,7 @@ CLAIM(quotient_derivatives_follow_the_field)
     }
 #endif
     int doubled = 2 * (r < 2 ? 0 : 2) + 1;
-    D[doubled] = T->planted ? mul(from_int(2), D[doubled]) : D[doubled];
+    D[doubled] = fault(T, D[doubled], mul(from_int(2), D[doubled]));
     G(quotient_derivatives)(1, D, r, out);
     for (int k = 0; k <= r; k++)
         same(T, out[k], quotient[k]);
@@ -404,8 +404,8 @@ CLAIM(nurbs_curvature_from_homogeneous_coordinates)
     for (int k = G(next_segment)(T, p, 0, &K); k > 0; k = G(next_segment)(T, p, k, &K)) {
         G(segment_data)(T, &K, 2, t, R, w);
         G(homogeneous_derivatives)(&K, 2, R, w, t, D);
-        for (int e = 0; T->planted && e <= 2; e++)
-            D[2][e] = mul(from_int(2), D[2][e]);
+        for (int e = 0; e <= 2; e++)
+            D[2][e] = fault(T, D[2][e], mul(from_int(2), D[2][e]));
         num det = G(minor3)(D, 0, 1, 2), speed = from_int(0), above = mul(det, det), below = from_int(1);
         for (int e = 0; e < 2; e++) {
             num part = sub(mul(D[1][e], D[0][2]), mul(D[0][e], D[1][2]));
@@ -443,8 +443,8 @@ CLAIM(nurbs_torsion_from_homogeneous_coordinates)
     for (int k = G(next_segment)(T, p, 0, &K); k > 0; k = G(next_segment)(T, p, k, &K)) {
         G(segment_data)(T, &K, 3, t, R, w);
         G(homogeneous_derivatives)(&K, 3, R, w, t, D);
-        for (int e = 0; T->planted && e <= 3; e++)
-            D[2][e] = mul(from_int(2), D[2][e]);
+        for (int e = 0; e <= 3; e++)
+            D[2][e] = fault(T, D[2][e], mul(from_int(2), D[2][e]));
         for (int r = 0; r < 4; r++)
             for (int e = 0; e < 4; e++)
                 M[4 * r + (e + 1) % 4] = D[r][e];
@@ -497,7 +497,7 @@ CLAIM(kernels_move_with_their_knots)
         for (int mu = p; mu < K.n; mu++) {
             if (K.place[mu] == K.place[mu + 1])
                 continue;
-            num t = G(in_interval)(T, &K, mu, "t"), at = add(T->planted ? t : mul(a, t), b), x[HIGHEST + 1], weight[2];
+            num t = G(in_interval)(T, &K, mu, "t"), at = add(fault(T, mul(a, t), t), b), x[HIGHEST + 1], weight[2];
             for (int m = 0; m < 2; m++) {
                 num s = m == 0 ? t : at;
                 G(nurbs_point)(p, dim, knots[m], mu, R, w, s, c[m]);
@@ -506,7 +506,7 @@ CLAIM(kernels_move_with_their_knots)
             about(T, "the point and its weight");
             G(same_points)(T, dim, c[1], c[0]);
             same(T, weight[1], weight[0]);
-            if (T->planted && p == 0)
+            if (T->faulty && p == 0)
                 R[0] = add(R[0], from_int(1));
             about(T, "a new knot");
             for (int m = 0; m < 2; m++)

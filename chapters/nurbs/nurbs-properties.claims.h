@@ -53,7 +53,7 @@ CLAIM(moved_point_changes_its_support)
 {
     int p = T->degree, place[MOST_KNOTS];
     num x[MOST_KNOTS], u[MOST_KNOTS], R[MOST_KNOTS], w[MOST_KNOTS], P, Q, t = unknown(T, "t", 0);
-    num move = unknown(T, "d", 0), more = positive(T, "e", 0), applied = T->planted ? add(move, move) : move;
+    num move = unknown(T, "d", 0), more = positive(T, "e", 0), applied = fault(T, move, add(move, move));
     for (int k = 0; G(kinds)[p][k] != NULL; k++) {
         const char *pattern = G(kinds)[p][k];
         G(distinct_knots)(T, (int)strlen(pattern), 4, x);
@@ -112,7 +112,7 @@ CLAIM(point_is_in_the_hull_of_k_points)
             int first = G(span_of_interval)(count, place, interval) - p;
             num t = add(x[interval], mul(sub(x[interval + 1], x[interval]), parameter(T, "t")));
             G(nurbs_by_definition)(n, p, 2, u, place, R, w, interval, t, P);
-            agree(T, hull_membership(2, p + 1 - T->planted, R + 2 * (first + T->planted), P).inside);
+            agree(T, hull_membership(2, fault(T, p + 1, p), R + 2 * fault(T, first, first + 1), P).inside);
         }
     }
 }
@@ -135,7 +135,7 @@ CLAIM(negative_weight_leaves_the_hull)
     for (int i = 0; i < 6; i++) {
         u[i] = from_int(knot[i]);
         R[i] = from_int(at[i]);
-        w[i / 2] = i / 2 == 1 ? from_ratio(T->planted ? 1 : -1, 2) : from_int(1);
+        w[i / 2] = i / 2 == 1 ? from_ratio(fault(T, 1, -1), 2) : from_int(1);
     }
     G(nurbs_point)(2, 2, u, 2, R, w, from_ratio(1, 2), P);
     show_points(T, "r", 3, 2, R);
@@ -172,7 +172,7 @@ CLAIM(nurbs_moves_with_its_points)
     v[0] = unknown(T, "v", 0);
     v[1] = unknown(T, "v", 1);
     G(nurbs_by_definition)(p + 1, p, 2, u, place, R, w, p, t, P);
-    for (int i = 0; i <= p - T->planted; i++) {
+    for (int i = 0; i <= fault(T, p, p - 1); i++) {
         num a = R[2 * i], b = R[2 * i + 1];
         for (int c = 0; c < 2; c++)
             R[2 * i + c] = add(add(mul(M[2 * c], a), mul(M[2 * c + 1], b)), v[c]);
@@ -208,7 +208,7 @@ CLAIM(reversed_data_reverse_the_nurbs)
         y[i] = neg(u[count - 1 - i]);
     for (int i = 0; i <= p; i++) {
         S[i] = R[p - i];
-        z[i] = w[T->planted ? i : p - i];
+        z[i] = w[fault(T, p - i, i)];
     }
     G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, p, t, &P);
     G(nurbs_by_definition)(p + 1, p, 1, y, place, S, z, p, neg(t), &Q);
@@ -239,7 +239,7 @@ CLAIM(sides_agree_up_to_order_less_multiplicity)
         memset(pattern, '1', (size_t)(2 * p + 3));
         pattern[p + 1] = (char)('0' + m);
         G(knots_at)(pattern, x, u, place);
-        int before = p, after = p + m, orders = p - m + 1 + T->planted;
+        int before = p, after = p + m, orders = fault(T, p - m + 1, p - m + 2);
         G(bspline_basis_derivatives)(p, u, before, x[p + 1], orders, left);
         G(bspline_basis_derivatives)(p, u, after, x[p + 1], orders, right);
         for (int r = 0; r < orders; r++)
@@ -276,8 +276,7 @@ CLAIM(nurbs_sides_agree)
         G(weighted_points)(T, p + m + 1, 3, R, w);
         num t = u[p + 1];
         G(nurbs_derivatives)(p, 3, u, before, R, w, t, p - m, left);
-        if (T->planted)
-            w[p] = add(w[p], from_int(1));
+        w[p] = fault(T, w[p], add(w[p], from_int(1)));
         G(nurbs_derivatives)(p, 3, u, after, R, w, t, p - m, right);
         about(T, "the derivatives");
         for (int r = 0; r < 3 * (p - m + 1); r++)
@@ -321,7 +320,7 @@ CLAIM(one_order_more_jumps)
         w[i] = from_int(1);
     G(nurbs_derivatives)(2, 2, u, 2, R, w, from_int(1), 2, left);
     G(nurbs_derivatives)(2, 2, u, 3, R, w, from_int(1), 2, right);
-    int order = T->planted ? 1 : 2;
+    int order = fault(T, 1, 2);
     show_points(T, "r", 4, 2, R);
     show_points(T, "derivative from the left", 1, 2, left + 2 * order);
     show_points(T, "from the right", 1, 2, right + 2 * order);
@@ -350,8 +349,7 @@ CLAIM(k_fold_knot_tears_the_curve)
     int place[6];
     num x[] = {from_int(0), from_int(1), from_int(2)}, u[6], w[4], left[2], right[2];
     num R[] = {from_int(0), from_int(0), from_int(1), from_int(1), from_int(2), from_int(1), from_int(3), from_int(0)};
-    if (T->planted)
-        R[4] = from_int(1);
+    R[4] = fault(T, from_int(1), R[4]);
     for (int i = 0; i < 4; i++)
         w[i] = from_int(1);
     G(knots_at)("222", x, u, place);
@@ -395,7 +393,7 @@ CLAIM(nurbs_derivatives_are_derivatives)
         ones[i] = from_int(1);
     G(weighted_points)(T, p + 1, 1, R, w);
     G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, interval, t, formal);
-    G(nurbs_derivatives)(p, 1, u, p, R, T->planted ? ones : w, t, 3, D);
+    G(nurbs_derivatives)(p, 1, u, p, R, fault(T, w, ones), t, 3, D);
     about(T, "the derivatives");
     for (int k = 0; k <= 3; k++) {
         same(T, D[k], formal[0]);
@@ -421,10 +419,10 @@ CLAIM(nurbs_derivatives_are_derivatives)
         mixed = add(mixed, mul(cross[c], formal[9 + c]));
     }
     about(T, "the square of the curvature");
-    same(T, G(nurbs_curvature_squared)(p, 3, u, p, R, T->planted ? ones : w, third),
+    same(T, G(nurbs_curvature_squared)(p, 3, u, p, R, fault(T, w, ones), third),
          div(square, mul(speed, mul(speed, speed))));
     about(T, "the torsion");
-    same(T, G(nurbs_torsion)(p, u, p, R, T->planted ? ones : w, third), div(mixed, square));
+    same(T, G(nurbs_torsion)(p, u, p, R, fault(T, w, ones), third), div(mixed, square));
 }
 #endif
 
@@ -464,8 +462,7 @@ CLAIM(clamped_end_is_the_first_point)
         same(T, D[2 + k], mul(speed, a[k]));
     }
     num factor = mul(from_ratio(p - 1, p), div(mul(w[0], w[2]), mul(w[1], w[1]))), area = G(cross2)(a, b);
-    if (!T->planted)
-        factor = mul(factor, div(length1, length2));
+    factor = fault(T, mul(factor, div(length1, length2)), factor);
     num square = G(norm_squared)(2, a), part = mul(factor, area);
     about(T, "the square of the curvature");
     same(T, G(nurbs_curvature_squared)(p, 2, u, p, R, w, one), div(mul(part, part), mul(square, mul(square, square))));
@@ -507,7 +504,7 @@ CLAIM(periodic_data_close_the_curve)
         for (int i = 0; i < m; i++)
             c[i] = unknown(T, "H", i);
         G(bspline_periodic)(m, p, 1, u, c, v, d);
-        int orders = p + T->planted;
+        int orders = fault(T, p, p + 1);
         G(bspline_derivatives)(p, 1, v, p, d, v[p], orders, first);
         G(bspline_derivatives)(p, 1, v, p + m - 1, d, v[p + m], orders, last);
         for (int r = 0; r < orders; r++)

@@ -160,7 +160,7 @@ enum { DESIGNED = sizeof knots_of_designed / sizeof *knots_of_designed };
 static int sign_patterns(int n) { return n == 0 ? 1 : 3 * sign_patterns(n - 1); }
 
 /* Runs through the designed curves of order k up to the sign of y, and asks each whether it is as it should be. */
-static void for_designed(trial *T, int (*good)(const struct graph *g, int planted))
+static void for_designed(trial *T, int (*good)(const struct graph *g, int faulty))
 {
     for (int example = 0; example < DESIGNED; example++) {
         int n = knots_of_designed[example].n, k = knots_of_designed[example].k;
@@ -172,7 +172,7 @@ static void for_designed(trial *T, int (*good)(const struct graph *g, int plante
                 struct graph g;
                 region_mark mark = region_open();
                 graph_of(&g, n, k, knots_of_designed[example].knot, y, family);
-                agree(T, good(&g, T->planted));
+                agree(T, good(&g, T->faulty));
                 region_drop(mark);
             }
         }
@@ -194,10 +194,10 @@ static void for_designed(trial *T, int (*good)(const struct graph *g, int plante
 :control: the polygon taken without its first vertex
 :::
 */
-static int crosses_no_more(const struct graph *g, int planted)
+static int crosses_no_more(const struct graph *g, int faulty)
 {
     struct graph cut = with_middles(g);
-    int polygon = polygon_crossings(g->n - 1 - planted, g->r + 2 + 2 * planted, x_axis());
+    int polygon = polygon_crossings(g->n - 1 - faulty, g->r + 2 + 2 * faulty, x_axis());
     int between = polygon_of_graph(&cut).crossings;
     return curve_of(g).crossings <= between && between <= polygon;
 }
@@ -218,11 +218,11 @@ CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 :control: the ends of the polygon not counted
 :::
 */
-static int meets_no_more(const struct graph *g, int planted)
+static int meets_no_more(const struct graph *g, int faulty)
 {
     struct graph cut = with_middles(g);
     int ends = is_zero_q(g->r[3]) + is_zero_q(g->r[2 * g->n + 1]);
-    int polygon = polygon_of_graph(g).common_runs - (planted ? ends : 0);
+    int polygon = polygon_of_graph(g).common_runs - (faulty ? ends : 0);
     int between = polygon_of_graph(&cut).common_runs;
     return curve_of(g).common <= between && between <= polygon;
 }
@@ -266,7 +266,7 @@ CLAIM(self_crossing_polygon_gains_points_on_a_line)
     show_points(T, "r", 4, 2, g.r + 2);
     show_points(T, "w", 4, 1, g.w + 1);
     show_points(T, "r'", 8, 2, cut.r + 2);
-    int old = T->planted ? before.crossings : before.components, new = T->planted ? after.crossings : after.components;
+    int old = fault(T, before.crossings, before.components), new = fault(T, after.crossings, after.components);
     show_text(T, "points of the polygon on y = 0", "%d", old);
     show_text(T, "points of the new polygon", "%d", new);
     about(T, "the new polygon has no more");
@@ -296,8 +296,8 @@ CLAIM(edge_on_the_line_must_be_counted)
         g.r[2 * i] = from_int(i - 1);
     struct graph cut = with_knot(&g, from_ratio(1, 2));
     struct cagd_polygon_meets_line before = polygon_of_graph(&g), after = polygon_of_graph(&cut);
-    int old = before.common_runs - (T->planted ? 0 : before.contained_edges);
-    int new = after.common_runs - (T->planted ? 0 : after.contained_edges);
+    int old = before.common_runs - fault(T, 0, before.contained_edges);
+    int new = after.common_runs - fault(T, 0, after.contained_edges);
     show_points(T, "r", 4, 2, g.r + 2);
     show_points(T, "r'", 5, 2, cut.r + 2);
     show_text(T, "intersections of the polygon, the edge on the line left out", "%d", old);
@@ -331,7 +331,7 @@ CLAIM(cut_corner_lies_on_the_line)
     struct cagd_line line = {from_int(0), from_int(1), from_ratio(-1, 2)};
     struct cagd_polygon_meets_line before = polygon_meets_line(2, g.r + 2, line),
                                    after = polygon_meets_line(3, cut.r + 2, line);
-    int finite = before.contained_edges == 0, infinite = after.contained_edges > 0 && !T->planted;
+    int finite = before.contained_edges == 0, infinite = fault(T, 0, after.contained_edges > 0);
     show_points(T, "r", 3, 2, g.r + 2);
     show_points(T, "r'", 4, 2, cut.r + 2);
     show_text(T, "points of the polygon on y = 1/2", "%d", before.common_runs);
@@ -393,7 +393,7 @@ CLAIM(cut_corners_meet_a_line_no_more)
     for (int pattern = 0; pattern < 81; pattern++) {
         int p = 4 * (pattern % 3 - 1), a = 4 * (pattern / 3 % 3 - 1), b = 4 * (pattern / 9 % 3 - 1);
         int s = 4 * (pattern / 27 - 1), before[] = {p, a, b, s}, shorter[] = {p, b, s};
-        for (int quarter = 0; quarter <= (T->planted ? 8 : 4); quarter++) {
+        for (int quarter = 0; quarter <= fault(T, 4, 8); quarter++) {
             int c = a + quarter * (b - a) / 4, after[] = {p, a, c, b, s};
             agree(T, intersections(5, after) == intersections(4, before));
             for (int missing = 0; missing < 4; missing++) /* at an end */
@@ -425,7 +425,7 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
     graph_of(&g, 3, 3, knot, y, 0);
     for (int i = 1; i <= 3; i++) {
         g.r[2 * i] = from_int(i - 2);
-        g.w[i] = from_int(i == 2 ? (T->planted ? 1 : -1) : 2);
+        g.w[i] = from_int(i == 2 ? fault(T, 1, -1) : 2);
     }
     int poles = count_roots(poly_from_bernstein(2, g.w + 1), from_int(0), from_int(1), CLOSED).distinct;
     struct graph cut = with_knot(&g, from_ratio(1, 2));
@@ -487,7 +487,7 @@ CLAIM(line_form_of_a_nurbs_curve)
         R[2 * i] = unknown(T, "a", i);
         R[2 * i + 1] = unknown(T, "b", i);
         h[i] = add(mul(line[0], R[2 * i]), mul(line[1], R[2 * i + 1]));
-        h[i] = mul(w[i], T->planted && i == n - 1 ? h[i] : add(h[i], line[2]));
+        h[i] = mul(w[i], fault(T, add(h[i], line[2]), i == n - 1 ? h[i] : add(h[i], line[2])));
     }
     for (int interval = 0; interval < 2; interval++) {
         G(nurbs_point)(p, 2, u, p + interval, R, w, x, P);
@@ -523,8 +523,8 @@ CLAIM(self_crossing_polygon_meets_the_line_less_than_its_spline)
     show_points(T, "r(1/2)", 1, 2, P);
     show_points(T, "r(3/2)", 1, 2, Q);
     int all = curve.common == 2 && is_zero_q(P[1]) && is_zero_q(Q[1]);
-    int of_curve = T->planted ? curve.crossings : 1 + !equal_q(P[0], Q[0]);
-    int of_polygon = T->planted ? polygon.crossings : polygon.components;
+    int of_curve = fault(T, curve.crossings, 1 + !equal_q(P[0], Q[0]));
+    int of_polygon = fault(T, polygon.crossings, polygon.components);
     show_text(T, "points of the curve on y = 0", "%d", of_curve);
     show_text(T, "points of the polygon on y = 0", "%d", of_polygon);
     about(T, "these two being all, the curve has no more points on the line than the polygon");
@@ -560,14 +560,14 @@ parameters is taken.
 :control: the first root inserted once only
 :::
 */
-/* The roots of one curve, in order, inserted k-1 times each; the first only once when planted. */
+/* The roots of one curve, in order, inserted k-1 times each; the first only once in the control. */
 static void check_roots(trial *T, const struct graph *g, int roots, const num_q root[])
 {
     struct graph out = *g;
     int index[4];
     for (int j = 0; j < roots; j++) {
         index[j] = place_of(g->n + g->k, g->t, root[j]) + j * (g->k - 1);
-        for (int times = 1; times < (T->planted && j == 0 ? 2 : g->k); times++)
+        for (int times = 1; times < fault(T, g->k, j == 0 ? 2 : g->k); times++)
             out = with_knot(&out, root[j]);
     }
     struct spline_meets_axis curve = curve_of(g);
@@ -628,7 +628,7 @@ CLAIM(jump_crosses_the_line_without_a_point)
     graph_of(&g, 4, 2, knot, y, 0);
     for (int i = 1; i <= 4; i++)
         g.r[2 * i] = from_int(x[i - 1]);
-    g.t[4] = T->planted ? from_ratio(3, 2) : g.t[4];
+    g.t[4] = fault(T, from_ratio(3, 2), g.t[4]);
     struct spline_meets_axis curve = curve_of(&g);
     show_points(T, "r", 4, 2, g.r + 2);
     show_points(T, "t", 6, 1, g.t + 1);
@@ -732,7 +732,7 @@ CLAIM(bezier_curves_are_nurbs_curves)
     same(T, div(sum, G(spline)(k, k - 1, 1, u, place, ones, 0, 0, x)), G(spline)(k, k - 1, 1, u, place, r, 0, 0, x));
     about(T, "the rational Bézier curve");
     sum = div(G(spline)(k, k - 1, 1, u, place, h, 0, 0, x), G(spline)(k, k - 1, 1, u, place, w, 0, 0, x));
-    if (T->planted) {
+    if (T->faulty) {
         num first = w[0];
         w[0] = k > 1 ? w[1] : first;
         w[k > 1] = k > 1 ? first : add(first, first);

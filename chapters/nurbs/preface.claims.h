@@ -94,7 +94,7 @@ CLAIM(circle_is_a_nurbs_curve)
     int place[12];
     G(distinct_knots)(T, 5, 6, x);
     G(knots_at)("32223", x, u, place);
-    G(circle)(T->planted, R, w);
+    G(circle)(fault(T, 0, 1), R, w);
     for (int interval = 0; interval < 4; interval++) {
         G(nurbs_by_definition)(9, 2, 2, u, place, R, w, interval, t, P);
         same(T, add(mul(P[0], P[0]), mul(P[1], P[1])), from_int(1));
@@ -126,8 +126,8 @@ CLAIM(circle_is_run_through_once)
     G(increasing_knots)(T, 5, 6, x);
     G(knots_at)("32223", x, u, place);
     G(circle)(0, R, w);
-    for (int i = 0; T->planted && i < 9; i++)
-        R[2 * i + 1] = neg(R[2 * i + 1]);
+    for (int i = 0; i < 9; i++)
+        R[2 * i + 1] = fault(T, R[2 * i + 1], neg(R[2 * i + 1]));
     for (int interval = 0; interval < 4; interval++) {
         int mu = G(span_of_interval)(12, place, interval);
         num t = add(x[interval], mul(sub(x[interval + 1], x[interval]), part));
@@ -188,7 +188,7 @@ CLAIM(recursion_is_quadratic)
     counted_work(1, unit, &tree);
     counted_work(p, cost, &tree);
     for (int way = 0; way < 2; way++)
-        agree(T, 2 * cost[way] == unit[way] * p * (T->planted ? 2 : p + 1));
+        agree(T, 2 * cost[way] == unit[way] * p * fault(T, p + 1, 2));
     agree(T, cost[2] == unit[2] * p);
     agree(T, unit[0] > 0 && unit[1] > 0 && unit[2] > 0);
 }
@@ -215,7 +215,7 @@ CLAIM(recursion_is_not_exponential)
         show_text(T, k == 0 ? "plain recursion, order 9" : "plain recursion, order 17", "%ld", tree[k]);
     }
     about(T, "order 17 takes at least 2^8 times the operations of order 9");
-    agree(T, T->planted ? tree[1] >= 256 * tree[0] : cost[1][0] >= 256 * cost[0][0]);
+    agree(T, fault(T, tree[1] >= 256 * tree[0], cost[1][0] >= 256 * cost[0][0]));
 }
 
 /*
@@ -236,7 +236,7 @@ CLAIM(plain_recursion_doubles)
     long cost[2][3], tree[2];
     counted_work(T->degree, cost[0], &tree[0]);
     counted_work(T->degree + 1, cost[1], &tree[1]);
-    agree(T, T->planted ? cost[1][0] >= 2 * cost[0][0] : tree[1] >= 2 * tree[0]);
+    agree(T, fault(T, tree[1] >= 2 * tree[0], cost[1][0] >= 2 * cost[0][0]));
 }
 
 /*
@@ -271,7 +271,7 @@ roundings, how many depending on the order alone and not on the knots.
 */
 CLAIM(recursion_subtracts_data_only)
 {
-    int k = T->degree + 1, homogeneous = (T->planted ? 4 : 5) * (k - 1);
+    int k = T->degree + 1, homogeneous = fault(T, 5, 4) * (k - 1);
     struct counted_way way[3];
     long tree;
     counted_ways(k - 1, way, &tree);
@@ -316,9 +316,9 @@ CLAIM(horner_takes_two_operations_a_degree)
     num a[MAX_DEGREE + 1], t = unknown(T, "t", 0), value, sum = from_int(0), power = from_int(1);
     for (int j = 0; j <= p; j++)
         a[j] = unknown(T, "a", j);
-    value = a[T->planted ? 0 : p];
+    value = a[fault(T, p, 0)];
     for (int j = 1; j <= p; j++)
-        value = add(mul(value, t), a[T->planted ? j : p - j]);
+        value = add(mul(value, t), a[fault(T, p - j, j)]);
     for (int j = 0; j <= p; j++, power = mul(power, t))
         sum = add(sum, mul(a[j], power));
     same(T, value, sum);

@@ -64,7 +64,7 @@ CLAIM(spans_contain_their_parameters)
                 }
                 for (int mu = p; mu < n; mu++)
                     if (value[mu] < value[mu + 1] && value[mu + 1] == value[n] && twice == 2 * value[n])
-                        right = T->planted ? n : mu;
+                        right = fault(T, mu, n);
                 for (int mu = n - 1; mu >= p; mu--)
                     if (value[mu] < value[mu + 1] && value[mu] == value[p] && twice == 2 * value[p])
                         left = mu;
@@ -105,20 +105,20 @@ CLAIM(knots_are_checked)
                 value[i] = all >> 2 * i & 3;
                 u[i] = from_int(value[i]);
             }
-            knot_fault fault = n <= p ? KNOTS_TOO_FEW : KNOTS_GOOD;
-            for (int i = 1; i < count && fault == KNOTS_GOOD; i++) {
+            knot_fault expected = n <= p ? KNOTS_TOO_FEW : KNOTS_GOOD;
+            for (int i = 1; i < count && expected == KNOTS_GOOD; i++) {
                 int equal = 0;
                 for (int l = 0; l <= i; l++)
                     equal += value[l] == value[i];
-                fault = value[i] < value[i - 1]      ? KNOTS_DECREASE
-                        : equal > p + 1 + T->planted ? KNOTS_TOO_MULTIPLE
-                                                     : KNOTS_GOOD;
-                at = fault != KNOTS_GOOD ? i : p;
+                expected = value[i] < value[i - 1]          ? KNOTS_DECREASE
+                           : equal > fault(T, p + 1, p + 2) ? KNOTS_TOO_MULTIPLE
+                                                            : KNOTS_GOOD;
+                at = expected != KNOTS_GOOD ? i : p;
             }
-            if (fault == KNOTS_GOOD && value[p] == value[n])
-                fault = KNOTS_NO_DOMAIN;
-            agree(T, G(check_knots)(n, p, u, &where) == fault);
-            if (fault != KNOTS_GOOD)
+            if (expected == KNOTS_GOOD && value[p] == value[n])
+                expected = KNOTS_NO_DOMAIN;
+            agree(T, G(check_knots)(n, p, u, &where) == expected);
+            if (expected != KNOTS_GOOD)
                 agree(T, where == at);
         }
 }
@@ -167,7 +167,8 @@ CLAIM(points_have_spans)
                     continue;
                 int every = G(spans_of_points)(n, p, u, m, q, v, span);
                 for (int j = 0; j < m; j++) {
-                    int some = 0, good = 0, found = G(span_of_point)(n, p, u, m, q, v, j), mu = found + T->planted;
+                    int some = 0, good = 0, found = G(span_of_point)(n, p, u, m, q, v, j),
+                        mu = fault(T, found, found + 1);
                     for (int l = j; l <= j + q; l++)
                         if (2 * value[p] <= finer[l] && finer[l] < finer[l + 1] && finer[l + 1] <= 2 * value[n]) {
                             some = 1;
@@ -211,7 +212,7 @@ CLAIM(knots_of_the_next_degrees)
             if (G(check_knots)(n, p, u, &where) != KNOTS_GOOD)
                 continue;
             for (int x = 0; x <= top; x++) { /* every value once more */
-                int times = pattern[x] - '0' + !T->planted;
+                int times = fault(T, pattern[x] - '0' + 1, pattern[x] - '0');
                 first = x == value[n] ? total : first;
                 while (times-- > 0)
                     expected[total++] = x;
@@ -226,7 +227,8 @@ CLAIM(knots_of_the_next_degrees)
                 same(T, v[i], from_int(expected[from + i]));
             total = 0;
             for (int x = value[p]; x <= value[n]; x++) {
-                int end = x == value[p] || x == value[n], times = end ? p : pattern[x] - '0' - !T->planted;
+                int end = x == value[p] || x == value[n],
+                    times = end ? p : fault(T, pattern[x] - '0' - 1, pattern[x] - '0');
                 while (times-- > 0)
                     expected[total++] = x;
             }

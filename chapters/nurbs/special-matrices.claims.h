@@ -38,7 +38,7 @@ CLAIM(simple_determinant_is_vandermonde)
     for (int i = 0; i <= k; i++) {
         l[i] = 1;
         for (int j = i + 1; j <= k; j++)
-            product = mul(product, T->planted && i == k - 1 ? sub(t[i], t[j]) : sub(t[j], t[i]));
+            product = mul(product, fault(T, sub(t[j], t[i]), i == k - 1 ? sub(t[i], t[j]) : sub(t[j], t[i])));
     }
     G(confluent_vandermonde)(k + 1, l, t, H);
     about(T, "the rows");
@@ -97,7 +97,7 @@ CLAIM(simple_difference_has_factors_of_both_orders)
         printed = add(printed, div(f[i], G(product_of_differences)(t, 0, k, i, 1)));
     }
     same(T, G(divided_difference)(k + 1, l, t, f), sum);
-    same(T, printed, G(signed_by)(k + T->planted, sum));
+    same(T, printed, G(signed_by)(fault(T, k, k + 1), sum));
 }
 
 #if RATIONAL
@@ -117,7 +117,7 @@ CLAIM(printed_simple_difference_has_wrong_sign)
     int one[2] = {1, 1};
     num t[2] = {from_int(0), from_int(1)}, sum = from_int(0);
     for (int l = 0; l < 2; l++)
-        sum = add(sum, div(t[l], G(product_of_differences)(t, 0, 1, l, !T->planted)));
+        sum = add(sum, div(t[l], G(product_of_differences)(t, 0, 1, l, fault(T, 0, 1))));
     show_points(T, "t_i", 2, 1, t);
     show_points(T, "f(t_i)", 2, 1, t);
     about(T, "the printed sum, and the divided difference");
@@ -161,7 +161,7 @@ CLAIM(simple_basis_from_weights)
     for (int i = 0; i < k; i++) {
         num sum = from_int(0);
         G(divided_weights)(k + 1, l, S.t + i, alpha);
-        for (int m = S.r + 1 - T->planted; m <= i + k; m++)
+        for (int m = fault(T, S.r + 1, S.r); m <= i + k; m++)
             sum = add(sum, mul(alpha[m - i], G(power)(sub(S.t[m], t), k - 1)));
         same(T, mul(sub(S.t[i + k], S.t[i]), sum), G(basis_value)(&S, i, k, t));
     }
@@ -197,7 +197,7 @@ CLAIM(printed_weights_give_the_negative_basis)
 {
     num x[2] = {from_int(0), from_int(1)};
     struct G(span) S = G(span_of_pattern)(1, 0, x);
-    num a = G(printed_entry)(&S, 0, 0, 1, !T->planted);
+    num a = G(printed_entry)(&S, 0, 0, 1, fault(T, 0, 1));
     show_points(T, "t_i", 2, 1, x);
     about(T, "a_{00}, and N_{0,1}");
     same(T, a, G(basis_value)(&S, 0, 1, from_ratio(1, 2)));
@@ -237,7 +237,7 @@ CLAIM(simple_matrix_is_the_matrix)
     for (int i = 0; i < k; i++) {
         num sum = from_int(0);
         for (int j = 0; j < k; j++)
-            sum = add(sum, mul(A[(T->planted ? k - 1 - j : j) * k + i], G(power)(u, j)));
+            sum = add(sum, mul(A[fault(T, j, k - 1 - j) * k + i], G(power)(u, j)));
         same(T, sum, G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
     }
 }
@@ -261,7 +261,7 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
     G(bspline_matrix)(k - 1, S.t, S.r, A);
     for (int j = 0; j < k; j++)
         for (int i = 0; i < k; i++)
-            same(T, G(printed_entry)(&S, i, j, 0, 1), G(signed_by)(k + T->planted, A[j * k + i]));
+            same(T, G(printed_entry)(&S, i, j, 0, 1), G(signed_by)(fault(T, k, k + 1), A[j * k + i]));
 }
 
 /*
@@ -300,7 +300,7 @@ CLAIM(exponent_with_the_letter_fails)
 {
     num x[4] = {from_int(0), from_int(1), from_int(3), from_int(5)};
     struct G(span) S = G(span_of_pattern)(2, 3, x);
-    num a = G(printed_entry)(&S, 1, 0, !T->planted, 1);
+    num a = G(printed_entry)(&S, 1, 0, fault(T, 0, 1), 1);
     show_points(T, "t_0, ..., t_3", 4, 1, x);
     show_text(T, "k, r, i, j", "2, 1, 1, 0");
     about(T, "the printed a_{ji}, and N_{i,k}(t_r)");
@@ -344,7 +344,7 @@ CLAIM(uniform_matrix_is_the_matrix)
     }
     G(bspline_matrix_uniform)(k - 1, A);
     for (int i = 0; i < k; i++)
-        same(T, G(column_value)(k, A, T->planted ? k - 1 - i : i, u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
+        same(T, G(column_value)(k, A, fault(T, i, k - 1 - i), u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
 }
 
 /*
@@ -433,7 +433,7 @@ CLAIM(uniform_chain_gives_the_matrix)
                 agree(T, equal_q(G(printed_entry)(&S, s, j, 0, 0), A[j * k + s]));
                 for (int line = 1; line <= 4; line++) {
                     num sum = G(uniform_line)(line, k, r, r - k + 1 + s, j, 1);
-                    if (T->planted && line == 3)
+                    if (T->faulty && line == 3)
                         sum = G(signed_by)(s, sum);
                     agree(T, equal_q(sum, A[j * k + s]));
                 }
@@ -457,7 +457,7 @@ CLAIM(uniform_chain_does_not_follow)
     struct G(span) S = G(uniform_span)(1, 0);
     show_text(T, "k, r, i, j", "1, 0, 0, 0");
     about(T, "(4.4.23), and the first sum of the chain");
-    same(T, G(printed_entry)(&S, 0, 0, 0, !T->planted), G(uniform_line)(1, 1, 0, 0, 0, 1));
+    same(T, G(printed_entry)(&S, 0, 0, 0, fault(T, 0, 1)), G(uniform_line)(1, 1, 0, 0, 0, 1));
 }
 
 /*
@@ -479,7 +479,7 @@ static void G(compare_line)(trial *T, int line, int k, int r, int i, int j)
     num A[CELLS];
     G(bspline_matrix_uniform)(k - 1, A);
     show_text(T, "k, r, i, j", "%d, %d, %d, %d", k, r, i, j);
-    same(T, G(uniform_line)(line, k, r, i, j, T->planted), A[j * k + i - r + k - 1]);
+    same(T, G(uniform_line)(line, k, r, i, j, fault(T, 1, 0)), A[j * k + i - r + k - 1]);
 }
 
 /*
@@ -661,7 +661,7 @@ CLAIM(bernstein_coefficients_and_g)
         about(T, "G");
         for (int j = 0; j < k; j++) {
             num printed = i < j ? from_int(0) : div(G(choose)(i, j), G(choose)(k - 1, j));
-            same(T, T->planted ? g[i * k + j] : g[j * k + i], printed);
+            same(T, fault(T, g[j * k + i], g[i * k + j]), printed);
         }
     }
 }
@@ -682,7 +682,7 @@ CLAIM(bernstein_knots_from_one_shift_the_index)
 {
     struct G(span) S = G(bernstein_span)(2);
     num x = from_int(2), w[2];
-    int i = 1, first = T->planted ? 0 : 1;
+    int i = 1, first = fault(T, 0, 1);
     G(marsden_coefficients)(1, S.t, S.r, x, w);
     show_points(T, "knots", 4, 1, S.t);
     show(T, "x", x);
@@ -736,7 +736,7 @@ CLAIM(bernstein_matrix_is_the_matrix)
     for (int i = 0; i < k; i++) {
         num sum = from_int(0);
         for (int j = 0; j < k; j++) {
-            num a = T->planted ? A[i * k + j] : A[j * k + i];
+            num a = fault(T, A[j * k + i], A[i * k + j]);
             about(T, "the entry from Marsden's identity");
             same(T, a, B[j * k + i]);
             sum = add(sum, mul(a, G(power)(t, j)));
@@ -777,7 +777,7 @@ CLAIM(printed_bernstein_matrix_is_transposed)
     num t = from_ratio(1, 2);
     show(T, "t", t);
     about(T, "the sum of the printed column 0, and B_0^1(t)");
-    same(T, G(printed_bernstein)(2, 0, T->planted, 0, t), G(bernstein_value)(1, 0, t));
+    same(T, G(printed_bernstein)(2, 0, fault(T, 1, 0), 0, t), G(bernstein_value)(1, 0, t));
 }
 
 /*
@@ -796,7 +796,7 @@ CLAIM(printed_bernstein_quotient_fails)
     num t = from_int(1);
     show(T, "t", t);
     about(T, "the sum of column 1 with the quotients, and B_1^2(t)");
-    same(T, G(printed_bernstein)(3, 1, 1, T->planted, t), G(bernstein_value)(2, 1, t));
+    same(T, G(printed_bernstein)(3, 1, 1, fault(T, 1, 0), t), G(bernstein_value)(2, 1, t));
 }
 #endif
 
@@ -825,7 +825,7 @@ CLAIM(bsplines_are_bernstein_polynomials)
     struct G(span) S = G(bernstein_span)(k);
     num t = parameter(T, "t");
     for (int i = 0; i < k; i++)
-        same(T, G(basis_value)(&S, T->planted ? k - 1 - i : i, k, t), G(bernstein_value)(k - 1, i, t));
+        same(T, G(basis_value)(&S, fault(T, i, k - 1 - i), k, t), G(bernstein_value)(k - 1, i, t));
 }
 
 /*
@@ -886,7 +886,7 @@ CLAIM(matrices_agree_at_the_greatest_order)
         about(T, "the matrices");
         for (int c = 0; c < count; c++)
             for (int m = 0; m < k * k; m++)
-                same(T, others[c][T->planted ? k * k - 1 - m : m], A[m]);
+                same(T, others[c][fault(T, m, k * k - 1 - m)], A[m]);
     }
 }
 #endif
