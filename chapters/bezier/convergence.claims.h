@@ -165,9 +165,8 @@ CLAIM(split_shrinks_second_differences)
   $\sum_ja_j\le\frac{\lfloor n/2\rfloor\lceil n/2\rceil}{2n}$ on $[0,1]$; so $|b-p|$ is at most this number times the
   largest $|\Delta^2b_j|$
 :method: On each of the $n$ intervals all terms are polynomials.  The equality is linear in the $b_i$ and is decided for
-  the $n+1$ unit vectors; the inequalities by the signs of the polynomials on the closed interval.  Cf. D. Nairn,
-  J. Peters, D. Lutterkort, Sharp, quantitative bounds on the distance between a polynomial piece and its Bézier
-  control polygon, CAGD 16 (1999).
+  the $n+1$ unit vectors; the inequalities by the signs of the polynomials on the closed interval.  Cf.
+  [nairn-peters-lutterkort-1999].
 :degrees: 2..9
 :control: the bound taken as $\frac{\lfloor n/2\rfloor^2}{2n}$
 :::

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-/* splitmix64 (Steele, Lea, Flood 2014); the remainder's bias is below 2^-32 for the ranges used. */
+/* splitmix64 (steele-lea-flood-2014); the remainder's bias is below 2^-32 for the ranges used. */
 int pick(trial *T, int low, int high)
 {
     uint64_t z = (T->state += 0x9e3779b97f4a7c15u);

@@ -8,7 +8,7 @@ $\alpha_{i,k}^{(T,T')}(j)$ says,
 $$N_{i,k}^{(T)}=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}.$$
 
 With weights the means are weighted, and the new polygon is the discrete NURBS curve $\Gamma_k^{(T)}(T')$.  The section of the source
-on discrete B-splines, 2.10, is not in the text at hand; its $\alpha$ are read as those of Cohen, Lyche and Riesenfeld (1980), which
+on discrete B-splines, 2.10, is not in the text at hand; its $\alpha$ are read as those of [cohen-lyche-riesenfeld-1980], which
 begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T\oplus T'$: intervals closed on the left.
 */
 #include "chapters/nurbs/definition.h"

@@ -5,8 +5,8 @@ Every plane rational curve has an implicit equation; which algebraic curves (代
 theorem of algebraic geometry, quoted by the source.  Part of it is decided here by computation, and part is cited;
 each claim says which.  Cited, for every degree, is: an irreducible plane curve has a rational parametrisation over
 the complex numbers if and only if its genus is 0, and the genus of a curve of degree $n$ is
-$\frac{(n-1)(n-2)}2-\sum_P\delta_P$, the sum over all singular points of the complex projective plane (R. J. Walker,
-*Algebraic Curves*, 1950; J. R. Sendra, F. Winkler, S. Pérez-Díaz, *Rational Algebraic Curves*, 2008).  Here
+$\frac{(n-1)(n-2)}2-\sum_P\delta_P$, the sum over all singular points of the complex projective plane
+[walker-1950; sendra-winkler-perez-diaz-2008].  Here
 $\delta_P=1$ for a node (结点) and an ordinary cusp (尖点), but 3 for an ordinary triple point, and more for points with
 others infinitely near.
 */
@@ -824,7 +824,7 @@ CLAIM(curves_that_fit_the_theorem)
   $\delta=\frac{(n-1)(n-2)}2$ for the origin, and $g=0$
 :method: The resultant is computed and its lowest power of $x$ looked for.  Cited is that this order is the number of
   common points of $F=0$ and $F_y=0$ over $x=0$, and that at a point with different tangents, none of them vertical,
-  the number is $2\delta$ (J. Milnor, *Singular Points of Complex Hypersurfaces*, 1968).  The other point over $x=0$
+  the number is $2\delta$ [milnor-1968].  The other point over $x=0$
   is simple, for $F(0,y)$ has the terms $y^{n-1}$ and $y^n$.
 :degrees: 3..5
 :control: a term $y^{n-2}$ added, which makes it a point of multiplicity $n-2$

@@ -4,7 +4,7 @@
  * the order of 1.  Those of measured points are exact (无舍入), however far from the origin they lie: in each coordinate the centre is
  * 0 unless all |x| >= 3h, 2h being the widest side of the data; and then it is the middle, but for half of the unit, h < unit <= 2h.
  * With |centre - middle| <= h and middle - h <= x <= middle + h this is |centre - x| <= 2h, hence x/2 <= centre <= 2x for x >= 3h,
- * where binary64 subtracts without rounding (P. H. Sterbenz, Floating-Point Computation, 1974, 4.3).  Distances
+ * where binary64 subtracts without rounding (sterbenz-1974, 4.3).  Distances
  * are scaled back by 1/sigma, which is in units of the working coordinates: F is that of cagd_fit.h. */
 #ifndef CAGD_FIT_PROBLEM_H
 #define CAGD_FIT_PROBLEM_H

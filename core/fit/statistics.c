@@ -37,7 +37,7 @@ double fit_normal_quantile(void) { return (double)normal_quantile; }
 /* P(|T| <= t) with theta = atan(t/sqrt(nu)), in closed form:
  *     nu odd     2/pi (theta + sin theta cos theta (1 + 2/3 c (1 + 4/5 c (1 + ... (nu-3)/(nu-2) c)))),   c = cos^2 theta,
  *     nu even    sin theta (1 + 1/2 c (1 + 3/4 c (1 + ... (nu-3)/(nu-2) c))).
- * Source: M. Abramowitz and I. A. Stegun, Handbook of Mathematical Functions, 26.7.3 and 26.7.4. */
+ * Source: abramowitz-stegun-1964, 26.7.3 and 26.7.4. */
 static long double student_probability(int nu, long double theta, long double *density)
 {
     const long double pi = 3.141592653589793238462643383279502884L;
@@ -60,7 +60,7 @@ static long double student_probability(int nu, long double theta, long double *d
 
 /* For many degrees of freedom the expansion about the normal quantile is used, whose first term left out is of the size of
  * nu^{-5} < 2^{-61}.  For fewer, P is increasing and concave in theta, hence Newton's method from the left increases to the solution;
- * it ends when rounding stops it.  It begins with three terms of the expansion, which all lie below.  Source: ibid., 26.7.5. */
+ * it ends when rounding stops it.  It begins with three terms of the expansion, which all lie below.  Source: abramowitz-stegun-1964, 26.7.5. */
 double fit_student_quantile(int nu)
 {
     const long double wanted = 0.95L, z = normal_quantile, n = nu, y = z * z;

@@ -25,7 +25,7 @@
  * This is the sandwich A^{-1} B A^{-1} of the asymptotic theory when the errors are independent of the place on the curve, so that
  * A = M J^T J and B = mean(|psi|^2/(dim-1)) J^T J; the full sandwich with A = sum_i m_i j_i j_i^T would do
  * without that but rests on the few residuals near each place and is too small in small samples.  For squares the
- * formula is chi_squared / d.  Source: P. J. Huber, Robust Statistics, 1981, 7.6.
+ * formula is chi_squared / d.  Source: huber-1981, 7.6.
  *
  * What cannot be known is NaN: with d = 0 and unknown standard deviations, or where M <= 0. */
 #ifndef CAGD_FIT_STATISTICS_H

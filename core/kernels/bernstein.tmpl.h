@@ -3,7 +3,7 @@
  *     B_i^n(t) = C(n,i) (1-t)^{n-i} t^i,   i = 0, ..., n,   0 <= n <= MAX_DEGREE,   any t.
  *
  * A polynomial of degree n is an array of its n+1 coefficients.
- * Source: G. Farin, Curves and Surfaces for CAGD, ch. 5 and 6. */
+ * Source: farin-2002, ch. 5 and 6. */
 #include "core/number/binomial.h"
 
 #include "core/number/generic_on.h"

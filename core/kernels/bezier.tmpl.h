@@ -2,7 +2,7 @@
  *
  * 0 <= n <= MAX_DEGREE, 1 <= dim <= MAX_DIM, any t; coordinate c of point i is b[i*dim + c].  With
  * dim = 1 a curve is a polynomial in Bernstein form.  Results do not overlap arguments unless said.
- * Source: G. Farin, Curves and Surfaces for CAGD, ch. 4 to 6. */
+ * Source: farin-2002, ch. 4 to 6. */
 #include "core/number/binomial.h"
 
 #include "core/number/generic_on.h"

@@ -5,7 +5,7 @@
  * 0 <= n, m <= MAX_DEGREE, 1 <= dim <= MAX_DIM, any u and w.  The net (控制网格) is stored row by row: coordinate c of P_ij
  * is P[(i*(m+1) + j)*dim + c], so row i is the polygon of a curve in w.  Results do not overlap arguments.
  * Stands on bezier.tmpl.h and differential.tmpl.h.
- * Source: G. Farin, Curves and Surfaces for CAGD, ch. 14 and 15. */
+ * Source: farin-2002, ch. 14 and 15. */
 #include "core/number/generic_on.h"
 
 /* The net with the parameters exchanged: Q_ji = P_ij, m+1 rows of n+1 points, so that Q(w, u) = P(u, w). */

@@ -11,7 +11,7 @@
  * exact/span.h for rationals).
  *
  * Results do not overlap arguments unless said.
- * Source: C. de Boor, A Practical Guide to Splines, ch. IX to XI; L. Ramshaw, Blossoms are polar forms, 1989. */
+ * Source: de-boor-1978, ch. IX to XI; ramshaw-1989. */
 #include "core/number/limits.h"
 
 #include "core/number/generic_on.h"

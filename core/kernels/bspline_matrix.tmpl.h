@@ -8,7 +8,7 @@
  * so that row j of the k x k matrix A belongs to v^j and column c to the function mu-p+c (definition 4.4.1).
  * Of the knots (节点) only u[mu-p], ..., u[mu+p+1] are read, and A depends on the inner 2p of them.  The
  * span is not empty: that u[mu] and u[mu+1] differ is taken for granted.  Results do not overlap arguments.
- * Source: wang-ch4, 4.4; M. J. Marsden, An identity for spline functions, J. Approx. Theory 3 (1970) 7-49. */
+ * Source: wang-ch4, 4.4; marsden-1970. */
 #include "core/number/binomial.h"
 
 #include "core/number/generic_on.h"

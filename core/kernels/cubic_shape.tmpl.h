@@ -5,7 +5,7 @@
  * A cubic is the array D, C, B, A of four points of the plane, as in power.tmpl.h; D does not matter.
  *     P' x P'' = -2 (3 a t^2 + 3 b t + c),   delta = 3 b^2 - 4 a c.
  * For a != 0: delta > 0 two inflections, delta = 0 a cusp, delta < 0 a double point with two real parameters.
- * Source: hu-1987, 1-4; M. Stone and T. DeRose, ACM Trans. Graph. 8 (1989). */
+ * Source: hu-1987, 1-4; stone-derose-1989. */
 #include "core/number/generic_on.h"
 
 /* m = (a, b, c). */

@@ -3,8 +3,7 @@
  * Matrices are stored row by row and have at most MAX_ORDER rows.  A polynomial of formal degree n
  * has coefficients a[0] x^n + a[1] x^{n-1} + ... + a[n], a[0] the leading one; it may be 0.
  * Results do not overlap arguments.
- * Source: wang-ch3, 3.4; R. S. Bird, A simple division-free algorithm for computing determinants,
- * Inf. Process. Lett. 111 (2011) 1072-1074. */
+ * Source: wang-ch3, 3.4; bird-2011. */
 #include "core/number/binomial.h"
 
 #include "core/number/generic_on.h"

@@ -2,7 +2,7 @@
  *
  * Vectors are arrays of dim numbers, 1 <= dim <= MAX_DIM.  Curvature is UNDEFINED where d1 = 0,
  * torsion where d1 x d2 = 0.
- * Source: wang-ch3, property 3.2.4; G. Farin, Curves and Surfaces for CAGD, ch. 10 and 12. */
+ * Source: wang-ch3, property 3.2.4; farin-2002, ch. 10 and 12. */
 #include "core/number/limits.h"
 
 #include "core/number/generic_on.h"

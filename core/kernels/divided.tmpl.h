@@ -8,7 +8,7 @@
  *
  * so the values of a function are f[b(i,j)] = f^(j)(tau_i).  UNDEFINED when two of the tau are equal.
  * Results do not overlap arguments.
- * Source: wang-ch4, 4.4.1; C. de Boor, A Practical Guide to Splines, ch. I. */
+ * Source: wang-ch4, 4.4.1; de-boor-1978, ch. I. */
 #include "core/number/binomial.h"
 
 #include "core/number/generic_on.h"

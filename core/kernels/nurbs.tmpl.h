@@ -6,7 +6,7 @@
  * weights (权因子) w_i stand beside them, not multiplied in.  Any weights; a value is UNDEFINED where w(t) = 0.
  * What is not here is done in homogeneous coordinates: rational_homogenize(n-1, ...), then the function of
  * bspline.tmpl.h with dim+1, then rational_dehomogenize(n-1, ...).
- * Source: wang-ch4, 4.1; L. Piegl and W. Tiller, The NURBS Book, ch. 4 and 5. */
+ * Source: wang-ch4, 4.1; piegl-tiller-1997, ch. 4 and 5. */
 #include "core/number/generic_on.h"
 
 /* H: the p+1 homogeneous points of the span (formula 4.1.1). */

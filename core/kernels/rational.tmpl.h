@@ -6,7 +6,7 @@
  * beside them, not multiplied in.  0 <= n <= MAX_DEGREE, 1 <= dim < MAX_DIM.  Any t and any weights;
  * a value is UNDEFINED where its weight is 0.  A point of weight 0 does not count.  Results do not
  * overlap arguments unless said.
- * Source: wang-ch3, 3.2 and 3.3; G. Farin, Curves and Surfaces for CAGD, ch. 12 and 13. */
+ * Source: wang-ch3, 3.2 and 3.3; farin-2002, ch. 12 and 13. */
 #include "core/number/binomial.h"
 
 #include "core/number/generic_on.h"

@@ -15,7 +15,7 @@
  *
  * as long as no product or quotient underflows: below 2^-1022 a rounding is not relative.  This is
  * the form k u/(1 - k u) of Higham's gamma with the data's own magnitudes in e.  No tolerance is
- * chosen anywhere.  Source: N. J. Higham, Accuracy and Stability of Numerical Algorithms, 3.3. */
+ * chosen anywhere.  Source: higham-2002, 3.3. */
 #ifndef CAGD_NUM_MEASURED_H
 #define CAGD_NUM_MEASURED_H
 

@@ -15,7 +15,7 @@ struct cagd_hull_certificate {
 
 /* The hull of no points is empty.  d >= 1, count >= 0.  Phase one of the simplex method over Q with
  * Bland's rule; the certificate has been checked by the next function.
- * Source: R. G. Bland, Math. Oper. Res. 2 (1977); G. Farkas 1902. */
+ * Source: bland-1977; farkas-1902. */
 struct cagd_hull_certificate cagd_hull_membership(int d, int count, const cagd_num_q points[], const cagd_num_q x[]);
 
 /* Does the certificate prove what it says?  Multiplications and additions only. */
@@ -35,7 +35,7 @@ int cagd_polygon_is_convex(int n, const cagd_num_q points[], int closed, int *or
 
 /* The vertices of the convex hull of count >= 1 points of the plane, counterclockwise from the
  * leftmost (then lowest); no three on a line, no point twice.  Their indices go to vertex, which has
- * room for count + 1; returns how many there are.  Source: A. M. Andrew, Inf. Proc. Lett. 9 (1979). */
+ * room for count + 1; returns how many there are.  Source: andrew-1979. */
 int cagd_convex_hull_2d(int count, const cagd_num_q points[], int vertex[]);
 
 /* The sign of (Q - P) x (R - P): +1 when P, Q, R turn left. */

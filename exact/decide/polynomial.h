@@ -45,7 +45,7 @@ cagd_poly cagd_poly_gcd(cagd_poly p, cagd_poly q); /* the monic one; 0 for p = q
 /* p = c factor[0]^multiplicity[0] factor[1]^multiplicity[1] ..., c rational, the factors monic,
  * squarefree, coprime in pairs and not constant, the multiplicities increasing.  Returns how many
  * there are, never more than deg p; both arrays have that much room.  UNDEFINED for p = 0.
- * Source: D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976. */
+ * Source: yun-1976. */
 int cagd_poly_squarefree(cagd_poly p, cagd_poly factor[], int multiplicity[]);
 
 /* out[0..n] with p(a + (b - a) t) = sum out[i] B_i^n(t).  UNDEFINED when n < deg p. */

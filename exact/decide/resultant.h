@@ -6,8 +6,7 @@
  *
  * alpha_i and beta_j the roots.  It is 0 exactly when p and q have a common factor or a_m = b_n = 0.
  * Matrices are row by row in one array.  Arrays of coefficients begin with the constant one.
- * Source: J. J. Sylvester 1840, E. Bezout 1779; D. Cox, J. Little, D. O'Shea, Using Algebraic
- * Geometry, 3.1; E. H. Bareiss, Math. Comp. 22 (1968). */
+ * Source: sylvester-1840; bezout-1779; cox-little-oshea-2005, 3.1; bareiss-1968. */
 #ifndef CAGD_RESULTANT_H
 #define CAGD_RESULTANT_H
 

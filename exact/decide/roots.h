@@ -3,8 +3,8 @@
  * Over an interval a polynomial has at most as many roots inside as its Bernstein coefficients have
  * changes of sign, and as many modulo 2; so 0 and 1 decide, and de Casteljau's algorithm at 1/2
  * subdivides what they do not.  A squarefree polynomial is decided after finitely many steps.
- * Source: J. M. Lane and R. F. Riesenfeld, Bounds on a polynomial, BIT 21 (1981); the end of the
- * subdivision: N. Obreschkoff; see A. Eigenwillig, V. Sharma, C. Yap, ISSAC 2006. */
+ * Source: lane-riesenfeld-1981; eigenwillig-sharma-yap-2006, for the end of the
+ * subdivision, a theorem of Obreschkoff. */
 #ifndef CAGD_ROOTS_H
 #define CAGD_ROOTS_H
 
@@ -29,7 +29,7 @@ struct cagd_root_count cagd_count_roots_above(cagd_poly p, cagd_num_q a);
 struct cagd_root_count cagd_count_roots_below(cagd_poly p, cagd_num_q b);
 
 /* A power B of two such that -B < x < B for every root x of p, the complex ones included.
- * UNDEFINED for p = 0.  Source: M. Fujiwara, Tohoku Math. J. 10 (1916). */
+ * UNDEFINED for p = 0.  Source: fujiwara-1916. */
 cagd_num_q cagd_root_bound(cagd_poly p);
 
 /* One real root: the number lo = hi, or the only root of the squarefree polynomial `factor` in the

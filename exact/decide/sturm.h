@@ -2,8 +2,7 @@
  *
  * The second way, independent of roots.h: with p_0 = p squarefree, p_1 = p' and p_(k+1) minus the
  * remainder of p_(k-1) by p_k, the chain has V(a) - V(b) more changes of sign at a than at b, and
- * that is the number of roots in (a,b].  Source: C. Sturm 1829; S. Basu, R. Pollack, M.-F. Roy,
- * Algorithms in Real Algebraic Geometry, 2.2.2. */
+ * that is the number of roots in (a,b].  Source: sturm-1829; basu-pollack-roy-2006, 2.2.2. */
 #ifndef CAGD_STURM_H
 #define CAGD_STURM_H
 

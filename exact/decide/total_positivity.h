@@ -8,8 +8,8 @@
 #include "exact/number/rational.h"
 
 /* All minors >= 0?  Neville elimination of rows and columns in turn, singular and rectangular
- * matrices included.  Source: A. Whitney, J. Analyse Math. 2 (1952): the reduction is an equivalence;
- * M. Gasca, J. M. Pena, Linear Algebra Appl. 165 (1992). */
+ * matrices included.  Source: whitney-1952: the reduction is an equivalence;
+ * gasca-pena-1992. */
 int cagd_is_totally_nonnegative(int rows, int columns, const cagd_num_q A[]);
 
 /* All minors > 0?  By the criterion of Gasca and Pena: those of consecutive rows and the first

@@ -32,8 +32,7 @@
  * what is said is said of the curves theta_0 + W y.
  *
  * The local claim is all: another foot may be nearer, another minimum lower.
- * Source: R. Krawczyk, Computing 4 (1969); R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction to Interval
- * Analysis, 2009, 8. */
+ * Source: krawczyk-1969; moore-kearfott-cloud-2009, 8. */
 #ifndef CAGD_STATIONARY_H
 #define CAGD_STATIONARY_H
 

@@ -138,7 +138,7 @@ class Usage(Case):
         self.refuses("show", "elevation_keeps_rational_curv", words=["elevation_keeps_rational_curve"])
         self.refuses("verify", "no-such-claim")
         self.refuses("list", "no-such-claim")
-        self.refuses("ledger", "wang-ch9:*")
+        self.refuses("ledger", "no-such-source:*")
         self.refuses("figures", "no-such-figure", words=["no figure"])
         self.refuses("figures", "envelope_extr", words=["envelope_extra"])
         self.assertNotIn("envelope_extra", run("show", "envelope_extra").stderr.split("nearest")[1])
@@ -331,6 +331,20 @@ class Ledger(Case):
             self.assertIn(row["id"], page)
             self.assertIn("\nVerdict\n", page, row["id"])
             self.assertNotIn("\\", page, row["id"])
+
+    def test_show_names_the_book_and_the_literature(self):
+        text = (ROOT / "chapters/sources/index.md").read_text()
+        titles = dict(re.findall(r"^:::\{source\} (\S+)\n(?:.*\n)*?:zh: (.*)$", text, re.M))
+        first = {}
+        for row in self.rows:
+            first.setdefault(row["id"].split(":")[0], row["id"])
+        self.assertEqual(set(first), set(titles))
+        for key, identifier in first.items():
+            self.assertIn(titles[key], run("show", identifier).stdout.splitlines()[2])
+        cited = [(c["name"], key) for c in whole_run()["claims"] for key in re.findall(r"\[([a-z]+(?:-[a-z]+)*-\d{4})", c["method"])]
+        self.assertTrue(cited)
+        for name, key in cited:
+            self.assertIn(key, run("show", name).stdout.split("\nLiterature\n")[1])
 
     def test_chapter_four_is_covered(self):
         """Every number that the source prints has an entry."""

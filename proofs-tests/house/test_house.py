@@ -122,5 +122,36 @@ class Contents(unittest.TestCase):
             self.assertTrue(row[2].strip() or row[3].strip(), f"{row[0]} is neither covered nor open")
 
 
+class Sources(unittest.TestCase):
+    """The bibliography: every key that is cited is in it, and every key in it is cited."""
+
+    KEY = r"\b[a-z]+(?:-[a-z]+)*-(?:1[789]\d\d|20[012]\d)\b|\b(?:wang|slides)-ch\d\b"
+
+    def setUp(self):
+        listed = re.findall(r"^:::\{source\} (\S+)", (ROOT / "chapters/sources/index.md").read_text(), re.M)
+        self.assertEqual(len(listed), len(set(listed)))
+        self.listed = set(listed)
+        self.texts = {}
+        for room in ROOMS + ["proofs-tests"]:
+            for path in (ROOT / room).rglob("*"):
+                if path.suffix in (".c", ".h", ".cpp", ".md", ".py") and path.parts[-2:] != ("sources", "index.md"):
+                    self.texts[path] = path.read_text()
+
+    def test_every_key_that_is_cited_is_listed(self):
+        for path, text in self.texts.items():
+            self.assertEqual(set(re.findall(self.KEY, text)) - self.listed, set(), path)
+
+    def test_every_key_that_is_listed_is_cited(self):
+        cited = {key for text in self.texts.values() for key in re.findall(self.KEY, text)}
+        self.assertEqual(self.listed - cited, set())
+
+    def test_a_contract_names_its_sources_by_key(self):
+        for path, text in self.texts.items():
+            for items in re.findall(r"\bSource: (.*?)\.(?= \*/|  |\s*$|\n \*$)", text, re.S | re.M):
+                for item in re.sub(r"\s+\*?\s*", " ", items).split("; "):
+                    if not item.startswith("the "):
+                        self.assertRegex(item, "^(hu-1987|" + self.KEY + ")", path)
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

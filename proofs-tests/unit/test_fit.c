@@ -533,7 +533,7 @@ static void place_and_unit_do_not_matter(void **state)
     cagd_fit_free(there);
 }
 
-/* x - c without rounding: what two-sum finds of it is zero (O. Moller, 1965). */
+/* x - c without rounding: what two-sum finds of it is zero (moller-1965). */
 static int is_exact_difference(double x, double c, double d)
 {
     double back = d - x;
