@@ -4,12 +4,14 @@
 #ifndef CAGD_EXACT_WORDS_H
 #define CAGD_EXACT_WORDS_H
 
-/* Values, and what is computed with them. */
-#define num_q                cagd_num_q
-#define num_i                cagd_num_i
-#define num_f                cagd_num_f
-#define poly                 cagd_poly
-#define region_mark          cagd_region_mark
+/* Values. */
+typedef struct cagd_num_q num_q;
+typedef struct cagd_num_i num_i;
+typedef struct cagd_num_f num_f;
+typedef struct cagd_poly poly;
+typedef struct cagd_region_mark region_mark;
+
+/* What is computed with them. */
 #define add_q                cagd_add_q
 #define sub_q                cagd_sub_q
 #define mul_q                cagd_mul_q
@@ -93,49 +95,6 @@
 #define region_free_all      cagd_region_free_all
 #define region_faults        cagd_region_faults
 
-/* Decisions. */
-#define compare_q                cagd_compare_q
-#define sign_q                   cagd_sign_q
-#define equal_q                  cagd_equal_q
-#define is_zero_q                cagd_is_zero_q
-#define is_whole_q               cagd_is_whole_q
-#define is_zero_f                cagd_is_zero_f
-#define has_degrees_f            cagd_has_degrees_f
-#define poly_degree              cagd_poly_degree
-#define poly_is_zero             cagd_poly_is_zero
-#define poly_equal               cagd_poly_equal
-#define poly_divides             cagd_poly_divides
-#define count_roots              cagd_count_roots
-#define count_roots_line         cagd_count_roots_line
-#define count_roots_above        cagd_count_roots_above
-#define count_roots_below        cagd_count_roots_below
-#define isolate_roots            cagd_isolate_roots
-#define sign_on                  cagd_sign_on
-#define sturm_count              cagd_sturm_count
-#define sturm_count_above        cagd_sturm_count_above
-#define sturm_count_below        cagd_sturm_count_below
-#define sturm_count_line         cagd_sturm_count_line
-#define hull_membership          cagd_hull_membership
-#define hull_certificate_holds   cagd_hull_certificate_holds
-#define polygon_is_convex        cagd_polygon_is_convex
-#define convex_hull_2d           cagd_convex_hull_2d
-#define turn_2d                  cagd_turn_2d
-#define curve_meets_line         cagd_curve_meets_line
-#define polygon_meets_line       cagd_polygon_meets_line
-#define polygon_crossings        cagd_polygon_crossings
-#define is_totally_nonnegative   cagd_is_totally_nonnegative
-#define is_totally_positive      cagd_is_totally_positive
-#define all_minors_nonnegative   cagd_all_minors_nonnegative
-#define pivoted_determinant_q    cagd_pivoted_determinant_q
-#define pivoted_determinant_f    cagd_pivoted_determinant_f
-#define resultant_sylvester_q    cagd_resultant_sylvester_q
-#define resultant_sylvester_f    cagd_resultant_sylvester_f
-#define resultant_bezout_q       cagd_resultant_bezout_q
-#define resultant_bezout_f       cagd_resultant_bezout_f
-#define resultant_by_f           cagd_resultant_by_f
-#define poly_resultant_sylvester cagd_poly_resultant_sylvester
-#define poly_resultant_bezout    cagd_poly_resultant_bezout
-
 /* How intervals end, the signs of a polynomial, and what went wrong. */
 #define CLOSED              CAGD_CLOSED
 #define OPEN                CAGD_OPEN
@@ -150,6 +109,7 @@
 #define FAULT_UNDEFINED     CAGD_FAULT_UNDEFINED
 #define FAULT_UNABLE        CAGD_FAULT_UNABLE
 #define FAULT_CROWDED       CAGD_FAULT_CROWDED
+#define FAULT_MEMORY        CAGD_FAULT_MEMORY
 #define FIELD_MAX_VARIABLES CAGD_FIELD_MAX_VARIABLES
 #define FIELD_MAX_NAME      CAGD_FIELD_MAX_NAME
 #endif

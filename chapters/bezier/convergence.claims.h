@@ -7,7 +7,7 @@ can say exactly: where the elevated points are, and how far the curve is from it
 #include "chapters/bezier/definition.h"
 
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

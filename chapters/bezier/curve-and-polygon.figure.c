@@ -1,7 +1,7 @@
 /* Figures of the section on a curve and its polygon. */
 #include "chapters/bezier/drawing.h"
 
-#include "exact/decide/hull.h"
+#include "exact/record/hull.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,6 @@
 /* Figures of the section on the programs. */
 #include "chapters/bezier/drawing.h"
+#include "exact/record/number.h"
 
 /* x, rounded to binary64. */
 static num_q binary64(num_q x) { return from_double_q(to_double_q(x)); }

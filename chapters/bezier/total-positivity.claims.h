@@ -8,11 +8,11 @@ curve crosses a line no more often than its polygon does.
 #include "chapters/bezier/definition.h"
 
 #if RATIONAL
-#include "exact/decide/total_positivity.h"
+#include "exact/record/total_positivity.h"
 
-#include "exact/decide/crossings.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/sturm.h"
+#include "exact/record/crossings.h"
+#include "exact/record/roots.h"
+#include "exact/record/sturm.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

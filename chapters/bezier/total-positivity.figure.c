@@ -1,5 +1,5 @@
 #include "chapters/judge/figure.h"
-#include "exact/decide/crossings.h"
+#include "exact/record/crossings.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

@@ -11,7 +11,7 @@ The pull on the curve is $\rho'(s)\sqrt s$, up to a factor: $\sqrt s$ for square
 #include "chapters/fitting/definition.h"
 
 #if RATIONAL
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

@@ -1,5 +1,6 @@
 #include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
+#include "exact/record/number.h"
 #include "figures/svg.h"
 
 static num_q r(long m, long n) { return from_ratio_q(m, n); }

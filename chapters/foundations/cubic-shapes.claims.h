@@ -8,7 +8,7 @@ $\delta=3b^2-4ac$.
 #include "chapters/foundations/definition.h"
 
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

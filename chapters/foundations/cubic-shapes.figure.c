@@ -1,5 +1,6 @@
 /* Figures of the section on the shapes of a cubic. */
 #include "chapters/foundations/figures.h"
+#include "exact/record/number.h"
 
 /* D, C, B, A of the cubic of the triangle (0,0), M, (1,0) with M = (1/2, height) and the lengths alpha, beta. */
 static void cubic_of_triangle(num_q height, num_q alpha, num_q beta, num_q c[])

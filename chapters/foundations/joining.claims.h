@@ -8,7 +8,7 @@ the parameter on the second piece the two are one curve with continuous derivati
 #include "chapters/foundations/definition.h"
 
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

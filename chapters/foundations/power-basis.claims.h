@@ -8,8 +8,8 @@ they stand, the rule of Horner (秦九韶算法), and a table of forward differe
 
 #if RATIONAL
 #include "chapters/judge/counting.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/sign.h"
+#include "exact/record/roots.h"
+#include "exact/record/sign.h"
 
 /* The kernels in binary64, and those of this section once more in the number type that counts. */
 #undef G

@@ -1,5 +1,6 @@
 /* Figures of the section on the points of a cubic. */
 #include "chapters/foundations/figures.h"
+#include "exact/record/number.h"
 
 #include "core/kernels/kernels_d.h"
 

@@ -8,7 +8,7 @@ has one tangent, which may fail although $P'\ne0$.
 #include "chapters/foundations/definition.h"
 
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

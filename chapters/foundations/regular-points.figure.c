@@ -1,7 +1,7 @@
 /* Figures of the section on regular and singular points. */
 #include "chapters/foundations/figures.h"
 
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 FIGURE(regular_double_point)
 {

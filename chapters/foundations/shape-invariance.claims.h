@@ -9,7 +9,7 @@ example, and asks for the condition that excludes it.
 #include "chapters/foundations/definition.h"
 
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

@@ -35,7 +35,7 @@ void same_f(trial *T, num_f a, num_f b)
 {
     int equal = equal_f(a, b);
     if (cagd_trace_noting()) {
-        int left = cagd_trace_field_element(a), right = cagd_trace_field_element(b);
+        int left = cagd_node_of_f(a), right = cagd_node_of_f(b);
         cagd_trace_same(left, right, equal);
     }
     if (first_failure(T, equal)) {
@@ -47,7 +47,7 @@ void same_q(trial *T, num_q a, num_q b)
 {
     int equal = mpq_equal(a.at, b.at) != 0;
     if (cagd_trace_noting()) {
-        int left = cagd_trace_number(a.at), right = cagd_trace_number(b.at);
+        int left = cagd_node_of_q(a), right = cagd_node_of_q(b);
         cagd_trace_same(left, right, equal);
     }
     if (first_failure(T, equal)) {
@@ -119,7 +119,7 @@ void nonnegative_f(trial *T, num_f a)
         region_faults |= FAULT_UNABLE;
     take_as_positive(T, a);
     if (cagd_trace_noting())
-        cagd_trace_nonnegative(cagd_trace_field_element(a), sign != -1, to_string_f(a), sign);
+        cagd_trace_nonnegative(cagd_node_of_f(a), sign != -1, to_string_f(a), sign);
     if (first_failure(T, sign != -1))
         show_text(T, "negative", "%s", text_f(a));
 }
@@ -127,7 +127,7 @@ void nonnegative_q(trial *T, num_q a)
 {
     int good = mpq_sgn(a.at) >= 0;
     if (cagd_trace_noting())
-        cagd_trace_nonnegative(cagd_trace_number(a.at), good, NULL, 0);
+        cagd_trace_nonnegative(cagd_node_of_q(a), good, NULL, 0);
     if (first_failure(T, good))
         show_text(T, "negative", "%s", text_q(a));
 }

@@ -7,8 +7,7 @@
 #define CAGD_COUNTING_H
 
 #include "core/number/limits.h"
-#include "exact/number/rational.h"
-#include "exact/record/trace.h"
+#include "exact/record/number.h"
 #include "exact/words.h"
 
 typedef struct num_c {
@@ -47,14 +46,6 @@ static inline num_c from_ratio_c(long m, long n)
  * in the type that counts, to be counted by them in the program.  It has no divisions. */
 static inline void note_cost(int count, const num_q out[], struct operations cost)
 {
-    if (!cagd_trace_noting())
-        return;
-    cagd_trace_name_numbers(count, out);
-    cagd_trace_fact("operations");
-    cagd_trace_put_numbers("out", count, out);
-    cagd_trace_put("additions", cost.additions);
-    cagd_trace_put("multiplications", cost.multiplications);
-    cagd_trace_put("shifts", cost.shifts);
-    cagd_trace_fact_end();
+    cagd_testify_operations(count, out, cost.additions, cost.multiplications, cost.shifts);
 }
 #endif

@@ -57,7 +57,7 @@ num_f inside_f(trial *T, const char *name)
 static num_q as_input(num_q a, const char *name, int index)
 {
     if (cagd_trace_noting())
-        cagd_trace_input(a.at, name, index);
+        cagd_trace_input(a, name, index);
     return a;
 }
 

@@ -5,6 +5,7 @@
 #include "chapters/judge/words.h"
 #include "exact/number/parallel.h"
 #include "exact/number/region.h"
+#include "exact/record/trace.h"
 
 #include <pthread.h>
 #include <stdio.h>

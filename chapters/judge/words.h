@@ -37,9 +37,8 @@
 
 #include "chapters/judge/claim.h"
 #include "core/number/num_measured.h"
-#include "exact/number/field.h"
 #include "exact/number/interval.h"
-#include "exact/number/rational.h"
+#include "exact/record/number.h"
 #include "exact/words.h"
 
 int pick(trial *T, int low, int high);  /* a seeded random integer in [low, high]                     */

@@ -19,7 +19,7 @@ patterns.
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
-#include "exact/decide/total_positivity.h"
+#include "exact/record/total_positivity.h"
 
 #include "chapters/judge/claims_on.h"
 

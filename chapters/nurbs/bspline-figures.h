@@ -1,7 +1,7 @@
 /* bspline-figures.h -- drawing B-splines and their curves exactly: every segment as the Bézier curve that it is. */
 #include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
-#include "exact/span.h"
+#include "exact/record/span.h"
 #include "figures/svg.h"
 
 #include <stdio.h>

@@ -8,7 +8,7 @@ other in the place of $t$.
 */
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/patterns.h"
-#include "exact/decide/total_positivity.h"
+#include "exact/record/total_positivity.h"
 
 #include "chapters/judge/claims_on.h"
 

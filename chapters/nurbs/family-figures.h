@@ -4,6 +4,7 @@
 
 #include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
+#include "exact/record/number.h"
 #include "figures/svg.h"
 
 static inline num_q q(long m) { return from_int_q(m); }

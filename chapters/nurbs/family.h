@@ -5,7 +5,7 @@
  * and the same span.  Generic text, for the sections on envelopes. */
 #include "chapters/nurbs/definition.h"
 
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/claims_on.h"
 

@@ -1,4 +1,5 @@
 #include "chapters/nurbs/bspline-figures.h"
+#include "exact/record/number.h"
 
 FIGURE(knot_removal_defect)
 {

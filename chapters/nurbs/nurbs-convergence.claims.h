@@ -7,7 +7,7 @@ of the curve and the curve does not jump, and then with the square of the larges
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"
 
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/claims_on.h"
 

@@ -25,9 +25,9 @@ parameters are inserted until the points of the curve there are vertices, the sa
 #include <stdio.h>
 
 #if RATIONAL
-#include "exact/decide/hull.h"
-#include "exact/decide/polynomial.h"
-#include "exact/decide/sign.h"
+#include "exact/record/hull.h"
+#include "exact/record/polynomial.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

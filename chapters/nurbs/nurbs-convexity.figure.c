@@ -1,6 +1,6 @@
 /* Figures of the section on the convexity of NURBS curves. */
 #include "chapters/nurbs/shape-figures.h"
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 static svg_window window(long x0, long y0, long x1, long y1, long scale)
 {

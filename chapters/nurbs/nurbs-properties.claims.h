@@ -1,7 +1,7 @@
 /*
 # Properties, one side and the other of a knot (性质,节点两侧)
 */
-#include "exact/decide/hull.h"
+#include "exact/record/hull.h"
 
 #include "chapters/nurbs/definition.h"
 #include "chapters/nurbs/discrete.h"

@@ -17,8 +17,8 @@ not counted, or, for insertion, if it counts as infinitely many points.
 #include <stdio.h>
 
 #if RATIONAL
-#include "exact/decide/crossings.h"
-#include "exact/decide/roots.h"
+#include "exact/record/crossings.h"
+#include "exact/record/roots.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

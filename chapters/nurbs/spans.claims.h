@@ -9,7 +9,7 @@ small integers, parameters integers and the numbers halfway between.
 #include "chapters/nurbs/patterns.h"
 
 #if RATIONAL
-#include "exact/span.h" /* it closes G */
+#include "exact/record/span.h" /* it closes G */
 #define G(name) name##_q
 #endif
 

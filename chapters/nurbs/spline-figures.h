@@ -4,7 +4,7 @@
 
 #include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
-#include "exact/span.h"
+#include "exact/record/span.h"
 #include "figures/svg.h"
 
 #include <stdio.h>

@@ -5,7 +5,7 @@ Among the ellipses are the circles.  In special coordinates, $R_0=(-l,0)$, $R_1=
 conic of the curve is $S$ with the coefficients (3.5.4).  The angle $\theta$, which the source does not define, is the
 base angle $\angle R_1R_0R_2$ in its derivation.
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

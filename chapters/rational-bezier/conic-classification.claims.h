@@ -3,8 +3,8 @@
 
 The implicit equation of the rational quadratic tells which conic it is, and the answer is in one number.
 */
-#include "exact/decide/roots.h"
-#include "exact/decide/sturm.h"
+#include "exact/record/roots.h"
+#include "exact/record/sturm.h"
 
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

@@ -4,7 +4,7 @@
 Two conics span a family of conics that share their common points.  A conic is $S=(A,B,C,D,E,F)$, a line
 $l=(a,b,c)$; $l_i$ stands for the line and for its left-hand side $ax+by+c$.
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

@@ -4,8 +4,8 @@
 The share of $R_i$ in the mean $R(t)$ is $B_i^n(t)\,\omega_i/\omega(t)$.  Shares that are not negative and have the sum $1$
 make a point of the convex hull; this is the whole proof, and positive weights are what it rests on.
 */
-#include "exact/decide/hull.h"
-#include "exact/decide/roots.h"
+#include "exact/record/hull.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 

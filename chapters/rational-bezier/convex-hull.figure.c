@@ -1,6 +1,6 @@
 /* Figures of the section on the convex hull. */
 #include "chapters/judge/figure.h"
-#include "exact/decide/hull.h"
+#include "exact/record/hull.h"
 #include "exact/kernels_q.h"
 #include "figures/svg.h"
 

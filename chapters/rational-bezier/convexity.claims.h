@@ -22,9 +22,9 @@ counterclockwise, have all $D_{ijk}\ge0$; so any three points of the curve turn 
 When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
 */
 #if RATIONAL
-#include "exact/decide/hull.h"
-#include "exact/decide/sign.h"
-#include "exact/decide/sturm.h"
+#include "exact/record/hull.h"
+#include "exact/record/sign.h"
+#include "exact/record/sturm.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

@@ -1,6 +1,6 @@
 /* Figures of the section on convexity. */
 #include "chapters/rational-bezier/polygon.h"
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 static void draw(svg *s, struct polygon p)
 {

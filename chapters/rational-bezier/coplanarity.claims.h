@@ -7,7 +7,7 @@ since the Bernstein functions are independent.  The last step, from $\omega_iz_i
 hypothesis: no weight is $0$.
 */
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

@@ -1,6 +1,7 @@
 /* The figure of the section on plane curves. */
 #include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
+#include "exact/record/number.h"
 #include "figures/svg.h"
 
 enum { N = 3 };

@@ -6,8 +6,8 @@ which $R_i$ counts $B_i^n(t)\,\omega_i$ times, $B_i^n(t)=\binom ni(1-t)^{n-i}t^i
 y,\omega z,\omega)$ numerator and denominator of that mean are one polynomial Bézier curve, and this is how the
 source defines it.
 */
-#include "exact/decide/roots.h"
-#include "exact/decide/sturm.h"
+#include "exact/record/roots.h"
+#include "exact/record/sturm.h"
 
 #include "chapters/judge/claims_on.h"
 

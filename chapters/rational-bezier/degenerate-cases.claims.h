@@ -5,7 +5,7 @@ The polynomial Bézier curves are among the rational ones: equal weights cancel.
 a change of parameter turns a polynomial curve into one with geometric weights, and no other weights
 arise so.
 */
-#include "exact/decide/polynomial.h"
+#include "exact/record/polynomial.h"
 
 #include "chapters/judge/claims_on.h"
 

@@ -6,7 +6,7 @@ Bernstein form, and each is raised by itself; the points of the new polygon lie 
 one.  Repeated without end the polygons converge to the curve, but slowly, like $1/N$ for degree $N$.
 */
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

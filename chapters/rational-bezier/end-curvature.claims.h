@@ -8,7 +8,7 @@ right; of the three lines on which the proof rests, two are printed wrongly.
 We write $a_i=R_i-R_{i-1}$, and start with what curvature and torsion are.  The source writes $k$ for $\kappa$ from this section on; here $k$
 stays a number of points.
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 

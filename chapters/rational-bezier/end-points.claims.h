@@ -6,7 +6,7 @@ direction of the last edge.  If the first $k$ points coincide, the derivatives o
 the edge $R_0R_k$ takes over.  The source prints what the derivatives of order $k$ and $h$ are at both ends, side by side; the right
 one carries two slips, both invisible in the usual case $k=h=1$.
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 

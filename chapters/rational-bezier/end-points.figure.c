@@ -1,6 +1,7 @@
 /* Figures of the section on the end points. */
 #include "chapters/judge/figure.h"
 #include "exact/kernels_q.h"
+#include "exact/record/number.h"
 #include "figures/svg.h"
 
 static num_q ratio(long a, long b) { return from_ratio_q(a, b); }

@@ -15,8 +15,8 @@ written $p(c^r,t^{n-r})$, and the curve is what one gets for $t=c$.  The directi
 place of an argument: $p(\delta,\cdot)=p(1,\cdot)-p(0,\cdot)$.  The interval is taken as $[0,1]$; for $[a,b]$ the
 numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
 */
-#include "exact/decide/resultant.h"
-#include "exact/decide/sign.h"
+#include "exact/record/resultant.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/claims_on.h"
 

@@ -10,9 +10,9 @@ $\frac{(n-1)(n-2)}2-\sum_P\delta_P$, the sum over all singular points of the com
 $\delta_P=1$ for a node (结点) and an ordinary cusp (尖点), but 3 for an ordinary triple point, and more for points with
 others infinitely near.
 */
-#include "exact/decide/resultant.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/sign.h"
+#include "exact/record/resultant.h"
+#include "exact/record/roots.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/claims_on.h"
 

@@ -6,9 +6,9 @@ $B(u)=\sum\binom ni\omega_iy_iu^{n-i}$ and $W(u)=\sum\binom ni\omega_iu^{n-i}$ i
 $(A/W,B/W)$.  A point $(x,y)$ is on it when $A-xW$ and $B-yW$ have a common root, and that is what a resultant (结式)
 recognises.  First the tools: determinants and resultants, each against its definition.
 */
-#include "exact/decide/resultant.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/sturm.h"
+#include "exact/record/resultant.h"
+#include "exact/record/roots.h"
+#include "exact/record/sturm.h"
 
 #include "chapters/judge/elementary.h"
 

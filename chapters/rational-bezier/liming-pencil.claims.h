@@ -5,7 +5,7 @@ Liming takes two lines that the conic touches, and the line through the two poin
 the frame of the triangle of the three lines, $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, the pencil has one equation for
 all triangles.
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

@@ -4,7 +4,7 @@
 The two ratios of the last section have a constant product, so they are functions of one parameter $t$, and the
 rational Bézier curve of degree 2 appears.  Coordinates are again those of the frame of the triangle.
 */
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

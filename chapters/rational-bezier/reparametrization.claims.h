@@ -7,7 +7,7 @@ they are, the weight $\omega_i$ is multiplied by $a^ib^{n-i}$, and the quotients
 $I_i=\omega_i^2/(\omega_{i-1}\omega_{i+1})$ do not notice.  This section decides property 3.2.10, its
 proof line by line, and the definition of the $I_i$.
 */
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/elementary.h"
 

@@ -8,7 +8,7 @@ the curvature contains one invariant and the torsion two; up to $n=5$ both ends 
 Below, $a_i=R_i-R_{i-1}$, and "same shape" has to be made precise first: the same point set; the same point
 set run in the same direction; the same map of the parameter; or congruent curves.
 */
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/claims_on.h"
 

@@ -3,7 +3,7 @@
 
 A designer sees $\omega$: it is the ratio in which the curve divides the median of its triangle.
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

@@ -4,7 +4,7 @@
 Before it classifies the curves (3.1.5) the source brings them into a simple position, by a motion of the plane,
 and gives them simple weights, by a change of the parameter.
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

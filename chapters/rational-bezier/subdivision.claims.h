@@ -5,7 +5,7 @@ De Casteljau's triangle, applied to numerator and denominator, cuts a rational c
 $c$ into two curves of the same degree.  The points of the triangle are $R_i^r$ with weights $\omega_i^r$,
 $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/(b-a)$.
 */
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/claims_on.h"
 

@@ -8,7 +8,7 @@ Coordinates are those of the frame, $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, and $s=x+y-1$
 the minus sign unless the plus sign is mentioned.  Through a point with $xy\ne0$ goes the conic of
 $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an identity in $x$ and $y$.
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"

@@ -10,9 +10,9 @@ itself, and the property is proved a second time without Descartes, from total p
 computed, and a third time from the cutting of corners for every degree.
 */
 #if RATIONAL
-#include "exact/decide/crossings.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/sturm.h"
+#include "exact/record/crossings.h"
+#include "exact/record/roots.h"
+#include "exact/record/sturm.h"
 #endif
 
 #include "chapters/judge/claims_on.h"

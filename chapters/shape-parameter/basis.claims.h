@@ -6,8 +6,8 @@ $(\nu_is+\varphi_it)s^{7-i}t^i$, so that $\nu_i$ is its factor at $t=0$ and $\va
 the factor takes every value in between and no other: on this simple remark most of the section rests.  In the
 Bernstein basis of degree 8 function $i$ has the two coefficients $\nu_i/\binom8i$ and $\varphi_i/\binom8{i+1}$.
 */
-#include "exact/decide/resultant.h"
-#include "exact/decide/roots.h"
+#include "exact/record/resultant.h"
+#include "exact/record/roots.h"
 
 #include "chapters/shape-parameter/definition.h"
 

@@ -11,11 +11,11 @@ minor of order one is negative, and everything fails.
 With $k_0,\dots,k_7$ for the coefficients, $f=\sum k_iB_i$ has the Bernstein coefficients $c_j=E_{j,j-1}k_{j-1}+E_{j,j}k_j$ of
 degree 8, and $Z(f)\le V(c)\le V(k)$.
 */
-#include "exact/decide/crossings.h"
-#include "exact/decide/hull.h"
-#include "exact/decide/resultant.h"
-#include "exact/decide/roots.h"
-#include "exact/decide/total_positivity.h"
+#include "exact/record/crossings.h"
+#include "exact/record/hull.h"
+#include "exact/record/resultant.h"
+#include "exact/record/roots.h"
+#include "exact/record/total_positivity.h"
 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"

@@ -9,7 +9,7 @@ and with the corrected functions $\varphi_{k-1}+\nu_k=\binom{n+1}k$: every $Q_k$
 moves it along that edge.  For $\beta=0$ this is degree elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave
 their edges, and the curve depends on the place of the origin.
 */
-#include "exact/decide/hull.h"
+#include "exact/record/hull.h"
 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"

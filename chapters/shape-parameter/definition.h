@@ -3,7 +3,7 @@
  * Nothing here follows the kernels: powers are repeated products, binomial coefficients come from factorials, and
  * the eight printed formulas are written out one by one. */
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 #endif
 
 #include "chapters/judge/elementary.h"

@@ -10,7 +10,7 @@ $$q_\beta=s^2(1-\beta t)\,b_0+(2+\beta)st\,b_1+t^2(1-\beta s)\,b_2=q_0+\beta st\
 This is what $\beta$ means: it pushes the point of the Bézier curve away from a point on the chord of the last triangle,
 in the direction of the triangle's vertex.  For $\beta=-2$ the point is on the chord.
 */
-#include "exact/decide/hull.h"
+#include "exact/record/hull.h"
 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"

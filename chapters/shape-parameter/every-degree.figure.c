@@ -1,5 +1,6 @@
 /* every-degree.figure.c -- drawings for every-degree.claims.h. */
 #include "chapters/shape-parameter/drawing.h"
+#include "exact/record/number.h"
 
 #include <stdio.h>
 

@@ -5,7 +5,7 @@ A curve may be near its polygon in several senses: the largest distance of a poi
 largest distance of a control point from the curve; the distance of the point of one $t$.  In the first two senses a larger
 $\beta$ can make the curve worse, in the true range of $\beta$ and even for a convex polygon.
 */
-#include "exact/decide/hull.h"
+#include "exact/record/hull.h"
 
 #include "chapters/shape-parameter/definition.h"
 #include "chapters/shape-parameter/distance.h"

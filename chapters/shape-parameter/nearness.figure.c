@@ -1,5 +1,6 @@
 /* nearness.figure.c -- drawings for nearness.claims.h. */
 #include "chapters/shape-parameter/drawing.h"
+#include "exact/record/number.h"
 
 /* The point of the curve, among those of t = m/64, that is farthest from the polygon, with the nearest point of it. */
 static void put_largest_distance(svg *s, int n, const num_q P[], num_q beta, enum svg_role role)

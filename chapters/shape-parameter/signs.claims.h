@@ -1,7 +1,7 @@
 /*
 # Signs, maxima, and slopes (非负性、单峰性、对 β 的单调性)
 */
-#include "exact/decide/roots.h"
+#include "exact/record/roots.h"
 
 #include "chapters/shape-parameter/definition.h"
 

@@ -4,7 +4,7 @@
 #include "chapters/shape-parameter/definition.h"
 
 #if RATIONAL
-#include "exact/decide/sign.h"
+#include "exact/record/sign.h"
 
 #include "chapters/judge/counting.h"
 

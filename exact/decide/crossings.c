@@ -36,8 +36,7 @@ static poly without_common_roots(poly p, poly q)
 /* With x = X/W, y = Y/W in lowest terms, a x + b y + c = g/W, g = a X + b Y + c W.  An affine point
  * is on the line where g = 0 and W != 0; near there W keeps its sign, so that it is g whose parity
  * counts.  The sign of g/W is that of g W: what changes there and not at such a point is a jump. */
-static struct cagd_curve_meets_line decide_curve_meets_line(int n, const num_q R[], const num_q w[],
-                                                            struct cagd_line line)
+struct cagd_curve_meets_line cagd_curve_meets_line(int n, const num_q R[], const num_q w[], struct cagd_line line)
 {
     struct cagd_curve_meets_line m = {0};
     region_mark mark = region_open();
@@ -66,27 +65,6 @@ static struct cagd_curve_meets_line decide_curve_meets_line(int n, const num_q R
     }
     region_drop(mark);
     return m;
-}
-struct cagd_curve_meets_line cagd_curve_meets_line(int n, const num_q R[], const num_q w[], struct cagd_line line)
-{
-    cagd_trace_pause();
-    struct cagd_curve_meets_line answer = decide_curve_meets_line(n, R, w, line);
-    cagd_trace_resume();
-    if (cagd_trace_noting()) {
-        num_q l[3] = {line.a, line.b, line.c};
-        cagd_trace_name_numbers(2 * n + 2, R);
-        cagd_trace_name_numbers(n + 1, w);
-        cagd_trace_name_numbers(3, l);
-        cagd_trace_fact("curve_and_line");
-        cagd_trace_put_numbers("R", 2 * n + 2, R);
-        cagd_trace_put_numbers("w", n + 1, w);
-        cagd_trace_put_numbers("line", 3, l);
-        cagd_trace_put_list("is", 7,
-                            (int[]){answer.contained, answer.common_closed, answer.common_open, answer.crossings,
-                                    answer.touches, answer.poles, answer.jumps});
-        cagd_trace_fact_end();
-    }
-    return answer;
 }
 
 /* A part of the line: from one place to another, measured along the line. */
@@ -120,7 +98,7 @@ static struct stretch between(num_q p, num_q q)
     return cagd_compare_q(p, q) <= 0 ? (struct stretch){p, q} : (struct stretch){q, p};
 }
 
-static struct cagd_polygon_meets_line decide_polygon_meets_line(int n, const num_q R[], struct cagd_line line)
+struct cagd_polygon_meets_line cagd_polygon_meets_line(int n, const num_q R[], struct cagd_line line)
 {
     struct cagd_polygon_meets_line m = {0};
     if (no_line(line))
@@ -152,24 +130,6 @@ static struct cagd_polygon_meets_line decide_polygon_meets_line(int n, const num
     m.components = components(stretches, common);
     region_drop(mark);
     return m;
-}
-struct cagd_polygon_meets_line cagd_polygon_meets_line(int n, const num_q R[], struct cagd_line line)
-{
-    cagd_trace_pause();
-    struct cagd_polygon_meets_line answer = decide_polygon_meets_line(n, R, line);
-    cagd_trace_resume();
-    if (cagd_trace_noting()) {
-        num_q l[3] = {line.a, line.b, line.c};
-        cagd_trace_name_numbers(2 * n + 2, R);
-        cagd_trace_name_numbers(3, l);
-        cagd_trace_fact("polygon_and_line");
-        cagd_trace_put_numbers("R", 2 * n + 2, R);
-        cagd_trace_put_numbers("line", 3, l);
-        cagd_trace_put_list("is", 4,
-                            (int[]){answer.crossings, answer.common_runs, answer.components, answer.contained_edges});
-        cagd_trace_fact_end();
-    }
-    return answer;
 }
 
 int cagd_polygon_crossings(int n, const num_q R[], struct cagd_line line)

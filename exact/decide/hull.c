@@ -1,4 +1,6 @@
 #include "exact/decide/hull.h"
+
+#include "exact/decide/with.h"
 #include "exact/words.h"
 
 #include <stdlib.h>
@@ -11,23 +13,32 @@ static num_q dot(int d, const num_q u[], const num_q v[])
     return sum;
 }
 
-int cagd_hull_certificate_holds(int d, int count, const num_q points[], const num_q x[], struct cagd_hull_certificate c)
+int cagd_hull_certificate_holds_with(const struct cagd_order *order, int d, int count, const num_q points[],
+                                     const num_q x[], struct cagd_hull_certificate c)
 {
     int good = 1;
     if (!c.inside) {
         for (int j = 0; j < count; j++)
-            good &= cagd_compare_q(dot(d, c.normal, points + d * j), c.offset) <= 0;
-        return good && cagd_compare_q(c.offset, dot(d, c.normal, x)) < 0;
+            good &= order->compare(dot(d, c.normal, points + d * j), c.offset) <= 0;
+        return good && order->compare(c.offset, dot(d, c.normal, x)) < 0;
     }
     for (int i = -1; i < d; i++) { /* i = -1 stands for the coordinate 1 of every point */
         num_q sum = from_int_q(0);
         for (int j = 0; j < count; j++) {
             sum = add_q(sum, i < 0 ? c.coefficient[j] : mul_q(c.coefficient[j], points[d * j + i]));
-            good &= cagd_sign_q(c.coefficient[j]) >= 0;
+            good &= order->sign(c.coefficient[j]) >= 0;
         }
-        good &= cagd_equal_q(sum, i < 0 ? from_int_q(1) : x[i]);
+        good &= order->equal(sum, i < 0 ? from_int_q(1) : x[i]);
     }
     return good;
+}
+static int compare(num_q a, num_q b) { return cagd_compare_q(a, b); }
+static int sign(num_q a) { return cagd_sign_q(a); }
+static int equal(num_q a, num_q b) { return cagd_equal_q(a, b); }
+static const struct cagd_order plain = {compare, sign, equal};
+int cagd_hull_certificate_holds(int d, int count, const num_q points[], const num_q x[], struct cagd_hull_certificate c)
+{
+    return cagd_hull_certificate_holds_with(&plain, d, count, points, x, c);
 }
 
 /* Phase one: minimise a_0 + ... + a_d subject to
@@ -115,7 +126,7 @@ static void minimise(struct tableau t, int count)
 
 /* At the minimum, y_i = 1 - (reduced cost of a_i) has sigma y . (P_j, 1) <= 0 for all j, and
  * sigma y . (x, 1) is the minimum: if that is positive, a separating hyperplane. */
-static struct cagd_hull_certificate decide_hull_membership(int d, int count, const num_q points[], const num_q x[])
+struct cagd_hull_certificate cagd_hull_membership(int d, int count, const num_q points[], const num_q x[])
 {
     struct tableau t = first_tableau(d, count, points, x);
     minimise(t, count);
@@ -142,32 +153,6 @@ static struct cagd_hull_certificate decide_hull_membership(int d, int count, con
         region_faults |= FAULT_UNABLE;
     return c;
 }
-struct cagd_hull_certificate cagd_hull_membership(int d, int count, const num_q points[], const num_q x[])
-{
-    cagd_trace_pause();
-    struct cagd_hull_certificate answer = decide_hull_membership(d, count, points, x);
-    cagd_trace_resume();
-    if (cagd_trace_noting()) {
-        cagd_trace_name_numbers(d * count, points);
-        cagd_trace_name_numbers(d, x);
-        cagd_trace_name_numbers(answer.inside ? count : d, answer.inside ? answer.coefficient : answer.normal);
-        if (!answer.inside)
-            cagd_trace_name_numbers(1, &answer.offset);
-        cagd_trace_fact("hull");
-        cagd_trace_put("dim", d);
-        cagd_trace_put_numbers("points", d * count, points);
-        cagd_trace_put_numbers("x", d, x);
-        cagd_trace_put("is", answer.inside);
-        if (answer.inside)
-            cagd_trace_put_numbers("coefficients", count, answer.coefficient);
-        else {
-            cagd_trace_put_numbers("normal", d, answer.normal);
-            cagd_trace_put_numbers("offset", 1, &answer.offset);
-        }
-        cagd_trace_fact_end();
-    }
-    return answer;
-}
 
 struct vector {
     num_q x, y;
@@ -176,17 +161,22 @@ static struct vector from_to(const num_q P[2], const num_q Q[2])
 {
     return (struct vector){sub_q(Q[0], P[0]), sub_q(Q[1], P[1])};
 }
-static int cross_sign(struct vector u, struct vector v) { return cagd_compare_q(mul_q(u.x, v.y), mul_q(u.y, v.x)); }
+static int cross_sign_with(const struct cagd_order *order, struct vector u, struct vector v)
+{
+    return order->compare(mul_q(u.x, v.y), mul_q(u.y, v.x));
+}
+static int cross_sign(struct vector u, struct vector v) { return cross_sign_with(&plain, u, v); }
 static int dot_sign(struct vector u, struct vector v) { return cagd_sign_q(add_q(mul_q(u.x, v.x), mul_q(u.y, v.y))); }
 static int is_zero(struct vector u) { return cagd_is_zero_q(u.x) && cagd_is_zero_q(u.y); }
 
-int cagd_turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2])
+int cagd_turn_2d_with(const struct cagd_order *order, const num_q P[2], const num_q Q[2], const num_q R[2])
 {
     region_mark m = region_open();
-    int s = cross_sign(from_to(P, Q), from_to(P, R));
+    int s = cross_sign_with(order, from_to(P, Q), from_to(P, R));
     region_drop(m);
     return s;
 }
+int cagd_turn_2d(const num_q P[2], const num_q Q[2], const num_q R[2]) { return cagd_turn_2d_with(&plain, P, Q, R); }
 
 /* Angles in [0, pi) are above, in [pi, 2 pi) below. */
 static int is_below(struct vector u) { return cagd_sign_q(u.y) < 0 || (cagd_is_zero_q(u.y) && cagd_sign_q(u.x) < 0); }
@@ -234,7 +224,7 @@ static int goes_straight_on(int n, const num_q R[])
     return straight;
 }
 
-static int decide_polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
+int cagd_polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
 {
     region_mark m = region_open();
     struct vector *edge = region_bytes((size_t)(n + 1) * sizeof *edge);
@@ -245,21 +235,6 @@ static int decide_polygon_is_convex(int n, const num_q points[], int closed, int
     if (orientation != NULL)
         *orientation = side;
     return convex;
-}
-int cagd_polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
-{
-    cagd_trace_pause();
-    int answer = decide_polygon_is_convex(n, points, closed, orientation);
-    cagd_trace_resume();
-    if (cagd_trace_noting()) {
-        cagd_trace_name_numbers(2 * n + 2, points);
-        cagd_trace_fact("convex_polygon");
-        cagd_trace_put_numbers("points", 2 * n + 2, points);
-        cagd_trace_put("closed", closed != 0);
-        cagd_trace_put("is", answer != 0);
-        cagd_trace_fact_end();
-    }
-    return answer;
 }
 
 struct site {
@@ -274,7 +249,7 @@ static int lexicographic(const void *p, const void *q)
 }
 
 /* Lower chain from left to right, then the upper one back; a point that makes no left turn goes. */
-static int decide_convex_hull_2d(int count, const num_q points[], int vertex[])
+int cagd_convex_hull_2d(int count, const num_q points[], int vertex[])
 {
     region_mark m = region_open();
     struct site *site = region_bytes((size_t)count * sizeof *site);
@@ -297,18 +272,4 @@ static int decide_convex_hull_2d(int count, const num_q points[], int vertex[])
         vertex[size++] = site[0].index;
     region_drop(m);
     return size;
-}
-int cagd_convex_hull_2d(int count, const num_q points[], int vertex[])
-{
-    cagd_trace_pause();
-    int answer = decide_convex_hull_2d(count, points, vertex);
-    cagd_trace_resume();
-    if (cagd_trace_noting()) {
-        cagd_trace_name_numbers(2 * count, points);
-        cagd_trace_fact("hull_vertices");
-        cagd_trace_put_numbers("points", 2 * count, points);
-        cagd_trace_put_list("vertices", answer, vertex);
-        cagd_trace_fact_end();
-    }
-    return answer;
 }

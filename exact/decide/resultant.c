@@ -1,5 +1,7 @@
 #include "exact/decide/resultant.h"
 
+#include "exact/decide/with.h"
+
 #include "exact/words.h"
 
 /* Row r times the least common denominator of its entries, in integers. */
@@ -16,7 +18,7 @@ static void clear_denominators(int n, const num_q row[], mpz_t out[], mpz_t comm
 
 /* Bareiss: after step k every entry a_ij, i, j > k, is the minor of rows 0..k, i and columns 0..k, j,
  * so that division by the pivot of the step before is exact and the last entry is the determinant. */
-static num_q decide_pivoted_determinant_q(int n, const num_q A[])
+num_q cagd_pivoted_determinant_q(int n, const num_q A[])
 {
     mpz_t *a = region_bytes((size_t)n * (size_t)n * sizeof *a), before, common, product;
     mpq_t det;
@@ -57,24 +59,8 @@ static num_q decide_pivoted_determinant_q(int n, const num_q A[])
     mpz_clear(before), mpz_clear(common), mpz_clear(product), mpq_clear(det);
     return value;
 }
-num_q cagd_pivoted_determinant_q(int n, const num_q A[])
-{
-    cagd_trace_pause();
-    num_q answer = decide_pivoted_determinant_q(n, A);
-    cagd_trace_resume();
-    if (cagd_trace_noting()) {
-        cagd_trace_name_numbers(n * n, A);
-        cagd_trace_name_numbers(1, &answer);
-        cagd_trace_fact("determinant");
-        cagd_trace_put("rows", n);
-        cagd_trace_put_numbers("A", n * n, A);
-        cagd_trace_put_numbers("is", 1, &answer);
-        cagd_trace_fact_end();
-    }
-    return answer;
-}
 
-num_f cagd_pivoted_determinant_f(int n, const num_f A[])
+num_f cagd_pivoted_determinant_with_f(int (*is_zero)(num_f), int n, const num_f A[])
 {
     num_f *a = region_bytes((size_t)n * (size_t)n * sizeof *a), before = from_int_f(1);
     for (int i = 0; i < n * n; i++)
@@ -82,7 +68,7 @@ num_f cagd_pivoted_determinant_f(int n, const num_f A[])
     int negative = 0;
     for (int k = 0; k < n; k++) {
         int p = k;
-        while (p < n && cagd_is_zero_f(a[p * n + k]))
+        while (p < n && is_zero(a[p * n + k]))
             p++;
         if (p == n)
             return from_int_f(0);
@@ -103,15 +89,19 @@ num_f cagd_pivoted_determinant_f(int n, const num_f A[])
     }
     return negative ? neg_f(before) : before;
 }
+num_f cagd_pivoted_determinant_f(int n, const num_f A[])
+{
+    return cagd_pivoted_determinant_with_f(cagd_is_zero_f, n, A);
+}
 
-#define G(name) name##_q
+#define G(name) cagd_##name##_q
 #include "exact/decide/resultant.tmpl.h"
 #undef G
-#define G(name) name##_f
+#define G(name) cagd_##name##_f
 #include "exact/decide/resultant.tmpl.h"
 #undef G
 
-num_f cagd_resultant_by_f(num_f p, num_f q, num_f variable)
+num_f cagd_resultant_with_f(num_f (*determinant)(int, const num_f[]), num_f p, num_f q, num_f variable)
 {
     int m = degree_f(p, variable), n = degree_f(q, variable);
     if (m < 0 || n < 0) {
@@ -123,7 +113,13 @@ num_f cagd_resultant_by_f(num_f p, num_f q, num_f variable)
         a[k] = coefficient_f(p, variable, k);
     for (int k = 0; k <= n; k++)
         b[k] = coefficient_f(q, variable, k);
-    return cagd_resultant_sylvester_f(m, a, n, b);
+    num_f *S = region_bytes((size_t)(m + n) * (size_t)(m + n) * sizeof *S);
+    sylvester_matrix_f(m, a, n, b, S);
+    return determinant(m + n, S);
+}
+num_f cagd_resultant_by_f(num_f p, num_f q, num_f variable)
+{
+    return cagd_resultant_with_f(cagd_pivoted_determinant_f, p, q, variable);
 }
 
 typedef num_q resultant_of_arrays(int, const num_q[], int, const num_q[]);

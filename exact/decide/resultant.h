@@ -10,7 +10,7 @@
 #ifndef CAGD_RESULTANT_H
 #define CAGD_RESULTANT_H
 
-#include "exact/decide/polynomial.h"
+#include "exact/number/polynomial.h"
 
 /* det A for n x n; 1 for n = 0.  _q: fraction-free elimination over the integers.  _f: the same rule
  * in the field, where the divisions are exact as well. */

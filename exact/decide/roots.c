@@ -195,24 +195,7 @@ static struct squarefree decompose(poly p)
     return s;
 }
 
-/* The counts for the trace; no end: infinity. */
-static void note_roots(poly p, const num_q *a, const num_q *b, enum cagd_ends ends, struct cagd_root_count r)
-{
-    int node = cagd_trace_polynomial(p), low = a != NULL ? cagd_trace_number(a->at) : -1,
-        high = b != NULL ? cagd_trace_number(b->at) : -1;
-    cagd_trace_fact("roots");
-    cagd_trace_put("p", node);
-    cagd_trace_put_list("from", 2, (int[]){low, high});
-    cagd_trace_put_list("with_ends", 2,
-                        (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
-    cagd_trace_put("distinct", r.distinct);
-    cagd_trace_put("counted", r.counted);
-    cagd_trace_put("crossings", r.crossings);
-    cagd_trace_put("touches", r.touches);
-    cagd_trace_fact_end();
-}
-
-static struct cagd_root_count decide_count_roots(poly p, num_q a, num_q b, enum cagd_ends ends)
+struct cagd_root_count cagd_count_roots(poly p, num_q a, num_q b, enum cagd_ends ends)
 {
     struct cagd_root_count total = {0};
     if (undefined(p, a, b))
@@ -235,15 +218,6 @@ static struct cagd_root_count decide_count_roots(poly p, num_q a, num_q b, enum 
     }
     region_drop(m);
     return total;
-}
-struct cagd_root_count cagd_count_roots(poly p, num_q a, num_q b, enum cagd_ends ends)
-{
-    cagd_trace_pause();
-    struct cagd_root_count answer = decide_count_roots(p, a, b, ends);
-    cagd_trace_resume();
-    if (cagd_trace_noting())
-        note_roots(p, &a, &b, ends, answer);
-    return answer;
 }
 
 /* |c_{n-k}/c_n| < 2^e gives 2 |c_{n-k}/c_n|^(1/k) < 2^(1 + ceil(e/k)). */
@@ -273,17 +247,12 @@ num_q cagd_root_bound(poly p)
 /* Over (a,b), where NULL means infinity. */
 static struct cagd_root_count count_without_bound(poly p, const num_q *a, const num_q *b)
 {
-    cagd_trace_pause();
     num_q B = root_bound(p), low = a != NULL ? *a : neg_q(B), high = b != NULL ? *b : B;
     if (a != NULL && cagd_compare_q(low, high) > 0)
         high = low;
     if (b != NULL && cagd_compare_q(low, high) > 0)
         low = high;
-    struct cagd_root_count answer = cagd_count_roots(p, low, high, OPEN);
-    cagd_trace_resume();
-    if (cagd_trace_noting())
-        note_roots(p, a, b, OPEN, answer);
-    return answer;
+    return cagd_count_roots(p, low, high, OPEN);
 }
 struct cagd_root_count cagd_count_roots_line(poly p) { return count_without_bound(p, NULL, NULL); }
 struct cagd_root_count cagd_count_roots_above(poly p, num_q a) { return count_without_bound(p, &a, NULL); }
@@ -299,7 +268,7 @@ static void attribute(struct cagd_root *r, struct squarefree s)
     r->multiplicity = s.multiplicity[k];
 }
 
-static int decide_isolate_roots(poly p, num_q a, num_q b, struct cagd_root out[], int room)
+int cagd_isolate_roots(poly p, num_q a, num_q b, struct cagd_root out[], int room)
 {
     if (undefined(p, a, b))
         return 0;
@@ -319,15 +288,6 @@ static int decide_isolate_roots(poly p, num_q a, num_q b, struct cagd_root out[]
     for (int r = 0; r < all.found && r < room; r++)
         attribute(&out[r], s);
     return all.found;
-}
-int cagd_isolate_roots(poly p, num_q a, num_q b, struct cagd_root out[], int room)
-{
-    cagd_trace_pause();
-    int answer = decide_isolate_roots(p, a, b, out, room);
-    cagd_trace_resume();
-    if (cagd_trace_noting())
-        note_roots(p, &a, &b, CLOSED, (struct cagd_root_count){answer, -1, -1, -1});
-    return answer;
 }
 
 /* The sign of f just above t, where f has at most a simple root at t. */

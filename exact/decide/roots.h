@@ -8,7 +8,7 @@
 #ifndef CAGD_ROOTS_H
 #define CAGD_ROOTS_H
 
-#include "exact/decide/polynomial.h"
+#include "exact/number/polynomial.h"
 
 /* [a,b], (a,b), (a,b], [a,b).  For a = b the interval is {a} if CAGD_CLOSED and otherwise empty. */
 enum cagd_ends { CAGD_CLOSED, CAGD_OPEN, CAGD_OPEN_LEFT, CAGD_OPEN_RIGHT };

@@ -10,7 +10,7 @@ static int sign_somewhere_inside(poly p, num_q a, num_q b)
     return s;
 }
 
-static enum cagd_sign_pattern decide_sign_on(poly p, num_q a, num_q b, enum cagd_ends ends)
+enum cagd_sign_pattern cagd_sign_on(poly p, num_q a, num_q b, enum cagd_ends ends)
 {
     int order = cagd_compare_q(a, b);
     if (order > 0 || (order == 0 && ends != CLOSED)) {
@@ -30,21 +30,4 @@ static enum cagd_sign_pattern decide_sign_on(poly p, num_q a, num_q b, enum cagd
     if (roots.distinct > 0)
         return s > 0 ? SIGN_NONNEGATIVE : SIGN_NONPOSITIVE;
     return s > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
-}
-enum cagd_sign_pattern cagd_sign_on(poly p, num_q a, num_q b, enum cagd_ends ends)
-{
-    cagd_trace_pause();
-    enum cagd_sign_pattern answer = decide_sign_on(p, a, b, ends);
-    cagd_trace_resume();
-    if (cagd_trace_noting()) {
-        int node = cagd_trace_polynomial(p), from[2] = {cagd_trace_number(a.at), cagd_trace_number(b.at)};
-        cagd_trace_fact("sign");
-        cagd_trace_put("p", node);
-        cagd_trace_put_list("from", 2, from);
-        cagd_trace_put_list("with_ends", 2,
-                            (int[]){ends == CLOSED || ends == OPEN_RIGHT, ends == CLOSED || ends == OPEN_LEFT});
-        cagd_trace_put("is", (int)answer);
-        cagd_trace_fact_end();
-    }
-    return answer;
 }

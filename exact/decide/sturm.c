@@ -190,26 +190,7 @@ static int count(poly p, struct place a, struct place b)
 
 static const struct place left_end = {.infinite = -1}, right_end = {.infinite = +1};
 
-/* Noted for the trace in the form of roots.c; an end that is not infinite counts on the right. */
-static int noted_count(poly p, struct place a, struct place b)
-{
-    cagd_trace_pause();
-    int answer = count(p, a, b);
-    cagd_trace_resume();
-    if (cagd_trace_noting()) {
-        int node = cagd_trace_polynomial(p);
-        int from[2] = {a.infinite ? -1 : cagd_trace_number(a.x.at), b.infinite ? -1 : cagd_trace_number(b.x.at)};
-        cagd_trace_fact("roots");
-        cagd_trace_put("p", node);
-        cagd_trace_put_list("from", 2, from);
-        cagd_trace_put_list("with_ends", 2, (int[]){0, 1});
-        cagd_trace_put("distinct", answer);
-        cagd_trace_fact_end();
-    }
-    return answer;
-}
-
-int cagd_sturm_count(poly p, num_q a, num_q b) { return noted_count(p, (struct place){0, a}, (struct place){0, b}); }
-int cagd_sturm_count_above(poly p, num_q a) { return noted_count(p, (struct place){0, a}, right_end); }
-int cagd_sturm_count_below(poly p, num_q b) { return noted_count(p, left_end, (struct place){0, b}); }
-int cagd_sturm_count_line(poly p) { return noted_count(p, left_end, right_end); }
+int cagd_sturm_count(poly p, num_q a, num_q b) { return count(p, (struct place){0, a}, (struct place){0, b}); }
+int cagd_sturm_count_above(poly p, num_q a) { return count(p, (struct place){0, a}, right_end); }
+int cagd_sturm_count_below(poly p, num_q b) { return count(p, left_end, (struct place){0, b}); }
+int cagd_sturm_count_line(poly p) { return count(p, left_end, right_end); }

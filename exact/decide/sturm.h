@@ -6,7 +6,7 @@
 #ifndef CAGD_STURM_H
 #define CAGD_STURM_H
 
-#include "exact/decide/polynomial.h"
+#include "exact/number/polynomial.h"
 
 /* Different roots in (a,b], (a,infinity), (-infinity,b], on the line.  UNDEFINED for p = 0 and for a > b. */
 int cagd_sturm_count(cagd_poly p, cagd_num_q a, cagd_num_q b);

@@ -96,21 +96,8 @@ static int reduce_column(struct matrix m, int k)
     return 1;
 }
 
-/* For the trace: all minors are >= 0, or > 0 if strict, or not all. */
-static void note_minors(int rows, int columns, const num_q A[], int strict, int is)
-{
-    cagd_trace_name_numbers(rows * columns, A);
-    cagd_trace_fact("minors");
-    cagd_trace_put("rows", rows);
-    cagd_trace_put("columns", columns);
-    cagd_trace_put_numbers("A", rows * columns, A);
-    cagd_trace_put("strict", strict != 0);
-    cagd_trace_put("is", is != 0);
-    cagd_trace_fact_end();
-}
-
 /* When row k and column k are reduced, what is left is a block of its own, one smaller. */
-static int decide_is_totally_nonnegative(int rows, int columns, const num_q A[])
+int cagd_is_totally_nonnegative(int rows, int columns, const num_q A[])
 {
     region_mark mark = region_open();
     struct matrix whole = integer_matrix(rows, columns, A), m = whole;
@@ -126,15 +113,6 @@ static int decide_is_totally_nonnegative(int rows, int columns, const num_q A[])
     clear_matrix(whole);
     region_drop(mark);
     return good;
-}
-int cagd_is_totally_nonnegative(int rows, int columns, const num_q A[])
-{
-    cagd_trace_pause();
-    int answer = decide_is_totally_nonnegative(rows, columns, A);
-    cagd_trace_resume();
-    if (cagd_trace_noting())
-        note_minors(rows, columns, A, 0, answer);
-    return answer;
 }
 
 /* After step k the entry (i,j), i, j >= k, is the minor M_k(i,j) of rows i-k .. i and columns
@@ -171,7 +149,7 @@ static int consecutive_minors_positive(struct matrix m)
     return good;
 }
 
-static int decide_is_totally_positive(int rows, int columns, const num_q A[])
+int cagd_is_totally_positive(int rows, int columns, const num_q A[])
 {
     region_mark mark = region_open();
     struct matrix m = integer_matrix(rows, columns, A), copy = integer_matrix(rows, columns, A);
@@ -179,15 +157,6 @@ static int decide_is_totally_positive(int rows, int columns, const num_q A[])
     clear_matrix(m), clear_matrix(copy);
     region_drop(mark);
     return good;
-}
-int cagd_is_totally_positive(int rows, int columns, const num_q A[])
-{
-    cagd_trace_pause();
-    int answer = decide_is_totally_positive(rows, columns, A);
-    cagd_trace_resume();
-    if (cagd_trace_noting())
-        note_minors(rows, columns, A, 1, answer);
-    return answer;
 }
 
 /* The next choice of r out of 0 .. n-1 in lexicographic order; 0 after the last. */
@@ -217,7 +186,7 @@ static num_q minor_value(int order, int columns, const num_q A[], const int row[
     return cagd_pivoted_determinant_q(order, B);
 }
 
-static int decide_all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct cagd_minor *worst)
+int cagd_all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct cagd_minor *worst)
 {
     int most = rows < columns ? rows : columns;
     int *row = region_bytes((size_t)most * sizeof *row), *column = region_bytes((size_t)most * sizeof *column);
@@ -239,13 +208,4 @@ static int decide_all_minors_nonnegative(int rows, int columns, const num_q A[],
         } while (next_choice(order, rows, row));
     }
     return 1;
-}
-int cagd_all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct cagd_minor *worst)
-{
-    cagd_trace_pause();
-    int answer = decide_all_minors_nonnegative(rows, columns, A, strict, worst);
-    cagd_trace_resume();
-    if (cagd_trace_noting())
-        note_minors(rows, columns, A, strict, answer);
-    return answer;
 }

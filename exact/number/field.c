@@ -1,6 +1,7 @@
 #include "exact/number/field.h"
 
 #include "exact/number/fraction.h"
+#include "exact/number/recorder.h"
 #include "exact/words.h"
 
 #include <flint/fmpq.h>
@@ -69,27 +70,14 @@ const char *cagd_field_variables(void)
     return text;
 }
 
-static struct cagd_field_element *fresh(void)
-{
-    struct cagd_field_element *r = cagd_region_slot(SLOT_FIELD);
-    if (cagd_tracing != NULL)
-        cagd_trace_fresh(r);
-    return r;
-}
-
-int cagd_trace_field_element(num_f a)
-{
-    if (cagd_trace_known(a.at) < 0)
-        cagd_trace_text(a.at, "f", to_string_f(a));
-    return cagd_trace_known(a.at);
-}
+static struct cagd_field_element *fresh(void) { return cagd_fresh_slot(SLOT_FIELD); }
 
 /* r was made of a, or of a and b. */
 static num_f made_of(const char *op, const struct cagd_field_element *r, num_f a, const num_f *b)
 {
-    if (cagd_trace_noting()) {
-        int argument[2] = {cagd_trace_field_element(a), b != NULL ? cagd_trace_field_element(*b) : 0};
-        cagd_trace_node(r, op, b != NULL ? 2 : 1, argument);
+    if (cagd_noting()) {
+        int argument[2] = {cagd_node_of_f(a), b != NULL ? cagd_node_of_f(*b) : 0};
+        cagd_recorder->node(r, op, b != NULL ? 2 : 1, argument);
     }
     return (num_f){r};
 }
@@ -120,8 +108,8 @@ num_f cagd_variable_f(const char *name)
     }
     struct cagd_field_element *r = fresh();
     fmpz_mpoly_gen(r->numerator, v, ctx);
-    if (cagd_trace_noting())
-        cagd_trace_variable(r, name);
+    if (cagd_noting())
+        cagd_recorder->variable(r, name);
     return (num_f){r};
 }
 
@@ -152,22 +140,22 @@ static int is_one(num_f a)
     return fmpz_mpoly_is_one(a.at->numerator, cagd_field_context()) && cagd_fraction_is_polynomial(a.at);
 }
 
-/* Values do not change, so a + 0 is a itself; but each node of a trace is a value of its own. */
+/* Values do not change, so a + 0 is a itself; but each node of a record is a value of its own. */
 num_f cagd_add_f(num_f a, num_f b)
 {
-    if (cagd_tracing == NULL && (is_zero(a) || is_zero(b)))
+    if (cagd_recorder == NULL && (is_zero(a) || is_zero(b)))
         return is_zero(a) ? b : a;
     return combine("+", cagd_fraction_add, a, b);
 }
 num_f cagd_sub_f(num_f a, num_f b)
 {
-    if (cagd_tracing == NULL && is_zero(b))
+    if (cagd_recorder == NULL && is_zero(b))
         return a;
     return combine("-", cagd_fraction_sub, a, b);
 }
 num_f cagd_mul_f(num_f a, num_f b)
 {
-    if (cagd_tracing == NULL && (is_zero(a) || is_one(a) || is_zero(b) || is_one(b)))
+    if (cagd_recorder == NULL && (is_zero(a) || is_one(a) || is_zero(b) || is_one(b)))
         return is_zero(a) || is_one(b) ? a : b;
     return combine("*", cagd_fraction_mul, a, b);
 }
@@ -175,7 +163,7 @@ num_f cagd_div_f(num_f a, num_f b)
 {
     if (is_zero(b))
         return fault_f(FAULT_UNDEFINED);
-    if (cagd_tracing == NULL && (is_zero(a) || is_one(b)))
+    if (cagd_recorder == NULL && (is_zero(a) || is_one(b)))
         return a;
     return combine("/", cagd_fraction_div, a, b);
 }
@@ -195,8 +183,8 @@ num_f cagd_from_rational_f(num_q a)
     fmpz_set_mpz(r->content, mpq_numref(a.at));
     fmpz_mpoly_set_fmpz(r->numerator, r->content, cagd_field_context());
     fmpz_set_mpz(r->content, mpq_denref(a.at));
-    if (cagd_trace_noting())
-        cagd_trace_alias(r, cagd_trace_number(a.at));
+    if (cagd_noting())
+        cagd_recorder->alias(r, cagd_node_of_q(a));
     return (num_f){r};
 }
 num_f cagd_from_int_f(long m) { return from_rational_f(from_int_q(m)); }
@@ -248,14 +236,7 @@ num_f cagd_root_f(int n, num_f a)
     return found ? div_f((num_f){p}, (num_f){q}) : fault_f(FAULT_UNABLE);
 }
 
-int cagd_is_zero_f(num_f a)
-{
-    int zero = is_zero(a);
-    if (cagd_trace_noting())
-        cagd_trace_relation("equal", cagd_trace_field_element(a), -1, zero);
-    return zero;
-}
-
+int cagd_is_zero_f(num_f a) { return is_zero(a); }
 int cagd_equal_f(num_f a, num_f b) { return cagd_fraction_equal(a.at, b.at); }
 
 int cagd_is_constant_f(num_f a, num_q *value)
@@ -341,16 +322,7 @@ int cagd_denominator_degree_f(num_f a, num_f variable)
 
 int cagd_has_degrees_f(num_f a, num_f variable, int numerator, int denominator)
 {
-    int is[] = {degree_f(a, variable), denominator_degree_f(a, variable)};
-    if (cagd_trace_noting()) {
-        int of[] = {cagd_trace_field_element(a), cagd_trace_field_element(variable)};
-        if (cagd_trace_fact("degrees")) {
-            cagd_trace_put_list("of", 2, of);
-            cagd_trace_put_list("is", 2, is);
-            cagd_trace_fact_end();
-        }
-    }
-    return is[0] == numerator && is[1] == denominator;
+    return degree_f(a, variable) == numerator && denominator_degree_f(a, variable) == denominator;
 }
 
 /* Does the printed polynomial need no parentheses above (below) the bar of a fraction? */

@@ -51,5 +51,4 @@ int cagd_field_variable_f(cagd_num_f variable);                          /* its 
  * wherever all variables are positive.  -2: no such conclusion. */
 int cagd_coefficients_sign_f(cagd_num_f a);
 const char *cagd_to_string_f(cagd_num_f a); /* lives in the region                      */
-int cagd_trace_field_element(cagd_num_f a); /* its node in the open trace (trace.h), made if there is none */
 #endif

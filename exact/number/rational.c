@@ -1,4 +1,5 @@
 #include "exact/number/rational.h"
+#include "exact/number/recorder.h"
 #include "exact/words.h"
 
 #include <ctype.h>
@@ -6,33 +7,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-static mpq_ptr fresh(void)
-{
-    mpq_ptr r = cagd_region_slot(SLOT_RATIONAL);
-    if (cagd_tracing != NULL)
-        cagd_trace_fresh(r);
-    return r;
-}
+static mpq_ptr fresh(void) { return cagd_fresh_slot(SLOT_RATIONAL); }
 
-/* The value of r, now that it has one, for the trace. */
-static num_q noted(const char *op, mpq_ptr r, mpq_srcptr a, mpq_srcptr b)
+/* The value of r, now that it has one, for the record: made of a, or of a and b. */
+static num_q noted(const char *op, mpq_ptr r, num_q a, const num_q *b)
 {
-    if (cagd_trace_noting()) {
-        int argument[2] = {cagd_trace_number(a), b != NULL ? cagd_trace_number(b) : 0};
-        cagd_trace_node(r, op, b != NULL ? 2 : 1, argument);
+    if (cagd_noting()) {
+        int argument[2] = {cagd_node_of_q(a), b != NULL ? cagd_node_of_q(*b) : 0};
+        cagd_recorder->node(r, op, b != NULL ? 2 : 1, argument);
     }
     return (num_q){r};
 }
-static mpq_srcptr itself(const void *number, int k)
-{
-    (void)k;
-    return number;
-}
 static num_q constant(mpq_ptr r)
 {
-    if (cagd_trace_noting())
-        cagd_trace_literal(r, "c", 1, itself, r);
-    return (num_q){r};
+    num_q c = {r};
+    if (cagd_noting())
+        cagd_recorder->literal(r, "c", 1, &c);
+    return c;
 }
 
 static num_q fault_q(unsigned fault)
@@ -41,22 +32,9 @@ static num_q fault_q(unsigned fault)
     return from_int_q(0);
 }
 
-void cagd_trace_name_numbers(int count, const num_q x[])
-{
-    for (int k = 0; k < count; k++)
-        cagd_trace_number(x[k].at);
-}
-void cagd_trace_put_numbers(const char *field, int count, const num_q x[])
-{
-    int *node = region_bytes((size_t)count * sizeof *node);
-    for (int k = 0; k < count; k++)
-        node[k] = cagd_trace_number(x[k].at);
-    cagd_trace_put_list(field, count, node);
-}
-
-/* Values do not change, so a + 0 is a itself; but each node of a trace is a value of its own. */
-static int is_zero(num_q a) { return cagd_tracing == NULL && mpq_sgn(a.at) == 0; }
-static int is_one(num_q a) { return cagd_tracing == NULL && mpq_cmp_ui(a.at, 1, 1) == 0; }
+/* Values do not change, so a + 0 is a itself; but each node of a record is a value of its own. */
+static int is_zero(num_q a) { return cagd_recorder == NULL && mpq_sgn(a.at) == 0; }
+static int is_one(num_q a) { return cagd_recorder == NULL && mpq_cmp_ui(a.at, 1, 1) == 0; }
 
 num_q cagd_add_q(num_q a, num_q b)
 {
@@ -64,7 +42,7 @@ num_q cagd_add_q(num_q a, num_q b)
         return is_zero(a) ? b : a;
     mpq_ptr r = fresh();
     mpq_add(r, a.at, b.at);
-    return noted("+", r, a.at, b.at);
+    return noted("+", r, a, &b);
 }
 num_q cagd_sub_q(num_q a, num_q b)
 {
@@ -72,7 +50,7 @@ num_q cagd_sub_q(num_q a, num_q b)
         return a;
     mpq_ptr r = fresh();
     mpq_sub(r, a.at, b.at);
-    return noted("-", r, a.at, b.at);
+    return noted("-", r, a, &b);
 }
 num_q cagd_mul_q(num_q a, num_q b)
 {
@@ -80,7 +58,7 @@ num_q cagd_mul_q(num_q a, num_q b)
         return is_zero(a) || is_one(b) ? a : b;
     mpq_ptr r = fresh();
     mpq_mul(r, a.at, b.at);
-    return noted("*", r, a.at, b.at);
+    return noted("*", r, a, &b);
 }
 num_q cagd_div_q(num_q a, num_q b)
 {
@@ -90,13 +68,13 @@ num_q cagd_div_q(num_q a, num_q b)
         return a;
     mpq_ptr r = fresh();
     mpq_div(r, a.at, b.at);
-    return noted("/", r, a.at, b.at);
+    return noted("/", r, a, &b);
 }
 num_q cagd_neg_q(num_q a)
 {
     mpq_ptr r = fresh();
     mpq_neg(r, a.at);
-    return noted("neg", r, a.at, NULL);
+    return noted("neg", r, a, NULL);
 }
 num_q cagd_from_int_q(long m)
 {
@@ -123,9 +101,9 @@ num_q cagd_root_q(int n, num_q a)
         mpq_set_ui(r, 0, 1);
         return fault_q(FAULT_UNABLE);
     }
-    if (cagd_trace_noting()) {
-        int argument[2] = {cagd_trace_number(a.at), n};
-        cagd_trace_node(r, "root", 2, argument);
+    if (cagd_noting()) {
+        int argument[2] = {cagd_node_of_q(a), n};
+        cagd_recorder->node(r, "root", 2, argument);
     }
     return (num_q){r};
 }

@@ -34,12 +34,12 @@ static char *one_more_chunk(struct pool *pool, size_t bytes)
     return pool->chunk[pool->chunks++] = must(malloc(bytes));
 }
 
-static void *slot_at(enum slot_kind kind, size_t k)
+static void *slot_at(enum cagd_slot_kind kind, size_t k)
 {
     return pools[kind].chunk[k / CHUNK] + k % CHUNK * cagd_slot_ops[kind].size;
 }
 
-void *cagd_region_slot(enum slot_kind kind)
+void *cagd_region_slot(enum cagd_slot_kind kind)
 {
     struct pool *pool = &pools[kind];
     if (pool->used == pool->made) {
@@ -68,14 +68,14 @@ void *cagd_region_bytes(size_t n)
 region_mark cagd_region_open(void)
 {
     region_mark m = {.bytes = pages.used, .large = large.chunks};
-    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++)
+    for (enum cagd_slot_kind kind = 0; kind < SLOT_KINDS; kind++)
         m.used[kind] = pools[kind].used;
     return m;
 }
 
 void cagd_region_drop(region_mark m)
 {
-    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
+    for (enum cagd_slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
         struct pool *pool = &pools[kind];
         pool->used = m.used[kind];
         if (!cagd_slot_ops[kind].reusable)
@@ -98,7 +98,7 @@ static void free_chunks(struct pool *pool)
 void cagd_region_free_all(void)
 {
     region_drop((region_mark){{0}, 0, 0});
-    for (enum slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
+    for (enum cagd_slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
         struct pool *pool = &pools[kind];
         while (pool->made > 0)
             cagd_slot_ops[kind].clear(slot_at(kind, --pool->made));

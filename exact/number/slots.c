@@ -1,9 +1,9 @@
 #include "exact/number/slots.h"
 
-#include "exact/decide/polynomial_slot.h"
 #include "exact/number/field.h"
 #include "exact/number/field_slot.h"
 #include "exact/number/interval.h"
+#include "exact/number/polynomial_slot.h"
 #include "exact/number/rational.h"
 #include "exact/words.h"
 

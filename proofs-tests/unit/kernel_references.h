@@ -363,7 +363,7 @@ static num eliminate(int n, const num M[])
         A[m] = M[m];
     for (int k = 0; k < n; k++) {
         int pivot = k;
-        while (pivot < n && is_zero_q(A[pivot * n + k]))
+        while (pivot < n && cagd_is_zero_q(A[pivot * n + k]))
             pivot++;
         if (pivot == n)
             return from_int(0);
@@ -509,7 +509,7 @@ REFERENCE(torsion) { out[0] = torsion_of(D->x); }
 REFERENCE(curvature)
 {
     num k = div(D->x[1], mul(from_int(3), power(D->x[0], 2)));
-    out[0] = sign_q(k) < 0 ? neg(k) : k;
+    out[0] = cagd_sign_q(k) < 0 ? neg(k) : k;
 }
 /* The part of d2 to the left of d1 has length 5b, and |d1| = 5a. */
 REFERENCE(signed_curvature) { out[0] = div(D->x[1], mul(from_int(5), power(D->w[0], 2))); }

@@ -1,7 +1,7 @@
 /* test_polynomial.c -- polynomials over Q against their definitions. */
 #include "unit_exact.h"
 
-#include "exact/decide/polynomial.h"
+#include "exact/number/polynomial.h"
 #include "exact/words.h"
 
 #include <string.h>

@@ -1,9 +1,9 @@
 /* test_region.c -- where exact values live and when they die. */
 #include "unit_exact.h"
 
-#include "exact/decide/polynomial.h"
 #include "exact/number/field.h"
 #include "exact/number/interval.h"
+#include "exact/number/polynomial.h"
 #include "exact/words.h"
 
 #include <pthread.h>

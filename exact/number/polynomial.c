@@ -1,8 +1,9 @@
-#include "exact/decide/polynomial.h"
+#include "exact/number/polynomial.h"
 
-#include "exact/decide/polynomial_slot.h"
 #include "exact/number/field_slot.h"
 #include "exact/number/fraction.h"
+#include "exact/number/polynomial_slot.h"
+#include "exact/number/recorder.h"
 #include "exact/words.h"
 
 #include <flint/fmpq.h>
@@ -13,13 +14,7 @@
 void cagd_polynomial_slot_init(void *p) { fmpq_poly_init(((struct cagd_polynomial *)p)->x); }
 void cagd_polynomial_slot_clear(void *p) { fmpq_poly_clear(((struct cagd_polynomial *)p)->x); }
 
-static struct cagd_polynomial *fresh(void)
-{
-    struct cagd_polynomial *p = cagd_region_slot(SLOT_POLYNOMIAL);
-    if (cagd_tracing != NULL)
-        cagd_trace_fresh(p);
-    return p;
-}
+static struct cagd_polynomial *fresh(void) { return cagd_fresh_slot(SLOT_POLYNOMIAL); }
 
 static poly fault(unsigned which)
 {
@@ -46,66 +41,38 @@ static num_q rational_of(const fmpq_t x)
     return r;
 }
 
-/* ---- what is noted in a trace ------------------------------------------------------------------- */
-
-static mpq_srcptr number_of_list(const void *list, int k) { return ((const num_q *)list)[k].at; }
-
-int cagd_trace_polynomial(poly p)
-{
-    int node = cagd_trace_known(p.at), length = (int)fmpq_poly_degree(p.at->x) + 1;
-    if (node >= 0)
-        return node;
-    num_q *c = region_bytes((size_t)length * sizeof *c);
-    cagd_trace_pause();
-    for (int k = 0; k < length; k++)
-        c[k] = poly_coefficient(p, k);
-    cagd_trace_resume();
-    cagd_trace_literal(p.at, "opoly", length, number_of_list, c);
-    return cagd_trace_known(p.at);
-}
+/* ---- what is noted ------------------------------------------------------------------------------- */
 
 /* p was made of the numbers c, or of one or two other polynomials. */
 static poly made_of_numbers(const char *op, struct cagd_polynomial *p, int count, const num_q c[])
 {
-    if (cagd_trace_noting()) {
+    if (cagd_noting()) {
         int *argument = region_bytes((size_t)count * sizeof *argument);
         for (int k = 0; k < count; k++)
-            argument[k] = cagd_trace_number(c[k].at);
-        cagd_trace_node(p, op, count, argument);
+            argument[k] = cagd_node_of_q(c[k]);
+        cagd_recorder->node(p, op, count, argument);
     }
     return (poly){p};
 }
 static poly made_of(const char *op, struct cagd_polynomial *p, poly a, const poly *b)
 {
-    if (cagd_trace_noting()) {
-        int argument[2] = {cagd_trace_polynomial(a), b != NULL ? cagd_trace_polynomial(*b) : 0};
-        cagd_trace_node(p, op, b != NULL ? 2 : 1, argument);
+    if (cagd_noting()) {
+        int argument[2] = {cagd_node_of_poly(a), b != NULL ? cagd_node_of_poly(*b) : 0};
+        cagd_recorder->node(p, op, b != NULL ? 2 : 1, argument);
     }
     return (poly){p};
 }
 /* A number c was taken from p, with up to three more arguments. */
 static num_q taken_from(const char *op, num_q c, poly p, int count, const int more[])
 {
-    if (cagd_trace_noting()) {
-        int argument[5] = {cagd_trace_polynomial(p)};
+    if (cagd_noting()) {
+        int argument[5] = {cagd_node_of_poly(p)};
         for (int k = 0; k < count; k++)
             argument[k + 1] = more[k];
-        cagd_trace_node(c.at, op, count + 1, argument);
+        cagd_recorder->node(c.at, op, count + 1, argument);
     }
     return c;
 }
-static int known_about(const char *fact, poly p, const poly *q, int is)
-{
-    if (cagd_trace_noting()) {
-        int of[2] = {cagd_trace_polynomial(p), q != NULL ? cagd_trace_polynomial(*q) : -1};
-        cagd_trace_fact(fact);
-        cagd_trace_put_list("of", 2, of);
-        cagd_trace_put("is", is);
-        cagd_trace_fact_end();
-    }
-    return is;
-}
-
 poly cagd_poly_from_q(int len, const num_q c[])
 {
     struct cagd_polynomial *r = fresh();
@@ -116,12 +83,9 @@ poly cagd_poly_from_q(int len, const num_q c[])
 poly cagd_poly_constant(num_q c) { return poly_from_q(1, &c); }
 poly cagd_poly_variable(void) { return poly_from_q(2, (num_q[]){from_int_q(0), from_int_q(1)}); }
 
-/* Inside this file degree is asked for without being noted. */
-static int degree(poly p) { return (int)fmpq_poly_degree(p.at->x); }
-
-int cagd_poly_degree(poly p) { return known_about("degree", p, NULL, degree(p)); }
-int cagd_poly_is_zero(poly p) { return known_about("pequal", p, NULL, fmpq_poly_is_zero(p.at->x)); }
-int cagd_poly_equal(poly p, poly q) { return known_about("pequal", p, &q, fmpq_poly_equal(p.at->x, q.at->x)); }
+int cagd_poly_degree(poly p) { return (int)fmpq_poly_degree(p.at->x); }
+int cagd_poly_is_zero(poly p) { return fmpq_poly_is_zero(p.at->x); }
+int cagd_poly_equal(poly p, poly q) { return fmpq_poly_equal(p.at->x, q.at->x); }
 
 num_q cagd_poly_coefficient(poly p, int k)
 {
@@ -140,7 +104,7 @@ num_q cagd_poly_value(poly p, num_q t)
     fmpq_poly_evaluate_fmpq(y, p.at->x, x);
     num_q v = rational_of(y);
     fmpq_clear(x), fmpq_clear(y);
-    int at = cagd_trace_noting() ? cagd_trace_number(t.at) : 0;
+    int at = cagd_noting() ? cagd_node_of_q(t) : 0;
     return taken_from("value", v, p, 1, &at);
 }
 
@@ -158,15 +122,15 @@ poly cagd_poly_compose(poly p, poly q) { return combine("pcompose", fmpq_poly_co
 poly cagd_poly_gcd(poly p, poly q) { return combine("pgcd", fmpq_poly_gcd, p, q); }
 poly cagd_poly_quotient(poly p, poly q)
 {
-    return degree(q) < 0 ? fault(FAULT_UNDEFINED) : combine("pquo", fmpq_poly_div, p, q);
+    return cagd_poly_degree(q) < 0 ? fault(FAULT_UNDEFINED) : combine("pquo", fmpq_poly_div, p, q);
 }
 poly cagd_poly_remainder(poly p, poly q)
 {
-    return degree(q) < 0 ? fault(FAULT_UNDEFINED) : combine("prem", fmpq_poly_rem, p, q);
+    return cagd_poly_degree(q) < 0 ? fault(FAULT_UNDEFINED) : combine("prem", fmpq_poly_rem, p, q);
 }
 int cagd_poly_divides(poly d, poly p)
 {
-    return degree(d) < 0 ? cagd_poly_is_zero(p) : cagd_poly_is_zero(poly_remainder(p, d));
+    return cagd_poly_degree(d) < 0 ? cagd_poly_is_zero(p) : cagd_poly_is_zero(poly_remainder(p, d));
 }
 poly cagd_poly_scale(poly p, num_q c) { return poly_mul(p, poly_constant(c)); }
 poly cagd_poly_neg(poly p)
@@ -217,16 +181,16 @@ void cagd_poly_from_field(num_f a, num_f variable, poly *numerator, poly *denomi
  * multiplicity after the other. */
 int cagd_poly_squarefree(poly p, poly factor[], int multiplicity[])
 {
-    if (degree(p) < 0) {
+    if (cagd_poly_degree(p) < 0) {
         region_faults |= FAULT_UNDEFINED;
         return 0;
     }
     poly slope = poly_derivative(p), c = poly_gcd(p, slope);
     poly w = poly_quotient(p, c), y = poly_quotient(slope, c);
     int count = 0;
-    for (int m = 1; degree(w) > 0; m++) {
+    for (int m = 1; cagd_poly_degree(w) > 0; m++) {
         poly z = poly_sub(y, poly_derivative(w)), g = poly_gcd(w, z);
-        if (degree(g) > 0) {
+        if (cagd_poly_degree(g) > 0) {
             factor[count] = g;
             multiplicity[count++] = m;
         }
@@ -267,19 +231,31 @@ poly cagd_poly_from_bernstein(int n, const num_q b[])
     reverse_shift_reverse(r->x, n, -1);
     return made_of_numbers("bernstein", r, n + 1, b);
 }
+/* r = p(a + (b - a) t). */
+static void compose_with_line(fmpq_poly_t r, poly p, num_q a, num_q b)
+{
+    fmpq_poly_t line;
+    fmpq_t start, way;
+    fmpq_poly_init(line), fmpq_init(start), fmpq_init(way);
+    fmpq_set_mpq(start, a.at), fmpq_set_mpq(way, b.at);
+    fmpq_sub(way, way, start);
+    fmpq_poly_set_coeff_fmpq(line, 1, way);
+    fmpq_poly_set_coeff_fmpq(line, 0, start);
+    fmpq_poly_compose(r, p.at->x, line);
+    fmpq_poly_clear(line), fmpq_clear(start), fmpq_clear(way);
+}
 void cagd_poly_to_bernstein(poly p, int n, num_q a, num_q b, num_q out[])
 {
     struct cagd_polynomial *F = fresh();
     int ends[4] = {0, 0, n, 0};
-    if (cagd_trace_noting()) {
-        ends[0] = cagd_trace_number(a.at);
-        ends[1] = cagd_trace_number(b.at);
+    if (cagd_noting()) {
+        ends[0] = cagd_node_of_q(a);
+        ends[1] = cagd_node_of_q(b);
     }
-    cagd_trace_pause();
-    if (n < degree(p))
+    if (n < cagd_poly_degree(p))
         region_faults |= FAULT_UNDEFINED;
     else
-        fmpq_poly_set(F->x, poly_compose(p, poly_from_q(2, (num_q[]){a, sub_q(b, a)})).at->x);
+        compose_with_line(F->x, p, a, b);
     reverse_shift_reverse(F->x, n, +1);
     fmpz_t binomial;
     fmpq_t x;
@@ -291,7 +267,6 @@ void cagd_poly_to_bernstein(poly p, int n, num_q a, num_q b, num_q out[])
         out[i] = rational_of(x);
     }
     fmpz_clear(binomial), fmpq_clear(x);
-    cagd_trace_resume();
     for (int i = 0; i <= n; i++) {
         ends[3] = i;
         taken_from("tobernstein", out[i], p, 4, ends);

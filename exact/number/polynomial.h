@@ -51,7 +51,5 @@ int cagd_poly_squarefree(cagd_poly p, cagd_poly factor[], int multiplicity[]);
 /* out[0..n] with p(a + (b - a) t) = sum out[i] B_i^n(t).  UNDEFINED when n < deg p. */
 void cagd_poly_to_bernstein(cagd_poly p, int n, cagd_num_q a, cagd_num_q b, cagd_num_q out[]);
 
-int cagd_trace_polynomial(cagd_poly p); /* its node in the open trace (trace.h), made if there is none           */
-
 const char *cagd_poly_to_string(cagd_poly p, const char *variable); /* "t^2 - 1/3*t + 1"; in the region        */
 #endif
