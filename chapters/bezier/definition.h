@@ -68,13 +68,4 @@ static inline num G(difference)(int dim, const num b[], int c, int i, int r)
     }
     return sum;
 }
-
-/* n+1 points of dim <= 3 coordinates, every one free. */
-static inline void G(free_points)(trial *T, int n, int dim, num b[])
-{
-    static const char *const name[] = {"x", "y", "z"};
-    for (int i = 0; i <= n; i++)
-        for (int c = 0; c < dim; c++)
-            b[i * dim + c] = unknown(T, name[c], i);
-}
 #include "chapters/judge/claims_off.h"

@@ -65,7 +65,7 @@ CLAIM(end_data_determine_the_cubic)
             same(T, G(power_sum)(3, dim, c, j, from_int(end)), Q[end * dim + j]);
             same(T, G(power_sum_derivative)(3, dim, c, j, 1, from_int(end)), V[end * dim + j]);
         }
-    G(free_coefficients)(T, 3, dim, given);
+    G(free_points)(T, 3, dim, given);
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < dim; j++) {
             Q[end * dim + j] = G(power_sum)(3, dim, given, j, from_int(end));
@@ -332,7 +332,7 @@ CLAIM(congruent_cubics_have_these_lengths)
 {
     num c[4 * dim], image[4 * dim], D[2][dim], E[2][dim], one = from_int(1);
     struct G(turn) angle = G(turn_by)(parameter(T, "a"));
-    G(free_coefficients)(T, 3, dim, c);
+    G(free_points)(T, 3, dim, c);
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < dim; j++)
             D[end][j] = G(power_sum_derivative)(3, dim, c, j, 1, from_int(end));
@@ -472,7 +472,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 CLAIM(derivatives_of_a_cubic)
 {
     num c[4 * space], D[4 * space], t = parameter(T, "t");
-    G(free_coefficients)(T, 3, space, c);
+    G(free_points)(T, 3, space, c);
     G(power_derivatives)(3, space, c, t, 3, D);
     for (int j = 0; j < space; j++) {
         num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], tt = fault(T, mul(t, t), t);
@@ -676,7 +676,7 @@ CLAIM(cusp_has_no_such_factor)
 CLAIM(turning_of_a_cubic_is_quadratic)
 {
     num c[4 * dim], D[2][dim], m[3], f[3], t = parameter(T, "t");
-    G(free_coefficients)(T, 3, dim, c);
+    G(free_points)(T, 3, dim, c);
     G(cubic_minors)(c, m);
     for (int k = 0; k < 3; k++) { /* A x B, A x C, B x C */
         int i = k < 2 ? 3 : 2, h = k == 0 ? 2 : 1;
@@ -823,7 +823,7 @@ CLAIM(sign_of_delta_tells_the_form)
         same(T, point[j], N[j]);
 
     num any[4 * dim]; /* the general cubic */
-    G(free_coefficients)(T, 3, dim, any);
+    G(free_points)(T, 3, dim, any);
     G(cubic_minors)(any, m);
     G(inflection_polynomial)(m, f);
     G(double_point_polynomial)(m, g);
@@ -883,7 +883,7 @@ CLAIM(delta_does_not_tell_graphs)
 CLAIM(merged_inflections_are_a_cusp)
 {
     num c[4 * dim], m[3], D[2 * dim], t1 = unknown(T, "t", 1);
-    G(free_coefficients)(T, 3, dim, c);
+    G(free_points)(T, 3, dim, c);
     G(cubic_minors)(c, m);
     num at = neg(div(m[1], fault(T, mul(from_int(2), m[0]), m[0])));
     G(power_derivatives)(3, dim, c, at, 1, D);
@@ -927,7 +927,7 @@ CLAIM(cusps_are_on_a_hyperbola)
     num R[3 * dim], c[4 * dim], m[3], f[3], alpha = parameter(T, "alpha"), beta = parameter(T, "beta"),
                                             two = from_int(2);
     num chord[dim], side[dim];
-    G(free_coefficients)(T, 2, dim, R);
+    G(free_points)(T, 2, dim, R);
     G(cubic_of_triangle)(R, alpha, beta, c);
     G(cubic_minors)(c, m);
     G(inflection_polynomial)(m, f);
@@ -1007,7 +1007,7 @@ CLAIM(signs_decide_the_form)
 {
     num R[3 * dim], c[4 * dim], m[3], f[3], g[3], chord[dim], side[dim], one = from_int(1), two = from_int(2),
                                                                          three = from_int(3), four = from_int(4);
-    G(free_coefficients)(T, 2, dim, R);
+    G(free_points)(T, 2, dim, R);
     for (int j = 0; j < dim; j++) {
         chord[j] = sub(R[2 * dim + j], R[j]);
         side[j] = sub(R[dim + j], R[j]);
@@ -1296,7 +1296,7 @@ static void G(rows_in_coefficients)(const num c[], num t, int power_of_last, num
 CLAIM(determinant_of_the_derivatives_is_constant)
 {
     num c[4 * space], D[4 * space], rows[3][3], t = parameter(T, "t");
-    G(free_coefficients)(T, 3, space, c);
+    G(free_points)(T, 3, space, c);
     G(power_derivatives)(3, space, c, t, 3, D);
     G(rows_in_coefficients)(c, t, 2, rows);
     num value = mul(from_int(fault(T, -12, 12)), G(sarrus)(c + 3 * space, c + 2 * space, c + space));
@@ -1391,7 +1391,7 @@ CLAIM(printed_entry_spoils_the_determinant)
 CLAIM(cubic_is_plane_when_determinant_vanishes)
 {
     num c[4 * space], P[space], gone[space], normal[space], t = parameter(T, "t");
-    G(free_coefficients)(T, 3, space, c);
+    G(free_points)(T, 3, space, c);
     G(power_point)(3, space, c, t, P);
     for (int j = 0; j < space; j++)
         gone[j] = sub(P[j], c[j]);

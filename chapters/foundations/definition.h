@@ -28,15 +28,6 @@ static inline num G(power_sum_derivative)(int n, int dim, const num c[], int j, 
     return sum;
 }
 
-/* n+1 coefficients, or points, of dim <= 3 coordinates, every one free. */
-static inline void G(free_coefficients)(trial *T, int n, int dim, num c[])
-{
-    static const char *const name[] = {"x", "y", "z"};
-    for (int k = 0; k <= n; k++)
-        for (int j = 0; j < dim; j++)
-            c[k * dim + j] = unknown(T, name[j], k);
-}
-
 /* (cos, sin) of the angle whose half has the tangent a. */
 struct G(turn) {
     num cos, sin;

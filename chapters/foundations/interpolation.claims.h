@@ -67,7 +67,7 @@ CLAIM(one_cubic_passes_through_four_data)
     d[n] = fault(T, d[n], from_int(0));
     for (int i = 0; i <= n; i++)
         same(T, G(newton_sum)(n, d, from_int(i)), p[i]);
-    G(free_coefficients)(T, n, 1, c);
+    G(free_points)(T, n, 1, c);
     for (int i = 0; i <= n; i++)
         d[i] = G(power_sum)(n, 1, c, 0, from_int(i));
     G(differences_of_data)(n, d);

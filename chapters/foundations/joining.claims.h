@@ -487,7 +487,7 @@ CLAIM(pieces_in_new_powers)
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * dim], piece[(MAX_DEGREE + 1) * dim];
     num t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u");
-    G(free_coefficients)(T, n, dim, c);
+    G(free_points)(T, n, dim, c);
     G(power_on_interval)(n, dim, c, fault(T, t0, t1), fault(T, t1, t0), piece);
     num mean = add(mul(sub(from_int(1), u), t0), mul(u, t1)), along = add(t0, mul(sub(t1, t0), u));
     for (int j = 0; j < dim; j++) {
@@ -518,7 +518,7 @@ CLAIM(pieces_in_new_powers)
 CLAIM(coefficients_of_a_piece_are_as_printed)
 {
     num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), h = sub(t1, t0);
-    G(free_coefficients)(T, 3, space, c);
+    G(free_points)(T, 3, space, c);
     G(power_on_interval)(3, space, c, t0, t1, piece);
     num three = from_int(3), h2 = mul(h, h), h3 = mul(h2, h), t2 = mul(t0, t0), t3 = mul(t2, t0);
     for (int j = 0; j < space; j++) {
@@ -554,7 +554,7 @@ CLAIM(derivatives_of_a_piece)
 {
     num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), u = parameter(T, "u");
     num h = sub(t1, t0), t = add(t0, mul(h, u)), speed = from_int(0), before = from_int(0);
-    G(free_coefficients)(T, 3, space, c);
+    G(free_points)(T, 3, space, c);
     G(power_on_interval)(3, space, c, t0, t1, piece);
     for (int j = 0; j < space; j++)
         for (int k = 0; k <= 3; k++) {
@@ -660,7 +660,7 @@ CLAIM(fractional_change_of_a_power_curve)
     num c[(MAX_DEGREE + 1) * dim], line[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * dim], w[MAX_DEGREE + 1], P[dim];
     num p = positive(T, "p", 0), q = positive(T, "q", 0), u = parameter(T, "u"), one = from_int(1);
     num below = add(mul(p, u), mul(q, sub(one, u))), t = div(mul(p, u), below);
-    G(free_coefficients)(T, n, dim, c);
+    G(free_points)(T, n, dim, c);
     for (int j = 0; j < dim; j++) {
         for (int k = 0; k <= n; k++)
             line[k] = c[k * dim + j];

@@ -156,7 +156,7 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
     enum { space = 3 };
     num c[4 * space], D[3 * space], t = parameter(T, "t"), bend[space], normal[space], gone[space], at[space];
     int n = fault(T, 2, 3);
-    G(free_coefficients)(T, n, space, c);
+    G(free_points)(T, n, space, c);
     G(power_derivatives)(n, space, c, t, 2, D);
     G(cross3)(D + space, D + 2 * space, bend);
     G(cross3)(c + space, c + 2 * space, normal);
@@ -265,7 +265,7 @@ CLAIM(horner_computes_the_sum_of_powers)
     enum { space = 3 };
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * space], used[(MAX_DEGREE + 1) * space], P[space], t = parameter(T, "t");
-    G(free_coefficients)(T, n, space, c);
+    G(free_points)(T, n, space, c);
     for (int k = 0; k <= n; k++)
         for (int j = 0; j < space; j++)
             used[k * space + j] = c[fault(T, k, n - k) * space + j];
@@ -463,7 +463,7 @@ static num G(printed_difference)(int order, const num c[], num t, num delta)
 CLAIM(differences_of_a_cubic)
 {
     num c[4], t = parameter(T, "t"), delta = parameter(T, "d"), D[4][4];
-    G(free_coefficients)(T, 3, 1, c);
+    G(free_points)(T, 3, 1, c);
     num step = fault(T, delta, neg(delta));
     for (int i = 0; i <= 3; i++)
         D[0][i] = G(power_sum)(3, 1, c, 0, add(t, mul(from_int(i), step)));
@@ -569,7 +569,7 @@ CLAIM(differences_by_alternating_sums)
     enum { dim = 2 };
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], t = parameter(T, "t"), delta = parameter(T, "d");
-    G(free_coefficients)(T, n, dim, c);
+    G(free_points)(T, n, dim, c);
     G(power_differences)(n, dim, c, delta, d);
     for (int j = 0; j < dim; j++) {
         for (int k = 0; k <= n; k++)
@@ -639,7 +639,7 @@ CLAIM(additions_step_along_the_curve)
     enum { dim = 2 };
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], delta = parameter(T, "d");
-    G(free_coefficients)(T, n, dim, c);
+    G(free_points)(T, n, dim, c);
     G(power_differences)(n, dim, c, delta, d);
     d[n * dim] = fault(T, d[n * dim], from_int(0));
     for (int i = 0; i <= 12; i++) {
@@ -676,7 +676,7 @@ CLAIM(step_takes_differences_to_the_next_place)
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], e[(MAX_DEGREE + 1) * dim];
     num t = parameter(T, "t"), delta = positive(T, "d", 0), next = add(t, delta);
-    G(free_coefficients)(T, n, dim, c);
+    G(free_points)(T, n, dim, c);
     for (int k = 0; k <= n; k++)
         for (int j = 0; j < dim; j++) {
             d[k * dim + j] = G(alternating_sum)(n, dim, c, j, k, t, delta);
@@ -907,7 +907,7 @@ CLAIM(scaled_table_is_as_printed)
 {
     enum { space = 3 };
     num c[4 * space], d[4 * space], delta = positive(T, "d", 0), power = from_int(1);
-    G(free_coefficients)(T, 3, space, c);
+    G(free_points)(T, 3, space, c);
     G(power_differences)(3, space, c, delta, d);
     for (int k = 0; k <= 3; k++, power = mul(power, delta))
         for (int j = 0; j < space; j++) {
@@ -942,7 +942,7 @@ CLAIM(step_multiplies_by_a_square_matrix)
 {
     enum { space = 3 };
     num d[4 * space], next[4 * space], delta = parameter(T, "d");
-    G(free_coefficients)(T, 3, space, d);
+    G(free_points)(T, 3, space, d);
     for (int k = 0; k < 4; k++)
         for (int j = 0; j < space; j++) {
             num sum = from_int(0);
@@ -990,7 +990,7 @@ CLAIM(stepping_reaches_the_other_end)
 {
     int pieces = 1 << T->degree;
     num c[4], d[4], end = from_int(0);
-    G(free_coefficients)(T, 3, 1, c);
+    G(free_points)(T, 3, 1, c);
     for (int k = 0; k < 4; k++)
         end = add(end, c[k]);
     G(power_differences)(3, 1, c, from_ratio(1, pieces), d);

@@ -118,7 +118,7 @@ CLAIM(chord_turns_into_the_derivative)
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * space], D[(MAX_DEGREE + 3) * space], t = variable_f("t"), h = variable_f("h");
     num e[(MAX_DEGREE + 1) * space], value[space];
-    G(free_coefficients)(T, n, space, c);
+    G(free_points)(T, n, space, c);
     G(power_derivatives)(n, space, c, t, n + 1, D);
     for (int m = 0; m < (n + 1) * space; m++)
         e[m] = c[m];

@@ -56,7 +56,7 @@ static num G(two_cubes)(const num P[], int j, num t)
 CLAIM(two_cubes_begin_and_end_at_their_points)
 {
     num P[2 * dim];
-    G(free_coefficients)(T, 1, dim, P);
+    G(free_points)(T, 1, dim, P);
     for (int end = 0; end <= 1; end++)
         for (int j = 0; j < dim; j++)
             same(T, G(two_cubes)(P, j, from_int(fault(T, end, 1 - end))), P[end * dim + j]);
@@ -143,7 +143,7 @@ CLAIM(ends_alone_make_no_straight_line)
 CLAIM(two_cubes_miss_the_chord_by_a_product)
 {
     num P[2 * dim], chord[dim], from_first[dim], t = parameter(T, "t");
-    G(free_coefficients)(T, 1, dim, P);
+    G(free_points)(T, 1, dim, P);
     for (int j = 0; j < dim; j++) {
         chord[j] = sub(P[dim + j], P[j]);
         from_first[j] = sub(G(two_cubes)(P, j, t), P[j]);
@@ -313,7 +313,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 CLAIM(image_of_the_example_is_not_the_translated_curve)
 {
     num P[2 * dim], image[2 * dim], m[dim], t = parameter(T, "t");
-    G(free_coefficients)(T, 1, dim, P);
+    G(free_points)(T, 1, dim, P);
     for (int j = 0; j < dim; j++) {
         m[j] = unknown(T, "m", j);
         image[j] = add(P[j], m[j]);
@@ -353,7 +353,7 @@ CLAIM(matrices_pass_to_the_points)
     enum { space = 3 };
     int n = T->degree;
     num Q[(MAX_DEGREE + 1) * space], M[space * space], phi[MAX_DEGREE + 1];
-    G(free_coefficients)(T, n, space, Q);
+    G(free_points)(T, n, space, Q);
     for (int m = 0; m < space * space; m++)
         M[m] = unknown(T, "m", m);
     for (int i = 0; i <= n; i++)
@@ -449,7 +449,7 @@ CLAIM(translation_adds_the_sum_of_the_functions)
     enum { space = 3 };
     int n = T->degree;
     num Q[(MAX_DEGREE + 1) * space], phi[MAX_DEGREE + 1], sum = from_int(0);
-    G(free_coefficients)(T, n, space, Q);
+    G(free_points)(T, n, space, Q);
     for (int i = 0; i <= n; i++) {
         phi[i] = unknown(T, "f", i);
         if (fault(T, 1, i < n))
@@ -483,7 +483,7 @@ CLAIM(doubled_functions_keep_the_shape)
     int n = T->degree;
     num Q[(MAX_DEGREE + 1) * dim], doubled[(MAX_DEGREE + 1) * dim], moved[(MAX_DEGREE + 1) * dim], m[dim];
     num t = parameter(T, "t"), two = from_int(2), P[dim], image[dim];
-    G(free_coefficients)(T, n, dim, Q);
+    G(free_points)(T, n, dim, Q);
     for (int j = 0; j < dim; j++)
         m[j] = unknown(T, "m", j);
     for (int i = 0; i <= n; i++)
@@ -611,7 +611,7 @@ CLAIM(image_of_a_power_curve_is_one)
     enum { space = 3 };
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * space], d[(MAX_DEGREE + 1) * space], M[space * space], m[space], t = parameter(T, "t");
-    G(free_coefficients)(T, n, space, c);
+    G(free_points)(T, n, space, c);
     for (int k = 0; k < space * space; k++)
         M[k] = unknown(T, "t", k);
     for (int j = 0; j < space; j++) {
@@ -725,7 +725,7 @@ CLAIM(division_keeps_power_curve)
     int n = T->degree;
     num c[(MAX_DEGREE + 2) * dim], piece[(MAX_DEGREE + 1) * dim], P[dim], s = parameter(T, "s"), u = parameter(T, "u");
     num one = from_int(1), places[2] = {mul(s, u), add(s, mul(sub(one, s), u))};
-    G(free_coefficients)(T, n, dim, c);
+    G(free_points)(T, n, dim, c);
     c[(n + 1) * dim] = c[(n + 1) * dim + 1] = from_int(0);
     for (int half = 0; half < 2; half++) {
         G(power_on_interval)(n, dim, c, half ? s : from_int(0), half ? one : s, piece);

@@ -1,7 +1,8 @@
 /* elementary.h -- factorials, binomial coefficients and powers straight from the definitions, and a comparison with 0.
  *
  * For the other side of the chapters' comparisons: nothing here follows the kernels or uses their binomial coefficients;
- * nothing is fast.  Generic text; a section includes it for its one number type. */
+ * nothing is fast.  And points of which every coordinate is free.  Generic text; a section includes it for its one number
+ * type. */
 #ifndef CAGD_ELEMENTARY_H
 #define CAGD_ELEMENTARY_H
 
@@ -29,6 +30,15 @@ static inline num G(power)(num a, int k)
     for (; k > 0; k--)
         product = mul(product, a);
     return product;
+}
+
+/* n+1 points of dim <= 3 coordinates, every one free: R[k*dim + j] is coordinate j of R_k. */
+static inline void G(free_points)(trial *T, int n, int dim, num R[])
+{
+    static const char *const name[] = {"x", "y", "z"};
+    for (int k = 0; k <= n; k++)
+        for (int j = 0; j < dim; j++)
+            R[k * dim + j] = unknown(T, name[j], k);
 }
 
 /* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The inexact types

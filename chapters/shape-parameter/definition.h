@@ -72,14 +72,6 @@ static inline num G(printed_curve)(int dim, const num P[], int c, num beta, num 
     return sum;
 }
 
-/* n+1 points of dim <= 2 coordinates, every one free. */
-static inline void G(free_points)(trial *T, int n, int dim, num P[])
-{
-    for (int i = 0; i <= n; i++)
-        for (int c = 0; c < dim; c++)
-            P[i * dim + c] = unknown(T, c == 0 ? "x" : "y", i);
-}
-
 /* The factors and the Bernstein coefficients of degree n+1 of the printed (n = 7) or the corrected functions. */
 static inline void G(factors_of)(int printed_ones, int n, num beta, num near[], num far[])
 {
