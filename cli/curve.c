@@ -2,9 +2,7 @@
 #include "cli/commands.h"
 #include "cli/curve_json.h"
 #include "cli/report.h"
-#include "exact/decide/sign.h"
-#include "exact/kernels_q.h"
-#include "exact/span.h"
+#include "core/number/limits.h"
 #include "exact/words.h"
 
 #include <math.h>
@@ -84,8 +82,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 /* ---- values at a parameter -------------------------------------------------------------------- */
 
-static num_q *numbers(int count) { return region_bytes((size_t)count * sizeof(num_q)); }
-
 static int complain(const struct arguments *a, const char *what, num_q t)
 {
     fprintf(stderr, "cagd: %s: %s %s\n", strcmp(a->path, "-") == 0 ? "standard input" : a->path, what, to_string_q(t));
@@ -122,21 +118,19 @@ static void print_vector(const char *name, int dim, const num_q x[])
 }
 
 /* Derivatives, curvature and torsion at t, into `values` or printed. */
-static int evaluate(const struct arguments *a, const struct curve *c, num_q t, json_t *values)
+static int evaluate(const struct arguments *a, const cagd_spline_q *c, num_q t, json_t *values)
 {
-    int mu = (a->left ? find_span_left_q : find_span_q)(c->count, c->degree, c->knots, t), dim = c->dim;
-    if (mu < 0)
-        return complain(a, "there is no point outside the domain, at", t);
-    if (c->weights != NULL && cagd_is_zero_q(nurbs_weight_q(c->degree, c->knots, mu, c->weights, t)))
+    cagd_side side = a->left ? CAGD_LEFT : CAGD_RIGHT;
+    num_q D[(MAX_DEGREE + 1) * MAX_DIM], squared, torsion;
+    int dim = c->dim;
+    switch (cagd_spline_derivatives_q(c, t, side, a->derivatives, D)) {
+    case CAGD_OK:
+        break;
+    case CAGD_UNDEFINED:
         return complain(a, "the total weight is 0, and so there is no point, at", t);
-    int rows = a->derivatives > 3 ? a->derivatives + 1 : 4;
-    num_q *D = numbers(rows * dim);
-    if (c->weights != NULL)
-        nurbs_derivatives_q(c->degree, dim, c->knots, mu, c->points, c->weights, t, rows - 1, D);
-    else
-        bspline_derivatives_q(c->degree, dim, c->knots, mu, c->points, t, rows, D);
-    int regular = dim > 1 && !cagd_is_zero_q(norm_squared_q(dim, D + dim));
-    int turns = dim == 3 && !cagd_is_zero_q(gram_q(3, D + 3, D + 6));
+    default:
+        return complain(a, "there is no point outside the domain, at", t);
+    }
     json_t *value = json_pack("{s:o}", "t", number_json(t));
     if (values == NULL)
         printf("at t = %s%s\n", to_string_q(t), a->left ? ", from the left" : "");
@@ -151,14 +145,12 @@ static int evaluate(const struct arguments *a, const struct curve *c, num_q t, j
     }
     json_object_set_new(value, "derivatives", exact);
     json_object_set_new(value, "rounded", rounded);
-    if (regular) {
-        num_q squared = curvature_squared_q(dim, D + dim, D + 2 * dim);
+    if (cagd_spline_curvature_squared_q(c, t, side, &squared) == CAGD_OK) {
         json_object_set_new(value, "curvature_squared", number_json(squared));
         if (values == NULL)
             printf("  curvature     %.15g\n", sqrt(to_double_q(squared)));
     }
-    if (turns) {
-        num_q torsion = torsion_q(D + 3, D + 6, D + 9);
+    if (cagd_spline_torsion_q(c, t, side, &torsion) == CAGD_OK) {
         json_object_set_new(value, "torsion", number_json(torsion));
         if (values == NULL)
             print_vector("torsion", 1, &torsion);
@@ -171,30 +163,12 @@ static int evaluate(const struct arguments *a, const struct curve *c, num_q t, j
 
 /* ---- what the curve is ------------------------------------------------------------------------ */
 
-/* Whether the total weight vanishes somewhere in the domain; decided on every span. */
-static int has_poles(const struct curve *c)
-{
-    if (c->weights == NULL)
-        return 0;
-    for (int mu = c->degree; mu < c->count; mu++) {
-        num_q b[MAX_DEGREE + 1];
-        if (!before_q(c->knots[mu], c->knots[mu + 1]))
-            continue;
-        bspline_to_bezier_q(c->degree, 1, c->knots, mu, c->weights, b);
-        enum cagd_sign_pattern s =
-            cagd_sign_on(poly_from_bernstein(c->degree, b), from_int_q(0), from_int_q(1), CLOSED);
-        if (s != SIGN_POSITIVE && s != SIGN_NEGATIVE)
-            return 1;
-    }
-    return 0;
-}
-
-static void describe(const struct curve *c)
+static void describe(const cagd_spline_q *c)
 {
     static const char *const where[] = {"", "on a line", "in the plane", "in space"};
     int n = c->count, p = c->degree, segments = 0, first = 1;
     for (int mu = p; mu < n; mu++)
-        segments += before_q(c->knots[mu], c->knots[mu + 1]);
+        segments += compare_q(c->knots[mu], c->knots[mu + 1]) < 0;
     printf("%s curve of degree %d (order %d) %s\n", c->weights != NULL ? "NURBS" : "B-spline", p, p + 1, where[c->dim]);
     printf("  points      %d\n", n);
     printf("  domain      [%s, %s], %d segment%s\n", to_string_q(c->knots[p]), to_string_q(c->knots[n]), segments,
@@ -226,137 +200,106 @@ static void describe(const struct curve *c)
             puts("positive");
         else
             printf("%d positive, %d zero, %d negative; the total weight %s\n", n - negative - zero, zero, negative,
-                   has_poles(c) ? "vanishes somewhere in the domain" : "vanishes nowhere in the domain");
+                   cagd_spline_has_poles_q(c) ? "vanishes somewhere in the domain" : "vanishes nowhere in the domain");
     }
 }
 
 /* ---- changed curves --------------------------------------------------------------------------- */
 
-/* The points in homogeneous coordinates where there are weights, else as they are; *dim is their dimension. */
-static num_q *homogeneous(const struct curve *c, int *dim)
+static int has_no_weight(const struct arguments *a, int point)
 {
-    *dim = c->dim + (c->weights != NULL);
-    if (c->weights == NULL)
-        return c->points;
-    num_q *H = numbers(c->count * *dim);
-    rational_homogenize_q(c->count - 1, c->dim, c->points, c->weights, H);
-    return H;
+    fprintf(stderr, "cagd: %s: point %d of the result would have the weight 0\n", a->path, point);
+    return EXIT_USAGE;
 }
 
-/* The curve of the points H over the knots v.  -1 and a line on stderr when a weight is 0. */
-static int curve_of(const struct arguments *a, const struct curve *model, int degree, int count, num_q v[], num_q H[],
-                    struct curve *out)
+static int insert(const struct arguments *a, const cagd_spline_q *c, num_q x, cagd_spline_q *out)
 {
-    *out = (struct curve){degree, count, model->dim, v, H, NULL};
-    if (model->weights == NULL)
-        return 0;
-    for (int i = 0; i < count; i++)
-        if (cagd_is_zero_q(H[i * (model->dim + 1) + model->dim])) {
-            fprintf(stderr, "cagd: %s: point %d of the result would have the weight 0\n", a->path, i);
-            return -1;
-        }
-    out->points = numbers(count * model->dim);
-    out->weights = numbers(count);
-    rational_dehomogenize_q(count - 1, model->dim, H, out->points, out->weights);
-    return 0;
-}
-
-static int insert(const struct arguments *a, const struct curve *c, num_q x, struct curve *out)
-{
-    int n = c->count, p = c->degree, dim, mu = find_span_q(n, p, c->knots, x);
-    if (mu < 0 || cagd_equal_q(x, c->knots[n]))
-        return complain(a, "a knot can be inserted from the start of the domain to before its end, not at", x);
-    if (multiplicity_q(n + p + 1, c->knots, x) > p)
+    int where;
+    switch (cagd_spline_insert_q(c, x, out, &where)) {
+    case CAGD_OK:
+        return EXIT_AS_EXPECTED;
+    case CAGD_UNDEFINED:
+        return has_no_weight(a, where);
+    case CAGD_KNOTS_MULTIPLE:
         return complain(a, "there are as many knots as the degree allows at", x);
-    num_q *H = homogeneous(c, &dim), *v = numbers(n + p + 2), *d = numbers((n + 1) * dim);
-    bspline_insert_q(n, p, dim, c->knots, mu, H, x, v, d);
-    return curve_of(a, c, p, n + 1, v, d, out) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
-}
-
-static int without(const struct arguments *a, const struct curve *c, num_q x, struct curve *out)
-{
-    int n = c->count, p = c->degree, dim, times = multiplicity_q(n + p + 1, c->knots, x);
-    if (times == 0 || !before_q(c->knots[p], x) || !before_q(x, c->knots[n]))
-        return complain(a, "there is no inner knot", x);
-    num_q *H = homogeneous(c, &dim), *v = numbers(n + p), *b = numbers((n - 1) * dim), defect[MAX_DIM];
-    bspline_remove_q(n, p, dim, c->knots, H, find_span_q(n, p, c->knots, x), times, v, b, defect);
-    for (int k = 0; k < dim; k++)
-        if (!cagd_is_zero_q(defect[k])) {
-            complain(a, "the curve would change without the knot", x);
-            return EXIT_NOT_AS_EXPECTED;
-        }
-    return curve_of(a, c, p, n - 1, v, b, out) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
-}
-
-static int elevate(const struct arguments *a, const struct curve *c, struct curve *out)
-{
-    int n = c->count, p = c->degree, dim;
-    if (p == MAX_DEGREE)
-        return complain(a, "the degree is at most", from_int_q(MAX_DEGREE));
-    int m = raised_knots_q(n, p, c->knots, NULL), *span = region_bytes((size_t)m * sizeof *span);
-    num_q *H = homogeneous(c, &dim), *v = numbers(m + p + 2), *d = numbers(m * dim);
-    raised_knots_q(n, p, c->knots, v);
-    spans_of_points_q(n, p, c->knots, m, p + 1, v, span);
-    bspline_elevate_q(p, dim, c->knots, H, m, v, span, d);
-    return curve_of(a, c, p + 1, m, v, d, out) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
-}
-
-/* Possible if and only if every segment is of the lower degree; its continuity at the knots is then what the lowered
- * multiplicities ask for. */
-static int reduce(const struct arguments *a, const struct curve *c, struct curve *out)
-{
-    int n = c->count, p = c->degree, dim;
-    if (p == 0)
-        return complain(a, "the degree is already", from_int_q(0));
-    num_q *H = homogeneous(c, &dim), b[(MAX_DEGREE + 1) * MAX_DIM], lower[(MAX_DEGREE + 1) * MAX_DIM], defect[MAX_DIM];
-    for (int mu = p; mu < n; mu++) {
-        if (!before_q(c->knots[mu], c->knots[mu + 1]))
-            continue;
-        bspline_to_bezier_q(p, dim, c->knots, mu, H, b);
-        bezier_reduce_q(p, dim, b, lower, defect);
-        for (int k = 0; k < dim; k++)
-            if (!cagd_is_zero_q(defect[k])) {
-                complain(a, "the curve would change: it is not of lower degree on the segment from", c->knots[mu]);
-                return EXIT_NOT_AS_EXPECTED;
-            }
+    default:
+        return complain(a, "a knot can be inserted from the start of the domain to before its end, not at", x);
     }
-    int m = lowered_knots_q(n, p, c->knots, NULL), *span = region_bytes((size_t)m * sizeof *span);
-    num_q *v = numbers(m + p), *d = numbers(m * dim);
-    lowered_knots_q(n, p, c->knots, v);
-    spans_of_points_q(n, p, c->knots, m, p - 1, v, span);
-    bspline_reduce_q(p, dim, c->knots, H, m, v, span, d);
-    return curve_of(a, c, p - 1, m, v, d, out) == 0 ? EXIT_AS_EXPECTED : EXIT_USAGE;
 }
 
-static int split(const struct arguments *a, const struct curve *c, num_q t, struct curve *left, struct curve *right)
+static int without(const struct arguments *a, const cagd_spline_q *c, num_q x, cagd_spline_q *out)
 {
-    int n = c->count, p = c->degree, dim, mu = find_span_q(n, p, c->knots, t);
-    if (mu < 0 || !before_q(c->knots[p], t) || cagd_equal_q(t, c->knots[n]))
+    int where;
+    switch (cagd_spline_remove_q(c, x, out, &where)) {
+    case CAGD_OK:
+        return EXIT_AS_EXPECTED;
+    case CAGD_UNDEFINED:
+        return has_no_weight(a, where);
+    case CAGD_CHANGES:
+        complain(a, "the curve would change without the knot", x);
+        return EXIT_NOT_AS_EXPECTED;
+    default:
+        return complain(a, "there is no inner knot", x);
+    }
+}
+
+static int elevate(const struct arguments *a, const cagd_spline_q *c, cagd_spline_q *out)
+{
+    int where;
+    switch (cagd_spline_elevate_q(c, out, &where)) {
+    case CAGD_OK:
+        return EXIT_AS_EXPECTED;
+    case CAGD_UNDEFINED:
+        return has_no_weight(a, where);
+    default:
+        return complain(a, "the degree is at most", from_int_q(MAX_DEGREE));
+    }
+}
+
+static int reduce(const struct arguments *a, const cagd_spline_q *c, cagd_spline_q *out)
+{
+    int where;
+    switch (cagd_spline_reduce_q(c, out, &where)) {
+    case CAGD_OK:
+        return EXIT_AS_EXPECTED;
+    case CAGD_UNDEFINED:
+        return has_no_weight(a, where);
+    case CAGD_CHANGES:
+        complain(a, "the curve would change: it is not of lower degree on the segment from", c->knots[where]);
+        return EXIT_NOT_AS_EXPECTED;
+    default:
+        return complain(a, "the degree is already", from_int_q(0));
+    }
+}
+
+static int split(const struct arguments *a, const cagd_spline_q *c, num_q t, cagd_spline_q *left, cagd_spline_q *right)
+{
+    int where;
+    switch (cagd_spline_split_q(c, t, left, right, &where)) {
+    case CAGD_OK:
+        return EXIT_AS_EXPECTED;
+    case CAGD_UNDEFINED:
+        return has_no_weight(a, where);
+    default:
         return complain(a, "a curve is split inside its domain, not at", t);
-    int times = multiplicity_q(n + p + 1, c->knots, t), lefts = mu - times + 1, rights = n - mu + p;
-    num_q *H = homogeneous(c, &dim), *u = numbers(lefts + p + 1), *v = numbers(rights + p + 1);
-    num_q *L = numbers(lefts * dim), *R = numbers(rights * dim);
-    bspline_split_q(n, p, dim, c->knots, mu, times, H, t, u, L, v, R);
-    return curve_of(a, c, p, lefts, u, L, left) == 0 && curve_of(a, c, p, rights, v, R, right) == 0 ? EXIT_AS_EXPECTED
-                                                                                                    : EXIT_USAGE;
+    }
 }
 
 /* One Bézier curve a segment, over its own interval [u_mu, u_{mu+1}]. */
-static int beziers(const struct arguments *a, const struct curve *c, json_t *list)
+static int beziers(const struct arguments *a, const cagd_spline_q *c, json_t *list)
 {
-    int p = c->degree, dim;
-    num_q *H = homogeneous(c, &dim);
-    for (int mu = p; mu < c->count; mu++) {
-        if (!before_q(c->knots[mu], c->knots[mu + 1]))
-            continue;
-        num_q *b = numbers((p + 1) * dim), *v = numbers(2 * p + 2);
-        struct curve segment;
-        bspline_to_bezier_q(p, dim, c->knots, mu, H, b);
-        for (int i = 0; i < 2 * p + 2; i++)
-            v[i] = c->knots[i <= p ? mu : mu + 1];
-        if (curve_of(a, c, p, p + 1, v, b, &segment) != 0)
-            return EXIT_USAGE;
-        json_array_append_new(list, curve_json(&segment));
+    for (int mu = c->degree; mu < c->count; mu++) {
+        cagd_spline_q segment;
+        int where;
+        switch (cagd_spline_segment_q(c, mu, &segment, &where)) {
+        case CAGD_OK:
+            json_array_append_new(list, curve_json(&segment));
+            break;
+        case CAGD_UNDEFINED:
+            return has_no_weight(a, where);
+        default: /* no segment between equal knots */
+            break;
+        }
     }
     return EXIT_AS_EXPECTED;
 }
@@ -364,9 +307,9 @@ static int beziers(const struct arguments *a, const struct curve *c, json_t *lis
 /* ---- the command ------------------------------------------------------------------------------ */
 
 /* The changed curves, as a list of JSON. */
-static int change(const struct arguments *a, const struct curve *c, json_t *list)
+static int change(const struct arguments *a, const cagd_spline_q *c, json_t *list)
 {
-    struct curve now = *c, next, right;
+    cagd_spline_q now = *c, next, right;
     int code = EXIT_AS_EXPECTED;
     switch (a->action) {
     case INSERT:
@@ -400,9 +343,12 @@ static int change(const struct arguments *a, const struct curve *c, json_t *list
 
 static int compute(const struct arguments *a)
 {
-    struct curve c;
-    if (read_curve(a->path, &c) != 0)
+    cagd_spline_q c;
+    struct input_error error;
+    if (read_curve(a->path, &c, &error) != 0) {
+        report_input_error(a->path, &error);
         return EXIT_USAGE;
+    }
     if (a->action != DESCRIBE) {
         json_t *list = json_array();
         int code = change(a, &c, list);
@@ -427,7 +373,7 @@ static int compute(const struct arguments *a)
     }
     if (a->asked.json)
         print_json_exactly(json_pack("{s:s, s:o, s:b, s:o}", "schema", "cagd-curve-1", "curve", curve_json(&c),
-                                     "positive_denominator", !has_poles(&c), "values", values));
+                                     "positive_denominator", !cagd_spline_has_poles_q(&c), "values", values));
     return EXIT_AS_EXPECTED;
 }
 

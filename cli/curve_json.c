@@ -1,7 +1,6 @@
 /* curve_json.c -- curves and numbers as files have them. */
 #include "cli/curve_json.h"
 #include "core/number/limits.h"
-#include "exact/span.h"
 #include "exact/words.h"
 
 #include <stdarg.h>
@@ -10,16 +9,41 @@
 
 enum { MOST_POINTS = 100000 };
 
-static int refuse(const char *path, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static int refuse(const char *path, const char *format, ...)
+/* What is read, as far as it is read, and what is wrong with it. */
+struct reading {
+    int degree, count, dim;
+    num_q *knots, *points, *weights;
+    struct input_error *error;
+};
+
+/* Notes the error; -1. */
+static int refuse(const struct reading *r, const char *place, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+static int refuse(const struct reading *r, const char *place, const char *format, ...)
 {
     va_list list;
-    fprintf(stderr, "cagd: %s: ", strcmp(path, "-") == 0 ? "standard input" : path);
+    snprintf(r->error->place, sizeof r->error->place, "%s", place);
     va_start(list, format);
-    vfprintf(stderr, format, list);
+    vsnprintf(r->error->cause, sizeof r->error->cause, format, list);
     va_end(list);
-    fputs("\n", stderr);
     return -1;
+}
+
+/* The place of element i: "points[3]". */
+struct element {
+    char text[48];
+};
+static struct element element(const char *field, int i)
+{
+    struct element e;
+    snprintf(e.text, sizeof e.text, "%s[%d]", field, i);
+    return e;
+}
+
+void report_input_error(const char *path, const struct input_error *error)
+{
+    fprintf(stderr, "cagd: %s: %s%s%s\n", strcmp(path, "-") == 0 ? "standard input" : path, error->place,
+            error->place[0] != '\0' ? ": " : "", error->cause);
 }
 
 static num_q *numbers(int count) { return region_bytes((size_t)count * sizeof(num_q)); }
@@ -40,97 +64,98 @@ static int read_number(const json_t *value, num_q *out)
 }
 
 /* An array of exactly `count` numbers, or of any positive number of them for count 0. */
-static int read_numbers(const char *path, const char *field, const json_t *array, int count, num_q **out)
+static int read_numbers(const struct reading *r, const char *field, const json_t *array, int count, num_q **out)
 {
     if (!json_is_array(array))
-        return refuse(path, "%s: expected an array of numbers", field);
+        return refuse(r, field, "expected an array of numbers");
     int given = (int)json_array_size(array);
     if (count != 0 && given != count)
-        return refuse(path, "%s: %d given, expected %d", field, given, count);
+        return refuse(r, field, "%d given, expected %d", given, count);
     *out = numbers(given);
     for (int i = 0; i < given; i++)
         if (read_number(json_array_get(array, (size_t)i), &(*out)[i]) != 0)
-            return refuse(path, "%s[%d]: expected a number, or a string such as \"3/7\", \"0.1\" or \"0x1.8p-3\"",
-                          field, i);
+            return refuse(r, element(field, i).text,
+                          "expected a number, or a string such as \"3/7\", \"0.1\" or \"0x1.8p-3\"");
     return 0;
 }
 
-static int read_points(const char *path, const json_t *array, struct curve *c)
+static int read_points(struct reading *r, const json_t *array)
 {
     if (!json_is_array(array) || json_array_size(array) == 0)
-        return refuse(path, "points: expected an array of points, each an array of 1 to %d numbers", MAX_DIM - 1);
+        return refuse(r, "points", "expected an array of points, each an array of 1 to %d numbers", MAX_DIM - 1);
     if (json_array_size(array) > MOST_POINTS)
-        return refuse(path, "points: %zu given, expected at most %d", json_array_size(array), MOST_POINTS);
-    c->count = (int)json_array_size(array);
-    c->dim = (int)json_array_size(json_array_get(array, 0));
-    if (c->dim < 1 || c->dim > MAX_DIM - 1)
-        return refuse(path, "points[0]: expected an array of 1 to %d numbers", MAX_DIM - 1);
-    c->points = numbers(c->count * c->dim);
-    for (int i = 0; i < c->count; i++) {
-        char field[32];
+        return refuse(r, "points", "%zu given, expected at most %d", json_array_size(array), MOST_POINTS);
+    r->count = (int)json_array_size(array);
+    r->dim = (int)json_array_size(json_array_get(array, 0));
+    if (r->dim < 1 || r->dim > MAX_DIM - 1)
+        return refuse(r, "points[0]", "expected an array of 1 to %d numbers", MAX_DIM - 1);
+    r->points = numbers(r->count * r->dim);
+    for (int i = 0; i < r->count; i++) {
         num_q *point;
-        snprintf(field, sizeof field, "points[%d]", i);
-        if (read_numbers(path, field, json_array_get(array, (size_t)i), c->dim, &point) != 0)
+        if (read_numbers(r, element("points", i).text, json_array_get(array, (size_t)i), r->dim, &point) != 0)
             return -1;
-        memcpy(c->points + i * c->dim, point, (size_t)c->dim * sizeof *point);
+        memcpy(r->points + i * r->dim, point, (size_t)r->dim * sizeof *point);
     }
     return 0;
 }
 
 /* The degree, given as such or as the order, which is one more. */
-static int read_degree(const char *path, const json_t *document, struct curve *c)
+static int read_degree(struct reading *r, const json_t *document)
 {
     const json_t *degree = json_object_get(document, "degree"), *order = json_object_get(document, "order");
     if (degree == NULL && order == NULL) {
         if (json_object_get(document, "knots") != NULL)
-            return refuse(path, "degree: missing; expected a whole number from 0 to %d (or \"order\", one more)",
+            return refuse(r, "degree", "missing; expected a whole number from 0 to %d (or \"order\", one more)",
                           MAX_DEGREE);
-        c->degree = c->count - 1;
+        r->degree = r->count - 1;
     } else {
-        const char *field = degree != NULL ? "degree" : "order";
         int low = degree != NULL ? 0 : 1;
         const json_t *given = degree != NULL ? degree : order;
         if (!json_is_integer(given) || json_integer_value(given) < low || json_integer_value(given) > MAX_DEGREE + low)
-            return refuse(path, "%s: expected a whole number from %d to %d", field, low, MAX_DEGREE + low);
-        c->degree = (int)json_integer_value(given) - low;
-        if (degree != NULL && order != NULL && json_integer_value(order) != c->degree + 1)
-            return refuse(path, "order: expected degree + 1 = %d", c->degree + 1);
+            return refuse(r, degree != NULL ? "degree" : "order", "expected a whole number from %d to %d", low,
+                          MAX_DEGREE + low);
+        r->degree = (int)json_integer_value(given) - low;
+        if (degree != NULL && order != NULL && json_integer_value(order) != r->degree + 1)
+            return refuse(r, "order", "expected degree + 1 = %d", r->degree + 1);
     }
-    if (c->degree > MAX_DEGREE)
-        return refuse(path, "degree: %d, expected at most %d", c->degree, MAX_DEGREE);
+    if (r->degree > MAX_DEGREE)
+        return refuse(r, "degree", "%d, expected at most %d", r->degree, MAX_DEGREE);
     return 0;
 }
 
-static int check_knots_of(const char *path, const struct curve *c)
+/* *c: the curve that was read, if it is one. */
+static int check_curve(const struct reading *r, cagd_spline_q *c)
 {
     int where;
-    knot_fault fault = check_knots_q(c->count, c->degree, c->knots, &where);
-    const char *knot = to_string_q(c->knots[where]);
-    switch (fault) {
-    case KNOTS_GOOD:
+    *c = (cagd_spline_q){r->degree, r->count, r->dim, r->knots, r->points, r->weights};
+    cagd_status status = cagd_spline_check_q(c, &where);
+    const char *knot = where >= 0 ? to_string_q(c->knots[where]) : "";
+    switch (status) {
+    case CAGD_OK:
         return 0;
-    case KNOTS_TOO_FEW:
-        return refuse(path, "points: %d given; a curve of degree %d has at least %d", c->count, c->degree,
+    case CAGD_COUNT:
+        return refuse(r, "points", "%d given; a curve of degree %d has at least %d", c->count, c->degree,
                       c->degree + 1);
-    case KNOTS_DECREASE:
-        return refuse(path, "knots[%d]: %s is smaller than the knot before it, %s", where, knot,
+    case CAGD_KNOTS_DECREASE:
+        return refuse(r, element("knots", where).text, "%s is smaller than the knot before it, %s", knot,
                       to_string_q(c->knots[where - 1]));
-    case KNOTS_TOO_MULTIPLE:
-        return refuse(path, "knots[%d]: %s is given more than %d times, which degree %d does not allow", where, knot,
-                      c->degree + 1, c->degree);
-    case KNOTS_NO_DOMAIN:
-        return refuse(path, "knots: the domain, from knots[%d] to knots[%d], is empty: both are %s", c->degree,
-                      c->count, knot);
+    case CAGD_KNOTS_MULTIPLE:
+        return refuse(r, element("knots", where).text, "%s is given more than %d times, which degree %d does not allow",
+                      knot, c->degree + 1, c->degree);
+    case CAGD_KNOTS_EMPTY:
+        return refuse(r, "knots", "the domain, from knots[%d] to knots[%d], is empty: both are %s", c->degree, c->count,
+                      knot);
+    default:
+        return refuse(r, "", "%s", cagd_status_text(status));
     }
-    return -1;
 }
 
-static int read_document(const char *path, const json_t *document, struct curve *c)
+static int read_document(struct reading *r, const json_t *document, cagd_spline_q *c)
 {
     static const char *const kinds[] = {"bezier", "rational-bezier", "bspline", "nurbs"};
     static const char *const fields[] = {"kind", "degree", "order", "points", "weights", "knots", "name", "schema"};
     if (!json_is_object(document))
-        return refuse(path, "expected an object {\"kind\": ..., \"degree\": ..., \"points\": ..., ...}");
+        return refuse(r, "", "expected an object {\"kind\": ..., \"degree\": ..., \"points\": ..., ...}");
     const char *key;
     json_t *value;
     json_object_foreach((json_t *)document, key, value)
@@ -139,53 +164,55 @@ static int read_document(const char *path, const json_t *document, struct curve 
         for (size_t k = 0; k < sizeof fields / sizeof *fields; k++)
             known |= strcmp(key, fields[k]) == 0;
         if (!known)
-            return refuse(path, "%s: there is no such field; expected kind, degree or order, points, weights, knots",
-                          key);
+            return refuse(r, key, "there is no such field; expected kind, degree or order, points, weights, knots");
     }
     const char *kind = json_string_value(json_object_get(document, "kind"));
     int k = 0;
     while (k < 4 && (kind == NULL || strcmp(kind, kinds[k]) != 0))
         k++;
     if (k == 4)
-        return refuse(path, "kind: expected \"bezier\", \"rational-bezier\", \"bspline\" or \"nurbs\"");
+        return refuse(r, "kind", "expected \"bezier\", \"rational-bezier\", \"bspline\" or \"nurbs\"");
     int rational = k % 2, spline = k / 2;
     const json_t *weights = json_object_get(document, "weights"), *knots = json_object_get(document, "knots");
     if (rational != (weights != NULL))
-        return refuse(path, "weights: %s a curve of kind \"%s\"",
+        return refuse(r, "weights", "%s a curve of kind \"%s\"",
                       rational ? "missing, expected for" : "not expected for", kind);
     if (spline != (knots != NULL))
-        return refuse(path, "knots: %s a curve of kind \"%s\"", spline ? "missing, expected for" : "not expected for",
+        return refuse(r, "knots", "%s a curve of kind \"%s\"", spline ? "missing, expected for" : "not expected for",
                       kind);
-    if (read_points(path, json_object_get(document, "points"), c) != 0 || read_degree(path, document, c) != 0)
+    if (read_points(r, json_object_get(document, "points")) != 0 || read_degree(r, document) != 0)
         return -1;
-    if (!spline && c->count != c->degree + 1)
-        return refuse(path, "points: %d given; a Bézier curve of degree %d has %d", c->count, c->degree, c->degree + 1);
-    c->weights = NULL;
-    if (rational && read_numbers(path, "weights", weights, c->count, &c->weights) != 0)
+    if (!spline && r->count != r->degree + 1)
+        return refuse(r, "points", "%d given; a Bézier curve of degree %d has %d", r->count, r->degree, r->degree + 1);
+    if (rational && read_numbers(r, "weights", weights, r->count, &r->weights) != 0)
         return -1;
     if (!spline) {
-        c->knots = numbers(2 * c->count);
-        for (int i = 0; i < 2 * c->count; i++)
-            c->knots[i] = from_int_q(i >= c->count);
-        return 0;
+        r->knots = numbers(2 * r->count);
+        for (int i = 0; i < 2 * r->count; i++)
+            r->knots[i] = from_int_q(i >= r->count);
+        return check_curve(r, c);
     }
-    if (json_is_array(knots) && (int)json_array_size(knots) != c->count + c->degree + 1)
-        return refuse(path, "knots: %zu given, expected %d (%d points + degree %d + 1)", json_array_size(knots),
-                      c->count + c->degree + 1, c->count, c->degree);
-    if (read_numbers(path, "knots", knots, 0, &c->knots) != 0)
+    if (json_is_array(knots) && (int)json_array_size(knots) != r->count + r->degree + 1)
+        return refuse(r, "knots", "%zu given, expected %d (%d points + degree %d + 1)", json_array_size(knots),
+                      r->count + r->degree + 1, r->count, r->degree);
+    if (read_numbers(r, "knots", knots, 0, &r->knots) != 0)
         return -1;
-    return check_knots_of(path, c);
+    return check_curve(r, c);
 }
 
-int read_curve(const char *path, struct curve *c)
+int read_curve(const char *path, cagd_spline_q *c, struct input_error *error)
 {
-    json_error_t error;
-    json_t *document = strcmp(path, "-") == 0 ? json_loadf(stdin, JSON_REJECT_DUPLICATES, &error)
-                                              : json_load_file(path, JSON_REJECT_DUPLICATES, &error);
-    if (document == NULL)
-        return error.line > 0 ? refuse(path, "line %d, column %d: %s", error.line, error.column, error.text)
-                              : refuse(path, "%s", error.text);
-    int result = read_document(path, document, c);
+    struct reading r = {.error = error};
+    json_error_t syntax;
+    json_t *document = strcmp(path, "-") == 0 ? json_loadf(stdin, JSON_REJECT_DUPLICATES, &syntax)
+                                              : json_load_file(path, JSON_REJECT_DUPLICATES, &syntax);
+    if (document == NULL) {
+        char place[48] = "";
+        if (syntax.line > 0)
+            snprintf(place, sizeof place, "line %d, column %d", syntax.line, syntax.column);
+        return refuse(&r, place, "%s", syntax.text);
+    }
+    int result = read_document(&r, document, c);
     json_decref(document);
     return result;
 }
@@ -206,7 +233,7 @@ static json_t *numbers_json(int count, const num_q x[])
     return array;
 }
 
-json_t *curve_json(const struct curve *c)
+json_t *curve_json(const cagd_spline_q *c)
 {
     json_t *points = json_array();
     for (int i = 0; i < c->count; i++)

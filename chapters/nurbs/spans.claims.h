@@ -51,7 +51,7 @@ CLAIM(spans_contain_their_parameters)
         for (int bits = 0; bits < 1 << (count - 1); bits++) {
             G(pattern_of_bits)(count, bits, pattern);
             int n = G(integer_knots)(pattern, u, value) - p - 1;
-            if (G(check_knots)(n, p, u, &where) != KNOTS_GOOD)
+            if (G(check_knots)(n, p, u, &where) != CAGD_OK)
                 continue;
             for (int twice = -1; twice <= 2 * value[count - 1] + 1; twice++) { /* t = twice/2 */
                 num t = from_ratio(twice, 2);
@@ -105,20 +105,20 @@ CLAIM(knots_are_checked)
                 value[i] = all >> 2 * i & 3;
                 u[i] = from_int(value[i]);
             }
-            knot_fault expected = n <= p ? KNOTS_TOO_FEW : KNOTS_GOOD;
-            for (int i = 1; i < count && expected == KNOTS_GOOD; i++) {
+            cagd_status expected = n <= p ? CAGD_COUNT : CAGD_OK;
+            for (int i = 1; i < count && expected == CAGD_OK; i++) {
                 int equal = 0;
                 for (int l = 0; l <= i; l++)
                     equal += value[l] == value[i];
-                expected = value[i] < value[i - 1]          ? KNOTS_DECREASE
-                           : equal > fault(T, p + 1, p + 2) ? KNOTS_TOO_MULTIPLE
-                                                            : KNOTS_GOOD;
-                at = expected != KNOTS_GOOD ? i : p;
+                expected = value[i] < value[i - 1]          ? CAGD_KNOTS_DECREASE
+                           : equal > fault(T, p + 1, p + 2) ? CAGD_KNOTS_MULTIPLE
+                                                            : CAGD_OK;
+                at = expected != CAGD_OK ? i : p;
             }
-            if (expected == KNOTS_GOOD && value[p] == value[n])
-                expected = KNOTS_NO_DOMAIN;
+            if (expected == CAGD_OK && value[p] == value[n])
+                expected = CAGD_KNOTS_EMPTY;
             agree(T, G(check_knots)(n, p, u, &where) == expected);
-            if (expected != KNOTS_GOOD)
+            if (expected != CAGD_OK)
                 agree(T, where == at);
         }
 }
@@ -149,7 +149,7 @@ CLAIM(points_have_spans)
                 int more = way % 3, q = p - 1 + way / 3, total = 0;
                 G(pattern_of_bits)(count, bits, pattern);
                 int n = G(integer_knots)(pattern, u, value) - p - 1;
-                if (G(check_knots)(n, p, u, &where) != KNOTS_GOOD)
+                if (G(check_knots)(n, p, u, &where) != CAGD_OK)
                     continue;
                 for (int i = 0; i < count; i++) { /* finer[] is twice v */
                     int last = i + 1 == count || value[i] < value[i + 1];
@@ -209,7 +209,7 @@ CLAIM(knots_of_the_next_degrees)
         for (int bits = 0; bits < 1 << (count - 1); bits++) {
             G(pattern_of_bits)(count, bits, pattern);
             int n = G(integer_knots)(pattern, u, value) - p - 1, top = value[count - 1], total = 0, first = 0, last = 0;
-            if (G(check_knots)(n, p, u, &where) != KNOTS_GOOD)
+            if (G(check_knots)(n, p, u, &where) != CAGD_OK)
                 continue;
             for (int x = 0; x <= top; x++) { /* every value once more */
                 int times = fault(T, pattern[x] - '0' + 1, pattern[x] - '0');

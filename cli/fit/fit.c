@@ -19,9 +19,12 @@ static double *rounded(int count, const num_q x[])
 /* The curve to begin with, in binary64; a curve without weights has the weights 1. */
 static int read_initial(const struct fit_arguments *a, int dim, cagd_spline *spline)
 {
-    struct curve c;
-    if (read_curve(a->initial, &c) != 0)
+    cagd_spline_q c;
+    struct input_error error;
+    if (read_curve(a->initial, &c, &error) != 0) {
+        report_input_error(a->initial, &error);
         return -1;
+    }
     if (c.dim != dim) {
         fprintf(stderr, "cagd: %s: the points of the curve have %d coordinate%s, those of %s %d\n", a->initial, c.dim,
                 c.dim == 1 ? "" : "s", a->path, dim);

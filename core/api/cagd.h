@@ -55,6 +55,8 @@ typedef enum cagd_status {
     CAGD_KNOTS_EMPTY,    /* the domain of a spline is empty                                                    */
     CAGD_UNDEFINED,      /* there is no such value: a total weight or another divisor is 0                     */
     CAGD_OVERFLOW,       /* binary64 overflows on the way to a result, or a weight is lost to underflow        */
+    CAGD_NO_KNOT,        /* there is no such knot inside the domain                                            */
+    CAGD_CHANGES,        /* there is no such form of this curve: it would be another curve                     */
     /* of cagd_fit.h alone */
     CAGD_BAD_DATA,   /* a measured point or its standard deviation is none                                 */
     CAGD_BAD_OPTION, /* an option of the fit is outside its range                                          */

@@ -33,6 +33,10 @@ const char *cagd_status_text(cagd_status status)
         return "the value is undefined: a divisor is zero";
     case CAGD_OVERFLOW:
         return "a result is too large or too small for binary64";
+    case CAGD_NO_KNOT:
+        return "there is no such knot inside the domain";
+    case CAGD_CHANGES:
+        return "the curve would be another one";
     case CAGD_BAD_DATA:
         return "a coordinate is not finite, a standard deviation is not positive, or the dimension is not 2 or 3";
     case CAGD_BAD_OPTION:

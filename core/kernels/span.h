@@ -2,7 +2,7 @@
 #ifndef CAGD_SPAN_H
 #define CAGD_SPAN_H
 
-#include "core/kernels/knots.h"
+#include "core/api/cagd.h"
 #include "core/number/num_double.h"
 
 static inline int before_d(num_d a, num_d b) { return a < b; }

@@ -16,22 +16,22 @@ KERNEL int G(multiplicity)(int count, const num u[], num t)
 }
 
 /* What is wrong with the knots of n points of degree p, and where. */
-KERNEL knot_fault G(check_knots)(int n, int p, const num u[], int *where)
+KERNEL cagd_status G(check_knots)(int n, int p, const num u[], int *where)
 {
     int run = 1;
     *where = 0;
     if (n <= p)
-        return KNOTS_TOO_FEW;
+        return CAGD_COUNT;
     for (int i = 1; i <= n + p; i++) {
         *where = i;
         if (G(before)(u[i], u[i - 1]))
-            return KNOTS_DECREASE;
+            return CAGD_KNOTS_DECREASE;
         run = G(before)(u[i - 1], u[i]) ? 1 : run + 1;
         if (run > p + 1)
-            return KNOTS_TOO_MULTIPLE;
+            return CAGD_KNOTS_MULTIPLE;
     }
     *where = p;
-    return G(before)(u[p], u[n]) ? KNOTS_GOOD : KNOTS_NO_DOMAIN;
+    return G(before)(u[p], u[n]) ? CAGD_OK : CAGD_KNOTS_EMPTY;
 }
 
 /* The span mu of t in the domain: u_mu <= t < u_{mu+1}, for t = u_n the last span.  -1 for t outside.  By bisection. */

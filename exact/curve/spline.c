@@ -1,0 +1,142 @@
+#include "exact/curve/spline.h"
+
+#include "exact/decide/sign.h"
+#include "exact/kernels_q.h"
+#include "exact/span.h"
+
+#include "core/require.h"
+
+#define spline_q cagd_spline_q
+static inline int is_number_q(num_q a)
+{
+    (void)a;
+    return 1;
+}
+#define G(name) name##_q
+#include "core/spline.tmpl.h"
+#undef G
+
+/* Room in the region for `count` points of degree p. */
+static struct spline_room_q room_for(const cagd_spline_q *s, int p, int count)
+{
+    size_t size = sizeof(num_q), points = (size_t)count;
+    return (struct spline_room_q){region_bytes((points + (size_t)p + 1) * size),
+                                  region_bytes(points * (size_t)s->dim * size),
+                                  s->weights != NULL ? region_bytes(points * size) : NULL};
+}
+
+/* *result: the curve in the room, if it was made. */
+static cagd_status made(cagd_status status, const cagd_spline_q *s, int p, int count, const struct spline_room_q *room,
+                        cagd_spline_q *result)
+{
+    if (status == CAGD_OK)
+        *result = (cagd_spline_q){p, count, s->dim, room->knots, room->points, room->weights};
+    return status;
+}
+
+cagd_status cagd_spline_check_q(const cagd_spline_q *s, int *where)
+{
+    *where = -1;
+    REQUIRE(0 <= s->degree && s->degree <= MAX_DEGREE, CAGD_DEGREE);
+    REQUIRE(1 <= s->dim && s->dim < MAX_DIM, CAGD_DIMENSION);
+    cagd_status status = check_knots_q(s->count, s->degree, s->knots, where);
+    if (status == CAGD_OK || status == CAGD_COUNT)
+        *where = -1;
+    return status;
+}
+
+cagd_status cagd_spline_derivatives_q(const cagd_spline_q *s, num_q t, cagd_side side, int order, num_q *derivatives)
+{
+    int mu;
+    REQUIRE(0 <= order && order <= MAX_DEGREE, CAGD_ORDER);
+    cagd_status status = spline_span_q(s, t, side, &mu);
+    return status == CAGD_OK ? spline_derivatives_q(s, mu, t, order, derivatives) : status;
+}
+
+cagd_status cagd_spline_curvature_squared_q(const cagd_spline_q *s, num_q t, cagd_side side, num_q *curvature_squared)
+{
+    num_q D[3 * MAX_DIM];
+    REQUIRE(s->dim > 1, CAGD_DIMENSION);
+    cagd_status status = cagd_spline_derivatives_q(s, t, side, 2, D);
+    REQUIRE(status == CAGD_OK, status);
+    REQUIRE(!is_zero_q(norm_squared_q(s->dim, D + s->dim)), CAGD_UNDEFINED);
+    *curvature_squared = curvature_squared_q(s->dim, D + s->dim, D + 2 * s->dim);
+    return CAGD_OK;
+}
+
+cagd_status cagd_spline_torsion_q(const cagd_spline_q *s, num_q t, cagd_side side, num_q *torsion)
+{
+    num_q D[4 * MAX_DIM];
+    REQUIRE(s->dim == 3, CAGD_DIMENSION);
+    cagd_status status = cagd_spline_derivatives_q(s, t, side, 3, D);
+    REQUIRE(status == CAGD_OK, status);
+    REQUIRE(!is_zero_q(gram_q(3, D + 3, D + 6)), CAGD_UNDEFINED);
+    *torsion = torsion_q(D + 3, D + 6, D + 9);
+    return CAGD_OK;
+}
+
+int cagd_spline_has_poles_q(const cagd_spline_q *s)
+{
+    if (s->weights == NULL)
+        return 0;
+    for (int mu = s->degree; mu < s->count; mu++) {
+        num_q b[MAX_DEGREE + 1];
+        if (!before_q(s->knots[mu], s->knots[mu + 1]))
+            continue;
+        bspline_to_bezier_q(s->degree, 1, s->knots, mu, s->weights, b);
+        enum cagd_sign_pattern sign = sign_on(poly_from_bernstein(s->degree, b), from_int_q(0), from_int_q(1), CLOSED);
+        if (sign != SIGN_POSITIVE && sign != SIGN_NEGATIVE)
+            return 1;
+    }
+    return 0;
+}
+
+cagd_status cagd_spline_insert_q(const cagd_spline_q *s, num_q x, cagd_spline_q *result, int *where)
+{
+    struct spline_room_q room = room_for(s, s->degree, s->count + 1);
+    return made(spline_insert_q(s, x, &room, where), s, s->degree, s->count + 1, &room, result);
+}
+
+cagd_status cagd_spline_remove_q(const cagd_spline_q *s, num_q x, cagd_spline_q *result, int *where)
+{
+    struct spline_room_q room = room_for(s, s->degree, s->count - 1);
+    return made(spline_remove_q(s, x, &room, where), s, s->degree, s->count - 1, &room, result);
+}
+
+cagd_status cagd_spline_elevate_q(const cagd_spline_q *s, cagd_spline_q *result, int *where)
+{
+    int count = spline_elevated_count_q(s);
+    struct spline_room_q room = room_for(s, s->degree + 1, count);
+    return made(spline_elevate_q(s, &room, where), s, s->degree + 1, count, &room, result);
+}
+
+cagd_status cagd_spline_reduce_q(const cagd_spline_q *s, cagd_spline_q *result, int *where)
+{
+    *where = -1;
+    REQUIRE(s->degree > 0, CAGD_DEGREE);
+    int count = spline_reduced_count_q(s);
+    struct spline_room_q room = room_for(s, s->degree - 1, count);
+    return made(spline_reduce_q(s, &room, where), s, s->degree - 1, count, &room, result);
+}
+
+cagd_status cagd_spline_split_q(const cagd_spline_q *s, num_q t, cagd_spline_q *left, cagd_spline_q *right, int *where)
+{
+    int lefts, rights;
+    *where = -1;
+    cagd_status status = spline_split_counts_q(s, t, &lefts, &rights);
+    REQUIRE(status == CAGD_OK, status);
+    struct spline_room_q at_left = room_for(s, s->degree, lefts), at_right = room_for(s, s->degree, rights);
+    status = spline_split_q(s, t, &at_left, &at_right, where);
+    made(status, s, s->degree, lefts, &at_left, left);
+    return made(status, s, s->degree, rights, &at_right, right);
+}
+
+cagd_status cagd_spline_segment_q(const cagd_spline_q *s, int span, cagd_spline_q *segment, int *where)
+{
+    int p = s->degree;
+    struct spline_room_q room = room_for(s, p, p + 1);
+    cagd_status status = spline_bezier_q(s, span, &room, where);
+    for (int i = 0; i < 2 * p + 2 && status == CAGD_OK; i++)
+        room.knots[i] = s->knots[i <= p ? span : span + 1];
+    return made(status, s, p, p + 1, &room, segment);
+}
