@@ -567,7 +567,7 @@ CLAIM(printed_letter_spoils_the_curvature)
     show(T, "the printed quotient", quotient);
     show(T, "the curvature", curvature);
     about(T, "the letter being the length of the arc, whether the quotient is the curvature");
-    agree(T, !is_the_length || equal_q(quotient, curvature));
+    refute(T, is_the_length && !equal_q(quotient, curvature));
 }
 #endif
 
@@ -645,7 +645,7 @@ CLAIM(cusp_has_no_such_factor)
     show_points(T, "P', P''", 2, 2, D + 2);
     int parallel = is_zero_q(G(cross2)(D + 2, D + 4));
     about(T, "P' x P'' being 0, whether P' is not 0, or P'' is 0");
-    agree(T, !parallel || !is_zero_q(G(norm_squared)(2, D + 2)) || is_zero_q(G(norm_squared)(2, D + 4)));
+    refute(T, parallel && is_zero_q(G(norm_squared)(2, D + 2)) && !is_zero_q(G(norm_squared)(2, D + 4)));
 }
 #endif
 

@@ -137,7 +137,7 @@ CLAIM(quadratic_curve_is_in_use)
     show_points(T, "coefficients", degree + 1, 2, c);
     show(T, "P' x P'' at t = 1/3", G(cross2)(D + 2, D + 4));
     about(T, "whether the degree is at least 3");
-    agree(T, degree >= 3 || is_zero_q(G(cross2)(D + 2, D + 4)));
+    refute(T, degree < 3 && !is_zero_q(G(cross2)(D + 2, D + 4)));
 }
 #endif
 

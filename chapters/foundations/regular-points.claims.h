@@ -167,7 +167,7 @@ CLAIM(double_point_has_two_tangents)
     about(T, "whether the points differ, or a derivative is 0, or the derivatives are parallel");
     int different = !equal_q(D[0][0], D[1][0]) || !equal_q(D[0][1], D[1][1]);
     int singular = is_zero_q(G(norm_squared)(2, D[0] + 2)) || is_zero_q(G(norm_squared)(2, D[1] + 2));
-    agree(T, different || singular || is_zero_q(G(cross2)(D[0] + 2, D[1] + 2)));
+    refute(T, !different && !singular && !is_zero_q(G(cross2)(D[0] + 2, D[1] + 2)));
 }
 #endif
 
@@ -268,7 +268,7 @@ CLAIM(derivative_is_continuous_at_the_cusp)
     num sign_from_the_left = neg(from_int(sign_q(poly_coefficient(dy, 1)))); /* of y' */
     num limit = fault(T, sign_from_the_left, poly_coefficient(dy, 0));
     about(T, "whether a one-sided limit of P' differs from P' at the cusp");
-    agree(T, !equal_q(poly_coefficient(dx, 0), at[0]) || !equal_q(limit, at[1]));
+    refute(T, equal_q(poly_coefficient(dx, 0), at[0]) && equal_q(limit, at[1]));
 }
 #endif
 
@@ -335,7 +335,7 @@ CLAIM(singular_point_of_a_plain_segment)
     show_text(T, "x' = y'", "%s", poly_to_string(speed, "t"));
     show_text(T, "singular parameters in [0,1]", "%d", singular);
     about(T, "a point being singular, whether the curve goes back somewhere");
-    agree(T, !whole_segment || singular == 0 || sign_on(speed, zero, one, CLOSED) != SIGN_NONNEGATIVE);
+    refute(T, whole_segment && singular != 0 && sign_on(speed, zero, one, CLOSED) == SIGN_NONNEGATIVE);
 }
 #endif
 

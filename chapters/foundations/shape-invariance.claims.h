@@ -537,7 +537,7 @@ CLAIM(shape_is_kept_without_the_sum_one)
         show(T, "the sum of the functions", add(left, right));
     }
     about(T, "the shape being kept, whether the sum of the functions is 1");
-    agree(T, !kept || sum_is_one);
+    refute(T, kept && !sum_is_one);
 }
 
 /*

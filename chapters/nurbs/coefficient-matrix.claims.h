@@ -698,7 +698,7 @@ CLAIM(full_powers_sum_to_nothing)
     show(T, "third line", third);
     show(T, "N_{i,2}(t)", value);
     about(T, "whether the second line or the third is N_{i,2}(t)");
-    agree(T, equal_q(line, value) || equal_q(third, value));
+    refute(T, !equal_q(line, value) && !equal_q(third, value));
 }
 #endif
 

@@ -342,7 +342,7 @@ CLAIM(negative_weight_loses_a_new_point)
     show(T, "w_2^(T,T')", new_weight);
     show(T, "w(1)", total);
     about(T, "if w(1) is not 0, then the new weight is not 0");
-    agree(T, sign_q(total) == 0 || sign_q(new_weight) != 0);
+    refute(T, sign_q(total) != 0 && sign_q(new_weight) == 0);
 }
 
 /*

@@ -204,7 +204,7 @@ static void lose_convexity(trial *T, int n, const long point[], num_q tau)
     show_q(T, "τ", tau);
     show_points_q(T, "r'", n + 1, 2, S + 2);
     about(T, "if every edge of the polygon is on the boundary of its hull, so is every edge of the new one");
-    agree(T, !every_edge_on_the_border(n, r + 2) || every_edge_on_the_border(n + 1, S + 2));
+    refute(T, every_edge_on_the_border(n, r + 2) && !every_edge_on_the_border(n + 1, S + 2));
 }
 
 /*
@@ -620,7 +620,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
         good |= sign_q(s) >= 0 && compare_q(s, from_int(1)) <= 0;
     }
     about(T, "w(t) being positive and the polygon convex, a ratio is between 0 and 1 or the new polygon is convex");
-    agree(T, !given || good);
+    refute(T, given && !good);
 }
 #endif
 
@@ -706,7 +706,7 @@ CLAIM(vanishing_weight_loses_the_new_point)
     show(T, "τ", tau);
     show(T, "denominator of s_2", weight);
     about(T, "w(t) being positive, the denominator is not 0");
-    agree(T, !positive_on_the_interval(2, w + 1) || !is_zero_q(weight));
+    refute(T, positive_on_the_interval(2, w + 1) && is_zero_q(weight));
 }
 #endif
 
@@ -1139,7 +1139,7 @@ CLAIM(knot_of_full_multiplicity_tears_the_curve)
     show_points(T, "r(1) from the left", 1, 2, left);
     show_points(T, "r(1) from the right", 1, 2, right);
     about(T, "the polygon being convex, the curve is continuous at t = 1");
-    agree(T, !polygon_is_convex(3, R, 1, NULL) || (equal_q(left[0], right[0]) && equal_q(left[1], right[1])));
+    refute(T, polygon_is_convex(3, R, 1, NULL) && (!equal_q(left[0], right[0]) || !equal_q(left[1], right[1])));
 }
 
 /* det(P, P', P'') on the interval that begins with knot mu, which is not empty; u and R from 0. */
@@ -1196,7 +1196,7 @@ CLAIM(mixed_weights_bend_both_ways)
     show_points(T, "w", 5, 1, w);
     show_text(T, "det(P,P',P'') on [0,1]", "%s", poly_to_string(turn, "t"));
     about(T, "w(t) being positive and the polygon convex, the curve turns to one side on [0,1]");
-    agree(T, !given || sign_of_span(turn) != SIGN_MIXED);
+    refute(T, given && sign_of_span(turn) == SIGN_MIXED);
 }
 
 /*
@@ -1414,7 +1414,7 @@ CLAIM(limit_of_convex_polygons_may_run_back)
     R[5] = R[7] = from_int(fault(T, 1, 0));
     show_points(T, "limit", 4, 2, R);
     about(T, "the polygons being convex, their limit runs through its points once");
-    agree(T, !convex || polygon_is_convex(3, R, 0, NULL));
+    refute(T, convex && !polygon_is_convex(3, R, 0, NULL));
 }
 #endif
 

@@ -307,7 +307,7 @@ CLAIM(weight_of_a_level_may_vanish)
     show(T, "w_2^[1]", level);
     show(T, "w(t)", total);
     about(T, "if w(t) is not 0, then w_2^[1] is not 0");
-    agree(T, sign_q(total) == 0 || sign_q(level) != 0);
+    refute(T, sign_q(total) != 0 && sign_q(level) == 0);
 }
 #endif
 

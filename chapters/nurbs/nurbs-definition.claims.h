@@ -264,7 +264,7 @@ CLAIM(no_interval_no_curve)
     show(T, "the sum from the left", left);
     show(T, "the sum from the right", right);
     about(T, "the denominator is not zero");
-    agree(T, sign_q(left) > 0 || sign_q(right) > 0);
+    refute(T, sign_q(left) <= 0 && sign_q(right) <= 0);
 }
 
 /*

@@ -330,7 +330,7 @@ CLAIM(one_order_more_jumps)
     show(T, "from the right", bent_right);
     int agrees = equal_q(left[2 * order], right[2 * order]) && equal_q(left[2 * order + 1], right[2 * order + 1]);
     about(T, "the derivative, or at least the curvature, is the same from both sides");
-    agree(T, agrees || equal_q(bent_left, bent_right));
+    refute(T, !agrees && !equal_q(bent_left, bent_right));
 }
 
 /*

@@ -223,7 +223,7 @@ CLAIM(curve_leaves_hull_with_negative_weight)
         show_text(T, "separated by", "(%s) x + (%s) y, at most %s on the triangle", to_string_q(found.normal[0]),
                   to_string_q(found.normal[1]), to_string_q(found.offset));
     about(T, "where ω has no zero, R(1/2) is in the hull");
-    agree(T, zeros > 0 || found.inside || !hull_certificate_holds(2, 3, R, x, found));
+    refute(T, zeros == 0 && !found.inside && hull_certificate_holds(2, 3, R, x, found));
 }
 
 /*
@@ -267,7 +267,7 @@ CLAIM(curve_leaves_hull_outside_the_interval)
     show_points(T, "ω", 2, 1, w);
     show(T, "R(t)", x);
     about(T, "R(t) is in the hull");
-    agree(T, found.inside || !hull_certificate_holds(1, 2, R, &x, found));
+    refute(T, !found.inside && hull_certificate_holds(1, 2, R, &x, found));
 }
 #endif
 

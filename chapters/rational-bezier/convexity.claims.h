@@ -410,7 +410,7 @@ CLAIM(turns_of_one_sign_are_not_enough)
     show_text(T, "x'y'' - y'x''", "%s", poly_to_string(p, "t"));
     show_text(T, "inflections in (0,1)", "%d", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "a polygon that turns left and does not meet itself has a curve that turns left");
-    agree(T, !turns_left || !simple || sign_inside(p) == SIGN_POSITIVE);
+    refute(T, turns_left && simple && sign_inside(p) != SIGN_POSITIVE);
 }
 
 /*
@@ -437,7 +437,7 @@ CLAIM(mixed_weights_lose_convexity)
     show_text(T, "det(P,P',P'')", "%s", poly_to_string(p, "t"));
     show_text(T, "inflections in (0,1)", "%d", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "a curve without poles whose polygon is convex turns to one side");
-    agree(T, !regular || !polygon_is_convex(n, R, 1, NULL) || sign_inside(p) != SIGN_MIXED);
+    refute(T, regular && polygon_is_convex(n, R, 1, NULL) && sign_inside(p) == SIGN_MIXED);
 }
 #endif
 
@@ -555,7 +555,7 @@ CLAIM(subdivision_fails_for_mixed_weights)
     show_points(T, "ω", 3, 1, w);
     show_points(T, "weights of the left half", 3, 1, left);
     about(T, "a denominator without zeros has halves without points at infinity");
-    agree(T, !regular || !is_zero_q(left[1]));
+    refute(T, regular && is_zero_q(left[1]));
 }
 
 /*

@@ -538,7 +538,7 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
     show(T, "|a_1|^6", mul(mul(length, length), length));
     int as_stated = fault(T, 1, is_zero_f(sub_f(start, from_int(4))) && is_zero_f(above));
     about(T, "the denominator is not 0");
-    agree(T, !as_stated || !is_zero_f(length));
+    refute(T, as_stated && is_zero_f(length));
 }
 
 /*
@@ -573,7 +573,7 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
     show(T, "|a_1 x a_2|^2", area);
     int as_stated = fault(T, 1, is_zero_f(sub_f(start, from_int(2))) && is_zero_f(above));
     about(T, "the denominator is not 0");
-    agree(T, !as_stated || !is_zero_f(area));
+    refute(T, as_stated && is_zero_f(area));
 }
 #endif
 

@@ -236,7 +236,7 @@ static void ellipse_by_shoulder(trial *T, const num R[], const num w[])
     show_points(T, "A ... F", 6, 1, S);
     show(T, "AC - B²", G(conic_delta)(S));
     about(T, "whether the conic is an ellipse");
-    agree(T, compare_q(base, vertex) >= 0 || sign_q(G(conic_delta)(S)) > 0);
+    refute(T, compare_q(base, vertex) < 0 && sign_q(G(conic_delta)(S)) <= 0);
 }
 
 /*

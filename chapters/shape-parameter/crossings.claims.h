@@ -464,7 +464,7 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
     show_points(T, "k", 8, 1, k);
     show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
     about(T, "k_0 > 0 or -k_0 > 0");
-    agree(T, sign_q(k[0]) > 0 || sign_q(neg(k[0])) > 0);
+    refute(T, sign_q(k[0]) <= 0 && sign_q(neg(k[0])) <= 0);
 }
 
 /*
@@ -625,7 +625,7 @@ CLAIM(no_normal_no_line)
     show_points(T, "u", 1, dim, u);
     show_points(T, "X", 3, dim, X);
     about(T, "the three points are not all on L, or they are on a line");
-    agree(T, on_it < 3 || turn_2d(X, X + dim, X + 2 * dim) == 0);
+    refute(T, on_it >= 3 && turn_2d(X, X + dim, X + 2 * dim) != 0);
 }
 
 /*
@@ -842,7 +842,7 @@ CLAIM(closed_polygon_has_three_parameters_on_a_line)
     for (int m = 0; m < 3; m++)
         most_two += G(meets)(T, 0, P, beta[m], L).common_closed <= 2;
     about(T, "the polygon is not convex, or there are at most two common parameters");
-    agree(T, !polygon_is_convex(7, P, 1, NULL) || most_two > 0);
+    refute(T, polygon_is_convex(7, P, 1, NULL) && most_two == 0);
 }
 
 /*
@@ -862,7 +862,7 @@ CLAIM(curve_of_a_triangle_meets_a_line_three_times)
     G(integer_points)(8, G(triangle), P);
     struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
     about(T, "the polygon is not convex, or there are at most two common points");
-    agree(T, !polygon_is_convex(7, P, 1, NULL) || m.common_closed <= 2);
+    refute(T, polygon_is_convex(7, P, 1, NULL) && m.common_closed > 2);
 }
 
 /*
@@ -885,7 +885,7 @@ CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
     }
     struct cagd_curve_meets_line m = G(meets)(T, fault(T, 0, 1), P, from_int(1), G(horizontal)(from_ratio(401, 4)));
     about(T, "the polygon is not convex, or there are at most two common points");
-    agree(T, !polygon_is_convex(7, P, 0, NULL) || m.common_closed <= 2);
+    refute(T, polygon_is_convex(7, P, 0, NULL) && m.common_closed > 2);
 }
 #endif
 

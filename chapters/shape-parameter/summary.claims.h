@@ -671,7 +671,7 @@ CLAIM(double_end_point_has_no_end_edge)
     show_points(T, "P", 8, dim, P);
     show_points(T, "q'(0)", 1, dim, D + dim);
     about(T, "the derivative is not 0");
-    agree(T, !is_zero_q(D[dim]) || !is_zero_q(D[dim + 1]));
+    refute(T, is_zero_q(D[dim]) && is_zero_q(D[dim + 1]));
 }
 
 /*
