@@ -58,6 +58,17 @@ class Arrows(unittest.TestCase):
         self.assertEqual([p for p in knowing if p.startswith("cli/")], ["cli/main.c"])
 
 
+class Claims(unittest.TestCase):
+    """Right and wrong stand side by side: fault(T, right, wrong)."""
+
+    def test_only_the_judge_knows_which_run_is_the_control(self):
+        for path in SOURCES:
+            parts = path.relative_to(ROOT).parts
+            if parts[0] == "chapters" and parts[1] != "judge":
+                for number, line in enumerate(path.read_text().splitlines(), 1):
+                    self.assertNotRegex(line, r"\bplanted\b", f"{path}:{number}: say fault(T, right, wrong)")
+
+
 class Kernels(unittest.TestCase):
     """Four parts or it does not exist: kernel, contract comment, claim, register line."""
 
