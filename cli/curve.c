@@ -168,7 +168,7 @@ static void describe(const cagd_spline_q *c)
     static const char *const where[] = {"", "on a line", "in the plane", "in space"};
     int n = c->count, p = c->degree, segments = 0, first = 1;
     for (int mu = p; mu < n; mu++)
-        segments += compare_q(c->knots[mu], c->knots[mu + 1]) < 0;
+        segments += cagd_compare_q(c->knots[mu], c->knots[mu + 1]) < 0;
     printf("%s curve of degree %d (order %d) %s\n", c->weights != NULL ? "NURBS" : "B-spline", p, p + 1, where[c->dim]);
     printf("  points      %d\n", n);
     printf("  domain      [%s, %s], %d segment%s\n", to_string_q(c->knots[p]), to_string_q(c->knots[n]), segments,

@@ -6,7 +6,8 @@
 
 #include "core/require.h"
 
-#define spline_q cagd_spline_q
+#define spline_q  cagd_spline_q
+#define is_zero_q cagd_is_zero_q /* decided, and noted nowhere */
 static inline int is_number_q(num_q a)
 {
     (void)a;
@@ -84,7 +85,8 @@ int cagd_spline_has_poles_q(const cagd_spline_q *s)
         if (!before_q(s->knots[mu], s->knots[mu + 1]))
             continue;
         bspline_to_bezier_q(s->degree, 1, s->knots, mu, s->weights, b);
-        enum cagd_sign_pattern sign = sign_on(poly_from_bernstein(s->degree, b), from_int_q(0), from_int_q(1), CLOSED);
+        enum cagd_sign_pattern sign =
+            cagd_sign_on(poly_from_bernstein(s->degree, b), from_int_q(0), from_int_q(1), CLOSED);
         if (sign != SIGN_POSITIVE && sign != SIGN_NEGATIVE)
             return 1;
     }

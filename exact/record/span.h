@@ -2,7 +2,7 @@
 #ifndef CAGD_EXACT_SPAN_H
 #define CAGD_EXACT_SPAN_H
 
-#include "core/kernels/knots.h"
+#include "core/api/cagd.h"
 #include "exact/record/number.h"
 #include "exact/words.h"
 
