@@ -11,7 +11,7 @@ static void quartic(num_q b[])
         b[m] = from_int_q(at[m]);
 }
 
-static svg_window window(void) { return svg_integer_window(-1, -4, 13, 9); }
+static svg_window standard_window(void) { return svg_integer_window(-1, -4, 13, 9); }
 
 /* The polygons of the 2^depth parts. */
 static void halves(svg *s, const num_q b[], int depth, enum svg_role role)
@@ -36,7 +36,7 @@ FIGURE(polygons_converge)
         "Left: the polygons of a quartic in the degrees 4, 6, 10 and 20. Right: its polygon and those of its halves "
         "and quarters. Both tend to the curve, the second much faster.");
     quartic(b);
-    svg_panel(s, window(), 330, 0, "elevated to the degrees $N=6,10,20$:\ndistance of order $1/N$");
+    svg_panel(s, standard_window(), 330, 0, "elevated to the degrees $N=6,10,20$:\ndistance of order $1/N$");
     for (int m = 0; m < 2 * (QUARTIC + 1); m++)
         e[0][m] = b[m];
     svg_bezier(s, QUARTIC, b, SVG_CURVE);
@@ -51,7 +51,7 @@ FIGURE(polygons_converge)
                 svg_mark(s, svg_pair(e[1 - now] + 2 * i), SVG_FAMILY, SVG_USUAL);
         }
     }
-    svg_panel(s, window(), 330, 0, "split in halves and in quarters:\neach step divides the bound by 4");
+    svg_panel(s, standard_window(), 330, 0, "split in halves and in quarters:\neach step divides the bound by 4");
     svg_bezier(s, QUARTIC, b, SVG_CURVE);
     halves(s, b, 0, SVG_POLYGON);
     halves(s, b, 1, SVG_FAMILY);

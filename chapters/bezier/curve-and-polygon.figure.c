@@ -1,7 +1,7 @@
 /* Figures of the section on a curve and its polygon. */
-#include "chapters/bezier/drawing.h"
-
+#include "chapters/judge/figure.h"
 #include "exact/record/hull.h"
+#include "figures/words.h"
 
 #include <stdio.h>
 

@@ -1,6 +1,7 @@
 /* Figures of the section on the programs. */
-#include "chapters/bezier/drawing.h"
+#include "chapters/judge/figure.h"
 #include "exact/record/number.h"
+#include "figures/words.h"
 
 /* x, rounded to binary64. */
 static num_q binary64(num_q x) { return from_double_q(to_double_q(x)); }

@@ -1,5 +1,6 @@
 /* Figures of the section on the recursion. */
-#include "chapters/bezier/drawing.h"
+#include "chapters/judge/figure.h"
+#include "figures/words.h"
 
 FIGURE(two_curves_of_one_point_less)
 {

@@ -1,5 +1,6 @@
 /* Figures of the section on cubics that are joined. */
-#include "chapters/bezier/drawing.h"
+#include "chapters/judge/figure.h"
+#include "figures/words.h"
 
 /* Two cubics with their polygons, drawn dimly, and the joint. */
 static void put_joint(svg *s, const int before[8], const int after[8], enum svg_role role)

@@ -1,5 +1,6 @@
 /* Figures of the section on surfaces. */
-#include "chapters/bezier/drawing.h"
+#include "chapters/judge/figure.h"
+#include "figures/words.h"
 
 /* A parallel projection: x to the right, y into the page, z up. */
 static svg_point seen(const num_q X[])

@@ -1,6 +1,7 @@
 /* Figures of the section on the worked table. */
-#include "chapters/bezier/drawing.h"
 #include "chapters/bezier/printed-table.h"
+#include "chapters/judge/figure.h"
+#include "figures/words.h"
 
 FIGURE(worked_table)
 {

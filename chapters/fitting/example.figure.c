@@ -1,8 +1,6 @@
 #include "chapters/fitting/circle.h"
 #include "chapters/judge/figure.h"
-#include "figures/svg.h"
-
-static num_q r(long m, long n) { return from_ratio_q(m, n); }
+#include "figures/words.h"
 
 static void put_circle(svg *s, const struct circle_example *E)
 {

@@ -1,8 +1,5 @@
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
-#include "figures/svg.h"
-
-static num_q r(long m, long n) { return from_ratio_q(m, n); }
+#include "figures/words.h"
 
 /* w_1^2/w_2 = I for w_0 = 1: (w_1, w_1^2/I) as a parabola from w_1 = 0 to w_1 = 2. */
 static void put_valley(svg *s, num_q I, enum svg_role role)

@@ -1,9 +1,6 @@
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
 #include "exact/record/number.h"
-#include "figures/svg.h"
-
-static num_q r(long m, long n) { return from_ratio_q(m, n); }
+#include "figures/words.h"
 
 /* The pull rho'(r^2) r at the distance r for a = 1: squares, Huber, Cauchy. */
 static svg_point pull(num_q x, const void *data)

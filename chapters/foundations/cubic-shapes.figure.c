@@ -56,7 +56,7 @@ FIGURE(exchanged_lengths)
     svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_MUTED);
     for (int k = 0; k < 2; k++) {
         num_q c[8];
-        fractions(8, coefficients[k], 1, c);
+        integers(8, coefficients[k], c);
         put_power_curve(s, 3, c, q(0), q(1), roles[k]);
         svg_mark(s, svg_at(k, 0), SVG_POINT, SVG_USUAL);
         svg_label(s, svg_at(k, 0), k ? SVG_E : SVG_W, SVG_POINT, k ? "Q_1" : "Q_0");
@@ -252,7 +252,7 @@ FIGURE(determinants_of_the_derivatives)
     svg_axes(s, r(1, 2), q(20), "t", NULL);
     const int coefficients[6] = {0, -12, 1, -36, 0, 36};
     num_q c[6];
-    fractions(6, coefficients, 1, c);
+    integers(6, coefficients, c);
     put_power_curve(s, 2, c, q(0), q(2), SVG_WRONG);
     svg_segment(s, svg_at(0, 0), svg_at(2, 0), SVG_CURVE_2);
     svg_segment(s, svg_at(0, -12), svg_at(2, -12), SVG_RIGHT);

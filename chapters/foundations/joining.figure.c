@@ -40,7 +40,7 @@ FIGURE(same_curvature_other_side)
                      "the curvature K = 2 are continuous both times, the vector of curvature only once.");
     const int first[6] = {-1, 1, 1, -2, 0, 1};
     num_q c[6], up[6] = {q(0), q(0), q(1), q(0), q(0), q(1)}, down[6] = {q(0), q(0), q(1), q(0), q(0), q(-1)};
-    fractions(6, first, 1, c);
+    integers(6, first, c);
     svg_panel(s, window(q(-1), q(-1), q(1), q(1)), 380, 0, "$K=2$ from either side");
     svg_circle(s, at(q(0), r(1, 2)), r(1, 2), SVG_MUTED);
     svg_circle(s, at(q(0), r(-1, 2)), r(1, 2), SVG_MUTED);
@@ -64,7 +64,7 @@ FIGURE(piece_of_a_cubic)
                      "and, half as long, in the new one.");
     const int coefficients[8] = {0, 0, 3, 4, 0, -9, 0, 6};
     num_q c[8], piece[8], d[6], t0 = r(1, 5), t1 = r(7, 10);
-    fractions(8, coefficients, 1, c);
+    integers(8, coefficients, c);
     for (int m = 0; m < 6; m++)
         d[m] = mul_q(q(m / 2 + 1), c[m + 2]);
     power_on_interval_q(3, 2, c, t0, t1, piece);
@@ -107,7 +107,7 @@ FIGURE(fractional_parameter)
         svg_plot(s, fractional, ratios + k, q(0), q(1), 32, roles[k]);
     const int coefficients[8] = {0, 0, 3, 4, 0, -9, 0, 6};
     num_q c[8];
-    fractions(8, coefficients, 1, c);
+    integers(8, coefficients, c);
     svg_panel(s, window(r(-1, 5), r(-1, 5), r(16, 5), r(5, 4)), 400, 0, "the points $u=0,1/8,...,1$");
     put_power_curve(s, 3, c, q(0), q(1), SVG_FAMILY);
     for (int k = 0; k <= 8; k++) {
@@ -139,7 +139,7 @@ FIGURE(joined_and_closed)
     svg_label(s, svg_at(2, 0), SVG_S, SVG_POINT, "P_{II}(1)");
     const int coefficients[8] = {0, 0, 4, 5, -4, -15, 0, 10}; /* (4t(1-t), 5t(1-t)(1-2t)) */
     num_q c[8];
-    fractions(8, coefficients, 1, c);
+    integers(8, coefficients, c);
     svg_panel(s, window(r(-1, 4), r(-3, 4), r(5, 4), r(3, 4)), 192, 0, "$P_x(0)=P_x(1)$, as printed");
     put_power_curve(s, 3, c, q(0), q(1), SVG_WRONG);
     svg_mark(s, svg_at(0, 0), SVG_POINT, SVG_USUAL);

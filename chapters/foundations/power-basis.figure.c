@@ -12,7 +12,7 @@ FIGURE(infinite_slope_and_two_values)
                      "its derivative with respect to t is (0, 1).");
     const int coefficients[6] = {1, 0, -4, 1, 4, 0};
     num_q c[6];
-    fractions(6, coefficients, 1, c);
+    integers(6, coefficients, c);
     svg_panel(s, window(r(-1, 4), r(-1, 10), r(5, 4), r(11, 10)), 360, 0, "$P(t)=((2t-1)^2,t)$");
     svg_axes(s, r(1, 4), r(1, 4), "x", "y");
     svg_segment(s, at(r(1, 4), r(-1, 10)), at(r(1, 4), r(11, 10)), SVG_MUTED);
@@ -34,7 +34,7 @@ FIGURE(forward_differences)
                      "one, with t - delta, leads back.");
     const int coefficients[8] = {0, 0, 3, 4, 0, -9, 0, 6};
     num_q c[8];
-    fractions(8, coefficients, 1, c);
+    integers(8, coefficients, c);
     svg_panel(s, window(r(-1, 4), r(-1, 4), r(13, 4), r(3, 2)), 560, 0, "$δ=1/4$");
     put_power_curve(s, 3, c, q(0), q(1), SVG_CURVE);
     static const char *const names[5] = {"P_0", "P_1", "P_2", "P_3", "P_4"};
@@ -101,7 +101,7 @@ FIGURE(degrees_two_and_three)
     const int coefficients[2][8] = {{0, 0, 1, 0, 0, 1, 0, 0}, {0, 0, 1, 0, 0, 0, 0, 1}};
     for (int panel = 0; panel < 2; panel++) {
         num_q c[8];
-        fractions(8, coefficients[panel], 1, c);
+        integers(8, coefficients[panel], c);
         svg_panel(s, window(q(-1), q(-1), q(1), q(1)), 240, 0, panel ? "$(t,t^3)$" : "$(t,t^2)$");
         svg_axes(s, q(1), q(1), NULL, NULL);
         svg_line(s, at(r(panel ? 0 : -1, 2), panel ? q(0) : r(1, 4)), at(q(panel), q(0)), SVG_MUTED);

@@ -11,7 +11,7 @@ FIGURE(regular_double_point)
                      "(-2, 2) and (2, 2).");
     const int coefficients[8] = {-1, 0, 0, -1, 1, 0, 0, 1};
     num_q c[8];
-    fractions(8, coefficients, 1, c);
+    integers(8, coefficients, c);
     svg_panel(s, window(r(-5, 4), r(-1, 1), q(1), q(1)), 360, 0, "$P(t)=(t^2-1,t^3-t)$");
     put_power_curve(s, 3, c, r(-3, 2), r(3, 2), SVG_CURVE);
     svg_arrow(s, svg_at(0, 0), at(r(1, 2), r(1, 2)), SVG_POINT);
@@ -33,7 +33,7 @@ FIGURE(cusp_and_its_derivative)
         "continuous.");
     const int coefficients[8] = {0, 0, 3, 3, -6, -3, 4, 0};
     num_q c[8], d[6];
-    fractions(8, coefficients, 1, c);
+    integers(8, coefficients, c);
     for (int m = 0; m < 6; m++)
         d[m] = mul_q(q(m / 2 + 1), c[m + 2]);
     svg_panel(s, window(r(-1, 10), r(-1, 10), r(11, 10), r(21, 20)), 340, 0, "the curve");

@@ -36,7 +36,7 @@ FIGURE(two_cubes_and_their_image)
     const int first[4] = {0, 0, 10, 10}, second[4] = {-3, -2, 7, 8};
     for (int k = 0; k < 2; k++) {
         num_q P[4];
-        fractions(4, k ? second : first, 1, P);
+        integers(4, k ? second : first, P);
         svg_panel(s, k ? svg_integer_window(-4, -3, 8, 9) : svg_integer_window(-1, -1, 11, 11), 330, 0,
                   k ? "in the coordinates with the origin $(3,2)$" : "in the first coordinates");
         svg_axes(s, q(2), q(2), k ? "x^*" : "x", k ? "y^*" : "y");
@@ -64,7 +64,7 @@ FIGURE(rotations_of_the_example)
     const int points[4] = {3, 0, 2, 3};
     for (int k = 0; k < 2; k++) {
         num_q P[4], turned[4], centre[2] = {q(k ? 3 : 0), q(k ? 1 : 0)}, c[8], image[8];
-        fractions(4, points, 1, P);
+        integers(4, points, P);
         for (int i = 0; i < 2; i++) {
             turned[2 * i] = sub_q(centre[0], sub_q(P[2 * i + 1], centre[1]));
             turned[2 * i + 1] = add_q(centre[1], sub_q(P[2 * i], centre[0]));
@@ -152,7 +152,7 @@ FIGURE(projective_image_of_a_parabola)
         "the image.");
     const int points[6] = {0, 0, 1, 0, 1, 1};
     num_q R[6], image[6], w[3];
-    fractions(6, points, 1, R);
+    integers(6, points, R);
     for (int i = 0; i < 3; i++) {
         w[i] = add_q(q(1), R[2 * i + 1]);
         for (int j = 0; j < 2; j++)

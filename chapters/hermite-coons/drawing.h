@@ -3,13 +3,7 @@
 #define CAGD_HERMITE_COONS_DRAWING_H
 
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
-#include "figures/svg.h"
-
-static inline num_q q(long m) { return from_int_q(m); }
-static inline num_q r(long m, long n) { return from_ratio_q(m, n); }
-static inline svg_point at(num_q x, num_q y) { return (svg_point){x, y}; }
-static inline svg_window window(num_q x0, num_q y0, num_q x1, num_q y1) { return (svg_window){x0, y0, x1, y1}; }
+#include "figures/words.h"
 
 /* The plane cubic with the data P(0), P(1), P'(0), P'(1), by its Bézier points. */
 static inline void put_hermite(svg *s, const num_q data[8], enum svg_role role)

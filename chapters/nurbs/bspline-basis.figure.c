@@ -6,7 +6,7 @@ FIGURE(bspline_supports)
     enum { p = 2, n = 6 };
     static const int knot[n + p + 1] = {0, 1, 3, 4, 6, 7, 9, 10, 11};
     num_q u[n + p + 1];
-    draw_numbers(n + p + 1, knot, 1, u);
+    integers(n + p + 1, knot, u);
     svg *s = svg_new(
         "bspline_supports", "B-splines, their supports and the Greville abscissae",
         "Six quadratic B-splines over simple knots; under each a bar from its first to its last knot, and on the bar "
@@ -80,7 +80,7 @@ FIGURE(schoenberg_whitney)
     enum { p = 2, n = 4 };
     static const int knot[n + p + 1] = {0, 0, 0, 2, 4, 4, 4}, site[2][n] = {{1, 5, 11, 15}, {9, 11, 13, 15}};
     num_q u[n + p + 1], c[n];
-    draw_numbers(n + p + 1, knot, 1, u);
+    integers(n + p + 1, knot, u);
     svg *s = svg_new("schoenberg_whitney", "Sites at which interpolation is possible",
                      "Four quadratic B-splines; on the left each is positive at its site, on the right the first one "
                      "vanishes at its.");

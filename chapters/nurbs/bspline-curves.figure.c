@@ -5,8 +5,8 @@ FIGURE(bspline_deboor_triangle)
     enum { p = 3, n = 4 };
     static const int knot[n + p + 1] = {0, 1, 2, 3, 5, 6, 7, 8}, point[2 * n] = {0, 0, 2, 7, 9, 8, 11, 1};
     num_q u[n + p + 1], c[2 * n], d[2 * n], t = from_int_q(4);
-    draw_numbers(n + p + 1, knot, 1, u);
-    draw_numbers(2 * n, point, 1, c);
+    integers(n + p + 1, knot, u);
+    integers(2 * n, point, c);
     for (int i = 0; i < 2 * n; i++)
         d[i] = c[i];
     svg *s = svg_new("bspline_deboor_triangle", "De Boor's algorithm",

@@ -7,9 +7,9 @@ FIGURE(bspline_elevation)
     static const int point[2 * n] = {0, 0, 2, 7, 9, 7, 11, 0};
     num_q u[n + p + 1], v[m + p + 2], c[2 * n], d[2 * m];
     int span[m];
-    draw_numbers(n + p + 1, knot, 1, u);
-    draw_numbers(m + p + 2, finer, 1, v);
-    draw_numbers(2 * n, point, 1, c);
+    integers(n + p + 1, knot, u);
+    integers(m + p + 2, finer, v);
+    integers(2 * n, point, c);
     (void)spans_of_points_q(n, p, u, m, p + 1, v, span);
     bspline_elevate_q(p, 2, u, c, m, v, span, d);
     svg *s = svg_new("bspline_elevation", "Elevation of the degree",

@@ -1,19 +1,11 @@
 /* bspline-figures.h -- drawing B-splines and their curves exactly: every segment as the Bézier curve that it is. */
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
 #include "exact/record/span.h"
-#include "figures/svg.h"
+#include "figures/words.h"
 
 #include <stdio.h>
 
 enum { MOST_DRAWN = 32 };
-
-/* Integers, each divided by `over`. */
-static inline void draw_numbers(int count, const int from[], int over, num_q to[])
-{
-    for (int i = 0; i < count; i++)
-        to[i] = from_ratio_q(from[i], over);
-}
 
 /* The curve of n points of the plane. */
 static inline void draw_bspline(svg *s, int n, int p, const num_q u[], const num_q c[], enum svg_role role)

@@ -6,8 +6,8 @@ static void example(num_q u[], num_q c[])
 {
     static const int knot[POINTS + CUBIC + 1] = {0, 0, 0, 0, 2, 4, 6, 6, 6, 6};
     static const int point[2 * POINTS] = {0, 0, 1, 6, 5, 9, 10, 8, 13, 3, 11, -1};
-    draw_numbers(POINTS + CUBIC + 1, knot, 1, u);
-    draw_numbers(2 * POINTS, point, 1, c);
+    integers(POINTS + CUBIC + 1, knot, u);
+    integers(2 * POINTS, point, c);
 }
 
 FIGURE(bspline_bezier_segments)
@@ -74,8 +74,8 @@ FIGURE(bspline_periodic)
     enum { m = 6 };
     static const int knot[m + 1] = {0, 1, 2, 4, 5, 6, 8}, point[2 * m] = {0, 0, 5, -2, 9, 2, 8, 7, 3, 8, -1, 5};
     num_q u[m + 1], c[2 * m], v[m + 2 * CUBIC + 1], d[2 * (m + CUBIC)], P[2];
-    draw_numbers(m + 1, knot, 1, u);
-    draw_numbers(2 * m, point, 1, c);
+    integers(m + 1, knot, u);
+    integers(2 * m, point, c);
     bspline_periodic_q(m, CUBIC, 2, u, c, v, d);
     svg *s = svg_new("bspline_periodic", "A closed curve",
                      "A closed cubic curve of six points; the seam, where the parameter begins and ends, is as smooth "

@@ -7,15 +7,15 @@
 FIGURE(matrix_and_weights)
 {
     enum { p = 2, k = 3 };
-    static const int points[2 * k] = {0, 0, 2, 6, 8, 2}, integers[2 * k] = {-2, -1, 0, 1, 2, 3};
+    static const int points[2 * k] = {0, 0, 2, 6, 8, 2}, from[2 * k] = {-2, -1, 0, 1, 2, 3};
     static const int weights[k] = {1, 4, 1};
     num_q R[2 * k], knots[2 * k], A[k * k], affine[2 * k], curve[2 * k], w[k];
     svg *s =
         svg_new("matrix_and_weights", "The matrix needs the weights",
                 "Three control points with the weights 1, 4, 1.  The coefficient matrix applied to the homogeneous "
                 "points gives the segment of the NURBS curve; applied to the affine points it gives another arc.");
-    fractions(2 * k, points, 1, R);
-    fractions(2 * k, integers, 1, knots);
+    integers(2 * k, points, R);
+    integers(2 * k, from, knots);
     bspline_matrix_q(p, knots, p, A);
     /* From powers of u to the points of Bézier, for each coordinate and for the weights. */
     num_q b[3][k], plain[2][k];
@@ -80,13 +80,13 @@ FIGURE(matrices_of_merging_knots)
 FIGURE(full_powers)
 {
     enum { p = 2, k = 3 };
-    static const int integers[2 * k] = {-1, 0, 1, 2, 3, 4}, one[k + 1] = {1, 1, 1, 1};
+    static const int from[2 * k] = {-1, 0, 1, 2, 3, 4}, one[k + 1] = {1, 1, 1, 1};
     num_q u[2 * k], A[k * k], c[k], alpha[k + 1];
     svg *s = svg_new(
         "full_powers", "With full powers the sum is zero",
         "The quadratic B-spline of the knots 0, 1, 2, 3.  On the span from 1 to 2 the printed sum over all knots "
         "is the zero function; the sum over the knots to the right of the span is the B-spline.");
-    fractions(2 * k, integers, 1, u);
+    integers(2 * k, from, u);
     svg_panel(s, window(r(-1, 4), r(-1, 4), r(13, 4), r(1, 1)), 420, 190,
               "$k=3$, the knots of $N_{i,3}$ are 0, 1, 2, 3; span $[1,2)$");
     svg_axes(s, q(1), r(1, 2), "t", NULL);

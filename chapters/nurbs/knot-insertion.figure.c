@@ -6,8 +6,8 @@ FIGURE(boehm_insertion)
     static const int knot[n + p + 1] = {0, 0, 0, 0, 2, 4, 6, 6, 6, 6};
     static const int point[2 * n] = {0, 0, 1, 6, 5, 9, 10, 8, 13, 3, 11, -1};
     num_q u[n + p + 1], v[n + p + 2], c[2 * n], d[2 * (n + 1)];
-    draw_numbers(n + p + 1, knot, 1, u);
-    draw_numbers(2 * n, point, 1, c);
+    integers(n + p + 1, knot, u);
+    integers(2 * n, point, c);
     bspline_insert_q(n, p, 2, u, 4, c, from_int_q(3), v, d);
     svg *s = svg_new("boehm_insertion", "Insertion of a knot",
                      "A cubic curve with knots 0, 2, 4, 6; the knot 3 is inserted. Three points are new, on the edges "

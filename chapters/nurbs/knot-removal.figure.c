@@ -7,8 +7,8 @@ FIGURE(knot_removal_defect)
     static const int knot[n + p + 1] = {0, 0, 0, 0, 2, 4, 6, 6, 6, 6};
     static const int point[2 * n] = {0, 0, 1, 6, 5, 9, 10, 8, 13, 3, 11, -1};
     num_q u[n + p + 1], v[n + p + 1], w[n + p + 1], c[2 * n], b[2 * n], d[2 * n], defect[2];
-    draw_numbers(n + p + 1, knot, 1, u);
-    draw_numbers(2 * n, point, 1, c);
+    integers(n + p + 1, knot, u);
+    integers(2 * n, point, c);
     bspline_remove_q(n, p, 2, u, c, r, 1, v, b, defect);
     bspline_insert_q(n - 1, p, 2, v, r - 1, b, u[r], w, d);
     svg *s = svg_new("knot_removal_defect", "Removal of a knot and its defect",

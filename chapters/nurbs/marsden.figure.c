@@ -2,7 +2,7 @@
 #include "chapters/nurbs/matrix-figures.h"
 
 enum { p = 2, k = 3, SPANS = 3 };
-static const int integers[2 * k + SPANS - 1] = {-3, -2, 0, 3, 4, 6, 7, 8}; /* spans [0,3], [3,4], [4,6] */
+static const int knots[2 * k + SPANS - 1] = {-3, -2, 0, 3, 4, 6, 7, 8}; /* spans [0,3], [3,4], [4,6] */
 
 /* The terms omega_i(x) N_i(t) of Marsden's identity for one x, and their sum. */
 FIGURE(marsden_identity)
@@ -12,7 +12,7 @@ FIGURE(marsden_identity)
         "marsden_identity", "Marsden's identity",
         "Over the knots 0, 3, 4 and 6 the quadratic B-splines, each multiplied by its coefficient, and their sum, "
         "which is the parabola (2-t)².");
-    fractions(2 * k + SPANS - 1, integers, 1, u);
+    integers(2 * k + SPANS - 1, knots, u);
     svg_panel(s, window(r(-1, 2), q(-6), r(13, 2), q(17)), 440, 300, "$k=3$, $x=2$, simple knots");
     svg_axes(s, q(1), q(5), "t", NULL);
     for (int mu = p; mu < p + SPANS; mu++) {
@@ -44,7 +44,7 @@ FIGURE(powers_from_averages)
         svg_new("powers_from_averages", "The powers of t in the B-spline basis",
                 "The graph of t² over three spans as a quadratic B-spline curve.  Its control points have the averages "
                 "of two neighbouring knots as abscissae, and the products of the two knots as ordinates.");
-    fractions(2 * k + SPANS - 1, integers, 1, u);
+    integers(2 * k + SPANS - 1, knots, u);
     for (int mu = p; mu < p + SPANS; mu++) {
         marsden_matrix_q(p, u, mu, g);
         for (int i = 0; i < k; i++) {

@@ -5,13 +5,13 @@
 FIGURE(simple_knots_sign)
 {
     enum { p = 2, k = 3 };
-    static const int integers[2 * k] = {-2, -1, 0, 2, 3, 5};
+    static const int from[2 * k] = {-2, -1, 0, 2, 3, 5};
     num_q u[2 * k], A[k * k], c[k];
     svg *s = svg_new(
         "simple_knots_sign", "For odd orders the printed matrix is the negative one",
         "The three quadratic B-splines on the span from 0 to 2 of simple knots, all positive, and the functions "
         "of the printed matrix, which are their negatives.");
-    fractions(2 * k, integers, 1, u);
+    integers(2 * k, from, u);
     bspline_matrix_simple_q(p, u, p, A);
     svg_panel(s, window(r(-1, 4), r(-1, 1), r(9, 4), r(1, 1)), 420, 260, "$k=3$, knots $-2,-1,0,2,3,5$, span $[0,2)$");
     svg_axes(s, r(1, 2), r(1, 2), "t", NULL);

@@ -3,18 +3,12 @@
 #define CAGD_NURBS_SPLINE_FIGURES_H
 
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
 #include "exact/record/span.h"
-#include "figures/svg.h"
+#include "figures/words.h"
 
 #include <stdio.h>
 
 enum { MOST_POINTS = 40 };
-
-static inline num_q q(long m) { return from_int_q(m); }
-static inline num_q r(long m, long n) { return from_ratio_q(m, n); }
-static inline svg_point at(num_q x, num_q y) { return (svg_point){x, y}; }
-static inline svg_window window(num_q x0, num_q y0, num_q x1, num_q y1) { return (svg_window){x0, y0, x1, y1}; }
 
 /* A NURBS curve of the plane: n points of degree p, n+p+1 knots. */
 typedef struct spline {
@@ -70,7 +64,8 @@ static inline void mark_knots(svg *s, spline c, enum svg_role role)
             svg_mark(s, spline_point(c, c.u[i]), role, SVG_SQUARE);
 }
 
-/* The polygon with its points, labelled letter_1, ..., letter_n as in the source; no labels for letter NULL. */
+/* The polygon with its points, labelled letter_1, ..., letter_n as in the source, on the given sides; without labels for letter
+ * NULL and where the side is SVG_HERE. */
 static inline void draw_polygon(svg *s, spline c, const char *letter, const enum svg_direction side[],
                                 enum svg_role role)
 {
@@ -78,7 +73,7 @@ static inline void draw_polygon(svg *s, spline c, const char *letter, const enum
     for (int i = 0; i < c.n; i++) {
         char name[24];
         svg_mark(s, svg_pair(c.R + 2 * i), role, SVG_USUAL);
-        if (letter == NULL)
+        if (letter == NULL || side[i] == SVG_HERE)
             continue;
         snprintf(name, sizeof name, "%s_%d", letter, i + 1);
         svg_label(s, svg_pair(c.R + 2 * i), side[i], SVG_POINT, name);

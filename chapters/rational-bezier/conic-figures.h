@@ -3,11 +3,7 @@
 #define CAGD_CONIC_FIGURES_H
 
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
-#include "figures/svg.h"
-
-static inline num_q q(long m) { return from_int_q(m); }
-static inline num_q r(long m, long n) { return from_ratio_q(m, n); }
+#include "figures/words.h"
 
 /* The legs R_0 R_1 and R_1 R_2 with the three points, labelled on the given sides. */
 static inline void put_triangle(svg *s, const num_q R[], enum svg_direction at_0, enum svg_direction at_1,

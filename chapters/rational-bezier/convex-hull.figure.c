@@ -1,11 +1,7 @@
 /* Figures of the section on the convex hull. */
 #include "chapters/judge/figure.h"
 #include "exact/record/hull.h"
-#include "exact/kernels_q.h"
-#include "figures/svg.h"
-
-static num_q ratio(long a, long b) { return from_ratio_q(a, b); }
-static num_q whole(long a) { return from_int_q(a); }
+#include "figures/words.h"
 
 static void draw_hull(svg *s, int n, const num_q R[])
 {
@@ -37,7 +33,7 @@ FIGURE(convex_hull)
         "Left, quartics of one zigzag polygon with three sets of positive weights, all in the convex hull.  Right, the "
         "quadratic with weights 1, -1/2, 1, separated from the triangle by its base line, and the segment continued to "
         "t = 2.");
-    num_q R[] = {whole(0), whole(1), whole(1), whole(4), whole(3), whole(0), whole(5), whole(4), whole(6), whole(1)};
+    num_q R[] = {q(0), q(1), q(1), q(4), q(3), q(0), q(5), q(4), q(6), q(1)};
     static const enum svg_direction clear[] = {SVG_W, SVG_N, SVG_E}, below[] = {SVG_S, SVG_S};
     static const long weights[3][5] = {{1, 1, 1, 1, 1}, {1, 9, 1, 9, 1}, {1, 1, 9, 1, 1}};
     svg_panel(s, svg_integer_window(-1, -1, 7, 5), 380, 0, "one polygon, three sets of positive weights,\none hull");
@@ -47,23 +43,22 @@ FIGURE(convex_hull)
     for (int k = 2; k >= 0; k--) {
         num_q w[5];
         for (int i = 0; i <= 4; i++)
-            w[i] = whole(weights[k][i]);
+            w[i] = q(weights[k][i]);
         svg_rational(s, 4, R, w, k == 0 ? SVG_CURVE : k == 1 ? SVG_CURVE_2 : SVG_RIGHT);
     }
-    num_q Q[] = {whole(0), whole(0), whole(1), whole(2), whole(2), whole(0)}, w[] = {whole(1), ratio(-1, 2), whole(1)},
-          x[2];
-    svg_panel(s, (svg_window){whole(-1), ratio(-5, 2), whole(3), ratio(5, 2)}, 240, 0,
+    num_q Q[] = {q(0), q(0), q(1), q(2), q(2), q(0)}, w[] = {q(1), r(-1, 2), q(1)}, x[2];
+    svg_panel(s, (svg_window){q(-1), r(-5, 2), q(3), r(5, 2)}, 240, 0,
               "weights $1, -1/2, 1$: $R(1/2) = (1, -2)$ is\nbelow the line $y = 0$, the triangle above");
     svg_heading(s, SVG_WRONG, "a negative weight");
     draw_hull(s, 2, Q);
     svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_MUTED);
     draw_polygon(s, 2, Q, clear);
     svg_rational(s, 2, Q, w, SVG_WRONG);
-    rational_point_q(2, 2, Q, w, ratio(1, 2), x);
+    rational_point_q(2, 2, Q, w, r(1, 2), x);
     svg_mark(s, svg_pair(x), SVG_WRONG, SVG_USUAL);
     svg_label(s, svg_pair(x), SVG_S, SVG_WRONG, "R(1/2)");
-    num_q line[] = {whole(0), whole(0), whole(1), whole(0)};
-    svg_panel(s, (svg_window){ratio(-1, 2), ratio(-5, 4), ratio(5, 2), ratio(5, 4)}, 240, 0, "a segment at $t = 2$");
+    num_q line[] = {q(0), q(0), q(1), q(0)};
+    svg_panel(s, (svg_window){r(-1, 2), r(-5, 4), r(5, 2), r(5, 4)}, 240, 0, "a segment at $t = 2$");
     svg_heading(s, SVG_WRONG, "outside $0 ≤ t ≤ 1$");
     draw_polygon(s, 1, line, below);
     svg_segment(s, svg_at(1, 0), svg_at(2, 0), SVG_WRONG);

@@ -1,10 +1,6 @@
 /* Figures of the section on the curvature and torsion at the ends. */
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
-#include "figures/svg.h"
-
-static num_q ratio(long a, long b) { return from_ratio_q(a, b); }
-static num_q whole(long a) { return from_int_q(a); }
+#include "figures/words.h"
 
 /* A polygon whose labels stand clear of the circles. */
 static void draw_polygon(svg *s, int n, const num_q R[], const enum svg_direction side[])
@@ -24,16 +20,16 @@ FIGURE(end_curvature)
                      "A rational cubic with weights 1, 1, 2, 1 and the circles through its ends whose curvature is "
                      "given by the first two "
                      "and the last two edges.");
-    num_q R[] = {whole(0), whole(0), whole(0), whole(3), whole(6), whole(4), whole(6), whole(1)};
-    num_q w[] = {whole(1), whole(1), whole(2), whole(1)};
+    num_q R[] = {q(0), q(0), q(0), q(3), q(6), q(4), q(6), q(1)};
+    num_q w[] = {q(1), q(1), q(2), q(1)};
     static const enum svg_direction side[] = {SVG_W, SVG_NW, SVG_NE, SVG_E};
     /* both cross products are 18 and both edges 3: 2/3 * 2 * 18/27 = 8/9 and 2/3 * 1/4 * 18/27 = 1/9 */
-    num_q at_zero = ratio(9, 8), at_one = whole(9);
+    num_q at_zero = r(9, 8), at_one = q(9);
     svg_panel(s, svg_integer_window(-1, -2, 8, 5), 420, 0,
               "weights $1, 1, 2, 1$, edges $(0,3)$, $(6,1)$, $(0,-3)$:\n$κ(0) = 2/3 · 2 · 18/27 = 8/9$ and "
               "$κ(1) = 2/3 · 1/4 · 18/27 = 1/9$");
-    svg_circle(s, (svg_point){at_zero, whole(0)}, at_zero, SVG_RIGHT);
-    svg_circle(s, (svg_point){sub_q(whole(6), at_one), whole(1)}, at_one, SVG_RIGHT);
+    svg_circle(s, (svg_point){at_zero, q(0)}, at_zero, SVG_RIGHT);
+    svg_circle(s, (svg_point){sub_q(q(6), at_one), q(1)}, at_one, SVG_RIGHT);
     draw_polygon(s, 3, R, side);
     svg_rational(s, 3, R, w, SVG_CURVE);
     svg_legend_line(s, SVG_CURVE, "the curve");
@@ -45,8 +41,8 @@ FIGURE(end_curvature)
 static void oblique(int count, const num_q P[], num_q out[])
 {
     for (int i = 0; i < count; i++) {
-        out[2 * i] = add_q(P[3 * i], mul_q(ratio(1, 2), P[3 * i + 1]));
-        out[2 * i + 1] = add_q(P[3 * i + 2], mul_q(ratio(1, 3), P[3 * i + 1]));
+        out[2 * i] = add_q(P[3 * i], mul_q(r(1, 2), P[3 * i + 1]));
+        out[2 * i + 1] = add_q(P[3 * i + 2], mul_q(r(1, 3), P[3 * i + 1]));
     }
 }
 
@@ -57,12 +53,12 @@ FIGURE(end_formulas_undetermined)
                 "A parabola that starts with a repeated point and has curvature 2; a space curve whose first three "
                 "points are on a "
                 "line and that has torsion 2; a cubic with a negative weight, whose printed curvature is negative.");
-    num_q zero = whole(0), one = whole(1);
-    num_q parabola[] = {zero, zero, zero, zero, ratio(1, 6), zero, ratio(1, 2), zero, one, one},
+    num_q zero = q(0), one = q(1);
+    num_q parabola[] = {zero, zero, zero, zero, r(1, 6), zero, r(1, 2), zero, one, one},
           equal[] = {one, one, one, one, one};
-    svg_panel(s, (svg_window){ratio(-3, 4), ratio(-1, 4), ratio(5, 4), ratio(5, 4)}, 250, 0,
+    svg_panel(s, (svg_window){r(-3, 4), r(-1, 4), r(5, 4), r(5, 4)}, 250, 0,
               "$x = t^2$, $y = t^4$: $R_0 = R_1$; $κ → 2$, the circle,\nfor $t → 0$, and (3.2.5) says $0/0$");
-    svg_circle(s, (svg_point){zero, ratio(1, 2)}, ratio(1, 2), SVG_RIGHT);
+    svg_circle(s, (svg_point){zero, r(1, 2)}, r(1, 2), SVG_RIGHT);
     svg_polyline(s, 5, parabola, SVG_POLYGON);
     svg_rational(s, 4, parabola, equal, SVG_CURVE);
     static const char *const name[] = {"R_0 = R_1", "", "R_2", "R_3", "R_4"};
@@ -70,13 +66,12 @@ FIGURE(end_formulas_undetermined)
         svg_mark(s, svg_pair(parabola + 2 * i), SVG_POLYGON, SVG_USUAL);
         svg_label(s, svg_pair(parabola + 2 * i), i == 0 ? SVG_SW : i == 4 ? SVG_N : SVG_S, SVG_POINT, name[i]);
     }
-    num_q space[] = {zero, zero,        zero,        ratio(1, 4), zero, zero, ratio(1, 2), zero,
-                     zero, ratio(3, 4), ratio(1, 4), zero,        one,  one,  one};
+    num_q space[] = {zero, zero, zero, r(1, 4), zero, zero, r(1, 2), zero, zero, r(3, 4), r(1, 4), zero, one, one, one};
     num_q flat[10], axes[] = {zero, zero, zero, one, zero, zero, zero, one, zero, zero, zero, one}, ends[8];
     oblique(5, space, flat);
     oblique(4, axes, ends);
     svg_panel(
-        s, (svg_window){ratio(-1, 4), ratio(-1, 4), ratio(7, 4), ratio(3, 2)}, 250, 0,
+        s, (svg_window){r(-1, 4), r(-1, 4), r(7, 4), r(3, 2)}, 250, 0,
         "$(t, t^3, t^4)$ seen obliquely: $R_0, R_1, R_2$ on a line;\n$τ → 2$ for $t → 0$, and (3.2.6) says $0/0$");
     static const char *const axis[] = {"", "x", "y", "z"};
     for (int i = 1; i < 4; i++) {
@@ -86,10 +81,10 @@ FIGURE(end_formulas_undetermined)
     static const enum svg_direction obliquely[] = {SVG_S, SVG_S, SVG_S, SVG_E, SVG_NE};
     draw_polygon(s, 4, flat, obliquely);
     svg_bezier(s, 4, flat, SVG_CURVE);
-    num_q square[] = {zero, zero, one, zero, one, one, zero, one}, w[] = {one, one, ratio(-1, 4), one};
-    svg_panel(s, (svg_window){ratio(-1, 2), ratio(-1, 2), ratio(3, 2), ratio(5, 4)}, 250, 0,
+    num_q square[] = {zero, zero, one, zero, one, one, zero, one}, w[] = {one, one, r(-1, 4), one};
+    svg_panel(s, (svg_window){r(-1, 2), r(-1, 2), r(3, 2), r(5, 4)}, 250, 0,
               "weights $1, 1, -1/4, 1$: $κ(0) = 1/6$, the circle;\n(3.2.5) says $-1/6$");
-    svg_circle(s, (svg_point){zero, whole(-6)}, whole(6), SVG_RIGHT);
+    svg_circle(s, (svg_point){zero, q(-6)}, q(6), SVG_RIGHT);
     static const enum svg_direction above[] = {SVG_NW, SVG_NE, SVG_NE, SVG_W};
     draw_polygon(s, 3, square, above);
     svg_rational(s, 3, square, w, SVG_CURVE);
@@ -101,12 +96,12 @@ FIGURE(end_formulas_undetermined)
 /* The graph of c_0 + c_1 t + c_2 t^2 + c_3 t^3 over [0, b]. */
 static void draw_polynomial(svg *s, const num_q c[4], num_q b, enum svg_role role)
 {
-    num_q scaled[4], y[4], P[8], power = whole(1);
+    num_q scaled[4], y[4], P[8], power = q(1);
     for (int k = 0; k < 4; k++, power = mul_q(power, b))
         scaled[k] = mul_q(c[k], power);
     power_to_bernstein_q(3, scaled, y);
     for (int i = 0; i < 4; i++) {
-        P[2 * i] = mul_q(ratio(i, 3), b);
+        P[2 * i] = mul_q(r(i, 3), b);
         P[2 * i + 1] = y[i];
     }
     svg_bezier(s, 3, P, role);
@@ -115,7 +110,7 @@ static void draw_polynomial(svg *s, const num_q c[4], num_q b, enum svg_role rol
 /* (t, R(t)) as a rational curve of degree n + 1: points, weights, the abscissa t = t w/w. */
 static void draw_values(svg *s, int n, const num_q R[], const num_q w[])
 {
-    num_q H[3 * 8], t[] = {whole(0), whole(1)}, one[] = {whole(1), whole(1)}, p[8], x[8], y[8], v[8], Q[16], u[8];
+    num_q H[3 * 8], t[] = {q(0), q(1)}, one[] = {q(1), q(1)}, p[8], x[8], y[8], v[8], Q[16], u[8];
     for (int i = 0; i <= n; i++)
         p[i] = mul_q(w[i], R[i]);
     bernstein_product_q(n, w, 1, t, x);
@@ -136,21 +131,21 @@ FIGURE(quotient_derivatives)
         "quotient_derivatives", "The printed second and third derivatives of a quotient",
         "Left, (1+3t)/(1+t) with its Taylor polynomial of order 2 and the one with the printed R''(0) = -5.  Right, "
         "(2t+2t^2)/(1+t^2) with its Taylor polynomial of order 3 and the one with the printed R'''(0) = -24.");
-    num_q one[] = {whole(1), whole(2)}, one_weights[] = {whole(1), whole(2)};
-    num_q two[] = {whole(0), whole(1), whole(2)}, two_weights[] = {whole(1), whole(1), whole(2)};
-    num_q right2[] = {whole(1), whole(2), whole(-2), whole(0)}, wrong2[] = {whole(1), whole(2), ratio(-5, 2), whole(0)};
-    num_q right3[] = {whole(0), whole(2), whole(2), whole(-2)}, wrong3[] = {whole(0), whole(2), whole(2), whole(-4)};
-    svg_panel(s, (svg_window){whole(0), ratio(1, 2), whole(1), ratio(9, 4)}, 280, 260,
+    num_q one[] = {q(1), q(2)}, one_weights[] = {q(1), q(2)};
+    num_q two[] = {q(0), q(1), q(2)}, two_weights[] = {q(1), q(1), q(2)};
+    num_q right2[] = {q(1), q(2), q(-2), q(0)}, wrong2[] = {q(1), q(2), r(-5, 2), q(0)};
+    num_q right3[] = {q(0), q(2), q(2), q(-2)}, wrong3[] = {q(0), q(2), q(2), q(-4)};
+    svg_panel(s, (svg_window){q(0), r(1, 2), q(1), r(9, 4)}, 280, 260,
               "$R = (1+3t)/(1+t)$: printed $R''(0) = -5$,\ntrue $R''(0) = -4$");
-    svg_axes(s, ratio(1, 4), ratio(1, 2), "t", "R");
-    draw_polynomial(s, wrong2, whole(1), SVG_WRONG);
-    draw_polynomial(s, right2, whole(1), SVG_RIGHT);
+    svg_axes(s, r(1, 4), r(1, 2), "t", "R");
+    draw_polynomial(s, wrong2, q(1), SVG_WRONG);
+    draw_polynomial(s, right2, q(1), SVG_RIGHT);
     draw_values(s, 1, one, one_weights);
-    svg_panel(s, (svg_window){whole(0), whole(0), whole(1), ratio(9, 4)}, 280, 260,
+    svg_panel(s, (svg_window){q(0), q(0), q(1), r(9, 4)}, 280, 260,
               "$R = (2t+2t^2)/(1+t^2)$: printed $R'''(0) = -24$,\ntrue $R'''(0) = -12$");
-    svg_axes(s, ratio(1, 4), ratio(1, 2), "t", "R");
-    draw_polynomial(s, wrong3, whole(1), SVG_WRONG);
-    draw_polynomial(s, right3, whole(1), SVG_RIGHT);
+    svg_axes(s, r(1, 4), r(1, 2), "t", "R");
+    draw_polynomial(s, wrong3, q(1), SVG_WRONG);
+    draw_polynomial(s, right3, q(1), SVG_RIGHT);
     draw_values(s, 2, two, two_weights);
     svg_legend_line(s, SVG_CURVE, "$R(t)$");
     svg_legend_line(s, SVG_RIGHT, "Taylor polynomial at $0$");

@@ -1,11 +1,7 @@
 /* Figures of the section on the end points. */
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
 #include "exact/record/number.h"
-#include "figures/svg.h"
-
-static num_q ratio(long a, long b) { return from_ratio_q(a, b); }
-static num_q whole(long a) { return from_int_q(a); }
+#include "figures/words.h"
 
 /* A triangle whose labels stand clear of what leaves its base downwards. */
 static void draw_triangle(svg *s, const num_q R[6])
@@ -22,15 +18,15 @@ static void draw_triangle(svg *s, const num_q R[6])
 /* A triangle, its curve, and an arrow that is a third of the first derivative at t = 0 that is not 0. */
 static void draw_start(svg *s, const num_q w[3], const char *caption, enum svg_role role)
 {
-    num_q R[] = {whole(0), whole(0), whole(1), whole(2), whole(2), whole(0)}, D[6];
-    svg_panel(s, (svg_window){ratio(-3, 4), whole(-2), ratio(11, 4), ratio(5, 2)}, 190, 0, caption);
+    num_q R[] = {q(0), q(0), q(1), q(2), q(2), q(0)}, D[6];
+    svg_panel(s, (svg_window){r(-3, 4), q(-2), r(11, 4), r(5, 2)}, 190, 0, caption);
     draw_triangle(s, R);
     svg_rational(s, 2, R, w, SVG_CURVE);
     if (is_zero_q(w[0]))
         return;
-    rational_derivatives_q(2, 2, R, w, whole(0), 2, D);
+    rational_derivatives_q(2, 2, R, w, q(0), 2, D);
     const num_q *d = is_zero_q(D[2]) && is_zero_q(D[3]) ? D + 4 : D + 2;
-    svg_arrow(s, svg_at(0, 0), (svg_point){mul_q(ratio(1, 3), d[0]), mul_q(ratio(1, 3), d[1])}, role);
+    svg_arrow(s, svg_at(0, 0), (svg_point){mul_q(r(1, 3), d[0]), mul_q(r(1, 3), d[1])}, role);
 }
 
 FIGURE(end_tangents)
@@ -39,8 +35,8 @@ FIGURE(end_tangents)
                      "The quadratic with points (0,0), (1,2), (2,0): with weights 1, 1, 1 it starts towards R_1, with "
                      "1, 0, 1 along the "
                      "chord, with 1, -1/2, 1 away from R_1, and with 0, 1, 1 it does not start in R_0 at all.");
-    num_q right[] = {whole(1), whole(1), whole(1)}, zero[] = {whole(1), whole(0), whole(1)};
-    num_q negative[] = {whole(1), ratio(-1, 2), whole(1)}, lost[] = {whole(0), whole(1), whole(1)};
+    num_q right[] = {q(1), q(1), q(1)}, zero[] = {q(1), q(0), q(1)};
+    num_q negative[] = {q(1), r(-1, 2), q(1)}, lost[] = {q(0), q(1), q(1)};
     draw_start(s, right, "weights $1, 1, 1$:\n$R'(0)$ along $R_0R_1$", SVG_RIGHT);
     draw_start(s, zero, "$1, 0, 1$: $R'(0) = 0$,\n$R''(0)$ along $R_0R_2$", SVG_WRONG);
     draw_start(s, negative, "$1, -1/2, 1$: $R'(0)$\naway from $R_1$", SVG_WRONG);
@@ -56,7 +52,7 @@ static void draw_graph(svg *s, int n, const num_q b[])
 {
     num_q P[2 * 4];
     for (int i = 0; i <= n; i++) {
-        P[2 * i] = ratio(i, n);
+        P[2 * i] = r(i, n);
         P[2 * i + 1] = b[i];
     }
     svg_bezier(s, n, P, SVG_CURVE);
@@ -65,7 +61,7 @@ static void draw_graph(svg *s, int n, const num_q b[])
 /* The graph of y + d (t - 1) + e (t - 1)^2 over [u, v]. */
 static void draw_taylor(svg *s, num_q y, num_q d, num_q e, num_q u, num_q v, enum svg_role role)
 {
-    num_q a = sub_q(u, whole(1)), b = sub_q(v, whole(1)), half = ratio(1, 2);
+    num_q a = sub_q(u, q(1)), b = sub_q(v, q(1)), half = r(1, 2);
     num_q left = add_q(y, add_q(mul_q(d, a), mul_q(e, mul_q(a, a)))),
           right = add_q(y, add_q(mul_q(d, b), mul_q(e, mul_q(b, b))));
     /* the polar form at (u, v) */
@@ -80,21 +76,21 @@ FIGURE(end_derivatives)
         "end_derivatives", "The two slips of the printed derivative at t = 1",
         "Left, R(t) = 2t - t^2 with the parabola of the printed R''(1) = 2, which curves to the wrong side.  Right, "
         "R(t) = 3t^2 - t^3 with the line of the printed slope R'(1) = 6 and the true tangent of slope 3.");
-    num_q quadratic[] = {whole(0), whole(1), whole(1)}, cubic[] = {whole(0), whole(0), whole(1), whole(2)};
-    svg_panel(s, (svg_window){whole(0), whole(0), ratio(3, 2), whole(2)}, 280, 280,
+    num_q quadratic[] = {q(0), q(1), q(1)}, cubic[] = {q(0), q(0), q(1), q(2)};
+    svg_panel(s, (svg_window){q(0), q(0), r(3, 2), q(2)}, 280, 280,
               "points $0, 1, 1$, weights $1$ ($k = 1$, $h = 2$):\nprinted $R''(1) = 2$, true $R''(1) = -2$");
     svg_heading(s, SVG_WRONG, "sign");
-    svg_axes(s, ratio(1, 2), whole(1), "t", "R");
-    draw_taylor(s, whole(1), whole(0), whole(1), whole(0), ratio(3, 2), SVG_WRONG);
-    draw_taylor(s, whole(1), whole(0), whole(-1), whole(1), ratio(3, 2), SVG_RIGHT);
+    svg_axes(s, r(1, 2), q(1), "t", "R");
+    draw_taylor(s, q(1), q(0), q(1), q(0), r(3, 2), SVG_WRONG);
+    draw_taylor(s, q(1), q(0), q(-1), q(1), r(3, 2), SVG_RIGHT);
     draw_graph(s, 2, quadratic);
     svg_mark(s, svg_at(1, 1), SVG_CURVE, SVG_USUAL);
-    svg_panel(s, (svg_window){whole(0), whole(0), ratio(3, 2), whole(4)}, 280, 280,
+    svg_panel(s, (svg_window){q(0), q(0), r(3, 2), q(4)}, 280, 280,
               "points $0, 0, 1, 2$, weights $1$ ($k = 2$, $h = 1$):\nprinted $R'(1) = 6$, true $R'(1) = 3$");
     svg_heading(s, SVG_WRONG, "factor");
-    svg_axes(s, ratio(1, 2), whole(1), "t", "R");
-    draw_taylor(s, whole(2), whole(6), whole(0), whole(0), ratio(3, 2), SVG_WRONG);
-    draw_taylor(s, whole(2), whole(3), whole(0), ratio(1, 3), ratio(3, 2), SVG_RIGHT);
+    svg_axes(s, r(1, 2), q(1), "t", "R");
+    draw_taylor(s, q(2), q(6), q(0), q(0), r(3, 2), SVG_WRONG);
+    draw_taylor(s, q(2), q(3), q(0), r(1, 3), r(3, 2), SVG_RIGHT);
     draw_graph(s, 3, cubic);
     svg_mark(s, svg_at(1, 2), SVG_CURVE, SVG_USUAL);
     svg_legend_line(s, SVG_CURVE, "$R(t)$");

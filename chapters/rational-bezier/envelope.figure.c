@@ -1,5 +1,6 @@
 /* envelope.figure.c -- drawings for envelope.claims.h. */
-#include "chapters/rational-bezier/algebraic-figures.h"
+#include "chapters/judge/figure.h"
+#include "figures/words.h"
 
 /* The members of level `level` of the curve (R, w) for c = 0, 1/pieces, ..., 1. */
 static void put_family(svg *s, int n, const num_q R[], const num_q w[], int level, int pieces)
@@ -40,7 +41,7 @@ FIGURE(envelope_families)
                 "cubic in the point of parameter c.");
     static const int points[8] = {0, 0, 1, 3, 4, 3, 5, 0};
     num_q R[8], w[4] = {q(1), q(2), q(1), q(1)}, P[2];
-    fractions(8, points, 1, R);
+    integers(8, points, R);
     rational_point_q(3, 2, R, w, r(2, 5), P);
     for (int level = 1; level <= 2; level++) {
         svg_panel(s, window(r(-1, 2), r(-1, 2), r(11, 2), r(7, 2)), 330, 0,

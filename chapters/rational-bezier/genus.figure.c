@@ -1,5 +1,6 @@
 /* genus.figure.c -- drawings for genus.claims.h. */
-#include "chapters/rational-bezier/algebraic-figures.h"
+#include "chapters/judge/figure.h"
+#include "figures/words.h"
 
 /* A polynomial in x and y: the sum of t[k][0] x^t[k][1] y^t[k][2]. */
 struct terms {

@@ -1,5 +1,6 @@
 /* implicitization.figure.c -- drawings for implicitization.claims.h. */
-#include "chapters/rational-bezier/algebraic-figures.h"
+#include "chapters/judge/figure.h"
+#include "figures/words.h"
 
 /* A curve whose determinant (3.4.1) is drawn. */
 struct implicit_curve {

@@ -1,13 +1,5 @@
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
-#include "figures/svg.h"
-
-/* Exact numbers from integers. */
-static void integers(int count, const int from[], num_q to[])
-{
-    for (int k = 0; k < count; k++)
-        to[k] = from_int_q(from[k]);
-}
+#include "figures/words.h"
 
 /* Marks the points of the parameters 1/8, ..., 7/8. */
 static void mark_eighths(svg *s, int n, const num_q R[], const num_q w[], enum svg_role role, enum svg_shape shape)

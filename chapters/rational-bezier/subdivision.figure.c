@@ -1,13 +1,5 @@
 #include "chapters/judge/figure.h"
-#include "exact/kernels_q.h"
-#include "figures/svg.h"
-
-/* Exact numbers from integers. */
-static void integers(int count, const int from[], num_q to[])
-{
-    for (int k = 0; k < count; k++)
-        to[k] = from_int_q(from[k]);
-}
+#include "figures/words.h"
 
 FIGURE(subdivision_triangle)
 {

@@ -6,7 +6,7 @@ static const int triangle[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
 static void put_triangle(svg *s, num_q level)
 {
     num_q P[16];
-    points(8, triangle, P);
+    integers(2 * 8, triangle, P);
     svg_polyline(s, 8, P, SVG_POLYGON);
     put_curve(s, 0, 7, P, r(-21, 4), SVG_RIGHT);
     put_curve(s, 0, 7, P, q(-7), SVG_WRONG);
@@ -120,7 +120,7 @@ FIGURE(polygon_crossing_itself)
     static const int vertex[16] = {-2, 2, 2, -2, 2, -3, 1, -3, -1, -3, -2, -3, -2, -2, 2, 2};
     static const enum svg_direction towards[] = {SVG_NW, SVG_E, SVG_E, SVG_S, SVG_S, SVG_W, SVG_W, SVG_NE};
     num_q P[16];
-    points(8, vertex, P);
+    integers(2 * 8, vertex, P);
     svg_panel(s, window(r(-7, 2), r(-7, 2), r(7, 2), r(5, 2)), 380, 0, "$SA=2$, one point on $L$");
     svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_RIGHT);
     svg_label(s, svg_at(3, 0), SVG_N, SVG_RIGHT, "L");

@@ -9,7 +9,7 @@ FIGURE(curves_for_several_beta)
         "stand on a straight segment in equal distances; three such segments are drawn.");
     static const int from[] = {0, 0, 0, 5, 3, 8, 6, 8, 9, 8, 12, 8, 15, 5, 15, 0};
     num_q P[16], ends[4];
-    points(8, from, P);
+    integers(2 * 8, from, P);
     svg_panel(s, window(q(-1), q(-1), q(16), q(9)), 500, 0, NULL);
     svg_control_polygon(s, 7, P, "P");
     nine_curves(s, P);
@@ -30,7 +30,7 @@ FIGURE(end_edges)
                 "curve of β = -7 leaves it towards (5P₁ - P₂)/4, below the edge.");
     static const int from[] = {0, 0, 1, 0, 2, 2, 3, 3, 4, 3, 5, 2, 6, 0, 7, 0};
     num_q P[16];
-    points(8, from, P);
+    integers(2 * 8, from, P);
     svg_panel(s, window(r(-1, 10), r(-1, 5), r(3, 2), r(4, 5)), 440, 0, NULL);
     svg_polyline(s, 8, P, SVG_POLYGON);
     put_curve(s, 0, 7, P, q(1), SVG_CURVE);
@@ -60,7 +60,7 @@ FIGURE(hull_and_sum)
     static const int from[] = {0, 0, 1, 4, 2, 5, 3, 5, 4, 5, 5, 5, 6, 4, 7, 0};
     for (int far = 0; far <= 1; far++) {
         num_q P[16], up = q(100 * far);
-        points(8, from, P);
+        integers(2 * 8, from, P);
         for (int i = 0; i <= 7; i++)
             P[2 * i + 1] = add_q(P[2 * i + 1], up);
         svg_panel(s, window(r(-1, 2), sub_q(up, r(1, 2)), r(15, 2), add_q(up, r(11, 2))), 340, 0,
@@ -87,7 +87,7 @@ FIGURE(two_directions_two_curves)
                 "other direction.");
     static const int from[] = {0, 0, 1, 4, 2, 6, 3, 6, 4, 5, 5, 4, 6, 3, 7, 0};
     num_q P[16], R[16];
-    points(8, from, P);
+    integers(2 * 8, from, P);
     for (int i = 0; i <= 7; i++) {
         P[2 * i + 1] = add_q(P[2 * i + 1], q(40));
         R[14 - 2 * i] = P[2 * i], R[15 - 2 * i] = P[2 * i + 1];

@@ -91,7 +91,7 @@ FIGURE(blend_of_three_points)
                 "one of the three.");
     static const int from[] = {0, 0, 1, 6, 6, 9, 11, 6, 12, 0};
     num_q P[10], w[10], X[2], t = r(2, 5), ends[4];
-    points(5, from, P);
+    integers(2 * 5, from, P);
     for (int m = 0; m < 10; m++)
         w[m] = P[m];
     svg_panel(s, window(q(-1), q(-1), q(13), q(10)), 460, 0, "$n=4$, $t=2/5$");

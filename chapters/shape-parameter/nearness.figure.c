@@ -36,7 +36,7 @@ FIGURE(closer_or_not)
     static const int seven[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2, -4, -3, -3, -3};
     static const int three[] = {2, 4, -1, -4, 1, -4, 2, 3};
     num_q P[16];
-    points(8, seven, P);
+    integers(2 * 8, seven, P);
     svg_panel(s, window(q(-5), q(-4), q(5), q(5)), 360, 0, "$n=7$, $β=-21/4$ and $β=1$");
     static const enum svg_direction of_seven[] = {SVG_SW, SVG_SE, SVG_E, SVG_E, SVG_NW, SVG_W, SVG_SW, SVG_E};
     svg_control_polygon_towards(s, 7, P, "P", of_seven);
@@ -44,7 +44,7 @@ FIGURE(closer_or_not)
     put_curve(s, 0, 7, P, q(1), SVG_CURVE);
     put_largest_distance(s, 7, P, r(-21, 4), SVG_CURVE_2);
     put_largest_distance(s, 7, P, q(1), SVG_CURVE);
-    points(4, three, P);
+    integers(2 * 4, three, P);
     svg_panel(s, window(r(-3, 2), q(-5), q(3), q(5)), 180, 0, "$n=3$, $β=0$ and $β=1$");
     static const enum svg_direction of_three[] = {SVG_N, SVG_SW, SVG_S, SVG_E};
     svg_control_polygon_towards(s, 3, P, "P", of_three);

@@ -16,7 +16,7 @@ FIGURE(petals)
                 "A polygon whose first and last point coincide, and the nine closed curves of β = 1, 0, -1, ..., -7.");
     static const int from[] = {0, 0, -6, 3, -6, 9, -1, 12, 1, 12, 6, 9, 6, 3, 0, 0};
     num_q P[16];
-    points(8, from, P);
+    integers(2 * 8, from, P);
     svg_panel(s, window(q(-8), q(-1), q(8), q(13)), 380, 0, NULL);
     svg_polyline(s, 8, P, SVG_POLYGON);
     nine_curves(s, P);

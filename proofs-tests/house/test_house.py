@@ -53,6 +53,13 @@ class Arrows(unittest.TestCase):
                 if parts[0] == "chapters":
                     self.assertIn(parts[1], ("judge", mine), f"{path} includes {inc}")
 
+    def test_the_words_of_drawings_are_defined_once(self):
+        words = re.findall(r"^static inline \w+ (\w+)\(", (ROOT / "figures/words.h").read_text(), re.M)
+        self.assertTrue(words)
+        for path in sorted((ROOT / "chapters").rglob("*.figure.c")) + sorted((ROOT / "chapters").rglob("*.h")):
+            again = re.findall(r"^static (?:inline )?[\w ]+?\b(%s)\([^G]" % "|".join(words), path.read_text(), re.M)
+            self.assertEqual(again, [], f"{path} has words of figures/words.h")
+
     def test_commands_are_given_their_register(self):
         knowing = [p.relative_to(ROOT).as_posix() for p in SOURCES if '"chapters/chapters.h"' in includes(p)]
         self.assertEqual([p for p in knowing if p.startswith("cli/")], ["cli/main.c"])
