@@ -4,7 +4,8 @@
  * a rational curve stand beside its points, not multiplied in.  The parameter t may be any finite
  * number; the curve segment itself is 0 <= t <= 1.
  *
- * Memory.  No pointer may be NULL.  The caller owns every array; nothing is allocated or kept.
+ * Memory.  No pointer may be NULL unless a function says so.  The caller owns every array; nothing is allocated or kept
+ * but by cagd_curve_new.
  * Result arrays do not overlap arguments or one another.
  *
  * Status.  Every function returns a cagd_status.  It checks its arguments first, and writes nothing when one
@@ -217,6 +218,39 @@ CAGD_API cagd_status cagd_spline_elevated_count(const cagd_spline *spline, int *
  * any.  UNDEFINED when a weight of the result is 0. */
 CAGD_API cagd_status cagd_spline_elevate(const cagd_spline *spline, double *new_knots, double *new_points,
                                          double *new_weights);
+
+/* ---- prepared curves -------------------------------------------------------------------------------- */
+
+/* A curve that was checked once and is then evaluated often: a copy of a spline, with its points made homogeneous.  Nothing
+ * changes in it from cagd_curve_new to cagd_curve_free, so any number of threads may use it at once.  Values are bit
+ * for bit those of the functions on the spline. */
+typedef struct cagd_curve cagd_curve;
+
+/* The prepared curve, or NULL with a *status that says what is wrong with the spline, or NO_MEMORY.  The spline may be
+ * changed or gone afterwards.  status and where may be NULL; *where is as in cagd_spline_check.  The caller releases the
+ * curve by cagd_curve_free. */
+CAGD_API cagd_curve *cagd_curve_new(const cagd_spline *spline, cagd_status *status, int *where);
+CAGD_API void cagd_curve_free(cagd_curve *curve); /* NULL is allowed */
+
+/* point[dim], derivatives[(order+1)*dim], *curvature >= 0 (dim 2 or 3) and *torsion (dim 3) at t, with the statuses of
+ * cagd_spline_point, _derivatives, _curvature and _torsion. */
+CAGD_API cagd_status cagd_curve_point(const cagd_curve *curve, double t, cagd_side side, double *point);
+CAGD_API cagd_status cagd_curve_derivatives(const cagd_curve *curve, double t, cagd_side side, int order,
+                                            double *derivatives);
+CAGD_API cagd_status cagd_curve_curvature(const cagd_curve *curve, double t, cagd_side side, double *curvature);
+CAGD_API cagd_status cagd_curve_torsion(const cagd_curve *curve, double t, cagd_side side, double *torsion);
+
+/* The same at count >= 0 parameters, in any order (in ascending order the spans are found at once): points[count*dim],
+ * derivatives[count*(order+1)*dim], one value each.  At the first parameter that has none they end with its status, and
+ * *where is its index; what stands before it in the results is right.  *where is -1 otherwise; where may be NULL. */
+CAGD_API cagd_status cagd_curve_points(const cagd_curve *curve, int count, const double *t, cagd_side side,
+                                       double *points, int *where);
+CAGD_API cagd_status cagd_curve_all_derivatives(const cagd_curve *curve, int count, const double *t, cagd_side side,
+                                                int order, double *derivatives, int *where);
+CAGD_API cagd_status cagd_curve_curvatures(const cagd_curve *curve, int count, const double *t, cagd_side side,
+                                           double *curvatures, int *where);
+CAGD_API cagd_status cagd_curve_torsions(const cagd_curve *curve, int count, const double *t, cagd_side side,
+                                         double *torsions, int *where);
 
 #ifdef __cplusplus
 }

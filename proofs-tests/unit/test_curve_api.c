@@ -1,0 +1,253 @@
+/* test_curve_api.c -- prepared curves: bit for bit the values of the functions on the spline, one at a time, for arrays of
+ * parameters and from several threads at once; what is refused, and what is left as it was. */
+#include "core/api/cagd.h"
+
+#include <float.h>
+#include <math.h>
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { MOST = 40, MOST_DEGREE = 7, PARAMETERS = 67, ORDER = 4, THREADS = 4, TURNS = 50 };
+
+/* The next of a sequence of numbers in [0, 1). */
+static double uniform(void)
+{
+    static unsigned long long x = 20201;
+    x = x * 6364136223846793005u + 1442695040888963407u;
+    return (double)(x >> 11) * 0x1p-53;
+}
+
+static double knots[MOST + MOST_DEGREE + 1], points[3 * MOST], weights[MOST], parameters[PARAMETERS];
+
+/* A curve over knots of all multiplicities that the degree allows, not clamped, and parameters on and between the knots. */
+static cagd_spline random_spline(int degree, int count, int dim, int rational)
+{
+    double u = -3.7;
+    for (int i = 0, run = 1; i < count + degree + 1; i++) {
+        if (run > degree || uniform() < 0.6) {
+            u += 0.1 + uniform();
+            run = 0;
+        }
+        knots[i] = u;
+        run++;
+    }
+    if (knots[degree] == knots[count])
+        knots[count] = knots[count + degree] = u += 1;
+    for (int i = count; i < count + degree + 1; i++)
+        knots[i] = fmax(knots[i], knots[count]);
+    for (int m = 0; m < 3 * MOST; m++)
+        points[m] = 10 * uniform() - 4;
+    for (int i = 0; i < MOST; i++)
+        weights[i] = 0.2 + 3 * uniform();
+    double from = knots[degree], to = knots[count];
+    for (int i = 0; i < PARAMETERS; i++)
+        parameters[i] = i < count - degree ? knots[degree + i] : fmin(to, from + (to - from) * uniform());
+    return (cagd_spline){degree, count, dim, knots, points, rational ? weights : NULL};
+}
+
+static void same(size_t count, const double a[], const double b[]) { assert_memory_equal(a, b, count * sizeof *a); }
+
+/* One curve with everything that is computed of it. */
+struct values {
+    cagd_curve *curve;
+    int dim;
+    double D[PARAMETERS * (ORDER + 1) * 3], P[PARAMETERS * 3], curvature[PARAMETERS], torsion[PARAMETERS];
+};
+
+static void evaluate_all(struct values *v, cagd_side side)
+{
+    int where = 7;
+    assert_int_equal(cagd_curve_all_derivatives(v->curve, PARAMETERS, parameters, side, ORDER, v->D, &where), CAGD_OK);
+    assert_int_equal(where, -1);
+    assert_int_equal(cagd_curve_points(v->curve, PARAMETERS, parameters, side, v->P, NULL), CAGD_OK);
+    if (v->dim > 1)
+        assert_int_equal(cagd_curve_curvatures(v->curve, PARAMETERS, parameters, side, v->curvature, NULL), CAGD_OK);
+    if (v->dim == 3)
+        assert_int_equal(cagd_curve_torsions(v->curve, PARAMETERS, parameters, side, v->torsion, NULL), CAGD_OK);
+}
+
+static void values_are_those_of_the_spline(void **state)
+{
+    (void)state;
+    for (int trial = 0; trial < 200; trial++) {
+        int degree = 2 + trial % (MOST_DEGREE - 1), count = degree + 1 + (int)(uniform() * 30), dim = 1 + trial % 3;
+        cagd_spline s = random_spline(degree, count, dim, trial % 2);
+        cagd_status status = CAGD_NULL;
+        int where = 7;
+        struct values v = {.curve = cagd_curve_new(&s, &status, &where), .dim = dim};
+        assert_int_equal(status, CAGD_OK);
+        assert_int_equal(where, -1);
+        for (int side = CAGD_RIGHT; side <= CAGD_LEFT; side++) {
+            evaluate_all(&v, (cagd_side)side);
+            for (int i = 0; i < PARAMETERS; i++) {
+                double t = parameters[i], D[(ORDER + 1) * 3], E[(ORDER + 1) * 3], x;
+                size_t row = (size_t)dim, all = (ORDER + 1) * row, at = (size_t)i;
+                assert_int_equal(cagd_spline_derivatives(&s, t, (cagd_side)side, ORDER, D), CAGD_OK);
+                same(all, D, v.D + at * all);
+                same(row, D, v.P + at * row);
+                assert_int_equal(cagd_curve_derivatives(v.curve, t, (cagd_side)side, ORDER, E), CAGD_OK);
+                same(all, D, E);
+                assert_int_equal(cagd_curve_point(v.curve, t, (cagd_side)side, E), CAGD_OK);
+                same(row, D, E);
+                if (dim > 1) {
+                    assert_int_equal(cagd_spline_curvature(&s, t, (cagd_side)side, &x), CAGD_OK);
+                    same(1, &x, v.curvature + i);
+                    assert_int_equal(cagd_curve_curvature(v.curve, t, (cagd_side)side, &x), CAGD_OK);
+                    same(1, &x, v.curvature + i);
+                }
+                if (dim == 3 && degree > 2) {
+                    assert_int_equal(cagd_spline_torsion(&s, t, (cagd_side)side, &x), CAGD_OK);
+                    same(1, &x, v.torsion + i);
+                    assert_int_equal(cagd_curve_torsion(v.curve, t, (cagd_side)side, &x), CAGD_OK);
+                    same(1, &x, v.torsion + i);
+                }
+            }
+        }
+        cagd_curve_free(v.curve);
+    }
+}
+
+/* The copy does not hang on what it was made of. */
+static void the_spline_may_go(void **state)
+{
+    (void)state;
+    cagd_spline s = random_spline(3, 12, 3, 1);
+    cagd_curve *curve = cagd_curve_new(&s, NULL, NULL);
+    double before[3], after[3], t = parameters[20];
+    assert_int_equal(cagd_curve_point(curve, t, CAGD_RIGHT, before), CAGD_OK);
+    memset(knots, 0, sizeof knots);
+    memset(points, 0, sizeof points);
+    memset(weights, 0, sizeof weights);
+    assert_int_equal(cagd_curve_point(curve, t, CAGD_RIGHT, after), CAGD_OK);
+    same(3, before, after);
+    cagd_curve_free(curve);
+    cagd_curve_free(NULL);
+}
+
+struct work {
+    const cagd_curve *curve;
+    const struct values *expected;
+    int different;
+};
+
+static void *evaluate_in_thread(void *argument)
+{
+    struct work *w = argument;
+    struct values *v = malloc(sizeof *v);
+    if (v == NULL)
+        return NULL;
+    for (int turn = 0; turn < TURNS; turn++) {
+        *v = (struct values){0};
+        w->different += cagd_curve_points(w->curve, PARAMETERS, parameters, CAGD_RIGHT, v->P, NULL) != CAGD_OK;
+        w->different += cagd_curve_torsions(w->curve, PARAMETERS, parameters, CAGD_RIGHT, v->torsion, NULL) != CAGD_OK;
+        for (int i = 0; i < PARAMETERS; i++)
+            w->different += cagd_curve_curvature(w->curve, parameters[i], CAGD_RIGHT, v->curvature + i) != CAGD_OK;
+        w->different += memcmp(v->P, w->expected->P, sizeof v->P) != 0;
+        w->different += memcmp(v->torsion, w->expected->torsion, sizeof v->torsion) != 0;
+        w->different += memcmp(v->curvature, w->expected->curvature, sizeof v->curvature) != 0;
+    }
+    free(v);
+    return NULL;
+}
+
+static void threads_share_a_curve(void **state)
+{
+    (void)state;
+    cagd_spline s = random_spline(4, 25, 3, 1);
+    struct values expected = {.curve = cagd_curve_new(&s, NULL, NULL), .dim = 3};
+    evaluate_all(&expected, CAGD_RIGHT);
+    pthread_t thread[THREADS];
+    struct work work[THREADS];
+    for (int k = 0; k < THREADS; k++) {
+        work[k] = (struct work){expected.curve, &expected, 0};
+        assert_int_equal(pthread_create(&thread[k], NULL, evaluate_in_thread, &work[k]), 0);
+    }
+    for (int k = 0; k < THREADS; k++) {
+        assert_int_equal(pthread_join(thread[k], NULL), 0);
+        assert_int_equal(work[k].different, 0);
+    }
+    cagd_curve_free(expected.curve);
+}
+
+static void what_is_wrong_is_refused(void **state)
+{
+    (void)state;
+    cagd_spline s = random_spline(3, 9, 2, 1), bad = s;
+    double out[64], spare[64], t[3] = {knots[3], knots[9], knots[9] + 1}, huge = HUGE_VAL;
+    cagd_status status;
+    int where;
+    for (int i = 0; i < 64; i++)
+        out[i] = spare[i] = 77;
+    bad.degree = -1;
+    assert_null(cagd_curve_new(&bad, &status, &where));
+    assert_int_equal(status, CAGD_DEGREE);
+    assert_null(cagd_curve_new(NULL, &status, NULL));
+    assert_int_equal(status, CAGD_NULL);
+    bad = s;
+    bad.count = INT32_MAX;
+    assert_null(cagd_curve_new(&bad, &status, NULL));
+    assert_int_equal(status, CAGD_COUNT);
+    cagd_curve *c = cagd_curve_new(&s, NULL, NULL);
+    assert_int_equal(cagd_curve_point(NULL, t[0], CAGD_RIGHT, out), CAGD_NULL);
+    assert_int_equal(cagd_curve_point(c, t[0], CAGD_RIGHT, NULL), CAGD_NULL);
+    assert_int_equal(cagd_curve_point(c, t[2], CAGD_RIGHT, out), CAGD_OUTSIDE_DOMAIN);
+    assert_int_equal(cagd_curve_point(c, knots[3] - 1, CAGD_LEFT, out), CAGD_OUTSIDE_DOMAIN);
+    assert_int_equal(cagd_curve_point(c, NAN, CAGD_RIGHT, out), CAGD_NOT_FINITE);
+    assert_int_equal(cagd_curve_point(c, -huge, CAGD_LEFT, out), CAGD_NOT_FINITE);
+    assert_int_equal(cagd_curve_derivatives(c, t[0], CAGD_RIGHT, -1, out), CAGD_ORDER);
+    assert_int_equal(cagd_curve_derivatives(c, t[0], CAGD_RIGHT, CAGD_MAX_DEGREE + 1, out), CAGD_ORDER);
+    assert_int_equal(cagd_curve_torsion(c, t[0], CAGD_RIGHT, out), CAGD_DIMENSION);
+    assert_int_equal(cagd_curve_points(c, -1, t, CAGD_RIGHT, out, &where), CAGD_COUNT);
+    assert_int_equal(cagd_curve_points(c, 1, NULL, CAGD_RIGHT, out, &where), CAGD_NULL);
+    assert_int_equal(cagd_curve_torsions(c, 1, t, CAGD_RIGHT, out, &where), CAGD_DIMENSION);
+    assert_int_equal(where, -1);
+    assert_int_equal(cagd_curve_points(c, 0, t, CAGD_RIGHT, out, &where), CAGD_OK);
+    same(64, out, spare);
+    assert_int_equal(cagd_curve_points(c, 3, t, CAGD_RIGHT, out, &where), CAGD_OUTSIDE_DOMAIN);
+    assert_int_equal(where, 2);
+    same(60, out + 4, spare + 4);
+    cagd_curve_free(c);
+    s.dim = 1;
+    c = cagd_curve_new(&s, NULL, NULL);
+    assert_int_equal(cagd_curve_curvature(c, t[0], CAGD_RIGHT, out), CAGD_DIMENSION);
+    cagd_curve_free(c);
+}
+
+static void what_has_no_value_is_told(void **state)
+{
+    (void)state;
+    const double line[4] = {0, 0, 1, 1}, still[4] = {2, 3, 2, 3}, cancel[2] = {1, -1},
+                 far[4] = {DBL_MAX, 1, -DBL_MAX, 1};
+    const double t[2] = {0.25, 0.5}, large[2] = {4, 4};
+    cagd_spline s = {1, 2, 2, line, still, cancel}, r = {1, 2, 2, line, still, NULL}, f = {1, 2, 2, line, far, large};
+    double out[8];
+    int where;
+    cagd_curve *c = cagd_curve_new(&s, NULL, NULL);
+    assert_int_equal(cagd_curve_points(c, 2, t, CAGD_RIGHT, out, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 1);
+    assert_int_equal(cagd_curve_derivatives(c, 0.5, CAGD_RIGHT, 1, out), CAGD_UNDEFINED);
+    cagd_curve_free(c);
+    c = cagd_curve_new(&r, NULL, NULL);
+    assert_int_equal(cagd_curve_curvature(c, 0.5, CAGD_RIGHT, out), CAGD_UNDEFINED);
+    cagd_curve_free(c);
+    c = cagd_curve_new(&f, NULL, NULL);
+    assert_int_equal(cagd_curve_point(c, 0.5, CAGD_RIGHT, out), CAGD_OVERFLOW);
+    cagd_curve_free(c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(values_are_those_of_the_spline), cmocka_unit_test(the_spline_may_go),
+        cmocka_unit_test(threads_share_a_curve),          cmocka_unit_test(what_is_wrong_is_refused),
+        cmocka_unit_test(what_has_no_value_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
