@@ -75,6 +75,11 @@ CLAIM(one_cubic_passes_through_four_data)
 }
 
 /*
+A table of data determines the curve of degree $n$ through it, and nothing remains to be chosen.  That is the strength of
+interpolation (插值) and its weakness: an error of one datum is followed as faithfully as the others, and each further datum raises
+the degree.  The other requirement, approximation (逼近), leaves the degree alone and gives up the data.  It needs one thing that
+interpolation does without, a measure of the distance from all data together.
+
 :::{statement} hu-1987:1-1-approximation
 :title: Approximation
 :zh: 逼近的定义
@@ -85,6 +90,10 @@ CLAIM(one_cubic_passes_through_four_data)
 
 What "nearest as a whole" means has to be said; here it is the least sum of squares.
 :::
+
+Three data that go up and down again are enough to see the difference.  A parabola passes through them.  The nearest of all
+straight lines is level, between the lower data and the higher one, and touches neither: a curve can be nearest to the data as a
+whole although it is far from each of them.
 
 :::{statement} hu-1987:1-1-fitting
 :title: Fitting is the common name of both
@@ -102,30 +111,50 @@ What "nearest as a whole" means has to be said; here it is the least sum of squa
 :title: The line nearest to three data meets none of them
 :zh: 最小二乘直线不过型值点
 :kind: decision
-:given: the data 0, 1, 0 at $t=0,1,2$; lines $a+bt$
-:then: with $a=\frac13+\alpha$, $b=\beta$ the sum of the squares of the distances is $\frac23+3\alpha^2+6\alpha\beta+5\beta^2$, and
-  $3\alpha^2+6\alpha\beta+5\beta^2=3(\alpha+\beta)^2+2\beta^2$: the line $\frac13$ is the only nearest one, and meets no datum
-:method: The two expressions are compared at 6 pairs $(\alpha,\beta)$ that determine a polynomial of degree 2 in two variables; the
-  distances of the line from the data are not 0.
-:control: the line $\frac12$
+:given: the data $p_t$ at $t=0,1,2$; lines $a+\alpha+\beta t$
+:data: p = 0 1 0; a = 1/3
+:instead: a = 1/2
+:then: the sum of the squares of the distances is $m+q_0\alpha^2+q_1\alpha\beta+q_2\beta^2$, where the form with the coefficients $q$ is positive
+  for $(\alpha,\beta)\ne(0,0)$: the level line of height $a$ is the only nearest one, and meets no datum
+:result: m = 2/3; q = 3 6 5
+:method: $m$ is the sum for $\alpha=\beta=0$, and $q_0,q_1,q_2$ are the sums of $1$, $2t$ and $t^2$.  The two expressions are compared at six pairs
+  $(\alpha,\beta)$ that determine a polynomial of degree 2 in two variables; the distances of the line from the data are not 0.
+:control: a higher line
 :::
 */
+/* The sum over t of (a + alpha + beta t - p_t)^2. */
+static num sum_of_squares(const num p[], num a, num alpha, num beta)
+{
+    num sum = from_int(0);
+    for (int t = 0; t < 3; t++) {
+        num gap = sub(add(add(a, alpha), mul(beta, from_int(t))), p[t]);
+        sum = add(sum, mul(gap, gap));
+    }
+    return sum;
+}
+
 CLAIM(nearest_line_meets_no_datum)
 {
-    static const int data[3] = {0, 1, 0}, pairs[6][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}};
-    num level = fault(T, from_ratio(1, 3), from_ratio(1, 2));
+    static const int pairs[6][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}};
+    num p[3], q[3] = {from_int(0), from_int(0), from_int(0)};
+    given_points(T, "p", 3, 1, p);
+    num a = given(T, "a"), m = sum_of_squares(p, a, from_int(0), from_int(0));
+    for (int t = 0; t < 3; t++) {
+        q[0] = add(q[0], from_int(1));
+        q[1] = add(q[1], from_int(2 * t));
+        q[2] = add(q[2], from_int(t * t));
+    }
+    found(T, "m", m);
+    found_points(T, "q", 3, 1, q);
     for (int k = 0; k < 6; k++) {
-        num alpha = from_int(pairs[k][0]), beta = from_int(pairs[k][1]), sum = from_int(0);
-        for (int t = 0; t < 3; t++) {
-            num gap = sub(add(add(level, alpha), mul(beta, from_int(t))), from_int(data[t]));
-            sum = add(sum, mul(gap, gap));
-        }
-        num both = add(alpha, beta);
-        num squares = add(mul(from_int(3), mul(both, both)), mul(from_int(2), mul(beta, beta)));
-        same(T, sum, add(from_ratio(2, 3), squares));
+        num alpha = from_int(pairs[k][0]), beta = from_int(pairs[k][1]);
+        num form = add(add(mul(q[0], mul(alpha, alpha)), mul(q[1], mul(alpha, beta))), mul(q[2], mul(beta, beta)));
+        same(T, sum_of_squares(p, a, alpha, beta), add(m, form));
     }
     for (int t = 0; t < 3; t++)
-        agree(T, !equal_q(level, from_int(data[t])));
+        agree(T, !equal_q(a, p[t]));
+    /* The form is positive: q_0 > 0 and 4 q_0 q_2 > q_1^2. */
+    agree(T, sign_q(q[0]) > 0 && compare_q(mul(from_int(4), mul(q[0], q[2])), mul(q[1], q[1])) > 0);
 }
 #endif
 
