@@ -34,41 +34,42 @@ By the definition of $C^r$ in section 1-4 the derivatives themselves have to be 
 */
 
 #if RATIONAL
-/* D, C, B of (x + y t + z t^2, 0) */
-static void on_the_axis(int x, int y, int z, num c[])
-{
-    const int coefficients[3] = {x, y, z};
-    for (int m = 0; m < 6; m++)
-        c[m] = from_int(m % 2 == 0 ? coefficients[m / 2] : 0);
-}
+static int same_point(const num P[], const num Q[]) { return equal_q(P[0], Q[0]) && equal_q(P[1], Q[1]); }
 
 /*
 :::{claim} continuous_slope_with_another_speed
 :title: A straight joint with a jump of the derivative
 :zh: 斜率连续而导矢不连续
 :kind: counterexample
-:given: $P_{\mathrm I}(t)=(t,0)$ and $P_{\mathrm{II}}(t)=(1+2t,0)$
-:then: both slopes are 0, and $P_{\mathrm I}'(1)=(1,0)\ne P_{\mathrm{II}}'(0)=(2,0)$
+:given: two pieces of one straight line, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:data: P_I = (0,0) (1,0); P_II = (1,0) (2,0)
+:instead: P_II = (1,0) (1,0)
+:then: the pieces meet and both slopes are 0, but $P_{\mathrm I}'(1)\ne P_{\mathrm{II}}'(0)$
+:result: P_I(1), P_I'(1) = (1,0) (1,0); P_II(0), P_II'(0) = (1,0) (2,0)
 :method: The derivatives of both, by the kernel.
-:control: $P_{\mathrm{II}}(t)=(1+t,0)$
+:control: a second piece of the same speed
 :::
 */
 CLAIM(continuous_slope_with_another_speed)
 {
-    num first[6], second[6], D[4], E[4];
-    on_the_axis(0, 1, 0, first);
-    on_the_axis(1, fault(T, 1, 2), 0, second);
-    G(power_derivatives)(2, dim, first, from_int(1), 1, D);
-    G(power_derivatives)(2, dim, second, from_int(0), 1, E);
-    show_points(T, "P, P' of the first piece", 2, 2, D);
-    show_points(T, "P, P' of the second piece", 2, 2, E);
-    int smooth = equal_q(D[0], E[0]) && equal_q(D[1], E[1]) && is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2]));
+    num first[4], second[4], D[4], E[4];
+    given_points(T, "P_I", 2, 2, first);
+    given_points(T, "P_II", 2, 2, second);
+    G(power_derivatives)(1, dim, first, from_int(1), 1, D);
+    G(power_derivatives)(1, dim, second, from_int(0), 1, E);
+    found_points(T, "P_I(1), P_I'(1)", 2, 2, D);
+    found_points(T, "P_II(0), P_II'(0)", 2, 2, E);
+    int smooth = same_point(D, E) && is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2]));
     about(T, "position and slope being the same, whether the derivatives are");
     refute(T, smooth && !equal_q(D[2], E[2]));
 }
 #endif
 
 /*
+The names are the first trap.  A derivative is a property of the parameter, a slope is one of the curve, and a joint can be straight
+although the speed jumps.  What is meant by a continuous slope is that some other parameter would make the derivative continuous; the
+three conditions of the source say what this requires of the derivatives at hand.
+
 ## Order 0, 1, 2
 
 :::{statement} hu-1987:1-5-1
@@ -92,25 +93,28 @@ One letter for both curves; read as it stands, it makes one curve closed.  Also 
 :title: Two segments in a row are joined, and neither is closed
 :zh: 相连的两段并不自闭
 :kind: counterexample
-:given: $P_{\mathrm I}(t)=(t,0)$, $P_{\mathrm{II}}(t)=(1+t,0)$
+:given: two segments in a row, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:data: P_I = (0,0) (1,0); P_II = (1,0) (1,0)
 :then: $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$, but $P(0)\ne P(1)$ for both
+:result: P_I(0), P_I(1) = (0,0) (1,0); P_II(0), P_II(1) = (1,0) (2,0)
 :method: The points at the ends, exactly.
 :control: the condition between the two curves
 :::
 */
 CLAIM(joined_pieces_are_not_closed)
 {
-    num first[6], second[6], end[2], begin[2], own_end[2];
-    on_the_axis(0, 1, 0, first);
-    on_the_axis(1, 1, 0, second);
-    G(power_point)(2, dim, first, from_int(1), end);
-    G(power_point)(2, dim, second, from_int(0), begin);
-    G(power_point)(2, dim, second, from_int(1), own_end);
-    show_points(T, "first piece at 1, second piece at 0 and at 1", 3, 2,
-                (num[]){end[0], end[1], begin[0], begin[1], own_end[0], own_end[1]});
-    int joined = equal_q(end[0], begin[0]) && equal_q(end[1], begin[1]);
-    about(T, "the pieces being joined, whether the beginning of the second is what the condition equates it with");
-    refute(T, joined && !equal_q(begin[0], fault(T, end[0], own_end[0])));
+    num c[2][4], ends[2][4];
+    given_points(T, "P_I", 2, 2, c[0]);
+    given_points(T, "P_II", 2, 2, c[1]);
+    for (int piece = 0; piece < 2; piece++)
+        for (int end = 0; end < 2; end++)
+            G(power_point)(1, dim, c[piece], from_int(end), ends[piece] + end * dim);
+    found_points(T, "P_I(0), P_I(1)", 2, 2, ends[0]);
+    found_points(T, "P_II(0), P_II(1)", 2, 2, ends[1]);
+    int joined = same_point(ends[0] + dim, ends[1]), first_is_closed = same_point(ends[0], ends[0] + dim);
+    int condition = same_point(ends[1], fault(T, ends[0] + dim, ends[1] + dim));
+    about(T, "the pieces being joined, whether one of them satisfies the condition");
+    refute(T, joined && !first_is_closed && !condition);
 }
 #endif
 
@@ -144,6 +148,10 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 #endif
 
 /*
+The second piece is followed with the parameter $\phi(u)$ in the place of $u$, and the chain rule is read backwards: the first
+derivative of $\phi$ can undo one factor $\lambda$, the second one can undo one multiple $\beta$ of the tangent.  So every order adds
+one free number, and no more.  With this sentence in mind the conditions need not be learned by heart.
+
 :::{statement} hu-1987:1-5-2
 :title: The condition for continuous slope
 :zh: 斜率连续条件
@@ -186,21 +194,30 @@ CLAIM(equal_unit_tangents_fix_the_ratio)
 :title: With a negative ratio the slope is continuous and the curve goes back
 :zh: 负比值使曲线折返
 :kind: counterexample
-:given: $P_{\mathrm I}(t)=(t,0)$, $\dot P_{\mathrm{II}}(0)=-\dot P_{\mathrm I}(1)=(-1,0)$
-:then: the unit tangents $(1,0)$ and $(-1,0)$ are not equal
+:given: a first piece with the coefficients $P_{\mathrm I}$, and $\dot P_{\mathrm{II}}(0)=\lambda\,\dot P_{\mathrm I}(1)$
+:data: P_I = (0,0) (1,0); λ = -1
+:instead: λ = 2
+:then: the unit tangents of the two pieces are not equal
+:result: unit tangents = (1,0) (-1,0)
 :method: Both, exactly.
-:control: $\dot P_{\mathrm{II}}(0)=2\dot P_{\mathrm I}(1)$
+:control: a positive $\lambda$
 :::
 */
 CLAIM(negative_ratio_turns_back)
 {
-    num c[6], D[4], ratio = from_int(fault(T, 2, -1));
-    on_the_axis(0, 1, 0, c);
-    G(power_derivatives)(2, dim, c, from_int(1), 1, D);
-    num there = mul(ratio, D[2]), length = sign_q(there) < 0 ? neg(there) : there;
-    show(T, "λ", ratio);
-    about(T, "the unit tangents");
-    same(T, div(there, length), D[2]);
+    num c[4], D[4], unit[4];
+    given_points(T, "P_I", 2, 2, c);
+    num lambda = given(T, "λ");
+    G(power_derivatives)(1, dim, c, from_int(1), 1, D);
+    num after[2] = {mul(lambda, D[2]), mul(lambda, D[3])};
+    for (int j = 0; j < dim; j++) {
+        unit[j] = div(D[dim + j], root(2, G(norm_squared)(dim, D + dim)));
+        unit[dim + j] = div(after[j], root(2, G(norm_squared)(dim, after)));
+    }
+    found_points(T, "unit tangents", 2, 2, unit);
+    about(T, "the coordinates of the unit tangents");
+    for (int j = 0; j < dim; j++)
+        same(T, unit[dim + j], unit[j]);
 }
 
 /*
@@ -208,29 +225,34 @@ CLAIM(negative_ratio_turns_back)
 :title: At a singular end no ratio satisfies the condition
 :zh: 奇异端点处条件失效
 :kind: counterexample
-:given: $P_{\mathrm I}(t)=(-(1-t)^2,0)$ and $P_{\mathrm{II}}(t)=(t,0)$: one straight line, without any corner
-:then: $\dot P_{\mathrm I}(1)=(0,0)$, $\dot P_{\mathrm{II}}(0)=(1,0)$ is no multiple of it
+:given: two pieces of one straight line without any corner, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:data: P_I = (-1,0) (2,0) (-1,0); P_II = (0,0) (1,0)
+:instead: P_I = (-1,0) (1,0) (0,0)
+:then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it
+:result: P_I'(1) = (0,0); P_II'(0) = (1,0)
 :method: The derivatives by the kernel.
-:control: $P_{\mathrm I}(t)=(t-1,0)$
+:control: the first piece with its natural parameter
 :::
 */
 CLAIM(singular_end_has_no_ratio)
 {
-    num first[6], second[6], D[4], E[4];
-    if (T->faulty)
-        on_the_axis(-1, 2, -1, first);
-    else
-        on_the_axis(-1, 1, 0, first);
-    on_the_axis(0, 1, 0, second);
+    num first[6], second[4], D[4], E[4];
+    given_points(T, "P_I", 3, 2, first);
+    given_points(T, "P_II", 2, 2, second);
     G(power_derivatives)(2, dim, first, from_int(1), 1, D);
-    G(power_derivatives)(2, dim, second, from_int(0), 1, E);
-    show_points(T, "P' of the first piece and of the second", 2, 2, (num[]){D[2], D[3], E[2], E[3]});
+    G(power_derivatives)(1, dim, second, from_int(0), 1, E);
+    found_points(T, "P_I'(1)", 1, 2, D + dim);
+    found_points(T, "P_II'(0)", 1, 2, E + dim);
     about(T, "whether P' of the second piece is a multiple of that of the first");
     refute(T, !is_zero_q(E[2]) && is_zero_q(D[2]));
 }
 #endif
 
 /*
+The ratio must be a quotient of lengths, and this hides three exclusions: it is positive, it is not 0, and it exists.  Each of them is
+tried in this section, and each fails in its own way.  With a negative ratio the curve turns on its heel, without one a straight line
+violates the condition, and with the ratio 0 the condition of order two allows a curvature that grows without bound.
+
 :::{statement} hu-1987:1-5-3-sufficient
 :title: The condition of order two makes the curvature continuous
 :zh: 曲率连续的充分条件
@@ -311,39 +333,43 @@ static int conditions_hold(const num D[], const num E[], num lambda, num beta)
 :title: With the ratio 0 the conditions hold and the curvature is unbounded
 :zh: 比值为零时曲率无界
 :kind: counterexample
-:given: $P_{\mathrm I}(t)=(t,0)$, $P_{\mathrm{II}}(t)=(1+t^2,t^3)$; $\lambda=0$, $\beta=2$
-:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2=\frac{36}{(4+9t^2)^3}$, which tends to $\frac9{16}$ with $t\to0$
+:given: a straight first piece, and a second one that begins like a cusp, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$; $\lambda$ and $\beta$
+:data: P_I = (0,0) (1,0); P_II = (1,0) (0,0) (1,0) (0,1) (0,0); λ = 0; β = 2
+:instead: P_II = (1,0) (0,0) (1,0) (0,0) (0,1)
+:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$
+:result: P_I, P_I', P_I'' = (1,0) (1,0) (0,0); P_II, P_II', P_II'' = (1,0) (0,0) (2,0); P_II' × P_II'' = "6*t^2"; limit of t²K² = 9/16
 :method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0 at $t=0$,
   as for a bounded $K$, is refuted.
-:control: $P_{\mathrm{II}}(t)=(1+t^2,t^4)$, where $K^2=\frac4{(1+4t^4)^3}$ is bounded
+:control: a second piece that begins like a parabola, of bounded curvature
 :::
 */
 CLAIM(zero_ratio_has_unbounded_curvature)
 {
-    int degree = fault(T, 4, 3);
-    num first[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, second[10], D[6], E[6], U[2];
+    enum { degree = 4 };
+    num first[4], second[2 * (degree + 1)], D[6], E[6], U[2];
     poly component[2], turn[2];
-    for (int m = 0; m < 10; m++)
-        second[m] = from_int(m == 0 || m == 4 || m == 2 * degree + 1);
+    given_points(T, "P_I", 2, 2, first);
+    given_points(T, "P_II", degree + 1, 2, second);
+    num lambda = given(T, "λ"), beta = given(T, "β");
     G(power_derivatives)(1, dim, first, from_int(1), 2, D);
-    G(power_derivatives)(4, dim, second, from_int(0), 2, E);
+    G(power_derivatives)(degree, dim, second, from_int(0), 2, E);
+    found_points(T, "P_I, P_I', P_I''", 3, 2, D);
+    found_points(T, "P_II, P_II', P_II''", 3, 2, E);
     for (int j = 0; j < dim; j++) {
-        num c[5];
-        for (int k = 0; k < 5; k++)
+        num c[degree + 1];
+        for (int k = 0; k <= degree; k++)
             c[k] = second[dim * k + j];
-        component[j] = poly_derivative(poly_from_q(5, c));
+        component[j] = poly_derivative(poly_from_q(degree + 1, c));
         turn[j] = poly_derivative(component[j]);
         U[j] = poly_coefficient(component[j], 1); /* P' = t U, at t = 0 */
     }
     poly product = poly_sub(poly_mul(component[0], turn[1]), poly_mul(component[1], turn[0]));
     num v = poly_coefficient(product, 2), limit = div(mul(v, v), G(power)(G(norm_squared)(dim, U), 3));
     int divided = is_zero_q(poly_coefficient(product, 0)) && is_zero_q(poly_coefficient(product, 1));
-    show_points(T, "P, P', P'' of the first piece", 3, 2, D);
-    show_points(T, "P, P', P'' of the second piece", 3, 2, E);
-    show_text(T, "P' x P'' of the second piece", "%s", poly_to_string(product, "t"));
-    show(T, "limit of t^2 K^2", limit);
-    about(T, "the conditions holding, whether t^2 K^2 tends to 0");
-    refute(T, conditions_hold(D, E, from_int(0), from_int(2)) && divided && !is_zero_q(limit));
+    found_text(T, "P_II' × P_II''", poly_to_string(product, "t"));
+    found(T, "limit of t²K²", limit);
+    about(T, "the conditions holding, whether t²K² tends to 0");
+    refute(T, conditions_hold(D, E, lambda, beta) && divided && !is_zero_q(limit));
 }
 
 /*
@@ -351,12 +377,15 @@ CLAIM(zero_ratio_has_unbounded_curvature)
 :title: Where all derivatives vanish the conditions hold at a corner
 :zh: 导矢全为零时条件成立而有角点
 :kind: counterexample
-:given: $P_{\mathrm I}(t)=(-(1-t)^3,0)$, $P_{\mathrm{II}}(t)=(0,t^3)$; $\lambda=1$, $\beta=0$
-:then: (1-5-1) to (1-5-3) hold, every vector in them being $(0,0)$; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
+:given: two cubic pieces on the axes, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$; $\lambda$ and $\beta$
+:data: P_I = (-1,0) (3,0) (-3,0) (1,0); P_II = (0,0) (0,0) (0,0) (0,1); λ = 1; β = 0
+:instead: P_II = (0,0) (0,0) (0,0) (1,0)
+:then: (1-5-1) to (1-5-3) hold, every vector in them being 0; the first piece runs along the $x$-axis, $x'>0$ on $(0,1)$, the second
   along the $y$-axis, $y'>0$: a corner of a right angle
+:result: P_I, P_I', P_I'' = (0,0) (0,0) (0,0); P_II, P_II', P_II'' = (0,0) (0,0) (0,0)
 :method: The conditions by the kernel; the directions by the signs of $x'$ and $y'$, exactly.  That there is no right angle is
   refuted.
-:control: $P_{\mathrm{II}}(t)=(t^3,0)$
+:control: a second piece along the $x$-axis
 :::
 */
 /* Whether the cubic runs forward along this axis: the derivative of its coordinate is positive on (0,1), that of the other 0. */
@@ -373,25 +402,23 @@ static int runs_forward(const num c[], int axis)
 
 CLAIM(vanishing_derivatives_hide_a_corner)
 {
-    num first[8], second[8], D[6], E[6], zero = from_int(0), one = from_int(1);
-    const int cube[4] = {-1, 3, -3, 1};
-    for (int k = 0; k < 4; k++)
-        for (int j = 0; j < dim; j++) {
-            first[dim * k + j] = from_int(j == 0 ? cube[k] : 0);
-            second[dim * k + j] = from_int(k == 3 && j == fault(T, 0, 1));
-        }
-    G(power_derivatives)(3, dim, first, one, 2, D);
-    G(power_derivatives)(3, dim, second, zero, 2, E);
-    show_points(T, "D, C, B, A of the first piece", 4, 2, first);
-    show_points(T, "D, C, B, A of the second piece", 4, 2, second);
-    show_points(T, "P, P', P'' of both at the joint", 6, 2,
-                (num[]){D[0], D[1], D[2], D[3], D[4], D[5], E[0], E[1], E[2], E[3], E[4], E[5]});
+    num first[8], second[8], D[6], E[6];
+    given_points(T, "P_I", 4, 2, first);
+    given_points(T, "P_II", 4, 2, second);
+    num lambda = given(T, "λ"), beta = given(T, "β");
+    G(power_derivatives)(3, dim, first, from_int(1), 2, D);
+    G(power_derivatives)(3, dim, second, from_int(0), 2, E);
+    found_points(T, "P_I, P_I', P_I''", 3, 2, D);
+    found_points(T, "P_II, P_II', P_II''", 3, 2, E);
     about(T, "the conditions holding, whether there is no right angle between the pieces");
-    refute(T, conditions_hold(D, E, one, zero) && runs_forward(first, 0) && !runs_forward(second, 0) &&
-                  runs_forward(second, 1));
+    refute(T, conditions_hold(D, E, lambda, beta) && runs_forward(first, 0) && runs_forward(second, 1));
 }
 
 /*
+The converse is the more delicate direction.  The curvature (曲率) of the source is a length over a power of a length; it has no sign, and
+the word "continuous" can be true of it where nobody would call the joint smooth.  What the condition secures is more: the vector of
+curvature (曲率矢量), which knows to which side the curve bends.
+
 :::{statement} hu-1987:1-5-3-necessary
 :title: For a continuous curvature the condition has to be satisfied
 :zh: 曲率连续的必要性
@@ -413,27 +440,30 @@ osculating plane.
 :title: Two parabolas with one tangent and one curvature, bent to different sides
 :zh: 曲率相等而弯向相反
 :kind: counterexample
-:given: $P_{\mathrm I}(t)=(t-1,(t-1)^2)$, $P_{\mathrm{II}}(t)=(t,-t^2)$; at the joint $P'=(1,0)$ and $K=2$ for both, so $\lambda=1$
-:then: $P_{\mathrm{II}}''-P_{\mathrm I}''=(0,-4)$ is no multiple $\beta P'$
+:given: two parabolas that meet, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$
+:data: P_I = (-1,1) (1,-2) (0,1); P_II = (0,0) (1,0) (0,-1)
+:instead: P_II = (0,0) (1,0) (0,1)
+:then: at the joint $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$
+:result: P_I', P_I'' = (1,0) (0,2); P_II', P_II'' = (1,0) (0,-2); K² = 4 4; P_II'' - P_I'' = (0,-4)
 :method: Derivatives and $K^2$ by the kernels; the determinant of the difference and $P'$ should vanish.
-:control: $P_{\mathrm{II}}(t)=(t,t^2)$
+:control: a second parabola bent to the same side
 :::
 */
 CLAIM(equal_curvatures_to_different_sides)
 {
-    num first[6] = {from_int(-1), from_int(1), from_int(1), from_int(-2), from_int(0), from_int(1)}, D[6], E[6];
-    num second[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(0), from_int(fault(T, 1, -1))};
+    num first[6], second[6], D[6], E[6];
+    given_points(T, "P_I", 3, 2, first);
+    given_points(T, "P_II", 3, 2, second);
     G(power_derivatives)(2, dim, first, from_int(1), 2, D);
     G(power_derivatives)(2, dim, second, from_int(0), 2, E);
-    show_points(T, "P', P'' of the first piece", 2, 2, D + 2);
-    show_points(T, "P', P'' of the second piece", 2, 2, E + 2);
-    show(T, "K^2 of the first piece", G(curvature_squared)(2, D + 2, D + 4));
-    show(T, "K^2 of the second piece", G(curvature_squared)(2, E + 2, E + 4));
-    int continuous = equal_q(G(curvature_squared)(2, D + 2, D + 4), G(curvature_squared)(2, E + 2, E + 4));
-    num gap[2] = {sub(E[4], D[4]), sub(E[5], D[5])}, across = G(cross2)(gap, D + 2);
-    show(T, "determinant of the difference of the second derivatives and of P'", across);
-    about(T, "the curvature being continuous, whether the determinant is 0");
-    refute(T, continuous && !is_zero_q(across));
+    num square[2] = {G(curvature_squared)(2, D + 2, D + 4), G(curvature_squared)(2, E + 2, E + 4)};
+    num gap[2] = {sub(E[4], D[4]), sub(E[5], D[5])};
+    found_points(T, "P_I', P_I''", 2, 2, D + 2);
+    found_points(T, "P_II', P_II''", 2, 2, E + 2);
+    found_points(T, "K²", 2, 1, square);
+    found_points(T, "P_II'' - P_I''", 1, 2, gap);
+    about(T, "the curvature being continuous, whether the difference of the second derivatives is parallel to P'");
+    refute(T, equal_q(square[0], square[1]) && !is_zero_q(G(cross2)(gap, D + 2)));
 }
 #endif
 
@@ -498,6 +528,9 @@ CLAIM(pieces_in_new_powers)
 }
 
 /*
+A piece that is cut out of a curve has to be given the unit interval again.  For points this is the insertion of a linear function; for
+coefficients it is Taylor's formula at $t_0$ with the unit of length $t_1-t_0$, and the four printed rows are its four terms.
+
 :::{statement} hu-1987:1-5-5
 :title: The coefficients of a piece
 :zh: 截取曲线段的系数
@@ -532,6 +565,9 @@ CLAIM(coefficients_of_a_piece_are_as_printed)
 }
 
 /*
+The new parameter runs through its interval more slowly than the old one by the factor $t_1-t_0$, so each derivative brings one such
+factor.  That is why tangent vectors cannot be carried over from a curve to its piece: their directions stay and their lengths do not.
+
 :::{statement} hu-1987:1-5-6
 :title: The derivatives in the new parameter
 :zh: 新参数下的导矢
@@ -603,19 +639,21 @@ CLAIM(length_of_a_piece_is_at_most_one)
 :title: A piece taken backward has a negative factor
 :zh: 反向截取
 :kind: counterexample
-:given: $t_0=\frac34$, $t_1=\frac14$
-:then: $t_1-t_0=-\frac12$
+:given: two parameters, the later one first
+:data: t_0 = 3/4; t_1 = 1/4
+:instead: t_0 = 1/4; t_1 = 3/4
+:then: $t_1-t_0$ is negative
+:result: t_1 - t_0 = -1/2
 :method: The number, exactly.
 :control: $t_0$ and $t_1$ exchanged
 :::
 */
 CLAIM(backward_piece_has_negative_length)
 {
-    num t0 = from_ratio(fault(T, 1, 3), 4), t1 = from_ratio(fault(T, 3, 1), 4);
-    show(T, "t_0", t0);
-    show(T, "t_1", t1);
+    num t0 = given(T, "t_0"), t1 = given(T, "t_1"), length = sub(t1, t0);
+    found(T, "t_1 - t_0", length);
     about(T, "t_1 - t_0, which should not be negative");
-    nonnegative(T, sub(t1, t0));
+    nonnegative(T, length);
 }
 #endif
 
@@ -629,6 +667,10 @@ CLAIM(backward_piece_has_negative_length)
 :::
 
 ## A rational change of the parameter
+
+A linear change of the parameter leaves the degree alone, and so it leaves nothing to choose once the ends are fixed.  One number of
+freedom is gained by a quotient of linear functions (双线性变换): the ends stay, and the points crowd towards one of them.  The price is that
+the curve becomes a rational one, whose weights are products of powers of two numbers.
 
 :::{statement} hu-1987:1-5-rational-change
 :title: The parameter can be changed by a fractional linear map
@@ -685,17 +727,20 @@ CLAIM(fractional_change_of_a_power_curve)
 :title: With factors of different signs the parameter has a pole
 :zh: 异号时参数变换有极点
 :kind: counterexample
-:given: $p=1$, $q=-1$, $u=\frac12$
-:then: $pu+q(1-u)=0$
+:given: factors $p$ and $q$ of different signs, and a parameter $u$ of $(0,1)$
+:data: p = 1; q = -1; u = 1/2
+:instead: q = 1
+:then: the denominator $pu+q(1-u)$ vanishes
+:result: p u + q (1 - u) = 0
 :method: The denominator, exactly; that it is not 0 is refuted.
-:control: $q=1$
+:control: $p=q$
 :::
 */
 CLAIM(fractional_change_with_a_pole)
 {
-    num p = from_int(1), q = from_int(fault(T, 1, -1)), u = from_ratio(1, 2);
+    num p = given(T, "p"), q = given(T, "q"), u = given(T, "u");
     num below = add(mul(p, u), mul(q, sub(from_int(1), u)));
-    show(T, "p u + q (1 - u)", below);
+    found(T, "p u + q (1 - u)", below);
     about(T, "whether the denominator is not zero");
     refute(T, is_zero_q(below));
 }
