@@ -44,17 +44,6 @@ enum { dim = 2 };
 :control: the square of the last component subtracted
 :::
 */
-/* Compare: a > 0, in the field by its coefficients, the variables being positive; elsewhere it can only be refuted. */
-static void G(is_positive)(trial *T, num a)
-{
-    nonnegative(T, a);
-#if FIELD
-    agree(T, !is_zero_f(a));
-#elif RATIONAL
-    agree(T, !is_zero_q(a));
-#endif
-}
-
 CLAIM(regularity_is_a_sum_of_squares)
 {
     for (int present = 0; present < 8; present++) {
@@ -66,13 +55,17 @@ CLAIM(regularity_is_a_sum_of_squares)
         }
         same(T, G(norm_squared)(3, v), sum);
         if (present != 0)
-            G(is_positive)(T, G(norm_squared)(3, v));
+            G(must_be_positive)(T, G(norm_squared)(3, v));
         else
             vanishes(T, sum);
     }
 }
 
 /*
+A sum of squares is the shortest way to say that three numbers are not all 0, and it is the speed, squared.  So a regular point
+(正则点) is one that the moving point passes without standing still, and everything that goes wrong below goes wrong because the
+point stops.
+
 :::{statement} hu-1987:1-4-class
 :title: Curves of class r
 :zh: 曲线的 C^r 级
@@ -84,6 +77,11 @@ CLAIM(regularity_is_a_sum_of_squares)
 
 By this definition the cusp below, whose coordinates are polynomials, is of no class at all at $t=\frac12$.
 :::
+
+The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, and for a polynomial the
+quotient of chord and time is again a polynomial, so the limit is put in like a number.  The sentence is about "points of a curve",
+and here the two meanings of the word part.  A loop comes back to a point with another direction; each of the two parameters has its
+one tangent, the point has two.
 
 :::{statement} hu-1987:1-4-unique-tangent
 :title: At a regular point there is one tangent
@@ -149,25 +147,28 @@ CLAIM(chord_turns_into_the_derivative)
 :title: A loop has two tangents at its double point
 :zh: 二重点处有两条切线
 :kind: counterexample
-:given: $P(t)=(t^2-1,t^3-t)$, $t=-1$ and $t=1$
-:then: both parameters give the origin, $P'(-1)=(-2,2)$ and $P'(1)=(2,2)$ are not 0, and not parallel
+:given: the plane cubic with the coefficients $c$, and two parameters $t$
+:data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1
+:instead: t = 1 1
+:then: both parameters give one point, and the derivatives there are not 0, and not parallel
+:result: P(t) = (0,0) (0,0); P'(t) = (-2,2) (2,2)
 :method: The points and derivatives by the kernel; that the two directions are one is refuted.
-:control: $t=1$ twice
+:control: one parameter twice
 :::
 */
 CLAIM(double_point_has_two_tangents)
 {
-    num c[8] = {from_int(-1), from_int(0), from_int(0), from_int(-1),
-                from_int(1),  from_int(0), from_int(0), from_int(1)};
-    num D[2][4];
-    for (int side = 0; side < 2; side++)
-        G(power_derivatives)(3, dim, c, from_int(fault(T, 1, side ? 1 : -1)), 1, D[side]);
-    show_points(T, "the points", 2, 2, (num[]){D[0][0], D[0][1], D[1][0], D[1][1]});
-    show_points(T, "P' at both", 2, 2, (num[]){D[0][2], D[0][3], D[1][2], D[1][3]});
+    num c[8], t[2], D[2][4];
+    given_points(T, "c", 4, 2, c);
+    given_points(T, "t", 2, 1, t);
+    for (int k = 0; k < 2; k++)
+        G(power_derivatives)(3, dim, c, t[k], 1, D[k]);
+    found_points(T, "P(t)", 2, 2, (num[]){D[0][0], D[0][1], D[1][0], D[1][1]});
+    found_points(T, "P'(t)", 2, 2, (num[]){D[0][2], D[0][3], D[1][2], D[1][3]});
     about(T, "whether the points differ, or a derivative is 0, or the derivatives are parallel");
-    int different = !equal_q(D[0][0], D[1][0]) || !equal_q(D[0][1], D[1][1]);
-    int singular = is_zero_q(G(norm_squared)(2, D[0] + 2)) || is_zero_q(G(norm_squared)(2, D[1] + 2));
-    refute(T, !different && !singular && !is_zero_q(G(cross2)(D[0] + 2, D[1] + 2)));
+    int one_point = equal_q(D[0][0], D[1][0]) && equal_q(D[0][1], D[1][1]);
+    int regular = !is_zero_q(G(norm_squared)(2, D[0] + 2)) && !is_zero_q(G(norm_squared)(2, D[1] + 2));
+    refute(T, one_point && regular && !is_zero_q(G(cross2)(D[0] + 2, D[1] + 2)));
 }
 #endif
 
@@ -191,39 +192,43 @@ CLAIM(double_point_has_two_tangents)
 :::
 */
 
-/* D, C, B, A of the example. */
-static void G(cusp_curve)(int square, num c[])
-{
-    const int coefficients[8] = {0, 0, 3, 3, square, -3, 4, 0};
-    for (int m = 0; m < 8; m++)
-        c[m] = from_int(coefficients[m]);
-}
-
 /*
 :::{claim} cusp_of_the_example_is_a_cusp
 :title: The curve of the example is a semicubical parabola
 :zh: 例中曲线为半立方抛物线
-:given: $t=\frac12+u$, any $u$
-:then: $x-\frac12=4u^3$ and $y-\frac34=-3u^2$, so $(x-\frac12)^2=-\frac{16}{27}(y-\frac34)^3$; $P'=(12u^2,-6u)$ is 0 exactly for $u=0$, and
-  its direction $(2u,-1)$ times the sign of $u$ turns over there
-:method: The polynomials as printed, at a variable $u$, and their derivatives by the kernel.
-:control: the coefficient $-5$ in the place of $-6$
+:given: the curve of the example, with the coefficients $c$; the parameter $t$ of the cusp; any $u$
+:data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
+:instead: c = (0,0) (3,3) (-5,-3) (4,0)
+:then: $P(t+u)=(x_0+\kappa u^3,\;y_0+\mu u^2)$ with $(x_0,y_0)=e_0$, $(0,\mu)=e_2$, $(\kappa,0)=e_3$; so $\mu^3(x-x_0)^2=\kappa^2(y-y_0)^3$.  The
+  derivative $u\,(3\kappa u,2\mu)$ is 0 exactly for $u=0$, and its direction, $(3\kappa u,2\mu)$ times the sign of $u$, turns over there
+:result: e = (1/2,3/4) (0,0) (0,-3) (4,0)
+:method: $e_k$ is the $k$-th derivative at $t$, by the definition, over $k!$.  The polynomials as printed, at a variable $u$, and their derivatives by the kernel.
+:control: another coefficient of $t^2$ in $x$
 :::
 */
 CLAIM(cusp_of_the_example_is_a_cusp)
 {
-    num c[8], D[4], u = unknown(T, "u", 0), half = from_ratio(1, 2);
-    G(cusp_curve)(fault(T, -6, -5), c);
-    G(power_derivatives)(3, dim, c, add(half, u), 1, D);
-    num x = sub(D[0], half), y = sub(D[1], from_ratio(3, 4)), uu = mul(u, u);
-    same(T, x, mul(from_int(4), mul(u, uu)));
-    same(T, y, mul(from_int(-3), uu));
-    same(T, mul(x, x), mul(from_ratio(-16, 27), G(power)(y, 3)));
-    same(T, D[2], mul(from_int(12), uu));
-    same(T, D[3], mul(from_int(-6), u));
+    num c[8], e[8], D[4], u = unknown(T, "u", 0), uu = mul(u, u);
+    given_points(T, "c", 4, 2, c);
+    num t = given(T, "t");
+    for (int k = 0; k <= 3; k++)
+        for (int j = 0; j < dim; j++)
+            e[k * dim + j] = div(G(power_sum_derivative)(3, dim, c, j, k, t), G(factorial)(k));
+    found_points(T, "e", 4, 2, e);
+    G(power_derivatives)(3, dim, c, add(t, u), 1, D);
+    num x = sub(D[0], e[0]), y = sub(D[1], e[1]), mu = e[5], kappa = e[6];
+    same(T, x, mul(kappa, mul(u, uu)));
+    same(T, y, mul(mu, uu));
+    same(T, mul(G(power)(mu, 3), mul(x, x)), mul(mul(kappa, kappa), G(power)(y, 3)));
+    same(T, D[2], mul(mul(from_int(3), kappa), uu));
+    same(T, D[3], mul(mul(from_int(2), mu), u));
 }
 
 /*
+The printed sentence about the cusp names the right place and the wrong quantity.  Polynomials are continuous, and so are their
+derivatives; the velocity at a cusp (尖点) shrinks to nothing, and grows again, without a jump.  What jumps is the direction, the
+velocity divided by its length, and this quotient is undefined just where the length is 0.
+
 :::{statement} hu-1987:1-4-cusp-continuity
 :title: At the cusp the derivative is discontinuous
 :zh: 尖点处导矢不连续
@@ -244,31 +249,33 @@ CLAIM(cusp_of_the_example_is_a_cusp)
 :title: At the cusp the derivative has its own value as the limit from both sides
 :zh: 尖点处导矢连续
 :kind: counterexample
-:given: the curve of the example, $t=\frac12+u$
-:then: $x'=12u^2$ and $y'=-6u$ as polynomials in $u$; their limits for $u\to0$ from either side are their values there, $(0,0)$
-:method: The limits of a polynomial from both sides are its constant coefficient; that one of them differs from $P'(\frac12)$ is
+:given: the curve of the example, with the coefficients $c$; the parameter $t$ of the cusp
+:data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
+:then: $x'$ and $y'$ are polynomials in the distance $u$ from $t$, whose limits for $u\to0$ from either side are their values there
+:result: x'(t + u) = "12*u^2"; y'(t + u) = "-6*u"; P'(t) = (0,0)
+:method: The limits of a polynomial from both sides are its constant coefficient; that one of them differs from $P'(t)$ is
   refuted.
 :control: the signs of $y'$ taken as its values
 :::
 */
 CLAIM(derivative_is_continuous_at_the_cusp)
 {
-    num c[8], at[2], x[3], y[3];
-    G(cusp_curve)(-6, c);
-    for (int k = 0; k < 3; k++) {
-        x[k] = mul(from_int(k + 1), c[2 * (k + 1)]);
-        y[k] = mul(from_int(k + 1), c[2 * (k + 1) + 1]);
+    num c[8], at[2];
+    given_points(T, "c", 4, 2, c);
+    num t = given(T, "t");
+    poly shift = poly_add(poly_variable(), poly_constant(t)), near[2];
+    for (int j = 0; j < dim; j++) {
+        poly speed = poly_derivative(poly_from_q(4, (num[]){c[j], c[2 + j], c[4 + j], c[6 + j]}));
+        near[j] = poly_compose(speed, shift);
+        at[j] = poly_value(speed, t);
     }
-    poly shift = poly_add(poly_variable(), poly_constant(from_ratio(1, 2)));
-    poly dx = poly_compose(poly_from_q(3, x), shift), dy = poly_compose(poly_from_q(3, y), shift);
-    at[0] = poly_value(poly_from_q(3, x), from_ratio(1, 2));
-    at[1] = poly_value(poly_from_q(3, y), from_ratio(1, 2));
-    show_text(T, "x', y'", "%s, %s", poly_to_string(dx, "u"), poly_to_string(dy, "u"));
-    show_points(T, "P' at the cusp", 1, 2, at);
-    num sign_from_the_left = neg(from_int(sign_q(poly_coefficient(dy, 1)))); /* of y' */
-    num limit = fault(T, sign_from_the_left, poly_coefficient(dy, 0));
+    found_text(T, "x'(t + u)", poly_to_string(near[0], "u"));
+    found_text(T, "y'(t + u)", poly_to_string(near[1], "u"));
+    found_points(T, "P'(t)", 1, 2, at);
+    num sign_from_the_left = neg(from_int(sign_q(poly_coefficient(near[1], 1)))); /* of y' */
+    num limit = fault(T, sign_from_the_left, poly_coefficient(near[1], 0));
     about(T, "whether a one-sided limit of P' differs from P' at the cusp");
-    refute(T, equal_q(poly_coefficient(dx, 0), at[0]) && equal_q(limit, at[1]));
+    refute(T, equal_q(poly_coefficient(near[0], 0), at[0]) && equal_q(limit, at[1]));
 }
 #endif
 
@@ -276,7 +283,8 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :::{claim} unit_tangent_jumps_at_the_cusp
 :title: The unit tangent turns over at the cusp
 :zh: 单位切矢在尖点处反向
-:given: the curve of the example at $t=\frac12-u$ and $t=\frac12+u$, $u>0$
+:given: the curve of the example, with the coefficients $c$, at $t-u$ and $t+u$, where $t$ is the parameter of the cusp and $u>0$
+:data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
 :then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
   $(0,-1)$ with $u$
 :method: Identities in $u$.
@@ -285,16 +293,21 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 */
 CLAIM(unit_tangent_jumps_at_the_cusp)
 {
-    num c[8], D[4], u = positive(T, "u", 0), half = from_ratio(1, 2), factor = mul(from_int(6), u);
-    G(cusp_curve)(-6, c);
+    num c[8], D[4], u = positive(T, "u", 0), factor = mul(from_int(6), u);
+    given_points(T, "c", 4, 2, c);
+    num t = given(T, "t");
     for (int side = -1; side <= 1; side += 2) {
-        G(power_derivatives)(3, dim, c, add(half, mul(from_int(side), u)), 1, D);
+        G(power_derivatives)(3, dim, c, add(t, mul(from_int(side), u)), 1, D);
         same(T, D[2], mul(factor, mul(from_int(2), u)));
         same(T, D[3], mul(factor, from_int(fault(T, -side, -1))));
     }
 }
 
 /*
+A singular point (奇异点) is not always seen.  The abscissa of the cusp alone, taken for both coordinates, draws a straight segment: the
+point slows down, stands still for a moment and goes on as before.  Whether a stop is an anomaly is decided by what the point does
+after it, and this leads to the source's last example, where it turns back.
+
 :::{statement} hu-1987:1-4-singular-anomalies
 :title: At singular points all kinds of anomalies appear
 :zh: 奇异点处出现异常情况
@@ -314,28 +327,30 @@ The source's own anomalies are a change of direction: at the cusp, and twice on 
 :title: A segment run once and forward, with a singular point in the middle
 :zh: 含奇异点的普通线段
 :kind: counterexample
-:given: $x=y=\phi_1(t)=4t^3-6t^2+3t$, the abscissa of the example with the cusp
-:then: $\phi_1'=3(2t-1)^2$: the curve is singular at $t=\frac12$ only, runs from $(0,0)$ to $(1,1)$ once and never back, and has the tangent $(1,1)$
-  everywhere
-:method: $\phi_1$ at the ends, the sign of $\phi_1'$ and its zeros on $[0,1]$ by root counts; that it is singular nowhere, or goes back somewhere,
+:given: $x=y=\phi(t)$, the abscissa of the example with the cusp: a cubic with the coefficients $c$; a parameter $t$
+:data: c = 0 3 -6 4; t = 1/2
+:instead: c = 0 6 -15 10
+:then: $\phi'$ is not negative on $[0,1]$ and vanishes at $t$ only, where the curve is singular; the curve runs from $(0,0)$ to $(1,1)$ once and never back, and has
+  the tangent $(1,1)$ everywhere
+:result: φ' = "12*t^2 - 12*t + 3"; φ'(t) = 0; zeros of φ' in [0,1] = 1
+:method: $\phi$ at the ends, the sign of $\phi'$ and its zeros on $[0,1]$ by root counts; that it is singular nowhere, or goes back somewhere,
   is refuted.
-:control: the line that follows, $10t^3-15t^2+6t$
+:control: the line that follows
 :::
 */
 CLAIM(singular_point_of_a_plain_segment)
 {
-    static const int coefficients[2][4] = {{0, 3, -6, 4}, {0, 6, -15, 10}};
     num c[4], zero = from_int(0), one = from_int(1);
-    for (int k = 0; k < 4; k++)
-        c[k] = from_int(coefficients[fault(T, 1, 0)][k]);
+    given_points(T, "c", 4, 1, c);
+    num t = given(T, "t");
     poly run = poly_from_q(4, c), speed = poly_derivative(run);
     int whole_segment = is_zero_q(poly_value(run, zero)) && equal_q(poly_value(run, one), one);
-    int singular = count_roots(speed, zero, one, CLOSED).distinct;
-    show_text(T, "x = y", "%s", poly_to_string(run, "t"));
-    show_text(T, "x' = y'", "%s", poly_to_string(speed, "t"));
-    show_text(T, "singular parameters in [0,1]", "%d", singular);
+    int zeros = count_roots(speed, zero, one, CLOSED).distinct;
+    found_text(T, "φ'", poly_to_string(speed, "t"));
+    found(T, "φ'(t)", poly_value(speed, t));
+    found_whole(T, "zeros of φ' in [0,1]", zeros);
     about(T, "a point being singular, whether the curve goes back somewhere");
-    refute(T, whole_segment && singular != 0 && sign_on(speed, zero, one, CLOSED) == SIGN_NONNEGATIVE);
+    refute(T, whole_segment && zeros > 0 && sign_on(speed, zero, one, CLOSED) == SIGN_NONNEGATIVE);
 }
 #endif
 
@@ -353,18 +368,21 @@ CLAIM(singular_point_of_a_plain_segment)
 :::{claim} natural_line_is_regular
 :title: The derivative of the line is (1, 1) everywhere
 :zh: 直线的导矢为常矢量
-:given: $x=y=t$, any $t$
-:then: $P'=(1,1)$
-:method: The kernel at a variable $t$.
+:given: the line $x=y=t$, with the coefficients $c$, at any $t$
+:data: c = (0,0) (1,1) (0,0)
+:instead: c = (0,0) (0,0) (1,1)
+:then: $P'(t)$ does not depend on $t$
+:result: P'(t) = (1,1)
+:method: The kernel at a variable $t$; every component is 1.
 :control: $x=y=t^2$
 :::
 */
 CLAIM(natural_line_is_regular)
 {
     num c[6], D[4], t = parameter(T, "t");
-    for (int m = 0; m < 6; m++)
-        c[m] = from_int(m / 2 == fault(T, 1, 2));
+    given_points(T, "c", 3, 2, c);
     G(power_derivatives)(2, dim, c, t, 1, D);
+    found_points(T, "P'(t)", 1, 2, D + dim);
     for (int j = 0; j < dim; j++)
         same(T, D[dim + j], from_int(1));
 }
@@ -385,20 +403,25 @@ CLAIM(natural_line_is_regular)
 :title: The other parameter covers the segment and nothing else
 :zh: 另一参数恰好走遍线段
 :kind: decision
-:given: $\phi=10t^3-15t^2+6t$ on $[0,1]$
-:then: $\phi(0)=0$, $\phi(1)=1$, $0\le\phi\le1$: by continuity the same segment; moreover $\phi(1-t)=1-\phi(t)$
+:given: the printed $\phi$, with the coefficients $c$, on $[0,1]$
+:data: c = 0 6 -15 10
+:instead: c = 0 7 -15 10
+:then: $0\le\phi\le1$, and both ends are reached: by continuity the same segment; moreover $\phi(1-t)=1-\phi(t)$
+:result: φ(0), φ(1) = 0 1
 :method: Signs of $\phi$ and $1-\phi$ on the interval by root counts; the symmetry as polynomials.
 :scope: t from 0 to 1
-:control: the coefficient 7 in the place of 6
+:control: another coefficient of $t$
 :::
 */
 CLAIM(cubic_parameter_stays_on_the_segment)
 {
-    num c[4] = {from_int(0), from_int(fault(T, 6, 7)), from_int(-15), from_int(10)}, zero = from_int(0),
-        one = from_int(1);
+    num c[4], zero = from_int(0), one = from_int(1);
+    given_points(T, "c", 4, 1, c);
     poly phi = poly_from_q(4, c), rest = poly_sub(poly_constant(one), phi);
     poly back = poly_compose(phi, poly_sub(poly_constant(one), poly_variable()));
-    agree(T, is_zero_q(poly_value(phi, zero)) && equal_q(poly_value(phi, one), one));
+    num ends[2] = {poly_value(phi, zero), poly_value(phi, one)};
+    found_points(T, "φ(0), φ(1)", 2, 1, ends);
+    agree(T, is_zero_q(ends[0]) && equal_q(ends[1], one));
     agree(T,
           sign_on(phi, zero, one, CLOSED) == SIGN_NONNEGATIVE && sign_on(rest, zero, one, CLOSED) == SIGN_NONNEGATIVE);
     agree(T, poly_equal(back, rest));
@@ -406,6 +429,10 @@ CLAIM(cubic_parameter_stays_on_the_segment)
 #endif
 
 /*
+The same segment has been given two parameters, and it is regular in one of them and singular twice in the other.  Regularity is
+therefore no property of the point set.  The two singular parameters are also mirror images, since $\phi(1-t)=1-\phi(t)$, and the
+next claim finds a curiosity: $\phi$ takes each of them to the other.
+
 :::{statement} hu-1987:1-4-line-singular
 :title: The other parameter has two singular points
 :zh: 两个奇异点
@@ -417,30 +444,28 @@ CLAIM(cubic_parameter_stays_on_the_segment)
 :::{claim} singular_parameters_of_the_line
 :title: The derivative vanishes at the two printed parameters
 :zh: 导数的两个零点
-:given: $t=\frac{5+w}{10}$
-:then: $\phi'(t)=\frac3{10}(w^2-5)$; so $\phi'=0$ exactly for $w=\pm\sqrt5$; at these $\phi(t)=\frac{5-w}{10}$, the other one of the two
-:method: Identities in $w$: $\phi-\frac{5-w}{10}=\frac{w(w^2-5)}{100}$.
-:control: $\frac{5+w}9$
+:given: the printed $\phi$, with the coefficients $c$, at $t=\frac{p+w}q$, any $w$
+:data: c = 0 6 -15 10; p = 5; q = 10; k = 3/10
+:instead: q = 9
+:then: $\phi'(t)=k\,(w^2-p)$; so $\phi'=0$ exactly for $w=\pm\sqrt p$; at these $\phi(t)=\frac{p-w}q$, the other one of the two
+:method: Identities in $w$: $\phi-\frac{p-w}q=\frac{w(w^2-p)}{q^2}$.
+:control: another denominator of $t$
 :::
 */
-/* 10 t^3 - 15 t^2 + 6 t */
-static num G(phi)(num t)
-{
-    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)};
-    return G(power_sum)(3, 1, c, 0, t);
-}
-
 CLAIM(singular_parameters_of_the_line)
 {
-    num w = unknown(T, "w", 0), five = from_int(5), ten = from_int(10),
-        t = div(add(five, w), fault(T, ten, from_int(9)));
-    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2], zero_at = sub(mul(w, w), five);
+    num c[4], D[2], w = unknown(T, "w", 0);
+    given_points(T, "c", 4, 1, c);
+    num p = given(T, "p"), q = given(T, "q"), k = given(T, "k"), t = div(add(p, w), q), zero_at = sub(mul(w, w), p);
     G(power_derivatives)(3, 1, c, t, 1, D);
-    same(T, D[1], mul(from_ratio(3, 10), zero_at));
-    same(T, sub(G(phi)(t), div(sub(five, w), ten)), div(mul(w, zero_at), from_int(100)));
+    same(T, D[1], mul(k, zero_at));
+    same(T, sub(G(power_sum)(3, 1, c, 0, t), div(sub(p, w), q)), div(mul(w, zero_at), mul(q, q)));
 }
 
 /*
+The derivative $\phi'$ is positive at both ends and changes its sign at either of the two zeros, so between them it is negative: the
+point goes back.  The sentence printed about the motion has lost just this part, as its own word "again" shows.
+
 :::{statement} hu-1987:1-4-line-motion
 :title: How the point moves along the line
 :zh: 点沿直线的运动
@@ -464,17 +489,21 @@ refers to it.
 :title: Between the singular points the point moves backward
 :zh: 两奇异点之间点后退
 :kind: counterexample
-:given: $\phi=10t^3-15t^2+6t$, $t=\frac12<t_2$
-:then: $\phi'(\frac12)=-\frac32$
+:given: the printed $\phi$, with the coefficients $c$, and $t<t_2$
+:data: c = 0 6 -15 10; t = 1/2
+:instead: t = 1/5
+:then: $\phi'(t)$ is negative
+:result: φ'(t) = -3/2
 :method: The derivative, exactly; that it is not negative before $t_2$ is refuted.
-:control: $t=\frac15<t_1$
+:control: a parameter before $t_1$
 :::
 */
 CLAIM(point_moves_backward_in_between)
 {
-    num c[4] = {from_int(0), from_int(6), from_int(-15), from_int(10)}, D[2];
-    G(power_derivatives)(3, 1, c, fault(T, from_ratio(1, 5), from_ratio(1, 2)), 1, D);
-    show(T, "φ'", D[1]);
+    num c[4], D[2];
+    given_points(T, "c", 4, 1, c);
+    G(power_derivatives)(3, 1, c, given(T, "t"), 1, D);
+    found(T, "φ'(t)", D[1]);
     about(T, "whether the point does not move backward");
     nonnegative(T, D[1]);
 }
@@ -484,21 +513,30 @@ CLAIM(point_moves_backward_in_between)
 :title: The derivative changes its sign exactly twice
 :zh: 导数恰好变号两次
 :kind: decision
-:given: $\phi'=6(5t^2-5t+1)$ on $[0,1]$
-:then: it is positive at 0 and at 1, negative at $\frac12$, and has two roots, both changes of sign, in $(0,1)$
+:given: the printed $\phi$, with the coefficients $c$, on $[0,1]$, and three parameters $t$
+:data: c = 0 6 -15 10; t = 0 1/2 1
+:instead: c = 0 12 -15 10
+:then: $\phi'$ is positive at the ends, negative in the middle, and has two roots, both changes of sign, in $(0,1)$
+:result: φ'(t) = 6 -3/2 6; roots, changes of sign = 2 2
 :method: Root counts and values, exactly.
 :scope: t from 0 to 1
-:control: the constant 2 in the place of 1
+:control: twice the coefficient of $t$
 :::
 */
 CLAIM(point_moves_forward_back_and_forward)
 {
-    num c[3] = {from_int(fault(T, 1, 2)), from_int(-5), from_int(5)}, zero = from_int(0), one = from_int(1);
-    poly speed = poly_from_q(3, c);
-    struct cagd_root_count roots = count_roots(speed, zero, one, OPEN);
+    num c[4], t[3], slope[3];
+    given_points(T, "c", 4, 1, c);
+    given_points(T, "t", 3, 1, t);
+    poly speed = poly_derivative(poly_from_q(4, c));
+    struct cagd_root_count roots = count_roots(speed, from_int(0), from_int(1), OPEN);
+    for (int k = 0; k < 3; k++)
+        slope[k] = poly_value(speed, t[k]);
+    found_points(T, "φ'(t)", 3, 1, slope);
+    found_points(T, "roots, changes of sign", 2, 1, (num[]){from_int(roots.distinct), from_int(roots.crossings)});
     agree(T, roots.distinct == 2 && roots.crossings == 2);
-    agree(T, sign_q(poly_value(speed, zero)) > 0 && sign_q(poly_value(speed, one)) > 0);
-    agree(T, sign_q(poly_value(speed, from_ratio(1, 2))) < 0);
+    agree(T, sign_q(slope[0]) > 0 && sign_q(slope[2]) > 0);
+    agree(T, sign_q(slope[1]) < 0);
 }
 #endif
 
