@@ -41,7 +41,7 @@ int write_residuals(const struct fit *f, const char *path)
     fputs(",distance,standardised\n", out);
     for (int i = 0; i < r->count; i++) {
         const double *Q = f->data.points + i * dim, *e = r->residuals + i * dim;
-        double sigma = deviation_of(f, i);
+        double standardised = cagd_fit_standardised(&f->data, r, i);
         fprintf(out, "%d,%d", i + 1, f->points.line[i]);
         for (int x = 0; x < dim; x++)
             fprintf(out, ",%.17g", Q[x]);
@@ -51,8 +51,8 @@ int write_residuals(const struct fit *f, const char *path)
         for (int x = 0; x < dim; x++)
             fprintf(out, ",%.17g", e[x]);
         fprintf(out, ",%.17g,", r->distances[i]);
-        if (isfinite(sigma) && sigma > 0)
-            fprintf(out, "%.17g", r->distances[i] / sigma);
+        if (isfinite(standardised))
+            fprintf(out, "%.17g", standardised);
         fputs("\n", out);
     }
     return output_close(o);

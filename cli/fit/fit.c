@@ -106,7 +106,14 @@ static int write_and_print(const struct fit_arguments *a, const struct fit *f)
         print_json_exactly(fit_json(f));
     else
         print_fit(f, a->verbose);
-    return is_minimum(f) ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
+    return cagd_fit_is_minimum(f->result) ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
+}
+
+/* Whether the check in intervals has found that the curve is no minimum, or that a foot is no nearest point. */
+static int is_refuted(const struct fit *f)
+{
+    const cagd_stationary_verdict *v = &f->verdict;
+    return f->nearest.refuted || (v->verified && !v->minimum && v->bounds != CAGD_STATIONARY_OPEN);
 }
 
 static int fit_points(const struct fit_arguments *a, struct fit *f)
@@ -144,6 +151,8 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
     else if (f->checked)
         f->verdict = cagd_stationary_check_fit(&f->data, &f->options, result);
     end_progress();
+    if (is_refuted(f))
+        cagd_fit_refute(result);
     int code = write_and_print(a, f);
     cagd_fit_free(result);
     return code;

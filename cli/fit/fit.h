@@ -18,7 +18,7 @@ struct fit {
     struct points points;
     cagd_fit_data data;
     cagd_fit_options options;
-    const cagd_fit_result *result;
+    cagd_fit_result *result;
     int checked; /* whether it was asked to verify the minimum, or the feet where nothing is free */
     cagd_stationary_verdict verdict;
     cagd_nearest_verdict nearest;
@@ -40,42 +40,13 @@ struct fit_arguments {
 struct fit_arguments read_fit_arguments(const struct call *c); /* options.c */
 int run_fit(const struct call *c);                             /* fit.c     */
 
-/* ---- numbers of the result, by the formulas that its header states (numbers.c) ----------------- */
-
 /* Whether only the distances from a given curve were asked for. */
 static inline int nothing_is_free(const struct fit *f) { return f->options.free == 0; }
-/* Whether the curve is a minimum, as far as is known: the minimiser converged, and the check did not find that it is
- * none; where nothing is free, that no foot was found not to be the nearest point.  What is said of standard errors, rank and probabilities is true only of a minimum; otherwise the numbers
- * belong to the last curve that was reached, and nothing more is said of them. */
-int is_minimum(const struct fit *f);
-/* Whether the points lie on the curve: the distances are no larger than what coordinates of the curve are off by in
- * binary64, p steps of de Casteljau on homogeneous coordinates and a division.  Then their scatter says nothing of
- * measurements. */
-int is_on_curve(const struct fit *f);
-/* The standard deviation of point i, given or estimated; NAN where it is neither. */
-double deviation_of(const struct fit *f, int i);
 
-/* An estimate with its standard error and 95 % interval.  Weights are fitted by their logarithms: the error is
- * that of the logarithm times the weight, the interval that of the logarithm, exponentiated.  The error is NAN where
- * there is none.  Of a coordinate value, low and high are counted from the origin of the fit. */
-struct estimate {
-    double value, error, low, high, origin;
-};
-struct estimate unknown_estimate(const struct fit *f, int k);
-struct estimate invariant_estimate(const struct fit *f, int j);
-/* Whether binary64 has a number for a weight, or for I_j. */
-int in_range(double positive);
-double correlation(const cagd_fit_result *r, int i, int j);
-/* Those that do not stand on a bound. */
-int free_unknowns(const cagd_fit_result *r);
-/* Measured points at which the curve has to begin and end, although the others do not lie on it. */
-int ends_taken_as_exact(const struct fit *f);
+/* ---- names and numbers as they are written (numbers.c) ------------------------------------------------------- */
+
 /* "w1" or "P1 x". */
 void unknown_name(const cagd_fit_result *r, int k, char name[32]);
-/* How far apart the numbers of binary64 are at coordinate c of the measured points, where it is largest. */
-double spacing_of(const struct fit *f, int c);
-/* Whether that is more than the standard error of unknown k, a coordinate. */
-int is_finer_than_its_points(const struct fit *f, int k);
 /* origin + value, exactly, with as many decimals as show two digits of the error of the value. */
 void put_rounded(FILE *out, double origin, double value, double error);
 /* A coordinate that is given: ten digits, or as many as tell it from other numbers where ten do not. */

@@ -28,7 +28,7 @@ json_t *fitted_curve_json(const cagd_spline *c)
     return curve;
 }
 
-static json_t *estimate_json(struct estimate e)
+static json_t *estimate_json(cagd_fit_estimate e)
 {
     return json_pack("{s:o, s:o, s:o, s:o}", "value", real(e.origin + e.value), "standard_error", real(e.error), "low",
                      real(e.origin + e.low), "high", real(e.origin + e.high));
@@ -46,13 +46,14 @@ static json_t *unknowns_json(const struct fit *f)
             json_pack("{s:s, s:s, s:i}", "name", name, "kind", u->is_weight ? "weight" : "point", "index", u->index);
         if (!u->is_weight)
             json_object_set_new(j, "coordinate", json_integer(u->coordinate));
-        struct estimate e = unknown_estimate(f, k);
+        cagd_fit_estimate e = cagd_fit_unknown_estimate(f->result, k);
         if (!u->is_weight)
             json_object_set_new(j, "from_origin", real(e.value));
         json_t *estimate = estimate_json(e);
         json_object_update(j, estimate);
         json_decref(estimate);
-        json_object_set_new(j, "determined", is_minimum(f) ? json_boolean(r->determined[k]) : json_null());
+        json_object_set_new(j, "determined",
+                            cagd_fit_is_minimum(f->result) ? json_boolean(r->determined[k]) : json_null());
         json_object_set_new(j, "at_bound", json_boolean(r->at_bound[k]));
         json_array_append_new(list, j);
     }
@@ -65,7 +66,7 @@ static json_t *correlations_json(const cagd_fit_result *r)
     for (int i = 0; i < r->unknowns; i++) {
         json_t *row = json_array();
         for (int j = 0; j < r->unknowns; j++)
-            json_array_append_new(row, real(correlation(r, i, j)));
+            json_array_append_new(row, real(cagd_fit_correlation(r, i, j)));
         json_array_append_new(rows, row);
     }
     return rows;
@@ -137,7 +138,7 @@ static json_t *history_json(const cagd_fit_result *r)
 /* The value, which is then owned by the caller alone; null where the curve is no minimum. */
 static json_t *of_minimum(const struct fit *f, json_t *value)
 {
-    if (is_minimum(f))
+    if (cagd_fit_is_minimum(f->result))
         return value;
     json_decref(value);
     return json_null();
@@ -155,10 +156,7 @@ json_t *fit_json(const struct fit *f)
         if (o->free & 1 << k)
             json_array_append_new(free, json_string(part[k]));
     for (int j = 0; j < r->invariants; j++)
-        json_array_append_new(invariants, estimate_json(invariant_estimate(f, j)));
-    int flat = free_unknowns(r) - r->rank, ends = 0;
-    for (int i = 0; i < r->count; i++)
-        ends += r->foot_at_end[i];
+        json_array_append_new(invariants, estimate_json(cagd_fit_invariant_estimate(f->result, j)));
     json_t *points = json_pack("{s:o, s:i, s:i, s:s}", "file", path_json(f->path), "count", f->data.count, "dimension",
                                f->data.dim, "sigma",
                                f->data.sigma == NULL ? "unknown"
@@ -176,35 +174,34 @@ json_t *fit_json(const struct fit *f)
                   real(r->gradient_norm), "history", history_json(r));
     json_t *distances = json_pack("{s:o, s:o, s:i, s:i, s:i, s:i}", "rms", real(r->rms), "largest", real(r->largest),
                                   "largest_point", r->largest_at + 1, "largest_line", f->points.line[r->largest_at],
-                                  "feet_at_ends", ends, "feet_out_of_order", r->out_of_order);
+                                  "feet_at_ends", r->feet_at_ends, "feet_out_of_order", r->out_of_order);
     double cusp;
     int has_cusp = cagd_fit_has_cusp(r, &cusp);
     int robust = o->loss != CAGD_FIT_SQUARES; /* the sum of losses has no known distribution */
-    const char *scaled_by = f->data.sigma != NULL && o->loss == CAGD_FIT_SQUARES ? "the given standard deviations"
-                                                                                 : "the scatter of the points";
+    const char *scaled_by = r->scale_is_given ? "the given standard deviations" : "the scatter of the points";
     json_t *statistics = json_pack(
         "{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:f, s:o}", "chi_squared", real(r->chi_squared), "reduced_chi_squared",
         of_minimum(f, real(robust ? NAN : r->reduced_chi_squared)), "degrees_of_freedom",
         of_minimum(f, json_integer(r->degrees_of_freedom)), "aic", of_minimum(f, real(robust ? NAN : r->aic)), "bic",
         of_minimum(f, real(robust ? NAN : r->bic)), "scale_squared", of_minimum(f, real(r->scale_squared)), "scaled_by",
         of_minimum(f, json_string(scaled_by)), "level", 0.95, "quantile", of_minimum(f, real(r->quantile)));
-    json_t *document = json_pack("{s:s, s:b, s:b, s:o, s:o, s:o, s:o}", "schema", "cagd-fit-1", "converged",
-                                 r->termination == CAGD_FIT_CONVERGED, "at_minimum", is_minimum(f), "points", points,
-                                 "options", options, "minimiser", minimiser, "curve", fitted_curve_json(&r->curve));
-    int finer = 0;
-    for (int k = 0; k < r->unknowns; k++)
-        finer |= is_finer_than_its_points(f, k);
+    json_t *document =
+        json_pack("{s:s, s:b, s:b, s:o, s:o, s:o, s:o}", "schema", "cagd-fit-1", "converged",
+                  r->termination == CAGD_FIT_CONVERGED, "at_minimum", cagd_fit_is_minimum(f->result), "points", points,
+                  "options", options, "minimiser", minimiser, "curve", fitted_curve_json(&r->curve));
+    double spacing;
     json_object_set_new(document, "origin", reals(f->data.dim, r->origin));
-    json_object_set_new(document, "finer_than_points", json_boolean(finer));
+    json_object_set_new(document, "finer_than_points", json_boolean(cagd_fit_finest_unknown(r, &spacing) >= 0));
     json_t *of_unknowns =
         json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "unknowns", unknowns_json(f), "rank",
                   of_minimum(f, json_integer(r->rank)), "free_directions",
-                  of_minimum(f, matrix_json(flat, r->unknowns, r->free_directions)), "covariance",
+                  of_minimum(f, matrix_json(r->flat, r->unknowns, r->free_directions)), "covariance",
                   of_minimum(f, matrix_json(r->unknowns, r->unknowns, r->covariance)), "correlations",
                   of_minimum(f, correlations_json(r)), "invariants", invariants, "conic", of_minimum(f, conic_json(r)));
-    json_t *rest = json_pack("{s:o, s:o, s:b, s:b, s:o, s:o}", "statistics", statistics, "distances", distances,
-                             "points_on_curve", is_on_curve(f), "ends_taken_as_exact", ends_taken_as_exact(f), "cusp",
-                             has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
+    json_t *rest =
+        json_pack("{s:o, s:o, s:b, s:b, s:o, s:o}", "statistics", statistics, "distances", distances, "points_on_curve",
+                  f->result->points_on_curve, "ends_taken_as_exact", f->result->ends_are_exact, "cusp",
+                  has_cusp ? real(cusp) : json_null(), "verification", verdict_json(f));
     json_object_update(document, of_unknowns);
     json_object_update(document, rest);
     json_decref(of_unknowns);

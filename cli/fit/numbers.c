@@ -1,87 +1,10 @@
-/* numbers.c -- estimates, intervals and counts, by the formulas that cagd_fit.h states for its result. */
+/* numbers.c -- names of unknowns, and numbers as they are written. */
 #include "cli/fit/fit.h"
 
-#include <float.h>
 #include <math.h>
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
-
-int in_range(double positive) { return positive > 0 && isfinite(positive); }
-
-int is_minimum(const struct fit *f)
-{
-    const cagd_stationary_verdict *v = &f->verdict;
-    int refuted = f->checked && v->verified && !v->minimum && v->bounds != CAGD_STATIONARY_OPEN;
-    refuted |= f->checked && f->nearest.refuted;
-    return f->result->termination == CAGD_FIT_CONVERGED && !refuted;
-}
-
-int is_on_curve(const struct fit *f)
-{
-    const cagd_fit_result *r = f->result;
-    const cagd_spline *curve = &r->curve;
-    double size = 0, rounding = 0;
-    for (int m = 0; m < curve->count * curve->dim; m++)
-        size = fmax(size, fabs(r->relative[m]));
-    for (int m = 0; m < f->data.count * f->data.dim; m++)
-        size = fmax(size, fabs(f->data.points[m] - r->origin[m % f->data.dim]));
-    for (int c = 0; c < f->data.dim; c++)
-        rounding = hypot(rounding, spacing_of(f, c) / 2);
-    return r->rms <= (2 * curve->degree + 2) * DBL_EPSILON * size + rounding;
-}
-
-double spacing_of(const struct fit *f, int c)
-{
-    double size = 0;
-    for (int i = 0; i < f->data.count; i++)
-        size = fmax(size, fabs(f->data.points[i * f->data.dim + c]));
-    return nextafter(size, INFINITY) - size;
-}
-
-int is_finer_than_its_points(const struct fit *f, int k)
-{
-    struct estimate e = unknown_estimate(f, k);
-    const cagd_fit_unknown *u = &f->result->unknown[k];
-    return !u->is_weight && e.error > 0 && spacing_of(f, u->coordinate) > e.error;
-}
-
-double deviation_of(const struct fit *f, int i)
-{
-    return f->data.sigma != NULL ? f->data.sigma[i] : is_minimum(f) ? sqrt(f->result->scale_squared) : NAN;
-}
-
-struct estimate unknown_estimate(const struct fit *f, int k)
-{
-    const cagd_fit_result *r = f->result;
-    const cagd_fit_unknown *u = &r->unknown[k];
-    double value = u->is_weight ? r->value[k] : r->relative[u->index * r->curve.dim + u->coordinate], error = NAN;
-    if (!r->at_bound[k] && r->determined[k] && is_minimum(f))
-        error = sqrt(r->covariance[(size_t)k * (size_t)r->unknowns + (size_t)k]);
-    struct estimate e = {value, error, value - r->quantile * error, value + r->quantile * error,
-                         u->is_weight ? 0 : r->origin[u->coordinate]};
-    if (u->is_weight) {
-        e.value = exp(value);
-        e.error = e.value * error;
-        e.low = exp(e.low);
-        e.high = exp(e.high);
-        if (!in_range(e.value))
-            e.error = NAN;
-    }
-    return e;
-}
-
-/* By the error of log I_j, as for weights. */
-struct estimate invariant_estimate(const struct fit *f, int j)
-{
-    const cagd_fit_result *r = f->result;
-    double value = r->invariant[j],
-           error = is_minimum(f) && isfinite(r->invariant_error[j]) ? r->invariant_error[j] : NAN;
-    if (!in_range(value))
-        return (struct estimate){value, NAN, NAN, NAN, 0};
-    double factor = exp(r->quantile * error / value);
-    return (struct estimate){value, error, value / factor, value * factor, 0};
-}
 
 void unknown_name(const cagd_fit_result *r, int k, char name[32])
 {
@@ -90,26 +13,6 @@ void unknown_name(const cagd_fit_result *r, int k, char name[32])
         snprintf(name, 32, "w%d", u->index);
     else
         snprintf(name, 32, "P%d %c", u->index, "xyz"[u->coordinate]);
-}
-
-double correlation(const cagd_fit_result *r, int i, int j)
-{
-    size_t n = (size_t)r->unknowns, a = (size_t)i, b = (size_t)j;
-    return r->covariance[a * n + b] / sqrt(r->covariance[a * n + a] * r->covariance[b * n + b]);
-}
-
-int free_unknowns(const cagd_fit_result *r)
-{
-    int count = 0;
-    for (int k = 0; k < r->unknowns; k++)
-        count += !r->at_bound[k];
-    return count;
-}
-
-int ends_taken_as_exact(const struct fit *f)
-{
-    return f->options.initial == NULL && !(f->options.free & CAGD_FIT_END_POINTS) &&
-           (f->data.sigma != NULL || f->result->scale_squared > 0);
 }
 
 /* The exponent of x as %.*e with so many decimals writes it. */

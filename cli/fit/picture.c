@@ -218,10 +218,10 @@ static void label_control_point(svg *s, const struct view *v, int j)
     FILE *out = open_memstream(&text, &size);
     fprintf(out, "P_{%d}", j);
     if (dim == 2 && r->curve.count <= MOST_WEIGHTS && j > 0 && j < r->curve.count - 1 && r->curve.weights[j] != 1) {
-        struct estimate e = {r->curve.weights[j], NAN, NAN, NAN, 0};
+        cagd_fit_estimate e = {r->curve.weights[j], NAN, NAN, NAN, 0};
         for (int k = 0; k < r->unknowns; k++)
             if (r->unknown[k].is_weight && r->unknown[k].index == j)
-                e = unknown_estimate(v->f, k);
+                e = cagd_fit_unknown_estimate(v->f->result, k);
         fprintf(out, ",  w_{%d} = ", j);
         if (isfinite(e.error)) {
             put_rounded(out, 0, e.value, e.error);
@@ -348,7 +348,7 @@ static void draw_distances(svg *s, const struct fit *f)
     const cagd_spline *c = &r->curve;
     region_mark mark = region_open();
     int standardised = f->data.sigma != NULL, plane = f->data.dim == 2;
-    double band = 2 * (standardised ? 1 : deviation_of(f, 0)), size = 0;
+    double band = 2 * (standardised ? 1 : cagd_fit_deviation(&f->data, f->result, 0)), size = 0;
     double *d = region_bytes((size_t)r->count * sizeof *d);
     for (int i = 0; i < r->count; i++) {
         d[i] = r->distances[i] / (standardised ? f->data.sigma[i] : 1);
@@ -407,12 +407,13 @@ static void describe(const struct fit *f, FILE *out)
             "with its control polygon; below, the %s of every point over the parameter of its foot%s. "
             "Root mean square distance %.3g, largest %.3g.",
             f->data.count, f->data.dim == 2 ? "in the plane" : "in space, from above and from the front",
-            is_minimum(f) && !nothing_is_free(f) ? "the" : "a", r->curve.degree, r->curve.count,
-            nothing_is_free(f) ? " that is given"
-            : is_minimum(f)    ? " that comes closest to them"
-                               : " that the minimiser reached, not known to be a minimum",
+            cagd_fit_is_minimum(f->result) && !nothing_is_free(f) ? "the" : "a", r->curve.degree, r->curve.count,
+            nothing_is_free(f)               ? " that is given"
+            : cagd_fit_is_minimum(f->result) ? " that comes closest to them"
+                                             : " that the minimiser reached, not known to be a minimum",
             f->data.dim == 2 ? "signed distance" : "distance",
-            isfinite(deviation_of(f, 0)) ? ", with a band of two standard deviations" : "", r->rms, r->largest);
+            isfinite(cagd_fit_deviation(&f->data, f->result, 0)) ? ", with a band of two standard deviations" : "",
+            r->rms, r->largest);
 }
 
 static void legend(svg *s, const struct fit *f)
@@ -420,11 +421,11 @@ static void legend(svg *s, const struct fit *f)
     int bars = f->data.sigma != NULL && f->data.count <= MOST_MARKS;
     svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
     svg_legend_line(s, SVG_CURVE,
-                    nothing_is_free(f) ? "given curve"
-                    : is_minimum(f)    ? "fitted curve"
-                                       : "curve, no minimum");
+                    nothing_is_free(f)               ? "given curve"
+                    : cagd_fit_is_minimum(f->result) ? "fitted curve"
+                                                     : "curve, no minimum");
     svg_legend_mark(s, SVG_POLYGON, SVG_USUAL, "control points");
-    if (isfinite(deviation_of(f, 0)))
+    if (isfinite(cagd_fit_deviation(&f->data, f->result, 0)))
         svg_legend_area(s, SVG_FILL, f->data.dim == 2 ? "$± 2 s$" : "up to $2 s$");
 }
 

@@ -26,7 +26,7 @@ static void put_column(double origin, double value, double error, int width)
     free(text);
 }
 
-static void put_interval(struct estimate e)
+static void put_interval(cagd_fit_estimate e)
 {
     fputs("     ", stdout);
     if (isfinite(e.error) && isinf(e.high)) { /* only weights and invariants, through their logarithms */
@@ -217,11 +217,11 @@ static void print_verdict(const struct fit *f)
                 v->minimum ? bounds ? "a strict local minimum within the bounds" : "a strict local minimum"
                 : bounds   ? "among the curves with these weights on their bounds a stationary point"
                            : "a stationary point that is NO minimum");
-        if (free_unknowns(f->result) == 0) {
+        int dimension = f->result->rank + f->result->flat;
+        if (dimension == 0) {
             fputs(", with all weights on bounds", out);
         } else {
-            fprintf(out, "%s lies within ",
-                    v->dimension < free_unknowns(f->result) ? ", up to the free directions," : "");
+            fprintf(out, "%s lies within ", v->dimension < dimension ? ", up to the free directions," : "");
             put_reach(f, out);
         }
         if (v->bounds == CAGD_STATIONARY_FALLS)
@@ -236,10 +236,13 @@ static void print_verdict(const struct fit *f)
     end(&l, "Verification");
 }
 
+/* Whether binary64 holds a weight or an invariant, which are positive. */
+static int is_held(double x) { return x > 0 && isfinite(x); }
+
 static void print_estimates(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
-    int minimum = is_minimum(f);
+    int minimum = cagd_fit_is_minimum(f->result);
     if (r->unknowns > 0 && minimum)
         printf("\n%12s%17s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
     else if (r->unknowns > 0)
@@ -248,13 +251,13 @@ static void print_estimates(const struct fit *f)
         puts("");
     for (int k = 0; k < r->unknowns; k++) {
         char name[32];
-        struct estimate e = unknown_estimate(f, k);
+        cagd_fit_estimate e = cagd_fit_unknown_estimate(f->result, k);
         unknown_name(r, k, name);
         printf("  %-10s", name);
         put_column(e.origin, e.value, e.error, 17);
         if (r->at_bound[k]) {
             puts("  on its bound");
-        } else if (r->unknown[k].is_weight && !in_range(e.value)) {
+        } else if (r->unknown[k].is_weight && !is_held(e.value)) {
             puts("  beyond the range of numbers");
         } else if (!minimum) {
             puts("");
@@ -270,14 +273,14 @@ static void print_estimates(const struct fit *f)
     }
     for (int j = 0; j < r->invariants && r->unknowns > 0; j++) {
         char name[32];
-        struct estimate e = invariant_estimate(f, j);
+        cagd_fit_estimate e = cagd_fit_invariant_estimate(f->result, j);
         snprintf(name, sizeof name, "I%d", j + 1);
         printf("  %-10s", name);
         put_column(0, e.value, e.error, 17);
         if (isfinite(e.error) && e.error > 0) {
             put_column(0, e.error, e.error, 18);
             put_interval(e);
-        } else if (!in_range(e.value))
+        } else if (!is_held(e.value))
             fputs("  beyond the range of numbers", stdout);
         else if (minimum && !(e.error == 0))
             fputs("  not determined", stdout);
@@ -323,7 +326,7 @@ static void print_correlations(const cagd_fit_result *r)
     int count = 0, all = 0;
     for (int i = 0; i < r->unknowns; i++)
         for (int j = 0; j < i; j++) {
-            struct pair p = {j, i, correlation(r, i, j)};
+            struct pair p = {j, i, cagd_fit_correlation(r, i, j)};
             if (!(fabs(p.r) >= LARGE) || !r->determined[i] || !r->determined[j])
                 continue;
             all++;
@@ -355,8 +358,7 @@ static void print_correlations(const cagd_fit_result *r)
 static void print_free_directions(const cagd_fit_result *r)
 {
     enum { MOST = 6 };
-    int free = free_unknowns(r);
-    int flat = free - r->rank;
+    int free = r->rank + r->flat, flat = r->flat;
     if (flat <= 0) {
         say("Rank", "%d of %d: the points determine every unknown", r->rank, free);
         return;
@@ -391,11 +393,8 @@ static void print_distances(const struct fit *f)
     FILE *out = begin(&l);
     fprintf(out, "root mean square %.4g, largest %.4g at point %d (line %d)", r->rms, r->largest, r->largest_at + 1,
             f->points.line[r->largest_at]);
-    int ends = 0;
-    for (int i = 0; i < r->count; i++)
-        ends += r->foot_at_end[i];
-    if (ends > 0)
-        fprintf(out, "; %d foot point%s at an end of the curve", ends, plural(ends));
+    if (r->feet_at_ends > 0)
+        fprintf(out, "; %d foot point%s at an end of the curve", r->feet_at_ends, plural(r->feet_at_ends));
     if (r->out_of_order > 0)
         fprintf(out, "; %d of the feet overtake%s the one before", r->out_of_order, r->out_of_order == 1 ? "s" : "");
     end(&l, "Distances");
@@ -405,14 +404,8 @@ static void print_distances(const struct fit *f)
 static void print_spacing(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
-    double widest = 0;
-    int finest = -1;
-    for (int k = 0; k < r->unknowns; k++)
-        if (is_finer_than_its_points(f, k)) {
-            widest = fmax(widest, spacing_of(f, r->unknown[k].coordinate));
-            if (finest < 0 || unknown_estimate(f, k).error < unknown_estimate(f, finest).error)
-                finest = k;
-        }
+    double widest;
+    int finest = cagd_fit_finest_unknown(r, &widest);
     if (finest < 0)
         return;
     char name[32];
@@ -422,14 +415,14 @@ static void print_spacing(const struct fit *f)
         "%.2g of %s: "
         "what the roundings have in common is not in these; estimates are from an origin nearby, so that nothing more "
         "is lost",
-        widest, unknown_estimate(f, finest).error, name);
+        widest, cagd_fit_unknown_estimate(f->result, finest).error, name);
 }
 
 /* What is true of a minimum only. */
 static void print_statistics(const struct fit *f)
 {
     const cagd_fit_result *r = f->result;
-    int known = f->data.sigma != NULL && f->options.loss == CAGD_FIT_SQUARES;
+    int known = r->scale_is_given;
     struct cagd_line l;
     FILE *out = begin(&l);
     if (f->options.loss == CAGD_FIT_SQUARES) {
@@ -462,13 +455,13 @@ static void print_statistics(const struct fit *f)
             sqrt(r->scale_squared), r->quantile);
     else
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
-    if (!known && is_on_curve(f) && r->scale_squared > 0)
+    if (!known && f->result->points_on_curve && r->scale_squared > 0)
         say("Rounding",
             "the distances are no larger than the roundings of binary64: the points lie on the curve, and %s "
             "the arithmetic, not of a measurement",
             nothing_is_free(f) ? "the deviation is that of" : "the standard errors are those of");
     print_spacing(f);
-    if (ends_taken_as_exact(f))
+    if (f->result->ends_are_exact)
         say("Ends",
             "%s are taken as exact: their errors move the whole curve, weights with it, and "
             "are not in the standard errors; --free %sinner,ends fits the ends too, which then slide along the curve",
@@ -510,7 +503,7 @@ void print_fit(const struct fit *f, int verbose)
     print_fixed(f);
     puts("");
     print_distances(f);
-    if (is_minimum(f))
+    if (cagd_fit_is_minimum(f->result))
         print_statistics(f);
     else
         say("No statistics",

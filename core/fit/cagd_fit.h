@@ -111,11 +111,16 @@ typedef struct cagd_fit_result {
     int count;
     double *feet, *residuals, *distances;
     int *foot_at_end;    /* 1 where the foot is an end of the domain and the distance is not orthogonal   */
+    int feet_at_ends;    /* how many of them                                                            */
     int out_of_order;    /* how many feet are smaller than the one before; 0 for unordered points        */
     double rms, largest; /* of the distances, unscaled                                                  */
     int largest_at;      /* index of the point it belongs to                                            */
+    double spacing[3];   /* how far apart the numbers of binary64 are where each measured coordinate is largest */
+    int points_on_curve; /* 1 where the distances are no larger than the roundings of binary64, so that their scatter says */
+                         /* nothing of measurements                                                     */
     /* the minimiser */
     cagd_fit_termination termination;
+    int refuted; /* 1 after cagd_fit_refute                                                 */
     int iterations, best_start, agreeing_starts; /* starts that ended at the same cost                      */
     double initial_cost, cost, gradient_norm;    /* of F; the largest component of its gradient            */
     int steps;
@@ -132,7 +137,10 @@ typedef struct cagd_fit_result {
     int flat;        /* unknowns that are not at a bound, less the rank                             */
     double *free_directions; /* flat x unknowns, by rows: orthonormal directions in which F is flat         */
     int *determined;         /* 1 where the unknown is not at a bound, and the same along all free directions */
-    double scale_squared;    /* 1 with given standard deviations, else chi_squared / degrees_of_freedom     */
+    int scale_is_given;      /* 1: squares of distances over given standard deviations, which are believed    */
+    double scale_squared;    /* 1 when it is given, else what the distances say it is: of squares              */
+                             /* chi_squared / degrees_of_freedom, of a robust loss the factor of an M-estimate   */
+    int ends_are_exact;      /* 1: the ends are measured points whose errors no standard error knows of          */
     double chi_squared, reduced_chi_squared, aic, bic;
     int degrees_of_freedom; /* N (dim-1) - rank                                                            */
     double quantile;        /* 95 % intervals are value +- quantile * standard error: normal with given standard */
@@ -151,6 +159,42 @@ typedef struct cagd_fit_result {
 CAGD_API cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
                               int *where);
 CAGD_API void cagd_fit_free(cagd_fit_result *result); /* NULL is allowed */
+
+/* ---- What a result says of its unknowns ---------------------------------------------------------------------
+ *
+ * Standard errors, intervals and probabilities are true only of a minimum.  Where the curve is none the numbers belong to the last
+ * curve that was reached; then errors and intervals are NaN. */
+
+/* Whether the curve is a minimum, as far as is known: the minimiser has converged, and nobody has found that it is none. */
+CAGD_API int cagd_fit_is_minimum(const cagd_fit_result *result);
+
+/* To be called when a verification has found that the curve is no minimum, or a foot no nearest point. */
+CAGD_API void cagd_fit_refute(cagd_fit_result *result);
+
+/* An estimate with its standard error and 95 % interval.  The error is NaN where there is none: for an unknown on its bound or one
+ * that is not determined, and where the curve is no minimum; so is the interval.  Weights and invariants are fitted by their
+ * logarithms: their error is that of the logarithm times the value, and their interval that of the logarithm, exponentiated.  Value,
+ * low and high of a coordinate are counted from `origin`, which is 0 for the others. */
+typedef struct cagd_fit_estimate {
+    double value, error, low, high, origin;
+} cagd_fit_estimate;
+
+/* Of unknown k = 0, ..., unknowns-1; of invariant[j], j = 0, ..., invariants-1. */
+CAGD_API cagd_fit_estimate cagd_fit_unknown_estimate(const cagd_fit_result *result, int k);
+CAGD_API cagd_fit_estimate cagd_fit_invariant_estimate(const cagd_fit_result *result, int j);
+
+/* The correlation of unknowns i and j; NaN where one of them has no variance. */
+CAGD_API double cagd_fit_correlation(const cagd_fit_result *result, int i, int j);
+
+/* The standard deviation of a coordinate of point i: given, or else estimated; NaN where it is neither.  And the distance of the point
+ * in units of it; NaN also where it is 0. */
+CAGD_API double cagd_fit_deviation(const cagd_fit_data *data, const cagd_fit_result *result, int i);
+CAGD_API double cagd_fit_standardised(const cagd_fit_data *data, const cagd_fit_result *result, int i);
+
+/* Coordinates of the curve may be known better than binary64 holds the measured coordinates: errors that these have in common, by their
+ * rounding, are in no standard error.  The index of the coordinate, among the unknowns, with the smallest standard error of those
+ * that are smaller than the spacing; *spacing is the widest of these spacings.  -1 where there is none. */
+CAGD_API int cagd_fit_finest_unknown(const cagd_fit_result *result, double *spacing);
 
 /* Which conic (圆锥曲线) a fitted curve of degree 2 in one span is, and how sure that is.
  *

@@ -1,7 +1,7 @@
 #include "core/fit/objective.h"
 
 #include "core/fit/batch.h"
-#include "core/fit/statistics.h"
+#include "core/fit/loss.h"
 #include "core/number/limits.h"
 
 #include <math.h>

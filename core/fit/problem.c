@@ -1,7 +1,7 @@
 #include "core/fit/problem.h"
 
 #include "core/fit/arguments.h"
-#include "core/fit/statistics.h"
+#include "core/fit/loss.h"
 #include "core/number/limits.h"
 
 #include <float.h>

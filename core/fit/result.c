@@ -1,8 +1,8 @@
 #include "core/fit/result.h"
 
 #include "core/fit/rank.h"
-#include "core/fit/statistics.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,6 +70,7 @@ static int fill_points(const fit_problem *p, const cagd_fit_options *o, const fi
         const double *q = p->Q + (size_t)i * (size_t)dim;
         double *left = r->residuals + (size_t)i * (size_t)dim, D[9], t = a->objective->feet[i], square = 0;
         r->foot_at_end[i] = fit_foot(a->objective->curve, q, &t, D) == FOOT_AT_END;
+        r->feet_at_ends += r->foot_at_end[i];
         r->feet[i] = t;
         for (int c = 0; c < dim; c++) {
             left[c] = p->unit * (q[c] - D[c]);
@@ -161,6 +162,26 @@ static void restore_given_points(const cagd_fit_data *data, const cagd_fit_optio
     }
 }
 
+/* Spacing of the measured coordinates, and whether the distances are no larger than what coordinates of the curve are off by in
+ * binary64, p steps of de Casteljau on homogeneous coordinates and a division, and measured ones by their rounding. */
+static void fill_rounding(const cagd_fit_data *data, cagd_fit_result *r)
+{
+    double size = 0, rounding = 0;
+    int dim = data->dim, count = data->count;
+    for (int m = 0; m < r->curve.count * dim; m++)
+        size = fmax(size, fabs(r->relative[m]));
+    for (int c = 0; c < dim; c++) {
+        double largest = 0;
+        for (int i = 0; i < count; i++) {
+            largest = fmax(largest, fabs(data->points[i * dim + c]));
+            size = fmax(size, fabs(data->points[i * dim + c] - r->origin[c]));
+        }
+        r->spacing[c] = nextafter(largest, INFINITY) - largest;
+        rounding = hypot(rounding, r->spacing[c] / 2);
+    }
+    r->points_on_curve = r->rms <= (2 * r->curve.degree + 2) * DBL_EPSILON * size + rounding;
+}
+
 cagd_fit_result *fit_result_make(const cagd_fit_data *data, const cagd_fit_options *o, const fit_problem *p,
                                  fit_attempt *a)
 {
@@ -184,5 +205,6 @@ cagd_fit_result *fit_result_make(const cagd_fit_data *data, const cagd_fit_optio
     a->outcome.history = NULL;
     memcpy(r->message, a->outcome.message, sizeof r->message);
     restore_given_points(data, o, r);
+    fill_rounding(data, r);
     return r;
 }

@@ -34,19 +34,9 @@
 #include "core/fit/cagd_fit.h"
 
 /* Called at the end of a fit.  Reads the curve, residuals, cost, unknowns, rank, free directions; covariance holds
- * (J^T J)^+, and is multiplied by scale_squared here.  Fills scale_squared, chi_squared, reduced_chi_squared,
+ * (J^T J)^+, and is multiplied by scale_squared here.  Fills scale_squared, scale_is_given, ends_are_exact, chi_squared, reduced_chi_squared,
  * degrees_of_freedom, aic, bic, quantile; and for a curve of one span of degree >= 2 invariant and invariant_error, arrays of
  * degree-1 that are there already, `invariants` in number: I_j = w_j^2/(w_{j-1} w_{j+1}), with the error I_j times that of
  * log I_j, which is linear in the unknowns; infinite where log I_j changes along a free direction. */
 void fit_statistics(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result *result);
-
-/* rho, rho', rho'' at s >= 0: value[0], value[1], value[2]. */
-void fit_loss(cagd_fit_loss loss, double scale, double s, double value[3]);
-
-/* t with P(|T| <= t) = 0.95 for Student's distribution with nu >= 1 degrees of freedom, within one
- * unit of the last place where long double is longer than double; NaN for nu < 1. */
-double fit_student_quantile(int nu);
-
-/* The same of the normal distribution. */
-double fit_normal_quantile(void);
 #endif

@@ -1,6 +1,8 @@
 /* test_fit_statistics.c -- quantiles against known digits, statistics against sums made by hand. */
 #include "unit_exact.h"
 
+#include "core/fit/loss.h"
+#include "core/fit/quantile.h"
 #include "core/fit/statistics.h"
 
 #include <float.h>
@@ -146,6 +148,55 @@ static void robust_covariance(void **state)
     assert_true(near(result.scale_squared, 204 / 4.0 / 5));
 }
 
+/* Estimates, standard errors 0.2, 0.3 and 0.4, intervals, a correlation of 1/6, deviations. */
+static void estimates_with_their_intervals(void **state)
+{
+    (void)state;
+    static double relative[] = {0, 0, 1, 2, 3, 0}, value[3], distances[N], spacing;
+    conic(0.5);
+    value[0] = log(0.5), value[1] = 1, value[2] = 2;
+    data.sigma = sigma;
+    result.value = value, result.relative = relative, result.distances = distances;
+    result.termination = CAGD_FIT_CONVERGED;
+    result.origin[0] = 1000;
+    distances[3] = -2;
+    fit_statistics(&data, &options, &result);
+    assert_true(cagd_fit_is_minimum(&result) && result.scale_is_given && result.ends_are_exact);
+    const double z = fit_normal_quantile();
+    cagd_fit_estimate w = cagd_fit_unknown_estimate(&result, 0), x = cagd_fit_unknown_estimate(&result, 1);
+    assert_true(near(w.value, 0.5) && near(w.error, 0.5 * 0.2) && w.origin == 0);
+    assert_true(near(w.low, 0.5 * exp(-z * 0.2)) && near(w.high, 0.5 * exp(z * 0.2)));
+    assert_true(x.value == 1 && near(x.error, 0.3) && x.origin == 1000);
+    assert_true(near(x.low, 1 - z * 0.3) && near(x.high, 1 + z * 0.3));
+    cagd_fit_estimate I = cagd_fit_invariant_estimate(&result, 0);
+    assert_true(near(I.value, 0.25) && near(I.error, 0.25 * 0.4) && near(I.high, 0.25 * exp(z * 0.4)));
+    assert_true(near(I.low, 0.25 * exp(-z * 0.4)));
+    assert_true(near(cagd_fit_correlation(&result, 1, 0), 0.01 / (0.2 * 0.3)));
+    assert_true(cagd_fit_deviation(&data, &result, 3) == 0.5 && near(cagd_fit_standardised(&data, &result, 3), -4));
+    result.spacing[0] = 0.35, result.spacing[1] = 0.41;
+    assert_true(cagd_fit_finest_unknown(&result, &spacing) == 1 && spacing == 0.41);
+    result.spacing[0] = 0.29, result.spacing[1] = 0.39;
+    assert_int_equal(cagd_fit_finest_unknown(&result, &spacing), -1);
+    determined[1] = 0, at_bound[2] = 1;
+    assert_true(isnan(cagd_fit_unknown_estimate(&result, 1).error) &&
+                isnan(cagd_fit_unknown_estimate(&result, 2).high));
+    value[0] = 800;
+    assert_true(isnan(cagd_fit_unknown_estimate(&result, 0).error));
+    value[0] = log(0.5);
+    data.sigma = NULL;
+    options.free = CAGD_FIT_END_POINTS;
+    fit_statistics(&data, &options, &result);
+    assert_true(!result.scale_is_given && !result.ends_are_exact);
+    assert_true(near(cagd_fit_deviation(&data, &result, 0), sqrt(204 / 4.0 / 5)));
+    cagd_fit_refute(&result); /* then nothing is said */
+    assert_true(!cagd_fit_is_minimum(&result) && isnan(cagd_fit_unknown_estimate(&result, 0).error));
+    assert_true(isnan(cagd_fit_invariant_estimate(&result, 0).low) && isnan(cagd_fit_deviation(&data, &result, 0)));
+    assert_true(isnan(cagd_fit_standardised(&data, &result, 3)));
+    result.refuted = 0;
+    result.termination = CAGD_FIT_NOT_CONVERGED;
+    assert_true(!cagd_fit_is_minimum(&result) && isnan(cagd_fit_unknown_estimate(&result, 0).error));
+}
+
 static void which_conic(void **state)
 {
     (void)state;
@@ -234,10 +285,14 @@ static void which_curves_turn_as_at_a_cusp(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quantiles_to_the_last_digit), cmocka_unit_test(losses_have_their_derivatives),
-        cmocka_unit_test(unknown_standard_deviations), cmocka_unit_test(given_standard_deviations),
-        cmocka_unit_test(robust_covariance),           cmocka_unit_test(which_conic),
-        cmocka_unit_test(a_weight_that_is_zero),       cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(quantiles_to_the_last_digit),
+                                       cmocka_unit_test(losses_have_their_derivatives),
+                                       cmocka_unit_test(unknown_standard_deviations),
+                                       cmocka_unit_test(given_standard_deviations),
+                                       cmocka_unit_test(robust_covariance),
+                                       cmocka_unit_test(estimates_with_their_intervals),
+                                       cmocka_unit_test(which_conic),
+                                       cmocka_unit_test(a_weight_that_is_zero),
+                                       cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

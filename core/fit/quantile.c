@@ -1,0 +1,55 @@
+#include "core/fit/quantile.h"
+
+#include <math.h>
+
+static const long double normal_quantile = 1.959963984540054235524594430520551527956L;
+
+double fit_normal_quantile(void) { return (double)normal_quantile; }
+
+/* P(|T| <= t) with theta = atan(t/sqrt(nu)), in closed form:
+ *     nu odd     2/pi (theta + sin theta cos theta (1 + 2/3 c (1 + 4/5 c (1 + ... (nu-3)/(nu-2) c)))),   c = cos^2 theta,
+ *     nu even    sin theta (1 + 1/2 c (1 + 3/4 c (1 + ... (nu-3)/(nu-2) c))).
+ * Source: abramowitz-stegun-1964, 26.7.3 and 26.7.4. */
+static long double student_probability(int nu, long double theta, long double *density)
+{
+    const long double pi = 3.141592653589793238462643383279502884L;
+    long double c = cosl(theta) * cosl(theta), sum = 1, factor = 1;
+    for (int j = nu - 3; j > 0; j -= 2) {
+        sum = 1 + sum * c * (long double)j / (long double)(j + 1);
+        factor *= c * (long double)(j + 2) / (long double)(j + 1);
+    }
+    if (nu % 2 == 0) { /* dP/dtheta = cos theta (1 + 1/2) (1 + 1/4) ... c^{nu/2-1} */
+        *density = factor * cosl(theta);
+        return sinl(theta) * sum;
+    }
+    if (nu == 1) {
+        *density = 2 / pi;
+        return 2 / pi * theta;
+    }
+    *density = 2 / pi * factor * 2 * c; /* the first factor of the product, 2/1 c, has no j */
+    return 2 / pi * (theta + sinl(theta) * cosl(theta) * sum);
+}
+
+/* For many degrees of freedom the expansion about the normal quantile is used, whose first term left out is of the size of
+ * nu^{-5} < 2^{-61}.  For fewer, P is increasing and concave in theta, hence Newton's method from the left increases to the solution;
+ * it ends when rounding stops it.  It begins with three terms of the expansion, which all lie below.  Source: abramowitz-stegun-1964, 26.7.5. */
+double fit_student_quantile(int nu)
+{
+    const long double wanted = 0.95L, z = normal_quantile, n = nu, y = z * z;
+    if (nu < 1)
+        return NAN;
+    const long double g1 = z * (y + 1) / 4, g2 = z * ((5 * y + 16) * y + 3) / 96;
+    if (nu > 5000) {
+        long double g3 = z * (((3 * y + 19) * y + 17) * y - 15) / 384;
+        long double g4 = z * ((((79 * y + 776) * y + 1482) * y - 1920) * y - 945) / 92160;
+        return (double)(z + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n);
+    }
+    long double theta = atanl((z + (g1 + g2 / n) / n) / sqrtl(n)), density;
+    for (int step = 0; step < 64; step++) {
+        long double missing = wanted - student_probability(nu, theta, &density), next = theta + missing / density;
+        if (!(next > theta))
+            break;
+        theta = next;
+    }
+    return (double)(sqrtl(n) * tanl(theta));
+}
