@@ -88,8 +88,7 @@ bool can_start(const fit_least_squares &p, const double x[])
 
 /* The largest trust region in which the normal equations can be solved.  Scaled to a diagonal of ones their matrix has no
  * eigenvalue below 1/(1 + radius); forming it changes it by at most n g(n+2), and Cholesky's method succeeds with it when this is
- * more than n g(n+1), g(k) being k u/(1 - k u), u half of the precision (N. J. Higham, Accuracy and Stability of Numerical
- * Algorithms, 2002, 10.7). */
+ * more than n g(n+1), g(k) being k u/(1 - k u), u half of the precision.  Source: higham-2002, 10.7. */
 double largest_radius(int unknowns)
 {
     const double n = unknowns;
