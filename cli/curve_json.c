@@ -22,9 +22,8 @@ static int refuse(const struct reading *r, const char *place, const char *format
 static int refuse(const struct reading *r, const char *place, const char *format, ...)
 {
     va_list list;
-    snprintf(r->error->place, sizeof r->error->place, "%s", place);
     va_start(list, format);
-    vsnprintf(r->error->cause, sizeof r->error->cause, format, list);
+    input_refuse(r->error, place, format, list);
     va_end(list);
     return -1;
 }
@@ -38,12 +37,6 @@ static struct element element(const char *field, int i)
     struct element e;
     snprintf(e.text, sizeof e.text, "%s[%d]", field, i);
     return e;
-}
-
-void report_input_error(const char *path, const struct input_error *error)
-{
-    fprintf(stderr, "cagd: %s: %s%s%s\n", strcmp(path, "-") == 0 ? "standard input" : path, error->place,
-            error->place[0] != '\0' ? ": " : "", error->cause);
 }
 
 static num_q *numbers(int count) { return region_bytes((size_t)count * sizeof(num_q)); }

@@ -2,24 +2,17 @@
 #ifndef CAGD_CURVE_JSON_H
 #define CAGD_CURVE_JSON_H
 
+#include "cli/input.h"
 #include "exact/curve/spline.h"
 #include "exact/words.h"
 
 #include <argp.h>
 #include <jansson.h>
 
-/* What is wrong with an input: where in it ("points[3]", "line 2, column 7"; empty: the whole), and what, with what was
- * expected instead. */
-struct input_error {
-    char place[64], cause[320];
-};
-
 /* Reads {"kind": ..., "degree" or "order": ..., "points": ..., "weights": ..., "knots": ...} from the file, "-" for
  * standard input, and checks it: a Bézier, rational Bézier, B-spline or NURBS curve, exactly as the file says it.  A Bézier
  * curve is a spline of one span over 0, ..., 0, 1, ..., 1.  0 and *c, which lives in the region; otherwise -1 and *error. */
 int read_curve(const char *path, cagd_spline_q *c, struct input_error *error);
-/* One line on stderr: the file, the place and the cause. */
-void report_input_error(const char *path, const struct input_error *error);
 /* The same format; whole numbers as such, other rationals as strings. */
 json_t *curve_json(const cagd_spline_q *c);
 json_t *number_json(num_q a);

@@ -164,9 +164,12 @@ int run_fit(const struct call *call)
     struct fit_arguments a = read_fit_arguments(call);
     struct fit f = {.path = a.path, .options = a.options};
     int code = EXIT_USAGE;
-    if (read_points(a.path, &a.columns, &f.points) == 0) {
+    struct input_error error;
+    if (read_points(a.path, &a.columns, &f.points, &error) == 0) {
         code = fit_points(&a, &f);
         free_points(&f.points);
+    } else {
+        report_input_error(a.path, &error);
     }
     free(a.inner);
     region_drop(mark);

@@ -22,9 +22,10 @@ struct field {
 };
 
 struct reader {
-    const char *path;
+    struct input_error *error;
     char *next, *end;  /* what is still to be read               */
-    int line;          /* the number of the line read last       */
+    char *start;       /* the line read last                     */
+    int line;          /* its number                             */
     char separator;    /* ';', '\t', ',', ' '; 0: not known yet  */
     int comma, point;  /* lines of the first decimal comma and of the first decimal point; 0: none     */
     int column[ROLES]; /* where each is, from 0; -1: nowhere                                          */
@@ -32,17 +33,29 @@ struct reader {
     int dim;
 };
 
-static int refuse(const struct reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static int refuse(const struct reader *r, const char *format, ...)
+/* The character of the line that `at` points to, from 1: bytes that begin no character of UTF-8 do not count. */
+static int column_of(const struct reader *r, const char *at)
 {
+    int column = 1;
+    for (const char *s = r->start; s < at; s++)
+        column += ((unsigned char)*s & 0xc0) != 0x80;
+    return column;
+}
+
+/* Notes the error: in the line read last, at the character that `at` points to unless it is NULL; -1. */
+static int refuse(const struct reader *r, const char *at, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+static int refuse(const struct reader *r, const char *at, const char *format, ...)
+{
+    char place[64] = "";
     va_list list;
-    fprintf(stderr, "cagd: %s: ", strcmp(r->path, "-") == 0 ? "standard input" : r->path);
-    if (r->line > 0)
-        fprintf(stderr, "line %d: ", r->line);
+    if (r->line > 0 && at != NULL)
+        snprintf(place, sizeof place, "line %d, column %d", r->line, column_of(r, at));
+    else if (r->line > 0)
+        snprintf(place, sizeof place, "line %d", r->line);
     va_start(list, format);
-    vfprintf(stderr, format, list);
+    input_refuse(r->error, place, format, list);
     va_end(list);
-    fputs("\n", stderr);
     return -1;
 }
 
@@ -85,6 +98,7 @@ static char *next_line(struct reader *r)
         char *line = r->next, *stop = line;
         while (stop < r->end && *stop != '\n' && *stop != '\r')
             stop++;
+        r->start = line;
         r->next = stop + (stop + 1 < r->end && stop[0] == '\r' && stop[1] == '\n') + 1;
         r->line++;
         while (stop > line && is_blank(stop[-1]))
@@ -122,7 +136,7 @@ static char *one_field(char *s, const char *separators, struct field *f)
     return *s == '"' ? s + 1 : NULL;
 }
 
-/* The fields of a line; -1 and a line on stderr when a quote is not closed or something follows it. */
+/* The fields of a line; -1 and the error when a quote is not closed or something follows it. */
 static int fields_of(const struct reader *r, char *line, struct field *field)
 {
     const char one[] = {r->separator, '\0'};
@@ -133,11 +147,11 @@ static int fields_of(const struct reader *r, char *line, struct field *field)
         while (is_blank(*s) && strchr(separators, *s) == NULL)
             s++;
         if ((s = one_field(s, separators, &f)) == NULL)
-            return refuse(r, "a quote is opened and not closed");
+            return refuse(r, NULL, "a quote is opened and not closed");
         while (is_blank(*s) && strchr(separators, *s) == NULL)
             s++;
         if (*s != '\0' && strchr(separators, *s) == NULL)
-            return refuse(r, "expected a separator after the closing quote, not '%.*s'", MOST_SHOWN, s);
+            return refuse(r, s, "expected a separator after the closing quote, not '%.*s'", MOST_SHOWN, s);
         s += *s != '\0';
         while (runs && *s != '\0' && strchr(separators, *s) != NULL)
             s++;
@@ -145,7 +159,7 @@ static int fields_of(const struct reader *r, char *line, struct field *field)
             field[count] = f;
     }
     if (count > MOST_FIELDS)
-        return refuse(r, "%d fields, expected at most %d", count, MOST_FIELDS);
+        return refuse(r, NULL, "%d fields, expected at most %d", count, MOST_FIELDS);
     return count;
 }
 
@@ -246,7 +260,7 @@ static int asked_sigma(const struct reader *r, const char *asked, const struct f
     long number = strtol(asked, &end, 10);
     if (*asked != '\0' && *end == '\0') {
         if (number < 1 || number > r->fields)
-            return refuse(r, "--sigma-column %s: there are %d columns", asked, r->fields);
+            return refuse(r, NULL, "--sigma-column %s: there are %d columns", asked, r->fields);
         *column = (int)number - 1;
         return 0;
     }
@@ -255,7 +269,7 @@ static int asked_sigma(const struct reader *r, const char *asked, const struct f
             *column = k;
             return 0;
         }
-    return refuse(r, "--sigma-column %s: no column is called so%s", asked,
+    return refuse(r, NULL, "--sigma-column %s: no column is called so%s", asked,
                   names == NULL ? "; there are no names, expected a number from 1" : "");
 }
 
@@ -267,7 +281,7 @@ static int columns_by_name(struct reader *r, const struct columns *asked, const 
         if (role == ROLES || (role == SIGMA && asked->sigma != NULL))
             continue;
         if (r->column[role] >= 0)
-            return refuse(r, "two columns are called %s", role_name[role]);
+            return refuse(r, NULL, "two columns are called %s", role_name[role]);
         r->column[role] = k;
     }
     if (r->column[X] < 0 && r->column[Y] < 0) {
@@ -277,9 +291,9 @@ static int columns_by_name(struct reader *r, const struct columns *asked, const 
     }
     for (int k = X; k <= Y; k++)
         if (r->column[k] < 0)
-            return refuse(r, "no column is called %s", role_name[k]);
+            return refuse(r, NULL, "no column is called %s", role_name[k]);
     if (asked->dim == 3 && r->column[Z] < 0)
-        return refuse(r, "--dim 3: no column is called z");
+        return refuse(r, NULL, "--dim 3: no column is called z");
     if (asked->dim == 2)
         r->column[Z] = -1;
     return 0;
@@ -291,9 +305,10 @@ static int columns_by_order(struct reader *r, const struct columns *asked)
     int known = r->column[SIGMA] >= 0, others = r->fields - known;
     int dim = asked->dim != 0 ? asked->dim : known ? others : r->fields == 3 ? 0 : r->fields == 4 ? 3 : r->fields;
     if (dim == 0)
-        return refuse(r, "three columns without names can be x y z or x y sigma; say which by --dim 3 or --dim 2");
+        return refuse(r, NULL,
+                      "three columns without names can be x y z or x y sigma; say which by --dim 3 or --dim 2");
     if (dim < 2 || dim > 3 || others < dim || others > dim + !known)
-        return refuse(r,
+        return refuse(r, NULL,
                       asked->dim != 0 ? "%d column%s, expected %d coordinates and perhaps a standard deviation"
                                       : "%d column%s without names x and y, expected 2 or 3 coordinates and perhaps a "
                                         "standard deviation",
@@ -305,7 +320,7 @@ static int columns_by_order(struct reader *r, const struct columns *asked)
     return 0;
 }
 
-/* From the first line, or from names.  0, or -1 after a line on stderr. */
+/* From the first line, or from names.  0, or -1 and the error. */
 static int find_columns(struct reader *r, const struct columns *asked, const struct field *names, int fields)
 {
     r->fields = fields;
@@ -318,7 +333,7 @@ static int find_columns(struct reader *r, const struct columns *asked, const str
         return -1;
     for (int k = X; k <= Z; k++)
         if (r->column[SIGMA] >= 0 && r->column[k] == r->column[SIGMA])
-            return refuse(r, "--sigma-column %s: that is the column of %s", asked->sigma, role_name[k]);
+            return refuse(r, NULL, "--sigma-column %s: that is the column of %s", asked->sigma, role_name[k]);
     if (by_name == 1 && columns_by_order(r, asked) != 0)
         return -1;
     r->dim = r->column[Z] >= 0 ? 3 : 2;
@@ -350,30 +365,30 @@ static int read_value(struct reader *r, const struct field *f, enum role role, d
     switch (number_of(r, f, value)) {
     case NO_NUMBER:
         if (f->length == 0)
-            return refuse(r, "%s is missing, expected a number", role_name[role]);
-        return refuse(r, "%s: '%.*s' is not a number", role_name[role], shown, f->at);
+            return refuse(r, f->at, "%s is missing, expected a number", role_name[role]);
+        return refuse(r, f->at, "%s: '%.*s' is not a number", role_name[role], shown, f->at);
     case NOT_FINITE:
-        return refuse(r, "%s is %.*s, expected a finite number", role_name[role], shown, f->at);
+        return refuse(r, f->at, "%s is %.*s, expected a finite number", role_name[role], shown, f->at);
     case TOO_LARGE:
-        return refuse(r, "%s: '%.*s' is larger than any binary64 number", role_name[role], shown, f->at);
+        return refuse(r, f->at, "%s: '%.*s' is larger than any binary64 number", role_name[role], shown, f->at);
     case TWO_MARKS:
-        return refuse(r, "%s: '%.*s' has a decimal %s, line %d a decimal %s; expected one of them throughout",
+        return refuse(r, f->at, "%s: '%.*s' has a decimal %s, line %d a decimal %s; expected one of them throughout",
                       role_name[role], shown, f->at, r->comma == r->line ? "comma" : "point",
                       r->comma < r->point ? r->comma : r->point, r->comma == r->line ? "point" : "comma");
     case NUMBER:
         break;
     }
     if (role == SIGMA && *value <= 0)
-        return refuse(r, "sigma is %.*s, expected a standard deviation > 0", shown, f->at);
+        return refuse(r, f->at, "sigma is %.*s, expected a standard deviation > 0", shown, f->at);
     return 0;
 }
 
 static int read_row(struct reader *r, const struct field *field, int fields, struct points *p, int *room)
 {
     if (fields != r->fields)
-        return refuse(r, "%d field%s, expected %d", fields, fields == 1 ? "" : "s", r->fields);
+        return refuse(r, NULL, "%d field%s, expected %d", fields, fields == 1 ? "" : "s", r->fields);
     if (grow(p, room) != 0)
-        return refuse(r, "memory is short");
+        return refuse(r, NULL, "memory is short");
     for (int k = X; k <= Z; k++)
         if (r->column[k] >= 0 && read_value(r, &field[r->column[k]], (enum role)k, &p->at[p->count * p->dim + k]) != 0)
             return -1;
@@ -383,40 +398,46 @@ static int read_row(struct reader *r, const struct field *field, int fields, str
     return 0;
 }
 
+/* Columns from the names, in a line that was read before this one. */
+static int read_names(struct reader *r, const struct columns *asked, char *text, char *start, int line)
+{
+    struct field field[MOST_FIELDS];
+    struct reader here = *r;
+    r->line = line, r->start = start;
+    int fields = fields_of(r, text, field);
+    if (fields < 0 || find_columns(r, asked, field, fields) != 0)
+        return -1;
+    r->line = here.line, r->start = here.start;
+    return 0;
+}
+
 static int read_rows(struct reader *r, const struct columns *asked, struct points *p)
 {
     struct field field[MOST_FIELDS];
-    int room = 0, names = 0, fields;
-    char *heading = NULL;
+    int room = 0, line_of_names = 0;
+    char *names = NULL, *start_of_names = NULL;
     for (char *line; (line = next_line(r)) != NULL;) {
-        if (heading == NULL && r->fields == 0 && !has_number(line)) {
-            heading = line; /* its separator is that of the numbers */
-            names = r->line;
+        if (names == NULL && r->fields == 0 && !has_number(line)) {
+            names = line; /* its separator is that of the numbers */
+            line_of_names = r->line;
+            start_of_names = r->start;
             continue;
         }
         if (r->separator == 0 && (r->separator = separator_of(line)) == 0)
             r->separator = ' ';
-        if (r->fields == 0) {
-            int here = r->line;
-            if (heading != NULL) {
-                r->line = names;
-                if ((fields = fields_of(r, heading, field)) < 0 || find_columns(r, asked, field, fields) != 0)
-                    return -1;
-                r->line = here;
-            }
-            if ((fields = fields_of(r, line, field)) < 0)
-                return -1;
-            if (heading == NULL && find_columns(r, asked, NULL, fields) != 0)
-                return -1;
-            p->dim = r->dim;
-        } else if ((fields = fields_of(r, line, field)) < 0)
+        int first = r->fields == 0;
+        if (first && names != NULL && read_names(r, asked, names, start_of_names, line_of_names) != 0)
             return -1;
+        int fields = fields_of(r, line, field);
+        if (fields < 0 || (first && names == NULL && find_columns(r, asked, NULL, fields) != 0))
+            return -1;
+        p->dim = r->dim;
         if (read_row(r, field, fields, p, &room) != 0)
             return -1;
     }
     if (p->count == 0) {
         r->line = 0;
-        return refuse(r, "there are no points in it; expected a line for each, such as 1.5, 2.25");
+        return refuse(r, NULL, "there are no points in it; expected a line for each, such as 1.5, 2.25");
     }
     return 0;
 }
@@ -426,22 +447,22 @@ static int check_text(struct reader *r)
 {
     size_t length = (size_t)(r->end - r->next);
     if (length >= 2 && (memcmp(r->next, "\xff\xfe", 2) == 0 || memcmp(r->next, "\xfe\xff", 2) == 0))
-        return refuse(r, "the text is in UTF-16, expected UTF-8");
+        return refuse(r, NULL, "the text is in UTF-16, expected UTF-8");
     if (memchr(r->next, '\0', length) != NULL)
-        return refuse(r, "there is a zero byte in it, expected a text");
+        return refuse(r, NULL, "there is a zero byte in it, expected a text");
     if (length >= 3 && memcmp(r->next, "\xef\xbb\xbf", 3) == 0)
         r->next += 3;
     return 0;
 }
 
-int read_points(const char *path, const struct columns *asked, struct points *p)
+int read_points(const char *path, const struct columns *asked, struct points *p, struct input_error *error)
 {
     size_t length;
-    struct reader r = {.path = path};
+    struct reader r = {.error = error};
     *p = (struct points){0};
     char *text = read_all(path, &length);
     if (text == NULL)
-        return refuse(&r, "%s", strerror(errno));
+        return refuse(&r, NULL, "%s", strerror(errno));
     r.next = text;
     r.end = text + length;
     int bad = check_text(&r) != 0 || read_rows(&r, asked, p) != 0;

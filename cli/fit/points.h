@@ -20,6 +20,8 @@
 #ifndef CAGD_POINTS_H
 #define CAGD_POINTS_H
 
+#include "cli/input.h"
+
 /* What the user says about the columns. */
 struct columns {
     int dim;           /* 2 or 3; 0: not said                                                          */
@@ -33,8 +35,8 @@ struct points {
     int *line;     /* of the file, from 1                         */
 };
 
-/* 0 on success.  Otherwise -1, nothing to free, and one line on stderr that says what, where, and what was expected;
- * "-" is standard input.  A file of no point is refused; whether there are enough is for the fit to say. */
-int read_points(const char *path, const struct columns *columns, struct points *points);
+/* 0 on success.  Otherwise -1, nothing to free, and *error with line and column, counted in characters from 1; "-" is standard
+ * input.  A file of no point is refused; whether there are enough is for the fit to say. */
+int read_points(const char *path, const struct columns *columns, struct points *points, struct input_error *error);
 void free_points(struct points *points);
 #endif

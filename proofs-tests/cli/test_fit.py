@@ -160,7 +160,7 @@ class Input(Case):
         self.assertIn(b"--sigma-column 9", r.stderr)
         path.write_text(path.read_text() + "1,oops\n")
         r = run("fit", path)
-        self.assertIn(b"line 200001: y: 'oops'", r.stderr)
+        self.assertIn(b"line 200001, column 3: y: 'oops'", r.stderr)
 
 
 class Mistakes(Case):
@@ -179,6 +179,11 @@ class Mistakes(Case):
             with self.subTest(row):
                 self.refuses(self.GOOD + row + "\n", words)
                 self.refuses((self.GOOD + row).replace("\n", "\r\n"), words)
+
+    def test_the_column_is_counted_in_characters(self):
+        self.refuses('x;y\n1;2\n  "µ4" ; oops\n', ["line 3, column 4: x: 'µ4' is not"])
+        self.refuses('x;y\n1;2\n3 ;  µ\n', ["line 3, column 6: y: 'µ' is not"])
+        self.refuses("x;y\n1;2\n\n# µ\n 3;inf\n", ["line 5, column 4: y is inf"])
 
     def test_knots_that_break_the_curve(self):
         path = self.file(self.GOOD)

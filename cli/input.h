@@ -1,0 +1,17 @@
+/* input.h -- what is wrong with an input, as readers return it and commands report it. */
+#ifndef CAGD_INPUT_H
+#define CAGD_INPUT_H
+
+#include <stdarg.h>
+
+/* Where in the input ("points[3]", "line 2, column 7"; empty: the whole), and what, with what was expected instead. */
+struct input_error {
+    char place[64], cause[320];
+};
+
+/* Fills the error; -1, as a reader returns it. */
+int input_refuse(struct input_error *error, const char *place, const char *format, va_list list);
+
+/* One line on stderr: the file, "-" being standard input, the place and the cause. */
+void report_input_error(const char *path, const struct input_error *error);
+#endif
