@@ -1,8 +1,8 @@
 /* elementary.h -- factorials, binomial coefficients and powers straight from the definitions, and a comparison with 0.
  *
  * For the other side of the chapters' comparisons: nothing here follows the kernels or uses their binomial coefficients;
- * nothing is fast.  And points of which every coordinate is free.  Generic text; a section includes it for its one number
- * type. */
+ * nothing is fast.  And points of which every coordinate is free, and polygons backwards.  Generic text; a section includes
+ * it for its one number type. */
 #ifndef CAGD_ELEMENTARY_H
 #define CAGD_ELEMENTARY_H
 
@@ -39,6 +39,14 @@ static inline void G(free_points)(trial *T, int n, int dim, num R[])
     for (int k = 0; k <= n; k++)
         for (int j = 0; j < dim; j++)
             R[k * dim + j] = unknown(T, name[j], k);
+}
+
+/* The polygon of n+1 points of dim coordinates backwards: R_i = P_{n-i}.  No overlap. */
+static inline void G(reversed_points)(int n, int dim, const num P[], num R[])
+{
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < dim; c++)
+            R[i * dim + c] = P[(n - i) * dim + c];
 }
 
 /* Compare: a > 0.  In the field: not 0, and all coefficients of one sign, the variables being positive.  The inexact types

@@ -203,18 +203,20 @@ CLAIM(leading_coefficients_are_multiples_of_beta)
 :title: For beta = 0 the functions have degree seven
 :zh: β=0 时次数为七
 :kind: counterexample
-:given: $\beta=0$, the function $\hat B_0=(1-t)^7$
-:then: its degree is 7
+:data: β = 0
+:instead: β = 1
+:result: B_0(t) = "-t^7 + 7*t^6 - 21*t^5 + 35*t^4 - 35*t^3 + 21*t^2 - 7*t + 1"; degree of B_0 = 7
+:given: this $\beta$, and the first function $\hat B_0$
+:then: the function is a power of $1-t$, and its degree is one less than the text says
 :method: The degree of the exact polynomial.
-:control: $\beta=1$
+:control: a $\beta$ that is not zero
 :::
 */
 CLAIM(degree_falls_for_beta_zero)
 {
-    num beta = from_int(fault(T, 1, 0));
-    poly B = G(function)(1, 7, 0, beta);
-    show(T, "beta", beta);
-    show_text(T, "B_0", "%s", poly_to_string(B, "t"));
+    poly B = G(function)(1, 7, 0, given(T, "β"));
+    found_text(T, "B_0(t)", poly_to_string(B, "t"));
+    found_whole(T, "degree of B_0", poly_degree(B));
     about(T, "the degree is 8");
     agree(T, poly_degree(B) == 8);
 }
@@ -275,32 +277,37 @@ CLAIM(functions_are_independent_but_for_two_values)
     }
 }
 
+/* Whether sum k_i B_i is the zero polynomial for the printed and for the corrected functions, the eight k given for each. */
+static int G(combinations_vanish)(trial *T, num beta)
+{
+    num printed[8], corrected[8];
+    given_points(T, "k, printed functions", 8, 1, printed);
+    given_points(T, "k, corrected functions", 8, 1, corrected);
+    poly of_printed = G(combination)(1, 7, beta, printed), of_corrected = G(combination)(0, 7, beta, corrected);
+    found_text(T, "combination, printed", poly_to_string(of_printed, "t"));
+    found_text(T, "combination, corrected", poly_to_string(of_corrected, "t"));
+    return poly_is_zero(of_printed) && poly_is_zero(of_corrected);
+}
+
 /*
 :::{claim} a_combination_vanishes
 :title: At beta = -21/4 a combination of four functions is zero
 :zh: β=-21/4 时四个函数线性相关
 :kind: counterexample
-:given: $\beta=-\frac{21}4$; printed functions, $k=(0,0,-\frac{25}{136},\frac{135}{136},-\frac{27}{17},1,0,0)$; corrected
-  functions, $k=(0,0,-1,\frac{27}5,-\frac{27}5,1,0,0)$
-:then: $\sum k_iB_i$ is the zero polynomial
+:data: β = -21/4; k, printed functions = 0 0 -25/136 135/136 -27/17 1 0 0; k, corrected functions = 0 0 -1 27/5 -27/5 1 0 0
+:instead: β = -5
+:result: combination, printed = "0"; combination, corrected = "0"
+:given: this $\beta$, and coefficients $k$ for the printed and for the corrected functions
+:then: $\sum k_iB_i$ is the zero polynomial, for both
 :method: The nine Bernstein coefficients of the combination are computed exactly.
-:control: $\beta=-5$
+:control: a $\beta$ inside the true range
 :::
 */
 CLAIM(a_combination_vanishes)
 {
-    num beta = fault(T, from_int(-5), from_ratio(-21, 4)), zero = from_int(0);
-    num corrected[8] = {zero, zero, from_int(-1), from_ratio(27, 5), from_ratio(-27, 5), from_int(1), zero, zero};
-    num printed[8] = {zero, zero, from_ratio(-25, 136), from_ratio(135, 136), from_ratio(-27, 17), from_int(1),
-                      zero, zero};
-    poly of_printed = G(combination)(1, 7, beta, printed), of_corrected = G(combination)(0, 7, beta, corrected);
-    show(T, "beta", beta);
-    show_points(T, "k, printed functions", 8, 1, printed);
-    show_points(T, "k, corrected functions", 8, 1, corrected);
-    show_text(T, "combination, printed", "%s", poly_to_string(of_printed, "t"));
-    show_text(T, "combination, corrected", "%s", poly_to_string(of_corrected, "t"));
+    int both_vanish = G(combinations_vanish)(T, given(T, "β"));
     about(T, "one of the combinations is not 0");
-    refute(T, poly_is_zero(of_printed) && poly_is_zero(of_corrected));
+    refute(T, both_vanish);
 }
 
 /*
@@ -308,26 +315,26 @@ CLAIM(a_combination_vanishes)
 :title: At beta = -7 two of the functions are the same
 :zh: β=-7 时 B_3=B_4
 :kind: counterexample
-:given: $\beta=-7$; corrected functions, $k=(0,0,0,1,-1,0,0,0)$; printed functions,
-  $k=(0,0,0,\frac{50}9,-10,5,1,0)$
-:then: $\sum k_iB_i$ is the zero polynomial; $B_3=B_4=35(1-t)^4t^4$
+:data: β = -7; k, printed functions = 0 0 0 50/9 -10 5 1 0; k, corrected functions = 0 0 0 1 -1 0 0 0
+:instead: β = -6
+:result: combination, printed = "0"; combination, corrected = "0";
+  B_3, corrected = "35*t^8 - 140*t^7 + 210*t^6 - 140*t^5 + 35*t^4";
+  B_4, corrected = "35*t^8 - 140*t^7 + 210*t^6 - 140*t^5 + 35*t^4"
+:given: this $\beta$, and coefficients $k$ for the printed and for the corrected functions
+:then: $\sum k_iB_i$ is the zero polynomial, for both; for the corrected functions it is the difference of $B_3$ and $B_4$,
+  which are a multiple of $(1-t)^4t^4$
 :method: The nine Bernstein coefficients of the combination are computed exactly.
-:control: $\beta=-6$
+:control: another $\beta$ below the true range
 :::
 */
 CLAIM(two_functions_coincide)
 {
-    num beta = from_int(fault(T, -6, -7)), zero = from_int(0), one = from_int(1);
-    num corrected[8] = {zero, zero, zero, one, neg(one), zero, zero, zero};
-    num printed[8] = {zero, zero, zero, from_ratio(50, 9), from_int(-10), from_int(5), one, zero};
-    show(T, "beta", beta);
-    show_points(T, "k, printed functions", 8, 1, printed);
-    show_points(T, "k, corrected functions", 8, 1, corrected);
-    show_text(T, "B_3, corrected", "%s", poly_to_string(G(function)(0, 7, 3, beta), "t"));
-    show_text(T, "B_4, corrected", "%s", poly_to_string(G(function)(0, 7, 4, beta), "t"));
-    poly of_corrected = G(combination)(0, 7, beta, corrected), of_printed = G(combination)(1, 7, beta, printed);
+    num beta = given(T, "β");
+    int both_vanish = G(combinations_vanish)(T, beta);
+    found_text(T, "B_3, corrected", poly_to_string(G(function)(0, 7, 3, beta), "t"));
+    found_text(T, "B_4, corrected", poly_to_string(G(function)(0, 7, 4, beta), "t"));
     about(T, "one of the combinations is not 0");
-    refute(T, poly_is_zero(of_corrected) && poly_is_zero(of_printed));
+    refute(T, both_vanish);
 }
 #endif
 
@@ -353,24 +360,22 @@ CLAIM(two_functions_coincide)
 :title: The printed functions do not add up to one
 :zh: 式 (1) 之和不为一
 :kind: counterexample
-:given: $\beta=-1$, the value of figure 1, and $t=\frac12$
-:then: the sum of the eight printed functions is $\frac{33}{32}$
+:data: β = -1; t = 1/2
+:result: B(t) = 3/256 17/256 43/256 69/256 69/256 43/256 17/256 3/256; sum = 33/32
+:given: the value of $\beta$ for which figure 1 is drawn, and the middle of the interval
+:then: the sum of the eight printed functions is greater than 1
 :method: The eight formulas are evaluated and added.
 :control: the corrected functions
 :::
 */
 CLAIM(printed_functions_do_not_sum_to_one)
 {
-    num beta = from_int(-1), t = from_ratio(1, 2), B[8], sum = from_int(0);
-    if (T->faulty)
-        G(shape_basis_printed)(beta, t, B);
-    else
-        G(shape_basis)(7, beta, t, B);
+    num beta = given(T, "β"), t = given(T, "t"), B[8], sum = from_int(0);
+    G(functions_of)(fault(T, 0, 1), 7, beta, t, B);
     for (int i = 0; i <= 7; i++)
         sum = add(sum, B[i]);
-    show(T, "beta", beta);
-    show(T, "t", t);
-    show_points(T, "B", 8, 1, B);
+    found_points(T, "B(t)", 8, 1, B);
+    found(T, "sum", sum);
     about(T, "the sum of the functions and 1");
     same(T, sum, from_int(1));
 }
@@ -440,7 +445,9 @@ CLAIM(corrected_functions_sum_to_one)
 :title: The fourth and fifth printed function are not mirror images
 :zh: 式 (4) 第四式不成立
 :kind: counterexample
-:given: $\beta=-1$, $t=\frac14$
+:data: β = -1; t = 1/4
+:result: B_3(1-t) = 3969/65536; B_4(t) = 3753/65536
+:given: $\beta$ and $t$
 :then: $\hat B_3(1-t)\ne\hat B_4(t)$
 :method: Both values of the printed formulas.
 :control: the corrected functions
@@ -448,16 +455,12 @@ CLAIM(corrected_functions_sum_to_one)
 */
 CLAIM(printed_middle_functions_are_no_mirror_images)
 {
-    num beta = from_int(-1), t = from_ratio(1, 4), left[8], right[8];
-    if (T->faulty) {
-        G(shape_basis_printed)(beta, sub(from_int(1), t), left);
-        G(shape_basis_printed)(beta, t, right);
-    } else {
-        G(shape_basis)(7, beta, sub(from_int(1), t), left);
-        G(shape_basis)(7, beta, t, right);
-    }
-    show(T, "beta", beta);
-    show(T, "t", t);
+    num beta = given(T, "β"), t = given(T, "t"), left[8], right[8];
+    int printed_ones = fault(T, 0, 1);
+    G(functions_of)(printed_ones, 7, beta, sub(from_int(1), t), left);
+    G(functions_of)(printed_ones, 7, beta, t, right);
+    found(T, "B_3(1-t)", left[3]);
+    found(T, "B_4(t)", right[4]);
     about(T, "B_3(1-t) and B_4(t)");
     same(T, left[3], right[4]);
 }
@@ -627,22 +630,27 @@ Unlike those of (6) these misprints matter: read as functions of degree five, $B
 :title: In degree five the derivative of the last but one function at 1 is not zero
 :zh: B'_{4,5}(1)≠0
 :kind: counterexample
-:given: $\beta=-1$, $B_{4,5}$ of the family; $\beta=0$, that of Bernstein
-:then: $B_{4,5}'(1)=-(5+\beta)$
+:data: n = 5; i = 4; β = -1 0
+:instead: n = 7
+:result: B_{i,n}'(1) = -4 -5
+:given: the last but one function $B_{i,n}$ of degree five for two values of $\beta$, the second of which gives that of Bernstein
+:then: $B_{i,n}'(1)\ne0$ for both
 :method: The derivatives at 1 of the polynomials are computed exactly.
-:control: $B_{4,7}$
+:control: the function of the same index in degree seven
 :::
 */
 CLAIM(derivative_of_degree_five_does_not_vanish)
 {
-    int vanishing = 0;
-    for (int beta = -1; beta <= 0; beta++) {
+    int n = given_whole(T, "n"), i = given_whole(T, "i"), vanishing = 0;
+    num beta[2], slope[2];
+    given_points(T, "β", 2, 1, beta);
+    for (int k = 0; k < 2; k++) {
         num D[2];
-        G(function_derivatives)(0, fault(T, 7, 5), 4, from_int(beta), from_int(1), 1, D);
-        show(T, "beta", from_int(beta));
-        show(T, "the derivative at 1", D[1]);
-        vanishing += is_zero_q(D[1]);
+        G(function_derivatives)(0, n, i, beta[k], from_int(1), 1, D);
+        slope[k] = D[1];
+        vanishing += is_zero_q(slope[k]);
     }
+    found_points(T, "B_{i,n}'(1)", 2, 1, slope);
     about(T, "whether one of the derivatives at 1 is 0");
     agree(T, vanishing > 0);
 }
@@ -677,20 +685,26 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :title: For beta = 0 the first function is not the second Bernstein polynomial
 :zh: 式 (9) 的下标误印
 :kind: counterexample
-:given: $\beta=0$, $i=1$, $t=\frac12$
-:then: $\hat B_0(t)=\frac1{128}$, $B_1^7(t)=\frac7{128}$
+:data: β = 0; i = 1; t = 1/2
+:result: left side of (9) = 1/128; right side of (9) = 7/128
+:given: $\beta$, for which formula (9) is printed, an index $i$ and a parameter $t$
+:then: $\hat B_0(t)$, on the left of the formula, is not $B_i^7(t)$, on the right
 :method: Both values, the second by the kernel of the Bernstein basis.
-:control: $\hat B_1(t)$ on the left
+:control: $\hat B_i(t)$ on the left
 :::
 */
 CLAIM(first_function_is_not_every_bernstein_polynomial)
 {
-    num t = from_ratio(1, 2), B[8], b[8];
-    G(shape_basis_printed)(from_int(0), t, B);
+    num beta = given(T, "β"), B[8], b[8];
+    int i = given_whole(T, "i");
+    num t = given(T, "t");
+    G(shape_basis_printed)(beta, t, B);
     G(bernstein)(7, t, b);
-    show(T, "t", t);
-    about(T, "the left and the right side of (9) for i = 1");
-    same(T, B[fault(T, 1, 0)], b[1]);
+    num left = B[fault(T, i, 0)];
+    found(T, "left side of (9)", left);
+    found(T, "right side of (9)", b[i]);
+    about(T, "the left and the right side of (9) for this i");
+    same(T, left, b[i]);
 }
 #endif
 

@@ -208,25 +208,51 @@ CLAIM(first_function_has_a_zero_for_every_larger_beta)
 #endif
 
 #if RATIONAL
-static struct cagd_line G(horizontal)(num y) { return (struct cagd_line){from_int(0), from_int(1), neg(y)}; }
-
-/* How the curve meets the line; shows the data. */
-static struct cagd_curve_meets_line G(meets)(trial *T, int printed_ones, const num P[], num beta, struct cagd_line L)
+/* side[i] = u . (X_i - Q) for n+1 points X */
+static void G(sides)(int n, const num X[], const num Q[], const num u[], num side[])
 {
-    num Q[9 * dim], w[9];
+    for (int i = 0; i <= n; i++) {
+        num w[dim] = {sub(X[i * dim], Q[0]), sub(X[i * dim + 1], Q[1])};
+        side[i] = G(dot)(dim, u, w);
+    }
+}
+
+/* The line through the point Q with the normal vector u, from the data of the claim. */
+static struct cagd_line G(given_line)(trial *T)
+{
+    num Q[dim], u[dim];
+    given_points(T, "Q", 1, dim, Q);
+    given_points(T, "u", 1, dim, u);
+    return (struct cagd_line){u[0], u[1], neg(G(dot)(dim, u, Q))};
+}
+
+/* How the curve of eight points, printed or corrected functions, meets the line. */
+static struct cagd_curve_meets_line G(curve_meets)(int printed_ones, const num P[], num beta, struct cagd_line L)
+{
+    num points[9 * dim], w[9];
     for (int k = 0; k <= 8; k++)
         w[k] = from_int(1);
-    G(bezier_points_of)(printed_ones, 7, dim, P, beta, Q);
-    struct cagd_curve_meets_line m = curve_meets_line(8, Q, w, L);
-    show(T, "beta", beta);
-    show_points(T, "P", 8, dim, P);
-    show_text(T, "the line", "(%s) x + (%s) y + (%s) = 0", to_string_q(L.a), to_string_q(L.b), to_string_q(L.c));
-    show_text(T, "the curve crosses it", "%d times", m.crossings);
-    if (m.contained)
-        show_text(T, "common points with the curve", "%s", "all of it");
-    else
-        show_text(T, "common points with the curve", "%d", m.common_closed);
-    show_text(T, "the polygon crosses it", "%d times", polygon_crossings(7, P, L));
+    G(bezier_points_of)(printed_ones, 7, dim, P, beta, points);
+    return curve_meets_line(8, points, w, L);
+}
+
+/* A curve of the family, its polygon, and how both meet a line; side[i] = u . (P_i - Q). */
+struct G(meeting) {
+    num beta, P[8 * dim], side[8];
+    struct cagd_curve_meets_line curve;
+    struct cagd_polygon_meets_line polygon;
+};
+
+/* That of the data of the claim: β, eight points P, the point Q and the normal vector u. */
+static struct G(meeting) G(given_meeting)(trial *T, int printed_ones)
+{
+    struct G(meeting) m = {.beta = given(T, "β")};
+    given_points(T, "P", 8, dim, m.P);
+    struct cagd_line L = G(given_line)(T);
+    for (int i = 0; i <= 7; i++)
+        m.side[i] = add(add(mul(L.a, m.P[i * dim]), mul(L.b, m.P[i * dim + 1])), L.c);
+    m.curve = G(curve_meets)(printed_ones, m.P, m.beta, L);
+    m.polygon = polygon_meets_line(7, m.P, L);
     return m;
 }
 
@@ -235,28 +261,24 @@ static struct cagd_curve_meets_line G(meets)(trial *T, int printed_ones, const n
 :title: At beta = -21/4 a curve is on a line that its polygon crosses three times
 :zh: β=-21/4 时曲线全在一条直线上而控制多边形与之相交
 :kind: counterexample
-:given: $\beta=-\frac{21}4$, $P_0=P_1=(0,0)$, $P_2=(1,-1)$, $P_3=(2,\frac{27}5)$, $P_4=(3,-\frac{27}5)$, $P_5=(4,1)$,
-  $P_6=P_7=(5,0)$, the line $y=0$; corrected functions
-:then: the whole curve, which runs from $(0,0)$ to $(5,0)$, is on the line; the polygon has five points on it, $SA=3$
+:data: β = -21/4; P = (0,0) (0,0) (1,-1) (2,27/5) (3,-27/5) (4,1) (5,0) (5,0); Q = (0,0); u = (0,1)
+:instead: β = -5
+:result: the curve is on the line = "yes"; common points of the polygon = 5; crossings of the polygon = 3
+:given: the left end of the true range, a polygon, and the line through $Q$ with the normal vector $u$; corrected functions
+:then: the whole curve, from $P_0$ to $P_7$, is on the line; the polygon crosses the line and has single points on it, no edge
 :method: The curve's Bézier points; `crossings.h` counts the components of the polygon's common points.
-:control: $\beta=-5$
+:control: a $\beta$ inside the range
 :::
 */
 CLAIM(curve_on_a_line_that_its_polygon_crosses)
 {
-    static const int fifths[] = {0, 0, -5, 27, -27, 5, 0, 0}, x[] = {0, 0, 1, 2, 3, 4, 5, 5};
-    num P[8 * dim], beta = fault(T, from_int(-5), from_ratio(-21, 4));
-    for (int i = 0; i <= 7; i++) {
-        P[i * dim] = from_int(x[i]);
-        P[i * dim + 1] = from_ratio(fifths[i], 5);
-    }
-    struct cagd_line L = G(horizontal)(from_int(0));
-    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, L);
-    struct cagd_polygon_meets_line of_polygon = polygon_meets_line(7, P, L);
-    show_text(T, "common points with the polygon", "%d", of_polygon.components);
-    int five_points = of_polygon.contained_edges == 0 && of_polygon.components == 5 && of_polygon.crossings == 3;
-    about(T, "the polygon having five points on the line and crossing it three times, whether the curve is not on it");
-    refute(T, five_points && m.contained);
+    struct G(meeting) m = G(given_meeting)(T, 0);
+    found_text(T, "the curve is on the line", m.curve.contained ? "yes" : "no");
+    found_whole(T, "common points of the polygon", m.polygon.components);
+    found_whole(T, "crossings of the polygon", m.polygon.crossings);
+    int crossed = m.polygon.contained_edges == 0 && m.polygon.crossings > 0;
+    about(T, "the polygon crossing the line and having no edge on it, whether the curve is not on it");
+    refute(T, crossed && m.curve.contained);
 }
 
 /*
@@ -264,46 +286,47 @@ CLAIM(curve_on_a_line_that_its_polygon_crosses)
 :title: The printed curve crosses a line that does not meet its polygon
 :zh: 按式 (1) 的曲线穿过与多边形不交的直线
 :kind: counterexample
-:given: $\beta=1$, $P_i=(i,1)$, the line $y=\frac{63}{64}$, so $Q=(0,\frac{63}{64})$, $u=(0,1)$
-:then: the line does not meet the polygon, $SA=0$, and the curve crosses it twice; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
-:method: The crossings are counted exactly by `crossings.h`.
+:data: β = 1; P = (0,1) (1,1) (2,1) (3,1) (4,1) (5,1) (6,1) (7,1); Q = (0,63/64); u = (0,1)
+:result: crossings of the curve = 2; crossings of the polygon = 0; roots of (20) in (0,1) = 0
+:given: the right end of the range of $\beta$, points on a line, and the line through $Q$ with the normal vector $u$, a little below
+:then: the line does not meet the polygon, $SA=0$, and the curve crosses it; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
+:method: The crossings are counted exactly by `crossings.h`, the roots of the polynomial by `roots.h`.
 :control: the corrected functions
 :::
 */
 CLAIM(printed_curve_crosses_a_line_off_its_polygon)
 {
-    num P[8 * dim];
-    for (int i = 0; i <= 7; i++) {
-        P[i * dim] = from_int(i);
-        P[i * dim + 1] = from_int(1);
-    }
-    struct cagd_line L = G(horizontal)(from_ratio(63, 64));
-    struct cagd_curve_meets_line m = G(meets)(T, fault(T, 0, 1), P, from_int(1), L);
+    struct G(meeting) m = G(given_meeting)(T, fault(T, 0, 1));
+    found_whole(T, "crossings of the curve", m.curve.crossings);
+    found_whole(T, "crossings of the polygon", m.polygon.crossings);
+    poly f = G(combination)(fault(T, 0, 1), 7, m.beta, m.side);
+    found_whole(T, "roots of (20) in (0,1)", count_roots(f, from_int(0), from_int(1), OPEN).distinct);
     about(T, "the curve crosses the line no more often than the polygon");
-    agree(T, m.crossings <= polygon_crossings(7, P, L));
+    agree(T, m.curve.crossings <= m.polygon.crossings);
 }
-
-static const int G(triangle)[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
 
 /*
 :::{claim} curve_at_minus_seven_crosses_a_line_off_its_polygon
 :title: At beta = -7 the curve crosses a line that does not meet its polygon
 :zh: β=-7 时曲线穿过与多边形不交的直线
 :kind: counterexample
-:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, the line $y=-\frac1{200}$; corrected functions
-:then: the polygon is above the line, the curve crosses it twice
+:data: β = -7; P = (0,0) (0,0) (1,1) (2,0) (2,0) (2,0) (2,0) (2,0); Q = (0,-1/200); u = (0,1)
+:instead: β = -21/4
+:result: crossings of the curve = 2; crossings of the polygon = 0
+:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, and the line through $Q$ with the
+  normal vector $u$, a little below its side; corrected functions
+:then: the polygon is above the line, the curve crosses it
 :method: The crossings are counted exactly.
-:control: $\beta=-\frac{21}4$
+:control: the left end of the true range
 :::
 */
 CLAIM(curve_at_minus_seven_crosses_a_line_off_its_polygon)
 {
-    num P[8 * dim], beta = fault(T, from_ratio(-21, 4), from_int(-7));
-    struct cagd_line L = G(horizontal)(from_ratio(-1, 200));
-    G(integer_points)(8, G(triangle), P);
-    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, L);
+    struct G(meeting) m = G(given_meeting)(T, 0);
+    found_whole(T, "crossings of the curve", m.curve.crossings);
+    found_whole(T, "crossings of the polygon", m.polygon.crossings);
     about(T, "the curve crosses the line no more often than the polygon");
-    agree(T, m.crossings <= polygon_crossings(7, P, L));
+    agree(T, m.curve.crossings <= m.polygon.crossings);
 }
 #endif
 
@@ -397,18 +420,22 @@ The sum of the functions plays no part here, so that the misprints do no harm.
 :::
 */
 
-/* Roots in (0,1) of sum k_i B_i, printed functions, against the changes of sign; shows both. */
-static int G(no_more_roots_than_changes)(trial *T, const int at[], num beta)
+/* f = sum k_i B_i, printed functions, for β and k from the data of the claim. */
+static poly G(given_combination)(trial *T, num k[])
 {
-    num k[8];
-    for (int i = 0; i <= 7; i++)
-        k[i] = from_int(at[i]);
-    struct cagd_root_count roots = count_roots(G(combination)(1, 7, beta, k), from_int(0), from_int(1), OPEN);
-    show(T, "beta", beta);
-    show_points(T, "k", 8, 1, k);
-    show_text(T, "roots in (0,1)", "%d", roots.distinct);
-    show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
-    return roots.counted <= G(sign_changes)(7, k);
+    num beta = given(T, "β");
+    given_points(T, "k", 8, 1, k);
+    return G(combination)(1, 7, beta, k);
+}
+
+/* Whether f has no more roots in (0,1) than k has changes of sign, SA; both numbers are results. */
+static int G(no_more_roots_than_changes)(trial *T, poly f, const num k[])
+{
+    struct cagd_root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
+    int changes = G(sign_changes)(7, k);
+    found_whole(T, "roots in (0,1)", roots.distinct);
+    found_whole(T, "SA", changes);
+    return roots.counted <= changes;
 }
 
 /*
@@ -416,18 +443,22 @@ static int G(no_more_roots_than_changes)(trial *T, const int at[], num beta)
 :title: At beta = -7 positive coefficients give two roots
 :zh: β=-7 时正系数组合有两个根
 :kind: counterexample
-:given: $\beta=-7$, $k=(1,1,200,1,1,1,1,1)$, printed functions
-:then: $SA=0$, and $f$ has two roots in $(0,1)$
+:data: β = -7; k = 1 1 200 1 1 1 1 1
+:instead: β = -21/4
+:result: roots in (0,1) = 2; SA = 0
+:given: the left end of the printed range, and positive coefficients $k$, of which $k_2$ is large; printed functions
+:then: there is no change of sign in $k$, and $f=\sum k_i\hat B_i$ has roots in $(0,1)$
 :method: The roots of the exact polynomial are counted.
-:control: $\beta=-\frac{21}4$
+:control: the left end of the true range
 :::
 */
 CLAIM(positive_coefficients_with_two_roots)
 {
-    static const int k[] = {1, 1, 200, 1, 1, 1, 1, 1};
-    num beta = fault(T, from_ratio(-21, 4), from_int(-7));
+    num k[8];
+    poly f = G(given_combination)(T, k);
+    int no_more = G(no_more_roots_than_changes)(T, f, k);
     about(T, "no more roots than changes of sign");
-    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+    agree(T, no_more);
 }
 
 /*
@@ -450,19 +481,20 @@ different from 0; in the other cases they need not be.
 :title: When the first coefficient is 0 neither k nor -k begins with a positive number
 :zh: k_0=0 时不能假设 k_0>0
 :kind: counterexample
-:given: $k=(0,-1,1,1,1,1,1,1)$, with $SA=1$
-:then: the first coefficients of $k$ and of $-k$ are 0
+:data: k = 0 -1 1 1 1 1 1 1
+:instead: k = -1 -1 1 1 1 1 1 1
+:result: SA = 1
+:given: coefficients $k$ that begin with 0
+:then: the first coefficients of $k$ and of $-k$ are 0, although the sign changes
 :method: The two signs; that one of them is positive is refuted.
-:control: $k_0=-1$
+:control: a negative first coefficient
 :::
 */
 CLAIM(no_sign_makes_the_first_coefficient_positive)
 {
     num k[8];
-    for (int i = 0; i <= 7; i++)
-        k[i] = from_int(i == 0 ? fault(T, -1, 0) : i == 1 ? -1 : 1);
-    show_points(T, "k", 8, 1, k);
-    show_text(T, "changes of sign", "%d", G(sign_changes)(7, k));
+    given_points(T, "k", 8, 1, k);
+    found_whole(T, "SA", G(sign_changes)(7, k));
     about(T, "k_0 > 0 or -k_0 > 0");
     refute(T, sign_q(k[0]) <= 0 && sign_q(neg(k[0])) <= 0);
 }
@@ -526,18 +558,22 @@ The method makes no use of the range of $\beta$, and in the range of the text th
 :title: At beta = -7 one change of sign gives three roots
 :zh: β=-7 时一次变号而有三个根
 :kind: counterexample
-:given: $\beta=-7$, $k=(1,1,200,1,1,1,1,-1)$, printed functions
-:then: $k_0>0>k_7$, $SA=1$, and $f$ has three roots in $(0,1)$; the signs at the ends allow this
+:data: β = -7; k = 1 1 200 1 1 1 1 -1
+:instead: β = -21/4
+:result: roots in (0,1) = 3; SA = 1
+:given: the left end of the printed range, and coefficients $k$ with $k_0>0>k_7$; printed functions
+:then: $f=\sum k_i\hat B_i$ has more roots in $(0,1)$ than $k$ has changes of sign, by two; the signs at the ends allow this
 :method: The roots of the exact polynomial are counted.
-:control: $\beta=-\frac{21}4$
+:control: the left end of the true range
 :::
 */
 CLAIM(one_change_of_sign_and_three_roots)
 {
-    static const int k[] = {1, 1, 200, 1, 1, 1, 1, -1};
-    num beta = fault(T, from_ratio(-21, 4), from_int(-7));
+    num k[8];
+    poly f = G(given_combination)(T, k);
+    int no_more = G(no_more_roots_than_changes)(T, f, k);
     about(T, "no more roots than changes of sign");
-    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+    agree(T, no_more);
 }
 
 /*
@@ -545,18 +581,24 @@ CLAIM(one_change_of_sign_and_three_roots)
 :title: At beta = -7 one change of sign gives two roots when the last coefficient is 0
 :zh: β=-7、k_7=0 时一次变号而有两个根
 :kind: counterexample
-:given: $\beta=-7$, $k=(1,1,1,1,1,-10,-1,0)$, printed functions
-:then: $k_0>0$, $SA=1$, and $f=(t-1)^2(630t^6-638t^5+33t^4+4t^3+3t^2+2t+1)$ has two roots in $(0,1)$; $f(1)=0$ says nothing
-:method: The roots of the exact polynomial are counted.
-:control: $\beta=-\frac{21}4$
+:data: β = -7; k = 1 1 1 1 1 -10 -1 0
+:instead: β = -21/4
+:result: roots in (0,1) = 2; SA = 1; f(t)/(t-1)² = "630*t^6 - 638*t^5 + 33*t^4 + 4*t^3 + 3*t^2 + 2*t + 1"
+:given: the left end of the printed range, and coefficients $k$ with $k_0>0$ and $k_7=0$; printed functions
+:then: $f=\sum k_i\hat B_i$ has a double root at 1 and, in $(0,1)$, more roots than $k$ has changes of sign; $f(1)=0$ says nothing
+:method: The roots of the exact polynomial are counted, and it is divided by $(t-1)^2$.
+:control: the left end of the true range
 :::
 */
 CLAIM(one_change_of_sign_and_two_roots)
 {
-    static const int k[] = {1, 1, 1, 1, 1, -10, -1, 0};
-    num beta = fault(T, from_ratio(-21, 4), from_int(-7));
+    num k[8], one = from_int(1);
+    poly f = G(given_combination)(T, k), double_root = poly_from_q(3, (num[]){one, from_int(-2), one});
+    int no_more = G(no_more_roots_than_changes)(T, f, k);
+    int divides = poly_divides(double_root, f);
+    found_text(T, "f(t)/(t-1)²", divides ? poly_to_string(poly_quotient(f, double_root), "t") : "no polynomial");
     about(T, "no more roots than changes of sign");
-    agree(T, G(no_more_roots_than_changes)(T, k, beta));
+    agree(T, no_more);
 }
 #endif
 
@@ -609,23 +651,26 @@ CLAIM(points_of_a_line_by_its_normal)
 :title: With the normal vector 0 every point is on L
 :zh: 法向量为零时不成直线
 :kind: counterexample
-:given: $u=(0,0)$, $Q=(0,0)$, the points $(0,0),(1,0),(0,1)$
-:then: all three have $u\cdot(X-Q)=0$, and they are not on a line
+:data: X = (0,0) (1,0) (0,1); Q = (0,0); u = (0,0)
+:instead: u = (0,1)
+:result: u·(X-Q) = 0 0 0
+:given: three points $X$ that are not on a line, a point $Q$, and $u=0$
+:then: all three have $u\cdot(X-Q)=0$
 :method: The three products.
-:control: $u=(0,1)$
+:control: a vector that is not 0
 :::
 */
 CLAIM(no_normal_no_line)
 {
-    num X[3 * dim], u[dim] = {from_int(0), from_int(fault(T, 1, 0))};
-    int on_it = 0;
-    G(integer_points)(3, (int[]){0, 0, 1, 0, 0, 1}, X);
-    for (int i = 0; i < 3; i++)
-        on_it += is_zero_q(G(dot)(dim, u, X + i * dim));
-    show_points(T, "u", 1, dim, u);
-    show_points(T, "X", 3, dim, X);
+    num X[3 * dim], Q[dim], u[dim], side[3];
+    given_points(T, "X", 3, dim, X);
+    given_points(T, "Q", 1, dim, Q);
+    given_points(T, "u", 1, dim, u);
+    G(sides)(2, X, Q, u, side);
+    found_points(T, "u·(X-Q)", 3, 1, side);
+    int all_on_it = is_zero_q(side[0]) && is_zero_q(side[1]) && is_zero_q(side[2]);
     about(T, "the three points are not all on L, or they are on a line");
-    refute(T, on_it >= 3 && turn_2d(X, X + dim, X + 2 * dim) != 0);
+    refute(T, all_on_it && turn_2d(X, X + dim, X + 2 * dim) != 0);
 }
 
 /*
@@ -643,27 +688,27 @@ CLAIM(no_normal_no_line)
 :title: A line that contains an edge meets it and has neither end on a side
 :zh: 边在直线上时两端不在两侧
 :kind: counterexample
-:given: the polygon $P_i=(i,i(7-i))$, its edge from $P_3=(3,12)$ to $P_4=(4,12)$, the line $y=12$
-:then: the line meets the edge $P_3P_4$ in all its points, and the two numbers $u\cdot(P_j-Q)$ are 0
+:data: P = (0,0) (1,6) (2,10) (3,12) (4,12) (5,10) (6,6) (7,0); j = 3; Q = (7/2,12); u = (0,1)
+:instead: u = (1,0)
+:result: u·(P_j-Q) = 0; u·(P_{j+1}-Q) = 0
+:given: a polygon, one of its edges, and the line through a point $Q$ of this edge whose normal vector $u$ is orthogonal to it
+:then: the line meets the edge in all its points, and the two numbers $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ are 0
 :method: The signs at the two ends are computed; different signs are asked for.
-:control: the line $x=\frac72$
+:control: the line through $Q$ across the edge
 :::
 */
 CLAIM(line_through_an_edge_has_no_two_sides)
 {
-    num P[2 * dim] = {from_int(3), from_int(12), from_int(4), from_int(12)}, u[dim], Q[dim], side[2];
-    u[0] = from_int(fault(T, 1, 0)), u[1] = from_int(fault(T, 0, 1));
-    Q[0] = from_ratio(7, 2), Q[1] = from_int(12);
-    for (int i = 0; i < 2; i++) {
-        num w[dim] = {sub(P[i * dim], Q[0]), sub(P[i * dim + 1], Q[1])};
-        side[i] = G(dot)(dim, u, w);
-    }
-    show_points(T, "the edge", 2, dim, P);
-    show_points(T, "Q", 1, dim, Q);
-    show_points(T, "u", 1, dim, u);
-    show_points(T, "u.(P_j-Q)", 2, 1, side);
+    num P[8 * dim], u[dim], Q[dim], side[8];
+    given_points(T, "P", 8, dim, P);
+    int j = given_whole(T, "j");
+    given_points(T, "Q", 1, dim, Q);
+    given_points(T, "u", 1, dim, u);
+    G(sides)(7, P, Q, u, side);
+    found(T, "u·(P_j-Q)", side[j]);
+    found(T, "u·(P_{j+1}-Q)", side[j + 1]);
     about(T, "the two numbers have different signs");
-    agree(T, sign_q(side[0]) * sign_q(side[1]) < 0);
+    agree(T, sign_q(side[j]) * sign_q(side[j + 1]) < 0);
 }
 
 /*
@@ -681,22 +726,22 @@ CLAIM(line_through_an_edge_has_no_two_sides)
 :title: A polygon that crosses itself on the line has more changes of sign than points there
 :zh: 控制多边形在直线上自交
 :kind: counterexample
-:given: $P_0,\dots,P_7=(-2,2),(2,-2),(2,-3),(1,-3),(-1,-3),(-2,-3),(-2,-2),(2,2)$, $Q=(0,0)$, $u=(0,1)$
-:then: $SA=2$, and the polygon has one point on the line, the origin, which it passes twice
+:data: P = (-2,2) (2,-2) (2,-3) (1,-3) (-1,-3) (-2,-3) (-2,-2) (2,2); Q = (0,0); u = (0,1)
+:instead: P = (-2,2) (2,-2) (2,-3) (1,-3) (-1,-3) (-2,-3) (-2,-2) (3,2)
+:result: SA = 2; points on the line = 1
+:given: a polygon whose first and last edge cross in $Q$, and the line through $Q$ with the normal vector $u$
+:then: the sign of $u\cdot(P_j-Q)$ changes twice, and the polygon has one point on the line, which it passes twice
 :method: Changes of sign, and the connected components of the common points in the plane, counted exactly.
-:control: $P_7=(3,2)$
+:control: the last point moved, so that the edges cross elsewhere
 :::
 */
 CLAIM(polygon_that_crosses_itself_on_the_line)
 {
-    static const int vertex[16] = {-2, 2, 2, -2, 2, -3, 1, -3, -1, -3, -2, -3, -2, -2, 2, 2};
-    num P[16];
-    for (int m = 0; m < 16; m++)
-        P[m] = from_int(vertex[m] + fault(T, m == 14, 0));
-    struct cagd_polygon_meets_line m = polygon_meets_line(7, P, G(horizontal)(from_int(0)));
-    show_points(T, "P", 8, dim, P);
-    show_text(T, "changes of sign", "%d", m.crossings);
-    show_text(T, "points on the line", "%d", m.components);
+    num P[8 * dim];
+    given_points(T, "P", 8, dim, P);
+    struct cagd_polygon_meets_line m = polygon_meets_line(7, P, G(given_line)(T));
+    found_whole(T, "SA", m.crossings);
+    found_whole(T, "points on the line", m.components);
     about(T, "no more changes of sign than points");
     agree(T, m.crossings <= m.components);
 }
@@ -734,21 +779,23 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :title: A line through an end meets the curve without a root in (0,1)
 :zh: 过端点的直线
 :kind: counterexample
-:given: $P_i=(i,i)$, $\beta=0$, the line $y=0$
-:then: curve and line have the point $P_0$ in common; the function has no root in $(0,1)$, and $SA=0$
+:data: β = 0; P = (0,0) (1,1) (2,2) (3,3) (4,4) (5,5) (6,6) (7,7); Q = (0,0); u = (0,1)
+:instead: Q = (0,7/2)
+:result: common points of the curve = 1; roots in (0,1) = 0; SA = 0
+:given: the $\beta$ of the Bézier curve, points on a line, and the line through $Q=P_0$ with the normal vector $u$
+:then: curve and line have the point $P_0$ in common; the function of formula (20) has no root in $(0,1)$, and its coefficients no change of sign
 :method: The common points of the closed curve are compared with those of the open one.
-:control: the line $y=\frac72$
+:control: a line through the middle of the polygon
 :::
 */
 CLAIM(curve_and_line_share_an_end)
 {
-    num P[8 * dim];
-    for (int m = 0; m < 8 * dim; m++)
-        P[m] = from_int(m / dim);
-    struct cagd_line L = G(horizontal)(fault(T, from_ratio(7, 2), from_int(0)));
-    struct cagd_curve_meets_line m = G(meets)(T, 0, P, from_int(0), L);
+    struct G(meeting) m = G(given_meeting)(T, 0);
+    found_whole(T, "common points of the curve", m.curve.common_closed);
+    found_whole(T, "roots in (0,1)", m.curve.common_open);
+    found_whole(T, "SA", m.polygon.crossings);
     about(T, "as many common points as roots in (0,1), and no more than changes of sign");
-    agree(T, m.common_closed == m.common_open && m.common_closed <= polygon_crossings(7, P, L));
+    agree(T, m.curve.common_closed == m.curve.common_open && m.curve.common_closed <= m.polygon.crossings);
 }
 #endif
 
@@ -825,22 +872,31 @@ $t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at 
 :title: The curve of a closed convex polygon may have three parameters on a line
 :zh: 首末点重合的凸多边形:曲线在一直线上有三个参数
 :kind: counterexample
-:given: the convex heptagon $P=(0,0),(2,-1),(4,0),(5,2),(4,4),(2,5),(0,3),(0,0)$, the line $y=x$, $\beta=-\frac{21}4,0,1$; corrected
+:data: β = -21/4 0 1; P = (0,0) (2,-1) (4,0) (5,2) (4,4) (2,5) (0,3) (0,0); Q = (0,0); u = (1,-1)
+:instead: Q = (0,1/2)
+:result: parameters on the line = 3 3 3; those in (0,1) = 1 1 1
+:given: three values of $\beta$, a convex heptagon with $P_7=P_0$, and the line through $Q=P_0$ with the normal vector $u$; corrected
   functions
-:then: $t=0$, $t=1$ and one parameter in $(0,1)$ are on the line: three parameters, two points
+:then: for each $\beta$ the parameters $t=0$, $t=1$ and one in $(0,1)$ are on the line: three parameters, two points
 :method: The common points are counted exactly by their parameters; `hull.h` decides that the polygon is convex.
-:control: the line $y=x+\frac12$
+:control: a line beside the corner
 :::
 */
 CLAIM(closed_polygon_has_three_parameters_on_a_line)
 {
-    static const int heptagon[] = {0, 0, 2, -1, 4, 0, 5, 2, 4, 4, 2, 5, 0, 3, 0, 0};
-    num P[8 * dim], beta[3] = {from_ratio(-21, 4), from_int(0), from_int(1)};
+    num P[8 * dim], beta[3], closed[3], open[3];
     int most_two = 0;
-    struct cagd_line L = {from_int(1), from_int(-1), fault(T, from_ratio(1, 2), from_int(0))};
-    G(integer_points)(8, heptagon, P);
-    for (int m = 0; m < 3; m++)
-        most_two += G(meets)(T, 0, P, beta[m], L).common_closed <= 2;
+    given_points(T, "β", 3, 1, beta);
+    given_points(T, "P", 8, dim, P);
+    struct cagd_line L = G(given_line)(T);
+    for (int m = 0; m < 3; m++) {
+        struct cagd_curve_meets_line curve = G(curve_meets)(0, P, beta[m], L);
+        closed[m] = from_int(curve.common_closed);
+        open[m] = from_int(curve.common_open);
+        most_two += curve.common_closed <= 2;
+    }
+    found_points(T, "parameters on the line", 3, 1, closed);
+    found_points(T, "those in (0,1)", 3, 1, open);
     about(T, "the polygon is not convex, or there are at most two common parameters");
     refute(T, polygon_is_convex(7, P, 1, NULL) && most_two == 0);
 }
@@ -850,19 +906,30 @@ CLAIM(closed_polygon_has_three_parameters_on_a_line)
 :title: At beta = -7 the curve of a triangle meets a line three times
 :zh: β=-7 时凸多边形的曲线与直线有三个交点
 :kind: counterexample
-:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, the line $y=0$; corrected functions
-:then: the polygon is convex, the curve meets the line at $t=0$, $\frac19$ and $1$
+:data: β = -7; P = (0,0) (0,0) (1,1) (2,0) (2,0) (2,0) (2,0) (2,0); Q = (0,0); u = (0,1); t = 0 1/9 1
+:instead: β = -21/4
+:result: common points of the curve = 3; y(t) = 0 0 0
+:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, the line through $Q$ with the
+  normal vector $u$, on which one side is, and three parameters; corrected functions
+:then: the polygon is convex, and the curve meets the line at the three parameters and nowhere else
 :method: The common points are counted exactly; `hull.h` decides that the polygon is convex.
-:control: $\beta=-\frac{21}4$
+:control: the left end of the true range
 :::
 */
 CLAIM(curve_of_a_triangle_meets_a_line_three_times)
 {
-    num P[8 * dim], beta = fault(T, from_ratio(-21, 4), from_int(-7));
-    G(integer_points)(8, G(triangle), P);
-    struct cagd_curve_meets_line m = G(meets)(T, 0, P, beta, G(horizontal)(from_int(0)));
+    struct G(meeting) m = G(given_meeting)(T, 0);
+    num t[3], y[3];
+    given_points(T, "t", 3, 1, t);
+    found_whole(T, "common points of the curve", m.curve.common_closed);
+    for (int k = 0; k < 3; k++) {
+        num at[dim];
+        G(curve_point)(0, 7, dim, m.P, m.beta, t[k], at);
+        y[k] = at[1];
+    }
+    found_points(T, "y(t)", 3, 1, y);
     about(T, "the polygon is not convex, or there are at most two common points");
-    refute(T, polygon_is_convex(7, P, 1, NULL) && m.common_closed > 2);
+    refute(T, polygon_is_convex(7, m.P, 1, NULL) && m.curve.common_closed > 2);
 }
 
 /*
@@ -870,22 +937,22 @@ CLAIM(curve_of_a_triangle_meets_a_line_three_times)
 :title: The printed curve of a convex polygon meets a line four times
 :zh: 按式 (1) 凸多边形的曲线与直线有四个交点
 :kind: counterexample
-:given: $\beta=1$, $P_0=(0,100)$, $P_i=(i,101)$ for $i=1,\dots,6$, $P_7=(7,100)$, the line $y=\frac{401}4$
-:then: the polygon is convex and crosses the line twice, the curve crosses it four times
+:data: β = 1; P = (0,100) (1,101) (2,101) (3,101) (4,101) (5,101) (6,101) (7,100); Q = (0,401/4); u = (0,1)
+:result: common points of the curve = 4; crossings of the curve = 4; crossings of the polygon = 2
+:given: the right end of the range of $\beta$, a flat convex polygon, and the line through $Q$ with the normal vector $u$, a little above its ends
+:then: the polygon is convex, and the curve crosses the line twice as often as the polygon
 :method: As before.
 :control: the corrected functions
 :::
 */
 CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
 {
-    num P[8 * dim];
-    for (int i = 0; i <= 7; i++) {
-        P[i * dim] = from_int(i);
-        P[i * dim + 1] = from_int(i == 0 || i == 7 ? 100 : 101);
-    }
-    struct cagd_curve_meets_line m = G(meets)(T, fault(T, 0, 1), P, from_int(1), G(horizontal)(from_ratio(401, 4)));
+    struct G(meeting) m = G(given_meeting)(T, fault(T, 0, 1));
+    found_whole(T, "common points of the curve", m.curve.common_closed);
+    found_whole(T, "crossings of the curve", m.curve.crossings);
+    found_whole(T, "crossings of the polygon", m.polygon.crossings);
     about(T, "the polygon is not convex, or there are at most two common points");
-    refute(T, polygon_is_convex(7, P, 0, NULL) && m.common_closed > 2);
+    refute(T, polygon_is_convex(7, m.P, 0, NULL) && m.curve.common_closed > 2);
 }
 #endif
 

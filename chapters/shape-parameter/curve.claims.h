@@ -46,10 +46,8 @@ CLAIM(printed_curve_kernel_is_the_sum)
 {
     num P[8 * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t"), R[8 * dim];
     G(free_points)(T, 7, dim, P);
-    for (int i = 0; i <= 7; i++)
-        for (int c = 0; c < dim; c++)
-            R[i * dim + c] = P[fault(T, i, 7 - i) * dim + c];
-    G(shape_point_printed)(dim, R, beta, t, at);
+    G(reversed_points)(7, dim, P, R);
+    G(shape_point_printed)(dim, fault(T, P, R), beta, t, at);
     for (int c = 0; c < dim; c++)
         same(T, at[c], G(printed_curve)(dim, P, c, beta, t));
 }
@@ -258,32 +256,35 @@ CLAIM(polygons_that_do_not_move)
 :title: A polygon of one middle edge has one curve for all beta
 :zh: 仅有中间一边的控制多边形与 β 无关
 :kind: counterexample
-:given: $\beta=0$ and $\beta=1$; $P_0=\dots=P_3=(0,0)$ and, corrected functions, $P_4=\dots=P_7=(1,2)$; printed functions,
-  $P_4=(5,10)$, $P_5=P_6=P_7=(1,2)$
-:then: the Bézier points of degree 8, and so the curves, are the same
+:data: β = 0 1; P, corrected functions = (0,0) (0,0) (0,0) (0,0) (1,2) (1,2) (1,2) (1,2);
+  P, printed functions = (0,0) (0,0) (0,0) (0,0) (5,10) (1,2) (1,2) (1,2)
+:instead: P, corrected functions = (0,0) (0,0) (0,0) (0,0) (0,0) (1,2) (1,2) (1,2);
+  P, printed functions = (0,0) (0,0) (0,0) (0,0) (0,0) (1,2) (1,2) (1,2)
+:result: Q, corrected functions = (0,0) (0,0) (0,0) (0,0) (1/2,1) (1,2) (1,2) (1,2) (1,2);
+  Q, printed functions = (0,0) (0,0) (0,0) (0,0) (5/2,5) (7/2,7) (1,2) (1,2) (1,2)
+:given: two values of $\beta$ and a polygon for each family of functions
+:then: the Bézier points $Q$, and so the curves, are the same for both values of $\beta$
 :method: Both sets of nine points are computed and compared; that they differ somewhere is asked, of either family.
-:control: $P_4=(0,0)$
+:control: $P_4$ moved to the four points before it
 :::
 */
 CLAIM(edges_that_do_not_move)
 {
+    static const char *const P_of[] = {"P, corrected functions", "P, printed functions"};
+    static const char *const Q_of[] = {"Q, corrected functions", "Q, printed functions"};
+    num beta[2], P[2][8 * dim];
     int differ = 0;
+    given_points(T, "β", 2, 1, beta);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
+        given_points(T, P_of[printed_ones], 8, dim, P[printed_ones]);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
-        num P[8 * dim], Q[9 * dim], R[9 * dim];
+        num Q[9 * dim], R[9 * dim];
         int moved = 0;
-        for (int i = 0; i <= 7; i++) {
-            int k = i == 4 ? fault(T, 0, printed_ones ? 5 : 1) : i > 4;
-            P[i * dim] = from_int(k);
-            P[i * dim + 1] = from_int(2 * k);
-        }
-        G(bezier_points_of)(printed_ones, 7, dim, P, from_int(0), Q);
-        G(bezier_points_of)(printed_ones, 7, dim, P, from_int(1), R);
+        G(bezier_points_of)(printed_ones, 7, dim, P[printed_ones], beta[0], Q);
+        G(bezier_points_of)(printed_ones, 7, dim, P[printed_ones], beta[1], R);
         for (int m = 0; m < 9 * dim; m++)
             moved += !equal_q(Q[m], R[m]);
-        show_text(T, "functions", "%s", printed_ones ? "printed" : "corrected");
-        show_points(T, "P", 8, dim, P);
-        show_points(T, "Q, beta = 0", 9, dim, Q);
-        show_points(T, "Q, beta = 1", 9, dim, R);
+        found_points(T, Q_of[printed_ones], 9, dim, R);
         differ += moved > 0;
     }
     about(T, "some of the Bézier points differ");
@@ -422,28 +423,30 @@ against the edge.
 :title: At beta = -7 the curve does not touch its first edge
 :zh: β=-7 时曲线不与首边相切
 :kind: counterexample
-:given: $\beta=-7$, $P=(0,0),(1,0),(2,2),(3,3),(4,3),(5,2),(6,0),(7,0)$
-:then: $q'(0)=0$ and the determinant of $P_1-P_0$ and $q''(0)$, which then gives the tangent, is not 0
+:data: β = -7; P = (0,0) (1,0) (2,2) (3,3) (4,3) (5,2) (6,0) (7,0)
+:instead: β = -6
+:result: q'(0) = (0,0); q''(0) = (42,-28); determinant of the edge and the tangent = -28
+:given: the left end of the printed range, and a polygon
+:then: the first derivative at 0 vanishes, the second gives the tangent, and the determinant of $P_1-P_0$ and this tangent is not 0
 :method: The first derivative at 0 that is not the zero vector, computed exactly; its determinant with the edge is asked to
   vanish.
-:control: $\beta=-6$
+:control: a larger $\beta$
 :::
 */
 CLAIM(edge_is_not_tangent_at_minus_seven)
 {
-    static const int at[] = {0, 0, 1, 0, 2, 2, 3, 3, 4, 3, 5, 2, 6, 0, 7, 0};
-    num P[8 * dim], D[3 * dim], beta = from_int(fault(T, -6, -7)), edge[dim];
-    G(integer_points)(8, at, P);
+    num beta = given(T, "β"), P[8 * dim], D[3 * dim], edge[dim];
+    given_points(T, "P", 8, dim, P);
     G(shape_derivatives)(7, dim, P, beta, from_int(0), 2, D);
     for (int c = 0; c < dim; c++)
         edge[c] = sub(P[dim + c], P[c]);
     int order = is_zero_q(D[dim]) && is_zero_q(D[dim + 1]) ? 2 : 1;
-    show(T, "beta", beta);
-    show_points(T, "P", 8, dim, P);
-    show_points(T, "q'(0)", 1, dim, D + dim);
-    show_points(T, "q''(0)", 1, dim, D + 2 * dim);
+    num determinant = G(cross2)(edge, D + order * dim);
+    found_points(T, "q'(0)", 1, dim, D + dim);
+    found_points(T, "q''(0)", 1, dim, D + 2 * dim);
+    found(T, "determinant of the edge and the tangent", determinant);
     about(T, "the determinant of the first edge and the tangent");
-    vanishes(T, G(cross2)(edge, D + order * dim));
+    vanishes(T, determinant);
 }
 #endif
 
@@ -471,23 +474,20 @@ hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points
 :title: The printed curve of eight equal points is no point
 :zh: 八点重合时按式 (1) 的曲线不是一点
 :kind: counterexample
-:given: $P_0=\dots=P_7=(1,1)$, $\beta=1$, $t=\frac12$
-:then: the point of the curve is $(\frac{31}{32},\frac{31}{32})$
+:data: β = 1; P = (1,1) (1,1) (1,1) (1,1) (1,1) (1,1) (1,1) (1,1); t = 1/2
+:result: q(t) = (31/32,31/32)
+:given: the right end of the range of $\beta$, eight equal points, and the middle of the interval
+:then: the point of the curve is not the one point of the polygon
 :method: The point of the printed formulas; `hull.h` is asked whether it is in the hull.
 :control: the corrected functions
 :::
 */
 CLAIM(printed_curve_leaves_a_single_point)
 {
-    num P[8 * dim], at[dim], beta = from_int(1), t = from_ratio(1, 2);
-    for (int m = 0; m < 8 * dim; m++)
-        P[m] = from_int(1);
-    if (T->faulty)
-        G(shape_point_printed)(dim, P, beta, t, at);
-    else
-        G(shape_point)(7, dim, P, beta, t, at);
-    show_points(T, "P", 8, dim, P);
-    show_points(T, "the point of t = 1/2", 1, dim, at);
+    num beta = given(T, "β"), P[8 * dim], at[dim];
+    given_points(T, "P", 8, dim, P);
+    G(curve_point)(fault(T, 0, 1), 7, dim, P, beta, given(T, "t"), at);
+    found_points(T, "q(t)", 1, dim, at);
     about(T, "the point is in the hull");
     agree(T, hull_membership(dim, 8, P, at).inside);
 }
@@ -497,22 +497,22 @@ CLAIM(printed_curve_leaves_a_single_point)
 :title: At beta = -7 the curve leaves the convex hull
 :zh: β=-7 时曲线越出凸包
 :kind: counterexample
-:given: $\beta=-7$, $P_0=P_1=(0,0)$, $P_2=(1,1)$, $P_3=\dots=P_7=(2,0)$, $t=\frac1{20}$; printed and corrected functions have the
-  same $y$
+:data: β = -7; P = (0,0) (0,0) (1,1) (2,0) (2,0) (2,0) (2,0) (2,0); t = 1/20
+:instead: β = -5
+:result: q(t) = (-171625953/25600000000,-190659623/25600000000)
+:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, and a small $t$;
+  printed and corrected functions have the same $y$
 :then: $y(t)=B_2(t)<0$ while all points have $y\ge0$
 :method: The point of the corrected curve; `hull.h` is asked whether it is in the hull.
-:control: $\beta=-5$
+:control: a $\beta$ of the true range
 :::
 */
 CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 {
-    static const int points[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
-    num P[8 * dim], at[dim], beta = from_int(fault(T, -5, -7)), t = from_ratio(1, 20);
-    G(integer_points)(8, points, P);
-    G(shape_point)(7, dim, P, beta, t, at);
-    show(T, "beta", beta);
-    show_points(T, "P", 8, dim, P);
-    show_points(T, "the point of t = 1/20", 1, dim, at);
+    num beta = given(T, "β"), P[8 * dim], at[dim];
+    given_points(T, "P", 8, dim, P);
+    G(curve_point)(0, 7, dim, P, beta, given(T, "t"), at);
+    found_points(T, "q(t)", 1, dim, at);
     about(T, "the point is in the hull");
     agree(T, hull_membership(dim, 8, P, at).inside);
 }
@@ -533,30 +533,27 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :title: The printed curve of the reversed polygon is another curve
 :zh: 按式 (1) 反序不得原曲线
 :kind: counterexample
-:given: $\beta=-1$, $P_3=(1,1)$ and all other points $(0,0)$, $t=\frac14$
+:data: β = -1; P = 0 0 0 1 0 0 0 0; t = 1/4
+:result: q(t) = 10449/65536; reversed curve at 1-t = 11097/65536
+:given: $\beta$, a $t$, and eight points of which only $P_3$ is not the origin, one coordinate of each
 :then: the curve of the reversed polygon at $1-t$ is not the curve at $t$
-:method: Both points by the printed formulas; their first coordinates are compared.
+:method: Both points by the printed formulas.
 :control: the corrected functions
 :::
 */
 CLAIM(printed_curve_is_not_reversed)
 {
-    num P[8 * dim], R[8 * dim], forward[dim], backward[dim], beta = from_int(-1), t = from_ratio(1, 4);
-    num s = sub(from_int(1), t);
-    for (int m = 0; m < 8 * dim; m++) {
-        P[m] = from_int(m / dim == 3);
-        R[m] = from_int(7 - m / dim == 3);
-    }
-    if (T->faulty) {
-        G(shape_point_printed)(dim, P, beta, t, forward);
-        G(shape_point_printed)(dim, R, beta, s, backward);
-    } else {
-        G(shape_point)(7, dim, P, beta, t, forward);
-        G(shape_point)(7, dim, R, beta, s, backward);
-    }
-    show_points(T, "P", 8, dim, P);
+    num beta = given(T, "β"), P[8], R[8], forward, backward;
+    int printed_ones = fault(T, 0, 1);
+    given_points(T, "P", 8, 1, P);
+    num t = given(T, "t"), s = sub(from_int(1), t);
+    G(reversed_points)(7, 1, P, R);
+    G(curve_point)(printed_ones, 7, 1, P, beta, t, &forward);
+    G(curve_point)(printed_ones, 7, 1, R, beta, s, &backward);
+    found(T, "q(t)", forward);
+    found(T, "reversed curve at 1-t", backward);
     about(T, "the reversed curve at 1-t and the curve at t");
-    same(T, backward[0], forward[0]);
+    same(T, backward, forward);
 }
 #endif
 
@@ -577,9 +574,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
     num P[(MAX_DEGREE + 1) * dim], R[(MAX_DEGREE + 1) * dim], at[dim], back[dim];
     num beta = G(any_beta)(T), t = parameter(T, "t");
     G(free_points)(T, n, dim, P);
-    for (int i = 0; i <= n; i++)
-        for (int c = 0; c < dim; c++)
-            R[i * dim + c] = P[(n - i) * dim + c];
+    G(reversed_points)(n, dim, P, R);
     G(shape_point)(n, dim, P, beta, t, at);
     G(shape_point)(n, dim, R, beta, fault(T, sub(from_int(1), t), t), back);
     for (int c = 0; c < dim; c++)
@@ -608,26 +603,26 @@ As printed, with one meaning of $B_1$, the ends of the chain say that every curv
 :title: B(1-t) is not B(t)
 :zh: 式 (12) 首尾不等
 :kind: counterexample
-:given: $P_i=(i,0)$, any $\beta$, here $-1$; $t=0$
-:then: $q(1-t)=(7,0)$ and $q(t)=(0,0)$
+:data: β = -1; P = 0 1 2 3 4 5 6 7; t = 0
+:result: q(1-t) = 7; q(t) = 0
+:given: points on an axis, one coordinate of each, and the first parameter; $\beta$ does not matter
+:then: $q(1-t)\ne q(t)$: they are the last and the first point
 :method: The two ends of the chain are computed.
 :control: the curve of the reversed polygon on the left
 :::
 */
 CLAIM(curve_is_not_its_own_reverse)
 {
-    num P[8 * dim], left[dim], right[dim], beta = from_int(-1);
-    for (int i = 0; i <= 7; i++) {
-        P[i * dim] = from_int(fault(T, 7 - i, i));
-        P[i * dim + 1] = from_int(0);
-    }
-    G(shape_point)(7, dim, P, beta, from_int(1), left);
-    for (int i = 0; i <= 7; i++)
-        P[i * dim] = from_int(i);
-    G(shape_point)(7, dim, P, beta, from_int(0), right);
-    show_points(T, "P", 8, dim, P);
-    about(T, "the two ends of the chain at t = 0");
-    same(T, left[0], right[0]);
+    num beta = given(T, "β"), P[8], R[8], left, right;
+    given_points(T, "P", 8, 1, P);
+    num t = given(T, "t");
+    G(reversed_points)(7, 1, P, R);
+    G(shape_point)(7, 1, fault(T, R, P), beta, sub(from_int(1), t), &left);
+    G(shape_point)(7, 1, P, beta, t, &right);
+    found(T, "q(1-t)", left);
+    found(T, "q(t)", right);
+    about(T, "the two ends of the chain");
+    same(T, left, right);
 }
 
 /*
@@ -662,31 +657,29 @@ CLAIM(curve_is_not_its_own_reverse)
 :title: The printed curve does not move with its points
 :zh: 平移后按式 (1) 的曲线形状改变
 :kind: counterexample
-:given: $\beta=1$, $P_i=(i,0)$ and $P_i+(0,1)$, $t=\frac12$
-:then: the $y$ of the second curve is $\frac{31}{32}$, not 1
+:data: β = 1; P = (0,0) (1,0) (2,0) (3,0) (4,0) (5,0) (6,0) (7,0); v = (0,1); t = 1/2
+:result: curve of P at t = (217/64,0); curve of P + v at t = (217/64,31/32)
+:given: the right end of the range of $\beta$, points on a line, a vector $v$ across it, and the middle of the interval
+:then: the point of the second curve is not that of the first moved by $v$
 :method: Both points by the printed formulas.
 :control: the corrected functions
 :::
 */
 CLAIM(printed_curve_changes_under_translation)
 {
-    num P[8 * dim], R[8 * dim], before[dim], after[dim], beta = from_int(1), t = from_ratio(1, 2);
-    for (int i = 0; i <= 7; i++) {
-        P[i * dim] = R[i * dim] = from_int(i);
-        P[i * dim + 1] = from_int(0);
-        R[i * dim + 1] = from_int(1);
-    }
-    if (T->faulty) {
-        G(shape_point_printed)(dim, P, beta, t, before);
-        G(shape_point_printed)(dim, R, beta, t, after);
-    } else {
-        G(shape_point)(7, dim, P, beta, t, before);
-        G(shape_point)(7, dim, R, beta, t, after);
-    }
-    show_points(T, "P", 8, dim, P);
-    show_points(T, "P + (0,1)", 8, dim, R);
-    about(T, "y of the second curve and y of the first plus 1");
-    same(T, after[1], add(before[1], from_int(1)));
+    num beta = given(T, "β"), P[8 * dim], R[8 * dim], v[dim], before[dim], after[dim];
+    int printed_ones = fault(T, 0, 1);
+    given_points(T, "P", 8, dim, P);
+    given_points(T, "v", 1, dim, v);
+    num t = given(T, "t");
+    for (int m = 0; m < 8 * dim; m++)
+        R[m] = add(P[m], v[m % dim]);
+    G(curve_point)(printed_ones, 7, dim, P, beta, t, before);
+    G(curve_point)(printed_ones, 7, dim, R, beta, t, after);
+    found_points(T, "curve of P at t", 1, dim, before);
+    found_points(T, "curve of P + v at t", 1, dim, after);
+    about(T, "y of the second curve and y of the first moved");
+    same(T, after[1], add(before[1], v[1]));
 }
 #endif
 

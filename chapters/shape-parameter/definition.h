@@ -96,6 +96,15 @@ static inline void G(functions_of)(int printed_ones, int n, num beta, num t, num
         G(shape_basis)(n, beta, t, B);
 }
 
+/* The point of the curve of P at t, dim coordinates. */
+static inline void G(curve_point)(int printed_ones, int n, int dim, const num P[], num beta, num t, num at[])
+{
+    if (printed_ones)
+        G(shape_point_printed)(dim, P, beta, t, at);
+    else
+        G(shape_point)(n, dim, P, beta, t, at);
+}
+
 /* The n+2 Bézier points of degree n+1 of the curve of P, dim coordinates, from the matrix. */
 static inline void G(bezier_points_of)(int printed_ones, int n, int dim, const num P[], num beta, num Q[])
 {

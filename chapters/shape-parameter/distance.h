@@ -6,13 +6,6 @@
 enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
 
 #if RATIONAL
-/* count points of small integer coordinates. */
-static inline void G(integer_points)(int count, const int at[], num P[])
-{
-    for (int m = 0; m < count * dim; m++)
-        P[m] = from_int(at[m]);
-}
-
 /* A plane curve: the polynomials of its coordinates. */
 struct G(path) {
     poly x, y;
@@ -26,8 +19,6 @@ static inline struct G(path) G(path_in)(int printed_ones, int n, const num P[], 
         x[k] = Q[k * dim], y[k] = Q[k * dim + 1];
     return (struct G(path)){poly_from_bernstein(n + 1, x), poly_from_bernstein(n + 1, y)};
 }
-
-static inline struct G(path) G(path_of)(int n, const num P[], num beta) { return G(path_in)(0, n, P, beta); }
 
 /* a x(t) + b y(t) + c */
 static inline poly G(along)(struct G(path) q, num a, num b, num c)
@@ -83,19 +74,16 @@ static inline num G(distance_squared)(int n, const num P[], const num X[])
     return best;
 }
 
-/* Is some point of the curve farther than r from the polygon?  The parameters m/64 are tried. */
-static inline int G(somewhere_farther_than)(int printed_ones, int n, const num P[], num beta, num r_squared)
+/* A parameter of a point of the curve that is farther than r from the polygon, the first of 1/64, ..., 63/64; 0 if none is. */
+static inline num G(parameter_farther_than)(int printed_ones, int n, const num P[], num beta, num r_squared)
 {
     for (int m = 1; m < 64; m++) {
         num X[dim], t = from_ratio(m, 64);
-        if (printed_ones)
-            G(shape_point_printed)(dim, P, beta, t, X);
-        else
-            G(shape_point)(n, dim, P, beta, t, X);
+        G(curve_point)(printed_ones, n, dim, P, beta, t, X);
         if (compare_q(G(distance_squared)(n, P, X), r_squared) > 0)
-            return 1;
+            return t;
     }
-    return 0;
+    return from_int(0);
 }
 
 /* Is the point X farther than r from the whole curve? */
@@ -106,19 +94,32 @@ static inline int G(curve_stays_away)(struct G(path) q, const num X[], num r_squ
     return sign_on(gap, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
 }
 
-/* The curve of `near` stays nearer than r to the polygon, that of `far` does not; with the corrected functions and, for n = 7,
- * with the printed ones as well; shows the data. */
-static inline int G(one_is_farther)(trial *T, int n, const num P[], num near, num far, num r_squared)
+/* How many of the points P_0, ..., P_n are farther than R from the curve? */
+static inline int G(points_far_from_the_curve)(int printed_ones, int n, const num P[], num beta, num R_squared)
 {
-    show_points(T, "P", n + 1, dim, P);
-    show(T, "beta of the nearer curve", near);
-    show(T, "beta of the farther curve", far);
-    show(T, "r squared", r_squared);
-    int families = 0;
-    for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++)
-        families += G(somewhere_farther_than)(printed_ones, n, P, far, r_squared) &&
-                    G(nearer_than)(G(path_in)(printed_ones, n, P, near), n, P, r_squared, from_int(0), from_int(1), 9);
-    return families == 1 + (n == 7);
+    struct G(path) q = G(path_in)(printed_ones, n, P, beta);
+    int far = 0;
+    for (int i = 0; i <= n; i++)
+        far += G(curve_stays_away)(q, P + i * dim, R_squared);
+    return far;
+}
+
+/* Takes the n+1 points P, two values β and the square r² of a distance from the data of the claim.  Whether the curve of β_0 stays
+ * nearer than r to the polygon and that of β_1 does not; with the corrected functions and, for n = 7, with the printed ones as
+ * well.  Compares, as a result, for each family the parameter of a point that is farther. */
+static inline int G(one_is_farther)(trial *T, int n, num P[], num beta[2])
+{
+    given_points(T, "P", n + 1, dim, P);
+    given_points(T, "β", 2, 1, beta);
+    num r_squared = given(T, "r²"), t[2];
+    int families = n == 7 ? 2 : 1, farther = 0;
+    for (int printed_ones = 0; printed_ones < families; printed_ones++) {
+        struct G(path) near = G(path_in)(printed_ones, n, P, beta[0]);
+        t[printed_ones] = G(parameter_farther_than)(printed_ones, n, P, beta[1], r_squared);
+        farther += !is_zero_q(t[printed_ones]) && G(nearer_than)(near, n, P, r_squared, from_int(0), from_int(1), 9);
+    }
+    found_points(T, "t of a farther point", families, 1, t);
+    return farther == families;
 }
 
 #endif

@@ -204,21 +204,21 @@ CLAIM(upper_end_is_one)
 :title: In degree six the range -n to 1 is too wide for the first time
 :zh: 六次起 -n≤β≤1 不再保证非负
 :kind: counterexample
-:given: $n=6$, $\beta=-6$, $t=\frac1{20}$
-:then: $B_{2,6}(t)<0$; up to degree 5 the range $-n\le\beta\le1$ is right
+:data: n = 6; t = 1/20
+:instead: n = 5
+:result: B_2(t) = -390963/128000000
+:given: the degree $n$, $\beta=-n$ and a small $t$
+:then: $B_{2,n}(t)<0$; in every smaller degree the range $-n\le\beta\le1$ is right by `range_of_every_degree`
 :method: The value of the function, exactly.
-:control: $n=5$, $\beta=-5$
+:control: the degree one less
 :::
 */
 CLAIM(pattern_breaks_in_degree_six)
 {
-    int n = fault(T, 5, 6);
-    num beta = from_int(-n), t = from_ratio(1, 20), B[7];
-    G(shape_basis)(n, beta, t, B);
-    show_text(T, "n", "%d", n);
-    show(T, "beta", beta);
-    show(T, "t", t);
-    show(T, "B_2(t)", B[2]);
+    int n = given_whole(T, "n");
+    num B[MAX_DEGREE + 1];
+    G(shape_basis)(n, from_int(-n), given(T, "t"), B);
+    found(T, "B_2(t)", B[2]);
     about(T, "B_2(t) >= 0");
     nonnegative(T, B[2]);
 }
@@ -298,26 +298,26 @@ CLAIM(quadratic_distance_to_an_end_shrinks)
 :title: A cubic polygon from which a larger beta takes the curve away
 :zh: n=3:β 增大而曲线远离控制多边形
 :kind: counterexample
-:given: $n=3$, $P=(1,0),(-2,0),(0,1),(-2,-2)$, $\beta=0$ and $\beta=1$
-:then: for $\beta=0$ every point of the curve is nearer to the polygon than $\frac15$, for $\beta=1$ some point is farther than $\frac14$;
-  for $\beta=0$ every control point is nearer to the curve than 1, for $\beta=1$ one is farther
+:data: P = (1,0) (-2,0) (0,1) (-2,-2); β = 0 1; r² = 1/25; r² of a farther point = 1/16; R² = 1
+:instead: β = 1 0
+:result: t of a farther point = 5/16; control points farther than R = 0 1
+:given: a polygon of four points, two values of $\beta$, and the squares of three distances
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther than even the
+  larger of the two distances; for the first $\beta$ every control point is nearer to the curve than $R$, for the second one is farther
 :method: As in `larger_beta_takes_the_curve_away_from_its_polygon`.
 :control: the two values of $\beta$ exchanged
 :::
 */
 CLAIM(cubic_of_larger_beta_is_farther)
 {
-    static const int at[] = {1, 0, -2, 0, 0, 1, -2, -2};
-    num P[4 * dim], one = from_int(1), beta[2] = {from_int(fault(T, 1, 0)), from_int(fault(T, 0, 1))};
-    G(integer_points)(4, at, P);
-    int far = G(somewhere_farther_than)(0, 3, P, beta[1], from_ratio(1, 16));
-    far = far && G(one_is_farther)(T, 3, P, beta[0], beta[1], from_ratio(1, 25));
-    int away[2] = {0, 0};
+    num P[4 * dim], beta[2], away[2], R_squared = given(T, "R²"), larger_squared = given(T, "r² of a farther point");
+    int farther = G(one_is_farther)(T, 3, P, beta);
+    farther = farther && !is_zero_q(G(parameter_farther_than)(0, 3, P, beta[1], larger_squared));
     for (int k = 0; k < 2; k++)
-        for (int i = 0; i <= 3; i++)
-            away[k] += G(curve_stays_away)(G(path_of)(3, P, beta[k]), P + i * dim, one);
+        away[k] = from_int(G(points_far_from_the_curve)(0, 3, P, beta[k], R_squared));
+    found_points(T, "control points farther than R", 2, 1, away);
     about(T, "in one of two senses the larger beta is not farther: curve from polygon, control points from curve");
-    refute(T, far && away[0] == 0 && away[1] > 0);
+    refute(T, farther && is_zero_q(away[0]) && sign_q(away[1]) > 0);
 }
 
 /*
@@ -325,20 +325,20 @@ CLAIM(cubic_of_larger_beta_is_farther)
 :title: A convex polygon of four points from which a larger beta takes the curve away
 :zh: n=3 的凸多边形:β 增大而曲线远离
 :kind: counterexample
-:given: $n=3$, the trapezoid $(2,4),(-1,-4),(1,-4),(2,3)$, $\beta=0$ and $\beta=1$
-:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{16}{25}$, for $\beta=1$ some point is farther
+:data: P = (2,4) (-1,-4) (1,-4) (2,3); β = 0 1; r² = 16/25
+:instead: β = 1 0
+:result: t of a farther point = 31/64
+:given: a trapezoid, two values of $\beta$, and the square of a distance
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
 :method: As before; `hull.h` decides that the polygon is convex.
 :control: the two values of $\beta$ exchanged
 :::
 */
 CLAIM(convex_cubic_of_larger_beta_is_farther)
 {
-    static const int at[] = {2, 4, -1, -4, 1, -4, 2, 3};
-    num P[4 * dim];
-    G(integer_points)(4, at, P);
-    num small = from_int(fault(T, 1, 0)), large = from_int(fault(T, 0, 1));
+    num P[4 * dim], beta[2];
+    int worse = G(one_is_farther)(T, 3, P, beta);
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(one_is_farther)(T, 3, P, small, large, from_ratio(16, 25));
     refute(T, polygon_is_convex(3, P, 1, NULL) && worse);
 }
 #endif

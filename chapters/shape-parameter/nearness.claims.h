@@ -40,10 +40,13 @@ polygons of four for which it is false, are treated in `every-degree`.
 :title: A larger beta takes a curve away from its polygon, in two senses at once
 :zh: β 增大而曲线远离控制多边形
 :kind: counterexample
-:given: $P=(-1,-1),(2,0),(2,-2),(1,-2),(1,-2),(0,0),(2,2),(2,1)$, $\beta=0$ and $\beta=1$, printed and corrected
-  functions
-:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{23}{50}$, for $\beta=1$ some point is
-  farther; for $\beta=0$ every control point is nearer to the curve than $R$, $R^2=\frac{21}{25}$, for $\beta=1$ one is farther
+:data: P = (-1,-1) (2,0) (2,-2) (1,-2) (1,-2) (0,0) (2,2) (2,1); β = 0 1; r² = 23/50; R² = 21/25
+:instead: β = 1 0
+:result: t of a farther point = 3/16 3/16; control points farther than R, corrected = 0 1;
+  control points farther than R, printed = 0 1
+:given: a polygon, two values of $\beta$, and the squares of two distances; printed and corrected functions
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is
+  farther; for the first $\beta$ every control point is nearer to the curve than $R$, for the second not every one
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by the signs of three
   polynomials (the foot on the edge, the distance to its line).  Farther: one rational $t$ and all seven edges; for a control
   point the sign of $|q(t)-P_i|^2-R^2$ on $[0,1]$.
@@ -52,44 +55,40 @@ polygons of four for which it is false, are treated in `every-degree`.
 */
 CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
 {
-    static const int at[] = {-1, -1, 2, 0, 2, -2, 1, -2, 1, -2, 0, 0, 2, 2, 2, 1};
-    num P[8 * dim], small = from_int(fault(T, 1, 0)), large = from_int(fault(T, 0, 1)), R_squared = from_ratio(21, 25);
-    G(integer_points)(8, at, P);
-    int farther = G(one_is_farther)(T, 7, P, small, large, from_ratio(23, 50));
+    static const char *const away_of[] = {"control points farther than R, corrected",
+                                          "control points farther than R, printed"};
+    num P[8 * dim], beta[2], R_squared = given(T, "R²");
+    int farther = G(one_is_farther)(T, 7, P, beta);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
-        struct G(path) before = G(path_in)(printed_ones, 7, P, small), after = G(path_in)(printed_ones, 7, P, large);
-        int away_before = 0, away_after = 0;
-        for (int i = 0; i <= 7; i++) {
-            away_before += G(curve_stays_away)(before, P + i * dim, R_squared);
-            away_after += G(curve_stays_away)(after, P + i * dim, R_squared);
-        }
-        farther = farther && away_before == 0 && away_after > 0;
+        num away[2];
+        for (int k = 0; k < 2; k++)
+            away[k] = from_int(G(points_far_from_the_curve)(printed_ones, 7, P, beta[k], R_squared));
+        found_points(T, away_of[printed_ones], 2, 1, away);
+        farther = farther && is_zero_q(away[0]) && sign_q(away[1]) > 0;
     }
     about(T, "in one of two senses the larger beta is not farther: curve from polygon, control points from curve");
     refute(T, farther);
 }
-
-static const int G(convex_polygon)[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2, -4, -3, -3, -3};
 
 /*
 :::{claim} larger_beta_is_worse_for_a_convex_polygon
 :title: From the left end of the range to its right end a curve goes away from its convex polygon
 :zh: 凸多边形:β 由 -21/4 增至 1 时曲线远离多边形
 :kind: counterexample
-:given: the convex polygon $(-1,-2),(2,0),(3,1),(4,3),(-2,4),(-4,-2),(-4,-3),(-3,-3)$, $\beta=-\frac{21}4$ and $\beta=1$,
-  printed and corrected functions
-:then: for $\beta=-\frac{21}4$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{24}5$, for $\beta=1$ some point
-  is farther
+:data: P = (-1,-2) (2,0) (3,1) (4,3) (-2,4) (-4,-2) (-4,-3) (-3,-3); β = -21/4 1; r² = 24/5
+:instead: β = 1 -21/4
+:result: t of a farther point = 35/64 35/64
+:given: a convex polygon, the two ends of the true range of $\beta$, and the square of a distance; printed and corrected functions
+:then: for the left end every point of the curve is nearer to the polygon than $r$, for the right end some point is farther
 :method: As before; `hull.h` decides that the polygon is convex.
 :control: the two values of $\beta$ exchanged
 :::
 */
 CLAIM(larger_beta_is_worse_for_a_convex_polygon)
 {
-    num P[8 * dim], least = from_ratio(-21, 4), one = from_int(1);
-    G(integer_points)(8, G(convex_polygon), P);
+    num P[8 * dim], beta[2];
+    int worse = G(one_is_farther)(T, 7, P, beta);
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(one_is_farther)(T, 7, P, fault(T, one, least), fault(T, least, one), from_ratio(24, 5));
     refute(T, polygon_is_convex(7, P, 1, NULL) && worse);
 }
 
@@ -98,8 +97,12 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon)
 :title: A convex polygon to which the curve of beta = 1 is closer than the Bézier curve
 :zh: 凸多边形:β=1 的曲线更近
 :kind: decision
-:given: the convex polygon of `larger_beta_is_worse_for_a_convex_polygon`, $\beta=1$ and $\beta=0$, printed and corrected functions
-:then: for $\beta=1$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{111}{20}$, for $\beta=0$ some point is
+:data: P = (-1,-2) (2,0) (3,1) (4,3) (-2,4) (-4,-2) (-4,-3) (-3,-3); β = 1 0; r² = 111/20
+:instead: β = 0 1
+:result: t of a farther point = 35/64 35/64
+:given: the convex polygon of `larger_beta_is_worse_for_a_convex_polygon`, the right end of the range and the $\beta$ of the Bézier curve,
+  and the square of a distance; printed and corrected functions
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve, some point is
   farther
 :method: As before.
 :scope: one polygon
@@ -108,10 +111,10 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon)
 */
 CLAIM(convex_polygon_prefers_beta_one)
 {
-    num P[8 * dim], zero = from_int(0), one = from_int(1);
-    G(integer_points)(8, G(convex_polygon), P);
+    num P[8 * dim], beta[2];
+    int better = G(one_is_farther)(T, 7, P, beta);
     agree(T, polygon_is_convex(7, P, 1, NULL));
-    agree(T, G(one_is_farther)(T, 7, P, fault(T, one, zero), fault(T, zero, one), from_ratio(111, 20)));
+    agree(T, better);
 }
 
 /*
@@ -132,21 +135,21 @@ CLAIM(convex_polygon_prefers_beta_one)
 :title: A convex polygon to which the Bézier curve is closer
 :zh: 凸多边形:七次 Bezier 曲线更近
 :kind: counterexample
-:given: the convex polygon $(-3,-3),(-3,-4),(-2,-4),(5,0),(4,5),(3,5),(2,4),(-2,-1)$, $\beta=0$ and $\beta=1$, printed and
+:data: P = (-3,-3) (-3,-4) (-2,-4) (5,0) (4,5) (3,5) (2,4) (-2,-1); β = 0 1; r² = 91/20
+:instead: β = 1 0
+:result: t of a farther point = 15/32 15/32
+:given: another convex polygon, the $\beta$ of the Bézier curve and the right end of the range, and the square of a distance; printed and
   corrected functions
-:then: for $\beta=0$ every point of the curve is nearer to the polygon than $r$, $r^2=\frac{91}{20}$, for $\beta=1$ some point is
-  farther
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
 :method: As before.
 :control: the two values of $\beta$ exchanged
 :::
 */
 CLAIM(convex_polygon_prefers_the_bezier_curve)
 {
-    static const int at[] = {-3, -3, -3, -4, -2, -4, 5, 0, 4, 5, 3, 5, 2, 4, -2, -1};
-    num P[8 * dim], zero = from_int(0), one = from_int(1);
-    G(integer_points)(8, at, P);
+    num P[8 * dim], beta[2];
+    int worse = G(one_is_farther)(T, 7, P, beta);
     about(T, "the polygon is not convex, or the larger beta is not farther");
-    int worse = G(one_is_farther)(T, 7, P, fault(T, one, zero), fault(T, zero, one), from_ratio(91, 20));
     refute(T, polygon_is_convex(7, P, 1, NULL) && worse);
 }
 #endif

@@ -35,19 +35,20 @@ For degrees up to five the range $-n\le\beta\le1$ would have been right: see `ev
 :title: At beta = -7 the third function is negative near t = 0
 :zh: β=-7 时 B_2 在 t=0 附近为负
 :kind: counterexample
-:given: $\beta=-7$, $t=\frac1{10}$
-:then: $\hat B_2(t)=(21-28+\frac{63}{10})(\frac9{10})^5(\frac1{10})^2<0$
+:data: β = -7; t = 1/10
+:instead: β = -21/4
+:result: B_2(t) = -413343/100000000
+:given: the left end of the printed range of $\beta$, and a small $t$
+:then: $\hat B_2(t)<0$: the linear factor is $\nu_2s+\varphi_2t$, and $\nu_2$ is negative
 :method: The value of the printed formula; it is the corrected one too.
-:control: $\beta=-\frac{21}4$
+:control: the left end of the true range
 :::
 */
 CLAIM(third_function_is_negative)
 {
-    num beta = fault(T, from_ratio(-21, 4), from_int(-7)), t = from_ratio(1, 10), B[8];
-    G(shape_basis_printed)(beta, t, B);
-    show(T, "beta", beta);
-    show(T, "t", t);
-    show(T, "B_2(t)", B[2]);
+    num beta = given(T, "β"), B[8];
+    G(shape_basis_printed)(beta, given(T, "t"), B);
+    found(T, "B_2(t)", B[2]);
     about(T, "B_2(t) >= 0");
     nonnegative(T, B[2]);
 }
@@ -226,27 +227,31 @@ CLAIM(third_function_falls_then_rises_below_the_range)
 :title: At beta = -7 the third function has two local maxima on [0,1]
 :zh: β=-7 时 B_2 在 [0,1] 上有两个局部极大值
 :kind: counterexample
-:given: $\beta=-7$, $\hat B_2=(-7+63t)(1-t)^5t^2$
-:then: the derivative is negative near $t=0$ and has two simple roots in $(0,1)$: local maxima on $[0,1]$ are $t=0$ and the
-  second root
+:data: β = -7
+:instead: β = -1
+:result: B_2'(t) = "-504*t^7 + 2254*t^6 - 3990*t^5 + 3500*t^4 - 1540*t^3 + 294*t^2 - 14*t"; its roots in (0,1) = 2;
+  local maxima on [0,1] = 2
+:given: the left end of the printed range, and $\hat B_2$
+:then: the derivative is negative near $t=0$ and has simple roots in $(0,1)$: the local maxima on $[0,1]$ are $t=0$ and the
+  last root
 :method: The roots of the exact derivative are counted, and its sign near 0 is that of its first coefficient that is not 0.
-:control: $\beta=-1$, the value of figure 1
+:control: the value of figure 1
 :::
 */
 CLAIM(third_function_has_two_maxima)
 {
-    num beta = from_int(fault(T, -1, -7));
-    poly D = poly_derivative(G(function)(1, 7, 2, beta));
+    poly D = poly_derivative(G(function)(1, 7, 2, given(T, "β")));
     struct cagd_root_count roots = count_roots(D, from_int(0), from_int(1), OPEN);
     int falls_first = 0;
     for (int k = poly_degree(D); k >= 0; k--)
         if (!is_zero_q(poly_coefficient(D, k)))
             falls_first = sign_q(poly_coefficient(D, k)) < 0;
-    show(T, "beta", beta);
-    show_text(T, "derivative of B_2", "%s", poly_to_string(D, "t"));
-    show_text(T, "its roots in (0,1)", "%d", roots.distinct);
+    int maxima = falls_first + (roots.crossings + !falls_first) / 2;
+    found_text(T, "B_2'(t)", poly_to_string(D, "t"));
+    found_whole(T, "its roots in (0,1)", roots.distinct);
+    found_whole(T, "local maxima on [0,1]", maxima);
     about(T, "one local maximum on [0,1]: the inner ones and t = 0 together");
-    agree(T, falls_first + (roots.crossings + !falls_first) / 2 == 1);
+    agree(T, maxima == 1);
 }
 #endif
 
@@ -279,22 +284,26 @@ Five of the eight printed functions do not behave as printed: $\hat B_1,\hat B_2
 :title: At t = 1/2 the second function decreases with beta
 :zh: t=1/2 时 B_1 随 β 递减
 :kind: counterexample
-:given: $t=\frac12$, $\beta=0$ and $\beta=1$
-:then: $\hat B_1(t)$ is $\frac7{128}$ for $\beta=0$ and $\frac{11}{256}$ for $\beta=1$
+:data: t = 1/2; β = 0 1
+:instead: t = 1/6
+:result: B_1(t) = 7/128 11/256
+:given: the middle of the interval, and two values of $\beta$
+:then: $\hat B_1(t)$ is smaller for the larger $\beta$
 :method: Both values of the printed formula; their difference is asked to be nonnegative.
-:control: $t=\frac16$
+:control: a $t$ to the left of the point where the slope in $\beta$ changes its sign
 :::
 */
 CLAIM(second_function_decreases)
 {
-    num t = fault(T, from_ratio(1, 6), from_ratio(1, 2)), before[8], after[8];
-    G(shape_basis_printed)(from_int(0), t, before);
-    G(shape_basis_printed)(from_int(1), t, after);
-    show(T, "t", t);
-    show(T, "B_1(t), beta = 0", before[1]);
-    show(T, "B_1(t), beta = 1", after[1]);
+    num t = given(T, "t"), beta[2], value[2], B[8];
+    given_points(T, "β", 2, 1, beta);
+    for (int k = 0; k < 2; k++) {
+        G(shape_basis_printed)(beta[k], t, B);
+        value[k] = B[1];
+    }
+    found_points(T, "B_1(t)", 2, 1, value);
     about(T, "B_1(t) does not decrease");
-    nonnegative(T, sub(after[1], before[1]));
+    nonnegative(T, sub(value[1], value[0]));
 }
 #endif
 
