@@ -43,17 +43,21 @@ The degree is at most $n$: see the next entry.
 :title: Points in equal steps on a line: the degree is 1
 :zh: 等距共线控制顶点给出一次曲线
 :kind: counterexample
-:given: $n=3$, the points $0,1,2,3$ of a line
-:then: in powers of $t$ the curve is $3t$: the coefficient of $t^3$ is 0
+:data: P = 0 1 2 3
+:instead: P = 0 1 2 4
+:result: c = 0 3 0 0
+:given: a cubic on a line, its four points $P$ in equal steps; $c$ its coefficients of the powers of $t$, the constant first
+:then: all coefficients but that of $t$ are 0: what was called a cubic has degree 1
 :method: The coefficients by `bernstein_to_power`; that the last one is not 0 is refuted.
-:control: the points $0,1,2,4$
+:control: the last point is one step further on
 :::
 */
 CLAIM(equally_spaced_points_make_a_line)
 {
-    num b[4] = {from_int(0), from_int(1), from_int(2), from_int(fault(T, 4, 3))}, c[4];
-    G(bernstein_to_power)(3, b, c);
-    show_points(T, "the coefficients of 1, t, t^2, t^3", 4, 1, c);
+    num P[4], c[4];
+    given_points(T, "P", 4, 1, P);
+    G(bernstein_to_power)(3, P, c);
+    found_points(T, "c", 4, 1, c);
     about(T, "whether the coefficient of t^3 is not 0");
     refute(T, is_zero_q(c[3]));
 }
@@ -82,21 +86,27 @@ With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.  It does not help with $0
 :title: With 0^0 = 0 the sum at t = 0 is the origin
 :zh: 若约定 0^0=0 则曲线不过首点
 :kind: counterexample
-:given: $n=1$, $P_0=(1,1)$, $P_1=(2,3)$, $t=0$, every power with exponent 0 taken as 0
-:then: $P(0)=(0,0)\ne P_0$
+:data: P = (1,1) (2,3); t = 0; x^0 = 0
+:instead: x^0 = 1
+:result: P(t) = (0,0)
+:given: the segment of the points $P$ and the parameter of its first end; every power with exponent 0 is given the value $x^0$
+:then: with $x^0=0$ the sum at $t=0$ is the origin, and not $P_0$
 :method: The sum, with the power as told.
-:control: $0^0=1$
+:control: $x^0=1$
 :::
 */
 CLAIM(zero_power_zero_takes_away_the_end)
 {
-    static const int from[4] = {1, 1, 2, 3};
-    num t = from_int(0), s = from_int(1), zeroth = from_int(fault(T, 1, 0));
-    for (int c = 0; c < dim; c++) {
-        num first = mul(from_int(from[c]), mul(s, zeroth)), second = mul(from_int(from[dim + c]), mul(t, zeroth));
-        show(T, c == 0 ? "x(0)" : "y(0)", add(first, second));
-        same(T, add(first, second), from_int(from[c]));
-    }
+    num P[2 * dim], sum[dim];
+    given_points(T, "P", 2, dim, P);
+    num t = given(T, "t"), s = sub(from_int(1), t), zeroth = given(T, "x^0");
+    /* P(t) = t^0 (1-t) P_0 + t (1-t)^0 P_1 */
+    for (int c = 0; c < dim; c++)
+        sum[c] = add(mul(P[c], mul(zeroth, s)), mul(P[dim + c], mul(t, zeroth)));
+    found_points(T, "P(t)", 1, dim, sum);
+    about(T, "the sum and P_0");
+    for (int c = 0; c < dim; c++)
+        same(T, sum[c], P[c]);
 }
 #endif
 
@@ -206,18 +216,24 @@ The words beside it, and the formula for $P'(1)$, have the last point.  For $n=1
 :title: With three points the curve does not end in the second
 :zh: 曲线终点不是 P1
 :kind: counterexample
-:given: $n=2$, the points $0,0,1$ of a line
-:then: $P(1)=1$, and $P_1=0$
-:method: The value by the kernel.
-:control: $n=1$, the points $0,0$
+:data: n = 2; P = 0 0 1
+:instead: n = 1
+:result: P(1) = 1
+:given: the curve of degree $n$ on a line whose points are the first $n+1$ of the numbers $P$
+:then: $P(1)$ is the last point, and the second is another
+:method: The value by the kernel, against $P_1$.
+:control: the segment of the first two points
 :::
 */
 CLAIM(curve_does_not_end_in_its_second_point)
 {
-    num b[3] = {from_int(0), from_int(0), from_int(1)}, end;
-    G(decasteljau)(fault(T, 1, 2), 1, b, from_int(1), &end);
+    int n = given_whole(T, "n");
+    num P[3], end;
+    given_points(T, "P", 3, 1, P);
+    G(decasteljau)(n, 1, P, from_int(1), &end);
+    found(T, "P(1)", end);
     about(T, "P(1) and P_1");
-    same(T, end, b[1]);
+    same(T, end, P[1]);
 }
 #endif
 
@@ -278,16 +294,17 @@ CLAIM(derivative_in_three_steps)
 :title: At t = 0 the first term of the derivative is no number
 :zh: t=0 处首项含 0^{-1}
 :kind: counterexample
-:given: $i=0$, $t=0$ in the first sum: the factor $i\,t^{i-1}=0\cdot0^{-1}$
+:data: t = 0
+:instead: t = 1/2
+:given: the term with $i=0$ in the first sum, whose factor $i\,t^{i-1}$ is $0\cdot t^{-1}$, at the parameter $t$ of the first end
 :then: the denominator $t$ of $t^{-1}$ is 0
 :method: The denominator; that it is not 0 is refuted.
-:control: $t=\frac12$
+:control: a parameter inside the interval
 :::
 */
 CLAIM(first_term_divides_by_zero)
 {
-    num t = fault(T, from_ratio(1, 2), from_int(0));
-    show(T, "t", t);
+    num t = given(T, "t");
     about(T, "whether the denominator of t^{-1} is not 0");
     refute(T, is_zero_q(t));
 }
@@ -311,20 +328,26 @@ The signs are lost; each is determined by the sum before.
 :title: With two edges two of the six terms come twice
 :zh: n=2 时六项中有两项重复
 :kind: counterexample
-:given: $n=2$, the points $0,1,0$, $t=\frac14$
-:then: the six terms have the sum 2, and $P'=1$; what is too much is $-2P_1(2t-1)$
+:data: P = 0 1 0; t = 1/4
+:result: six terms = 2; P'(t) = 1
+:given: $n=2$, the points $P$ of a line, a parameter $t$
+:then: the six terms have another sum than the derivative; what is too much is $-2P_1(2t-1)$
 :method: The terms, against the derivative by the kernel.
 :control: each term once
 :::
 */
 CLAIM(terms_in_a_row_come_twice_for_two_edges)
 {
-    num t = from_ratio(1, 4), s = sub(from_int(1), t), two = from_int(2), D[2];
-    num b[3] = {from_int(0), from_int(1), from_int(0)};
-    /* the first two terms, the last two, and the two between, -2t P_1 and 2(1-t) P_1, which are among them */
-    num row = add(mul(mul(two, s), sub(b[1], b[0])), mul(mul(two, t), sub(b[2], b[1])));
-    row = fault(T, row, add(row, mul(mul(two, sub(s, t)), b[1])));
-    bezier_derivatives_q(2, 1, b, t, 1, D);
+    num P[3], D[2], two = from_int(2);
+    given_points(T, "P", 3, 1, P);
+    num t = given(T, "t"), s = sub(from_int(1), t);
+    /* -2(1-t) P_0 + 2(1-t) P_1 and -2t P_1 + 2t P_2: the first two terms and the last two are P'(t) already */
+    num once = add(mul(mul(two, s), sub(P[1], P[0])), mul(mul(two, t), sub(P[2], P[1])));
+    /* the two between, -2t P_1 and 2(1-t) P_1, are among them */
+    num row = fault(T, once, add(once, mul(mul(two, sub(s, t)), P[1])));
+    bezier_derivatives_q(2, 1, P, t, 1, D);
+    found(T, "six terms", row);
+    found(T, "P'(t)", D[1]);
     about(T, "the six terms and the derivative");
     same(T, row, D[1]);
 }
@@ -334,18 +357,24 @@ CLAIM(terms_in_a_row_come_twice_for_two_edges)
 :title: With one edge four terms are left, which are twice the derivative
 :zh: n=1 时剩下的四项为导矢的两倍
 :kind: counterexample
-:given: $n=1$, the points $0,1$; the terms with $(n-2)!$, which have no meaning, left out
-:then: $-P_0+P_1-P_0+P_1=2$, and $P'=1$
-:method: The same.
+:data: P = 0 1; t = 1/4
+:result: four terms = 2; P'(t) = 1
+:given: $n=1$, the points $P$ of a line, a parameter $t$; the terms with $(n-2)!$, which have no meaning, are left out
+:then: $-P_0+P_1-P_0+P_1$ is twice the derivative
+:method: The four terms, against the derivative by the kernel.
 :control: each term once
 :::
 */
 CLAIM(terms_in_a_row_come_twice_for_one_edge)
 {
-    num b[2] = {from_int(0), from_int(1)}, D[2], edge = sub(b[1], b[0]);
-    bezier_derivatives_q(1, 1, b, from_ratio(1, 4), 1, D);
+    num P[2], D[2];
+    given_points(T, "P", 2, 1, P);
+    bezier_derivatives_q(1, 1, P, given(T, "t"), 1, D);
+    num edge = sub(P[1], P[0]), row = fault(T, edge, add(edge, edge));
+    found(T, "four terms", row);
+    found(T, "P'(t)", D[1]);
     about(T, "the four terms and the derivative");
-    same(T, fault(T, edge, add(edge, edge)), D[1]);
+    same(T, row, D[1]);
 }
 #endif
 
@@ -416,25 +445,41 @@ CLAIM(basis_read_backwards)
 :title: A curve that is not symmetric
 :zh: 曲线图形未必对称
 :kind: counterexample
-:given: the points $(0,0),(0,1),(1,0)$: a reflection that exchanges the ends of the curve and keeps the figure would be $x\mapsto1-x$
-:then: $P(\frac12)=(\frac14,\frac12)$, and its image $(\frac34,\frac12)$ is not on the curve: $x=\frac34$ is there with $y=\frac{\sqrt3}2(2-\sqrt3)\ne\frac12$
-:method: The curve is $x=t^2$, $y=2t(1-t)$, so $(y+2x)^2=4x$ holds on it; the equation at the image.
-:control: the points $(0,0),(\frac12,1),(1,0)$ and their equation $y=2x(1-x)$
+:data: P = (0,0) (0,1) (1,0); t = 1/2
+:instead: P = (0,0) (1/2,1) (1,0)
+:result: P(t) = (1/4,1/2); image = (3/4,1/2)
+:given: the quadratic curve of the points $P$, of which the first and the last lie on the $x$-axis: a reflection that exchanges the
+  ends of the curve and keeps the figure would exchange the ends of the chord, $x\mapsto x_0+x_2-x$
+:then: the image of the point $P(t)$ is not on the curve
+:method: In barycentric coordinates with respect to the three points the curve has $\tau_0=(1-t)^2$, $\tau_1=2t(1-t)$, $\tau_2=t^2$,
+  so $(\frac{\tau_1}2)^2=\tau_0\tau_2$ holds on it; the equation at the image.
+:control: the middle point stands over the middle of the chord
 :::
 */
 CLAIM(curve_is_no_mirror_image)
 {
-    num zero = from_int(0), one = from_int(1), two = from_int(2), half = from_ratio(1, 2), P[2];
-    num b[6] = {zero, zero, fault(T, half, zero), one, one, zero};
-    G(decasteljau)(2, dim, b, half, P);
-    show_points(T, "P(1/2)", 1, 2, P);
-    num image = sub(one, P[0]);
+    num P[3 * dim], at[dim], tau[3];
+    given_points(T, "P", 3, dim, P);
+    G(decasteljau)(2, dim, P, given(T, "t"), at);
+    found_points(T, "P(t)", 1, dim, at);
+    num image[dim] = {sub(add(P[0], P[2 * dim]), at[0]), at[1]};
+    found_points(T, "image", 1, dim, image);
+    /* tau_i is the area of the triangle in which the image takes the place of P_i, over the whole area */
+    num edges[2 * dim], whole_area;
+    for (int c = 0; c < dim; c++) {
+        edges[c] = sub(P[dim + c], P[c]);
+        edges[dim + c] = sub(P[2 * dim + c], P[c]);
+    }
+    whole_area = cross2_q(edges, edges + dim);
+    for (int i = 0; i < 3; i++) {
+        const num *next = P + (i + 1) % 3 * dim, *last = P + (i + 2) % 3 * dim;
+        num to_next[dim] = {sub(next[0], image[0]), sub(next[1], image[1])};
+        num to_last[dim] = {sub(last[0], image[0]), sub(last[1], image[1])};
+        tau[i] = div(cross2_q(to_next, to_last), whole_area);
+    }
     about(T, "the equation of the curve at the image");
-    num sum = add(P[1], mul(two, image));
-    if (T->faulty)
-        same(T, mul(sum, sum), mul(from_int(4), image));
-    else
-        same(T, P[1], mul(two, mul(image, sub(one, image))));
+    num half = div(tau[1], from_int(2));
+    same(T, mul(half, half), mul(tau[0], tau[2]));
 }
 #endif
 

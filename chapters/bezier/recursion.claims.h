@@ -69,25 +69,29 @@ CLAIM(second_differences_of_a_piece)
 :title: A thousand points that crowd at one end leave a chord where it was
 :zh: 点数增多而折线不收敛
 :kind: counterexample
-:given: the parabola $(t,t^2)$ and its points at $t=0$ and $t=2^{-k}$, $k=0,1,\dots,1000$
-:then: the last chord is over $[\frac12,1]$, whatever the number of points, and lies $\frac1{16}$ above the curve at $t=\frac34$
-:method: The point of the curve and that of the chord; that they are within $\frac1{100}$ is refuted.
-:control: the points at $t=\frac k{1000}$, the chord from $\frac{999}{1000}$ to 1
+:data: R = (0,0) (1/2,0) (1,1); a = 1/2; ε = 1/100
+:instead: a = 999/1000
+:result: t = 3/4; δ = 1/16
+:given: the parabola $(t,t^2)$, whose points are $R$, and a polyline through its points at $t=0$ and $t=2^{-k}$ for as many $k=0,1,2,\dots$
+  as one likes; its last chord begins at the parameter $a$ and ends at 1
+:then: that chord stays where it is, however many points there are, and half way between its ends, at $t$, it lies above the curve by $\delta$
+:method: The point of the curve and that of the chord; that they are within $\varepsilon$ is refuted.
+:control: a chord between the last two of a thousand points in equal steps
 :::
 */
 CLAIM(many_points_may_crowd)
 {
-    enum { points = 1000 };
-    num b[6] = {from_int(0), from_int(0), from_ratio(1, 2), from_int(0), from_int(1), from_int(1)}, P[3][2];
-    num before = fault(T, from_ratio(points - 1, points), from_ratio(1, 2)), one = from_int(1), half = from_ratio(1, 2);
-    num middle = mul(half, add(before, one));
-    G(decasteljau)(2, dim, b, before, P[0]);
-    G(decasteljau)(2, dim, b, one, P[1]);
-    G(decasteljau)(2, dim, b, middle, P[2]);
+    num R[3 * dim], P[3][dim], one = from_int(1), half = from_ratio(1, 2);
+    given_points(T, "R", 3, dim, R);
+    num a = given(T, "a"), most = given(T, "ε"), t = mul(half, add(a, one));
+    G(decasteljau)(2, dim, R, a, P[0]);
+    G(decasteljau)(2, dim, R, one, P[1]);
+    G(decasteljau)(2, dim, R, t, P[2]);
     num gap = sub(mul(half, add(P[0][1], P[1][1])), P[2][1]);
-    show(T, "from the chord down to the curve", gap);
-    about(T, "whether that is at most 1/100");
-    nonnegative(T, sub(from_ratio(1, 100), gap));
+    found(T, "t", t);
+    found(T, "δ", gap);
+    about(T, "whether δ is at most ε");
+    nonnegative(T, sub(most, gap));
 }
 #endif
 
@@ -159,19 +163,27 @@ CLAIM(curve_blends_two_curves_of_one_point_less)
 :title: With one point more the recursion is false
 :zh: 多取一点则递推不成立
 :kind: counterexample
-:given: $n=1$, the points $0,1,5$ of a line, $t=\frac12$; $P_{1,1}$ as the curve of $P_1,P_2$
-:then: $P_{0,1}=\frac12$, and $(1-t)P_{0,0}+tP_{1,1}=\frac32$
+:data: P = 0 1 5; t = 1/2; points of P_1,1 = 2
+:instead: points of P_1,1 = 1
+:result: P_0,1(t) = 1/2; right side = 3/2
+:given: the points $P$ of a line, a parameter $t$; $n=1$, and $P_{1,1}$ as the curve of the two points $P_1,P_2$
+:then: $P_{0,1}(t)$ is not $(1-t)P_{0,0}(t)+tP_{1,1}(t)$
 :method: The curves by the kernel.
-:control: $P_{1,1}$ as the curve of $P_1$
+:control: $P_{1,1}$ as the curve of $P_1$ alone
 :::
 */
 CLAIM(one_point_too_many_breaks_the_recursion)
 {
-    num b[3] = {from_int(0), from_int(1), from_int(5)}, half = from_ratio(1, 2), P, far;
-    G(decasteljau)(1, 1, b, half, &P);
-    G(decasteljau)(fault(T, 0, 1), 1, b + 1, half, &far);
+    num P[3], curve, far;
+    given_points(T, "P", 3, 1, P);
+    num t = given(T, "t"), s = sub(from_int(1), t);
+    G(decasteljau)(1, 1, P, t, &curve);
+    G(decasteljau)(given_whole(T, "points of P_1,1") - 1, 1, P + 1, t, &far);
+    num blend = add(mul(s, P[0]), mul(t, far)); /* (1-t) P_{0,0} + t P_{1,1} */
+    found(T, "P_0,1(t)", curve);
+    found(T, "right side", blend);
     about(T, "P_{0,1} and the right side");
-    same(T, P, add(mul(half, b[0]), mul(half, far)));
+    same(T, curve, blend);
 }
 #endif
 
@@ -285,16 +297,21 @@ consists of $n$, $i$ and 1, as that of the first sum does, is there to be read, 
 :title: With two edges the second line has another sum
 :zh: n=2 时证明第二行不成立
 :kind: counterexample
-:given: $n=2$, the points $0,1,0$ of a line, $t=\frac12$; the second line with $(1-t)^{n-i-1}$ in both sums
-:then: the value is $\frac34$, and the curve is at $\frac12$; with $(1-t)^{n-i+1}$ in the second sum the value is $\frac38$
+:data: P = 0 1 0; t = 1/2
+:result: P(t) = 1/2; with n-i-1 = 3/4; with n-i+1 = 3/8
+:given: $n=2$, the points $P$ of a line, a parameter $t$; the second line with the exponent $n-i-1$, or $n-i+1$, in its second sum
+:then: with neither exponent the line has the value of the curve
 :method: The line as printed, with either sign of the 1, against the curve from the definition.
-:control: $(1-t)^{n-i}$ in the second sum
+:control: the exponent $n-i$ in the second sum
 :::
 */
 CLAIM(exponent_of_the_second_line_is_not_shifted)
 {
     enum { n = 2 };
-    num P[n + 1] = {from_int(0), from_int(1), from_int(0)}, t = from_ratio(1, 2), s = sub(from_int(1), t);
+    num P[n + 1];
+    given_points(T, "P", n + 1, 1, P);
+    num t = given(T, "t"), s = sub(from_int(1), t), curve = G(curve)(n, 1, P, 0, t);
+    found(T, "P(t)", curve);
     for (int sign = -1; sign <= 1; sign += 2) {
         num low = mul(G(power)(s, n - 1), P[0]), high = mul(G(power)(t, n - 1), P[n]);
         for (int i = 1; i < n; i++) {
@@ -303,9 +320,9 @@ CLAIM(exponent_of_the_second_line_is_not_shifted)
             high = add(high, mul(mul(G(choose)(n - 1, i - 1), shifted), P[i]));
         }
         num line = add(mul(s, low), mul(t, high));
-        show(T, sign < 0 ? "the line with n-i-1" : "the line with n-i+1", line);
+        found(T, sign < 0 ? "with n-i-1" : "with n-i+1", line);
         about(T, "the second line and the curve");
-        same(T, line, G(curve)(n, 1, P, 0, t));
+        same(T, line, curve);
     }
 }
 #endif

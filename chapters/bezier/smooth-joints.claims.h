@@ -103,42 +103,40 @@ CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
 }
 
 #if RATIONAL
-static void whole_points(int count, const int from[], num out[])
-{
-    for (int m = 0; m < count; m++)
-        out[m] = from_int(from[m]);
-}
-
 /*
 :::{claim} zero_edges_hide_a_corner
 :title: Edges of length 0 satisfy the condition and hide a corner
 :zh: 零边满足条件而曲线有尖角
 :kind: counterexample
-:given: $P_1=(-1,0)$, $P_2=P_3=Q_0=Q_1=(0,0)$, $Q_2=(0,1)$, so $Q_1-Q_0=a(P_3-P_2)$ for every $a$
-:then: $P'(1-u)=u\,(6,0)+\cdots$ and $Q'(u)=u\,(0,6)+\cdots$: the curve arrives along one axis and leaves along the other
+:data: P = (-2,0) (-1,0) (0,0) (0,0); Q = (0,0) (0,0) (0,1) (1,2)
+:instead: Q = (0,0) (0,0) (1,0) (1,2)
+:result: P''(1) = (-6,0); Q''(0) = (0,6)
+:given: two cubics with the polygons $P$ and $Q$, whose edges at the joint have length 0: $P_2=P_3=Q_0=Q_1$, so that $Q_1-Q_0=a(P_3-P_2)$
+  for every $a$
+:then: $P'(1)=Q'(0)=0$, and near the joint $P'(1-u)=-u\,P''(1)+\cdots$, $Q'(u)=u\,Q''(0)+\cdots$: the curve arrives along one axis and
+  leaves along the other
 :method: First derivatives, which vanish, and second ones at the joint by the kernel; the directions $-P''(1)$ and $Q''(0)$ should have
   the determinant 0.
-:control: $Q_2=(1,0)$
+:control: the second edge of $Q$ goes on along the first axis
 :::
 */
 CLAIM(zero_edges_hide_a_corner)
 {
-    static const int before[8] = {-2, 0, -1, 0, 0, 0, 0, 0}, after[8] = {0, 0, 0, 0, 0, 1, 1, 2};
-    num p[8], q[8], D[6], E[6];
-    whole_points(8, before, p);
-    whole_points(8, after, q);
-    q[4] = fault(T, from_int(1), q[4]), q[5] = fault(T, from_int(0), q[5]);
-    bezier_derivatives_q(3, dim, p, from_int(1), 2, D);
-    bezier_derivatives_q(3, dim, q, from_int(0), 2, E);
+    num P[4 * dim], Q[4 * dim], D[3 * dim], E[3 * dim];
+    given_points(T, "P", 4, dim, P);
+    given_points(T, "Q", 4, dim, Q);
+    bezier_derivatives_q(3, dim, P, from_int(1), 2, D);
+    bezier_derivatives_q(3, dim, Q, from_int(0), 2, E);
+    found_points(T, "P''(1)", 1, dim, D + 2 * dim);
+    found_points(T, "Q''(0)", 1, dim, E + 2 * dim);
     about(T, "the first derivatives");
     for (int c = 0; c < dim; c++) {
-        same(T, D[2 + c], from_int(0));
-        same(T, E[2 + c], from_int(0));
+        same(T, D[dim + c], from_int(0));
+        same(T, E[dim + c], from_int(0));
     }
-    num arrives[2] = {neg(D[4]), neg(D[5])};
-    show_points(T, "the directions before and after the joint", 2, 2, (num[]){arrives[0], arrives[1], E[4], E[5]});
+    num arrives[dim] = {neg(D[2 * dim]), neg(D[2 * dim + 1])};
     about(T, "the determinant of the directions");
-    vanishes(T, cross2_q(arrives, E + 4));
+    vanishes(T, cross2_q(arrives, E + 2 * dim));
 }
 
 /*
@@ -146,33 +144,32 @@ CLAIM(zero_edges_hide_a_corner)
 :title: A straight line with one zero edge at the joint has no ratio of the edges
 :zh: 一侧为零边的直线连接无比值
 :kind: counterexample
-:given: $P=(-3,0),(-2,0),(-1,0),(0,0)$, $Q=(0,0),(0,0),(1,0),(3,0)$
-:then: both are parts of one straight line, run through in one direction, so by arc length $G^k$ for every $k$; but $Q_1-Q_0=0$ is
-  $a(P_3-P_2)$ for no $a>0$
-:method: $P(t)=(-3+3t,0)$, $Q(t)=(3t^2,0)$: all second coordinates are 0, the first coordinates of the points do not decrease, $Q_0=P_3$, and each
-  polygon has two different ends.  With
-  $P_3-P_2=(1,0)$ the ratio is the first coordinate of $Q_1-Q_0$, which should be positive.
-:control: $Q_1=(1,0)$
+:data: P = (-3,0) (-2,0) (-1,0) (0,0); Q = (0,0) (0,0) (1,0) (3,0)
+:instead: Q = (0,0) (1,0) (1,0) (3,0)
+:result: a = 0
+:given: two cubics with the polygons $P$ and $Q$, all of whose points lie on one axis; $Q_0=P_3$, and the first edge of $Q$ has length 0
+:then: both are parts of one straight line, run through in one direction, so by arc length $G^k$ for every $k$; but
+  $Q_1-Q_0=a(P_3-P_2)$ only for $a=0$, and for no positive $a$
+:method: All second coordinates are 0, the first coordinates of the points do not decrease, $Q_0=P_3$, and each polygon has two different
+  ends.  On the axis $a$ is the quotient of the first coordinates of the two edges; it should be positive.
+:control: $Q_1$ is moved to $Q_2$
 :::
 */
 CLAIM(straight_joint_with_a_zero_edge)
 {
-    static const int before[8] = {-3, 0, -2, 0, -1, 0, 0, 0}, after[8] = {0, 0, 0, 0, 1, 0, 3, 0};
-    num p[8], q[8];
-    whole_points(8, before, p);
-    whole_points(8, after, q);
-    q[2] = fault(T, from_int(1), q[2]);
-    int straight = equal_q(q[0], p[6]) && sign_q(sub(p[6], p[0])) > 0 && sign_q(sub(q[6], q[0])) > 0;
+    num P[4 * dim], Q[4 * dim];
+    given_points(T, "P", 4, dim, P);
+    given_points(T, "Q", 4, dim, Q);
+    int straight = equal_q(Q[0], P[6]) && sign_q(sub(P[6], P[0])) > 0 && sign_q(sub(Q[6], Q[0])) > 0;
     for (int i = 0; i <= 3; i++) {
-        straight = straight && is_zero_q(p[2 * i + 1]) && is_zero_q(q[2 * i + 1]);
+        straight = straight && is_zero_q(P[2 * i + 1]) && is_zero_q(Q[2 * i + 1]);
         if (i < 3)
-            straight = straight && sign_q(sub(p[2 * i + 2], p[2 * i])) >= 0 && sign_q(sub(q[2 * i + 2], q[2 * i])) >= 0;
+            straight = straight && sign_q(sub(P[2 * i + 2], P[2 * i])) >= 0 && sign_q(sub(Q[2 * i + 2], Q[2 * i])) >= 0;
     }
-    show_points(T, "P_3 - P_2 and Q_1 - Q_0", 2, 2,
-                (num[]){sub(p[6], p[4]), sub(p[7], p[5]), sub(q[2], q[0]), sub(q[3], q[1])});
-    num ratio = div(sub(q[2], q[0]), sub(p[6], p[4]));
+    num a = div(sub(Q[2], Q[0]), sub(P[6], P[4]));
+    found(T, "a", a);
     about(T, "the joined curves being one straight line, whether a is positive");
-    agree(T, straight ? sign_q(ratio) > 0 : fault(T, 0, 1)); /* otherwise neither shows anything */
+    agree(T, straight ? sign_q(a) > 0 : fault(T, 0, 1)); /* otherwise neither shows anything */
 }
 #endif
 
@@ -301,33 +298,41 @@ CLAIM(three_points_make_c2)
 :title: Equal second derivatives at a joint that is not C1
 :zh: 二阶导矢相等而非 C2
 :kind: counterexample
-:given: $P_1=(-2,1)$, $P_2=(-1,0)$, $P_3=Q_0=(0,0)$, $Q_1=(2,0)$ so that $a=2$, $Q_2=P_1+2(Q_1-P_2)=(4,1)$
-:then: $P''(1)=Q''(0)=(0,6)$, and $P'(1)=(3,0)\ne Q'(0)=(6,0)$; the curvatures are $\frac23$ and $\frac16$
+:data: P = (-3,3) (-2,1) (-1,0) (0,0); Q_1 = (2,0); Q_3 = (6,3)
+:instead: Q_1 = (1,0)
+:result: Q_2 = (4,1); P'(1) = (3,0); P''(1) = (0,6); Q'(0) = (6,0); Q''(0) = (0,6); κ² before = 4/9; κ² after = 1/36
+:given: a cubic with the points $P$, and the next one with $Q_0=P_3$, the point $Q_1$ on the line of the last edge, twice as far from the
+  joint as $P_2$, so that $a=2$, and $Q_2=P_1+2(Q_1-P_2)$ by the printed formula
+:then: the second derivatives at the joint are equal, and the first are not; the curvature $\kappa$ jumps
 :method: The kernels at the ends.
-:control: $Q_1=(1,0)$, that is $a=1$
+:control: $Q_1$ as far from the joint as $P_2$, that is $a=1$
 :::
 */
 CLAIM(equal_second_derivatives_with_unequal_first)
 {
-    static const int before[8] = {-3, 3, -2, 1, -1, 0, 0, 0}, after[8] = {0, 0, 2, 0, 4, 1, 6, 3};
-    num p[8], q[8], D[6], E[6], two = from_int(2);
-    whole_points(8, before, p);
-    whole_points(8, after, q);
-    q[2] = fault(T, from_int(1), q[2]);
-    for (int c = 0; c < dim; c++)
-        q[4 + c] = add(p[2 + c], mul(two, sub(q[2 + c], p[4 + c])));
-    bezier_derivatives_q(3, dim, p, from_int(1), 2, D);
-    bezier_derivatives_q(3, dim, q, from_int(0), 2, E);
-    show_points(T, "P, P', P'' at the joint", 3, 2, D);
-    show_points(T, "Q, Q', Q'' at the joint", 3, 2, E);
-    show(T, "the square of the curvature before", curvature_squared_q(dim, D + 2, D + 4));
-    show(T, "the square of the curvature after", curvature_squared_q(dim, E + 2, E + 4));
+    num P[4 * dim], Q[4 * dim], D[3 * dim], E[3 * dim], two = from_int(2);
+    given_points(T, "P", 4, dim, P);
+    given_points(T, "Q_1", 1, dim, Q + dim);
+    given_points(T, "Q_3", 1, dim, Q + 3 * dim);
+    for (int c = 0; c < dim; c++) {
+        Q[c] = P[3 * dim + c];
+        Q[2 * dim + c] = add(P[dim + c], mul(two, sub(Q[dim + c], P[2 * dim + c]))); /* Q_2 = P_1 + 2 (Q_1 - P_2) */
+    }
+    bezier_derivatives_q(3, dim, P, from_int(1), 2, D);
+    bezier_derivatives_q(3, dim, Q, from_int(0), 2, E);
+    found_points(T, "Q_2", 1, dim, Q + 2 * dim);
+    found_points(T, "P'(1)", 1, dim, D + dim);
+    found_points(T, "P''(1)", 1, dim, D + 2 * dim);
+    found_points(T, "Q'(0)", 1, dim, E + dim);
+    found_points(T, "Q''(0)", 1, dim, E + 2 * dim);
+    found(T, "κ² before", curvature_squared_q(dim, D + dim, D + 2 * dim));
+    found(T, "κ² after", curvature_squared_q(dim, E + dim, E + 2 * dim));
     about(T, "the second derivatives");
     for (int c = 0; c < dim; c++)
-        same(T, E[4 + c], D[4 + c]);
+        same(T, E[2 * dim + c], D[2 * dim + c]);
     about(T, "the first derivatives");
     for (int c = 0; c < dim; c++)
-        same(T, E[2 + c], D[2 + c]);
+        same(T, E[dim + c], D[dim + c]);
 }
 #endif
 
@@ -373,18 +378,24 @@ It needs nothing else, and is true for every $a$.  With $a=1$ this is $Q_2=P_1-4
 :title: Without a common point the formula for Q2 misses the condition
 :zh: 不相接时公式不成立
 :kind: counterexample
-:given: points of a line: $P_1=P_2=P_3=0$, $Q_0=Q_1=1$, $Q_2=P_1+2(Q_1-P_2)=2$
-:then: $P_1-2P_2+P_3=0$ and $Q_0-2Q_1+Q_2=1$
-:method: Both sides.
-:control: $Q_0=0$
+:data: P_1 = 0; P_2 = 0; P_3 = 0; Q_0 = 1; Q_1 = 1
+:instead: Q_0 = 0
+:result: Q_2 = 2; P_1 - 2P_2 + P_3 = 0; Q_0 - 2Q_1 + Q_2 = 1
+:given: points of a line with $Q_0\ne P_3$, and $Q_2=P_1+2(Q_1-P_2)$ by the printed formula
+:then: the two second differences are not equal
+:method: Both sides of the condition.
+:control: $Q_0=P_3$
 :::
 */
 CLAIM(open_joint_has_no_second_point)
 {
-    num P[3] = {from_int(0), from_int(0), from_int(0)}, two = from_int(2); /* P_1, P_2, P_3 */
-    num Q[2] = {from_int(fault(T, 0, 1)), from_int(1)};
-    num second = add(P[0], mul(two, sub(Q[1], P[1])));
-    same(T, add(sub(Q[0], mul(two, Q[1])), second), add(sub(P[0], mul(two, P[1])), P[2]));
+    num P_1 = given(T, "P_1"), P_2 = given(T, "P_2"), P_3 = given(T, "P_3"), two = from_int(2);
+    num Q_0 = given(T, "Q_0"), Q_1 = given(T, "Q_1"), Q_2 = add(P_1, mul(two, sub(Q_1, P_2)));
+    num before = add(sub(P_1, mul(two, P_2)), P_3), after = add(sub(Q_0, mul(two, Q_1)), Q_2);
+    found(T, "Q_2", Q_2);
+    found(T, "P_1 - 2P_2 + P_3", before);
+    found(T, "Q_0 - 2Q_1 + Q_2", after);
+    same(T, after, before);
 }
 #endif
 

@@ -275,25 +275,27 @@ CLAIM(corners_of_the_net_give_tangents_normal_and_twist)
 :title: On a border of one point the normal vanishes, and the tangent plane is there
 :zh: 退化边界处法矢为零
 :kind: counterexample
-:given: $n=m=1$, $P_{00}=P_{01}=(0,0,0)$, $P_{10}=(1,0,0)$, $P_{11}=(0,1,0)$: a triangle of the plane $z=0$
-:then: $N(u,w)=(0,0,u)$: at $u=0$ it is $0$, at $u=\frac12$ it is not
-:method: The kernel at $(0,\frac12)$ and $(\frac12,\frac12)$; that the length of the first is not 0 is refuted.
-:control: $P_{01}=(-1,1,0)$
+:data: P = (0,0,0) (0,0,0) (1,0,0) (0,1,0); u = 1/2; w = 1/2
+:instead: P = (0,0,0) (-1,1,0) (1,0,0) (0,1,0)
+:result: N(u,w) = (0,0,1/2); N(0,w) = (0,0,0)
+:given: $n=m=1$ and the net $P_{00},P_{01},P_{10},P_{11}$ in this order: the first border is one point, and the surface is a triangle of
+  the plane $z=0$
+:then: inside the normal is not 0, on the border of one point it is, although the surface has a tangent plane there
+:method: The kernel inside, at $(u,w)$, and on the border; that the length of the second is not 0 is refuted.
+:control: $P_{01}$ apart from $P_{00}$
 :::
 */
 CLAIM(collapsed_border_has_no_normal)
 {
-    static const int from[12] = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0};
-    num P[12], N[3], half = from_ratio(1, 2);
-    for (int k = 0; k < 12; k++)
-        P[k] = from_int(from[k]);
-    P[3] = fault(T, from_int(-1), P[3]), P[4] = fault(T, from_int(1), P[4]);
-    bezier_surface_normal_q(1, 1, P, half, half, N);
-    show_points(T, "N(1/2, 1/2)", 1, 3, N);
+    num P[4 * 3], N[3];
+    given_points(T, "P", 4, 3, P);
+    num u = given(T, "u"), w = given(T, "w");
+    bezier_surface_normal_q(1, 1, P, u, w, N);
+    found_points(T, "N(u,w)", 1, 3, N);
     about(T, "whether the normal inside is not 0");
-    refute(T, is_zero_q(norm_squared_q(3, N)));
-    bezier_surface_normal_q(1, 1, P, from_int(0), half, N);
-    show_points(T, "N(0, 1/2)", 1, 3, N);
+    agree(T, !is_zero_q(norm_squared_q(3, N)));
+    bezier_surface_normal_q(1, 1, P, from_int(0), w, N);
+    found_points(T, "N(0,w)", 1, 3, N);
     about(T, "whether the normal on the border is not 0");
     refute(T, is_zero_q(norm_squared_q(3, N)));
 }
