@@ -58,22 +58,31 @@ const char *text_f(num_f a)
     return text;
 }
 
+/* count rows of dim numbers, as (0, 0) (1/2, 1), or as 1, 2, 3 where dim is 1. */
+void show_written(trial *T, const char *name, int count, int dim, const char *const number[])
+{
+    size_t room = 1;
+    for (int k = 0; k < count * dim; k++)
+        room += strlen(number[k]) + 4;
+    char *text = region_bytes(room + 4), *at = text;
+    *at = '\0';
+    for (int k = 0; k < count * dim; k++)
+        if (dim == 1)
+            at += sprintf(at, "%s%s", k > 0 ? ", " : "", number[k]);
+        else
+            at += sprintf(at, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", number[k],
+                          k % dim == dim - 1 ? ")" : "");
+    show_text(T, name, "%s", text);
+}
+
 #define SHOWN(S)                                                                                                       \
     void show_##S(trial *T, const char *name, num_##S a) { show_text(T, name, "%s", text_##S(a)); }                    \
     void show_points_##S(trial *T, const char *name, int count, int dim, const num_##S R[])                            \
     {                                                                                                                  \
-        size_t room = 1;                                                                                               \
+        const char **number = region_bytes((size_t)(count * dim) * sizeof *number);                                    \
         for (int k = 0; k < count * dim; k++)                                                                          \
-            room += strlen(text_##S(R[k])) + 4;                                                                        \
-        char *text = region_bytes(room + 4), *at = text;                                                               \
-        *at = '\0';                                                                                                    \
-        for (int k = 0; k < count * dim; k++)                                                                          \
-            if (dim == 1)                                                                                              \
-                at += sprintf(at, "%s%s", k > 0 ? ", " : "", text_##S(R[k]));                                          \
-            else                                                                                                       \
-                at += sprintf(at, "%s%s%s", k % dim == 0 ? (k > 0 ? " (" : "(") : ", ", text_##S(R[k]),                \
-                              k % dim == dim - 1 ? ")" : "");                                                          \
-        show_text(T, name, "%s", text);                                                                                \
+            number[k] = text_##S(R[k]);                                                                                \
+        show_written(T, name, count, dim, number);                                                                     \
     }
 SHOWN(f)
 SHOWN(q)

@@ -15,4 +15,7 @@ const char *text_f(num_f a);
 const char *text_q(num_q a);
 const char *text_i(num_i a);
 const char *text_m(num_m a);
+
+/* Exhibit count rows of dim numbers that are texts already. */
+void show_written(trial *T, const char *name, int count, int dim, const char *const number[]);
 #endif

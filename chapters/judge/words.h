@@ -25,6 +25,8 @@
  *   found(T, "x", a)                    a is the result of that name: shown and compared with it
  *   found_points(T, "S", count, dim, S), found_whole(T, "n", k), found_text(T, "F", text)   the same
  *
+ * What is given, and what comes out as it is stated, is shown as it is written in the block: 0.15 and not 3/20.
+ *
  * In the control nothing is compared with the results.  An entry that nobody asks for in the run is a mistake, and so is a
  * result that differs: the claim is then not as expected, whatever it compared.
  *
