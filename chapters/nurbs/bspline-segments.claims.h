@@ -136,7 +136,7 @@ static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
                 R.u[i] = own ? K.u[mu + i - p] : t, R.place[i] = own ? K.place[mu + i - p] : place;
                 same(T, w[i], R.u[i]);
             }
-            for (int e = 0; e < fault(T, 0, dim); e++) {
+            for (int e = 0; T->faulty && e < dim; e++) {
                 if (L.n > 1)
                     left[(L.n - 1) * dim + e] = left[(L.n - 2) * dim + e];
                 if (R.n > 1)

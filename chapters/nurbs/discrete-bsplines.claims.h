@@ -305,7 +305,7 @@ static void G(decide_collocation)(trial *T, const struct G(knots) * pattern, con
         }
         regular = regular && !is_zero_f(value);
     }
-    for (int j = 0; j < fault(T, 0, n); j++) {
+    for (int j = 0; T->faulty && j < n; j++) {
         num first = M[j];
         M[j] = M[n + j], M[n + j] = first;
     }

@@ -367,7 +367,7 @@ CLAIM(marsden_determinant_is_positive)
     for (int m = 0; m < G(patterns)(k); m++) {
         struct G(span) S = G(span_of_pattern)(k, m, x);
         G(marsden_matrix)(k - 1, S.t, S.r, g);
-        for (int j = 0; j < fault(T, 0, k) && k > 1; j++) {
+        for (int j = 0; T->faulty && k > 1 && j < k; j++) {
             num first = g[j * k];
             g[j * k] = g[j * k + 1];
             g[j * k + 1] = first;

@@ -895,7 +895,7 @@ CLAIM(inserted_polygons_stay_convex)
                 for (int times = 0; times < k && compare_q(t[now][1], tau) < 0 && n < MOST_POINTS - 8; times++, n++) {
                     int next = 1 - now, mu = place_of(n + k, t[now], tau);
                     G(printed_insertion)(n, k, 2, t[now], mu, tau, r[now], w[now], t[next], r[next], w[next]);
-                    for (int c = 0; c < fault(T, 0, 2); c++) {
+                    for (int c = 0; T->faulty && c < 2; c++) {
                         num kept = r[next][2 * 2 + c];
                         r[next][2 * 2 + c] = r[next][2 * 3 + c];
                         r[next][2 * 3 + c] = kept;

@@ -87,7 +87,7 @@ CLAIM(rational_triangle_follows_the_recursion)
     for (int r = 1; r <= p; r++) {
         int points = k - r; /* after this level */
         num last = v[points], end[2] = {P[2 * points], P[2 * points + 1]};
-        for (int m = 0; fault(T, 0, r == p && m <= points); m++)
+        for (int m = 0; T->faulty && r == p && m <= points; m++)
             v[m] = last = from_int(1);
         G(nurbs_deboor_level)(p, 2, u, j - 1, r, P, v, t);
         for (int m = 0; m < points; m++) {

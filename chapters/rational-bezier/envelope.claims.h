@@ -992,7 +992,7 @@ CLAIM(osculating_flats_agree)
     for (int r = 0; r <= n; r++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], Hr[2 * MAX_DEGREE + 2], E[2 * MAX_DEGREE + 2];
         G(rational_decasteljau)(n, 1, R, w, c, r, Rr, wr);
-        for (int i = 0; i <= fault(T, -1, n - r); i++)
+        for (int i = 0; T->faulty && i <= n - r; i++)
             wr[i] = from_int(1);
         G(rational_homogenize)(n - r, 1, Rr, wr, Hr);
         G(bezier_derivatives)(n - r, 2, Hr, c, n - r, E);

@@ -48,7 +48,7 @@ CLAIM(determinant_is_the_sum_over_permutations)
     for (int k = 0; k < n * n; k++)
         M[k] = unknown(T, "m", k);
     num det = G(determinant)(n, M);
-    for (int i = 0; i < fault(T, 0, n) && n > 1; i++) {
+    for (int i = 0; T->faulty && n > 1 && i < n; i++) {
         num held = M[i * n];
         M[i * n] = M[i * n + 1];
         M[i * n + 1] = held;

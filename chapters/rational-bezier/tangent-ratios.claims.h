@@ -324,7 +324,7 @@ CLAIM(lengths_do_not_tell_points_apart)
     int on_curve = is_zero_q(G(form)(S, P[0], P[1])) && is_zero_q(G(form)(S, Q[0], Q[1]));
     ratios(half, -1, P[0], P[1], g);
     ratios(half, -1, Q[0], Q[1], h);
-    for (int c = 0; c < fault(T, 0, 2); c++) {
+    for (int c = 0; T->faulty && c < 2; c++) {
         g[c] = length(g[c]);
         h[c] = length(h[c]);
     }
