@@ -1,10 +1,10 @@
-/* stationary_box.c -- gradient and Hessian of the cost over a box of unknowns, point by point. */
+/* box.c -- gradient and Hessian of the cost over a box of unknowns, point by point. */
 #include "exact/fit/box.h"
 
 #include "exact/fit/foot.h"
-#include "exact/fit/interval.h"
-#include "exact/words.h"
+#include "exact/fit/words.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { ENTRIES = WIDTH * MAX_DIM }; /* unknowns that count at one point */
@@ -26,9 +26,9 @@ int cagd_stationary_box_new(struct box *b, const cagd_stationary_problem *proble
     b->gradient = malloc((n + 1) * sizeof(struct cagd_interval));
     b->hessian = malloc((n * n + 1) * sizeof(struct cagd_interval));
     if (b->gradient != NULL)
-        sums_init(b->n, b->gradient);
+        cagd_sums_init(b->n, b->gradient);
     if (b->hessian != NULL)
-        sums_init(b->n * b->n, b->hessian);
+        cagd_sums_init(b->n * b->n, b->hessian);
     if (b->of_weight == NULL || b->of_coordinate == NULL || b->knot == NULL || b->point == NULL || b->weight == NULL ||
         b->gradient == NULL || b->hessian == NULL)
         return 0;
@@ -49,9 +49,9 @@ int cagd_stationary_box_new(struct box *b, const cagd_stationary_problem *proble
 void cagd_stationary_box_free(struct box *b)
 {
     if (b->gradient != NULL)
-        sums_clear(b->n, b->gradient);
+        cagd_sums_clear(b->n, b->gradient);
     if (b->hessian != NULL)
-        sums_clear(b->n * b->n, b->hessian);
+        cagd_sums_clear(b->n * b->n, b->hessian);
     free(b->of_weight);
     free(b->of_coordinate);
     free(b->knot);
@@ -71,14 +71,15 @@ static void box_fill(struct box *b, const double radius[])
     b->reason = NULL;
     b->where = -1;
     for (int i = 0; i < curve->count + curve->degree + 1; i++)
-        b->knot[i] = number(curve->knots[i]);
+        b->knot[i] = from_double_i(curve->knots[i]);
     for (int i = 0; i < curve->count; i++) {
         double w = curve->weights != NULL ? curve->weights[i] : 1;
-        b->weight[i] = b->of_weight[i] < 0 ? number(w) : factor_around(w, radius[b->of_weight[i]]);
+        b->weight[i] =
+            b->of_weight[i] < 0 ? from_double_i(w) : mul_i(from_double_i(w), exp_around_i(radius[b->of_weight[i]]));
     }
     for (int m = 0; m < curve->count * curve->dim; m++) {
         int a = b->of_coordinate[m];
-        b->point[m] = a < 0 ? number(curve->points[m]) : around(curve->points[m], radius[a]);
+        b->point[m] = a < 0 ? from_double_i(curve->points[m]) : around_i(curve->points[m], radius[a]);
     }
     for (int a = 0; a < b->n; a++) {
         mpfr_set_zero(b->gradient[a].lo, 1);
@@ -95,22 +96,20 @@ static void box_fill(struct box *b, const double radius[])
 /* rho'(s) and rho''(s), the latter the hull of both one-sided values where it jumps. */
 static void loss_derivatives(const cagd_stationary_problem *problem, num_i s, num_i *first, num_i *second)
 {
-    num_i one = number(1), a = number(problem->loss_scale), aa = mul_i(a, a);
+    num_i one = from_double_i(1), a = from_double_i(problem->loss_scale), aa = mul_i(a, a);
     *first = one;
-    *second = number(0);
+    *second = from_double_i(0);
     if (problem->loss == CAGD_FIT_CAUCHY) {
         *first = div_i(one, add_i(one, div_i(s, aa)));
         *second = neg_i(div_i(mul_i(*first, *first), aa));
     }
     if (problem->loss == CAGD_FIT_HUBER && sign_i(sub_i(s, aa)) >= 0 && !mpfr_lessequal_p(s.at->hi, aa.at->lo)) {
-        struct cagd_interval *outside = cagd_region_slot(SLOT_INTERVAL); /* of s: where it is not less than a^2 */
-        mpfr_max(outside->lo, s.at->lo, aa.at->lo, MPFR_RNDD);
-        mpfr_set(outside->hi, s.at->hi, MPFR_RNDU);
-        num_i beyond = {outside}, root = root_i(2, beyond);
-        num_i slope = div_i(a, root), bend = neg_i(div_i(slope, mul_i(number(2), beyond)));
+        num_i outside = hull_i(aa, from_double_i(INFINITY)), beyond = nearest_in_i(outside, s),
+              root = root_i(2, beyond);
+        num_i slope = div_i(a, root), bend = neg_i(div_i(slope, mul_i(from_double_i(2), beyond)));
         int straddles = mpfr_less_p(s.at->lo, aa.at->hi);
-        *first = straddles ? hull(one, slope) : slope;
-        *second = straddles ? hull(number(0), bend) : bend;
+        *first = straddles ? hull_i(one, slope) : slope;
+        *second = straddles ? hull_i(from_double_i(0), bend) : bend;
     }
 }
 
@@ -126,9 +125,9 @@ static num_i second_part(const struct view *v, int dim, const num_i *away, const
 {
     num_i both = mul_i(v->R[0][e->m], v->R[0][f->m]), sum;
     if (e->c >= 0 && f->c >= 0)
-        return e->c == f->c ? both : number(0);
+        return e->c == f->c ? both : from_double_i(0);
     if (e->c < 0 && f->c < 0) {
-        sum = inner(dim, away + e->m * dim, away + f->m * dim);
+        sum = inner_i(dim, away + e->m * dim, away + f->m * dim);
         sum = mul_i(both, sub_i(sum, add_i(A[e->m], A[f->m])));
         return e->m == f->m ? add_i(sum, mul_i(v->R[0][e->m], A[e->m])) : sum;
     }
@@ -148,20 +147,20 @@ static int add_point(struct box *b, int i)
     enum foot foot = cagd_stationary_enclose_foot(b, i, &v);
     if (foot == NO_FOOT || foot == FOOT_ON_FIXED_END)
         return foot == FOOT_ON_FIXED_END;
-    num_i sigma = number(problem->data->sigma != NULL ? problem->data->sigma[i] : 1), s = number(0);
-    num_i precision = div_i(number(1), square(sigma));
+    num_i sigma = from_double_i(problem->data->sigma != NULL ? problem->data->sigma[i] : 1), s = from_double_i(0);
+    num_i precision = div_i(from_double_i(1), square_i(sigma));
     for (int c = 0; c < dim; c++)
-        s = add_i(s, square(v.D[c]));
+        s = add_i(s, square_i(v.D[c]));
     loss_derivatives(problem, mul_i(s, precision), &first, &second);
     first = mul_i(first, precision);
-    second = mul_i(mul_i(number(2), second), square(precision));
+    second = mul_i(mul_i(from_double_i(2), second), square_i(precision));
     for (int m = 0; m < v.width; m++) {
         int index = v.first + m, a = b->of_weight[index];
         if (a >= 0) {
             for (int c = 0; c < dim; c++)
                 away[m * dim + c] = sub_i(v.X[m * dim + c], v.D[c]);
-            A[m] = inner(dim, v.D, away + m * dim);
-            num_i turn = mul_i(v.R[0][m], inner(dim, v.C1, away + m * dim));
+            A[m] = inner_i(dim, v.D, away + m * dim);
+            num_i turn = mul_i(v.R[0][m], inner_i(dim, v.C1, away + m * dim));
             turn = add_i(turn, mul_i(v.R[1][m], A[m]));
             entry[entries++] = (struct entry){a, m, -1, mul_i(v.R[0][m], A[m]), turn};
         }
@@ -175,22 +174,22 @@ static int add_point(struct box *b, int i)
     }
     for (int k = 0; k < entries; k++) {
         struct entry *e = &entry[k];
-        accumulate(&b->gradient[e->unknown], mul_i(first, e->slope));
+        cagd_accumulate(&b->gradient[e->unknown], mul_i(first, e->slope));
         int moves = foot == FOOT_INSIDE || foot == FOOT_NEAR_END;
-        num_i turn = moves ? div_i(e->turn, v.slope) : number(0);
+        num_i turn = moves ? div_i(e->turn, v.slope) : from_double_i(0);
         num_i bend = mul_i(second, e->slope);
         for (int l = k; l < entries; l++) {
             struct entry *f = &entry[l];
             int low = e->unknown < f->unknown ? e->unknown : f->unknown, high = e->unknown + f->unknown - low;
             num_i part = second_part(&v, dim, away, A, e, f);
             if (moves) {
-                num_i quotient = k == l ? div_i(square(e->turn), v.slope) : mul_i(turn, f->turn);
-                part = sub_i(part, foot == FOOT_INSIDE ? quotient : hull(number(0), quotient));
+                num_i quotient = k == l ? div_i(square_i(e->turn), v.slope) : mul_i(turn, f->turn);
+                part = sub_i(part, foot == FOOT_INSIDE ? quotient : hull_i(from_double_i(0), quotient));
             }
             part = mul_i(first, part);
             if (problem->loss != CAGD_FIT_SQUARES)
                 part = add_i(part, mul_i(bend, f->slope));
-            accumulate(&b->hessian[low * b->n + high], part);
+            cagd_accumulate(&b->hessian[low * b->n + high], part);
         }
     }
     return 1;

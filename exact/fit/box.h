@@ -7,8 +7,8 @@
 #define CAGD_STATIONARY_BOX_H
 
 #include "exact/fit/stationary.h"
+#include "exact/fit/words.h"
 #include "exact/kernels_i.h"
-#include "exact/words.h"
 
 struct box {
     const cagd_stationary_problem *problem;

@@ -1,7 +1,7 @@
 /* cagd_stationary_directions.c -- eigenvectors of the scaled Hessian, in binary64: approximate, and what is chosen is
  * then taken as exact, so that nothing here has to be right for the verdict to be. */
 #include "exact/fit/directions.h"
-#include "exact/words.h"
+#include "exact/fit/words.h"
 
 #include <math.h>
 #include <stdlib.h>

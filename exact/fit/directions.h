@@ -3,7 +3,7 @@
 #define CAGD_STATIONARY_DIRECTIONS_H
 
 #include "exact/fit/box.h"
-#include "exact/words.h"
+#include "exact/fit/words.h"
 
 /* W (n x k by columns, W[a*n + j]) and the signs, such that W^T H W is nearly the diagonal of signs, where H is the
  * Hessian that was enclosed last; W has no part in unknowns that are held and spans a complement of the free

@@ -1,8 +1,9 @@
-/* stationary_foot.c -- interval Newton for the foot of one point; the ends of the domain and the knots. */
+/* foot.c -- interval Newton for the foot of one point; the ends of the domain and the knots. */
 #include "exact/fit/foot.h"
 
-#include "exact/fit/interval.h"
-#include "exact/words.h"
+#include "exact/fit/words.h"
+
+#include <math.h>
 static const char *const no_foot =
     "the foot of this point is not a nearest point of the curve, or not the only one near";
 static const char *const at_end = "the foot of this point cannot be told from the end of the curve";
@@ -51,12 +52,12 @@ static int look(struct box *b, int i, num_i t, struct view *v)
         for (int r = 0; r < 3; r++)
             for (int m = 0; m < v->width; m++) {
                 int k = m - (mu - low);
-                num_i value = k >= 0 && k <= p ? R[r * (p + 1) + k] : number(0);
-                v->R[r][m] = mu == low ? value : hull(v->R[r][m], value);
+                num_i value = k >= 0 && k <= p ? R[r * (p + 1) + k] : from_double_i(0);
+                v->R[r][m] = mu == low ? value : hull_i(v->R[r][m], value);
             }
     }
     for (int c = 0; c < dim; c++) {
-        num_i q = number(Q[c]), sum[3];
+        num_i q = from_double_i(Q[c]), sum[3];
         for (int m = 0; m < v->width; m++) {
             v->X[m * dim + c] = sub_i(b->point[(v->first + m) * dim + c], q);
             for (int r = 0; r < 3; r++) {
@@ -68,10 +69,10 @@ static int look(struct box *b, int i, num_i t, struct view *v)
         v->C1[c] = sum[1];
         v->C2[c] = sum[2];
     }
-    v->phi = inner(dim, v->D, v->C1);
-    v->slope = inner(dim, v->D, v->C2);
+    v->phi = inner_i(dim, v->D, v->C1);
+    v->slope = inner_i(dim, v->D, v->C2);
     for (int c = 0; c < dim; c++)
-        v->slope = add_i(v->slope, square(v->C1[c]));
+        v->slope = add_i(v->slope, square_i(v->C1[c]));
     return 1;
 }
 
@@ -109,7 +110,7 @@ static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *
     int end = t == first ? 0 : t == last ? 1 : -1;
     if (end >= 0 && is_fixed_end(b, i, end))
         return FOOT_ON_FIXED_END;
-    num_i here = number(t), phi;
+    num_i here = from_double_i(t), phi;
     if (!look(b, i, here, v))
         return NO_FOOT;
     if (end >= 0 && sign_i(v->phi) == (end == 0 ? 1 : -1))
@@ -119,9 +120,9 @@ static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *
         return NO_FOOT;
     }
     phi = v->phi;
-    double h = 2 * size_of(div_i(phi, v->slope)) + ldexp(last - first, -INTERVAL_PRECISION / 2);
+    double h = 2 * size_i(div_i(phi, v->slope)) + ldexp(last - first, (int)(-cagd_region_precision() / 2));
     for (int attempt = 0; attempt < 4; attempt++, h *= 4) {
-        num_i T = within(between(first, last), add_i(here, between(-h, h)));
+        num_i T = nearest_in_i(between_i(first, last), add_i(here, between_i(-h, h)));
         int below = mpfr_cmp_d(T.at->lo, first) <= 0, above = mpfr_cmp_d(T.at->hi, last) >= 0;
         if (!look(b, i, T, v))
             return NO_FOOT;
@@ -134,7 +135,7 @@ static enum foot enclose_foot_near(struct box *b, int i, double t, struct view *
         if ((from_end || mpfr_greater_p(next.at->lo, T.at->lo)) && (to_end || mpfr_less_p(next.at->hi, T.at->hi))) {
             if (from_end || to_end) {
                 *again = from_end ? first : last;
-                next = within(T, next);
+                next = nearest_in_i(T, next);
             }
             if (b->is_point && !look(b, i, next, v)) /* of a box T is seen, which is not much wider */
                 return NO_FOOT;

@@ -4,7 +4,7 @@
 
 #include "core/number/limits.h"
 #include "exact/fit/box.h"
-#include "exact/words.h"
+#include "exact/fit/words.h"
 
 /* So many more spans than one may a foot be in, and so many points of the curve count then. */
 enum { MORE_SPANS = 2, WIDTH = MAX_DEGREE + 1 + MORE_SPANS };

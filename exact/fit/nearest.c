@@ -1,8 +1,10 @@
 /* cagd_stationary_nearest.c -- whether feet are the nearest points of a whole curve: branch and bound in intervals. */
 #include "core/number/limits.h"
-#include "exact/fit/interval.h"
 #include "exact/fit/stationary.h"
-#include "exact/words.h"
+#include "exact/fit/words.h"
+#include "exact/kernels_i.h"
+
+#include <math.h>
 
 static const char *const undecided =
     "the curve could not be divided into parts so small that their distances are known";
@@ -28,45 +30,45 @@ static int see(const struct hunt *h, int mu, num_i t, num_i *square_of_D, num_i 
     nurbs_basis_i(p, h->knot, mu, h->weight, t, 3, R);
     for (int r = 0; r < 3; r++)
         for (int c = 0; c < dim; c++) {
-            num_i q = number(h->Q[c]);
+            num_i q = from_double_i(h->Q[c]);
             for (int m = 0; m <= p; m++) {
                 num_i term = mul_i(R[r * (p + 1) + m], sub_i(h->point[(mu - p + m) * dim + c], q));
                 D[r][c] = m == 0 ? term : add_i(D[r][c], term);
             }
         }
-    *square_of_D = *slope = number(0);
+    *square_of_D = *slope = from_double_i(0);
     for (int c = 0; c < dim; c++) {
-        *square_of_D = add_i(*square_of_D, square(D[0][c]));
-        *slope = add_i(*slope, square(D[1][c]));
+        *square_of_D = add_i(*square_of_D, square_i(D[0][c]));
+        *slope = add_i(*slope, square_i(D[1][c]));
     }
-    *phi = inner(dim, D[0], D[1]);
-    *slope = add_i(*slope, inner(dim, D[0], D[2]));
+    *phi = inner_i(dim, D[0], D[1]);
+    *slope = add_i(*slope, inner_i(dim, D[0], D[2]));
     int good = region_faults == 0;
     region_faults = 0;
     return good;
 }
 
 /* The numbers of a that are not negative, from 0 on where there are others. */
-static num_i no_less_than_0(num_i a) { return within(between(0, INFINITY), a); }
+static num_i no_less_than_0(num_i a) { return nearest_in_i(between_i(0, INFINITY), a); }
 
 /* Over low <= t <= high, C of span mu: with m in this interval |D(t)|^2 lies in |D(m)|^2 + 2 phi(T) (T - m), and where the slope is at least
  * s > 0 it is no less than |D(m)|^2 - phi(m)^2/s.  The first is better where m is no foot, the second where it is.  A part in which the
  * distance may be smaller than that of the foot by more than is allowed is halved. */
 static void search(struct hunt *h, int mu, double low, double high)
 {
-    num_i T = between(low, high), all, phi, slope, at, phi_at, slope_at;
+    num_i T = between_i(low, high), all, phi, slope, at, phi_at, slope_at;
     double middle = low <= h->foot && h->foot <= high ? h->foot : low + (high - low) / 2;
     region_mark mark = region_open();
     double excess = INFINITY;
-    if (--h->parts >= 0 && !h->nearer && see(h, mu, number(middle), &at, &phi_at, &slope_at)) {
+    if (--h->parts >= 0 && !h->nearer && see(h, mu, from_double_i(middle), &at, &phi_at, &slope_at)) {
         if (upper_i(sub_i(root_i(2, at), h->distance)) < -h->excess)
             h->nearer = 1;
         if (see(h, mu, T, &all, &phi, &slope)) {
-            num_i bound = add_i(at, mul_i(mul_i(number(2), phi), sub_i(T, number(middle))));
+            num_i bound = add_i(at, mul_i(mul_i(from_double_i(2), phi), sub_i(T, from_double_i(middle))));
             excess = upper_i(sub_i(h->distance, root_i(2, no_less_than_0(all))));
             excess = fmin(excess, upper_i(sub_i(h->distance, root_i(2, no_less_than_0(bound)))));
             if (sign_i(slope) > 0) {
-                bound = sub_i(at, div_i(square(phi_at), slope));
+                bound = sub_i(at, div_i(square_i(phi_at), slope));
                 excess = fmin(excess, upper_i(sub_i(h->distance, root_i(2, no_less_than_0(bound)))));
             }
         }
@@ -119,11 +121,11 @@ cagd_nearest_verdict cagd_stationary_nearest(const cagd_fit_data *data, const ca
     num_i *knot = region_bytes((size_t)(n + p + 1) * sizeof *knot),
           *point = region_bytes((size_t)(n * dim) * sizeof *point), *weight = region_bytes((size_t)n * sizeof *weight);
     for (int i = 0; i <= n + p; i++)
-        knot[i] = number(curve->knots[i]);
+        knot[i] = from_double_i(curve->knots[i]);
     for (int i = 0; i < n; i++)
-        weight[i] = number(curve->weights != NULL ? curve->weights[i] : 1);
+        weight[i] = from_double_i(curve->weights != NULL ? curve->weights[i] : 1);
     for (int m = 0; m < n * dim; m++)
-        point[m] = number(curve->points[m]);
+        point[m] = from_double_i(curve->points[m]);
     region_faults = 0;
     struct hunt h = {
         .curve = curve, .knot = knot, .point = point, .weight = weight, .excess = ldexp(extent_of(data, curve), -44)};
@@ -134,7 +136,7 @@ cagd_nearest_verdict cagd_stationary_nearest(const cagd_fit_data *data, const ca
         h.foot = feet[i];
         h.parts = MOST_PARTS * n;
         if (!(curve->knots[p] <= h.foot && h.foot <= curve->knots[n]) ||
-            !see(&h, span_of(curve, h.foot), number(h.foot), &at, &phi, &slope))
+            !see(&h, span_of(curve, h.foot), from_double_i(h.foot), &at, &phi, &slope))
             h.parts = -1;
         else
             h.distance = root_i(2, at);

@@ -3,9 +3,9 @@
 
 #include "exact/fit/box.h"
 #include "exact/fit/directions.h"
-#include "exact/fit/interval.h"
-#include "exact/words.h"
+#include "exact/fit/words.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,17 +23,17 @@ static double contraction(const struct box *b, int k, const double W[], const in
         num_i *WH = region_bytes((size_t)n * sizeof(num_i));
         for (int c = 0; c < n; c++)
             for (int a = 0; a < n; a++) {
-                num_i term = mul_i(number(W[a * n + i]), (num_i){&b->hessian[a * n + c]});
+                num_i term = mul_i(from_double_i(W[a * n + i]), (num_i){&b->hessian[a * n + c]});
                 WH[c] = a == 0 ? term : add_i(WH[c], term);
             }
-        num_i row = number(0);
+        num_i row = from_double_i(0);
         for (int j = 0; j < k; j++) {
-            num_i sum = number(0);
+            num_i sum = from_double_i(0);
             for (int c = 0; c < n; c++)
-                sum = add_i(sum, mul_i(WH[c], number(W[c * n + j])));
+                sum = add_i(sum, mul_i(WH[c], from_double_i(W[c * n + j])));
             double size =
-                sign == NULL ? width_i(sum) / 2 : size_of(sub_i(number(i == j), sign[i] < 0 ? neg_i(sum) : sum));
-            row = add_i(row, number(size));
+                sign == NULL ? width_i(sum) / 2 : size_i(sub_i(from_double_i(i == j), sign[i] < 0 ? neg_i(sum) : sum));
+            row = add_i(row, from_double_i(size));
         }
         worst = fmax(worst, upper_i(row));
         region_drop(mark);
@@ -50,16 +50,16 @@ static double gradient_size(const struct box *b, int k, const double W[], const 
     region_mark mark = region_open();
     num_i *y = region_bytes((size_t)k * sizeof(num_i));
     for (int j = 0; j < k; j++) {
-        y[j] = number(0);
+        y[j] = from_double_i(0);
         for (int a = 0; a < b->n; a++)
-            y[j] = add_i(y[j], mul_i(number(W[a * b->n + j]), (num_i){&b->gradient[a]}));
-        worst = fmax(worst, size_of(y[j]));
+            y[j] = add_i(y[j], mul_i(from_double_i(W[a * b->n + j]), (num_i){&b->gradient[a]}));
+        worst = fmax(worst, size_i(y[j]));
     }
     for (int a = 0; a < b->n; a++) {
-        num_i sum = number(0);
+        num_i sum = from_double_i(0);
         for (int j = 0; j < k; j++)
-            sum = add_i(sum, mul_i(number(sign[j] * W[a * b->n + j]), y[j]));
-        step[a] = size_of(sum);
+            sum = add_i(sum, mul_i(from_double_i(sign[j] * W[a * b->n + j]), y[j]));
+        step[a] = size_i(sum);
         newton[a] = -(lower_i(sum) / 2 + upper_i(sum) / 2);
     }
     region_drop(mark);
@@ -83,19 +83,19 @@ static double extent(int n, int k, const double W[], const double inverse[], con
     double most = 0, e = 0;
     region_mark mark = region_open();
     for (int i = 0; i < k; i++) {
-        num_i row = number(0), reach = number(0);
+        num_i row = from_double_i(0), reach = from_double_i(0);
         for (int j = 0; j < k; j++) {
-            num_i sum = number(i == j);
+            num_i sum = from_double_i(i == j);
             for (int a = 0; a < n; a++)
-                sum = sub_i(sum, mul_i(number(inverse[i * n + a]), number(W[a * n + j])));
-            row = add_i(row, number(size_of(sum)));
+                sum = sub_i(sum, mul_i(from_double_i(inverse[i * n + a]), from_double_i(W[a * n + j])));
+            row = add_i(row, from_double_i(size_i(sum)));
         }
         for (int a = 0; a < n; a++)
-            reach = add_i(reach, mul_i(number(fabs(inverse[i * n + a])), number(unit[a])));
+            reach = add_i(reach, mul_i(from_double_i(fabs(inverse[i * n + a])), from_double_i(unit[a])));
         e = fmax(e, upper_i(row));
         most = fmax(most, upper_i(reach));
     }
-    double r = e < 1 ? upper_i(div_i(number(most), sub_i(number(1), number(e)))) : INFINITY;
+    double r = e < 1 ? upper_i(div_i(from_double_i(most), sub_i(from_double_i(1), from_double_i(e)))) : INFINITY;
     region_drop(mark);
     return r;
 }
@@ -104,7 +104,7 @@ static double extent(int n, int k, const double W[], const double inverse[], con
 static double radius_of(double eta, double q)
 {
     region_mark mark = region_open();
-    double r = upper_i(div_i(number(eta), sub_i(number(1), number(q))));
+    double r = upper_i(div_i(from_double_i(eta), sub_i(from_double_i(1), from_double_i(q))));
     region_drop(mark);
     return r;
 }

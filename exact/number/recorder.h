@@ -9,6 +9,7 @@
 #include "exact/number/field.h"
 #include "exact/number/polynomial.h"
 #include "exact/number/rational.h"
+#include "exact/number/slots.h"
 
 struct cagd_recorder {
     int noting;                      /* 0: values come and go, and nothing is noted                           */

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { CHUNK = 1024, PAGE = 1 << 16 };
+enum { CHUNK = 1024, PAGE = 1 << 16, USUAL_PRECISION = 128, MOST_PRECISION = 1 << 24 };
 
 /* One growing sequence of slots of one kind: chunk c holds slots c*CHUNK ... c*CHUNK + CHUNK - 1. */
 struct pool {
@@ -15,9 +15,21 @@ struct pool {
 };
 
 _Thread_local unsigned region_faults;
+_Static_assert(sizeof((region_mark){0}.used) == SLOT_KINDS * sizeof(size_t), "a mark has a count for each kind");
 static _Thread_local struct pool pools[SLOT_KINDS];
 static _Thread_local struct pool pages; /* used counts bytes, the unused ends of pages included */
 static _Thread_local struct pool large; /* blocks that do not fit in a page, one chunk each     */
+
+static _Thread_local long precision = USUAL_PRECISION;
+
+long cagd_region_precision(void) { return precision; }
+void cagd_region_set_precision(long bits)
+{
+    if (2 <= bits && bits <= MOST_PRECISION)
+        precision = bits;
+    else
+        region_faults |= FAULT_UNABLE;
+}
 
 static void *must(void *p)
 {
@@ -67,7 +79,7 @@ void *cagd_region_bytes(size_t n)
 
 region_mark cagd_region_open(void)
 {
-    region_mark m = {.bytes = pages.used, .large = large.chunks};
+    region_mark m = {.bytes = pages.used, .large = large.chunks, .precision = precision};
     for (enum cagd_slot_kind kind = 0; kind < SLOT_KINDS; kind++)
         m.used[kind] = pools[kind].used;
     return m;
@@ -83,6 +95,7 @@ void cagd_region_drop(region_mark m)
                 cagd_slot_ops[kind].clear(slot_at(kind, --pool->made));
     }
     pages.used = m.bytes;
+    precision = m.precision;
     while (large.chunks > m.large)
         free(large.chunk[--large.chunks]);
 }
@@ -97,7 +110,7 @@ static void free_chunks(struct pool *pool)
 
 void cagd_region_free_all(void)
 {
-    region_drop((region_mark){{0}, 0, 0});
+    region_drop((region_mark){.precision = USUAL_PRECISION});
     for (enum cagd_slot_kind kind = 0; kind < SLOT_KINDS; kind++) {
         struct pool *pool = &pools[kind];
         while (pool->made > 0)

@@ -2,27 +2,32 @@
  *
  * An operation returns a pointer to a fresh, immutable value.  Values are never freed one by one: a
  * computation opens a region, computes, and drops the whole region.  Slots of rationals and
- * intervals keep their limbs, so a warm region allocates nothing.  Each thread has its own region. */
+ * intervals keep their limbs, so a warm region allocates nothing.  Each thread has its own region, whose
+ * values no other thread may use while this one opens, drops or computes. */
 #ifndef CAGD_REGION_H
 #define CAGD_REGION_H
 
 #include <stddef.h>
 
-/* What the slots hold. */
-enum cagd_slot_kind { SLOT_RATIONAL, SLOT_INTERVAL, SLOT_FIELD, SLOT_POLYNOMIAL, SLOT_KINDS };
-
+/* How far the region of this thread was filled, and its precision.  Marks are dropped in the opposite order of opening. */
 typedef struct cagd_region_mark {
-    size_t used[SLOT_KINDS], bytes, large;
+    size_t used[4], bytes, large;
+    long precision;
 } cagd_region_mark;
 
 cagd_region_mark cagd_region_open(void);
-void cagd_region_drop(cagd_region_mark m); /* every value of this thread made since m is dead             */
-void cagd_region_free_all(void);           /* gives the region's memory back                              */
-void cagd_thread_end(void);                /* the same, the field closed and the caches of MPFR and FLINT
-                                    freed: a thread that used exact/ calls it as its last act   */
+void cagd_region_drop(cagd_region_mark m); /* every value of this thread made since m is dead, and the precision is
+                                              what it was                                                   */
+void cagd_region_free_all(void);           /* drops everything and gives the region's memory back         */
+void cagd_thread_end(void);                /* the same, the field closed and the caches of MPFR and FLINT freed:
+                                              a thread that used this library calls it as its last act      */
 
-void *cagd_region_slot(enum cagd_slot_kind kind); /* a fresh, initialised slot                                */
-void *cagd_region_bytes(size_t n);                /* n bytes, aligned for any object; lives as long as a slot */
+/* Intervals that are made from now on in this region have ends of so many bits: 128 at first, and from 2 to 2^24 as one
+ * likes; for another number UNABLE, and the precision stays. */
+void cagd_region_set_precision(long bits);
+long cagd_region_precision(void);
+
+void *cagd_region_bytes(size_t n); /* n bytes, aligned for any object; lives as long as a value made now      */
 
 /* Operations return values, so they report trouble here: bits that stay set until the reader clears
  * them.  Undefined, unable and false are three answers.  The value returned along with a fault is a

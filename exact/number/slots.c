@@ -13,7 +13,7 @@ static void rational_clear(void *p) { mpq_clear(p); }
 static void interval_init(void *p)
 {
     struct cagd_interval *x = p;
-    mpfr_inits2(INTERVAL_PRECISION, x->lo, x->hi, (mpfr_ptr)0);
+    mpfr_inits2(cagd_region_precision(), x->lo, x->hi, (mpfr_ptr)0);
 }
 static void interval_clear(void *p)
 {

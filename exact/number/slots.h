@@ -5,6 +5,8 @@
 
 #include "exact/number/region.h"
 
+enum cagd_slot_kind { SLOT_RATIONAL, SLOT_INTERVAL, SLOT_FIELD, SLOT_POLYNOMIAL, SLOT_KINDS };
+
 struct cagd_slot_ops {
     size_t size;
     void (*init)(void *);
@@ -12,4 +14,6 @@ struct cagd_slot_ops {
     int reusable; /* a dropped slot keeps its memory for the next value */
 };
 extern const struct cagd_slot_ops cagd_slot_ops[SLOT_KINDS];
+
+void *cagd_region_slot(enum cagd_slot_kind kind); /* a fresh, initialised slot */
 #endif

@@ -6,6 +6,7 @@
 #include "exact/number/polynomial.h"
 #include "exact/words.h"
 
+#include <math.h>
 #include <pthread.h>
 #include <string.h>
 
@@ -114,7 +115,7 @@ static void every_kind_is_freed(void **state)
             region_bytes(100000);
         }
         if (round == 1)
-            region_drop((region_mark){{0}, 0, 0});
+            region_drop((region_mark){.precision = 128});
         region_free_all();
         assert_true(cagd_equal_q(from_int_q(7), from_int_q(7))); /* a new life */
     }
@@ -145,6 +146,123 @@ static void threads_have_their_own_region(void **state)
     expect_fault(FAULT_UNABLE);
 }
 
+/* ---- precision ---------------------------------------------------------------------------------------- */
+
+/* x such that x^2 + x = 1, enclosed: (sqrt 5 - 1)/2. */
+static num_i golden(void) { return div_i(sub_i(root_i(2, from_int_i(5)), from_int_i(1)), from_int_i(2)); }
+
+static num_q end_of(mpfr_srcptr end)
+{
+    mpq_t x;
+    mpq_init(x);
+    mpfr_get_q(x, end);
+    num_q r = cagd_from_mpq_q(x);
+    mpq_clear(x);
+    return r;
+}
+/* The sign of x^2 + x - 1, exactly. */
+static int side_of(mpfr_srcptr end)
+{
+    num_q x = end_of(end);
+    return cagd_compare_q(add_q(mul_q(x, x), x), from_int_q(1));
+}
+
+/* The interval has the number in it, and is as narrow as its bits allow and no narrower: with ends of `bits` bits in (1/2, 1) it
+ * has at least one unit of 2^-bits, and at most the roundings of three operations. */
+static int encloses_golden(num_i x, long bits)
+{
+    double unit = ldexp(1, (int)-bits);
+    return mpfr_get_prec(x.at->lo) == bits && mpfr_get_prec(x.at->hi) == bits && side_of(x.at->lo) < 0 &&
+           side_of(x.at->hi) > 0 && width_i(x) >= unit && width_i(x) <= 8 * unit;
+}
+
+static const long precisions[] = {64, 128, 512};
+
+static void intervals_have_the_precision_of_their_region(void **state)
+{
+    (void)state;
+    assert_int_equal(cagd_region_precision(), 128);
+    for (int round = 0; round < 3; round++) /* slots are used again with other precisions */
+        for (int k = 0; k < 3; k++) {
+            region_mark m = region_open();
+            cagd_region_set_precision(precisions[k]);
+            for (int j = 0; j < 5; j++)
+                assert_true(encloses_golden(golden(), precisions[k]));
+            region_drop(m);
+            assert_int_equal(cagd_region_precision(), 128);
+        }
+    assert_true(encloses_golden(golden(), 128));
+}
+
+/* Operands keep the precision that they were made with; results have the present one. */
+static void precisions_mix(void **state)
+{
+    (void)state;
+    cagd_region_set_precision(512);
+    num_i fine = golden();
+    region_mark m = region_open();
+    cagd_region_set_precision(64);
+    num_i coarse = golden(), product = mul_i(neg_i(fine), coarse), hull = cagd_hull_i(fine, coarse);
+    assert_true(encloses_golden(coarse, 64) && encloses_golden(fine, 512));
+    assert_int_equal(mpfr_get_prec(product.at->lo), 64);
+    assert_true(mpfr_lessequal_p(hull.at->lo, coarse.at->lo) && mpfr_greaterequal_p(hull.at->hi, coarse.at->hi));
+    num_i one = sub_i(fine, product); /* x + x^2 */
+    assert_true(cagd_contains_i(one, from_int_q(1)) && width_i(one) < 0x1p-58);
+    /* the only product with temporaries: both factors have points of both signs */
+    num_i across = mul_i(cagd_between_i(-1.3, 2.7), cagd_between_i(-3.1, 1.9));
+    assert_true(mpfr_equal_p(across.at->lo, mul_i(cagd_from_double_i(2.7), cagd_from_double_i(-3.1)).at->lo));
+    assert_true(mpfr_equal_p(across.at->hi, mul_i(cagd_from_double_i(2.7), cagd_from_double_i(1.9)).at->hi));
+    region_drop(m);
+    assert_int_equal(cagd_region_precision(), 512);
+    assert_true(encloses_golden(golden(), 512));
+}
+
+static void precisions_that_are_none(void **state)
+{
+    (void)state;
+    const long bad[] = {-1, 0, 1, (1 << 24) + 1};
+    for (int k = 0; k < 4; k++) {
+        cagd_region_set_precision(bad[k]);
+        expect_fault(FAULT_UNABLE);
+        assert_int_equal(cagd_region_precision(), 128);
+    }
+    cagd_region_set_precision(2);
+    assert_true(cagd_contains_i(from_ratio_i(1, 3), from_ratio_q(1, 3)));
+}
+
+/* Eight threads at once, each with a precision of its own that changes as it goes. */
+static void *interval_work(void *state)
+{
+    int *k = state, good = 1;
+    for (int round = 0; round < 2000; round++) {
+        region_mark m = region_open();
+        long bits = precisions[(*k + round) % 3];
+        cagd_region_set_precision(bits);
+        good &= encloses_golden(golden(), bits);
+        region_drop(m);
+        good &= cagd_region_precision() == 128;
+    }
+    *k = good && region_faults == 0;
+    cagd_thread_end();
+    return NULL;
+}
+static void threads_have_their_own_precision(void **state)
+{
+    (void)state;
+    enum { THREADS = 8 };
+    pthread_t thread[THREADS];
+    int number[THREADS];
+    for (int k = 0; k < THREADS; k++) {
+        number[k] = k;
+        assert_int_equal(pthread_create(&thread[k], NULL, interval_work, &number[k]), 0);
+    }
+    assert_true(encloses_golden(golden(), 128));
+    for (int k = 0; k < THREADS; k++) {
+        assert_int_equal(pthread_join(thread[k], NULL), 0);
+        assert_true(number[k]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +273,10 @@ int main(void)
         unit(page_boundaries),
         unit(every_kind_is_freed),
         unit(threads_have_their_own_region),
+        unit(intervals_have_the_precision_of_their_region),
+        unit(precisions_mix),
+        unit(precisions_that_are_none),
+        unit(threads_have_their_own_precision),
     };
     return run_unit_tests(tests);
 }

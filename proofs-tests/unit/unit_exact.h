@@ -42,7 +42,7 @@ static inline int unit_setup(void **state)
 static inline int unit_teardown(void **state)
 {
     (void)state;
-    region_drop((region_mark){{0}, 0, 0});
+    region_drop((region_mark){.precision = 128});
     return region_faults != 0;
 }
 static inline int unit_end(void **state)
