@@ -197,16 +197,17 @@ CLAIM(program_computes_the_curve)
 :title: For npoints = 0 there is no step
 :zh: npoints=0 时无步长
 :kind: counterexample
-:given: npoints = 0
+:data: npoints = 0
+:instead: npoints = 1
+:given: no steps
 :then: the divisor of $delt=1/npoints$ is 0
 :method: The divisor; that it is not 0 is refuted.
-:control: npoints = 1
+:control: one step
 :::
 */
 CLAIM(no_steps_have_no_length)
 {
-    num npoints = from_int(fault(T, 1, 0));
-    show(T, "npoints", npoints);
+    num npoints = given(T, "npoints");
     about(T, "whether the divisor is not 0");
     refute(T, is_zero_q(npoints));
 }
@@ -286,8 +287,10 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
 :title: With npoints+1 places and delete[] the program does nothing that it must not
 :zh: 更正后的程序内存使用正确
 :kind: decision
-:given: $n=0,\dots,24$ and 8 steps; an array of 9 places for the points, delete[] for the arrays
-:then: nothing is read or written beyond an end, nothing is read before it is written, every array is released once in its own way, $2\cdot9$ in all
+:data: npoints = 8
+:given: polygons of degree $n$ and npoints steps; an array of npoints+1 places for the points, delete[] for the arrays
+:then: nothing is read or written beyond an end, nothing is read before it is written, every array is released once in its own way, two for each of
+  the npoints+1 points
 :method: The program on the arrays that count.  What it touches depends on $n$ and the number of steps only, not on the numbers.
 :degrees: 0..24
 :control: R with $n$ places
@@ -295,8 +298,7 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
 */
 CLAIM(program_stays_in_its_arrays)
 {
-    enum { steps = 8 };
-    int n = T->degree;
+    int n = T->degree, steps = given_whole(T, "npoints");
     struct program_q run = {.round = unrounded_q, .as_array = 1, .missing = fault(T, 0, 1)};
     struct array_q points;
     num b[MOST_PLACES];
@@ -326,34 +328,32 @@ A caller who takes the comment at its word makes an array with npoints places, a
 :::
 */
 
-/* The second coordinates of the worked table. */
-static void example_points(num b[])
-{
-    for (int i = 0; i <= 3; i++)
-        b[i] = from_int(i == 0 || i == 3 ? 1 : 3);
-}
-
 /*
 :::{claim} program_writes_one_point_too_many
 :title: The last point is written beyond the end
 :zh: 末点写出数组边界
 :kind: counterexample
-:given: $n=3$, 4 steps, and an array of 4 places, as many as the comment says
-:then: one number is written beyond the end of the array
-:method: The program on the arrays that count; that the number of such places is 0 is refuted.
-:control: an array of 5 places
+:data: P = 1 3 3 1; npoints = 4; places = 4
+:instead: places = 5
+:result: points written = 5; beyond the end = 1
+:given: a cubic with the points $P$ of a line, a number of steps, and an array of as many places as the comment says
+:then: one point more is written than there are steps, and one beyond the end of the array
+:method: The program on the arrays that count; that the number of places beyond the end is 0 is refuted.
+:control: one place more
 :::
 */
 CLAIM(program_writes_one_point_too_many)
 {
-    enum { steps = 4 };
     struct program_q run = {.round = unrounded_q};
     struct array_q points;
-    num b[4];
-    example_points(b);
-    drawn(&run, 3, b, steps, fault(T, steps + 1, steps), &points);
-    show_text(T, "places of the array", "%d", points.size);
-    show_text(T, "points written", "%d", steps + 1);
+    num P[4];
+    given_points(T, "P", 4, 1, P);
+    int steps = given_whole(T, "npoints"), written = 0;
+    drawn(&run, 3, P, steps, given_whole(T, "places"), &points);
+    for (int i = 0; i < points.size; i++)
+        written += points.written[i];
+    found_whole(T, "points written", written + run.memory.beyond);
+    found_whole(T, "beyond the end", run.memory.beyond);
     counted_q(T, "places beyond the end", run.memory.beyond, 0);
 }
 
@@ -382,8 +382,10 @@ without its brackets as well, so that it does not tell which was printed.  Eithe
 :title: Both arrays are released in the wrong way
 :zh: 以 delete 释放数组
 :kind: counterexample
-:given: one call of `decas` as printed, $n=3$
-:then: 2 arrays made by new[] are released by delete
+:data: P = 1 3 3 1; t = 1/2
+:result: released by delete = 2
+:given: one call of `decas` as printed, with the points $P$ of a line, at the parameter $t$
+:then: both arrays that were made by new[] are released by delete
 :method: The program on the arrays that count; that the number is 0 is refuted.
 :control: delete[]
 :::
@@ -391,11 +393,12 @@ without its brackets as well, so that it does not tell which was printed.  Eithe
 CLAIM(program_releases_arrays_as_numbers)
 {
     struct program_q run = {.round = unrounded_q, .as_array = fault(T, 1, 0)};
-    struct array_q P;
-    num b[4];
-    example_points(b);
-    given_array_q(&run, 4, b, &P);
-    decas_q(&run, 3, &P, from_ratio(1, 2));
+    struct array_q places;
+    num P[4];
+    given_points(T, "P", 4, 1, P);
+    given_array_q(&run, 4, P, &places);
+    decas_q(&run, 3, &places, given(T, "t"));
+    found_whole(T, "released by delete", run.memory.released_otherwise);
     counted_q(T, "arrays released as if they were numbers", run.memory.released_otherwise, 0);
 }
 #endif
@@ -420,19 +423,20 @@ static num last_of_steps(int steps)
 :title: Six steps of a sixth do not end at 1
 :zh: 六个 1/6 之和在 binary64 中不等于 1
 :kind: counterexample
-:given: npoints = 6, every operation rounded to binary64
-:then: the last parameter is $1-2^{-53}$
+:data: npoints = 6
+:instead: npoints = 5
+:result: the last parameter = 0x1.fffffffffffffp-1
+:given: six steps, every operation rounded to binary64
+:then: the last parameter is $1-2^{-53}$, the greatest binary64 below 1
 :method: The quotient and the sums in rationals, each rounded to the nearest binary64, ties to even.  Six is the smallest such number of
   steps.
-:control: npoints = 5
+:control: five steps
 :::
 */
 CLAIM(sum_of_steps_misses_one)
 {
-    int steps = fault(T, 5, 6);
-    num last = last_of_steps(steps);
-    show_text(T, "npoints", "%d", steps);
-    show(T, "the last parameter", last);
+    num last = last_of_steps(given_whole(T, "npoints"));
+    found(T, "the last parameter", last);
     about(T, "the last parameter");
     same(T, last, from_int(1));
 }
@@ -442,33 +446,39 @@ CLAIM(sum_of_steps_misses_one)
 :title: For 52 of the first 64 numbers of steps the last parameter is not 1
 :zh: 步数不超过 64 时末参数等于 1 的情形
 :kind: decision
-:given: npoints from 1 to 64, every operation rounded to binary64
-:then: the last parameter is 1 for $1,2,3,4,5,8,12,16,17,32,34,64$, less than 1 for 26 of the others and greater than 1 for 26
+:data: N = 64; steps = 1 2 3 4 5 8 12 16 17 32 34 64
+:instead: steps = 1 2 3 4 5 6 12 16 17 32 34 64
+:result: not 1 = 52; less than 1 = 26; greater than 1 = 26
+:given: every number of steps up to $N$, every operation rounded to binary64
+:then: the last parameter is 1 for the numbers of steps that are listed and for no others; for one half of the others it is less than 1, for
+  the other half it is greater
 :method: As for `sum_of_steps_misses_one`.  Beyond 1 the curve is left, and with it the hull.
-:control: 6 counted among those with the last parameter 1
+:control: 6 listed in the place of 8
 :::
 */
 CLAIM(sum_of_steps_is_seldom_one)
 {
-    static const int ends_at_one[] = {1, 2, 3, 4, 5, 8, 12, 16, 17, 32, 34, 64};
-    num one = from_int(1);
-    int below = 0, above = 0, k = 0;
-    for (int steps = 1; steps <= 64; steps++) {
+    enum { LISTED = 12 };
+    int most = given_whole(T, "N"), below = 0, above = 0, k = 0;
+    num exact[LISTED], one = from_int(1);
+    given_points(T, "steps", LISTED, 1, exact);
+    for (int steps = 1; steps <= most; steps++) {
         num last = last_of_steps(steps);
-        int listed = k < (int)(sizeof ends_at_one / sizeof *ends_at_one) && ends_at_one[k] == steps;
+        int listed = k < LISTED && equal_q(exact[k], from_int(steps));
         k += listed;
         about(T, "whether the last parameter is 1");
-        if (fault(T, listed, listed || steps == 6))
+        if (listed)
             same(T, last, one);
         else
             agree(T, !equal_q(last, one));
         below += compare_q(last, one) < 0;
         above += compare_q(last, one) > 0;
     }
-    show_text(T, "less than 1", "%d", below);
-    show_text(T, "greater than 1", "%d", above);
-    counted_q(T, "how often less", below, 26);
-    counted_q(T, "how often greater", above, 26);
+    found_whole(T, "not 1", below + above);
+    found_whole(T, "less than 1", below);
+    found_whole(T, "greater than 1", above);
+    counted_q(T, "how many are listed", LISTED, most - below - above);
+    counted_q(T, "how often less, and how often greater", below, above);
 }
 
 /*
@@ -476,25 +486,26 @@ CLAIM(sum_of_steps_is_seldom_one)
 :title: Six steps over the curve of the table do not end at its last point
 :zh: 算例六等分时末点有误差
 :kind: counterexample
-:given: the second coordinates 1, 3, 3, 1 of the worked table, npoints = 6, every operation rounded to binary64
-:then: the last point is $1+3\cdot2^{-52}$, not 1
+:data: P = 1 3 3 1; npoints = 6
+:instead: npoints = 5
+:result: the last parameter = 0x1.fffffffffffffp-1; the last point = 0x1.0000000000003p0
+:given: the second coordinates $P$ of the worked table and six steps, every operation rounded to binary64
+:then: the last point is $1+3\cdot2^{-52}$, and not $P_3$
 :method: The program with every operation rounded, against $P_3$.
-:control: npoints = 5
+:control: five steps
 :::
 */
 CLAIM(last_point_of_the_example_is_missed)
 {
-    int steps = fault(T, 5, 6);
     struct program_q run = {.round = binary64};
     struct array_q points;
-    num b[4];
-    example_points(b);
-    num last = drawn(&run, 3, b, steps, steps + 1, &points);
-    show_text(T, "npoints", "%d", steps);
-    show(T, "the last parameter", last);
-    show(T, "the last point", points.at[steps]);
+    num P[4];
+    given_points(T, "P", 4, 1, P);
+    int steps = given_whole(T, "npoints");
+    found(T, "the last parameter", drawn(&run, 3, P, steps, steps + 1, &points));
+    found(T, "the last point", points.at[steps]);
     about(T, "the last point and P_3");
-    same(T, points.at[steps], b[3]);
+    same(T, points.at[steps], P[3]);
 }
 
 /*
@@ -502,8 +513,10 @@ CLAIM(last_point_of_the_example_is_missed)
 :title: At t = 1 the form with one product may lose the last point
 :zh: t=1 时 R+t(R'-R) 在 binary64 中不等于 R'
 :kind: counterexample
-:given: $n=1$, $P_0=1$, $P_1=2^{-54}$, $t=1$, every operation rounded to binary64
-:then: $P_1-P_0$ is rounded to $-1$, and the result is 0
+:data: P = 1 0x1p-54; t = 1
+:result: P_1 - P_0 = -1; P(t) = 0
+:given: the segment from $P_0$ to $P_1=2^{-54}$, every operation rounded to binary64
+:then: $P_1-P_0$ is rounded to $-1$, and at the end $t=1$ the result is 0
 :method: The function with every operation rounded.
 :control: $(1-t)P_0+tP_1$
 :::
@@ -511,14 +524,15 @@ CLAIM(last_point_of_the_example_is_missed)
 CLAIM(difference_loses_the_last_point)
 {
     struct program_q run = {.round = binary64, .two_products = fault(T, 1, 0)};
-    struct array_q P;
-    num b[2] = {from_int(1), from_double_q(0x1p-54)};
-    given_array_q(&run, 2, b, &P);
-    num last = decas_q(&run, 1, &P, from_int(1));
-    show_points(T, "P_0, P_1", 2, 1, b);
-    show(T, "the result at t = 1", last);
+    struct array_q places;
+    num P[2];
+    given_points(T, "P", 2, 1, P);
+    given_array_q(&run, 2, P, &places);
+    num last = decas_q(&run, 1, &places, given(T, "t"));
+    found(T, "P_1 - P_0", binary64(sub(P[1], P[0])));
+    found(T, "P(t)", last);
     about(T, "the result and P_1");
-    same(T, last, b[1]);
+    same(T, last, P[1]);
 }
 
 /*
@@ -526,7 +540,8 @@ CLAIM(difference_loses_the_last_point)
 :title: With t = i/npoints and two products the last point is the last point
 :zh: 改正后的程序末点精确
 :kind: decision
-:given: npoints from 1 to 24, the points 1, $\frac1{10}$, $\frac13$, $2^{-54}$, rounded to binary64, every operation rounded
+:data: P = 1 1/10 1/3 0x1p-54; N = 24
+:given: every number of steps up to $N$, the points $P$ of a line rounded to binary64, every operation rounded
 :then: the parameter $\frac i{npoints}$ is 1 for the last $i$, and with $(1-t)R_i+tR_{i+1}$ the last point is $P_3$; the first is $P_0$
 :method: At $t=1$ one product is 0 and the other is the number itself, whatever the numbers are, and at $t=0$ likewise: no rounding occurs.
   Computed for the points that are given.
@@ -535,18 +550,20 @@ CLAIM(difference_loses_the_last_point)
 */
 CLAIM(corrected_program_ends_at_the_last_point)
 {
-    num b[4] = {from_int(1), from_ratio(1, 10), from_ratio(1, 3), from_double_q(0x1p-54)};
+    num P[4];
+    given_points(T, "P", 4, 1, P);
+    int most = given_whole(T, "N");
     for (int i = 0; i <= 3; i++)
-        b[i] = binary64(b[i]);
-    for (int steps = 1; steps <= 24; steps++) {
+        P[i] = binary64(P[i]);
+    for (int steps = 1; steps <= most; steps++) {
         struct program_q run = {.round = binary64, .two_products = 1, .by_quotient = fault(T, 1, 0), .as_array = 1};
         struct array_q points;
-        num last = drawn(&run, 3, b, steps, steps + 1, &points);
+        num last = drawn(&run, 3, P, steps, steps + 1, &points);
         about(T, "the last parameter");
         same(T, last, from_int(1));
         about(T, "the first point and the last");
-        same(T, points.at[0], b[0]);
-        same(T, points.at[steps], b[3]);
+        same(T, points.at[0], P[0]);
+        same(T, points.at[steps], P[3]);
     }
 }
 #endif

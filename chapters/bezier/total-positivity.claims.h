@@ -200,8 +200,9 @@ powers of $s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of 
 :title: Roots in (0,1), with multiplicity, against changes of sign
 :zh: 开区间内的根数(计重数)不超过系数变号数
 :kind: decision
+:data: sizes = 7 1 9 2 8 3 5; N = 6
 :given: every pattern of the signs $-1,0,1$ of the coefficients $b_0,\dots,b_n$, not all $0$, with the sizes $1,\dots,1$ and, for
-  $n\le6$, with the sizes $7,1,9,2,8,3,5$ and their reverse
+  $n\le N$, with the sizes that are given and their reverse
 :then: the number of roots of $\sum b_iB_i^n$ in $(0,1)$, each as often as its multiplicity, is at most $V(b)$ and differs from
   it by an even number; the different ones are as many as Sturm's theorem counts
 :method: Of $b$ and $-b$ one is taken.  Each polynomial's roots are counted exactly, by subdivision and by Sturm's chain; the parity holds also where end
@@ -214,15 +215,17 @@ powers of $s=\frac t{1-t}$, whose coefficients $\binom nib_i$ have the signs of 
 */
 CLAIM(roots_are_at_most_sign_changes)
 {
-    static const int size[] = {7, 1, 9, 2, 8, 3, 5};
+    enum { SIZES = 7 };
     int n = T->degree, patterns = 1;
-    num b[MAX_DEGREE + 1], zero = from_int(0), one = from_int(1);
+    num b[MAX_DEGREE + 1], size[SIZES], zero = from_int(0), one = from_int(1);
+    given_points(T, "sizes", SIZES, 1, size);
+    int most = given_whole(T, "N");
     for (int i = 0; i <= n; i++)
         patterns *= 3;
-    for (int sizes = 0; sizes < (n <= 6 ? 3 : 1); sizes++)
+    for (int sizes = 0; sizes < (n <= most ? 3 : 1); sizes++)
         for (int pattern = patterns / 2 + 1; pattern < patterns; pattern++) { /* before: 0, and those of -b */
             for (int i = 0, rest = pattern; i <= n; i++, rest /= 3)
-                b[i] = from_int((rest % 3 - 1) * (sizes == 0 ? 1 : size[sizes == 1 ? i : n - i]));
+                b[i] = mul(from_int(rest % 3 - 1), sizes == 0 ? one : size[sizes == 1 ? i : n - i]);
             poly p = poly_from_bernstein(n, b);
             struct cagd_root_count open = count_roots(p, zero, one, OPEN);
             int counted = fault(T, open.counted, count_roots(p, zero, one, CLOSED).counted);

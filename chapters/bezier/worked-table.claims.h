@@ -13,13 +13,10 @@ the exact value.  The points have the
 heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradicts itself twice.
 */
 #include "chapters/bezier/definition.h"
-#include "chapters/bezier/printed-table.h"
-
-#include <string.h>
 
 #include "chapters/judge/claims_on.h"
 
-enum { dim = 2 };
+enum { dim = 2, ROWS = 7 };
 
 /*
 ## The numbers, row by row
@@ -50,46 +47,40 @@ enum { dim = 2 };
 */
 
 #if RATIONAL
-/* Coordinate c of the point, as the sum of the definition. */
-static num exact_coordinate(int row, int c)
-{
-    num sum = from_int(0), t = from_string_q(printed_table[row].t);
-    for (int i = 0; i <= 3; i++)
-        sum = add(sum, mul(from_int(printed_points[i * dim + c]), G(basis)(3, i, t)));
-    return sum;
-}
-
-/* One unit of the last printed digit. */
-static num last_unit(const char *printed)
+/* One unit of the last digit of a decimal that does not end in 0: of 1, 1/10, 1/100, ... the first of which it is a multiple. */
+static num last_unit(num decimal)
 {
     num unit = from_int(1);
-    const char *point = strchr(printed, '.');
-    for (const char *digit = point == NULL ? "" : point + 1; *digit != '\0'; digit++)
+    while (!is_whole_q(div(decimal, unit)))
         unit = div(unit, from_int(10));
     return unit;
 }
 
-/* Compare: the printed number, and `more` units of its last digit, is the exact value, rounded. */
-static void is_rounded(trial *T, const char *printed, int more, num exact)
+/* Compare: the printed number is the exact value, rounded; with `more` units added to its last digit. */
+static void is_rounded(trial *T, num printed, int more, num exact)
 {
     num unit = last_unit(printed), half = div(unit, from_int(2));
-    num gap = sub(add(from_string_q(printed), mul(from_int(more), unit)), exact);
+    num gap = sub(add(printed, mul(from_int(more), unit)), exact);
     nonnegative(T, sub(half, gap));
     nonnegative(T, add(half, gap));
 }
 
-static void right_numbers(trial *T, int row, int x, int y)
+/* Compare the functions B that are printed in the row of t, and of x and y those that are asked for. */
+static void right_numbers(trial *T, int x, int y)
 {
-    const int asked[2] = {x, y};
+    const int asked[dim] = {x, y};
+    num P[4 * dim], B[4];
+    given_points(T, "P", 4, dim, P);
+    num t = given(T, "t");
+    given_points(T, "B", 4, 1, B);
     for (int i = 0; i <= 3; i++) {
         about(T, "a function");
-        is_rounded(T, printed_table[row].basis[i], fault(T, 0, i == 0),
-                   G(basis)(3, i, from_string_q(printed_table[row].t)));
+        is_rounded(T, B[i], fault(T, 0, i == 0), G(basis)(3, i, t));
     }
     for (int c = 0; c < dim; c++)
         if (asked[c]) {
             about(T, "a coordinate");
-            is_rounded(T, printed_table[row].point[c], 0, exact_coordinate(row, c));
+            is_rounded(T, given(T, c == 0 ? "x" : "y"), 0, G(curve)(3, dim, P, c, t));
         }
 }
 
@@ -98,13 +89,14 @@ static void right_numbers(trial *T, int row, int x, int y)
 :title: The row of t = 0, its right numbers
 :zh: 表中 t=0 行的正确数字
 :kind: decision
-:given: the points of the table, $t=0$; the printed values of the four functions and $x$ and $y$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0; B = 1 0 0 0; x = 1; y = 1
+:given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions and $x$ and $y$
 :then: each is the exact value, rounded to the digits that are printed
 :method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_start) { right_numbers(T, 0, 1, 1); }
+CLAIM(table_row_of_start) { right_numbers(T, 1, 1); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.15-basis
@@ -119,13 +111,14 @@ CLAIM(table_row_of_start) { right_numbers(T, 0, 1, 1); }
 :title: The row of t = 0.15, its right numbers
 :zh: 表中 t=0.15 行的正确数字
 :kind: decision
-:given: the points of the table, $t=0.15$; the printed values of the four functions and $y$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.15; B = 0.614 0.325 0.0574 0.0034; y = 1.765
+:given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions and $y$
 :then: each is the exact value, rounded to the digits that are printed
 :method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_fifteen_hundredths) { right_numbers(T, 1, 0, 1); }
+CLAIM(table_row_of_fifteen_hundredths) { right_numbers(T, 0, 1); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.15-x
@@ -142,15 +135,15 @@ The sum with the rounded factors of this row is 1.5038: the third digit after th
 :::
 */
 
-static void wrong_number(trial *T, int row, int c, const char *right)
+/* Compare the coordinate that is printed in the row of t, "x" or "y", with the exact one. */
+static void wrong_number(trial *T, const char *coordinate)
 {
-    num exact = exact_coordinate(row, c);
-    show_text(T, "t", "%s", printed_table[row].t);
-    show_text(T, "printed", "%s", printed_table[row].point[c]);
-    show_text(T, "exact", "%s", right);
-    show(T, "exact, as a fraction", exact);
+    num P[4 * dim];
+    given_points(T, "P", 4, dim, P);
+    num t = given(T, "t"), printed = given(T, coordinate), exact = G(curve)(3, dim, P, *coordinate == 'y', t);
+    found(T, *coordinate == 'y' ? "y(t)" : "x(t)", exact);
     about(T, "the distance from the exact value, and half a unit of the last digit");
-    is_rounded(T, fault(T, right, printed_table[row].point[c]), 0, exact);
+    is_rounded(T, printed, 0, exact);
 }
 
 /*
@@ -158,39 +151,42 @@ static void wrong_number(trial *T, int row, int c, const char *right)
 :title: The first coordinate at t = 0.15 is printed wrong
 :zh: t=0.15 处横坐标有误
 :kind: counterexample
-:given: the points of the table, $t=0.15$; the printed $x=1.5058$
-:then: the exact value is $1.504$
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
-:control: $1.504$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.15; x = 1.5058
+:instead: x = 1.504
+:result: x(t) = 1.504
+:given: the cubic with the points $P$, a parameter $t$, and the $x$ that is printed in the row of $t$
+:then: the exact $x(t)$ is another number, and $x$ is not what it is rounded to
+:method: The exact value, and the printed one as the decimal it is; that their distance is at most half a unit of the last printed digit is
+  refuted.
+:control: the exact value in the place of the printed one
 :::
 */
-CLAIM(table_misses_the_first_x) { wrong_number(T, 1, 0, "1.504"); }
+CLAIM(table_misses_the_first_x) { wrong_number(T, "x"); }
 
 /*
 :::{claim} exact_values_of_the_table
 :title: The seven points, exactly
 :zh: 数表各点的精确值
 :kind: decision
-:given: the points of the table and its seven parameters
-:then: the points are $(1,1)$, $(1.504,1.765)$, $(2.246,2.365)$, $(2.75,2.5)$, $(3.119,2.365)$, $(3.261,1.765)$, $(3,1)$, as finite decimals
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0 0.15 0.35 0.5 0.65 0.85 1; C = (1,1) (1.504,1.765) (2.246,2.365) (2.75,2.5) (3.119,2.365) (3.261,1.765) (3,1)
+:instead: C = (1,1) (1.504,1.765) (2.246,2.365) (2.75,2.5) (3.119,2.365) (3.261,1.75) (3,1)
+:given: the cubic with the points $P$, and the seven parameters $t$ of the table
+:then: its points at these parameters are the finite decimals $C$
 :method: By the kernel, and by the sum from the definition.
-:control: $y(0.85)=1.75$, as printed
+:control: the last $y$ but one is the printed one
 :::
 */
 CLAIM(exact_values_of_the_table)
 {
-    static const char *const exact[7][2] = {{"1", "1"},         {"1.504", "1.765"}, {"2.246", "2.365"}, {"2.75", "2.5"},
-                                            {"3.119", "2.365"}, {"3.261", "1.765"}, {"3", "1"}};
-    num b[8], P[dim];
-    for (int m = 0; m < 8; m++)
-        b[m] = from_int(printed_points[m]);
-    for (int row = 0; row < 7; row++) {
-        G(decasteljau)(3, dim, b, from_string_q(printed_table[row].t), P);
+    num P[4 * dim], t[ROWS], C[ROWS * dim], at[dim];
+    given_points(T, "P", 4, dim, P);
+    given_points(T, "t", ROWS, 1, t);
+    given_points(T, "C", ROWS, dim, C);
+    for (int row = 0; row < ROWS; row++) {
+        G(decasteljau)(3, dim, P, t[row], at);
         for (int c = 0; c < dim; c++) {
-            const char *value =
-                fault(T, exact[row][c], row == 5 && c == 1 ? printed_table[row].point[c] : exact[row][c]);
-            same(T, P[c], from_string_q(value));
-            same(T, P[c], exact_coordinate(row, c));
+            same(T, at[c], C[row * dim + c]);
+            same(T, at[c], G(curve)(3, dim, P, c, t[row]));
         }
     }
 }
@@ -216,13 +212,14 @@ CLAIM(exact_values_of_the_table)
 :title: The row of t = 0.35, its right numbers
 :zh: 表中 t=0.35 行的正确数字
 :kind: decision
-:given: the points of the table, $t=0.35$; the printed values of the four functions
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.35; B = 0.275 0.444 0.239 0.043
+:given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions
 :then: each is the exact value, rounded to the digits that are printed
 :method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_thirty_five_hundredths) { right_numbers(T, 2, 0, 0); }
+CLAIM(table_row_of_thirty_five_hundredths) { right_numbers(T, 0, 0); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.35-x
@@ -243,48 +240,57 @@ It is what the rounded factors of the row give, whose sum is 1.001; three digits
 :title: The first coordinate at t = 0.35 is printed wrong
 :zh: t=0.35 处横坐标有误
 :kind: counterexample
-:given: the points of the table, $t=0.35$; the printed $x=2.248$
-:then: the exact value is $2.246$
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
-:control: $2.246$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.35; x = 2.248
+:instead: x = 2.246
+:result: x(t) = 2.246
+:given: the cubic with the points $P$, a parameter $t$, and the $x$ that is printed in the row of $t$
+:then: the exact $x(t)$ is another number, and $x$ is not what it is rounded to
+:method: The exact value, and the printed one as the decimal it is; that their distance is at most half a unit of the last printed digit is
+  refuted.
+:control: the exact value in the place of the printed one
 :::
 */
-CLAIM(table_misses_the_second_x) { wrong_number(T, 2, 0, "2.246"); }
+CLAIM(table_misses_the_second_x) { wrong_number(T, "x"); }
 
 /*
 :::{claim} rounded_factors_of_the_table
 :title: What the rounded functions of each row give
 :zh: 用表中舍入后的基函数值所得的点
 :kind: decision
-:given: the printed values of the functions, as the decimals they are
-:then: in the rows of $t=0.15,0.35,0.65,0.85$ their sums are $0.9998$, $1.001$, $1.001$, $0.9998$, and the points $(1.5038,1.7646)$,
-  $(2.248,2.367)$, $(3.122,2.367)$, $(3.2602,1.7646)$; the other rows are exact
+:data: P = (1,1) (2,3) (4,3) (3,1); B(0) = 1 0 0 0; B(0.15) = 0.614 0.325 0.0574 0.0034; B(0.35) = 0.275 0.444 0.239 0.043; B(0.5) = 0.125 0.375 0.375 0.125
+:data: sum = 1 0.9998 1.001 1; C = (1,1) (1.5038,1.7646) (2.248,2.367) (2.75,2.5) (3.122,2.367) (3.2602,1.7646) (3,1)
+:instead: C = (1,1) (1.5038,1.7646) (2.248,2.376) (2.75,2.5) (3.122,2.367) (3.2602,1.7646) (3,1)
+:given: the points $P$ and the printed values $B$ of the functions, as the decimals they are, in the first four rows of the table; the other
+  three rows have those of the first three backwards
+:then: their sum is 1 in the first row, the middle one and the last, and nowhere else; the seven points with these factors are $C$
 :method: The sums, exactly.
-:control: $(2.248,2.376)$ in the row of $t=0.35$, as printed
+:control: in the third point the two last digits have changed places, as printed
 :::
 */
 CLAIM(rounded_factors_of_the_table)
 {
-    static const char *const sums[7] = {"1", "0.9998", "1.001", "1", "1.001", "0.9998", "1"};
-    static const char *const points[7][2] = {{"1", "1"},      {"1.5038", "1.7646"}, {"2.248", "2.367"},
-                                             {"2.75", "2.5"}, {"3.122", "2.367"},   {"3.2602", "1.7646"},
-                                             {"3", "1"}};
-    for (int row = 0; row < 7; row++) {
-        num total = from_int(0), P[dim] = {from_int(0), from_int(0)};
+    static const char *const name[] = {"B(0)", "B(0.15)", "B(0.35)", "B(0.5)"};
+    enum { half = ROWS / 2 };
+    num P[4 * dim], B[half + 1][4], stated[half + 1], C[ROWS * dim];
+    given_points(T, "P", 4, dim, P);
+    for (int row = 0; row <= half; row++)
+        given_points(T, name[row], 4, 1, B[row]);
+    given_points(T, "sum", half + 1, 1, stated);
+    given_points(T, "C", ROWS, dim, C);
+    for (int row = 0; row < ROWS; row++) {
+        int backwards = row > half, from = backwards ? ROWS - 1 - row : row;
+        num sum = from_int(0), at[dim] = {from_int(0), from_int(0)};
         for (int i = 0; i <= 3; i++) {
-            num factor = from_string_q(printed_table[row].basis[i]);
-            total = add(total, factor);
+            num factor = B[from][backwards ? 3 - i : i];
+            sum = add(sum, factor);
             for (int c = 0; c < dim; c++)
-                P[c] = add(P[c], mul(factor, from_int(printed_points[i * dim + c])));
+                at[c] = add(at[c], mul(factor, P[i * dim + c]));
         }
         about(T, "the sum of the functions");
-        same(T, total, from_string_q(sums[row]));
+        same(T, sum, stated[from]);
         about(T, "the point");
-        for (int c = 0; c < dim; c++) {
-            const char *value =
-                fault(T, points[row][c], row == 2 && c == 1 ? printed_table[row].point[c] : points[row][c]);
-            same(T, P[c], from_string_q(value));
-        }
+        for (int c = 0; c < dim; c++)
+            same(T, at[c], C[row * dim + c]);
     }
 }
 
@@ -306,13 +312,17 @@ The sum with the rounded factors is 2.367: two digits have changed places.  The 
 :title: The second coordinate at t = 0.35 is printed wrong
 :zh: t=0.35 处纵坐标有误
 :kind: counterexample
-:given: the points of the table, $t=0.35$; the printed $y=2.376$
-:then: the exact value is $2.365$
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
-:control: $2.365$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.35; y = 2.376
+:instead: y = 2.365
+:result: y(t) = 2.365
+:given: the cubic with the points $P$, a parameter $t$, and the $y$ that is printed in the row of $t$
+:then: the exact $y(t)$ is another number, and $y$ is not what it is rounded to
+:method: The exact value, and the printed one as the decimal it is; that their distance is at most half a unit of the last printed digit is
+  refuted.
+:control: the exact value in the place of the printed one
 :::
 */
-CLAIM(table_misses_the_second_y) { wrong_number(T, 2, 1, "2.365"); }
+CLAIM(table_misses_the_second_y) { wrong_number(T, "y"); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.5-basis
@@ -343,13 +353,14 @@ CLAIM(table_misses_the_second_y) { wrong_number(T, 2, 1, "2.365"); }
 :title: The row of t = 0.5, its right numbers
 :zh: 表中 t=0.5 行的正确数字
 :kind: decision
-:given: the points of the table, $t=0.5$; the printed values of the four functions and $x$ and $y$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.5; B = 0.125 0.375 0.375 0.125; x = 2.75; y = 2.5
+:given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions and $x$ and $y$
 :then: each is the exact value, rounded to the digits that are printed
 :method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_middle) { right_numbers(T, 3, 1, 1); }
+CLAIM(table_row_of_middle) { right_numbers(T, 1, 1); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.65-basis
@@ -364,13 +375,14 @@ CLAIM(table_row_of_middle) { right_numbers(T, 3, 1, 1); }
 :title: The row of t = 0.65, its right numbers
 :zh: 表中 t=0.65 行的正确数字
 :kind: decision
-:given: the points of the table, $t=0.65$; the printed values of the four functions and $y$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.65; B = 0.043 0.239 0.444 0.275; y = 2.36
+:given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions and $y$
 :then: each is the exact value, rounded to the digits that are printed
 :method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_sixty_five_hundredths) { right_numbers(T, 4, 0, 1); }
+CLAIM(table_row_of_sixty_five_hundredths) { right_numbers(T, 0, 1); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.65-x
@@ -391,13 +403,17 @@ It is what the rounded factors of the row give.
 :title: The first coordinate at t = 0.65 is printed wrong
 :zh: t=0.65 处横坐标有误
 :kind: counterexample
-:given: the points of the table, $t=0.65$; the printed $x=3.122$
-:then: the exact value is $3.119$
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
-:control: $3.119$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.65; x = 3.122
+:instead: x = 3.119
+:result: x(t) = 3.119
+:given: the cubic with the points $P$, a parameter $t$, and the $x$ that is printed in the row of $t$
+:then: the exact $x(t)$ is another number, and $x$ is not what it is rounded to
+:method: The exact value, and the printed one as the decimal it is; that their distance is at most half a unit of the last printed digit is
+  refuted.
+:control: the exact value in the place of the printed one
 :::
 */
-CLAIM(table_misses_the_third_x) { wrong_number(T, 4, 0, "3.119"); }
+CLAIM(table_misses_the_third_x) { wrong_number(T, "x"); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.65-y
@@ -416,20 +432,26 @@ digit, 5, may also have been left out, as the 6 in the next row.
 :title: With fives rounded up 2.365 is not 2.36
 :zh: 四舍五入时 2.365 不为 2.36
 :kind: counterexample
-:given: the exact $y(0.65)=2.365$ and the printed 2.36
-:then: $y$ is rounded to $r$, fives up, when $r-\frac12$ unit $\le y<r+\frac12$ unit of the last digit; for $r=2.36$ the second is an equality
-:method: Both signs, exactly.
-:control: 2.37
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.65; y = 2.36
+:instead: y = 2.37
+:result: y(t) = 2.365; left above = 0; left below = 0.01
+:given: the cubic with the points $P$, a parameter $t$, and the $y$ that is printed in the row of $t$
+:then: the exact $y(t)$ lies between the printed $y$ and the next number of as many digits, as far from the one as from the other: nothing is
+  left of the half unit above $y$, where something has to be left
+:method: What is *left below* is the whole unit less what is *left above*; both signs, exactly.
+:control: that next number
+:let: a number is rounded to $r$, fives up, when it is at least half a unit of the last digit of $r$ below $r$, and less than that above it
 :::
 */
 CLAIM(five_rounded_up_gives_another_digit)
 {
-    const char *rounded = fault(T, "2.37", printed_table[4].point[1]);
-    num exact = exact_coordinate(4, 1), half = div(last_unit(rounded), from_int(2));
-    show_text(T, "rounded", "%s", rounded);
-    show(T, "exact", exact);
-    num above = sub(add(from_string_q(rounded), half), exact), below = sub(exact, sub(from_string_q(rounded), half));
-    show(T, "what is left to half a unit", above);
+    num P[4 * dim];
+    given_points(T, "P", 4, dim, P);
+    num t = given(T, "t"), y = given(T, "y"), half = div(last_unit(y), from_int(2));
+    num exact = G(curve)(3, dim, P, 1, t), above = sub(add(y, half), exact), below = sub(exact, sub(y, half));
+    found(T, "y(t)", exact);
+    found(T, "left above", above);
+    found(T, "left below", below);
     about(T, "whether it is rounded, fives up");
     agree(T, sign_q(above) > 0 && sign_q(below) >= 0);
 }
@@ -439,20 +461,22 @@ CLAIM(five_rounded_up_gives_another_digit)
 :::{claim} heights_of_the_example_are_symmetric
 :title: The heights of the example are the same at t and at 1 - t
 :zh: 算例中纵坐标关于 t=1/2 对称
-:given: the second coordinates 1, 3, 3, 1, any $t$
-:then: $y(t)=y(1-t)=1+6t-6t^2$
+:data: y = 1 3 3 1
+:instead: y = 1 3 3 2
+:given: the second coordinates $y$ of the points of the table, any $t$
+:then: $y(t)=y(1-t)=y_0+3(y_1-y_0)\,t(1-t)$
 :method: By the kernel at a variable $t$.
-:control: the second coordinates 1, 3, 3, 2
+:control: the last of them is another
 :::
 */
 CLAIM(heights_of_the_example_are_symmetric)
 {
-    num t = parameter(T, "t"), s = sub(from_int(1), t), three = from_int(3), here, there;
-    num y[4] = {from_int(1), three, three, from_int(fault(T, 1, 2))};
+    num t = parameter(T, "t"), s = sub(from_int(1), t), y[4], here, there;
+    given_points(T, "y", 4, 1, y);
     G(decasteljau)(3, 1, y, t, &here);
     G(decasteljau)(3, 1, y, s, &there);
     same(T, here, there);
-    same(T, here, add(from_int(1), mul(from_int(6), mul(t, s))));
+    same(T, here, add(y[0], mul(mul(from_int(3), sub(y[1], y[0])), mul(t, s))));
 }
 
 /*
@@ -471,13 +495,14 @@ CLAIM(heights_of_the_example_are_symmetric)
 :title: The row of t = 0.85, its right numbers
 :zh: 表中 t=0.85 行的正确数字
 :kind: decision
-:given: the points of the table, $t=0.85$; the printed values of the four functions
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.85; B = 0.0034 0.0574 0.325 0.614
+:given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions
 :then: each is the exact value, rounded to the digits that are printed
 :method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_eighty_five_hundredths) { right_numbers(T, 5, 0, 0); }
+CLAIM(table_row_of_eighty_five_hundredths) { right_numbers(T, 0, 0); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.85-x
@@ -497,13 +522,17 @@ The sum with the rounded factors is 3.2602; nothing near leads to 3.248, whose d
 :title: The first coordinate at t = 0.85 is printed wrong
 :zh: t=0.85 处横坐标有误
 :kind: counterexample
-:given: the points of the table, $t=0.85$; the printed $x=3.248$
-:then: the exact value is $3.261$
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
-:control: $3.261$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.85; x = 3.248
+:instead: x = 3.261
+:result: x(t) = 3.261
+:given: the cubic with the points $P$, a parameter $t$, and the $x$ that is printed in the row of $t$
+:then: the exact $x(t)$ is another number, and $x$ is not what it is rounded to
+:method: The exact value, and the printed one as the decimal it is; that their distance is at most half a unit of the last printed digit is
+  refuted.
+:control: the exact value in the place of the printed one
 :::
 */
-CLAIM(table_misses_the_fourth_x) { wrong_number(T, 5, 0, "3.261"); }
+CLAIM(table_misses_the_fourth_x) { wrong_number(T, "x"); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.85-y
@@ -524,13 +553,17 @@ To two digits after the point it is 1.76 or 1.77; by no rule of rounding, nor cu
 :title: The second coordinate at t = 0.85 is printed wrong
 :zh: t=0.85 处纵坐标有误
 :kind: counterexample
-:given: the points of the table, $t=0.85$; the printed $y=1.75$
-:then: the exact value is $1.765$
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
-:control: $1.765$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 0.85; y = 1.75
+:instead: y = 1.765
+:result: y(t) = 1.765
+:given: the cubic with the points $P$, a parameter $t$, and the $y$ that is printed in the row of $t$
+:then: the exact $y(t)$ is another number, and $y$ is not what it is rounded to
+:method: The exact value, and the printed one as the decimal it is; that their distance is at most half a unit of the last printed digit is
+  refuted.
+:control: the exact value in the place of the printed one
 :::
 */
-CLAIM(table_misses_the_fourth_y) { wrong_number(T, 5, 1, "1.765"); }
+CLAIM(table_misses_the_fourth_y) { wrong_number(T, "y"); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-1-basis
@@ -561,13 +594,14 @@ CLAIM(table_misses_the_fourth_y) { wrong_number(T, 5, 1, "1.765"); }
 :title: The row of t = 1, its right numbers
 :zh: 表中 t=1 行的正确数字
 :kind: decision
-:given: the points of the table, $t=1$; the printed values of the four functions and $x$ and $y$
+:data: P = (1,1) (2,3) (4,3) (3,1); t = 1; B = 0 0 0 1; x = 3; y = 1
+:given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions and $x$ and $y$
 :then: each is the exact value, rounded to the digits that are printed
 :method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_end) { right_numbers(T, 6, 1, 1); }
+CLAIM(table_row_of_end) { right_numbers(T, 1, 1); }
 #endif
 
 #include "chapters/judge/claims_off.h"
