@@ -145,31 +145,39 @@ static void G(small_step)(num epsilon, num M[])
 :title: Equal steps on the circle without a trigonometric function
 :zh: 不用三角函数的等步长旋转
 :kind: counterexample
-:given: the matrix with $\frac{1-a^2}{1+a^2}=\frac{255}{257}$ and $\frac{2a}{1+a^2}=\frac{32}{257}$, $a=\frac1{16}$; 100 steps from $(1,0)$
-:then: all points are on the circle, at equal distances
+:given: the matrix $M$ with the entries $\frac{1-a^2}{1+a^2}$ and $\frac{2a}{1+a^2}$ in the place of cosine and sine; $n$ steps from $P_0$
+:data: P_0 = (1,0); n = 100; a = 1/16
+:instead: ε = 1/8
+:then: all points are on the circle, at equal distances $d$
+:result: M = (255/257,32/257) (-32/257,255/257); d² = 4/257
 :method: The squares of radius and distance, exactly; the matrix takes the four operations only, no trigonometric function and no root; that one differs is refuted.
-:control: (1-3-5) with $\varepsilon=\frac18$
+:control: the matrix (1-3-5)
 :::
 */
 CLAIM(rational_step_has_no_angle)
 {
-    num M[4], P[2] = {from_int(1), from_int(0)}, last[2], first_edge = from_int(0);
+    num M[4], first[2], P[2], edge[2], first_edge = from_int(0);
     int differs = 0;
-    G(rotation)(G(turn_by)(from_ratio(1, 16)), M);
-    if (!T->faulty)
-        G(small_step)(from_ratio(1, 8), M);
-    show_points(T, "the matrix", 2, 2, M);
-    for (int k = 1; k <= 100; k++) {
-        last[0] = P[0], last[1] = P[1];
+    given_points(T, "P_0", 1, 2, first);
+    int n = given_whole(T, "n");
+    if (T->faulty) /* what is printed would need an angle; this matrix has none */
+        G(rotation)(G(turn_by)(given(T, "a")), M);
+    else
+        G(small_step)(given(T, "ε"), M);
+    found_points(T, "M", 2, 2, M);
+    P[0] = first[0], P[1] = first[1];
+    for (int k = 1; k <= n; k++) {
+        edge[0] = P[0], edge[1] = P[1];
         G(steps)(1, M, P);
-        num edge[2] = {sub(P[0], last[0]), sub(P[1], last[1])}, square = G(norm_squared)(2, edge);
+        edge[0] = sub(P[0], edge[0]), edge[1] = sub(P[1], edge[1]);
+        num square = G(norm_squared)(2, edge);
         if (k == 1)
             first_edge = square;
-        differs |= !equal_q(square, first_edge) || !equal_q(G(norm_squared)(2, P), from_int(1));
+        differs |= !equal_q(square, first_edge) || !equal_q(G(norm_squared)(2, P), G(norm_squared)(2, first));
     }
-    show(T, "square of the distance", first_edge);
+    found(T, "d²", first_edge);
     about(T, "whether a radius or a distance differs from the others");
-    agree(T, differs);
+    refute(T, !differs);
 }
 #endif
 
@@ -287,24 +295,33 @@ CLAIM(exact_steps_need_m_more_bits_each)
         }
 }
 
+/* x / unit, rounded down: the shift that drops bits; unit > 0 */
+static int floor_quotient(int x, int unit) { return x >= 0 ? x / unit : -((unit - 1 - x) / unit); }
+
 /*
 :::{claim} short_registers_stop_the_point
 :title: With integers the point stands still
 :zh: 整数移位使点停止不动
 :kind: counterexample
-:given: $m=4$, $(x_0,y_0)=(10,0)$, shifts that drop the bits shifted out
-:then: $x_1=x_0$, $y_1=y_0$: the point never moves, though $\varepsilon x_0\ne0$
-:method: The step in integers, $y_1=y_0+\lfloor x_0/16\rfloor$, against the exact one.
-:control: $x_0=160$, whose shifted value is exact
+:given: a whole $m$ and a point with whole coordinates; shifts that drop the bits shifted out
+:data: m = 4; x_0 = 10; y_0 = 0
+:instead: x_0 = 160
+:then: $x_1=x_0$ and $y_1=y_0$: the point never moves, though the exact $y_1$ is not $y_0$
+:result: x_1 = 10; y_1 = 0; exact y_1 = 5/8
+:method: The step in integers, $y_1=y_0+\lfloor x_0/2^m\rfloor$, against the exact one.
+:control: an abscissa whose shifted value is exact
 :::
 */
 CLAIM(short_registers_stop_the_point)
 {
-    int m = 4, x = fault(T, 160, 10), y = 0, shifted = x >> m;
-    show_text(T, "x_0, y_0", "%d, %d", x, y);
-    show_text(T, "x_1, y_1 by shifts", "%d, %d", x - (y >> m), y + shifted);
+    int m = given_whole(T, "m"), x = given_whole(T, "x_0"), y = given_whole(T, "y_0");
+    num exact = add(from_int(y), from_ratio(x, 1L << m));
+    int next_x = x - floor_quotient(y, 1 << m), next_y = y + floor_quotient(x, 1 << m);
+    found_whole(T, "x_1", next_x);
+    found_whole(T, "y_1", next_y);
+    found(T, "exact y_1", exact);
     about(T, "y_1, left by shifting integers, right exactly");
-    same(T, from_int(y + shifted), add(from_int(y), from_ratio(x, 1L << m)));
+    same(T, from_int(next_y), exact);
 }
 
 /*
@@ -312,25 +329,29 @@ CLAIM(short_registers_stop_the_point)
 :title: Points with coordinates from 0 to 2^m - 1 stand still, and negative coordinates do not
 :zh: 非负短坐标的点不动
 :kind: decision
-:given: $m=1,\dots,6$, all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$
-:then: $x_1=x$, $y_1=y$ for all of them; for $m=4$, $(10,-5)$ becomes $(11,-5)$, because $\lfloor-5/16\rfloor=-1$
+:given: every $m=1,\dots,M$ and all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$; and one point with a negative
+  ordinate, for one $m$
+:data: M = 6; m = 4; x_0 = 10; y_0 = -5
+:then: $x_1=x$, $y_1=y$ for all of them; the point with the negative ordinate moves on and on to the right, because $\lfloor y_0/2^m\rfloor$ is $-1$
+:result: x_1 = 11; y_1 = -5
 :method: The step in integers, at every point.
 :scope: m = 1 to 6
 :control: coordinates up to $2^m$
 :::
 */
-static int floor_quotient(int x, int unit) { return x >= 0 ? x / unit : -((unit - 1 - x) / unit); }
-
 CLAIM(short_coordinates_never_move)
 {
-    for (int m = 1; m <= 6; m++) {
+    int largest = given_whole(T, "M");
+    for (int m = 1; m <= largest; m++) {
         int unit = 1 << m, most = fault(T, unit - 1, unit);
         for (int x = 0; x <= most; x++)
             for (int y = 0; y <= most; y++)
                 agree(T, floor_quotient(x, unit) == 0 && floor_quotient(y, unit) == 0);
     }
-    same(T, from_int(10 - floor_quotient(-5, 16)), from_int(11));
-    same(T, from_int(-5 + floor_quotient(10, 16)), from_int(-5));
+    int unit = 1 << given_whole(T, "m"), x = given_whole(T, "x_0"), y = given_whole(T, "y_0");
+    found_whole(T, "x_1", x - floor_quotient(y, unit));
+    found_whole(T, "y_1", y + floor_quotient(x, unit));
+    agree(T, floor_quotient(y, unit) == -1 && floor_quotient(x, unit) == 0);
 }
 #endif
 
@@ -400,20 +421,25 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
 :title: A step of zero closes at once
 :zh: 步长为零时不动
 :kind: counterexample
-:given: $\varepsilon=0$, $P_0=(1,0)$
+:given: $\varepsilon$ and $P_0$
+:data: ε = 0; P_0 = (1,0)
+:instead: ε = 1/16
 :then: $P_1=P_0$
+:result: P_1 = (1,0)
 :method: One step; that it moves the point is refuted.
-:control: $\varepsilon=\frac1{16}$
+:control: a small step
 :::
 */
 CLAIM(small_step_of_zero_stays)
 {
-    num M[4], P[2] = {from_int(1), from_int(0)};
-    G(small_step)(fault(T, from_ratio(1, 16), from_int(0)), M);
+    num M[4], first[2], P[2];
+    G(small_step)(given(T, "ε"), M);
+    given_points(T, "P_0", 1, 2, first);
+    P[0] = first[0], P[1] = first[1];
     G(steps)(1, M, P);
-    show_points(T, "P_1", 1, 2, P);
+    found_points(T, "P_1", 1, 2, P);
     about(T, "whether P_1 is not P_0");
-    refute(T, equal_q(P[0], from_int(1)) && is_zero_q(P[1]));
+    refute(T, equal_q(P[0], first[0]) && equal_q(P[1], first[1]));
 }
 #endif
 
@@ -587,20 +613,27 @@ CLAIM(second_orbit_has_equal_angles)
 :title: With the step 2 the orbit runs away
 :zh: 步长为二时轨道无界
 :kind: counterexample
-:given: $\varepsilon=2$, $P_0=(1,0)$
-:then: $x_{10}^2=361$, and $|x_n|=2n-1$ grows without end: the points are on the two lines $(x-y)^2=1$, on no ellipse
-:method: Ten exact steps; $x_{10}^2$ is compared with $\frac43$, the largest $x^2$ on $x^2+y^2-xy=1$.
-:control: $\varepsilon=1$
+:given: $\varepsilon$, $P_0$, $n$ steps of the second way, and a bound $b$
+:data: ε = 2; P_0 = (1,0); n = 10; b = 4/3
+:instead: ε = 1
+:then: $|x_n|=2n-1$ grows without end: the points are on the two lines $(x-y)^2=1$, on no ellipse
+:result: P_n = (-19,-20); x_n - y_n = 1
+:method: Exact steps; $x_n^2$ is compared with $b$, the largest $x^2$ on the ellipse $x^2+y^2-xy=1$ of the control.
+:control: a step for which there is an ellipse
 :::
 */
 CLAIM(second_step_of_two_has_no_angle)
 {
-    num M[4], P[2] = {from_int(1), from_int(0)};
-    G(second_step)(from_int(fault(T, 1, 2)), M);
-    G(steps)(10, M, P);
-    show_points(T, "P_10", 1, 2, P);
-    about(T, "x^2 is at most 4/3");
-    agree(T, compare_q(mul(P[0], P[0]), from_ratio(4, 3)) <= 0);
+    num M[4], P[2];
+    G(second_step)(given(T, "ε"), M);
+    given_points(T, "P_0", 1, 2, P);
+    int n = given_whole(T, "n");
+    num bound = given(T, "b");
+    G(steps)(n, M, P);
+    found_points(T, "P_n", 1, 2, P);
+    found(T, "x_n - y_n", sub(P[0], P[1]));
+    about(T, "whether x_n² is at most b");
+    agree(T, compare_q(mul(P[0], P[0]), bound) <= 0);
 }
 #endif
 
@@ -742,19 +775,23 @@ CLAIM(inward_error_of_the_ellipse_is_larger)
 :title: Inwards the ellipse leaves the circle by more than the printed error
 :zh: 椭圆向内偏离大于印刷的误差
 :kind: counterexample
-:given: $m=4$, $s=\frac1{32}$, $a=1+s$
+:given: the sine $s$ that the source's example has, $a=1+s$
+:data: s = 1/32
+:instead: s = 0
 :then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false
-:method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1+a)^2\le4a$.
-:control: $s=0$, the circle
+:result: (1 + a)² - 4a = 1/1024
+:method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1-a)^2\le0$.
+:control: the circle
 :::
 */
 CLAIM(ellipse_leaves_the_circle_by_more)
 {
-    num a = add(from_int(1), from_ratio(fault(T, 0, 1), 32)), once = add(from_int(1), a);
-    show(T, "1 + s", a);
-    show(T, "(2 + s)^2 - 4 (1 + s)", sub(mul(once, once), mul(from_int(4), a)));
+    num a = add(from_int(1), given(T, "s")), once = add(from_int(1), a);
+    /* 2 - √a <= √(2-a)  squared:  1 + a <= 2 √a;  squared again:  (1 + a)^2 - 4a = (1 - a)^2 <= 0 */
+    num gap = sub(mul(once, once), mul(from_int(4), a));
+    found(T, "(1 + a)² - 4a", gap);
     about(T, "whether the inward error is at most the outward one");
-    agree(T, compare_q(mul(once, once), mul(from_int(4), a)) <= 0);
+    agree(T, sign_q(gap) <= 0);
 }
 
 /*
@@ -773,43 +810,53 @@ The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
 :::
 */
 
-/* lo < sqrt(a) < hi for positive lo */
-static int root_is_between(num lo, num a, num hi)
-{
-    return compare_q(mul(lo, lo), a) < 0 && compare_q(a, mul(hi, hi)) < 0;
-}
-
 /*
 :::{claim} printed_error_is_twice_the_error
 :title: For m = 4 the printed approximation gives 3.1 per cent, the formula 1.6
 :zh: 近似式给出两倍的误差
 :kind: counterexample
-:given: $m=4$, $s=\frac1{32}$
-:then: in tenths of a per cent, rounded, $2^{-(m+1)}$ is 31 and $E=\sqrt{1+s}-1$ is 16
-:method: $k$ tenths of a per cent, rounded, is decided by $(k-\frac12)/1000<E<(k+\frac12)/1000$, for $E$ after squaring.
+:given: the $m$ of the source's example, and $s=2^{-m-1}$
+:data: m = 4
+:then: in per cent, rounded to one decimal, the printed $2^{-(m+1)}$ is not $E=\sqrt{1+s}-1$, but nearly twice as much
+:result: 2^-(m+1), per cent = 3.1; E, per cent = 1.6
+:method: A number is rounded to $k$ tenths of a per cent when it is between the numbers half a tenth below and above, which is decided for $E$ after
+  squaring.
 :control: $2^{-(m+2)}$
 :::
 */
-/* The k with (k - 1/2)/1000 < x < (k + 1/2)/1000. */
-static int in_tenths_of_a_percent(num x)
+/* k tenths of a per cent, and half a tenth more */
+static num tenths_of_a_percent(int k) { return from_ratio(k, 1000); }
+static num border_above(int k) { return from_ratio(2 * k + 1, 2000); }
+
+/* The number x in tenths of a per cent, rounded. */
+static int in_tenths(num x)
 {
     int k = 0;
-    while (compare_q(x, from_ratio(2 * k + 1, 2000)) >= 0)
+    while (compare_q(x, border_above(k)) >= 0)
+        k++;
+    return k;
+}
+
+/* sqrt(a) - 1 in tenths of a per cent, rounded; a >= 1. */
+static int excess_of_root_in_tenths(num a)
+{
+    int k = 0;
+    while (compare_q(a, G(power)(add(from_int(1), border_above(k)), 2)) >= 0)
         k++;
     return k;
 }
 
 CLAIM(printed_error_is_twice_the_error)
 {
-    int m = 4, printed = in_tenths_of_a_percent(from_ratio(1, 1L << fault(T, m + 2, m + 1))), k = 0;
-    num s = from_ratio(1, 1L << (m + 1)), square = add(from_int(1), s);
-    while (!root_is_between(from_ratio(2 * k + 1999, 2000), square, from_ratio(2 * k + 2001, 2000)))
-        k++;
-    show_text(T, "m", "%d", m);
-    show_text(T, "printed approximation, in per cent", "%d.%d", printed / 10, printed % 10);
-    show_text(T, "E, in per cent", "%d.%d", k / 10, k % 10);
+    int m = given_whole(T, "m");
+    num s = from_ratio(1, 1L << (m + 1));
+    int printed = in_tenths(fault(T, from_ratio(1, 1L << (m + 2)), s));
+    int error = excess_of_root_in_tenths(add(from_int(1), s));
+    num hundred = from_int(100);
+    found(T, "2^-(m+1), per cent", mul(hundred, tenths_of_a_percent(printed)));
+    found(T, "E, per cent", mul(hundred, tenths_of_a_percent(error)));
     about(T, "tenths of a per cent");
-    same(T, from_int(printed), from_int(k));
+    same(T, from_int(printed), from_int(error));
 }
 #endif
 
@@ -850,17 +897,26 @@ CLAIM(error_is_half_the_sine)
 :title: The error for m = 4 is 1.6 per cent to the digits printed
 :zh: m=4 时误差为百分之一点六
 :kind: decision
-:given: $m=4$, $E=\sqrt{33/32}-1$
-:then: $0.0155<E<0.0165$, and inwards $0.0155<1-\sqrt{31/32}<0.0165$ as well
+:given: the $m$ of the source, $s=2^{-m-1}$, and the printed error $p$ in per cent, with half a unit $h$ of its last digit
+:data: m = 4; p = 1.6; h = 0.05
+:instead: m = 3
+:then: $E=\sqrt{1+s}-1$ is between $p-h$ and $p+h$ per cent, and inwards $1-\sqrt{1-s}$ is so as well
+:result: s = 1/32
 :method: The four comparisons after squaring, in rationals.
-:control: $m=3$
+:control: a longer step
 :::
 */
+/* lo < sqrt(a) < hi for positive lo */
+static int root_is_between(num lo, num a, num hi)
+{
+    return compare_q(mul(lo, lo), a) < 0 && compare_q(a, mul(hi, hi)) < 0;
+}
+
 CLAIM(error_for_four_is_as_printed)
 {
-    int m = fault(T, 4, 3);
-    num s = from_ratio(1, 1L << (m + 1)), one = from_int(1), low = from_ratio(155, 10000),
-        high = from_ratio(165, 10000);
+    num s = from_ratio(1, 1L << (given_whole(T, "m") + 1)), p = given(T, "p"), h = given(T, "h");
+    num one = from_int(1), percent = from_ratio(1, 100), low = mul(percent, sub(p, h)), high = mul(percent, add(p, h));
+    found(T, "s", s);
     agree(T, root_is_between(add(one, low), add(one, s), add(one, high)));
     agree(T, root_is_between(sub(one, high), sub(one, s), sub(one, low)));
 }
@@ -917,20 +973,23 @@ CLAIM(second_orbit_never_closes)
 :::{claim} second_step_of_one_closes_after_six
 :title: With the step 1 the second way closes after six points
 :zh: 步长为一时六步闭合
-:given: any first point, $\varepsilon=1$
-:then: $P_6=P_0$, and $P_3=-P_0$; the characteristic polynomial $\lambda^2-\lambda+1$ is the cyclotomic polynomial $\Phi_6$
-:method: Six steps with variable $P_0$.
-:control: five steps
+:given: any first point, $\varepsilon$, and an even number $n$ of steps
+:data: ε = 1; n = 6
+:instead: n = 5
+:then: $P_n=P_0$, and $P_{n/2}=-P_0$; the characteristic polynomial $\lambda^2-\lambda+1$ is the cyclotomic polynomial $\Phi_n$
+:method: All steps with variable $P_0$.
+:control: one step less
 :::
 */
 CLAIM(second_step_of_one_closes_after_six)
 {
     num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]};
-    G(second_step)(from_int(1), M);
-    G(steps)(3, M, Q);
+    G(second_step)(given(T, "ε"), M);
+    int n = given_whole(T, "n");
+    G(steps)(n / 2, M, Q);
     for (int j = 0; j < 2; j++)
         same(T, Q[j], neg(P[j]));
-    G(steps)(fault(T, 3, 2), M, Q);
+    G(steps)(n - n / 2, M, Q);
     for (int j = 0; j < 2; j++)
         same(T, Q[j], P[j]);
 }
@@ -969,20 +1028,23 @@ The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of
 :title: At height one the second point is farther than one from the first
 :zh: 高度为一而距离大于一
 :kind: counterexample
-:given: $r=1$, $A_0=(1,0)$, $\sin\theta=1$, so $A_1=(0,1)$
-:then: $|A_0A_1|^2=2$
+:given: $r$, $A_0=(r,0)$, and the cosine of $\theta$
+:data: r = 1; cos θ = 0
+:then: $A_1$ has the height $r\sin\theta=1$, and $|A_0A_1|$ is more than 1
+:result: (r sin θ)² = 1; |A_0A_1|² = 2
 :method: $|A_0A_1|^2=2r^2(1-\cos\theta)$, exactly.
 :control: $\cos\theta=1-\frac1{2r^2}$
 :::
 */
 CLAIM(unit_height_is_not_unit_distance)
 {
-    num r = from_int(1), rr = mul(r, r),
-        cosine = fault(T, sub(from_int(1), div(from_int(1), mul(from_int(2), rr))), from_int(0));
-    show(T, "r", r);
-    show(T, "cos θ", cosine);
+    num r = given(T, "r"), printed = given(T, "cos θ"), rr = mul(r, r), one = from_int(1), two = from_int(2);
+    num cosine = fault(T, sub(one, div(one, mul(two, rr))), printed);
+    num square = mul(mul(two, rr), sub(one, cosine));
+    found(T, "(r sin θ)²", mul(rr, sub(one, mul(cosine, cosine))));
+    found(T, "|A_0A_1|²", square);
     about(T, "the square of the distance, and one pixel");
-    same(T, mul(mul(from_int(2), rr), sub(from_int(1), cosine)), from_int(1));
+    same(T, square, one);
 }
 #endif
 
@@ -1068,19 +1130,22 @@ CLAIM(third_matrix_by_the_radius)
 :title: Beyond a right angle the cosine is not the root
 :zh: 钝角时余弦不等于算术根
 :kind: counterexample
-:given: $\cos\theta=-\frac35$, $\sin\theta=\frac45$
-:then: $\sqrt{1-\sin^2\theta}=\frac35\ne\cos\theta$
+:given: cosine and sine of an obtuse angle $\theta$
+:data: cos θ = -3/5; sin θ = 4/5
+:instead: cos θ = 3/5
+:then: $\sqrt{1-\sin^2\theta}\ne\cos\theta$
+:result: √(1 - sin² θ) = 3/5
 :method: Both numbers, exactly.
-:control: $\cos\theta=\frac35$
+:control: the acute angle with this sine
 :::
 */
 CLAIM(negative_cosine_is_not_the_root)
 {
-    num cosine = from_ratio(fault(T, 3, -3), 5), sine = from_ratio(4, 5);
-    show(T, "cos θ", cosine);
-    show(T, "sin θ", sine);
+    num cosine = given(T, "cos θ"), sine = given(T, "sin θ");
+    num positive_root = root(2, sub(from_int(1), mul(sine, sine)));
+    found(T, "√(1 - sin² θ)", positive_root);
     about(T, "the root of 1 - sin², and the cosine");
-    same(T, root(2, sub(from_int(1), mul(sine, sine))), cosine);
+    same(T, positive_root, cosine);
 }
 
 /*
