@@ -1,0 +1,215 @@
+/*
+# One pixel at every step (以象素为步长)
+
+The third way turns exactly, as the first one did, and chooses the angle by the screen: from one point to the next it should be as far
+as one pixel (象素).
+*/
+#include "chapters/foundations/turning.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} hu-1987:1-3-third-rotation
+:title: A point turned again and again gives a circle
+:zh: 连续旋转生成圆
+:printed: With $R=\begin{pmatrix}\cos\theta&\sin\theta\\-\sin\theta&\cos\theta\end{pmatrix}$, $[x_n\;y_n]R=[x_{n+1}\;y_{n+1}]$, that is
+  $x_{n+1}=\cos\theta\,x_n-\sin\theta\,y_n$, $y_{n+1}=\sin\theta\,x_n+\cos\theta\,y_n$; turning a point continually gives a circle.
+:holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
+:figure: three_generators
+:::
+
+The pixel is measured in two ways in one sentence, as the height of the second point and as its distance from the first.  The height is
+a leg of a right triangle whose hypotenuse is the distance, so the distance is larger.  For the large radii that a screen has the two
+are nearly the same; for the smallest ones they are not.
+
+:::{statement} hu-1987:1-3-third-distance
+:title: The first two points are one pixel apart
+:zh: 相邻两点距离为一个象素
+:printed: When $A_0$ is turned by $\theta$ to $A_1(x_1,y_1)$, its coordinate is $y_1=r\sin\theta=1$, that is, the distance of the two
+  points is to be the size of one pixel.
+:refuted-by: unit_height_is_not_unit_distance
+:class: false
+:corrected: For $r\sin\theta=1$ the points are $\sqrt{1+\tan^2\frac\theta2}>1$ apart; they are one pixel apart for
+  $2r\sin\frac\theta2=1$, that is $\cos\theta=1-\frac1{2r^2}$.
+:corrected-by: distance_of_the_first_two_points
+:figure: step_of_the_third_way
+
+The difference vanishes for large $r$: for $r=100$ it is an eighty-thousandth of a pixel.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} unit_height_is_not_unit_distance
+:title: At height one the second point is farther than one from the first
+:zh: 高度为一而距离大于一
+:kind: counterexample
+:given: $r$, $A_0=(r,0)$, and the cosine of $\theta$
+:data: r = 1; cos θ = 0
+:then: $A_1$ has the height $r\sin\theta=1$, and $|A_0A_1|$ is more than 1
+:result: (r sin θ)² = 1; |A_0A_1|² = 2
+:method: $|A_0A_1|^2=2r^2(1-\cos\theta)$, exactly.
+:control: $\cos\theta=1-\frac1{2r^2}$
+:::
+*/
+CLAIM(unit_height_is_not_unit_distance)
+{
+    num r = given(T, "r"), printed = given(T, "cos θ"), rr = mul(r, r), one = from_int(1), two = from_int(2);
+    num cosine = fault(T, sub(one, div(one, mul(two, rr))), printed);
+    num square = mul(mul(two, rr), sub(one, cosine));
+    found(T, "(r sin θ)²", mul(rr, sub(one, mul(cosine, cosine))));
+    found(T, "|A_0A_1|²", square);
+    about(T, "the square of the distance, and one pixel");
+    same(T, square, one);
+}
+#endif
+
+/*
+:::{claim} distance_of_the_first_two_points
+:title: The distance of the first two points
+:zh: 首两点的距离
+:given: $0<\theta<\pi$ with the tangent $a$ of its half, $A_0=(r,0)$
+:then: $|A_0A_1|^2=(2r\sin\frac\theta2)^2=\frac{4r^2a^2}{1+a^2}$; for $r\sin\theta=1$ this is $1+a^2$, and it is 1 exactly for
+  $\cos\theta=1-\frac1{2r^2}$
+:method: The point by the rotation, in the field with $a$ and $r$ variables; then $r=\frac{1+a^2}{2a}$; and
+  $2r^2(1-\cos\theta)-1=2r^2\bigl(1-\frac1{2r^2}-\cos\theta\bigr)$.
+:control: the distance as $r\sin\theta$
+:::
+*/
+CLAIM(distance_of_the_first_two_points)
+{
+    num a = inside(T, "a"), r = positive(T, "r", 0), one = from_int(1), aa = mul(a, a), M[4], next[2];
+    struct G(turn) angle = G(turn_by)(a);
+    num from_sine = div(add(one, aa), mul(from_int(2), a)), first[2] = {r, from_int(0)};
+    G(rotation)(angle, M);
+    G(row_times)(first, M, next);
+    num edge[2] = {sub(next[0], r), next[1]}, square = G(norm_squared)(2, edge), rr = mul(r, r);
+    about(T, "the square of the distance");
+    same(T, square, fault(T, div(mul(from_int(4), mul(rr, aa)), add(one, aa)), G(power)(mul(r, angle.sin), 2)));
+    num unit[2] = {from_sine, from_int(0)};
+    G(row_times)(unit, M, next);
+    num step[2] = {sub(next[0], from_sine), next[1]};
+    about(T, "the height");
+    same(T, next[1], one);
+    about(T, "the distance for the height one");
+    same(T, G(norm_squared)(2, step), add(one, aa));
+    num wanted = sub(one, div(one, mul(from_int(2), rr)));
+    about(T, "the distance one");
+    same(T, sub(square, one), mul(mul(from_int(2), rr), sub(wanted, angle.cos)));
+}
+
+/*
+With the height, the source computes the angle and then the matrix.  Both steps take an inverse: the sine has two angles between 0 and
+$\pi$, the square of the cosine has two roots, and a small step always means the first of them.
+
+:::{statement} hu-1987:1-3-third-angle
+:title: The angle of the third way
+:zh: 第三种方法的转角
+:printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
+:holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
+:needs: negative_cosine_is_not_the_root | $0<\theta\le\frac\pi2$, as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is not
+  $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
+:figure: step_of_the_third_way
+:::
+
+:::{statement} hu-1987:1-3-third-matrix
+:title: The matrix of the third way, by the radius
+:zh: 用半径表示的旋转矩阵
+:printed: With $\sin\theta=\varepsilon=\frac1r$, $\cos\theta=\sqrt{1-\sin^2\theta}=\sqrt{1-\varepsilon^2}$:
+  $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
+:holds-by: third_matrix_by_the_radius
+:needs: negative_cosine_is_not_the_root | $0<\theta<\frac\pi2$, so that the cosine is the positive root; and $r\ge1$
+:figure: step_of_the_third_way
+:::
+
+:::{claim} third_matrix_by_the_radius
+:title: The three forms of the matrix agree
+:zh: 第三种方法矩阵的三种形式
+:given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $0<a<1$, $r=\frac1{\sin\theta}$
+:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta>0$; the determinant is 1
+:method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive: it is the root.
+:control: $r^2+1$ in the place of $r^2-1$
+:::
+*/
+CLAIM(third_matrix_by_the_radius)
+{
+    num a = inside(T, "a"), one = from_int(1), M[4];
+    struct G(turn) angle = G(turn_by)(a);
+    num epsilon = angle.sin, r = div(one, epsilon), rr = mul(r, r), square = mul(angle.cos, angle.cos);
+    G(rotation)(angle, M);
+    same(T, sub(one, mul(epsilon, epsilon)), square);
+    same(T, div(fault(T, sub(rr, one), add(rr, one)), rr), square);
+    nonnegative(T, angle.cos);
+    same(T, G(cross2)(M, M + 2), one);
+}
+
+#if RATIONAL
+/*
+:::{claim} negative_cosine_is_not_the_root
+:title: Beyond a right angle the cosine is not the root
+:zh: 钝角时余弦不等于算术根
+:kind: counterexample
+:given: cosine and sine of an obtuse angle $\theta$
+:data: cos θ = -3/5; sin θ = 4/5
+:instead: cos θ = 3/5
+:then: $\sqrt{1-\sin^2\theta}\ne\cos\theta$
+:result: √(1 - sin² θ) = 3/5
+:method: Both numbers, exactly.
+:control: the acute angle with this sine
+:::
+*/
+CLAIM(negative_cosine_is_not_the_root)
+{
+    num cosine = given(T, "cos θ"), sine = given(T, "sin θ");
+    num positive_root = root(2, sub(from_int(1), mul(sine, sine)));
+    found(T, "√(1 - sin² θ)", positive_root);
+    about(T, "the root of 1 - sin², and the cosine");
+    same(T, positive_root, cosine);
+}
+
+/*
+## Does the third way close?
+
+The source does not ask whether the third way closes either.  For a whole radius $r$ the cosine is $\sqrt{r^2-1}/r$, in general no
+rational number, but the matrix of two steps has a rational trace, and that is enough to decide it: a root of unity plus its inverse
+is an algebraic integer, and a rational one of these is whole.
+
+:::{claim} third_way_closes_for_two_radii
+:title: For a whole radius the third way closes for r = 1 and r = 2 only
+:zh: 整数半径时仅 r=1,2 闭合
+:kind: decision
+:given: $r=1,\dots,200$; $\tau=2-\frac4{r^2}$, the trace of $R^2$
+:then: $\tau$ is an integer only for $r=1$ and $r=2$, where $R^4=1$ and $R^{12}=1$; otherwise no power of $R$ is 1
+:method: The eigenvalues of $R^2$ are $\lambda$ and $1/\lambda$ with $\lambda+1/\lambda=\tau$; a root of unity has an algebraic integer
+  there, and a rational one is whole.  For $r\ge3$, $0<\frac4{r^2}<1$.  Traces 2, $\pm1$, 0, $-2$ would remain: $\tau=-2$ and
+  $\tau=1$ occur, with $R^4=1$ and $R^{12}=1$ by the recursion of the traces.
+:scope: r = 1 to 200
+:control: $r$ in the place of $r^2$
+:::
+*/
+/* The least k <= most with V_k = 2 for the trace; 0 if there is none. */
+static int order_of(num trace, int most)
+{
+    num before = from_int(2), V = trace;
+    for (int k = 1; k <= most; k++) {
+        if (equal_q(V, from_int(2)))
+            return k;
+        num next = sub(mul(trace, V), before);
+        before = V, V = next;
+    }
+    return 0;
+}
+
+CLAIM(third_way_closes_for_two_radii)
+{
+    for (int r = 1; r <= 200; r++) {
+        long square = fault(T, (long)r * r, r);
+        num trace = sub(from_int(2), from_ratio(4, square));
+        agree(T, is_whole_q(trace) == (r <= 2));
+        agree(T, r > 2 || order_of(trace, 12) == (r == 1 ? 2 : 6));
+        agree(T, r <= 2 || order_of(trace, 12) == 0);
+    }
+}
+#endif
+
+#include "chapters/judge/claims_off.h"
