@@ -314,7 +314,7 @@ CLAIM(short_registers_stop_the_point)
 :given: every $m=1,\dots,M$ and all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$; and one point with a negative
   ordinate, for one $m$
 :data: M = 6; m = 4; x_0 = 10; y_0 = -5
-:then: $x_1=x$, $y_1=y$ for all of them; the point with the negative ordinate moves on and on to the right, because $\lfloor y_0/2^m\rfloor$ is $-1$
+:then: $x_1=x$, $y_1=y$ for all of them; the point with the negative ordinate moves to the right, because $\lfloor y_0/2^m\rfloor$ is $-1$
 :result: x_1 = 11; y_1 = -5
 :method: The step in integers, at every point.
 :scope: m = 1 to 6

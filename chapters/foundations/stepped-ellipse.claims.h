@@ -6,6 +6,8 @@ the second way: the determinant becomes 1, the points no longer drift, and the s
 */
 #include "chapters/foundations/turning.h"
 
+#include <stdio.h>
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -314,17 +316,16 @@ The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
 :given: the $m$ of the source's example, and $s=2^{-m-1}$
 :data: m = 4
 :then: in per cent, rounded to one decimal, the printed $2^{-(m+1)}$ is not $E=\sqrt{1+s}-1$, but nearly twice as much
-:result: 2^-(m+1), per cent = 3.1; E, per cent = 1.6
+:result: 2^-(m+1) = "3.1 %"; E = "1.6 %"
 :method: A number is rounded to $k$ tenths of a per cent when it is between the numbers half a tenth below and above, which is decided for $E$ after
   squaring.
 :control: $2^{-(m+2)}$
 :::
 */
-/* k tenths of a per cent, and half a tenth more */
-static num tenths_of_a_percent(int k) { return from_ratio(k, 1000); }
+/* The border between k and k + 1 tenths of a per cent: (k + 1/2)/1000. */
 static num border_above(int k) { return from_ratio(2 * k + 1, 2000); }
 
-/* The number x in tenths of a per cent, rounded. */
+/* x >= 0 in tenths of a per cent, rounded. */
 static int in_tenths(num x)
 {
     int k = 0;
@@ -342,15 +343,22 @@ static int excess_of_root_in_tenths(num a)
     return k;
 }
 
+/* The number of tenths of a per cent is the result of that name. */
+static void found_percent(trial *T, const char *name, int tenths)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%d.%d %%", tenths / 10, tenths % 10);
+    found_text(T, name, text);
+}
+
 CLAIM(printed_error_is_twice_the_error)
 {
     int m = given_whole(T, "m");
     num s = from_ratio(1, 1L << (m + 1));
     int printed = in_tenths(fault(T, from_ratio(1, 1L << (m + 2)), s));
     int error = excess_of_root_in_tenths(add(from_int(1), s));
-    num hundred = from_int(100);
-    found(T, "2^-(m+1), per cent", mul(hundred, tenths_of_a_percent(printed)));
-    found(T, "E, per cent", mul(hundred, tenths_of_a_percent(error)));
+    found_percent(T, "2^-(m+1)", printed);
+    found_percent(T, "E", error);
     about(T, "tenths of a per cent");
     same(T, from_int(printed), from_int(error));
 }
