@@ -396,3 +396,44 @@ int cagd_coefficients_sign_f(num_f a)
     fmpz_mpoly_clear(denominator, field.ctx);
     return p == 2 || q == 2 ? -2 : p * q;
 }
+
+/* ---- factors ---------------------------------------------------------------------------------------- */
+
+num_f cagd_numerator_f(num_f a)
+{
+    struct cagd_field_element *r = fresh();
+    fmpz_mpoly_set(r->numerator, a.at->numerator, field.ctx);
+    return (num_f){r};
+}
+
+num_f cagd_denominator_f(num_f a)
+{
+    struct cagd_field_element *r = fresh();
+    cagd_fraction_denominator(r->numerator, a.at);
+    return (num_f){r};
+}
+
+int cagd_factors_f(num_f a, num_f variable, int room, num_f factor[], int power[])
+{
+    int v = field_variable_f(variable), count = 0;
+    fmpz_mpoly_factor_t f;
+    fmpz_mpoly_factor_init(f, field.ctx);
+    if (v < 0 || !fmpz_mpoly_factor(f, a.at->numerator, field.ctx)) {
+        fault_f(FAULT_UNABLE);
+        count = -1;
+    }
+    for (slong i = 0; count >= 0 && i < f->num; i++) {
+        if (fmpz_mpoly_degree_si(f->poly + i, v, field.ctx) < 1)
+            continue;
+        if (count == room || !fmpz_fits_si(f->exp + i)) {
+            count = -1;
+            break;
+        }
+        struct cagd_field_element *r = fresh();
+        fmpz_mpoly_set(r->numerator, f->poly + i, field.ctx);
+        factor[count] = (num_f){r};
+        power[count++] = (int)fmpz_get_si(f->exp + i);
+    }
+    fmpz_mpoly_factor_clear(f, field.ctx);
+    return count;
+}

@@ -50,5 +50,11 @@ int cagd_field_variable_f(cagd_num_f variable);                          /* its 
 /* +1, 0, -1: numerator and denominator have coefficients of one sign each, so a > 0, a = 0, a < 0
  * wherever all variables are positive.  -2: no such conclusion. */
 int cagd_coefficients_sign_f(cagd_num_f a);
+/* Numerator and denominator in lowest terms, as polynomials. */
+cagd_num_f cagd_numerator_f(cagd_num_f a);
+cagd_num_f cagd_denominator_f(cagd_num_f a);
+/* The factors of the numerator that contain the variable, irreducible over the rationals, with their powers; their number,
+ * at most room, or -1 when there are more.  The rest is a factor without the variable. */
+int cagd_factors_f(cagd_num_f a, cagd_num_f variable, int room, cagd_num_f factor[], int power[]);
 const char *cagd_to_string_f(cagd_num_f a); /* lives in the region                      */
 #endif

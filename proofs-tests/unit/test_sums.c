@@ -1,0 +1,171 @@
+/* test_sums.c -- creative telescoping against identities that are known, and against sums by addition. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "exact/decide/sums.h"
+#include "exact/number/field.h"
+#include "exact/words.h"
+
+static num_f n, k, t;
+static num_f whole(long m) { return from_int_f(m); }
+
+static void open_field(void)
+{
+    field_open(8);
+    n = variable_f("n"), k = variable_f("k"), t = variable_f("t");
+}
+
+/* binomial(n,k)^e */
+static cagd_term binomials(int e)
+{
+    cagd_term F = cagd_term_one();
+    for (int i = 0; i < e; i++)
+        F = cagd_term_times_binomial(F, n, k, 1, 0, whole(0), 0, 1, whole(0));
+    return F;
+}
+static cagd_term bernstein(void)
+{
+    cagd_term F = cagd_term_times_power(binomials(1), t, 0, 1);
+    return cagd_term_times_power(F, sub_f(whole(1), t), 1, -1);
+}
+
+/* The sum is S for every n, of a telescoper of that order. */
+static void proved(cagd_term F, num_f first, num_f start, num_f ratio, int order)
+{
+    cagd_sum s = {F, first, ratio, start};
+    cagd_telescoper T;
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+    assert_int_equal(T.order, order);
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    T.R = add_f(T.R, k); /* another one is none */
+    assert_false(cagd_telescoper_holds(F, n, k, &T));
+    s.ratio = add_f(ratio, div_f(n, add_f(n, whole(1)))); /* right for n = 0 alone */
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
+    s.ratio = ratio, s.start = add_f(start, whole(1));
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
+}
+
+static void test_known_sums(void **state)
+{
+    (void)state;
+    open_field();
+    num_f one = whole(1), two = whole(2), n1 = add_f(n, one);
+    proved(binomials(1), one, one, two, 1); /* 2^n */
+    /* (2n choose n): ratio (2n+1)(2n+2)/(n+1)^2 */
+    proved(binomials(2), one, one, div_f(mul_f(add_f(mul_f(two, n), one), two), n1), 1);
+    proved(bernstein(), one, one, one, 1);
+    /* sum (-1)^k (n choose k) 2^(n-k) = 1 */
+    cagd_term F = cagd_term_times_power(cagd_term_times_power(binomials(1), neg_f(one), 0, 1), two, 1, -1);
+    proved(F, one, one, one, 1);
+    /* Vandermonde: sum (n choose k) (m choose k) = (n+m choose n), of ratio (n+m+1)/(n+1) */
+    num_f m = variable_f("m");
+    F = cagd_term_times_binomial(binomials(1), n, k, 0, 0, m, 0, 1, whole(0));
+    cagd_sum s = {F, one, div_f(add_f(n1, m), n1), one};
+    cagd_telescoper T;
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+    field_close();
+}
+
+/* Franel's numbers: sum (n choose k)^3 has a recurrence of order 2 and no closed form; (n+2)^2 f(n+2) = (7n^2+21n+16) f(n+1) +
+ * 8 (n+1)^2 f(n). */
+static void test_a_recurrence_of_order_two(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_telescoper T;
+    assert_true(cagd_telescope(binomials(3), n, k, 3, &T));
+    assert_int_equal(T.order, 2);
+    assert_true(cagd_telescoper_holds(binomials(3), n, k, &T));
+    num_f n1 = add_f(n, whole(1)), n2 = add_f(n, whole(2)),
+          middle = add_f(add_f(mul_f(whole(7), mul_f(n, n)), mul_f(whole(21), n)), whole(16));
+    num_f scale = div_f(T.a[2], mul_f(n2, n2));
+    assert_true(cagd_equal_f(T.a[1], neg_f(mul_f(scale, middle))));
+    assert_true(cagd_equal_f(T.a[0], neg_f(mul_f(scale, mul_f(whole(8), mul_f(n1, n1))))));
+    /* No closed form with a rational ratio is accepted. */
+    cagd_sum s = {binomials(3), whole(1), div_f(whole(2), whole(1)), whole(1)};
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
+    field_close();
+}
+
+/* Gosper's case, order 0: sum of differences. */
+static void test_an_indefinite_sum(void **state)
+{
+    (void)state;
+    open_field();
+    /* F = k k! = (k+1)! - k!; R = 1/k */
+    cagd_term F =
+        cagd_term_times_rational(cagd_term_times_factorial(cagd_term_one(), n, k, 0, 1, whole(0), 1), n, k, k);
+    cagd_telescoper T;
+    assert_true(cagd_telescope(F, n, k, 0, &T));
+    assert_int_equal(T.order, 0);
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    assert_true(cagd_equal_f(mul_f(T.R, k), T.a[0]));
+    /* 1/k has none: the harmonic numbers are no hypergeometric term. */
+    F = cagd_term_times_rational(cagd_term_one(), n, k, div_f(whole(1), k));
+    assert_false(cagd_telescope(F, n, k, 0, &T));
+    field_close();
+}
+
+/* Terms against their values: ratios of factorials and powers for small numbers. */
+static void test_terms(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_term F = cagd_term_times_factorial(cagd_term_one(), n, k, 2, -1, whole(3), 1); /* (2n-k+3)! */
+    num_f e = add_f(sub_f(mul_f(whole(2), n), k), whole(3));
+    assert_true(cagd_equal_f(F.by_n, mul_f(add_f(e, whole(1)), add_f(e, whole(2)))));
+    assert_true(cagd_equal_f(F.by_k, div_f(whole(1), e)));
+    F = cagd_term_times_factorial(cagd_term_one(), n, k, -1, 2, whole(0), -1); /* 1/(2k-n)! */
+    e = sub_f(mul_f(whole(2), k), n);
+    assert_true(cagd_equal_f(F.by_n, e));
+    assert_true(cagd_equal_f(F.by_k, div_f(whole(1), mul_f(add_f(e, whole(1)), add_f(e, whole(2))))));
+    F = cagd_term_times_power(cagd_term_one(), t, -2, 3);
+    assert_true(cagd_equal_f(F.by_n, div_f(whole(1), mul_f(t, t))));
+    assert_true(cagd_equal_f(F.by_k, mul_f(t, mul_f(t, t))));
+    field_close();
+}
+
+/* A sum that is wrong from some n on only, beyond the rows that are looked at, is not proved. */
+static void test_late_differences(void **state)
+{
+    (void)state;
+    open_field();
+    num_f late = whole(1); /* n (n-1) ... (n-6) vanishes for the first rows */
+    for (int i = 0; i < 7; i++)
+        late = mul_f(late, sub_f(n, whole(i)));
+    cagd_sum s = {binomials(1), whole(1), add_f(whole(2), late), whole(1)};
+    cagd_telescoper T;
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_UNDECIDED);
+    field_close();
+}
+
+static void test_factors(void **state)
+{
+    (void)state;
+    open_field();
+    num_f factor[4];
+    int power[4];
+    num_f a = add_f(k, n), b = sub_f(mul_f(k, k), t);
+    num_f p = div_f(mul_f(mul_f(mul_f(whole(6), n), mul_f(a, a)), b), add_f(t, whole(5)));
+    assert_int_equal(cagd_factors_f(p, k, 4, factor, power), 2);
+    int first = cagd_degree_f(factor[0], k) == 1 ? 0 : 1;
+    assert_int_equal(power[first], 2);
+    assert_int_equal(power[1 - first], 1);
+    assert_true(cagd_is_constant_f(div_f(factor[first], a), NULL));
+    assert_true(cagd_is_constant_f(div_f(factor[1 - first], b), NULL));
+    assert_int_equal(cagd_factors_f(p, k, 1, factor, power), -1);
+    assert_int_equal(cagd_factors_f(n, k, 4, factor, power), 0);
+    assert_true(cagd_equal_f(div_f(cagd_numerator_f(p), cagd_denominator_f(p)), p));
+    assert_int_equal(cagd_denominator_degree_f(cagd_numerator_f(p), t), 0);
+    field_close();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {unit(test_terms),
+                                       unit(test_known_sums),
+                                       unit(test_a_recurrence_of_order_two),
+                                       unit(test_an_indefinite_sum),
+                                       unit(test_late_differences),
+                                       unit(test_factors)};
+    return run_unit_tests(tests);
+}
