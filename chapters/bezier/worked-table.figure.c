@@ -1,6 +1,6 @@
 /* Figures of the section on the worked table. */
-#include "chapters/data.h"
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
 /* The claims that have in their data what is printed in a row: the parameter, x, y. */

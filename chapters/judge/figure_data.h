@@ -1,14 +1,16 @@
-/* data.h -- the data that stand in the block of a claim, for the figures that draw them. */
-#ifndef CAGD_CHAPTERS_DATA_H
-#define CAGD_CHAPTERS_DATA_H
+/* figure_data.h -- the data that stand in the block of a claim, for the figures that draw them. */
+#ifndef CAGD_FIGURE_DATA_H
+#define CAGD_FIGURE_DATA_H
 
-#include "chapters/chapters.h"
+#include "chapters/judge/register.h"
 #include "exact/number/rational.h"
 #include "exact/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+extern const cagd_register compiled_chapters; /* a figure belongs to a chapter that is compiled in */
 
 /* out[0..count*dim): what stands under `name` in the data of the claim, count rows of dim numbers, row after row.  Ends the
  * program where there is no such entry, for then figure and claim have been parted. */
