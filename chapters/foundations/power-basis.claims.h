@@ -41,24 +41,32 @@ they stand, the rule of Horner (秦九韶算法), and a table of forward differe
 :title: A parametric curve with a vertical tangent and two values
 :zh: 竖直切线与多值
 :kind: decision
-:given: $P(t)=((2t-1)^2,t)$ on $[0,1]$
-:then: at $t=\frac12$, $x'=0$ and $P'\ne0$; over $x=\frac14$ there are two points, over $x<0$ none
-:method: The derivatives by the kernel; the parameters with $x=\frac14$ and with $x=-\frac14$ are counted as roots.
-:control: the curve $(2t-1,t)$
+:given: a parabola that lies across, with the coefficients $c$, on $[0,1]$; a parameter $t$; two abscissas $x$
+:data: c = (1,0) (-4,1) (4,0); t = 1/2; x = 1/4 -1/4
+:instead: c = (-1,0) (2,1) (0,0)
+:then: at $t$ the component $x'$ is 0 and $P'\ne0$; over the first abscissa there are two points, over the second none
+:result: P'(t) = (0,1); points over x = 2 0
+:method: The derivatives by the kernel; the parameters with $x(t)=x$ are counted as roots.
+:control: a line in the place of the parabola
 :::
 */
 CLAIM(parabola_across_has_no_slope)
 {
-    num zero = from_int(0), quarter = from_ratio(1, 4);
-    num c[6] = {from_int(fault(T, 1, -1)), zero, from_int(fault(T, -4, 2)), from_int(1),
-                from_int(fault(T, 4, 0)),  zero};
-    num D[4], x[3] = {c[0], c[2], c[4]};
-    G(power_derivatives)(2, 2, c, from_ratio(1, 2), 1, D);
+    num c[6], D[4], x[2], points[2];
+    given_points(T, "c", 3, 2, c);
+    num t = given(T, "t");
+    given_points(T, "x", 2, 1, x);
+    G(power_derivatives)(2, 2, c, t, 1, D);
+    poly abscissa = poly_from_q(3, (num[]){c[0], c[2], c[4]});
+    for (int k = 0; k < 2; k++) {
+        poly gap = poly_sub(abscissa, poly_constant(x[k]));
+        points[k] = from_int(count_roots(gap, from_int(0), from_int(1), CLOSED).distinct);
+    }
+    found_points(T, "P'(t)", 1, 2, D + 2);
+    found_points(T, "points over x", 2, 1, points);
     agree(T, is_zero_q(D[2]) && !is_zero_q(D[3]));
-    poly at_quarter = poly_sub(poly_from_q(3, x), poly_constant(quarter));
-    poly below = poly_add(poly_from_q(3, x), poly_constant(quarter));
-    agree(T, count_roots(at_quarter, zero, from_int(1), CLOSED).distinct == 2);
-    agree(T, count_roots(below, zero, from_int(1), CLOSED).distinct == 0);
+    same(T, points[0], from_int(2));
+    same(T, points[1], from_int(0));
 }
 
 /*
@@ -75,20 +83,27 @@ CLAIM(parabola_across_has_no_slope)
 :title: Two intervals of the parameter separate the two values
 :zh: 参数区间分开多值
 :kind: decision
-:given: $P(t)=((2t-1)^2,t)$ on $[0,\frac12]$ and on $[\frac12,1]$
-:then: each piece has one point over every $x$ of $[0,1]$: $x$ falls from 1 to 0 on the first and rises from 0 to 1 on the second
+:given: the same parabola, whose abscissa has the coefficients $c$, on $[0,s]$ and on $[s,1]$
+:data: c = 1 -4 4; s = 1/2
+:instead: s = 3/4
+:then: each piece has one point over every $x$ of $[0,1]$: $x$ falls on the first piece and rises on the second
+:result: x(0), x(s), x(1) = 1 0 1
 :method: The sign of $x'$ on the two open intervals, and $x$ at the ends, exactly.
-:control: the intervals $[0,\frac34]$ and $[\frac34,1]$
+:control: a later $s$
 :::
 */
 CLAIM(intervals_of_the_parameter_separate_the_values)
 {
-    num zero = from_int(0), one = from_int(1), middle = fault(T, from_ratio(1, 2), from_ratio(3, 4));
-    poly x = poly_from_q(3, (num[]){one, from_int(-4), from_int(4)}), slope = poly_derivative(x);
-    agree(T, sign_on(slope, zero, middle, OPEN) == SIGN_NEGATIVE && sign_on(slope, middle, one, OPEN) == SIGN_POSITIVE);
-    same(T, poly_value(x, zero), one);
-    same(T, poly_value(x, middle), zero);
-    same(T, poly_value(x, one), one);
+    num c[3], zero = from_int(0), one = from_int(1);
+    given_points(T, "c", 3, 1, c);
+    num s = given(T, "s");
+    poly x = poly_from_q(3, c), slope = poly_derivative(x);
+    num ends[3] = {poly_value(x, zero), poly_value(x, s), poly_value(x, one)};
+    found_points(T, "x(0), x(s), x(1)", 3, 1, ends);
+    agree(T, sign_on(slope, zero, s, OPEN) == SIGN_NEGATIVE && sign_on(slope, s, one, OPEN) == SIGN_POSITIVE);
+    same(T, ends[0], one);
+    same(T, ends[1], zero);
+    same(T, ends[2], one);
 }
 
 /*
@@ -119,25 +134,29 @@ The table of contents of the source has a section on uniform quadratic B-spline 
 :title: The parabola is a polynomial curve of degree two
 :zh: 二次曲线段
 :kind: counterexample
-:given: $P(t)=(t,t^2)$: coefficients $(0,0),(1,0),(0,1)$
-:then: its degree, 2, is less than 3, and it is no line
+:given: the parabola with the coefficients $c$; the degree $n$ that is printed as the lowest, and a parameter $t$
+:data: c = (0,0) (1,0) (0,1) (0,0); n = 3; t = 1/3
+:instead: c = (0,0) (1,0) (0,0) (0,1)
+:then: its degree is less than $n$, and it is no line
+:result: degree = 2; P' × P''(t) = 2
 :method: The highest coefficient that is not 0, and $P'\times P''\ne0$.
-:control: $P(t)=(t,t^3)$
+:control: a cubic
 :::
 */
 CLAIM(quadratic_curve_is_in_use)
 {
-    int last = fault(T, 3, 2), degree = 3;
+    int degree = 3;
     num c[8], D[6];
-    for (int m = 0; m < 8; m++)
-        c[m] = from_int(m == 2 || m == 2 * last + 1);
+    given_points(T, "c", 4, 2, c);
+    int lowest = given_whole(T, "n");
+    G(power_derivatives)(3, 2, c, given(T, "t"), 2, D);
     while (is_zero_q(c[2 * degree]) && is_zero_q(c[2 * degree + 1]))
         degree--;
-    G(power_derivatives)(3, 2, c, from_ratio(1, 3), 2, D);
-    show_points(T, "coefficients", degree + 1, 2, c);
-    show(T, "P' x P'' at t = 1/3", G(cross2)(D + 2, D + 4));
-    about(T, "whether the degree is at least 3");
-    refute(T, degree < 3 && !is_zero_q(G(cross2)(D + 2, D + 4)));
+    num turning = G(cross2)(D + 2, D + 4);
+    found_whole(T, "degree", degree);
+    found(T, "P' × P''(t)", turning);
+    about(T, "whether the degree is at least n, or the curve is a line");
+    refute(T, degree < lowest && !is_zero_q(turning));
 }
 #endif
 
@@ -174,29 +193,31 @@ CLAIM(quadratics_are_plane_and_turn_to_one_side)
 :title: Lines of degree one and two have curvature zero everywhere
 :zh: 一、二次直线的曲率恒为零
 :kind: counterexample
-:given: $(t,0)$ and $(t+t^2,0)$ on $[0,1]$
-:then: $P'\ne0$ and $P'\times P''=0$ everywhere
-:method: The kernels for cubics, with the third coefficients 0, and the sign of $x'$; that $P'\times P''$ is not 0 everywhere is refuted.
-:control: $(t,t^2)$ in the place of $(t,0)$
+:given: two parameters of one line on $[0,1]$, with the coefficients $P$ and $Q$
+:data: P = (0,0) (1,0) (0,0) (0,0); Q = (0,0) (1,0) (1,0) (0,0)
+:instead: P = (0,0) (1,0) (0,1) (0,0)
+:then: $P'\ne0$ and $P'\times P''=0$ everywhere, and so for $Q$
+:result: P' × P'' = "0"; Q' × Q'' = "0"
+:method: The kernels for cubics, with the third coefficients 0, and the sign of $x'$; that the vector product is not 0 everywhere is refuted.
+:control: a parabola in the place of the first line
 :::
 */
 CLAIM(lines_of_lower_degree_have_curvature_zero)
 {
+    static const char *const curve[2] = {"P", "Q"}, *const product[2] = {"P' × P''", "Q' × Q''"};
+    num c[2][8], minors[3], f[3];
     int everywhere = 1;
-    for (int degree = 1; degree <= 2; degree++) {
-        num c[8], minors[3], f[3];
-        for (int m = 0; m < 8; m++)
-            c[m] = from_int(fault(T, m == 2 || (m == 4 && degree == 2) || (m == 5 && degree == 1),
-                                  m == 2 || (m == 4 && degree == 2)));
-        G(cubic_minors)(c, minors);
+    for (int k = 0; k < 2; k++)
+        given_points(T, curve[k], 4, 2, c[k]);
+    for (int k = 0; k < 2; k++) {
+        G(cubic_minors)(c[k], minors);
         G(inflection_polynomial)(minors, f);
-        poly x = poly_from_q(3, (num[]){c[0], c[2], c[4]});
-        show_points(T, "coefficients", degree + 1, 2, c);
-        show_text(T, "P' x P''", "%s", poly_to_string(poly_from_q(3, f), "t"));
-        everywhere = everywhere && poly_is_zero(poly_from_q(3, f)) &&
+        poly x = poly_from_q(3, (num[]){c[k][0], c[k][2], c[k][4]}), turning = poly_from_q(3, f);
+        found_text(T, product[k], poly_to_string(turning, "t"));
+        everywhere = everywhere && poly_is_zero(turning) &&
                      sign_on(poly_derivative(x), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
     }
-    about(T, "whether P' x P'' is not 0 somewhere");
+    about(T, "whether the vector product is not 0 somewhere");
     refute(T, everywhere);
 }
 
@@ -205,28 +226,30 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
 :title: A cubic can leave every plane, and a plane one can have an inflection
 :zh: 三次曲线可不在平面内,可有拐点
 :kind: decision
-:given: $(t,t^2,t^3)$ in space, $(t,t^3)$ in the plane
-:then: $(P',P'',P''')=12$ for the first; $P'\times P''=6t$ changes its sign at 0 for the second
-:method: The kernels, at $t=\frac13$ and at $t=\pm\frac13$.
-:control: $(t,t^2,t^2)$ and $(t,t^2)$
+:given: a cubic in space and one in the plane, with the coefficients $S$ and $P$, and $t>0$
+:data: S = (0,0,0) (1,0,0) (0,1,0) (0,0,1); P = (0,0) (1,0) (0,0) (0,1); t = 1/3
+:instead: S = (0,0,0) (1,0,0) (0,1,1) (0,0,0); P = (0,0) (1,0) (0,1) (0,0)
+:then: the determinant $(S',S'',S''')$ is not 0; $P'\times P''$ changes its sign between $-t$ and $t$
+:result: (S',S'',S''') = 12; P' × P'' at -t and t = -2 2
+:method: The kernels, at $t$ and at $\pm t$.
+:control: coefficients of degree 2
 :::
 */
 CLAIM(cubics_leave_the_plane_and_inflect)
 {
-    int top = fault(T, 3, 2);
     num space[12], plane[8], D[12], sides[2];
-    for (int k = 0; k <= 3; k++) {
-        for (int j = 0; j < 3; j++)
-            space[k * 3 + j] = from_int(k == (j < 2 ? j + 1 : top));
-        plane[k * 2] = from_int(k == 1);
-        plane[k * 2 + 1] = from_int(k == top);
-    }
-    G(power_derivatives)(3, 3, space, from_ratio(1, 3), 3, D);
-    agree(T, equal_q(G(det3)(D + 3, D + 6, D + 9), from_int(12)));
+    given_points(T, "S", 4, 3, space);
+    given_points(T, "P", 4, 2, plane);
+    num t = given(T, "t");
+    G(power_derivatives)(3, 3, space, t, 3, D);
+    num volume = G(det3)(D + 3, D + 6, D + 9);
     for (int side = 0; side < 2; side++) {
-        G(power_derivatives)(3, 2, plane, from_ratio(side ? 1 : -1, 3), 2, D);
+        G(power_derivatives)(3, 2, plane, side ? t : neg(t), 2, D);
         sides[side] = G(cross2)(D + 2, D + 4);
     }
+    found(T, "(S',S'',S''')", volume);
+    found_points(T, "P' × P'' at -t and t", 2, 1, sides);
+    agree(T, !is_zero_q(volume));
     agree(T, sign_q(sides[0]) < 0 && sign_q(sides[1]) > 0);
 }
 #endif
@@ -347,8 +370,10 @@ static struct operations cost_of_horner(trial *T, int n, int dim)
 :title: The multiplications of the two forms, counted
 :zh: 两种形式的乘法次数
 :kind: decision
-:given: degrees $n=1,\dots,12$, one coordinate
-:then: the sum of powers takes $\frac{n(n+1)}2$ multiplications and $n$ additions, 6 and 3 for $n=3$; Horner's rule $n$ and $n$
+:given: degrees up to $N$, one coordinate; and the degree $n$ of the source
+:data: N = 12; n = 3
+:then: for degree $k$ the sum of powers takes $\frac{k(k+1)}2$ multiplications and $k$ additions, Horner's rule $k$ and $k$
+:result: multiplications of the sum = 6; of Horner's rule = 3
 :method: The definition's loop and the kernel are run in a number type that counts.
 :scope: degrees 1 to 12
 :control: the powers kept from term to term
@@ -356,10 +381,15 @@ static struct operations cost_of_horner(trial *T, int n, int dim)
 */
 CLAIM(multiplications_are_six_and_three)
 {
-    for (int n = 1; n <= 12; n++) {
-        struct operations powers = cost_of_powers(T, n, 1, fault(T, 0, 1)), horner = cost_of_horner(T, n, 1);
-        agree(T, powers.multiplications == n * (n + 1) / 2 && powers.additions == n);
-        agree(T, horner.multiplications == n && horner.additions == n && horner.shifts == 0);
+    int largest = given_whole(T, "N"), n = given_whole(T, "n");
+    for (int k = 1; k <= largest; k++) {
+        struct operations powers = cost_of_powers(T, k, 1, fault(T, 0, 1)), horner = cost_of_horner(T, k, 1);
+        agree(T, powers.multiplications == k * (k + 1) / 2 && powers.additions == k);
+        agree(T, horner.multiplications == k && horner.additions == k && horner.shifts == 0);
+        if (k == n) {
+            found_whole(T, "multiplications of the sum", powers.multiplications);
+            found_whole(T, "of Horner's rule", horner.multiplications);
+        }
     }
 }
 
@@ -368,17 +398,21 @@ CLAIM(multiplications_are_six_and_three)
 :title: With the powers kept five multiplications are enough before Horner's rule
 :zh: 保留幂次时只需五次乘法
 :kind: counterexample
-:given: degree 3, one coordinate, $t^2$ and $t^3$ computed once
-:then: 5 multiplications, not 6
+:given: degree $n$, one coordinate, $t^2$ and $t^3$ computed once; the number of multiplications that is printed
+:data: n = 3; printed = 6
+:then: fewer multiplications than are printed
+:result: multiplications = 5
 :method: The loop is run in the number type that counts.
 :control: every power multiplied out anew
 :::
 */
 CLAIM(kept_powers_need_five)
 {
-    int multiplications = cost_of_powers(T, 3, 1, fault(T, 0, 1)).multiplications;
+    int n = given_whole(T, "n"), printed = given_whole(T, "printed");
+    int multiplications = cost_of_powers(T, n, 1, fault(T, 0, 1)).multiplications;
+    found_whole(T, "multiplications", multiplications);
     about(T, "the multiplications before Horner's rule");
-    same(T, from_int(multiplications), from_int(6));
+    same(T, from_int(multiplications), from_int(printed));
 }
 
 /*
@@ -386,8 +420,9 @@ CLAIM(kept_powers_need_five)
 :title: The multiplications when the powers are kept
 :zh: 保留幂次时的乘法次数
 :kind: decision
-:given: degree 3, $d=1,2,3$ coordinates
-:then: with $t^2$ and $t^3$ computed once, $2+3d$ multiplications; Horner's rule $3d$
+:given: degree $n$, one to $D$ coordinates
+:data: n = 3; D = 3
+:then: for $d$ coordinates, with $t^2$ and $t^3$ computed once, $n-1+nd$ multiplications; Horner's rule $nd$
 :method: Both loops are run in the number type that counts.
 :scope: degree 3, one to three coordinates
 :control: the powers computed anew for every coordinate
@@ -395,9 +430,10 @@ CLAIM(kept_powers_need_five)
 */
 CLAIM(multiplications_with_kept_powers)
 {
-    for (int d = 1; d <= 3; d++) {
-        agree(T, cost_of_powers(T, 3, d, fault(T, 1, 0)).multiplications == 2 + 3 * d);
-        agree(T, cost_of_horner(T, 3, d).multiplications == 3 * d);
+    int n = given_whole(T, "n"), most = given_whole(T, "D");
+    for (int d = 1; d <= most; d++) {
+        agree(T, cost_of_powers(T, n, d, fault(T, 1, 0)).multiplications == n - 1 + n * d);
+        agree(T, cost_of_horner(T, n, d).multiplications == n * d);
     }
 }
 #endif
@@ -480,19 +516,25 @@ CLAIM(differences_of_a_cubic)
 :title: With the printed argument the first difference has another sign
 :zh: 印刷的一阶差分符号有误
 :kind: counterexample
-:given: $P(t)=t$, that is $A=B=0$, $C=1$, $D=0$; $\delta=1$, $t=0$
-:then: $P(t-\delta)-P(t)=-1$, the printed expression is $1$
+:given: the line with the coefficients $c$, from $D$ to $A$; $t$ and $\delta$
+:data: c = 0 1 0 0; t = 0; δ = 1
+:then: $P(t-\delta)-P(t)$ is not the expression that is printed for it
+:result: P(t-δ) - P(t) = -1; printed expression = 1
 :method: Both sides of the printed line, exactly.
 :control: $P(t+\delta)$
 :::
 */
 CLAIM(printed_first_difference_looks_back)
 {
-    num c[4] = {from_int(0), from_int(1), from_int(0), from_int(0)}, t = from_int(0), delta = from_int(1);
-    num other = fault(T, add(t, delta), sub(t, delta));
-    show_points(T, "D, C, B, A", 4, 1, c);
+    num c[4];
+    given_points(T, "c", 4, 1, c);
+    num t = given(T, "t"), delta = given(T, "δ"), other = fault(T, add(t, delta), sub(t, delta));
+    num difference = sub(G(power_sum)(3, 1, c, 0, other), G(power_sum)(3, 1, c, 0, t));
+    num printed = G(printed_difference)(1, c, t, delta);
+    found(T, "P(t-δ) - P(t)", difference);
+    found(T, "printed expression", printed);
     about(T, "the difference, and the expression printed for it");
-    same(T, sub(G(power_sum)(3, 1, c, 0, other), G(power_sum)(3, 1, c, 0, t)), G(printed_difference)(1, c, t, delta));
+    same(T, difference, printed);
 }
 
 /*
@@ -511,20 +553,25 @@ CLAIM(printed_first_difference_looks_back)
 :title: With the printed argument the third difference is the negative
 :zh: 印刷的三阶差分符号有误
 :kind: counterexample
-:given: $P(t)=t^3$, $\delta=1$, $t=0$
-:then: $\Delta^2P(-1)-\Delta^2P(0)=0-6=-6$, the printed value is $6A\delta^3=6$
-:method: Both sides, with the printed $\Delta^2P(t)=6A\delta^2t+6A\delta^3+2B\delta^2$.
+:given: the cubic with the coefficients $c$, from $D$ to $A$; $t$ and $\delta$
+:data: c = 0 0 0 1; t = 0; δ = 1
+:then: $\Delta^2P(t-\delta)-\Delta^2P(t)$ is the negative of the value that is printed for it
+:result: Δ²P(t-δ) - Δ²P(t) = -6; printed value = 6
+:method: Both sides, with the printed $\Delta^2P(t)$, which is right.
 :control: $\Delta^2P(t+\delta)$
 :::
 */
 CLAIM(printed_third_difference_has_the_other_sign)
 {
-    num c[4] = {from_int(0), from_int(0), from_int(0), from_int(1)}, t = from_int(0), delta = from_int(1);
-    num other = fault(T, add(t, delta), sub(t, delta));
-    show_points(T, "D, C, B, A", 4, 1, c);
+    num c[4];
+    given_points(T, "c", 4, 1, c);
+    num t = given(T, "t"), delta = given(T, "δ"), other = fault(T, add(t, delta), sub(t, delta));
+    num difference = sub(G(printed_difference)(2, c, other, delta), G(printed_difference)(2, c, t, delta));
+    num printed = G(printed_difference)(3, c, t, delta);
+    found(T, "Δ²P(t-δ) - Δ²P(t)", difference);
+    found(T, "printed value", printed);
     about(T, "the difference, and the value printed for it");
-    same(T, sub(G(printed_difference)(2, c, other, delta), G(printed_difference)(2, c, t, delta)),
-         G(printed_difference)(3, c, t, delta));
+    same(T, difference, printed);
 }
 #endif
 
@@ -606,20 +653,26 @@ For $i=1$ it is true.
 :title: One step from 0 does not reach the second place
 :zh: 一步不能到达第 i 点
 :kind: counterexample
-:given: $P(t)=t$, $\delta=1$, $i=2$
-:then: $P_0+\Delta P_0=1$, $P(2\delta)=2$
+:given: the line with the coefficients $c$, $\delta$ and $i$
+:data: c = 0 1; δ = 1; i = 2
+:instead: i = 1
+:then: $P_0+\Delta P_0$ is not $P(i\delta)$
+:result: P_0 + ΔP_0 = 1; P(iδ) = 2
 :method: Both values, exactly.
-:control: $i=1$
+:control: the first place
 :::
 */
 CLAIM(step_from_zero_reaches_one_step_only)
 {
-    num c[2] = {from_int(0), from_int(1)}, d[2], delta = from_int(1);
-    int i = fault(T, 1, 2);
+    num c[2], d[2];
+    given_points(T, "c", 2, 1, c);
+    num delta = given(T, "δ"), place = mul(given(T, "i"), delta), there = G(power_sum)(1, 1, c, 0, place);
     G(power_differences)(1, 1, c, delta, d);
     G(difference_step)(1, 1, d);
+    found(T, "P_0 + ΔP_0", d[0]);
+    found(T, "P(iδ)", there);
     about(T, "P_0 + ΔP_0, and P(iδ)");
-    same(T, d[0], G(power_sum)(1, 1, c, 0, mul(from_int(i), delta)));
+    same(T, d[0], there);
 }
 #endif
 
@@ -762,9 +815,11 @@ CLAIM(step_costs_additions_only)
 :title: The table of a cubic costs shifts and additions
 :zh: 建立差分表的运算次数
 :kind: decision
-:given: one coordinate, $\delta=2^{-m}$, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(3A\delta+B)$, $2\cdot3A$ with $3A=2A+A$
-:then: 6 shifts, 4 additions and no multiplication
-:method: The rows are formed in the number type that counts, and in rationals for $A,B,C,D$ and $\delta=\frac1{256}$, where they are the
+:given: one coordinate, $\delta$ a power of two, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
+:data: δ = 1/256
+:then: shifts and additions, and no multiplication
+:result: shifts = 6; additions = 4; multiplications = 0
+:method: The rows are formed in the number type that counts, and in rationals for any $A,B,C,D$, where they are the
   printed ones.
 :control: a step that is no power of two
 :::
@@ -785,7 +840,7 @@ TABLE_BY_SHIFTS(q)
 CLAIM(table_costs_shifts_and_additions)
 {
     num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {fault(T, 1, 0)};
-    num x[4], d[4], table[4], delta = from_ratio(1, 256), power = from_int(1);
+    num x[4], d[4], table[4], delta = given(T, "δ"), power = from_int(1);
     for (int k = 0; k < 4; k++)
         x[k] = unknown(T, "c", k);
     table_by_shifts_q(x, delta, table);
@@ -793,7 +848,10 @@ CLAIM(table_costs_shifts_and_additions)
     table_by_shifts_c(c, step, e);
     if (!T->faulty)
         note_cost(4, table, counted);
-    agree(T, counted.shifts == 6 && counted.additions == 4 && counted.multiplications == 0);
+    found_whole(T, "shifts", counted.shifts);
+    found_whole(T, "additions", counted.additions);
+    found_whole(T, "multiplications", counted.multiplications);
+    agree(T, counted.multiplications == 0 && counted.divisions == 0);
     G(power_differences)(3, 1, x, delta, d);
     for (int k = 0; k < 4; k++, power = mul(power, delta))
         same(T, table[k], div(d[k], power));
@@ -804,16 +862,18 @@ CLAIM(table_costs_shifts_and_additions)
 :title: For other steps the products remain
 :zh: 一般步长仍需乘法
 :kind: counterexample
-:given: a step that is no power of two, one coordinate, one step of (1-4-4)
-:then: 3 multiplications
+:given: a step that is no power of two, degree $n$, one coordinate, one step of (1-4-4)
+:data: n = 3
+:then: a multiplication for each difference
+:result: multiplications = 3
 :method: The kernel is run in the number type that counts.
 :control: a power of two
 :::
 */
 CLAIM(other_steps_need_multiplications)
 {
-    struct operations step = cost_of_step(T, 3, 1, 1, fault(T, 1, 0));
-    show_text(T, "multiplications", "%d", step.multiplications);
+    struct operations step = cost_of_step(T, given_whole(T, "n"), 1, 1, fault(T, 1, 0));
+    found_whole(T, "multiplications", step.multiplications);
     about(T, "that there is no multiplication");
     agree(T, step.multiplications == 0);
 }
@@ -836,21 +896,23 @@ CLAIM(other_steps_need_multiplications)
 :::{claim} third_difference_loses_three_bytes
 :title: The size of the differences for the step 1/256
 :zh: 步长 1/256 时各阶差分的大小
-:given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=2^{-8}$, any coefficients
-:then: $\Delta^3P_0=6A/2^{24}$, and the differences of order 4 and more are 0
-:method: The table of a cubic as one of degree 4 by the kernel, so that the fourth difference comes from five points; everything but the
+:given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=\frac1n$ with $n=2^m$, any coefficients
+:data: n = 256; m = 8
+:instead: n = 128
+:then: $\Delta^3P_0$ is six times $A/2^{3m}$, and the differences of order 4 and more are 0
+:method: The table of a cubic as one of degree four by the kernel, so that the fourth difference comes from five points; everything but the
   step a variable.
-:control: the step $\delta=2^{-7}$
+:control: twice the step
 :::
 */
 CLAIM(third_difference_loses_three_bytes)
 {
-    num c[5], d[5], delta = from_ratio(1, fault(T, 256, 128));
+    num c[5], d[5], delta = div(from_int(1), given(T, "n")), scale = from_ratio(1, 1L << 3 * given_whole(T, "m"));
     for (int k = 0; k < 4; k++)
         c[k] = unknown(T, "c", k);
     c[4] = from_int(0);
     G(power_differences)(4, 1, c, delta, d);
-    same(T, d[3], mul(c[3], from_ratio(6, 1L << 24)));
+    same(T, d[3], mul(c[3], mul(from_int(6), scale))); /* Δ³P_0 = 6 A δ³ */
     vanishes(T, d[4]);
 }
 
@@ -860,17 +922,22 @@ CLAIM(third_difference_loses_three_bytes)
 :title: The third difference is six times the first
 :zh: 三阶差分为一阶差分的六倍
 :kind: counterexample
-:given: $P(t)=t^3$, $\delta=2^{-8}$
-:then: $\Delta P_0=2^{-24}$, $\Delta^2P_0=\Delta^3P_0=6\cdot2^{-24}$
+:given: the cubic with the coefficients $c$, from $D$ to $A$, and $\delta$
+:data: c = 0 0 0 1; δ = 1/256
+:instead: c = 0 1 0 1
+:then: $\Delta^3P_0$ is larger than $\Delta P_0$
+:result: P_0, ΔP_0, Δ²P_0, Δ³P_0 = 0 1/16777216 3/8388608 3/8388608; Δ³P_0 / ΔP_0 = 6
 :method: The table by the kernel; that the third is less than the first is refuted.
-:control: $P(t)=t+t^3$
+:control: a cubic with a linear term
 :::
 */
 CLAIM(third_difference_exceeds_the_first)
 {
-    num c[4] = {from_int(0), from_int(fault(T, 1, 0)), from_int(0), from_int(1)}, d[4];
-    G(power_differences)(3, 1, c, from_ratio(1, 256), d);
-    show_points(T, "table", 4, 1, d);
+    num c[4], d[4];
+    given_points(T, "c", 4, 1, c);
+    G(power_differences)(3, 1, c, given(T, "δ"), d);
+    found_points(T, "P_0, ΔP_0, Δ²P_0, Δ³P_0", 4, 1, d);
+    found(T, "Δ³P_0 / ΔP_0", div(d[3], d[1]));
     about(T, "whether the third difference is less than the first");
     agree(T, compare_q(d[3], d[1]) < 0);
 }
@@ -1065,11 +1132,15 @@ CLAIM(errors_of_the_table_grow_with_the_cube)
 :title: A table begun with rounded points loses half of the digits, one begun with the coefficients does not
 :zh: 差分表的舍入误差取决于起始方式
 :kind: decision
-:given: $P(t)=1+t^3$, $\delta=\frac1{1000}$, 1000 steps in binary64; the table begun with the differences of the first four points, and with (1-4-5)
-:then: in units of the roundoff $2^{-53}$ the last point has an error of more than $10^7$ the first way, of less than $10^3$ the second way, and
+:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta=\frac1n$, $n$ steps in binary64; the table begun with the differences of the first four points, and
+  with (1-4-5); two bounds
+:data: c = 1 0 0 1; n = 1000; many = 10000000; few = 1000
+:instead: n = 1024
+:then: in units of the roundoff $2^{-53}$ the last point has an error of more than many the first way, of less than few the second way, and
   none by Horner's rule
-:method: The kernels in binary64, compared exactly as rationals with $P(1)=2$.
-:control: $\delta=\frac1{1024}$, 1024 steps, where all are exact
+:result: error by points = 409928008; error by coefficients = 36; error by Horner's rule = 0
+:method: The kernels in binary64, compared exactly as rationals with $P(1)$.
+:control: a power of two, where all are exact
 :::
 */
 /* |value - exact| in units of 2^-53 */
@@ -1081,8 +1152,13 @@ static num units_of_error(double value, num exact)
 
 CLAIM(stepping_loses_what_horner_keeps)
 {
-    int pieces = fault(T, 1000, 1024);
-    double c[4] = {1, 0, 0, 1}, delta = 1.0 / pieces, points[4], end, scale = 1;
+    num coefficient[4];
+    given_points(T, "c", 4, 1, coefficient);
+    int pieces = given_whole(T, "n");
+    num many = given(T, "many"), few = given(T, "few"), exact = G(power_sum)(3, 1, coefficient, 0, from_int(1));
+    double c[4], delta = 1.0 / pieces, points[4], end, scale = 1;
+    for (int k = 0; k < 4; k++)
+        c[k] = to_double_q(coefficient[k]);
     double table[4] = {c[0], c[1] + (c[2] + c[3] * delta) * delta, 6 * c[3] * delta + 2 * c[2], 6 * c[3]};
     power_differences_d(3, 1, c, delta, points);
     for (int k = 0; k <= 3; k++, scale *= delta)
@@ -1092,12 +1168,14 @@ CLAIM(stepping_loses_what_horner_keeps)
         difference_step_d(3, 1, table);
     }
     power_point_d(3, 1, c, 1, &end);
-    num exact = from_int(2), by_points = units_of_error(points[0], exact), by_table = units_of_error(table[0], exact);
-    show_text(T, "begun with points, error in units of 2^-53", "%.0f", to_double_q(by_points));
-    show_text(T, "begun with coefficients", "%.0f", to_double_q(by_table));
-    agree(T, compare_q(by_points, from_int(10000000)) > 0);
-    agree(T, compare_q(by_table, from_int(1000)) < 0);
-    agree(T, is_zero_q(units_of_error(end, exact)));
+    num by_points = units_of_error(points[0], exact), by_table = units_of_error(table[0], exact);
+    num by_horner = units_of_error(end, exact);
+    found(T, "error by points", by_points);
+    found(T, "error by coefficients", by_table);
+    found(T, "error by Horner's rule", by_horner);
+    agree(T, compare_q(by_points, many) > 0);
+    agree(T, compare_q(by_table, few) < 0);
+    agree(T, is_zero_q(by_horner));
 }
 
 /*
@@ -1105,10 +1183,13 @@ CLAIM(stepping_loses_what_horner_keeps)
 :title: Words of 16 binary places lose the cubic term
 :zh: 字长不足时丢失三次项
 :kind: counterexample
-:given: $P(t)=\frac18t^3$, $\delta=2^{-8}$, differences kept to 16 binary places, the rest cut off; 256 steps
-:then: the second and the third difference are cut to 0, and so is the first: the last point is 0 in the place of $\frac18$
-:method: The table with each difference cut to 16 binary places, then exact steps.
-:control: 27 places, which hold $\Delta^3P_0=3\cdot2^{-26}$
+:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta$; differences kept to so many binary places, the rest cut off; $n$ steps
+:data: c = 0 0 0 1/8; δ = 1/256; places = 16; n = 256
+:instead: places = 27
+:then: the second and the third difference are cut to 0, and so is the first: the last point is $P(0)$ in the place of $P(1)$
+:result: table, cut = 0 0 0 0; last point = 0; P(1) = 1/8
+:method: The table with each difference cut, then exact steps.
+:control: places enough to hold $\Delta^3P_0$
 :::
 */
 /* a >= 0 with all binary places after the first `places` cut off */
@@ -1125,16 +1206,20 @@ static num cut(num a, int places)
 
 CLAIM(short_words_lose_the_end)
 {
-    int places = fault(T, 27, 16);
-    num c[4] = {from_int(0), from_int(0), from_int(0), from_ratio(1, 8)}, d[4];
-    G(power_differences)(3, 1, c, from_ratio(1, 256), d);
+    num c[4], d[4];
+    given_points(T, "c", 4, 1, c);
+    num delta = given(T, "δ"), end = G(power_sum)(3, 1, c, 0, from_int(1));
+    int places = given_whole(T, "places"), steps = given_whole(T, "n");
+    G(power_differences)(3, 1, c, delta, d);
     for (int k = 0; k < 4; k++)
         d[k] = cut(d[k], places);
-    show_points(T, "table, cut", 4, 1, d);
-    for (int k = 0; k < 256; k++)
+    found_points(T, "table, cut", 4, 1, d);
+    for (int k = 0; k < steps; k++)
         G(difference_step)(3, 1, d);
-    about(T, "the last point");
-    same(T, d[0], from_ratio(1, 8));
+    found(T, "last point", d[0]);
+    found(T, "P(1)", end);
+    about(T, "the last point, and P(1)");
+    same(T, d[0], end);
 }
 #endif
 
