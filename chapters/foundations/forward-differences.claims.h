@@ -1,0 +1,465 @@
+/*
+# A table of differences (向前差分)
+
+A polynomial of degree $n$ loses a degree with each difference (差分), and the $n$-th difference is constant.  Whoever knows one column of
+the table, the point and its $n$ differences at one place, finds the next column by $n$ additions.
+*/
+#include "chapters/foundations/definition.h"
+
+#if RATIONAL
+#include "chapters/foundations/counted.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} hu-1987:1-4-difference-1-definition
+:title: The first forward difference
+:zh: 一阶向前差分的定义
+:printed: \Delta P(t)=P(t-\delta)-P(t)
+:refuted-by: printed_first_difference_looks_back
+:class: misprint
+:corrected: \Delta P(t)=P(t+\delta)-P(t)
+:corrected-by: differences_of_a_cubic
+:figure: forward_differences
+
+The sign of $\delta$: the formula printed beside it is that of the forward difference.
+:::
+
+:::{statement} hu-1987:1-4-difference-1
+:title: The first difference of the cubic
+:zh: 一阶差分
+:printed: \Delta P(t)=3A\delta t^2+(3A\delta^2+2B\delta)t+A\delta^3+B\delta^2+C\delta
+:holds-by: differences_of_a_cubic
+:figure: forward_differences
+:::
+
+:::{statement} hu-1987:1-4-difference-2
+:title: The second difference of the cubic
+:zh: 二阶差分
+:printed: \Delta^2P(t)=\Delta P(t+\delta)-\Delta P(t)=6A\delta^2t+6A\delta^3+2B\delta^2
+:holds-by: differences_of_a_cubic
+:figure: forward_differences
+:::
+*/
+
+/* The printed expressions of the differences of order 1, 2, 3 for c = (D, C, B, A). */
+static num G(printed_difference)(int order, const num c[], num t, num delta)
+{
+    num A = c[3], B = c[2], C = c[1], d2 = mul(delta, delta), d3 = mul(d2, delta);
+    if (order == 1) {
+        num linear = add(mul(from_int(3), mul(A, d2)), mul(from_int(2), mul(B, delta)));
+        num constant = add(add(mul(A, d3), mul(B, d2)), mul(C, delta));
+        return add(add(mul(mul(from_int(3), mul(A, delta)), mul(t, t)), mul(linear, t)), constant);
+    }
+    num Ad3 = mul(from_int(6), mul(A, d3));
+    if (order == 3)
+        return Ad3;
+    return add(add(mul(mul(from_int(6), mul(A, d2)), t), Ad3), mul(from_int(2), mul(B, d2)));
+}
+
+/*
+:::{claim} differences_of_a_cubic
+:title: The three forward differences of a cubic
+:zh: 三次曲线的各阶向前差分
+:given: any $A$, $B$, $C$, $D$, any $t$ and $\delta$
+:then: $P(t+\delta)-P(t)$, $\Delta P(t+\delta)-\Delta P(t)$ and $\Delta^2P(t+\delta)-\Delta^2P(t)$ are the three printed expressions
+:method: The differences of the sums of powers at $t,\dots,t+3\delta$, everything a variable; one coordinate, any one.
+:control: $t-\delta$ in the place of $t+\delta$
+:::
+*/
+CLAIM(differences_of_a_cubic)
+{
+    num c[4], t = parameter(T, "t"), delta = parameter(T, "d"), D[4][4];
+    G(free_points)(T, 3, 1, c);
+    num step = fault(T, delta, neg(delta));
+    for (int i = 0; i <= 3; i++)
+        D[0][i] = G(power_sum)(3, 1, c, 0, add(t, mul(from_int(i), step)));
+    for (int k = 1; k <= 3; k++) {
+        for (int i = 0; i <= 3 - k; i++)
+            D[k][i] = sub(D[k - 1][i + 1], D[k - 1][i]);
+        same(T, D[k][0], G(printed_difference)(k, c, t, delta));
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} printed_first_difference_looks_back
+:title: With the printed argument the first difference has another sign
+:zh: 印刷的一阶差分符号有误
+:kind: counterexample
+:given: the line with the coefficients $c$, from $D$ to $A$; $t$ and $\delta$
+:data: c = 0 1 0 0; t = 0; δ = 1
+:then: $P(t-\delta)-P(t)$ is not the expression that is printed for it
+:result: P(t-δ) - P(t) = -1; printed expression = 1
+:method: Both sides of the printed line, exactly.
+:control: $P(t+\delta)$
+:::
+*/
+CLAIM(printed_first_difference_looks_back)
+{
+    num c[4];
+    given_points(T, "c", 4, 1, c);
+    num t = given(T, "t"), delta = given(T, "δ"), other = fault(T, add(t, delta), sub(t, delta));
+    num difference = sub(G(power_sum)(3, 1, c, 0, other), G(power_sum)(3, 1, c, 0, t));
+    num printed = G(printed_difference)(1, c, t, delta);
+    found(T, "P(t-δ) - P(t)", difference);
+    found(T, "printed expression", printed);
+    about(T, "the difference, and the expression printed for it");
+    same(T, difference, printed);
+}
+
+/*
+:::{statement} hu-1987:1-4-difference-3-definition
+:title: The third forward difference
+:zh: 三阶差分的定义
+:printed: \Delta^3P(t)=\Delta^2P(t-\delta)-\Delta^2P(t)=6A\delta^3
+:refuted-by: printed_third_difference_has_the_other_sign
+:class: misprint
+:corrected: \Delta^3P(t)=\Delta^2P(t+\delta)-\Delta^2P(t)=6A\delta^3
+:corrected-by: differences_of_a_cubic
+:figure: forward_differences
+:::
+
+:::{claim} printed_third_difference_has_the_other_sign
+:title: With the printed argument the third difference is the negative
+:zh: 印刷的三阶差分符号有误
+:kind: counterexample
+:given: the cubic with the coefficients $c$, from $D$ to $A$; $t$ and $\delta$
+:data: c = 0 0 0 1; t = 0; δ = 1
+:then: $\Delta^2P(t-\delta)-\Delta^2P(t)$ is the negative of the value that is printed for it
+:result: Δ²P(t-δ) - Δ²P(t) = -6; printed value = 6
+:method: Both sides, with the printed $\Delta^2P(t)$, which is right.
+:control: $\Delta^2P(t+\delta)$
+:::
+*/
+CLAIM(printed_third_difference_has_the_other_sign)
+{
+    num c[4];
+    given_points(T, "c", 4, 1, c);
+    num t = given(T, "t"), delta = given(T, "δ"), other = fault(T, add(t, delta), sub(t, delta));
+    num difference = sub(G(printed_difference)(2, c, other, delta), G(printed_difference)(2, c, t, delta));
+    num printed = G(printed_difference)(3, c, t, delta);
+    found(T, "Δ²P(t-δ) - Δ²P(t)", difference);
+    found(T, "printed value", printed);
+    about(T, "the difference, and the value printed for it");
+    same(T, difference, printed);
+}
+#endif
+
+/*
+Two of the three definitions are printed with $t-\delta$ in the place of $t+\delta$.  One sees it without computing: the formula beside the
+first begins with $+3A\delta t^2$, and a difference that looks back would begin with a minus sign.  The second definition and all
+formulas are those of forward differences.
+
+:::{statement} hu-1987:1-4-constant-difference
+:title: The n-th difference of a curve of degree n is constant
+:zh: n 次多项式的 n 阶差分为常矢量
+:printed: The third difference is a vector that does not depend on the parameter; in general the $n$-th difference of a polynomial
+  of degree $n$ is a constant vector.
+:holds-by: differences_by_alternating_sums
+:figure: forward_differences
+:::
+*/
+
+/* The alternating sum of order k at t, coordinate j. */
+static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t, num delta)
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= k; i++) {
+        num value = G(power_sum)(n, dim, c, j, add(t, mul(from_int(i), delta)));
+        num term = mul(from_int(binomial(k, i)), value);
+        sum = (k - i) % 2 == 0 ? add(sum, term) : sub(sum, term);
+    }
+    return sum;
+}
+
+/*
+:::{claim} differences_by_alternating_sums
+:title: The kernel's table holds the forward differences; the last is constant
+:zh: 差分表与末阶差分
+:given: any coefficients in the plane, any $\delta$
+:then: row $k$ of `power_differences` is $\sum_i(-1)^{k-i}\binom kiP(i\delta)$, and its last row is $n!\,c_n\,\delta^n$, which does not
+  depend on the place: at any $t$ the alternating sum of $P(t),\dots,P(t+n\delta)$ is the same
+:method: The kernel against alternating sums of the definition, at 0 and at a variable $t$.
+:degrees: 1..6 sampled 12
+:defines: power_differences
+:control: the place $t$ taken in the difference of order $n-1$
+:::
+*/
+CLAIM(differences_by_alternating_sums)
+{
+    enum { dim = 2 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], t = parameter(T, "t"), delta = parameter(T, "d");
+    G(free_points)(T, n, dim, c);
+    G(power_differences)(n, dim, c, delta, d);
+    for (int j = 0; j < dim; j++) {
+        for (int k = 0; k <= n; k++)
+            same(T, d[k * dim + j], G(alternating_sum)(n, dim, c, j, k, from_int(0), delta));
+        num last = mul(c[n * dim + j], G(power)(delta, n));
+        for (int k = 2; k <= n; k++)
+            last = mul(last, from_int(k));
+        same(T, d[n * dim + j], last);
+        int order = fault(T, n, n - 1);
+        same(T, G(alternating_sum)(n, dim, c, j, order, t, delta), d[order * dim + j]);
+    }
+}
+
+/*
+## Stepping
+
+:::{statement} hu-1987:1-4-3-places
+:title: The place of the differences with the index 1
+:zh: 下标 1 的差分所在参数
+:printed: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=i\delta$, and $P_1=P_0+\Delta P_0$.
+:refuted-by: step_from_zero_reaches_one_step_only
+:class: misprint
+:corrected: They are the differences at $t=\delta$.
+:corrected-by: additions_step_along_the_curve
+:figure: forward_differences
+
+For $i=1$ it is true.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} step_from_zero_reaches_one_step_only
+:title: One step from 0 does not reach the second place
+:zh: 一步不能到达第 i 点
+:kind: counterexample
+:given: the line with the coefficients $c$, $\delta$ and $i$
+:data: c = 0 1; δ = 1; i = 2
+:instead: i = 1
+:then: $P_0+\Delta P_0$ is not $P(i\delta)$
+:result: P_0 + ΔP_0 = 1; P(iδ) = 2
+:method: Both values, exactly.
+:control: the first place
+:::
+*/
+CLAIM(step_from_zero_reaches_one_step_only)
+{
+    num c[2], d[2];
+    given_points(T, "c", 2, 1, c);
+    num delta = given(T, "δ"), place = mul(given(T, "i"), delta), there = G(power_sum)(1, 1, c, 0, place);
+    G(power_differences)(1, 1, c, delta, d);
+    G(difference_step)(1, 1, d);
+    found(T, "P_0 + ΔP_0", d[0]);
+    found(T, "P(iδ)", there);
+    about(T, "P_0 + ΔP_0, and P(iδ)");
+    same(T, d[0], there);
+}
+#endif
+
+/*
+:::{claim} additions_step_along_the_curve
+:title: The table runs along the curve
+:zh: 差分表沿曲线前进
+:given: any coefficients in the plane, any $\delta$, 12 steps
+:then: after $i$ steps the first row is $P(i\delta)$
+:method: `power_differences`, then `difference_step` again and again, against the sum of powers.
+:degrees: 1..6 sampled 8
+:control: the last difference taken as 0
+:::
+*/
+CLAIM(additions_step_along_the_curve)
+{
+    enum { dim = 2 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], delta = parameter(T, "d");
+    G(free_points)(T, n, dim, c);
+    G(power_differences)(n, dim, c, delta, d);
+    d[n * dim] = fault(T, d[n * dim], from_int(0));
+    for (int i = 0; i <= 12; i++) {
+        for (int j = 0; j < dim; j++)
+            same(T, d[j], G(power_sum)(n, dim, c, j, mul(from_int(i), delta)));
+        G(difference_step)(n, dim, d);
+    }
+}
+
+/*
+The index of a place is the second trap.  A step takes the differences at one place to those at the next one, from 0 to $\delta$; the
+places $i\delta$ are reached by $i$ steps and not by one.
+
+:::{statement} hu-1987:1-4-3
+:title: One step of the table
+:zh: 差分递推
+:printed: P_1=P_0+\Delta P_0,\quad\Delta P_1=\Delta P_0+\Delta^2P_0,\quad\Delta^2P_1=\Delta^2P_0+\Delta^3P_0,\quad\Delta^3P_1=\Delta^3P_0
+:holds-by: step_takes_differences_to_the_next_place
+:figure: forward_differences
+:::
+
+:::{claim} step_takes_differences_to_the_next_place
+:title: The step of the table takes the differences at one place to those at the next
+:zh: 差分表前进一步
+:given: any coefficients in the plane, any $t$ and $\delta$
+:then: `difference_step`, and with the rows divided by $\delta^k$ `scaled_difference_step`, take the differences at $t$ to those
+  at $t+\delta$
+:method: The kernels on the alternating sums at $t$, against those at $t+\delta$.
+:degrees: 1..6 sampled 12
+:defines: difference_step scaled_difference_step
+:control: the differences at $t+2\delta$
+:::
+*/
+CLAIM(step_takes_differences_to_the_next_place)
+{
+    enum { dim = 2 };
+    int n = T->degree;
+    num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], e[(MAX_DEGREE + 1) * dim];
+    num t = parameter(T, "t"), delta = positive(T, "d", 0), next = add(t, delta);
+    G(free_points)(T, n, dim, c);
+    for (int k = 0; k <= n; k++)
+        for (int j = 0; j < dim; j++) {
+            d[k * dim + j] = G(alternating_sum)(n, dim, c, j, k, t, delta);
+            e[k * dim + j] = div(d[k * dim + j], G(power)(delta, k));
+        }
+    G(difference_step)(n, dim, d);
+    G(scaled_difference_step)(n, dim, delta, e);
+    next = fault(T, next, add(next, delta));
+    for (int k = 0; k <= n; k++)
+        for (int j = 0; j < dim; j++) {
+            num there = G(alternating_sum)(n, dim, c, j, k, next, delta);
+            same(T, d[k * dim + j], there);
+            same(T, e[k * dim + j], div(there, G(power)(delta, k)));
+        }
+}
+
+/*
+:::{statement} hu-1987:1-4-stepping
+:title: All points by repeated additions
+:zh: 反复加法求各点
+:printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the other by
+  repeated additions.
+:holds-by: additions_step_along_the_curve
+:figure: forward_differences
+:::
+
+So a point costs $n$ additions for each coordinate.  The claim of the source that multiplications are not needed at all is about more than the
+step, because the table has to be begun.  With $\delta=2^{-m}$ its first column is made by shifts and additions; with another
+step it is not.
+
+:::{statement} hu-1987:1-4-no-multiplications
+:title: With differences no multiplication is left
+:zh: 差分法不用乘法
+:printed: With differences multiplications are not needed at all, only shifts and additions.
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions
+:needs: other_steps_need_multiplications | The step is a power of two, $\delta=2^{-m}$, and the differences are divided by its powers as
+  in (1-4-4) and (1-4-5).  For another step the table has to be begun with multiplications.
+:figure: stepping_and_rounding
+:::
+*/
+
+#if RATIONAL
+static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int power_of_two)
+{
+    num_c d[(MAX_DEGREE + 1) * MAX_DIM], delta = {power_of_two};
+    num_q x[(MAX_DEGREE + 1) * MAX_DIM], step = power_of_two ? from_ratio_q(1, 256) : parameter_q(T, "d");
+    for (int m = 0; m < (n + 1) * dim; m++) {
+        d[m] = some_number;
+        x[m] = unknown_q(T, "e", m);
+    }
+    counted = (struct operations){0};
+    if (scaled) {
+        scaled_difference_step_c(n, dim, delta, d);
+        scaled_difference_step_q(n, dim, step, x);
+    } else {
+        difference_step_c(n, dim, d);
+        difference_step_q(n, dim, x);
+    }
+    note_cost((n + 1) * dim, x, counted);
+    return counted;
+}
+
+/*
+:::{claim} step_costs_additions_only
+:title: A step costs n additions for each coordinate, and, scaled, n shifts
+:zh: 每步的加法与移位次数
+:kind: decision
+:given: degrees $n=1,\dots,12$, one to three coordinates $d$, $\delta=2^{-m}$
+:then: `difference_step` costs $nd$ additions and nothing else, `scaled_difference_step` $nd$ additions and $nd$ shifts
+:method: The kernels are run in the number type that counts.
+:scope: degrees 1 to 12, one to three coordinates
+:control: a step that is no power of two
+:::
+*/
+CLAIM(step_costs_additions_only)
+{
+    for (int n = 1; n <= 12; n++)
+        for (int d = 1; d <= 3; d++) {
+            struct operations plain = cost_of_step(T, n, d, 0, 1), scaled = cost_of_step(T, n, d, 1, fault(T, 1, 0));
+            agree(T, plain.additions == n * d && plain.multiplications == 0 && plain.shifts == 0);
+            agree(T, scaled.additions == n * d && scaled.multiplications == 0 && scaled.shifts == n * d);
+        }
+}
+
+/*
+:::{claim} table_costs_shifts_and_additions
+:title: The table of a cubic costs shifts and additions
+:zh: 建立差分表的运算次数
+:kind: decision
+:given: one coordinate, $\delta$ a power of two, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
+:data: δ = 1/256
+:then: shifts and additions, and no multiplication
+:result: shifts = 6; additions = 4; multiplications = 0
+:method: The rows are formed in the number type that counts, and in rationals for any $A,B,C,D$, where they are the
+  printed ones.
+:control: a step that is no power of two
+:::
+*/
+/* (1-4-5) as shifts and additions: e from c = (D, C, B, A), 3A as 2A + A. */
+#define TABLE_BY_SHIFTS(S)                                                                                             \
+    static void table_by_shifts_##S(const num_##S c[], num_##S delta, num_##S e[])                                     \
+    {                                                                                                                  \
+        num_##S two = from_int_##S(2), three_A = add_##S(mul_##S(two, c[3]), c[3]);                                    \
+        e[0] = c[0];                                                                                                   \
+        e[1] = add_##S(mul_##S(add_##S(mul_##S(c[3], delta), c[2]), delta), c[1]);                                     \
+        e[2] = mul_##S(two, add_##S(mul_##S(three_A, delta), c[2]));                                                   \
+        e[3] = mul_##S(two, three_A);                                                                                  \
+    }
+TABLE_BY_SHIFTS(c)
+TABLE_BY_SHIFTS(q)
+
+CLAIM(table_costs_shifts_and_additions)
+{
+    num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {fault(T, 1, 0)};
+    num x[4], d[4], table[4], delta = given(T, "δ"), power = from_int(1);
+    for (int k = 0; k < 4; k++)
+        x[k] = unknown(T, "c", k);
+    table_by_shifts_q(x, delta, table);
+    counted = (struct operations){0};
+    table_by_shifts_c(c, step, e);
+    if (!T->faulty)
+        note_cost(4, table, counted);
+    found_whole(T, "shifts", counted.shifts);
+    found_whole(T, "additions", counted.additions);
+    found_whole(T, "multiplications", counted.multiplications);
+    agree(T, counted.multiplications == 0 && counted.divisions == 0);
+    G(power_differences)(3, 1, x, delta, d);
+    for (int k = 0; k < 4; k++, power = mul(power, delta))
+        same(T, table[k], div(d[k], power));
+}
+
+/*
+:::{claim} other_steps_need_multiplications
+:title: For other steps the products remain
+:zh: 一般步长仍需乘法
+:kind: counterexample
+:given: a step that is no power of two, degree $n$, one coordinate, one step of (1-4-4)
+:data: n = 3
+:then: a multiplication for each difference
+:result: multiplications = 3
+:method: The kernel is run in the number type that counts.
+:control: a power of two
+:::
+*/
+CLAIM(other_steps_need_multiplications)
+{
+    struct operations step = cost_of_step(T, given_whole(T, "n"), 1, 1, fault(T, 1, 0));
+    found_whole(T, "multiplications", step.multiplications);
+    about(T, "that there is no multiplication");
+    agree(T, step.multiplications == 0);
+}
+#endif
+
+#include "chapters/judge/claims_off.h"

@@ -1,0 +1,368 @@
+/*
+# The table in a machine (规格化差分与舍入)
+
+In a word of fixed length the small differences lose their digits first.  The source divides them by the powers of the step, which
+makes them as large as the coefficients, and begins the table with the coefficients themselves.
+*/
+#include "chapters/foundations/definition.h"
+
+#if RATIONAL
+/* The kernels in binary64 beside the rational ones. */
+#undef G
+#include "core/kernels/kernels_d.h"
+#define G(name) name##_q
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} hu-1987:1-4-small-differences
+:title: The differences after the third are small
+:zh: 高阶差分已相当小
+:printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
+:holds-by: third_difference_loses_three_bytes
+:reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0, for every $\delta$
+:reading: third_difference_loses_three_bytes | from the third on, against the coefficients: true, $6A/2^{24}$
+:reading: third_difference_exceeds_the_first | from the third on, against the differences before it: false
+:figure: forward_differences
+:::
+
+:::{claim} third_difference_loses_three_bytes
+:title: The size of the differences for the step 1/256
+:zh: 步长 1/256 时各阶差分的大小
+:given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=\frac1n$ with $n=2^m$, any coefficients
+:data: n = 256; m = 8
+:instead: n = 128
+:then: $\Delta^3P_0$ is six times $A/2^{3m}$, and the differences of order 4 and more are 0
+:method: The table of a cubic as one of degree four by the kernel, so that the fourth difference comes from five points; everything but the
+  step a variable.
+:control: twice the step
+:::
+*/
+CLAIM(third_difference_loses_three_bytes)
+{
+    num c[5], d[5], delta = div(from_int(1), given(T, "n")), scale = from_ratio(1, 1L << 3 * given_whole(T, "m"));
+    for (int k = 0; k < 4; k++)
+        c[k] = unknown(T, "c", k);
+    c[4] = from_int(0);
+    G(power_differences)(4, 1, c, delta, d);
+    same(T, d[3], mul(c[3], mul(from_int(6), scale))); /* Δ³P_0 = 6 A δ³ */
+    vanishes(T, d[4]);
+}
+
+#if RATIONAL
+/*
+:::{claim} third_difference_exceeds_the_first
+:title: The third difference is six times the first
+:zh: 三阶差分为一阶差分的六倍
+:kind: counterexample
+:given: the cubic with the coefficients $c$, from $D$ to $A$, and $\delta$
+:data: c = 0 0 0 1; δ = 1/256
+:instead: c = 0 1 0 1
+:then: $\Delta^3P_0$ is larger than $\Delta P_0$
+:result: P_0, ΔP_0, Δ²P_0, Δ³P_0 = 0 1/16777216 3/8388608 3/8388608; Δ³P_0 / ΔP_0 = 6
+:method: The table by the kernel; that the third is less than the first is refuted.
+:control: a cubic with a linear term
+:::
+*/
+CLAIM(third_difference_exceeds_the_first)
+{
+    num c[4], d[4];
+    given_points(T, "c", 4, 1, c);
+    G(power_differences)(3, 1, c, given(T, "δ"), d);
+    found_points(T, "P_0, ΔP_0, Δ²P_0, Δ³P_0", 4, 1, d);
+    found(T, "Δ³P_0 / ΔP_0", div(d[3], d[1]));
+    about(T, "whether the third difference is less than the first");
+    agree(T, compare_q(d[3], d[1]) < 0);
+}
+#endif
+
+/*
+Small compared with what?  With the coefficients, the third difference is small as the cube of the step.  With the other differences it need not be:
+for $t^3$ it is larger than the first.  What matters to a machine is the comparison with the coefficients, and it suggests to keep
+$\frac1{\delta^k}\Delta^kP$ instead.
+
+:::{statement} hu-1987:1-4-4
+:title: The step of the scaled table
+:zh: 规格化差分的递推
+:printed: P_1=P_0+\delta(\tfrac1\delta\Delta P_0),\ \ \tfrac1\delta\Delta P_1=\tfrac1\delta\Delta P_0+\delta(\tfrac1{\delta^2}\Delta^2P_0),\ \
+  \tfrac1{\delta^2}\Delta^2P_1=\tfrac1{\delta^2}\Delta^2P_0+\delta(\tfrac1{\delta^3}\Delta^3P_0),\ \ \tfrac1{\delta^3}\Delta^3P_1=\tfrac1{\delta^3}\Delta^3P_0
+:holds-by: step_takes_differences_to_the_next_place
+:figure: forward_differences
+:::
+
+:::{statement} hu-1987:1-4-5
+:title: The table to begin with
+:zh: 初始差分矩阵
+:printed: \begin{bmatrix}P_0\\\frac1\delta\Delta P_0\\\frac1{\delta^2}\Delta^2P_0\\\frac1{\delta^3}\Delta^3P_0\end{bmatrix}=\begin{bmatrix}D\\A\delta^2+B\delta+C\\6A\delta+2B\\6A\end{bmatrix}
+:holds-by: scaled_table_is_as_printed
+:figure: forward_differences
+:::
+
+:::{claim} scaled_table_is_as_printed
+:title: The rows of the table to begin with
+:zh: 初始差分
+:given: any $A,B,C,D$ in space, any $\delta\ne0$
+:then: the rows of `power_differences`, divided by $1,\delta,\delta^2,\delta^3$, are the printed ones
+:method: The kernel against the printed expressions, everything a variable.
+:control: $3A$ in the last row
+:::
+*/
+CLAIM(scaled_table_is_as_printed)
+{
+    enum { space = 3 };
+    num c[4 * space], d[4 * space], delta = positive(T, "d", 0), power = from_int(1);
+    G(free_points)(T, 3, space, c);
+    G(power_differences)(3, space, c, delta, d);
+    for (int k = 0; k <= 3; k++, power = mul(power, delta))
+        for (int j = 0; j < space; j++) {
+            num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], six_A = mul(from_int(6), A);
+            num rows[4] = {D, add(add(mul(A, mul(delta, delta)), mul(B, delta)), C),
+                           add(mul(six_A, delta), mul(from_int(2), B)), fault(T, six_A, mul(from_int(3), A))};
+            same(T, div(d[k * space + j], power), rows[k]);
+        }
+}
+
+/*
+The word matrix is used for two things here.  One is the first column of the table, four rows with as many entries as there are
+coordinates; the other is the step, which multiplies such a column and is square.  The number $4\times3$ belongs to the first, the
+formulas that stand above the sentence to the second.
+
+:::{statement} hu-1987:1-4-difference-matrix
+:title: The matrix of differences
+:zh: 差分矩阵
+:printed: Written as a matrix, the formulas above give the $4\times3$ matrix of differences (1-4-5).
+:holds-by: scaled_table_is_as_printed
+:reading: scaled_table_is_as_printed | the differences at $t=0$ as rows, in three coordinates: true; in the plane the matrix is $4\times2$
+:reading: step_multiplies_by_a_square_matrix | the step (1-4-4), which stands above, as a matrix: that one is $4\times4$
+:figure: forward_differences
+:::
+
+:::{claim} step_multiplies_by_a_square_matrix
+:title: The step of the scaled table is a matrix with four rows and four columns
+:zh: 差分递推的方阵
+:given: any four rows $d_0,\dots,d_3$ with three coordinates, any $\delta$
+:then: `scaled_difference_step` multiplies them from the left by the matrix with 1 in the diagonal and $\delta$ to the right of it
+:method: The kernel against the product of the matrices, everything a variable.
+:control: $\delta$ to the left of the diagonal
+:::
+*/
+CLAIM(step_multiplies_by_a_square_matrix)
+{
+    enum { space = 3 };
+    num d[4 * space], next[4 * space], delta = parameter(T, "d");
+    G(free_points)(T, 3, space, d);
+    for (int k = 0; k < 4; k++)
+        for (int j = 0; j < space; j++) {
+            num sum = from_int(0);
+            for (int i = 0; i < 4; i++) {
+                num entry = i == k ? from_int(1) : i == fault(T, k + 1, k - 1) ? delta : from_int(0);
+                sum = add(sum, mul(entry, d[i * space + j]));
+            }
+            next[k * space + j] = sum;
+        }
+    G(scaled_difference_step)(3, space, delta, d);
+    for (int m = 0; m < 4 * space; m++)
+        same(T, d[m], next[m]);
+}
+
+/*
+:::{statement} hu-1987:1-4-fast
+:title: With powers of two the points are computed at high speed
+:zh: 步长为 2 的幂时高速计算
+:printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions stepping_reaches_the_other_end
+:hypothesis: short_words_lose_the_end | The words are long enough: $3m$ binary places more than the coefficients have.  Binary64 has
+  them for coefficients of 20 bits and $m=8$; words with 16 places have not.
+:figure: stepping_and_rounding
+:::
+
+## What rounding does to the table
+
+A step has no multiplication, but every point inherits the errors of all points before it.  With $\delta=2^{-m}$ there may be
+none: the numbers that occur have $3m$ binary places more than the coefficients.  With $\delta=1/n$ for other $n$, the
+differences are rounded before the first step, and an error of $\Delta^3P_0$ is multiplied by $\binom n3$ on the way.  How large it is
+depends on how the table is begun: differences of rounded points inherit the roundoff of the points, and the rows of (1-4-5) only
+that of their own, small, size.
+
+:::{claim} stepping_reaches_the_other_end
+:title: After as many steps as there are pieces the table is at the other end
+:zh: 差分法到达终点
+:given: any coefficients of degree 3, $\delta=2^{-m}$, $2^m$ steps; $m$ is the degree
+:then: the first row is $P(1)=A+B+C+D$
+:method: The table and its steps; in binary64 within the running error bound.
+:degrees: 1..6 sampled 8
+:control: one step less
+:::
+*/
+CLAIM(stepping_reaches_the_other_end)
+{
+    int pieces = 1 << T->degree;
+    num c[4], d[4], end = from_int(0);
+    G(free_points)(T, 3, 1, c);
+    for (int k = 0; k < 4; k++)
+        end = add(end, c[k]);
+    G(power_differences)(3, 1, c, from_ratio(1, pieces), d);
+    for (int k = 0; k < fault(T, pieces, pieces - 1); k++)
+        G(difference_step)(3, 1, d);
+    same(T, d[0], end);
+}
+
+#if RATIONAL
+/*
+:::{claim} stepping_is_exact_for_short_coefficients
+:title: For coefficients of 20 bits and 256 steps binary64 steps without any error
+:zh: 短系数时双精度差分无误差
+:kind: decision
+:given: 50 random cubics with coefficients of 20 binary places in $[-1,1]$, $\delta=2^{-8}$, 256 steps
+:then: every one of the $50\times257$ points by `difference_step` in binary64 is the exact value
+:method: The same kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
+  $2^8$, and so have at most 52 bits.
+:scope: 50 random cubics
+:control: $\delta=\frac1{255}$, 255 steps
+:::
+*/
+CLAIM(stepping_is_exact_for_short_coefficients)
+{
+    int pieces = fault(T, 256, 255);
+    for (int cubic = 0; cubic < 50; cubic++) {
+        num c[4], d[4];
+        double rounded[4], steps[4];
+        for (int k = 0; k < 4; k++) {
+            c[k] = unknown(T, "c", k);
+            rounded[k] = to_double_q(c[k]);
+        }
+        G(power_differences)(3, 1, c, from_ratio(1, pieces), d);
+        power_differences_d(3, 1, rounded, 1.0 / pieces, steps);
+        for (int i = 0; i <= pieces; i++) {
+            agree(T, equal_q(from_double_q(steps[0]), d[0]));
+            G(difference_step)(3, 1, d);
+            difference_step_d(3, 1, steps);
+        }
+    }
+}
+#endif
+
+/*
+:::{claim} errors_of_the_table_grow_with_the_cube
+:title: An error of the third difference grows with the cube of the number of steps
+:zh: 三阶差分的误差按三次增长
+:given: errors $e_0,e_1,e_2,e_3$ in the four rows, $n$ steps
+:then: the error of the point is $e_0+ne_1+\binom n2e_2+\binom n3e_3$
+:method: The table is linear: the kernel on the errors alone, $n$ steps, against the sum.
+:degrees: 1..24
+:control: $\binom n3$ left out
+:::
+*/
+CLAIM(errors_of_the_table_grow_with_the_cube)
+{
+    int n = T->degree;
+    num e[4], sum = from_int(0);
+    for (int k = 0; k < 4; k++) {
+        e[k] = unknown(T, "e", k);
+        int counted_in = fault(T, k <= n, k <= n && k != 3);
+        sum = add(sum, mul(from_int(counted_in ? binomial(n, k) : 0), e[k]));
+    }
+    for (int k = 0; k < n; k++)
+        G(difference_step)(3, 1, e);
+    same(T, e[0], sum);
+}
+
+#if RATIONAL
+/*
+:::{claim} stepping_loses_what_horner_keeps
+:title: A table begun with rounded points loses half of the digits, one begun with the coefficients does not
+:zh: 差分表的舍入误差取决于起始方式
+:kind: decision
+:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta=\frac1n$, $n$ steps in binary64; the table begun with the differences of the first four points, and
+  with (1-4-5); two bounds
+:data: c = 1 0 0 1; n = 1000; many = 10000000; few = 1000
+:instead: n = 1024
+:then: in units of the roundoff $2^{-53}$ the last point has an error of more than many the first way, of less than few the second way, and
+  none by Horner's rule
+:result: error by points = 409928008; error by coefficients = 36; error by Horner's rule = 0
+:method: The kernels in binary64, compared exactly as rationals with $P(1)$.
+:control: a power of two, where all are exact
+:::
+*/
+/* |value - exact| in units of 2^-53 */
+static num units_of_error(double value, num exact)
+{
+    num gap = sub(from_double_q(value), exact);
+    return mul(sign_q(gap) < 0 ? neg(gap) : gap, from_double_q(0x1p53));
+}
+
+CLAIM(stepping_loses_what_horner_keeps)
+{
+    num coefficient[4];
+    given_points(T, "c", 4, 1, coefficient);
+    int pieces = given_whole(T, "n");
+    num many = given(T, "many"), few = given(T, "few"), exact = G(power_sum)(3, 1, coefficient, 0, from_int(1));
+    double c[4], delta = 1.0 / pieces, points[4], end, scale = 1;
+    for (int k = 0; k < 4; k++)
+        c[k] = to_double_q(coefficient[k]);
+    double table[4] = {c[0], c[1] + (c[2] + c[3] * delta) * delta, 6 * c[3] * delta + 2 * c[2], 6 * c[3]};
+    power_differences_d(3, 1, c, delta, points);
+    for (int k = 0; k <= 3; k++, scale *= delta)
+        table[k] *= scale;
+    for (int k = 0; k < pieces; k++) {
+        difference_step_d(3, 1, points);
+        difference_step_d(3, 1, table);
+    }
+    power_point_d(3, 1, c, 1, &end);
+    num by_points = units_of_error(points[0], exact), by_table = units_of_error(table[0], exact);
+    num by_horner = units_of_error(end, exact);
+    found(T, "error by points", by_points);
+    found(T, "error by coefficients", by_table);
+    found(T, "error by Horner's rule", by_horner);
+    agree(T, compare_q(by_points, many) > 0);
+    agree(T, compare_q(by_table, few) < 0);
+    agree(T, is_zero_q(by_horner));
+}
+
+/*
+:::{claim} short_words_lose_the_end
+:title: Words of 16 binary places lose the cubic term
+:zh: 字长不足时丢失三次项
+:kind: counterexample
+:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta$; differences kept to so many binary places, the rest cut off; $n$ steps
+:data: c = 0 0 0 1/8; δ = 1/256; places = 16; n = 256
+:instead: places = 27
+:then: the second and the third difference are cut to 0, and so is the first: the last point is $P(0)$ in the place of $P(1)$
+:result: table, cut = 0 0 0 0; last point = 0; P(1) = 1/8
+:method: The table with each difference cut, then exact steps.
+:control: places enough to hold $\Delta^3P_0$
+:::
+*/
+/* a >= 0 with all binary places after the first `places` cut off */
+static num cut(num a, int places)
+{
+    mpz_t whole_part;
+    mpz_init(whole_part);
+    num unit = from_ratio(1, 1L << places), scaled = div(a, unit);
+    mpz_fdiv_q(whole_part, mpq_numref(scaled.at), mpq_denref(scaled.at));
+    num kept = mul(from_int(mpz_get_si(whole_part)), unit);
+    mpz_clear(whole_part);
+    return kept;
+}
+
+CLAIM(short_words_lose_the_end)
+{
+    num c[4], d[4];
+    given_points(T, "c", 4, 1, c);
+    num delta = given(T, "δ"), end = G(power_sum)(3, 1, c, 0, from_int(1));
+    int places = given_whole(T, "places"), steps = given_whole(T, "n");
+    G(power_differences)(3, 1, c, delta, d);
+    for (int k = 0; k < 4; k++)
+        d[k] = cut(d[k], places);
+    found_points(T, "table, cut", 4, 1, d);
+    for (int k = 0; k < steps; k++)
+        G(difference_step)(3, 1, d);
+    found(T, "last point", d[0]);
+    found(T, "P(1)", end);
+    about(T, "the last point, and P(1)");
+    same(T, d[0], end);
+}
+#endif
+
+#include "chapters/judge/claims_off.h"
