@@ -366,7 +366,10 @@ class Readme(Case):
         self.assertTrue(commands)
         for block in commands:
             command, _, said = block.partition("\n")
-            self.assertEqual(run(*command.split()[2:], cwd=ROOT).stdout.strip(), said.strip())
+            printed = run(*command.split()[2:], cwd=ROOT).stdout
+            # The line of a statement moves with every edit above it.
+            said, printed = (re.sub(r"(\.claims\.h):\d+\)", r"\1)", text.strip()) for text in (said, printed))
+            self.assertEqual(printed, said)
 
     def test_the_numbers_are_those_of_the_run(self):
         text = (ROOT / "README.md").read_text()
