@@ -151,33 +151,55 @@ CLAIM(conics_through_four_points_are_a_pencil)
 }
 
 #if RATIONAL
+/* Whether the conic S passes through the points; its values there are the result of that name. */
+static int passes_through(trial *T, const char *name, const num S[], int count, const num P[])
+{
+    num value[4];
+    int on_it = 1;
+    for (int k = 0; k < count; k++) {
+        value[k] = G(form)(S, P[2 * k], P[2 * k + 1]);
+        on_it &= is_zero_q(value[k]);
+    }
+    found_points(T, name, count, 1, value);
+    return on_it;
+}
+
+/* The determinant of the coefficients A, B, C of three conics: 0 when one of them is in the pencil of the others. */
+static num of_quadratic_parts(num S[3][6])
+{
+    num rows[9];
+    for (int k = 0; k < 9; k++)
+        rows[k] = S[k / 3][k % 3];
+    return G(determinant)(3, rows);
+}
+
 /*
 :::{claim} pencil_misses_its_difference
 :title: One conic through the common points has no lambda
 :zh: 曲线束漏掉一条曲线
 :kind: counterexample
-:given: $S_1=x^2-1$ and $S_2=y^2-1$, with the common points $(\pm1,\pm1)$, and the conic $x^2-y^2=0$ through these
-:then: for no $\lambda$ is $(1-\lambda)S_1+\lambda S_2$ a multiple of it
+:data: S_1 = 1 0 0 0 0 -1; S_2 = 0 0 1 0 0 -1; S = 1 0 -1 0 0 0; P = (1,1) (1,-1) (-1,1) (-1,-1)
+:instead: S = 1 0 1 0 0 -2
+:result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; values of λ that give S = 0
+:given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and the pair of lines $S=S_1-S_2$ through these
+:then: for no $\lambda$ is $(1-\lambda)S_1+\lambda S_2$ a multiple of $S$
 :method: The coefficients of $x^2$ and $y^2$ of a member and of the conic form a determinant, a polynomial of degree
   at most 1 in $\lambda$, whose real zeros are counted.
-:control: the conic $x^2+y^2-2=0$, the member of $\lambda=1/2$
+:control: the circle through the four points, which is the member in the middle
 :::
 */
 CLAIM(pencil_misses_its_difference)
 {
-    num S1[6], S2[6], M[6];
-    conic_of((int[]){1, 0, 0, 0, 0, -1}, S1);
-    conic_of((int[]){0, 0, 1, 0, 0, -1}, S2);
-    conic_of(fault(T, ((int[]){1, 0, 1, 0, 0, -2}), ((int[]){1, 0, -1, 0, 0, 0})), M);
-    show_text(T, "S1, S2", "x² - 1, y² - 1");
-    show_text(T, "the conic", "x² - y² = 0");
-    int fits = 1; /* it passes through the four points */
-    for (int k = 0; k < 4; k++)
-        fits &= is_zero_q(G(form)(M, from_int(k < 2 ? 1 : -1), from_int(k % 2 ? 1 : -1)));
-    int count = members_like(S1, S2, M, 0, 2);
-    show_text(T, "values of λ that give it", "%d", count);
+    num S1[6], S2[6], S[6], P[8];
+    given_points(T, "S_1", 6, 1, S1);
+    given_points(T, "S_2", 6, 1, S2);
+    given_points(T, "S", 6, 1, S);
+    given_points(T, "P", 4, 2, P);
+    int common = passes_through(T, "S_1(P)", S1, 4, P) & passes_through(T, "S_2(P)", S2, 4, P);
+    int fits = passes_through(T, "S(P)", S, 4, P), count = members_like(S1, S2, S, 0, 2);
+    found_whole(T, "values of λ that give S", count);
     about(T, "whether the conic, which passes through the four points, is a member");
-    refute(T, fits && count == 0);
+    refute(T, common && fits && count == 0);
 }
 
 /*
@@ -185,27 +207,29 @@ CLAIM(pencil_misses_its_difference)
 :title: Through two common points pass conics that are no members
 :zh: 公共点太少时还有别的二次曲线
 :kind: counterexample
-:given: $S_1=xy$ and $S_2=(x+y-1)^2$, whose only common points are $(1,0)$ and $(0,1)$, and the conic $x(x+y-1)=0$
-  through both
+:data: S_1 = 0 1/2 0 0 0 0; S_2 = 1 1 1 -1 -1 1; S = 1 1/2 0 -1/2 0 0; P = (1,0) (0,1)
+:instead: S = 1 2 1 -1 -1 1
+:result: S_1(P) = 0 0; S_2(P) = 0 0; S(P) = 0 0; determinant = 1/2
+:given: the two axes, $S_1=xy$, a double line, $S_2=(x+y-1)^2$, their only common points $P$, and the conic $S=x(x+y-1)$ through both
 :then: the three conics are independent
 :method: The determinant of their coefficients of $x^2$, $2xy$ and $y^2$ is 0 for a member of the pencil.
-:control: the member $2S_1+S_2$ in place of the third conic
+:control: the combination $2S_1+S_2$ in place of the third conic
 :::
 */
 CLAIM(two_common_points_allow_other_conics)
 {
-    num S[3][6], rows[9];
-    conic_of((int[]){0, 1, 0, 0, 0, 0}, S[0]);
-    conic_of((int[]){1, 2, 1, -2, -2, 1}, S[1]);
-    conic_of(fault(T, ((int[]){1, 4, 1, -2, -2, 1}), ((int[]){1, 1, 0, -1, 0, 0})), S[2]);
-    show_text(T, "S1, S2", "x y, (x + y - 1)²; common points (1, 0), (0, 1)");
-    show_text(T, "the conic", "x (x + y - 1) = 0");
-    int fits = is_zero_q(G(form)(S[2], from_int(1), from_int(0))) && is_zero_q(G(form)(S[2], from_int(0), from_int(1)));
-    for (int k = 0; k < 9; k++)
-        rows[k] = S[k / 3][k % 3];
+    num S[3][6], P[4];
+    given_points(T, "S_1", 6, 1, S[0]);
+    given_points(T, "S_2", 6, 1, S[1]);
+    given_points(T, "S", 6, 1, S[2]);
+    given_points(T, "P", 2, 2, P);
+    int common = passes_through(T, "S_1(P)", S[0], 2, P) & passes_through(T, "S_2(P)", S[1], 2, P);
+    int fits = passes_through(T, "S(P)", S[2], 2, P);
+    num determinant = of_quadratic_parts(S);
+    found(T, "determinant", determinant);
     about(T, "determinant of the three rows (A, B, C), which is 0 for a member");
-    if (fits)
-        same(T, G(determinant)(3, rows), from_int(0));
+    if (common && fits)
+        vanishes(T, determinant);
 }
 
 /*
@@ -213,20 +237,22 @@ CLAIM(two_common_points_allow_other_conics)
 :title: When one conic is a multiple of the other, a member may be 0 = 0
 :zh: 两条二次曲线相关时
 :kind: counterexample
-:given: $S_1=x^2+y^2-1$, $S_2=-S_1$, $\lambda=1/2$
-:then: the member is $0=0$, which is no conic
+:data: S_1 = 1 0 1 0 0 -1; S_2 = -1 0 -1 0 0 1; λ = 1/2
+:instead: λ = 1/3
+:result: member = 0 0 0 0 0 0
+:given: the unit circle $S_1$, $S_2=-S_1$, and $\lambda$
+:then: the member of $\lambda$ is $0=0$, which is no conic
 :method: The coefficients of the member.
-:control: $\lambda=1/3$
+:control: another $\lambda$
 :::
 */
 CLAIM(dependent_conics_have_no_pencil)
 {
     num S1[6], S2[6], S[6];
-    conic_of((int[]){1, 0, 1, 0, 0, -1}, S1);
-    conic_of((int[]){-1, 0, -1, 0, 0, 1}, S2);
-    show_text(T, "S1, S2", "x² + y² - 1, 1 - x² - y²");
-    G(conic_pencil)(from_ratio(1, fault(T, 3, 2)), S1, S2, S);
-    show_points(T, "A ... F at λ = 1/2", 6, 1, S);
+    given_points(T, "S_1", 6, 1, S1);
+    given_points(T, "S_2", 6, 1, S2);
+    G(conic_pencil)(given(T, "λ"), S1, S2, S);
+    found_points(T, "member", 6, 1, S);
     int zero = 1;
     for (int k = 0; k < 6; k++)
         zero &= is_zero_q(S[k]);
@@ -255,32 +281,32 @@ the source itself uses one point of the curve to find $\lambda$.
 :title: The common points lie on every member
 :zh: 公共点不能确定 λ
 :kind: counterexample
-:given: $S_1=x^2-1$, $S_2=y^2-1$, the common points $(\pm1,\pm1)$, and $\lambda=1/3$, $1/2$, $2/3$
+:data: S_1 = 1 0 0 0 0 -1; S_2 = 0 0 1 0 0 -1; P = (1,1) (1,-1) (-1,1) (-1,-1); λ = 1/3 1/2 2/3
+:instead: P = (2,0) (2,0) (2,0) (2,0); λ = 1/3 1/2 3/4
+:result: values of λ that fit = 3
+:given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and three values of $\lambda$
 :then: all three $\lambda$ satisfy the equation at all four points
 :method: The values $S(x,y)$ of the three members are computed at the points; if the points determined $\lambda$, one
   $\lambda$ would be left.
-:control: the point $(2,0)$, which is no common point, in place of the four; $\lambda=3/4$ in place of $2/3$
+:control: a point that is no common point, on the member of the last $\lambda$, in place of the four
 :::
 */
 CLAIM(common_points_leave_lambda_free)
 {
-    num S1[6], S2[6], S[6];
-    num lambda[3] = {from_ratio(1, 3), from_ratio(1, 2), fault(T, from_ratio(3, 4), from_ratio(2, 3))};
-    conic_of((int[]){1, 0, 0, 0, 0, -1}, S1);
-    conic_of((int[]){0, 0, 1, 0, 0, -1}, S2);
-    show_text(T, "S1, S2", "x² - 1, y² - 1");
-    show_text(T, "points", "(1, 1) (1, -1) (-1, 1) (-1, -1)");
+    num S1[6], S2[6], S[6], P[8], lambda[3];
+    given_points(T, "S_1", 6, 1, S1);
+    given_points(T, "S_2", 6, 1, S2);
+    given_points(T, "P", 4, 2, P);
+    given_points(T, "λ", 3, 1, lambda);
     int fitting = 0;
     for (int k = 0; k < 3; k++) {
         int fits = 1;
         G(conic_pencil)(lambda[k], S1, S2, S);
-        for (int i = 0; i < 4; i++) {
-            num x = from_int(fault(T, 2, i < 2 ? 1 : -1)), y = from_int(fault(T, 0, i % 2 ? 1 : -1));
-            fits &= is_zero_q(G(form)(S, x, y));
-        }
+        for (int i = 0; i < 4; i++)
+            fits &= is_zero_q(G(form)(S, P[2 * i], P[2 * i + 1]));
         fitting += fits;
     }
-    show_text(T, "of λ = 1/3, 1/2, 2/3 fit", "%d", fitting);
+    found_whole(T, "values of λ that fit", fitting);
     about(T, "whether one value of λ is left");
     agree(T, fitting == 1);
 }
@@ -425,31 +451,33 @@ CLAIM(line_pairs_share_four_points)
 }
 
 #if RATIONAL
-/* How many different points the lines of two pairs have in common, parallel ones having none. */
-static int meeting_points(num l[4][3])
+/* The different points P that the lines of two pairs have in common, and how many, parallel ones having none. */
+static int meeting_points(num l[4][3], num P[])
 {
-    num x[4], y[4];
     int count = 0;
     for (int i = 0; i < 2; i++)
         for (int j = 2; j < 4; j++) {
             num z = sub(mul(l[i][0], l[j][1]), mul(l[i][1], l[j][0]));
             if (is_zero_q(z))
                 continue;
-            x[count] = div(sub(mul(l[i][1], l[j][2]), mul(l[i][2], l[j][1])), z);
-            y[count] = div(sub(mul(l[i][2], l[j][0]), mul(l[i][0], l[j][2])), z);
+            num x = div(sub(mul(l[i][1], l[j][2]), mul(l[i][2], l[j][1])), z);
+            num y = div(sub(mul(l[i][2], l[j][0]), mul(l[i][0], l[j][2])), z);
             int seen = 0;
             for (int k = 0; k < count; k++)
-                seen |= equal_q(x[k], x[count]) && equal_q(y[k], y[count]);
+                seen |= equal_q(P[2 * k], x) && equal_q(P[2 * k + 1], y);
+            P[2 * count] = x;
+            P[2 * count + 1] = y;
             count += !seen;
         }
     return count;
 }
 
-static void lines_of(const int c[4][3], num l[4][3])
+/* The lines l_1, ..., l_4 of the data of the claim, by their coefficients a, b, c. */
+static void given_lines(trial *T, num l[4][3])
 {
+    static const char *const name[] = {"l_1", "l_2", "l_3", "l_4"};
     for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 3; k++)
-            l[i][k] = from_int(c[i][k]);
+        given_points(T, name[i], 3, 1, l[i]);
 }
 
 /*
@@ -457,22 +485,23 @@ static void lines_of(const int c[4][3], num l[4][3])
 :title: Parallel lines of the two pairs leave two of the four points
 :zh: 平行时四点只剩两点
 :kind: counterexample
-:given: the pairs $x,y$ and $x-1,y-1$
-:then: only two of the four points exist, $(0,1)$ and $(1,0)$
+:data: l_1 = 1 0 0; l_2 = 0 1 0; l_3 = 1 0 -1; l_4 = 0 1 -1
+:instead: l_3 = 1 1 -3; l_4 = 1 -1 -1
+:result: common points = (0,1) (1,0)
+:given: the pair of the axes $l_1$, $l_2$, and a pair $l_3$, $l_4$ of which each is parallel to one of them
+:then: only two of the four points exist
 :method: The common points of the lines are computed and counted.
-:control: $x+y-3$ and $x-y-1$ as the second pair
+:control: a second pair that is parallel to no axis
 :::
 */
 CLAIM(parallel_lines_meet_in_two_points)
 {
-    num l[4][3];
-    lines_of(fault(T, ((const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 1, -3}, {1, -1, -1}}),
-                   ((const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, 0, -1}, {0, 1, -1}})),
-             l);
-    show_text(T, "pairs", "x, y and x - 1, y - 1");
-    show_text(T, "common points", "%d", meeting_points(l));
+    num l[4][3], P[8];
+    given_lines(T, l);
+    int count = meeting_points(l, P);
+    found_points(T, "common points", count, 2, P);
     about(T, "whether they are four");
-    agree(T, meeting_points(l) == 4);
+    agree(T, count == 4);
 }
 
 /*
@@ -480,35 +509,32 @@ CLAIM(parallel_lines_meet_in_two_points)
 :title: With three lines through one point there are other conics
 :zh: 三线共点时
 :kind: counterexample
-:given: the pairs $x,y$ and $x-y,x+y-1$, which meet in $(0,0),(1,0),(0,1)$, and the conic $x^2-x+y^2-y=0$ through
-  these
-:then: the conic is no member of the pencil
+:data: l_1 = 1 0 0; l_2 = 0 1 0; l_3 = 1 -1 0; l_4 = 1 1 -1; S = 1 0 1 -1/2 -1/2 0
+:instead: S = 1 1 -1 -1/2 1/2 0
+:result: common points = (0,0) (0,1) (1,0); S(P) = 0 0 0; determinant = -1
+:given: the pair of the axes $l_1$, $l_2$, a pair $l_3$, $l_4$ of which one line passes through the origin, and a circle $S$ through the common
+  points, which are three
+:then: the circle is no member of the pencil
 :method: The determinant of the coefficients of $x^2$, $2xy$ and $y^2$ of $l_1l_2$, $l_3l_4$ and the conic is 0 for a
   member.
-:control: $2l_1l_2+l_3l_4$ in place of the conic
+:control: $2l_1l_2+l_3l_4$ in place of the circle
 :::
 */
 CLAIM(concurrent_lines_lose_a_point)
 {
-    num l[4][3], S[3][6], rows[9];
-    lines_of((const int[4][3]){{1, 0, 0}, {0, 1, 0}, {1, -1, 0}, {1, 1, -1}}, l);
-    show_text(T, "pairs", "x, y and x - y, x + y - 1");
-    show_text(T, "different common points", "%d", meeting_points(l));
-    show_text(T, "the conic", "x² - x + y² - y = 0");
+    num l[4][3], S[3][6], P[8];
+    given_lines(T, l);
+    given_points(T, "S", 6, 1, S[2]);
     G(line_pair)(l[0], l[1], S[0]);
     G(line_pair)(l[2], l[3], S[1]);
-    conic_of((int[]){1, 0, 1, -1, -1, 0}, S[2]);
-    for (int k = 0; k < 6; k++)
-        S[2][k] = fault(T, add(add(S[0][k], S[0][k]), S[1][k]), S[2][k]);
-    const int at[3][2] = {{0, 0}, {1, 0}, {0, 1}};
-    int fits = 1;
-    for (int k = 0; k < 3; k++)
-        fits &= is_zero_q(G(form)(S[2], from_int(at[k][0]), from_int(at[k][1])));
-    for (int k = 0; k < 9; k++)
-        rows[k] = S[k / 3][k % 3];
+    int count = meeting_points(l, P);
+    found_points(T, "common points", count, 2, P);
+    int fits = passes_through(T, "S(P)", S[2], count, P);
+    num determinant = of_quadratic_parts(S);
+    found(T, "determinant", determinant);
     about(T, "determinant of the three rows (A, B, C), which is 0 for a member");
     if (fits)
-        same(T, G(determinant)(3, rows), from_int(0));
+        vanishes(T, determinant);
 }
 
 /*
@@ -516,26 +542,26 @@ CLAIM(concurrent_lines_lose_a_point)
 :title: The diagonals of the square pass through its corners and have no lambda
 :zh: 正方形的对角线不在曲线束中
 :kind: counterexample
-:given: the pairs $x,x-1$ and $y,y-1$, which meet in the corners of a square, and its diagonals
-  $(x-y)(x+y-1)=0$
+:data: l_1 = 1 0 0; l_2 = 1 0 -1; l_3 = 0 1 0; l_4 = 0 1 -1; S = 1 0 -1 -1/2 1/2 0
+:instead: S = 1 0 1 -1/2 -1/2 0
+:result: common points = (0,0) (0,1) (1,0) (1,1); S(P) = 0 0 0 0; values of λ that give S = 0
+:given: the pairs $l_1$, $l_2$ and $l_3$, $l_4$ of the opposite sides of a square, and the pair of its diagonals $S$
 :then: the diagonals are $l_1l_2-l_3l_4$, and no $\lambda$ gives them
 :method: The real zeros in $\lambda$ of a determinant of coefficients are counted.
-:control: the circle $x^2-x+y^2-y=0$ in place of the diagonals
+:control: the circle through the corners in place of the diagonals
 :::
 */
 CLAIM(diagonals_are_no_member)
 {
-    num S1[6], S2[6], M[6];
-    conic_of((int[]){1, 0, 0, -1, 0, 0}, S1);
-    conic_of((int[]){0, 0, 1, 0, -1, 0}, S2);
-    conic_of(fault(T, ((int[]){1, 0, 1, -1, -1, 0}), ((int[]){1, 0, -1, -1, 1, 0})), M);
-    show_text(T, "pairs", "x, x - 1 and y, y - 1");
-    show_text(T, "the conic", "(x - y)(x + y - 1) = 0");
-    int fits = 1;
-    for (int k = 0; k < 4; k++)
-        fits &= is_zero_q(G(form)(M, from_int(k / 2), from_int(k % 2)));
-    int count = members_like(S1, S2, M, 0, 2);
-    show_text(T, "values of λ that give it", "%d", count);
+    num l[4][3], S1[6], S2[6], S[6], P[8];
+    given_lines(T, l);
+    given_points(T, "S", 6, 1, S);
+    G(line_pair)(l[0], l[1], S1);
+    G(line_pair)(l[2], l[3], S2);
+    int corners = meeting_points(l, P);
+    found_points(T, "common points", corners, 2, P);
+    int fits = passes_through(T, "S(P)", S, corners, P), count = members_like(S1, S2, S, 0, 2);
+    found_whole(T, "values of λ that give S", count);
     about(T, "whether the conic, which passes through the four corners, is a member");
     refute(T, fits && count == 0);
 }

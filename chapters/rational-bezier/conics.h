@@ -80,13 +80,6 @@ static inline void G(square_ends)(trial *T, num *a, num *c, num w[])
 }
 
 #if RATIONAL
-/* The conic with these six integer coefficients, B, D and E given doubled. */
-static inline void conic_of(const int c[6], num S[])
-{
-    for (int k = 0; k < 6; k++)
-        S[k] = from_ratio(c[k], k == 0 || k == 2 || k == 5 ? 1 : 2);
-}
-
 /* The number of lambda for which (1-lambda) S1 + lambda S2 is a multiple of M as far as the
  * coefficients i and j go: the zeros of a determinant that is affine in lambda. */
 static inline int members_like(const num S1[], const num S2[], const num M[], int i, int j)

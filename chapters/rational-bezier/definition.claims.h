@@ -9,6 +9,8 @@ source defines it.
 #include "exact/record/roots.h"
 #include "exact/record/sturm.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -31,15 +33,7 @@ weights alone.
 :::
 */
 
-static const char *const G(axis)[] = {"x", "y", "z"};
-
-/* n+1 points of dim coordinates, all of them free. */
-static inline void G(free_points)(trial *T, int n, int dim, num R[])
-{
-    for (int i = 0; i <= n; i++)
-        for (int c = 0; c < dim; c++)
-            R[i * dim + c] = unknown(T, G(axis)[c], i);
-}
+/* n+1 positive weights, all of them free. */
 static inline void G(free_weights)(trial *T, int n, num w[])
 {
     for (int i = 0; i <= n; i++)
@@ -384,19 +378,21 @@ CLAIM(positive_weights_keep_denominator_positive)
 :title: With weights 1 and −1 the curve has no point at t = 1/2
 :zh: 权为 1 与 −1 时 t = 1/2 处无点
 :kind: counterexample
-:given: the line segment $n=1$ with weights $1,-1$
-:then: $\omega(t)=1-2t$ vanishes at $t=\frac12$, where the curve of (3.2.2) has no point
+:data: ω = 1 -1; t = 1/2
+:instead: ω = 1 1
+:result: ω(t) = 0
+:given: the weights of a line segment, $n=1$, and the parameter in the middle
+:then: $\omega(t)$ vanishes there, so that the curve of (3.2.2) has no point
 :method: The denominator is evaluated exactly.
-:control: the weights $1,1$, for which it does not vanish
+:control: equal weights, for which it does not vanish
 :::
 */
 CLAIM(weights_of_both_signs_make_a_pole)
 {
-    num w[] = {from_int(1), from_int(fault(T, 1, -1))}, t = from_ratio(1, 2);
-    show_points(T, "ω", 2, 1, w);
-    show(T, "t", t);
-    num total = G(rational_weight)(1, w, t);
-    show(T, "ω(t)", total);
+    num w[2];
+    given_points(T, "ω", 2, 1, w);
+    num total = G(rational_weight)(1, w, given(T, "t"));
+    found(T, "ω(t)", total);
     about(T, "ω(t) is not 0");
     refute(T, is_zero_q(total));
 }
@@ -406,20 +402,23 @@ CLAIM(weights_of_both_signs_make_a_pole)
 :title: The weights 1, −1/2, 1 have a denominator without zeros
 :zh: 权 1, −1/2, 1 的分母无零点
 :kind: counterexample
-:given: $n=2$ with weights $1,-\frac12,1$, so that $\omega(t)=3t^2-3t+1$
+:data: ω = 1 -1/2 1
+:instead: ω = 1 -1 1
+:result: ω(t) = "3*t^2 - 3*t + 1"; zeros in [0,1] = 0
+:given: the weights of a curve of degree two, of which the middle one is negative
 :then: "a negative weight gives $\omega(t)$ a zero in $[0,1]$" is false
 :method: Descartes' rule in the Bernstein basis finds no root in $[0,1]$, and Sturm's chain none in $(-1,1]$.
-:control: the weights $1,-1,1$, for which $\omega(t)=(1-2t)^2$ has one
+:control: a middle weight for which $\omega(t)=(1-2t)^2$ has one
 :::
 */
 CLAIM(denominator_may_be_positive_with_negative_weight)
 {
-    num w[] = {from_int(1), fault(T, from_int(-1), from_ratio(-1, 2)), from_int(1)};
+    num w[3];
+    given_points(T, "ω", 3, 1, w);
     poly p = poly_from_bernstein(2, w);
     int roots = count_roots(p, from_int(0), from_int(1), CLOSED).distinct;
-    show_points(T, "ω", 3, 1, w);
-    show_text(T, "ω(t)", "%s", poly_to_string(p, "t"));
-    show_text(T, "zeros in [0,1]", "%d", roots);
+    found_text(T, "ω(t)", poly_to_string(p, "t"));
+    found_whole(T, "zeros in [0,1]", roots);
     about(T, "the number of zeros is not 0");
     refute(T, roots == 0 && sturm_count(p, from_int(-1), from_int(1)) == 0);
 }
@@ -510,34 +509,45 @@ CLAIM(infinite_weight_reaches_the_vertex)
 }
 
 #if RATIONAL
+/* The squared distances of a point R(t) on the line from R_1 before and after a weight has grown. */
+struct G(growth) {
+    num squared_before, squared_after;
+};
+
+/* Those of the data of the claim: R, ω, grown ω and t; n is the degree.  The two points are results. */
+static struct G(growth) G(given_growth)(trial *T, int n)
+{
+    num R[3], w[3], v[3], before, after;
+    given_points(T, "R", n + 1, 1, R);
+    given_points(T, "ω", n + 1, 1, w);
+    given_points(T, "ω, grown", n + 1, 1, v);
+    num t = given(T, "t");
+    G(rational_point)(n, 1, R, w, t, &before);
+    G(rational_point)(n, 1, R, v, t, &after);
+    found(T, "R(t)", before);
+    found(T, "R(t), grown", after);
+    num from = sub(before, R[1]), to = sub(after, R[1]);
+    return (struct G(growth)){mul(from, from), mul(to, to)};
+}
 /*
 :::{claim} growing_negative_weight_pushes_away
 :title: Where the denominator is negative, a growing weight pushes the curve away
 :zh: 分母为负处权增大使曲线远离顶点
 :kind: counterexample
-:given: $n=1$, points $0,1$ of the line, weights $-1,-1$; then $\omega_1$ grows to $-\frac12$
-:then: the point of $t=\frac12$ moves from $\frac12$ to $\frac13$, away from $R_1=1$
+:data: R = 0 1; ω = -1 -1; ω, grown = -1 -1/2; t = 1/2
+:instead: ω = 1 1; ω, grown = 1 3/2
+:result: R(t) = 1/2; R(t), grown = 1/3
+:given: two points of the line, negative weights, the same with $\omega_1$ grown, and the parameter in the middle
+:then: $R(t)$ moves away from $R_1$
 :method: Both points are computed exactly.
-:control: the same growth from $1$ to $\frac32$, with $\omega_0=1$
+:control: the same growth of a positive weight, with $\omega_0$ positive
 :::
 */
-/* |a| <= |b|, or |a| < |b|. */
-static int G(not_farther)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) <= 0; }
-
 CLAIM(growing_negative_weight_pushes_away)
 {
-    num R[] = {from_int(0), from_int(1)}, t = from_ratio(1, 2), before, after;
-    num w[] = {from_int(fault(T, 1, -1)), from_int(fault(T, 1, -1))};
-    num v[] = {w[0], add(w[1], from_ratio(1, 2))};
-    G(rational_point)(1, 1, R, w, t, &before);
-    G(rational_point)(1, 1, R, v, t, &after);
-    show_points(T, "R", 2, 1, R);
-    show_points(T, "ω", 2, 1, w);
-    show_points(T, "ω, grown", 2, 1, v);
-    show(T, "R(1/2)", before);
-    show(T, "R(1/2), grown", after);
-    about(T, "the point is not farther from R_1 = 1 than before");
-    agree(T, G(not_farther)(sub(after, R[1]), sub(before, R[1])));
+    struct G(growth) g = G(given_growth)(T, 1);
+    about(T, "the point is not farther from R_1 than before");
+    agree(T, compare_q(g.squared_after, g.squared_before) <= 0);
 }
 
 /*
@@ -545,25 +555,20 @@ CLAIM(growing_negative_weight_pushes_away)
 :title: The end points stay where they are when an inner weight grows
 :zh: 内部权增大时端点不动
 :kind: counterexample
-:given: $n=2$, points $0,1,3$ of the line, weights $1,1,1$, $\omega_1$ grown to $2$, $t=0$
-:then: $R(0)=0$ before and after: this point does not come nearer to $R_1$
+:data: R = 0 1 3; ω = 1 1 1; ω, grown = 1 2 1; t = 0
+:instead: t = 1/3
+:result: R(t) = 0; R(t), grown = 0
+:given: three points of the line, equal weights, the same with $\omega_1$ grown, and the first parameter
+:then: $R(t)$ is the same before and after: this point does not come nearer to $R_1$
 :method: Both points are computed exactly.
-:control: $t=\frac13$, whose point does
+:control: a parameter inside, whose point does
 :::
 */
-static int G(nearer)(num a, num b) { return compare_q(mul(a, a), mul(b, b)) < 0; }
-
 CLAIM(ends_do_not_move_with_inner_weight)
 {
-    num R[] = {from_int(0), from_int(1), from_int(3)}, one = from_int(1), before, after;
-    num w[] = {one, one, one}, v[] = {one, from_int(2), one}, t = fault(T, from_ratio(1, 3), from_int(0));
-    G(rational_point)(2, 1, R, w, t, &before);
-    G(rational_point)(2, 1, R, v, t, &after);
-    show_points(T, "R", 3, 1, R);
-    show(T, "R(t), ω_1 = 1", before);
-    show(T, "R(t), ω_1 = 2", after);
-    about(T, "the point is nearer to R_1 = 1 than before");
-    agree(T, G(nearer)(sub(after, R[1]), sub(before, R[1])));
+    struct G(growth) g = G(given_growth)(T, 2);
+    about(T, "the point is nearer to R_1 than before");
+    agree(T, compare_q(g.squared_after, g.squared_before) < 0);
 }
 #endif
 
@@ -660,25 +665,34 @@ CLAIM(affine_image_of_the_curve_is_the_curve_of_the_images)
 :title: Translating the homogeneous points does not translate the curve
 :zh: 平移齐次控制点并不平移曲线
 :kind: counterexample
-:given: $n=1$, points $0,1$ of the line, weights $1,2$: $\tilde R_i=(0,1),(2,2)$; $1$ added to the first coordinates, $(1,1),(3,2)$
-:then: the end of the curve moves from $1$ to $\frac32$, not to $1+1$
-:method: Both curves are computed exactly at $t=1$.
-:control: the weights $1,1$
+:data: R = 0 1; ω = 1 2; d = 1
+:instead: ω = 1 1
+:result: (X, ω) = (0,1) (2,2); (X+d, ω) = (1,1) (3,2); R(1) = 1; R(1), moved = 3/2
+:given: two points of the line, weights that are not equal, and a number $d$, which is added to the first coordinates of the homogeneous
+  points $(X_i,\omega_i)$
+:then: the end of the curve does not move by $d$
+:method: Both curves are computed exactly at the last parameter.
+:control: equal weights
 :::
 */
 CLAIM(translated_homogeneous_points_give_no_translate)
 {
-    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(fault(T, 1, 2))}, H[4], moved[2], v[2], a, b;
+    num R[2], w[2], H[4], moved[2], v[2], a, b;
+    given_points(T, "R", 2, 1, R);
+    given_points(T, "ω", 2, 1, w);
+    num d = given(T, "d");
     G(rational_homogenize)(1, 1, R, w, H);
-    show_points(T, "(X, ω)", 2, 2, H);
+    found_points(T, "(X, ω)", 2, 2, H);
     for (int i = 0; i < 2; i++)
-        H[2 * i] = add(H[2 * i], from_int(1));
-    show_points(T, "(X + 1, ω)", 2, 2, H);
+        H[2 * i] = add(H[2 * i], d);
+    found_points(T, "(X+d, ω)", 2, 2, H);
     G(rational_dehomogenize)(1, 1, H, moved, v);
     G(rational_point)(1, 1, R, w, from_int(1), &a);
     G(rational_point)(1, 1, moved, v, from_int(1), &b);
+    found(T, "R(1)", a);
+    found(T, "R(1), moved", b);
     about(T, "the end of the moved curve, left as it is, right as translated");
-    same(T, b, add(a, from_int(1)));
+    same(T, b, add(a, d));
 }
 #endif
 
@@ -726,22 +740,27 @@ CLAIM(reversed_points_and_weights_reverse_the_curve)
 :title: The points alone in reversed order give another parametrisation
 :zh: 仅将点倒序得不到 R(1−t)
 :kind: counterexample
-:given: $n=1$, points $0,1$ of the line, weights $1,2$, $t=\frac12$
-:then: the points $1,0$ with the weights $1,2$ have the value $\frac13$ there, and $R(1-t)=\frac23$
+:data: R = 0 1; ω = 1 2; t = 1/2
+:result: reversed points at t = 1/3; R(1-t) = 2/3
+:given: two points of the line, weights that are not equal, and the parameter in the middle
+:then: the points in reversed order with the weights in their places have at $t$ another value than $R(1-t)$
 :method: Both are computed exactly.
 :control: the weights reversed as well
 :::
 */
 CLAIM(reversed_points_alone_do_not_reverse_the_curve)
 {
-    num R[] = {from_int(0), from_int(1)}, Q[] = {R[1], R[0]}, w[] = {from_int(1), from_int(2)}, v[] = {w[1], w[0]};
-    num t = from_ratio(1, 2), a, b;
+    num R[2], w[2], Q[2], v[2], a, b;
+    given_points(T, "R", 2, 1, R);
+    given_points(T, "ω", 2, 1, w);
+    num t = given(T, "t");
+    G(reversed_points)(1, 1, R, Q);
+    G(reversed_points)(1, 1, w, v);
     G(rational_point)(1, 1, Q, fault(T, v, w), t, &a);
-    G(rational_point)(1, 1, R, w, t, &b); /* 1 - t = t */
-    show_points(T, "R", 2, 1, R);
-    show_points(T, "R reversed", 2, 1, Q);
-    show_points(T, "ω of both", 2, 1, fault(T, v, w));
-    about(T, "t = 1/2: left the reversed points, right R(1 - t)");
+    G(rational_point)(1, 1, R, w, sub(from_int(1), t), &b);
+    found(T, "reversed points at t", a);
+    found(T, "R(1-t)", b);
+    about(T, "left the reversed points at t, right R(1 - t)");
     same(T, a, b);
 }
 #endif

@@ -101,24 +101,28 @@ CLAIM(curve_leaves_its_ends_along_the_first_edges)
 :title: With ω_1 = 0 the curve is not tangent to its first edge
 :zh: ω_1 = 0 时曲线不切于首边
 :kind: counterexample
-:given: $R_0=(0,0)$, $R_1=(1,2)$, $R_2=(2,0)$ with weights $1,0,1$
-:then: $R'(0)=0$ and $R''(0)=(4,0)$: the curve runs on the chord $R_0R_2$
-:method: The derivatives are computed exactly; the first that is not $0$ is compared with the edge $(1,2)$.
-:control: the weights $1,1,1$, where already $R'(0)$ is along the edge
+:data: R = (0,0) (1,2) (2,0); ω = 1 0 1
+:instead: ω = 1 1 1
+:result: R'(0) = (0,0); R''(0) = (4,0)
+:given: the quadratic curve with points $R$ and weights $\omega$
+:then: $R''(0)$ is the first derivative that does not vanish, and it is along the chord $R_0R_2$
+:method: The derivatives are computed exactly; the first that is not $0$ is compared with the first edge.
+:control: equal weights, where already $R'(0)$ is along the edge
 :::
 */
 CLAIM(zero_weight_turns_the_end_tangent)
 {
-    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, D[6];
-    num w[] = {from_int(1), from_int(fault(T, 1, 0)), from_int(1)};
+    num R[6], w[3], D[6], edge[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
     G(rational_derivatives)(2, 2, R, w, from_int(0), 2, D);
     int order = is_zero_q(D[2]) && is_zero_q(D[3]) ? 2 : 1;
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "R'(0)", 1, 2, D + 2);
-    show_points(T, "R''(0)", 1, 2, D + 4);
+    for (int c = 0; c < 2; c++)
+        edge[c] = sub(R[2 + c], R[c]);
+    found_points(T, "R'(0)", 1, 2, D + 2);
+    found_points(T, "R''(0)", 1, 2, D + 4);
     about(T, "cross product of the first edge and the first derivative that is not 0");
-    vanishes(T, G(cross2)(R + 2, D + 2 * order)); /* R_0 = 0, so the edge is R_1 */
+    vanishes(T, G(cross2)(edge, D + 2 * order));
 }
 
 /*
@@ -126,25 +130,29 @@ CLAIM(zero_weight_turns_the_end_tangent)
 :title: With the weights 1, −1/2, 1 the curve leaves R_0 away from R_1
 :zh: 权为 1, −1/2, 1 时曲线自 R_0 背离 R_1
 :kind: counterexample
-:given: $R_0=(0,0)$, $R_1=(1,2)$, $R_2=(2,0)$ with weights $1,-\frac12,1$, whose $\omega(t)$ has no zero in $[0,1]$
-:then: $R'(0)=(-1,-2)$, opposite to the edge $(1,2)$
+:data: R = (0,0) (1,2) (2,0); ω = 1 -1/2 1
+:instead: ω = 1 1/2 1
+:result: zeros of ω(t) in [0,1] = 0; R'(0) = (-1,-2)
+:given: the quadratic curve with points $R$ and weights $\omega$, the middle one of which is negative
+:then: $\omega(t)$ has no zero in $[0,1]$, and $R'(0)$ is opposite to the first edge
 :method: The derivative is computed exactly.
-:control: the weights $1,\frac12,1$
+:control: the middle weight made positive
 :::
 */
 CLAIM(negative_weight_reverses_the_end_tangent)
 {
-    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, D[4];
-    num w[] = {from_int(1), from_ratio(fault(T, 1, -1), 2), from_int(1)};
+    num R[6], w[3], D[4], edge[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
     G(rational_derivatives)(2, 2, R, w, from_int(0), 1, D);
     int zeros = count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct;
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_text(T, "zeros of ω in [0,1]", "%d", zeros);
-    show_points(T, "R'(0)", 1, 2, D + 2);
+    for (int c = 0; c < 2; c++)
+        edge[c] = sub(R[2 + c], R[c]);
+    found_whole(T, "zeros of ω(t) in [0,1]", zeros);
+    found_points(T, "R'(0)", 1, 2, D + 2);
     about(T, "scalar product of the first edge and R'(0)");
     if (zeros == 0)
-        nonnegative(T, G(dot)(2, R + 2, D + 2));
+        nonnegative(T, G(dot)(2, edge, D + 2));
 }
 #endif
 
@@ -155,22 +163,26 @@ CLAIM(negative_weight_reverses_the_end_tangent)
 :zh: ω_0 = 0 时曲线不过 R_0
 :kind: counterexample
 :types: field
-:given: $n=1$, any points $R_0,R_1$, weights $0$ and $\omega_1$
+:data: R = R0 R1; ω = 0 w1
+:instead: ω = 1 w1
+:result: R(t) = R1; R(t) continued to 0 = R1
+:given: $n=1$, any points $R_0,R_1$, and weights of which the first is 0 and the other any $\omega_1$
 :then: $R(t)=\omega_1R_1t/(\omega_1t)$ is $R_1$ for every $t$; at $t=0$ this quotient is $0/0$ and its continuation is $R_1$, not $R_0$
 :method: In the field of rational functions $R(t)$ is the constant $R_1$.
-:control: $\omega_0=1$ in place of $0$, and $t=0$ put into the quotient
+:control: a first weight that is not 0, and $t=0$ put into the quotient
 :::
 */
 CLAIM(zero_end_weight_loses_the_end_point)
 {
-    num R[] = {unknown(T, "R", 0), unknown(T, "R", 1)}, w[] = {from_int(fault(T, 1, 0)), positive(T, "w", 1)};
-    num t = parameter(T, "t"), point;
+    num R[2], w[2], t = parameter(T, "t"), point;
+    given_points(T, "R", 2, 1, R);
+    given_points(T, "ω", 2, 1, w);
     G(rational_point)(1, 1, R, w, t, &point);
-    show_points(T, "R", 2, 1, R);
-    show_points(T, "ω", 2, 1, w);
-    show(T, "R(t)", point);
+    num continued = substitute_f(point, t, from_int(0));
+    found(T, "R(t)", point);
+    found(T, "R(t) continued to 0", continued);
     about(T, "left R(t) for t = 0, right R_0");
-    same(T, substitute_f(point, t, from_int(0)), R[0]);
+    same(T, continued, R[0]);
 }
 #endif
 
@@ -400,29 +412,51 @@ CLAIM(end_derivatives_in_every_degree)
 */
 
 #if RATIONAL
+/* A curve on the line whose first k and last h points coincide. */
+struct G(last_end) {
+    int n, k, h;
+    num R[4], w[4];
+};
+
+/* That of the data of the claim; n is its degree. */
+static struct G(last_end) G(given_last_end)(trial *T, int n)
+{
+    struct G(last_end) e = {.n = given_whole(T, "n"), .k = given_whole(T, "k"), .h = given_whole(T, "h")};
+    given_points(T, "R", n + 1, 1, e.R);
+    given_points(T, "ω", n + 1, 1, e.w);
+    return e;
+}
+
+/* Compares R^(h)(1) with factor ω_{n-h}/ω_n (R_n - R_{n-h}); both are results. */
+static void G(compare_last_derivative)(trial *T, struct G(last_end) e, long factor)
+{
+    num D[4], edge = sub(e.R[e.n], e.R[e.n - e.h]);
+    G(rational_derivatives)(e.n, 1, e.R, e.w, from_int(1), e.h, D);
+    num printed = mul(mul(from_int(factor), div(e.w[e.n - e.h], e.w[e.n])), edge);
+    found(T, "R^(h)(1)", D[e.h]);
+    found(T, "R^(h)(1) as printed", printed);
+    about(T, "R^(h)(1), left as it is, right as printed");
+    same(T, D[e.h], printed);
+}
+
 /*
 :::{claim} printed_end_derivative_at_one_has_the_wrong_sign
 :title: At t = 1 the printed derivative of even order has the wrong sign
 :zh: t=1 处所印偶数阶导矢符号有误
 :kind: counterexample
-:given: the quadratic with points $0,1,1$ of the line and weights $1$, $R(t)=2t-t^2$: $k=1$, $h=2$
-:then: $R''(1)=-2$; printed is $\frac{2!}{1!}\frac{\omega_0}{\omega_2}(R_2-R_0)=2$, where $(n-k)!$ and $(n-h)!$ do not differ
+:data: n = 2; k = 1; h = 2; R = 0 1 1; ω = 1 1 1
+:result: R^(h)(1) = -2; R^(h)(1) as printed = 2
+:given: a quadratic curve on the line with equal weights, whose last two points coincide, $h=n$, while $k$ is as small as it can be
+:then: $R^{(h)}(1)$ is the negative of what is printed, although $(n-k)!$ and $(n-h)!$ do not differ
 :method: Both sides are computed exactly.
 :control: the sign $(-1)^{h+1}$ supplied
 :::
 */
 CLAIM(printed_end_derivative_at_one_has_the_wrong_sign)
 {
-    enum { n = 2, k = 1, h = 2 };
-    num w[n + 1], R[n + 1] = {from_int(0), from_int(1), from_int(1)}, D[h + 1];
-    for (int i = 0; i <= n; i++)
-        w[i] = from_int(1);
-    show_points(T, "R", n + 1, 1, R);
-    show_points(T, "ω", n + 1, 1, w);
-    about(T, "R''(1), left as it is, right as printed");
-    G(rational_derivatives)(n, 1, R, w, from_int(1), h, D);
-    long factor = fault(T, -1, 1) * G(falling)(n, k);
-    same(T, D[h], mul(mul(from_int(factor), div(w[n - h], w[n])), sub(R[n], R[n - h])));
+    struct G(last_end) e = G(given_last_end)(T, 2);
+    int sign = fault(T, e.h % 2 == 0 ? -1 : 1, 1);
+    G(compare_last_derivative)(T, e, sign * G(falling)(e.n, e.k));
 }
 
 /*
@@ -430,24 +464,18 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_sign)
 :title: At t = 1 the printed derivative has the wrong factor
 :zh: t=1 处所印导矢系数有误
 :kind: counterexample
-:given: the cubic with points $0,0,1,2$ of the line and weights $1$, $R(t)=3t^2-t^3$: $k=2$, $h=1$
-:then: $R'(1)=3$; printed is $\frac{3!}{1!}\frac{\omega_2}{\omega_3}(R_3-R_2)=6$, with the right sign
+:data: n = 3; k = 2; h = 1; R = 0 0 1 2; ω = 1 1 1 1
+:result: R^(h)(1) = 3; R^(h)(1) as printed = 6
+:given: a cubic curve on the line with equal weights, whose first $k$ points coincide, while the last point is simple
+:then: $R^{(h)}(1)$ is smaller than what is printed, with the right sign
 :method: Both sides are computed exactly.  No smaller degree shows this slip: for $n\le2$ and $k+h\le n+1$, $(n-k)!=(n-h)!$.
 :control: the factor $n!/(n-h)!$
 :::
 */
 CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
 {
-    enum { n = 3, k = 2, h = 1 };
-    num w[n + 1], R[n + 1] = {from_int(0), from_int(0), from_int(1), from_int(2)}, D[h + 1];
-    for (int i = 0; i <= n; i++)
-        w[i] = from_int(1);
-    show_points(T, "R", n + 1, 1, R);
-    show_points(T, "ω", n + 1, 1, w);
-    about(T, "R'(1), left as it is, right as printed");
-    G(rational_derivatives)(n, 1, R, w, from_int(1), h, D);
-    long factor = G(falling)(n, fault(T, h, k));
-    same(T, D[h], mul(mul(from_int(factor), div(w[n - h], w[n])), sub(R[n], R[n - h])));
+    struct G(last_end) e = G(given_last_end)(T, 3);
+    G(compare_last_derivative)(T, e, G(falling)(e.n, fault(T, e.h, e.k)));
 }
 #endif
 

@@ -135,16 +135,23 @@ CLAIM(conics_touching_parallel_lines_are_limings)
 }
 
 #if RATIONAL
-/* Whether the conic (1-lambda) l1 l2 + lambda l3^2 has a gradient at (x, y); l1 = y, l2 = x. */
-static void tangent_at(trial *T, num lambda, const int l3[3], int x, int y)
+/* The lines l_1, l_2, l_3 of the data of the claim, by their coefficients a, b, c. */
+static void G(given_lines)(trial *T, num l[3][3])
 {
-    num S[6], g[2], zero = from_int(0), one = from_int(1);
-    num first[3] = {zero, one, zero}, second[3] = {one, zero, zero};
-    num third[3] = {from_int(l3[0]), from_int(l3[1]), from_int(l3[2])};
-    G(liming)(lambda, first, second, third, S);
-    G(conic_gradient)(S, from_int(x), from_int(y), g);
-    show(T, "λ", lambda);
-    show_points(T, "gradient at R0", 1, 2, g);
+    static const char *const name[] = {"l_1", "l_2", "l_3"};
+    for (int i = 0; i < 3; i++)
+        given_points(T, name[i], 3, 1, l[i]);
+}
+
+/* Refutes that the conic (1-lambda) l_1 l_2 + lambda l_3^2 has a tangent at R_0, lines, point and lambda being data of the claim. */
+static void G(refute_tangent)(trial *T)
+{
+    num l[3][3], R[2], S[6], g[2];
+    G(given_lines)(T, l);
+    given_points(T, "R_0", 1, 2, R);
+    G(liming)(given(T, "λ"), l[0], l[1], l[2], S);
+    G(conic_gradient)(S, R[0], R[1], g);
+    found_points(T, "gradient at R_0", 1, 2, g);
     about(T, "whether the conic has a tangent at R0: whether the gradient is not zero");
     refute(T, is_zero_q(g[0]) && is_zero_q(g[1]));
 }
@@ -154,68 +161,73 @@ static void tangent_at(trial *T, num lambda, const int l3[3], int x, int y)
 :title: The member of lambda = 1 is a double line
 :zh: λ=1 时为重合直线
 :kind: counterexample
-:given: $l_1=y$, $l_2=x$, $l_3=x+y-1$, $R_0=(1,0)$, $\lambda=1$
+:data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); λ = 1
+:instead: λ = 1/2
+:result: gradient at R_0 = (0,0)
+:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and the last $\lambda$ of the pencil
 :then: the gradient at $R_0$ is zero, so the conic has no tangent there
 :method: The gradient is computed.
-:control: $\lambda=1/2$
+:control: the $\lambda$ in the middle
 :::
 */
-CLAIM(double_line_has_no_tangent)
-{
-    show_text(T, "l1, l2, l3", "y, x, x + y - 1");
-    tangent_at(T, from_ratio(1, fault(T, 2, 1)), (const int[]){1, 1, -1}, 1, 0);
-}
+CLAIM(double_line_has_no_tangent) { G(refute_tangent)(T); }
 
 /*
 :::{claim} flat_frame_has_no_tangent
 :title: With three lines through one point nothing is touched
 :zh: 三线共点时无切线
 :kind: counterexample
-:given: $l_1=y$, $l_2=x$, $l_3=x-y$, $R_0=R_2=(0,0)$, $\lambda=1/2$: the conic $x^2-xy+y^2=0$
-:then: the gradient at $R_0$ is zero (the conic is this one point)
+:data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 -1 0; R_0 = (0,0); λ = 1/2
+:instead: l_3 = 1 1 -1; R_0 = (1,0)
+:result: gradient at R_0 = (0,0)
+:given: the axes $l_1$ and $l_2$, a line $l_3$ through the origin $R_0=R_2$, and the $\lambda$ in the middle
+:then: the gradient at $R_0$ is zero (the conic $x^2-xy+y^2=0$ is this one point)
 :method: The gradient is computed.
-:control: $l_3=x+y-1$, $R_0=(1,0)$
+:control: a line $l_3$ that meets the axes in two points
 :::
 */
-CLAIM(flat_frame_has_no_tangent)
-{
-    show_text(T, "l1, l2, l3", "y, x, x - y");
-    tangent_at(T, from_ratio(1, 2), fault(T, ((const int[]){1, 1, -1}), ((const int[]){1, -1, 0})), fault(T, 1, 0), 0);
-}
+CLAIM(flat_frame_has_no_tangent) { G(refute_tangent)(T); }
 
 /*
 :::{claim} limings_pencil_misses_one_conic
 :title: One ellipse that touches both lines has no lambda
 :zh: Liming 曲线束漏掉一个椭圆
 :kind: counterexample
-:given: $l_1=y$, $l_2=x$, $l_3=x+y-1$ and the ellipse $xy-(x+y-1)^2=0$, which touches $l_1$ and $l_2$ in $(1,0)$ and
-  $(0,1)$
-:then: for no $\lambda$ is $(1-\lambda)l_1l_2+\lambda l_3^2$ a multiple of it
+:data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); R_2 = (0,1); κ = -1
+:instead: κ = -2
+:result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; gradient at R_0 = (0,1); gradient at R_2 = (1,0); values of λ that give S = 0
+:given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$
+:then: $S$ is an ellipse, $AC-B^2>0$, which touches $l_1$ in $R_0$ and $l_2$ in $R_2$; for no $\lambda$ is
+  $(1-\lambda)l_1l_2+\lambda l_3^2$ a multiple of it
 :method: The real zeros in $\lambda$ of a determinant of coefficients are counted.  That the conic is an ellipse through the two
   points, with gradients along those of $l_1$ and $l_2$, is asked first.
-:control: the ellipse $xy-2(x+y-1)^2=0$, the member of $\lambda=2$
+:control: another $\kappa$
 :::
 */
 CLAIM(limings_pencil_misses_one_conic)
 {
-    num S1[6], S2[6], M[6];
-    conic_of((int[]){0, 1, 0, 0, 0, 0}, S1);
-    conic_of((int[]){1, 2, 1, -2, -2, 1}, S2);
-    num k = from_int(fault(T, -2, -1));
+    num l[3][3], R0[2], R2[2], S1[6], S2[6], S[6], g0[2], g2[2];
+    G(given_lines)(T, l);
+    given_points(T, "R_0", 1, 2, R0);
+    given_points(T, "R_2", 1, 2, R2);
+    num kappa = given(T, "κ");
+    G(line_pair)(l[0], l[1], S1);
+    G(line_pair)(l[2], l[2], S2);
     for (int i = 0; i < 6; i++)
-        M[i] = add(S1[i], mul(k, S2[i]));
-    show_text(T, "l1, l2, l3", "y, x, x + y - 1");
-    show_text(T, "the conic", "x y - (x + y - 1)² = 0");
-    show(T, "its A C - B²", G(conic_delta)(M));
-    num zero = from_int(0), one = from_int(1), g0[2], g2[2];
-    G(conic_gradient)(M, one, zero, g0);
-    G(conic_gradient)(M, zero, one, g2);
-    int touches = is_zero_q(G(form)(M, one, zero)) && is_zero_q(g0[0]) && !is_zero_q(g0[1]) &&
-                  is_zero_q(G(form)(M, zero, one)) && is_zero_q(g2[1]) && !is_zero_q(g2[0]);
-    int count = members_like(S1, S2, M, 0, 1);
-    show_text(T, "values of λ that give it", "%d", count);
+        S[i] = add(S1[i], mul(kappa, S2[i]));
+    num delta = G(conic_delta)(S), value[2] = {G(form)(S, R0[0], R0[1]), G(form)(S, R2[0], R2[1])};
+    G(conic_gradient)(S, R0[0], R0[1], g0);
+    G(conic_gradient)(S, R2[0], R2[1], g2);
+    int count = members_like(S1, S2, S, 0, 1);
+    found(T, "AC-B²", delta);
+    found_points(T, "S(R_0), S(R_2)", 2, 1, value);
+    found_points(T, "gradient at R_0", 1, 2, g0);
+    found_points(T, "gradient at R_2", 1, 2, g2);
+    found_whole(T, "values of λ that give S", count);
+    int touches = is_zero_q(value[0]) && is_zero_q(g0[0]) && !is_zero_q(g0[1]) && is_zero_q(value[1]) &&
+                  is_zero_q(g2[1]) && !is_zero_q(g2[0]);
     about(T, "whether the ellipse, which touches both lines, is a member");
-    refute(T, touches && sign_q(G(conic_delta)(M)) > 0 && count == 0);
+    refute(T, touches && sign_q(delta) > 0 && count == 0);
 }
 #endif
 
@@ -263,21 +275,24 @@ CLAIM(affine_coordinates_exist)
 :title: Three points on a line are no frame of the plane
 :zh: 三点共线不成标架
 :kind: counterexample
-:given: $R_0=(0,0)$, $R_1=(1,0)$, $R_2=(2,0)$ and the point $(0,1)$
-:then: $(R_0-R_1)\times(R_2-R_1)=0$, and the point is no $R(x,y)$: these have the second coordinate 0
+:data: R = (0,0) (1,0) (2,0); P = (0,1)
+:instead: R = (0,0) (1,0) (2,1)
+:result: determinant of the frame = 0
+:given: three points $R_0$, $R_1$, $R_2$ on a line, and a point $P$ off it
+:then: $(R_0-R_1)\times(R_2-R_1)=0$, and $P$ is no $R(x,y)$: these are all on the line
 :method: The determinant of the frame is computed; where it is 0, the point is asked to be on the line of the three points.
-:control: $R_2=(2,1)$
+:control: $R_2$ moved off the line
 :::
 */
 CLAIM(collinear_points_are_no_frame)
 {
-    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(2), from_int(fault(T, 1, 0))};
-    show_points(T, "R", 3, 2, R);
-    num point[2] = {from_int(0), from_int(1)}, d = G(area)(R + 2, R, R + 4);
-    show_points(T, "point", 1, 2, point);
-    show(T, "determinant of the frame", d);
+    num R[6], P[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "P", 1, 2, P);
+    num d = G(area)(R + 2, R, R + 4);
+    found(T, "determinant of the frame", d);
     about(T, "whether the point is some R(x, y): the determinant is not 0, or the point is on their line");
-    refute(T, is_zero_q(d) && !is_zero_q(G(area)(R, R + 2, point)));
+    refute(T, is_zero_q(d) && !is_zero_q(G(area)(R, R + 2, P)));
 }
 #endif
 
@@ -365,28 +380,31 @@ CLAIM(every_scaling_takes_the_normal_form)
 :title: A factor of a line's equation changes lambda
 :zh: 直线方程乘以因子即改变 λ
 :kind: counterexample
-:given: $l_1=2y$, $l_2=x$, $l_3=x+y-1$ and $\lambda=1/2$
-:then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is no multiple of (3.1.4) with $\lambda=1/2$ and either sign
+:data: l_1 = 0 2 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; λ of (3.1.4) with +, with - = 1/2 1/2
+:instead: λ of (3.1.4) with +, with - = 1/3 -1
+:result: A : B of (3.1.3) = 1/2; A : B of (3.1.4) with +, with - = 2/3 2
+:given: the three lines, the equation of $l_1$ taken twice, and the same $\lambda$ for (3.1.3) and for (3.1.4) with either sign
+:then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is no multiple of (3.1.4)
 :method: The coefficients of $x^2$ and $2xy$ of both conics are compared as a ratio.
-:control: $\lambda'=1/3$ with the plus sign and $\lambda'=-1$ with the minus sign
+:control: the $\lambda'$ of `every_scaling_takes_the_normal_form`
 :::
 */
 CLAIM(scaled_lines_change_lambda)
 {
-    num zero = from_int(0), one = from_int(1), half = from_ratio(1, 2), S[6], N[6];
-    num l1[3] = {zero, from_int(2), zero}, l2[3] = {one, zero, zero}, l3[3] = {one, one, neg(one)};
-    G(liming)(half, l1, l2, l3, S);
-    show_text(T, "l1, l2, l3", "2y, x, x + y - 1");
-    show(T, "λ", half);
+    num l[3][3], S[6], N[6], frame[2], other[2];
+    G(given_lines)(T, l);
+    num lambda = given(T, "λ");
+    given_points(T, "λ of (3.1.4) with +, with -", 2, 1, frame);
+    G(liming)(lambda, l[0], l[1], l[2], S);
     num ratio = div(S[0], S[1]);
-    show(T, "A : B of (3.1.3)", ratio);
     int fits = 0;
-    for (int sign = 1; sign > -2; sign -= 2) {
-        G(frame_conic)(fault(T, sign > 0 ? from_ratio(1, 3) : neg(one), half), sign, N);
-        num other = div(N[0], N[1]);
-        show(T, sign > 0 ? "A : B of (3.1.4) with +" : "A : B of (3.1.4) with -", other);
-        fits += equal_q(ratio, other);
+    for (int k = 0; k < 2; k++) {
+        G(frame_conic)(frame[k], k == 0 ? 1 : -1, N);
+        other[k] = div(N[0], N[1]);
+        fits += equal_q(ratio, other[k]);
     }
+    found(T, "A : B of (3.1.3)", ratio);
+    found_points(T, "A : B of (3.1.4) with +, with -", 2, 1, other);
     about(T, "whether one sign gives the conic (3.1.3)");
     agree(T, fits > 0);
 }
@@ -396,21 +414,24 @@ CLAIM(scaled_lines_change_lambda)
 :title: The tangents at the ends of a half circle do not meet
 :zh: 半圆两端切线不相交
 :kind: counterexample
-:given: $l_1=x-1$, $l_2=x+1$, $l_3=y$, $\lambda=1/2$: half of $x^2+y^2-1=0$
+:data: l_1 = 1 0 -1; l_2 = 1 0 1; l_3 = 0 1 0; λ = 1/2
+:instead: l_2 = 0 1 -1
+:result: A, …, F = 1/2 0 1/2 0 0 -1/2; determinant of l_1 and l_2 = 0
+:given: the tangents $l_1$ and $l_2$ of the unit circle at the ends of a diameter, the line $l_3$ of the diameter, and the $\lambda$ for which
+  (3.1.3) is this circle
 :then: $l_1$ and $l_2$ have no common point $R_1$
 :method: The determinant $a_1b_2-a_2b_1$ of the two lines is computed.
-:control: $l_2=y-1$
+:control: the tangent at another point for $l_2$
 :::
 */
 CLAIM(half_circle_has_no_frame)
 {
-    num zero = from_int(0), one = from_int(1), S[6];
-    num l1[3] = {one, zero, neg(one)}, l2[3] = {one, zero, one}, l3[3] = {zero, one, zero};
-    l2[0] = fault(T, zero, l2[0]), l2[1] = fault(T, one, l2[1]), l2[2] = fault(T, neg(one), l2[2]);
-    G(liming)(from_ratio(1, 2), l1, l2, l3, S);
-    show_points(T, "A ... F", 6, 1, S);
-    num d = sub(mul(l1[0], l2[1]), mul(l2[0], l1[1]));
-    show(T, "determinant of l1 and l2", d);
+    num l[3][3], S[6];
+    G(given_lines)(T, l);
+    G(liming)(given(T, "λ"), l[0], l[1], l[2], S);
+    found_points(T, "A, …, F", 6, 1, S);
+    num d = sub(mul(l[0][0], l[1][1]), mul(l[1][0], l[0][1]));
+    found(T, "determinant of l_1 and l_2", d);
     about(T, "whether the lines meet");
     refute(T, is_zero_q(d));
 }
@@ -431,33 +452,36 @@ the minus sign and $\lambda=-\frac13$ with the plus sign.
 :::{claim} one_point_fixes_lambda
 :title: The lambda of the conic through a given point
 :zh: 过定点的曲线的 λ
-:given: a point $(x,y)$, a sign $\sigma=\pm1$, and any number $\kappa$
+:data: R = (1/4,1/4); λ at R with -, with + = 1/5 -1/3
+:given: a point $(x,y)$, a sign $\sigma=\pm1$, and any number $\kappa$; and the point $R$
 :let: $\lambda=\frac{xy}{xy-\sigma(x+y-1)^2}$
 :then: $(1-\lambda)xy+\sigma\lambda(x+y-1)^2=0$; and the value of (3.1.4) with $\kappa$ is
   $xy-\kappa\bigl(xy-\sigma(x+y-1)^2\bigr)$, so no other $\kappa$ fits, and a point of the curve with
-  $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$
-:method: Identities in $x$, $y$, $\kappa$, for both signs; and the point $(\frac14,\frac14)$, for which they give
-  $\lambda=-\frac13$ with $+$ and $\frac15$ with $-$.
+  $xy=\sigma(x+y-1)^2$ has $xy=0=x+y-1$: it is $R_0$ or $R_2$; at $R$ the two signs have the two $\lambda$ that are listed
+:method: Identities in $x$, $y$, $\kappa$, for both signs; and the same at $R$.
 :control: $\sigma$ of the other sign in $\lambda$
 :::
 */
 CLAIM(one_point_fixes_lambda)
 {
-    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), kappa = unknown(T, "k", 0), one = from_int(1), S[6];
-    num quarter = from_ratio(1, 4);
+    num free[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, kappa = unknown(T, "k", 0), one = from_int(1), S[6];
+    num R[2], known[2];
+    given_points(T, "R", 1, 2, R);
+    given_points(T, "λ at R with -, with +", 2, 1, known);
     for (int sign = -1; sign < 2; sign += 2)
-        for (int k = 0; k < 2; k++) { /* a variable point, then (1/4, 1/4) */
-            num u = k == 0 ? x : quarter, v = k == 0 ? y : quarter, s = sub(add(u, v), one), uv = mul(u, v);
-            num d = sub(uv, mul(from_int(fault(T, sign, -sign)), mul(s, s))), lambda = div(uv, d);
+        for (int k = 0; k < 2; k++) { /* a variable point, then R */
+            const num *P = k == 0 ? free : R;
+            num s = sub(add(P[0], P[1]), one), xy = mul(P[0], P[1]);
+            num d = sub(xy, mul(from_int(fault(T, sign, -sign)), mul(s, s))), lambda = div(xy, d);
             G(frame_conic)(lambda, sign, S);
             about(T, "the conic of this λ at the point");
-            vanishes(T, G(form)(S, u, v));
+            vanishes(T, G(form)(S, P[0], P[1]));
             G(frame_conic)(kappa, sign, S);
             about(T, "another conic at the point");
-            same(T, G(form)(S, u, v), sub(uv, mul(kappa, d)));
-            about(T, "λ at (1/4, 1/4)");
+            same(T, G(form)(S, P[0], P[1]), sub(xy, mul(kappa, d)));
+            about(T, "λ at R");
             if (k == 1)
-                same(T, lambda, from_ratio(sign > 0 ? -1 : 1, sign > 0 ? 3 : 5));
+                same(T, lambda, known[sign > 0]);
         }
 }
 
@@ -467,22 +491,27 @@ CLAIM(one_point_fixes_lambda)
 :title: The points R0 and R2 lie on every member
 :zh: 端点不能确定 λ
 :kind: counterexample
-:given: $R=R_0=(1,0)$ in the frame, the minus sign, and $\lambda=1/5$, $1/2$
+:data: R = (1,0); λ = 1/5 1/2
+:instead: R = (1/4,1/4)
+:result: S(R) = 0 0
+:given: the point $R=R_0$ by its coordinates in the frame, the minus sign, and two values of $\lambda$
 :then: both $\lambda$ satisfy (3.1.4)
 :method: The two values $S(R)$ are computed.
-:control: $R=(\frac14,\frac14)$
+:control: a point inside the triangle
 :::
 */
 CLAIM(end_points_leave_lambda_free)
 {
-    num x = fault(T, from_ratio(1, 4), from_int(1)), y = fault(T, from_ratio(1, 4), from_int(0)), S[6];
+    num R[2], lambda[2], value[2], S[6];
     int fitting = 0;
+    given_points(T, "R", 1, 2, R);
+    given_points(T, "λ", 2, 1, lambda);
     for (int k = 0; k < 2; k++) {
-        G(frame_conic)(from_ratio(1, k == 0 ? 5 : 2), -1, S);
-        num value = G(form)(S, x, y);
-        show(T, k == 0 ? "S(R0) for λ = 1/5" : "S(R0) for λ = 1/2", value);
-        fitting += is_zero_q(value);
+        G(frame_conic)(lambda[k], -1, S);
+        value[k] = G(form)(S, R[0], R[1]);
+        fitting += is_zero_q(value[k]);
     }
+    found_points(T, "S(R)", 2, 1, value);
     about(T, "whether one of the two is left");
     agree(T, fitting == 1);
 }
@@ -529,22 +558,25 @@ CLAIM(lambda_inside_the_triangle)
 :title: On the border of the triangle lambda is 0 or 1
 :zh: 三角形边界上 λ 为 0 或 1
 :kind: counterexample
-:given: the minus sign, and the middles $(\frac12,0)$ of $R_1R_0$ and $(\frac12,\frac12)$ of $R_0R_2$
-:then: $\lambda=0$ and $\lambda=1$
+:data: R = (1/2,0) (1/2,1/2)
+:instead: R = (1/2,1/4) (1/4,1/4)
+:result: λ at R = 0 1
+:given: the minus sign, and two points $R$ of the border, the middle of $R_1R_0$ and that of $R_0R_2$
+:then: $\lambda$ is one end of the interval for the first, the other for the second
 :method: $\lambda=\frac{xy}{xy+(x+y-1)^2}$ is computed.
-:control: the points $(\frac12,\frac14)$ and $(\frac14,\frac14)$
+:control: two points inside the triangle
 :::
 */
 CLAIM(lambda_on_the_border)
 {
-    num quarter = from_ratio(1, 4), half = from_ratio(1, 2), one = from_int(1);
-    num x[2] = {half, fault(T, quarter, half)}, y[2] = {fault(T, quarter, from_int(0)), fault(T, quarter, half)};
+    num R[4], lambda[2], one = from_int(1);
     int between = 0;
+    given_points(T, "R", 2, 2, R);
     for (int k = 0; k < 2; k++) {
-        num s = sub(add(x[k], y[k]), one), xy = mul(x[k], y[k]), lambda = div(xy, add(xy, mul(s, s)));
-        show(T, k == 0 ? "λ at (1/2, 0)" : "λ at (1/2, 1/2)", lambda);
-        between += sign_q(lambda) > 0 && compare_q(lambda, one) < 0;
+        lambda[k] = G(lambda_at)(R[2 * k], R[2 * k + 1], -1);
+        between += sign_q(lambda[k]) > 0 && compare_q(lambda[k], one) < 0;
     }
+    found_points(T, "λ at R", 2, 1, lambda);
     about(T, "whether one of them lies between 0 and 1");
     agree(T, between > 0);
 }

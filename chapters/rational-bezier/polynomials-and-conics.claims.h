@@ -135,21 +135,24 @@ CLAIM(parabola_arcs_are_quadratic)
 :title: A pair of lines, a degenerate conic, carries Bézier curves
 :zh: 退化的二次曲线上有多项式曲线
 :kind: counterexample
-:given: the conic $xy=0$, which is no parabola, and the Bézier curve $R_0R_1$ of degree 1, $R(t)=(t,0)$
+:data: S = 0 1/2 0 0 0 0; R = (0,0) (1,0)
+:instead: S = 0 1/2 0 0 0 -1
+:result: S(R(t)) = 0 0 0
+:given: the conic $S$ of the two axes, $xy=0$, which is no parabola, and the Bézier curve $R(t)$ of degree 1 with the points $R$ on
+  one of them
 :then: the curve lies on the conic
 :method: $S(R(t))$ is formed in Bernstein form; the conic carries the curve when it is the zero polynomial.
-:control: the conic $xy=1$ in place of $xy=0$
+:control: the hyperbola with these axes for its asymptotes
 :::
 */
 CLAIM(line_pair_carries_a_segment)
 {
-    num zero = from_int(0), S[6] = {zero, from_ratio(1, 2), zero, zero, zero, fault(T, from_int(-1), zero)};
-    num x[2] = {zero, from_int(1)}, y[2] = {zero, zero}, s[3], R[4] = {x[0], y[0], x[1], y[1]};
-    show_text(T, "conic", "x y = 0");
-    show_points(T, "R", 2, 2, R);
-    G(conic_along)(S, 2, 1, x, y, s);
-    show_points(T, "S(R(t)) in Bernstein form", 3, 1, s);
-    about(T, "whether some coefficient of S(R(t)) is not zero: none is");
+    num S[6], R[4], s[3];
+    given_points(T, "S", 6, 1, S);
+    given_points(T, "R", 2, 2, R);
+    G(conic_along)(S, 2, 1, (num[]){R[0], R[2]}, (num[]){R[1], R[3]}, s);
+    found_points(T, "S(R(t))", 3, 1, s);
+    about(T, "whether some coefficient of S(R(t)) in Bernstein form is not zero: none is");
     refute(T, is_zero_q(s[0]) && is_zero_q(s[1]) && is_zero_q(s[2]));
 }
 #endif

@@ -59,24 +59,28 @@ CLAIM(signed_ratios_give_the_point)
 :title: Outside the triangle the ratios of lengths lead to another point
 :zh: 三角形外由长度之比得到另一点
 :kind: counterexample
-:given: $\lambda=\frac12$ and the point $R=(1,1)$ of the curve, with the ratios of lengths $(2,2)$
-:then: the printed $x$ is $\frac13$, the point's is 1
+:data: λ = 1/2; R = (1,1)
+:result: (g_1, g_2) = (2,2); x as printed = 1/3
+:given: the $\lambda$ in the middle, and a point $R=(x,y)$ of the curve outside the triangle, with its ratios of lengths $(g_1,g_2)$
+:then: the printed $x$ is not that of the point
 :method: The tangent is intersected with the sides, and the lengths are taken along these.
 :control: the ratios with their signs
 :::
 */
 CLAIM(lengths_give_another_point)
 {
-    num half = from_ratio(1, 2), one = from_int(1), R[2] = {one, one}, g[2], S[6];
-    G(frame_conic)(half, -1, S);
-    ratios(half, -1, one, one, g);
+    num lambda = given(T, "λ"), R[2], g[2], S[6];
+    given_points(T, "R", 1, 2, R);
+    G(frame_conic)(lambda, -1, S);
+    ratios(lambda, -1, R[0], R[1], g);
     for (int c = 0; c < 2; c++)
         g[c] = fault(T, g[c], length(g[c]));
-    show_points(T, "R", 1, 2, R);
-    show_points(T, "(g1, g2)", 1, 2, g);
+    num printed = div(g[0], add(add(g[0], from_int(2)), g[1]));
+    found_points(T, "(g_1, g_2)", 1, 2, g);
+    found(T, "x as printed", printed);
     about(T, "x, left as printed, right the point's");
-    if (is_zero_q(G(form)(S, one, one)))
-        same(T, div(g[0], add(add(g[0], from_int(2)), g[1])), one);
+    if (is_zero_q(G(form)(S, R[0], R[1])))
+        same(T, printed, R[0]);
 }
 #endif
 
@@ -92,6 +96,10 @@ CLAIM(lengths_give_another_point)
 :::
 */
 
+/* omega_0 omega_2/omega_1^2 */
+static inline num G(constant)(const num w[]) { return div(mul(w[0], w[2]), mul(w[1], w[1])); }
+
+/* g_1 and g_2 at t; without_weight: omega_1 left out of g_2. */
 static void G(ratios_at)(const num w[], num t, int without_weight, num g[])
 {
     num s = sub(from_int(1), t);
@@ -114,7 +122,7 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
 {
     num w[3], t = parameter(T, "t"), ratio = positive(T, "g", 0), one = from_int(1), g[2];
     G(three_weights)(T, w);
-    num c = div(mul(w[0], w[2]), mul(w[1], w[1])), tg = div(w[0], add(w[0], mul(w[1], ratio)));
+    num c = G(constant)(w), tg = div(w[0], add(w[0], mul(w[1], ratio)));
     G(ratios_at)(w, t, fault(T, 0, 1), g);
     about(T, "the product");
     same(T, mul(g[0], g[1]), c);
@@ -134,18 +142,20 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
 :title: At t = 0 and t = 1 one of the ratios does not exist
 :zh: t=0,1 处的比不存在
 :kind: counterexample
-:given: the weights $1,1,1$ and $t=0$
-:then: the denominator $\omega_1t$ of $g_1$ is 0; so is that of $g_2$ at $t=1$
+:data: ω_1 = 1; t = 0
+:instead: t = 1/2
+:result: denominator of g_1 = 0; denominator of g_2 = 1
+:given: a weight $\omega_1$ and the first parameter
+:then: the denominator $\omega_1t$ of $g_1$ is 0; so is that of $g_2$, $\omega_1(1-t)$, at the last parameter
 :method: The denominators are computed.
-:control: $t=\frac12$
+:control: the parameter in the middle
 :::
 */
 CLAIM(ratios_do_not_exist_at_the_ends)
 {
-    num t = fault(T, from_ratio(1, 2), from_int(0)), one = from_int(1), first = mul(one, t), second = sub(one, t);
-    show(T, "t", t);
-    show(T, "denominator of g1", first);
-    show(T, "denominator of g2", second);
+    num w = given(T, "ω_1"), t = given(T, "t"), first = mul(w, t), second = mul(w, sub(from_int(1), t));
+    found(T, "denominator of g_1", first);
+    found(T, "denominator of g_2", second);
     about(T, "whether both are different from 0");
     refute(T, is_zero_q(first) || is_zero_q(second));
 }
@@ -155,19 +165,22 @@ CLAIM(ratios_do_not_exist_at_the_ends)
 :title: Weights of both signs give negative ratios
 :zh: 权异号时 g_1,g_2 为负
 :kind: counterexample
-:given: the weights $1,-1,1$ and $t=\frac12$
-:then: $g_1=-1$, which is no ratio of lengths, although $g_1g_2=1>0$
+:data: ω = 1 -1 1; t = 1/2
+:instead: ω = 1 1 1
+:result: (g_1, g_2) = (-1,-1); g_1 g_2 = 1
+:given: weights of which the middle one is negative, and the parameter in the middle
+:then: $g_1<0$ is no ratio of lengths, although $g_1g_2>0$
 :method: The ratios are computed.
-:control: the weights $1,1,1$
+:control: positive weights
 :::
 */
 CLAIM(ratios_of_lengths_need_weights_of_one_sign)
 {
-    num w[3] = {from_int(1), from_int(fault(T, 1, -1)), from_int(1)}, g[2];
-    G(ratios_at)(w, from_ratio(1, 2), 0, g);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "(g1, g2) at t = 1/2", 1, 2, g);
-    show(T, "g1 g2", mul(g[0], g[1]));
+    num w[3], g[2];
+    given_points(T, "ω", 3, 1, w);
+    G(ratios_at)(w, given(T, "t"), 0, g);
+    found_points(T, "(g_1, g_2)", 1, 2, g);
+    found(T, "g_1 g_2", mul(g[0], g[1]));
     about(T, "whether both are positive");
     agree(T, sign_q(g[0]) > 0 && sign_q(g[1]) > 0);
 }
@@ -242,22 +255,24 @@ CLAIM(rational_quadratic_of_the_arc)
 :title: With a negative middle weight the curve runs outside the triangle
 :zh: 中间权为负时曲线在三角形外
 :kind: counterexample
-:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$, the weights $2,-1,2$ and $t=\frac12$
-:then: $R(\frac12)=(1,1)$, outside the triangle
+:data: R = (1,0) (0,0) (0,1); ω = 2 -1 2; t = 1/2
+:instead: ω = 2 1 2
+:result: R(t) = (1,1)
+:given: the triangle of the frame, weights of which the middle one is negative, and the parameter in the middle
+:then: $R(t)$ is outside the triangle
 :method: The point is computed.
-:control: the weights $2,1,2$
+:control: the middle weight made positive
 :::
 */
 CLAIM(complementary_arc_leaves_the_triangle)
 {
-    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, P[2];
-    num w[3] = {from_int(2), from_int(fault(T, 1, -1)), from_int(2)};
-    G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "R(1/2)", 1, 2, P);
+    num R[6], w[3], P[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    G(rational_point)(2, 2, R, w, given(T, "t"), P);
+    found_points(T, "R(t)", 1, 2, P);
     about(T, "whether the point is in the triangle");
-    agree(T, sign_q(P[0]) >= 0 && sign_q(P[1]) >= 0 && compare_q(add(P[0], P[1]), one) <= 0);
+    agree(T, sign_q(P[0]) >= 0 && sign_q(P[1]) >= 0 && compare_q(add(P[0], P[1]), from_int(1)) <= 0);
 }
 #endif
 
@@ -331,7 +346,7 @@ CLAIM(constant_is_read_off_the_curve)
     }
     num d = G(cross2)(a, b), x = div(G(cross2)(from, b), d), y = div(G(cross2)(a, from), d);
     num s = sub(add(x, y), from_int(1));
-    same(T, div(mul(from_int(fault(T, 4, 2)), mul(x, y)), mul(s, s)), div(mul(w[0], w[2]), mul(w[1], w[1])));
+    same(T, div(mul(from_int(fault(T, 4, 2)), mul(x, y)), mul(s, s)), G(constant)(w));
 }
 
 #if RATIONAL
@@ -340,28 +355,31 @@ CLAIM(constant_is_read_off_the_curve)
 :title: Two curves with one constant
 :zh: 常量相同而曲线不同
 :kind: counterexample
-:given: $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$, the weights $2,1,2$ and $2,-1,2$, whose constants are both 4
-:then: the point of the first curve with $x=y$, $t=\frac12$, is $(\frac13,\frac13)$, that of the second, $t=\frac12$, is
-  $(1,1)$
+:data: R = (1,0) (0,0) (0,1); ω = 2 1 2; ω* = 2 -1 2; t = 1/2; t* = 1/2
+:instead: ω* = 1 1 4; t* = 1/3
+:result: constants = 4 4; R(t) = (1/3,1/3); R*(t*) = (1,1)
+:given: the triangle of the frame, weights of two curves that differ in the sign of the middle one, and a parameter of either curve
+:then: the constants $\frac{\omega_0\omega_2}{\omega_1^2}$ are equal, and the points of the two curves with $x=y$, $R(t)$ and $R^*(t^*)$, are not
 :method: On either curve $x:y=\omega_0(1-t)^2:\omega_2t^2$, so each has one point with $x=y$ in $0\le t\le1$.
-:control: the weights $1,1,4$, of the same constant, with $t=\frac13$
+:control: positive weights of the same constant
 :::
 */
 CLAIM(sign_of_the_middle_weight_changes_the_arc)
 {
-    num zero = from_int(0), one = from_int(1), R[6] = {one, zero, zero, zero, zero, one}, P[2], Q[2];
-    num w[3] = {from_int(2), one, from_int(2)},
-        v[3] = {fault(T, one, from_int(2)), fault(T, one, from_int(-1)), fault(T, from_int(4), from_int(2))};
-    num c = div(mul(w[0], w[2]), mul(w[1], w[1])), d = div(mul(v[0], v[2]), mul(v[1], v[1]));
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "ω*", 3, 1, v);
-    show(T, "constant of ω", c);
-    show(T, "constant of ω*", d);
-    G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
-    G(rational_point)(2, 2, R, v, from_ratio(1, fault(T, 3, 2)), Q);
+    num R[6], w[3], v[3], P[2], Q[2], constant[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    given_points(T, "ω*", 3, 1, v);
+    num t = given(T, "t"), u = given(T, "t*");
+    constant[0] = G(constant)(w);
+    constant[1] = G(constant)(v);
+    G(rational_point)(2, 2, R, w, t, P);
+    G(rational_point)(2, 2, R, v, u, Q);
+    found_points(T, "constants", 2, 1, constant);
+    found_points(T, "R(t)", 1, 2, P);
+    found_points(T, "R*(t*)", 1, 2, Q);
     about(T, "x of the point with x = y on the two curves");
-    if (equal_q(c, d) && equal_q(P[0], P[1]) && equal_q(Q[0], Q[1]))
+    if (equal_q(constant[0], constant[1]) && equal_q(P[0], P[1]) && equal_q(Q[0], Q[1]))
         same(T, P[0], Q[0]);
 }
 
@@ -370,27 +388,32 @@ CLAIM(sign_of_the_middle_weight_changes_the_arc)
 :title: On a line the constant may change
 :zh: 三点共线时常量可变
 :kind: counterexample
-:given: $R_0=0$, $R_1=1$, $R_2=2$ on a line, and the weights $1,1,1$ and $1,2,1$
-:then: both curves run through the segment from 0 to 2, each point once, with the constants 1 and $\frac14$
+:data: R = 0 1 2; ω = 1 1 1; ω* = 1 2 1
+:instead: ω* = 1 2 4
+:result: constants = 1 1/4
+:given: three points in order on a line, and weights of two curves
+:then: both curves run through the segment from $R_0$ to $R_2$, each point once, with different constants
 :method: Both derivatives are positive on $[0,1]$: with $R=N/\omega$ the sign of $N'\omega-N\omega'$ is decided.
-:control: the weights $1,2,4$ in place of $1,2,1$
+:control: weights of the same constant
 :::
 */
 CLAIM(segment_does_not_fix_the_constant)
 {
-    num R[3] = {from_int(0), from_int(1), from_int(2)}, constant[2];
+    num R[3], w[2][3], constant[2];
     int monotone = 1;
-    show_points(T, "R", 3, 1, R);
+    given_points(T, "R", 3, 1, R);
+    given_points(T, "ω", 3, 1, w[0]);
+    given_points(T, "ω*", 3, 1, w[1]);
     for (int k = 0; k < 2; k++) {
-        num w[3] = {from_int(1), from_int(k + 1), from_int(fault(T, k == 1 ? 4 : 1, 1))}, N[3];
+        num N[3];
         for (int i = 0; i < 3; i++)
-            N[i] = mul(w[i], R[i]);
-        poly top = poly_from_bernstein(2, N), bottom = poly_from_bernstein(2, w);
+            N[i] = mul(w[k][i], R[i]);
+        poly top = poly_from_bernstein(2, N), bottom = poly_from_bernstein(2, w[k]);
         poly turn = poly_sub(poly_mul(poly_derivative(top), bottom), poly_mul(top, poly_derivative(bottom)));
         monotone &= sign_on(turn, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
-        constant[k] = div(mul(w[0], w[2]), mul(w[1], w[1]));
-        show_points(T, k == 0 ? "ω" : "ω*", 3, 1, w);
+        constant[k] = G(constant)(w[k]);
     }
+    found_points(T, "constants", 2, 1, constant);
     about(T, "the constants of the two curves");
     if (monotone)
         same(T, constant[0], constant[1]);

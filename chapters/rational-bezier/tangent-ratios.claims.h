@@ -74,27 +74,51 @@ CLAIM(slope_exists_inside_the_triangle)
 }
 
 #if RATIONAL
+/* A conic of the family (3.1.4), and a point. */
+struct member_at_point {
+    num lambda, S[6], R[2];
+    num value, gradient[2]; /* of S at R */
+    int on_curve;
+};
+
+/* The conic of the given λ and of that sign, and the given point R. */
+static struct member_at_point given_member(trial *T, int sign)
+{
+    struct member_at_point m = {.lambda = given(T, "λ")};
+    given_points(T, "R", 1, 2, m.R);
+    G(frame_conic)(m.lambda, sign, m.S);
+    m.value = G(form)(m.S, m.R[0], m.R[1]);
+    m.on_curve = is_zero_q(m.value);
+    G(conic_gradient)(m.S, m.R[0], m.R[1], m.gradient);
+    return m;
+}
+
+static void found_gradient(trial *T, struct member_at_point m)
+{
+    found(T, "S(R)", m.value);
+    found_points(T, "gradient at R", 1, 2, m.gradient);
+}
+
 /*
 :::{claim} upright_tangent_has_no_slope
 :title: A tangent parallel to the second side has no slope
 :zh: 平行于 y 轴的切线没有斜率
 :kind: counterexample
-:given: $\lambda=\frac12$ and $R=(\frac43,\frac13)$, a point of the curve
+:data: λ = 1/2; R = (4/3,1/3)
+:instead: R = (1/3,1/3)
+:result: S(R) = 0; gradient at R = (-1/2,0)
+:given: the $\lambda$ in the middle, and a point $R$ of the curve outside the triangle
 :then: $S_y=0$, so the printed quotient does not exist
 :method: The value and the gradient of $S$ at $R$ are computed.
-:control: $R=(\frac13,\frac13)$
+:control: a point of the curve inside the triangle
 :::
 */
 CLAIM(upright_tangent_has_no_slope)
 {
-    num S[6], g[2], R[2] = {from_ratio(fault(T, 1, 4), 3), from_ratio(1, 3)};
-    G(frame_conic)(from_ratio(1, 2), -1, S);
-    G(conic_gradient)(S, R[0], R[1], g);
-    show_points(T, "R", 1, 2, R);
-    show(T, "S(R)", G(form)(S, R[0], R[1]));
-    show_points(T, "gradient", 1, 2, g);
+    struct member_at_point m = given_member(T, -1);
+    found_gradient(T, m);
     about(T, "whether the second component is not 0");
-    refute(T, is_zero_q(G(form)(S, R[0], R[1])) && is_zero_q(g[1]));
+    refute(T, m.on_curve && is_zero_q(m.gradient[1]));
 }
 #endif
 
@@ -164,22 +188,25 @@ CLAIM(tangent_cuts_the_sides)
 :title: With the plus sign the printed point is not on the tangent
 :zh: 取正号时所印 A 有误
 :kind: counterexample
-:given: the plus sign, $\lambda=\frac12$ and $R=(-1,1)$, a point of $\frac12xy+\frac12(x+y-1)^2=0$
-:then: the tangent at $R$ meets the first side in $X_A=2$, while the printed quotient is $\frac23$
+:data: λ = 1/2; R = (-1,1)
+:result: S(R) = 0; X_A from the tangent = 2; X_A as printed = 2/3
+:given: the plus sign, the $\lambda$ in the middle, and a point $R$ of the curve
+:then: the tangent at $R$ meets the first side elsewhere than the printed quotient says
 :method: The tangent is intersected with $Y=0$.
 :control: $+2\lambda(x+y-1)$ for $-2\lambda(x+y-1)$ in numerator and denominator
 :::
 */
 CLAIM(plus_sign_moves_the_cut)
 {
-    num x = from_int(-1), y = from_int(1), lambda = G(lambda_at)(x, y, 1), S[6], X, Y, R[2] = {x, y};
-    G(frame_conic)(lambda, 1, S);
-    show_points(T, "R", 1, 2, R);
-    show(T, "λ", lambda);
-    show(T, "S(R)", G(form)(S, x, y));
-    G(tangent_cuts)(S, x, y, &X, &Y);
+    struct member_at_point m = given_member(T, 1);
+    num X, Y, printed = G(printed_cut)(m.lambda, m.R[0], m.R[1], m.R[1], fault(T, 1, 0));
+    found(T, "S(R)", m.value);
+    G(tangent_cuts)(m.S, m.R[0], m.R[1], &X, &Y);
+    found(T, "X_A from the tangent", X);
+    found(T, "X_A as printed", printed);
     about(T, "X_A, left from the tangent, right as printed");
-    same(T, X, G(printed_cut)(lambda, x, y, y, fault(T, 1, 0)));
+    if (m.on_curve)
+        same(T, X, printed);
 }
 
 /*
@@ -187,24 +214,24 @@ CLAIM(plus_sign_moves_the_cut)
 :title: A tangent may be parallel to the first side
 :zh: 切线可平行于 l_1
 :kind: counterexample
-:given: $\lambda=\frac12$ and $R=(\frac13,\frac43)$, a point of the curve
+:data: λ = 1/2; R = (1/3,4/3)
+:instead: R = (1/3,1/3)
+:result: S(R) = 0; gradient at R = (0,-1/2); denominator of X_A = 0
+:given: the $\lambda$ in the middle, and a point $R$ of the curve outside the triangle
 :then: $S_x=0$ and $(1-\lambda)y-2\lambda(x+y-1)=0$: there is no point $A$
 :method: The value and the gradient of $S$ at $R$ are computed.
-:control: $R=(\frac13,\frac13)$
+:control: a point of the curve inside the triangle
 :::
 */
 CLAIM(tangent_parallel_to_the_first_side)
 {
-    num S[6], g[2], half = from_ratio(1, 2), R[2] = {from_ratio(1, 3), from_ratio(fault(T, 1, 4), 3)};
-    G(frame_conic)(half, -1, S);
-    G(conic_gradient)(S, R[0], R[1], g);
-    show_points(T, "R", 1, 2, R);
-    show(T, "S(R)", G(form)(S, R[0], R[1]));
-    show_points(T, "gradient", 1, 2, g);
-    num bottom = sub(mul(half, R[1]), sub(add(R[0], R[1]), from_int(1)));
-    show(T, "denominator of A", bottom);
+    struct member_at_point m = given_member(T, -1);
+    found_gradient(T, m);
+    num s = sub(add(m.R[0], m.R[1]), from_int(1));
+    num bottom = sub(mul(sub(from_int(1), m.lambda), m.R[1]), mul(mul(from_int(2), m.lambda), s));
+    found(T, "denominator of X_A", bottom);
     about(T, "whether the denominator is not 0");
-    refute(T, is_zero_q(G(form)(S, R[0], R[1])) && is_zero_q(g[0]) && is_zero_q(bottom));
+    refute(T, m.on_curve && is_zero_q(m.gradient[0]) && is_zero_q(bottom));
 }
 
 /*
@@ -212,27 +239,26 @@ CLAIM(tangent_parallel_to_the_first_side)
 :title: At an end of the curve the tangent is a side, and one of the two ratios does not exist
 :zh: 端点处切线即边，两比之一无定义
 :kind: counterexample
-:given: $\lambda=\frac12$ and $R=R_0=(1,0)$, a point of every curve of (3.1.4)
-:then: $(1-\lambda)y=0$ and $-2\lambda(x+y-1)=0$: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself, without a point $A$; at $R_2$ it is
-  $g_2$
+:data: λ = 1/2; R = (1,0)
+:instead: R = (1/3,1/3)
+:result: S(R) = 0; gradient at R = (0,1/2); numerator of g_1 = 0; denominator of g_1 = 0
+:given: the $\lambda$ in the middle, and the point $R=R_0$ of every curve of (3.1.4)
+:then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself, without a point $A$;
+  at $R_2$ it is $g_2$
 :method: The value and the gradient of $S$ at $R$, and both numbers.
-:control: $R=(\frac13,\frac13)$
+:control: a point of the curve inside the triangle
 :::
 */
 CLAIM(end_has_but_one_ratio)
 {
-    num S[6], g[2], half = from_ratio(1, 2), third = from_ratio(1, 3);
-    num R[2] = {fault(T, third, from_int(1)), fault(T, third, from_int(0))};
-    G(frame_conic)(half, -1, S);
-    G(conic_gradient)(S, R[0], R[1], g);
-    num below = mul(half, R[1]), above = sub(from_int(1), add(R[0], R[1]));
-    show_points(T, "R", 1, 2, R);
-    show(T, "S(R)", G(form)(S, R[0], R[1]));
-    show_points(T, "gradient", 1, 2, g);
-    show(T, "numerator of g1", above);
-    show(T, "denominator of g1", below);
+    struct member_at_point m = given_member(T, -1);
+    found_gradient(T, m);
+    num above = mul(mul(from_int(-2), m.lambda), sub(add(m.R[0], m.R[1]), from_int(1)));
+    num below = mul(sub(from_int(1), m.lambda), m.R[1]);
+    found(T, "numerator of g_1", above);
+    found(T, "denominator of g_1", below);
     about(T, "R being on the curve, whether the tangent cuts the first side in one point and the denominator is not 0");
-    refute(T, is_zero_q(G(form)(S, R[0], R[1])) && (is_zero_q(g[0]) || is_zero_q(below)));
+    refute(T, m.on_curve && (is_zero_q(m.gradient[0]) || is_zero_q(below)));
 }
 #endif
 
@@ -308,28 +334,29 @@ CLAIM(ratios_of_lengths_inside_the_triangle)
 :title: Two points of one curve with the same ratios of lengths
 :zh: 长度之比不能区分两点
 :kind: counterexample
-:given: $\lambda=\frac12$ and the points $P=(\frac13,\frac13)$, inside the triangle, and $Q=(1,1)$, outside, of the curve
-:then: both have the ratios of lengths $(2,2)$
+:data: λ = 1/2; P = (1/3,1/3); Q = (1,1)
+:result: (g_1, g_2) at P = (2,2); (g_1, g_2) at Q = (2,2)
+:given: the $\lambda$ in the middle, and two points of the curve, $P$ inside the triangle and $Q$ outside
+:then: both have the same ratios of lengths
 :method: The tangents are intersected with the sides, and the lengths are taken along the sides.
-:control: the ratios with their signs, $(2,2)$ and $(-2,-2)$
+:control: the ratios with their signs, which are positive at $P$ and negative at $Q$
 :::
 */
 CLAIM(lengths_do_not_tell_points_apart)
 {
-    num half = from_ratio(1, 2), third = from_ratio(1, 3), one = from_int(1), P[2] = {third, third}, Q[2] = {one, one};
-    num S[6], g[2], h[2];
-    G(frame_conic)(half, -1, S);
-    show_points(T, "P", 1, 2, P);
-    show_points(T, "Q", 1, 2, Q);
+    num lambda = given(T, "λ"), P[2], Q[2], S[6], g[2], h[2];
+    given_points(T, "P", 1, 2, P);
+    given_points(T, "Q", 1, 2, Q);
+    G(frame_conic)(lambda, -1, S);
     int on_curve = is_zero_q(G(form)(S, P[0], P[1])) && is_zero_q(G(form)(S, Q[0], Q[1]));
-    ratios(half, -1, P[0], P[1], g);
-    ratios(half, -1, Q[0], Q[1], h);
-    for (int c = 0; T->faulty && c < 2; c++) {
-        g[c] = length(g[c]);
-        h[c] = length(h[c]);
+    ratios(lambda, -1, P[0], P[1], g);
+    ratios(lambda, -1, Q[0], Q[1], h);
+    for (int c = 0; c < 2; c++) {
+        g[c] = fault(T, g[c], length(g[c]));
+        h[c] = fault(T, h[c], length(h[c]));
     }
-    show_points(T, "(g1, g2) at P", 1, 2, g);
-    show_points(T, "(g1, g2) at Q", 1, 2, h);
+    found_points(T, "(g_1, g_2) at P", 1, 2, g);
+    found_points(T, "(g_1, g_2) at Q", 1, 2, h);
     about(T, "whether the ratios tell the points apart");
     refute(T, on_curve && equal_q(g[0], h[0]) && equal_q(g[1], h[1]));
 }
@@ -391,26 +418,37 @@ CLAIM(ratios_on_the_curve)
 }
 
 #if RATIONAL
+/* factor lambda (x + y - 1)/((1-lambda) y): the printed g_1 has the factor -2. */
+static num printed_ratio(struct member_at_point m, int factor)
+{
+    num s = sub(add(m.R[0], m.R[1]), from_int(1)), mu = sub(from_int(1), m.lambda);
+    return div(mul(from_int(factor), mul(m.lambda, s)), mul(mu, m.R[1]));
+}
+
 /*
 :::{claim} outside_the_triangle_lengths_lose_the_sign
 :title: Outside the triangle the ratio of lengths is not the printed quotient
 :zh: 三角形外长度之比与所印公式不符
 :kind: counterexample
-:given: $\lambda=\frac12$ and the point $R=(1,1)$ of the curve
-:then: $\|R_1A\|/\|R_0A\|=2$, while the printed quotient is $-2$
+:data: λ = 1/2; R = (1,1)
+:instead: R = (1/3,1/3)
+:result: S(R) = 0; ‖R_1A‖/‖R_0A‖ = 2; g_1 as printed = -2
+:given: the $\lambda$ in the middle, and a point $R$ of the curve outside the triangle
+:then: the ratio $\|R_1A\|/\|R_0A\|$ is the printed quotient without its sign
 :method: The tangent is intersected with the side, and the lengths are taken along it.
-:control: the point $(\frac13,\frac13)$
+:control: a point of the curve inside the triangle
 :::
 */
 CLAIM(outside_the_triangle_lengths_lose_the_sign)
 {
-    num half = from_ratio(1, 2), x = fault(T, from_ratio(1, 3), from_int(1)), R[2] = {x, x}, g[2], S[6];
-    G(frame_conic)(half, -1, S);
-    show_points(T, "R", 1, 2, R);
-    ratios(half, -1, x, x, g);
-    num s = sub(add(x, x), from_int(1)), printed = div(mul(from_int(-2), mul(half, s)), mul(half, x));
+    struct member_at_point m = given_member(T, -1);
+    num g[2], printed = printed_ratio(m, -2);
+    ratios(m.lambda, -1, m.R[0], m.R[1], g);
+    found(T, "S(R)", m.value);
+    found(T, "‖R_1A‖/‖R_0A‖", length(g[0]));
+    found(T, "g_1 as printed", printed);
     about(T, "g1, left as a ratio of lengths, right as printed");
-    if (is_zero_q(G(form)(S, x, x)))
+    if (m.on_curve)
         same(T, length(g[0]), printed);
 }
 
@@ -419,21 +457,24 @@ CLAIM(outside_the_triangle_lengths_lose_the_sign)
 :title: With the plus sign the printed quotient has the wrong sign
 :zh: 取正号时 g_1 符号相反
 :kind: counterexample
-:given: the plus sign, $\lambda=\frac12$ and the point $R=(-1,1)$ of the curve
-:then: $\frac{X_A}{1-X_A}=-2$, while the printed quotient is 2
+:data: λ = 1/2; R = (-1,1)
+:result: S(R) = 0; X_A/(1-X_A) = -2; g_1 as printed = 2
+:given: the plus sign, the $\lambda$ in the middle, and a point $R$ of the curve
+:then: $\frac{X_A}{1-X_A}$ is the negative of the printed quotient
 :method: The tangent is intersected with the side.
 :control: $+2\lambda(x+y-1)$ in place of $-2\lambda(x+y-1)$
 :::
 */
 CLAIM(plus_sign_turns_the_ratio)
 {
-    num half = from_ratio(1, 2), x = from_int(-1), y = from_int(1), R[2] = {x, y}, g[2], S[6];
-    G(frame_conic)(half, 1, S);
-    show_points(T, "R", 1, 2, R);
-    ratios(half, 1, x, y, g);
-    num s = sub(add(x, y), from_int(1)), printed = div(mul(from_int(fault(T, 2, -2)), mul(half, s)), mul(half, y));
+    struct member_at_point m = given_member(T, 1);
+    num g[2], printed = printed_ratio(m, fault(T, 2, -2));
+    ratios(m.lambda, 1, m.R[0], m.R[1], g);
+    found(T, "S(R)", m.value);
+    found(T, "X_A/(1-X_A)", g[0]);
+    found(T, "g_1 as printed", printed);
     about(T, "X_A/(1 - X_A), left from the tangent, right as printed");
-    if (is_zero_q(G(form)(S, x, y)))
+    if (m.on_curve)
         same(T, g[0], printed);
 }
 #endif
@@ -522,38 +563,35 @@ CLAIM(product_of_ratios_is_positive_inside)
 }
 
 #if RATIONAL
-/* A point of the hyperbola of lambda = 4/3, or one inside the triangle with lambda = 1/2. */
-static void far_point(int within, num R[], num *lambda)
-{
-    *lambda = within ? from_ratio(1, 2) : from_ratio(4, 3);
-    R[0] = within ? from_ratio(1, 3) : from_int(2);
-    R[1] = within ? from_ratio(1, 3) : from_int(-2);
-}
+/* 4 lambda/(1-lambda) */
+static num printed_product(num lambda) { return div(mul(from_int(4), lambda), sub(from_int(1), lambda)); }
 
 /*
 :::{claim} product_of_ratios_can_be_negative
 :title: A curve of the family whose ratios have a negative product
 :zh: g_1 g_2 可为负
 :kind: counterexample
-:given: the minus sign, $\lambda=\frac43$, and the point $R=(2,-2)$ of the hyperbola $-\frac13xy-\frac43(x+y-1)^2=0$
-:then: $g_1=4$, $g_2=-4$ and $g_1g_2=\frac{4\lambda}{1-\lambda}=-16$, which is not positive
+:data: λ = 4/3; R = (2,-2)
+:instead: λ = 1/2; R = (1/3,1/3)
+:result: S(R) = 0; (g_1, g_2) = (4,-4); g_1 g_2 = -16; 4λ/(1-λ) = -16
+:given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
+:then: $g_1g_2=\frac{4\lambda}{1-\lambda}$ is negative
 :method: The tangent at $R$ is intersected with the sides.
-:control: $\lambda=\frac12$ and $R=(\frac13,\frac13)$, inside the triangle
+:control: the $\lambda$ in the middle, and a point of its curve inside the triangle
 :::
 */
 CLAIM(product_of_ratios_can_be_negative)
 {
-    num R[2], g[2], S[6], lambda;
-    far_point(fault(T, 1, 0), R, &lambda);
-    G(frame_conic)(lambda, -1, S);
-    show(T, "λ", lambda);
-    show_points(T, "R", 1, 2, R);
-    show(T, "S(R)", G(form)(S, R[0], R[1]));
-    ratios(lambda, -1, R[0], R[1], g);
-    show_points(T, "(g1, g2)", 1, 2, g);
-    show(T, "g1 g2", mul(g[0], g[1]));
+    struct member_at_point m = given_member(T, -1);
+    num g[2];
+    ratios(m.lambda, -1, m.R[0], m.R[1], g);
+    num product = mul(g[0], g[1]);
+    found(T, "S(R)", m.value);
+    found_points(T, "(g_1, g_2)", 1, 2, g);
+    found(T, "g_1 g_2", product);
+    found(T, "4λ/(1-λ)", printed_product(m.lambda));
     about(T, "whether the product is positive");
-    refute(T, is_zero_q(G(form)(S, R[0], R[1])) && sign_q(mul(g[0], g[1])) <= 0);
+    refute(T, m.on_curve && sign_q(product) <= 0);
 }
 
 /*
@@ -561,23 +599,27 @@ CLAIM(product_of_ratios_can_be_negative)
 :title: A curve of the family where the product of the ratios of lengths is not the printed one
 :zh: 长度之比的乘积与所印不符
 :kind: counterexample
-:given: the minus sign, $\lambda=\frac43$, and the point $R=(2,-2)$ of the curve
-:then: the product of the ratios of lengths is 16, while $\frac{4\lambda}{1-\lambda}=-16$
+:data: λ = 4/3; R = (2,-2)
+:instead: λ = 1/2; R = (1/3,1/3)
+:result: S(R) = 0; product of the ratios of lengths = 16; 4λ/(1-λ) = -16
+:given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
+:then: the product of the ratios of lengths is positive, and the printed product is its negative
 :method: The tangent at $R$ is intersected with the sides, and the lengths are taken along these.
-:control: $\lambda=\frac12$ and $R=(\frac13,\frac13)$, inside the triangle
+:control: the $\lambda$ in the middle, and a point of its curve inside the triangle
 :::
 */
 CLAIM(product_of_lengths_is_not_printed)
 {
-    num R[2], g[2], S[6], lambda;
-    far_point(fault(T, 1, 0), R, &lambda);
-    G(frame_conic)(lambda, -1, S);
-    show(T, "λ", lambda);
-    show_points(T, "R", 1, 2, R);
-    ratios(lambda, -1, R[0], R[1], g);
+    struct member_at_point m = given_member(T, -1);
+    num g[2];
+    ratios(m.lambda, -1, m.R[0], m.R[1], g);
+    num product = mul(length(g[0]), length(g[1]));
+    found(T, "S(R)", m.value);
+    found(T, "product of the ratios of lengths", product);
+    found(T, "4λ/(1-λ)", printed_product(m.lambda));
     about(T, "g1 g2, left as a product of ratios of lengths, right as printed");
-    if (is_zero_q(G(form)(S, R[0], R[1])))
-        same(T, mul(length(g[0]), length(g[1])), div(mul(from_int(4), lambda), sub(from_int(1), lambda)));
+    if (m.on_curve)
+        same(T, product, printed_product(m.lambda));
 }
 #endif
 
