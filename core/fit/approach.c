@@ -1,56 +1,71 @@
 #include "core/fit/approach.h"
 
 #include "core/fit/descend.h"
-#include "core/fit/few.h"
+#include "core/fit/sample.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* From the curve of the attempt, which becomes what is reached, and its feet, with other points. */
-static int approach_with(const fit_problem *few, const cagd_fit_options *o, const double feet[], fit_attempt *a)
+/* With all points. */
+static int approach_by_all(fit_attempt *a)
 {
-    fit_attempt rough;
-    int good = fit_attempt_new(few, &rough);
+    if (!fit_feet_guess(a->problem, a->curve, a->feet) || !fit_descend_near(a))
+        return 0;
+    memcpy(a->feet, a->objective->feet, (size_t)a->problem->points * sizeof *a->feet);
+    fit_curve_copy(a->curve, a->objective->curve);
+    return 1;
+}
+
+/* With a sample: the curve of the attempt becomes what is reached.  feet: those of the sample, or NULL. */
+static int approach_by(const fit_problem *sample, const double feet[], fit_attempt *a)
+{
+    fit_attempt b;
+    int good = fit_attempt_new(sample, &b);
     if (good) {
-        fit_curve_copy(rough.curve, a->curve);
+        fit_curve_copy(b.curve, a->curve);
         if (feet != NULL)
-            memcpy(rough.feet, feet, (size_t)few->points * sizeof *feet);
-        good = (feet != NULL || fit_feet_guess(few, rough.curve, rough.feet)) && fit_descend_near(few, o, &rough);
+            memcpy(b.feet, feet, (size_t)sample->points * sizeof *feet);
+        good = (feet != NULL || fit_feet_guess(sample, b.curve, b.feet)) && fit_descend_near(&b);
     }
     if (good) {
-        fit_curve_copy(a->curve, rough.objective->curve);
-        good = fit_attempt_append(a, &rough.outcome);
+        fit_curve_copy(a->curve, b.objective->curve);
+        good = fit_attempt_append(a, &b.outcome);
     }
-    fit_attempt_free(&rough);
+    fit_attempt_free(&b);
     return good;
 }
 
-int fit_approach(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
+static int approach_by_every(int stride, fit_attempt *a)
 {
-    fit_problem few;
-    int enough = p->strategy.enough * p->unknowns, groups = p->strategy.times * enough;
-    double *feet;
-    if (p->points < 2 * groups) { /* few enough themselves */
-        int good = fit_feet_guess(p, a->curve, a->feet) && fit_descend_near(p, o, a);
-        if (good) {
-            memcpy(a->feet, a->objective->feet, (size_t)p->points * sizeof *a->feet);
-            fit_curve_copy(a->curve, a->objective->curve);
-        }
-        return good;
-    }
-    if (!fit_few_thinned(p, p->points / (p->loss == CAGD_FIT_SQUARES ? enough : groups), &few))
-        return 0;
-    int good = approach_with(&few, o, NULL, a);
-    fit_few_free(&few);
-    good = good && fit_feet_guess(p, a->curve, a->feet);
-    if (!good || p->loss != CAGD_FIT_SQUARES)
-        return good;
-    feet = malloc((size_t)groups * sizeof *feet);
-    good = feet != NULL && fit_few_means(p, a->curve, a->feet, groups, &few, feet);
+    fit_problem sample;
+    int good = fit_sample_every(a->problem, stride, &sample);
     if (good) {
-        good = fit_problem_equations(&few) < p->unknowns || approach_with(&few, o, feet, a);
-        fit_few_free(&few);
+        good = approach_by(&sample, NULL, a);
+        fit_sample_free(&sample);
+    }
+    return good;
+}
+
+static int approach_by_means(int groups, fit_attempt *a)
+{
+    fit_problem sample;
+    double *feet = malloc((size_t)groups * sizeof *feet);
+    int good = feet != NULL && fit_sample_means(a->problem, a->curve, a->feet, groups, &sample, feet);
+    if (good) {
+        good = fit_problem_equations(&sample) < sample.unknowns || approach_by(&sample, feet, a);
+        fit_sample_free(&sample);
     }
     free(feet);
     return good;
+}
+
+int fit_approach(fit_attempt *a)
+{
+    const fit_problem *p = a->problem;
+    int squares = p->loss == CAGD_FIT_SQUARES, points = p->strategy.points_per_unknown * p->unknowns;
+    int means = p->strategy.means_factor * points;
+    if (p->points < 2 * means)
+        return approach_by_all(a);
+    return approach_by_every(p->points / (squares ? points : means), a) && fit_feet_guess(p, a->curve, a->feet) &&
+           (!squares || approach_by_means(means, a));
 }

@@ -6,7 +6,8 @@
 
 int fit_attempt_new(const fit_problem *p, fit_attempt *a)
 {
-    *a = (fit_attempt){.radius = 1e4}; /* that of Ceres by default */
+    *a = (fit_attempt){.problem = p, .max_iterations = p->options->max_iterations};
+    a->radius = 1e4; /* that of Ceres by default */
     a->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
     a->feet = malloc((size_t)p->points * sizeof *a->feet);
     a->objective = fit_objective_new(p);
@@ -21,7 +22,7 @@ void fit_attempt_free(fit_attempt *a)
     free(a->outcome.history);
 }
 
-/* Room for so many steps more. */
+/* Makes room for so many further steps. */
 static int lengthen(fit_outcome *all, int steps)
 {
     cagd_fit_step *longer = realloc(all->history, (size_t)(all->steps + steps + 1) * sizeof *longer);
@@ -30,22 +31,22 @@ static int lengthen(fit_outcome *all, int steps)
     return longer != NULL;
 }
 
-int fit_attempt_append(fit_attempt *a, fit_outcome *more)
+int fit_attempt_append(fit_attempt *a, fit_outcome *run)
 {
     fit_outcome *all = &a->outcome;
-    int good = lengthen(all, more->steps);
-    for (int i = 0; good && i < more->steps; i++) {
-        all->history[all->steps + i] = more->history[i];
+    int good = lengthen(all, run->steps);
+    for (int i = 0; good && i < run->steps; i++) {
+        all->history[all->steps + i] = run->history[i];
         all->history[all->steps + i].iteration += all->iterations;
     }
-    free(more->history);
-    more->history = NULL;
+    free(run->history);
+    run->history = NULL;
     if (!good)
         return 0;
-    all->steps += more->steps;
-    all->iterations += more->iterations;
-    all->termination = more->termination;
-    memcpy(all->message, more->message, sizeof all->message);
+    all->steps += run->steps;
+    all->iterations += run->iterations;
+    all->termination = run->termination;
+    memcpy(all->message, run->message, sizeof all->message);
     return 1;
 }
 

@@ -32,7 +32,7 @@ static int residuals(void *objective, const double x[], double left[], double ja
         left[k] = f->triangle[k * (n + 1) + n];
         rest -= left[k] * left[k];
     }
-    left[n] = sqrt(fmax(0, rest) + 2 * fit_problem_blur(f->problem, 0));
+    left[n] = sqrt(fmax(0, rest) + 2 * fit_problem_cost_error(f->problem, 0));
     if (jacobian != NULL) {
         for (int k = 0; k < n; k++)
             memcpy(jacobian + k * n, f->triangle + k * (n + 1), (size_t)n * sizeof *jacobian);
@@ -42,7 +42,8 @@ static int residuals(void *objective, const double x[], double left[], double ja
     return 1;
 }
 
-/* The objective at the better of what was accepted and what was evaluated last: Ceres does not go the last step when it is short. */
+/* Puts the objective at the better of what was accepted and what was evaluated last: Ceres does not go the last step when it is
+ * short. */
 static void settle(fit_objective *f)
 {
     if (f->evaluated && f->cost < f->accepted)
@@ -51,161 +52,203 @@ static void settle(fit_objective *f)
     fit_objective_accept(f);
 }
 
-static int run_ceres(const fit_problem *p, const cagd_fit_options *o, double tolerance, fit_attempt *a)
+/* Runs Ceres from where the objective is.  Returns 0 when there is no memory. */
+static int run_ceres(fit_attempt *a, double tolerance)
 {
-    int n = p->unknowns;
-    int left = o->max_iterations - a->outcome.iterations;
-    size_t room = (size_t)n;
-    fit_outcome outcome = {0};
-    double *low = malloc(3 * room * sizeof *low);
-    int good = low != NULL;
-    if (good) {
-        double *high = low + n, *x = high + n;
-        fit_problem_bounds(p, a->objective->base, low, high);
-        memcpy(x, a->objective->x, room * sizeof *x);
-        fit_least_squares rows = {n, n + 1, residuals, a->objective, low, high};
-        good = fit_minimise(&rows, tolerance, left > 0 ? left : 0, x, &a->radius, &outcome) &&
-               fit_attempt_append(a, &outcome);
-        settle(a->objective);
-    }
+    const fit_problem *p = a->problem;
+    int n = p->unknowns, left = a->max_iterations - a->outcome.iterations;
+    fit_outcome run = {0};
+    double *low = malloc(3 * (size_t)n * sizeof *low), *high = low + n, *x = high + n;
+    if (low == NULL)
+        return 0;
+    fit_problem_bounds(p, a->objective->base, low, high);
+    memcpy(x, a->objective->x, (size_t)n * sizeof *x);
+    fit_least_squares rows = {n, n + 1, residuals, a->objective, low, high};
+    int good = fit_minimise(&rows, tolerance, left > 0 ? left : 0, x, &a->radius, &run) && fit_attempt_append(a, &run);
+    settle(a->objective);
     free(low);
     return good;
 }
 
-/* What rounding leaves of |y|: the residuals are off by b_i, fit_problem_blur, of which y has the part that falls to the unknowns; and
- * every row is rounded, as often one way as the other, when it is taken into the triangle. */
-static double floor_of(const fit_problem *p, double cost)
+int fit_descend_near(fit_attempt *a)
 {
-    return sqrt(2 * fit_problem_blur(p, 0) * p->unknowns / fit_problem_equations(p)) +
-           DBL_EPSILON / 2 * sqrt(2 * cost * p->points * fit_problem_roundings(p));
-}
-
-int fit_descend_near(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
-{
+    const fit_problem *p = a->problem;
     fit_objective *f = a->objective;
-    f->limit = p->strategy.rough;
+    f->limit = p->strategy.taylor_reach;
     f->newton = 0;
     fit_objective_begin(f, a->curve, a->feet);
     a->initial_cost = f->cost;
-    return run_ceres(p, o, fmax(p->strategy.nearly, o->tolerance), a);
+    return run_ceres(a, fmax(p->strategy.handover, p->options->tolerance));
 }
 
-/* x + step, or 0 if this passes a bound; *length: of the step. */
-static int step_from(const fit_objective *f, const fit_model *model, const double low[], const double high[],
-                     double next[], double *length)
+/* ---- Newton's steps ------------------------------------------------------------------------------------ */
+
+/* What rounding leaves of the decrement.  The residuals are off by b_i, problem.h, of which the decrement has the part that falls to
+ * the unknowns; and every row is rounded, as often one way as the other, when it is taken into the triangle. */
+static double smallest_decrement(const fit_problem *p, double cost)
+{
+    return sqrt(2 * fit_problem_cost_error(p, 0) * p->unknowns / fit_problem_equations(p)) +
+           DBL_EPSILON / 2 * sqrt(2 * cost * p->points * fit_problem_roundings(p));
+}
+
+/* Newton's method from x: the model there, the bounds on x, the unknowns that stand on one, and room for the next x. */
+typedef struct newton {
+    fit_model model;
+    double *low, *high, *next;
+    int *fixed;
+} newton;
+
+static void newton_free(newton *w)
+{
+    fit_model_free(&w->model);
+    free(w->low);
+    free(w->fixed);
+}
+
+/* The objective, evaluated with second derivatives at its accepted x, and its model.  Returns 0 when there is no memory; newton_free is
+ * to be called all the same. */
+static int newton_new(fit_objective *f, newton *w)
+{
+    const fit_problem *p = f->problem;
+    size_t n = (size_t)p->unknowns;
+    *w = (newton){.low = malloc(3 * n * sizeof *w->low), .fixed = malloc(n * sizeof *w->fixed)};
+    if (w->low == NULL || w->fixed == NULL)
+        return 0;
+    w->high = w->low + n, w->next = w->high + n;
+    fit_problem_bounds(p, f->base, w->low, w->high);
+    f->evaluated = f->evaluated && f->newton;
+    f->newton = 1;
+    fit_objective_at(f, f->x);
+    fit_objective_accept(f);
+    for (int k = 0; k < p->unknowns; k++)
+        w->fixed[k] = fit_problem_on_bound(p, k, f->curve);
+    return fit_model_of(f, w->fixed, &w->model);
+}
+
+/* next = x + step; returns 0 if this passes a bound.  *length: of the step. */
+static int step_from(const fit_objective *f, newton *w, double *length)
 {
     int n = f->problem->unknowns, inside = 1;
     double square = 0;
-    fit_model_step(model, next);
+    fit_model_step(&w->model, w->next);
     for (int k = 0; k < n; k++) {
-        square += next[k] * next[k];
-        next[k] += f->x[k];
-        inside = inside && low[k] <= next[k] && next[k] <= high[k];
+        square += w->next[k] * w->next[k];
+        w->next[k] += f->x[k];
+        inside = inside && w->low[k] <= w->next[k] && w->next[k] <= w->high[k];
     }
     *length = sqrt(square);
     return inside;
 }
 
-int fit_descend_newton(const fit_problem *p, const cagd_fit_options *o, double tolerance, double *left, fit_attempt *a)
+/* The objective and its model at `next`.  Returns 0 when there is no memory. */
+static int go(fit_objective *f, newton *w)
+{
+    fit_model_free(&w->model);
+    fit_objective_evaluate(f, w->next, 1);
+    return fit_model_of(f, w->fixed, &w->model);
+}
+
+int fit_descend_newton(fit_attempt *a, double tolerance)
 {
     fit_objective *f = a->objective;
-    int n = p->unknowns, steady = 0;
-    double *low = malloc(3 * (size_t)n * sizeof *low), enough = floor_of(p, f->cost), length;
-    int *fixed = malloc((size_t)n * sizeof *fixed), good = low && fixed;
-    fit_model model = {0};
-    if (good) {
-        fit_problem_bounds(p, f->base, low, low + n);
-        f->evaluated = f->evaluated && f->newton;
-        f->newton = 1;
-        fit_objective_at(f, f->x);
-        fit_objective_accept(f);
-    }
-    for (int k = 0; good && k < n; k++)
-        fixed[k] = fit_problem_on_bound(p, k, f->curve);
-    good = good && fit_model_of(f, fixed, &model);
-    *left = model.left;
-    while (good && a->outcome.iterations < o->max_iterations && fmax(enough, tolerance * sqrt(2 * f->cost)) < *left) {
-        double *next = low + 2 * n;
-        if (!step_from(f, &model, low, low + n, next, &length))
-            break;
-        fit_model_free(&model);
-        f->newton = !steady;
-        fit_objective_evaluate(f, next, 1);
-        good = fit_model_of(f, fixed, &model);
-        int better = good && isfinite(f->cost) && model.left < *left;
+    newton w;
+    const double smallest = smallest_decrement(a->problem, f->cost);
+    int good = newton_new(f, &w), is_last = 0, stalls = 0;
+    double length;
+    a->decrement = w.model.decrement;
+    while (good && !stalls && a->outcome.iterations < a->max_iterations &&
+           fmax(smallest, tolerance * sqrt(2 * f->cost)) < a->decrement && step_from(f, &w, &length)) {
+        f->newton = !is_last;
+        good = go(f, &w);
+        double before = a->decrement, now = w.model.decrement;
+        int better = good && isfinite(f->cost) && now < before;
         good = good && fit_attempt_step(a, better, length);
         if (!better)
             break;
         fit_objective_accept(f);
-        int stalls = model.left > *left / 2; /* only rounding is left, or nothing is gained by going on */
-        steady = model.left * (model.left / *left) < enough; /* another step is the last */
-        *left = model.left;
-        if (stalls)
-            break;
+        a->decrement = now;
+        is_last = now * (now / before) < smallest; /* the next step is, and needs no new second derivatives */
+        stalls = now > before / 2;                 /* only rounding is left, or nothing is gained by going on */
     }
     f->newton = 1;
     if (good) {
         fit_objective_at(f, f->x);
         fit_objective_accept(f);
     }
-    fit_model_free(&model);
-    free(low);
-    free(fixed);
+    newton_free(&w);
     return good;
 }
 
+/* ---- To the minimum ------------------------------------------------------------------------------------ */
+
 /* Whether Newton's steps have converged, so that no decrease of the cost is left that counts. */
-static int converged(const fit_problem *p, const cagd_fit_options *o, const fit_objective *f, double left)
+static int has_converged(const fit_attempt *a)
 {
-    return left * left <= o->tolerance * 2 * f->cost + fit_problem_blur(p, f->cost);
+    double cost = a->objective->cost, most = a->problem->options->tolerance * 2 * cost;
+    return a->decrement * a->decrement <= most + fit_problem_cost_error(a->problem, cost);
 }
 
-/* To a minimum, near which the objective is or is not.  Where Newton's steps lead no further Ceres goes on, every time until it gains much
- * less, and at last to the tolerance of the options. */
-static int to_minimum(const fit_problem *p, const cagd_fit_options *o, int near, double *left, fit_attempt *a)
+static int has_steps_left(const fit_attempt *a) { return a->outcome.iterations < a->max_iterations; }
+
+/* To a minimum for feet near those that are accepted.  Where Newton's steps lead no further Ceres goes on, each time until it gains much
+ * less than before, and at last to the tolerance of the options. */
+static int descend_to_minimum(fit_attempt *a, int near)
 {
+    const double tolerance = a->problem->options->tolerance, handover = a->problem->strategy.handover;
     int good = 1, last = 0;
-    *left = HUGE_VAL;
+    a->decrement = HUGE_VAL;
     if (near)
-        good = fit_descend_newton(p, o, o->tolerance, left, a);
-    for (double gain = p->strategy.nearly;
-         good && !last && !(near && converged(p, o, a->objective, *left)) && a->outcome.iterations < o->max_iterations;
-         near = 1, gain *= p->strategy.nearly) {
-        last = gain <= o->tolerance;
-        good = run_ceres(p, o, fmax(gain, o->tolerance), a);
+        good = fit_descend_newton(a, tolerance);
+    for (double gain = handover; good && !last && !has_converged(a) && has_steps_left(a); gain *= handover) {
+        last = gain <= tolerance;
+        good = run_ceres(a, fmax(gain, tolerance));
         if (good && a->outcome.termination == CAGD_FIT_CONVERGED)
-            good = fit_descend_newton(p, o, o->tolerance, left, a);
+            good = fit_descend_newton(a, tolerance);
     }
     return good;
 }
 
-int fit_descend(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
+/* Takes the feet of the attempt for those of the objective, if its cost becomes lower; whether it did. */
+static int take_feet(fit_attempt *a)
 {
     fit_objective *f = a->objective;
-    double left, gain;
-    int good = 1, near = a->outcome.termination == CAGD_FIT_CONVERGED;
+    double *before = f->feet, cost = f->cost;
+    f->feet = a->feet;
+    fit_objective_evaluate(f, f->x, 1);
+    int better = f->cost < cost - fit_problem_cost_error(a->problem, cost);
+    if (better) {
+        a->feet = before;
+    } else {
+        f->feet = before;
+        fit_objective_evaluate(f, f->x, 1);
+    }
+    fit_objective_accept(f);
+    return better;
+}
+
+static void note_steps(fit_attempt *a)
+{
+    a->outcome.termination = CAGD_FIT_NOT_CONVERGED;
+    snprintf(a->outcome.message, sizeof a->outcome.message, "Maximum number of iterations reached.");
+}
+
+int fit_descend(fit_attempt *a)
+{
+    fit_objective *f = a->objective;
+    double gain;
+    int near = a->outcome.termination == CAGD_FIT_CONVERGED;
     f->limit = FOOT_EXACT;
     f->newton = 1;
     fit_objective_begin(f, a->curve, a->feet);
     for (;; near = 1) {
-        good = good && to_minimum(p, o, near, &left, a);
-        if (good && a->outcome.iterations >= o->max_iterations && !converged(p, o, f, left)) {
-            a->outcome.termination = CAGD_FIT_NOT_CONVERGED;
-            snprintf(a->outcome.message, sizeof a->outcome.message, "Maximum number of iterations reached.");
-        }
-        good = good && fit_feet_improve(p, f->curve, f->feet, a->feet, &gain);
-        if (!good || gain <= fit_problem_blur(p, f->cost) || a->outcome.iterations >= o->max_iterations)
-            return good;
-        double *feet = f->feet, cost = f->cost;
-        f->feet = a->feet;
-        fit_objective_evaluate(f, f->x, 1);
-        int better = f->cost < cost - fit_problem_blur(p, cost);
-        f->feet = better ? f->feet : feet;
-        a->feet = better ? feet : a->feet;
-        if (!better)
-            fit_objective_evaluate(f, f->x, 1);
-        fit_objective_accept(f);
-        if (!better)
-            return good;
+        if (!descend_to_minimum(a, near))
+            return 0;
+        if (!has_steps_left(a) && !has_converged(a))
+            note_steps(a);
+        if (!fit_feet_improve(a->problem, f->curve, f->feet, a->feet, &gain))
+            return 0;
+        int worth = gain > fit_problem_cost_error(a->problem, f->cost);
+        if (!worth || !has_steps_left(a) || !take_feet(a))
+            return 1;
     }
 }

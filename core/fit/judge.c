@@ -7,22 +7,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* The largest share R_index at the measured points, and at the middles of the pieces; from `enough` on it may be a smaller one. */
-static double largest_share(const fit_problem *p, const fit_objective *f, int index, double enough)
-{
-    const fit_curve *curve = f->curve;
-    double R[MAX_DEGREE + 1], R1[MAX_DEGREE + 1], largest = 0;
-    for (int i = -curve->pieces; largest < enough && i < p->points; i++) {
-        int piece = i < 0 ? i + curve->pieces : fit_curve_piece(curve, f->feet[i]);
-        int mu = curve->span[piece], m = index - mu + p->degree;
-        if (m < 0 || m > p->degree)
-            continue;
-        fit_curve_shares(curve, piece, i < 0 ? (curve->knots[mu] + curve->knots[mu + 1]) / 2 : f->feet[i], R, R1);
-        largest = fmax(largest, R[m]);
-    }
-    return largest;
-}
-
+static void fail(fit_attempt *a, const char *form, ...) __attribute__((format(printf, 2, 3)));
 static void fail(fit_attempt *a, const char *form, ...)
 {
     va_list values;
@@ -32,30 +17,61 @@ static void fail(fit_attempt *a, const char *form, ...)
     va_end(values);
 }
 
-/* Whether the gradient along log w_k is small only because the weight hardly counts, not because the residuals are orthogonal
- * to its column of the Jacobian: Gauss and Newton's step in it alone would take more than sqrt(tolerance) of the cost away, and
- * the weight from one end of the precision to the other, 2^53 times what it is. */
-static int runs_away(const fit_problem *p, const fit_objective *f, double tolerance, int k)
+/* The share R_index of point `index` in the curve at t, which lies in the piece. */
+static double share_of(const fit_curve *curve, int index, int piece, double t)
 {
+    double R[MAX_DEGREE + 1], slopes[MAX_DEGREE + 1];
+    int m = index - curve->span[piece] + curve->degree;
+    if (m < 0 || m > curve->degree)
+        return 0;
+    fit_curve_shares(curve, piece, t, R, slopes);
+    return R[m];
+}
+
+/* Whether rounding would take the share of a point away at all measured points and at the middles of the pieces. */
+static int is_lost(const fit_objective *f, int index)
+{
+    const fit_curve *curve = f->curve;
+    const double smallest = DBL_EPSILON / 2;
+    int lost = 1;
+    for (int piece = 0; lost && piece < curve->pieces; piece++) {
+        const double *u = curve->knots + curve->span[piece];
+        lost = share_of(curve, index, piece, (u[0] + u[1]) / 2) < smallest;
+    }
+    for (int i = 0; lost && i < f->problem->points; i++)
+        lost = share_of(curve, index, fit_curve_piece(curve, f->feet[i]), f->feet[i]) < smallest;
+    return lost;
+}
+
+/* Whether the weight of unknown k runs away.  Then the gradient along log w_k is small only because the weight hardly counts, and not
+ * because the residuals are orthogonal to its column of the Jacobian.  Two things tell: the step of Gauss and Newton in this unknown
+ * alone would lower the cost by more than sqrt(tolerance) of it, and would change the weight by a factor of more than 2^53, which is
+ * from one end of the precision to the other. */
+static int runs_away(const fit_objective *f, int k)
+{
+    const fit_problem *p = f->problem;
     int n = p->unknowns;
     double g = fit_objective_gradient(f, k), square = 0;
     for (int i = 0; i < n; i++)
         square += f->triangle[i * (n + 1) + k] * f->triangle[i * (n + 1) + k];
-    return g * g > 2 * (sqrt(tolerance) * f->cost + fit_problem_blur(p, f->cost)) * square &&
-           fabs(g) > -log(DBL_EPSILON / 2) * square;
+    double noticed = sqrt(p->options->tolerance) * f->cost + fit_problem_cost_error(p, f->cost);
+    return g * g > 2 * noticed * square && fabs(g) > -log(DBL_EPSILON / 2) * square;
 }
 
-void fit_attempt_judge(const fit_problem *p, const cagd_fit_options *o, fit_attempt *a)
+void fit_attempt_judge(fit_attempt *a)
 {
+    const fit_problem *p = a->problem;
     const fit_objective *f = a->objective;
-    if (!isfinite(f->cost))
+    if (!isfinite(f->cost)) {
         fail(a, "The distances have left the range of numbers.");
-    for (int k = 0; isfinite(f->cost) && k < p->unknowns; k++) {
+        return;
+    }
+    for (int k = 0; k < p->unknowns; k++) {
         int index = p->unknown[k].index;
         double w = f->curve->weights[index];
         if (!p->unknown[k].is_weight || fit_problem_on_bound(p, k, f->curve))
             continue;
-        if (largest_share(p, f, index, DBL_EPSILON / 2) < DBL_EPSILON / 2 || runs_away(p, f, o->tolerance, k))
+        if (is_lost(f, index) || runs_away(f, k))
             fail(a,
                  "No minimum was found: the cost falls ever slower while weight %d goes to %s (it is %.2g); other "
                  "starts, or bounds on the weights, may help.",

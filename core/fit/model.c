@@ -126,8 +126,8 @@ int fit_model_of(const fit_objective *f, const int fixed[], fit_model *m)
                 m->L[j * n + i] = i == j;
             m->y[j] = m->z[j];
         }
-        m->left = forward(n, m->rank, m->L, m->y);
-        if (!newton || m->left * m->left <= 2 * f->cost)
+        m->decrement = forward(n, m->rank, m->L, m->y);
+        if (!newton || m->decrement * m->decrement <= 2 * f->cost)
             break;
     }
     return 1;

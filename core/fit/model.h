@@ -17,7 +17,7 @@ typedef struct fit_model {
     int n, rank;
     double *W, *z;     /* n x rank numbers, by rows of n; U^T z: rank numbers                          */
     double *L, *y, *v; /* rank x rank numbers below the diagonal, by rows of n; rank numbers; workspace */
-    double left;       /* |y|                                                                          */
+    double decrement;  /* |y|, Newton's: half its square is what the model promises to take off F       */
 } fit_model;
 
 /* The model at what was evaluated last; unknowns with fixed[k] != 0 are held.  Returns 0 when there is no memory. */

@@ -147,7 +147,7 @@ static cagd_status check_initial(const fit_problem *p, const cagd_spline *initia
 cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *o, const fit_strategy *strategy,
                              fit_problem *p, int *where)
 {
-    *p = (fit_problem){.strategy = *strategy, .loss = o->loss, .loss_scale = o->loss_scale};
+    *p = (fit_problem){.options = o, .strategy = *strategy, .loss = o->loss, .loss_scale = o->loss_scale};
     p->unordered = o->unordered || o->free == 0;
     p->low = o->weight_low;
     p->high = o->weight_high;
@@ -161,7 +161,7 @@ cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *
     if (status == CAGD_OK)
         status = make_unknowns(o, p);
     if (status == CAGD_OK)
-        fit_problem_round(p);
+        fit_problem_update_errors(p);
     return status;
 }
 
@@ -272,7 +272,7 @@ int fit_problem_on_bound(const fit_problem *p, int k, const fit_curve *curve)
     return p->unknown[k].is_weight && (w == p->low || w == p->high);
 }
 
-void fit_problem_round(fit_problem *p)
+void fit_problem_update_errors(fit_problem *p)
 {
     p->rounding = 0;
     for (int i = 0; i < p->points; i++) {
@@ -281,7 +281,7 @@ void fit_problem_round(fit_problem *p)
     }
 }
 
-double fit_problem_blur(const fit_problem *p, double cost)
+double fit_problem_cost_error(const fit_problem *p, double cost)
 {
     return sqrt(2 * cost * p->rounding) + p->rounding / 2 + p->points * DBL_EPSILON * cost;
 }

@@ -13,11 +13,14 @@
 #include "core/fit/curve.h"
 #include "core/fit/strategy.h"
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct fit_problem {
+    const cagd_fit_options *options; /* the caller's                                                  */
     fit_strategy strategy;
     int points, dim;
     double *Q;         /* the measured points in working coordinates                     */
@@ -34,7 +37,7 @@ typedef struct fit_problem {
     int *first, *reach;     /* of each piece, the unknowns its rows reach; see reduction.h    */
     cagd_fit_unknown *slot; /* the same unknowns, `index` counted from the first point of the piece */
     double low, high;       /* bounds on the weights                                          */
-    double rounding;        /* sum b_i^2, see fit_problem_blur                                */
+    double rounding;        /* sum b_i^2, see fit_problem_cost_error                                */
 } fit_problem;
 
 /* From checked data and options.  Whatever is returned, fit_problem_free releases it. */
@@ -74,10 +77,13 @@ int fit_problem_on_bound(const fit_problem *problem, int k, const fit_curve *cur
 /* What rounding makes of a cost: of its sum, and of the points in it, as in fit_foot.  Residuals r_i that are off by b_i change
  * half the sum of their squares by at most sum |r_i| b_i + b_i^2/2, by Cauchy and Schwarz at most sqrt(2 cost sum b_i^2) + sum b_i^2/2;
  * with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
-double fit_problem_blur(const fit_problem *problem, double cost);
+double fit_problem_cost_error(const fit_problem *problem, double cost);
 
 /* Sums the b_i^2: to be called when the points or their precision have changed. */
-void fit_problem_round(fit_problem *problem);
+void fit_problem_update_errors(fit_problem *problem);
+
+/* Measured point i in working coordinates. */
+static inline const double *fit_point(const fit_problem *p, int i) { return p->Q + (size_t)i * (size_t)p->dim; }
 
 /* |a - b|^2 */
 static inline double fit_distance_squared(int dim, const double a[], const double b[])

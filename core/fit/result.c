@@ -54,7 +54,7 @@ static int fill_curve(const fit_problem *p, const fit_attempt *a, cagd_fit_resul
     return 1;
 }
 
-static int fill_points(const fit_problem *p, const cagd_fit_options *o, const fit_attempt *a, cagd_fit_result *r)
+static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_result *r)
 {
     int dim = p->dim;
     size_t count = (size_t)p->points;
@@ -83,7 +83,7 @@ static int fill_points(const fit_problem *p, const cagd_fit_options *o, const fi
             r->largest = sqrt(square);
             r->largest_at = i;
         }
-        r->out_of_order += !o->unordered && i > 0 && t < r->feet[i - 1];
+        r->out_of_order += !p->options->unordered && i > 0 && t < r->feet[i - 1];
     }
     r->rms = sqrt(sum / p->points);
     return 1;
@@ -182,29 +182,43 @@ static void fill_rounding(const cagd_fit_data *data, cagd_fit_result *r)
     r->points_on_curve = r->rms <= (2 * r->curve.degree + 2) * DBL_EPSILON * size + rounding;
 }
 
-cagd_fit_result *fit_result_make(const cagd_fit_data *data, const cagd_fit_options *o, const fit_problem *p,
-                                 fit_attempt *a)
+/* What the minimiser did; its history is taken over. */
+static void fill_minimiser(fit_minimum *m, cagd_fit_result *r)
 {
-    cagd_fit_result *r = calloc(1, sizeof *r);
-    if (r == NULL)
-        return NULL;
-    r->cost = a->objective->cost;
+    fit_outcome *outcome = &m->attempt.outcome;
+    r->best_start = m->start;
+    r->agreeing_starts = m->agreeing_starts;
+    r->cost = m->attempt.objective->cost;
+    r->initial_cost = m->attempt.initial_cost;
+    r->termination = outcome->termination;
+    r->iterations = outcome->iterations;
+    r->steps = outcome->steps;
+    r->history = outcome->history;
+    outcome->history = NULL;
+    memcpy(r->message, outcome->message, sizeof r->message);
+}
+
+/* Room for the invariants, which are statistics. */
+static int make_invariants(const fit_problem *p, cagd_fit_result *r)
+{
     r->invariants = p->count == p->degree + 1 ? p->degree - 1 : 0;
     r->invariant = numbers((size_t)r->invariants);
     r->invariant_error = numbers((size_t)r->invariants);
-    if (!r->invariant || !r->invariant_error || !fill_curve(p, a, r) || !fill_points(p, o, a, r) ||
-        !fill_uncertainty(p, a, r)) {
+    return r->invariant && r->invariant_error;
+}
+
+cagd_fit_result *fit_result_make(const cagd_fit_data *data, const fit_problem *p, fit_minimum *m)
+{
+    fit_attempt *a = &m->attempt;
+    cagd_fit_result *r = calloc(1, sizeof *r);
+    if (r == NULL)
+        return NULL;
+    fill_minimiser(m, r);
+    if (!make_invariants(p, r) || !fill_curve(p, a, r) || !fill_points(p, a, r) || !fill_uncertainty(p, a, r)) {
         cagd_fit_free(r);
         return NULL;
     }
-    r->termination = a->outcome.termination;
-    r->iterations = a->outcome.iterations;
-    r->initial_cost = a->initial_cost;
-    r->steps = a->outcome.steps;
-    r->history = a->outcome.history;
-    a->outcome.history = NULL;
-    memcpy(r->message, a->outcome.message, sizeof r->message);
-    restore_given_points(data, o, r);
+    restore_given_points(data, p->options, r);
     fill_rounding(data, r);
     return r;
 }

@@ -1,7 +1,7 @@
 /* strategy.h -- the numbers that say how the minimum is reached and have no part in where it is.
  *
- * Halved or doubled, each of them leads to the same minimum; test_fit tries that.  What decides about a result, the last feet, the
- * last steps and the rank, is bounded by the precision of binary64, where it is computed. */
+ * Halved or doubled, each of them leads to the same minimum; test_fit tries that.  What decides about a result is the last feet, the
+ * last steps and the rank; these are bounded by the precision of binary64, and not by any number that stands here. */
 #ifndef CAGD_FIT_STRATEGY_H
 #define CAGD_FIT_STRATEGY_H
 
@@ -12,20 +12,23 @@ extern "C" {
 #endif
 
 typedef struct fit_strategy {
-    double nearly; /* Ceres hands over to Newton when a step gains less than this part of the cost            */
-    double
-        rough; /* on the way feet are taken from Taylor's polynomial over this part of the length on which the curve changes */
-    int enough;     /* so many points for each unknown suffice to come near                                    */
-    int times;      /* so many times as many means of points know the minimum nearly as well as all points do  */
-    int anchors;    /* so many points say on which sides of a polygon the others have their feet               */
-    int sides;      /* no side of that polygon is longer than one over this of the whole                       */
-    int guesses;    /* so many uneven weights are tried where no curve is given,                               */
-    int steps;      /* with at most so many steps each,                                                        */
-    double spread;  /* between one over this and this,                                                         */
-    double telling; /* to where the unknowns can take away no more than this part of the residuals             */
-    int groups;     /* the chords of points that no curve is given for are those of so many means              */
-    int rounds;     /* so often the points of the curve and the feet are found in turn before weights move       */
-    int more;       /* so many starts more are made when none comes to a minimum                               */
+    /* The first curve, where none is given (initial.h, starts.h). */
+    int chord_groups;      /* parameters follow the chords between the centres of so many groups of points        */
+    int alternations;      /* so many times the points of the curve and the feet are found in turn                 */
+    int guesses;           /* so many sets of random weights are tried beside the even ones                        */
+    double weight_spread;  /* random weights lie between 1/weight_spread and weight_spread                         */
+    int guess_steps;       /* each guess is given so many steps                                                    */
+    double guess_accuracy; /* a guess is left when the decrement is this part of the residuals                    */
+    int extra_starts;      /* so many starts are added when none of those asked for comes to a minimum            */
+    /* The way to the minimum (approach.h, descend.h). */
+    int points_per_unknown; /* the first approach takes so many points for each unknown                           */
+    int means_factor;       /* the second one takes so many times as many means of points                         */
+    double handover;        /* Newton's steps begin when a step of Ceres gains less than this part of the cost    */
+    double taylor_reach;    /* before that, a foot is taken from Taylor's polynomial when it is no farther than   */
+                            /* this part of the length on which the curve changes                                 */
+    /* The search for feet (feet.h). */
+    int anchors; /* the order of the points is kept for so many of them                                           */
+    int sides;   /* the polygon in the place of the curve has at least so many sides                              */
 } fit_strategy;
 
 /* What cagd_fit does. */

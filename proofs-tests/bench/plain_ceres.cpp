@@ -156,7 +156,7 @@ extern "C" cagd_status plain_ceres(const cagd_fit_data *data, const cagd_fit_opt
     fit_curve *curve = status == CAGD_OK ? fit_curve_new(p.degree, p.count, p.dim, p.knots) : nullptr;
     std::vector<double> feet(static_cast<size_t>(data->count));
     if (status == CAGD_OK &&
-        (curve == nullptr || !fit_start(&p, options, 0, curve) || !fit_feet_search(&p, curve, feet.data(), &cost)))
+        (curve == nullptr || !fit_start(&p, 0, curve) || !fit_feet_search(&p, curve, feet.data(), &cost)))
         status = CAGD_NO_MEMORY;
     if (status == CAGD_OK) {
         std::vector<double> theta(static_cast<size_t>(p.unknowns));

@@ -330,7 +330,7 @@ static void vectors_of_any_width_give_the_same(void **state)
             assert_non_null(f);
             f->newton = 1;
             f->width = widths[w];
-            f->limit = rough ? p.strategy.rough : FOOT_EXACT;
+            f->limit = rough ? p.strategy.taylor_reach : FOOT_EXACT;
             fit_objective_begin(f, c, feet);
             assert_true(all <= MOST_NUMBERS);
             for (size_t a = 0; a <= n; a++) /* R^T R, and R^T z; R itself may be known less well */
@@ -714,9 +714,10 @@ static void the_strategy_does_not_change_the_result(void **state)
             cagd_fit_result *usual = fit(&data, &o), *r;
             for (int change = 0; change < 26; change++) {
                 fit_strategy s = fit_usual_strategy;
-                double factor = change % 2 ? 2 : 0.5, *real[] = {&s.nearly, &s.rough, &s.telling, &s.spread};
-                int *whole[] = {&s.enough, &s.times,  &s.anchors, &s.sides, &s.guesses,
-                                &s.steps,  &s.groups, &s.rounds,  &s.more};
+                double factor = change % 2 ? 2 : 0.5,
+                       *real[] = {&s.handover, &s.taylor_reach, &s.guess_accuracy, &s.weight_spread};
+                int *whole[] = {&s.points_per_unknown, &s.means_factor, &s.anchors,      &s.sides,       &s.guesses,
+                                &s.guess_steps,        &s.chord_groups, &s.alternations, &s.extra_starts};
                 if (change / 2 < 4)
                     *real[change / 2] *= factor;
                 else

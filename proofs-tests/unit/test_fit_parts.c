@@ -1,9 +1,9 @@
 /* test_fit_parts.c -- what a fit is made of, each part against its definition. */
 #include "core/fit/feet.h"
-#include "core/fit/few.h"
-#include "core/fit/initial.h"
 #include "core/fit/model.h"
+#include "core/fit/order.h"
 #include "core/fit/problem.h"
+#include "core/fit/sample.h"
 #include "core/fit/strategy.h"
 #include "core/number/limits.h"
 
@@ -124,8 +124,8 @@ static void the_blur_is_what_is_said(void **state)
         for (int i = 0; i < N; i++)
             squares += pow((2 * 3 + 2) * DBL_EPSILON * size * m.p.unit / sigma[i], 2);
         double wanted = sqrt(2 * cost) * sqrt(squares) + squares / 2 + N * DBL_EPSILON * cost;
-        assert_true(fabs(fit_problem_blur(&m.p, cost) / wanted - 1) < 1e-12);
-        assert_true(fabs(fit_problem_blur(&m.p, 0) / (squares / 2) - 1) < 1e-12);
+        assert_true(fabs(fit_problem_cost_error(&m.p, cost) / wanted - 1) < 1e-12);
+        assert_true(fabs(fit_problem_cost_error(&m.p, 0) / (squares / 2) - 1) < 1e-12);
         release(&m);
     }
 }
@@ -144,7 +144,7 @@ static void means_are_weighted_by_precision(void **state)
     for (int i = 0; i < N; i++)
         t[i] = (i + 0.5) / N;
     fit_problem few;
-    assert_true(fit_few_means(&m.p, m.curve, t, 4, &few, feet));
+    assert_true(fit_sample_means(&m.p, m.curve, t, 4, &few, feet));
     assert_int_equal(few.points, 4);
     for (int g = 0; g < 4; g++) {
         double share = 0, foot = 0, off[2] = {0, 0};
@@ -161,15 +161,15 @@ static void means_are_weighted_by_precision(void **state)
         for (int c = 0; c < 2; c++)
             assert_true(fabs(few.Q[2 * g + c] - D[c] - off[c] / share) < ROUNDINGS);
     }
-    fit_few_free(&few);
-    assert_true(fit_few_thinned(&m.p, 7, &few)); /* 0, 7, ..., 35, and 39 */
+    fit_sample_free(&few);
+    assert_true(fit_sample_every(&m.p, 7, &few)); /* 0, 7, ..., 35, and 39 */
     assert_int_equal(few.points, 7);
     for (int k = 0; k < 7; k++) {
         int i = k < 6 ? 7 * k : 39;
         assert_true(few.precision[k] == m.p.precision[i] && few.Q[2 * k] == m.p.Q[2 * i] &&
                     few.Q[2 * k + 1] == m.p.Q[2 * i + 1]);
     }
-    fit_few_free(&few);
+    fit_sample_free(&few);
     release(&m);
 }
 
@@ -199,7 +199,7 @@ static void orders_are_found(void **state)
             cagd_fit_data data = {N, 2, Q, NULL};
             struct made m = make(&data, &line, 1);
             assert_true(m.p.centre[0] == 0 && m.p.centre[1] == 0);
-            assert_true(fit_initial_order(&m.p, guess, order));
+            assert_true(fit_order(&m.p, (enum fit_order_kind)guess, order));
             int forward = order[0] * 17 % N == 0;
             for (int k = 0; k < N; k++)
                 assert_int_equal(order[k] * 17 % N, forward ? k : N - 1 - k);
@@ -360,7 +360,7 @@ static void the_model_keeps_to_rank_and_cost(void **state)
         fit_objective f = {.problem = &p, .triangle = R, .curvature = &S, .cost = below ? 0.6 : 1.5};
         fit_model m;
         assert_true(fit_model_of(&f, &fixed, &m));
-        assert_true(fabs(m.left * m.left - (below ? 1 : 2)) < ROUNDINGS);
+        assert_true(fabs(m.decrement * m.decrement - (below ? 1 : 2)) < ROUNDINGS);
         fit_model_step(&m, &x);
         assert_true(fabs(x + (below ? 1 : 2)) < ROUNDINGS);
         fit_model_free(&m);
