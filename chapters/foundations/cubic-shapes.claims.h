@@ -94,22 +94,36 @@ $A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
 */
 
 #if RATIONAL
+/* D, C, B, A as printed, for two vectors that stand for both the dotted letters of the points and those of the tangents:
+ *     A = 2 (v_0 - v_1) + v_0 + v_1,   B = 3 (v_1 - v_0) - 2 v_0 - v_1,   C = D = v_0. */
+static void printed_coefficients(const num v[], num c[])
+{
+    c[0] = c[1] = v[0];
+    c[2] = sub(sub(mul(from_int(3), sub(v[1], v[0])), mul(from_int(2), v[0])), v[1]);
+    c[3] = add(mul(from_int(2), sub(v[0], v[1])), add(v[0], v[1]));
+}
+
 /*
 :::{claim} position_is_not_the_tangent
 :title: The position at the beginning is not the tangent there
 :zh: 端点位置矢量不等于切矢
 :kind: counterexample
-:given: $P(t)=t$ on a line: $A=B=D=0$, $C=1$
-:then: $P(0)=0$ and $\dot P(0)=1$: no $\dot Q_0$ is both, and $C\ne P(0)$
+:given: the cubic on a line with the coefficients $c$, from $D$ to $A$
+:data: c = 0 1 0 0
+:instead: c = 1 1 0 0
+:then: $P(0)\ne\dot P(0)$: no $\dot Q_0$ is both, and $C\ne P(0)$
+:result: P(0) = 0; P'(0) = 1
 :method: Value and derivative by the kernel.
-:control: $P(t)=1+t$
+:control: a cubic that begins one higher
 :::
 */
 CLAIM(position_is_not_the_tangent)
 {
-    num c[4] = {from_int(fault(T, 1, 0)), from_int(1), from_int(0), from_int(0)}, D[2];
+    num c[4], D[2];
+    given_points(T, "c", 4, 1, c);
     G(power_derivatives)(3, 1, c, from_int(0), 1, D);
-    show_points(T, "D, C, B, A", 4, 1, c);
+    found(T, "P(0)", D[0]);
+    found(T, "P'(0)", D[1]);
     about(T, "P(0) and P'(0)");
     same(T, D[0], D[1]);
 }
@@ -119,20 +133,26 @@ CLAIM(position_is_not_the_tangent)
 :title: With positions for all dotted letters three coefficients are wrong
 :zh: 记号全作位置矢量时三个系数有误
 :kind: decision
-:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; the printed coefficients with $Q_i$ for every letter
-:then: $A=-1$, $B=2$, $C=0$, $D=0$, in the place of $0,0,1,0$: $D$ alone is right
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; the printed coefficients with $Q_i$ for every letter
+:data: Q = 0 1; V = 1 1
+:instead: Q = 1 1
+:then: of $D,C,B,A$ as printed $D$ alone is right
+:result: printed D, C, B, A = 0 0 2 -1; corrected = 0 1 0 0
 :method: Each against the corrected one, exactly.
-:control: $Q_0=1$, where $C$ is right, too
+:control: $Q_0=V_0$, where $C$ is right, too
 :::
 */
 CLAIM(positions_for_the_dots_miss_three_coefficients)
 {
-    int q0 = fault(T, 0, 1), q1 = 1;
-    num Q[2] = {from_int(q0), from_int(q1)}, V[2] = {from_int(1), from_int(1)}, c[4];
-    const int printed[4] = {q0, q0, 3 * (q1 - q0) - 2 * q0 - q1, 2 * (q0 - q1) + q0 + q1};
+    num Q[2], V[2], c[4], printed[4];
+    given_points(T, "Q", 2, 1, Q);
+    given_points(T, "V", 2, 1, V);
     G(cubic_of_ends)(1, Q, V, c);
+    printed_coefficients(Q, printed);
+    found_points(T, "printed D, C, B, A", 4, 1, printed);
+    found_points(T, "corrected", 4, 1, c);
     for (int k = 0; k < 4; k++)
-        agree(T, equal_q(c[k], from_int(printed[k])) == (k == 0));
+        agree(T, equal_q(c[k], printed[k]) == (k == 0));
 }
 
 /*
@@ -150,15 +170,17 @@ The position vectors have been given the dots of the tangent vectors, here, in $
 :::
 */
 
-/* The corrected coefficients of Q_0 = 0, Q_1 = 1, tangents 1, with coefficient k as printed if asked for. */
-static void with_printed_coefficient(trial *T, int k, num value, num c[])
+/* The corrected coefficients for the ends Q and the derivatives V of the block, with coefficient k as printed, where the
+ * dotted letters of the points are those of the derivatives, as everywhere else. */
+static void with_printed_coefficient(trial *T, int k, num Q[], num c[])
 {
-    num Q[2] = {from_int(0), from_int(1)}, V[2] = {from_int(1), from_int(1)};
+    num V[2], printed[4];
+    given_points(T, "Q", 2, 1, Q);
+    given_points(T, "V", 2, 1, V);
     G(cubic_of_ends)(1, Q, V, c);
-    c[k] = fault(T, c[k], value);
-    show_points(T, "Q_0, Q_1", 2, 1, Q);
-    show_points(T, "tangent vectors", 2, 1, V);
-    show_points(T, "D, C, B, A", 4, 1, c);
+    printed_coefficients(V, printed);
+    c[k] = fault(T, c[k], printed[k]);
+    found_points(T, "D, C, B, A", 4, 1, c);
 }
 
 /*
@@ -166,18 +188,22 @@ static void with_printed_coefficient(trial *T, int k, num value, num c[])
 :title: With the dotted points in A the curve does not end where it should
 :zh: 印刷的 A 不满足端点条件
 :kind: counterexample
-:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; $B$, $C$, $D$ as corrected
-:then: $A=2$ in the place of 0, $P(1)=3\ne Q_1$
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $A$ as printed, $B$, $C$, $D$ as corrected
+:data: Q = 0 1; V = 1 1
+:then: $P(1)\ne Q_1$
+:result: D, C, B, A = 0 1 0 2; P(1) = 3
 :method: $P(1)=A+B+C+D$, exactly.
 :control: the corrected $A$
 :::
 */
 CLAIM(dotted_first_coefficient_misses_the_end)
 {
-    num c[4];
-    with_printed_coefficient(T, 3, from_int(2 * (1 - 1) + 1 + 1), c);
+    num Q[2], c[4];
+    with_printed_coefficient(T, 3, Q, c);
+    num end = G(power_sum)(3, 1, c, 0, from_int(1));
+    found(T, "P(1)", end);
     about(T, "P(1) and Q_1");
-    same(T, G(power_sum)(3, 1, c, 0, from_int(1)), from_int(1));
+    same(T, end, Q[1]);
 }
 
 /*
@@ -196,18 +222,22 @@ CLAIM(dotted_first_coefficient_misses_the_end)
 :title: With the dotted points in B the curve does not end where it should
 :zh: 印刷的 B 不满足端点条件
 :kind: counterexample
-:given: $Q_0=0$, $Q_1=1$, $\dot Q_0=1$, $\dot Q_1=1$ on a line; $A$, $C$, $D$ as corrected
-:then: $B=-3$ in the place of 0, $P(1)=-2\ne Q_1$
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $B$ as printed, $A$, $C$, $D$ as corrected
+:data: Q = 0 1; V = 1 1
+:then: $P(1)\ne Q_1$
+:result: D, C, B, A = 0 1 -3 0; P(1) = -2
 :method: $P(1)=A+B+C+D$, exactly.
 :control: the corrected $B$
 :::
 */
 CLAIM(dotted_second_coefficient_misses_the_end)
 {
-    num c[4];
-    with_printed_coefficient(T, 2, from_int(3 * (1 - 1) - 2 - 1), c);
+    num Q[2], c[4];
+    with_printed_coefficient(T, 2, Q, c);
+    num end = G(power_sum)(3, 1, c, 0, from_int(1));
+    found(T, "P(1)", end);
     about(T, "P(1) and Q_1");
-    same(T, G(power_sum)(3, 1, c, 0, from_int(1)), from_int(1));
+    same(T, end, Q[1]);
 }
 
 /*
@@ -238,18 +268,22 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :title: With the dotted point in D the curve does not begin where it should
 :zh: 印刷的 D 不满足端点条件
 :kind: counterexample
-:given: $Q_0=0$, $\dot Q_0=1$
-:then: $P(0)=D=1\ne Q_0$
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $D$ as printed, $A$, $B$, $C$ as corrected
+:data: Q = 0 1; V = 1 1
+:then: $P(0)\ne Q_0$
+:result: D, C, B, A = 1 1 0 0; P(0) = 1
 :method: $P(0)=D$.
 :control: the corrected $D$
 :::
 */
 CLAIM(dotted_last_coefficient_misses_the_beginning)
 {
-    num c[4];
-    with_printed_coefficient(T, 0, from_int(1), c);
+    num Q[2], c[4];
+    with_printed_coefficient(T, 0, Q, c);
+    num beginning = G(power_sum)(3, 1, c, 0, from_int(0));
+    found(T, "P(0)", beginning);
     about(T, "P(0) and Q_0");
-    same(T, G(power_sum)(3, 1, c, 0, from_int(0)), from_int(0));
+    same(T, beginning, Q[0]);
 }
 
 /*
@@ -364,45 +398,46 @@ CLAIM(congruent_cubics_have_these_lengths)
 :title: With exchanged lengths the cubic is the first one, turned over
 :zh: 两端长度互换得旋转后的同一曲线
 :kind: counterexample
-:given: $Q_0=(0,0)$, $Q_1=(1,0)$; tangents $(1,1)$, $(2,2)$ for $P$, and $(2,2)$, $(1,1)$ for $W$
-:then: $W(t)=(1,0)-P(1-t)$: $W$ is $P$ turned by two right angles about $(\frac12,0)$.  Ends and directions are the same, the lengths are not, and no
-  tangent is along the chord
-:method: The coefficients of $W(t)+P(1-t)$ by the kernel; that they are not $(1,0),(0,0),(0,0),(0,0)$ is refuted.  With $(1,1)$, $(2,-2)$ and
-  $(2,2)$, $(1,-1)$ it is the reflection $(x,y)\mapsto(1-x,y)$, checked likewise.
+:given: the ends $Q$; $P$ with the tangents $V$, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$, $W^*$ with $V^*$, $U^*$
+:data: Q = (0,0) (1,0); V = (1,1) (2,2); U = (2,2) (1,1); V* = (1,1) (2,-2); U* = (2,2) (1,-1)
+:instead: U = (2,2) (2,2); U* = (2,2) (2,-2)
+:then: $W(t)=Q_0+Q_1-P(1-t)$: $W$ is $P$ turned by two right angles about the middle of the chord; and $W^*$ is $P^*$, reflected in the
+  perpendicular bisector of the chord.  Ends and directions are the same, the lengths are not, and no tangent is along the chord
+:result: P = (0,0) (1,1) (-1,-4) (1,3); W = (0,0) (2,2) (-2,-5) (1,3); P* = (0,0) (1,1) (-1,0) (1,-1); W* = (0,0) (2,2) (-2,-3) (1,1)
+:method: The coefficients of $P(1-t)$ by the kernel; that the second curve is no image of the first is refuted.
 :control: the tangents of the second curve both of the length of the longer one
 :::
 */
-/* Whether (1,0) - P(1-t), or with a reflection (1 - x, y)(1-t), is the cubic W. */
-static int is_turned_over(const num P[], const num W[], int reflection)
+/* Whether W is P(1-t) with both coordinates turned over between Q_0 and Q_1, or only the abscissa: x -> Q_0x + Q_1x - x. */
+static int is_turned_over(const num Q[], const num P[], const num W[], int only_the_abscissa)
 {
     num back[8];
     int same_curve = 1;
     G(power_on_interval)(3, dim, P, from_int(1), from_int(0), back);
-    for (int m = 0; m < 8; m++) {
-        num image = sub(from_int(m == 0), back[m]);
-        same_curve &= equal_q(W[m], m % 2 == 1 && reflection ? back[m] : image);
-    }
+    for (int k = 0; k < 4; k++)
+        for (int j = 0; j < dim; j++) {
+            num sum = k == 0 ? add(Q[j], Q[dim + j]) : from_int(0), value = back[k * dim + j];
+            same_curve &= equal_q(W[k * dim + j], j == 1 && only_the_abscissa ? value : sub(sum, value));
+        }
     return same_curve;
 }
 
 CLAIM(exchanged_lengths_turn_the_cubic)
 {
-    num Q[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, P[8], W[8];
-    int turned = 1;
-    for (int reflection = 0; reflection < 2; reflection++) {
-        int up = reflection ? -1 : 1, last = fault(T, 2, 1);
-        num V[4] = {from_int(1), from_int(1), from_int(2), from_int(2 * up)};
-        num U[4] = {from_int(2), from_int(2), from_int(last), from_int(last * up)};
-        G(cubic_of_ends)(dim, Q, V, P);
-        G(cubic_of_ends)(dim, Q, U, W);
-        show_points(T, reflection ? "tangents, reflected" : "tangents, turned", 4, 2,
-                    (num[]){V[0], V[1], V[2], V[3], U[0], U[1], U[2], U[3]});
-        show_points(T, "D, C, B, A of both curves", 4, 2, P);
-        show_points(T, "and", 4, 2, W);
-        turned = turned && is_turned_over(P, W, reflection);
-    }
-    about(T, "whether the second curve is no image of the first");
-    refute(T, turned);
+    static const char *const tangents[2][2] = {{"V", "U"}, {"V*", "U*"}}, *const curve[2][2] = {{"P", "W"},
+                                                                                                {"P*", "W*"}};
+    num Q[4], V[2][2][4], c[2][2][8];
+    given_points(T, "Q", 2, 2, Q);
+    for (int pair = 0; pair < 2; pair++)
+        for (int k = 0; k < 2; k++) {
+            given_points(T, tangents[pair][k], 2, 2, V[pair][k]);
+            G(cubic_of_ends)(dim, Q, V[pair][k], c[pair][k]);
+        }
+    for (int pair = 0; pair < 2; pair++)
+        for (int k = 0; k < 2; k++)
+            found_points(T, curve[pair][k], 4, 2, c[pair][k]);
+    about(T, "whether one of the second curves is no image of the first");
+    refute(T, is_turned_over(Q, c[0][0], c[0][1], 0) && is_turned_over(Q, c[1][0], c[1][1], 1));
 }
 
 /*
@@ -410,34 +445,37 @@ CLAIM(exchanged_lengths_turn_the_cubic)
 :title: With both tangents along the chord the lengths do not matter
 :zh: 切矢沿弦时形状不变
 :kind: counterexample
-:given: $Q_0=(0,0)$, $Q_1=(1,0)$; tangents $(1,0)$ at both ends, and tangents $(2,0)$ and $(\frac12,0)$
+:given: the ends $Q$ on the $x$-axis; two pairs of tangents, $V$ and $U$, along the chord
+:data: Q = (0,0) (1,0); V = (1,0) (1,0); U = (2,0) (1/2,0)
+:instead: U = (2,1) (1/2,0)
 :then: both curves run once and forward along the same segment: $y=0$, and $x'>0$ on $(0,1)$
+:result: x' with V = "1"; x' with U = "3/2*t^2 - 3*t + 2"
 :method: The coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
-:control: the second curve with tangents $(2,1)$ and $(\frac12,0)$
+:control: a second curve with a tangent that leaves the chord
 :::
 */
-/* Whether the cubic runs once and forward along the x-axis from 0 to 1. */
-static int runs_along_the_axis(const num V[])
+/* Whether the cubic of these ends and tangents runs once and forward along the x-axis; its x' is the result of that name. */
+static int runs_along_the_axis(trial *T, const char *name, const num Q[], const num V[])
 {
-    num Q[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, c[8];
+    num c[8];
     G(cubic_of_ends)(dim, Q, V, c);
+    poly speed = poly_derivative(poly_from_q(4, (num[]){c[0], c[2], c[4], c[6]}));
     int flat = 1;
-    num speed[3];
     for (int k = 0; k < 4; k++)
         flat &= is_zero_q(c[dim * k + 1]);
-    for (int k = 0; k < 3; k++)
-        speed[k] = mul(from_int(k + 1), c[dim * (k + 1)]);
-    return flat && sign_on(poly_from_q(3, speed), from_int(0), from_int(1), OPEN) == SIGN_POSITIVE;
+    found_text(T, name, poly_to_string(speed, "t"));
+    return flat && sign_on(speed, from_int(0), from_int(1), OPEN) == SIGN_POSITIVE;
 }
 
 CLAIM(tangents_along_the_chord_keep_the_segment)
 {
-    num first[4] = {from_int(1), from_int(0), from_int(1), from_int(0)};
-    num second[4] = {from_int(2), from_int(fault(T, 1, 0)), from_ratio(1, 2), from_int(0)};
-    show_points(T, "tangents of the first curve", 2, 2, first);
-    show_points(T, "tangents of the second curve", 2, 2, second);
+    num Q[4], V[4], U[4];
+    given_points(T, "Q", 2, 2, Q);
+    given_points(T, "V", 2, 2, V);
+    given_points(T, "U", 2, 2, U);
+    int first = runs_along_the_axis(T, "x' with V", Q, V), second = runs_along_the_axis(T, "x' with U", Q, U);
     about(T, "whether the two sets of points differ");
-    refute(T, runs_along_the_axis(first) && runs_along_the_axis(second));
+    refute(T, first && second);
 }
 #endif
 
@@ -503,19 +541,24 @@ The third dot is lost in this line, and in those that use it.
 :title: The second derivative of a parabola is not six times its cubic coefficient
 :zh: 二阶导矢不等于 6A
 :kind: counterexample
-:given: $P(t)=t^2$: $A=0$, $B=1$
-:then: $P''=2$, $6A=0$
+:given: the parabola with the coefficients $c$, from $D$ to $A$, and $t$
+:data: c = 0 0 1 0; t = 1/3
+:then: $P''$ is not six times $A$
+:result: P''(t) = 2; 6A = 0
 :method: The kernel, exactly.
 :control: the third derivative
 :::
 */
 CLAIM(second_derivative_is_not_constant)
 {
-    num c[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, D[4];
-    G(power_derivatives)(3, 1, c, from_ratio(1, 3), 3, D);
-    show_points(T, "D, C, B, A", 4, 1, c);
+    num c[4], D[4];
+    given_points(T, "c", 4, 1, c);
+    G(power_derivatives)(3, 1, c, given(T, "t"), 3, D);
+    num derivative = D[fault(T, 3, 2)], printed = mul(from_int(6), c[3]);
+    found(T, "P''(t)", derivative);
+    found(T, "6A", printed);
     about(T, "the derivative, and 6A");
-    same(T, D[fault(T, 3, 2)], mul(from_int(6), c[3]));
+    same(T, derivative, printed);
 }
 
 /*
@@ -539,33 +582,39 @@ measured from, and is not bounded near that point.
 :title: With the length of the arc in the place of the speed the quotient is not the curvature
 :zh: 以弧长代替速率时曲率公式不成立
 :kind: counterexample
-:given: $P(t)=(3t,3t^2,2t^3)$, $t=1$; the length of the arc from $t=0$ is $s=3t+2t^3$, because $(3+6t^2)^2=|\dot P|^2$; so $s=5$, $\dot s=9$
-:then: the printed quotient is $\frac{54}{125}$; the curvature is $\frac2{27}$
-:method: The length is found to have the speed as its derivative, at five parameters, which determine a polynomial of degree 4; then both
+:given: a cubic in space with the coefficients $c$; $t$; the polynomial with the coefficients $l$
+:data: c = (0,0,0) (3,0,0) (0,3,0) (0,0,2); t = 1; l = 0 3 0 2
+:then: $s(t)=\sum_kl_kt^k$ is the length of the arc from 0 to $t$, because its derivative is $|\dot P|$; and the printed quotient is not the curvature $K$
+:result: s(t) = 5; s'(t) = 9; printed quotient = 54/125; K = 2/27
+:method: The squares of $s'$ and of the speed are compared at five parameters, which determine a polynomial of degree four, and $s'>0$; then both
   numbers, exactly.
 :control: the speed
 :::
 */
 CLAIM(printed_letter_spoils_the_curvature)
 {
-    num c[12], D[9];
+    num c[12], l[4], D[9], turning[space];
     int is_the_length = 1;
-    for (int k = 0; k < 12; k++)
-        c[k] = from_int(k == 3 || k == 7 ? 3 : k == 11 ? 2 : 0);
+    given_points(T, "c", 4, 3, c);
+    num t = given(T, "t");
+    given_points(T, "l", 4, 1, l);
+    poly length = poly_from_q(4, l), growth = poly_derivative(length);
     for (int k = 0; k < 5; k++) {
-        num t = from_int(k), slope = add(from_int(3), mul(from_int(6), mul(t, t)));
-        G(power_derivatives)(3, space, c, t, 2, D);
+        num slope = poly_value(growth, from_int(k));
+        G(power_derivatives)(3, space, c, from_int(k), 2, D);
         is_the_length = is_the_length && equal_q(mul(slope, slope), G(norm_squared)(space, D + space));
     }
-    G(power_derivatives)(3, space, c, from_int(1), 2, D);
-    num turning[space], speed = root(2, G(norm_squared)(space, D + space)), length = from_int(3 * 1 + 2 * 1);
+    is_the_length = is_the_length && sign_on(growth, from_int(0), t, CLOSED) == SIGN_POSITIVE;
+    G(power_derivatives)(3, space, c, t, 2, D);
     G(cross3)(D + space, D + 2 * space, turning);
-    num top = root(2, G(norm_squared)(space, turning)), curvature = root(2, G(curvature_squared)(space, D + 3, D + 6));
-    num quotient = div(top, G(power)(fault(T, speed, length), 3));
-    show_points(T, "P', P'' at t = 1", 2, 3, D + space);
-    show(T, "length of the arc from 0 to 1", length);
-    show(T, "the printed quotient", quotient);
-    show(T, "the curvature", curvature);
+    num arc = poly_value(length, t), speed = root(2, G(norm_squared)(space, D + space));
+    num curvature = root(2, G(curvature_squared)(space, D + 3, D + 6));
+    /* |P' x P''| / s^3, as printed, and / s'^3 */
+    num quotient = div(root(2, G(norm_squared)(space, turning)), G(power)(fault(T, speed, arc), 3));
+    found(T, "s(t)", arc);
+    found(T, "s'(t)", speed);
+    found(T, "printed quotient", quotient);
+    found(T, "K", curvature);
     about(T, "the letter being the length of the arc, whether the quotient is the curvature");
     refute(T, is_the_length && !equal_q(quotient, curvature));
 }
@@ -630,21 +679,23 @@ CLAIM(second_derivative_splits_along_the_first)
 :title: At a cusp the vector product vanishes and the second derivative is no multiple of the first
 :zh: 尖点处不存在标量 g
 :kind: counterexample
-:given: $P(t)=(t^2,t^3)$, $t=0$: $P'=(0,0)$, $P''=(2,0)$
+:given: a cubic with a cusp, with the coefficients $c$, and its parameter $t$
+:data: c = (0,0) (0,0) (1,0) (0,1); t = 0
+:instead: c = (0,0) (1,0) (1,0) (0,1)
 :then: $P'\times P''=0$, and $P''\ne gP'=0$ for every $g$
+:result: P'(t), P''(t) = (0,0) (2,0)
 :method: The derivatives by the kernel.
-:control: $t=0$ of $(t+t^2,t^3)$, with $g=2$
+:control: a cubic with an inflection there, where $P''$ is twice $P'$
 :::
 */
 CLAIM(cusp_has_no_such_factor)
 {
-    num c[8] = {from_int(0), from_int(0), from_int(fault(T, 1, 0)), from_int(0), from_int(1), from_int(0),
-                from_int(0), from_int(1)};
-    num D[6];
-    G(power_derivatives)(3, dim, c, from_int(0), 2, D);
-    show_points(T, "P', P''", 2, 2, D + 2);
+    num c[8], D[6];
+    given_points(T, "c", 4, 2, c);
+    G(power_derivatives)(3, dim, c, given(T, "t"), 2, D);
+    found_points(T, "P'(t), P''(t)", 2, 2, D + 2);
     int parallel = is_zero_q(G(cross2)(D + 2, D + 4));
-    about(T, "P' x P'' being 0, whether P' is not 0, or P'' is 0");
+    about(T, "P' × P'' being 0, whether P' is not 0, or P'' is 0");
     refute(T, parallel && is_zero_q(G(norm_squared)(2, D + 2)) && !is_zero_q(G(norm_squared)(2, D + 4)));
 }
 #endif
@@ -709,28 +760,37 @@ CLAIM(turning_of_a_cubic_is_quadratic)
 }
 
 #if RATIONAL
+/* P' x P'' of a plane cubic with the coefficients c, by the kernels. */
+static poly turning_of(const num c[])
+{
+    num m[3], f[3];
+    G(cubic_minors)(c, m);
+    G(inflection_polynomial)(m, f);
+    return poly_from_q(3, f);
+}
+
 /*
 :::{claim} graph_of_a_cubic_turns_linearly
 :title: For the graph of a cubic function the equation of the inflections is linear
 :zh: 三次函数图形的拐点方程是一次的
 :kind: counterexample
-:given: $P(t)=(t,t^3)$
-:then: $P'\times P''=6t$: one inflection, at 0, and no second root anywhere
+:given: the graph of a cubic function, with the coefficients $c$
+:data: c = (0,0) (1,0) (0,0) (0,1)
+:instead: c = (0,0) (1,0) (1,0) (0,1)
+:then: $P'\times P''$ has degree 1: one inflection, at 0, and no second root anywhere
+:result: P' × P'' = "6*t"
 :method: The kernels; that the coefficient of $t^2$ is not 0 is refuted.
-:control: $P(t)=(t+t^2,t^3)$
+:control: a cubic that is no graph
 :::
 */
 CLAIM(graph_of_a_cubic_turns_linearly)
 {
-    num c[8], m[3], f[3];
-    for (int k = 0; k < 8; k++)
-        c[k] = from_int(fault(T, k == 2 || k == 7 || k == 4, k == 2 || k == 7));
-    G(cubic_minors)(c, m);
-    G(inflection_polynomial)(m, f);
-    show_points(T, "D, C, B, A", 4, 2, c);
-    show_text(T, "P' x P''", "%s", poly_to_string(poly_from_q(3, f), "t"));
-    about(T, "whether the coefficient of t^2 is not 0");
-    refute(T, is_zero_q(f[2]));
+    num c[8];
+    given_points(T, "c", 4, 2, c);
+    poly turning = turning_of(c);
+    found_text(T, "P' × P''", poly_to_string(turning, "t"));
+    about(T, "whether the coefficient of t² is not 0");
+    refute(T, is_zero_q(poly_coefficient(turning, 2)));
 }
 
 /*
@@ -747,23 +807,23 @@ CLAIM(graph_of_a_cubic_turns_linearly)
 :title: Along a line the vector product is zero for every parameter
 :zh: 直线上曲率处处为零
 :kind: counterexample
-:given: $P(t)=(t+t^3,0)$
+:given: a cubic on a line, with the coefficients $c$
+:data: c = (0,0) (1,0) (0,0) (1,0)
+:instead: c = (0,0) (1,0) (0,0) (1,1)
 :then: $P'\times P''=0$ as a polynomial: more than two parameters
+:result: P' × P'' = "0"
 :method: The kernels; that not all three coefficients vanish is refuted.
-:control: $P(t)=(t+t^3,t^3)$
+:control: a cubic that leaves the line
 :::
 */
 CLAIM(line_has_curvature_zero_everywhere)
 {
-    num c[8], m[3], f[3];
-    for (int k = 0; k < 8; k++)
-        c[k] = from_int(fault(T, k == 2 || k == 6 || k == 7, k == 2 || k == 6));
-    G(cubic_minors)(c, m);
-    G(inflection_polynomial)(m, f);
-    show_points(T, "D, C, B, A", 4, 2, c);
-    show_text(T, "P' x P''", "%s", poly_to_string(poly_from_q(3, f), "t"));
-    about(T, "whether P' x P'' has finitely many zeros");
-    refute(T, poly_is_zero(poly_from_q(3, f)));
+    num c[8];
+    given_points(T, "c", 4, 2, c);
+    poly turning = turning_of(c);
+    found_text(T, "P' × P''", poly_to_string(turning, "t"));
+    about(T, "whether P' × P'' has finitely many zeros");
+    refute(T, poly_is_zero(turning));
 }
 #endif
 
@@ -845,27 +905,39 @@ CLAIM(sign_of_delta_tells_the_form)
 :title: Delta is 0 without a cusp, and positive with one inflection, where the cubic is a graph
 :zh: A×B=0 时判别式不能区分形态
 :kind: decision
-:given: $(t,t^2)$ and $(t,t^3)$, both with $a=A\times B=0$
-:then: $(a,b,c)=(0,0,-1)$, $\delta=0$, and $P'=(1,2t)\ne0$; $(a,b,c)=(0,-1,0)$, $\delta=3$, and $P'\times P''=6t$ has one zero
+:given: a parabola and the graph of a cubic function, with the coefficients $P$ and $Q$, both with $a=A\times B=0$
+:data: P = (0,0) (1,0) (0,1) (0,0); Q = (0,0) (1,0) (0,0) (0,1)
+:instead: P = (0,0) (1,0) (0,1) (0,1)
+:then: $\delta=0$ for the first, which has no cusp, because its $x'$ is 1; $\delta>0$ for the second, whose $P'\times P''$ has one zero
+:result: a, b, c of P = 0 0 -1; δ of P = 0; zeros of P' × P'' = 0; a, b, c of Q = 0 -1 0; δ of Q = 3; zeros of Q' × Q'' = 1
 :method: The kernels for cubics; zeros by root counts from $-1$ to 1, outside of which a polynomial of degree 1 without constant has none.
-:control: $(t,t^2+t^3)$ in the place of $(t,t^2)$
+:control: a cubic in the place of the parabola
 :::
 */
+/* a, b, c and delta of the cubic, and the zeros of its turning in (-1,1), under their names: those of P or of Q. */
+static num signs_of_graph(trial *T, int second, const num c[], int *zeros)
+{
+    num m[3];
+    G(cubic_minors)(c, m);
+    num delta = G(cubic_delta)(m);
+    *zeros = count_roots(turning_of(c), from_int(-1), from_int(1), OPEN).distinct;
+    found_points(T, second ? "a, b, c of Q" : "a, b, c of P", 3, 1, m);
+    found(T, second ? "δ of Q" : "δ of P", delta);
+    found_whole(T, second ? "zeros of Q' × Q''" : "zeros of P' × P''", *zeros);
+    vanishes(T, m[0]);
+    return delta;
+}
+
 CLAIM(delta_does_not_tell_graphs)
 {
-    for (int top = 2; top <= 3; top++) {
-        num c[8], m[3], f[3];
-        for (int k = 0; k < 8; k++)
-            c[k] = from_int(fault(T, k == 2 || k == 2 * top + 1, k == 2 || k == 2 * top + 1 || k == 7));
-        G(cubic_minors)(c, m);
-        G(inflection_polynomial)(m, f);
-        same(T, m[0], from_int(0));
-        same(T, m[1], from_int(top == 2 ? 0 : -1));
-        same(T, m[2], from_int(top == 2 ? -1 : 0));
-        same(T, G(cubic_delta)(m), from_int(top == 2 ? 0 : 3));
-        poly turning = poly_from_q(3, f);
-        agree(T, count_roots(turning, from_int(-1), from_int(1), OPEN).distinct == (top == 2 ? 0 : 1));
-    }
+    num P[8], Q[8];
+    int zeros;
+    given_points(T, "P", 4, 2, P);
+    given_points(T, "Q", 4, 2, Q);
+    vanishes(T, signs_of_graph(T, 0, P, &zeros));
+    agree(T, zeros == 0 && equal_q(P[2], from_int(1)) && is_zero_q(P[4]) && is_zero_q(P[6])); /* x' = 1 */
+    agree(T, sign_q(signs_of_graph(T, 1, Q, &zeros)) > 0);
+    agree(T, zeros == 1);
 }
 #endif
 
@@ -945,16 +1017,15 @@ CLAIM(cusps_are_on_a_hyperbola)
 }
 
 #if RATIONAL
-/* Inflections, and parameters of the double point, in (0,1). */
-static void events_of(num alpha, num beta, int *inflections, int *doubles, num *delta)
+/* The cubic of the triangle R with the lengths alpha and beta: its inflections, and the parameters of its double point, in
+ * (0,1), and its delta. */
+static void events_of(const num R[], num alpha, num beta, int *inflections, int *doubles, num *delta)
 {
-    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(3), from_int(0)}, c[8], m[3], f[3], g[3];
-    num zero = from_int(0), one = from_int(1);
+    num c[8], m[3], g[3], zero = from_int(0), one = from_int(1);
     G(cubic_of_triangle)(R, alpha, beta, c);
     G(cubic_minors)(c, m);
-    G(inflection_polynomial)(m, f);
     G(double_point_polynomial)(m, g);
-    *inflections = count_roots(poly_from_q(3, f), zero, one, OPEN).distinct;
+    *inflections = count_roots(turning_of(c), zero, one, OPEN).distinct;
     *doubles = count_roots(poly_from_q(3, g), zero, one, OPEN).distinct;
     *delta = G(cubic_delta)(m);
 }
@@ -964,23 +1035,28 @@ static void events_of(num alpha, num beta, int *inflections, int *doubles, num *
 :title: With the same ends and directions all forms occur
 :zh: 端点与切向相同而形态各异
 :kind: decision
-:given: the triangle $(0,0),(1,2),(3,0)$ and $(\alpha,\beta)=(\frac12,\frac12),(1,3),(2,2),(3,3),(4,4)$
+:given: the triangle $R$; five pairs $(\alpha,\beta)$ of lengths; for each the inflections, the parameters of the double point in $(0,1)$ and the sign of $\delta$
+  that are wanted
+:data: R = (0,0) (1,2) (3,0); (α,β) = (1/2,1/2) (1,3) (2,2) (3,3) (4,4); forms = (0,0,-1) (1,0,1) (2,0,1) (1,1,0) (0,2,-1)
+:instead: (α,β) = (1,3) (1,3) (2,2) (3,3) (4,4)
 :then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
 :method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.
-:control: $(1,3)$ in the place of $(\frac12,\frac12)$
+:control: the second pair twice
 :::
 */
 CLAIM(each_form_occurs)
 {
-    static const int halves[5][2] = {{1, 1}, {2, 6}, {4, 4}, {6, 6}, {8, 8}};
-    static const int forms[5][3] = {
-        {0, 0, -1}, {1, 0, 1}, {2, 0, 1}, {1, 1, 0}, {0, 2, -1}}; /* and the sign of delta */
-    for (int k = 0; k < 5; k++) {
-        const int *used = halves[fault(T, k, k == 0 ? 1 : k)];
+    enum { FORMS = 5 };
+    num R[6], lengths[2 * FORMS], wanted[3 * FORMS];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "(α,β)", FORMS, 2, lengths);
+    given_points(T, "forms", FORMS, 3, wanted);
+    for (int k = 0; k < FORMS; k++) {
         int inflections, doubles;
         num delta;
-        events_of(from_ratio(used[0], 2), from_ratio(used[1], 2), &inflections, &doubles, &delta);
-        agree(T, inflections == forms[k][0] && doubles == forms[k][1] && sign_q(delta) == forms[k][2]);
+        events_of(R, lengths[2 * k], lengths[2 * k + 1], &inflections, &doubles, &delta);
+        int as_wanted = equal_q(from_int(inflections), wanted[3 * k]) && equal_q(from_int(doubles), wanted[3 * k + 1]);
+        agree(T, as_wanted && equal_q(from_int(sign_q(delta)), wanted[3 * k + 2]));
     }
 }
 #endif
@@ -1103,39 +1179,44 @@ CLAIM(parallel_tangents_give_an_s_or_an_arch)
 :title: What an arc does, by the lengths of its tangents
 :zh: 由切矢长度判定曲线形态
 :types: rational
-:given: the triangle $(0,0),(1,2),(3,0)$; $\alpha,\beta$ random in the parts of the quadrant $\alpha,\beta>0$
-:then: both below $\frac32$: no inflection; one above, one below: one; both above, and $(\alpha-2)(\beta-2)<1$ or one of them below 2: two;
+:given: the triangle $R$; $\alpha,\beta$ random in the parts of the quadrant $\alpha,\beta>0$; a border $b$; a number $N$
+:data: R = (0,0) (1,2) (3,0); b = 3/2; N = 20
+:instead: b = 1
+:then: both below $b$: no inflection; one above, one below: one; both above, and $(\alpha-2)(\beta-2)<1$ or one of them below 2: two;
   both above 2 and $(\alpha-2)(\beta-2)>1$: none, and a loop; on the hyperbola: a cusp
-:method: Inflections and the parameters of the double point in $(0,1)$ as root counts, for 20 points of each of the parts in every
-  case, and 20 cusps; the borders between the parts are those of `cusps_are_on_a_hyperbola`.
-:control: the border 1 in the place of $\frac32$
+:method: Inflections and the parameters of the double point in $(0,1)$ as root counts, for $N$ points of each of the parts in every
+  case, and $N$ cusps; the borders between the parts are those of `cusps_are_on_a_hyperbola`.
+:control: another border
 :::
 */
 CLAIM(forms_by_the_lengths_of_the_tangents)
 {
-    for (int k = 0; k < 20; k++) {
-        num low[2], high[2], delta, border = fault(T, from_ratio(3, 2), from_int(1)), two = from_int(2),
-                                    one = from_int(1);
+    num R[6], two = from_int(2), one = from_int(1);
+    given_points(T, "R", 3, 2, R);
+    num border = given(T, "b");
+    int points = given_whole(T, "N");
+    for (int k = 0; k < points; k++) {
+        num low[2], high[2], delta;
         int inflections, doubles;
         for (int j = 0; j < 2; j++) {
             low[j] = mul(border, parameter(T, "l"));
             high[j] = add(border, positive(T, "h", j));
         }
-        events_of(low[0], low[1], &inflections, &doubles, &delta);
+        events_of(R, low[0], low[1], &inflections, &doubles, &delta);
         agree(T, inflections == 0 && doubles < 2);
-        events_of(low[0], high[1], &inflections, &doubles, &delta);
+        events_of(R, low[0], high[1], &inflections, &doubles, &delta);
         agree(T, inflections == 1 && doubles < 2);
-        events_of(high[0], low[1], &inflections, &doubles, &delta);
+        events_of(R, high[0], low[1], &inflections, &doubles, &delta);
         agree(T, inflections == 1 && doubles < 2);
         num branch = sub(mul(sub(high[0], two), sub(high[1], two)), one);
         int loop = sign_q(branch) > 0 && compare_q(high[0], two) > 0;
-        events_of(high[0], high[1], &inflections, &doubles, &delta);
+        events_of(R, high[0], high[1], &inflections, &doubles, &delta);
         agree(T, loop ? inflections == 0 && doubles == 2 : inflections == 2 && doubles < 2);
         num beyond = add(two, positive(T, "b", 0)), cusp = add(two, div(one, sub(beyond, two)));
-        events_of(beyond, cusp, &inflections, &doubles, &delta);
+        events_of(R, beyond, cusp, &inflections, &doubles, &delta);
         agree(T, is_zero_q(delta) && inflections == 1 && doubles == 1);
         num more = add(cusp, positive(T, "c", 0));
-        events_of(beyond, more, &inflections, &doubles, &delta);
+        events_of(R, beyond, more, &inflections, &doubles, &delta);
         agree(T, sign_q(delta) < 0 && inflections == 0 && doubles == 2);
     }
 }
@@ -1190,36 +1271,33 @@ static num G(sarrus)(const num r0[], const num r1[], const num r2[])
 }
 
 #if RATIONAL
-/* D, C, B, A of (x t, y t^2, z t^3) */
-static void twisted_cubic(int x, int y, int z, num c[])
-{
-    const int leading[3] = {x, y, z};
-    for (int k = 0; k <= 3; k++)
-        for (int j = 0; j < space; j++)
-            c[k * space + j] = from_int(k == j + 1 ? leading[j] : 0);
-}
-
 /*
 :::{claim} printed_vectors_have_no_torsion
 :title: With the second derivative twice every torsion is zero
 :zh: 重复二阶导矢时挠率恒为零
 :kind: counterexample
-:given: $P(t)=(t,t^2,t^3)$, $t=0$
-:then: $[P'\,P''\,P'']=0$; the torsion is 3
-:method: The derivatives by the kernel; at $t=0$, $\dot s=1$, so that the power of the speed does not matter.
+:given: a cubic in space with the coefficients $c$, and $t$
+:data: c = (0,0,0) (1,0,0) (0,1,0) (0,0,1); t = 0
+:then: $[P'\,P''\,P'']$ is 0, the torsion is not
+:result: P', P'', P''' = (1,0,0) (0,2,0) (0,0,6); printed quotient = 0; τ = 3
+:method: The derivatives by the kernel; at $t$ the speed is 1, so that its power does not matter.
 :control: $P'''$ in the last place
 :::
 */
 CLAIM(printed_vectors_have_no_torsion)
 {
     num c[12], D[12];
-    twisted_cubic(1, 1, 1, c);
-    G(power_derivatives)(3, space, c, from_int(0), 3, D);
+    given_points(T, "c", 4, 3, c);
+    G(power_derivatives)(3, space, c, given(T, "t"), 3, D);
     const num *last = D + fault(T, 3, 2) * space;
-    show_points(T, "P', P'', P'''", 3, 3, D + 3);
+    /* [P' P'' P''] / K^2, the speed being 1 */
+    num quotient = div(G(sarrus)(D + 3, D + 6, last), G(curvature_squared)(space, D + 3, D + 6));
+    num torsion = G(torsion)(D + 3, D + 6, D + 9);
+    found_points(T, "P', P'', P'''", 3, 3, D + 3);
+    found(T, "printed quotient", quotient);
+    found(T, "τ", torsion);
     about(T, "the quotient, and the torsion");
-    same(T, div(G(sarrus)(D + 3, D + 6, last), G(curvature_squared)(space, D + 3, D + 6)),
-         G(torsion)(D + 3, D + 6, D + 9));
+    same(T, quotient, torsion);
 }
 
 /*
@@ -1238,8 +1316,10 @@ CLAIM(printed_vectors_have_no_torsion)
 :title: With the third power of the speed the torsion is wrong where the speed is not one
 :zh: 速率三次幂给出错误的挠率
 :kind: counterexample
-:given: $P(t)=(3t,3t^2,2t^3)$, $t=1$, where $\dot s=9$ and $K=\frac2{27}$
-:then: the printed quotient is 54; the torsion is $\frac2{27}$
+:given: a cubic in space with the coefficients $c$, and $t$
+:data: c = (0,0,0) (3,0,0) (0,3,0) (0,0,2); t = 1
+:then: the speed $\dot s$ is not 1, and the printed quotient is not the torsion
+:result: s'(t) = 9; K² = 4/729; printed quotient = 54; τ = 2/27
 :method: Both quotients, exactly.
 :control: $\dot s^6$
 :::
@@ -1247,14 +1327,17 @@ CLAIM(printed_vectors_have_no_torsion)
 CLAIM(printed_power_spoils_the_torsion)
 {
     num c[12], D[12];
-    twisted_cubic(3, 3, 2, c);
-    G(power_derivatives)(3, space, c, from_int(1), 3, D);
+    given_points(T, "c", 4, 3, c);
+    G(power_derivatives)(3, space, c, given(T, "t"), 3, D);
     num speed = root(2, G(norm_squared)(space, D + 3)), square = G(curvature_squared)(space, D + 3, D + 6);
     num below = mul(G(power)(speed, fault(T, 6, 3)), square);
-    show(T, "speed", speed);
-    show(T, "K^2", square);
+    num quotient = div(G(sarrus)(D + 3, D + 6, D + 9), below), torsion = G(torsion)(D + 3, D + 6, D + 9);
+    found(T, "s'(t)", speed);
+    found(T, "K²", square);
+    found(T, "printed quotient", quotient);
+    found(T, "τ", torsion);
     about(T, "the quotient, and the torsion");
-    same(T, div(G(sarrus)(D + 3, D + 6, D + 9), below), G(torsion)(D + 3, D + 6, D + 9));
+    same(T, quotient, torsion);
 }
 #endif
 
@@ -1310,8 +1393,10 @@ CLAIM(determinant_of_the_derivatives_is_constant)
 :title: The printed determinant has two equal rows
 :zh: 两行相同的行列式为零
 :kind: counterexample
-:given: $P(t)=(t,t^2,t^3)$: $(A,B,C)=-1$; $t=0$
-:then: the printed determinant is 0, $-12(A,B,C)=12$
+:given: a cubic in space with the coefficients $c$, from $D$ to $A$, and $t$
+:data: c = (0,0,0) (1,0,0) (0,1,0) (0,0,1); t = 0
+:then: the printed determinant is 0, and the right side that is printed for it is not
+:result: (A,B,C) = -1; printed determinant = 0; -12 (A,B,C) = 12
 :method: Both sides, exactly.
 :control: the third derivatives in the last row
 :::
@@ -1319,11 +1404,15 @@ CLAIM(determinant_of_the_derivatives_is_constant)
 CLAIM(determinant_with_equal_rows_is_zero)
 {
     num c[12], D[12];
-    twisted_cubic(1, 1, 1, c);
-    G(power_derivatives)(3, space, c, from_int(0), 3, D);
-    about(T, "the determinant, and -12 (A, B, C)");
-    show_points(T, "D, C, B, A", 4, 3, c);
-    same(T, G(sarrus)(D + 3, D + 6, D + fault(T, 9, 6)), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
+    given_points(T, "c", 4, 3, c);
+    G(power_derivatives)(3, space, c, given(T, "t"), 3, D);
+    num volume = G(sarrus)(c + 9, c + 6, c + 3), right = mul(from_int(-12), volume);
+    num printed = G(sarrus)(D + 3, D + 6, D + fault(T, 9, 6));
+    found(T, "(A,B,C)", volume);
+    found(T, "printed determinant", printed);
+    found(T, "-12 (A,B,C)", right);
+    about(T, "the determinant, and -12 (A,B,C)");
+    same(T, printed, right);
 }
 
 /*
@@ -1342,21 +1431,26 @@ CLAIM(determinant_with_equal_rows_is_zero)
 :title: With the printed entry the determinant depends on the parameter
 :zh: 印刷的元素使行列式出错
 :kind: counterexample
-:given: $A=(1,0,1)$, $B=(0,1,0)$, $C=(0,0,1)$, $t=2$
-:then: the printed determinant is 60, $-12(A,B,C)=-12$
-:method: The determinant as printed, exactly: rows $(12,4,7)$, $(12,2,12)$, $(6,0,6)$.
+:given: a cubic in space with the coefficients $c$, from $D$ to $A$, and $t$
+:data: c = (0,0,0) (0,0,1) (0,1,0) (1,0,1); t = 2
+:then: the determinant with the printed rows is not the right side
+:result: rows = (12,4,7) (12,2,12) (6,0,6); printed determinant = 60; -12 (A,B,C) = -12
+:method: The determinant as printed, exactly.
 :control: the entry with $t^2$
 :::
 */
 CLAIM(printed_entry_spoils_the_determinant)
 {
     num c[12], rows[3][3];
-    for (int m = 0; m < 12; m++)
-        c[m] = from_int(m == 9 || m == 11 || m == 7 || m == 5);
-    G(rows_in_coefficients)(c, from_int(2), fault(T, 2, 1), rows);
-    show_points(T, "rows", 3, 3, rows[0]);
-    about(T, "the determinant, and -12 (A, B, C)");
-    same(T, G(sarrus)(rows[0], rows[1], rows[2]), mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3)));
+    given_points(T, "c", 4, 3, c);
+    G(rows_in_coefficients)(c, given(T, "t"), fault(T, 2, 1), rows);
+    num printed = G(sarrus)(rows[0], rows[1], rows[2]);
+    num right = mul(from_int(-12), G(sarrus)(c + 9, c + 6, c + 3));
+    found_points(T, "rows", 3, 3, rows[0]);
+    found(T, "printed determinant", printed);
+    found(T, "-12 (A,B,C)", right);
+    about(T, "the determinant, and -12 (A,B,C)");
+    same(T, printed, right);
 }
 #endif
 
