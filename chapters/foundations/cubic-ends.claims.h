@@ -1,0 +1,486 @@
+/*
+# A cubic by its ends (端点条件)
+
+Four vectors determine a cubic: where it begins and ends, and with which velocities.  The source prints the four coefficients, and loses
+the difference between a point and a velocity, because both have been given a dot.  Then it says what the lengths of the velocities do.
+*/
+#include "chapters/foundations/cubic.h"
+
+#if RATIONAL
+#include "exact/record/sign.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} hu-1987:1-4-hermite-determined
+:title: Points and tangents at both ends determine the cubic
+:zh: 端点位置与切矢确定三次曲线
+:printed: If the position vector and the tangent vector are given at $t=0$ and at $t=1$, the curve is completely determined.
+:holds-by: end_data_determine_the_cubic
+:figure: lengths_of_the_tangents
+:::
+*/
+
+/*
+:::{claim} end_data_determine_the_cubic
+:title: The coefficients meet the data at the ends, and are the only ones
+:zh: 端点数据与系数一一对应
+:given: any $Q_0,\dot Q_0,Q_1,\dot Q_1$ of the plane
+:then: with the four coefficients $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
+  coefficients
+:method: Both ways round with everything a variable: values and derivatives by the definition.
+:control: $\dot Q_1$ left out of $B$
+:::
+*/
+CLAIM(end_data_determine_the_cubic)
+{
+    num Q[2 * dim], V[2 * dim], c[4 * dim], given[4 * dim];
+    for (int m = 0; m < 2 * dim; m++) {
+        Q[m] = unknown(T, "q", m);
+        V[m] = unknown(T, "v", m);
+    }
+    G(cubic_of_ends)(dim, Q, V, c);
+    for (int j = 0; j < dim; j++)
+        c[2 * dim + j] = fault(T, c[2 * dim + j], add(c[2 * dim + j], V[dim + j]));
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < dim; j++) {
+            same(T, G(power_sum)(3, dim, c, j, from_int(end)), Q[end * dim + j]);
+            same(T, G(power_sum_derivative)(3, dim, c, j, 1, from_int(end)), V[end * dim + j]);
+        }
+    G(free_points)(T, 3, dim, given);
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < dim; j++) {
+            Q[end * dim + j] = G(power_sum)(3, dim, given, j, from_int(end));
+            V[end * dim + j] = G(power_sum_derivative)(3, dim, given, j, 1, from_int(end));
+        }
+    G(cubic_of_ends)(dim, Q, V, c);
+    for (int m = 0; m < 4 * dim; m++)
+        same(T, c[m], given[m]);
+}
+
+/*
+Four unknown vectors and four conditions: the two at $t=0$ give $D$ and $C$ at once, the two at $t=1$ are linear in $A$ and $B$.  So
+there is one cubic for all data, and the formulas can be checked without solving anything, by putting in the two ends.
+
+:::{statement} hu-1987:1-4-hermite-data
+:title: The names of the data at the ends
+:zh: 端点数据的记号
+:printed: given the position vector $\dot Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and the position vector $\dot Q_1$ and the tangent vector
+  $\dot Q_1$ at $t=1$
+:refuted-by: position_is_not_the_tangent
+:class: misprint
+:corrected: the position vector $Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and $Q_1$ and $\dot Q_1$ at $t=1$
+:corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
+
+One symbol for two data.  If it means the tangent, $C$ is right below and $A$, $B$, $D$ are not; if it means the position, $D$ is right and
+$A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
+:::
+*/
+
+#if RATIONAL
+/* D, C, B, A as printed, for two vectors that stand for both the dotted letters of the points and those of the tangents:
+ *     A = 2 (v_0 - v_1) + v_0 + v_1,   B = 3 (v_1 - v_0) - 2 v_0 - v_1,   C = D = v_0. */
+static void printed_coefficients(const num v[], num c[])
+{
+    c[0] = c[1] = v[0];
+    c[2] = sub(sub(mul(from_int(3), sub(v[1], v[0])), mul(from_int(2), v[0])), v[1]);
+    c[3] = add(mul(from_int(2), sub(v[0], v[1])), add(v[0], v[1]));
+}
+
+/*
+:::{claim} position_is_not_the_tangent
+:title: The position at the beginning is not the tangent there
+:zh: 端点位置矢量不等于切矢
+:kind: counterexample
+:given: the cubic on a line with the coefficients $c$, from $D$ to $A$
+:data: c = 0 1 0 0
+:instead: c = 1 1 0 0
+:then: $P(0)\ne\dot P(0)$: no $\dot Q_0$ is both, and $C\ne P(0)$
+:result: P(0) = 0; P'(0) = 1
+:method: Value and derivative by the kernel.
+:control: a cubic that begins one higher
+:::
+*/
+CLAIM(position_is_not_the_tangent)
+{
+    num c[4], D[2];
+    given_points(T, "c", 4, 1, c);
+    G(power_derivatives)(3, 1, c, from_int(0), 1, D);
+    found(T, "P(0)", D[0]);
+    found(T, "P'(0)", D[1]);
+    about(T, "P(0) and P'(0)");
+    same(T, D[0], D[1]);
+}
+
+/*
+:::{claim} positions_for_the_dots_miss_three_coefficients
+:title: With positions for all dotted letters three coefficients are wrong
+:zh: 记号全作位置矢量时三个系数有误
+:kind: decision
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; the printed coefficients with $Q_i$ for every letter
+:data: Q = 0 1; V = 1 1
+:instead: Q = 1 1
+:then: of $D,C,B,A$ as printed $D$ alone is right
+:result: printed D, C, B, A = 0 0 2 -1; corrected = 0 1 0 0
+:method: Each against the corrected one, exactly.
+:control: $Q_0=V_0$, where $C$ is right, too
+:::
+*/
+CLAIM(positions_for_the_dots_miss_three_coefficients)
+{
+    num Q[2], V[2], c[4], printed[4];
+    given_points(T, "Q", 2, 1, Q);
+    given_points(T, "V", 2, 1, V);
+    G(cubic_of_ends)(1, Q, V, c);
+    printed_coefficients(Q, printed);
+    found_points(T, "printed D, C, B, A", 4, 1, printed);
+    found_points(T, "corrected", 4, 1, c);
+    for (int k = 0; k < 4; k++)
+        agree(T, equal_q(c[k], printed[k]) == (k == 0));
+}
+
+/*
+A dot on the wrong letter can be found by moving the curve.  If both ends are moved by one vector, the velocities stay as they are, and so do
+$A$, $B$ and $C$, but $D$ has to move.  In the print no point without a dot is left: the four coefficients would not notice where the curve is.
+
+:::{statement} hu-1987:1-4-hermite-a
+:title: The coefficient A from the data at the ends
+:zh: 系数 A
+:printed: A=2(\dot Q_0-\dot Q_1)+\dot Q_0+\dot Q_1
+:refuted-by: dotted_first_coefficient_misses_the_end
+:class: misprint
+:corrected: A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1
+:corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
+
+The position vectors have been given the dots of the tangent vectors, here, in $B$ and in $D$.
+:::
+*/
+
+/* The corrected coefficients for the ends Q and the derivatives V of the block, with coefficient k as printed, where the
+ * dotted letters of the points are those of the derivatives, as everywhere else. */
+static void with_printed_coefficient(trial *T, int k, num Q[], num c[])
+{
+    num V[2], printed[4];
+    given_points(T, "Q", 2, 1, Q);
+    given_points(T, "V", 2, 1, V);
+    G(cubic_of_ends)(1, Q, V, c);
+    printed_coefficients(V, printed);
+    c[k] = fault(T, c[k], printed[k]);
+    found_points(T, "D, C, B, A", 4, 1, c);
+}
+
+/*
+:::{claim} dotted_first_coefficient_misses_the_end
+:title: With the dotted points in A the curve does not end where it should
+:zh: 印刷的 A 不满足端点条件
+:kind: counterexample
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $A$ as printed, $B$, $C$, $D$ as corrected
+:data: Q = 0 1; V = 1 1
+:then: $P(1)\ne Q_1$
+:result: D, C, B, A = 0 1 0 2; P(1) = 3
+:method: $P(1)=A+B+C+D$, exactly.
+:control: the corrected $A$
+:::
+*/
+CLAIM(dotted_first_coefficient_misses_the_end)
+{
+    num Q[2], c[4];
+    with_printed_coefficient(T, 3, Q, c);
+    num end = G(power_sum)(3, 1, c, 0, from_int(1));
+    found(T, "P(1)", end);
+    about(T, "P(1) and Q_1");
+    same(T, end, Q[1]);
+}
+
+/*
+:::{statement} hu-1987:1-4-hermite-b
+:title: The coefficient B from the data at the ends
+:zh: 系数 B
+:printed: B=3(\dot Q_1-\dot Q_0)-2\dot Q_0-\dot Q_1
+:refuted-by: dotted_second_coefficient_misses_the_end
+:class: misprint
+:corrected: B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1
+:corrected-by: end_data_determine_the_cubic
+:figure: ends_with_lost_letters
+:::
+
+:::{claim} dotted_second_coefficient_misses_the_end
+:title: With the dotted points in B the curve does not end where it should
+:zh: 印刷的 B 不满足端点条件
+:kind: counterexample
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $B$ as printed, $A$, $C$, $D$ as corrected
+:data: Q = 0 1; V = 1 1
+:then: $P(1)\ne Q_1$
+:result: D, C, B, A = 0 1 -3 0; P(1) = -2
+:method: $P(1)=A+B+C+D$, exactly.
+:control: the corrected $B$
+:::
+*/
+CLAIM(dotted_second_coefficient_misses_the_end)
+{
+    num Q[2], c[4];
+    with_printed_coefficient(T, 2, Q, c);
+    num end = G(power_sum)(3, 1, c, 0, from_int(1));
+    found(T, "P(1)", end);
+    about(T, "P(1) and Q_1");
+    same(T, end, Q[1]);
+}
+
+/*
+:::{statement} hu-1987:1-4-hermite-c
+:title: The coefficient C from the data at the ends
+:zh: 系数 C
+:printed: C=\dot Q_0
+:holds-by: end_data_determine_the_cubic
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector: true
+:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line has it for $D$: false
+:figure: ends_with_lost_letters
+:::
+
+:::{statement} hu-1987:1-4-hermite-d
+:title: The coefficient D from the data at the ends
+:zh: 系数 D
+:printed: D=\dot Q_0
+:refuted-by: dotted_last_coefficient_misses_the_beginning
+:class: misprint
+:corrected: D=Q_0
+:corrected-by: end_data_determine_the_cubic
+:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line before: false
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too: true
+:figure: ends_with_lost_letters
+:::
+
+:::{claim} dotted_last_coefficient_misses_the_beginning
+:title: With the dotted point in D the curve does not begin where it should
+:zh: 印刷的 D 不满足端点条件
+:kind: counterexample
+:given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; $D$ as printed, $A$, $B$, $C$ as corrected
+:data: Q = 0 1; V = 1 1
+:then: $P(0)\ne Q_0$
+:result: D, C, B, A = 1 1 0 0; P(0) = 1
+:method: $P(0)=D$.
+:control: the corrected $D$
+:::
+*/
+CLAIM(dotted_last_coefficient_misses_the_beginning)
+{
+    num Q[2], c[4];
+    with_printed_coefficient(T, 0, Q, c);
+    num beginning = G(power_sum)(3, 1, c, 0, from_int(0));
+    found(T, "P(0)", beginning);
+    about(T, "P(0) and Q_0");
+    same(T, beginning, Q[0]);
+}
+
+/*
+Two cubics with the same ends and the same directions differ by two positive numbers, the ratios of the lengths.  The source says that other
+lengths give another shape.  This is nearly true.  On a line the lengths change the motion and not the segment; and if
+shape means what motions keep, then a cubic that is run backward has the two lengths exchanged, and the second curve can be the first one, turned
+over.
+
+:::{statement} hu-1987:1-4-lengths-change-the-shape
+:title: Tangents of other lengths give another shape
+:zh: 切矢大小不同则形状不同
+:printed: If two curves have the same position vectors at the beginning and at the end, and the same directions of the tangent
+  vectors, but different lengths of these, the shapes of the two curves are different.
+:holds-by: other_lengths_give_another_cubic congruent_cubics_have_these_lengths
+:hypothesis: tangents_along_the_chord_keep_the_segment | $Q_1-Q_0$, $\dot Q_0$ and $\dot Q_1$ are not all parallel: if they are, the curve can be
+  one segment for many lengths.
+:hypothesis: exchanged_lengths_turn_the_cubic | The lengths of one curve are not those of the other with the two ends exchanged, if curves that
+  can be moved onto each other have one shape, as in section 1-2: such a curve can be the first one, turned, or a mirror image.
+:reading: other_lengths_give_another_cubic | the shape is the set of the points: true with the first hypothesis alone
+:reading: exchanged_lengths_turn_the_cubic | the shape is what rotations and translations keep: false with the first hypothesis alone, true with
+  both
+:figure: exchanged_lengths
+:::
+
+:::{claim} other_lengths_give_another_cubic
+:title: The cubic of other lengths leaves the first cubic
+:zh: 切矢长度不同的三次曲线不重合
+:types: rational
+:given: random ends and directions that are not all parallel, two different pairs of lengths, one of them or both different
+:then: the second curve is not contained in the implicit equation of the first
+:method: The equation by Bézout's determinant, at ten points of the second curve: a polynomial of degree at most 9 in $t$ that is
+  not 0 at all of them.  That no exception remains: two cubics with one arc are $P_2(t)=P_1(\phi(t))$ with a fractional
+  linear $\phi$, as soon as they are no line; polynomials leave only the affine ones, so $\phi(t)=t$ or $\phi(t)=1-t$.  The first makes the
+  lengths equal; the second makes $Q_0=Q_1$ and the tangents parallel.
+:control: the lengths equal
+:::
+*/
+/* The Bézier points of the cubic of these ends. */
+static void points_of_ends(const num Q[], const num V[], num R[])
+{
+    for (int j = 0; j < dim; j++) {
+        R[j] = Q[j];
+        R[dim + j] = add(Q[j], mul(from_ratio(1, 3), V[j]));
+        R[2 * dim + j] = sub(Q[dim + j], mul(from_ratio(1, 3), V[dim + j]));
+        R[3 * dim + j] = Q[dim + j];
+    }
+}
+
+CLAIM(other_lengths_give_another_cubic)
+{
+    num Q[2 * dim], V[2 * dim], W[2 * dim], R[4 * dim], c[4 * dim], P[dim], one = from_int(1);
+    num weights[4] = {one, one, one, one};
+    int kind = pick(T, 0, 2), leaves = 0; /* which of the two lengths differ */
+    for (int m = 0; m < 2 * dim; m++)
+        Q[m] = unknown(T, "q", m);
+    for (int end = 0; end < 2; end++) {
+        num factor = fault(T, kind == end ? one : add(one, positive(T, "l", end)), one);
+        for (int j = 0; j < dim; j++) {
+            V[end * dim + j] = unknown(T, "v", end * dim + j);
+            W[end * dim + j] = mul(factor, V[end * dim + j]);
+        }
+    }
+    points_of_ends(Q, V, R);
+    G(cubic_of_ends)(dim, Q, W, c);
+    for (int k = 1; k <= 10; k++) {
+        G(power_point)(3, dim, c, from_ratio(k, 11), P);
+        leaves |= !is_zero_q(G(implicit_value)(3, R, weights, P[0], P[1]));
+    }
+    agree(T, leaves);
+}
+#endif
+
+/*
+:::{claim} congruent_cubics_have_these_lengths
+:title: A cubic that is moved, or moved and run backward, has the same lengths, or the same with the ends exchanged
+:zh: 合同的三次曲线切矢长度相同或两端互换
+:given: any plane cubic; a rotation by any angle, with or without a reflection, and any translation
+:then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot Q_1|$, $|\dot Q_0|$
+:method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes one to
+  the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
+:control: the lengths of $P(1-t)$ not exchanged
+:::
+*/
+CLAIM(congruent_cubics_have_these_lengths)
+{
+    num c[4 * dim], image[4 * dim], D[2][dim], E[2][dim], one = from_int(1);
+    struct G(turn) angle = G(turn_by)(parameter(T, "a"));
+    G(free_points)(T, 3, dim, c);
+    for (int end = 0; end < 2; end++)
+        for (int j = 0; j < dim; j++)
+            D[end][j] = G(power_sum_derivative)(3, dim, c, j, 1, from_int(end));
+    for (int kind = 0; kind < 4; kind++) { /* reflected or not, run backward or not */
+        int backward = kind / 2;
+        if (backward)
+            G(power_on_interval)(3, dim, c, one, from_int(0), image);
+        for (int k = 0; k < 4; k++) {
+            num x = (backward ? image : c)[dim * k], y = (backward ? image : c)[dim * k + 1];
+            if (kind % 2)
+                y = neg(y);
+            image[dim * k] = sub(mul(angle.cos, x), mul(angle.sin, y));
+            image[dim * k + 1] = add(mul(angle.sin, x), mul(angle.cos, y));
+        }
+        for (int j = 0; j < dim; j++)
+            image[j] = add(image[j], unknown(T, "m", j));
+        for (int end = 0; end < 2; end++) {
+            for (int j = 0; j < dim; j++)
+                E[end][j] = G(power_sum_derivative)(3, dim, image, j, 1, from_int(end));
+            int other = fault(T, backward ? 1 - end : end, end);
+            same(T, G(norm_squared)(dim, E[end]), G(norm_squared)(dim, D[other]));
+        }
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} exchanged_lengths_turn_the_cubic
+:title: With exchanged lengths the cubic is the first one, turned over
+:zh: 两端长度互换得旋转后的同一曲线
+:kind: counterexample
+:given: the ends $Q$; $P$ with the tangents $V$, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$, $W^*$ with $V^*$, $U^*$
+:data: Q = (0,0) (1,0); V = (1,1) (2,2); U = (2,2) (1,1); V* = (1,1) (2,-2); U* = (2,2) (1,-1)
+:instead: U = (2,2) (2,2); U* = (2,2) (2,-2)
+:then: $W(t)=Q_0+Q_1-P(1-t)$: $W$ is $P$ turned by two right angles about the middle of the chord; and $W^*$ is $P^*$, reflected in the
+  perpendicular bisector of the chord.  Ends and directions are the same, the lengths are not, and no tangent is along the chord
+:result: P = (0,0) (1,1) (-1,-4) (1,3); W = (0,0) (2,2) (-2,-5) (1,3); P* = (0,0) (1,1) (-1,0) (1,-1); W* = (0,0) (2,2) (-2,-3) (1,1)
+:method: The coefficients of $P(1-t)$ by the kernel; that the second curve is no image of the first is refuted.
+:control: the tangents of the second curve both of the length of the longer one
+:::
+*/
+/* Whether W is P(1-t) with both coordinates turned over between Q_0 and Q_1, or only the abscissa: x -> Q_0x + Q_1x - x. */
+static int is_turned_over(const num Q[], const num P[], const num W[], int only_the_abscissa)
+{
+    num back[8];
+    int same_curve = 1;
+    G(power_on_interval)(3, dim, P, from_int(1), from_int(0), back);
+    for (int k = 0; k < 4; k++)
+        for (int j = 0; j < dim; j++) {
+            num sum = k == 0 ? add(Q[j], Q[dim + j]) : from_int(0), value = back[k * dim + j];
+            same_curve &= equal_q(W[k * dim + j], j == 1 && only_the_abscissa ? value : sub(sum, value));
+        }
+    return same_curve;
+}
+
+CLAIM(exchanged_lengths_turn_the_cubic)
+{
+    static const char *const tangents[2][2] = {{"V", "U"}, {"V*", "U*"}}, *const curve[2][2] = {{"P", "W"},
+                                                                                                {"P*", "W*"}};
+    num Q[4], V[2][2][4], c[2][2][8];
+    given_points(T, "Q", 2, 2, Q);
+    for (int pair = 0; pair < 2; pair++)
+        for (int k = 0; k < 2; k++) {
+            given_points(T, tangents[pair][k], 2, 2, V[pair][k]);
+            G(cubic_of_ends)(dim, Q, V[pair][k], c[pair][k]);
+        }
+    for (int pair = 0; pair < 2; pair++)
+        for (int k = 0; k < 2; k++)
+            found_points(T, curve[pair][k], 4, 2, c[pair][k]);
+    about(T, "whether one of the second curves is no image of the first");
+    refute(T, is_turned_over(Q, c[0][0], c[0][1], 0) && is_turned_over(Q, c[1][0], c[1][1], 1));
+}
+
+/*
+:::{claim} tangents_along_the_chord_keep_the_segment
+:title: With both tangents along the chord the lengths do not matter
+:zh: 切矢沿弦时形状不变
+:kind: counterexample
+:given: the ends $Q$ on the $x$-axis; two pairs of tangents, $V$ and $U$, along the chord
+:data: Q = (0,0) (1,0); V = (1,0) (1,0); U = (2,0) (1/2,0)
+:instead: U = (2,1) (1/2,0)
+:then: both curves run once and forward along the same segment: $y=0$, and $x'>0$ on $(0,1)$
+:result: x' with V = "1"; x' with U = "3/2*t^2 - 3*t + 2"
+:method: The coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
+:control: a second curve with a tangent that leaves the chord
+:::
+*/
+/* Whether the cubic of these ends and tangents runs once and forward along the x-axis; its x' is the result of that name. */
+static int runs_along_the_axis(trial *T, const char *name, const num Q[], const num V[])
+{
+    num c[8];
+    G(cubic_of_ends)(dim, Q, V, c);
+    poly speed = poly_derivative(poly_from_q(4, (num[]){c[0], c[2], c[4], c[6]}));
+    int flat = 1;
+    for (int k = 0; k < 4; k++)
+        flat &= is_zero_q(c[dim * k + 1]);
+    found_text(T, name, poly_to_string(speed, "t"));
+    return flat && sign_on(speed, from_int(0), from_int(1), OPEN) == SIGN_POSITIVE;
+}
+
+CLAIM(tangents_along_the_chord_keep_the_segment)
+{
+    num Q[4], V[4], U[4];
+    given_points(T, "Q", 2, 2, Q);
+    given_points(T, "V", 2, 2, V);
+    given_points(T, "U", 2, 2, U);
+    int first = runs_along_the_axis(T, "x' with V", Q, V), second = runs_along_the_axis(T, "x' with U", Q, U);
+    about(T, "whether the two sets of points differ");
+    refute(T, first && second);
+}
+#endif
+
+/*
+:::{statement} hu-1987:1-4-lengths-matter
+:title: Directions and lengths of the tangents have influence on the shape
+:zh: 切矢的方向与大小均影响形状
+:printed: Not only the direction of a tangent vector, its length, too, influences the shape of the curve.
+:holds-by: each_form_occurs
+:figure: lengths_of_the_tangents
+:::
+*/
+
+#include "chapters/judge/claims_off.h"
