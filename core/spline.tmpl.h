@@ -120,12 +120,12 @@ KERNEL cagd_status G(spline_derivatives)(const struct G(spline) * s, int mu, num
         G(bspline_derivatives)(s->degree, s->dim, s->knots, mu, s->points, t, r + 1, out);
     } else {
         G(spline_points_of_span)(s, mu, H);
-        G(derivatives_of_span)(s->degree, s->dim + 1, s->knots, mu, H, t, r + 1, D);
+        G(bspline_span_derivatives)(s->degree, s->dim + 1, s->knots, mu, H, t, r + 1, D);
         if (G(is_zero)(D[s->dim]))
             return CAGD_UNDEFINED;
         if (!G(is_number)(D[s->dim]))
             return CAGD_OVERFLOW;
-        G(quotient_derivatives)(s->dim, D, r, out);
+        G(rational_quotient_derivatives)(s->dim, D, r, out);
     }
     for (int m = 0; m < (r + 1) * s->dim; m++)
         if (!G(is_number)(out[m]))
@@ -152,7 +152,7 @@ KERNEL cagd_status G(spline_insert)(const struct G(spline) * s, num x, const str
     for (int m = 0; m <= p; m++)
         w[m] = s->weights[mu - p + m];
     if (p > 0)
-        G(deboor_level)(p, 1, s->knots, mu, 1, w, x);
+        G(bspline_deboor_level)(p, 1, s->knots, mu, 1, w, x);
     for (int m = 0; m < p; m++)
         if (G(is_zero)(w[m])) {
             *where = mu - p + 1 + m;

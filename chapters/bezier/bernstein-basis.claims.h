@@ -19,11 +19,11 @@ The library computes them by their recurrence, without a binomial coefficient.
 :title: The kernel computes the terms of the binomial expansion
 :zh: 内核所算即二项展开式各项
 :given: any $t$
-:then: `bernstein` gives $B_i^n(t)=\binom ni(1-t)^{n-i}t^i$, $i=0,\dots,n$
+:then: `bernstein_basis` gives $B_i^n(t)=\binom ni(1-t)^{n-i}t^i$, $i=0,\dots,n$
 :method: The kernel runs through the degrees with $B_i^k=(1-t)B_i^{k-1}+tB_{i-1}^{k-1}$; the other side is
   $\frac{n!}{i!(n-i)!}$ times powers.  At a variable $t$ both are elements of one field.
 :degrees: 0..8 sampled 20
-:defines: bernstein
+:defines: bernstein_basis
 :control: the binomial coefficient taken as $\binom{n+1}i$
 :::
 */
@@ -31,7 +31,7 @@ CLAIM(bernstein_is_binomial_form)
 {
     int n = T->degree;
     num t = parameter(T, "t"), B[MAX_DEGREE + 1];
-    G(bernstein)(n, t, B);
+    G(bernstein_basis)(n, t, B);
     for (int i = 0; i <= n; i++) {
         num term = mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i));
         same(T, B[i], mul(G(choose)(fault(T, n, n + 1), i), term));
@@ -177,7 +177,7 @@ CLAIM(bernstein_sums_to_one)
 {
     int n = T->degree;
     num t = parameter(T, "t"), B[MAX_DEGREE + 1], sum = from_int(0);
-    G(bernstein)(n, t, B);
+    G(bernstein_basis)(n, t, B);
     for (int i = fault(T, 0, 1); i <= n; i++)
         sum = add(sum, B[i]);
     same(T, sum, from_int(1));
@@ -198,7 +198,7 @@ CLAIM(bernstein_positive_inside)
 {
     int n = T->degree;
     num t = inside(T, "s"), B[MAX_DEGREE + 1];
-    G(bernstein)(n, fault(T, t, neg(t)), B);
+    G(bernstein_basis)(n, fault(T, t, neg(t)), B);
     for (int i = 0; i <= n; i++)
         G(must_be_positive)(T, B[i]);
 }
@@ -221,8 +221,8 @@ CLAIM(bernstein_alternates_outside)
 {
     int n = T->degree;
     num s = positive(T, "s", 0), one = from_int(1), before[MAX_DEGREE + 1], after[MAX_DEGREE + 1];
-    G(bernstein)(n, neg(s), before);
-    G(bernstein)(n, add(one, s), after);
+    G(bernstein_basis)(n, neg(s), before);
+    G(bernstein_basis)(n, add(one, s), after);
     for (int i = 0; i <= n; i++) {
         G(must_be_positive)(T, i % 2 == 0 ? before[i] : neg(before[i]));
         int exponent = fault(T, n - i, i);
@@ -245,10 +245,10 @@ CLAIM(bernstein_at_ends)
 {
     int n = T->degree;
     num B[MAX_DEGREE + 1];
-    G(bernstein)(n, from_int(0), B);
+    G(bernstein_basis)(n, from_int(0), B);
     for (int i = 0; i <= n; i++)
         same(T, B[i], from_int(i == 0));
-    G(bernstein)(n, from_int(1), B);
+    G(bernstein_basis)(n, from_int(1), B);
     for (int i = 0; i <= n; i++)
         same(T, B[i], from_int(fault(T, i == n, i == 0)));
 }
@@ -268,8 +268,8 @@ CLAIM(bernstein_is_symmetric)
 {
     int n = T->degree;
     num t = parameter(T, "t"), B[MAX_DEGREE + 1], reversed[MAX_DEGREE + 1];
-    G(bernstein)(n, t, B);
-    G(bernstein)(n, sub(from_int(1), t), reversed);
+    G(bernstein_basis)(n, t, B);
+    G(bernstein_basis)(n, sub(from_int(1), t), reversed);
     for (int i = 0; i <= n; i++)
         same(T, reversed[i], B[fault(T, n - i, i)]);
 }
@@ -316,7 +316,7 @@ CLAIM(bernstein_primitive)
 {
     int n = T->degree;
     num t = parameter(T, "t"), B[MAX_DEGREE + 2];
-    G(bernstein)(n + 1, t, B);
+    G(bernstein_basis)(n + 1, t, B);
     for (int i = 0; i <= n; i++) {
         num area = from_int(0), whole = from_int(0), sum = from_int(0);
         for (int k = i; k <= n; k++) {
@@ -368,10 +368,10 @@ CLAIM(bernstein_to_power_keeps_polynomial)
 :title: From powers to the Bernstein form
 :zh: 幂形式化为 Bernstein 形式
 :given: any coefficients $c_0,\dots,c_n$, any $t$
-:then: the coefficients $b$ of `power_to_bernstein` have $\sum b_iB_i^n(t)=\sum c_kt^k$
+:then: the coefficients $b$ of `bernstein_from_power` have $\sum b_iB_i^n(t)=\sum c_kt^k$
 :method: Both sums at a variable $t$, the $c_k$ variables, the left one from the definition.
 :degrees: 0..7 sampled 12
-:defines: power_to_bernstein
+:defines: bernstein_from_power
 :control: the last coefficient with the other sign
 :::
 */
@@ -380,7 +380,7 @@ CLAIM(power_to_bernstein_keeps_polynomial)
     int n = T->degree;
     num b[MAX_DEGREE + 1], c[MAX_DEGREE + 1], sum = from_int(0), t = parameter(T, "t");
     G(free_points)(T, n, 1, c);
-    G(power_to_bernstein)(n, c, b);
+    G(bernstein_from_power)(n, c, b);
     b[n] = fault(T, b[n], neg(b[n]));
     for (int k = 0; k <= n; k++)
         sum = add(sum, mul(c[k], G(power)(t, k)));
@@ -392,7 +392,7 @@ CLAIM(power_to_bernstein_keeps_polynomial)
 :title: The two conversions undo each other
 :zh: 两种转换互逆
 :given: any $n+1$ numbers
-:then: `power_to_bernstein` after `bernstein_to_power`, and the other way round, give them back
+:then: `bernstein_from_power` after `bernstein_to_power`, and the other way round, give them back
 :method: Both compositions on variables; the kernels are also called with their result in place of their argument.
 :degrees: 0..10 sampled 16
 :control: the coefficients reversed between the two conversions
@@ -404,10 +404,10 @@ CLAIM(bernstein_and_power_forms_are_inverse)
     num b[MAX_DEGREE + 1], there[MAX_DEGREE + 1], back[MAX_DEGREE + 1];
     G(free_points)(T, n, 1, b);
     for (int order = 0; order < 2; order++) {
-        (order == 0 ? G(bernstein_to_power) : G(power_to_bernstein))(n, b, there);
+        (order == 0 ? G(bernstein_to_power) : G(bernstein_from_power))(n, b, there);
         for (int i = 0; i <= n; i++)
             back[i] = there[fault(T, i, n - i)];
-        (order == 0 ? G(power_to_bernstein) : G(bernstein_to_power))(n, back, back);
+        (order == 0 ? G(bernstein_from_power) : G(bernstein_to_power))(n, back, back);
         for (int i = 0; i <= n; i++)
             same(T, back[i], b[i]);
     }
@@ -454,7 +454,7 @@ CLAIM(linear_precision)
 {
     int n = T->degree;
     num t = parameter(T, "t"), B[MAX_DEGREE + 1], sum = from_int(0);
-    G(bernstein)(n, t, B);
+    G(bernstein_basis)(n, t, B);
     for (int i = 0; i <= n; i++)
         sum = add(sum, mul(from_ratio(fault(T, i, i + 1), fault(T, n, n + 1)), B[i]));
     same(T, sum, t);
@@ -501,12 +501,12 @@ CLAIM(bernstein_product_is_product)
 :title: The elevation matrix writes the basis in the next degree
 :zh: 升阶矩阵
 :given: any $t$
-:then: $B_j^n(t)=\sum_iE_{ij}B_i^{n+1}(t)$ for every column $j$ of `elevation_matrix`; every row of $E$ has entries that
+:then: $B_j^n(t)=\sum_iE_{ij}B_i^{n+1}(t)$ for every column $j$ of `bernstein_elevation_matrix`; every row of $E$ has entries that
   are not negative, and sum $1$
 :method: Both sides from the definition at a variable $t$; the relation for every $n$ is
   `bernstein_raised_by_one_degree`.  The entries are numbers.
 :degrees: 0..8 sampled 16
-:defines: elevation_matrix
+:defines: bernstein_elevation_matrix
 :control: the matrix of degree $n+1$ in the place of that of degree $n$
 :::
 */
@@ -515,7 +515,7 @@ CLAIM(elevation_matrix_raises_the_basis)
     int n = T->degree;
     num t = parameter(T, "t"), E[(MAX_DEGREE + 2) * (MAX_DEGREE + 2)];
     int columns = fault(T, n + 1, n + 2);
-    G(elevation_matrix)(columns - 1, E);
+    G(bernstein_elevation_matrix)(columns - 1, E);
     for (int j = 0; j <= n; j++) {
         num sum = from_int(0);
         for (int i = 0; i <= n + 1; i++)

@@ -17,7 +17,7 @@ static void graph(svg *s, int n, int i, enum svg_role role)
 static svg_point top(int n, int i)
 {
     num_q B[MAX_DEGREE + 1], t = from_ratio_q(i, n);
-    bernstein_q(n, t, B);
+    bernstein_basis_q(n, t, B);
     return (svg_point){t, B[i]};
 }
 

@@ -145,7 +145,7 @@ Ten signs are lost, and one of 1024 choices is true.
 :zh: 一、二、三次曲线的展开式与矩阵
 :given: $n=1,2,3$, any points of the plane, any $t$
 :then: the sums that are written out, and the products with the matrices, are the curve
-:method: Term by term against `decasteljau`, everything a variable.  The entries are compared as the coefficients of powers of
+:method: Term by term against `bezier_casteljau`, everything a variable.  The entries are compared as the coefficients of powers of
   $t$ with free points, so that no other matrix, with whatever signs, gives the curve.
 :degrees: 1..3
 :control: the sign of the last entry of the first row of the matrix, or of the whole for $n=1$
@@ -166,7 +166,7 @@ CLAIM(small_degrees_written_out)
     int n = T->degree;
     num b[4 * dim], P[dim], t = parameter(T, "t"), s = sub(from_int(1), t);
     G(free_points)(T, n, dim, b);
-    G(decasteljau)(n, dim, b, t, P);
+    G(bezier_casteljau)(n, dim, b, t, P);
     for (int c = 0; c < dim; c++) {
         num sum = from_int(0), product = from_int(0);
         for (int j = 0; j <= n; j++) {
@@ -230,7 +230,7 @@ CLAIM(curve_does_not_end_in_its_second_point)
     int n = given_whole(T, "n");
     num P[3], end;
     given_points(T, "P", 3, 1, P);
-    G(decasteljau)(n, 1, P, from_int(1), &end);
+    G(bezier_casteljau)(n, 1, P, from_int(1), &end);
     found(T, "P(1)", end);
     about(T, "P(1) and P_1");
     same(T, end, P[1]);
@@ -430,7 +430,7 @@ CLAIM(basis_read_backwards)
     int n = T->degree;
     num b[(MAX_DEGREE + 1) * dim], P[dim], t = parameter(T, "t"), s = sub(from_int(1), t);
     G(free_points)(T, n, dim, b);
-    G(decasteljau)(n, dim, b, t, P);
+    G(bezier_casteljau)(n, dim, b, t, P);
     for (int c = 0; c < dim; c++) {
         num sum = from_int(0);
         for (int i = 0; i <= fault(T, n, n == 0 ? -1 : n); i++)
@@ -460,7 +460,7 @@ CLAIM(curve_is_no_mirror_image)
 {
     num P[3 * dim], at[dim], tau[3];
     given_points(T, "P", 3, dim, P);
-    G(decasteljau)(2, dim, P, given(T, "t"), at);
+    G(bezier_casteljau)(2, dim, P, given(T, "t"), at);
     found_points(T, "P(t)", 1, dim, at);
     num image[dim] = {sub(add(P[0], P[2 * dim]), at[0]), at[1]};
     found_points(T, "image", 1, dim, image);

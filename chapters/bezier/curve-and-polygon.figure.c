@@ -47,7 +47,7 @@ FIGURE(edges_and_end_tangents)
     svg_arrow(s, svg_pair(b + 4), svg_pair(b + 6), SVG_RIGHT);
     for (int m = 0; m < 8; m++)
         D[m] = b[m];
-    hodograph_q(3, 2, D);
+    bezier_hodograph_q(3, 2, D);
     svg_panel(s, window(q(-1), q(-10), q(10), q(10)), 170, 0, "$P\\'(t)$");
     svg_axes(s, q(5), q(5), NULL, NULL);
     static const enum svg_direction towards[] = {SVG_W, SVG_NE, SVG_W};
@@ -73,7 +73,7 @@ FIGURE(read_from_either_end)
     for (int i = 0; i <= 4; i++) {
         char name[24];
         static const char *const forward[] = {"0", "1/4", "1/2", "3/4", "1"};
-        decasteljau_q(3, 2, b, r(i, 4), P);
+        bezier_casteljau_q(3, 2, b, r(i, 4), P);
         svg_mark(s, svg_pair(P), SVG_CURVE, SVG_USUAL);
         snprintf(name, sizeof name, "%s", forward[i]);
         svg_label(s, svg_pair(P), i < 3 ? SVG_SE : SVG_SW, SVG_CURVE, name);

@@ -24,7 +24,7 @@ enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate 
 :method: The levels of the kernel one after the other, against the definition of the curve of $b_i,\dots,b_{i+k}$, at a
   variable $t$ with every coordinate a variable.
 :degrees: 0..6 sampled 12
-:defines: casteljau_level
+:defines: bezier_casteljau_level
 :control: $t$ and $1-t$ exchanged at the last level
 :::
 */
@@ -39,7 +39,7 @@ CLAIM(casteljau_triangle_holds_partial_curves)
         int points = n + 1 - k; /* after this level */
         for (int c = 0; c < dim; c++)
             last[c] = w[points * dim + c];
-        G(casteljau_level)(points, dim, w, fault(T, t, k == n ? sub(from_int(1), t) : t));
+        G(bezier_casteljau_level)(points, dim, w, fault(T, t, k == n ? sub(from_int(1), t) : t));
         about(T, "b_i^k");
         for (int i = 0; i < points; i++)
             for (int c = 0; c < dim; c++)
@@ -57,11 +57,11 @@ CLAIM(casteljau_triangle_holds_partial_curves)
 :title: De Casteljau's algorithm computes the point of the curve
 :zh: de Casteljau 算法求曲线上的点
 :given: points $b_0,\dots,b_n$ of the plane, any $t$
-:then: `decasteljau` gives $b(t)=\sum_i\binom ni(1-t)^{n-i}t^i\,b_i$
+:then: `bezier_casteljau` gives $b(t)=\sum_i\binom ni(1-t)^{n-i}t^i\,b_i$
 :method: The kernel against the sum, at a variable $t$ with every coordinate a variable; also with the result in the place
   of the first point.
 :degrees: 0..7 sampled 16
-:defines: decasteljau
+:defines: bezier_casteljau
 :control: the kernel given the points without the first one, in degree $n-1$
 :::
 */
@@ -72,10 +72,10 @@ CLAIM(decasteljau_evaluates_bezier_curve)
     G(free_points)(T, n, dim, b);
     for (int c = 0; c < dim; c++)
         at[c] = G(curve)(n, dim, b, c, t);
-    G(decasteljau)(n - skip, dim, b + skip * dim, t, P);
+    G(bezier_casteljau)(n - skip, dim, b + skip * dim, t, P);
     for (int c = 0; c < dim; c++)
         same(T, P[c], at[c]);
-    G(decasteljau)(n, dim, b, t, b);
+    G(bezier_casteljau)(n, dim, b, t, b);
     for (int c = 0; c < dim; c++)
         same(T, b[c], at[c]);
 }
@@ -85,10 +85,10 @@ CLAIM(decasteljau_evaluates_bezier_curve)
 :title: Horner's rule in the Bernstein form computes the point of the curve
 :zh: Bernstein 形式的 Horner 法则
 :given: points $b_0,\dots,b_n$ of the plane, any $t$
-:then: `horner_bernstein` gives $b(t)$
+:then: `bezier_horner` gives $b(t)$
 :method: As for `decasteljau_evaluates_bezier_curve`.
 :degrees: 0..7 sampled 16
-:defines: horner_bernstein
+:defines: bezier_horner
 :control: $t$ and $1-t$ exchanged
 :::
 */
@@ -97,7 +97,7 @@ CLAIM(horner_bernstein_evaluates_bezier_curve)
     int n = T->degree;
     num b[(MAX_DEGREE + 1) * dim], P[dim], t = parameter(T, "t");
     G(free_points)(T, n, dim, b);
-    G(horner_bernstein)(n, dim, b, fault(T, t, sub(from_int(1), t)), P);
+    G(bezier_horner)(n, dim, b, fault(T, t, sub(from_int(1), t)), P);
     for (int c = 0; c < dim; c++)
         same(T, P[c], G(curve)(n, dim, b, c, t));
 }
@@ -128,8 +128,8 @@ CLAIM(bezier_curve_moves_with_its_points)
             num image = add(add(mul(M[c * dim], b[i * dim]), mul(M[c * dim + 1], b[i * dim + 1])), v[c]);
             moved[i * dim + c] = fault(T, image, i == n ? b[i * dim + c] : image);
         }
-    G(decasteljau)(n, dim, b, t, P);
-    G(decasteljau)(n, dim, moved, t, Q);
+    G(bezier_casteljau)(n, dim, b, t, P);
+    G(bezier_casteljau)(n, dim, moved, t, Q);
     for (int c = 0; c < dim; c++)
         same(T, Q[c], add(add(mul(M[c * dim], P[0]), mul(M[c * dim + 1], P[1])), v[c]));
 }
@@ -153,8 +153,8 @@ CLAIM(reversed_points_reverse_the_curve)
     for (int i = 0; i <= n; i++)
         for (int c = 0; c < dim; c++)
             r[i * dim + c] = b[(n - i) * dim + c];
-    G(decasteljau)(n, dim, r, t, P);
-    G(decasteljau)(n, dim, b, fault(T, sub(from_int(1), t), t), Q);
+    G(bezier_casteljau)(n, dim, r, t, P);
+    G(bezier_casteljau)(n, dim, b, fault(T, sub(from_int(1), t), t), Q);
     for (int c = 0; c < dim; c++)
         same(T, P[c], Q[c]);
 }
@@ -173,7 +173,7 @@ fixed by its values at arguments $0$ and $1$, these are the points $b_i$, and th
 :then: $b[u_1,\dots,u_n]=\sum_{S\subseteq\{1,\dots,n\}}\ \prod_{k\in S}u_k\prod_{k\notin S}(1-u_k)\;b_{|S|}$
 :method: The kernel against the sum over all $2^n$ subsets, arguments and coordinates variables.
 :degrees: 0..6 sampled 8
-:defines: blossom
+:defines: bezier_blossom
 :control: the first argument taken as the last as well
 :::
 */
@@ -199,7 +199,7 @@ CLAIM(blossom_is_sum_over_subsets)
     }
     if (T->faulty && n > 1)
         u[n - 1] = u[0];
-    G(blossom)(n, dim, b, u, P);
+    G(bezier_blossom)(n, dim, b, u, P);
     for (int c = 0; c < dim; c++)
         same(T, P[c], sum[c]);
 }
@@ -222,12 +222,12 @@ CLAIM(blossom_is_symmetric)
     G(free_points)(T, n, 1, b);
     for (int k = 0; k < n; k++)
         u[k] = unknown(T, "u", k);
-    G(blossom)(n, 1, b, u, &P);
+    G(bezier_blossom)(n, 1, b, u, &P);
     for (int k = 0; k + 1 < n; k++) {
         num first = u[k], second = u[k + 1];
         u[k] = second;
         u[k + 1] = fault(T, first, second);
-        G(blossom)(n, 1, b, u, &Q);
+        G(bezier_blossom)(n, 1, b, u, &Q);
         same(T, Q, P);
         u[k] = first, u[k + 1] = second;
     }
@@ -252,13 +252,13 @@ CLAIM(blossom_is_affine_in_each_argument)
     G(free_points)(T, n, 1, b);
     for (int k = 0; k < n; k++)
         u[k] = unknown(T, "u", k);
-    G(blossom)(n, 1, b, u, &P);
+    G(bezier_blossom)(n, 1, b, u, &P);
     for (int k = 0; k < n; k++) {
         num kept = u[k];
         u[k] = v;
-        G(blossom)(n, 1, b, u, &Q);
+        G(bezier_blossom)(n, 1, b, u, &Q);
         u[k] = add(mul(a1, kept), mul(a, v));
-        G(blossom)(n, 1, b, u, &between);
+        G(bezier_blossom)(n, 1, b, u, &between);
         same(T, between, fault(T, add(mul(a1, P), mul(a, Q)), add(mul(a, P), mul(a1, Q))));
         u[k] = kept;
     }
@@ -282,7 +282,7 @@ CLAIM(blossom_on_diagonal_is_curve)
     G(free_points)(T, n, dim, b);
     for (int k = 0; k < n; k++)
         u[k] = fault(T, t, k == 0 ? from_int(0) : t);
-    G(blossom)(n, dim, b, u, P);
+    G(bezier_blossom)(n, dim, b, u, P);
     about(T, "b[t, ..., t]");
     for (int c = 0; c < dim; c++)
         same(T, P[c], G(curve)(n, dim, b, c, t));
@@ -290,7 +290,7 @@ CLAIM(blossom_on_diagonal_is_curve)
     for (int i = 0; i <= n; i++) {
         for (int k = 0; k < n; k++)
             u[k] = from_int(k >= n - i);
-        G(blossom)(n, dim, b, u, P);
+        G(bezier_blossom)(n, dim, b, u, P);
         for (int c = 0; c < dim; c++)
             same(T, P[c], b[i * dim + c]);
     }
@@ -303,11 +303,11 @@ CLAIM(blossom_on_diagonal_is_curve)
 :title: The derivative is the curve of n times the edges
 :zh: 速端曲线
 :given: points $b_0,\dots,b_n$ of the plane, any $t$
-:then: the curve of degree $n-1$ of the points $n(b_{i+1}-b_i)$ of `hodograph` is $b'$; its last point is left as it was
+:then: the curve of degree $n-1$ of the points $n(b_{i+1}-b_i)$ of `bezier_hodograph` is $b'$; its last point is left as it was
 :method: The curve of the kernel's points, from the definition, against the derivative of the curve: in the field as the
   derivative of a rational function of $t$, in the other number types power by power.
 :degrees: 1..6 sampled 12
-:defines: hodograph
+:defines: bezier_hodograph
 :control: the factor $n$ taken as $n-1$
 :::
 */
@@ -318,7 +318,7 @@ CLAIM(hodograph_is_derivative_curve)
     G(free_points)(T, n, dim, b);
     for (int m = 0; m < (n + 1) * dim; m++)
         D[m] = b[m];
-    G(hodograph)(n, dim, D);
+    G(bezier_hodograph)(n, dim, D);
     for (int m = 0; m < n * dim; m++)
         D[m] = fault(T, D[m], mul(D[m], from_ratio(n - 1, n)));
     for (int c = 0; c < dim; c++) {
@@ -538,7 +538,7 @@ CLAIM(bernstein_form_over_another_interval)
 :given: points $b_0,\dots,b_n$ of the plane, any $t$
 :then: the curve of degree $n+1$ of the points of `bezier_elevate` is the curve of the $b_i$; the points are
   $(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$, the rows of the elevation matrix
-:method: Both curves from the definition at a variable $t$, and the points against `elevation_matrix`; for every $n$ by
+:method: Both curves from the definition at a variable $t$, and the points against `bernstein_elevation_matrix`; for every $n$ by
   `bernstein_raised_by_one_degree`.
 :degrees: 0..7 sampled 14
 :defines: bezier_elevate
@@ -554,7 +554,7 @@ CLAIM(elevation_keeps_bezier_curve)
     G(bezier_elevate)(n, dim, b, e);
     if (T->faulty && n > 0)
         e[dim] = b[dim];
-    G(elevation_matrix)(n, E);
+    G(bernstein_elevation_matrix)(n, E);
     for (int c = 0; c < dim; c++) {
         about(T, "the curve");
         same(T, G(curve)(n + 1, dim, e, c, t), G(curve)(n, dim, b, c, t));

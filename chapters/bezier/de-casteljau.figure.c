@@ -28,7 +28,7 @@ FIGURE(casteljau_triangle)
     for (int m = 0; m < 2 * (CUBIC + 1); m++)
         w[m] = b[m];
     for (int k = 1; k <= CUBIC; k++) {
-        casteljau_level_q(CUBIC + 1 - k, 2, w, t);
+        bezier_casteljau_level_q(CUBIC + 1 - k, 2, w, t);
         svg_polyline(s, CUBIC + 1 - k, w, SVG_FAMILY);
         for (int i = 0; i <= CUBIC - k; i++) {
             static const enum svg_direction towards[CUBIC + 1][CUBIC] = {

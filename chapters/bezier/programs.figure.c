@@ -44,7 +44,7 @@ FIGURE(one_place_too_many)
         char name[8] = {(char)('0' + k)};
         num_q x = add_q(q(1), mul_q(r(4, 5), q(k))), next = add_q(x, r(4, 5)), low = r(-1, 5), high = r(3, 10);
         num_q box[10] = {x, low, next, low, next, high, x, high, x, low};
-        decasteljau_q(3, 2, b, r(k, 4), P);
+        bezier_casteljau_q(3, 2, b, r(k, 4), P);
         enum svg_role role = k == 4 ? SVG_WRONG : SVG_POINT;
         if (k == 4)
             svg_area(s, 5, box, SVG_WRONG);

@@ -84,9 +84,9 @@ CLAIM(many_points_may_crowd)
     num R[3 * dim], P[3][dim], one = from_int(1), half = from_ratio(1, 2);
     given_points(T, "R", 3, dim, R);
     num a = given(T, "a"), most = given(T, "ε"), t = mul(half, add(a, one));
-    G(decasteljau)(2, dim, R, a, P[0]);
-    G(decasteljau)(2, dim, R, one, P[1]);
-    G(decasteljau)(2, dim, R, t, P[2]);
+    G(bezier_casteljau)(2, dim, R, a, P[0]);
+    G(bezier_casteljau)(2, dim, R, one, P[1]);
+    G(bezier_casteljau)(2, dim, R, t, P[2]);
     num gap = sub(mul(half, add(P[0][1], P[1][1])), P[2][1]);
     found(T, "t", t);
     found(T, "δ", gap);
@@ -177,8 +177,8 @@ CLAIM(one_point_too_many_breaks_the_recursion)
     num P[3], curve, far;
     given_points(T, "P", 3, 1, P);
     num t = given(T, "t"), s = sub(from_int(1), t);
-    G(decasteljau)(1, 1, P, t, &curve);
-    G(decasteljau)(given_whole(T, "points of P_1,1") - 1, 1, P + 1, t, &far);
+    G(bezier_casteljau)(1, 1, P, t, &curve);
+    G(bezier_casteljau)(given_whole(T, "points of P_1,1") - 1, 1, P + 1, t, &far);
     num blend = add(mul(s, P[0]), mul(t, far)); /* (1-t) P_{0,0} + t P_{1,1} */
     found(T, "P_0,1(t)", curve);
     found(T, "right side", blend);

@@ -15,9 +15,9 @@ FIGURE(two_curves_of_one_point_less)
     svg_bezier(s, 2, b, SVG_CURVE_2);
     svg_bezier(s, 2, b + 2, SVG_RIGHT);
     for (int k = 1; k <= 4; k++) {
-        decasteljau_q(2, 2, b, r(k, 5), near);
-        decasteljau_q(2, 2, b + 2, r(k, 5), far);
-        decasteljau_q(3, 2, b, r(k, 5), P);
+        bezier_casteljau_q(2, 2, b, r(k, 5), near);
+        bezier_casteljau_q(2, 2, b + 2, r(k, 5), far);
+        bezier_casteljau_q(3, 2, b, r(k, 5), P);
         svg_segment(s, svg_pair(near), svg_pair(far), SVG_FAMILY);
         svg_mark(s, svg_pair(near), SVG_CURVE_2, SVG_USUAL);
         svg_mark(s, svg_pair(far), SVG_RIGHT, SVG_USUAL);
@@ -44,9 +44,9 @@ FIGURE(second_line_of_the_proof)
     svg_control_polygon(s, 2, b, "P");
     svg_bezier(s, 2, c, SVG_WRONG);
     svg_bezier(s, 2, b, SVG_CURVE);
-    decasteljau_q(2, 2, c, r(1, 2), P);
+    bezier_casteljau_q(2, 2, c, r(1, 2), P);
     svg_mark(s, svg_pair(P), SVG_WRONG, SVG_USUAL);
-    decasteljau_q(2, 2, b, r(1, 2), P);
+    bezier_casteljau_q(2, 2, b, r(1, 2), P);
     svg_mark(s, svg_pair(P), SVG_CURVE, SVG_USUAL);
     svg_legend_line(s, SVG_CURVE, "the curve");
     svg_legend_line(s, SVG_WRONG, "the second line with $(1-t)^{n-i-1}$");
@@ -64,7 +64,7 @@ FIGURE(crowded_points)
         svg_panel(s, window(r(-1, 20), r(-1, 20), r(21, 20), r(21, 20)), 320, 0,
                   k ? "$t=0,1/8,2/8,...,1$" : "$t=0,2^{-7},...,2^{-1},1$");
         for (int i = 0; i <= 8; i++)
-            decasteljau_q(2, 2, b, k ? r(i, 8) : i == 0 ? q(0) : r(1, 1 << (8 - i)), P + 2 * i);
+            bezier_casteljau_q(2, 2, b, k ? r(i, 8) : i == 0 ? q(0) : r(1, 1 << (8 - i)), P + 2 * i);
         svg_bezier(s, 2, b, SVG_CURVE);
         svg_polyline(s, 9, P, k ? SVG_RIGHT : SVG_WRONG);
         for (int i = 0; i <= 8; i++)

@@ -41,7 +41,7 @@ CLAIM(bernstein_collocation_determinant)
     num t[MAX_DEGREE + 1], M[MAX_ORDER * MAX_ORDER], product = from_int(1);
     for (int i = 0; i <= n; i++) {
         t[i] = unknown(T, "t", i);
-        G(bernstein)(n, t[i], M + i * (n + 1));
+        G(bernstein_basis)(n, t[i], M + i * (n + 1));
         if (fault(T, 1, i != 1))
             product = mul(product, G(choose)(n, i));
         for (int k = 0; k < i; k++)
@@ -64,7 +64,7 @@ static void G(increasing)(trial *T, int count, num s[])
 static void G(scaled_values)(int n, num s, num row[])
 {
     num one = from_int(1), scale = G(power)(add(one, s), n);
-    G(bernstein)(n, div(s, add(one, s)), row);
+    G(bernstein_basis)(n, div(s, add(one, s)), row);
     for (int j = 0; j <= n; j++)
         row[j] = mul(scale, row[j]);
 }
@@ -118,7 +118,7 @@ CLAIM(bernstein_collocation_is_totally_positive)
         s[0] = s[1], s[1] = first;
     }
     for (int i = 0; i <= n + 1; i++)
-        G(bernstein)(n, div(s[i], add(from_int(1), s[i])), M + i * (n + 1));
+        G(bernstein_basis)(n, div(s[i], add(from_int(1), s[i])), M + i * (n + 1));
     agree(T, is_totally_positive(n + 2, n + 1, M));
 }
 #endif
@@ -388,7 +388,7 @@ CLAIM(elevation_matrix_is_totally_nonnegative)
 {
     int n = T->degree;
     num E[(MAX_DEGREE + 2) * (MAX_DEGREE + 1)];
-    G(elevation_matrix)(n, E);
+    G(bernstein_elevation_matrix)(n, E);
     if (T->faulty)
         for (int j = 0; j <= n; j++) {
             num first = E[j];

@@ -183,7 +183,7 @@ CLAIM(exact_values_of_the_table)
     given_points(T, "t", ROWS, 1, t);
     given_points(T, "C", ROWS, dim, C);
     for (int row = 0; row < ROWS; row++) {
-        G(decasteljau)(3, dim, P, t[row], at);
+        G(bezier_casteljau)(3, dim, P, t[row], at);
         for (int c = 0; c < dim; c++) {
             same(T, at[c], C[row * dim + c]);
             same(T, at[c], G(curve)(3, dim, P, c, t[row]));
@@ -473,8 +473,8 @@ CLAIM(heights_of_the_example_are_symmetric)
 {
     num t = parameter(T, "t"), s = sub(from_int(1), t), y[4], here, there;
     given_points(T, "y", 4, 1, y);
-    G(decasteljau)(3, 1, y, t, &here);
-    G(decasteljau)(3, 1, y, s, &there);
+    G(bezier_casteljau)(3, 1, y, t, &here);
+    G(bezier_casteljau)(3, 1, y, s, &there);
     same(T, here, there);
     same(T, here, add(y[0], mul(mul(from_int(3), sub(y[1], y[0])), mul(t, s))));
 }

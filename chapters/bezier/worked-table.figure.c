@@ -25,7 +25,7 @@ FIGURE(worked_table)
         data_of(printed_in[k][0], "t", 1, 1, &t[k]);
         data_of(printed_in[k][1], "x", 1, 1, &printed[k][0]);
         data_of(printed_in[k][2], "y", 1, 1, &printed[k][1]);
-        decasteljau_q(3, 2, b, t[k], P[k]);
+        bezier_casteljau_q(3, 2, b, t[k], P[k]);
     }
     svg_panel(s, window(r(1, 2), r(1, 2), r(9, 2), r(7, 2)), 380, 0, "the curve of the table");
     svg_control_polygon(s, 3, b, "P");

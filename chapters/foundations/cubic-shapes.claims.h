@@ -32,12 +32,12 @@ one or the other points backward are not among them.
 :title: A cubic with a double point, and a cubic with two inflections, have delta of different signs
 :zh: 判别式区分二重点与拐点
 :given: any $s$ and $u$, any vectors $L,M,N$ of the plane: $P(t)=N+(t-s)(t-u)(Lt+M)$, a cubic with $P(s)=P(u)=N$
-:then: with $a=A\times B$ etc.: $\delta=-a^2(s-u)^2$, `double_point_polynomial` is $a^2(t-s)(t-u)$, `cubic_double_point` is $N$; and for
+:then: with $a=A\times B$ etc.: $\delta=-a^2(s-u)^2$, `cubic_double_point_polynomial` is $a^2(t-s)(t-u)$, `cubic_double_point` is $N$; and for
   every cubic the discriminant of $P'\times P''$ is $12\delta$, that of the double point polynomial $-a^2\delta$
 :method: The coefficients of $P$ are formed from $s,u,L,M,N$, all variables; the kernels then know nothing of these.  Conversely
   division by the polynomial with the sum $-\frac ba$ and the product $\frac{b^2-ac}{a^2}$ of its roots leaves a constant for every cubic with
   $a\ne0$: that remainder is computed for free coefficients.
-:defines: cubic_delta double_point_polynomial cubic_double_point
+:defines: cubic_delta cubic_double_point_polynomial cubic_double_point
 :control: $\delta=b^2-4ac$
 :::
 */
@@ -54,7 +54,7 @@ CLAIM(sign_of_delta_tells_the_form)
         c[3 * dim + j] = L;
     }
     G(cubic_minors)(c, m);
-    G(double_point_polynomial)(m, g);
+    G(cubic_double_point_polynomial)(m, g);
     G(cubic_double_point)(c, m, point);
     num aa = mul(m[0], m[0]),
         delta = fault(T, G(cubic_delta)(m), sub(mul(m[1], m[1]), mul(from_int(4), mul(m[0], m[2]))));
@@ -70,8 +70,8 @@ CLAIM(sign_of_delta_tells_the_form)
     num any[4 * dim]; /* the general cubic */
     G(free_points)(T, 3, dim, any);
     G(cubic_minors)(any, m);
-    G(inflection_polynomial)(m, f);
-    G(double_point_polynomial)(m, g);
+    G(cubic_inflection_polynomial)(m, f);
+    G(cubic_double_point_polynomial)(m, g);
     delta = G(cubic_delta)(m);
     about(T, "the discriminants");
     same(T, sub(mul(f[1], f[1]), mul(from_int(4), mul(f[0], f[2]))), mul(from_int(12), delta));
@@ -195,7 +195,7 @@ CLAIM(cusps_are_on_a_hyperbola)
     G(free_points)(T, 2, dim, R);
     G(cubic_of_triangle)(R, alpha, beta, c);
     G(cubic_minors)(c, m);
-    G(inflection_polynomial)(m, f);
+    G(cubic_inflection_polynomial)(m, f);
     for (int j = 0; j < dim; j++) {
         chord[j] = sub(R[2 * dim + j], R[j]);
         side[j] = sub(R[dim + j], R[j]);
@@ -217,7 +217,7 @@ static void events_of(const num R[], num alpha, num beta, int *inflections, int 
     num c[8], m[3], g[3], zero = from_int(0), one = from_int(1);
     G(cubic_of_triangle)(R, alpha, beta, c);
     G(cubic_minors)(c, m);
-    G(double_point_polynomial)(m, g);
+    G(cubic_double_point_polynomial)(m, g);
     *inflections = count_roots(turning_of(c), zero, one, OPEN).distinct;
     *doubles = count_roots(poly_from_q(3, g), zero, one, OPEN).distinct;
     *delta = G(cubic_delta)(m);
@@ -291,8 +291,8 @@ CLAIM(signs_decide_the_form)
     num twice = fault(T, mul(two, alpha), alpha), product = mul(alpha, beta);
     G(cubic_of_triangle)(R, alpha, beta, c);
     G(cubic_minors)(c, m);
-    G(inflection_polynomial)(m, f);
-    G(double_point_polynomial)(m, g);
+    G(cubic_inflection_polynomial)(m, f);
+    G(cubic_double_point_polynomial)(m, g);
     num half = from_ratio(1, 2), b[3] = {f[0], add(f[0], mul(half, f[1])), add(f[0], add(f[1], f[2]))};
     num wanted[3] = {mul(mul(two, alpha), sub(mul(two, beta), three)), mul(from_int(-2), product),
                      mul(mul(two, beta), sub(twice, three))};
@@ -354,8 +354,8 @@ CLAIM(parallel_tangents_give_an_s_or_an_arch)
             V[dim + j] = mul(last, e[j]);
         G(cubic_of_ends)(dim, Q, V, c);
         G(cubic_minors)(c, m);
-        G(inflection_polynomial)(m, f);
-        G(double_point_polynomial)(m, g);
+        G(cubic_inflection_polynomial)(m, f);
+        G(cubic_double_point_polynomial)(m, g);
         about(T, "the turning");
         same(T, f[0], mul(from_int(-6), mul(lambda, w)));
         same(T, add(f[0], add(f[1], f[2])), mul(from_int(6), mul(last, w)));

@@ -30,7 +30,7 @@ static inline poly turning_of(const num c[])
 {
     num m[3], f[3];
     G(cubic_minors)(c, m);
-    G(inflection_polynomial)(m, f);
+    G(cubic_inflection_polynomial)(m, f);
     return poly_from_q(3, f);
 }
 #endif

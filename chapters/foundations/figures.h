@@ -13,7 +13,7 @@ static inline void put_power_curve(svg *s, int n, const num_q c[], num_q u, num_
     for (int j = 0; j < 2; j++) {
         for (int k = 0; k <= n; k++)
             line[k] = piece[2 * k + j];
-        power_to_bernstein_q(n, line, line);
+        bernstein_from_power_q(n, line, line);
         for (int k = 0; k <= n; k++)
             R[2 * k + j] = line[k];
     }

@@ -244,7 +244,7 @@ CLAIM(step_from_zero_reaches_one_step_only)
     given_points(T, "c", 2, 1, c);
     num delta = given(T, "δ"), place = mul(given(T, "i"), delta), there = G(power_sum)(1, 1, c, 0, place);
     G(power_differences)(1, 1, c, delta, d);
-    G(difference_step)(1, 1, d);
+    G(power_difference_step)(1, 1, d);
     found(T, "P_0 + ΔP_0", d[0]);
     found(T, "P(iδ)", there);
     about(T, "P_0 + ΔP_0, and P(iδ)");
@@ -258,7 +258,7 @@ CLAIM(step_from_zero_reaches_one_step_only)
 :zh: 差分表沿曲线前进
 :given: any coefficients in the plane, any $\delta$, 12 steps
 :then: after $i$ steps the first row is $P(i\delta)$
-:method: `power_differences`, then `difference_step` again and again, against the sum of powers.
+:method: `power_differences`, then `power_difference_step` again and again, against the sum of powers.
 :degrees: 1..6 sampled 8
 :control: the last difference taken as 0
 :::
@@ -274,7 +274,7 @@ CLAIM(additions_step_along_the_curve)
     for (int i = 0; i <= 12; i++) {
         for (int j = 0; j < dim; j++)
             same(T, d[j], G(power_sum)(n, dim, c, j, mul(from_int(i), delta)));
-        G(difference_step)(n, dim, d);
+        G(power_difference_step)(n, dim, d);
     }
 }
 
@@ -294,11 +294,11 @@ places $i\delta$ are reached by $i$ steps and not by one.
 :title: The step of the table takes the differences at one place to those at the next
 :zh: 差分表前进一步
 :given: any coefficients in the plane, any $t$ and $\delta$
-:then: `difference_step`, and with the rows divided by $\delta^k$ `scaled_difference_step`, take the differences at $t$ to those
+:then: `power_difference_step`, and with the rows divided by $\delta^k$ `power_scaled_difference_step`, take the differences at $t$ to those
   at $t+\delta$
 :method: The kernels on the alternating sums at $t$, against those at $t+\delta$.
 :degrees: 1..6 sampled 12
-:defines: difference_step scaled_difference_step
+:defines: power_difference_step power_scaled_difference_step
 :control: the differences at $t+2\delta$
 :::
 */
@@ -314,8 +314,8 @@ CLAIM(step_takes_differences_to_the_next_place)
             d[k * dim + j] = G(alternating_sum)(n, dim, c, j, k, t, delta);
             e[k * dim + j] = div(d[k * dim + j], G(power)(delta, k));
         }
-    G(difference_step)(n, dim, d);
-    G(scaled_difference_step)(n, dim, delta, e);
+    G(power_difference_step)(n, dim, d);
+    G(power_scaled_difference_step)(n, dim, delta, e);
     next = fault(T, next, add(next, delta));
     for (int k = 0; k <= n; k++)
         for (int j = 0; j < dim; j++) {
@@ -361,11 +361,11 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
     }
     counted = (struct operations){0};
     if (scaled) {
-        scaled_difference_step_c(n, dim, delta, d);
-        scaled_difference_step_q(n, dim, step, x);
+        power_scaled_difference_step_c(n, dim, delta, d);
+        power_scaled_difference_step_q(n, dim, step, x);
     } else {
-        difference_step_c(n, dim, d);
-        difference_step_q(n, dim, x);
+        power_difference_step_c(n, dim, d);
+        power_difference_step_q(n, dim, x);
     }
     note_cost((n + 1) * dim, x, counted);
     return counted;
@@ -377,7 +377,7 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :zh: 每步的加法与移位次数
 :kind: decision
 :given: degrees $n=1,\dots,12$, one to three coordinates $d$, $\delta=2^{-m}$
-:then: `difference_step` costs $nd$ additions and nothing else, `scaled_difference_step` $nd$ additions and $nd$ shifts
+:then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts
 :method: The kernels are run in the number type that counts.
 :scope: degrees 1 to 12, one to three coordinates
 :control: a step that is no power of two

@@ -255,7 +255,7 @@ can vanish as well.
 :method: The derivatives of the definition, multiplied, against the polynomial, everything a variable; $a,b,c$ as determinants
   written out.  In space each of the three coordinates of the vector product is such a polynomial, and one of them is not 0 everywhere
   unless the cubic is a line.
-:defines: cubic_minors inflection_polynomial
+:defines: cubic_minors cubic_inflection_polynomial
 :control: the factor 2 in the place of the first 3
 :::
 */
@@ -268,7 +268,7 @@ CLAIM(turning_of_a_cubic_is_quadratic)
         int i = k < 2 ? 3 : 2, h = k == 0 ? 2 : 1;
         same(T, m[k], sub(mul(c[2 * i], c[2 * h + 1]), mul(c[2 * i + 1], c[2 * h])));
     }
-    G(inflection_polynomial)(m, f);
+    G(cubic_inflection_polynomial)(m, f);
     for (int j = 0; j < dim; j++)
         for (int r = 1; r <= 2; r++)
             D[r - 1][j] = G(power_sum_derivative)(3, dim, c, j, r, t);

@@ -689,7 +689,7 @@ The text that is at hand ends before the formula.
 :given: any coefficients of degree $n$ in the plane, $t=\frac{pu}{pu+q(1-u)}$ with $p,q>0$
 :then: the rational Bézier curve with the Bézier points of $P$ and the weights $p^iq^{n-i}$ is $P(t)$ at $u$; the derivatives of $t$ at the
   ends, $\frac pq$ and $\frac qp$, have the product 1
-:method: The Bézier points by `power_to_bernstein`, the curve by the rational kernel, the weights by `rational_reparametrize`, against
+:method: The Bézier points by `bernstein_from_power`, the curve by the rational kernel, the weights by `rational_reparametrize`, against
   the sum of powers; the derivatives as limits of quotients, $\frac{t}{u}$ at 0 and $\frac{1-t}{1-u}$ at 1, which are
   $\frac p{pu+q(1-u)}$ and $\frac q{pu+q(1-u)}$.
 :degrees: 1..6 sampled 8
@@ -706,7 +706,7 @@ CLAIM(fractional_change_of_a_power_curve)
     for (int j = 0; j < dim; j++) {
         for (int k = 0; k <= n; k++)
             line[k] = c[k * dim + j];
-        G(power_to_bernstein)(n, line, line);
+        G(bernstein_from_power)(n, line, line);
         for (int k = 0; k <= n; k++)
             R[k * dim + j] = line[k];
     }

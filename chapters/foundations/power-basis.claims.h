@@ -212,7 +212,7 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
         given_points(T, curve[k], 4, 2, c[k]);
     for (int k = 0; k < 2; k++) {
         G(cubic_minors)(c[k], minors);
-        G(inflection_polynomial)(minors, f);
+        G(cubic_inflection_polynomial)(minors, f);
         poly x = poly_from_q(3, (num[]){c[k][0], c[k][2], c[k][4]}), turning = poly_from_q(3, f);
         found_text(T, product[k], poly_to_string(turning, "t"));
         everywhere = everywhere && poly_is_zero(turning) &&

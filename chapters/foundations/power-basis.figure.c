@@ -80,7 +80,7 @@ FIGURE(stepping_and_rounding)
         num_q points[2 * 251];
         int count = 0;
         power_differences_d(3, 1, c, 1.0 / pieces[k], d);
-        for (int i = 0; i <= 1000; i++, difference_step_d(3, 1, d))
+        for (int i = 0; i <= 1000; i++, power_difference_step_d(3, 1, d))
             if (i % 4 == 0) {
                 num_q t = r(i, pieces[k]), error = sub_q(from_double_q(d[0]), add_q(q(1), mul_q(t, mul_q(t, t))));
                 points[2 * count] = q(i);

@@ -142,7 +142,7 @@ formulas that stand above the sentence to the second.
 :title: The step of the scaled table is a matrix with four rows and four columns
 :zh: 差分递推的方阵
 :given: any four rows $d_0,\dots,d_3$ with three coordinates, any $\delta$
-:then: `scaled_difference_step` multiplies them from the left by the matrix with 1 in the diagonal and $\delta$ to the right of it
+:then: `power_scaled_difference_step` multiplies them from the left by the matrix with 1 in the diagonal and $\delta$ to the right of it
 :method: The kernel against the product of the matrices, everything a variable.
 :control: $\delta$ to the left of the diagonal
 :::
@@ -161,7 +161,7 @@ CLAIM(step_multiplies_by_a_square_matrix)
             }
             next[k * space + j] = sum;
         }
-    G(scaled_difference_step)(3, space, delta, d);
+    G(power_scaled_difference_step)(3, space, delta, d);
     for (int m = 0; m < 4 * space; m++)
         same(T, d[m], next[m]);
 }
@@ -204,7 +204,7 @@ CLAIM(stepping_reaches_the_other_end)
         end = add(end, c[k]);
     G(power_differences)(3, 1, c, from_ratio(1, pieces), d);
     for (int k = 0; k < fault(T, pieces, pieces - 1); k++)
-        G(difference_step)(3, 1, d);
+        G(power_difference_step)(3, 1, d);
     same(T, d[0], end);
 }
 
@@ -215,7 +215,7 @@ CLAIM(stepping_reaches_the_other_end)
 :zh: 短系数时双精度差分无误差
 :kind: decision
 :given: 50 random cubics with coefficients of 20 binary places in $[-1,1]$, $\delta=2^{-8}$, 256 steps
-:then: every one of the $50\times257$ points by `difference_step` in binary64 is the exact value
+:then: every one of the $50\times257$ points by `power_difference_step` in binary64 is the exact value
 :method: The same kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
   $2^8$, and so have at most 52 bits.
 :scope: 50 random cubics
@@ -236,8 +236,8 @@ CLAIM(stepping_is_exact_for_short_coefficients)
         power_differences_d(3, 1, rounded, 1.0 / pieces, steps);
         for (int i = 0; i <= pieces; i++) {
             agree(T, equal_q(from_double_q(steps[0]), d[0]));
-            G(difference_step)(3, 1, d);
-            difference_step_d(3, 1, steps);
+            G(power_difference_step)(3, 1, d);
+            power_difference_step_d(3, 1, steps);
         }
     }
 }
@@ -264,7 +264,7 @@ CLAIM(errors_of_the_table_grow_with_the_cube)
         sum = add(sum, mul(from_int(counted_in ? binomial(n, k) : 0), e[k]));
     }
     for (int k = 0; k < n; k++)
-        G(difference_step)(3, 1, e);
+        G(power_difference_step)(3, 1, e);
     same(T, e[0], sum);
 }
 
@@ -306,8 +306,8 @@ CLAIM(stepping_loses_what_horner_keeps)
     for (int k = 0; k <= 3; k++, scale *= delta)
         table[k] *= scale;
     for (int k = 0; k < pieces; k++) {
-        difference_step_d(3, 1, points);
-        difference_step_d(3, 1, table);
+        power_difference_step_d(3, 1, points);
+        power_difference_step_d(3, 1, table);
     }
     power_point_d(3, 1, c, 1, &end);
     num by_points = units_of_error(points[0], exact), by_table = units_of_error(table[0], exact);
@@ -357,7 +357,7 @@ CLAIM(short_words_lose_the_end)
         d[k] = cut(d[k], places);
     found_points(T, "table, cut", 4, 1, d);
     for (int k = 0; k < steps; k++)
-        G(difference_step)(3, 1, d);
+        G(power_difference_step)(3, 1, d);
     found(T, "last point", d[0]);
     found(T, "P(1)", end);
     about(T, "the last point, and P(1)");

@@ -311,7 +311,7 @@ CLAIM(image_of_the_example_turns_everywhere)
     given_points(T, "P*", 2, 2, P);
     two_cubes_in_powers(P, c);
     G(cubic_minors)(c, minors);
-    G(inflection_polynomial)(minors, f);
+    G(cubic_inflection_polynomial)(minors, f);
     poly turning = poly_from_q(3, f);
     found_text(T, "P' × P''", poly_to_string(turning, "t"));
     enum cagd_sign_pattern open = sign_on(turning, from_int(0), from_int(1), OPEN);
@@ -555,8 +555,8 @@ CLAIM(doubled_functions_keep_the_shape)
             doubled[i * dim + j] = mul(two, Q[i * dim + j]);
             moved[i * dim + j] = mul(two, add(Q[i * dim + j], m[j]));
         }
-    G(decasteljau)(n, dim, doubled, t, P);
-    G(decasteljau)(n, dim, moved, t, image);
+    G(bezier_casteljau)(n, dim, doubled, t, P);
+    G(bezier_casteljau)(n, dim, moved, t, image);
     for (int j = 0; j < dim; j++)
         same(T, image[j], add(P[j], mul(from_int(fault(T, 2, 1)), m[j])));
 }
@@ -773,7 +773,7 @@ CLAIM(projective_image_is_not_the_curve_of_the_images)
             images[2 * i + j] = div(R[2 * i + j], below);
         w[i] = fault(T, below, one);
     }
-    G(decasteljau)(2, dim, R, t, P);
+    G(bezier_casteljau)(2, dim, R, t, P);
     G(rational_point)(2, dim, images, w, t, Q);
     for (int j = 0; j < dim; j++)
         image[j] = div(P[j], add(one, P[1]));

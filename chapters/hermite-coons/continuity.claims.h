@@ -213,7 +213,7 @@ The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, t
 :zh: 两个显式方程所表示的柱面之交线
 :given: $y=f(x)$ and $z=g(x)$ with polynomials of degree $n$ whose Bernstein coefficients are $f_i$ and $g_i$, any $f$, $g$ and $t$
 :then: the curve of the points $(\frac in,f_i,g_i)$ is at $(t,f(t),g(t))$: on both cylinders, with one point for each $x$
-:method: The point by `decasteljau`, the functions by their powers, everything a variable.  Of the points with $x=t$ no other satisfies
+:method: The point by `bezier_casteljau`, the functions by their powers, everything a variable.  Of the points with $x=t$ no other satisfies
   both equations.
 :degrees: 1..6 sampled 10
 :control: $f$ and $g$ exchanged
@@ -224,14 +224,14 @@ CLAIM(graphs_over_one_axis_meet_in_one_curve)
     int n = T->degree;
     num t = parameter(T, "t"), b[(MAX_DEGREE + 1) * space], P[space], low[2][MAX_DEGREE + 1];
     struct G(poly) f = G(free_poly)(T, "f", n), g = G(free_poly)(T, "g", n);
-    G(power_to_bernstein)(n, fault(T, f.c, g.c), low[0]);
-    G(power_to_bernstein)(n, fault(T, g.c, f.c), low[1]);
+    G(bernstein_from_power)(n, fault(T, f.c, g.c), low[0]);
+    G(bernstein_from_power)(n, fault(T, g.c, f.c), low[1]);
     for (int i = 0; i <= n; i++) {
         b[i * space] = from_ratio(i, n);
         b[i * space + 1] = low[0][i];
         b[i * space + 2] = low[1][i];
     }
-    G(decasteljau)(n, space, b, t, P);
+    G(bezier_casteljau)(n, space, b, t, P);
     same(T, P[0], t);
     same(T, P[1], G(at)(f, 0, t));
     same(T, P[2], G(at)(g, 0, t));
@@ -393,7 +393,7 @@ CLAIM(two_cylinders_are_two_ellipses)
 :title: Both forms of the segment are the Bézier curve of degree 1, and its derivative is constant
 :zh: 直线段即一次 Bézier 曲线
 :given: any points $P_1,P_2$ of the plane, any $t$
-:then: $P_1+(P_2-P_1)t=(1-t)P_1+tP_2$ is the curve of `decasteljau`, its derivative by `bezier_derivatives` is $P_2-P_1$, and its
+:then: $P_1+(P_2-P_1)t=(1-t)P_1+tP_2$ is the curve of `bezier_casteljau`, its derivative by `bezier_derivatives` is $P_2-P_1$, and its
   distance from $P_1$ is $t$ times the length: $|P(t)-P_1|^2=t^2|P_2-P_1|^2$
 :method: Each form, everything a variable.
 :control: the two points exchanged in the first form
@@ -407,7 +407,7 @@ CLAIM(segment_in_its_parameter)
     G(bezier_derivatives)(1, plane, b, t, 1, D);
     for (int c = 0; c < plane; c++) {
         num from = b[fault(T, c, plane + c)], edge = sub(b[plane + c], b[c]), P;
-        G(decasteljau)(1, 1, (num[]){b[c], b[plane + c]}, t, &P);
+        G(bezier_casteljau)(1, 1, (num[]){b[c], b[plane + c]}, t, &P);
         about(T, "the point");
         same(T, add(from, mul(edge, t)), P);
         same(T, add(mul(sub(from_int(1), t), b[c]), mul(t, b[plane + c])), D[c]);
@@ -467,8 +467,8 @@ CLAIM(another_coordinate_changes_no_other)
         flat[i * plane] = b[i * space];
         flat[i * plane + 1] = b[fault(T, i * space + 1, i * space + 2)];
     }
-    G(decasteljau)(n, space, b, t, P);
-    G(decasteljau)(n, plane, flat, t, Q);
+    G(bezier_casteljau)(n, space, b, t, P);
+    G(bezier_casteljau)(n, plane, flat, t, Q);
     for (int c = 0; c < plane; c++)
         same(T, Q[c], P[c]);
 }
@@ -546,13 +546,13 @@ CLAIM(parabola_through_the_points_is_nearer)
     num zero = from_int(0), one = from_int(1), two = from_int(2), half = from_ratio(1, 2), P[2];
     num near[6] = {zero, zero, one, one, two, zero}, through[6] = {zero, zero, one, two, two, zero};
     through[3] = fault(T, through[3], one);
-    G(decasteljau)(2, plane, near, half, P);
+    G(bezier_casteljau)(2, plane, near, half, P);
     about(T, "the distance of the Bézier curve from the second point");
     same(T, P[0], one);
     same(T, sub(one, P[1]), half);
     about(T, "the curve through the points");
     for (int k = 0; k <= 2; k++) {
-        G(decasteljau)(2, plane, through, from_ratio(k, 2), P);
+        G(bezier_casteljau)(2, plane, through, from_ratio(k, 2), P);
         same(T, P[0], near[2 * k]);
         same(T, P[1], near[2 * k + 1]);
     }
@@ -604,7 +604,7 @@ CLAIM(equal_derivatives_are_not_continuous)
     num half_way = from_ratio(1, 2);
     hermite_cubic_q(1, left, right, data, add(left, mul(half_way, length)), 0, &value);
     num by_bezier;
-    decasteljau_q(3, 1, bezier, half_way, &by_bezier);
+    bezier_casteljau_q(3, 1, bezier, half_way, &by_bezier);
     about(T, "the piece by its Bézier ordinates");
     same(T, value, by_bezier);
     show(T, "the bound of f(x)/x on the piece", div(div(length, three), left));

@@ -207,8 +207,8 @@ FIGURE(proportional_derivatives)
             /* u + u^2/2 is of degree 2, so Q is of degree 4: Q = (phi, phi^2/2) */
             num_q power[5] = {q(0), q(1), r(1, 2), q(0), q(0)}, square[5] = {q(0), q(0), r(1, 2), r(1, 2), r(1, 8)},
                   R[10];
-            power_to_bernstein_q(4, power, power);
-            power_to_bernstein_q(4, square, square);
+            bernstein_from_power_q(4, power, power);
+            bernstein_from_power_q(4, square, square);
             for (int i = 0; i <= 4; i++)
                 R[2 * i] = power[i], R[2 * i + 1] = square[i];
             svg_bezier(s, 4, R, SVG_RIGHT);

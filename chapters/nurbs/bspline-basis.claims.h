@@ -32,7 +32,7 @@ patterns.
 :method: The kernel against the recursion of de Boor and Cox by its letter, for each index $i$ of the knot vector.
 :degrees: 0..6 sampled 7
 :scope: the distinct knots variables for $p\le4$, numbers above
-:defines: basis_level bspline_basis
+:defines: bspline_basis_level bspline_basis
 :control: the span of the interval replaced by its neighbour on the left or, in the first interval, on the right
 :::
 */
@@ -364,12 +364,12 @@ CLAIM(bspline_jumps_exactly_after_order)
 :zh: B 样条基的各阶导数
 :given: every segment, the distinct knots variables; any $t$; orders $0,\dots,p+1$
 :then: row $r$ of `bspline_basis_derivatives` is $N^{(r)}_{\mu-p,p}(t),\dots,N^{(r)}_{\mu,p}(t)$; in particular
-  $N_{i,p}'=p\bigl(\frac{N_{i,p-1}}{u_{i+p}-u_i}-\frac{N_{i+1,p-1}}{u_{i+p+1}-u_{i+1}}\bigr)$, which `basis_derivative_level` is
+  $N_{i,p}'=p\bigl(\frac{N_{i,p-1}}{u_{i+p}-u_i}-\frac{N_{i+1,p-1}}{u_{i+p+1}-u_{i+1}}\bigr)$, which `bspline_basis_derivative_level` is
 :method: The rows at $t$ against the coefficients in powers about the same $t$, from the recursion by its letter; the level
   applied to the values of degree $p-1$ must give the first row.
 :degrees: 0..6 sampled 7
 :scope: the distinct knots variables for $p\le4$, numbers above
-:defines: basis_derivative_level bspline_basis_derivatives
+:defines: bspline_basis_derivative_level bspline_basis_derivatives
 :control: the first and the last function exchanged
 :::
 */
@@ -390,7 +390,7 @@ CLAIM(bspline_basis_derivatives_follow_definition)
             continue;
         about(T, "the level of the derivative");
         G(bspline_basis)(p - 1, K.u, p, t, level);
-        G(basis_derivative_level)(p, K.u, p, level);
+        G(bspline_basis_derivative_level)(p, K.u, p, level);
         for (int i = 0; i <= p; i++)
             same(T, level[i], N[i * (p + 1) + (p > 0)]);
     }
@@ -438,12 +438,12 @@ CLAIM(bspline_integral)
 :title: The Greville abscissae are the points of s(t) = t
 :zh: Greville 横坐标是恒等函数的控制系数
 :given: several segments, the distinct knots variables; every interval of the domain
-:then: with the numbers $\xi_i=\frac1p(u_{i+1}+\dots+u_{i+p})$ of `greville`, $\sum_i\xi_iN_{i,p}(t)=t$
+:then: with the numbers $\xi_i=\frac1p(u_{i+1}+\dots+u_{i+p})$ of `bspline_greville`, $\sum_i\xi_iN_{i,p}(t)=t$
 :method: The coefficients of the sum in powers of $t-u_\mu$, from the recursion by its letter, must be $u_\mu,1,0,\dots,0$.
   As the B-splines are independent no other numbers have this property.
 :degrees: 1..6 sampled 9
 :scope: the distinct knots variables for $p\le4$, numbers above
-:defines: greville
+:defines: bspline_greville
 :control: the abscissae of the next points
 :::
 */
@@ -454,7 +454,7 @@ CLAIM(greville_abscissae_are_the_identity)
     num c[MOST_KNOTS], s[HIGHEST + 1];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
         for (int i = 0; i < K.n; i++)
-            c[i] = G(greville)(p, K.u, fault(T, i, i + 1 < K.n ? i + 1 : i));
+            c[i] = G(bspline_greville)(p, K.u, fault(T, i, i + 1 < K.n ? i + 1 : i));
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
             num a = K.u[G(span_of_interval)(K.count, K.place, interval)];
             G(spline_powers)(K.n, p, 1, K.u, K.place, c, 0, interval, a, s);

@@ -26,7 +26,7 @@ FIGURE(bspline_supports)
     }
     for (int i = 0; i < n; i++) {
         enum svg_role role = i % 2 == 0 ? SVG_CURVE : SVG_CURVE_2;
-        num_q level = from_ratio_q(-(30 + 13 * i), 100), xi = greville_q(p, u, i), N[p + 1], height;
+        num_q level = from_ratio_q(-(30 + 13 * i), 100), xi = bspline_greville_q(p, u, i), N[p + 1], height;
         char name[8];
         snprintf(name, sizeof name, "N_%d", i);
         draw_basis_function(s, p, u + i, from_int_q(1), role);

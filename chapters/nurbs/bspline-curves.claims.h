@@ -21,7 +21,7 @@ static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
         G(free_control_points)(T, K.n, dim, c);
         for (int r = 0; r < p; r++)
             x[r] = unknown(T, "a", r);
-        G(blossom_of_span)(p, dim, K.u, p, c, x, Q);
+        G(bspline_span_blossom)(p, dim, K.u, p, c, x, Q);
         if (T->faulty && p > 1)
             x[0] = x[p - 1];
         G(bspline_blossom)(p, dim, K.u, p, c, x, P);
@@ -46,9 +46,9 @@ static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
 :then: `bspline_blossom` gives $f[x_0,\dots,x_{p-1}]$
 :method: The polynomial of the interval in powers of $t-u_\mu$ comes from the recursion of de Boor and Cox by its letter; its
   polar form is written in elementary symmetric polynomials of the arguments.  Knots, arguments and points are variables;
-  `blossom_of_span` is the same for the points of the span alone.
+  `bspline_span_blossom` is the same for the points of the span alone.
 :degrees: 0..4 sampled 9
-:defines: blossom_of_span bspline_blossom
+:defines: bspline_span_blossom bspline_blossom
 :control: the last argument taken as the first as well
 :::
 */
@@ -82,7 +82,7 @@ CLAIM(blossom_is_polar_form_in_higher_degrees) { G(check_blossom_of_a_segment_is
   polynomials.  As the $N_{i,p-r}$ of a span are independent, this says what every $d_i^r$ is.
 :degrees: 1..6 sampled 9
 :scope: the distinct knots variables for $p\le4$, numbers above
-:defines: deboor_level
+:defines: bspline_deboor_level
 :control: the parameter of the last level is $t$
 :::
 */
@@ -100,7 +100,7 @@ CLAIM(deboor_level_gives_points_of_lower_degree)
             num last[dim];
             for (int i = 0; i < dim; i++)
                 last[i] = d[(p + 1 - r) * dim + i];
-            G(deboor_level)(p, dim, K.u, p, r, d, fault(T, tau, r == p ? t : tau));
+            G(bspline_deboor_level)(p, dim, K.u, p, r, d, fault(T, tau, r == p ? t : tau));
             for (int m = 0; m <= p - r; m++)
                 N[m] = G(cox_de_boor)(p - r, K.u, K.place, r + m, K.place[p], t);
             for (int m = 0; m < p; m++)
@@ -124,12 +124,12 @@ CLAIM(deboor_level_gives_points_of_lower_degree)
 :title: De Boor's algorithm computes the point of the curve
 :zh: de Boor 算法求 B 样条曲线上的点
 :given: several segments, the distinct knots variables, points; every interval of the domain; any $t$
-:then: `deboor` gives $s(t)=\sum_{i=0}^{n-1}c_iN_{i,p}(t)$
-:method: The kernel against the sum of all $n$ terms, the B-splines from the recursion by its letter; `deboor_of_span` is the
+:then: `bspline_deboor` gives $s(t)=\sum_{i=0}^{n-1}c_iN_{i,p}(t)$
+:method: The kernel against the sum of all $n$ terms, the B-splines from the recursion by its letter; `bspline_span_deboor` is the
   same for the points of the span alone.
 :degrees: 0..6 sampled 7
 :scope: the distinct knots variables for $p\le4$, numbers above
-:defines: deboor deboor_of_span
+:defines: bspline_deboor bspline_span_deboor
 :control: the points taken backwards
 :::
 */
@@ -145,8 +145,8 @@ CLAIM(deboor_evaluates_bspline_curve)
                 b[i * dim + e] = c[fault(T, i, K.n - 1 - i) * dim + e];
         for (int mu = p; mu < K.n; mu++)
             if (K.place[mu] < K.place[mu + 1]) {
-                G(deboor)(p, dim, K.u, mu, b, t, P);
-                G(deboor_of_span)(p, dim, K.u, mu, b + (mu - p) * dim, t, Q);
+                G(bspline_deboor)(p, dim, K.u, mu, b, t, P);
+                G(bspline_span_deboor)(p, dim, K.u, mu, b + (mu - p) * dim, t, Q);
                 for (int e = 0; e < dim; e++) {
                     num value = G(spline)(K.n, p, dim, K.u, K.place, c, e, K.place[mu], t);
                     same(T, P[e], value);
@@ -236,7 +236,7 @@ CLAIM(bspline_blossom_is_symmetric_and_affine)
 :zh: B 样条曲线的仿射不变性
 :given: every segment, the distinct knots variables, points, any affine map, any $t$
 :then: the curve of the mapped points is the mapped curve
-:method: Map, knots, points and $t$ are variables; by `deboor`.
+:method: Map, knots, points and $t$ are variables; by `bspline_deboor`.
 :degrees: 0..6 sampled 9
 :scope: the distinct knots variables for $p\le4$, numbers above
 :control: the last point is not moved
@@ -260,8 +260,8 @@ CLAIM(bspline_curve_moves_with_its_points)
                     image = add(image, mul(M[e * dim + j], c[i * dim + j]));
                 moved[i * dim + e] = fault(T, image, i == K.n - 1 ? c[i * dim + e] : image);
             }
-        G(deboor)(p, dim, K.u, p, c, t, P);
-        G(deboor)(p, dim, K.u, p, moved, t, Q);
+        G(bspline_deboor)(p, dim, K.u, p, c, t, P);
+        G(bspline_deboor)(p, dim, K.u, p, moved, t, Q);
         for (int e = 0; e < dim; e++) {
             num image = v[e];
             for (int j = 0; j < dim; j++)
@@ -410,7 +410,7 @@ static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
             for (int e = 0; e < dim; e++)
                 b[i * dim + e] = c[fault(T, i, p - i) * dim + e];
         G(bspline_derivatives)(p, dim, K.u, p, b, t, p + 2, D);
-        G(derivatives_of_span)(p, dim, K.u, p, b, t, p + 2, E);
+        G(bspline_span_derivatives)(p, dim, K.u, p, b, t, p + 2, E);
         for (int e = 0; e < dim; e++) {
             G(spline_powers)(K.n, p, dim, K.u, K.place, c, e, K.place[p], t, s);
             for (int r = 0; r <= p + 1; r++) {
@@ -426,10 +426,10 @@ static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
 :title: The kernel computes all derivatives of a segment
 :zh: B 样条曲线的各阶导矢
 :given: every segment, the distinct knots variables, points, any $t$, orders $0,\dots,p+1$
-:then: `bspline_derivatives` gives $s^{(r)}(t)$, $0$ for $r>p$; `derivatives_of_span` is the same for the points of the span
+:then: `bspline_derivatives` gives $s^{(r)}(t)$, $0$ for $r>p$; `bspline_span_derivatives` is the same for the points of the span
 :method: The kernel against the coefficients in powers about the same $t$, from the recursion by its letter.
 :degrees: 0..4 sampled 8
-:defines: bspline_derivatives derivatives_of_span
+:defines: bspline_derivatives bspline_span_derivatives
 :control: the derivatives of the reversed points
 :::
 */

@@ -24,7 +24,7 @@ static inline void draw_spline_function(svg *s, int n, int p, const num_q u[], c
 {
     num_q c[2 * MOST_DRAWN];
     for (int i = 0; i < n; i++)
-        c[2 * i] = greville_q(p, u, i), c[2 * i + 1] = coefficient[i];
+        c[2 * i] = bspline_greville_q(p, u, i), c[2 * i + 1] = coefficient[i];
     draw_bspline(s, n, p, u, c, role);
 }
 
@@ -45,6 +45,6 @@ static inline void draw_basis_function(svg *s, int p, const num_q own[], num_q s
 static inline num_q spline_value(int n, int p, const num_q u[], const num_q c[], num_q t)
 {
     num_q value;
-    deboor_q(p, 1, u, find_span_q(n, p, u, t), c, t, &value);
+    bspline_deboor_q(p, 1, u, find_span_q(n, p, u, t), c, t, &value);
     return value;
 }

@@ -90,7 +90,7 @@ FIGURE(bspline_periodic)
         static const enum svg_direction side[m] = {SVG_SW, SVG_S, SVG_E, SVG_NE, SVG_N, SVG_W};
         svg_mark(s, svg_pair(c + 2 * i), SVG_POLYGON, SVG_USUAL);
         svg_label(s, svg_pair(c + 2 * i), side[i], SVG_POLYGON, name);
-        deboor_q(CUBIC, 2, v, CUBIC + i, d, u[i], P);
+        bspline_deboor_q(CUBIC, 2, v, CUBIC + i, d, u[i], P);
         svg_mark(s, svg_pair(P), i == 0 ? SVG_CURVE_2 : SVG_CURVE, SVG_USUAL);
     }
     return s;

@@ -29,9 +29,9 @@ FIGURE(matrix_and_weights)
                 without[j] = add_q(without[j], mul_q(A[j * k + i], value));
             }
         }
-        power_to_bernstein_q(p, sum, b[c]);
+        bernstein_from_power_q(p, sum, b[c]);
         if (c < 2)
-            power_to_bernstein_q(p, without, plain[c]);
+            bernstein_from_power_q(p, without, plain[c]);
     }
     for (int i = 0; i < k; i++) {
         w[i] = b[2][i];

@@ -93,7 +93,7 @@ static inline void counted_ways(int p, struct counted_way way[3], long *tree)
         for (int i = 0; i <= p; i++)
             w[i] = fresh;
         if (k == 0)
-            deboor_n(p, 3, u, p, R, fresh, P);
+            bspline_deboor_n(p, 3, u, p, R, fresh, P);
         else if (k == 1)
             nurbs_deboor_n(p, 2, u, p, R, w, fresh, P);
         else

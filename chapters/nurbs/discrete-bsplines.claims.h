@@ -47,7 +47,7 @@ static void G(all_discrete)(const struct G(knots) * K, const struct G(knots) * L
             x[r] = L->u[j + (with_v_j && r == p - 1 ? 0 : r + 1)];
         int mu = G(span_of_interval)(K->count, K->place, L->place[j]);
         mu = mu < p ? p : mu;
-        G(discrete_bsplines)(p, K->u, mu, x, part);
+        G(bspline_discrete)(p, K->u, mu, x, part);
         for (int m = 0; m <= p; m++)
             a[j * K->n + mu - p + m] = part[m];
     }
@@ -65,12 +65,12 @@ static int G(ends_are_spans)(const struct G(knots) * K)
 :zh: 离散 B 样条的加细方程
 :given: several segments, the distinct knots variables; new knots in the first and the last interval, the last one double, and one
   more at each inner knot of multiplicity at most $p$
-:then: with $\alpha_{\mu-p}(j),\dots,\alpha_\mu(j)$ of `discrete_bsplines`, $u_\mu\le v_j<u_{\mu+1}$, and $\alpha_i(j)=0$ for the
+:then: with $\alpha_{\mu-p}(j),\dots,\alpha_\mu(j)$ of `bspline_discrete`, $u_\mu\le v_j<u_{\mu+1}$, and $\alpha_i(j)=0$ for the
   other $i$: $N_{i,p}=\sum_j\alpha_i(j)\,M_{j,p}$ for every $i$, and $\sum_i\alpha_i(j)=1$ for every $j$
 :method: Both sides in powers, on every interval of $v$ in the domain, the B-splines over $u$ and over $v$ from the recursion of
   de Boor and Cox by its letter.  As the $M_{j,p}$ are independent there are no other such numbers.
 :degrees: 0..4 sampled 8
-:defines: discrete_bsplines
+:defines: bspline_discrete
 :control: one of the knots $v_{j+1},\dots,v_{j+p}$ replaced by $v_j$
 :::
 */

@@ -22,9 +22,9 @@ FIGURE(discrete_bsplines)
         /* alpha(j) by the span of u that contains j: u_mu = 2 floor(j/2) */
         num_q a[p + 1];
         int mu = p + j / 2;
-        discrete_bsplines_q(p, u, mu, v + j + 1, a);
+        bspline_discrete_q(p, u, mu, v + j + 1, a);
         num_q alpha = a[p - (mu - p)]; /* of the B-spline with the first knot u_p = 0 */
-        num_q xi = greville_q(p, v, j);
+        num_q xi = bspline_greville_q(p, v, j);
         char name[24];
         draw_basis_function(s, p, v + j, alpha, SVG_CURVE_2);
         svg_mark(s, (svg_point){xi, alpha}, SVG_RIGHT, SVG_USUAL);

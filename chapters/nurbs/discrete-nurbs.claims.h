@@ -454,10 +454,10 @@ CLAIM(discrete_bsplines_refine_the_basis)
 :title: The kernel for discrete B-splines computes those that do not vanish
 :zh: 核函数所算即非零的离散 B 样条
 :given: the same pairs; every $j$ with $v_j$ in the domain
-:then: `discrete_bsplines` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
+:then: `bspline_discrete` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
 :method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
 :degrees: 1..6 sampled 6
-:defines: discrete_bsplines
+:defines: bspline_discrete
 :control: $v_{j+1}$ replaced by $v_j$
 :::
 */
@@ -481,7 +481,7 @@ CLAIM(discrete_bsplines_follow_definition)
             int mu = G(span_of_interval)(r.count, r.place, r.at[j]);
             for (int l = 0; l < p; l++)
                 arguments[l] = r.v[fault(T, j + 1 + l, l == 0 ? j : j + 1 + l)];
-            G(discrete_bsplines)(p, r.u, mu, arguments, a);
+            G(bspline_discrete)(p, r.u, mu, arguments, a);
             for (int i = 0; i < r.n; i++)
                 same(T, mu - p <= i && i <= mu ? a[i - mu + p] : from_int(0),
                      G(alpha)(p, r.u, r.place, r.v, r.at, i, j));

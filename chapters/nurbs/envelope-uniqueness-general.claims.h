@@ -117,12 +117,12 @@ CLAIM(derivative_by_tau_is_that_of_the_level_before)
             for (int i = 0; i <= r; i++) {
                 for (int m = 0; m < p; m++)
                     x[m] = m < p - r ? t : u[m < p - i ? mu : mu + 1];
-                G(blossom_of_span)(p, 1, u, mu, H, x, &b[i]);
+                G(bspline_span_blossom)(p, 1, u, mu, H, x, &b[i]);
             }
             G(bezier_derivatives)(r, 1, b, local, 1, E);
-            G(derivatives_of_span)(p - r + 1, 1, u, mu, d, t, 2, D);
+            G(bspline_span_derivatives)(p - r + 1, 1, u, mu, d, t, 2, D);
             same(T, div(E[1], length), mul(from_ratio(r, fault(T, k - r, k - r + 1)), D[1]));
-            G(deboor_level)(p, 1, u, mu, r, d, tau);
+            G(bspline_deboor_level)(p, 1, u, mu, r, d, tau);
         }
     }
 }
@@ -153,7 +153,7 @@ CLAIM(general_condition_is_that_of_the_level_before)
         Pt[c] = add(mul(div(sub(m, one), m), Q[4 + c]), mul(div(e, m), Q[8 + c]));
         Ps[c] = mul(div(r, m), Q[4 + c]);
     }
-    G(quotient_derivatives)(3, Q, 2, R);
+    G(rational_quotient_derivatives)(3, Q, 2, R);
     num V2 = mul(P[3], P[3]), v3 = mul(Q[3], mul(Q[3], Q[3]));
     for (int c = 0; c < 3; c++) {
         Xt[c] = div(sub(mul(Pt[c], P[3]), mul(P[c], Pt[3])), V2);
@@ -229,8 +229,8 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
                 a1[i] = a[i];
                 b1[i] = b[i];
             }
-            G(deboor_level)(p, 1, u, mu, r, a, tau);
-            G(deboor_level)(p, 1, u, mu, r, b, t);
+            G(bspline_deboor_level)(p, 1, u, mu, r, a, tau);
+            G(bspline_deboor_level)(p, 1, u, mu, r, b, t);
             for (int m = 0; m <= p - r; m++) {
                 int i = mu - p + r + m, far = i + p + 1 - r;
                 num first = mul(sub(fault(T, tau, t), fault(T, t, tau)), sub(a1[m + 1], a1[m]));
@@ -290,8 +290,8 @@ CLAIM(level_by_sums_over_the_level_before)
                 a1[i] = a[i];
                 b1[i] = b[i];
             }
-            G(deboor_level)(p, 1, u, mu, r, a, tau);
-            G(deboor_level)(p, 1, u, mu, r, b, t);
+            G(bspline_deboor_level)(p, 1, u, mu, r, a, tau);
+            G(bspline_deboor_level)(p, 1, u, mu, r, b, t);
             G(bspline_basis)(q, u, mu, t, N);
             G(bspline_basis_derivatives)(q + 1, u, mu, t, 2, D);
             num first = zero, before = zero, change = zero, slope = zero, rest = zero, derivative = zero, last = zero;
@@ -611,7 +611,7 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
                 int ends = fault(T, row, row < 2 ? 1 - row : row); /* how many of the last two arguments are b */
                 for (int k = 0; k < p; k++)
                     x[k] = k < r - 1 ? tau : k < p - 2 ? t : u[k < p - ends ? mu : mu + 1];
-                G(discrete_bsplines)(p, u, mu, x, M[row]);
+                G(bspline_discrete)(p, u, mu, x, M[row]);
             }
             for (int i = 0; i <= p; i++)
                 for (int l = i + 1; l <= p; l++)
@@ -628,11 +628,11 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
                         sum = add(sum, mul(minor, G(det3)(P + 3 * i, P + 3 * l, P + 3 * h)));
                     }
             int m = p - r + 1;
-            G(derivatives_of_span)(m, 3, u, mu, d, t, 3, Q);
+            G(bspline_span_derivatives)(m, 3, u, mu, d, t, 3, Q);
             about(T, "the determinant of Q, Q', Q''");
             num cube = mul(length, mul(length, length));
             same(T, mul(cube, G(det3)(Q, Q + 3, Q + 6)), mul(from_int((long)m * m * (m - 1)), sum));
-            G(deboor_level)(p, 3, u, mu, r, d, tau);
+            G(bspline_deboor_level)(p, 3, u, mu, r, d, tau);
         }
     }
 }

@@ -285,7 +285,7 @@ static G(jet) G(free_jet)(trial *T)
         J.A[c] = add(J.p[c], mul(step, J.p1[c]));
     }
     H[3] = J.w, H[7] = J.w1, H[11] = J.w2;
-    G(quotient_derivatives)(3, H, 2, D);
+    G(rational_quotient_derivatives)(3, H, 2, D);
     for (int c = 0; c < 3; c++) {
         J.r[c] = D[c];
         J.r1[c] = D[3 + c];

@@ -104,8 +104,8 @@ static inline void G(curve_derivatives)(int q, int dim, const num u[], int mu, c
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     G(rational_homogenize)(q, dim, R, w, H);
-    G(derivatives_of_span)(q, dim + 1, u, mu, H, t, order + 1, D);
-    G(quotient_derivatives)(dim, D, order, out);
+    G(bspline_span_derivatives)(q, dim + 1, u, mu, H, t, order + 1, D);
+    G(rational_quotient_derivatives)(dim, D, order, out);
 }
 
 /* f(x_1, ..., x_p) of the polynomial sum a_m t^m, m <= p: sum a_m e_m(x)/C(p,m), e_m the elementary symmetric
@@ -154,10 +154,10 @@ static inline void G(family_derivatives)(int p, int dim, const num u[], int mu, 
     for (int i = 0; i <= r; i++) {
         for (int k = 0; k < p; k++)
             x[k] = k < p - r ? t : u[k < p - i ? mu : mu + 1];
-        G(blossom_of_span)(p, dim + 1, u, mu, H, x, b + i * (dim + 1));
+        G(bspline_span_blossom)(p, dim + 1, u, mu, H, x, b + i * (dim + 1));
     }
     G(bezier_derivatives)(r, dim + 1, b, div(sub(tau, u[mu]), length), 1, E);
-    G(quotient_derivatives)(dim, E, 1, F);
+    G(rational_quotient_derivatives)(dim, E, 1, F);
     for (int c = 0; c < dim; c++)
         D[2 * dim + c] = div(F[dim + c], length);
 }

@@ -347,7 +347,7 @@ CLAIM(convex_polygon_has_a_stationary_leg)
         !G(pair_of_the_envelope)(T, 3, 2, u, 4, R + 2, w + 1, 2, tau, t, X))
         return;
     num place = add(X[0], from_ratio(9, 2));
-    G(deboor)(3, 2, u, compare_q(place, from_int(5)) < 0 ? 3 : 4, R, place, at);
+    G(bspline_deboor)(3, 2, u, compare_q(place, from_int(5)) < 0 ? 3 : 4, R, place, at);
     about(T, "the ordinates of the point and of the curve there");
     same(T, X[1], at[1]);
 }
@@ -398,7 +398,7 @@ CLAIM(quadratic_legs_have_one_envelope)
     G(knots_of_span)(T, 2, 0, u, place);
     G(free_curve)(T, 2, 2, R, w);
     G(rational_homogenize)(2, 2, R, w, H);
-    G(derivatives_of_span)(2, 3, u, 2, H, tau, 3, D);
+    G(bspline_span_derivatives)(2, 3, u, 2, H, tau, 3, D);
     for (int c = 0; c < 2; c++) {
         a[c] = sub(R[2 + c], R[c]);
         b[c] = sub(R[4 + c], R[c]);

@@ -18,7 +18,7 @@ static inline void put_matrix(svg *s, int k, const num_q A[], int cell, const ch
 static inline void put_polynomial(svg *s, int p, const num_q c[], num_q a, num_q b, enum svg_role role)
 {
     num_q y[MOST_ENTRIES], P[2 * MOST_ENTRIES];
-    power_to_bernstein_q(p, c, y);
+    bernstein_from_power_q(p, c, y);
     for (int i = 0; i <= p; i++) {
         P[2 * i] = add_q(a, mul_q(r(i, p), sub_q(b, a)));
         P[2 * i + 1] = y[i];

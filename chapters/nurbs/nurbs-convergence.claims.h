@@ -95,10 +95,10 @@ CLAIM(greville_defect_is_a_variance)
         parabola[i] = from_ratio(i * (i - 1), 2 * p * (p - 1));
     }
     about(T, "the line");
-    G(blossom)(p, 1, line, x, &value);
+    G(bezier_blossom)(p, 1, line, x, &value);
     same(T, value, mean);
     about(T, "the parabola");
-    G(blossom)(p, 1, parabola, x, &value);
+    G(bezier_blossom)(p, 1, parabola, x, &value);
     num defect = sub(div(mul(mean, mean), from_int(2)), value);
     same(T, defect, div(spread, from_int(fault(T, 2 * p * (p - 1), 2 * p * p))));
     same(T, defect, div(G(squares_of_differences)(p, x), from_int(2 * p * p * (p - 1))));
@@ -184,7 +184,7 @@ CLAIM(greville_abscissae_reproduce_the_line)
         G(distinct_knots)(T, (int)strlen(pattern), 6, x);
         int count = G(knots_at)(pattern, x, u, place), n = count - p - 1;
         for (int i = 0; i < n; i++)
-            xi[i] = G(greville)(p, u, fault(T, i, i + 1 < n ? i + 1 : i));
+            xi[i] = G(bspline_greville)(p, u, fault(T, i, i + 1 < n ? i + 1 : i));
         for (int interval = place[p]; interval < place[n]; interval++)
             same(T, G(spline)(n, p, 1, u, place, xi, 0, interval, t), t);
     }
@@ -254,7 +254,7 @@ CLAIM(polygon_is_within_the_bound_of_the_spline)
         num largest = from_int(0);
         for (int i = 0; i < n; i++) {
             num spread = from_int(0);
-            xi[i] = G(greville)(p, u, i);
+            xi[i] = G(bspline_greville)(p, u, i);
             for (int l = 1; l <= p; l++)
                 spread = add(spread, mul(sub(u[i + l], xi[i]), sub(u[i + l], xi[i])));
             spread = div(spread, from_int(fault(T, 2, 4) * p * (p - 1)));
@@ -358,7 +358,7 @@ CLAIM(halving_the_gaps_divides_the_bound_by_four)
             x[i] = add(x0, mul(from_int(i), gap));
             mean = add(mean, div(x[i], from_int(p)));
         }
-        G(blossom)(p, 1, parabola, x, &value);
+        G(bezier_blossom)(p, 1, parabola, x, &value);
         defect[step] = sub(div(mul(mean, mean), from_int(2)), value);
     }
     same(T, defect[0], mul(from_ratio(p + 1, 24), mul(h, h)));

@@ -630,7 +630,7 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
     for (int i = 0; i <= p; i++)
         H[i] = unknown(T, "H", i);
     G(bspline_to_bezier)(p, 1, u, p, H, b);
-    G(decasteljau)(p, 1, fault(T, b, H), div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
+    G(bezier_casteljau)(p, 1, fault(T, b, H), div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
     same(T, value, G(spline)(p + 1, p, 1, u, place, H, 0, p, t));
 }
 
@@ -651,7 +651,7 @@ CLAIM(bezier_end_belongs_to_no_interval)
     num x[] = {from_int(0), from_int(1), from_int(2)}, u[7], B[3], sum = from_int(0), one = from_int(1);
     int place[7], count = G(knots_at)(fault(T, "322", "331"), x, u, place);
     num total = G(denominator)(3, 2, u, place, NULL, 1, one);
-    G(bernstein)(2, one, B);
+    G(bernstein_basis)(2, one, B);
     for (int i = 0; i < 3; i++)
         sum = add(sum, B[i]);
     show_points(T, "knots", count, 1, u);

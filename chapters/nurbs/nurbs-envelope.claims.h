@@ -114,7 +114,7 @@ CLAIM(member_of_span_is_polar)
             G(sums)(p - r, 1, u, mu, Rr, wr, t, S);
             for (int k = 0; k < p; k++)
                 x[k] = k < r - fault(T, 0, r > 0) ? tau : t;
-            G(blossom_of_span)(p, 2, u, mu, H, x, f);
+            G(bspline_span_blossom)(p, 2, u, mu, H, x, f);
             same(T, S[0], f[0]);
             same(T, S[1], f[1]);
         }
@@ -570,7 +570,7 @@ CLAIM(negative_weight_takes_a_point_away)
     for (int i = 0; i < 3; i++)
         level[i] = w[i];
     G(bspline_to_bezier)(2, 1, u, 2, w, b);
-    G(deboor_level)(2, 1, u, 2, 1, level, tau);
+    G(bspline_deboor_level)(2, 1, u, 2, 1, level, tau);
     show_points(T, "w_i", 3, 1, w);
     show(T, "τ", tau);
     show_points(T, "w_i^{[1]}", 2, 1, level);
@@ -875,7 +875,7 @@ CLAIM(equal_weights_give_the_polynomial_family)
         for (int i = 0; i <= p; i++)
             d[i] = R[i];
         for (int r = 1; r <= p; r++) {
-            G(deboor_level)(p, 1, u, mu, r, d, tau);
+            G(bspline_deboor_level)(p, 1, u, mu, r, d, tau);
             G(level_of_curve)(p, 1, u, mu, R, w, r, tau, Rr, wr);
             for (int m = 0; m <= p - r; m++) {
                 same(T, wr[m], all);
@@ -924,9 +924,9 @@ CLAIM(bezier_span_gives_the_bezier_family)
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], Br[MAX_DEGREE + 1], br[MAX_DEGREE + 1];
         num N[MAX_DEGREE + 1], B[MAX_DEGREE + 1];
         G(level_of_curve)(p, 1, u, mu, R, w, r, tau, Rr, wr);
-        G(rational_decasteljau)(p, 1, R, w, lambda, r, Br, br);
+        G(rational_casteljau)(p, 1, R, w, lambda, r, Br, br);
         G(bspline_basis)(p - r, u, mu, t, N);
-        G(bernstein)(p - r, local, B);
+        G(bernstein_basis)(p - r, local, B);
         for (int m = 0; m <= p - r; m++) {
             about(T, "points and weights of level r");
             same(T, Rr[m], Br[m]);
@@ -1021,13 +1021,13 @@ CLAIM(span_derivatives_are_parallel)
     for (int shape = 0; shape < SHAPES; shape++) {
         num D[2 * (MAX_DEGREE + 1)], E[2 * (MAX_DEGREE + 1)], d[2 * (MAX_DEGREE + 1)];
         G(knots_of_span)(T, p, shape, u, place);
-        G(derivatives_of_span)(p, 2, u, mu, H, t, p + 1, D);
+        G(bspline_span_derivatives)(p, 2, u, mu, H, t, p + 1, D);
         for (int m = 0; m < 2 * (p + 1); m++)
             d[m] = H[m];
         for (int r = 0; r <= p; r++) {
             if (r > 0)
-                G(deboor_level)(p, 2, u, mu, r, d, t);
-            G(derivatives_of_span)(p - r, 2, u, mu, d, t, p - r + 1, E);
+                G(bspline_deboor_level)(p, 2, u, mu, r, d, t);
+            G(bspline_span_derivatives)(p - r, 2, u, mu, d, t, p - r + 1, E);
             for (int m = 0; m < 2 * (p - r + 1); m++) {
                 long a = fault(T, G(falling)(p, m / 2), 1), b = fault(T, G(falling)(p - r, m / 2), 1);
                 same(T, mul(from_int(a), E[m]), mul(from_int(b), D[m]));
@@ -1062,7 +1062,7 @@ CLAIM(curvatures_have_a_fixed_ratio)
         num D[9];
         for (int i = 0; i < 9; i++)
             D[i] = mul(j == 0 || i < 3 ? one : i < 6 ? first : second, P[i]);
-        G(quotient_derivatives)(2, D, 2, R[j]);
+        G(rational_quotient_derivatives)(2, D, 2, R[j]);
     }
     about(T, "the first derivatives");
     same(T, R[1][2], mul(first, R[0][2]));

@@ -296,12 +296,12 @@ CLAIM(nurbs_derivatives_are_those_of_the_quotient)
 :title: The derivatives of a quotient
 :zh: 商的各阶导数
 :given: $P$ and $w$ polynomials in $t$ of degree 5 with free coefficients
-:then: `quotient_derivatives` gives the derivatives of $P/w$ of the orders $0,\dots,r$ from those of $P$ and $w$
+:then: `rational_quotient_derivatives` gives the derivatives of $P/w$ of the orders $0,\dots,r$ from those of $P$ and $w$
 :method: The quotient of the two polynomials is an element of the field, which differentiates it formally $r$ times; here $r$ is the number that
   is called $n$.  In rationals the series at $t$ are divided.
 :types: field rational
 :degrees: 0..4 sampled 5
-:defines: quotient_derivatives
+:defines: rational_quotient_derivatives
 :control: the second derivative of $w$, or for $r<2$ its value, doubled
 :::
 */
@@ -340,7 +340,7 @@ CLAIM(quotient_derivatives_follow_the_field)
 #endif
     int doubled = 2 * (r < 2 ? 0 : 2) + 1;
     D[doubled] = fault(T, D[doubled], mul(from_int(2), D[doubled]));
-    G(quotient_derivatives)(1, D, r, out);
+    G(rational_quotient_derivatives)(1, D, r, out);
     for (int k = 0; k <= r; k++)
         same(T, out[k], quotient[k]);
 }
@@ -470,7 +470,7 @@ that it could lack.
 :zh: 节点与参数的仿射变换不改变结果
 :given: several segments, the distinct knots variables, points and weights; a parameter in every interval of the domain; numbers
   $a\ne0$ and $b$
-:then: `bspline_insert`, `bspline_split`, `bspline_refine`, `bspline_elevate`, `bspline_reduce`, `discrete_bsplines`, `nurbs_point`
+:then: `bspline_insert`, `bspline_split`, `bspline_refine`, `bspline_elevate`, `bspline_reduce`, `bspline_discrete`, `nurbs_point`
   and `nurbs_weight` give the same for the knots $au_i+b$ and the parameter $at+b$ as for $u_i$ and $t$
 :method: Every kernel twice, elevation and reduction where there is one inner knot at most.
 :degrees: 0..4 sampled 7
@@ -521,7 +521,7 @@ CLAIM(kernels_move_with_their_knots)
             for (int m = 0; m < 2; m++) {
                 for (int r = 0; r < p; r++)
                     x[r] = r == 0 ? (m == 0 ? t : at) : knots[m][mu + r];
-                G(discrete_bsplines)(p, knots[m], mu, x, c[m]);
+                G(bspline_discrete)(p, knots[m], mu, x, c[m]);
             }
             G(same_points)(T, p + 1, c[1], c[0]);
             about(T, "a finer knot vector");

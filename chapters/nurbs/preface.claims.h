@@ -172,7 +172,7 @@ The same source calls de Boor's recursion simple and stable; it is the way in wh
 :title: The recursion takes k(k-1)/2 times the steps of one division of an edge
 :zh: 递推求值的运算次数为阶数的二次式
 :kind: decision
-:given: the kernels `deboor` and `nurbs_deboor` in the plane, `nurbs_insert`, orders $k=2,\dots,17$
+:given: the kernels `bspline_deboor` and `nurbs_deboor` in the plane, `nurbs_insert`, orders $k=2,\dots,17$
 :then: with $c$ operations for $k=2$, they take $c\,\frac{k(k-1)}2$ for order $k$, and the insertion takes
   $c\,(k-1)$
 :method: The kernels, which never look at a number, run on numbers that count.  For every $k$: the loops are over
@@ -258,7 +258,7 @@ roundings, how many depending on the order alone and not on the knots.
 :title: The recursions subtract data only, and few roundings reach the result
 :zh: 递推仅对原始数据作减法,舍入误差有界
 :kind: decision
-:given: the kernels `deboor` on homogeneous points and `nurbs_deboor` in the plane, `nurbs_insert`, orders $k=2,\dots,17$
+:given: the kernels `bspline_deboor` on homogeneous points and `nurbs_deboor` in the plane, `nurbs_insert`, orders $k=2,\dots,17$
 :then: no number is subtracted that was itself computed; from a datum to the result there are at most $5(k-1)$ roundings for homogeneous
   points, $(k-1)(5k+2)$ for points with weights, and $12$ for the insertion
 :method: The kernels on numbers that count.  For $t$ in the interval the differences $t-t_i$, $t_{i+k-r}-t$ and $t_{i+k-r}-t_i$ are not

@@ -92,7 +92,7 @@ static num G(scalar)(const num o[], const num a[], const num b[])
   of the chord, so the central angle of the arc is $2\theta<\pi$
 :method: Identities in the position, $k=h:l$, $\omega_0$, $\omega_1$ and $t$; $\omega_2$ follows from $I_1$.  The sides of the
   chord are told by cross products, whose quotients by that of $R_1$ have coefficients of one sign.
-:defines: circle_of_arc
+:defines: circular_arc_circle
 :control: $\omega_2$ doubled
 :::
 */
@@ -106,7 +106,7 @@ CLAIM(arc_and_its_central_angle)
     w[1] = positive(T, "w", 1);
     w[2] = div(mul(w[1], w[1]), mul(w[0], cos2));
     w[2] = fault(T, w[2], add(w[2], w[2]));
-    num rr = G(circle_of_arc)(R, C);
+    num rr = G(circular_arc_circle)(R, C);
     about(T, "the distance of R(t) from the centre");
     G(rational_point)(2, 2, R, w, t, P);
     same(T, G(scalar)(C, P, P), rr);
@@ -344,7 +344,7 @@ CLAIM(negative_weight_gives_the_other_arc)
 {
     num zero = from_int(0), one = from_int(1), cosine = from_ratio(3, 5), C[2], P[2], third[2];
     num R[6] = {neg(one), zero, zero, from_ratio(4, 3), one, zero}, w[3] = {one, fault(T, cosine, neg(cosine)), one};
-    num rr = G(circle_of_arc)(R, C);
+    num rr = G(circular_arc_circle)(R, C);
     G(rational_point)(2, 2, R, w, from_ratio(1, 2), P);
     G(rational_point)(2, 2, R, w, from_ratio(1, 3), third);
     show_points(T, "R", 3, 2, R);

@@ -14,7 +14,7 @@ FIGURE(circular_arc)
     num_q R[6] = {q(-1), q(0), q(0), r(4, 3), q(1), q(0)}, C[2];
     num_q w[3] = {q(1), r(cosine[0], cosine[1]), q(1)}, other[3] = {q(1), r(-cosine[0], cosine[1]), q(1)};
     svg_window window = {r(-8, 5), r(-21, 10), r(8, 5), r(8, 5)};
-    circle_of_arc_q(R, C);
+    circular_arc_circle_q(R, C);
     svg_panel(s, window, 400, 0, "$l=1$, $\\c\\o\\s θ=3/5$, $r=l \\c\\s\\c θ=5/4$");
     put_triangle(s, R, SVG_W, SVG_N, SVG_E);
     svg_segment(s, svg_pair(R), svg_pair(R + 4), SVG_MUTED);
@@ -43,7 +43,7 @@ FIGURE(circular_arc_extra)
         "right one, whose base angle has the cosine 3/5, is that circle's arc.");
     num_q w[3] = {q(1), r(cosine[0], cosine[1]), q(1)}, good[6] = {q(-1), q(0), q(0), r(4, 3), q(1), q(0)}, C[2];
     num_q radius = r(5, 4), bad[6] = {q(-1), q(0), q(0), q(1), q(1), q(0)};
-    circle_of_arc_q(good, C);
+    circular_arc_circle_q(good, C);
     svg_window window = {r(-3, 2), r(-2, 5), r(3, 2), r(8, 5)};
     for (int k = 0; k < 2; k++) {
         const num_q *R = k == 0 ? bad : good;

@@ -22,7 +22,7 @@ FIGURE(classification_by_weight)
         svg_rational(s, 2, R, other, SVG_FAMILY);
         put_triangle(s, R, SVG_NW, SVG_N, SVG_NE);
         svg_rational(s, 2, R, w, SVG_CURVE);
-        shoulder_point_q(R, w, shoulder);
+        conic_shoulder_point_q(R, w, shoulder);
         svg_mark(s, svg_pair(shoulder), SVG_CURVE, SVG_USUAL);
     }
     svg_legend_line(s, SVG_CURVE, "weights $1,ω,1$");

@@ -200,7 +200,7 @@ CLAIM(curve_turns_like_its_triangles)
     for (int l = 0; l < 3; l++) {
         s = add(s, positive(T, "p", l));
         num *row = M + fault(T, l, l < 2 ? 1 - l : l) * (n + 1);
-        G(bernstein)(n, div(s, add(one, s)), row);
+        G(bernstein_basis)(n, div(s, add(one, s)), row);
         for (int m = 0; m <= n; m++)
             for (int k = 0; k < n; k++)
                 row[m] = mul(row[m], add(one, s));

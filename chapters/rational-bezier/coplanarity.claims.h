@@ -44,7 +44,7 @@ CLAIM(plane_form_of_the_curve)
     num a[4], t = parameter(T, "t");
     for (int c = 0; c < 4; c++)
         a[c] = unknown(T, "a", c);
-    G(bernstein)(n, t, B);
+    G(bernstein_basis)(n, t, B);
     for (int i = 0; i <= n; i++) {
         static const char *const coordinate[] = {"x", "y", "z"};
         num value = fault(T, a[3], i == 0 ? from_int(0) : a[3]);
@@ -81,7 +81,7 @@ static num G(bernstein_coefficient)(int n, const num c[], int i)
   $t$, and with the $b_i$.  For every degree: $t^k=\sum_i\binom ik\binom nk^{-1}B_i^n(t)$ (`powers_in_every_degree`), so the $n+1$
   functions span a space of dimension $n+1$ and are independent.
 :degrees: 1..10 sampled 12
-:defines: bernstein_to_power power_to_bernstein
+:defines: bernstein_to_power bernstein_from_power
 :control: the sign $(-1)^{k-i}$ left out
 :::
 */
@@ -103,9 +103,9 @@ CLAIM(powers_span_the_bernstein_functions)
     }
     for (int k = n; k >= 0; k--)
         sum = add(mul(sum, t), c[k]);
-    G(decasteljau)(n, 1, b, t, &value);
+    G(bezier_casteljau)(n, 1, b, t, &value);
     same(T, sum, value);
-    G(power_to_bernstein)(n, c, back);
+    G(bernstein_from_power)(n, c, back);
     for (int i = 0; i <= n; i++) {
         same(T, back[i], G(bernstein_coefficient)(n, c, i));
         same(T, back[i], b[i]);
@@ -274,7 +274,7 @@ CLAIM(collocation_determinant_does_not_vanish)
     num t[SIZE], B[SIZE * SIZE], product = from_int(1);
     for (int i = 0; i <= n; i++) {
         t[i] = unknown(T, "t", i);
-        G(bernstein)(n, t[i], B + i * (n + 1));
+        G(bernstein_basis)(n, t[i], B + i * (n + 1));
         product = fault(T, mul(product, from_int(binomial(n, i))), product);
         for (int j = 0; j < i; j++)
             product = mul(product, sub(t[i], t[j]));

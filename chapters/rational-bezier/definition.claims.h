@@ -237,7 +237,7 @@ The derivatives of this quotient, which the next sections need, are decided here
   coefficients of powers of $t$.  Coordinates do not mix, so one suffices; that the kernel keeps several apart is
   checked on two.
 :degrees: 1..4 sampled 12
-:defines: rational_derivatives quotient_derivatives
+:defines: rational_derivatives rational_quotient_derivatives
 :control: the term of the first derivative of the denominator taken once where it counts twice, in $R''$
 :::
 */

@@ -31,7 +31,7 @@ FIGURE(homogeneous_line)
     svg_line(s, svg_at(-1, 1), svg_at(1, 1), SVG_MUTED);
     for (int i = 0; i <= 2; i++)
         draw_ray(s, H + 2 * i, H[2 * i + 1]);
-    decasteljau_q(2, 2, H, t, P);
+    bezier_casteljau_q(2, 2, H, t, P);
     draw_ray(s, P, P[1]);
     svg_polyline(s, 3, H, SVG_POLYGON);
     svg_segment(s, (svg_point){R[0], q(1)}, (svg_point){R[2], q(1)}, SVG_RIGHT);

@@ -40,7 +40,7 @@ CLAIM(equal_weights_give_polynomial_curve)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], B[MAX_DEGREE + 1], left, right = from_int(0);
     num t = parameter(T, "t"), weight = unknown(T, "w", 0);
-    G(bernstein)(n, t, B);
+    G(bernstein_basis)(n, t, B);
     for (int i = 0; i <= n; i++) {
         w[i] = weight;
         R[i] = unknown(T, "R", i);
@@ -123,7 +123,7 @@ CLAIM(unit_invariants_give_polynomial_curve)
         same(T, w[i], mul(w[0], q[i]));
     }
     G(rational_point)(n, 1, P, w, u, &left);
-    G(decasteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &right);
+    G(bezier_casteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &right);
     same(T, left, right);
 }
 
@@ -164,7 +164,7 @@ CLAIM(geometric_weights_reparametrize_bezier)
         P[i] = unknown(T, "P", i);
         v[i] = w[fault(T, i, n - i)];
     }
-    G(decasteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &left);
+    G(bezier_casteljau)(n, 1, P, G(alpha_parameter)(alpha, u), &left);
     G(rational_point)(n, 1, P, v, u, &right);
     same(T, right, left);
 }
@@ -192,8 +192,8 @@ CLAIM(geometric_weights_term_by_term)
 #else
     int index = pick(T, 0, 6), degree = index + pick(T, 1, 6);
     num n = from_int(degree), i = from_int(index), old[MAX_DEGREE + 1], new[MAX_DEGREE + 1], scale = one;
-    G(bernstein)(degree, t, old);
-    G(bernstein)(degree, u, new);
+    G(bernstein_basis)(degree, t, old);
+    G(bernstein_basis)(degree, u, new);
     for (int k = 0; k < degree; k++)
         scale = mul(scale, D);
     for (int k = 0; k < index; k++)

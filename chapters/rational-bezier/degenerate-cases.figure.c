@@ -73,7 +73,7 @@ FIGURE(equal_weights)
         w[i] = from_int_q(5);
     svg_rational(s, n, R, w, SVG_CURVE);
     for (int k = 0; k <= 8; k++) {
-        decasteljau_q(n, 2, R, from_ratio_q(k, 8), P);
+        bezier_casteljau_q(n, 2, R, from_ratio_q(k, 8), P);
         svg_mark(s, svg_pair(P), SVG_CURVE_2, SVG_USUAL);
     }
     svg_legend_line(s, SVG_CURVE, "all weights equal");

@@ -210,7 +210,7 @@ static void G(printed_elevation)(num share, num w_before, num w, num R_before, n
 :method: The printed fractions are written out for each $i$; the kernels go through homogeneous coordinates and share no
   code with them.  All weights and coordinates are variables.
 :degrees: 1..6 sampled 12
-:defines: rational_elevate bezier_elevate elevation_matrix
+:defines: rational_elevate bezier_elevate bernstein_elevation_matrix
 :control: the weights $\omega_i$ and $\omega_{i-1}$ exchanged in the printed fractions
 :::
 */
@@ -227,7 +227,7 @@ CLAIM(elevated_points_as_printed)
     }
     G(rational_elevate)(n, dim, R, w, Re, we);
     G(bezier_elevate)(n, dim, R, e);
-    G(elevation_matrix)(n, E);
+    G(bernstein_elevation_matrix)(n, E);
     for (int i = 0; i <= n + 1; i++)
         for (int c = 0; c < dim; c++) {
             num zero = from_int(0), one = from_int(1), ratio = from_ratio(i, n + 1);
@@ -275,7 +275,7 @@ CLAIM(elevation_through_the_power_basis)
     }
     G(bernstein_to_power)(n, b, c);
     c[n + 1] = from_int(0);
-    G(power_to_bernstein)(n + 1, c, again);
+    G(bernstein_from_power)(n + 1, c, again);
     for (int i = 0; i <= n; i++)
         same(T, e[fault(T, i, i + 1)], again[i]);
     if (!T->faulty)

@@ -99,7 +99,7 @@ static void draw_polynomial(svg *s, const num_q c[4], num_q b, enum svg_role rol
     num_q scaled[4], y[4], P[8], power = q(1);
     for (int k = 0; k < 4; k++, power = mul_q(power, b))
         scaled[k] = mul_q(c[k], power);
-    power_to_bernstein_q(3, scaled, y);
+    bernstein_from_power_q(3, scaled, y);
     for (int i = 0; i < 4; i++) {
         P[2 * i] = mul_q(r(i, 3), b);
         P[2 * i + 1] = y[i];

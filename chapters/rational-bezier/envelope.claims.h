@@ -41,7 +41,7 @@ static void G(polar)(int n, int dim, const num H[], int r, num c, int k, num t, 
     num u[MAX_DEGREE];
     for (int i = 0; i < n; i++)
         u[i] = i < r ? c : i < r + k ? t : i == r + k ? x : y;
-    G(blossom)(n, dim, H, u, out);
+    G(bezier_blossom)(n, dim, H, u, out);
 }
 
 /* A rational curve of the judge's numbers: n+1 points of dim coordinates, and weights. */
@@ -74,9 +74,9 @@ CLAIM(member_is_a_polar_curve)
     G(rational_homogenize)(n, 1, R, w, H);
     for (int r = 0; r <= n; r++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], Hr[2 * MAX_DEGREE + 2], sum[2], p[2];
-        G(rational_decasteljau)(n, 1, R, w, c, r, Rr, wr);
+        G(rational_casteljau)(n, 1, R, w, c, r, Rr, wr);
         G(rational_homogenize)(n - r, 1, Rr, wr, Hr);
-        G(decasteljau)(n - r, 2, Hr, t, sum);
+        G(bezier_casteljau)(n - r, 2, Hr, t, sum);
         G(polar)(n, 2, H, fault(T, r, r > 0 ? r - 1 : r), c, n - r, t, t, t, p);
         about(T, "numerator and denominator of the member");
         same(T, sum[0], p[0]);
@@ -112,7 +112,7 @@ CLAIM(member_is_a_polar_curve)
 CLAIM(member_may_lose_a_point)
 {
     num w[3] = {from_int(1), from_ratio(fault(T, 1, -1), 2), from_int(1)}, c = from_ratio(2, 3);
-    G(casteljau_level)(2, 1, w, c);
+    G(bezier_casteljau_level)(2, 1, w, c);
     show(T, "c", c);
     show_points(T, "ω_1^1, ω_2^1", 2, 1, w);
     about(T, "the weights of level 1 are not 0");
@@ -158,7 +158,7 @@ CLAIM(member_touches_curve)
     G(rational_derivatives)(n, 1, R, w, c, 1, D);
     for (int r = 1; r < n; r++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], E[2];
-        G(rational_decasteljau)(n, 1, R, w, c, r, Rr, wr);
+        G(rational_casteljau)(n, 1, R, w, c, r, Rr, wr);
         G(rational_derivatives)(n - r, 1, Rr, wr, c, 1, E);
         about(T, "the common point");
         same(T, E[0], D[0]);
@@ -186,7 +186,7 @@ CLAIM(member_shrinks_at_a_cusp)
                 from_ratio(-1, 3), from_int(-1), from_int(1),       from_int(1)};
     num w[4] = {from_int(1), from_int(1), from_int(1), from_int(1)}, Rr[4], wr[2];
     num c = fault(T, from_ratio(3, 4), from_ratio(1, 2));
-    G(rational_decasteljau)(3, 2, R, w, c, 2, Rr, wr);
+    G(rational_casteljau)(3, 2, R, w, c, 2, Rr, wr);
     show_points(T, "R", 4, 2, R);
     show(T, "c in [0,1]", c);
     show_points(T, "the member's two points", 2, 2, Rr);
@@ -222,12 +222,12 @@ CLAIM(extreme_levels_are_curve_and_point)
     num R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], member, point;
     num c = parameter(T, "c"), t = parameter(T, "t");
     G(any_curve)(T, n, 1, R, w);
-    G(rational_decasteljau)(n, 1, R, w, c, 0, Rr, wr);
+    G(rational_casteljau)(n, 1, R, w, c, 0, Rr, wr);
     G(rational_point)(n, 1, Rr, wr, t, &member);
     G(rational_point)(n, 1, R, w, t, &point);
     same(T, member, point);
     int last = fault(T, n, n - 1);
-    G(rational_decasteljau)(n, 1, R, w, c, last, Rr, wr);
+    G(rational_casteljau)(n, 1, R, w, c, last, Rr, wr);
     G(rational_point)(n - last, 1, Rr, wr, t, &member);
     G(rational_point)(n, 1, R, w, c, &point);
     same(T, member, point);
@@ -319,12 +319,12 @@ CLAIM(polar_derivatives)
         for (int i = 0; i <= m; i++) { /* the Bézier points of P as a curve in t, and then in c */
             for (int k = 0; k < n; k++)
                 u[k] = k < r ? c : k < r + i ? one : zero;
-            G(blossom)(n, 1, H, u, &in_t[i]);
+            G(bezier_blossom)(n, 1, H, u, &in_t[i]);
         }
         for (int i = 0; i <= r; i++) {
             for (int k = 0; k < n; k++)
                 u[k] = k < m ? t : k < m + i ? one : zero;
-            G(blossom)(n, 1, H, u, &in_c[i]);
+            G(bezier_blossom)(n, 1, H, u, &in_c[i]);
         }
         G(bezier_derivatives)(m, 1, in_t, t, 1, D);
         G(bezier_derivatives)(r, 1, in_c, c, 1, E);
@@ -380,12 +380,12 @@ static void G(member_derivatives)(int n, const num R[], int r, num c, num t, num
     num w[MAX_DEGREE + 1], Rr[2 * MAX_DEGREE + 2], wr[MAX_DEGREE + 1], in_c[2 * MAX_DEGREE + 2], u[MAX_DEGREE], E[4];
     for (int i = 0; i <= n; i++)
         w[i] = from_int(1);
-    G(rational_decasteljau)(n, 2, R, w, c, r, Rr, wr);
+    G(rational_casteljau)(n, 2, R, w, c, r, Rr, wr);
     G(rational_derivatives)(n - r, 2, Rr, wr, t, 1, D);
     for (int i = 0; i <= r; i++) {
         for (int k = 0; k < n; k++)
             u[k] = k < n - r ? t : from_int(k < n - r + i);
-        G(blossom)(n, 2, R, u, in_c + 2 * i);
+        G(bezier_blossom)(n, 2, R, u, in_c + 2 * i);
     }
     G(bezier_derivatives)(r, 2, in_c, c, 1, E);
     D[4] = E[2];
@@ -538,7 +538,7 @@ static int eliminates_to(int n, const num_f R[], int r, num_f c, num_f x, num_f 
     for (int i = 0; i <= n; i++)
         w[i] = from_int(1);
     num_f lambda = mul(from_ratio(1, 2), add(c, from_int(1)));
-    rational_decasteljau_f(n, 2, R, w, lambda, r, Rr, wr);
+    rational_casteljau_f(n, 2, R, w, lambda, r, Rr, wr);
     num_f f = div(implicit_value_f(n - r, Rr, wr, x, y), leading);
     num_f quotient = div(resultant_by_f(f, derivative_f(f, c), c), envelope);
     return is_constant_f(quotient, NULL) && !is_zero_f(quotient);
@@ -926,7 +926,7 @@ CLAIM(curvature_of_the_member)
             num R[3 * MAX_DEGREE + 3], w[MAX_DEGREE + 1], Rr[3 * MAX_DEGREE + 3], wr[MAX_DEGREE + 1];
             num c = parameter(T, "c");
             G(any_curve)(T, n, dim, R, w);
-            G(rational_decasteljau)(n, dim, R, w, c, r, Rr, wr);
+            G(rational_casteljau)(n, dim, R, w, c, r, Rr, wr);
             num left = G(rational_curvature_squared)(n - r, dim, Rr, wr, c);
             num right = G(rational_curvature_squared)(n, dim, R, w, c);
             int p = fault(T, n - r, 1) * (n - 1), q = fault(T, n, 1) * (n - r - 1);
@@ -960,7 +960,7 @@ CLAIM(unweighted_derivatives_are_parallel)
     G(rational_derivatives)(n, 1, R, w, c, n, D);
     for (int r = 0; r <= n; r++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], E[MAX_DEGREE + 1];
-        G(rational_decasteljau)(n, 1, R, w, c, r, Rr, wr);
+        G(rational_casteljau)(n, 1, R, w, c, r, Rr, wr);
         G(rational_derivatives)(n - r, 1, Rr, wr, c, n - r, E);
         for (int k = 0; k <= n - r; k++) {
             long p = fault(T, G(factorial_part)(n, k), 1), q = fault(T, G(factorial_part)(n - r, k), 1);
@@ -991,7 +991,7 @@ CLAIM(osculating_flats_agree)
     G(bezier_derivatives)(n, 2, H, c, n, D);
     for (int r = 0; r <= n; r++) {
         num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], Hr[2 * MAX_DEGREE + 2], E[2 * MAX_DEGREE + 2];
-        G(rational_decasteljau)(n, 1, R, w, c, r, Rr, wr);
+        G(rational_casteljau)(n, 1, R, w, c, r, Rr, wr);
         for (int i = 0; T->faulty && i <= n - r; i++)
             wr[i] = from_int(1);
         G(rational_homogenize)(n - r, 1, Rr, wr, Hr);
@@ -1020,7 +1020,7 @@ CLAIM(cubic_member_has_other_curvature)
     num R[8] = {from_int(0),      from_int(0), from_ratio(1, 3), from_int(0),
                 from_ratio(2, 3), from_int(0), from_int(1),      from_int(1)};
     num w[4] = {from_int(1), from_int(1), from_int(1), from_int(1)}, Rr[6], wr[3], c = from_int(1);
-    G(rational_decasteljau)(3, 2, R, w, c, 1, Rr, wr);
+    G(rational_casteljau)(3, 2, R, w, c, 1, Rr, wr);
     num curve = G(rational_curvature_squared)(3, 2, R, w, c), member = G(rational_curvature_squared)(2, 2, Rr, wr, c);
     show_points(T, "R", 4, 2, R);
     show_points(T, "the member's points", 3, 2, Rr);
@@ -1043,7 +1043,7 @@ CLAIM(member_runs_slower_than_the_curve)
 {
     num R[6] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)};
     num w[3] = {from_int(1), from_int(1), from_int(1)}, Rr[4], wr[2], D[4], E[4], c = from_ratio(1, 2);
-    G(rational_decasteljau)(2, 2, R, w, c, 1, Rr, wr);
+    G(rational_casteljau)(2, 2, R, w, c, 1, Rr, wr);
     G(rational_derivatives)(2, 2, R, w, c, 1, D);
     G(rational_derivatives)(1, 2, Rr, wr, c, 1, E);
     show_points(T, "R", 3, 2, R);
@@ -1063,7 +1063,7 @@ static int G(multiplicity_of_the_contact)(trial *T, int n, int r, num c)
         R[2 * i] = from_ratio(i, n);
         R[2 * i + 1] = from_int(i == n);
     }
-    G(rational_decasteljau)(n, 2, R, w, c, r, Rr, wr);
+    G(rational_casteljau)(n, 2, R, w, c, r, Rr, wr);
     poly value = poly_constant(from_int(0)), linear = poly_sub(poly_variable(), poly_constant(c));
     int degree = n * (n - r), multiplicity = 0;
     for (int k = 0; k <= degree; k++) { /* Lagrange's interpolation at τ = 0, ..., degree */
@@ -1141,7 +1141,7 @@ CLAIM(weighted_member_has_other_directions)
     num R[8] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1), from_int(0), from_int(1)};
     num w[4] = {from_int(1), from_int(fault(T, 1, 2)), from_int(1), from_int(1)}, Rr[6], wr[3], D[6], E[6];
     num c = from_int(0);
-    G(rational_decasteljau)(3, 2, R, w, c, 1, Rr, wr);
+    G(rational_casteljau)(3, 2, R, w, c, 1, Rr, wr);
     G(rational_derivatives)(3, 2, R, w, c, 2, D);
     G(rational_derivatives)(2, 2, Rr, wr, c, 2, E);
     show_points(T, "R", 4, 2, R);

@@ -7,7 +7,7 @@ static void put_family(svg *s, int n, const num_q R[], const num_q w[], int leve
 {
     num_q Rr[2 * MAX_DEGREE + 2], wr[MAX_DEGREE + 1];
     for (int k = 0; k <= pieces; k++) {
-        rational_decasteljau_q(n, 2, R, w, r(k, pieces), level, Rr, wr);
+        rational_casteljau_q(n, 2, R, w, r(k, pieces), level, Rr, wr);
         if (n - level == 1)
             svg_segment(s, svg_pair(Rr), svg_pair(Rr + 2), SVG_FAMILY);
         else
@@ -19,7 +19,7 @@ static void put_family(svg *s, int n, const num_q R[], const num_q w[], int leve
 static void put_member(svg *s, int n, const num_q R[], const num_q w[], int level, num_q c, enum svg_role role)
 {
     num_q Rr[2 * MAX_DEGREE + 2], wr[MAX_DEGREE + 1];
-    rational_decasteljau_q(n, 2, R, w, c, level, Rr, wr);
+    rational_casteljau_q(n, 2, R, w, c, level, Rr, wr);
     if (n - level == 1)
         svg_segment(s, svg_pair(Rr), svg_pair(Rr + 2), role);
     else

@@ -35,7 +35,7 @@ all triangles.
   of $l_1$ in $R_0$, and $(1-\lambda)l_1(R_2)$ times that of $l_2$ in $R_2$: for $\lambda\ne1$ and
   a true triangle it is not zero, and the tangents are $l_1$ and $l_2$
 :method: Identities in the six coordinates, $\lambda$ and the point.
-:defines: liming
+:defines: conic_liming
 :control: $l_3^2$ replaced by $l_1l_3$
 :::
 */
@@ -47,7 +47,7 @@ CLAIM(limings_conics_touch_the_lines)
     G(line_through)(R + 2, R, l1);
     G(line_through)(R + 2, R + 4, l2);
     G(line_through)(R, R + 4, l3);
-    G(liming)(lambda, l1, l2, l3, S);
+    G(conic_liming)(lambda, l1, l2, l3, S);
     if (T->faulty) {
         num tangents[6], other[6];
         G(line_pair)(l1, l2, tangents);
@@ -115,7 +115,7 @@ CLAIM(conics_touching_parallel_lines_are_limings)
     num S[6], M[6], g0[2], g2[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), lambda = unknown(T, "k", 0);
     num zero = from_int(0), one = from_int(1), minus = from_int(-1), half = from_ratio(1, 2), mu = sub(one, lambda);
     num l1[3] = {one, zero, minus}, l2[3] = {one, zero, one}, l3[3] = {zero, one, zero};
-    G(liming)(lambda, l1, l2, l3, M);
+    G(conic_liming)(lambda, l1, l2, l3, M);
     G(conic_gradient)(M, one, zero, g0);
     G(conic_gradient)(M, minus, zero, g2);
     about(T, "the gradients of the members");
@@ -149,7 +149,7 @@ static void G(refute_tangent)(trial *T)
     num l[3][3], R[2], S[6], g[2];
     G(given_lines)(T, l);
     given_points(T, "R_0", 1, 2, R);
-    G(liming)(given(T, "λ"), l[0], l[1], l[2], S);
+    G(conic_liming)(given(T, "λ"), l[0], l[1], l[2], S);
     G(conic_gradient)(S, R[0], R[1], g);
     found_points(T, "gradient at R_0", 1, 2, g);
     about(T, "whether the conic has a tangent at R0: whether the gradient is not zero");
@@ -333,7 +333,7 @@ CLAIM(limings_pencil_in_the_frame)
     G(line_through)(R + 2, R, l1);
     G(line_through)(R + 2, R + 4, l2);
     G(line_through)(R, R + 4, l3);
-    G(liming)(lambda, l1, l2, l3, S);
+    G(conic_liming)(lambda, l1, l2, l3, S);
     G(point_in_frame)(R, x, y, P);
     num d = G(area)(R + 2, R, R + 4);
     G(frame_conic)(lambda, fault(T, -1, 1), N);
@@ -360,7 +360,7 @@ CLAIM(every_scaling_takes_the_normal_form)
     num c1 = positive(T, "c", 1), c2 = positive(T, "c", 2), c3 = positive(T, "c", 3), S[6], N[6];
     num l1[3] = {zero, c1, zero}, l2[3] = {c2, zero, zero}, l3[3] = {c3, c3, neg(c3)};
     num mu = mul(sub(from_int(1), lambda), mul(c1, c2)), nu = mul(lambda, mul(c3, c3));
-    G(liming)(lambda, l1, l2, l3, S);
+    G(conic_liming)(lambda, l1, l2, l3, S);
     for (int k = 0; k < 2; k++) {
         int sign = k == 0 ? 1 : -1;
         num signed_nu = mul(from_int(sign), nu);
@@ -395,7 +395,7 @@ CLAIM(scaled_lines_change_lambda)
     G(given_lines)(T, l);
     num lambda = given(T, "λ");
     given_points(T, "λ of (3.1.4) with +, with -", 2, 1, frame);
-    G(liming)(lambda, l[0], l[1], l[2], S);
+    G(conic_liming)(lambda, l[0], l[1], l[2], S);
     num ratio = div(S[0], S[1]);
     int fits = 0;
     for (int k = 0; k < 2; k++) {
@@ -428,7 +428,7 @@ CLAIM(half_circle_has_no_frame)
 {
     num l[3][3], S[6];
     G(given_lines)(T, l);
-    G(liming)(given(T, "λ"), l[0], l[1], l[2], S);
+    G(conic_liming)(given(T, "λ"), l[0], l[1], l[2], S);
     found_points(T, "A, …, F", 6, 1, S);
     num d = sub(mul(l[0][0], l[1][1]), mul(l[1][0], l[0][1]));
     found(T, "determinant of l_1 and l_2", d);

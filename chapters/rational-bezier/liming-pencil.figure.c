@@ -22,7 +22,7 @@ FIGURE(limings_pencil)
         num_q w[3] = {q(1), r(member[k].m, member[k].n), q(1)}, other[3] = {q(1), r(-member[k].m, member[k].n), q(1)};
         svg_rational(s, 2, R, w, k == 1 ? SVG_CURVE : SVG_CURVE_2);
         svg_rational(s, 2, R, other, SVG_FAMILY);
-        shoulder_point_q(R, w, shoulder);
+        conic_shoulder_point_q(R, w, shoulder);
         svg_label(s, svg_pair(shoulder), k == 3 ? SVG_S : SVG_NE, SVG_POINT, member[k].lambda);
     }
     put_triangle(s, R, SVG_NW, SVG_N, SVG_NE);

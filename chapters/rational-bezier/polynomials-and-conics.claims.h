@@ -123,7 +123,7 @@ CLAIM(parabola_arcs_are_quadratic)
     num a = unknown(T, "a", 0), b = unknown(T, "b", 0), t = parameter(T, "t"), P[2], half = from_ratio(1, 2);
     num aa = mul(a, a), bb = mul(b, b), between = fault(T, mul(a, b), mul(half, add(aa, bb)));
     num R[6] = {a, aa, mul(half, add(a, b)), between, b, bb};
-    G(decasteljau)(2, 2, R, t, P);
+    G(bezier_casteljau)(2, 2, R, t, P);
     num x = add(mul(sub(from_int(1), t), a), mul(t, b));
     same(T, P[0], x);
     same(T, P[1], mul(x, x));

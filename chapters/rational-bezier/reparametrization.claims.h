@@ -171,8 +171,8 @@ CLAIM(fractional_change_term_by_term)
     about(T, "the next binomial coefficient");
     same(T, mul(choose, from_int(binomial(degree, index))), from_int(binomial(degree, index + 1)));
     about(T, "D^n B_i^n(t)");
-    G(bernstein)(degree, t, old);
-    G(bernstein)(degree, u, new);
+    G(bernstein_basis)(degree, t, old);
+    G(bernstein_basis)(degree, u, new);
     num factor = mul(G(power)(fault(T, a, b), index), G(power)(fault(T, b, a), degree - index));
     same(T, mul(G(power)(D, degree), old[index]), mul(factor, new[index]));
 #endif

@@ -242,7 +242,7 @@ CLAIM(common_factor_hides_the_weights)
         }
         w[n] = fault(T, w[n], add(w[n], w[n]));
         G(rational_point)(n, 1, R, w, t, &left);
-        G(decasteljau)(m, 1, P, t, &right);
+        G(bezier_casteljau)(m, 1, P, t, &right);
         same(T, left, right);
         G(rational_invariants)(n, w, I);
         if (m == 2) {

@@ -31,7 +31,7 @@ for $\omega_0=\omega_2$.
   $1,\omega,1$, the point at $\frac a{a+c}$ of the curve itself, and
   $\frac1{1+\omega}\frac{R_0+R_2}2+\frac\omega{1+\omega}R_1$
 :method: Identities in $a$, $\omega_1$, $c$ and the six coordinates; every pair of positive outer weights is reached.
-:defines: conic_standard_weight shoulder_point
+:defines: conic_standard_weight conic_shoulder_point
 :control: the point at $\frac12$ of the curve itself
 :::
 */
@@ -43,7 +43,7 @@ CLAIM(shoulder_point_of_the_curve)
     num omega = div(w[1], mul(a, c)), v[3] = {one, omega, one}, total = add(one, omega);
     about(T, "the standard weight");
     same(T, G(conic_standard_weight)(w), omega);
-    G(shoulder_point)(R, w, shoulder);
+    G(conic_shoulder_point)(R, w, shoulder);
     G(rational_point)(2, 2, R, v, half, P);
     G(rational_point)(2, 2, R, w, fault(T, div(a, add(a, c)), half), Q);
     for (int k = 0; k < 2; k++) {
@@ -142,7 +142,7 @@ CLAIM(negative_weight_leaves_the_median)
 {
     num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, P[2];
     num w[3] = {one, from_ratio(fault(T, 1, -1), 2), one};
-    G(shoulder_point)(R, w, P);
+    G(conic_shoulder_point)(R, w, P);
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
     show_points(T, "R_s", 1, 2, P);
@@ -165,7 +165,7 @@ CLAIM(median_from_the_base_is_the_other_way)
 {
     num zero = from_int(0), one = from_int(1), R[6] = {neg(one), zero, zero, one, one, zero}, P[2];
     num w[3] = {one, from_ratio(1, 2), one};
-    G(shoulder_point)(R, w, P);
+    G(conic_shoulder_point)(R, w, P);
     show_points(T, "R", 3, 2, R);
     show_points(T, "ω", 3, 1, w);
     show_points(T, "R_s", 1, 2, P);
@@ -223,7 +223,7 @@ static void ellipse_by_shoulder(trial *T, const num R[], const num w[])
 {
     num S[6], P[2], M[2] = {mul(from_ratio(1, 2), add(R[0], R[4])), mul(from_ratio(1, 2), add(R[1], R[5]))};
     num base = from_int(0), vertex = base;
-    G(shoulder_point)(R, w, P);
+    G(conic_shoulder_point)(R, w, P);
     G(conic_of_bezier)(R, w, S);
     for (int c = 0; c < 2; c++) {
         base = add(base, mul(sub(P[c], M[c]), sub(P[c], M[c])));

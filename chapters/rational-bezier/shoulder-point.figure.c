@@ -17,12 +17,12 @@ FIGURE(shoulder_point)
     for (int k = 1; k < 3; k++) {
         num_q other[3] = {q(1), q(k), q(1)};
         svg_rational(s, 2, R, other, SVG_CURVE_2);
-        shoulder_point_q(R, other, P);
+        conic_shoulder_point_q(R, other, P);
         svg_mark(s, svg_pair(P), SVG_CURVE_2, SVG_USUAL);
         svg_label(s, svg_pair(P), SVG_NW, SVG_CURVE_2, k == 1 ? "ω=1" : "ω=2");
     }
     svg_rational(s, 2, R, w, SVG_CURVE);
-    shoulder_point_q(R, w, P);
+    conic_shoulder_point_q(R, w, P);
     svg_point shoulder = svg_pair(P);
     svg_mark(s, shoulder, SVG_CURVE, SVG_USUAL);
     svg_mark(s, base, SVG_POINT, SVG_USUAL);

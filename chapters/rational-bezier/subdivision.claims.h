@@ -41,7 +41,7 @@ static void G(free_curve)(trial *T, int n, num R[], num w[])
 :method: The left sides come from the recursion, the right sides from the Bernstein polynomials; both are rational
   functions of $\lambda$, the weights and the points.
 :degrees: 1..6 sampled 10
-:defines: rational_decasteljau
+:defines: rational_casteljau
 :control: $1-\lambda$ for $\lambda$
 :::
 */
@@ -52,8 +52,8 @@ CLAIM(triangle_in_closed_form)
     num lambda = parameter(T, "lambda");
     G(free_curve)(T, n, R, w);
     for (int r = 0; r <= n; r++) {
-        G(rational_decasteljau)(n, 1, R, w, lambda, r, Rr, wr);
-        G(bernstein)(r, fault(T, lambda, sub(from_int(1), lambda)), B);
+        G(rational_casteljau)(n, 1, R, w, lambda, r, Rr, wr);
+        G(bernstein_basis)(r, fault(T, lambda, sub(from_int(1), lambda)), B);
         for (int i = r; i <= n; i++) {
             num weight = from_int(0), point = from_int(0);
             for (int k = 0; k <= r; k++) {
@@ -87,8 +87,8 @@ CLAIM(triangle_level_by_level)
     num ahead = fault(T, lambda, mu), behind = fault(T, mu, lambda);
     G(free_curve)(T, n, R, w);
     for (int r = 1; r <= n; r++) {
-        G(rational_decasteljau)(n, 1, R, w, lambda, r - 1, P, v);
-        G(rational_decasteljau)(n, 1, R, w, lambda, r, Rr, wr);
+        G(rational_casteljau)(n, 1, R, w, lambda, r - 1, P, v);
+        G(rational_casteljau)(n, 1, R, w, lambda, r, Rr, wr);
         for (int i = r; i <= n; i++) {
             int j = i - r; /* where index i of level r, and index i-1 of level r-1, are stored */
             num left = mul(behind, v[j]), right = mul(ahead, v[j + 1]);
@@ -141,7 +141,7 @@ CLAIM(intermediate_weight_can_vanish)
         num lambda = fault(T, from_ratio(2 - side, 3), from_ratio(1, 2)), next[3];
         for (int i = 0; i < 3; i++)
             next[i] = w[i];
-        G(casteljau_level)(2, 1, next, lambda);
+        G(bezier_casteljau_level)(2, 1, next, lambda);
         show(T, side == 0 ? "λ, with ω_1^1 = 0" : "λ, with ω_2^1 = 0", lambda);
         vanishes(T, next[side]);
     }
@@ -174,7 +174,7 @@ static void G(triangle_sides)(int n, const num R[], const num w[], num lambda, n
 {
     num P[MAX_DEGREE + 1], v[MAX_DEGREE + 1];
     for (int r = 0; r <= n; r++) {
-        G(rational_decasteljau)(n, 1, R, w, lambda, r, P, v);
+        G(rational_casteljau)(n, 1, R, w, lambda, r, P, v);
         left[r] = P[0];
         wl[r] = v[0];
         right[n - r] = P[n - r];
@@ -384,7 +384,7 @@ CLAIM(printed_right_half_has_the_wrong_argument)
     G(triangle_sides)(1, R, w, c, Rl, wl, Rr, wr);
     for (int i = 0; i < 2; i++)
         up[i] = mul(wr[i], Rr[i]);
-    G(horner_bernstein)(1, 1, up, fault(T, part, t), &numerator);
+    G(bezier_horner)(1, 1, up, fault(T, part, t), &numerator);
     G(rational_point)(1, 1, R, w, t, &curve);
     show_points(T, "R", 2, 1, R);
     show_points(T, "ω", 2, 1, w);
@@ -414,12 +414,12 @@ CLAIM(printed_right_half_has_the_wrong_weight)
     G(triangle_sides)(2, R, w, c, Rl, wl, Rr, wr);
     for (int i = 0; i <= 2; i++) {
         int r = 2 - i; /* the printed weight is omega_i^r, stored at i - r where it is defined */
-        G(rational_decasteljau)(2, 1, R, w, c, r, P, v);
+        G(rational_casteljau)(2, 1, R, w, c, r, P, v);
         up[i] = mul(fault(T, wr[i], i < r ? wr[i] : v[i - r]), Rr[i]);
         if (i == 1)
             show_points(T, "ω_1^1, ω_2^1", 2, 1, v);
     }
-    G(horner_bernstein)(2, 1, up, part, &numerator);
+    G(bezier_horner)(2, 1, up, part, &numerator);
     G(rational_point)(2, 1, R, w, t, &curve);
     show_points(T, "R", 3, 1, R);
     show_points(T, "ω", 3, 1, w);
@@ -462,8 +462,8 @@ CLAIM(equal_weights_give_polynomial_triangle)
         R[i] = unknown(T, "R", i);
     }
     for (int r = 0; r <= n; r++) {
-        G(rational_decasteljau)(n, 1, R, w, lambda, r, P, v);
-        G(bernstein)(r, lambda, B);
+        G(rational_casteljau)(n, 1, R, w, lambda, r, P, v);
+        G(bernstein_basis)(r, lambda, B);
         for (int i = r; i <= n; i++) {
             num point = from_int(0);
             for (int k = 0; k <= r; k++)
@@ -502,13 +502,13 @@ CLAIM(triangle_ends_on_the_curve)
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], B[MAX_DEGREE + 1], P, v, up = from_int(0), down = from_int(0);
     num lambda = parameter(T, "lambda");
     G(free_curve)(T, n, R, w);
-    G(bernstein)(n, lambda, B);
+    G(bernstein_basis)(n, lambda, B);
     for (int i = 0; i <= n; i++) {
         num share = mul(B[i], w[i]);
         down = add(down, share);
         up = add(up, mul(share, R[fault(T, i, i == n ? n - 1 : i)]));
     }
-    G(rational_decasteljau)(n, 1, R, w, lambda, n, &P, &v);
+    G(rational_casteljau)(n, 1, R, w, lambda, n, &P, &v);
     same(T, v, down);
     same(T, P, div(up, down));
 }
@@ -577,7 +577,7 @@ CLAIM(negative_weight_breaks_convexity)
     show_points(T, "ω", 3, 1, w);
     agree(T, count_roots_line(poly_from_bernstein(2, w)).distinct == 0);
     for (int k = 0; k < 2; k++)
-        G(rational_decasteljau)(2, 1, unit[k], w, half, 1, P[k], v);
+        G(rational_casteljau)(2, 1, unit[k], w, half, 1, P[k], v);
     show(T, "coefficient of R_0", P[0][0]);
     show(T, "coefficient of R_1", P[1][0]);
     same(T, P[0][0], from_ratio(4, 3));
@@ -616,11 +616,11 @@ CLAIM(cut_depends_on_level_edge_and_weights)
         first[i] = w[i];
         other[i] = equal[i];
     }
-    G(casteljau_level)(2, 1, first, half);
-    G(casteljau_level)(2, 1, other, half);
+    G(bezier_casteljau_level)(2, 1, first, half);
+    G(bezier_casteljau_level)(2, 1, other, half);
     for (int i = 0; i < 2; i++)
         second[i] = first[i];
-    G(casteljau_level)(1, 1, second, half);
+    G(bezier_casteljau_level)(1, 1, second, half);
     num r1i1 = div(mul(half, w[1]), first[0]), r1i2 = div(mul(half, w[2]), first[1]);
     num r2i2 = div(mul(half, first[1]), second[0]), plain = div(mul(half, equal[2]), other[1]);
     show(T, "ω = (1, 1, 2), r = 1, i = 1", r1i1);
@@ -664,12 +664,12 @@ CLAIM(geometric_weights_cut_evenly)
     num expected = G(cut_coefficient)(one, q, lambda);
     same(T, G(cut_coefficient)(v[0], v[1], lambda), expected);
     same(T, G(cut_coefficient)(v[1], v[2], lambda), expected);
-    G(casteljau_level)(2, 1, v, lambda);
+    G(bezier_casteljau_level)(2, 1, v, lambda);
     same(T, div(v[1], v[0]), q);
 
     num y = positive(T, "y", 0), z = positive(T, "z", 0), any[] = {x, y, z};
     num gap = sub(G(cut_coefficient)(y, z, lambda), G(cut_coefficient)(x, y, lambda));
-    G(casteljau_level)(2, 1, any, lambda);
+    G(bezier_casteljau_level)(2, 1, any, lambda);
     same(T, mul(gap, mul(any[0], any[1])), mul(mul(lambda, sub(one, lambda)), sub(mul(x, z), mul(y, y))));
 }
 
@@ -728,7 +728,7 @@ CLAIM(second_differences_shrink_quadratically)
             num e[MAX_DEGREE + 1], beta;
             for (int k = 0; k <= n - 2; k++)
                 e[k] = from_int(k == j);
-            G(blossom)(n - 2, 1, e, at, &beta);
+            G(bezier_blossom)(n - 2, 1, e, at, &beta);
             nonnegative(T, beta);
             total = add(total, beta);
             sum = add(sum, mul(beta, d[j]));

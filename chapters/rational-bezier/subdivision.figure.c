@@ -17,7 +17,7 @@ FIGURE(subdivision_triangle)
     svg_control_polygon(s, n, R, "R");
     svg_rational(s, n, R, w, SVG_CURVE);
     for (int r = 0; r <= n; r++) {
-        rational_decasteljau_q(n, 2, R, w, lambda, r, P, v);
+        rational_casteljau_q(n, 2, R, w, lambda, r, P, v);
         if (r > 0 && r < n)
             svg_polyline(s, n - r + 1, P, SVG_FAMILY);
         for (int c = 0; c < 2; c++) {
@@ -30,7 +30,7 @@ FIGURE(subdivision_triangle)
     static const char *const name[n][n] = {{"R_1^1", "R_2^1", "R_3^1"}, {"R_2^2", "R_3^2"}, {"R_3^3"}};
     static const enum svg_direction towards[n][n] = {{SVG_W, SVG_N, SVG_E}, {SVG_NW, SVG_NE}, {SVG_S}};
     for (int r = 1; r <= n; r++) {
-        rational_decasteljau_q(n, 2, R, w, lambda, r, P, v);
+        rational_casteljau_q(n, 2, R, w, lambda, r, P, v);
         for (int i = 0; i <= n - r; i++) {
             svg_mark(s, svg_pair(P + 2 * i), SVG_POINT, SVG_USUAL);
             svg_label(s, svg_pair(P + 2 * i), towards[r - 1][i], SVG_POINT, name[r - 1][i]);
@@ -65,13 +65,13 @@ FIGURE(triangle_point_at_infinity)
     svg_rational(s, 2, R, w, SVG_CURVE);
     static const char *const value[] = {"λ=2/5", "λ=1/2", "λ=4/5", "λ=9/10"};
     for (int k = 0; k < 4; k++) {
-        rational_decasteljau_q(2, 2, R, w, from_ratio_q(numerator[k], denominator[k]), 1, P, v);
+        rational_casteljau_q(2, 2, R, w, from_ratio_q(numerator[k], denominator[k]), 1, P, v);
         svg_mark(s, svg_pair(P), SVG_WRONG, SVG_USUAL);
         svg_label(s, svg_pair(P), SVG_NW, SVG_WRONG, value[k]);
     }
     num_q H[9], last[3];
     rational_homogenize_q(2, 2, R, w, H);
-    casteljau_level_q(2, 3, H, lambda); /* of the two points the first has the weight 0 */
+    bezier_casteljau_level_q(2, 3, H, lambda); /* of the two points the first has the weight 0 */
     rational_dehomogenize_q(0, 2, H + 3, P, last);
     rational_point_q(2, 2, R, w, lambda, S);
     svg_line(s, svg_pair(P), svg_pair(S), SVG_CURVE_2);
@@ -96,7 +96,7 @@ static svg_point printed_right_half(num_q t, const void *data)
     const struct right_half *h = data;
     num_q H[9], P[3], one = from_int_q(1);
     rational_homogenize_q(2, 2, h->R, h->w, H);
-    decasteljau_q(2, 3, H, t, P);
+    bezier_casteljau_q(2, 3, H, t, P);
     num_q bottom = rational_weight_q(2, h->w, div_q(sub_q(t, h->c), sub_q(one, h->c)));
     return (svg_point){div_q(P[0], bottom), div_q(P[1], bottom)};
 }
@@ -136,7 +136,7 @@ FIGURE(cut_leaves_the_edge)
     static const int point[] = {0, 0, 3, 3, 6, 0};
     num_q R[6], w[] = {from_int_q(1), from_ratio_q(-1, 4), from_int_q(1)}, P[4], v[2];
     integers(6, point, R);
-    rational_decasteljau_q(2, 2, R, w, from_ratio_q(1, 2), 1, P, v);
+    rational_casteljau_q(2, 2, R, w, from_ratio_q(1, 2), 1, P, v);
     svg *s = svg_new(
         "cut_leaves_the_edge", "With a negative weight the new points leave the edges",
         "The quadratic with weights 1, -1/4, 1 is a regular arc, but the points of the first level at 1/2 lie on the "

@@ -303,7 +303,7 @@ CLAIM(ratios_of_lengths_inside_the_triangle)
     G(line_through)(R + 2, R, l1);
     G(line_through)(R + 2, R + 4, l2);
     G(line_through)(R, R + 4, l3);
-    G(liming)(fault(T, lambda, mul(from_ratio(1, 2), lambda)), l1, l2, l3, S);
+    G(conic_liming)(fault(T, lambda, mul(from_ratio(1, 2), lambda)), l1, l2, l3, S);
     G(conic_gradient)(S, P[0], P[1], g);
     for (int side = 0; side < 2; side++) {
         const num *end = R + 4 * side;

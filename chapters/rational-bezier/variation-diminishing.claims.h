@@ -440,7 +440,7 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
     int n = T->degree;
     num w[MAX_DEGREE + 1], y[MAX_DEGREE + 1], B[MAX_DEGREE + 1], numerator = from_int(0), point;
     num t = inside(T, "s");
-    G(bernstein)(n, t, B);
+    G(bernstein_basis)(n, t, B);
     for (int i = 0; i <= n; i++) {
         w[i] = positive(T, "w", i);
         y[i] = unknown(T, "y", i);
@@ -542,7 +542,7 @@ CLAIM(numerator_in_powers_of_the_ratio)
     num b[MAX_DEGREE + 1], left, t = parameter(T, "t"), rest = sub(from_int(1), t), ratio = div(t, rest);
     for (int i = 0; i <= n; i++)
         b[i] = unknown(T, "b", i);
-    G(decasteljau)(n, 1, b, t, &left);
+    G(bezier_casteljau)(n, 1, b, t, &left);
     num right = from_int(0);
     for (int i = n; i >= 0; i--)
         right = add(mul(right, ratio), mul(from_int(binomial(n, i)), b[i]));

@@ -55,7 +55,7 @@ static svg_point over_t(num_q t, const void *data)
     num_q y[LARGEST + 1], value;
     for (int i = 0; i <= p->n; i++)
         y[i] = p->R[2 * i + 1];
-    decasteljau_q(p->n, 1, y, t, &value);
+    bezier_casteljau_q(p->n, 1, y, t, &value);
     return (svg_point){t, value};
 }
 

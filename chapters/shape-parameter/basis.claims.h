@@ -699,7 +699,7 @@ CLAIM(first_function_is_not_every_bernstein_polynomial)
     int i = given_whole(T, "i");
     num t = given(T, "t");
     G(shape_basis_printed)(beta, t, B);
-    G(bernstein)(7, t, b);
+    G(bernstein_basis)(7, t, b);
     num left = B[fault(T, i, 0)];
     found(T, "left side of (9)", left);
     found(T, "right side of (9)", b[i]);

@@ -152,7 +152,7 @@ CLAIM(beta_zero_gives_the_bezier_curve)
     int n = T->degree;
     num P[(MAX_DEGREE + 1) * dim], at[dim], bezier[dim], beta = from_int(fault(T, 0, 1)), t = parameter(T, "t");
     G(free_points)(T, n, dim, P);
-    G(decasteljau)(n, dim, P, t, bezier);
+    G(bezier_casteljau)(n, dim, P, t, bezier);
     G(shape_point)(n, dim, P, beta, t, at);
     for (int c = 0; c < dim; c++)
         same(T, at[c], bezier[c]);

@@ -96,9 +96,9 @@ FIGURE(blend_of_three_points)
         w[m] = P[m];
     svg_panel(s, window(q(-1), q(-1), q(13), q(10)), 460, 0, "$n=4$, $t=2/5$");
     svg_control_polygon(s, 4, P, "P");
-    casteljau_level_q(4, 2, w, t);
+    bezier_casteljau_level_q(4, 2, w, t);
     svg_polyline(s, 4, w, SVG_FAMILY);
-    casteljau_level_q(3, 2, w, t);
+    bezier_casteljau_level_q(3, 2, w, t);
     svg_area(s, 3, w, SVG_FILL);
     svg_polyline(s, 3, w, SVG_POINT);
     put_curve(s, 0, 4, P, q(-2), SVG_FAMILY);

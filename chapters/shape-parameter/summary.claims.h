@@ -480,7 +480,7 @@ For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no 
 :title: Horner's rule on the nine Bézier points gives the curve
 :zh: Horner 法则求曲线上的点
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
-:then: `horner_bernstein` with the points of `shape_bezier_points` gives $\sum P_iB_{i,n}(t)$
+:then: `bezier_horner` with the points of `shape_bezier_points` gives $\sum P_iB_{i,n}(t)$
 :method: Kernels against the formula, everything a variable.
 :degrees: 2..7 sampled 14
 :control: $t$ and $1-t$ exchanged
@@ -492,7 +492,7 @@ CLAIM(horner_rule_computes_the_curve)
     num P[(MAX_DEGREE + 1) * dim], Q[(MAX_DEGREE + 1) * dim], at[dim], beta = G(any_beta)(T), t = parameter(T, "t");
     G(free_points)(T, n, dim, P);
     G(shape_bezier_points)(n, dim, P, beta, Q);
-    G(horner_bernstein)(n + 1, dim, Q, fault(T, t, sub(from_int(1), t)), at);
+    G(bezier_horner)(n + 1, dim, Q, fault(T, t, sub(from_int(1), t)), at);
     for (int c = 0; c < dim; c++)
         same(T, at[c], G(corrected_curve)(n, dim, P, c, beta, t));
 }
@@ -509,9 +509,9 @@ static struct operations cost_of_point(trial *T, enum method method, int n, int 
         b[m] = some_number;
         x[m] = unknown_q(T, "x", m);
     }
-    (method == HORNER ? horner_bernstein_q : decasteljau_q)(n, coordinates, x, t, at);
+    (method == HORNER ? bezier_horner_q : bezier_casteljau_q)(n, coordinates, x, t, at);
     counted = (struct operations){0};
-    (method == HORNER ? horner_bernstein_c : decasteljau_c)(n, coordinates, b, some_number, P);
+    (method == HORNER ? bezier_horner_c : bezier_casteljau_c)(n, coordinates, b, some_number, P);
     note_cost(coordinates, at, counted);
     return counted;
 }
@@ -522,7 +522,7 @@ static int products(struct operations cost) { return cost.multiplications + cost
 :title: A point of a curve of degree eight takes more operations than one of degree seven
 :zh: 八次曲线上点的运算次数多于七次
 :kind: decision
-:given: the degrees 7 and 8, one to three coordinates $d$; `horner_bernstein` and `decasteljau`
+:given: the degrees 7 and 8, one to three coordinates $d$; `bezier_horner` and `bezier_casteljau`
 :then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ and
   $\frac12dn(n+1)+n$; all are more for $n=8$ than for $n=7$
 :method: The kernels are run in the number type that counts; products with powers of two are counted with the others.
@@ -553,10 +553,10 @@ CLAIM(degree_eight_takes_more_operations)
 :kind: counterexample
 :data: degree by Horner's rule = 8; degree by de Casteljau's algorithm = 7
 :result: products = 48 112; sums = 17 63
-:given: the plane; `horner_bernstein` in the higher degree, `decasteljau` in the lower one
+:given: the plane; `bezier_horner` in the higher degree, `bezier_casteljau` in the lower one
 :then: the first takes fewer products and fewer sums than the second
 :method: The kernels are run in the number type that counts.
-:control: `decasteljau` in both degrees
+:control: `bezier_casteljau` in both degrees
 :::
 */
 CLAIM(horner_for_nine_points_beats_de_casteljau_for_eight)

@@ -77,7 +77,7 @@ FIGURE(operations_for_a_point)
     for (int bar = 0; bar < 4; bar++) {
         num_c b[2 * (MAX_DEGREE + 1)] = {{0}}, P[2], t = {0};
         counted = (struct operations){0};
-        (bar < 2 ? horner_bernstein_c : decasteljau_c)(7 + bar % 2, 2, b, t, P);
+        (bar < 2 ? bezier_horner_c : bezier_casteljau_c)(7 + bar % 2, 2, b, t, P);
         for (int sums = 0; sums <= 1; sums++) {
             char number[16];
             int count = sums ? counted.additions : counted.multiplications + counted.shifts;

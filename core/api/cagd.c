@@ -45,7 +45,7 @@ cagd_status cagd_bernstein(int degree, double t, double *values)
     REQUIRE(values != NULL, CAGD_NULL);
     REQUIRE(in(0, degree, MAX_DEGREE), CAGD_DEGREE);
     REQUIRE(isfinite(t), CAGD_NOT_FINITE);
-    bernstein_d(degree, t, values);
+    bernstein_basis_d(degree, t, values);
     return result(degree + 1, values);
 }
 
@@ -55,7 +55,7 @@ cagd_status cagd_bezier_point(int degree, int dim, const double *points, double 
     REQUIRE(in(0, degree, MAX_DEGREE), CAGD_DEGREE);
     REQUIRE(in(1, dim, CAGD_MAX_DIM), CAGD_DIMENSION);
     PASS(polynomial_arguments(degree, dim, points, t));
-    decasteljau_d(degree, dim, points, t, point);
+    bezier_casteljau_d(degree, dim, points, t, point);
     return result(dim, point);
 }
 

@@ -60,7 +60,7 @@ static inline void triangle(int p, int size, const cagd_curve *c, int mu, double
     for (int m = 0; m < (p + 1) * size; m++)
         d[m] = c->H[(mu - p) * size + m];
     for (int r = 1; r <= p; r++)
-        deboor_level_d(p, size, c->knots, mu, r, d, t);
+        bspline_deboor_level_d(p, size, c->knots, mu, r, d, t);
     for (int k = 0; k < size; k++)
         out[k] = d[k];
 }
@@ -113,12 +113,12 @@ static cagd_status derivatives(const cagd_curve *c, double t, int mu, int order,
     int p = c->degree, dim = c->dim;
     const double *span = c->H + (mu - p) * c->size;
     if (c->size > dim) {
-        derivatives_of_span_d(p, c->size, c->knots, mu, span, t, order + 1, D);
+        bspline_span_derivatives_d(p, c->size, c->knots, mu, span, t, order + 1, D);
         REQUIRE(D[dim] != 0, CAGD_UNDEFINED);
         REQUIRE(isfinite(D[dim]), CAGD_OVERFLOW);
-        quotient_derivatives_d(dim, D, order, out);
+        rational_quotient_derivatives_d(dim, D, order, out);
     } else {
-        derivatives_of_span_d(p, dim, c->knots, mu, span, t, order + 1, out);
+        bspline_span_derivatives_d(p, dim, c->knots, mu, span, t, order + 1, out);
     }
     return result((order + 1) * dim, out);
 }

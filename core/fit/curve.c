@@ -68,7 +68,7 @@ void fit_curve_update(fit_curve *c)
         for (int i = 0; i <= p; i++) {
             for (int r = 0; r < p; r++)
                 x[r] = c->knots[r < p - i ? mu : mu + 1];
-            blossom_of_span_d(p, d + 1, c->knots, mu, H, x, b + i * (d + 1));
+            bspline_span_blossom_d(p, d + 1, c->knots, mu, H, x, b + i * (d + 1));
         }
     }
 }

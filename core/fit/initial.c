@@ -179,7 +179,7 @@ static void straighten(const fit_problem *p, const double from[], const double t
 {
     int dim = p->dim, last = p->count - 1;
     for (int i = 0; i <= last; i++) {
-        double along = greville_d(p->degree, p->knots, i) - fit_curve_start(curve);
+        double along = bspline_greville_d(p->degree, p->knots, i) - fit_curve_start(curve);
         along /= fit_curve_end(curve) - fit_curve_start(curve);
         for (int c = 0; c < dim; c++)
             curve->points[i * dim + c] = i == last ? to[c] : from[c] + along * (to[c] - from[c]);

@@ -9,7 +9,7 @@
 #include "core/number/generic_on.h"
 
 /* B[i] = B_i^n(t), i = 0, ..., n, by B_i^k = (1-t) B_i^{k-1} + t B_{i-1}^{k-1}. */
-KERNEL void G(bernstein)(int n, num t, num B[])
+KERNEL void G(bernstein_basis)(int n, num t, num B[])
 {
     num s = sub(from_int(1), t);
     B[0] = from_int(1);
@@ -34,7 +34,7 @@ KERNEL void G(bernstein_derivatives)(int n, int r, num t, num B[])
             row[i] = from_int(0);
         if (k > n)
             continue;
-        G(bernstein)(n - k, t, row);
+        G(bernstein_basis)(n - k, t, row);
         for (int m = n - k + 1; m <= n; m++) {
             row[m] = mul(from_int(m), row[m - 1]);
             for (int i = m - 1; i > 0; i--)
@@ -60,7 +60,7 @@ KERNEL void G(bernstein_product)(int n, const num a[], int m, const num b[], num
 
 /* The (n+2) x (n+1) matrix of degree elevation, row by row: e = E b with
  *     E_{i,i-1} = i/(n+1),   E_{i,i} = 1 - i/(n+1),   0 elsewhere. */
-KERNEL void G(elevation_matrix)(int n, num E[])
+KERNEL void G(bernstein_elevation_matrix)(int n, num E[])
 {
     for (int i = 0; i <= n + 1; i++)
         for (int j = 0; j <= n; j++) {
@@ -83,7 +83,7 @@ KERNEL void G(bernstein_to_power)(int n, const num b[], num c[])
 }
 
 /* The inverse of bernstein_to_power: b_i = sum_{k<=i} C(i,k)/C(n,k) c_k.  b may be c. */
-KERNEL void G(power_to_bernstein)(int n, const num c[], num b[])
+KERNEL void G(bernstein_from_power)(int n, const num c[], num b[])
 {
     for (int k = 0; k <= n; k++)
         b[k] = div(c[k], from_int(binomial(n, k)));

@@ -9,7 +9,7 @@
 
 /* One level of de Casteljau's triangle, in place: the n+1 points b become the n points
  * (1-t) b_i + t b_{i+1}.  The last point stays as it was. */
-KERNEL void G(casteljau_level)(int n, int dim, num b[], num t)
+KERNEL void G(bezier_casteljau_level)(int n, int dim, num b[], num t)
 {
     num s = sub(from_int(1), t);
     for (int m = 0; m < n * dim; m++)
@@ -17,20 +17,20 @@ KERNEL void G(casteljau_level)(int n, int dim, num b[], num t)
 }
 
 /* out = b(t): b_i^0 = b_i, b_i^k = (1-t) b_i^{k-1} + t b_{i+1}^{k-1}, b(t) = b_0^n.  out may overlap b. */
-KERNEL void G(decasteljau)(int n, int dim, const num b[], num t, num out[])
+KERNEL void G(bezier_casteljau)(int n, int dim, const num b[], num t, num out[])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (n + 1) * dim; m++)
         w[m] = b[m];
     for (int k = n; k > 0; k--)
-        G(casteljau_level)(k, dim, w, t);
+        G(bezier_casteljau_level)(k, dim, w, t);
     for (int c = 0; c < dim; c++)
         out[c] = w[c];
 }
 
 /* out = b(t) in O(n) operations, without division, for every t:
  *     b(t) = (...((1-t) b_0 + C(n,1) t b_1)(1-t) + ...)(1-t) + C(n,n) t^n b_n. */
-KERNEL void G(horner_bernstein)(int n, int dim, const num b[restrict], num t, num out[restrict])
+KERNEL void G(bezier_horner)(int n, int dim, const num b[restrict], num t, num out[restrict])
 {
     num s = sub(from_int(1), t), power = from_int(1);
     long choose = 1;
@@ -47,7 +47,7 @@ KERNEL void G(horner_bernstein)(int n, int dim, const num b[restrict], num t, nu
 
 /* The hodograph (速端曲线), in place: the n+1 points b become the n points n (b_{i+1} - b_i) of b'.
  * The last point stays as it was; nothing happens for n <= 0. */
-KERNEL void G(hodograph)(int n, int dim, num b[])
+KERNEL void G(bezier_hodograph)(int n, int dim, num b[])
 {
     for (int m = 0; m < n * dim; m++)
         b[m] = mul(from_int(n), sub(b[m + dim], b[m]));
@@ -60,7 +60,7 @@ KERNEL void G(bezier_differences)(int n, int dim, const num b[], int r, num out[
     for (int m = 0; m < (n + 1) * dim; m++)
         w[m] = b[m];
     for (int k = 0; k < r; k++)
-        G(hodograph)(n - k, dim, w);
+        G(bezier_hodograph)(n - k, dim, w);
     for (int m = 0; m < (n - r + 1) * dim; m++)
         out[m] = w[m];
 }
@@ -72,8 +72,8 @@ KERNEL void G(bezier_derivatives)(int n, int dim, const num b[restrict], num t, 
     for (int m = 0; m < (n + 1) * dim; m++)
         w[m] = b[m];
     for (int k = 0; k <= r && k <= n; k++) {
-        G(decasteljau)(n - k, dim, w, t, out + k * dim);
-        G(hodograph)(n - k, dim, w);
+        G(bezier_casteljau)(n - k, dim, w, t, out + k * dim);
+        G(bezier_hodograph)(n - k, dim, w);
     }
     for (int m = (n + 1) * dim; m < (r + 1) * dim; m++)
         out[m] = from_int(0);
@@ -88,7 +88,7 @@ KERNEL void G(bezier_split)(int n, int dim, const num b[restrict], num t, num le
     for (int k = 0; k <= n; k++) {
         for (int c = 0; c < dim; c++)
             left[k * dim + c] = right[c];
-        G(casteljau_level)(n - k, dim, right, t);
+        G(bezier_casteljau_level)(n - k, dim, right, t);
     }
 }
 
@@ -129,13 +129,13 @@ KERNEL void G(bezier_reduce)(int n, int dim, const num e[restrict], num b[restri
 
 /* The polar form (blossom, 极形式) b[u_1, ..., u_n]: symmetric, affine in each argument, and
  * b[t, ..., t] = b(t).  Level k of the triangle is taken at u[k-1].  out may overlap b. */
-KERNEL void G(blossom)(int n, int dim, const num b[], const num u[], num out[])
+KERNEL void G(bezier_blossom)(int n, int dim, const num b[], const num u[], num out[])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (n + 1) * dim; m++)
         w[m] = b[m];
     for (int k = n; k > 0; k--)
-        G(casteljau_level)(k, dim, w, u[n - k]);
+        G(bezier_casteljau_level)(k, dim, w, u[n - k]);
     for (int c = 0; c < dim; c++)
         out[c] = w[c];
 }
@@ -148,7 +148,7 @@ KERNEL void G(bezier_on_interval)(int n, int dim, const num b[restrict], num u, 
     for (int i = 0; i <= n; i++) {
         for (int k = 0; k < n; k++)
             x[k] = k < i ? v : u;
-        G(blossom)(n, dim, b, x, out + i * dim);
+        G(bezier_blossom)(n, dim, b, x, out + i * dim);
     }
 }
 

@@ -25,7 +25,7 @@ KERNEL void G(bezier_surface_line)(int n, int m, int dim, const num P[restrict],
         for (int i = 0; i <= n; i++)
             for (int c = 0; c < dim; c++)
                 column[i * dim + c] = P[(i * (m + 1) + j) * dim + c];
-        G(decasteljau)(n, dim, column, u, b + j * dim);
+        G(bezier_casteljau)(n, dim, column, u, b + j * dim);
     }
 }
 
@@ -34,7 +34,7 @@ KERNEL void G(bezier_surface_point)(int n, int m, int dim, const num P[restrict]
 {
     num line[(MAX_DEGREE + 1) * MAX_DIM];
     G(bezier_surface_line)(n, m, dim, P, u, line);
-    G(decasteljau)(m, dim, line, w, out);
+    G(bezier_casteljau)(m, dim, line, w, out);
 }
 
 /* All partial derivatives (偏导矢) of orders k = 0, ..., r in u and l = 0, ..., s in w at (u, w), r <= MAX_DEGREE:
@@ -49,7 +49,7 @@ KERNEL void G(bezier_surface_derivatives)(int n, int m, int dim, const num P[res
                 column[i * dim + c] = from_int(0);
             if (l <= m) {
                 G(bezier_differences)(m, dim, P + i * (m + 1) * dim, l, edge);
-                G(decasteljau)(m - l, dim, edge, w, column + i * dim);
+                G(bezier_casteljau)(m - l, dim, edge, w, column + i * dim);
             }
         }
         G(bezier_derivatives)(n, dim, column, u, r, D);

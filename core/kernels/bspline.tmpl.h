@@ -19,7 +19,7 @@
 /* One level of the recursion of de Boor and Cox at t, in place: the k values N_{i,k-1}(t), i = mu-k+1, ..., mu,
  * become the k+1 values N_{i,k}(t), i = mu-k, ..., mu:
  *     N_{i,k} = (t - u_i)/(u_{i+k} - u_i) N_{i,k-1} + (u_{i+k+1} - t)/(u_{i+k+1} - u_{i+1}) N_{i+1,k-1}. */
-KERNEL void G(basis_level)(int k, const num u[], int mu, num t, num N[])
+KERNEL void G(bspline_basis_level)(int k, const num u[], int mu, num t, num N[])
 {
     num carry = from_int(0);
     for (int m = 0; m < k; m++) {
@@ -33,7 +33,7 @@ KERNEL void G(basis_level)(int k, const num u[], int mu, num t, num N[])
 
 /* The derivative of the same recursion, in place: from values of degree k-1 to those of
  *     N_{i,k}' = k (N_{i,k-1}/(u_{i+k} - u_i) - N_{i+1,k-1}/(u_{i+k+1} - u_{i+1})). */
-KERNEL void G(basis_derivative_level)(int k, const num u[], int mu, num N[])
+KERNEL void G(bspline_basis_derivative_level)(int k, const num u[], int mu, num N[])
 {
     num carry = from_int(0);
     for (int m = 0; m < k; m++) {
@@ -50,7 +50,7 @@ KERNEL void G(bspline_basis)(int p, const num u[], int mu, num t, num N[])
 {
     N[0] = from_int(1);
     for (int k = 1; k <= p; k++)
-        G(basis_level)(k, u, mu, t, N);
+        G(bspline_basis_level)(k, u, mu, t, N);
 }
 
 /* Row r of D, r = 0, ..., rows-1, holds the p+1 derivatives of order r: D[r(p+1) + m] = N_{mu-p+m,p}^(r)(t). */
@@ -64,24 +64,24 @@ KERNEL void G(bspline_basis_derivatives)(int p, const num u[], int mu, num t, in
             continue;
         G(bspline_basis)(p - r, u, mu, t, row);
         for (int k = p - r + 1; k <= p; k++)
-            G(basis_derivative_level)(k, u, mu, row);
+            G(bspline_basis_derivative_level)(k, u, mu, row);
     }
 }
 
 /* Discrete B-splines (离散 B 样条): a[m] = alpha_{mu-p+m}(j), m = 0, ..., p, where x_0, ..., x_{p-1} are the knots
  * v_{j+1}, ..., v_{j+p} of a refinement v of u and [v_j, v_{j+1}) lies in the span: point j over v is
  * sum_i alpha_i(j) c_i.  The recursion of de Boor and Cox, level k at x_{k-1}; the order of x does not matter. */
-KERNEL void G(discrete_bsplines)(int p, const num u[], int mu, const num x[restrict], num a[restrict])
+KERNEL void G(bspline_discrete)(int p, const num u[], int mu, const num x[restrict], num a[restrict])
 {
     a[0] = from_int(1);
     for (int k = 1; k <= p; k++)
-        G(basis_level)(k, u, mu, x[k - 1], a);
+        G(bspline_basis_level)(k, u, mu, x[k - 1], a);
 }
 
 /* Level r of de Boor's triangle at t, 1 <= r <= p, in place: the p+2-r points d_i^{r-1}, i = mu-p+r-1, ..., mu,
  * become the p+1-r points d_i^r = (1-a) d_{i-1}^{r-1} + a d_i^{r-1}, a = (t - u_i)/(u_{i+p+1-r} - u_i),
  * i = mu-p+r, ..., mu.  The last point stays as it was. */
-KERNEL void G(deboor_level)(int p, int dim, const num u[], int mu, int r, num d[], num t)
+KERNEL void G(bspline_deboor_level)(int p, int dim, const num u[], int mu, int r, num d[], num t)
 {
     for (int m = 0; m <= p - r; m++) {
         int i = mu - p + r + m, far = i + p + 1 - r;
@@ -93,13 +93,13 @@ KERNEL void G(deboor_level)(int p, int dim, const num u[], int mu, int r, num d[
 
 /* The polar form (极形式) of the segment of mu, out = f[x_0, ..., x_{p-1}]: symmetric, affine in each x, and
  * f[t, ..., t] = s(t).  Level r of de Boor's triangle at x_{r-1}.  d: the p+1 points c_{mu-p}, ..., c_mu. */
-KERNEL void G(blossom_of_span)(int p, int dim, const num u[], int mu, const num d[], const num x[], num out[])
+KERNEL void G(bspline_span_blossom)(int p, int dim, const num u[], int mu, const num d[], const num x[], num out[])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (p + 1) * dim; m++)
         w[m] = d[m];
     for (int r = 1; r <= p; r++)
-        G(deboor_level)(p, dim, u, mu, r, w, x[r - 1]);
+        G(bspline_deboor_level)(p, dim, u, mu, r, w, x[r - 1]);
     for (int c = 0; c < dim; c++)
         out[c] = w[c];
 }
@@ -107,22 +107,22 @@ KERNEL void G(blossom_of_span)(int p, int dim, const num u[], int mu, const num 
 /* The same for all n points c. */
 KERNEL void G(bspline_blossom)(int p, int dim, const num u[], int mu, const num c[], const num x[], num out[])
 {
-    G(blossom_of_span)(p, dim, u, mu, c + (mu - p) * dim, x, out);
+    G(bspline_span_blossom)(p, dim, u, mu, c + (mu - p) * dim, x, out);
 }
 
 /* out = s(t) of the segment with the p+1 points d, by de Boor's algorithm. */
-KERNEL void G(deboor_of_span)(int p, int dim, const num u[], int mu, const num d[], num t, num out[])
+KERNEL void G(bspline_span_deboor)(int p, int dim, const num u[], int mu, const num d[], num t, num out[])
 {
     num x[MAX_DEGREE + 1];
     for (int r = 0; r < p; r++)
         x[r] = t;
-    G(blossom_of_span)(p, dim, u, mu, d, x, out);
+    G(bspline_span_blossom)(p, dim, u, mu, d, x, out);
 }
 
 /* out = s(t), all n points given. */
-KERNEL void G(deboor)(int p, int dim, const num u[], int mu, const num c[], num t, num out[])
+KERNEL void G(bspline_deboor)(int p, int dim, const num u[], int mu, const num c[], num t, num out[])
 {
-    G(deboor_of_span)(p, dim, u, mu, c + (mu - p) * dim, t, out);
+    G(bspline_span_deboor)(p, dim, u, mu, c + (mu - p) * dim, t, out);
 }
 
 /* The points of the derivative on a span, in place: d_i, i = mu-p, ..., mu, become the p points
@@ -140,15 +140,15 @@ KERNEL void G(bspline_hodograph)(int p, int dim, const num u[], int mu, num d[])
 
 /* Row r of out, r = 0, ..., rows-1, is the r-th derivative at t of the segment with the p+1 points d; zero for
  * r > p. */
-KERNEL void G(derivatives_of_span)(int p, int dim, const num u[], int mu, const num d[restrict], num t, int rows,
-                                   num out[restrict])
+KERNEL void G(bspline_span_derivatives)(int p, int dim, const num u[], int mu, const num d[restrict], num t, int rows,
+                                        num out[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (p + 1) * dim; m++)
         w[m] = d[m];
     for (int r = 0; r < rows; r++) {
         if (r <= p)
-            G(deboor_of_span)(p - r, dim, u, mu, w, t, out + r * dim);
+            G(bspline_span_deboor)(p - r, dim, u, mu, w, t, out + r * dim);
         else
             for (int c = 0; c < dim; c++)
                 out[r * dim + c] = from_int(0);
@@ -160,7 +160,7 @@ KERNEL void G(derivatives_of_span)(int p, int dim, const num u[], int mu, const 
 KERNEL void G(bspline_derivatives)(int p, int dim, const num u[], int mu, const num c[restrict], num t, int rows,
                                    num out[restrict])
 {
-    G(derivatives_of_span)(p, dim, u, mu, c + (mu - p) * dim, t, rows, out);
+    G(bspline_span_derivatives)(p, dim, u, mu, c + (mu - p) * dim, t, rows, out);
 }
 
 /* The n-1 points e_i = p (c_{i+1} - c_i)/(u_{i+p+1} - u_{i+1}) of the derivative of s, a spline of degree p-1
@@ -176,7 +176,7 @@ KERNEL void G(bspline_difference)(int n, int p, int dim, const num u[restrict], 
 
 /* The Greville abscissa (Greville 横坐标) of point i, (u_{i+1} + ... + u_{i+p})/p, p >= 1: the coefficient of
  * N_{i,p} in the spline s(t) = t. */
-KERNEL num G(greville)(int p, const num u[], int i)
+KERNEL num G(bspline_greville)(int p, const num u[], int i)
 {
     num sum = u[i + 1];
     for (int k = 2; k <= p; k++)
@@ -196,7 +196,7 @@ KERNEL void G(bspline_insert)(int n, int p, int dim, const num u[restrict], int 
     for (int m = 0; m < (p + 1) * dim; m++)
         w[m] = c[(mu - p) * dim + m];
     if (p > 0)
-        G(deboor_level)(p, dim, u, mu, 1, w, x);
+        G(bspline_deboor_level)(p, dim, u, mu, 1, w, x);
     for (int i = 0; i <= n; i++)
         for (int k = 0; k < dim; k++)
             d[i * dim + k] = i <= mu - p ? c[i * dim + k]
@@ -290,7 +290,7 @@ KERNEL void G(bspline_point_of_bezier)(int p, int dim, const num b[], num from, 
     num local[MAX_DEGREE + 1], length = sub(to, from);
     for (int r = 0; r < p; r++)
         local[r] = div(sub(x[r], from), length);
-    G(blossom)(p, dim, b, local, out);
+    G(bezier_blossom)(p, dim, b, local, out);
 }
 
 /* The m points, in degree p-1 over v (m+p knots), of a spline that is of this degree: point j is the polar form at
@@ -331,7 +331,7 @@ KERNEL void G(bspline_split)(int n, int p, int dim, const num u[restrict], int m
         w[m] = c[(mu - p) * dim + m];
     for (int r = 0; r <= p; r++) {
         if (r > 0)
-            G(deboor_level)(p, dim, u, mu, r, w, t);
+            G(bspline_deboor_level)(p, dim, u, mu, r, w, t);
         for (int k = 0; k < dim; k++) {
             if (mu - p + r < lefts)
                 left[(mu - p + r) * dim + k] = w[k];

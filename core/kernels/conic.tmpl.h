@@ -39,7 +39,7 @@ KERNEL void G(conic_pencil)(num lambda, const num S1[], const num S2[], num S[])
 
 /* Liming's pencil S = (1-lambda) l1 l2 + lambda l3^2: conics that touch l1 and l2 where l3 meets them
  * (formula 3.1.3). */
-KERNEL void G(liming)(num lambda, const num l1[], const num l2[], const num l3[], num S[])
+KERNEL void G(conic_liming)(num lambda, const num l1[], const num l2[], const num l3[], num S[])
 {
     num tangents[6], chord[6];
     G(line_pair)(l1, l2, tangents);
@@ -102,7 +102,7 @@ KERNEL num G(conic_standard_weight)(const num w[]) { return div(w[1], root(2, mu
 
 /* The shoulder point (肩点), parameter 1/2 of the standard form, on the median through R_1 (corollary 3.5.1):
  *     out = (R_0 + 2 omega R_1 + R_2) / (2 (1 + omega)),   omega != -1. */
-KERNEL void G(shoulder_point)(const num R[], const num w[], num out[])
+KERNEL void G(conic_shoulder_point)(const num R[], const num w[], num out[])
 {
     num omega = G(conic_standard_weight)(w), two = from_int(2);
     num total = mul(two, add(from_int(1), omega));
@@ -129,7 +129,7 @@ KERNEL void G(circular_arc_weights)(num l, num h, num w[])
  * and as value its squared radius.  With M the middle of the chord, l = |R_0 M| and h = |M R_1|,
  *     centre = M - l^2/h^2 (R_1 - M),   radius^2 = l^2 + l^4/h^2 = (l / sin theta)^2.
  * UNDEFINED for h = 0. */
-KERNEL num G(circle_of_arc)(const num R[], num centre[])
+KERNEL num G(circular_arc_circle)(const num R[], num centre[])
 {
     num half = from_ratio(1, 2), ll = from_int(0), hh = from_int(0), up[2];
     for (int c = 0; c < 2; c++) {

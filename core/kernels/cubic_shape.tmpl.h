@@ -17,7 +17,7 @@ KERNEL void G(cubic_minors)(const num P[restrict], num m[restrict])
 }
 
 /* f, the three coefficients of P' x P'' = f_0 + f_1 t + f_2 t^2, from m = (a, b, c). */
-KERNEL void G(inflection_polynomial)(const num m[restrict], num f[restrict])
+KERNEL void G(cubic_inflection_polynomial)(const num m[restrict], num f[restrict])
 {
     f[0] = mul(from_int(-2), m[2]);
     f[1] = mul(from_int(-6), m[1]);
@@ -32,7 +32,7 @@ KERNEL num G(cubic_delta)(const num m[])
 
 /* g, the three coefficients of g_0 + g_1 t + g_2 t^2 = a^2 t^2 + a b t + b^2 - a c, from m = (a, b, c): for a != 0 its
  * roots are the two parameters of the double point, both at the cusp when delta = 0. */
-KERNEL void G(double_point_polynomial)(const num m[restrict], num g[restrict])
+KERNEL void G(cubic_double_point_polynomial)(const num m[restrict], num g[restrict])
 {
     g[0] = sub(mul(m[1], m[1]), mul(m[0], m[2]));
     g[1] = mul(m[0], m[1]);

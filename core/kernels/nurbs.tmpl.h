@@ -19,7 +19,7 @@ KERNEL void G(nurbs_homogenize)(int p, int dim, int mu, const num R[restrict], c
 KERNEL num G(nurbs_weight)(int p, const num u[], int mu, const num w[], num t)
 {
     num total;
-    G(deboor)(p, 1, u, mu, w, t, &total);
+    G(bspline_deboor)(p, 1, u, mu, w, t, &total);
     return total;
 }
 
@@ -29,7 +29,7 @@ KERNEL void G(nurbs_point)(int p, int dim, const num u[restrict], int mu, const 
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], total;
     G(nurbs_homogenize)(p, dim, mu, R, w, H);
-    G(deboor_of_span)(p, dim + 1, u, mu, H, t, P);
+    G(bspline_span_deboor)(p, dim + 1, u, mu, H, t, P);
     G(rational_dehomogenize)(0, dim, P, out, &total);
 }
 
@@ -39,8 +39,8 @@ KERNEL void G(nurbs_derivatives)(int p, int dim, const num u[restrict], int mu, 
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     G(nurbs_homogenize)(p, dim, mu, R, w, H);
-    G(derivatives_of_span)(p, dim + 1, u, mu, H, t, r + 1, D);
-    G(quotient_derivatives)(dim, D, r, out);
+    G(bspline_span_derivatives)(p, dim + 1, u, mu, H, t, r + 1, D);
+    G(rational_quotient_derivatives)(dim, D, r, out);
 }
 
 /* The squared curvature at t, 2 <= dim < MAX_DIM.  UNDEFINED also where R' = 0. */

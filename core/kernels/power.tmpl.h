@@ -53,7 +53,7 @@ KERNEL void G(power_differences)(int n, int dim, const num c[restrict], num delt
 
 /* One step of the parameter, in place, by n additions for each coordinate (formula 1-4-3): the differences at t
  * become those at t + delta, d_k + d_{k+1} for k < n. */
-KERNEL void G(difference_step)(int n, int dim, num d[])
+KERNEL void G(power_difference_step)(int n, int dim, num d[])
 {
     for (int m = 0; m < n * dim; m++)
         d[m] = add(d[m], d[m + dim]);
@@ -61,7 +61,7 @@ KERNEL void G(difference_step)(int n, int dim, num d[])
 
 /* The same step for the differences divided by powers of the step, e_k = d_k / delta^k (formula 1-4-4): e_k becomes
  * e_k + delta e_{k+1} for k < n. */
-KERNEL void G(scaled_difference_step)(int n, int dim, num delta, num e[])
+KERNEL void G(power_scaled_difference_step)(int n, int dim, num delta, num e[])
 {
     for (int m = 0; m < n * dim; m++)
         e[m] = add(e[m], mul(delta, e[m + dim]));

@@ -35,7 +35,7 @@ KERNEL void G(rational_dehomogenize)(int n, int dim, const num H[restrict], num 
 KERNEL num G(rational_weight)(int n, const num w[], num t)
 {
     num total;
-    G(decasteljau)(n, 1, w, t, &total);
+    G(bezier_casteljau)(n, 1, w, t, &total);
     return total;
 }
 
@@ -44,14 +44,14 @@ KERNEL void G(rational_point)(int n, int dim, const num R[restrict], const num w
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], P[MAX_DIM], total;
     G(rational_homogenize)(n, dim, R, w, H);
-    G(decasteljau)(n, dim + 1, H, t, P);
+    G(bezier_casteljau)(n, dim + 1, H, t, P);
     G(rational_dehomogenize)(0, dim, P, out, &total);
 }
 
 /* Row k of out is the k-th derivative of R = P/w, k = 0, ..., r, r <= MAX_DEGREE, from those of the homogeneous
  * curve: row k of D holds P^(k) and w^(k).  By P = w R and Leibniz,
  *     R^(k) = (P^(k) - sum_{j=1}^k C(k,j) w^(j) R^(k-j)) / w. */
-KERNEL void G(quotient_derivatives)(int dim, const num D[restrict], int r, num out[restrict])
+KERNEL void G(rational_quotient_derivatives)(int dim, const num D[restrict], int r, num out[restrict])
 {
     for (int k = 0; k <= r; k++)
         for (int c = 0; c < dim; c++) {
@@ -71,7 +71,7 @@ KERNEL void G(rational_derivatives)(int n, int dim, const num R[restrict], const
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     G(rational_homogenize)(n, dim, R, w, H);
     G(bezier_derivatives)(n, dim + 1, H, t, r, D);
-    G(quotient_derivatives)(dim, D, r, out);
+    G(rational_quotient_derivatives)(dim, D, r, out);
 }
 
 /* Level r, 0 <= r <= n, of the rational de Casteljau triangle at lambda (formulas 3.3.2 and 3.3.3):
@@ -79,8 +79,8 @@ KERNEL void G(rational_derivatives)(int n, int dim, const num R[restrict], const
  *     R_i^r = (1-lambda) w_{i-1}^{r-1}/w_i^r R_{i-1}^{r-1} + lambda w_i^{r-1}/w_i^r R_i^{r-1}.
  * The book's indices i = r, ..., n are stored from 0: n-r+1 points Rr and weights wr.
  * UNDEFINED as soon as a weight of some level 1, ..., r is 0. */
-KERNEL void G(rational_decasteljau)(int n, int dim, const num R[restrict], const num w[restrict], num lambda, int r,
-                                    num Rr[restrict], num wr[restrict])
+KERNEL void G(rational_casteljau)(int n, int dim, const num R[restrict], const num w[restrict], num lambda, int r,
+                                  num Rr[restrict], num wr[restrict])
 {
     num P[(MAX_DEGREE + 1) * MAX_DIM], v[MAX_DEGREE + 1], mu = sub(from_int(1), lambda);
     for (int i = 0; i <= n; i++)

@@ -40,7 +40,7 @@ KERNEL void G(shape_basis)(int n, num beta, num t, num B[])
     num s = sub(from_int(1), t), one = from_int(1);
     num left = mul(mul(s, s), sub(one, mul(beta, t))), right = mul(mul(t, t), sub(one, mul(beta, s)));
     num middle = mul(mul(s, t), add(from_int(2), beta));
-    G(bernstein)(n - 2, t, B);
+    G(bernstein_basis)(n - 2, t, B);
     B[n - 1] = B[n] = from_int(0);
     for (int i = n; i >= 0; i--) {
         num value = mul(left, B[i]);
@@ -101,7 +101,7 @@ KERNEL void G(shape_point)(int n, int dim, const num P[restrict], num beta, num 
     for (int m = 0; m < (n + 1) * dim; m++)
         w[m] = P[m];
     for (int k = n; k > 2; k--)
-        G(casteljau_level)(k, dim, w, t);
+        G(bezier_casteljau_level)(k, dim, w, t);
     G(shape_basis)(2, beta, t, B);
     for (int c = 0; c < dim; c++)
         out[c] = add(mul(B[0], w[c]), add(mul(B[1], w[dim + c]), mul(B[2], w[2 * dim + c])));

@@ -39,7 +39,7 @@ static void kernel(const cagd_spline *s)
         if (s->weights != NULL)
             nurbs_point_d(s->degree, s->dim, s->knots, mu, s->points, s->weights, t[i], out + i * DIM);
         else
-            deboor_d(s->degree, s->dim, s->knots, mu, s->points, t[i], out + i * DIM);
+            bspline_deboor_d(s->degree, s->dim, s->knots, mu, s->points, t[i], out + i * DIM);
     }
 }
 

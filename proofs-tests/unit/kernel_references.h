@@ -93,7 +93,7 @@ static void elevated(int n, int dim, const num b[], num out[])
     }
 }
 
-REFERENCE(bernstein)
+REFERENCE(bernstein_basis)
 {
     for (int i = 0; i <= D->n; i++)
         out[i] = basis(D->n, i, D->t);
@@ -123,7 +123,7 @@ REFERENCE(bernstein_product)
     }
     points_of(n + m, 1, c, 0, out);
 }
-REFERENCE(elevation_matrix)
+REFERENCE(bernstein_elevation_matrix)
 {
     num unit[MAX_DEGREE + 1], column[MAX_DEGREE + 2];
     for (int j = 0; j <= D->n; j++) {
@@ -135,7 +135,7 @@ REFERENCE(elevation_matrix)
     }
 }
 REFERENCE(bernstein_to_power) { powers_of(D->n, 1, D->x, 0, out); }
-REFERENCE(power_to_bernstein) { points_of(D->n, 1, D->x, 0, out); }
+REFERENCE(bernstein_from_power) { points_of(D->n, 1, D->x, 0, out); }
 REFERENCE(bernstein_on_interval)
 {
     num a = D->x[0], h = D->w[0]; /* f over [a, a+h] */
@@ -144,7 +144,7 @@ REFERENCE(bernstein_on_interval)
 
 /* ## Bézier curves */
 
-REFERENCE(decasteljau)
+REFERENCE(bezier_casteljau)
 {
     for (int at = 0; at < D->dim; at++) {
         out[at] = from_int(0);
@@ -152,7 +152,7 @@ REFERENCE(decasteljau)
             out[at] = add(out[at], mul(basis(D->n, i, D->t), D->x[i * D->dim + at]));
     }
 }
-REFERENCE(horner_bernstein) { reference_decasteljau(D, out); }
+REFERENCE(bezier_horner) { reference_bezier_casteljau(D, out); }
 
 REFERENCE(bezier_differences)
 {
@@ -182,7 +182,7 @@ REFERENCE(bezier_split)
 REFERENCE(bezier_elevate) { elevated(D->n, D->dim, D->x, out); }
 
 /* The polar form of t^k is the k-th elementary symmetric polynomial of the arguments over C(n,k). */
-REFERENCE(blossom)
+REFERENCE(bezier_blossom)
 {
     num c[MAX_DEGREE + 1], e[MAX_DEGREE + 1] = {from_int(1)};
     for (int k = 1; k <= D->n; k++) {
@@ -292,7 +292,7 @@ REFERENCE(rational_derivatives)
     }
 }
 /* Level r is a Bernstein sum of degree r over the points i, ..., i+r. */
-REFERENCE(rational_decasteljau)
+REFERENCE(rational_casteljau)
 {
     int r = D->r % (D->n + 1), n = D->n - r;
     num coordinate[MAX_DEGREE + 1], weight[MAX_DEGREE + 1];
@@ -592,7 +592,7 @@ static num resultant_form(const struct data_q *D, num x, num y)
 }
 REFERENCE(line_pair) { interpolate(two_lines, D, out); }
 REFERENCE(conic_pencil) { interpolate(pencil, D, out); }
-REFERENCE(liming) { interpolate(three_lines, D, out); }
+REFERENCE(conic_liming) { interpolate(three_lines, D, out); }
 REFERENCE(conic_of_bezier) { interpolate(resultant_form, D, out); }
 
 /* det [p 1; q 1; X 1] is l(X): its coefficients are its values at the unit vectors. */
@@ -625,7 +625,7 @@ REFERENCE(conic_determinant)
     out[0] = eliminate(3, M);
 }
 /* The point at 1/2 of the curve with the weights 1, omega, 1. */
-REFERENCE(shoulder_point)
+REFERENCE(conic_shoulder_point)
 {
     num w[3];
     reference_rational_standard_form(D, w);
@@ -646,7 +646,7 @@ REFERENCE(circular_arc_weights)
     out[1] = div(sub(p, q), add(p, q));
 }
 /* The centre c solves (R_1 - R_0).(c - R_0) = 0 and (R_1 - R_2).(c - R_2) = 0, by Cramer's rule. */
-REFERENCE(circle_of_arc)
+REFERENCE(circular_arc_circle)
 {
     num R[6], a[2], b[2];
     isosceles_q(D->x, D->x + 2, D->w[0], R);
@@ -722,8 +722,8 @@ static void stepped(const struct data_q *D, num step, num out[])
             out[k * D->dim + at] = sum;
         }
 }
-REFERENCE(difference_step) { stepped(D, from_int(1), out); }
-REFERENCE(scaled_difference_step) { stepped(D, D->t, out); }
+REFERENCE(power_difference_step) { stepped(D, from_int(1), out); }
+REFERENCE(power_scaled_difference_step) { stepped(D, D->t, out); }
 REFERENCE(power_on_interval)
 {
     num c[MAX_DEGREE + 1], d[MAX_DEGREE + 1];
@@ -745,7 +745,7 @@ REFERENCE(cubic_minors)
     out[2] = neg(eliminate(2, D->x + 2)); /* B x C, where x has C before B */
 }
 /* P' x P'' at 0, 1 and -1 gives its three coefficients. */
-REFERENCE(inflection_polynomial)
+REFERENCE(cubic_inflection_polynomial)
 {
     num c[2][4], value[3];
     for (int j = 0; j < 2; j++)
@@ -765,11 +765,11 @@ REFERENCE(inflection_polynomial)
 REFERENCE(cubic_delta)
 {
     num f[3];
-    reference_inflection_polynomial(D, f);
+    reference_cubic_inflection_polynomial(D, f);
     out[0] = div(sub(mul(f[1], f[1]), mul(from_int(4), mul(f[0], f[2]))), from_int(12));
 }
 /* a^2 times the polynomial with the sum -b/a and the product b^2/a^2 - c/a of its roots. */
-REFERENCE(double_point_polynomial)
+REFERENCE(cubic_double_point_polynomial)
 {
     num m[3];
     reference_cubic_minors(D, m);

@@ -35,9 +35,9 @@ static inline void G(isosceles)(const num M[], const num v[], num k, num R[])
 
 #define RUN(name) static int G(run_##name)(const struct G(data) * D, num out[])
 
-RUN(bernstein)
+RUN(bernstein_basis)
 {
-    G(bernstein)(D->n, D->t, out);
+    G(bernstein_basis)(D->n, D->t, out);
     return D->n + 1;
 }
 RUN(bernstein_derivatives)
@@ -51,9 +51,9 @@ RUN(bernstein_product)
     G(bernstein_product)(D->n, D->x, m, D->x + D->n + 1, out);
     return D->n + m + 1;
 }
-RUN(elevation_matrix)
+RUN(bernstein_elevation_matrix)
 {
-    G(elevation_matrix)(D->n, out);
+    G(bernstein_elevation_matrix)(D->n, out);
     return (D->n + 2) * (D->n + 1);
 }
 RUN(bernstein_to_power)
@@ -61,9 +61,9 @@ RUN(bernstein_to_power)
     G(bernstein_to_power)(D->n, D->x, out);
     return D->n + 1;
 }
-RUN(power_to_bernstein)
+RUN(bernstein_from_power)
 {
-    G(power_to_bernstein)(D->n, D->x, out);
+    G(bernstein_from_power)(D->n, D->x, out);
     return D->n + 1;
 }
 RUN(bernstein_on_interval)
@@ -71,14 +71,14 @@ RUN(bernstein_on_interval)
     G(bernstein_on_interval)(D->n, D->x[0], add(D->x[0], D->w[0]), D->x + 1, D->t, D->u, out);
     return D->n + 1;
 }
-RUN(decasteljau)
+RUN(bezier_casteljau)
 {
-    G(decasteljau)(D->n, D->dim, D->x, D->t, out);
+    G(bezier_casteljau)(D->n, D->dim, D->x, D->t, out);
     return D->dim;
 }
-RUN(horner_bernstein)
+RUN(bezier_horner)
 {
-    G(horner_bernstein)(D->n, D->dim, D->x, D->t, out);
+    G(bezier_horner)(D->n, D->dim, D->x, D->t, out);
     return D->dim;
 }
 RUN(bezier_differences)
@@ -103,9 +103,9 @@ RUN(bezier_elevate)
     G(bezier_elevate)(D->n, D->dim, D->x, out);
     return (D->n + 2) * D->dim;
 }
-RUN(blossom)
+RUN(bezier_blossom)
 {
-    G(blossom)(D->n, D->dim, D->x, D->w, out);
+    G(bezier_blossom)(D->n, D->dim, D->x, D->w, out);
     return D->dim;
 }
 RUN(bezier_on_interval)
@@ -139,10 +139,10 @@ RUN(rational_derivatives)
     G(rational_derivatives)(D->n, D->dim, D->x, D->w, D->t, D->r, out);
     return (D->r + 1) * D->dim;
 }
-RUN(rational_decasteljau)
+RUN(rational_casteljau)
 {
     int r = D->r % (D->n + 1), count = D->n - r + 1;
-    G(rational_decasteljau)(D->n, D->dim, D->x, D->w, D->t, r, out, out + count * D->dim);
+    G(rational_casteljau)(D->n, D->dim, D->x, D->w, D->t, r, out, out + count * D->dim);
     return count * (D->dim + 1);
 }
 RUN(rational_split)
@@ -259,9 +259,9 @@ RUN(conic_pencil)
     G(conic_pencil)(D->t, D->x, D->x + 6, out);
     return 6;
 }
-RUN(liming)
+RUN(conic_liming)
 {
-    G(liming)(D->t, D->x, D->x + 3, D->x + 6, out);
+    G(conic_liming)(D->t, D->x, D->x + 3, D->x + 6, out);
     return 6;
 }
 RUN(conic_value)
@@ -294,9 +294,9 @@ RUN(conic_standard_weight)
     out[0] = G(conic_standard_weight)(D->w);
     return 1;
 }
-RUN(shoulder_point)
+RUN(conic_shoulder_point)
 {
-    G(shoulder_point)(D->x, D->w, out);
+    G(conic_shoulder_point)(D->x, D->w, out);
     return 2;
 }
 RUN(circular_arc_invariant)
@@ -311,11 +311,11 @@ RUN(circular_arc_weights)
     G(circular_arc_weights)(sub(mul(p, p), mul(q, q)), mul(from_int(2), mul(p, q)), out);
     return 3;
 }
-RUN(circle_of_arc)
+RUN(circular_arc_circle)
 {
     num R[6];
     G(isosceles)(D->x, D->x + 2, D->w[0], R);
-    out[2] = G(circle_of_arc)(R, out);
+    out[2] = G(circular_arc_circle)(R, out);
     return 3;
 }
 
@@ -393,22 +393,22 @@ RUN(power_differences)
     return (n + 1) * D->dim;
 }
 /* The table of any numbers x, r steps on. */
-RUN(difference_step)
+RUN(power_difference_step)
 {
     int n = G(degree_of_table)(D);
     for (int m = 0; m < (n + 1) * D->dim; m++)
         out[m] = D->x[m];
     for (int k = 0; k < D->r; k++)
-        G(difference_step)(n, D->dim, out);
+        G(power_difference_step)(n, D->dim, out);
     return (n + 1) * D->dim;
 }
-RUN(scaled_difference_step)
+RUN(power_scaled_difference_step)
 {
     int n = G(degree_of_table)(D);
     for (int m = 0; m < (n + 1) * D->dim; m++)
         out[m] = D->x[m];
     for (int k = 0; k < D->r; k++)
-        G(scaled_difference_step)(n, D->dim, D->t, out);
+        G(power_scaled_difference_step)(n, D->dim, D->t, out);
     return (n + 1) * D->dim;
 }
 RUN(power_on_interval)
@@ -422,11 +422,11 @@ RUN(cubic_minors)
     G(cubic_minors)(D->x, out);
     return 3;
 }
-RUN(inflection_polynomial)
+RUN(cubic_inflection_polynomial)
 {
     num m[3];
     G(cubic_minors)(D->x, m);
-    G(inflection_polynomial)(m, out);
+    G(cubic_inflection_polynomial)(m, out);
     return 3;
 }
 RUN(cubic_delta)
@@ -436,11 +436,11 @@ RUN(cubic_delta)
     out[0] = G(cubic_delta)(m);
     return 1;
 }
-RUN(double_point_polynomial)
+RUN(cubic_double_point_polynomial)
 {
     num m[3];
     G(cubic_minors)(D->x, m);
-    G(double_point_polynomial)(m, out);
+    G(cubic_double_point_polynomial)(m, out);
     return 3;
 }
 /* A cubic with a double point in x[0], x[1]: (t - x_2)(t - x_3)(L t + M) + N. */

@@ -93,7 +93,7 @@ REFERENCE(bspline_basis_derivatives)
             out[r * (S.p + 1) + m] = derivative_at(S.p, a, r, S.t);
     }
 }
-REFERENCE(discrete_bsplines)
+REFERENCE(bspline_discrete)
 {
     struct spline_q S = spline_of_q(D);
     num c[8], a[8];
@@ -123,7 +123,7 @@ REFERENCE(bspline_derivatives)
             out[r * D->dim + at] = derivative_at(S.p, a, r, S.t);
     }
 }
-REFERENCE(deboor)
+REFERENCE(bspline_deboor)
 {
     struct data_q E = *D;
     num rows[6 * MAX_DIM];
@@ -144,7 +144,7 @@ REFERENCE(bspline_difference)
         out[at] = derivative_at(S.p, a, 1, S.t);
     }
 }
-REFERENCE(greville)
+REFERENCE(bspline_greville)
 {
     struct spline_q S = spline_of_q(D);
     num e[8];
@@ -188,7 +188,7 @@ REFERENCE(bspline_refine)
     refined_knots_q(&S, v, span);
     new_points(D, &S, v, 2, out);
 }
-REFERENCE(bspline_elevate) { reference_deboor(D, out); }
+REFERENCE(bspline_elevate) { reference_bspline_deboor(D, out); }
 REFERENCE(bspline_reduce)
 {
     struct spline_q S = spline_of_q(D);

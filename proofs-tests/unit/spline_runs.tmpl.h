@@ -83,10 +83,10 @@ RUN(bspline_basis_derivatives)
     G(bspline_basis_derivatives)(S.p, S.u, S.mu, S.t, D->r + 1, out);
     return (D->r + 1) * (S.p + 1);
 }
-RUN(discrete_bsplines)
+RUN(bspline_discrete)
 {
     struct G(spline) S = G(spline_of)(D);
-    G(discrete_bsplines)(S.p, S.u, S.mu, D->x, out);
+    G(bspline_discrete)(S.p, S.u, S.mu, D->x, out);
     return S.p + 1;
 }
 RUN(bspline_blossom)
@@ -95,10 +95,10 @@ RUN(bspline_blossom)
     G(bspline_blossom)(S.p, D->dim, S.u, S.mu, D->x, D->w, out);
     return D->dim;
 }
-RUN(deboor)
+RUN(bspline_deboor)
 {
     struct G(spline) S = G(spline_of)(D);
-    G(deboor)(S.p, D->dim, S.u, S.mu, D->x, S.t, out);
+    G(bspline_deboor)(S.p, D->dim, S.u, S.mu, D->x, S.t, out);
     return D->dim;
 }
 RUN(bspline_derivatives)
@@ -117,14 +117,14 @@ RUN(bspline_difference)
         return 1;
     }
     G(bspline_difference)(S.n, S.p, D->dim, S.u, D->x, e);
-    G(deboor)(S.p - 1, D->dim, S.u + 1, S.mu - 1, e, S.t, out);
+    G(bspline_deboor)(S.p - 1, D->dim, S.u + 1, S.mu - 1, e, S.t, out);
     return D->dim;
 }
-RUN(greville)
+RUN(bspline_greville)
 {
     struct G(spline) S = G(spline_of)(D);
     for (int i = 0; i < S.n; i++)
-        out[i] = G(greville)(S.p, S.u, i);
+        out[i] = G(bspline_greville)(S.p, S.u, i);
     return S.n;
 }
 RUN(bspline_insert)
@@ -160,7 +160,7 @@ RUN(bspline_elevate)
     G(bspline_elevate)(S.p, D->dim, S.u, D->x, m, v, span, d);
     for (int j = 0; j < m; j++)
         nu = span[j] == S.mu ? j : nu; /* the last knot of v at u_mu is the last with this span */
-    G(deboor)(S.p + 1, D->dim, v, nu, d, S.t, out);
+    G(bspline_deboor)(S.p + 1, D->dim, v, nu, d, S.t, out);
     return D->dim;
 }
 /* What was elevated is reduced. */

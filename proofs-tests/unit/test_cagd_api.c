@@ -29,10 +29,10 @@ static void values_are_the_kernels(void **state)
     double a[32], b[32], c[32], d[32], e[32], f[32], g[32], h[32];
     (void)state;
     assert_int_equal(cagd_bernstein(N, T, a), CAGD_OK);
-    bernstein_d(N, T, b);
+    bernstein_basis_d(N, T, b);
     same(4, a, b);
     assert_int_equal(cagd_bezier_point(N, DIM, R, T, a), CAGD_OK);
-    decasteljau_d(N, DIM, R, T, b);
+    bezier_casteljau_d(N, DIM, R, T, b);
     same(3, a, b);
     assert_int_equal(cagd_bezier_derivatives(N, DIM, R, T, 5, a), CAGD_OK);
     bezier_derivatives_d(N, DIM, R, T, 5, b);

@@ -24,22 +24,22 @@
 
 /* clang-format off */
 #define ALL_KERNELS(_)                                                                                                 \
-    _(bernstein) _(bernstein_derivatives) _(bernstein_product) _(elevation_matrix) _(bernstein_to_power)               \
-    _(power_to_bernstein) _(bernstein_on_interval) _(decasteljau) _(horner_bernstein) _(bezier_differences)            \
-    _(bezier_derivatives) _(bezier_split) _(bezier_elevate) _(blossom) _(bezier_on_interval) _(rational_homogenize)    \
-    _(rational_dehomogenize) _(rational_weight) _(rational_point) _(rational_derivatives) _(rational_decasteljau)      \
+    _(bernstein_basis) _(bernstein_derivatives) _(bernstein_product) _(bernstein_elevation_matrix) _(bernstein_to_power)               \
+    _(bernstein_from_power) _(bernstein_on_interval) _(bezier_casteljau) _(bezier_horner) _(bezier_differences)            \
+    _(bezier_derivatives) _(bezier_split) _(bezier_elevate) _(bezier_blossom) _(bezier_on_interval) _(rational_homogenize)    \
+    _(rational_dehomogenize) _(rational_weight) _(rational_point) _(rational_derivatives) _(rational_casteljau)      \
     _(rational_split) _(rational_elevate) _(rational_reparametrize) _(rational_invariants) _(rational_standard_form)   \
     _(dot) _(norm_squared) _(cross2) _(cross3) _(det3) _(gram) _(curvature_squared) _(curvature) _(signed_curvature)   \
     _(torsion) _(rational_curvature_squared) _(rational_torsion) _(line_through) _(line_pair) _(conic_pencil)          \
-    _(liming) _(conic_value) _(conic_gradient) _(conic_delta) _(conic_determinant) _(conic_of_bezier)                  \
-    _(conic_standard_weight) _(shoulder_point) _(circular_arc_invariant) _(circular_arc_weights) _(circle_of_arc)      \
+    _(conic_liming) _(conic_value) _(conic_gradient) _(conic_delta) _(conic_determinant) _(conic_of_bezier)                  \
+    _(conic_standard_weight) _(conic_shoulder_point) _(circular_arc_invariant) _(circular_arc_weights) _(circular_arc_circle)      \
     _(determinant) _(sylvester) _(bezout) _(resultant) _(bezout_resultant) _(implicit_coefficients) _(implicit_value)  \
-    _(power_point) _(power_hodograph) _(power_derivatives) _(power_differences) _(difference_step)                     \
-    _(scaled_difference_step) _(power_on_interval) _(cubic_minors) _(inflection_polynomial) _(cubic_delta)             \
-    _(double_point_polynomial) _(cubic_double_point) _(shape_factors) _(shape_factors_printed) _(shape_basis)          \
+    _(power_point) _(power_hodograph) _(power_derivatives) _(power_differences) _(power_difference_step)                     \
+    _(power_scaled_difference_step) _(power_on_interval) _(cubic_minors) _(cubic_inflection_polynomial) _(cubic_delta)             \
+    _(cubic_double_point_polynomial) _(cubic_double_point) _(shape_factors) _(shape_factors_printed) _(shape_basis)          \
     _(shape_basis_printed) _(shape_matrix) _(shape_bezier_points) _(shape_point) _(shape_point_printed)                \
     _(shape_derivatives) _(shape_surface_point) _(bezier_reduce) _(bspline_basis) _(bspline_basis_derivatives)         \
-    _(discrete_bsplines) _(bspline_blossom) _(deboor) _(bspline_derivatives) _(bspline_difference) _(greville)         \
+    _(bspline_discrete) _(bspline_blossom) _(bspline_deboor) _(bspline_derivatives) _(bspline_difference) _(bspline_greville)         \
     _(bspline_insert) _(bspline_remove) _(bspline_refine) _(bspline_elevate) _(bspline_reduce) _(bspline_to_bezier)    \
     _(bspline_point_of_bezier) _(bspline_split) _(bspline_periodic) _(nurbs_weight) _(nurbs_point) _(nurbs_deboor)     \
     _(nurbs_derivatives) _(nurbs_curvature_squared) _(nurbs_torsion) _(nurbs_insert) _(nurbs_basis)                    \
