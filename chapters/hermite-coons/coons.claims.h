@@ -119,21 +119,27 @@ CLAIM(shifted_frame_shifts_the_patch_by_a_product)
 :title: With functions that lack the end values a border is lost
 :zh: 混合函数端点值不符则失去边界
 :kind: counterexample
-:given: $f_0=f_1=\frac12$, whose sum is 1; $0w=(0,w,w(1-w))$, the other borders straight, those of the unit square
-:then: $P(0,\frac12)$ has the height $\frac18$, and the border there $\frac14$
+:data: f_0(0), f_1(0) = 1/2 1/2; f_0(w), f_1(w) = 1/2 1/2; w = 1/2
+:instead: f_0(0), f_1(0) = 1 0
+:result: height of 0w = 1/4; height of P(0,w) = 1/8
+:given: two constant blending functions, whose sum is 1; $0w=(0,w,w(1-w))$, the other borders straight, those of the unit square
+:then: on the border the patch has another height than the curve
 :method: The kernel, third coordinate.
 :control: $f_0=1-t$, $f_1=t$
 :::
 */
 CLAIM(blendings_without_end_values_lose_the_border)
 {
-    num half = from_ratio(1, 2), quarter = from_ratio(1, 4), zero = from_int(0), P;
-    num a[2] = {fault(T, from_int(1), half), fault(T, zero, half)}, b[2] = {half, half};
-    num A[2] = {quarter, zero}, B[2] = {zero, zero}, M[4] = {zero, zero, zero, zero};
+    num a[2], b[2], zero = from_int(0), P;
+    given_points(T, "f_0(0), f_1(0)", 2, 1, a);
+    given_points(T, "f_0(w), f_1(w)", 2, 1, b);
+    num w = given(T, "w"), height = mul(w, sub(from_int(1), w));
+    num A[2] = {height, zero}, B[2] = {zero, zero}, M[4] = {zero, zero, zero, zero};
     coons_patch_q(2, 1, a, b, A, B, M, &P);
-    show_points(T, "f_0(0), f_1(0)", 2, 1, a);
-    about(T, "the heights of P(0, 1/2) and of 0w");
-    same(T, P, A[0]);
+    found(T, "height of 0w", height);
+    found(T, "height of P(0,w)", P);
+    about(T, "the heights of P(0,w) and of 0w");
+    same(T, P, height);
 }
 #endif
 
@@ -146,21 +152,24 @@ static num G(ruled)(const num f[2], const num curve[2]) { return add(mul(f[0], c
 :title: With functions whose sum is not 1 two points are joined by a curve
 :zh: 混合函数之和不为一时直母线弯曲
 :kind: counterexample
-:given: $f_0=(1-u)^2$, $f_1=u^2$, which have the end values; $0w=(0,0,1)$ and $1w=(1,0,1)$ for one $w$
-:then: $P_1(\frac12,w)=(\frac14,0,\frac12)$, while the line through the two points has the height 1
+:data: u = 1/2; 0w, 1w = (0,0,1) (1,0,1)
+:result: P_1(u,w) = (1/4,0,1/2)
+:given: $f_0=(1-u)^2$, $f_1=u^2$, which have the end values; the points of $0w$ and $1w$ for one $w$, and half way between them $u$
+:then: $P_1(u,w)$ is below the line through the two points, whose height is 1
 :method: The sum, coordinate by coordinate.
 :control: $f_0=1-u$, $f_1=u$
 :::
 */
 CLAIM(blendings_without_sum_one_bend_a_ruling)
 {
-    num value = fault(T, from_ratio(1, 2), from_ratio(1, 4)), f[2] = {value, value}, P[3];
-    static const int ends[3][2] = {{0, 1}, {0, 0}, {1, 1}};
+    num u = given(T, "u"), v = sub(from_int(1), u), ends[2 * 3], P[3];
+    given_points(T, "0w, 1w", 2, 3, ends);
+    num f[2] = {fault(T, v, mul(v, v)), fault(T, u, mul(u, u))};
     for (int c = 0; c < 3; c++)
-        P[c] = ruled_q(f, (num[]){from_int(ends[c][0]), from_int(ends[c][1])});
-    show_points(T, "P_1(1/2, w)", 1, 3, P);
+        P[c] = ruled_q(f, (num[]){ends[c], ends[3 + c]});
+    found_points(T, "P_1(u,w)", 1, 3, P);
     about(T, "its height and that of the line");
-    same(T, P[2], from_int(1));
+    same(T, P[2], ends[2]);
 }
 #endif
 
@@ -288,18 +297,22 @@ CLAIM(coons_kernel_is_the_bordered_product)
 :title: If two curves do not meet the patch loses a border
 :zh: 角点不闭合则失去边界
 :kind: counterexample
-:given: $f_0=1-t$, $f_1=t$; all curves constant 0 except $u0=1$; the corners of $M$ are 0
+:data: u0 = 1; w = 1/2
+:instead: u0 = 0
+:result: P(0,w) = 1/2
+:given: $f_0=1-t$, $f_1=t$; the constant curve $u0$, the three other curves constant 0; the corners of $M$ are 0
 :then: $P(0,w)=1-w$, not $0w=0$
-:method: The kernel at $u=0$, $w=\frac12$.
-:control: $u0=0$
+:method: The kernel at $u=0$.
+:control: $u0$ is 0 as well
 :::
 */
 CLAIM(open_corner_loses_the_border)
 {
-    num a[2] = {from_int(1), from_int(0)}, half = from_ratio(1, 2), b[2] = {half, half}, zero = from_int(0), P;
-    num A[2] = {zero, zero}, B[2] = {from_int(fault(T, 0, 1)), zero}, M[4] = {zero, zero, zero, zero};
+    num zero = from_int(0), one = from_int(1), B[2] = {given(T, "u0"), zero}, w = given(T, "w"), P;
+    num a[2] = {one, zero}, b[2] = {sub(one, w), w}, A[2] = {zero, zero}, M[4] = {zero, zero, zero, zero};
     coons_patch_q(2, 1, a, b, A, B, M, &P);
-    about(T, "P(0, 1/2) and the curve 0w");
+    found(T, "P(0,w)", P);
+    about(T, "P(0,w) and the curve 0w");
     same(T, P, A[0]);
 }
 
@@ -308,19 +321,27 @@ CLAIM(open_corner_loses_the_border)
 :title: With functions whose sum is not 1 a frame of one point is filled by more than the point
 :zh: 混合函数之和不为一时不具平移不变性
 :kind: counterexample
-:given: $f_0=(1-t)^2$, $f_1=t^2$, which have the end values; all curves the constant 1
-:then: at $u=w=\frac12$ the patch is $\frac34$, while all its borders are 1
+:data: u = 1/2; w = 1/2; the frame = 1
+:result: P(u,w) = 3/4
+:given: $f_0=(1-t)^2$, $f_1=t^2$, which have the end values; all curves are one constant, the frame is one point
+:then: inside, at $(u,w)$, the patch leaves that point
 :method: The kernel.
 :control: $f_0=1-t$, $f_1=t$
 :::
 */
 CLAIM(blendings_without_sum_one_move_the_patch)
 {
-    num value = fault(T, from_ratio(1, 2), from_ratio(1, 4)), a[2] = {value, value}, one = from_int(1), P;
-    num curves[2] = {one, one}, M[4] = {one, one, one, one};
-    coons_patch_q(2, 1, a, a, curves, curves, M, &P);
-    about(T, "P(1/2, 1/2) and the only point of the frame");
-    same(T, P, one);
+    num at[2] = {given(T, "u"), given(T, "w")}, f[2][2], frame = given(T, "the frame"), P;
+    for (int k = 0; k < 2; k++) {
+        num t = at[k], s = sub(from_int(1), t);
+        f[k][0] = fault(T, s, mul(s, s));
+        f[k][1] = fault(T, t, mul(t, t));
+    }
+    num curves[2] = {frame, frame}, M[4] = {frame, frame, frame, frame};
+    coons_patch_q(2, 1, f[0], f[1], curves, curves, M, &P);
+    found(T, "P(u,w)", P);
+    about(T, "P(u,w) and the only point of the frame");
+    same(T, P, frame);
 }
 #endif
 
@@ -411,30 +432,40 @@ CLAIM(borders_and_cross_derivatives_are_kept) { G(borders_are_kept)(T, 4); }
 :title: Two twists at a corner: whichever is taken, one derivative across is lost
 :zh: 扭矢不相容则不能同时保持
 :kind: counterexample
-:given: all data 0 except $u0_w=q_{10}(u)$, so $u0_w$ asks for the twist 1 at $u=w=0$, and $0w_u=0$ asks for 0
-:then: with $00_{uw}=0$ in $M$, $P_u(0,w)=q_{10}(w)\ne0w_u$; with $00_{uw}=1$, $P_w(u,0)=0\ne u0_w$
-:method: The kernel at $w=\frac12$ on the one border and at $u=\frac12$ on the other, for both matrices.
-:control: $u0_w=0$ and the twist 0
+:data: twist of 0w_u = 0; twist of u0_w = 1; u = 1/2; w = 1/2
+:instead: twist of u0_w = 0
+:result: 0w_u = 0; u0_w = 1/8; P_u(0,w) with the first = 1/8; P_w(u,0) with the first = 1/8; P_u(0,w) with the second = 0; P_w(u,0) with the second = 0
+:given: all data 0 but the derivatives across two borders, $0w_u=\tau q_{10}(w)$ and $u0_w=\tau'q_{10}(u)$: the one asks for the twist $\tau$ at
+  $u=w=0$, the other for $\tau'$, and they differ
+:then: with the first twist as $00_{uw}$ in $M$ the border $u=0$ has another derivative across it than $0w_u$; with the second the border $w=0$ has
+  another than $u0_w$
+:method: The kernel at $w$ on the one border and at $u$ on the other, for both matrices.
+:control: both curves ask for one twist
 :::
 */
 CLAIM(two_twists_cannot_both_be_kept)
 {
-    num zero = from_int(0), one = from_int(1), q[4], M[16], P;
-    hermite_blending_q(zero, one, from_ratio(1, 2), 0, q);
+    static const char *const name[2][2] = {{"P_u(0,w) with the first", "P_w(u,0) with the first"},
+                                           {"P_u(0,w) with the second", "P_w(u,0) with the second"}};
+    num zero = from_int(0), one = from_int(1), q[2][4], M[16], P[2];
+    num twist[2] = {given(T, "twist of 0w_u"), given(T, "twist of u0_w")};
+    hermite_blending_q(zero, one, given(T, "u"), 0, q[0]);
+    hermite_blending_q(zero, one, given(T, "w"), 0, q[1]);
+    num asked[2] = {mul(twist[0], q[1][2]), mul(twist[1], q[0][2])}, unit[4] = {zero, zero, one, zero};
+    found(T, "0w_u", asked[0]);
+    found(T, "u0_w", asked[1]);
     int kept = 0;
-    for (int twist = 0; twist < fault(T, 1, 2); twist++) {
-        num asked = fault(T, zero, one), none[4] = {zero, zero, zero, zero}, unit[4] = {zero, zero, one, zero};
+    for (int taken = 0; taken < 2; taken++) {
         for (int i = 0; i < 16; i++)
-            M[i] = from_int(i == 10 && twist == 1);
-        num slope[4] = {zero, zero, asked, zero}; /* the derivatives of u0, u1, u0_w, u1_w at u = 0 */
-        coons_patch_q(4, 1, unit, q, none, slope, M, &P);
-        show(T, twist ? "P_u(0,1/2) with the twist 1, asked for 0" : "P_u(0,1/2) with the twist 0, asked for 0", P);
-        num lost = P;
-        num value[4] = {zero, zero, mul(asked, q[2]), zero}; /* the same at u = 1/2 */
-        coons_patch_q(4, 1, q, unit, none, value, M, &P);
-        show(T, twist ? "P_w(1/2,0) with the twist 1" : "P_w(1/2,0) with the twist 0", P);
-        show(T, "asked for", value[2]);
-        kept += is_zero_q(lost) && equal_q(P, value[2]);
+            M[i] = i == 10 ? twist[taken] : zero;
+        /* across a border its own function is asked for; what runs along the other one has there its twist */
+        num along_w[4] = {zero, zero, asked[0], zero}, of_u0[4] = {zero, zero, twist[1], zero};
+        coons_patch_q(4, 1, unit, q[1], along_w, of_u0, M, &P[0]);
+        num of_0w[4] = {zero, zero, twist[0], zero}, along_u[4] = {zero, zero, asked[1], zero};
+        coons_patch_q(4, 1, q[0], unit, of_0w, along_u, M, &P[1]);
+        for (int k = 0; k < 2; k++)
+            found(T, name[taken][k], P[k]);
+        kept += equal_q(P[0], asked[0]) && equal_q(P[1], asked[1]);
     }
     about(T, "whether one of the two matrices keeps both derivatives");
     agree(T, kept > 0);

@@ -87,19 +87,21 @@ CLAIM(hermite_interpolant_exists_and_is_unique)
 :title: At equal nodes the conditions contradict each other
 :zh: 节点相同则无解
 :kind: counterexample
-:given: nodes 0 and 0, one value at each, 0 and 1; lines $c_0+c_1t$
-:then: both conditions are conditions on $c_0$: the determinant of the system is 0, and $c_0=0$, $c_0=1$ cannot both hold
-:method: The determinant of the system with the rows $(1,t_i)$.
-:control: nodes 0 and 1
+:data: t = 0 0
+:instead: t = 0 1
+:result: the determinant = 0
+:given: two nodes $t$ that are equal, one value at each; lines $c_0+c_1t$
+:then: the determinant of the conditions is 0; with the values 0 and 1 they would be $c_0=0$ and $c_0=1$, which cannot both hold
+:method: The determinant of the system with the rows $(1,t_i)$; that it is not 0 is refuted.
+:control: different nodes
 :::
 */
 CLAIM(equal_nodes_have_no_interpolant)
 {
-    num t[2] = {from_int(0), from_int(fault(T, 1, 0))}, one = from_int(1);
-    num determinant = sub(mul(one, t[1]), mul(t[0], one));
-    show(T, "t_0", t[0]);
-    show(T, "t_1", t[1]);
-    show(T, "the determinant", determinant);
+    num t[2];
+    given_points(T, "t", 2, 1, t);
+    num determinant = sub(t[1], t[0]);
+    found(T, "the determinant", determinant);
     refute(T, is_zero_q(determinant));
 }
 
@@ -108,20 +110,25 @@ CLAIM(equal_nodes_have_no_interpolant)
 :title: The data of a line have no interpolant of degree 3
 :zh: 直线数据的插值多项式次数低于三
 :kind: counterexample
-:given: $k=1$, $m_0=m_1=2$, $t_0=0$, $t_1=1$, the data $0,1$ and $1,1$ of $f(t)=t$
-:then: the only polynomial of degree at most 3 with these data is $t$, whose degree is 1
-:method: The kernel's coefficients; it gives the only polynomial of degree at most 3.
-:control: the derivative 2 at $t_1$
+:data: t = 0 1; f = 0 1; f' = 1 1; N = 3
+:instead: f' = 1 2
+:result: c = 0 1 0 0
+:given: $k=1$, $m_0=m_1=2$, so that $N$ is as given; the values $f$ and derivatives $f'$ of $f(t)=t$ at the two nodes
+:then: of the coefficients $c_0,\dots,c_N$ of the only polynomial of degree at most $N$ with these data the last is 0: its degree is 1
+:method: The kernel's coefficients; it gives the only polynomial of degree at most $N$.  That the last one is not 0 is refuted.
+:control: another derivative at $t_1$
 :::
 */
 CLAIM(straight_data_have_no_cubic)
 {
     int l[2] = {2, 2};
-    num tau[2] = {from_int(0), from_int(1)}, c[4];
-    num f[4] = {from_int(0), from_int(1), from_int(1), from_int(fault(T, 2, 1))};
-    hermite_interpolant_q(2, l, tau, f, c);
-    show_points(T, "c_0, c_1, c_2, c_3", 4, 1, c);
-    refute(T, is_zero_q(c[3]));
+    num t[2], f[2], slope[2], c[4];
+    given_points(T, "t", 2, 1, t);
+    given_points(T, "f", 2, 1, f);
+    given_points(T, "f'", 2, 1, slope);
+    hermite_interpolant_q(2, l, t, (num[]){f[0], slope[0], f[1], slope[1]}, c);
+    found_points(T, "c", 4, 1, c);
+    refute(T, is_zero_q(c[given_whole(T, "N")]));
 }
 #endif
 
@@ -306,22 +313,28 @@ sign of that term the formula is false, and with a prime it is true.
 :title: With f(t0) for f'(t0) in one term the curve misses its data
 :zh: 漏一撇则插值失败
 :kind: counterexample
-:given: $t_0=0$, $t_1=1$, the data $f(0)=f(1)=1$, $f'(0)=f'(1)=0$ of the constant 1
-:then: $a_2=\mp2$ by the first term with either sign, where it must be 0: the curve ends at $-1$ or at $3$ and not at 1
-:method: The printed sum with the lost sign of the first term put in both ways; $P(1)=a_0+a_1+a_2+a_3$.
+:data: t = 0 1; f = 1 1; f' = 0 0
+:result: P(t_1) with -2f(t_0) = -1; P(t_1) with +2f(t_0) = 3
+:given: the nodes $t$, and the values $f$ and derivatives $f'$ of a constant
+:then: with either sign of its first term the printed $a_2$ is not 0, as it must be, and the curve does not end in $f(t_1)$
+:method: The printed sum with the lost sign of the first term put in both ways; its value at $t_1$.
 :control: the term with its prime
 :::
 */
 CLAIM(square_needs_the_prime)
 {
-    num data[4] = {from_int(1), from_int(1), from_int(0), from_int(0)}, zero = from_int(0), one = from_int(1);
+    num t[2], data[4];
+    given_points(T, "t", 2, 1, t);
+    given_points(T, "f", 2, 1, data);
+    given_points(T, "f'", 2, 1, data + 2);
     int hits = 0;
     for (int sign = 1; sign >= -1; sign -= 2) {
-        struct G(poly) p = G(cubic_of_sums)(zero, one, data, sign, fault(T, 2, 0));
-        show(T, sign > 0 ? "P(1) with -2f(t_0)" : "P(1) with +2f(t_0)", G(at)(p, 0, one));
-        hits += equal_q(G(at)(p, 0, one), one);
+        struct G(poly) p = G(cubic_of_sums)(t[0], t[1], data, sign, fault(T, 2, 0));
+        num end = G(at)(p, 0, t[1]);
+        found(T, sign > 0 ? "P(t_1) with -2f(t_0)" : "P(t_1) with +2f(t_0)", end);
+        hits += equal_q(end, data[1]);
     }
-    about(T, "whether one of the two signs gives P(1) = 1");
+    about(T, "whether one of the two signs gives f(t_1)");
     agree(T, hits > 0);
 }
 #endif
@@ -667,32 +680,38 @@ CLAIM(one_choice_of_signs_in_the_matrix)
 :title: The curve of the example has the points and tangents asked for, and only with these signs
 :zh: 算例验证
 :kind: decision
-:given: the data of the example; the absolute values of the eight printed coefficients with all $2^8$ choices of signs
+:data: x, x' = 1 4 1 1; y, y' = 1 2 1 -1; x(u) = -4 6 1 1; y(u) = -2 2 1 1
+:instead: y, y' = 1 2 1 1
+:given: the data of the example, coordinate by coordinate: the values at the two ends and then the derivatives there; the coefficients that are printed,
+  that of $u^3$ first, with all $2^8$ choices of their signs
 :then: exactly one choice has the data, the printed one, and it is what `hermite_cubic` gives
 :method: Values and derivatives at 0 and 1, which determine a cubic because their determinant is not 0; all choices in integers as
-  well; the kernel at four parameters, which determine a cubic.
-:control: $P_1'=(1,1)$
+  well; the kernel at as many parameters as determine a cubic.
+:control: the second tangent goes up
 :::
 */
 CLAIM(worked_hermite_curve)
 {
-    static const int printed[2][4] = {{-4, 6, 1, 1}, {-2, 2, 1, 1}};
-    int data[2][4] = {{1, 4, 1, 1}, {1, 2, 1, fault(T, -1, 1)}}, choices[2] = {0, 0};
+    static const char *const of_axis[2][2] = {{"x, x'", "x(u)"}, {"y, y'", "y(u)"}};
+    int choices[2] = {0, 0};
     for (int axis = 0; axis < 2; axis++) {
-        only_these_have_the_data(T, printed[axis], data[axis]);
+        num four[4], c[4], out;
+        int data[4], size[4];
+        given_points(T, of_axis[axis][0], 4, 1, four);
+        given_points(T, of_axis[axis][1], 4, 1, c);
+        for (int k = 0; k < 4; k++)
+            data[k] = (int)to_double_q(four[k]), size[k] = (int)to_double_q(c[k]);
+        only_these_have_the_data(T, size, data);
         for (int signs = 0; signs < 1 << 4; signs++) {
-            int c[4];
+            int chosen[4];
             for (int k = 0; k < 4; k++)
-                c[k] = (signs >> k & 1 ? -1 : 1) * printed[axis][k];
-            choices[axis] += has_data(c, data[axis]);
+                chosen[k] = signs >> k & 1 ? -size[k] : size[k];
+            choices[axis] += has_data(chosen, data);
         }
-        num four[4], out;
-        for (int i = 0; i < 4; i++)
-            four[i] = from_int(data[axis][i]);
-        for (int u = 0; u < 4; u++) {
-            hermite_cubic_q(1, from_int(0), from_int(1), four, from_int(u), 0, &out);
-            const int *c = printed[axis];
-            same(T, out, from_int(((c[0] * u + c[1]) * u + c[2]) * u + c[3]));
+        for (int k = 0; k < 4; k++) {
+            num u = from_int(k);
+            hermite_cubic_q(1, from_int(0), from_int(1), four, u, 0, &out);
+            same(T, out, add(mul(add(mul(add(mul(c[0], u), c[1]), u), c[2]), u), c[3]));
         }
     }
     agree(T, choices[0] * choices[1] == 1);

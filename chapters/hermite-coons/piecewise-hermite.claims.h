@@ -105,19 +105,25 @@ CLAIM(base_functions_interpolate_once_continuously)
 :title: If the nodes go back, two pieces lie over one interval
 :zh: 节点不递增则各段重叠
 :kind: counterexample
-:given: nodes 0, 2, 1, which are different, the values 0, 0, 1 and the derivatives 0
-:then: over $[0,2]$ the curve is the first piece, which is 0, so that $P(t_2)=P(1)=0$, not 1
+:data: t = 0 2 1; f = 0 0 1; f' = 0 0 0
+:instead: f = 0 0 0
+:result: P(t_2) = 0
+:given: three different nodes $t$, of which the last lies between the first two, with the values $f$ and the derivatives $f'$
+:then: over $[t_0,t_1]$ the curve is the first piece, which is 0, so that $P(t_2)$ is not the value prescribed there
 :method: The kernel on $[t_0,t_1]$, at $t_2$.
-:control: the value 0 at $t_2$
+:control: the value of the first piece is prescribed at $t_2$
 :::
 */
 CLAIM(overlapping_intervals_miss_the_data)
 {
-    num zero = from_int(0), four[4] = {zero, zero, zero, zero}, value, given = from_int(fault(T, 0, 1));
-    hermite_cubic_q(1, zero, from_int(2), four, from_int(1), 0, &value);
-    show_points(T, "t_0, t_1, t_2", 3, 1, (num[]){zero, from_int(2), from_int(1)});
+    num t[3], f[3], slope[3], value;
+    given_points(T, "t", 3, 1, t);
+    given_points(T, "f", 3, 1, f);
+    given_points(T, "f'", 3, 1, slope);
+    hermite_cubic_q(1, t[0], t[1], (num[]){f[0], f[1], slope[0], slope[1]}, t[2], 0, &value);
+    found(T, "P(t_2)", value);
     about(T, "the first piece at t_2, and the value prescribed there");
-    same(T, value, given);
+    same(T, value, f[2]);
 }
 
 /*
@@ -137,20 +143,26 @@ The bracket is lost; the one factor at the end belongs to both derivatives.
 :title: A tangent that contains the length must not be multiplied by it again
 :zh: 切向量不可重复缩放
 :kind: counterexample
-:given: $t_0=0$, $t_1=2$, $f'(0)=1$ and the other data 0; $P_0'=f'(0)(t_1-t_0)=2$
-:then: $P_0'h_{0,0}(t)(t_1-t_0)$ has at 0 the derivative 2, not $f'(0)=1$
+:data: t = 0 2; f'(t_0) = 1
+:instead: t = 0 1
+:result: P_0' = 2; derivative at t_0 = 2
+:given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; $P_0'=f'(t_0)(t_1-t_0)$
+:then: $P_0'h_{0,0}(t)(t_1-t_0)$ has at $t_0$ another derivative than $f'(t_0)$
 :method: The printed function, multiplied out and differentiated.
-:control: $t_1=1$
+:control: an interval of length 1
 :::
 */
 CLAIM(scaled_tangent_is_not_scaled_again)
 {
-    num zero = from_int(0), t1 = from_int(fault(T, 1, 2)), slope = from_int(1);
-    num scaled = mul(slope, t1);
-    show(T, "t_1 - t_0", t1);
-    show(T, "P_0'", scaled);
+    num t[2];
+    given_points(T, "t", 2, 1, t);
+    num slope = given(T, "f'(t_0)"), scaled = mul(slope, sub(t[1], t[0]));
+    /* d/dt of P_0' h_{0,0}(t) (t_1 - t_0) */
+    num derivative = mul(scaled, G(at)(G(printed_term)(t[0], t[1], 2), 1, t[0]));
+    found(T, "P_0'", scaled);
+    found(T, "derivative at t_0", derivative);
     about(T, "the derivative at t_0, and f'(t_0)");
-    same(T, mul(scaled, G(at)(G(printed_term)(zero, t1, 2), 1, zero)), slope);
+    same(T, derivative, slope);
 }
 
 /*
@@ -169,21 +181,26 @@ CLAIM(scaled_tangent_is_not_scaled_again)
 :title: The second derivative may jump at a node
 :zh: 二阶导数可以间断
 :kind: counterexample
-:given: nodes 0, 1, 2 with the values 0, 1, 1 and the derivatives 0
-:then: $P''(1)$ is $-6$ from the left and 0 from the right
+:data: t = 0 1 2; f = 0 1 1; f' = 0 0 0
+:instead: f = 0 1 0
+:result: P''(t_1-) = -6; P''(t_1+) = 0
+:given: the nodes $t$ with the values $f$ and the derivatives $f'$
+:then: the second derivative at the inner node is not the same from the left as from the right
 :method: The kernel on both intervals.
-:control: the values 0, 1, 0
+:control: values that are symmetric about the inner node
 :::
 */
 CLAIM(pieces_need_not_have_one_curvature)
 {
-    num f[3] = {from_int(0), from_int(1), from_int(fault(T, 0, 1))}, zero = from_int(0), side[2][3];
-    for (int s = 0; s < 2; s++) {
-        num four[4] = {f[s], f[s + 1], zero, zero};
-        hermite_cubic_q(1, from_int(s), from_int(s + 1), four, from_int(1), 2, side[s]);
-    }
-    show_points(T, "f(0), f(1), f(2)", 3, 1, f);
-    about(T, "P''(1) from the left and from the right");
+    num t[3], f[3], slope[3], side[2][3];
+    given_points(T, "t", 3, 1, t);
+    given_points(T, "f", 3, 1, f);
+    given_points(T, "f'", 3, 1, slope);
+    for (int s = 0; s < 2; s++)
+        hermite_cubic_q(1, t[s], t[s + 1], (num[]){f[s], f[s + 1], slope[s], slope[s + 1]}, t[1], 2, side[s]);
+    found(T, "P''(t_1-)", side[0][2]);
+    found(T, "P''(t_1+)", side[1][2]);
+    about(T, "P'' at t_1 from the left and from the right");
     same(T, side[0][2], side[1][2]);
 }
 #endif
@@ -252,21 +269,29 @@ over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 :title: With the scaled tangent of the piece before, the derivative jumps
 :zh: 混用相邻段的缩放切向量使导数间断
 :kind: counterexample
-:given: nodes 0, 1, 3, $f'(1)=1$; so $P_1'=1$ at the end of the first piece
-:then: the second piece with $P_1'=1$ starts with $\frac{dP}{dt}=\frac{P_1'}{t_2-t_1}=\frac12$, not 1
+:data: t = 0 1 3; f'(t_1) = 1
+:instead: t = 0 1 2
+:result: P_1' = 1; dP/dt before = 1; dP/dt after = 1/2
+:given: three nodes $t$ with intervals of different lengths, and the derivative $f'(t_1)$; $P_1'=f'(t_1)(t_1-t_0)$, the tangent at the end of
+  the first piece over the unit interval
+:then: the second piece with this $P_1'$ starts with $\frac{dP}{dt}=\frac{P_1'}{t_2-t_1}$, which is not $f'(t_1)$
 :method: The kernel over the unit interval, its derivative divided by the length.
-:control: nodes 0, 1, 2
+:control: intervals of one length
 :::
 */
 CLAIM(one_scaled_tangent_for_two_pieces_makes_a_jump)
 {
-    num zero = from_int(0), one = from_int(1), t[3] = {zero, one, from_int(fault(T, 2, 3))}, slope[2];
+    num t[3], zero = from_int(0), one = from_int(1), slope[2];
+    given_points(T, "t", 3, 1, t);
+    num tangent = mul(given(T, "f'(t_1)"), sub(t[1], t[0]));
     for (int s = 0; s < 2; s++) {
-        num four[4] = {one, one, one, one}, out[2]; /* P_1' = 1 is the last datum of one, the third of the other */
+        num four[4] = {one, one, tangent, tangent}, out[2]; /* P_1' ends the one piece and begins the other */
         hermite_cubic_q(1, zero, one, four, s == 0 ? one : zero, 1, out);
         slope[s] = div(out[1], sub(t[s + 1], t[s]));
     }
-    show_points(T, "t_0, t_1, t_2", 3, 1, t);
+    found(T, "P_1'", tangent);
+    found(T, "dP/dt before", slope[0]);
+    found(T, "dP/dt after", slope[1]);
     about(T, "dP/dt at t_1 from the left and from the right");
     same(T, slope[0], slope[1]);
 }
