@@ -54,10 +54,11 @@ void parse_arguments(const struct call *call, struct asked *a)
     static const struct argp patterns = {.parser = parse_patterns};
     const struct command *c = call->command;
     const struct argp own = {.options = c->options, .parser = c->parse};
-    const struct argp_child parts[PARTS + 1] = {{.argp = &own},
-                                                {.argp = c->shared & TAKES_JSON ? &json : &nothing},
-                                                {.argp = c->shared & TAKES_JOBS ? &jobs : &nothing},
-                                                {.argp = c->arguments != FILE_NAME ? &patterns : &nothing}};
+    const struct argp_child parts[PARTS + 1] = {
+        {.argp = &own},
+        {.argp = c->shared & TAKES_JSON ? &json : &nothing},
+        {.argp = c->shared & TAKES_JOBS ? &jobs : &nothing},
+        {.argp = c->arguments == CLAIM_NAMES || c->arguments == FIGURE_NAMES ? &patterns : &nothing}};
     const struct argp whole = {.parser = give_input, .args_doc = c->usage, .doc = c->text, .children = parts};
     a->jobs = processors();
     argp_err_exit_status = EXIT_USAGE;

@@ -13,6 +13,7 @@ enum shared_option { TAKES_JSON = 1, TAKES_JOBS = 2 };
 
 /* What the arguments of a command are, those that are no options. */
 enum argument_kind {
+    NO_ARGUMENTS, /* none is taken                                                  */
     CLAIM_NAMES,  /* ids, or patterns of claims and statements, into asked.patterns */
     FIGURE_NAMES, /* patterns of figures, into asked.patterns                       */
     FILE_NAME     /* a file, which the parser of the command takes                  */

@@ -63,7 +63,8 @@ static void put_bash_value(void *context, const struct argp_option *row)
 
 static void put_bash(FILE *out)
 {
-    static const char *const arguments[] = {[CLAIM_NAMES] = "-W \"$(cagd list 2>/dev/null | cut -d' ' -f1)\"",
+    static const char *const arguments[] = {[NO_ARGUMENTS] = "-W ''",
+                                            [CLAIM_NAMES] = "-W \"$(cagd list 2>/dev/null | cut -d' ' -f1)\"",
                                             [FIGURE_NAMES] = "-W \"$(cagd figures --list 2>/dev/null)\"",
                                             [FILE_NAME] = "-f"};
     fputs("# bash completion for cagd\n"
@@ -120,7 +121,8 @@ static void put_zsh_option(void *context, const struct argp_option *row)
 
 static void put_zsh(FILE *out)
 {
-    static const char *const arguments[] = {[CLAIM_NAMES] =
+    static const char *const arguments[] = {[NO_ARGUMENTS] = ":: :",
+                                            [CLAIM_NAMES] =
                                                 "*:name:{compadd -- $(cagd list 2>/dev/null | cut -d\" \" -f1)}",
                                             [FIGURE_NAMES] = "*:figure:{compadd -- $(cagd figures --list 2>/dev/null)}",
                                             [FILE_NAME] = ":file:_files"};
@@ -171,7 +173,8 @@ static void put_fish_option(void *context, const struct argp_option *row)
 
 static void put_fish(FILE *out)
 {
-    static const char *const arguments[] = {[CLAIM_NAMES] = "-f -a '(cagd list 2>/dev/null | cut -d\" \" -f1)'",
+    static const char *const arguments[] = {[NO_ARGUMENTS] = "-f",
+                                            [CLAIM_NAMES] = "-f -a '(cagd list 2>/dev/null | cut -d\" \" -f1)'",
                                             [FIGURE_NAMES] = "-f -a '(cagd figures --list 2>/dev/null)'",
                                             [FILE_NAME] = "-F"};
     fputs("# fish completion for cagd\n", out);
