@@ -33,8 +33,7 @@ cagd_poly cagd_poly_neg(cagd_poly p);
 cagd_poly cagd_poly_scale(cagd_poly p, cagd_num_q c);
 cagd_poly cagd_poly_derivative(cagd_poly p);
 cagd_num_q cagd_poly_value(cagd_poly p, cagd_num_q t);
-cagd_poly cagd_poly_compose(cagd_poly p,
-                            cagd_poly q); /* p(q(t))                                                       */
+cagd_poly cagd_poly_compose(cagd_poly p, cagd_poly q); /* p(q(t)); MEMORY when its degree does not fit       */
 
 /* p = q quotient + remainder with deg remainder < deg q.  UNDEFINED for q = 0. */
 cagd_poly cagd_poly_quotient(cagd_poly p, cagd_poly q);

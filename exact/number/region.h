@@ -36,7 +36,11 @@ enum {
     CAGD_FAULT_UNDEFINED = 1, /* no such value: division by zero                                       */
     CAGD_FAULT_UNABLE = 2,    /* a value may exist; it is not computed here                            */
     CAGD_FAULT_CROWDED = 4,   /* more named variables than the context has: run again in a larger one  */
-    CAGD_FAULT_MEMORY = 8     /* there was no memory for it                                            */
+    CAGD_FAULT_MEMORY = 8     /* there was no memory for it, or it is larger than an int can say       */
 };
+#ifdef __cplusplus
+extern thread_local unsigned cagd_region_faults;
+#else
 extern _Thread_local unsigned cagd_region_faults;
+#endif
 #endif

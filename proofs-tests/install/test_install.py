@@ -5,6 +5,7 @@ by find_package(cagd) and once by pkg-config; the man page, the command and the 
 """
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,9 @@ with tempfile.TemporaryDirectory() as folder:
     sh("cmake", "--install", build, "--prefix", str(prefix))
     lib = next(prefix.glob("lib*/**/cagd.pc")).parent.parent
     assert (prefix / "include" / "cagd.h").exists() and (prefix / "include" / "cagd_fit.h").exists()
+    # The header of the exact library stands alone, and FLINT behind it.
+    exact = (prefix / "include" / "cagd_exact.h").read_text()
+    assert set(re.findall(r"#include (.*)", exact)) == {"<cagd.h>", "<gmp.h>", "<mpfr.h>", "<stddef.h>"}, "cagd_exact.h"
     for path in prefix.rglob("*"):
         if path.suffix in (".pc", ".cmake", ".h"):
             assert build not in path.read_text() and str(source.parent.parent) not in path.read_text(), f"{path} names a build path"
@@ -35,9 +39,14 @@ with tempfile.TemporaryDirectory() as folder:
     first = sh(str(by_cmake / "ten_lines"))
     assert sh(str(by_cmake / "fit_in_ten_lines")) == "0.707106781\n"
 
+    roots = sh(str(by_cmake / "roots_in_ten_lines"))
+    assert roots == "0.211 0.788 2\n", roots
+
     env = {**os.environ, "PKG_CONFIG_PATH": str(lib / "pkgconfig")}
     for compiler, name, package, says in (("cc", "ten_lines.c", "cagd", first), ("c++", "ten_lines.c", "cagd", first),
-                                          ("cc", "fit_in_ten_lines.c", "cagd_fit", "0.707106781\n")):
+                                          ("cc", "fit_in_ten_lines.c", "cagd_fit", "0.707106781\n"),
+                                          ("cc", "roots_in_ten_lines.c", "cagd_exact", roots),
+                                          ("c++", "roots_in_ten_lines.c", "cagd_exact", roots)):
         flags = sh("pkg-config", "--cflags", "--libs", "--static", package, env=env).split()
         program = pathlib.Path(folder) / f"{package}-by-{compiler.replace('+', 'p')}"
         language = ["-x", "c++"] if compiler == "c++" else []
