@@ -5,6 +5,10 @@ The source has nine chapters.  This page goes through its table of contents and 
 of ours its subject is covered, and what of it is open.  A claim is about the subject, not about the text of the section,
 unless the ledger has an entry of it.
 */
+#if RATIONAL
+#include "chapters/foundations/pages.h"
+#endif
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -18,21 +22,6 @@ unless the ledger has an entry of it.
 */
 
 #if RATIONAL
-enum { CHAPTERS = 9, MOST = 11 };
-
-/* The pages of the sections as printed, chapter by chapter; 0 ends the list. */
-static const int section_page[CHAPTERS][MOST + 1] = {
-    {1, 2, 4, 6, 9, 12, 18, 20, 22},
-    {25, 26, 27, 29, 32, 34, 38, 40, 47, 51},
-    {57, 58, 62, 67, 69, 76},
-    {82, 84, 87, 91, 93, 99, 103, 106, 110},
-    {115, 119, 122, 128, 135, 142, 145},
-    {147, 154, 160, 164, 167, 171, 174, 177, 179, 182, 184},
-    {187, 190, 193},
-    {198, 202, 204, 206, 209, 214, 218, 220},
-    {225, 237, 234, 237, 242, 244, 248},
-};
-
 /*
 :::{claim} contents_has_nine_chapters
 :title: The table of contents has nine chapters with seventy sections
@@ -163,9 +152,6 @@ chapter 2, the pages around it leave all possibilities open.
 Which of the three numbers is wrong cannot be decided from the table.
 :::
 */
-
-/* The page of each chapter, as printed. */
-static const int chapter_page[CHAPTERS] = {1, 23, 57, 82, 115, 147, 187, 198, 225};
 
 /*
 :::{claim} second_chapter_begins_before_its_first_section

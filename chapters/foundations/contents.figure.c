@@ -1,5 +1,6 @@
 /* The figure of the page on the table of contents. */
 #include "chapters/foundations/figures.h"
+#include "chapters/foundations/pages.h"
 
 FIGURE(pages_of_the_sections)
 {
@@ -7,13 +8,13 @@ FIGURE(pages_of_the_sections)
         svg_new("pages_of_the_sections", "The pages of the sections of chapters 1, 2 and 9",
                 "The pages on which the sections begin, in their order.  Section 9-2 is printed behind section 9-3; "
                 "chapter 2 is printed on a page before that of its first section.");
-    static const int first[19] = {1, 2, 4, 6, 9, 12, 18, 20, 22, 25, 26, 27, 29, 32, 34, 38, 40, 47, 51};
-    static const int last[7] = {225, 237, 234, 237, 242, 244, 248};
     num_q P[2 * 19], Q[2 * 7];
-    for (int k = 0; k < 19; k++)
-        P[2 * k] = q(k + 1), P[2 * k + 1] = q(first[k]);
+    int count = 0;
+    for (int c = 0; c < 2; c++)
+        for (int k = 0; section_page[c][k] != 0; k++, count++)
+            P[2 * count] = q(count + 1), P[2 * count + 1] = q(section_page[c][k]);
     for (int k = 0; k < 7; k++)
-        Q[2 * k] = q(k + 1), Q[2 * k + 1] = q(last[k]);
+        Q[2 * k] = q(k + 1), Q[2 * k + 1] = q(section_page[CHAPTERS - 1][k]);
     svg_panel(s, window(q(0), q(0), q(20), q(56)), 340, 260, "sections 1-1 to 1-9 and 2-1 to 2-10");
     svg_axes(s, q(0), q(10), NULL, "page");
     svg_polyline(s, 19, P, SVG_MUTED);
