@@ -31,6 +31,12 @@ The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is
 static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 
 /*
+Two kernels follow, one for what is printed and one for what was meant.  That the two differ can be seen before any property
+is looked at.  Write the factors of (1) as $\nu_i=\binom7i+b_i\beta$ and $\varphi_i=\binom7i+(b_i+c_i)\beta$, where $b_i$ and
+$c_i$ are the printed numbers before $\beta$ and $\beta t$.  Mirror images need $b_i=b_{7-i}+c_{7-i}$, and the sum 1 needs
+$b_{i-1}+c_{i-1}+b_i=0$.  Go through the eight lines with a pencil: both rules hold but next to $i=3$ and $i=4$, and there both
+ask for $c_3=-5$ and $c_4=5$, where $-9$ and $1$ are printed.
+
 :::{claim} printed_kernel_is_formula_one
 :title: The kernel computes the eight printed functions
 :zh: 核函数即式 (1)
@@ -107,6 +113,9 @@ $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with 
 For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 :::
 
+Two claims stand behind this entry.  The first writes the correction out.  The second says that there is no other: leave six of
+the functions as they are printed, let the other two be any mirror images with linear factors, and the sum 1 alone fixes them.
+
 :::{claim} two_digits_are_corrected
 :title: The corrected functions of degree seven are the printed ones but for two digits
 :zh: 修正只涉及两处数字
@@ -161,6 +170,10 @@ CLAIM(mirror_images_with_sum_one_are_unique)
 
 /*
 ## What the words say
+
+The text calls the eight functions polynomials of degree eight, and a basis (基函数).  Both are statements, and both have their
+exceptions within the printed range of $\beta$.  The degree is read off the coefficient of $t^8$, which is a multiple of
+$\beta$.
 
 :::{statement} deng-zhang-2022:def-2.1-degree
 :title: The functions are polynomials of degree eight
@@ -222,6 +235,12 @@ CLAIM(degree_falls_for_beta_zero)
 }
 
 /*
+Independence (线性无关) takes more.  The $9\times8$ matrix of Bernstein coefficients has entries $\nu_i$ in row $i$ and
+$\varphi_i$ in the row below, up to positive numbers, and nothing else.  Leave out row $r$, and what remains falls into two
+triangles; so the nine minors are the products $\nu_0\cdots\nu_{r-1}\varphi_r\cdots\varphi_7$.  All nine vanish together
+only when some $\nu_i$ and some $\varphi_j$ with $j\ge i$ are 0 for one $\beta$.  That $\nu_1$ and $\varphi_6$ vanish
+together gives the one exception, $\nu_2$ and $\varphi_5$ give the other.
+
 :::{statement} deng-zhang-2022:def-2.1-basis
 :title: The functions are a basis
 :zh: 基函数的线性无关性
@@ -231,9 +250,10 @@ CLAIM(degree_falls_for_beta_zero)
 :hypothesis: a_combination_vanishes | $\beta\ne-\frac{21}4$
 :figure: dependent_functions
 
-The text only gives the name; what is decided is what the word says.  The left end of the printed range is one of the two values,
-the left end of the true range (property 2.1) the other.  There different polygons have the same curve, and the functions span a
-space of dimension 7; otherwise of dimension 8.  All polynomials of degree 8 have dimension 9, and the space changes with $\beta$.
+The text only gives the name; what is decided is what the word says.  The left end of the printed range is one of the two
+values, the left end of the true range (property 2.1) the other.  There different polygons have the same curve, and the
+functions span a space of dimension 7; otherwise of dimension 8.  All polynomials of degree 8 have dimension 9, and the
+space changes with $\beta$.
 :::
 
 :::{claim} functions_are_independent_but_for_two_values
@@ -341,6 +361,11 @@ CLAIM(two_functions_coincide)
 /*
 ## Sum one (权性)
 
+Row $k$ of the matrix has the sum $(\varphi_{k-1}+\nu_k)/\binom8k$, and the functions add up to 1 exactly when all nine sums
+are 1.  With the printed numbers two are not.  Both differ from 1 by $-4\beta$ over the binomial coefficient, which leaves
+$-4\beta(s^4t^4+s^3t^5)=-4\beta s^3t^4$ for the sum of the functions.  This error is small, which may be why it stayed in
+print; but the whole geometry of the curve rests on the sum, and the next section meets it again and again.
+
 :::{statement} deng-zhang-2022:property-2.2
 :title: The functions add up to one
 :zh: 权性，式 (3)
@@ -425,6 +450,9 @@ CLAIM(corrected_functions_sum_to_one)
 
 /*
 ## Symmetry (对称性)
+
+Of the four equations (4) the first three survive.  Whoever wants to test the fourth should not choose $t=\frac12$: the
+difference of its sides has the factor $1-2t$, and in the middle of the interval everything looks right.
 
 :::{statement} deng-zhang-2022:property-2.3
 :title: The functions are mirror images of each other
@@ -626,6 +654,9 @@ Unlike those of (6) these misprints matter: read as functions of degree five, $B
 
 #if RATIONAL
 /*
+The lists (6) and (8) are both printed with second indices of other degrees.  In (6) no harm is done, because the last
+function of any degree $j$ has the factor $t^j$.  In (8) the same slip puts too few factors $1-t$ before a derivative.
+
 :::{claim} derivative_of_degree_five_does_not_vanish
 :title: In degree five the derivative of the last but one function at 1 is not zero
 :zh: B'_{4,5}(1)≠0
@@ -743,8 +774,8 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
 :reading: corrected_functions_sum_to_one | drawn from the corrected formulas
 :figure: eight_functions
 
-The value $\beta=-1$ is in the true range, so that nothing of what fails near $\beta=-7$ is to be seen.  The figure itself is not
-in the text that was examined.
+The value $\beta=-1$ is in the true range, so that nothing of what fails near $\beta=-7$ is to be seen.  The figure itself
+is not in the text that was examined.
 :::
 */
 #include "chapters/judge/claims_off.h"

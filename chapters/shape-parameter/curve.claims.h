@@ -166,6 +166,12 @@ CLAIM(beta_zero_gives_the_bezier_curve)
 /*
 ## How the curve moves with the parameter
 
+In the functions $\beta$ occurs to the first power.  So for fixed $t$ the point of the curve is a linear function of
+$\beta$: it runs on a straight line, with a velocity that depends on the polygon and on $t$ alone.  This velocity is a sum
+of the edges $P_k-P_{k-1}$ with the factors $a_ks^{n+1-k}t^k$.  For $n=7$ the numbers $a_1,\dots,a_7$ are
+$1,4,5,0,-5,-4,-1$: the first three edges push one way, the last three the other way, and the middle edge does not push at
+all.  A polygon that has no other edge gives one curve for all $\beta$, and this is the exception to the adjustable shape.
+
 :::{statement} deng-zhang-2022:fig-2
 :title: The curves of several beta from right to left
 :zh: 图 2
@@ -294,6 +300,11 @@ CLAIM(edges_that_do_not_move)
 
 /*
 ## The ends (端点性质)
+
+The curve begins in $Q_0=P_0$ towards $Q_1$, and $Q_1-P_0=\frac{\nu_1}8(P_1-P_0)$.  Hence the factor $7+\beta$ of the
+derivative, in which no misprint takes part.  Hence, too, what the source overlooks at the left end of its range: for
+$\beta=-7$ the point $Q_1$ falls on $P_0$, the first derivative is the zero vector, and the tangent is no longer that of the
+edge.
 
 :::{statement} deng-zhang-2022:property-3.1
 :title: Points and derivatives at the ends
@@ -452,6 +463,11 @@ CLAIM(edge_is_not_tangent_at_minus_seven)
 
 /*
 ## Convex hull, symmetry, invariance (凸包性, 对称性, 几何不变性)
+
+The remaining properties are printed with the reason that the functions have properties of their own.  The hull needs two of
+them: functions that are not negative, and the sum 1.  The two examples below tell them apart.  Eight equal points ask for
+the sum and for nothing else; a triangle with its base on the $x$-axis asks for the sign of one function, since the height
+of the curve is $B_2(t)$.
 
 :::{statement} deng-zhang-2022:property-3.2
 :title: The curve lies in the convex hull of its points
@@ -626,6 +642,10 @@ CLAIM(curve_is_not_its_own_reverse)
 }
 
 /*
+Invariance (几何不变性) is the sum once more: points on the $x$-axis, moved up by 1, give a curve whose height is the sum of the
+functions.  With the printed functions a translation therefore bends the curve, while linear maps, which leave the origin
+where it is, do no harm.
+
 :::{statement} deng-zhang-2022:property-3.4
 :title: The curve does not depend on the coordinate system
 :zh: 几何不变性

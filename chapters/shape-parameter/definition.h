@@ -203,4 +203,6 @@ static inline int G(sign_changes)(int n, const num k[])
     return changes;
 }
 #endif
+
+enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
 #include "chapters/judge/claims_off.h"

@@ -3,8 +3,6 @@
  * Generic text, after definition.h; what decides is for rationals only. */
 #include "chapters/judge/claims_on.h"
 
-enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
-
 #if RATIONAL
 /* A plane curve: the polynomials of its coordinates. */
 struct G(path) {

@@ -55,6 +55,19 @@ static inline void nine_curves(svg *s, const num_q P[])
     svg_legend_line(s, SVG_WRONG, "$β=-6,-7$, outside");
 }
 
+/* The triangle of the claims on β = -7, its first and last corner repeated, the curves of β = -21/4 and -7, and a level line. */
+static inline void put_triangle(svg *s, num_q level)
+{
+    static const int triangle[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
+    num_q P[16];
+    integers(2 * 8, triangle, P);
+    svg_polyline(s, 8, P, SVG_POLYGON);
+    put_curve(s, 0, 7, P, r(-21, 4), SVG_RIGHT);
+    put_curve(s, 0, 7, P, q(-7), SVG_WRONG);
+    svg_line(s, at(q(0), level), at(q(1), level), SVG_POINT);
+    svg_frame(s);
+}
+
 /* Only function i, or with i < 0 the sum of all. */
 static inline void choice(int i, num_q a[])
 {

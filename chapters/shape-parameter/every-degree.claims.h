@@ -99,6 +99,12 @@ CLAIM(blend_is_convex_from_minus_two_to_one)
 /*
 ## The range of the parameter in every degree
 
+For $n=7$ it was $\nu_2$ that fixed the lower end of the range.  Which index it is, depends on $n$.  By the closed form
+below $\nu_k$ vanishes at $\beta=-\frac{n(n-1)}{k(n+1-2k)}$, and the range begins at the largest of these numbers; the
+denominator is largest for $k$ near $\frac{n+1}4$.  In the degrees up to five this is $k=1$, and the range begins at $-n$.
+From degree six on another index is first, and the pattern that suggests $-7$ for $n=7$ is broken.  The upper end is 1 in
+every degree, because of $\varphi_0$.
+
 :::{claim} factors_in_closed_form
 :title: The factors in closed form
 :zh: 线性因子的封闭形式
@@ -156,6 +162,9 @@ CLAIM(range_of_every_degree)
 #endif
 
 /*
+No range goes below $-8$, however high the degree.  Completing the square in $k(n+1-2k)$ shows it, and since some whole $k$
+is at most $\frac12$ from the vertex of the parabola, the bound is approached.
+
 :::{claim} lower_end_is_between_two_bounds
 :title: The lower end of the range is above -8 in every degree and tends to it
 :zh: 范围下端 l_n>-8 且趋于 -8
@@ -231,8 +240,8 @@ For three points the sentence is true in the strongest sense: while $-2\le\beta\
 the polygon when $\beta$ grows.  The point is in the triangle.  Its distances from the lines of the two edges are multiples
 of its weights at $P_2$ and $P_0$, which do not grow.  The nearest point of the polygon is the foot on an edge; or $P_0$ or
 $P_2$, when the foot is beyond it.  (It is never $P_1$, unless the point is $P_1$: for a point $P_1+\lambda a+\mu c$ with
-$a=P_0-P_1$, $c=P_2-P_1$, $\lambda,\mu\ge0$ not both feet can be beyond $P_1$, since
-$(\lambda a+\mu c)\cdot(\lambda a+\mu c)\ge0$.)  That the distance from $P_0$ falls while the foot is beyond $P_0$ is a matter of signs.
+$a=P_0-P_1$, $c=P_2-P_1$, $\lambda,\mu\ge0$ not both feet can be beyond $P_1$, since $(\lambda a+\mu c)\cdot(\lambda a+\mu
+c)\ge0$.) That the distance from $P_0$ falls while the foot is beyond $P_0$ is a matter of signs.
 
 From four points on it is no longer true, not even for a convex polygon.
 
@@ -294,6 +303,9 @@ CLAIM(quadratic_distance_to_an_end_shrinks)
 
 #if RATIONAL
 /*
+Both examples have four points with whole coordinates.  The first refutes the two senses of
+"closer" at once, the second is convex.
+
 :::{claim} cubic_of_larger_beta_is_farther
 :title: A cubic polygon from which a larger beta takes the curve away
 :zh: n=3:β 增大而曲线远离控制多边形

@@ -36,6 +36,10 @@ polygons of four for which it is false, are treated in `every-degree`.
 
 #if RATIONAL
 /*
+"Nearer than $r$" is decided for a whole curve, not for sample points.  A piece of the curve is near an edge when the foot
+of its points stays on the edge and their distance from its line stays below $r$; these are signs of three polynomials in
+$t$.  Where one edge does not serve for the whole piece, the piece is halved.  "Farther" is easier: one point suffices.
+
 :::{claim} larger_beta_takes_the_curve_away_from_its_polygon
 :title: A larger beta takes a curve away from its polygon, in two senses at once
 :zh: β 增大而曲线远离控制多边形
@@ -71,6 +75,10 @@ CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
 }
 
 /*
+One may suspect the polygon above, which turns to and fro.  But a convex one does as well, and the next example takes
+$\beta$ from one end of the true range to the other.  For the same polygon the curve of $\beta=1$ is nevertheless nearer
+than the Bézier curve of $\beta=0$: on the way through the range the distance grows at first and falls later.
+
 :::{claim} larger_beta_is_worse_for_a_convex_polygon
 :title: From the left end of the range to its right end a curve goes away from its convex polygon
 :zh: 凸多边形:β 由 -21/4 增至 1 时曲线远离多边形
@@ -118,6 +126,9 @@ CLAIM(convex_polygon_prefers_beta_one)
 }
 
 /*
+The comparison with the Bézier curve is the comparison of $\beta$ with 0.  It was just won for one convex polygon; for
+another one it is lost.
+
 :::{statement} deng-zhang-2022:property-3.5-bezier
 :title: The curve is closer to its polygon than the Bézier curve of degree seven
 :zh: 比七次 Bezier 曲线更优

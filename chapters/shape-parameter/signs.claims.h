@@ -8,6 +8,11 @@
 #include "chapters/judge/claims_on.h"
 
 /*
+Three properties are printed for all $\beta$ from $-7$ to 1: the functions are not negative, each has one maximum, and each
+grows or falls with $\beta$.  All three are questions about signs, and all three come down to the two numbers $\nu_i$ and
+$\varphi_i$ of each function.  These are linear in $\beta$.  So what looks like a question about eight polynomials of degree
+eight and a parameter is one about sixteen straight lines, and can be answered exactly.
+
 ## Nonnegativity (非负性)
 
 Function $i$ has the sign of $\nu_is+\varphi_it$ in $(0,1)$.  So it is nonnegative exactly when $\nu_i\ge0$ and
@@ -54,6 +59,10 @@ CLAIM(third_function_is_negative)
 }
 
 /*
+One negative value refutes the print.  The true range needs both directions: no line is below 0 in it, and at each end some line
+passes through 0.  At the left end this is $\nu_2$, and not
+$\nu_1$, with which the source has stopped.
+
 :::{claim} nonnegative_exactly_in_the_range
 :title: The functions are nonnegative exactly for beta from -21/4 to 1
 :zh: 非负的充要条件 -21/4≤β≤1
@@ -192,6 +201,9 @@ CLAIM(each_function_rises_then_falls)
 }
 
 /*
+Below the true range the argument breaks for $i=2$ and its mirror image $i=5$ alone: $\nu_2$ is negative, and there are two
+changes of sign.  The function then begins with 0, falls, and has to rise again.
+
 :::{claim} third_function_falls_then_rises_below_the_range
 :title: Below the range two functions have an inner minimum too, all have one inner maximum
 :zh: -7≤β<-21/4 时的极值
@@ -308,6 +320,10 @@ CLAIM(second_function_decreases)
 #endif
 
 /*
+One decreasing value is enough against the print; where exactly each function grows is read off the slopes, which are the
+functions at one $\beta$ minus those at another.  The $b_i$ and $c_i$ of this claim are again the printed numbers before
+$\beta$ and $\beta t$.
+
 :::{claim} slopes_in_beta
 :title: The functions are linear in beta
 :zh: 基函数关于 β 是线性的

@@ -1,8 +1,11 @@
 /*
 # Closed curves, surfaces, and the summary (封闭曲线、曲面与结论)
-*/
-#include "chapters/shape-parameter/definition.h"
 
+What is left of the paper are its applications, closed curves and a surface, a remark on what a point costs, and the
+sentences in which abstract, introduction and summary say what has been achieved.  Little of it is new.  The surface is a
+curve of curves, so that it inherits most of what is true of the curve, and all that is false.  The sentences of the summary
+are those of section 3 once more, and so their verdicts are made of the claims of the sections before.
+*/
 #if RATIONAL
 #include "exact/record/sign.h"
 
@@ -16,9 +19,9 @@
 #define G(name) name##_q
 #endif
 
-#include "chapters/judge/claims_on.h"
+#include "chapters/shape-parameter/definition.h"
 
-enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate */
+#include "chapters/judge/claims_on.h"
 
 /*
 :::{statement} deng-zhang-2022:sec-4-closed
@@ -28,8 +31,9 @@ enum { dim = 2 }; /* the plane: every formula is taken coordinate by coordinate 
 :holds-by: end_points_and_end_derivatives
 :figure: petals
 
-For $\beta\ne-7$ and end edges that are not 0 its tangent is continuous at that point exactly when $P_1$, $P_0=P_7$ and $P_6$ are on a
-line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends are 0, and the second ones give the tangents.
+For $\beta\ne-7$ and end edges that are not 0 its tangent is continuous at that point exactly when $P_1$, $P_0=P_7$ and
+$P_6$ are on a line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends are 0, and the second ones
+give the tangents.
 :::
 
 :::{statement} deng-zhang-2022:fig-3
@@ -40,6 +44,11 @@ line, $P_0$ between the others.  At $\beta=-7$ the first derivatives at the ends
   are on a straight line in equal distances
 :figure: petals
 :::
+
+## The surface (张量积曲面)
+
+A point of the surface is found in two rounds: the curves of the rows at $v$ give eight points, and their curve at $u$ is
+the point.  In the field this shows that the double sum (22) is what the kernel computes.
 
 :::{statement} deng-zhang-2022:def-5.1
 :title: The tensor product surface
@@ -130,6 +139,10 @@ CLAIM(surface_kernel_gives_the_double_sum)
 
 With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.
 :::
+
+The statement names no property, so what section 3 prints for the curve is taken one by one.  Symmetry and corners pass to
+the surface with the corrected functions.  The two counterexamples are those of the curve, multiplied: 64 equal points ask
+for the sum, a net with one row different from 0 for a sign.
 
 :::{claim} reversed_net_reverses_the_surface
 :title: The net reversed in both directions gives the surface backwards
@@ -293,6 +306,9 @@ CLAIM(surface_functions_sum_to_one)
 }
 
 /*
+Convexity is the one property that does not pass from curves to surfaces, and this has nothing to do with $\beta$.  Rows and
+columns may all be straight, and the surface a saddle.
+
 :::{claim} net_of_straight_lines_gives_a_saddle
 :title: A net of straight rows and columns whose surface is a saddle
 :zh: 行列皆直的控制网生成鞍面
@@ -366,8 +382,8 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
   $i\le3<j$; $j\le3<i$; $i,j\ge4$; printed functions: not $P_{ij}=k_ik_jv$ with $k=(0,0,0,0,5,1,1,1)$ and some $v$
 :figure: shape_surface
 
-One $\beta$ in both directions, and surfaces with their parameters: then they are not the same for all $\beta$; two values may still give one, as
-$-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27,-27,5,0,0)$, with the corrected functions.
+One $\beta$ in both directions, and surfaces with their parameters: then they are not the same for all $\beta$; two values
+may still give one, as $-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27,-27,5,0,0)$, with the corrected functions.
 :::
 
 :::{claim} nets_that_do_not_move
@@ -463,6 +479,11 @@ CLAIM(surface_that_does_not_move)
 #endif
 
 /*
+## What a point costs (计算量)
+
+Whether a curve of degree eight "takes more computation" depends on what is compared.  The kernels are run once more in a
+number type that counts its operations.
+
 :::{statement} deng-zhang-2022:sec-6-horner
 :title: The curve can be computed by Horner's rule
 :zh: 海纳算法
@@ -471,9 +492,10 @@ CLAIM(surface_that_does_not_move)
 :hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by the same method
 :figure: operations_for_a_point
 
-By Horner's rule the degree $n$ takes $2(d+1)n$ products and $dn+1$ sums for $d$ coordinates, by de Casteljau's algorithm $dn(n+1)$ products
-and $\frac12dn(n+1)+n$ sums; here $n=8$ against $n=7$.  In addition the nine Bézier points have to be computed once for each $\beta$.
-For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no more to compute.
+By Horner's rule the degree $n$ takes $2(d+1)n$ products and $dn+1$ sums for $d$ coordinates, by de Casteljau's algorithm
+$dn(n+1)$ products and $\frac12dn(n+1)+n$ sums; here $n=8$ against $n=7$.  In addition the nine Bézier points have to be
+computed once for each $\beta$.  For $\beta=0$ the curve is the one of degree seven, and whoever knows it has no more to
+compute.
 :::
 
 :::{claim} horner_rule_computes_the_curve
@@ -571,6 +593,11 @@ CLAIM(horner_for_nine_points_beats_de_casteljau_for_eight)
 }
 
 /*
+## What the summary says (结论)
+
+The following entries repeat what has been decided.  Where the summary is true, it is true of the corrected functions and of
+the range from $-\frac{21}4$ to 1.
+
 :::{statement} deng-zhang-2022:sec-6-meaning
 :title: The parameter has a clear geometric meaning
 :zh: β 的几何意义
@@ -650,7 +677,8 @@ CLAIM(horner_for_nine_points_beats_de_casteljau_for_eight)
 :checked-by: decasteljau_evaluates_bezier_curve bernstein_basis_is_independent
 :figure: curves_for_several_beta
 
-The curve is the sum of points times Bernstein polynomials, and no two polygons of one degree have the same one, as parametrized curves.
+The curve is the sum of points times Bernstein polynomials, and no two polygons of one degree have the same one, as
+parametrized curves.
 :::
 
 :::{statement} deng-zhang-2022:sec-1-bezier-properties

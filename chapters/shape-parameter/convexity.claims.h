@@ -1,0 +1,178 @@
+/*
+# Convexity (保凸性)
+
+That a curve is convex when its polygon is (保凸性) follows from what was said about crossings, if two things are kept apart.
+Along a convex polygon the sign of a line function changes at most twice; this is the identity on four vertices at the end
+of this section.  So where no line crosses the curve more often than the polygon, it crosses the curve at most twice.
+
+The source speaks of common points, however, and these are more than crossings: an end of the curve may lie on the line.
+With $P_0$ on the line one of the two changes of sign is used up, so that the count comes out right; but if the polygon is
+closed, $P_0=P_7$, there are two parameters for this one point.  At $\beta=-7$ the conclusion is false in the plainest
+sense, for a triangle and its base.
+*/
+#include "exact/record/crossings.h"
+#include "exact/record/hull.h"
+
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/meeting.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} deng-zhang-2022:property-3.7
+:title: Convex polygons have convex curves
+:zh: 保凸性
+:printed: when the control polygon is convex, a line of the plane meets the curve at most twice, $-7\le\beta\le1$
+:refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
+  curve_of_a_triangle_meets_a_line_three_times
+:class: false
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not on a line, and
+  common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes four_vertices_of_a_convex_polygon_do_not_alternate third_function_has_a_zero_for_every_smaller_beta
+:reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are possible,
+  at $\beta=-\frac{21}4,0,1$
+:figure: convexity_lost
+
+A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on
+it none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is
+possible, and $t=0$, $t=1$ are one point of the curve.  That the whole curve is on a line, at $\beta=-\frac{21}4$, needs
+three changes.
+:::
+
+:::{statement} deng-zhang-2022:property-3.7-reason
+:title: A line meets a convex polygon at most twice
+:zh: 直线与凸控制多边形的交点
+:printed: a line meets the (convex) control polygon at most twice
+:holds-by: four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
+:hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
+:figure: line_along_an_edge
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} closed_polygon_has_three_parameters_on_a_line
+:title: The curve of a closed convex polygon may have three parameters on a line
+:zh: 首末点重合的凸多边形:曲线在一直线上有三个参数
+:kind: counterexample
+:data: β = -21/4 0 1; P = (0,0) (2,-1) (4,0) (5,2) (4,4) (2,5) (0,3) (0,0); Q = (0,0); u = (1,-1)
+:instead: Q = (0,1/2)
+:result: parameters on the line = 3 3 3; those in (0,1) = 1 1 1
+:given: three values of $\beta$, a convex heptagon with $P_7=P_0$, and the line through $Q=P_0$ with the normal vector $u$; corrected
+  functions
+:then: for each $\beta$ the parameters $t=0$, $t=1$ and one in $(0,1)$ are on the line: three parameters, two points
+:method: The common points are counted exactly by their parameters; `hull.h` decides that the polygon is convex.
+:control: a line beside the corner
+:::
+*/
+CLAIM(closed_polygon_has_three_parameters_on_a_line)
+{
+    num P[8 * dim], beta[3], closed[3], open[3];
+    int most_two = 0;
+    given_points(T, "β", 3, 1, beta);
+    given_points(T, "P", 8, dim, P);
+    struct cagd_line L = G(given_line)(T);
+    for (int m = 0; m < 3; m++) {
+        struct cagd_curve_meets_line curve = G(curve_meets)(0, P, beta[m], L);
+        closed[m] = from_int(curve.common_closed);
+        open[m] = from_int(curve.common_open);
+        most_two += curve.common_closed <= 2;
+    }
+    found_points(T, "parameters on the line", 3, 1, closed);
+    found_points(T, "those in (0,1)", 3, 1, open);
+    about(T, "the polygon is not convex, or there are at most two common parameters");
+    refute(T, polygon_is_convex(7, P, 1, NULL) && most_two == 0);
+}
+
+/*
+The triangle of the next claim has its base on the line.  Its first and its last corner are repeated, so that only $P_2$ is
+above the line and the height of the curve is $B_2(t)$, which at $\beta=-7$ has a root inside.
+
+:::{claim} curve_of_a_triangle_meets_a_line_three_times
+:title: At beta = -7 the curve of a triangle meets a line three times
+:zh: β=-7 时凸多边形的曲线与直线有三个交点
+:kind: counterexample
+:data: β = -7; P = (0,0) (0,0) (1,1) (2,0) (2,0) (2,0) (2,0) (2,0); Q = (0,0); u = (0,1); t = 0 1/9 1
+:instead: β = -21/4
+:result: common points of the curve = 3; y(t) = 0 0 0
+:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, the line through $Q$ with the
+  normal vector $u$, on which one side is, and three parameters; corrected functions
+:then: the polygon is convex, and the curve meets the line at the three parameters and nowhere else
+:method: The common points are counted exactly; `hull.h` decides that the polygon is convex.
+:control: the left end of the true range
+:::
+*/
+CLAIM(curve_of_a_triangle_meets_a_line_three_times)
+{
+    struct G(meeting) m = G(given_meeting)(T, 0);
+    num t[3], y[3];
+    given_points(T, "t", 3, 1, t);
+    found_whole(T, "common points of the curve", m.curve.common_closed);
+    for (int k = 0; k < 3; k++) {
+        num at[dim];
+        G(curve_point)(0, 7, dim, m.P, m.beta, t[k], at);
+        y[k] = at[1];
+    }
+    found_points(T, "y(t)", 3, 1, y);
+    about(T, "the polygon is not convex, or there are at most two common points");
+    refute(T, polygon_is_convex(7, m.P, 1, NULL) && m.curve.common_closed > 2);
+}
+
+/*
+:::{claim} printed_curve_of_a_convex_polygon_meets_a_line_four_times
+:title: The printed curve of a convex polygon meets a line four times
+:zh: 按式 (1) 凸多边形的曲线与直线有四个交点
+:kind: counterexample
+:data: β = 1; P = (0,100) (1,101) (2,101) (3,101) (4,101) (5,101) (6,101) (7,100); Q = (0,401/4); u = (0,1)
+:result: common points of the curve = 4; crossings of the curve = 4; crossings of the polygon = 2
+:given: the right end of the range of $\beta$, a flat convex polygon, and the line through $Q$ with the normal vector $u$, a little above its ends
+:then: the polygon is convex, and the curve crosses the line twice as often as the polygon
+:method: As before.
+:control: the corrected functions
+:::
+*/
+CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
+{
+    struct G(meeting) m = G(given_meeting)(T, fault(T, 0, 1));
+    found_whole(T, "common points of the curve", m.curve.common_closed);
+    found_whole(T, "crossings of the curve", m.curve.crossings);
+    found_whole(T, "crossings of the polygon", m.polygon.crossings);
+    about(T, "the polygon is not convex, or there are at most two common points");
+    refute(T, polygon_is_convex(7, m.P, 0, NULL) && m.curve.common_closed > 2);
+}
+#endif
+
+/*
+:::{claim} four_vertices_of_a_convex_polygon_do_not_alternate
+:title: Four vertices of a convex polygon are not on alternate sides of a line
+:zh: 凸多边形的四个顶点不会交替位于直线两侧
+:given: any $P_i,P_j,P_k,P_l$ of the plane, any line function $f(x,y)=ax+by+c$; $D_{ijk}$ the determinant of $P_j-P_i$ and $P_k-P_i$
+:then: $D_{jkl}f(P_i)+D_{ijl}f(P_k)=D_{ikl}f(P_j)+D_{ijk}f(P_l)$
+:method: An identity in the coordinates.  For $i<j<k<l$ in a polygon that is convex, counterclockwise, the four determinants are not
+  negative.  With $f(P_i),f(P_k)\ge0\ge f(P_j),f(P_l)$ both sides are 0: every product is.  So when the signs are strict the four points
+  are on one line, to and fro, and the polygon is not convex; hence there are no three changes of sign.  With $f(P_i)=0$ two changes
+  among the other three, and with $f(P_i)=f(P_l)=0$, $P_i\ne P_l$, one, are excluded in the same way; with $P_i=P_l$ one is possible.
+:control: $D_{ikl}$ and $D_{ijl}$ exchanged
+:::
+*/
+/* The determinant of Q - P and R - P. */
+static num G(turn)(const num P[], const num Q[], const num R[])
+{
+    num q[dim] = {sub(Q[0], P[0]), sub(Q[1], P[1])}, r[dim] = {sub(R[0], P[0]), sub(R[1], P[1])};
+    return G(cross2)(q, r);
+}
+
+CLAIM(four_vertices_of_a_convex_polygon_do_not_alternate)
+{
+    num P[4 * dim], f[4], a = unknown(T, "a", 0), b = unknown(T, "b", 0), c = unknown(T, "c", 0);
+    G(free_points)(T, 3, dim, P);
+    const num *i = P, *j = P + dim, *k = P + 2 * dim, *l = P + 3 * dim;
+    for (int m = 0; m < 4; m++)
+        f[m] = add(mul(a, P[m * dim]), add(mul(b, P[m * dim + 1]), c));
+    num ikl = G(turn)(i, k, l), ijl = G(turn)(i, j, l);
+    num left = add(mul(G(turn)(j, k, l), f[0]), mul(fault(T, ijl, ikl), f[2]));
+    same(T, left, add(mul(fault(T, ikl, ijl), f[1]), mul(G(turn)(i, j, k), f[3])));
+}
+
+#include "chapters/judge/claims_off.h"

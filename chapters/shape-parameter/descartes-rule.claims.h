@@ -1,0 +1,315 @@
+/*
+# The rule of Descartes (笛卡尔符号法则)
+
+The source proves property 3.6 in two steps, of which the first is a rule of signs: $f=\sum k_iB_i$ has no more roots in
+$(0,1)$ than $k_0,\dots,k_7$ has changes of sign.  In the true range this is a consequence of total positivity, as the
+section before explains.  Here the source's own argument is followed line by line.
+
+It looks at the two ends.  There $f$ has the values $k_0$ and $k_7$, and when both are known and not 0, they tell whether
+the number of roots, each counted with its multiplicity, is even or odd.  This is all that they tell.  Parity excludes one
+root more than there are changes of sign; it can never exclude two more.  And when $k_7=0$, it says nothing.  Both gaps can
+be entered at $\beta=-7$: there $B_2$ is negative near $t=0$, and a large $k_2$ makes $f$ negative although its coefficients
+are positive.  That the argument nowhere uses the range of $\beta$ could have been a warning.
+*/
+#include "exact/record/roots.h"
+
+#include "chapters/shape-parameter/definition.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-SA
+:title: Roots in (0,1) and changes of sign
+:zh: 根的个数与变号数，式 (13)、(14)、(16)、(17)
+:printed: $f=\sum k_i\hat B_i$ for the functions (13) and constants (14); $Z(f)$ is the number of roots of $f$ in $(0,1)$,
+  $SA(k_0,\dots,k_7)$ the number of changes of sign
+:definition: yes
+:checked-by: combination_begins_and_ends_with_its_coefficients
+
+Roots may be counted with or without multiplicity: what is decided below holds for both, and the counterexamples have simple
+roots.
+:::
+*/
+
+#if FIELD || RATIONAL
+/*
+:::{claim} combination_begins_and_ends_with_its_coefficients
+:title: A combination of the functions has its first and its last coefficient as values at the ends
+:zh: 组合函数的端点值为首末系数
+:given: any $k_0,\dots,k_7$ and $\beta$; printed and corrected functions
+:then: $f(0)=k_0$, $f(1)=k_7$; so when these have different signs, the number of roots in $(0,1)$, counted with multiplicity, is odd, and
+  of a polynomial of degree 8 at most 7
+:method: The kernels at the two integers, everything a variable.  A polynomial changes its sign exactly at the roots of odd multiplicity.
+:types: field rational
+:control: the last two coefficients exchanged
+:::
+*/
+CLAIM(combination_begins_and_ends_with_its_coefficients)
+{
+    num k[8], B[8], beta = unknown(T, "beta", 0);
+    for (int i = 0; i <= 7; i++)
+        k[i] = unknown(T, "k", i);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
+        for (int end = 0; end <= 1; end++) {
+            num sum = from_int(0);
+            G(functions_of)(printed_ones, 7, beta, from_int(end), B);
+            for (int i = 0; i <= 7; i++)
+                sum = add(sum, mul(k[fault(T, i, i >= 6 ? 13 - i : i)], B[i]));
+            same(T, sum, k[end ? 7 : 0]);
+        }
+}
+#endif
+
+#if RATIONAL
+/*
+The first claim is an identity, with every $k_i$ a variable.  The second counts the roots of instances, in which the signs
+alternate as they do in the case that the source treats.
+
+:::{claim} parity_of_the_roots
+:title: The number of roots is even or odd as the ends have equal or different signs
+:zh: 根的个数的奇偶性
+:given: random $k$ with $k_0>0$ and alternating signs, any $\beta$; corrected functions
+:then: $f(0)=k_0$, $f(1)=k_7$, the number of roots of $f$ in $(0,1)$, each counted as often as its multiplicity, is odd and at
+  most 7
+:method: The roots of the exact polynomial are counted.  In general: $f$ changes its sign at a root exactly when the multiplicity
+  is odd.
+:types: rational
+:control: the last sign is changed
+:::
+*/
+CLAIM(parity_of_the_roots)
+{
+    num k[8], beta = unknown(T, "beta", 0), size;
+    for (int i = 0; i <= 7; i++) {
+        size = positive(T, "k", i);
+        k[i] = fault(T, i % 2 == 0, i % 2 == 0 || i == 7) ? size : neg(size);
+    }
+    poly f = G(combination)(0, 7, mul(from_int(7), beta), k);
+    struct cagd_root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
+    same(T, poly_value(f, from_int(0)), k[0]);
+    same(T, poly_value(f, from_int(1)), k[7]);
+    agree(T, roots.counted % 2 == 1 && roots.counted <= 7);
+}
+
+/*
+:::{statement} deng-zhang-2022:eq-15
+:title: The rule of Descartes for the eight functions
+:zh: 笛卡尔符号法则，式 (15)
+:printed: Z_{(0,1)}\Bigl(\sum k_i\hat B_i\Bigr)\le SA(k_0,\dots,k_7)
+:refuted-by: positive_coefficients_with_two_roots a_combination_vanishes
+:class: false
+:corrected: for printed and for corrected functions: true exactly for $-\frac{21}4<\beta\le1$ and $k\ne0$; at
+  $\beta=-\frac{21}4$ true unless $f$ is the zero function, which it is for some $k\ne0$
+:corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries
+  averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
+  functions_are_independent_but_for_two_values third_function_has_a_zero_for_every_smaller_beta
+  first_function_has_a_zero_for_every_larger_beta
+:figure: crossings_off_the_polygon
+
+The sum of the functions plays no part here, so that the misprints do no harm.
+:::
+*/
+
+/* f = sum k_i B_i, printed functions, for β and k from the data of the claim. */
+static poly G(given_combination)(trial *T, num k[])
+{
+    num beta = given(T, "β");
+    given_points(T, "k", 8, 1, k);
+    return G(combination)(1, 7, beta, k);
+}
+
+/* Whether f has no more roots in (0,1) than k has changes of sign, SA; both numbers are results. */
+static int G(no_more_roots_than_changes)(trial *T, poly f, const num k[])
+{
+    struct cagd_root_count roots = count_roots(f, from_int(0), from_int(1), OPEN);
+    int changes = G(sign_changes)(7, k);
+    found_whole(T, "roots in (0,1)", roots.distinct);
+    found_whole(T, "SA", changes);
+    return roots.counted <= changes;
+}
+
+/*
+:::{claim} positive_coefficients_with_two_roots
+:title: At beta = -7 positive coefficients give two roots
+:zh: β=-7 时正系数组合有两个根
+:kind: counterexample
+:data: β = -7; k = 1 1 200 1 1 1 1 1
+:instead: β = -21/4
+:result: roots in (0,1) = 2; SA = 0
+:given: the left end of the printed range, and positive coefficients $k$, of which $k_2$ is large; printed functions
+:then: there is no change of sign in $k$, and $f=\sum k_i\hat B_i$ has roots in $(0,1)$
+:method: The roots of the exact polynomial are counted.
+:control: the left end of the true range
+:::
+*/
+CLAIM(positive_coefficients_with_two_roots)
+{
+    num k[8];
+    poly f = G(given_combination)(T, k);
+    int no_more = G(no_more_roots_than_changes)(T, f, k);
+    about(T, "no more roots than changes of sign");
+    agree(T, no_more);
+}
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-wlog
+:title: Without loss of generality the first coefficient is positive
+:zh: 不妨设 k_0>0
+:printed: without loss of generality $k_0>0$; then $SA$ is one of $7,6,5,4,3,2,1,0$
+:refuted-by: no_sign_makes_the_first_coefficient_positive
+:class: invalid-proof
+:corrected: for $k\ne0$ the first $k_i$ that is not 0 may be taken positive; for $-\frac{21}4<\beta\le1$ the sum has the sign of this $k_i$ for small
+  $t>0$, and in the same way that of the last one near $t=1$
+:corrected-by: first_coefficient_gives_the_sign
+:figure: zero_at_the_beginning
+
+The signs of $f(0)=k_0$ and $f(1)=k_7$, on which the proof rests, say nothing when one of them is 0.  With $SA=7$ all eight are
+different from 0; in the other cases they need not be.
+:::
+
+A sum whose first coefficient is 0 is not covered by the words "without loss of generality".  It takes little to cover it:
+near $t=0$ the sum has the sign of the first coefficient that is not 0, provided that the $\nu_i$ are positive, and here the
+range of $\beta$ comes in.
+
+:::{claim} no_sign_makes_the_first_coefficient_positive
+:title: When the first coefficient is 0 neither k nor -k begins with a positive number
+:zh: k_0=0 时不能假设 k_0>0
+:kind: counterexample
+:data: k = 0 -1 1 1 1 1 1 1
+:instead: k = -1 -1 1 1 1 1 1 1
+:result: SA = 1
+:given: coefficients $k$ that begin with 0
+:then: the first coefficients of $k$ and of $-k$ are 0, although the sign changes
+:method: The two signs; that one of them is positive is refuted.
+:control: a negative first coefficient
+:::
+*/
+CLAIM(no_sign_makes_the_first_coefficient_positive)
+{
+    num k[8];
+    given_points(T, "k", 8, 1, k);
+    found_whole(T, "SA", G(sign_changes)(7, k));
+    about(T, "k_0 > 0 or -k_0 > 0");
+    refute(T, sign_q(k[0]) <= 0 && sign_q(neg(k[0])) <= 0);
+}
+
+/*
+:::{claim} first_coefficient_gives_the_sign
+:title: Near the beginning the sum has the sign of its first coefficient that is not 0
+:zh: t→0+ 时组合函数的符号由首个非零系数决定
+:kind: decision
+:given: $-\frac{21}4<\beta\le1$, printed and corrected functions
+:then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$ has the sign of the first $k_i\ne0$ for small $t>0$, for
+  $i=7$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$, $\varphi_0\ge0$ and $\nu_0>0$ for the other end
+:method: The signs of linear polynomials in $\beta$ on the interval.
+:scope: beta from -21/4, which is left out, to 1
+:control: the interval with its left end
+:::
+*/
+CLAIM(first_coefficient_gives_the_sign)
+{
+    enum cagd_ends ends = fault(T, OPEN_LEFT, CLOSED);
+    num low = from_ratio(-21, 4), high = from_int(1);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        for (int i = 0; i <= 6; i++)
+            agree(T, sign_on(near[i], low, high, ends) == SIGN_POSITIVE &&
+                         sign_on(far[7 - i], low, high, ends) == SIGN_POSITIVE);
+        agree(T, G(never_negative)(near[7], low, high) && G(never_negative)(far[0], low, high));
+    }
+}
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-case-1
+:title: Seven changes of sign: at most seven roots
+:zh: 情形 1
+:printed: for $k_0>0$ and $SA=7$: $k_7<0$, so that eight roots are impossible
+:holds-by: combination_begins_and_ends_with_its_coefficients
+:figure: roots_at_minus_seven
+
+Right for every $\beta$: a polynomial of degree 8 has at most eight roots, and their number, counted with multiplicity, is
+odd when $f(0)=k_0$ and $f(1)=k_7$ have different signs.  The lemma that is cited for $k_7<0$ is not in the text, and not
+needed: seven changes among eight signs leave no other sign for $k_7$.
+:::
+
+:::{statement} deng-zhang-2022:property-3.6-case-2
+:title: The cases of six to one changes of sign by the same method
+:zh: 情形 2
+:printed: for $SA=6,5,4,3,2,1$ it is proved by the same method
+:refuted-by: one_change_of_sign_and_three_roots one_change_of_sign_and_two_roots
+:class: invalid-proof
+:corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$; when $k_7=0$
+  it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes
+:figure: roots_at_minus_seven
+
+The method makes no use of the range of $\beta$, and in the range of the text the conclusion is false.
+:::
+
+The two counterexamples enter the two gaps.  In the first the signs at the ends differ, and an odd number of roots is
+allowed: three as well as one.  In the second $f(1)=0$.
+
+:::{claim} one_change_of_sign_and_three_roots
+:title: At beta = -7 one change of sign gives three roots
+:zh: β=-7 时一次变号而有三个根
+:kind: counterexample
+:data: β = -7; k = 1 1 200 1 1 1 1 -1
+:instead: β = -21/4
+:result: roots in (0,1) = 3; SA = 1
+:given: the left end of the printed range, and coefficients $k$ with $k_0>0>k_7$; printed functions
+:then: $f=\sum k_i\hat B_i$ has more roots in $(0,1)$ than $k$ has changes of sign, by two; the signs at the ends allow this
+:method: The roots of the exact polynomial are counted.
+:control: the left end of the true range
+:::
+*/
+CLAIM(one_change_of_sign_and_three_roots)
+{
+    num k[8];
+    poly f = G(given_combination)(T, k);
+    int no_more = G(no_more_roots_than_changes)(T, f, k);
+    about(T, "no more roots than changes of sign");
+    agree(T, no_more);
+}
+
+/*
+:::{claim} one_change_of_sign_and_two_roots
+:title: At beta = -7 one change of sign gives two roots when the last coefficient is 0
+:zh: β=-7、k_7=0 时一次变号而有两个根
+:kind: counterexample
+:data: β = -7; k = 1 1 1 1 1 -10 -1 0
+:instead: β = -21/4
+:result: roots in (0,1) = 2; SA = 1; f(t)/(t-1)² = "630*t^6 - 638*t^5 + 33*t^4 + 4*t^3 + 3*t^2 + 2*t + 1"
+:given: the left end of the printed range, and coefficients $k$ with $k_0>0$ and $k_7=0$; printed functions
+:then: $f=\sum k_i\hat B_i$ has a double root at 1 and, in $(0,1)$, more roots than $k$ has changes of sign; $f(1)=0$ says nothing
+:method: The roots of the exact polynomial are counted, and it is divided by $(t-1)^2$.
+:control: the left end of the true range
+:::
+*/
+CLAIM(one_change_of_sign_and_two_roots)
+{
+    num k[8], one = from_int(1);
+    poly f = G(given_combination)(T, k), double_root = poly_from_q(3, (num[]){one, from_int(-2), one});
+    int no_more = G(no_more_roots_than_changes)(T, f, k);
+    int divides = poly_divides(double_root, f);
+    found_text(T, "f(t)/(t-1)²", divides ? poly_to_string(poly_quotient(f, double_root), "t") : "no polynomial");
+    about(T, "no more roots than changes of sign");
+    agree(T, no_more);
+}
+#endif
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-case-0
+:title: No change of sign: obviously no root
+:zh: 情形 SA=0
+:printed: for $SA=0$ the inequality is obvious
+:refuted-by: positive_coefficients_with_two_roots
+:class: false
+:corrected: obvious where the functions are positive in $(0,1)$, which is for $-\frac{21}4\le\beta\le1$
+:corrected-by: nonnegative_exactly_in_the_range
+:figure: roots_at_minus_seven
+:::
+*/
+
+#include "chapters/judge/claims_off.h"

@@ -1,0 +1,248 @@
+/*
+# From roots to a line (由根的个数到直线)
+
+The second step of the proof takes a line $L$ through a point $Q$ with the normal vector $u$ and puts $k_j=u\cdot(P_j-Q)$.
+Then four numbers are compared in a chain: the common points of the curve and $L$; the roots of $\sum k_jB_j$ in $(0,1)$;
+the changes of sign among the $k_j$; the intersections of the polygon with $L$.
+
+Each link has its small print.  The first, (20), uses that the functions add up to 1, and forgets the ends $t=0$ and $t=1$.
+The second, (21), is the rule of Descartes.  The third, (19), depends on how intersections are counted: an edge may lie on
+$L$, and the polygon may pass twice through one point of $L$.  None of this is deep, but a theorem on "the number of
+intersections" is true or false according to what is counted.
+*/
+#include "exact/record/crossings.h"
+#include "exact/record/hull.h"
+
+#include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/meeting.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-line
+:title: The line through a point with a normal vector
+:zh: 过点 Q、法向量为 u 的直线
+:printed: let $L$ be the line (or plane) through the point $Q$ with the normal vector $u$
+:holds-by: points_of_a_line_by_its_normal
+:hypothesis: no_normal_no_line | $u\ne0$
+:figure: line_along_an_edge
+
+In the plane; in space $u\cdot(X-Q)=0$ is in the same way a plane.
+:::
+
+:::{claim} points_of_a_line_by_its_normal
+:title: The points with u.(X-Q) = 0 are a line
+:zh: 由法向量确定的直线
+:given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$
+:then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$
+:method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$, and all of these are such.
+:control: $u^\perp=(u_2,u_1)$
+:::
+*/
+CLAIM(points_of_a_line_by_its_normal)
+{
+    num w[dim], u[dim] = {unknown(T, "u", 0), unknown(T, "u", 1)};
+    for (int c = 0; c < dim; c++)
+        w[c] = sub(unknown(T, "x", c), unknown(T, "q", c));
+    num across[dim] = {fault(T, neg(u[1]), u[1]), u[0]};
+    for (int c = 0; c < dim; c++)
+        same(T, mul(G(dot)(dim, u, u), w[c]),
+             add(mul(G(dot)(dim, u, w), u[c]), mul(G(dot)(dim, across, w), across[c])));
+}
+
+#if RATIONAL
+/*
+:::{claim} no_normal_no_line
+:title: With the normal vector 0 every point is on L
+:zh: 法向量为零时不成直线
+:kind: counterexample
+:data: X = (0,0) (1,0) (0,1); Q = (0,0); u = (0,0)
+:instead: u = (0,1)
+:result: u·(X-Q) = 0 0 0
+:given: three points $X$ that are not on a line, a point $Q$, and $u=0$
+:then: all three have $u\cdot(X-Q)=0$
+:method: The three products.
+:control: a vector that is not 0
+:::
+*/
+CLAIM(no_normal_no_line)
+{
+    num X[3 * dim], Q[dim], u[dim], side[3];
+    given_points(T, "X", 3, dim, X);
+    given_points(T, "Q", 1, dim, Q);
+    given_points(T, "u", 1, dim, u);
+    G(sides)(2, X, Q, u, side);
+    found_points(T, "u·(X-Q)", 3, 1, side);
+    int all_on_it = is_zero_q(side[0]) && is_zero_q(side[1]) && is_zero_q(side[2]);
+    about(T, "the three points are not all on L, or they are on a line");
+    refute(T, all_on_it && turn_2d(X, X + dim, X + 2 * dim) != 0);
+}
+
+/*
+:::{statement} deng-zhang-2022:property-3.6-sides
+:title: A line that meets an edge has its ends on two sides
+:zh: 边的两端在 L 两侧
+:printed: if $L$ meets the edge between $P_j$ and $P_{j+1}$ then these two points are on different sides of $L$, and
+  $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ have different signs
+:holds-by: sign_changes_are_polygon_crossings
+:hypothesis: line_through_an_edge_has_no_two_sides | neither of the two points is on $L$
+:figure: line_along_an_edge
+:::
+
+An edge that meets $L$ has its ends on two sides, the text says.  It may also have one or both ends on $L$.
+
+:::{claim} line_through_an_edge_has_no_two_sides
+:title: A line that contains an edge meets it and has neither end on a side
+:zh: 边在直线上时两端不在两侧
+:kind: counterexample
+:data: P = (0,0) (1,6) (2,10) (3,12) (4,12) (5,10) (6,6) (7,0); j = 3; Q = (7/2,12); u = (0,1)
+:instead: u = (1,0)
+:result: u·(P_j-Q) = 0; u·(P_{j+1}-Q) = 0
+:given: a polygon, one of its edges, and the line through a point $Q$ of this edge whose normal vector $u$ is orthogonal to it
+:then: the line meets the edge in all its points, and the two numbers $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ are 0
+:method: The signs at the two ends are computed; different signs are asked for.
+:control: the line through $Q$ across the edge
+:::
+*/
+CLAIM(line_through_an_edge_has_no_two_sides)
+{
+    num P[8 * dim], u[dim], Q[dim], side[8];
+    given_points(T, "P", 8, dim, P);
+    int j = given_whole(T, "j");
+    given_points(T, "Q", 1, dim, Q);
+    given_points(T, "u", 1, dim, u);
+    G(sides)(7, P, Q, u, side);
+    found(T, "u·(P_j-Q)", side[j]);
+    found(T, "u·(P_{j+1}-Q)", side[j + 1]);
+    about(T, "the two numbers have different signs");
+    agree(T, sign_q(side[j]) * sign_q(side[j + 1]) < 0);
+}
+
+/*
+:::{statement} deng-zhang-2022:eq-19
+:title: The changes of sign are at most the intersections of the polygon
+:zh: 式 (19)
+:printed: $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$ is at most the number of intersections of $L$ with the polygon
+:holds-by: sign_changes_are_polygon_crossings
+:hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane they
+  may be fewer
+:figure: polygon_crossing_itself
+:::
+
+:::{claim} polygon_that_crosses_itself_on_the_line
+:title: A polygon that crosses itself on the line has more changes of sign than points there
+:zh: 控制多边形在直线上自交
+:kind: counterexample
+:data: P = (-2,2) (2,-2) (2,-3) (1,-3) (-1,-3) (-2,-3) (-2,-2) (2,2); Q = (0,0); u = (0,1)
+:instead: P = (-2,2) (2,-2) (2,-3) (1,-3) (-1,-3) (-2,-3) (-2,-2) (3,2)
+:result: SA = 2; points on the line = 1
+:given: a polygon whose first and last edge cross in $Q$, and the line through $Q$ with the normal vector $u$
+:then: the sign of $u\cdot(P_j-Q)$ changes twice, and the polygon has one point on the line, which it passes twice
+:method: Changes of sign, and the connected components of the common points in the plane, counted exactly.
+:control: the last point moved, so that the edges cross elsewhere
+:::
+*/
+CLAIM(polygon_that_crosses_itself_on_the_line)
+{
+    num P[8 * dim];
+    given_points(T, "P", 8, dim, P);
+    struct cagd_polygon_meets_line m = polygon_meets_line(7, P, G(given_line)(T));
+    found_whole(T, "SA", m.crossings);
+    found_whole(T, "points on the line", m.components);
+    about(T, "no more changes of sign than points");
+    agree(T, m.crossings <= m.components);
+}
+
+/*
+:::{statement} deng-zhang-2022:eq-20
+:title: The intersections of the curve with a line are roots
+:zh: 式 (20)
+:printed: the number of intersections of $B_1(t)$ with $L$ is $Z_{(0,1)}\bigl(\sum\hat B_j(t)(P_j-Q)\cdot u\bigr)$
+:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
+:class: misprint
+:corrected: for the corrected functions the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters of the
+  common points other than the ends; for the printed functions it is so only for $\beta=0$ or $Q\cdot u=0$
+:corrected-by: line_function_of_the_curve
+:figure: crossings_off_the_polygon
+
+The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_7$ may be on $L$.
+:::
+
+:::{statement} deng-zhang-2022:eq-21
+:title: The intersections of the curve are at most the changes of sign
+:zh: 式 (21)
+:printed: the number of intersections of $B_1(t)$ with $L$ is at most $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$
+:refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
+  curve_on_a_line_that_its_polygon_crosses
+:class: false
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the curve is not on
+  $L$
+:corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
+  roots_are_at_most_sign_changes line_function_of_the_curve
+:figure: crossings_off_the_polygon
+:::
+
+:::{claim} curve_and_line_share_an_end
+:title: A line through an end meets the curve without a root in (0,1)
+:zh: 过端点的直线
+:kind: counterexample
+:data: β = 0; P = (0,0) (1,1) (2,2) (3,3) (4,4) (5,5) (6,6) (7,7); Q = (0,0); u = (0,1)
+:instead: Q = (0,7/2)
+:result: common points of the curve = 1; roots in (0,1) = 0; SA = 0
+:given: the $\beta$ of the Bézier curve, points on a line, and the line through $Q=P_0$ with the normal vector $u$
+:then: curve and line have the point $P_0$ in common; the function of formula (20) has no root in $(0,1)$, and its coefficients no change of sign
+:method: The common points of the closed curve are compared with those of the open one.
+:control: a line through the middle of the polygon
+:::
+*/
+CLAIM(curve_and_line_share_an_end)
+{
+    struct G(meeting) m = G(given_meeting)(T, 0);
+    found_whole(T, "common points of the curve", m.curve.common_closed);
+    found_whole(T, "roots in (0,1)", m.curve.common_open);
+    found_whole(T, "SA", m.polygon.crossings);
+    about(T, "as many common points as roots in (0,1), and no more than changes of sign");
+    agree(T, m.curve.common_closed == m.curve.common_open && m.curve.common_closed <= m.polygon.crossings);
+}
+#endif
+
+/*
+What is right about (20) is an identity.  It also shows by how much the printed functions miss: the difference is a multiple
+of $Q\cdot u$, so a line through the origin would not have shown it.
+
+:::{claim} line_function_of_the_curve
+:title: With the sum 1 the function of the proof is the distance of the curve from the line
+:zh: 曲线与直线的函数
+:given: points $P_i$ and $Q$ of the plane, any $u$, $\beta$ and $t$
+:then: $\sum B_{j,n}(t)(P_j-Q)\cdot u=(q(t)-Q)\cdot u$; for the printed functions the difference of the two sides is
+  $4\beta(1-t)^3t^4\,Q\cdot u$
+:method: Everything is a variable.
+:degrees: 2..7 sampled 12
+:control: $P_0$ left without $Q$
+:::
+*/
+CLAIM(line_function_of_the_curve)
+{
+    int n = T->degree;
+    num P[(MAX_DEGREE + 1) * dim], B[MAX_DEGREE + 1], at[dim], beta = unknown(T, "beta", 0), t = parameter(T, "t");
+    num Q[dim] = {unknown(T, "q", 0), unknown(T, "q", 1)}, u[dim] = {unknown(T, "u", 0), unknown(T, "u", 1)};
+    G(free_points)(T, n, dim, P);
+    for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
+        num sum = from_int(0);
+        G(functions_of)(printed_ones, n, beta, t, B);
+        if (printed_ones)
+            G(shape_point_printed)(dim, P, beta, t, at);
+        else
+            G(shape_point)(n, dim, P, beta, t, at);
+        for (int j = 0; j <= n; j++) {
+            num w[dim] = {sub(P[j * dim], Q[0]), sub(P[j * dim + 1], Q[1])};
+            sum = add(sum, mul(B[j], fault(T, G(dot)(dim, w, u), j == 0 ? G(dot)(dim, P, u) : G(dot)(dim, w, u))));
+        }
+        num gap[dim] = {sub(at[0], Q[0]), sub(at[1], Q[1])}, value = G(dot)(dim, gap, u);
+        if (printed_ones)
+            value = add(value, mul(mul(from_int(4), mul(beta, G(product_of_powers)(3, 4, t))), G(dot)(dim, Q, u)));
+        same(T, sum, value);
+    }
+}
+
+#include "chapters/judge/claims_off.h"
