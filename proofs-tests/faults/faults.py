@@ -6,8 +6,8 @@ Each fault is one replacement at one place of core/kernels/*.tmpl.h.  In a copy 
 chooses, when the program runs, between what stands there and the fault; the switch of one fault is on when the
 environment names its number.  So one build holds as many faults as do not overlap.  A fault is judged first by the
 claims that define its kernel, then, if these all hold, by all claims.  A fault that survives is a claim that
-nobody has written, and the exit status is 1.  With --chapters only these chapters are built, for faults in the kernels that
-they define; with --types only these number types.  equivalent.txt lists the replacements that change nothing, each with the
+nobody has written, and the exit status is 1.  With --chapters only these chapters are built, with those whose claims
+they name, for faults in the kernels that they define; with --types only these number types.  equivalent.txt lists the replacements that change nothing, each with the
 reason.
 """
 import argparse
@@ -129,6 +129,21 @@ def definitional_claims(chapters):
     return found
 
 
+def with_what_they_name(chapters):
+    """These chapters, and those whose claims their statements name, which are built as well."""
+    texts = {}
+    for path in sorted((ROOT / "chapters").glob("*/*.claims.h")):
+        texts[path.parent.name] = texts.get(path.parent.name, "") + path.read_text()
+    home = {claim: chapter for chapter, text in texts.items() for claim in re.findall(r"^:::\{claim\} (\w+)", text, re.M)}
+    needed, new = set(), set(chapters)
+    while new:
+        needed |= new
+        blocks = "".join(block for chapter in new for block in
+                         re.findall(r"^:::\{statement\}.*?^:::$", texts[chapter], re.M | re.S))
+        new = {home[word] for word in set(re.findall(r"\w+", blocks)) if word in home} - needed
+    return [chapter for chapter in texts if chapter in needed]
+
+
 def batches(chosen):
     """The faults in as few lists as it takes for no two of a list to overlap."""
     lists = []
@@ -215,7 +230,7 @@ def main():
         return 0
     compiled = by_definition = survivors = 0
     with tempfile.TemporaryDirectory() as folder:
-        copy = Copy(folder, a.jobs, a.chapters, a.types)
+        copy = Copy(folder, a.jobs, with_what_they_name(a.chapters), a.types)
         meaningful = []
         for f in chosen:
             if copy.compiles(f):
