@@ -159,20 +159,27 @@ derivatives with respect to $u$ and that of the twists.  The numbers alone leave
 :title: How many choices of signs make the corner matrices fit the coefficients
 :zh: 由数值恢复符号
 :kind: decision
-:given: the absolute values of the three corner matrices and of the three matrices of coefficients, in units of $\frac34$; the coordinates
-  of the corners are not negative, as printed; all choices of the other signs
-:then: $|HMH^T|$ is the printed matrix for exactly 2, 4 and 4 of the 4096, 4096 and 256 choices
+:data: |M_x| = 0 0 1 1 1 1 1 1 1 1 1 1 1 1 1 1; |C_x| = 4 4 0 0 6 5 1 0 0 1 1 1 0 1 1 0
+:data: |M_y| = 0 1 1 1 0 1 1 1 1 1 1 1 1 1 1 1; |C_y| = 0 0 0 0 0 1 1 1 0 1 1 1 0 0 1 0
+:data: |M_z| = 0 0 1 1 0 0 1 1 0 0 1 1 0 0 1 1; |C_z| = 0 0 0 0 0 1 1 0 0 1 1 0 2 3 1 0; choices = 2 4 4; free signs = 12 12 8
+:instead: |C_x| = 4 4 0 0 6 4 1 0 0 1 1 1 0 1 1 0; |C_y| = 0 0 0 0 0 0 1 1 0 1 1 1 0 0 1 0
+:instead: |C_z| = 0 0 0 0 0 0 1 0 0 1 1 0 2 3 1 0
+:given: the absolute values of the three corner matrices $M$ and of the three matrices $C$ of coefficients, row by row, in units of three quarters; the
+  coordinates of the corners are not negative, as printed; all choices of the other signs
+:then: $|HMH^T|$ is the printed matrix for exactly as many *choices* of the *free signs* as are given for $x$, $y$ and $z$
 :method: All choices, in integers.
-:control: 3 in the place of 3.75 in $C_x$, 0 in the place of a 0.75 in $C_y$ and in $C_z$
+:control: in each $C$ the second entry of the second row is one unit less
 :::
 */
-/* How many choices of signs of the entries of M, the four coordinates of corners excepted, have |H M H^T| = C. */
-static int fitting_signs(const int M[16], const int C[16])
+/* How many choices of signs of the entries of M, the four coordinates of corners excepted, have |H M H^T| = C.  *free_signs is the
+ * number of entries that are not 0 and whose sign is free. */
+static int fitting_signs(const int M[16], const int C[16], int *free_signs)
 {
     int place[16], count = 0, fitting = 0;
     for (int i = 0; i < 16; i++)
         if (M[i] != 0 && !(i / 4 < 2 && i % 4 < 2))
             place[count++] = i;
+    *free_signs = count;
     for (int signs = 0; signs < 1 << count; signs++) {
         int N[16], left[16], fits = 1;
         for (int i = 0; i < 16; i++)
@@ -198,22 +205,23 @@ static int fitting_signs(const int M[16], const int C[16])
 
 CLAIM(signs_of_the_worked_patch)
 {
-    static const int M[3][16] = {{0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
-                                 {0, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
-                                 {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1}};
-    static const int C[3][16] = {{4, 4, 0, 0, 6, 5, 1, 0, 0, 1, 1, 1, 0, 1, 1, 0},
-                                 {0, 0, 0, 0, 0, 1, 1, 1, 0, 1, 1, 1, 0, 0, 1, 0},
-                                 {0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 2, 3, 1, 0}};
-    static const int readings[3] = {2, 4, 4};
-    static const char *const name[3] = {"choices for x", "choices for y", "choices for z"};
+    static const char *const name[3][3] = {
+        {"|M_x|", "|C_x|", "choices for x"}, {"|M_y|", "|C_y|", "choices for y"}, {"|M_z|", "|C_z|", "choices for z"}};
+    num choices[3], signs[3];
+    given_points(T, "choices", 3, 1, choices);
+    given_points(T, "free signs", 3, 1, signs);
     for (int axis = 0; axis < 3; axis++) {
-        int used[16];
+        num M[16], C[16];
+        int corners[16], coefficients[16], tried;
+        given_points(T, name[axis][0], 16, 1, M);
+        given_points(T, name[axis][1], 16, 1, C);
         for (int i = 0; i < 16; i++)
-            used[i] = C[axis][i] - fault(T, 0, i == 5);
-        int found = fitting_signs(M[axis], used);
-        show_text(T, name[axis], "%d", found);
-        about(T, name[axis]);
-        agree(T, found == readings[axis]);
+            corners[i] = (int)to_double_q(M[i]), coefficients[i] = (int)to_double_q(C[i]);
+        int fitting = fitting_signs(corners, coefficients, &tried);
+        about(T, name[axis][2]);
+        agree(T, equal_q(from_int(fitting), choices[axis]));
+        about(T, "the number of signs that are free");
+        same(T, from_int(tried), signs[axis]);
     }
 }
 #endif
