@@ -255,7 +255,8 @@ since $\lfloor x/2^m\rfloor$ rounds negative numbers away from 0, the plane is n
 :title: After n exact steps a coordinate has n m binary places
 :zh: 精确计算每步增加 m 位
 :kind: decision
-:given: $P_0=(1,0)$, $\varepsilon=2^{-m}$, $m=1,\dots,8$, $n=1,\dots,12$ steps
+:given: $P_0$, $\varepsilon=2^{-m}$, $m=1,\dots,M$, $n=1,\dots,N$ steps
+:data: P_0 = (1,0); M = 8; N = 12
 :then: $2^{nm}x_n$ and $2^{nm}y_n$ are integers, and one of them is odd: shifts suffice, and no shorter words do
 :method: Exact rational steps and their denominators.
 :scope: m = 1 to 8, n = 1 to 12 steps from (1, 0)
@@ -264,14 +265,15 @@ since $\lfloor x/2^m\rfloor$ rounds negative numbers away from 0, the plane is n
 */
 CLAIM(exact_steps_need_m_more_bits_each)
 {
-    for (int m = 1; m <= 8; m++)
-        for (int n = 1; n <= 12; n++) {
-            num M[4], P[2] = {from_int(1), from_int(0)}, scale = from_int(1);
+    num M[4], first[2], half = from_ratio(1, 2);
+    given_points(T, "P_0", 1, 2, first);
+    int largest = given_whole(T, "M"), steps = given_whole(T, "N");
+    for (int m = 1; m <= largest; m++)
+        for (int n = 1; n <= steps; n++) {
+            num P[2] = {first[0], first[1]}, scale = G(power)(from_int(2), fault(T, n * m, n * m - 1));
             G(small_step)(from_ratio(1, 1L << m), M);
             G(steps)(n, M, P);
-            for (int k = 0; k < fault(T, n * m, n * m - 1); k++)
-                scale = mul(scale, from_int(2));
-            num x = mul(scale, P[0]), y = mul(scale, P[1]), half = from_ratio(1, 2);
+            num x = mul(scale, P[0]), y = mul(scale, P[1]);
             agree(T, is_whole_q(x) && is_whole_q(y));
             agree(T, !is_whole_q(mul(half, x)) || !is_whole_q(mul(half, y)));
         }

@@ -376,7 +376,8 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :title: A step costs n additions for each coordinate, and, scaled, n shifts
 :zh: 每步的加法与移位次数
 :kind: decision
-:given: degrees $n=1,\dots,12$, one to three coordinates $d$, $\delta=2^{-m}$
+:given: degrees $n=1,\dots,N$, coordinates $d=1,\dots,D$, $\delta=2^{-m}$
+:data: N = 12; D = 3
 :then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts
 :method: The kernels are run in the number type that counts.
 :scope: degrees 1 to 12, one to three coordinates
@@ -385,8 +386,9 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 */
 CLAIM(step_costs_additions_only)
 {
-    for (int n = 1; n <= 12; n++)
-        for (int d = 1; d <= 3; d++) {
+    int largest = given_whole(T, "N"), most = given_whole(T, "D");
+    for (int n = 1; n <= largest; n++)
+        for (int d = 1; d <= most; d++) {
             struct operations plain = cost_of_step(T, n, d, 0, 1), scaled = cost_of_step(T, n, d, 1, fault(T, 1, 0));
             agree(T, plain.additions == n * d && plain.multiplications == 0 && plain.shifts == 0);
             agree(T, scaled.additions == n * d && scaled.multiplications == 0 && scaled.shifts == n * d);

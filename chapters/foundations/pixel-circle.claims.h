@@ -178,11 +178,13 @@ is an algebraic integer, and a rational one of these is whole.
 :title: For a whole radius the third way closes for r = 1 and r = 2 only
 :zh: 整数半径时仅 r=1,2 闭合
 :kind: decision
-:given: $r=1,\dots,200$; $\tau=2-\frac4{r^2}$, the trace of $R^2$
-:then: $\tau$ is an integer only for $r=1$ and $r=2$, where $R^4=1$ and $R^{12}=1$; otherwise no power of $R$ is 1
+:given: $r=1,\dots,N$; $\tau=2-\frac4{r^2}$, the trace of $R^2$
+:data: N = 200
+:then: $\tau$ is an integer only for $r=1$ and $r=2$, where a power of $R$ is 1; otherwise no power of $R$ is 1
+:result: τ for the radii 1, 2 = -2 1; order of R for the radii 1, 2 = 4 12
 :method: The eigenvalues of $R^2$ are $\lambda$ and $1/\lambda$ with $\lambda+1/\lambda=\tau$; a root of unity has an algebraic integer
-  there, and a rational one is whole.  For $r\ge3$, $0<\frac4{r^2}<1$.  Traces 2, $\pm1$, 0, $-2$ would remain: $\tau=-2$ and
-  $\tau=1$ occur, with $R^4=1$ and $R^{12}=1$ by the recursion of the traces.
+  there, and a rational one is whole.  For $r>2$, $0<\frac4{r^2}<1$.  Traces 2, $\pm1$, 0, $-2$ would remain: $\tau=-2$ and
+  $\tau=1$ occur, and the recursion of the traces finds the power of $R^2$ that is 1.
 :scope: r = 1 to 200
 :control: $r$ in the place of $r^2$
 :::
@@ -202,13 +204,22 @@ static int order_of(num trace, int most)
 
 CLAIM(third_way_closes_for_two_radii)
 {
-    for (int r = 1; r <= 200; r++) {
+    enum { MOST = 12 }; /* a whole trace belongs to an order of at most 6 */
+    int largest = given_whole(T, "N");
+    num closing[2], order[2];
+    for (int r = 1; r <= largest; r++) {
         long square = fault(T, (long)r * r, r);
         num trace = sub(from_int(2), from_ratio(4, square));
+        int k = order_of(trace, MOST);
+        if (r <= 2) {
+            closing[r - 1] = trace;
+            order[r - 1] = from_int(2 * k); /* of R, when k is that of R^2 */
+        }
         agree(T, is_whole_q(trace) == (r <= 2));
-        agree(T, r > 2 || order_of(trace, 12) == (r == 1 ? 2 : 6));
-        agree(T, r <= 2 || order_of(trace, 12) == 0);
+        agree(T, (k > 0) == (r <= 2));
     }
+    found_points(T, "τ for the radii 1, 2", 2, 1, closing);
+    found_points(T, "order of R for the radii 1, 2", 2, 1, order);
 }
 #endif
 

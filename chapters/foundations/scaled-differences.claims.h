@@ -214,24 +214,30 @@ CLAIM(stepping_reaches_the_other_end)
 :title: For coefficients of 20 bits and 256 steps binary64 steps without any error
 :zh: 短系数时双精度差分无误差
 :kind: decision
-:given: 50 random cubics with coefficients of 20 binary places in $[-1,1]$, $\delta=2^{-8}$, 256 steps
-:then: every one of the $50\times257$ points by `power_difference_step` in binary64 is the exact value
+:given: $N$ random cubics with coefficients of $b$ binary places in $[-1,1]$, $\delta=\frac1n$, $n$ steps
+:data: N = 50; b = 20; n = 256
+:instead: n = 255
+:then: every one of the $n+1$ points of each by `power_difference_step` in binary64 is the exact value
 :method: The same kernel in binary64 and in rationals; the values are compared as rationals.  They are multiples of $2^{-44}$ below
-  $2^8$, and so have at most 52 bits.
+  $2^8$, and so have no more bits than a binary64.
 :scope: 50 random cubics
-:control: $\delta=\frac1{255}$, 255 steps
+:control: a number of steps that is no power of two
 :::
 */
 CLAIM(stepping_is_exact_for_short_coefficients)
 {
-    int pieces = fault(T, 256, 255);
-    for (int cubic = 0; cubic < 50; cubic++) {
+    int cubics = given_whole(T, "N"), bits = given_whole(T, "b"), pieces = given_whole(T, "n");
+    num scale = G(power)(from_int(2), bits);
+    for (int cubic = 0; cubic < cubics; cubic++) {
         num c[4], d[4];
         double rounded[4], steps[4];
+        int short_ones = 1;
         for (int k = 0; k < 4; k++) {
             c[k] = unknown(T, "c", k);
+            short_ones = short_ones && is_whole_q(mul(scale, c[k]));
             rounded[k] = to_double_q(c[k]);
         }
+        agree(T, short_ones);
         G(power_differences)(3, 1, c, from_ratio(1, pieces), d);
         power_differences_d(3, 1, rounded, 1.0 / pieces, steps);
         for (int i = 0; i <= pieces; i++) {

@@ -439,11 +439,12 @@ points stay on it for ever; but they never come back to where they were.
 :title: The orbit of the second way never returns to its first point
 :zh: 第二种方法的点列永不重复
 :kind: decision
-:given: $\varepsilon=2^{-m}$, $m=1,\dots,6$; traces $V_k$ of $T^k$ for $k=1,\dots,48$, $V_{k+1}=(2-\varepsilon^2)V_k-V_{k-1}$, $V_0=2$
-:then: $4^{mk}V_k$ is an odd integer; so $V_k\ne2$.  A point that returned after $k$ steps would belong to
+:given: $\varepsilon=2^{-m}$, $m=1,\dots,M$; traces $V_k$ of $T^k$ for $k=1,\dots,K$, $V_{k+1}=(2-\varepsilon^2)V_k-V_{k-1}$, $V_0=2$
+:data: M = 6; K = 48
+:then: $2^{2mk}V_k$ is an odd integer; so $V_k\ne2$.  A point that returned after $k$ steps would belong to
   the eigenvalue 1 of $T^k$; the other one would be 1, too, because $\det T=1$, and their sum $V_k$ would be 2
 :method: The traces by the recursion, exactly.  For every $k$: $V_k$ is a polynomial in $2-\varepsilon^2$ with whole
-  coefficients and leading coefficient 1, and $2-\varepsilon^2=\frac{2\cdot4^m-1}{4^m}$ is in lowest terms, so $4^{mk}V_k$ is odd:
+  coefficients and leading coefficient 1, and $2-\varepsilon^2=(2^{2m+1}-1)/2^{2m}$ is in lowest terms, so $2^{2mk}V_k$ is odd:
   the eigenvalues are no roots of unity, because their sum is no algebraic integer.
 :scope: m = 1 to 6, k = 1 to 48 steps
 :control: $\varepsilon=1$, where $V_6=2$
@@ -452,21 +453,21 @@ points stay on it for ever; but they never come back to where they were.
 /* 2^bits V is an odd integer. */
 static int has_exactly_the_bits(num V, int bits)
 {
-    for (int k = 0; k < bits; k++)
-        V = mul(from_int(2), V);
-    return is_whole_q(V) && !is_whole_q(mul(from_ratio(1, 2), V));
+    num scaled = mul(G(power)(from_int(2), bits), V);
+    return is_whole_q(scaled) && !is_whole_q(mul(from_ratio(1, 2), scaled));
 }
 
 CLAIM(second_orbit_never_closes)
 {
-    for (int m = 1; m <= 6; m++) {
+    int largest = given_whole(T, "M"), steps = given_whole(T, "K");
+    for (int m = 1; m <= largest; m++) {
         num M[4], before = from_int(2);
         G(second_step)(fault(T, from_ratio(1, 1L << m), from_int(1)), M);
         num trace = add(M[0], M[3]), V = trace;
-        for (int k = 1; k <= 48; k++) {
+        for (int k = 1; k <= steps; k++) {
             agree(T, has_exactly_the_bits(V, fault(T, 2 * m * k, 0)));
             agree(T, !equal_q(V, from_int(2)));
-            num next = sub(mul(trace, V), before);
+            num next = sub(mul(trace, V), before); /* V_{k+1} = (2 - ε²) V_k - V_{k-1} */
             before = V, V = next;
         }
     }
