@@ -16,7 +16,7 @@ enum argument_kind {
     NO_ARGUMENTS, /* none is taken                                                  */
     CLAIM_NAMES,  /* ids, or patterns of claims and statements, into asked.patterns */
     FIGURE_NAMES, /* patterns of figures, into asked.patterns                       */
-    FILE_NAME     /* a file, which the parser of the command takes                  */
+    FILE_NAME     /* one file, into asked.path                                       */
 };
 
 /* The words that an option takes, separated by blanks, for the completion. */
@@ -39,6 +39,7 @@ struct command {
     const char *usage;   /* the arguments as the help names them: "[PATTERN...]"                   */
     const char *text;    /* what it does; "Examples:"; and after a \v what stands below the options */
     enum argument_kind arguments;
+    const char *file;                  /* what it holds, where one is taken: "a curve"                           */
     int shared;                        /* a sum of TAKES_...                                                     */
     const struct argp_option *options; /* its own; or NULL                                                       */
     argp_parser_t parse;               /* of its own options, into what parse_arguments was given; or NULL       */
@@ -58,8 +59,10 @@ struct call {
 /* What is asked by shared options and arguments.  The arguments of a command are a structure of its own that begins with
  * a struct asked. */
 struct asked {
+    const struct command *command;
     int json, jobs; /* jobs: one for each processor unless given */
     struct patterns patterns;
+    const char *path;
 };
 
 /* Parses the call into the arguments of the command, which begin at `a`.  A usage error prints one line and ends the

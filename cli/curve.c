@@ -1,6 +1,7 @@
 /* curve.c -- cagd curve: computes with a curve in exact arithmetic. */
 #include "cli/commands.h"
 #include "cli/curve_json.h"
+#include "cli/input.h"
 #include "cli/report.h"
 #include "core/number/limits.h"
 #include "exact/words.h"
@@ -15,7 +16,6 @@ enum action { DESCRIBE, INSERT, REMOVE, ELEVATE, REDUCE, SPLIT, BEZIER };
 
 struct arguments {
     struct asked asked;
-    const char *path;
     num_q at[MOST_PARAMETERS], knot[MOST_PARAMETERS];
     int parameters, knots, derivatives, left;
     enum action action;
@@ -62,14 +62,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'b':
         act(state, a, BEZIER);
         break;
-    case ARGP_KEY_ARG:
-        if (a->path != NULL)
-            argp_error(state, "one curve at a time: '%s' or '%s'?", a->path, arg);
-        a->path = arg;
-        break;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state, "expected the file of a curve");
-        break;
     case ARGP_KEY_END:
         if (a->action != DESCRIBE && a->parameters > 0)
             argp_error(state, "--at belongs to the curve as it is; the changed curve can be read again");
@@ -84,7 +76,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static int complain(const struct arguments *a, const char *what, num_q t)
 {
-    fprintf(stderr, "cagd: %s: %s %s\n", strcmp(a->path, "-") == 0 ? "standard input" : a->path, what, to_string_q(t));
+    fprintf(stderr, "cagd: %s: %s %s\n", name_of_input(a->asked.path), what, to_string_q(t));
     return EXIT_USAGE;
 }
 
@@ -208,7 +200,7 @@ static void describe(const cagd_spline_q *c)
 
 static int has_no_weight(const struct arguments *a, int point)
 {
-    fprintf(stderr, "cagd: %s: point %d of the result would have the weight 0\n", a->path, point);
+    fprintf(stderr, "cagd: %s: point %d of the result would have the weight 0\n", a->asked.path, point);
     return EXIT_USAGE;
 }
 
@@ -345,8 +337,8 @@ static int compute(const struct arguments *a)
 {
     cagd_spline_q c;
     struct input_error error;
-    if (read_curve(a->path, &c, &error) != 0) {
-        report_input_error(a->path, &error);
+    if (read_curve(a->asked.path, &c, &error) != 0) {
+        report_input_error(a->asked.path, &error);
         return EXIT_USAGE;
     }
     if (a->action != DESCRIBE) {
@@ -426,6 +418,7 @@ const struct command command_curve = {
         "taken as the binary64 it denotes, or a string: \"3/7\", \"0.1\", \"0x1.8p-3\".  Changed curves are printed in "
         "this format, too.  Exit status 1: the knot or the degree cannot be removed.",
     .arguments = FILE_NAME,
+    .file = "a curve",
     .shared = TAKES_JSON,
     .options = options,
     .parse = parse,

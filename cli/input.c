@@ -10,8 +10,10 @@ int input_refuse(struct input_error *error, const char *place, const char *forma
     return -1;
 }
 
+const char *name_of_input(const char *path) { return strcmp(path, "-") == 0 ? "standard input" : path; }
+
 void report_input_error(const char *path, const struct input_error *error)
 {
-    fprintf(stderr, "cagd: %s: %s%s%s\n", strcmp(path, "-") == 0 ? "standard input" : path, error->place,
-            error->place[0] != '\0' ? ": " : "", error->cause);
+    fprintf(stderr, "cagd: %s: %s%s%s\n", name_of_input(path), error->place, error->place[0] != '\0' ? ": " : "",
+            error->cause);
 }

@@ -12,6 +12,9 @@ struct input_error {
 /* Fills the error; -1, as a reader returns it. */
 int input_refuse(struct input_error *error, const char *place, const char *format, va_list list);
 
-/* One line on stderr: the file, "-" being standard input, the place and the cause. */
+/* What messages call the file: its path, and "standard input" for "-". */
+const char *name_of_input(const char *path);
+
+/* One line on stderr: the file, the place and the cause. */
 void report_input_error(const char *path, const struct input_error *error);
 #endif

@@ -2,6 +2,7 @@
 #include "chapters/judge/tex.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 
@@ -51,6 +52,33 @@ static void print_rows(FILE *out, const statement_result *list, int count)
         put_padded(out, r->verdict == VERDICT_FAILS ? r->statement->class : evidence_name[r->evidence], 20);
         fprintf(out, "%s\n", r->statement->title);
     }
+}
+
+/* Counts of verdicts by source key. */
+struct tally {
+    char source[32];
+    int verdict[6];
+    int total;
+};
+static int tally_statements(const statement_result *list, int count, struct tally tally[], int room)
+{
+    int sources = 0;
+    for (int k = 0; k < count; k++) {
+        char key[32];
+        snprintf(key, sizeof key, "%.*s", (int)strcspn(list[k].statement->id, ":"), list[k].statement->id);
+        int s = 0;
+        while (s < sources && strcmp(tally[s].source, key) != 0)
+            s++;
+        if (s == sources && sources < room) {
+            tally[sources] = (struct tally){.total = 0};
+            memcpy(tally[sources++].source, key, sizeof key);
+        }
+        if (s < room) {
+            tally[s].verdict[list[k].verdict]++;
+            tally[s].total++;
+        }
+    }
+    return sources;
 }
 
 static void print_tally(FILE *out, const statement_result *list, int count)

@@ -9,7 +9,8 @@
 struct output;
 struct output *output_open(const char *path);
 FILE *output_stream(struct output *o);
-int output_close(struct output *o); /* 0 when the file is in place                                 */
+/* Puts the file in its place and frees `o`.  This and the next two: 0, or -1 and a line on stderr. */
+int output_close(struct output *o);
 int write_text_file(const char *path, const char *text);
-int make_folder(const char *path); /* with its parents; 0 on success                              */
+int make_folder(const char *path); /* with its parents */
 #endif

@@ -1,6 +1,5 @@
-/* report.c -- results as JSON, JUnit and one-line texts. */
+/* report.c -- results as JSON and as texts of one line. */
 #include "cli/report.h"
-#include "cli/output.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -123,90 +122,3 @@ static void print_with(json_t *document, int digits)
 }
 void print_json(json_t *document) { print_with(document, 6); }
 void print_json_exactly(json_t *document) { print_with(document, 17); }
-
-/* ---- JUnit ----------------------------------------------------------------------------------------- */
-
-static void put_xml(FILE *out, const char *s)
-{
-    for (; *s != '\0'; s++)
-        switch (*s) {
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            fputc(*s, out);
-        }
-}
-
-static double seconds_of(const claim_result *r)
-{
-    double sum = 0;
-    for (number_type t = 0; t < NUMBER_TYPES; t++)
-        sum += r->by[t].seconds;
-    return sum;
-}
-
-int write_junit(const char *path, const claim_result *results, int count)
-{
-    struct output *o = output_open(path);
-    if (o == NULL)
-        return -1;
-    FILE *out = output_stream(o);
-    int failures = 0;
-    double total = 0;
-    for (int k = 0; k < count; k++) {
-        failures += !results[k].as_expected;
-        total += seconds_of(&results[k]);
-    }
-    fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    fprintf(out, "<testsuite name=\"cagd verify\" tests=\"%d\" failures=\"%d\" errors=\"0\" time=\"%.3f\">\n", count,
-            failures, total);
-    for (int k = 0; k < count; k++) {
-        const claim_result *r = &results[k];
-        fprintf(out, "  <testcase classname=\"%s\" name=\"%s\" time=\"%.3f\"", r->claim->chapter, r->claim->name,
-                seconds_of(r));
-        if (r->as_expected) {
-            fputs("/>\n", out);
-            continue;
-        }
-        char *line = exhibits_line(r);
-        fprintf(out, ">\n    <failure message=\"%s, expected otherwise\">", outcome_name[r->outcome]);
-        put_xml(out, line);
-        fputs("</failure>\n  </testcase>\n", out);
-        free(line);
-    }
-    fputs("</testsuite>\n", out);
-    return output_close(o);
-}
-
-/* ---- tally ------------------------------------------------------------------------------------------ */
-
-int tally_statements(const statement_result *list, int count, struct tally tally[], int room)
-{
-    int sources = 0;
-    for (int k = 0; k < count; k++) {
-        char key[32];
-        snprintf(key, sizeof key, "%.*s", (int)strcspn(list[k].statement->id, ":"), list[k].statement->id);
-        int s = 0;
-        while (s < sources && strcmp(tally[s].source, key) != 0)
-            s++;
-        if (s == sources && sources < room) {
-            tally[sources] = (struct tally){.total = 0};
-            memcpy(tally[sources++].source, key, sizeof key);
-        }
-        if (s < room) {
-            tally[s].verdict[list[k].verdict]++;
-            tally[s].total++;
-        }
-    }
-    return sources;
-}

@@ -1,6 +1,7 @@
 /* show.c -- cagd show: one statement or one claim as a page. */
 #include "cli/commands.h"
 #include "cli/page.h"
+#include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 

@@ -1,4 +1,4 @@
-/* terminal.c -- widths, colours and progress. */
+/* terminal.c -- widths and colours. */
 #include "cli/terminal.h"
 
 #include <stdlib.h>
@@ -88,37 +88,4 @@ void put_paragraph(FILE *out, const char *s, int indent, int width)
         s = end;
     }
     fputc('\n', out);
-}
-
-/* ---- progress ------------------------------------------------------------------------------------ */
-
-void show_progress(void *context, int done, int total, const char *name)
-{
-    (void)context;
-    enum { WIDTH = 24 };
-    int filled = done * WIDTH / total;
-    fprintf(stderr, "\r\x1b[K[");
-    for (int k = 0; k < WIDTH; k++)
-        fputs(k < filled ? "=" : " ", stderr);
-    fprintf(stderr, "] %d/%d %.50s", done, total, name);
-    fflush(stderr);
-}
-void end_progress(void)
-{
-    if (is_terminal(stderr))
-        fputs("\r\x1b[K", stderr);
-}
-
-int processors(void)
-{
-    long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > 64 ? 64 : (int)n;
-}
-
-claim_result *judge_with_progress(const claim *const list[], int count, int jobs, int deep)
-{
-    run_options options = {.jobs = jobs, .deep = deep, .progress = is_terminal(stderr) ? show_progress : NULL};
-    claim_result *results = judge_claims(list, count, &options);
-    end_progress();
-    return results;
 }

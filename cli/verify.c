@@ -3,6 +3,7 @@
 #include "chapters/judge/tex.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "exact/number/parallel.h"

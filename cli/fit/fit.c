@@ -1,5 +1,7 @@
 /* fit.c -- cagd fit: reads points and curve, fits, verifies, and has the result told. */
 #include "cli/fit/fit.h"
+#include "cli/input.h"
+#include "cli/progress.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -27,7 +29,7 @@ static int read_initial(const struct fit_arguments *a, int dim, cagd_spline *spl
     }
     if (c.dim != dim) {
         fprintf(stderr, "cagd: %s: the points of the curve have %d coordinate%s, those of %s %d\n", a->initial, c.dim,
-                c.dim == 1 ? "" : "s", a->path, dim);
+                c.dim == 1 ? "" : "s", a->asked.path, dim);
         return -1;
     }
     double *weights = c.weights != NULL ? rounded(c.count, c.weights) : doubles(c.count);
@@ -72,7 +74,7 @@ static int unknowns_asked(const cagd_fit_options *o, int dim)
 
 static int complain(const struct fit *f, cagd_status status, int where)
 {
-    const char *name = strcmp(f->path, "-") == 0 ? "standard input" : f->path;
+    const char *name = name_of_input(f->path);
     int n = f->data.count, dim = f->data.dim, asked = unknowns_asked(&f->options, dim);
     if (status == CAGD_TOO_FEW)
         fprintf(stderr,
@@ -162,14 +164,14 @@ int run_fit(const struct call *call)
 {
     region_mark mark = region_open();
     struct fit_arguments a = read_fit_arguments(call);
-    struct fit f = {.path = a.path, .options = a.options};
+    struct fit f = {.path = a.asked.path, .options = a.options};
     int code = EXIT_USAGE;
     struct input_error error;
-    if (read_points(a.path, &a.columns, &f.points, &error) == 0) {
+    if (read_points(a.asked.path, &a.columns, &f.points, &error) == 0) {
         code = fit_points(&a, &f);
         free_points(&f.points);
     } else {
-        report_input_error(a.path, &error);
+        report_input_error(a.asked.path, &error);
     }
     free(a.inner);
     region_drop(mark);

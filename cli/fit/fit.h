@@ -27,7 +27,7 @@ struct fit {
 /* What cagd fit is asked. */
 struct fit_arguments {
     struct asked asked;
-    const char *path, *initial, *residuals, *svg, *curve;
+    const char *initial, *residuals, *svg, *curve;
     struct columns columns;
     cagd_fit_options options;
     const char *knots; /* as given; NULL: none */

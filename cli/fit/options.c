@@ -216,14 +216,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'v':
         a->verbose = 1;
         break;
-    case ARGP_KEY_ARG:
-        if (a->path != NULL)
-            argp_error(state, "one file of points at a time: '%s' or '%s'?", a->path, arg);
-        a->path = arg;
-        break;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state, "expected the file of the points");
-        break;
     case ARGP_KEY_END:
         finish(state, a);
         break;
@@ -335,6 +327,7 @@ const struct command command_fit = {
         "are comments; - is standard input.  Exit status 1: not converged, or to no minimum; with --free none, a foot "
         "that was verified not to be the nearest point.",
     .arguments = FILE_NAME,
+    .file = "the points",
     .shared = TAKES_JSON,
     .options = options,
     .parse = parse,

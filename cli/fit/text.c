@@ -1,5 +1,6 @@
 /* text.c -- a fit in words. */
 #include "cli/fit/fit.h"
+#include "cli/input.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -84,7 +85,7 @@ static void print_heading(const struct fit *f)
     for (int mu = c->degree; mu < c->count; mu++)
         segments += c->knots[mu] < c->knots[mu + 1];
     say("Points", "%d in %s, from %s%s", f->data.count, f->data.dim == 2 ? "the plane" : "space",
-        strcmp(f->path, "-") == 0 ? "standard input" : f->path,
+        name_of_input(f->path),
         f->data.sigma == NULL ? ""
         : f->sigma_given      ? ", with one standard deviation"
                               : ", each with its standard deviation");
