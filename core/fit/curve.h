@@ -38,6 +38,15 @@ void fit_curve_derivatives(const fit_curve *curve, double t, double D[]);
 /* R[m] = N_i w_i / sum N w at t, i = span-p+m, m = 0, ..., p: what the point moves with point i; and dR/dt. */
 void fit_curve_shares(const fit_curve *curve, int piece, double t, double R[], double slopes[]);
 
+/* |a - b|^2 */
+static inline double fit_distance_squared(int dim, const double a[], const double b[])
+{
+    double sum = 0;
+    for (int c = 0; c < dim; c++)
+        sum += (a[c] - b[c]) * (a[c] - b[c]);
+    return sum;
+}
+
 #ifdef __cplusplus
 }
 #endif

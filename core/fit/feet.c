@@ -1,377 +1,193 @@
 #include "core/fit/feet.h"
 
-#include "core/fit/wide.h"
-#include "core/number/limits.h"
+#include "core/fit/polygon.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-static inline double inner(int dim, const double a[], const double b[])
+/* What a search looks at: the polygon in the place of the curve and, of points in order, the sides of the anchors, which are every
+ * stride-th point. */
+typedef struct search {
+    const fit_problem *problem;
+    const fit_curve *curve;
+    fit_polygon polygon;
+    int thorough; /* every side that may be nearest is tried, since two that are nearly as near may be neighbours */
+    int stride, anchors;
+    int *side;
+    double *square; /* room for a number of each side */
+} search;
+
+/* Some sides of the polygon. */
+typedef struct sides {
+    int first, last;
+} sides;
+
+/* ---- One point ---------------------------------------------------------------------------------------- */
+
+/* The smallest distance that a part of the curve surely has, by the sides over it; square[]: the squared distances of these. */
+static double surely_reached(const fit_polygon *g, sides range, const double square[])
 {
-    return a[0] * b[0] + a[1] * b[1] + (dim == 3 ? a[2] * b[2] : 0);
-}
-
-#define NAME(name) name##_conic
-#define DIM        2
-#define DEGREE     2
-#include "core/fit/foot.tmpl.h"
-#undef NAME
-#undef DEGREE
-#define NAME(name) name##_cubic
-#define DEGREE     3
-#include "core/fit/foot.tmpl.h"
-#undef NAME
-#undef DIM
-#define NAME(name) name##_space_cubic
-#define DIM        3
-#include "core/fit/foot.tmpl.h"
-#undef NAME
-#undef DIM
-#undef DEGREE
-#define NAME(name) name##_any
-#define DIM        (curve->dim)
-#define DEGREE     (curve->degree)
-#include "core/fit/foot.tmpl.h"
-#undef NAME
-#undef DIM
-#undef DEGREE
-
-static int shape_of(const fit_curve *c) { return c->dim * 100 + c->degree; }
-
-void fit_curve_derivatives(const fit_curve *c, double t, double D[])
-{
-    switch (shape_of(c)) {
-    case 202:
-        derivatives_conic(c, t, D);
-        break;
-    case 203:
-        derivatives_cubic(c, t, D);
-        break;
-    case 303:
-        derivatives_space_cubic(c, t, D);
-        break;
-    default:
-        derivatives_any(c, t, D);
-    }
-}
-
-fit_foot_kind fit_foot_near(const fit_curve *c, const double q[], double limit, double *t, double D[])
-{
-    int shape = shape_of(c);
-    return shape == 202   ? newton_conic(c, q, limit, t, D)
-           : shape == 203 ? newton_cubic(c, q, limit, t, D)
-           : shape == 303 ? newton_space_cubic(c, q, limit, t, D)
-                          : newton_any(c, q, limit, t, D);
-}
-
-fit_foot_kind fit_foot(const fit_curve *c, const double q[], double *t, double D[])
-{
-    return fit_foot_near(c, q, FOOT_EXACT, t, D);
-}
-
-/* An inscribed polygon: the points of the curve at t[0] < ... < t[sides]; `deep` bounds how far the curve is from a side.  Of
- * the sides: where they begin, their vectors, and one over the square of their lengths, coordinate by coordinate. */
-typedef struct polygon {
-    int sides, dim;
-    int thorough; /* every side that may be nearest is tried, as two of them that are nearly as near may be neighbours */
-    double *t, *point, *deep;
-    double *begin[3], *vector[3], *inverse;
-} polygon;
-
-/* Sides of the polygon: never more, and those of each piece to begin with.  The latter are where halving begins: with 2, 4, 8, 16 or 32 of them
- * the same feet and fits are found, and 8 need the fewest sides in the end, at most 143 for the curves of the tests; so that the former
- * only bounds memory and time for what nobody has thought of, the search being then as coarse as these sides are. */
-enum { MOST_SIDES = 1024, PER_PIECE = 8 };
-
-static void polygon_free(polygon *g)
-{
-    free(g->t);
-    free(g->point);
-    free(g->deep);
-    free(g->inverse);
-}
-
-static double distance(int dim, const double a[], const double b[]) { return sqrt(fit_distance_squared(dim, a, b)); }
-
-/* The sides in their arrays; 0 when there is no memory. */
-static int polygon_sides(polygon *g)
-{
-    size_t n = (size_t)g->sides, dim = (size_t)g->dim;
-    g->inverse = malloc((2 * dim + 1) * n * sizeof *g->inverse);
-    if (g->inverse == NULL)
-        return 0;
-    for (size_t c = 0; c < dim; c++) {
-        g->begin[c] = g->inverse + (1 + c) * n;
-        g->vector[c] = g->inverse + (1 + dim + c) * n;
-    }
-    for (size_t k = 0; k < n; k++) {
-        const double *a = g->point + k * dim, *b = a + dim;
-        double square = fit_distance_squared(g->dim, a, b);
-        for (size_t c = 0; c < dim; c++) {
-            g->begin[c][k] = a[c];
-            g->vector[c][k] = b[c] - a[c];
-        }
-        g->inverse[k] = square > 0 ? 1 / square : 0;
-    }
-    return 1;
-}
-
-/* Sides are halved until none is longer than its part of the whole, nor as deep as an eighth of its length; `room` is for so many
- * more.  From t[sides], whose point is there, to `end`. */
-static void add_sides(polygon *g, const fit_curve *curve, double end, const double at_end[], double longest, int *room)
-{
-    int dim = g->dim, k = g->sides;
-    const double start = g->t[k], middle = start + (end - start) / 2, *a = g->point + k * dim;
-    double D[9];
-    fit_curve_derivatives(curve, middle, D);
-    double length = distance(dim, a, at_end), way = distance(dim, a, D) + distance(dim, D, at_end);
-    if ((length > longest || way > longest * 2 || (way > length * 1.125 && way > longest / 8)) && *room > 0 &&
-        start < middle && middle < end) {
-        --*room;
-        add_sides(g, curve, middle, D, longest, room);
-        add_sides(g, curve, end, at_end, longest, room);
-        return;
-    }
-    g->deep[k] = sqrt(fmax(0, way * way - length * length));
-    g->t[k + 1] = end;
-    memcpy(g->point + (k + 1) * dim, at_end, (size_t)dim * sizeof *at_end);
-    g->sides++;
-}
-
-static int polygon_new(polygon *g, const fit_curve *curve, int sides)
-{
-    int dim = curve->dim, room = MOST_SIDES, first = PER_PIECE * curve->pieces;
-    size_t most = (size_t)(room + first + 1);
-    double D[9], before[3], length = 0, start = fit_curve_start(curve);
-    *g = (polygon){.dim = dim};
-    g->t = malloc(most * sizeof *g->t);
-    g->point = malloc(most * (size_t)dim * sizeof *g->point);
-    g->deep = malloc(most * sizeof *g->deep);
-    if (!g->t || !g->point || !g->deep)
-        return 0;
-    g->t[0] = start;
-    fit_curve_derivatives(curve, start, D);
-    memcpy(g->point, D, (size_t)dim * sizeof *D);
-    for (int pass = 0; pass < 2; pass++) /* first the length of a coarse polygon */
-        for (int k = 0; k < first; k++) {
-            double a = curve->knots[curve->span[k / PER_PIECE]], b = curve->knots[curve->span[k / PER_PIECE] + 1];
-            double end = k % PER_PIECE == PER_PIECE - 1 ? b : a + (b - a) * (k % PER_PIECE + 1) / PER_PIECE;
-            memcpy(before, k == 0 ? g->point : D, (size_t)dim * sizeof *D);
-            fit_curve_derivatives(curve, end, D);
-            if (pass == 0)
-                length += distance(dim, before, D);
-            else
-                add_sides(g, curve, end, D, length / sides, &room);
-        }
-    return polygon_sides(g);
-}
-
-/* Where on side k, 0 ... 1, the point is that q is nearest to. */
-INLINE double where_on_side(const polygon *g, const int dim, int k, const double q[])
-{
-    double along = 0;
-    for (int c = 0; c < dim; c++)
-        along += (q[c] - g->begin[c][k]) * g->vector[c][k];
-    along *= g->inverse[k];
-    along = along > 0 ? along : 0;
-    return along < 1 ? along : 1;
-}
-
-/* The squared distances of q from the sides first ... last, `dim` being a constant for the compiler. */
-INLINE void from_sides_of(const polygon *g, const int dim, const double q[], int first, int last,
-                          double square[restrict])
-{
-    for (int k = first; k <= last; k++) {
-        double s = where_on_side(g, dim, k, q), rest = 0;
-        for (int c = 0; c < dim; c++) {
-            double d = q[c] - g->begin[c][k] - s * g->vector[c][k];
-            rest += d * d;
-        }
-        square[k] = rest;
-    }
-}
-
-WIDE static void from_sides(const polygon *g, const double q[], int first, int last, double square[])
-{
-    if (g->dim == 2)
-        from_sides_of(g, 2, q, first, last, square);
-    else
-        from_sides_of(g, 3, q, first, last, square);
-}
-
-static double on_side(const polygon *g, int k, const double q[])
-{
-    return g->t[k] + where_on_side(g, g->dim, k, q) * (g->t[k + 1] - g->t[k]);
-}
-
-/* Whether t is on side k or beside it. */
-static int beside(const polygon *g, int k, double t)
-{
-    return g->t[k > 0 ? k - 1 : 0] <= t && t <= g->t[k + 2 < g->sides ? k + 2 : g->sides];
-}
-
-/* The nearest of the feet that are reached from sides first ... last, and its squared distance; only sides whose part of the
- * curve may be nearer than the best one are tried, and of neighbours the nearest, or all.  A foot that is known and lies on such a side or
- * beside it is the one that is reached from there. */
-static double nearest(const fit_curve *curve, const polygon *g, const double q[], int first, int last,
-                      const double *known, double square[], double *smallest)
-{
-    int dim = g->dim;
-    double best = HUGE_VAL, found = g->t[first], D[9];
-    from_sides(g, q, first, last, square);
-    for (int k = first; k <= last; k++) {
-        double most = sqrt(square[k]) + g->deep[k];
+    double best = HUGE_VAL;
+    for (int k = range.first; k <= range.last; k++) {
+        double most = sqrt(square[k]) + g->depth[k];
         best = most < best ? most : best;
     }
+    return best;
+}
+
+/* Whether a neighbour of side k in the range is nearer. */
+static int has_nearer_neighbour(sides range, int k, const double square[])
+{
+    return (k > range.first && square[k - 1] < square[k]) || (k < range.last && square[k + 1] <= square[k]);
+}
+
+/* The nearest of the feet that are reached from the sides in the range, and its squared distance.  Only sides over which the curve may
+ * be nearer than the best one are tried; and of neighbours the nearest alone, unless the search is thorough.  A foot that is known
+ * and lies over such a side or beside it is the one that is reached from there; when it needs no search, *smallest is infinite. */
+static double nearest_foot(const search *s, const double q[], sides range, const double *known, double *smallest)
+{
+    const fit_polygon *g = &s->polygon;
+    double found = g->t[range.first], D[9];
+    fit_polygon_distances(g, q, range.first, range.last, s->square);
+    const double best = surely_reached(g, range, s->square);
     *smallest = HUGE_VAL;
-    if (known != NULL && first == last && beside(g, first, *known))
+    if (known != NULL && range.first == range.last && fit_polygon_is_beside(g, range.first, *known))
         return *known;
-    for (int k = first; k <= last; k++) {
-        int farther = (k > first && square[k - 1] < square[k]) || (k < last && square[k + 1] <= square[k]);
-        if ((farther && !g->thorough) || sqrt(square[k]) - g->deep[k] > best)
+    for (int k = range.first; k <= range.last; k++) {
+        if (sqrt(s->square[k]) - g->depth[k] > best || (!s->thorough && has_nearer_neighbour(range, k, s->square)))
             continue;
         double t;
-        if (known != NULL && beside(g, k, *known)) {
+        if (known != NULL && fit_polygon_is_beside(g, k, *known)) {
             t = *known;
-            fit_curve_derivatives(curve, t, D);
+            fit_curve_derivatives(s->curve, t, D);
         } else {
-            t = on_side(g, k, q);
-            fit_foot(curve, q, &t, D);
+            t = fit_polygon_parameter(g, k, q);
+            fit_foot(s->curve, q, &t, D);
         }
-        double d = fit_distance_squared(dim, D, q);
+        double d = fit_distance_squared(g->dim, D, q);
         if (d < *smallest)
             *smallest = d, found = t;
     }
     return found;
 }
 
-/* The losses of anchor i, point i stride, on all sides. */
-static void anchor_losses(const fit_problem *p, const polygon *g, int i, int stride, double loss[])
+/* Half the loss of point i at this squared distance. */
+static double half_loss(const fit_problem *p, int i, double square)
 {
-    const size_t at = (size_t)i * (size_t)stride;
-    double weight = p->precision[at] * p->precision[at], slope;
-    from_sides(g, p->Q + at * (size_t)p->dim, 0, g->sides - 1, loss);
-    for (int k = 0; k < g->sides; k++)
+    double slope;
+    return fit_problem_loss(p, square * (p->precision[i] * p->precision[i]), &slope) / 2;
+}
+
+/* ---- Anchors ------------------------------------------------------------------------------------------ */
+
+/* The losses of anchor a on all sides. */
+static void anchor_losses(const search *s, int a, double loss[])
+{
+    const fit_problem *p = s->problem;
+    const int i = a * s->stride;
+    double weight = p->precision[i] * p->precision[i], slope;
+    fit_polygon_distances(&s->polygon, fit_point(p, i), 0, s->polygon.sides - 1, loss);
+    for (int k = 0; k < s->polygon.sides; k++)
         loss[k] = p->loss == CAGD_FIT_SQUARES ? loss[k] * weight : fit_problem_loss(p, loss[k] * weight, &slope);
 }
 
-/* The first of the smallest of n numbers.  Minima of WIDE_SUMS columns, side by side, and then of these. */
-WIDE static int smallest_of(int n, const double x[])
+/* Each anchor on the side that it is nearest to.  Returns whether these sides do not decrease; then no others in order have a smaller
+ * sum of losses. */
+static int take_nearest_sides(search *s)
 {
-    double least[WIDE_SUMS], smallest = HUGE_VAL;
-    int i = 0, first = 0;
-    for (int k = 0; k < WIDE_SUMS; k++)
-        least[k] = HUGE_VAL;
-    for (; i + WIDE_SUMS <= n; i += WIDE_SUMS)
-        for (int k = 0; k < WIDE_SUMS; k++)
-            least[k] = x[i + k] < least[k] ? x[i + k] : least[k];
-    for (; i < n; i++)
-        smallest = x[i] < smallest ? x[i] : smallest;
-    for (int k = 0; k < WIDE_SUMS; k++)
-        smallest = least[k] < smallest ? least[k] : smallest;
-    while (first < n - 1 && x[first] != smallest)
-        first++;
-    return first;
-}
-
-/* Each anchor on the side that it is nearest to; whether these sides do not decrease, so that their sum of losses is the smallest. */
-static int nearest_sides(const fit_problem *p, const polygon *g, int anchors, int stride, double square[], int side[])
-{
-    for (int i = 0; i < anchors; i++) {
-        from_sides(g, p->Q + (size_t)i * (size_t)stride * (size_t)p->dim, 0, g->sides - 1, square);
-        side[i] = smallest_of(g->sides, square);
-        if (i > 0 && side[i] < side[i - 1])
+    for (int a = 0; a < s->anchors; a++) {
+        fit_polygon_distances(&s->polygon, fit_point(s->problem, a * s->stride), 0, s->polygon.sides - 1, s->square);
+        s->side[a] = fit_smallest_of(s->polygon.sides, s->square);
+        if (a > 0 && s->side[a] < s->side[a - 1])
             return 0;
     }
     return 1;
 }
 
-/* The sides of the anchors: side[i] not decreasing, with the smallest sum of losses.  Dynamic programming, Bellman.  0 when there is no
- * memory. */
-static int anchor_sides(const fit_problem *p, const polygon *g, int anchors, int stride, double loss[], int side[])
+/* The sides of the anchors that do not decrease and have the smallest sum of losses, by Bellman's dynamic programming: sum[k] is the
+ * smallest sum of the anchors so far with the last of them on side k, and from[a m + k] the side of the one before anchor a. */
+static void take_sides_in_order(search *s, double sum[], int from[])
 {
-    if (nearest_sides(p, g, anchors, stride, loss, side))
-        return 1;
-    int m = g->sides;
-    double *sum = calloc((size_t)m, sizeof *sum);
-    int *from = malloc((size_t)anchors * (size_t)m * sizeof *from);
-    if (sum == NULL || from == NULL) {
-        free(sum);
-        free(from);
-        return 0;
-    }
-    for (int i = 0; i < anchors; i++) {
-        anchor_losses(p, g, i, stride, loss);
+    const int m = s->polygon.sides;
+    for (int k = 0; k < m; k++)
+        sum[k] = 0;
+    for (int a = 0; a < s->anchors; a++) {
+        anchor_losses(s, a, s->square);
         int before = 0;
         double smallest = sum[0];
         for (int k = 0; k < m; k++) {
             if (sum[k] < smallest)
                 smallest = sum[k], before = k;
-            from[i * m + k] = before;
-            sum[k] = smallest + loss[k];
+            from[a * m + k] = before;
+            sum[k] = smallest + s->square[k];
         }
     }
-    int k = 0;
-    for (int j = 1; j < m; j++)
-        if (sum[j] < sum[k])
-            k = j;
-    for (int i = anchors - 1; i >= 0; i--) {
-        side[i] = k;
-        k = from[i * m + k];
+    int k = fit_smallest_of(m, sum);
+    for (int a = s->anchors - 1; a >= 0; a--) {
+        s->side[a] = k;
+        k = from[a * m + k];
     }
-    free(sum);
-    free(from);
-    return 1;
 }
 
-/* The sides a ... b on which the foot of a point is looked for: all, that of the anchor, or those between two anchors. */
-typedef struct search {
-    polygon polygon;
-    int stride, anchors;
-    int *side;
-    double *square;
-} search;
+/* Returns 0 when there is no memory. */
+static int find_sides(search *s)
+{
+    if (take_nearest_sides(s))
+        return 1;
+    size_t m = (size_t)s->polygon.sides;
+    double *sum = malloc(m * sizeof *sum);
+    int *from = malloc((size_t)s->anchors * m * sizeof *from), good = sum != NULL && from != NULL;
+    if (good)
+        take_sides_in_order(s, sum, from);
+    free(sum);
+    free(from);
+    return good;
+}
+
+/* ---- The search --------------------------------------------------------------------------------------- */
 
 static void search_free(search *s)
 {
-    polygon_free(&s->polygon);
+    fit_polygon_free(&s->polygon);
     free(s->side);
     free(s->square);
 }
 
-static int search_new(search *s, const fit_problem *p, const fit_curve *curve)
+/* Returns 0 when there is no memory; search_free is to be called all the same. */
+static int search_new(const fit_problem *p, const fit_curve *curve, search *s)
 {
-    *s = (search){.stride = (p->points - 1) / p->strategy.anchors + 1};
-    s->anchors = (p->points - 1) / s->stride + 1;
-    int good = polygon_new(&s->polygon, curve, p->strategy.sides);
-    s->polygon.thorough = p->nothing_free;
+    const int stride = (p->points - 1) / p->strategy.anchors + 1;
+    *s = (search){.problem = p, .curve = curve, .thorough = p->nothing_free, .stride = stride};
+    s->anchors = (p->points - 1) / stride + 1;
+    if (!fit_polygon_new(curve, p->strategy.sides, &s->polygon))
+        return 0;
     s->side = malloc((size_t)s->anchors * sizeof *s->side);
-    s->square = good ? malloc((size_t)s->polygon.sides * sizeof *s->square) : NULL;
-    return good && s->side && s->square &&
-           (p->unordered || anchor_sides(p, &s->polygon, s->anchors, s->stride, s->square, s->side));
+    s->square = malloc((size_t)s->polygon.sides * sizeof *s->square);
+    return s->side && s->square && (p->unordered || find_sides(s));
 }
 
-static void sides_of(const search *s, const fit_problem *p, int i, int *first, int *last)
+/* Where the foot of point i is looked for: on all sides, on that of the anchor which it is, or between those of two anchors. */
+static sides sides_of(const search *s, int i)
 {
-    int a = i / s->stride, anchor = i % s->stride == 0;
-    *first = p->unordered ? 0 : s->side[a];
-    *last = p->unordered || (!anchor && a + 1 >= s->anchors) ? s->polygon.sides - 1 : s->side[anchor ? a : a + 1];
+    const int a = i / s->stride, end = s->polygon.sides - 1;
+    if (s->problem->unordered)
+        return (sides){0, end};
+    if (i % s->stride == 0)
+        return (sides){s->side[a], s->side[a]};
+    return (sides){s->side[a], a + 1 < s->anchors ? s->side[a + 1] : end};
 }
 
 int fit_feet_guess(const fit_problem *p, const fit_curve *curve, double t[])
 {
     search s;
-    int good = search_new(&s, p, curve), first, last;
+    int good = search_new(p, curve, &s);
     for (int i = 0; good && i < p->points; i++) {
-        const double *q = p->Q + (size_t)i * (size_t)p->dim;
-        sides_of(&s, p, i, &first, &last);
-        from_sides(&s.polygon, q, first, last, s.square);
-        int best = first;
-        for (int k = first + 1; k <= last; k++)
+        const sides range = sides_of(&s, i);
+        fit_polygon_distances(&s.polygon, fit_point(p, i), range.first, range.last, s.square);
+        int best = range.first;
+        for (int k = range.first + 1; k <= range.last; k++)
             best = s.square[k] < s.square[best] ? k : best;
-        t[i] = on_side(&s.polygon, best, q);
+        t[i] = fit_polygon_parameter(&s.polygon, best, fit_point(p, i));
     }
     search_free(&s);
     return good;
@@ -380,13 +196,12 @@ int fit_feet_guess(const fit_problem *p, const fit_curve *curve, double t[])
 int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[], double *cost)
 {
     search s;
-    int good = search_new(&s, p, curve), first, last;
-    double slope, square;
+    int good = search_new(p, curve, &s);
+    double square;
     *cost = 0;
     for (int i = 0; good && i < p->points; i++) {
-        sides_of(&s, p, i, &first, &last);
-        t[i] = nearest(curve, &s.polygon, p->Q + (size_t)i * (size_t)p->dim, first, last, NULL, s.square, &square);
-        *cost += fit_problem_loss(p, square * p->precision[i] * p->precision[i], &slope) / 2;
+        t[i] = nearest_foot(&s, fit_point(p, i), sides_of(&s, i), NULL, &square);
+        *cost += half_loss(p, i, square);
     }
     search_free(&s);
     return good;
@@ -395,18 +210,15 @@ int fit_feet_search(const fit_problem *p, const fit_curve *curve, double t[], do
 int fit_feet_improve(const fit_problem *p, const fit_curve *curve, const double known[], double t[], double *gain)
 {
     search s;
-    int good = search_new(&s, p, curve), first, last;
-    double slope, square, D[9];
+    int good = search_new(p, curve, &s);
+    double square, D[9];
     *gain = 0;
     for (int i = 0; good && i < p->points; i++) {
-        const double *q = p->Q + (size_t)i * (size_t)p->dim, weight = p->precision[i] * p->precision[i];
-        sides_of(&s, p, i, &first, &last);
-        t[i] = nearest(curve, &s.polygon, q, first, last, &known[i], s.square, &square);
+        t[i] = nearest_foot(&s, fit_point(p, i), sides_of(&s, i), &known[i], &square);
         if (t[i] == known[i])
             continue;
-        *gain -= fit_problem_loss(p, square * weight, &slope) / 2;
         fit_curve_derivatives(curve, known[i], D);
-        *gain += fit_problem_loss(p, fit_distance_squared(p->dim, D, q) * weight, &slope) / 2;
+        *gain += half_loss(p, i, fit_distance_squared(p->dim, D, fit_point(p, i))) - half_loss(p, i, square);
     }
     search_free(&s);
     return good;

@@ -85,15 +85,6 @@ void fit_problem_update_errors(fit_problem *problem);
 /* Measured point i in working coordinates. */
 static inline const double *fit_point(const fit_problem *p, int i) { return p->Q + (size_t)i * (size_t)p->dim; }
 
-/* |a - b|^2 */
-static inline double fit_distance_squared(int dim, const double a[], const double b[])
-{
-    double sum = 0;
-    for (int c = 0; c < dim; c++)
-        sum += (a[c] - b[c]) * (a[c] - b[c]);
-    return sum;
-}
-
 #ifdef __cplusplus
 }
 #endif

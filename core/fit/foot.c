@@ -1,0 +1,69 @@
+#include "core/fit/foot.h"
+
+#include "core/number/limits.h"
+
+#include <float.h>
+#include <math.h>
+
+static inline double inner(int dim, const double a[], const double b[])
+{
+    return a[0] * b[0] + a[1] * b[1] + (dim == 3 ? a[2] * b[2] : 0);
+}
+
+#define NAME(name) name##_conic
+#define DIM        2
+#define DEGREE     2
+#include "core/fit/foot.tmpl.h"
+#undef NAME
+#undef DEGREE
+#define NAME(name) name##_cubic
+#define DEGREE     3
+#include "core/fit/foot.tmpl.h"
+#undef NAME
+#undef DIM
+#define NAME(name) name##_space_cubic
+#define DIM        3
+#include "core/fit/foot.tmpl.h"
+#undef NAME
+#undef DIM
+#undef DEGREE
+#define NAME(name) name##_any
+#define DIM        (curve->dim)
+#define DEGREE     (curve->degree)
+#include "core/fit/foot.tmpl.h"
+#undef NAME
+#undef DIM
+#undef DEGREE
+
+static int shape_of(const fit_curve *c) { return c->dim * 100 + c->degree; }
+
+void fit_curve_derivatives(const fit_curve *c, double t, double D[])
+{
+    switch (shape_of(c)) {
+    case 202:
+        derivatives_conic(c, t, D);
+        break;
+    case 203:
+        derivatives_cubic(c, t, D);
+        break;
+    case 303:
+        derivatives_space_cubic(c, t, D);
+        break;
+    default:
+        derivatives_any(c, t, D);
+    }
+}
+
+fit_foot_kind fit_foot_near(const fit_curve *c, const double q[], double limit, double *t, double D[])
+{
+    int shape = shape_of(c);
+    return shape == 202   ? newton_conic(c, q, limit, t, D)
+           : shape == 203 ? newton_cubic(c, q, limit, t, D)
+           : shape == 303 ? newton_space_cubic(c, q, limit, t, D)
+                          : newton_any(c, q, limit, t, D);
+}
+
+fit_foot_kind fit_foot(const fit_curve *c, const double q[], double *t, double D[])
+{
+    return fit_foot_near(c, q, FOOT_EXACT, t, D);
+}
