@@ -74,6 +74,12 @@ CLAIM(conic_invariants_are_determinants)
 /*
 ## Conics through the common points of two
 
+Where two conics meet, every combination of their equations vanishes.  So the pencil (曲线束) consists of conics through the
+common points, and this needs no hypothesis.  The sentence may also mean that the pencil has all of them; then it asks for
+more.  Through four points of which no three are on a line the conics are the combinations of two, with two free factors.
+But the print ties the factors together as $1-\lambda$ and $\lambda$, whose sum is 1, and a combination with the sum 0, such
+as $S_1-S_2$, has no $\lambda$.
+
 :::{statement} wang-ch3:3.1.2
 :title: The pencil through the common points of two conics
 :zh: 过两条二次曲线交点的曲线束
@@ -174,6 +180,9 @@ static num of_quadratic_parts(num S[3][6])
 }
 
 /*
+Three small examples show what goes wrong without each of the three hypotheses.  In the first the two conics are pairs of
+parallel lines, and the missing member is the pair of the diagonals.
+
 :::{claim} pencil_misses_its_difference
 :title: One conic through the common points has no lambda
 :zh: 曲线束漏掉一条曲线
@@ -410,6 +419,10 @@ CLAIM(line_pair_is_a_degenerate_conic)
 }
 
 /*
+Liming's idea is to take the simplest conics for $S_1$ and $S_2$: pairs of lines.  Their common points are seen without
+solving an equation, as the four points where a line of the one pair meets a line of the other.  What was assumed of the
+common points is now a matter of how the four lines lie.
+
 :::{statement} wang-ch3:3.1.2-line-pairs
 :title: The pencil of two pairs of lines
 :zh: 两对直线确定的曲线束
@@ -481,6 +494,9 @@ static void given_lines(trial *T, num l[4][3])
 }
 
 /*
+Parallel lines lose a point, and so do three lines through one point; the pencil then has fewer conics than pass through
+what is left.  The last example is the square with its diagonals, which is the missing difference once more.
+
 :::{claim} parallel_lines_meet_in_two_points
 :title: Parallel lines of the two pairs leave two of the four points
 :zh: 平行时四点只剩两点

@@ -113,6 +113,11 @@ CLAIM(common_factor_of_weights_is_free)
 /*
 ## The two formulas of the curve
 
+In homogeneous coordinates (齐次坐标) a rational curve is a polynomial curve of one dimension more, seen from the origin: its
+points are multiplied by their weights, blended, and divided by the blended weight.  One formula is as good as the other for
+computing, and the claims say that they agree, with sums that are written out from the definition of the Bernstein
+polynomials.
+
 :::{statement} wang-ch3:3.2.1
 :title: The curve in homogeneous coordinates
 :zh: 齐次坐标下的曲线
@@ -336,6 +341,9 @@ CLAIM(rational_derivatives_are_formal_derivatives)
 /*
 ## Positive weights
 
+A quotient asks for a denominator that is not 0.  A sum of positive numbers is positive, so positive weights suffice; the
+sentence says no more than this.  It is often remembered the other way round, and the last claim before the next heading is for those who do.
+
 :::{statement} wang-ch3:3.2-positive-weights
 :title: What positive weights are for
 :zh: 规定权为正的用意
@@ -441,6 +449,10 @@ More is true than experiments show: every point $R(t)$, $0<t<1$, moves on the st
 $\omega_i\to\infty$.  Hence the distance of the curve from $R_i$ never grows.  A segment ($n=1$) stays the same
 segment; its points move in it.
 :::
+
+The source appeals to experiments.  The reason is one line: when $\omega_i$ grows by $\delta$, the point $R_i$ is added to
+the mean once more, with the weight $\delta B_i^n(t)$.  The new point is therefore on the segment from the old one to $R_i$,
+for each $t$ by itself.  Where the denominator is negative, before and after, the same addition takes the point away.
 
 :::{claim} growing_weight_pulls_each_point_straight_to_the_vertex
 :title: When ω_i grows, R(t) moves straight towards R_i
@@ -583,8 +595,9 @@ CLAIM(ends_do_not_move_with_inner_weight)
   reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges curve_points_are_convex_combinations
   elevation_keeps_rational_curve
 
-The sentence announces the properties 3.2.1 to 3.2.9; each follows with its own entry.  Decided here are the first ones, and that
-with equal weights the curve is the Bézier curve of its points, so that the properties of Bézier curves are among those that follow.
+The sentence announces the properties 3.2.1 to 3.2.9; each follows with its own entry.  Decided here are the first ones, and
+that with equal weights the curve is the Bézier curve of its points, so that the properties of Bézier curves are among those
+that follow.
 :::
 
 :::{claim} equal_weights_give_bezier_curve
@@ -614,6 +627,10 @@ CLAIM(equal_weights_give_bezier_curve)
 
 /*
 ## Invariance and symmetry
+
+Both properties are read off the formula, if one asks first what a control point is.  In the definition it carries its
+weight.  To map a polygon means to map the points $R_i$ and to leave the weights; to reverse it means to reverse points and
+weights together.  Other readings are tried, and they fail already for a segment with two different weights.
 
 :::{statement} wang-ch3:prop-3.2.1
 :title: Geometric and affine invariance

@@ -3,8 +3,8 @@
 
 A rational Bézier curve starts in its first point, in the direction of the first edge, and ends in its last point, in the
 direction of the last edge.  If the first $k$ points coincide, the derivatives of order $1,\dots,k-1$ vanish at $t=0$ and
-the edge $R_0R_k$ takes over.  The source prints what the derivatives of order $k$ and $h$ are at both ends, side by side; the right
-one carries two slips, both invisible in the usual case $k=h=1$.
+the edge $R_0R_k$ takes over.  The source prints what the derivatives of order $k$ and $h$ are at both ends, side by side;
+the right one carries two slips, both invisible in the usual case $k=h=1$.
 */
 #include "exact/record/roots.h"
 
@@ -39,6 +39,10 @@ static inline void G(repeated_at_start)(trial *T, int n, int dim, int k, num R[]
 }
 
 /*
+"Tangent to the end edge" means two things: the edge is on the tangent, and it points the way the curve goes.  The
+derivative that decides it is the first one that is not 0, of order $k$ when the first $k$ points coincide.  At $t=1$ it has
+to be taken with the sign $(-1)^{h+1}$, since the curve is followed towards the end.
+
 :::{claim} curve_leaves_its_ends_along_the_first_edges
 :title: The first derivative that does not vanish points along the first edge of positive length
 :zh: 首个非零导矢沿首条非零边
@@ -97,6 +101,10 @@ CLAIM(curve_leaves_its_ends_along_the_first_edges)
 
 #if RATIONAL
 /*
+Each weight that occurs in the derivative can spoil it.  If $\omega_1$ is 0, the first edge loses its influence, and the
+next point takes over; if it is negative, the curve leaves in the opposite direction; and if $\omega_0$ is 0, it does not
+even begin in $R_0$.
+
 :::{claim} zero_weight_turns_the_end_tangent
 :title: With ω_1 = 0 the curve is not tangent to its first edge
 :zh: ω_1 = 0 时曲线不切于首边
@@ -194,8 +202,8 @@ CLAIM(zero_end_weight_loses_the_end_point)
 :printed: \mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k,\quad\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
 :checked-by: multiplicities_fit_into_the_polygon
 
-The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.  The capture has a stray sign of equality before
-this line and a quantifier over $t$ behind it; they are read as "when ..., then".
+The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.  The capture has a stray sign of equality
+before this line and a quantifier over $t$ behind it; they are read as "when ..., then".
 :::
 */
 
@@ -246,6 +254,9 @@ CLAIM(multiplicities_fit_into_the_polygon)
 static inline long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
 
 /*
+The number before $\frac{\omega_k}{\omega_0}(R_k-R_0)$ is the product of $k$ factors $n(n-1)\cdots$, not a binomial
+coefficient; for $k=1$ the two are the same, and a slip would not be seen.
+
 :::{claim} end_derivatives_at_zero_with_repeated_points
 :title: End derivatives when the first k points coincide
 :zh: 首 k 点重合时的端点导矢
@@ -339,16 +350,16 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :striking: 3
 :figure: end_derivatives
 
-Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it for the first
-time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way, even when $h=k$.  No choice of the
-parameter saves the sign, for in the parameter $1-t$ it is wrong for all odd $h$.  The print is right for $h=k$ odd, in
-particular for simple end points.
+Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it
+for the first time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way, even
+when $h=k$.  No choice of the parameter saves the sign, for in the parameter $1-t$ it is wrong for all odd $h$.  The print
+is right for $h=k$ odd, in particular for simple end points.
 :::
 
 ### In every degree
 
-At $t=0$ the sum $\sum B_i^n(t)c_i$ has the Taylor coefficients $\binom nj\Delta^jc_0$, which are polynomials in $n$.  So the derivatives
-of low order are rational functions of $n$, too, and $n$ itself can be a variable.
+At $t=0$ the sum $\sum B_i^n(t)c_i$ has the Taylor coefficients $\binom nj\Delta^jc_0$, which are polynomials in $n$.  So
+the derivatives of low order are rational functions of $n$, too, and $n$ itself can be a variable.
 
 :::{claim} end_derivatives_in_every_degree
 :title: The end derivatives hold for every n
@@ -440,6 +451,9 @@ static void G(compare_last_derivative)(trial *T, struct G(last_end) e, long fact
 }
 
 /*
+Each slip has its own example.  For the sign, $h=2$ in the least degree, where $(n-k)!$ and $(n-h)!$ agree.  For the factor,
+$h=1$, where the sign is right, in the least degree in which $k$ and $h$ can give different factorials.
+
 :::{claim} printed_end_derivative_at_one_has_the_wrong_sign
 :title: At t = 1 the printed derivative of even order has the wrong sign
 :zh: t=1 处所印偶数阶导矢符号有误
@@ -489,9 +503,9 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
   +t^{k+1}\sum_{i=k+1}^n\binom ni(1-t)^{n-i}t^{i-k-1}\omega_i(\mathbf R_i-\mathbf R_0)\right\}\Big/\omega(t)
 :holds-by: curve_expands_about_its_first_point
 
-With $\omega(0)=\omega_0$ the factor of $t^k$ gives $R^{(k)}(0)=k!\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$, the left half of (3.2.3) and
-(3.2.4).  The right half is left to the reader; by symmetry it comes with $(1-t)^h$, whose $h$-th derivative brings the factor $(-1)^h$
-that the print lacks.
+With $\omega(0)=\omega_0$ the factor of $t^k$ gives $R^{(k)}(0)=k!\binom nk\frac{\omega_k}{\omega_0}(R_k-R_0)$, the left
+half of (3.2.3) and (3.2.4).  The right half is left to the reader; by symmetry it comes with $(1-t)^h$, whose $h$-th
+derivative brings the factor $(-1)^h$ that the print lacks.
 :::
 
 :::{claim} curve_expands_about_its_first_point

@@ -26,6 +26,11 @@ all triangles.
 :figure: limings_pencil
 :::
 
+Let the lines $l_3$ and $l_4$ of the last section move together.  Two of the four common points then fall together in $R_0$
+and two in $R_2$, and where a conic meets $l_1$ twice in one point, it touches $l_1$ there.  The gradient says it without a
+limit: at $R_0$ both $l_1$ and $l_3$ vanish, so that of the gradient of $(1-\lambda)l_1l_2+\lambda l_3^2$ only
+$(1-\lambda)l_2(R_0)$ times that of $l_1$ is left.
+
 :::{claim} limings_conics_touch_the_lines
 :title: Liming's conics pass through the two points and touch the two lines there
 :zh: Liming 曲线束的相切性
@@ -70,6 +75,10 @@ CLAIM(limings_conics_touch_the_lines)
 }
 
 /*
+That there are no other conics with these tangents is the converse.  Four conditions, two values and two components of
+gradients, cut the six coefficients down to two; when the lines are parallel, another frame has to be taken, and the count
+is the same.
+
 :::{claim} conics_touching_two_lines_are_limings
 :title: There are no other conics that touch the two lines there
 :zh: 切于两定点的二次曲线都在 Liming 束中
@@ -157,6 +166,8 @@ static void G(refute_tangent)(trial *T)
 }
 
 /*
+The factor $(1-\lambda)l_2(R_0)$ also shows when nothing is touched: for $\lambda=1$, and when $R_0$ lies on both lines.
+
 :::{claim} double_line_has_no_tangent
 :title: The member of lambda = 1 is a double line
 :zh: λ=1 时为重合直线
@@ -297,6 +308,11 @@ CLAIM(collinear_points_are_no_frame)
 #endif
 
 /*
+In the frame (仿射标架) with the origin $R_1$ and the axes along the two tangents the three lines are $y=0$, $x=0$ and $x+y=1$,
+whatever the triangle was.  All triangles have the same pencil.  One has to look out for two things.  The equation of a line
+may be multiplied by any number, and the value of $\lambda$ in (3.1.3) depends on this choice; so $\lambda$ in (3.1.4) is a
+new number, unless the equations are scaled to fit.  And the frame needs the point $R_1$.
+
 :::{statement} wang-ch3:3.1.4
 :title: The pencil in the frame of the triangle
 :zh: 仿射标架下的曲线束
@@ -341,6 +357,8 @@ CLAIM(limings_pencil_in_the_frame)
 }
 
 /*
+The two signs in (3.1.4) are two ways to number the same conics.  One of them always serves.
+
 :::{claim} every_scaling_takes_the_normal_form
 :title: However the lines are scaled, the conic takes the normal form
 :zh: 直线方程任意定标时的标准形
@@ -526,6 +544,9 @@ CLAIM(end_points_leave_lambda_free)
 :hypothesis: lambda_on_the_border | $R$ lies inside the triangle, not on its border.
 :figure: limings_pencil
 :::
+
+With the minus sign the numbering has a meaning: inside the triangle $xy$ and $(x+y-1)^2$ are both positive, and
+$\lambda:(1-\lambda)=xy:(x+y-1)^2$.
 
 :::{claim} lambda_inside_the_triangle
 :title: Inside the triangle lambda lies between 0 and 1

@@ -41,6 +41,11 @@ static void G(conic_along)(const num S[], int twice, int n, const num x[], const
 }
 
 /*
+Put a polynomial curve into the equation of a conic.  If an arc of it lies on the conic, $S(x(t),y(t))$ is zero for
+infinitely many $t$, and so it is the zero polynomial.  Look at its highest power.  With $p$ and $q$ for the leading
+coefficients of $x$ and $y$ this is $Ap^2+2Bpq+Cq^2$, the quadratic part of the conic, and for an ellipse (椭圆) this form is
+definite: it vanishes for $p=q=0$ only.
+
 :::{claim} ellipse_carries_no_polynomial_arc
 :title: No polynomial curve but a point lies on an ellipse
 :zh: 椭圆上没有多项式曲线段
@@ -76,6 +81,10 @@ CLAIM(ellipse_carries_no_polynomial_arc)
 }
 
 /*
+For a hyperbola (双曲线) the form is not definite, and another reason is needed.  In coordinates along the asymptotes the curve
+is $\xi\eta=1$, and two polynomials whose product is 1 are constants.  Only the parabola (抛物线) is left, and there nothing
+stands in the way.
+
 :::{claim} hyperbola_carries_no_polynomial_arc
 :title: No polynomial curve but a point lies on a hyperbola
 :zh: 双曲线上没有多项式曲线段
@@ -131,6 +140,9 @@ CLAIM(parabola_arcs_are_quadratic)
 
 #if RATIONAL
 /*
+The sentence is therefore true, if a conic section is one of these three curves.  The equation (3.1.1), by which the source
+defines the word a few lines later, also has pairs of lines for its solutions; and a line carries a segment.
+
 :::{claim} line_pair_carries_a_segment
 :title: A pair of lines, a degenerate conic, carries Bézier curves
 :zh: 退化的二次曲线上有多项式曲线
@@ -167,6 +179,10 @@ CLAIM(line_pair_carries_a_segment)
 
 To represent means again to run through an arc.  A conic without real points, $x^2+y^2+1=0$, has none.
 :::
+
+A denominator takes the obstacle away, since now it is a quotient of polynomials that has to satisfy the equation.  That
+polynomial curves remain among the rational ones is the case of equal weights; that conics come in, is shown here for those
+which touch two sides of a triangle, and the next sections find out how the weights come about.
 
 :::{claim} rational_form_contains_the_polynomial_one
 :title: Equal weights give the polynomial curve

@@ -85,6 +85,10 @@ CLAIM(lengths_give_another_point)
 #endif
 
 /*
+Two positive numbers with a fixed product are one number and what is left.  The choice of the source is to let $\frac{1-t}t$
+run through the positive numbers: it comes as a factor in $g_1$ and upside down in $g_2$, and the constants before it are
+written as quotients of three weights (权因子), of which only the one ratio $\frac{\omega_0\omega_2}{\omega_1^2}$ matters.
+
 :::{statement} wang-ch3:3.1-g-of-t
 :title: A parameter for the two ratios
 :zh: 令 g_1,g_2 为参数 t 的函数
@@ -203,6 +207,9 @@ The arc goes from $R_0$ to $R_2$ inside the triangle.  Besides the three points 
 $\omega_0\omega_2/\omega_1^2$ determines it.
 :::
 
+Put $g_1$ and $g_2$ into the point and multiply numerator and denominator by $\omega_1t(1-t)$.  What comes out has the
+Bernstein polynomials of degree 2 before the weights, and at $t=0$ and $t=1$ it has the values that the ratios did not have.
+
 :::{claim} rational_quadratic_of_the_arc
 :title: The ratios, put into the point, give the rational quadratic, which lies on the conic
 :zh: 有理二次曲线及其所在的二次曲线
@@ -287,6 +294,11 @@ CLAIM(complementary_arc_leaves_the_triangle)
 :needs: segment_does_not_fix_the_constant | $R_0$, $R_1$, $R_2$ form a triangle.
 :figure: middle_weight_sign
 :::
+
+So the weights may be changed as long as the constant stays.  The curve is then the same, run through at another pace.
+Conversely the constant is seen in every point of the curve, so that another constant gives another curve.  Both directions
+have a condition: the sign of $\omega_1$ does not show in the constant, and on a line there is no frame in which the
+constant could be seen.
 
 :::{claim} weights_with_one_constant_give_one_curve
 :title: Weights with the same constant give the same curve, with another parameter

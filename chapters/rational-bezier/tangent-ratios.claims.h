@@ -125,6 +125,10 @@ CLAIM(upright_tangent_has_no_slope)
 /*
 ## Where the tangent cuts the sides
 
+The tangent is a line with a known direction, and to cut it with the axes takes no more than a division: $X_A=x+yS_y/S_x$.
+The printed form looks different, because it uses that the point is on the curve.  Along a curve of the family
+$(1-\lambda)xy=\lambda(x+y-1)^2$, and this lets $\lambda$ in or out of a formula as one likes.
+
 :::{statement} wang-ch3:3.1-A
 :title: The point A where the tangent cuts the first side
 :zh: 切线与 l_1 的交点 A
@@ -184,6 +188,9 @@ CLAIM(tangent_cuts_the_sides)
 
 #if RATIONAL
 /*
+Three things can go wrong with the printed point.  It is computed for the minus sign, which (3.1.4) leaves open.  The
+tangent may be parallel to the side.  And at the ends of the curve the tangent is the side itself.
+
 :::{claim} plus_sign_moves_the_cut
 :title: With the plus sign the printed point is not on the tangent
 :zh: 取正号时所印 A 有误
@@ -330,6 +337,9 @@ CLAIM(ratios_of_lengths_inside_the_triangle)
 
 #if RATIONAL
 /*
+Outside the triangle a ratio of lengths is the absolute value of the ratio of coordinates, and two points can share it.
+With their signs the ratios do tell all points apart, by `signed_ratios_give_the_point` of the next section.
+
 :::{claim} lengths_do_not_tell_points_apart
 :title: Two points of one curve with the same ratios of lengths
 :zh: 长度之比不能区分两点
@@ -387,6 +397,9 @@ On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $
 :hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut the
   side in one point, as it does not in $R_2$, where it is the side.
 :::
+
+With $s=x+y-1$ the relation $(1-\lambda)xy=\lambda s^2$ turns the printed $g_1=\frac{-2\lambda s}{(1-\lambda)y}$ into
+$\frac{-2x}s$: the ratio does not depend on the curve at all, only on the point.
 
 :::{claim} ratios_on_the_curve
 :title: The two ratios on every curve of the family
@@ -482,6 +495,10 @@ CLAIM(plus_sign_turns_the_ratio)
 /*
 ## Their product
 
+Multiply the two short forms: $g_1g_2=\frac{4xy}{s^2}$, and on the curve $\frac{xy}{s^2}=\frac\lambda{1-\lambda}$.  This is
+why the product is constant, and it shows at once where the print goes too far.  The constant is positive for $0<\lambda<1$,
+while the sentence is about every curve of the family.
+
 :::{statement} wang-ch3:3.1-g-product
 :title: The product of the ratios is one positive constant on every curve of the family
 :zh: g_1 g_2 为正常数
@@ -498,10 +515,10 @@ CLAIM(plus_sign_turns_the_ratio)
   $4\lambda/(1-\lambda)$ for $\lambda>1$ and for $\lambda<0$.
 :figure: ratio_product_extra
 
-The source has $0<\lambda<1$ and the minus sign in mind, which it names just before for the points of the triangle; what it prints is
-about every curve of the family.  With $0<\lambda<1$ and the minus sign the two ratios have one sign at every point, so that it does
-not matter whether they have signs or are lengths.  With the plus sign the product of the signed ratios is
-$-4\lambda/(1-\lambda)$.
+The source has $0<\lambda<1$ and the minus sign in mind, which it names just before for the points of the triangle; what it
+prints is about every curve of the family.  With $0<\lambda<1$ and the minus sign the two ratios have one sign at every
+point, so that it does not matter whether they have signs or are lengths.  With the plus sign the product of the signed
+ratios is $-4\lambda/(1-\lambda)$.
 :::
 
 :::{statement} wang-ch3:3.1-g-product-constant
@@ -567,13 +584,17 @@ CLAIM(product_of_ratios_is_positive_inside)
 static num printed_product(num lambda) { return div(mul(from_int(4), lambda), sub(from_int(1), lambda)); }
 
 /*
+Both counterexamples use one point of a hyperbola, whose $\lambda$ is greater than 1.  As ratios of
+coordinates its two ratios have a negative product.  As ratios of lengths they have a positive one, which then is not the
+printed number.
+
 :::{claim} product_of_ratios_can_be_negative
 :title: A curve of the family whose ratios have a negative product
 :zh: g_1 g_2 可为负
 :kind: counterexample
 :data: λ = 4/3; R = (2,-2)
 :instead: λ = 1/2; R = (1/3,1/3)
-:result: S(R) = 0; (g_1, g_2) = (4,-4); g_1 g_2 = -16; 4λ/(1-λ) = -16
+:result: AC-B² = -17/36; S(R) = 0; (g_1, g_2) = (4,-4); g_1 g_2 = -16; 4λ/(1-λ) = -16
 :given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
 :then: $g_1g_2=\frac{4\lambda}{1-\lambda}$ is negative
 :method: The tangent at $R$ is intersected with the sides.
@@ -586,6 +607,7 @@ CLAIM(product_of_ratios_can_be_negative)
     num g[2];
     ratios(m.lambda, -1, m.R[0], m.R[1], g);
     num product = mul(g[0], g[1]);
+    found(T, "AC-B²", G(conic_delta)(m.S));
     found(T, "S(R)", m.value);
     found_points(T, "(g_1, g_2)", 1, 2, g);
     found(T, "g_1 g_2", product);
