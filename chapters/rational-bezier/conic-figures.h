@@ -10,12 +10,7 @@ static inline void put_triangle(svg *s, const num_q R[], enum svg_direction at_0
                                 enum svg_direction at_2)
 {
     const enum svg_direction side[3] = {at_0, at_1, at_2};
-    static const char *const name[3] = {"R_0", "R_1", "R_2"};
-    svg_polyline(s, 3, R, SVG_POLYGON);
-    for (int i = 0; i < 3; i++) {
-        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
-        svg_label(s, svg_pair(R + 2 * i), side[i], SVG_POINT, name[i]);
-    }
+    svg_control_polygon_towards(s, 2, R, "R", side);
 }
 
 /* a + share (b - a) */

@@ -15,17 +15,6 @@ static void draw_hull(svg *s, int n, const num_q R[])
     svg_area(s, count, P, SVG_FILL);
 }
 
-/* A polygon whose labels stand where they are told to. */
-static void draw_polygon(svg *s, int n, const num_q R[], const enum svg_direction side[])
-{
-    static const char *const name[] = {"R_0", "R_1", "R_2"};
-    svg_polyline(s, n + 1, R, SVG_POLYGON);
-    for (int i = 0; i <= n; i++) {
-        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
-        svg_label(s, svg_pair(R + 2 * i), side[i], SVG_POINT, name[i]);
-    }
-}
-
 FIGURE(convex_hull)
 {
     svg *s = svg_new(
@@ -52,7 +41,7 @@ FIGURE(convex_hull)
     svg_heading(s, SVG_WRONG, "a negative weight");
     draw_hull(s, 2, Q);
     svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_MUTED);
-    draw_polygon(s, 2, Q, clear);
+    svg_control_polygon_towards(s, 2, Q, "R", clear);
     svg_rational(s, 2, Q, w, SVG_WRONG);
     rational_point_q(2, 2, Q, w, r(1, 2), x);
     svg_mark(s, svg_pair(x), SVG_WRONG, SVG_USUAL);
@@ -60,7 +49,7 @@ FIGURE(convex_hull)
     num_q line[] = {q(0), q(0), q(1), q(0)};
     svg_panel(s, (svg_window){r(-1, 2), r(-5, 4), r(5, 2), r(5, 4)}, 240, 0, "a segment at $t = 2$");
     svg_heading(s, SVG_WRONG, "outside $0 ≤ t ≤ 1$");
-    draw_polygon(s, 1, line, below);
+    svg_control_polygon_towards(s, 1, line, "R", below);
     svg_segment(s, svg_at(1, 0), svg_at(2, 0), SVG_WRONG);
     svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_CURVE);
     svg_mark(s, svg_at(2, 0), SVG_WRONG, SVG_USUAL);

@@ -1,5 +1,6 @@
 /* Figures of the section on the definition. */
 #include "chapters/judge/figure.h"
+#include "chapters/rational-bezier/conic-figures.h"
 #include "figures/words.h"
 
 static svg_point point_of(int n, const num_q R[], const num_q w[], num_q t)
@@ -61,18 +62,6 @@ static void draw_graph(svg *s, const num_q w[3], enum svg_role role)
     svg_bezier(s, 2, b, role);
 }
 
-/* A triangle whose labels stand clear of what leaves its base downwards. */
-static void draw_triangle(svg *s, const num_q R[6])
-{
-    static const char *const name[] = {"R_0", "R_1", "R_2"};
-    static const enum svg_direction side[] = {SVG_W, SVG_N, SVG_E};
-    svg_polyline(s, 3, R, SVG_POLYGON);
-    for (int i = 0; i <= 2; i++) {
-        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
-        svg_label(s, svg_pair(R + 2 * i), side[i], SVG_POINT, name[i]);
-    }
-}
-
 FIGURE(weights_and_poles)
 {
     svg *s =
@@ -90,7 +79,7 @@ FIGURE(weights_and_poles)
     }
     svg_panel(s, svg_integer_window(-3, -3, 5, 6), 300, 0, "the curves over $0 ≤ t ≤ 1$");
     svg_area(s, 3, R, SVG_FILL);
-    draw_triangle(s, R);
+    put_triangle(s, R, SVG_W, SVG_N, SVG_E);
     for (int k = 2; k >= 0; k--) {
         num_q w[] = {q(1), middle[k], q(1)};
         svg_rational(s, 2, R, w, role[k]);

@@ -2,18 +2,6 @@
 #include "chapters/judge/figure.h"
 #include "figures/words.h"
 
-/* A polygon whose labels stand clear of the circles. */
-static void draw_polygon(svg *s, int n, const num_q R[], const enum svg_direction side[])
-{
-    svg_polyline(s, n + 1, R, SVG_POLYGON);
-    for (int i = 0; i <= n; i++) {
-        char name[] = "R_0";
-        name[2] = (char)('0' + i);
-        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
-        svg_label(s, svg_pair(R + 2 * i), side[i], SVG_POINT, name);
-    }
-}
-
 FIGURE(end_curvature)
 {
     svg *s = svg_new("end_curvature", "The circles of curvature at both ends, from the polygon",
@@ -30,7 +18,7 @@ FIGURE(end_curvature)
               "$κ(1) = 2/3 · 1/4 · 18/27 = 1/9$");
     svg_circle(s, (svg_point){at_zero, q(0)}, at_zero, SVG_RIGHT);
     svg_circle(s, (svg_point){sub_q(q(6), at_one), q(1)}, at_one, SVG_RIGHT);
-    draw_polygon(s, 3, R, side);
+    svg_control_polygon_towards(s, 3, R, "R", side);
     svg_rational(s, 3, R, w, SVG_CURVE);
     svg_legend_line(s, SVG_CURVE, "the curve");
     svg_legend_line(s, SVG_RIGHT, "circles of the curvature of (3.2.5), radii $9/8$ and $9$");
@@ -79,14 +67,14 @@ FIGURE(end_formulas_undetermined)
         svg_label(s, svg_pair(ends + 2 * i), i == 3 ? SVG_W : i == 2 ? SVG_N : SVG_SE, SVG_AXIS, axis[i]);
     }
     static const enum svg_direction obliquely[] = {SVG_S, SVG_S, SVG_S, SVG_E, SVG_NE};
-    draw_polygon(s, 4, flat, obliquely);
+    svg_control_polygon_towards(s, 4, flat, "R", obliquely);
     svg_bezier(s, 4, flat, SVG_CURVE);
     num_q square[] = {zero, zero, one, zero, one, one, zero, one}, w[] = {one, one, r(-1, 4), one};
     svg_panel(s, (svg_window){r(-1, 2), r(-1, 2), r(3, 2), r(5, 4)}, 250, 0,
               "weights $1, 1, -1/4, 1$: $κ(0) = 1/6$, the circle;\n(3.2.5) says $-1/6$");
     svg_circle(s, (svg_point){zero, q(-6)}, q(6), SVG_RIGHT);
     static const enum svg_direction above[] = {SVG_NW, SVG_NE, SVG_NE, SVG_W};
-    draw_polygon(s, 3, square, above);
+    svg_control_polygon_towards(s, 3, square, "R", above);
     svg_rational(s, 3, square, w, SVG_CURVE);
     svg_legend_line(s, SVG_CURVE, "the curve");
     svg_legend_line(s, SVG_RIGHT, "its circle of curvature at $t = 0$");

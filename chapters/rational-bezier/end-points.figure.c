@@ -1,26 +1,15 @@
 /* Figures of the section on the end points. */
 #include "chapters/judge/figure.h"
+#include "chapters/rational-bezier/conic-figures.h"
 #include "exact/record/number.h"
 #include "figures/words.h"
-
-/* A triangle whose labels stand clear of what leaves its base downwards. */
-static void draw_triangle(svg *s, const num_q R[6])
-{
-    static const char *const name[] = {"R_0", "R_1", "R_2"};
-    static const enum svg_direction side[] = {SVG_W, SVG_N, SVG_E};
-    svg_polyline(s, 3, R, SVG_POLYGON);
-    for (int i = 0; i <= 2; i++) {
-        svg_mark(s, svg_pair(R + 2 * i), SVG_POLYGON, SVG_USUAL);
-        svg_label(s, svg_pair(R + 2 * i), side[i], SVG_POINT, name[i]);
-    }
-}
 
 /* A triangle, its curve, and an arrow that is a third of the first derivative at t = 0 that is not 0. */
 static void draw_start(svg *s, const num_q w[3], const char *caption, enum svg_role role)
 {
     num_q R[] = {q(0), q(0), q(1), q(2), q(2), q(0)}, D[6];
     svg_panel(s, (svg_window){r(-3, 4), q(-2), r(11, 4), r(5, 2)}, 190, 0, caption);
-    draw_triangle(s, R);
+    put_triangle(s, R, SVG_W, SVG_N, SVG_E);
     svg_rational(s, 2, R, w, SVG_CURVE);
     if (is_zero_q(w[0]))
         return;

@@ -45,8 +45,7 @@ static inline void draw_labelled(svg *s, struct polygon p, const char *const nam
 /* A triangle whose labels stand clear of what leaves its ends downwards. */
 static inline void draw_triangle(svg *s, struct polygon p)
 {
-    static const char *const name[] = {"R_0", "R_1", "R_2"};
     static const enum svg_direction side[] = {SVG_W, SVG_N, SVG_E};
-    draw_labelled(s, p, name, side);
+    svg_control_polygon_towards(s, 2, p.R, "R", side);
 }
 #endif
