@@ -436,11 +436,10 @@ digit, 5, may also have been left out, as the 6 in the next row.
 :instead: y = 2.37
 :result: y(t) = 2.365; left above = 0; left below = 0.01
 :given: the cubic with the points $P$, a parameter $t$, and the $y$ that is printed in the row of $t$
-:then: the exact $y(t)$ lies between the printed $y$ and the next number of as many digits, as far from the one as from the other: nothing is
-  left of the half unit above $y$, where something has to be left
-:method: What is *left below* is the whole unit less what is *left above*; both signs, exactly.
-:control: that next number
-:let: a number is rounded to $r$, fives up, when it is at least half a unit of the last digit of $r$ below $r$, and less than that above it
+:let: $e$ is one unit of the last digit of $r$, and a number is rounded to $r$, fives up, when it is at least $r-\frac e2$ and less than $r+\frac e2$
+:then: the exact $y(t)$ is $y+\frac e2$: nothing is left above it, where something has to be
+:method: What is left above the exact value is $y+\frac e2-y(t)$, and below it $y(t)-(y-\frac e2)$; both signs, exactly.
+:control: the next number of as many digits
 :::
 */
 CLAIM(five_rounded_up_gives_another_digit)

@@ -16,29 +16,35 @@ a program computes with them can be compared with fractions.
 :title: The circle between the pairs is a strict local minimum, exactly
 :zh: 成对点的最小二乘解恰为该圆
 :kind: decision
+:data: factor = 1
+:instead: factor = 18/17
+:result: F = 4225/32
+:result: Hessian = (1486336/1625,47972816/1795625,47972816/1795625) (47972816/1795625,186104/215475,83712176/116715625) (47972816/1795625,83712176/116715625,186104/215475)
 :given: the sixteen points; unknowns $\lambda_1$, $x_1$, $y_1$, the ends given
 :then: at the circle $D_i\cdot C'=0$ and $\varphi'>0$ for all $i$, the gradient of $F$ is $0$, and its Hessian, $A-B\Delta^{-1}B^T$, is positive definite
 :method: Everything in rationals: the feet, the sums of the gradient, and the three leading minors of the Hessian, which are positive.
-:control: the last point is moved away by the factor $\frac{18}{17}$
+:control: the last point is moved away from the centre by the factor that is given
 :::
 */
 CLAIM(pairs_about_a_circle_have_the_circle_as_minimum)
 {
     struct circle_example E = circle_of_pairs();
     num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS], F = from_int(0);
+    num factor = given(T, "factor");
     for (int c = 0; c < 2; c++)
-        E.Q[4 * PAIRS - 2 + c] = fault(T, E.Q[4 * PAIRS - 2 + c], mul(E.Q[4 * PAIRS - 2 + c], from_ratio(18, 17)));
+        E.Q[4 * PAIRS - 2 + c] = mul(E.Q[4 * PAIRS - 2 + c], factor);
     for (int i = 0; i < 2 * PAIRS; i++) {
         struct circle_view v = view_of_circle(&E, E.t[i]);
         num D[2] = {sub(v.C[0], E.Q[2 * i]), sub(v.C[1], E.Q[2 * i + 1])};
         about(T, "the foot");
-        vanishes(T, G(dot)(2, D, v.C1));
+        vanishes(T, G(dot)(2, D, v.C1)); /* D . C' */
+        /* phi' = |C'|^2 + D . C'' */
         agree(T, compare_q(add(G(dot)(2, v.C1, v.C1), G(dot)(2, D, v.C2)), from_int(0)) > 0);
         F = add(F, mul(from_ratio(1, 2), G(dot)(2, D, D)));
     }
     derivatives_of_circle(&E, gradient, H, gauss);
-    show(T, "F", F);
-    show_points(T, "Hessian", UNKNOWNS, UNKNOWNS, H);
+    found(T, "F", F);
+    found_points(T, "Hessian", UNKNOWNS, UNKNOWNS, H);
     about(T, "the gradient");
     for (int a = 0; a < UNKNOWNS; a++)
         vanishes(T, gradient[a]);
@@ -59,20 +65,24 @@ system is left.  That answers another question.
 :title: Least squares at given parameters find another curve
 :zh: 给定参数的最小二乘不得同一曲线
 :kind: counterexample
-:given: the sixteen points, pair $k$ at the parameter $\frac k9$, $k=1,\dots,8$, instead of its feet
-:then: the circle, which goes through the middle of every pair, is stationary for $\sum_i|Q_i-C(t_i)|^2$
-:method: The gradient by $\lambda_1$, $x_1$, $y_1$, exactly.
+:data: t = 1/9 2/9 3/9 4/9 5/9 6/9 7/9 8/9
+:instead: t = 1/8 1/5 3/11 1/3 1/2 4/7 2/3 7/9
+:result: gradient = -5146773339403023908/10798334083391089 -1344638920422391068/53991670416955445 13981847292735113308/701891715420420785
+:given: the sixteen points, and for each of the pairs one parameter $t$ in the place of its feet, in equal steps
+:then: the circle, which goes through the middle of every pair, is not stationary for $\sum_i|Q_i-C(t_i)|^2$
+:method: The gradient by $\lambda_1$, $x_1$, $y_1$, exactly; that it is 0 is refuted.
 :control: the parameters of the feet
 :::
 */
 CLAIM(given_parameters_find_the_same_curve)
 {
     struct circle_example E = circle_of_pairs();
-    num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS];
+    num t[PAIRS], gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS];
+    given_points(T, "t", PAIRS, 1, t);
     for (int i = 0; i < 2 * PAIRS; i++)
-        E.t[i] = fault(T, E.t[i], from_ratio(i / 2 + 1, PAIRS + 1));
+        E.t[i] = t[i / 2];
     derivatives_of_circle(&E, gradient, H, gauss); /* the gradient is that of the sum at any parameters */
-    show_points(T, "gradient", 1, UNKNOWNS, gradient);
+    found_points(T, "gradient", UNKNOWNS, 1, gradient);
     about(T, "the gradient");
     for (int a = 0; a < UNKNOWNS; a++)
         vanishes(T, gradient[a]);
@@ -83,9 +93,11 @@ CLAIM(given_parameters_find_the_same_curve)
 :title: The weight is known less when its point is free
 :zh: 控制顶点自由时权的不确定度增大
 :kind: decision
+:data: times = 69
+:result: variance, the point free = 594737/8028288; variance, the point given = 325/303744
 :given: the sixteen points and $J^TJ$, $J$ the derivatives across the curve; $K=(J^TJ)^{-1}$
-:then: $K\,J^TJ=1$; the variance of $\lambda_1$, in units of that of a residual, is $K_{11}$ when the point $P_1$ is free as well, $1/(J^TJ)_{11}$ when it is given, and the first is more
-  than 69 times the second
+:then: $K\,J^TJ=1$; the variance of $\lambda_1$, in units of that of a residual, is $K_{11}$ when the point $P_1$ is free as well, $1/(J^TJ)_{11}$ when it is
+  given, and the first is more than so many times the second as is given
 :method: Rationals; on the circle $|C'|$ cancels in $J^TJ$.  The error of $\log I_1=2\lambda_1-\log2$ is twice that of $\lambda_1$.
 :control: the entry $(2,2)$ of $K$ doubled
 :::
@@ -94,6 +106,7 @@ CLAIM(free_point_makes_its_weight_less_known)
 {
     struct circle_example E = circle_of_pairs();
     num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], A[UNKNOWNS * UNKNOWNS], K[UNKNOWNS * UNKNOWNS];
+    num times = given(T, "times");
     derivatives_of_circle(&E, gradient, H, A);
     for (int m = 0; m < UNKNOWNS * UNKNOWNS; m++)
         K[m] = inverse_entry(A, m / UNKNOWNS, m % UNKNOWNS);
@@ -106,10 +119,11 @@ CLAIM(free_point_makes_its_weight_less_known)
                 sum = add(sum, mul(K[a * UNKNOWNS + k], A[k * UNKNOWNS + b]));
             same(T, sum, from_int(a == b));
         }
-    show(T, "variance, the point free", K[0]);
-    show(T, "variance, the point given", div(from_int(1), A[0]));
+    num of_free = K[0], of_given = div(from_int(1), A[0]); /* K_11 and 1/(J^T J)_11 */
+    found(T, "variance, the point free", of_free);
+    found(T, "variance, the point given", of_given);
     about(T, "the variances");
-    agree(T, compare_q(mul(K[0], A[0]), from_int(69)) > 0);
+    agree(T, compare_q(of_free, mul(times, of_given)) > 0);
 }
 #endif
 

@@ -118,29 +118,32 @@ are gone, and so is the singularity.
 :title: With every weight free the rank is short by two
 :zh: 全部权自由时秩亏为二
 :kind: counterexample
-:given: the cubic with points $(0,0),(1,4),(5,4),(6,0)$ and weights $1,2,2,1$, and twelve points on it at $t=\frac i{13}$; all four weights free, the control points not
-:then: the reduced Jacobian has full rank
-:method: Its rows $\det(C',C_a)$, the derivatives across the curve up to a factor, are rational; Gaussian elimination over $\mathbb Q$.  The rank is 2, and as the
-  residuals are 0 the Hessian is $J^TJ$: singular.
-:control: $w_0$ and $w_3$ held at 1
+:data: R = (0,0) (1,4) (5,4) (6,0); ω = 1 2 2 1; N = 12; first = 0; last = 3
+:instead: first = 1; last = 2
+:result: unknowns = 4; rank = 2
+:given: the cubic with points $R$ and weights $\omega$, and $N$ points on it at equal steps of the parameter, the ends left out; the weights from
+  the first to the last of the given indices are free, the control points not
+:then: the rank of the reduced Jacobian is less than the number of unknowns, by two
+:method: Its rows $\det(C',C_a)$, the derivatives across the curve up to a factor, are rational; Gaussian elimination over $\mathbb Q$.  That the rank
+  is full is refuted; as the residuals are 0 the Hessian is $J^TJ$: singular.
+:control: the weights of both ends held at 1
 :::
 */
 CLAIM(without_gauge_the_hessian_is_singular)
 {
-    static const int point[] = {0, 0, 1, 4, 5, 4, 6, 0}, weight[] = {1, 2, 2, 1};
-    static const int all[] = {-1, -2, -3, -4}, inner[] = {-2, -3};
-    num R[8], w[4], J[12 * 4];
-    for (int m = 0; m < 8; m++)
-        R[m] = from_int(point[m]);
-    for (int i = 0; i < 4; i++)
-        w[i] = from_int(weight[i]);
-    int unknowns = fault(T, 2, 4);
-    jacobian_across(3, R, w, 12, unknowns, fault(T, inner, all), J);
-    int rank = rank_over_q(12, unknowns, J);
-    show_points(T, "R", 4, 2, R);
-    show_points(T, "ω", 4, 1, w);
-    show_text(T, "unknowns", "%d", unknowns);
-    show_text(T, "rank", "%d", rank);
+    enum { MOST = 16 };
+    num R[8], w[4], J[MOST * 4];
+    int free_ones[4], unknowns = 0;
+    given_points(T, "R", 4, 2, R);
+    given_points(T, "ω", 4, 1, w);
+    int N = given_whole(T, "N"), first = given_whole(T, "first"), last = given_whole(T, "last");
+    for (int i = first; i <= last && i < 4; i++)
+        free_ones[unknowns++] = -1 - i;
+    agree(T, N <= MOST);
+    jacobian_across(3, R, w, N <= MOST ? N : MOST, unknowns, free_ones, J);
+    int rank = rank_over_q(N <= MOST ? N : MOST, unknowns, J);
+    found_whole(T, "unknowns", unknowns);
+    found_whole(T, "rank", rank);
     about(T, "rank and number of unknowns");
     same(T, from_int(rank), from_int(unknowns));
 }
@@ -158,35 +161,41 @@ A conic is five numbers.  A rational quadratic with free points and one weight i
 :title: With free ends the rank of a conic is five of seven
 :zh: 端点自由时二次曲线的秩为五
 :kind: decision
-:given: the arc of the circle $x^2+y^2=65^2$ with points $(65,0),(65,65),(0,65)$ and weights $1,1,2$; twelve points on it; unknowns $\lambda_1$ and the six coordinates
-:then: the reduced Jacobian has rank 5, and its kernel contains the two directions in which an end slides: the end along its tangent by
-  $65\,\varepsilon$, the middle point to where the tangents meet, by $-65\,\varepsilon$, and $\lambda_1$ by $\frac\varepsilon2$
+:data: R = (65,0) (65,65) (0,65); ω = 1 1 2; N = 12
+:result: rank = 5
+:given: the arc of a circle about the origin with the points $R$ and the weights $\omega$; $N$ points on it; unknowns $\lambda_1$ and the six coordinates
+:then: the reduced Jacobian has a rank that is two less than the number of unknowns, and its kernel contains the two directions in which an end slides: the
+  end along its tangent by $\varepsilon$ times the radius, the middle point to where the tangents meet, by as much the other way, and $\lambda_1$ by
+  $\frac\varepsilon2$
 :method: Gaussian elimination over $\mathbb Q$, and the product of the Jacobian with the two directions, exactly.
 :control: $\lambda_1$ by $\varepsilon$
 :::
 */
 CLAIM(free_ends_slide_along_the_conic)
 {
-    enum { count = 12, unknowns = 7 };
-    static const int point[] = {65, 0, 65, 65, 0, 65}, free_ones[] = {-2, 0, 1, 2, 3, 4, 5};
-    /* twice the directions: lambda_1, then x_0, y_0, x_1, y_1, x_2, y_2 */
-    static const int slide[2][unknowns] = {{1, 0, 130, -130, 0, 0, 0}, {1, 0, 0, 0, -130, 130, 0}};
-    num R[6], w[3] = {from_int(1), from_int(1), from_int(2)}, J[count * unknowns];
-    for (int m = 0; m < 6; m++)
-        R[m] = from_int(point[m]);
-    jacobian_across(2, R, w, count, unknowns, free_ones, J);
+    enum { MOST = 16, UNKNOWN = 7 };
+    /* lambda_1, then x_0, y_0, x_1, y_1, x_2, y_2; twice the directions, in units of the radius but for lambda_1 */
+    static const int free_ones[] = {-2, 0, 1, 2, 3, 4, 5};
+    static const int slide[2][UNKNOWN] = {{1, 0, 2, -2, 0, 0, 0}, {1, 0, 0, 0, -2, 2, 0}};
+    num R[6], w[3], J[MOST * UNKNOWN];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    int N = given_whole(T, "N");
+    agree(T, N <= MOST);
+    N = N <= MOST ? N : MOST;
+    jacobian_across(2, R, w, N, UNKNOWN, free_ones, J);
     about(T, "a sliding end");
     for (int d = 0; d < 2; d++)
-        for (int i = 0; i < count; i++) {
-            num sum = from_int(0);
-            for (int k = 0; k < unknowns; k++)
-                sum = add(sum, mul(from_int(slide[d][k] * fault(T, 1, k == 0 ? 2 : 1)), J[i * unknowns + k]));
+        for (int i = 0; i < N; i++) {
+            num sum = mul(from_int(fault(T, slide[d][0], 2 * slide[d][0])), J[i * UNKNOWN]);
+            for (int k = 1; k < UNKNOWN; k++)
+                sum = add(sum, mul(mul(from_int(slide[d][k]), R[0]), J[i * UNKNOWN + k]));
             vanishes(T, sum);
         }
+    int rank = rank_over_q(N, UNKNOWN, J);
+    found_whole(T, "rank", rank);
     about(T, "the rank");
-    int rank = rank_over_q(count, unknowns, J);
-    show_text(T, "rank", "%d of %d", rank, (int)unknowns);
-    same(T, from_int(rank), from_int(5));
+    same(T, from_int(rank), from_int(UNKNOWN - 2));
 }
 #endif
 
@@ -234,22 +243,34 @@ CLAIM(a_straight_curve_leaves_its_speed_undetermined)
 :title: A conic fitted to points on a line has rank three of seven, and with given ends one of three
 :zh: 共线点拟合二次曲线时的秩
 :kind: decision
-:given: the quadratic with points $(0,0),(2,0),(3,0)$ and weights $1,2,1$, which is the segment, and twelve points on it
-:then: the rank is 3 when $\lambda_1$ and the six coordinates are free, 1 when the ends are given
+:data: R = (0,0) (2,0) (3,0); ω = 1 2 1; N = 12
+:instead: R = (0,0) (2,1) (3,0)
+:result: rank with free ends = 3; rank with given ends = 1
+:given: the quadratic with points $R$ and weights $\omega$, which is a segment, and $N$ points on it; $\lambda_1$ and all six coordinates free, or only those
+  of $R_1$
+:then: the rank is the number of heights that are free
 :method: Gaussian elimination over $\mathbb Q$ of the derivatives across the curve.
-:control: $R_1=(2,1)$
+:control: $R_1$ above the segment
 :::
 */
 CLAIM(points_on_a_line_leave_rank_three)
 {
-    enum { count = 12 };
+    enum { MOST = 16 };
     static const int all[] = {-2, 0, 1, 2, 3, 4, 5}, inner[] = {-2, 2, 3};
-    num zero = from_int(0), R[] = {zero, zero, from_int(2), from_int(fault(T, 0, 1)), from_int(3), zero};
-    num w[] = {from_int(1), from_int(2), from_int(1)}, J[count * 7];
-    jacobian_across(2, R, w, count, 7, all, J);
-    same(T, from_int(rank_over_q(count, 7, J)), from_int(3));
-    jacobian_across(2, R, w, count, 3, inner, J);
-    same(T, from_int(rank_over_q(count, 3, J)), from_int(1));
+    num R[6], w[3], J[MOST * 7];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    int N = given_whole(T, "N");
+    agree(T, N <= MOST);
+    N = N <= MOST ? N : MOST;
+    jacobian_across(2, R, w, N, 7, all, J);
+    int of_all = rank_over_q(N, 7, J);
+    jacobian_across(2, R, w, N, 3, inner, J);
+    int of_inner = rank_over_q(N, 3, J);
+    found_whole(T, "rank with free ends", of_all);
+    found_whole(T, "rank with given ends", of_inner);
+    same(T, from_int(of_all), from_int(3)); /* y_0, y_1, y_2 */
+    same(T, from_int(of_inner), from_int(1));
 }
 #endif
 

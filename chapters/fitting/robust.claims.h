@@ -77,22 +77,31 @@ A pull that fades has a price: where points disagree, there are several minima, 
 :title: Cauchy's loss has several minima where points disagree
 :zh: Cauchy 损失可有多个极小
 :kind: counterexample
-:given: $a=1$ and the numbers $-3$ and $3$, the points of a line, to which one number $x$ is fitted
-:then: $F(x)=\frac12\rho((x-3)^2)+\frac12\rho((x+3)^2)$ has one stationary point
-:method: $F'=\frac{x-3}{1+(x-3)^2}+\frac{x+3}{1+(x+3)^2}$ has the numerator $2x(x^2-8)$ over positive denominators; the real roots are counted exactly: three, with minima on both sides of
-  $0$.  For $a\ge3$ there is one.
-:control: $a=4$
+:data: a = 1; Q = -3 3
+:instead: a = 4
+:result: F' = "2*x^3 - 16*x"; stationary points = 3
+:given: the scale $a$ and two points $Q_1,Q_2$ of a line, to which one number $x$ is fitted
+:then: $2F(x)=\rho((x-Q_1)^2)+\rho((x-Q_2)^2)$ has more than one stationary point
+:method: $F'=\sum_i\frac{x-Q_i}{1+(x-Q_i)^2/a^2}$ is a polynomial over positive denominators, and up to such a factor this polynomial; its real roots are
+  counted exactly, that there is one is refuted.  For points $\pm q$ it is $2x\,(x^2-q^2+a^2)$: with $a\ge q$ there is one root, else there are minima
+  on both sides of $0$.
+:control: a scale that is greater than the distance of the points from their middle
 :::
 */
 CLAIM(cauchy_has_one_minimum)
 {
-    num a = from_int(fault(T, 4, 1)), three = from_int(3), aa = mul(a, a), one = from_int(1);
-    num left[] = {neg(three), one}, right[] = {three, one};
-    poly l = poly_from_q(2, left), r = poly_from_q(2, right), c = poly_from_q(1, &aa);
-    poly whole_numerator = poly_add(poly_mul(l, poly_add(c, poly_mul(r, r))), poly_mul(r, poly_add(c, poly_mul(l, l))));
-    struct cagd_root_count found = count_roots_line(whole_numerator);
-    int roots = found.crossings + found.touches;
-    show_text(T, "stationary points", "%d", roots);
+    num a = given(T, "a"), aa = mul(a, a), Q[2], one = from_int(1);
+    given_points(T, "Q", 2, 1, Q);
+    poly square = poly_constant(aa), D[2], below[2]; /* x - Q_i, a^2 + (x - Q_i)^2 */
+    for (int i = 0; i < 2; i++) {
+        D[i] = poly_from_q(2, (num[]){neg(Q[i]), one});
+        below[i] = poly_add(square, poly_mul(D[i], D[i]));
+    }
+    poly slope = poly_add(poly_mul(D[0], below[1]), poly_mul(D[1], below[0]));
+    struct cagd_root_count real = count_roots_line(slope);
+    int roots = real.crossings + real.touches;
+    found_text(T, "F'", poly_to_string(slope, "x"));
+    found_whole(T, "stationary points", roots);
     about(T, "stationary points");
     same(T, from_int(roots), one);
 }

@@ -570,7 +570,7 @@ solution, and has no control polygon.
 :instead: R = (0,0) (1,1) (2,0)
 :result: distance = 1/2
 :given: the points $Q$ at the parameters $t$, and two curves of degree 2: that with the points $Q$, and that with the points $R$
-:then: the Bézier curve of the points $Q$ passes straight below the second of them at a *distance*, and the other one passes through all three
+:then: the Bézier curve of the points $Q$ passes straight below the second of them, and the other one passes through all three
 :method: The points of both curves at the three parameters.
 :control: the same curve twice
 :::
@@ -621,22 +621,22 @@ there; read with limits of $f',\dots,f^{(k)}$ from either side it does not even 
 :title: A function with equal derivatives from both sides whose derivative is not continuous
 :zh: 左右导数相等而导函数不连续
 :kind: counterexample
-:data: n = 1000; slope = 1; most = 1/2
+:data: n = 1000; slope = 1; bound = 1/2
 :instead: slope = 1/1000
-:result: bound of f(x)/x = 1/3000; f'(1/n) = 1
+:result: f(x)/x at most = 1/3000; f'(1/n) = 1
 :given: $f(0)=0$, $f(-x)=f(x)$, and on $[\frac1{n+1},\frac1n]$ the Hermite cubic with the values 0 and the slopes
   $(-1)^{n+1}$ and $(-1)^n$ at its ends
 :then: $f$ is continuously differentiable for $x\ne0$, $f'(0)=0$ from both sides, and $f'(\frac1n)=(-1)^n$ is not near $f'(0)$, however large $n$ is
 :method: With $h=\frac1{n(n+1)}$ the inner Bézier ordinates of a piece have the size $d$, a third of $h$, hence $|f|\le d$ and
   $\bigl|\frac{f(x)}x\bigr|\le d\,(n+1)$, a third of $\frac1n$, which tends to 0.  Computed for one even $n$: the bound of the quotient,
-  and the derivative at $\frac1n$; that it differs from $f'(0)=0$ by no more than the *most* that is given is refuted.
+  and the derivative at $\frac1n$; that it differs from $f'(0)=0$ by no more than the given bound is refuted.
 :control: slopes of the size $\frac1n$
 :::
 */
 CLAIM(equal_derivatives_are_not_continuous)
 {
     num zero = from_int(0), half = from_ratio(1, 2), three = from_int(3), value, by_bezier, D[2];
-    num n = from_int(given_whole(T, "n")), slope = given(T, "slope"), most = given(T, "most"); /* n is even */
+    num n = from_int(given_whole(T, "n")), slope = given(T, "slope"), bound = given(T, "bound"); /* n is even */
     num right = div(from_int(1), n), left = div(from_int(1), add(n, from_int(1))), length = sub(right, left);
     num data[4] = {zero, zero, neg(slope), slope};
     hermite_cubic_q(1, left, right, data, right, 1, D);
@@ -645,17 +645,17 @@ CLAIM(equal_derivatives_are_not_continuous)
     bezier_casteljau_q(3, 1, ordinates, half, &by_bezier);
     about(T, "the piece by its Bézier ordinates");
     same(T, value, by_bezier);
-    num bound = div(div(length, three), left);
-    found(T, "bound of f(x)/x", bound);
+    num quotient = div(div(length, three), left);
+    found(T, "f(x)/x at most", quotient);
     about(T, "the bound is a third of 1/n");
-    same(T, mul(three, bound), right);
+    same(T, mul(three, quotient), right);
     for (int i = 1; i <= 2; i++) {
         num size = sign_q(ordinates[i]) < 0 ? neg(ordinates[i]) : ordinates[i];
-        nonnegative(T, sub(bound, div(size, left)));
+        nonnegative(T, sub(quotient, div(size, left)));
     }
     found(T, "f'(1/n)", D[1]);
     about(T, "whether f'(1/n) is near f'(0) = 0");
-    agree(T, compare_q(D[1], most) <= 0);
+    agree(T, compare_q(D[1], bound) <= 0);
 }
 
 /*
@@ -665,7 +665,7 @@ CLAIM(equal_derivatives_are_not_continuous)
 :kind: counterexample
 :data: left = 0; right = 1; k = 3
 :instead: right = 0
-:given: a function that has one constant value *left* of $x=0$ and another from there on
+:given: a function that has one constant value to the left of $x=0$ and another from there on
 :then: all derivatives have the limit 0 from both sides, and the values differ
 :method: Both pieces as polynomials, values and derivatives at 0 up to the order $k$.
 :control: one value everywhere
@@ -739,13 +739,13 @@ $(1+f'^2)^{3/2}$.
 :title: The graph of the cube root has a continuous tangent and curvature, and the function no derivative
 :zh: 立方根函数:切向与曲率连续而不可导
 :kind: counterexample
-:data: c = (0,0) (0,1) (0,0) (1,0); s = 1/1000; most = 1000
+:data: c = (0,0) (0,1) (0,0) (1,0); s = 1/1000; bound = 1000
 :instead: s = 1/10
 :result: P'(0) = (0,1); P''(0) = (0,0); f(h)/h = 1000000
 :given: the cube root $f$, and its graph $P(s)=\sum_kc_ks^k$, which is at $h=s^3$ for the parameter $s$ and at the origin for $s=0$
 :then: the graph has a derivative whose second coordinate is 1, hence the curvature $\frac{P'\times P''}{|P'|^3}$ for all $s$; the quotient
   $\frac{f(h)}h=\frac1{s^2}$ is beyond every bound
-:method: Derivatives of the graph by the power kernel, the quotient at the one $s$; that it is not greater than the *most* that is given
+:method: Derivatives of the graph by the power kernel, the quotient at the one $s$; that it is not greater than the given bound
   is refuted.
 :control: a point that is not so near to the origin
 :::
@@ -754,7 +754,7 @@ CLAIM(upright_tangent_is_continuous_and_not_c1)
 {
     num c[4 * plane], D[3 * plane], P[plane];
     given_points(T, "c", 4, plane, c);
-    num s = given(T, "s"), most = given(T, "most");
+    num s = given(T, "s"), bound = given(T, "bound");
     power_derivatives_q(3, plane, c, from_int(0), 2, D);
     found_points(T, "P'(0)", 1, plane, D + plane);
     found_points(T, "P''(0)", 1, plane, D + 2 * plane);
@@ -764,7 +764,7 @@ CLAIM(upright_tangent_is_continuous_and_not_c1)
     num quotient = div(P[1], P[0]);
     found(T, "f(h)/h", quotient);
     about(T, "whether the quotient is at most the bound");
-    agree(T, compare_q(quotient, most) <= 0);
+    agree(T, compare_q(quotient, bound) <= 0);
 }
 
 /*
@@ -903,7 +903,7 @@ CLAIM(position_has_no_parameter)
 :data: P = (0,0) (1,0); Q = (1,0) (2,0); length = 1
 :instead: length = 1/2
 :result: before = (1,0); after = (1,0)
-:given: the two halves $P$ and $Q$ of a segment, the first over $[0,1]$, the second over an interval of the given *length*
+:given: the two halves $P$ and $Q$ of a segment, the first over $[0,1]$, the second over an interval of the given length
 :then: the derivatives at the joint are equal
 :method: The derivatives by the kernel, divided by the length; that the squares of their lengths differ is refuted.
 :control: the second half over a shorter interval

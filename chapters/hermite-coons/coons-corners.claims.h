@@ -166,7 +166,7 @@ derivatives with respect to $u$ and that of the twists.  The numbers alone leave
 :instead: |C_z| = 0 0 0 0 0 0 1 0 0 1 1 0 2 3 1 0
 :given: the absolute values of the three corner matrices $M$ and of the three matrices $C$ of coefficients, row by row, in units of three quarters; the
   coordinates of the corners are not negative, as printed; all choices of the other signs
-:then: $|HMH^T|$ is the printed matrix for exactly as many *choices* of the *free signs* as are given for $x$, $y$ and $z$
+:then: $|HMH^T|$ is the printed matrix for exactly as many choices of the free signs as are given for $x$, $y$ and $z$
 :method: All choices, in integers.
 :control: in each $C$ the second entry of the second row is one unit less
 :::
