@@ -11,8 +11,9 @@ eigenvalues are roots of unity (单位根) tells whether they ever come back.
 #include "chapters/judge/claims_on.h"
 
 /*
-Three ways are printed.  The first turns by an exact rotation and is then simplified until nothing but shifts and additions are left; the
-price is a spiral, and this section is about it.  The other two pay differently, and have sections of their own.
+Three ways are printed.  The first turns by an exact rotation and is then simplified until nothing but shifts and
+additions are left; the price is a spiral, and this section is about it.  The other two pay differently, and have
+sections of their own.
 
 ## The first way
 
@@ -57,9 +58,9 @@ CLAIM(rotation_matrix_adds_the_angle)
 }
 
 /*
-The matrix is the addition theorem of cosine and sine, written as a row times a matrix, so $n$ steps are the $n$-th power.  What has to
-be shown of the points is two things, that they stay on the circle and that they are equally far apart; neither depends on where the
-point began.
+The matrix is the addition theorem of cosine and sine, written as a row times a matrix, so $n$ steps are the $n$-th
+power.  What has to be shown of the points is two things, that they stay on the circle and that they are equally far
+apart; neither depends on where the point began.
 
 :::{statement} hu-1987:1-3-equal-angles
 :title: The first way computes points at equal angles on the circle
@@ -99,17 +100,17 @@ CLAIM(rotated_points_are_equally_spaced)
 }
 
 /*
-The source objects that cosine and sine have to be computed.  Only a prescribed angle needs them.  If a small step is wanted, and any
-small step will do, then rational numbers $c$ and $s$ with $c^2+s^2=1$ turn just as exactly; they are found by Pythagoras, or from the
-tangent of half the angle.
+The source objects that cosine and sine have to be computed.  Only a prescribed angle needs them.  If a small step is
+wanted, and any small step will do, then rational numbers $c$ and $s$ with $c^2+s^2=1$ turn just as exactly; they are
+found by Pythagoras, or from the tangent of half the angle.
 
 :::{statement} hu-1987:1-3-trigonometric
 :title: The first way needs trigonometric functions
 :zh: 需要三角函数计算
 :printed: With hardware the algorithm needs products of matrices, and trigonometric functions have to be computed as well.
 :holds-by: rotation_matrix_adds_the_angle
-:hypothesis: rational_step_has_no_angle | The angle $\Delta\theta$ is prescribed.  Then it takes two values, $\cos\Delta\theta$ and $\sin\Delta\theta$, once for all points; a
-  step that need only be small and constant takes none.
+:hypothesis: rational_step_has_no_angle | The angle $\Delta\theta$ is prescribed.  Then it takes two values, $\cos\Delta\theta$ and
+  $\sin\Delta\theta$, once for all points; a step that need only be small and constant takes none.
 :figure: three_generators
 :::
 */
@@ -125,7 +126,8 @@ tangent of half the angle.
 :instead: ε = 1/8
 :then: all points are on the circle, at equal distances $d$
 :result: M = (255/257,32/257) (-32/257,255/257); d² = 4/257
-:method: The squares of radius and distance, exactly; the matrix takes the four operations only, no trigonometric function and no root; that one differs is refuted.
+:method: The squares of radius and distance, exactly; the matrix takes the four operations only, no trigonometric function and no root;
+  that one differs is refuted.
 :control: the matrix (1-3-5)
 :::
 */
@@ -199,8 +201,9 @@ CLAIM(small_step_is_the_rotation_to_first_order)
 #endif
 
 /*
-The simplified step keeps the trace 2 of an infinitely small rotation, and has a determinant larger than 1.  All that follows, the
-growing radius and the curve that does not close, is in this determinant; the first order, which was kept, says nothing about it.
+The simplified step keeps the trace 2 of an infinitely small rotation, and has a determinant larger than 1.  All that
+follows, the growing radius and the curve that does not close, is in this determinant; the first order, which was kept,
+says nothing about it.
 
 :::{statement} hu-1987:1-3-5
 :title: The simplified step (1-3-4) and its matrix
@@ -233,15 +236,16 @@ CLAIM(small_step_matrix_is_the_recursion)
 }
 
 /*
-The gain is the speed: a product with $2^{-m}$ is a shift by $m$ places.  But a shift that drops what it moves out is no product any
-more.  One must pay for each exact step with $m$ further binary places, or else accept that short coordinates do not move at all; and
-since $\lfloor x/2^m\rfloor$ rounds negative numbers away from 0, the plane is not treated alike in its four quadrants.
+The gain is the speed: a product with $2^{-m}$ is a shift by $m$ places.  But a shift that drops what it moves out is no
+product any more.  One must pay for each exact step with $m$ further binary places, or else accept that short
+coordinates do not move at all; and since $\lfloor x/2^m\rfloor$ rounds negative numbers away from 0, the plane is not
+treated alike in its four quadrants.
 
 :::{statement} hu-1987:1-3-shift
 :title: With a power of two the products are shifts
 :zh: 用移位实现乘法
-:printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or arcs are
-  generated at high speed.
+:printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or
+  arcs are generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
 :hypothesis: short_registers_stop_the_point | The registers keep the bits that are shifted out.  In integers a point with
   coordinates from 0 to $2^m-1$ does not move at all; and to be exact, every step needs $m$ bits more.
@@ -313,8 +317,8 @@ CLAIM(short_registers_stop_the_point)
 :title: Points with coordinates from 0 to 2^m - 1 stand still, and negative coordinates do not
 :zh: 非负短坐标的点不动
 :kind: decision
-:given: every $m=1,\dots,M$ and all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$; and one point with a negative
-  ordinate, for one $m$
+:given: every $m=1,\dots,M$ and all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$; and one point with
+  a negative ordinate, for one $m$
 :data: M = 6; m = 4; x_0 = 10; y_0 = -5
 :then: $x_1=x$, $y_1=y$ for all of them; the point with the negative ordinate moves to the right, because $\lfloor y_0/2^m\rfloor$ is $-1$
 :result: x_1 = 11; y_1 = -5
@@ -340,8 +344,9 @@ CLAIM(short_coordinates_never_move)
 #endif
 
 /*
-A circle closes when its points come back.  Here each step multiplies the radius by $\sqrt{1+\varepsilon^2}$, the same number every time,
-so the points come back never, and leave every bounded region.  The print speaks of a tendency; it is a geometric progression.
+A circle closes when its points come back.  Here each step multiplies the radius by $\sqrt{1+\varepsilon^2}$, the same
+number every time, so the points come back never, and leave every bounded region.  The print speaks of a tendency; it is
+a geometric progression.
 
 :::{statement} hu-1987:1-3-not-closed
 :title: The simplified circle does not close
@@ -359,8 +364,8 @@ so the points come back never, and leave every bounded region.  The print speaks
 :holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
 :figure: radius_of_the_first_way
 
-It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  For $\varepsilon=\frac1{16}$ a turn of about a hundred steps
-ends with a radius larger by a fifth.
+It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  For $\varepsilon=\frac1{16}$ a turn
+of about a hundred steps ends with a radius larger by a fifth.
 :::
 
 :::{claim} small_steps_multiply_the_radius
@@ -466,9 +471,9 @@ CLAIM(small_step_adds_a_perpendicular_vector)
 }
 
 /*
-In complex numbers the step is the product with $1+i\varepsilon$, and this one number tells both halves of the story: its argument,
-$\arctan\varepsilon$, is the angle of a step, and its modulus is the factor of the radius.  Equal angles with equal factors make a
-logarithmic spiral (对数螺线).
+In complex numbers the step is the product with $1+i\varepsilon$, and this one number tells both halves of the story:
+its argument, $\arctan\varepsilon$, is the angle of a step, and its modulus is the factor of the radius.  Equal angles
+with equal factors make a logarithmic spiral (对数螺线).
 
 :::{statement} hu-1987:1-3-spiral
 :title: The points of the simplified circle are on a spiral
@@ -477,17 +482,18 @@ logarithmic spiral (对数螺线).
 :holds-by: small_steps_are_powers_of_a_complex_number small_steps_multiply_the_radius
 :figure: three_generators
 
-It is the logarithmic spiral: every step adds the angle $\arctan\varepsilon$, and multiplies the radius by $\sqrt{1+\varepsilon^2}$.  The angle is
-not $\Delta\theta=\varepsilon$, but a little less.
+It is the logarithmic spiral: every step adds the angle $\arctan\varepsilon$, and multiplies the radius by
+$\sqrt{1+\varepsilon^2}$.  The angle is not $\Delta\theta=\varepsilon$, but a little less.
 :::
 
 :::{claim} small_steps_are_powers_of_a_complex_number
 :title: The points are the powers of one complex number
 :zh: 点列为复数的幂
 :given: any first point, any $\varepsilon$, $n$ steps
-:then: $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$; so the argument grows by $\arctan\varepsilon$, and the radius by $|1+i\varepsilon|$, in every step
-:method: The steps against the binomial theorem, $\mathrm{Re}(1+i\varepsilon)^n=\sum_k(-1)^k\binom n{2k}\varepsilon^{2k}$ and the same for the
-  imaginary part.
+:then: $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$; so the argument grows by $\arctan\varepsilon$, and the radius by $|1+i\varepsilon|$, in
+  every step
+:method: The steps against the binomial theorem, $\mathrm{Re}(1+i\varepsilon)^n=\sum_k(-1)^k\binom n{2k}\varepsilon^{2k}$ and the same for
+  the imaginary part.
 :degrees: 1..8 sampled 24
 :control: the signs of the binomial theorem left out
 :::

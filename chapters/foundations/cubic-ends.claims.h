@@ -1,8 +1,9 @@
 /*
 # A cubic by its ends (端点条件)
 
-Four vectors determine a cubic: where it begins and ends, and with which velocities.  The source prints the four coefficients, and loses
-the difference between a point and a velocity, because both have been given a dot.  Then it says what the lengths of the velocities do.
+Four vectors determine a cubic: where it begins and ends, and with which velocities.  The source prints the four
+coefficients, and loses the difference between a point and a velocity, because both have been given a dot.  Then it says
+what the lengths of the velocities do.
 */
 #include "chapters/foundations/cubic.h"
 
@@ -60,22 +61,23 @@ CLAIM(end_data_determine_the_cubic)
 }
 
 /*
-Four unknown vectors and four conditions: the two at $t=0$ give $D$ and $C$ at once, the two at $t=1$ are linear in $A$ and $B$.  So
-there is one cubic for all data, and the formulas can be checked without solving anything, by putting in the two ends.
+Four unknown vectors and four conditions: the two at $t=0$ give $D$ and $C$ at once, the two at $t=1$ are linear in $A$
+and $B$.  So there is one cubic for all data, and the formulas can be checked without solving anything, by putting in
+the two ends.
 
 :::{statement} hu-1987:1-4-hermite-data
 :title: The names of the data at the ends
 :zh: 端点数据的记号
-:printed: given the position vector $\dot Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and the position vector $\dot Q_1$ and the tangent vector
-  $\dot Q_1$ at $t=1$
+:printed: given the position vector $\dot Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and the position vector $\dot Q_1$ and the
+  tangent vector $\dot Q_1$ at $t=1$
 :refuted-by: position_is_not_the_tangent
 :class: misprint
 :corrected: the position vector $Q_0$ and the tangent vector $\dot Q_0$ at $t=0$, and $Q_1$ and $\dot Q_1$ at $t=1$
 :corrected-by: end_data_determine_the_cubic
 :figure: ends_with_lost_letters
 
-One symbol for two data.  If it means the tangent, $C$ is right below and $A$, $B$, $D$ are not; if it means the position, $D$ is right and
-$A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
+One symbol for two data.  If it means the tangent, $C$ is right below and $A$, $B$, $D$ are not; if it means the
+position, $D$ is right and $A$, $B$, $C$ are not (`positions_for_the_dots_miss_three_coefficients`).
 :::
 */
 
@@ -142,8 +144,9 @@ CLAIM(positions_for_the_dots_miss_three_coefficients)
 }
 
 /*
-A dot on the wrong letter can be found by moving the curve.  If both ends are moved by one vector, the velocities stay as they are, and so do
-$A$, $B$ and $C$, but $D$ has to move.  In the print no point without a dot is left: the four coefficients would not notice where the curve is.
+A dot on the wrong letter can be found by moving the curve.  If both ends are moved by one vector, the velocities stay
+as they are, and so do $A$, $B$ and $C$, but $D$ has to move.  In the print no point without a dot is left: the four
+coefficients would not notice where the curve is.
 
 :::{statement} hu-1987:1-4-hermite-a
 :title: The coefficient A from the data at the ends
@@ -276,10 +279,10 @@ CLAIM(dotted_last_coefficient_misses_the_beginning)
 }
 
 /*
-Two cubics with the same ends and the same directions differ by two positive numbers, the ratios of the lengths.  The source says that other
-lengths give another shape.  This is nearly true.  On a line the lengths change the motion and not the segment; and if
-shape means what motions keep, then a cubic that is run backward has the two lengths exchanged, and the second curve can be the first one, turned
-over.
+Two cubics with the same ends and the same directions differ by two positive numbers, the ratios of the lengths.  The
+source says that other lengths give another shape.  This is nearly true.  On a line the lengths change the motion and
+not the segment; and if shape means what motions keep, then a cubic that is run backward has the two lengths exchanged,
+and the second curve can be the first one, turned over.
 
 :::{statement} hu-1987:1-4-lengths-change-the-shape
 :title: Tangents of other lengths give another shape
@@ -287,13 +290,13 @@ over.
 :printed: If two curves have the same position vectors at the beginning and at the end, and the same directions of the tangent
   vectors, but different lengths of these, the shapes of the two curves are different.
 :holds-by: other_lengths_give_another_cubic congruent_cubics_have_these_lengths
-:hypothesis: tangents_along_the_chord_keep_the_segment | $Q_1-Q_0$, $\dot Q_0$ and $\dot Q_1$ are not all parallel: if they are, the curve can be
-  one segment for many lengths.
-:hypothesis: exchanged_lengths_turn_the_cubic | The lengths of one curve are not those of the other with the two ends exchanged, if curves that
-  can be moved onto each other have one shape, as in section 1-2: such a curve can be the first one, turned, or a mirror image.
+:hypothesis: tangents_along_the_chord_keep_the_segment | $Q_1-Q_0$, $\dot Q_0$ and $\dot Q_1$ are not all parallel: if they are, the curve
+  can be one segment for many lengths.
+:hypothesis: exchanged_lengths_turn_the_cubic | The lengths of one curve are not those of the other with the two ends exchanged, if curves
+  that can be moved onto each other have one shape, as in section 1-2: such a curve can be the first one, turned, or a mirror image.
 :reading: other_lengths_give_another_cubic | the shape is the set of the points: true with the first hypothesis alone
-:reading: exchanged_lengths_turn_the_cubic | the shape is what rotations and translations keep: false with the first hypothesis alone, true with
-  both
+:reading: exchanged_lengths_turn_the_cubic | the shape is what rotations and translations keep: false with the first hypothesis alone,
+  true with both
 :figure: exchanged_lengths
 :::
 
@@ -350,9 +353,10 @@ CLAIM(other_lengths_give_another_cubic)
 :title: A cubic that is moved, or moved and run backward, has the same lengths, or the same with the ends exchanged
 :zh: 合同的三次曲线切矢长度相同或两端互换
 :given: any plane cubic; a rotation by any angle, with or without a reflection, and any translation
-:then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot Q_1|$, $|\dot Q_0|$
-:method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes one to
-  the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
+:then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot
+  Q_1|$, $|\dot Q_0|$
+:method: The squares of the lengths by the definition, everything a variable.  Two cubics that are no lines and of which a motion takes
+  one to the other are one up to the motion and to $\phi(t)=t$ or $1-t$: so other lengths that are not exchanged ones give another shape.
 :control: the lengths of $P(1-t)$ not exchanged
 :::
 */
@@ -392,7 +396,8 @@ CLAIM(congruent_cubics_have_these_lengths)
 :title: With exchanged lengths the cubic is the first one, turned over
 :zh: 两端长度互换得旋转后的同一曲线
 :kind: counterexample
-:given: the ends $Q$; $P$ with the tangents $V$, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$, $W^*$ with $V^*$, $U^*$
+:given: the ends $Q$; $P$ with the tangents $V$, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$,
+  $W^*$ with $V^*$, $U^*$
 :data: Q = (0,0) (1,0); V = (1,1) (2,2); U = (2,2) (1,1); V* = (1,1) (2,-2); U* = (2,2) (1,-1)
 :instead: U = (2,2) (2,2); U* = (2,2) (2,-2)
 :then: $W(t)=Q_0+Q_1-P(1-t)$: $W$ is $P$ turned by two right angles about the middle of the chord; and $W^*$ is $P^*$, reflected in the

@@ -1,9 +1,9 @@
 /*
 # The shapes of a cubic (参数三次曲线的形态)
 
-A plane cubic can run on without incident, change its side once or twice, turn on its heel, or cross itself.  Which of these it
-does is decided by three numbers, the determinants $a=A\times B$, $b=A\times C$, $c=B\times C$ of its coefficients, and by
-$\delta=3b^2-4ac$.
+A plane cubic can run on without incident, change its side once or twice, turn on its heel, or cross itself.  Which of
+these it does is decided by three numbers, the determinants $a=A\times B$, $b=A\times C$, $c=B\times C$ of its
+coefficients, and by $\delta=3b^2-4ac$.
 */
 #include "chapters/foundations/cubic.h"
 
@@ -22,20 +22,21 @@ $\delta=3b^2-4ac$.
 :holds-by: each_form_occurs sign_of_delta_tells_the_form signs_decide_the_form
 :figure: forms_of_a_cubic
 
-Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve if $a=A\times B\ne0$; not so for $a=0$: `delta_does_not_tell_graphs`.  On the
-arc it is decided by the lengths of the tangents, for all of them, where these point along the sides of a triangle $Q_0MQ_1$, towards $M$
-and away from it, `signs_decide_the_form`, and where they are parallel, `parallel_tangents_give_an_s_or_an_arch`.  Directions in which the
-one or the other points backward are not among them.
+Which it is, is decided by $\delta=3b^2-4ac$ on the whole curve if $a=A\times B\ne0$; not so for $a=0$:
+`delta_does_not_tell_graphs`.  On the arc it is decided by the lengths of the tangents, for all of them, where these
+point along the sides of a triangle $Q_0MQ_1$, towards $M$ and away from it, `signs_decide_the_form`, and where they are
+parallel, `parallel_tangents_give_an_s_or_an_arch`.  Directions in which the one or the other points backward are not
+among them.
 :::
 
 :::{claim} sign_of_delta_tells_the_form
 :title: A cubic with a double point, and a cubic with two inflections, have delta of different signs
 :zh: 判别式区分二重点与拐点
 :given: any $s$ and $u$, any vectors $L,M,N$ of the plane: $P(t)=N+(t-s)(t-u)(Lt+M)$, a cubic with $P(s)=P(u)=N$
-:then: with $a=A\times B$ etc.: $\delta=-a^2(s-u)^2$, `cubic_double_point_polynomial` is $a^2(t-s)(t-u)$, `cubic_double_point` is $N$; and for
-  every cubic the discriminant of $P'\times P''$ is $12\delta$, that of the double point polynomial $-a^2\delta$
-:method: The coefficients of $P$ are formed from $s,u,L,M,N$, all variables; the kernels then know nothing of these.  Conversely
-  division by the polynomial with the sum $-\frac ba$ and the product $\frac{b^2-ac}{a^2}$ of its roots leaves a constant for every cubic with
+:then: with $a=A\times B$ etc.: $\delta=-a^2(s-u)^2$, `cubic_double_point_polynomial` is $a^2(t-s)(t-u)$, `cubic_double_point` is $N$; and
+  for every cubic the discriminant of $P'\times P''$ is $12\delta$, that of the double point polynomial $-a^2\delta$
+:method: The coefficients of $P$ are formed from $s,u,L,M,N$, all variables; the kernels then know nothing of these.  Conversely division
+  by the polynomial with the sum $-\frac ba$ and the product $\frac{b^2-ac}{a^2}$ of its roots leaves a constant for every cubic with
   $a\ne0$: that remainder is computed for free coefficients.
 :defines: cubic_delta cubic_double_point_polynomial cubic_double_point
 :control: $\delta=b^2-4ac$
@@ -86,9 +87,9 @@ CLAIM(sign_of_delta_tells_the_form)
 
 #if RATIONAL
 /*
-One discriminant separates the forms, because the inflections and the double point are roots of two quadratic polynomials whose
-discriminants have opposite signs: where the ones are real the others are not.  Only for $a\ne0$ are both of them quadratic; the graphs $y=f(x)$
-are the exception, as they were for the inflections.
+One discriminant separates the forms, because the inflections and the double point are roots of two quadratic
+polynomials whose discriminants have opposite signs: where the ones are real the others are not.  Only for $a\ne0$ are
+both of them quadratic; the graphs $y=f(x)$ are the exception, as they were for the inflections.
 
 :::{claim} delta_does_not_tell_graphs
 :title: Delta is 0 without a cusp, and positive with one inflection, where the cubic is a graph
@@ -135,8 +136,8 @@ CLAIM(delta_does_not_tell_graphs)
 :title: The two inflections meet at a cusp and nowhere else
 :zh: 两拐点重合处为尖点
 :given: any plane cubic with $a\ne0$, $t_0=-\frac b{2a}$
-:then: $A\times P'(t_0)=0$ and $4a\,B\times P'(t_0)=-\delta$; since $A$ and $B$ are independent, $P'(t_0)=0$ exactly for $\delta=0$; and a cubic with
-  $P'(t_1)=0$ somewhere has $\delta=0$
+:then: $A\times P'(t_0)=0$ and $4a\,B\times P'(t_0)=-\delta$; since $A$ and $B$ are independent, $P'(t_0)=0$ exactly for $\delta=0$; and a
+  cubic with $P'(t_1)=0$ somewhere has $\delta=0$
 :method: The derivative at $t_0$ by the kernel, everything a variable; for the converse $C=-3At_1^2-2Bt_1$.
 :control: $t_0=-\frac ba$
 :::
@@ -173,9 +174,9 @@ static void G(cubic_of_triangle)(const num R[], num alpha, num beta, num c[])
 }
 
 /*
-Between two inflections and a loop there is a moment at which both pairs of parameters run together.  There the velocity vanishes, and the
-curve has a cusp.  To see the moment, let the ends and the directions stand and let the two lengths grow: the cusps are a curve in the
-plane of the lengths.
+Between two inflections and a loop there is a moment at which both pairs of parameters run together.  There the velocity
+vanishes, and the curve has a cusp.  To see the moment, let the ends and the directions stand and let the two lengths
+grow: the cusps are a curve in the plane of the lengths.
 
 :::{claim} cusps_are_on_a_hyperbola
 :title: In the plane of the lengths the cusps are a hyperbola
@@ -228,8 +229,8 @@ static void events_of(const num R[], num alpha, num beta, int *inflections, int 
 :title: With the same ends and directions all forms occur
 :zh: 端点与切向相同而形态各异
 :kind: decision
-:given: the triangle $R$; five pairs $(\alpha,\beta)$ of lengths; for each the inflections, the parameters of the double point in $(0,1)$ and the sign of $\delta$
-  that are wanted
+:given: the triangle $R$; five pairs $(\alpha,\beta)$ of lengths; for each the inflections, the parameters of the double point in $(0,1)$
+  and the sign of $\delta$ that are wanted
 :data: R = (0,0) (1,2) (3,0); (α,β) = (1/2,1/2) (1,3) (2,2) (3,3) (4,4); forms = (0,0,-1) (1,0,1) (2,0,1) (1,1,0) (0,2,-1)
 :instead: (α,β) = (1,3) (1,3) (2,2) (3,3) (4,4)
 :then: on the open arc no, one and two inflections; a cusp, where $P'=0$; a loop, whose double point has two parameters in $(0,1)$
@@ -255,10 +256,10 @@ CLAIM(each_form_occurs)
 #endif
 
 /*
-The whole curve is classified by $\delta$.  A designer sees an arc, and on it the events may be absent because they lie outside of $[0,1]$.
-The coefficients of Bernstein (Bernstein 系数) decide this from signs alone: their changes of sign count the inflections on the arc, up to an even
-number, and the polynomial of the double point is treated in the same way.  The result is a map of the quadrant of the lengths
-with three borders.
+The whole curve is classified by $\delta$.  A designer sees an arc, and on it the events may be absent because they lie
+outside of $[0,1]$.  The coefficients of Bernstein (Bernstein 系数) decide this from signs alone: their changes of sign
+count the inflections on the arc, up to an even number, and the polynomial of the double point is treated in the same
+way.  The result is a map of the quadrant of the lengths with three borders.
 
 :::{claim} signs_decide_the_form
 :title: The lengths of the tangents decide the form of the arc
@@ -266,14 +267,14 @@ with three borders.
 :given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$; $w=2(Q_1-Q_0)\times(M-Q_0)$
 :then: $P'\times P''$ has the Bernstein coefficients $f_0=2\alpha(2\beta-3)w$, $f_1=-2\alpha\beta w$, $f_2=2\beta(2\alpha-3)w$, and
   $f_1^2-f_0f_2=-12\alpha\beta w^2((\alpha-2)(\beta-2)-1)$; the polynomial of the double point has
-  $g_0=\alpha(\alpha+2\beta^2-3\beta)w^2$, $g_1=-\alpha\beta(2\alpha\beta-3\alpha-3\beta+4)w^2$, $g_2=\beta(\beta+2\alpha^2-3\alpha)w^2$; for $\alpha=2+p$, $\beta=2+q$,
-  $p,q>0$: $g_0,-g_1,g_2>0$; and $\alpha(3-2\alpha)^2-(4-3\alpha)=4(\alpha-1)^3$
-:method: Identities, and signs of coefficients.  Let $\alpha,\beta>0$, $w>0$; then $f_1<0$.  Both below $\frac32$: $f_0,f_2<0$, no inflection.  One
-  below and one above: one change of sign, one inflection.  Both above: two changes, so two inflections, one double one at a cusp, or none,
-  as $(\alpha-2)(\beta-2)$ is less than 1, is 1, or is more, which needs $\alpha,\beta>2$; then the double point has two parameters in $(0,1)$: a loop.
-  There is no other loop: it needs $(\alpha-2)(\beta-2)>1$, that is both more than 2, or both less than $\frac32$; in the second case let
-  $\alpha\ge\beta$: it needs $g_2>0$, $\beta>\alpha(3-2\alpha)$, so $\alpha>1$, and $g_1<0$, $\beta(3-2\alpha)<4-3\alpha$, which contradict each other
-  by the last identity.
+  $g_0=\alpha(\alpha+2\beta^2-3\beta)w^2$, $g_1=-\alpha\beta(2\alpha\beta-3\alpha-3\beta+4)w^2$, $g_2=\beta(\beta+2\alpha^2-3\alpha)w^2$;
+  for $\alpha=2+p$, $\beta=2+q$, $p,q>0$: $g_0,-g_1,g_2>0$; and $\alpha(3-2\alpha)^2-(4-3\alpha)=4(\alpha-1)^3$
+:method: Identities, and signs of coefficients.  Let $\alpha,\beta>0$, $w>0$; then $f_1<0$.  Both below $\frac32$: $f_0,f_2<0$, no
+  inflection.  One below and one above: one change of sign, one inflection.  Both above: two changes, so two inflections, one double one
+  at a cusp, or none, as $(\alpha-2)(\beta-2)$ is less than 1, is 1, or is more, which needs $\alpha,\beta>2$; then the double point has
+  two parameters in $(0,1)$: a loop.  There is no other loop: it needs $(\alpha-2)(\beta-2)>1$, that is both more than 2, or both less
+  than $\frac32$; in the second case let $\alpha\ge\beta$: it needs $g_2>0$, $\beta>\alpha(3-2\alpha)$, so $\alpha>1$, and $g_1<0$,
+  $\beta(3-2\alpha)<4-3\alpha$, which contradict each other by the last identity.
 :control: $3-\alpha$ in the place of $3-2\alpha$ in $f_2$ and in the last identity
 :::
 */
@@ -329,12 +330,14 @@ CLAIM(signs_decide_the_form)
 :::{claim} parallel_tangents_give_an_s_or_an_arch
 :title: With parallel tangents the arc has one inflection or none, and no loop
 :zh: 端切矢平行时曲线段的形态
-:given: any $Q_0$, $Q_1$ and $e$ in the plane, $w=(Q_1-Q_0)\times e$; $\dot Q_0=\lambda e$, and $\dot Q_1=\mu e$ or $-\mu e$; any $\lambda,\mu>0$
-:then: in one sense: $\delta=12\lambda\mu w^2$, $P'\times P''$ is $-6\lambda w$ at 0 and $6\mu w$ at 1; in opposite senses: it has the Bernstein coefficients
-  $-6\lambda w,0,-6\mu w$, and the polynomial of the double point is $\lambda(\lambda-3\mu)w^2$ at 0 and $\mu(\mu-3\lambda)w^2$ at 1
-:method: The kernels, everything a variable.  Let $w\ne0$.  In one sense a quadratic changes its sign: one inflection, and no double point, as
-  $\delta>0$ or, for $\lambda=\mu$, $a=0$ and the polynomial is the constant $b^2\ne0$.  In opposite senses there is no zero on the arc, so neither
-  inflection nor cusp, and no loop: for that neither value may be negative, $\lambda\ge3\mu$ and $\mu\ge3\lambda$.
+:given: any $Q_0$, $Q_1$ and $e$ in the plane, $w=(Q_1-Q_0)\times e$; $\dot Q_0=\lambda e$, and $\dot Q_1=\mu e$ or $-\mu e$; any
+  $\lambda,\mu>0$
+:then: in one sense: $\delta=12\lambda\mu w^2$, $P'\times P''$ is $-6\lambda w$ at 0 and $6\mu w$ at 1; in opposite senses: it has the
+  Bernstein coefficients $-6\lambda w,0,-6\mu w$, and the polynomial of the double point is $\lambda(\lambda-3\mu)w^2$ at 0 and
+  $\mu(\mu-3\lambda)w^2$ at 1
+:method: The kernels, everything a variable.  Let $w\ne0$.  In one sense a quadratic changes its sign: one inflection, and no double
+  point, as $\delta>0$ or, for $\lambda=\mu$, $a=0$ and the polynomial is the constant $b^2\ne0$.  In opposite senses there is no zero on
+  the arc, so neither inflection nor cusp, and no loop: for that neither value may be negative, $\lambda\ge3\mu$ and $\mu\ge3\lambda$.
 :control: $\lambda-2\mu$ in the place of $\lambda-3\mu$
 :::
 */

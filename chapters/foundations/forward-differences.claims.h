@@ -1,8 +1,8 @@
 /*
 # A table of differences (向前差分)
 
-A polynomial of degree $n$ loses a degree with each difference (差分), and the $n$-th difference is constant.  Whoever knows one column of
-the table, the point and its $n$ differences at one place, finds the next column by $n$ additions.
+A polynomial of degree $n$ loses a degree with each difference (差分), and the $n$-th difference is constant.  Whoever
+knows one column of the table, the point and its $n$ differences at one place, finds the next column by $n$ additions.
 */
 #include "chapters/foundations/definition.h"
 
@@ -148,9 +148,9 @@ CLAIM(printed_third_difference_has_the_other_sign)
 #endif
 
 /*
-Two of the three definitions are printed with $t-\delta$ in the place of $t+\delta$.  One sees it without computing: the formula beside the
-first begins with $+3A\delta t^2$, and a difference that looks back would begin with a minus sign.  The second definition and all
-formulas are those of forward differences.
+Two of the three definitions are printed with $t-\delta$ in the place of $t+\delta$.  One sees it without computing: the
+formula beside the first begins with $+3A\delta t^2$, and a difference that looks back would begin with a minus sign.
+The second definition and all formulas are those of forward differences.
 
 :::{statement} hu-1987:1-4-constant-difference
 :title: The n-th difference of a curve of degree n is constant
@@ -279,8 +279,8 @@ CLAIM(additions_step_along_the_curve)
 }
 
 /*
-The index of a place is the second trap.  A step takes the differences at one place to those at the next one, from 0 to $\delta$; the
-places $i\delta$ are reached by $i$ steps and not by one.
+The index of a place is the second trap.  A step takes the differences at one place to those at the next one, from 0 to
+$\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 
 :::{statement} hu-1987:1-4-3
 :title: One step of the table
@@ -329,15 +329,15 @@ CLAIM(step_takes_differences_to_the_next_place)
 :::{statement} hu-1987:1-4-stepping
 :title: All points by repeated additions
 :zh: 反复加法求各点
-:printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the other by
-  repeated additions.
+:printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the
+  other by repeated additions.
 :holds-by: additions_step_along_the_curve
 :figure: forward_differences
 :::
 
-So a point costs $n$ additions for each coordinate.  The claim of the source that multiplications are not needed at all is about more than the
-step, because the table has to be begun.  With $\delta=2^{-m}$ its first column is made by shifts and additions; with another
-step it is not.
+So a point costs $n$ additions for each coordinate.  The claim of the source that multiplications are not needed at all
+is about more than the step, because the table has to be begun.  With $\delta=2^{-m}$ its first column is made by shifts
+and additions; with another step it is not.
 
 :::{statement} hu-1987:1-4-no-multiplications
 :title: With differences no multiplication is left

@@ -1,8 +1,8 @@
 /*
 # Inflections of a cubic (拐点)
 
-A plane curve changes its side where its curvature (曲率) passes through 0.  For a cubic this is decided by a polynomial of degree two, the vector
-product of its first two derivatives.
+A plane curve changes its side where its curvature (曲率) passes through 0.  For a cubic this is decided by a polynomial
+of degree two, the vector product of its first two derivatives.
 */
 #include "chapters/foundations/cubic.h"
 
@@ -44,8 +44,8 @@ CLAIM(derivatives_of_a_cubic)
 }
 
 /*
-The dots that count derivatives are lost in print most easily, and the third one first.  A constant vector $6A$ can be only the third
-derivative of a cubic; a second derivative that is constant would make it a parabola.
+The dots that count derivatives are lost in print most easily, and the third one first.  A constant vector $6A$ can be
+only the third derivative of a cubic; a second derivative that is constant would make it a parabola.
 
 :::{statement} hu-1987:1-4-third-derivative
 :title: The third derivative of the cubic
@@ -110,10 +110,11 @@ measured from, and is not bounded near that point.
 :kind: counterexample
 :given: a cubic in space with the coefficients $c$; $t$; the polynomial with the coefficients $l$
 :data: c = (0,0,0) (3,0,0) (0,3,0) (0,0,2); t = 1; l = 0 3 0 2
-:then: $s(t)=\sum_kl_kt^k$ is the length of the arc from 0 to $t$, because its derivative is $|\dot P|$; and the printed quotient is not the curvature $K$
+:then: $s(t)=\sum_kl_kt^k$ is the length of the arc from 0 to $t$, because its derivative is $|\dot P|$; and the printed quotient is not
+  the curvature $K$
 :result: s(t) = 5; s'(t) = 9; printed quotient = 54/125; K = 2/27
-:method: The squares of $s'$ and of the speed are compared at five parameters, which determine a polynomial of degree four, and $s'>0$; then both
-  numbers, exactly.
+:method: The squares of $s'$ and of the speed are compared at five parameters, which determine a polynomial of degree four, and $s'>0$;
+  then both numbers, exactly.
 :control: the speed
 :::
 */
@@ -147,9 +148,9 @@ CLAIM(printed_letter_spoils_the_curvature)
 #endif
 
 /*
-In the curvature the dot is lost on the speed $\dot s$.  A quotient that should not depend on the parameter, but has the length of the arc in its denominator,
-depends on where the length begins.  The example is chosen so that the length is a polynomial and everything can be compared in
-rational numbers.
+In the curvature the dot is lost on the speed $\dot s$.  A quotient that should not depend on the parameter, but has the
+length of the arc in its denominator, depends on where the length begins.  The example is chosen so that the length is a
+polynomial and everything can be compared in rational numbers.
 
 :::{statement} hu-1987:1-4-inflection
 :title: An inflection is a point of curvature zero
@@ -159,9 +160,9 @@ rational numbers.
 :checked-by: curvature_and_torsion_belong_to_arc_length merged_inflections_are_a_cusp
 :figure: forms_of_a_cubic
 
-For plane cubics it is what the word says elsewhere, a change from one side of the tangent to the other: a double zero of
-$\dot P\times\ddot P$, without such a change, occurs at cusps and on lines only.  For higher degrees it is not: $(t,t^4)$ has $K=0$ at
-$t=0$ and stays on one side.
+For plane cubics it is what the word says elsewhere, a change from one side of the tangent to the other: a double zero
+of $\dot P\times\ddot P$, without such a change, occurs at cusps and on lines only.  For higher degrees it is not:
+$(t,t^4)$ has $K=0$ at $t=0$ and stays on one side.
 :::
 
 :::{statement} hu-1987:1-4-inflection-parallel
@@ -177,8 +178,8 @@ $t=0$ and stays on one side.
 :title: The second derivative is a multiple of the first plus what the vector product measures
 :zh: 二阶导矢的分解
 :given: any $P'\ne0$ and $P''$ in space
-:then: $|P'|^2P''=(P'\cdot P'')\,P'+(P'\times P'')\times P'$; so $P'\times P''=0$ gives $P''=gP'$ with $g=\frac{P'\cdot P''}{|P'|^2}$, and conversely
-  $P'\times gP'=0$
+:then: $|P'|^2P''=(P'\cdot P'')\,P'+(P'\times P'')\times P'$; so $P'\times P''=0$ gives $P''=gP'$ with $g=\frac{P'\cdot P''}{|P'|^2}$, and
+  conversely $P'\times gP'=0$
 :method: Identities in the six components and $g$.
 :control: $P'\times(P'\times P'')$
 :::
@@ -231,10 +232,10 @@ CLAIM(cusp_has_no_such_factor)
 #endif
 
 /*
-The factor $g$ of the source comes from the vector that is split along $\dot P$.  Where $\dot P=0$ there is nothing to split along, so cusps
-have to be looked at on their own.  Everywhere else the condition is one polynomial equation, and the question how many inflections there are
-becomes the question for its degree.  The cubic terms of $\dot P\times\ddot P$ cancel, because $A\times A=0$; the quadratic one is $A\times B$, and it
-can vanish as well.
+The factor $g$ of the source comes from the vector that is split along $\dot P$.  Where $\dot P=0$ there is nothing to
+split along, so cusps have to be looked at on their own.  Everywhere else the condition is one polynomial equation, and
+the question how many inflections there are becomes the question for its degree.  The cubic terms of $\dot P\times\ddot
+P$ cancel, because $A\times A=0$; the quadratic one is $A\times B$, and it can vanish as well.
 
 :::{statement} hu-1987:1-4-inflection-quadratic
 :title: The inflections are given by a quadratic equation

@@ -75,10 +75,10 @@ CLAIM(one_cubic_passes_through_four_data)
 }
 
 /*
-A table of data determines the curve of degree $n$ through it, and nothing remains to be chosen.  That is the strength of
-interpolation (插值) and its weakness: an error of one datum is followed as faithfully as the others, and each further datum raises
-the degree.  The other requirement, approximation (逼近), leaves the degree alone and gives up the data.  It needs one thing that
-interpolation does without, a measure of the distance from all data together.
+A table of data determines the curve of degree $n$ through it, and nothing remains to be chosen.  That is the strength
+of interpolation (插值) and its weakness: an error of one datum is followed as faithfully as the others, and each further
+datum raises the degree.  The other requirement, approximation (逼近), leaves the degree alone and gives up the data.  It
+needs one thing that interpolation does without, a measure of the distance from all data together.
 
 :::{statement} hu-1987:1-1-approximation
 :title: Approximation
@@ -91,9 +91,9 @@ interpolation does without, a measure of the distance from all data together.
 What "nearest as a whole" means has to be said; here it is the least sum of squares.
 :::
 
-Three data that go up and down again are enough to see the difference.  A parabola passes through them.  The nearest of all
-straight lines is level, between the lower data and the higher one, and touches neither: a curve can be nearest to the data as a
-whole although it is far from each of them.
+Three data that go up and down again are enough to see the difference.  A parabola passes through them.  The nearest of
+all straight lines is level, between the lower data and the higher one, and touches neither: a curve can be nearest to
+the data as a whole although it is far from each of them.
 
 :::{statement} hu-1987:1-1-fitting
 :title: Fitting is the common name of both
@@ -114,11 +114,11 @@ whole although it is far from each of them.
 :given: the data $p_t$ at $t=0,1,2$; lines $a+\alpha+\beta t$
 :data: p = 0 1 0; a = 1/3
 :instead: a = 1/2
-:then: the sum of the squares of the distances is $m+q_0\alpha^2+q_1\alpha\beta+q_2\beta^2$, where the form with the coefficients $q$ is positive
-  for $(\alpha,\beta)\ne(0,0)$: the level line of height $a$ is the only nearest one, and meets no datum
+:then: the sum of the squares of the distances is $m+q_0\alpha^2+q_1\alpha\beta+q_2\beta^2$, where the form with the coefficients $q$ is
+  positive for $(\alpha,\beta)\ne(0,0)$: the level line of height $a$ is the only nearest one, and meets no datum
 :result: m = 2/3; q = 3 6 5
-:method: $m$ is the sum for $\alpha=\beta=0$, and $q_0,q_1,q_2$ are the sums of $1$, $2t$ and $t^2$.  The two expressions are compared at six pairs
-  $(\alpha,\beta)$ that determine a polynomial of degree 2 in two variables; the distances of the line from the data are not 0.
+:method: $m$ is the sum for $\alpha=\beta=0$, and $q_0,q_1,q_2$ are the sums of $1$, $2t$ and $t^2$.  The two expressions are compared at
+  six pairs $(\alpha,\beta)$ that determine a polynomial of degree 2 in two variables; the distances of the line from the data are not 0.
 :control: a higher line
 :::
 */

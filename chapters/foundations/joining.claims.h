@@ -22,8 +22,8 @@ enum { dim = 2, space = 3 };
 :printed: Pieces are to be joined with continuous position, slope and curvature, which is called $C^0$, $C^1$, $C^2$ continuity.
 :refuted-by: continuous_slope_with_another_speed
 :class: false
-:corrected: Let $P_{\mathrm I}'(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the vector
-  of curvature when (1-5-1) to (1-5-3) hold: the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
+:corrected: Let $P_{\mathrm I}'(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the
+  vector of curvature when (1-5-1) to (1-5-3) hold: the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
 :corrected-by: conditions_make_one_curve_in_another_parameter
 :hypothesis: vanishing_derivatives_hide_a_corner | $P_{\mathrm I}'(1)\ne0$, in the correction: where all derivatives are 0 the conditions
   hold at a corner.
@@ -66,9 +66,9 @@ CLAIM(continuous_slope_with_another_speed)
 #endif
 
 /*
-The names are the first trap.  A derivative is a property of the parameter, a slope is one of the curve, and a joint can be straight
-although the speed jumps.  What is meant by a continuous slope is that some other parameter would make the derivative continuous; the
-three conditions of the source say what this requires of the derivatives at hand.
+The names are the first trap.  A derivative is a property of the parameter, a slope is one of the curve, and a joint can
+be straight although the speed jumps.  What is meant by a continuous slope is that some other parameter would make the
+derivative continuous; the three conditions of the source say what this requires of the derivatives at hand.
 
 ## Order 0, 1, 2
 
@@ -82,8 +82,8 @@ three conditions of the source say what this requires of the derivatives at hand
 :corrected-by: conditions_make_one_curve_in_another_parameter
 :figure: joined_and_closed
 
-One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in (1-5-2) and
-(1-5-3), where this can be understood.
+One letter for both curves; read as it stands, it makes one curve closed.  Also $P_{\mathrm{II}}$ is printed as $P_x$ in
+(1-5-2) and (1-5-3), where this can be understood.
 :::
 */
 
@@ -123,7 +123,8 @@ CLAIM(joined_pieces_are_not_closed)
 :::{claim} conditions_make_one_curve_in_another_parameter
 :title: The conditions are those of one smooth curve in another parameter
 :zh: 连接条件等价于适当参数下的光滑性
-:given: $P,P',P''$ of the first piece at the joint, $\lambda\ne0$, any $\beta$; $P_{\mathrm{II}}$ with $P$, $\lambda P'$, $\lambda^2P''+\beta P'$ and any third derivative
+:given: $P,P',P''$ of the first piece at the joint, $\lambda\ne0$, any $\beta$; $P_{\mathrm{II}}$ with $P$, $\lambda P'$,
+  $\lambda^2P''+\beta P'$ and any third derivative
 :then: $Q(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $Q(0)=P$, $Q'(0)=P'$, $Q''(0)=P''$
 :method: $Q$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
   variable.
@@ -148,15 +149,17 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 #endif
 
 /*
-The second piece is followed with the parameter $\phi(u)$ in the place of $u$, and the chain rule is read backwards: the first
-derivative of $\phi$ can undo one factor $\lambda$, the second one can undo one multiple $\beta$ of the tangent.  So every order adds
-one free number, and no more.  With this sentence in mind the conditions need not be learned by heart.
+The second piece is followed with the parameter $\phi(u)$ in the place of $u$, and the chain rule is read backwards: the
+first derivative of $\phi$ can undo one factor $\lambda$, the second one can undo one multiple $\beta$ of the tangent.
+So every order adds one free number, and no more.  With this sentence in mind the conditions need not be learned by
+heart.
 
 :::{statement} hu-1987:1-5-2
 :title: The condition for continuous slope
 :zh: 斜率连续条件
-:printed: $\dot P_{\mathrm{II}}(0)=\frac{\alpha_2}{\alpha_1}\dot P_{\mathrm I}(1)=\lambda\,\dot P_{\mathrm I}(1)$, $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the
-  lengths of the tangent vectors of $P_{\mathrm I}$ and $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
+:printed: $\dot P_{\mathrm{II}}(0)=\frac{\alpha_2}{\alpha_1}\dot P_{\mathrm I}(1)=\lambda\,\dot P_{\mathrm I}(1)$,
+  $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the lengths of the tangent vectors of $P_{\mathrm I}$ and
+  $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | $\lambda>0$, as for a quotient of lengths: with $\lambda<0$ the curve turns on its heel.
 :needs: singular_end_has_no_ratio | Neither derivative is 0 at the joint, as where there are unit tangent vectors: otherwise a quotient of
@@ -249,18 +252,20 @@ CLAIM(singular_end_has_no_ratio)
 #endif
 
 /*
-The ratio must be a quotient of lengths, and this hides three exclusions: it is positive, it is not 0, and it exists.  Each of them is
-tried in this section, and each fails in its own way.  With a negative ratio the curve turns on its heel, without one a straight line
-violates the condition, and with the ratio 0 the condition of order two allows a curvature that grows without bound.
+The ratio must be a quotient of lengths, and this hides three exclusions: it is positive, it is not 0, and it exists.
+Each of them is tried in this section, and each fails in its own way.  With a negative ratio the curve turns on its
+heel, without one a straight line violates the condition, and with the ratio 0 the condition of order two allows a
+curvature that grows without bound.
 
 :::{statement} hu-1987:1-5-3-sufficient
 :title: The condition of order two makes the curvature continuous
 :zh: 曲率连续的充分条件
-:printed: $\ddot P_{\mathrm{II}}(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the
-  curvature continuous at the joint.
+:printed: $\ddot P_{\mathrm{II}}(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm
+  I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, with the conditions before it, makes the curvature continuous at the
+  joint.
 :holds-by: condition_keeps_the_curvature_vector
-:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$, as for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of
-  the second piece need not be bounded.
+:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$, as for a quotient of lengths that have directions: with $\alpha_2=0$ the
+  curvature of the second piece need not be bounded.
 :needs: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, as where there is a unit tangent vector.
 :figure: joints_of_order
 :::
@@ -270,8 +275,8 @@ violates the condition, and with the ratio 0 the condition of order two allows a
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector
-:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$ and $\dot P_{\mathrm I}(1)\ne0$, as in the conditions before it: with $\lambda=0$ the
-  curvature of the second piece need not be bounded.
+:needs: zero_ratio_has_unbounded_curvature | $\lambda\ne0$ and $\dot P_{\mathrm I}(1)\ne0$, as in the conditions before it: with
+  $\lambda=0$ the curvature of the second piece need not be bounded.
 :figure: joints_of_order
 :::
 
@@ -333,13 +338,14 @@ static int conditions_hold(const num D[], const num E[], num lambda, num beta)
 :title: With the ratio 0 the conditions hold and the curvature is unbounded
 :zh: 比值为零时曲率无界
 :kind: counterexample
-:given: a straight first piece, and a second one that begins like a cusp, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$; $\lambda$ and $\beta$
+:given: a straight first piece, and a second one that begins like a cusp, with the coefficients $P_{\mathrm I}$ and $P_{\mathrm{II}}$;
+  $\lambda$ and $\beta$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (0,0) (1,0) (0,1) (0,0); λ = 0; β = 2
 :instead: P_II = (1,0) (0,0) (1,0) (0,0) (0,1)
 :then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$
 :result: P_I, P_I', P_I'' = (1,0) (1,0) (0,0); P_II, P_II', P_II'' = (1,0) (0,0) (2,0); P_II' × P_II'' = "6*t^2"; limit of t²K² = 9/16
-:method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0 at $t=0$,
-  as for a bounded $K$, is refuted.
+:method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0
+  at $t=0$, as for a bounded $K$, is refuted.
 :control: a second piece that begins like a parabola, of bounded curvature
 :::
 */
@@ -415,9 +421,9 @@ CLAIM(vanishing_derivatives_hide_a_corner)
 }
 
 /*
-The converse is the more delicate direction.  The curvature (曲率) of the source is a length over a power of a length; it has no sign, and
-the word "continuous" can be true of it where nobody would call the joint smooth.  What the condition secures is more: the vector of
-curvature (曲率矢量), which knows to which side the curve bends.
+The converse is the more delicate direction.  The curvature (曲率) of the source is a length over a power of a length; it
+has no sign, and the word "continuous" can be true of it where nobody would call the joint smooth.  What the condition
+secures is more: the vector of curvature (曲率矢量), which knows to which side the curve bends.
 
 :::{statement} hu-1987:1-5-3-necessary
 :title: For a continuous curvature the condition has to be satisfied
@@ -425,15 +431,15 @@ curvature (曲率矢量), which knows to which side the curve bends.
 :printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
 :refuted-by: equal_curvatures_to_different_sides
 :class: missing-hypothesis
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The condition, with $\lambda>0$, is necessary and sufficient for continuity of the unit tangent and of
-  the vector of curvature; for plane curves, of the curvature with its sign.
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The condition, with $\lambda>0$, is necessary and
+  sufficient for continuity of the unit tangent and of the vector of curvature; for plane curves, of the curvature with its sign.
 :corrected-by: curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
 :hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$, in the correction: without it the condition does not suffice.
 :figure: same_curvature_other_side
 :striking: 43
 
-$K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be continuous where the curve changes its side, or, in space, its
-osculating plane.
+$K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be continuous where the curve changes its side,
+or, in space, its osculating plane.
 :::
 
 :::{claim} equal_curvatures_to_different_sides
@@ -471,8 +477,8 @@ CLAIM(equal_curvatures_to_different_sides)
 :::{claim} curvature_vector_forces_the_condition
 :title: With one unit tangent and one vector of curvature the condition holds
 :zh: 曲率矢量连续蕴涵条件
-:given: vectors $U$ and $k$ of space, $\alpha_1,\alpha_2>0$, $\mu_1,\mu_2$: $P_i'=\alpha_iU$, $P_i''=\alpha_i^2k+\mu_iU$, as every curve with unit tangent $U$,
-  curvature vector $k$ and speed $\alpha_i$ has
+:given: vectors $U$ and $k$ of space, $\alpha_1,\alpha_2>0$, $\mu_1,\mu_2$: $P_i'=\alpha_iU$, $P_i''=\alpha_i^2k+\mu_iU$, as every curve
+  with unit tangent $U$, curvature vector $k$ and speed $\alpha_i$ has
 :then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
 :method: An identity with everything a variable.
 :control: $\beta=\frac{\mu_2-\mu_1}{\alpha_1}$
@@ -528,8 +534,9 @@ CLAIM(pieces_in_new_powers)
 }
 
 /*
-A piece that is cut out of a curve has to be given the unit interval again.  For points this is the insertion of a linear function; for
-coefficients it is Taylor's formula at $t_0$ with the unit of length $t_1-t_0$, and the four printed rows are its four terms.
+A piece that is cut out of a curve has to be given the unit interval again.  For points this is the insertion of a
+linear function; for coefficients it is Taylor's formula at $t_0$ with the unit of length $t_1-t_0$, and the four
+printed rows are its four terms.
 
 :::{statement} hu-1987:1-5-5
 :title: The coefficients of a piece
@@ -565,8 +572,9 @@ CLAIM(coefficients_of_a_piece_are_as_printed)
 }
 
 /*
-The new parameter runs through its interval more slowly than the old one by the factor $t_1-t_0$, so each derivative brings one such
-factor.  That is why tangent vectors cannot be carried over from a curve to its piece: their directions stay and their lengths do not.
+The new parameter runs through its interval more slowly than the old one by the factor $t_1-t_0$, so each derivative
+brings one such factor.  That is why tangent vectors cannot be carried over from a curve to its piece: their directions
+stay and their lengths do not.
 
 :::{statement} hu-1987:1-5-6
 :title: The derivatives in the new parameter
@@ -620,7 +628,8 @@ CLAIM(derivatives_of_a_piece)
 :zh: 区间长度不超过一
 :given: $0\le t_0\le t_1\le1$ as $t_0=\frac a{1+a+b}$, $t_1=\frac{a+b'}{1+a+b}$ with $b'\le b$, that is $b=b'+b''$; $a,b',b''\ge0$
 :then: $t_1-t_0\ge0$ and $1-(t_1-t_0)\ge0$
-:method: Both have no negative coefficient in $a,b',b''$; every pair of parameters with $t_0\le t_1<1$ is of this form, and $t_1=1$ is a limit.
+:method: Both have no negative coefficient in $a,b',b''$; every pair of parameters with $t_0\le t_1<1$ is of this form, and $t_1=1$ is a
+  limit.
 :control: $t_0-t_1$
 :::
 */
@@ -668,9 +677,9 @@ CLAIM(backward_piece_has_negative_length)
 
 ## A rational change of the parameter
 
-A linear change of the parameter leaves the degree alone, and so it leaves nothing to choose once the ends are fixed.  One number of
-freedom is gained by a quotient of linear functions (双线性变换): the ends stay, and the points crowd towards one of them.  The price is that
-the curve becomes a rational one, whose weights are products of powers of two numbers.
+A linear change of the parameter leaves the degree alone, and so it leaves nothing to choose once the ends are fixed.
+One number of freedom is gained by a quotient of linear functions (双线性变换): the ends stay, and the points crowd towards
+one of them.  The price is that the curve becomes a rational one, whose weights are products of powers of two numbers.
 
 :::{statement} hu-1987:1-5-rational-change
 :title: The parameter can be changed by a fractional linear map

@@ -1,8 +1,8 @@
 /*
 # One pixel at every step (以象素为步长)
 
-The third way turns exactly, as the first one did, and chooses the angle by the screen: from one point to the next it should be as far
-as one pixel (象素).
+The third way turns exactly, as the first one did, and chooses the angle by the screen: from one point to the next it
+should be as far as one pixel (象素).
 */
 #include "chapters/foundations/turning.h"
 
@@ -18,9 +18,9 @@ as one pixel (象素).
 :figure: three_generators
 :::
 
-The pixel is measured in two ways in one sentence, as the height of the second point and as its distance from the first.  The height is
-a leg of a right triangle whose hypotenuse is the distance, so the distance is larger.  For the large radii that a screen has the two
-are nearly the same; for the smallest ones they are not.
+The pixel is measured in two ways in one sentence, as the height of the second point and as its distance from the first.
+The height is a leg of a right triangle whose hypotenuse is the distance, so the distance is larger.  For the large
+radii that a screen has the two are nearly the same; for the smallest ones they are not.
 
 :::{statement} hu-1987:1-3-third-distance
 :title: The first two points are one pixel apart
@@ -99,16 +99,16 @@ CLAIM(distance_of_the_first_two_points)
 }
 
 /*
-With the height, the source computes the angle and then the matrix.  Both steps take an inverse: the sine has two angles between 0 and
-$\pi$, the square of the cosine has two roots, and a small step always means the first of them.
+With the height, the source computes the angle and then the matrix.  Both steps take an inverse: the sine has two angles
+between 0 and $\pi$, the square of the cosine has two roots, and a small step always means the first of them.
 
 :::{statement} hu-1987:1-3-third-angle
 :title: The angle of the third way
 :zh: 第三种方法的转角
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
 :holds-by: distance_of_the_first_two_points third_matrix_by_the_radius
-:needs: negative_cosine_is_not_the_root | $0<\theta\le\frac\pi2$, as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle with $\cos\theta=-\frac35$ is not
-  $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
+:needs: negative_cosine_is_not_the_root | $0<\theta\le\frac\pi2$, as for a small step: for $\sin\theta=\frac45$, $r=\frac54$, the angle
+  with $\cos\theta=-\frac35$ is not $\sin^{-1}\frac1r$, whose cosine is $\frac35$.
 :figure: step_of_the_third_way
 :::
 
@@ -170,9 +170,9 @@ CLAIM(negative_cosine_is_not_the_root)
 /*
 ## Does the third way close?
 
-The source does not ask whether the third way closes either.  For a whole radius $r$ the cosine is $\sqrt{r^2-1}/r$, in general no
-rational number, but the matrix of two steps has a rational trace, and that is enough to decide it: a root of unity plus its inverse
-is an algebraic integer, and a rational one of these is whole.
+The source does not ask whether the third way closes either.  For a whole radius $r$ the cosine is $\sqrt{r^2-1}/r$, in
+general no rational number, but the matrix of two steps has a rational trace, and that is enough to decide it: a root of
+unity plus its inverse is an algebraic integer, and a rational one of these is whole.
 
 :::{claim} third_way_closes_for_two_radii
 :title: For a whole radius the third way closes for r = 1 and r = 2 only

@@ -1,9 +1,9 @@
 /*
 # Points of a cubic, fast (曲线上点的计算)
 
-A cubic in powers of its parameter is computed for many equidistant parameters.  The source gives three ways: the powers as
-they stand, the rule of Horner (秦九韶算法), and a table of forward differences (向前差分) that needs additions only.  This section says
-what such a curve is good for, and counts the first two; the table has the two sections that follow.
+A cubic in powers of its parameter is computed for many equidistant parameters.  The source gives three ways: the powers
+as they stand, the rule of Horner (秦九韶算法), and a table of forward differences (向前差分) that needs additions only.  This
+section says what such a curve is good for, and counts the first two; the table has the two sections that follow.
 */
 #include "chapters/foundations/definition.h"
 
@@ -63,9 +63,10 @@ CLAIM(parabola_across_has_no_slope)
 }
 
 /*
-A graph $y=f(x)$ cannot stand upright and cannot lie across: it has one point over each $x$, and no vertical tangent.  A parameter
-removes both restrictions at once, since $x$ becomes one coordinate among others.  What it costs is that the extent of the curve has to
-be said in the parameter, and this turns out to be an advantage: two intervals separate what one abscissa cannot.
+A graph $y=f(x)$ cannot stand upright and cannot lie across: it has one point over each $x$, and no vertical tangent.  A
+parameter removes both restrictions at once, since $x$ becomes one coordinate among others.  What it costs is that the
+extent of the curve has to be said in the parameter, and this turns out to be an advantage: two intervals separate what
+one abscissa cannot.
 
 :::{statement} hu-1987:1-4-advantage-extent
 :title: The extent of a curve is given by an interval of its parameter
@@ -110,12 +111,13 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
 :printed: For a curve $P(t)=[x(t)\;y(t)\;z(t)]$ the coordinates are explicit functions of $t$, so points are easily computed.
 :holds-by: horner_computes_the_sum_of_powers
 
-The word printed is "surface", the example is a curve; for a polynomial curve the points cost the operations that are counted below.
+The word printed is "surface", the example is a curve; for a polynomial curve the points cost the operations that are
+counted below.
 :::
 
-The source says that curves of degree below three do not occur.  They do, as parabolas, and in a section of its own table of contents.
-What is meant can be saved: three is the first degree at which a curve leaves its plane, and the first at which it changes its side
-within the plane.  Lines have to be excepted, whose curvature is 0 everywhere.
+The source says that curves of degree below three do not occur.  They do, as parabolas, and in a section of its own
+table of contents.  What is meant can be saved: three is the first degree at which a curve leaves its plane, and the
+first at which it changes its side within the plane.  Lines have to be excepted, whose curvature is 0 everywhere.
 
 :::{statement} hu-1987:1-4-lowest-degree
 :title: The lowest degree of a polynomial curve in CAGD is three
@@ -167,7 +169,8 @@ CLAIM(quadratic_curve_is_in_use)
 :zh: 二次曲线为平面曲线,非直线时无拐点
 :given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
 :then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
-:method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve is a line.
+:method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve
+  is a line.
 :control: a coefficient $c_3$ added
 :::
 */
@@ -301,17 +304,17 @@ CLAIM(horner_computes_the_sum_of_powers)
 }
 
 /*
-A count depends on what one would have done otherwise.  Six multiplications become three if every power is multiplied out anew, as
-nobody would do who computes $t^3$ from $t^2$; then five become three.  The number type of these claims carries no values at all and
-counts the operations of the very kernel that computes the points.
+A count depends on what one would have done otherwise.  Six multiplications become three if every power is multiplied
+out anew, as nobody would do who computes $t^3$ from $t^2$; then five become three.  The number type of these claims
+carries no values at all and counts the operations of the very kernel that computes the points.
 
 :::{statement} hu-1987:1-4-horner-count
 :title: Horner's rule saves half of the multiplications
 :zh: 乘法次数由六次减为三次
 :printed: So the number of multiplications for a point is reduced from 6 to 3.
 :holds-by: multiplications_are_six_and_three
-:reading: multiplications_are_six_and_three | Powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one coordinate: 6
-  become 3.
+:reading: multiplications_are_six_and_three | Powers multiplied out one by one, $A\cdot t\cdot t\cdot t+B\cdot t\cdot t+C\cdot t+D$, one
+  coordinate: 6 become 3.
 :reading: kept_powers_need_five | With $t^2$ and $t^3=t^2\cdot t$ kept, it is 5 that become 3 for one coordinate, and
   $2+3d$ that become $3d$ for $d$ coordinates.
 :::

@@ -2,8 +2,8 @@
 # Regular and singular points (正则点与奇异点)
 
 A parameter $t_0$ is regular when $P'(t_0)\ne0$.  It is a property of a parameter, not of a point of the plane, and two
-things are often confused with it: that the point set is smooth there, which may hold although $P'=0$, and that the point set
-has one tangent, which may fail although $P'\ne0$.
+things are often confused with it: that the point set is smooth there, which may hold although $P'=0$, and that the
+point set has one tangent, which may fail although $P'\ne0$.
 */
 #include "chapters/foundations/definition.h"
 
@@ -62,9 +62,9 @@ CLAIM(regularity_is_a_sum_of_squares)
 }
 
 /*
-A sum of squares is the shortest way to say that three numbers are not all 0, and it is the speed, squared.  So a regular point
-(正则点) is one that the moving point passes without standing still, and everything that goes wrong below goes wrong because the
-point stops.
+A sum of squares is the shortest way to say that three numbers are not all 0, and it is the speed, squared.  So a
+regular point (正则点) is one that the moving point passes without standing still, and everything that goes wrong below
+goes wrong because the point stops.
 
 :::{statement} hu-1987:1-4-class
 :title: Curves of class r
@@ -78,10 +78,10 @@ point stops.
 By this definition the cusp below, whose coordinates are polynomials, is of no class at all at $t=\frac12$.
 :::
 
-The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, and for a polynomial the
-quotient of chord and time is again a polynomial, so the limit is put in like a number.  The sentence is about "points of a curve",
-and here the two meanings of the word part.  A loop comes back to a point with another direction; each of the two parameters has its
-one tangent, the point has two.
+The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, and for a
+polynomial the quotient of chord and time is again a polynomial, so the limit is put in like a number.  The sentence is
+about "points of a curve", and here the two meanings of the word part.  A loop comes back to a point with another
+direction; each of the two parameters has its one tangent, the point has two.
 
 :::{statement} hu-1987:1-4-unique-tangent
 :title: At a regular point there is one tangent
@@ -89,8 +89,8 @@ one tangent, the point has two.
 :printed: At regular points of a curve a unique tangent can be determined.
 :holds-by: chord_turns_into_the_derivative
 :reading: chord_turns_into_the_derivative | A regular point is a parameter, as in the definition: it has one tangent.
-:reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage, though
-  both parameters are regular.
+:reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
+  though both parameters are regular.
 :figure: regular_double_point
 :::
 */
@@ -199,10 +199,12 @@ CLAIM(double_point_has_two_tangents)
 :given: the curve of the example, with the coefficients $c$; the parameter $t$ of the cusp; any $u$
 :data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
 :instead: c = (0,0) (3,3) (-5,-3) (4,0)
-:then: $P(t+u)=(x_0+\kappa u^3,\;y_0+\mu u^2)$ with $(x_0,y_0)=e_0$, $(0,\mu)=e_2$, $(\kappa,0)=e_3$; so $\mu^3(x-x_0)^2=\kappa^2(y-y_0)^3$.  The
-  derivative $u\,(3\kappa u,2\mu)$ is 0 exactly for $u=0$, and its direction, $(3\kappa u,2\mu)$ times the sign of $u$, turns over there
+:then: $P(t+u)=(x_0+\kappa u^3,\;y_0+\mu u^2)$ with $(x_0,y_0)=e_0$, $(0,\mu)=e_2$, $(\kappa,0)=e_3$; so
+  $\mu^3(x-x_0)^2=\kappa^2(y-y_0)^3$.  The derivative $u\,(3\kappa u,2\mu)$ is 0 exactly for $u=0$, and its direction, $(3\kappa u,2\mu)$
+  times the sign of $u$, turns over there
 :result: e = (1/2,3/4) (0,0) (0,-3) (4,0)
-:method: $e_k$ is the $k$-th derivative at $t$, by the definition, over $k!$.  The polynomials as printed, at a variable $u$, and their derivatives by the kernel.
+:method: $e_k$ is the $k$-th derivative at $t$, by the definition, over $k!$.  The polynomials as printed, at a variable $u$, and their
+  derivatives by the kernel.
 :control: another coefficient of $t^2$ in $x$
 :::
 */
@@ -225,9 +227,9 @@ CLAIM(cusp_of_the_example_is_a_cusp)
 }
 
 /*
-The printed sentence about the cusp names the right place and the wrong quantity.  Polynomials are continuous, and so are their
-derivatives; the velocity at a cusp (尖点) shrinks to nothing, and grows again, without a jump.  What jumps is the direction, the
-velocity divided by its length, and this quotient is undefined just where the length is 0.
+The printed sentence about the cusp names the right place and the wrong quantity.  Polynomials are continuous, and so
+are their derivatives; the velocity at a cusp (尖点) shrinks to nothing, and grows again, without a jump.  What jumps is
+the direction, the velocity divided by its length, and this quotient is undefined just where the length is 0.
 
 :::{statement} hu-1987:1-4-cusp-continuity
 :title: At the cusp the derivative is discontinuous
@@ -304,17 +306,17 @@ CLAIM(unit_tangent_jumps_at_the_cusp)
 }
 
 /*
-A singular point (奇异点) is not always seen.  The abscissa of the cusp alone, taken for both coordinates, draws a straight segment: the
-point slows down, stands still for a moment and goes on as before.  Whether a stop is an anomaly is decided by what the point does
-after it, and this leads to the source's last example, where it turns back.
+A singular point (奇异点) is not always seen.  The abscissa of the cusp alone, taken for both coordinates, draws a straight
+segment: the point slows down, stands still for a moment and goes on as before.  Whether a stop is an anomaly is decided
+by what the point does after it, and this leads to the source's last example, where it turns back.
 
 :::{statement} hu-1987:1-4-singular-anomalies
 :title: At singular points all kinds of anomalies appear
 :zh: 奇异点处出现异常情况
 :printed: At singular points, however, all kinds of abnormal cases will appear.
 :holds-by: cusp_of_the_example_is_a_cusp point_moves_forward_back_and_forward
-:hypothesis: singular_point_of_a_plain_segment | No other parameter makes the curve regular and runs in the same sense: otherwise the point only
-  stands still for a moment, and nothing is seen.
+:hypothesis: singular_point_of_a_plain_segment | No other parameter makes the curve regular and runs in the same sense: otherwise the
+  point only stands still for a moment, and nothing is seen.
 :figure: singular_point_of_a_segment
 
 The source's own anomalies are a change of direction: at the cusp, and twice on the line that follows.
@@ -330,11 +332,11 @@ The source's own anomalies are a change of direction: at the cusp, and twice on 
 :given: $x=y=\phi(t)$, the abscissa of the example with the cusp: a cubic with the coefficients $c$; a parameter $t$
 :data: c = 0 3 -6 4; t = 1/2
 :instead: c = 0 6 -15 10
-:then: $\phi'$ is not negative on $[0,1]$ and vanishes at $t$ only, where the curve is singular; the curve runs from $(0,0)$ to $(1,1)$ once and never back, and has
-  the tangent $(1,1)$ everywhere
+:then: $\phi'$ is not negative on $[0,1]$ and vanishes at $t$ only, where the curve is singular; the curve runs from $(0,0)$ to $(1,1)$
+  once and never back, and has the tangent $(1,1)$ everywhere
 :result: φ' = "12*t^2 - 12*t + 3"; φ'(t) = 0; zeros of φ' in [0,1] = 1
-:method: $\phi$ at the ends, the sign of $\phi'$ and its zeros on $[0,1]$ by root counts; that it is singular nowhere, or goes back somewhere,
-  is refuted.
+:method: $\phi$ at the ends, the sign of $\phi'$ and its zeros on $[0,1]$ by root counts; that it is singular nowhere, or goes back
+  somewhere, is refuted.
 :control: the line that follows
 :::
 */
@@ -429,9 +431,9 @@ CLAIM(cubic_parameter_stays_on_the_segment)
 #endif
 
 /*
-The same segment has been given two parameters, and it is regular in one of them and singular twice in the other.  Regularity is
-therefore no property of the point set.  The two singular parameters are also mirror images, since $\phi(1-t)=1-\phi(t)$, and the
-next claim finds a curiosity: $\phi$ takes each of them to the other.
+The same segment has been given two parameters, and it is regular in one of them and singular twice in the other.
+Regularity is therefore no property of the point set.  The two singular parameters are also mirror images, since
+$\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each of them to the other.
 
 :::{statement} hu-1987:1-4-line-singular
 :title: The other parameter has two singular points
@@ -463,8 +465,9 @@ CLAIM(singular_parameters_of_the_line)
 }
 
 /*
-The derivative $\phi'$ is positive at both ends and changes its sign at either of the two zeros, so between them it is negative: the
-point goes back.  The sentence printed about the motion has lost just this part, as its own word "again" shows.
+The derivative $\phi'$ is positive at both ends and changes its sign at either of the two zeros, so between them it is
+negative: the point goes back.  The sentence printed about the motion has lost just this part, as its own word "again"
+shows.
 
 :::{statement} hu-1987:1-4-line-motion
 :title: How the point moves along the line

@@ -1,8 +1,8 @@
 /*
 # The table in a machine (规格化差分与舍入)
 
-In a word of fixed length the small differences lose their digits first.  The source divides them by the powers of the step, which
-makes them as large as the coefficients, and begins the table with the coefficients themselves.
+In a word of fixed length the small differences lose their digits first.  The source divides them by the powers of the
+step, which makes them as large as the coefficients, and begins the table with the coefficients themselves.
 */
 #include "chapters/foundations/definition.h"
 
@@ -78,15 +78,17 @@ CLAIM(third_difference_exceeds_the_first)
 #endif
 
 /*
-Small compared with what?  With the coefficients, the third difference is small as the cube of the step.  With the other differences it need not be:
-for $t^3$ it is larger than the first.  What matters to a machine is the comparison with the coefficients, and it suggests to keep
-$\frac1{\delta^k}\Delta^kP$ instead.
+Small compared with what?  With the coefficients, the third difference is small as the cube of the step.  With the other
+differences it need not be: for $t^3$ it is larger than the first.  What matters to a machine is the comparison with the
+coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 
 :::{statement} hu-1987:1-4-4
 :title: The step of the scaled table
 :zh: 规格化差分的递推
-:printed: P_1=P_0+\delta(\tfrac1\delta\Delta P_0),\ \ \tfrac1\delta\Delta P_1=\tfrac1\delta\Delta P_0+\delta(\tfrac1{\delta^2}\Delta^2P_0),\ \
-  \tfrac1{\delta^2}\Delta^2P_1=\tfrac1{\delta^2}\Delta^2P_0+\delta(\tfrac1{\delta^3}\Delta^3P_0),\ \ \tfrac1{\delta^3}\Delta^3P_1=\tfrac1{\delta^3}\Delta^3P_0
+:printed: P_1=P_0+\delta(\tfrac1\delta\Delta P_0),\ \ \tfrac1\delta\Delta P_1=\tfrac1\delta\Delta
+  P_0+\delta(\tfrac1{\delta^2}\Delta^2P_0),\ \
+  \tfrac1{\delta^2}\Delta^2P_1=\tfrac1{\delta^2}\Delta^2P_0+\delta(\tfrac1{\delta^3}\Delta^3P_0),\ \
+  \tfrac1{\delta^3}\Delta^3P_1=\tfrac1{\delta^3}\Delta^3P_0
 :holds-by: step_takes_differences_to_the_next_place
 :figure: forward_differences
 :::
@@ -94,7 +96,8 @@ $\frac1{\delta^k}\Delta^kP$ instead.
 :::{statement} hu-1987:1-4-5
 :title: The table to begin with
 :zh: 初始差分矩阵
-:printed: \begin{bmatrix}P_0\\\frac1\delta\Delta P_0\\\frac1{\delta^2}\Delta^2P_0\\\frac1{\delta^3}\Delta^3P_0\end{bmatrix}=\begin{bmatrix}D\\A\delta^2+B\delta+C\\6A\delta+2B\\6A\end{bmatrix}
+:printed: \begin{bmatrix}P_0\\\frac1\delta\Delta
+  P_0\\\frac1{\delta^2}\Delta^2P_0\\\frac1{\delta^3}\Delta^3P_0\end{bmatrix}=\begin{bmatrix}D\\A\delta^2+B\delta+C\\6A\delta+2B\\6A\end{bmatrix}
 :holds-by: scaled_table_is_as_printed
 :figure: forward_differences
 :::
@@ -124,9 +127,9 @@ CLAIM(scaled_table_is_as_printed)
 }
 
 /*
-The word matrix is used for two things here.  One is the first column of the table, four rows with as many entries as there are
-coordinates; the other is the step, which multiplies such a column and is square.  The number $4\times3$ belongs to the first, the
-formulas that stand above the sentence to the second.
+The word matrix is used for two things here.  One is the first column of the table, four rows with as many entries as
+there are coordinates; the other is the step, which multiplies such a column and is square.  The number $4\times3$
+belongs to the first, the formulas that stand above the sentence to the second.
 
 :::{statement} hu-1987:1-4-difference-matrix
 :title: The matrix of differences
@@ -179,11 +182,11 @@ CLAIM(step_multiplies_by_a_square_matrix)
 
 ## What rounding does to the table
 
-A step has no multiplication, but every point inherits the errors of all points before it.  With $\delta=2^{-m}$ there may be
-none: the numbers that occur have $3m$ binary places more than the coefficients.  With $\delta=1/n$ for other $n$, the
-differences are rounded before the first step, and an error of $\Delta^3P_0$ is multiplied by $\binom n3$ on the way.  How large it is
-depends on how the table is begun: differences of rounded points inherit the roundoff of the points, and the rows of (1-4-5) only
-that of their own, small, size.
+A step has no multiplication, but every point inherits the errors of all points before it.  With $\delta=2^{-m}$ there
+may be none: the numbers that occur have $3m$ binary places more than the coefficients.  With $\delta=1/n$ for other
+$n$, the differences are rounded before the first step, and an error of $\Delta^3P_0$ is multiplied by $\binom n3$ on
+the way.  How large it is depends on how the table is begun: differences of rounded points inherit the roundoff of the
+points, and the rows of (1-4-5) only that of their own, small, size.
 
 :::{claim} stepping_reaches_the_other_end
 :title: After as many steps as there are pieces the table is at the other end
@@ -280,8 +283,8 @@ CLAIM(errors_of_the_table_grow_with_the_cube)
 :title: A table begun with rounded points loses half of the digits, one begun with the coefficients does not
 :zh: 差分表的舍入误差取决于起始方式
 :kind: decision
-:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta=\frac1n$, $n$ steps in binary64; the table begun with the differences of the first four points, and
-  with (1-4-5); two bounds
+:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta=\frac1n$, $n$ steps in binary64; the table begun with the
+  differences of the first four points, and with (1-4-5); two bounds
 :data: c = 1 0 0 1; n = 1000; many = 10000000; few = 1000
 :instead: n = 1024
 :then: in units of the roundoff $2^{-53}$ the last point has an error of more than many the first way, of less than few the second way, and
@@ -331,7 +334,8 @@ CLAIM(stepping_loses_what_horner_keeps)
 :title: Words of 16 binary places lose the cubic term
 :zh: 字长不足时丢失三次项
 :kind: counterexample
-:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta$; differences kept to so many binary places, the rest cut off; $n$ steps
+:given: the cubic with the coefficients $c$, from $D$ to $A$; $\delta$; differences kept to so many binary places, the rest cut off; $n$
+  steps
 :data: c = 0 0 0 1/8; δ = 1/256; places = 16; n = 256
 :instead: places = 27
 :then: the second and the third difference are cut to 0, and so is the first: the last point is $P(0)$ in the place of $P(1)$

@@ -97,11 +97,11 @@ CLAIM(two_cubes_from_the_origin_trace_the_segment)
 }
 
 /*
-The values at the ends say where a curve begins and ends, and nothing about what lies between.  The reason that the source gives is
-therefore none, and the next two claims look for the true one.  The curve begins in $P_0$ and ends in $P_1$, but its two factors do not
-add up to 1: some of the weight of the mean is missing, and what is missing is put into the origin.  So $P(t)$ is a point of the
-triangle of $P_0$, $P_1$ and the origin, and it can be on the chord only where this triangle shrinks to a line.  In the printed example the
-origin is $P_0$ itself.
+The values at the ends say where a curve begins and ends, and nothing about what lies between.  The reason that the
+source gives is therefore none, and the next two claims look for the true one.  The curve begins in $P_0$ and ends in
+$P_1$, but its two factors do not add up to 1: some of the weight of the mean is missing, and what is missing is put
+into the origin.  So $P(t)$ is a point of the triangle of $P_0$, $P_1$ and the origin, and it can be on the chord only
+where this triangle shrinks to a line.  In the printed example the origin is $P_0$ itself.
 
 :::{statement} hu-1987:1-2-example-reason
 :title: That the factors are 1 and 0 at the ends is the reason for the straight line
@@ -174,11 +174,12 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 :::{claim} two_cubes_fill_segments_with_the_origin
 :title: On a line through the origin the example is the segment if the origin is between the points, and leaves it otherwise
 :zh: 共线时曲线为线段的充要条件
-:given: a line through the origin with coordinate $x$; $P_0$ at $p_0$, $P_1$ at $p_1$; $f(t)=p_0(1-t)^3+p_1t^3$; any $t$ of $(0,1)$ and $p,q>0$; and two places $a_0$,
-  $a_1$ on one side of the origin, with a parameter $s$
+:given: a line through the origin with coordinate $x$; $P_0$ at $p_0$, $P_1$ at $p_1$; $f(t)=p_0(1-t)^3+p_1t^3$; any $t$ of $(0,1)$ and
+  $p,q>0$; and two places $a_0$, $a_1$ on one side of the origin, with a parameter $s$
 :data: a = 1 2; s = 1/2
-:then: for $p_0=-p$, $p_1=q$, $f'(t)$ is three times $p(1-t)^2+qt^2\ge0$, so $f$ runs from $p_0$ to $p_1$ once and never back; for $p_0=p$, $p_1=p+q$, $f'(0)$ is three times
-  $-p<0$, so the curve begins by leaving the segment; for $p_0=a_0$, $p_1=a_1$ the value $f(s)$ is outside $[a_0,a_1]$
+:then: for $p_0=-p$, $p_1=q$, $f'(t)$ is three times $p(1-t)^2+qt^2\ge0$, so $f$ runs from $p_0$ to $p_1$ once and never back; for
+  $p_0=p$, $p_1=p+q$, $f'(0)$ is three times $-p<0$, so the curve begins by leaving the segment; for $p_0=a_0$, $p_1=a_1$ the value $f(s)$
+  is outside $[a_0,a_1]$
 :result: f(s) = 3/8
 :method: The derivative by the definition.  $p_0=p_1=p$ is $q=0$ in the second; a point in the origin is the claim above; the other cases are
   these with another direction of the line, or with $t$ and $1-t$ exchanged.
@@ -217,9 +218,9 @@ CLAIM(two_cubes_fill_segments_with_the_origin)
 }
 
 /*
-Now somebody else chooses the coordinates.  The points stay where they are on the paper, the origin moves, and with it the point in
-which the missing weight is put.  One should expect a curve that hangs from the chord towards the new origin, and that is what the
-formula draws.
+Now somebody else chooses the coordinates.  The points stay where they are on the paper, the origin moves, and with it
+the point in which the missing weight is put.  One should expect a curve that hangs from the chord towards the new
+origin, and that is what the formula draws.
 
 :::{statement} hu-1987:1-2-example-new-coordinates
 :title: The coordinates of the two points in the new system
@@ -422,9 +423,9 @@ CLAIM(matrices_pass_to_the_points)
 }
 
 /*
-From here on the functions may be any functions, since only their sum will matter.  A change of coordinates is a matrix and a
-translation, and the two behave differently.  A matrix distributes over the sum, so it passes from the curve to the points whatever the
-functions are: that is the associative law of the product of three matrices.
+From here on the functions may be any functions, since only their sum will matter.  A change of coordinates is a matrix
+and a translation, and the two behave differently.  A matrix distributes over the sum, so it passes from the curve to
+the points whatever the functions are: that is the associative law of the product of three matrices.
 
 :::{statement} hu-1987:1-2-rotation
 :title: A rotation of the points is the rotation of the curve
@@ -484,10 +485,10 @@ CLAIM(rotation_about_a_point_moves_the_example)
 #endif
 
 /*
-A translation does not distribute.  Every point receives the vector $m$, and the curve receives it as often as the functions add up to.
-The whole condition can be read off this one line; what has to be watched is the word "shape".  Whoever asks that the curve goes where
-its points go needs the sum 1 (柯西关系).  Whoever asks only that it stays congruent to itself needs a constant sum, and the print does
-not say which of the two is meant.
+A translation does not distribute.  Every point receives the vector $m$, and the curve receives it as often as the
+functions add up to.  The whole condition can be read off this one line; what has to be watched is the word "shape".
+Whoever asks that the curve goes where its points go needs the sum 1 (柯西关系).  Whoever asks only that it stays congruent
+to itself needs a constant sum, and the print does not say which of the two is meant.
 
 :::{statement} hu-1987:1-2-translation
 :title: What a translation of the points does to the curve
@@ -654,8 +655,8 @@ CLAIM(sum_of_two_cubes_is_less_than_one)
 /*
 ## What is said of parametric curves in general
 
-Section 1-4 of the source praises the parametric form.  It means a vector function $P(t)=[x(t)\;y(t)\;z(t)]$, and maps its values; section 1-2 has
-moved control points, which is another thing.
+Section 1-4 of the source praises the parametric form.  It means a vector function $P(t)=[x(t)\;y(t)\;z(t)]$, and maps
+its values; section 1-2 has moved control points, which is another thing.
 
 :::{statement} hu-1987:1-4-advantage-invariance
 :title: Parametric curves are geometrically invariant
@@ -733,18 +734,20 @@ CLAIM(image_keeps_no_chord)
 }
 
 /*
-An affine map is a matrix and a translation, so what has been said covers it.  A projective map (射影变换) is a matrix as well, but for
-homogeneous coordinates: afterwards one divides, and the division does not distribute over a sum.  The parabola below shows that the
-images of control points are not the control points of the image, unless each takes its denominator with it as a weight.
+An affine map is a matrix and a translation, so what has been said covers it.  A projective map (射影变换) is a matrix as
+well, but for homogeneous coordinates: afterwards one divides, and the division does not distribute over a sum.  The
+parabola below shows that the images of control points are not the control points of the image, unless each takes its
+denominator with it as a weight.
 
 :::{statement} hu-1987:1-4-advantage-transformations
 :title: Parametric curves are easily mapped by affine and projective maps
 :zh: 参数曲线易于作仿射与射影变换
 :printed: Affine and projective transformations of parametric curves are easily carried out.
 :holds-by: bezier_curve_moves_with_its_points matrices_pass_to_the_points image_of_a_power_curve_is_one
-:reading: matrices_pass_to_the_points | The points of the curve are mapped, $[x(t)\;y(t)\;z(t)\;1]$ by a matrix and then divided: easy, and true.
-:reading: projective_image_is_not_the_curve_of_the_images | Control points are mapped, and a curve is made from their images: by an affine map the
-  image; by a projective one another curve, unless it is applied to homogeneous points, and then the curve is a rational one.
+:reading: matrices_pass_to_the_points | The points of the curve are mapped, $[x(t)\;y(t)\;z(t)\;1]$ by a matrix and then divided: easy,
+  and true.
+:reading: projective_image_is_not_the_curve_of_the_images | Control points are mapped, and a curve is made from their images: by an affine
+  map the image; by a projective one another curve, unless it is applied to homogeneous points, and then the curve is a rational one.
 :figure: projective_image_of_a_parabola
 
 A projective map is a matrix for the homogeneous coordinates, and matrices pass to the points.
@@ -832,8 +835,8 @@ CLAIM(division_keeps_power_curve)
 :printed: Certain curves have the property of the closed convex hull and the property of diminishing variation.
 :holds-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
 
-Bézier curves are such curves, by proof at least those of degree up to four: along a line $ax+by+c=0$ the coefficients are $ax_i+by_i+c$,
-whose changes of sign are the crossings of the polygon.
+Bézier curves are such curves, by proof at least those of degree up to four: along a line $ax+by+c=0$ the coefficients
+are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.
 :::
 */
 #include "chapters/judge/claims_off.h"

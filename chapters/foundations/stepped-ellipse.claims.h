@@ -50,17 +50,18 @@ CLAIM(second_step_uses_the_new_abscissa)
 }
 
 /*
-A determinant 1 is not enough for a closed curve: for $\varepsilon=2$ the points run away along two lines.  The trace decides.  For
-$0<\varepsilon<2$ it is between $-2$ and 2, as that of a rotation, and the step is a rotation in other coordinates.  The source shows these coordinates in an elegant
-way, by two sequences whose angles are half a step apart: the abscissa takes the cosine before, the ordinate the sine after the half
-step.
+A determinant 1 is not enough for a closed curve: for $\varepsilon=2$ the points run away along two lines.  The trace
+decides.  For $0<\varepsilon<2$ it is between $-2$ and 2, as that of a rotation, and the step is a rotation in other
+coordinates.  The source shows these coordinates in an elegant way, by two sequences whose angles are half a step apart:
+the abscissa takes the cosine before, the ordinate the sine after the half step.
 
 :::{statement} hu-1987:1-3-second-difference-equations
 :title: The difference equations of the ellipse
 :zh: 椭圆的差分方程
 :printed: With $x_n=r\cos\theta$, $y_n=r\sin(\theta+\frac{\Delta\theta}2)$, $\varepsilon=2\sin\frac{\Delta\theta}2$:
   $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta-2r\sin\frac{\Delta\theta}2\sin(\theta+\frac{\Delta\theta}2)=x_n-\varepsilon y_n$,
-  $y_{n+1}=r\sin(\theta+\Delta\theta+\frac{\Delta\theta}2)=r\sin(\theta+\frac{\Delta\theta}2)+2r\sin\frac{\Delta\theta}2\cos(\theta+\Delta\theta)=y_n+\varepsilon x_{n+1}$
+  $y_{n+1}=r\sin(\theta+\Delta\theta+\frac{\Delta\theta}2)=r\sin(\theta+\frac{\Delta\theta}2)+2r\sin\frac{\Delta\theta}2\cos(\theta+\Delta\theta)=y_n+\varepsilon
+  x_{n+1}$
 :holds-by: second_orbit_has_equal_angles
 :needs: second_step_of_two_has_no_angle | $0<\varepsilon<2$; otherwise there is no such angle
 :figure: ellipse_of_the_second_way
@@ -70,8 +71,8 @@ step.
 :title: Along the orbit of the second way an angle grows evenly
 :zh: 第二种方法的等角参数
 :given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$ with the tangents $a$ and $b$ of their halves
-:then: the step $T$ with $\varepsilon=2\sin\delta$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle
-  terms of both chains are equal to the outer ones
+:then: the step $T$ with $\varepsilon=2\sin\delta$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to
+  $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle terms of both chains are equal to the outer ones
 :method: All sums of angles from the tangents of their halves; $a$, $b$, $r$ variables.
 :control: $\varepsilon=2\sin\Delta\theta$
 :::
@@ -125,9 +126,9 @@ CLAIM(second_step_of_two_has_no_angle)
 #endif
 
 /*
-When the angle is eliminated an equation remains, and it is that of an ellipse with its axes on the diagonals.  More can be said than
-that the points of one orbit are on it: the quadratic form on its left is invariant under the step, whatever the first point is, so
-every orbit has its own ellipse of the same shape.
+When the angle is eliminated an equation remains, and it is that of an ellipse with its axes on the diagonals.  More can
+be said than that the points of one orbit are on it: the quadratic form on its left is invariant under the step,
+whatever the first point is, so every orbit has its own ellipse of the same shape.
 
 :::{statement} hu-1987:1-3-ellipse
 :title: The equation of the ellipse
@@ -201,15 +202,15 @@ CLAIM(second_form_is_an_ellipse)
 /*
 ## How far the ellipse is from the circle
 
-An error needs a direction.  The ellipse leaves the circle outwards on one diagonal and inwards on the other, and the two deviations are
-not equal; the formula that is printed is the outward one, which is the smaller.  The difference is of second order, and both are half
-the sine to first order.
+An error needs a direction.  The ellipse leaves the circle outwards on one diagonal and inwards on the other, and the
+two deviations are not equal; the formula that is printed is the outward one, which is the smaller.  The difference is
+of second order, and both are half the sine to first order.
 
 :::{statement} hu-1987:1-3-error
 :title: The error of the ellipse
 :zh: 椭圆与圆的误差公式
-:printed: $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)$ is the error between the ellipse and the
-  exact circle.
+:printed: $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)$ is the error between the ellipse
+  and the exact circle.
 :holds-by: ellipse_lies_between_two_circles
 :reading: ellipse_lies_between_two_circles | By how much the ellipse leaves the circle of radius $r$ outwards, relative to $r$.
 :reading: ellipse_leaves_the_circle_by_more | The largest error in either direction: this is $1-\sqrt{1-s}$, inwards, and for every
@@ -290,8 +291,9 @@ CLAIM(ellipse_leaves_the_circle_by_more)
 }
 
 /*
-The next line of the source halves nothing where it should.  From $\sqrt{1+s}\approx1+\frac s2$ and $s=2^{-m-1}$ one has to divide by 2
-once more.  The example that follows is right, so the slip is one of the exponent, and one sees it by putting in the example's $m$.
+The next line of the source halves nothing where it should.  From $\sqrt{1+s}\approx1+\frac s2$ and $s=2^{-m-1}$ one has
+to divide by 2 once more.  The example that follows is right, so the slip is one of the exponent, and one sees it by
+putting in the example's $m$.
 
 :::{statement} hu-1987:1-3-error-approximation
 :title: The error is about the reciprocal of a power of two
@@ -317,8 +319,8 @@ The source's own example, 1.6% for $m=4$, is that of the corrected exponent.
 :data: m = 4
 :then: in per cent, rounded to one decimal, the printed $2^{-(m+1)}$ is not $E=\sqrt{1+s}-1$, but nearly twice as much
 :result: 2^-(m+1) = "3.1 %"; E = "1.6 %"
-:method: A number is rounded to $k$ tenths of a per cent when it is between the numbers half a tenth below and above, which is decided for $E$ after
-  squaring.
+:method: A number is rounded to $k$ tenths of a per cent when it is between the numbers half a tenth below and above, which is decided for
+  $E$ after squaring.
 :control: $2^{-(m+2)}$
 :::
 */

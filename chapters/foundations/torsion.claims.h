@@ -1,8 +1,8 @@
 /*
 # Torsion of a cubic (挠率)
 
-A curve in space leaves its osculating plane (密切平面) as fast as its torsion says.  For a cubic the numerator of the torsion is a single
-number, which vanishes exactly when the cubic is plane.
+A curve in space leaves its osculating plane (密切平面) as fast as its torsion says.  For a cubic the numerator of the
+torsion is a single number, which vanishes exactly when the cubic is plane.
 */
 #include "chapters/foundations/cubic.h"
 
@@ -19,15 +19,16 @@ number, which vanishes exactly when the cubic is plane.
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
 :figure: derivatives_with_lost_dots
 
-A mixed product with one vector twice is 0, whatever is meant by the letter $s$, which has lost its dot as in the formula of the
-curvature.
+A mixed product with one vector twice is 0, whatever is meant by the letter $s$, which has lost its dot as in the
+formula of the curvature.
 :::
 
 :::{claim} torsion_by_speed_and_curvature
 :title: The torsion by speed and curvature
 :zh: 用速率与曲率表示挠率
 :given: any three vectors $P',P'',P'''$ of space, $P'\times P''\ne0$
-:then: $\frac{(P',P'',P''')}{\dot s^6K^2}=\frac{(P',P'',P''')}{|P'\times P''|^2}$, the torsion, with $\dot s^2=|P'|^2$ and $K^2=\frac{|P'\times P''|^2}{|P'|^6}$
+:then: $\frac{(P',P'',P''')}{\dot s^6K^2}=\frac{(P',P'',P''')}{|P'\times P''|^2}$, the torsion, with $\dot s^2=|P'|^2$ and
+  $K^2=\frac{|P'\times P''|^2}{|P'|^6}$
 :method: The kernels for the square of the curvature and for the torsion, everything a variable.
 :control: $\dot s^4$
 :::
@@ -85,9 +86,9 @@ CLAIM(printed_vectors_have_no_torsion)
 }
 
 /*
-Two misprints overlap in the one formula of the source, and each has to be refuted with the other one mended.  A mixed product with one vector
-twice is 0 for every curve.  The power of the speed shows only where the speed is not 1, so a curve has to be
-taken at a place where it is not; there one sees that the sixth power is right and the third is not.
+Two misprints overlap in the one formula of the source, and each has to be refuted with the other one mended.  A mixed
+product with one vector twice is 0 for every curve.  The power of the speed shows only where the speed is not 1, so a
+curve has to be taken at a place where it is not; there one sees that the sixth power is right and the third is not.
 
 :::{statement} hu-1987:1-4-torsion-power
 :title: The power of the speed in the formula of the torsion
@@ -133,7 +134,8 @@ CLAIM(printed_power_spoils_the_torsion)
 :::{statement} hu-1987:1-4-torsion-first-determinant
 :title: The determinant of the derivatives
 :zh: 导矢的行列式
-:printed: $(\dot P\times\ddot P)\cdot\ddot P=\begin{vmatrix}\dot x&\dot y&\dot z\\\ddot x&\ddot y&\ddot z\\\ddot x&\ddot y&\ddot z\end{vmatrix}=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
+:printed: $(\dot P\times\ddot P)\cdot\ddot P=\begin{vmatrix}\dot x&\dot y&\dot z\\\ddot x&\ddot y&\ddot z\\\ddot x&\ddot y&\ddot
+  z\end{vmatrix}=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
 :refuted-by: determinant_with_equal_rows_is_zero
 :class: misprint
 :corrected: $(\dot P\times\ddot P)\cdot\dddot P=-12\,(A,B,C)$, with $\dddot x,\dddot y,\dddot z$ in the last row
@@ -204,9 +206,9 @@ CLAIM(determinant_with_equal_rows_is_zero)
 }
 
 /*
-The last line of the derivation drops an exponent in one of nine entries.  Such a slip can be found by asking what the line claims: the determinant
-of the three derivatives does not depend on $t$, because a linear combination of the rows removes $t$ altogether, and with
-the printed entry it does.
+The last line of the derivation drops an exponent in one of nine entries.  Such a slip can be found by asking what the
+line claims: the determinant of the three derivatives does not depend on $t$, because a linear combination of the rows
+removes $t$ altogether, and with the printed entry it does.
 
 :::{statement} hu-1987:1-4-torsion-entry
 :title: The determinant with the coefficients inserted
@@ -250,13 +252,14 @@ CLAIM(printed_entry_spoils_the_determinant)
 :::{statement} hu-1987:1-4-torsion-value
 :title: The value of the determinant
 :zh: 行列式的值
-:printed: The determinant of $\dot P$, $\ddot P$ and the third derivative is $-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$.
+:printed: The determinant of $\dot P$, $\ddot P$ and the third derivative is
+  $-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$.
 :holds-by: determinant_of_the_derivatives_is_constant
 :figure: determinants_of_the_derivatives
 :::
 
-A single number decides whether a cubic is plane.  The three normals $A\times B$, $C\times A$ and $B\times C$ test the three powers of the
-parameter one by one, so when the determinant vanishes the curve is perpendicular to each of them.
+A single number decides whether a cubic is plane.  The three normals $A\times B$, $C\times A$ and $B\times C$ test the
+three powers of the parameter one by one, so when the determinant vanishes the curve is perpendicular to each of them.
 
 :::{statement} hu-1987:1-4-plane
 :title: When the determinant is zero the cubic is plane
