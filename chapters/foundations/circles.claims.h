@@ -96,6 +96,7 @@ CLAIM(rotated_points_are_equally_spaced)
     same(T, G(norm_squared)(2, Q), G(norm_squared)(2, P));
     about(T, "the square of the distance");
     num edge[2] = {sub(Q[0], last[0]), sub(Q[1], last[1])}, factor = mul(from_int(2), sub(from_int(1), angle.cos));
+    /* |P_n - P_{n-1}|² = 2 (1 - cos Δθ) |P_0|² */
     same(T, G(norm_squared)(2, edge), mul(factor, G(norm_squared)(2, P)));
 }
 
@@ -195,6 +196,7 @@ CLAIM(small_step_is_the_rotation_to_first_order)
     for (int k = 0; k < 4; k++) {
         num unit = from_int(k == 0 || k == 3);
         same(T, substitute_f(M[k], a, zero), unit);
+        /* dM/dΔθ = (dM/da)/(dΔθ/da) at a = 0 */
         same(T, substitute_f(div(derivative_f(M[k], a), speed), a, zero), sub(S[k], unit));
     }
 }
@@ -385,6 +387,7 @@ CLAIM(small_steps_multiply_the_radius)
     G(small_step)(epsilon, M);
     G(steps)(fault(T, T->degree, T->degree - 1), M, Q);
     num factor = add(from_int(1), mul(epsilon, epsilon));
+    /* |P_n|² = (1 + ε²)^n |P_0|² */
     same(T, G(norm_squared)(2, Q), mul(G(power)(factor, T->degree), G(norm_squared)(2, P)));
 }
 
@@ -404,6 +407,7 @@ CLAIM(radius_of_small_steps_exceeds_every_bound)
     num epsilon = positive(T, "e", 0), square = mul(epsilon, epsilon);
     num whole_power = G(power)(add(from_int(1), square), T->degree);
     num least = add(from_int(1), mul(from_int(fault(T, T->degree, T->degree + 1)), square));
+    /* (1 + ε²)^n - 1 - n ε² */
     nonnegative(T, sub(whole_power, least));
 }
 
@@ -509,6 +513,7 @@ CLAIM(small_steps_are_powers_of_a_complex_number)
     }
     G(small_step)(epsilon, M);
     G(steps)(n, M, Q);
+    /* x_n + i y_n = (1 + iε)^n (x_0 + i y_0), real and imaginary part */
     same(T, Q[0], sub(mul(z[0], P[0]), mul(z[1], P[1])));
     same(T, Q[1], add(mul(z[0], P[1]), mul(z[1], P[0])));
 }

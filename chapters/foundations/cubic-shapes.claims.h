@@ -60,6 +60,7 @@ CLAIM(sign_of_delta_tells_the_form)
     num aa = mul(m[0], m[0]),
         delta = fault(T, G(cubic_delta)(m), sub(mul(m[1], m[1]), mul(from_int(4), mul(m[0], m[2]))));
     about(T, "delta");
+    /* δ = -a² (s - u)² */
     same(T, delta, neg(mul(aa, G(power)(sub(s, u), 2))));
     about(T, "the parameters of the double point");
     same(T, g[2], aa);
@@ -75,6 +76,7 @@ CLAIM(sign_of_delta_tells_the_form)
     G(cubic_double_point_polynomial)(m, g);
     delta = G(cubic_delta)(m);
     about(T, "the discriminants");
+    /* f_1² - 4 f_0 f_2 = 12 δ,   g_1² - 4 g_0 g_2 = -a² δ */
     same(T, sub(mul(f[1], f[1]), mul(from_int(4), mul(f[0], f[2]))), mul(from_int(12), delta));
     same(T, sub(mul(g[1], g[1]), mul(from_int(4), mul(g[0], g[2]))), neg(mul(mul(m[0], m[0]), delta)));
     num p = neg(div(m[1], m[0])), q = div(g[0], mul(m[0], m[0]));
@@ -150,6 +152,7 @@ CLAIM(merged_inflections_are_a_cusp)
     num at = neg(div(m[1], fault(T, mul(from_int(2), m[0]), m[0])));
     G(power_derivatives)(3, dim, c, at, 1, D);
     vanishes(T, G(cross2)(c + 3 * dim, D + dim));
+    /* 4a B × P'(t_0) = -δ */
     same(T, mul(mul(from_int(4), m[0]), G(cross2)(c + 2 * dim, D + dim)), neg(G(cubic_delta)(m)));
     for (int j = 0; j < dim; j++) {
         num square = mul(mul(from_int(3), c[3 * dim + j]), mul(t1, t1));
@@ -203,9 +206,11 @@ CLAIM(cusps_are_on_a_hyperbola)
     }
     num w = mul(two, G(cross2)(chord, side));
     num branch = sub(mul(sub(alpha, two), sub(beta, two)), from_int(fault(T, 1, 2)));
+    /* δ = -4αβ w² ((α - 2)(β - 2) - 1) */
     same(T, G(cubic_delta)(m), mul(from_int(-4), mul(mul(alpha, beta), mul(mul(w, w), branch))));
     about(T, "the turning at the ends");
     num three = from_int(3), minus_w = mul(from_int(-2), w);
+    /* at 0: -2α (3 - 2β) w,   at 1: -2β (3 - 2α) w */
     same(T, f[0], mul(minus_w, mul(alpha, sub(three, mul(two, beta)))));
     same(T, add(f[0], add(f[1], f[2])), mul(minus_w, mul(beta, sub(three, mul(two, alpha)))));
 }
@@ -301,6 +306,7 @@ CLAIM(signs_decide_the_form)
     for (int k = 0; k < 3; k++)
         same(T, b[k], mul(wanted[k], w));
     num branch = sub(mul(sub(alpha, two), sub(beta, two)), one);
+    /* f_1² - f_0 f_2 = -12αβ w² ((α - 2)(β - 2) - 1) */
     same(T, sub(mul(b[1], b[1]), mul(b[0], b[2])), mul(from_int(-12), mul(mul(product, ww), branch)));
 
     num e[3] = {g[0], add(g[0], mul(half, g[1])), add(g[0], add(g[1], g[2]))};
@@ -316,6 +322,7 @@ CLAIM(signs_decide_the_form)
             nonnegative(T, middle);
             nonnegative(T, outer[1]);
         } else {
+            /* g_0 = α (α + 2β² - 3β) w²,   g_1 = -αβ (2αβ - 3α - 3β + 4) w²,   g_2 = β (β + 2α² - 3α) w² */
             same(T, e[0], mul(outer[0], ww));
             same(T, e[1], neg(mul(middle, ww)));
             same(T, e[2], mul(outer[1], ww));
@@ -323,6 +330,7 @@ CLAIM(signs_decide_the_form)
     }
     num gap = sub(three, twice), rest = sub(four, mul(three, alpha));
     about(T, "the contradiction");
+    /* α (3 - 2α)² - (4 - 3α) = 4 (α - 1)³ */
     same(T, sub(mul(alpha, mul(gap, gap)), rest), mul(four, G(power)(sub(alpha, one), 3)));
 }
 
@@ -369,6 +377,7 @@ CLAIM(parallel_tangents_give_an_s_or_an_arch)
         vanishes(T, add(f[0], mul(from_ratio(1, 2), f[1])));
         about(T, "the double point");
         num first = sub(lambda, mul(from_int(fault(T, 3, 2)), mu)), second = sub(mu, mul(from_int(3), lambda));
+        /* at 0: λ (λ - 3μ) w²,   at 1: μ (μ - 3λ) w² */
         same(T, g[0], mul(mul(lambda, first), ww));
         same(T, add(g[0], add(g[1], g[2])), mul(mul(mu, second), ww));
     }

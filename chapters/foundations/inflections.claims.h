@@ -37,6 +37,7 @@ CLAIM(derivatives_of_a_cubic)
     G(power_derivatives)(3, space, c, t, 3, D);
     for (int j = 0; j < space; j++) {
         num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], tt = fault(T, mul(t, t), t);
+        /* P' = 3At² + 2Bt + C,   P'' = 6At + 2B,   P''' = 6A */
         same(T, D[space + j], add(add(mul(mul(from_int(3), A), tt), mul(mul(from_int(2), B), t)), C));
         same(T, D[2 * space + j], add(mul(mul(from_int(6), A), t), mul(from_int(2), B)));
         same(T, D[3 * space + j], mul(from_int(6), A));
@@ -198,6 +199,7 @@ CLAIM(second_derivative_splits_along_the_first)
     else
         G(cross3)(n, d1, back);
     for (int j = 0; j < space; j++)
+        /* |P'|² P'' = (P' · P'') P' + (P' × P'') × P' */
         same(T, mul(G(norm_squared)(space, d1), d2[j]), add(mul(G(dot)(space, d1, d2), d1[j]), back[j]));
     G(cross3)(d1, scaled, n);
     for (int j = 0; j < space; j++)
@@ -276,6 +278,7 @@ CLAIM(turning_of_a_cubic_is_quadratic)
     num product = sub(mul(D[0][0], D[1][1]), mul(D[0][1], D[1][0]));
     same(T, G(power_sum)(2, 1, f, 0, t), product);
     num inner = add(add(mul(mul(from_int(fault(T, 3, 2)), m[0]), mul(t, t)), mul(mul(from_int(3), m[1]), t)), m[2]);
+    /* P' × P'' = -2 (3at² + 3bt + c) */
     same(T, product, mul(from_int(-2), inner));
 
     num d[4 * space], first[space], second[space], turning[space], pairs[3][space];

@@ -492,6 +492,7 @@ CLAIM(curvature_vector_forces_the_condition)
     for (int j = 0; j < space; j++) {
         num U = unknown(T, "u", j), k = unknown(T, "k", j);
         num first = add(mul(mul(a1, a1), k), mul(mu1, U)), second = add(mul(mul(a2, a2), k), mul(mu2, U));
+        /* P_II'' = λ² P_I'' + β P_I' */
         same(T, second, add(mul(square, first), mul(beta, mul(a1, U))));
     }
 }
@@ -604,6 +605,7 @@ CLAIM(derivatives_of_a_piece)
         for (int k = 0; k <= 3; k++) {
             num there = G(power_sum_derivative)(3, space, c, j, k, t),
                 here = G(power_sum_derivative)(3, space, piece, j, k, u);
+            /* d^k P/du^k = (t_1 - t_0)^k d^k P/dt^k */
             same(T, here, mul(G(power)(h, fault(T, k, k > 0 ? 1 : k)), there));
             if (k == 1) {
                 speed = add(speed, mul(here, here));

@@ -85,6 +85,7 @@ CLAIM(distance_of_the_first_two_points)
     G(row_times)(first, M, next);
     num edge[2] = {sub(next[0], r), next[1]}, square = G(norm_squared)(2, edge), rr = mul(r, r);
     about(T, "the square of the distance");
+    /* |A_0A_1|² = 4r²a²/(1 + a²) */
     same(T, square, fault(T, div(mul(from_int(4), mul(rr, aa)), add(one, aa)), G(power)(mul(r, angle.sin), 2)));
     num unit[2] = {from_sine, from_int(0)};
     G(row_times)(unit, M, next);
@@ -95,6 +96,7 @@ CLAIM(distance_of_the_first_two_points)
     same(T, G(norm_squared)(2, step), add(one, aa));
     num wanted = sub(one, div(one, mul(from_int(2), rr)));
     about(T, "the distance one");
+    /* 2r² (1 - cos θ) - 1 = 2r² (1 - 1/(2r²) - cos θ) */
     same(T, sub(square, one), mul(mul(from_int(2), rr), sub(wanted, angle.cos)));
 }
 

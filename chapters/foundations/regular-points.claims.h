@@ -221,7 +221,9 @@ CLAIM(cusp_of_the_example_is_a_cusp)
     num x = sub(D[0], e[0]), y = sub(D[1], e[1]), mu = e[5], kappa = e[6];
     same(T, x, mul(kappa, mul(u, uu)));
     same(T, y, mul(mu, uu));
+    /* μ³ (x - x_0)² = κ² (y - y_0)³ */
     same(T, mul(G(power)(mu, 3), mul(x, x)), mul(mul(kappa, kappa), G(power)(y, 3)));
+    /* P' = (3κu², 2μu) */
     same(T, D[2], mul(mul(from_int(3), kappa), uu));
     same(T, D[3], mul(mul(from_int(2), mu), u));
 }
@@ -461,6 +463,7 @@ CLAIM(singular_parameters_of_the_line)
     num p = given(T, "p"), q = given(T, "q"), k = given(T, "k"), t = div(add(p, w), q), zero_at = sub(mul(w, w), p);
     G(power_derivatives)(3, 1, c, t, 1, D);
     same(T, D[1], mul(k, zero_at));
+    /* φ - (p - w)/q = w (w² - p)/q² */
     same(T, sub(G(power_sum)(3, 1, c, 0, t), div(sub(p, w), q)), div(mul(w, zero_at), mul(q, q)));
 }
 

@@ -167,6 +167,7 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
         from_first[j] = sub(G(two_cubes)(P, j, t), P[j]);
     }
     num factor = mul(from_int(fault(T, 3, 2)), mul(t, sub(from_int(1), t)));
+    /* (P_1 - P_0) × (P(t) - P_0) = 3t(1 - t) P_0 × P_1 */
     same(T, G(cross2)(chord, from_first), mul(factor, G(cross2)(P, P + dim)));
 }
 
@@ -336,6 +337,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 {
     num t = parameter(T, "t"), p = G(power)(sub(from_int(1), t), 3), q = G(power)(t, 3);
     num side = sub(sub(from_int(1), p), q);
+    /* (1 - p - q)³ = 27pq */
     same(T, G(power)(side, 3), mul(from_int(fault(T, 27, 26)), mul(p, q)));
 }
 
@@ -368,6 +370,7 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
     }
     num factor = mul(from_int(-3), mul(t, sub(from_int(1), t)));
     for (int j = 0; j < dim; j++)
+        /* P*(t) - (P(t) + m) = -3t(1 - t) m */
         same(T, sub(G(two_cubes)(image, j, t), add(G(two_cubes)(P, j, t), m[j])), mul(factor, m[j]));
 }
 
@@ -526,6 +529,7 @@ CLAIM(translation_adds_the_sum_of_the_functions)
             before = add(before, mul(phi[i], Q[i * space + j]));
             after = add(after, mul(phi[i], add(Q[i * space + j], m)));
         }
+        /* P* = P + (Σφ_i) m,   P* - (P + m) = (Σφ_i - 1) m */
         same(T, after, add(before, mul(sum, m)));
         same(T, sub(after, add(before, m)), mul(sub(sum, from_int(1)), m));
     }

@@ -89,9 +89,11 @@ CLAIM(second_orbit_has_equal_angles)
     G(row_times)(P, M, next);
     about(T, "x_{n+1}");
     same(T, next[0], mul(r, full.cos));
+    /* r cos(θ + Δθ) = r cos θ - 2r sin(Δθ/2) sin(θ + Δθ/2) */
     same(T, mul(r, full.cos), sub(mul(r, theta.cos), mul(mul(twice_r, delta.sin), one.sin)));
     about(T, "y_{n+1}");
     same(T, next[1], mul(r, last.sin));
+    /* r sin(θ + 3Δθ/2) = r sin(θ + Δθ/2) + 2r sin(Δθ/2) cos(θ + Δθ) */
     same(T, mul(r, last.sin), add(mul(r, one.sin), mul(mul(twice_r, delta.sin), full.cos)));
 }
 
@@ -154,6 +156,7 @@ CLAIM(second_orbit_satisfies_the_printed_equation)
     num x = mul(r, theta.cos), y = mul(r, shifted.sin), below = mul(r, delta.cos);
     num square = mul(below, below), factor = mul(from_int(fault(T, 2, 1)), delta.sin);
     num left = sub(add(div(mul(x, x), square), div(mul(y, y), square)), mul(div(factor, square), mul(x, y)));
+    /* x²/(r cos δ)² + y²/(r cos δ)² - 2 sin δ/(r cos δ)² xy = 1,  δ = Δθ/2 */
     same(T, left, from_int(1));
 }
 
@@ -174,6 +177,7 @@ CLAIM(second_form_is_invariant)
     num mixed = fault(T, epsilon, from_int(0));
     G(second_step)(epsilon, M);
     G(steps)(T->degree, M, Q);
+    /* x_n² + y_n² - ε x_n y_n = x_0² + y_0² - ε x_0 y_0 */
     same(T, sub(G(norm_squared)(2, Q), mul(mixed, mul(Q[0], Q[1]))),
          sub(G(norm_squared)(2, P), mul(mixed, mul(P[0], P[1]))));
 }
@@ -194,6 +198,7 @@ CLAIM(second_form_is_an_ellipse)
     num plus = G(power)(add(x, y), 2), minus = G(power)(sub(x, y), 2);
     num low = mul(from_ratio(1, 2), sub(one, s)), high = mul(from_ratio(1, 2), add(one, s));
     num form = sub(add(mul(x, x), mul(y, y)), mul(mul(from_int(2), s), mul(x, y)));
+    /* x² + y² - 2s xy = (1 - s)/2 (x + y)² + (1 + s)/2 (x - y)² */
     same(T, form, fault(T, add(mul(low, plus), mul(high, minus)), add(mul(high, plus), mul(low, minus))));
     nonnegative(T, low);
     nonnegative(T, high);
@@ -234,6 +239,7 @@ CLAIM(ellipse_lies_between_two_circles)
     num high = add(one, s), low = sub(one, s), cc = sub(one, mul(s, s)), radius = add(mul(x, x), mul(y, y));
     num rr = div(sub(radius, mul(mul(from_int(2), s), mul(x, y))), cc);
     num outer = fault(T, high, low), inner = fault(T, low, high);
+    /* r² (1 + s) - (x² + y²) = s/(1 - s) (x - y)²,   (x² + y²) - r² (1 - s) = s/(1 + s) (x + y)² */
     same(T, sub(mul(rr, outer), radius), mul(div(s, low), G(power)(sub(x, y), 2)));
     same(T, sub(radius, mul(rr, inner)), mul(div(s, high), G(power)(add(x, y), 2)));
     about(T, "the square of 1 + E");

@@ -41,6 +41,7 @@ CLAIM(torsion_by_speed_and_curvature)
             d[k][j] = unknown(T, k == 0 ? "u" : k == 1 ? "v" : "w", j);
     num speed = G(norm_squared)(space, d[0]),
         below = mul(G(power)(speed, fault(T, 3, 2)), G(curvature_squared)(space, d[0], d[1]));
+    /* (P', P'', P''') / (s'^6 K²) = τ */
     same(T, div(G(det3)(d[0], d[1], d[2]), below), G(torsion)(d[0], d[1], d[2]));
 }
 
@@ -173,6 +174,7 @@ CLAIM(determinant_of_the_derivatives_is_constant)
     G(power_derivatives)(3, space, c, t, 3, D);
     G(rows_in_coefficients)(c, t, 2, rows);
     num value = mul(from_int(fault(T, -12, 12)), G(sarrus)(c + 3 * space, c + 2 * space, c + space));
+    /* (P', P'', P''') = -12 (A,B,C) */
     same(T, G(det3)(D + space, D + 2 * space, D + 3 * space), value);
     same(T, G(sarrus)(rows[0], rows[1], rows[2]), value);
 }
@@ -291,6 +293,7 @@ CLAIM(cubic_is_plane_when_determinant_vanishes)
     num det = G(sarrus)(A, B, C);
     for (int k = 0; k < 3; k++) {
         G(cross3)(pairs[k][0], pairs[k][1], normal);
+        /* (A × B)·(P - D) = t (A,B,C), and so on with t² and t³ */
         same(T, G(dot)(space, normal, gone), mul(G(power)(t, fault(T, k + 1, k == 2 ? 2 : k + 1)), det));
     }
 }
