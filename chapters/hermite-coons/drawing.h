@@ -25,4 +25,12 @@ static inline void put_hermite_graph(svg *s, num_q t0, num_q t1, const num_q f[4
     num_q data[8] = {t0, f[0], t1, f[1], length, mul_q(length, f[2]), length, mul_q(length, f[3])};
     put_hermite(s, data, role);
 }
+/* The Bézier curve of integer points, divided by `below`. */
+static inline void put_bezier(svg *s, int n, const int from[], long below, enum svg_role role)
+{
+    num_q R[2 * MAX_DEGREE + 2];
+    for (int m = 0; m < 2 * (n + 1); m++)
+        R[m] = r(from[m], below);
+    svg_bezier(s, n, R, role);
+}
 #endif

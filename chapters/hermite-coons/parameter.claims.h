@@ -1,0 +1,600 @@
+/*
+# Why a parameter (参数表示)
+
+The slides begin with a list of reasons for writing curves and surfaces with a parameter.  Most of them are half sentences:
+what a graph $y=f(x)$ cannot do, what an equation $f(x,y)=0$ makes inconvenient, what becomes easy with $P(t)$.  Read as
+mathematics each is a statement about what exists, and a curve that has it, or lacks it, decides it.  They turn out to be true,
+some of them only of explicit equations; and the one on space curves and cylinders says more than it seems to.
+*/
+#include "chapters/hermite-coons/definition.h"
+
+#if RATIONAL
+#include "exact/record/polynomial.h"
+#endif
+
+#include "chapters/judge/claims_on.h"
+
+enum { plane = 2, space = 3 };
+
+/*
+## What an equation in coordinates cannot do
+
+:::{statement} slides-ch4:1-axes
+:title: Equations without a parameter depend on the axes
+:zh: 非参数方程依赖坐标轴
+:printed: $y=f(x)$ and $f(x,y)=0$ belong to the axes and are inconvenient when the coordinates are changed.
+:holds-by: turned_graph_is_no_graph
+:figure: graphs_and_axes
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} turned_graph_is_no_graph
+:title: A graph that has been turned need not be a graph
+:zh: 旋转后不再是函数图形
+:kind: decision
+:data: x = 1 -1
+:result: images = (-1,1) (-1,-1)
+:given: two points of $y=x^2$ with the given $x$, turned by a right angle, $(x,y)\mapsto(-y,x)$
+:then: they have one $x$ and two different $y$: no $y=f(x)$ contains both
+:method: The two images, exactly.
+:control: turned by two right angles
+:::
+*/
+CLAIM(turned_graph_is_no_graph)
+{
+    num x[2], image[2 * plane];
+    given_points(T, "x", 2, 1, x);
+    for (int k = 0; k < 2; k++) {
+        num y = mul(x[k], x[k]);
+        image[k * plane] = neg(fault(T, y, x[k]));
+        image[k * plane + 1] = fault(T, x[k], neg(y));
+    }
+    found_points(T, "images", 2, plane, image);
+    about(T, "the two x");
+    same(T, image[0], image[plane]);
+    about(T, "whether the two y differ");
+    agree(T, !equal_q(image[1], image[plane + 1]));
+}
+
+/*
+:::{statement} slides-ch4:1-many-values
+:title: Several values in both directions
+:zh: 一个自变量对应多个值
+:printed: In some coordinates a curve may have several $y$ for some $x$ and several $x$ for some $y$.
+:holds-by: circle_has_two_values_each_way
+:figure: graphs_and_axes
+:::
+
+:::{claim} circle_has_two_values_each_way
+:title: The circle has two y for one x and two x for one y
+:zh: 圆的多值性
+:kind: decision
+:data: a = 3/5; b = 4/5
+:instead: b = 3/4
+:given: $x^2+y^2=1$, the points $(a,\pm b)$ and $(\pm a,b)$
+:then: all are on the circle; the first two have one $x$, the last two one $y$
+:method: The equation at the four points; the coordinates that differ.
+:control: another $b$
+:::
+*/
+CLAIM(circle_has_two_values_each_way)
+{
+    num a = given(T, "a"), b = given(T, "b"), one = from_int(1);
+    num points[4][2] = {{a, b}, {a, neg(b)}, {a, b}, {neg(a), b}};
+    for (int k = 0; k < 4; k++)
+        same(T, add(mul(points[k][0], points[k][0]), mul(points[k][1], points[k][1])), one);
+    about(T, "whether two y belong to one x, and two x to one y");
+    agree(T, equal_q(points[0][0], points[1][0]) && !equal_q(points[0][1], points[1][1]));
+    agree(T, equal_q(points[2][1], points[3][1]) && !equal_q(points[2][0], points[3][0]));
+}
+#endif
+
+/*
+:::{statement} slides-ch4:1-infinite-slope
+:title: Slopes may be infinite
+:zh: 斜率无穷大
+:printed: Without a parameter an infinite slope may occur.
+:holds-by: circle_has_an_upright_tangent
+:figure: graphs_and_axes
+:::
+
+:::{claim} circle_has_an_upright_tangent
+:title: On the circle the derivative is never zero, also where there is no slope
+:zh: 圆上竖直切线处导矢有限且非零
+:data: R = (1,0) (1,1) (0,1); ω = 1 1 2
+:instead: ω = 1 1 1
+:result: R'(0) = (0,2)
+:given: the quarter circle with the points $R$ and the weights $\omega$; any $t$
+:then: $R\cdot R'=0$ and $|R'|=\frac2{1+t^2}$, which is nowhere 0; at $t=0$ the derivative is upright, and there is no slope
+:method: Points and derivatives by the rational kernel; the length by its square.
+:control: equal weights
+:::
+*/
+CLAIM(circle_has_an_upright_tangent)
+{
+    num R[3 * plane], w[3], D[2 * plane], one = from_int(1), t = parameter(T, "t");
+    given_points(T, "R", 3, plane, R);
+    given_points(T, "ω", 3, 1, w);
+    num speed = div(from_int(2), add(one, mul(t, t))); /* 2/(1+t^2) */
+    G(rational_derivatives)(2, plane, R, w, t, 1, D);
+    about(T, "R times R'");
+    vanishes(T, add(mul(D[0], D[2]), mul(D[1], D[3])));
+    about(T, "the square of the length of R'");
+    same(T, add(mul(D[2], D[2]), mul(D[3], D[3])), mul(speed, speed));
+    G(rational_derivatives)(2, plane, R, w, from_int(0), 1, D);
+    found_points(T, "R'(0)", 1, plane, D + plane);
+    about(T, "R'(0)");
+    vanishes(T, D[plane]);
+}
+
+/*
+:::{statement} slides-ch4:1-hard-to-construct
+:title: Complicated shapes without a parameter
+:zh: 难以灵活地构造复杂的曲线、曲面
+:printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
+:holds-by: parametric_cubic_crosses_itself
+:hypothesis: nodal_cubic_has_an_equation | explicit equations $y=f(x)$ are meant: a curve that crosses itself has none, but it may have an equation
+  $f(x,y)=0$
+:figure: graphs_and_axes
+
+Hard and flexibly are read as what cannot be done at all.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} nodal_cubic_has_an_equation
+:title: The cubic that crosses itself has an equation
+:zh: 自交三次曲线的隐式方程
+:kind: counterexample
+:data: c = (-1,0) (0,-1) (1,0) (0,1); e = 1
+:instead: e = -1
+:result: y^2 - x^2 (x + e) = "0"
+:given: the cubic $P(t)=\sum_kc_kt^k$, and the equation $y^2=x^2(x+e)$
+:then: $y^2-x^2(x+e)$ is 0 along the curve, for every $t$
+:method: The difference as a polynomial in $t$; that it is not 0 is refuted.
+:control: $e$ with the other sign
+:::
+*/
+CLAIM(nodal_cubic_has_an_equation)
+{
+    num c[4 * plane], x[4], y[4], e;
+    given_points(T, "c", 4, plane, c);
+    e = given(T, "e");
+    for (int k = 0; k < 4; k++)
+        x[k] = c[k * plane], y[k] = c[k * plane + 1];
+    poly X = poly_from_q(4, x), Y = poly_from_q(4, y), factor = poly_add(X, poly_constant(e));
+    poly difference = poly_sub(poly_mul(Y, Y), poly_mul(poly_mul(X, X), factor));
+    found_text(T, "y^2 - x^2 (x + e)", poly_to_string(difference, "t"));
+    about(T, "whether the difference is not 0");
+    refute(T, poly_is_zero(difference));
+}
+
+/*
+:::{claim} parametric_cubic_crosses_itself
+:title: A parametric cubic crosses itself, which no graph does
+:zh: 参数三次曲线可自交
+:kind: decision
+:data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1
+:instead: c = (-1,0) (1,-1) (0,0) (0,1)
+:result: P = (0,0) (0,0); P' = (-2,2) (2,2)
+:given: the cubic $P(t)=\sum_kc_kt^k$ and two parameters $t$
+:then: there $P$ is twice the same point, and the two derivatives are not parallel
+:method: Points and derivatives by the power kernel, the determinant of the derivatives.
+:control: a cubic whose $x$ increases with $t$
+:::
+*/
+CLAIM(parametric_cubic_crosses_itself)
+{
+    num c[4 * plane], t[2], D[2][2 * plane];
+    given_points(T, "c", 4, plane, c);
+    given_points(T, "t", 2, 1, t);
+    for (int k = 0; k < 2; k++)
+        G(power_derivatives)(3, plane, c, t[k], 1, D[k]);
+    found_points(T, "P", 2, plane, (num[]){D[0][0], D[0][1], D[1][0], D[1][1]});
+    found_points(T, "P'", 2, plane, (num[]){D[0][2], D[0][3], D[1][2], D[1][3]});
+    about(T, "the two points");
+    same(T, D[0][0], D[1][0]);
+    same(T, D[0][1], D[1][1]);
+    about(T, "whether the derivatives are not parallel");
+    agree(T, !is_zero_q(G(cross2)(D[0] + plane, D[1] + plane)));
+}
+#endif
+
+/*
+:::{statement} slides-ch4:1-parametric-slope
+:title: With a parameter an infinite slope is easy to handle
+:zh: 参数方程便于处理斜率无穷大
+:printed: Parametric equations make it easy to deal with an infinite slope.
+:holds-by: circle_has_an_upright_tangent
+:::
+
+:::{statement} slides-ch4:1-space-curve
+:title: A space curve as an intersection of two cylinders
+:zh: 空间曲线与两张柱面的交线
+:printed: Explicit equations without a parameter describe plane curves only; a space curve has to be defined as the intersection of two
+  cylinders.
+:holds-by: graphs_over_one_axis_meet_in_one_curve
+:hypothesis: closed_curve_is_no_pair_of_graphs | explicit equations $y=f(x)$, $z=g(x)$ mean one point for each $x$, or for each value of another coordinate
+:hypothesis: no_two_projections_give_the_circle | where cylinders are taken over two projections, the curve is all that they have in common; for some curves no choice
+  of two will do
+:reading: two_cylinders_hold_more_than_the_curve | the cylinders over the projections of $x^2+y^2=1$, $z=y$ along $z$ and $y$: false, there is more
+:reading: two_cylinders_are_two_ellipses | what they have in common: the ellipses of $z=y$ and of $z=-y$
+:reading: two_cylinders_of_the_circle_hold_an_ellipse | for the circle of $x^2+y^2+z^2=2$, $x+y+z=0$, what two of its cylinders have in
+  common: the circle and an ellipse of a plane in which two coordinates are equal
+:figure: two_cylinders
+
+The plane $z=y$ is a cylinder as well, over the projection along $x$; with it, the ellipse is what two cylinders have in common.
+:::
+
+:::{claim} graphs_over_one_axis_meet_in_one_curve
+:title: Two graphs over one axis are two cylinders that meet in one curve
+:zh: 两个显式方程所表示的柱面之交线
+:given: $y=f(x)$ and $z=g(x)$ with polynomials of degree $n$ whose Bernstein coefficients are $f_i$ and $g_i$, any $f$, $g$ and $t$
+:then: the curve of the points $(\frac in,f_i,g_i)$ is at $(t,f(t),g(t))$: on both cylinders, with one point for each $x$
+:method: The point by `bezier_casteljau`, the functions by their powers, everything a variable.  Of the points with $x=t$ no other satisfies
+  both equations.
+:degrees: 1..6 sampled 10
+:control: $f$ and $g$ exchanged
+:::
+*/
+CLAIM(graphs_over_one_axis_meet_in_one_curve)
+{
+    int n = T->degree;
+    num t = parameter(T, "t"), b[(MAX_DEGREE + 1) * space], P[space], low[2][MAX_DEGREE + 1];
+    struct G(poly) f = G(free_poly)(T, "f", n), g = G(free_poly)(T, "g", n);
+    G(bernstein_from_power)(n, fault(T, f.c, g.c), low[0]);
+    G(bernstein_from_power)(n, fault(T, g.c, f.c), low[1]);
+    for (int i = 0; i <= n; i++) {
+        b[i * space] = from_ratio(i, n);
+        b[i * space + 1] = low[0][i];
+        b[i * space + 2] = low[1][i];
+    }
+    G(bezier_casteljau)(n, space, b, t, P);
+    same(T, P[0], t);
+    same(T, P[1], G(at)(f, 0, t));
+    same(T, P[2], G(at)(g, 0, t));
+}
+
+#if RATIONAL
+/*
+:::{claim} no_two_projections_give_the_circle
+:title: A circle that no two of its three projections determine
+:zh: 任两张投影柱面都不能确定的圆
+:kind: counterexample
+:data: p = (1,0,0) (0,1,0) (0,0,1)
+:instead: p = (1,0,-1) (-1,1,0) (0,-1,1)
+:result: x + y + z = 1 1 1
+:given: the circle $x^2+y^2+z^2=2$, $x+y+z=0$; its projections along the axes are $x^2+xy+y^2=1$, $x^2+xz+z^2=1$, $y^2+yz+z^2=1$;
+  a point $p$ on each of the three axes
+:then: each of the points is on two of the three cylinders, and none on the circle
+:method: On the plane $z=-x-y$, and $x^2+y^2+z^2=2$ becomes the first equation, likewise the others.  The equations of two cylinders at each point;
+  then $x+y+z$, which should be 0.
+:control: three points of the circle
+:::
+*/
+CLAIM(no_two_projections_give_the_circle)
+{
+    num points[space * space], sum[space], one = from_int(1);
+    given_points(T, "p", space, space, points);
+    for (int k = 0; k < space; k++) { /* the axis of the point */
+        const num *p = points + k * space;
+        about(T, "the equations of the two cylinders over planes with the axis of the point");
+        for (int j = 1; j <= 2; j++) {
+            num a = p[k], b = p[(k + j) % space];
+            same(T, add(mul(a, a), add(mul(a, b), mul(b, b))), one);
+        }
+        sum[k] = add(p[0], add(p[1], p[2]));
+        about(T, "x + y + z");
+        vanishes(T, sum[k]);
+    }
+    found_points(T, "x + y + z", space, 1, sum);
+}
+#endif
+
+/*
+:::{claim} two_cylinders_of_the_circle_hold_an_ellipse
+:title: Two of the three cylinders of the circle meet in it and in an ellipse
+:zh: 该圆的任两张投影柱面还交于一椭圆
+:given: any $x,y,z$
+:then: $(x^2+xy+y^2-1)-(x^2+xz+z^2-1)=(y-z)(x+y+z)$, the same with the letters changed, and where $x+y+z=0$ twice the first bracket is
+  $x^2+y^2+z^2-2$
+:method: Identities.  A point of both cylinders has $x+y+z=0$, and then it is on the circle; or $y=z$, where $x^2+xy+y^2=1$ is an ellipse,
+  $(x+\frac y2)^2+\frac34y^2=1$.
+:control: $(y+z)(x+y+z)$ on the right
+:::
+*/
+CLAIM(two_cylinders_of_the_circle_hold_an_ellipse)
+{
+    num x[space], bracket[space], sum = from_int(0), one = from_int(1); /* bracket[k]: the cylinder along axis k */
+    for (int k = 0; k < space; k++) {
+        x[k] = unknown(T, "x", k);
+        sum = add(sum, x[k]);
+    }
+    for (int k = 0; k < space; k++) {
+        num a = x[(k + 1) % space], b = x[(k + 2) % space];
+        bracket[k] = sub(add(mul(a, a), add(mul(a, b), mul(b, b))), one);
+    }
+    for (int k = 0; k < space; k++) {
+        num a = x[(k + 1) % space], b = x[(k + 2) % space];
+        same(T, sub(bracket[(k + 2) % space], bracket[(k + 1) % space]), mul(fault(T, sub(a, b), add(a, b)), sum));
+    }
+    num last = neg(add(x[0], x[1])), squares = add(mul(x[0], x[0]), add(mul(x[1], x[1]), mul(last, last)));
+    same(T, mul(from_int(2), bracket[2]), sub(squares, from_int(2)));
+}
+
+#if RATIONAL
+/*
+:::{claim} two_cylinders_hold_more_than_the_curve
+:title: A point of both cylinders that is not on the curve
+:zh: 两柱面交线多于原曲线
+:kind: counterexample
+:data: (x, y, z) = (0,1,-1)
+:instead: (x, y, z) = (0,1,1)
+:given: the ellipse $x^2+y^2=1$, $z=y$; its projections along the axes $z$ and $y$ are the circles $x^2+y^2=1$ and $x^2+z^2=1$; a point of space
+:then: the point is on the cylinders over both, and $z\ne y$
+:method: Both equations at the point; $z$ against $y$.
+:control: a point with $z=y$
+:::
+*/
+CLAIM(two_cylinders_hold_more_than_the_curve)
+{
+    num p[space], one = from_int(1);
+    given_points(T, "(x, y, z)", 1, space, p);
+    about(T, "the equations of the two cylinders");
+    same(T, add(mul(p[0], p[0]), mul(p[1], p[1])), one);
+    same(T, add(mul(p[0], p[0]), mul(p[2], p[2])), one);
+    about(T, "z and y");
+    same(T, p[2], p[1]);
+}
+
+/*
+:::{claim} closed_curve_is_no_pair_of_graphs
+:title: The ellipse has two points for one x
+:zh: 闭曲线不是显式方程组
+:kind: counterexample
+:data: p = (3/5,4/5,4/5) (3/5,-4/5,-4/5)
+:instead: p = (3/5,4/5,4/5) (3/5,4/5,4/5)
+:given: the ellipse $x^2+y^2=1$, $z=y$ and two of its points $p$ with one $x$
+:then: with $y=f(x)$ both would have one $y$, and they have not
+:method: Both points on the ellipse, exactly; their $x$ and $y$.
+:control: the first point twice
+:::
+*/
+CLAIM(closed_curve_is_no_pair_of_graphs)
+{
+    num points[2 * space];
+    given_points(T, "p", 2, space, points);
+    for (int k = 0; k < 2; k++) {
+        const num *p = points + k * space;
+        about(T, "the ellipse");
+        same(T, add(mul(p[0], p[0]), mul(p[1], p[1])), from_int(1));
+        same(T, p[2], p[1]);
+    }
+    about(T, "x of the two points");
+    same(T, points[0], points[space]);
+    about(T, "y of the two points with one x");
+    same(T, points[1], points[space + 1]);
+}
+#endif
+
+/*
+:::{claim} two_cylinders_are_two_ellipses
+:title: The intersection of the two cylinders is a pair of ellipses
+:zh: 两正交圆柱的交线为两椭圆
+:given: any $x,y,z$
+:then: $(x^2+y^2-1)-(x^2+z^2-1)=(y-z)(y+z)$
+:method: An identity.  Where both brackets on the left vanish one factor on the right does; and where one factor and the first bracket
+  vanish so does the second.
+:control: $(y-z)^2$ on the right
+:::
+*/
+CLAIM(two_cylinders_are_two_ellipses)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), z = unknown(T, "z", 0), one = from_int(1);
+    num first = sub(add(mul(x, x), mul(y, y)), one), second = sub(add(mul(x, x), mul(z, z)), one);
+    same(T, sub(first, second), mul(sub(y, z), fault(T, add(y, z), sub(y, z))));
+}
+
+/*
+:::{statement} slides-ch4:1-parametric
+:title: Curves and surfaces with parameters, and the tangent vector
+:zh: 参数曲线、切矢与参数曲面
+:printed: $P(t)=[x(t)\;y(t)\;z(t)]$, $P'(t)=[x'(t)\;y'(t)\;z'(t)]$; $P(u,w)=[x(u,w)\;y(u,w)\;z(u,w)]$
+:definition: yes
+:::
+
+:::{statement} slides-ch4:1-segment
+:title: The parameter of a segment
+:zh: 直线段的参数表示
+:printed: $P(t)=P_1+(P_2-P_1)t=(1-t)P_1+tP_2$, $0\le t\le1$; $x(t)=x_1+(x_2-x_1)t$, $y(t)=y_1+(y_2-y_1)t$
+:holds-by: segment_in_its_parameter
+:needs: curve_leaves_hull_outside_the_interval | $0\le t\le1$: beyond, it is a point of the line and not of the segment
+:::
+
+:::{statement} slides-ch4:1-segment-tangent
+:title: The tangent vector of a segment
+:zh: 直线段的切矢
+:printed: $P'(t)=[x'(t)\;y'(t)]=[x_2-x_1\;\;y_2-y_1]$, in the other notation $(x_2-x_1)\,i+(y_2-y_1)\,j$
+:holds-by: segment_in_its_parameter
+:::
+
+:::{claim} segment_in_its_parameter
+:title: Both forms of the segment are the Bézier curve of degree 1, and its derivative is constant
+:zh: 直线段即一次 Bézier 曲线
+:given: any points $P_1,P_2$ of the plane, any $t$
+:then: $P_1+(P_2-P_1)t=(1-t)P_1+tP_2$ is the curve of `bezier_casteljau`, its derivative by `bezier_derivatives` is $P_2-P_1$, and its
+  distance from $P_1$ is $t$ times the length: $|P(t)-P_1|^2=t^2|P_2-P_1|^2$
+:method: Each form, everything a variable.
+:control: the two points exchanged in the first form
+:::
+*/
+CLAIM(segment_in_its_parameter)
+{
+    num b[4], D[4], t = parameter(T, "t"), length = from_int(0), along = from_int(0);
+    for (int m = 0; m < 4; m++)
+        b[m] = unknown(T, m % 2 == 0 ? "x" : "y", m / 2 + 1);
+    G(bezier_derivatives)(1, plane, b, t, 1, D);
+    for (int c = 0; c < plane; c++) {
+        num from = b[fault(T, c, plane + c)], edge = sub(b[plane + c], b[c]), P;
+        G(bezier_casteljau)(1, 1, (num[]){b[c], b[plane + c]}, t, &P);
+        about(T, "the point");
+        same(T, add(from, mul(edge, t)), P);
+        same(T, add(mul(sub(from_int(1), t), b[c]), mul(t, b[plane + c])), D[c]);
+        about(T, "the derivative");
+        same(T, D[plane + c], edge);
+        length = add(length, mul(edge, edge));
+        along = add(along, mul(sub(P, b[c]), sub(P, b[c])));
+    }
+    about(T, "the distance from the first point");
+    same(T, along, mul(mul(t, t), length));
+}
+
+/*
+:::{statement} slides-ch4:1-parametric-transform
+:title: Transformations act on the parametric equations
+:zh: 可对参数方程直接进行几何变换
+:printed: Translation, scaling and rotation can be applied directly to the parametric equations.
+:holds-by: bezier_curve_moves_with_its_points
+:::
+
+:::{statement} slides-ch4:1-freedom
+:title: More freedom for the shape
+:zh: 参数形式自由度更大
+:printed: With a parameter there is more freedom to control the shape of curves and surfaces, and more that can be described.
+:holds-by: parametric_cubic_crosses_itself
+:figure: graphs_and_axes
+
+A parametric cubic of the plane has eight coefficients, of which the graph of a cubic, $x=t$, has four.  The claim shows a shape that no
+graph has.
+:::
+
+:::{statement} slides-ch4:1-dimensions
+:title: Any number of coordinates
+:zh: 变量个数不限,便于扩展到高维
+:printed: The variables are separated and their number is not limited, so curves and surfaces are easily taken from a space of few
+  dimensions to one of more.
+:holds-by: another_coordinate_changes_no_other
+:::
+
+:::{claim} another_coordinate_changes_no_other
+:title: A further coordinate leaves the others as they are
+:zh: 各坐标分量互不影响
+:given: points of space $P_0,\dots,P_n$, any $t$; the points of the plane with their first two coordinates
+:then: the first two coordinates of the curve in space are the curve in the plane
+:method: The kernel in two and in three dimensions, everything a variable.
+:degrees: 1..6 sampled 10
+:control: the plane of the first and the third coordinate
+:::
+*/
+CLAIM(another_coordinate_changes_no_other)
+{
+    int n = T->degree;
+    num b[(MAX_DEGREE + 1) * space], flat[(MAX_DEGREE + 1) * plane], P[space], Q[plane], t = parameter(T, "t");
+    for (int i = 0; i <= n; i++) {
+        for (int c = 0; c < space; c++)
+            b[i * space + c] = unknown(T, c == 0 ? "x" : c == 1 ? "y" : "z", i);
+        flat[i * plane] = b[i * space];
+        flat[i * plane + 1] = b[fault(T, i * space + 1, i * space + 2)];
+    }
+    G(bezier_casteljau)(n, space, b, t, P);
+    G(bezier_casteljau)(n, plane, flat, t, Q);
+    for (int c = 0; c < plane; c++)
+        same(T, Q[c], P[c]);
+}
+
+/*
+:::{statement} slides-ch4:1-matrices
+:title: Vectors and matrices
+:zh: 易于用矢量和矩阵表示
+:printed: The geometry is easily written, and computed, with vectors and matrices.
+:holds-by: unit_blending_functions small_degrees_written_out
+:::
+
+:::{statement} slides-ch4:1-bounded
+:title: Over the unit interval the coordinates are bounded
+:zh: 规格化参数使几何分量有界
+:printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
+:holds-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:hypothesis: weights_of_both_signs_make_a_pole | the functions have no pole in $[0,1]$; polynomials have none
+
+For a polynomial the bound is that of its Bernstein coefficients: the value is an average of them.
+:::
+
+:::{statement} slides-ch4:1-part
+:title: A part of a curve or of a surface
+:zh: 用参数范围界定曲线或曲面的一部分
+:printed: A part of a curve or of a surface can simply be marked off by $a\le t\le b$.
+:holds-by: interval_kernel_gives_the_part surface_part_is_the_piece
+
+For a surface this is one range for each of the two parameters, when the part is a rectangle of them.
+:::
+
+:::{statement} slides-ch4:1-pieces
+:title: Pieces that are joined smoothly
+:zh: 便于分段、分片描述与光顺连接
+:printed: With $t\in[0,1]$ curves and surfaces are conveniently described piece by piece, and smooth joints are easy to make.
+:holds-by: interval_kernel_gives_the_part surface_part_is_the_piece three_points_make_c2
+:::
+
+:::{statement} slides-ch4:1-two-kinds
+:title: Curves through the points, and curves with a control polygon
+:zh: 插值曲线与逼近曲线
+:printed: A curve that has to pass through the points is interpolating; one that need not, and whose shape is controlled by the polygon of
+  the points, is approximating.  Interpolation: a curve through the points in their order.
+:definition: yes
+:checked-by: one_cubic_passes_through_four_data
+:::
+
+:::{statement} slides-ch4:1-approximation
+:title: Approximation is nearest in some sense
+:zh: 逼近指某种意义下最佳
+:printed: Approximation: a curve is constructed that is nearest to the points in some sense.
+:definition: yes
+:checked-by: parabola_through_the_points_is_nearer nearest_line_meets_no_datum
+
+In which sense is left open.  By the distance from the points a Bézier curve, approximating by the words before, is no approximation, since a
+curve of the same degree through the points is nearer; the least sum of squares among simpler curves is a problem with one
+solution, and has no control polygon.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} parabola_through_the_points_is_nearer
+:title: The Bézier curve is not the nearest curve of its degree
+:zh: Bézier 曲线并非最近的曲线
+:kind: decision
+:data: Q = (0,0) (1,1) (2,0); t = 0 1/2 1; R = (0,0) (1,2) (2,0)
+:instead: R = (0,0) (1,1) (2,0)
+:result: distance = 1/2
+:given: the points $Q$ at the parameters $t$, and two curves of degree 2: that with the points $Q$, and that with the points $R$
+:then: the Bézier curve of the points $Q$ passes straight below the second of them, and the other one passes through all three
+:method: The points of both curves at the three parameters.
+:control: the same curve twice
+:::
+*/
+CLAIM(parabola_through_the_points_is_nearer)
+{
+    num Q[3 * plane], R[3 * plane], t[3], P[plane];
+    given_points(T, "Q", 3, plane, Q);
+    given_points(T, "t", 3, 1, t);
+    given_points(T, "R", 3, plane, R);
+    G(bezier_casteljau)(2, plane, Q, t[1], P);
+    num distance = sub(Q[plane + 1], P[1]);
+    found(T, "distance", distance);
+    about(T, "the distance of the Bézier curve from the second point");
+    same(T, P[0], Q[plane]);
+    agree(T, sign_q(distance) > 0);
+    about(T, "the curve through the points");
+    for (int k = 0; k <= 2; k++) {
+        G(bezier_casteljau)(2, plane, R, t[k], P);
+        for (int c = 0; c < plane; c++)
+            same(T, P[c], Q[k * plane + c]);
+    }
+}
+#endif
+
+#include "chapters/judge/claims_off.h"
