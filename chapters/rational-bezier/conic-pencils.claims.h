@@ -204,11 +204,11 @@ CLAIM(pencil_misses_its_difference)
     given_points(T, "S_2", 6, 1, S2);
     given_points(T, "S", 6, 1, S);
     given_points(T, "P", 4, 2, P);
-    int common = passes_through(T, "S_1(P)", S1, 4, P) & passes_through(T, "S_2(P)", S2, 4, P);
+    int on_first = passes_through(T, "S_1(P)", S1, 4, P), on_second = passes_through(T, "S_2(P)", S2, 4, P);
     int fits = passes_through(T, "S(P)", S, 4, P), count = members_like(S1, S2, S, 0, 2);
     found_whole(T, "values of λ that give S", count);
     about(T, "whether the conic, which passes through the four points, is a member");
-    refute(T, common && fits && count == 0);
+    refute(T, on_first && on_second && fits && count == 0);
 }
 
 /*
@@ -232,12 +232,12 @@ CLAIM(two_common_points_allow_other_conics)
     given_points(T, "S_2", 6, 1, S[1]);
     given_points(T, "S", 6, 1, S[2]);
     given_points(T, "P", 2, 2, P);
-    int common = passes_through(T, "S_1(P)", S[0], 2, P) & passes_through(T, "S_2(P)", S[1], 2, P);
+    int on_first = passes_through(T, "S_1(P)", S[0], 2, P), on_second = passes_through(T, "S_2(P)", S[1], 2, P);
     int fits = passes_through(T, "S(P)", S[2], 2, P);
     num determinant = of_quadratic_parts(S);
     found(T, "determinant", determinant);
     about(T, "determinant of the three rows (A, B, C), which is 0 for a member");
-    if (common && fits)
+    if (on_first && on_second && fits)
         vanishes(T, determinant);
 }
 

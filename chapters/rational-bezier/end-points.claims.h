@@ -432,7 +432,9 @@ struct G(last_end) {
 /* That of the data of the claim; n is its degree. */
 static struct G(last_end) G(given_last_end)(trial *T, int n)
 {
-    struct G(last_end) e = {.n = given_whole(T, "n"), .k = given_whole(T, "k"), .h = given_whole(T, "h")};
+    struct G(last_end) e = {.n = given_whole(T, "n")};
+    e.k = given_whole(T, "k");
+    e.h = given_whole(T, "h");
     given_points(T, "R", n + 1, 1, e.R);
     given_points(T, "ω", n + 1, 1, e.w);
     return e;

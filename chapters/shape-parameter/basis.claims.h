@@ -187,17 +187,18 @@ $\beta$.
 :::{claim} leading_coefficients_are_multiples_of_beta
 :title: The coefficient of the eighth power is beta times a whole number that is not 0
 :zh: t^8 的系数
-:given: any $\beta$
-:then: the coefficient of $t^8$ in $\hat B_i$ is $(-1)^{7-i}c_i\beta$ with
-  $c=(-1,-5,-9,-9,1,9,5,1)$; in $B_{3,7}$ and $B_{4,7}$ the numbers are $-5$ and $5$
-:method: The Bernstein coefficients of degree 8 from the kernel, taken to powers of $t$ by `bernstein_to_power`.
+:data: c, printed functions = -1 -5 -9 -9 1 9 5 1; c, corrected functions = -1 -5 -9 -5 5 9 5 1
+:given: any $\beta$, and the numbers $c$, none of which is 0
+:then: the coefficient of $t^8$ in function $i$ is $(-1)^{7-i}c_i\beta$
+:method: The Bernstein coefficients from the kernel, taken to powers of $t$ by `bernstein_to_power`.
 :control: the sign left out
 :::
 */
 CLAIM(leading_coefficients_are_multiples_of_beta)
 {
-    static const int factor[2][8] = {{-1, -5, -9, -5, 5, 9, 5, 1}, {-1, -5, -9, -9, 1, 9, 5, 1}};
-    num beta = G(any_beta)(T), E[9 * 8], column[9];
+    num beta = G(any_beta)(T), E[9 * 8], column[9], c[2][8];
+    given_points(T, "c, corrected functions", 8, 1, c[0]);
+    given_points(T, "c, printed functions", 8, 1, c[1]);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         G(matrix_of)(printed_ones, 7, beta, E);
         for (int i = 0; i <= 7; i++) {
@@ -205,7 +206,7 @@ CLAIM(leading_coefficients_are_multiples_of_beta)
                 column[k] = E[k * 8 + i];
             G(bernstein_to_power)(8, column, column);
             int sign = fault(T, (7 - i) % 2 == 0 ? 1 : -1, 1);
-            same(T, column[8], mul(from_int(sign * factor[printed_ones][i]), beta));
+            same(T, column[8], mul(mul(from_int(sign), c[printed_ones][i]), beta));
         }
     }
 }
@@ -260,21 +261,26 @@ space changes with $\beta$.
 :title: The functions are linearly independent unless beta is -7 or -21/4
 :zh: 线性无关的充要条件
 :kind: decision
+:data: β = -7 -21/4
+:result: rank, corrected functions = 7 7; rank, printed functions = 7 7
 :given: all complex $\beta$, the printed and the corrected functions
-:then: the nine determinants of order 8 of the $9\times8$ matrix of Bernstein coefficients vanish together exactly for
-  $\beta=-7$ and $\beta=-\frac{21}4$; for these two the rank is 7
+:then: the nine determinants of the largest order of the matrix of Bernstein coefficients vanish together exactly for
+  two values of $\beta$; for these the rank is that of seven functions
 :method: The determinant without row $r$ is, up to positive numbers, the polynomial
   $\nu_0\cdots\nu_{r-1}\varphi_r\cdots\varphi_7$ in $\beta$, since the rows before $r$ leave a lower and those after it an
-  upper triangle.  The greatest common divisor of the nine is computed; its squarefree part is
-  $(\beta+7)(\beta+\frac{21}4)$.  The two ranks by elimination.
+  upper triangle.  The greatest common divisor of the nine is computed; its squarefree part
+  has these two roots and no other.  The two ranks by elimination.
 :scope: all complex beta
 :control: only the last two of the determinants
 :::
 */
 CLAIM(functions_are_independent_but_for_two_values)
 {
-    poly expected = poly_mul(poly_from_q(2, (num[]){from_int(7), from_int(1)}),
-                             poly_from_q(2, (num[]){from_ratio(21, 4), from_int(1)}));
+    static const char *const rank_of[] = {"rank, corrected functions", "rank, printed functions"};
+    num value[2];
+    given_points(T, "β", 2, 1, value);
+    poly expected = poly_mul(poly_from_q(2, (num[]){neg(value[0]), from_int(1)}),
+                             poly_from_q(2, (num[]){neg(value[1]), from_int(1)}));
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8], divisor = poly_constant(from_int(0)), factor[8], product = poly_constant(from_int(1));
         int multiplicity[8];
@@ -289,11 +295,14 @@ CLAIM(functions_are_independent_but_for_two_values)
         for (int k = 0; k < factors; k++)
             product = poly_mul(product, factor[k]);
         agree(T, poly_equal(product, expected));
-        for (int value = 0; value <= 1; value++) {
+        num rank[2];
+        for (int k = 0; k < 2; k++) {
             num E[9 * 8];
-            G(matrix_of)(printed_ones, 7, value == 0 ? from_int(-7) : from_ratio(-21, 4), E);
-            agree(T, G(rank)(9, 8, E) == 7);
+            G(matrix_of)(printed_ones, 7, value[k], E);
+            rank[k] = from_int(G(rank)(9, 8, E));
+            agree(T, equal_q(rank[k], from_int(7)));
         }
+        found_points(T, rank_of[printed_ones], 2, 1, rank);
     }
 }
 

@@ -96,9 +96,10 @@ CLAIM(minors_are_products_of_entries)
 :title: The matrix of the functions is totally nonnegative exactly in the true range
 :zh: 规范全正的充要条件
 :kind: decision
-:given: all real $\beta$; corrected functions of degree $n$, for $n=7$ also the printed ones
-:then: the matrix of Bernstein coefficients has no negative minor exactly for $l_n\le\beta\le1$, where $l_7=-\frac{21}4$ and $l_n$ is
-  the greatest $\beta$ at which some $\nu_i$ vanishes from above
+:data: l_7 = -21/4
+:given: all real $\beta$; corrected functions of degree $n$, for the degree of the source also the printed ones
+:then: the matrix of Bernstein coefficients has no negative minor exactly for $l_n\le\beta\le1$, where $l_n$ is the
+  greatest $\beta$ at which some $\nu_i$ vanishes from above
 :method: The minors are products of entries, and these are linear in $\beta$; so the signs of all minors are constant between the
   neighbouring roots of the entries.  At every root and once in every gap the elimination of `total_positivity.h` decides.
 :degrees: 2..12
@@ -123,9 +124,9 @@ static num G(lower_end)(int n)
 CLAIM(totally_positive_exactly_in_the_range)
 {
     int n = T->degree;
-    num low = G(lower_end)(n), high = from_int(1);
+    num low = G(lower_end)(n), high = from_int(1), of_seven = given(T, "l_7");
     if (n == 7)
-        agree(T, equal_q(low, from_ratio(-21, 4)));
+        agree(T, equal_q(low, of_seven));
     low = fault(T, low, sub(low, from_int(1)));
     for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
         poly near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];

@@ -231,18 +231,25 @@ Different as parametrized curves; on a line they may be the same set of points. 
 :title: Only the polygons of one middle edge have the same curve for all beta
 :zh: 与 β 无关的控制多边形
 :kind: decision
-:given: numbers $k_0,\dots,k_7$, printed and corrected functions
-:then: $\sum k_iB_i$ is the same for all $\beta$ exactly for $k_0=\dots=k_3$, $k_4=\dots=k_7$ with the corrected functions, for the
-  multiples of $(0,0,0,0,5,1,1,1)$ with the printed ones
-:method: The functions are linear in $\beta$.  The $9\times8$ matrix of the Bernstein coefficients of their slopes has rank 6, resp. 7, and
-  the sequences named are in its kernel.  Coordinate by coordinate this is a statement on polygons.
+:data: k, corrected functions = 1 1 1 1 0 0 0 0; k', corrected functions = 0 0 0 0 1 1 1 1;
+  k, printed functions = 0 0 0 0 5 1 1 1
+:result: rank, corrected functions = 6; rank, printed functions = 7
+:given: all sequences of eight coefficients, and those that are named, printed and corrected functions
+:then: $\sum k_iB_i$ is the same for all $\beta$ exactly for the combinations of $k$ and $k'$ with the corrected functions, that is for
+  $k_0=\dots=k_3$, $k_4=\dots=k_7$, and for the multiples of $k$ with the printed ones
+:method: The functions are linear in $\beta$.  The sequences named are in the kernel of the matrix of the Bernstein coefficients of their slopes, and its
+  rank leaves room for no others.  Coordinate by coordinate this is a statement on polygons.
 :scope: all real beta, all polygons
 :control: $k_4=k_3$ in the sequences named
 :::
 */
 CLAIM(polygons_that_do_not_move)
 {
-    static const int still[3][8] = {{1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 5, 1, 1, 1}};
+    static const char *const rank_of[] = {"rank, corrected functions", "rank, printed functions"};
+    num still[3][8];
+    given_points(T, "k, corrected functions", 8, 1, still[0]);
+    given_points(T, "k', corrected functions", 8, 1, still[1]);
+    given_points(T, "k, printed functions", 8, 1, still[2]);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         num E[9 * 8], D[9 * 8];
         G(matrix_in_beta)(printed_ones, E, D);
@@ -250,10 +257,12 @@ CLAIM(polygons_that_do_not_move)
             for (int r = 0; r <= 8; r++) {
                 num sum = from_int(0);
                 for (int i = 0; i <= 7; i++)
-                    sum = add(sum, mul(D[r * 8 + i], from_int(still[m][fault(T, i, i == 4 ? 3 : i)])));
+                    sum = add(sum, mul(D[r * 8 + i], still[m][fault(T, i, i == 4 ? 3 : i)]));
                 vanishes(T, sum);
             }
-        agree(T, G(rank)(9, 8, D) == (printed_ones ? 7 : 6));
+        int rank = G(rank)(9, 8, D);
+        agree(T, rank == (printed_ones ? 8 - 1 : 8 - 2));
+        found_whole(T, rank_of[printed_ones], rank);
     }
 }
 

@@ -198,9 +198,10 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
 :title: Near the beginning the sum has the sign of its first coefficient that is not 0
 :zh: t→0+ 时组合函数的符号由首个非零系数决定
 :kind: decision
-:given: $-\frac{21}4<\beta\le1$, printed and corrected functions
+:data: range of β = -21/4 1
+:given: the true range of $\beta$ without its left end, printed and corrected functions
 :then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$ has the sign of the first $k_i\ne0$ for small $t>0$, for
-  $i=7$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$, $\varphi_0\ge0$ and $\nu_0>0$ for the other end
+  the last $i$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$, $\varphi_0\ge0$ and $\nu_0>0$ for the other end
 :method: The signs of linear polynomials in $\beta$ on the interval.
 :scope: beta from -21/4, which is left out, to 1
 :control: the interval with its left end
@@ -209,7 +210,9 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
 CLAIM(first_coefficient_gives_the_sign)
 {
     enum cagd_ends ends = fault(T, OPEN_LEFT, CLOSED);
-    num low = from_ratio(-21, 4), high = from_int(1);
+    num range[2];
+    given_points(T, "range of β", 2, 1, range);
+    num low = range[0], high = range[1];
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);

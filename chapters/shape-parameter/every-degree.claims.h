@@ -73,17 +73,21 @@ CLAIM(curve_is_a_blend_of_three_points)
 :title: The point is in the last triangle for beta from -2 to 1, nearer to its vertex for larger beta
 :zh: -2≤β≤1 时点在最后的三角形内
 :kind: decision
-:given: the three functions of degree 3, $n=2$
-:then: their factors are all nonnegative exactly for $-2\le\beta\le1$; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
+:data: range of β = -2 1
+:instead: range of β = -3 1
+:given: the three functions of the family for $n=2$, and a range of $\beta$
+:then: their factors are all nonnegative exactly in the range; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
   do not grow, for every $t\in[0,1]$
 :method: Signs of linear polynomials in $\beta$; the slopes of the factors are whole numbers.
 :scope: all real beta
-:control: the interval begins at $-3$
+:control: a range that begins earlier
 :::
 */
 CLAIM(blend_is_convex_from_minus_two_to_one)
 {
-    num low = from_int(fault(T, -2, -3)), high = from_int(1);
+    num range[2];
+    given_points(T, "range of β", 2, 1, range);
+    num low = range[0], high = range[1];
     poly near[3], far[3];
     G(factors_in_beta)(0, 2, near, far);
     for (int i = 0; i <= 2; i++) {
@@ -133,9 +137,9 @@ CLAIM(factors_in_closed_form)
 :title: The range in which the functions are nonnegative
 :zh: 各次的非负范围
 :kind: decision
+:data: l = -2 -3 -4 -5 -5 -21/4 -28/5 -6 -6 -55/9 -44/7
 :given: all real $\beta$, the corrected functions of degree $n$
-:then: they are nonnegative on $[0,1]$ exactly for $l_n\le\beta\le1$ with $l_n=-2,-3,-4,-5,-5,-\frac{21}4,-\frac{28}5,-6,-6,
-  -\frac{55}9,-\frac{44}7$ for $n=2,\dots,12$
+:then: they are nonnegative on $[0,1]$ exactly for $l_n\le\beta\le1$, where $l_2$, $l_3$, … are the numbers $l$ in their order
 :method: $-l_n$ is the least of the numbers $\frac{n(n-1)}{k(n+1-2k)}$.  All factors are nonnegative on the interval, one
   vanishes at each end and is negative beyond it.
 :degrees: 2..12
@@ -145,10 +149,10 @@ CLAIM(factors_in_closed_form)
 */
 CLAIM(range_of_every_degree)
 {
-    static const int end[11][2] = {{-2, 1},  {-3, 1}, {-4, 1}, {-5, 1},  {-5, 1}, {-21, 4},
-                                   {-28, 5}, {-6, 1}, {-6, 1}, {-55, 9}, {-44, 7}};
     int n = T->degree, at_low = 0;
-    num low = from_ratio(end[n - 2][0], end[n - 2][1]), high = from_int(1);
+    num l[11];
+    given_points(T, "l", 11, 1, l);
+    num low = l[n - 2], high = from_int(1);
     low = fault(T, low, sub(low, high));
     poly near[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
     G(factors_in_beta)(0, n, near, far);

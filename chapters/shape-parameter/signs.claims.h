@@ -67,18 +67,22 @@ $\nu_1$, with which the source has stopped.
 :title: The functions are nonnegative exactly for beta from -21/4 to 1
 :zh: 非负的充要条件 -21/4≤β≤1
 :kind: decision
-:given: all real $\beta$, the printed and the corrected functions
-:then: all $\nu_i\ge0$, $\varphi_i\ge0$ for $-\frac{21}4\le\beta\le1$; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
+:data: range of β = -21/4 1
+:instead: range of β = -7 1
+:given: all real $\beta$, a range of it, the printed and the corrected functions
+:then: all $\nu_i\ge0$, $\varphi_i\ge0$ in the range; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
   larger $\beta$
 :method: The sixteen factors are linear polynomials in $\beta$; their signs are decided on the interval, those of $\nu_2$ and
   $\varphi_0$ on the two half-lines by their roots and slopes.
 :scope: all real beta
-:control: the interval begins at $-7$
+:control: the printed range
 :::
 */
 CLAIM(nonnegative_exactly_in_the_range)
 {
-    num low = fault(T, from_ratio(-21, 4), from_int(-7)), high = from_int(1);
+    num range[2];
+    given_points(T, "range of β", 2, 1, range);
+    num low = range[0], high = range[1];
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
@@ -173,20 +177,26 @@ CLAIM(derivative_of_a_function_factors)
 :title: In the true range every function rises and then falls
 :zh: -21/4≤β≤1 时单峰
 :kind: decision
-:given: $-\frac{21}4\le\beta\le1$, the printed and the corrected functions
-:then: for $i=1,\dots,6$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative
-  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-8\nu_0<0$ and $-7\varphi_0\le0$, for
-  all $-7\le\beta\le1$, so that $B_0$ falls; $B_7$ is its mirror image
+:data: range of β = -21/4 1; range of β for B_0 = -7 1
+:instead: range of β = -7 1
+:given: the true range of $\beta$, for the first function the printed one; the printed and the corrected functions
+:then: for $0<i<n$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative
+  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-(n+1)\nu_0<0$ and $-n\varphi_0\le0$ in the
+  printed range, so that $B_0$ falls; $B_7$ is its mirror image
 :method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
   $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
   root at 1.
 :scope: beta from -21/4 to 1
-:control: the interval begins at $-7$
+:control: the printed range for all functions
 :::
 */
 CLAIM(each_function_rises_then_falls)
 {
-    num low = fault(T, from_ratio(-21, 4), from_int(-7)), high = from_int(1), seven = from_int(-7);
+    num range[2];
+    given_points(T, "range of β", 2, 1, range);
+    num low = range[0], high = range[1];
+    num wide[2];
+    given_points(T, "range of β for B_0", 2, 1, wide);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
@@ -195,8 +205,8 @@ CLAIM(each_function_rises_then_falls)
             agree(T, sign_on(poly_add(near[i], far[i]), low, high, CLOSED) == SIGN_POSITIVE);
         }
         poly first = poly_sub(far[0], poly_scale(near[0], from_int(8)));
-        agree(T, G(never_negative)(poly_neg(first), seven, high) && G(never_negative)(far[0], seven, high));
-        agree(T, sign_on(poly_sub(far[0], first), seven, high, CLOSED) == SIGN_POSITIVE);
+        agree(T, G(never_negative)(poly_neg(first), wide[0], wide[1]) && G(never_negative)(far[0], wide[0], wide[1]));
+        agree(T, sign_on(poly_sub(far[0], first), wide[0], wide[1], CLOSED) == SIGN_POSITIVE);
     }
 }
 
@@ -208,19 +218,23 @@ changes of sign.  The function then begins with 0, falls, and has to rise again.
 :title: Below the range two functions have an inner minimum too, all have one inner maximum
 :zh: -7≤β<-21/4 时的极值
 :kind: decision
-:given: $-7\le\beta<-\frac{21}4$, the corrected and the printed functions
+:data: range of β = -7 -21/4
+:instead: range of β = -7 -5
+:given: the part of the printed range of $\beta$ that is below the true one, without its right end; the corrected and the printed functions
 :then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum, one inner
-  maximum, and a local maximum at $t=0$; for $i=1,3,4$ still $\nu_i,\varphi_i\ge0$ and not both $0$
-:method: Signs of linear polynomials on $[-7,-\frac{21}4]$.  The coefficients of the quadratic factor for $i=2$ are
-  $2\nu_2<0$, $3\varphi_2-6\nu_2>0$, $-5\varphi_2<0$: none or two roots, and two because $B_2$ takes both signs and vanishes at
+  maximum, and a local maximum at $t=0$; for all other $i$ with $0<i<n$ but $i=5$ still $\nu_i,\varphi_i\ge0$ and not both $0$
+:method: Signs of linear polynomials on the closed interval.  The coefficients of the quadratic factor for $i=2$ are
+  $i\nu_i<0$, $(i+1)\varphi_i-(n+1-i)\nu_i>0$, $-(n-i)\varphi_i<0$: none or two roots, and two because $B_2$ takes both signs and vanishes at
   both ends.  $B_5$ is the mirror image.
 :scope: beta from -7 to -21/4, which is left out
-:control: the interval $[-7,-5]$
+:control: an interval that reaches into the true range
 :::
 */
 CLAIM(third_function_falls_then_rises_below_the_range)
 {
-    num low = from_int(-7), high = fault(T, from_ratio(-21, 4), from_int(-5));
+    num range[2];
+    given_points(T, "range of β", 2, 1, range);
+    num low = range[0], high = range[1];
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
@@ -327,16 +341,21 @@ $\beta$ and $\beta t$.
 :::{claim} slopes_in_beta
 :title: The functions are linear in beta
 :zh: 基函数关于 β 是线性的
-:given: any $\beta$, $h$ and $t$
-:then: $\hat B_i$ at $\beta+h$ minus $\hat B_i$ at $\beta$ is $h(b_i+c_it)s^{7-i}t^i$ with $b=(0,1,4,5,0,-5,-4,-1)$,
-  $c=(-1,-5,-9,-9,1,9,5,1)$; for the corrected functions $c_3=-5$, $c_4=5$
+:data: b = 0 1 4 5 0 -5 -4 -1; c, printed functions = -1 -5 -9 -9 1 9 5 1; c, corrected functions = -1 -5 -9 -5 5 9 5 1
+:instead: b = 0 -1 4 5 0 -5 -4 -1
+:given: any $\beta$, $h$ and $t$; the numbers $b$ and $c$
+:then: $\hat B_i$ at $\beta+h$ minus $\hat B_i$ at $\beta$ is $h(b_i+c_it)s^{7-i}t^i$; likewise for the corrected
+  functions
 :method: The kernels at $\beta+h$ and $\beta$, all variables.
-:control: $b_1=-1$
+:control: the sign of $b_1$
 :::
 */
 CLAIM(slopes_in_beta)
 {
-    static const int b[8] = {0, 1, 4, 5, 0, -5, -4, -1}, c[8] = {-1, -5, -9, -9, 1, 9, 5, 1};
+    num b[8], c[2][8];
+    given_points(T, "b", 8, 1, b);
+    given_points(T, "c, corrected functions", 8, 1, c[0]);
+    given_points(T, "c, printed functions", 8, 1, c[1]);
     num beta = unknown(T, "beta", 0), h = unknown(T, "h", 0), t = parameter(T, "t"), low[2][8], high[2][8];
     G(shape_basis)(7, beta, t, low[0]);
     G(shape_basis)(7, add(beta, h), t, high[0]);
@@ -344,8 +363,7 @@ CLAIM(slopes_in_beta)
     G(shape_basis_printed)(add(beta, h), t, high[1]);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
         for (int i = 0; i <= 7; i++) {
-            int ci = printed_ones ? c[i] : i == 3 ? -5 : i == 4 ? 5 : c[i], bi = fault(T, b[i], i == 1 ? -1 : b[i]);
-            num slope = mul(add(from_int(bi), mul(from_int(ci), t)), G(product_of_powers)(7 - i, i, t));
+            num slope = mul(add(b[i], mul(c[printed_ones][i], t)), G(product_of_powers)(7 - i, i, t));
             same(T, sub(high[printed_ones][i], low[printed_ones][i]), mul(h, slope));
         }
 }
@@ -356,31 +374,31 @@ CLAIM(slopes_in_beta)
 :title: Where each function increases with beta
 :zh: 各基函数随 β 的增减区间
 :kind: decision
-:given: the slopes $b_i+c_it$, $0<t<1$
-:then: negative for $i=0,7$; positive, then negative for $i=1$ and $2$ with the change at $\frac15$ and $\frac49$, for the printed
-  $i=3$ at $\frac59$; negative, then positive for $i=5,6$ with the change at $\frac59$ and $\frac45$; positive for $i=4$ and for
-  the corrected $i=3$
+:data: change, corrected functions = 0 1/5 4/9 0 0 5/9 4/5 0; change, printed functions = 0 1/5 4/9 5/9 0 5/9 4/5 0;
+  sign before = -1 1 1 1 1 -1 -1 -1
+:instead: change, corrected functions = 0 1/6 4/9 0 0 5/9 4/5 0; change, printed functions = 0 1/6 4/9 5/9 0 5/9 4/5 0
+:given: the slopes $b_i+c_it$, $0<t<1$; for each $i$ a number of this interval, or 0 for none, and a sign
+:then: the slope has the sign up to the number and the other sign behind it; without a number it has the sign in the whole interval
 :method: The slopes are the differences of the factors at $\beta=1$ and $\beta=0$; the sign of a linear polynomial on the two
   intervals.
 :scope: all real beta, t from 0 to 1
-:control: the change for $i=1$ at $\frac16$
+:control: another number for the change of $i=1$
 :::
 */
 CLAIM(signs_of_the_slopes)
 {
-    /* Where the sign changes, as a fraction, and the sign before it; 0/1: nowhere. */
-    static const int corrected[8][3] = {{0, 1, -1}, {1, 5, 1},  {4, 9, 1},  {0, 1, 1},
-                                        {0, 1, 1},  {5, 9, -1}, {4, 5, -1}, {0, 1, -1}};
+    num changes[2][8], signs[8];
+    given_points(T, "change, corrected functions", 8, 1, changes[0]);
+    given_points(T, "change, printed functions", 8, 1, changes[1]);
+    given_points(T, "sign before", 8, 1, signs);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
         for (int i = 0; i <= 7; i++) {
             num b = poly_coefficient(near[i], 1), c = sub(poly_coefficient(far[i], 1), b);
             poly slope = poly_from_q(2, (num[]){b, c});
-            int printed_third = printed_ones && i == 3;
-            int m = printed_third ? 5 : corrected[i][0], of = printed_third ? 9 : corrected[i][1];
-            num change = from_ratio(m, fault(T, of, i == 1 ? 6 : of));
-            enum cagd_sign_pattern before = corrected[i][2] > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
+            num change = changes[printed_ones][i];
+            enum cagd_sign_pattern before = sign_q(signs[i]) > 0 ? SIGN_POSITIVE : SIGN_NEGATIVE;
             enum cagd_sign_pattern after = before == SIGN_POSITIVE ? SIGN_NEGATIVE : SIGN_POSITIVE;
             if (is_zero_q(change)) {
                 agree(T, sign_on(slope, from_int(0), from_int(1), OPEN) == before);

@@ -390,13 +390,16 @@ may still give one, as $-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27
 :title: Only nets of constant blocks have the same surface for all beta
 :zh: 与 β 无关的控制网
 :kind: decision
-:given: numbers $P_{ij}$, $i,j=0,\dots,7$, one $\beta$ for both directions, printed and corrected functions
-:then: $\sum_i\sum_jP_{ij}B_i(u)B_j(v)$ is the same for all $\beta$ exactly for nets that are constant on each of the four blocks of
-  $i\le3$, $i\ge4$ and $j\le3$, $j\ge4$ with the corrected functions, for the multiples of $k_ik_j$, $k=(0,0,0,0,5,1,1,1)$, with the
-  printed ones
+:data: k, corrected functions = 1 1 1 1 0 0 0 0; k', corrected functions = 0 0 0 0 1 1 1 1;
+  k, printed functions = 0 0 0 0 5 1 1 1
+:result: rank, corrected functions = 60; rank, printed functions = 63
+:given: all nets of numbers $P_{ij}$, one $\beta$ for both directions, printed and corrected functions
+:then: $\sum_i\sum_jP_{ij}B_i(u)B_j(v)$ is the same for all $\beta$ exactly for the combinations of $k_ik_j$, $k_ik'_j$,
+  $k'_ik_j$, $k'_ik'_j$ with the corrected functions, that is for nets that are constant on each of four blocks, and for the multiples of $k_ik_j$
+  with the printed ones
 :method: With $B_i=e_i+\beta d_i$ the coefficients of $\beta$ and $\beta^2$ are $\sum\sum P_{ij}(e_id_j+d_ie_j)$ and
   $\sum\sum P_{ij}d_id_j$.  The
-  $162\times64$ matrix of their Bernstein coefficients has rank 60, resp. 63, and the nets named are in its kernel.
+  nets named are in the kernel of the matrix of their Bernstein coefficients, and its rank leaves room for no others.
 :scope: all real beta, all nets
 :control: the coefficient of $\beta^2$ alone
 :::
@@ -411,7 +414,11 @@ static void G(add_product)(const num F[], const num H[], int i, int j, num out[]
 
 CLAIM(nets_that_do_not_move)
 {
-    static const int k[3][8] = {{1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 5, 1, 1, 1}};
+    static const char *const rank_of[] = {"rank, corrected functions", "rank, printed functions"};
+    num k[3][8];
+    given_points(T, "k, corrected functions", 8, 1, k[0]);
+    given_points(T, "k', corrected functions", 8, 1, k[1]);
+    given_points(T, "k, printed functions", 8, 1, k[2]);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         static num M[162 * 64];
         num E[9 * 8], D[9 * 8], first[81], second[81], zero = from_int(0);
@@ -433,11 +440,13 @@ CLAIM(nets_that_do_not_move)
                 for (int r = 0; r < 162; r++) {
                     num sum = from_int(0);
                     for (int m = 0; m < 64; m++)
-                        if (!is_zero_q(M[r * 64 + m]) && k[a][m / 8] * k[b][m % 8] != 0)
-                            sum = add(sum, mul(M[r * 64 + m], from_int(k[a][m / 8] * k[b][m % 8])));
+                        if (!is_zero_q(M[r * 64 + m]))
+                            sum = add(sum, mul(M[r * 64 + m], mul(k[a][m / 8], k[b][m % 8])));
                     vanishes(T, sum);
                 }
-        agree(T, G(rank)(162, 64, M) == (printed_ones ? 63 : 60));
+        int rank = G(rank)(162, 64, M);
+        agree(T, rank == (printed_ones ? 64 - 1 : 64 - 4));
+        found_whole(T, rank_of[printed_ones], rank);
     }
 }
 
@@ -544,26 +553,30 @@ static int products(struct operations cost) { return cost.multiplications + cost
 :title: A point of a curve of degree eight takes more operations than one of degree seven
 :zh: 八次曲线上点的运算次数多于七次
 :kind: decision
-:given: the degrees 7 and 8, one to three coordinates $d$; `bezier_horner` and `bezier_casteljau`
+:data: lower degree = 7; higher degree = 8
+:given: two degrees $n$, one to three coordinates $d$; `bezier_horner` and `bezier_casteljau`
 :then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ and
-  $\frac12dn(n+1)+n$; all are more for $n=8$ than for $n=7$
+  half of $dn(n+1)$ plus $n$; all are more for the higher degree
 :method: The kernels are run in the number type that counts; products with powers of two are counted with the others.
 :scope: one to three coordinates
-:control: the degree 7 in both places
+:control: the lower degree in both places
 :::
 */
 CLAIM(degree_eight_takes_more_operations)
 {
+    int degree[2];
+    degree[0] = given_whole(T, "lower degree");
+    degree[1] = given_whole(T, "higher degree");
     for (int d = 1; d <= 3; d++) {
-        for (int n = 7; n <= 8; n++) {
+        for (int n = degree[0]; n <= degree[1]; n++) {
             struct operations horner = cost_of_point(T, HORNER, n, d), triangle = cost_of_point(T, DE_CASTELJAU, n, d);
             agree(T, products(horner) == 2 * (d + 1) * n && horner.additions == d * n + 1);
             agree(T, products(triangle) == d * n * (n + 1) && 2 * (triangle.additions - n) == d * n * (n + 1));
         }
         for (enum method method = HORNER; method <= DE_CASTELJAU; method++) {
-            struct operations eight = cost_of_point(T, method, fault(T, 8, 7), d);
-            struct operations seven = cost_of_point(T, method, 7, d);
-            agree(T, products(eight) > products(seven) && eight.additions > seven.additions);
+            struct operations higher = cost_of_point(T, method, degree[fault(T, 1, 0)], d);
+            struct operations lower = cost_of_point(T, method, degree[0], d);
+            agree(T, products(higher) > products(lower) && higher.additions > lower.additions);
         }
     }
 }
