@@ -46,7 +46,7 @@ CLAIM(derivatives_of_a_cubic)
 
 /*
 The dots that count derivatives are lost in print most easily, and the third one first.  A constant vector $6A$ can be
-only the third derivative of a cubic; a second derivative that is constant would make it a parabola.
+only the third derivative of a cubic; a second derivative that is constant would make it a parabola or a line.
 
 :::{statement} hu-1987:1-4-third-derivative
 :title: The third derivative of the cubic

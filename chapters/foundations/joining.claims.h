@@ -151,8 +151,8 @@ CLAIM(conditions_make_one_curve_in_another_parameter)
 /*
 The second piece is followed with the parameter $\phi(u)$ in the place of $u$, and the chain rule is read backwards: the
 first derivative of $\phi$ can undo one factor $\lambda$, the second one can undo one multiple $\beta$ of the tangent.
-So every order adds one free number, and no more.  With this sentence in mind the conditions need not be learned by
-heart.
+So each of the two orders brings one free number, and no more.  With this sentence in mind the conditions need not be
+learned by heart.
 
 :::{statement} hu-1987:1-5-2
 :title: The condition for continuous slope
@@ -573,9 +573,9 @@ CLAIM(coefficients_of_a_piece_are_as_printed)
 }
 
 /*
-The new parameter runs through its interval more slowly than the old one by the factor $t_1-t_0$, so each derivative
-brings one such factor.  That is why tangent vectors cannot be carried over from a curve to its piece: their directions
-stay and their lengths do not.
+While the new parameter runs from 0 to 1, the old one runs through the length $t_1-t_0$ only, so each derivative brings
+one such factor.  That is why tangent vectors cannot be carried over from a curve to its piece: their directions stay,
+their lengths do not.
 
 :::{statement} hu-1987:1-5-6
 :title: The derivatives in the new parameter

@@ -101,8 +101,9 @@ CLAIM(distance_of_the_first_two_points)
 }
 
 /*
-With the height, the source computes the angle and then the matrix.  Both steps take an inverse: the sine has two angles
-between 0 and $\pi$, the square of the cosine has two roots, and a small step always means the first of them.
+With the height, the source computes the angle and then the matrix.  Both steps take an inverse: between 0 and $\pi$
+there are two angles with this sine, and the cosine can be either of two roots; a small step means the smaller angle,
+and the positive root.
 
 :::{statement} hu-1987:1-3-third-angle
 :title: The angle of the third way

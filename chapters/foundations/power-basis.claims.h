@@ -305,8 +305,8 @@ CLAIM(horner_computes_the_sum_of_powers)
 
 /*
 A count depends on what one would have done otherwise.  Six multiplications become three if every power is multiplied
-out anew, as nobody would do who computes $t^3$ from $t^2$; then five become three.  The number type of these claims
-carries no values at all and counts the operations of the very kernel that computes the points.
+out anew; whoever computes $t^3$ from $t^2$ needs only five, and then five become three.  The number type of these
+claims carries no values at all and counts the operations of the very kernel that computes the points.
 
 :::{statement} hu-1987:1-4-horner-count
 :title: Horner's rule saves half of the multiplications

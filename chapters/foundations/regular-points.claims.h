@@ -63,8 +63,8 @@ CLAIM(regularity_is_a_sum_of_squares)
 
 /*
 A sum of squares is the shortest way to say that three numbers are not all 0, and it is the speed, squared.  So a
-regular point (正则点) is one that the moving point passes without standing still, and everything that goes wrong below
-goes wrong because the point stops.
+regular point (正则点) is one that the moving point passes without standing still, and at the cusp of the example, as on
+the line that turns back, the trouble begins where the point stands still.
 
 :::{statement} hu-1987:1-4-class
 :title: Curves of class r

@@ -796,6 +796,11 @@ CLAIM(projective_image_is_not_the_curve_of_the_images)
 /*
 ## What is said of the descriptions that follow
 
+Two more sentences of the source look ahead, to curves that will be met later.  One says that a curve can be given more
+freedom without changing its shape, by a higher degree or by division; this is true of every polynomial curve.  The
+other praises the convex hull (凸包) and the diminishing of variation (变差减小), and says cautiously that certain curves have
+them.
+
 :::{statement} hu-1987:1-2-degree-and-subdivision
 :title: A curve can be given more freedom without changing its shape
 :zh: 升阶与分割不改变形状

@@ -209,8 +209,8 @@ CLAIM(determinant_with_equal_rows_is_zero)
 
 /*
 The last line of the derivation drops an exponent in one of nine entries.  Such a slip can be found by asking what the
-line claims: the determinant of the three derivatives does not depend on $t$, because a linear combination of the rows
-removes $t$ altogether, and with the printed entry it does.
+line claims: the determinant of the three derivatives does not depend on $t$, because multiples of the last row taken
+from the others remove $t$ altogether; with the printed entry it does depend on it.
 
 :::{statement} hu-1987:1-4-torsion-entry
 :title: The determinant with the coefficients inserted
@@ -261,7 +261,7 @@ CLAIM(printed_entry_spoils_the_determinant)
 :::
 
 A single number decides whether a cubic is plane.  The three normals $A\times B$, $C\times A$ and $B\times C$ test the
-three powers of the parameter one by one, so when the determinant vanishes the curve is perpendicular to each of them.
+three powers of the parameter one by one, so when the determinant vanishes $P(t)-D$ is perpendicular to each of them.
 
 :::{statement} hu-1987:1-4-plane
 :title: When the determinant is zero the cubic is plane
