@@ -8,8 +8,6 @@
 
 #include <math.h>
 
-#define spline_d cagd_spline
-
 static inline int is_zero_d(num_d a) { return a == 0; }
 static inline int is_number_d(num_d a) { return isfinite(a); }
 

@@ -117,10 +117,10 @@ KERNEL cagd_status G(spline_derivatives)(const struct G(spline) * s, int mu, num
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     if (s->weights == NULL) {
-        G(bspline_derivatives)(s->degree, s->dim, s->knots, mu, s->points, t, r + 1, out);
+        G(bspline_derivatives)(s->degree, s->dim, s->knots, mu, s->points, t, r, out);
     } else {
         G(spline_points_of_span)(s, mu, H);
-        G(bspline_span_derivatives)(s->degree, s->dim + 1, s->knots, mu, H, t, r + 1, D);
+        G(bspline_span_derivatives)(s->degree, s->dim + 1, s->knots, mu, H, t, r, D);
         if (G(is_zero)(D[s->dim]))
             return CAGD_UNDEFINED;
         if (!G(is_number)(D[s->dim]))
@@ -146,7 +146,7 @@ KERNEL cagd_status G(spline_insert)(const struct G(spline) * s, num x, const str
     if (G(spline_multiplicity)(s, x) > p)
         return CAGD_KNOTS_MULTIPLE;
     if (s->weights == NULL) {
-        G(bspline_insert)(n, p, s->dim, s->knots, mu, s->points, x, room->knots, room->points);
+        G(bspline_insert)(s, mu, x, room->knots, room->points);
         return G(spline_result)(s, n + 1, room, where);
     }
     for (int m = 0; m <= p; m++)
@@ -158,7 +158,7 @@ KERNEL cagd_status G(spline_insert)(const struct G(spline) * s, num x, const str
             *where = mu - p + 1 + m;
             return CAGD_UNDEFINED;
         }
-    G(nurbs_insert)(n, p, s->dim, s->knots, mu, s->points, s->weights, x, room->knots, room->points, room->weights);
+    G(nurbs_insert)(s, mu, x, room->knots, room->points, room->weights);
     return G(spline_result)(s, n + 1, room, where);
 }
 
@@ -178,7 +178,7 @@ KERNEL cagd_status G(spline_remove)(const struct G(spline) * s, num x, const str
     else
         for (int m = 0; m < (p + 2) * dim; m++)
             H[m] = s->points[first * dim + m];
-    G(bspline_remove)(p + 2, p, dim, s->knots + first, H, p + 1, times, v, b, defect);
+    G(bspline_remove)(spline(p, p + 2, dim, s->knots + first, H), p + 1, times, v, b, defect);
     for (int k = 0; k < dim; k++)
         if (!G(is_zero)(defect[k]))
             return CAGD_CHANGES;
@@ -284,7 +284,8 @@ KERNEL cagd_status G(spline_split)(const struct G(spline) * s, num t, const stru
         return status;
     /* The span by itself: its knots u_{mu-p}, ..., u_{mu+p+1} and p+1 points are split; the rest is copied. */
     int mu = n + p - rights, first = mu - p, dim = G(spline_points_of_span)(s, mu, H);
-    G(bspline_split)(p + 1, p, dim, s->knots + first, p, mu + 1 - lefts, H, t, ends, L, ends + 2 * MAX_DEGREE + 2, Q);
+    G(bspline_split)
+    (spline(p, p + 1, dim, s->knots + first, H), p, mu + 1 - lefts, t, ends, L, ends + 2 * MAX_DEGREE + 2, Q);
     G(spline_copy)(s, 0, 0, lefts < first ? lefts : first, left);
     if (lefts > first)
         status = G(spline_put)(s, first, lefts - first, L, left, where);

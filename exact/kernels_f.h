@@ -6,5 +6,11 @@
 #include "exact/number/field.h"
 #include "exact/words.h"
 
+#include <stddef.h>
+
+#define G(name) name##_f
+#include "core/kernels/spline_type.tmpl.h"
+#undef G
+
 #include "generated/kernels/f.h"
 #endif

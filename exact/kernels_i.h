@@ -6,5 +6,11 @@
 #include "exact/number/interval.h"
 #include "exact/words.h"
 
+#include <stddef.h>
+
+#define G(name) name##_i
+#include "core/kernels/spline_type.tmpl.h"
+#undef G
+
 #include "generated/kernels/i.h"
 #endif

@@ -3,8 +3,10 @@
 #define CAGD_KERNELS_Q_H
 
 #include "core/number/binomial.h"
-#include "exact/number/rational.h"
+#include "exact/curve/spline.h"
 #include "exact/words.h"
+
+#define spline_q cagd_spline_q
 
 #include "generated/kernels/q.h"
 #endif

@@ -293,7 +293,7 @@ CLAIM(bernstein_derivatives_of_every_order)
 {
     int n = T->degree;
     num t = parameter(T, "t"), B[(MAX_DEGREE + 1) * (MAX_DEGREE + 2)];
-    G(bernstein_derivatives)(n, n + 1, t, B);
+    G(bernstein_derivatives)(n, t, n + 1, B);
     for (int k = 0; k <= n + 1; k++)
         for (int i = 0; i <= n; i++) {
             num D = G(basis_derivative)(n, i, k, t);

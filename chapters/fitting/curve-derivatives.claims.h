@@ -64,7 +64,7 @@ CLAIM(rational_basis_is_the_weighted_share)
     num R[rows * MOST_POINTS], q[rows];
     for (int clamped = 0; clamped < 2; clamped++) {
         G(free_segment)(T, clamped, &S);
-        G(nurbs_basis)(S.p, S.u, S.p, S.z, S.t, rows, R);
+        G(nurbs_basis)(S.p, S.u, S.p, S.z, S.t, rows - 1, R);
         for (int m = 0; m <= S.p; m++) {
             G(series_quotient)(rows, S.own + m * rows, S.weight, q);
             for (int r = 0; r < rows; r++)
@@ -114,7 +114,7 @@ CLAIM(derivative_by_a_weight_points_to_its_point)
     for (int clamped = 0; clamped < 2; clamped++) {
         G(free_segment)(T, clamped, &S);
         num C = div(S.above[0], S.weight[0]);
-        G(nurbs_by_weights)(S.p, 1, S.u, S.p, S.P, S.z, S.t, rows, out);
+        G(nurbs_by_weights)(S.p, 1, S.u, S.p, S.P, S.z, S.t, rows - 1, out);
         for (int m = 0; m <= S.p; m++) {
             G(series_by_weight)(&S, m, q);
             about(T, "the direction");

@@ -380,7 +380,7 @@ CLAIM(bspline_basis_derivatives_follow_definition)
     num N[MOST_KNOTS * (HIGHEST + 1)], D[(HIGHEST + 2) * (HIGHEST + 1)], level[HIGHEST + 1], t = parameter(T, "t");
     for (int k = G(segment_knots)(T, p, 0, &K); k > 0; k = G(segment_knots)(T, p, k, &K)) {
         G(basis_powers)(p, K.count, K.u, K.place, K.place[p], t, N);
-        G(bspline_basis_derivatives)(p, K.u, p, t, p + 2, D);
+        G(bspline_basis_derivatives)(p, K.u, p, t, p + 1, D);
         for (int r = 0; r <= p + 1; r++)
             for (int i = 0; i <= p; i++) {
                 int other = fault(T, i, p - i);

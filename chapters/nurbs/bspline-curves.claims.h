@@ -148,7 +148,7 @@ CLAIM(deboor_evaluates_bspline_curve)
                 G(bspline_deboor)(p, dim, K.u, mu, b, t, P);
                 G(bspline_span_deboor)(p, dim, K.u, mu, b + (mu - p) * dim, t, Q);
                 for (int e = 0; e < dim; e++) {
-                    num value = G(spline)(K.n, p, dim, K.u, K.place, c, e, K.place[mu], t);
+                    num value = G(spline_value)(K.n, p, dim, K.u, K.place, c, e, K.place[mu], t);
                     same(T, P[e], value);
                     same(T, Q[e], value);
                 }
@@ -305,8 +305,8 @@ CLAIM(bspline_curve_is_smooth_at_knots)
             int m = G(multiplicity_at)(&K, at), right = G(span_of_interval)(K.count, K.place, at);
             if (m > p)
                 continue;
-            G(bspline_derivatives)(p, 1, K.u, right - m, c, K.u[right], p + 1, L);
-            G(bspline_derivatives)(p, 1, K.u, right, c, K.u[right], p + 1, R);
+            G(bspline_derivatives)(p, 1, K.u, right - m, c, K.u[right], p, L);
+            G(bspline_derivatives)(p, 1, K.u, right, c, K.u[right], p, R);
             for (int r = 0; r <= fault(T, p - m, p - m + 1); r++)
                 same(T, R[r], L[r]);
             agree(T, !is_zero_f(sub(R[p - m + 1], L[p - m + 1])));
@@ -409,8 +409,8 @@ static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
         for (int i = 0; i <= p; i++)
             for (int e = 0; e < dim; e++)
                 b[i * dim + e] = c[fault(T, i, p - i) * dim + e];
-        G(bspline_derivatives)(p, dim, K.u, p, b, t, p + 2, D);
-        G(bspline_span_derivatives)(p, dim, K.u, p, b, t, p + 2, E);
+        G(bspline_derivatives)(p, dim, K.u, p, b, t, p + 1, D);
+        G(bspline_span_derivatives)(p, dim, K.u, p, b, t, p + 1, E);
         for (int e = 0; e < dim; e++) {
             G(spline_powers)(K.n, p, dim, K.u, K.place, c, e, K.place[p], t, s);
             for (int r = 0; r <= p + 1; r++) {

@@ -121,7 +121,7 @@ static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
         for (int place = K.place[p]; place < K.place[K.n]; place++) {
             int s = G(multiplicity_at)(&K, place), mu = G(span_of_interval)(K.count, K.place, place);
             num t = G(knot_for)(T, &K, place, "s");
-            G(bspline_split)(K.n, p, dim, K.u, mu, s, c, t, v, left, w, right);
+            G(bspline_split)(spline(p, K.n, dim, K.u, c), mu, s, t, v, left, w, right);
             L = R = K;
             L.n = mu - s + 1, L.count = L.n + p + 1;
             R.n = K.n - mu + p, R.count = R.n + p + 1;

@@ -47,7 +47,7 @@ FIGURE(bspline_split)
         right[4 * POINTS];
     enum { mu = 4, lefts = mu + 1, rights = POINTS - mu + CUBIC };
     example(u, c);
-    bspline_split_q(POINTS, CUBIC, 2, u, mu, 0, c, from_int_q(3), v, left, w, right);
+    bspline_split_q(&(struct spline_q){CUBIC, POINTS, 2, u, c, NULL}, mu, 0, from_int_q(3), v, left, w, right);
     svg *s = svg_new(
         "bspline_split", "A curve cut at a parameter",
         "A cubic B-spline curve cut at t = 3; each part has its own polygon, which ends in the point of the cut.");

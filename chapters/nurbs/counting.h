@@ -13,6 +13,8 @@
 
 #include "core/number/binomial.h"
 
+#include <stddef.h>
+
 typedef struct num_n {
     long *steps;
     long tree;
@@ -57,6 +59,8 @@ static inline num_n root_n(int n, num_n a)
 
 #undef G
 #define G(name) name##_n
+#include "core/kernels/spline_type.tmpl.h"
+
 #include "core/kernels/kernels.tmpl.h"
 #undef G
 
@@ -97,7 +101,7 @@ static inline void counted_ways(int p, struct counted_way way[3], long *tree)
         else if (k == 1)
             nurbs_deboor_n(p, 2, u, p, R, w, fresh, P);
         else
-            nurbs_insert_n(p + 1, p, 2, u, p, R, w, fresh, v, S, z);
+            nurbs_insert_n(&(struct spline_n){p, p + 1, 2, u, R, w}, p, fresh, v, S, z);
         for (int c = 0; k < 2 && c < 3 - k; c++)
             count_result(&way[k], P[c]);
         for (int i = 0; k == 2 && i < 2 * (p + 2); i++)

@@ -73,8 +73,8 @@ static inline num G(cox_de_boor)(int p, const num u[], const int place[], int i,
 }
 
 /* Coordinate c of s(t) = sum_{i=0}^{n-1} c_i N_{i,p}(t) for t in an interval: all n terms, none left out. */
-static inline num G(spline)(int n, int p, int dim, const num u[], const int place[], const num points[], int c,
-                            int interval, num t)
+static inline num G(spline_value)(int n, int p, int dim, const num u[], const int place[], const num points[], int c,
+                                  int interval, num t)
 {
     num sum = from_int(0);
     for (int i = 0; i < n; i++)

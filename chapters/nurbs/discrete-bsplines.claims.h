@@ -196,7 +196,7 @@ CLAIM(bspline_collocation_is_product_of_insertions)
                 for (int one = 0; one < L.n; one++) {
                     for (int i = 0; i < L.n; i++)
                         c[i] = from_int(i == one);
-                    G(bspline_insert)(L.n, p, 1, L.u, nu, c, x, v, d);
+                    G(bspline_insert)(spline(p, L.n, 1, L.u, c), nu, x, v, d);
                     for (int j = 0; j <= L.n; j++) {
                         if (j == one || j == one + 1)
                             nonnegative(T, d[j]);

@@ -302,7 +302,7 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
         G(weighted_points)(T, r.n, 2, R, w);
         G(refined_by_definition)(r.n, p, 2, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
         num knot = r.x[fault(T, 1, 2)];
-        G(nurbs_insert)(r.n, p, 2, r.u, p + times, R, w, knot, v, kernel_S, kernel_z);
+        G(nurbs_insert)(nurbs(p, r.n, 2, r.u, R, w), p + times, knot, v, kernel_S, kernel_z);
         about(T, "the knots");
         for (int i = 0; i <= r.m + p; i++)
             same(T, v[i], r.v[i]);
@@ -636,9 +636,10 @@ CLAIM(insertions_commute)
                 num v1[MOST_KNOTS], S1[MOST_KNOTS], z1[MOST_KNOTS];
                 if (T->faulty && order == 1)
                     two = add(two, from_int(1));
-                G(nurbs_insert)(n, p, 1, u, mu, R, w, one, v1, S1, z1);
+                G(nurbs_insert)(nurbs(p, n, 1, u, R, w), mu, one, v1, S1, z1);
                 /* The smaller knot first: then the larger lies one span further; not so the other way. */
-                G(nurbs_insert)(n + 1, p, 1, v1, order == 0 ? mu + 1 : mu, S1, z1, two, v[order], S[order], z[order]);
+                G(nurbs_insert)
+                (nurbs(p, n + 1, 1, v1, S1, z1), order == 0 ? mu + 1 : mu, two, v[order], S[order], z[order]);
             }
             about(T, "the knots");
             for (int i = 0; i <= n + p + 2; i++)
@@ -671,7 +672,7 @@ CLAIM(insertion_cuts_the_corners)
     G(increasing_knots)(T, 2 * p + 2, 6, u);
     G(weighted_points)(T, n, 1, R, w);
     num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
-    G(nurbs_insert)(n, p, 1, u, mu, R, w, knot, v, S, z);
+    G(nurbs_insert)(nurbs(p, n, 1, u, R, w), mu, knot, v, S, z);
     about(T, "the old points");
     same(T, S[0], R[0]);
     same(T, S[n], R[n - 1]);

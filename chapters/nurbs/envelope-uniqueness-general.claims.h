@@ -120,7 +120,7 @@ CLAIM(derivative_by_tau_is_that_of_the_level_before)
                 G(bspline_span_blossom)(p, 1, u, mu, H, x, &b[i]);
             }
             G(bezier_derivatives)(r, 1, b, local, 1, E);
-            G(bspline_span_derivatives)(p - r + 1, 1, u, mu, d, t, 2, D);
+            G(bspline_span_derivatives)(p - r + 1, 1, u, mu, d, t, 1, D);
             same(T, div(E[1], length), mul(from_ratio(r, fault(T, k - r, k - r + 1)), D[1]));
             G(bspline_deboor_level)(p, 1, u, mu, r, d, tau);
         }
@@ -293,7 +293,7 @@ CLAIM(level_by_sums_over_the_level_before)
             G(bspline_deboor_level)(p, 1, u, mu, r, a, tau);
             G(bspline_deboor_level)(p, 1, u, mu, r, b, t);
             G(bspline_basis)(q, u, mu, t, N);
-            G(bspline_basis_derivatives)(q + 1, u, mu, t, 2, D);
+            G(bspline_basis_derivatives)(q + 1, u, mu, t, 1, D);
             num first = zero, before = zero, change = zero, slope = zero, rest = zero, derivative = zero, last = zero;
             for (int m = 0; m <= q; m++) {
                 first = add(first, mul(N[m], a[m]));
@@ -628,7 +628,7 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
                         sum = add(sum, mul(minor, G(det3)(P + 3 * i, P + 3 * l, P + 3 * h)));
                     }
             int m = p - r + 1;
-            G(bspline_span_derivatives)(m, 3, u, mu, d, t, 3, Q);
+            G(bspline_span_derivatives)(m, 3, u, mu, d, t, 2, Q);
             about(T, "the determinant of Q, Q', Q''");
             num cube = mul(length, mul(length, length));
             same(T, mul(cube, G(det3)(Q, Q + 3, Q + 6)), mul(from_int((long)m * m * (m - 1)), sum));

@@ -88,7 +88,7 @@ static inline void G(derivative_sums)(int q, int dim, const num u[], int mu, con
                                       num out[])
 {
     num D[2 * (MAX_DEGREE + 1)];
-    G(bspline_basis_derivatives)(q, u, mu, t, 2, D);
+    G(bspline_basis_derivatives)(q, u, mu, t, 1, D);
     for (int c = 0; c <= dim; c++) {
         out[c] = from_int(0);
         for (int m = 0; m <= q; m++) {
@@ -104,7 +104,7 @@ static inline void G(curve_derivatives)(int q, int dim, const num u[], int mu, c
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     G(rational_homogenize)(q, dim, R, w, H);
-    G(bspline_span_derivatives)(q, dim + 1, u, mu, H, t, order + 1, D);
+    G(bspline_span_derivatives)(q, dim + 1, u, mu, H, t, order, D);
     G(rational_quotient_derivatives)(dim, D, order, out);
 }
 

@@ -67,8 +67,8 @@ CLAIM(polygon_is_the_curve_of_order_two)
             num up = sub(t, u[j - 1]), down = sub(u[j], t);
             num left = mul(down, w[fault(T, j - 2, j - 1)]), right = mul(up, w[fault(T, j - 1, j - 2)]);
             num leg = div(add(mul(left, R[j - 2]), mul(right, R[j - 1])), add(left, right));
-            num above = G(spline)(n, 1, 1, u, place, H, 0, place[j - 1], t);
-            same(T, div(above, G(spline)(n, 1, 1, u, place, w, 0, place[j - 1], t)), leg);
+            num above = G(spline_value)(n, 1, 1, u, place, H, 0, place[j - 1], t);
+            same(T, div(above, G(spline_value)(n, 1, 1, u, place, w, 0, place[j - 1], t)), leg);
         }
     }
 }
@@ -271,7 +271,7 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
             }
     for (int interval = p; interval < n; interval++) {
         num D[4], step = mul(sub(t, tau), from_ratio(1, p));
-        G(bspline_derivatives)(p, 2, u, fault(T, interval, p), H, tau, 2, D);
+        G(bspline_derivatives)(p, 2, u, fault(T, interval, p), H, tau, 1, D);
         for (int c = 0; c < 2; c++) {
             num sum = from_int(0);
             for (int i = p - 1; i < n; i++)
@@ -398,7 +398,7 @@ CLAIM(quadratic_legs_have_one_envelope)
     G(knots_of_span)(T, 2, 0, u, place);
     G(free_curve)(T, 2, 2, R, w);
     G(rational_homogenize)(2, 2, R, w, H);
-    G(bspline_span_derivatives)(2, 3, u, 2, H, tau, 3, D);
+    G(bspline_span_derivatives)(2, 3, u, 2, H, tau, 2, D);
     for (int c = 0; c < 2; c++) {
         a[c] = sub(R[2 + c], R[c]);
         b[c] = sub(R[4 + c], R[c]);

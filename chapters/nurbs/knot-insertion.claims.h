@@ -25,7 +25,7 @@ static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
             num x = G(knot_for)(T, &K, place, "s");
             G(put_knot)(&K, place, x, &L);
             int mu = G(span_of_interval)(K.count, K.place, place);
-            G(bspline_insert)(K.n, p, dim, K.u, mu, c, x, v, d);
+            G(bspline_insert)(spline(p, K.n, dim, K.u, c), mu, x, v, d);
             if (T->faulty && p > 0)
                 for (int e = 0; e < dim; e++)
                     d[mu * dim + e] = d[(mu - 1) * dim + e];
@@ -101,12 +101,12 @@ CLAIM(bspline_insertions_commute)
                 if (at == then && at % 2 == 1)
                     y = add(x, mul(parameter(T, "q"), sub(K.u[mu + 1], x)));
                 G(put_knot)(&K, at, x, &X);
-                G(bspline_insert)(K.n, p, dim, K.u, mu, c, x, v, d);
-                G(bspline_insert)(K.n + 1, p, dim, X.u, nu + 1, d, y, v, e);
+                G(bspline_insert)(spline(p, K.n, dim, K.u, c), mu, x, v, d);
+                G(bspline_insert)(spline(p, K.n + 1, dim, X.u, d), nu + 1, y, v, e);
                 y = fault(T, y, mul(from_ratio(1, 2), add(x, y)));
                 G(put_knot)(&K, then, y, &Y);
-                G(bspline_insert)(K.n, p, dim, K.u, nu, c, y, v, d);
-                G(bspline_insert)(K.n + 1, p, dim, Y.u, mu, d, x, w, f);
+                G(bspline_insert)(spline(p, K.n, dim, K.u, c), nu, y, v, d);
+                G(bspline_insert)(spline(p, K.n + 1, dim, Y.u, d), mu, x, w, f);
                 for (int i = 0; i < (K.n + 2) * dim; i++)
                     same(T, f[i], e[i]);
             }
@@ -143,14 +143,14 @@ CLAIM(repeated_insertion_is_deboor)
                 d[i] = c[i];
             L = K;
             for (int more = 0; more < p - s; more++) {
-                G(bspline_insert)(K.n + more, p, dim, L.u, mu + more, d, x, w, e);
+                G(bspline_insert)(spline(p, K.n + more, dim, L.u, d), mu + more, x, w, e);
                 G(put_knot)(&L, place, x, &L);
                 for (int i = 0; i < (K.n + more + 1) * dim; i++)
                     d[i] = e[i];
             }
             for (int i = 0; i < dim; i++)
                 same(T, d[fault(T, mu - s, mu - s + 1) * dim + i],
-                     G(spline)(K.n, p, dim, K.u, K.place, c, i, place, x));
+                     G(spline_value)(K.n, p, dim, K.u, K.place, c, i, place, x));
         }
     }
 }
@@ -187,7 +187,7 @@ CLAIM(inserted_points_divide_edges)
         for (int one = 0; one < K.n; one++) {
             for (int i = 0; i < K.n; i++)
                 c[i] = from_int(i == one);
-            G(bspline_insert)(K.n, p, 1, K.u, p, c, x, v, d);
+            G(bspline_insert)(spline(p, K.n, 1, K.u, c), p, x, v, d);
             for (int i = 0; i <= K.n; i++) {
                 sum[i] = add(sum[i], d[i]);
                 if ((i == one || i == fault(T, one + 1, one + 2)) && 0 < i && i < K.n)
@@ -225,7 +225,7 @@ static void G(refined)(trial *T, const struct G(knots) * K, const num c[], struc
         for (int more = 0; more < times && G(multiplicity_at)(L, place) <= p; more++) {
             if (more == 0)
                 x = G(knot_for)(T, K, place, last ? "r" : "s");
-            G(bspline_insert)(L->n, p, dim, L->u, G(span_of_interval)(L->count, L->place, place), d, x, v, e);
+            G(bspline_insert)(spline(p, L->n, dim, L->u, d), G(span_of_interval)(L->count, L->place, place), x, v, e);
             G(put_knot)(L, place, x, L);
             for (int i = 0; i < L->n * dim; i++)
                 d[i] = e[i];

@@ -8,7 +8,7 @@ FIGURE(boehm_insertion)
     num_q u[n + p + 1], v[n + p + 2], c[2 * n], d[2 * (n + 1)];
     integers(n + p + 1, knot, u);
     integers(2 * n, point, c);
-    bspline_insert_q(n, p, 2, u, 4, c, from_int_q(3), v, d);
+    bspline_insert_q(&(struct spline_q){p, n, 2, u, c, NULL}, 4, from_int_q(3), v, d);
     svg *s = svg_new("boehm_insertion", "Insertion of a knot",
                      "A cubic curve with knots 0, 2, 4, 6; the knot 3 is inserted. Three points are new, on the edges "
                      "of the polygon, "

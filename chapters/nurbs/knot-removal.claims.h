@@ -24,9 +24,9 @@ static void G(check_removal_inverts_insertion)(trial *T, int kind)
             if (s > p + 1)
                 continue;
             num x = G(knot_for)(T, &K, place, "s");
-            G(bspline_insert)(K.n, p, dim, K.u, mu, b, x, u, c);
+            G(bspline_insert)(spline(p, K.n, dim, K.u, b), mu, x, u, c);
             c[(mu - s + 1) * dim] = fault(T, c[(mu - s + 1) * dim], add(c[(mu - s + 1) * dim], from_int(1)));
-            G(bspline_remove)(K.n + 1, p, dim, u, c, mu + 1, s, v, back, defect);
+            G(bspline_remove)(spline(p, K.n + 1, dim, u, c), mu + 1, s, v, back, defect);
             about(T, "the knots");
             for (int i = 0; i < K.count; i++)
                 same(T, v[i], K.u[i]);
@@ -98,8 +98,8 @@ CLAIM(reinsertion_misses_by_the_defect)
         G(free_control_points)(T, K.n, dim, c);
         for (int place = K.place[p] + 2; place < K.place[K.n]; place += 2) {
             int s = G(multiplicity_at)(&K, place), r = G(span_of_interval)(K.count, K.place, place), off = 0;
-            G(bspline_remove)(K.n, p, dim, K.u, c, r, s, v, b, defect);
-            G(bspline_insert)(K.n - 1, p, dim, v, r - 1, b, K.u[r], w, d);
+            G(bspline_remove)(spline(p, K.n, dim, K.u, c), r, s, v, b, defect);
+            G(bspline_insert)(spline(p, K.n - 1, dim, v, b), r - 1, K.u[r], w, d);
             for (int i = 0; i < K.n; i++) {
                 num gap = sub(c[i * dim], d[i * dim]);
 #if FIELD
@@ -153,8 +153,8 @@ CLAIM(knot_is_removable_iff_derivative_does_not_jump)
             int order = p - s + 1 + fault(T, 0, p == 0 ? 0 : s > 1 ? 1 : -1);
             for (int i = 0; i < K.n; i++)
                 one[i] = from_int(i == r - s); /* a point that the jump sees */
-            G(bspline_remove)(K.n, p, 1, K.u, c, r, s, v, b, &defect);
-            G(bspline_remove)(K.n, p, 1, K.u, one, r, s, v, b, &unit);
+            G(bspline_remove)(spline(p, K.n, 1, K.u, c), r, s, v, b, &defect);
+            G(bspline_remove)(spline(p, K.n, 1, K.u, one), r, s, v, b, &unit);
             num jump = G(jump_at)(&K, c, place, order), unit_jump = G(jump_at)(&K, one, place, order);
             about(T, "defect and jump are in proportion");
             same(T, mul(defect, unit_jump), mul(jump, unit));

@@ -9,8 +9,8 @@ FIGURE(knot_removal_defect)
     num_q u[n + p + 1], v[n + p + 1], w[n + p + 1], c[2 * n], b[2 * n], d[2 * n], defect[2];
     integers(n + p + 1, knot, u);
     integers(2 * n, point, c);
-    bspline_remove_q(n, p, 2, u, c, r, 1, v, b, defect);
-    bspline_insert_q(n - 1, p, 2, v, r - 1, b, u[r], w, d);
+    bspline_remove_q(&(struct spline_q){p, n, 2, u, c, NULL}, r, 1, v, b, defect);
+    bspline_insert_q(&(struct spline_q){p, n - 1, 2, v, b, NULL}, r - 1, u[r], w, d);
     svg *s = svg_new("knot_removal_defect", "Removal of a knot and its defect",
                      "A cubic curve and the curve without the knot 2; inserting the knot again gives back all points "
                      "but one, which is "

@@ -186,7 +186,7 @@ CLAIM(greville_abscissae_reproduce_the_line)
         for (int i = 0; i < n; i++)
             xi[i] = G(bspline_greville)(p, u, fault(T, i, i + 1 < n ? i + 1 : i));
         for (int interval = place[p]; interval < place[n]; interval++)
-            same(T, G(spline)(n, p, 1, u, place, xi, 0, interval, t), t);
+            same(T, G(spline_value)(n, p, 1, u, place, xi, 0, interval, t), t);
     }
 }
 
@@ -314,14 +314,14 @@ CLAIM(second_differences_are_averaged)
     for (int i = 0; i < n; i++)
         c[i] = unknown(T, "c", i);
     num one = from_int(1), knot = add(u[mu], mul(sub(u[mu + 1], u[mu]), inside(T, "s")));
-    G(bspline_insert)(n, p, 1, u, mu, c, knot, v, d);
+    G(bspline_insert)(spline(p, n, 1, u, c), mu, knot, v, d);
     G(bspline_difference)(n + 1, p, 1, v, d, e);
     G(bspline_difference)(n, p - 1, 1, v + 1, e, after);
     G(bspline_difference)(n, p, 1, u, c, e);
     G(bspline_difference)(n - 1, p - 1, 1, u + 1, e, before);
     for (int i = 0; i < n - 2; i++)
         before[i] = fault(T, before[i], e[i]);
-    G(bspline_insert)(n - 2, p - 2, 1, u + 2, mu - 2, before, knot, y, inserted);
+    G(bspline_insert)(spline(p - 2, n - 2, 1, u + 2, before), mu - 2, knot, y, inserted);
     for (int i = 0; i < n - 1; i++) {
         about(T, "the points of the second derivative");
         same(T, after[i], inserted[i]);
@@ -479,7 +479,7 @@ CLAIM(knots_on_one_side_do_not_converge)
         for (int i = 1; i <= 7; i++, n++, now = 1 - now) {
             int next = 1 - now, mu = (side == 0 ? 1 : 9) + i;
             num knot_here = from_ratio(8 * side + i, 8);
-            G(nurbs_insert)(n, 2, 2, u[now], mu, R[now], w[now], knot_here, u[next], R[next], w[next]);
+            G(nurbs_insert)(nurbs(2, n, 2, u[now], R[now], w[now]), mu, knot_here, u[next], R[next], w[next]);
         }
     show_points(T, "the polygon", n, 2, R[now]);
     about(T, "the curve having x + y <= 10/3, every vertex has x + y <= 11/3");

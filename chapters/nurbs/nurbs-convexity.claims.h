@@ -403,8 +403,8 @@ static void G(compare_curves)(trial *T, int k, const struct G(knots) * K, int pl
     for (int interval = K->place[k]; interval < K->place[n + 1]; interval++) {
         int begins = interval % 4 == 0 || (interval == place && place % 4 != 0); /* with a knot, old or new */
         if (begins)
-            same(T, G(spline)(n + 1, k - 1, 1, V.t + 1, V.place + 1, d + 1, 0, interval, x),
-                 G(spline)(n, k - 1, 1, K->t + 1, K->place + 1, c + 1, 0, interval, x));
+            same(T, G(spline_value)(n + 1, k - 1, 1, V.t + 1, V.place + 1, d + 1, 0, interval, x),
+                 G(spline_value)(n, k - 1, 1, K->t + 1, K->place + 1, c + 1, 0, interval, x));
     }
 }
 
@@ -1074,7 +1074,7 @@ CLAIM(inserted_parameters_become_vertices)
                 for (int j = 0; j < 2; j++) { /* the interval on the left of the parameter, or around it */
                     int mu = G(left_of)(&old, place[j]), interval = old.place[mu];
                     same(T, d[mu + j * fault(T, k - 1, k - 2)],
-                         G(spline)(n, k - 1, 1, old.t + 1, old.place + 1, c + 1, 0, interval, tau[j]));
+                         G(spline_value)(n, k - 1, 1, old.t + 1, old.place + 1, c + 1, 0, interval, tau[j]));
                 }
             }
     }

@@ -521,7 +521,7 @@ CLAIM(equal_weights_give_bspline)
             for (int i = 0; i < n; i++)
                 w[i] = fault(T, same_weight, i == mu ? add(same_weight, same_weight) : same_weight);
             G(nurbs_point)(p, 1, u, mu, R, w, t, &P);
-            same(T, P, G(spline)(n, p, 1, u, place, R, 0, interval, t));
+            same(T, P, G(spline_value)(n, p, 1, u, place, R, 0, interval, t));
         }
     }
 }
@@ -631,7 +631,7 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
         H[i] = unknown(T, "H", i);
     G(bspline_to_bezier)(p, 1, u, p, H, b);
     G(bezier_casteljau)(p, 1, fault(T, b, H), div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
-    same(T, value, G(spline)(p + 1, p, 1, u, place, H, 0, p, t));
+    same(T, value, G(spline_value)(p + 1, p, 1, u, place, H, 0, p, t));
 }
 
 #if RATIONAL

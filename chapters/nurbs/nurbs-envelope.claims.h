@@ -64,8 +64,8 @@ CLAIM(segment_needs_the_points_of_its_span)
             for (int m = 0; m <= p; m++)
                 kept[m] = m < skip ? from_int(0) : w[low + m];
             G(sums)(p, 1, u, mu, R + low, kept, t, S);
-            same(T, S[0], G(spline)(n, p, 1, u, place, H, 0, interval, t));
-            same(T, S[1], G(spline)(n, p, 1, u, place, w, 0, interval, t));
+            same(T, S[0], G(spline_value)(n, p, 1, u, place, H, 0, interval, t));
+            same(T, S[1], G(spline_value)(n, p, 1, u, place, w, 0, interval, t));
         }
     }
 }
@@ -1021,13 +1021,13 @@ CLAIM(span_derivatives_are_parallel)
     for (int shape = 0; shape < SHAPES; shape++) {
         num D[2 * (MAX_DEGREE + 1)], E[2 * (MAX_DEGREE + 1)], d[2 * (MAX_DEGREE + 1)];
         G(knots_of_span)(T, p, shape, u, place);
-        G(bspline_span_derivatives)(p, 2, u, mu, H, t, p + 1, D);
+        G(bspline_span_derivatives)(p, 2, u, mu, H, t, p, D);
         for (int m = 0; m < 2 * (p + 1); m++)
             d[m] = H[m];
         for (int r = 0; r <= p; r++) {
             if (r > 0)
                 G(bspline_deboor_level)(p, 2, u, mu, r, d, t);
-            G(bspline_span_derivatives)(p - r, 2, u, mu, d, t, p - r + 1, E);
+            G(bspline_span_derivatives)(p - r, 2, u, mu, d, t, p - r, E);
             for (int m = 0; m < 2 * (p - r + 1); m++) {
                 long a = fault(T, G(falling)(p, m / 2), 1), b = fault(T, G(falling)(p - r, m / 2), 1);
                 same(T, mul(from_int(a), E[m]), mul(from_int(b), D[m]));

@@ -157,7 +157,7 @@ CLAIM(nurbs_insertion_keeps_curve)
                 continue;
             num x = G(knot_for)(T, &K, place, "s");
             G(put_knot)(&K, place, x, &L);
-            G(nurbs_insert)(K.n, p, dim, K.u, mu, R, w, x, v, S, z);
+            G(nurbs_insert)(nurbs(p, K.n, dim, K.u, R, w), mu, x, v, S, z);
             about(T, "the knots");
             for (int i = 0; i < L.count; i++)
                 same(T, v[i], L.u[i]);
@@ -203,11 +203,11 @@ CLAIM(nurbs_insertion_is_that_of_homogeneous_points)
             if (G(multiplicity_at)(&K, place) > p)
                 continue;
             num x = G(knot_for)(T, &K, place, "s");
-            G(nurbs_insert)(K.n, p, dim, K.u, mu, R, w, x, v, S, z);
+            G(nurbs_insert)(nurbs(p, K.n, dim, K.u, R, w), mu, x, v, S, z);
             if (T->faulty && p > 0)
                 z[mu] = z[mu - 1];
-            G(bspline_insert)(K.n, p, 1, K.u, mu, w, x, v, weight);
-            G(bspline_insert)(K.n, p, dim, K.u, mu, H, x, v, d);
+            G(bspline_insert)(spline(p, K.n, 1, K.u, w), mu, x, v, weight);
+            G(bspline_insert)(spline(p, K.n, dim, K.u, H), mu, x, v, d);
             about(T, "the weights");
             for (int i = 0; i <= K.n; i++)
                 same(T, z[i], weight[i]);
@@ -510,11 +510,11 @@ CLAIM(kernels_move_with_their_knots)
                 R[0] = add(R[0], from_int(1));
             about(T, "a new knot");
             for (int m = 0; m < 2; m++)
-                G(bspline_insert)(K.n, p, dim, knots[m], mu, R, m == 0 ? t : at, v, c[m]);
+                G(bspline_insert)(spline(p, K.n, dim, knots[m], R), mu, m == 0 ? t : at, v, c[m]);
             G(same_points)(T, (K.n + 1) * dim, c[1], c[0]);
             about(T, "both parts");
             for (int m = 0; m < 2; m++)
-                G(bspline_split)(K.n, p, dim, knots[m], mu, 0, R, m == 0 ? t : at, v, c[m], v2, d[m]);
+                G(bspline_split)(spline(p, K.n, dim, knots[m], R), mu, 0, m == 0 ? t : at, v, c[m], v2, d[m]);
             G(same_points)(T, (mu + 1) * dim, c[1], c[0]);
             G(same_points)(T, (K.n - mu + p) * dim, d[1], d[0]);
             about(T, "discrete B-splines");

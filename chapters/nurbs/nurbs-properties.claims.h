@@ -240,8 +240,8 @@ CLAIM(sides_agree_up_to_order_less_multiplicity)
         pattern[p + 1] = (char)('0' + m);
         G(knots_at)(pattern, x, u, place);
         int before = p, after = p + m, orders = fault(T, p - m + 1, p - m + 2);
-        G(bspline_basis_derivatives)(p, u, before, x[p + 1], orders, left);
-        G(bspline_basis_derivatives)(p, u, after, x[p + 1], orders, right);
+        G(bspline_basis_derivatives)(p, u, before, x[p + 1], orders - 1, left);
+        G(bspline_basis_derivatives)(p, u, after, x[p + 1], orders - 1, right);
         for (int r = 0; r < orders; r++)
             for (int i = 0; i <= after; i++) {
                 num from_left = i <= before ? left[r * (p + 1) + i] : from_int(0);
@@ -505,8 +505,8 @@ CLAIM(periodic_data_close_the_curve)
             c[i] = unknown(T, "H", i);
         G(bspline_periodic)(m, p, 1, u, c, v, d);
         int orders = fault(T, p, p + 1);
-        G(bspline_derivatives)(p, 1, v, p, d, v[p], orders, first);
-        G(bspline_derivatives)(p, 1, v, p + m - 1, d, v[p + m], orders, last);
+        G(bspline_derivatives)(p, 1, v, p, d, v[p], orders - 1, first);
+        G(bspline_derivatives)(p, 1, v, p + m - 1, d, v[p + m], orders - 1, last);
         for (int r = 0; r < orders; r++)
             same(T, first[r], last[r]);
     }

@@ -492,8 +492,8 @@ CLAIM(line_form_of_a_nurbs_curve)
     for (int interval = 0; interval < 2; interval++) {
         G(nurbs_point)(p, 2, u, p + interval, R, w, x, P);
         num form = add(add(mul(line[0], P[0]), mul(line[1], P[1])), line[2]);
-        num above = G(spline)(n, p, 1, u, place, h, 0, interval, x);
-        same(T, form, div(above, G(spline)(n, p, 1, u, place, w, 0, interval, x)));
+        num above = G(spline_value)(n, p, 1, u, place, h, 0, interval, x);
+        same(T, form, div(above, G(spline_value)(n, p, 1, u, place, w, 0, interval, x)));
     }
 }
 
@@ -728,10 +728,11 @@ CLAIM(bezier_curves_are_nurbs_curves)
         ones[i] = factor;
         weighted[i] = mul(factor, r[i]);
     }
-    num t = div(sub(x, u[0]), sub(u[k], u[0])), sum = G(spline)(k, k - 1, 1, u, place, weighted, 0, 0, x);
-    same(T, div(sum, G(spline)(k, k - 1, 1, u, place, ones, 0, 0, x)), G(spline)(k, k - 1, 1, u, place, r, 0, 0, x));
+    num t = div(sub(x, u[0]), sub(u[k], u[0])), sum = G(spline_value)(k, k - 1, 1, u, place, weighted, 0, 0, x);
+    same(T, div(sum, G(spline_value)(k, k - 1, 1, u, place, ones, 0, 0, x)),
+         G(spline_value)(k, k - 1, 1, u, place, r, 0, 0, x));
     about(T, "the rational Bézier curve");
-    sum = div(G(spline)(k, k - 1, 1, u, place, h, 0, 0, x), G(spline)(k, k - 1, 1, u, place, w, 0, 0, x));
+    sum = div(G(spline_value)(k, k - 1, 1, u, place, h, 0, 0, x), G(spline_value)(k, k - 1, 1, u, place, w, 0, 0, x));
     if (T->faulty) {
         num first = w[0];
         w[0] = k > 1 ? w[1] : first;

@@ -84,7 +84,7 @@ static inline void draw_polygon(svg *s, spline c, const char *letter, const enum
 static inline spline with_knot(spline c, num_q x)
 {
     spline d = {.n = c.n + 1, .p = c.p};
-    nurbs_insert_q(c.n, c.p, 2, c.u, find_span_q(c.n, c.p, c.u, x), c.R, c.w, x, d.u, d.R, d.w);
+    nurbs_insert_q(&(struct spline_q){c.p, c.n, 2, c.u, c.R, c.w}, find_span_q(c.n, c.p, c.u, x), x, d.u, d.R, d.w);
     return d;
 }
 #endif

@@ -149,7 +149,7 @@ CLAIM(curvature_is_a_sum_over_triangles)
     num w[SIZE], R[2 * SIZE], H[3 * SIZE], P[3 * 3], B[3 * SIZE], t = parameter(T, "t");
     G(plane_curve)(T, n, w, R, H);
     G(bezier_derivatives)(n, 3, H, t, 2, P);
-    G(bernstein_derivatives)(n, 2, t, B);
+    G(bernstein_derivatives)(n, t, 2, B);
     about(T, "det(P, P', P'') is the sum over the triangles");
     same(T, G(triple)(P, P + 3, P + 6), G(sum_over_triangles)(n, B, w, R, fault(T, 0, 1)));
 

@@ -113,12 +113,12 @@ static cagd_status derivatives(const cagd_curve *c, double t, int mu, int order,
     int p = c->degree, dim = c->dim;
     const double *span = c->H + (mu - p) * c->size;
     if (c->size > dim) {
-        bspline_span_derivatives_d(p, c->size, c->knots, mu, span, t, order + 1, D);
+        bspline_span_derivatives_d(p, c->size, c->knots, mu, span, t, order, D);
         REQUIRE(D[dim] != 0, CAGD_UNDEFINED);
         REQUIRE(isfinite(D[dim]), CAGD_OVERFLOW);
         rational_quotient_derivatives_d(dim, D, order, out);
     } else {
-        bspline_span_derivatives_d(p, dim, c->knots, mu, span, t, order + 1, out);
+        bspline_span_derivatives_d(p, dim, c->knots, mu, span, t, order, out);
     }
     return result((order + 1) * dim, out);
 }

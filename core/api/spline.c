@@ -61,7 +61,7 @@ cagd_status cagd_spline_basis(const cagd_spline *s, double t, cagd_side side, in
     PASS(basis_check(s, &where));
     REQUIRE(in(0, order, MAX_DEGREE), CAGD_ORDER);
     PASS(span_at(s, t, side, span));
-    bspline_basis_derivatives_d(s->degree, s->knots, *span, t, order + 1, values);
+    bspline_basis_derivatives_d(s->degree, s->knots, *span, t, order, values);
     return result((order + 1) * (s->degree + 1), values);
 }
 

@@ -115,7 +115,7 @@ void fit_curve_shares(const fit_curve *c, int piece, double t, double R[], doubl
     if (c->count == p + 1)
         bernstein(c, t, N, N1);
     else
-        bspline_basis_derivatives_d(p, c->knots, mu, t, 2, N);
+        bspline_basis_derivatives_d(p, c->knots, mu, t, 1, N);
     for (int m = 0; m <= p; m++) {
         R[m] = N[m] * w[m];
         R1[m] = N1[m] * w[m];

@@ -26,7 +26,7 @@ KERNEL void G(bernstein_basis)(int n, num t, num B[])
 
 /* Row k of B is the k-th derivative of the basis at t: B[k(n+1) + i] = (d/dt)^k B_i^n(t), k = 0, ..., r;
  * zero for k > n.  Source: the k-fold use of (B_i^m)' = m (B_{i-1}^{m-1} - B_i^{m-1}), from m = n-k+1 to n. */
-KERNEL void G(bernstein_derivatives)(int n, int r, num t, num B[])
+KERNEL void G(bernstein_derivatives)(int n, num t, int r, num B[])
 {
     for (int k = 0; k <= r; k++) {
         num *row = B + k * (n + 1);

@@ -10,6 +10,9 @@
  * a knot is that of the span on the left.  Which span contains t is decided outside (core/kernels/span.h for binary64,
  * exact/span.h for rationals).
  *
+ * Curves.  Kernels that make another curve of a whole one take the curve, a struct G(spline) of degree p, count n, dim, knots u
+ * and points c; those that compute on a span take the degree, the knots and the span.
+ *
  * Results do not overlap arguments unless said.
  * Source: de-boor-1978, ch. IX to XI; ramshaw-1989. */
 #include "core/number/limits.h"
@@ -53,18 +56,18 @@ KERNEL void G(bspline_basis)(int p, const num u[], int mu, num t, num N[])
         G(bspline_basis_level)(k, u, mu, t, N);
 }
 
-/* Row r of D, r = 0, ..., rows-1, holds the p+1 derivatives of order r: D[r(p+1) + m] = N_{mu-p+m,p}^(r)(t). */
-KERNEL void G(bspline_basis_derivatives)(int p, const num u[], int mu, num t, int rows, num D[])
+/* Row k of D, k = 0, ..., r, holds the p+1 derivatives of order k: D[k(p+1) + m] = N_{mu-p+m,p}^(k)(t). */
+KERNEL void G(bspline_basis_derivatives)(int p, const num u[], int mu, num t, int r, num D[])
 {
-    for (int r = 0; r < rows; r++) {
-        num *row = D + r * (p + 1);
+    for (int k = 0; k <= r; k++) {
+        num *row = D + k * (p + 1);
         for (int m = 0; m <= p; m++)
             row[m] = from_int(0);
-        if (r > p)
+        if (k > p)
             continue;
-        G(bspline_basis)(p - r, u, mu, t, row);
-        for (int k = p - r + 1; k <= p; k++)
-            G(bspline_basis_derivative_level)(k, u, mu, row);
+        G(bspline_basis)(p - k, u, mu, t, row);
+        for (int q = p - k + 1; q <= p; q++)
+            G(bspline_basis_derivative_level)(q, u, mu, row);
     }
 }
 
@@ -138,29 +141,28 @@ KERNEL void G(bspline_hodograph)(int p, int dim, const num u[], int mu, num d[])
     }
 }
 
-/* Row r of out, r = 0, ..., rows-1, is the r-th derivative at t of the segment with the p+1 points d; zero for
- * r > p. */
-KERNEL void G(bspline_span_derivatives)(int p, int dim, const num u[], int mu, const num d[restrict], num t, int rows,
+/* Row k of out, k = 0, ..., r, is the k-th derivative at t of the segment with the p+1 points d; zero for k > p. */
+KERNEL void G(bspline_span_derivatives)(int p, int dim, const num u[], int mu, const num d[restrict], num t, int r,
                                         num out[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (p + 1) * dim; m++)
         w[m] = d[m];
-    for (int r = 0; r < rows; r++) {
-        if (r <= p)
-            G(bspline_span_deboor)(p - r, dim, u, mu, w, t, out + r * dim);
+    for (int k = 0; k <= r; k++) {
+        if (k <= p)
+            G(bspline_span_deboor)(p - k, dim, u, mu, w, t, out + k * dim);
         else
             for (int c = 0; c < dim; c++)
-                out[r * dim + c] = from_int(0);
-        G(bspline_hodograph)(p - r, dim, u, mu, w);
+                out[k * dim + c] = from_int(0);
+        G(bspline_hodograph)(p - k, dim, u, mu, w);
     }
 }
 
 /* The same, all n points given. */
-KERNEL void G(bspline_derivatives)(int p, int dim, const num u[], int mu, const num c[restrict], num t, int rows,
+KERNEL void G(bspline_derivatives)(int p, int dim, const num u[], int mu, const num c[restrict], num t, int r,
                                    num out[restrict])
 {
-    G(bspline_span_derivatives)(p, dim, u, mu, c + (mu - p) * dim, t, rows, out);
+    G(bspline_span_derivatives)(p, dim, u, mu, c + (mu - p) * dim, t, r, out);
 }
 
 /* The n-1 points e_i = p (c_{i+1} - c_i)/(u_{i+p+1} - u_{i+1}) of the derivative of s, a spline of degree p-1
@@ -187,9 +189,10 @@ KERNEL num G(bspline_greville)(int p, const num u[], int i)
 /* Boehm's insertion of one knot x, u_mu <= x < u_{mu+1}: n+2+p knots v and n+1 points d of the same spline,
  *     d_i = c_i for i <= mu-p,   (1-a) c_{i-1} + a c_i with a = (x - u_i)/(u_{i+p} - u_i) for mu-p < i <= mu,
  *     c_{i-1} for i > mu. */
-KERNEL void G(bspline_insert)(int n, int p, int dim, const num u[restrict], int mu, const num c[restrict], num x,
-                              num v[restrict], num d[restrict])
+KERNEL void G(bspline_insert)(const struct G(spline) * curve, int mu, num x, num v[restrict], num d[restrict])
 {
+    int n = curve->count, p = curve->degree, dim = curve->dim;
+    const num *u = curve->knots, *c = curve->points;
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int i = 0; i <= n + p + 1; i++)
         v[i] = i <= mu ? u[i] : i == mu + 1 ? x : u[i - 1];
@@ -208,9 +211,11 @@ KERNEL void G(bspline_insert)(int n, int p, int dim, const num u[restrict], int 
  * b: n-1 points, so that inserting u_r again gives c with the exception of one equation; defect[dim] is what
  * that equation lacks.  The knot is removable (可消去), the spline of b and v is s, if and only if defect = 0.
  * The equations c_i = (1-a_i) b_{i-1} + a_i b_i are solved from both ends, as far as they reach. */
-KERNEL void G(bspline_remove)(int n, int p, int dim, const num u[restrict], const num c[restrict], int r, int s,
-                              num v[restrict], num b[restrict], num defect[restrict])
+KERNEL void G(bspline_remove)(const struct G(spline) * curve, int r, int s, num v[restrict], num b[restrict],
+                              num defect[restrict])
 {
+    int n = curve->count, p = curve->degree, dim = curve->dim;
+    const num *u = curve->knots, *c = curve->points;
     int mu = r - 1, low = mu - p + 1, high = mu - s + 1; /* equations low, ..., high; mu is the span of u_r in v */
     for (int i = 0; i < n + p; i++)
         v[i] = u[i <= mu ? i : i + 1];
@@ -313,10 +318,11 @@ KERNEL void G(bspline_reduce)(int p, int dim, const num u[restrict], const num c
  *     left:  mu-s+1 points over u_0, ..., u_{mu-s}, t, ..., t    (none if that is not positive)
  *     right: n-mu+p points over t, ..., t, u_{mu+1}, ..., u_{n+p}
  * The new points are the two sides of de Boor's triangle at t. */
-KERNEL void G(bspline_split)(int n, int p, int dim, const num u[restrict], int mu, int s, const num c[restrict], num t,
-                             num left_knots[restrict], num left[restrict], num right_knots[restrict],
-                             num right[restrict])
+KERNEL void G(bspline_split)(const struct G(spline) * curve, int mu, int s, num t, num left_knots[restrict],
+                             num left[restrict], num right_knots[restrict], num right[restrict])
 {
+    int n = curve->count, p = curve->degree, dim = curve->dim;
+    const num *u = curve->knots, *c = curve->points;
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     int lefts = mu - s + 1, rights = n - mu + p;
     for (int i = 0; i < lefts + p + 1; i++)

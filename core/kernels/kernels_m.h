@@ -5,5 +5,11 @@
 #include "core/number/binomial.h"
 #include "core/number/num_measured.h"
 
+#include <stddef.h>
+
+#define G(name) name##_m
+#include "core/kernels/spline_type.tmpl.h"
+#undef G
+
 #include "generated/kernels/m.h"
 #endif

@@ -39,7 +39,7 @@ KERNEL void G(nurbs_derivatives)(int p, int dim, const num u[restrict], int mu, 
 {
     num H[(MAX_DEGREE + 1) * MAX_DIM], D[(MAX_DEGREE + 1) * MAX_DIM];
     G(nurbs_homogenize)(p, dim, mu, R, w, H);
-    G(bspline_span_derivatives)(p, dim + 1, u, mu, H, t, r + 1, D);
+    G(bspline_span_derivatives)(p, dim + 1, u, mu, H, t, r, D);
     G(rational_quotient_derivatives)(dim, D, r, out);
 }
 
@@ -96,9 +96,11 @@ KERNEL void G(nurbs_deboor)(int p, int dim, const num u[restrict], int mu, const
 /* Boehm's insertion of one knot x, u_mu <= x < u_{mu+1}: n+p+2 knots v, n+1 points S and weights z of the same curve,
  *     z_i = a w_i + (1-a) w_{i-1},   S_i = (a w_i R_i + (1-a) w_{i-1} R_{i-1})/z_i
  * with a as in bspline_insert.  UNDEFINED where a z_i is 0. */
-KERNEL void G(nurbs_insert)(int n, int p, int dim, const num u[restrict], int mu, const num R[restrict],
-                            const num w[restrict], num x, num v[restrict], num S[restrict], num z[restrict])
+KERNEL void G(nurbs_insert)(const struct G(spline) * curve, int mu, num x, num v[restrict], num S[restrict],
+                            num z[restrict])
 {
+    int n = curve->count, p = curve->degree, dim = curve->dim;
+    const num *u = curve->knots, *R = curve->points, *w = curve->weights;
     num P[(MAX_DEGREE + 1) * MAX_DIM], q[MAX_DEGREE + 1];
     for (int m = 0; m < (p + 1) * dim; m++)
         P[m] = R[(mu - p) * dim + m];

@@ -6,28 +6,27 @@
  * logarithms, so that they stay positive; a derivative by lambda_m is w_m times that by w_m, and no logarithm is ever
  * computed.  By a coordinate of a point the curve is linear: dC/dP_m = R_m e, and R_m^(r) e after r derivatives by t.
  *
- * Shapes.  Knots, points, weights and spans as in nurbs.tmpl.h; 1 <= rows <= MAX_DEGREE+1.  UNDEFINED where w(t) = 0.
+ * Shapes.  Knots, points, weights and spans as in nurbs.tmpl.h; 0 <= r <= MAX_DEGREE.  UNDEFINED where w(t) = 0.
  * Results do not overlap arguments.
  * Source: the quotient rule; the claims are in chapters/fitting/curve-derivatives.claims.h. */
 #include "core/number/generic_on.h"
 
-/* Row r of R, r = 0, ..., rows-1, holds the r-th derivatives by t of the rational basis (有理基) of the span,
- *     R[r(p+1) + m] = R_m^(r)(t),   R_m^(r) = (w_m N_m^(r) - sum_{j=1}^r C(r,j) w^(j) R_m^(r-j)) / w. */
-KERNEL void G(nurbs_basis)(int p, const num u[restrict], int mu, const num w[restrict], num t, int rows,
-                           num R[restrict])
+/* Row k of R, k = 0, ..., r, holds the k-th derivatives by t of the rational basis (有理基) of the span,
+ *     R[k(p+1) + m] = R_m^(k)(t),   R_m^(k) = (w_m N_m^(k) - sum_{j=1}^k C(k,j) w^(j) R_m^(k-j)) / w. */
+KERNEL void G(nurbs_basis)(int p, const num u[restrict], int mu, const num w[restrict], num t, int r, num R[restrict])
 {
     num total[MAX_DEGREE + 1];
-    G(bspline_basis_derivatives)(p, u, mu, t, rows, R);
-    for (int r = 0; r < rows; r++) {
-        num *row = R + r * (p + 1);
-        total[r] = from_int(0);
+    G(bspline_basis_derivatives)(p, u, mu, t, r, R);
+    for (int k = 0; k <= r; k++) {
+        num *row = R + k * (p + 1);
+        total[k] = from_int(0);
         for (int m = 0; m <= p; m++) {
             row[m] = mul(w[mu - p + m], row[m]);
-            total[r] = add(total[r], row[m]);
+            total[k] = add(total[k], row[m]);
         }
         for (int m = 0; m <= p; m++) {
-            for (int j = 1; j <= r; j++)
-                row[m] = sub(row[m], mul(mul(from_int(binomial(r, j)), total[j]), row[m - j * (p + 1)]));
+            for (int j = 1; j <= k; j++)
+                row[m] = sub(row[m], mul(mul(from_int(binomial(k, j)), total[j]), row[m - j * (p + 1)]));
             row[m] = div(row[m], total[0]);
         }
     }
@@ -39,37 +38,37 @@ KERNEL void G(nurbs_basis_by_weights)(int p, const num u[restrict], int mu, cons
                                       num out[restrict])
 {
     num R[MAX_DEGREE + 1];
-    G(nurbs_basis)(p, u, mu, w, t, 1, R);
+    G(nurbs_basis)(p, u, mu, w, t, 0, R);
     for (int m = 0; m <= p; m++)
         for (int k = 0; k <= p; k++)
             out[m * (p + 1) + k] = mul(R[m], m == k ? sub(from_int(1), R[m]) : neg(R[k]));
 }
 
-/* The derivatives by the weights, dC/dlambda_m = R_m (P_m - C), and their derivatives by t, r = 0, ..., rows-1: coordinate
- * c is out[(r(p+1) + m) dim + c] of
- *     d^r/dt^r dC/dlambda_m = R_m^(r) P_m - sum_{j=0}^r C(r,j) R_m^(r-j) C^(j)
- *                           = R_m^(r) (P_m - C) - sum_{j=1}^r C(r,j) R_m^(r-j) C^(j),   C^(j) = sum_m R_m^(j) P_m. */
+/* The derivatives by the weights, dC/dlambda_m = R_m (P_m - C), and their derivatives by t, k = 0, ..., r: coordinate
+ * c is out[(k(p+1) + m) dim + c] of
+ *     d^k/dt^k dC/dlambda_m = R_m^(k) P_m - sum_{j=0}^k C(k,j) R_m^(k-j) C^(j)
+ *                           = R_m^(k) (P_m - C) - sum_{j=1}^k C(k,j) R_m^(k-j) C^(j),   C^(j) = sum_m R_m^(j) P_m. */
 KERNEL void G(nurbs_by_weights)(int p, int dim, const num u[restrict], int mu, const num P[restrict],
-                                const num w[restrict], num t, int rows, num out[restrict])
+                                const num w[restrict], num t, int r, num out[restrict])
 {
     num R[(MAX_DEGREE + 1) * (MAX_DEGREE + 1)], C[(MAX_DEGREE + 1) * MAX_DIM];
     const num *points = P + (mu - p) * dim;
-    G(nurbs_basis)(p, u, mu, w, t, rows, R);
-    for (int r = 0; r < rows; r++)
+    G(nurbs_basis)(p, u, mu, w, t, r, R);
+    for (int k = 0; k <= r; k++)
         for (int c = 0; c < dim; c++) {
-            C[r * dim + c] = mul(R[r * (p + 1)], points[c]);
+            C[k * dim + c] = mul(R[k * (p + 1)], points[c]);
             for (int m = 1; m <= p; m++)
-                C[r * dim + c] = add(C[r * dim + c], mul(R[r * (p + 1) + m], points[m * dim + c]));
+                C[k * dim + c] = add(C[k * dim + c], mul(R[k * (p + 1) + m], points[m * dim + c]));
         }
-    for (int r = 0; r < rows; r++)
+    for (int k = 0; k <= r; k++)
         for (int m = 0; m <= p; m++)
             for (int c = 0; c < dim; c++) {
-                num value = mul(R[r * (p + 1) + m], sub(points[m * dim + c], C[c]));
-                for (int j = 1; j <= r; j++) {
-                    num term = mul(R[(r - j) * (p + 1) + m], C[j * dim + c]);
-                    value = sub(value, mul(from_int(binomial(r, j)), term));
+                num value = mul(R[k * (p + 1) + m], sub(points[m * dim + c], C[c]));
+                for (int j = 1; j <= k; j++) {
+                    num term = mul(R[(k - j) * (p + 1) + m], C[j * dim + c]);
+                    value = sub(value, mul(from_int(binomial(k, j)), term));
                 }
-                out[(r * (p + 1) + m) * dim + c] = value;
+                out[(k * (p + 1) + m) * dim + c] = value;
             }
 }
 
@@ -80,7 +79,7 @@ KERNEL void G(nurbs_by_two_weights)(int p, int dim, const num u[restrict], int m
 {
     num R[MAX_DEGREE + 1], away[(MAX_DEGREE + 1) * MAX_DIM];
     const num *points = P + (mu - p) * dim;
-    G(nurbs_basis)(p, u, mu, w, t, 1, R);
+    G(nurbs_basis)(p, u, mu, w, t, 0, R);
     for (int c = 0; c < dim; c++) {
         num C = mul(R[0], points[c]);
         for (int m = 1; m <= p; m++)

@@ -1,4 +1,6 @@
 /* generic_off.h -- close the section opened by generic_on.h. */
+#undef spline
+#undef nurbs
 #undef num
 #undef add
 #undef sub

@@ -21,6 +21,10 @@
 #define KERNEL static inline
 #endif
 
+/* A curve as an argument: p, n, dim, knots, points, and weights (kernels/spline_type.tmpl.h). */
+#define spline(p, n, dim, u, c)   (&(const struct G(spline)){(p), (n), (dim), (u), (c), NULL})
+#define nurbs(p, n, dim, u, R, w) (&(const struct G(spline)){(p), (n), (dim), (u), (R), (w)})
+
 #define num        G(num)
 #define add        G(add)        /* a + b                                                        */
 #define sub        G(sub)        /* a - b                                                        */

@@ -6,7 +6,6 @@
 
 #include "core/require.h"
 
-#define spline_q  cagd_spline_q
 #define is_zero_q cagd_is_zero_q /* decided, and noted nowhere */
 static inline int is_number_q(num_q a)
 {

@@ -42,7 +42,7 @@ RUN(bernstein_basis)
 }
 RUN(bernstein_derivatives)
 {
-    G(bernstein_derivatives)(D->n, D->r, D->t, out);
+    G(bernstein_derivatives)(D->n, D->t, D->r, out);
     return (D->r + 1) * (D->n + 1);
 }
 RUN(bernstein_product)

@@ -48,7 +48,7 @@ REFERENCE(divided_weights)
 }
 
 /* Column c of the coefficient matrix, the rows `step` numbers apart. */
-static void matrix_column(const struct spline_q *S, int c, int step, num out[])
+static void matrix_column(const struct knotted_q *S, int c, int step, num out[])
 {
     num unit[8], a[8], b[8];
     for (int m = 0; m <= S->p; m++)
@@ -58,14 +58,14 @@ static void matrix_column(const struct spline_q *S, int c, int step, num out[])
     for (int j = 0; j <= S->p; j++)
         out[j * step] = b[j];
 }
-static void matrix_of(const struct spline_q *S, num out[])
+static void matrix_of(const struct knotted_q *S, num out[])
 {
     for (int c = 0; c <= S->p; c++)
         matrix_column(S, c, S->p + 1, out + c);
 }
 static void matrix_of_data(const struct data_q *D, num out[])
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     matrix_of(&S, out);
 }
 REFERENCE(bspline_matrix) { matrix_of_data(D, out); }
@@ -73,12 +73,12 @@ REFERENCE(bspline_matrix_by_differences) { matrix_of_data(D, out); }
 REFERENCE(bspline_matrix_by_marsden) { matrix_of_data(D, out); }
 REFERENCE(bspline_matrix_simple)
 {
-    struct spline_q S = simple_spline_of_q(D);
+    struct knotted_q S = simple_knotted_of_q(D);
     matrix_of(&S, out);
 }
 REFERENCE(bspline_matrix_uniform)
 {
-    struct spline_q S = {.p = D->n < 6 ? D->n : 6};
+    struct knotted_q S = {.p = D->n < 6 ? D->n : 6};
     S.mu = S.p;
     for (int i = 0; i < 2 * S.p + 2; i++)
         S.u[i] = from_int(i);
@@ -86,7 +86,7 @@ REFERENCE(bspline_matrix_uniform)
 }
 REFERENCE(bspline_column_by_differences)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     matrix_column(&S, S.p - D->r % (S.p + 1), 1, out);
 }
 REFERENCE(bernstein_matrix)
@@ -125,7 +125,7 @@ REFERENCE(elementary_symmetric)
 }
 REFERENCE(marsden_matrix)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     for (int j = 0; j <= S.p; j++)
         for (int c = 0; c <= S.p; c++)
             out[j * (S.p + 1) + c] = div(sum_over_subsets(S.p, j, S.u + S.mu - S.p + c + 1), choose(S.p, j));
@@ -133,14 +133,14 @@ REFERENCE(marsden_matrix)
 REFERENCE(marsden_determinant)
 {
     num M[64];
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     reference_marsden_matrix(D, M);
     out[0] = eliminate(S.p + 1, M);
 }
 /* The polar forms of (x - t)^p. */
 REFERENCE(marsden_coefficients)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num a[8];
     for (int k = 0; k <= S.p; k++) {
         a[k] = mul(choose(S.p, k), power(D->x[1], S.p - k));

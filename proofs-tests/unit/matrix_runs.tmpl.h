@@ -19,11 +19,11 @@ static inline struct G(nodes) G(nodes_of)(const struct G(data) * D)
 }
 
 /* The same data with simple knots. */
-static inline struct G(spline) G(simple_spline_of)(const struct G(data) * D)
+static inline struct G(knotted) G(simple_knotted_of)(const struct G(data) * D)
 {
     struct G(data) simple = *D;
     simple.r = 2;
-    return G(spline_of)(&simple);
+    return G(knotted_of)(&simple);
 }
 
 RUN(divided_difference)
@@ -52,25 +52,25 @@ RUN(divided_weights)
 }
 RUN(bspline_matrix)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_matrix)(S.p, S.u, S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(bspline_column_by_differences)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_column_by_differences)(S.p, S.u, S.place, S.mu - D->r % (S.p + 1), S.mu, out);
     return S.p + 1;
 }
 RUN(bspline_matrix_by_differences)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_matrix_by_differences)(S.p, S.u, S.place, S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(marsden_coefficients)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(marsden_coefficients)(S.p, S.u, S.mu, D->x[1], out);
     return S.p + 1;
 }
@@ -82,13 +82,13 @@ RUN(elementary_symmetric)
 }
 RUN(marsden_matrix)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(marsden_matrix)(S.p, S.u, S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(marsden_determinant)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     out[0] = G(marsden_determinant)(S.p, S.u, S.mu);
     return 1;
 }
@@ -100,13 +100,13 @@ RUN(cofactor)
 }
 RUN(bspline_matrix_by_marsden)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_matrix_by_marsden)(S.p, S.u, S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(bspline_matrix_simple)
 {
-    struct G(spline) S = G(simple_spline_of)(D);
+    struct G(knotted) S = G(simple_knotted_of)(D);
     G(bspline_matrix_simple)(S.p, S.u, S.mu, out);
     return (S.p + 1) * (S.p + 1);
 }

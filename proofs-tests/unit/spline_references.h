@@ -33,7 +33,7 @@ static void solve(int n, const num M[], const num right[], num a[])
     }
 }
 /* The segment of span mu with the coefficients c_{mu-p}, ..., c_mu, in powers of t. */
-static void segment_of(const struct spline_q *S, const num c[], num a[])
+static void segment_of(const struct knotted_q *S, const num c[], num a[])
 {
     num M[MAX_ORDER * MAX_ORDER];
     for (int i = 0; i <= S->p; i++)
@@ -41,7 +41,7 @@ static void segment_of(const struct spline_q *S, const num c[], num a[])
     solve(S->p + 1, M, c, a);
 }
 /* Coordinate `at` of it; at = dim is the weight, times_weight multiplies the points by their weights. */
-static void spline_coordinate(const struct data_q *D, const struct spline_q *S, int dim, int at, int times_weight,
+static void spline_coordinate(const struct data_q *D, const struct knotted_q *S, int dim, int at, int times_weight,
                               num a[])
 {
     num c[8];
@@ -72,7 +72,7 @@ REFERENCE(bezier_reduce)
 }
 REFERENCE(bspline_basis)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num c[8], a[8];
     for (int m = 0; m <= S.p; m++) {
         for (int i = 0; i <= S.p; i++)
@@ -83,7 +83,7 @@ REFERENCE(bspline_basis)
 }
 REFERENCE(bspline_basis_derivatives)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num c[8], a[8];
     for (int m = 0; m <= S.p; m++) {
         for (int i = 0; i <= S.p; i++)
@@ -95,7 +95,7 @@ REFERENCE(bspline_basis_derivatives)
 }
 REFERENCE(bspline_discrete)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num c[8], a[8];
     for (int m = 0; m <= S.p; m++) {
         for (int i = 0; i <= S.p; i++)
@@ -106,7 +106,7 @@ REFERENCE(bspline_discrete)
 }
 REFERENCE(bspline_blossom)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num a[8];
     for (int at = 0; at < D->dim; at++) {
         spline_coordinate(D, &S, D->dim, at, 0, a);
@@ -115,7 +115,7 @@ REFERENCE(bspline_blossom)
 }
 REFERENCE(bspline_derivatives)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num a[8];
     for (int at = 0; at < D->dim; at++) {
         spline_coordinate(D, &S, D->dim, at, 0, a);
@@ -133,7 +133,7 @@ REFERENCE(bspline_deboor)
 }
 REFERENCE(bspline_difference)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num a[8];
     if (D->r % 2 == 1 && S.p == 1) {
         out[0] = from_int(0);
@@ -146,7 +146,7 @@ REFERENCE(bspline_difference)
 }
 REFERENCE(bspline_greville)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num e[8];
     for (int i = 0; i < S.n; i++) {
         symmetric_means(S.p, S.u + i + 1, e);
@@ -155,7 +155,7 @@ REFERENCE(bspline_greville)
 }
 /* Point j, of the knots v_{j+1}, ..., v_{j+p}, is c_at where these are knots u_{at+1}, ..., and a value of the polar form where
  * t is among them. */
-static void new_points(const struct data_q *D, const struct spline_q *S, const num v[], int times, num out[])
+static void new_points(const struct data_q *D, const struct knotted_q *S, const num v[], int times, num out[])
 {
     num a[8];
     for (int j = 0; j < S->n + times; j++)
@@ -168,21 +168,21 @@ static void new_points(const struct data_q *D, const struct spline_q *S, const n
 }
 REFERENCE(bspline_insert)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     for (int i = 0; i <= S.n + S.p + 1; i++)
         out[i] = i <= S.mu ? S.u[i] : i == S.mu + 1 ? S.t : S.u[i - 1];
     new_points(D, &S, out, 1, out + S.n + S.p + 2);
 }
 REFERENCE(bspline_remove)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     int knots = S.n + S.p + 1;
     for (int i = 0; i < knots + (S.n + 1) * D->dim; i++)
         out[i] = i < knots ? S.u[i] : i < knots + S.n * D->dim ? D->x[i - knots] : from_int(0);
 }
 REFERENCE(bspline_refine)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num v[32];
     int span[32];
     refined_knots_q(&S, v, span);
@@ -191,13 +191,13 @@ REFERENCE(bspline_refine)
 REFERENCE(bspline_elevate) { reference_bspline_deboor(D, out); }
 REFERENCE(bspline_reduce)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     for (int i = 0; i < S.n * D->dim; i++)
         out[i] = D->x[i];
 }
 REFERENCE(bspline_to_bezier)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num a[8], local[8];
     for (int at = 0; at < D->dim; at++) {
         spline_coordinate(D, &S, D->dim, at, 0, a);
@@ -217,7 +217,7 @@ REFERENCE(bspline_point_of_bezier)
 }
 REFERENCE(bspline_split)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num a[8], v[32];
     int lefts = S.mu + 1, rights = S.n - S.mu + S.p;
     for (int at = 0; at < D->dim; at++) {
@@ -234,7 +234,7 @@ REFERENCE(bspline_split)
 }
 REFERENCE(bspline_periodic)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     int m = S.n;
     num period = sub(S.u[m], S.u[0]);
     for (int j = -S.p; j <= m + S.p; j++) { /* j = k + around m, 0 <= k < m */
@@ -247,7 +247,7 @@ REFERENCE(bspline_periodic)
 }
 
 /* The first rows Taylor coefficients at t of coordinate `at` of the NURBS curve. */
-static void nurbs_taylor(const struct data_q *D, const struct spline_q *S, int dim, int rows, int at, num q[])
+static void nurbs_taylor(const struct data_q *D, const struct knotted_q *S, int dim, int rows, int at, num q[])
 {
     num c[8], a[16], b[16];
     for (int k = 0; k < 16; k++)
@@ -260,21 +260,21 @@ static void nurbs_taylor(const struct data_q *D, const struct spline_q *S, int d
 }
 REFERENCE(nurbs_weight)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num a[8];
     spline_coordinate(D, &S, D->dim, D->dim, 0, a);
     out[0] = derivative_at(S.p, a, 0, S.t);
 }
 REFERENCE(nurbs_point)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     for (int at = 0; at < D->dim; at++)
         nurbs_taylor(D, &S, D->dim, 1, at, out + at);
 }
 REFERENCE(nurbs_deboor) { reference_nurbs_point(D, out); }
 REFERENCE(nurbs_derivatives)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num q[16];
     for (int at = 0; at < D->dim; at++) {
         nurbs_taylor(D, &S, D->dim, D->r + 1, at, q);
@@ -283,7 +283,7 @@ REFERENCE(nurbs_derivatives)
     }
 }
 /* Derivatives 1, 2, 3 of the curve in space, row by row. */
-static void nurbs_moving_frame(const struct data_q *D, const struct spline_q *S, num d[3][3])
+static void nurbs_moving_frame(const struct data_q *D, const struct knotted_q *S, num d[3][3])
 {
     num q[16];
     for (int at = 0; at < 3; at++) {
@@ -304,7 +304,7 @@ static num squared_area(const num a[3], const num b[3])
 }
 REFERENCE(nurbs_curvature_squared)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num d[3][3], speed = from_int(0);
     nurbs_moving_frame(D, &S, d);
     for (int c = 0; c < 3; c++)
@@ -315,14 +315,14 @@ REFERENCE(nurbs_torsion)
 {
     struct data_q E = *D;
     E.n = D->n < 3 ? 3 : D->n;
-    struct spline_q S = spline_of_q(&E);
+    struct knotted_q S = knotted_of_q(&E);
     num d[3][3];
     nurbs_moving_frame(D, &S, d);
     out[0] = div(eliminate(3, &d[0][0]), squared_area(d[0], d[1]));
 }
 REFERENCE(nurbs_insert)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num a[8], v[32];
     for (int i = 0; i <= S.n + S.p + 1; i++)
         v[i] = i <= S.mu ? S.u[i] : i == S.mu + 1 ? S.t : S.u[i - 1];
@@ -338,7 +338,7 @@ REFERENCE(nurbs_insert)
     }
 }
 /* Six Taylor coefficients at t of w_m N_m, m = 0, ..., p, and of their sum w. */
-static void weighted_basis(const struct data_q *D, const struct spline_q *S, num term[][16], num w[16])
+static void weighted_basis(const struct data_q *D, const struct knotted_q *S, num term[][16], num w[16])
 {
     num c[8], a[8];
     for (int k = 0; k < 16; k++)
@@ -365,7 +365,7 @@ static void series_product(const num a[], const num b[], num c[])
 }
 REFERENCE(nurbs_basis)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num term[8][16], w[16], q[16];
     weighted_basis(D, &S, term, w);
     for (int m = 0; m <= S.p; m++) {
@@ -377,7 +377,7 @@ REFERENCE(nurbs_basis)
 /* The quotient rule for w_m N_m / w: w_k d/dw_k of it. */
 REFERENCE(nurbs_basis_by_weights)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num term[8][16], w[16];
     weighted_basis(D, &S, term, w);
     for (int m = 0; m <= S.p; m++)
@@ -390,7 +390,7 @@ REFERENCE(nurbs_basis_by_weights)
 /* The quotient rule for A/w, A = sum w_m N_m P_m, as series: (A_m w - A w_m)/w^2 with A_m = w_m N_m P_m. */
 REFERENCE(nurbs_by_weights)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num term[8][16], w[16], A[16], own[16], one[16], two[16], below[16], q[16];
     weighted_basis(D, &S, term, w);
     series_product(w, w, below);
@@ -417,7 +417,7 @@ REFERENCE(nurbs_by_weights)
 /* The same twice: A_mk/w - (A_m w_k + A_k w_m + A w_mk)/w^2 + 2 A w_m w_k/w^3. */
 REFERENCE(nurbs_by_two_weights)
 {
-    struct spline_q S = spline_of_q(D);
+    struct knotted_q S = knotted_of_q(D);
     num term[8][16], w[16];
     weighted_basis(D, &S, term, w);
     for (int at = 0; at < D->dim; at++) {

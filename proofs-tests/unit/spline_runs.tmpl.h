@@ -4,14 +4,14 @@
  * middle; the ends simple or clamped.  place says which knots are equal. */
 #include "core/number/generic_on.h"
 
-struct G(spline) {
+struct G(knotted) {
     int p, n, mu, place[24];
     num u[24], t; /* u_mu < t < u_{mu+1} */
 };
 
-static inline struct G(spline) G(spline_of)(const struct G(data) * D)
+static inline struct G(knotted) G(knotted_of)(const struct G(data) * D)
 {
-    struct G(spline) S;
+    struct G(knotted) S;
     int p = S.p = D->n < 5 ? D->n : 5, n = S.n = p + 4, clamped = D->r % 3 == 0, twice = D->r % 2 == 1;
     S.mu = p + 2;
     S.u[0] = D->x[0];
@@ -27,7 +27,7 @@ static inline struct G(spline) G(spline_of)(const struct G(data) * D)
 }
 
 /* The knots of the spline with t twice; n+2 points.  v_j lies in the span of span[j], or ends beyond it. */
-static inline void G(refined_knots)(const struct G(spline) * S, num v[], int span[])
+static inline void G(refined_knots)(const struct G(knotted) * S, num v[], int span[])
 {
     for (int i = 0; i <= S->n + S->p + 2; i++)
         v[i] = i <= S->mu ? S->u[i] : i <= S->mu + 2 ? S->t : S->u[i - 2];
@@ -42,7 +42,7 @@ static inline void G(refined_knots)(const struct G(spline) * S, num v[], int spa
 }
 
 /* The knots of degree p+1, every knot of the domain once more; returns the number of points. */
-static inline int G(elevated_knots)(const struct G(spline) * S, num v[], int span[])
+static inline int G(elevated_knots)(const struct G(knotted) * S, num v[], int span[])
 {
     int count = 0, from[48];
     for (int i = 0; i <= S->n + S->p; i++) {
@@ -73,44 +73,44 @@ RUN(bezier_reduce)
 }
 RUN(bspline_basis)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_basis)(S.p, S.u, S.mu, S.t, out);
     return S.p + 1;
 }
 RUN(bspline_basis_derivatives)
 {
-    struct G(spline) S = G(spline_of)(D);
-    G(bspline_basis_derivatives)(S.p, S.u, S.mu, S.t, D->r + 1, out);
+    struct G(knotted) S = G(knotted_of)(D);
+    G(bspline_basis_derivatives)(S.p, S.u, S.mu, S.t, D->r, out);
     return (D->r + 1) * (S.p + 1);
 }
 RUN(bspline_discrete)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_discrete)(S.p, S.u, S.mu, D->x, out);
     return S.p + 1;
 }
 RUN(bspline_blossom)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_blossom)(S.p, D->dim, S.u, S.mu, D->x, D->w, out);
     return D->dim;
 }
 RUN(bspline_deboor)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_deboor)(S.p, D->dim, S.u, S.mu, D->x, S.t, out);
     return D->dim;
 }
 RUN(bspline_derivatives)
 {
-    struct G(spline) S = G(spline_of)(D);
-    G(bspline_derivatives)(S.p, D->dim, S.u, S.mu, D->x, S.t, D->r + 1, out);
+    struct G(knotted) S = G(knotted_of)(D);
+    G(bspline_derivatives)(S.p, D->dim, S.u, S.mu, D->x, S.t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 /* The derivative at t of the spline of the difference points. */
 RUN(bspline_difference)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     num e[64];
     if (D->r % 2 == 1 && S.p == 1) { /* the double knot would be one of multiplicity p+1 */
         out[0] = from_int(0);
@@ -122,29 +122,29 @@ RUN(bspline_difference)
 }
 RUN(bspline_greville)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     for (int i = 0; i < S.n; i++)
         out[i] = G(bspline_greville)(S.p, S.u, i);
     return S.n;
 }
 RUN(bspline_insert)
 {
-    struct G(spline) S = G(spline_of)(D);
-    G(bspline_insert)(S.n, S.p, D->dim, S.u, S.mu, D->x, S.t, out, out + S.n + S.p + 2);
+    struct G(knotted) S = G(knotted_of)(D);
+    G(bspline_insert)(spline(S.p, S.n, D->dim, S.u, D->x), S.mu, S.t, out, out + S.n + S.p + 2);
     return S.n + S.p + 2 + (S.n + 1) * D->dim;
 }
 /* What was inserted is removed. */
 RUN(bspline_remove)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     num u[32], c[64], *b = out + S.n + S.p + 1;
-    G(bspline_insert)(S.n, S.p, D->dim, S.u, S.mu, D->x, S.t, u, c);
-    G(bspline_remove)(S.n + 1, S.p, D->dim, u, c, S.mu + 1, 1, out, b, b + S.n * D->dim);
+    G(bspline_insert)(spline(S.p, S.n, D->dim, S.u, D->x), S.mu, S.t, u, c);
+    G(bspline_remove)(spline(S.p, S.n + 1, D->dim, u, c), S.mu + 1, 1, out, b, b + S.n * D->dim);
     return S.n + S.p + 1 + (S.n + 1) * D->dim;
 }
 RUN(bspline_refine)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     num v[32];
     int span[32];
     G(refined_knots)(&S, v, span);
@@ -154,7 +154,7 @@ RUN(bspline_refine)
 /* The point at t of the elevated spline. */
 RUN(bspline_elevate)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     num v[48], d[128];
     int span[48], m = G(elevated_knots)(&S, v, span), nu = 0;
     G(bspline_elevate)(S.p, D->dim, S.u, D->x, m, v, span, d);
@@ -166,7 +166,7 @@ RUN(bspline_elevate)
 /* What was elevated is reduced. */
 RUN(bspline_reduce)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     num v[48], d[128];
     int span[48], down[32] = {0}, m = G(elevated_knots)(&S, v, span);
     G(bspline_elevate)(S.p, D->dim, S.u, D->x, m, v, span, d);
@@ -182,7 +182,7 @@ RUN(bspline_reduce)
 }
 RUN(bspline_to_bezier)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_to_bezier)(S.p, D->dim, S.u, S.mu, D->x, out);
     return (S.p + 1) * D->dim;
 }
@@ -195,45 +195,45 @@ RUN(bspline_point_of_bezier)
 /* The points of both parts. */
 RUN(bspline_split)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     num v[32], w[32];
     int left = (S.mu + 1) * D->dim, right = (S.n - S.mu + S.p) * D->dim;
-    G(bspline_split)(S.n, S.p, D->dim, S.u, S.mu, 0, D->x, S.t, v, out, w, out + left);
+    G(bspline_split)(spline(S.p, S.n, D->dim, S.u, D->x), S.mu, 0, S.t, v, out, w, out + left);
     return left + right;
 }
 RUN(bspline_periodic)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(bspline_periodic)(S.n, S.p, D->dim, S.u, D->x, out, out + S.n + 2 * S.p + 1);
     return S.n + 2 * S.p + 1 + (S.n + S.p) * D->dim;
 }
 RUN(nurbs_weight)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     out[0] = G(nurbs_weight)(S.p, S.u, S.mu, D->w, S.t);
     return 1;
 }
 RUN(nurbs_point)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(nurbs_point)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
     return D->dim;
 }
 RUN(nurbs_deboor)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(nurbs_deboor)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
     return D->dim;
 }
 RUN(nurbs_derivatives)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(nurbs_derivatives)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, D->r, out);
     return (D->r + 1) * D->dim;
 }
 RUN(nurbs_curvature_squared)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     out[0] = G(nurbs_curvature_squared)(S.p, 3, S.u, S.mu, D->x, D->w, S.t);
     return 1;
 }
@@ -241,38 +241,38 @@ RUN(nurbs_torsion)
 {
     struct G(data) E = *D;
     E.n = D->n < 3 ? 3 : D->n;
-    struct G(spline) S = G(spline_of)(&E);
+    struct G(knotted) S = G(knotted_of)(&E);
     out[0] = G(nurbs_torsion)(S.p, S.u, S.mu, D->x, D->w, S.t);
     return 1;
 }
 RUN(nurbs_insert)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     num v[32];
-    G(nurbs_insert)(S.n, S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, v, out, out + (S.n + 1) * D->dim);
+    G(nurbs_insert)(nurbs(S.p, S.n, D->dim, S.u, D->x, D->w), S.mu, S.t, v, out, out + (S.n + 1) * D->dim);
     return (S.n + 1) * (D->dim + 1);
 }
 RUN(nurbs_basis)
 {
-    struct G(spline) S = G(spline_of)(D);
-    G(nurbs_basis)(S.p, S.u, S.mu, D->w, S.t, D->r + 1, out);
+    struct G(knotted) S = G(knotted_of)(D);
+    G(nurbs_basis)(S.p, S.u, S.mu, D->w, S.t, D->r, out);
     return (D->r + 1) * (S.p + 1);
 }
 RUN(nurbs_basis_by_weights)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(nurbs_basis_by_weights)(S.p, S.u, S.mu, D->w, S.t, out);
     return (S.p + 1) * (S.p + 1);
 }
 RUN(nurbs_by_weights)
 {
-    struct G(spline) S = G(spline_of)(D);
-    G(nurbs_by_weights)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, D->r + 1, out);
+    struct G(knotted) S = G(knotted_of)(D);
+    G(nurbs_by_weights)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, D->r, out);
     return (D->r + 1) * (S.p + 1) * D->dim;
 }
 RUN(nurbs_by_two_weights)
 {
-    struct G(spline) S = G(spline_of)(D);
+    struct G(knotted) S = G(knotted_of)(D);
     G(nurbs_by_two_weights)(S.p, D->dim, S.u, S.mu, D->x, D->w, S.t, out);
     return (S.p + 1) * (S.p + 1) * D->dim;
 }
