@@ -44,6 +44,7 @@ CLAIM(conic_value_and_gradient)
     about(T, "the value");
     same(T, value, G(form)(S, x, y));
     about(T, "the gradient");
+    /* 2h S_x = S(x+h, y) - S(x-h, y), 2h S_y = S(x, y+h) - S(x, y-h) */
     same(T, mul(twice, g[0]), sub(G(form)(S, add(x, h), y), G(form)(S, sub(x, h), y)));
     same(T, mul(twice, g[1]), sub(G(form)(S, x, add(y, h)), G(form)(S, x, sub(y, h))));
 }
@@ -124,6 +125,7 @@ CLAIM(pencil_passes_through_common_points)
     about(T, "the value at the common point");
     vanishes(T, G(form)(S, x, y));
     about(T, "the value at any point");
+    /* S(u, v) = (1-λ) S_1(u, v) + λ S_2(u, v) */
     same(T, G(form)(S, u, v), add(mul(mu, G(form)(S1, u, v)), mul(lambda, G(form)(S2, u, v))));
 }
 
@@ -148,6 +150,7 @@ CLAIM(conics_through_four_points_are_a_pencil)
     num U = sub(mul(x, sub(x, one)), mul(div(fault(T, sub(a, one), a), b), xy));
     num V = sub(mul(y, sub(y, one)), mul(div(sub(b, one), a), xy));
     num W = div(xy, mul(a, b)); /* 1 at (a, b), 0 at the others; so are the factors of the others below */
+    /* S = AU + CV + S(a,b) W + S(1,0) (x - aW) + S(0,1) (y - bW) + S(0,0) (1 - x - y - (1-a-b) W) */
     num sum = add(mul(S[0], U), mul(S[2], V));
     sum = add(sum, mul(G(form)(S, a, b), W));
     sum = add(sum, mul(G(form)(S, one, zero), sub(x, mul(a, W))));
@@ -344,6 +347,7 @@ CLAIM(a_further_point_fixes_lambda)
     vanishes(T, G(form)(S, x, y));
     G(conic_pencil)(kappa, S1, S2, S);
     about(T, "another member at P");
+    /* S(P) = (κ - λ) (S_2(P) - S_1(P)) */
     same(T, G(form)(S, x, y), mul(sub(kappa, lambda), sub(f2, f1)));
 }
 
@@ -408,6 +412,7 @@ CLAIM(line_pair_is_a_degenerate_conic)
         l2[c] = unknown(T, "l", c);
     G(line_through)(p, q, l1);
     about(T, "the line through p and q");
+    /* (q - p) × ((x, y) - p) */
     num turn = sub(mul(sub(q[0], p[0]), sub(y, p[1])), mul(sub(q[1], p[1]), sub(x, p[0])));
     same(T, G(on_line)(l1, x, y), turn);
     G(line_pair)(l1, l2, S);
@@ -457,6 +462,7 @@ CLAIM(line_pairs_share_four_points)
     for (int i = 0; i < 2; i++)
         for (int j = 2; j < 4; j++) {
             num z = sub(mul(l[i][0], l[j][1]), mul(l[i][1], l[j][0]));
+            /* l_i × l_j, as a point */
             num x = div(sub(mul(l[i][1], l[j][2]), mul(l[i][2], l[j][1])), z);
             num y = div(sub(mul(l[i][2], l[j][0]), mul(l[i][0], l[j][2])), z);
             vanishes(T, G(form)(S, x, y));

@@ -212,6 +212,7 @@ CLAIM(rational_point_is_weighted_mean)
         num total = G(weight_by_definition)(n, fault(T, w, ones), t);
         G(rational_point)(n, dim, R, w, t, out);
         for (int c = 0; c < dim; c++)
+            /* R(t) = Σ B_i^n(t) ω_i R_i/Σ B_i^n(t) ω_i */
             same(T, out[c], div(P[c], total));
     }
 }
@@ -481,6 +482,7 @@ CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
             v[j] = j == fault(T, i, i + 1) % (n + 1) ? add(w[j], more) : w[j];
         num share = mul(more, G(bernstein_by_definition)(n, i, t)), q = div(total, add(total, share));
         G(rational_point)(n, 1, R, v, t, &after);
+        /* R̃(t) - R_i = q (R(t) - R_i) */
         same(T, sub(after, R[i]), mul(q, sub(before, R[i])));
         nonnegative(T, div(from_int(1), q));
         nonnegative(T, div(from_int(1), sub(from_int(1), q)));
@@ -673,6 +675,7 @@ CLAIM(affine_image_of_the_curve_is_the_curve_of_the_images)
     }
     G(rational_point)(n, 3, R, w, t, P);
     G(rational_point)(n, 1, image, w, t, &wanted);
+    /* a x(t) + b y(t) + c z(t) + d */
     same(T, add(add(add(mul(a[0], P[0]), mul(a[1], P[1])), mul(a[2], P[2])), d), wanted);
 }
 

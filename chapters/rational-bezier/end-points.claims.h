@@ -284,6 +284,7 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
             vanishes(T, D[l]);
         about(T, "R^(k)(0)");
         long factor = G(falling)(n, k) / fault(T, 1, G(falling)(k, k));
+        /* R^(k)(0) = n!/(n-k)! ω_k/ω_0 (R_k - R_0) */
         same(T, D[k], mul(mul(from_int(factor), div(w[k], w[0])), sub(R[k], R[0])));
     }
 }
@@ -325,6 +326,7 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
             vanishes(T, D[m]);
         about(T, "R^(h)(1)");
         long sign = fault(T, h % 2 == 1 ? 1 : -1, 1);
+        /* R^(h)(1) = (-1)^{h+1} n!/(n-h)! ω_{n-h}/ω_n (R_n - R_{n-h}) */
         same(T, D[h], mul(mul(from_int(sign * G(falling)(n, h)), div(w[n - h], w[n])), sub(R[n], R[n - h])));
     }
 }
@@ -413,6 +415,7 @@ CLAIM(end_derivatives_in_every_degree)
         num factor = from_int(1);
         for (int j = 0; j < k; j++)
             factor = mul(factor, sub(n, from_int(j)));
+        /* R^(k)(0) = n (n-1) ... (n-k+1) ω_k/ω_0 (R_k - R_0) */
         num wanted = mul(mul(factor, div(w[k], w[0])), sub(R[k], R[0]));
         same(T, mul(from_int(G(falling)(k, k)), Q[k]), wanted); /* R^(k) = k! Q_k */
     }
@@ -540,6 +543,7 @@ CLAIM(curve_expands_about_its_first_point)
                 term = mul(term, t);
             high = add(high, i == k ? mul(low, term) : mul(mul(low, t), term));
         }
+        /* R(t) = R_0 + Σ C(n,i) (1-t)^{n-i} t^i ω_i (R_i - R_0)/ω(t), i from k to n */
         same(T, point, add(R[0], div(high, G(rational_weight)(n, w, t))));
     }
 }

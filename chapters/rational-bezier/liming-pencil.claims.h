@@ -61,6 +61,7 @@ CLAIM(limings_conics_touch_the_lines)
     }
     about(T, "S(x, y)");
     num third = G(on_line)(l3, x, y), pair = mul(G(on_line)(l1, x, y), G(on_line)(l2, x, y));
+    /* S = (1-λ) l_1 l_2 + λ l_3² */
     same(T, G(form)(S, x, y), add(mul(mu, pair), mul(lambda, mul(third, third))));
     about(T, "S and its gradient at R0");
     vanishes(T, G(form)(S, R[0], R[1]));
@@ -100,6 +101,7 @@ CLAIM(conics_touching_two_lines_are_limings)
     G(conic_gradient)(S, zero, one, g2);
     num c1 = G(form)(S, one, zero), c2 = g0[0], c3 = G(form)(S, zero, one), c4 = g2[1];
     num kappa = add(sub(sub(c1, c2), c3), c4);
+    /* S = A (x+y-1)² + 2 (B-A) xy + κ (y² - 2y) + c_2 x + c_4 y + c_1 - c_2 */
     num member = add(mul(S[0], mul(s, s)), mul(mul(two, fault(T, sub(S[1], S[0]), S[1])), mul(x, y)));
     num rest = add(mul(kappa, sub(mul(y, y), mul(two, y))), add(mul(c2, x), add(mul(c4, y), sub(c1, c2))));
     same(T, G(form)(S, x, y), add(member, rest));
@@ -136,6 +138,7 @@ CLAIM(conics_touching_parallel_lines_are_limings)
     G(conic_gradient)(S, one, zero, g0);
     G(conic_gradient)(S, minus, zero, g2);
     num c1 = G(form)(S, one, zero), c2 = G(form)(S, minus, zero), c3 = g0[1], c4 = g2[1];
+    /* S = A (x² - 1) + C y² + (c_3-c_4)/2 xy + (c_1-c_2)/2 x + (c_3+c_4)/2 y + (c_1+c_2)/2 */
     num member = add(mul(S[0], sub(mul(x, x), one)), mul(S[2], mul(y, y)));
     num rest = add(mul(mul(half, fault(T, sub(c3, c4), add(c3, c4))), mul(x, y)), mul(mul(half, sub(c1, c2)), x));
     rest = add(rest, add(mul(mul(half, add(c3, c4)), y), mul(half, add(c1, c2))));
@@ -269,6 +272,7 @@ CLAIM(affine_coordinates_exist)
     G(six)(T, "R", R);
     for (int c = 0; c < 2; c++)
         P[c] = unknown(T, "P", c);
+    /* x = (R - R_1) × (R_2 - R_1)/d, y = (R_0 - R_1) × (R - R_1)/d */
     num d = G(area)(R + 2, R, R + 4), x = div(G(area)(R + 2, P, R + 4), d), y = div(G(area)(R + 2, R, P), d);
     G(point_in_frame)(R, fault(T, x, y), fault(T, y, x), Q);
     about(T, "the point with these coordinates");
@@ -353,6 +357,7 @@ CLAIM(limings_pencil_in_the_frame)
     G(point_in_frame)(R, x, y, P);
     num d = G(area)(R + 2, R, R + 4);
     G(frame_conic)(lambda, fault(T, -1, 1), N);
+    /* S(R(x, y)) = -d² ((1-λ) xy - λ (x+y-1)²) */
     same(T, G(form)(S, P[0], P[1]), neg(mul(mul(d, d), G(form)(N, x, y))));
 }
 
@@ -385,6 +390,7 @@ CLAIM(every_scaling_takes_the_normal_form)
         factor[k] = add(mu, signed_nu);
         G(frame_conic)(fault(T, div(signed_nu, factor[k]), lambda), sign, N);
         about(T, sign > 0 ? "with the plus sign" : "with the minus sign");
+        /* S = (μ + σν) ((1-λ') xy + σλ' (x+y-1)²) */
         same(T, G(form)(S, x, y), mul(factor[k], G(form)(N, x, y)));
     }
     about(T, "the two factors");
@@ -496,6 +502,7 @@ CLAIM(one_point_fixes_lambda)
             vanishes(T, G(form)(S, P[0], P[1]));
             G(frame_conic)(kappa, sign, S);
             about(T, "another conic at the point");
+            /* the conic of κ at P = (x, y): xy - κ (xy - σ (x+y-1)²) */
             same(T, G(form)(S, P[0], P[1]), sub(xy, mul(kappa, d)));
             about(T, "λ at R");
             if (k == 1)
@@ -567,6 +574,7 @@ CLAIM(lambda_inside_the_triangle)
     about(T, "the conic of this λ at the point");
     vanishes(T, G(form)(S, x, y));
     about(T, "λ and 1 - λ");
+    /* λ = ab/(1+ab), 1 - λ = 1/(1+ab) */
     same(T, lambda, div(ab, add(one, ab)));
     same(T, sub(one, lambda), div(one, add(one, ab)));
     nonnegative(T, div(ab, add(one, ab)));

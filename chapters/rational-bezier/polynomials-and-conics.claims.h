@@ -77,6 +77,7 @@ CLAIM(ellipse_carries_no_polynomial_arc)
     num p = x[n], q = y[n], square = add(mul(S[0], p), mul(S[1], q));
     num delta = sub(mul(S[0], S[2]), mul(S[1], S[1]));
     about(T, "A times the top coefficient; the sum of two squares");
+    /* A s_{2n} = (Ap + Bq)² + (AC - B²) q² */
     same(T, mul(S[0], s[2 * n]), add(mul(square, square), mul(delta, mul(q, q))));
 }
 
@@ -234,6 +235,7 @@ CLAIM(tangent_conics_are_rational_quadratics)
     num w[3] = {one, one, mul(from_int(fault(T, -4, -2)), div(nu, mu))};
     G(rational_point)(2, 2, R, w, t, P);
     num s = sub(add(P[0], P[1]), one);
+    /* μ xy + ν (x + y - 1)² = 0 */
     vanishes(T, add(mul(mu, mul(P[0], P[1])), mul(nu, mul(s, s))));
 }
 #include "chapters/judge/claims_off.h"

@@ -46,9 +46,11 @@ CLAIM(signed_ratios_give_the_point)
         R[i] = unknown(T, "R", i);
     num g1 = div(mul(from_int(-2), x), s), g2 = div(mul(from_int(-2), y), s);
     num total = add(add(g1, from_int(fault(T, 2, 1))), g2);
+    /* g_1 + 2 + g_2 = -2/s, x = g_1/(g_1 + 2 + g_2), y = g_2/(g_1 + 2 + g_2) */
     same(T, total, div(from_int(-2), s));
     same(T, div(g1, total), x);
     same(T, div(g2, total), y);
+    /* R_1 + x (R_0 - R_1) + y (R_2 - R_1) = (g_1 R_0 + 2 R_1 + g_2 R_2)/(g_1 + 2 + g_2) */
     num point = add(R[1], add(mul(x, sub(R[0], R[1])), mul(y, sub(R[2], R[1]))));
     same(T, point, div(add(add(mul(g1, R[0]), mul(two, R[1])), mul(g2, R[2])), total));
 }
@@ -131,6 +133,7 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
     about(T, "the product");
     same(T, mul(g[0], g[1]), c);
     about(T, "t from g1");
+    /* t = ω_0/(ω_0 + ω_1 g_1) */
     same(T, div(w[0], add(w[0], mul(w[1], g[0]))), t);
     nonnegative(T, tg);
     nonnegative(T, sub(one, tg));
@@ -233,6 +236,7 @@ CLAIM(rational_quadratic_of_the_arc)
     for (int i = 0; i < 3; i++)
         R[i] = unknown(T, "R", i);
     G(ratios_at)(w, t, 0, g);
+    /* (g_1 R_0 + 2 R_1 + g_2 R_2)/(g_1 + 2 + g_2) = R(t) */
     num top = add(add(mul(g[0], R[0]), mul(fault(T, two, one), R[1])), mul(g[1], R[2]));
     G(rational_point)(2, 1, R, w, t, &point);
     about(T, "the point from the ratios; the rational curve");
@@ -244,6 +248,7 @@ CLAIM(rational_quadratic_of_the_arc)
     G(frame_conic)(lambda, -1, S);
     about(T, "the conic along the curve");
     vanishes(T, G(form)(S, P[0], P[1]));
+    /* 4λ/(1-λ) = ω_0 ω_2/ω_1² */
     same(T, div(mul(from_int(4), lambda), sub(one, lambda)), div(outer, middle));
     about(T, "inside the triangle");
     nonnegative(T, P[0]);
@@ -320,9 +325,11 @@ CLAIM(weights_with_one_constant_give_one_curve)
         v[i] = i < 2 ? positive(T, "v", i) : one;
         R[i] = unknown(T, "R", i);
     }
+    /* with v for ω*: v_2 = ω_0 ω_2 v_1²/(ω_1² v_0), k = ω_0 v_1/(v_0 ω_1) */
     v[2] = div(mul(mul(w[0], w[2]), mul(v[1], v[1])), mul(mul(w[1], w[1]), v[0]));
     num k = div(mul(w[0], v[1]), mul(v[0], w[1]));
     k = fault(T, k, div(one, k));
+    /* t = ku/(ku + 1 - u) */
     num t = div(mul(k, u), add(mul(k, u), sub(one, u)));
     G(rational_point)(2, 1, R, v, u, &before);
     G(rational_point)(2, 1, R, w, t, &after);
@@ -331,6 +338,7 @@ CLAIM(weights_with_one_constant_give_one_curve)
     about(T, "t and u");
     nonnegative(T, t);
     nonnegative(T, sub(one, t));
+    /* u = t/(t + k (1-t)) */
     same(T, div(t, add(t, mul(k, sub(one, t)))), u);
 }
 
@@ -358,6 +366,7 @@ CLAIM(constant_is_read_off_the_curve)
     }
     num d = G(cross2)(a, b), x = div(G(cross2)(from, b), d), y = div(G(cross2)(a, from), d);
     num s = sub(add(x, y), from_int(1));
+    /* 4xy/(x+y-1)² = ω_0 ω_2/ω_1² */
     same(T, div(mul(from_int(fault(T, 4, 2)), mul(x, y)), mul(s, s)), G(constant)(w));
 }
 

@@ -44,6 +44,7 @@ CLAIM(tangent_meets_the_conic_doubly)
     G(six)(T, "S", S);
     G(conic_gradient)(S, x, y, g);
     num d[2] = {g[1], fault(T, neg(g[0]), g[0])}, X = add(x, mul(h, d[0])), Y = add(y, mul(h, d[1]));
+    /* S(P + hd) = S(P) + h² (A d_1² + 2B d_1 d_2 + C d_2²), d = (S_y, -S_x) */
     num square =
         add(add(mul(S[0], mul(d[0], d[0])), mul(mul(from_int(2), S[1]), mul(d[0], d[1]))), mul(S[2], mul(d[1], d[1])));
     about(T, "S along the line");
@@ -235,6 +236,7 @@ CLAIM(tangent_parallel_to_the_first_side)
     struct member_at_point m = given_member(T, -1);
     found_gradient(T, m);
     num s = sub(add(m.R[0], m.R[1]), from_int(1));
+    /* (1-λ) y - 2λ (x+y-1) */
     num bottom = sub(mul(sub(from_int(1), m.lambda), m.R[1]), mul(mul(from_int(2), m.lambda), s));
     found(T, "denominator of X_A", bottom);
     about(T, "whether the denominator is not 0");
@@ -327,6 +329,7 @@ CLAIM(ratios_of_lengths_inside_the_triangle)
             square[1] = add(square[1], mul(to, to));
         }
         about(T, side == 0 ? "|R1 A|² and g1² |R0 A|²" : "|R1 B|² and g2² |R2 B|²");
+        /* |R_1 A|² = (2a)² |R_0 A|², |R_1 B|² = (2b)² |R_2 B|² */
         same(T, square[0], mul(mul(ratio, ratio), square[1]));
         about(T, side == 0 ? "A between R1 and R0" : "B between R1 and R2");
         same(T, share, div(ratio, add(one, ratio)));
@@ -421,10 +424,12 @@ CLAIM(ratios_on_the_curve)
         G(tangent_cuts)(S, x, y, &X, &Y);
         num g1 = div(X, sub(one, X)), g2 = div(Y, sub(one, Y));
         about(T, "the ratios by the point alone");
+        /* g_1 = -2x/s, g_2 = -2y/s */
         same(T, g1, div(mul(from_int(-2), x), s));
         same(T, g2, div(mul(from_int(-2), y), s));
         about(T, "the ratios as printed");
         num top = mul(mul(from_int(fault(T, 2 * sign, -2)), lambda), s);
+        /* g_1 = 2σλs/((1-λ) y), g_2 = 2σλs/((1-λ) x) */
         same(T, g1, div(top, mul(mu, y)));
         same(T, g2, div(top, mul(mu, x)));
     }
@@ -548,6 +553,7 @@ CLAIM(product_of_ratios_is_constant)
         G(frame_conic)(lambda, sign, S);
         G(tangent_cuts)(S, x, y, &X, &Y);
         num product = mul(div(X, sub(one, X)), div(Y, sub(one, Y)));
+        /* g_1 g_2 = -4σλ/(1-λ) */
         same(T, product, div(mul(from_int(fault(T, -4, -2) * sign), lambda), sub(one, lambda)));
     }
 }
@@ -575,6 +581,7 @@ CLAIM(product_of_ratios_is_positive_inside)
     G(tangent_cuts)(S, x, y, &X, &Y);
     num product = mul(div(X, sub(one, X)), div(Y, sub(one, Y)));
     about(T, "the product");
+    /* g_1 g_2 = 4λ/(1-λ) */
     same(T, product, mul(from_int(4), odds));
     nonnegative(T, mul(from_int(4), odds));
 }

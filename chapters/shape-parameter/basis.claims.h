@@ -161,6 +161,7 @@ CLAIM(mirror_images_with_sum_one_are_unique)
     B[4] = mul(add(mul(y, s), mul(x, t)), G(product_of_powers)(3, 4, t));
     for (int i = 0; i <= 7; i++)
         sum = add(sum, B[i]);
+    /* Σ B̂_i = 1 + (x - 35 - 5β)(s⁵t³ + s³t⁵) + (2y - 70) s⁴t⁴ */
     num outer = sub(sub(x, from_int(35)), mul(from_int(5), beta));
     num inner = sub(mul(from_int(fault(T, 2, 1)), y), from_int(70));
     num rest = add(mul(outer, add(G(product_of_powers)(5, 3, t), G(product_of_powers)(3, 5, t))),
@@ -206,6 +207,7 @@ CLAIM(leading_coefficients_are_multiples_of_beta)
                 column[k] = E[k * 8 + i];
             G(bernstein_to_power)(8, column, column);
             int sign = fault(T, (7 - i) % 2 == 0 ? 1 : -1, 1);
+            /* (-1)^{7-i} c_i β */
             same(T, column[8], mul(mul(from_int(sign), c[printed_ones][i]), beta));
         }
     }
@@ -432,6 +434,7 @@ CLAIM(printed_sum_in_closed_form)
     for (int i = 0; i <= 7; i++)
         sum = add(sum, B[i]);
     num product = G(product_of_powers)(fault(T, 3, 4), fault(T, 4, 3), t);
+    /* Σ B̂_i = 1 - 4β (1-t)³ t⁴ */
     same(T, sum, sub(from_int(1), mul(from_int(4), mul(beta, product))));
 }
 
@@ -521,6 +524,7 @@ CLAIM(printed_outer_functions_are_mirror_images)
     for (int i = 0; i <= 2; i++)
         same(T, left[i], right[7 - i]);
     num middle = fault(T, sub(s, t), s);
+    /* B̂_3(1-t) - B̂_4(t) = -4β (1-2t)(1-t)³ t⁴ */
     num product = mul(mul(from_int(-4), mul(beta, middle)), G(product_of_powers)(3, 4, t));
     same(T, sub(left[3], right[4]), product);
 }

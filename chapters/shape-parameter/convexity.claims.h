@@ -171,6 +171,7 @@ CLAIM(four_vertices_of_a_convex_polygon_do_not_alternate)
     for (int m = 0; m < 4; m++)
         f[m] = add(mul(a, P[m * dim]), add(mul(b, P[m * dim + 1]), c));
     num ikl = G(turn)(i, k, l), ijl = G(turn)(i, j, l);
+    /* D_jkl f(P_i) + D_ijl f(P_k) = D_ikl f(P_j) + D_ijk f(P_l) */
     num left = add(mul(G(turn)(j, k, l), f[0]), mul(fault(T, ijl, ikl), f[2]));
     same(T, left, add(mul(fault(T, ikl, ijl), f[1]), mul(G(turn)(i, j, k), f[3])));
 }

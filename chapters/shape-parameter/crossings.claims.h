@@ -183,6 +183,7 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
 {
     num b = positive(T, "b", 0), quarter = from_ratio(21, 4), four = from_int(4);
     num beta = neg(add(quarter, b)), given = fault(T, b, mul(from_int(2), b));
+    /* t = 4b/(9 (21/4 + b)) */
     num t = div(mul(four, given), mul(from_int(9), add(quarter, given))), B[8];
     G(shape_basis)(7, beta, t, B);
     vanishes(T, B[2]);

@@ -121,6 +121,7 @@ CLAIM(bezier_points_divide_the_edges)
             if (k == 0 || k > n)
                 continue;
             about(T, "the ratio on the edge");
+            /* Q_k - P_{k-1} = ((n+1-k)/(n+1) + β a_k/C(n+1,k)) (P_k - P_{k-1}) */
             num ratio = add(from_ratio(n + 1 - k, n + 1), mul(beta, div(G(shift)(n, k), G(choose)(n + 1, k))));
             num edge = sub(P[k * dim + c], P[(k - 1) * dim + c]);
             same(T, sub(Q[k * dim + c], P[(k - 1) * dim + c]), mul(ratio, edge));
@@ -207,6 +208,7 @@ CLAIM(points_move_evenly_with_beta)
             num edge = sub(P[k * dim + c], P[(k - 1) * dim + c]);
             sum = add(sum, mul(mul(G(shift)(n, k), edge), G(product_of_powers)(n + 1 - k, k, t)));
         }
+        /* q_{β+h}(t) - q_β(t) = h Σ a_k (P_k - P_{k-1}) s^{n+1-k} t^k */
         same(T, sub(after[c], before[c]), mul(h, sum));
     }
 }
@@ -352,6 +354,7 @@ CLAIM(end_points_and_end_derivatives)
                 about(T, "the end point");
                 same(T, D[c], point[c]);
                 about(T, "the derivative");
+                /* q'(0) = (n+β)(P_1 - P_0), q'(1) = (n+β)(P_n - P_{n-1}) */
                 same(T, D[dim + c], mul(factor, sub(first[dim + c], first[c])));
             }
         }
@@ -774,6 +777,7 @@ CLAIM(printed_curve_follows_linear_maps_only)
             R[i * dim + c] = G(image)(M, v, one, P + i * dim, c);
     G(shape_point_printed)(dim, P, beta, t, at);
     G(shape_point_printed)(dim, R, beta, t, moved);
+    /* M q̂(t) + (1 - 4β (1-t)³ t⁴) v */
     num factor = sub(one, mul(from_int(4), mul(beta, G(product_of_powers)(3, 4, t))));
     for (int c = 0; c < dim; c++)
         same(T, moved[c], G(image)(M, v, fault(T, factor, one), at, c));

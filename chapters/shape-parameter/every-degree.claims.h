@@ -61,8 +61,10 @@ CLAIM(curve_is_a_blend_of_three_points)
         num middle = mul(mul(add(from_int(2), beta), st), b[1]);
         num last = mul(mul(mul(t, t), sub(one, mul(beta, s))), b[2]);
         about(T, "the blend");
+        /* q = s² (1 - βt) b_0 + (2 + β) st b_1 + t² (1 - βs) b_2 */
         same(T, q, add(first, add(middle, last)));
         about(T, "how it moves");
+        /* q_{β+h} - q_β = h st (b_1 - (s b_0 + t b_2)) */
         same(T, sub(moved, q), mul(mul(h, st), sub(b[1], add(mul(s, b[0]), mul(t, b[2])))));
     }
 }
@@ -127,6 +129,7 @@ CLAIM(factors_in_closed_form)
     G(shape_factors)(n, beta, near, far);
     for (int k = 0; k <= n; k++) {
         num inner = add(from_int(n * (n - 1)), mul(from_int(k * (n + 1 - fault(T, 2, 1) * k)), beta));
+        /* n (n-1) ν_k = C(n,k) (n (n-1) + β k (n+1-2k)) */
         same(T, mul(from_int(n * (n - 1)), near[k]), mul(G(choose)(n, k), inner));
     }
 }
@@ -186,7 +189,9 @@ CLAIM(lower_end_is_between_two_bounds)
     num n = whole(T, "n", 2, 40), d = unknown(T, "d", 0), one = from_int(1), two = from_int(2), eight = from_int(8);
     num k = add(div(add(n, one), from_int(4)), d), square = mul(add(n, one), add(n, one));
     num product = mul(k, sub(add(n, one), mul(two, k)));
+    /* 8k (n+1-2k) = (n+1)² - 16d² */
     same(T, mul(eight, product), sub(square, mul(from_int(16), mul(d, d))));
+    /* 8n (n-1)(n+3) = 8n ((n+1)² - 4) */
     num left = mul(mul(eight, mul(n, sub(n, one))), add(n, from_int(3)));
     same(T, left, mul(mul(eight, n), fault(T, sub(square, from_int(4)), square)));
 }
@@ -206,6 +211,7 @@ CLAIM(lower_end_is_between_two_bounds)
 CLAIM(upper_end_is_one)
 {
     num n = whole(T, "n", 2, 40), j = whole(T, "j", 0, 40), one = from_int(1), two = from_int(2);
+    /* n (n-1) - (n-j)(n-1-2j) = j (3n-1-2j) */
     num left = sub(mul(n, sub(n, one)), mul(sub(n, j), sub(sub(n, one), mul(two, j))));
     num last = mul(from_int(fault(T, 2, 1)), j);
     same(T, left, mul(j, sub(sub(mul(from_int(3), n), one), last)));
@@ -274,6 +280,7 @@ CLAIM(quadratic_distance_to_a_line_shrinks)
     }
     num area = G(cross2)(u, v), at_2 = mul(mul(t, t), sub(one, mul(beta, s)));
     num at_0 = mul(mul(s, s), sub(one, mul(beta, t)));
+    /* (P_1-P_0) × (q-P_0) = t² (1 - βs) D, (P_2-P_1) × (q-P_1) = s² (1 - βt) D */
     same(T, G(cross2)(u, w), mul(fault(T, at_2, at_0), area));
     same(T, G(cross2)(e, x), mul(fault(T, at_0, at_2), area));
 }
@@ -300,6 +307,7 @@ CLAIM(quadratic_distance_to_an_end_shrinks)
         d[c] = sub(u[c], mul(t, v[c]));
     }
     num uu = G(dot)(dim, u, u), uv = G(dot)(dim, u, v), gram = G(gram)(dim, u, v);
+    /* (u·u)(d·w) = (u·w)(u·u - t u·v) - tμ ((u·u)(v·v) - (u·v)²) */
     num right = mul(G(dot)(dim, u, w), sub(uu, mul(t, uv)));
     right = sub(right, mul(fault(T, mul(t, mu), mu), gram));
     same(T, mul(uu, G(dot)(dim, d, w)), right);
@@ -379,6 +387,7 @@ CLAIM(straight_points_are_run_through_unevenly)
     for (int i = 0; i <= n; i++)
         sum = add(sum, mul(from_ratio(i, n), B[i]));
     num bend = mul(mul(beta, mul(s, t)), sub(s, t));
+    /* Σ i/n B_i(t) = t + β/n st (1-2t) */
     same(T, sum, add(t, fault(T, div(bend, from_int(n)), bend)));
 }
 

@@ -46,6 +46,7 @@ CLAIM(points_of_a_line_by_its_normal)
         w[c] = sub(unknown(T, "x", c), unknown(T, "q", c));
     num across[dim] = {fault(T, neg(u[1]), u[1]), u[0]};
     for (int c = 0; c < dim; c++)
+        /* (u·u) w = (u·w) u + (u⊥·w) u⊥ */
         same(T, mul(G(dot)(dim, u, u), w[c]),
              add(mul(G(dot)(dim, u, w), u[c]), mul(G(dot)(dim, across, w), across[c])));
 }
@@ -241,6 +242,7 @@ CLAIM(line_function_of_the_curve)
         num gap[dim] = {sub(at[0], Q[0]), sub(at[1], Q[1])}, value = G(dot)(dim, gap, u);
         if (printed_ones)
             value = add(value, mul(mul(from_int(4), mul(beta, G(product_of_powers)(3, 4, t))), G(dot)(dim, Q, u)));
+        /* Σ B_j (P_j - Q)·u = (q(t) - Q)·u, for the printed functions + 4β (1-t)³ t⁴ Q·u */
         same(T, sum, value);
     }
 }

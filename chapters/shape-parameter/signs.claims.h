@@ -160,9 +160,11 @@ CLAIM(derivative_of_a_function_factors)
         int up = fault(T, i + 1, i);
         num last = mul(from_int(-(n - i)), far);
         if (i == 0) {
+            /* F' = s^{n-1} ((φ - (n+1) ν) s - n φ t) */
             num first = sub(mul(from_int(up), far), mul(from_int(n + 1), near));
             value = mul(G(product_of_powers)(n - 1, 0, t), add(mul(first, s), mul(last, t)));
         } else {
+            /* F' = s^{n-i-1} t^{i-1} (i ν s² + ((i+1) φ - (n+1-i) ν) st - (n-i) φ t²) */
             num first = mul(from_int(i), near), middle = sub(mul(from_int(up), far), mul(from_int(n + 1 - i), near));
             num quadratic = add(mul(first, mul(s, s)), add(mul(middle, mul(s, t)), mul(last, mul(t, t))));
             value = mul(G(product_of_powers)(n - i - 1, i - 1, t), quadratic);
@@ -363,6 +365,7 @@ CLAIM(slopes_in_beta)
     G(shape_basis_printed)(add(beta, h), t, high[1]);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
         for (int i = 0; i <= 7; i++) {
+            /* h (b_i + c_i t) s^{7-i} t^i */
             num slope = mul(add(b[i], mul(c[printed_ones][i], t)), G(product_of_powers)(7 - i, i, t));
             same(T, sub(high[printed_ones][i], low[printed_ones][i]), mul(h, slope));
         }

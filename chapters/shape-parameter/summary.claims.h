@@ -110,6 +110,7 @@ CLAIM(surface_kernel_gives_the_double_sum)
     for (int i = 0; i <= n; i++)
         for (int j = 0; j <= 2; j++) {
             P[i * 3 + j] = unknown(T, "z", i * 3 + j);
+            /* Σ Σ P_ij B_{i,n}(u) B_{j,2}(v) */
             sum = add(sum, mul(P[i * 3 + j], mul(G(corrected)(n, i, beta, u), G(corrected)(2, j, gamma, v))));
         }
     G(shape_surface_point)(n, 2, 1, P, fault(T, beta, gamma), fault(T, gamma, beta), u, v, &at);
@@ -301,6 +302,7 @@ CLAIM(surface_functions_sum_to_one)
         }
         num first = sub(one, mul(four, mul(beta, G(product_of_powers)(3, 4, u))));
         num second = fault(T, sub(one, mul(four, mul(beta, G(product_of_powers)(3, 4, v)))), one);
+        /* Σ Σ B̂_i(u) B̂_j(v) = (1 - 4β (1-u)³ u⁴)(1 - 4β (1-v)³ v⁴) */
         same(T, mul(in_u, in_v), printed_ones ? mul(first, second) : one);
     }
 }
