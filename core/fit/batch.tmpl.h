@@ -79,7 +79,7 @@ INLINE int NAME(feet)(const fit_curve *curve, const int p, double limit, const l
         larger = NAME(at_most)(&size, &minus);
         size = NAME(choose)(&larger, &minus, &size);
     }
-    const lanes blur = (2 * p + 2) * DBL_EPSILON * size;
+    const lanes error = (2 * p + 2) * DBL_EPSILON * size;
     mask found = {0};
     for (int j = 0; j < 6; j++)
         D[j] = none;
@@ -90,11 +90,11 @@ INLINE int NAME(feet)(const fit_curve *curve, const int p, double limit, const l
         const lanes slope = square + (x * E[4] + y * E[5]), step = -f / slope, next = *t + step,
                     moved = step * step * square;
         const lanes along = moved * square, across = moved * (E[4] * E[4] + E[5] * E[5]), missing = f * f;
-        const lanes enough = blur * blur * square;
+        const lanes allowed_missing = error * error * square;
         mask where = NAME(at_most)(&slope, &square);
         const lanes part = NAME(choose)(&where, &slope, &square), allowed = limit * limit * part * part;
         const lanes allowed_along = allowed * length * length;
-        const mask exact = NAME(at_most)(&missing, &enough);
+        const mask exact = NAME(at_most)(&missing, &allowed_missing);
         const mask near = NAME(at_most)(&along, &allowed_along) & NAME(at_most)(&across, &allowed);
         /* slope > 0 and square > 0, and start < next < end; nothing of this where there are no numbers */
         const mask regular = ~NAME(at_most)(&part, &none) & NAME(at_most)(&part, &part);
@@ -157,8 +157,8 @@ INLINE void NAME(rows)(const fit_objective *o, const int p, int i, const lanes Q
     const lanes scale = -precision * precision, kappa = bend / speed;
     const lanes f = scale / (speed + bend); /* positive, or there would be no foot */
     NAME(put)(loss, &square);
-    const cagd_fit_unknown *slot = problem->slot, *end = slot + problem->first[1];
-    for (const cagd_fit_unknown *u = slot; u < end; u++, row += stride) {
+    const cagd_fit_unknown *local = problem->local, *end = local + problem->support.first[1];
+    for (const cagd_fit_unknown *u = local; u < end; u++, row += stride) {
         const lanes M = N[u->index], M1 = N1[u->index];
         const double *B = o->base->points + 2 * u->index;
         lanes across = n[u->coordinate], along = D[2 + u->coordinate], off = r[u->coordinate], fixed = {0};
@@ -202,7 +202,7 @@ INLINE int NAME(batch)(fit_objective *o, const int p, int i, int newton, double 
     double *row = fit_reduction_rows(o->rows, 0, FIT_BATCH, &stride), *x = NULL, *y = NULL;
     if (newton) {
         x = fit_curvature_pairs(o->second, 0, 4 * FIT_BATCH, &pairs_stride);
-        y = x + o->problem->first[1] * pairs_stride;
+        y = x + o->problem->support.first[1] * pairs_stride;
     }
     for (int g = 0; g < GROUPS; g++) {
         const int at = g * LANES;

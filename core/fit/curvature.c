@@ -14,8 +14,7 @@ typedef struct block {
 } block;
 
 struct fit_curvature {
-    int unknowns, pieces;
-    const int *first, *reach;
+    const fit_support *support;
     block *piece;
     double *matrix;
 };
@@ -24,7 +23,7 @@ void fit_curvature_free(fit_curvature *c)
 {
     if (c == NULL)
         return;
-    for (int k = 0; c->piece != NULL && k < c->pieces; k++) {
+    for (int k = 0; c->piece != NULL && k < c->support->pieces; k++) {
         free(c->piece[k].pair);
         free(c->piece[k].sum);
     }
@@ -33,16 +32,18 @@ void fit_curvature_free(fit_curvature *c)
     free(c);
 }
 
-fit_curvature *fit_curvature_new(int unknowns, int pieces, const int first[], const int reach[])
+fit_curvature *fit_curvature_new(const fit_support *support)
 {
     fit_curvature *c = calloc(1, sizeof *c);
     if (c == NULL)
         return NULL;
-    c->unknowns = unknowns, c->pieces = pieces, c->first = first, c->reach = reach;
-    c->piece = calloc((size_t)pieces, sizeof *c->piece);
-    c->matrix = malloc((size_t)unknowns * (size_t)unknowns * sizeof *c->matrix);
+    const size_t unknowns = (size_t)support->unknowns;
+    const int *first = support->first;
+    c->support = support;
+    c->piece = calloc((size_t)support->pieces, sizeof *c->piece);
+    c->matrix = malloc(unknowns * unknowns * sizeof *c->matrix);
     int good = c->piece && c->matrix;
-    for (int k = 0; good && k < pieces; k++) {
+    for (int k = 0; good && k < support->pieces; k++) {
         size_t n = (size_t)(first[k + 1] - first[k]);
         c->piece[k].unknowns = (int)n;
         c->piece[k].pair = aligned_alloc(WIDE_SUMS * sizeof(double), (2 * n + 1) * PAIRS * sizeof *c->piece[k].pair);
@@ -59,7 +60,7 @@ fit_curvature *fit_curvature_new(int unknowns, int pieces, const int first[], co
 
 void fit_curvature_clear(fit_curvature *c)
 {
-    for (int k = 0; k < c->pieces; k++) {
+    for (int k = 0; k < c->support->pieces; k++) {
         block *b = &c->piece[k];
         memset(b->sum, 0, (size_t)b->unknowns * (size_t)b->unknowns * sizeof *b->sum);
         b->pairs = 0;
@@ -90,15 +91,16 @@ double *fit_curvature_pairs(fit_curvature *c, int piece, int count, int *stride)
 
 double *fit_curvature_matrix(fit_curvature *c)
 {
-    int n = c->unknowns;
+    const fit_support *support = c->support;
+    int n = support->unknowns;
     memset(c->matrix, 0, (size_t)n * (size_t)n * sizeof *c->matrix);
-    for (int piece = 0; piece < c->pieces; piece++) {
+    for (int piece = 0; piece < c->support->pieces; piece++) {
         block *b = &c->piece[piece];
-        const int *reach = c->reach + c->first[piece];
+        const int *unknown = support->unknown + support->first[piece];
         add_up(b);
         for (int j = 0; j < b->unknowns; j++)
             for (int k = j; k < b->unknowns; k++)
-                c->matrix[reach[j] * n + reach[k]] += b->sum[j * b->unknowns + k];
+                c->matrix[unknown[j] * n + unknown[k]] += b->sum[j * b->unknowns + k];
     }
     for (int j = 0; j < n; j++)
         for (int k = 0; k < j; k++)

@@ -1,14 +1,15 @@
 /* curvature.h -- the part of the Hessian matrix that Gauss and Newton leave out, a sum over all points.
  *
- * It is a sum of products x y^T, and symmetric as a whole.  The products of a curve reach only the unknowns of one piece, as in
- * reduction.h; they are taken in pair by pair and added up many at a time. */
+ * It is a sum of products x y^T, and symmetric as a whole.  The products of a curve depend only on the unknowns of one piece; they are taken in pair by pair and added up many at a time. */
 #ifndef CAGD_FIT_CURVATURE_H
 #define CAGD_FIT_CURVATURE_H
 
+#include "core/fit/support.h"
+
 typedef struct fit_curvature fit_curvature;
 
-/* Unknowns and pieces as in fit_reduction_new.  NULL when there is no memory. */
-fit_curvature *fit_curvature_new(int unknowns, int pieces, const int first[], const int reach[]);
+/* The support has to outlive it.  NULL when there is no memory. */
+fit_curvature *fit_curvature_new(const fit_support *support);
 void fit_curvature_free(fit_curvature *curvature); /* NULL is allowed */
 
 /* Forgets all products. */

@@ -1,6 +1,7 @@
 #include "core/fit/descend.h"
 
 #include "core/fit/model.h"
+#include "core/fit/unknowns.h"
 
 #include <float.h>
 #include <math.h>
@@ -61,7 +62,7 @@ static int run_ceres(fit_attempt *a, double tolerance)
     double *low = malloc(3 * (size_t)n * sizeof *low), *high = low + n, *x = high + n;
     if (low == NULL)
         return 0;
-    fit_problem_bounds(p, a->objective->base, low, high);
+    fit_unknowns_bounds(p, a->objective->base, low, high);
     memcpy(x, a->objective->x, (size_t)n * sizeof *x);
     fit_least_squares rows = {n, n + 1, residuals, a->objective, low, high};
     int good = fit_minimise(&rows, tolerance, left > 0 ? left : 0, x, &a->radius, &run) && fit_attempt_append(a, &run);
@@ -115,13 +116,13 @@ static int newton_new(fit_objective *f, newton *w)
     if (w->low == NULL || w->fixed == NULL)
         return 0;
     w->high = w->low + n, w->next = w->high + n;
-    fit_problem_bounds(p, f->base, w->low, w->high);
+    fit_unknowns_bounds(p, f->base, w->low, w->high);
     f->evaluated = f->evaluated && f->newton;
     f->newton = 1;
     fit_objective_at(f, f->x);
     fit_objective_accept(f);
     for (int k = 0; k < p->unknowns; k++)
-        w->fixed[k] = fit_problem_on_bound(p, k, f->curve);
+        w->fixed[k] = fit_unknown_is_on_bound(p, k, f->curve);
     return fit_model_of(f, w->fixed, &w->model);
 }
 

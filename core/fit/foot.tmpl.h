@@ -61,7 +61,7 @@ static fit_foot_kind NAME(newton)(const fit_curve *curve, const double q[], doub
     double size = 1; /* of the curve, in working coordinates, and of q */
     for (int c = 0; c < dim; c++)
         size = fabs(q[c]) > size ? fabs(q[c]) : size;
-    const double blur = (2 * degree + 2) * DBL_EPSILON * size; /* what rounding makes of C - Q */
+    const double error = (2 * degree + 2) * DBL_EPSILON * size; /* what rounding makes of C - Q */
     for (int looks = 1;; looks++) {
         double off[3];
         NAME(derivatives)(curve, x, D);
@@ -71,7 +71,7 @@ static fit_foot_kind NAME(newton)(const fit_curve *curve, const double q[], doub
         *t = x;
         if (!isfinite(slope + f)) /* the curve has overflowed; so will the cost */
             return FOOT_AT_CORNER;
-        if (f * f <= blur * blur * square)
+        if (f * f <= error * error * square)
             return square > 0 ? FOOT_ORTHOGONAL : FOOT_AT_CORNER;
         if (f < 0)
             low = x, low_known = 1;
@@ -81,8 +81,8 @@ static fit_foot_kind NAME(newton)(const fit_curve *curve, const double q[], doub
             return f * f <= DBL_EPSILON / 2 * square * inner(dim, off, off) ? FOOT_ORTHOGONAL : FOOT_AT_END;
         double middle = low + (high - low) / 2;
         if (low_known && high_known && !(low < middle && middle < high)) /* two neighbours among the numbers */
-            return slope > 0 && fabs(f) <= blur * sqrt(square) + slope * (high - low) ? FOOT_ORTHOGONAL
-                                                                                      : FOOT_AT_CORNER;
+            return slope > 0 && fabs(f) <= error * sqrt(square) + slope * (high - low) ? FOOT_ORTHOGONAL
+                                                                                       : FOOT_AT_CORNER;
         double next = slope > 0 ? x - f / slope : low;
         if (slope > 0 && next == x) /* there is no number between x and the foot */
             return FOOT_ORTHOGONAL;

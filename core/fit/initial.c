@@ -52,16 +52,15 @@ static int chord_parameters(const fit_problem *p, const int order[], double star
 
 /* The points that are free, as unknowns of a linear problem. */
 typedef struct free_points {
-    int count;
-    int *column;        /* of each point of the curve: its number among the free ones, or -1          */
-    int *first, *reach; /* of each piece of the curve: the free points that it depends on; reduction.h */
+    int *column; /* of each point of the curve: its number among the free ones, or -1 */
+    fit_support support;
 } free_points;
 
 static void free_points_free(free_points *f)
 {
     free(f->column);
-    free(f->first);
-    free(f->reach);
+    free(f->support.first);
+    free(f->support.unknown);
 }
 
 /* Returns 0 when there is no memory; free_points_free is to be called all the same. */
@@ -69,22 +68,23 @@ static int free_points_new(const fit_problem *p, const fit_curve *curve, free_po
 {
     int pieces = curve->pieces, degree = p->degree, at = 0;
     *f = (free_points){.column = malloc((size_t)p->count * sizeof *f->column),
-                       .first = malloc((size_t)(pieces + 1) * sizeof *f->first),
-                       .reach = malloc((size_t)(pieces * (degree + 1)) * sizeof *f->reach)};
-    if (!f->column || !f->first || !f->reach)
+                       .support.first = malloc((size_t)(pieces + 1) * sizeof *f->support.first),
+                       .support.unknown = malloc((size_t)(pieces * (degree + 1)) * sizeof *f->support.unknown)};
+    if (!f->column || !f->support.first || !f->support.unknown)
         return 0;
     for (int i = 0; i < p->count; i++)
         f->column[i] = -1;
     for (int k = 0; k < p->unknowns; k++)
         if (!p->unknown[k].is_weight && f->column[p->unknown[k].index] < 0)
-            f->column[p->unknown[k].index] = f->count++;
+            f->column[p->unknown[k].index] = f->support.unknowns++;
     for (int k = 0; k < pieces; k++) {
-        f->first[k] = at;
+        f->support.first[k] = at;
         for (int i = curve->span[k] - degree; i <= curve->span[k]; i++)
             if (f->column[i] >= 0)
-                f->reach[at++] = f->column[i];
+                f->support.unknown[at++] = f->column[i];
     }
-    f->first[pieces] = at;
+    f->support.first[pieces] = at;
+    f->support.pieces = pieces;
     return 1;
 }
 
@@ -114,7 +114,7 @@ static void add_row(const fit_problem *p, const fit_curve *curve, const free_poi
  * has room for 3 m^2 + m numbers, m free points.  Returns 0 when there is no memory. */
 static int move_points(const fit_problem *p, const free_points *f, const double T[], double work[], fit_curve *curve)
 {
-    int m = f->count, dim = p->dim, n = m + dim;
+    int m = f->support.unknowns, dim = p->dim, n = m + dim;
     double *A = work, *U = A + m * m, *V = U + m * m, *s = V + m * m;
     for (int i = 0; i < m; i++)
         for (int j = 0; j < m; j++)
@@ -143,14 +143,14 @@ static int solve_points(const fit_problem *p, const double t[], int robust, fit_
     double *work = NULL;
     int good = free_points_new(p, curve, &f);
     if (good) {
-        size_t m = (size_t)f.count;
-        rows = fit_reduction_new(f.count, p->dim, curve->pieces, f.first, f.reach);
+        size_t m = (size_t)f.support.unknowns;
+        rows = fit_reduction_new(&f.support, p->dim);
         work = malloc((3 * m * m + m + 1) * sizeof *work);
         good = rows && work;
     }
     for (int i = 0; good && i < p->points; i++)
         add_row(p, curve, &f, i, t[i], robust, rows);
-    if (good && f.count > 0)
+    if (good && f.support.unknowns > 0)
         good = move_points(p, &f, fit_reduction_triangle(rows), work, curve);
     fit_curve_update(curve);
     fit_reduction_free(rows);

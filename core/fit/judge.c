@@ -1,4 +1,5 @@
 #include "core/fit/attempt.h"
+#include "core/fit/unknowns.h"
 
 #include "core/number/limits.h"
 
@@ -69,7 +70,7 @@ void fit_attempt_judge(fit_attempt *a)
     for (int k = 0; k < p->unknowns; k++) {
         int index = p->unknown[k].index;
         double w = f->curve->weights[index];
-        if (!p->unknown[k].is_weight || fit_problem_on_bound(p, k, f->curve))
+        if (!p->unknown[k].is_weight || fit_unknown_is_on_bound(p, k, f->curve))
             continue;
         if (is_lost(f, index) || runs_away(f, k))
             fail(a,

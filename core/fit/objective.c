@@ -2,6 +2,7 @@
 
 #include "core/fit/batch.h"
 #include "core/fit/loss.h"
+#include "core/fit/unknowns.h"
 #include "core/number/limits.h"
 
 #include <math.h>
@@ -19,9 +20,9 @@ fit_objective *fit_objective_new(const fit_problem *p)
     o->width = fit_batch_widest();
     o->curve = fit_curve_new(p->degree, p->count, p->dim, p->knots);
     if (o->curve != NULL)
-        o->rows = fit_reduction_new(p->unknowns, 1, o->curve->pieces, p->first, p->reach);
+        o->rows = fit_reduction_new(&p->support, 1);
     if (o->curve != NULL)
-        o->second = fit_curvature_new(p->unknowns, o->curve->pieces, p->first, p->reach);
+        o->second = fit_curvature_new(&p->support);
     o->feet = malloc(points * sizeof *o->feet);
     o->new_feet = malloc(points * sizeof *o->new_feet);
     o->x = malloc(n * sizeof *o->x);
@@ -107,11 +108,11 @@ static inline void point_curvature(fit_objective *o, const int dim, int i, int p
     }
     const int moves = kind == FOOT_ORTHOGONAL && speed + bend > 0, robust = p->loss != CAGD_FIT_SQUARES;
     const double f = moves ? scale / (speed + bend) : 0, kappa = moves ? bend / speed : 0;
-    const cagd_fit_unknown *slot = p->slot + p->first[piece], *end = p->slot + p->first[piece + 1];
-    const int n = (int)(end - slot);
+    const cagd_fit_unknown *local = p->local + p->support.first[piece], *end = p->local + p->support.first[piece + 1];
+    const int n = (int)(end - local);
     int stride;
     double *x = fit_curvature_pairs(o->second, piece, 4 + robust, &stride), *y = x + n * stride;
-    for (const cagd_fit_unknown *u = slot; u < end; u++, x += stride, y += stride) {
+    for (const cagd_fit_unknown *u = local; u < end; u++, x += stride, y += stride) {
         double along = D1[u->coordinate], off = r[u->coordinate], fixed = 0;
         if (u->is_weight) {
             along = off = 0;
@@ -158,11 +159,11 @@ static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot
     if (p->loss != CAGD_FIT_SQUARES)
         fit_loss(p->loss, p->loss_scale, square, loss);
     const double factor = weighted ? sqrt(loss[1]) : 1, scale = -factor * precision;
-    const cagd_fit_unknown *slot = p->slot + p->first[piece], *end = p->slot + p->first[piece + 1];
+    const cagd_fit_unknown *local = p->local + p->support.first[piece], *end = p->local + p->support.first[piece + 1];
     for (int r = 0; r < count; r++) {
         int stride;
         double *row = fit_reduction_row(o->rows, piece, &stride);
-        for (const cagd_fit_unknown *u = slot; u < end; u++, row += stride) {
+        for (const cagd_fit_unknown *u = local; u < end; u++, row += stride) {
             double along = n[r][u->coordinate];
             if (u->is_weight) {
                 along = 0;
@@ -195,14 +196,14 @@ static void by_weights(fit_objective *o, const double x[], int newton)
     for (int k = 0; k < n; k++) {
         if (!p->unknown[k].is_weight)
             continue;
-        double slope = o->base->weights[p->unknown[k].index] * fit_problem_slope(x[k]);
+        double slope = o->base->weights[p->unknown[k].index] * fit_weight_slope(x[k]);
         for (int i = 0; i < n; i++) {
             o->triangle[i * (n + 1) + k] *= slope;
             if (newton)
                 o->curvature[i * n + k] *= slope, o->curvature[k * n + i] *= slope;
         }
         if (newton)
-            o->curvature[k * n + k] += fit_problem_bend(x[k]) * fit_objective_gradient(o, k);
+            o->curvature[k * n + k] += fit_weight_bend(x[k]) * fit_objective_gradient(o, k);
     }
 }
 
@@ -223,7 +224,7 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
     const fit_problem *p = o->problem;
     int n = p->unknowns + 1;
     double sum[FIT_BATCH] = {0}, lost[FIT_BATCH] = {0};
-    fit_problem_set(p, o->base, x, o->curve);
+    fit_unknowns_to_curve(p, o->base, x, o->curve);
     for (int j = 0; j < p->count; j++)
         o->inverse[j] = 1 / o->curve->weights[j];
     fit_reduction_clear(o->rows);
@@ -279,7 +280,7 @@ void fit_objective_begin(fit_objective *o, const fit_curve *curve, const double 
             double *w = &o->curve->weights[p->unknown[k].index];
             *w = fmin(fmax(*w, p->low), p->high);
         }
-    fit_problem_get(p, o->base, o->curve, o->x);
+    fit_unknowns_of_curve(p, o->base, o->curve, o->x);
     fit_objective_evaluate(o, o->x, 1);
     fit_objective_accept(o);
 }
@@ -292,7 +293,7 @@ void fit_objective_by_theta(fit_objective *o)
     for (int k = 0; k < n; k++) {
         cagd_fit_unknown u = p->unknown[k];
         double w = o->curve->weights[u.index];
-        double scale = u.is_weight ? o->base->weights[u.index] * fit_problem_slope(o->x[k]) : 1;
+        double scale = u.is_weight ? o->base->weights[u.index] * fit_weight_slope(o->x[k]) : 1;
         for (int i = 0; i < n; i++) {
             double *row = o->triangle + i * rows, by_point = 0;
             for (int m = k + 1; u.is_weight && m < n && p->unknown[m].index == u.index; m++) {

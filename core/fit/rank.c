@@ -57,7 +57,7 @@ void fit_rank_report(const fit_rank *r, const int fixed[], double covariance[], 
             covariance[a * n + b] = sum / r->scale[a] / r->scale[b];
         }
     /* The flat directions are known up to the smallest singular value that counts, against those that do not. */
-    double blur = r->rank > 0 ? r->smallest / r->s[r->rank - 1] : 0;
+    double uncertainty = r->rank > 0 ? r->smallest / r->s[r->rank - 1] : 0;
     for (int k = 0; k < n; k++)
         determined[k] = !fixed[k];
     for (int j = r->rank; j < n && count < r->flat; j++) {
@@ -65,7 +65,7 @@ void fit_rank_report(const fit_rank *r, const int fixed[], double covariance[], 
         double *x = flat + count * n, outside = 0, length = 0;
         for (int k = 0; k < n; k++) {
             outside += fixed[k] ? r->V[k * n + j] * r->V[k * n + j] : 0;
-            if (!fixed[k] && fabs(r->V[k * n + j]) > blur)
+            if (!fixed[k] && fabs(r->V[k * n + j]) > uncertainty)
                 determined[k] = 0;
             x[k] = fixed[k] ? 0 : r->V[k * n + j] / r->scale[k];
         }

@@ -15,8 +15,8 @@ typedef struct triangle {
 } triangle;
 
 struct fit_reduction {
-    int unknowns, sides, pieces;
-    int *first, *reach;
+    const fit_support *support;
+    int sides;
     triangle *piece, all;
     double *by_rows;
 };
@@ -70,36 +70,30 @@ void fit_reduction_free(fit_reduction *r)
 {
     if (r == NULL)
         return;
-    for (int k = 0; r->piece != NULL && k < r->pieces; k++)
+    for (int k = 0; r->piece != NULL && k < r->support->pieces; k++)
         free(r->piece[k].a);
     free(r->piece);
     free(r->all.a);
-    free(r->first);
-    free(r->reach);
     free(r->by_rows);
     free(r);
 }
 
-fit_reduction *fit_reduction_new(int unknowns, int sides, int pieces, const int first[], const int reach[])
+fit_reduction *fit_reduction_new(const fit_support *support, int sides)
 {
     fit_reduction *r = calloc(1, sizeof *r);
     if (r == NULL)
         return NULL;
-    size_t n = (size_t)(unknowns + sides), k = (size_t)pieces, reaches = (size_t)first[pieces];
-    r->unknowns = unknowns, r->sides = sides, r->pieces = pieces;
-    r->first = malloc((k + 1) * sizeof *first);
-    r->reach = malloc((reaches + 1) * sizeof *reach);
-    r->piece = calloc(k, sizeof *r->piece);
-    r->by_rows = malloc(n * n * sizeof *r->by_rows);
-    int good = r->first && r->reach && r->piece && r->by_rows && triangle_new(&r->all, unknowns + sides);
-    for (int i = 0; good && i < pieces; i++)
-        good = triangle_new(&r->piece[i], first[i + 1] - first[i] + sides);
+    const int columns = support->unknowns + sides, *first = support->first;
+    r->support = support, r->sides = sides;
+    r->piece = calloc((size_t)support->pieces, sizeof *r->piece);
+    r->by_rows = malloc((size_t)columns * (size_t)columns * sizeof *r->by_rows);
+    int good = r->piece && r->by_rows && triangle_new(&r->all, columns);
+    for (int k = 0; good && k < support->pieces; k++)
+        good = triangle_new(&r->piece[k], first[k + 1] - first[k] + sides);
     if (!good) {
         fit_reduction_free(r);
         return NULL;
     }
-    memcpy(r->first, first, (k + 1) * sizeof *first);
-    memcpy(r->reach, reach, reaches * sizeof *reach);
     return r;
 }
 
@@ -111,7 +105,7 @@ static void clear(triangle *t)
 
 void fit_reduction_clear(fit_reduction *r)
 {
-    for (int k = 0; k < r->pieces; k++)
+    for (int k = 0; k < r->support->pieces; k++)
         clear(&r->piece[k]);
 }
 
@@ -131,23 +125,30 @@ double *fit_reduction_rows(fit_reduction *r, int piece, int count, int *stride)
     return t->a + t->rows - count;
 }
 
+/* Takes the triangle of piece k into that of all. */
+static void join(fit_reduction *r, int k)
+{
+    const fit_support *support = r->support;
+    const int n = support->unknowns + r->sides, stride = stride_of(&r->all),
+              *unknown = support->unknown + support->first[k];
+    triangle *t = &r->piece[k];
+    const int own = t->columns - r->sides;
+    absorb(t);
+    for (int i = 0; i < t->columns; i++) {
+        double *row = next_row(&r->all);
+        for (int j = 0; j < n; j++)
+            row[j * stride] = 0;
+        for (int j = i; j < t->columns; j++)
+            row[(j < own ? unknown[j] : support->unknowns + j - own) * stride] = t->a[j * stride_of(t) + ROWS + i];
+    }
+}
+
 const double *fit_reduction_triangle(fit_reduction *r)
 {
-    int n = r->unknowns + r->sides, stride = stride_of(&r->all);
+    const int n = r->support->unknowns + r->sides, stride = stride_of(&r->all);
     clear(&r->all);
-    for (int k = 0; k < r->pieces; k++) {
-        triangle *t = &r->piece[k];
-        const int *reach = r->reach + r->first[k];
-        int own = t->columns - r->sides;
-        absorb(t);
-        for (int i = 0; i < t->columns; i++) {
-            double *row = next_row(&r->all);
-            for (int j = 0; j < n; j++)
-                row[j * stride] = 0;
-            for (int j = i; j < t->columns; j++)
-                row[(j < own ? reach[j] : r->unknowns + j - own) * stride] = t->a[j * stride_of(t) + ROWS + i];
-        }
-    }
+    for (int k = 0; k < r->support->pieces; k++)
+        join(r, k);
     absorb(&r->all);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)

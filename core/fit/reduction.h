@@ -1,16 +1,17 @@
 /* reduction.h -- a tall least-squares system, taken in row by row and kept as its triangle (QR).
  *
- * The rows of a curve reach only the unknowns of one piece.  So every piece has its own triangle, of its own unknowns
+ * The rows of a curve depend only on the unknowns of one piece.  So every piece has its own triangle, of its own unknowns
  * and of the right-hand sides, and these are joined at the end (C. L. Lawson and R. J. Hanson, Solving Least Squares
  * Problems, ch. 27).  The memory does not depend on how many rows there are. */
 #ifndef CAGD_FIT_REDUCTION_H
 #define CAGD_FIT_REDUCTION_H
 
+#include "core/fit/support.h"
+
 typedef struct fit_reduction fit_reduction;
 
-/* Unknowns 0, ..., unknowns-1, and `sides` right-hand sides.  The rows of piece k reach the unknowns
- * reach[first[k]], ..., reach[first[k+1] - 1], in this order.  NULL when there is no memory. */
-fit_reduction *fit_reduction_new(int unknowns, int sides, int pieces, const int first[], const int reach[]);
+/* Of rows with `sides` right-hand sides.  The support has to outlive it.  NULL when there is no memory. */
+fit_reduction *fit_reduction_new(const fit_support *support, int sides);
 void fit_reduction_free(fit_reduction *reduction); /* NULL is allowed */
 
 /* Forgets all rows. */

@@ -1,6 +1,7 @@
 #include "core/fit/result.h"
 
 #include "core/fit/rank.h"
+#include "core/fit/unknowns.h"
 
 #include <float.h>
 #include <math.h>
@@ -49,7 +50,7 @@ static int fill_curve(const fit_problem *p, const fit_attempt *a, cagd_fit_resul
     for (int k = 0; k < p->unknowns; k++) {
         cagd_fit_unknown u = r->unknown[k] = p->unknown[k];
         r->value[k] = u.is_weight ? log(weights[u.index]) : points[u.index * dim + u.coordinate];
-        r->at_bound[k] = fit_problem_on_bound(p, k, a->objective->curve);
+        r->at_bound[k] = fit_unknown_is_on_bound(p, k, a->objective->curve);
     }
     return 1;
 }

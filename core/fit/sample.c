@@ -37,7 +37,7 @@ int fit_sample_every(const fit_problem *p, int stride, fit_problem *s)
         memcpy(s->Q + (size_t)k * dim, p->Q + (size_t)i * dim, dim * sizeof *s->Q);
         s->precision[k] = p->precision[i];
     }
-    fit_problem_update_errors(s);
+    fit_problem_sum_errors(s);
     return 1;
 }
 
@@ -89,6 +89,6 @@ int fit_sample_means(const fit_problem *p, const fit_curve *curve, const double 
         return 0;
     sum_groups(p, curve, t, s, feet);
     divide_groups(curve, s, feet);
-    fit_problem_update_errors(s);
+    fit_problem_sum_errors(s);
     return 1;
 }

@@ -38,7 +38,8 @@ class Distance : public ceres::CostFunction
         const double *theta = parameters[0], t = *parameters[1], *u = curve.knots;
         const int p = curve.degree, dim = curve.dim, n = problem.unknowns;
         const int piece = fit_curve_piece(&curve, t), mu = curve.span[piece], low = mu - p;
-        const int *reach = problem.reach + problem.first[piece], *end = problem.reach + problem.first[piece + 1];
+        const fit_support &support = problem.support;
+        const int *reach = support.unknown + support.first[piece], *end = support.unknown + support.first[piece + 1];
         double w[MAX_DEGREE + 1], P[(MAX_DEGREE + 1) * 3], N[MAX_DEGREE + 1], N1[MAX_DEGREE + 1];
         std::copy_n(curve.weights + low, p + 1, w);
         std::copy_n(curve.points + low * dim, (p + 1) * dim, P);
@@ -101,6 +102,27 @@ class Distance : public ceres::CostFunction
     double precision;
 };
 
+/* Curve to theta, log w_j and P_j; and back, weights being put between the bounds. */
+void theta_of_curve(const fit_problem *p, const fit_curve *curve, double theta[])
+{
+    for (int k = 0; k < p->unknowns; k++) {
+        cagd_fit_unknown u = p->unknown[k];
+        theta[k] = u.is_weight ? std::log(curve->weights[u.index]) : curve->points[u.index * p->dim + u.coordinate];
+    }
+}
+
+void theta_to_curve(const fit_problem *p, const double theta[], fit_curve *curve)
+{
+    for (int k = 0; k < p->unknowns; k++) {
+        cagd_fit_unknown u = p->unknown[k];
+        if (u.is_weight)
+            curve->weights[u.index] = std::fmin(std::fmax(std::exp(theta[k]), p->low), p->high);
+        else
+            curve->points[u.index * p->dim + u.coordinate] = theta[k];
+    }
+    fit_curve_update(curve);
+}
+
 std::unique_ptr<ceres::LossFunction> loss_of(const fit_problem &p)
 {
     if (p.loss == CAGD_FIT_HUBER)
@@ -160,8 +182,8 @@ extern "C" cagd_status plain_ceres(const cagd_fit_data *data, const cagd_fit_opt
         status = CAGD_NO_MEMORY;
     if (status == CAGD_OK) {
         std::vector<double> theta(static_cast<size_t>(p.unknowns));
-        fit_problem_theta(&p, curve, theta.data());
-        fit_problem_curve_of(&p, theta.data(), curve);
+        theta_of_curve(&p, curve, theta.data());
+        theta_to_curve(&p, theta.data(), curve);
         solve(p, *curve, *options, theta.data(), feet.data(), outcome);
     }
     fit_curve_free(curve);

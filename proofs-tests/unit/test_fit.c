@@ -135,11 +135,12 @@ static void feet_are_orthogonal(void **state)
 static void triangles_keep_the_normal_equations(void **state)
 {
     enum { N = 5, SIDES = 2, ROWS = 301 };
-    static const int first[] = {0, 3, 7}, reach[] = {0, 1, 3, 1, 2, 3, 4};
+    static int first[] = {0, 3, 7}, reach[] = {0, 1, 3, 1, 2, 3, 4};
+    const fit_support support = {N, 2, first, reach};
     double sum[N + SIDES][N + SIDES] = {{0}};
     (void)state;
     state_of_noise = 3;
-    fit_reduction *r = fit_reduction_new(N, SIDES, 2, first, reach);
+    fit_reduction *r = fit_reduction_new(&support, SIDES);
     assert_non_null(r);
     for (int again = 0; again < 2; again++) {
         fit_reduction_clear(r);
