@@ -1,4 +1,4 @@
-/* elementary.h -- factorials, binomial coefficients and powers straight from the definitions, and a comparison with 0.
+/* elementary.h -- factorials, falling ones, binomial coefficients and powers straight from the definitions, and a comparison with 0.
  *
  * For the other side of the chapters' comparisons: nothing here follows the kernels or uses their binomial coefficients;
  * nothing is fast.  And points of which every coordinate is free, and polygons backwards.  Generic text; a section includes
@@ -15,6 +15,9 @@ static inline num G(factorial)(int n)
         product = mul(product, from_int(k));
     return product;
 }
+
+/* n (n-1) ... (n-k+1); n <= 20 */
+static inline long G(falling_factorial)(int n, int k) { return k == 0 ? 1 : n * G(falling_factorial)(n - 1, k - 1); }
 
 /* n!/(i! (n-i)!), and 0 for i < 0 and i > n */
 static inline num G(choose)(int n, int i)

@@ -8,6 +8,8 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 */
 #include "exact/record/roots.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -250,9 +252,6 @@ CLAIM(multiplicities_fit_into_the_polygon)
 :::
 */
 
-/* n!/(n-k)! */
-static inline long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
-
 /*
 The number before $\frac{\omega_k}{\omega_0}(R_k-R_0)$ is the product of $k$ factors $n(n-1)\cdots$, not a binomial
 coefficient; for $k=1$ the two are the same, and a slip would not be seen.
@@ -283,7 +282,7 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
         for (int l = 1; l < k; l++)
             vanishes(T, D[l]);
         about(T, "R^(k)(0)");
-        long factor = G(falling)(n, k) / fault(T, 1, G(falling)(k, k));
+        long factor = G(falling_factorial)(n, k) / fault(T, 1, G(falling_factorial)(k, k));
         /* R^(k)(0) = n!/(n-k)! ω_k/ω_0 (R_k - R_0) */
         same(T, D[k], mul(mul(from_int(factor), div(w[k], w[0])), sub(R[k], R[0])));
     }
@@ -327,7 +326,7 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
         about(T, "R^(h)(1)");
         long sign = fault(T, h % 2 == 1 ? 1 : -1, 1);
         /* R^(h)(1) = (-1)^{h+1} n!/(n-h)! ω_{n-h}/ω_n (R_n - R_{n-h}) */
-        same(T, D[h], mul(mul(from_int(sign * G(falling)(n, h)), div(w[n - h], w[n])), sub(R[n], R[n - h])));
+        same(T, D[h], mul(mul(from_int(sign * G(falling_factorial)(n, h)), div(w[n - h], w[n])), sub(R[n], R[n - h])));
     }
 }
 
@@ -417,7 +416,7 @@ CLAIM(end_derivatives_in_every_degree)
             factor = mul(factor, sub(n, from_int(j)));
         /* R^(k)(0) = n (n-1) ... (n-k+1) ω_k/ω_0 (R_k - R_0) */
         num wanted = mul(mul(factor, div(w[k], w[0])), sub(R[k], R[0]));
-        same(T, mul(from_int(G(falling)(k, k)), Q[k]), wanted); /* R^(k) = k! Q_k */
+        same(T, mul(from_int(G(falling_factorial)(k, k)), Q[k]), wanted); /* R^(k) = k! Q_k */
     }
 }
 
@@ -475,7 +474,7 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_sign)
 {
     struct G(last_end) e = G(given_last_end)(T, 2);
     int sign = fault(T, e.h % 2 == 0 ? -1 : 1, 1);
-    G(compare_last_derivative)(T, e, sign * G(falling)(e.n, e.k));
+    G(compare_last_derivative)(T, e, sign * G(falling_factorial)(e.n, e.k));
 }
 
 /*
@@ -494,7 +493,7 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_sign)
 CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
 {
     struct G(last_end) e = G(given_last_end)(T, 3);
-    G(compare_last_derivative)(T, e, G(falling)(e.n, fault(T, e.h, e.k)));
+    G(compare_last_derivative)(T, e, G(falling_factorial)(e.n, fault(T, e.h, e.k)));
 }
 #endif
 

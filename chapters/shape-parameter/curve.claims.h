@@ -375,15 +375,6 @@ CLAIM(end_points_and_end_derivatives)
 :control: $-\beta$ in the place of $\beta$
 :::
 */
-/* n (n-1) ... (n-k+1) */
-static num G(falling)(int n, int k)
-{
-    num product = from_int(1);
-    for (int j = 0; j < k; j++)
-        product = mul(product, from_int(n - j));
-    return product;
-}
-
 /* (d/dt)^k of (1-t)^a t^b, by Leibniz. */
 static num G(product_derivative)(int a, int b, int k, num t)
 {
@@ -391,7 +382,8 @@ static num G(product_derivative)(int a, int b, int k, num t)
     for (int j = 0; j <= k; j++) {
         if (j > a || k - j > b)
             continue;
-        num term = mul(mul(G(falling)(a, j), G(falling)(b, k - j)), G(product_of_powers)(a - j, b - k + j, t));
+        num term = mul(from_int(G(falling_factorial)(a, j) * G(falling_factorial)(b, k - j)),
+                       G(product_of_powers)(a - j, b - k + j, t));
         term = mul(G(choose)(k, j), term);
         sum = j % 2 == 0 ? add(sum, term) : sub(sum, term);
     }

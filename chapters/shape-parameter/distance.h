@@ -1,6 +1,6 @@
 /* distance.h -- how far a plane curve of the family is from its polygon, decided exactly.
  *
- * Generic text, after definition.h; what decides is for rationals only. */
+ * Generic text, after exact/record/hull.h and definition.h; what decides is for rationals only. */
 #include "chapters/judge/claims_on.h"
 
 #if RATIONAL
@@ -120,5 +120,13 @@ static inline int G(one_is_farther)(trial *T, int n, num P[], num beta[2])
     return farther == families;
 }
 
+/* Refutes, for the data of the claim, that the polygon is not convex or that the curve of β_1 is not farther than that of β_0. */
+static inline void G(refute_closer_to_a_convex_polygon)(trial *T, int n)
+{
+    num P[8 * dim], beta[2];
+    int farther = G(one_is_farther)(T, n, P, beta);
+    about(T, "the polygon is not convex, or the larger beta is not farther");
+    refute(T, polygon_is_convex(n, P, 1, NULL) && farther);
+}
 #endif
 #include "chapters/judge/claims_off.h"

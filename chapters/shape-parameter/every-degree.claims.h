@@ -358,13 +358,7 @@ CLAIM(cubic_of_larger_beta_is_farther)
 :control: the two values of $\beta$ exchanged
 :::
 */
-CLAIM(convex_cubic_of_larger_beta_is_farther)
-{
-    num P[4 * dim], beta[2];
-    int worse = G(one_is_farther)(T, 3, P, beta);
-    about(T, "the polygon is not convex, or the larger beta is not farther");
-    refute(T, polygon_is_convex(3, P, 1, NULL) && worse);
-}
+CLAIM(convex_cubic_of_larger_beta_is_farther) { G(refute_closer_to_a_convex_polygon)(T, 3); }
 #endif
 
 /*

@@ -92,13 +92,7 @@ than the Bézier curve of $\beta=0$: on the way through the range the distance g
 :control: the two values of $\beta$ exchanged
 :::
 */
-CLAIM(larger_beta_is_worse_for_a_convex_polygon)
-{
-    num P[8 * dim], beta[2];
-    int worse = G(one_is_farther)(T, 7, P, beta);
-    about(T, "the polygon is not convex, or the larger beta is not farther");
-    refute(T, polygon_is_convex(7, P, 1, NULL) && worse);
-}
+CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_polygon)(T, 7); }
 
 /*
 :::{claim} convex_polygon_prefers_beta_one
@@ -156,13 +150,7 @@ another one it is lost.
 :control: the two values of $\beta$ exchanged
 :::
 */
-CLAIM(convex_polygon_prefers_the_bezier_curve)
-{
-    num P[8 * dim], beta[2];
-    int worse = G(one_is_farther)(T, 7, P, beta);
-    about(T, "the polygon is not convex, or the larger beta is not farther");
-    refute(T, polygon_is_convex(7, P, 1, NULL) && worse);
-}
+CLAIM(convex_polygon_prefers_the_bezier_curve) { G(refute_closer_to_a_convex_polygon)(T, 7); }
 #endif
 
 /*
