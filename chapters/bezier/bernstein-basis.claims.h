@@ -15,6 +15,9 @@ The library computes them by their recurrence, without a binomial coefficient.
 #include "chapters/judge/claims_on.h"
 
 /*
+The first claim ties the recurrence to the binomial terms; from then on either may stand for the other.  It is a claim about
+finitely many degrees, because a kernel runs for one degree at a time.
+
 :::{claim} bernstein_is_binomial_form
 :title: The kernel computes the terms of the binomial expansion
 :zh: 内核所算即二项展开式各项
@@ -67,6 +70,9 @@ CLAIM(bernstein_recurrence)
 }
 
 /*
+The recurrence climbs from degree $n-1$ to $n$.  The next relation climbs as well, but keeps the polynomial: it writes the
+same function one degree higher, and is the whole reason why the degree of a curve can be raised without changing the curve.
+
 :::{claim} bernstein_raised_by_one_degree
 :title: A Bernstein polynomial is a combination of two of the next degree
 :zh: n 次基由两个 n+1 次基表示
@@ -184,6 +190,9 @@ CLAIM(bernstein_sums_to_one)
 }
 
 /*
+The sum says that a point $\sum b_iB_i^n(t)$ is an affine combination of the $b_i$; it holds for every $t$.  Only the sign makes it
+a weighted average, and the sign is right inside the unit interval alone.  Both together are the convex hull property.
+
 :::{claim} bernstein_positive_inside
 :title: Inside the unit interval every Bernstein polynomial is positive
 :zh: 在开区间内恒正
@@ -302,6 +311,9 @@ CLAIM(bernstein_derivatives_of_every_order)
 }
 
 /*
+Differentiation lowers the degree by differences of neighbours, so integration must raise it by sums of them.  All
+Bernstein polynomials of one degree turn out to have the same area, however different their graphs are.
+
 :::{claim} bernstein_primitive
 :title: A primitive of a Bernstein polynomial; all of them have the same area
 :zh: 原函数与积分
@@ -439,6 +451,9 @@ CLAIM(bernstein_basis_is_independent)
 }
 
 /*
+Which coefficients belong to the simplest polynomial that is not constant?  Those at equal steps.  The graph of a polynomial with the
+coefficients $b_i$ is therefore the plane Bézier curve of the points $(\frac in,b_i)$, and what is said of curves is said of functions too.
+
 :::{claim} linear_precision
 :title: Coefficients in arithmetic progression give the linear function
 :zh: 线性精度
@@ -497,6 +512,9 @@ CLAIM(bernstein_product_is_product)
 }
 
 /*
+The last claim puts the relation from degree $n$ to $n+1$ into a matrix.  Its rows are weights of averages, and that will
+be used twice: the elevated polygon cuts the corners of the old one, and no new change of sign can appear.
+
 :::{claim} elevation_matrix_raises_the_basis
 :title: The elevation matrix writes the basis in the next degree
 :zh: 升阶矩阵

@@ -36,6 +36,10 @@ static num G(elevation_weight)(int n, int j, num i, num N, int of_powers)
 }
 
 /*
+Imagine an urn with $N$ balls of which $i$ are black, and draw $n$ of them without putting any back: $w_j(i,N)$ is the probability of
+$j$ black ones.  With more and more balls it no longer matters whether they are put back, and the probabilities become those of
+Bernstein.  That is the convergence; the formulas below say it without the urn.
+
 :::{claim} elevated_points_in_closed_form
 :title: The points after any number of elevations
 :zh: 多次升阶后的控制顶点
@@ -155,6 +159,9 @@ CLAIM(split_shrinks_second_differences)
 
 #if RATIONAL
 /*
+What remains is to bound the distance by the second differences.  The bound must not depend on the points, so it is read off a
+formula: the distance is a sum of second differences whose coefficients are not negative and whose sum is small.
+
 :::{claim} curve_stays_near_polygon
 :title: How far a curve is from its polygon
 :zh: 曲线与控制多边形之距离

@@ -15,6 +15,9 @@ enum { dim = 2 };
 /*
 ## The sum
 
+Everything on this page follows from one sum.  It is the first thing to read carefully: it makes a curve of the points in their order, and
+what it calls the degree is the number of points less one, whether or not the polynomial needs it.
+
 :::{statement} slides-ch4:4-definition
 :title: The Bézier curve of n+1 points
 :zh: n 次 Bézier 曲线的定义
@@ -188,6 +191,9 @@ CLAIM(small_degrees_written_out)
 /*
 ## The ends
 
+At an end all functions but one vanish, so the curve begins in its first point and ends in its last.  The slides say so in words; the
+formula beside the words has another index, and the claim below needs three points to tell the two apart.
+
 :::{statement} slides-ch4:4-ends
 :title: The curve begins and ends with the polygon
 :zh: 曲线过首末控制顶点
@@ -238,6 +244,10 @@ CLAIM(curve_does_not_end_in_its_second_point)
 #endif
 
 /*
+For the tangent the slides differentiate the sum and write the result in three ways: by the derivatives of the functions, as a row
+of terms, and by the edges of the polygon.  The third is the one to remember.  In the first two there are terms that are not there at the
+ends or for small $n$, and whoever puts in numbers meets $0^{-1}$ or a factorial of $-1$.
+
 :::{statement} slides-ch4:4-derivative-by-basis
 :title: The derivative, term by term
 :zh: 导矢:逐项求导
@@ -397,6 +407,9 @@ CLAIM(terms_in_a_row_come_twice_for_one_edge)
 
 ## Symmetry
 
+The word symmetric is used of the functions, of the sum, and then of the curve.  The functions read backwards are the same functions,
+so it does not matter from which end the points are read.  That the figure is its own mirror image does not follow.
+
 :::{statement} slides-ch4:4-basis-symmetry
 :title: The symmetry of the functions
 :zh: 基函数的对称性
@@ -485,6 +498,9 @@ CLAIM(curve_is_no_mirror_image)
 
 /*
 ## The hull
+
+The hull is defined as the set of all weighted averages of the points, and the curve consists of such averages: this is the
+whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 
 :::{statement} slides-ch4:4-hull-definition
 :title: The convex hull of the points

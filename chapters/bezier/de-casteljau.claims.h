@@ -53,6 +53,9 @@ CLAIM(casteljau_triangle_holds_partial_curves)
 }
 
 /*
+The point at the tip of the triangle is the special case $k=n$.  Every other point of it is a point of a curve too, of a
+shorter polygon; this is what the recursion of the slides says in another section.
+
 :::{claim} decasteljau_evaluates_bezier_curve
 :title: De Casteljau's algorithm computes the point of the curve
 :zh: de Casteljau 算法求曲线上的点
@@ -103,6 +106,10 @@ CLAIM(horner_bernstein_evaluates_bezier_curve)
 }
 
 /*
+Two properties can be seen without any formula.  Each step divides an edge in a ratio, and an affine map keeps ratios on a
+line: so the whole construction moves with the points.  And the ratio $t:(1-t)$, read from the other end, is $(1-t):t$: so the
+reversed polygon gives the same curve backwards.
+
 :::{claim} bezier_curve_moves_with_its_points
 :title: An affine map of the points is the same map of the curve
 :zh: 仿射不变性
@@ -299,6 +306,9 @@ CLAIM(blossom_on_diagonal_is_curve)
 /*
 ## Derivatives (导矢)
 
+The derivative of a curve is again a curve of this kind, one degree lower, and its points are the edges of the polygon, times $n$.
+Done $r$ times this gives differences of order $r$; done at an end it says how many points the curve sees there.
+
 :::{claim} hodograph_is_derivative_curve
 :title: The derivative is the curve of n times the edges
 :zh: 速端曲线
@@ -454,6 +464,9 @@ CLAIM(split_gives_the_two_parts)
 }
 
 /*
+A part is found by one run of the algorithm.  To find a part between two parameters one may split twice, and the order must not
+matter; that it does not is another way to say that the blossom is symmetric.
+
 :::{claim} splits_commute
 :title: Two splits give the same three parts in either order
 :zh: 两次分割次序无关
@@ -531,6 +544,9 @@ CLAIM(bernstein_form_over_another_interval)
 
 /*
 ## Degree elevation (升阶)
+
+A curve of degree $n$ is also one of degree $n+1$.  Its new polygon has one point more, and the point on each edge is found from the two
+ends of that edge alone.
 
 :::{claim} elevation_keeps_bezier_curve
 :title: Elevation changes the polygon, not the curve

@@ -143,6 +143,9 @@ static void G(counted)(trial *T, const char *what, int count, int expected)
 }
 
 /*
+The function keeps one level of the triangle in `R`, computes the next one in `Q` and copies it back.  That the loops never leave the
+arrays, and read nothing that was not written, is part of the claim.
+
 :::{claim} program_computes_the_curve
 :title: The printed function computes the curve and touches nothing else
 :zh: 程序 decas 的正确性
@@ -168,6 +171,9 @@ CLAIM(program_computes_the_curve)
 }
 
 /*
+The second function adds a step $\frac1{npoints}$ to the parameter, npoints times.  In exact arithmetic that ends at 1.  In binary64 the
+step is already rounded, unless npoints is a power of 2, and so is each sum.
+
 :::{statement} slides-ch4:4-program-division
 :title: The parameter is divided into npoints equal parts
 :zh: 将参数 t 作 npoints 等分
@@ -313,6 +319,9 @@ CLAIM(program_stays_in_its_arrays)
 }
 
 /*
+One comment of the program counts the points as npoints, another as npoints+1.  A loop from 0 to npoints makes npoints+1 of them, and the
+difference is one place of memory.
+
 :::{statement} slides-ch4:4-program-points-count
 :title: The array of points holds npoints points
 :zh: 注释称离散点个数为 npoints
@@ -419,6 +428,8 @@ static num last_of_steps(int steps)
 }
 
 /*
+Here every operation is carried out exactly and then rounded, as IEEE 754 asks; so what follows is what every computer does that keeps to it.
+
 :::{claim} sum_of_steps_misses_one
 :title: Six steps of a sixth do not end at 1
 :zh: 六个 1/6 之和在 binary64 中不等于 1
@@ -509,6 +520,9 @@ CLAIM(last_point_of_the_example_is_missed)
 }
 
 /*
+There are two ways to divide an edge, and they are not equally good at its ends.  With $R+t(R'-R)$ one product is saved, but
+for $t=1$ the result is $R+(R'-R)$, rounded twice; with $(1-t)R+tR'$ it is $R'$.
+
 :::{claim} difference_loses_the_last_point
 :title: At t = 1 the form with one product may lose the last point
 :zh: t=1 时 R+t(R'-R) 在 binary64 中不等于 R'

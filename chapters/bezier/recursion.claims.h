@@ -27,6 +27,10 @@ enum { dim = 2 };
 A piece over a step $h$ of the parameter is at most $\frac{n^2}8h^2\max_j|\Delta^2P_j|$ away from its chord.
 :::
 
+A chord is as far from its piece of the curve as the second differences of the piece allow, and these shrink with the square of the
+step.  So many points are enough if the steps tend to 0.  To have many points is not enough, and the parabola of the next
+claim has a thousand of them in the wrong place.
+
 :::{claim} second_differences_of_a_piece
 :title: The second differences of a piece shrink with the square of its length
 :zh: 曲线段的二阶差分与区间长度平方成正比
@@ -188,6 +192,9 @@ CLAIM(one_point_too_many_breaks_the_recursion)
 #endif
 
 /*
+The slides prove the recursion by comparing coefficients.  The only thing they need to know about binomial coefficients is Pascal's rule;
+everything else is a shift of an index, which is where the misprint is.
+
 :::{statement} slides-ch4:4-recursion-pascal
 :title: The sum of two binomial coefficients
 :zh: 组合恒等式
@@ -276,6 +283,9 @@ CLAIM(proof_of_the_recursion_line_by_line)
 }
 
 /*
+To find the wrong exponent without any computation, count: in every term of degree $n$ the exponents of $t$ and of $1-t$ have the sum
+$n$.  Within the second bracket, which is multiplied by $t$, they must have the sum $n-1$.
+
 :::{statement} slides-ch4:4-recursion-proof-line-2
 :title: The second line of the proof
 :zh: 证明第二行中 (1-t) 的指数

@@ -14,6 +14,9 @@ are the ones just treated.
 enum { dim = 2 };
 
 /*
+Position costs nothing: both curves pass through the ends of their polygons.  For the tangent the two derivatives at the joint need
+only point in one direction, which is one number $a>0$ less than equality; the slides turn this into a condition on two edges.
+
 :::{statement} slides-ch4:4-joint-position
 :title: The cubics meet
 :zh: 位置连续条件
@@ -39,6 +42,10 @@ enum { dim = 2 };
 :hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
 :figure: joint_of_cubics
 :::
+
+The step from derivatives to edges is a division by 3, and nothing can go wrong in it.  What can go wrong was there before: a derivative
+that is 0 has no direction.  The two counterexamples below are of two kinds.  In the first the condition holds and the curve has a corner;
+in the second the curve is as smooth as a curve can be and the condition fails.
 
 :::{statement} slides-ch4:4-joint-g1-edges
 :title: G1 by the edges at the joint
@@ -238,6 +245,10 @@ CLAIM(second_derivative_of_a_cubic)
 }
 
 /*
+Now the second derivative.  Its equality is a condition on three points of each polygon.  One should ask what it is good for
+when the first derivatives are only proportional, which is the case just treated.  With $Q'=aP'$, $Q''=P''$ and $a\ne1$ the joint is not
+$C^2$, and the curvature jumps as well, unless it is 0.
+
 :::{statement} slides-ch4:4-joint-c2
 :title: C2 by equal second derivatives
 :zh: C2 连续条件
@@ -337,6 +348,9 @@ CLAIM(equal_second_derivatives_with_unequal_first)
 #endif
 
 /*
+How wrong it is can be said exactly, for the curvature depends on the two derivatives by a formula of its own: the numerator is linear
+in each, the denominator is the third power of the length of the first.
+
 :::{claim} printed_condition_divides_the_curvature
 :title: With the ratio a the printed condition divides the curvature by the square of a
 :zh: 仅二阶导矢相等时曲率缩为 1/a^2

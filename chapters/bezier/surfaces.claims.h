@@ -69,6 +69,9 @@ static num G(surface)(int n, int m, int coordinates, const num P[], int c, int k
 }
 
 /*
+A surface is best understood by its lines.  Hold $u$ fixed: each column of the net becomes one point, and these points are the polygon of
+a curve in $w$.  At $u=0$ they are the first row of the net itself.
+
 :::{claim} parameter_lines_are_bezier_curves
 :title: The lines of the surface are curves, and the borders those of the borders of the net
 :zh: 等参线与边界曲线
@@ -188,6 +191,9 @@ static num G(volume)(const num a[3], const num b[3], const num c[3])
 }
 
 /*
+The normal is the cross product of two partial derivatives.  It is compared here without computing a cross product: its product
+with every vector is a volume.
+
 :::{claim} surface_normal_is_the_cross_product
 :title: The normal gives with every vector the volume of the two tangents and the vector
 :zh: 法矢
@@ -271,6 +277,9 @@ CLAIM(corners_of_the_net_give_tangents_normal_and_twist)
 
 #if RATIONAL
 /*
+What if one border of the net is a single point, as at the pole of a sphere?  Then one of the two tangents is 0 there and with it the cross
+product.  A program that divides by its length fails at a place where the surface may be perfectly smooth.
+
 :::{claim} collapsed_border_has_no_normal
 :title: On a border of one point the normal vanishes, and the tangent plane is there
 :zh: 退化边界处法矢为零
@@ -303,6 +312,8 @@ CLAIM(collapsed_border_has_no_normal)
 
 /*
 ## Pieces
+
+A piece between parameters $u_0,u_1$ and $w_0,w_1$ is found as for curves, in one direction and then in the other.
 
 :::{claim} surface_part_is_the_piece
 :title: The net of a piece

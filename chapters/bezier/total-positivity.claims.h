@@ -24,6 +24,9 @@ The parameter $t=\frac s{1+s}$ runs through $(0,1)$ as $s$ runs through the posi
 $(1+s)^nB_j^n(t)=\binom njs^j$.  Increasing parameters are written as partial sums of positive variables,
 $s_i=x_0+\dots+x_i$: what is proved for all positive $x$ holds for all increasing parameters.
 
+The largest of the minors comes first, because it has a closed form: it is Vandermonde's determinant in disguise, times binomial
+coefficients.  At increasing parameters its sign can be read off.
+
 :::{claim} bernstein_collocation_determinant
 :title: The determinant of the values at n+1 parameters
 :zh: 配置矩阵的行列式
@@ -240,6 +243,9 @@ CLAIM(roots_are_at_most_sign_changes)
 A line $ax+by+c=0$ turns this into the statement on curves: along the curve $ax+by+c$ is the polynomial with the
 coefficients $ax_i+by_i+c$, whose signs say on which side the points of the polygon are.
 
+It is crossings that are counted, not points in common: where a line touches the curve, or the polygon lies on it for a while, nothing
+changes sign.  A textbook that says "intersections" means these.
+
 :::{claim} line_crosses_curve_at_most_as_often_as_polygon
 :title: A line crosses the curve no more often than the polygon
 :zh: 变差缩减性:直线与曲线的交点数不多于与控制多边形的交点数
@@ -372,6 +378,8 @@ CLAIM(split_matrix_is_totally_nonnegative)
 }
 
 /*
+The same is true of elevation, for a simpler reason: its matrix has two diagonals.
+
 :::{claim} elevation_matrix_is_totally_nonnegative
 :title: The elevation matrix has no negative minor
 :zh: 升阶矩阵的全正性

@@ -21,6 +21,9 @@ enum { dim = 2, ROWS = 7 };
 /*
 ## The numbers, row by row
 
+The table is read row by row.  In each row the four functions come first, then the point; a claim takes all numbers of a row that are
+right, and every number that is wrong has a claim of its own.  At the ends there is nothing to round.
+
 :::{statement} slides-ch4:table-bezier-row-0-basis
 :title: The four functions at t = 0
 :zh: t=0 处的四个基函数值
@@ -164,6 +167,9 @@ static void wrong_number(trial *T, const char *coordinate)
 CLAIM(table_misses_the_first_x) { wrong_number(T, "x"); }
 
 /*
+Are the exact values themselves decimals?  The parameters are twentieths, and the points integers: so the values are finite decimals, and no
+question of rounding arises for them.
+
 :::{claim} exact_values_of_the_table
 :title: The seven points, exactly
 :zh: 数表各点的精确值
@@ -253,6 +259,9 @@ It is what the rounded factors of the row give, whose sum is 1.001; three digits
 CLAIM(table_misses_the_second_x) { wrong_number(T, "x"); }
 
 /*
+Where does a wrong number come from?  One guess can be tested: that the points were computed from the rounded functions of the same row.
+Their sum is not 1, so the point may move by more than a unit of its last digit.  It explains two of the six, and no more.
+
 :::{claim} rounded_factors_of_the_table
 :title: What the rounded functions of each row give
 :zh: 用表中舍入后的基函数值所得的点
@@ -428,6 +437,8 @@ The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or
 digit, 5, may also have been left out, as the 6 in the next row.
 :::
 
+One number is right or not by the rule of rounding that is taken, because the exact value lies exactly between two candidates.
+
 :::{claim} five_rounded_up_gives_another_digit
 :title: With fives rounded up 2.365 is not 2.36
 :zh: 四舍五入时 2.365 不为 2.36
@@ -457,6 +468,9 @@ CLAIM(five_rounded_up_gives_another_digit)
 #endif
 
 /*
+The heights of the points are the same from both ends, and this is a check that a reader can do in the head: the second half of the column
+of $y$ must be the first half backwards.  It fails in two rows of the table.
+
 :::{claim} heights_of_the_example_are_symmetric
 :title: The heights of the example are the same at t and at 1 - t
 :zh: 算例中纵坐标关于 t=1/2 对称

@@ -46,6 +46,9 @@ static void G(free_segment)(trial *T, int clamped, struct G(segment) * S)
 }
 
 /*
+At each $t$ the curve is an average of its points, and $R_m$ is the share of $P_m$.  To check the kernel the numerator and the denominator are written as
+power series at $t$, by a recursion that shares nothing with it.
+
 :::{claim} rational_basis_is_the_weighted_share
 :title: The rational basis and its derivatives by the parameter
 :zh: 有理基及其导数
@@ -75,6 +78,9 @@ CLAIM(rational_basis_is_the_weighted_share)
 
 /*
 ## Derivatives by the weights
+
+Raise one weight a little: the curve moves towards the point of that weight, by an amount that is proportional to its share and to the distance.  Everything
+a fit knows about weights is in this one formula.
 
 :::{claim} derivative_by_a_weight_points_to_its_point
 :title: The derivative by the logarithm of a weight points from the curve to the point of that weight
@@ -127,6 +133,9 @@ CLAIM(derivative_by_a_weight_points_to_its_point)
 }
 
 /*
+The basis itself changes with the weights as probabilities do that are proportional to weights: the matrix of its derivatives is a covariance matrix.
+That its rows have the sum 0 says that a common factor of the weights changes nothing.
+
 :::{claim} mixed_derivatives_are_a_covariance
 :title: The derivatives of the basis by the weights, which are the mixed derivatives by weights and points
 :zh: 有理基对权的导数(混合导数)
@@ -170,6 +179,8 @@ CLAIM(mixed_derivatives_are_a_covariance)
 }
 
 /*
+Newton's method needs second derivatives as well.  They follow from the formula for the first, which contains the curve itself.
+
 :::{claim} second_derivatives_by_two_weights
 :title: The second derivatives by two weights
 :zh: 对两个权的二阶导数

@@ -12,6 +12,9 @@ a program computes with them can be compared with fractions.
 #include "chapters/fitting/circle.h"
 
 /*
+Two points of a pair have the same foot and opposite residuals: so they pull on the curve with opposite forces at one place, and the circle is in
+equilibrium.  That it is a minimum and not a saddle is decided by the signs of three minors.
+
 :::{claim} pairs_about_a_circle_have_the_circle_as_minimum
 :title: The circle between the pairs is a strict local minimum, exactly
 :zh: 成对点的最小二乘解恰为该圆
@@ -89,6 +92,9 @@ CLAIM(given_parameters_find_the_same_curve)
 }
 
 /*
+What do the points know of the weight?  The matrix $J^TJ$ answers with fractions.  When the middle point may move as well, a change of the weight can nearly be
+made up for by moving the point, and the weight becomes much less certain.
+
 :::{claim} free_point_makes_its_weight_less_known
 :title: The weight is known less when its point is free
 :zh: 控制顶点自由时权的不确定度增大

@@ -74,6 +74,9 @@ static void G(distance_series)(const struct G(conic_and_foot) * S, num t, num t1
 }
 
 /*
+At its foot the distance of a point is stationary in $t$.  So if the curve changes by $\varepsilon$ and the foot follows, the movement of the foot changes the distance in
+the second order only, and the gradient is that with the foot held fixed.
+
 :::{claim} gradient_does_not_see_the_foot_move
 :title: The gradient of the reduced distance needs no derivative of the foot
 :zh: 距离的梯度不含垂足的导数
@@ -98,6 +101,9 @@ CLAIM(gradient_does_not_see_the_foot_move)
 
 /*
 ## The Hessian: a Schur complement (Schur 补)
+
+In the second order the foot does count.  How it follows is found by differentiating the condition $D\cdot C'=0$; what it contributes is one term, a square over
+$\varphi'$, which lowers the curvature of the distance.
 
 :::{claim} hessian_of_the_reduced_distance
 :title: The second derivative of the reduced distance
@@ -229,6 +235,8 @@ CLAIM(reduced_gauss_newton_matrix_is_the_part_across_the_curve)
 
 #if FIELD
 /*
+All this is about one foot, and a point has many.  To find the nearest one for certain one has to know how many there can be.
+
 :::{claim} degree_of_the_equation_of_the_foot
 :title: The feet are the roots of a polynomial of degree 2n-1 for a polynomial curve, 3n-2 for a rational one
 :zh: 垂足方程的次数

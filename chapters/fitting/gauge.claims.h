@@ -20,6 +20,9 @@ static void G(bezier_knots)(int n, num u[])
 }
 
 /*
+A rational Bézier curve does not determine its weights: all of them may be multiplied by one number, and a fractional-linear change of the parameter
+multiplies them by a geometric progression.  In the derivatives these two freedoms are two combinations that do not move the curve.
+
 :::{claim} weights_have_flat_directions
 :title: Two directions in the space of weights that move no point off the curve
 :zh: 权空间中的两个平坦方向
@@ -201,6 +204,8 @@ CLAIM(free_ends_slide_along_the_conic)
 
 /*
 ## Points on a line (共线点)
+
+The worst case is a line.  A point that moves along the line, or a weight that changes, leaves the figure as it is.
 
 :::{claim} a_straight_curve_leaves_its_speed_undetermined
 :title: Where the curve is straight, only the heights of its points are seen

@@ -51,6 +51,9 @@ CLAIM(huber_pull_is_bounded_and_continuous)
 #endif
 
 /*
+Huber's pull never fades: a point at any distance pulls as one at the distance $a$.  Cauchy's reaches its greatest value there and
+then tends to 0, so that a point far away is forgotten.
+
 :::{claim} cauchy_pull_has_its_greatest_value_at_its_scale
 :title: Cauchy's pull is at most a/2, at the distance a, and fades beyond
 :zh: Cauchy 损失的拉力以 a/2 为界
@@ -116,6 +119,8 @@ For given standard deviations $-2\log L=\chi^2$ but for a constant.  When $\sigm
 
 #if FIELD
 /*
+For a given mean square of the residuals the likelihood is a function of the one unknown $v=\sigma^2$, and its minimum is found by one derivative.
+
 :::{claim} likelihood_chooses_the_mean_square
 :title: The likelihood of an unknown standard deviation is greatest at the mean square of the residuals
 :zh: 方差的极大似然估计
@@ -146,6 +151,8 @@ proportional to $\cos^{\nu-1}\theta$, and its integral is elementary:
 
 #if FIELD || RATIONAL
 /*
+So no table and no numerical integration is needed: for whole $\nu$ the probability is a sum of $\nu/2$ terms or so.
+
 :::{claim} student_probability_is_a_finite_sum
 :title: The probability of Student's distribution is a finite sum of powers of the cosine
 :zh: t 分布函数的有限和

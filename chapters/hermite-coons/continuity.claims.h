@@ -18,6 +18,10 @@ enum { plane = 2 };
 /*
 ## Continuous derivatives (参数连续性)
 
+The definition is given for functions at a point $x_0$, by derivatives from the left and from the right.  As for polynomials, to which it is
+applied, there is no difficulty.  As a definition it has two gaps, and in each gap lives a function: one that has the derivatives without their
+being continuous, one that has their limits without being continuous itself.
+
 :::{statement} slides-ch4:1-ck-definition
 :title: Equal derivatives from the left and from the right
 :zh: 参数连续性 C^k 的定义
@@ -134,6 +138,10 @@ CLAIM(equal_derivatives_leave_a_power)
 }
 
 /*
+What does the figure show of this?  For a graph, the slope is $f'$ and the curvature a formula in $f'$ and $f''$, so that smoothness of the
+function is smoothness of the figure.  The way back is open only where no tangent is upright, and for a curve with a parameter there
+is no way in either direction: the figure does not know how fast it is run through.
+
 :::{statement} slides-ch4:1-ck-shape
 :title: What C0, C1 and C2 mean for the figure
 :zh: C0、C1、C2 的几何意义
@@ -250,6 +258,8 @@ CLAIM(curvature_of_a_graph)
 /*
 ## Continuous shape (几何连续性)
 
+That is why a second kind of continuity is defined, by the one parameter that belongs to the figure: the arc length.
+
 :::{statement} slides-ch4:1-gk-definition
 :title: Geometric continuity by arc length
 :zh: 几何连续性 G^k 的定义
@@ -300,6 +310,9 @@ CLAIM(position_has_no_parameter)
 }
 
 /*
+For $k=1$ the arc length can be avoided.  The unit tangents agree exactly when one derivative is a positive multiple of the other,
+provided that both have a direction.
+
 :::{statement} slides-ch4:1-g1
 :title: G1 by proportional first derivatives
 :zh: G1:一阶导数成比例
@@ -345,6 +358,10 @@ CLAIM(halves_of_a_segment_have_one_speed)
 }
 
 /*
+For $k=2$ it is tempting to go on in the same way, and the slides do.  Take a change of the parameter, $t=\lambda u+\beta u^2+\cdots$: by the chain rule
+$Q'=\lambda P'$ and $Q''=\lambda^2P''+2\beta P'$.  So the factor of the second derivative is not free but the square of the first, and an arbitrary
+part along the tangent may be added.  The four readings of the printed sentence each miss one of these.
+
 :::{statement} slides-ch4:1-g2
 :title: G2 by proportional first and second derivatives
 :zh: G2:一、二阶导数均成比例
@@ -467,6 +484,8 @@ CLAIM(proportional_derivatives_by_arc_length)
 #endif
 
 /*
+The section ends with a word that is not mathematics, and is explained by conditions of which one is.
+
 :::{statement} slides-ch4:1-fairness
 :title: Fair curves
 :zh: 光顺

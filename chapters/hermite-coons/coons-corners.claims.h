@@ -9,6 +9,9 @@ everything, and the Boolean sum becomes a product of matrices.
 #include "chapters/judge/claims_on.h"
 
 /*
+Each border is a cubic with two points and two tangents, and so is each derivative across a border, whose tangents at its ends are twists.
+In this way the whole frame is computed from four points, eight tangents and four twists.
+
 :::{statement} slides-ch4:3-borders-by-hermite
 :title: Borders and derivatives across from the data of the corners
 :zh: 用 Hermite 插值给出边界线与跨界切向量
@@ -95,6 +98,8 @@ CLAIM(cubic_frame_of_corners_gives_the_product)
 }
 
 /*
+All three terms of the Boolean sum are then the same surface, and of $1+1-1$ copies one is left.
+
 :::{statement} slides-ch4:3-product
 :title: The patch as a product of matrices
 :zh: 双三次 Coons 曲面的矩阵形式
@@ -134,6 +139,9 @@ CLAIM(tensor_kernel_is_the_matrix_product)
 }
 
 /*
+The example has lost its signs.  That $C=HMH^T$ holds with some choice of them is a strong test of the printed absolute values, since 48 numbers
+must come out.  That it holds with several choices is due to symmetries: where a whole group of data can change its sign without changing any absolute value.
+
 :::{statement} slides-ch4:3-worked-patch
 :title: The worked patch
 :zh: Coons 曲面算例

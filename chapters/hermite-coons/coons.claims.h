@@ -14,6 +14,9 @@ enum { most_data = 4 };
 /*
 ## Four curves
 
+The notation of the slides names the borders by what is held fixed, $u0$ being the curve along which $w=0$, and drops the letter $P$
+altogether.  It is short, and has to be learnt: $0w_u$ is a derivative across the border $0w$.
+
 :::{statement} slides-ch4:3-notation
 :title: Borders, tangents, derivatives across them and twists
 :zh: 边界线、切向量、跨界切向量与扭曲向量
@@ -174,6 +177,9 @@ CLAIM(blendings_without_sum_one_bend_a_ruling)
 #endif
 
 /*
+The two ruled surfaces are averages, each of two opposite curves.  Their sum has on every border the curve that is wanted and one more,
+the straight one between two corners; and this is what the third surface has there as well.
+
 :::{statement} slides-ch4:3-ruled
 :title: Two ruled surfaces and the surface of the corners
 :zh: 两张直纹面与角点曲面
@@ -233,6 +239,9 @@ CLAIM(sum_of_ruled_surfaces_has_too_much)
 }
 
 /*
+So $P_1+P_2-P_3$ has the four borders.  The argument uses of the blending functions only their values at the ends, and of the curves
+only that they meet at the corners; the condition $f_0+f_1=1$ is needed for something else.
+
 :::{statement} slides-ch4:3-bilinear
 :title: The patch with four given borders
 :zh: 双线性混合 Coons 曲面
@@ -392,6 +401,9 @@ CLAIM(cubic_frame_gives_bicubic_patch)
 
 /*
 ## Four curves and the derivatives across them
+
+With four functions in the place of two the same sum keeps four curves and four derivatives across them.  But now the data must agree
+in more than the corners: from each of two borders the corner inherits a mixed derivative, the twist, and there is one place for it in $M$.
 
 :::{statement} slides-ch4:3-bicubic
 :title: The patch with given borders and derivatives across

@@ -8,6 +8,10 @@
 /*
 ## The general problem
 
+A polynomial of degree $N$ has $N+1$ coefficients, and so many numbers can be prescribed: values at different nodes, and at each node
+derivatives up to some order without a gap.  Whether there is a solution is a question of linear algebra, and one answer
+serves for existence and uniqueness, the system being square.
+
 :::{statement} slides-ch4:2-hermite-problem
 :title: The polynomial with given values and derivatives
 :zh: 一般 Hermite 插值问题
@@ -134,6 +138,10 @@ CLAIM(straight_data_have_no_cubic)
 
 /*
 ## The cubic with two points and two tangents
+
+The case that matters is the cubic with two values and two slopes.  The slides solve the four equations by brute force and print the
+coefficients multiplied out.  Such sums of monomials are hard to read and easy to misprint; a single missing prime is found by the
+simplest data of all, those of a constant.
 
 :::{statement} slides-ch4:2-cubic-system
 :title: The four equations for the coefficients of a cubic
@@ -342,6 +350,10 @@ CLAIM(square_needs_the_prime)
 /*
 ## The four blending functions (混合函数)
 
+Ordered by the data in the place of the powers of $t$, the same cubic is short.  Each datum is multiplied by a function of its own, and the
+function can be written down without solving anything: a double root at the other node, and a linear factor that makes value and
+slope right at its own.
+
 :::{statement} slides-ch4:2-cubic-by-data
 :title: The interpolating cubic, ordered by its data
 :zh: 按型值整理的三次插值多项式
@@ -431,6 +443,8 @@ CLAIM(hermite_kernel_blends_four_data)
 }
 
 /*
+What characterizes the four functions is a table of sixteen numbers.  Each has one of the four data, and the three others are 0.
+
 :::{statement} slides-ch4:2-blending-ends
 :title: Values and derivatives of the blending functions at the ends
 :zh: 混合函数的端点性质
@@ -479,6 +493,8 @@ CLAIM(blending_functions_are_dual_to_the_data)
 
 /*
 ## Four points (Lagrange 插值)
+
+With values alone, at as many nodes, the same idea gives Lagrange's functions.
 
 :::{statement} slides-ch4:2-lagrange
 :title: The cubic through four points
@@ -530,6 +546,10 @@ CLAIM(lagrange_functions_keep_every_polynomial)
 
 /*
 ## The unit interval
+
+Nobody wants to carry $t_0$ and $t_1$ along.  With $u$ in the place of $t$ the interval becomes $[0,1]$ and the functions become fixed cubics.
+The price is that a derivative by $u$ is the derivative by $t$ times the length of the interval; it is paid again and again in what
+follows, and the slides do not always keep the two apart.
 
 :::{statement} slides-ch4:2-substitution
 :title: The blending functions over the unit interval
@@ -668,6 +688,9 @@ CLAIM(one_choice_of_signs_in_the_matrix)
 }
 
 /*
+The example has eight coefficients whose signs are lost.  They can be put back in one way only, and so the example proves that the matrix
+is used as it is printed here.
+
 :::{statement} slides-ch4:2-worked-curve
 :title: The worked curve
 :zh: 三次 Hermite 曲线算例

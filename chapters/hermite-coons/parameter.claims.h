@@ -19,6 +19,9 @@ enum { plane = 2, space = 3 };
 /*
 ## What an equation in coordinates cannot do
 
+The first complaint is about the axes.  A graph is given by the axis along which $x$ is measured; two points of a parabola show that
+after a turn it need not be one.
+
 :::{statement} slides-ch4:1-axes
 :title: Equations without a parameter depend on the axes
 :zh: 非参数方程依赖坐标轴
@@ -92,6 +95,9 @@ CLAIM(circle_has_two_values_each_way)
 #endif
 
 /*
+A circle has an upright tangent whichever way it is turned.  As the graph of a function it has no slope there.  With a parameter the
+tangent is a vector, and nothing happens: its length is never 0.
+
 :::{statement} slides-ch4:1-infinite-slope
 :title: Slopes may be infinite
 :zh: 斜率无穷大
@@ -130,6 +136,9 @@ CLAIM(circle_has_an_upright_tangent)
 }
 
 /*
+What no graph $y=f(x)$ can do is to come back to the same point.  An equation $f(x,y)=0$ can, so it matters which of the two is meant by
+an equation without a parameter.
+
 :::{statement} slides-ch4:1-hard-to-construct
 :title: Complicated shapes without a parameter
 :zh: 难以灵活地构造复杂的曲线、曲面
@@ -210,6 +219,10 @@ CLAIM(parametric_cubic_crosses_itself)
 :printed: Parametric equations make it easy to deal with an infinite slope.
 :holds-by: circle_has_an_upright_tangent
 :::
+
+In space one equation is a surface, and two are needed.  The slides think of cylinders, each over a projection of the curve to a plane of two
+axes.  Every point of the curve is on both; the question is what else is.  For two graphs over one axis nothing else is.  For an ellipse and for a
+circle that is tilted against all three axes there is a second curve.
 
 :::{statement} slides-ch4:1-space-curve
 :title: A space curve as an intersection of two cylinders
@@ -399,6 +412,8 @@ CLAIM(two_cylinders_are_two_ellipses)
 }
 
 /*
+The rest of the list says what is gained.  Each item is a property of Bézier curves that has a claim of its own, here or in the chapter on them.
+
 :::{statement} slides-ch4:1-parametric
 :title: Curves and surfaces with parameters, and the tangent vector
 :zh: 参数曲线、切矢与参数曲面
@@ -538,6 +553,9 @@ For a surface this is one range for each of the two parameters, when the part is
 :printed: With $t\in[0,1]$ curves and surfaces are conveniently described piece by piece, and smooth joints are easy to make.
 :holds-by: interval_kernel_gives_the_part surface_part_is_the_piece three_points_make_c2
 :::
+
+Last come two pairs of words.  To interpolate is to pass through the points.  To approximate is used in two senses that exclude each
+other: for a curve whose shape follows a control polygon, and for a curve that is nearest to the points.
 
 :::{statement} slides-ch4:1-two-kinds
 :title: Curves through the points, and curves with a control polygon

@@ -12,6 +12,9 @@ continuous tangent whatever the data are; the second derivative is another matte
 /*
 ## The pieces
 
+The notation has two indices: $g_{i0}$ and $g_{i1}$ belong to the interval from $t_i$, and to its two ends.  To have one function for each
+datum, the two pieces that know of it, on both sides of $t_i$, are glued together.
+
 :::{statement} slides-ch4:2-piece
 :title: The cubic on one interval
 :zh: 第 i 段三次 Hermite 插值
@@ -88,6 +91,9 @@ CLAIM(base_functions_interpolate_once_continuously)
 }
 
 /*
+The sum has $2n+2$ terms, but at each $t$ only four of them are not 0.  This is true on intervals that lie one after the other: the nodes
+must not only differ but increase.
+
 :::{statement} slides-ch4:2-piecewise
 :title: The whole curve
 :zh: 完整的插值多项式
@@ -166,6 +172,9 @@ CLAIM(scaled_tangent_is_not_scaled_again)
 }
 
 /*
+How smooth is a curve that is joined smoothly?  Value and slope are shared at a node and nothing else is.  For the second derivatives to
+agree there is one linear condition at each inner node, and these conditions together are the equations of the cubic spline.
+
 :::{statement} slides-ch4:2-smooth
 :title: The pieces join smoothly
 :zh: 逐段光滑连接
@@ -238,6 +247,9 @@ CLAIM(second_derivatives_meet_on_a_condition)
 
 /*
 ## One parameter for each piece
+
+Over the unit interval a piece has the tangents $f'(t_i)$ times the length of its interval.  Two neighbours of different lengths
+have two different vectors at their common node.  The slides call both $P_i'$.
 
 :::{statement} slides-ch4:2-piece-over-unit
 :title: The piece over the unit interval
