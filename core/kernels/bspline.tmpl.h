@@ -49,7 +49,7 @@ KERNEL void G(bspline_basis_derivative_level)(int k, const num u[], int mu, num 
 }
 
 /* N[m] = N_{mu-p+m,p}(t), m = 0, ..., p: the B-splines that do not vanish on the span. */
-KERNEL void G(bspline_basis)(int p, const num u[], int mu, num t, num N[])
+KERNEL void G(bspline_basis)(int p, const num u[restrict], int mu, num t, num N[restrict])
 {
     N[0] = from_int(1);
     for (int k = 1; k <= p; k++)
@@ -57,7 +57,7 @@ KERNEL void G(bspline_basis)(int p, const num u[], int mu, num t, num N[])
 }
 
 /* Row k of D, k = 0, ..., r, holds the p+1 derivatives of order k: D[k(p+1) + m] = N_{mu-p+m,p}^(k)(t). */
-KERNEL void G(bspline_basis_derivatives)(int p, const num u[], int mu, num t, int r, num D[])
+KERNEL void G(bspline_basis_derivatives)(int p, const num u[restrict], int mu, num t, int r, num D[restrict])
 {
     for (int k = 0; k <= r; k++) {
         num *row = D + k * (p + 1);
@@ -96,7 +96,8 @@ KERNEL void G(bspline_deboor_level)(int p, int dim, const num u[], int mu, int r
 
 /* The polar form (极形式) of the segment of mu, out = f[x_0, ..., x_{p-1}]: symmetric, affine in each x, and
  * f[t, ..., t] = s(t).  Level r of de Boor's triangle at x_{r-1}.  d: the p+1 points c_{mu-p}, ..., c_mu. */
-KERNEL void G(bspline_span_blossom)(int p, int dim, const num u[], int mu, const num d[], const num x[], num out[])
+KERNEL void G(bspline_span_blossom)(int p, int dim, const num u[restrict], int mu, const num d[restrict],
+                                    const num x[restrict], num out[restrict])
 {
     num w[(MAX_DEGREE + 1) * MAX_DIM];
     for (int m = 0; m < (p + 1) * dim; m++)
@@ -108,13 +109,15 @@ KERNEL void G(bspline_span_blossom)(int p, int dim, const num u[], int mu, const
 }
 
 /* The same for all n points c. */
-KERNEL void G(bspline_blossom)(int p, int dim, const num u[], int mu, const num c[], const num x[], num out[])
+KERNEL void G(bspline_blossom)(int p, int dim, const num u[restrict], int mu, const num c[restrict],
+                               const num x[restrict], num out[restrict])
 {
     G(bspline_span_blossom)(p, dim, u, mu, c + (mu - p) * dim, x, out);
 }
 
 /* out = s(t) of the segment with the p+1 points d, by de Boor's algorithm. */
-KERNEL void G(bspline_span_deboor)(int p, int dim, const num u[], int mu, const num d[], num t, num out[])
+KERNEL void G(bspline_span_deboor)(int p, int dim, const num u[restrict], int mu, const num d[restrict], num t,
+                                   num out[restrict])
 {
     num x[MAX_DEGREE + 1];
     for (int r = 0; r < p; r++)
@@ -123,7 +126,8 @@ KERNEL void G(bspline_span_deboor)(int p, int dim, const num u[], int mu, const 
 }
 
 /* out = s(t), all n points given. */
-KERNEL void G(bspline_deboor)(int p, int dim, const num u[], int mu, const num c[], num t, num out[])
+KERNEL void G(bspline_deboor)(int p, int dim, const num u[restrict], int mu, const num c[restrict], num t,
+                              num out[restrict])
 {
     G(bspline_span_deboor)(p, dim, u, mu, c + (mu - p) * dim, t, out);
 }
@@ -290,7 +294,8 @@ KERNEL void G(bspline_to_bezier)(int p, int dim, const num u[restrict], int mu, 
 
 /* The way back: the point that belongs to the knots x_0, ..., x_{p-1} when the segment over [from, to] has the Bézier
  * points b: its polar form there.  UNDEFINED for from = to. */
-KERNEL void G(bspline_point_of_bezier)(int p, int dim, const num b[], num from, num to, const num x[], num out[])
+KERNEL void G(bspline_point_of_bezier)(int p, int dim, const num b[restrict], num from, num to, const num x[restrict],
+                                       num out[restrict])
 {
     num local[MAX_DEGREE + 1], length = sub(to, from);
     for (int r = 0; r < p; r++)

@@ -10,7 +10,7 @@
 #include "core/number/generic_on.h"
 
 /* The line through p and q: l(X) = det(p, q, X), positive to the left of the way from p to q. */
-KERNEL void G(line_through)(const num p[], const num q[], num l[])
+KERNEL void G(line_through)(const num p[restrict], const num q[restrict], num l[restrict])
 {
     l[0] = sub(p[1], q[1]);
     l[1] = sub(q[0], p[0]);
@@ -30,7 +30,7 @@ KERNEL void G(line_pair)(const num l1[], const num l2[], num S[])
 }
 
 /* S = (1-lambda) S1 + lambda S2, the pencil of conics through the common points (formula 3.1.2). */
-KERNEL void G(conic_pencil)(num lambda, const num S1[], const num S2[], num S[])
+KERNEL void G(conic_pencil)(num lambda, const num S1[restrict], const num S2[restrict], num S[restrict])
 {
     num mu = sub(from_int(1), lambda);
     for (int i = 0; i < 6; i++)
@@ -39,7 +39,8 @@ KERNEL void G(conic_pencil)(num lambda, const num S1[], const num S2[], num S[])
 
 /* Liming's pencil S = (1-lambda) l1 l2 + lambda l3^2: conics that touch l1 and l2 where l3 meets them
  * (formula 3.1.3). */
-KERNEL void G(conic_liming)(num lambda, const num l1[], const num l2[], const num l3[], num S[])
+KERNEL void G(conic_liming)(num lambda, const num l1[restrict], const num l2[restrict], const num l3[restrict],
+                            num S[restrict])
 {
     num tangents[6], chord[6];
     G(line_pair)(l1, l2, tangents);
@@ -57,7 +58,7 @@ KERNEL num G(conic_value)(const num S[], num x, num y)
 }
 
 /* g = (S_x, S_y) = 2 (A x + B y + D, B x + C y + E). */
-KERNEL void G(conic_gradient)(const num S[], num x, num y, num g[])
+KERNEL void G(conic_gradient)(const num S[restrict], num x, num y, num g[restrict])
 {
     num two = from_int(2);
     g[0] = mul(two, add(add(mul(S[0], x), mul(S[1], y)), S[3]));
@@ -83,7 +84,7 @@ KERNEL num G(conic_determinant)(const num S[])
  *     S = w_0 w_2 l_1^2 / 4 - w_1^2 l_0 l_2,
  * a conic of Liming's pencil; in the frame of formula 3.5.4 these are the coefficients printed there.
  * When the triangle is flat, S is a multiple of the square of its line, or 0. */
-KERNEL void G(conic_of_bezier)(const num R[], const num w[], num S[])
+KERNEL void G(conic_of_bezier)(const num R[restrict], const num w[restrict], num S[restrict])
 {
     num l0[3], l1[3], l2[3], chord[6], tangents[6];
     G(line_through)(R + 2, R + 4, l0);
@@ -102,7 +103,7 @@ KERNEL num G(conic_standard_weight)(const num w[]) { return div(w[1], root(2, mu
 
 /* The shoulder point (肩点), parameter 1/2 of the standard form, on the median through R_1 (corollary 3.5.1):
  *     out = (R_0 + 2 omega R_1 + R_2) / (2 (1 + omega)),   omega != -1. */
-KERNEL void G(conic_shoulder_point)(const num R[], const num w[], num out[])
+KERNEL void G(conic_shoulder_point)(const num R[restrict], const num w[restrict], num out[restrict])
 {
     num omega = G(conic_standard_weight)(w), two = from_int(2);
     num total = mul(two, add(from_int(1), omega));
@@ -129,7 +130,7 @@ KERNEL void G(circular_arc_weights)(num l, num h, num w[])
  * and as value its squared radius.  With M the middle of the chord, l = |R_0 M| and h = |M R_1|,
  *     centre = M - l^2/h^2 (R_1 - M),   radius^2 = l^2 + l^4/h^2 = (l / sin theta)^2.
  * UNDEFINED for h = 0. */
-KERNEL num G(circular_arc_circle)(const num R[], num centre[])
+KERNEL num G(circular_arc_circle)(const num R[restrict], num centre[restrict])
 {
     num half = from_ratio(1, 2), ll = from_int(0), hh = from_int(0), up[2];
     for (int c = 0; c < 2; c++) {

@@ -36,7 +36,7 @@ KERNEL num G(determinant)(int n, const num M[])
 
 /* Sylvester's (m+n) x (m+n) matrix of a (degree m) and b (degree n), m + n <= MAX_ORDER: n rows of
  * shifted a over m rows of shifted b (formula 3.4.1).  Its determinant is their resultant. */
-KERNEL void G(sylvester)(int m, const num a[], int n, const num b[], num M[])
+KERNEL void G(sylvester)(int m, const num a[restrict], int n, const num b[restrict], num M[restrict])
 {
     for (int i = 0; i < m + n; i++)
         for (int j = 0; j < m + n; j++) {
@@ -47,7 +47,7 @@ KERNEL void G(sylvester)(int m, const num a[], int n, const num b[], num M[])
 
 /* The symmetric n x n matrix M of Bézout of a and b, both of degree n <= MAX_ORDER:
  *     (a(x) b(y) - a(y) b(x)) / (x - y) = sum M_{ij} x^{n-1-i} y^{n-1-j}. */
-KERNEL void G(bezout)(int n, const num a[], const num b[], num M[])
+KERNEL void G(bezout)(int n, const num a[restrict], const num b[restrict], num M[restrict])
 {
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++) {
@@ -76,7 +76,8 @@ KERNEL num G(bezout_resultant)(int n, const num a[], const num b[])
 
 /* a[i] = C(n,i) w_i (R_i[axis] - x), i = 0, ..., n: the coefficients of u^n, ..., 1 that formula 3.4.2 gives
  * to one coordinate of the rational curve (R, w) of the plane, axis 0 or 1. */
-KERNEL void G(implicit_coefficients)(int n, const num R[], const num w[], int axis, num x, num a[])
+KERNEL void G(implicit_coefficients)(int n, const num R[restrict], const num w[restrict], int axis, num x,
+                                     num a[restrict])
 {
     for (int i = 0; i <= n; i++)
         a[i] = mul(mul(from_int(binomial(n, i)), w[i]), sub(R[2 * i + axis], x));

@@ -41,7 +41,7 @@ KERNEL num G(divided_difference)(int d, const int l[], const num tau[], const nu
 /* The confluent Vandermonde matrix (合流 Vandermonde 矩阵) H, (n+1) x (n+1), row by row: row b(i,j) has the
  * j-th derivatives of 1, t, ..., t^n at tau_i,  c!/(c-j)! tau_i^{c-j} in column c, 0 for c < j (formula 4.4.6,
  * its factorials put right). */
-KERNEL void G(confluent_vandermonde)(int d, const int l[], const num tau[], num H[])
+KERNEL void G(confluent_vandermonde)(int d, const int l[restrict], const num tau[restrict], num H[restrict])
 {
     int columns = 0, row = 0;
     for (int i = 0; i < d; i++)
@@ -73,7 +73,7 @@ KERNEL num G(confluent_vandermonde_determinant)(int d, const int l[], const num 
 /* The weights alpha[b(i,j)] with  [t_0, ..., t_n] f = sum alpha_{ij} f^(j)(tau_i)  for every f (lemma 4.4.1), in
  * O(n^2) divisions: alpha_{ij} = c_{l_i - 1 - j} / j!  where c_0 + c_1 y + ... is the power series of the
  * product of (tau_i + y - tau_m)^{-l_m} over all m other than i. */
-KERNEL void G(divided_weights)(int d, const int l[], const num tau[], num alpha[])
+KERNEL void G(divided_weights)(int d, const int l[restrict], const num tau[restrict], num alpha[restrict])
 {
     for (int i = 0; i < d; alpha += l[i], i++) {
         num c[MAX_ORDER], factorial = from_int(1);
