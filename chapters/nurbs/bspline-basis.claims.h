@@ -135,21 +135,26 @@ CLAIM(bspline_basis_sums_to_one)
 :title: Outside the domain the sum of the B-splines is not one
 :zh: 定义域外 B 样条之和不为 1
 :kind: counterexample
-:given: $p=2$, $n=3$, knots $0,1,\dots,5$, $t=\frac32$ in the interval $[1,2]$ on the left of the domain $[2,3]$
-:then: $\sum_iN_{i,2}(t)=\frac78$
-:method: All three B-splines from the recursion by its letter; that their sum is 1 is what is compared.
-:control: $t=\frac52$, in the domain
+:given: the quadratic B-splines over the knots $u$, and $t$ in the interval on the left of the domain $[u_p,u_n]$
+:data: u = 0 1 2 3 4 5; t = 3/2
+:instead: t = 5/2
+:then: $\sum_iN_{i,2}(t)$ is less than $1$: the B-spline that begins one knot earlier is missing
+:result: ΣN_i(t) = 7/8
+:method: All the B-splines of these knots from the recursion by its letter; that their sum is 1 is what is compared.
+:control: $t$ in the domain
 :::
 */
 CLAIM(bspline_basis_sums_to_less_outside_the_domain)
 {
-    num u[6], sum = from_int(0), t = from_ratio(fault(T, 5, 3), 2);
-    int place[6];
-    for (int i = 0; i < 6; i++)
-        u[i] = from_int(i), place[i] = i;
-    for (int i = 0; i < 3; i++)
-        sum = add(sum, G(cox_de_boor)(2, u, place, i, fault(T, 2, 1), t));
-    show(T, "t", t);
+    enum { p = 2, n = 3, count = n + p + 1 };
+    num u[count], sum = from_int(0);
+    int place[count];
+    G(given_knots)(T, "u", count, u, place);
+    num t = given(T, "t");
+    int interval = G(interval_after)(count, u, place, t);
+    for (int i = 0; i < n; i++)
+        sum = add(sum, G(cox_de_boor)(p, u, place, i, interval, t));
+    found(T, "ΣN_i(t)", sum);
     about(T, "the sum of the B-splines, and 1");
     same(T, sum, from_int(1));
 }
@@ -280,22 +285,25 @@ CLAIM(bsplines_of_a_span_are_independent)
 :zh: 支撑不含定义域区间的 B 样条
 :kind: counterexample
 :types: rational
-:given: $p=1$, knots $0,1,1,2,3$, so that $u_p=u_{p+1}$: the domain $[1,2]$ has one interval, and $n=3$ B-splines
-:then: $N_{0,1}=0$ on the domain, so the three are not linearly independent there
-:method: Their values and slopes on the interval from the recursion by its letter; that $N_{0,1}$ has one that is not $0$
+:given: the linear B-splines over the knots $u$, of which $u_p$ and $u_{p+1}$ are equal, so that the domain $[u_p,u_n]$ has one interval
+:data: u = 0 1 1 2 3
+:instead: u = 0 1 3/2 2 3
+:then: $N_{0,1}$ vanishes on the domain, so that the B-splines are not linearly independent there
+:result: N_0, in powers of t - u_1 = 0 0
+:method: Value and slope of $N_{0,1}$ on the interval from the recursion by its letter; that one of them is not $0$
   is what is compared.
-:control: knots $0,1,\frac32,2,3$
+:control: the second of the two equal knots moved to the right
 :::
 */
 CLAIM(bsplines_without_a_span_are_dependent)
 {
-    num u[5] = {from_int(0), from_int(1), from_int(1), from_int(2), from_int(3)}, N[4 * 2];
-    int place[5] = {0, 1, 1, 2, 3};
-    u[2] = fault(T, from_ratio(3, 2), u[2]), place[2] = fault(T, 2, place[2]), place[3] = fault(T, 3, place[3]),
-    place[4] = fault(T, 4, place[4]);
-    G(basis_powers)(1, 5, u, place, 1, u[1], N);
-    show_points(T, "N_0, in powers of t-1", 2, 1, N);
-    about(T, "N_0 is not 0 on [1, 2]");
+    enum { p = 1, n = 3, count = n + p + 1 };
+    num u[count], N[(count - 1) * (p + 1)];
+    int place[count];
+    G(given_knots)(T, "u", count, u, place);
+    G(basis_powers)(p, count, u, place, place[p], u[p], N);
+    found_points(T, "N_0, in powers of t - u_1", p + 1, 1, N);
+    about(T, "N_0 is not 0 on the domain");
     refute(T, is_zero_q(N[0]) && is_zero_q(N[1]));
 }
 #endif

@@ -81,4 +81,32 @@ static inline num G(spline_value)(int n, int p, int dim, const num u[], const in
         sum = add(sum, mul(points[i * dim + c], G(cox_de_boor)(p, u, place, i, interval, t)));
     return sum;
 }
+
+#if RATIONAL
+/* The knots of that name in the block, with their places: the number of the distinct value, from 0. */
+static inline void G(given_knots)(trial *T, const char *name, int count, num u[], int place[])
+{
+    given_points(T, name, count, 1, u);
+    for (int i = 0; i < count; i++)
+        place[i] = i == 0 ? 0 : place[i - 1] + !equal_q(u[i], u[i - 1]);
+}
+
+/* The interval that begins at t or contains it: the place of the last knot that is not greater than t; -1 if there is none. */
+static inline int G(interval_after)(int count, const num u[], const int place[], num t)
+{
+    int interval = -1;
+    for (int i = 0; i < count && compare_q(u[i], t) <= 0; i++)
+        interval = place[i];
+    return interval;
+}
+
+/* The interval that ends in t or contains it: the place of the last knot less than t; -1 if there is none. */
+static inline int G(interval_before)(int count, const num u[], const int place[], num t)
+{
+    int interval = -1;
+    for (int i = 0; i < count && compare_q(u[i], t) < 0; i++)
+        interval = place[i];
+    return interval;
+}
+#endif
 #include "chapters/judge/claims_off.h"
