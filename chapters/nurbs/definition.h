@@ -82,15 +82,17 @@ static inline num G(spline_value)(int n, int p, int dim, const num u[], const in
     return sum;
 }
 
-#if RATIONAL
+#if FIELD || RATIONAL
 /* The knots of that name in the block, with their places: the number of the distinct value, from 0. */
 static inline void G(given_knots)(trial *T, const char *name, int count, num u[], int place[])
 {
     given_points(T, name, count, 1, u);
     for (int i = 0; i < count; i++)
-        place[i] = i == 0 ? 0 : place[i - 1] + !equal_q(u[i], u[i - 1]);
+        place[i] = i == 0 ? 0 : place[i - 1] + !G(equal)(u[i], u[i - 1]);
 }
+#endif
 
+#if RATIONAL
 /* The interval that begins at t or contains it: the place of the last knot that is not greater than t; -1 if there is none. */
 static inline int G(interval_after)(int count, const num u[], const int place[], num t)
 {

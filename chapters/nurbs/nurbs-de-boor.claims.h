@@ -217,32 +217,30 @@ As printed nothing ties $j$ to the interval that contains $t$.
 :title: With the j of another interval the recursion gives another point
 :zh: j 与 t 所在区间不符时得到另一点
 :kind: counterexample
-:given: $k=3$, $n=4$, $t_i=i$, points $(0,0),(1,2),(2,0),(3,2)$, weights $1,1,1,3$; $t=\frac72\in[t_3,t_4)$ and $j=4$, which is
-  in $k\le j\le n$
-:then: $r_4^{[2]}(\frac72)\ne r(\frac72)$: it is a point of the next segment, continued backwards
+:given: a quadratic curve of the points $r$ and weights $w$ over the knots $T$, a parameter $t$ of its domain, and an index $j$ with
+  $k\le j\le n$ whose interval $[t_j,t_{j+1})$ does not contain $t$
+:data: T = 1 2 3 4 5 6 7; r = (0,0) (1,2) (2,0) (3,2); w = 1 1 1 3; t = 7/2; j = 4
+:instead: j = 3
+:then: $r_j^{[2]}(t)$ is another point than $r(t)$: a point of the next segment, continued backwards
+:result: r(t) = (1,3/2); r_j^[2](t) = (7/5,12/5)
 :method: The recursion by its letter against the definition.
-:control: $j=3$
+:control: the $j$ of the interval that contains $t$
 :::
 */
 CLAIM(other_interval_gives_other_point)
 {
-    static const int at[] = {0, 0, 1, 2, 2, 0, 3, 2}, weight[] = {1, 1, 1, 3};
-    num u[7], R[8], w[4], Q[2], P[2], t = from_ratio(7, 2);
-    int place[7], j = fault(T, 3, 4);
-    for (int i = 0; i < 7; i++) {
-        u[i] = from_int(i + 1);
-        place[i] = i;
-    }
-    for (int i = 0; i < 8; i++)
-        R[i] = from_int(at[i]);
-    for (int i = 0; i < 4; i++)
-        w[i] = from_int(weight[i]);
-    G(nurbs_by_definition)(4, 2, 2, u, place, R, w, 2, t, P);
+    num u[7], R[8], w[4], Q[2], P[2];
+    int place[7];
+    G(given_knots)(T, "T", 7, u, place);
+    given_points(T, "r", 4, 2, R);
+    given_points(T, "w", 4, 1, w);
+    num t = given(T, "t");
+    int j = given_whole(T, "j");
+    G(nurbs_by_definition)(4, 2, 2, u, place, R, w, G(interval_after)(7, u, place, t), t, P);
     for (int c = 0; c < 2; c++)
         Q[c] = G(printed_point)(3, 2, u, R, w, 2, j, c, t);
-    show_points(T, "r", 4, 2, R);
-    show_points(T, "r(7/2)", 1, 2, P);
-    show_points(T, "the last point of the recursion", 1, 2, Q);
+    found_points(T, "r(t)", 1, 2, P);
+    found_points(T, "r_j^[2](t)", 1, 2, Q);
     about(T, "the coordinates of the two points");
     for (int c = 0; c < 2; c++)
         same(T, Q[c], P[c]);
@@ -266,24 +264,28 @@ For $t_{n+1}$ the last interval that is not empty is taken closed.
 :title: The right end of the curve is in none of the intervals
 :zh: 曲线右端参数不属于任一区间
 :kind: counterexample
-:given: $k=3$, $n=4$, knots $0,0,0,1,2,2,2$; $t=t_{n+1}=2$, a parameter of the curve
+:given: the knots $T$ of a quadratic curve with $n$ points; $t=t_{n+1}$, a parameter of the curve
+:data: T = 0 0 0 1 2 2 2; n = 4
 :then: no $j$ with $k\le j\le n$ has $t_j\le t<t_{j+1}$
+:result: t_{n+1} = 2; intervals that contain it = 0
 :method: Every $j$.
-:control: the last interval $[t_4,t_5]=[1,2]$ closed
+:control: the last interval $[t_n,t_{n+1}]$ closed
 :::
 */
 CLAIM(end_is_in_no_interval)
 {
-    static const int knot[] = {0, 0, 0, 1, 2, 2, 2};
-    int k = 3, n = 4, t = knot[n], contained = 0;
-    for (int j = k; j <= n; j++) {
-        int begun = compare_q(from_int(knot[j - 1]), from_int(t)) <= 0,
-            ended = compare_q(from_int(knot[j]), from_int(t));
-        contained |= fault(T, begun && (ended > 0 || (j == n && ended == 0)), begun && ended > 0);
+    enum { k = 3 };
+    num u[7];
+    given_points(T, "T", 7, 1, u);
+    int n = given_whole(T, "n"), contained = 0;
+    for (int j = k; j <= n; j++) { /* u[j] is t_{j+1} */
+        int begun = compare_q(u[j - 1], u[n]) <= 0, ended = compare_q(u[j], u[n]);
+        contained += fault(T, begun && (ended > 0 || (j == n && ended == 0)), begun && ended > 0);
     }
-    show_text(T, "t_{n+1}", "%d", t);
+    found(T, "t_{n+1}", u[n]);
+    found_whole(T, "intervals that contain it", contained);
     about(T, "an interval contains the end");
-    agree(T, contained);
+    agree(T, contained > 0);
 }
 
 /*
@@ -291,21 +293,24 @@ CLAIM(end_is_in_no_interval)
 :title: With a negative weight the algorithm may stop before the curve
 :zh: 权因子为负时递推可能中断
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1$, weights $1,-1,2$, $t=\frac12$
-:then: $w(\frac12)=\frac14$, so that the curve has a point, but $w_2^{[1]}(\frac12)=0$ and $r_2^{[1]}$ does not exist
+:given: the knots $T$ of one quadratic segment, weights $w$ of which one is negative, and $t$
+:data: T = 0 0 0 1 1 1; w = 1 -1 2; t = 1/2
+:instead: w = 1 1 2
+:then: $w(t)$ is not $0$, so that the curve has a point, but $w_2^{[1]}(t)$ vanishes and $r_2^{[1]}$ does not exist
+:result: w_2^[1](t) = 0; w(t) = 1/4
 :method: The weights of the levels by the recursion.
-:control: the weights $1,1,2$
+:control: all weights positive
 :::
 */
 CLAIM(weight_of_a_level_may_vanish)
 {
-    static const int knot[] = {0, 0, 0, 1, 1, 1};
-    num u[6], t = from_ratio(1, 2), w[] = {from_int(1), from_int(fault(T, 1, -1)), from_int(2)};
-    for (int i = 0; i < 6; i++)
-        u[i] = from_int(knot[i]);
+    num u[6], w[3];
+    given_points(T, "T", 6, 1, u);
+    given_points(T, "w", 3, 1, w);
+    num t = given(T, "t");
     num level = G(printed_weight)(3, u, w, 1, 2, t), total = G(printed_weight)(3, u, w, 2, 3, t);
-    show(T, "w_2^[1]", level);
-    show(T, "w(t)", total);
+    found(T, "w_2^[1](t)", level);
+    found(T, "w(t)", total);
     about(T, "if w(t) is not 0, then w_2^[1] is not 0");
     refute(T, sign_q(total) != 0 && sign_q(level) == 0);
 }
@@ -400,18 +405,23 @@ CLAIM(weights_of_levels_are_positive)
 :title: With a negative weight an edge is divided outside
 :zh: 权因子为负时外分
 :kind: counterexample
-:given: $k=2$, knots $0,0,1,1$, points $0,1$ of the line, weights $1,-\frac12$; $t=\frac14$
-:then: $\lambda=-\frac15$, outside $[0,1]$
+:given: a linear segment from $0$ to $1$ on the line, the points $r$, over the knots $T$, with weights $w$ of which one is negative, and $t$
+:data: T = 0 0 1 1; r = 0 1; w = 1 -1/2; t = 1/4
+:instead: w = 1 1/2
+:then: the ratio $\lambda$ in which the edge is divided is negative, so outside $[0,1]$
+:result: λ = -1/5
 :method: The level of the kernel; the point is $\lambda$.
-:control: the weight $\frac12$
+:control: all weights positive
 :::
 */
 CLAIM(negative_weight_divides_outside)
 {
-    num u[] = {from_int(0), from_int(0), from_int(1), from_int(1)}, P[] = {from_int(0), from_int(1)};
-    num w[] = {from_int(1), from_ratio(fault(T, 1, -1), 2)};
-    G(nurbs_deboor_level)(1, 1, u, 1, 1, P, w, from_ratio(1, 4));
-    show(T, "λ", P[0]);
+    num u[4], P[2], w[2];
+    given_points(T, "T", 4, 1, u);
+    given_points(T, "r", 2, 1, P);
+    given_points(T, "w", 2, 1, w);
+    G(nurbs_deboor_level)(1, 1, u, 1, 1, P, w, given(T, "t"));
+    found(T, "λ", P[0]);
     about(T, "0 <= λ <= 1");
     agree(T, sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0);
 }

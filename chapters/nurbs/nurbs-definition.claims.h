@@ -106,20 +106,23 @@ static num G(denominator)(int n, int p, const num u[], const int place[], const 
 :title: With a negative weight the denominator may vanish
 :zh: 权因子为负时分母可为零
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1$, weights $1,-1,1$; $t=\frac12$
-:then: $w(\frac12)=\frac14-\frac12+\frac14=0$
+:given: the knots $T$ of one quadratic segment, weights $w$ of which one is negative, and $t$
+:data: T = 0 0 0 1 1 1; w = 1 -1 1; t = 1/2
+:instead: w = 1 1 1
+:then: $w(t)=\sum_iN_{i,3}(t)\,w_i$ vanishes, so that (4.1.2) has a pole at $t$
+:result: w(t) = 0
 :method: The denominator of (4.1.2), all terms.
-:control: the weights $1,1,1$
+:control: all weights positive
 :::
 */
 CLAIM(negative_weight_makes_a_pole)
 {
-    num x[] = {from_int(0), from_int(1)}, u[6], w[] = {from_int(1), from_int(fault(T, 1, -1)), from_int(1)};
+    num u[6], w[3];
     int place[6];
-    G(knots_at)("33", x, u, place);
-    num total = G(denominator)(3, 2, u, place, w, 0, from_ratio(1, 2));
-    show_points(T, "w", 3, 1, w);
-    show(T, "w(1/2)", total);
+    G(given_knots)(T, "T", 6, u, place);
+    given_points(T, "w", 3, 1, w);
+    num total = G(denominator)(3, 2, u, place, w, 0, given(T, "t"));
+    found(T, "w(t)", total);
     about(T, "the denominator is not zero");
     agree(T, sign_q(total) != 0);
 }
@@ -206,29 +209,28 @@ CLAIM(control_point_of_space_is_not_enough)
 :title: A polygon that begins with another point than the first does not begin with the curve
 :zh: 多边形首顶点有误时不含曲线起点
 :kind: counterexample
-:given: $k=2$, knots $0,0,1,2,2$, points $(0,0),(1,1),(2,0)$, weights $1$, for which the curve is the polygon; $i=2$
-:then: $r(t_k)=(0,0)$, and the polygon $r_ir_2r_3$ begins in $(1,1)$
+:given: order two, knots $T$, points $r$, weights $w$, for which the curve is the polygon; and an index $i$
+:data: T = 0 0 1 2 2; r = (0,0) (1,1) (2,0); w = 1 1 1; i = 2
+:instead: i = 1
+:then: $r_i$, in which the polygon $r_ir_2\cdots r_n$ begins, is not the beginning $r(t_k)$ of the curve
+:result: r_i = (1,1); r(t_k) = (0,0)
 :method: The point of the curve from the definition.
-:control: $i=1$
+:control: the first point
 :::
 */
 CLAIM(polygon_begun_elsewhere_misses_the_start)
 {
-    static const int at[] = {0, 0, 1, 1, 2, 0};
-    num x[] = {from_int(0), from_int(1), from_int(2)}, u[5], w[3], R[6], P[2];
-    int place[5], i = fault(T, 1, 2);
-    G(knots_at)("212", x, u, place);
-    for (int m = 0; m < 6; m++) {
-        R[m] = from_int(at[m]);
-        w[m / 2] = from_int(1);
-    }
-    G(nurbs_by_definition)(3, 1, 2, u, place, R, w, 0, x[0], P);
-    show_points(T, "r", 3, 2, R);
-    show_text(T, "i", "%d", i);
-    show_points(T, "r_i", 1, 2, R + 2 * (i - 1));
-    show_points(T, "r(t_k)", 1, 2, P);
+    num u[5], w[3], R[6], P[2];
+    int place[5];
+    G(given_knots)(T, "T", 5, u, place);
+    given_points(T, "r", 3, 2, R);
+    given_points(T, "w", 3, 1, w);
+    const num *begins = R + 2 * (given_whole(T, "i") - 1);
+    G(nurbs_by_definition)(3, 1, 2, u, place, R, w, 0, u[1], P);
+    found_points(T, "r_i", 1, 2, begins);
+    found_points(T, "r(t_k)", 1, 2, P);
     about(T, "the polygon begins where the curve begins");
-    agree(T, equal_q(R[2 * i - 2], P[0]) && equal_q(R[2 * i - 1], P[1]));
+    agree(T, equal_q(begins[0], P[0]) && equal_q(begins[1], P[1]));
 }
 
 /*
@@ -248,21 +250,25 @@ CLAIM(polygon_begun_elsewhere_misses_the_start)
 :title: Without an interval all functions may vanish
 :zh: 无非空区间时基函数可全为零
 :kind: counterexample
-:given: $k=2$, $n=2$, knots $1,1,1,1$: they do not decrease, and $t_k=t_{n+1}=1$ is the whole domain.  For the control
-  $0,0,2,2$.
-:then: $N_{1,2}(1)+N_{2,2}(1)=0$, from the left and from the right, so that (4.1.2) is $0/0$
-:method: The recursion by its letter for the interval before and for the interval after $t=1$.
-:control: the knots $0,0,2,2$
+:given: order and number of points two, knots $T$, which do not decrease; $t=t_k=t_{n+1}$ is the whole domain
+:data: T = 1 1 1 1; t = 1
+:instead: T = 0 0 2 2
+:then: $N_{1,2}(t)+N_{2,2}(t)$ vanishes, taken from the left and taken from the right, so that (4.1.2) is $0/0$
+:result: sum from the left = 0; sum from the right = 0
+:method: The recursion by its letter for the interval before and for the interval after $t$.
+:control: knots with an interval around $t$
 :::
 */
 CLAIM(no_interval_no_curve)
 {
-    num x[] = {from_int(0), from_int(1), from_int(2)}, u[4], t = from_int(1);
-    int place[4], count = G(knots_at)(fault(T, "202", "040"), x, u, place);
-    show_points(T, "knots", count, 1, u);
-    num left = G(denominator)(2, 1, u, place, NULL, 0, t), right = G(denominator)(2, 1, u, place, NULL, 1, t);
-    show(T, "the sum from the left", left);
-    show(T, "the sum from the right", right);
+    num u[4];
+    int place[4];
+    G(given_knots)(T, "T", 4, u, place);
+    num t = given(T, "t");
+    num left = G(denominator)(2, 1, u, place, NULL, G(interval_before)(4, u, place, t), t);
+    num right = G(denominator)(2, 1, u, place, NULL, G(interval_after)(4, u, place, t), t);
+    found(T, "sum from the left", left);
+    found(T, "sum from the right", right);
     about(T, "the denominator is not zero");
     refute(T, sign_q(left) <= 0 && sign_q(right) <= 0);
 }
@@ -272,20 +278,25 @@ CLAIM(no_interval_no_curve)
 :title: At a k-fold right end all functions vanish by the letter of the definition
 :zh: 右端为 k 重节点时按半开区间定义基函数全为零
 :kind: counterexample
-:given: $k=3$, $n=4$, knots $0,0,0,1,2,2,2$ and then $3$; $t=t_{n+1}=2$, which lies in $[t_7,t_8)=[2,3)$ and in no interval before.
-  For the control the limit from the left.
-:then: $\sum_{i=1}^4N_{i,3}(2)=0$
-:method: The recursion by its letter for the interval $[2,3)$.
-:control: the recursion for the interval $[1,2)$
+:given: a quadratic curve with $n$ points over the knots $T$, after whose last knot $t_{n+k}$ a larger one follows; $t=t_{n+1}$, which lies in
+  $[t_j,t_{j+1})$ and in no interval before
+:data: T = 0 0 0 1 2 2 2 3; n = 4; t = 2; j = 7
+:instead: j = 4
+:then: $\sum_{i=1}^nN_{i,3}(t)$ vanishes
+:result: ΣN_i(t) = 0
+:method: The recursion by its letter for the interval $[t_j,t_{j+1})$.
+:control: the last interval of the domain, which gives the limit from the left
 :::
 */
 CLAIM(right_end_belongs_to_no_interval)
 {
-    num x[] = {from_int(0), from_int(1), from_int(2), from_int(3)}, u[8];
-    int place[8], count = G(knots_at)("3131", x, u, place);
-    num sum = G(denominator)(4, 2, u, place, NULL, fault(T, 1, 2), from_int(2));
-    show_points(T, "knots", count, 1, u);
-    show(T, "the sum at t = 2", sum);
+    num u[8];
+    int place[8];
+    G(given_knots)(T, "T", 8, u, place);
+    int n = given_whole(T, "n");
+    num t = given(T, "t");
+    num sum = G(denominator)(n, 2, u, place, NULL, place[given_whole(T, "j") - 1], t);
+    found(T, "ΣN_i(t)", sum);
     about(T, "the denominator is not zero");
     agree(T, sign_q(sum) > 0);
 }
@@ -354,55 +365,57 @@ CLAIM(every_point_counts)
 #endif
 
 #if RATIONAL
+/* Whether N_{i,2} of the given knots, `count` of them, and of the given i is not 0 somewhere in the domain; its values in the middle of
+ * the intervals are what is found. */
+static int G(linear_function_counts)(trial *T, int count)
+{
+    num u[MOST_KNOTS], value[MOST_KNOTS];
+    int place[MOST_KNOTS], n = count - 2, intervals = 0, counts = 0;
+    G(given_knots)(T, "T", count, u, place);
+    int i = given_whole(T, "i") - 1;
+    for (int mu = 1; mu < n; mu++)
+        if (place[mu] < place[mu + 1]) {
+            num t = div(add(u[mu], u[mu + 1]), from_int(2));
+            value[intervals] = G(cox_de_boor)(1, u, place, i, place[mu], t);
+            counts |= sign_q(value[intervals++]) != 0;
+        }
+    found_points(T, "N_i in the middle of each", intervals, 1, value);
+    about(T, "N_i is not zero somewhere in the domain");
+    return counts;
+}
+
 /*
 :::{claim} too_multiple_knot_loses_a_point
 :title: Between k+1 equal knots a point has no share in the curve
 :zh: k+1 个相等节点之间的控制顶点不起作用
 :kind: counterexample
-:given: $k=2$, $n=5$, knots $0,0,1,1,1,2,2$, so that $t_3=t_5$; all intervals of the domain.  For the control
-  $0,0,\frac12,1,1,2,2$.
-:then: $N_{3,2}=0$ in every interval
+:given: order two and knots $T$ with $t_i=t_{i+k}$; all intervals of the domain
+:data: T = 0 0 1 1 1 2 2; i = 3
+:instead: T = 0 0 1/2 1 1 2 2
+:then: $N_{i,2}$ vanishes in every interval
+:result: N_i in the middle of each = 0 0
 :method: The recursion by its letter in the middle of each interval; a nondecreasing sequence of knots would have to give every point
   a share.
-:control: the second of the three knots moved to $\frac12$
+:control: the first of the equal knots moved to the left
 :::
 */
-CLAIM(too_multiple_knot_loses_a_point)
-{
-    num x[] = {from_int(0), from_ratio(1, 2), from_int(1), from_int(2)}, u[7];
-    int place[7], count = G(knots_at)(fault(T, "2122", "2032"), x, u, place), counts = 0;
-    for (int interval = 0; interval < 3; interval++) {
-        num t = div(add(x[interval], x[interval + 1]), from_int(2));
-        counts |= sign_q(G(cox_de_boor)(1, u, place, 2, interval, t)) != 0;
-    }
-    show_points(T, "knots", count, 1, u);
-    about(T, "N_3 is not zero somewhere");
-    agree(T, counts);
-}
+CLAIM(too_multiple_knot_loses_a_point) { agree(T, G(linear_function_counts)(T, 7)); }
 
 /*
 :::{claim} multiple_first_knot_loses_a_point
 :title: A domain that begins with the first of two equal knots leaves the first point idle
 :zh: 定义域左端为重节点之首时首顶点不起作用
 :kind: counterexample
-:given: $k=2$, $n=4$, knots $0,1,1,2,3,4$, domain $[1,3]$.  For the control $0,1,2,2,3,4$.
-:then: $N_{1,2}$, of support $[0,1]$, is $0$ in every interval of the domain
-:method: The recursion by its letter in the middle of each interval.
-:control: the third knot moved to $2$
+:given: order two and knots $T$ with $t_k=t_{k+1}$; all intervals of the domain, and the first point, $i=1$
+:data: T = 0 1 1 2 3 4; i = 1
+:instead: T = 0 1 2 2 3 4
+:then: $N_{i,2}$, of support $[t_1,t_3]$, vanishes in every interval
+:result: N_i in the middle of each = 0 0
+:method: The recursion by its letter in the middle of each interval of the domain.
+:control: the second of the equal knots moved to the right
 :::
 */
-CLAIM(multiple_first_knot_loses_a_point)
-{
-    num x[] = {from_int(0), from_int(1), from_int(2), from_int(3), from_int(4)}, u[6];
-    int place[6], count = G(knots_at)(fault(T, "11211", "12111"), x, u, place), counts = 0;
-    for (int interval = place[1]; interval < place[4]; interval++) {
-        num t = div(add(x[interval], x[interval + 1]), from_int(2));
-        counts |= sign_q(G(cox_de_boor)(1, u, place, 0, interval, t)) != 0;
-    }
-    show_points(T, "knots", count, 1, u);
-    about(T, "N_1 is not zero somewhere in the domain");
-    agree(T, counts);
-}
+CLAIM(multiple_first_knot_loses_a_point) { agree(T, G(linear_function_counts)(T, 6)); }
 #endif
 
 /*
@@ -640,22 +653,28 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
 :title: At the end of k-fold Bézier knots the quotient by B-splines is 0/0
 :zh: 右端 k 重时按半开区间 Bézier 终点无定义
 :kind: counterexample
-:given: $k=n=3$, knots $0,0,0,1,1,1$ and then $2$; $t=t_{k+1}=1$, which lies in $[t_6,t_7)$ and in no interval before
-:then: $\sum_{i=1}^3N_{i,3}(1)=0$, while $\sum_{i=1}^3B_{i-1}^2(1)=1$
-:method: The recursion by its letter for the interval $[1,2)$; the Bernstein polynomials of the kernel.
-:control: $t_{2k}=2$ in the place of $1$
+:given: a quadratic segment over the knots $T$ of Bézier, after which a larger one follows; $t=t_{k+1}$, which lies in the interval up to
+  that knot and in no interval before
+:data: T = 0 0 0 1 1 1 2; t = 1
+:instead: T = 0 0 0 1 1 2 2
+:then: the sum of the $N_{i,3}(t)$ vanishes, while that of the $B_{i-1}^2(1)$ does not
+:result: ΣN_i(t) = 0; ΣB_i(1) = 1
+:method: The recursion by its letter for the interval that begins with $t$; the Bernstein polynomials of the kernel.
+:control: $t_{2k}$ greater than $t_{k+1}$
 :::
 */
 CLAIM(bezier_end_belongs_to_no_interval)
 {
-    num x[] = {from_int(0), from_int(1), from_int(2)}, u[7], B[3], sum = from_int(0), one = from_int(1);
-    int place[7], count = G(knots_at)(fault(T, "322", "331"), x, u, place);
-    num total = G(denominator)(3, 2, u, place, NULL, 1, one);
-    G(bernstein_basis)(2, one, B);
+    num u[7], B[3], sum = from_int(0);
+    int place[7];
+    G(given_knots)(T, "T", 7, u, place);
+    num t = given(T, "t"), total = G(denominator)(3, 2, u, place, NULL, G(interval_after)(7, u, place, t), t);
+    G(bernstein_basis)(2, from_int(1), B);
     for (int i = 0; i < 3; i++)
         sum = add(sum, B[i]);
-    show_points(T, "knots", count, 1, u);
-    about(T, "the sum of the B-splines and that of the Bernstein polynomials at t = 1");
+    found(T, "ΣN_i(t)", total);
+    found(T, "ΣB_i(1)", sum);
+    about(T, "the sum of the B-splines and that of the Bernstein polynomials");
     same(T, total, sum);
 }
 
@@ -664,28 +683,25 @@ CLAIM(bezier_end_belongs_to_no_interval)
 :title: Over simple knots the given points are not the Bézier points
 :zh: 单节点时原顶点不是 Bézier 顶点
 :kind: counterexample
-:given: $k=3$, $n=3$, knots $-2,-1,0,1,2,3$, points $(0,0),(1,2),(2,0)$, weights $1$; for the control
-  $-2,0,0,1,1,3$
-:then: at $t_k=0$ the curve is in $(\frac12,1)$, the rational Bézier curve of the same data in $(0,0)$
+:given: a quadratic segment of the points $r$ and weights $w$ over the simple knots $T$
+:data: T = -2 -1 0 1 2 3; r = (0,0) (1,2) (2,0); w = 1 1 1
+:instead: T = -2 0 0 1 1 3
+:then: the segment begins in $r(t_k)$, the rational Bézier curve of the same data in its first point
+:result: r(t_k) = (1/2,1); rational Bézier curve at 0 = (0,0)
 :method: Both are computed exactly.
 :control: the knots of the condition
 :::
 */
 CLAIM(simple_knots_need_other_points)
 {
-    static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3}, at[] = {0, 0, 1, 2, 2, 0};
     num u[6], R[6], w[3], P[2], Q[2];
-    for (int i = 0; i < 6; i++) {
-        u[i] = from_int(fault(T, twofold[i], simple[i]));
-        R[i] = from_int(at[i]);
-        w[i / 2] = from_int(1);
-    }
-    G(nurbs_point)(2, 2, u, 2, R, w, from_int(0), P);
+    given_points(T, "T", 6, 1, u);
+    given_points(T, "r", 3, 2, R);
+    given_points(T, "w", 3, 1, w);
+    G(nurbs_point)(2, 2, u, 2, R, w, u[2], P);
     G(rational_point)(2, 2, R, w, from_int(0), Q);
-    show_points(T, "knots", 6, 1, u);
-    show_points(T, "r", 3, 2, R);
-    show_points(T, "the curve at t_k", 1, 2, P);
-    show_points(T, "the rational Bézier curve", 1, 2, Q);
+    found_points(T, "r(t_k)", 1, 2, P);
+    found_points(T, "rational Bézier curve at 0", 1, 2, Q);
     about(T, "the first and the second coordinate");
     same(T, P[0], Q[0]);
     same(T, P[1], Q[1]);

@@ -122,25 +122,23 @@ CLAIM(point_is_in_the_hull_of_k_points)
 :title: With a negative weight the curve leaves the hull
 :zh: 负权因子破坏凸包性
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1$, points $(0,0),(1,1),(2,0)$, weights $1,-\frac12,1$; $t=\frac12$
-:then: $r(\frac12)=(1,-1)$ is not in the triangle
+:given: a quadratic segment of the points $r$, a triangle, over the knots $T$, with weights $w$ of which one is negative, and $t$
+:data: T = 0 0 0 1 1 1; r = (0,0) (1,1) (2,0); w = 1 -1/2 1; t = 1/2
+:instead: w = 1 1/2 1
+:then: $r(t)$ is not in the triangle
+:result: r(t) = (1,-1)
 :method: Membership is decided with a certificate.
-:control: the weight $\frac12$
+:control: all weights positive
 :::
 */
 CLAIM(negative_weight_leaves_the_hull)
 {
-    static const int at[] = {0, 0, 1, 1, 2, 0}, knot[] = {0, 0, 0, 1, 1, 1};
     num u[6], R[6], w[3], P[2];
-    for (int i = 0; i < 6; i++) {
-        u[i] = from_int(knot[i]);
-        R[i] = from_int(at[i]);
-        w[i / 2] = i / 2 == 1 ? from_ratio(fault(T, 1, -1), 2) : from_int(1);
-    }
-    G(nurbs_point)(2, 2, u, 2, R, w, from_ratio(1, 2), P);
-    show_points(T, "r", 3, 2, R);
-    show_points(T, "w", 3, 1, w);
-    show_points(T, "r(1/2)", 1, 2, P);
+    given_points(T, "T", 6, 1, u);
+    given_points(T, "r", 3, 2, R);
+    given_points(T, "w", 3, 1, w);
+    G(nurbs_point)(2, 2, u, 2, R, w, given(T, "t"), P);
+    found_points(T, "r(t)", 1, 2, P);
     about(T, "the point is in the hull");
     agree(T, hull_membership(2, 3, R, P).inside);
 }
@@ -301,34 +299,34 @@ CLAIM(nurbs_sides_agree)
 :title: The next derivative jumps, and with it curvature or torsion
 :zh: 高一阶的导矢一般间断
 :kind: counterexample
-:given: $k=3$, points $(0,0),(1,0),(2,1),(2,3)$, weights $1$, knots $0,0,0,1,2,2,2$; the simple knot $1$, where
-  $k-1-m=1$
-:then: $r''$, and $\kappa^2$ with it, is different on the two sides
+:given: a quadratic curve of the points $r$ and weights $w$ over the knots $T$; its simple inner knot $t$, where derivatives are continuous
+  up to the order $k-1-m=1$; and the next order
+:data: T = 0 0 0 1 2 2 2; r = (0,0) (1,0) (2,1) (2,3); w = 1 1 1 1; t = 1; order = 2
+:instead: order = 1
+:then: the derivative of that order, and $\kappa^2$ with it, is different on the two sides
+:result: derivative from the left = (-1,1); derivative from the right = (-1,3); κ² from the left = 1/2; κ² from the right = 2
 :method: Both sides by the kernels.
-:control: the derivative of order 1
+:control: the order before
 :::
 */
 CLAIM(one_order_more_jumps)
 {
-    static const int at[] = {0, 0, 1, 0, 2, 1, 2, 3}, knot[] = {0, 0, 0, 1, 2, 2, 2};
     num u[7], R[8], w[4], left[6], right[6];
-    for (int i = 0; i < 7; i++)
-        u[i] = from_int(knot[i]);
-    for (int i = 0; i < 8; i++)
-        R[i] = from_int(at[i]);
-    for (int i = 0; i < 4; i++)
-        w[i] = from_int(1);
-    G(nurbs_derivatives)(2, 2, u, 2, R, w, from_int(1), 2, left);
-    G(nurbs_derivatives)(2, 2, u, 3, R, w, from_int(1), 2, right);
-    int order = fault(T, 1, 2);
-    show_points(T, "r", 4, 2, R);
-    show_points(T, "derivative from the left", 1, 2, left + 2 * order);
-    show_points(T, "from the right", 1, 2, right + 2 * order);
-    num bent_left = G(nurbs_curvature_squared)(2, 2, u, 2, R, w, from_int(1));
-    num bent_right = G(nurbs_curvature_squared)(2, 2, u, 3, R, w, from_int(1));
-    show(T, "square of the curvature from the left", bent_left);
-    show(T, "from the right", bent_right);
-    int agrees = equal_q(left[2 * order], right[2 * order]) && equal_q(left[2 * order + 1], right[2 * order + 1]);
+    given_points(T, "T", 7, 1, u);
+    given_points(T, "r", 4, 2, R);
+    given_points(T, "w", 4, 1, w);
+    num t = given(T, "t");
+    int order = given_whole(T, "order");
+    const num *from_left = left + 2 * order, *from_right = right + 2 * order;
+    G(nurbs_derivatives)(2, 2, u, 2, R, w, t, 2, left);
+    G(nurbs_derivatives)(2, 2, u, 3, R, w, t, 2, right);
+    num bent_left = G(nurbs_curvature_squared)(2, 2, u, 2, R, w, t);
+    num bent_right = G(nurbs_curvature_squared)(2, 2, u, 3, R, w, t);
+    found_points(T, "derivative from the left", 1, 2, from_left);
+    found_points(T, "derivative from the right", 1, 2, from_right);
+    found(T, "κ² from the left", bent_left);
+    found(T, "κ² from the right", bent_right);
+    int agrees = equal_q(from_left[0], from_right[0]) && equal_q(from_left[1], from_right[1]);
     about(T, "the derivative, or at least the curvature, is the same from both sides");
     refute(T, !agrees && !equal_q(bent_left, bent_right));
 }
@@ -338,25 +336,27 @@ CLAIM(one_order_more_jumps)
 :title: At a k-fold knot the curve has two values
 :zh: k 重节点处曲线断开
 :kind: counterexample
-:given: $k=2$, knots $0,0,1,1,2,2$, points $(0,0),(1,1),(2,1),(3,0)$, weights $1$; $t=1$
-:then: $r(1-)=(1,1)$ and $r(1+)=(2,1)$
+:given: a linear curve of the points $r$ and weights $w$ over the knots $T$, and its twofold inner knot $t$
+:data: T = 0 0 1 1 2 2; r = (0,0) (1,1) (2,1) (3,0); w = 1 1 1 1; t = 1
+:instead: r = (0,0) (1,1) (1,1) (3,0)
+:then: the values $r(t-)$ from the left and $r(t+)$ from the right are different points
+:result: r(t-) = (1,1); r(t+) = (2,1)
 :method: Both sides from the definition.
-:control: the third point in $(1,1)$ as well
+:control: the points on both sides of the knot the same
 :::
 */
 CLAIM(k_fold_knot_tears_the_curve)
 {
     int place[6];
-    num x[] = {from_int(0), from_int(1), from_int(2)}, u[6], w[4], left[2], right[2];
-    num R[] = {from_int(0), from_int(0), from_int(1), from_int(1), from_int(2), from_int(1), from_int(3), from_int(0)};
-    R[4] = fault(T, from_int(1), R[4]);
-    for (int i = 0; i < 4; i++)
-        w[i] = from_int(1);
-    G(knots_at)("222", x, u, place);
-    G(nurbs_by_definition)(4, 1, 2, u, place, R, w, 0, from_int(1), left);
-    G(nurbs_by_definition)(4, 1, 2, u, place, R, w, 1, from_int(1), right);
-    show_points(T, "r(1-)", 1, 2, left);
-    show_points(T, "r(1+)", 1, 2, right);
+    num u[6], R[8], w[4], left[2], right[2];
+    G(given_knots)(T, "T", 6, u, place);
+    given_points(T, "r", 4, 2, R);
+    given_points(T, "w", 4, 1, w);
+    num t = given(T, "t");
+    G(nurbs_by_definition)(4, 1, 2, u, place, R, w, G(interval_before)(6, u, place, t), t, left);
+    G(nurbs_by_definition)(4, 1, 2, u, place, R, w, G(interval_after)(6, u, place, t), t, right);
+    found_points(T, "r(t-)", 1, 2, left);
+    found_points(T, "r(t+)", 1, 2, right);
     about(T, "the values from the left and from the right");
     for (int c = 0; c < 2; c++)
         same(T, left[c], right[c]);
@@ -369,11 +369,12 @@ CLAIM(k_fold_knot_tears_the_curve)
 :title: Derivatives, curvature and torsion of the kernels are those of the rational functions
 :zh: 核函数所算的导矢、曲率与挠率
 :types: field
-:given: $k=4$ over the knots $-3,-2,0,0,1,3,3,4$, $k=3$ over the inner six, weights and points, any $t$; orders $0,\dots,3$
+:given: the middle $2k$ of the knots $T$, weights and points, any $t$; orders of differentiation up to that of the torsion
+:data: T = -4 -3 -2 0 0 1 3 3 4 6; w = 1 3 2 5 7; τ = 1/3
 :then: `nurbs_derivatives` gives the derivatives of (4.1.2); `nurbs_curvature_squared` and `nurbs_torsion` give
   $|r'\times r''|^2/|r'|^6$ and $(r',r'',r^{(3)})/|r'\times r''|^2$
-:method: Derivatives of the quotient of sums as rational functions of $t$; curvature and torsion at $t=\frac13$ with whole weights and
-  points of which one coordinate is a variable.
+:method: Derivatives of the quotient of sums as rational functions of $t$, for any weights; curvature and torsion at $t=\tau$ with the first
+  $k$ of the weights $w$ and points of which one coordinate is a variable.
 :degrees: 2..4
 :defines: nurbs_derivatives nurbs_curvature_squared nurbs_torsion
 :control: the weights 1 for the kernels
@@ -381,48 +382,49 @@ CLAIM(k_fold_knot_tears_the_curve)
 */
 CLAIM(nurbs_derivatives_are_derivatives)
 {
-    static const int knot[] = {-3, -2, 0, 0, 1, 3, 3, 4}, weight[] = {1, 3, 2, 5};
-    int p = T->degree, skip = 3 - p, place[MOST_KNOTS];
-    num u[MOST_KNOTS], R[3 * MOST_KNOTS], w[MOST_KNOTS], ones[MOST_KNOTS], D[12], formal[12], t = variable_f("t");
-    for (int i = 0; i < 2 * p + 2; i++) {
-        u[i] = from_int(knot[i + skip]);
-        place[i] = knot[i + skip];
-    }
-    int interval = place[p];
+    enum { order = 3, dim = 3, most = 4, all_knots = 2 * most + 2 };
+    int p = T->degree, all_places[all_knots];
+    num all[all_knots], weight[most + 1], ones[most + 1], R[dim * (most + 1)], w[most + 1];
+    num D[dim * (order + 1)], formal[dim * (order + 1)], t = variable_f("t");
+    G(given_knots)(T, "T", all_knots, all, all_places);
+    given_points(T, "w", most + 1, 1, weight);
+    num tau = given(T, "τ");
+    const num *u = all + most - p;
+    const int *place = all_places + most - p, interval = place[p];
     for (int i = 0; i <= p; i++)
         ones[i] = from_int(1);
+
     G(weighted_points)(T, p + 1, 1, R, w);
     G(nurbs_by_definition)(p + 1, p, 1, u, place, R, w, interval, t, formal);
-    G(nurbs_derivatives)(p, 1, u, p, R, fault(T, w, ones), t, 3, D);
+    G(nurbs_derivatives)(p, 1, u, p, R, fault(T, w, ones), t, order, D);
     about(T, "the derivatives");
-    for (int k = 0; k <= 3; k++) {
+    for (int k = 0; k <= order; k++) {
         same(T, D[k], formal[0]);
         formal[0] = derivative_f(formal[0], t);
     }
+
     for (int i = 0; i <= p; i++) {
-        w[i] = from_int(weight[i]);
-        R[3 * i] = unknown(T, "a", i);
-        R[3 * i + 1] = from_int(i * i);
-        R[3 * i + 2] = from_int(i * i * i - 2 * i);
+        R[dim * i] = unknown(T, "a", i);
+        R[dim * i + 1] = from_int(i * i);
+        R[dim * i + 2] = from_int(i * i * i - 2 * i);
     }
-    G(nurbs_by_definition)(p + 1, p, 3, u, place, R, w, interval, t, formal);
-    for (int m = 3; m < 12; m++)
-        formal[m] = derivative_f(formal[m - 3], t);
-    num third = from_ratio(1, 3), cross[3], square = from_int(0), speed = from_int(0), mixed = from_int(0);
-    for (int m = 0; m < 12; m++)
-        formal[m] = substitute_f(formal[m], t, third);
-    for (int c = 0; c < 3; c++) {
-        int i = (c + 1) % 3, j = (c + 2) % 3;
-        cross[c] = sub(mul(formal[3 + i], formal[6 + j]), mul(formal[3 + j], formal[6 + i]));
-        square = add(square, mul(cross[c], cross[c]));
-        speed = add(speed, mul(formal[3 + c], formal[3 + c]));
-        mixed = add(mixed, mul(cross[c], formal[9 + c]));
+    G(nurbs_by_definition)(p + 1, p, dim, u, place, R, weight, interval, t, formal);
+    for (int m = dim; m < dim * (order + 1); m++)
+        formal[m] = derivative_f(formal[m - dim], t);
+    for (int m = 0; m < dim * (order + 1); m++)
+        formal[m] = substitute_f(formal[m], t, tau);
+    num cross[dim], mixed = from_int(0);
+    for (int c = 0; c < dim; c++) { /* r' x r'', and (r', r'', r''') */
+        int i = (c + 1) % dim, j = (c + 2) % dim;
+        cross[c] = sub(mul(formal[dim + i], formal[2 * dim + j]), mul(formal[dim + j], formal[2 * dim + i]));
+        mixed = add(mixed, mul(cross[c], formal[3 * dim + c]));
     }
+    num square = G(norm_squared)(dim, cross), speed = G(norm_squared)(dim, formal + dim);
     about(T, "the square of the curvature");
-    same(T, G(nurbs_curvature_squared)(p, 3, u, p, R, fault(T, w, ones), third),
+    same(T, G(nurbs_curvature_squared)(p, dim, u, p, R, fault(T, weight, ones), tau),
          div(square, mul(speed, mul(speed, speed))));
     about(T, "the torsion");
-    same(T, G(nurbs_torsion)(p, u, p, R, fault(T, w, ones), third), div(mixed, square));
+    same(T, G(nurbs_torsion)(p, u, p, R, fault(T, weight, ones), tau), div(mixed, square));
 }
 #endif
 
