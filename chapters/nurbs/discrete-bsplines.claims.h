@@ -71,7 +71,7 @@ static int G(ends_are_spans)(const struct G(knots) * K)
   de Boor and Cox by its letter.  As the $M_{j,p}$ are independent there are no other such numbers.
 :degrees: 0..4 sampled 8
 :defines: bspline_discrete
-:control: one of the knots $v_{j+1},\dots,v_{j+p}$ replaced by $v_j$
+:control: the last of the knots $v_{j+1},\dots,v_{j+p}$ replaced by $v_j$
 :::
 */
 CLAIM(discrete_bsplines_satisfy_refinement_equation)
@@ -120,7 +120,7 @@ CLAIM(discrete_bsplines_satisfy_refinement_equation)
 :method: The values of the kernel are fractions of polynomials with positive coefficients only, or the zero element.
 :types: field rational
 :degrees: 0..5 sampled 8
-:control: the knot $v_j$ in the place of $v_{j+p}$
+:control: the knot $v_j$ in the place of $v_{j+p}$, for $p>0$
 :::
 */
 CLAIM(discrete_bsplines_are_nonnegative)
@@ -140,8 +140,6 @@ CLAIM(discrete_bsplines_are_nonnegative)
                 else
                     vanishes(T, a[j * K.n + i]);
             }
-        if (T->faulty && p == 0)
-            nonnegative(T, from_int(-1));
     }
 }
 #endif

@@ -44,21 +44,6 @@ static const char *const G(pairs)[][16] = {
     {"70107", "01010", "70307", "02110", NULL},
 };
 
-/* One pair: knots u of n points, their refinement v of m points. */
-struct G(refinement) {
-    int n, m, count, place[MOST_KNOTS], at[MOST_KNOTS];
-    num x[MOST_KNOTS], u[MOST_KNOTS], v[MOST_KNOTS];
-};
-
-static void G(refine_pair)(const char *old, const char *new, int p, struct G(refinement) * r)
-{
-    char sum[MOST_KNOTS];
-    G(union_of_patterns)(old, new, sum);
-    r->count = G(knots_at)(old, r->x, r->u, r->place);
-    r->n = r->count - p - 1;
-    r->m = G(knots_at)(sum, r->x, r->v, r->at) - p - 1;
-}
-
 /*
 :::{claim} discrete_bsplines_are_shares
 :title: The discrete B-splines of a point are nonnegative and sum up to 1
@@ -142,15 +127,13 @@ CLAIM(refined_data_give_the_same_curve)
 */
 
 #if RATIONAL
-static int indices_are_the_order(trial *T, int corrected)
+/* Whether the index, in each of the three places, is k. */
+static int indices_are_the_order(trial *T)
 {
-    static const char *const place[] = {"4.1", "lemma 4.2.1", "lemma 4.2.2"}, *const printed[] = {"ι", "", "t"};
+    static const char *const place[] = {"index in 4.1", "index in lemma 4.2.1", "index in lemma 4.2.2"};
     int all = 1;
-    for (int m = 0; m < 3; m++) {
-        const char *index = corrected ? "k" : printed[m];
-        show_text(T, place[m], "%s", index[0] != '\0' ? index : "no index");
-        all &= strcmp(index, "k") == 0;
-    }
+    for (int m = 0; m < 3; m++)
+        all &= strcmp(given_text(T, place[m]), "k") == 0;
     about(T, "the index is the order k");
     return all;
 }
@@ -160,13 +143,15 @@ static int indices_are_the_order(trial *T, int corrected)
 :title: Three names have another index than the order
 :zh: 三处记号的下标不是阶数
 :kind: counterexample
-:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ and $r_k$ everywhere else in 4.1 and 4.2
+:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ and $r_k$ everywhere else in these sections
+:data: index in 4.1 = "ι"; index in lemma 4.2.1 = "none"; index in lemma 4.2.2 = "t"
+:instead: index in 4.1 = "k"; index in lemma 4.2.1 = "k"; index in lemma 4.2.2 = "k"
 :then: none of the three is $k$
 :method: Index by index.
 :control: the three indices corrected
 :::
 */
-CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T, fault(T, 1, 0))); }
+CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T)); }
 
 /*
 :::{claim} names_carry_the_order
@@ -174,12 +159,14 @@ CLAIM(three_names_lack_the_order) { agree(T, indices_are_the_order(T, fault(T, 1
 :zh: 更正后记号一致
 :kind: decision
 :given: the three indices, corrected
+:data: index in 4.1 = "k"; index in lemma 4.2.1 = "k"; index in lemma 4.2.2 = "k"
+:instead: index in 4.1 = "ι"; index in lemma 4.2.1 = "none"; index in lemma 4.2.2 = "t"
 :then: each is $k$
 :method: Index by index.
 :control: the indices as printed
 :::
 */
-CLAIM(names_carry_the_order) { agree(T, indices_are_the_order(T, fault(T, 1, 0))); }
+CLAIM(names_carry_the_order) { agree(T, indices_are_the_order(T)); }
 #endif
 
 /*
@@ -316,32 +303,41 @@ CLAIM(nurbs_insertion_is_one_discrete_step)
 }
 
 #if RATIONAL
+/* w_j^{(T,T')} of (4.1.6): the sum of alpha_i(j) w_i, j from 0. */
+static num G(new_weight)(int p, const struct G(refinement) * r, const num w[], int j)
+{
+    num sum = from_int(0);
+    for (int i = 0; i < r->n; i++)
+        sum = add(sum, mul(G(alpha)(p, r->u, r->place, r->v, r->at, i, j), w[i]));
+    return sum;
+}
+
 /*
 :::{claim} negative_weight_loses_a_new_point
 :title: With a negative weight a new point may not exist
 :zh: 权因子为负时新顶点可能不存在
 :kind: counterexample
-:given: $k=3$, $T=\{0,0,0,2,2,2\}$, $T'=\{1\}$, weights $1,-1,2$
-:then: $w_2^{(T,T')}=\frac12-\frac12=0$, while $w(1)=\frac14$
+:given: the knots $T$ of one quadratic segment, weights $w$ of which one is negative; one knot inserted, $T'=\{\tau\}$
+:data: T = 0 0 0 2 2 2; T' = 1; w = 1 -1 2
+:instead: w = 1 1 2
+:then: $w_2^{(T,T')}$ vanishes, while $w(\tau)$ does not
+:result: w_2^(T,T') = 0; w(τ) = 1/4
 :method: (4.1.6) and the denominator of (4.1.2) by their letter.
-:control: the weights $1,1,2$
+:control: all weights positive
 :::
 */
 CLAIM(negative_weight_loses_a_new_point)
 {
     struct G(refinement) r;
-    num w[] = {from_int(1), from_int(fault(T, 1, -1)), from_int(2)}, new_weight = from_int(0), total = from_int(0);
-    for (int i = 0; i < 3; i++)
-        r.x[i] = from_int(i);
-    G(refine_pair)("303", "010", 2, &r);
-    for (int i = 0; i < 3; i++) {
-        new_weight = add(new_weight, mul(w[i], G(alpha)(2, r.u, r.place, r.v, r.at, i, 1)));
-        total = add(total, mul(w[i], G(cox_de_boor)(2, r.u, r.place, i, 0, from_int(1))));
-    }
-    show_points(T, "w", 3, 1, w);
-    show(T, "w_2^(T,T')", new_weight);
-    show(T, "w(1)", total);
-    about(T, "if w(1) is not 0, then the new weight is not 0");
+    num w[3], total = from_int(0);
+    G(given_refinement)(T, 2, 6, 1, &r);
+    given_points(T, "w", 3, 1, w);
+    num tau = r.v[3], new_weight = G(new_weight)(2, &r, w, 1);
+    for (int i = 0; i < r.n; i++)
+        total = add(total, mul(w[i], G(cox_de_boor)(2, r.u, r.place, i, r.at[2], tau)));
+    found(T, "w_2^(T,T')", new_weight);
+    found(T, "w(τ)", total);
+    about(T, "if w(τ) is not 0, then the new weight is not 0");
     refute(T, sign_q(total) != 0 && sign_q(new_weight) == 0);
 }
 
@@ -350,23 +346,23 @@ CLAIM(negative_weight_loses_a_new_point)
 :title: A knot inserted at a k-fold right end makes a point without shares
 :zh: 在 k 重右端点嵌入节点所得顶点无意义
 :kind: counterexample
-:given: $k=2$, $T=\{0,0,2,2\}$, $T'=\{2\}$, weights $1$; the last of the three points.  For the control $T'=\{1\}$.
-:then: $\alpha_{1,2}(3)=\alpha_{2,2}(3)=0$, so that $w_3^{(T,T')}=0$
+:given: the knots $T$ of one linear segment, whose last knot is inserted again; weights $w$; the last of the new points, number $j$
+:data: T = 0 0 2 2; T' = 2; w = 1 1
+:instead: T' = 1
+:then: all $\alpha_{i,2}(j)$ vanish, and so does $w_j^{(T,T')}$
+:result: w_3^(T,T') = 0
 :method: (4.1.6) by its letter.
-:control: $T'=\{1\}$
+:control: the inserted knot inside
 :::
 */
 CLAIM(knot_at_a_k_fold_end_has_no_shares)
 {
     struct G(refinement) r;
-    num sum = from_int(0);
-    for (int i = 0; i < 3; i++)
-        r.x[i] = from_int(i);
-    G(refine_pair)("202", fault(T, "010", "001"), 1, &r);
-    for (int i = 0; i < r.n; i++)
-        sum = add(sum, G(alpha)(1, r.u, r.place, r.v, r.at, i, r.m - 1));
-    show_points(T, "T with T'", r.m + 2, 1, r.v);
-    show(T, "w_3^(T,T')", sum);
+    num w[2];
+    G(given_refinement)(T, 1, 4, 1, &r);
+    given_points(T, "w", 2, 1, w);
+    num sum = G(new_weight)(1, &r, w, r.m - 1);
+    found(T, "w_3^(T,T')", sum);
     about(T, "the new weight is positive");
     agree(T, sign_q(sum) > 0);
 }
@@ -376,30 +372,30 @@ CLAIM(knot_at_a_k_fold_end_has_no_shares)
 :title: A knot inserted at a single first or last knot makes a point without shares
 :zh: 在单重首末节点处嵌入节点所得顶点无意义
 :kind: counterexample
-:given: $k=3$, $T=\{0,1,2,3,4,5\}$, weights $1$; $T'=\{0\}$ and the first point, $T'=\{5\}$ and the last of the four
-:then: all $\alpha_{i,3}(j)=0$, so that $w_1^{(T,T')}=0$ and $w_4^{(T,T')}=0$
+:given: simple knots $T$ of a quadratic curve, weights $w$; $\tau_1$, the first knot, is inserted again, and then instead of it $\tau_2$, the
+  last; the first of the new points, and the last
+:data: T = 0 1 2 3 4 5; τ = 0 5; w = 1 1 1
+:instead: τ = 1/2 9/2
+:then: all $\alpha_{i,3}(j)$ of these two points vanish, and so do their weights
+:result: w_1^(T,{τ_1}) = 0; w_4^(T,{τ_2}) = 0
 :method: (4.1.6) by its letter.
-:control: $T'=\{\frac12\}$ and $T'=\{\frac92\}$
+:control: the inserted knots next to the ends, inside
 :::
 */
 CLAIM(knot_at_an_outer_end_has_no_shares)
 {
-    struct G(refinement) r;
-    int positive = 0;
-    for (int end = 0; end < 2; end++) {
-        num sum = from_int(0);
-        for (int i = 0; i < 8; i++)
-            r.x[i] = i == 1 ? from_ratio(1, 2) : i == 6 ? from_ratio(9, 2) : from_int(i == 0 ? 0 : i == 7 ? 5 : i - 1);
-        const char *inserted[2][2] = {{"10000000", "00000001"}, {"01000000", "00000010"}};
-        G(refine_pair)("10111101", inserted[fault(T, 1, 0)][end], 2, &r);
-        for (int i = 0; i < r.n; i++)
-            sum = add(sum, G(alpha)(2, r.u, r.place, r.v, r.at, i, end == 0 ? 0 : r.m - 1));
-        show_points(T, "T with T'", r.m + 3, 1, r.v);
-        show(T, end == 0 ? "w_1^(T,T')" : "w_4^(T,T')", sum);
-        positive += sign_q(sum) > 0;
-    }
+    struct G(refinement) first, last;
+    num u[6], tau[2], w[3];
+    given_points(T, "T", 6, 1, u);
+    given_points(T, "τ", 2, 1, tau);
+    given_points(T, "w", 3, 1, w);
+    G(refine_knots)(2, 6, u, 1, tau, &first);
+    G(refine_knots)(2, 6, u, 1, tau + 1, &last);
+    num first_weight = G(new_weight)(2, &first, w, 0), last_weight = G(new_weight)(2, &last, w, last.m - 1);
+    found(T, "w_1^(T,{τ_1})", first_weight);
+    found(T, "w_4^(T,{τ_2})", last_weight);
     about(T, "one of the new weights is positive");
-    agree(T, positive > fault(T, 1, 0));
+    agree(T, (sign_q(first_weight) > 0) + (sign_q(last_weight) > 0) > fault(T, 1, 0));
 }
 #endif
 
@@ -836,30 +832,30 @@ CLAIM(right_value_with_the_other_interval)
 :title: At a k-fold knot the printed index gives the limit from the left
 :zh: k 重节点处所印指标给出左极限
 :kind: counterexample
-:given: $k=2$, $T=\{0,0,1,1,2,2\}$, points $(0,0),(1,1),(2,1),(3,0)$, weights $1$, $t'=1\in(t_2,t_3]$, so $\mu=2$
-:then: $r_2^{(T,\{1\})}=(1,1)$, while $r(1)=(2,1)$ by the half-open intervals of the definition
+:given: a linear curve of the points $r$ and weights $w$ over the knots $T$, and $t'$, a twofold one of them, which is inserted again;
+  $t'\in(t_\mu,t_{\mu+1}]$
+:data: T = 0 0 1 1 2 2; T' = 1; r = (0,0) (1,1) (2,1) (3,0); w = 1 1 1 1
+:instead: T = 0 0 1 3/2 2 2
+:then: $r_\mu^{(T,\{t'\})}$ is the limit from the left, while $r(t')$, by the half-open intervals of the definition, is that from the right
+:result: μ = 2; r_μ after the insertion = (1,1); r(t') = (2,1)
 :method: (4.1.6) and (4.1.2) by their letter.
-:control: a simple knot in the place of the double one: points $(0,0),(1,1),(3,0)$
+:control: the second of the two equal knots moved to the right
 :::
 */
 CLAIM(left_value_at_a_k_fold_knot)
 {
     struct G(refinement) r;
-    num R[] = {from_int(0), from_int(0), from_int(1), from_int(1), from_int(2), from_int(1), from_int(3), from_int(0)};
-    num w[] = {from_int(1), from_int(1), from_int(1), from_int(1)}, S[12], z[6], P[2];
-    for (int i = 0; i < 3; i++)
-        r.x[i] = from_int(i);
-    R[4] = fault(T, R[6], R[4]);
-    R[5] = fault(T, R[7], R[5]);
-    G(refine_pair)(fault(T, "212", "222"), "010", 1, &r);
+    num R[8], w[4], S[10], z[5], P[2];
+    G(given_refinement)(T, 1, 6, 1, &r);
+    given_points(T, "r", 4, 2, R);
+    given_points(T, "w", 4, 1, w);
     G(refined_by_definition)(r.n, 1, 2, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
-    G(nurbs_by_definition)(r.n, 1, 2, r.u, r.place, R, w, 1, r.x[1], P);
-    int mu = G(knots_below)(&r, 1);
-    show_points(T, "r", r.n, 2, R);
-    show_text(T, "mu", "%d", mu);
-    show_points(T, "r_mu after the insertion", 1, 2, S + 2 * (mu - 1));
-    show_points(T, "r(1)", 1, 2, P);
-    about(T, "r_mu and the curve");
+    G(nurbs_by_definition)(r.n, 1, 2, r.u, r.place, R, w, r.at[2], r.v[2], P);
+    int mu = G(knots_below)(&r, r.at[2]);
+    found_whole(T, "μ", mu);
+    found_points(T, "r_μ after the insertion", 1, 2, S + 2 * (mu - 1));
+    found_points(T, "r(t')", 1, 2, P);
+    about(T, "r_μ and the curve");
     for (int c = 0; c < 2; c++)
         same(T, S[2 * (mu - 1) + c], P[c]);
 }
@@ -869,22 +865,26 @@ CLAIM(left_value_at_a_k_fold_knot)
 :title: At a k-fold left end the printed index is 0
 :zh: 左端为 k 重节点时所印指标为零
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1$ after any smaller knot $t_0$; $t'=t_3=0$, the left end of the domain.  For the control $t_1=-1$.
-:then: $t'\in(t_0,t_1]$, so $\mu=0$, and the points are numbered from 1
+:given: the knots $T$ of one quadratic segment after any smaller knot $t_0$; $t'=t_k$, the left end of the domain
+:data: T = 0 0 0 1 1 1
+:instead: T = -1 0 0 1 1 1
+:then: $t'\in(t_0,t_1]$, so that $\mu$ is not the number of a point: points are numbered from 1
+:result: t' = 0; μ = 0
 :method: $\mu$ is the number of knots before $t'$.
-:control: the first knot $-1$
+:control: the first knot smaller than the others
 :::
 */
 CLAIM(clamped_start_has_no_such_point)
 {
-    static const int clamped[] = {0, 0, 0, 1, 1, 1}, earlier[] = {-1, 0, 0, 1, 1, 1};
-    const int *knot = fault(T, earlier, clamped);
-    int mu = 0, end = knot[2];
-    while (compare_q(from_int(knot[mu]), from_int(end)) < 0)
+    enum { k = 3 };
+    num u[2 * k];
+    int mu = 0;
+    given_points(T, "T", 2 * k, 1, u);
+    while (compare_q(u[mu], u[k - 1]) < 0)
         mu++;
-    show_text(T, "t'", "%d", end);
-    show_text(T, "mu", "%d", mu);
-    about(T, "mu is the index of a point");
+    found(T, "t'", u[k - 1]);
+    found_whole(T, "μ", mu);
+    about(T, "μ is the index of a point");
     agree(T, mu >= 1);
 }
 
@@ -906,33 +906,30 @@ As printed nothing ties $\mu$ to the interval; $u$ does not occur again in 4.1. 
 :title: With the index of another interval the vertex is another point
 :zh: 下标与 t' 所在区间不符时得到另一点
 :kind: counterexample
-:given: $k=3$, $T=\{0,0,0,1,2,2,2\}$, points $(0,0),(0,2),(2,2),(2,0)$, weights $1$; $t'=\frac12\in(t_3,t_4]$, $\mu=4$
-:then: $r_4^{(T,\{t'\}^2)}\ne r(\frac12)$
+:given: a quadratic curve of the points $r$ and weights $w$ over the knots $T$; $t'$, inserted twice; and an index $\mu$ whose interval
+  $(t_\mu,t_{\mu+1}]$ does not contain $t'$
+:data: T = 0 0 0 1 2 2 2; T' = 1/2 1/2; r = (0,0) (0,2) (2,2) (2,0); w = 1 1 1 1; μ = 4
+:instead: μ = 3
+:then: $r_\mu^{(T,T')}$ is another point than $r(t')$
+:result: r_μ after the insertions = (1/2,2); r(t') = (1/4,3/2)
 :method: (4.1.6) and (4.1.2) by their letter.
-:control: $\mu=3$
+:control: the index of the interval that contains $t'$
 :::
 */
 CLAIM(index_of_another_interval_is_another_point)
 {
-    static const int at[] = {0, 0, 0, 2, 2, 2, 2, 0};
     struct G(refinement) r;
     num R[8], w[4], S[12], z[6], P[2];
-    int mu = fault(T, 3, 4);
-    for (int i = 0; i < 8; i++) {
-        R[i] = from_int(at[i]);
-        w[i / 2] = from_int(1);
-    }
-    for (int i = 0; i < 4; i++) /* 0, 1/2, 1, 2 */
-        r.x[i] = from_ratio(i < 3 ? i : 4, 2);
-    G(refine_pair)("3013", "0200", 2, &r);
+    G(given_refinement)(T, 2, 7, 2, &r);
+    given_points(T, "r", 4, 2, R);
+    given_points(T, "w", 4, 1, w);
+    const num *vertex = S + 2 * (given_whole(T, "μ") - 1);
     G(refined_by_definition)(r.n, 2, 2, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
-    G(nurbs_by_definition)(r.n, 2, 2, r.u, r.place, R, w, 1, r.x[1], P);
-    show_points(T, "r", r.n, 2, R);
-    show_text(T, "mu", "%d", mu);
-    show_points(T, "r_mu after the insertions", 1, 2, S + 2 * (mu - 1));
-    show_points(T, "r(1/2)", 1, 2, P);
-    about(T, "r_mu is the point of the curve");
-    agree(T, equal_q(S[2 * mu - 2], P[0]) && equal_q(S[2 * mu - 1], P[1]));
+    G(nurbs_by_definition)(r.n, 2, 2, r.u, r.place, R, w, r.at[3], r.v[3], P);
+    found_points(T, "r_μ after the insertions", 1, 2, vertex);
+    found_points(T, "r(t')", 1, 2, P);
+    about(T, "r_μ is the point of the curve");
+    agree(T, equal_q(vertex[0], P[0]) && equal_q(vertex[1], P[1]));
 }
 #endif
 

@@ -54,6 +54,50 @@ static inline void G(union_of_patterns)(const char *a, const char *b, char sum[]
     sum[i] = '\0';
 }
 
+/* Knots u of n points, count of them, and their refinement v of m points; the distinct values x of both, where a pattern says
+ * which occur, and the places of u and v among them. */
+struct G(refinement) {
+    int n, m, count, place[MOST_KNOTS], at[MOST_KNOTS];
+    num x[MOST_KNOTS], u[MOST_KNOTS], v[MOST_KNOTS];
+};
+
+/* The refinement of the pattern T by the pattern T', over the values r->x. */
+static inline void G(refine_pair)(const char *old, const char *new, int p, struct G(refinement) * r)
+{
+    char sum[MOST_KNOTS];
+    G(union_of_patterns)(old, new, sum);
+    r->count = G(knots_at)(old, r->x, r->u, r->place);
+    r->n = r->count - p - 1;
+    r->m = G(knots_at)(sum, r->x, r->v, r->at) - p - 1;
+}
+
+#if RATIONAL
+/* The refinement of the knots u, `count` of them, by `more` knots; both are given in increasing order. */
+static inline void G(refine_knots)(int p, int count, const num u[], int more, const num added[],
+                                   struct G(refinement) * r)
+{
+    r->count = count, r->n = count - p - 1, r->m = r->n + more;
+    for (int i = 0, old = 0, new = 0; i < count + more; i++) {
+        int take_new = old == count || (new < more &&compare_q(added[new], u[old]) < 0);
+        r->v[i] = take_new ? added[new] : u[old];
+        r->at[i] = i == 0 ? 0 : r->at[i - 1] + !equal_q(r->v[i], r->v[i - 1]);
+        if (take_new)
+            new ++;
+        else
+            r->u[old] = u[old], r->place[old] = r->at[i], old++;
+    }
+}
+
+/* The refinement of the knots T of the block, `count` of them, by its `more` knots T'. */
+static inline void G(given_refinement)(trial *T, int p, int count, int more, struct G(refinement) * r)
+{
+    num u[MOST_KNOTS], added[MOST_KNOTS];
+    given_points(T, "T", count, 1, u);
+    given_points(T, "T'", more, 1, added);
+    G(refine_knots)(p, count, u, more, added, r);
+}
+#endif
+
 /* n points of dim coordinates and n positive weights. */
 static inline void G(weighted_points)(trial *T, int n, int dim, num R[], num w[])
 {

@@ -390,18 +390,15 @@ CLAIM(quotient_is_near_if_the_spline_is)
 */
 
 #if RATIONAL
-/* Every gap of n whole knots cut into `parts`: the places of the knots and of all, at[0] <= at[1] <= ..., in units of 1/parts.  How many
- * there are. */
-static int cut_gaps(int n, const int knot[], int parts, int place[], int at[])
+/* The refinement of the knots u, `count` of them, that halves every gap m times. */
+static void G(halve_gaps)(int p, int count, const num u[], int m, struct G(refinement) * r)
 {
-    int count = 0;
-    for (int i = 0; i < n; i++) {
-        int gap = i < n - 1 ? knot[i + 1] - knot[i] : 0;
-        place[i] = parts * knot[i];
-        for (int l = 0; l < (gap > 0 ? parts : 1); l++)
-            at[count++] = place[i] + l * gap;
-    }
-    return count;
+    num added[MOST_KNOTS];
+    int more = 0, parts = 1 << m;
+    for (int i = 0; i + 1 < count; i++)
+        for (int l = 1; l < parts && !equal_q(u[i], u[i + 1]); l++)
+            added[more++] = add(u[i], mul(from_ratio(l, parts), sub(u[i + 1], u[i])));
+    G(refine_knots)(p, count, u, more, added, r);
 }
 
 /*
@@ -409,39 +406,35 @@ static int cut_gaps(int n, const int knot[], int parts, int place[], int at[])
 :title: Over simple knots the first vertex of every polygon stays where it is
 :zh: 单节点时首顶点始终不动
 :kind: counterexample
-:given: $k=3$, $n=3$, knots $-2,-1,0,1,2,3$, points $(0,0),(1,2),(2,0)$, weights $1$; $T_m'$ halves every gap from $-2$ to $3$ $m$
-  times, $m=1,2,3$
-:then: $r_1^{(T,T_m')}=(0,0)$ for every $m$, while the curve on $[t_k,t_{n+1}]=[0,1]$ has $x\ge\frac12$
-:method: (4.1.6) by its letter; the curve lies in the hull of its Bézier points $(\frac12,1),(1,2),(\frac32,1)$.  If the polygons tended to
+:given: a quadratic segment of the points $r$ and weights $w$ over the simple knots $T$; $T_m'$ halves every gap $m$ times, $m=1,\dots,M$
+:data: T = -2 -1 0 1 2 3; r = (0,0) (1,2) (2,0); w = 1 1 1; M = 3
+:instead: T = -2 0 0 1 1 3
+:then: the first vertex is $r_1$ for every $m$, while the curve, in the hull of its Bézier points $b$, is to the right of $b_0$
+:result: b = (1/2,1) (1,2) (3/2,1); the first vertex = (0,0)
+:method: (4.1.6) by its letter.  If the polygons tended to
   the curve, their first vertices would come near it.  For every $T'$: of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$,
   as only $N_{1,k}$ begins in $t_1$, so that $r_1$ stays.
-:control: the knots $-2,0,0,1,1,3$
+:control: twofold knots at the ends of the domain
 :::
 */
 CLAIM(first_vertex_stays_off_the_curve)
 {
-    static const int simple[] = {-2, -1, 0, 1, 2, 3}, twofold[] = {-2, 0, 0, 1, 1, 3};
-    const int *knot = fault(T, twofold, simple);
-    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)};
-    num w[] = {from_int(1), from_int(1), from_int(1)}, u[6], bezier[6], S[2], z[1];
-    for (int i = 0; i < 6; i++)
-        u[i] = from_int(knot[i]);
-    G(bspline_to_bezier)(2, 2, u, 2, R, bezier);
-    show_points(T, "knots", 6, 1, u);
-    show_points(T, "r", 3, 2, R);
-    show_points(T, "Bézier points of the curve", 3, 2, bezier);
-    int near = 0;
-    for (int m = 1; m <= 3; m++) {
-        int parts = 1 << m, place[6], at[MOST_KNOTS]; /* places in units of 1/2^m */
-        num v[MOST_KNOTS];
-        int count = cut_gaps(6, knot, parts, place, at);
-        for (int i = 0; i < count; i++)
-            v[i] = from_ratio(at[i], parts);
-        G(refined_by_definition)(3, 2, 2, u, place, R, w, 1, v, at, S, z);
+    enum { p = 2, n = 3, count = n + p + 1, dim = 2 };
+    num u[count], R[n * dim], w[n], bezier[n * dim], S[dim], z[1];
+    given_points(T, "T", count, 1, u);
+    given_points(T, "r", n, dim, R);
+    given_points(T, "w", n, 1, w);
+    int most = given_whole(T, "M"), near = 0;
+    G(bspline_to_bezier)(p, dim, u, p, R, bezier);
+    for (int m = 1; m <= most; m++) {
+        struct G(refinement) r;
+        G(halve_gaps)(p, count, u, m, &r);
+        G(refined_by_definition)(n, p, dim, r.u, r.place, R, w, 1, r.v, r.at, S, z);
         near += sign_q(sub(S[0], bezier[0])) >= 0;
     }
-    show_points(T, "the first vertex", 1, 2, S);
-    about(T, "whether the first vertex is not left of the curve, for one of three refinements");
+    found_points(T, "b", n, dim, bezier);
+    found_points(T, "the first vertex", 1, dim, S);
+    about(T, "whether the first vertex is not left of the curve, for one of the refinements");
     agree(T, near > 0);
 }
 
@@ -450,41 +443,43 @@ CLAIM(first_vertex_stays_off_the_curve)
 :title: Knots that stay on one side leave the other corner as it is
 :zh: 节点只在一侧加密时另一侧的角不变
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,2,2,2$, points $(0,0),(0,2),(2,2),(2,0)$, weights $1$; $T_m'=\{\frac18,\dots,\frac m8\}$, $m=7$, in $(0,1)$
-:then: the vertex $(2,2)$ stays for every such $T'$, while the whole curve has $x+y\le\frac{10}3$
-:method: The insertions by the kernel; the inequality on the curve by the signs of its two segments.  A vertex with $x+y>\frac{11}3$ is not
-  near the curve.  No knot in $(0,1)$ changes $r_3=f[1,2]$.
-:control: $T'$ with $1+\frac18,\dots,1+\frac78$ besides
+:given: a quadratic curve of two segments, of the points $r$ and weights $w$ over the knots $T$; knots $T'$ that all are in the first; numbers
+  $c<d$
+:data: T = 0 0 0 1 2 2 2; r = (0,0) (0,2) (2,2) (2,0); w = 1 1 1 1; T' = 1/8 1/4 3/8 1/2 5/8 3/4 7/8; c = 10/3; d = 11/3
+:instead: T' = 1/4 1/2 3/4 9/8 5/4 3/2 7/4
+:then: the vertex $r_3$ stays, the last but one of the new polygon $r'$, and has $x+y>d$, while the whole curve has $x+y\le c$
+:result: r' = (0,0) (0,1/4) (1/32,11/16) (3/32,17/16) (3/16,11/8) (5/16,13/8) (15/32,29/16) (21/32,31/16) (7/8,2) (2,2) (2,0)
+:method: The insertions by the kernel; the inequality on the curve by the signs of its two segments.  A vertex with $x+y>d$ is not
+  near the curve.  No knot in the first interval changes $r_3=f[t_4,t_5]$.
+:control: knots in both segments
 :::
 */
 CLAIM(knots_on_one_side_do_not_converge)
 {
-    enum { most = 7 + 2 * 7 };
-    static const int knot[] = {0, 0, 0, 1, 2, 2, 2}, point[] = {0, 0, 0, 2, 2, 2, 2, 0};
-    num u[2][most], R[2][2 * most], w[2][most], sums[4];
-    int n = 4, now = 0, sides = fault(T, 2, 1), below = 1;
-    for (int i = 0; i < 7; i++)
-        u[0][i] = from_int(knot[i]);
-    for (int i = 0; i < 4; i++) {
-        R[0][2 * i] = from_int(point[2 * i]);
-        R[0][2 * i + 1] = from_int(point[2 * i + 1]);
-        w[0][i] = from_int(1);
-        sums[i] = from_int(point[2 * i] + point[2 * i + 1]);
-    }
-    for (int mu = 2; mu < 4; mu++) {
-        poly room = poly_sub(poly_constant(from_ratio(10, 3)), G(segment)(2, u[0], mu, sums));
+    enum { p = 2, n = 4, count = n + p + 1, more = 7, dim = 2 };
+    num u[2][count + more], R[2][(n + more) * dim], w[2][n + more], added[more], sums[n];
+    given_points(T, "T", count, 1, u[0]);
+    given_points(T, "r", n, dim, R[0]);
+    given_points(T, "w", n, 1, w[0]);
+    given_points(T, "T'", more, 1, added);
+    num most_on_the_curve = given(T, "c"), most = given(T, "d");
+    for (int i = 0; i < n; i++)
+        sums[i] = add(R[0][dim * i], R[0][dim * i + 1]);
+    int below = 1, now = 0;
+    for (int mu = p; mu < n; mu++) {
+        poly room = poly_sub(poly_constant(most_on_the_curve), G(segment)(p, u[0], mu, sums));
         below &= G(is_nonnegative)(room, u[0][mu], u[0][mu + 1]);
     }
-    for (int side = 0; side < sides; side++)
-        for (int i = 1; i <= 7; i++, n++, now = 1 - now) {
-            int next = 1 - now, mu = (side == 0 ? 1 : 9) + i;
-            num knot_here = from_ratio(8 * side + i, 8);
-            G(nurbs_insert)(nurbs(2, n, 2, u[now], R[now], w[now]), mu, knot_here, u[next], R[next], w[next]);
-        }
-    show_points(T, "the polygon", n, 2, R[now]);
-    about(T, "the curve having x + y <= 10/3, every vertex has x + y <= 11/3");
-    for (int i = 0; i < n; i++)
-        refute(T, below && sign_q(sub(from_ratio(11, 3), add(R[now][2 * i], R[now][2 * i + 1]))) < 0);
+    for (int i = 0; i < more; i++, now = 1 - now) {
+        int next = 1 - now, mu = p;
+        while (compare_q(u[now][mu + 1], added[i]) <= 0)
+            mu++;
+        G(nurbs_insert)(nurbs(p, n + i, dim, u[now], R[now], w[now]), mu, added[i], u[next], R[next], w[next]);
+    }
+    found_points(T, "r'", n + more, dim, R[now]);
+    about(T, "the curve having x + y <= c, every vertex has x + y <= d");
+    for (int i = 0; i < n + more; i++)
+        refute(T, below && sign_q(sub(most, add(R[now][dim * i], R[now][dim * i + 1]))) < 0);
 }
 
 /*
@@ -492,53 +487,50 @@ CLAIM(knots_on_one_side_do_not_converge)
 :title: Over a k-fold knot every polygon keeps the edge that joins the two parts of the curve
 :zh: k 重节点处多边形始终保留连接两段的边
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,1,1,2,2,2$, points $(0,0),(1,-1),(2,0),(2,1),(1,2),(0,1)$, weights $1$; $T_m'$ halves every gap $m$ times,
-  $m=1,2,3$
-:then: every $\Gamma_k^{(T)}(T_m')$ has the edge from $(2,0)$ to $(2,1)$, while the curve has $y\le0$ on $[0,1)$ and $y\ge1$ on
-  $[1,2]$: the middle of the edge is at a distance of at least $\frac12$ from it
+:given: a quadratic curve of two segments, of the points $r$ and weights $w$ over the knots $T$, whose inner knot is threefold; $T_m'$ halves
+  every gap $m$ times, $m=1,\dots,M$
+:data: T = 0 0 0 1 1 1 2 2 2; r = (0,0) (1,-1) (2,0) (2,1) (1,2) (0,1); w = 1 1 1 1 1 1; M = 3
+:instead: T = 0 0 0 1 1 3/2 2 2 2
+:then: every $\Gamma_k^{(T)}(T_m')$ has the edge from $r_3$ to $r_4$, while the curve has $y\le0$ on the first segment and $y\ge1$ on
+  the second: the middle of the edge, with $y$ halfway between, stays at a distance from it
+:result: the first polygon = (0,0) (1/2,-1/2) (3/2,-1/2) (2,0) (2,1) (3/2,3/2) (1/2,3/2) (0,1)
 :method: (4.1.6) by its letter; the curve lies in the hulls of its Bézier points.  For every $T'$: the last point that the knots up to
-  $1$ have is $(2,0)$, the first of the others $(2,1)$; $1$ inserted again repeats one of them.
-:control: the knots $0,0,0,1,1,\frac32,2,2,2$
+  the inner one have is $r_3$, the first of the others $r_4$; that knot inserted again repeats one of them.
+:control: the last of the three equal knots moved to the right
 :::
 */
 CLAIM(polygons_keep_the_edge_over_a_jump)
 {
-    static const int jump[] = {0, 0, 0, 2, 2, 2, 4, 4, 4}, joined[] = {0, 0, 0, 2, 2, 3, 4, 4, 4}; /* twice the knots */
-    static const int point[] = {0, 0, 1, -1, 2, 0, 2, 1, 1, 2, 0, 1};
-    const int *knot = fault(T, joined, jump);
-    num u[9], R[12], w[6], b[6], S[2 * MOST_KNOTS], z[MOST_KNOTS], one = from_int(1);
-    int n = 6, apart = 1, kept = 0;
-    for (int i = 0; i < 9; i++)
-        u[i] = from_ratio(knot[i], 2);
-    for (int i = 0; i < 6; i++) {
-        w[i] = one;
-        R[2 * i] = from_int(point[2 * i]);
-        R[2 * i + 1] = from_int(point[2 * i + 1]);
-    }
-    for (int mu = 2; mu < n; mu++)
-        if (knot[mu] < knot[mu + 1]) {
-            G(bspline_to_bezier)(2, 2, u, mu, R, b);
-            for (int i = 0; i < 3; i++)
-                apart &= mu == 2 ? sign_q(b[2 * i + 1]) <= 0 : sign_q(sub(b[2 * i + 1], one)) >= 0;
+    enum { p = 2, n = 6, count = n + p + 1, dim = 2 };
+    num u[count], R[n * dim], w[n], b[(p + 1) * dim], S[dim * MOST_KNOTS], z[MOST_KNOTS], one = from_int(1);
+    int place[count], apart = 1, kept = 0;
+    G(given_knots)(T, "T", count, u, place);
+    given_points(T, "r", n, dim, R);
+    given_points(T, "w", n, 1, w);
+    int most = given_whole(T, "M");
+    for (int mu = p; mu < n; mu++)
+        if (place[mu] < place[mu + 1]) {
+            G(bspline_to_bezier)(p, dim, u, mu, R, b);
+            for (int i = 0; i <= p; i++)
+                apart &= mu == p ? sign_q(b[dim * i + 1]) <= 0 : sign_q(sub(b[dim * i + 1], one)) >= 0;
         }
-    show_points(T, "knots", 9, 1, u);
-    show_points(T, "r", n, 2, R);
-    for (int m = 1; m <= 3; m++) {
-        int parts = 1 << m, place[9], at[MOST_KNOTS], edges = 0; /* places in units of 1/2^(m+1) */
-        num v[MOST_KNOTS];
-        int count = cut_gaps(9, knot, parts, place, at);
-        for (int i = 0; i < count; i++)
-            v[i] = from_ratio(at[i], 2 * parts);
-        G(refined_by_definition)(n, 2, 2, u, place, R, w, count - 3, v, at, S, z);
-        for (int j = 0; j + 1 < count - 3; j++)
-            edges += equal_q(S[2 * j], R[4]) && equal_q(S[2 * j + 1], R[5]) && equal_q(S[2 * j + 2], R[6]) &&
-                     equal_q(S[2 * j + 3], R[7]);
+    for (int m = 1; m <= most; m++) {
+        struct G(refinement) r;
+        int edges = 0;
+        G(halve_gaps)(p, count, u, m, &r);
+        G(refined_by_definition)(n, p, dim, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
+        for (int j = 0; j + 1 < r.m; j++) {
+            int is_edge = 1;
+            for (int c = 0; c < 2 * dim; c++) /* r_3 and r_4 are points 2 and 3 */
+                is_edge &= equal_q(S[j * dim + c], R[2 * dim + c]);
+            edges += is_edge;
+        }
         kept += edges == 1;
         if (m == 1)
-            show_points(T, "the first polygon", count - 3, 2, S);
+            found_points(T, "the first polygon", r.m, dim, S);
     }
-    about(T, "the curve having no point between y = 0 and y = 1, the edge from (2,0) to (2,1) goes away");
-    refute(T, apart && kept >= 3);
+    about(T, "the curve having no point between y = 0 and y = 1, the edge from r_3 to r_4 goes away");
+    refute(T, apart && kept >= most);
 }
 #endif
 

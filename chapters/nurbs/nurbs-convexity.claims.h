@@ -93,7 +93,7 @@ static void points_of(int n, const long point[], num_q R[])
   in clockwise order.  Conversely three points in order of the boundary turn left or are on one line.
 :degrees: 3..6
 :scope: the stated polygons; all others by the argument given
-:control: only the areas of three neighbouring points are asked for
+:control: only the areas of three neighbouring points are asked for, which leaves out some for $n>3$
 :::
 */
 static long triangle_area(const long P[], const long Q[], const long R[])
@@ -122,10 +122,6 @@ CLAIM(triangles_of_one_sign_make_a_polygon_convex)
         (void)polygon_is_convex(n - 1, R, 1, &orientation);
         agree(T, orientation == wanted);
         region_drop(mark);
-    }
-    if (T->faulty && n == 3) { /* one triangle is all there is */
-        num R[] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(0), from_int(0)};
-        agree(T, polygon_is_convex(2, R, 1, NULL));
     }
 }
 
@@ -183,26 +179,33 @@ static int place_of(int count, const num_q t[], num_q tau)
     return mu;
 }
 
-/* k = 3, knots 0, 0, 0, 1, ..., n-2, n-2, n-2, weights 1. */
-static void parabolas(int n, const long point[], num_q t[], num_q r[], num_q w[])
+/* The span, counted from 0, of a parameter of the domain t_k, ..., t_{n+1}. */
+static int span_of(int n, int k, const num_q t[], num_q x)
 {
-    for (int i = 1; i <= n + 3; i++)
-        t[i] = from_int_q(i <= 3 ? 0 : i <= n ? i - 3 : n - 2);
-    for (int i = 1; i <= n; i++)
-        w[i] = from_int_q(1);
-    points_of(n, point, r + 2);
+    int j = k;
+    while (j < n && (compare_q(t[j + 1], x) <= 0 || compare_q(t[j], t[j + 1]) == 0))
+        j++;
+    return j - 1;
 }
 
-/* Part of the boundary of a convex set before the insertion, but not after. */
-static void lose_convexity(trial *T, int n, const long point[], num_q tau)
+/* The knots T, points r and weights w of the block, numbered from 1. */
+static void given_curve(trial *T, int n, int k, num_q t[], num_q r[], num_q w[])
+{
+    given_points_q(T, "T", n + k, 1, t + 1);
+    given_points_q(T, "r", n, 2, r + 2);
+    given_points_q(T, "w", n, 1, w + 1);
+}
+
+/* Refutes for the given curve of order three with n points: part of the boundary of a convex set before the insertion of the given tau
+ * is part of the boundary of one after it. */
+static void lose_convexity(trial *T, int n)
 {
     enum { MOST = 5 };
     num_q t[MOST + 5], r[2 * MOST + 4], w[MOST + 2], v[MOST + 5], S[2 * MOST + 4], z[MOST + 2];
-    parabolas(n, point, t, r, w);
+    given_curve(T, n, 3, t, r, w);
+    num_q tau = given_q(T, "τ");
     printed_insertion_q(n, 3, 2, t, place_of(n + 3, t, tau), tau, r, w, v, S, z);
-    show_points_q(T, "r", n, 2, r + 2);
-    show_q(T, "τ", tau);
-    show_points_q(T, "r'", n + 1, 2, S + 2);
+    found_points_q(T, "r'", n + 1, 2, S + 2);
     about(T, "if every edge of the polygon is on the boundary of its hull, so is every edge of the new one");
     refute(T, every_edge_on_the_border(n, r + 2) && !every_edge_on_the_border(n + 1, S + 2));
 }
@@ -212,38 +215,35 @@ static void lose_convexity(trial *T, int n, const long point[], num_q tau)
 :title: A polygon on the boundary of a triangle that turns back, and its corners cut
 :zh: 往返的多边形割角后非凸
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,2,2,2$, weights $1$, points $(0,0),(1,0),(0,0),(0,1)$; $T'=\{\frac32\}$
-:then: the points of the polygon are two sides of a triangle, so part of the boundary of a convex set; the new polygon
-  $(0,0),(1,0),(\frac14,0),(0,\frac12),(0,1)$ has an edge inside its hull
-:method: By the printed formulas; an edge is on the boundary of the hull when no two vertices are on different sides of it.  For $k=2$
-  an insertion changes no set of points, and three points never lose convexity by the letter.
-:control: the points taken as $(0,0),(1,0),(1,1),(0,1)$
+:given: a quadratic curve of the points $r$ and weights $w$ over the knots $T$; one knot inserted, $T'=\{\tau\}$
+:data: T = 0 0 0 1 2 2 2; r = (0,0) (1,0) (0,0) (0,1); w = 1 1 1 1; τ = 3/2
+:instead: r = (0,0) (1,0) (1,1) (0,1)
+:then: the points of the polygon are two sides of a triangle, so part of the boundary of a convex set; the new polygon $r'$ has an edge inside
+  its hull
+:result: r' = (0,0) (1,0) (1/4,0) (0,1/2) (0,1)
+:method: By the printed formulas; an edge is on the boundary of the hull when no two vertices are on different sides of it.  For order two
+  an insertion changes no set of points, and a polygon of three points never loses convexity by the letter.
+:control: the points of a square
 :::
 */
-CLAIM(polygon_that_turns_back_loses_convexity)
-{
-    static const long back[] = {0, 0, 1, 0, 0, 0, 0, 1}, once[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    lose_convexity(T, 4, fault(T, once, back), from_ratio(3, 2));
-}
+CLAIM(polygon_that_turns_back_loses_convexity) { lose_convexity(T, 4); }
 
 /*
 :::{claim} polygon_that_overlaps_itself_loses_convexity
 :title: A polygon that runs round a triangle and over its first side again
 :zh: 首尾重叠的多边形割角后非凸
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,2,3,3,3$, weights $1$, points $(0,0),(2,0),(0,2),(0,0),(2,0)$, which go round a triangle, always turning
-  left, and then over its first side again; $T'=\{\frac12\}$
-:then: the points of the polygon are the sides of the triangle; the new polygon $(0,0),(1,0),(\frac32,\frac12),(0,2),(0,0),(2,0)$ has an
-  edge inside its hull
+:given: a quadratic curve of the points $r$ and weights $w$ over the knots $T$; the points go round a triangle, always turning
+  left, and then over its first side again; one knot inserted, $T'=\{\tau\}$
+:data: T = 0 0 0 1 2 3 3 3; r = (0,0) (2,0) (0,2) (0,0) (2,0); w = 1 1 1 1 1; τ = 1/2
+:instead: r = (0,0) (2,0) (0,2) (0,1) (0,0)
+:then: the points of the polygon are the sides of the triangle; the new polygon $r'$ has an edge inside its hull
+:result: r' = (0,0) (1,0) (3/2,1/2) (0,2) (0,0) (2,0)
 :method: As before.  With four points the three edges are different sides, if the polygon never turns back, and none runs over another.
-:control: the last two points taken as $(0,1),(0,0)$: the polygon is closed and runs round once
+:control: the last two points on the third side: the polygon is closed and runs round once
 :::
 */
-CLAIM(polygon_that_overlaps_itself_loses_convexity)
-{
-    static const long over[] = {0, 0, 2, 0, 0, 2, 0, 0, 2, 0}, closed[] = {0, 0, 2, 0, 0, 2, 0, 1, 0, 0};
-    lose_convexity(T, 5, fault(T, closed, over), from_ratio(1, 2));
-}
+CLAIM(polygon_that_overlaps_itself_loses_convexity) { lose_convexity(T, 5); }
 
 /*
 :::{statement} wang-ch4:def-4.2.1-smallest
@@ -266,19 +266,29 @@ and the only one.
 :title: A polygon that is not convex has no convex set with it on the boundary
 :zh: 非凸时 A(Γ) 不存在
 :kind: counterexample
-:given: the points $(0,0),(3,0),(1,1),(0,3)$
-:then: $(1,1)$ is strictly inside the triangle of the others, so inside every convex set that contains the polygon
-:method: Three turns.
-:control: $(2,2)$ for $(1,1)$
+:given: a polygon of four points $r$
+:data: r = (0,0) (3,0) (1,1) (0,3)
+:instead: r = (0,0) (3,0) (2,2) (0,3)
+:then: $r_3$ is strictly inside the triangle of the others, so inside every convex set that contains the polygon
+:result: areas on the inside, twice = 3 3 3
+:method: Three turns: the areas of the triangles of $r_3$ and the sides.
+:control: $r_3$ on the other side of the line of its neighbours
 :::
 */
 CLAIM(curve_inside_its_hull_has_no_smallest_set)
 {
-    long inner = fault(T, 2, 1);
-    num P[] = {from_int(0),     from_int(0),     from_int(3), from_int(0),
-               from_int(inner), from_int(inner), from_int(0), from_int(3)};
-    show_points(T, "r", 4, 2, P);
-    int inside_all = turn_2d(P, P + 2, P + 4) > 0 && turn_2d(P + 2, P + 6, P + 4) > 0 && turn_2d(P + 6, P, P + 4) > 0;
+    num P[8], area[3];
+    given_points(T, "r", 4, 2, P);
+    const num *corner[3] = {P, P + 2, P + 6}, *third = P + 4;
+    int inside_all = 1;
+    for (int i = 0; i < 3; i++) {
+        const num *from = corner[i], *to = corner[(i + 1) % 3];
+        num along[2] = {sub(to[0], from[0]), sub(to[1], from[1])};
+        num there[2] = {sub(third[0], from[0]), sub(third[1], from[1])};
+        area[i] = G(cross2)(along, there);
+        inside_all &= turn_2d(from, to, third) > 0;
+    }
+    found_points(T, "areas on the inside, twice", 3, 1, area);
     about(T, "the third point is not inside the triangle of the others");
     refute(T, inside_all);
 }
@@ -532,21 +542,21 @@ CLAIM(insertion_turns_like_its_triangles)
 :title: Knots outside the domain ask for points that are not there
 :zh: 定义域外的节点
 :kind: counterexample
-:given: $k=3$, $n=3$, $t_i=i$, so that the domain is $[3,4]$; $\tau=\frac32$
-:then: by the printed formula $r'_1=\frac34r_0+\frac14r_1$ for equal weights, and there is no $r_0$
+:given: the simple knots $T$ of one quadratic segment, with the domain $[t_k,t_{n+1}]$, and $\tau<t_k$
+:data: T = 1 2 3 4 5 6; τ = 3/2
+:instead: τ = 7/2
+:then: by the printed formula $r'_1=(1-\alpha_1)r_0+\alpha_1r_1$ for equal weights, the factor of $r_0$ is not $0$, and there is no $r_0$
+:result: factor of r_0 = 3/4
 :method: $\alpha_1$ by the printed cases; that the factor of $r_0$ is $0$ is what is asked for.
-:control: $\tau=\frac72$
+:control: $\tau$ in the domain
 :::
 */
 CLAIM(knot_before_the_domain_asks_for_another_point)
 {
-    num t[7], tau = from_ratio(fault(T, 7, 3), 2);
-    for (int i = 1; i <= 6; i++)
-        t[i] = from_int(i);
-    int mu = place_of(6, t, tau);
-    num factor = sub(from_int(1), G(printed_alpha)(3, mu, t, tau, 1));
-    show(T, "τ", tau);
-    show(T, "factor of r_0", factor);
+    num t[7];
+    given_points(T, "T", 6, 1, t + 1);
+    num tau = given(T, "τ"), factor = sub(from_int(1), G(printed_alpha)(3, place_of(6, t, tau), t, tau, 1));
+    found(T, "factor of r_0", factor);
     about(T, "the new first point does not need r_0");
     same(T, factor, from_int(0));
 }
@@ -556,31 +566,28 @@ CLAIM(knot_before_the_domain_asks_for_another_point)
 :title: At the start of a clamped curve the printed convention asks for a point before the first
 :zh: 左端重节点处再嵌入
 :kind: counterexample
-:given: $k=3$, $n=3$, $t_1=t_2=t_3=0$, $t_4=t_5=t_6=1$; $\tau=0$, which is in the domain; $t_0=-1$
-:then: $\tau\in(t_0,t_1]$, $\mu=0$, $\alpha_1=0$: $r'_1=r_0$
+:given: the knots $T$ of one quadratic segment, with a $k$-fold first knot, after any smaller $t_0$; $\tau=t_1=t_k$, which is in the domain
+:data: T = 0 0 0 1 1 1; τ = 0
+:then: $\tau\in(t_0,t_1]$, which is the interval of $\mu$, and $\alpha_1=0$: $r'_1=r_0$
+:result: μ = 0; factor of r_0 = 1
 :method: $\alpha_1$ by the printed cases.
-:control: the interval taken as $[t_3,t_4)$, $\mu=3$
+:control: $\mu$ taken with $\tau\in[t_\mu,t_{\mu+1})$
 :::
 */
 CLAIM(insertion_at_a_clamped_start_asks_for_another_point)
 {
     num t[7];
-    for (int i = 1; i <= 6; i++)
-        t[i] = from_int(i > 3);
-    int mu = fault(T, 3, place_of(6, t, from_int(0)));
-    num factor = sub(from_int(1), G(printed_alpha)(3, mu, t, from_int(0), 1));
-    show_points(T, "t", 6, 1, t + 1);
-    show_text(T, "μ", "%d", mu);
-    show(T, "factor of r_0", factor);
+    given_points(T, "T", 6, 1, t + 1);
+    num tau = given(T, "τ");
+    int before = place_of(6, t, tau), up_to = before;
+    while (up_to < 6 && compare_q(t[up_to + 1], tau) <= 0)
+        up_to++;
+    int mu = fault(T, up_to, before);
+    num factor = sub(from_int(1), G(printed_alpha)(3, mu, t, tau, 1));
+    found_whole(T, "μ", mu);
+    found(T, "factor of r_0", factor);
     about(T, "the new first point does not need r_0");
     same(T, factor, from_int(0));
-}
-
-/* Knots a times k, b times k, numbered from 1. */
-static void one_interval(int k, num_q t[])
-{
-    for (int i = 1; i <= 2 * k; i++)
-        t[i] = from_int_q(i > k);
 }
 
 static int positive_on_the_interval(int n, const num_q w[])
@@ -593,34 +600,32 @@ static int positive_on_the_interval(int n, const num_q w[])
 :title: With weights of both signs the new vertices are beside the edges
 :zh: 权因子变号时新顶点不在边上
 :kind: counterexample
-:given: $k=n=4$, knots $0$ and $1$ four times each, the square $(0,0),(1,0),(1,1),(0,1)$, weights $4,-1,4,4$, for which $w(t)>0$;
-  $\tau=\frac12$
-:then: $s_2=-\frac13$, $s_3=\frac43$, and the new polygon is not convex
+:given: a cubic segment of the points $r$, a square, over the knots $T$, with weights $w$ of both signs for which $w(t)>0$; $\tau$
+:data: T = 0 0 0 0 1 1 1 1; r = (0,0) (1,0) (1,1) (0,1); w = 4 -1 4 4; τ = 1/2
+:instead: w = 4 1 4 4
+:then: $s_2$ is negative and $s_3$ greater than $1$, and the new polygon $r'$ is not convex
+:result: s_2 = -1/3; s_3 = 4/3; r' = (0,0) (-1/3,0) (1,4/3) (1/2,1) (0,1)
 :method: The printed formulas; convexity by `exact/decide/hull.h`.
-:control: the second weight taken as $+1$
+:control: all weights positive
 :::
 */
 CLAIM(mixed_weights_cut_beside_the_edges)
 {
-    static const long point[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    num t[10], r[10], w[6], v[10], S[12], z[6], weight, tau = from_ratio(1, 2);
-    one_interval(4, t);
-    points_of(4, point, r + 2);
-    for (int i = 1; i <= 4; i++)
-        w[i] = from_int(i == 2 ? fault(T, 1, -1) : 4);
-    int given = positive_on_the_interval(3, w + 1) && polygon_is_convex(3, r + 2, 1, NULL);
+    num t[10], r[10], w[6], v[10], S[12], z[6], s[2], weight;
+    given_curve(T, 4, 4, t, r, w);
+    num tau = given(T, "τ");
+    int stated = positive_on_the_interval(3, w + 1) && polygon_is_convex(3, r + 2, 1, NULL);
     G(printed_insertion)(4, 4, 2, t, 4, tau, r, w, v, S, z);
-    show_points(T, "w", 4, 1, w + 1);
-    show_points(T, "r", 4, 2, r + 2);
-    show_points(T, "r'", 5, 2, S + 2);
     int good = polygon_is_convex(4, S + 2, 1, NULL);
     for (int i = 2; i <= 3; i++) {
-        num s = G(printed_ratio)(G(printed_alpha)(4, 4, t, tau, i), w[i - 1], w[i], &weight);
-        show(T, i == 2 ? "s_2" : "s_3", s);
-        good |= sign_q(s) >= 0 && compare_q(s, from_int(1)) <= 0;
+        s[i - 2] = G(printed_ratio)(G(printed_alpha)(4, 4, t, tau, i), w[i - 1], w[i], &weight);
+        good |= sign_q(s[i - 2]) >= 0 && compare_q(s[i - 2], from_int(1)) <= 0;
     }
+    found(T, "s_2", s[0]);
+    found(T, "s_3", s[1]);
+    found_points(T, "r'", 5, 2, S + 2);
     about(T, "w(t) being positive and the polygon convex, a ratio is between 0 and 1 or the new polygon is convex");
-    refute(T, given && !good);
+    refute(T, stated && !good);
 }
 #endif
 
@@ -688,23 +693,23 @@ The same as (2.9.1) in homogeneous coordinates; the new weights are the denomina
 :title: With weights of both signs a new point may not exist
 :zh: 新权因子为零
 :kind: counterexample
-:given: $k=n=3$, knots $0$ and $1$ three times each, weights $2,-1,2$, for which $w(t)>0$; $\tau=\frac23$
-:then: the denominator of $s_2$ is $\frac13\cdot2-\frac23=0$
+:given: the knots $T$ of a quadratic segment, weights $w$ of both signs for which $w(t)>0$; $\tau$
+:data: T = 0 0 0 1 1 1; w = 2 -1 2; τ = 2/3
+:instead: w = 2 1 2
+:then: the denominator of $s_2$ vanishes
+:result: denominator of s_2 = 0
 :method: The denominator is computed and asked to be different from $0$.
-:control: the middle weight taken as $+1$
+:control: all weights positive
 :::
 */
 CLAIM(vanishing_weight_loses_the_new_point)
 {
-    num t[7], w[4], weight, tau = from_ratio(2, 3);
-    one_interval(3, t);
-    for (int i = 1; i <= 3; i++)
-        w[i] = from_int(i == 2 ? fault(T, 1, -1) : 2);
-    num alpha = G(printed_alpha)(3, 3, t, tau, 2);
-    weight = add(mul(sub(from_int(1), alpha), w[1]), mul(alpha, w[2]));
-    show_points(T, "w", 3, 1, w + 1);
-    show(T, "τ", tau);
-    show(T, "denominator of s_2", weight);
+    num t[7], w[4];
+    given_points(T, "T", 6, 1, t + 1);
+    given_points(T, "w", 3, 1, w + 1);
+    num alpha = G(printed_alpha)(3, 3, t, given(T, "τ"), 2);
+    num weight = add(mul(sub(from_int(1), alpha), w[1]), mul(alpha, w[2]));
+    found(T, "denominator of s_2", weight);
     about(T, "w(t) being positive, the denominator is not 0");
     refute(T, positive_on_the_interval(2, w + 1) && is_zero_q(weight));
 }
@@ -1086,29 +1091,30 @@ CLAIM(inserted_parameters_become_vertices)
 :title: The curve of a polygon that turns back is not convex
 :zh: 往返多边形的曲线非凸
 :kind: counterexample
-:given: $k=3$, knots $0,0,0,1,2,2,2$, weights $1$, points $(0,0),(1,0),(0,0),(0,1)$
-:then: $r(\frac32)=(\frac18,\frac14)$ is strictly inside the triangle of $r(0)$, $r(\frac23)$, $r(2)$: the curve is not part of the
+:given: a quadratic curve of the points $r$ and weights $w$ over the knots $T$, three parameters $t$ and one more, $\tau$
+:data: T = 0 0 0 1 2 2 2; r = (0,0) (1,0) (0,0) (0,1); w = 1 1 1 1; t = 0 2/3 2; τ = 3/2
+:instead: r = (0,0) (1,0) (1,1) (0,1)
+:then: $r(\tau)$ is strictly inside the triangle of the three points $r(t)$: the curve is not part of the
   boundary of any convex set
+:result: r(t) = (0,0) (2/3,0) (0,1); r(τ) = (1/8,1/4)
 :method: The points by the kernel; three turns decide.
-:control: the points taken as $(0,0),(1,0),(1,1),(0,1)$
+:control: the points of a square
 :::
 */
 CLAIM(curve_of_a_polygon_that_turns_back_is_not_convex)
 {
-    static const long back[] = {0, 0, 1, 0, 0, 0, 0, 1}, once[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    num t[8], r[10], w[5], P[4][2];
-    parabolas(4, fault(T, once, back), t, r, w);
-    nurbs_point_q(2, 2, t + 1, 2, r + 2, w + 1, from_int(0), P[0]);
-    nurbs_point_q(2, 2, t + 1, 2, r + 2, w + 1, from_ratio(2, 3), P[1]);
-    nurbs_point_q(2, 2, t + 1, 3, r + 2, w + 1, from_int(2), P[2]);
-    nurbs_point_q(2, 2, t + 1, 3, r + 2, w + 1, from_ratio(3, 2), P[3]);
-    show_points(T, "r", 4, 2, r + 2);
-    show_points(T, "r(0), r(2/3), r(2)", 3, 2, P[0]);
-    show_points(T, "r(3/2)", 1, 2, P[3]);
+    num t[8], r[10], w[5], at[4], P[4][2];
+    given_curve(T, 4, 3, t, r, w);
+    given_points(T, "t", 3, 1, at);
+    at[3] = given(T, "τ");
+    for (int m = 0; m < 4; m++)
+        G(nurbs_point)(2, 2, t + 1, span_of(4, 3, t, at[m]), r + 2, w + 1, at[m], P[m]);
+    found_points(T, "r(t)", 3, 2, P[0]);
+    found_points(T, "r(τ)", 1, 2, P[3]);
     int inner = 1;
     for (int i = 0; i < 3; i++)
         inner &= turn_2d(P[i], P[(i + 1) % 3], P[3]) > 0;
-    about(T, "r(3/2) is not inside the triangle of three other points of the curve");
+    about(T, "r(τ) is not inside the triangle of three other points of the curve");
     refute(T, inner);
 }
 
@@ -1117,29 +1123,26 @@ CLAIM(curve_of_a_polygon_that_turns_back_is_not_convex)
 :title: A knot of multiplicity k makes the curve discontinuous
 :zh: k 重节点使曲线间断
 :kind: counterexample
-:given: $k=2$, knots $0,0,1,1,2,2$, weights $1$, the square $(0,0),(1,0),(1,1),(0,1)$
-:then: the curve is two opposite sides: from the left $r(1)=(1,0)$, from the right $r(1)=(1,1)$
+:given: a linear curve of the points $r$, a square, and weights $w$ over the knots $T$, and its twofold inner knot $t$
+:data: T = 0 0 1 1 2 2; r = (0,0) (1,0) (1,1) (0,1); w = 1 1 1 1; t = 1
+:instead: T = 0 0 1 3/2 2 2
+:then: the curve is two opposite sides: $r(t-)$ from the left and $r(t+)$ from the right are different points
+:result: r(t-) = (1,0); r(t+) = (1,1)
 :method: Both limits by the kernel.
-:control: the second inner knot taken as $\frac32$
+:control: the second of the two equal knots moved to the right
 :::
 */
 CLAIM(knot_of_full_multiplicity_tears_the_curve)
 {
-    static const long point[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    num u[] = {from_int(0), from_int(0), from_int(1), fault(T, from_ratio(3, 2), from_int(1)),
-               from_int(2), from_int(2)};
-    num R[8], w[4], left[2], right[2], knot = from_int(1);
-    points_of(4, point, R);
-    G(equal_weights)(3, w);
-    w[0] = knot;
-    G(nurbs_point)(1, 2, u, 1, R, w, knot, left);
-    G(nurbs_point)(1, 2, u, fault(T, 2, 3), R, w, knot, right);
-    show_points(T, "r", 4, 2, R);
-    show_points(T, "t", 6, 1, u);
-    show_points(T, "r(1) from the left", 1, 2, left);
-    show_points(T, "r(1) from the right", 1, 2, right);
-    about(T, "the polygon being convex, the curve is continuous at t = 1");
-    refute(T, polygon_is_convex(3, R, 1, NULL) && (!equal_q(left[0], right[0]) || !equal_q(left[1], right[1])));
+    num t[7], r[10], w[5], left[2], right[2];
+    given_curve(T, 4, 2, t, r, w);
+    num knot = given(T, "t");
+    G(nurbs_point)(1, 2, t + 1, place_of(6, t, knot) - 1, r + 2, w + 1, knot, left);
+    G(nurbs_point)(1, 2, t + 1, span_of(4, 2, t, knot), r + 2, w + 1, knot, right);
+    found_points(T, "r(t-)", 1, 2, left);
+    found_points(T, "r(t+)", 1, 2, right);
+    about(T, "the polygon being convex, the curve is continuous at t");
+    refute(T, polygon_is_convex(3, r + 2, 1, NULL) && (!equal_q(left[0], right[0]) || !equal_q(left[1], right[1])));
 }
 
 /* det(P, P', P'') on the interval that begins with knot mu, which is not empty; u and R from 0. */
@@ -1172,31 +1175,27 @@ static enum cagd_sign_pattern sign_of_span(poly p) { return sign_on(p, from_int_
 :title: With weights of both signs the spline of a convex polygon bends both ways
 :zh: 权因子变号时曲线有拐点
 :kind: counterexample
-:given: $k=4$, $n=5$, knots $0,0,0,0,1,2,2,2,2$, the convex points $(0,0),(2,0),(3,2),(1,4),(0,3)$, weights $8,-1,8,8,8$
-:then: $w(t)>0$ on the domain, and $\det(P,P',P'')$ takes both signs on $[0,1]$
+:given: a cubic curve of two segments, of the convex points $r$ and weights $w$ of both signs, over the knots $T$
+:data: T = 0 0 0 0 1 2 2 2 2; r = (0,0) (2,0) (3,2) (1,4) (0,3); w = 8 -1 8 8 8
+:instead: w = 8 1 8 8 8
+:then: $w(t)>0$ on the domain, and $\det(P,P',P'')$ takes both signs on the first segment
+:result: det(P,P',P'') on [0,1] = "-12960*t^3 + 12096*t^2 + 2304*t - 2304"
 :method: The polynomials of the interval; their signs by counting roots.
-:control: the second weight taken as $+1$
+:control: all weights positive
 :::
 */
 CLAIM(mixed_weights_bend_both_ways)
 {
-    static const long point[] = {0, 0, 2, 0, 3, 2, 1, 4, 0, 3}, knot[] = {0, 0, 0, 0, 1, 2, 2, 2, 2};
-    num u[9], R[10], w[5];
-    poly weight[2], turn = {0};
-    points_of(5, point, R);
-    for (int i = 0; i < 9; i++)
-        u[i] = from_int(knot[i]);
-    for (int i = 0; i < 5; i++)
-        w[i] = from_int(i == 1 ? fault(T, 1, -1) : 8);
-    turn = turning_of_span(3, u, 3, R, w, &weight[0]);
-    (void)turning_of_span(3, u, 4, R, w, &weight[1]);
-    int given = polygon_is_convex(4, R, 1, NULL);
-    given &= sign_of_span(weight[0]) == SIGN_POSITIVE && sign_of_span(weight[1]) == SIGN_POSITIVE;
-    show_points(T, "r", 5, 2, R);
-    show_points(T, "w", 5, 1, w);
-    show_text(T, "det(P,P',P'') on [0,1]", "%s", poly_to_string(turn, "t"));
-    about(T, "w(t) being positive and the polygon convex, the curve turns to one side on [0,1]");
-    refute(T, given && sign_of_span(turn) == SIGN_MIXED);
+    num t[10], r[12], w[6];
+    poly weight[2];
+    given_curve(T, 5, 4, t, r, w);
+    poly turn = turning_of_span(3, t + 1, 3, r + 2, w + 1, &weight[0]);
+    (void)turning_of_span(3, t + 1, 4, r + 2, w + 1, &weight[1]);
+    int stated = polygon_is_convex(4, r + 2, 1, NULL);
+    stated &= sign_of_span(weight[0]) == SIGN_POSITIVE && sign_of_span(weight[1]) == SIGN_POSITIVE;
+    found_text(T, "det(P,P',P'') on [0,1]", poly_to_string(turn, "t"));
+    about(T, "w(t) being positive and the polygon convex, the curve turns to one side on the first segment");
+    refute(T, stated && sign_of_span(turn) == SIGN_MIXED);
 }
 
 /*
@@ -1245,28 +1244,27 @@ an intersection of closed convex sets is closed and convex.
 :title: The hulls of sets of knots that are not nested are not nested
 :zh: 无包含关系的节点集
 :kind: counterexample
-:given: $k=n=3$, knots $0$ and $1$ three times each, points $(0,0),(4,0),(0,4)$, weights $1$; $T_1=\{\frac14\}$, $T_2=\{\frac34\}$
-:then: the second vertex $(3,0)$ of $\Gamma(T_2)$ is not in $A(\Gamma(T_1))$
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$; $T_1=\{\tau_1\}$, $T_2=\{\tau_2\}$
+:data: T = 0 0 0 1 1 1; r = (0,0) (4,0) (0,4); w = 1 1 1; τ = 1/4 3/4
+:then: the second vertex of $\Gamma(T_2)$ is not in $A(\Gamma(T_1))$
+:result: Γ(T_1) = (0,0) (1,0) (3,1) (0,4); Γ(T_2) = (0,0) (3,0) (1,3) (0,4)
 :method: The printed formulas; the hull by `exact/decide/hull.h`, with a separating line.
-:control: $T_2=\{\frac14,\frac34\}$
+:control: $T_2=\{\tau_1,\tau_2\}$
 :::
 */
 CLAIM(hulls_of_unrelated_knots_are_not_nested)
 {
-    static const long point[] = {0, 0, 4, 0, 0, 4};
-    num t[9], r[8], w[5], v[2][9], S[2][12], z[2][6], quarter = from_ratio(1, 4), rest = from_ratio(3, 4);
-    one_interval(3, t);
-    points_of(3, point, r + 2);
-    G(equal_weights)(3, w);
-    G(printed_insertion)(3, 3, 2, t, 3, quarter, r, w, v[0], S[0], z[0]);
-    G(printed_insertion)(3, 3, 2, t, 3, rest, r, w, v[1], S[1], z[1]);
-    int count = 4;
-    if (!T->faulty) { /* both knots */
-        G(printed_insertion)(4, 3, 2, v[0], 4, rest, S[0], z[0], v[1], S[1], z[1]);
-        count = 5;
-    }
-    show_points(T, "Γ(T_1)", 4, 2, S[0] + 2);
-    show_points(T, "Γ(T_2)", count, 2, S[1] + 2);
+    num t[9], r[8], w[5], tau[2], v[2][9], S[2][12], z[2][6];
+    given_curve(T, 3, 3, t, r, w);
+    given_points(T, "τ", 2, 1, tau);
+    G(printed_insertion)(3, 3, 2, t, 3, tau[0], r, w, v[0], S[0], z[0]);
+    int count = fault(T, 5, 4);
+    if (T->faulty)
+        G(printed_insertion)(3, 3, 2, t, 3, tau[1], r, w, v[1], S[1], z[1]);
+    else /* both knots */
+        G(printed_insertion)(4, 3, 2, v[0], 4, tau[1], S[0], z[0], v[1], S[1], z[1]);
+    found_points(T, "Γ(T_1)", 4, 2, S[0] + 2);
+    found_points(T, "Γ(T_2)", count, 2, S[1] + 2);
     about(T, "the hull of the second polygon is part of that of the first");
     for (int i = 1; i <= count; i++)
         agree(T, hull_membership(2, 4, S[0] + 2, S[1] + 2 * i).inside);
@@ -1305,15 +1303,6 @@ flatten to a segment that is run through twice.  A NURBS curve on a line has its
 :control: the third point thrown across the line of the first two
 :::
 */
-/* The span, counted from 0, of a parameter of the domain t_k, ..., t_{n+1}. */
-static int span_of(int n, int k, const num_q t[], num_q x)
-{
-    int j = k;
-    while (j < n && (compare_q(t[j + 1], x) <= 0 || compare_q(t[j], t[j + 1]) == 0))
-        j++;
-    return j - 1;
-}
-
 CLAIM(convex_polygons_have_splines_of_one_turn)
 {
     for (int example = 0; example < CONVEX_CURVES; example++)
@@ -1397,24 +1386,31 @@ CLAIM(periodic_curves_of_convex_polygons_are_convex)
 :title: Convex polygons with decreasing hulls, whose limit runs to and fro
 :zh: 凸多边形的极限可往返
 :kind: counterexample
-:given: the polygons $(0,0),(1,0),(1,h),(0,h)$, $h=1,\frac12,\frac14,\dots,\frac1{64}$, and their limit $h=0$
+:given: the rectangles $(0,0),(1,0),(1,h),(0,h)$ for a decreasing sequence of $h$, and their limit for $h\to h_\infty$
+:data: h = 1 1/2 1/4 1/8 1/16 1/32 1/64; h_∞ = 0
+:instead: h_∞ = 1
 :then: the polygons are convex and each hull contains the next; the limit goes from $(0,0)$ to $(1,0)$ and back
-:method: Convexity of the seven and of the limit by `exact/decide/hull.h`.
-:control: the limit taken as that for $h\to1$
+:result: limit = (0,0) (1,0) (1,0) (0,0)
+:method: Convexity of them and of the limit by `exact/decide/hull.h`.
+:control: the limit for $h\to1$
 :::
 */
 CLAIM(limit_of_convex_polygons_may_run_back)
 {
-    int convex = 1;
+    enum { SIZE = 7 };
+    int convex = 1, decreasing = 1;
     num R[] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1), from_int(0), from_int(1)};
-    for (long h = 1; h <= 64; h *= 2) {
-        R[5] = R[7] = from_ratio(1, h);
+    num h[SIZE];
+    given_points(T, "h", SIZE, 1, h);
+    for (int m = 0; m < SIZE; m++) {
+        R[5] = R[7] = h[m];
         convex &= polygon_is_convex(3, R, 0, NULL);
+        decreasing &= m == 0 || compare_q(h[m], h[m - 1]) < 0;
     }
-    R[5] = R[7] = from_int(fault(T, 1, 0));
-    show_points(T, "limit", 4, 2, R);
-    about(T, "the polygons being convex, their limit runs through its points once");
-    refute(T, convex && !polygon_is_convex(3, R, 0, NULL));
+    R[5] = R[7] = given(T, "h_∞");
+    found_points(T, "limit", 4, 2, R);
+    about(T, "the polygons being convex and their heights decreasing, the limit runs through its points once");
+    refute(T, convex && decreasing && !polygon_is_convex(3, R, 0, NULL));
 }
 #endif
 

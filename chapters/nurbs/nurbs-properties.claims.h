@@ -413,13 +413,14 @@ CLAIM(nurbs_derivatives_are_derivatives)
         formal[m] = derivative_f(formal[m - dim], t);
     for (int m = 0; m < dim * (order + 1); m++)
         formal[m] = substitute_f(formal[m], t, tau);
-    num cross[dim], mixed = from_int(0);
-    for (int c = 0; c < dim; c++) { /* r' x r'', and (r', r'', r''') */
+    num square = from_int(0), speed = from_int(0), mixed = from_int(0);
+    for (int c = 0; c < dim; c++) { /* |r' x r''|^2, |r'|^2 and (r', r'', r''') */
         int i = (c + 1) % dim, j = (c + 2) % dim;
-        cross[c] = sub(mul(formal[dim + i], formal[2 * dim + j]), mul(formal[dim + j], formal[2 * dim + i]));
-        mixed = add(mixed, mul(cross[c], formal[3 * dim + c]));
+        num cross = sub(mul(formal[dim + i], formal[2 * dim + j]), mul(formal[dim + j], formal[2 * dim + i]));
+        square = add(square, mul(cross, cross));
+        speed = add(speed, mul(formal[dim + c], formal[dim + c]));
+        mixed = add(mixed, mul(cross, formal[3 * dim + c]));
     }
-    num square = G(norm_squared)(dim, cross), speed = G(norm_squared)(dim, formal + dim);
     about(T, "the square of the curvature");
     same(T, G(nurbs_curvature_squared)(p, dim, u, p, R, fault(T, weight, ones), tau),
          div(square, mul(speed, mul(speed, speed))));

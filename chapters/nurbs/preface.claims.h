@@ -64,46 +64,35 @@ A whole circle is one NURBS curve, with rational points and weights, and with ev
 :::
 */
 
-/* The circle of radius 1 in four quarters: weights 1, 1, 2 to and fro. */
-static void G(circle)(int plain, num R[18], num w[9])
-{
-    static const int x[9] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, y[9] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
-    static const int weight[9] = {1, 1, 2, 1, 1, 1, 2, 1, 1};
-    for (int i = 0; i < 9; i++) {
-        R[2 * i] = from_int(x[i]);
-        R[2 * i + 1] = from_int(y[i]);
-        w[i] = from_int(plain ? 1 : weight[i]);
-    }
-}
-
 /*
 :::{claim} circle_is_a_nurbs_curve
 :title: A whole circle as one quadratic NURBS curve
 :zh: 整圆可表为一条二次 NURBS 曲线
-:given: $k=3$, knots $x_0^3x_1^2x_2^2x_3^2x_4^3$ (exponents are multiplicities), their values variables; the points
-  $(1,0)$, $(1,1)$, $(0,1)$, $(-1,1)$, $(-1,0)$, $(-1,-1)$, $(0,-1)$, $(1,-1)$, $(1,0)$ with weights
-  $1,1,2,1,1,1,2,1,1$
-:then: $x(t)^2+y(t)^2=1$ on each of the four intervals, and the ends are one point
-:method: The point of the curve from the definition, all nine terms, at a variable $t$.
+:given: order three, knots $x_0<x_1<\dots$, variables, as many of each value as `multiplicities` says; points $r$ and weights $w$
+:data: multiplicities = "32223"; r = (1,0) (1,1) (0,1) (-1,1) (-1,0) (-1,-1) (0,-1) (1,-1) (1,0); w = 1 1 2 1 1 1 2 1 1
+:instead: w = 1 1 1 1 1 1 1 1 1
+:then: $x(t)^2+y(t)^2=1$ on each interval, and the ends are one point
+:method: The point of the curve from the definition, all terms, at a variable $t$.
 :control: the weights 1
 :::
 */
 CLAIM(circle_is_a_nurbs_curve)
 {
-    num x[5], u[12], R[18], w[9], P[2], t = unknown(T, "t", 0);
-    int place[12];
-    G(distinct_knots)(T, 5, 6, x);
-    G(knots_at)("32223", x, u, place);
-    G(circle)(fault(T, 0, 1), R, w);
-    for (int interval = 0; interval < 4; interval++) {
-        G(nurbs_by_definition)(9, 2, 2, u, place, R, w, interval, t, P);
+    enum { p = 2, n = 9, count = n + p + 1, quarters = 4, dim = 2 };
+    num x[quarters + 1], u[count], R[n * dim], w[n], P[dim], end[dim], t = unknown(T, "t", 0);
+    int place[count];
+    G(distinct_knots)(T, quarters + 1, 6, x);
+    G(knots_at)(given_text(T, "multiplicities"), x, u, place);
+    given_points(T, "r", n, dim, R);
+    given_points(T, "w", n, 1, w);
+    for (int interval = 0; interval < quarters; interval++) {
+        G(nurbs_by_definition)(n, p, dim, u, place, R, w, interval, t, P);
         same(T, add(mul(P[0], P[0]), mul(P[1], P[1])), from_int(1));
     }
     about(T, "the ends");
-    num end[2];
-    G(nurbs_by_definition)(9, 2, 2, u, place, R, w, 0, x[0], P);
-    G(nurbs_by_definition)(9, 2, 2, u, place, R, w, 3, x[4], end);
-    for (int c = 0; c < 2; c++)
+    G(nurbs_by_definition)(n, p, dim, u, place, R, w, 0, x[0], P);
+    G(nurbs_by_definition)(n, p, dim, u, place, R, w, quarters - 1, x[quarters], end);
+    for (int c = 0; c < dim; c++)
         same(T, P[c], end[c]);
 }
 
@@ -112,7 +101,9 @@ CLAIM(circle_is_a_nurbs_curve)
 :title: The curve runs once around the circle, never back
 :zh: 曲线沿圆恰好绕行一周
 :given: the same curve; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval
-:then: $x\,y'-y\,x'>0$, and the quarters begin and end in $(1,0),(0,1),(-1,0),(0,-1),(1,0)$
+:data: multiplicities = "32223"; r = (1,0) (1,1) (0,1) (-1,1) (-1,0) (-1,-1) (0,-1) (1,-1) (1,0); w = 1 1 2 1 1 1 2 1 1
+:instead: r = (1,0) (1,-1) (0,-1) (-1,-1) (-1,0) (-1,1) (0,1) (1,1) (1,0)
+:then: $x\,y'-y\,x'>0$, and the quarters begin and end in every second point, from $r_1$ to $r_n$
 :method: The derivatives by the kernel; the cross product has positive coefficients only in $s$ and the gaps of the knots.  On a
   circle the angle then grows; on a quarter $x$ and $y$ keep their signs, as the curve is in the hull of three points,
   so it grows by a quarter turn each time.
@@ -121,24 +112,24 @@ CLAIM(circle_is_a_nurbs_curve)
 */
 CLAIM(circle_is_run_through_once)
 {
-    num x[5], u[12], R[18], w[9], D[4], s = positive(T, "s", 0), part = div(s, add(s, from_int(1)));
-    int place[12];
-    G(increasing_knots)(T, 5, 6, x);
-    G(knots_at)("32223", x, u, place);
-    G(circle)(0, R, w);
-    for (int i = 0; i < 9; i++)
-        R[2 * i + 1] = fault(T, R[2 * i + 1], neg(R[2 * i + 1]));
-    for (int interval = 0; interval < 4; interval++) {
-        int mu = G(span_of_interval)(12, place, interval);
+    enum { p = 2, n = 9, count = n + p + 1, quarters = 4, dim = 2 };
+    num x[quarters + 1], u[count], R[n * dim], w[n], D[2 * dim], part = inside(T, "s");
+    int place[count];
+    G(increasing_knots)(T, quarters + 1, 6, x);
+    G(knots_at)(given_text(T, "multiplicities"), x, u, place);
+    given_points(T, "r", n, dim, R);
+    given_points(T, "w", n, 1, w);
+    for (int interval = 0; interval < quarters; interval++) {
+        int mu = G(span_of_interval)(count, place, interval);
         num t = add(x[interval], mul(sub(x[interval + 1], x[interval]), part));
-        G(nurbs_derivatives)(2, 2, u, mu, R, w, t, 1, D);
+        G(nurbs_derivatives)(p, dim, u, mu, R, w, t, 1, D);
         about(T, "the angle grows");
-        G(must_be_positive)(T, G(cross2)(D, D + 2));
+        G(must_be_positive)(T, G(cross2)(D, D + dim)); /* x y' - y x' */
         about(T, "the ends of the quarter");
         for (int end = 0; end < 2; end++) {
-            G(nurbs_point)(2, 2, u, mu, R, w, x[interval + end], D);
-            same(T, D[0], R[4 * (interval + end)]);
-            same(T, D[1], R[4 * (interval + end) + 1]);
+            G(nurbs_point)(p, dim, u, mu, R, w, x[interval + end], D);
+            for (int c = 0; c < dim; c++)
+                same(T, D[c], R[2 * (interval + end) * dim + c]);
         }
     }
 }
@@ -198,24 +189,29 @@ CLAIM(recursion_is_quadratic)
 :title: De Boor's algorithm of order 17 is far below the smallest doubling
 :zh: 十七阶 deBoor 算法的运算次数远小于指数值
 :kind: counterexample
-:given: one point of a plane curve in homogeneous coordinates, orders 9 and 17
-:then: the steps for order 17 are less than four times those for order 9, while doubling with each order means
-  $2^8$ times
+:given: one point of a plane curve in homogeneous coordinates, of the orders $k$ and $k'$
+:data: k = 9; k' = 17
+:then: doubling with each order means $2^{k'-k}$ times the steps for $k$, and the steps for $k'$ are fewer
+:result: operations, order k = 504; operations, order k' = 1904; plain recursion, order k = 6885; plain recursion, order k' = 1769445
 :method: The steps are counted in the kernel.  Exponential time multiplies by a fixed factor $a>1$ with each order, so by
-  $a^8$ for these two and by $a^{m}$ from $k=m+1$ to $2m+1$; the quotient is $\frac{2(2m+1)}{m+1}<4$ for every $m$.
+  $a^{k'-k}$ for these two, and by $a^{m}$ from order $m+1$ to order $2m+1$; the quotient of the steps is $\frac{2(2m+1)}{m+1}<2^2$
+  for every $m$.
 :control: the plain recursion, in which everything is computed again
 :::
 */
 CLAIM(recursion_is_not_exponential)
 {
+    int k[2] = {given_whole(T, "k"), given_whole(T, "k'")};
     long cost[2][3], tree[2];
-    for (int k = 0; k < 2; k++) {
-        counted_work(8 * (k + 1), cost[k], &tree[k]);
-        show_text(T, k == 0 ? "operations, order 9" : "operations, order 17", "%ld", cost[k][0]);
-        show_text(T, k == 0 ? "plain recursion, order 9" : "plain recursion, order 17", "%ld", tree[k]);
-    }
-    about(T, "order 17 takes at least 2^8 times the operations of order 9");
-    agree(T, fault(T, tree[1] >= 256 * tree[0], cost[1][0] >= 256 * cost[0][0]));
+    for (int m = 0; m < 2; m++)
+        counted_work(k[m] - 1, cost[m], &tree[m]);
+    found_whole(T, "operations, order k", (int)cost[0][0]);
+    found_whole(T, "operations, order k'", (int)cost[1][0]);
+    found_whole(T, "plain recursion, order k", (int)tree[0]);
+    found_whole(T, "plain recursion, order k'", (int)tree[1]);
+    about(T, "with each order the number of operations doubles at least");
+    long factor = 1L << (k[1] - k[0]);
+    agree(T, fault(T, tree[1] >= factor * tree[0], cost[1][0] >= factor * cost[0][0]));
 }
 
 /*
