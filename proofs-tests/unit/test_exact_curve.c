@@ -1,0 +1,177 @@
+/* test_exact_curve.c -- the exact curve: every form of a curve has the points of the curve, on both sides of every knot; what
+ * was added can be taken away again; what cannot is refused, and no fault of the region is set. */
+#include "proofs-tests/unit/unit_exact.h"
+
+#include "exact/curve/spline.h"
+
+enum { MOST = 24, DIM = 2, ORDER = 2, TRIALS = 60 };
+
+/* A curve over knots 0, 1, ... of random multiplicities, clamped for even trials, with weights for every other two. */
+static cagd_spline_q random_curve(int trial)
+{
+    int p = 1 + trial % 4, n = p + 1 + random_int(0, 6), where;
+    num_q *knots = region_bytes(MOST * sizeof *knots), *points = region_bytes(DIM * MOST * sizeof *points);
+    num_q *weights = region_bytes(MOST * sizeof *weights);
+    cagd_spline_q s = {p, n, DIM, knots, points, trial / 2 % 2 == 0 ? weights : NULL};
+    for (int m = 0; m < DIM * MOST; m++)
+        points[m] = random_q();
+    for (int i = 0; i < MOST; i++)
+        weights[i] = from_ratio_q(random_int(1, 9999), random_int(1, 9999));
+    do
+        for (int i = 0, u = 0; i < n + p + 1; i++) {
+            int inner = p < i && i < n;
+            u += trial % 2 == 0 && !inner ? i == n : random_int(0, 9) < 6;
+            knots[i] = from_ratio_q(u, 7);
+        }
+    while (cagd_spline_check_q(&s, &where) != CAGD_OK);
+    return s;
+}
+
+static void same_value(const cagd_spline_q *s, const cagd_spline_q *r, num_q t)
+{
+    for (int side = CAGD_RIGHT; side <= CAGD_LEFT; side++) {
+        num_q D[(ORDER + 1) * DIM], E[(ORDER + 1) * DIM];
+        assert_int_equal(cagd_spline_derivatives_q(s, t, (cagd_side)side, ORDER, D), CAGD_OK);
+        assert_int_equal(cagd_spline_derivatives_q(r, t, (cagd_side)side, ORDER, E), CAGD_OK);
+        for (int m = 0; m < (ORDER + 1) * DIM; m++)
+            assert_true(cagd_equal_q(D[m], E[m]));
+    }
+}
+
+/* The part of s over the domain of r is r: at every knot of r and at three places between. */
+static void same_curve(const cagd_spline_q *s, const cagd_spline_q *r)
+{
+    for (int i = r->degree; i < r->count; i++)
+        for (int k = i == r->degree; k < 4; k++) {
+            num_q step = mul_q(from_ratio_q(k, 4), sub_q(r->knots[i + 1], r->knots[i]));
+            same_value(s, r, add_q(r->knots[i], step));
+        }
+}
+
+static void identical(const cagd_spline_q *s, const cagd_spline_q *r)
+{
+    assert_int_equal(s->degree, r->degree);
+    assert_int_equal(s->count, r->count);
+    for (int i = 0; i < s->count + s->degree + 1; i++)
+        assert_true(cagd_equal_q(s->knots[i], r->knots[i]));
+    for (int m = 0; m < s->count * s->dim; m++)
+        assert_true(cagd_equal_q(s->points[m], r->points[m]));
+    for (int i = 0; i < s->count && s->weights != NULL; i++)
+        assert_true(cagd_equal_q(s->weights[i], r->weights[i]));
+}
+
+/* Between two knots: the knots are sevenths. */
+static num_q inner_parameter(const cagd_spline_q *s)
+{
+    num_q from = s->knots[s->degree], to = s->knots[s->count];
+    return add_q(from, mul_q(from_ratio_q(random_int(1, 996), 997), sub_q(to, from)));
+}
+
+static void inserted_knots_are_removed_again(void **state)
+{
+    (void)state;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        cagd_spline_q s = random_curve(trial), finer, back;
+        num_q x = inner_parameter(&s);
+        int where;
+        assert_int_equal(cagd_spline_insert_q(&s, x, &finer, &where), CAGD_OK);
+        assert_int_equal(where, -1);
+        same_curve(&s, &finer);
+        assert_int_equal(cagd_spline_remove_q(&finer, x, &back, &where), CAGD_OK);
+        identical(&s, &back);
+        assert_int_equal(cagd_spline_remove_q(&s, x, &back, &where), CAGD_NO_KNOT);
+        assert_int_equal(cagd_spline_remove_q(&s, s.knots[s.degree], &back, &where), CAGD_NO_KNOT);
+        assert_int_equal(cagd_spline_insert_q(&s, s.knots[s.count], &back, &where), CAGD_OUTSIDE_DOMAIN);
+        for (int i = s.degree + 1; i < s.count; i++) /* random points leave no knot without effect */
+            if (cagd_compare_q(s.knots[s.degree], s.knots[i]) < 0 && cagd_compare_q(s.knots[i], s.knots[s.count]) < 0)
+                assert_int_equal(cagd_spline_remove_q(&s, s.knots[i], &back, &where), CAGD_CHANGES);
+    }
+}
+
+static void raised_degrees_are_lowered_again(void **state)
+{
+    (void)state;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        cagd_spline_q s = random_curve(trial), higher, back;
+        int where;
+        assert_int_equal(cagd_spline_elevate_q(&s, &higher, &where), CAGD_OK);
+        assert_int_equal(higher.degree, s.degree + 1);
+        same_curve(&s, &higher);
+        assert_int_equal(cagd_spline_reduce_q(&higher, &back, &where), CAGD_OK);
+        assert_int_equal(back.degree, s.degree);
+        same_curve(&s, &back);
+        if (s.degree > 0) {
+            assert_int_equal(cagd_spline_reduce_q(&s, &back, &where), CAGD_CHANGES);
+            assert_true(cagd_compare_q(s.knots[where], s.knots[where + 1]) < 0);
+        }
+    }
+}
+
+static void parts_and_segments_are_the_curve(void **state)
+{
+    (void)state;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        cagd_spline_q s = random_curve(trial), left, right, segment;
+        int where, segments = 0;
+        num_q t = inner_parameter(&s);
+        assert_int_equal(cagd_spline_split_q(&s, t, &left, &right, &where), CAGD_OK);
+        assert_true(cagd_equal_q(left.knots[left.count], t) && cagd_equal_q(right.knots[right.degree], t));
+        assert_true(cagd_equal_q(left.knots[left.degree], s.knots[s.degree]));
+        assert_true(cagd_equal_q(right.knots[right.count], s.knots[s.count]));
+        num_q middle = mul_q(from_ratio_q(1, 2), add_q(t, s.knots[s.count]));
+        same_value(&s, &right, middle);
+        middle = mul_q(from_ratio_q(1, 2), add_q(t, s.knots[s.degree]));
+        same_value(&s, &left, middle);
+        assert_int_equal(cagd_spline_split_q(&s, s.knots[s.degree], &left, &right, &where), CAGD_OUTSIDE_DOMAIN);
+        for (int mu = s.degree; mu < s.count; mu++) {
+            int empty = cagd_equal_q(s.knots[mu], s.knots[mu + 1]);
+            assert_int_equal(cagd_spline_segment_q(&s, mu, &segment, &where), empty ? CAGD_OUTSIDE_DOMAIN : CAGD_OK);
+            if (empty)
+                continue;
+            segments++;
+            middle = mul_q(from_ratio_q(1, 3), add_q(s.knots[mu], add_q(s.knots[mu + 1], s.knots[mu + 1])));
+            same_value(&s, &segment, middle);
+        }
+        assert_true(segments > 0);
+        assert_int_equal(cagd_spline_segment_q(&s, s.degree - 1, &segment, &where), CAGD_OUTSIDE_DOMAIN);
+        assert_int_equal(cagd_spline_segment_q(&s, s.count, &segment, &where), CAGD_OUTSIDE_DOMAIN);
+    }
+}
+
+/* The quarter of the unit circle, x = (1-t^2)/(1+t^2), y = 2t/(1+t^2). */
+static void a_circle_has_one_curvature_and_no_pole(void **state)
+{
+    (void)state;
+    const num_q zero = from_int_q(0), one = from_int_q(1), two = from_int_q(2);
+    const num_q knots[] = {zero, zero, zero, one, one, one}, points[] = {one, zero, one, one, zero, one};
+    const num_q weights[] = {one, one, two}, turned[] = {one, from_int_q(-1), one};
+    cagd_spline_q s = {2, 3, 2, knots, points, weights}, out;
+    num_q x, D[2];
+    int where;
+    for (int k = 0; k <= 8; k++) {
+        assert_int_equal(cagd_spline_curvature_squared_q(&s, from_ratio_q(k, 8), CAGD_RIGHT, &x), CAGD_OK);
+        assert_true(cagd_equal_q(x, one));
+    }
+    assert_int_equal(cagd_spline_torsion_q(&s, one, CAGD_RIGHT, &x), CAGD_DIMENSION);
+    assert_int_equal(cagd_spline_derivatives_q(&s, two, CAGD_RIGHT, 0, D), CAGD_OUTSIDE_DOMAIN);
+    assert_int_equal(cagd_spline_derivatives_q(&s, one, CAGD_RIGHT, -1, D), CAGD_ORDER);
+    assert_false(cagd_spline_has_poles_q(&s));
+    s.weights = turned; /* (1-t)^2 - 2t(1-t) + t^2 = (1-2t)^2 */
+    assert_true(cagd_spline_has_poles_q(&s));
+    assert_int_equal(cagd_spline_derivatives_q(&s, from_ratio_q(1, 2), CAGD_LEFT, 0, D), CAGD_UNDEFINED);
+    assert_int_equal(cagd_spline_insert_q(&s, from_ratio_q(1, 2), &out, &where), CAGD_UNDEFINED);
+    assert_int_equal(where, 1);
+    s.degree = -1;
+    assert_int_equal(cagd_spline_check_q(&s, &where), CAGD_DEGREE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        unit(inserted_knots_are_removed_again),
+        unit(raised_degrees_are_lowered_again),
+        unit(parts_and_segments_are_the_curve),
+        unit(a_circle_has_one_curvature_and_no_pole),
+    };
+    return run_unit_tests(tests);
+}
