@@ -21,14 +21,16 @@ typedef struct fit_attempt {
 int fit_attempt_new(const fit_problem *problem, fit_attempt *attempt);
 void fit_attempt_free(fit_attempt *attempt);
 
-/* Adds to the attempt what a run of the minimiser did, and takes its history over.  Returns 0 when there is no memory. */
+/* Adds to the attempt what a run of the minimiser did, and takes its history over.  Returns 0 when there is no
+ * memory. */
 int fit_attempt_append(fit_attempt *attempt, fit_outcome *run);
 
-/* Adds one step of the given length, at whose end the objective was evaluated last.  Returns 0 when there is no memory. */
+/* Adds one step of the given length, at whose end the objective was evaluated last.  Returns 0 when there is no
+ * memory. */
 int fit_attempt_step(fit_attempt *attempt, int accepted, double length);
 
-/* Decides whether what the minimiser calls converged is a minimum.  It is none when the curve is none; when a point of the curve
- * has so small a share that rounding would take it away; or when a weight runs away, so that the cost falls towards a weight 0 or
- * infinity without a minimum.  Then the attempt has failed. */
+/* Decides whether what the minimiser calls converged is a minimum.  It is none when the curve is none; when a point
+ * of the curve has so small a share that rounding would take it away; or when a weight runs away, so that the cost
+ * falls towards a weight 0 or infinity without a minimum.  Then the attempt has failed. */
 void fit_attempt_judge(fit_attempt *attempt);
 #endif

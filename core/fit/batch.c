@@ -6,7 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Vectors are returned only by functions that become parts of others, so that it does not matter how processors return them. */
+/* Vectors are returned only by functions that become parts of others, so that it does not matter how processors
+ * return them. */
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 enum { LOOKS = 5 };

@@ -1,6 +1,6 @@
-/* batch.tmpl.h -- FIT_BATCH points, LANES at a time in vectors of the compiler's, compiled once for every width: NAME completes the
- * names, TARGET names the processor that has such vectors.  All widths compute the same numbers, since products and sums are
- * rounded one by one. */
+/* batch.tmpl.h -- FIT_BATCH points, LANES at a time in vectors of the compiler's, compiled once for every width: NAME
+ * completes the names, TARGET names the processor that has such vectors.  All widths compute the same numbers, since
+ * products and sums are rounded one by one. */
 #define lanes NAME(lanes)
 #define mask  NAME(mask)
 typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
@@ -140,7 +140,8 @@ INLINE void NAME(shares)(const fit_curve *curve, const int p, const lanes *t, la
     }
 }
 
-/* As point_rows and point_curvature in objective.c, for the points i, ..., i + LANES - 1; row, x and y: where they are written. */
+/* As point_rows and point_curvature in objective.c, for the points i, ..., i + LANES - 1; row, x and y: where they
+ * are written. */
 INLINE void NAME(rows)(const fit_objective *o, const int p, int i, const lanes Q[2], const lanes *t, const lanes D[6],
                        double *row, int stride, double *x, double *y, int pairs_stride, double loss[])
 {

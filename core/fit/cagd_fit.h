@@ -18,21 +18,23 @@
  * one span: then it is the standard form (标准型).  What is left undetermined, such as ends that slide along the curve, is
  * found by the rank of the problem and reported.
  *
- * Ends (端点).  Ends that are not free are the first and the last measured point as they are, with errors that no standard error knows
- * of.  Free ends are fitted as well; but where a curve is cut off is no property of its points, and the ends slide.  The slide is not
- * stopped by a rule, such as that the first and the last point have their feet at the ends: the weights of a piece of a curve
- * change with the cut, which would then hang on two single points, outliers or not, and their standard errors would say how well
- * the cut is known and not the curve.  What does not change with the cut, points, distances and the type of a conic, is
- * reported all the same.
+ * Ends (端点).  Ends that are not free are the first and the last measured point as they are, with errors that no
+ * standard error knows of.  Free ends are fitted as well; but where a curve is cut off is no property of its points,
+ * and the ends slide.  The slide is not stopped by a rule, such as that the first and the last point have their feet
+ * at the ends: the weights of a piece of a curve change with the cut, which would then hang on two single points,
+ * outliers or not, and their standard errors would say how well the cut is known and not the curve.  What does not
+ * change with the cut, points, distances and the type of a conic, is reported all the same.
  *
- * Nothing free (只求垂足).  With an initial curve and free = 0 the distances of the points from that curve are told, and nothing is
- * estimated.  One point is enough then.  The foot of each is the nearest point of the whole curve, whatever the order of the points, which
- * only says how many feet overtake the one before.  The curve, its gauge with it, stays as it is given, and parameters of feet are
- * those of the given curve.  There are no unknowns: rank 0, N (dim-1) degrees of freedom.
+ * Nothing free (只求垂足).  With an initial curve and free = 0 the distances of the points from that curve are told, and
+ * nothing is estimated.  One point is enough then.  The foot of each is the nearest point of the whole curve,
+ * whatever the order of the points, which only says how many feet overtake the one before.  The curve, its gauge with
+ * it, stays as it is given, and parameters of feet are those of the given curve.  There are no unknowns: rank 0, N
+ * (dim-1) degrees of freedom.
  *
- * Far from the origin (远离原点).  The fit is computed in coordinates from an origin of its own, which is subtracted from the measured
- * coordinates without rounding; so nothing is lost where these are so large that the steps of binary64 are no longer small against the
- * curve.  The curve itself may not have its points in binary64 there: curve, value and feet are rounded to it, `relative` is not.
+ * Far from the origin (远离原点).  The fit is computed in coordinates from an origin of its own, which is subtracted from
+ * the measured coordinates without rounding; so nothing is lost where these are so large that the steps of binary64
+ * are no longer small against the curve.  The curve itself may not have its points in binary64 there: curve, value
+ * and feet are rounded to it, `relative` is not.
  *
  * Memory.  The caller owns the arguments, which are only read.  A result is made by cagd_fit and released by
  * cagd_fit_free, with all arrays it points to.  Nothing is printed. */
@@ -84,8 +86,8 @@ typedef struct cagd_fit_options {
     int max_iterations; /* >= 1                                                                  */
 } cagd_fit_options;
 
-/* Degree 2 Bézier, weights and inner points free, ordered, squares, scale 1, weights unbounded, one start, seed 1, tolerance 1e-14,
- * 200 iterations. */
+/* Degree 2 Bézier, weights and inner points free, ordered, squares, scale 1, weights unbounded, one start, seed 1,
+ * tolerance 1e-14, 200 iterations. */
 CAGD_API cagd_fit_options cagd_fit_defaults(void);
 
 /* What an unknown is: the logarithm of weight `index`, or coordinate `coordinate` of point `index`. */
@@ -106,8 +108,8 @@ typedef struct cagd_fit_result {
     cagd_spline curve;
     double origin[3]; /* measured coordinates less these are exact in binary64                         */
     double *relative; /* the points of the curve less the origin, which are what was fitted and verified */
-    /* the foot points and what is left: residuals[i*dim + c] = coordinate c of Q_i - C(feet[i]); distances[i] its length, in
-     * the plane with the sign + on the left of the curve */
+    /* the foot points and what is left: residuals[i*dim + c] = coordinate c of Q_i - C(feet[i]); distances[i] its
+     * length, in the plane with the sign + on the left of the curve */
     int count;
     double *feet, *residuals, *distances;
     int *foot_at_end;    /* 1 where the foot is an end of the domain and the distance is not orthogonal   */
@@ -149,32 +151,36 @@ typedef struct cagd_fit_result {
     double *invariant, *invariant_error;
 } cagd_fit_result;
 
-/* *result: the fit, or NULL unless CAGD_OK, which says that a result was made; whether it converged stands in it.  *where may be
- * NULL; it becomes the index of the measured point that the status is about, or -1.  Of several starts the one with the smallest cost.
+/* *result: the fit, or NULL unless CAGD_OK, which says that a result was made; whether it converged stands in it.
+ * *where may be NULL; it becomes the index of the measured point that the status is about, or -1.  Of several starts
+ * the one with the smallest cost.
  *
- * NULL: data, options, result or the points are NULL.  BAD_DATA, with the index.  BAD_OPTION.  BAD_CURVE: the initial curve, or the
- * knots, are none.  TOO_FEW: fewer equations, N (dim-1), than unknowns, or fewer than 2 points; with nothing free none.
- * ALL_EQUAL: all points; with nothing free, and the curve is that point, too.  OVERFLOW: squared distances would leave the range
- * of numbers, perhaps with the index of the point whose standard deviation is the reason.  NO_MEMORY. */
+ * NULL: data, options, result or the points are NULL.  BAD_DATA, with the index.  BAD_OPTION.  BAD_CURVE: the initial
+ * curve, or the knots, are none.  TOO_FEW: fewer equations, N (dim-1), than unknowns, or fewer than 2 points; with
+ * nothing free none.  ALL_EQUAL: all points; with nothing free, and the curve is that point, too.  OVERFLOW: squared
+ * distances would leave the range of numbers, perhaps with the index of the point whose standard deviation is the
+ * reason.  NO_MEMORY. */
 CAGD_API cagd_status cagd_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
                               int *where);
 CAGD_API void cagd_fit_free(cagd_fit_result *result); /* NULL is allowed */
 
 /* ---- What a result says of its unknowns ---------------------------------------------------------------------
  *
- * Standard errors, intervals and probabilities are true only of a minimum.  Where the curve is none the numbers belong to the last
- * curve that was reached; then errors and intervals are NaN. */
+ * Standard errors, intervals and probabilities are true only of a minimum.  Where the curve is none the numbers
+ * belong to the last curve that was reached; then errors and intervals are NaN. */
 
-/* Whether the curve is a minimum, as far as is known: the minimiser has converged, and nobody has found that it is none. */
+/* Whether the curve is a minimum, as far as is known: the minimiser has converged, and nobody has found that it is
+ * none. */
 CAGD_API int cagd_fit_is_minimum(const cagd_fit_result *result);
 
 /* To be called when a verification has found that the curve is no minimum, or a foot no nearest point. */
 CAGD_API void cagd_fit_refute(cagd_fit_result *result);
 
-/* An estimate with its standard error and 95 % interval.  The error is NaN where there is none: for an unknown on its bound or one
- * that is not determined, and where the curve is no minimum; so is the interval.  Weights and invariants are fitted by their
- * logarithms: their error is that of the logarithm times the value, and their interval that of the logarithm, exponentiated.  Value,
- * low and high of a coordinate are counted from `origin`, which is 0 for the others. */
+/* An estimate with its standard error and 95 % interval.  The error is NaN where there is none: for an unknown on its
+ * bound or one that is not determined, and where the curve is no minimum; so is the interval.  Weights and invariants
+ * are fitted by their logarithms: their error is that of the logarithm times the value, and their interval that of
+ * the logarithm, exponentiated.  Value, low and high of a coordinate are counted from `origin`, which is 0 for the
+ * others. */
 typedef struct cagd_fit_estimate {
     double value, error, low, high, origin;
 } cagd_fit_estimate;
@@ -186,23 +192,24 @@ CAGD_API cagd_fit_estimate cagd_fit_invariant_estimate(const cagd_fit_result *re
 /* The correlation of unknowns i and j; NaN where one of them has no variance. */
 CAGD_API double cagd_fit_correlation(const cagd_fit_result *result, int i, int j);
 
-/* The standard deviation of a coordinate of point i: given, or else estimated; NaN where it is neither.  And the distance of the point
- * in units of it; NaN also where it is 0. */
+/* The standard deviation of a coordinate of point i: given, or else estimated; NaN where it is neither.  And the
+ * distance of the point in units of it; NaN also where it is 0. */
 CAGD_API double cagd_fit_deviation(const cagd_fit_data *data, const cagd_fit_result *result, int i);
 CAGD_API double cagd_fit_standardised(const cagd_fit_data *data, const cagd_fit_result *result, int i);
 
-/* Coordinates of the curve may be known better than binary64 holds the measured coordinates: errors that these have in common, by their
- * rounding, are in no standard error.  The index of the coordinate, among the unknowns, with the smallest standard error of those
- * that are smaller than the spacing; *spacing is the widest of these spacings.  -1 where there is none. */
+/* Coordinates of the curve may be known better than binary64 holds the measured coordinates: errors that these have
+ * in common, by their rounding, are in no standard error.  The index of the coordinate, among the unknowns, with the
+ * smallest standard error of those that are smaller than the spacing; *spacing is the widest of these spacings.  -1
+ * where there is none. */
 CAGD_API int cagd_fit_finest_unknown(const cagd_fit_result *result, double *spacing);
 
 /* Which conic (圆锥曲线) a fitted curve of degree 2 in one span is, and how sure that is.
  *
- * I_1 = w_1^2/(w_0 w_2) is less than 1 for an ellipse, 1 for a parabola, greater for a hyperbola.  log I_1 is linear in
- * the unknowns; the type is certain when its 95 % interval, log_invariant +- quantile * error, does not contain 0.  It has a
- * meaning only when the three points are not on a line: that the 95 % interval of the distance of the middle
- * one from the line of the others does not contain 0 is asked first.  When the ends slide along the curve, I_1 changes
- * but its being less than 1 does not; the error is then that of the generalised inverse. */
+ * I_1 = w_1^2/(w_0 w_2) is less than 1 for an ellipse, 1 for a parabola, greater for a hyperbola.  log I_1 is linear
+ * in the unknowns; the type is certain when its 95 % interval, log_invariant +- quantile * error, does not contain 0.
+ * It has a meaning only when the three points are not on a line: that the 95 % interval of the distance of the middle
+ * one from the line of the others does not contain 0 is asked first.  When the ends slide along the curve, I_1
+ * changes but its being less than 1 does not; the error is then that of the generalised inverse. */
 typedef enum cagd_fit_conic_kind {
     CAGD_FIT_NOT_QUADRATIC,   /* the curve has another degree or several spans; the rest is 0                */
     CAGD_FIT_CONIC_UNKNOWN,   /* there is no standard error, or the weight is undetermined or on its bound  */
@@ -222,10 +229,10 @@ CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
 
 /* Whether the fitted curve turns as at a cusp (尖点), and at which parameter, *t.
  *
- * Where the speed |C'| is smallest, C' is orthogonal to C'', and the radius of curvature is |C'|^2/|C''|.  Feet, rank and
- * standard errors come from distances to tangents, which have a meaning as long as the distances are smaller than the radii of
- * curvature.  1: at *t, where the radius is smallest of all such places, it is not larger than the root mean square of the distances or
- * the roundings of coordinates.  0: there is no such place; *t is as before. */
+ * Where the speed |C'| is smallest, C' is orthogonal to C'', and the radius of curvature is |C'|^2/|C''|.  Feet, rank
+ * and standard errors come from distances to tangents, which have a meaning as long as the distances are smaller than
+ * the radii of curvature.  1: at *t, where the radius is smallest of all such places, it is not larger than the root
+ * mean square of the distances or the roundings of coordinates.  0: there is no such place; *t is as before. */
 CAGD_API int cagd_fit_has_cusp(const cagd_fit_result *result, double *t);
 
 #ifdef __cplusplus

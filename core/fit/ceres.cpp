@@ -1,7 +1,7 @@
-/* Ceres reports through glog, whose only switch is global.  So the places where it would report are never reached.  They are, in
- * Ceres 2.1: options that are not valid; a start that is out of bounds or where the residuals are not defined; residuals or
- * derivatives that are not finite; a linear system that cannot be solved; too many steps, one after the other, without any
- * gain in the model. */
+/* Ceres reports through glog, whose only switch is global.  So the places where it would report are never reached.
+ * They are, in Ceres 2.1: options that are not valid; a start that is out of bounds or where the residuals are not
+ * defined; residuals or derivatives that are not finite; a linear system that cannot be solved; too many steps, one
+ * after the other, without any gain in the model. */
 #include "core/fit/ceres.h"
 
 #include <ceres/cost_function.h>
@@ -86,9 +86,10 @@ bool can_start(const fit_least_squares &p, const double x[])
     return Residuals(p).Evaluate(&x, residuals.data(), jacobians);
 }
 
-/* The largest trust region in which the normal equations can be solved.  Scaled to a diagonal of ones their matrix has no
- * eigenvalue below 1/(1 + radius); forming it changes it by at most n g(n+2), and Cholesky's method succeeds with it when this is
- * more than n g(n+1), g(k) being k u/(1 - k u), u half of the precision.  Source: higham-2002, 10.7. */
+/* The largest trust region in which the normal equations can be solved.  Scaled to a diagonal of ones their matrix
+ * has no eigenvalue below 1/(1 + radius); forming it changes it by at most n g(n+2), and Cholesky's method succeeds
+ * with it when this is more than n g(n+1), g(k) being k u/(1 - k u), u half of the precision.  Source: higham-2002,
+ * 10.7. */
 double largest_radius(int unknowns)
 {
     const double n = unknowns;
@@ -175,7 +176,7 @@ int minimise(const fit_least_squares &p, double tolerance, int max_iterations, d
     return copy_history(summary.iterations, outcome);
 }
 
-/* What the functions of the library return when `body` throws: no memory, or what `otherwise` makes of anything else. */
+/* What `body` returns; when it throws, 0 for no memory, and what `otherwise` makes of anything else. */
 template <typename Body, typename Otherwise> int guarded(Body body, Otherwise otherwise)
 {
     try {

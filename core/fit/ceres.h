@@ -1,7 +1,7 @@
 /* ceres.h -- what the fit asks of Ceres, and of Eigen, which comes with it.
  *
- * Nothing is printed, nothing is thrown, and nothing global is written, so that any number of threads may call at the same time.
- * A function that returns an int returns 0 when there was no memory. */
+ * Nothing is printed, nothing is thrown, and nothing global is written, so that any number of threads may call at the
+ * same time. A function that returns an int returns 0 when there was no memory. */
 #ifndef CAGD_FIT_CERES_H
 #define CAGD_FIT_CERES_H
 
@@ -30,12 +30,13 @@ typedef struct fit_outcome {
     char message[256];
 } fit_outcome;
 
-/* Minimises from x, which becomes the minimum, until a step gains less than `tolerance` of the sum.  *radius is that of the
- * trust region, at the start and at the end. */
+/* Minimises from x, which becomes the minimum, until a step gains less than `tolerance` of the sum.  *radius is that
+ * of the trust region, at the start and at the end. */
 int fit_minimise(const fit_least_squares *problem, double tolerance, int max_iterations, double x[], double *radius,
                  fit_outcome *outcome);
 
-/* a = U diag(s) V^T for n x n numbers by rows; s decreasing; U and V by rows.  All are 0 when an entry of a is not a number. */
+/* a = U diag(s) V^T for n x n numbers by rows; s decreasing; U and V by rows.  All are 0 when an entry of a is not a
+ * number. */
 int fit_svd(int n, const double a[], double U[], double s[], double V[]);
 
 #ifdef __cplusplus

@@ -7,7 +7,8 @@
 
 enum { PAIRS = 128 }; /* added up at once, a multiple of WIDE_SUMS */
 
-/* The unknowns of a piece: rows of PAIRS numbers, those of all x, then those of all y; and the sum so far, above the diagonal. */
+/* The unknowns of a piece: rows of PAIRS numbers, those of all x, then those of all y; and the sum so far, above the
+ * diagonal. */
 typedef struct block {
     int unknowns, pairs;
     double *pair, *sum;

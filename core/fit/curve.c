@@ -86,7 +86,8 @@ int fit_curve_piece(const fit_curve *c, double t)
     return low;
 }
 
-/* Bernstein's polynomials of degree p-1 give those of degree p, B_m = r b_m + s b_{m-1}, and B_m' = p (b_{m-1} - b_m)/length. */
+/* Bernstein's polynomials of degree p-1 give those of degree p, B_m = r b_m + s b_{m-1}, and B_m' = p (b_{m-1} -
+ * b_m)/length. */
 static inline void bernstein(const fit_curve *c, double t, double N[], double N1[])
 {
     const int p = c->degree, mu = c->span[0];

@@ -1,5 +1,5 @@
-/* curve.h -- the curve of a fit: a NURBS curve together with the homogeneous Bézier points of its pieces, from which its
- * points and derivatives are computed quickly. */
+/* curve.h -- the curve of a fit: a NURBS curve together with the homogeneous Bézier points of its pieces, from which
+ * its points and derivatives are computed quickly. */
 #ifndef CAGD_FIT_CURVE_H
 #define CAGD_FIT_CURVE_H
 

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Places between two knots that are looked at, for each degree: |C'|^2 is N/w^4, N of degree 4p-4 and w of degree p, hence
- * has less than 8p places where it is stationary, every other one a minimum. */
+/* Places between two knots that are looked at, for each degree: |C'|^2 is N/w^4, N of degree 4p-4 and w of degree p,
+ * hence has less than 8p places where it is stationary, every other one a minimum. */
 enum { PER_DEGREE = 16 };
 
 /* C'.C'' at t, half the derivative of |C'|^2; also the squares of both. */

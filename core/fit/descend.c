@@ -18,9 +18,9 @@ static int is_finite_triangle(int n, const double triangle[])
     return isfinite(sum);
 }
 
-/* A fit_residuals: the triangle (R z; 0 e) with e such that half the sum of squares is F, unknowns + 1 residuals for any number of
- * points; and what rounding makes of F = 0, below which no decrease counts.  Where the derivatives are asked for the minimiser
- * has gone, and the feet there are accepted. */
+/* A fit_residuals: the triangle (R z; 0 e) with e such that half the sum of squares is F, unknowns + 1 residuals for
+ * any number of points; and what rounding makes of F = 0, below which no decrease counts.  Where the derivatives are
+ * asked for the minimiser has gone, and the feet there are accepted. */
 static int residuals(void *objective, const double x[], double left[], double jacobian[])
 {
     fit_objective *f = objective;
@@ -43,8 +43,8 @@ static int residuals(void *objective, const double x[], double left[], double ja
     return 1;
 }
 
-/* Puts the objective at the better of what was accepted and what was evaluated last: Ceres does not go the last step when it is
- * short. */
+/* Puts the objective at the better of what was accepted and what was evaluated last: Ceres does not go the last step
+ * when it is short. */
 static void settle(fit_objective *f)
 {
     if (f->evaluated && f->cost < f->accepted)
@@ -84,8 +84,9 @@ int fit_descend_near(fit_attempt *a)
 
 /* ---- Newton's steps ------------------------------------------------------------------------------------ */
 
-/* What rounding leaves of the decrement.  The residuals are off by b_i, problem.h, of which the decrement has the part that falls to
- * the unknowns; and every row is rounded, as often one way as the other, when it is taken into the triangle. */
+/* What rounding leaves of the decrement.  The residuals are off by b_i, problem.h, of which the decrement has the
+ * part that falls to the unknowns; and every row is rounded, as often one way as the other, when it is taken into the
+ * triangle. */
 static double smallest_decrement(const fit_problem *p, double cost)
 {
     return sqrt(2 * fit_problem_cost_error(p, 0) * p->unknowns / fit_problem_equations(p)) +
@@ -106,8 +107,8 @@ static void newton_free(newton *w)
     free(w->fixed);
 }
 
-/* The objective, evaluated with second derivatives at its accepted x, and its model.  Returns 0 when there is no memory; newton_free is
- * to be called all the same. */
+/* The objective, evaluated with second derivatives at its accepted x, and its model.  Returns 0 when there is no
+ * memory; newton_free is to be called all the same. */
 static int newton_new(fit_objective *f, newton *w)
 {
     const fit_problem *p = f->problem;
@@ -191,8 +192,8 @@ static int has_converged(const fit_attempt *a)
 
 static int has_steps_left(const fit_attempt *a) { return a->outcome.iterations < a->max_iterations; }
 
-/* To a minimum for feet near those that are accepted.  Where Newton's steps lead no further Ceres goes on, each time until it gains much
- * less than before, and at last to the tolerance of the options. */
+/* To a minimum for feet near those that are accepted.  Where Newton's steps lead no further Ceres goes on, each time
+ * until it gains much less than before, and at last to the tolerance of the options. */
 static int descend_to_minimum(fit_attempt *a, int near)
 {
     const double tolerance = a->problem->options->tolerance, handover = a->problem->strategy.handover;

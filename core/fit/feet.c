@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* What a search looks at: the polygon in the place of the curve and, of points in order, the sides of the anchors, which are every
- * stride-th point. */
+/* What a search looks at: the polygon in the place of the curve and, of points in order, the sides of the anchors,
+ * which are every stride-th point. */
 typedef struct search {
     const fit_problem *problem;
     const fit_curve *curve;
@@ -24,7 +24,8 @@ typedef struct sides {
 
 /* ---- One point ---------------------------------------------------------------------------------------- */
 
-/* The smallest distance that a part of the curve surely has, by the sides over it; square[]: the squared distances of these. */
+/* The smallest distance that a part of the curve surely has, by the sides over it; square[]: the squared distances of
+ * these. */
 static double surely_reached(const fit_polygon *g, sides range, const double square[])
 {
     double best = HUGE_VAL;
@@ -41,9 +42,10 @@ static int has_nearer_neighbour(sides range, int k, const double square[])
     return (k > range.first && square[k - 1] < square[k]) || (k < range.last && square[k + 1] <= square[k]);
 }
 
-/* The nearest of the feet that are reached from the sides in the range, and its squared distance.  Only sides over which the curve may
- * be nearer than the best one are tried; and of neighbours the nearest alone, unless the search is thorough.  A foot that is known
- * and lies over such a side or beside it is the one that is reached from there; when it needs no search, *smallest is infinite. */
+/* The nearest of the feet that are reached from the sides in the range, and its squared distance.  Only sides over
+ * which the curve may be nearer than the best one are tried; and of neighbours the nearest alone, unless the search
+ * is thorough.  A foot that is known and lies over such a side or beside it is the one that is reached from there;
+ * when it needs no search, *smallest is infinite. */
 static double nearest_foot(const search *s, const double q[], sides range, const double *known, double *smallest)
 {
     const fit_polygon *g = &s->polygon;
@@ -91,8 +93,8 @@ static void anchor_losses(const search *s, int a, double loss[])
         loss[k] = p->loss == CAGD_FIT_SQUARES ? loss[k] * weight : fit_problem_loss(p, loss[k] * weight, &slope);
 }
 
-/* Each anchor on the side that it is nearest to.  Returns whether these sides do not decrease; then no others in order have a smaller
- * sum of losses. */
+/* Each anchor on the side that it is nearest to.  Returns whether these sides do not decrease; then no others in
+ * order have a smaller sum of losses. */
 static int take_nearest_sides(search *s)
 {
     for (int a = 0; a < s->anchors; a++) {
@@ -104,8 +106,9 @@ static int take_nearest_sides(search *s)
     return 1;
 }
 
-/* The sides of the anchors that do not decrease and have the smallest sum of losses, by Bellman's dynamic programming: sum[k] is the
- * smallest sum of the anchors so far with the last of them on side k, and from[a m + k] the side of the one before anchor a. */
+/* The sides of the anchors that do not decrease and have the smallest sum of losses, by Bellman's dynamic
+ * programming: sum[k] is the smallest sum of the anchors so far with the last of them on side k, and from[a m + k]
+ * the side of the one before anchor a. */
 static void take_sides_in_order(search *s, double sum[], int from[])
 {
     const int m = s->polygon.sides;
@@ -166,7 +169,8 @@ static int search_new(const fit_problem *p, const fit_curve *curve, search *s)
     return s->side && s->square && (p->unordered || find_sides(s));
 }
 
-/* Where the foot of point i is looked for: on all sides, on that of the anchor which it is, or between those of two anchors. */
+/* Where the foot of point i is looked for: on all sides, on that of the anchor which it is, or between those of two
+ * anchors. */
 static sides sides_of(const search *s, int i)
 {
     const int a = i / s->stride, end = s->polygon.sides - 1;

@@ -1,10 +1,10 @@
 /* fit.c -- a fit from its arguments to its result, in five stages.
  *
- *     problem        fit_problem     points, curve and unknowns in working coordinates        problem.h
- *     reduction      fit_objective   the cost as a function of the curve alone, as a triangle   objective.h, reduction.h
- *     minimiser      fit_attempt     from one start to where it ends                            starts.h, approach.h, descend.h
- *     verification   fit_minimum     which ends are minima, and the lowest of them              judge.c, minimum.h
- *     statistics     cagd_fit_result in the coordinates of the data, with errors                result.h, statistics.h */
+ *     problem        fit_problem       points, curve and unknowns in working coordinates: problem.h, unknowns.h
+ *     reduction      fit_objective     the cost as a function of the curve alone: objective.h, feet.h, reduction.h
+ *     minimiser      fit_attempt       from one start to where it ends: starts.h, approach.h, descend.h
+ *     verification   fit_minimum       which ends are minima, and the lowest of them: judge.c, minimum.h
+ *     statistics     cagd_fit_result   in the coordinates of the data, with errors: result.h, statistics.h */
 #include "core/fit/cagd_fit.h"
 
 #include "core/fit/arguments.h"

@@ -1,5 +1,6 @@
-/* foot.tmpl.h -- derivatives and feet, compiled once for every shape of curve: DIM and DEGREE are constants, or are read from
- * `curve`; NAME completes the names.  With constants the loops are unrolled, which makes them several times faster. */
+/* foot.tmpl.h -- derivatives and feet, compiled once for every shape of curve: DIM and DEGREE are constants, or are
+ * read from `curve`; NAME completes the names.  With constants the loops are unrolled, which makes them several times
+ * faster. */
 
 /* De Casteljau's triangle at s, broken off where the last three, two and one points give the derivatives:
  *     A'' = p (p-1) (b_2 - 2 b_1 + b_0),   A' = p (l_1 - l_0),   A = (1-s) l_0 + s l_1,   l_i = (1-s) b_i + s b_{i+1},
@@ -43,14 +44,14 @@ static void NAME(derivatives)(const fit_curve *curve, double t, double D[])
     }
 }
 
-/* Newton's method for f(t) = (C - Q) C' = 0 between low and high, f(low) < 0 < f(high) as far as f is known there; nothing
- * is known at the ends of the domain before they are tried.  A step that leaves this interval, or where
- * f' = C' C' + (C - Q) C'' is not positive, is replaced by the foot on the tangent, f' = C' C'; when this too leaves it, an
- * end of the domain that was not tried is, or the middle.
+/* Newton's method for f(t) = (C - Q) C' = 0 between low and high, f(low) < 0 < f(high) as far as f is known there;
+ * nothing is known at the ends of the domain before they are tried.  A step that leaves this interval, or where f' =
+ * C' C' + (C - Q) C'' is not positive, is replaced by the foot on the tangent, f' = C' C'; when this too leaves it,
+ * an end of the domain that was not tried is, or the middle.
  *
- * A step that is shorter than `limit` times the length on which the curve changes, |C'|/|C''| or the domain, is the last:
- * the curve there is Taylor's polynomial, and Newton's method squares the error.  With FOOT_EXACT
- * as limit this polynomial is the curve, up to rounding. */
+ * A step that is shorter than `limit` times the length on which the curve changes, |C'|/|C''| or the domain, is the
+ * last: the curve there is Taylor's polynomial, and Newton's method squares the error.  With FOOT_EXACT as limit this
+ * polynomial is the curve, up to rounding. */
 static fit_foot_kind NAME(newton)(const fit_curve *curve, const double q[], double limit, double *t, double D[])
 {
     const int dim = DIM, degree = DEGREE;

@@ -12,7 +12,8 @@
 
 /* ---- Parameters --------------------------------------------------------------------------------------- */
 
-/* length[g]: how far along the chords between the centres of groups of points, taken in their order, the centre of group g lies. */
+/* length[g]: how far along the chords between the centres of groups of points, taken in their order, the centre of
+ * group g lies. */
 static void chord_lengths(const fit_problem *p, const int order[], int groups, double length[])
 {
     int n = p->points, dim = p->dim;
@@ -28,8 +29,8 @@ static void chord_lengths(const fit_problem *p, const int order[], int groups, d
     }
 }
 
-/* t: parameters between start and end, along these chords; single points may be scattered by more than they are apart.  Returns 0 when
- * there is no memory. */
+/* t: parameters between start and end, along these chords; single points may be scattered by more than they are
+ * apart.  Returns 0 when there is no memory. */
 static int chord_parameters(const fit_problem *p, const int order[], double start, double end, double t[])
 {
     int n = p->points, groups = n < p->strategy.chord_groups ? n : p->strategy.chord_groups;
@@ -88,8 +89,8 @@ static int free_points_new(const fit_problem *p, const fit_curve *curve, free_po
     return 1;
 }
 
-/* The row of measured point i at the parameter t: sum R_j dP_j = Q_i - C(t), weighted with its precision, and with sqrt(rho') of its
- * distance from the curve as it is if `robust`. */
+/* The row of measured point i at the parameter t: sum R_j dP_j = Q_i - C(t), weighted with its precision, and with
+ * sqrt(rho') of its distance from the curve as it is if `robust`. */
 static void add_row(const fit_problem *p, const fit_curve *curve, const free_points *f, int i, double t, int robust,
                     fit_reduction *rows)
 {
@@ -110,8 +111,8 @@ static void add_row(const fit_problem *p, const fit_curve *curve, const free_poi
         *row = factor * (Q[c] - D[c]);
 }
 
-/* Moves the free points by the solution of smallest length of the triangle T = (R z), by the singular values of R that count.  work
- * has room for 3 m^2 + m numbers, m free points.  Returns 0 when there is no memory. */
+/* Moves the free points by the solution of smallest length of the triangle T = (R z), by the singular values of R
+ * that count.  work has room for 3 m^2 + m numbers, m free points.  Returns 0 when there is no memory. */
 static int move_points(const fit_problem *p, const free_points *f, const double T[], double work[], fit_curve *curve)
 {
     int m = f->support.unknowns, dim = p->dim, n = m + dim;
@@ -134,8 +135,8 @@ static int move_points(const fit_problem *p, const free_points *f, const double 
     return 1;
 }
 
-/* The free points that come closest at the parameters t; where these do not determine them, the change is the smallest.  Returns 0 when
- * there is no memory. */
+/* The free points that come closest at the parameters t; where these do not determine them, the change is the
+ * smallest.  Returns 0 when there is no memory. */
 static int solve_points(const fit_problem *p, const double t[], int robust, fit_curve *curve)
 {
     free_points f;

@@ -12,7 +12,7 @@ double fit_log_invariant(const cagd_fit_result *result, int j);
 /* A fit_derivative: of log I_j by an unknown; j points to the int j. */
 double fit_log_invariant_derivative(const cagd_fit_unknown *by, const void *j);
 
-/* Fills invariant and invariant_error of the result, from its curve and its covariance.  The error is I_j times that of log I_j;
- * infinite where log I_j changes along a free direction. */
+/* Fills invariant and invariant_error of the result, from its curve and its covariance.  The error is I_j times that
+ * of log I_j; infinite where log I_j changes along a free direction. */
 void fit_invariants(cagd_fit_result *result);
 #endif

@@ -44,10 +44,10 @@ static int is_lost(const fit_objective *f, int index)
     return lost;
 }
 
-/* Whether the weight of unknown k runs away.  Then the gradient along log w_k is small only because the weight hardly counts, and not
- * because the residuals are orthogonal to its column of the Jacobian.  Two things tell: the step of Gauss and Newton in this unknown
- * alone would lower the cost by more than sqrt(tolerance) of it, and would change the weight by a factor of more than 2^53, which is
- * from one end of the precision to the other. */
+/* Whether the weight of unknown k runs away.  Then the gradient along log w_k is small only because the weight hardly
+ * counts, and not because the residuals are orthogonal to its column of the Jacobian.  Two things tell: the step of
+ * Gauss and Newton in this unknown alone would lower the cost by more than sqrt(tolerance) of it, and would change
+ * the weight by a factor of more than 2^53, which is from one end of the precision to the other. */
 static int runs_away(const fit_objective *f, int k)
 {
     const fit_problem *p = f->problem;

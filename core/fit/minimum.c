@@ -32,7 +32,7 @@ static int try_start(int start, fit_attempt *a)
     return 1;
 }
 
-/* Whether one attempt has ended better than another: it has not failed, or its cost is lower by more than its rounding. */
+/* Whether attempt a has ended better than b: b alone has failed, or the cost of a is lower by more than rounding. */
 static int is_better(const fit_attempt *a, const fit_attempt *b)
 {
     int a_failed = a->outcome.termination == CAGD_FIT_FAILED, b_failed = b->outcome.termination == CAGD_FIT_FAILED;
@@ -40,8 +40,8 @@ static int is_better(const fit_attempt *a, const fit_attempt *b)
     return a_failed == b_failed ? a->objective->cost < cost - fit_problem_cost_error(a->problem, cost) : b_failed;
 }
 
-/* Whether the attempt from this start takes the place of the best one.  Starts beyond those asked for only do when they come to a
- * minimum. */
+/* Whether the attempt from this start takes the place of the best one.  Starts beyond those asked for only do when
+ * they come to a minimum. */
 static int replaces(const fit_attempt *a, int start, const fit_minimum *m)
 {
     int asked = start < a->problem->options->starts;

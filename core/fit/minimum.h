@@ -10,8 +10,8 @@ typedef struct fit_minimum {
     int agreeing_starts; /* how many starts have ended at the same cost      */
 } fit_minimum;
 
-/* All starts that the options ask for, and some more as long as none has come to a minimum.  Returns 0 when there is no memory;
- * fit_minimum_free is to be called all the same. */
+/* All starts that the options ask for, and some more as long as none has come to a minimum.  Returns 0 when there is
+ * no memory; fit_minimum_free is to be called all the same. */
 int fit_minimum_of(const fit_problem *problem, fit_minimum *minimum);
 void fit_minimum_free(fit_minimum *minimum);
 #endif

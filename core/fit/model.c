@@ -20,8 +20,8 @@ static double product(int n, const double a[], const double b[])
     return sum;
 }
 
-/* W = R^-1, unless R may lose a rank by the measure of rank.h: with columns scaled to length 1, R D^-1, its largest singular value is at
- * most sqrt(n), and its smallest one at least 1/|D R^-1|, Frobenius's norm. */
+/* W = R^-1, unless R may lose a rank by the measure of rank.h: with columns scaled to length 1, R D^-1, its largest
+ * singular value is at most sqrt(n), and its smallest one at least 1/|D R^-1|, Frobenius's norm. */
 static int invert(const fit_problem *p, int n, const double R[], int stride, double W[])
 {
     double norm = 0;

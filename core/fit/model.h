@@ -2,12 +2,13 @@
  *
  *     F(theta + x) = F - |y|^2/2 + |J x + y|^2/2 + ...,    J^T y = gradient,    J^T J = Hessian matrix H.
  *
- * The triangle R of the distances gives Gauss and Newton's part of H; with what they leave out, S, and R = U T, U^T U = 1, T W = 1,
- * it is T^T (1 + M) T, M = W^T S W.  M is small where the distances are, however ill-conditioned R is, so that nothing of R's precision
- * is lost:  1 + M = L L^T,  J = L^T T,  y = L^-1 U^T z.  Where 1 + M is not positive definite, or |y|^2 > 2F so that the
- * model would end below zero, L = 1: Gauss and Newton's model.
+ * The triangle R of the distances gives Gauss and Newton's part of H; with what they leave out, S, and R = U T, U^T U
+ * = 1, T W = 1, it is T^T (1 + M) T, M = W^T S W.  M is small where the distances are, however ill-conditioned R is,
+ * so that nothing of R's precision is lost:  1 + M = L L^T,  J = L^T T,  y = L^-1 U^T z.  Where 1 + M is not positive
+ * definite, or |y|^2 > 2F so that the model would end below zero, L = 1: Gauss and Newton's model.
  *
- * T is R itself where R is far from losing a rank; elsewhere it is the part of R's singular value decomposition that counts, rank.h. */
+ * T is R itself where R is far from losing a rank; elsewhere it is the part of R's singular value decomposition that
+ * counts, rank.h. */
 #ifndef CAGD_FIT_MODEL_H
 #define CAGD_FIT_MODEL_H
 

@@ -70,7 +70,8 @@ static int directions(int dim, fit_foot_kind kind, const double tangent[], doubl
         n[0][1] = tangent[0] / length;
         return 1;
     }
-    /* The other two columns of the reflection that takes an axis to the tangent T: e - v v_e/(1 + |T_axis|), v = T + sign axis. */
+    /* The other two columns of the reflection that takes an axis to the tangent T: e - v v_e/(1 + |T_axis|), v = T +
+     * sign axis. */
     double T[3] = {tangent[0] / length, tangent[1] / length, tangent[2] / length};
     int axis = fabs(T[0]) > fabs(T[1]) ? 0 : 1;
     axis = fabs(T[2]) > fabs(T[axis]) ? 2 : axis;
@@ -87,11 +88,11 @@ static int directions(int dim, fit_foot_kind kind, const double tangent[], doubl
 
 /* What the second derivatives of point i add to the Hessian matrix, r = (C - Q)/s_i and derivatives in units of s_i.
  *
- * Along x_j and x_k  r . C_jk,  and where the foot moves,  (tau_j tau_k)/|C'|^2 - (tau_j + rho_j)(tau_k + rho_k)/f,
- * f = |C'|^2 + r . C'',  tau_j = C_j . C',  rho_j = r . C'_j:  rows of distances lack the tangential part of C_j . C_k, and
- * the foot takes a part of it away.  The two nearly cancel; their difference is -(rho_j a_k + tau_j b_k)/f, a = rho + tau,
- * b = rho - kappa tau, kappa = r . C''/|C'|^2.  With h_j = r . C_j, and e_j = N_j/(sum N w) for weights, 0 for the others,
- * r . C_jk = -(h_j e_k + e_j h_k).  The loss multiplies with rho' and adds 2 rho'' h_j h_k. */
+ * Along x_j and x_k  r . C_jk,  and where the foot moves,  (tau_j tau_k)/|C'|^2 - (tau_j + rho_j)(tau_k + rho_k)/f, f
+ * = |C'|^2 + r . C'',  tau_j = C_j . C',  rho_j = r . C'_j:  rows of distances lack the tangential part of C_j . C_k,
+ * and the foot takes a part of it away.  The two nearly cancel; their difference is -(rho_j a_k + tau_j b_k)/f, a =
+ * rho + tau, b = rho - kappa tau, kappa = r . C''/|C'|^2.  With h_j = r . C_j, and e_j = N_j/(sum N w) for weights, 0
+ * for the others, r . C_jk = -(h_j e_k + e_j h_k).  The loss multiplies with rho' and adds 2 rho'' h_j h_k. */
 static inline void point_curvature(fit_objective *o, const int dim, int i, int piece, fit_foot_kind kind,
                                    const double D[], const double B[], const double N[], const double N1[],
                                    const double loss[3])
@@ -188,7 +189,8 @@ static int is_curve(const fit_problem *p, const double x[], const fit_curve *cur
     return good;
 }
 
-/* Columns and curvature by weights become those by y, w = b phi(y): a factor dw/dy, and phi''/phi' times the gradient. */
+/* Columns and curvature by weights w become those by y, w = b phi(y): a factor dw/dy, and phi''/phi' times the
+ * gradient. */
 static void by_weights(fit_objective *o, const double x[], int newton)
 {
     const fit_problem *p = o->problem;

@@ -5,12 +5,12 @@
  *
  *     -(n . dC/dx)/s_i,    dC/dw_j = N_j (B_j - C)/sum N w,    dC/d(w_j (P_j - B_j)) = N_j e/sum N w,
  *
- * x as in problem.h, and all directions where the foot is held, at an end of the domain or in a corner.  This is the Jacobian of all
- * unknowns with those of the feet eliminated, its Schur complement; the gradient of F is exact.  A robust loss multiplies residual
- * and row with sqrt(rho').
+ * x as in unknowns.h, and one residual for each of all directions where the foot is held, at an end of the domain or in a corner.  This is the
+ * Jacobian of all unknowns with those of the feet eliminated, its Schur complement; the gradient of F is exact.  A
+ * robust loss multiplies residual and row with sqrt(rho').
  *
- * The rows are taken in as they come and kept as their triangle (R z), whatever the number of points.  What R^T R lacks of the
- * Hessian matrix of F is summed up beside it: model.h makes one least-squares problem of both. */
+ * The rows are taken in as they come and kept as their triangle (R z), whatever the number of points.  What R^T R
+ * lacks of the Hessian matrix of F is summed up beside it: model.h makes one least-squares problem of both. */
 #ifndef CAGD_FIT_OBJECTIVE_H
 #define CAGD_FIT_OBJECTIVE_H
 
@@ -21,33 +21,37 @@
 
 typedef struct fit_objective {
     const fit_problem *problem;
-    fit_curve *curve; /* of the accepted x, or of the one that is tried                             */
+    fit_curve *base;  /* from which x is counted, unknowns.h                              */
+    fit_curve *curve; /* at the x that was evaluated last                                 */
+    double *inverse;  /* one over the weights of that curve                               */
+    /* What was accepted.  The feet of every other x are sought from these. */
+    double *x, *feet, accepted; /* accepted: the cost there                               */
+    /* What was evaluated last. */
+    int evaluated; /* whether there was anything                                          */
+    double *new_x, *new_feet, cost;
+    double *triangle;  /* (R z), (unknowns+1)^2 numbers by rows                           */
+    double *curvature; /* the Hessian matrix less R^T R, unknowns^2 numbers               */
+    /* How the next x is evaluated. */
+    int newton;   /* whether the curvature is summed up, or stays what it was             */
+    double limit; /* of fit_foot_near                                                     */
+    int width;    /* of the vectors of batch.h                                            */
     fit_reduction *rows;
     fit_curvature *second;
-    fit_curve *base;          /* see problem.h                                                        */
-    double *inverse;          /* 1/w_j                                                                */
-    double *feet, *x;         /* accepted: the feet on the way to any other x start here              */
-    double *new_feet, *new_x; /* of the last evaluation                                               */
-    double *triangle;         /* of that one: (unknowns+1)^2                                          */
-    double *curvature;        /* and what is left out of its R^T R, the Hessian matrix: unknowns^2    */
-    int newton;               /* whether the curvature is summed up, or stays what it was             */
-    double limit;             /* of fit_foot_near                                                     */
-    int width;                /* of the vectors in batch.h                                            */
-    double cost, accepted;    /* of the last evaluation, and of what was accepted                     */
-    int evaluated;            /* whether there was one                                                */
 } fit_objective;
 
-/* Empty.  NULL when there is no memory. */
+/* Evaluated nowhere.  NULL when there is no memory. */
 fit_objective *fit_objective_new(const fit_problem *problem);
 void fit_objective_free(fit_objective *objective); /* NULL is allowed */
 
-/* Evaluated at a curve, which is the base, its weights put between the bounds, with feet to start from; and accepted. */
+/* Evaluates and accepts a curve, which becomes the base, with its weights put between the bounds and feet to start
+ * from. */
 void fit_objective_begin(fit_objective *objective, const fit_curve *curve, const double feet[]);
 
-/* triangle, cost and new_feet at x.  weighted 0: rows of the distances themselves, as for squares. */
+/* Evaluates cost, feet, triangle and, if `newton`, curvature at x.  If not `weighted`, the rows are those of the
+ * distances themselves, as for squares. */
 void fit_objective_evaluate(fit_objective *objective, const double x[], int weighted);
 
-/* The same, weighted, unless x is what was evaluated last. */
+/* The same, weighted; nothing is done when x is what was evaluated last. */
 void fit_objective_at(fit_objective *objective, const double x[]);
 
 /* What was evaluated last becomes what is accepted. */

@@ -4,8 +4,8 @@
 
 #include "core/fit/problem.h"
 
-/* Three guesses: along the principal axis of the points; around their centre in the principal plane, from the widest gap on; from each
- * point to its nearest neighbour, beginning with the one farthest from the centre. */
+/* Three guesses: along the principal axis of the points; around their centre in the principal plane, from the widest
+ * gap on; from each point to its nearest neighbour, beginning with the one farthest from the centre. */
 enum fit_order_kind { FIT_ALONG_AXIS, FIT_AROUND_CENTRE, FIT_BY_NEIGHBOURS, FIT_ORDERS };
 
 /* order[i]: the index of the i-th point along the curve.  Returns 0 when there is no memory. */

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A polygon begins with PER_PIECE sides in each piece of the curve, and never has more than MOST_SIDES beside these.  With 2, 4, 8, 16
- * or 32 sides per piece the same feet and fits are found; with 8 the fewest sides are needed in the end, at most 143 for the curves of
- * the tests.  So MOST_SIDES only bounds memory and time for curves that nobody has thought of; the search is then as coarse as
- * these sides are. */
+/* A polygon begins with PER_PIECE sides in each piece of the curve, and never has more than MOST_SIDES beside these.
+ * With 2, 4, 8, 16 or 32 sides per piece the same feet and fits are found; with 8 the fewest sides are needed in the
+ * end, at most 143 for the curves of the tests.  So MOST_SIDES only bounds memory and time for curves that nobody has
+ * thought of; the search is then as coarse as these sides are. */
 enum { MOST_SIDES = 1024, PER_PIECE = 8 };
 
 void fit_polygon_free(fit_polygon *g)
@@ -45,8 +45,8 @@ static int fill_sides(fit_polygon *g)
     return 1;
 }
 
-/* Adds sides from t[sides], whose point is there, to `end`.  A side is halved until it is no longer than `longest`, nor as deep as an
- * eighth of its length, or until there is no room for more. */
+/* Adds sides from t[sides], whose point is there, to `end`.  A side is halved until it is no longer than `longest`,
+ * nor as deep as an eighth of its length, or until there is no room for more. */
 static void add_sides(fit_polygon *g, const fit_curve *curve, double end, const double at_end[], double longest,
                       int *room)
 {
@@ -68,7 +68,8 @@ static void add_sides(fit_polygon *g, const fit_curve *curve, double end, const 
     g->sides++;
 }
 
-/* The parameter at the end of side k of the polygon to begin with, which has PER_PIECE sides in every piece of the curve. */
+/* The parameter at the end of side k of the polygon to begin with, which has PER_PIECE sides in every piece of the
+ * curve. */
 static double end_of_first(const fit_curve *curve, int k)
 {
     const double *u = curve->knots + curve->span[k / PER_PIECE];

@@ -4,17 +4,18 @@
 
 #include "core/fit/curve.h"
 
-/* The corners are the points of the curve at t[0] < ... < t[sides].  depth[k] is taken for a bound on how far the curve is from side k:
- * it is twice the height of the triangle with two equal sides over side k that are as long as the way by the middle of the curve
- * there.  Of the sides, coordinate by coordinate: where they begin and their vectors; and one over the squares of their lengths. */
+/* The corners are the points of the curve at t[0] < ... < t[sides].  depth[k] is taken for a bound on how far the
+ * curve is from side k: it is twice the height of the triangle with two equal sides over side k that are as long as
+ * the way by the middle of the curve there.  Of the sides, coordinate by coordinate: where they begin and their
+ * vectors; and one over the squares of their lengths. */
 typedef struct fit_polygon {
     int sides, dim;
     double *t, *point, *depth;
     double *begin[3], *vector[3], *inverse;
 } fit_polygon;
 
-/* No side is longer than one `parts`-th of the whole, nor deeper than an eighth of its length, as far as MOST_SIDES allows.  Returns 0
- * when there is no memory; fit_polygon_free is to be called all the same. */
+/* No side is longer than one `parts`-th of the whole, nor deeper than an eighth of its length, as far as MOST_SIDES
+ * allows.  Returns 0 when there is no memory; fit_polygon_free is to be called all the same. */
 int fit_polygon_new(const fit_curve *curve, int parts, fit_polygon *polygon);
 void fit_polygon_free(fit_polygon *polygon);
 

@@ -45,8 +45,8 @@ static cagd_status make_knots(const cagd_fit_options *o, fit_problem *p)
     return CAGD_OK;
 }
 
-/* The unknowns in the order of the points of the curve: of each its weight, then its coordinates.  The first weight is given, and so
- * is the last one of a curve of one span. */
+/* The unknowns in the order of the points of the curve: of each its weight, then its coordinates.  The first weight
+ * is given, and so is the last one of a curve of one span. */
 static void number_unknowns(const cagd_fit_options *o, fit_problem *p)
 {
     const int last = p->count - 1, one_span = p->count == p->degree + 1;
@@ -95,8 +95,9 @@ static cagd_status make_unknowns(const cagd_fit_options *o, fit_problem *p)
     return CAGD_OK;
 }
 
-/* Squared distances, their sum, and the square of what rounding makes of a distance, 2^-106 of it, are numbers without underflow
- * or overflow when the distance lies between 2^-400 and 2^400: 2*400 + 31 < 1024 and 2*400 + 106 < 1022. */
+/* Squared distances, their sum, and the square of what rounding makes of a distance, 2^-106 of it, are numbers
+ * without underflow or overflow when the distance lies between 2^-400 and 2^400: 2*400 + 31 < 1024 and 2*400 + 106 <
+ * 1022. */
 static int in_range(double x) { return x >= 0x1p-400 && x <= 0x1p+400; }
 
 /* Widens *low and *high until the coordinates c of all points lie between them. */
@@ -109,8 +110,8 @@ static void enclose(int count, int dim, int c, const double points[], double *lo
     }
 }
 
-/* Unit and centre of the working coordinates: those of the points; where nothing is free also those of the curve, since a single point
- * has no size, and the curve may be anywhere. */
+/* Unit and centre of the working coordinates: those of the points; where nothing is free also those of the curve,
+ * since a single point has no size, and the curve may be anywhere. */
 static cagd_status choose_coordinates(const cagd_fit_data *data, const cagd_fit_options *o, fit_problem *p)
 {
     int dim = data->dim, exponent;
@@ -190,7 +191,8 @@ cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *
     return status;
 }
 
-/* Weights of the same curve, the largest of which is between 1/2 and 1: a power of two is no gauge, and keeps their sums in range. */
+/* Weights of the same curve, the largest of which is between 1/2 and 1: a power of two is no gauge, and keeps their
+ * sums in range. */
 static void scale_weights(fit_curve *curve)
 {
     double largest = 0;

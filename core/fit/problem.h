@@ -1,11 +1,12 @@
 /* problem.h -- the fit as its parts see it.
  *
- * Everything is computed in working coordinates (x - centre)/unit with a power of two as unit, so that coordinates are of
- * the order of 1.  Those of measured points are exact (无舍入), however far from the origin they lie: in each coordinate the centre is
- * 0 unless all |x| >= 3h, 2h being the widest side of the data; and then it is the middle, but for half of the unit, h < unit <= 2h.
- * With |centre - middle| <= h and middle - h <= x <= middle + h this is |centre - x| <= 2h, hence x/2 <= centre <= 2x for x >= 3h,
- * where binary64 subtracts without rounding (sterbenz-1974, 4.3).  Distances
- * are scaled back by 1/sigma, which is in units of the working coordinates: F is that of cagd_fit.h. */
+ * Everything is computed in working coordinates (x - centre)/unit with a power of two as unit, so that coordinates
+ * are of the order of 1.  Those of measured points are exact (无舍入), however far from the origin they lie: in each
+ * coordinate the centre is 0 unless all |x| >= 3h, 2h being the widest side of the data; and then it is the middle,
+ * but for half of the unit, h < unit <= 2h.  With |centre - middle| <= h and middle - h <= x <= middle + h this is
+ * |centre - x| <= 2h, hence x/2 <= centre <= 2x for x >= 3h, where binary64 subtracts without rounding
+ * (sterbenz-1974, 4.3).  Distances are scaled back by 1/sigma, which is in units of the working coordinates: F is
+ * that of cagd_fit.h. */
 #ifndef CAGD_FIT_PROBLEM_H
 #define CAGD_FIT_PROBLEM_H
 
@@ -46,7 +47,8 @@ cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *
                              fit_problem *problem, int *where);
 void fit_problem_free(fit_problem *problem);
 
-/* The checked initial curve in working coordinates and in the gauge; when nothing is free with its weights as they are, but for a power of two. */
+/* The checked initial curve in working coordinates and in the gauge; when nothing is free with its weights as they
+ * are, but for a power of two. */
 void fit_problem_curve(const fit_problem *problem, const cagd_spline *given, fit_curve *curve);
 
 /* rho(x) and *slope = rho'(x). */
@@ -56,9 +58,9 @@ double fit_problem_loss(const fit_problem *problem, double x, double *slope);
 int fit_problem_equations(const fit_problem *problem);
 int fit_problem_roundings(const fit_problem *problem);
 
-/* What rounding makes of a cost: of its sum, and of the points in it.  Residuals r_i that are off by b_i, as in foot.tmpl.h, change half
- * the sum of their squares by at most sum |r_i| b_i + b_i^2/2, which by Cauchy and Schwarz is at most
- * sqrt(2 cost sum b_i^2) + sum b_i^2/2; with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
+/* What rounding makes of a cost: of its sum, and of the points in it.  Residuals r_i that are off by b_i, as in
+ * foot.tmpl.h, change half the sum of their squares by at most sum |r_i| b_i + b_i^2/2, which by Cauchy and Schwarz
+ * is at most sqrt(2 cost sum b_i^2) + sum b_i^2/2; with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
 double fit_problem_cost_error(const fit_problem *problem, double cost);
 
 /* Sums the b_i^2; to be called when the points or their precision have changed. */

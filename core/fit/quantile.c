@@ -30,9 +30,10 @@ static long double student_probability(int nu, long double theta, long double *d
     return 2 / pi * (theta + sinl(theta) * cosl(theta) * sum);
 }
 
-/* For many degrees of freedom the expansion about the normal quantile is used, whose first term left out is of the size of
- * nu^{-5} < 2^{-61}.  For fewer, P is increasing and concave in theta, hence Newton's method from the left increases to the solution;
- * it ends when rounding stops it.  It begins with three terms of the expansion, which all lie below.  Source: abramowitz-stegun-1964, 26.7.5. */
+/* For many degrees of freedom the expansion about the normal quantile is used, whose first term left out is of the
+ * size of nu^{-5} < 2^{-61}.  For fewer, P is increasing and concave in theta, hence Newton's method from the left
+ * increases to the solution; it ends when rounding stops it.  It begins with three terms of the expansion, which all
+ * lie below.  Source: abramowitz-stegun-1964, 26.7.5. */
 double fit_student_quantile(int nu)
 {
     const long double wanted = 0.95L, z = normal_quantile, n = nu, y = z * z;

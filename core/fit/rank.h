@@ -19,8 +19,8 @@ double fit_rank_threshold(int n, int rows, int roundings);
 int fit_rank_of(int n, int rows, int roundings, const double R[], int stride, const int fixed[], fit_rank *rank);
 void fit_rank_free(fit_rank *rank);
 
-/* covariance[n n] = (R^T R)^+ in scaled columns; flat_directions[flat n], orthonormal; determined[k] = 1 where no flat direction
- * moves unknown k and it is not fixed. */
+/* covariance[n n] = (R^T R)^+ in scaled columns; flat_directions[flat n], orthonormal; determined[k] = 1 where no
+ * flat direction moves unknown k and it is not fixed. */
 void fit_rank_report(const fit_rank *rank, const int fixed[], double covariance[], double flat_directions[],
                      int determined[]);
 #endif

@@ -1,8 +1,8 @@
 /* reduction.h -- a tall least-squares system, taken in row by row and kept as its triangle (QR).
  *
- * The rows of a curve depend only on the unknowns of one piece.  So every piece has its own triangle, of its own unknowns
- * and of the right-hand sides, and these are joined at the end (C. L. Lawson and R. J. Hanson, Solving Least Squares
- * Problems, ch. 27).  The memory does not depend on how many rows there are. */
+ * The rows of a curve depend only on the unknowns of one piece.  So every piece has its own triangle, of its own
+ * unknowns and of the right-hand sides, and these are joined at the end (C. L.  Lawson and R. J.  Hanson, Solving
+ * Least Squares Problems, ch. 27).  The memory does not depend on how many rows there are. */
 #ifndef CAGD_FIT_REDUCTION_H
 #define CAGD_FIT_REDUCTION_H
 

@@ -123,7 +123,8 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
     return good;
 }
 
-/* The measured point that is nearest to P, which is told from the origin: for an end that is one of them, but for rounding, that one. */
+/* The measured point that is nearest to P, which is told from the origin: for an end that is one of them, but for
+ * rounding, that one. */
 static const double *nearest_measured(const cagd_fit_data *data, const double origin[], const double P[])
 {
     const double *nearest = data->points;
@@ -139,8 +140,8 @@ static const double *nearest_measured(const cagd_fit_data *data, const double or
     return nearest;
 }
 
-/* What is given is not rounded by way of working coordinates.  Without an initial curve fixed ends are measured points: the first
- * and the last one, or those which the guessed order begins and ends with. */
+/* What is given is not rounded by way of working coordinates.  Without an initial curve fixed ends are measured
+ * points: the first and the last one, or those which the guessed order begins and ends with. */
 static void restore_given_points(const cagd_fit_data *data, const cagd_fit_options *o, cagd_fit_result *r)
 {
     int n = r->curve.count, dim = r->curve.dim;
@@ -163,8 +164,9 @@ static void restore_given_points(const cagd_fit_data *data, const cagd_fit_optio
     }
 }
 
-/* Spacing of the measured coordinates, and whether the distances are no larger than what coordinates of the curve are off by in
- * binary64, p steps of de Casteljau on homogeneous coordinates and a division, and measured ones by their rounding. */
+/* Spacing of the measured coordinates, and whether the distances are no larger than what coordinates of the curve are
+ * off by in binary64, p steps of de Casteljau on homogeneous coordinates and a division, and measured ones by their
+ * rounding. */
 static void fill_rounding(const cagd_fit_data *data, cagd_fit_result *r)
 {
     double size = 0, rounding = 0;

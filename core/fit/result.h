@@ -4,7 +4,7 @@
 
 #include "core/fit/minimum.h"
 
-/* From a minimum, whose history it takes over; without statistics, statistics.h.  Points that are not free are those that were given,
- * not rounded by way of working coordinates.  NULL when there is no memory. */
+/* From a minimum, whose history it takes over; without statistics, statistics.h.  Points that are not free are those
+ * that were given, not rounded by way of working coordinates.  NULL when there is no memory. */
 cagd_fit_result *fit_result_make(const cagd_fit_data *data, const fit_problem *problem, fit_minimum *minimum);
 #endif

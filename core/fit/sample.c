@@ -12,7 +12,7 @@ void fit_sample_free(fit_problem *s)
     free(s->precision);
 }
 
-/* The problem with room for so many points, which are 0 and have the precision 0.  Returns 0 when there is no memory. */
+/* The problem with so many points, which are 0 and have the precision 0.  Returns 0 when there is no memory. */
 static int sample_new(const fit_problem *p, int points, fit_problem *s)
 {
     *s = *p;
@@ -41,8 +41,8 @@ int fit_sample_every(const fit_problem *p, int stride, fit_problem *s)
     return 1;
 }
 
-/* Sums over the points of every group, weighted with the squares of their precision: of Q_i - C(t_i) in Q, of t_i less the start of the
- * domain in feet, and of the weights in precision. */
+/* Sums over the points of every group, weighted with the squares of their precision: of Q_i - C(t_i) in Q, of t_i
+ * less the start of the domain in feet, and of the weights in precision. */
 static void sum_groups(const fit_problem *p, const fit_curve *curve, const double t[], fit_problem *s, double feet[])
 {
     const double start = fit_curve_start(curve), part = (fit_curve_end(curve) - start) / s->points;

@@ -71,8 +71,8 @@ static int lead(const fit_problem *p, fit_curve *curve, double *cost)
     return good;
 }
 
-/* Whether every weight lies between 2^-26 and 2^26, and no coordinate, which in working coordinates is of the order of 1, is larger than
- * 2^26.  Curves whose cost falls towards a weight 0 or infinity lead to no minimum. */
+/* Whether every weight lies between 2^-26 and 2^26, and no coordinate, which in working coordinates is of the order
+ * of 1, is larger than 2^26.  Curves whose cost falls towards a weight 0 or infinity lead to no minimum. */
 static int is_moderate(const fit_problem *p, const fit_curve *curve)
 {
     const double most = 1 / sqrt(DBL_EPSILON);
@@ -115,7 +115,8 @@ static int try_order(const fit_problem *p, const int order[], fit_curve *curve, 
     return 1;
 }
 
-/* The best of all guesses: several orders of the points, if they have none, and several sets of weights, if these are free. */
+/* The best of all guesses: several orders of the points, if they have none, and several sets of weights, if these are
+ * free. */
 static int guess_curve(const fit_problem *p, fit_curve *curve)
 {
     best_guess best = {curve, 0, INFINITY};

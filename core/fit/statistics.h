@@ -16,16 +16,16 @@
  *     quantile             of the 95 % intervals: normal for squares with given standard deviations, where nothing is
  *                          estimated; otherwise Student's t with d degrees of freedom
  *
- * A robust loss.  Points that do not obey the standard deviations are the reason for it, so these are not believed.  The
- * covariance is that of an M-estimate (M 估计): with psi_i = rho'(s_i) times the residual vector, whose matrix of
+ * A robust loss.  Points that do not obey the standard deviations are the reason for it, so these are not believed.
+ * The covariance is that of an M-estimate (M 估计): with psi_i = rho'(s_i) times the residual vector, whose matrix of
  * derivatives has the mean diagonal m_i = rho'(s_i) + 2 s_i rho''(s_i)/(dim-1),
  *
  *     scale_squared = K^2 (sum_i rho'(s_i)^2 s_i / d) / M^2,   M = mean of the m_i,   K = 1 + (k/n) var(m_i)/M^2.
  *
- * This is the sandwich A^{-1} B A^{-1} of the asymptotic theory when the errors are independent of the place on the curve, so that
- * A = M J^T J and B = mean(|psi|^2/(dim-1)) J^T J; the full sandwich with A = sum_i m_i j_i j_i^T would do
- * without that but rests on the few residuals near each place and is too small in small samples.  For squares the
- * formula is chi_squared / d.  Source: huber-1981, 7.6.
+ * This is the sandwich A^{-1} B A^{-1} of the asymptotic theory when the errors are independent of the place on the
+ * curve, so that A = M J^T J and B = mean(|psi|^2/(dim-1)) J^T J; the full sandwich with A = sum_i m_i j_i j_i^T
+ * would do without that but rests on the few residuals near each place and is too small in small samples.  For
+ * squares the formula is chi_squared / d.  Source: huber-1981, 7.6.
  *
  * What cannot be known is NaN: with d = 0 and unknown standard deviations, or where M <= 0. */
 #ifndef CAGD_FIT_STATISTICS_H
@@ -34,9 +34,10 @@
 #include "core/fit/cagd_fit.h"
 
 /* Called at the end of a fit.  Reads the curve, residuals, cost, unknowns, rank, free directions; covariance holds
- * (J^T J)^+, and is multiplied by scale_squared here.  Fills scale_squared, scale_is_given, ends_are_exact, chi_squared, reduced_chi_squared,
- * degrees_of_freedom, aic, bic, quantile; and for a curve of one span of degree >= 2 invariant and invariant_error, arrays of
- * degree-1 that are there already, `invariants` in number: I_j = w_j^2/(w_{j-1} w_{j+1}), with the error I_j times that of
- * log I_j, which is linear in the unknowns; infinite where log I_j changes along a free direction. */
+ * (J^T J)^+, and is multiplied by scale_squared here.  Fills scale_squared, scale_is_given, ends_are_exact,
+ * chi_squared, reduced_chi_squared, degrees_of_freedom, aic, bic, quantile; and for a curve of one span of degree >=
+ * 2 invariant and invariant_error, arrays of degree-1 that are there already, `invariants` in number: I_j =
+ * w_j^2/(w_{j-1} w_{j+1}), with the error I_j times that of log I_j, which is linear in the unknowns; infinite where
+ * log I_j changes along a free direction. */
 void fit_statistics(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result *result);
 #endif

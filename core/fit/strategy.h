@@ -1,7 +1,8 @@
 /* strategy.h -- the numbers that say how the minimum is reached and have no part in where it is.
  *
- * Halved or doubled, each of them leads to the same minimum; test_fit tries that.  What decides about a result is the last feet, the
- * last steps and the rank; these are bounded by the precision of binary64, and not by any number that stands here. */
+ * Halved or doubled, each of them leads to the same minimum; test_fit tries that.  What decides about a result is the
+ * last feet, the last steps and the rank; these are bounded by the precision of binary64, and not by any number that
+ * stands here. */
 #ifndef CAGD_FIT_STRATEGY_H
 #define CAGD_FIT_STRATEGY_H
 

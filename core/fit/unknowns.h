@@ -1,9 +1,9 @@
 /* unknowns.h -- the unknowns x in which a curve is varied, and the curve.
  *
- * x is counted from a curve nearby, the base, with weights b_j and points B_j.  It holds w_j (P_j - B_j) for the coordinates of a
- * point, and y_j with w_j = b_j phi(y_j) for a weight, where phi(y) is 1 + y from -1/2 on, and positive below it, too.  A homogeneous
- * curve is linear in such x: a direction in which the curve nearly stays where it is is straight, while in theta, the logarithms of
- * weights and the points, it is bent. */
+ * x is counted from a curve nearby, the base, with weights b_j and points B_j.  It holds w_j (P_j - B_j) for the
+ * coordinates of a point, and y_j with w_j = b_j phi(y_j) for a weight, where phi(y) is 1 + y from -1/2 on, and
+ * positive below it, too.  A homogeneous curve is linear in such x: a direction in which the curve nearly stays where
+ * it is is straight, while in theta, the logarithms of weights and the points, it is bent. */
 #ifndef CAGD_FIT_UNKNOWNS_H
 #define CAGD_FIT_UNKNOWNS_H
 

@@ -1,14 +1,17 @@
 /* wide.h -- vectors of the processor's width for the loops that take most of the time.
  *
- * A function marked WIDE is compiled for several processors, and the program chooses among them when it starts.  All of them compute the
- * same numbers: sums are made of WIDE_SUMS sums side by side, and every product and sum is rounded by itself. */
+ * A function marked WIDE is compiled for several processors, and the program chooses among them when it starts.  All
+ * of them compute the same numbers: sums are made of WIDE_SUMS sums side by side, and every product and sum is
+ * rounded by itself. */
 #ifndef CAGD_FIT_WIDE_H
 #define CAGD_FIT_WIDE_H
 
 #include <stdlib.h> /* says whether the C library is glibc, which can choose among functions */
 
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) &&            \
-    !defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define FIT_NARROW /* a sanitizer is not ready yet when the program chooses */
+#endif
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__OPTIMIZE__) && !defined(FIT_NARROW)
 #define FIT_WIDER
 #define WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
