@@ -11,8 +11,7 @@ FIGURE(convexity_lost)
     num_q P[16];
     svg_panel(s, window(r(-1, 10), r(-1, 10), r(21, 10), r(11, 10)), 380, 0, "$P_0=P_1$, $P_2$, $P_3=...=P_7$");
     put_triangle(s, q(0));
-    for (int i = 0; i <= 7; i++)
-        P[2 * i] = q(i), P[2 * i + 1] = q(i == 0 || i == 7 ? 100 : 101);
+    data_of("printed_curve_of_a_convex_polygon_meets_a_line_four_times", "P", 8, 2, P);
     svg_panel(s, window(r(-1, 4), r(193, 2), r(29, 4), r(203, 2)), 340, 230, "$β=1$, $y$ from 96.5 to 101.5");
     svg_polyline(s, 8, P, SVG_POLYGON);
     put_curve(s, 1, 7, P, q(1), SVG_WRONG);

@@ -9,8 +9,7 @@ FIGURE(crossings_off_the_polygon)
         " Right a triangle, enlarged near its first corner: the curve of β = -7 crosses the line y = -1/200 "
         "below the triangle twice, that of β = -21/4 does not.");
     num_q P[16];
-    for (int i = 0; i <= 7; i++)
-        P[2 * i] = q(i), P[2 * i + 1] = q(1);
+    data_of("printed_curve_crosses_a_line_off_its_polygon", "P", 8, 2, P);
     svg_panel(s, window(q(0), r(24, 25), q(7), r(101, 100)), 360, 250, "as printed, $β=1$ ($y$ stretched)");
     svg_axes(s, q(1), r(1, 100), "x", "y");
     svg_polyline(s, 8, P, SVG_POLYGON);

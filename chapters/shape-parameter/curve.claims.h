@@ -12,7 +12,6 @@ their edges, and the curve depends on the place of the origin.
 #include "exact/record/hull.h"
 
 #include "chapters/shape-parameter/definition.h"
-#include "chapters/shape-parameter/distance.h"
 
 #include "chapters/judge/claims_on.h"
 

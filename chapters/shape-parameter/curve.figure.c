@@ -28,9 +28,8 @@ FIGURE(end_edges)
         svg_new("end_edges", "The tangent at the end of the curve",
                 "The beginning of the curves of β = 1, -5 and -7.  The first two leave P₀ along the edge to P₁; the "
                 "curve of β = -7 leaves it towards (5P₁ - P₂)/4, below the edge.");
-    static const int from[] = {0, 0, 1, 0, 2, 2, 3, 3, 4, 3, 5, 2, 6, 0, 7, 0};
     num_q P[16];
-    integers(2 * 8, from, P);
+    data_of("edge_is_not_tangent_at_minus_seven", "P", 8, 2, P);
     svg_panel(s, window(r(-1, 10), r(-1, 5), r(3, 2), r(4, 5)), 440, 0, NULL);
     svg_polyline(s, 8, P, SVG_POLYGON);
     put_curve(s, 0, 7, P, q(1), SVG_CURVE);

@@ -10,8 +10,7 @@ FIGURE(roots_at_minus_seven)
                 "change; for β = -21/4 there are none, and one.");
     for (int last = 1; last >= -1; last -= 2) {
         num_q near[8], far[8], a[8];
-        for (int i = 0; i <= 7; i++)
-            a[i] = q(i == 2 ? 200 : i == 7 ? last : 1);
+        data_of(last > 0 ? "positive_coefficients_with_two_roots" : "one_change_of_sign_and_three_roots", "k", 8, 1, a);
         svg_panel(s, window(q(0), q(-2), q(1), q(4)), 320, 240,
                   last > 0 ? "$k=(1,1,200,1,1,1,1,1)$" : "$k=(1,1,200,1,1,1,1,-1)$");
         svg_axes(s, r(1, 4), q(1), "t", NULL);
@@ -32,8 +31,7 @@ FIGURE(zero_at_the_beginning)
         "The sum of the corrected functions of β = 1 with the coefficients 0, -1, 1, 1, 1, 1, 1, 1: it is 0 at t = "
         "0, negative at first, as its first coefficient that is not 0 is, and has one root.");
     num_q near[8], far[8], a[8];
-    for (int i = 0; i <= 7; i++)
-        a[i] = q(i == 0 ? 0 : i == 1 ? -1 : 1);
+    data_of("no_sign_makes_the_first_coefficient_positive", "k", 8, 1, a);
     svg_panel(s, window(q(0), r(-1, 2), q(1), q(1)), 360, 240, "$k=(0,-1,1,1,1,1,1,1)$, $β=1$");
     svg_axes(s, r(1, 4), r(1, 2), "t", NULL);
     factors(0, 7, q(1), near, far);

@@ -3,6 +3,7 @@
 #define CAGD_SHAPE_DRAWING_H
 
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
 
 static inline void factors(int printed, int n, num_q beta, num_q near[], num_q far[])
@@ -14,7 +15,7 @@ static inline void factors(int printed, int n, num_q beta, num_q near[], num_q f
 }
 
 /* The curve of the points P, printed functions (n = 7) or corrected ones, by its Bézier points of degree n+1. */
-static inline void put_curve(svg *s, int printed, int n, const num_q P[], num_q beta, enum svg_role role)
+static inline void put_curve(svg *s, int printed, int n, const num_q P[], num_q beta, enum svg_role paint)
 {
     num_q near[MAX_DEGREE + 1], far[MAX_DEGREE + 1], E[(MAX_DEGREE + 1) * MAX_DEGREE], Q[2 * (MAX_DEGREE + 1)];
     factors(printed, n, beta, near, far);
@@ -26,11 +27,11 @@ static inline void put_curve(svg *s, int printed, int n, const num_q P[], num_q 
             for (int i = 0; i <= n; i++)
                 *value = add_q(*value, mul_q(E[k * (n + 1) + i], P[2 * i + c]));
         }
-    svg_bezier(s, n + 1, Q, role);
+    svg_bezier(s, n + 1, Q, paint);
 }
 
 /* The graph of the polynomial sum a_i (near_i s + far_i t) s^{n-i} t^i over [0,1]. */
-static inline void put_graph(svg *s, int n, const num_q near[], const num_q far[], const num_q a[], enum svg_role role)
+static inline void put_graph(svg *s, int n, const num_q near[], const num_q far[], const num_q a[], enum svg_role paint)
 {
     num_q E[(MAX_DEGREE + 1) * MAX_DEGREE], Q[2 * (MAX_DEGREE + 1)];
     shape_matrix_q(n, near, far, E);
@@ -40,7 +41,7 @@ static inline void put_graph(svg *s, int n, const num_q near[], const num_q far[
         for (int i = 0; i <= n; i++)
             Q[2 * k + 1] = add_q(Q[2 * k + 1], mul_q(E[k * (n + 1) + i], a[i]));
     }
-    svg_bezier(s, n + 1, Q, role);
+    svg_bezier(s, n + 1, Q, paint);
 }
 
 /* The nine values of the figures of the source; those outside the true range as wrong. */
@@ -58,9 +59,8 @@ static inline void nine_curves(svg *s, const num_q P[])
 /* The triangle of the claims on β = -7, its first and last corner repeated, the curves of β = -21/4 and -7, and a level line. */
 static inline void put_triangle(svg *s, num_q level)
 {
-    static const int triangle[] = {0, 0, 0, 0, 1, 1, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0};
     num_q P[16];
-    integers(2 * 8, triangle, P);
+    data_of("curve_at_minus_seven_crosses_a_line_off_its_polygon", "P", 8, 2, P);
     svg_polyline(s, 8, P, SVG_POLYGON);
     put_curve(s, 0, 7, P, r(-21, 4), SVG_RIGHT);
     put_curve(s, 0, 7, P, q(-7), SVG_WRONG);

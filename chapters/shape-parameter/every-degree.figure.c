@@ -5,12 +5,12 @@
 #include <stdio.h>
 
 /* A bar from a to b in row y, and its name at the left. */
-static void bar(svg *s, int y, num_q a, num_q b, enum svg_role role, const char *name)
+static void bar(svg *s, int y, num_q a, num_q b, enum svg_role paint, const char *name)
 {
     num_q corner[8] = {a, sub_q(q(y), r(1, 5)), b, sub_q(q(y), r(1, 5)),
                        b, add_q(q(y), r(1, 5)), a, add_q(q(y), r(1, 5))};
-    svg_area(s, 4, corner, role);
-    svg_segment(s, at(a, q(y)), at(b, q(y)), role);
+    svg_area(s, 4, corner, paint);
+    svg_segment(s, at(a, q(y)), at(b, q(y)), paint);
     svg_note(s, at(q(-8), q(y)), SVG_W, SVG_POINT, name);
 }
 

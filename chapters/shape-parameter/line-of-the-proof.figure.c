@@ -8,8 +8,7 @@ FIGURE(line_along_an_edge)
                 "The convex polygon of the points (i, i(7-i)).  The line y = 12 contains the edge from P₃ to P₄ and "
                 "has it on no side; the line y = 8 crosses two edges.");
     num_q P[16];
-    for (int i = 0; i <= 7; i++)
-        P[2 * i] = q(i), P[2 * i + 1] = q(i * (7 - i));
+    data_of("line_through_an_edge_has_no_two_sides", "P", 8, 2, P);
     svg_panel(s, window(q(-1), q(-1), q(8), q(14)), 380, 260, NULL);
     svg_polyline(s, 8, P, SVG_POLYGON);
     static const char *const names[8] = {"P_0", "P_1", "P_2", "P_3", "P_4", "P_5", "P_6", "P_7"};
@@ -30,10 +29,9 @@ FIGURE(polygon_crossing_itself)
         svg_new("polygon_crossing_itself", "A polygon that crosses itself on a line",
                 "A polygon of eight points whose first and last edges meet the x-axis in the same point: it changes "
                 "sides twice and has one point on the line.");
-    static const int vertex[16] = {-2, 2, 2, -2, 2, -3, 1, -3, -1, -3, -2, -3, -2, -2, 2, 2};
     static const enum svg_direction towards[] = {SVG_NW, SVG_E, SVG_E, SVG_S, SVG_S, SVG_W, SVG_W, SVG_NE};
     num_q P[16];
-    integers(2 * 8, vertex, P);
+    data_of("polygon_that_crosses_itself_on_the_line", "P", 8, 2, P);
     svg_panel(s, window(r(-7, 2), r(-7, 2), r(7, 2), r(5, 2)), 380, 0, "$SA=2$, one point on $L$");
     svg_line(s, svg_at(0, 0), svg_at(1, 0), SVG_RIGHT);
     svg_label(s, svg_at(3, 0), SVG_N, SVG_RIGHT, "L");

@@ -3,7 +3,7 @@
 #include "exact/record/number.h"
 
 /* The point of the curve, among those of t = m/64, that is farthest from the polygon, with the nearest point of it. */
-static void put_largest_distance(svg *s, int n, const num_q P[], num_q beta, enum svg_role role)
+static void put_largest_distance(svg *s, int n, const num_q P[], num_q beta, enum svg_role paint)
 {
     num_q worst = q(-1), from[2] = {q(0), q(0)}, to[2] = {q(0), q(0)};
     for (int m = 1; m < 64; m++) {
@@ -23,7 +23,7 @@ static void put_largest_distance(svg *s, int n, const num_q P[], num_q beta, enu
             worst = best, from[0] = X[0], from[1] = X[1], to[0] = foot[0], to[1] = foot[1];
     }
     svg_segment(s, svg_pair(from), svg_pair(to), SVG_POINT);
-    svg_mark(s, svg_pair(from), role, SVG_USUAL);
+    svg_mark(s, svg_pair(from), paint, SVG_USUAL);
 }
 
 FIGURE(closer_or_not)
@@ -33,10 +33,8 @@ FIGURE(closer_or_not)
         "Left a convex polygon of eight points with the curves of β = -21/4 and β = 1: the largest distance of "
         "the curve from the polygon, drawn as a segment, grows from less than 2 to more than 2.  Right a convex "
         "polygon of four points with the cubic case for β = 0 and β = 1: it grows too.");
-    static const int seven[] = {-1, -2, 2, 0, 3, 1, 4, 3, -2, 4, -4, -2, -4, -3, -3, -3};
-    static const int three[] = {2, 4, -1, -4, 1, -4, 2, 3};
     num_q P[16];
-    integers(2 * 8, seven, P);
+    data_of("larger_beta_is_worse_for_a_convex_polygon", "P", 8, 2, P);
     svg_panel(s, window(q(-5), q(-4), q(5), q(5)), 360, 0, "$n=7$, $β=-21/4$ and $β=1$");
     static const enum svg_direction of_seven[] = {SVG_SW, SVG_SE, SVG_E, SVG_E, SVG_NW, SVG_W, SVG_SW, SVG_E};
     svg_control_polygon_towards(s, 7, P, "P", of_seven);
@@ -44,7 +42,7 @@ FIGURE(closer_or_not)
     put_curve(s, 0, 7, P, q(1), SVG_CURVE);
     put_largest_distance(s, 7, P, r(-21, 4), SVG_CURVE_2);
     put_largest_distance(s, 7, P, q(1), SVG_CURVE);
-    integers(2 * 4, three, P);
+    data_of("convex_cubic_of_larger_beta_is_farther", "P", 4, 2, P);
     svg_panel(s, window(r(-3, 2), q(-5), q(3), q(5)), 180, 0, "$n=3$, $β=0$ and $β=1$");
     static const enum svg_direction of_three[] = {SVG_N, SVG_SW, SVG_S, SVG_E};
     svg_control_polygon_towards(s, 3, P, "P", of_three);

@@ -44,9 +44,10 @@ FIGURE(slopes_in_beta)
         int outer = i == 0 || i == 7, middle = i == 3 || i == 4;
         put_graph(s, 7, high[0], high[1], a, outer ? SVG_CURVE_2 : middle ? SVG_RIGHT : SVG_WRONG);
     }
-    static const int change[4][2] = {{1, 5}, {4, 9}, {5, 9}, {4, 5}};
-    for (int k = 0; k < 4; k++)
-        svg_mark(s, at(r(change[k][0], change[k][1]), q(0)), SVG_POINT, SVG_USUAL);
+    data_of("signs_of_the_slopes", "change, corrected functions", 8, 1, a);
+    for (int k = 0; k <= 7; k++)
+        if (!cagd_is_zero_q(a[k]))
+            svg_mark(s, at(a[k], q(0)), SVG_POINT, SVG_USUAL);
     svg_legend_line(s, SVG_CURVE_2, "$B_0$ and $B_7$ decrease with $β$");
     svg_legend_line(s, SVG_RIGHT, "$B_3$ and $B_4$ increase");
     svg_legend_line(s, SVG_WRONG, "$B_1,B_2,B_5,B_6$ do both, which is printed as increasing");
