@@ -150,9 +150,11 @@ CLAIM(split_shrinks_second_differences)
     for (int k = 0; k <= n - 2; k++) {
         num average = G(curve)(k, 1, D, 0, t);
         about(T, "the part over [0,t]");
+        /* Delta^2 l_k = t^2 sum_j B_j^k(t) Delta^2 b_j */
         same(T, G(difference)(1, left, 0, k, 2), mul(fault(T, mul(t, t), t), average));
         average = G(curve)(n - 2 - k, 1, D + k, 0, t);
         about(T, "the part over [t,1]");
+        /* Delta^2 r_k = (1-t)^2 sum_j B_j^{n-2-k}(t) Delta^2 b_{k+j} */
         same(T, G(difference)(1, right, 0, k, 2), mul(mul(s, s), average));
     }
 }

@@ -63,6 +63,7 @@ CLAIM(second_differences_of_a_piece)
             }
             average = add(average, mul(product, D[size]));
         }
+        /* Delta^2 c_i = (v-u)^2 d_i */
         same(T, G(difference)(1, c, 0, i, 2), mul(fault(T, mul(step, step), step), average));
     }
 }
@@ -154,9 +155,9 @@ CLAIM(curve_blends_two_curves_of_one_point_less)
             for (int c = 0; c < dim; c++) {
                 num P = G(curve)(l - k, dim, b + k * dim, c, t), near = G(curve)(l - 1 - k, dim, b + k * dim, c, t);
                 num far = G(curve)(l - 1 - k, dim, b + (k + 1) * dim, c, t), share = fault(T, t, s);
-                about(T, "with two products");
+                about(T, "with two products"); /* (1-t) P_{k,l-1} + t P_{k+1,l} */
                 same(T, add(mul(sub(from_int(1), share), near), mul(share, far)), P);
-                about(T, "with one product");
+                about(T, "with one product"); /* P_{k,l-1} + t (P_{k+1,l} - P_{k,l-1}) */
                 same(T, add(near, mul(share, sub(far, near))), P);
             }
 }
@@ -266,7 +267,7 @@ CLAIM(proof_of_the_recursion_line_by_line)
     }
     num last = fault(T, P[n], n == 1 ? zero : P[n]), left = G(curve)(n, 1, P, 0, t);
     num first_power = mul(G(power)(s, n), P[0]), last_power = mul(G(power)(t, n), P[n]);
-    about(T, "the first line");
+    about(T, "the first line"); /* (1-t) P_{0,n-1} + t P_{1,n} */
     same(T, add(mul(s, near), mul(t, far)), left);
     about(T, "the second line");
     num second = mul(s, add(mul(G(power)(s, n - 1), P[0]), low));

@@ -99,12 +99,14 @@ CLAIM(edges_in_a_ratio_give_tangents_in_that_ratio)
     for (int c = 0; c < dim; c++) {
         num before = p[(n - 1) * dim + c], after = q[dim + c], other = unknown(T, "w", c);
         about(T, "the derivatives at the joint");
-        same(T, E[dim + c], mul(a, D[dim + c]));
+        same(T, E[dim + c], mul(a, D[dim + c])); /* Q'(0) = a P'(1) */
         about(T, "the joint");
+        /* q_0 = (q_1 + a p_{n-1})/(1+a) */
         num joint = fault(T, add(after, mul(a, before)), add(mul(a, after), before));
         same(T, div(joint, whole_ratio), q[c]);
         joint = div(add(other, mul(a, before)), whole_ratio);
         about(T, "the edges of that joint");
+        /* q_1 - q_0 = a (q_0 - p_{n-1}) for that q_0 */
         same(T, sub(other, joint), mul(a, sub(joint, before)));
     }
 }
@@ -238,6 +240,7 @@ CLAIM(second_derivative_of_a_cubic)
         G(bezier_derivatives)(3, dim, b, from_int(end), 2, D);
         for (int c = 0; c < dim; c++) {
             const num *first = b + end * dim + c;
+            /* 6 P_0 - 12 P_1 + 6 P_2 at 0, 6 P_1 - 12 P_2 + 6 P_3 at 1 */
             num outer = mul(from_int(6), add(first[0], first[2 * dim]));
             same(T, sub(outer, mul(from_int(12), first[dim])), D[2 * dim + c]);
         }
@@ -297,6 +300,7 @@ CLAIM(three_points_make_c2)
             for (int k = 0; k <= 2 && smooth; k++)
                 same(T, E[k * dim + c], D[k * dim + c]);
             num wanted = add(p[dim + c], mul(two, sub(q[dim + c], p[2 * dim + c])));
+            /* Q''(0) - P''(1) = 6 (Q_2 - P_1 - 2 (Q_1 - P_2)) */
             if (!smooth)
                 same(T, sub(E[2 * dim + c], D[2 * dim + c]), mul(from_int(6), sub(q[2 * dim + c], wanted)));
         }
@@ -368,6 +372,7 @@ CLAIM(printed_condition_divides_the_curvature)
         d2[c] = unknown(T, "v", c);
         e1[c] = mul(a, d1[c]);
     }
+    /* Q' x Q'' = a P' x P'', and a^4 times the square of the one curvature is that of the other */
     same(T, G(cross2)(e1, d2), mul(a, G(cross2)(d1, d2)));
     num factor = fault(T, mul(square, square), square);
     same(T, mul(factor, G(curvature_squared)(dim, e1, d2)), G(curvature_squared)(dim, d1, d2));

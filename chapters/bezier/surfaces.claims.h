@@ -264,7 +264,7 @@ CLAIM(corners_of_the_net_give_tangents_normal_and_twist)
         about(T, "the tangents");
         same(T, D[6 + c], mul(degree[0], a[c]));
         same(T, D[3 + c], mul(degree[1], b[c]));
-        about(T, "the twist");
+        about(T, "the twist"); /* n m (P_11 - P_10 - P_01 + P_00) */
         num twist = sub(P[c], add(up[c], right[c]));
         same(T, D[9 + c], mul(product, fault(T, add(far[c], twist), twist)));
     }

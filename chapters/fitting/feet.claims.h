@@ -127,6 +127,7 @@ CLAIM(hessian_of_the_reduced_distance)
     num slope = add(G(dot)(plane, S.C1, S.C1), G(dot)(plane, D, S.C2));
     num t1 = div(turn, slope);
     G(distance_series)(&S, S.t, fault(T, neg(t1), t1), S.t2, f);
+    /* |C_l|^2 + D . C_ll - (C_l . C' + D . C_l')^2 / phi' */
     num hessian = add(G(dot)(plane, S.L, S.L), G(dot)(plane, D, S.LL));
     same(T, mul(from_int(2), f[2]), sub(hessian, div(mul(turn, turn), slope)));
 }
@@ -172,6 +173,7 @@ CLAIM(elimination_of_feet_gives_the_same_step)
             }
         }
     }
+    /* x = S^{-1} (g - B Delta^{-1} h), y = Delta^{-1} (h - B^T x) */
     num det = sub(mul(S[0], S[3]), mul(S[1], S[2]));
     x[0] = div(sub(mul(S[3], r[0]), mul(S[1], r[1])), det);
     x[1] = div(sub(mul(S[0], r[1]), mul(S[2], r[0])), det);

@@ -53,7 +53,7 @@ CLAIM(weights_have_flat_directions)
     }
     about(T, "a common factor");
     vanishes(T, sum);
-    about(T, "a change of the parameter");
+    about(T, "a change of the parameter"); /* sum of i dC/dlambda_i = t (1-t) C' */
     same(T, moment, mul(mul(t, sub(from_int(1), t)), D[1]));
 }
 

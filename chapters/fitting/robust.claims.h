@@ -69,6 +69,7 @@ CLAIM(cauchy_pull_has_its_greatest_value_at_its_scale)
     num a = positive(T, "a", 0), r = positive(T, "r", 0), one = from_int(1), two = from_int(2);
     num below = add(one, div(mul(r, r), mul(a, a))), gap = sub(a, r);
     num bound = fault(T, div(a, two), a);
+    /* a/2 - r/(1 + r^2/a^2) = (a-r)^2 / (2a (1 + r^2/a^2)) */
     same(T, sub(bound, div(r, below)), div(mul(gap, gap), mul(mul(two, a), below)));
 }
 
@@ -119,7 +120,7 @@ For given standard deviations $-2\log L=\chi^2$ but for a constant.  When $\sigm
 
 #if FIELD
 /*
-For a given mean square of the residuals the likelihood is a function of the one unknown $v=\sigma^2$, and its minimum is found by one derivative.
+For a given mean square of the residuals $-2\log L$ is a function of the one unknown $v=\sigma^2$, and its minimum is found by one derivative.
 
 :::{claim} likelihood_chooses_the_mean_square
 :title: The likelihood of an unknown standard deviation is greatest at the mean square of the residuals
@@ -138,6 +139,7 @@ CLAIM(likelihood_chooses_the_mean_square)
     num n = positive(T, "n", 0), chi = positive(T, "c", 0), v = positive(T, "v", 0);
     num slope = add(div(n, v), derivative_f(div(chi, v), v));
     num mean = div(chi, fault(T, n, sub(n, from_int(1))));
+    /* g'(v) = n (v - chi^2/n)/v^2 */
     same(T, slope, div(mul(n, sub(v, mean)), mul(v, v)));
 }
 #endif

@@ -18,8 +18,8 @@ enum { plane = 2 };
 /*
 ## Continuous derivatives (参数连续性)
 
-The definition is given for functions at a point $x_0$, by derivatives from the left and from the right.  As for polynomials, to which it is
-applied, there is no difficulty.  As a definition it has two gaps, and in each gap lives a function: one that has the derivatives without their
+The definition is given for functions at a point $x_0$, by derivatives from the left and from the right.  For polynomials, to which the
+slides apply it, there is no difficulty.  As a definition it has two gaps, and in each gap lives a function: one that has the derivatives without their
 being continuous, one that has their limits without being continuous itself.
 
 :::{statement} slides-ch4:1-ck-definition
@@ -360,7 +360,7 @@ CLAIM(halves_of_a_segment_have_one_speed)
 /*
 For $k=2$ it is tempting to go on in the same way, and the slides do.  Take a change of the parameter, $t=\lambda u+\beta u^2+\cdots$: by the chain rule
 $Q'=\lambda P'$ and $Q''=\lambda^2P''+2\beta P'$.  So the factor of the second derivative is not free but the square of the first, and an arbitrary
-part along the tangent may be added.  The four readings of the printed sentence each miss one of these.
+part along the tangent may be added.  Each of the four readings of the printed sentence misses something of this.
 
 :::{statement} slides-ch4:1-g2
 :title: G2 by proportional first and second derivatives
@@ -484,7 +484,7 @@ CLAIM(proportional_derivatives_by_arc_length)
 #endif
 
 /*
-The section ends with a word that is not mathematics, and is explained by conditions of which one is.
+The section ends with the word fair (光顺), which is explained by three conditions.  Only the first of them is precise.
 
 :::{statement} slides-ch4:1-fairness
 :title: Fair curves

@@ -112,6 +112,7 @@ CLAIM(shifted_frame_shifts_the_patch_by_a_product)
     for (int i = 0; i < 4; i++)
         M[i] = fault(T, add(M[i], v), M[i]);
     G(coons_patch)(2, 1, a, b, A, B, M, &Q);
+    /* the shift is multiplied by 1 - (1 - alpha) (1 - beta) */
     num gap = mul(sub(one, add(a[0], a[1])), sub(one, add(b[0], b[1])));
     same(T, sub(Q, P), mul(sub(one, gap), v));
 }
@@ -296,7 +297,7 @@ CLAIM(coons_kernel_is_the_bordered_product)
             for (int j = 0; j <= m; j++)
                 product = add(product, mul(left[i], mul(bordered[i][j], right[j])));
         G(coons_patch)(m, 1, a, b, A, B, used, &P);
-        same(T, P, neg(product));
+        same(T, P, neg(product)); /* -[-1 a] (0 B; A M) [-1; b] */
     }
 }
 

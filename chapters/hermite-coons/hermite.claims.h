@@ -688,8 +688,8 @@ CLAIM(one_choice_of_signs_in_the_matrix)
 }
 
 /*
-The example has eight coefficients whose signs are lost.  They can be put back in one way only, and so the example proves that the matrix
-is used as it is printed here.
+The example has eight coefficients whose signs are lost.  They can be put back in one way only, and the result is the sum of the four
+data with their blending functions.
 
 :::{statement} slides-ch4:2-worked-curve
 :title: The worked curve

@@ -221,8 +221,8 @@ CLAIM(parametric_cubic_crosses_itself)
 :::
 
 In space one equation is a surface, and two are needed.  The slides think of cylinders, each over a projection of the curve to a plane of two
-axes.  Every point of the curve is on both; the question is what else is.  For two graphs over one axis nothing else is.  For an ellipse and for a
-circle that is tilted against all three axes there is a second curve.
+axes.  Every point of the curve is on both; the question is what else is.  For two graphs over one axis nothing else is.  For an ellipse and two
+of its cylinders, and for a circle that is tilted against all three axes and any two of them, there is a second curve.
 
 :::{statement} slides-ch4:1-space-curve
 :title: A space curve as an intersection of two cylinders
@@ -412,7 +412,7 @@ CLAIM(two_cylinders_are_two_ellipses)
 }
 
 /*
-The rest of the list says what is gained.  Each item is a property of Bézier curves that has a claim of its own, here or in the chapter on them.
+The rest of the list says what is gained.  Most items are properties of Bézier curves that have claims of their own, here or in the chapter on them.
 
 :::{statement} slides-ch4:1-parametric
 :title: Curves and surfaces with parameters, and the tangent vector

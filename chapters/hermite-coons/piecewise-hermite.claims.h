@@ -173,7 +173,7 @@ CLAIM(scaled_tangent_is_not_scaled_again)
 
 /*
 How smooth is a curve that is joined smoothly?  Value and slope are shared at a node and nothing else is.  For the second derivatives to
-agree there is one linear condition at each inner node, and these conditions together are the equations of the cubic spline.
+agree there is one linear condition at each inner node; the curves that satisfy all of them are the cubic splines.
 
 :::{statement} slides-ch4:2-smooth
 :title: The pieces join smoothly
@@ -242,6 +242,7 @@ CLAIM(second_derivatives_meet_on_a_condition)
         num tangents = add(d[2 * s], mul(from_int(fault(T, 2, 1)), d[1]));
         sum = add(sum, sub(mul(from_int(3), slope), div(tangents, h[s])));
     }
+    /* half of P''(t_i+) - P''(t_i-) is the sum over both intervals of 3 (f_{s+1} - f_s)/h_s^2 - (f'_{2s} + 2 f'_1)/h_s */
     same(T, div(sub(side[1], side[0]), from_int(2)), sum);
 }
 
