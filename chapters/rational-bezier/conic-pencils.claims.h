@@ -193,7 +193,8 @@ parallel lines, and the missing member is the pair of the diagonals.
 :data: S_1 = 1 0 0 0 0 -1; S_2 = 0 0 1 0 0 -1; S = 1 0 -1 0 0 0; P = (1,1) (1,-1) (-1,1) (-1,-1)
 :instead: S = 1 0 1 0 0 -2
 :result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; values of λ that give S = 0
-:given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and the pair of lines $S=S_1-S_2$ through these
+:given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and the pair of lines $S=S_1-S_2$
+  through these
 :then: for no $\lambda$ is $(1-\lambda)S_1+\lambda S_2$ a multiple of $S$
 :method: The coefficients of $x^2$ and $y^2$ of a member and of the conic form a determinant, a polynomial of degree
   at most 1 in $\lambda$, whose real zeros are counted.
@@ -222,7 +223,8 @@ CLAIM(pencil_misses_its_difference)
 :data: S_1 = 0 1/2 0 0 0 0; S_2 = 1 1 1 -1 -1 1; S = 1 1/2 0 -1/2 0 0; P = (1,0) (0,1)
 :instead: S = 1 2 1 -1 -1 1
 :result: S_1(P) = 0 0; S_2(P) = 0 0; S(P) = 0 0; determinant = 1/2
-:given: the two axes, $S_1=xy$, a double line, $S_2=(x+y-1)^2$, their only common points $P$, and the conic $S=x(x+y-1)$ through both
+:given: the two axes, $S_1=xy$, a double line, $S_2=(x+y-1)^2$, their only common points $P$, and the conic $S=x(x+y-1)$
+  through both
 :then: the three conics are independent
 :method: The determinant of their coefficients of $x^2$, $2xy$ and $y^2$ is 0 for a member of the pencil.
 :control: the combination $2S_1+S_2$ in place of the third conic
@@ -534,8 +536,8 @@ CLAIM(parallel_lines_meet_in_two_points)
 :data: l_1 = 1 0 0; l_2 = 0 1 0; l_3 = 1 -1 0; l_4 = 1 1 -1; S = 1 0 1 -1/2 -1/2 0
 :instead: S = 1 1 -1 -1/2 1/2 0
 :result: common points = (0,0) (0,1) (1,0); S(P) = 0 0 0; determinant = -1
-:given: the pair of the axes $l_1$, $l_2$, a pair $l_3$, $l_4$ of which one line passes through the origin, and a circle $S$ through the common
-  points, which are three
+:given: the pair of the axes $l_1$, $l_2$, a pair $l_3$, $l_4$ of which one line passes through the origin, and a circle
+  $S$ through the common points, which are three
 :then: the circle is no member of the pencil
 :method: The determinant of the coefficients of $x^2$, $2xy$ and $y^2$ of $l_1l_2$, $l_3l_4$ and the conic is 0 for a
   member.

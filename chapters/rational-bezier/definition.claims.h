@@ -224,7 +224,8 @@ CLAIM(rational_point_is_weighted_mean)
 :printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
   =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
 :holds-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives
-:needs: weights_of_both_signs_make_a_pole | $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no point.
+:needs: weights_of_both_signs_make_a_pole | $\omega(t)\ne0$, for which positive weights suffice: otherwise there may be no
+  point.
 :figure: homogeneous_line
 
 The derivatives of this quotient, which the next sections need, are decided here as well.
@@ -238,10 +239,10 @@ The derivatives of this quotient, which the next sections need, are decided here
 :zh: 用 Leibniz 法则算出的导矢就是商的导矢
 :given: weights, points of the line, a parameter $t$; orders $0$ to $3$
 :then: $R^{(r)}(t)$ of the kernel is the $r$-th derivative of $\sum B_i^n\omega_iR_i/\sum B_i^n\omega_i$
-:method: In the field the quotient is formed from the definition of the Bernstein basis and differentiated formally, as a rational
-  function of $t$ in which all weights and points are variables.  The other arithmetics use the quotient rule on
-  coefficients of powers of $t$.  Coordinates do not mix, so one suffices; that the kernel keeps several apart is
-  checked on two.
+:method: In the field the quotient is formed from the definition of the Bernstein basis and differentiated formally, as a
+  rational function of $t$ in which all weights and points are variables.  The other arithmetics use the quotient rule on
+  coefficients of powers of $t$.  Coordinates do not mix, so one suffices; that the kernel keeps several apart is checked
+  on two.
 :degrees: 1..4 sampled 12
 :defines: rational_derivatives rational_quotient_derivatives
 :control: the term of the first derivative of the denominator taken once where it counts twice, in $R''$
@@ -343,7 +344,8 @@ CLAIM(rational_derivatives_are_formal_derivatives)
 ## Positive weights
 
 A quotient asks for a denominator that is not 0.  A sum of positive numbers is positive, so positive weights suffice; the
-sentence says no more than this.  It is often remembered the other way round, and the last claim before the next heading is for those who do.
+sentence says no more than this.  It is often remembered the other way round, and the last claim before the next heading
+is for those who do.
 
 :::{statement} wang-ch3:3.2-positive-weights
 :title: What positive weights are for
@@ -352,8 +354,8 @@ sentence says no more than this.  It is often remembered the other way round, an
 :holds-by: positive_weights_keep_denominator_positive curve_points_are_convex_combinations
 :needs: weights_of_both_signs_make_a_pole | $\omega_i>0$, for $\omega(t)\ne0$.
 :needs: curve_leaves_hull_with_negative_weight | $\omega_i>0$, for the convex hull property.
-:reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The sentence does not
-  say so: it says that they suffice.
+:reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The
+  sentence does not say so: it says that they suffice.
 :figure: weights_and_poles
 
 From here on the source has $\omega_i>0$, and so have we: where a statement needs it, leaving it out is tried.
@@ -364,8 +366,8 @@ From here on the source has $\omega_i>0$, and so have we: where a statement need
 :zh: 权为正时分母在 [0,1] 上恒正
 :given: $\omega_0,\dots,\omega_n>0$; $t=0$, $t=1$, and every $t$ between, written $t=s/(1+s)$, $s>0$
 :then: $\omega(t)>0$
-:method: As a quotient of polynomials in $s$ and the weights, $1/\omega(t)$ has positive coefficients only; it is therefore positive
-  where all variables are, and so is $\omega(t)$.
+:method: As a quotient of polynomials in $s$ and the weights, $1/\omega(t)$ has positive coefficients only; it is
+  therefore positive where all variables are, and so is $\omega(t)$.
 :degrees: 1..8 sampled 16
 :control: the sum taken with the opposite sign
 :::
@@ -439,11 +441,12 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
 :::{statement} wang-ch3:3.2-growing-weight
 :title: A growing weight draws the curve to its point
 :zh: 权增大时曲线趋近相应顶点
-:printed: Experiments show that the curve approaches the point $\mathbf R_i$ when $\omega_i$ grows, which can be used to adjust its shape.
+:printed: Experiments show that the curve approaches the point $\mathbf R_i$ when $\omega_i$ grows, which can be used to
+  adjust its shape.
 :holds-by: growing_weight_pulls_each_point_straight_to_the_vertex infinite_weight_reaches_the_vertex
 :needs: growing_negative_weight_pushes_away | $\omega_i>0$.
-:reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  The end points do not, unless the weight is theirs:
-  nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
+:reading: ends_do_not_move_with_inner_weight | Read as "every point of the curve moves".  The end points do not, unless
+  the weight is theirs: nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
 :figure: growing_weight
 
 More is true than experiments show: every point $R(t)$, $0<t<1$, moves on the straight line to $R_i$, all the way as
@@ -458,12 +461,12 @@ for each $t$ by itself.  Where the denominator is negative, before and after, th
 :::{claim} growing_weight_pulls_each_point_straight_to_the_vertex
 :title: When ω_i grows, R(t) moves straight towards R_i
 :zh: ω_i 增大时 R(t) 沿直线移向 R_i
-:given: points, positive weights, $0<t<1$ written $t=s/(1+s)$; one weight $\omega_i$ replaced by $\omega_i+\delta$, $\delta>0$; every
-  $i=0,\dots,n$
+:given: points, positive weights, $0<t<1$ written $t=s/(1+s)$; one weight $\omega_i$ replaced by $\omega_i+\delta$,
+  $\delta>0$; every $i=0,\dots,n$
 :let: $q=\omega(t)/(\omega(t)+\delta B_i^n(t))$, $\tilde R$ the new curve
 :then: $\tilde R(t)-R_i=q\,(R(t)-R_i)$ with $0<q<1$
-:method: The equality is one of field elements; $1/q$ and $1/(1-q)$ have positive coefficients only, so both are positive for all positive
-  values of $s$, $\delta$ and the weights.  A coordinate is any coordinate.
+:method: The equality is one of field elements; $1/q$ and $1/(1-q)$ have positive coefficients only, so both are positive
+  for all positive values of $s$, $\delta$ and the weights.  A coordinate is any coordinate.
 :degrees: 1..6 sampled 12
 :control: the weight of the next point grows instead
 :::
@@ -494,9 +497,10 @@ CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
 :title: In the limit of an infinite weight the curve is at R_i
 :zh: 权趋于无穷时曲线趋于 R_i
 :given: points, weights, a parameter $0<t<1$; one weight $\omega_i$ replaced by $\omega_i+1/\varepsilon$; every $i=0,\dots,n$
-:then: the curve is that of the weights $\varepsilon\omega_j$ ($j\ne i$) and $\varepsilon\omega_i+1$, and for $\varepsilon=0$ it is at $R_i$
-:method: The first is an equality in the field; the second is computed at $\varepsilon=0$, where the denominator is $B_i^n(t)>0$, so that the
-  quotient is continuous there and its value is the limit for $\omega_i\to\infty$.
+:then: the curve is that of the weights $\varepsilon\omega_j$ ($j\ne i$) and $\varepsilon\omega_i+1$, and for
+  $\varepsilon=0$ it is at $R_i$
+:method: The first is an equality in the field; the second is computed at $\varepsilon=0$, where the denominator is
+  $B_i^n(t)>0$, so that the quotient is continuous there and its value is the limit for $\omega_i\to\infty$.
 :degrees: 1..6 sampled 12
 :control: the limit taken at the next point
 :::
@@ -594,8 +598,8 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :zh: 有理 Bézier 曲线具有类似 Bézier 曲线的性质
 :printed: The rational Bézier curves $\mathbf R(t)$ have geometric properties similar to those of Bézier curves.
 :holds-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
-  reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges curve_points_are_convex_combinations
-  elevation_keeps_rational_curve
+  reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges
+  curve_points_are_convex_combinations elevation_keeps_rational_curve
 
 The sentence announces the properties 3.2.1 to 3.2.9; each follows with its own entry.  Decided here are the first ones, and
 that with equal weights the curve is the Bézier curve of its points, so that the properties of Bézier curves are among those
@@ -639,9 +643,9 @@ weights together.  Other readings are tried, and they fail already for a segment
 :zh: 几何不变性与仿射不变性
 :printed: The curve $\mathbf R(t)$ does not depend on the coordinate system, and an affine map of its points maps the curve.
 :holds-by: affine_image_of_the_curve_is_the_curve_of_the_images
-:reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$ of definition 3.2.1, to whose
-  first three coordinates the map is applied.  A linear map still maps the curve; a translation does not, unless the weights
-  are $1$.
+:reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$
+  of definition 3.2.1, to whose first three coordinates the map is applied.  A linear map still maps the curve; a
+  translation does not, unless the weights are $1$.
 :figure: affine_image
 
 The map is applied to the points $R_i$; the weights stay.  No sign of the weights is needed, only $\omega(t)\ne0$.
@@ -653,8 +657,8 @@ Geometric invariance is the case of a change of rectangular coordinates.
 :zh: 对控制点作仿射变换等于对曲线作仿射变换
 :given: points of space, weights, a parameter $t$; $f(x,y,z)=ax+by+cz+d$ with any $a,b,c,d$
 :then: the curve of the values $f(R_i)$ with the same weights is $f(R(t))$
-:method: Both sides are one element of the field of rational functions of everything given.  An affine map of space, of any rank and into
-  any space, is a list of such $f$, one for each coordinate of the image.
+:method: Both sides are one element of the field of rational functions of everything given.  An affine map of space, of
+  any rank and into any space, is a list of such $f$, one for each coordinate of the image.
 :degrees: 1..6 sampled 12
 :control: $d$ added to the homogeneous points $\omega_iR_i$ without its factor $\omega_i$
 :::
@@ -688,8 +692,8 @@ CLAIM(affine_image_of_the_curve_is_the_curve_of_the_images)
 :data: R = 0 1; ω = 1 2; d = 1
 :instead: ω = 1 1
 :result: (X, ω) = (0,1) (2,2); (X+d, ω) = (1,1) (3,2); R(1) = 1; R(1), moved = 3/2
-:given: two points of the line, weights that are not equal, and a number $d$, which is added to the first coordinates of the homogeneous
-  points $(X_i,\omega_i)$
+:given: two points of the line, weights that are not equal, and a number $d$, which is added to the first coordinates of
+  the homogeneous points $(X_i,\omega_i)$
 :then: the end of the curve does not move by $d$
 :method: Both curves are computed exactly at the last parameter.
 :control: equal weights
@@ -725,15 +729,16 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
 :figure: reversed_polygon
 
-The control points of the definition carry their weights, and in reversed order, weights included, they give $R(1-t)$: the same
-curve run through the other way.  No sign of the weights is needed.
+The control points of the definition carry their weights, and in reversed order, weights included, they give $R(1-t)$: the
+same curve run through the other way.  No sign of the weights is needed.
 :::
 
 :::{claim} reversed_points_and_weights_reverse_the_curve
 :title: Points and weights in reversed order give R(1−t)
 :zh: 点与权同时倒序得 R(1−t)
 :given: points and weights, a parameter $t$
-:then: $R_n,\dots,R_0$ with $\omega_n,\dots,\omega_0$ has at $t$ the point that $R_0,\dots,R_n$ with $\omega_0,\dots,\omega_n$ has at $1-t$
+:then: $R_n,\dots,R_0$ with $\omega_n,\dots,\omega_0$ has at $t$ the point that $R_0,\dots,R_n$ with
+  $\omega_0,\dots,\omega_n$ has at $1-t$
 :method: Both are one element of the field of rational functions of $t$, the weights and the points.
 :degrees: 1..8 sampled 16
 :control: the weights left in their order

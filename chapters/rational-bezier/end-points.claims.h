@@ -19,15 +19,17 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :title: The curve joins the end points and is tangent to the end edges
 :zh: 端点插值性
 :printed: At $t=0$ and $t=1$ the curve passes through the end points of its B-net and is tangent to the end edges.
-:holds-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points end_derivatives_at_one_with_repeated_points
+:holds-by: curve_leaves_its_ends_along_the_first_edges end_derivatives_at_zero_with_repeated_points
+  end_derivatives_at_one_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | $\omega_0\ne0$ and $\omega_n\ne0$, for the curve to pass through the end points.
-:needs: zero_weight_turns_the_end_tangent | $\omega_k\ne0$ and $\omega_{n-h}\ne0$ (simple ends: $\omega_1$, $\omega_{n-1}$), for the tangent to be that
-  of the edge.
-:needs: negative_weight_reverses_the_end_tangent | $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$, for the curve to leave towards $R_k$ and to
-  arrive from $R_{n-h}$: otherwise the edge is on the tangent, but behind the end point.
+:needs: zero_weight_turns_the_end_tangent | $\omega_k\ne0$ and $\omega_{n-h}\ne0$ (simple ends: $\omega_1$,
+  $\omega_{n-1}$), for the tangent to be that of the edge.
+:needs: negative_weight_reverses_the_end_tangent | $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$, for the curve to
+  leave towards $R_k$ and to arrive from $R_{n-h}$: otherwise the edge is on the tangent, but behind the end point.
 :figure: end_tangents
 
-The end edge is the first one of positive length, $R_0R_k$.  If all points coincide there is none, and the curve is that point.
+The end edge is the first one of positive length, $R_0R_k$.  If all points coincide there is none, and the curve is that
+point.
 :::
 */
 
@@ -48,13 +50,14 @@ to be taken with the sign $(-1)^{h+1}$, since the curve is followed towards the 
 :::{claim} curve_leaves_its_ends_along_the_first_edges
 :title: The first derivative that does not vanish points along the first edge of positive length
 :zh: 首个非零导矢沿首条非零边
-:given: points of the plane with $R_0=\dots=R_{k-1}$ (and in reversed order $R_n=\dots=R_{n-h+1}$), positive weights, all $k,h\ge1$ with
-  $k\le n$, $h\le n$
+:given: points of the plane with $R_0=\dots=R_{k-1}$ (and in reversed order $R_n=\dots=R_{n-h+1}$), positive weights, all
+  $k,h\ge1$ with $k\le n$, $h\le n$
 :then: $R^{(k)}(0)\times(R_k-R_0)=0$ and $R^{(k)}(0)\cdot(R_k-R_0)/|R_k-R_0|^2>0$; the same for $(-1)^{h+1}R^{(h)}(1)$ and
   $R_n-R_{n-h}$
-:method: The first is $0$ in the field; the second has positive coefficients in the weights and contains nothing else.  With (3.2.3) the curve is
-  $R_0+\frac{t^k}{k!}R^{(k)}(0)$ up to higher powers of $t$, and $R_n-\frac{(1-t)^h}{h!}(-1)^{h+1}R^{(h)}(1)$ at the other end, so these
-  vectors are the directions in which it leaves and arrives.
+:method: The first is $0$ in the field; the second has positive coefficients in the weights and contains nothing else.
+  With (3.2.3) the curve is $R_0+\frac{t^k}{k!}R^{(k)}(0)$ up to higher powers of $t$, and
+  $R_n-\frac{(1-t)^h}{h!}(-1)^{h+1}R^{(h)}(1)$ at the other end, so these vectors are the directions in which it leaves
+  and arrives.
 :degrees: 1..5 sampled 10
 :control: the sign $(-1)^{h+1}$ left out
 :::
@@ -177,7 +180,8 @@ CLAIM(negative_weight_reverses_the_end_tangent)
 :instead: ω = 1 w1
 :result: R(t) = R1; R(t) continued to 0 = R1
 :given: $n=1$, any points $R_0,R_1$, and weights of which the first is 0 and the other any $\omega_1$
-:then: $R(t)=\omega_1R_1t/(\omega_1t)$ is $R_1$ for every $t$; at $t=0$ this quotient is $0/0$ and its continuation is $R_1$, not $R_0$
+:then: $R(t)=\omega_1R_1t/(\omega_1t)$ is $R_1$ for every $t$; at $t=0$ this quotient is $0/0$ and its continuation is
+  $R_1$, not $R_0$
 :method: In the field of rational functions $R(t)$ is the constant $R_1$.
 :control: a first weight that is not 0, and $t=0$ put into the quotient
 :::
@@ -201,7 +205,8 @@ CLAIM(zero_end_weight_loses_the_end_point)
 :title: How many points coincide at each end
 :zh: 两端的重点数
 :definition: yes
-:printed: \mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k,\quad\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
+:printed: \mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k,\quad\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf
+  R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
 :checked-by: multiplicities_fit_into_the_polygon
 
 The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.  The capture has a stray sign of equality
@@ -216,8 +221,8 @@ before this line and a quantifier over $t$ behind it; they are read as "when ...
 :zh: 除非全部重合，k 与 h 存在且 k + h ≤ n + 1
 :kind: decision
 :given: every pattern of equal and different neighbours in a polygon of $n+1$ points
-:then: $k$ is the number of points before the first $R_i\ne R_{i-1}$, $h$ the number after the last one; they exist unless the pattern has
-  none, and $k+h\le n+1$
+:then: $k$ is the number of points before the first $R_i\ne R_{i-1}$, $h$ the number after the last one; they exist unless
+  the pattern has none, and $k+h\le n+1$
 :method: All $2^n$ patterns are visited.
 :degrees: 1..12
 :scope: all patterns of equal neighbours
@@ -261,8 +266,8 @@ coefficient; for $k=1$ the two are the same, and a slip would not be seen.
 :zh: 首 k 点重合时的端点导矢
 :given: weights $\omega_0,\dots,\omega_n$, $\omega_0\ne0$, and points with $R_0=\dots=R_{k-1}$, for all $k$ from $1$ to $n$
 :then: $R(0)=R_0$, $R^{(l)}(0)=0$ for $0<l<k$, and $R^{(k)}(0)=\frac{n!}{(n-k)!}\frac{\omega_k}{\omega_0}(R_k-R_0)$
-:method: In the field of rational functions of the weights and the points both sides are one element.  A coordinate is any coordinate, so
-  one suffices.
+:method: In the field of rational functions of the weights and the points both sides are one element.  A coordinate is any
+  coordinate, so one suffices.
 :degrees: 1..6 sampled 10
 :control: the factor $\binom nk$ for $n!/(n-k)!$, a slip that only $k\ge2$ shows
 :::
@@ -366,10 +371,11 @@ the derivatives of low order are rational functions of $n$, too, and $n$ itself 
 :title: The end derivatives hold for every n
 :zh: 端点导矢公式对任意 n 成立
 :given: any $n$; $k=1,\dots,5$, $k\le n$; weights and points with $R_0=\dots=R_{k-1}$; the same polygon in reversed order
-:then: $R^{(l)}(0)=0$ for $0<l<k$ and $R^{(k)}(0)=n(n-1)\cdots(n-k+1)\frac{\omega_k}{\omega_0}(R_k-R_0)$; for the reversed polygon, whose
-  curve is $R(1-t)$, these are $(-1)^lR^{(l)}(1)$, which gives the sign at $t=1$
-:method: Numerator and denominator are expanded at $t=0$ up to $t^k$, with $\binom nj=n(n-1)\cdots(n-j+1)/j!$ as a polynomial in the variable $n$,
-  and divided as power series.  For an integer $n<j$ that binomial coefficient is $0$, so the points that do not exist do not matter.
+:then: $R^{(l)}(0)=0$ for $0<l<k$ and $R^{(k)}(0)=n(n-1)\cdots(n-k+1)\frac{\omega_k}{\omega_0}(R_k-R_0)$; for the reversed
+  polygon, whose curve is $R(1-t)$, these are $(-1)^lR^{(l)}(1)$, which gives the sign at $t=1$
+:method: Numerator and denominator are expanded at $t=0$ up to $t^k$, with $\binom nj=n(n-1)\cdots(n-j+1)/j!$ as a
+  polynomial in the variable $n$, and divided as power series.  For an integer $n<j$ that binomial coefficient is $0$, so
+  the points that do not exist do not matter.
 :degrees: all
 :scope: k and h from 1 to 5
 :control: $\binom{n-1}j$ for $\binom nj$ in the numerator
@@ -464,7 +470,8 @@ $h=1$, where the sign is right, in the least degree in which $k$ and $h$ can giv
 :kind: counterexample
 :data: n = 2; k = 1; h = 2; R = 0 1 1; ω = 1 1 1
 :result: R^(h)(1) = -2; R^(h)(1) as printed = 2
-:given: a quadratic curve on the line with equal weights, whose last two points coincide, $h=n$, while $k$ is as small as it can be
+:given: a quadratic curve on the line with equal weights, whose last two points coincide, $h=n$, while $k$ is as small as
+  it can be
 :then: $R^{(h)}(1)$ is the negative of what is printed, although $(n-k)!$ and $(n-h)!$ do not differ
 :method: Both sides are computed exactly.
 :control: the sign $(-1)^{h+1}$ supplied

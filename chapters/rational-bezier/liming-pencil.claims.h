@@ -20,8 +20,8 @@ all triangles.
   $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
-:hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$, so that $l_3$ joins two points; $l_1$ and
-  $l_2$ may be parallel.
+:hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$, so that $l_3$ joins two points;
+  $l_1$ and $l_2$ may be parallel.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted, as in (3.1.2).
 :figure: limings_pencil
 :::
@@ -113,11 +113,12 @@ CLAIM(conics_touching_two_lines_are_limings)
 :zh: 两条平行线时亦然
 :given: $l_1=x-1$, $l_2=x+1$, $l_3=y$, $R_0=(1,0)$, $R_2=(-1,0)$, a number $\lambda$, and any conic $S$
 :let: $c_1=S(R_0)$, $c_2=S(R_2)$, $c_3=S_y(R_0)$, $c_4=S_y(R_2)$
-:then: the gradient of $(1-\lambda)l_1l_2+\lambda l_3^2$ is $(1-\lambda)(2,0)$ in $R_0$ and $(1-\lambda)(-2,0)$ in $R_2$; and
-  $S=A\,l_1l_2+C\,l_3^2+\frac{c_3-c_4}2xy+\frac{c_1-c_2}2x+\frac{c_3+c_4}2y+\frac{c_1+c_2}2$, so that a conic through $R_0$ and
-  $R_2$ whose gradient has no component along the lines there, all $c_i$ being 0, is a combination of $l_1l_2$ and $l_3^2$
-:method: Identities in $\lambda$, $x$, $y$ and the six coefficients of $S$.  An affine map takes any two parallel lines, and a third that
-  cuts them, to these.
+:then: the gradient of $(1-\lambda)l_1l_2+\lambda l_3^2$ is $(1-\lambda)(2,0)$ in $R_0$ and $(1-\lambda)(-2,0)$ in $R_2$;
+  and $S=A\,l_1l_2+C\,l_3^2+\frac{c_3-c_4}2xy+\frac{c_1-c_2}2x+\frac{c_3+c_4}2y+\frac{c_1+c_2}2$, so that a conic through
+  $R_0$ and $R_2$ whose gradient has no component along the lines there, all $c_i$ being 0, is a combination of $l_1l_2$
+  and $l_3^2$
+:method: Identities in $\lambda$, $x$, $y$ and the six coefficients of $S$.  An affine map takes any two parallel lines,
+  and a third that cuts them, to these.
 :control: $c_3+c_4$ for $c_3-c_4$
 :::
 */
@@ -213,8 +214,8 @@ CLAIM(flat_frame_has_no_tangent) { G(refute_tangent)(T); }
 :given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$
 :then: $S$ is an ellipse, $AC-B^2>0$, which touches $l_1$ in $R_0$ and $l_2$ in $R_2$; for no $\lambda$ is
   $(1-\lambda)l_1l_2+\lambda l_3^2$ a multiple of it
-:method: The real zeros in $\lambda$ of a determinant of coefficients are counted.  That the conic is an ellipse through the two
-  points, with gradients along those of $l_1$ and $l_2$, is asked first.
+:method: The real zeros in $\lambda$ of a determinant of coefficients are counted.  That the conic is an ellipse through
+  the two points, with gradients along those of $l_1$ and $l_2$, is asked first.
 :control: another $\kappa$
 :::
 */
@@ -407,7 +408,8 @@ CLAIM(every_scaling_takes_the_normal_form)
 :data: l_1 = 0 2 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; λ of (3.1.4) with +, with - = 1/2 1/2
 :instead: λ of (3.1.4) with +, with - = 1/3 -1
 :result: A : B of (3.1.3) = 1/2; A : B of (3.1.4) with +, with - = 2/3 2
-:given: the three lines, the equation of $l_1$ taken twice, and the same $\lambda$ for (3.1.3) and for (3.1.4) with either sign
+:given: the three lines, the equation of $l_1$ taken twice, and the same $\lambda$ for (3.1.3) and for (3.1.4) with either
+  sign
 :then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is no multiple of (3.1.4)
 :method: The coefficients of $x^2$ and $2xy$ of both conics are compared as a ratio.
 :control: the $\lambda'$ of `every_scaling_takes_the_normal_form`
@@ -441,8 +443,8 @@ CLAIM(scaled_lines_change_lambda)
 :data: l_1 = 1 0 -1; l_2 = 1 0 1; l_3 = 0 1 0; λ = 1/2
 :instead: l_2 = 0 1 -1
 :result: A, …, F = 1/2 0 1/2 0 0 -1/2; determinant of l_1 and l_2 = 0
-:given: the tangents $l_1$ and $l_2$ of the unit circle at the ends of a diameter, the line $l_3$ of the diameter, and the $\lambda$ for which
-  (3.1.3) is this circle
+:given: the tangents $l_1$ and $l_2$ of the unit circle at the ends of a diameter, the line $l_3$ of the diameter, and the
+  $\lambda$ for which (3.1.3) is this circle
 :then: $l_1$ and $l_2$ have no common point $R_1$
 :method: The determinant $a_1b_2-a_2b_1$ of the two lines is computed.
 :control: the tangent at another point for $l_2$

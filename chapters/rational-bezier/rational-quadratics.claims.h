@@ -63,7 +63,8 @@ CLAIM(signed_ratios_give_the_point)
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
 :result: (g_1, g_2) = (2,2); x as printed = 1/3
-:given: the $\lambda$ in the middle, and a point $R=(x,y)$ of the curve outside the triangle, with its ratios of lengths $(g_1,g_2)$
+:given: the $\lambda$ in the middle, and a point $R=(x,y)$ of the curve outside the triangle, with its ratios of lengths
+  $(g_1,g_2)$
 :then: the printed $x$ is not that of the point
 :method: The tangent is intersected with the sides, and the lengths are taken along these.
 :control: the ratios with their signs
@@ -379,8 +380,10 @@ CLAIM(constant_is_read_off_the_curve)
 :data: R = (1,0) (0,0) (0,1); ω = 2 1 2; ω* = 2 -1 2; t = 1/2; t* = 1/2
 :instead: ω* = 1 1 4; t* = 1/3
 :result: constants = 4 4; R(t) = (1/3,1/3); R*(t*) = (1,1)
-:given: the triangle of the frame, weights of two curves that differ in the sign of the middle one, and a parameter of either curve
-:then: the constants $\frac{\omega_0\omega_2}{\omega_1^2}$ are equal, and the points of the two curves with $x=y$, $R(t)$ and $R^*(t^*)$, are not
+:given: the triangle of the frame, weights of two curves that differ in the sign of the middle one, and a parameter of
+  either curve
+:then: the constants $\frac{\omega_0\omega_2}{\omega_1^2}$ are equal, and the points of the two curves with $x=y$, $R(t)$
+  and $R^*(t^*)$, are not
 :method: On either curve $x:y=\omega_0(1-t)^2:\omega_2t^2$, so each has one point with $x=y$ in $0\le t\le1$.
 :control: positive weights of the same constant
 :::

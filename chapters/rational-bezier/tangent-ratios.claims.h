@@ -252,8 +252,8 @@ CLAIM(tangent_parallel_to_the_first_side)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; gradient at R = (0,1/2); numerator of g_1 = 0; denominator of g_1 = 0
 :given: the $\lambda$ in the middle, and the point $R=R_0$ of every curve of (3.1.4)
-:then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself, without a point $A$;
-  at $R_2$ it is $g_2$
+:then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself,
+  without a point $A$; at $R_2$ it is $g_2$
 :method: The value and the gradient of $S$ at $R$, and both numbers.
 :control: a point of the curve inside the triangle
 :::
@@ -383,8 +383,8 @@ CLAIM(lengths_do_not_tell_points_apart)
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut
-  the side in one point.
+:hypothesis: tangent_parallel_to_the_first_side | $S_x'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does
+  not cut the side in one point.
 :hypothesis: end_has_but_one_ratio | $R\ne R_0$, where the tangent is the side; $g_2$ is 0 there.
 
 On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
@@ -397,8 +397,8 @@ On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $
 :holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | The minus sign in (3.1.4).
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not cut the
-  side in one point, as it does not in $R_2$, where it is the side.
+:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$, as in the triangle when $0<\lambda<1$; else the tangent does not
+  cut the side in one point, as it does not in $R_2$, where it is the side.
 :::
 
 With $s=x+y-1$ the relation $(1-\lambda)xy=\lambda s^2$ turns the printed $g_1=\frac{-2\lambda s}{(1-\lambda)y}$ into
@@ -510,9 +510,9 @@ while the sentence is about every curve of the family.
 :printed: $g_1g_2=\frac{4\lambda}{1-\lambda}$, which shows that on every curve of the family (3.1.4) $g_1g_2=\mathrm{const}>0$
 :class: missing-hypothesis
 :refuted-by: product_of_ratios_can_be_negative
-:corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on every curve of (3.1.4) with the minus sign and $0<\lambda<1$,
-  in the triangle and outside, at every point where both ratios exist: all but $R_0$, $R_2$ and those with a tangent parallel
-  to a side
+:corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on every curve of (3.1.4) with the minus sign and
+  $0<\lambda<1$, in the triangle and outside, at every point where both ratios exist: all but $R_0$, $R_2$ and those with
+  a tangent parallel to a side
 :corrected-by: product_of_ratios_is_positive_inside product_of_ratios_is_constant
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.

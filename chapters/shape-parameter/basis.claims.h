@@ -31,11 +31,11 @@ The definition says both $\beta\in\mathbb R$ and $-7\le\beta\le1$; the second is
 static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 
 /*
-Two kernels follow, one for what is printed and one for what was meant.  That the two differ can be seen before any property
-is looked at.  Write the factors of (1) as $\nu_i=\binom7i+b_i\beta$ and $\varphi_i=\binom7i+(b_i+c_i)\beta$, where $b_i$ and
-$c_i$ are the printed numbers before $\beta$ and $\beta t$.  Mirror images need $b_i=b_{7-i}+c_{7-i}$, and the sum 1 needs
-$b_{i-1}+c_{i-1}+b_i=0$.  Go through the eight lines with a pencil: both rules hold but next to $i=3$ and $i=4$, and there both
-ask for $c_3=-5$ and $c_4=5$, where $-9$ and $1$ are printed.
+Two kernels follow, one for what is printed and one for what was meant.  That the two differ can be seen before any
+property is looked at.  Write the factors of (1) as $\nu_i=\binom7i+b_i\beta$ and $\varphi_i=\binom7i+(b_i+c_i)\beta$,
+where $b_i$ and $c_i$ are the printed numbers before $\beta$ and $\beta t$.  Mirror images need $b_i=b_{7-i}+c_{7-i}$, and
+the sum 1 needs $b_{i-1}+c_{i-1}+b_i=0$.  Go through the eight lines with a pencil: both rules hold but next to $i=3$ and
+$i=4$, and there both ask for $c_3=-5$ and $c_4=5$, where $-9$ and $1$ are printed.
 
 :::{claim} printed_kernel_is_formula_one
 :title: The kernel computes the eight printed functions
@@ -108,13 +108,14 @@ CLAIM(corrected_kernel_is_its_formula)
 :striking: 7
 
 With them 2.2, 2.3, 2.4 and 2.7 are true, the last two after their own misprints in (8) and (9); 2.1, 2.5 and 2.6 need
-corrections of their own.  The corrected functions have the rule that the printed ones nearly show, and have it in every degree:
-$B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with $a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.
-For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
+corrections of their own.  The corrected functions have the rule that the printed ones nearly show, and have it in every
+degree: $B_{i,n}=\binom nis^{n-i}t^i+\beta(a_is^{n+1-i}t^i-a_{i+1}s^{n-i}t^{i+1})$ with
+$a_i=\binom{n-2}{i-1}-\binom{n-2}{i-2}$.  For $n=7$ the $a_i$ are $0,1,4,5,0,-5,-4,-1,0$.
 :::
 
-Two claims stand behind this entry.  The first writes the correction out.  The second says that there is no other: leave six of
-the functions as they are printed, let the other two be any mirror images with linear factors, and the sum 1 alone fixes them.
+Two claims stand behind this entry.  The first writes the correction out.  The second says that there is no other: leave
+six of the functions as they are printed, let the other two be any mirror images with linear factors, and the sum 1 alone
+fixes them.
 
 :::{claim} two_digits_are_corrected
 :title: The corrected functions of degree seven are the printed ones but for two digits
@@ -614,9 +615,9 @@ CLAIM(functions_vanish_to_their_orders_at_the_ends)
 :holds-by: functions_vanish_to_their_orders_at_the_ends functions_of_lower_degree_vanish_at_the_beginning
 :figure: eight_functions
 
-From the second derivative on the print has $B_{3,3},B_{4,4},\dots$ for $B_{3,7},B_{4,7},\dots$; functions of other degrees are
-defined nowhere in the text.  True either way: with 7, and with the function of the family, or the Bernstein polynomial, of
-degree $j$.
+From the second derivative on the print has $B_{3,3},B_{4,4},\dots$ for $B_{3,7},B_{4,7},\dots$; functions of other
+degrees are defined nowhere in the text.  True either way: with 7, and with the function of the family, or the Bernstein
+polynomial, of degree $j$.
 :::
 
 :::{claim} functions_of_lower_degree_vanish_at_the_beginning
@@ -677,7 +678,8 @@ function of any degree $j$ has the factor $t^j$.  In (8) the same slip puts too 
 :data: n = 5; i = 4; β = -1 0
 :instead: n = 7
 :result: B_{i,n}'(1) = -4 -5
-:given: the last but one function $B_{i,n}$ of degree five for two values of $\beta$, the second of which gives that of Bernstein
+:given: the last but one function $B_{i,n}$ of degree five for two values of $\beta$, the second of which gives that of
+  Bernstein
 :then: $B_{i,n}'(1)\ne0$ for both
 :method: The derivatives at 1 of the polynomials are computed exactly.
 :control: the function of the same index in degree seven

@@ -26,12 +26,13 @@ sense, for a triangle and its base.
 :refuted-by: printed_curve_of_a_convex_polygon_meets_a_line_four_times
   curve_of_a_triangle_meets_a_line_three_times
 :class: false
-:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not on a line, and
-  common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not
+  on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  roots_are_at_most_sign_changes four_vertices_of_a_convex_polygon_do_not_alternate third_function_has_a_zero_for_every_smaller_beta
-:reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are possible,
-  at $\beta=-\frac{21}4,0,1$
+  roots_are_at_most_sign_changes four_vertices_of_a_convex_polygon_do_not_alternate
+  third_function_has_a_zero_for_every_smaller_beta
+:reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
+  possible, at $\beta=-\frac{21}4,0,1$
 :figure: convexity_lost
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on
@@ -59,8 +60,8 @@ three changes.
 :data: β = -21/4 0 1; P = (0,0) (2,-1) (4,0) (5,2) (4,4) (2,5) (0,3) (0,0); Q = (0,0); u = (1,-1)
 :instead: Q = (0,1/2)
 :result: parameters on the line = 3 3 3; those in (0,1) = 1 1 1
-:given: three values of $\beta$, a convex heptagon with $P_7=P_0$, and the line through $Q=P_0$ with the normal vector $u$; corrected
-  functions
+:given: three values of $\beta$, a convex heptagon with $P_7=P_0$, and the line through $Q=P_0$ with the normal vector
+  $u$; corrected functions
 :then: for each $\beta$ the parameters $t=0$, $t=1$ and one in $(0,1)$ are on the line: three parameters, two points
 :method: The common points are counted exactly by their parameters; `hull.h` decides that the polygon is convex.
 :control: a line beside the corner
@@ -96,8 +97,8 @@ above the line and the height of the curve is $B_2(t)$, which at $\beta=-7$ has 
 :data: β = -7; P = (0,0) (0,0) (1,1) (2,0) (2,0) (2,0) (2,0) (2,0); Q = (0,0); u = (0,1); t = 0 1/9 1
 :instead: β = -21/4
 :result: common points of the curve = 3; y(t) = 0 0 0
-:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, the line through $Q$ with the
-  normal vector $u$, on which one side is, and three parameters; corrected functions
+:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, the line
+  through $Q$ with the normal vector $u$, on which one side is, and three parameters; corrected functions
 :then: the polygon is convex, and the curve meets the line at the three parameters and nowhere else
 :method: The common points are counted exactly; `hull.h` decides that the polygon is convex.
 :control: the left end of the true range
@@ -126,7 +127,8 @@ CLAIM(curve_of_a_triangle_meets_a_line_three_times)
 :kind: counterexample
 :data: β = 1; P = (0,100) (1,101) (2,101) (3,101) (4,101) (5,101) (6,101) (7,100); Q = (0,401/4); u = (0,1)
 :result: common points of the curve = 4; crossings of the curve = 4; crossings of the polygon = 2
-:given: the right end of the range of $\beta$, a flat convex polygon, and the line through $Q$ with the normal vector $u$, a little above its ends
+:given: the right end of the range of $\beta$, a flat convex polygon, and the line through $Q$ with the normal vector $u$,
+  a little above its ends
 :then: the polygon is convex, and the curve crosses the line twice as often as the polygon
 :method: As before.
 :control: the corrected functions
@@ -147,12 +149,14 @@ CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
 :::{claim} four_vertices_of_a_convex_polygon_do_not_alternate
 :title: Four vertices of a convex polygon are not on alternate sides of a line
 :zh: 凸多边形的四个顶点不会交替位于直线两侧
-:given: any $P_i,P_j,P_k,P_l$ of the plane, any line function $f(x,y)=ax+by+c$; $D_{ijk}$ the determinant of $P_j-P_i$ and $P_k-P_i$
+:given: any $P_i,P_j,P_k,P_l$ of the plane, any line function $f(x,y)=ax+by+c$; $D_{ijk}$ the determinant of $P_j-P_i$ and
+  $P_k-P_i$
 :then: $D_{jkl}f(P_i)+D_{ijl}f(P_k)=D_{ikl}f(P_j)+D_{ijk}f(P_l)$
-:method: An identity in the coordinates.  For $i<j<k<l$ in a polygon that is convex, counterclockwise, the four determinants are not
-  negative.  With $f(P_i),f(P_k)\ge0\ge f(P_j),f(P_l)$ both sides are 0: every product is.  So when the signs are strict the four points
-  are on one line, to and fro, and the polygon is not convex; hence there are no three changes of sign.  With $f(P_i)=0$ two changes
-  among the other three, and with $f(P_i)=f(P_l)=0$, $P_i\ne P_l$, one, are excluded in the same way; with $P_i=P_l$ one is possible.
+:method: An identity in the coordinates.  For $i<j<k<l$ in a polygon that is convex, counterclockwise, the four
+  determinants are not negative.  With $f(P_i),f(P_k)\ge0\ge f(P_j),f(P_l)$ both sides are 0: every product is.  So when
+  the signs are strict the four points are on one line, to and fro, and the polygon is not convex; hence there are no
+  three changes of sign.  With $f(P_i)=0$ two changes among the other three, and with $f(P_i)=f(P_l)=0$, $P_i\ne P_l$,
+  one, are excluded in the same way; with $P_i=P_l$ one is possible.
 :control: $D_{ikl}$ and $D_{ijl}$ exchanged
 :::
 */

@@ -29,8 +29,8 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_at_minus_seven_crosses_a_line_off_its_polygon
   curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings, and for common
-  points unless the curve is on $L$ and the polygon is not; for the printed functions only for $\beta=0$
+:corrected: true for the corrected functions exactly when $-\frac{21}4<\beta\le1$, at $\beta=-\frac{21}4$ for crossings,
+  and for common points unless the curve is on $L$ and the polygon is not; for the printed functions only for $\beta=0$
 :corrected-by: totally_positive_exactly_in_the_range minors_are_products_of_entries corrected_functions_sum_to_one
   functions_are_independent_but_for_two_values
   roots_are_at_most_sign_changes averages_between_neighbours_keep_sign_changes
@@ -52,9 +52,9 @@ are linear in $\beta$, and between the neighbouring roots nothing can change.
 :zh: 双对角矩阵的子式
 :given: any $(n+2)\times(n+1)$ matrix whose entries are $0$ but for $E_{i,i}$ and $E_{i+1,i}$, which are variables
 :then: every minor is the product of the entries on its own diagonal
-:method: All minors, by an elimination with pivots.  For every $n$: of two rows $r<r'$ and columns $c'<c$ the entries $(r,c)$ and
-  $(r',c')$ cannot both be different from 0, since that would need $c\le r<r'\le c'+1\le c$; so only the identity counts among
-  the permutations.
+:method: All minors, by an elimination with pivots.  For every $n$: of two rows $r<r'$ and columns $c'<c$ the entries
+  $(r,c)$ and $(r',c')$ cannot both be different from 0, since that would need $c\le r<r'\le c'+1\le c$; so only the
+  identity counts among the permutations.
 :types: field rational
 :degrees: 2..4 sampled 5
 :control: an entry above the diagonal is not 0
@@ -100,8 +100,9 @@ CLAIM(minors_are_products_of_entries)
 :given: all real $\beta$; corrected functions of degree $n$, for the degree of the source also the printed ones
 :then: the matrix of Bernstein coefficients has no negative minor exactly for $l_n\le\beta\le1$, where $l_n$ is the
   greatest $\beta$ at which some $\nu_i$ vanishes from above
-:method: The minors are products of entries, and these are linear in $\beta$; so the signs of all minors are constant between the
-  neighbouring roots of the entries.  At every root and once in every gap the elimination of `total_positivity.h` decides.
+:method: The minors are products of entries, and these are linear in $\beta$; so the signs of all minors are constant
+  between the neighbouring roots of the entries.  At every root and once in every gap the elimination of
+  `total_positivity.h` decides.
 :degrees: 2..12
 :scope: all real $\beta$
 :control: the range taken to begin 1 below
@@ -254,7 +255,8 @@ CLAIM(curve_on_a_line_that_its_polygon_crosses)
 :kind: counterexample
 :data: β = 1; P = (0,1) (1,1) (2,1) (3,1) (4,1) (5,1) (6,1) (7,1); Q = (0,63/64); u = (0,1)
 :result: crossings of the curve = 2; crossings of the polygon = 0; roots of (20) in (0,1) = 0
-:given: the right end of the range of $\beta$, points on a line, and the line through $Q$ with the normal vector $u$, a little below
+:given: the right end of the range of $\beta$, points on a line, and the line through $Q$ with the normal vector $u$, a
+  little below
 :then: the line does not meet the polygon, $SA=0$, and the curve crosses it; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
 :method: The crossings are counted exactly by `crossings.h`, the roots of the polynomial by `roots.h`.
 :control: the corrected functions
@@ -279,8 +281,8 @@ CLAIM(printed_curve_crosses_a_line_off_its_polygon)
 :data: β = -7; P = (0,0) (0,0) (1,1) (2,0) (2,0) (2,0) (2,0) (2,0); Q = (0,-1/200); u = (0,1)
 :instead: β = -21/4
 :result: crossings of the curve = 2; crossings of the polygon = 0
-:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, and the line through $Q$ with the
-  normal vector $u$, a little below its side; corrected functions
+:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, and the
+  line through $Q$ with the normal vector $u$, a little below its side; corrected functions
 :then: the polygon is above the line, the curve crosses it
 :method: The crossings are counted exactly.
 :control: the left end of the true range

@@ -236,10 +236,11 @@ Different as parametrized curves; on a line they may be the same set of points. 
   k, printed functions = 0 0 0 0 5 1 1 1
 :result: rank, corrected functions = 6; rank, printed functions = 7
 :given: all sequences of eight coefficients, and those that are named, printed and corrected functions
-:then: $\sum k_iB_i$ is the same for all $\beta$ exactly for the combinations of $k$ and $k'$ with the corrected functions, that is for
-  $k_0=\dots=k_3$, $k_4=\dots=k_7$, and for the multiples of $k$ with the printed ones
-:method: The functions are linear in $\beta$.  The sequences named are in the kernel of the matrix of the Bernstein coefficients of their slopes, and its
-  rank leaves room for no others.  Coordinate by coordinate this is a statement on polygons.
+:then: $\sum k_iB_i$ is the same for all $\beta$ exactly for the combinations of $k$ and $k'$ with the corrected
+  functions, that is for $k_0=\dots=k_3$, $k_4=\dots=k_7$, and for the multiples of $k$ with the printed ones
+:method: The functions are linear in $\beta$.  The sequences named are in the kernel of the matrix of the Bernstein
+  coefficients of their slopes, and its rank leaves room for no others.  Coordinate by coordinate this is a statement on
+  polygons.
 :scope: all real beta, all polygons
 :control: $k_4=k_3$ in the sequences named
 :::
@@ -441,7 +442,8 @@ against the edge.
 :instead: β = -6
 :result: q'(0) = (0,0); q''(0) = (42,-28); determinant of the edge and the tangent = -28
 :given: the left end of the printed range, and a polygon
-:then: the first derivative at 0 vanishes, the second gives the tangent, and the determinant of $P_1-P_0$ and this tangent is not 0
+:then: the first derivative at 0 vanishes, the second gives the tangent, and the determinant of $P_1-P_0$ and this tangent
+  is not 0
 :method: The first derivative at 0 that is not the zero vector, computed exactly; its determinant with the edge is asked to
   vanish.
 :control: a larger $\beta$
@@ -519,8 +521,8 @@ CLAIM(printed_curve_leaves_a_single_point)
 :data: β = -7; P = (0,0) (0,0) (1,1) (2,0) (2,0) (2,0) (2,0) (2,0); t = 1/20
 :instead: β = -5
 :result: q(t) = (-171625953/25600000000,-190659623/25600000000)
-:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, and a small $t$;
-  printed and corrected functions have the same $y$
+:given: the left end of the printed range, the three corners of a triangle with the first and the last repeated, and a
+  small $t$; printed and corrected functions have the same $y$
 :then: $y(t)=B_2(t)<0$ while all points have $y\ge0$
 :method: The point of the corrected curve; `hull.h` is asked whether it is in the hull.
 :control: a $\beta$ of the true range
@@ -655,9 +657,9 @@ where it is, do no harm.
 :printed: the curve depends only on the control points; its shape stays the same under translations and rotations
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
-:corrected: true for the corrected functions for every $\beta$; the printed curve of the points $P_i+v$ is the old one moved by
-  $(1-4\beta(1-t)^3t^4)v$, so it moves along only for $\beta=0$ or $v=0$; linear maps, rotations about the origin among them,
-  do no harm
+:corrected: true for the corrected functions for every $\beta$; the printed curve of the points $P_i+v$ is the old one
+  moved by $(1-4\beta(1-t)^3t^4)v$, so it moves along only for $\beta=0$ or $v=0$; linear maps, rotations about the origin
+  among them, do no harm
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
 :figure: hull_and_sum
 :striking: 10
@@ -670,8 +672,8 @@ where it is, do no harm.
   the same map
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
-:corrected: true for the corrected functions for every $\beta$; with the printed ones for linear maps, for all affine maps only
-  if $\beta=0$
+:corrected: true for the corrected functions for every $\beta$; with the printed ones for linear maps, for all affine maps
+  only if $\beta=0$
 :corrected-by: curve_moves_with_its_points printed_curve_follows_linear_maps_only
 :figure: hull_and_sum
 :::

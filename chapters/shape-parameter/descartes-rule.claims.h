@@ -37,9 +37,10 @@ roots.
 :title: A combination of the functions has its first and its last coefficient as values at the ends
 :zh: 组合函数的端点值为首末系数
 :given: any $k_0,\dots,k_7$ and $\beta$; printed and corrected functions
-:then: $f(0)=k_0$, $f(1)=k_7$; so when these have different signs, the number of roots in $(0,1)$, counted with multiplicity, is odd, and
-  of a polynomial of degree 8 at most 7
-:method: The kernels at the two integers, everything a variable.  A polynomial changes its sign exactly at the roots of odd multiplicity.
+:then: $f(0)=k_0$, $f(1)=k_7$; so when these have different signs, the number of roots in $(0,1)$, counted with
+  multiplicity, is odd, and of a polynomial of degree 8 at most 7
+:method: The kernels at the two integers, everything a variable.  A polynomial changes its sign exactly at the roots of
+  odd multiplicity.
 :types: field rational
 :control: the last two coefficients exchanged
 :::
@@ -71,8 +72,8 @@ alternate as they do in the case that the source treats.
 :given: random $k$ with $k_0>0$ and alternating signs, any $\beta$; corrected functions
 :then: $f(0)=k_0$, $f(1)=k_7$, the number of roots of $f$ in $(0,1)$, each counted as often as its multiplicity, is odd and at
   most 7
-:method: The roots of the exact polynomial are counted.  In general: $f$ changes its sign at a root exactly when the multiplicity
-  is odd.
+:method: The roots of the exact polynomial are counted.  In general: $f$ changes its sign at a root exactly when the
+  multiplicity is odd.
 :types: rational
 :control: the last sign is changed
 :::
@@ -158,13 +159,13 @@ CLAIM(positive_coefficients_with_two_roots)
 :printed: without loss of generality $k_0>0$; then $SA$ is one of $7,6,5,4,3,2,1,0$
 :refuted-by: no_sign_makes_the_first_coefficient_positive
 :class: invalid-proof
-:corrected: for $k\ne0$ the first $k_i$ that is not 0 may be taken positive; for $-\frac{21}4<\beta\le1$ the sum has the sign of this $k_i$ for small
-  $t>0$, and in the same way that of the last one near $t=1$
+:corrected: for $k\ne0$ the first $k_i$ that is not 0 may be taken positive; for $-\frac{21}4<\beta\le1$ the sum has the
+  sign of this $k_i$ for small $t>0$, and in the same way that of the last one near $t=1$
 :corrected-by: first_coefficient_gives_the_sign
 :figure: zero_at_the_beginning
 
-The signs of $f(0)=k_0$ and $f(1)=k_7$, on which the proof rests, say nothing when one of them is 0.  With $SA=7$ all eight are
-different from 0; in the other cases they need not be.
+The signs of $f(0)=k_0$ and $f(1)=k_7$, on which the proof rests, say nothing when one of them is 0.  With $SA=7$ all
+eight are different from 0; in the other cases they need not be.
 :::
 
 A sum whose first coefficient is 0 is not covered by the words "without loss of generality".  It takes little to cover it:
@@ -200,8 +201,9 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
 :kind: decision
 :data: range of β = -21/4 1
 :given: the true range of $\beta$ without its left end, printed and corrected functions
-:then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$ has the sign of the first $k_i\ne0$ for small $t>0$, for
-  the last $i$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$, $\varphi_0\ge0$ and $\nu_0>0$ for the other end
+:then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$ has the sign of the first
+  $k_i\ne0$ for small $t>0$, for the last $i$ everywhere in $(0,1)$; likewise $\varphi_1,\dots,\varphi_7>0$,
+  $\varphi_0\ge0$ and $\nu_0>0$ for the other end
 :method: The signs of linear polynomials in $\beta$ on the interval.
 :scope: beta from -21/4, which is left out, to 1
 :control: the interval with its left end
@@ -242,8 +244,8 @@ needed: seven changes among eight signs leave no other sign for $k_7$.
 :printed: for $SA=6,5,4,3,2,1$ it is proved by the same method
 :refuted-by: one_change_of_sign_and_three_roots one_change_of_sign_and_two_roots
 :class: invalid-proof
-:corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$; when $k_7=0$
-  it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
+:corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$;
+  when $k_7=0$ it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   roots_are_at_most_sign_changes
 :figure: roots_at_minus_seven
@@ -285,7 +287,8 @@ CLAIM(one_change_of_sign_and_three_roots)
 :instead: β = -21/4
 :result: roots in (0,1) = 2; SA = 1; f(t)/(t-1)² = "630*t^6 - 638*t^5 + 33*t^4 + 4*t^3 + 3*t^2 + 2*t + 1"
 :given: the left end of the printed range, and coefficients $k$ with $k_0>0$ and $k_7=0$; printed functions
-:then: $f=\sum k_i\hat B_i$ has a double root at 1 and, in $(0,1)$, more roots than $k$ has changes of sign; $f(1)=0$ says nothing
+:then: $f=\sum k_i\hat B_i$ has a double root at 1 and, in $(0,1)$, more roots than $k$ has changes of sign; $f(1)=0$ says
+  nothing
 :method: The roots of the exact polynomial are counted, and it is divided by $(t-1)^2$.
 :control: the left end of the true range
 :::

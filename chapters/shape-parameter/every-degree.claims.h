@@ -178,8 +178,8 @@ is at most $\frac12$ from the vertex of the parabola, the bound is approached.
 :given: any $n$, $k$ and $d$ with $k=\frac{n+1}4+d$
 :then: $8k(n+1-2k)=(n+1)^2-16d^2$, and $8n(n-1)(n+3)=8n((n+1)^2-4)$
 :method: Identities with $n$ and $d$ variables.  Some whole $k$ has $|d|\le\frac12$, so the largest $k(n+1-2k)$ is between
-  $\frac{(n+1)^2-4}8$ and $\frac{(n+1)^2}8$, and $\frac{8n(n-1)}{(n+1)^2}\le-l_n\le\frac{8n}{n+3}<8$.  At $n=7$ the left bound is
-  attained.
+  $\frac{(n+1)^2-4}8$ and $\frac{(n+1)^2}8$, and $\frac{8n(n-1)}{(n+1)^2}\le-l_n\le\frac{8n}{n+3}<8$.  At $n=7$ the left
+  bound is attained.
 :degrees: all
 :control: $(n+1)^2$ in the place of $(n+1)^2-4$
 :::
@@ -259,8 +259,8 @@ From four points on it is no longer true, not even for a convex polygon.
 :title: The distances from the lines of the edges are the outer weights
 :zh: 到两边所在直线的距离
 :given: points $P_0,P_1,P_2$, any $\beta$ and $t$, $n=2$
-:then: the determinants of $P_1-P_0$, $q-P_0$ and of $P_2-P_1$, $q-P_1$ are $t^2(1-\beta s)$ and $s^2(1-\beta t)$ times that of
-  $P_1-P_0$, $P_2-P_0$; both factors do not grow with $\beta$, and are $\ge0$ for $\beta\le1$
+:then: the determinants of $P_1-P_0$, $q-P_0$ and of $P_2-P_1$, $q-P_1$ are $t^2(1-\beta s)$ and $s^2(1-\beta t)$ times
+  that of $P_1-P_0$, $P_2-P_0$; both factors do not grow with $\beta$, and are $\ge0$ for $\beta\le1$
 :method: Everything is a variable.
 :control: the two factors exchanged
 :::
@@ -291,8 +291,9 @@ CLAIM(quadratic_distance_to_a_line_shrinks)
 :zh: 最近点为端点时距离递减
 :given: $u=P_1-P_0$, $v=P_2-P_0$, any $t$; a point $P_0+w$, $w=\lambda u+\mu v$; the direction $d=u-tv$ in which it moves
 :then: $(u\cdot u)(d\cdot w)=(u\cdot w)(u\cdot u-t\,u\cdot v)-t\mu\bigl((u\cdot u)(v\cdot v)-(u\cdot v)^2\bigr)$
-:method: Everything is a variable.  If the foot is beyond $P_0$, $u\cdot w<0$, then $u\cdot v<0$ because $\lambda,\mu\ge0$; so both
-  terms are $\le0$, and so is $d\cdot w$, half the derivative of $|w|^2$ up to the factor $st$.  At $P_2$ the same with $s$ and $t$ exchanged.
+:method: Everything is a variable.  If the foot is beyond $P_0$, $u\cdot w<0$, then $u\cdot v<0$ because
+  $\lambda,\mu\ge0$; so both terms are $\le0$, and so is $d\cdot w$, half the derivative of $|w|^2$ up to the factor $st$.
+   At $P_2$ the same with $s$ and $t$ exchanged.
 :control: $t\mu$ replaced by $\mu$
 :::
 */
@@ -326,8 +327,9 @@ Both examples have four points with whole coordinates.  The first refutes the tw
 :instead: β = 1 0
 :result: t of a farther point = 5/16; control points farther than R = 0 1
 :given: a polygon of four points, two values of $\beta$, and the squares of three distances
-:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther than even the
-  larger of the two distances; for the first $\beta$ every control point is nearer to the curve than $R$, for the second one is farther
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is
+  farther than even the larger of the two distances; for the first $\beta$ every control point is nearer to the curve than
+  $R$, for the second one is farther
 :method: As in `larger_beta_takes_the_curve_away_from_its_polygon`.
 :control: the two values of $\beta$ exchanged
 :::

@@ -35,7 +35,8 @@ In the plane; in space $u\cdot(X-Q)=0$ is in the same way a plane.
 :zh: 由法向量确定的直线
 :given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$
 :then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$
-:method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$, and all of these are such.
+:method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$, and
+  all of these are such.
 :control: $u^\perp=(u_2,u_1)$
 :::
 */
@@ -125,8 +126,8 @@ CLAIM(line_through_an_edge_has_no_two_sides)
 :zh: 式 (19)
 :printed: $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$ is at most the number of intersections of $L$ with the polygon
 :holds-by: sign_changes_are_polygon_crossings
-:hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane they
-  may be fewer
+:hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane
+  they may be fewer
 :figure: polygon_crossing_itself
 :::
 
@@ -176,8 +177,8 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
   curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the curve is not on
-  $L$
+:corrected: true for the corrected functions and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
+  curve is not on $L$
 :corrected-by: totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   roots_are_at_most_sign_changes line_function_of_the_curve
 :figure: crossings_off_the_polygon
@@ -191,7 +192,8 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :instead: Q = (0,7/2)
 :result: common points of the curve = 1; roots in (0,1) = 0; SA = 0
 :given: the $\beta$ of the Bézier curve, points on a line, and the line through $Q=P_0$ with the normal vector $u$
-:then: curve and line have the point $P_0$ in common; the function of formula (20) has no root in $(0,1)$, and its coefficients no change of sign
+:then: curve and line have the point $P_0$ in common; the function of formula (20) has no root in $(0,1)$, and its
+  coefficients no change of sign
 :method: The common points of the closed curve are compared with those of the open one.
 :control: a line through the middle of the polygon
 :::

@@ -29,8 +29,8 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :figure: closer_or_not
 :striking: 11
 
-The first refutation is for both senses at once, and all are for the printed and for the corrected functions.  Three points, and
-polygons of four for which it is false, are treated in `every-degree`.
+The first refutation is for both senses at once, and all are for the printed and for the corrected functions.  Three
+points, and polygons of four for which it is false, are treated in `every-degree`.
 :::
 */
 
@@ -86,7 +86,8 @@ than the Bézier curve of $\beta=0$: on the way through the range the distance g
 :data: P = (-1,-2) (2,0) (3,1) (4,3) (-2,4) (-4,-2) (-4,-3) (-3,-3); β = -21/4 1; r² = 24/5
 :instead: β = 1 -21/4
 :result: t of a farther point = 35/64 35/64
-:given: a convex polygon, the two ends of the true range of $\beta$, and the square of a distance; printed and corrected functions
+:given: a convex polygon, the two ends of the true range of $\beta$, and the square of a distance; printed and corrected
+  functions
 :then: for the left end every point of the curve is nearer to the polygon than $r$, for the right end some point is farther
 :method: As before; `hull.h` decides that the polygon is convex.
 :control: the two values of $\beta$ exchanged
@@ -102,10 +103,10 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_p
 :data: P = (-1,-2) (2,0) (3,1) (4,3) (-2,4) (-4,-2) (-4,-3) (-3,-3); β = 1 0; r² = 111/20
 :instead: β = 0 1
 :result: t of a farther point = 35/64 35/64
-:given: the convex polygon of `larger_beta_is_worse_for_a_convex_polygon`, the right end of the range and the $\beta$ of the Bézier curve,
-  and the square of a distance; printed and corrected functions
-:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve, some point is
-  farther
+:given: the convex polygon of `larger_beta_is_worse_for_a_convex_polygon`, the right end of the range and the $\beta$ of
+  the Bézier curve, and the square of a distance; printed and corrected functions
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve,
+  some point is farther
 :method: As before.
 :scope: one polygon
 :control: the two values of $\beta$ exchanged
@@ -129,8 +130,8 @@ another one it is lost.
 :printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
 :class: false
-:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it holds for
-  some convex polygons and fails for others; for $n=2$ and $0<\beta\le1$ the curve is at least as near
+:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$ it
+  holds for some convex polygons and fails for others; for $n=2$ and $0<\beta\le1$ the curve is at least as near
 :corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
   quadratic_distance_to_a_line_shrinks quadratic_distance_to_an_end_shrinks
 :figure: closer_or_not
@@ -143,8 +144,8 @@ another one it is lost.
 :data: P = (-3,-3) (-3,-4) (-2,-4) (5,0) (4,5) (3,5) (2,4) (-2,-1); β = 0 1; r² = 91/20
 :instead: β = 1 0
 :result: t of a farther point = 15/32 15/32
-:given: another convex polygon, the $\beta$ of the Bézier curve and the right end of the range, and the square of a distance; printed and
-  corrected functions
+:given: another convex polygon, the $\beta$ of the Bézier curve and the right end of the range, and the square of a
+  distance; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
 :method: As before.
 :control: the two values of $\beta$ exchanged

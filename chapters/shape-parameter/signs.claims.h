@@ -59,9 +59,8 @@ CLAIM(third_function_is_negative)
 }
 
 /*
-One negative value refutes the print.  The true range needs both directions: no line is below 0 in it, and at each end some line
-passes through 0.  At the left end this is $\nu_2$, and not
-$\nu_1$, with which the source has stopped.
+One negative value refutes the print.  The true range needs both directions: no line is below 0 in it, and at each end
+some line passes through 0.  At the left end this is $\nu_2$, and not $\nu_1$, with which the source has stopped.
 
 :::{claim} nonnegative_exactly_in_the_range
 :title: The functions are nonnegative exactly for beta from -21/4 to 1
@@ -140,8 +139,8 @@ $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$; for $\beta<-7$ 
 :given: any $\nu$ and $\varphi$, $F=(\nu s+\varphi t)s^{n-i}t^i$, $1\le i\le n-1$
 :then: $F'=s^{n-i-1}t^{i-1}\bigl(i\nu s^2+((i+1)\varphi-(n+1-i)\nu)st-(n-i)\varphi t^2\bigr)$; and for $i=0$,
   $F'=s^{n-1}\bigl((\varphi-(n+1)\nu)s-n\varphi t\bigr)$
-:method: The derivative of the Bézier polynomial with the two coefficients of $F$ against the products; $\nu$, $\varphi$ and $t$
-  are variables.
+:method: The derivative of the Bézier polynomial with the two coefficients of $F$ against the products; $\nu$, $\varphi$
+  and $t$ are variables.
 :degrees: 2..9 sampled 14
 :control: the factor $i+1$ replaced by $i$
 :::
@@ -183,8 +182,8 @@ CLAIM(derivative_of_a_function_factors)
 :instead: range of β = -7 1
 :given: the true range of $\beta$, for the first function the printed one; the printed and the corrected functions
 :then: for $0<i<n$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative
-  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-(n+1)\nu_0<0$ and $-n\varphi_0\le0$ in the
-  printed range, so that $B_0$ falls; $B_7$ is its mirror image
+  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-(n+1)\nu_0<0$ and
+  $-n\varphi_0\le0$ in the printed range, so that $B_0$ falls; $B_7$ is its mirror image
 :method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
   $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
   root at 1.
@@ -222,12 +221,14 @@ changes of sign.  The function then begins with 0, falls, and has to rise again.
 :kind: decision
 :data: range of β = -7 -21/4
 :instead: range of β = -7 -5
-:given: the part of the printed range of $\beta$ that is below the true one, without its right end; the corrected and the printed functions
-:then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum, one inner
-  maximum, and a local maximum at $t=0$; for all other $i$ with $0<i<n$ but $i=5$ still $\nu_i,\varphi_i\ge0$ and not both $0$
+:given: the part of the printed range of $\beta$ that is below the true one, without its right end; the corrected and the
+  printed functions
+:then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum,
+  one inner maximum, and a local maximum at $t=0$; for all other $i$ with $0<i<n$ but $i=5$ still $\nu_i,\varphi_i\ge0$
+  and not both $0$
 :method: Signs of linear polynomials on the closed interval.  The coefficients of the quadratic factor for $i=2$ are
-  $i\nu_i<0$, $(i+1)\varphi_i-(n+1-i)\nu_i>0$, $-(n-i)\varphi_i<0$: none or two roots, and two because $B_2$ takes both signs and vanishes at
-  both ends.  $B_5$ is the mirror image.
+  $i\nu_i<0$, $(i+1)\varphi_i-(n+1-i)\nu_i>0$, $-(n-i)\varphi_i<0$: none or two roots, and two because $B_2$ takes both
+  signs and vanishes at both ends.  $B_5$ is the mirror image.
 :scope: beta from -7 to -21/4, which is left out
 :control: an interval that reaches into the true range
 :::
@@ -381,7 +382,8 @@ CLAIM(slopes_in_beta)
   sign before = -1 1 1 1 1 -1 -1 -1
 :instead: change, corrected functions = 0 1/6 4/9 0 0 5/9 4/5 0; change, printed functions = 0 1/6 4/9 5/9 0 5/9 4/5 0
 :given: the slopes $b_i+c_it$, $0<t<1$; for each $i$ a number of this interval, or 0 for none, and a sign
-:then: the slope has the sign up to the number and the other sign behind it; without a number it has the sign in the whole interval
+:then: the slope has the sign up to the number and the other sign behind it; without a number it has the sign in the whole
+  interval
 :method: The slopes are the differences of the factors at $\beta=1$ and $\beta=0$; the sign of a linear polynomial on the two
   intervals.
 :scope: all real beta, t from 0 to 1

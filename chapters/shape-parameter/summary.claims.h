@@ -69,7 +69,8 @@ static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 :title: The surface with the printed functions, row by row
 :zh: 按式 (1)、(22) 的曲面
 :given: the 64 nets of one point 1 and all others 0, any $\beta$, $u$ and $v$
-:then: `shape_point_printed` for the rows and then for the eight points of $v$ gives $\sum_i\sum_jP_{ij}\hat B_i(u)\hat B_j(v)$
+:then: `shape_point_printed` for the rows and then for the eight points of $v$ gives $\sum_i\sum_jP_{ij}\hat B_i(u)\hat
+  B_j(v)$
 :method: The printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
 :control: $u$ and $v$ exchanged
 :::
@@ -124,18 +125,20 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :printed: it can be proved that the surface has geometric properties similar to those of the curve
 :refuted-by: printed_surface_leaves_a_single_point surface_leaves_the_hull_at_minus_seven
 :class: false
-:corrected: corners and boundary curves as printed; with the corrected functions symmetry and affine maps for every $\beta$, the convex
-  hull for $-\frac{21}4\le\beta\le1$
-:corrected-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface surface_functions_sum_to_one
-  nonnegative_exactly_in_the_range corrected_functions_are_mirror_images functions_vanish_to_their_orders_at_the_ends
-:reading: printed_surface_leaves_a_single_point | the properties are those that section 3 prints for the curve: false; this is what is decided
-  above
-:reading: what is true of the curve is true of the surface: the failures are those of the curve, and the correction says what is left
-:reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows and
-  columns are: false; they may all be straight and the surface be a saddle, for every $\beta$
+:corrected: corners and boundary curves as printed; with the corrected functions symmetry and affine maps for every
+  $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
+:corrected-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
+  surface_functions_sum_to_one nonnegative_exactly_in_the_range corrected_functions_are_mirror_images
+  functions_vanish_to_their_orders_at_the_ends
+:reading: printed_surface_leaves_a_single_point | the properties are those that section 3 prints for the curve: false;
+  this is what is decided above
+:reading: what is true of the curve is true of the surface: the failures are those of the curve, and the correction says
+  what is left
+:reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its
+  rows and columns are: false; they may all be straight and the surface be a saddle, for every $\beta$
   (`net_of_straight_lines_gives_a_saddle`)
-:reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say what they are
-  for a net, so that nothing is there to be decided
+:reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
+  what they are for a net, so that nothing is there to be decided
 :figure: shape_surface
 
 With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.
@@ -149,7 +152,8 @@ for the sum, a net with one row different from 0 for a sign.
 :title: The net reversed in both directions gives the surface backwards
 :zh: 控制网反序,曲面反向
 :given: degrees 3 and 2, any points, $\beta$, $\gamma$, $u$ and $v$; corrected functions
-:then: the surface of the points $P_{3-i,2-j}$ at $(1-u,1-v)$ is that of the $P_{ij}$ at $(u,v)$; the same for one direction alone
+:then: the surface of the points $P_{3-i,2-j}$ at $(1-u,1-v)$ is that of the $P_{ij}$ at $(u,v)$; the same for one
+  direction alone
 :method: Both by the kernel, everything a variable.  For $n=7$ by the symmetry of the functions.
 :control: $v$ in the place of $1-v$
 :::
@@ -180,7 +184,8 @@ CLAIM(reversed_net_reverses_the_surface)
 :kind: counterexample
 :data: β = 1; P_{ij} for all i and j = 1; number of points = 64; u = 1/2; v = 1/2
 :result: surface at (u, v) = 961/1024
-:given: the right end of the range of $\beta$, one number for all $P_{ij}$, which may be a coordinate, and the middle of the square
+:given: the right end of the range of $\beta$, one number for all $P_{ij}$, which may be a coordinate, and the middle of
+  the square
 :then: the surface has there another value than its points
 :method: The double sum of the printed functions.
 :control: the corrected functions
@@ -207,7 +212,8 @@ CLAIM(printed_surface_leaves_a_single_point)
 :data: β = -7; i = 2; P_{ij} for all j = 1; P of the other points = 0; u = 1/20; v = 1/2
 :instead: β = -21/4
 :result: surface at (u, v), corrected = -190659623/25600000000; surface at (u, v), printed = -7435725297/819200000000
-:given: the left end of the printed range, and a net of numbers that are positive in one row and 0 in all others; a small $u$, and $v$ in the middle
+:given: the left end of the printed range, and a net of numbers that are positive in one row and 0 in all others; a small
+  $u$, and $v$ in the middle
 :then: the value of the surface is negative, with the corrected and with the printed functions
 :method: The double sum; it is the sum of the $B_j(v)$, which is positive, times $B_i(u)$.
 :control: the left end of the true range
@@ -239,9 +245,10 @@ CLAIM(surface_leaves_the_hull_at_minus_seven)
 :::{claim} surface_has_the_corner_points_and_boundary_curves
 :title: Corners and boundary curves of the surface
 :zh: 曲面的角点与边界曲线
-:given: degrees 3 and 2, any points, $\beta$, $\gamma$ and $v$; printed functions, degrees 7 and 7, any points, $\beta$ and $v$
-:then: for $u=0$ and $u=1$ the surface is the curve of the first and of the last row of points, corrected with the parameter $\gamma$;
-  the ends of these are the corners
+:given: degrees 3 and 2, any points, $\beta$, $\gamma$ and $v$; printed functions, degrees 7 and 7, any points, $\beta$
+  and $v$
+:then: for $u=0$ and $u=1$ the surface is the curve of the first and of the last row of points, corrected with the
+  parameter $\gamma$; the ends of these are the corners
 :method: The surface kernel, and `shape_point_printed` twice, against the formulas of the curves; everything a variable.
 :control: the second row in the place of the last
 :::
@@ -345,11 +352,12 @@ CLAIM(net_of_straight_lines_gives_a_saddle)
 :data: β = 1; coefficients of i², ij, j² in the height = 0 1 0; u = 1/2; v = 1/2
 :instead: coefficients of i², ij, j² in the height = 1 0 1
 :result: point of the surface = (7/2,7/2,49/4); heights of the two chords = 49/2 0
-:given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$; the right end of the
-  range of $\beta$, corrected functions; the middle of the square.  The net as a whole is not convex
-:then: the point of the surface is below the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$, so convex to no side
-:method: The height of the point of the surface and of the two chords above it.  The control: a net whose columns and rows are convex to
-  one side.
+:given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$; the right
+  end of the range of $\beta$, corrected functions; the middle of the square.  The net as a whole is not convex
+:then: the point of the surface is below the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$, so
+  convex to no side
+:method: The height of the point of the surface and of the two chords above it.  The control: a net whose columns and rows
+  are convex to one side.
 :control: a sum of squares for the height
 :::
 */
@@ -397,8 +405,8 @@ may still give one, as $-\frac{21}4\pm h$ do for $P_{ij}=k_ik_jv$, $k=(0,0,-5,27
 :result: rank, corrected functions = 60; rank, printed functions = 63
 :given: all nets of numbers $P_{ij}$, one $\beta$ for both directions, printed and corrected functions
 :then: $\sum_i\sum_jP_{ij}B_i(u)B_j(v)$ is the same for all $\beta$ exactly for the combinations of $k_ik_j$, $k_ik'_j$,
-  $k'_ik_j$, $k'_ik'_j$ with the corrected functions, that is for nets that are constant on each of four blocks, and for the multiples of $k_ik_j$
-  with the printed ones
+  $k'_ik_j$, $k'_ik'_j$ with the corrected functions, that is for nets that are constant on each of four blocks, and for
+  the multiples of $k_ik_j$ with the printed ones
 :method: With $B_i=e_i+\beta d_i$ the coefficients of $\beta$ and $\beta^2$ are $\sum\sum P_{ij}(e_id_j+d_ie_j)$ and
   $\sum\sum P_{ij}d_id_j$.  The
   nets named are in the kernel of the matrix of their Bernstein coefficients, and its rank leaves room for no others.
@@ -462,9 +470,9 @@ CLAIM(nets_that_do_not_move)
 :result: coefficients, corrected = 0 0 0 0 1/2 1 1 1 1; coefficients, printed = 0 0 0 0 5/2 7/2 1 1 1
 :given: two values of $\beta$; with the corrected functions $P_{ij}=(f_i,f_j,f_if_j)$, with the printed ones $P_{ij}=f_if_j$
 :then: the surfaces are the same for both
-:method: Row $k$ of the matrix gives coefficient $k$ of $\sum f_iB_i$; the surface is $(x,y,z)$ with $x=\sum f_iB_i(u)$, $y=\sum f_jB_j(v)$,
-  $z=xy$, since the functions have the sum 1.  The printed ones need no sum.  That the coefficients of $\sum f_iB_i$ differ for one
-  of the two is asked.
+:method: Row $k$ of the matrix gives coefficient $k$ of $\sum f_iB_i$; the surface is $(x,y,z)$ with $x=\sum f_iB_i(u)$,
+  $y=\sum f_jB_j(v)$, $z=xy$, since the functions have the sum 1.  The printed ones need no sum.  That the coefficients of
+  $\sum f_iB_i$ differ for one of the two is asked.
 :control: $f_4$ changed
 :::
 */
@@ -616,11 +624,12 @@ the range from $-\frac{21}4$ to 1.
 :::{statement} deng-zhang-2022:sec-6-meaning
 :title: The parameter has a clear geometric meaning
 :zh: β 的几何意义
-:printed: the geometric meaning of $\beta$ is clear: the larger $\beta$ in $-7\le\beta\le1$, the closer the curve to the control
-  polygon
+:printed: the geometric meaning of $\beta$ is clear: the larger $\beta$ in $-7\le\beta\le1$, the closer the curve to the
+  control polygon
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
-:corrected: $\beta$ moves each Bézier point $Q_k$ on its edge $P_{k-1}P_k$, and each point of the curve on a straight line, evenly
+:corrected: $\beta$ moves each Bézier point $Q_k$ on its edge $P_{k-1}P_k$, and each point of the curve on a straight
+  line, evenly
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
 :figure: closer_or_not
 :::
@@ -628,13 +637,14 @@ the range from $-\frac{21}4$ to 1.
 :::{statement} deng-zhang-2022:sec-6-features
 :title: The curve has the features of the Bézier curve of degree seven
 :zh: 具有七次 Bezier 曲线的特征
-:printed: end properties, tangency to the end edges, convex hull, symmetry and variation diminution hold as for the Bézier curve
-  of degree seven, $-7\le\beta\le1$
+:printed: end properties, tangency to the end edges, convex hull, symmetry and variation diminution hold as for the Bézier
+  curve of degree seven, $-7\le\beta\le1$
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
   edge_is_not_tangent_at_minus_seven
 :class: false
-:corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are not 0; at
-  $\beta=-\frac{21}4$ too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is not
+:corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
+  not 0; at $\beta=-\frac{21}4$ too, but variation diminution for crossings, and for common points unless the curve is on
+  the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   reversed_polygon_reverses_the_curve totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes
   roots_are_at_most_sign_changes functions_are_independent_but_for_two_values
@@ -661,9 +671,10 @@ the range from $-\frac{21}4$ to 1.
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
   edge_is_not_tangent_at_minus_seven curve_of_a_triangle_meets_a_line_three_times
 :class: false
-:corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are not 0,
-  convexity in the sense of property 3.7, for polygons convex when closed and not on a line; at $\beta=-\frac{21}4$ too, but variation
-  diminution for crossings, and for common points unless the curve is on the line and the polygon is not
+:corrected: with the corrected functions and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
+  not 0, convexity in the sense of property 3.7, for polygons convex when closed and not on a line; at $\beta=-\frac{21}4$
+  too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is
+  not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   totally_positive_exactly_in_the_range averages_between_neighbours_keep_sign_changes roots_are_at_most_sign_changes
   four_vertices_of_a_convex_polygon_do_not_alternate functions_are_independent_but_for_two_values
@@ -686,8 +697,8 @@ the range from $-\frac{21}4$ to 1.
 :::{statement} deng-zhang-2022:sec-1-unique
 :title: Control points and Bernstein polynomials leave no freedom
 :zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线
-:printed: given the control points and the Bernstein basis the Bézier curve is fixed; to change its shape one has to move control
-  points
+:printed: given the control points and the Bernstein basis the Bézier curve is fixed; to change its shape one has to move
+  control points
 :definition: yes
 :checked-by: decasteljau_evaluates_bezier_curve bernstein_basis_is_independent
 :figure: curves_for_several_beta
@@ -699,10 +710,10 @@ parametrized curves.
 :::{statement} deng-zhang-2022:sec-1-bezier-properties
 :title: The good properties of Bézier curves
 :zh: Bezier 曲线的良好特性
-:printed: the Bernstein polynomials have symmetry and end properties; so Bézier curves have end properties, tangency to the end edges,
-  convex hull, symmetry and variation diminution
-:holds-by: bernstein_is_symmetric bernstein_at_ends end_derivatives_are_end_differences bernstein_sums_to_one bernstein_positive_inside
-  reversed_points_reverse_the_curve roots_are_at_most_sign_changes
+:printed: the Bernstein polynomials have symmetry and end properties; so Bézier curves have end properties, tangency to
+  the end edges, convex hull, symmetry and variation diminution
+:holds-by: bernstein_is_symmetric bernstein_at_ends end_derivatives_are_end_differences bernstein_sums_to_one
+  bernstein_positive_inside reversed_points_reverse_the_curve roots_are_at_most_sign_changes
 :hypothesis: double_end_point_has_no_end_edge | for the tangency: the end edges are not 0
 :figure: end_edges
 
@@ -738,9 +749,10 @@ CLAIM(double_end_point_has_no_end_edge)
 :zh: 权因子可以调整有理 Bezier 曲线的形状
 :printed: rational Bézier curves, with the control points unmoved, have weights, which can adjust the shape of the curve
 :holds-by: growing_weight_pulls_each_point_straight_to_the_vertex
-:hypothesis: weights_in_a_progression_keep_the_shape | the weights are not changed from $w_i$ to $cr^iw_i$, which gives another
-  parametrization of the same curve, $c,r>0$
-:hypothesis: points_on_a_line_keep_their_segment | the points are not all on a line, where the curve can be one segment for many weights
+:hypothesis: weights_in_a_progression_keep_the_shape | the weights are not changed from $w_i$ to $cr^iw_i$, which gives
+  another parametrization of the same curve, $c,r>0$
+:hypothesis: points_on_a_line_keep_their_segment | the points are not all on a line, where the curve can be one segment
+  for many weights
 :figure: geometric_weights
 :::
 
@@ -787,11 +799,11 @@ CLAIM(points_on_a_line_keep_their_segment)
 :data: P = (0,0) (1,2) (2,0); w = 1 2 4
 :instead: w = 1 3 4
 :result: YW-2XW+X² = "0"
-:given: three points and weights in a geometric progression; with equal weights the curve of the points is an arc of the parabola
-  $y=2x-x^2$
+:given: three points and weights in a geometric progression; with equal weights the curve of the points is an arc of the
+  parabola $y=2x-x^2$
 :then: all points of the rational curve are on the same parabola
-:method: With $X,Y,W$ for numerators and denominator: $YW-2XW+X^2$ as a polynomial, which vanishes also for equal weights; that it
-  is not 0 is asked.
+:method: With $X,Y,W$ for numerators and denominator: $YW-2XW+X^2$ as a polynomial, which vanishes also for equal weights;
+  that it is not 0 is asked.
 :control: weights in no progression
 :::
 */
