@@ -167,12 +167,18 @@ static void estimates_with_their_intervals(void **state)
     assert_true(near(w.value, 0.5) && near(w.error, 0.5 * 0.2) && w.origin == 0);
     assert_true(near(w.low, 0.5 * exp(-z * 0.2)) && near(w.high, 0.5 * exp(z * 0.2)));
     assert_true(x.value == 1 && near(x.error, 0.3) && x.origin == 1000);
+    cagd_fit_estimate y = cagd_fit_unknown_estimate(&result, 2);
+    assert_true(y.value == 2 && near(y.error, 0.4) && y.origin == 0);
     assert_true(near(x.low, 1 - z * 0.3) && near(x.high, 1 + z * 0.3));
     cagd_fit_estimate I = cagd_fit_invariant_estimate(&result, 0);
     assert_true(near(I.value, 0.25) && near(I.error, 0.25 * 0.4) && near(I.high, 0.25 * exp(z * 0.4)));
     assert_true(near(I.low, 0.25 * exp(-z * 0.4)));
     assert_true(near(cagd_fit_correlation(&result, 1, 0), 0.01 / (0.2 * 0.3)));
+    assert_true(near(cagd_fit_correlation(&result, 0, 2), 0.02 / (0.2 * 0.4)));
+    assert_true(near(cagd_fit_correlation(&result, 2, 0), 0.02 / (0.2 * 0.4)));
     assert_true(cagd_fit_deviation(&data, &result, 3) == 0.5 && near(cagd_fit_standardised(&data, &result, 3), -4));
+    sigma[3] = 0;
+    assert_true(isnan(cagd_fit_standardised(&data, &result, 3)));
     result.spacing[0] = 0.35, result.spacing[1] = 0.41;
     assert_true(cagd_fit_finest_unknown(&result, &spacing) == 1 && spacing == 0.41);
     result.spacing[0] = 0.29, result.spacing[1] = 0.39;
