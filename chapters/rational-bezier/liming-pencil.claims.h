@@ -182,7 +182,7 @@ The factor $(1-\lambda)l_2(R_0)$ also shows when nothing is touched: for $\lambd
 :given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and the last $\lambda$ of the pencil
 :then: the gradient at $R_0$ is zero, so the conic has no tangent there
 :method: The gradient is computed.
-:control: the $\lambda$ in the middle
+:control: a $\lambda$ between 0 and 1
 :::
 */
 CLAIM(double_line_has_no_tangent) { G(refute_tangent)(T); }
@@ -195,7 +195,7 @@ CLAIM(double_line_has_no_tangent) { G(refute_tangent)(T); }
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 -1 0; R_0 = (0,0); λ = 1/2
 :instead: l_3 = 1 1 -1; R_0 = (1,0)
 :result: gradient at R_0 = (0,0)
-:given: the axes $l_1$ and $l_2$, a line $l_3$ through the origin $R_0=R_2$, and the $\lambda$ in the middle
+:given: the axes $l_1$ and $l_2$, a line $l_3$ through the origin $R_0=R_2$, and a $\lambda$ between 0 and 1
 :then: the gradient at $R_0$ is zero (the conic $x^2-xy+y^2=0$ is this one point)
 :method: The gradient is computed.
 :control: a line $l_3$ that meets the axes in two points
@@ -408,8 +408,8 @@ CLAIM(every_scaling_takes_the_normal_form)
 :data: l_1 = 0 2 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; λ of (3.1.4) with +, with - = 1/2 1/2
 :instead: λ of (3.1.4) with +, with - = 1/3 -1
 :result: A : B of (3.1.3) = 1/2; A : B of (3.1.4) with +, with - = 2/3 2
-:given: the three lines, the equation of $l_1$ taken twice, and the same $\lambda$ for (3.1.3) and for (3.1.4) with either
-  sign
+:given: the three lines, the equation of $l_1$ multiplied by a factor, and the same $\lambda$ for (3.1.3) and for (3.1.4)
+  with either sign
 :then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is no multiple of (3.1.4)
 :method: The coefficients of $x^2$ and $2xy$ of both conics are compared as a ratio.
 :control: the $\lambda'$ of `every_scaling_takes_the_normal_form`

@@ -63,7 +63,7 @@ CLAIM(signed_ratios_give_the_point)
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
 :result: (g_1, g_2) = (2,2); x as printed = 1/3
-:given: the $\lambda$ in the middle, and a point $R=(x,y)$ of the curve outside the triangle, with its ratios of lengths
+:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve outside the triangle, with its ratios of lengths
   $(g_1,g_2)$
 :then: the printed $x$ is not that of the point
 :method: The tangent is intersected with the sides, and the lengths are taken along these.

@@ -94,6 +94,7 @@ static struct member_at_point given_member(trial *T, int sign)
     return m;
 }
 
+/* The value and the gradient of the conic at the point are results. */
 static void found_gradient(trial *T, struct member_at_point m)
 {
     found(T, "S(R)", m.value);
@@ -108,7 +109,7 @@ static void found_gradient(trial *T, struct member_at_point m)
 :data: λ = 1/2; R = (4/3,1/3)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; gradient at R = (-1/2,0)
-:given: the $\lambda$ in the middle, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
 :then: $S_y=0$, so the printed quotient does not exist
 :method: The value and the gradient of $S$ at $R$ are computed.
 :control: a point of the curve inside the triangle
@@ -198,7 +199,7 @@ tangent may be parallel to the side.  And at the ends of the curve the tangent i
 :kind: counterexample
 :data: λ = 1/2; R = (-1,1)
 :result: S(R) = 0; X_A from the tangent = 2; X_A as printed = 2/3
-:given: the plus sign, the $\lambda$ in the middle, and a point $R$ of the curve
+:given: the plus sign, a $\lambda$ between 0 and 1, and a point $R$ of the curve
 :then: the tangent at $R$ meets the first side elsewhere than the printed quotient says
 :method: The tangent is intersected with $Y=0$.
 :control: $+2\lambda(x+y-1)$ for $-2\lambda(x+y-1)$ in numerator and denominator
@@ -225,7 +226,7 @@ CLAIM(plus_sign_moves_the_cut)
 :data: λ = 1/2; R = (1/3,4/3)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; gradient at R = (0,-1/2); denominator of X_A = 0
-:given: the $\lambda$ in the middle, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
 :then: $S_x=0$ and $(1-\lambda)y-2\lambda(x+y-1)=0$: there is no point $A$
 :method: The value and the gradient of $S$ at $R$ are computed.
 :control: a point of the curve inside the triangle
@@ -251,7 +252,7 @@ CLAIM(tangent_parallel_to_the_first_side)
 :data: λ = 1/2; R = (1,0)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; gradient at R = (0,1/2); numerator of g_1 = 0; denominator of g_1 = 0
-:given: the $\lambda$ in the middle, and the point $R=R_0$ of every curve of (3.1.4)
+:given: a $\lambda$ between 0 and 1, and the point $R=R_0$ of every curve of (3.1.4)
 :then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself,
   without a point $A$; at $R_2$ it is $g_2$
 :method: The value and the gradient of $S$ at $R$, and both numbers.
@@ -349,7 +350,7 @@ With their signs the ratios do tell all points apart, by `signed_ratios_give_the
 :kind: counterexample
 :data: λ = 1/2; P = (1/3,1/3); Q = (1,1)
 :result: (g_1, g_2) at P = (2,2); (g_1, g_2) at Q = (2,2)
-:given: the $\lambda$ in the middle, and two points of the curve, $P$ inside the triangle and $Q$ outside
+:given: a $\lambda$ between 0 and 1, and two points of the curve, $P$ inside the triangle and $Q$ outside
 :then: both have the same ratios of lengths
 :method: The tangents are intersected with the sides, and the lengths are taken along the sides.
 :control: the ratios with their signs, which are positive at $P$ and negative at $Q$
@@ -451,7 +452,7 @@ static num printed_ratio(struct member_at_point m, int factor)
 :data: λ = 1/2; R = (1,1)
 :instead: R = (1/3,1/3)
 :result: S(R) = 0; ‖R_1A‖/‖R_0A‖ = 2; g_1 as printed = -2
-:given: the $\lambda$ in the middle, and a point $R$ of the curve outside the triangle
+:given: a $\lambda$ between 0 and 1, and a point $R$ of the curve outside the triangle
 :then: the ratio $\|R_1A\|/\|R_0A\|$ is the printed quotient without its sign
 :method: The tangent is intersected with the side, and the lengths are taken along it.
 :control: a point of the curve inside the triangle
@@ -477,7 +478,7 @@ CLAIM(outside_the_triangle_lengths_lose_the_sign)
 :kind: counterexample
 :data: λ = 1/2; R = (-1,1)
 :result: S(R) = 0; X_A/(1-X_A) = -2; g_1 as printed = 2
-:given: the plus sign, the $\lambda$ in the middle, and a point $R$ of the curve
+:given: the plus sign, a $\lambda$ between 0 and 1, and a point $R$ of the curve
 :then: $\frac{X_A}{1-X_A}$ is the negative of the printed quotient
 :method: The tangent is intersected with the side.
 :control: $+2\lambda(x+y-1)$ in place of $-2\lambda(x+y-1)$
@@ -605,7 +606,7 @@ printed number.
 :given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
 :then: $g_1g_2=\frac{4\lambda}{1-\lambda}$ is negative
 :method: The tangent at $R$ is intersected with the sides.
-:control: the $\lambda$ in the middle, and a point of its curve inside the triangle
+:control: a $\lambda$ between 0 and 1, and a point of its curve inside the triangle
 :::
 */
 CLAIM(product_of_ratios_can_be_negative)
@@ -634,7 +635,7 @@ CLAIM(product_of_ratios_can_be_negative)
 :given: the minus sign, a $\lambda$ greater than 1, whose curve is a hyperbola, and a point $R$ of it
 :then: the product of the ratios of lengths is positive, and the printed product is its negative
 :method: The tangent at $R$ is intersected with the sides, and the lengths are taken along these.
-:control: the $\lambda$ in the middle, and a point of its curve inside the triangle
+:control: a $\lambda$ between 0 and 1, and a point of its curve inside the triangle
 :::
 */
 CLAIM(product_of_lengths_is_not_printed)
