@@ -133,6 +133,7 @@ CLAIM(circle_has_an_upright_tangent)
     found_points(T, "R'(0)", 1, plane, D + plane);
     about(T, "R'(0)");
     vanishes(T, D[plane]);
+    same(T, D[plane + 1], from_int(2));
 }
 
 /*
