@@ -1,32 +1,27 @@
-/* circle.h -- the worked example, in rationals: a quarter of the circle of radius 65 with eight pairs of points.
+/* circle.h -- the worked example, in rationals: a quarter of a circle about the origin with eight pairs of points.
  *
- * The conic over (65,0), (65,65), (0,65) with weights 1, 1, 2 is (x, y) = 65 (1-t^2, 2t)/(1+t^2), hence t = y/(65+x) on it.  The pairs
- * lie at integer points of the circle, nearer to the centre and farther from it by the factor 1 -+ 1/16. */
+ * The conic over (r,0), (r,r), (0,r) with weights 1, 1, 2 is (x, y) = r (1-t^2, 2t)/(1+t^2), hence t = y/(r+x) on it.  The pairs
+ * lie at rational points of the circle, nearer to the centre and farther from it by a share of the radius. */
 #include "exact/kernels_q.h"
 
 enum { PAIRS = 8, UNKNOWNS = 3 }; /* lambda_1, x_1, y_1 */
 
 struct circle_example {
-    num_q R[6], w[3], Q[4 * PAIRS]; /* points 2k and 2k+1 are a pair                          */
-    num_q t[2 * PAIRS];             /* their feet                                             */
+    num_q R[6], w[3], place[2 * PAIRS], share; /* points and weights; the points of the circle        */
+    num_q Q[4 * PAIRS];                        /* points 2k and 2k+1 are a pair                       */
+    num_q t[2 * PAIRS];                        /* their feet                                          */
 };
 
-static struct circle_example circle_of_pairs(void)
+/* The pairs and their feet from R, w, place and share. */
+static void put_pairs(struct circle_example *E)
 {
-    static const int place[PAIRS][2] = {{63, 16}, {60, 25}, {56, 33}, {52, 39}, {39, 52}, {33, 56}, {25, 60}, {16, 63}};
-    static const int point[] = {65, 0, 65, 65, 0, 65}, weight[] = {1, 1, 2};
-    struct circle_example E;
-    for (int m = 0; m < 6; m++)
-        E.R[m] = from_int_q(point[m]);
-    for (int m = 0; m < 3; m++)
-        E.w[m] = from_int_q(weight[m]);
+    num_q one = from_int_q(1), radius = E->R[0];
     for (int i = 0; i < 2 * PAIRS; i++) {
-        const int *at = place[i / 2];
+        const num_q *at = E->place + i / 2 * 2;
         for (int c = 0; c < 2; c++)
-            E.Q[2 * i + c] = from_ratio_q(at[c] * (i % 2 == 0 ? 15 : 17), 16);
-        E.t[i] = from_ratio_q(at[1], 65 + at[0]);
+            E->Q[2 * i + c] = mul_q(at[c], i % 2 == 0 ? sub_q(one, E->share) : add_q(one, E->share));
+        E->t[i] = div_q(at[1], add_q(radius, at[0]));
     }
-    return E;
 }
 
 /* What the curve is at a parameter: C, C', C'' and the derivatives by lambda_1, x_1, y_1, and those of C'. */

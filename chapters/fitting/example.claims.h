@@ -1,15 +1,27 @@
 /*
 # An exact example (一个精确的例子)
 
-On the circle of radius 65 there are many integer points: $(63,16)$, $(60,25)$, $(56,33)$, $(52,39)$ and their mirror images.  The quarter of the
-circle is the conic over $(65,0),(65,65),(0,65)$ with weights $1,1,2$, and these points have rational parameters $t=\frac y{65+x}$.  Now measure each of them
-twice, once too near to the centre and once too far from it, by the factor $1\mp\frac1{16}$: sixteen points with rational feet, whose residuals cancel.  Everything that
-a program computes with them can be compared with fractions.
+On the circle of radius 65 there are many points with integer coordinates, because 65 is the product of two primes that are sums of squares.  A quarter of
+the circle about the origin is a conic with weights $1,1,2$, and the points on it have rational parameters $t=\frac y{65+x}$.  Now measure eight of them twice,
+once too near to the centre and once too far from it, by the same share of the radius: sixteen points with rational feet, whose residuals cancel.
+Everything that a program computes with them can be compared with fractions.
 */
 #include "chapters/judge/claims_on.h"
 
 #if RATIONAL
 #include "chapters/fitting/circle.h"
+
+/* The example from the data of the claim. */
+static struct circle_example given_circle(trial *T)
+{
+    struct circle_example E;
+    given_points(T, "R", 3, 2, E.R);
+    given_points(T, "ω", 3, 1, E.w);
+    given_points(T, "places", PAIRS, 2, E.place);
+    E.share = given(T, "share");
+    put_pairs(&E);
+    return E;
+}
 
 /*
 Two points of a pair have the same foot and opposite residuals: so they pull on the curve with opposite forces at one place, and the circle is in
@@ -19,11 +31,13 @@ equilibrium.  That it is a minimum and not a saddle is decided by the signs of t
 :title: The circle between the pairs is a strict local minimum, exactly
 :zh: 成对点的最小二乘解恰为该圆
 :kind: decision
+:data: R = (65,0) (65,65) (0,65); ω = 1 1 2; places = (63,16) (60,25) (56,33) (52,39) (39,52) (33,56) (25,60) (16,63); share = 1/16
 :data: factor = 1
 :instead: factor = 18/17
 :result: F = 4225/32
 :result: Hessian = (1486336/1625,47972816/1795625,47972816/1795625) (47972816/1795625,186104/215475,83712176/116715625) (47972816/1795625,83712176/116715625,186104/215475)
-:given: the sixteen points; unknowns $\lambda_1$, $x_1$, $y_1$, the ends given
+:given: the quarter circle with points $R$ and weights $\omega$, at each of the places a pair of points, nearer to the centre and farther from it by
+  the share; unknowns $\lambda_1$, $x_1$, $y_1$, the ends given
 :then: at the circle $D_i\cdot C'=0$ and $\varphi'>0$ for all $i$, the gradient of $F$ is $0$, and its Hessian, $A-B\Delta^{-1}B^T$, is positive definite
 :method: Everything in rationals: the feet, the sums of the gradient, and the three leading minors of the Hessian, which are positive.
 :control: the last point is moved away from the centre by the factor that is given
@@ -31,7 +45,7 @@ equilibrium.  That it is a minimum and not a saddle is decided by the signs of t
 */
 CLAIM(pairs_about_a_circle_have_the_circle_as_minimum)
 {
-    struct circle_example E = circle_of_pairs();
+    struct circle_example E = given_circle(T);
     num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS], F = from_int(0);
     num factor = given(T, "factor");
     for (int c = 0; c < 2; c++)
@@ -68,10 +82,11 @@ system is left.  That answers another question.
 :title: Least squares at given parameters find another curve
 :zh: 给定参数的最小二乘不得同一曲线
 :kind: counterexample
+:data: R = (65,0) (65,65) (0,65); ω = 1 1 2; places = (63,16) (60,25) (56,33) (52,39) (39,52) (33,56) (25,60) (16,63); share = 1/16
 :data: t = 1/9 2/9 3/9 4/9 5/9 6/9 7/9 8/9
 :instead: t = 1/8 1/5 3/11 1/3 1/2 4/7 2/3 7/9
 :result: gradient = -5146773339403023908/10798334083391089 -1344638920422391068/53991670416955445 13981847292735113308/701891715420420785
-:given: the sixteen points, and for each of the pairs one parameter $t$ in the place of its feet, in equal steps
+:given: the points of `pairs_about_a_circle_have_the_circle_as_minimum`, and for each of the pairs one parameter $t$ in the place of its feet, in equal steps
 :then: the circle, which goes through the middle of every pair, is not stationary for $\sum_i|Q_i-C(t_i)|^2$
 :method: The gradient by $\lambda_1$, $x_1$, $y_1$, exactly; that it is 0 is refuted.
 :control: the parameters of the feet
@@ -79,7 +94,7 @@ system is left.  That answers another question.
 */
 CLAIM(given_parameters_find_the_same_curve)
 {
-    struct circle_example E = circle_of_pairs();
+    struct circle_example E = given_circle(T);
     num t[PAIRS], gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], gauss[UNKNOWNS * UNKNOWNS];
     given_points(T, "t", PAIRS, 1, t);
     for (int i = 0; i < 2 * PAIRS; i++)
@@ -99,9 +114,10 @@ made up for by moving the point, and the weight becomes much less certain.
 :title: The weight is known less when its point is free
 :zh: 控制顶点自由时权的不确定度增大
 :kind: decision
+:data: R = (65,0) (65,65) (0,65); ω = 1 1 2; places = (63,16) (60,25) (56,33) (52,39) (39,52) (33,56) (25,60) (16,63); share = 1/16
 :data: times = 69
 :result: variance, the point free = 594737/8028288; variance, the point given = 325/303744
-:given: the sixteen points and $J^TJ$, $J$ the derivatives across the curve; $K=(J^TJ)^{-1}$
+:given: the points of `pairs_about_a_circle_have_the_circle_as_minimum` and $J^TJ$, $J$ the derivatives across the curve; $K=(J^TJ)^{-1}$
 :then: $K\,J^TJ=1$; the variance of $\lambda_1$, in units of that of a residual, is $K_{11}$ when the point $P_1$ is free as well, $1/(J^TJ)_{11}$ when it is
   given, and the first is more than so many times the second as is given
 :method: Rationals; on the circle $|C'|$ cancels in $J^TJ$.  The error of $\log I_1=2\lambda_1-\log2$ is twice that of $\lambda_1$.
@@ -110,7 +126,7 @@ made up for by moving the point, and the weight becomes much less certain.
 */
 CLAIM(free_point_makes_its_weight_less_known)
 {
-    struct circle_example E = circle_of_pairs();
+    struct circle_example E = given_circle(T);
     num gradient[UNKNOWNS], H[UNKNOWNS * UNKNOWNS], A[UNKNOWNS * UNKNOWNS], K[UNKNOWNS * UNKNOWNS];
     num times = given(T, "times");
     derivatives_of_circle(&E, gradient, H, A);

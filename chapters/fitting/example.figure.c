@@ -1,6 +1,20 @@
 #include "chapters/fitting/circle.h"
 #include "chapters/judge/figure.h"
+#include "chapters/judge/figure_data.h"
 #include "figures/words.h"
+
+/* The example as its claim has it. */
+static struct circle_example circle_of_pairs(void)
+{
+    static const char owner[] = "pairs_about_a_circle_have_the_circle_as_minimum";
+    struct circle_example E;
+    data_of(owner, "R", 3, 2, E.R);
+    data_of(owner, "ω", 3, 1, E.w);
+    data_of(owner, "places", PAIRS, 2, E.place);
+    data_of(owner, "share", 1, 1, &E.share);
+    put_pairs(&E);
+    return E;
+}
 
 static void put_circle(svg *s, const struct circle_example *E)
 {
@@ -9,13 +23,13 @@ static void put_circle(svg *s, const struct circle_example *E)
 }
 
 /* The measured points, each joined to the point of the curve at its parameter. */
-static void put_points(svg *s, const struct circle_example *E, enum svg_role role)
+static void put_points(svg *s, const struct circle_example *E, enum svg_role colour)
 {
     for (int i = 0; i < 2 * PAIRS; i++) {
         num_q C[2];
         rational_point_q(2, 2, E->R, E->w, E->t[i], C);
         svg_segment(s, svg_pair(E->Q + 2 * i), svg_pair(C), role);
-        svg_mark(s, svg_pair(C), role, SVG_DISC);
+        svg_mark(s, svg_pair(C), colour, SVG_DISC);
     }
     for (int i = 0; i < 2 * PAIRS; i++)
         svg_mark(s, svg_pair(E->Q + 2 * i), SVG_POINT, SVG_RING);
@@ -33,8 +47,10 @@ FIGURE(feet_and_parameters)
     svg_panel(s, window, 370, 0, "feet: the residuals of a pair cancel,\nthe circle is the minimum");
     put_circle(s, &E);
     put_points(s, &E, SVG_RIGHT);
+    num_q t[PAIRS];
+    data_of("given_parameters_find_the_same_curve", "t", PAIRS, 1, t);
     for (int i = 0; i < 2 * PAIRS; i++)
-        E.t[i] = r(i / 2 + 1, PAIRS + 1);
+        E.t[i] = t[i / 2];
     svg_panel(s, window, 370, 0,
               "parameters $1/9, ..., 8/9$: the residuals point along\nthe circle, and pull it elsewhere");
     put_circle(s, &E);
