@@ -28,7 +28,7 @@ static void put_points(svg *s, const struct circle_example *E, enum svg_role col
     for (int i = 0; i < 2 * PAIRS; i++) {
         num_q C[2];
         rational_point_q(2, 2, E->R, E->w, E->t[i], C);
-        svg_segment(s, svg_pair(E->Q + 2 * i), svg_pair(C), role);
+        svg_segment(s, svg_pair(E->Q + 2 * i), svg_pair(C), colour);
         svg_mark(s, svg_pair(C), colour, SVG_DISC);
     }
     for (int i = 0; i < 2 * PAIRS; i++)
