@@ -31,6 +31,13 @@ static inline spline spline_of(int n, int p, const int knot[], long knot_unit, c
     return s;
 }
 
+/* The window with the corners (x0, y0) and (x1, y1), in units of 1/scale. */
+static inline svg_window scaled_window(long x0, long y0, long x1, long y1, long scale)
+{
+    return (svg_window){from_ratio_q(x0, scale), from_ratio_q(y0, scale), from_ratio_q(x1, scale),
+                        from_ratio_q(y1, scale)};
+}
+
 /* The segment of a span over its own interval, as a rational Bézier curve. */
 static inline void draw_segment(svg *s, spline c, int mu, enum svg_role role)
 {

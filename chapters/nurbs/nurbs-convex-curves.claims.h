@@ -1,0 +1,418 @@
+/*
+# A convex polygon has a convex curve (曲线的保凸性)
+
+The source lets the polygons converge.  There is a way without a limit: if three parameters are inserted until the points of the curve
+there are vertices, the formula for the triangles holds for any three points of the curve.  The steps that the source takes are decided
+all the same, since each says more than is printed with it.
+*/
+#include "chapters/nurbs/convexity.h"
+
+#include <stdio.h>
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} wang-ch4:thm-4.2.1
+:title: A convex polygon has a convex NURBS curve
+:zh: NURBS 曲线的保凸性
+:printed: if the control polygon $\Gamma_k^{(T)}(\Phi)$ is a plane convex curve, then the plane NURBS curve that belongs to it is a
+  convex curve
+:holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
+  inserted_parameters_become_vertices insertion_ratios_are_between_zero_and_one
+:hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through part of the boundary of a convex set once
+:hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more; else the curve is
+  not continuous
+:needs: mixed_weights_bend_both_ways | positive weights
+:figure: convex_polygon_convex_spline
+
+For three parameters insert each until its multiplicity is $k-1$: the three points of the curve are vertices, so by the
+formula above they turn as the polygon does.  If all turns are $0$ the curve is on a line, and so is the polygon, as the
+B-splines of the domain are linearly independent; it goes straight on, and so does the curve, since no line across is
+crossed more often.
+The converse is false: the curve may be convex alone (`curve_may_be_convex_alone`).  For a periodic curve the closed polygon of one period must be convex; written as
+an ordinary curve it repeats $k-1$ vertices and does not run through once, but its insertions cut the corners of the closed
+polygon (`periodic_curves_of_convex_polygons_are_convex`).
+:::
+
+:::{claim} inserted_parameters_become_vertices
+:title: Points of the curve become vertices
+:zh: 曲线上的点成为顶点
+:given: orders $k=2,\dots,6$, ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k-1$; two parameters $t'_1<t'_2$, each
+  inserted $k-1$ times: both in one interval, in different ones, at the inner knot, at the right end
+:then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$
+:method: The printed insertions and the curve by its definition, knots, parameters and points variables; a coordinate of the
+  homogeneous points is any coordinate.  Later parameters leave the vertices of the earlier ones alone, so more than two are
+  treated by repetition.  For every $k$: the vertex belongs to $k-1$ knots that are all $t'$, so it is the polar form of the curve
+  at $t',\dots,t'$.
+:degrees: 2..6 sampled 6
+:scope: n stands for the order k
+:control: the second vertex counted one too low
+:::
+*/
+CLAIM(inserted_parameters_become_vertices)
+{
+    int k = T->degree;
+    char pattern[MOST_KNOTS];
+    for (int m = 1; m < k; m++) {
+        snprintf(pattern, sizeof pattern, "%d%d%d", k, m, k);
+        for (int first = 1; first <= 3; first++)
+            for (int second = first; second <= 4; second++) {
+                struct G(knots) K = G(pattern)(T, pattern), V;
+                if (first == second && first % 2 == 0)
+                    continue;
+                int n = K.count - k, place[2] = {2 * first, 2 * second + (first == second)};
+                num tau[2], c[MOST_POINTS], w[MOST_POINTS], d[MOST_POINTS], z[MOST_POINTS];
+                struct G(knots) old = K;
+                tau[0] = G(number_at)(T, &K, place[0], "tau");
+                tau[1] = G(number_at)(T, &K, place[1], "sigma");
+                for (int i = 1; i <= n; i++)
+                    d[i] = c[i] = unknown(T, "c", i);
+                int size = n;
+                for (int j = 0; j < 2; j++)
+                    for (int times = 1; times < k; times++, size++) {
+                        num e[MOST_POINTS];
+                        for (int i = 1; i <= size; i++)
+                            e[i] = d[i];
+                        G(equal_weights)(size, w);
+                        G(insert_at)(size, k, 1, &K, place[j], tau[j], e, w, &V, d, z);
+                        K = V;
+                    }
+                for (int j = 0; j < 2; j++) { /* the interval on the left of the parameter, or around it */
+                    int mu = G(left_of)(&old, place[j]), interval = old.place[mu];
+                    same(T, d[mu + j * fault(T, k - 1, k - 2)],
+                         G(spline_value)(n, k - 1, 1, old.t + 1, old.place + 1, c + 1, 0, interval, tau[j]));
+                }
+            }
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} curve_of_a_polygon_that_turns_back_is_not_convex
+:title: The curve of a polygon that turns back is not convex
+:zh: 往返多边形的曲线非凸
+:kind: counterexample
+:given: a quadratic curve of the points $r$ and weights $w$ over the knots $T$, three parameters $t$ and one more, $\tau$
+:data: T = 0 0 0 1 2 2 2; r = (0,0) (1,0) (0,0) (0,1); w = 1 1 1 1; t = 0 2/3 2; τ = 3/2
+:instead: r = (0,0) (1,0) (1,1) (0,1)
+:then: $r(\tau)$ is strictly inside the triangle of the three points $r(t)$: the curve is not part of the
+  boundary of any convex set
+:result: r(t) = (0,0) (2/3,0) (0,1); r(τ) = (1/8,1/4)
+:method: The points by the kernel; three turns decide.
+:control: the points of a square
+:::
+*/
+CLAIM(curve_of_a_polygon_that_turns_back_is_not_convex)
+{
+    num t[8], r[10], w[5], at[4], P[4][2];
+    given_curve(T, 4, 3, t, r, w);
+    given_points(T, "t", 3, 1, at);
+    at[3] = given(T, "τ");
+    for (int m = 0; m < 4; m++)
+        G(nurbs_point)(2, 2, t + 1, span_of(4, 3, t, at[m]), r + 2, w + 1, at[m], P[m]);
+    found_points(T, "r(t)", 3, 2, P[0]);
+    found_points(T, "r(τ)", 1, 2, P[3]);
+    int inner = 1;
+    for (int i = 0; i < 3; i++)
+        inner &= turn_2d(P[i], P[(i + 1) % 3], P[3]) > 0;
+    about(T, "r(τ) is not inside the triangle of three other points of the curve");
+    refute(T, inner);
+}
+
+/*
+:::{claim} knot_of_full_multiplicity_tears_the_curve
+:title: A knot of multiplicity k makes the curve discontinuous
+:zh: k 重节点使曲线间断
+:kind: counterexample
+:given: a linear curve of the points $r$, a square, and weights $w$ over the knots $T$, and its twofold inner knot $t$
+:data: T = 0 0 1 1 2 2; r = (0,0) (1,0) (1,1) (0,1); w = 1 1 1 1; t = 1
+:instead: T = 0 0 1 3/2 2 2
+:then: the curve is two opposite sides: $r(t-)$ from the left and $r(t+)$ from the right are different points
+:result: r(t-) = (1,0); r(t+) = (1,1)
+:method: Both limits by the kernel.
+:control: the second of the two equal knots moved to the right
+:::
+*/
+CLAIM(knot_of_full_multiplicity_tears_the_curve)
+{
+    num t[7], r[10], w[5], left[2], right[2];
+    given_curve(T, 4, 2, t, r, w);
+    num knot = given(T, "t");
+    G(nurbs_point)(1, 2, t + 1, place_of(6, t, knot) - 1, r + 2, w + 1, knot, left);
+    G(nurbs_point)(1, 2, t + 1, span_of(4, 2, t, knot), r + 2, w + 1, knot, right);
+    found_points(T, "r(t-)", 1, 2, left);
+    found_points(T, "r(t+)", 1, 2, right);
+    about(T, "the polygon being convex, the curve is continuous at t");
+    refute(T, polygon_is_convex(3, r + 2, 1, NULL) && (!equal_q(left[0], right[0]) || !equal_q(left[1], right[1])));
+}
+
+/* det(P, P', P'') on the interval that begins with knot mu, which is not empty; u and R from 0. */
+static poly turning_of_span(int p, const num_q u[], int mu, const num_q R[], const num_q w[], poly *weight)
+{
+    num_q H[MOST_COORDINATES], b[MOST_COORDINATES], one[MAX_DEGREE + 1];
+    nurbs_homogenize_q(p, 2, mu, R, w, H + 3 * (mu - p));
+    bspline_to_bezier_q(p, 3, u, mu, H, b);
+    poly P[3][3], sum = poly_constant(from_int_q(0));
+    for (int c = 0; c < 3; c++) {
+        for (int i = 0; i <= p; i++)
+            one[i] = b[3 * i + c];
+        P[0][c] = poly_from_bernstein(p, one);
+        P[1][c] = poly_derivative(P[0][c]);
+        P[2][c] = poly_derivative(P[1][c]);
+    }
+    for (int c = 0; c < 3; c++) {
+        int i = (c + 1) % 3, j = (c + 2) % 3;
+        poly minor = poly_sub(poly_mul(P[1][i], P[2][j]), poly_mul(P[1][j], P[2][i]));
+        sum = poly_add(sum, poly_mul(P[0][c], minor));
+    }
+    if (weight != NULL)
+        *weight = P[0][2];
+    return sum;
+}
+static enum cagd_sign_pattern sign_of_span(poly p) { return sign_on(p, from_int_q(0), from_int_q(1), CLOSED); }
+
+/*
+:::{claim} mixed_weights_bend_both_ways
+:title: With weights of both signs the spline of a convex polygon bends both ways
+:zh: 权因子变号时曲线有拐点
+:kind: counterexample
+:given: a cubic curve of two segments, of the convex points $r$ and weights $w$ of both signs, over the knots $T$
+:data: T = 0 0 0 0 1 2 2 2 2; r = (0,0) (2,0) (3,2) (1,4) (0,3); w = 8 -1 8 8 8
+:instead: w = 8 1 8 8 8
+:then: $w(t)>0$ on the domain, and $\det(P,P',P'')$ takes both signs on the first segment
+:result: det(P,P',P'') on [0,1] = "-12960*t^3 + 12096*t^2 + 2304*t - 2304"
+:method: The polynomials of the interval; their signs by counting roots.
+:control: all weights positive
+:::
+*/
+CLAIM(mixed_weights_bend_both_ways)
+{
+    num t[10], r[12], w[6];
+    poly weight[2];
+    given_curve(T, 5, 4, t, r, w);
+    poly turn = turning_of_span(3, t + 1, 3, r + 2, w + 1, &weight[0]);
+    (void)turning_of_span(3, t + 1, 4, r + 2, w + 1, &weight[1]);
+    int stated = polygon_is_convex(4, r + 2, 1, NULL);
+    stated &= sign_of_span(weight[0]) == SIGN_POSITIVE && sign_of_span(weight[1]) == SIGN_POSITIVE;
+    found_text(T, "det(P,P',P'') on [0,1]", poly_to_string(turn, "t"));
+    about(T, "w(t) being positive and the polygon convex, the curve turns to one side on the first segment");
+    refute(T, stated && sign_of_span(turn) == SIGN_MIXED);
+}
+
+/*
+:::{statement} wang-ch4:thm-4.2.1-step-intersection
+:title: The hulls of a growing sequence of knots
+:zh: 凸包之交
+:printed: A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
+  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
+:needs: hulls_of_unrelated_knots_are_not_nested | the sets of knots increase
+:figure: hulls_of_knot_sets
+
+In a decreasing sequence of sets the intersection of the first $m$ is the last.
+:::
+
+:::{statement} wang-ch4:thm-4.2.1-step-nested
+:title: The sets of knots in the intersection
+:zh: T_i 应为 T'_i
+:printed: $T_{i+1}\supseteq T_i$, where the $A(\Gamma_k^{(T)}(T_i))$ are plane convex closed sets, $i=1,2,\dots,m$
+:class: misprint
+:refuted-by: hulls_of_unrelated_knots_are_not_nested
+:corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$
+:corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:figure: hulls_of_knot_sets
+
+$T_1$ and $T_2$ are in theorem 4.1.1 the two parts of one set of knots, and need not contain one another; the sequence of
+corollary 4.1.1 is that of the $T'_m$.
+:::
+
+:::{statement} wang-ch4:thm-4.2.1-step-limit
+:title: The limit of the hulls is closed and convex
+:zh: 凸包的极限
+:printed: A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))
+:holds-by: inserted_polygons_stay_convex inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one
+:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
+  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
+:needs: hulls_of_unrelated_knots_are_not_nested | the sets of knots increase
+:figure: hulls_of_knot_sets
+
+What is decided is that the sets decrease.  The limit of a decreasing sequence of compact sets is their intersection, and
+an intersection of closed convex sets is closed and convex.
+:::
+
+:::{claim} hulls_of_unrelated_knots_are_not_nested
+:title: The hulls of sets of knots that are not nested are not nested
+:zh: 无包含关系的节点集
+:kind: counterexample
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$; $T_1=\{\tau_1\}$, $T_2=\{\tau_2\}$
+:data: T = 0 0 0 1 1 1; r = (0,0) (4,0) (0,4); w = 1 1 1; τ = 1/4 3/4
+:then: the second vertex of $\Gamma(T_2)$ is not in $A(\Gamma(T_1))$
+:result: Γ(T_1) = (0,0) (1,0) (3,1) (0,4); Γ(T_2) = (0,0) (3,0) (1,3) (0,4)
+:method: The printed formulas; the hull by `exact/decide/hull.h`, with a separating line.
+:control: $T_2=\{\tau_1,\tau_2\}$
+:::
+*/
+CLAIM(hulls_of_unrelated_knots_are_not_nested)
+{
+    num t[9], r[8], w[5], tau[2], v[2][9], S[2][12], z[2][6];
+    given_curve(T, 3, 3, t, r, w);
+    given_points(T, "τ", 2, 1, tau);
+    G(printed_insertion)(3, 3, 2, t, 3, tau[0], r, w, v[0], S[0], z[0]);
+    int count = fault(T, 5, 4);
+    if (T->faulty)
+        G(printed_insertion)(3, 3, 2, t, 3, tau[1], r, w, v[1], S[1], z[1]);
+    else /* both knots */
+        G(printed_insertion)(4, 3, 2, v[0], 4, tau[1], S[0], z[0], v[1], S[1], z[1]);
+    found_points(T, "Γ(T_1)", 4, 2, S[0] + 2);
+    found_points(T, "Γ(T_2)", count, 2, S[1] + 2);
+    about(T, "the hull of the second polygon is part of that of the first");
+    for (int i = 1; i <= count; i++)
+        agree(T, hull_membership(2, 4, S[0] + 2, S[1] + 2 * i).inside);
+}
+
+/*
+:::{statement} wang-ch4:thm-4.2.1-step-boundary
+:title: The curve is on the boundary of the limit
+:zh: 极限曲线位于极限凸集的边界
+:printed: by (4.1.10), $A$ is the smallest closed convex set $A(\boldsymbol r_k(t))$ with $\boldsymbol r_k(t)$ as boundary or part of the
+  boundary, so $\boldsymbol r_k(t)$ is convex
+:holds-by: convex_polygons_lie_on_the_border_of_their_hull convex_polygons_have_splines_of_one_turn
+:hypothesis: knot_of_full_multiplicity_tears_the_curve | no inner knot has multiplicity $k$; else the polygons converge to the curve
+  together with the segment over which it jumps
+:reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
+:reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
+:figure: where_hypotheses_are_needed
+
+The reason is not given.  It is this: let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
+$A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
+$A$, the limit of the hulls, is the hull of the limit.  That the curve runs there once is another matter: convex polygons can
+flatten to a segment that is run through twice.  A NURBS curve on a line has its polygon on that line, which settles it.
+:::
+
+:::{claim} convex_polygons_have_splines_of_one_turn
+:title: NURBS curves of convex polygons never turn to the other side
+:zh: 设计算例曲线的转向
+:kind: decision
+:given: the curves of `inserted_polygons_stay_convex`
+:then: $\det(P,P',P'')\ge0$ on every interval of knots, and any three of thirteen points of the curve, equally spaced in the
+  parameter, turn left in their order or are on one line
+:method: The homogeneous Bézier points of each interval; the sign of the polynomial by counting its roots.  The points by the
+  kernel, the areas exactly.
+:degrees: 2..4
+:scope: n stands for the order k; the stated curves
+:control: the third point thrown across the line of the first two
+:::
+*/
+CLAIM(convex_polygons_have_splines_of_one_turn)
+{
+    for (int example = 0; example < CONVEX_CURVES; example++)
+        for (int family = 0; family < WEIGHTS && convex_curve[example].k == T->degree; family++) {
+            region_mark mark = region_open();
+            int n = convex_curve[example].n, k = convex_curve[example].k;
+            num t[MOST_POINTS], r[MOST_COORDINATES], w[MOST_POINTS];
+            designed_curve_of(example, family, t, r, w);
+            r[2 * 3 + 1] = fault(T, r[2 * 3 + 1], sub(from_int(-9), r[2 * 3 + 1]));
+            agree(T, fault(T, 1, !polygon_is_convex(n - 1, r + 2, 1, NULL) || k == 2));
+            for (int j = k; j <= n; j++)
+                if (compare_q(t[j], t[j + 1]) < 0) {
+                    enum cagd_sign_pattern sign =
+                        sign_of_span(turning_of_span(k - 1, t + 1, j - 1, r + 2, w + 1, NULL));
+                    agree(T, sign == SIGN_POSITIVE || sign == SIGN_NONNEGATIVE || sign == SIGN_ZERO);
+                }
+            enum { POINTS = 13 };
+            num P[2 * POINTS];
+            for (int m = 0; m < POINTS; m++) {
+                num x = add(t[k], mul(from_ratio(m, POINTS - 1), sub(t[n + 1], t[k])));
+                G(nurbs_point)(k - 1, 2, t + 1, span_of(n, k, t, x), r + 2, w + 1, x, P + 2 * m);
+            }
+            for (int c = 2; c < POINTS; c++)
+                for (int b = 1; b < c; b++)
+                    for (int a = 0; a < b; a++)
+                        agree(T, turn_2d(P + 2 * a, P + 2 * b, P + 2 * c) >= 0);
+            if (k == 2) { /* the curve is the polygon */
+                int orientation;
+                agree(T, polygon_is_convex(n - 1, r + 2, 1, &orientation) && orientation == 1);
+            }
+            region_drop(mark);
+        }
+}
+
+/*
+:::{claim} periodic_curves_of_convex_polygons_are_convex
+:title: A closed polygon that is convex has a convex periodic curve
+:zh: 闭合周期曲线的保凸性
+:kind: decision
+:given: convex polygons of $3$, $4$ and $5$ points, closed; orders $3$ and $4$; a period of different intervals; weights $1$, $1000$ and $1$
+  in turn, and $1,10,100,\dots$
+:then: the Bézier points of all intervals, joined, are a closed convex polygon that runs round once
+:method: That polygon is what one gets by inserting every knot until its multiplicity is $k-1$; it is a polygon for which the
+  theorem holds.  Convexity by `exact/decide/hull.h`.
+:degrees: 3..4
+:scope: n stands for the order k; the stated curves
+:control: the second point moved across the line of its neighbours
+:::
+*/
+CLAIM(periodic_curves_of_convex_polygons_are_convex)
+{
+    static const long point[3][2 * 5] = {{0, 0, 3, 0, 1, 2}, {0, 0, 3, 0, 3, 3, 0, 1}, {0, 0, 4, 0, 5, 3, 2, 5, 0, 1}};
+    static const long knot[] = {0, 2, 3, 5, 6, 7};
+    enum { SIZE = 16 };
+    int p = T->degree - 1;
+    for (int m = 3; m <= 5; m++)
+        for (int family = 0; family < 3; family++) {
+            num u[SIZE], R[2 * SIZE], H[3 * SIZE], v[SIZE], D[3 * SIZE], w[SIZE], b[3 * SIZE], joined[2 * 5 * SIZE];
+            region_mark mark = region_open();
+            points_of(m, point[m - 3], R);
+            R[3] = fault(T, R[3], add(from_int(9), R[5]));
+            for (int i = 0; i <= m; i++) {
+                u[i] = from_int(knot[i]);
+                w[i] = family_weight(family, m, i + 1);
+            }
+            G(rational_homogenize)(m - 1, 2, R, w, H);
+            G(bspline_periodic)(m, p, 3, u, H, v, D);
+            for (int j = 0; j < m; j++) {
+                G(bspline_to_bezier)(p, 3, v, p + j, D, b);
+                G(rational_dehomogenize)(p - 1, 2, b, joined + 2 * j * p, w);
+            }
+            int orientation;
+            agree(T, fault(T, polygon_is_convex(m - 1, R, 1, &orientation) && orientation == 1, 1));
+            agree(T, polygon_is_convex(m * p - 1, joined, 1, &orientation) && orientation == 1);
+            region_drop(mark);
+        }
+}
+
+/*
+:::{claim} limit_of_convex_polygons_may_run_back
+:title: Convex polygons with decreasing hulls, whose limit runs to and fro
+:zh: 凸多边形的极限可往返
+:kind: counterexample
+:given: the rectangles $(0,0),(1,0),(1,h),(0,h)$ for a decreasing sequence of $h$, and their limit for $h\to h_\infty$
+:data: h = 1 1/2 1/4 1/8 1/16 1/32 1/64; h_∞ = 0
+:instead: h_∞ = 1
+:then: the polygons are convex and each hull contains the next; the limit goes from $(0,0)$ to $(1,0)$ and back
+:result: limit = (0,0) (1,0) (1,0) (0,0)
+:method: Convexity of them and of the limit by `exact/decide/hull.h`.
+:control: the limit for $h\to1$
+:::
+*/
+CLAIM(limit_of_convex_polygons_may_run_back)
+{
+    enum { SIZE = 7 };
+    int convex = 1, decreasing = 1;
+    num R[] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1), from_int(0), from_int(1)};
+    num h[SIZE];
+    given_points(T, "h", SIZE, 1, h);
+    for (int m = 0; m < SIZE; m++) {
+        R[5] = R[7] = h[m];
+        convex &= polygon_is_convex(3, R, 0, NULL);
+        decreasing &= m == 0 || compare_q(h[m], h[m - 1]) < 0;
+    }
+    R[5] = R[7] = given(T, "h_∞");
+    found_points(T, "limit", 4, 2, R);
+    about(T, "the polygons being convex and their heights decreasing, the limit runs through its points once");
+    refute(T, convex && decreasing && !polygon_is_convex(3, R, 0, NULL));
+}
+#endif
+
+#include "chapters/judge/claims_off.h"

@@ -1,0 +1,645 @@
+/*
+# A convex polygon with its corners cut (割角保凸)
+
+A polygon is convex when the triangles of its vertices, three at a time and in order, have one sign.  This makes a proof without limits
+possible.  Let $D_{ijl}$ be twice the signed area of the triangle $r_ir_jr_l$ and
+let $M$ be the matrix of an insertion, which makes the new homogeneous points out of the old: row $i$ has $1-\alpha_i$ in
+column $i-1$ and $\alpha_i$ in column $i$.  By Cauchy and Binet
+
+$$w'_aw'_bw'_c\,D'_{abc}=\sum_{i<j<l}M\begin{pmatrix}a&b&c\\i&j&l\end{pmatrix}w_iw_jw_l\,D_{ijl},$$
+
+and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new ones have it too.
+*/
+#include "chapters/nurbs/convexity.h"
+
+#include <stdio.h>
+
+#include "chapters/judge/claims_on.h"
+
+/*
+:::{statement} wang-ch4:lemma-4.2.1
+:title: A convex polygon stays convex when knots are inserted
+:zh: 嵌节点保持控制多边形的凸性
+:printed: if the control polygon $\Gamma_k^{(T)}(\Phi)$ of a plane NURBS curve is a convex curve, then $\Gamma_k^{(T)}(T')$ is a
+  convex curve for every finite set $T'$ of knots
+:holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
+  insertion_ratios_are_between_zero_and_one printed_insertion_keeps_the_curve knots_outside_the_domain_cut_corners
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
+  is there as a set is not enough
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist: $T'$ in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$
+:reading: knots_outside_the_domain_cut_corners | $\Gamma_k^{(T)}(T')$ is made of (4.1.6), with intervals closed on the left: knots
+  outside the domain are allowed
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof and for knots before the domain with the
+  edge $r_0r_1$: then the knots have to be in the domain, $t_k\le\tau\le t_{n+1}$
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same with intervals closed on the right, and $\tau=t_1$ excluded as well; when $t_k$ is a
+  $k$-fold knot it is not inserted again
+:needs: mixed_weights_cut_beside_the_edges | positive weights
+:figure: cutting_corners
+
+Every multiplicity is allowed, $k-1$, $k$ and more: a vertex is then repeated.  A knot outside the domain makes the weight of an end
+smaller and cuts corners like the others: the first row of $M$ is $\alpha_1,0,\dots$, or the last $\dots,0,1-\alpha_{n+1}$.
+$T'$ is a multiset.  The minors of an
+insertion involve three rows and so six columns at most, so that their signs are decided for every $n$.
+:::
+*/
+
+/*
+:::{claim} printed_insertion_keeps_the_curve
+:title: The printed points, weights and knots give the same curve
+:zh: 所印嵌入公式不改变曲线
+:given: orders $k=1,\dots,6$ (sampled to $7$): all knots simple; both ends of multiplicity $k$ and one knot between, of any
+  multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or the knot at its right end
+:let: $c_i$ any numbers, weights equal
+:then: $\sum_iN_{i,k}(t)c_i=\sum_iN'_{i,k}(t)c'_i$ on every interval of the domain, $c'_i=(1-\alpha_i)c_{i-1}+\alpha_ic_i$ with the
+  printed $\alpha_i$
+:method: Both sums by the recursion of de Boor and Cox as it is defined; $\tau$, $t$, $c_i$ and the distinct knots are
+  variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
+  `inserted_points_divide_the_edges` it holds for any weights.
+:degrees: 1..6 sampled 7
+:scope: n stands for the order k; the distinct knots variables for k up to 5, numbers above
+:control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
+:::
+*/
+static void G(compare_curves)(trial *T, int k, const struct G(knots) * K, int place)
+{
+    int n = K->count - k;
+    struct G(knots) V;
+    num c[MOST_POINTS], w[MOST_POINTS], d[MOST_POINTS], z[MOST_POINTS], x = parameter(T, "p");
+    num tau = G(number_at)(T, K, place, "tau");
+    for (int i = 1; i <= n; i++)
+        c[i] = unknown(T, "c", i);
+    G(equal_weights)(n, w);
+    G(insert_at)(n, k, 1, K, place, tau, c, w, &V, d, z);
+    if (T->faulty) {
+        int mu = G(left_of)(K, place), i = mu > 1 ? mu : 2;
+        num alpha = div(sub(tau, K->t[i]), sub(K->t[i + k < K->count ? i + k : K->count], K->t[i]));
+        d[i] = add(mul(sub(from_int(1), alpha), c[i - 1]), mul(alpha, c[i]));
+    }
+    for (int interval = K->place[k]; interval < K->place[n + 1]; interval++) {
+        int begins = interval % 4 == 0 || (interval == place && place % 4 != 0); /* with a knot, old or new */
+        if (begins)
+            same(T, G(spline_value)(n + 1, k - 1, 1, V.t + 1, V.place + 1, d + 1, 0, interval, x),
+                 G(spline_value)(n, k - 1, 1, K->t + 1, K->place + 1, c + 1, 0, interval, x));
+    }
+}
+
+CLAIM(printed_insertion_keeps_the_curve)
+{
+    int k = T->degree;
+    char pattern[MOST_KNOTS];
+    for (int m = 0; m <= k; m++) {
+        if (m == 0) {
+            for (int i = 0; i < 2 * k + 1; i++)
+                pattern[i] = '1';
+            pattern[2 * k + 1] = '\0';
+        } else {
+            snprintf(pattern, sizeof pattern, "%d%d%d", k, m, k);
+        }
+        struct G(knots) K = G(pattern)(T, pattern);
+        for (int i = 1; FIELD && k > 5 && i <= K.count; i++) /* 0, 1, 3, 6, 10, ...; places are multiples of 4 */
+            K.t[i] = from_int(K.place[i] / 4 * (K.place[i] / 4 + 1) / 2);
+        for (int place = K.place[k]; place <= K.place[K.count - k + 1]; place += 2) /* knots, and numbers between */
+            if (place > K.place[1])
+                G(compare_curves)(T, k, &K, place);
+    }
+}
+
+/*
+:::{claim} insertion_ratios_are_between_zero_and_one
+:title: The printed factors are between 0 and 1
+:zh: 0≤α_i≤1
+:given: order $k$; $\tau-t_\mu>0$, $t_{\mu+1}-\tau>0$ or $=0$, all other differences of neighbours among
+  $t_{\mu-k+2},\dots,t_{\mu+k-1}$ positive
+:then: $0\le\alpha_i\le1$ for $\mu-k+2\le i\le\mu$; for $\tau=t_{\mu+1}$ the first of them is $1$
+:method: Numerators and denominators of $\alpha_i$ and $1-\alpha_i$ are sums of these differences, so that it remains true when some
+  of them are $0$, knots being multiple; no denominator vanishes, as each contains $\tau-t_\mu$.
+:degrees: 2..8
+:scope: n stands for the order k
+:control: $i=\mu+1$ taken with the formula of the middle case
+:::
+*/
+CLAIM(insertion_ratios_are_between_zero_and_one)
+{
+    enum { SIZE = 32 };
+    int k = T->degree, mu = k;
+    for (int at_knot = 0; at_knot <= 1; at_knot++) {
+        num t[SIZE], tau = from_int(0);
+        t[2] = from_int(0);
+        for (int i = 3; i <= mu; i++)
+            t[i] = add(t[i - 1], positive(T, "h", i));
+        tau = add(t[mu], positive(T, "h", 0));
+        t[mu + 1] = at_knot ? tau : add(tau, positive(T, "h", mu + 1));
+        for (int i = mu + 2; i < fault(T, mu + k, mu + k + 1); i++)
+            t[i] = add(t[i - 1], positive(T, "h", i));
+        for (int i = mu - k + 2; i <= fault(T, mu, mu + 1); i++) {
+            int middle = i == mu + 1 ? mu + 1 : mu; /* the control takes the middle case one too far */
+            num alpha = G(printed_alpha)(k, middle, t, tau, i);
+            nonnegative(T, alpha);
+            nonnegative(T, sub(from_int(1), alpha));
+        }
+        if (at_knot)
+            same(T, G(printed_alpha)(k, mu, t, tau, mu - k + 2), from_int(1));
+    }
+}
+
+/*
+:::{claim} insertion_turns_like_its_triangles
+:title: An insertion keeps the turn of every triangle
+:zh: 嵌节点保持三角形转向
+:given: $n$ points of the plane with weights, all $\alpha_i=\frac{a_i}{1+a_i}$ with $a_i>0$
+:then: the determinants of three new homogeneous points are sums of those of three old ones with the $3\times3$ minors of the matrix of
+  the insertion; no minor is negative
+:method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables for $n\le4$; the minors by their coefficients.  Minors are polynomials in the
+  $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits.  Three rows have entries in six columns at most, and which of
+  these coincide is decided by whether neighbouring rows follow one another; with $n\ge5$ all cases occur.
+:degrees: 3..6
+:scope: signs for every n, by the last remark
+:control: two neighbouring rows exchanged in the minors
+:::
+*/
+/* The determinant of the columns a, b, c of three rows of a matrix with `width` columns. */
+static num G(minor)(int width, const num M[], int i, int j, int l, int a, int b, int c)
+{
+    const num *x = M + i * width, *y = M + j * width, *z = M + l * width;
+    num P[3] = {x[a], x[b], x[c]}, Q[3] = {y[a], y[b], y[c]}, R[3] = {z[a], z[b], z[c]};
+    return G(det3)(P, Q, R);
+}
+
+CLAIM(insertion_turns_like_its_triangles)
+{
+    enum { SIZE = 7 };
+    int n = T->degree;
+    num M[SIZE * SIZE], H[3 * SIZE], N[3 * SIZE], one = from_int(1);
+    for (int i = 0; i <= n; i++) {
+        num a = i > 0 && i < n ? positive(T, "a", i) : one, alpha = i == 0 ? one : div(a, add(one, a));
+        alpha = i == n ? from_int(0) : alpha;
+        for (int j = 0; j < n; j++)
+            M[i * n + j] = j == i - 1 ? sub(one, alpha) : j == i ? alpha : from_int(0);
+    }
+    for (int m = 0; m < 3 * n; m++)
+        H[m] = unknown(T, "x", m);
+    for (int i = 0; i <= n; i++)
+        for (int c = 0; c < 3; c++) {
+            N[3 * i + c] = from_int(0);
+            for (int j = 0; j < n; j++)
+                N[3 * i + c] = add(N[3 * i + c], mul(M[i * n + j], H[3 * j + c]));
+        }
+    for (int l = 2; l <= n; l++)
+        for (int j = 1; j < l; j++)
+            for (int i = 0; i < j; i++) {
+                num sum = from_int(0);
+                for (int c = 2; c < n; c++)
+                    for (int b = 1; b < c; b++)
+                        for (int a = 0; a < b; a++) {
+                            num minor = G(minor)(n, M, fault(T, i, j), fault(T, j, i), l, a, b, c);
+                            nonnegative(T, minor);
+                            if (n <= 4)
+                                sum = add(sum, mul(minor, G(det3)(H + 3 * a, H + 3 * b, H + 3 * c)));
+                        }
+                if (n <= 4)
+                    same(T, sum, G(det3)(N + 3 * i, N + 3 * j, N + 3 * l));
+            }
+}
+
+#if RATIONAL
+/*
+:::{claim} knot_before_the_domain_asks_for_another_point
+:title: Knots outside the domain ask for points that are not there
+:zh: 定义域外的节点
+:kind: counterexample
+:given: the simple knots $T$ of one quadratic segment, with the domain $[t_k,t_{n+1}]$, and $\tau<t_k$
+:data: T = 1 2 3 4 5 6; τ = 3/2
+:instead: τ = 7/2
+:then: by the printed formula $r'_1=(1-\alpha_1)r_0+\alpha_1r_1$ for equal weights, the factor of $r_0$ is not $0$, and there is no $r_0$
+:result: factor of r_0 = 3/4
+:method: $\alpha_1$ by the printed cases; that the factor of $r_0$ is $0$ is what is asked for.
+:control: $\tau$ in the domain
+:::
+*/
+CLAIM(knot_before_the_domain_asks_for_another_point)
+{
+    num t[7];
+    given_points(T, "T", 6, 1, t + 1);
+    num tau = given(T, "τ"), factor = sub(from_int(1), G(printed_alpha)(3, place_of(6, t, tau), t, tau, 1));
+    found(T, "factor of r_0", factor);
+    about(T, "the new first point does not need r_0");
+    same(T, factor, from_int(0));
+}
+
+/*
+:::{claim} insertion_at_a_clamped_start_asks_for_another_point
+:title: At the start of a clamped curve the printed convention asks for a point before the first
+:zh: 左端重节点处再嵌入
+:kind: counterexample
+:given: the knots $T$ of one quadratic segment, with a $k$-fold first knot, after any smaller $t_0$; $\tau=t_1=t_k$, which is in the domain
+:data: T = 0 0 0 1 1 1; τ = 0
+:then: $\tau\in(t_0,t_1]$, which is the interval of $\mu$, and $\alpha_1=0$: $r'_1=r_0$
+:result: μ = 0; factor of r_0 = 1
+:method: $\alpha_1$ by the printed cases.
+:control: $\mu$ taken with $\tau\in[t_\mu,t_{\mu+1})$
+:::
+*/
+CLAIM(insertion_at_a_clamped_start_asks_for_another_point)
+{
+    num t[7];
+    given_points(T, "T", 6, 1, t + 1);
+    num tau = given(T, "τ");
+    int before = place_of(6, t, tau), up_to = before;
+    while (up_to < 6 && compare_q(t[up_to + 1], tau) <= 0)
+        up_to++;
+    int mu = fault(T, up_to, before);
+    num factor = sub(from_int(1), G(printed_alpha)(3, mu, t, tau, 1));
+    found_whole(T, "μ", mu);
+    found(T, "factor of r_0", factor);
+    about(T, "the new first point does not need r_0");
+    same(T, factor, from_int(0));
+}
+
+static int positive_on_the_interval(int n, const num_q w[])
+{
+    return sign_on(poly_from_bernstein(n, w), from_int_q(0), from_int_q(1), CLOSED) == SIGN_POSITIVE;
+}
+
+/*
+:::{claim} mixed_weights_cut_beside_the_edges
+:title: With weights of both signs the new vertices are beside the edges
+:zh: 权因子变号时新顶点不在边上
+:kind: counterexample
+:given: a cubic segment of the points $r$, a square, over the knots $T$, with weights $w$ of both signs for which $w(t)>0$; $\tau$
+:data: T = 0 0 0 0 1 1 1 1; r = (0,0) (1,0) (1,1) (0,1); w = 4 -1 4 4; τ = 1/2
+:instead: w = 4 1 4 4
+:then: $s_2$ is negative and $s_3$ greater than $1$, and the new polygon $r'$ is not convex
+:result: s_2 = -1/3; s_3 = 4/3; r' = (0,0) (-1/3,0) (1,4/3) (1/2,1) (0,1)
+:method: The printed formulas; convexity by `exact/decide/hull.h`.
+:control: all weights positive
+:::
+*/
+CLAIM(mixed_weights_cut_beside_the_edges)
+{
+    num t[10], r[10], w[6], v[10], S[12], z[6], s[2], weight;
+    given_curve(T, 4, 4, t, r, w);
+    num tau = given(T, "τ");
+    int stated = positive_on_the_interval(3, w + 1) && polygon_is_convex(3, r + 2, 1, NULL);
+    G(printed_insertion)(4, 4, 2, t, 4, tau, r, w, v, S, z);
+    int good = polygon_is_convex(4, S + 2, 1, NULL);
+    for (int i = 2; i <= 3; i++) {
+        s[i - 2] = G(printed_ratio)(G(printed_alpha)(4, 4, t, tau, i), w[i - 1], w[i], &weight);
+        good |= sign_q(s[i - 2]) >= 0 && compare_q(s[i - 2], from_int(1)) <= 0;
+    }
+    found(T, "s_2", s[0]);
+    found(T, "s_3", s[1]);
+    found_points(T, "r'", 5, 2, S + 2);
+    about(T, "w(t) being positive and the polygon convex, a ratio is between 0 and 1 or the new polygon is convex");
+    refute(T, stated && !good);
+}
+#endif
+
+/*
+:::{statement} wang-ch4:lemma-4.2.1-hulls
+:title: The hulls decrease
+:zh: 凸包递减
+:printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
+:needs: mixed_weights_cut_beside_the_edges | positive weights
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once, else $A(\Gamma_k^{(T)}(T'))$ need not
+  exist; or $A$ is taken as the hull
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
+:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
+:figure: hulls_of_knot_sets
+
+Every new vertex is on an edge, hence in the hull; for hulls it is true of every polygon.
+:::
+
+:::{claim} inserted_points_divide_the_edges
+:title: The new point divides the edge in the ratio of the weighted factors
+:zh: 新顶点按加权比分割边
+:given: $0\le\alpha\le1$, written $\alpha=\frac a{1+a}$; positive weights $w_{i-1},w_i$; points $r_{i-1},r_i$
+:then: $w'=(1-\alpha)w_{i-1}+\alpha w_i$ and $r'=(1-s)r_{i-1}+sr_i$ satisfy $w'r'=(1-\alpha)w_{i-1}r_{i-1}+\alpha w_ir_i$; and
+  $w'>0$, $s\ge0$, $1-s\ge0$
+:method: Identities in the field, and signs of coefficients.  For $\alpha=0$ and $\alpha=1$ it is $s=\alpha$.
+:control: $s$ taken as $\alpha$, without weights
+:::
+*/
+CLAIM(inserted_points_divide_the_edges)
+{
+    num one = from_int(1), a = positive(T, "a", 0), alpha = div(a, add(one, a)), rest = sub(one, alpha), weight;
+    num w0 = positive(T, "w", 0), w1 = positive(T, "w", 1), r0 = unknown(T, "r", 0), r1 = unknown(T, "r", 1);
+    num s = G(printed_ratio)(alpha, w0, w1, &weight);
+    s = fault(T, s, alpha);
+    num point = add(mul(sub(one, s), r0), mul(s, r1));
+    same(T, weight, add(mul(rest, w0), mul(alpha, w1)));
+    same(T, mul(weight, point), add(mul(mul(rest, w0), r0), mul(mul(alpha, w1), r1)));
+    nonnegative(T, weight);
+    nonnegative(T, s);
+    nonnegative(T, sub(one, s));
+}
+
+/*
+:::{statement} wang-ch4:lemma-4.2.1-step-points
+:title: The points after one insertion
+:zh: 嵌入一个节点后的顶点
+:printed: \boldsymbol r_{i,k}^{(T,T')}=(1-s_i)\boldsymbol r_{i-1}+s_i\boldsymbol r_i,\qquad
+  s_i=\alpha_iw_i/[(1-\alpha_i)w_{i-1}+\alpha_iw_i]
+:holds-by: inserted_points_divide_the_edges printed_insertion_keeps_the_curve
+:needs: vanishing_weight_loses_the_new_point | positive weights
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
+:figure: where_hypotheses_are_needed
+
+The same as (2.9.1) in homogeneous coordinates; the new weights are the denominators.
+:::
+*/
+
+#if RATIONAL
+/*
+:::{claim} vanishing_weight_loses_the_new_point
+:title: With weights of both signs a new point may not exist
+:zh: 新权因子为零
+:kind: counterexample
+:given: the knots $T$ of a quadratic segment, weights $w$ of both signs for which $w(t)>0$; $\tau$
+:data: T = 0 0 0 1 1 1; w = 2 -1 2; τ = 2/3
+:instead: w = 2 1 2
+:then: the denominator of $s_2$ vanishes
+:result: denominator of s_2 = 0
+:method: The denominator is computed and asked to be different from $0$.
+:control: all weights positive
+:::
+*/
+CLAIM(vanishing_weight_loses_the_new_point)
+{
+    num t[7], w[4];
+    given_points(T, "T", 6, 1, t + 1);
+    given_points(T, "w", 3, 1, w + 1);
+    num alpha = G(printed_alpha)(3, 3, t, given(T, "τ"), 2);
+    num weight = add(mul(sub(from_int(1), alpha), w[1]), mul(alpha, w[2]));
+    found(T, "denominator of s_2", weight);
+    about(T, "w(t) being positive, the denominator is not 0");
+    refute(T, positive_on_the_interval(2, w + 1) && is_zero_q(weight));
+}
+#endif
+
+/*
+:::{statement} wang-ch4:lemma-4.2.1-step-alpha
+:title: The factors of one insertion, by cases
+:zh: α_i 的分段公式
+:printed: \tau_1\in(t_\mu,t_{\mu+1}];\quad\alpha_i=1,\ i\le\mu-k+1;\quad\alpha_i=\frac{\tau_1-t_i}{t_{i+k-1}-t_i},\ \mu-k+2\le i\le\mu;
+  \quad\alpha_i=0,\ i\ge\mu+1
+:holds-by: printed_insertion_keeps_the_curve both_conventions_of_the_span_are_right
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$ and $t_k\le\tau_1\le t_{n+1}$, so that neither
+  $r_0$ nor $r_{n+1}$ is asked for
+:reading: both_conventions_of_the_span_are_right | the formula with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in the chapter's
+  other sections
+:figure: where_hypotheses_are_needed
+
+At a knot of multiplicity $m\le k-1$ both conventions give the same numbers $\alpha_i$; for $m\ge k$ the closed end decides
+which of two points is repeated.  With the end closed on the right the start of a clamped curve cannot be inserted again:
+then $\mu\le0$, and $\alpha_1=0$ asks for a point $r_0$.
+:::
+
+:::{claim} both_conventions_of_the_span_are_right
+:title: At a knot, both conventions of the span give the same factors, or repeat one of two points
+:zh: 两种区间约定
+:given: order $k$; a knot $\tau=t_{\mu+1}=\dots=t_{\mu+m}$ of multiplicity $m=1,\dots,k+1$ between knots of multiplicity $1$ each
+:then: for $m\le k-1$ the factors $\alpha_i$ with $(t_\mu,t_{\mu+1}]$ are those with $[t_{\mu+m},t_{\mu+m+1})$, for all $i$; for
+  $m\ge k$ the first repeats $r_\mu$, the second $r_{\mu+m-k+1}$, and the old points are all kept
+:method: All $\alpha_i$ by the printed cases, with the knots variables.
+:degrees: 2..6
+:scope: n stands for the order k
+:control: the second with $\mu+m+1$ for $\mu+m$
+:::
+*/
+CLAIM(both_conventions_of_the_span_are_right)
+{
+    int k = T->degree;
+    char pattern[MOST_KNOTS];
+    for (int m = 1; m <= k + 1; m++) {
+        for (int i = 0; i < 2 * k + 3; i++)
+            pattern[i] = i == k + 1 ? (char)('0' + m) : '1';
+        pattern[2 * k + 3] = '\0';
+        struct G(knots) K = G(pattern)(T, pattern);
+        int mu = k + 1, right = fault(T, mu + m, mu + m + 1), n = K.count - k;
+        num tau = K.t[mu + 1], one = from_int(1);
+        for (int i = 2; i <= n; i++) {
+            num first = G(printed_alpha)(k, mu, K.t, tau, i), second = G(printed_alpha)(k, right, K.t, tau, i);
+            if (m < k)
+                same(T, first, second);
+            else {
+                same(T, first, i <= mu ? one : from_int(0));
+                same(T, second, i <= mu + m - k + 1 ? one : from_int(0));
+            }
+        }
+    }
+}
+
+/*
+:::{claim} clamped_end_may_be_inserted_again
+:title: At a k-fold right end the printed convention repeats the last point
+:zh: 右端 k 重节点再嵌入时重复末顶点
+:given: order $k$, ends of multiplicity $k$ and two simple knots between; $\tau=t_{n+1}=\dots=t_{n+k}$, which is in $(t_n,t_{n+1}]$
+:then: $\alpha_i=1$ for $i\le n$ and $\alpha_{n+1}=0$: the new points are $r_1,\dots,r_n,r_n$
+:method: All $\alpha_i$ by the printed cases, with the knots variables.
+:degrees: 2..6
+:scope: n stands for the order k
+:control: $\tau=t_n$, in $(t_{n-1},t_n]$
+:::
+*/
+CLAIM(clamped_end_may_be_inserted_again)
+{
+    int k = T->degree, n = k + 2, mu = fault(T, n, n - 1);
+    char pattern[MOST_KNOTS];
+    snprintf(pattern, sizeof pattern, "%d11%d", k, k);
+    struct G(knots) K = G(pattern)(T, pattern);
+    for (int i = 1; i <= n + 1; i++)
+        same(T, G(printed_alpha)(k, mu, K.t, K.t[mu + 1], i), from_int(i <= n));
+}
+
+/*
+:::{statement} wang-ch4:lemma-4.2.1-step-unit
+:title: The ratios are between 0 and 1
+:zh: s_i ∈ [0,1]
+:printed: s_i\in[0,1]
+:holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
+:needs: mixed_weights_cut_beside_the_edges | positive weights
+:figure: mixed_weights_and_convexity
+:::
+
+:::{statement} wang-ch4:lemma-4.2.1-step-inscribed
+:title: The new polygon is inscribed in the old one
+:zh: 内接折线
+:printed: hence $\Gamma_k^{(T)}(T')$ is an inscribed polygon of $\Gamma_k^{(T)}(\Phi)$
+:holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
+:needs: mixed_weights_cut_beside_the_edges | positive weights
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
+:figure: cutting_corners
+
+The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order of the edges; both ends stay.
+:::
+
+:::{statement} wang-ch4:lemma-4.2.1-step-first
+:title: So the lemma is true for one knot
+:zh: 归纳法第一步
+:printed: $\Gamma_k^{(T)}(T')$ being inscribed in the convex curve $\Gamma_k^{(T)}(\Phi)$, the lemma is true for one knot
+:holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
+  inserted_polygons_stay_convex
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
+:hypothesis: polygon_that_overlaps_itself_loses_convexity | not turning back is not enough: its end does not run over its start
+:figure: what_convex_must_mean
+:::
+*/
+
+#if RATIONAL
+
+/*
+:::{claim} inserted_polygons_stay_convex
+:title: Designed convex polygons stay convex, and their hulls decrease
+:zh: 设计算例的保凸性与凸包递减
+:kind: decision
+:given: seven convex polygons, among them a closed one, one with collinear and repeated vertices, one that turns by more than a half
+  turn; orders $2,3,4$; simple knots, clamped ends, inner knots of multiplicity $k-1$; weights $1$, $1000$ and $1$ in turn,
+  $10^i$, and $\frac1{1000}$ inside; every knot and every middle of an interval inserted $k$ times
+:then: after each insertion the polygon is convex with the same orientation, and every new vertex is on its edge of the polygon before
+:method: The printed formulas in rationals, $\mu$ by comparing; convexity by `exact/decide/hull.h`; on the edge: no turn, and between the ends.
+:degrees: 2..4
+:scope: n stands for the order k; the stated curves
+:control: the second point exchanged with the third
+:::
+*/
+/* P is on the segment QR. */
+static int is_between(const num_q P[2], const num_q Q[2], const num_q R[2])
+{
+    num_q sum = add_q(mul_q(sub_q(P[0], Q[0]), sub_q(P[0], R[0])), mul_q(sub_q(P[1], Q[1]), sub_q(P[1], R[1])));
+    return turn_2d(P, Q, R) == 0 && sign_q(sum) <= 0;
+}
+
+CLAIM(inserted_polygons_stay_convex)
+{
+    for (int example = 0; example < CONVEX_CURVES; example++)
+        for (int family = 0; family < WEIGHTS && convex_curve[example].k == T->degree; family++) {
+            region_mark mark = region_open();
+            int n = convex_curve[example].n, k = convex_curve[example].k, orientation;
+            num t[2][MOST_POINTS], r[2][MOST_COORDINATES], w[2][MOST_POINTS];
+            designed_curve_of(example, family, t[0], r[0], w[0]);
+            agree(T, polygon_is_convex(n - 1, r[0] + 2, 1, &orientation) && orientation == 1);
+            long from = 2 * convex_curve[example].knot[k - 1], to = 2 * convex_curve[example].knot[n];
+            int now = 0;
+            for (long half = from; half <= to; half++) {
+                num tau = from_ratio(half, 2);
+                for (int times = 0; times < k && compare_q(t[now][1], tau) < 0 && n < MOST_POINTS - 8; times++, n++) {
+                    int next = 1 - now, mu = place_of(n + k, t[now], tau);
+                    G(printed_insertion)(n, k, 2, t[now], mu, tau, r[now], w[now], t[next], r[next], w[next]);
+                    for (int c = 0; T->faulty && c < 2; c++) {
+                        num kept = r[next][2 * 2 + c];
+                        r[next][2 * 2 + c] = r[next][2 * 3 + c];
+                        r[next][2 * 3 + c] = kept;
+                    }
+                    agree(T, polygon_is_convex(n, r[next] + 2, 1, &orientation) && orientation == 1);
+                    for (int i = 2; i <= n; i++)
+                        agree(T, is_between(r[next] + 2 * i, r[now] + 2 * (i - 1), r[now] + 2 * i));
+                    now = next;
+                }
+            }
+            region_drop(mark);
+        }
+}
+#endif
+
+/*
+:::{statement} wang-ch4:lemma-4.2.1-step-induction
+:title: Knots may be inserted one after the other
+:zh: 归纳步
+:printed: $\Gamma_k^{(T)}(T'')=\Gamma_k^{(T\oplus T')}(\{\tau_m\})$ for $T''=T'\oplus\{\tau_m\}$, and
+  $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
+:holds-by: knots_are_inserted_in_any_order printed_insertion_keeps_the_curve
+:figure: cutting_corners
+
+With the new weights, which the notation does not show; in the second equation the index $k$ is left out.  The sum $\oplus$ keeps multiplicities.
+:::
+
+:::{claim} knots_are_inserted_in_any_order
+:title: Two insertions give the same points and weights in either order, and those of the Oslo algorithm
+:zh: 嵌节点次序无关
+:given: orders $k=2,3,4$, ends of multiplicity $k$ and two simple knots between; two new knots, in one interval, in different
+  intervals, the same knot twice, or the knots of the curve themselves
+:then: the printed insertion, once for each knot, gives the same points and weights in either order; the homogeneous points are those
+  of `bspline_refine`
+:method: The field, all knots, weights and points variables.  For more knots by induction: every two neighbours in the order may be
+  exchanged.
+:degrees: 2..6 sampled 7
+:scope: n stands for the order k
+:control: the second knot inserted with the weights of the old polygon
+:::
+*/
+/* Inserts at two places, one after the other. */
+static void G(insert_twice)(trial *T, int n, int k, int dim, const struct G(knots) * K, const int place[2],
+                            const num tau[2], const num r[], const num w[], struct G(knots) * V, num S[], num z[])
+{
+    struct G(knots) U;
+    num P[MOST_COORDINATES], y[MOST_POINTS];
+    G(insert_at)(n, k, dim, K, place[0], tau[0], r, w, &U, P, y);
+    for (int i = 1; i <= n; i++)
+        y[i] = fault(T, y[i], w[i]);
+    G(insert_at)(n + 1, k, dim, &U, place[1], tau[1], P, y, V, S, z);
+}
+
+CLAIM(knots_are_inserted_in_any_order)
+{
+    static const int places[][2] = {{1, 2}, {1, 5}, {1, 9}, {4, 4}, {4, 5}, {1, 4}, {4, 8}};
+    int k = T->degree, n = k + 2, p = k - 1;
+    char pattern[MOST_KNOTS];
+    snprintf(pattern, sizeof pattern, "%d11%d", k, k);
+    struct G(knots) K = G(pattern)(T, pattern), V, U;
+    num r[MOST_COORDINATES], w[MOST_POINTS], S[MOST_COORDINATES], z[MOST_POINTS], R[MOST_COORDINATES], y[MOST_POINTS];
+    num H[MOST_COORDINATES], D[MOST_COORDINATES];
+    for (int i = 1; i <= n; i++) {
+        w[i] = positive(T, "w", i);
+        r[i] = unknown(T, "r", i);
+        H[2 * (i - 1)] = mul(w[i], r[i]);
+        H[2 * (i - 1) + 1] = w[i];
+    }
+    for (size_t j = 0; j < sizeof places / sizeof *places; j++) {
+        int there[2] = {places[j][0], places[j][1]}, back[2] = {there[1], there[0]}, span[MOST_POINTS];
+        num tau[2] = {G(number_at)(T, &K, there[0], "tau"), G(number_at)(T, &K, there[1], "sigma")};
+        num other[2] = {tau[1], tau[0]};
+        G(insert_twice)(T, n, k, 1, &K, there, tau, r, w, &V, S, z);
+        G(insert_twice)(T, n, k, 1, &K, back, other, r, w, &U, R, y);
+        for (int i = 1; i <= n + 2; i++) {
+            same(T, z[i], y[i]);
+            same(T, S[i], R[i]);
+        }
+        for (int i = 0; i < n + 2; i++) { /* the first interval of the support of the new B-spline */
+            int last = i + 1;
+            while (V.place[last] == V.place[last + 1])
+                last++;
+            span[i] = p;
+            while (K.place[span[i] + 2] <= V.place[last])
+                span[i]++;
+        }
+        G(bspline_refine)(p, 2, K.t + 1, H, n + 2, V.t + 1, span, D);
+        for (int i = 1; i <= n + 2; i++) {
+            same(T, mul(z[i], S[i]), D[2 * (i - 1)]);
+            same(T, z[i], D[2 * (i - 1) + 1]);
+        }
+    }
+}
+
+/*
+:::{statement} wang-ch4:lemma-4.2.1-step-chain
+:title: The chain of hulls in the induction
+:zh: 凸包包含链
+:printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
+:holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one knots_outside_the_domain_cut_corners
+:hypothesis: polygon_that_turns_back_loses_convexity | as for the lemma: the polygon runs through its points once, else the
+  $A$ of a refined polygon need not exist; or $A$ is taken as the hull
+:needs: mixed_weights_cut_beside_the_edges | positive weights
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points (4.1.6) exist, as for the lemma
+:reading: knots_outside_the_domain_cut_corners | the polygon is made of (4.1.6): knots outside the domain are allowed
+:reading: knot_before_the_domain_asks_for_another_point | it is made with the factors of the proof: the knots have to be in the domain
+:reading: insertion_at_a_clamped_start_asks_for_another_point | the same, with $\tau=t_1$ excluded as well
+:figure: hulls_of_knot_sets
+:::
+*/
+
+#include "chapters/judge/claims_off.h"
