@@ -56,7 +56,7 @@ static inline num G(number_at)(trial *T, const struct G(knots) * K, int place, c
 
 /* The printed insertion of the number at a place, with that place. */
 static inline void G(insert_at)(int n, int k, int dim, const struct G(knots) * K, int place, num tau, const num r[],
-                         const num w[], struct G(knots) * V, num S[], num z[])
+                                const num w[], struct G(knots) * V, num S[], num z[])
 {
     int mu = G(left_of)(K, place);
     V->count = K->count + 1;

@@ -1,4 +1,4 @@
-/* discrete-nurbs.figure.c -- drawings for discrete-nurbs.claims.h. */
+/* discrete-nurbs-steps.figure.c -- drawings for discrete-nurbs-steps.claims.h. */
 #include "chapters/nurbs/spline-figures.h"
 
 static const int hill[] = {0, 0, 1, 6, 7, 7, 10, 2, 13, 4}, hill_knots[] = {0, 0, 0, 0, 3, 6, 6, 6, 6};
