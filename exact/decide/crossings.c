@@ -19,7 +19,9 @@ static int no_line(struct cagd_line l)
 /* sum w_i c_i B_i^n(t), the c_i standing every second place. */
 static poly weighted(int n, const num_q w[], const num_q c[])
 {
-    num_q *b = region_bytes((size_t)(n + 1) * sizeof *b);
+    num_q *b = cagd_region_array(1, n + 1L, sizeof *b);
+    if (b == NULL)
+        return poly_constant(from_int_q(0));
     for (int i = 0; i <= n; i++)
         b[i] = mul_q(w[i], c[2 * i]);
     return poly_from_bernstein(n, b);
@@ -104,7 +106,9 @@ struct cagd_polygon_meets_line cagd_polygon_meets_line(int n, const num_q R[], s
     if (no_line(line))
         return m;
     region_mark mark = region_open();
-    struct stretch *common = region_bytes((size_t)(2 * n + 1) * sizeof *common);
+    struct stretch *common = cagd_region_array(1, 2L * n + 1, sizeof *common);
+    if (common == NULL)
+        return m;
     int stretches = 0, last_sign = 0, s_before = 1;
     num_q value_before = {0}, place_before = {0};
     for (int i = 0; i <= n; i++) {

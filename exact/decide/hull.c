@@ -3,6 +3,7 @@
 #include "exact/decide/with.h"
 #include "exact/words.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 static num_q dot(int d, const num_q u[], const num_q v[])
@@ -58,9 +59,15 @@ static num_q *row(struct tableau t, int i) { return t.at + (ptrdiff_t)i * t.colu
 
 static struct tableau first_tableau(int d, int count, const num_q points[], const num_q x[])
 {
+    if (d > INT_MAX - 2 || count > INT_MAX - 2 - d) {
+        region_faults |= FAULT_MEMORY;
+        return (struct tableau){0};
+    }
     struct tableau t = {.rows = d + 1, .columns = count + d + 2};
-    t.at = region_bytes((size_t)(t.rows + 1) * (size_t)t.columns * sizeof(num_q));
-    t.basic = region_bytes((size_t)t.rows * sizeof(int));
+    t.at = cagd_region_array(t.rows + 1, t.columns, sizeof(num_q));
+    t.basic = cagd_region_array(1, t.rows, sizeof(int));
+    if (t.at == NULL || t.basic == NULL)
+        return (struct tableau){0};
     num_q zero = from_int_q(0), one = from_int_q(1), *costs = row(t, t.rows);
     for (int k = 0; k < t.columns; k++)
         costs[k] = zero;
@@ -129,11 +136,15 @@ static void minimise(struct tableau t, int count)
 struct cagd_hull_certificate cagd_hull_membership(int d, int count, const num_q points[], const num_q x[])
 {
     struct tableau t = first_tableau(d, count, points, x);
+    if (t.at == NULL)
+        return (struct cagd_hull_certificate){.offset = from_int_q(0)};
     minimise(t, count);
     const num_q *costs = row(t, t.rows);
     struct cagd_hull_certificate c = {.inside = cagd_is_zero_q(costs[t.columns - 1]), .offset = from_int_q(0)};
     if (c.inside) {
-        num_q *lambda = region_bytes((size_t)count * sizeof *lambda);
+        num_q *lambda = cagd_region_array(1, count, sizeof *lambda);
+        if (lambda == NULL)
+            return c;
         for (int j = 0; j < count; j++)
             lambda[j] = from_int_q(0);
         for (int i = 0; i <= d; i++)
@@ -141,7 +152,9 @@ struct cagd_hull_certificate cagd_hull_membership(int d, int count, const num_q 
                 lambda[t.basic[i]] = row(t, i)[t.columns - 1];
         c.coefficient = lambda;
     } else {
-        num_q *normal = region_bytes((size_t)d * sizeof *normal);
+        num_q *normal = cagd_region_array(1, d, sizeof *normal);
+        if (normal == NULL)
+            return c;
         for (int i = 0; i < d; i++) {
             num_q y = sub_q(from_int_q(1), costs[count + i]);
             normal[i] = cagd_sign_q(x[i]) < 0 ? neg_q(y) : y;
@@ -227,7 +240,9 @@ static int goes_straight_on(int n, const num_q R[])
 int cagd_polygon_is_convex(int n, const num_q points[], int closed, int *orientation)
 {
     region_mark m = region_open();
-    struct vector *edge = region_bytes((size_t)(n + 1) * sizeof *edge);
+    struct vector *edge = cagd_region_array(1, n + 1L, sizeof *edge);
+    if (edge == NULL)
+        return 0;
     int count = edges_of(n, points, edge);
     int side = closed_orientation(count, edge);
     int convex = side != 0 || count == 0 || (!closed && goes_straight_on(n, points));
@@ -252,7 +267,9 @@ static int lexicographic(const void *p, const void *q)
 int cagd_convex_hull_2d(int count, const num_q points[], int vertex[])
 {
     region_mark m = region_open();
-    struct site *site = region_bytes((size_t)count * sizeof *site);
+    struct site *site = cagd_region_array(1, count, sizeof *site);
+    if (site == NULL || count < 1)
+        return 0;
     for (int j = 0; j < count; j++)
         site[j] = (struct site){points + 2 * j, j};
     qsort(site, (size_t)count, sizeof *site, lexicographic);

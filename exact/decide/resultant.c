@@ -20,7 +20,9 @@ static void clear_denominators(int n, const num_q row[], mpz_t out[], mpz_t comm
  * so that division by the pivot of the step before is exact and the last entry is the determinant. */
 num_q cagd_pivoted_determinant_q(int n, const num_q A[])
 {
-    mpz_t *a = region_bytes((size_t)n * (size_t)n * sizeof *a), before, common, product;
+    mpz_t *a = cagd_region_array(n, n, sizeof *a), before, common, product;
+    if (a == NULL)
+        return from_int_q(0);
     mpq_t det;
     mpq_init(det);
     mpz_init_set_ui(before, 1), mpz_init(common), mpz_init(product);
@@ -62,7 +64,9 @@ num_q cagd_pivoted_determinant_q(int n, const num_q A[])
 
 num_f cagd_pivoted_determinant_with_f(int (*is_zero)(num_f), int n, const num_f A[])
 {
-    num_f *a = region_bytes((size_t)n * (size_t)n * sizeof *a), before = from_int_f(1);
+    num_f *a = cagd_region_array(n, n, sizeof *a), before = from_int_f(1);
+    if (a == NULL)
+        return before;
     for (int i = 0; i < n * n; i++)
         a[i] = A[i];
     int negative = 0;
@@ -108,12 +112,14 @@ num_f cagd_resultant_with_f(num_f (*determinant)(int, const num_f[]), num_f p, n
         region_faults |= FAULT_UNDEFINED;
         return from_int_f(0);
     }
-    num_f *a = region_bytes((size_t)(m + 1) * sizeof *a), *b = region_bytes((size_t)(n + 1) * sizeof *b);
+    num_f *a = cagd_region_array(1, m + 1L, sizeof *a), *b = cagd_region_array(1, n + 1L, sizeof *b);
+    num_f *S = cagd_region_array((long)m + n, (long)m + n, sizeof *S);
+    if (a == NULL || b == NULL || S == NULL)
+        return from_int_f(0);
     for (int k = 0; k <= m; k++)
         a[k] = coefficient_f(p, variable, k);
     for (int k = 0; k <= n; k++)
         b[k] = coefficient_f(q, variable, k);
-    num_f *S = region_bytes((size_t)(m + n) * (size_t)(m + n) * sizeof *S);
     sylvester_matrix_f(m, a, n, b, S);
     return determinant(m + n, S);
 }
@@ -130,7 +136,9 @@ static num_q poly_resultant(resultant_of_arrays *resultant, poly p, poly q)
         region_faults |= FAULT_UNDEFINED;
         return from_int_q(0);
     }
-    num_q *a = region_bytes((size_t)(m + 1) * sizeof *a), *b = region_bytes((size_t)(n + 1) * sizeof *b);
+    num_q *a = cagd_region_array(1, m + 1L, sizeof *a), *b = cagd_region_array(1, n + 1L, sizeof *b);
+    if (a == NULL || b == NULL)
+        return from_int_q(0);
     for (int k = 0; k <= m; k++)
         a[k] = poly_coefficient(p, k);
     for (int k = 0; k <= n; k++)

@@ -30,10 +30,11 @@ void G(bezout_matrix)(int m, const num a[], int n, const num b[], num B[])
 
 num G(resultant_sylvester)(int m, const num a[], int n, const num b[])
 {
-    int size = m + n;
-    num *S = region_bytes((size_t)size * (size_t)size * sizeof *S);
+    num *S = cagd_region_array((long)m + n, (long)m + n, sizeof *S);
+    if (S == NULL)
+        return from_int(0);
     G(sylvester_matrix)(m, a, n, b, S);
-    return G(pivoted_determinant)(size, S);
+    return G(pivoted_determinant)(m + n, S);
 }
 
 /* Res(q, p) = (-1)^(mn) Res(p, q) puts the higher degree first. */
@@ -41,13 +42,15 @@ num G(resultant_bezout)(int m, const num a[], int n, const num b[])
 {
     if (m < n) {
         num swapped = G(resultant_bezout)(n, b, m, a);
-        return m * n % 2 == 0 ? swapped : neg(swapped);
+        return m % 2 == 0 || n % 2 == 0 ? swapped : neg(swapped);
     }
-    num *B = region_bytes((size_t)m * (size_t)m * sizeof *B);
+    num *B = cagd_region_array(m, m, sizeof *B);
+    if (B == NULL)
+        return from_int(0);
     G(bezout_matrix)(m, a, n, b, B);
     num r = G(pivoted_determinant)(m, B);
     for (int k = n; k < m; k++)
         r = div(r, a[m]);
-    return m * (m - 1) / 2 % 2 == 0 ? r : neg(r);
+    return m % 4 < 2 ? r : neg(r);
 }
 #include "core/number/generic_off.h"

@@ -11,10 +11,13 @@ struct ordinates {
     mpz_t *b, slack;
 };
 
+/* Zeros; none, and n = -1, when there is no memory. */
 static struct ordinates new_ordinates(int n, mp_bitcnt_t bits)
 {
-    struct ordinates f = {.n = n, .bits = bits, .b = region_bytes((size_t)(n + 1) * sizeof(mpz_t))};
-    for (int i = 0; i <= n; i++)
+    struct ordinates f = {.n = n, .bits = bits, .b = cagd_region_array(1, n + 1L, sizeof(mpz_t))};
+    if (f.b == NULL)
+        f.n = -1;
+    for (int i = 0; i <= f.n; i++)
         mpz_init(f.b[i]);
     mpz_init(f.slack);
     return f;
@@ -53,7 +56,11 @@ static struct ordinates ordinates_over(poly p, num_q lo, num_q hi, mp_bitcnt_t b
 {
     int n = cagd_poly_degree(p);
     struct ordinates f = new_ordinates(n, bits);
-    num_q *b = region_bytes((size_t)(n + 1) * sizeof *b);
+    num_q *b = cagd_region_array(1, n + 1L, sizeof *b);
+    if (f.n < n || b == NULL) {
+        clear_ordinates(&f);
+        return new_ordinates(-1, bits);
+    }
     poly_to_bernstein(p, n, lo, hi, b);
     mpz_t common;
     mpz_init_set_ui(common, 1);
@@ -100,6 +107,8 @@ static struct ordinates halve(struct ordinates *f)
 {
     int n = f->n;
     struct ordinates right = new_ordinates(n, f->bits);
+    if (right.n < n)
+        return right;
     mpz_set(right.b[n], f->b[n]);
     for (int r = 1; r <= n; r++) {
         for (int i = n; i >= r; i--)
@@ -150,6 +159,10 @@ static void search(struct findings *all, poly p, struct ordinates f, num_q lo, n
         return;
     }
     struct ordinates right = halve(&f);
+    if (right.n < f.n) {
+        clear_ordinates(&f), clear_ordinates(&right);
+        return;
+    }
     num_q middle = midpoint(lo, hi);
     int root_at_middle = known_sign(&right, 0) == 0 && is_root(p, middle);
     search(all, p, f, lo, middle);
@@ -189,9 +202,10 @@ struct squarefree {
 };
 static struct squarefree decompose(poly p)
 {
-    size_t n = (size_t)cagd_poly_degree(p);
-    struct squarefree s = {0, region_bytes(n * sizeof(int)), region_bytes(n * sizeof(poly))};
-    s.count = poly_squarefree(p, s.factor, s.multiplicity);
+    int n = cagd_poly_degree(p);
+    struct squarefree s = {0, cagd_region_array(1, n, sizeof(int)), cagd_region_array(1, n, sizeof(poly))};
+    if (s.multiplicity != NULL && s.factor != NULL)
+        s.count = poly_squarefree(p, s.factor, s.multiplicity);
     return s;
 }
 
@@ -262,8 +276,12 @@ struct cagd_root_count cagd_count_roots_below(poly p, num_q b) { return count_wi
 static void attribute(struct cagd_root *r, struct squarefree s)
 {
     int point = cagd_equal_q(r->lo, r->hi), k = 0;
-    while (!(point ? is_root(s.factor[k], r->lo) : count_inside(s.factor[k], r->lo, r->hi) == 1))
+    while (k < s.count && !(point ? is_root(s.factor[k], r->lo) : count_inside(s.factor[k], r->lo, r->hi) == 1))
         k++;
+    if (k == s.count) { /* there was no memory to find out */
+        r->factor = poly_constant(from_int_q(0));
+        return;
+    }
     r->factor = s.factor[k];
     r->multiplicity = s.multiplicity[k];
 }

@@ -7,9 +7,17 @@ struct integral {
     mpz_t *c;
 };
 
-static struct integral new_integral(int n)
+/* Where coefficients are taken from, one after the other: for p of degree n and both of its chains (n+1)(n+7) are enough.
+ * Made at once, so that memory is missing before anything is begun. */
+struct stock {
+    mpz_t *next;
+    struct integral *chain; /* 2 (n + 2) of them */
+};
+
+static struct integral new_integral(struct stock *stock, int n)
 {
-    struct integral f = {n, n, region_bytes((size_t)(n + 1) * sizeof(mpz_t))};
+    struct integral f = {n, n, stock->next};
+    stock->next += n + 1;
     for (int k = 0; k <= n; k++)
         mpz_init(f.c[k]);
     return f;
@@ -33,9 +41,9 @@ static void make_primitive(struct integral f)
 }
 
 /* A positive multiple of p. */
-static struct integral from_poly(poly p)
+static struct integral from_poly(struct stock *stock, poly p)
 {
-    struct integral f = new_integral(cagd_poly_degree(p));
+    struct integral f = new_integral(stock, cagd_poly_degree(p));
     mpz_t common;
     mpz_init_set_ui(common, 1);
     for (int k = 0; k <= f.n; k++)
@@ -49,9 +57,9 @@ static struct integral from_poly(poly p)
     make_primitive(f);
     return f;
 }
-static struct integral slope(struct integral f)
+static struct integral slope(struct stock *stock, struct integral f)
 {
-    struct integral d = new_integral(f.n - 1);
+    struct integral d = new_integral(stock, f.n - 1);
     for (int k = 1; k <= f.n; k++)
         mpz_mul_ui(d.c[k - 1], f.c[k], (unsigned long)k);
     make_primitive(d);
@@ -81,9 +89,9 @@ static void reduce(struct integral *f, struct integral g)
 }
 
 /* f/g for a primitive g that divides f: by Gauss's lemma the quotient is over Z. */
-static struct integral exact_quotient(struct integral f, struct integral g)
+static struct integral exact_quotient(struct stock *stock, struct integral f, struct integral g)
 {
-    struct integral q = new_integral(f.n - g.n);
+    struct integral q = new_integral(stock, f.n - g.n);
     for (int k = q.n; k >= 0; k--) {
         mpz_divexact(q.c[k], f.c[k + g.n], g.c[g.n]);
         for (int j = 0; j <= g.n; j++)
@@ -98,23 +106,24 @@ struct chain {
     struct integral *p;
 };
 
-static struct integral minus_remainder(struct integral f, struct integral g)
+static struct integral minus_remainder(struct stock *stock, struct integral f, struct integral g)
 {
-    struct integral r = new_integral(f.n);
+    struct integral r = new_integral(stock, f.n);
     for (int k = 0; k <= f.n; k++)
         mpz_neg(r.c[k], f.c[k]);
     reduce(&r, g);
     make_primitive(r);
     return r;
 }
-static struct chain chain_of(struct integral f)
+static struct chain chain_of(struct stock *stock, struct integral f)
 {
-    struct chain s = {0, region_bytes((size_t)(f.n + 2) * sizeof(struct integral))};
+    struct chain s = {0, stock->chain};
+    stock->chain += f.n + 2;
     s.p[0] = f;
-    struct integral next = f.n > 0 ? slope(f) : new_integral(-1);
+    struct integral next = f.n > 0 ? slope(stock, f) : new_integral(stock, -1);
     while (next.n >= 0) {
         s.p[++s.last] = next;
-        next = minus_remainder(s.p[s.last - 1], s.p[s.last]);
+        next = minus_remainder(stock, s.p[s.last - 1], s.p[s.last]);
     }
     clear_integral(next);
     return s;
@@ -126,13 +135,13 @@ static void clear_chain(struct chain s)
 }
 
 /* The chain of the squarefree part of p. */
-static struct chain sturm_chain(poly p)
+static struct chain sturm_chain(struct stock *stock, poly p)
 {
-    struct chain s = chain_of(from_poly(p));
+    struct chain s = chain_of(stock, from_poly(stock, p));
     if (s.p[s.last].n > 0) {
-        struct integral squarefree = exact_quotient(s.p[0], s.p[s.last]);
+        struct integral squarefree = exact_quotient(stock, s.p[0], s.p[s.last]);
         clear_chain(s);
-        s = chain_of(squarefree);
+        s = chain_of(stock, squarefree);
     }
     return s;
 }
@@ -181,9 +190,15 @@ static int count(poly p, struct place a, struct place b)
         return 0;
     }
     region_mark m = region_open();
-    struct chain s = sturm_chain(p);
-    int difference = variations(s, a) - variations(s, b);
-    clear_chain(s);
+    long n = cagd_poly_degree(p);
+    struct stock stock = {cagd_region_array(n + 1, n + 7, sizeof(mpz_t)),
+                          cagd_region_array(2, n + 2, sizeof(struct integral))};
+    int difference = 0;
+    if (stock.next != NULL && stock.chain != NULL) {
+        struct chain s = sturm_chain(&stock, p);
+        difference = variations(s, a) - variations(s, b);
+        clear_chain(s);
+    }
     region_drop(m);
     return difference;
 }

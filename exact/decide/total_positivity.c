@@ -16,7 +16,9 @@ static struct matrix transpose(struct matrix m) { return (struct matrix){m.colum
 
 static struct matrix integer_matrix(int rows, int columns, const num_q A[])
 {
-    struct matrix m = {rows, columns, columns, 1, region_bytes((size_t)rows * (size_t)columns * sizeof(mpz_t))};
+    struct matrix m = {rows, columns, columns, 1, cagd_region_array(rows, columns, sizeof(mpz_t))};
+    if (m.a == NULL)
+        return (struct matrix){0};
     mpz_t common;
     mpz_init(common);
     for (int i = 0; i < rows; i++) {
@@ -123,7 +125,9 @@ int cagd_is_totally_nonnegative(int rows, int columns, const num_q A[])
  * where M_(k-1)(i-1,k-1), the minor of rows i-k .. i-1 and columns 0 .. k-1, has been found positive. */
 static int consecutive_minors_positive(struct matrix m)
 {
-    mpz_t *divisor = region_bytes((size_t)m.rows * sizeof *divisor), product;
+    mpz_t *divisor = cagd_region_array(1, m.rows, sizeof *divisor), product;
+    if (divisor == NULL)
+        return 0;
     int good = 1;
     mpz_init(product);
     for (int i = 0; i < m.rows; i++)
@@ -189,8 +193,10 @@ static num_q minor_value(int order, int columns, const num_q A[], const int row[
 int cagd_all_minors_nonnegative(int rows, int columns, const num_q A[], int strict, struct cagd_minor *worst)
 {
     int most = rows < columns ? rows : columns;
-    int *row = region_bytes((size_t)most * sizeof *row), *column = region_bytes((size_t)most * sizeof *column);
-    num_q *B = region_bytes((size_t)most * (size_t)most * sizeof *B);
+    int *row = cagd_region_array(1, most, sizeof *row), *column = cagd_region_array(1, most, sizeof *column);
+    num_q *B = cagd_region_array(most, most, sizeof *B);
+    if (row == NULL || column == NULL || B == NULL)
+        return 0;
     for (int order = 1; order <= most; order++) {
         first_choice(order, row);
         do {

@@ -118,8 +118,12 @@ cagd_nearest_verdict cagd_stationary_nearest(const cagd_fit_data *data, const ca
     region_mark mark = region_open();
     unsigned before = region_faults;
     int n = curve->count, p = curve->degree, dim = curve->dim;
-    num_i *knot = region_bytes((size_t)(n + p + 1) * sizeof *knot),
-          *point = region_bytes((size_t)(n * dim) * sizeof *point), *weight = region_bytes((size_t)n * sizeof *weight);
+    num_i *knot = cagd_region_array(1, (long)n + p + 1, sizeof *knot),
+          *point = cagd_region_array(n, dim, sizeof *point), *weight = cagd_region_array(1, n, sizeof *weight);
+    if (knot == NULL || point == NULL || weight == NULL) {
+        region_faults = before;
+        return (cagd_nearest_verdict){.where = -1, .reason = "there is not enough memory"};
+    }
     for (int i = 0; i <= n + p; i++)
         knot[i] = from_double_i(curve->knots[i]);
     for (int i = 0; i < n; i++)

@@ -20,7 +20,9 @@ static double contraction(const struct box *b, int k, const double W[], const in
     double worst = 0;
     for (int i = 0; i < k; i++) {
         region_mark mark = region_open();
-        num_i *WH = region_bytes((size_t)n * sizeof(num_i));
+        num_i *WH = cagd_region_array(1, n, sizeof *WH);
+        if (WH == NULL)
+            return INFINITY;
         for (int c = 0; c < n; c++)
             for (int a = 0; a < n; a++) {
                 num_i term = mul_i(from_double_i(W[a * n + i]), (num_i){&b->hessian[a * n + c]});
@@ -48,7 +50,9 @@ static double gradient_size(const struct box *b, int k, const double W[], const 
 {
     double worst = 0;
     region_mark mark = region_open();
-    num_i *y = region_bytes((size_t)k * sizeof(num_i));
+    num_i *y = cagd_region_array(1, k, sizeof *y);
+    if (y == NULL)
+        return INFINITY;
     for (int j = 0; j < k; j++) {
         y[j] = from_double_i(0);
         for (int a = 0; a < b->n; a++)

@@ -46,7 +46,7 @@ void cagd_field_open(int variables)
     field_close();
     if (variables > FIELD_MAX_VARIABLES)
         region_faults |= FAULT_UNABLE;
-    field.capacity = variables < FIELD_MAX_VARIABLES ? variables : FIELD_MAX_VARIABLES;
+    field.capacity = variables < 1 ? 1 : variables < FIELD_MAX_VARIABLES ? variables : FIELD_MAX_VARIABLES;
     fmpz_mpoly_ctx_init(field.ctx, field.capacity, ORD_LEX);
     field.open = 1;
     field.known = 0;
@@ -64,6 +64,8 @@ void cagd_field_close(void)
 const char *cagd_field_variables(void)
 {
     char *text = region_bytes((size_t)field.known * sizeof field.name[0] + 1), *at = text;
+    if (text == NULL)
+        return "";
     *at = '\0';
     for (int v = 0; v < field.known; v++)
         at += sprintf(at, v > 0 ? " %s" : "%s", field.name[v]);
@@ -362,7 +364,9 @@ const char *cagd_to_string_f(num_f a)
     fmpz_mpoly_clear(denominator, ctx);
     size_t room = strlen(p) + strlen(q) + 6;
     char *text = region_bytes(room);
-    if (strcmp(q, "1") == 0)
+    if (text == NULL)
+        ;
+    else if (strcmp(q, "1") == 0)
         snprintf(text, room, "%s", p);
     else
         snprintf(text, room,
@@ -372,7 +376,7 @@ const char *cagd_to_string_f(num_f a)
                  p, q);
     flint_free(p);
     flint_free(q);
-    return text;
+    return text != NULL ? text : "";
 }
 
 static int coefficients_sign(const fmpz_mpoly_t p)

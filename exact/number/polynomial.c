@@ -9,6 +9,7 @@
 #include <flint/fmpq.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_poly.h>
+#include <limits.h>
 #include <string.h>
 
 void cagd_polynomial_slot_init(void *p) { fmpq_poly_init(((struct cagd_polynomial *)p)->x); }
@@ -47,10 +48,11 @@ static num_q rational_of(const fmpq_t x)
 static poly made_of_numbers(const char *op, struct cagd_polynomial *p, int count, const num_q c[])
 {
     if (cagd_noting()) {
-        int *argument = region_bytes((size_t)count * sizeof *argument);
-        for (int k = 0; k < count; k++)
+        int *argument = cagd_region_array(1, count, sizeof *argument);
+        for (int k = 0; argument != NULL && k < count; k++)
             argument[k] = cagd_node_of_q(c[k]);
-        cagd_recorder->node(p, op, count, argument);
+        if (argument != NULL)
+            cagd_recorder->node(p, op, count, argument);
     }
     return (poly){p};
 }
@@ -118,7 +120,11 @@ static poly combine(const char *name, poly_operation *op, poly p, poly q)
 poly cagd_poly_add(poly p, poly q) { return combine("p+", fmpq_poly_add, p, q); }
 poly cagd_poly_sub(poly p, poly q) { return combine("p-", fmpq_poly_sub, p, q); }
 poly cagd_poly_mul(poly p, poly q) { return combine("p*", fmpq_poly_mul, p, q); }
-poly cagd_poly_compose(poly p, poly q) { return combine("pcompose", fmpq_poly_compose, p, q); }
+poly cagd_poly_compose(poly p, poly q)
+{
+    long m = cagd_poly_degree(p), n = cagd_poly_degree(q);
+    return m > 0 && n > INT_MAX / m ? fault(FAULT_MEMORY) : combine("pcompose", fmpq_poly_compose, p, q);
+}
 poly cagd_poly_gcd(poly p, poly q) { return combine("pgcd", fmpq_poly_gcd, p, q); }
 poly cagd_poly_quotient(poly p, poly q)
 {
@@ -277,7 +283,9 @@ const char *cagd_poly_to_string(poly p, const char *variable)
 {
     char *flints = fmpq_poly_get_str_pretty(p.at->x, variable);
     size_t size = strlen(flints) + 1;
-    char *text = memcpy(region_bytes(size), flints, size);
+    char *text = region_bytes(size);
+    if (text != NULL)
+        memcpy(text, flints, size);
     flint_free(flints);
-    return text;
+    return text != NULL ? text : "";
 }

@@ -247,5 +247,5 @@ double cagd_to_double_q(num_q a)
 const char *cagd_to_string_q(num_q a)
 {
     char *text = region_bytes(mpz_sizeinbase(mpq_numref(a.at), 10) + mpz_sizeinbase(mpq_denref(a.at), 10) + 3);
-    return mpq_get_str(text, 10, a.at);
+    return text != NULL ? mpq_get_str(text, 10, a.at) : "";
 }

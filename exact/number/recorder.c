@@ -28,7 +28,9 @@ int cagd_node_of_poly(cagd_poly p)
 {
     if (cagd_recorder->known(p.at) < 0) {
         int length = cagd_poly_degree(p) + 1, noting = cagd_recorder->noting;
-        cagd_num_q *c = cagd_region_bytes((size_t)length * sizeof *c);
+        cagd_num_q *c = cagd_region_array(1, length, sizeof *c);
+        if (c == NULL)
+            return -1;
         cagd_recorder->noting = 0;
         for (int k = 0; k < length; k++)
             c[k] = cagd_poly_coefficient(p, k);

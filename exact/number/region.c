@@ -3,6 +3,8 @@
 #include "exact/number/slots.h"
 #include "exact/words.h"
 
+#include <limits.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -31,19 +33,17 @@ void cagd_region_set_precision(long bits)
         region_faults |= FAULT_UNABLE;
 }
 
-static void *must(void *p)
-{
-    if (p == NULL) {
-        fputs("cagd: out of memory\n", stderr);
-        abort();
-    }
-    return p;
-}
-
+/* The pool has one chunk more; NULL, and MEMORY, when there is no memory for it. */
 static char *one_more_chunk(struct pool *pool, size_t bytes)
 {
-    pool->chunk = must(realloc(pool->chunk, (pool->chunks + 1) * sizeof *pool->chunk));
-    return pool->chunk[pool->chunks++] = must(malloc(bytes));
+    char **longer = realloc(pool->chunk, (pool->chunks + 1) * sizeof *longer);
+    pool->chunk = longer != NULL ? longer : pool->chunk;
+    char *chunk = longer != NULL ? malloc(bytes) : NULL;
+    if (chunk == NULL) {
+        region_faults |= FAULT_MEMORY;
+        return NULL;
+    }
+    return pool->chunk[pool->chunks++] = chunk;
 }
 
 static void *slot_at(enum cagd_slot_kind kind, size_t k)
@@ -51,12 +51,19 @@ static void *slot_at(enum cagd_slot_kind kind, size_t k)
     return pools[kind].chunk[k / CHUNK] + k % CHUNK * cagd_slot_ops[kind].size;
 }
 
+/* A number without a place has no value to go on with: here the region does what GMP does for its digits. */
+static void no_memory_for_a_value(void)
+{
+    fputs("cagd: no memory for a number\n", stderr);
+    abort();
+}
+
 void *cagd_region_slot(enum cagd_slot_kind kind)
 {
     struct pool *pool = &pools[kind];
     if (pool->used == pool->made) {
-        if (pool->made == pool->chunks * CHUNK)
-            one_more_chunk(pool, CHUNK * cagd_slot_ops[kind].size);
+        if (pool->made == pool->chunks * CHUNK && one_more_chunk(pool, CHUNK * cagd_slot_ops[kind].size) == NULL)
+            no_memory_for_a_value();
         cagd_slot_ops[kind].init(slot_at(kind, pool->made++));
     }
     return slot_at(kind, pool->used++);
@@ -65,16 +72,29 @@ void *cagd_region_slot(enum cagd_slot_kind kind)
 /* A request that does not fit in the current page starts a new one; a large one has its own chunk. */
 void *cagd_region_bytes(size_t n)
 {
+    if (n > SIZE_MAX - 16) {
+        region_faults |= FAULT_MEMORY;
+        return NULL;
+    }
     n = n == 0 ? 16 : (n + 15) & ~(size_t)15;
     if (n > PAGE)
         return one_more_chunk(&large, n);
-    if (pages.used % PAGE + n > PAGE)
-        pages.used = (pages.used / PAGE + 1) * PAGE;
-    while (pages.chunks * PAGE < pages.used + n)
-        one_more_chunk(&pages, PAGE);
-    void *p = pages.chunk[pages.used / PAGE] + pages.used % PAGE;
-    pages.used += n;
-    return p;
+    size_t start = pages.used % PAGE + n > PAGE ? (pages.used / PAGE + 1) * PAGE : pages.used;
+    while (pages.chunks * PAGE < start + n)
+        if (one_more_chunk(&pages, PAGE) == NULL)
+            return NULL;
+    pages.used = start + n;
+    return pages.chunk[start / PAGE] + start % PAGE;
+}
+
+void *cagd_region_array(long rows, long columns, size_t size)
+{
+    if (rows < 0 || columns < 0 || rows > INT_MAX || columns > INT_MAX || (columns > 0 && rows > INT_MAX / columns) ||
+        (size_t)(rows * columns) > SIZE_MAX / size) {
+        region_faults |= FAULT_MEMORY;
+        return NULL;
+    }
+    return cagd_region_bytes((size_t)(rows * columns) * size);
 }
 
 region_mark cagd_region_open(void)

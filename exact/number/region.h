@@ -27,7 +27,10 @@ void cagd_thread_end(void);                /* the same, the field closed and the
 void cagd_region_set_precision(long bits);
 long cagd_region_precision(void);
 
-void *cagd_region_bytes(size_t n); /* n bytes, aligned for any object; lives as long as a value made now      */
+/* Room, aligned for any object, that lives as long as a value made now: n bytes, or rows x columns elements.  NULL, and MEMORY,
+ * when there is none, and for an array also when a number is negative or rows x columns is no int. */
+void *cagd_region_bytes(size_t n);
+void *cagd_region_array(long rows, long columns, size_t size);
 
 /* Operations return values, so they report trouble here: bits that stay set until the reader clears
  * them.  Undefined, unable and false are three answers.  The value returned along with a fault is a

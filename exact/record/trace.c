@@ -370,12 +370,16 @@ void cagd_trace_fact_end(void) { put(&tracing->steps, "}"); }
 
 void cagd_trace_name_numbers(int count, const num_q x[])
 {
-    for (int k = 0; k < count; k++)
+    for (int k = 0; x != NULL && k < count; k++)
         cagd_node_of_q(x[k]);
 }
 void cagd_trace_put_numbers(const char *field, int count, const num_q x[])
 {
-    int *node = region_bytes((size_t)count * sizeof *node);
+    int *node = x != NULL ? cagd_region_array(1, count, sizeof *node) : NULL;
+    if (node == NULL) {
+        give_up(FAULT_MEMORY);
+        return;
+    }
     for (int k = 0; k < count; k++)
         node[k] = cagd_node_of_q(x[k]);
     cagd_trace_put_list(field, count, node);
