@@ -83,11 +83,11 @@ A pull that fades has a price: where points disagree, there are several minima, 
 :kind: counterexample
 :data: a = 1; Q = -3 3
 :instead: a = 4
-:result: F' = "2*x^3 - 16*x"; stationary points = 3
+:result: numerator of F' = "2*x^3 - 16*x"; stationary points = 3
 :given: the scale $a$ and two points $Q_1,Q_2$ of a line, to which one number $x$ is fitted
 :then: $2F(x)=\rho((x-Q_1)^2)+\rho((x-Q_2)^2)$ has more than one stationary point
-:method: $F'=\sum_i\frac{x-Q_i}{1+(x-Q_i)^2/a^2}$ is a polynomial over positive denominators, and up to such a factor this polynomial; its real roots are
-  counted exactly, that there is one is refuted.  For points $\pm q$ it is $2x\,(x^2-q^2+a^2)$: with $a\ge q$ there is one root, else there are minima
+:method: $F'=\sum_i\frac{x-Q_i}{1+(x-Q_i)^2/a^2}$ has the signs of its numerator, since the denominators are positive.  The real roots of the numerator
+  are counted exactly; that there is one is refuted.  For points $\pm q$ it is $2x\,(x^2-q^2+a^2)$: with $a\ge q$ there is one root, else there are minima
   on both sides of $0$.
 :control: a scale that is greater than the distance of the points from their middle
 :::
@@ -104,7 +104,7 @@ CLAIM(cauchy_has_one_minimum)
     poly slope = poly_add(poly_mul(D[0], below[1]), poly_mul(D[1], below[0]));
     struct cagd_root_count real = count_roots_line(slope);
     int roots = real.crossings + real.touches;
-    found_text(T, "F'", poly_to_string(slope, "x"));
+    found_text(T, "numerator of F'", poly_to_string(slope, "x"));
     found_whole(T, "stationary points", roots);
     about(T, "stationary points");
     same(T, from_int(roots), one);
