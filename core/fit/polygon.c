@@ -139,12 +139,17 @@ INLINE void distances_in(const fit_polygon *g, const int dim, const double q[], 
     }
 }
 
-WIDE void fit_polygon_distances(const fit_polygon *g, const double q[], int first, int last, double square[])
+WIDE static void distances(const fit_polygon *g, const double q[], int first, int last, double square[])
 {
     if (g->dim == 2)
         distances_in(g, 2, q, first, last, square);
     else
         distances_in(g, 3, q, first, last, square);
+}
+
+void fit_polygon_distances(const fit_polygon *g, const double q[], int first, int last, double square[])
+{
+    distances(g, q, first, last, square);
 }
 
 double fit_polygon_parameter(const fit_polygon *g, int k, const double q[])
@@ -158,7 +163,7 @@ int fit_polygon_is_beside(const fit_polygon *g, int k, double t)
 }
 
 /* Minima of WIDE_SUMS columns, side by side, and then of these. */
-WIDE int fit_smallest_of(int n, const double x[])
+WIDE static int smallest_of(int n, const double x[])
 {
     double least[WIDE_SUMS], smallest = HUGE_VAL;
     int i = 0, first = 0;
@@ -175,3 +180,5 @@ WIDE int fit_smallest_of(int n, const double x[])
         first++;
     return first;
 }
+
+int fit_smallest_of(int n, const double x[]) { return smallest_of(n, x); }

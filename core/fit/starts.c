@@ -126,7 +126,7 @@ static int guess_curve(const fit_problem *p, fit_curve *curve)
     for (int kind = 0; good && kind < (p->unordered ? FIT_ORDERS : 1); kind++) {
         for (int i = 0; i < p->points; i++)
             order[i] = i;
-        good = (!p->unordered || fit_order(p, kind, order)) && try_order(p, order, room, &best);
+        good = (!p->unordered || fit_order(p, (enum fit_order_kind)kind, order)) && try_order(p, order, room, &best);
     }
     free(order);
     fit_curve_free(room);

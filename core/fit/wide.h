@@ -1,6 +1,6 @@
 /* wide.h -- vectors of the processor's width for the loops that take most of the time.
  *
- * A function marked WIDE is compiled for several processors, and the program chooses among them when it starts.  All
+ * A static function marked WIDE is compiled for several processors, and the program chooses among them when it starts.  All
  * of them compute the same numbers: sums are made of WIDE_SUMS sums side by side, and every product and sum is
  * rounded by itself. */
 #ifndef CAGD_FIT_WIDE_H
@@ -10,6 +10,10 @@
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define FIT_NARROW /* a sanitizer is not ready yet when the program chooses */
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define FIT_NARROW
+#endif
 #endif
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__OPTIMIZE__) && !defined(FIT_NARROW)
 #define FIT_WIDER

@@ -193,7 +193,7 @@ static enum ending trial(const struct kind *kind, long k, long until)
     if (child == 0) {
         enum ending ending = fit_without(kind, k, until);
         fflush(stdout);
-        _exit(ending);
+        _exit((int)ending);
     }
     if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status)) {
         complain(kind, k, "the program has crashed, or an exception has left the library");
