@@ -42,8 +42,8 @@ static inline num G(basis_derivative)(int n, int i, int r, num t)
 #else
     num sum = from_int(0);
     for (int k = r; k <= n; k++) {
-        num falling = div(G(factorial)(k), G(factorial)(k - r));
-        sum = add(sum, mul(mul(G(basis_coefficient)(n, i, k), falling), G(power)(t, k - r)));
+        num factor = from_int(G(falling_factorial)(k, r));
+        sum = add(sum, mul(mul(G(basis_coefficient)(n, i, k), factor), G(power)(t, k - r)));
     }
     return sum;
 #endif
