@@ -150,7 +150,7 @@ static void every_request_may_fail(void **state)
     (void)state;
     for (size_t d = 0; d < sizeof decisions / sizeof *decisions; d++) {
         int trials = 0;
-        for (size_t taken = 0; taken <= PAGE; taken += taken < PAGE - 8192 ? 16384 : 1024)
+        for (size_t taken = 0; taken <= PAGE; taken += taken < PAGE - 8192 ? 8192 : 512)
             trials += every_request_fails(decisions[d], taken);
         assert_true(trials > 0);
     }
