@@ -332,28 +332,30 @@ CLAIM(level_by_sums_over_the_level_before)
 :title: The display divides 0 by 0 at a multiple knot
 :zh: 重节点处所印等式出现 0/0
 :kind: counterexample
-:given: $k=4$, the span $[3,4)$ of the knots $0,3,3,3,4,5,6,7$, $t_4=3$ being triple; $r=2$, $j=4$
+:given: a cubic span $[t_j,t_{j+1})$, $j=k$, of the knots $t_i$, $t_j$ being triple; $r$
+:data: k = 4; r = 2; t_i = 0 3 3 3 4 5 6 7
+:instead: t_i = 0 1 2 3 4 5 6 7
 :then: a divisor $t_{i+k-r}-t_i$ with $j-k+r\le i\le j$ is 0
+:result: divisors that are 0 = 1; i = 2
 :method: All these divisors are computed; that none is 0 is what is compared.
-:control: the knots $0,1,2,3,\dots,7$
+:control: simple knots
 :::
 */
 CLAIM(first_term_of_the_chain_divides_by_zero)
 {
-    static const int triple[8] = {0, 3, 3, 3, 4, 5, 6, 7}, simple[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-    const int *t = fault(T, simple, triple); /* t_i is t[i-1] */
-    int k = 4, j = 4, r = 2, zero = 0;
-    num u[8];
-    for (int i = 0; i < 8; i++)
-        u[i] = from_int(t[i]);
+    enum { MOST = 8 };
+    int k = given_whole(T, "k"), r = given_whole(T, "r"), j = k, zeros = 0, index = 0;
+    num t[MOST + 1];
+    given_points(T, "t_i", 2 * k, 1, t + 1);
     for (int i = j - k + r; i <= j; i++)
-        if (is_zero_q(sub(u[i + k - r - 1], u[i - 1]))) {
-            show_text(T, "i", "%d", i);
-            zero = 1;
+        if (is_zero_q(sub(t[i + k - r], t[i]))) {
+            zeros++;
+            index = i;
         }
-    show_points(T, "t_i", 8, 1, u);
+    found_whole(T, "divisors that are 0", zeros);
+    found_whole(T, "i", index);
     about(T, "no divisor is 0");
-    refute(T, zero);
+    refute(T, zeros > 0);
 }
 #endif
 
@@ -393,38 +395,39 @@ The families are computed from control points over uniform knots; a polynomial o
 values of its polar form.
 */
 
-#if FIELD || RATIONAL
-static const int convex_quartic[2][8] = {{0, 1}, {0, 0, 3, 0, 2}};
-#endif
-
 #if RATIONAL
 /*
 :::{claim} convex_quartic_of_span_has_second_envelope
 :title: A convex segment without inflections whose conics touch a parabola as well
 :zh: 无拐点的凸四次曲线段,其族另有抛物线为包络
 :kind: counterexample
-:given: $k=5$, knots $-9,-7,\dots,9$, the span $[-1,1)$, weights 1, points for which it is $(t,2t^4+3t^2)$; $r=2$, $\tau=\frac12$, $t=-\frac12$
-:then: (4.3.15) is satisfied at $(0,-\frac18)$, not on the curve, whose $\mathbf r'\times\mathbf r''$ is positive
-  on $[-1,1]$
+:given: the quartic $\sum a_mt^m$, which is $(t,2t^4+3t^2)$, as a segment over the uniform knots $t_i$, weights 1;
+  $r=2$, a pair of $t$ and $\tau$
+:data: t_i = -9 -7 -5 -3 -1 1 3 5 7 9; a = (0,0) (1,0) (0,3) (0,0) (0,2); t = -1/2; τ = 1/2
+:instead: t = 1/2
+:then: (4.3.15) is satisfied at a point that is not on the curve, whose $\mathbf r'\times\mathbf r''$ is positive on
+  the closed span
+:result: r_i = (-4,253) (-2,-23) (0,13) (2,-23) (4,253); r' × r'' is positive on the span = 1; point of the member =
+  (0,-1/8); its derivatives by t and τ = (1/2,0) (1/2,0); point of the curve with its abscissa = (0,0)
 :method: That $x'y''-x''y'$ is positive is decided first, by its sign as a polynomial on the closed span; then that
-  the pair satisfies the condition; then $2y-2x^4-3x^2$ is compared with 0.
+  the pair satisfies the condition; then the ordinate of the point is compared with that of the curve where the
+  abscissa is the same.
 :control: $t=\tau$
 :::
 */
 CLAIM(convex_quartic_of_span_has_second_envelope)
 {
-    num u[10], R[10], w[5], X[2], tau = from_ratio(1, 2), t = from_ratio(fault(T, 1, -1), 2);
-    G(uniform_curve)(4, 2, 1, convex_quartic, u, R, w);
-    if (!G(turns_left_on_span)(4, u, 4, R) || !G(pair_of_one_span)(T, 4, 2, u, R, w, 2, tau, t, X))
+    num u[10], R[10], w[5], X[2], at[2], t = given(T, "t"), tau = given(T, "τ");
+    G(given_curve_of_powers)(T, 4, 2, u, R, w);
+    int convex = G(turns_left_on_span)(4, u, 4, R);
+    found_whole(T, "r' × r'' is positive on the span", convex);
+    if (!G(pair_of_the_envelope)(T, 4, 2, u, 4, R, w, 2, tau, t, X) || !convex)
         return;
-    num xx = mul(X[0], X[0]), curve = mul(xx, add(from_int(3), mul(from_int(2), xx)));
-    about(T, "the point's second coordinate and 2x⁴ + 3x²");
-    same(T, X[1], curve);
+    G(curve_derivatives)(4, 2, u, 4, R, w, X[0], 0, at); /* x(t) = t */
+    found_points(T, "point of the curve with its abscissa", 1, 2, at);
+    about(T, "the ordinates of the point and of the curve, the abscissas being the same");
+    same(T, X[1], at[1]);
 }
-#endif
-
-#if FIELD || RATIONAL
-static const int twisted_sextic[3][8] = {{0, 1}, {0, 0, -15, 0, 0, 0, 1}, {0, 0, 0, 10, 0, 3}};
 #endif
 
 #if RATIONAL
@@ -433,47 +436,53 @@ static const int twisted_sextic[3][8] = {{0, 1}, {0, 0, -15, 0, 0, 0, 1}, {0, 0,
 :title: A curve of space, its curvature and torsion nowhere 0, whose cubics touch another curve as well
 :zh: 曲率与挠率处处非零的空间曲线,其族另有包络
 :kind: counterexample
-:given: $k=7$, knots $-26,-22,\dots,26$, the span $[-2,2)$, weights 1, points for which it is
-  $(t,t^6-15t^2,3t^5+10t^3)$; $r=3$, $\tau=-1$, $t=1$
-:then: (4.3.15) is satisfied at $(0,2,0)$, not on the curve, of which $x=0$ only at the origin; the curvature and the
-  torsion are not 0 anywhere
-:method: $\mathbf r'\times\mathbf r''$ has the coordinates $x'y''-x''y'=30(t^4-1)$ and $x'z''-x''z'=60t(t^2+1)$,
-  without a common real zero: their greatest common divisor is decided to have none.  $(\mathbf r',\mathbf r'',\mathbf
-  r''')$ is decided to be of one sign on the real line, as $-1800(t^2+1)^3$.  Then the condition, then the point.
+:given: the sextic curve of space $\sum a_mt^m$, which is $(t,t^6-15t^2,3t^5+10t^3)$, as a segment over the uniform
+  knots $t_i$, weights 1; $r=3$, a pair of $t$ and $\tau$
+:data: t_i = -26 -22 -18 -14 -10 -6 -2 2 6 10 14 18 22 26; a = (0,0,0) (1,0,0) (0,-15,0) (0,0,10) (0,0,0) (0,0,3)
+  (0,1,0); r = 3; t = 1; τ = -1
+:instead: t = -1
+:then: (4.3.15) is satisfied at a point that is not on the curve; the curvature and the torsion are not 0 anywhere
+:result: r_i = (-12,663260,-326304) (-8,-61300,9024) (-4,20060,-1248) (0,-14260,0) (4,20060,1248) (8,-61300,-9024)
+  (12,663260,326304); y'' = "30*t^4 - 30"; z'' = "60*t^3 + 60*t"; (r', r'', r''') = "-1800*t^6 - 5400*t^4 - 5400*t^2 -
+  1800"; point of the member = (0,2,0); its derivatives by t and τ = (1/2,0,-3/2) (1/2,0,-3/2); point of the curve
+  with its x = (0,0,0)
+:method: $\mathbf r'\times\mathbf r''$ has the coordinates $x'y''-x''y'=y''$ and $x'z''-x''z'=z''$, without a common
+  real zero: their greatest common divisor is decided to have none.  $(\mathbf r',\mathbf r'',\mathbf r''')$ is
+  decided to have no zero on the real line.  Then the condition, then the point against that of the curve with the
+  same $x$.
 :control: $t=\tau$, the point minus that of the curve
 :::
 */
 CLAIM(twisted_sextic_has_second_envelope)
 {
-    num u[14], R[21], w[7], X[3], at[9], tau = from_int(-1), t = from_int(fault(T, -1, 1));
-    G(uniform_curve)(6, 3, 2, twisted_sextic, u, R, w);
+    num u[14], R[21], w[7], a[21], X[3], at[9], t = given(T, "t"), tau = given(T, "τ");
+    int r = given_whole(T, "r");
+    G(given_curve_of_powers)(T, 6, 3, u, R, w);
     poly f[3][4]; /* the three coordinates and their derivatives */
+    given_points(T, "a", 7, 3, a);
     for (int c = 0; c < 3; c++) {
-        num a[7];
+        num power[7];
         for (int m = 0; m < 7; m++)
-            a[m] = from_int(twisted_sextic[c][m]);
-        f[c][0] = poly_from_q(7, a);
+            power[m] = a[3 * m + c];
+        f[c][0] = poly_from_q(7, power);
         for (int d = 1; d < 4; d++)
             f[c][d] = poly_derivative(f[c][d - 1]);
     }
-    /* x' = 1 and x'' = 0: the coordinates of r' x r'' are y'', z'' and one more */
+    /* x' = 1 and x'' = 0: the coordinates of r' × r'' are y'', z'' and one more */
     poly torsion = poly_sub(poly_mul(f[1][2], f[2][3]), poly_mul(f[2][2], f[1][3]));
     int curved = count_roots_line(poly_gcd(f[1][2], f[2][2])).distinct == 0,
         twisted = count_roots_line(torsion).distinct == 0;
-    show_text(T, "y''", "%s", poly_to_string(f[1][2], "t"));
-    show_text(T, "z''", "%s", poly_to_string(f[2][2], "t"));
-    show_text(T, "(r', r'', r''')", "%s", poly_to_string(torsion, "t"));
-    if (!curved || !twisted || !G(pair_of_one_span)(T, 6, 3, u, R, w, 3, tau, t, X))
+    found_text(T, "y''", poly_to_string(f[1][2], "t"));
+    found_text(T, "z''", poly_to_string(f[2][2], "t"));
+    found_text(T, "(r', r'', r''')", poly_to_string(torsion, "t"));
+    if (!G(pair_of_the_envelope)(T, 6, 3, u, 6, R, w, r, tau, t, X) || !curved || !twisted)
         return;
-    G(curve_derivatives)(6, 3, u, 6, R, w, X[0], 0, at); /* the point of the curve with this x */
+    G(curve_derivatives)(6, 3, u, 6, R, w, X[0], 0, at); /* x(t) = t */
+    found_points(T, "point of the curve with its x", 1, 3, at);
     about(T, "the point, and the point of the curve with its x");
     for (int c = 0; c < 3; c++)
         same(T, X[c], at[c]);
 }
-#endif
-
-#if FIELD || RATIONAL
-static const int flat_cubic[2][8] = {{0, 1}, {0, 0, 0, 1}};
 #endif
 
 #if RATIONAL
@@ -482,9 +491,13 @@ static const int flat_cubic[2][8] = {{0, 1}, {0, 0, 0, 1}};
 :title: A second envelope whose τ(t) is defined on the whole span
 :zh: 在整段上有定义的另一解 τ(t)
 :kind: counterexample
-:given: $k=6$, knots $-11,-9,\dots,11$, the span $[-1,1)$, weights 1, points for which it is $(t,t^3)$; $r=3$,
-  $\tau(t)=-\frac t2$; here $t=\frac45$
-:then: (4.3.15) is satisfied at $(\frac t{10},-\frac{t^3}{80})=(\frac2{25},-\frac4{625})$, which is not on the curve
+:given: the cubic $\sum a_mt^m$, which is $(t,t^3)$, as a segment of degree five over the uniform knots $t_i$, weights
+  1; $r=3$, and the solution $\tau(t)=-\frac t2$, here at one $t$
+:data: t_i = -11 -9 -7 -5 -3 -1 1 3 5 7 9 11; a = (0,0) (1,0) (0,0) (0,1) (0,0) (0,0); r = 3; t = 4/5; τ = -2/5
+:instead: τ = 4/5
+:then: (4.3.15) is satisfied at a point that is not on the curve
+:result: r_i = (-5,-95) (-3,-9) (-1,5) (1,-5) (3,9) (5,95); point of the member = (2/25,-4/625); its derivatives by t
+  and τ = (2/5,-12/125) (3/5,-18/125)
 :method: The condition is found to be satisfied; then $y-x^3$ is compared with 0.  For all $t$:
   `second_envelopes_of_spans`.
 :control: $\tau=t$
@@ -492,9 +505,10 @@ static const int flat_cubic[2][8] = {{0, 1}, {0, 0, 0, 1}};
 */
 CLAIM(solution_over_the_whole_span)
 {
-    num u[12], R[12], w[6], X[2], t = from_ratio(4, 5), tau = fault(T, t, from_ratio(-2, 5));
-    G(uniform_curve)(5, 2, 1, flat_cubic, u, R, w);
-    if (!G(pair_of_one_span)(T, 5, 2, u, R, w, 3, tau, t, X))
+    num u[12], R[12], w[6], X[2], t = given(T, "t"), tau = given(T, "τ");
+    int r = given_whole(T, "r");
+    G(given_curve_of_powers)(T, 5, 2, u, R, w);
+    if (!G(pair_of_the_envelope)(T, 5, 2, u, 5, R, w, r, tau, t, X))
         return;
     about(T, "y and x³ of the point");
     same(T, X[1], mul(X[0], mul(X[0], X[0])));
@@ -507,11 +521,16 @@ CLAIM(solution_over_the_whole_span)
 :title: The other factor of the condition, and the curves that it gives
 :zh: 包络条件的另一因子及所得曲线
 :types: field
-:given: the three families, at any $t$ and $\tau$
-:then: $X_t\times X_\tau$ is $\frac12(t-\tau)(4t\tau+1)$ for the quartic $(t,2t^4+3t^2)$, and there
-  $y=2x^2-\frac18+2(t\tau+\frac14)^2$, so $y=2x^2-\frac18$ where $4t\tau=-1$; it is
-  $\frac32(t-\tau)(t\tau+1)(t\tau-1,t+\tau,\dots)$ for the sextic; for the cubic with $k=6$ it is a multiple of
-  $(t-\tau)(t+2\tau)$, and for $t=-2\tau$ the points are $(\frac t{10},-\frac{t^3}{80})$
+:given: the three families above, each curve by the vectors of its powers over uniform knots; $r=2$ for the quartic,
+  and an $r$ for the two others; any $t$ and $\tau$
+:data: t_i of the quartic = -9 -7 -5 -3 -1 1 3 5 7 9; quartic = (0,0) (1,0) (0,3) (0,0) (0,2); t_i of the sextic = -26
+  -22 -18 -14 -10 -6 -2 2 6 10 14 18 22 26; sextic = (0,0,0) (1,0,0) (0,-15,0) (0,0,10) (0,0,0) (0,0,3) (0,1,0); t_i
+  of the cubic = -11 -9 -7 -5 -3 -1 1 3 5 7 9 11; cubic = (0,0) (1,0) (0,0) (0,1) (0,0) (0,0); α = 1/2; β = 4; γ =
+  1/8; δ = 3/2; (ξ,η) = (1/10,-1/80); r = 3
+:then: $X_t\times X_\tau$ is $\alpha(t-\tau)(\beta t\tau+1)$ for the quartic, and there $y=2x^2-\gamma+\gamma(\beta
+  t\tau+1)^2$, so that the points where $\beta t\tau=-1$ are on a parabola; it is
+  $\delta(t-\tau)(t\tau+1)(t\tau-1,t+\tau,\dots)$ for the sextic; for the cubic it is a multiple of
+  $(t-\tau)(t+2\tau)$, and for $t=-2\tau$ the points are $(\xi t,\eta t^3)$
 :method: Members and derivatives from the control points over the knots with $t$ and $\tau$ as variables.  For the
   sextic the third component follows: $X_t\times X_\tau$ is perpendicular to $X_t$.
 :control: $t+\tau$ in the place of $t-\tau$
@@ -519,34 +538,45 @@ CLAIM(solution_over_the_whole_span)
 */
 CLAIM(second_envelopes_of_spans)
 {
-    num t = parameter(T, "t"), tau = parameter(T, "s"), u[14], R[21], w[7], D[9], turn[3], one = from_int(1);
-    num front = fault(T, sub(t, tau), add(t, tau)), product = mul(t, tau);
+    num t = parameter(T, "t"), tau = parameter(T, "s"), u[14], a[21], R[21], w[7], D[9], turn[3], one = from_int(1);
+    num front = fault(T, sub(t, tau), add(t, tau)), product = mul(t, tau), point[2];
+    int r = given_whole(T, "r");
 
-    G(uniform_curve)(4, 2, 1, convex_quartic, u, R, w);
+    given_points(T, "t_i of the quartic", 10, 1, u);
+    given_points(T, "quartic", 5, 2, a);
+    num alpha = given(T, "α"), gamma = given(T, "γ"), other = add(mul(given(T, "β"), product), one);
+    G(curve_of_powers)(4, 2, u, a, R, w);
     G(family_derivatives)(4, 2, u, 4, R, w, 2, tau, t, D);
-    num other = add(mul(from_int(4), product), one), square = mul(from_ratio(1, 8), mul(other, other));
     about(T, "the condition for the quartic");
-    same(T, G(cross2)(D + 2, D + 4), mul(from_ratio(1, 2), mul(front, other)));
+    /* X_t × X_τ = α (t - τ)(βtτ + 1) */
+    same(T, G(cross2)(D + 2, D + 4), mul(alpha, mul(front, other)));
     about(T, "the points for the quartic");
-    same(T, D[1], add(sub(mul(from_int(2), mul(D[0], D[0])), from_ratio(1, 8)), square));
+    /* y = 2x² - γ + γ (βtτ + 1)² */
+    same(T, D[1], add(mul(from_int(2), mul(D[0], D[0])), mul(gamma, sub(mul(other, other), one))));
 
-    G(uniform_curve)(6, 3, 2, twisted_sextic, u, R, w);
-    G(family_derivatives)(6, 3, u, 6, R, w, 3, tau, t, D);
+    given_points(T, "t_i of the sextic", 14, 1, u);
+    given_points(T, "sextic", 7, 3, a);
+    G(curve_of_powers)(6, 3, u, a, R, w);
+    G(family_derivatives)(6, 3, u, 6, R, w, r, tau, t, D);
     G(cross3)(D + 3, D + 6, turn);
-    num common = mul(from_ratio(3, 2), mul(front, add(product, one)));
+    num common = mul(given(T, "δ"), mul(front, add(product, one)));
     about(T, "the condition for the sextic");
+    /* X_t × X_τ = δ (t - τ)(tτ + 1) (tτ - 1, t + τ, ...), its last coordinate first */
     same(T, turn[2], mul(common, sub(product, one)));
     same(T, neg(turn[1]), mul(common, add(t, tau)));
 
-    G(uniform_curve)(5, 2, 1, flat_cubic, u, R, w);
-    G(family_derivatives)(5, 2, u, 5, R, w, 3, tau, t, D);
+    given_points(T, "t_i of the cubic", 12, 1, u);
+    given_points(T, "cubic", 6, 2, a);
+    given_points(T, "(ξ,η)", 1, 2, point);
+    G(curve_of_powers)(5, 2, u, a, R, w);
+    G(family_derivatives)(5, 2, u, 5, R, w, r, tau, t, D);
     num quotient = div(G(cross2)(D + 2, D + 4), mul(front, add(t, mul(from_int(2), tau))));
     about(T, "the condition for the cubic");
     agree(T, is_constant_f(quotient, NULL) && !is_zero_f(quotient));
     num half = mul(from_ratio(-1, 2), t);
     about(T, "the points for the cubic");
-    same(T, substitute_f(D[0], tau, half), div(t, from_int(10)));
-    same(T, substitute_f(D[1], tau, half), div(mul(t, mul(t, t)), from_int(-80)));
+    same(T, substitute_f(D[0], tau, half), mul(point[0], t));
+    same(T, substitute_f(D[1], tau, half), mul(point[1], mul(t, mul(t, t))));
 }
 #endif
 
@@ -667,30 +697,36 @@ alternative is true for a stronger reason: for $\tau\ne t$ the vector product of
 :title: With the curve of order r-1 in the place of the level r-1 the sum is not 0
 :zh: 若上标按 (4.3.3) 表示阶数则和不为零
 :kind: counterexample
-:given: $k=7$, knots $-13,-11,\dots,13$, the span $[-1,1)$, weights 1, points for which it is $(t,t^3,t^4+1)$; $r=5$,
-  $\tau=0$, $t=\frac12$
-:then: (4.3.15) is satisfied with $\tau\ne t$; with the curve $\mathbf r^{[4]}(t,\tau)=(\frac t2,\frac{t^3}{20},1)$, which has
-  the order $r-1$, the sum is $\frac{3t}{20}\ne0$
+:given: the quartic curve of space $\sum a_mt^m$, which is $(t,t^3,t^4+1)$, as a segment of degree six over the
+  uniform knots $t_i$, weights 1; an $r$, and a pair of $t$ and $\tau$
+:data: t_i = -13 -11 -9 -7 -5 -3 -1 1 3 5 7 9 11 13; a = (0,0,1) (1,0,0) (0,0,0) (0,1,0) (0,0,1) (0,0,0) (0,0,0); r =
+  5; t = 1/2; τ = 0
+:then: (4.3.15) is satisfied with $\tau\ne t$; with the curve $\mathbf r^{[r-1]}(t,\tau)$, which has the order $r-1$,
+  the sum is not 0
+:result: r_i = (-6,-174,12154/15) (-4,-36,754/15) (-2,6,-326/15) (0,0,274/15) (2,-6,-326/15) (4,36,754/15)
+  (6,174,12154/15); point of the member = (1/12,0,1); its derivatives by t and τ = (1/6,0,0) (5/6,0,0); point and two
+  derivatives of the curve of order r-1 = (1/4,1/160,1) (1/2,3/80,0) (0,3/20,0); the sum = 3/40
 :method: The condition is found to be satisfied; then the sum of the triple products with the points of level $r-1$ and the
   member of order $r-1$ is compared with 0.
-:control: the member of level $r-1$, of order $k-r+1=3$
+:control: the member of level $r-1$, of order $k-r+1$
 :::
 */
 CLAIM(superscript_of_the_order_gives_another_product)
 {
-    static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {1, 0, 0, 0, 1}};
-    int p = 6, k = 7, r = 5, level = fault(T, r - 1, k - (r - 1)); /* of the curve of order r-1 */
-    num u[14], R[21], w[7], X[3], Rr[21], wr[7], D[9], S[4], tau = from_int(0), t = from_ratio(1, 2);
-    G(uniform_curve)(p, 3, 1, curve, u, R, w);
-    if (!G(pair_of_one_span)(T, p, 3, u, R, w, r, tau, t, X))
+    int p = 6, k = p + 1, r = given_whole(T, "r"), level = fault(T, r - 1, k - (r - 1)); /* of the curve of order r-1 */
+    num u[14], R[21], w[7], X[3], Rr[21], wr[7], D[9], S[4], t = given(T, "t"), tau = given(T, "τ");
+    G(given_curve_of_powers)(T, p, 3, u, R, w);
+    if (!G(pair_of_the_envelope)(T, p, 3, u, p, R, w, r, tau, t, X))
         return;
     G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
     G(curve_derivatives)(p - level, 3, u, p, Rr, wr, t, 2, D);
     G(level_of_curve)(p, 3, u, p, R, w, r - 1, tau, Rr, wr);
     G(sums)(p - r + 1, 3, u, p, Rr, wr, t, S);
-    show_points(T, "two derivatives of the curve of order r-1", 2, 3, D + 3);
+    num sum = G(det3)(S, D + 3, D + 6);
+    found_points(T, "point and two derivatives of the curve of order r-1", 3, 3, D);
+    found(T, "the sum", sum);
     about(T, "the sum of the triple products");
-    vanishes(T, G(det3)(S, D + 3, D + 6));
+    vanishes(T, sum);
 }
 
 /*
@@ -730,25 +766,26 @@ static void G(products_with_member)(int p, const num u[], const num R[], const n
 :title: The sum is 0 and its terms are not
 :zh: 和为零而各项不为零
 :kind: counterexample
-:given: $k=5$, knots $-18,-14,\dots,18$, the span $[-2,2)$, weights 1, points for which it is
-  $(4t+2,6t^2-4t+1,12t^3-18t^2+12t-3)$; $r=2$, $\tau=1$, $t=0$: the member of level 1 is $3(t+1,t^2,t^3)$
-:then: $\sum N_{i,4}(t)(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$, and not every term is 0
+:given: the cubic curve of space $\sum a_mt^m$ as a segment of degree four over the uniform knots $t_i$, weights 1,
+  whose member $\tau$ of level 1 is a multiple of $(t+1,t^2,t^3)$; $r=2$, and a $t$
+:data: t_i = -18 -14 -10 -6 -2 2 6 10 14 18; a = (2,1,-3) (4,-4,12) (0,6,-18) (0,0,12) (0,0,0); t = 0; τ = 1
+:then: $\sum N_{i,k-1}(t)(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$, and not every term is 0
+:result: r_i = (-30,377,-5355) (-14,73,-27) (2,-39,117) (18,41,-315) (34,313,3285); the triple products = -6480 1296
+  -1296 6480; the sum = 0
 :method: The sum is found to be 0; then its triple products are compared with 0.
 :control: the sum in the place of its terms
 :::
 */
 CLAIM(member_osculates_a_plane_through_the_origin)
 {
-    static const int curve[3][8] = {{2, 4}, {1, -4, 6}, {-3, 12, -18, 12}};
-    num u[10], R[15], w[5], term[5], N[4], sum = from_int(0), zero = from_int(0);
-    G(uniform_curve)(4, 3, 2, curve, u, R, w);
-    G(products_with_member)(4, u, R, w, 1, from_int(1), zero, 1, term);
-    G(bspline_basis)(3, u, 4, zero, N);
+    num u[10], R[15], w[5], term[5], N[4], sum = from_int(0), t = given(T, "t"), tau = given(T, "τ");
+    G(given_curve_of_powers)(T, 4, 3, u, R, w);
+    G(products_with_member)(4, u, R, w, 1, tau, t, 1, term);
+    G(bspline_basis)(3, u, 4, t, N);
     for (int m = 0; m < 4; m++)
         sum = add(sum, mul(N[m], term[m]));
-    show_points(T, "r_i", 5, 3, R);
-    show_points(T, "the triple products", 4, 1, term);
-    show(T, "the sum", sum);
+    found_points(T, "the triple products", 4, 1, term);
+    found(T, "the sum", sum);
     if (!is_zero_q(sum))
         return;
     about(T, "a triple product");
@@ -837,24 +874,25 @@ $k-r+1$ equations do not determine $k-r+2$ unknowns.
 :title: The products of level 1 are 0 and those of level 0 are not
 :zh: 第 1 层混合积为零而第 0 层不为零
 :kind: counterexample
-:given: $k=4$, knots $-14,-10,\dots,14$, the span $[-2,2)$, weights 1, points for which it is $(t,t^2,(t-1)^3)$;
-  $r=2$, $\tau=1$, $t=0$: the member of level 1 is in the plane $z=0$
+:given: the cubic curve of space $\sum a_mt^m$, which is $(t,t^2,(t-1)^3)$, as a segment over the uniform knots $t_i$,
+  weights 1; $r=2$, a $t$, and the $\tau$ whose member of level 1 is in the plane $z=0$
+:data: t_i = -14 -10 -6 -2 2 6 10 14; a = (0,0,-1) (1,0,3) (0,1,-3) (0,0,1); t = 0; τ = 1
 :then: $(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$ for all $i$, and not every $(r_i,\partial_tR,\partial_t^2R)$ is
   0
+:result: r_i = (-6,92/3,-231) (-2,-4/3,21) (2,-4/3,-15) (6,92/3,45); products of level 1 = 0 0 0; products of level 0
+  = -308/3 28/3 -20/3 20
 :method: The products of level 1 are found to be 0; then those of level 0 are compared with 0.
 :control: those of level 1 once more
 :::
 */
 CLAIM(level_one_in_a_plane_and_the_points_not)
 {
-    static const int curve[3][8] = {{0, 1}, {0, 0, 1}, {-1, 3, -3, 1}};
-    num u[8], R[12], w[4], low[4], high[4], tau = from_int(1), t = from_int(0);
-    G(uniform_curve)(3, 3, 2, curve, u, R, w);
+    num u[8], R[12], w[4], low[4], high[4], t = given(T, "t"), tau = given(T, "τ");
+    G(given_curve_of_powers)(T, 3, 3, u, R, w);
     G(products_with_member)(3, u, R, w, 1, tau, t, 1, high);
     G(products_with_member)(3, u, R, w, 1, tau, t, 0, low);
-    show_points(T, "r_i", 4, 3, R);
-    show_points(T, "level 1", 3, 1, high);
-    show_points(T, "level 0", 4, 1, low);
+    found_points(T, "products of level 1", 3, 1, high);
+    found_points(T, "products of level 0", 4, 1, low);
     for (int m = 0; m < 3; m++)
         if (!is_zero_q(high[m]))
             return;
@@ -883,20 +921,24 @@ here the proof loses the curves of space.
 :title: At another solution of a curve of space all products are 0; the points are not coplanar
 :zh: 空间曲线在另一解处各混合积为零而顶点不共面
 :kind: counterexample
-:given: the sextic $(t,t^6-15t^2,3t^5+10t^3)$ with $k=7$, $r=3$, $\tau=-1$, $t=1$
-:then: $(r_i,\partial_tR,\partial_t^2R)=0$ for all seven points, with the member $R$ of level 2; the points are not
+:given: the curve and the pair of $t$ and $\tau$ of `twisted_sextic_has_second_envelope`, $r=3$
+:data: t_i = -26 -22 -18 -14 -10 -6 -2 2 6 10 14 18 22 26; a = (0,0,0) (1,0,0) (0,-15,0) (0,0,10) (0,0,0) (0,0,3)
+  (0,1,0); r = 3; t = 1; τ = -1
+:then: $(r_i,\partial_tR,\partial_t^2R)=0$ for all the points, with the member $R$ of level $r-1$; the points are not
   coplanar
+:result: r_i = (-12,663260,-326304) (-8,-61300,9024) (-4,20060,-1248) (0,-14260,0) (4,20060,1248) (8,-61300,-9024)
+  (12,663260,326304); the products = 0 0 0 0 0 0 0
 :method: The products are found to be 0; then the volume of four of the points is compared with 0.
 :control: a volume with two equal edges
 :::
 */
 CLAIM(twisted_sextic_has_products_zero)
 {
-    num u[14], R[21], w[7], low[7], edge[9];
-    G(uniform_curve)(6, 3, 2, twisted_sextic, u, R, w);
-    G(products_with_member)(6, u, R, w, 2, from_int(-1), from_int(1), 0, low);
-    show_points(T, "r_i", 7, 3, R);
-    show_points(T, "the products", 7, 1, low);
+    num u[14], R[21], w[7], low[7], edge[9], t = given(T, "t"), tau = given(T, "τ");
+    int r = given_whole(T, "r");
+    G(given_curve_of_powers)(T, 6, 3, u, R, w);
+    G(products_with_member)(6, u, R, w, r - 1, tau, t, 0, low);
+    found_points(T, "the products", 7, 1, low);
     for (int m = 0; m < 7; m++)
         if (!is_zero_q(low[m]))
             return;

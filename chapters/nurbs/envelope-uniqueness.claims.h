@@ -442,8 +442,11 @@ CLAIM(product_with_the_numerator_gives_the_triple_product)
 :title: For equal weights the scalar product with p'' is 0 = 0
 :zh: 权相等时与 p'' 的数量积恒为零
 :kind: counterexample
-:given: $k=4$, weights 1, the curve $(t,t^2,t^3+1)$ at $t=0$; $\tau=1$
+:given: the cubic curve of space $\sum a_mt^m$ as a segment over the uniform knots $t_i$, weights 1; $t$ and $\tau$
+:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0,1) (1,0,0) (0,1,0) (0,0,1); t = 0; τ = 1
 :then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$
+:result: r_i = (-3,23/3,-14) (-1,-1/3,4) (1,-1/3,-2) (3,23/3,16); p, p', p'' = (0,0,1) (1,0,0) (0,2,0); left side
+  times p'' = 0; right side times p'' = 0
 :method: The derivatives of the curve by its points over uniform knots; the triple product is compared with 0 after
   the other equation has been found to be true.
 :control: the triple product multiplied by $w''=0$
@@ -451,20 +454,19 @@ CLAIM(product_with_the_numerator_gives_the_triple_product)
 */
 CLAIM(product_with_second_derivative_says_nothing)
 {
-    static const int curve[3][8] = {{0, 1}, {0, 0, 1}, {1, 0, 0, 1}};
-    num u[8], R[12], w[4], D[9], A[3], left[3], right[3], zero = from_int(0), third = from_ratio(1, 3);
-    G(uniform_curve)(3, 3, 1, curve, u, R, w);
-    G(curve_derivatives)(3, 3, u, 3, R, w, zero, 2, D);
-    for (int c = 0; c < 3; c++)
-        A[c] = add(D[c], mul(third, D[3 + c]));
+    num u[8], R[12], w[4], D[9], A[3], left[3], right[3], zero = from_int(0);
+    num t = given(T, "t"), tau = given(T, "τ"), e = sub(tau, t);
+    G(given_curve_of_powers)(T, 3, 3, u, R, w);
+    G(curve_derivatives)(3, 3, u, 3, R, w, t, 2, D);
+    for (int c = 0; c < 3; c++) /* A = p + (τ-t)/(k-1) p' */
+        A[c] = add(D[c], mul(div(e, from_int(3)), D[3 + c]));
     G(cross3)(D + 3, D + 6, left);
     G(cross3)(D + 3, A, right);
     num side = G(dot)(3, left, D + 6), other = mul(zero, G(dot)(3, right, D + 6)); /* w'' = 0 */
-    num triple = G(det3)(D + 3, A, D + 6);
-    show_points(T, "r_i", 4, 3, R);
-    show_points(T, "p, p', p''", 3, 3, D);
-    show(T, "left side times p''", side);
-    show(T, "right side times p''", other);
+    num triple = mul(e, G(det3)(D + 3, A, D + 6));
+    found_points(T, "p, p', p''", 3, 3, D);
+    found(T, "left side times p''", side);
+    found(T, "right side times p''", other);
     if (!equal_q(side, other))
         return;
     about(T, "(τ-t)(r', A, p'')");
@@ -612,28 +614,29 @@ CLAIM(common_normal_makes_points_coplanar)
 :title: At one t the triple product with p vanishes, and those with the points do not
 :zh: 某一 t 处 (p, r', r'')=0 而 (r_i, r', r'')≠0
 :kind: counterexample
-:given: $k=4$, the curve $(t+1,t^2,t^3)$ over uniform knots, weights 1, at $t=0$, where its osculating plane $z=0$
-  contains the origin
+:given: the cubic curve of space $\sum a_mt^m$ as a segment over the uniform knots $t_i$, weights 1; a $t$ where its
+  osculating plane contains the origin
+:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (1,0,0) (1,0,0) (0,1,0) (0,0,1); t = 0
 :then: $\sum N_{i,k}(t)w_i(r_i,r',r'')=0$, and not every $(r_i,r',r'')$ is 0
+:result: r_i = (-2,23/3,-15) (0,-1/3,3) (2,-1/3,-3) (4,23/3,15); r', r'' = (1,0,0) (0,2,0); (r_i, r', r'') = -30 6 -6
+  30; the sum = 0
 :method: The sum is found to be 0; then its triple products are compared with 0.
 :control: the sum in the place of its terms
 :::
 */
 CLAIM(osculating_plane_meets_the_origin_once)
 {
-    static const int curve[3][8] = {{1, 1}, {0, 0, 1}, {0, 0, 0, 1}};
-    num u[8], R[12], w[4], D[9], N[4], term[4], sum = from_int(0), zero = from_int(0);
-    G(uniform_curve)(3, 3, 1, curve, u, R, w);
-    G(curve_derivatives)(3, 3, u, 3, R, w, zero, 2, D);
-    G(bspline_basis)(3, u, 3, zero, N);
+    num u[8], R[12], w[4], D[9], N[4], term[4], sum = from_int(0), t = given(T, "t");
+    G(given_curve_of_powers)(T, 3, 3, u, R, w);
+    G(curve_derivatives)(3, 3, u, 3, R, w, t, 2, D);
+    G(bspline_basis)(3, u, 3, t, N);
     for (int i = 0; i < 4; i++) {
         term[i] = G(det3)(R + 3 * i, D + 3, D + 6);
         sum = add(sum, mul(N[i], term[i]));
     }
-    show_points(T, "r_i", 4, 3, R);
-    show_points(T, "r', r''", 2, 3, D + 3);
-    show_points(T, "(r_i, r', r'')", 4, 1, term);
-    show(T, "the sum", sum);
+    found_points(T, "r', r''", 2, 3, D + 3);
+    found_points(T, "(r_i, r', r'')", 4, 1, term);
+    found(T, "the sum", sum);
     if (!is_zero_q(sum))
         return;
     about(T, "(r_i, r', r'')");
@@ -660,26 +663,34 @@ the slopes $y'/x'$ and $z'/x'$ are constant, the segment is straight, and so its
 :title: Where the curvature is 0 all triple products vanish, whatever the points are
 :zh: 曲率为零处混合积恒为零,控制顶点未必共面
 :kind: counterexample
-:given: $k=5$, the curve $(t,t^3,t^4)$ over uniform knots, weights 1, at $t=0$
-:then: $(r_i,r',r'')=0$ for all five points, which are not coplanar
+:given: the quartic curve of space $\sum a_mt^m$, which is $(t,t^3,t^4)$, as a segment over the uniform knots $t_i$,
+  weights 1; $t$
+:data: t_i = -9 -7 -5 -3 -1 1 3 5 7 9; a = (0,0,0) (1,0,0) (0,0,0) (0,1,0) (0,0,1); t = 0
+:instead: a = (0,0,0) (1,0,0) (0,0,0) (0,1,0) (0,0,0)
+:then: $(r_i,r',r'')=0$ for all the points, which are not coplanar
+:result: r_i = (-4,-44,105) (-2,2,-15) (0,0,9) (2,-2,-15) (4,44,105); r', r'' = (1,0,0) (0,0,0); (r_i, r', r'') = 0 0
+  0 0 0
 :method: The triple products are found to be 0; then the volume of four of the points is compared with 0.
-:control: the curve $(t,t^3,0)$
+:control: the curve $(t,t^3,0)$, which is plane
 :::
 */
 CLAIM(vanishing_curvature_says_nothing_about_the_points)
 {
-    int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, fault(T, 0, 1)}};
-    num u[10], R[15], w[5], D[9], edge[9];
-    G(uniform_curve)(4, 3, 1, (const int(*)[8])curve, u, R, w);
-    G(curve_derivatives)(4, 3, u, 4, R, w, from_int(0), 2, D);
-    for (int i = 0; i < 5; i++)
-        if (!is_zero_q(G(det3)(R + 3 * i, D + 3, D + 6)))
-            return;
+    num u[10], R[15], w[5], D[9], product[5], edge[9], t = given(T, "t");
+    int all = 1;
+    G(given_curve_of_powers)(T, 4, 3, u, R, w);
+    G(curve_derivatives)(4, 3, u, 4, R, w, t, 2, D);
+    for (int i = 0; i < 5; i++) {
+        product[i] = G(det3)(R + 3 * i, D + 3, D + 6);
+        all &= is_zero_q(product[i]);
+    }
     for (int i = 0; i < 3; i++)
         for (int c = 0; c < 3; c++)
             edge[3 * i + c] = sub(R[3 * (i + 1) + c], R[c]);
-    show_points(T, "r_i", 5, 3, R);
-    show_points(T, "r', r''", 2, 3, D + 3);
+    found_points(T, "r', r''", 2, 3, D + 3);
+    found_points(T, "(r_i, r', r'')", 5, 1, product);
+    if (!all)
+        return;
     about(T, "the volume of the first four points");
     vanishes(T, G(det3)(edge, edge + 3, edge + 6));
 }
@@ -822,8 +833,12 @@ CLAIM(slope_is_constant_where_nothing_turns)
 :title: At the inflection of (t, t³) the determinant vanishes; the curve is not straight
 :zh: 拐点处行列式为零而曲线非直线
 :kind: counterexample
-:given: $k=4$, the knots $-7,-5,\dots,7$, weights 1 and the points for which the span $[-1,1)$ is $(t,t^3)$; $t=0$
+:given: the cubic $\sum a_mt^m$, which is $(t,t^3)$, as a segment over the uniform knots $t_i$, weights 1; its
+  inflection $t$
+:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (1,0) (0,0) (0,1); t = 0
+:instead: a = (0,0) (1,1) (0,0) (0,0)
 :then: $x'y''-x''y'=0$, and three of the points are not collinear
+:result: r_i = (-3,-15) (-1,3) (1,-3) (3,15); r', r'' = (1,0) (0,0); x'y'' - x''y' = 0
 :method: The determinant is found to be 0; then the area of the first three points is compared with 0.  The points of
   a straight segment are collinear.
 :control: the curve $(t,t)$
@@ -831,13 +846,13 @@ CLAIM(slope_is_constant_where_nothing_turns)
 */
 CLAIM(inflected_cubic_is_not_straight)
 {
-    int curve[2][8] = {{0, 1}, {0, fault(T, 1, 0), 0, fault(T, 0, 1)}};
-    num u[8], R[8], w[4], D[6], a[2], b[2];
-    G(uniform_curve)(3, 2, 1, (const int(*)[8])curve, u, R, w);
-    G(curve_derivatives)(3, 2, u, 3, R, w, from_int(0), 2, D);
-    show_points(T, "r_i", 4, 2, R);
-    show_points(T, "r', r'' at t = 0", 2, 2, D + 2);
-    if (!is_zero_q(G(cross2)(D + 2, D + 4)))
+    num u[8], R[8], w[4], D[6], a[2], b[2], t = given(T, "t");
+    G(given_curve_of_powers)(T, 3, 2, u, R, w);
+    G(curve_derivatives)(3, 2, u, 3, R, w, t, 2, D);
+    num turn = G(cross2)(D + 2, D + 4);
+    found_points(T, "r', r''", 2, 2, D + 2);
+    found(T, "x'y'' - x''y'", turn);
+    if (!is_zero_q(turn))
         return;
     for (int c = 0; c < 2; c++) {
         a[c] = sub(R[2 + c], R[c]);
@@ -873,10 +888,14 @@ CLAIM(inflected_cubic_is_not_straight)
 :title: On a line every function τ(t) is a solution, and its points may be off the segment
 :zh: 共线时任意 τ(t) 均为解,其点可在 r(t) 之外
 :kind: counterexample
-:given: $k=3$, the knots $0,\dots,5$, the span $[2,3)$, points $(0,0),(1,1),(0,0)$, weights 1; $r=1$, $\tau(t)=2$,
-  $t=\frac{11}4$
-:then: (4.3.9) is satisfied at $(\frac78,\frac78)$, and no $t\in[2,3]$ has $\mathbf r(t)$ there; the segment reaches
-  from $\frac12$ to $\frac34$
+:given: a quadratic segment over the simple knots $t_i$, its points $r_i$ on a line and the first the same as the
+  last, weights 1; $r=1$, the constant function $\tau(t)=\tau$, and a $t$
+:data: t_i = 0 1 2 3 4 5; r_i = (0,0) (1,1) (0,0); τ = 2; t = 11/4
+:instead: τ = 11/4
+:then: (4.3.9) is satisfied, and no parameter of the closed span has $\mathbf r$ at the point of the member; the segment
+  runs from its end to its middle point and back
+:result: point of the member = (7/8,7/8); its derivatives by t and τ = (1/2,1/2) (-1/4,-1/4); end and middle of the
+  segment = (1/2,1/2) (3/4,3/4); parameters with this point = 0
 :method: The condition is found to be satisfied; then the roots in the closed span of $x(t)$ minus the abscissa of the
   point are counted.
 :control: $\tau=t$
@@ -884,18 +903,22 @@ CLAIM(inflected_cubic_is_not_straight)
 */
 CLAIM(folded_line_has_another_solution)
 {
-    num u[6], R[6] = {from_int(0), from_int(0), from_int(1), from_int(1), from_int(0), from_int(0)}, b[6], x[3];
-    num w[3] = {from_int(1), from_int(1), from_int(1)}, X[2], t = from_ratio(11, 4);
-    for (int i = 0; i < 6; i++)
-        u[i] = from_int(i);
-    if (!G(pair_of_one_span)(T, 2, 2, u, R, w, 1, fault(T, t, from_int(2)), t, X))
+    num u[6], R[6], b[6], x[3], w[3] = {from_int(1), from_int(1), from_int(1)}, X[2], ends[4];
+    given_points(T, "t_i", 6, 1, u);
+    given_points(T, "r_i", 3, 2, R);
+    num tau = given(T, "τ"), t = given(T, "t");
+    if (!G(pair_of_the_envelope)(T, 2, 2, u, 2, R, w, 1, tau, t, X))
         return;
     G(bspline_to_bezier)(2, 2, u, 2, R, b);
     for (int i = 0; i < 3; i++)
         x[i] = sub(b[2 * i], X[0]);
-    show_points(T, "Bézier points of the segment", 3, 2, b);
+    int places = count_roots(poly_from_bernstein(2, x), from_int(0), from_int(1), CLOSED).distinct;
+    for (int m = 0; m < 2; m++) /* at t_j and half way to t_{j+1} */
+        G(bspline_deboor)(2, 2, u, 2, R, add(u[2], mul(from_ratio(m, 2), sub(u[3], u[2]))), ends + 2 * m);
+    found_points(T, "end and middle of the segment", 2, 2, ends);
+    found_whole(T, "parameters with this point", places);
     about(T, "the point is on the segment");
-    agree(T, count_roots(poly_from_bernstein(2, x), from_int(0), from_int(1), CLOSED).distinct > 0);
+    agree(T, places > 0);
 }
 
 /*
@@ -913,20 +936,23 @@ CLAIM(folded_line_has_another_solution)
 :title: The parabolas of the cubic (t, t³) touch the axis y = 0 as well
 :zh: 三次曲线 (t,t³) 的二次族曲线还与 y=0 相切
 :kind: counterexample
-:given: $k=4$, the same curve; $r=1$, the member $\tau=\frac12$ at $t=0$
-:then: (4.3.9) is satisfied at the point $(\frac16,0)$, which is not on the curve; the member's tangent there is the
-  axis
+:given: the cubic of `inflected_cubic_is_not_straight`, which is $(t,t^3)$; $r=1$, the member $\tau$ at the inflection
+  $t$
+:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (1,0) (0,0) (0,1); t = 0; τ = 1/2
+:instead: τ = 0
+:then: (4.3.9) is satisfied at a point which is not on the curve; the member's tangent there is the axis $y=0$
+:result: r_i = (-3,-15) (-1,3) (1,-3) (3,15); point of the member = (1/6,0); its derivatives by t and τ = (2/3,0)
+  (1/3,0)
 :method: Member and derivatives by its points over the knots.  The condition is found to be satisfied; then $y-x^3$ is
-  compared with 0.  The pairs $t=0$, $-1\le\tau<1$ give the points $(\frac\tau3,0)$.
-:control: $\tau=0$
+  compared with 0.  With the same $t$ every $\tau$ gives a pair: `first_level_condition_factors`.
+:control: $\tau=t$
 :::
 */
 CLAIM(inflected_cubic_has_second_envelope)
 {
-    static const int curve[2][8] = {{0, 1}, {0, 0, 0, 1}};
-    num u[8], R[8], w[4], X[2], tau = from_ratio(fault(T, 0, 1), 2);
-    G(uniform_curve)(3, 2, 1, curve, u, R, w);
-    if (!G(pair_of_one_span)(T, 3, 2, u, R, w, 1, tau, from_int(0), X))
+    num u[8], R[8], w[4], X[2], t = given(T, "t"), tau = given(T, "τ");
+    G(given_curve_of_powers)(T, 3, 2, u, R, w);
+    if (!G(pair_of_the_envelope)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
         return;
     about(T, "y - x³ at the point; 0 on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
@@ -937,20 +963,23 @@ CLAIM(inflected_cubic_has_second_envelope)
 :title: A curve of space, not in a plane, whose family of order 4 touches a line as well
 :zh: 非平面曲线的族另有包络
 :kind: counterexample
-:given: $k=5$, the curve $(t,t^3,t^4)$ on the span $[-1,1)$ of uniform knots, weights 1; $r=1$, $\tau=\frac12$, $t=0$,
-  where the curvature is 0
-:then: (4.3.9) is satisfied at the point $(\frac18,0,0)$, which is not on the curve
+:given: the curve of `vanishing_curvature_says_nothing_about_the_points`, which is $(t,t^3,t^4)$; $r=1$, the member
+  $\tau$ at the $t$ where the curvature is 0
+:data: t_i = -9 -7 -5 -3 -1 1 3 5 7 9; a = (0,0,0) (1,0,0) (0,0,0) (0,1,0) (0,0,1); t = 0; τ = 1/2
+:instead: τ = 0
+:then: (4.3.9) is satisfied at a point which is not on the curve
+:result: r_i = (-4,-44,105) (-2,2,-15) (0,0,9) (2,-2,-15) (4,44,105); point of the member = (1/8,0,0); its derivatives
+  by t and τ = (3/4,0,0) (1/4,0,0)
 :method: As for the cubic.  That the points are not coplanar is shown by
   `vanishing_curvature_says_nothing_about_the_points`.
-:control: $\tau=0$
+:control: $\tau=t$
 :::
 */
 CLAIM(space_quartic_has_second_envelope)
 {
-    static const int curve[3][8] = {{0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0, 1}};
-    num u[10], R[15], w[5], X[3], tau = from_ratio(fault(T, 0, 1), 2);
-    G(uniform_curve)(4, 3, 1, curve, u, R, w);
-    if (!G(pair_of_one_span)(T, 4, 3, u, R, w, 1, tau, from_int(0), X))
+    num u[10], R[15], w[5], X[3], t = given(T, "t"), tau = given(T, "τ");
+    G(given_curve_of_powers)(T, 4, 3, u, R, w);
+    if (!G(pair_of_the_envelope)(T, 4, 3, u, 4, R, w, 1, tau, t, X))
         return;
     about(T, "y - x³ at the point; 0 on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));

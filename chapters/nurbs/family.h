@@ -123,18 +123,16 @@ static inline num G(polar_of_powers)(int p, const num a[], const num x[])
     return value;
 }
 
-/* The curve whose coordinate c is the polynomial a[c][0] + a[c][1] t + ..., of degree p, on the span [-s, s] of the
- * uniform knots ..., -3s, -s, s, 3s, ...: 2p+2 knots, mu = p, p+1 points, weights 1. */
-static inline void G(uniform_curve)(int p, int dim, int s, const int a[][8], num u[], num R[], num w[])
+/* The curve a_0 + a_1 t + ... + a_p t^p of dim coordinates on the span mu = p of the 2p+2 knots u, weights 1: its points
+ * are the values R_i = f[u_{i+1}, ..., u_{i+p}] of its polar form. */
+static inline void G(curve_of_powers)(int p, int dim, const num u[], const num a[], num R[], num w[])
 {
     num power[MAX_DEGREE + 1];
-    for (int i = 0; i < 2 * p + 2; i++)
-        u[i] = from_int(s * (2 * (i - p) - 1));
     for (int i = 0; i <= p; i++) {
         w[i] = from_int(1);
         for (int c = 0; c < dim; c++) {
             for (int m = 0; m <= p; m++)
-                power[m] = from_int(a[c][m]);
+                power[m] = a[m * dim + c];
             R[i * dim + c] = G(polar_of_powers)(p, power, u + i + 1);
         }
     }
@@ -177,8 +175,19 @@ static inline int G(turns_left_on_span)(int p, const num u[], int mu, const num 
     return sign_on(turn, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
 }
 
-/* A pair (t, tau) of level r on the span mu: shows it and the point X of the member with its derivatives, and says whether
- * the pair satisfies the condition of the envelope. */
+/* The curve of one span that a block gives by its knots t_i and the vectors a of 1, t, ..., t^p; among the results are its
+ * points r_i. */
+static inline void G(given_curve_of_powers)(trial *T, int p, int dim, num u[], num R[], num w[])
+{
+    num a[(MAX_DEGREE + 1) * MAX_DIM];
+    given_points(T, "t_i", 2 * p + 2, 1, u);
+    given_points(T, "a", p + 1, dim, a);
+    G(curve_of_powers)(p, dim, u, a, R, w);
+    found_points(T, "r_i", p + 1, dim, R);
+}
+
+/* Does a pair (t, tau) of level r on the span mu satisfy the condition of the envelope?  Fills X with the point of the
+ * member; among the results are X and its two derivatives, which are then parallel. */
 static inline int G(pair_of_the_envelope)(trial *T, int p, int dim, const num u[], int mu, const num R[], const num w[],
                                           int r, num tau, num t, num X[])
 {
@@ -189,21 +198,27 @@ static inline int G(pair_of_the_envelope)(trial *T, int p, int dim, const num u[
         a[c] = D[dim + c];
         b[c] = D[2 * dim + c];
     }
-    show(T, "t", t);
-    show(T, "τ", tau);
-    show_points(T, "point of the member", 1, dim, X);
-    show_points(T, "its derivatives by t and τ (parallel)", 2, dim, D + dim);
+    found_points(T, "point of the member", 1, dim, X);
+    found_points(T, "its derivatives by t and τ", 2, dim, D + dim);
     G(cross3)(a, b, turn);
     return is_zero_q(turn[0]) && is_zero_q(turn[1]) && is_zero_q(turn[2]);
 }
 
-/* The same for a curve of one span, mu = p, whose knots and points are shown as well. */
-static inline int G(pair_of_one_span)(trial *T, int p, int dim, const num u[], const num R[], const num w[], int r,
-                                      num tau, num t, num X[])
+/* place[i] is the number of the distinct knot that u_i is, as in a pattern. */
+static inline void G(places_of)(int count, const num u[], int place[])
 {
-    show_points(T, "t_i", 2 * p + 2, 1, u);
-    show_points(T, "r_i", p + 1, dim, R);
-    return G(pair_of_the_envelope)(T, p, dim, u, p, R, w, r, tau, t, X);
+    for (int i = 0; i < count; i++)
+        place[i] = i == 0 ? 0 : place[i - 1] + !equal_q(u[i], u[i - 1]);
+}
+
+/* The interval [x_m, x_{m+1}) of the distinct knots that contains t. */
+static inline int G(interval_of)(int count, const num u[], const int place[], num t)
+{
+    int interval = 0;
+    for (int i = 0; i < count; i++)
+        if (compare_q(u[i], t) <= 0)
+            interval = place[i];
+    return interval;
 }
 #endif
 #include "chapters/judge/claims_off.h"

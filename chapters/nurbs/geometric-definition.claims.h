@@ -111,32 +111,37 @@ CLAIM(legs_are_run_through)
 :title: Where two knots are one the curve of order 2 jumps over a leg
 :zh: 重节点处二阶曲线跳过一条边
 :kind: counterexample
-:given: $n=4$, points $(0,0),(1,1),(2,1),(3,0)$, weights 1, the knots $0,1,2,2,3,4$, domain $[1,3]$: $t_3=t_4$
-:then: the middle $(\frac32,1)$ of the leg $r_2r_3$ is not on the curve
-:method: On each of the two spans that are not empty the roots of $x(t)-\frac32$ are counted, with both ends; that
-  there is one is what is compared.
-:control: the knots $0,1,\frac32,2,3,4$
+:given: a curve of order 2 with four points $r_i$, equal weights and the knots $t_i$, of which $t_3=t_4$
+:data: t_i = 0 1 2 2 3 4; r_i = (0,0) (1,1) (2,1) (3,0)
+:instead: t_i = 0 1 3/2 2 3 4
+:then: the middle of the leg $r_2r_3$ is not on the curve
+:result: middle of the leg = (3/2,1); points of the curve with its abscissa = 0
+:method: On each of the two spans that are not empty the parameters of the points with the abscissa of this middle are
+  counted, with both ends; that there is one is what is compared.
+:control: simple knots
 :::
 */
 CLAIM(double_knot_skips_a_leg)
 {
-    num u[6] = {from_int(0), from_int(1), fault(T, from_ratio(3, 2), from_int(2)),
-                from_int(2), from_int(3), from_int(4)};
-    num x[4], half = from_ratio(3, 2);
-    int found = 0;
+    num u[6], R[8], x[4], middle[2];
+    int points = 0;
+    given_points(T, "t_i", 6, 1, u);
+    given_points(T, "r_i", 4, 2, R);
+    for (int c = 0; c < 2; c++)
+        middle[c] = div(add(R[2 + c], R[4 + c]), from_int(2));
     for (int i = 0; i < 4; i++)
-        x[i] = sub(from_int(i), half);
+        x[i] = sub(R[2 * i], middle[0]);
     for (int mu = 1; mu < 4; mu++) {
+        num b[2];
         if (equal_q(u[mu], u[mu + 1]))
             continue;
-        num b[2];
         G(bspline_to_bezier)(1, 1, u, mu, x, b);
-        found += count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), CLOSED).distinct;
+        points += count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), CLOSED).distinct;
     }
-    show_points(T, "t_i", 6, 1, u);
-    show_text(T, "points of the curve with x = 3/2", "%d", found);
+    found_points(T, "middle of the leg", 1, 2, middle);
+    found_whole(T, "points of the curve with its abscissa", points);
     about(T, "the middle of the leg is on the curve");
-    agree(T, found > 0);
+    agree(T, points > 0);
 }
 
 /*
@@ -154,23 +159,28 @@ CLAIM(double_knot_skips_a_leg)
 :title: At a double right end the sum of order 2 is 0/0
 :zh: 右端二重时二阶曲线终点无定义
 :kind: counterexample
-:given: $k=n=2$, knots $0,0,1,1$ and then $2$; $t=t_{n+1}=1$, which lies in $[t_4,t_5)$ and in no interval before
-:then: $\sum_{i=1}^2N_{i,2}(1)=0$
-:method: The recursion by its letter for the interval $[1,2)$.
-:control: the knots $0,0,1,2$
+:given: $k=n=2$, the clamped knots $t_i$ and one more; $t=t_{n+1}$, which lies in $[t_4,t_5)$ and in no interval
+  before
+:data: t_i = 0 0 1 1 2; t = 1
+:instead: t_i = 0 0 1 2 2
+:then: $\sum_{i=1}^2N_{i,2}(t)=0$
+:result: the sum = 0
+:method: The recursion by its letter for the interval that contains $t$.
+:control: a simple knot at the right end
 :::
 */
 CLAIM(polygon_end_belongs_to_no_interval)
 {
-    int place[] = {0, 0, 1, fault(T, 2, 1), 2};
-    num u[5], one = from_int(1), sum = from_int(0);
-    for (int i = 0; i < 5; i++)
-        u[i] = from_int(place[i]);
+    int place[5];
+    num u[5], sum = from_int(0);
+    given_points(T, "t_i", 5, 1, u);
+    num t = given(T, "t");
+    G(places_of)(5, u, place);
     for (int i = 0; i < 2; i++)
-        sum = add(sum, G(cox_de_boor)(1, u, place, i, 1, one));
-    show_points(T, "knots", 5, 1, u);
-    about(T, "the sum of both functions at t = 1, and 1");
-    same(T, sum, one);
+        sum = add(sum, G(cox_de_boor)(1, u, place, i, G(interval_of)(5, u, place, t), t));
+    found(T, "the sum", sum);
+    about(T, "the sum of both functions at t, and 1");
+    same(T, sum, from_int(1));
 }
 
 /*
@@ -192,15 +202,17 @@ not exist.
 :title: With i = 2, ..., n on every level the recursion asks for the point 0
 :zh: 按 i=2,...,n 递推需要不存在的顶点 r_0
 :kind: counterexample
-:given: $k=4$, $n=4$, $r=1,2$, $i=2,\dots,n$, as printed
+:given: $k$ and $n$; $r=1,\dots,k-2$, $i=2,\dots,n$, as printed
+:data: k = 4; n = 4
 :then: some $r_i^{[r]}$ depends by (4.1.4) on a point with an index below 1
+:result: r = 2; i = 2; least index of a point = 0
 :method: By (4.1.4) $r_i^{[r]}$ depends on the points $i-r,\dots,i$ of level 0; the least index is compared with 1.
 :control: $i=r+1,\dots,n$
 :::
 */
 CLAIM(recursion_asks_for_a_point_that_is_missing)
 {
-    int k = 4, n = 4, least = n;
+    int k = given_whole(T, "k"), n = given_whole(T, "n"), least = n, at_level = 0, at_index = 0;
     for (int r = 1; r <= k - 2; r++)
         for (int i = fault(T, r + 1, 2); i <= n; i++) {
             int index = i;
@@ -208,10 +220,13 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
                 index--;
             if (index < least) {
                 least = index;
-                show_text(T, "r, i", "%d, %d", r, i);
+                at_level = r;
+                at_index = i;
             }
         }
-    show_text(T, "least index of a point", "%d", least);
+    found_whole(T, "r", at_level);
+    found_whole(T, "i", at_index);
+    found_whole(T, "least index of a point", least);
     about(T, "all points exist");
     agree(T, least >= 1);
 }
@@ -305,49 +320,59 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
 :title: A convex curve with a strictly convex control polygon, and a leg all of whose points satisfy the condition
 :zh: 控制多边形严格凸的曲线,其多边形族有满足包络条件的整条边
 :kind: counterexample
-:given: $k=4$, $n=5$, the knots $t_i=i$, domain $[4,6]$, weights 1; with $s=t-\frac92$ the curve is $(s,1-6s+12s^2)$
-  on $[4,5]$ and $(s,8s^3)$ on $[5,6]$, where $s>0$; the inflection $s=0$ of the second polynomial belongs to
-  $\tau=\frac92$ of the first span
+:given: a cubic curve of two segments over the knots $t_i$, weights 1, by the vectors of $1,s,s^2,s^3$ with $s=t-c$;
+  they are $(s,1-6s+12s^2)$ and $(s,8s^3)$; the inflection $s=0$ of the second polynomial belongs to the parameter
+  $\tau=c$ of the first span; a $t$ of the second span
+:data: t_i = 1 2 3 4 5 6 7 8 9; c = 9/2; first segment = (0,1) (1,-6) (0,12) (0,0); second segment = (0,0) (1,0) (0,0)
+  (0,8); t = 11/2; τ = 9/2
+:instead: τ = 11/2
 :then: every corner of the control polygon is a strict left turn and $\mathbf r'\times\mathbf r''>0$ on both closed
-  spans; for $\tau=\frac92$ and $t=\frac{11}2$ the condition of the envelope is satisfied at $(\frac13,0)$, which is
-  not on the curve
+  spans; the condition of the envelope is satisfied at a point which is not on the curve
+:result: r_i = (-3/2,33) (-1/2,3) (1/2,-3) (3/2,15) (5/2,105); point of the member = (1/3,0); its derivatives by t and
+  τ = (1/3,0) (2/3,0); point of the curve with its abscissa = (1/3,1/3)
 :method: The points are values of the polar forms; the two polar forms are found to agree for the three points that
   both segments use.  The signs are decided: of the determinants of neighbouring edges, and of polynomials.  Then the
-  condition by the family of the second span at $t=\frac{11}2$; then $Y$ is compared with the ordinate of the curve
-  where $x(t)=X$, at $t=X+\frac92$.
+  condition by the family of the second span; then the ordinate of the point is compared with that of the curve at its
+  abscissa, at $t=X+c$.
 :control: $\tau=t$
 :::
 */
 CLAIM(convex_polygon_has_a_stationary_leg)
 {
-    num u[9], R[10], w[5], X[2], t = from_ratio(11, 2), tau = fault(T, t, from_ratio(9, 2)), x[3], at[2];
-    num first[4] = {from_int(1), from_int(-6), from_int(12), from_int(0)};
-    num second[4] = {from_int(0), from_int(0), from_int(0), from_int(8)};
-    num line[4] = {from_int(0), from_int(1), from_int(0), from_int(0)};
-    for (int i = 0; i < 9; i++)
-        u[i] = from_int(i + 1);
+    num u[9], segment[2][8], R[10], w[5], X[2], x[3], power[4], at[2];
+    int agrees = 1, convex = 1;
+    given_points(T, "t_i", 9, 1, u);
+    num c = given(T, "c");
+    given_points(T, "first segment", 4, 2, segment[0]);
+    given_points(T, "second segment", 4, 2, segment[1]);
+    num t = given(T, "t"), tau = given(T, "τ");
     for (int i = 0; i < 5; i++) {
         for (int m = 0; m < 3; m++)
-            x[m] = sub(u[i + 1 + m], from_ratio(9, 2));
+            x[m] = sub(u[i + 1 + m], c);
         w[i] = from_int(1);
-        R[2 * i] = G(polar_of_powers)(3, line, x);
-        R[2 * i + 1] = G(polar_of_powers)(3, i < 4 ? first : second, x);
-        if ((i == 1 || i == 2 || i == 3) && !equal_q(R[2 * i + 1], G(polar_of_powers)(3, second, x)))
-            return;
+        for (int d = 0; d < 2; d++) {
+            num value[2];
+            for (int s = 0; s < 2; s++) {
+                for (int m = 0; m < 4; m++)
+                    power[m] = segment[s][2 * m + d];
+                value[s] = G(polar_of_powers)(3, power, x);
+            }
+            R[2 * i + d] = value[i < 4 ? 0 : 1];
+            agrees &= i == 0 || i == 4 || equal_q(value[0], value[1]);
+        }
     }
-    show_points(T, "t_i", 9, 1, u);
-    show_points(T, "r_i", 5, 2, R);
     for (int i = 0; i + 2 < 5; i++) {
         num a[2] = {sub(R[2 * i + 2], R[2 * i]), sub(R[2 * i + 3], R[2 * i + 1])};
         num b[2] = {sub(R[2 * i + 4], R[2 * i + 2]), sub(R[2 * i + 5], R[2 * i + 3])};
-        if (sign_q(G(cross2)(a, b)) <= 0)
-            return;
+        convex &= sign_q(G(cross2)(a, b)) > 0;
     }
-    if (!G(turns_left_on_span)(3, u, 3, R) || !G(turns_left_on_span)(3, u, 4, R) ||
-        !G(pair_of_the_envelope)(T, 3, 2, u, 4, R + 2, w + 1, 2, tau, t, X))
+    convex &= G(turns_left_on_span)(3, u, 3, R) && G(turns_left_on_span)(3, u, 4, R);
+    found_points(T, "r_i", 5, 2, R);
+    if (!G(pair_of_the_envelope)(T, 3, 2, u, 4, R + 2, w + 1, 2, tau, t, X) || !agrees || !convex)
         return;
-    num place = add(X[0], from_ratio(9, 2));
-    G(bspline_deboor)(3, 2, u, compare_q(place, from_int(5)) < 0 ? 3 : 4, R, place, at);
+    num place = add(X[0], c);
+    G(bspline_deboor)(3, 2, u, compare_q(place, u[4]) < 0 ? 3 : 4, R, place, at);
+    found_points(T, "point of the curve with its abscissa", 1, 2, at);
     about(T, "the ordinates of the point and of the curve there");
     same(T, X[1], at[1]);
 }
