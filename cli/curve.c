@@ -204,6 +204,12 @@ static int has_no_weight(const struct arguments *a, int point)
     return EXIT_USAGE;
 }
 
+static int has_no_room(const struct arguments *a)
+{
+    fprintf(stderr, "cagd: %s: %s\n", a->asked.path, cagd_status_text(CAGD_NO_MEMORY));
+    return EXIT_INTERNAL;
+}
+
 static int insert(const struct arguments *a, const cagd_spline_q *c, num_q x, cagd_spline_q *out)
 {
     int where;
@@ -212,6 +218,8 @@ static int insert(const struct arguments *a, const cagd_spline_q *c, num_q x, ca
         return EXIT_AS_EXPECTED;
     case CAGD_UNDEFINED:
         return has_no_weight(a, where);
+    case CAGD_NO_MEMORY:
+        return has_no_room(a);
     case CAGD_KNOTS_MULTIPLE:
         return complain(a, "there are as many knots as the degree allows at", x);
     default:
@@ -227,6 +235,8 @@ static int without(const struct arguments *a, const cagd_spline_q *c, num_q x, c
         return EXIT_AS_EXPECTED;
     case CAGD_UNDEFINED:
         return has_no_weight(a, where);
+    case CAGD_NO_MEMORY:
+        return has_no_room(a);
     case CAGD_CHANGES:
         complain(a, "the curve would change without the knot", x);
         return EXIT_NOT_AS_EXPECTED;
@@ -243,6 +253,8 @@ static int elevate(const struct arguments *a, const cagd_spline_q *c, cagd_splin
         return EXIT_AS_EXPECTED;
     case CAGD_UNDEFINED:
         return has_no_weight(a, where);
+    case CAGD_NO_MEMORY:
+        return has_no_room(a);
     default:
         return complain(a, "the degree is at most", from_int_q(MAX_DEGREE));
     }
@@ -256,6 +268,8 @@ static int reduce(const struct arguments *a, const cagd_spline_q *c, cagd_spline
         return EXIT_AS_EXPECTED;
     case CAGD_UNDEFINED:
         return has_no_weight(a, where);
+    case CAGD_NO_MEMORY:
+        return has_no_room(a);
     case CAGD_CHANGES:
         complain(a, "the curve would change: it is not of lower degree on the segment from", c->knots[where]);
         return EXIT_NOT_AS_EXPECTED;
@@ -272,6 +286,8 @@ static int split(const struct arguments *a, const cagd_spline_q *c, num_q t, cag
         return EXIT_AS_EXPECTED;
     case CAGD_UNDEFINED:
         return has_no_weight(a, where);
+    case CAGD_NO_MEMORY:
+        return has_no_room(a);
     default:
         return complain(a, "a curve is split inside its domain, not at", t);
     }
@@ -289,6 +305,8 @@ static int beziers(const struct arguments *a, const cagd_spline_q *c, json_t *li
             break;
         case CAGD_UNDEFINED:
             return has_no_weight(a, where);
+        case CAGD_NO_MEMORY:
+            return has_no_room(a);
         default: /* no segment between equal knots */
             break;
         }

@@ -65,6 +65,8 @@ static int read_numbers(const struct reading *r, const char *field, const json_t
     if (count != 0 && given != count)
         return refuse(r, field, "%d given, expected %d", given, count);
     *out = numbers(given);
+    if (*out == NULL)
+        return refuse(r, field, "%s", cagd_status_text(CAGD_NO_MEMORY));
     for (int i = 0; i < given; i++)
         if (read_number(json_array_get(array, (size_t)i), &(*out)[i]) != 0)
             return refuse(r, element(field, i).text,
@@ -83,6 +85,8 @@ static int read_points(struct reading *r, const json_t *array)
     if (r->dim < 1 || r->dim > MAX_DIM - 1)
         return refuse(r, "points[0]", "expected an array of 1 to %d numbers", MAX_DIM - 1);
     r->points = numbers(r->count * r->dim);
+    if (r->points == NULL)
+        return refuse(r, "points", "%s", cagd_status_text(CAGD_NO_MEMORY));
     for (int i = 0; i < r->count; i++) {
         num_q *point;
         if (read_numbers(r, element("points", i).text, json_array_get(array, (size_t)i), r->dim, &point) != 0)
@@ -181,6 +185,8 @@ static int read_document(struct reading *r, const json_t *document, cagd_spline_
         return -1;
     if (!spline) {
         r->knots = numbers(2 * r->count);
+        if (r->knots == NULL)
+            return refuse(r, "knots", "%s", cagd_status_text(CAGD_NO_MEMORY));
         for (int i = 0; i < 2 * r->count; i++)
             r->knots[i] = from_int_q(i >= r->count);
         return check_curve(r, c);

@@ -16,13 +16,16 @@ static inline int is_number_q(num_q a)
 #include "core/spline.tmpl.h"
 #undef G
 
-/* Room in the region for `count` points of degree p. */
-static struct spline_room_q room_for(const cagd_spline_q *s, int p, int count)
+/* *room: in the region for `count` points of degree p.  NO_MEMORY when there is none. */
+static cagd_status room_for(const cagd_spline_q *s, int p, int count, struct spline_room_q *room, int *where)
 {
     size_t size = sizeof(num_q), points = (size_t)count;
-    return (struct spline_room_q){region_bytes((points + (size_t)p + 1) * size),
-                                  region_bytes(points * (size_t)s->dim * size),
-                                  s->weights != NULL ? region_bytes(points * size) : NULL};
+    *where = -1;
+    *room = (struct spline_room_q){.knots = region_bytes((points + (size_t)p + 1) * size),
+                                   .points = region_bytes(points * (size_t)s->dim * size),
+                                   .weights = s->weights != NULL ? region_bytes(points * size) : NULL};
+    int found = room->knots != NULL && room->points != NULL && (s->weights == NULL || room->weights != NULL);
+    return found ? CAGD_OK : CAGD_NO_MEMORY;
 }
 
 /* *result: the curve in the room, if it was made. */
@@ -94,20 +97,26 @@ int cagd_spline_has_poles_q(const cagd_spline_q *s)
 
 cagd_status cagd_spline_insert_q(const cagd_spline_q *s, num_q x, cagd_spline_q *result, int *where)
 {
-    struct spline_room_q room = room_for(s, s->degree, s->count + 1);
+    struct spline_room_q room;
+    cagd_status found = room_for(s, s->degree, s->count + 1, &room, where);
+    REQUIRE(found == CAGD_OK, found);
     return made(spline_insert_q(s, x, &room, where), s, s->degree, s->count + 1, &room, result);
 }
 
 cagd_status cagd_spline_remove_q(const cagd_spline_q *s, num_q x, cagd_spline_q *result, int *where)
 {
-    struct spline_room_q room = room_for(s, s->degree, s->count - 1);
+    struct spline_room_q room;
+    cagd_status found = room_for(s, s->degree, s->count - 1, &room, where);
+    REQUIRE(found == CAGD_OK, found);
     return made(spline_remove_q(s, x, &room, where), s, s->degree, s->count - 1, &room, result);
 }
 
 cagd_status cagd_spline_elevate_q(const cagd_spline_q *s, cagd_spline_q *result, int *where)
 {
     int count = spline_elevated_count_q(s);
-    struct spline_room_q room = room_for(s, s->degree + 1, count);
+    struct spline_room_q room;
+    cagd_status found = room_for(s, s->degree + 1, count, &room, where);
+    REQUIRE(found == CAGD_OK, found);
     return made(spline_elevate_q(s, &room, where), s, s->degree + 1, count, &room, result);
 }
 
@@ -116,7 +125,9 @@ cagd_status cagd_spline_reduce_q(const cagd_spline_q *s, cagd_spline_q *result, 
     *where = -1;
     REQUIRE(s->degree > 0, CAGD_DEGREE);
     int count = spline_reduced_count_q(s);
-    struct spline_room_q room = room_for(s, s->degree - 1, count);
+    struct spline_room_q room;
+    cagd_status found = room_for(s, s->degree - 1, count, &room, where);
+    REQUIRE(found == CAGD_OK, found);
     return made(spline_reduce_q(s, &room, where), s, s->degree - 1, count, &room, result);
 }
 
@@ -126,7 +137,11 @@ cagd_status cagd_spline_split_q(const cagd_spline_q *s, num_q t, cagd_spline_q *
     *where = -1;
     cagd_status status = spline_split_counts_q(s, t, &lefts, &rights);
     REQUIRE(status == CAGD_OK, status);
-    struct spline_room_q at_left = room_for(s, s->degree, lefts), at_right = room_for(s, s->degree, rights);
+    struct spline_room_q at_left, at_right;
+    status = room_for(s, s->degree, lefts, &at_left, where);
+    REQUIRE(status == CAGD_OK, status);
+    status = room_for(s, s->degree, rights, &at_right, where);
+    REQUIRE(status == CAGD_OK, status);
     status = spline_split_q(s, t, &at_left, &at_right, where);
     made(status, s, s->degree, lefts, &at_left, left);
     return made(status, s, s->degree, rights, &at_right, right);
@@ -135,7 +150,9 @@ cagd_status cagd_spline_split_q(const cagd_spline_q *s, num_q t, cagd_spline_q *
 cagd_status cagd_spline_segment_q(const cagd_spline_q *s, int span, cagd_spline_q *segment, int *where)
 {
     int p = s->degree;
-    struct spline_room_q room = room_for(s, p, p + 1);
+    struct spline_room_q room;
+    cagd_status found = room_for(s, p, p + 1, &room, where);
+    REQUIRE(found == CAGD_OK, found);
     cagd_status status = spline_bezier_q(s, span, &room, where);
     for (int i = 0; i < 2 * p + 2 && status == CAGD_OK; i++)
         room.knots[i] = s->knots[i <= p ? span : span + 1];

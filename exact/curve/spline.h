@@ -5,7 +5,8 @@
  * as cagd_spline of cagd.h, but exactly: every function below answers for the curve itself, without rounding.
  *
  * Memory.  No pointer may be NULL but weights.  The arguments are only read; results are made in the region of the thread and
- * live as long as it does.  Status.  Results are written only with CAGD_OK; no fault of the region is set. */
+ * live as long as it does.  Status.  Results are written only with CAGD_OK.  NO_MEMORY when the region has no room
+ * for a result, which sets its fault MEMORY; no other fault is set. */
 #ifndef CAGD_EXACT_CURVE_SPLINE_H
 #define CAGD_EXACT_CURVE_SPLINE_H
 
