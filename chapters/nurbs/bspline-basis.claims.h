@@ -24,6 +24,10 @@ patterns.
 #include "chapters/judge/claims_on.h"
 
 /*
+The recursion by its letter looks at all $n$ functions and at every half-open interval. The kernel does not: it starts from the
+span and never tests whether a denominator is $0$. That both agree is therefore no matter of course; the kernels of the later
+sections rest on it.
+
 :::{claim} bspline_basis_follows_definition
 :title: The values of the kernel are the B-splines of the span, and the others vanish there
 :zh: 核函数所算的值即该区间上的 B 样条基
@@ -131,6 +135,10 @@ CLAIM(bspline_basis_sums_to_one)
 
 #if RATIONAL
 /*
+The proof of the sum needs $p+1$ functions on the interval. To the left of $u_p$ some of them would have to begin before the first
+knot, and they are not there: this is why the domain of a spline over $u_0,\dots,u_{n+p}$ is $[u_p,u_n]$ and not the whole of
+$[u_0,u_{n+p}]$.
+
 :::{claim} bspline_basis_sums_to_less_outside_the_domain
 :title: Outside the domain the sum of the B-splines is not one
 :zh: 定义域外 B 样条之和不为 1
@@ -161,6 +169,11 @@ CLAIM(bspline_basis_sums_to_less_outside_the_domain)
 #endif
 
 /*
+On the domain the B-splines are thus weights of a mean, provided that none is negative. The recursion shows it: where one of its
+two functions does not vanish, the fraction in front of it lies between $0$ and $1$ on the support (支撑). Here the sign is read off
+a polynomial in the lengths of the intervals, all of whose coefficients are positive, so that it is decided for all knots at once.
+What remains are the knots themselves.
+
 :::{claim} bspline_is_positive_inside_its_support
 :title: A B-spline is positive between the ends of its support and vanishes outside
 :zh: B 样条的非负性与局部支撑
@@ -280,6 +293,9 @@ CLAIM(bsplines_of_a_span_are_independent)
 
 #if RATIONAL
 /*
+All of them are independent on the domain only if each has a span there. With $u_p=u_{p+1}$ the first has lost its own: its
+support ends where the domain begins.
+
 :::{claim} bsplines_without_a_span_are_dependent
 :title: On the domain a B-spline without a span there is lost
 :zh: 支撑不含定义域区间的 B 样条
@@ -367,6 +383,11 @@ CLAIM(bspline_jumps_exactly_after_order)
 /*
 ## Derivatives and integrals
 
+The derivative of a B-spline is a difference of two B-splines of one degree less, in the same form as the recursion but with
+constants in the place of the linear factors. So all derivatives come from the triangle that gives the values. Integration goes
+the other way; that the integral depends on the support alone, however the knots lie in it, is what makes
+$(p+1)N_{i,p}/(u_{i+p+1}-u_i)$ a density.
+
 :::{claim} bspline_basis_derivatives_follow_definition
 :title: The kernel computes all derivatives of the basis
 :zh: B 样条基的各阶导数
@@ -441,6 +462,10 @@ CLAIM(bspline_integral)
 
 /*
 ## Greville abscissae (Greville 横坐标)
+
+A coefficient $c_i$ belongs to a place on the axis: to the one that makes the straight line the spline of its own values. This is
+not the middle of the support, but the mean of the $p$ knots inside it. The polygon of the points $(\xi_i,c_i)$ is what is drawn
+as the control polygon of a function, and what the section on convergence compares with the spline.
 
 :::{claim} greville_abscissae_are_the_identity
 :title: The Greville abscissae are the points of s(t) = t

@@ -72,6 +72,11 @@ CLAIM(blossom_is_polar_form_in_higher_degrees) { G(check_blossom_of_a_segment_is
 #endif
 
 /*
+What a single level of the triangle means is seen when its arguments are not all the same. After $r$ levels at $\tau$ the points
+are those of the polynomial in which $r$ arguments are fixed at $\tau$ and the others are left free, a spline of degree $p-r$ over
+the same knots. Evaluation fixes all $p$ of them at one $t$ (de Boor 算法); the insertion of a knot, in the next section, stops
+after the first level.
+
 :::{claim} deboor_level_gives_points_of_lower_degree
 :title: A level of the triangle is a spline of lower degree with the same polar form
 :zh: de Boor 三角阵一层的意义
@@ -157,6 +162,10 @@ CLAIM(deboor_evaluates_bspline_curve)
 }
 
 /*
+Now the triangle can be read backwards. Put consecutive knots in the place of the arguments: the value is a control point. This
+sentence carries most of the algorithms of this chapter, since whoever wants the points of the same curve over other knots, or in
+another degree, only has to evaluate its polar form there.
+
 :::{claim} bspline_points_are_values_of_the_blossom
 :title: The points are the values of the polar form at consecutive knots
 :zh: 控制顶点即极形式在相邻节点处的值
@@ -231,6 +240,9 @@ CLAIM(bspline_blossom_is_symmetric_and_affine)
 }
 
 /*
+The sum of the B-splines is 1 on the domain, so that a curve is a mean of its points, and moves with them under every affine map
+(仿射不变性).
+
 :::{claim} bspline_curve_moves_with_its_points
 :title: An affine map of the points is the same map of the curve
 :zh: B 样条曲线的仿射不变性
@@ -316,6 +328,10 @@ CLAIM(bspline_curve_is_smooth_at_knots)
 #endif
 
 /*
+A curve does not reach the ends of its polygon unless the knots make it. With $p+1$ equal knots at an end, only one B-spline does
+not vanish there; the derivative in the end point sees one more, and so has the direction of the first edge, with a factor in
+which the length of the first interval stands and not that of the domain.
+
 :::{claim} clamped_ends_interpolate
 :title: At an end of multiplicity p+1 the curve begins in its first point, in the direction of the first edge
 :zh: 端节点 p+1 重时的端点性质
@@ -422,6 +438,11 @@ static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
 }
 
 /*
+The derivative, too, is a spline, over the same knots without the first and the last. Differences of points, each over the length
+of the $p$ intervals that its two B-splines share: where these are all empty, at a knot of multiplicity $p+1$, the quotient does
+not exist, and the curve has a jump which no derivative describes. The kernel for one parameter avoids the question, since it
+stays in one span.
+
 :::{claim} bspline_derivatives_of_every_order
 :title: The kernel computes all derivatives of a segment
 :zh: B 样条曲线的各阶导矢

@@ -45,6 +45,11 @@ static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
 }
 
 /*
+The mean over all arguments left out is symmetric and affine in each of the $p+1$ arguments, and at equal arguments it is the
+curve: these properties determine a polar form, so it is the one of degree $p+1$. What the formula does not say is over which
+knots. At a knot of multiplicity $m$ the curve has $p-m$ continuous derivatives, which is what a knot of multiplicity $m+1$ leaves
+to a spline of degree $p+1$: so every knot of the domain is taken once more.
+
 :::{claim} elevation_keeps_bspline_curve
 :title: Elevation changes points and knots, not the curve
 :zh: B 样条升阶不改变曲线
@@ -78,6 +83,9 @@ CLAIM(elevation_in_higher_degrees) { G(check_elevation_keeps_bspline_curve)(T, I
 #endif
 
 /*
+Going down a degree (降阶) asks for a curve that is there only by accident. For one segment in Bézier form the equations of the
+elevation are again one too many, and one number, the highest difference of the points, tells whether they agree.
+
 :::{claim} bezier_reduction_inverts_elevation
 :title: A Bézier curve of lower degree gives its points back, and the defect tells every other curve
 :zh: Bézier 曲线的降阶与亏量
@@ -159,6 +167,10 @@ static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
 }
 
 /*
+For a spline the segments could each be of lower degree and still not fit together, since lowering the multiplicities asks for
+smoothness as well. Instead of collecting these conditions, reduction trusts the curve, computes the points that it would have to
+have, each from one segment, and elevates them: only for the right curve does this give its points again.
+
 :::{claim} reduction_inverts_bspline_elevation
 :title: A spline of lower degree gives its points back, and elevation tells every other one
 :zh: B 样条降阶与检验

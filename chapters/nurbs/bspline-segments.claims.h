@@ -36,6 +36,10 @@ static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
 }
 
 /*
+The Bézier points of a segment are the values of its polar form at arguments of two kinds only, $u_\mu$ and $u_{\mu+1}$; the
+control points are its values at consecutive knots. Either set determines the polar form, and so each is found from the other by
+de Boor's triangle or de Casteljau's, whatever the multiplicities on both sides of the segment.
+
 :::{claim} segment_is_a_bezier_curve
 :title: The Bézier points of a segment
 :zh: B 样条曲线段的 Bézier 点
@@ -68,6 +72,9 @@ CLAIM(bezier_points_in_higher_degrees) { G(check_segment_is_a_bezier_curve)(T, I
 #endif
 
 /*
+The way back needs the interval of the Bézier points, too, because arguments are measured in it: from $0$ to $1$ between $u_\mu$
+and $u_{\mu+1}$. Exchange its ends, and the same points describe another polar form.
+
 :::{claim} points_come_back_from_bezier_points
 :title: The way back from Bézier points
 :zh: 由 Bézier 点求 B 样条控制顶点
@@ -152,6 +159,10 @@ static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
 }
 
 /*
+To cut a curve (分割) at $t$ means to insert $t$ until each part has it $p+1$ times. If $t$ is a knot already, fewer copies are
+missing, and at a knot of multiplicity $p+1$ the curve is torn there and nothing has to be computed: the points are dealt out.
+These cases are where an implementation goes wrong, and all of them are tried.
+
 :::{claim} split_gives_both_parts_of_bspline
 :title: A curve cut at a parameter, at a knot of any multiplicity too
 :zh: B 样条曲线的分割
@@ -186,6 +197,10 @@ CLAIM(split_in_higher_degrees) { G(check_split_gives_both_parts_of_bspline)(T, I
 #endif
 
 /*
+A closed curve has no ends, but the kernels want some. So its points and knots are written down once more beyond the period; the
+seam is then a knot inside the extended sequence, and nothing distinguishes it. That the derivatives agree there is the proof that
+no index of the continuation is off by one.
+
 :::{claim} periodic_spline_closes
 :title: A periodic spline repeats, and its seam is a knot as any other
 :zh: 周期 B 样条

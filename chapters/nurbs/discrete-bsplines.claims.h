@@ -111,6 +111,11 @@ CLAIM(discrete_bsplines_satisfy_refinement_equation)
 
 #if FIELD || RATIONAL
 /*
+A row of these numbers says how much each old point contributes to one new point. They sum to 1; if none is negative, the new
+polygon consists of means of old points and lies in their hull. The recursion does not show it as easily as for the B-splines
+themselves: the knots $v_{j+1},\dots,v_{j+p}$ that are put in do not all lie in the interval of $v_j$, so that a factor
+$v_{j+r}-u_i$ may be large and its partner negative. The signs are those of the result, as a fraction.
+
 :::{claim} discrete_bsplines_are_nonnegative
 :title: No discrete B-spline is negative
 :zh: 离散 B 样条的非负性
@@ -219,6 +224,9 @@ CLAIM(bspline_collocation_is_product_of_insertions)
 
 #if RATIONAL
 /*
+The elimination below knows nothing of knots. It finds for a matrix of numbers whether all of its minors are nonnegative (全正), in
+a number of steps that grows with the cube of the order, where the minors themselves could not be counted.
+
 :::{claim} bspline_collocation_is_totally_nonnegative
 :title: The collocation matrix at increasing sites has no negative minor
 :zh: B 样条配置矩阵的全正性
@@ -259,6 +267,10 @@ CLAIM(bspline_collocation_is_totally_nonnegative)
 
 #if FIELD
 /*
+No minor is negative; when is the largest positive? Interpolation (插值) of $n$ values at $n$ sites has a solution for all values
+just then. It cannot have one if some B-spline vanishes at its own site: then too many sites lie where too few functions live. The
+theorem says that nothing else can go wrong.
+
 :::{claim} schoenberg_whitney
 :title: Interpolation has one solution exactly when every B-spline is positive at its site
 :zh: Schoenberg–Whitney 定理

@@ -41,6 +41,9 @@ static const char *const G(triples)[][16] = {
 };
 
 /*
+Equal knots may stand in both steps, and a knot may be inserted where the first step has put one. The proof of the source has to
+speak about multisets there; a product of matrices has no such cases.
+
 :::{claim} discrete_bsplines_compose
 :title: The discrete B-splines of two steps multiply like matrices
 :zh: 两步离散 B 样条按矩阵乘法复合
@@ -78,6 +81,9 @@ CLAIM(discrete_bsplines_compose)
 }
 
 /*
+For the points the matrices alone do not suffice, because each step divides by its own weights. The second step must take the
+weights that the first has made. The printed formula does this, without saying what these weights are.
+
 :::{claim} steps_of_refinement_compose
 :title: Points and weights of two steps are those of one
 :zh: 分步嵌入与一次嵌入所得顶点与权因子相同
@@ -354,6 +360,10 @@ CLAIM(right_value_with_the_other_interval)
 
 #if RATIONAL
 /*
+At an inner knot of multiplicity $k$ the curve has two values, and the vertex is one of them. Which one depends on the convention
+for the intervals, closed on the right in the theorem and on the left in algorithm 4.1.1. The next two claims are the cases in
+which the index that is printed does not give the value that is meant.
+
 :::{claim} left_value_at_a_k_fold_knot
 :title: At a k-fold knot the printed index gives the limit from the left
 :zh: k 重节点处所印指标给出左极限

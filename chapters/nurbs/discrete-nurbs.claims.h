@@ -45,6 +45,9 @@ static const char *const G(pairs)[][16] = {
 };
 
 /*
+New points and new weights are two statements in one: the weights are refined like a function, and the points are means with the
+shares $\alpha_i(j)w_i$. For these to be means the $\alpha_i(j)$ must not be negative, and must not all vanish.
+
 :::{claim} discrete_bsplines_are_shares
 :title: The discrete B-splines of a point are nonnegative and sum up to 1
 :zh: 离散 B 样条非负且和为一
@@ -79,6 +82,9 @@ CLAIM(discrete_bsplines_are_shares)
 }
 
 /*
+That the curve stays the same is a statement about the homogeneous curve, so about the numerator and about the denominator each by
+itself. It is stronger than the equality of the quotients, which a common factor could produce too.
+
 :::{claim} refined_data_give_the_same_curve
 :title: The new points, weights and knots give the same curve
 :zh: 新的顶点、权因子与节点给出同一条曲线
@@ -170,6 +176,10 @@ CLAIM(names_carry_the_order) { agree(T, indices_are_the_order(T)); }
 #endif
 
 /*
+The formula is printed for every $T'$. Three things can make it meaningless. A negative weight can take a new weight to $0$. A
+knot outside the support of every function has no shares at all. And there is the question which interval is closed at a knot,
+which the later proof answers in another way than the definition of the $\alpha$.
+
 :::{statement} wang-ch4:formula-4.1.6
 :title: The control points and weights after the insertion of knots
 :zh: 嵌入节点后的控制顶点与权因子
@@ -400,6 +410,9 @@ CLAIM(knot_at_an_outer_end_has_no_shares)
 #endif
 
 /*
+The equation behind everything is that the old functions are combinations of the new ones. It holds with every multiplicity, even
+beyond $k$, where some of the new functions are $0$ and some of the new points do not matter.
+
 :::{statement} wang-ch4:formula-4.1.8
 :title: The new points and weights belong to the same curve
 :zh: 嵌入节点后曲线不变

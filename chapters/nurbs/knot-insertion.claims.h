@@ -72,6 +72,10 @@ CLAIM(boehm_insertion_in_higher_degrees) { G(check_boehm_insertion_keeps_curve)(
 #endif
 
 /*
+Two insertions in either order give the same points, because the curve and its knots determine the points, where the B-splines
+over the finer knots are independent. As a test of the kernel it is sharper than it looks, for the second insertion finds $x$ and
+$y$ in different spans and with different multiplicities, depending on which came first.
+
 :::{claim} bspline_insertions_commute
 :title: The order of insertions does not matter
 :zh: 插入节点的次序无关
@@ -114,6 +118,9 @@ CLAIM(bspline_insertions_commute)
 }
 
 /*
+If a knot is inserted again and again, fewer points are new each time, until, at the multiplicity $p$, one of them lies on the
+curve. The triangle that arises is de Boor's: to evaluate and to insert a knot are one computation (重复插入节点).
+
 :::{claim} repeated_insertion_is_deboor
 :title: After insertion up to the multiplicity p the curve is a control point
 :zh: 重复插入节点至 p 重得曲线上的点
@@ -157,6 +164,10 @@ CLAIM(repeated_insertion_is_deboor)
 
 #if FIELD || RATIONAL
 /*
+Each new point lies on an edge of the polygon before, strictly between its ends if the knot is new. So insertion cuts corners
+(割角), and the new polygon lies in the hull of the old one. The sections on convexity and on variation use the same ratios, with
+weights.
+
 :::{claim} inserted_points_divide_edges
 :title: A new point divides an edge from the inside
 :zh: 插入节点即割角
@@ -258,6 +269,10 @@ static void G(check_refinement_keeps_curve)(trial *T, int kind)
 }
 
 /*
+A point over the finer knots does not depend on the order in which they were inserted, only on the knots $v_{j+1},\dots,v_{j+p}$
+next to it. That the two algorithms agree point by point is therefore a second proof of both. It also does not matter from which
+segment a point is computed, though neighbouring segments have different polar forms: at the knots of the point they agree.
+
 :::{claim} refinement_keeps_curve
 :title: The Oslo algorithm changes the points, not the curve, and agrees with repeated insertion
 :zh: Oslo 算法加细节点不改变曲线

@@ -41,6 +41,10 @@ static void G(check_removal_inverts_insertion)(trial *T, int kind)
 }
 
 /*
+Where a knot had been inserted, removal has to give back what was there. The equations $c_i=(1-a_i)b_{i-1}+a_ib_i$ of the
+insertion are solved from both ends, each point from its neighbour, until the two runs meet in the middle; what the equation lacks
+that is left over there is the defect.
+
 :::{claim} removal_inverts_insertion
 :title: Removal of a knot that was inserted gives the points before
 :zh: 消去插入的节点即还原
@@ -75,6 +79,10 @@ CLAIM(removal_in_higher_degrees) { G(check_removal_inverts_insertion)(T, INTEGER
 
 #if FIELD || RATIONAL
 /*
+For a knot that cannot be removed the kernel still returns points. They are not nonsense: inserted again, they reproduce every old
+point but one, and this one is missed by the defect. A program that removes knots within a tolerance (近似消去) may therefore read off
+the defect how far that one vertex moves.
+
 :::{claim} reinsertion_misses_by_the_defect
 :title: Inserting the removed knot again gives all points but one, which is off by the defect
 :zh: 消去后再插入仅差一点,其差即亏量
@@ -117,6 +125,10 @@ CLAIM(reinsertion_misses_by_the_defect)
 }
 
 /*
+At a knot of multiplicity $s$ the spline may jump in the derivative of order $p-s+1$ and after. With one knot less it may not jump
+in this order. So the derivative of order $p-s+1$ must decide whether the knot can be removed, and the claim says in which way the
+defect, a combination of points, knows of it.
+
 :::{claim} knot_is_removable_iff_derivative_does_not_jump
 :title: The defect vanishes exactly if the derivative of order p-s+1 does not jump
 :zh: 节点可消去当且仅当 p-s+1 阶导矢连续

@@ -105,6 +105,10 @@ CLAIM(greville_defect_is_a_variance)
 }
 
 /*
+A variance of $p$ numbers that lie close together is small. The largest that gaps of at most $h$ allow is that of equal gaps,
+since every difference $|x_i-x_j|$ is then as large as it can be; and for equal gaps the sum of the squares is a polynomial in
+$p$.
+
 :::{claim} gaps_bound_the_defect
 :title: With gaps at most h the defect is at most (k/24) h²
 :zh: 节点间距不超过 h 时偏差不超过 k h²/24
@@ -294,6 +298,9 @@ CLAIM(polygon_is_within_the_bound_of_the_spline)
 #endif
 
 /*
+The bound has the points of the second derivative in it, and these change with every knot. If they grew, nothing would be gained.
+But they are the points of a spline themselves, and insertion makes means of them; so the $M$ of the first polygon serves for all.
+
 :::{claim} second_differences_are_averaged
 :title: Inserting a knot averages the points of the second derivative
 :zh: 嵌入节点使二阶导数的控制点作凸组合
@@ -366,6 +373,9 @@ CLAIM(halving_the_gaps_divides_the_bound_by_four)
 }
 
 /*
+The rational curve is a central projection, and a projection may stretch distances. By how much depends on the least weight:
+numerator and denominator of the polygon both are near those of the curve, and the denominator stays away from $0$.
+
 :::{claim} quotient_is_near_if_the_spline_is
 :title: The distance of a rational curve from its polygon
 :zh: 有理曲线与其多边形的距离
@@ -402,6 +412,10 @@ static void G(halve_gaps)(int p, int count, const num u[], int m, struct G(refin
 }
 
 /*
+Each of the three hypotheses is now left out in turn: that the polygon begins and ends with the curve, that the knots become
+dense, and that the curve does not jump. In all three the polygon keeps a vertex or an edge for good, however many knots are
+inserted.
+
 :::{claim} first_vertex_stays_off_the_curve
 :title: Over simple knots the first vertex of every polygon stays where it is
 :zh: 单节点时首顶点始终不动

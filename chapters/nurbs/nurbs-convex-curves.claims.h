@@ -88,6 +88,10 @@ CLAIM(inserted_parameters_become_vertices)
 
 #if RATIONAL
 /*
+The three conditions are tried by leaving them out. A polygon that is convex as a set only: the curve of the example of the last
+section but one has a point inside the triangle of three others. A $k$-fold knot: two opposite sides of a square are a curve that
+is not continuous. A negative weight: the curve of a convex polygon gets an inflection, although its denominator stays positive.
+
 :::{claim} curve_of_a_polygon_that_turns_back_is_not_convex
 :title: The curve of a polygon that turns back is not convex
 :zh: 往返多边形的曲线非凸
@@ -200,6 +204,10 @@ CLAIM(mixed_weights_bend_both_ways)
 }
 
 /*
+The proof of the source intersects the hulls of the polygons. This is right for a growing sequence of knots, where each hull
+contains the next; the letters that stand for its members in one place are those of two parts of one set, which do not contain one
+another.
+
 :::{statement} wang-ch4:thm-4.2.1-step-intersection
 :title: The hulls of a growing sequence of knots
 :zh: 凸包之交
@@ -339,6 +347,9 @@ CLAIM(convex_polygons_have_splines_of_one_turn)
 }
 
 /*
+A closed curve without an end is not covered by the theorem as it stands, since its polygon, written for the kernels, overlaps
+itself. Cutting the corners of the closed polygon works as before, and this is what is decided for the curves below.
+
 :::{claim} periodic_curves_of_convex_polygons_are_convex
 :title: A closed polygon that is convex has a convex periodic curve
 :zh: 闭合周期曲线的保凸性

@@ -56,6 +56,10 @@ static void grid_polygon(int n, int code, long point[])
 }
 
 /*
+To decide convexity one needs a criterion that sees order as well as place. The areas of all triangles $r_ir_jr_l$ with $i<j<l$
+are such a criterion: they have one sign just when the polygon, closed by its chord, runs round a convex region once. Neighbouring
+triples are not enough: a polygon may turn left at every vertex and come round twice.
+
 :::{claim} triangles_of_one_sign_make_a_polygon_convex
 :title: A polygon closed by its chord is convex exactly when its triangles have one sign
 :zh: 凸多边形等价于各三角形同向
@@ -161,6 +165,10 @@ static void lose_convexity(trial *T, int n)
 }
 
 /*
+Here is a small polygon that is convex as a set and is not run through once. It goes out and back on the same side of a triangle.
+The insertion cuts the corner where it turns, and what was hidden by running over the same points twice comes to light. The second
+example shows that it does not help to forbid turning back.
+
 :::{claim} polygon_that_turns_back_loses_convexity
 :title: A polygon on the boundary of a triangle that turns back, and its corners cut
 :zh: 往返的多边形割角后非凸
@@ -196,6 +204,9 @@ CLAIM(polygon_that_turns_back_loses_convexity) { lose_convexity(T, 4); }
 CLAIM(polygon_that_overlaps_itself_loses_convexity) { lose_convexity(T, 5); }
 
 /*
+The proof of the theorem speaks about a set $A(\Gamma)$. It exists only where $\Gamma$ lies on the boundary of its own hull (凸包),
+and is then this hull. So "smallest" hides a hypothesis, the same that is to be proved of the curve.
+
 :::{statement} wang-ch4:def-4.2.1-smallest
 :title: The smallest closed convex set with the curve on its boundary
 :zh: 以 Γ 为边界的最小凸闭集

@@ -44,6 +44,9 @@ insertion involve three rows and so six columns at most, so that their signs are
 */
 
 /*
+The source proves the lemma knot by knot, with formulas of its own for one insertion. They have to be decided first: that they
+give the same curve, that their factors lie between $0$ and $1$, and for which knots they ask for points that exist.
+
 :::{claim} printed_insertion_keeps_the_curve
 :title: The printed points, weights and knots give the same curve
 :zh: 所印嵌入公式不改变曲线
@@ -143,6 +146,10 @@ CLAIM(insertion_ratios_are_between_zero_and_one)
 }
 
 /*
+Now the three new vertices are means of six old ones at most. The triangle of the new vertices is a combination of triangles of
+the old ones, and the coefficients are minors of the matrix of the insertion. No drawing is needed, and no distinction of where
+the corners are cut.
+
 :::{claim} insertion_turns_like_its_triangles
 :title: An insertion keeps the turn of every triangle
 :zh: 嵌节点保持三角形转向
@@ -203,6 +210,10 @@ CLAIM(insertion_turns_like_its_triangles)
 
 #if RATIONAL
 /*
+The lemma is printed for any set of knots. By the cases of the proof, a knot to the left of the domain has a first factor less
+than 1, and the rest belongs to a point before the first. The formula (4.1.6) has no such term, since it sums over the points that
+there are: the two parts of the source disagree about the knots outside the domain.
+
 :::{claim} knot_before_the_domain_asks_for_another_point
 :title: Knots outside the domain ask for points that are not there
 :zh: 定义域外的节点
@@ -398,6 +409,10 @@ which of two points is repeated.  With the end closed on the right the start of 
 then $\mu\le0$, and $\alpha_1=0$ asks for a point $r_0$.
 :::
 
+In one place the intervals are closed on the left, in another on the right. At a knot this changes $\mu$ by the multiplicity, but
+hardly the factors: those that change from the middle case to an outer one are $0$ or $1$ in both. Only at a $k$-fold knot can one
+see it in the points.
+
 :::{claim} both_conventions_of_the_span_are_right
 :title: At a knot, both conventions of the span give the same factors, or repeat one of two points
 :zh: 两种区间约定
@@ -547,6 +562,9 @@ CLAIM(inserted_polygons_stay_convex)
 #endif
 
 /*
+One knot being inserted, the rest is said to be induction. It is, if the polygon that one insertion leaves is the control polygon
+of the same curve over the knots with the new one, with its new weights, and if the order does not matter.
+
 :::{statement} wang-ch4:lemma-4.2.1-step-induction
 :title: Knots may be inserted one after the other
 :zh: 归纳步

@@ -60,6 +60,10 @@ static num G(printed_point)(int k, int dim, const num u[], const num R[], const 
 }
 
 /*
+The two formulas are read by their letter, in the indices of the source and one call for each term. The kernel overwrites one
+array from level to level. What is compared is every entry of every level, since a wrong index in the middle can cancel at the
+end.
+
 :::{claim} rational_triangle_follows_the_recursion
 :title: The levels of the kernel are those of (4.1.3) and (4.1.4)
 :zh: 核函数各层即 (4.1.3)、(4.1.4)
@@ -107,6 +111,10 @@ CLAIM(rational_triangle_follows_the_recursion)
 
 #if RATIONAL
 /*
+That these numbers are defined at all depends on the range of $i$, which is printed with care: one index lower, and the divisor
+belongs to an interval that does not contain $[t_j,t_{j+1}]$, and may be $0$. Inside the range all knots but $t_j<t_{j+1}$ may
+coincide.
+
 :::{claim} divisors_contain_the_span
 :title: In the printed ranges no divisor vanishes
 :zh: 所列指标范围内分母不为零
@@ -194,6 +202,10 @@ CLAIM(rational_triangle_gives_the_point)
 
 /*
 ## Where it may be used
+
+The recursion computes a polynomial of $t$, the same for every $t$ once $j$ is chosen. Nothing in it notices that $t$ has left the
+interval: it goes on drawing the segment beyond its ends. So the sentence that ties $j$ to $t$ is part of the algorithm, and just
+this sentence has the wrong letter.
 
 :::{statement} wang-ch4:alg-4.1.1-interval
 :title: The interval of the algorithm
@@ -318,6 +330,10 @@ CLAIM(weight_of_a_level_may_vanish)
 
 /*
 ## What it means (几何意义)
+
+Each level of the rational triangle is a polygon, with its vertices on the edges of the one before (割角). The ratio is not that of
+the knots, as the weights at both ends of an edge pull the point to the heavier one. It stays between $0$ and $1$ as long as the
+weights of the levels, which are means of the given ones, are positive.
 
 :::{statement} wang-ch4:alg-4.1.1-corner-cutting
 :title: Geometrically the algorithm cuts the corners of the polygon in k-1 levels

@@ -52,6 +52,10 @@ static num G(parameter_inside)(trial *T, const num x[], int interval)
 }
 
 /*
+A definition cannot be wrong, but it can define nothing. For a quotient to be a curve, its denominator must not vanish, and this
+is where the condition $w_i>0$ comes from: a mean of positive numbers is positive, as long as the $N_{i,k}$ are the shares of a
+mean.
+
 :::{claim} basis_is_a_partition_of_unity
 :title: On the domain the B-splines are nonnegative and sum up to 1, so positive weights have a positive mean
 :zh: 定义域内 B 样条基非负且和为一,故分母为正
@@ -129,6 +133,10 @@ CLAIM(negative_weight_makes_a_pole)
 #endif
 
 /*
+The partition is printed as a sequence without end, and then only $n$ functions of it are used. These have $n+k$ knots; on the
+domain even the first and the last of these do not matter, since they enter only through functions of lower order that vanish
+there. The matter is not idle: it decides what a program may ask for, and conventions differ by just these two knots.
+
 :::{claim} outer_knots_do_not_count
 :title: On the domain the curve does not depend on the first and the last knot, nor on any beyond
 :zh: 首末两个节点不影响定义域内的曲线
@@ -234,6 +242,10 @@ CLAIM(polygon_begun_elsewhere_misses_the_start)
 }
 
 /*
+Half-open intervals are what makes the B-splines of a sequence without end sum to 1 at the knots, each value counted once. But a
+curve ends, and at a $k$-fold last knot all of its functions have ended before. Every program repairs this, usually without a
+word; the definition does not.
+
 :::{statement} wang-ch4:def-4.1.1-interval
 :title: The curve is defined for nondecreasing knots
 :zh: 节点向量非减即可定义曲线
@@ -495,6 +507,10 @@ CLAIM(nurbs_point_is_the_weighted_mean)
 /*
 ## Degenerate cases (可退化性)
 
+Two kinds of curves must come out as special cases, or the name would not be deserved. If all weights are equal they cancel
+against the denominator, which is then this weight. The converse is a question of its own: points that depend on each other could
+hide unequal weights, independent ones cannot.
+
 :::{statement} wang-ch4:degenerate-bspline
 :title: Equal weights give the B-spline curve
 :zh: 权相等时退化为 B 样条曲线
@@ -574,6 +590,10 @@ CLAIM(only_proportional_weights_give_the_bspline)
 }
 
 /*
+The other special case is one single segment. Over knots that are $(k-1)$-fold at both ends the B-splines are the Bernstein
+polynomials, so that points and weights keep their meaning. Over any other knots the segment is a rational Bézier curve as well,
+but of other points; the star in the printed formula leaves open which is meant.
+
 :::{statement} wang-ch4:degenerate-bezier
 :title: n = k and (k-1)-fold ends give the rational Bézier curve
 :zh: n=k 且两端为 k-1 重节点时退化为有理 Bézier 曲线

@@ -76,6 +76,10 @@ CLAIM(nurbs_point_is_the_quotient)
 }
 
 /*
+There are two ways to run de Boor's algorithm on such a curve: on the four coordinates $(wR,w)$, and divide once at the end, or on
+points and weights, and divide at each level. The second keeps every point in the space of the curve, where its points divide
+edges; the first is cheaper. They are the same curve level by level.
+
 :::{claim} nurbs_levels_are_levels_of_the_homogeneous_curve
 :title: A level of the rational triangle is a level in homogeneous coordinates
 :zh: 有理 de Boor 三角阵的一层
@@ -127,6 +131,10 @@ CLAIM(nurbs_levels_are_levels_of_the_homogeneous_curve)
 }
 
 /*
+Insertion with weights has to change the weights as well: a new weight is a mean of two old ones, and the ratio on the edge is
+that of the weights besides that of the knots. This is tested twice, against the definition in low degrees, and against the
+insertion of the section before, applied to homogeneous points, in higher ones.
+
 :::{claim} nurbs_insertion_keeps_curve
 :title: Insertion with separate weights is insertion in homogeneous coordinates
 :zh: NURBS 插入节点
@@ -247,6 +255,10 @@ static void G(segment_data)(trial *T, const struct G(knots) * K, int d, num t, n
 }
 
 /*
+The derivative of a quotient costs more than that of a spline: from the second order on it contains all derivatives of lower order
+(Leibniz 法则). Each is found from $P^{(k)}=\sum_i\binom kiw^{(i)}R^{(k-i)}$ by solving for the term with $i=0$. Beyond the degree
+of the curve numerator and denominator have no derivatives left, but their quotient has.
+
 :::{claim} nurbs_derivatives_are_those_of_the_quotient
 :title: All derivatives of a NURBS curve
 :zh: NURBS 曲线的各阶导矢
@@ -381,6 +393,10 @@ static num G(minor3)(num D[4][4], int i, int j, int k)
 }
 
 /*
+Curvature (曲率) and torsion (挠率) need no derivative of a quotient. In homogeneous coordinates the determinant of point, first and
+second derivative does not change when the coordinates are multiplied by a function, except by its third power; so it is $w^3$
+times the one for the curve itself. This gives a formula for the other side of the comparison that shares no step with the kernel.
+
 :::{claim} nurbs_curvature_from_homogeneous_coordinates
 :title: The squared curvature of a plane NURBS curve
 :zh: 平面 NURBS 曲线的曲率

@@ -9,6 +9,10 @@
 #include "chapters/judge/claims_on.h"
 
 /*
+The source passes the properties (性质) over with a word, "similar". Most of what B-spline curves have carries over because a NURBS
+curve is one in homogeneous coordinates; what needs a mean, like the hull, needs positive weights besides, and what is said about
+the curve itself rather than about its homogeneous form has to be carried through the quotient.
+
 :::{statement} wang-ch4:properties-2.3
 :title: Properties similar to those of B-spline curves
 :zh: 与 B 样条曲线性质 2.3.1-2.3.7 类似的性质
@@ -145,6 +149,9 @@ CLAIM(negative_weight_leaves_the_hull)
 #endif
 
 /*
+An affine map acts on the points and leaves the weights alone. This is the reason for keeping the two apart: in homogeneous
+coordinates the translation of a point also changes $w_ix_i$ in proportion to its weight.
+
 :::{claim} nurbs_moves_with_its_points
 :title: An affine map of the points is the same map of the curve
 :zh: 仿射不变性
@@ -251,6 +258,10 @@ CLAIM(sides_agree_up_to_order_less_multiplicity)
 
 #if !FIELD
 /*
+For the basis this is a statement about single functions. Numerator and denominator then have the same derivatives from both
+sides, and the rule for quotients gives those of the curve from them. Curvature needs two and torsion three of them. The next
+claim shows that the bound cannot be improved, not even for the shape alone.
+
 :::{claim} nurbs_sides_agree
 :title: Value, derivatives, curvature and torsion of the curve from both sides
 :zh: 曲线在节点两侧的值、导矢、曲率与挠率
@@ -431,6 +442,10 @@ CLAIM(nurbs_derivatives_are_derivatives)
 
 /*
 ## At an end (端点)
+
+At the end of a clamped curve the formulas are those of a rational Bézier curve, except that lengths of knot intervals appear. The
+interval after the first counts in the curvature, through $\Delta_2$, and one more in the torsion, although the first interval
+alone carries the segment: its points are shared with the next ones.
 
 :::{claim} clamped_end_is_the_first_point
 :title: Point, tangent, curvature and torsion at a clamped end

@@ -65,6 +65,10 @@ A whole circle is one NURBS curve, with rational points and weights, and with ev
 */
 
 /*
+A parabola is all that polynomials of degree two can draw, and no polynomial draws an arc of a circle at all. With weights it
+takes nine points. What is easily overlooked is how much is free in it: the knots may be any numbers, since each quarter is a
+conic for itself. That the points lie on the circle is not yet that the circle is run through; the claim after it says that.
+
 :::{claim} circle_is_a_nurbs_curve
 :title: A whole circle as one quadratic NURBS curve
 :zh: 整圆可表为一条二次 NURBS 曲线
@@ -136,6 +140,10 @@ CLAIM(circle_is_run_through_once)
 
 /*
 ## How long it takes (时间复杂度)
+
+A recursive formula need not be a slow algorithm. Written out, (4.1.3) contains two terms of the level before, each of which
+contains two, and so on: but they are the same terms again and again, and a triangle of $\frac{k(k-1)}2$ numbers is all there is.
+The preface confuses the size of the expression with the number of operations; both are counted here.
 
 :::{statement} wang-ch4:preface-complexity-recursion
 :title: The time of de Boor's and Boehm's recursions is exponential
@@ -236,6 +244,10 @@ CLAIM(plain_recursion_doubles)
 }
 
 /*
+The praise that follows is justified, and the reason can be stated. Cancellation is dangerous where numbers are subtracted that
+carry errors already. The recursions subtract knots and parameters, which are given; from there on, with positive weights and $t$
+in its interval, they only add, multiply and divide numbers of one sign.
+
 :::{statement} wang-ch4:preface-stability
 :title: De Boor's and Boehm's recursions compute stably and simply
 :zh: deBoor 与 Boehm 递推计算稳定而简单

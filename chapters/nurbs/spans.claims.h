@@ -27,6 +27,11 @@ static int G(integer_knots)(const char *pattern, num u[], int value[])
 }
 
 /*
+A parameter that is a knot lies in two closed intervals. The recursion of de Boor and Cox begins with half-open ones,
+$[u_\mu,u_{\mu+1})$, so that a value at a knot is the one from the right; the last interval of the domain alone is taken closed,
+since by the letter the curve would have no end. Where a value from the left is wanted, all of this is mirrored: intervals are
+closed on the right, and the first of the domain is closed on both sides.
+
 :::{claim} spans_contain_their_parameters
 :title: The span of a parameter, from the right and from the left
 :zh: 参数所在的节点区间
@@ -81,6 +86,10 @@ CLAIM(spans_contain_their_parameters)
 }
 
 /*
+What is not a knot vector (节点向量) has to be refused before anything is computed, and the answer names the place. A knot may occur
+$p+1$ times: the curve is then torn there, but every B-spline still has an interval. With $p+2$ equal knots one B-spline has none
+and is $0$ everywhere. The order of the questions matters, because a sequence can be wrong in several ways at once.
+
 :::{claim} knots_are_checked
 :title: What can be wrong with knots is found, and where
 :zh: 节点序列的检查
@@ -124,6 +133,10 @@ CLAIM(knots_are_checked)
 }
 
 /*
+Refinement, elevation and reduction compute each new point by itself, as a value of the polar form of one segment. Any segment
+will do whose interval contains an interval on which the new point counts. A new point that counts nowhere in the domain has no
+such segment: this is no mistake in the knots, and the answer is then $-1$.
+
 :::{claim} points_have_spans
 :title: The spans that refinement, elevation and reduction ask for
 :zh: 各控制顶点可用的区间
@@ -186,6 +199,11 @@ CLAIM(points_have_spans)
 }
 
 /*
+At a knot of multiplicity $m$ (重数) a spline of degree $p$ has $p-m$ continuous derivatives. To keep this number when the degree
+goes up, $m$ has to go up with it, and down when it goes down. At the ends of the domain there is nothing to keep smooth; there
+the two functions differ: what is raised keeps as many knots before the domain as the new degree needs, what is lowered is
+clamped.
+
 :::{claim} knots_of_the_next_degrees
 :title: The knots of one degree more and of one degree less
 :zh: 升阶与降阶的节点序列
