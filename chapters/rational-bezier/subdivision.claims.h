@@ -123,28 +123,37 @@ the denominators.
 :title: A regular curve whose triangle has a point at infinity
 :zh: 曲线正则而三角阵中权为零
 :kind: decision
-:given: $n=2$, $\omega=(1,-\frac12,1)$
-:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$ for $\lambda=\frac23$, so that $R_1^1$, a point of the left part,
-  does not exist; and $\omega_2^1=0$ for $\lambda=\frac13$, so that $R_2^1$, one of the right part, does not
-:method: $\omega(t)=3t^2-3t+1$ has no real root, counted exactly, and is positive at $0$.
-:control: $\lambda=\frac12$
+:data: ω = 1 -1/2 1; λ = 2/3 1/3
+:instead: λ = 1/2 1/2
+:result: ω(t) = "3*t^2 - 3*t + 1"; real zeros of ω(t) = 0; ω_1^1 at the first λ, ω_2^1 at the second = 0 0
+:given: three weights $\omega$, the middle one negative, and two parameters $\lambda$
+:then: $\omega(t)>0$ for every real $t$, but $\omega_1^1=0$ for the first $\lambda$, so that $R_1^1$, a point of the left part,
+  does not exist; and $\omega_2^1=0$ for the second, so that $R_2^1$, one of the right part, does not
+:method: The real zeros of $\omega(t)$ are counted exactly, and it is positive at $0$; the two weights are computed by one step
+  of the recursion.
+:control: $\lambda$ in the middle
 :::
 */
 CLAIM(intermediate_weight_can_vanish)
 {
-    num w[] = {from_int(1), from_ratio(-1, 2), from_int(1)};
+    num w[3], lambda[2], vanishing[2];
+    given_points(T, "ω", 3, 1, w);
+    given_points(T, "λ", 2, 1, lambda);
     poly denominator = poly_from_bernstein(2, w);
-    show_points(T, "ω", 3, 1, w);
-    show_text(T, "ω(t)", "%s", poly_to_string(denominator, "t"));
-    agree(T, count_roots_line(denominator).distinct == 0 && sign_q(w[0]) > 0);
+    int zeros = count_roots_line(denominator).distinct;
     for (int side = 0; side < 2; side++) {
-        num lambda = fault(T, from_ratio(2 - side, 3), from_ratio(1, 2)), next[3];
-        for (int i = 0; i < 3; i++)
-            next[i] = w[i];
-        G(bezier_casteljau_level)(2, 1, next, lambda);
-        show(T, side == 0 ? "λ, with ω_1^1 = 0" : "λ, with ω_2^1 = 0", lambda);
-        vanishes(T, next[side]);
+        num level[3] = {w[0], w[1], w[2]};
+        G(bezier_casteljau_level)(2, 1, level, lambda[side]);
+        vanishing[side] = level[side];
     }
+    found_text(T, "ω(t)", poly_to_string(denominator, "t"));
+    found_whole(T, "real zeros of ω(t)", zeros);
+    found_points(T, "ω_1^1 at the first λ, ω_2^1 at the second", 2, 1, vanishing);
+    about(T, "ω(t) > 0 for every real t");
+    agree(T, zeros == 0 && sign_q(w[0]) > 0);
+    about(T, "the weights ω_1^1 and ω_2^1");
+    vanishes(T, vanishing[0]);
+    vanishes(T, vanishing[1]);
 }
 #endif
 
@@ -275,18 +284,22 @@ CLAIM(cut_at_an_end_is_empty)
 :title: Outside the interval positive weights do not suffice
 :zh: 分割点在区间外时正权亦不足
 :kind: decision
-:given: $n=1$, $[a,b]=[0,1]$, $\omega=(1,2)$, $c=-1$
+:data: ω = 1 2; c = -1
+:instead: c = 1/2
+:result: ω_1^1 = 0
+:given: two positive weights $\omega$, $[a,b]=[0,1]$, and a parameter $c$ outside
 :then: $\omega_1^1=0$, so that $R_1^1$ does not exist
 :method: Computed exactly.
-:control: $c=\frac12$
+:control: $c$ in the middle of the interval
 :::
 */
 CLAIM(cut_outside_can_fail)
 {
-    num w[] = {from_int(1), from_int(2)}, lambda = fault(T, from_int(-1), from_ratio(1, 2));
-    show_points(T, "ω", 2, 1, w);
-    show(T, "λ", lambda);
-    vanishes(T, G(rational_weight)(1, w, lambda));
+    num w[2];
+    given_points(T, "ω", 2, 1, w);
+    num weight = G(rational_weight)(1, w, given(T, "c"));
+    found(T, "ω_1^1", weight);
+    vanishes(T, weight);
 }
 #endif
 
@@ -369,8 +382,10 @@ weight is not even defined by (3.3.2).
 :title: The numerator's basis argument is not that of the right part
 :zh: 右段分子的基函数自变量误印
 :kind: counterexample
-:given: $n=1$, $[a,b]=[0,1]$, $c=\frac12$, the points $0,1$ of the line with weights $1,1$, $t=\frac34$; the weights
-  in the numerator taken as they should be
+:data: R = 0 1; ω = 1 1; c = 1/2; t = 3/4
+:result: R(t) = 3/4; printed quotient = 7/8
+:given: two points of the line with equal weights, $[a,b]=[0,1]$, the cut $c$ and a parameter $t$ of the right part; the
+  weights in the numerator taken as they should be
 :then: the printed quotient is not $R(t)$
 :method: Both sides are computed exactly.
 :control: $(t-c)/(b-c)$ in the numerator too
@@ -378,19 +393,20 @@ weight is not even defined by (3.3.2).
 */
 CLAIM(printed_right_half_has_the_wrong_argument)
 {
-    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)}, Rl[2], wl[2], Rr[2], wr[2], curve, up[2],
-        numerator;
-    num c = from_ratio(1, 2), t = from_ratio(3, 4), part = div(sub(t, c), sub(from_int(1), c));
+    num R[2], w[2], Rl[2], wl[2], Rr[2], wr[2], up[2], curve, numerator;
+    given_points(T, "R", 2, 1, R);
+    given_points(T, "ω", 2, 1, w);
+    num c = given(T, "c"), t = given(T, "t"), part = div(sub(t, c), sub(from_int(1), c));
     G(triangle_sides)(1, R, w, c, Rl, wl, Rr, wr);
     for (int i = 0; i < 2; i++)
         up[i] = mul(wr[i], Rr[i]);
     G(bezier_horner)(1, 1, up, fault(T, part, t), &numerator);
     G(rational_point)(1, 1, R, w, t, &curve);
-    show_points(T, "R", 2, 1, R);
-    show_points(T, "ω", 2, 1, w);
-    show(T, "t", t);
+    num printed = div(numerator, G(rational_weight)(1, wr, part));
+    found(T, "R(t)", curve);
+    found(T, "printed quotient", printed);
     about(T, "left the curve, right the printed quotient");
-    same(T, curve, div(numerator, G(rational_weight)(1, wr, part)));
+    same(T, curve, printed);
 }
 
 /*
@@ -398,34 +414,37 @@ CLAIM(printed_right_half_has_the_wrong_argument)
 :title: The numerator's weights are not those of the denominator
 :zh: 右段分子的权误印
 :kind: counterexample
-:given: $n=2$, $[a,b]=[0,1]$, $c=\frac12$, the points $0,\frac12,1$ of the line with the weights $1,2,3$, $t=\frac34$; in
-  the numerator the argument is taken as it should be, and for $i=0$ the weight too, since $\omega_0^2$ is not defined
-:then: $\omega_1^1=\frac32$, the printed weight of $R_2^1$ in the numerator, is not $\omega_2^1=\frac52$, the one in the
-  denominator, and the printed quotient is not $R(t)$
+:data: R = 0 1/2 1; ω = 1 2 3; c = 1/2; t = 3/4
+:result: ω_1^1, ω_2^1 = 3/2 5/2; R(t) = 33/40; printed quotient = 133/200
+:given: three points of the line, their weights, $[a,b]=[0,1]$, the cut $c$ and a parameter $t$ of the right part; in the
+  numerator the argument is taken as it should be, and for $i=0$ the weight too, since $\omega_0^2$ is not defined
+:then: $\omega_1^1$, the printed weight of $R_2^1$ in the numerator, is not $\omega_2^1$, the one in the denominator, and the
+  printed quotient is not $R(t)$
 :method: Both sides are computed exactly, the weights from the recursion (3.3.2).
 :control: $\omega_2^1$ in the numerator too
 :::
 */
 CLAIM(printed_right_half_has_the_wrong_weight)
 {
-    num w[] = {from_int(1), from_int(2), from_int(3)}, R[] = {from_int(0), from_ratio(1, 2), from_int(1)};
-    num c = from_ratio(1, 2), t = from_ratio(3, 4), part = div(sub(t, c), sub(from_int(1), c));
-    num Rl[3], wl[3], Rr[3], wr[3], P[3], v[3], up[3], curve, numerator;
+    num R[3], w[3], Rl[3], wl[3], Rr[3], wr[3], P[3], v[3], up[3], curve, numerator;
+    given_points(T, "R", 3, 1, R);
+    given_points(T, "ω", 3, 1, w);
+    num c = given(T, "c"), t = given(T, "t"), part = div(sub(t, c), sub(from_int(1), c));
     G(triangle_sides)(2, R, w, c, Rl, wl, Rr, wr);
     for (int i = 0; i <= 2; i++) {
-        int r = 2 - i; /* the printed weight is omega_i^r, stored at i - r where it is defined */
+        int r = 2 - i; /* the printed weight is ω_i^r, stored at i - r where it is defined */
         G(rational_casteljau)(2, 1, R, w, c, r, P, v);
         up[i] = mul(fault(T, wr[i], i < r ? wr[i] : v[i - r]), Rr[i]);
         if (i == 1)
-            show_points(T, "ω_1^1, ω_2^1", 2, 1, v);
+            found_points(T, "ω_1^1, ω_2^1", 2, 1, v);
     }
     G(bezier_horner)(2, 1, up, part, &numerator);
     G(rational_point)(2, 1, R, w, t, &curve);
-    show_points(T, "R", 3, 1, R);
-    show_points(T, "ω", 3, 1, w);
-    show(T, "t", t);
+    num printed = div(numerator, G(rational_weight)(2, wr, part));
+    found(T, "R(t)", curve);
+    found(T, "printed quotient", printed);
     about(T, "left the curve, right the printed quotient");
-    same(T, curve, div(numerator, G(rational_weight)(2, wr, part)));
+    same(T, curve, printed);
 }
 #endif
 
@@ -564,24 +583,32 @@ CLAIM(cut_coefficients_are_convex)
 :title: With a negative weight a point of the triangle leaves its edge
 :zh: 异号权时割角点离开边
 :kind: decision
-:given: $n=2$, $\omega=(1,-\frac14,1)$, $\lambda=\frac12$
-:then: $\omega(t)>0$ for every real $t$, but $R_1^1=\frac43R_0-\frac13R_1$
-:method: The roots of $\omega(t)$ are counted exactly; the coefficients are $R_1^1$ for the points $1,0$ and $0,1$.
-:control: $\omega_1=+\frac14$
+:data: ω = 1 -1/4 1; λ = 1/2
+:instead: ω = 1 1/4 1
+:result: real zeros of ω(t) = 0; coefficients of R_0, R_1 = 4/3 -1/3
+:given: three weights $\omega$, the middle one negative, and $\lambda$ in the middle
+:then: $\omega(t)>0$ for every real $t$, but in $R_1^1$ the point $R_1$ has a negative coefficient, and $R_0$ one above 1
+:method: The roots of $\omega(t)$ are counted exactly; the coefficients are $R_1^1$ for the points $1,0$ and $0,1$ of the line.
+:control: $\omega_1$ with the other sign
 :::
 */
 CLAIM(negative_weight_breaks_convexity)
 {
-    num w[] = {from_int(1), from_ratio(fault(T, -1, 1), 4), from_int(1)}, half = from_ratio(1, 2), v[2], P[2][2];
-    num unit[2][3] = {{from_int(1), from_int(0), from_int(0)}, {from_int(0), from_int(1), from_int(0)}};
-    show_points(T, "ω", 3, 1, w);
-    agree(T, count_roots_line(poly_from_bernstein(2, w)).distinct == 0);
-    for (int k = 0; k < 2; k++)
-        G(rational_casteljau)(2, 1, unit[k], w, half, 1, P[k], v);
-    show(T, "coefficient of R_0", P[0][0]);
-    show(T, "coefficient of R_1", P[1][0]);
-    same(T, P[0][0], from_ratio(4, 3));
-    same(T, P[1][0], from_ratio(-1, 3));
+    num w[3], v[2], P[2], coefficient[2];
+    given_points(T, "ω", 3, 1, w);
+    num lambda = given(T, "λ");
+    int zeros = count_roots_line(poly_from_bernstein(2, w)).distinct;
+    found_whole(T, "real zeros of ω(t)", zeros);
+    agree(T, zeros == 0);
+    for (int k = 0; k < 2; k++) {
+        num unit[3] = {from_int(k == 0), from_int(k == 1), from_int(0)};
+        G(rational_casteljau)(2, 1, unit, w, lambda, 1, P, v);
+        coefficient[k] = P[0];
+    }
+    found_points(T, "coefficients of R_0, R_1", 2, 1, coefficient);
+    same(T, add(coefficient[0], coefficient[1]), from_int(1));
+    about(T, "R_1^1 lies outside the edge, before R_0");
+    agree(T, sign_q(coefficient[1]) < 0);
 }
 
 /*
@@ -600,37 +627,44 @@ CLAIM(negative_weight_breaks_convexity)
 :title: Each of level, edge and weights changes the ratio
 :zh: 层数、边序号、权均影响割角系数
 :kind: decision
-:given: $n=2$, $\lambda=\frac12$; the coefficient $\lambda\omega_i^{r-1}/\omega_i^r$ of the second point
-:then: with $\omega=(1,1,2)$ it is $\frac12$ for $r=1$, $i=1$; $\frac23$ for $r=1$, $i=2$; $\frac35$ for $r=2$,
-  $i=2$; and with $\omega=(1,1,1)$ it is $\frac12$ for $r=1$, $i=2$
-:method: The weights of the triangle are computed exactly; from the second value the first differs only in the edge,
-  the third only in the level, the last only in the weights.
-:control: $\omega=(1,1,1)$ throughout
+:data: ω = 1 1 2; other ω = 1 1 1; λ = 1/2
+:instead: ω = 1 1 1
+:result: α_2^1 = 2/3; α_1^1 = 1/2; α_2^2 = 3/5; α_2^1 of the other ω = 1/2
+:given: two triples of weights, and $\lambda$ in the middle
+:let: $\alpha_i^r=\lambda\omega_i^{r-1}/\omega_i^r$, the coefficient of the second point in (3.3.3)
+:then: $\alpha_2^1$ differs from $\alpha_1^1$, which has another edge; from $\alpha_2^2$, which has another level; and from
+  $\alpha_2^1$ of the other weights
+:method: The weights of the triangle are computed exactly; each of the three differs from $\alpha_2^1$ in one thing only.
+:control: the other weights throughout
 :::
 */
+/* α_i^r = λ ω_i^{r-1}/ω_i^r, from the triangle of three weights. */
+static num G(second_coefficient)(const num w[], num lambda, int r, int i)
+{
+    num level[3] = {w[0], w[1], w[2]}; /* ω_k^s stands at k - s */
+    for (int s = 1; s < r; s++)
+        G(bezier_casteljau_level)(3 - s, 1, level, lambda);
+    num share = mul(lambda, level[i - r + 1]);
+    G(bezier_casteljau_level)(3 - r, 1, level, lambda);
+    return div(share, level[i - r]);
+}
+
 CLAIM(cut_depends_on_level_edge_and_weights)
 {
-    num half = from_ratio(1, 2), one = from_int(1);
-    num w[] = {one, one, from_int(fault(T, 2, 1))}, equal[] = {one, one, one}, first[3], second[3], other[3];
-    for (int i = 0; i < 3; i++) {
-        first[i] = w[i];
-        other[i] = equal[i];
-    }
-    G(bezier_casteljau_level)(2, 1, first, half);
-    G(bezier_casteljau_level)(2, 1, other, half);
-    for (int i = 0; i < 2; i++)
-        second[i] = first[i];
-    G(bezier_casteljau_level)(1, 1, second, half);
-    num r1i1 = div(mul(half, w[1]), first[0]), r1i2 = div(mul(half, w[2]), first[1]);
-    num r2i2 = div(mul(half, first[1]), second[0]), plain = div(mul(half, equal[2]), other[1]);
-    show(T, "ω = (1, 1, 2), r = 1, i = 1", r1i1);
-    show(T, "ω = (1, 1, 2), r = 1, i = 2", r1i2);
-    show(T, "ω = (1, 1, 2), r = 2, i = 2", r2i2);
-    show(T, "ω = (1, 1, 1), r = 1, i = 2", plain);
-    same(T, r1i1, half);
-    same(T, r1i2, from_ratio(2, 3));
-    same(T, r2i2, from_ratio(3, 5));
-    same(T, plain, half);
+    num w[3], other[3];
+    given_points(T, "ω", 3, 1, w);
+    given_points(T, "other ω", 3, 1, other);
+    num lambda = given(T, "λ"), here = G(second_coefficient)(w, lambda, 1, 2);
+    num edge = G(second_coefficient)(w, lambda, 1, 1), level = G(second_coefficient)(w, lambda, 2, 2);
+    num weights = G(second_coefficient)(other, lambda, 1, 2);
+    found(T, "α_2^1", here);
+    found(T, "α_1^1", edge);
+    found(T, "α_2^2", level);
+    found(T, "α_2^1 of the other ω", weights);
+    about(T, "whether edge, level and weights, each by itself, change the coefficient");
+    agree(T, !equal_q(here, edge));
+    agree(T, !equal_q(here, level));
+    agree(T, !equal_q(here, weights));
 }
 #endif
 
@@ -823,11 +857,13 @@ CLAIM(near_homogeneous_points_are_near)
 :title: The polygons of a quarter circle, cut in the middle: each cut divides the error by 4
 :zh: 四分之一圆反复中点离散:误差恰为 4^{-k}
 :kind: decision
-:given: the quarter circle with points $(1,0),(1,1),(0,1)$ and weights $1,1,2$; $k=1,\dots,6$ times every piece is
-  cut at $\lambda=\frac12$
-:then: the largest $|\|V\|^2-1|$ over all vertices $V$ of the polygons is $4^{-k}$
-:method: All $2^k$ pieces are computed exactly.
-:control: every piece cut at $\lambda=\frac14$
+:data: R = (1,0) (1,1) (0,1); ω = 1 1 2; λ = 1/2; q = 4
+:instead: λ = 1/4
+:result: errors = 1 1/4 1/16 1/64 1/256 1/1024 1/4096
+:given: the quarter circle with points $R$ and weights $\omega$, whose pieces are all cut at $\lambda$, again and again
+:then: the largest $|\|V\|^2-1|$ over all vertices $V$ of the polygons is 1 at first, and each cut divides it by $q$
+:method: All pieces are computed exactly, $2^k$ of them after $k$ cuts.
+:control: every piece cut nearer to its first end
 :::
 */
 /* The largest | |V|^2 - 1 | over the vertices, after k further cuts of the quadratic (R, w). */
@@ -851,14 +887,17 @@ static num G(largest_circle_error)(int k, const num R[], const num w[], num lamb
 
 CLAIM(quarter_circle_error_is_quartered)
 {
-    num one = from_int(1), zero = from_int(0), R[] = {one, zero, one, one, zero, one}, w[] = {one, one, from_int(2)};
-    num expected = one;
-    for (int k = 1; k <= 6; k++) {
-        expected = div(expected, from_int(4));
-        num error = G(largest_circle_error)(k, R, w, from_ratio(1, fault(T, 2, 4)));
-        same(T, error, expected);
-        show_text(T, "error", "k = %d: %s", k, to_string_q(error));
-    }
+    enum { CUTS = 6 };
+    num R[6], w[3], error[CUTS + 1];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    num lambda = given(T, "λ"), q = given(T, "q");
+    for (int k = 0; k <= CUTS; k++)
+        error[k] = G(largest_circle_error)(k, R, w, lambda);
+    found_points(T, "errors", CUTS + 1, 1, error);
+    same(T, error[0], from_int(1));
+    for (int k = 1; k <= CUTS; k++)
+        same(T, mul(q, error[k]), error[k - 1]);
 }
 #endif
 
