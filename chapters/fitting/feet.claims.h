@@ -74,8 +74,8 @@ static void G(distance_series)(const struct G(conic_and_foot) * S, num t, num t1
 }
 
 /*
-At its foot the distance of a point is stationary in $t$.  So if the curve changes by $\varepsilon$ and the foot follows, the movement of the foot changes the distance in
-the second order only, and the gradient is that with the foot held fixed.
+At its foot the distance of a point is stationary in $t$.  So if the curve changes by $\varepsilon$ and the foot follows, the movement of
+the foot changes the distance in the second order only, and the gradient is that with the foot held fixed.
 
 :::{claim} gradient_does_not_see_the_foot_move
 :title: The gradient of the reduced distance needs no derivative of the foot
