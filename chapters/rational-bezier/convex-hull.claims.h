@@ -201,29 +201,33 @@ CLAIM(curve_points_have_hull_certificates)
 :title: With the weights 1, −1/2, 1 the curve leaves the triangle
 :zh: 权为 1, −1/2, 1 时曲线越出三角形
 :kind: counterexample
-:given: $R_0=(0,0)$, $R_1=(1,2)$, $R_2=(2,0)$ with weights $1,-\frac12,1$, whose $\omega(t)=3t^2-3t+1$ has no zero in $[0,1]$; $t=\frac12$
-:then: $R(\frac12)=(1,-2)$ is outside the triangle
-:method: A linear function that is at most the offset on the three points and larger at $R(\frac12)$ is found and checked exactly.  No smaller
+:data: R = (0,0) (1,2) (2,0); ω = 1 -1/2 1; t = 1/2
+:instead: ω = 1 1/2 1
+:result: zeros of ω(t) in [0,1] = 0; R(t) = (1,-2)
+:given: the quadratic curve with points $R$ and weights $\omega$, of which the middle one is negative, though $\omega(t)$ has no zero in $[0,1]$;
+  a parameter $t$ of $[0,1]$
+:then: $R(t)$ is outside the triangle
+:method: A linear function that is at most the offset on the three points and larger at $R(t)$ is found and checked exactly.  No smaller
   degree will do: a segment ($n=1$) with weights of both signs has a pole.
-:control: the weights $1,\frac12,1$
+:control: the middle weight made positive
 :::
 */
 CLAIM(curve_leaves_hull_with_negative_weight)
 {
-    num R[] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(2), from_int(0)}, x[2];
-    num w[] = {from_int(1), from_ratio(fault(T, 1, -1), 2), from_int(1)};
-    G(rational_point)(2, 2, R, w, from_ratio(1, 2), x);
-    struct cagd_hull_certificate found = hull_membership(2, 3, R, x);
+    num R[6], w[3], x[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    num t = given(T, "t");
+    G(rational_point)(2, 2, R, w, t, x);
+    struct cagd_hull_certificate hull = hull_membership(2, 3, R, x);
     int zeros = count_roots(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED).distinct;
-    show_points(T, "R", 3, 2, R);
-    show_points(T, "ω", 3, 1, w);
-    show_text(T, "zeros of ω in [0,1]", "%d", zeros);
-    show_points(T, "R(1/2)", 1, 2, x);
-    if (!found.inside)
-        show_text(T, "separated by", "(%s) x + (%s) y, at most %s on the triangle", to_string_q(found.normal[0]),
-                  to_string_q(found.normal[1]), to_string_q(found.offset));
-    about(T, "where ω has no zero, R(1/2) is in the hull");
-    refute(T, zeros == 0 && !found.inside && hull_certificate_holds(2, 3, R, x, found));
+    found_whole(T, "zeros of ω(t) in [0,1]", zeros);
+    found_points(T, "R(t)", 1, 2, x);
+    if (!hull.inside)
+        show_text(T, "separated by", "(%s) x + (%s) y, at most %s on the triangle", to_string_q(hull.normal[0]),
+                  to_string_q(hull.normal[1]), to_string_q(hull.offset));
+    about(T, "where ω has no zero, R(t) is in the hull");
+    refute(T, zeros == 0 && !hull.inside && hull_certificate_holds(2, 3, R, x, hull));
 }
 
 /*
@@ -231,18 +235,23 @@ CLAIM(curve_leaves_hull_with_negative_weight)
 :title: With the weights 1, −1/2, 1 the share of the middle point is −1
 :zh: 权为 1, −1/2, 1 时中间系数为 −1
 :kind: counterexample
-:given: $n=2$ with weights $1,-\frac12,1$, $t=\frac12$, $\omega(\frac12)=\frac14$
-:then: $B_1^2(t)\,\omega_1/\omega(t)=-1$
+:data: ω = 1 -1/2 1; t = 1/2
+:instead: ω = 1 1/2 1
+:result: ω(t) = 1/4; share of R_1 = -1
+:given: a quadratic curve with weights $\omega$, of which the middle one is negative, and a parameter $t$ of $[0,1]$
+:then: $B_1^2(t)\,\omega_1/\omega(t)<0$, although $\omega(t)>0$
 :method: The share is computed exactly.
-:control: the weights $1,\frac12,1$
+:control: the middle weight made positive
 :::
 */
 CLAIM(share_with_negative_weight_is_negative)
 {
-    num w[] = {from_int(1), from_ratio(fault(T, 1, -1), 2), from_int(1)}, t = from_ratio(1, 2);
-    num share = div(mul(G(share_without_weight)(2, 1, t), w[1]), G(rational_weight)(2, w, t));
-    show_points(T, "ω", 3, 1, w);
-    show(T, "share", share);
+    num w[3];
+    given_points(T, "ω", 3, 1, w);
+    num t = given(T, "t"), total = G(rational_weight)(2, w, t);
+    num share = div(mul(G(share_without_weight)(2, 1, t), w[1]), total);
+    found(T, "ω(t)", total);
+    found(T, "share of R_1", share);
     about(T, "the share of R_1 is not negative");
     nonnegative(T, share);
 }
@@ -252,22 +261,25 @@ CLAIM(share_with_negative_weight_is_negative)
 :title: Beyond t = 1 the curve leaves the hull
 :zh: t > 1 时曲线越出凸包
 :kind: counterexample
-:given: the segment with points $0,1$ of the line and weights $1,1$; $t=2$
-:then: $R(2)=2$ is not in $[0,1]$
+:data: R = 0 1; ω = 1 1; t = 2
+:instead: t = 1/2
+:result: R(t) = 2
+:given: the segment with points $R$ of the line and weights $\omega$; a parameter $t>1$
+:then: $R(t)$ is not between $R_0$ and $R_1$
 :method: A separating number is found and checked exactly.
-:control: $t=\frac12$
+:control: a parameter between $0$ and $1$
 :::
 */
 CLAIM(curve_leaves_hull_outside_the_interval)
 {
-    num R[] = {from_int(0), from_int(1)}, w[] = {from_int(1), from_int(1)}, x;
-    G(rational_point)(1, 1, R, w, fault(T, from_ratio(1, 2), from_int(2)), &x);
-    struct cagd_hull_certificate found = hull_membership(1, 2, R, &x);
-    show_points(T, "R", 2, 1, R);
-    show_points(T, "ω", 2, 1, w);
-    show(T, "R(t)", x);
+    num R[2], w[2], x;
+    given_points(T, "R", 2, 1, R);
+    given_points(T, "ω", 2, 1, w);
+    G(rational_point)(1, 1, R, w, given(T, "t"), &x);
+    struct cagd_hull_certificate hull = hull_membership(1, 2, R, &x);
+    found(T, "R(t)", x);
     about(T, "R(t) is in the hull");
-    refute(T, !found.inside && hull_certificate_holds(1, 2, R, &x, found));
+    refute(T, !hull.inside && hull_certificate_holds(1, 2, R, &x, hull));
 }
 #endif
 

@@ -376,39 +376,36 @@ CLAIM(designed_convex_polygons_have_convex_curves)
         }
 }
 
-static void ones(int n, num_q w[])
-{
-    for (int i = 0; i <= n; i++)
-        w[i] = from_int_q(1);
-}
-
 /*
 :::{claim} turns_of_one_sign_are_not_enough
 :title: A polygon that always turns left, and a curve with two inflections
 :zh: 处处左转的多边形, 曲线却有两个拐点
 :kind: counterexample
-:given: $n=3$, points $(0,0),(12,0),(11,5),(11,2)$, all weights $1$
-:then: $x'y''-y'x''=54(3t-2)(11t-10)$ is negative between $\frac23$ and $\frac{10}{11}$, though the polygon turns left at both inner
-  vertices and does not meet itself
+:data: R = (0,0) (12,0) (11,5) (11,2); ω = 1 1 1 1; t = 2/3 3/4 10/11
+:instead: R = (0,0) (12,0) (11,5) (1,5)
+:result: x'y'' - y'x'' = "1782*t^2 - 2808*t + 1080"; x'y'' - y'x'' at t = 0 -189/8 0; inflections in (0,1) = 2
+:given: the cubic curve with points $R$ and equal weights $\omega$, whose polygon turns left at both inner vertices and does not meet itself;
+  three parameters $t_1<t_2<t_3$
+:then: $x'y''-y'x''$ changes its sign at $t_1$ and $t_3$ and nowhere else in $(0,1)$, and is negative at $t_2$
 :method: The polynomial is computed and evaluated; its roots are counted.  For $n=2$ there is one turn, and the curve turns as it does.
-:control: the points taken as $(0,0),(12,0),(11,5),(1,5)$, whose polygon is convex when closed
+:control: the last point moved to the left, so that the polygon is convex when closed
 :::
 */
 CLAIM(turns_of_one_sign_are_not_enough)
 {
     enum { n = 3 };
-    static const long point[2 * (n + 1)] = {0, 0, 12, 0, 11, 5, 11, 2};
-    num R[2 * (n + 1)], w[n + 1];
-    points_from(n + 1, point, R);
-    R[6] = fault(T, from_int(1), R[6]);
-    R[7] = fault(T, from_int(5), R[7]);
-    ones(n, w);
+    num R[2 * (n + 1)], w[n + 1], t[3], value[3];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    given_points(T, "t", 3, 1, t);
     poly p = turning(n, R, w);
+    for (int k = 0; k < 3; k++)
+        value[k] = poly_value(p, t[k]);
     int turns_left = turn_2d(R, R + 2, R + 4) > 0 && turn_2d(R + 2, R + 4, R + 6) > 0;
     int simple = sign_q(R[5]) > 0 && sign_q(R[7]) > 0; /* the last edge is above the first */
-    show_points(T, "R", n + 1, 2, R);
-    show_text(T, "x'y'' - y'x''", "%s", poly_to_string(p, "t"));
-    show_text(T, "inflections in (0,1)", "%d", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
+    found_text(T, "x'y'' - y'x''", poly_to_string(p, "t"));
+    found_points(T, "x'y'' - y'x'' at t", 3, 1, value);
+    found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "a polygon that turns left and does not meet itself has a curve that turns left");
     refute(T, turns_left && simple && sign_inside(p) != SIGN_POSITIVE);
 }
@@ -418,24 +415,25 @@ CLAIM(turns_of_one_sign_are_not_enough)
 :title: With weights of both signs a square has a curve with inflections
 :zh: 权因子变号时正方形对应的曲线有拐点
 :kind: counterexample
-:given: $n=3$, the points $(0,0),(1,0),(1,1),(0,1)$, weights $4,-1,4,4$, for which $\omega(t)>0$ on $[0,1]$
+:data: R = (0,0) (1,0) (1,1) (0,1); ω = 4 -1 4 4
+:instead: ω = 4 1 4 4
+:result: det(P,P',P'') = "-1440*t^3 + 864*t^2 + 576*t - 288"; inflections in (0,1) = 2
+:given: the cubic curve with the corners $R$ of a square and weights $\omega$, of which one is negative, though $\omega(t)>0$ on $[0,1]$
 :then: $\det(P,P',P'')$ changes its sign twice in $(0,1)$
 :method: The polynomial is computed, its sign decided by counting roots.  For $n=2$ it has one term, and one sign.
-:control: the second weight taken as $+1$
+:control: the negative weight made positive
 :::
 */
 CLAIM(mixed_weights_lose_convexity)
 {
     enum { n = 3 };
-    static const long point[2 * (n + 1)] = {0, 0, 1, 0, 1, 1, 0, 1};
-    num R[2 * (n + 1)], w[n + 1] = {from_int(4), from_int(fault(T, 1, -1)), from_int(4), from_int(4)};
-    points_from(n + 1, point, R);
+    num R[2 * (n + 1)], w[n + 1];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
     poly p = turning(n, R, w);
     int regular = sign_on(poly_from_bernstein(n, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
-    show_text(T, "det(P,P',P'')", "%s", poly_to_string(p, "t"));
-    show_text(T, "inflections in (0,1)", "%d", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
+    found_text(T, "det(P,P',P'')", poly_to_string(p, "t"));
+    found_whole(T, "inflections in (0,1)", count_roots(p, from_int(0), from_int(1), OPEN).crossings);
     about(T, "a curve without poles whose polygon is convex turns to one side");
     refute(T, regular && polygon_is_convex(n, R, 1, NULL) && sign_inside(p) == SIGN_MIXED);
 }
@@ -541,19 +539,22 @@ CLAIM(subdivided_convex_polygons_are_convex)
 :title: With weights of both signs the halves need not exist
 :zh: 权因子变号时离散顶点可不存在
 :kind: counterexample
-:given: $n=2$, weights $2,-1,2$, for which $\omega(t)>0$ on $[0,1]$; $\lambda=\frac23$
-:then: $\omega_1^1=\frac13\omega_0+\frac23\omega_1=0$: the middle point of the left half is at infinity
+:data: ω = 2 -1 2; λ = 2/3
+:instead: ω = 2 1 2
+:result: weights of the left half = 2 0 2/3
+:given: weights $\omega$ of degree $2$, of which the middle one is negative, though $\omega(t)>0$ on $[0,1]$; a ratio $\lambda$
+:then: $\omega_1^1=(1-\lambda)\omega_0+\lambda\omega_1=0$: the middle point of the left half is at infinity
 :method: The weights of the left half are computed and asked to be different from $0$.
-:control: the middle weight taken as $+1$
+:control: the middle weight made positive
 :::
 */
 CLAIM(subdivision_fails_for_mixed_weights)
 {
-    num w[3] = {from_int(2), from_int(fault(T, 1, -1)), from_int(2)}, left[3], right[3];
+    num w[3], left[3], right[3];
+    given_points(T, "ω", 3, 1, w);
+    G(bezier_split)(2, 1, w, given(T, "λ"), left, right);
+    found_points(T, "weights of the left half", 3, 1, left);
     int regular = sign_on(poly_from_bernstein(2, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
-    G(bezier_split)(2, 1, w, from_ratio(2, 3), left, right);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "weights of the left half", 3, 1, left);
     about(T, "a denominator without zeros has halves without points at infinity");
     refute(T, regular && is_zero_q(left[1]));
 }
@@ -563,25 +564,28 @@ CLAIM(subdivision_fails_for_mixed_weights)
 :title: A convex curve may have a polygon that is not convex
 :zh: 曲线凸而控制多边形不凸
 :kind: decision
-:given: $n=4$, points $(0,0),(1,2),(2,1),(3,2),(4,0)$, all weights $1$
-:then: $\det(P,P',P'')<0$ for $0<t<1$ and $x=4t$, so that the curve with its chord bounds a convex region; the polygon turns to
+:data: R = (0,0) (1,2) (2,1) (3,2) (4,0); ω = 1 1 1 1 1
+:instead: R = (0,0) (1,2) (2,-1) (3,2) (4,0)
+:result: x(t) = "4*t"; x'y'' - y'x'' = "-480*t^2 + 480*t - 144"
+:given: the quartic curve with points $R$ and equal weights $\omega$
+:then: $\det(P,P',P'')<0$ for $0<t<1$ and $x(t)$ increases, so that the curve with its chord bounds a convex region; the polygon turns to
   both sides
 :method: The sign of the polynomial is decided by counting roots; convexity by `exact/decide/hull.h`.
 :scope: this curve
-:control: the middle point taken as $(2,-1)$
+:control: the middle point moved down
 :::
 */
 CLAIM(curve_may_be_convex_alone)
 {
     enum { n = 4 };
-    static const long point[2 * (n + 1)] = {0, 0, 1, 2, 2, 1, 3, 2, 4, 0};
-    num R[2 * (n + 1)], w[n + 1];
-    points_from(n + 1, point, R);
-    R[5] = fault(T, R[5], from_int(-1));
-    ones(n, w);
+    num R[2 * (n + 1)], w[n + 1], x[n + 1];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    for (int i = 0; i <= n; i++)
+        x[i] = R[2 * i];
     poly p = turning(n, R, w);
-    show_points(T, "R", n + 1, 2, R);
-    show_text(T, "x'y'' - y'x''", "%s", poly_to_string(p, "t"));
+    found_text(T, "x(t)", poly_to_string(poly_from_bernstein(n, x), "t"));
+    found_text(T, "x'y'' - y'x''", poly_to_string(p, "t"));
     agree(T, sign_inside(p) == SIGN_NEGATIVE);
     agree(T, turn_2d(R, R + 2, R + 4) < 0 && turn_2d(R + 2, R + 4, R + 6) > 0);
     agree(T, !polygon_is_convex(n, R, 1, NULL));

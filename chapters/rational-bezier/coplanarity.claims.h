@@ -147,14 +147,19 @@ CLAIM(plane_function_determines_the_vertices)
 }
 
 #if RATIONAL
-/* Whether the numerator sum w_i z_i B_i^n vanishes and the denominator is positive on [0,1]. */
-static int is_in_plane(int n, const num_q w[], const num_q z[])
+/* The numerator sum w_i z_i B_i^n of z(t). */
+static poly numerator_of(int n, const num_q w[], const num_q z[])
 {
     num_q b[MAX_DEGREE + 1];
     for (int i = 0; i <= n; i++)
         b[i] = mul_q(w[i], z[i]);
-    enum cagd_sign_pattern sign = sign_on(poly_from_bernstein(n, w), from_int_q(0), from_int_q(1), CLOSED);
-    return poly_is_zero(poly_from_bernstein(n, b)) && sign == SIGN_POSITIVE;
+    return poly_from_bernstein(n, b);
+}
+
+/* Is the denominator sum w_i B_i^n positive on [0,1]? */
+static int is_positive(int n, const num_q w[])
+{
+    return sign_on(poly_from_bernstein(n, w), from_int_q(0), from_int_q(1), CLOSED) == SIGN_POSITIVE;
 }
 
 /*
@@ -162,34 +167,32 @@ static int is_in_plane(int n, const num_q w[], const num_q z[])
 :title: A vertex of weight 0 may be anywhere
 :zh: 权为零的顶点可在平面之外
 :kind: counterexample
-:given: $n=3$, points $(0,0,0),(0,0,1),(1,0,0),(0,1,0)$, weights $1,0,1,1$, for which $\omega(t)>0$ on $[0,1]$
+:data: R = (0,0,0) (0,0,1) (1,0,0) (0,1,0); ω = 1 0 1 1
+:instead: ω = 1 1 1 1
+:result: ω(t) z(t) = "0"; (a_1, a_2, a_3) = 1
+:given: the cubic curve of space with points $R$ and weights $\omega$, of which one is $0$, though $\omega(t)>0$ on $[0,1]$; $a_i=R_i-R_{i-1}$
 :then: the curve is in the plane $z=0$, and the four vertices are not coplanar
-:method: The numerator of $z(t)$ is computed, and the determinant of the vertices.  Three points are always coplanar, so that no smaller $n$
+:method: The numerator of $z(t)$ is computed, and the determinant of the edges.  Three points are always coplanar, so that no smaller $n$
   would do.
-:control: the weight $0$ taken as $1$
+:control: equal weights
 :::
 */
 CLAIM(vertex_of_weight_zero_leaves_the_plane)
 {
     enum { n = 3 };
-    static const long point[3 * (n + 1)] = {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0};
     num R[3 * (n + 1)], w[n + 1], z[n + 1], edge[9];
-    for (int i = 0; i <= n; i++) {
-        w[i] = from_int(fault(T, 1, i != 1));
-        for (int c = 0; c < 3; c++)
-            R[3 * i + c] = from_int(point[3 * i + c]);
+    given_points(T, "R", n + 1, 3, R);
+    given_points(T, "ω", n + 1, 1, w);
+    for (int i = 0; i <= n; i++)
         z[i] = R[3 * i + 2];
-    }
     for (int k = 0; k < 9; k++)
-        edge[k] = sub(R[3 + k], R[k % 3]);
+        edge[k] = sub(R[3 + k], R[k]);
     num volume = G(det3)(edge, edge + 3, edge + 6);
-    int plane = is_in_plane(n, w, z);
-    show_points(T, "R", n + 1, 3, R);
-    show_points(T, "ω", n + 1, 1, w);
-    show_text(T, "curve in z = 0", "%s", plane ? "yes" : "no");
-    show(T, "det(R_1 - R_0, R_2 - R_0, R_3 - R_0)", volume);
+    poly numerator = numerator_of(n, w, z);
+    found_text(T, "ω(t) z(t)", poly_to_string(numerator, "t"));
+    found(T, "(a_1, a_2, a_3)", volume);
     about(T, "a curve in the plane z = 0 has coplanar vertices");
-    refute(T, plane && !is_zero_q(volume));
+    refute(T, poly_is_zero(numerator) && is_positive(n, w) && !is_zero_q(volume));
 }
 #endif
 
@@ -299,21 +302,24 @@ CLAIM(collocation_determinant_does_not_vanish)
 :title: With a weight 0 the product vanishes and the factor does not
 :zh: 权为零时乘积为零而 z 不为零
 :kind: counterexample
-:given: $n=2$, weights $1,0,1$, $z=0,1,0$
-:then: $z(t)\equiv0$ and $z_1=1$
+:data: z = 0 1 0; ω = 1 0 1
+:instead: ω = 1 1 1
+:result: ω(t) z(t) = "0"
+:given: degree $2$, values $z$ at the vertices of which the middle one is not $0$, and weights $\omega$ of which the middle one is $0$
+:then: $z(t)\equiv0$ and $z_1\ne0$
 :method: The numerator of $z(t)$ is computed.  For $n=1$ a weight $0$ is a zero of $\omega(t)$ at an end.
-:control: the middle weight taken as $1$
+:control: equal weights
 :::
 */
 CLAIM(weight_zero_hides_the_vertex)
 {
-    num w[3] = {from_int(1), from_int(fault(T, 1, 0)), from_int(1)}, z[3] = {from_int(0), from_int(1), from_int(0)};
-    int plane = is_in_plane(2, w, z);
-    show_points(T, "z", 3, 1, z);
-    show_points(T, "ω", 3, 1, w);
-    show_text(T, "curve in z = 0", "%s", plane ? "yes" : "no");
+    num w[3], z[3];
+    given_points(T, "z", 3, 1, z);
+    given_points(T, "ω", 3, 1, w);
+    poly numerator = numerator_of(2, w, z);
+    found_text(T, "ω(t) z(t)", poly_to_string(numerator, "t"));
     about(T, "a curve in the plane z = 0 has its vertices there");
-    refute(T, plane && !is_zero_q(z[1]));
+    refute(T, poly_is_zero(numerator) && is_positive(2, w) && !is_zero_q(z[1]));
 }
 #endif
 

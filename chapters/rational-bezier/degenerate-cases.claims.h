@@ -57,25 +57,30 @@ CLAIM(equal_weights_give_polynomial_curve)
 :title: Unequal weights can give a polynomial curve, without any change of parameter
 :zh: 权不等时曲线亦可为多项式曲线
 :kind: counterexample
-:given: $n=2$, the points $0,\frac13,1$ of the line and the weights $1,\frac32,2$
+:data: R = 0 1/3 1; ω = 1 3/2 2
+:instead: R = 0 1/2 1; ω = 1 1 1
+:result: powers of t in ω(t) = 1 1 0; powers of t in ω(t) R(t) = 0 1 1
+:given: the quadratic curve of the line with points $R$ and weights $\omega$
 :then: $R(t)=t$ for every $t$, a polynomial, but the weights are not equal
-:method: Numerator and denominator are $t(1+t)$ and $1+t$: compared as polynomials before the weights are.
-:control: the points $0,\frac12,1$ with weights $1,1,1$
+:method: The numerator and $t\,\omega(t)$ are compared as polynomials before the weights are compared.
+:control: the points and equal weights of the same curve without the common factor
 :::
 */
 CLAIM(polynomial_line_with_unequal_weights)
 {
-    int c = fault(T, 0, 1); /* numerator t (1 + ct), denominator 1 + ct */
-    num R[] = {from_int(0), from_ratio(1, 2 + c), from_int(1)},
-        w[] = {from_int(1), from_ratio(2 + c, 2), from_int(1 + c)}, x[3];
+    num R[3], w[3], x[3], power[3];
+    given_points(T, "R", 3, 1, R);
+    given_points(T, "ω", 3, 1, w);
     for (int i = 0; i < 3; i++)
         x[i] = mul(w[i], R[i]);
-    show_points(T, "R", 3, 1, R);
-    show_points(T, "ω", 3, 1, w);
-    if (!poly_equal(poly_from_bernstein(2, x), poly_mul(poly_variable(), poly_from_bernstein(2, w))))
-        return;
+    poly below = poly_from_bernstein(2, w), above = poly_from_bernstein(2, x);
+    G(bernstein_to_power)(2, w, power);
+    found_points(T, "powers of t in ω(t)", 3, 1, power);
+    G(bernstein_to_power)(2, x, power);
+    found_points(T, "powers of t in ω(t) R(t)", 3, 1, power);
     about(T, "ω_1 and ω_0");
-    same(T, w[1], w[0]);
+    if (poly_equal(above, poly_mul(poly_variable(), below)))
+        same(T, w[1], w[0]);
 }
 #endif
 
@@ -304,23 +309,29 @@ CLAIM(zero_alpha_collapses)
 :title: The quadratic with weights 1, 2, 1 does not come from its Bézier curve
 :zh: 权 1,2,1 的二次曲线不能由 Bézier 曲线换参得到
 :kind: counterexample
-:given: $n=2$ and $\omega=(1,2,1)$
-:then: the change of parameter leads to $c\,\alpha^i$; this agrees with $\omega$ at $i=0,1$ for $c=1$, $\alpha=2$
-  only, but then $c\,\alpha^2=4\ne\omega_2$.  Its $I_1$ is $4$, that of geometric weights is $1$
-:method: Computed exactly.
-:control: $\omega_2=4$
+:data: ω = 1 2 1
+:instead: ω = 1 2 4
+:result: I_1 = 4; c = 1; α = 2; c α² = 4
+:given: a quadratic curve with weights $\omega$
+:then: the change of parameter leads to weights $c\,\alpha^i$; only one $c$ and one $\alpha$ agree with $\omega$ at $i=0,1$, but then
+  $c\,\alpha^2\ne\omega_2$.  And $I_1\ne1$, while geometric weights have $I_1=1$
+:method: $c=\omega_0$ and $\alpha=\omega_1/\omega_0$; computed exactly.
+:control: a last weight that makes them geometric
 :::
 */
 CLAIM(unit_invariant_is_necessary)
 {
-    num w[] = {from_int(1), from_int(2), from_int(fault(T, 4, 1))}, q[3], I[1];
+    num w[3], q[3], I[1];
+    given_points(T, "ω", 3, 1, w);
+    num c = w[0], alpha = div(w[1], w[0]);
     G(rational_invariants)(2, w, I);
-    show_points(T, "ω", 3, 1, w);
-    show(T, "I_1", I[0]);
-    G(geometric_weights)(2, div(w[1], w[0]), q);
-    show(T, "the last weight, if they were geometric", mul(w[0], q[2]));
+    G(geometric_weights)(2, alpha, q);
+    found(T, "I_1", I[0]);
+    found(T, "c", c);
+    found(T, "α", alpha);
+    found(T, "c α²", mul(c, q[2]));
     about(T, "whether the last weight is that of geometric weights, or I_1 = 1");
-    refute(T, !equal_q(mul(w[0], q[2]), w[2]) && !equal_q(I[0], from_int(1)));
+    refute(T, !equal_q(mul(c, q[2]), w[2]) && !equal_q(I[0], from_int(1)));
 }
 #endif
 

@@ -7,27 +7,9 @@ one.  Repeated without end the polygons converge to the curve, but slowly, like 
 */
 #if RATIONAL
 #include "exact/record/sign.h"
+
+#include <stdio.h>
 #endif
-
-#include "chapters/judge/claims_on.h"
-
-#include "chapters/judge/claims_off.h"
-
-#include "chapters/judge/claims_on.h"
-
-#include "chapters/judge/claims_off.h"
-
-#include "chapters/judge/claims_on.h"
-
-#include "chapters/judge/claims_off.h"
-
-#include "chapters/judge/claims_on.h"
-
-#include "chapters/judge/claims_off.h"
-
-#include "chapters/judge/claims_on.h"
-
-#include "chapters/judge/claims_off.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -136,20 +118,23 @@ CLAIM(elevation_keeps_rational_curve)
 :title: With weights of both signs an elevated vertex need not exist
 :zh: 权因子变号时升阶顶点可不存在
 :kind: counterexample
-:given: $n=2$ and weights $2,-1,2$, for which $\omega(t)>0$ for all $t\in[0,1]$
+:data: ω = 2 -1 2
+:instead: ω = 2 1 2
+:result: ω̂ = 2 0 0 2
+:given: weights $\omega$ of degree $2$, of which the middle one is negative, though $\omega(t)>0$ for all $t\in[0,1]$
 :then: $\hat\omega_1=\hat\omega_2=0$: the two inner vertices of the cubic form of this curve are at infinity
-:method: The weights of degree $3$ are computed exactly and asked to be different from $0$; the sign of $\omega(t)$ is
+:method: The elevated weights are computed exactly and asked to be different from $0$; the sign of $\omega(t)$ is
   decided by counting roots.  For $n=1$ a denominator without zero in $[0,1]$ has weights of one sign.
-:control: the middle weight taken as $+1$
+:control: the middle weight made positive
 :::
 */
 CLAIM(elevated_vertex_may_be_at_infinity)
 {
     enum { n = 2 };
-    num w[n + 1] = {from_int(2), from_int(fault(T, 1, -1)), from_int(2)}, we[n + 2];
-    show_points(T, "ω", n + 1, 1, w);
+    num w[n + 1], we[n + 2];
+    given_points(T, "ω", n + 1, 1, w);
     G(bezier_elevate)(n, 1, w, we);
-    show_points(T, "elevated ω", n + 2, 1, we);
+    found_points(T, "ω̂", n + 2, 1, we);
     int regular = sign_on(poly_from_bernstein(n, w), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
     about(T, "a denominator without zeros in [0,1] has elevated weights that are not 0");
     refute(T, regular && (is_zero_q(we[1]) || is_zero_q(we[2])));
@@ -361,27 +346,31 @@ CLAIM(elevation_cuts_corners)
 :title: With weights of both signs a corner is not cut
 :zh: 权因子变号时不再是割角
 :kind: counterexample
-:given: $n=2$, points $(-1,0),(0,1),(1,0)$ and weights $4,-1,4$, for which $\omega(t)>0$ for all $t\in[0,1]$
-:then: $\hat R_1=2R_0-R_1$ is not between $R_0$ and $R_1$
-:method: $\hat R_1=aR_0+bR_1$ with $a=\frac{\omega_0}{\omega_0+2\omega_1}$, $b=\frac{2\omega_1}{\omega_0+2\omega_1}$; both are
+:data: R = (-1,0) (0,1) (1,0); ω = 4 -1 4
+:instead: ω = 4 1 4
+:result: ω̂ = 4 2/3 2/3 4; R̂ = (-1,0) (-2,-1) (2,-1) (1,0); a = 2; b = -1
+:given: the quadratic curve with points $R$ and weights $\omega$, of which the middle one is negative, though $\omega(t)>0$ for all
+  $t\in[0,1]$
+:then: $\hat R_1=aR_0+bR_1$ with $b<0$: it is not between $R_0$ and $R_1$
+:method: $a=\frac{\omega_0}{\omega_0+2\omega_1}$ and $b=\frac{2\omega_1}{\omega_0+2\omega_1}$ are
   computed exactly and asked not to be negative; the kernel gives the same point.
-:control: the middle weight taken as $+1$
+:control: the middle weight made positive
 :::
 */
 CLAIM(elevated_vertex_may_leave_the_edge)
 {
     enum { n = 2 };
-    num one = from_int(1), zero = from_int(0), w[n + 1] = {from_int(4), from_int(fault(T, 1, -1)), from_int(4)};
-    num R[2 * (n + 1)] = {neg(one), zero, zero, one, one, zero}, we[n + 2], Re[2 * (n + 2)];
-    num weight = add(w[0], mul(from_int(2), w[1])), a = div(w[0], weight), b = sub(one, a);
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
+    num R[2 * (n + 1)], w[n + 1], we[n + 2], Re[2 * (n + 2)], one = from_int(1);
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
     G(rational_elevate)(n, 2, R, w, Re, we);
-    show_points(T, "elevated ω", n + 2, 1, we);
-    show_points(T, "elevated R", n + 2, 2, Re);
-    show(T, "a", a);
-    show(T, "b", b);
-    int regular = sign_on(poly_from_bernstein(n, w), zero, one, CLOSED) == SIGN_POSITIVE;
+    found_points(T, "ω̂", n + 2, 1, we);
+    found_points(T, "R̂", n + 2, 2, Re);
+    /* a = ω_0/(ω_0 + 2 ω_1), b = 1 - a */
+    num a = div(w[0], add(w[0], mul(from_int(2), w[1]))), b = sub(one, a);
+    found(T, "a", a);
+    found(T, "b", b);
+    int regular = sign_on(poly_from_bernstein(n, w), from_int(0), one, CLOSED) == SIGN_POSITIVE;
     for (int c = 0; c < 2; c++)
         regular &= equal_q(Re[2 + c], add(mul(a, R[c]), mul(b, R[2 + c])));
     about(T, "for a denominator without zeros in [0,1], elevated R_1 = a R_0 + b R_1 with a, b >= 0");
@@ -750,26 +739,33 @@ static void raised_weights(int n, const num_q w[], int N, num_q out[])
 :title: A positive denominator has positive weights in high degrees
 :zh: 正分母的权因子在高次时皆正
 :kind: decision
-:given: the weights $2,-1,2$ of degree $2$
-:then: the elevated weights of degrees $3$ and $4$ are not all different from $0$; those of degree $5$ are all positive, and so
+:data: ω = 2 -1 2; N = 5
+:instead: N = 4
+:result: elevated ω of degree 3 = 2 0 0 2; elevated ω of degree 4 = 2 1/2 0 1/2 2; elevated ω of degree 5 = 2 4/5 1/5 1/5 4/5 2
+:given: weights $\omega$ of degree $2$, of which the middle one is negative
+:then: in the degrees between $2$ and $N$ some elevated weight is $0$; those of degree $N$ are all positive, and so
   are then those of every later degree
 :method: Elevated exactly; a mean of positive numbers is positive.
 :scope: the weights 2, -1, 2
-:control: degree $4$ taken for $5$
+:control: the degree before taken for $N$
 :::
 */
 CLAIM(mixed_weights_become_positive)
 {
-    num w[3] = {from_int(2), from_int(-1), from_int(2)}, we[21];
-    for (int N = 3; N <= 5; N++) {
-        int degree = fault(T, N, N == 5 ? 4 : N), zero = 0, positive_ones = 0;
-        raised_weights(2, w, degree, we);
-        for (int i = 0; i <= degree; i++) {
+    num w[3], we[21];
+    given_points(T, "ω", 3, 1, w);
+    int last = given_whole(T, "N");
+    for (int N = 3; N <= last; N++) {
+        int zero = 0, positive_ones = 0;
+        char name[32];
+        raised_weights(2, w, N, we);
+        for (int i = 0; i <= N; i++) {
             zero += is_zero_q(we[i]);
             positive_ones += sign_q(we[i]) > 0;
         }
-        show_points(T, "elevated ω", degree + 1, 1, we);
-        agree(T, N < 5 ? zero > 0 : positive_ones == degree + 1);
+        snprintf(name, sizeof name, "elevated ω of degree %d", N);
+        found_points(T, name, N + 1, 1, we);
+        agree(T, N < last ? zero > 0 : positive_ones == N + 1);
     }
 }
 
@@ -778,26 +774,34 @@ CLAIM(mixed_weights_become_positive)
 :title: If the denominator vanishes, every second polygon lacks a vertex
 :zh: 分母有零点时, 升阶多边形不存在
 :kind: counterexample
-:given: $n=1$ and weights $1,-1$: $\omega(t)=1-2t$ vanishes at $t=\frac12$
-:then: in each even degree $N=2,4,\dots,20$ the vertex number $N/2$ has weight $0$
-:method: The weights are elevated exactly; it is asked that one of these ten polygons have all its vertices.
-:control: the second weight taken as $+1$
+:data: ω = 1 -1; t = 1/2; N = 20
+:instead: ω = 1 1
+:result: ω(t) = 0; elevated ω of degree 2 = 1 0 -1; elevated ω of degree 4 = 1 1/2 0 -1/2 -1; polygons that lack a vertex = 10
+:given: a curve of degree $1$ whose weights are opposite, so that $\omega(t)=0$; the even degrees from $2$ to $N$
+:then: in each of these degrees the vertex in the middle has the weight $0$
+:method: The weights are elevated exactly; it is asked that one of these polygons have all its vertices.
+:control: the second weight made positive
 :::
 */
 CLAIM(elevation_fails_at_a_pole)
 {
-    num w[2] = {from_int(1), from_int(fault(T, 1, -1))}, we[21];
+    num w[2], we[21];
     int lacking = 0;
-    show_points(T, "ω", 2, 1, w);
-    for (int N = 2; N <= 20; N += 2) {
+    given_points(T, "ω", 2, 1, w);
+    num t = given(T, "t");
+    int last = given_whole(T, "N");
+    found(T, "ω(t)", G(rational_weight)(1, w, t));
+    for (int N = 2; N <= last; N += 2) {
         raised_weights(1, w, N, we);
-        if (N <= 4)
-            show_points(T, "elevated ω", N + 1, 1, we);
+        if (N == 2)
+            found_points(T, "elevated ω of degree 2", N + 1, 1, we);
+        else if (N == 4)
+            found_points(T, "elevated ω of degree 4", N + 1, 1, we);
         lacking += is_zero_q(we[N / 2]);
     }
-    show_text(T, "polygons that lack a vertex", "%d of 10", lacking);
+    found_whole(T, "polygons that lack a vertex", lacking);
     about(T, "some polygon of even degree has all its vertices");
-    agree(T, lacking < 10);
+    agree(T, lacking < last / 2);
 }
 #endif
 

@@ -514,31 +514,34 @@ CLAIM(missing_points_have_the_factor_zero)
 :zh: 首点重合的抛物线弧起点曲率为 2，公式给出 0/0
 :kind: counterexample
 :types: field
-:given: the arc $x=t^2$, $y=t^4$ of the parabola $y=x^2$, $n=4$, weights $1$: $R_0=R_1=(0,0)$
+:data: R = (0,0) (0,0) (1/6,0) (1/2,0) (1,1); ω = 1 1 1 1 1
+:instead: R = (0,0) (1/8,0) (1/6,0) (1/2,0) (1,1)
+:result: x(t) = "t^2"; y(t) = "t^4"; κ(0)² = 4; |a_1 × a_2|² = 0; |a_1|⁶ = 0
+:given: the arc $x=t^2$, $y=t^4$ of the parabola $y=x^2$ as a curve of degree $n=4$ with points $R$ and equal weights: $R_0=R_1$
 :then: $\kappa(t)\to2$ for $t\to0$, but the denominator $\|a_1\|^3$ of (3.2.5) is $0$, and so is the numerator
 :method: $\kappa^2$ is computed at a variable $t$, and the rational function is evaluated at $t=0$: where its value is $4$, the
   denominator of the formula is asked to be different from $0$.
-:control: the point $R_1=(\frac18,0)$
+:control: the point $R_1$ moved away from $R_0$
 :::
 */
 CLAIM(repeated_first_points_leave_curvature_undetermined)
 {
-    num zero = from_int(0), one = from_int(1);
-    num R[] = {zero, zero, fault(T, from_ratio(1, 8), zero), zero, from_ratio(1, 6), zero, from_ratio(1, 2), zero,
-               one,  one};
-    num w[] = {one, one, one, one, one}, a1[2], a2[2], t = variable_f("t");
+    num R[10], w[5], a1[2], a2[2], P[2], t = variable_f("t");
+    given_points(T, "R", 5, 2, R);
+    given_points(T, "ω", 5, 1, w);
+    G(rational_point)(4, 2, R, w, t, P);
+    found_text(T, "x(t)", to_string_f(P[0]));
+    found_text(T, "y(t)", to_string_f(P[1]));
+    num squared = G(rational_curvature_squared)(4, 2, R, w, t);
+    show(T, "κ(t)²", squared);
+    found(T, "κ(0)²", substitute_f(squared, t, from_int(0)));
     G(edge)(2, R, 1, a1);
     G(edge)(2, R, 2, a2);
-    show_points(T, "R", 5, 2, R);
-    num squared = G(rational_curvature_squared)(4, 2, R, w, t), start = substitute_f(squared, t, zero);
-    num above = mul(G(cross2)(a1, a2), G(cross2)(a1, a2)), length = G(norm_squared)(2, a1);
-    show(T, "κ(t)^2", squared);
-    show(T, "for t = 0", start);
-    show(T, "|a_1 x a_2|^2", above);
-    show(T, "|a_1|^6", mul(mul(length, length), length));
-    int as_stated = fault(T, 1, is_zero_f(sub_f(start, from_int(4))) && is_zero_f(above));
-    about(T, "the denominator is not 0");
-    refute(T, as_stated && is_zero_f(length));
+    num area = G(cross2)(a1, a2), length = G(norm_squared)(2, a1);
+    found(T, "|a_1 × a_2|²", mul(area, area));
+    found(T, "|a_1|⁶", mul(mul(length, length), length));
+    about(T, "the denominator |a_1|⁶ is not 0");
+    refute(T, is_zero_f(length));
 }
 
 /*
@@ -547,33 +550,42 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
 :zh: 无重点而首三点共线：起点挠率为 2，公式给出 0/0
 :kind: counterexample
 :types: field
-:given: $x=t$, $y=t^3$, $z=t^4$, $n=4$, weights $1$; the points $(0,0,0)$, $(\frac14,0,0)$, $(\frac12,0,0)$, $(\frac34,\frac14,0)$, $(1,1,1)$ are all
-  different, the first three on a line
+:data: R = (0,0,0) (1/4,0,0) (1/2,0,0) (3/4,1/4,0) (1,1,1); ω = 1 1 1 1 1
+:instead: R = (0,0,0) (1/4,0,0) (1/2,1/4,0) (3/4,1/4,0) (1,1,1)
+:result: x(t) = "t"; y(t) = "t^3"; z(t) = "t^4"; pairs of equal points = 0; τ(0) = 2; (a_1, a_2, a_3) = 0; |a_1 × a_2|² = 0
+:given: $x=t$, $y=t^3$, $z=t^4$ as a curve of degree $n=4$ with equal weights; its points $R$ are all different, the first three on a line
 :then: $\tau(t)\to2$ for $t\to0$, but the denominator $\|a_1\times a_2\|^2$ of (3.2.6) is $0$, and so is the numerator
 :method: $\tau$ is computed at a variable $t$, and the rational function is evaluated at $t=0$: where its value is $2$, the
   denominator of the formula is asked to be different from $0$.
-:control: the point $R_2=(\frac12,\frac14,0)$
+:control: the point $R_2$ moved off the line of $R_0$ and $R_1$
 :::
 */
 CLAIM(collinear_first_points_leave_torsion_undetermined)
 {
-    num zero = from_int(0), one = from_int(1), quarter = from_ratio(1, 4), half = from_ratio(1, 2);
-    num R[] = {zero,    zero, zero, quarter, zero, zero, half, fault(T, quarter, zero), zero, from_ratio(3, 4),
-               quarter, zero, one,  one,     one};
-    num w[] = {one, one, one, one, one}, a[3][3], x[3], t = variable_f("t");
+    num R[15], w[5], a[3][3], x[3], P[3], t = variable_f("t");
+    given_points(T, "R", 5, 3, R);
+    given_points(T, "ω", 5, 1, w);
+    G(rational_point)(4, 3, R, w, t, P);
+    found_text(T, "x(t)", to_string_f(P[0]));
+    found_text(T, "y(t)", to_string_f(P[1]));
+    found_text(T, "z(t)", to_string_f(P[2]));
+    int equal = 0;
+    for (int j = 1; j < 5; j++)
+        for (int i = 0; i < j; i++)
+            equal += equal_f(R[3 * i], R[3 * j]) && equal_f(R[3 * i + 1], R[3 * j + 1]) &&
+                     equal_f(R[3 * i + 2], R[3 * j + 2]);
+    found_whole(T, "pairs of equal points", equal);
+    num torsion = G(rational_torsion)(4, R, w, t);
+    show(T, "τ(t)", torsion);
+    found(T, "τ(0)", substitute_f(torsion, t, from_int(0)));
     for (int i = 0; i < 3; i++)
         G(edge)(3, R, i + 1, a[i]);
     G(cross3)(a[0], a[1], x);
-    show_points(T, "R", 5, 3, R);
-    num torsion = G(rational_torsion)(4, R, w, t), start = substitute_f(torsion, t, zero);
-    num above = G(det3)(a[0], a[1], a[2]), area = G(norm_squared)(3, x);
-    show(T, "τ(t)", torsion);
-    show(T, "for t = 0", start);
-    show(T, "(a_1, a_2, a_3)", above);
-    show(T, "|a_1 x a_2|^2", area);
-    int as_stated = fault(T, 1, is_zero_f(sub_f(start, from_int(2))) && is_zero_f(above));
-    about(T, "the denominator is not 0");
-    refute(T, as_stated && is_zero_f(area));
+    num area = G(norm_squared)(3, x);
+    found(T, "(a_1, a_2, a_3)", G(det3)(a[0], a[1], a[2]));
+    found(T, "|a_1 × a_2|²", area);
+    about(T, "the denominator |a_1 × a_2|² is not 0");
+    refute(T, is_zero_f(area));
 }
 #endif
 
@@ -583,29 +595,35 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
 :title: With a negative weight the printed curvature is negative
 :zh: 权为负时所印曲率为负
 :kind: counterexample
-:given: $R=(0,0),(1,0),(1,1),(0,1)$ with weights $1,1,-\frac14,1$, whose $\omega(t)$ has no zero in $[0,1]$
-:then: $\kappa(0)=\frac16$; the printed side is $\frac23\cdot\frac{-1/4}1\cdot\frac11=-\frac16$
-:method: $\kappa(0)$ is the root of the exact $\kappa(0)^2=\frac1{36}$.
-:control: the weights $1,1,\frac14,1$
+:data: R = (0,0) (1,0) (1,1) (0,1); ω = 1 1 -1/4 1
+:instead: ω = 1 1 1/4 1
+:result: zeros of ω(t) in [0,1] = 0; κ(0) = 1/6; κ(0) as printed = -1/6
+:given: the cubic curve with the corners $R$ of a square and weights $\omega$, of which one is negative, though $\omega(t)$ has no zero in $[0,1]$
+:then: the printed side of (3.2.5) is $-\kappa(0)$
+:method: $\kappa(0)$ is the root of the exact $\kappa(0)^2$.
+:control: the negative weight made positive
 :::
 */
 CLAIM(negative_weight_makes_printed_curvature_negative)
 {
-    num zero = from_int(0), one = from_int(1), R[] = {zero, zero, one, zero, one, one, zero, one};
-    num w[] = {one, one, from_ratio(fault(T, 1, -1), 4), one}, a1[2], a2[2];
+    enum { n = 3 };
+    num R[2 * (n + 1)], w[n + 1], a1[2], a2[2], zero = from_int(0);
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    int zeros = count_roots(poly_from_bernstein(n, w), zero, from_int(1), CLOSED).distinct;
+    found_whole(T, "zeros of ω(t) in [0,1]", zeros);
     G(edge)(2, R, 1, a1);
     G(edge)(2, R, 2, a2);
-    show_points(T, "R", 4, 2, R);
-    show_points(T, "ω", 4, 1, w);
-    int zeros = count_roots(poly_from_bernstein(3, w), zero, one, CLOSED).distinct;
-    show_text(T, "zeros of ω in [0,1]", "%d", zeros);
-    if (zeros > 0)
-        return;
-    num length = root(2, G(norm_squared)(2, a1)), area = G(cross2)(a1, a2); /* 1 and 1 */
-    num printed =
-        mul(mul(from_ratio(2, 3), div(mul(w[0], w[2]), mul(w[1], w[1]))), div(area, mul(length, mul(length, length))));
+    num curvature = root(2, G(rational_curvature_squared)(n, 2, R, w, zero));
+    num length = root(2, G(norm_squared)(2, a1)), area = root(2, G(gram)(2, a1, a2));
+    num factor = mul(from_ratio(n - 1, n), div(mul(w[0], w[2]), mul(w[1], w[1])));
+    /* (n-1)/n ω_0 ω_2/ω_1² |a_1 × a_2|/|a_1|³ */
+    num printed = mul(factor, div(area, mul(length, mul(length, length))));
+    found(T, "κ(0)", curvature);
+    found(T, "κ(0) as printed", printed);
     about(T, "left κ(0), right as printed");
-    same(T, root(2, G(rational_curvature_squared)(3, 2, R, w, zero)), printed);
+    if (zeros == 0)
+        same(T, curvature, printed);
 }
 #endif
 
@@ -685,7 +703,7 @@ would even depend on the origin of the coordinates.
 
 #if RATIONAL
 /* The derivatives 0 ... r of P, of omega and of R = P/omega at t = 0, for points of the line. */
-static void G(three_derivatives)(int n, const num R[], const num w[], int r, num P[], num W[], num D[])
+static void G(derivatives_at_zero)(int n, const num R[], const num w[], int r, num P[], num W[], num D[])
 {
     num H[(MAX_DEGREE + 1) * 2], HD[(MAX_DEGREE + 1) * 2];
     G(rational_homogenize)(n, 1, R, w, H);
@@ -702,24 +720,29 @@ static void G(three_derivatives)(int n, const num R[], const num w[], int r, num
 :title: The printed R'' of the segment from 1 to 2 with weights 1, 2
 :zh: 线段 1→2（权 1, 2）的 R″ 与所印不符
 :kind: counterexample
-:given: $n=1$, points $1,2$ of the line, weights $1,2$: $R(t)=\frac{1+3t}{1+t}$; $t=0$
-:then: $R''(0)=-4$; printed is $(P''-\omega'R-2\omega'R')/\omega=0-1\cdot1-2\cdot1\cdot2=-5$
+:data: R = 1 2; ω = 1 2
+:result: P, P', P'' = 1 3 0; ω, ω', ω'' = 1 1 0; R, R', R'' = 1 2 -4; R'' as printed = -5
+:given: the segment of the line with points $R$ and weights $\omega$, $P=\omega R$; $t=0$
+:then: $R''(0)$ is not $(P''-\omega'R-2\omega'R')/\omega$
 :method: All derivatives are computed exactly.
 :control: $\omega''R$ for $\omega'R$
 :::
 */
 CLAIM(printed_second_derivative_of_quotient_is_wrong)
 {
-    num R[] = {from_int(1), from_int(2)}, w[] = {from_int(1), from_int(2)}, P[3], W[3], D[3];
-    G(three_derivatives)(1, R, w, 2, P, W, D);
-    show_points(T, "R", 2, 1, R);
-    show_points(T, "ω", 2, 1, w);
-    show_points(T, "P, P', P''", 3, 1, P);
-    show_points(T, "ω, ω', ω''", 3, 1, W);
-    show_points(T, "R, R', R''", 3, 1, D);
+    num R[2], w[2], P[3], W[3], D[3];
+    given_points(T, "R", 2, 1, R);
+    given_points(T, "ω", 2, 1, w);
+    G(derivatives_at_zero)(1, R, w, 2, P, W, D);
+    found_points(T, "P, P', P''", 3, 1, P);
+    found_points(T, "ω, ω', ω''", 3, 1, W);
+    found_points(T, "R, R', R''", 3, 1, D);
+    /* (P'' - ω' R - 2 ω' R')/ω */
     num sum = add(mul(fault(T, W[2], W[1]), D[0]), mul(from_int(2), mul(W[1], D[1])));
+    num printed = div(sub(P[2], sum), W[0]);
+    found(T, "R'' as printed", printed);
     about(T, "R''(0), left as it is, right as printed");
-    same(T, D[2], div(sub(P[2], sum), W[0]));
+    same(T, D[2], printed);
 }
 
 /*
@@ -740,25 +763,29 @@ A prime too many: the orders in $\omega''\mathbf R''$ have the sum $4$.
 :title: The printed R''' of (2t + 2t²)/(1 + t²)
 :zh: (2t + 2t²)/(1 + t²) 的 R‴ 与所印不符
 :kind: counterexample
-:given: $n=2$, points $0,1,2$ of the line, weights $1,1,2$: $R(t)=\frac{2t+2t^2}{1+t^2}=2t+2t^2-2t^3-\dots$; $t=0$
-:then: $R'''(0)=-12$; printed is $(P'''-\omega'''R-3\omega''R''-3\omega'R'')/\omega=0-0-3\cdot2\cdot4-0=-24$
+:data: R = 0 1 2; ω = 1 1 2
+:result: P, P', P'', P''' = 0 2 4 0; ω, ω', ω'', ω''' = 1 0 2 0; R, R', R'', R''' = 0 2 4 -12; R''' as printed = -24
+:given: the quadratic curve of the line with points $R$ and weights $\omega$, $P=\omega R$, which is $R(t)=\frac{2t+2t^2}{1+t^2}$; $t=0$
+:then: $R'''(0)$ is not the printed right side, but the half of it
 :method: All derivatives are computed exactly.
 :control: $\omega''R'$ for $\omega''R''$
 :::
 */
 CLAIM(printed_third_derivative_of_quotient_is_wrong)
 {
-    num R[] = {from_int(0), from_int(1), from_int(2)}, w[] = {from_int(1), from_int(1), from_int(2)}, P[4], W[4], D[4];
-    G(three_derivatives)(2, R, w, 3, P, W, D);
-    show_points(T, "R", 3, 1, R);
-    show_points(T, "ω", 3, 1, w);
-    show_points(T, "P, P', P'', P'''", 4, 1, P);
-    show_points(T, "ω, ω', ω'', ω'''", 4, 1, W);
-    show_points(T, "R, R', R'', R'''", 4, 1, D);
+    num R[3], w[3], P[4], W[4], D[4];
+    given_points(T, "R", 3, 1, R);
+    given_points(T, "ω", 3, 1, w);
+    G(derivatives_at_zero)(2, R, w, 3, P, W, D);
+    found_points(T, "P, P', P'', P'''", 4, 1, P);
+    found_points(T, "ω, ω', ω'', ω'''", 4, 1, W);
+    found_points(T, "R, R', R'', R'''", 4, 1, D);
+    /* (P''' - ω''' R - 3 ω'' R'' - 3 ω' R'')/ω */
     num sum = add(mul(W[2], fault(T, D[1], D[2])), mul(W[1], D[2]));
-    sum = add(mul(W[3], D[0]), mul(from_int(3), sum));
+    num printed = div(sub(P[3], add(mul(W[3], D[0]), mul(from_int(3), sum))), W[0]);
+    found(T, "R''' as printed", printed);
     about(T, "R'''(0), left as it is, right as printed");
-    same(T, D[3], div(sub(P[3], sum), W[0]));
+    same(T, D[3], printed);
 }
 #endif
 

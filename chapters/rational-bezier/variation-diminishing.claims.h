@@ -17,10 +17,6 @@ computed, and a third time from the cutting of corners for every degree.
 
 #include "chapters/judge/claims_on.h"
 
-#include "chapters/judge/claims_off.h"
-
-#include "chapters/judge/claims_on.h"
-
 /*
 :::{statement} wang-ch3:prop-3.2.7
 :title: A line crosses the curve no more often than the polygon
@@ -84,13 +80,20 @@ static num_q designed_weight(int family, int n, int i)
     return weight[family];
 }
 
-/* The polygon with vertices (i, y_i), and the line y = 0. */
-static void graph(int n, const int y[], num_q R[])
+/* The polygon with vertices (i, y_i). */
+static void graph(int n, const num_q y[], num_q R[])
 {
     for (int i = 0; i <= n; i++) {
         R[2 * i] = from_int_q(i);
-        R[2 * i + 1] = from_int_q(y[i]);
+        R[2 * i + 1] = y[i];
     }
+}
+static void graph_of_signs(int n, const int sign[], num_q R[])
+{
+    num_q y[MAX_DEGREE + 1];
+    for (int i = 0; i <= n; i++)
+        y[i] = from_int_q(sign[i]);
+    graph(n, y, R);
 }
 static struct cagd_line horizontal_axis(void)
 {
@@ -113,7 +116,7 @@ static int crossings_by_sturm(poly g)
 static poly designed_curve(int n, int family, const int y[], num_q R[], num_q w[])
 {
     num_q b[MAX_DEGREE + 1];
-    graph(n, y, R);
+    graph_of_signs(n, y, R);
     for (int i = 0; i <= n; i++) {
         w[i] = designed_weight(family, n, i);
         b[i] = mul_q(w[i], R[2 * i + 1]);
@@ -237,9 +240,11 @@ CLAIM(crossings_reach_their_bound)
 :title: Counted as points of the plane, the curve meets the line more often than the polygon
 :zh: 若按平面点计数, 自交多边形给出反例
 :kind: counterexample
-:given: $n=3$, points $(-1,1),(1,-1),(-1,-1),(1,1)$, weights $2,1,1,2$, the line $y=0$
-:then: the polygon has the one point $(0,0)$ on the line, where its first and last edge cross; the curve has two
-:method: The curve is evaluated at its two roots $\frac13$ and $\frac23$, which are all its roots; the connected parts of the
+:data: R = (-1,1) (1,-1) (-1,-1) (1,1); ω = 2 1 1 2; t = 1/3 2/3
+:result: R(t) = (-2/9,0) (2/9,0); points of the curve on the line = 2; points of the polygon on the line = 1
+:given: the cubic curve with points $R$ and weights $\omega$; the line $y=0$
+:then: the polygon has one point on the line, where its first and last edge cross; the curve has two
+:method: The curve is evaluated at the parameters $t$, which are all its roots; the connected parts of the
   polygon on the line are counted.  For $n\le2$ two edges that cross a line in one point are on one line, and then the curve is,
   too.
 :control: crossings counted along curve and polygon instead: two and two
@@ -248,26 +253,21 @@ CLAIM(crossings_reach_their_bound)
 CLAIM(self_crossing_polygon_meets_the_line_once)
 {
     enum { n = 3 };
-    static const long point[2 * (n + 1)] = {-1, 1, 1, -1, -1, -1, 1, 1}, weight[n + 1] = {2, 1, 1, 2};
-    num R[2 * (n + 1)], w[n + 1], P[2], Q[2];
-    for (int i = 0; i <= n; i++)
-        w[i] = from_int(weight[i]);
-    for (int i = 0; i < 2 * (n + 1); i++)
-        R[i] = from_int(point[i]);
-    G(rational_point)(n, 2, R, w, from_ratio(1, 3), P);
-    G(rational_point)(n, 2, R, w, from_ratio(2, 3), Q);
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
-    show_points(T, "R(1/3)", 1, 2, P);
-    show_points(T, "R(2/3)", 1, 2, Q);
+    num R[2 * (n + 1)], w[n + 1], t[2], P[4];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    given_points(T, "t", 2, 1, t);
+    for (int k = 0; k < 2; k++)
+        G(rational_point)(n, 2, R, w, t[k], P + 2 * k);
+    found_points(T, "R(t)", 2, 2, P);
     struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
     struct cagd_polygon_meets_line polygon = polygon_meets_line(n, R, horizontal_axis());
-    int all = curve.common_closed == 2 && is_zero_q(P[1]) && is_zero_q(Q[1]);
-    int points = fault(T, curve.crossings, 1 + !equal_q(P[0], Q[0]));
+    int all = curve.common_closed == 2 && is_zero_q(P[1]) && is_zero_q(P[3]);
+    int points = fault(T, curve.crossings, 1 + !equal_q(P[0], P[2]));
     int of_polygon = fault(T, polygon.crossings, polygon.components);
-    show_text(T, "points of the curve on y = 0", "%d", points);
-    show_text(T, "points of the polygon on y = 0", "%d", of_polygon);
-    about(T, "R(1/3) and R(2/3) being all its points on the line, the curve has no more there than the polygon");
+    found_whole(T, "points of the curve on the line", points);
+    found_whole(T, "points of the polygon on the line", of_polygon);
+    about(T, "R(t) being all its points on the line, the curve has no more there than the polygon");
     refute(T, all && points > of_polygon);
 }
 
@@ -276,23 +276,34 @@ CLAIM(self_crossing_polygon_meets_the_line_once)
 :title: With weights of both signs the curve crosses a line that the polygon does not meet
 :zh: 权因子变号时变差缩减性不成立
 :kind: counterexample
-:given: $n=2$, points $(-1,2),(0,5),(1,2)$, weights $2,-1,2$, for which $\omega(t)>0$ on $[0,1]$; the line $y=0$
-:then: the curve crosses it twice, at $t=\frac13$ and $t=\frac23$; the polygon is above it
+:data: R = (-1,2) (0,5) (1,2); ω = 2 -1 2; t = 1/3 2/3
+:instead: ω = 2 1 2
+:result: y(t) = 0 0; crossings of the curve = 2; crossings of the polygon = 0; poles = 0
+:given: the quadratic curve with points $R$ and weights $\omega$, of which the middle one is negative, though $\omega(t)>0$ on $[0,1]$; the
+  line $y=0$
+:then: the curve crosses it twice, at the parameters $t$; the polygon is above it
 :method: Crossings counted exactly; poles too, of which there is none.
-:control: the middle weight taken as $+1$
+:control: the middle weight made positive
 :::
 */
 CLAIM(mixed_weights_cross_more)
 {
     enum { n = 2 };
-    num w[n + 1] = {from_int(2), from_int(fault(T, 1, -1)), from_int(2)};
-    num R[2 * (n + 1)] = {from_int(-1), from_int(2), from_int(0), from_int(5), from_int(1), from_int(2)};
+    num R[2 * (n + 1)], w[n + 1], t[2], y[2];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    given_points(T, "t", 2, 1, t);
+    for (int k = 0; k < 2; k++) {
+        num P[2];
+        G(rational_point)(n, 2, R, w, t[k], P);
+        y[k] = P[1];
+    }
     struct cagd_curve_meets_line curve = curve_meets_line(n, R, w, horizontal_axis());
     int polygon = polygon_crossings(n, R, horizontal_axis());
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
-    show_text(T, "crossings of the curve", "%d", curve.crossings);
-    show_text(T, "crossings of the polygon", "%d", polygon);
+    found_points(T, "y(t)", 2, 1, y);
+    found_whole(T, "crossings of the curve", curve.crossings);
+    found_whole(T, "crossings of the polygon", polygon);
+    found_whole(T, "poles", curve.poles);
     about(T, "a curve without poles crosses y = 0 no more often than the polygon");
     refute(T, curve.poles == 0 && curve.crossings > polygon);
 }
@@ -309,6 +320,12 @@ CLAIM(mixed_weights_cross_more)
 Different roots, or roots counted as often as their multiplicity: the chain is right with either.
 :::
 */
+
+static void signs_of(int count, const num_q y[], int sign[])
+{
+    for (int i = 0; i < count; i++)
+        sign[i] = sign_q(y[i]);
+}
 
 /* Changes of sign in a sequence of signs, zeros left out. */
 static int sign_changes(int count, const int sign[])
@@ -462,34 +479,41 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
 :title: At a pole the curve changes sides without a root
 :zh: 极点处变号而无根
 :kind: counterexample
-:given: $n=1$, weights $1,-1$, $y=1,-1$: $y(t)=\frac1{1-2t}$
-:then: $y(\frac14)>0>y(\frac34)$, and the numerator has no root
+:data: y = 1 -1; ω = 1 -1; t = 1/4 3/4
+:instead: ω = 1 1
+:result: y(t) = 2 -2; roots of the numerator in (0,1) = 0
+:given: degree $1$, opposite values $y$ and opposite weights $\omega$, and two parameters $t$, before and behind the pole
+:then: $y(t)$ has opposite signs there, and the numerator has no root
 :method: The numerator's roots in $(0,1)$ are counted exactly.
-:control: the second weight taken as $+1$
+:control: the second weight made positive
 :::
 */
 CLAIM(curve_changes_sides_at_a_pole)
 {
-    num w[2] = {from_int(1), from_int(fault(T, 1, -1))}, y[2] = {from_int(1), from_int(-1)}, before, after;
+    num y[2], w[2], t[2], value[2];
+    given_points(T, "y", 2, 1, y);
+    given_points(T, "ω", 2, 1, w);
+    given_points(T, "t", 2, 1, t);
     num b[2] = {mul(w[0], y[0]), mul(w[1], y[1])};
-    G(rational_point)(1, 1, y, w, from_ratio(1, 4), &before);
-    G(rational_point)(1, 1, y, w, from_ratio(3, 4), &after);
-    show_points(T, "y", 2, 1, y);
-    show_points(T, "ω", 2, 1, w);
-    show(T, "y(1/4)", before);
-    show(T, "y(3/4)", after);
+    for (int k = 0; k < 2; k++)
+        G(rational_point)(1, 1, y, w, t[k], &value[k]);
     int roots = count_roots(poly_from_bernstein(1, b), from_int(0), from_int(1), OPEN).distinct;
-    show_text(T, "roots of the numerator", "%d", roots);
+    found_points(T, "y(t)", 2, 1, value);
+    found_whole(T, "roots of the numerator in (0,1)", roots);
     about(T, "a change of sides is a root of the numerator");
-    agree(T, (sign_q(before) * sign_q(after) < 0) <= roots);
+    agree(T, (sign_q(value[0]) * sign_q(value[1]) < 0) <= roots);
 }
 
-/* The line n = 1 from (0, first) to (1, second), weights 1: what it has in common with y = 0. */
-static struct cagd_curve_meets_line straight(int first, int second, poly *numerator)
+/* The segment, n = 1, from (0, y_0) to (1, y_1) with the weights of the data: what it has in common with y = 0. */
+static struct cagd_curve_meets_line given_segment(trial *T, num_q y[2], poly *numerator)
 {
-    int y[2] = {first, second};
-    num_q R[4], w[2];
-    *numerator = designed_curve(1, 0, y, R, w);
+    num_q R[4], w[2], b[2];
+    given_points_q(T, "y", 2, 1, y);
+    given_points_q(T, "ω", 2, 1, w);
+    for (int i = 0; i < 2; i++)
+        b[i] = mul_q(w[i], y[i]);
+    graph(1, y, R);
+    *numerator = poly_from_bernstein(1, b);
     return curve_meets_line(1, R, w, horizontal_axis());
 }
 
@@ -498,7 +522,9 @@ static struct cagd_curve_meets_line straight(int first, int second, poly *numera
 :title: An end on the line is a common point and no root in (0,1)
 :zh: 端点在直线上不计入内部根
 :kind: counterexample
-:given: $n=1$, weights $1,1$, $y=0,1$
+:data: y = 0 1; ω = 1 1
+:result: common points = 1; roots in (0,1) = 0
+:given: degree $1$, values $y$ of which the first is $0$, and equal weights $\omega$
 :then: one common point, no root in $(0,1)$
 :method: Counted exactly.
 :control: crossings taken for common points
@@ -507,12 +533,12 @@ static struct cagd_curve_meets_line straight(int first, int second, poly *numera
 CLAIM(end_on_the_line_is_no_interior_root)
 {
     poly g;
-    struct cagd_curve_meets_line curve = straight(0, 1, &g);
+    num y[2];
+    struct cagd_curve_meets_line curve = given_segment(T, y, &g);
     int points = fault(T, curve.crossings, curve.common_closed);
     int roots = count_roots(g, from_int(0), from_int(1), OPEN).distinct;
-    show_text(T, "y", "0, 1");
-    show_text(T, "common points", "%d", points);
-    show_text(T, "roots in (0,1)", "%d", roots);
+    found_whole(T, "common points", points);
+    found_whole(T, "roots in (0,1)", roots);
     about(T, "no more intersections than roots");
     agree(T, points <= roots);
 }
@@ -657,22 +683,26 @@ The other entries of this section read $Z_{0<t<1}$ and $Z_{0<s<+\infty}$.
 :title: With an l below 1 the first step is false
 :zh: 若 l<1 则第一步不成立
 :kind: counterexample
-:given: $n=1$, weights $1,1$, $y=-2,1$, and $l=\frac12$
-:then: the curve crosses $y=0$ once, at $t=\frac23$, and the numerator has no root with $0<t<l$
-:method: Counted exactly.
+:data: y = -2 1; ω = 1 1; l = 1/2
+:instead: l = 1
+:result: crossings of the curve = 1; t of the crossing = 2/3; y at this t = 0; roots of the numerator in (0,l) = 0
+:given: degree $1$, values $y$ of both signs, equal weights $\omega$, and an $l<1$
+:then: the curve crosses $y=0$ once, at a parameter behind $l$, and the numerator has no root with $0<t<l$
+:method: Counted exactly; the curve being $y(t)=(1-t)y_0+ty_1$, it crosses at $t=y_0/(y_0-y_1)$.
 :control: $l=1$
 :::
 */
 CLAIM(roots_must_be_counted_up_to_one)
 {
     poly g;
-    num l = fault(T, from_int(1), from_ratio(1, 2));
-    struct cagd_curve_meets_line curve = straight(-2, 1, &g);
+    num y[2];
+    struct cagd_curve_meets_line curve = given_segment(T, y, &g);
+    num l = given(T, "l"), crossing = div(y[0], sub(y[0], y[1]));
     int roots = count_roots(g, from_int(0), l, OPEN).distinct;
-    show_text(T, "y", "-2, 1");
-    show(T, "l", l);
-    show_text(T, "crossings of the curve", "%d", curve.crossings);
-    show_text(T, "roots with 0 < t < l", "%d", roots);
+    found_whole(T, "crossings of the curve", curve.crossings);
+    found(T, "t of the crossing", crossing);
+    found(T, "y at this t", poly_value(g, crossing));
+    found_whole(T, "roots of the numerator in (0,l)", roots);
     about(T, "no more crossings than roots");
     agree(T, curve.crossings <= roots);
 }
@@ -727,24 +757,29 @@ CLAIM(descartes_rule_by_sign_patterns)
 :title: A curve inside the line has more roots than changes of sign
 :zh: 曲线落在直线上时根数无界
 :kind: counterexample
-:given: $n=1$, weights $1,1$, $y=0,0$
-:then: the numerator is $0$ at $t=\frac14,\frac12,\frac34$, and $V=0$
+:data: y = 0 0; ω = 1 1; t = 1/4 1/2 3/4
+:instead: y = 1 -1
+:result: roots among the parameters t = 3; V = 0
+:given: degree $1$, all values $y$ equal to $0$, equal weights $\omega$, and three parameters $t$
+:then: the numerator is $0$ at all of them, and $V=0$
 :method: Evaluated exactly.
-:control: $y=1,-1$
+:control: two values of different signs
 :::
 */
 CLAIM(curve_inside_the_line_has_too_many_roots)
 {
     poly g;
-    int y[2] = {fault(T, 1, 0), fault(T, -1, 0)}, roots = 0;
-    (void)straight(y[0], y[1], &g);
-    for (int k = 1; k <= 3; k++)
-        roots += is_zero_q(poly_value(g, from_ratio(k, 4)));
-    show_text(T, "y", "%d, %d", y[0], y[1]);
-    show_text(T, "roots among 1/4, 1/2, 3/4", "%d", roots);
-    show_text(T, "V", "%d", sign_changes(2, y));
+    num y[2], t[3];
+    int sign[2], roots = 0;
+    (void)given_segment(T, y, &g);
+    given_points(T, "t", 3, 1, t);
+    for (int k = 0; k < 3; k++)
+        roots += is_zero_q(poly_value(g, t[k]));
+    signs_of(2, y, sign);
+    found_whole(T, "roots among the parameters t", roots);
+    found_whole(T, "V", sign_changes(2, sign));
     about(T, "no more roots than changes of sign");
-    agree(T, roots <= sign_changes(2, y));
+    agree(T, roots <= sign_changes(2, sign));
 }
 
 /*
@@ -793,22 +828,33 @@ CLAIM(positive_factors_keep_sign_changes)
 :title: A negative weight changes the changes of sign
 :zh: 负权改变变号数
 :kind: counterexample
-:given: $n=2$, weights $2,-1,2$ and $y=2,5,2$
-:then: $V[\binom ni\omega_iy_i]=2$ and $V[y_i]=0$
+:data: y = 2 5 2; ω = 2 -1 2
+:instead: ω = 2 1 2
+:result: C(n,i) ω_i y_i = 4 -10 4; V of the products = 2; V of y = 0
+:given: degree $2$, positive values $y$, and weights $\omega$ of which the middle one is negative
+:then: $V[\binom ni\omega_iy_i]>V[y_i]$
 :method: Computed.
-:control: the middle weight taken as $+1$
+:control: the middle weight made positive
 :::
 */
 CLAIM(mixed_weights_change_sign_changes)
 {
     enum { n = 2 };
-    int y[n + 1] = {2, 5, 2}, w[n + 1] = {2, fault(T, 1, -1), 2}, product[n + 1];
+    num y[n + 1], w[n + 1], product[n + 1];
+    int sign[n + 1], before, after;
+    given_points(T, "y", n + 1, 1, y);
+    given_points(T, "ω", n + 1, 1, w);
     for (int i = 0; i <= n; i++)
-        product[i] = (int)binomial(n, i) * w[i] * y[i];
-    show_text(T, "y", "%d, %d, %d", y[0], y[1], y[2]);
-    show_text(T, "C(n,i) ω y", "%d, %d, %d", product[0], product[1], product[2]);
+        product[i] = mul(from_int(binomial(n, i)), mul(w[i], y[i]));
+    signs_of(n + 1, product, sign);
+    after = sign_changes(n + 1, sign);
+    signs_of(n + 1, y, sign);
+    before = sign_changes(n + 1, sign);
+    found_points(T, "C(n,i) ω_i y_i", n + 1, 1, product);
+    found_whole(T, "V of the products", after);
+    found_whole(T, "V of y", before);
     about(T, "the changes of sign are as many");
-    agree(T, sign_changes(n + 1, product) == sign_changes(n + 1, y));
+    agree(T, after == before);
 }
 
 /*
@@ -842,7 +888,7 @@ CLAIM(sign_changes_are_polygon_crossings)
         num R[2 * (MAX_DEGREE + 1)];
         region_mark mark = region_open();
         sign_pattern_of(code, n + 1, y);
-        graph(n, y, R);
+        graph_of_signs(n, y, R);
         for (int i = 0; i < n; i++)
             for (int quarter = 1; quarter <= 3; quarter += 2) {
                 int height = (4 - quarter) * y[i] + quarter * y[i + 1]; /* four times the height there */
@@ -862,7 +908,9 @@ CLAIM(sign_changes_are_polygon_crossings)
 :title: A polygon that touches the line has a common point and no change of sign
 :zh: 多边形与直线相切时变号数为零
 :kind: counterexample
-:given: $y=1,0,1$
+:data: y = 1 0 1
+:result: common points = 1; V = 0
+:given: three values $y$ of which the middle one is $0$ and the others are positive
 :then: one common point, $V=0$
 :method: Counted exactly.
 :control: crossings taken for common points
@@ -870,16 +918,17 @@ CLAIM(sign_changes_are_polygon_crossings)
 */
 CLAIM(touching_polygon_has_no_sign_change)
 {
-    int y[3] = {1, 0, 1};
-    num R[6];
+    num y[3], R[6];
+    int sign[3];
+    given_points(T, "y", 3, 1, y);
     graph(2, y, R);
+    signs_of(3, y, sign);
     struct cagd_polygon_meets_line polygon = polygon_meets_line(2, R, horizontal_axis());
     int points = fault(T, polygon.crossings, polygon.common_runs);
-    show_text(T, "y", "1, 0, 1");
-    show_text(T, "common points", "%d", points);
-    show_text(T, "V", "%d", sign_changes(3, y));
+    found_whole(T, "common points", points);
+    found_whole(T, "V", sign_changes(3, sign));
     about(T, "as many intersections as changes of sign");
-    agree(T, points == sign_changes(3, y));
+    agree(T, points == sign_changes(3, sign));
 }
 #endif
 
