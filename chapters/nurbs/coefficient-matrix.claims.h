@@ -50,18 +50,21 @@ CLAIM(span_parameter_is_a_bijection)
 :title: On an empty span the parameter does not reach 1
 :zh: 空区间上无参数变换
 :kind: counterexample
-:given: $t_r=t_{r+1}=1$
+:given: two knots $t_r=t_{r+1}$
+:data: t_r = 1; t_r+1 = 1
+:instead: t_r+1 = 2
 :then: no $u$ has $t_r+u(t_{r+1}-t_r)\ne t_r$; the length by which (4.4.1) divides is 0
+:result: length of the span = 0
 :method: The length is computed; that it is not 0 is what is compared.
-:control: $t_{r+1}=2$
+:control: two different knots
 :::
 */
 CLAIM(empty_span_has_no_parameter)
 {
-    num t[2] = {from_int(1), from_int(fault(T, 2, 1))};
-    show_points(T, "t_r, t_{r+1}", 2, 1, t);
+    num left = given(T, "t_r"), right = given(T, "t_r+1"), length = sub(right, left);
+    found(T, "length of the span", length);
     about(T, "the length of the span is not 0");
-    refute(T, is_zero_q(sub(t[1], t[0])));
+    refute(T, is_zero_q(length));
 }
 #endif
 
@@ -209,17 +212,23 @@ CLAIM(matrix_gives_homogeneous_curve)
 :title: Applied to affine points the matrix does not give the affine curve
 :zh: 对仿射控制顶点须计入权因子
 :kind: counterexample
-:given: $k=2$, $r_1=0$, $r_2=1$ with the weights $1,2$, on the span $[0,1)$; $u=\frac12$
-:then: the affine curve is at $\frac23$, the matrix applied to the affine points gives $\frac12$
+:given: $k=2$, two affine points $r_i$ of one coordinate with the weights $w_i$, the span in the middle of the knots
+  $t_i$; $u$
+:data: t_i = -1 0 1 2; r_i = 0 1; w_i = 1 2; u = 1/2
+:instead: w_i = 1 1
+:then: the matrix applied to the affine points does not give the point of the affine curve
+:result: the matrix applied to the affine points = 1/2; the affine curve = 2/3
 :method: Both by exact arithmetic.
 :control: equal weights
 :::
 */
 CLAIM(affine_points_need_the_weights)
 {
-    num knots[4] = {from_int(-1), from_int(0), from_int(1), from_int(2)}, A[4], u = from_ratio(1, 2);
-    num r[2] = {from_int(0), from_int(1)}, w[2] = {from_int(1), from_int(fault(T, 1, 2))};
-    num sum = from_int(0), above = from_int(0), below = from_int(0);
+    num knots[4], r[2], w[2], A[4], sum = from_int(0), above = from_int(0), below = from_int(0);
+    given_points(T, "t_i", 4, 1, knots);
+    given_points(T, "r_i", 2, 1, r);
+    given_points(T, "w_i", 2, 1, w);
+    num u = given(T, "u");
     G(bspline_matrix)(1, knots, 1, A);
     for (int i = 0; i < 2; i++) {
         num N = G(column_value)(2, A, i, u);
@@ -227,11 +236,11 @@ CLAIM(affine_points_need_the_weights)
         above = add(above, mul(N, mul(w[i], r[i])));
         below = add(below, mul(N, w[i]));
     }
-    show_points(T, "r_i", 2, 1, r);
-    show_points(T, "w_i", 2, 1, w);
-    show(T, "u", u);
+    num curve = div(above, below);
+    found(T, "the matrix applied to the affine points", sum);
+    found(T, "the affine curve", curve);
     about(T, "the matrix applied to the affine points, and the affine curve (4.1.2)");
-    same(T, sum, div(above, below));
+    same(T, sum, curve);
 }
 #endif
 
@@ -586,20 +595,26 @@ CLAIM(truncated_power_gives_the_basis)
 :title: At a knot of multiplicity k the power 0 of 0 decides
 :zh: k 重节点处的零次截断幂
 :kind: counterexample
-:given: $k=1$, the knots $0,1$ of $N_{i,1}$, at $t=t_r=0$, with $0_+^0=1$
-:then: $(1-0)\bigl((1-t)_+^0-(0-t)_+^0\bigr)=0$, but $N_{i,1}(0)=1$
-:method: The printed first line, with the value 1 for $0_+^0$.
-:control: the value 0 for $0_+^0$
+:given: $k=1$, the two knots $t_i$ of $N_{i,1}$, at $t=t_r$, the first of them; a value of $0_+^0$
+:data: t_i = 0 1; 0_+^0 = 1
+:instead: 0_+^0 = 0
+:then: $(t_{r+1}-t_r)$ times the divided difference of $(\cdot-t_r)_+^0$ is 0, but $N_{i,1}(t_r)=1$
+:result: first line = 0
+:method: The printed first line, with the value of $0_+^0$ at the first knot and 1 at the second.
+:control: the other value
 :::
 */
 CLAIM(zero_power_at_a_knot_of_multiplicity_k)
 {
     int l[2] = {1, 1};
-    num tau[2] = {from_int(0), from_int(1)}, data[2] = {from_int(fault(T, 0, 1)), from_int(1)};
-    show_points(T, "t_i", 2, 1, tau);
-    show_points(T, "truncated powers at the knots", 2, 1, data);
+    num tau[2], data[2];
+    given_points(T, "t_i", 2, 1, tau);
+    data[0] = given(T, "0_+^0");
+    data[1] = from_int(1);
+    num line = mul(sub(tau[1], tau[0]), G(divided_difference)(2, l, tau, data));
+    found(T, "first line", line);
     about(T, "the first line at t = t_r, and N_{i,1}(t_r)");
-    same(T, mul(sub(tau[1], tau[0]), G(divided_difference)(2, l, tau, data)), from_int(1));
+    same(T, line, from_int(1));
 }
 #endif
 
@@ -662,9 +677,10 @@ CLAIM(all_full_powers_sum_to_nothing)
 :title: The printed second line is 0 where the B-spline is not
 :zh: 证明第二行恒为零
 :kind: counterexample
-:given: $k=2$, the knots $0,1,2$ of $N_{i,2}$ on the span $[0,1)$, $t=u=\frac12$
-:then: $N_{i,2}(t)=\frac12$, and the sum over all $\lambda$ is $(0-t)-2(1-t)+(2-t)=0$; so is the
-  third line, which is the second expanded
+:given: $k=2$, the three knots $t_i$ of $N_{i,2}$, and a $t$ of the first span, which is $[0,1)$, so that $u=t$
+:data: t_i = 0 1 2; t = 1/2
+:then: the sum over all $\lambda$ is 0, which $N_{i,2}(t)$ is not; so is the third line, which is the second expanded
+:result: second line = 0; third line = 0; N_i,2(t) = 1/2
 :method: Both lines by their letter, with the weights of the divided difference.
 :control: only the $\tau_\lambda>t_r$
 :::
@@ -688,16 +704,16 @@ static num G(third_line)(const struct G(span) * S, int only_right, num u)
 
 CLAIM(full_powers_sum_to_nothing)
 {
-    num x[3] = {from_int(0), from_int(1), from_int(2)}, t = from_ratio(1, 2);
+    num x[3];
+    given_points(T, "t_i", 3, 1, x);
+    num t = given(T, "t");
     struct G(span) S = G(span_of_function)(2, 3, 0, x);
-    num line = G(second_line)(&S, fault(T, 1, 0), t, 1);
-    show_points(T, "t_i", 3, 1, x);
-    show(T, "t", t);
-    show(T, "second line", line);
-    num third = G(third_line)(&S, fault(T, 1, 0), t), value = G(basis_value)(&S, 0, 2, t);
-    show(T, "third line", third);
-    show(T, "N_{i,2}(t)", value);
-    about(T, "whether the second line or the third is N_{i,2}(t)");
+    num line = G(second_line)(&S, fault(T, 1, 0), t, 1), third = G(third_line)(&S, fault(T, 1, 0), t);
+    num value = G(basis_value)(&S, 0, 2, t);
+    found(T, "second line", line);
+    found(T, "third line", third);
+    found(T, "N_i,2(t)", value);
+    about(T, "whether the second line or the third is N_i,2(t)");
     refute(T, !equal_q(line, value) && !equal_q(third, value));
 }
 #endif
@@ -770,7 +786,8 @@ CLAIM(powers_expand_in_the_parameter)
 :title: The pairs of mu and j are the same in both orders of summation
 :zh: 两种求和次序的指标集相同
 :kind: decision
-:given: $k\le12$, $1\le l\le k$
+:given: $k=1,\dots,K$, $1\le l\le k$
+:data: K = 12
 :then: $\{\mu\le l-1,\ j\le k-\mu-1\}=\{j\le k-1,\ \mu\le k-1-\max(j,k-l)\}$ for nonnegative $\mu$ and $j$
 :method: Both sets are listed.
 :scope: k up to 12
@@ -779,7 +796,8 @@ CLAIM(powers_expand_in_the_parameter)
 */
 CLAIM(summation_orders_agree)
 {
-    for (int k = 1; k <= 12; k++)
+    int largest = given_whole(T, "K");
+    for (int k = 1; k <= largest; k++)
         for (int l = 1; l <= k; l++)
             for (int mu = 0; mu <= k; mu++)
                 for (int j = 0; j <= k; j++) {

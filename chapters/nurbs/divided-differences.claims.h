@@ -115,7 +115,8 @@ The order of the $\tau_i$ is used nowhere in the identities of this section; tha
 :title: The 2^k compositions of k+1 are the sets of multiplicities
 :zh: k+1 的全部有序分拆
 :kind: decision
-:given: $k\le7$ and every pattern of equal neighbours among $k+1$ ordered nodes
+:given: $k=0,\dots,K$ and every pattern of equal neighbours among $k+1$ ordered nodes
+:data: K = 7
 :then: the groups have positive sizes with the sum $k+1$, and different patterns give different sizes
 :method: All patterns are listed and their lists of sizes compared two by two.
 :scope: k up to 7
@@ -124,8 +125,10 @@ The order of the $\tau_i$ is used nowhere in the identities of this section; tha
 */
 CLAIM(compositions_are_all_multiplicities)
 {
-    for (int k = 0; k <= 7; k++) {
-        int l[128][8] = {{0}};
+    enum { MOST = 7 };
+    int largest = given_whole(T, "K");
+    for (int k = 0; k <= largest && k <= MOST; k++) {
+        int l[1 << MOST][MOST + 1] = {{0}};
         for (int m = 0; m < 1 << k; m++) {
             int d = G(composition)(k, m << fault(T, 0, k > 0), l[m]), sum = 0, positive_sizes = 1;
             for (int i = 0; i < d; i++) {
@@ -268,22 +271,24 @@ For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
 :title: The printed entry of the last row is not the derivative of t^k
 :zh: 末行末元素的阶乘印错
 :kind: counterexample
-:given: $k=2$, three simple nodes, $\tau_1=1$, so $l_1=1$ and the last row of $\tau_1$ is its only one
-:then: the last entry has to be $\tau_1^2=1$; printed is $\frac{2!}{0!}\tau_1^2=2$
-:method: The printed entry against the derivative of order $l_1-1=0$ of $t^2$ at $\tau_1$.
+:given: $k$, simple nodes, so $l_1=1$ and the last row of $\tau_1$ is its only one
+:data: k = 2; l_1 = 1; τ_1 = 1
+:then: the last entry has to be $\tau_1^k$; printed is $\frac{k!}{(k-l_1-1)!}\tau_1^k$, which is another number
+:result: printed entry = 2; derivative of t^k = 1
+:method: The printed entry against the derivative of order $l_1-1=0$ of $t^k$ at $\tau_1$.
 :control: $(k-l_1+1)!$ in the denominator
 :::
 */
 CLAIM(printed_last_row_has_wrong_factor)
 {
-    int k = 2, l = 1;
-    num tau = from_int(1);
-    num below = G(factorial)(fault(T, k - l + 1, k - l - 1));
+    int k = given_whole(T, "k"), l = given_whole(T, "l_1");
+    num tau = given(T, "τ_1"), below = G(factorial)(fault(T, k - l + 1, k - l - 1));
     num printed = mul(div(G(factorial)(k), below), G(power)(tau, k - l + 1));
-    show_text(T, "k, l_1", "%d, %d", k, l);
-    show(T, "τ_1", tau);
+    num derivative = G(power_derivative)(k, l - 1, tau);
+    found(T, "printed entry", printed);
+    found(T, "derivative of t^k", derivative);
     about(T, "the last entry of the row of f^(l_1 - 1)(τ_1), and the derivative of t^k");
-    same(T, printed, G(power_derivative)(k, l - 1, tau));
+    same(T, printed, derivative);
 }
 #endif
 
@@ -318,33 +323,33 @@ static void G(osculation_matrix)(int d, const int l[], int k, const num tau[], n
 :title: The column as it is printed does not give the values
 :zh: 未知量与右端混排不成方程组
 :kind: counterexample
-:given: $k=3$, four simple nodes $0,1,2,3$, $f(t)=t^3$, whose polynomial has $c=(0,0,0,1)$
-:then: the column $(c_0,c_1,c_2,f(\tau_4))=(0,0,0,27)$ is not mapped to the values $0,1,8,27$
-:method: The product with $H(T;1,t,t^2,t^3)$ is computed.
-:control: the column $(c_0,c_1,c_2,c_3)$
+:given: $k$ and $k+1$ simple nodes $\tau$, $f(t)=t^k$, whose polynomial has the coefficients $c$
+:data: k = 3; τ = 0 1 2 3; c = 0 0 0 1
+:then: the column $(c_0,\dots,c_{k-1},f(\tau_{k+1}))$ is not mapped to the values of $f$
+:result: column = 0 0 0 27; H times the column = 0 27 216 729; f(τ_i) = 0 1 8 27
+:method: The product with $H(T;1,t,\dots,t^k)$ is computed.
+:control: the column $c$
 :::
 */
 CLAIM(mixed_column_is_no_system)
 {
-    enum { k = 3 };
-    int l[k + 1] = {1, 1, 1, 1};
-    num tau[k + 1], H[(k + 1) * (k + 1)], column[k + 1], product[k + 1], values[k + 1];
-    for (int i = 0; i <= k; i++) {
-        tau[i] = from_int(i);
+    enum { MOST = 3 };
+    int k = given_whole(T, "k"), l[MOST + 1] = {1, 1, 1, 1};
+    num tau[MOST + 1], H[(MOST + 1) * (MOST + 1)], column[MOST + 1], product[MOST + 1], values[MOST + 1];
+    given_points(T, "τ", k + 1, 1, tau);
+    given_points(T, "c", k + 1, 1, column);
+    for (int i = 0; i <= k; i++)
         values[i] = G(power)(tau[i], k);
-        column[i] = from_int(0);
-    }
-    column[k] = fault(T, from_int(1), values[k]);
+    column[k] = fault(T, column[k], values[k]);
     G(osculation_matrix)(k + 1, l, k, tau, H);
     for (int i = 0; i <= k; i++) {
         product[i] = from_int(0);
         for (int c = 0; c <= k; c++)
             product[i] = add(product[i], mul(H[i * (k + 1) + c], column[c]));
     }
-    show_points(T, "τ", k + 1, 1, tau);
-    show_points(T, "column", k + 1, 1, column);
-    show_points(T, "H times the column", k + 1, 1, product);
-    show_points(T, "f(τ_i)", k + 1, 1, values);
+    found_points(T, "column", k + 1, 1, column);
+    found_points(T, "H times the column", k + 1, 1, product);
+    found_points(T, "f(τ_i)", k + 1, 1, values);
     about(T, "H times the column, and the values of f");
     for (int i = 0; i <= k; i++)
         same(T, product[i], values[i]);
@@ -438,20 +443,29 @@ The determinant is a product of factorials and differences, none of them 0.
 :title: A node listed twice as if it were two makes the system singular
 :zh: 相同节点若分列则方程组奇异
 :kind: counterexample
-:given: $k=1$, $\tau_1=\tau_2=1$, each of multiplicity 1
+:given: $k=1$, a number of nodes with their multiplicities $l$: two equal ones, each of multiplicity 1
+:data: nodes = 2; τ = 1 1; l = 1 1
+:instead: nodes = 1; τ = 1; l = 2
 :then: $\det H=0$
+:result: rows of H = (1,1) (1,1); det H = 0
 :method: The determinant is computed; that it is not 0 is what is compared.
 :control: one node of multiplicity 2
 :::
 */
 CLAIM(node_listed_twice_makes_h_singular)
 {
-    int l[2] = {fault(T, 2, 1), 1};
-    num tau[2] = {from_int(1), from_int(1)}, H[4];
-    G(osculation_matrix)(fault(T, 1, 2), l, 1, tau, H);
-    show_points(T, "H, row by row", 2, 2, H);
+    int d = given_whole(T, "nodes"), l[2];
+    num tau[2], size[2], H[4];
+    given_points(T, "τ", d, 1, tau);
+    given_points(T, "l", d, 1, size);
+    for (int i = 0; i < d; i++)
+        l[i] = (int)to_double_q(size[i]);
+    G(osculation_matrix)(d, l, 1, tau, H);
+    num determinant = G(determinant)(2, H);
+    found_points(T, "rows of H", 2, 2, H);
+    found(T, "det H", determinant);
     about(T, "det H is not 0");
-    refute(T, is_zero_q(G(determinant)(2, H)));
+    refute(T, is_zero_q(determinant));
 }
 #endif
 
@@ -619,7 +633,8 @@ These are $k+1$ terms, as many as there are nodes.
 :title: b(i,j) runs through 0, ..., k in the order of the rows
 :zh: b(i,j) 依次取 0,…,k
 :kind: decision
-:given: every set of multiplicities of $k+1\le8$ nodes
+:given: every set of multiplicities of $k+1$ nodes, $k=0,\dots,K$
+:data: K = 7
 :then: the printed $b(i,j)$ is the number of the row of $f^{(j)}(\tau_i)$, counted from 0
 :method: The rows are counted one by one.
 :scope: k up to 7
@@ -628,7 +643,8 @@ These are $k+1$ terms, as many as there are nodes.
 */
 CLAIM(places_count_the_rows)
 {
-    for (int k = 0; k <= 7; k++)
+    int largest = given_whole(T, "K");
+    for (int k = 0; k <= largest && k < LARGEST_ORDER; k++)
         for (int m = 0; m < 1 << k; m++) {
             int l[LARGEST_ORDER], d = G(composition)(k, m, l), row = 0;
             for (int i = 0; i < d; i++)
@@ -659,9 +675,11 @@ CLAIM(places_count_the_rows)
 :title: With the elements of the column counted from 1 the weights belong to other places
 :zh: 若从 1 起数则系数错位
 :kind: counterexample
-:given: $k=1$, $\tau_1=0$, $\tau_2=1$, $f(0)=1$, $f(1)=0$
-:then: $[0,1]f=-1$, while $\beta_1$ read as the first element, and $\beta_0$ as none, give $\alpha_{10}=0$,
-  $\alpha_{20}=-1$ and the sum $0$
+:given: $k=1$, two nodes $\tau$ and the values $f$ there
+:data: τ = 0 1; f = 1 0
+:then: with $\beta_1$ read as the first element, and $\beta_0$ as none, the weights have another sum with the values
+  of $f$ than $[\tau_1,\tau_2]f$
+:result: weights = 0 -1; the sum with these weights = 0; the divided difference = -1
 :method: The weights are computed with the places shifted by one.
 :control: the places counted from 0
 :::
@@ -669,13 +687,16 @@ CLAIM(places_count_the_rows)
 CLAIM(counting_from_one_shifts_the_weights)
 {
     int l[2] = {1, 1};
-    num tau[2] = {from_int(0), from_int(1)}, f[2] = {from_int(1), from_int(0)}, alpha[2];
+    num tau[2], f[2], alpha[2];
+    given_points(T, "τ", 2, 1, tau);
+    given_points(T, "f", 2, 1, f);
     G(printed_weights)(2, l, 1, tau, fault(T, 0, 1), 0, alpha);
-    show_points(T, "τ", 2, 1, tau);
-    show_points(T, "f", 2, 1, f);
-    show_points(T, "weights", 2, 1, alpha);
+    num sum = add(mul(alpha[0], f[0]), mul(alpha[1], f[1])), difference = G(divided_difference)(2, l, tau, f);
+    found_points(T, "weights", 2, 1, alpha);
+    found(T, "the sum with these weights", sum);
+    found(T, "the divided difference", difference);
     about(T, "the sum with these weights, and the divided difference");
-    same(T, add(mul(alpha[0], f[0]), mul(alpha[1], f[1])), G(divided_difference)(2, l, tau, f));
+    same(T, sum, difference);
 }
 #endif
 

@@ -2,9 +2,9 @@
 # Labels and references (公式编号与文献)
 
 A text can be checked against itself: whether a number that is cited is printed somewhere, whether the key of a reference
-has the year of the reference, whether the volumes of a journal go up by one a year.  The tables below are what the source
-prints, in the digital copy at hand: a label that stands twice, or a letter $l$ for the digit 1, may be a fault of this
-copy and not of the book.
+has the year of the reference, whether the volumes of a journal go up by one a year.  The data of the claims are what the
+source prints, in the digital copy at hand: a label that stands twice, or a letter $l$ for the digit 1, may be a fault of
+this copy and not of the book.
 */
 #include <string.h>
 
@@ -25,15 +25,16 @@ The identity itself is printed twice.
 */
 
 #if RATIONAL
-static const int labels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 13, 15, 16, 17, 18, 19, 20, 21, 22, 23};
-enum { LABELS = sizeof labels / sizeof labels[0] };
+enum { LABELS = 23 }; /* of section 4.4 */
 
 /*
 :::{claim} labels_run_from_one_to_twenty_three
-:title: With the label 14 put right the labels of 4.4 are 1 to 23, each once
+:title: With the label 14 put right the labels of section 4.4 are 1 to 23, each once
 :zh: 改正后公式编号各出现一次
 :kind: decision
-:given: the labels (4.4.1) to (4.4.23) as printed, in their order, the second 13 replaced by 14
+:given: the labels of section 4.4 as printed, in their order, but for the second label 13, which is 14
+:data: labels = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23
+:instead: labels = 1 2 3 4 5 6 7 8 9 10 11 12 13 13 15 16 17 18 19 20 21 22 23
 :then: label number $n$ is $n$
 :method: The labels are compared one by one.
 :scope: section 4.4 of the source
@@ -42,8 +43,10 @@ enum { LABELS = sizeof labels / sizeof labels[0] };
 */
 CLAIM(labels_run_from_one_to_twenty_three)
 {
+    num labels[LABELS];
+    given_points(T, "labels", LABELS, 1, labels);
     for (int n = 1; n <= LABELS; n++)
-        same(T, from_int(fault(T, n == 14 ? 14 : labels[n - 1], labels[n - 1])), from_int(n));
+        same(T, labels[n - 1], from_int(n));
 }
 
 /*
@@ -51,23 +54,29 @@ CLAIM(labels_run_from_one_to_twenty_three)
 :title: No formula has the label that is cited
 :zh: 所引编号 (4.4.14) 未印出
 :kind: counterexample
-:given: the labels of section 4.4 as printed; theorem 4.4.3 and 4.4.3 cite (4.4.14)
-:then: 14 is not among them, 13 is there twice
+:given: the labels of the section as printed; the label that theorem 4.4.3 and its section cite
+:data: labels = 1 2 3 4 5 6 7 8 9 10 11 12 13 13 15 16 17 18 19 20 21 22 23; cited label = 14
+:instead: cited label = 13
+:then: 14 is not among them, another label is there twice
+:result: label that stands twice = 13; formulas with the label that is cited = 0
 :method: The label that is cited is looked up.
-:control: the label 13
+:control: the label that stands twice
 :::
 */
 CLAIM(cited_label_is_not_printed)
 {
-    int wanted = fault(T, 13, 14), found = 0, thirteen = 0;
+    num labels[LABELS];
+    given_points(T, "labels", LABELS, 1, labels);
+    int cited = given_whole(T, "cited label"), formulas = 0, twice = 0;
     for (int n = 0; n < LABELS; n++) {
-        found |= equal_q(from_int(labels[n]), from_int(wanted));
-        thirteen += labels[n] == 13;
+        formulas += equal_q(labels[n], from_int(cited));
+        if (n > 0 && equal_q(labels[n], labels[n - 1]))
+            twice = (int)to_double_q(labels[n]);
     }
-    show_text(T, "label looked up", "(4.4.%d)", wanted);
-    show_text(T, "formulas with the label (4.4.13)", "%d", thirteen);
+    found_whole(T, "formulas with the label that is cited", formulas);
+    found_whole(T, "label that stands twice", twice);
     about(T, "a formula has the label");
-    agree(T, found);
+    agree(T, formulas > 0);
 }
 
 /*
@@ -82,17 +91,12 @@ CLAIM(cited_label_is_not_printed)
 :::
 */
 
-static const struct {
-    const char *authors;
-    int year;
-} cited[] = {{"WGJ, WGZ", 99}, {"LW, LYD", 95}, {"WGJ", 92}, {"LLG, WGJ", 2000}},
-  listed[] = {{"WGJ, WGZ", 99}, {"LW, LYD", 90}, {"WGJ", 92}, {"LLG, WGJ", 2000}};
-
-/* 1 if the key is among the four of the list. */
-static int is_listed(const char *authors, int year)
+/* 1 if the key, which ends with the first bracket that closes, is among those of the list. */
+static int is_listed(const char *key, const char *list)
 {
-    for (int k = 0; k < 4; k++)
-        if (strcmp(listed[k].authors, authors) == 0 && listed[k].year == year)
+    size_t length = strcspn(key, "]") + 1;
+    for (const char *at = strchr(list, '['); at != NULL; at = strchr(at + 1, '['))
+        if (strncmp(at, key, length) == 0)
             return 1;
     return 0;
 }
@@ -103,16 +107,20 @@ static int is_listed(const char *authors, int year)
 :zh: 改正后所引文献均在列
 :kind: decision
 :given: the four keys that the introduction cites, the year 95 replaced by 90, and the four keys of the list
+:data: cited = "[WGJ, WGZ, 99]; [LW, LYD, 90]; [WGJ, 92]; [LLG, WGJ, 2000]"; listed = "[WGJ, WGZ, 99]; [LW, LYD, 90];
+  [WGJ, 92]; [LLG, WGJ, 2000]"
+:instead: cited = "[WGJ, WGZ, 99]; [LW, LYD, 95]; [WGJ, 92]; [LLG, WGJ, 2000]"
 :then: every cited key is a key of the list
-:method: All pairs are compared.
+:method: The keys are looked up one by one.
 :scope: the four keys
 :control: the year 95
 :::
 */
 CLAIM(cited_keys_are_listed)
 {
-    for (int k = 0; k < 4; k++)
-        agree(T, is_listed(cited[k].authors, fault(T, k == 1 ? 90 : cited[k].year, cited[k].year)));
+    const char *cited = given_text(T, "cited"), *listed = given_text(T, "listed");
+    for (const char *key = strchr(cited, '['); key != NULL; key = strchr(key + 1, '['))
+        agree(T, is_listed(key, listed));
 }
 
 /*
@@ -120,18 +128,22 @@ CLAIM(cited_keys_are_listed)
 :title: The key of the first two sections is not in the list
 :zh: 文献表中无 [LW, LYD, 95]
 :kind: counterexample
-:given: the key [LW, LYD, 95] of the introduction
-:then: the list has [WGJ, WGZ, 99], [LW, LYD, 90], [WGJ, 92] and [LLG, WGJ, 2000]
+:given: the key that the introduction cites, and the keys of the list
+:data: cited = "[LW, LYD, 95]"; listed = "[WGJ, WGZ, 99]; [LW, LYD, 90]; [WGJ, 92]; [LLG, WGJ, 2000]"
+:instead: cited = "[LW, LYD, 90]"
+:then: the list has no such key
+:result: the key is in the list = 0
 :method: The key is looked up.
-:control: the key [LW, LYD, 90]
+:control: the key with the year 90
 :::
 */
 CLAIM(cited_key_is_not_listed)
 {
-    int year = fault(T, 90, cited[1].year);
-    show_text(T, "key", "[%s, %d]", cited[1].authors, year);
+    const char *cited = given_text(T, "cited"), *listed = given_text(T, "listed");
+    int found = is_listed(cited, listed);
+    found_whole(T, "the key is in the list", found);
     about(T, "the key is in the list");
-    agree(T, is_listed(cited[1].authors, year));
+    agree(T, found);
 }
 
 /*
@@ -148,18 +160,24 @@ CLAIM(cited_key_is_not_listed)
 :title: The years in the keys are those of the entries
 :zh: 标号年份与条目年份一致
 :kind: decision
-:given: the keys 99, 90, 92 and the years 1999, 1990, 1992 of the entries
-:then: the key is the year less 1900
+:given: the years in the keys, the years of the entries, and a year $Y$
+:data: keys = 99 90 92; entries = 1999 1990 1992; Y = 1900
+:instead: keys = 99 95 92
+:then: the year in the key is the year of the entry less $Y$
 :method: The three differences.
 :scope: the three entries that have a year
-:control: the key 95
+:control: the key of the misprint
 :::
 */
 CLAIM(keys_have_the_years_of_their_entries)
 {
-    static const int years[] = {1999, 1990, 1992};
-    for (int k = 0; k < 3; k++)
-        same(T, from_int(fault(T, listed[k].year, cited[k].year)), sub(from_int(years[k]), from_int(1900)));
+    enum { KEYS = 3 };
+    num keys[KEYS], entries[KEYS];
+    given_points(T, "keys", KEYS, 1, keys);
+    given_points(T, "entries", KEYS, 1, entries);
+    num year = given(T, "Y");
+    for (int k = 0; k < KEYS; k++)
+        same(T, keys[k], sub(entries[k], year));
 }
 
 /*
@@ -177,9 +195,11 @@ P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics 
 :title: The numbers cited are 1 to 19
 :zh: 参考文献 1 至 19 均被引用
 :kind: decision
-:given: the citations of the chapter in their order: 1, 2, 3-7, 8-10, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14,
-  19, 15, 19
-:then: each of 1, ..., 19 occurs, and no other number
+:given: the citations of the chapter in their order, from one number to another; the last ones are those of section
+  4.4
+:data: citations = (1,1) (2,2) (3,7) (8,10) (11,11) (12,12) (13,13) (12,12) (14,14) (15,15) (16,16) (17,17) (12,12)
+  (13,13) (18,18) (18,18) (14,14) (14,14) (19,19) (15,15) (19,19); last ones = 5; references = 19
+:then: each of $1,\dots,19$ occurs, and no other number
 :method: The numbers are ticked off.
 :scope: the numbered references
 :control: the citations of section 4.4 only
@@ -187,14 +207,16 @@ P, and the journal of references 4, 7 and 8 calls itself IEEE Computer Graphics 
 */
 CLAIM(numbered_references_are_all_cited)
 {
-    static const int first[] = {1, 2, 3, 8, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14, 19, 15, 19};
-    static const int last[] = {1, 2, 7, 10, 11, 12, 13, 12, 14, 15, 16, 17, 12, 13, 18, 18, 14, 14, 19, 15, 19};
-    int seen[32] = {0}, count = sizeof first / sizeof first[0];
-    for (int k = fault(T, 0, count - 5); k < count; k++)
-        for (int n = first[k]; n <= last[k]; n++)
-            seen[n] = 1;
-    for (int n = 0; n < 32; n++)
-        same(T, from_int(seen[n]), from_int(n >= 1 && n <= 19));
+    enum { CITATIONS = 21, MOST = 32 };
+    num from_to[2 * CITATIONS];
+    int seen[MOST] = {0};
+    given_points(T, "citations", CITATIONS, 2, from_to);
+    int last = given_whole(T, "last ones"), references = given_whole(T, "references");
+    for (int k = fault(T, 0, CITATIONS - last); k < CITATIONS; k++)
+        for (int n = 0; n < MOST; n++)
+            seen[n] |= compare_q(from_to[2 * k], from_int(n)) <= 0 && compare_q(from_int(n), from_to[2 * k + 1]) <= 0;
+    for (int n = 0; n < MOST; n++)
+        same(T, from_int(seen[n]), from_int(n >= 1 && n <= references));
 }
 
 /*
@@ -206,30 +228,35 @@ CLAIM(numbered_references_are_all_cited)
 :::
 */
 
-/* Reference, journal (0: Computer Aided Design, 1: IEEE Computer Graphics and Applications), year, volume. */
-static const int volumes[][4] = {{1, 0, 1991, 23},  {3, 0, 1987, 19},  {5, 0, 1989, 21},  {6, 0, 1989, 21},
-                                 {10, 0, 1992, 24}, {12, 0, 1990, 22}, {13, 0, 1992, 24}, {4, 1, 1989, 9},
-                                 {7, 1, 1991, 10},  {8, 1, 1983, 3}};
-enum { VOLUMES = sizeof volumes / sizeof volumes[0], SURVEY = 8 };
-
 /*
 :::{claim} volumes_follow_the_years
 :title: The volume is the year less a constant of the journal
 :zh: 卷号等于年份减常数
 :kind: decision
-:given: the years and volumes of the ten references in Computer Aided Design and in IEEE Computer Graphics and
-  Applications, with the volume 11 for reference 7
-:then: the year less the volume is 1968 for the one, 1980 for the other journal
+:given: the years and volumes of the references in Computer Aided Design and in IEEE Computer Graphics and
+  Applications, with the volume 11 put right for the survey, which is the second of the latter
+:data: Computer Aided Design = (1991,23) (1987,19) (1989,21) (1989,21) (1992,24) (1990,22) (1992,24); IEEE Computer
+  Graphics and Applications = (1989,9) (1991,11) (1983,3)
+:instead: IEEE Computer Graphics and Applications = (1989,9) (1991,10) (1983,3)
+:then: the year less the volume is the same for all references of one journal
+:result: year less volume of the first = 1968; year less volume of the second = 1980
 :method: The ten differences.
 :scope: the ten references
-:control: the volume 10 for reference 7
+:control: the volume of the survey as printed
 :::
 */
 CLAIM(volumes_follow_the_years)
 {
-    for (int k = 0; k < VOLUMES; k++) {
-        int volume = fault(T, k == SURVEY ? 11 : volumes[k][3], volumes[k][3]);
-        same(T, sub(from_int(volumes[k][2]), from_int(volume)), from_int(volumes[k][1] == 0 ? 1968 : 1980));
+    static const char *const journal[] = {"Computer Aided Design", "IEEE Computer Graphics and Applications"};
+    static const char *const constant[] = {"year less volume of the first", "year less volume of the second"};
+    int count[] = {7, 3};
+    for (int j = 0; j < 2; j++) {
+        num issue[2 * 7];
+        given_points(T, journal[j], count[j], 2, issue);
+        num first = sub(issue[0], issue[1]);
+        for (int k = 0; k < count[j]; k++)
+            same(T, sub(issue[2 * k], issue[2 * k + 1]), first);
+        found(T, constant[j], first);
     }
 }
 
@@ -248,23 +275,27 @@ CLAIM(volumes_follow_the_years)
 :title: Volume 10 is not the volume of 1991
 :zh: 1991 年非第 10 卷
 :kind: counterexample
-:given: references 4, 7 and 8, of one journal: 1989, 9; 1991, 10; 1983, 3
-:then: the year less the volume is 1980, 1981, 1980
+:given: year and volume of three references of one journal; the second is the survey
+:data: reference 4 = (1989,9); reference 7 = (1991,10); reference 8 = (1983,3)
+:instead: reference 7 = (1991,11)
+:then: the year less the volume is another for the survey than for the two others
+:result: year less volume = 1980 1981 1980
 :method: The differences are compared.
-:control: the volume 11 for reference 7
+:control: the next volume
 :::
 */
 CLAIM(volume_of_the_survey_breaks_the_rule)
 {
-    int volume = fault(T, 11, volumes[SURVEY][3]);
-    num rule = sub(from_int(volumes[SURVEY - 1][2]), from_int(volumes[SURVEY - 1][3]));
-    num here = sub(from_int(volumes[SURVEY][2]), from_int(volume));
-    num after = sub(from_int(volumes[SURVEY + 1][2]), from_int(volumes[SURVEY + 1][3]));
-    show_text(T, "year, volume of reference 4", "%d, %d", volumes[SURVEY - 1][2], volumes[SURVEY - 1][3]);
-    show_text(T, "year, volume of reference 7", "%d, %d", volumes[SURVEY][2], volume);
-    show_text(T, "year, volume of reference 8", "%d, %d", volumes[SURVEY + 1][2], volumes[SURVEY + 1][3]);
+    static const char *const names[] = {"reference 4", "reference 7", "reference 8"};
+    num constant[3];
+    for (int k = 0; k < 3; k++) {
+        num issue[2];
+        given_points(T, names[k], 1, 2, issue);
+        constant[k] = sub(issue[0], issue[1]);
+    }
+    found_points(T, "year less volume", 3, 1, constant);
     about(T, "the year less the volume is the same");
-    agree(T, equal_q(here, rule) && equal_q(after, rule));
+    agree(T, equal_q(constant[1], constant[0]) && equal_q(constant[2], constant[0]));
 }
 #endif
 

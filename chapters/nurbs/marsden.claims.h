@@ -169,28 +169,32 @@ CLAIM(marsden_identity_for_every_pattern)
 :title: Outside the span the same k functions do not suffice
 :zh: 区间外恒等式不成立
 :kind: counterexample
-:given: $k=2$, knots $0,1,2,3,4$, the functions $N_{0,2}$ and $N_{1,2}$ of the span $[1,2)$, at $t=\frac52$ of the next
-  span, $x=0$
-:then: $\sum\omega_iN_i(t)=-2\cdot\frac12=-1$, but $(x-t)^{1}=-\frac52$
-:method: The values of the functions at $t$ are those of the span that contains $t$: $N_{0,2}=0$, $N_{1,2}=\frac12$.
-:control: $t=\frac32$
+:given: $k=2$, the knots $t_i$, the functions $N_{0,2}$ and $N_{1,2}$ of the span $[t_1,t_2)$, at a $t$ of the next
+  span; $x$
+:data: t_i = 0 1 2 3 4; t = 5/2; x = 0
+:instead: t = 3/2
+:then: $\sum\omega_iN_i(t)$ is not $(x-t)^1$
+:result: N_0,2(t), N_1,2(t) = 0 1/2; the sum = -1; x - t = -5/2
+:method: The values of the functions at $t$ are those of the span that contains $t$.
+:control: a $t$ of the span
 :::
 */
 CLAIM(marsden_identity_ends_with_the_span)
 {
-    num knots[5], t = from_ratio(fault(T, 3, 5), 2), x = from_int(0), sum = from_int(0);
+    num knots[5], N[2], sum = from_int(0);
     int place[5];
-    for (int m = 0; m < 5; m++) {
-        knots[m] = from_int(m);
-        place[m] = m;
-    }
+    given_points(T, "t_i", 5, 1, knots);
+    num t = given(T, "t"), x = given(T, "x");
+    for (int i = 0; i < 5; i++)
+        place[i] = i;
     for (int i = 0; i < 2; i++) {
-        num N = G(cox_de_boor)(1, knots, place, i, fault(T, 1, 2), t);
-        sum = add(sum, mul(sub(x, knots[i + 1]), N));
-        show(T, i == 0 ? "N_{0,2}(t)" : "N_{1,2}(t)", N);
+        N[i] = G(cox_de_boor)(1, knots, place, i, compare_q(t, knots[2]) < 0 ? 1 : 2, t);
+        sum = add(sum, mul(sub(x, knots[i + 1]), N[i]));
     }
-    show(T, "t", t);
-    about(T, "the sum over the functions of [1,2), and x - t");
+    found_points(T, "N_0,2(t), N_1,2(t)", 2, 1, N);
+    found(T, "the sum", sum);
+    found(T, "x - t", sub(x, t));
+    about(T, "the sum over the functions of [t_1,t_2), and x - t");
     same(T, sum, sub(x, t));
 }
 #endif
@@ -347,23 +351,28 @@ CLAIM(every_link_of_the_chain)
 :title: Outside the span the sums of one level differ
 :zh: 区间外一层递推不成立
 :kind: counterexample
-:given: $k=2$, knots $0,1,2,3,4$, the functions of the span $[1,2)$, $W_0^0=W_1^0=1$, at $t=\frac52$
-:then: the left side is $N_{0,2}(t)+N_{1,2}(t)=\frac12$, the right side $W_1^1N_{1,1}(t)=0$
+:given: $k=2$, the knots $t_i$, the functions of the span $[t_1,t_2)$, $W_0^0=W_1^0=1$, at a $t$ of the next span
+:data: t_i = 0 1 2 3 4; t = 5/2
+:instead: t = 3/2
+:then: the left side is $N_{0,2}(t)+N_{1,2}(t)$ and not 0, the right side $W_1^1N_{1,1}(t)=0$
+:result: left side = 1/2; right side = 0
 :method: The functions at $t$ are those of the span that contains $t$.
-:control: $t=\frac32$
+:control: a $t$ of the span
 :::
 */
 CLAIM(one_level_needs_the_span)
 {
-    num knots[5], t = from_ratio(fault(T, 3, 5), 2);
-    int place[5], interval = fault(T, 1, 2);
-    for (int m = 0; m < 5; m++) {
-        knots[m] = from_int(m);
-        place[m] = m;
-    }
+    num knots[5];
+    int place[5];
+    given_points(T, "t_i", 5, 1, knots);
+    num t = given(T, "t");
+    for (int i = 0; i < 5; i++)
+        place[i] = i;
+    int interval = compare_q(t, knots[2]) < 0 ? 1 : 2;
     num left = add(G(cox_de_boor)(1, knots, place, 0, interval, t), G(cox_de_boor)(1, knots, place, 1, interval, t));
     num right = G(cox_de_boor)(0, knots, place, 1, interval, t); /* W_1^1 = 1 when both W^0 are 1 */
-    show(T, "t", t);
+    found(T, "left side", left);
+    found(T, "right side", right);
     about(T, "the two sides of (4.4.15)");
     same(T, left, right);
 }

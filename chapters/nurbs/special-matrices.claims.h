@@ -106,8 +106,10 @@ CLAIM(simple_difference_has_factors_of_both_orders)
 :title: The printed divided difference has the wrong sign
 :zh: 印出的差商公式符号有误
 :kind: counterexample
-:given: $k=1$, the nodes $0,1$, $f(0)=0$, $f(1)=1$
-:then: $[0,1]f=1$; printed is $f(0)/(1-0)+f(1)/(0-1)=-1$
+:given: $k=1$, two nodes $t_i$ and the values $f(t_i)$
+:data: t_i = 0 1; f(t_i) = 0 1
+:then: the printed sum $f(t_0)/(t_1-t_0)+f(t_1)/(t_0-t_1)$ is not $[t_0,t_1]f$ but its negative
+:result: the printed sum = -1; the divided difference = 1
 :method: The printed sum against the table.
 :control: the factors $t_l-t_j$
 :::
@@ -115,13 +117,16 @@ CLAIM(simple_difference_has_factors_of_both_orders)
 CLAIM(printed_simple_difference_has_wrong_sign)
 {
     int one[2] = {1, 1};
-    num t[2] = {from_int(0), from_int(1)}, sum = from_int(0);
+    num t[2], f[2], sum = from_int(0);
+    given_points(T, "t_i", 2, 1, t);
+    given_points(T, "f(t_i)", 2, 1, f);
     for (int l = 0; l < 2; l++)
-        sum = add(sum, div(t[l], G(product_of_differences)(t, 0, 1, l, fault(T, 0, 1))));
-    show_points(T, "t_i", 2, 1, t);
-    show_points(T, "f(t_i)", 2, 1, t);
+        sum = add(sum, div(f[l], G(product_of_differences)(t, 0, 1, l, fault(T, 0, 1))));
+    num difference = G(divided_difference)(2, one, t, f);
+    found(T, "the printed sum", sum);
+    found(T, "the divided difference", difference);
     about(T, "the printed sum, and the divided difference");
-    same(T, sum, G(divided_difference)(2, one, t, t));
+    same(T, sum, difference);
 }
 #endif
 
@@ -187,20 +192,25 @@ static num G(printed_entry)(const struct G(span) * S, int i, int j, int letter, 
 :title: With the printed factors the formula gives the negative B-spline
 :zh: 按印式得到负的 B 样条基
 :kind: counterexample
-:given: $k=1$, the knots $0,1$ of $N_{0,1}=1$ on $[0,1)$
-:then: printed is $(1-0)\cdot(1-0)^0/(0-1)=-1$
+:given: $k=1$, the knots $t_i$ of $N_{0,1}$ and a $t$ between them
+:data: t_i = 0 1; t = 1/2
+:then: printed is $(t_1-t_0)(t_1-t_0)^0/(t_0-t_1)$, the negative of $N_{0,1}(t)$
+:result: a_00 = -1; N_0,1(t) = 1
 :method: The formula for $j=0$, where the exponents $k-1-j$ and $k-l-j$ with $l=r+1=1$ are both 0.
 :control: the factors $t_l-t_\alpha$
 :::
 */
 CLAIM(printed_weights_give_the_negative_basis)
 {
-    num x[2] = {from_int(0), from_int(1)};
+    num x[2];
+    given_points(T, "t_i", 2, 1, x);
+    num t = given(T, "t");
     struct G(span) S = G(span_of_pattern)(1, 0, x);
-    num a = G(printed_entry)(&S, 0, 0, 1, fault(T, 0, 1));
-    show_points(T, "t_i", 2, 1, x);
-    about(T, "a_{00}, and N_{0,1}");
-    same(T, a, G(basis_value)(&S, 0, 1, from_ratio(1, 2)));
+    num a = G(printed_entry)(&S, 0, 0, 1, fault(T, 0, 1)), value = G(basis_value)(&S, 0, 1, t);
+    found(T, "a_00", a);
+    found(T, "N_0,1(t)", value);
+    about(T, "a_00, and N_0,1");
+    same(T, a, value);
 }
 #endif
 
@@ -289,22 +299,25 @@ $k$ is wrong alone.
 :title: The exponent k-l-j with the number of the knot is wrong
 :zh: 指数 k-l-j 中的 l 应为 1
 :kind: counterexample
-:given: $k=2$, where the sign is right, the knots $t_0,\dots,t_3=0,1,3,5$, $r=1$, $i=1$, $j=0$
-:then: $a_{01}=N_{1,2}(t_r)=0$; with the exponents $2-l$ for $l=2,3$ the sum is
-  $4\bigl[\frac{1}{(1-3)(5-3)}+\frac{4^{-1}}{(1-5)(3-5)}\bigr]\ne0$
-:method: The printed formula by its letter; the knots are numbered so that $t_r$ is knot 1.
+:given: $k=2$, where the sign is right, the simple knots $t_i$, $r$, $i$ and $j$
+:data: t_i = 0 1 3 5; r = 1; i = 1; j = 0
+:then: $a_{ji}=N_{i,k}(t_r)$ is 0; with the exponents $2-l$ for the two $l$ of the sum it is not
+:result: the printed a_ji = -7/8; N_i,k(t_r) = 0
+:method: The printed formula by its letter; the knots are numbered from 0, so that $t_r$ is knot 1.
 :control: the exponent $k-1-j$
 :::
 */
 CLAIM(exponent_with_the_letter_fails)
 {
-    num x[4] = {from_int(0), from_int(1), from_int(3), from_int(5)};
+    num x[4];
+    given_points(T, "t_i", 4, 1, x);
+    int r = given_whole(T, "r"), i = given_whole(T, "i"), j = given_whole(T, "j");
     struct G(span) S = G(span_of_pattern)(2, 3, x);
-    num a = G(printed_entry)(&S, 1, 0, fault(T, 0, 1), 1);
-    show_points(T, "t_0, ..., t_3", 4, 1, x);
-    show_text(T, "k, r, i, j", "2, 1, 1, 0");
-    about(T, "the printed a_{ji}, and N_{i,k}(t_r)");
-    same(T, a, G(basis_value)(&S, 1, 2, x[1]));
+    num a = G(printed_entry)(&S, i, j, fault(T, 0, 1), 1), value = G(basis_value)(&S, i, 2, x[r]);
+    found(T, "the printed a_ji", a);
+    found(T, "N_i,k(t_r)", value);
+    about(T, "the printed a_ji, and N_i,k(t_r)");
+    same(T, a, value);
 }
 #endif
 
@@ -413,7 +426,7 @@ static struct G(span) G(uniform_span)(int k, int r)
 :title: The four sums, with the digit 1, are the entries of the matrix
 :zh: 改正后四式均为矩阵元素
 :kind: decision
-:given: orders 1 to 9, $r=0$ and $r=k+2$, the knots $t_i=i$
+:given: the orders $k=p+1$, $r=0$ and $r=k+2$, the knots $t_i=i$
 :then: for all $i$ and $j$ the four sums are $a_{ji}$, the first also when it is computed from (4.4.23) with the factors
   $t_l-t_\alpha$
 :method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it; the degree below is $k-1$.
@@ -446,18 +459,23 @@ CLAIM(uniform_chain_gives_the_matrix)
 :title: From the printed formula 4.4.23 the first sum does not follow
 :zh: 由印出的 (4.4.23) 推不出第一式
 :kind: counterexample
-:given: $k=1$, $t_i=i$, $r=i=j=0$
-:then: (4.4.23) gives $-1$, the first sum of the chain 1; the exponents are 0 with either reading
+:given: $t_i=i$; $k$, $r$, $i$ and $j$
+:data: k = 1; r = 0; i = 0; j = 0
+:then: (4.4.23) gives the negative of the first sum of the chain; the exponents are 0 with either reading
+:result: (4.4.23) = -1; the first sum = 1
 :method: Both by their letter.
 :control: the factors $t_l-t_\alpha$ in (4.4.23)
 :::
 */
 CLAIM(uniform_chain_does_not_follow)
 {
-    struct G(span) S = G(uniform_span)(1, 0);
-    show_text(T, "k, r, i, j", "1, 0, 0, 0");
+    int k = given_whole(T, "k"), r = given_whole(T, "r"), i = given_whole(T, "i"), j = given_whole(T, "j");
+    struct G(span) S = G(uniform_span)(k, r);
+    num entry = G(printed_entry)(&S, i - r + k - 1, j, 0, fault(T, 0, 1)), sum = G(uniform_line)(1, k, r, i, j, 1);
+    found(T, "(4.4.23)", entry);
+    found(T, "the first sum", sum);
     about(T, "(4.4.23), and the first sum of the chain");
-    same(T, G(printed_entry)(&S, 0, 0, 0, fault(T, 0, 1)), G(uniform_line)(1, 1, 0, 0, 0, 1));
+    same(T, entry, sum);
 }
 
 /*
@@ -473,13 +491,31 @@ CLAIM(uniform_chain_does_not_follow)
 :::
 */
 
-/* The printed line against the entry of the matrix. */
-static void G(compare_line)(trial *T, int line, int k, int r, int i, int j)
+/* The order, the span, the function and the power of one entry a_{ji} of the matrix of equidistant knots, from a block. */
+struct indices {
+    int k, r, i, j;
+};
+static struct indices given_indices(trial *T)
+{
+    struct indices at = {.k = given_whole(T, "k"), .r = given_whole(T, "r")};
+    at.i = given_whole(T, "i");
+    at.j = given_whole(T, "j");
+    return at;
+}
+
+static num G(uniform_entry)(struct indices at)
 {
     num A[CELLS];
-    G(bspline_matrix_uniform)(k - 1, A);
-    show_text(T, "k, r, i, j", "%d, %d, %d, %d", k, r, i, j);
-    same(T, G(uniform_line)(line, k, r, i, j, fault(T, 1, 0)), A[j * k + i - r + k - 1]);
+    G(bspline_matrix_uniform)(at.k - 1, A);
+    return A[at.j * at.k + at.i - at.r + at.k - 1];
+}
+
+/* Compare: the printed sum of a line, whose name is given, with the entry of the matrix. */
+static void G(compare_line)(trial *T, const char *name, int line, struct indices at)
+{
+    num sum = G(uniform_line)(line, at.k, at.r, at.i, at.j, fault(T, 1, 0));
+    found(T, name, sum);
+    same(T, sum, G(uniform_entry)(at));
 }
 
 /*
@@ -487,19 +523,23 @@ static void G(compare_line)(trial *T, int line, int k, int r, int i, int j)
 :title: The exponent k-l-j is wrong in the first and in the third sum
 :zh: 第一、三式中指数 k-l-j 有误
 :kind: counterexample
-:given: $k=2$, $t_i=i$, $r=1$, $i=1$, $j=0$; in the third sum $l$, which is no variable of it, takes the value $r+1$
-:then: $a_{01}=0$; the first sum is $2\bigl(-\frac{1}{1!\,1!}+\frac{2^{-1}}{2!\,0!}\bigr)=-\frac32$, the third, with the
-  exponent 0, is $2\bigl(-\frac{1}{1!\,1!}+\frac{1}{2!\,0!}\bigr)=-1$
+:given: $t_i=i$; $k$, $r$, $i$ and $j$; in the third sum $l$, which is no variable of it, takes the value $r+1$
+:data: k = 2; r = 1; i = 1; j = 0
+:then: $a_{ji}=0$; the first sum, of which one exponent is 0 and the other negative, is not 0, nor is the third with
+  the exponent 0
+:result: the first sum = -3/2; the third sum = -1; a_ji = 0
 :method: Both sums by their letter.
 :control: the exponent $k-1-j$
 :::
 */
 CLAIM(uniform_letter_one_fails)
 {
-    about(T, "the first sum, and a_{ji}");
-    G(compare_line)(T, 1, 2, 1, 1, 0);
-    about(T, "the third sum, and a_{ji}");
-    G(compare_line)(T, 3, 2, 1, 1, 0);
+    struct indices at = given_indices(T);
+    about(T, "the first sum, and a_ji");
+    G(compare_line)(T, "the first sum", 1, at);
+    about(T, "the third sum, and a_ji");
+    G(compare_line)(T, "the third sum", 3, at);
+    found(T, "a_ji", G(uniform_entry)(at));
 }
 
 /*
@@ -521,16 +561,20 @@ With $l$ in its own upper limit the sum has no meaning; with the limit put right
 :title: The factorial (r+s+l-l)! of the second sum is wrong
 :zh: 第二式中阶乘 (r+s+l-l)! 有误
 :kind: counterexample
-:given: $k=1$, $t_i=i$, $r=i=2$, $j=0$, the upper limit and the exponent taken with the digit 1
-:then: $a_{02}=1$, the only term of the second sum has $(r+s)!=2!$ in the place of $0!$, so the sum is $\frac12$
+:given: $t_i=i$; $k$, $r$, $i$ and $j$; the upper limit and the exponent taken with the digit 1
+:data: k = 1; r = 2; i = 2; j = 0
+:then: the only term of the second sum has $(r+s)!$ in the place of $0!$, so that it is not $a_{ji}$
+:result: the second sum = 1/2; a_ji = 1
 :method: The sum by its letter but for limit and exponent, which have to be read with the digit to have a meaning.
 :control: $(r+s+1-l)!$
 :::
 */
 CLAIM(uniform_letter_in_factorial_fails)
 {
-    about(T, "the second sum, and a_{ji}");
-    G(compare_line)(T, 2, 1, 2, 2, 0);
+    struct indices at = given_indices(T);
+    about(T, "the second sum, and a_ji");
+    G(compare_line)(T, "the second sum", 2, at);
+    found(T, "a_ji", G(uniform_entry)(at));
 }
 
 /*
@@ -560,16 +604,20 @@ CLAIM(uniform_letter_in_factorial_fails)
 :title: The exponent k-l-j of the fourth sum is wrong
 :zh: 第四式中指数 k-l-j 有误
 :kind: counterexample
-:given: $k=2$, $t_i=i$, $r=1$, $i=1$, $j=0$
-:then: $a_{01}=0$; the fourth sum with the exponents $2,1$ is $2\bigl(\frac{2^2}{2!\,0!}-\frac{1}{1!\,1!}\bigr)=2$
+:given: $t_i=i$; $k$, $r$, $i$ and $j$
+:data: k = 2; r = 1; i = 1; j = 0
+:then: $a_{ji}=0$; the fourth sum with the exponents $k-l-j$ is not 0
+:result: the fourth sum = 2; a_ji = 0
 :method: The sum by its letter.
 :control: the exponent $k-1-j$
 :::
 */
 CLAIM(uniform_letter_in_last_sum_fails)
 {
-    about(T, "the fourth sum, and a_{ji}");
-    G(compare_line)(T, 4, 2, 1, 1, 0);
+    struct indices at = given_indices(T);
+    about(T, "the fourth sum, and a_ji");
+    G(compare_line)(T, "the fourth sum", 4, at);
+    found(T, "a_ji", G(uniform_entry)(at));
 }
 #endif
 
@@ -672,22 +720,25 @@ CLAIM(bernstein_coefficients_and_g)
 :title: With functions numbered from 1 the formula for omega is shifted
 :zh: 若下标从 1 起则 ω 错位
 :kind: counterexample
-:given: $k=2$, knots $t_1,\dots,t_4=0,0,1,1$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i=1$, $x=2$
-:then: $\omega_{1,2}(x)=x-t_2=2$, the formula gives $x^0(x-1)^1=1$
+:given: $k=2$, the knots $t_1,\dots,t_4$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i$ and $x$
+:data: t_1, ..., t_4 = 0 0 1 1; i = 1; x = 2
+:then: $\omega_{1,2}(x)=x-t_2$, the formula gives $x^{1-i}(x-1)^i$, which is another number
+:result: ω_i,2(x) = 2; the formula = 1
 :method: The product of its definition against the formula.
 :control: the knots $t_0,\dots,t_3$
 :::
 */
 CLAIM(bernstein_knots_from_one_shift_the_index)
 {
-    struct G(span) S = G(bernstein_span)(2);
-    num x = from_int(2), w[2];
-    int i = 1, first = fault(T, 0, 1);
-    G(marsden_coefficients)(1, S.t, S.r, x, w);
-    show_points(T, "knots", 4, 1, S.t);
-    show(T, "x", x);
-    about(T, "omega_{1,2}(x), and the formula");
-    same(T, w[i - first], mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i)));
+    num t[4], w[2];
+    given_points(T, "t_1, ..., t_4", 4, 1, t);
+    int i = given_whole(T, "i"), first = fault(T, 0, 1);
+    num x = given(T, "x"), formula = mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i));
+    G(marsden_coefficients)(1, t, 1, x, w);
+    found(T, "ω_i,2(x)", w[i - first]);
+    found(T, "the formula", formula);
+    about(T, "ω_1,2(x), and the formula");
+    same(T, w[i - first], formula);
 }
 #endif
 
@@ -766,18 +817,23 @@ static num G(printed_bernstein)(int k, int i, int indices_right, int product_rig
 :title: The printed matrix has its indices exchanged
 :zh: 印出的矩阵行列互换
 :kind: counterexample
-:given: $k=2$, where all quotients are right, $i=0$, $t=\frac12$
-:then: the printed column is $a_{00}=1$, $a_{10}=0$, so the sum is 1; but $B_0^1(t)=1-t=\frac12$
+:given: $k$, for which all quotients are right, $i$ and $t$
+:data: k = 2; i = 0; t = 1/2
+:then: the sum of the printed column is not $B_i^{k-1}(t)$
+:result: the sum of the printed column = 1; B_i(t) = 1/2
 :method: The sum of the printed column at $t$.
 :control: the indices exchanged
 :::
 */
 CLAIM(printed_bernstein_matrix_is_transposed)
 {
-    num t = from_ratio(1, 2);
-    show(T, "t", t);
-    about(T, "the sum of the printed column 0, and B_0^1(t)");
-    same(T, G(printed_bernstein)(2, 0, fault(T, 1, 0), 0, t), G(bernstein_value)(1, 0, t));
+    int k = given_whole(T, "k"), i = given_whole(T, "i");
+    num t = given(T, "t"), sum = G(printed_bernstein)(k, i, fault(T, 1, 0), 0, t),
+        value = G(bernstein_value)(k - 1, i, t);
+    found(T, "the sum of the printed column", sum);
+    found(T, "B_i(t)", value);
+    about(T, "the sum of the printed column, and B_i(t)");
+    same(T, sum, value);
 }
 
 /*
@@ -785,18 +841,23 @@ CLAIM(printed_bernstein_matrix_is_transposed)
 :title: With the indices put right the quotient is still wrong
 :zh: 下标改正后商式仍有误
 :kind: counterexample
-:given: $k=3$, $i=1$, $t=1$, the indices of the printed formula exchanged
-:then: the column is $0,\ 2/1,\ -1/2$ with the sum $\frac32$; but $B_1^2(1)=0$
+:given: $k$, $i$ and $t$, the indices of the printed formula exchanged
+:data: k = 3; i = 1; t = 1
+:then: the sum of the column with the quotients is not $B_i^{k-1}(t)=0$
+:result: the sum of the column with the quotients = 3/2; B_i(t) = 0
 :method: The sum of the column at $t$.
 :control: the product of the binomial coefficients
 :::
 */
 CLAIM(printed_bernstein_quotient_fails)
 {
-    num t = from_int(1);
-    show(T, "t", t);
-    about(T, "the sum of column 1 with the quotients, and B_1^2(t)");
-    same(T, G(printed_bernstein)(3, 1, 1, fault(T, 1, 0), t), G(bernstein_value)(2, 1, t));
+    int k = given_whole(T, "k"), i = given_whole(T, "i");
+    num t = given(T, "t"), sum = G(printed_bernstein)(k, i, 1, fault(T, 1, 0), t),
+        value = G(bernstein_value)(k - 1, i, t);
+    found(T, "the sum of the column with the quotients", sum);
+    found(T, "B_i(t)", value);
+    about(T, "the sum of the column with the quotients, and B_i(t)");
+    same(T, sum, value);
 }
 #endif
 
