@@ -12,6 +12,7 @@ computed from the points; and the points are its values at consecutive knots, $c
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
+/* Compare, for every segment over knots of that kind (patterns.h): f[x_0, ..., x_{p-1}] by the kernel and by definition. */
 static void G(check_blossom_of_a_segment_is_its_polar_form)(trial *T, int kind)
 {
     int p = T->degree;
@@ -414,6 +415,7 @@ CLAIM(bspline_difference_is_derivative_spline)
     }
 }
 
+/* Compare, for every segment over knots of that kind: s^(r)(t), r = 0, ..., p+1, by the kernels and from the powers about t. */
 static void G(check_bspline_derivatives_of_every_order)(trial *T, int kind)
 {
     int p = T->degree;

@@ -23,6 +23,7 @@ static void G(elevated_knots)(const struct G(knots) * K, struct G(knots) * L)
     L->n = L->count - L->p - 1;
 }
 
+/* Compare, for several segments over knots of that kind: the spline and the elevated one, on every interval. */
 static void G(check_elevation_keeps_bspline_curve)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS];
@@ -124,6 +125,8 @@ CLAIM(bezier_reduction_inverts_elevation)
 }
 
 #if FIELD || RATIONAL
+/* Compare, for several segments over knots of that kind: the points c and the elevated points reduced; and that the points
+ * 1, 0, ..., 0 of degree p+1, reduced and elevated, do not come back. */
 static void G(check_reduction_inverts_bspline_elevation)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS], down[MOST_KNOTS];

@@ -12,6 +12,7 @@ one whose points and knots repeat.
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
+/* Compare, for every segment over knots of that kind: the Bézier form of the kernel and the segment, both in powers. */
 static void G(check_segment_is_a_bezier_curve)(trial *T, int kind)
 {
     int p = T->degree;
@@ -118,6 +119,8 @@ CLAIM(points_come_back_from_bezier_points)
     }
 }
 
+/* Compare, for several segments over knots of that kind and t in every place: knots of both parts, and both parts with the
+ * spline on their intervals. */
 static void G(check_split_gives_both_parts_of_bspline)(trial *T, int kind)
 {
     int p = T->degree;

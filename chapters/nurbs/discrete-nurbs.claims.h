@@ -253,7 +253,7 @@ CLAIM(knots_outside_the_domain_cut_corners)
                     same(T, share[i], from_int(0));
                 }
             }
-            num sum = one;
+            num sum = one; /* but (τ - t_1)/(t_k - t_1) for the first, (t_{n+k} - τ)/(t_{n+k} - t_{n+1}) for the last */
             if (fault(T, j == 0 && !right, 0))
                 sum = div(sub(tau, r.u[0]), sub(r.u[p], r.u[0]));
             if (fault(T, j == n && right, 0))

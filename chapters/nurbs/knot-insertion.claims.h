@@ -12,6 +12,8 @@ $u_{i+p}-u_i$.
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
+/* Compare, for several segments over knots of that kind and a new knot in every place: the knots, and both splines on every
+ * interval. */
 static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
 {
     int p = T->degree;
@@ -244,6 +246,8 @@ static void G(refined)(trial *T, const struct G(knots) * K, const num c[], struc
     }
 }
 
+/* Compare, for several segments over knots of that kind: the points of the Oslo algorithm with those of repeated insertion,
+ * for the first and the last admissible spans; and both splines. */
 static void G(check_refinement_keeps_curve)(trial *T, int kind)
 {
     int p = T->degree, span[MOST_KNOTS];

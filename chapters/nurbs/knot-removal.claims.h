@@ -12,6 +12,8 @@ the jump of the first derivative that the knot allows to jump, in another scale.
 
 enum { dim = FIELD ? 1 : 2 }; /* every formula is taken coordinate by coordinate: the field takes one */
 
+/* Compare, for several segments over knots of that kind: knots and points before an insertion with those after insertion and
+ * removal, and the defect with 0. */
 static void G(check_removal_inverts_insertion)(trial *T, int kind)
 {
     int p = T->degree;

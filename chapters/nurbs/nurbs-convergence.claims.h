@@ -127,11 +127,12 @@ CLAIM(gaps_bound_the_defect)
 {
     num p = whole(T, "p", 2, 60), one = from_int(1), six = from_int(6), twelve = from_int(12);
     num next = add(p, one), shift = fault(T, neg(one), one);
+    /* V_p = p² (p² - 1)/12, and V_{p+1} - V_p = p (p+1) (2p+1)/6 */
     num V = div(mul(mul(p, p), add(mul(p, p), shift)), twelve);
     num W = div(mul(mul(next, next), add(mul(next, next), shift)), twelve);
     about(T, "from p to p+1");
     same(T, sub(W, V), div(mul(mul(p, next), add(add(p, p), one)), six));
-    about(T, "the defect for gaps h");
+    about(T, "the defect for gaps h"); /* V_p h² / (2 p² (p-1)) = (p+1)/24 h² */
     num h = positive(T, "h", 0);
     same(T, div(mul(V, mul(h, h)), mul(add(p, p), mul(p, sub(p, one)))), div(mul(next, mul(h, h)), from_int(24)));
     for (int points = 2; points <= 7; points++) {
@@ -392,7 +393,7 @@ CLAIM(quotient_is_near_if_the_spline_is)
 {
     num X = unknown(T, "X", 0), w = positive(T, "w", 0), E = unknown(T, "E", 0), e = unknown(T, "e", 0);
     num r = div(X, w), rho = div(sub(X, E), sub(w, e));
-    same(T, sub(r, rho), div(sub(E, mul(fault(T, rho, r), e)), w));
+    same(T, sub(r, rho), div(sub(E, mul(fault(T, rho, r), e)), w)); /* r - ρ = (E - ρ e)/w */
 }
 
 /*

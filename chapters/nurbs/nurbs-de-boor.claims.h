@@ -375,6 +375,7 @@ CLAIM(every_level_divides_its_edges)
         G(nurbs_deboor_level)(p, 2, u, mu, r, R, w, t);
         for (int m = 0; m < k - r; m++) {
             int i = mu - p + r + m;
+            /* λ = (t - t_i) w_i / ((t - t_i) w_i + (t_{i+k-r} - t) w_{i-1}) */
             num right = mul(sub(t, u[i]), v[m + 1]), left = mul(sub(u[i + p + 1 - r], t), v[m]);
             num lambda = div(fault(T, right, left), add(left, right)), rest = sub(from_int(1), lambda);
             about(T, "the ratio is in [0, 1]");
@@ -476,6 +477,7 @@ CLAIM(weights_enter_the_coefficients)
         v = w;
         w = kept;
     }
+    /* λ/(1-λ) = a/(1-a) w/v, and λ - a = a (1-a) (w-v) / (a w + (1-a) v) */
     same(T, div(P[0], sub(one, P[0])), mul(div(a, b), div(w, v)));
     same(T, sub(P[0], a), div(mul(mul(a, b), sub(w, v)), add(mul(a, w), mul(b, v))));
 }

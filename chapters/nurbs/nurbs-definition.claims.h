@@ -193,6 +193,7 @@ CLAIM(control_point_of_space_is_not_enough)
     v[1] = mul(factor, w[1]);
     num total = G(nurbs_by_definition)(2, 1, 1, u, place, R, w, 1, t, &before);
     num other = G(nurbs_by_definition)(2, 1, 1, u, place, R, v, 1, t, &after);
+    /* (λ-1) w_1 w_2 (r_2 - r_1) N_1 N_2 over both denominators */
     num shares = mul(G(cox_de_boor)(1, u, place, 0, 1, t), G(cox_de_boor)(1, u, place, 1, 1, t));
     num change = mul(mul(sub(factor, from_int(1)), mul(w[0], w[1])), mul(sub(R[1], R[0]), shares));
     same(T, sub(after, before), div(change, mul(total, other)));
@@ -585,7 +586,7 @@ CLAIM(only_proportional_weights_give_the_bspline)
             R[k] = from_int(k == i);
         num total = G(nurbs_of_basis)(p + 1, 1, N, R, w, &P);
         num weight = fault(T, w[i], i == p ? add(w[i], w[i]) : w[i]);
-        same(T, mul(total, sub(P, N[i])), mul(N[i], sub(weight, total)));
+        same(T, mul(total, sub(P, N[i])), mul(N[i], sub(weight, total))); /* N_i (w_i - w(t)) */
     }
 }
 

@@ -422,6 +422,7 @@ CLAIM(nurbs_curvature_from_homogeneous_coordinates)
         G(homogeneous_derivatives)(&K, 2, R, w, t, D);
         for (int e = 0; e <= 2; e++)
             D[2][e] = fault(T, D[2][e], mul(from_int(2), D[2][e]));
+        /* κ² times ((x'w - xw')² + (y'w - yw')²)³ is w⁶ det(P, P', P'')² */
         num det = G(minor3)(D, 0, 1, 2), speed = from_int(0), above = mul(det, det), below = from_int(1);
         for (int e = 0; e < 2; e++) {
             num part = sub(mul(D[1][e], D[0][2]), mul(D[0][e], D[1][2]));

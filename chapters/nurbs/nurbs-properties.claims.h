@@ -72,12 +72,12 @@ CLAIM(moved_point_changes_its_support)
                 num old = R[i], weight = w[i];
                 R[i] = add(old, move);
                 G(nurbs_of_basis)(n, 1, N, R, w, &Q);
-                about(T, "the point moved");
+                about(T, "the point moved"); /* by N_i w_i Δ / w(t) */
                 same(T, sub(Q, P), div(mul(mul(N[i], weight), applied), total));
                 R[i] = old;
                 w[i] = add(weight, more);
                 num greater = G(nurbs_of_basis)(n, 1, N, R, w, &Q);
-                about(T, "the weight changed");
+                about(T, "the weight changed"); /* N_i δ (r_i - r(t)) / (w(t) + N_i δ) */
                 same(T, sub(Q, P), div(mul(mul(N[i], more), sub(old, P)), greater));
                 w[i] = weight;
                 if (interval < place[i] || place[i + p + 1] <= interval) {
@@ -470,7 +470,7 @@ CLAIM(clamped_end_is_the_first_point)
     G(weighted_points)(T, p + 1, 2, R, w);
     num one = u[p], length1 = sub(u[p + 1], one), length2 = sub(u[p + 2], one), a[3], b[3], c[3];
     G(nurbs_derivatives)(p, 2, u, p, R, w, one, 1, D);
-    num speed = mul(div(from_int(p), length1), div(w[1], w[0]));
+    num speed = mul(div(from_int(p), length1), div(w[1], w[0])); /* (k-1)/Δ_1 w_2/w_1 */
     for (int k = 0; k < 2; k++) {
         a[k] = sub(R[2 + k], R[k]);
         b[k] = sub(R[4 + k], R[2 + k]);
@@ -479,6 +479,7 @@ CLAIM(clamped_end_is_the_first_point)
         about(T, "the derivative");
         same(T, D[2 + k], mul(speed, a[k]));
     }
+    /* (k-2)/(k-1) Δ_1/Δ_2 w_1 w_3/w_2², times a x b, squared, over |a|⁶ */
     num factor = mul(from_ratio(p - 1, p), div(mul(w[0], w[2]), mul(w[1], w[1]))), area = G(cross2)(a, b);
     factor = fault(T, mul(factor, div(length1, length2)), factor);
     num square = G(norm_squared)(2, a), part = mul(factor, area);
@@ -492,6 +493,7 @@ CLAIM(clamped_end_is_the_first_point)
         b[k] = sub(S[6 + k], S[3 + k]);
         c[k] = sub(S[9 + k], S[6 + k]);
     }
+    /* (k-3)/(k-1) Δ_1/Δ_3 w_1 w_4/(w_2 w_3), times (a, b, c)/|a x b|² */
     factor = mul(mul(from_ratio(p - 2, p), div(length1, sub(u[p + 3], one))), div(mul(w[0], w[3]), mul(w[1], w[2])));
     about(T, "the torsion");
     same(T, G(nurbs_torsion)(p, u, p, S, w, one), mul(factor, div(G(det3)(a, b, c), G(gram)(3, a, b))));
