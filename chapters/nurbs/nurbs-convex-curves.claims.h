@@ -354,8 +354,9 @@ itself. Cutting the corners of the closed polygon works as before, and this is w
 :title: A closed polygon that is convex has a convex periodic curve
 :zh: 闭合周期曲线的保凸性
 :kind: decision
-:given: convex polygons of $3$, $4$ and $5$ points, closed; orders $3$ and $4$; a period of different intervals; weights $1$, $1000$ and $1$
-  in turn, and $1,10,100,\dots$
+:given: a triangle, a quadrilateral and a pentagon, convex and closed; orders $3$ and $4$; the first knots of $T$ as a period of different
+  intervals; weights equal, large and small in turn, and growing
+:data: triangle = (0,0) (3,0) (1,2); quadrilateral = (0,0) (3,0) (3,3) (0,1); pentagon = (0,0) (4,0) (5,3) (2,5) (0,1); T = 0 2 3 5 6 7
 :then: the Bézier points of all intervals, joined, are a closed convex polygon that runs round once
 :method: That polygon is what one gets by inserting every knot until its multiplicity is $k-1$; it is a polygon for which the
   theorem holds.  Convexity by `exact/decide/hull.h`.
@@ -366,22 +367,23 @@ itself. Cutting the corners of the closed polygon works as before, and this is w
 */
 CLAIM(periodic_curves_of_convex_polygons_are_convex)
 {
-    static const long point[3][2 * 5] = {{0, 0, 3, 0, 1, 2}, {0, 0, 3, 0, 3, 3, 0, 1}, {0, 0, 4, 0, 5, 3, 2, 5, 0, 1}};
-    static const long knot[] = {0, 2, 3, 5, 6, 7};
-    enum { SIZE = 16 };
+    enum { SIZE = 16, FEWEST = 3, MOST = 5 };
+    static const char *const name[] = {"triangle", "quadrilateral", "pentagon"};
     int p = T->degree - 1;
-    for (int m = 3; m <= 5; m++)
+    num knot[MOST + 1], point[MOST + 1][2 * MOST];
+    for (int m = FEWEST; m <= MOST; m++)
+        given_points(T, name[m - FEWEST], m, 2, point[m]);
+    given_points(T, "T", MOST + 1, 1, knot);
+    for (int m = FEWEST; m <= MOST; m++)
         for (int family = 0; family < 3; family++) {
-            num u[SIZE], R[2 * SIZE], H[3 * SIZE], v[SIZE], D[3 * SIZE], w[SIZE], b[3 * SIZE], joined[2 * 5 * SIZE];
+            num H[3 * SIZE], v[SIZE], D[3 * SIZE], w[SIZE], b[3 * SIZE], joined[2 * MOST * SIZE], *R = point[m];
             region_mark mark = region_open();
-            points_of(m, point[m - 3], R);
+            num kept = R[3];
             R[3] = fault(T, R[3], add(from_int(9), R[5]));
-            for (int i = 0; i <= m; i++) {
-                u[i] = from_int(knot[i]);
+            for (int i = 0; i < m; i++)
                 w[i] = family_weight(family, m, i + 1);
-            }
             G(rational_homogenize)(m - 1, 2, R, w, H);
-            G(bspline_periodic)(m, p, 3, u, H, v, D);
+            G(bspline_periodic)(m, p, 3, knot, H, v, D);
             for (int j = 0; j < m; j++) {
                 G(bspline_to_bezier)(p, 3, v, p + j, D, b);
                 G(rational_dehomogenize)(p - 1, 2, b, joined + 2 * j * p, w);
@@ -389,6 +391,7 @@ CLAIM(periodic_curves_of_convex_polygons_are_convex)
             int orientation;
             agree(T, fault(T, polygon_is_convex(m - 1, R, 1, &orientation) && orientation == 1, 1));
             agree(T, polygon_is_convex(m * p - 1, joined, 1, &orientation) && orientation == 1);
+            R[3] = kept;
             region_drop(mark);
         }
 }
