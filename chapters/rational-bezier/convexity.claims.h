@@ -27,6 +27,8 @@ When $t_1,t_2,t_3$ move together the formula becomes one for the curvature.
 #include "exact/record/sturm.h"
 #endif
 
+#include "chapters/rational-bezier/free-curve.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -103,17 +105,6 @@ static num G(minor_of_columns)(int n, const num M[], int i, int j, int k)
     return G(det3)(row[0], row[1], row[2]);
 }
 
-/* Random weights and points of the plane, and the homogeneous points. */
-static void G(plane_curve)(trial *T, int n, num w[], num R[], num H[])
-{
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[2 * i] = unknown(T, "x", i);
-        R[2 * i + 1] = unknown(T, "y", i);
-    }
-    G(rational_homogenize)(n, 2, R, w, H);
-}
-
 /* The sum over i < j < k of the minors of M, three rows of n+1 numbers, times w_i w_j w_k D_ijk. */
 static num G(sum_over_triangles)(int n, const num M[], const num w[], const num R[], int first)
 {
@@ -147,7 +138,8 @@ CLAIM(curvature_is_a_sum_over_triangles)
     enum { SIZE = 9 };
     int n = T->degree;
     num w[SIZE], R[2 * SIZE], H[3 * SIZE], P[3 * 3], B[3 * SIZE], t = parameter(T, "t");
-    G(plane_curve)(T, n, w, R, H);
+    G(free_curve)(T, n, 2, R, w);
+    G(rational_homogenize)(n, 2, R, w, H);
     G(bezier_derivatives)(n, 3, H, t, 2, P);
     G(bernstein_derivatives)(n, t, 2, B);
     about(T, "det(P, P', P'') is the sum over the triangles");
@@ -184,7 +176,8 @@ CLAIM(curve_turns_like_its_triangles)
     enum { SIZE = 7 };
     int n = T->degree;
     num w[SIZE], R[2 * SIZE], H[3 * SIZE], M[3 * SIZE], P[3 * 3], s = from_int(0), one = from_int(1);
-    G(plane_curve)(T, n, w, R, H);
+    G(free_curve)(T, n, 2, R, w);
+    G(rational_homogenize)(n, 2, R, w, H);
     about(T, "Cauchy and Binet");
     for (int l = 0; l < 3 * (n + 1); l++)
         M[l] = unknown(T, "b", l);

@@ -11,6 +11,8 @@ one.  Repeated without end the polygons converge to the curve, but slowly, like 
 #include <stdio.h>
 #endif
 
+#include "chapters/rational-bezier/free-curve.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -97,10 +99,7 @@ CLAIM(elevation_keeps_rational_curve)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], we[MAX_DEGREE + 2], Re[MAX_DEGREE + 2], before, after;
     num t = parameter(T, "t");
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[i] = unknown(T, "R", i);
-    }
+    G(free_curve)(T, n, 1, R, w);
     G(rational_elevate)(n, 1, R, w, Re, we);
     if (T->faulty)
         for (int i = 1; i <= n; i++) {
@@ -205,11 +204,7 @@ CLAIM(elevated_points_as_printed)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[dim * (MAX_DEGREE + 1)], we[MAX_DEGREE + 2], Re[dim * (MAX_DEGREE + 2)];
     num e[dim * (MAX_DEGREE + 2)], E[(MAX_DEGREE + 2) * (MAX_DEGREE + 1)], weight, point;
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[2 * i] = unknown(T, "x", i);
-        R[2 * i + 1] = unknown(T, "y", i);
-    }
+    G(free_curve)(T, n, dim, R, w);
     G(rational_elevate)(n, dim, R, w, Re, we);
     G(bezier_elevate)(n, dim, R, e);
     G(bernstein_elevation_matrix)(n, E);

@@ -10,6 +10,9 @@ stays a number of points.
 */
 #include "exact/record/roots.h"
 
+#include "chapters/rational-bezier/free-curve.h"
+#include "chapters/rational-bezier/taylor.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -21,53 +24,6 @@ because $\frac{d}{ds}=\frac1{\sqrt g}\frac{d}{dt}$, $g=|R'|^2$, gives $R_{ss}=\f
 
 A function is here its Taylor polynomial of order 3 in $\varepsilon$ at $t$, four coefficients.
 */
-
-typedef struct G(series) {
-    num c[4];
-} G(series);
-
-static inline G(series) G(series_add)(G(series) a, G(series) b)
-{
-    for (int k = 0; k < 4; k++)
-        a.c[k] = add(a.c[k], b.c[k]);
-    return a;
-}
-static inline G(series) G(series_mul)(G(series) a, G(series) b)
-{
-    G(series) p;
-    for (int k = 0; k < 4; k++) {
-        p.c[k] = mul(a.c[0], b.c[k]);
-        for (int j = 1; j <= k; j++)
-            p.c[k] = add(p.c[k], mul(a.c[j], b.c[k - j]));
-    }
-    return p;
-}
-static inline G(series) G(series_div)(G(series) a, G(series) b)
-{
-    G(series) q;
-    for (int k = 0; k < 4; k++) {
-        q.c[k] = a.c[k];
-        for (int j = 1; j <= k; j++)
-            q.c[k] = sub(q.c[k], mul(b.c[j], q.c[k - j]));
-        q.c[k] = div(q.c[k], b.c[0]);
-    }
-    return q;
-}
-/* One order is lost: the last coefficient is not known any more. */
-static inline G(series) G(series_derivative)(G(series) a)
-{
-    for (int k = 0; k < 3; k++)
-        a.c[k] = mul(from_int(k + 1), a.c[k + 1]);
-    a.c[3] = from_int(0);
-    return a;
-}
-static inline G(series) G(series_dot)(int dim, const G(series) a[], const G(series) b[])
-{
-    G(series) sum = G(series_mul)(a[0], b[0]);
-    for (int c = 1; c < dim; c++)
-        sum = G(series_add)(sum, G(series_mul)(a[c], b[c]));
-    return sum;
-}
 
 /* |R_ss|^2 and, in space, -(R_s x R_ss)_s . R_ss / |R_ss|^2 = -N . B_s, at epsilon = 0. */
 static inline void G(by_arc_length)(int dim, const G(series) R[], num *curvature_squared, num *torsion)
@@ -333,22 +289,6 @@ Reversed order turns every edge round and reverses their order in the mixed prod
 :::
 */
 
-/* a_i = R_i - R_{i-1} */
-static inline void G(edge)(int dim, const num R[], int i, num a[])
-{
-    for (int c = 0; c < dim; c++)
-        a[c] = sub(R[i * dim + c], R[(i - 1) * dim + c]);
-}
-static inline void G(free_polygon)(trial *T, int n, int dim, num R[], num w[])
-{
-    static const char *const axis[] = {"x", "y", "z"};
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        for (int c = 0; c < dim; c++)
-            R[i * dim + c] = unknown(T, axis[c], i);
-    }
-}
-
 /* Compares the curvature at t with factor |a x b| / |a|^3, in which `length` is |a|^2. */
 static inline void G(compare_curvature)(trial *T, int n, int dim, const num R[], const num w[], num t, num factor,
                                         const num a[], const num b[], num length)
@@ -391,7 +331,7 @@ CLAIM(end_curvature_at_zero)
     int n = T->degree;
     for (int dim = 2; dim <= 3; dim++) {
         num w[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * 3], a1[3], a2[3];
-        G(free_polygon)(T, n, dim, R, w);
+        G(free_curve)(T, n, dim, R, w);
         G(edge)(dim, R, 1, a1);
         G(edge)(dim, R, 2, a2);
         num factor = mul(fault(T, from_ratio(n - 1, n), from_ratio(n, n - 1)), div(mul(w[0], w[2]), mul(w[1], w[1])));
@@ -416,7 +356,7 @@ CLAIM(end_curvature_at_one)
     int n = T->degree;
     for (int dim = 2; dim <= 3; dim++) {
         num w[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * 3], last[3], before[3];
-        G(free_polygon)(T, n, dim, R, w);
+        G(free_curve)(T, n, dim, R, w);
         G(edge)(dim, R, n, last);
         G(edge)(dim, R, n - 1, before);
         num factor = mul(from_ratio(n - 1, n), div(mul(w[n - 2], w[n]), mul(w[n - 1], w[n - 1])));
@@ -440,7 +380,7 @@ CLAIM(end_torsion_at_zero)
 {
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * 3], a[3][3], x[3];
-    G(free_polygon)(T, n, 3, R, w);
+    G(free_curve)(T, n, 3, R, w);
     for (int i = 0; i < 3; i++)
         G(edge)(3, R, i + 1, a[i]);
     G(cross3)(a[0], a[1], x);
@@ -464,7 +404,7 @@ CLAIM(end_torsion_at_one)
 {
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[(MAX_DEGREE + 1) * 3], a[3][3], x[3];
-    G(free_polygon)(T, n, 3, R, w);
+    G(free_curve)(T, n, 3, R, w);
     for (int i = 0; i < 3; i++)
         G(edge)(3, R, n - 2 + i, a[i]);
     G(cross3)(a[1], a[2], x);
@@ -500,7 +440,7 @@ CLAIM(missing_points_have_the_factor_zero)
 {
     for (int end = 0; end <= 1; end++) {
         num w[4], R[4 * 3], D[4 * 3];
-        G(free_polygon)(T, 3, 3, R, w);
+        G(free_curve)(T, 3, 3, R, w);
         vanishes(T, G(rational_curvature_squared)(fault(T, 1, 2), 3, R, w, from_int(end)));
         G(rational_derivatives)(fault(T, 2, 3), 3, R, w, from_int(end), 3, D);
         vanishes(T, G(det3)(D + 3, D + 6, D + 9));
@@ -627,379 +567,4 @@ CLAIM(negative_weight_makes_printed_curvature_negative)
 }
 #endif
 
-/*
-## The proof
-
-The proof writes $R=P/\omega$, differentiates $P=\omega R$ three times, solves for the derivatives of $R$, and puts $t=0$.
-
-:::{statement} wang-ch3:prop-3.2.4-step-1
-:title: First derivative of the quotient
-:zh: 商的一阶导矢
-:printed: \mathbf P=\omega\mathbf R,\qquad\mathbf R'=(\mathbf P'-\omega'\mathbf R)/\omega
-:holds-by: derivatives_of_a_quotient
-:::
-
-:::{claim} derivatives_of_a_quotient
-:title: The derivatives of R = P/ω up to the third
-:zh: R = P/ω 的前三阶导矢
-:given: any two functions $P$, $\omega$ with three derivatives, $\omega\ne0$
-:then: $R'=(P'-\omega'R)/\omega$, $R''=(P''-\omega''R-2\omega'R')/\omega$, $R'''=(P'''-\omega'''R-3\omega''R'-3\omega'R'')/\omega$
-:method: The formulas at a point depend on the values of $P,\omega$ and their three derivatives there only, so cubic polynomials with free coefficients stand
-  for all functions.  In the field their quotient is differentiated formally; elsewhere it is divided as a power series.
-:control: $\omega'$ for $\omega''$ in $R''$, as printed
-:::
-*/
-CLAIM(derivatives_of_a_quotient)
-{
-    num P[4], W[4], R[4]; /* derivatives 0 ... 3 at t = 0 */
-    W[0] = positive(T, "w", 0);
-    for (int k = 0; k < 4; k++) {
-        P[k] = unknown(T, "p", k);
-        W[k] = k > 0 ? unknown(T, "w", k) : W[0];
-    }
-    num taylor[] = {from_int(1), from_int(1), from_ratio(1, 2), from_ratio(1, 6)};
-#if FIELD
-    num t = variable_f("t"), above = from_int(0), below = from_int(0);
-    for (int k = 3; k >= 0; k--) {
-        above = add(mul(above, t), mul(taylor[k], P[k]));
-        below = add(mul(below, t), mul(taylor[k], W[k]));
-    }
-    num quotient = div(above, below);
-    for (int k = 0; k < 4; k++, quotient = derivative_f(quotient, t))
-        R[k] = substitute_f(quotient, t, from_int(0));
-#else
-    G(series) p, w;
-    for (int k = 0; k < 4; k++) {
-        p.c[k] = mul(taylor[k], P[k]);
-        w.c[k] = mul(taylor[k], W[k]);
-    }
-    for (int k = 0; k < 4; k++)
-        R[k] = div(G(series_div)(p, w).c[k], taylor[k]);
-#endif
-    num two = from_int(2), three = from_int(3);
-    num first = mul(W[1], R[0]), second = add(mul(fault(T, W[2], W[1]), R[0]), mul(two, mul(W[1], R[1])));
-    num third = add(mul(W[3], R[0]), mul(three, add(mul(W[2], R[1]), mul(W[1], R[2]))));
-    same(T, R[0], div(P[0], W[0]));
-    same(T, R[1], div(sub(P[1], first), W[0]));
-    same(T, R[2], div(sub(P[2], second), W[0]));
-    same(T, R[3], div(sub(P[3], third), W[0]));
-}
-
-/*
-:::{statement} wang-ch3:prop-3.2.4-step-2
-:title: Second derivative of the quotient
-:zh: 商的二阶导矢
-:printed: \mathbf R''=(\mathbf P''-\omega'\mathbf R-2\omega'\mathbf R')/\omega
-:class: misprint
-:refuted-by: printed_second_derivative_of_quotient_is_wrong
-:corrected: \mathbf R''=(\mathbf P''-\omega''\mathbf R-2\omega'\mathbf R')/\omega
-:corrected-by: derivatives_of_a_quotient
-:figure: quotient_derivatives
-
-A prime is missing.  In each term the orders of the derivatives have the sum $2$; in the printed $\omega'\mathbf R$ it is $1$.  As printed the vector
-would even depend on the origin of the coordinates.
-:::
-*/
-
-#if RATIONAL
-/* The derivatives 0 ... r of P, of omega and of R = P/omega at t = 0, for points of the line. */
-static void G(derivatives_at_zero)(int n, const num R[], const num w[], int r, num P[], num W[], num D[])
-{
-    num H[(MAX_DEGREE + 1) * 2], HD[(MAX_DEGREE + 1) * 2];
-    G(rational_homogenize)(n, 1, R, w, H);
-    G(bezier_derivatives)(n, 2, H, from_int(0), r, HD);
-    for (int k = 0; k <= r; k++) {
-        P[k] = HD[2 * k];
-        W[k] = HD[2 * k + 1];
-    }
-    G(rational_derivatives)(n, 1, R, w, from_int(0), r, D);
-}
-
-/*
-:::{claim} printed_second_derivative_of_quotient_is_wrong
-:title: The printed R'' of the segment from 1 to 2 with weights 1, 2
-:zh: 线段 1→2（权 1, 2）的 R″ 与所印不符
-:kind: counterexample
-:data: R = 1 2; ω = 1 2
-:result: P, P', P'' = 1 3 0; ω, ω', ω'' = 1 1 0; R, R', R'' = 1 2 -4; R'' as printed = -5
-:given: the segment of the line with points $R$ and weights $\omega$, $P=\omega R$; $t=0$
-:then: $R''(0)$ is not $(P''-\omega'R-2\omega'R')/\omega$
-:method: All derivatives are computed exactly.
-:control: $\omega''R$ for $\omega'R$
-:::
-*/
-CLAIM(printed_second_derivative_of_quotient_is_wrong)
-{
-    num R[2], w[2], P[3], W[3], D[3];
-    given_points(T, "R", 2, 1, R);
-    given_points(T, "ω", 2, 1, w);
-    G(derivatives_at_zero)(1, R, w, 2, P, W, D);
-    found_points(T, "P, P', P''", 3, 1, P);
-    found_points(T, "ω, ω', ω''", 3, 1, W);
-    found_points(T, "R, R', R''", 3, 1, D);
-    /* (P'' - ω' R - 2 ω' R')/ω */
-    num sum = add(mul(fault(T, W[2], W[1]), D[0]), mul(from_int(2), mul(W[1], D[1])));
-    num printed = div(sub(P[2], sum), W[0]);
-    found(T, "R'' as printed", printed);
-    about(T, "R''(0), left as it is, right as printed");
-    same(T, D[2], printed);
-}
-
-/*
-:::{statement} wang-ch3:prop-3.2.4-step-3
-:title: Third derivative of the quotient
-:zh: 商的三阶导矢
-:printed: \mathbf R'''=(\mathbf P'''-\omega'''\mathbf R-3\omega''\mathbf R''-3\omega'\mathbf R'')/\omega
-:class: misprint
-:refuted-by: printed_third_derivative_of_quotient_is_wrong
-:corrected: \mathbf R'''=(\mathbf P'''-\omega'''\mathbf R-3\omega''\mathbf R'-3\omega'\mathbf R'')/\omega
-:corrected-by: derivatives_of_a_quotient
-:figure: quotient_derivatives
-
-A prime too many: the orders in $\omega''\mathbf R''$ have the sum $4$.
-:::
-
-:::{claim} printed_third_derivative_of_quotient_is_wrong
-:title: The printed R''' of (2t + 2t²)/(1 + t²)
-:zh: (2t + 2t²)/(1 + t²) 的 R‴ 与所印不符
-:kind: counterexample
-:data: R = 0 1 2; ω = 1 1 2
-:result: P, P', P'', P''' = 0 2 4 0; ω, ω', ω'', ω''' = 1 0 2 0; R, R', R'', R''' = 0 2 4 -12; R''' as printed = -24
-:given: the quadratic curve of the line with points $R$ and weights $\omega$, $P=\omega R$, which is $R(t)=\frac{2t+2t^2}{1+t^2}$; $t=0$
-:then: $R'''(0)$ is not the printed right side, but the half of it
-:method: All derivatives are computed exactly.
-:control: $\omega''R'$ for $\omega''R''$
-:::
-*/
-CLAIM(printed_third_derivative_of_quotient_is_wrong)
-{
-    num R[3], w[3], P[4], W[4], D[4];
-    given_points(T, "R", 3, 1, R);
-    given_points(T, "ω", 3, 1, w);
-    G(derivatives_at_zero)(2, R, w, 3, P, W, D);
-    found_points(T, "P, P', P'', P'''", 4, 1, P);
-    found_points(T, "ω, ω', ω'', ω'''", 4, 1, W);
-    found_points(T, "R, R', R'', R'''", 4, 1, D);
-    /* (P''' - ω''' R - 3 ω'' R'' - 3 ω' R'')/ω */
-    num sum = add(mul(W[2], fault(T, D[1], D[2])), mul(W[1], D[2]));
-    num printed = div(sub(P[3], add(mul(W[3], D[0]), mul(from_int(3), sum))), W[0]);
-    found(T, "R''' as printed", printed);
-    about(T, "R'''(0), left as it is, right as printed");
-    same(T, D[3], printed);
-}
-#endif
-
-/*
-### The derivatives at the ends
-
-:::{statement} wang-ch3:prop-3.2.4-step-4
-:title: The first derivative at t = 0
-:zh: t=0 处一阶导矢
-:printed: \mathbf R'(0)=n\,\omega_1\mathbf a_1/\omega_0
-:holds-by: end_derivative_vectors_in_every_degree end_derivative_vectors_at_both_ends
-:::
-
-:::{statement} wang-ch3:prop-3.2.4-step-5
-:title: The second derivative at t = 0
-:zh: t=0 处二阶导矢
-:printed: \mathbf R''(0)=n(n-1)\,\omega_2\mathbf a_2/\omega_0+f_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree end_derivative_vectors_at_both_ends
-:::
-
-:::{statement} wang-ch3:prop-3.2.4-step-6
-:title: The third derivative at t = 0
-:zh: t=0 处三阶导矢
-:printed: \mathbf R'''(0)=n(n-1)(n-2)\,\omega_3\mathbf a_3/\omega_0+g_2\mathbf a_2+g_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree end_derivative_vectors_at_both_ends
-:::
-
-:::{statement} wang-ch3:prop-3.2.4-step-7
-:title: What the coefficients f_1, g_1, g_2 depend on
-:zh: f_1、g_1、g_2 的依赖关系
-:printed: Here $f_1$, $g_2$, $g_1$ are determined by the weights and $n$.
-:holds-by: end_derivative_vectors_in_every_degree end_derivative_vectors_at_both_ends
-
-They are, with $\omega'=n(\omega_1-\omega_0)$ and $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$, the derivatives of $\omega$ at $0$:
-
-$\omega_0f_1=n(n-1)(\omega_2-2\omega_1)-2n\omega'\omega_1/\omega_0$,
-
-$\omega_0g_2=n(n-1)(n-2)(\omega_3-3\omega_2)-3n(n-1)\omega'\omega_2/\omega_0$,
-
-$\omega_0g_1=n(n-1)(n-2)(\omega_3-3\omega_2+3\omega_1)-3\omega'f_1-3n\omega''\omega_1/\omega_0$.
-:::
-*/
-
-/* The right sides at t = 0, D[1], D[2], D[3], from w_0 ... w_3 and a[1], a[2], a[3]. */
-static inline void G(end_vectors)(num n, const num w[], const num a[], int factor, num D[])
-{
-    num n1 = sub(n, from_int(1)), n2 = sub(n, from_int(2)), two = from_int(2), three = from_int(3);
-    num second = mul(n, n1), third = mul(second, n2);
-    num dw = mul(n, sub(w[1], w[0])), ddw = mul(second, add(sub(w[2], mul(two, w[1])), w[0]));
-    num f1 = mul(second, sub(w[2], mul(from_int(factor), w[1])));
-    f1 = div(sub(f1, div(mul(mul(two, n), mul(dw, w[1])), w[0])), w[0]);
-    num g2 = mul(third, sub(w[3], mul(three, w[2])));
-    g2 = div(sub(g2, div(mul(mul(three, second), mul(dw, w[2])), w[0])), w[0]);
-    num g1 = mul(third, add(sub(w[3], mul(three, w[2])), mul(three, w[1])));
-    g1 = sub(sub(g1, mul(three, mul(dw, f1))), div(mul(mul(three, n), mul(ddw, w[1])), w[0]));
-    g1 = div(g1, w[0]);
-    D[1] = mul(div(mul(n, w[1]), w[0]), a[1]);
-    D[2] = add(mul(div(mul(second, w[2]), w[0]), a[2]), mul(f1, a[1]));
-    D[3] = add(add(mul(div(mul(third, w[3]), w[0]), a[3]), mul(g2, a[2])), mul(g1, a[1]));
-}
-
-/*
-:::{claim} end_derivative_vectors_in_every_degree
-:title: The first three derivatives at t = 0 in terms of the edges, for every n
-:zh: t=0 处前三阶导矢用边矢表示（任意 n）
-:given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$
-:let: $f_1$, $g_1$, $g_2$ the expressions in $n$ and the weights of step 7
-:then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
-  $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$
-:method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$; numerator and denominator are divided as power series, with $n$ a variable of
-  the field.  What does not exist for $n<3$ has a factor $0$.  A coordinate is any coordinate.
-:degrees: all
-:control: $-\omega_1$ for $-2\omega_1$ in $f_1$
-:::
-*/
-CLAIM(end_derivative_vectors_in_every_degree)
-{
-    num n = positive(T, "n", 0), w[4], R[4], a[4], D[4], choose = from_int(1);
-    G(series) P, W;
-    for (int i = 0; i < 4; i++) {
-        w[i] = positive(T, "w", i);
-        a[i] = unknown(T, "a", i); /* a_0 stands for R_0 */
-        R[i] = i > 0 ? add(R[i - 1], a[i]) : a[0];
-    }
-    num p[4], v[4];
-    for (int i = 0; i < 4; i++) {
-        p[i] = mul(w[i], R[i]);
-        v[i] = w[i];
-    }
-    for (int j = 0; j < 4; j++) {
-        P.c[j] = mul(choose, p[0]);
-        W.c[j] = mul(choose, v[0]);
-        choose = mul(choose, div(sub(n, from_int(j)), from_int(j + 1)));
-        for (int i = 0; i < 3 - j; i++) {
-            p[i] = sub(p[i + 1], p[i]);
-            v[i] = sub(v[i + 1], v[i]);
-        }
-    }
-    G(series) curve = G(series_div)(P, W);
-    G(end_vectors)(n, w, a, fault(T, 2, 1), D);
-    same(T, curve.c[0], R[0]);
-    same(T, curve.c[1], D[1]);
-    same(T, mul(from_int(2), curve.c[2]), D[2]);
-    same(T, mul(from_int(6), curve.c[3]), D[3]);
-}
-
-/*
-:::{claim} end_derivative_vectors_at_both_ends
-:title: The first three derivatives at both ends in terms of the edges
-:zh: 两端前三阶导矢用边矢表示
-:given: weights and points
-:let: $f_1,g_1,g_2$ the expressions of step 7, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
-:then: at $t=0$ as above; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
-  $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
-:method: The kernel is asked at $t=0$ and at $t=1$; both sides are one element of the field of rational functions of the weights and the points.
-:degrees: 3..6 sampled 10
-:control: the sign of $R''(1)$ as that of $R''(0)$
-:::
-*/
-CLAIM(end_derivative_vectors_at_both_ends)
-{
-    int n = T->degree;
-    num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], a[4], v[4], D[4], wanted[4];
-    G(free_polygon)(T, n, 1, R, w);
-    for (int i = 1; i <= 3; i++)
-        G(edge)(1, R, i, &a[i]);
-    G(rational_derivatives)(n, 1, R, w, from_int(0), 3, D);
-    G(end_vectors)(from_int(n), w, a, 2, wanted);
-    for (int k = 1; k <= 3; k++)
-        same(T, D[k], wanted[k]);
-
-    for (int i = 0; i <= 3; i++) { /* the same at t = 1, the weights and the edges from the end */
-        v[i] = w[n - i];
-        if (i > 0)
-            G(edge)(1, R, n + 1 - i, &a[i]);
-    }
-    G(rational_derivatives)(n, 1, R, w, from_int(1), 3, D);
-    G(end_vectors)(from_int(n), v, a, 2, wanted);
-    for (int k = 1; k <= 3; k++)
-        same(T, D[k], fault(T, k == 2 ? neg(wanted[k]) : wanted[k], wanted[k]));
-}
-
-/*
-:::{statement} wang-ch3:prop-3.2.4-step-8
-:title: Substitution gives the curvature and the torsion at t = 0
-:zh: 代入曲率与挠率公式
-:printed: Put into the formulas of the curvature and torsion of a parametric curve, these three give $\kappa(0)$ and $\tau(0)$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree curvature_and_torsion_belong_to_arc_length
-:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for the torsion, as in (3.2.6).
-
-Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
-:::
-
-:::{claim} end_curvature_and_torsion_follow_in_every_degree
-:title: The end derivatives give the printed curvature and torsion, for every n and in any dimension
-:zh: 由端点导矢得所印曲率与挠率（任意 n，任意维数）
-:given: any $n$; weights; vectors $a_1,a_2,a_3$ of space; any numbers $f_1,g_1,g_2$; and, for the curvature in any dimension, only the products
-  $a_1\cdot a_1$, $a_1\cdot a_2$, $a_2\cdot a_2$
-:let: $R'=\frac{n\omega_1}{\omega_0}a_1$, $R''=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$, $R'''=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$
-:then: $\kappa^2$ and $\tau$ of these are $\left(\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{|a_1\times a_2|^2}{|a_1|^6}$ and
-  $\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(a_1,a_2,a_3)}{|a_1\times a_2|^2}$
-:method: Equality in the field in which $n$, the weights, the coordinates, the products and $f_1,g_1,g_2$ are variables.  The area $|a_1\times a_2|^2$ is
-  $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.  By reversal (property 3.2.2) the same holds at $t=1$.
-:degrees: all
-:control: the factor $(n-1)/n$ in the torsion
-:::
-*/
-CLAIM(end_curvature_and_torsion_follow_in_every_degree)
-{
-    /* n > 2; in binary64 the factors stay away from 0 */
-    num one = from_int(1), two = from_int(2), n = add(positive(T, "n", 0), two), w[4], a[3][3], D[3][3];
-    num f1 = unknown(T, "f", 1), g1 = unknown(T, "g", 1), g2 = unknown(T, "g", 2), n1 = sub(n, one), n2 = sub(n, two);
-    for (int i = 0; i < 4; i++)
-        w[i] = positive(T, "w", i);
-    num A = div(mul(n, w[1]), w[0]), B = div(mul(mul(n, n1), w[2]), w[0]),
-        C = div(mul(mul(mul(n, n1), n2), w[3]), w[0]);
-    for (int c = 0; c < 3; c++) {
-        static const char *const axis[] = {"x", "y", "z"};
-        for (int i = 0; i < 3; i++)
-            a[i][c] = unknown(T, axis[c], i + 1);
-        D[0][c] = mul(A, a[0][c]);
-        D[1][c] = add(mul(B, a[1][c]), mul(f1, a[0][c]));
-        D[2][c] = add(add(mul(C, a[2][c]), mul(g2, a[1][c])), mul(g1, a[0][c]));
-    }
-    num x[3];
-    G(cross3)(a[0], a[1], x);
-    num area = G(norm_squared)(3, x), g = G(norm_squared)(3, a[0]);
-    num factor = mul(div(n1, n), div(mul(w[0], w[2]), mul(w[1], w[1])));
-    about(T, "curvature squared, in space");
-    same(T, G(curvature_squared)(3, D[0], D[1]), mul(mul(factor, factor), div(area, mul(g, mul(g, g)))));
-    about(T, "torsion");
-    num other = mul(div(fault(T, n2, n1), n), div(mul(w[0], w[3]), mul(w[1], w[2])));
-    same(T, G(torsion)(D[0], D[1], D[2]), mul(other, div(G(det3)(a[0], a[1], a[2]), area)));
-
-    /* p = a_1.a_1, q = a_1.a_2, r = a_2.a_2 */
-    num p = positive(T, "p", 0), q = unknown(T, "q", 0), r = positive(T, "r", 0);
-    num d11 = mul(mul(A, A), p), d12 = mul(A, add(mul(B, q), mul(f1, p)));
-    num d22 = add(mul(mul(B, B), r), add(mul(mul(two, mul(B, f1)), q), mul(mul(f1, f1), p)));
-    num gram = sub(mul(d11, d22), mul(d12, d12));
-    about(T, "curvature squared, from scalar products");
-    same(T, div(gram, mul(d11, mul(d11, d11))),
-         mul(mul(factor, factor), div(sub(mul(p, r), mul(q, q)), mul(p, mul(p, p)))));
-}
-
-/*
-:::{statement} wang-ch3:prop-3.2.4-step-9
-:title: The same at t = 1
-:zh: t=1 处同理
-:printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
-:holds-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
-:hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion, as in (3.2.6).
-
-The same up to a sign: $\mathbf R''(1)$ has $-\mathbf a_{n-1}$ where $\mathbf R''(0)$ has $\mathbf a_2$.  The curvature does not see it, and in the torsion it
-puts the edges into the order $(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)$ of the print.
-:::
-*/
 #include "chapters/judge/claims_off.h"

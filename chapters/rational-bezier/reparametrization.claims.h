@@ -10,6 +10,7 @@ proof line by line, and the definition of the $I_i$.
 #include "exact/record/sign.h"
 
 #include "chapters/judge/elementary.h"
+#include "chapters/rational-bezier/free-curve.h"
 #include "chapters/rational-bezier/one-map.h"
 
 #include "chapters/judge/claims_on.h"
@@ -103,15 +104,6 @@ An identity: $a$ and $b$ may be any numbers, as long as the denominators do not 
 :::
 */
 
-/* n+1 free weights and points; one coordinate stands for all. */
-static void G(free_curve)(trial *T, int n, num R[], num w[])
-{
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[i] = unknown(T, "R", i);
-    }
-}
-
 /*
 :::{claim} fractional_change_keeps_curve
 :title: Weights multiplied by powers of a and b give the same curve in the new parameter
@@ -131,7 +123,7 @@ CLAIM(fractional_change_keeps_curve)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], before, after;
     num a = positive(T, "a", 0), b = positive(T, "b", 0), u = parameter(T, "u");
-    G(free_curve)(T, n, R, w);
+    G(free_curve)(T, n, 1, R, w);
     num D = add(mul(a, u), mul(b, sub(from_int(1), u))), t = G(old_parameter)(a, b, u);
     G(rational_reparametrize)(n, w, fault(T, a, b), fault(T, b, a), v);
     about(T, "the denominators");
@@ -314,7 +306,7 @@ CLAIM(equal_invariants_give_same_curve)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], I[MAX_DEGREE], before, after;
     num u = parameter(T, "u"), one = from_int(1);
-    G(free_curve)(T, n, R, w);
+    G(free_curve)(T, n, 1, R, w);
     v[0] = positive(T, "v", 0);
     v[1] = positive(T, "v", 1);
     G(rational_invariants)(n, w, I);
@@ -569,7 +561,7 @@ CLAIM(standard_form_has_unit_ends)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], out[MAX_DEGREE + 1], before, after;
     num rho = positive(T, "rho", 0), u = parameter(T, "u"), one = from_int(1);
-    G(free_curve)(T, n, R, w);
+    G(free_curve)(T, n, 1, R, w);
     w[n] = mul(w[0], G(power)(rho, n));
     G(rational_standard_form)(n, w, out);
     num factor = fault(T, div(one, rho), rho);
@@ -735,7 +727,7 @@ CLAIM(reversal_exchanges_invariants)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], v[MAX_DEGREE + 1], S[MAX_DEGREE + 1], I[MAX_DEGREE], J[MAX_DEGREE];
     num t = parameter(T, "t"), there, back;
-    G(free_curve)(T, n, R, w);
+    G(free_curve)(T, n, 1, R, w);
     for (int i = 0; i <= n; i++) {
         S[i] = R[n - i];
         v[i] = fault(T, w[n - i], w[i]);

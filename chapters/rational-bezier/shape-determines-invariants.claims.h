@@ -12,6 +12,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 #include "exact/record/sign.h"
 
 #include "chapters/judge/elementary.h"
+#include "chapters/rational-bezier/free-curve.h"
 #include "chapters/rational-bezier/one-map.h"
 
 #include "chapters/judge/claims_on.h"
@@ -63,24 +64,6 @@ torsions suffices.  What is true in every degree stands after definition 3.2.2.
 :::
 */
 
-/* a = R_j - R_i in space. */
-static void G(between)(const num R[], int i, int j, num a[3])
-{
-    for (int c = 0; c < 3; c++)
-        a[c] = sub(R[3 * j + c], R[3 * i + c]);
-}
-
-/* n+1 points of space and weights, all free, at the end t = 0 or, in reverse order, at t = 1. */
-static void G(free_space_curve)(trial *T, int n, num R[], num w[])
-{
-    for (int i = 0; i <= n; i++) {
-        w[i] = positive(T, "w", i);
-        R[3 * i] = unknown(T, "x", i);
-        R[3 * i + 1] = unknown(T, "y", i);
-        R[3 * i + 2] = unknown(T, "z", i);
-    }
-}
-
 /*
 :::{claim} end_curvature_contains_one_invariant
 :title: The curvature at an end contains exactly the first invariant
@@ -100,11 +83,11 @@ CLAIM(end_curvature_contains_one_invariant)
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[3 * (MAX_DEGREE + 1)], I[MAX_DEGREE], a[3], b[3];
     num factor = mul(from_ratio(n - 1, n), from_ratio(n - 1, n));
-    G(free_space_curve)(T, n, R, w);
+    G(free_curve)(T, n, 3, R, w);
     G(rational_invariants)(n, w, I);
     for (int end = 0; end < 2; end++) {
-        G(between)(R, end ? n - 1 : 0, end ? n : 1, a);
-        G(between)(R, end ? n - 2 : 1, end ? n - 1 : 2, b);
+        G(edge)(3, R, end ? n : 1, a);
+        G(edge)(3, R, end ? n - 1 : 2, b);
         num square = G(rational_curvature_squared)(n, 3, R, w, from_int(end));
         num g = G(norm_squared)(3, a), J = I[end ? n - 2 : 0];
         J = fault(T, J, n == 2 ? add(J, J) : I[end ? n - 3 : 1]);
@@ -132,13 +115,13 @@ CLAIM(end_torsion_contains_two_invariants)
 {
     int n = T->degree;
     num w[MAX_DEGREE + 1], R[3 * (MAX_DEGREE + 1)], I[MAX_DEGREE], a[3], b[3], c[3];
-    G(free_space_curve)(T, n, R, w);
+    G(free_curve)(T, n, 3, R, w);
     G(rational_invariants)(n, w, I);
     for (int end = 0; end < 2; end++) {
-        int first = end ? n - 3 : 0;
-        G(between)(R, first, first + 1, a);
-        G(between)(R, first + 1, first + 2, b);
-        G(between)(R, first + 2, first + 3, c);
+        int first = end ? n - 2 : 1;
+        G(edge)(3, R, first, a);
+        G(edge)(3, R, first + 1, b);
+        G(edge)(3, R, first + 2, c);
         num torsion = G(rational_torsion)(n, R, w, from_int(end));
         num area = end ? G(gram)(3, b, c) : G(gram)(3, a, b);
         num J = fault(T, mul(end ? I[n - 2] : I[0], end ? I[n - 3] : I[1]), end ? I[n - 2] : I[0]);
@@ -349,9 +332,9 @@ CLAIM(palindromes_of_degree_four)
 static num G(edges_det)(const num R[], int i, int j, int k)
 {
     num a[3], b[3], c[3];
-    G(between)(R, i - 1, i, a);
-    G(between)(R, j - 1, j, b);
-    G(between)(R, k - 1, k, c);
+    G(edge)(3, R, i, a);
+    G(edge)(3, R, j, b);
+    G(edge)(3, R, k, c);
     return G(det3)(a, b, c);
 }
 
@@ -613,7 +596,7 @@ CLAIM(printed_torsion_denominator_is_wrong)
     given_points(T, "ω", n + 1, 1, w);
     given_points(T, "ω*", n + 1, 1, v);
     for (int k = 0; k < 3; k++)
-        G(between)(R, k, k + 1, a[k]);
+        G(edge)(3, R, k + 1, a[k]);
     num difference = sub(G(rational_torsion)(n, R, w, zero), G(rational_torsion)(n, R, v, zero));
     /* (n-2)/n (ω_0 ω_3/(ω_1 ω_2) - ω*_0 ω*_3/(ω*_1 ω*_2)) (a_1, a_2, a_3)/|a_1 × a_3|² */
     num change = sub(div(mul(w[0], w[3]), mul(w[1], w[2])), div(mul(v[0], v[3]), mul(v[1], v[2])));
