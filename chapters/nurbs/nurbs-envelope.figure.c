@@ -36,61 +36,6 @@ FIGURE(nurbs_envelope_families)
     return s;
 }
 
-FIGURE(nurbs_envelope_whole)
-{
-    svg *s = svg_new(
-        "nurbs_envelope_whole", "A member of the whole curve may run to infinity",
-        "A quadratic curve with two spans.  Left the weights are 1: every polygon of the family touches the curve and "
-        "goes on over the other span.  Right the last weight is 5: the leg of the polygon of the first parameter over "
-        "the second span leaves in one direction and comes back from the other.");
-    static const int knot[7] = {1, 2, 3, 4, 5, 6, 7};
-    static const int point[2][12] = {{0, 0, 1, 1, 3, 1, 4, 3, 1, 5, 0, 1}, {0, 0, 1, 1, 3, 1, 4, 3, 1, 5, 0, 5}};
-    for (int k = 0; k < 2; k++) {
-        struct nurbs c = nurbs_of(4, 2, knot, point[k], 1);
-        svg_window field = k == 0 ? window(r(-1, 4), r(-7, 10), r(21, 4), r(59, 10)) : window(q(-2), q(-6), q(8), q(6));
-        svg_panel(s, field, 330, 0,
-                  k == 0 ? "$k=3$, $r=1$, weights 1, 1, 1, 1:\nall polygons exist"
-                         : "weights 1, 1, 1, 5:\n$w_3^{[1]}=1$ and $w_4^{[1]}=-1$ at $τ=t_3$");
-        for (int i = 1; i < 8; i++)
-            for (int mu = 2; mu < 4 && k == 0; mu++)
-                put_member(s, &c, mu, 1, add_q(q(3), r(i, 4)), SVG_FAMILY);
-        put_polygon(s, &c, NULL);
-        put_curve(s, &c, SVG_CURVE);
-        put_member(s, &c, 2, 1, q(3), SVG_CURVE_2);
-        put_member(s, &c, 3, 1, q(3), k == 0 ? SVG_CURVE_2 : SVG_WRONG);
-        svg_mark(s, point_of(&c, 2, q(3)), SVG_POINT, SVG_USUAL);
-        svg_frame(s);
-    }
-    svg_legend_line(s, SVG_CURVE, "the curve");
-    svg_legend_line(s, SVG_CURVE_2, "the polygon of $τ=t_3$");
-    svg_legend_line(s, SVG_WRONG, "its leg, broken at infinity");
-    svg_legend_line(s, SVG_FAMILY, "other polygons");
-    return s;
-}
-
-FIGURE(nurbs_envelope_contact)
-{
-    svg *s = svg_new("nurbs_envelope_contact", "Curve and members touch, they do not osculate",
-                     "One span of a curve of order 5 and its members of order 4, 3 and 2 at one parameter.  The lower "
-                     "the order, the flatter the member; "
-                     "the curvatures at the contact have the ratios 8/9, 2/3 and 0 to that of the curve.");
-    static const int x[5] = {0, 1}, y[5] = {0, 0, 3, 0, 2};
-    struct nurbs c = one_span(4, 1, x, y);
-    svg_panel(s, window(q(-1), r(-1, 4), q(1), r(3, 2)), 560, 330,
-              "$k=5$, $τ=0$: $κ_{k-r}/κ$ is 8/9, 2/3, 0 for $r=1,2,3$");
-    svg_axes(s, r(1, 2), r(1, 2), "x", "y");
-    put_member(s, &c, 4, 1, q(0), SVG_FAMILY);
-    put_member(s, &c, 4, 2, q(0), SVG_CURVE_2);
-    put_member(s, &c, 4, 3, q(0), SVG_RIGHT);
-    put_curve(s, &c, SVG_CURVE);
-    svg_mark(s, svg_at(0, 0), SVG_POINT, SVG_USUAL);
-    svg_legend_line(s, SVG_CURVE, "the curve");
-    svg_legend_line(s, SVG_FAMILY, "$r=1$");
-    svg_legend_line(s, SVG_CURVE_2, "$r=2$");
-    svg_legend_line(s, SVG_RIGHT, "$r=3$, the tangent");
-    return s;
-}
-
 /* The same family, growing: the parameter goes through the two spans. */
 FIGURE(nurbs_envelope_growing)
 {

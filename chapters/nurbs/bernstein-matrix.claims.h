@@ -1,0 +1,315 @@
+/*
+# The matrix of the Bernstein basis (Bernstein 基的系数矩阵)
+
+Between two knots of multiplicity $k$ the B-splines are the Bernstein polynomials, whose matrix every student can write
+down by expanding $(1-t)^{k-1-i}$.  The source obtains it from its general formulas, by way of the coefficients $\omega_{i,k}$ of
+Marsden's identity; the printed result has its indices exchanged and a quotient for a product.
+*/
+#include "chapters/nurbs/spans.h"
+
+#include "chapters/judge/claims_on.h"
+
+enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
+
+/*
+With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0,1)$, $r=k-1$, and $i=0,\dots,k-1$.
+
+:::{statement} wang-ch4:bernstein-omega
+:title: Marsden's coefficients for the knots of Bernstein
+:zh: Bernstein 节点的 ω
+:printed: \omega_{i,k}(x)=x^{k-1-i}(x-1)^i,\quad i=0,\dots,k-1
+:holds-by: bernstein_coefficients_and_g
+:needs: bernstein_knots_from_one_shift_the_index | the knots are numbered from 0, $t_0=\dots=t_{k-1}=0$, as
+  $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
+:figure: bernstein_matrix
+:::
+
+:::{statement} wang-ch4:bernstein-g
+:title: The matrix G for the knots of Bernstein
+:zh: Bernstein 情形的矩阵 G
+:printed: g_{ji}=0\ (i<j),\quad g_{ji}=\binom ij\Big/\binom{k-1}j\ (i\ge j)
+:holds-by: bernstein_coefficients_and_g
+:figure: bernstein_matrix
+:::
+
+:::{statement} wang-ch4:bernstein-g-triangular
+:title: G is upper triangular
+:zh: G 为上三角阵
+:printed: \mathbf G_{k-1,k,T}\text{ is upper triangular}
+:holds-by: bernstein_coefficients_and_g
+:figure: bernstein_matrix
+
+$j$ is the row, $i$ the column.
+:::
+*/
+
+static struct G(span) G(bernstein_span)(int k) { return G(span_of_pattern)(k, 0, (num[]){from_int(0), from_int(1)}); }
+
+/*
+:::{claim} bernstein_coefficients_and_g
+:title: Marsden's coefficients and G for the knots of Bernstein
+:zh: Bernstein 节点的 ω 与 G
+:given: orders $k=p+1$, $x$ variable
+:then: $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, and $g_{ji}$ is as printed, 0 below the diagonal
+:method: The kernels `marsden_coefficients` and `marsden_matrix` at these knots.
+:degrees: 0..7 sampled 8
+:control: rows and columns of $G$ exchanged
+:::
+*/
+CLAIM(bernstein_coefficients_and_g)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(bernstein_span)(k);
+    num x = unknown(T, "x", 0), w[LARGEST_ORDER], g[CELLS];
+    G(marsden_coefficients)(k - 1, S.t, S.r, x, w);
+    G(marsden_matrix)(k - 1, S.t, S.r, g);
+    for (int i = 0; i < k; i++) {
+        about(T, "omega");
+        same(T, w[i], mul(G(power)(x, k - 1 - i), G(power)(sub(x, from_int(1)), i)));
+        about(T, "G");
+        for (int j = 0; j < k; j++) {
+            num printed = i < j ? from_int(0) : div(G(choose)(i, j), G(choose)(k - 1, j));
+            same(T, fault(T, g[j * k + i], g[i * k + j]), printed);
+        }
+    }
+}
+
+#if RATIONAL
+/*
+:::{claim} bernstein_knots_from_one_shift_the_index
+:title: With functions numbered from 1 the formula for omega is shifted
+:zh: 若下标从 1 起则 ω 错位
+:kind: counterexample
+:given: $k=2$, the knots $t_1,\dots,t_4$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i$ and $x$
+:data: t_1, ..., t_4 = 0 0 1 1; i = 1; x = 2
+:then: $\omega_{1,2}(x)=x-t_2$, the formula gives $x^{1-i}(x-1)^i$, which is another number
+:result: ω_i,2(x) = 2; the formula = 1
+:method: The product of its definition against the formula.
+:control: the knots $t_0,\dots,t_3$
+:::
+*/
+CLAIM(bernstein_knots_from_one_shift_the_index)
+{
+    num t[4], w[2];
+    given_points(T, "t_1, ..., t_4", 4, 1, t);
+    int i = given_whole(T, "i"), first = fault(T, 0, 1);
+    num x = given(T, "x"), formula = mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i));
+    G(marsden_coefficients)(1, t, 1, x, w);
+    found(T, "ω_i,2(x)", w[i - first]);
+    found(T, "the formula", formula);
+    about(T, "ω_1,2(x), and the formula");
+    same(T, w[i - first], formula);
+}
+#endif
+
+/*
+:::{statement} wang-ch4:bernstein-matrix
+:title: The coefficient matrix for the knots of Bernstein
+:zh: Bernstein 情形的系数矩阵
+:printed: a_{ji}=0\ (i<j),\quad a_{ji}=(-1)^{i+j}\binom{k-1}i\Big/\binom ij\ (i\ge j),\quad i,j=0,\dots,k-1
+:class: misprint
+:refuted-by: printed_bernstein_matrix_is_transposed printed_bernstein_quotient_fails
+:corrected: a_{ji}=0\ (j<i),\quad a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji\ (j\ge i)
+:corrected-by: bernstein_matrix_is_the_matrix
+:striking: 10
+:figure: bernstein_matrix
+
+Two faults: the two indices are exchanged, so that the matrix is triangular on the wrong side, and the two binomial
+coefficients are divided and not multiplied.  To mend one of them is not enough.
+:::
+*/
+
+static num G(bernstein_value)(int n, int i, num t)
+{
+    return mul(G(choose)(n, i), mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i)));
+}
+
+/*
+:::{claim} bernstein_matrix_is_the_matrix
+:title: The corrected entries are those of the coefficient matrix
+:zh: 改正后的 Bernstein 系数矩阵
+:given: orders $k=p+1$, $t$ variable
+:then: the columns of `bernstein_matrix` are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
+  (4.4.17) at these knots
+:method: The kernel against the Bernstein polynomials at a variable $t$, and against `bspline_matrix_by_marsden`.
+:degrees: 0..7 sampled 8
+:defines: bernstein_matrix
+:control: the matrix transposed
+:::
+*/
+CLAIM(bernstein_matrix_is_the_matrix)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(bernstein_span)(k);
+    num A[CELLS], B[CELLS], t = parameter(T, "t");
+    G(bernstein_matrix)(k - 1, A);
+    G(bspline_matrix_by_marsden)(k - 1, S.t, S.r, B);
+    for (int i = 0; i < k; i++) {
+        num sum = from_int(0);
+        for (int j = 0; j < k; j++) {
+            num a = fault(T, A[j * k + i], A[i * k + j]);
+            about(T, "the entry from Marsden's identity");
+            same(T, a, B[j * k + i]);
+            sum = add(sum, mul(a, G(power)(t, j)));
+        }
+        about(T, "the Bernstein polynomial");
+        same(T, sum, G(bernstein_value)(k - 1, i, t));
+    }
+}
+
+#if RATIONAL
+/* Column i of the printed matrix at t, with none, one or both of its faults mended. */
+static num G(printed_bernstein)(int k, int i, int indices_right, int product_right, num t)
+{
+    num sum = from_int(0);
+    for (int j = 0; j < k; j++) {
+        int a = indices_right ? j : i, b = indices_right ? i : j; /* printed: a = i, b = j */
+        if (a < b)
+            continue;
+        num front = G(choose)(k - 1, a), other = G(choose)(a, b);
+        sum = add(sum, mul(G(signed_by)(i + j, product_right ? mul(front, other) : div(front, other)), G(power)(t, j)));
+    }
+    return sum;
+}
+
+/*
+:::{claim} printed_bernstein_matrix_is_transposed
+:title: The printed matrix has its indices exchanged
+:zh: 印出的矩阵行列互换
+:kind: counterexample
+:given: $k$, for which all quotients are right, $i$ and $t$
+:data: k = 2; i = 0; t = 1/2
+:then: the sum of the printed column is not $B_i^{k-1}(t)$
+:result: the sum of the printed column = 1; B_i(t) = 1/2
+:method: The sum of the printed column at $t$.
+:control: the indices exchanged
+:::
+*/
+CLAIM(printed_bernstein_matrix_is_transposed)
+{
+    int k = given_whole(T, "k"), i = given_whole(T, "i");
+    num t = given(T, "t"), sum = G(printed_bernstein)(k, i, fault(T, 1, 0), 0, t),
+        value = G(bernstein_value)(k - 1, i, t);
+    found(T, "the sum of the printed column", sum);
+    found(T, "B_i(t)", value);
+    about(T, "the sum of the printed column, and B_i(t)");
+    same(T, sum, value);
+}
+
+/*
+:::{claim} printed_bernstein_quotient_fails
+:title: With the indices put right the quotient is still wrong
+:zh: 下标改正后商式仍有误
+:kind: counterexample
+:given: $k$, $i$ and $t$, the indices of the printed formula exchanged
+:data: k = 3; i = 1; t = 1
+:then: the sum of the column with the quotients is not $B_i^{k-1}(t)=0$
+:result: the sum of the column with the quotients = 3/2; B_i(t) = 0
+:method: The sum of the column at $t$.
+:control: the product of the binomial coefficients
+:::
+*/
+CLAIM(printed_bernstein_quotient_fails)
+{
+    int k = given_whole(T, "k"), i = given_whole(T, "i");
+    num t = given(T, "t"), sum = G(printed_bernstein)(k, i, 1, fault(T, 1, 0), t),
+        value = G(bernstein_value)(k - 1, i, t);
+    found(T, "the sum of the column with the quotients", sum);
+    found(T, "B_i(t)", value);
+    about(T, "the sum of the column with the quotients, and B_i(t)");
+    same(T, sum, value);
+}
+#endif
+
+/*
+:::{statement} wang-ch4:bernstein-basis
+:title: The B-splines are then the Bernstein polynomials
+:zh: 退化为 Bernstein 基
+:printed: N_{i,k}(t)=B_i^{k-1}(t),\quad t\in[t_{k-1},t_k)=[0,1)
+:holds-by: bsplines_are_bernstein_polynomials
+:figure: bernstein_matrix
+:::
+
+:::{claim} bsplines_are_bernstein_polynomials
+:title: The B-splines of these knots are the Bernstein polynomials
+:zh: B 样条基退化为 Bernstein 基
+:given: orders $k=p+1$, $t$ variable
+:then: $N_{i,k}(t)=\binom{k-1}i(1-t)^{k-1-i}t^i$ on $[0,1)$
+:method: The B-splines by their definition.
+:degrees: 0..7 sampled 8
+:control: the functions in the opposite order
+:::
+*/
+CLAIM(bsplines_are_bernstein_polynomials)
+{
+    int k = T->degree + 1;
+    struct G(span) S = G(bernstein_span)(k);
+    num t = parameter(T, "t");
+    for (int i = 0; i < k; i++)
+        same(T, G(basis_value)(&S, fault(T, i, k - 1 - i), k, t), G(bernstein_value)(k - 1, i, t));
+}
+
+/*
+:::{statement} wang-ch4:bernstein-basis-sum
+:title: The Bernstein polynomials from the printed matrix
+:zh: 由印出的矩阵得到的和式
+:printed: \sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)
+:class: invalid-proof
+:refuted-by: printed_bernstein_matrix_is_transposed
+:corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
+:corrected-by: bernstein_matrix_is_the_matrix
+:figure: bernstein_matrix
+:::
+
+## The greatest order (最高阶)
+
+The kernels have workspaces of a fixed size, so there is a greatest order, far beyond what a formula is used for.  The
+claims above stop at small orders; at the greatest one the kernels are compared with each other.
+*/
+
+#if RATIONAL
+/*
+:::{claim} matrices_agree_at_the_greatest_order
+:title: At the greatest order of the kernels their matrices agree
+:zh: 各算法在最高阶处一致
+:kind: decision
+:given: $k=23$, the greatest order that the kernels take; the knots $0,1,\dots,45$; $k$ knots 0 and $k$ knots 1; double
+  knots left of the span and triple ones right of it
+:then: `bspline_matrix_by_differences` gives the matrix of `bspline_matrix` for all three, `bspline_matrix_simple` and
+  `bspline_matrix_uniform` for the first, `bernstein_matrix` for the second; `marsden_determinant` is the determinant of
+  `marsden_matrix`
+:method: All entries are compared.
+:scope: the stated knots
+:control: the entries in the opposite order
+:::
+*/
+CLAIM(matrices_agree_at_the_greatest_order)
+{
+    enum { p = MAX_ORDER - 2, k = p + 1 };
+    for (int kind = 0; kind < 3; kind++) {
+        num u[2 * k], A[k * k], B[k * k], others[3][k * k];
+        int group[2 * k], count = 0;
+        for (int m = 0; m < 2 * k; m++) {
+            group[m] = kind == 0 ? m : kind == 1 ? m >= k : m < k ? m / 2 : k + (m - k) / 3;
+            u[m] = from_int(group[m]);
+        }
+        G(bspline_matrix)(p, u, p, A);
+        G(marsden_matrix)(p, u, p, B);
+        about(T, "the determinant");
+        same(T, G(determinant)(k, B), G(marsden_determinant)(p, u, p));
+        G(bspline_matrix_by_differences)(p, u, group, p, others[count++]);
+        if (kind == 0) {
+            G(bspline_matrix_simple)(p, u, p, others[count++]);
+            G(bspline_matrix_uniform)(p, others[count++]);
+        }
+        if (kind == 1)
+            G(bernstein_matrix)(p, others[count++]);
+        about(T, "the matrices");
+        for (int c = 0; c < count; c++)
+            for (int m = 0; m < k * k; m++)
+                same(T, others[c][fault(T, m, k * k - 1 - m)], A[m]);
+    }
+}
+#endif
+
+#include "chapters/judge/claims_off.h"

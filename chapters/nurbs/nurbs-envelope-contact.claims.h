@@ -1,0 +1,285 @@
+/*
+# Special cases and the order of contact (特殊情形与切触阶)
+
+Three special cases of the theorem on the envelope are read off from the recursion: equal weights, a span between
+$(k-1)$-fold knots, and the level $k-2$, where the members are straight.  Then a question that the source does not ask
+here, though its chapter on Bézier curves does: how closely a member touches the curve.
+*/
+#include "chapters/nurbs/family.h"
+
+#include "chapters/judge/claims_on.h"
+
+/*
+## Special cases
+
+:::{statement} wang-ch4:cor-4.3.1-polynomial
+:title: With equal weights the family is that of the B-spline curve
+:zh: 权相等时即 B 样条曲线的包络定理
+:printed: when the $w_i$ are constant, theorem 2.2.2 results
+:holds-by: equal_weights_give_the_polynomial_family
+:figure: nurbs_envelope_contact
+
+Theorem 2.2.2 is not among the sources at hand; it is taken to be the same theorem for B-spline curves and their
+recursion.
+:::
+
+:::{claim} equal_weights_give_the_polynomial_family
+:title: With equal weights all levels have these weights, and their points are those of de Boor's algorithm
+:zh: 权相等时各层权不变
+:given: $k=p+1$; knots of these three shapes; one weight $w_1$ for all points; any $\tau$, $r=1,\dots,k-1$
+:then: $w_i^{[r]}(\tau)=w_1$, and $r_i^{[r]}(\tau)$ is the point of level $r$ of de Boor's triangle without weights
+:method: The rational recursion against the kernel of de Boor's levels, one coordinate.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the first weight different
+:::
+*/
+CLAIM(equal_weights_give_the_polynomial_family)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], tau = parameter(T, "s"), all = positive(T, "w", 1);
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 1, R, w);
+    for (int i = 0; i <= p; i++)
+        w[i] = fault(T, all, i == 0 ? add(all, from_int(1)) : all);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num d[MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1];
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int i = 0; i <= p; i++)
+            d[i] = R[i];
+        for (int r = 1; r <= p; r++) {
+            G(bspline_deboor_level)(p, 1, u, mu, r, d, tau);
+            G(level_of_curve)(p, 1, u, mu, R, w, r, tau, Rr, wr);
+            for (int m = 0; m <= p - r; m++) {
+                same(T, wr[m], all);
+                same(T, Rr[m], d[m]);
+            }
+        }
+    }
+}
+
+/*
+:::{statement} wang-ch4:cor-4.3.1-bezier
+:title: Between (k-1)-fold knots the theorem on rational Bézier curves results
+:zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
+:printed: when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
+:reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2: true
+:reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches: true, wherever
+  $\mathbf r'\ne0$
+:reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2, with contact of order $n-r$, $n=k-1$: false, there as here
+:figure: bezier_knots
+:::
+
+:::{claim} bezier_span_gives_the_bezier_family
+:title: Between (k-1)-fold knots level r is level r of the rational de Casteljau triangle, and the basis is Bernstein's
+:zh: k-1 重节点之间的族即有理 Bézier 曲线族
+:given: $k=p+1$; a span whose ends are $(k-1)$-fold knots; weights and points, any $t$ and $\tau$, $r=0,\dots,k-1$
+:then: with $\lambda=\frac{\tau-t_j}{t_{j+1}-t_j}$: $w_i^{[r]}$ and $r_i^{[r]}$ are the weights and points of level
+  $r$ of the rational de Casteljau triangle at $\lambda$, and
+  $N_{i,k-r}(t)=B_{i-j+k-r-1}^{k-r-1}\bigl(\frac{t-t_j}{t_{j+1}-t_j}\bigr)$
+:method: Kernel against kernel: the recursion over knots, and the recursion and the basis of chapter 3, which know
+  nothing of knots.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: $1-\lambda$ in the place of $\lambda$
+:::
+*/
+CLAIM(bezier_span_gives_the_bezier_family)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 1, R, w);
+    G(knots_of_span)(T, p, 1, u, place);
+    num length = sub(u[mu + 1], u[mu]), lambda = div(sub(tau, u[mu]), length), local = div(sub(t, u[mu]), length);
+    lambda = fault(T, lambda, sub(from_int(1), lambda));
+    for (int r = 0; r <= p; r++) {
+        num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], Br[MAX_DEGREE + 1], br[MAX_DEGREE + 1];
+        num N[MAX_DEGREE + 1], B[MAX_DEGREE + 1];
+        G(level_of_curve)(p, 1, u, mu, R, w, r, tau, Rr, wr);
+        G(rational_casteljau)(p, 1, R, w, lambda, r, Br, br);
+        G(bspline_basis)(p - r, u, mu, t, N);
+        G(bernstein_basis)(p - r, local, B);
+        for (int m = 0; m <= p - r; m++) {
+            about(T, "points and weights of level r");
+            same(T, Rr[m], Br[m]);
+            same(T, wr[m], br[m]);
+            about(T, "the basis of order k-r");
+            same(T, N[m], B[m]);
+        }
+    }
+}
+
+/*
+:::{statement} wang-ch4:formula-4.3.8
+:title: The lines of the family of order 2
+:zh: 直线族的方程
+:printed: \mathbf r^{[2]}(t,\tau)=\frac{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)\mathbf
+  r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
+  r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
+:holds-by: lines_of_the_family_by_two_points
+:figure: nurbs_envelope_families
+:::
+
+:::{statement} wang-ch4:cor-4.3.1-lines
+:title: For k-r = 2 the curve is an envelope of straight lines
+:zh: k-r=2 时曲线是直线族的包络
+:printed: for $k-r=2$ the curve $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
+:holds-by: member_of_span_touches_curve lines_of_the_family_by_two_points
+:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
+:figure: nurbs_envelope_families
+
+The lines are segments, the legs that de Boor's algorithm draws last.
+:::
+
+:::{claim} lines_of_the_family_by_two_points
+:title: The member of order 2 is the printed quotient of two points
+:zh: 二阶族曲线即所印的两点之商
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$ and $\tau$; $r=k-2$
+:then: (4.3.3) is (4.3.8)
+:method: Both quotients by their letter, one coordinate.
+:degrees: 2..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: $t-t_j$ and $t_{j+1}-t$ exchanged
+:::
+*/
+CLAIM(lines_of_the_family_by_two_points)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 1, R, w);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1], S[2];
+        G(knots_of_span)(T, p, shape, u, place);
+        G(level_of_curve)(p, 1, u, mu, R, w, p - 1, tau, Rr, wr);
+        G(sums)(1, 1, u, mu, Rr, wr, t, S);
+        num up = sub(t, u[mu]), down = sub(u[mu + 1], t);
+        num left = mul(fault(T, down, up), wr[0]), right = mul(fault(T, up, down), wr[1]);
+        same(T, div(S[0], S[1]), div(add(mul(left, Rr[0]), mul(right, Rr[1])), add(left, right)));
+    }
+}
+
+/*
+## The order of contact
+
+The source says that the derivatives are parallel, and no more; rightly.  Let $m=k-1-r$ be the degree of the member and
+$n=k-1$ that of the curve.  The homogeneous derivatives of member and curve at $\tau=t$ are parallel in every order,
+with the factors $\frac{m!/(m-i)!}{n!/(n-i)!}$, which do not depend on the knots.  So the contact is what it is for
+rational Bézier curves: it is of order 1 wherever the curvature is not 0, and the member is always flatter than the
+curve.
+
+:::{claim} span_derivatives_are_parallel
+:title: The homogeneous derivatives of member and curve are parallel in every order
+:zh: 族曲线与曲线的各阶齐次导矢平行
+:given: $k=p+1$; knots of these three shapes; weights and points, any $t$, every $r=0,\dots,k-1$ and $i=0,\dots,k-1-r$
+:then: with $n=k-1$, $m=n-r$: $\frac{n!}{(n-i)!}\,\partial_t^iP^{[r]}(t,t)=\frac{m!}{(m-i)!}\,P^{(i)}(t)$ for the
+  coordinate and for the weight
+:method: The levels of de Boor's triangle in homogeneous coordinates, and the kernel of the derivatives of a segment.
+:degrees: 1..6 sampled 7
+:scope: the knots variables for $p\le4$, numbers above
+:control: the factors left out
+:::
+*/
+/* n!/(n-k)! */
+static long G(falling)(int n, int k) { return k == 0 ? 1 : n * G(falling)(n - 1, k - 1); }
+
+CLAIM(span_derivatives_are_parallel)
+{
+    int p = T->degree, mu = p;
+    num u[MOST_KNOTS], H[2 * (MAX_DEGREE + 1)], t = parameter(T, "t");
+    int place[MOST_KNOTS];
+    for (int m = 0; m < 2 * (p + 1); m++)
+        H[m] = unknown(T, "H", m);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        num D[2 * (MAX_DEGREE + 1)], E[2 * (MAX_DEGREE + 1)], d[2 * (MAX_DEGREE + 1)];
+        G(knots_of_span)(T, p, shape, u, place);
+        G(bspline_span_derivatives)(p, 2, u, mu, H, t, p, D);
+        for (int m = 0; m < 2 * (p + 1); m++)
+            d[m] = H[m];
+        for (int r = 0; r <= p; r++) {
+            if (r > 0)
+                G(bspline_deboor_level)(p, 2, u, mu, r, d, t);
+            G(bspline_span_derivatives)(p - r, 2, u, mu, d, t, p - r, E);
+            for (int m = 0; m < 2 * (p - r + 1); m++) {
+                long a = fault(T, G(falling)(p, m / 2), 1), b = fault(T, G(falling)(p - r, m / 2), 1);
+                same(T, mul(from_int(a), E[m]), mul(from_int(b), D[m]));
+            }
+        }
+    }
+}
+
+/*
+:::{claim} curvatures_have_a_fixed_ratio
+:title: Member and curve turn in a fixed ratio, which depends on k and r only
+:zh: 族曲线与曲线的曲率之比只与 k, r 有关
+:given: the derivatives $P,P',P''$ of a curve with weight $w>0$, two coordinates, and those of the member,
+  $P$, $\frac mnP'$, $\frac{m(m-1)}{n(n-1)}P''$; any $n$ and $m$
+:then: $r_m'=\frac mnr'$ and $r_m'\times r_m''=\frac{m^2(m-1)}{n^2(n-1)}\,r'\times r''$, hence
+  $\frac{\kappa_m}{\kappa}=\frac{n(m-1)}{m(n-1)}$, which is less than 1 for $m<n$: the contact is of order 1 where
+  $\kappa\ne0$
+:method: Quotient rule with $n$ and $m$ as variables.  The two coordinates are any two, so it holds in space as well.
+  $m(n-1)-n(m-1)=n-m=r$.
+:degrees: all
+:control: the ratio $\frac{m(m-1)}{n(n-1)}$ for the determinants
+:::
+*/
+CLAIM(curvatures_have_a_fixed_ratio)
+{
+    num n = parameter(T, "n"), m = parameter(T, "m"), one = from_int(1), R[2][6];
+    num first = div(m, n), second = div(mul(m, sub(m, one)), mul(n, sub(n, one)));
+    num P[9];
+    for (int i = 0; i < 9; i++)
+        P[i] = i == 2 ? positive(T, "w", 0) : unknown(T, "P", i);
+    for (int j = 0; j < 2; j++) {
+        num D[9];
+        for (int i = 0; i < 9; i++)
+            D[i] = mul(j == 0 || i < 3 ? one : i < 6 ? first : second, P[i]);
+        G(rational_quotient_derivatives)(2, D, 2, R[j]);
+    }
+    about(T, "the first derivatives");
+    same(T, R[1][2], mul(first, R[0][2]));
+    num ratio = fault(T, mul(first, second), second);
+    about(T, "the determinants of the derivatives");
+    same(T, G(cross2)(R[1] + 2, R[1] + 4), mul(ratio, G(cross2)(R[0] + 2, R[0] + 4)));
+}
+
+#if !FIELD
+/*
+:::{claim} curvature_of_the_span_member
+:title: The ratio of the curvatures, measured on curves of the plane and of space
+:zh: 曲率比的直接计算
+:types: rational interval double
+:given: $k=p+1$; the three shapes of knots, weights and points of the plane and of space, any $t$, $r=1,\dots,k-2$
+:then: $((k-r-1)(k-2))^2\,\kappa^2_{k-r}(t)=((k-1)(k-r-2))^2\,\kappa^2(t)$
+:method: The second way: the points of the member by (4.1.3), (4.1.4), and the curvatures of both curves by their
+  derivatives.
+:degrees: 2..4 sampled 5
+:control: the ratio $\frac{k-r-2}{k-2}$
+:::
+*/
+CLAIM(curvature_of_the_span_member)
+{
+    int p = T->degree, k = p + 1, mu = p;
+    num u[MOST_KNOTS], R[3 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1];
+    int place[MOST_KNOTS];
+    for (int dim = 2; dim <= 3; dim++)
+        for (int shape = 0; shape < SHAPES; shape++) {
+            num t = parameter(T, "t"), D[9], E[9];
+            G(free_curve)(T, p, dim, R, w);
+            G(knots_of_span)(T, p, shape, u, place);
+            t = add(u[mu], mul(t, sub(u[mu + 1], u[mu])));
+            G(curve_derivatives)(p, dim, u, mu, R, w, t, 2, D);
+            for (int r = 1; r <= k - 2; r++) {
+                num Rr[3 * (MAX_DEGREE + 1)], wr[MAX_DEGREE + 1];
+                G(level_of_curve)(p, dim, u, mu, R, w, r, t, Rr, wr);
+                G(curve_derivatives)(p - r, dim, u, mu, Rr, wr, t, 2, E);
+                int a = fault(T, k - r - 1, 1) * (k - 2), b = fault(T, k - 1, 1) * (k - r - 2);
+                same(T, mul(from_int((long)a * a), G(curvature_squared)(dim, E + dim, E + 2 * dim)),
+                     mul(from_int((long)b * b), G(curvature_squared)(dim, D + dim, D + 2 * dim)));
+            }
+        }
+}
+#endif
+
+#include "chapters/judge/claims_off.h"
