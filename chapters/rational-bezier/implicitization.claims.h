@@ -297,20 +297,24 @@ CLAIM(parameter_change_and_its_inverse)
 :title: On an interval of one point the change of parameter has no inverse
 :zh: 区间退化时参数变换不可逆
 :kind: counterexample
-:given: $a=b=1$, $u=0$ and $u=2$
-:then: both values of $u$ give $t=1$, so no formula gives $u$ from $t$
+:data: a = 1; b = 1; u = 0 2
+:instead: b = 3
+:result: t = 1 1
+:given: an interval of one point, $a=b$, and two values of $u$
+:then: both give the same $t$, so no formula gives $u$ from $t$
 :method: Both values of $t$ are computed; that they differ is what is compared.
-:control: $b=3$
+:control: another end $b$
 :::
 */
 CLAIM(parameter_change_needs_two_ends)
 {
-    num a = from_int(1), b = from_int(fault(T, 3, 1));
-    num t = div(add(mul(a, from_int(2)), b), from_int(3));
-    show(T, "t(0)", b);
-    show(T, "t(2)", t);
-    about(T, "t(0) and t(2) differ");
-    refute(T, equal_q(t, b));
+    num a = given(T, "a"), b = given(T, "b"), u[2], t[2];
+    given_points(T, "u", 2, 1, u);
+    for (int k = 0; k < 2; k++)
+        t[k] = div(add(mul(a, u[k]), b), add(u[k], from_int(1)));
+    found_points(T, "t", 2, 1, t);
+    about(T, "the two t differ");
+    refute(T, equal_q(t[0], t[1]));
 }
 #endif
 
@@ -419,22 +423,31 @@ CLAIM(equations_of_a_point)
 :title: Where numerators and denominator vanish together both equations hold for every point
 :zh: 基点处两方程对一切点成立
 :kind: counterexample
-:given: $n=1$, $R_0=R_1=(0,0)$, weights $1,-1$, so that $A=B=0$ and $W=u-1$; the point $(5,7)$, $u=1$
-:then: $\sum a_iu^{1-i}=\sum b_iu^{1-i}=0$ although $(5,7)$ is not on the curve, which is the point $(0,0)$
+:data: R = (0,0) (0,0); ω = 1 -1; P = (5,7); u = 1
+:instead: ω = 1 1
+:result: a_0, a_1 = -5 5; b_0, b_1 = -7 7; the sums = 0 0
+:given: $n=1$, a polygon $R$ of one point, two weights whose sum is 0, so that $A$, $B$ and $W$ vanish at the parameter $u$;
+  and another point $P$
+:then: $\sum a_iu^{1-i}=\sum b_iu^{1-i}=0$ although $P$ is not on the curve, which is the point $R_0$
 :method: Both sums are computed; that one of them differs from 0 is what is compared.
-:control: the weights $1,1$
+:control: equal weights
 :::
 */
 CLAIM(base_point_satisfies_the_equations)
 {
-    num R[4] = {from_int(0), from_int(0), from_int(0), from_int(0)}, w[2] = {from_int(1), from_int(fault(T, 1, -1))};
-    num a[2], b[2];
-    G(implicit_coefficients)(1, R, w, 0, from_int(5), a);
-    G(implicit_coefficients)(1, R, w, 1, from_int(7), b);
-    show_points(T, "a_0, a_1", 2, 1, a);
-    show_points(T, "b_0, b_1", 2, 1, b);
-    about(T, "one of the sums at u = 1 differs from 0");
-    refute(T, is_zero_q(add(a[0], a[1])) && is_zero_q(add(b[0], b[1])));
+    num R[4], w[2], P[2], a[2], b[2];
+    given_points(T, "R", 2, 2, R);
+    given_points(T, "ω", 2, 1, w);
+    given_points(T, "P", 1, 2, P);
+    num u = given(T, "u");
+    G(implicit_coefficients)(1, R, w, 0, P[0], a);
+    G(implicit_coefficients)(1, R, w, 1, P[1], b);
+    num sum[2] = {G(horner)(1, a, u), G(horner)(1, b, u)};
+    found_points(T, "a_0, a_1", 2, 1, a);
+    found_points(T, "b_0, b_1", 2, 1, b);
+    found_points(T, "the sums", 2, 1, sum);
+    about(T, "one of the sums differs from 0");
+    refute(T, is_zero_q(sum[0]) && is_zero_q(sum[1]));
 }
 #endif
 
@@ -566,15 +579,20 @@ static int has_common_root(int n, const num_q R[], const num_q w[], num_q x, num
     return roots;
 }
 
-static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w[], num_q x, num_q y)
+/* For the data R, ω and P of the claim, of degree n: the criterion with any common root, in the control with one that is
+ * >= 0, says of P what membership in the arc says. */
+static void compare_with_the_arc(trial *T, int n)
 {
-    show_points(T, "R", n + 1, 2, R);
-    show(T, "x", x);
-    show(T, "y", y);
-    show_text(T, "common factor", "%s", poly_to_string(common_in_u(n, R, w, x, y), "u"));
-    show_text(T, "F(x, y)", "%s", to_string_q(implicit_value_q(n, R, w, x, y)));
+    num_q R[2 * MAX_ORDER + 2], w[MAX_ORDER + 1], P[2];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    given_points(T, "P", 1, 2, P);
+    int member = on_the_arc(n, R, w, P[0], P[1]);
+    found_text(T, "common factor", poly_to_string(common_in_u(n, R, w, P[0], P[1]), "u"));
+    found(T, "F(P)", implicit_value_q(n, R, w, P[0], P[1]));
+    found_text(T, "P is on the arc", member ? "yes" : "no");
     about(T, "a common root exists exactly if the point is on the curve");
-    agree(T, has_common_root(n, R, w, x, y, fault(T, 1, 0)) == on_the_arc(n, R, w, x, y));
+    agree(T, has_common_root(n, R, w, P[0], P[1], fault(T, 1, 0)) == member);
 }
 
 /*
@@ -582,48 +600,46 @@ static void compare_with_the_arc(trial *T, int n, const num_q R[], const num_q w
 :title: A point on the line, not on the segment, has a common root
 :zh: 线段外的点也有公根
 :kind: counterexample
-:given: $n=1$, $R_0=(0,0)$, $R_1=(1,0)$, weights 1, the point $(2,0)$
-:then: the two polynomials $-2u-1$ and $0$ have the common root $u=-\frac12$, and $F(2,0)=0$; the point is not on
-  the segment
+:data: R = (0,0) (1,0); ω = 1 1; P = (2,0)
+:result: common factor = "u+1/2"; F(P) = 0; P is on the arc = "no"
+:given: $n=1$, the ends $R$ of a segment with equal weights, and a point $P$ of its line beyond $R_1$
+:then: the two polynomials have a common root $u<0$, and $F$ is 0 at $P$; the point is not on the segment
 :method: The common root by the greatest common divisor in $u$; membership in the arc by the roots in $[0,1]$ of the
   greatest common divisor in $t$.
 :control: roots $u\ge0$ only
 :::
 */
-CLAIM(common_root_of_a_point_off_the_arc)
-{
-    num R[4] = {from_int(0), from_int(0), from_int(1), from_int(0)}, w[2] = {from_int(1), from_int(1)};
-    compare_with_the_arc(T, 1, R, w, from_int(2), from_int(0));
-}
+CLAIM(common_root_of_a_point_off_the_arc) { compare_with_the_arc(T, 1); }
 
 /*
 :::{claim} common_root_of_an_isolated_point
 :title: An isolated point has complex common roots and is on no real arc
 :zh: 孤立点有复公根而不在实弧上
 :kind: counterexample
-:given: the cubic $(t^2,t^3+t)$: points $(0,0),(0,\frac13),(\frac13,\frac23),(1,2)$, weights 1; the point $(-1,0)$
-:then: the polynomials have the common factor $2u^2+2u+1$ (up to a constant factor), its roots being complex, the
-  parameters $t=\pm\mathrm i$; $F(-1,0)=0$ and the point is not on the curve, for no real parameter
+:data: R = (0,0) (0,1/3) (1/3,2/3) (1,2); ω = 1 1 1 1; P = (-1,0)
+:result: common factor = "u^2 + 2*u + 2"; F(P) = 0; P is on the arc = "no"
+:given: the points $R$ of the cubic $(t^2,t^3+t)$, equal weights, and the point $P$ of the parameters $t=\pm\mathrm i$
+:then: the polynomials have a common factor of degree 2 with complex roots; $F$ is 0 at $P$, and the point is not on the
+  curve, for no real parameter
 :method: As for the point off the arc.
 :control: roots $u\ge0$ only
 :::
 */
-CLAIM(common_root_of_an_isolated_point)
-{
-    num R[8] = {from_int(0),      from_int(0),      from_int(0), from_ratio(1, 3),
-                from_ratio(1, 3), from_ratio(2, 3), from_int(1), from_int(2)};
-    num w[4] = {from_int(1), from_int(1), from_int(1), from_int(1)};
-    compare_with_the_arc(T, 3, R, w, from_int(-1), from_int(0));
-}
+CLAIM(common_root_of_an_isolated_point) { compare_with_the_arc(T, 3); }
 
 /*
 :::{claim} nonnegative_common_roots_are_the_points
 :title: Common roots u ≥ 0, or R_0, are exactly the points of the arc
 :zh: 非负公根与弧上的点一一对应
 :kind: decision
-:given: a line, a doubled line, a parabola, a quarter circle, the same elevated, a nodal cubic and one with an isolated
-  point, weights positive; for each the points of the parameters $-2,-\frac12,0,\frac13,\frac12,1,\frac32,3$, each of
-  them moved off by $\frac17$, and the isolated point
+:data: line = (0,0,1) (1,0,1); doubled line = (0,0,1) (0,0,1) (1,1,1); parabola = (0,0,1) (1/2,0,1) (1,1,1);
+  quarter circle = (1,0,1) (1,1,1) (0,1,2); the same elevated = (1,0,3) (1,2/3,3) (1/2,1,4) (0,1,6);
+  nodal cubic = (0,0,1) (9,8,1) (-5,8,1) (4,0,1); cubic with an isolated point = (0,0,1) (0,1/3,1) (1/3,2/3,1) (1,2,1);
+  t = -2 -1/2 0 1/3 1/2 1 3/2 3; offset = 1/7; P = (-1,0)
+:result: points on the arcs = 32; points off the arcs = 87
+:given: seven curves, each by its points and weights $(x_i,y_i,\omega_i)$, the weights positive; for each curve the points of the
+  parameters $t$ of its line of parameters, each of them moved off by the offset in the direction of the first axis, and
+  the isolated point $P$ of the last curve
 :then: the criterion with roots $u\ge0$ agrees with membership in the arc
 :method: As above; the roots are counted in two ways.  For all curves with positive weights it follows from the
   bijection $u=(b-t)/(t-a)$ of $(a,b]$ and $[0,\infty)$ and from $\sum a_iu^{n-i}=W(u)(X(u)-x)$, $W(u)>0$.
@@ -633,34 +649,44 @@ CLAIM(common_root_of_an_isolated_point)
 */
 CLAIM(nonnegative_common_roots_are_the_points)
 {
+    enum { PARAMETERS = 8, MOST = 4 };
     static const struct {
+        const char *name;
         int n;
-        long R[10], unit, w[5];
-    } curves[] = {{1, {0, 0, 1, 0}, 1, {1, 1}},
-                  {2, {0, 0, 0, 0, 1, 1}, 1, {1, 1, 1}},
-                  {2, {0, 0, 1, 0, 2, 2}, 2, {1, 1, 1}},
-                  {2, {1, 0, 1, 1, 0, 1}, 1, {1, 1, 2}},
-                  {3, {6, 0, 6, 4, 3, 6, 0, 6}, 6, {3, 3, 4, 6}},
-                  {3, {0, 0, 9, 8, -5, 8, 4, 0}, 1, {1, 1, 1, 1}},
-                  {3, {0, 0, 0, 1, 1, 2, 3, 6}, 3, {1, 1, 1, 1}}};
-    static const int at[8][2] = {{-2, 1}, {-1, 2}, {0, 1}, {1, 3}, {1, 2}, {1, 1}, {3, 2}, {3, 1}};
-    for (unsigned k = 0; k < sizeof curves / sizeof *curves; k++) {
-        int n = curves[k].n;
-        num R[8], w[4], X[2];
-        for (int i = 0; i < 2 * (n + 1); i++)
-            R[i] = from_ratio(curves[k].R[i], curves[k].unit);
-        for (int i = 0; i <= n; i++)
-            w[i] = from_int(curves[k].w[i]);
-        for (int p = 0; p < 17; p++) {
-            if (p < 16)
-                rational_point_q(n, 2, R, w, from_ratio(at[p / 2][0], at[p / 2][1]), X);
-            else
-                X[0] = from_int(-1), X[1] = from_int(0);
-            if (p < 16 && p % 2 == 1)
-                X[0] = add(X[0], from_ratio(1, 7));
-            agree(T, has_common_root(n, R, w, X[0], X[1], fault(T, 1, 0)) == on_the_arc(n, R, w, X[0], X[1]));
+    } curve[] = {{"line", 1},
+                 {"doubled line", 2},
+                 {"parabola", 2},
+                 {"quarter circle", 2},
+                 {"the same elevated", 3},
+                 {"nodal cubic", 3},
+                 {"cubic with an isolated point", 3}};
+    int on = 0, off = 0;
+    num t[PARAMETERS], isolated[2], points[3 * MOST], R[2 * MOST], w[MOST], X[2];
+    given_points(T, "t", PARAMETERS, 1, t);
+    num offset = given(T, "offset");
+    given_points(T, "P", 1, 2, isolated);
+    for (unsigned k = 0; k < sizeof curve / sizeof *curve; k++) {
+        int n = curve[k].n;
+        given_points(T, curve[k].name, n + 1, 3, points);
+        for (int i = 0; i <= n; i++) {
+            R[2 * i] = points[3 * i];
+            R[2 * i + 1] = points[3 * i + 1];
+            w[i] = points[3 * i + 2];
+        }
+        for (int p = 0; p <= 2 * PARAMETERS; p++) {
+            X[0] = isolated[0], X[1] = isolated[1];
+            if (p < 2 * PARAMETERS)
+                rational_point_q(n, 2, R, w, t[p / 2], X);
+            if (p < 2 * PARAMETERS && p % 2 == 1)
+                X[0] = add(X[0], offset);
+            int member = on_the_arc(n, R, w, X[0], X[1]);
+            agree(T, has_common_root(n, R, w, X[0], X[1], fault(T, 1, 0)) == member);
+            on += member;
+            off += !member;
         }
     }
+    found_whole(T, "points on the arcs", on);
+    found_whole(T, "points off the arcs", off);
 }
 #endif
 
@@ -735,12 +761,11 @@ CLAIM(top_form_is_a_resultant)
 }
 
 #if FIELD
+/* Refuted if F of the curve (R, w) is the zero polynomial; F is a result. */
 static void is_an_equation(trial *T, int n, const num_f R[], const num_f w[])
 {
     num_f F = implicit_value_f(n, R, w, variable_f("x"), variable_f("y"));
-    show_points(T, "R", n + 1, 2, R);
-    show_points(T, "ω", n + 1, 1, w);
-    show(T, "F(x, y)", F);
+    found_text(T, "F(x, y)", to_string_f(F));
     about(T, "F is not the zero polynomial");
     refute(T, is_zero_f(F));
 }
@@ -751,17 +776,21 @@ static void is_an_equation(trial *T, int n, const num_f R[], const num_f w[])
 :zh: 升阶抛物线的 F 恒为零
 :kind: counterexample
 :types: field
-:given: the parabola $(t,t^2)$ written in degree 3: points $(0,0),(\frac13,0),(\frac23,\frac13),(1,1)$, weights 1
-:then: $F(x,y)=0$ for all $x$ and $y$
+:data: R = (0,0) (1/2,0) (1,1); ω = 1 1 1
+:result: elevated R = (0,0) (1/3,0) (2/3,1/3) (1,1); F(x, y) = "0"
+:given: the points $R$ of the parabola $(t,t^2)$, equal weights, and the points of the next degree
+:then: for these $F(x,y)=0$ for all $x$ and $y$
 :method: The determinant with $x$ and $y$ variables; that it is not the zero polynomial is what is compared.
-:control: the same curve in degree 2
+:control: the same curve as it is given
 :::
 */
 CLAIM(elevated_curve_has_no_equation)
 {
-    num R[6] = {from_int(0), from_int(0), from_ratio(1, 2), from_int(0), from_int(1), from_int(1)};
-    num w[3] = {from_int(1), from_int(1), from_int(1)}, Re[8], we[4];
+    num R[6], w[3], Re[8], we[4];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
     rational_elevate_f(2, 2, R, w, Re, we);
+    found_points(T, "elevated R", 4, 2, Re);
     if (T->faulty)
         is_an_equation(T, 3, Re, we);
     else
@@ -774,16 +803,20 @@ CLAIM(elevated_curve_has_no_equation)
 :zh: 首权为零时 F 恒为零
 :kind: counterexample
 :types: field
-:given: $n=2$, points $(0,0),(1,2),(3,1)$, weights $0,1,1$: the segment from $(1,2)$ to $(3,1)$
+:data: R = (0,0) (1,2) (3,1); ω = 0 1 1
+:instead: ω = 1 1 1
+:result: F(x, y) = "0"
+:given: $n=2$, three points $R$, and weights of which the first is 0: the curve is the segment from $R_1$ to $R_2$
 :then: $F(x,y)=0$ for all $x$ and $y$
 :method: As for the elevated parabola.
-:control: the weights $1,1,1$
+:control: equal weights
 :::
 */
 CLAIM(end_weight_zero_gives_no_equation)
 {
-    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(2), from_int(3), from_int(1)};
-    num w[3] = {from_int(fault(T, 1, 0)), from_int(1), from_int(1)};
+    num R[6], w[3];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
     is_an_equation(T, 2, R, w);
 }
 #endif
@@ -794,33 +827,34 @@ CLAIM(end_weight_zero_gives_no_equation)
 :title: For a curve of space F = 0 also holds beside the curve
 :zh: 空间曲线的 F=0 只是投影柱面
 :kind: counterexample
-:given: the cubic $(t,t^2,t^3+t)$, points $(0,0,0),(\frac13,0,\frac13),(\frac23,\frac13,\frac23),(1,1,2)$, weights
-  1, the determinant formed from $x$ and $z$, $x=\frac12$, $z=\frac58$, and the point $(\frac12,0,\frac58)$ of space
-:then: $F(\frac12,\frac58)=0$, but the only point of the curve with $x=\frac12$ has $y=\frac14$
-:method: $F$ and the curve at $t=\frac12$ are computed; that the point is the curve's whenever $F=0$ is what is
-  compared.
-:control: the point $(\frac12,\frac14,\frac58)$
+:data: R = (0,0,0) (1/3,0,1/3) (2/3,1/3,2/3) (1,1,2); ω = 1 1 1 1; t = 1/2; P = (1/2,0,5/8)
+:instead: P = (1/2,1/4,5/8)
+:result: F(x, z) at P = 0; R(t) = (1/2,1/4,5/8)
+:given: the points $R$ of the space cubic $(t,t^2,t^3+t)$, equal weights, the determinant formed from $x$ and $z$, a parameter
+  $t$, and a point $P$ of space with the $x$ and the $z$ of $R(t)$
+:then: $F=0$ at $P$, but the only point of the curve with that $x$ is $R(t)$, which has another $y$
+:method: $F$ and the curve at $t$ are computed; that the point is the curve's whenever $F=0$ is what is compared.
+:control: the point $R(t)$ for $P$
 :::
 */
 CLAIM(space_curve_and_its_shadow)
 {
-    static const int z[4] = {0, 1, 2, 6};
-    num xz[8], xyz[12], w[4], point[3], y = fault(T, from_ratio(1, 4), from_int(0));
+    num R[12], w[4], P[3], shadow[8], point[3];
+    given_points(T, "R", 4, 3, R);
+    given_points(T, "ω", 4, 1, w);
+    num t = given(T, "t");
+    given_points(T, "P", 1, 3, P);
     for (int i = 0; i < 4; i++) {
-        xyz[3 * i] = xz[2 * i] = from_ratio(i, 3);
-        xyz[3 * i + 1] = from_ratio(i * (i - 1), 6);
-        xyz[3 * i + 2] = xz[2 * i + 1] = from_ratio(z[i], 3);
-        w[i] = from_int(1);
+        shadow[2 * i] = R[3 * i];
+        shadow[2 * i + 1] = R[3 * i + 2];
     }
-    num half = from_ratio(1, 2), height = from_ratio(5, 8), F = implicit_value_q(3, xz, w, half, height);
-    rational_point_q(3, 3, xyz, w, half, point);
-    show_points(T, "R", 4, 3, xyz);
-    show(T, "F", F);
-    show_points(T, "the curve's point", 1, 3, point);
-    show(T, "y of the other point", y);
+    num F = implicit_value_q(3, shadow, w, P[0], P[2]);
+    rational_point_q(3, 3, R, w, t, point);
+    found(T, "F(x, z) at P", F);
+    found_points(T, "R(t)", 1, 3, point);
     about(T, "a point of space with F = 0 is on the curve");
-    if (is_zero_q(F))
-        agree(T, equal_q(point[1], y));
+    if (is_zero_q(F) && equal_q(P[0], point[0]))
+        agree(T, equal_q(P[1], point[1]));
 }
 #endif
 
@@ -1120,8 +1154,10 @@ $\Omega_i=0$ there, the determinant changes.
 :zh: 按所印下标行列式改变
 :kind: counterexample
 :types: field
-:given: $n=2$, points $(0,0),(1,0),(1,1)$, weights 1; in the printed recursion $\Omega_3=0$
-:then: the determinant of the staircase is $x^2-y^2-4y$ up to sign, while $F$ is $(x+y)^2-4y$
+:data: R = (0,0) (1,0) (1,1); ω = 1 1 1
+:result: determinant by the recursion = "x^2-y^2-4*y"; F(x, y) = "x^2+2*x*y+y^2-4*y"
+:given: $n=2$, the points $R$ of a parabola and equal weights; in the printed recursion $\Omega_3=0$
+:then: the determinant of the staircase is another polynomial than $F$
 :method: The staircase with the printed recursion is filled in and its determinant taken, with $x$ and $y$ variables.
 :control: the index $i-r+1$
 :::
@@ -1129,9 +1165,10 @@ $\Omega_i=0$ there, the determinant changes.
 CLAIM(printed_recursion_is_not_the_operations)
 {
     enum { n = 2 };
-    num R[6] = {from_int(0), from_int(0), from_int(1), from_int(0), from_int(1), from_int(1)};
-    num w[3] = {from_int(1), from_int(1), from_int(1)}, O[3], f[2][3], M[16];
+    num R[2 * n + 2], w[n + 1], O[n + 1], f[2][n + 1], M[4 * n * n];
     num level[MAX_ORDER / 2 + 1][2 * MAX_ORDER], x = variable_f("x"), y = variable_f("y");
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
     omegas_f(n, w, O);
     implicit_coefficients_f(n, R, w, 0, x, f[0]);
     implicit_coefficients_f(n, R, w, 1, y, f[1]);
@@ -1143,9 +1180,11 @@ CLAIM(printed_recursion_is_not_the_operations)
                 M[(half * n + k) * 2 * n + column] = j < 0 ? from_int(0) : level[r][j];
             }
     }
-    show_points(T, "R", 3, 2, R);
+    num staircase = determinant_f(2 * n, M), F = implicit_value_f(n, R, w, x, y);
+    found_text(T, "determinant by the recursion", to_string_f(staircase));
+    found_text(T, "F(x, y)", to_string_f(F));
     about(T, "the determinant, left with the recursion, right (3.4.1)");
-    same(T, determinant_f(2 * n, M), implicit_value_f(n, R, w, x, y));
+    same(T, staircase, F);
 }
 #endif
 
