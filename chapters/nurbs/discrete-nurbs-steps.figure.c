@@ -1,5 +1,5 @@
 /* discrete-nurbs-steps.figure.c -- drawings for discrete-nurbs-steps.claims.h. */
-#include "chapters/nurbs/spline-figures.h"
+#include "chapters/nurbs/curve-of-claim.h"
 
 static const int hill[] = {0, 0, 1, 6, 7, 7, 10, 2, 13, 4}, hill_knots[] = {0, 0, 0, 0, 3, 6, 6, 6, 6};
 static const int hill_weights[] = {1, 2, 1, 2, 1};
@@ -31,7 +31,6 @@ FIGURE(insertions_commute)
 
 FIGURE(insertion_to_the_curve)
 {
-    static const int steps[] = {0, 0, 1, 1, 2, 1, 3, 0}, twofold[] = {0, 0, 1, 1, 2, 2};
     static const enum svg_direction other[] = {SVG_SW, SVG_NW, SVG_NE, SVG_SE};
     svg *s = svg_new("insertion_to_the_curve", "A knot inserted up to the curve",
                      "Left a cubic curve, into which t' = 4 is inserted three times: a vertex of the last polygon is "
@@ -49,7 +48,7 @@ FIGURE(insertion_to_the_curve)
     draw_spline(s, c, SVG_CURVE);
     svg_mark(s, svg_pair(d.R + 8), SVG_RIGHT, SVG_USUAL);
     svg_label(s, svg_pair(d.R + 8), SVG_S, SVG_RIGHT, "r_5");
-    c = spline_of(4, 1, twofold, 1, steps, 1, NULL);
+    c = spline_of_claim("left_value_at_a_k_fold_knot", 4, 1);
     svg_panel(s, window(r(-1, 2), r(-1, 2), r(7, 2), r(2, 1)), 320, 0,
               "$k=2$, knots 0, 0, 1, 1, 2, 2; $t\\'=1$ in $(t_2,t_3]$");
     svg_heading(s, SVG_WRONG, "$r_2≠r(1)$");

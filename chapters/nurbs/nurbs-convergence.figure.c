@@ -1,5 +1,5 @@
 /* nurbs-convergence.figure.c -- drawings for nurbs-convergence.claims.h. */
-#include "chapters/nurbs/spline-figures.h"
+#include "chapters/nurbs/curve-of-claim.h"
 
 FIGURE(nurbs_polygons_converge)
 {
@@ -26,16 +26,17 @@ FIGURE(nurbs_polygons_converge)
 
 FIGURE(no_convergence)
 {
-    static const int corner[] = {0, 0, 0, 2, 2, 2, 2, 0}, knot[] = {0, 0, 0, 8, 16, 16, 16};
-    static const int arch[] = {0, 0, 1, 2, 2, 0};
     svg *s = svg_new(
         "no_convergence", "Polygons that do not converge",
         "Left seven knots are inserted on one side of a quadratic curve: the corner (2, 2) of the other side stays.  "
         "Right a quadratic segment over simple "
         "knots, every gap halved three times: the polygon still begins in r1 and ends in r3, away from the curve.");
-    spline c = spline_of(4, 2, knot, 8, corner, 1, NULL), d = c;
-    for (int i = 1; i < 8; i++)
-        d = with_knot(d, r(i, 8));
+    const char *one_side = "knots_on_one_side_do_not_converge";
+    spline c = spline_of_claim(one_side, 4, 2), d = c;
+    num_q added[7];
+    data_of(one_side, "T'", 7, 1, added);
+    for (int i = 0; i < 7; i++)
+        d = with_knot(d, added[i]);
     svg_panel(s, window(r(-1, 2), r(-1, 2), r(5, 2), r(5, 2)), 280, 0, "seven knots inserted in $(0,1)$ only");
     svg_heading(s, SVG_WRONG, "corner");
     draw_polygon(s, c, NULL, NULL, SVG_MUTED);
@@ -44,15 +45,9 @@ FIGURE(no_convergence)
     svg_mark(s, svg_at(2, 2), SVG_WRONG, SVG_USUAL);
     svg_label(s, svg_at(2, 2), SVG_N, SVG_WRONG, "(2,2)");
     /* Eight parts of each of the gaps -2, ..., 3: the curve over all six knots, extended by points that begin and end it. */
-    int uniform[5 * 8 + 5], parts = 8, count = 0;
+    int parts = 8, count = 0;
     num_q polygon[2 * (5 * 8 + 2)];
-    spline e = {.n = 3, .p = 2};
-    for (int i = 0; i < 6; i++) {
-        uniform[i] = i - 2;
-        e.u[i] = q(uniform[i]);
-        e.R[i] = q(arch[i]);
-        e.w[i / 2] = q(1);
-    }
+    spline e = spline_of_claim("first_vertex_stays_off_the_curve", 3, 2);
     /* Vertex j of the refined polygon is sum alpha_i(j) r_i, sum over the three points there are; where one span has fewer than
      * three of them the others count 0, weight and all. */
     spline wide = {.n = 7, .p = 2};

@@ -1,5 +1,5 @@
 /* nurbs-convex-curves.figure.c -- drawings for nurbs-convex-curves.claims.h. */
-#include "chapters/nurbs/spline-figures.h"
+#include "chapters/nurbs/curve-of-claim.h"
 
 FIGURE(convex_polygon_convex_spline)
 {
@@ -32,12 +32,11 @@ FIGURE(convex_polygon_convex_spline)
     svg_heading(s, SVG_RIGHT, "a closed convex polygon");
     draw_polygon(s, c, "r", around, SVG_POLYGON);
     draw_spline(s, c, SVG_CURVE);
-    static const int square[] = {0, 0, 1, 0, 1, 1, 0, 1}, torn[] = {0, 0, 2, 2, 4, 4};
     static const enum svg_direction corner[] = {SVG_SW, SVG_SE, SVG_NE, SVG_NW};
     svg_panel(s, scaled_window(-1, -1, 3, 3, 2), 210, 0,
               "$k = 2$, knots $0, 0, 1, 1, 2, 2$:\nthe curve jumps at $t = 1$");
     svg_heading(s, SVG_WRONG, "a $k$-fold knot");
-    c = spline_of(4, 1, torn, 2, square, 1, NULL);
+    c = spline_of_claim("knot_of_full_multiplicity_tears_the_curve", 4, 1);
     draw_polygon(s, c, "r", corner, SVG_POLYGON);
     draw_spline(s, c, SVG_CURVE);
     svg_legend_line(s, SVG_CURVE, "curve");

@@ -1,7 +1,5 @@
 /* nurbs-convexity.figure.c -- drawings for nurbs-convexity.claims.h. */
-#include "chapters/nurbs/spline-figures.h"
-
-static const int two_intervals[] = {0, 0, 0, 2, 4, 4, 4}, three_intervals[] = {0, 0, 0, 2, 4, 6, 6, 6};
+#include "chapters/nurbs/curve-of-claim.h"
 
 FIGURE(what_convex_must_mean)
 {
@@ -11,17 +9,19 @@ FIGURE(what_convex_must_mean)
                 "sides of a triangle, but its curve is not convex. Middle: a polygon that runs round a triangle "
                 "and over its first side again; with one corner cut it is not convex. Right: a "
                 "polygon that runs through the boundary of a convex set once, and its convex curve.");
-    static const int back[] = {0, 0, 1, 0, 0, 0, 0, 1}, over[] = {0, 0, 2, 0, 0, 2, 0, 0, 2, 0},
-                     once[] = {0, 0, 4, 0, 4, 3, 1, 4};
+    static const int two_intervals[] = {0, 0, 0, 2, 4, 4, 4}, once[] = {0, 0, 4, 0, 4, 3, 1, 4};
     static const enum svg_direction back_side[] = {SVG_SW, SVG_E, SVG_HERE, SVG_N};
     static const enum svg_direction over_side[] = {SVG_SW, SVG_E, SVG_N, SVG_HERE, SVG_HERE};
     static const enum svg_direction once_side[] = {SVG_SW, SVG_SE, SVG_NE, SVG_N};
-    spline c = spline_of(4, 2, two_intervals, 2, back, 1, NULL), cut = with_knot(c, from_ratio_q(3, 2));
+    const char *back = "polygon_that_turns_back_loses_convexity",
+               *over = "polygon_that_overlaps_itself_loses_convexity";
+    const char *back_curve = "curve_of_a_polygon_that_turns_back_is_not_convex";
+    spline c = spline_of_claim(back, 4, 2), cut = with_knot(c, number_of_claim(back, "τ"));
     svg_panel(s, scaled_window(-1, -1, 6, 6, 5), 230, 0,
               "$r_1 = r_3$: there and back;\n$r(3/2)$ is inside the hull of the curve");
     svg_heading(s, SVG_WRONG, "a set: turning back");
-    num_q triangle[6];
-    const num_q where[] = {from_int_q(0), from_ratio_q(2, 3), from_int_q(2)};
+    num_q triangle[6], where[3], inside = number_of_claim(back_curve, "τ");
+    data_of(back_curve, "t", 3, 1, where);
     for (int i = 0; i < 3; i++) {
         svg_point P = spline_point(c, where[i]);
         triangle[2 * i] = P.x;
@@ -31,11 +31,11 @@ FIGURE(what_convex_must_mean)
     draw_polygon(s, c, "r", back_side, SVG_POLYGON);
     svg_polyline(s, cut.n, cut.R, SVG_CURVE_2);
     draw_spline(s, c, SVG_CURVE);
-    svg_mark(s, spline_point(c, from_ratio_q(3, 2)), SVG_WRONG, SVG_USUAL);
-    svg_label(s, spline_point(c, from_ratio_q(3, 2)), SVG_NE, SVG_WRONG, "r(3/2)");
+    svg_mark(s, spline_point(c, inside), SVG_WRONG, SVG_USUAL);
+    svg_label(s, spline_point(c, inside), SVG_NE, SVG_WRONG, "r(3/2)");
 
-    c = spline_of(5, 2, three_intervals, 2, over, 1, NULL);
-    cut = with_knot(c, from_ratio_q(1, 2));
+    c = spline_of_claim(over, 5, 2);
+    cut = with_knot(c, number_of_claim(over, "τ"));
     svg_panel(s, scaled_window(-2, -2, 12, 12, 5), 230, 0,
               "$r_4 = r_1$, $r_5 = r_2$; with the knot $1/2$\nan edge is inside the hull");
     svg_heading(s, SVG_WRONG, "a set: overlapping");
@@ -70,22 +70,24 @@ FIGURE(where_hypotheses_are_needed)
         "line goes to infinity as the knot approaches 2/3.");
     svg_panel(s, scaled_window(-1, -2, 6, 6, 5), 170, 0, "the limit goes\nthere and back");
     svg_heading(s, SVG_WRONG, "flat limit");
-    for (long h = 1; h <= 64; h *= 2) {
-        num_q R[] = {from_int_q(0), from_int_q(0),      from_int_q(1), from_int_q(0),
-                     from_int_q(1), from_ratio_q(1, h), from_int_q(0), from_ratio_q(1, h)};
-        svg_polyline(s, 4, R, h == 1 ? SVG_POLYGON : SVG_FAMILY);
+    num_q h[7];
+    data_of("limit_of_convex_polygons_may_run_back", "h", 7, 1, h);
+    for (int m = 0; m < 7; m++) {
+        num_q R[] = {from_int_q(0), from_int_q(0), from_int_q(1), from_int_q(0),
+                     from_int_q(1), h[m],          from_int_q(0), h[m]};
+        svg_polyline(s, 4, R, m == 0 ? SVG_POLYGON : SVG_FAMILY);
     }
     svg_segment(s, svg_at(0, 0), svg_at(1, 0), SVG_WRONG);
 
-    static const int dent[] = {0, 0, 3, 0, 1, 1, 0, 3}, square_knot[] = {0, 0, 2, 4, 6, 6};
     static const enum svg_direction dent_side[] = {SVG_S, SVG_SE, SVG_NE, SVG_NW};
-    spline c = spline_of(4, 1, square_knot, 2, dent, 1, NULL);
-    num_q triangle[] = {from_int_q(0), from_int_q(0), from_int_q(3), from_int_q(0), from_int_q(0), from_int_q(3)};
+    spline c = {.n = 4, .p = 1};
+    data_of("curve_inside_its_hull_has_no_smallest_set", "r", 4, 2, c.R);
+    num_q triangle[] = {c.R[0], c.R[1], c.R[2], c.R[3], c.R[6], c.R[7]};
     svg_panel(s, svg_integer_window(-1, -1, 4, 4), 170, 0, "$r_3$ is inside every\nconvex set about them");
     svg_heading(s, SVG_WRONG, "not convex");
     svg_area(s, 3, triangle, SVG_FILL);
     draw_polygon(s, c, "r", dent_side, SVG_POLYGON);
-    svg_mark(s, svg_at(1, 1), SVG_WRONG, SVG_USUAL);
+    svg_mark(s, svg_pair(c.R + 4), SVG_WRONG, SVG_USUAL);
 
     static const int point[] = {2, 0, 5, 1, 4, 4}, simple[] = {2, 4, 6, 8, 10, 12}, before[2][2] = {{0, 3}, {-1, 1}};
     static const enum svg_direction side[] = {SVG_S, SVG_SE, SVG_N};
@@ -104,9 +106,10 @@ FIGURE(where_hypotheses_are_needed)
     draw_polygon(s, c, "r", side, SVG_POLYGON);
     draw_spline(s, c, SVG_CURVE);
 
-    static const int base[] = {0, 0, 1, 0, 2, 2}, mixed[] = {2, -1, 2}, bezier[] = {0, 0, 0, 2, 2, 2};
+    static const int base[] = {0, 0, 1, 0, 2, 2}, bezier[] = {0, 0, 0, 2, 2, 2};
     static const enum svg_direction base_side[] = {SVG_S, SVG_S, SVG_E};
-    c = spline_of(3, 2, bezier, 2, base, 1, mixed);
+    c = spline_of(3, 2, bezier, 2, base, 1, NULL);
+    data_of("vanishing_weight_loses_the_new_point", "w", 3, 1, c.w);
     svg_panel(s, svg_integer_window(-4, -2, 3, 4), 210, 0,
               "$r_2'$ for $τ = 1/4, 1/2, 3/5$;\nfor $τ = 2/3$ there is none");
     svg_heading(s, SVG_WRONG, "a new weight $0$");

@@ -1,8 +1,6 @@
 /* nurbs-corner-cutting.figure.c -- drawings for nurbs-corner-cutting.claims.h. */
-#include "chapters/nurbs/spline-figures.h"
+#include "chapters/nurbs/curve-of-claim.h"
 #include "exact/record/roots.h"
-
-static const int one_interval[] = {0, 0, 0, 0, 2, 2, 2, 2};
 
 FIGURE(cutting_corners)
 {
@@ -67,12 +65,10 @@ FIGURE(mixed_weights_and_convexity)
         "Left: a square with weights 4, -1, 4, 4 and the knot 1/2 inserted; two new vertices are beside their "
         "edges, and the new polygon is not convex. Right: a convex polygon of five points with weights 8, -1, 8, "
         "8, 8 and its cubic spline with inflections.");
-    static const int square[] = {0, 0, 1, 0, 1, 1, 0, 1}, weight[] = {4, -1, 4, 4};
-    static const int point[] = {0, 0, 2, 0, 3, 2, 1, 4, 0, 3}, mixed[] = {8, -1, 8, 8, 8};
-    static const int knot[] = {0, 0, 0, 0, 2, 4, 4, 4, 4};
     static const enum svg_direction side[] = {SVG_S, SVG_E, SVG_E, SVG_W};
     static const enum svg_direction around[] = {SVG_S, SVG_SE, SVG_E, SVG_N, SVG_W};
-    spline c = spline_of(4, 3, one_interval, 2, square, 1, weight), cut = with_knot(c, from_ratio_q(1, 2));
+    const char *beside = "mixed_weights_cut_beside_the_edges";
+    spline c = spline_of_claim(beside, 4, 3), cut = with_knot(c, number_of_claim(beside, "τ"));
     svg_panel(s, scaled_window(-3, -2, 7, 7, 4), 280, 0,
               "weights $4, -1, 4, 4$, knot $1/2$:\n$s_2 = -1/3$ and $s_3 = 4/3$");
     svg_heading(s, SVG_WRONG, "vertices beside the edges");
@@ -83,7 +79,7 @@ FIGURE(mixed_weights_and_convexity)
     svg_mark(s, svg_pair(cut.R + 4), SVG_WRONG, SVG_USUAL);
     svg_label(s, svg_pair(cut.R + 2), SVG_N, SVG_WRONG, "r_2'");
     svg_label(s, svg_pair(cut.R + 4), SVG_N, SVG_WRONG, "r_3'");
-    c = spline_of(5, 3, knot, 2, point, 1, mixed);
+    c = spline_of_claim("mixed_weights_bend_both_ways", 5, 3);
     svg_panel(s, svg_integer_window(-2, -1, 4, 5), 280, 0, "weights $8, -1, 8, 8, 8$:\nthe curve bends both ways");
     svg_heading(s, SVG_WRONG, "a curve that is not convex");
     draw_polygon(s, c, "r", around, SVG_POLYGON);
@@ -102,10 +98,12 @@ FIGURE(hulls_of_knot_sets)
                      "Left: the hulls of the polygons of the knots 1/4, then 1/4 and 3/4, then 1/4, 1/2 and 3/4, each "
                      "in the one before. "
                      "Right: the polygons of the knot 1/4 and of the knot 3/4; neither hull contains the other.");
-    static const int point[] = {0, 0, 4, 0, 0, 4}, knot[] = {0, 0, 0, 2, 2, 2};
     static const enum svg_direction side[] = {SVG_SW, SVG_SE, SVG_NW};
-    spline c = spline_of(3, 2, knot, 2, point, 1, NULL), low = with_knot(c, from_ratio_q(1, 4));
-    spline high = with_knot(c, from_ratio_q(3, 4)), both = with_knot(low, from_ratio_q(3, 4));
+    const char *unrelated = "hulls_of_unrelated_knots_are_not_nested";
+    num_q tau[2];
+    data_of(unrelated, "τ", 2, 1, tau);
+    spline c = spline_of_claim(unrelated, 3, 2), low = with_knot(c, tau[0]);
+    spline high = with_knot(c, tau[1]), both = with_knot(low, tau[1]);
     spline three = with_knot(both, from_ratio_q(1, 2));
     svg_panel(s, svg_integer_window(-1, -1, 5, 5), 260, 0, "$\\{1/4\\}$, $\\{1/4, 3/4\\}$, $\\{1/4, 1/2, 3/4\\}$");
     svg_heading(s, SVG_RIGHT, "$T'_1 ⊆ T'_2 ⊆ T'_3$");

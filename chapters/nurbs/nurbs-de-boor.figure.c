@@ -1,5 +1,5 @@
 /* nurbs-de-boor.figure.c -- drawings for nurbs-de-boor.claims.h. */
-#include "chapters/nurbs/spline-figures.h"
+#include "chapters/nurbs/curve-of-claim.h"
 
 FIGURE(deboor_triangle)
 {
@@ -41,14 +41,14 @@ FIGURE(deboor_triangle)
 
 FIGURE(wrong_interval)
 {
-    static const int point[] = {0, 0, 1, 2, 2, 0, 3, 2}, weight[] = {1, 1, 1, 3}, knot[] = {1, 2, 3, 4, 5, 6, 7};
     static const enum svg_direction side[] = {SVG_SW, SVG_N, SVG_S, SVG_NE};
     svg *s = svg_new("wrong_interval", "The recursion on another interval",
                      "A quadratic NURBS curve of two segments.  For t = 7/2, in the interval [t3, t4), the recursion "
                      "with j = 4 ends in a point of the "
                      "second segment, continued backwards, and not on the curve.");
-    spline c = spline_of(4, 2, knot, 1, point, 1, weight);
-    num_q P[2 * 33], Q[2], t = r(7, 2);
+    const char *name = "other_interval_gives_other_point";
+    spline c = spline_of_claim(name, 4, 2);
+    num_q P[2 * 33], Q[2], t = number_of_claim(name, "t");
     svg_panel(s, window(r(-1, 2), r(-1, 2), r(7, 2), r(5, 2)), 400, 0, "$k=3$, $t_i=i$, $t=7/2$ in $[t_3,t_4)$");
     draw_polygon(s, c, "r", side, SVG_POLYGON);
     for (int i = 0; i <= 32; i++)

@@ -1,5 +1,5 @@
 /* nurbs-properties.figure.c -- drawings for nurbs-properties.claims.h. */
-#include "chapters/nurbs/spline-figures.h"
+#include "chapters/nurbs/curve-of-claim.h"
 
 static const int wave[] = {0, 0, 1, 4, 3, 5, 5, 1, 7, 0, 9, 4, 11, 4, 12, 0};
 static const int eight[] = {0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5};
@@ -38,14 +38,12 @@ FIGURE(local_control)
 
 FIGURE(knot_sides)
 {
-    static const int bend[] = {0, 0, 2, 0, 4, 2, 4, 6}, knot[] = {0, 0, 0, 1, 2, 2, 2};
-    static const int steps[] = {0, 0, 1, 1, 2, 1, 3, 0}, twofold[] = {0, 0, 1, 1, 2, 2};
     static const enum svg_direction side[] = {SVG_SW, SVG_S, SVG_E, SVG_E}, other[] = {SVG_SW, SVG_N, SVG_N, SVG_SE};
     svg *s = svg_new("knot_sides", "The two sides of a knot",
                      "Left a quadratic curve with a simple knot: the tangents agree, the circles of curvature of both "
                      "sides do not.  "
                      "Right a curve of order 2 with a double knot: it has two values there.");
-    spline c = spline_of(4, 2, knot, 1, bend, 2, NULL), d = spline_of(4, 1, twofold, 1, steps, 1, NULL);
+    spline c = spline_of_claim("one_order_more_jumps", 4, 2), d = spline_of_claim("k_fold_knot_tears_the_curve", 4, 1);
     svg_panel(s, window(r(-1, 2), r(-1, 2), r(3, 1), r(7, 2)), 300, 0,
               "$k=3$, simple knot: $r\\'$ agrees, $r\\'\\'$ jumps");
     draw_polygon(s, c, "r", side, SVG_POLYGON);

@@ -1,25 +1,27 @@
 /* preface.figure.c -- drawings for preface.claims.h. */
-#include "chapters/nurbs/spline-figures.h"
+#include "chapters/nurbs/curve-of-claim.h"
 
 #include "chapters/nurbs/counting.h"
 
 FIGURE(nurbs_circle)
 {
-    static const int point[] = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
-    static const int weight[] = {1, 1, 2, 1, 1, 1, 2, 1, 1}, knot[] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
+    static const int knot[] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
     static const enum svg_direction side[] = {SVG_E, SVG_NE, SVG_N, SVG_NW, SVG_W, SVG_SW, SVG_S, SVG_SE};
     svg *s =
         svg_new("nurbs_circle", "A circle as one NURBS curve",
                 "The unit circle as a quadratic NURBS curve: nine points on the square around it, with the weights "
                 "1, 1, 2, 1, 1, 1, 2, 1, 1, the first and the last point being one.");
-    spline c = spline_of(9, 2, knot, 1, point, 1, weight);
+    spline c = {.n = 9, .p = 2};
+    data_of("circle_is_a_nurbs_curve", "r", 9, 2, c.R);
+    data_of("circle_is_a_nurbs_curve", "w", 9, 1, c.w);
+    for (int i = 0; i < 12; i++)
+        c.u[i] = q(knot[i]);
     svg_panel(s, window(r(-8, 5), r(-3, 2), r(8, 5), r(3, 2)), 330, 0,
               "$k=3$, knots $0,0,0,1,1,2,2,3,3,4,4,4$;\nat each point its weight");
     draw_polygon(s, c, NULL, NULL, SVG_POLYGON);
     draw_spline(s, c, SVG_CURVE);
     for (int i = 0; i < 8; i++) {
-        char name[32];
-        snprintf(name, sizeof name, i == 0 ? "1, 1" : "%d", weight[i]);
+        const char *name = i == 0 ? "1, 1" : to_string_q(c.w[i]);
         svg_label(s, svg_pair(c.R + 2 * i), side[i], SVG_POINT, name);
     }
     svg_legend_line(s, SVG_CURVE, "the circle, exactly");

@@ -39,20 +39,20 @@ static inline svg_window scaled_window(long x0, long y0, long x1, long y1, long 
 }
 
 /* The segment of a span over its own interval, as a rational Bézier curve. */
-static inline void draw_segment(svg *s, spline c, int mu, enum svg_role role)
+static inline void draw_segment(svg *s, spline c, int mu, enum svg_role colour)
 {
     num_q H[3 * MOST_POINTS], b[3 * (MAX_DEGREE + 1)], P[2 * (MAX_DEGREE + 1)], v[MAX_DEGREE + 1];
     rational_homogenize_q(c.n - 1, 2, c.R, c.w, H);
     bspline_to_bezier_q(c.p, 3, c.u, mu, H, b);
     rational_dehomogenize_q(c.p, 2, b, P, v);
-    svg_rational(s, c.p, P, v, role);
+    svg_rational(s, c.p, P, v, colour);
 }
 
-static inline void draw_spline(svg *s, spline c, enum svg_role role)
+static inline void draw_spline(svg *s, spline c, enum svg_role colour)
 {
     for (int mu = c.p; mu < c.n; mu++)
         if (before_q(c.u[mu], c.u[mu + 1]))
-            draw_segment(s, c, mu, role);
+            draw_segment(s, c, mu, colour);
 }
 
 /* The point of parameter t, for a knot the limit from the right. */
@@ -64,22 +64,22 @@ static inline svg_point spline_point(spline c, num_q t)
 }
 
 /* The points where the segments join. */
-static inline void mark_knots(svg *s, spline c, enum svg_role role)
+static inline void mark_knots(svg *s, spline c, enum svg_role colour)
 {
     for (int i = c.p; i <= c.n; i++)
         if (i == c.n || before_q(c.u[i], c.u[i + 1]))
-            svg_mark(s, spline_point(c, c.u[i]), role, SVG_SQUARE);
+            svg_mark(s, spline_point(c, c.u[i]), colour, SVG_SQUARE);
 }
 
 /* The polygon with its points, labelled letter_1, ..., letter_n as in the source, on the given sides; without labels for letter
  * NULL and where the side is SVG_HERE. */
 static inline void draw_polygon(svg *s, spline c, const char *letter, const enum svg_direction side[],
-                                enum svg_role role)
+                                enum svg_role colour)
 {
-    svg_polyline(s, c.n, c.R, role);
+    svg_polyline(s, c.n, c.R, colour);
     for (int i = 0; i < c.n; i++) {
         char name[24];
-        svg_mark(s, svg_pair(c.R + 2 * i), role, SVG_USUAL);
+        svg_mark(s, svg_pair(c.R + 2 * i), colour, SVG_USUAL);
         if (letter == NULL || side[i] == SVG_HERE)
             continue;
         snprintf(name, sizeof name, "%s_%d", letter, i + 1);
