@@ -47,7 +47,7 @@ INLINE void NAME(derivatives)(const fit_curve *curve, const int p, const lanes *
 {
     const double *H = curve->bezier, inverse = curve->inverse[0];
     const double first = p * inverse, second = (p - 1) * inverse * first;
-    const lanes s = (*t - curve->knots[p]) * inverse, r = (curve->knots[p + 1] - *t) * inverse;
+    const lanes s = (*t - curve->spline.knots[p]) * inverse, r = (curve->spline.knots[p + 1] - *t) * inverse;
     lanes A[3], A1[3], A2[3];
     for (int j = 0; j < 3; j++) {
         lanes b[3];
@@ -69,8 +69,9 @@ INLINE void NAME(derivatives)(const fit_curve *curve, const int p, const lanes *
 /* Newton's steps for all feet together; as in foot.tmpl.h, but a step that fails there gives up here. */
 INLINE int NAME(feet)(const fit_curve *curve, const int p, double limit, const lanes Q[2], lanes *t, lanes D[6])
 {
-    const lanes none = {0}, one = none + 1, start = none + curve->knots[p], end = none + curve->knots[p + 1];
-    const double length = curve->knots[p + 1] - curve->knots[p];
+    const lanes none = {0}, one = none + 1, start = none + curve->spline.knots[p],
+                end = none + curve->spline.knots[p + 1];
+    const double length = curve->spline.knots[p + 1] - curve->spline.knots[p];
     lanes size = one;
     for (int c = 0; c < 2; c++) {
         const lanes minus = -Q[c];
@@ -122,7 +123,7 @@ INLINE int NAME(feet)(const fit_curve *curve, const int p, double limit, const l
 INLINE void NAME(shares)(const fit_curve *curve, const int p, const lanes *t, lanes N[4], lanes N1[4])
 {
     const double inverse = curve->inverse[0], factor = p * inverse, *w = curve->weights;
-    const lanes s = (*t - curve->knots[p]) * inverse, r = (curve->knots[p + 1] - *t) * inverse;
+    const lanes s = (*t - curve->spline.knots[p]) * inverse, r = (curve->spline.knots[p + 1] - *t) * inverse;
     const lanes b[3] = {p == 2 ? r : r * r, p == 2 ? s : 2 * s * r, s * s};
     lanes total = {0}, slope = {0};
     for (int m = 0; m <= p; m++) {

@@ -1,6 +1,6 @@
 #include "core/fit/curve.h"
 
-#include "core/kernels/kernels_d.h"
+#include "core/spline.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@ void fit_curve_free(fit_curve *c)
 {
     if (c == NULL)
         return;
-    free(c->knots);
+    free((void *)c->spline.knots);
     free(c->points);
     free(c->weights);
     free(c->span);
@@ -25,19 +25,19 @@ fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[])
     if (c == NULL)
         return NULL;
     size_t n = (size_t)count, p = (size_t)degree, d = (size_t)dim;
-    c->degree = degree, c->count = count, c->dim = dim;
-    c->knots = malloc((n + p + 1) * sizeof *c->knots);
+    double *u = malloc((n + p + 1) * sizeof *u);
     c->points = calloc(n * d, sizeof *c->points);
     c->weights = malloc(n * sizeof *c->weights);
     c->span = malloc(n * sizeof *c->span);
     c->choose = malloc(p * sizeof *c->choose);
     c->inverse = malloc(n * sizeof *c->inverse);
     c->bezier = malloc((n - p) * (p + 1) * (d + 1) * sizeof *c->bezier);
-    if (!c->knots || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier || !c->choose) {
+    c->spline = (cagd_spline){degree, count, dim, u, c->points, c->weights};
+    if (!u || !c->points || !c->weights || !c->span || !c->inverse || !c->bezier || !c->choose) {
         fit_curve_free(c);
         return NULL;
     }
-    memcpy(c->knots, knots, (n + p + 1) * sizeof *knots);
+    memcpy(u, knots, (n + p + 1) * sizeof *knots);
     for (int i = 0; i < count; i++)
         c->weights[i] = 1;
     for (int i = 0; i < degree; i++)
@@ -52,24 +52,18 @@ fit_curve *fit_curve_new(int degree, int count, int dim, const double knots[])
 
 void fit_curve_copy(fit_curve *to, const fit_curve *from)
 {
-    memcpy(to->points, from->points, (size_t)(from->count * from->dim) * sizeof *to->points);
-    memcpy(to->weights, from->weights, (size_t)from->count * sizeof *to->weights);
+    memcpy(to->points, from->points, (size_t)(from->spline.count * from->spline.dim) * sizeof *to->points);
+    memcpy(to->weights, from->weights, (size_t)from->spline.count * sizeof *to->weights);
     fit_curve_update(to);
 }
 
-/* The polar form of the homogeneous curve, at the ends of each piece. */
 void fit_curve_update(fit_curve *c)
 {
-    int p = c->degree, d = c->dim;
+    const int p = c->spline.degree, size = (p + 1) * (c->spline.dim + 1);
     for (int k = 0; k < c->pieces; k++) {
-        double H[(MAX_DEGREE + 1) * MAX_DIM], x[MAX_DEGREE + 1], *b = c->bezier + k * (p + 1) * (d + 1);
-        int mu = c->span[k];
-        nurbs_homogenize_d(p, d, mu, c->points, c->weights, H);
-        for (int i = 0; i <= p; i++) {
-            for (int r = 0; r < p; r++)
-                x[r] = c->knots[r < p - i ? mu : mu + 1];
-            bspline_span_blossom_d(p, d + 1, c->knots, mu, H, x, b + i * (d + 1));
-        }
+        double H[(MAX_DEGREE + 1) * MAX_DIM];
+        int mu = c->span[k], dim = spline_points_of_span_d(&c->spline, mu, H);
+        bspline_to_bezier_d(p, dim, c->spline.knots + mu - p, p, H, c->bezier + k * size);
     }
 }
 
@@ -78,7 +72,7 @@ int fit_curve_piece(const fit_curve *c, double t)
     int low = 0, high = c->pieces;
     while (high - low > 1) {
         int middle = low + (high - low) / 2;
-        if (t < c->knots[c->span[middle]])
+        if (t < c->spline.knots[c->span[middle]])
             high = middle;
         else
             low = middle;
@@ -90,8 +84,8 @@ int fit_curve_piece(const fit_curve *c, double t)
  * b_m)/length. */
 static inline void bernstein(const fit_curve *c, double t, double N[], double N1[])
 {
-    const int p = c->degree, mu = c->span[0];
-    const double s = (t - c->knots[mu]) * c->inverse[0], r = (c->knots[mu + 1] - t) * c->inverse[0];
+    const int p = c->spline.degree, mu = c->span[0];
+    const double s = (t - c->spline.knots[mu]) * c->inverse[0], r = (c->spline.knots[mu + 1] - t) * c->inverse[0];
     const double factor = p * c->inverse[0];
     double b[MAX_DEGREE], power = 1, before = 0;
     for (int m = 0; m < p; m++, power *= s)
@@ -110,13 +104,13 @@ static inline void bernstein(const fit_curve *c, double t, double N[], double N1
 
 void fit_curve_shares(const fit_curve *c, int piece, double t, double R[], double R1[])
 {
-    const int p = c->degree, mu = c->span[piece];
+    const int p = c->spline.degree, mu = c->span[piece];
     const double *w = c->weights + mu - p;
     double N[2 * (MAX_DEGREE + 1)], *N1 = N + p + 1, total = 0, slope = 0;
-    if (c->count == p + 1)
+    if (c->spline.count == p + 1)
         bernstein(c, t, N, N1);
     else
-        bspline_basis_derivatives_d(p, c->knots, mu, t, 1, N);
+        bspline_basis_derivatives_d(p, c->spline.knots, mu, t, 1, N);
     for (int m = 0; m <= p; m++) {
         R[m] = N[m] * w[m];
         R1[m] = N1[m] * w[m];

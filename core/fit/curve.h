@@ -1,19 +1,21 @@
-/* curve.h -- the curve of a fit: a NURBS curve together with the homogeneous Bézier points of its pieces, from which
- * its points and derivatives are computed quickly. */
+/* curve.h -- the curve of a fit: a spline together with the homogeneous Bézier points of its pieces, from which its points
+ * and derivatives are computed quickly. */
 #ifndef CAGD_FIT_CURVE_H
 #define CAGD_FIT_CURVE_H
+
+#include "core/api/cagd.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct fit_curve {
-    int degree, count, dim, pieces;
-    double *knots, *points, *weights; /* as in cagd_spline; the weights are positive              */
-    int *span;                        /* of each piece: u_span < u_{span+1}                       */
-    double *inverse;                  /* of each piece: 1/(u_{span+1} - u_span)                   */
-    double *bezier;                   /* (p+1)(dim+1) homogeneous coordinates of each piece       */
-    double *choose;                   /* binomial coefficients of p-1                             */
+    cagd_spline spline;       /* with weights, which are positive                        */
+    double *points, *weights; /* those of the spline, to be changed                      */
+    int pieces, *span;        /* of each piece: u_span < u_{span+1}                      */
+    double *inverse;          /* of each piece: 1/(u_{span+1} - u_span)                  */
+    double *bezier;           /* (p+1)(dim+1) homogeneous coordinates of each piece      */
+    double *choose;           /* binomial coefficients of p-1                            */
 } fit_curve;
 
 /* NULL when there is no memory.  The points are 0, the weights 1. */
@@ -26,8 +28,8 @@ void fit_curve_copy(fit_curve *to, const fit_curve *from);
 /* To be called after the points or the weights have changed. */
 void fit_curve_update(fit_curve *curve);
 
-static inline double fit_curve_start(const fit_curve *c) { return c->knots[c->degree]; }
-static inline double fit_curve_end(const fit_curve *c) { return c->knots[c->count]; }
+static inline double fit_curve_start(const fit_curve *c) { return c->spline.knots[c->spline.degree]; }
+static inline double fit_curve_end(const fit_curve *c) { return c->spline.knots[c->spline.count]; }
 
 /* The piece that contains t; at a knot the one on its right. */
 int fit_curve_piece(const fit_curve *curve, double t);

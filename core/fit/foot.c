@@ -28,14 +28,14 @@ static inline double inner(int dim, const double a[], const double b[])
 #undef DIM
 #undef DEGREE
 #define NAME(name) name##_any
-#define DIM        (curve->dim)
-#define DEGREE     (curve->degree)
+#define DIM        (curve->spline.dim)
+#define DEGREE     (curve->spline.degree)
 #include "core/fit/foot.tmpl.h"
 #undef NAME
 #undef DIM
 #undef DEGREE
 
-static int shape_of(const fit_curve *c) { return c->dim * 100 + c->degree; }
+static int shape_of(const fit_curve *c) { return c->spline.dim * 100 + c->spline.degree; }
 
 void fit_curve_derivatives(const fit_curve *c, double t, double D[])
 {

@@ -9,8 +9,8 @@ static void NAME(derivatives)(const fit_curve *curve, double t, double D[])
 {
     const int dim = DIM, p = DEGREE, h = dim + 1, k = curve->pieces == 1 ? 0 : fit_curve_piece(curve, t),
               mu = curve->span[k];
-    const double inverse = curve->inverse[k], s = (t - curve->knots[mu]) * inverse,
-                 r = (curve->knots[mu + 1] - t) * inverse;
+    const double inverse = curve->inverse[k], s = (t - curve->spline.knots[mu]) * inverse,
+                 r = (curve->spline.knots[mu + 1] - t) * inverse;
     const double first = p * inverse, second = (p - 1) * inverse * first;
     const double *H = curve->bezier + k * (p + 1) * h;
     double b[(MAX_DEGREE + 1) * MAX_DIM], A[MAX_DIM], A1[MAX_DIM], A2[MAX_DIM];

@@ -22,8 +22,8 @@ static void fail(fit_attempt *a, const char *form, ...)
 static double share_of(const fit_curve *curve, int index, int piece, double t)
 {
     double R[MAX_DEGREE + 1], slopes[MAX_DEGREE + 1];
-    int m = index - curve->span[piece] + curve->degree;
-    if (m < 0 || m > curve->degree)
+    int m = index - curve->span[piece] + curve->spline.degree;
+    if (m < 0 || m > curve->spline.degree)
         return 0;
     fit_curve_shares(curve, piece, t, R, slopes);
     return R[m];
@@ -36,7 +36,7 @@ static int is_lost(const fit_objective *f, int index)
     const double smallest = DBL_EPSILON / 2;
     int lost = 1;
     for (int piece = 0; lost && piece < curve->pieces; piece++) {
-        const double *u = curve->knots + curve->span[piece];
+        const double *u = curve->spline.knots + curve->span[piece];
         lost = share_of(curve, index, piece, (u[0] + u[1]) / 2) < smallest;
     }
     for (int i = 0; lost && i < f->problem->points; i++)

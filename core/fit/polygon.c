@@ -72,7 +72,7 @@ static void add_sides(fit_polygon *g, const fit_curve *curve, double end, const 
  * curve. */
 static double end_of_first(const fit_curve *curve, int k)
 {
-    const double *u = curve->knots + curve->span[k / PER_PIECE];
+    const double *u = curve->spline.knots + curve->span[k / PER_PIECE];
     const int side = k % PER_PIECE + 1;
     return side == PER_PIECE ? u[1] : u[0] + (u[1] - u[0]) * side / PER_PIECE;
 }
@@ -84,7 +84,7 @@ static double first_length(const fit_curve *curve)
     fit_curve_derivatives(curve, fit_curve_start(curve), before);
     for (int k = 0; k < PER_PIECE * curve->pieces; k++) {
         fit_curve_derivatives(curve, end_of_first(curve, k), here);
-        length += distance(curve->dim, before, here);
+        length += distance(curve->spline.dim, before, here);
         memcpy(before, here, sizeof before);
     }
     return length;
@@ -92,7 +92,7 @@ static double first_length(const fit_curve *curve)
 
 int fit_polygon_new(const fit_curve *curve, int parts, fit_polygon *g)
 {
-    const int dim = curve->dim, first = PER_PIECE * curve->pieces;
+    const int dim = curve->spline.dim, first = PER_PIECE * curve->pieces;
     const size_t most = (size_t)(MOST_SIDES + first + 1);
     int room = MOST_SIDES;
     double D[9];

@@ -197,18 +197,19 @@ static void scale_weights(fit_curve *curve)
 {
     double largest = 0;
     int exponent;
-    for (int i = 0; i < curve->count; i++)
+    for (int i = 0; i < curve->spline.count; i++)
         largest = fmax(largest, curve->weights[i]);
     frexp(largest, &exponent);
-    for (int i = 0; i < curve->count; i++)
+    for (int i = 0; i < curve->spline.count; i++)
         curve->weights[i] = ldexp(curve->weights[i], -exponent);
 }
 
 /* The weights in the gauge: the first one becomes 1, and so does the last one of a curve of one span. */
 static void gauge_weights(fit_curve *curve)
 {
-    const int last = curve->count - 1, one_span = last == curve->degree;
-    double first = log(curve->weights[0]), slope = one_span ? (log(curve->weights[last]) - first) / curve->degree : 0;
+    const int last = curve->spline.count - 1, one_span = last == curve->spline.degree;
+    double first = log(curve->weights[0]),
+           slope = one_span ? (log(curve->weights[last]) - first) / curve->spline.degree : 0;
     if (first == 0 && slope == 0)
         return;
     for (int i = 0; i <= last; i++)

@@ -35,8 +35,8 @@ class Distance : public ceres::CostFunction
 
     bool Evaluate(double const *const *parameters, double *residuals, double **jacobians) const override
     {
-        const double *theta = parameters[0], t = *parameters[1], *u = curve.knots;
-        const int p = curve.degree, dim = curve.dim, n = problem.unknowns;
+        const double *theta = parameters[0], t = *parameters[1], *u = curve.spline.knots;
+        const int p = curve.spline.degree, dim = curve.spline.dim, n = problem.unknowns;
         const int piece = fit_curve_piece(&curve, t), mu = curve.span[piece], low = mu - p;
         const fit_support &support = problem.support;
         const int *reach = support.unknown + support.first[piece], *end = support.unknown + support.first[piece + 1];
