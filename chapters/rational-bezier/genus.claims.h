@@ -15,6 +15,7 @@ others infinitely near.
 #include "exact/record/sign.h"
 
 #include "chapters/judge/claims_on.h"
+#include "chapters/rational-bezier/plane-polynomials.h"
 
 /*
 :::{statement} wang-ch3:def-3.4.1
@@ -59,20 +60,27 @@ static int total_degree(num_f F, num_f x, num_f y)
 :zh: xy=1 符合所印一次形式
 :kind: counterexample
 :types: field
-:given: $F=xy-1$, of the printed form with $n=1$: exponents at most 1
-:then: its degree is 2: on the line $y=x$ it has two zeros; in the coordinates $x=p+q$, $y=p-q$ it is $p^2-q^2-1$,
-  which is not of the printed form with $n=1$
+:data: α, i, j = (1,1,1) (-1,0,0)
+:instead: α, i, j = (1,1,0) (-1,0,0)
+:result: F = "x*y-1"; degrees in x, y = 1 1; F(p+q, p-q) = "p^2-q^2-1"; degree = 2
+:given: the hyperbola $F=0$ by its terms $\alpha x^iy^j$, of the printed form with $n=1$: no exponent is above 1
+:then: its degree is 2; in the coordinates $p$, $q$ with $x=p+q$, $y=p-q$ it is not even of the printed form with $n=1$
 :method: The degree in $s$ of $F(sx,sy)$ is compared with $n=1$.
-:control: the line $x+y-1$
+:control: a line
 :::
 */
 CLAIM(hyperbola_has_the_printed_form_for_degree_one)
 {
-    num x = variable_f("x"), y = variable_f("y"), F = sub(fault(T, add(x, y), mul(x, y)), from_int(1));
-    show(T, "F", F);
+    num x = variable_f("x"), y = variable_f("y"), p = variable_f("p"), q = variable_f("q");
+    num F = given_polynomial(T, "α, i, j", 2), degrees[2] = {from_int(degree_f(F, x)), from_int(degree_f(F, y))};
+    int degree = total_degree(F, x, y);
+    found_text(T, "F", to_string_f(F));
+    found_points(T, "degrees in x, y", 2, 1, degrees);
+    found_text(T, "F(p+q, p-q)", to_string_f(substitute_f(substitute_f(F, x, add(p, q)), y, sub(p, q))));
+    found_whole(T, "degree", degree);
     about(T, "F of the printed form with n = 1 has degree at most 1");
     if (degree_f(F, x) <= 1 && degree_f(F, y) <= 1)
-        agree(T, total_degree(F, x, y) <= 1);
+        agree(T, degree <= 1);
 }
 
 /*
@@ -135,24 +143,27 @@ irreducible when the parametrisation is proper is cited.
 :zh: 非正常参数化使次数降低
 :kind: counterexample
 :types: field
-:given: $n=2$, points $(0,0),(0,0),(1,1)$, weights 1: the curve $(t^2,t^2)$, without base point
-:then: $F$ is a constant times $(x-y)^2$, so the curve is on an algebraic curve of degree 1
+:data: R = (0,0) (0,0) (1,1); ω = 1 1 1
+:instead: R = (0,0) (0,1) (1,0)
+:result: F = "x^2-2*x*y+y^2"; Res_x(F, F_x) = "0"
+:given: $n=2$, the points $R$ of the curve $(t^2,t^2)$, and equal weights: a curve without base point
+:then: $F$ is the square of a linear form, so the curve is on an algebraic curve of degree 1
 :method: The discriminant $\operatorname{Res}_x(F,F_x)$ is 0 exactly if $F$, which is not 0, has a repeated factor
   (containing $x$); that it is not 0 is what is compared.
-:control: the last point $(1,0)$ and the middle one $(0,1)$
+:control: a middle point, and a last one, that are not on the line
 :::
 */
 CLAIM(doubled_parameter_halves_the_degree)
 {
-    int middle = fault(T, 1, 0);
-    num x = variable_f("x"), y = variable_f("y"), w[3] = {from_int(1), from_int(1), from_int(1)};
-    num R[6] = {from_int(0), from_int(0), from_int(0), from_int(middle), from_int(1), from_int(1 - middle)};
-    num F = implicit_value_f(2, R, w, x, y);
-    show_points(T, "R", 3, 2, R);
-    show(T, "F", F);
+    num x = variable_f("x"), y = variable_f("y"), R[6], w[3];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    num F = implicit_value_f(2, R, w, x, y), discriminant = resultant_by_f(F, derivative_f(F, x), x);
+    found_text(T, "F", to_string_f(F));
+    found_text(T, "Res_x(F, F_x)", to_string_f(discriminant));
     about(T, "F has no repeated factor");
     if (!is_zero_f(F)) /* no base point */
-        refute(T, is_zero_f(resultant_by_f(F, derivative_f(F, x), x)));
+        refute(T, is_zero_f(discriminant));
 }
 #endif
 
@@ -346,7 +357,7 @@ CLAIM(rational_cubic_has_one_double_point)
  * singular: the coordinates of point k may contain theta, which stands for each of the zeros of modulus[k]. */
 struct singular_list {
     num_f F, x, y, z, theta;
-    int points;
+    int n, points; /* the degree, and how many points there are in the list */
     num_f point[4][3], modulus[4];
 };
 /* How many singular points there are of each kind; nodes is -1 when the list is not complete and right. */
@@ -465,33 +476,22 @@ static struct census census_of(const struct singular_list *s)
     return c;
 }
 
-/* The curve F(x, y) = 0 of total degree n, made homogeneous, with no points listed. */
-static struct singular_list curve_of_degree(int n, num_f F)
+/* The curve F(x, y) = 0, made homogeneous in its total degree, with no points listed. */
+static struct singular_list curve_of(num_f F)
 {
     struct singular_list s = {
         .x = variable_f("x"), .y = variable_f("y"), .z = variable_f("z"), .theta = variable_f("theta")};
+    s.n = total_degree(F, s.x, s.y);
     s.F = substitute_f(substitute_f(F, s.x, div(s.x, s.z)), s.y, div(s.y, s.z));
-    for (int k = 0; k < n; k++)
+    for (int k = 0; k < s.n; k++)
         s.F = mul(s.F, s.z);
     return s;
 }
 
-/* sum c_k x^{e_k} y^{f_k} from triples c, e, f. */
-static num_f plane_polynomial(int terms, const int (*t)[3])
+static void found_census(trial *T, struct census c)
 {
-    num_f x = variable_f("x"), y = variable_f("y"), sum = from_int(0);
-    for (int k = 0; k < terms; k++) {
-        num_f term = from_int(t[k][0]);
-        for (int j = 0; j < t[k][1]; j++)
-            term = mul(term, x);
-        for (int j = 0; j < t[k][2]; j++)
-            term = mul(term, y);
-        sum = add(sum, term);
-    }
-    return sum;
+    found_points(T, "nodes, cusps, others", 3, 1, (num_f[]){from_int(c.nodes), from_int(c.cusps), from_int(c.others)});
 }
-#define POLYNOMIAL(...)                                                                                                \
-    plane_polynomial(sizeof((const int[][3]){__VA_ARGS__}) / sizeof(int[3]), (const int[][3]){__VA_ARGS__})
 
 /*
 :::{claim} smooth_cubic_has_two_separate_parts
@@ -499,48 +499,59 @@ static num_f plane_polynomial(int terms, const int (*t)[3])
 :zh: 光滑三次曲线不是有理的
 :kind: decision
 :types: field
-:given: $y^2=x^3-x$
-:then: there is no singular point in the complex projective plane; there are real points with $-1<x<0$ and with
-  $x>1$, and none with $0<x<1$ or $x<-1$
-:method: Elimination as above, and the signs of $x^3-x$.  A rational Bézier curve, continued over all parameters, is
-  a connected curve of the projective plane, and cannot contain arcs of both parts.  That no arc of it is rational
-  follows from `rational_cubic_has_one_double_point`: by Lüroth's theorem, which is cited, a rational cubic has a
+:data: α, i, j = (1,0,2) (-1,3,0) (1,1,0); x = -1 0 1
+:instead: α, i, j = (1,0,2) (-1,3,0) (-1,2,0)
+:result: F = "-x^3+x+y^2"; nodes, cusps, others = 0 0 0
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, and the three abscissas $x_0<x_1<x_2$ with $y=0$
+:then: there is no singular point in the complex projective plane; there are real points with $x_0<x<x_1$ and with
+  $x>x_2$, and none with $x_1<x<x_2$ or $x<x_0$
+:method: Elimination as above, and the signs of $y^2$ as a polynomial in $x$.  A rational Bézier curve, continued over all
+  parameters, is a connected curve of the projective plane, and cannot contain arcs of both parts.  That no arc of it is
+  rational follows from `rational_cubic_has_one_double_point`: by Lüroth's theorem, which is cited, a rational cubic has a
   parametrisation of degree 3.
-:control: the cubic $y^2=x^3+x^2$
+:control: the nodal cubic $y^2=x^3+x^2$
 :::
 */
 CLAIM(smooth_cubic_has_two_separate_parts)
 {
-    num_f F = fault(T, POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {1, 1, 0}), POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {-1, 2, 0}));
-    struct singular_list s = curve_of_degree(3, F);
+    num_f F = given_polynomial(T, "α, i, j", 3), end[3];
+    given_points(T, "x", 3, 1, end);
+    struct singular_list s = curve_of(F);
     struct census c = census_of(&s);
+    num_q low, middle, high, one = from_int_q(1);
+    is_constant_f(end[0], &low);
+    is_constant_f(end[1], &middle);
+    is_constant_f(end[2], &high);
+    found_text(T, "F", to_string_f(F));
+    found_census(T, c);
     about(T, "there is no singular point");
     agree(T, c.nodes == 0 && c.cusps == 0 && c.others == 0);
     poly square = poly_neg(in_one_variable(substitute_f(F, s.y, from_int(0)), s.x)); /* y^2 */
-    num_q low = from_int_q(-1), zero = from_int_q(0), high = from_int_q(1);
     about(T, "the sign of y²");
-    agree(T, sign_on(square, low, zero, OPEN) == SIGN_POSITIVE);
-    agree(T, sign_on(square, zero, high, OPEN) == SIGN_NEGATIVE);
-    agree(T, count_roots_above(square, high).distinct == 0 && sign_q(poly_value(square, from_int_q(2))) > 0);
-    agree(T, count_roots_below(square, low).distinct == 0 && sign_q(poly_value(square, from_int_q(-2))) < 0);
+    agree(T, sign_on(square, low, middle, OPEN) == SIGN_POSITIVE);
+    agree(T, sign_on(square, middle, high, OPEN) == SIGN_NEGATIVE);
+    agree(T, count_roots_above(square, high).distinct == 0 && sign_q(poly_value(square, add_q(high, one))) > 0);
+    agree(T, count_roots_below(square, low).distinct == 0 && sign_q(poly_value(square, sub_q(low, one))) < 0);
 }
 
-static void list_point(struct singular_list *s, long x, long y, long z)
+/* Lists the points of homogeneous coordinates P[0..3*count), which are all rational. */
+static void list_points(struct singular_list *s, int count, const num_f P[])
 {
-    num_f *P = s->point[s->points];
-    P[0] = from_int(x);
-    P[1] = from_int(y);
-    P[2] = from_int(z);
-    s->modulus[s->points++] = s->theta;
+    for (int k = 0; k < count; k++) {
+        for (int c = 0; c < 3; c++)
+            s->point[s->points][c] = P[3 * k + c];
+        s->modulus[s->points++] = s->theta;
+    }
 }
 
 /* The comparison of the counterexamples: the count is 0 exactly if the curve is rational. */
 static void count_against(trial *T, const struct singular_list *s, struct census c, int g, int rational)
 {
-    show(T, "F", s->F);
-    show_text(T, "nodes, cusps, others", "%d, %d, %d", c.nodes, c.cusps, c.others);
-    show_text(T, "the count g", "%d", g);
-    show_text(T, "rational Bézier curve", "%s", rational ? "yes" : "no");
+    found_whole(T, "n", s->n);
+    found_text(T, "F", to_string_f(substitute_f(s->F, s->z, from_int(1))));
+    found_census(T, c);
+    found_whole(T, "g", g);
+    found_text(T, "rational", rational ? "yes" : "no");
     about(T, "g = 0 exactly if the curve is rational");
     agree(T, (g == 0) == rational);
 }
@@ -557,43 +568,54 @@ static int is_rational_cubic(struct census c) { return c.nodes + c.cusps + c.oth
 :zh: 可约曲线的计数为零而无参数表示
 :kind: counterexample
 :types: field
-:given: $y(y^2-x^3+x)=0$, $n=4$
-:then: the singular points are exactly the three nodes $(0,0)$ and $(\pm1,0)$, so $g=3-3=0$; but a rational curve
-  lies on one of the two factors
+:data: cubic = (1,0,2) (-1,3,0) (1,1,0); line = (1,0,1); P = (-1,0,1) (0,0,1) (1,0,1); x = 2
+:instead: line = (1,0,0)
+:result: parts over x = 2; n = 4; F = "-x^3*y+x*y+y^3"; nodes, cusps, others = 3 0 0; g = 0; rational = "no"
+:given: a smooth cubic and a line by their terms $(\alpha,i,j)$, $\alpha x^iy^j$, and $F$, the product of the two; three points
+  $P$ in homogeneous coordinates, and an abscissa $x$
+:then: the singular points are exactly the three nodes $P$, so $g=0$; but a rational curve lies on one of the two factors
 :method: The singular points as above.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so
-  one factor vanishes on it; the other has points of its own, such as those with $x=2$, which are looked at.  Compared
+  one factor vanishes on it; the other has points of its own, such as those over $x$, which are looked at.  Compared
   is: $g=0$ exactly if the curve is rational.
-:control: the factor $y^2-x^3+x$ by itself, whose count is 1
+:control: the cubic by itself, whose count is 1
 :::
 */
 CLAIM(reducible_curve_with_count_zero)
 {
-    num_f cubic = POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {1, 1, 0});
-    int n = fault(T, 3, 4);
-    struct singular_list s = curve_of_degree(n, fault(T, cubic, mul(variable_f("y"), cubic)));
-    for (int x = -1; T->faulty && x <= 1; x++)
-        list_point(&s, x, 0, 1);
+    num factor[2] = {given_polynomial(T, "cubic", 3), given_polynomial(T, "line", 1)}, P[9], F = mul(factor[0], factor[1]);
+    given_points(T, "P", 3, 3, P);
+    num x = given(T, "x");
+    struct singular_list s = curve_of(F);
+    if (T->faulty)
+        list_points(&s, 3, P);
     struct census c = census_of(&s);
-    /* Over x = 2 the line has the point y = 0, the cubic the points y^2 = 6: parts that a rational curve cannot join. */
-    poly over = in_one_variable(substitute_f(substitute_f(s.F, s.z, from_int(1)), s.x, from_int(2)), s.y);
-    poly on_line = poly_variable(), on_cubic = poly_sub(poly_mul(on_line, on_line), poly_constant(from_int_q(6)));
-    int parts = poly_divides(on_line, over) + poly_divides(on_cubic, over);
+    /* The factors with points over x: parts that a rational curve cannot join. */
+    poly over = in_one_variable(substitute_f(F, s.x, x), s.y);
+    int parts = 0;
+    for (int k = 0; k < 2; k++) {
+        poly part = in_one_variable(substitute_f(factor[k], s.x, x), s.y);
+        parts += poly_degree(part) > 0 && poly_divides(part, over);
+    }
+    found_whole(T, "parts over x", parts);
     int rational = parts == 1 && is_rational_cubic(c);
-    if (c.nodes == fault(T, 0, 3) && c.cusps + c.others == 0 && parts > 0)
-        count_against(T, &s, c, genus_count(n, c.nodes), rational);
+    if (c.nodes == s.points && c.cusps + c.others == 0 && parts > 0)
+        count_against(T, &s, c, genus_count(s.n, c.nodes), rational);
 }
 
-/* Is the determinant (3.4.1) of the points with numerators X/unit, Y/unit and weights w/unit a constant times F? */
-static int is_the_curve(int n, const int X[], const int Y[], const int w[], num_f F)
+/* Is the determinant (3.4.1) of the points R with the weights w a constant times F? */
+static int is_the_curve(int n, const num_f R[], const num_f w[], num_f F)
 {
-    num_f R[10], weight[5], quotient;
-    for (int i = 0; i <= n; i++) {
-        weight[i] = from_int(w[i]);
-        R[2 * i] = from_ratio(X[i], w[i]);
-        R[2 * i + 1] = from_ratio(Y[i], w[i]);
-    }
-    quotient = div(implicit_value_f(n, R, weight, variable_f("x"), variable_f("y")), F);
+    num_f quotient = div(implicit_value_f(n, R, w, variable_f("x"), variable_f("y")), F);
     return is_constant_f(quotient, NULL) && !is_zero_f(quotient);
+}
+
+/* The same for the data R and ω of the claim, n <= 4. */
+static int is_the_given_curve(trial *T, int n, num_f F)
+{
+    num_f R[10], w[5];
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    return is_the_curve(n, R, w, F);
 }
 
 /*
@@ -602,22 +624,24 @@ static int is_the_curve(int n, const int X[], const int Y[], const int w[], num_
 :zh: 无实点的二次曲线
 :kind: counterexample
 :types: field
-:given: $x^2+y^2+1=0$, $n=2$
+:data: α, i, j = (1,2,0) (1,0,2) (1,0,0); R = (1,0) (1,1) (0,1); ω = 1 1 2
+:instead: α, i, j = (1,2,0) (1,0,2) (-1,0,0)
+:result: n = 2; F = "x^2+y^2+1"; nodes, cusps, others = 0 0 0; g = 0; rational = "no"
+:given: the conic $F=0$ by its terms $\alpha x^iy^j$; and points $R$ with weights $\omega$ of the unit circle
 :then: there is no singular point, $g=0$, but $F\ge1$ for real $x,y$, so it is no Bézier curve
 :method: The singular points as above; $F$ has only positive coefficients and even powers.  Compared is: $g=0$
   exactly if there is a real parametrisation.
-:control: $x^2+y^2-1=0$, the curve of the points $(1,0),(1,1),(0,1)$ with weights $1,1,2$
+:control: the last coefficient with the other sign: the unit circle, which is the curve of the points $R$
 :::
 */
 CLAIM(conic_without_real_points)
 {
-    num_f F = POLYNOMIAL({1, 2, 0}, {1, 0, 2}, {fault(T, -1, 1), 0, 0});
-    struct singular_list s = curve_of_degree(2, F);
+    num_f F = given_polynomial(T, "α, i, j", 3);
+    struct singular_list s = curve_of(F);
     struct census c = census_of(&s);
-    static const int X[3] = {1, 1, 0}, Y[3] = {0, 1, 2}, w[3] = {1, 1, 2};
-    int rational = is_the_curve(2, X, Y, w, F), definite = coefficients_sign_f(F) == 1;
+    int rational = is_the_given_curve(T, 2, F), definite = coefficients_sign_f(F) == 1;
     if (c.nodes == 0 && c.cusps + c.others == 0 && rational != definite)
-        count_against(T, &s, c, genus_count(2, 0), rational);
+        count_against(T, &s, c, genus_count(s.n, 0), rational);
 }
 
 /*
@@ -626,25 +650,31 @@ CLAIM(conic_without_real_points)
 :zh: 含三重点的有理四次曲线
 :kind: counterexample
 :types: field
-:given: $y^3-3x^2y+x^4=0$, $n=4$; the curve $(3t-t^3,3t^2-t^4)$
-:then: the only singular point is the origin, where three real tangents differ, so $d=s=0$ and $g=3$; yet the curve is a
-  polynomial Bézier curve of degree 4
-:method: The singular points as above; the equation is the determinant (3.4.1) of the Bézier points of the curve.
-  Compared is: $g=0$ exactly if the curve is rational.
-:control: the triple point counted as 3
+:data: α, i, j = (1,0,3) (-3,2,1) (1,4,0); P = (0,0,1); R = (0,0) (3/4,0) (3/2,1/2) (2,3/2) (2,2); ω = 1 1 1 1 1
+:result: real tangents = 3; n = 4; F = "x^4-3*x^2*y+y^3"; nodes, cusps, others = 0 0 1; g = 3; rational = "yes"
+:given: the quartic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ in homogeneous coordinates, and the points $R$ of the curve
+  $(3t-t^3,3t^2-t^4)$ with equal weights
+:then: the only singular point is $P$, where three real tangents differ, so $d=s=0$ and $g=3$; yet the curve is a
+  polynomial Bézier curve of degree $n$
+:method: The singular points as above; the tangents are the zeros of the terms of lowest degree; the equation is the determinant
+  (3.4.1) of the Bézier points of the curve.  Compared is: $g=0$ exactly if the curve is rational.
+:control: the triple point counted as three double points
 :::
 */
 CLAIM(rational_quartic_with_a_triple_point)
 {
-    num_f F = POLYNOMIAL({1, 0, 3}, {-3, 2, 1}, {1, 4, 0});
-    struct singular_list s = curve_of_degree(4, F);
-    list_point(&s, 0, 0, 1);
+    num_f F = given_polynomial(T, "α, i, j", 3), P[3], t = variable_f("t");
+    given_points(T, "P", 1, 3, P);
+    struct singular_list s = curve_of(F);
+    list_points(&s, 1, P);
     struct census c = census_of(&s);
-    num_q tangents[4] = {from_int_q(0), from_int_q(-3), from_int_q(0), from_int_q(1)}; /* y^3 - 3 x^2 y at x = 1 */
-    int three = count_roots_line(poly_from_q(4, tangents)).distinct == 3;
-    static const int X[5] = {0, 3, 6, 8, 8}, Y[5] = {0, 0, 2, 6, 8}, w[5] = {4, 4, 4, 4, 4};
-    if (three && c.nodes == 0 && c.cusps == 0 && c.others == 1)
-        count_against(T, &s, c, genus_count(4, fault(T, 3, 0)), is_the_curve(4, X, Y, w, F));
+    int rational = is_the_given_curve(T, 4, F);
+    /* F(t, t y) = t^3 f_3(1, y) + ... */
+    num_f along = substitute_f(substitute_f(F, s.y, mul(t, s.y)), s.x, t);
+    int tangents = count_roots_line(in_one_variable(coefficient_f(along, t, 3), s.y)).distinct;
+    found_whole(T, "real tangents", tangents);
+    if (tangents == 3 && c.nodes == 0 && c.cusps == 0 && c.others == 1)
+        count_against(T, &s, c, genus_count(s.n, fault(T, tangents * (tangents - 1) / 2, 0)), rational);
 }
 
 /*
@@ -653,27 +683,51 @@ CLAIM(rational_quartic_with_a_triple_point)
 :zh: 含高阶尖点的有理四次曲线
 :kind: counterexample
 :types: field
-:given: $(y-x^2)^2=xy^3$, $n=4$; the curve $(\frac{t^2}{1+t^3},\frac{t^4}{1+t^3})$
-:then: the only singular point is the origin, a double point, neither a node nor an ordinary cusp; counted once it
-  gives $g=2$; yet the curve is a rational Bézier curve of degree 4
-:method: As for the triple point.  On the curve $x$ has order 2 and $y-x^2$ order 7 in $t$, so
-  $\delta=\frac{(2-1)(7-1)}2=3$: two more double points are infinitely near.
-:control: the point counted as 3
+:data: α, i, j = (1,0,2) (-2,2,1) (1,4,0) (-1,1,3); P = (0,0,1); R = (0,0) (0,0) (1/6,0) (2/5,0) (1/2,1/2); ω = 4 4 4 5 8
+:result: orders of x, y-x² in t = 2 7; δ = 3; n = 4; F = "x^4-2*x^2*y-x*y^3+y^2"; nodes, cusps, others = 0 0 1; g = 2; rational = "yes"
+:given: the quartic $F=(y-x^2)^2-xy^3=0$ by its terms $\alpha x^iy^j$, the point $P$ in homogeneous coordinates, and points $R$ and
+  weights $\omega$ of the curve $(\frac{t^2}{1+t^3},\frac{t^4}{1+t^3})$
+:then: the only singular point is $P$, a double point, neither a node nor an ordinary cusp; counted once it
+  gives $g=2$; yet the curve is a rational Bézier curve of degree $n$
+:method: As for the triple point.  From the orders $p$ of $x$ and $q$ of $y-x^2$ in $t$ on the curve follows
+  $\delta=\frac{(p-1)(q-1)}2$, which is more than 1: other double points are infinitely near.
+:control: the point counted as $\delta$ double points
 :::
 */
+/* The order in t of the zero of p at t = 0; p is not 0. */
+static int order_at_zero(poly p)
+{
+    int order = 0;
+    for (; poly_divides(poly_variable(), p); order++)
+        p = poly_quotient(p, poly_variable());
+    return order;
+}
+
 CLAIM(rational_quartic_with_a_higher_cusp)
 {
-    num_f F = POLYNOMIAL({1, 0, 2}, {-2, 2, 1}, {1, 4, 0}, {-1, 1, 3});
-    struct singular_list s = curve_of_degree(4, F);
-    list_point(&s, 0, 0, 1);
+    enum { n = 4 };
+    num_f F = given_polynomial(T, "α, i, j", 4), P[3], R[2 * n + 2], w[n + 1];
+    given_points(T, "P", 1, 3, P);
+    given_points(T, "R", n + 1, 2, R);
+    given_points(T, "ω", n + 1, 1, w);
+    struct singular_list s = curve_of(F);
+    list_points(&s, 1, P);
     struct census c = census_of(&s);
     int node, cusp, order = order_at(&s, 0, &node, &cusp);
-    num t = variable_f("t"), tt = mul(t, t), power = mul(mul(tt, tt), mul(tt, t)), w1 = add(from_int(1), mul(t, tt));
-    num difference = sub(mul(mul(tt, tt), w1), mul(tt, tt)); /* (y - x^2) (1 + t^3)^2 */
-    int seven = is_zero_f(sub(difference, power));
-    static const int X[5] = {0, 0, 2, 6, 12}, Y[5] = {0, 0, 0, 0, 12}, w[5] = {12, 12, 12, 15, 24};
-    if (seven && order == 2 && c.nodes == 0 && c.cusps == 0 && c.others == 1)
-        count_against(T, &s, c, genus_count(4, fault(T, 3, 1)), is_the_curve(4, X, Y, w, F));
+    num_q numerator[3][n + 1]; /* X, Y and W of the curve, in Bernstein form */
+    for (int i = 0; i <= n; i++) {
+        is_constant_f(mul(w[i], R[2 * i]), &numerator[0][i]);
+        is_constant_f(mul(w[i], R[2 * i + 1]), &numerator[1][i]);
+        is_constant_f(w[i], &numerator[2][i]);
+    }
+    poly X = poly_from_bernstein(n, numerator[0]), Y = poly_from_bernstein(n, numerator[1]);
+    /* y - x² = (Y W - X²)/W² */
+    poly difference = poly_sub(poly_mul(Y, poly_from_bernstein(n, numerator[2])), poly_mul(X, X));
+    int p = order_at_zero(X), q = order_at_zero(difference), delta = (p - 1) * (q - 1) / 2;
+    found_points(T, "orders of x, y-x² in t", 2, 1, (num_f[]){from_int(p), from_int(q)});
+    found_whole(T, "δ", delta);
+    if (order == 2 && c.nodes == 0 && c.cusps == 0 && c.others == 1)
+        count_against(T, &s, c, genus_count(s.n, fault(T, delta, 1)), is_the_curve(n, R, w, F));
 }
 
 /*
@@ -682,21 +736,26 @@ CLAIM(rational_quartic_with_a_higher_cusp)
 :zh: y=x³ 的尖点在无穷远
 :kind: counterexample
 :types: field
-:given: $y=x^3$, $n=3$, the curve $(t,t^3)$
+:data: α, i, j = (1,0,1) (-1,3,0); P = (0,1,0); R = (0,0) (1/3,0) (2/3,0) (1,1); ω = 1 1 1 1
+:result: finite singular points = 0; n = 3; F = "-x^3+y"; nodes, cusps, others = 0 1 0; g = 1; rational = "yes"
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, the point $P$ at infinity, and the points $R$ of the curve $(t,t^3)$ with equal
+  weights
 :then: no finite point is singular, so the finite points give $g=1$; yet it is a polynomial Bézier curve
-:method: The only singular point is $(0:1:0)$, a cusp.  Compared is: $g=0$ exactly if the curve is rational.
+:method: The only singular point is $P$, a cusp.  Compared is: $g=0$ exactly if the curve is rational.
 :control: the point at infinity counted
 :::
 */
 CLAIM(cuspidal_cubic_at_infinity)
 {
-    num_f F = POLYNOMIAL({1, 0, 1}, {-1, 3, 0});
-    struct singular_list s = curve_of_degree(3, F);
-    list_point(&s, 0, 1, 0);
+    num_f F = given_polynomial(T, "α, i, j", 2), P[3];
+    given_points(T, "P", 1, 3, P);
+    struct singular_list s = curve_of(F);
+    list_points(&s, 1, P);
     struct census c = census_of(&s);
-    static const int X[4] = {0, 1, 2, 3}, Y[4] = {0, 0, 0, 3}, w[4] = {3, 3, 3, 3};
+    int rational = is_the_given_curve(T, 3, F), finite = finite_singular_points(&s);
+    found_whole(T, "finite singular points", finite);
     if (c.nodes == 0 && c.cusps == 1 && c.others == 0)
-        count_against(T, &s, c, genus_count(3, fault(T, 1, finite_singular_points(&s))), is_the_curve(3, X, Y, w, F));
+        count_against(T, &s, c, genus_count(s.n, fault(T, 1, finite)), rational);
 }
 
 /*
@@ -705,21 +764,26 @@ CLAIM(cuspidal_cubic_at_infinity)
 :zh: 尖点重复计数
 :kind: counterexample
 :types: field
-:given: $y^2=x^3$, $n=3$, with one singular point, a cusp; $d=1$, $s=1$
-:then: $g=-1$, although the curve $(t^2,t^3)$ is rational
+:data: α, i, j = (1,0,2) (-1,3,0); P = (0,0,1); R = (0,0) (0,0) (1/3,0) (1,1); ω = 1 1 1 1; d = 1
+:instead: d = 0
+:result: n = 3; F = "-x^3+y^2"; nodes, cusps, others = 0 1 0; g = -1; rational = "yes"
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, with one singular point $P$, a cusp, which is counted in $s$ and, with $d$
+  double points, once more; and the points $R$ of the curve $(t^2,t^3)$ with equal weights
+:then: $g=-1$, although the curve is rational
 :method: The singular points as above.  Compared is: $g=0$ exactly if the curve is rational.
-:control: $d=0$, $s=1$
+:control: the cusp counted in $s$ alone
 :::
 */
 CLAIM(cusp_counted_twice)
 {
-    num_f F = POLYNOMIAL({1, 0, 2}, {-1, 3, 0});
-    struct singular_list s = curve_of_degree(3, F);
-    list_point(&s, 0, 0, 1);
+    num_f F = given_polynomial(T, "α, i, j", 2), P[3];
+    given_points(T, "P", 1, 3, P);
+    struct singular_list s = curve_of(F);
+    list_points(&s, 1, P);
     struct census c = census_of(&s);
-    static const int X[4] = {0, 0, 1, 3}, Y[4] = {0, 0, 0, 3}, w[4] = {3, 3, 3, 3};
+    int rational = is_the_given_curve(T, 3, F), double_points = given_whole(T, "d");
     if (c.nodes == 0 && c.cusps == 1 && c.others == 0)
-        count_against(T, &s, c, genus_count(3, c.cusps + fault(T, 0, 1)), is_the_curve(3, X, Y, w, F));
+        count_against(T, &s, c, genus_count(s.n, c.cusps + double_points), rational);
 }
 
 /*
@@ -728,22 +792,25 @@ CLAIM(cusp_counted_twice)
 :zh: 按所印定义的次数使判据失效
 :kind: counterexample
 :types: field
-:given: $x^2y+xy^2+1=0$, whose exponents are at most 2
-:then: with $n=2$ the count is 0; but it is a cubic without singular points, and not rational
+:data: α, i, j = (1,2,1) (1,1,2) (1,0,0)
+:result: largest exponent = 2; n = 3; F = "x^2*y+x*y^2+1"; nodes, cusps, others = 0 0 0; g = 0; rational = "no"
+:given: the cubic $F=0$ by its terms $\alpha x^iy^j$, whose exponents are at most 2
+:then: with the largest exponent for $n$ the count is 0; but it is a cubic without singular points, and not rational
 :method: The singular points as above.  Whether the cubic is rational is read off their number, as
   `rational_cubic_has_one_double_point` allows; without any it is irreducible, because two parts would have a common
   point.  Compared is: $g=0$ exactly if the curve is rational.
-:control: the total degree $n=3$
+:control: the total degree for $n$
 :::
 */
 CLAIM(printed_degree_spoils_the_genus)
 {
-    num_f F = POLYNOMIAL({1, 2, 1}, {1, 1, 2}, {1, 0, 0});
-    struct singular_list s = curve_of_degree(3, F);
+    num_f F = given_polynomial(T, "α, i, j", 3);
+    struct singular_list s = curve_of(F);
     struct census c = census_of(&s);
-    int degree = total_degree(F, s.x, s.y), n = fault(T, degree, 2);
-    if (degree == 3 && c.nodes >= 0 && degree_f(F, s.x) <= 2 && degree_f(F, s.y) <= 2)
-        count_against(T, &s, c, genus_count(n, c.nodes + c.cusps), is_rational_cubic(c));
+    int in_x = degree_f(F, s.x), in_y = degree_f(F, s.y), largest = in_x > in_y ? in_x : in_y;
+    found_whole(T, "largest exponent", largest);
+    if (s.n == 3 && c.nodes >= 0)
+        count_against(T, &s, c, genus_count(fault(T, s.n, largest), c.nodes + c.cusps), is_rational_cubic(c));
 }
 
 /*
@@ -765,11 +832,19 @@ has only one finite double point.  A point of higher multiplicity counts for sev
 :zh: 符合定理的四条曲线
 :kind: decision
 :types: field
-:given: the nodal cubic $y^2=x^2(x+1)$, the cuspidal cubic $y^2=x^3$, the lemniscate $(x^2+y^2)^2=x^2-y^2$ and the
-  cardioid $(x^2+y^2)^2+4x(x^2+y^2)=4y^2$
-:then: they have exactly one node; one cusp; three nodes, two of them the imaginary points $(1:\pm\mathrm i:0)$ at
-  infinity; three cusps, two of them these same points; so $g=0$; and they are the curves of rational Bézier points
-  and weights whose determinant (3.4.1) is a constant times their equation
+:data: nodal cubic = (1,0,2) (-1,3,0) (-1,2,0); R, nodal cubic = (-1,0) (-1,-1/3) (-2/3,-2/3) (0,0);
+  ω, nodal cubic = 1 1 1 1; cuspidal cubic = (1,0,2) (-1,3,0); R, cuspidal cubic = (0,0) (0,0) (1/3,0) (1,1);
+  ω, cuspidal cubic = 1 1 1 1; lemniscate = (1,4,0) (2,2,2) (1,0,4) (-1,2,0) (1,0,2);
+  R, lemniscate = (0,0) (1/4,1/4) (1/2,1/2) (1,1/2) (1,0); ω, lemniscate = 1 1 1 1 2;
+  cardioid = (1,4,0) (2,2,2) (1,0,4) (4,3,0) (4,1,2) (-4,0,2);
+  R, cardioid = (0,0) (0,0) (1/2,0) (1,1) (0,2); ω, cardioid = 3 3 4 6 12
+:result: nodes and cusps, nodal cubic = 1 0; nodes and cusps, cuspidal cubic = 0 1; nodes and cusps, lemniscate = 3 0;
+  nodes and cusps, cardioid = 0 3
+:given: a nodal and a cuspidal cubic, the lemniscate and the cardioid, each by its terms $(\alpha,i,j)$, $\alpha x^iy^j$, with points $R$
+  and weights $\omega$
+:then: the cubics have one node and one cusp; the lemniscate has three nodes, two of them the imaginary points
+  $(1:\pm\mathrm i:0)$ at infinity; the cardioid three cusps, two of them these same points; there are no other singular points, so
+  $g=0$; and they are the curves of the points $R$ and weights $\omega$, whose determinant (3.4.1) is a constant times their equation
 :method: The singular points are counted by elimination and verified one by one, the imaginary ones modulo
   $\theta^2+1$.  The determinant is computed from the Bézier points and divided by the equation.
 :control: the imaginary points left out
@@ -787,29 +862,32 @@ static void list_circular_points(struct singular_list *s)
 
 CLAIM(curves_that_fit_the_theorem)
 {
-    num_f node = POLYNOMIAL({1, 0, 2}, {-1, 3, 0}, {-1, 2, 0}), cusp = POLYNOMIAL({1, 0, 2}, {-1, 3, 0});
-    num_f lemniscate = POLYNOMIAL({1, 4, 0}, {2, 2, 2}, {1, 0, 4}, {-1, 2, 0}, {1, 0, 2});
-    num_f cardioid = POLYNOMIAL({1, 4, 0}, {2, 2, 2}, {1, 0, 4}, {4, 3, 0}, {4, 1, 2}, {-4, 0, 2});
-    const struct {
-        num_f F;
-        int n, nodes, cusps, X[5], Y[5], w[5];
-    } curves[4] = {
-        {node, 3, 1, 0, {-3, -3, -2, 0}, {0, -1, -2, 0}, {3, 3, 3, 3}},
-        {cusp, 3, 0, 1, {0, 0, 1, 3}, {0, 0, 0, 3}, {3, 3, 3, 3}},
-        {lemniscate, 4, 3, 0, {0, 1, 2, 4, 8}, {0, 1, 2, 2, 0}, {4, 4, 4, 4, 8}},
-        {cardioid, 4, 0, 3, {0, 0, 2, 6, 0}, {0, 0, 0, 6, 24}, {3, 3, 4, 6, 12}},
+    static const struct {
+        const char *name, *points, *weights, *census;
+        int terms, n;
+    } curve[4] = {
+        {"nodal cubic", "R, nodal cubic", "ω, nodal cubic", "nodes and cusps, nodal cubic", 3, 3},
+        {"cuspidal cubic", "R, cuspidal cubic", "ω, cuspidal cubic", "nodes and cusps, cuspidal cubic", 2, 3},
+        {"lemniscate", "R, lemniscate", "ω, lemniscate", "nodes and cusps, lemniscate", 5, 4},
+        {"cardioid", "R, cardioid", "ω, cardioid", "nodes and cusps, cardioid", 6, 4},
     };
+    const num_f origin[3] = {from_int(0), from_int(0), from_int(1)};
     for (int k = 0; k < 4; k++) {
-        struct singular_list s = curve_of_degree(curves[k].n, curves[k].F);
-        list_point(&s, 0, 0, 1);
-        if (fault(T, curves[k].n == 4, 0))
+        int n = curve[k].n;
+        num_f R[10], w[5], F = given_polynomial(T, curve[k].name, curve[k].terms);
+        given_points(T, curve[k].points, n + 1, 2, R);
+        given_points(T, curve[k].weights, n + 1, 1, w);
+        struct singular_list s = curve_of(F);
+        list_points(&s, 1, origin);
+        if (fault(T, n == 4, 0))
             list_circular_points(&s);
         struct census c = census_of(&s);
-        about(T, "nodes and cusps, and g = 0");
-        agree(T, c.nodes == curves[k].nodes && c.cusps == curves[k].cusps && c.others == 0);
-        agree(T, genus_count(curves[k].n, c.nodes + c.cusps) == 0);
+        found_points(T, curve[k].census, 2, 1, (num_f[]){from_int(c.nodes), from_int(c.cusps)});
+        about(T, "nodes and cusps only, and g = 0");
+        agree(T, s.n == n && c.nodes >= 0 && c.others == 0);
+        agree(T, genus_count(n, c.nodes + c.cusps) == 0);
         about(T, "the equation of the Bézier curve");
-        agree(T, is_the_curve(curves[k].n, curves[k].X, curves[k].Y, curves[k].w, curves[k].F));
+        agree(T, is_the_curve(n, R, w, F));
     }
 }
 
