@@ -46,6 +46,9 @@ $j$ is the row, $i$ the column.
 static struct G(span) G(bernstein_span)(int k) { return G(span_of_pattern)(k, 0, (num[]){from_int(0), from_int(1)}); }
 
 /*
+For these knots $\omega_{i,k}$ has only the zeros 0 and 1, and $G$ is a triangular matrix of quotients of binomial
+coefficients: it takes the Bernstein basis to the powers.
+
 :::{claim} bernstein_coefficients_and_g
 :title: Marsden's coefficients and G for the knots of Bernstein
 :zh: Bernstein 节点的 ω 与 G
@@ -125,6 +128,10 @@ static num G(bernstein_value)(int n, int i, num t)
 }
 
 /*
+The inverse of such a matrix is again triangular, on the same side, and has products of the binomial coefficients with
+alternating signs. On which side, one sees from the polynomials: $B_i^{k-1}$ is divisible by $t^i$, so column $i$
+begins with $i$ zeros.
+
 :::{claim} bernstein_matrix_is_the_matrix
 :title: The corrected entries are those of the coefficient matrix
 :zh: 改正后的 Bernstein 系数矩阵
@@ -173,6 +180,9 @@ static num G(printed_bernstein)(int k, int i, int indices_right, int product_rig
 }
 
 /*
+The printed matrix has two faults.  For $k=2$ all quotients are also products, and the exchange of the indices is seen
+alone; for $k=3$, with the indices put right, the quotients are.
+
 :::{claim} printed_bernstein_matrix_is_transposed
 :title: The printed matrix has its indices exchanged
 :zh: 印出的矩阵行列互换

@@ -97,6 +97,10 @@ static int G(which_pattern)(trial *T, int k, int all_up_to, int m)
 }
 
 /*
+A kernel computes the matrix by the recursion, with polynomials in $u$ in the place of numbers.  It is the reference
+for all formulas of these sections, so it is itself compared with the definition of the B-splines first, for every
+pattern of coincident knots.
+
 :::{claim} matrix_holds_the_powers_of_the_basis
 :title: Column i of the matrix has the coefficients of N_{i,k} in the powers of u
 :zh: 矩阵各列为基函数的幂系数
@@ -125,6 +129,9 @@ CLAIM(matrix_holds_the_powers_of_the_basis)
 }
 
 /*
+Two simple properties help later.  The parameter $u$ does not notice an affine map of the knots, so equidistant knots
+may be taken as integers; and that the B-splines have the sum 1 is a property of the rows.
+
 :::{claim} coefficient_matrix_is_affinely_invariant
 :title: The knots at + b have the same matrix
 :zh: 系数矩阵的仿射不变性
@@ -208,6 +215,9 @@ CLAIM(matrix_gives_homogeneous_curve)
 
 #if RATIONAL
 /*
+A matrix acts linearly, and an affine point of a curve with different weights is not a linear function of the affine
+control points.  One has to apply the matrix in homogeneous coordinates and to divide at the end.
+
 :::{claim} affine_points_need_the_weights
 :title: Applied to affine points the matrix does not give the affine curve
 :zh: 对仿射控制顶点须计入权因子
@@ -427,6 +437,10 @@ CLAIM(printed_double_sum_gives_the_basis)
 }
 
 /*
+The formula of the theorem has three sources: the weights of the last section, the derivatives of the power of
+$\tau-t$, and the expansion of that power about $t_r$.  Its limits look strange, but they only combine what each of
+the sums has room for.
+
 :::{statement} wang-ch4:thm-4.4.1
 :title: The coefficients by divided differences
 :zh: 定理 4.4.1 基于差商的系数矩阵
@@ -546,6 +560,9 @@ static num G(power_datum)(int k, int mu, num tau, num t, int degree)
 }
 
 /*
+The proof begins with the truncated power (截断幂).  Seen from a $t$ of the span it has the data 0 at the nodes on the
+left and those of an ordinary power at the nodes on the right; that is all that the divided difference needs.
+
 :::{claim} truncated_power_gives_the_basis
 :title: The divided difference of the truncated power is the B-spline
 :zh: 截断幂的差商即 B 样条基
@@ -647,6 +664,10 @@ static num G(second_line)(const struct G(span) * S, int only_right, num t, int d
 }
 
 /*
+Then the truncation is forgotten in the print.  A divided difference of order $k$ of a polynomial of degree $k-1$ is
+0, so the second and third lines of the proof are 0 for all $t$.  The formula at the end is right nevertheless,
+because the condition $\tau_\lambda>t_r$ comes back in (4.4.12).
+
 :::{claim} all_full_powers_sum_to_nothing
 :title: With the full powers the sum is always 0
 :zh: 不截断则和恒为零
@@ -782,6 +803,9 @@ CLAIM(powers_expand_in_the_parameter)
 
 #if RATIONAL
 /*
+In the end the powers of $u$ are collected, which exchanges two sums.  The new limits are found by asking for which
+$\mu$ a given $j$ occurs.
+
 :::{claim} summation_orders_agree
 :title: The pairs of mu and j are the same in both orders of summation
 :zh: 两种求和次序的指标集相同

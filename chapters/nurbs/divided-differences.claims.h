@@ -59,6 +59,10 @@ static int G(composition)(int k, int m, int l[])
 
 #if FIELD
 /*
+To osculate is to have common zeros of the difference, counted with multiplicity.  For polynomials this is
+divisibility, and that is what is tried: a multiple of the product of all $t-t_i$ has just so many vanishing
+derivatives, and the next one does not vanish.
+
 :::{claim} osculation_is_divisibility
 :title: A multiple of the product of all t - t_i has the derivatives that osculation asks to vanish
 :zh: 密切等价于差被节点多项式整除
@@ -176,6 +180,10 @@ static num G(power_derivative)(int c, int j, num x)
 }
 
 /*
+The matrix of the powers is a confluent matrix of Vandermonde: rows of values where nodes are simple, and below them
+rows of derivatives where they are not.  The kernel that fills it is compared with derivatives taken formally; then it
+is seen to say what osculation means.
+
 :::{claim} confluent_vandermonde_holds_derivatives
 :title: Row b(i,j) of the kernel has the j-th derivatives of the powers
 :zh: 合流 Vandermonde 矩阵的元素
@@ -267,6 +275,9 @@ For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
 
 #if RATIONAL
 /*
+Printed matrices show a first row, dots, and a last row, so that a fault in the last row is a fault in all.  Here the
+factorial below has to be that of the exponent, as in every derivative of a power; the print lowers it by 2.
+
 :::{claim} printed_last_row_has_wrong_factor
 :title: The printed entry of the last row is not the derivative of t^k
 :zh: 末行末元素的阶乘印错
@@ -391,6 +402,10 @@ static num G(printed_determinant)(int d, const int l[], const num tau[])
 }
 
 /*
+The determinant is what one expects of Vandermonde, each difference taken as often as there are pairs of nodes, times
+factorials from the derivatives.  As the nodes differ it is not 0, and the system has one solution.  This is where
+equal nodes have to be counted as one.
+
 :::{claim} confluent_vandermonde_determinant_is_product
 :title: The determinant is the product of differences and factorials
 :zh: 合流 Vandermonde 行列式公式
@@ -481,6 +496,9 @@ CLAIM(node_listed_twice_makes_h_singular)
 
 The left side is the table of divided differences.  $g$ has the degree $k$ at most; $c_k$ may be 0.
 :::
+
+A divided difference (差商) is defined by its table, and by Cramer's rule it is a quotient of determinants, since it is
+the last unknown of the system.  The lemma of the source expands the upper determinant by its last column.
 
 :::{claim} divided_difference_is_leading_coefficient
 :title: The table of divided differences gives the leading coefficient
@@ -582,6 +600,9 @@ static void G(printed_weights)(int d, const int l[], int k, const num tau[], int
 }
 
 /*
+Thus the weights are cofactors (代数余子式) over the determinant, and the only difficulty is to say which place of the
+column belongs to which derivative: $b(i,j)$ counts the rows, from 0.
+
 :::{claim} printed_weights_give_divided_difference
 :title: The printed weights are those of the kernel, and they give the divided difference
 :zh: 按 (4.4.8)、(4.4.9) 计算的差商
@@ -719,6 +740,9 @@ The places are the numbers $0,\dots,k$, each once.
 The source has the indices $ii$ here, for $ij$.  Only nodes and multiplicities enter the cofactors, and because the
 values of $f$ are free no other weights do the same.
 :::
+
+That the weights do not depend on $f$ can be read off.  That they are the only ones that serve for all $f$ follows
+from trying functions with a single datum that is not 0.
 
 :::{claim} weights_are_the_only_ones
 :title: Other weights give another functional

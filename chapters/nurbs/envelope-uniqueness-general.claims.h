@@ -52,6 +52,11 @@ with $t$ and $\tau$ exchanged, in every dimension.  In space two equations have 
 $k=7$ there can be a curve.
 :::
 
+Two remarks on the polar form carry the section.  To replace one argument $t$ by $\tau$ is a step along the tangent of
+the member before; and the derivative by $\tau$ of a form with $r$ equal arguments is $r$ times the derivative by one
+of them, which the member before has as an argument $t$.  Both sides of each equation are computed by different
+recursions.
+
 :::{claim} family_steps_along_the_tangent
 :title: A member is reached from that of the level before by a step along its tangent
 :zh: 由上一层沿切线得到下一层
@@ -128,6 +133,11 @@ CLAIM(derivative_by_tau_is_that_of_the_level_before)
 }
 
 /*
+With $Q$, $Q'$, $Q''$ as free vectors the rest is the quotient rule.  The result has the form of the first level, with
+the member $\tau$ of the level before in the place of the curve.  For $r=1$ this member is the curve itself and does
+not depend on $\tau$; for $r\ge2$ it does, and that makes the difference: the other factor is a curve in the square,
+and not a set of lines $t=t_0$.
+
 :::{claim} general_condition_is_that_of_the_level_before
 :title: The condition of the envelope is (τ-t) R' x R'' of the level before
 :zh: 包络条件等价于上一层族曲线的曲率为零
@@ -189,6 +199,9 @@ CLAIM(general_condition_is_that_of_the_level_before)
 
 What the proof cites under this number is in `thm-4.3.3-alternatives`.
 :::
+
+The source derives the step from one level to the next by comparing the weights of two parameters, index by index.
+The formulas are right; at multiple knots they contain terms $0/0$, which stand for B-splines that vanish on the span.
 
 :::{statement} wang-ch4:thm-4.3.3-difference
 :title: How a weight of level r changes with its parameter
@@ -397,6 +410,11 @@ values of its polar form.
 
 #if RATIONAL
 /*
+How does one find a convex curve with a second envelope?  For $(t,y(t))$ of degree 4 and $r=2$ the member of level 1
+has no curvature where $y''[\tau,t]$, the polar form of $y''$, vanishes.  For an even quartic this form is a constant
+plus a multiple of $t\tau$; it is positive for $t=\tau$, and yet 0 on a hyperbola when $t$ and $\tau$ have different
+signs.
+
 :::{claim} convex_quartic_of_span_has_second_envelope
 :title: A convex segment without inflections whose conics touch a parabola as well
 :zh: 无拐点的凸四次曲线段,其族另有抛物线为包络
@@ -432,6 +450,9 @@ CLAIM(convex_quartic_of_span_has_second_envelope)
 
 #if RATIONAL
 /*
+In space two coordinates of the vector product have to vanish at once.  The sextic is chosen so that both contain one
+factor, $t\tau+1$: its zeros are no points of the diagonal, where curvature and torsion (挠率) would notice it.
+
 :::{claim} twisted_sextic_has_second_envelope
 :title: A curve of space, its curvature and torsion nowhere 0, whose cubics touch another curve as well
 :zh: 曲率与挠率处处非零的空间曲线,其族另有包络
@@ -517,6 +538,9 @@ CLAIM(solution_over_the_whole_span)
 
 #if FIELD
 /*
+A single pair refutes the theorem.  To see a second envelope as a curve one takes $t$ and $\tau$ as variables and
+factors the condition; the drawings show what comes out.
+
 :::{claim} second_envelopes_of_spans
 :title: The other factor of the condition, and the curves that it gives
 :zh: 包络条件的另一因子及所得曲线

@@ -27,6 +27,10 @@ $t$ of the span.  If it does hold for all of them both conclusions are right; at
 :figure: points_off_the_plane
 :::
 
+That the B-splines are independent says something of sums with constant coefficients, and $(\mathbf r_i,\mathbf
+r',\mathbf r'')$ changes with $t$.  The conclusion can be saved by another thought: a linear relation that holds on
+the whole segment holds for its polar form, and the control points are values of the polar form.
+
 :::{claim} points_are_polar_values_of_the_segment
 :title: The points of a span are values of the polar form of its segment: a linear relation of the segment is one of
   the points
@@ -91,6 +95,9 @@ CLAIM(common_normal_makes_points_coplanar)
 
 #if RATIONAL
 /*
+At a single $t$ the triple product $(\mathbf p,\mathbf r',\mathbf r'')$ says that the osculating plane (密切平面) passes
+through the origin.  A moving plane does so now and then, and the origin is nowhere special.
+
 :::{claim} osculating_plane_meets_the_origin_once
 :title: At one t the triple product with p vanishes, and those with the points do not
 :zh: 某一 t 处 (p, r', r'')=0 而 (r_i, r', r'')≠0
@@ -192,6 +199,10 @@ What follows, (4.3.13), is (4.3.9): that two derivatives are parallel does not d
 depend on them: it refers to the origin, and a motion keeps the origin only if it turns about it.  As the plane passes through the
 origin, by the step before, such a rotation suffices.
 :::
+
+To turn the plane of the points into $z=0$ one has to know that the construction does not depend on coordinates.  The
+recursion forms means of points, with factors that do not depend on the points; so members follow every affine map,
+and their derivatives its linear part.
 
 :::{claim} family_moves_with_its_points
 :title: Under an affine map of the points the members are mapped, and their derivatives by its linear part
@@ -310,6 +321,10 @@ CLAIM(slope_is_constant_where_nothing_turns)
 
 #if RATIONAL
 /*
+In the plane the condition is a product of two factors, which is true and is the whole answer.  The proof reads the
+second factor as an equation for all $t$ and concludes that the segment is straight.  The simplest inflection of all,
+that of $(t,t^3)$ at 0, is a counterexample.
+
 :::{claim} inflected_cubic_is_not_straight
 :title: At the inflection of (t, t³) the determinant vanishes; the curve is not straight
 :zh: 拐点处行列式为零而曲线非直线
@@ -365,6 +380,10 @@ CLAIM(inflected_cubic_is_not_straight)
 :figure: nurbs_folded_line
 :::
 
+Even the straight segment is not as harmless as it looks.  If all members are on a line, every pair satisfies the
+condition, and the members may reach farther than the segment itself, which need not run through the line in one
+direction.
+
 :::{claim} folded_line_has_another_solution
 :title: On a line every function τ(t) is a solution, and its points may be off the segment
 :zh: 共线时任意 τ(t) 均为解,其点可在 r(t) 之外
@@ -412,6 +431,10 @@ CLAIM(folded_line_has_another_solution)
   identically is not enough
 :figure: nurbs_envelope_extra
 :::
+
+So the theorem fails at every inflection, and it fails visibly: the members of the cubic $(t,t^3)$ are parabolas, and
+each of them touches the axis in a point of its own.  The last claim is the same in space, where one may have hoped
+for more room.
 
 :::{claim} inflected_cubic_has_second_envelope
 :title: The parabolas of the cubic (t, t³) touch the axis y = 0 as well

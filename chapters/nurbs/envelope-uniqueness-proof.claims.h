@@ -33,6 +33,10 @@ alternative is true for a stronger reason: for $\tau\ne t$ the vector product of
 
 #if RATIONAL
 /*
+The superscripts are the first trap.  In (4.3.3) they count the order of a member, in (4.3.17) its level, and the two
+add up to $k$. Where $r-1$ is meant as a level and read as an order the member is another curve, and the sum does not
+vanish.
+
 :::{claim} superscript_of_the_order_gives_another_product
 :title: With the curve of order r-1 in the place of the level r-1 the sum is not 0
 :zh: 若上标按 (4.3.3) 表示阶数则和不为零
@@ -102,6 +106,9 @@ static void G(products_with_member)(int p, const num u[], const num R[], const n
 }
 
 /*
+Next the sum is taken apart, by the argument that has failed for $r=1$.  A member whose osculating plane passes
+through the origin at one $t$ is easily made: one prescribes the member and looks for a curve that has it.
+
 :::{claim} member_osculates_a_plane_through_the_origin
 :title: The sum is 0 and its terms are not
 :zh: 和为零而各项不为零
@@ -146,6 +153,10 @@ CLAIM(member_osculates_a_plane_through_the_origin)
 
 For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
 :::
+
+The triple product with two fixed vectors is a linear function, and every linear function of the weighted points obeys
+the recursion of the weights.  Each product of a level is therefore a mean of two of the level before: that is right,
+but to solve these equations backwards there is one of them too few.
 
 :::{claim} weighted_points_follow_the_recursion
 :title: A linear function of the weighted points follows the recursion (4.1.3)
@@ -256,6 +267,10 @@ As in theorem 4.3.2: either one pair of the last two factors is independent, and
 every member is straight, and with them, at $\tau=t$, the segment.  But (4.3.15) gives the products at single pairs only;
 here the proof loses the curves of space.
 :::
+
+What is left is the conclusion from vanishing products to coplanar points.  At a pair with another solution the member
+has no curvature; so two factors of every product are parallel, and the products are 0 without saying anything about
+the points.
 
 :::{claim} twisted_sextic_has_products_zero
 :title: At another solution of a curve of space all products are 0; the points are not coplanar

@@ -114,6 +114,11 @@ CLAIM(touching_curve_satisfies_the_condition)
 :figure: nurbs_second_line
 :::
 
+The member of level 1 is computed from $w_i^{[1]}(\tau)$, a mean of $w_{i-1}$ and $w_i$ which is linear in $\tau$.
+Its change with $\tau$ is a difference of weights over a length of knots, and such differences, summed with the
+B-splines of order $k-1$, are the derivative.  So the member of level 1 is a piece of Taylor's formula: value and
+first derivative at $t$, followed as far as $\tau-t$, with the factor $\frac1{k-1}$.
+
 :::{claim} differences_of_span_give_the_derivative
 :title: The differences of the points, over lengths, with the basis of the next lower order are the derivative
 :zh: 差分与低一阶基函数之和即导矢
@@ -190,6 +195,10 @@ CLAIM(first_level_follows_the_tangent)
 }
 
 /*
+From here the two derivatives of the member can be written down, and the printed formulas are right.  Note what the
+derivative by $\tau$ is: a positive multiple of $\mathbf r'(t)$.  Whatever $\tau$ may be, the member moves along the
+tangent of the curve at $t$.
+
 :::{statement} wang-ch4:thm-4.3.2-by-tau
 :title: The derivative of the member by τ
 :zh: 族曲线对 τ 的偏导矢
@@ -310,6 +319,10 @@ static void G(bracket)(const G(jet) * J, int plus, num out[])
 }
 
 /*
+The condition of the envelope is then a vector equation.  The source divides by $\tau-t$ and goes on with what it
+calls the other case. It could have stopped here: by the quotient rule the bracket is $Ww\,\mathbf r'\times\mathbf
+r''$, so that the other case is the inflections of the curve and nothing else.
+
 :::{claim} first_level_condition_as_printed
 :title: The condition of the envelope is the printed equation of vector products
 :zh: 包络条件与所印方程等价
@@ -363,6 +376,10 @@ CLAIM(first_level_condition_factors)
 }
 
 /*
+What do the points of a line $t=t_0$ of the square look like?  As $\tau$ runs through the span the point of contact
+runs along the tangent at $t_0$.  Each member passes it in another point and is tangent to it there: the tangent at an
+inflection is touched by all.
+
 :::{claim} extra_points_run_along_the_tangent
 :title: The points of a line t = t₀ of the square are a segment of the tangent
 :zh: 直线 t=t₀ 上的点构成切线段
@@ -438,6 +455,9 @@ CLAIM(product_with_the_numerator_gives_the_triple_product)
 
 #if RATIONAL
 /*
+Three equations have been replaced by one.  Which one matters: the product with $\mathbf p''$, which is printed,
+multiplies by $w''$ what is to be shown to vanish, and for a polynomial curve $w''=0$.
+
 :::{claim} product_with_second_derivative_says_nothing
 :title: For equal weights the scalar product with p'' is 0 = 0
 :zh: 权相等时与 p'' 的数量积恒为零

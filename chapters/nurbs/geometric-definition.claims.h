@@ -75,6 +75,9 @@ CLAIM(polygon_is_the_curve_of_order_two)
 
 #if FIELD || RATIONAL
 /*
+That the sum of order 2 is the polygon means two things: on every span it is the quotient of the two ends, and this
+quotient runs through the leg once, forwards.  For positive weights it does, at a speed that depends on them.
+
 :::{claim} legs_are_run_through
 :title: A leg is run through from one end to the other
 :zh: 每段从一端到另一端单调
@@ -107,6 +110,9 @@ CLAIM(legs_are_run_through)
 
 #if RATIONAL
 /*
+The definition allows equal knots.  Then a span is empty, and with it the leg that belongs to it: the points at its
+ends are reached, one from each side, and nothing between.
+
 :::{claim} double_knot_skips_a_leg
 :title: Where two knots are one the curve of order 2 jumps over a leg
 :zh: 重节点处二阶曲线跳过一条边
@@ -198,6 +204,10 @@ For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]
 not exist.
 :::
 
+The range of the index is the same on all levels in the print.  A point of level $r$ is made of $r+1$ control points,
+the first of which has the index $i-r$; so a fixed lower bound asks for points before the first one as soon as $r$ is
+2.
+
 :::{claim} recursion_asks_for_a_point_that_is_missing
 :title: With i = 2, ..., n on every level the recursion asks for the point 0
 :zh: 按 i=2,...,n 递推需要不存在的顶点 r_0
@@ -247,6 +257,10 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
 :hypothesis: polygon_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when $t_{n+1}=t_{n+2}$
 :figure: nurbs_polygons
 :::
+
+In the polygon of $\tau$ only one leg belongs to the span of $\tau$.  What are the others?  By the polar form the leg
+over the span of $t$ is a piece of the tangent, at $\tau$, of the polynomials of *that* span.  On a drawing one sees
+it by continuing each segment beyond its knots.
 
 :::{claim} legs_are_tangents_of_the_continued_segments
 :title: The leg over a span is a piece of the tangent at τ of the segment of that span, continued to τ
@@ -316,6 +330,9 @@ CLAIM(legs_are_tangents_of_the_continued_segments)
 
 #if RATIONAL
 /*
+So the inflections of the continued segments count.  To find a counterexample among convex curves one joins two cubics
+with a common second derivative at the knot, of which the second has its inflection where the first one is in force.
+
 :::{claim} convex_polygon_has_a_stationary_leg
 :title: A convex curve with a strictly convex control polygon, and a leg all of whose points satisfy the condition
 :zh: 控制多边形严格凸的曲线,其多边形族有满足包络条件的整条边
@@ -404,6 +421,10 @@ CLAIM(convex_polygon_has_a_stationary_leg)
 For $\tau$ restricted to the span of $t$ the same holds with the inflections of the curve itself.  For $k=2$ there is
 no recursion and the polygon is the curve.
 :::
+
+For quadratic curves nothing of the kind can happen: a parabola or another conic has no inflection, however far it is
+continued. The determinant that decides is a constant, the area of the triangle of the three points over differences
+of knots.
 
 :::{claim} quadratic_legs_have_one_envelope
 :title: For k = 3 a segment turns unless three neighbouring points are on a line

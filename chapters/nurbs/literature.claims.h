@@ -80,6 +80,9 @@ CLAIM(cited_label_is_not_printed)
 }
 
 /*
+The keys of the main references contain a year.  One key is cited that the list does not have; with another year it
+does.
+
 :::{statement} wang-ch4:literature-lw-lyd
 :title: The source of the first two sections
 :zh: 第 1、2 节取材文献的年份
@@ -220,6 +223,9 @@ CLAIM(numbered_references_are_all_cited)
 }
 
 /*
+Journals number their volumes year by year, so year and volume differ by a constant.  One entry of the list breaks the
+rule of its journal, and is wrong.
+
 :::{statement} wang-ch4:references-volumes
 :title: Years and volumes of Computer Aided Design
 :zh: 期刊 CAD 的年份与卷号

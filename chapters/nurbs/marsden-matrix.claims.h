@@ -65,6 +65,10 @@ CLAIM(marsden_matrix_holds_derivatives)
 #endif
 
 /*
+The formula of the theorem contains cofactors and a determinant.  A kernel computes cofactors by leaving out a row and
+a column; to be sure that sign and place are right they are compared with another description, a determinant with a
+column replaced.
+
 :::{claim} cofactor_is_signed_minor
 :title: The cofactors of a column are what expands the determinant by it
 :zh: 代数余子式
@@ -141,6 +145,9 @@ static int G(which_pattern)(trial *T, int k, int all, int m)
 }
 
 /*
+In (4.4.17) the inverse of $G$ gives the B-splines in powers of $t$, and the binomial theorem turns these into powers
+of $u$.  The formula is computed as it stands, with determinants over all permutations, at variable knots.
+
 :::{claim} printed_cofactor_formula_gives_the_basis
 :title: The printed coefficients are those of the B-spline
 :zh: (4.4.17) 给出 B 样条基
@@ -215,6 +222,10 @@ The entries do not change when all knots move by one number, although $t_r$ stan
 
 Both are the matrix of the span, so they are equal, whatever the multiplicities of the knots.
 :::
+
+Two explicit matrices and a recursive one are now at hand.  They look nothing alike: one distinguishes cases by the
+multiplicities of the knots, one does not notice them.  That they are equal is no luck, since a polynomial has one
+representation in powers.
 
 :::{claim} both_explicit_matrices_agree
 :title: The matrices by divided differences, by Marsden's identity and by Cox and de Boor agree
@@ -307,6 +318,10 @@ CLAIM(both_explicit_matrices_agree_for_every_multiplicity)
 
 More is true: $\det G=\prod_{a\le r<b,\ b-a\le k-1}(t_b-t_a)\big/\prod_{j=0}^{k-1}\binom{k-1}j>0$.
 :::
+
+The determinant of $G$ can be written as a product.  Only differences of a knot on the left and a knot on the right of
+the span occur, and of these only those that one B-spline sees; so coincident knots do no harm, and an empty span
+does.
 
 :::{claim} marsden_determinant_is_product
 :title: The determinant of G is a product of differences of knots
@@ -419,6 +434,9 @@ CLAIM(empty_span_makes_g_singular)
 A vector $c$ with $G^Tc=0$ would give $\sum c_\mu t^\mu=0$.  The independence of the B-splines is then a consequence.
 :::
 
+The reason that the source gives is one of two halves.  The rows of $G$ express the powers by the B-splines, so a
+dependence of the rows is one of the powers; that the B-splines are independent does not enter.
+
 :::{claim} singular_g_makes_powers_dependent
 :title: A combination of the rows of G is the combination of the powers
 :zh: G 的行组合对应幂函数组合
@@ -483,6 +501,8 @@ CLAIM(independent_functions_do_not_suffice)
 :holds-by: cofactors_give_powers_of_t
 :figure: both_matrices
 :::
+
+With $\det G\ne0$ the last two steps are the inverse matrix by cofactors and the binomial theorem.
 
 :::{claim} cofactors_give_powers_of_t
 :title: The cofactors give the B-splines in powers of t

@@ -41,6 +41,9 @@ static num G(symmetric_sum)(int n, const num x[], int j)
 }
 
 /*
+As a polynomial in $x$ the coefficient vanishes at the $k-1$ knots inside the support and nowhere else; written in
+powers it has the elementary symmetric functions of these knots as coefficients.
+
 :::{claim} marsden_coefficients_vanish_at_inner_knots
 :title: The kernel's coefficients are the products of x minus the inner knots
 :zh: ω 的系数与零点
@@ -115,6 +118,10 @@ static num G(omega)(const struct G(span) * S, int i, int k, num x)
 }
 
 /*
+Both sides are polynomials in $x$ and $t$.  With the knots as variables the identity is proved for simple ones, and
+for coincident ones it follows, as no difference of knots on one side of the span is divided by; it is tried for them
+as well.
+
 :::{claim} marsden_identity
 :title: Marsden's identity for knots, x and t as variables
 :zh: Marsden 恒等式(节点为变量)
@@ -165,6 +172,9 @@ CLAIM(marsden_identity_for_every_pattern)
 
 #if RATIONAL
 /*
+The $k$ functions are those of one span.  A step further one of them has ended and another, which is missing from the
+sum, has begun.
+
 :::{claim} marsden_identity_ends_with_the_span
 :title: Outside the span the same k functions do not suffice
 :zh: 区间外恒等式不成立
@@ -265,6 +275,10 @@ static num G(level_of_coefficients)(const struct G(span) * S, int i, int k, cons
 }
 
 /*
+Put the recursion of the B-splines into a sum with arbitrary coefficients $W_i^0$ and collect what stands with each
+function of lower order: the new coefficients are those of de Boor's algorithm.  The functions at both ends are 0 on
+the span, so that the sum loses one term.
+
 :::{claim} one_level_moves_to_the_coefficients
 :title: The level of the coefficients is that of de Boor's algorithm
 :zh: 系数的一层递推即 de Boor 算法
@@ -298,6 +312,9 @@ CLAIM(one_level_moves_to_the_coefficients)
 }
 
 /*
+For the products $\omega_{i,k}$ one such step takes $x-t$ out: two neighbouring products have all factors in common
+but one, and the mean of the two different factors, with the weights of the recursion, is $x-t$.
+
 :::{claim} one_level_takes_off_a_factor
 :title: The level applied to the products
 :zh: 对 ω 施行一层递推
@@ -488,6 +505,9 @@ CLAIM(powers_of_t_from_derivatives)
 For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
 :::
 
+The coefficient of $t^j$ is the symmetric function divided by the number of its terms, a mean of products of $j$ inner
+knots.  This is a polar form in disguise: the control value of $t^j$ at the inner knots.
+
 :::{claim} powers_of_t_from_symmetric_functions
 :title: The powers of t from the symmetric functions of the knots
 :zh: 由对称函数得幂函数
@@ -541,6 +561,8 @@ For $j=0$ the sum has one term, the empty product 1.
 
 #if FIELD
 /*
+That the two forms (4.4.20) and (4.4.22) agree is a matter of one derivative at 0, which picks a coefficient.
+
 :::{claim} derivatives_of_omega_are_symmetric
 :title: The derivative of order k-1-j of omega at 0
 :zh: ω 的 k-1-j 阶导数

@@ -70,6 +70,10 @@ CLAIM(equal_weights_give_the_polynomial_family)
 :figure: bezier_knots
 :::
 
+Between two $(k-1)$-fold knots all knots that a span can see are its ends, and the recursion is that of de Casteljau.
+So the theorem of the chapter on Bézier curves is a special case as far as it is true: the contact of order $n-r$ that
+is claimed there does not exist, here as there.
+
 :::{claim} bezier_span_gives_the_bezier_family
 :title: Between (k-1)-fold knots level r is level r of the rational de Casteljau triangle, and the basis is Bernstein's
 :zh: k-1 重节点之间的族即有理 Bézier 曲线族
@@ -131,6 +135,10 @@ CLAIM(bezier_span_gives_the_bezier_family)
 
 The lines are segments, the legs that de Boor's algorithm draws last.
 :::
+
+For $r=k-2$ two points are left, and the B-splines of order 2 on a span are the two linear functions of its ends.  The
+member is the last leg that de Boor's algorithm draws, and the theorem says what every drawing of the algorithm shows:
+this leg is a tangent.
 
 :::{claim} lines_of_the_family_by_two_points
 :title: The member of order 2 is the printed quotient of two points
@@ -210,6 +218,11 @@ CLAIM(span_derivatives_are_parallel)
 }
 
 /*
+Parallel derivatives of numerator and denominator do not make the curvatures equal.  The first derivatives have the
+ratio $\frac mn$ and the second ones $\frac{m(m-1)}{n(n-1)}$, where contact of order 2 would ask for the square of the
+first.  In the plane and in space the quotient of the curvatures (曲率) is therefore a number less than 1, which only
+the orders determine.
+
 :::{claim} curvatures_have_a_fixed_ratio
 :title: Member and curve turn in a fixed ratio, which depends on k and r only
 :zh: 族曲线与曲线的曲率之比只与 k, r 有关

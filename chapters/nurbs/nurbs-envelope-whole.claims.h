@@ -53,6 +53,10 @@ static void G(whole_level)(int n, int p, const num u[], const int place[], int r
 }
 
 /*
+What the printed sum means for $t$ and $\tau$ in different spans is again said by the polar form: on the span of $t$
+the member is made of the polynomials of this span, continued to $\tau$.  Neighbouring points of a level are then
+shared by the pieces of the member, and where an index has $t_i=t_{i+k-r}$ no piece asks for its point.
+
 :::{claim} whole_member_is_polar_on_every_span
 :title: On every span the whole member is the polar form of the segment of that span
 :zh: 整条族曲线在每一段上都是该段的极形式
@@ -105,6 +109,10 @@ CLAIM(whole_member_is_polar_on_every_span)
 
 #if RATIONAL
 /*
+Now the exceptions, each with positive weights.  In the first the last weight is large enough for the extrapolation to
+reach 0 exactly at the start of the domain.  In the second this happens on a level below the one that is asked for,
+and is hidden again one level later.
+
 :::{claim} extrapolated_weight_vanishes
 :title: With positive weights a point of a member of the whole curve may be missing
 :zh: 权全为正时整条曲线的族曲线也可能缺控制顶点
@@ -171,6 +179,10 @@ CLAIM(lower_level_lacks_a_point)
 }
 
 /*
+The other exceptions are about divisions.  At the right end of a clamped curve no half-open interval contains $t$;
+between weights of different sign a denominator may vanish in the middle of a span; at a multiple knot the recursion
+itself divides by 0.
+
 :::{claim} whole_member_ends_in_no_interval
 :title: At the end of a clamped curve numerator and denominator of a member are 0
 :zh: 端点为重节点时族曲线在右端为 0/0

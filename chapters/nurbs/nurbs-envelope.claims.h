@@ -29,6 +29,10 @@ families are.
 On $[t_j,t_{j+1})$ these are the numerator and the denominator of (4.1.2): the other terms are 0.
 :::
 
+Everything below happens on one span, with its $k$ points and weights.  That the other terms of the sums are 0 is the
+first thing to be sure of, and it is not quite obvious at knots of high multiplicity, where the recursion meets
+quotients $0/0$.
+
 :::{claim} segment_needs_the_points_of_its_span
 :title: On a span the sum over all points is the sum over the k points of the span
 :zh: 在一段上全部项之和即该段 k 项之和
@@ -83,6 +87,11 @@ CLAIM(segment_needs_the_points_of_its_span)
 The indices are in range, level $r$ having the indices $j-k+r+1,\dots,j$, and so are the divisors
 $t_{i+k-r}-t_i\ge t_{j+1}-t_j$.  With positive weights nothing is undefined.
 :::
+
+The definition looks as if it depended on the knots in a complicated way.  The next claim says that it does not:
+(4.1.3) is the recursion of de Boor for the weights, (4.1.3) and (4.1.4) together that for the weighted points, and
+$r$ steps of it put $r$ arguments $\tau$ into the polar form.  Summing with the B-splines of order $k-r$ puts $t$ into
+the places that are left.
 
 :::{claim} member_of_span_is_polar
 :title: The member is the polar form with r arguments τ and k-1-r arguments t
@@ -216,6 +225,10 @@ CLAIM(member_of_extreme_levels)
 }
 
 /*
+The proof of contact compares the value and the derivative of the member with those of the curve at $t=\tau$.  On the
+diagonal all arguments of the polar form are equal, so the values agree on every level.  A derivative by $t$ sees only
+the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}$ come from.
+
 :::{statement} wang-ch4:formula-4.3.4
 :title: On the diagonal the denominators of all levels agree
 :zh: t=τ 时各层分母相等
@@ -373,6 +386,10 @@ static void G(curve_about)(trial *T, int p, num t, const num u[], num R[], num w
 }
 
 /*
+The quotient rule turns the four sums into a statement on the curve of the plane or of space: numerator and
+denominator are shortened by the same factor, so the direction of the derivative is not changed.  The middle term of
+the display is compared too.
+
 :::{claim} member_of_span_touches_curve
 :title: At τ = t the member has the point of the curve and (k-r-1)/(k-1) of its derivative
 :zh: τ=t 处族曲线与曲线同点,导矢之比为 (k-r-1)/(k-1)
@@ -414,6 +431,9 @@ CLAIM(member_of_span_touches_curve)
 }
 
 /*
+At a knot of multiplicity $k-1$ a curve may have two tangents, one on each side.  The member belongs to the span on
+the right and knows nothing of the other; the source says so in passing, and it is needed.
+
 :::{statement} wang-ch4:thm-4.3.1-right-limit
 :title: At a knot the derivatives are limits from the right
 :zh: 节点处的偏导矢取右极限
@@ -479,6 +499,11 @@ spans, so that the last point $t_{n+1}$ of the curve is in none of them; the pol
 For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
 for every $r$: `curvatures_have_a_fixed_ratio`.
 :::
+
+By the usual definition a curve $X(t,\tau(t))$ is an envelope (包络) if it meets the condition $X_t\times X_\tau=0$.
+The derivative by $\tau$ sees the other $r$ arguments, so the two derivatives at $t=\tau$ are $\frac{k-r-1}{k-1}$ and
+$\frac r{k-1}$ of $\mathbf r'$.  They are parallel, and where $\mathbf r'=0$ both vanish: a cusp (尖点) is the exception
+to look out for.
 
 :::{claim} envelope_condition_holds_on_the_diagonal
 :title: On the diagonal the derivatives of the member by t and by τ are parallel

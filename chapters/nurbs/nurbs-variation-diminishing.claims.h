@@ -180,6 +180,11 @@ static void for_designed(trial *T, int (*good)(const struct graph *g, int faulty
 }
 
 /*
+A crossing (跨越) is a change of side, and a curve that only touches the line has none.  The two counts are compared on
+curves that were designed for this: the ordinates are $-1$, 0 and 1 in every arrangement, so that vertices, edges and
+pieces of the curve lie on the line as often as possible, and inner knots have the multiplicities 1, $k-1$ and $k$.
+Between curve and polygon stands a third count, that of the polygon after an insertion.
+
 :::{claim} designed_splines_cross_no_more
 :title: Designed splines cross a line no more often than their polygons
 :zh: 设计算例的跨越次数
@@ -240,6 +245,10 @@ static struct graph given_graph(trial *T)
 }
 
 /*
+Whoever counts points of the plane counts a point once, although two edges pass through it.  An insertion can pull
+these two passages apart.  The polygon of the next claim crosses itself on the line; four insertions later there are
+two points in the place of one, while the number of crossings has not changed.
+
 :::{claim} self_crossing_polygon_gains_points_on_a_line
 :title: A polygon that crosses itself on the line has two points there after an insertion
 :zh: 自交于直线的多边形嵌节点后交点增多
@@ -274,6 +283,9 @@ CLAIM(self_crossing_polygon_gains_points_on_a_line)
 }
 
 /*
+The other two counts fail at an edge on the line.  If it does not count, a polygon may have nothing in common with a
+line that its curve has to cross; if it counts with all its points, it is enough to cut a corner parallel to the line.
+
 :::{claim} edge_on_the_line_must_be_counted
 :title: A polygon with nothing but an edge on the line, and a curve that crosses it
 :zh: 落在直线上的边必须计入
@@ -334,6 +346,10 @@ CLAIM(cut_corner_lies_on_the_line)
 }
 
 /*
+For the two counts that remain the lemma is a matter of signs.  A new vertex between $a$ and $b$ lies on their edge,
+so it adds nothing; taking the vertex $a$ out replaces its two edges by one, and among the signs of neighbours no
+change can arise.
+
 :::{statement} wang-ch4:lemma-4.2.2
 :title: Inserting knots adds no intersection with a line (4.2.1)
 :zh: 嵌节点过程的变差缩减性
@@ -399,6 +415,9 @@ CLAIM(cut_corners_meet_a_line_no_more)
 }
 
 /*
+Positive weights are needed in one place: the new vertex has to be between the old ones.  With a negative weight it is
+on the line through them and outside the edge, even where the curve itself has no pole.
+
 :::{claim} insertion_with_mixed_weights_crosses_more
 :title: With weights of both signs an insertion adds crossings
 :zh: 权因子变号时嵌节点增加交点
@@ -449,6 +468,10 @@ on alternating sides, and insert them until these points are vertices.  The new 
 one does.  With the second reading take one parameter of each intersection and one, off the line, between any two.
 No hypothesis about inner knots is needed: at a knot of multiplicity $k$ the curve jumps, and the polygon crosses with it.
 :::
+
+To pass from the polygon to the curve one has to know the sign of the form $ax+by+c$ on the curve.  It is a quotient
+of two splines with the same weights, and the denominator is positive; so a line may be taken as the axis, and only
+heights matter.
 
 :::{claim} line_form_of_a_nurbs_curve
 :title: The form of a line, on the curve, has the weights of the curve
@@ -524,6 +547,10 @@ CLAIM(self_crossing_polygon_meets_the_line_less_than_its_spline)
 }
 
 /*
+The printed proof is by contradiction: the points on the line are made vertices, and then the polygon has too many.
+It works with points of the curve on the line; a curve with a $k$-fold knot inside can change sides without such a
+point.
+
 :::{statement} wang-ch4:thm-4.2.2-step-suppose
 :title: If the theorem were false there were too many parameters
 :zh: 反证法的假设

@@ -77,6 +77,10 @@ static num G(product_of_differences)(const num t[], int i, int k, int l, int as_
 }
 
 /*
+For simple nodes the weights are the well-known ones of Lagrange.  Whether a factor is written $t_l-t_j$ or $t_j-t_l$
+changes the sign of each of $k$ factors, hence that of the whole for odd $k$: a fault that an example with $k=2$ does
+not show.
+
 :::{claim} simple_difference_has_factors_of_both_orders
 :title: The divided difference over simple nodes, and the printed one times (-1)^k
 :zh: 单节点差商的正确符号
@@ -229,6 +233,9 @@ CLAIM(printed_weights_give_the_negative_basis)
 :figure: simple_knots_sign
 :::
 
+The wrong sign is carried on into the B-spline, its expansion in $u$ and the entries of the matrix.  The corrected
+formula is proved first; then the printed one is compared with it, and the parity shows.
+
 :::{claim} simple_matrix_is_the_matrix
 :title: The corrected formula gives the coefficient matrix
 :zh: 改正后的 (4.4.23)
@@ -297,6 +304,9 @@ $k$ is wrong alone.
 
 #if RATIONAL
 /*
+In type a letter $l$ and a digit 1 look the same.  Where a sum has a variable $l$ the difference matters: the exponent
+would change from term to term, and become negative.
+
 :::{claim} exponent_with_the_letter_fails
 :title: The exponent k-l-j with the number of the knot is wrong
 :zh: 指数 k-l-j 中的 l 应为 1
@@ -424,6 +434,9 @@ static struct G(span) G(uniform_span)(int k, int r)
 }
 
 /*
+Each of the four sums is computed twice, with the digit and with the letter.  With the digit all four are the entries
+of the matrix.  The sign with which the chain begins is the right one, so it does not come from the printed (4.4.23).
+
 :::{claim} uniform_chain_gives_the_matrix
 :title: The four sums, with the digit 1, are the entries of the matrix
 :zh: 改正后四式均为矩阵元素
@@ -521,6 +534,9 @@ static void G(compare_line)(trial *T, const char *name, int line, struct indices
 }
 
 /*
+With the letter the sums differ from the entries already for the smallest orders, and each in its own way; for every
+sum one entry is enough.
+
 :::{claim} uniform_letter_one_fails
 :title: The exponent k-l-j is wrong in the first and in the third sum
 :zh: 第一、三式中指数 k-l-j 有误
